@@ -1,0 +1,79 @@
+#include "bt_core/base/diagnostic.h"
+
+#include <algorithm>
+#include <cctype>
+#include <utility>
+
+namespace coppice {
+namespace {
+
+std::string Lower(std::string_view text) {
+  std::string lower(text);
+  for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return lower;
+}
+
+// Levenshtein distance with one row of memory.
+std::size_t EditDistance(const std::string& a, const std::string& b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t substitute = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+      diagonal = row[j];
+      row[j] = std::min({substitute, row[j] + 1, row[j - 1] + 1});
+    }
+  }
+  return row[b.size()];
+}
+
+}  // namespace
+
+std::string ToString(const Diagnostic& diagnostic) {
+  std::string text = diagnostic.where.file;
+  if (diagnostic.where.line > 0) text += ":" + std::to_string(diagnostic.where.line);
+  if (diagnostic.where.column > 0) text += ":" + std::to_string(diagnostic.where.column);
+  if (!text.empty()) text += ": ";
+  text += diagnostic.severity == Severity::kError ? "error: " : "warning: ";
+  text += diagnostic.message;
+  if (!diagnostic.hint.empty()) text += " (" + diagnostic.hint + ")";
+  return text;
+}
+
+void Diagnostics::Error(SourceLocation where, std::string message, std::string hint) {
+  all_.push_back({Severity::kError, std::move(where), std::move(message), std::move(hint)});
+  ++errors_;
+}
+
+void Diagnostics::Warning(SourceLocation where, std::string message, std::string hint) {
+  all_.push_back({Severity::kWarning, std::move(where), std::move(message), std::move(hint)});
+}
+
+std::string Diagnostics::ToString() const {
+  std::string text;
+  for (const Diagnostic& diagnostic : all_) text += coppice::ToString(diagnostic) + "\n";
+  return text;
+}
+
+std::string NearestName(std::string_view name, const std::vector<std::string>& candidates) {
+  const std::string wanted = Lower(name);
+  std::size_t best_distance = std::max<std::size_t>(1, wanted.size() / 3) + 1;
+  std::string best;
+  for (const std::string& candidate : candidates) {
+    const std::size_t distance = EditDistance(wanted, Lower(candidate));
+    if (distance < best_distance) {
+      best_distance = distance;
+      best = candidate;
+    }
+  }
+  return best;
+}
+
+std::string DidYouMean(std::string_view name, const std::vector<std::string>& candidates) {
+  const std::string nearest = NearestName(name, candidates);
+  return nearest.empty() ? std::string() : "did you mean \"" + nearest + "\"?";
+}
+
+}  // namespace coppice

@@ -1,0 +1,86 @@
+// The only way into a running tree from other threads.
+//
+// Sensor callbacks, workers and remote clients post here; the ticking thread applies everything at
+// the start of a tick, so during a tick the world stands still and all leaves see the same of it.
+// Posting wakes a sleeping tree.
+//
+//   Sender<double> battery = executor.Writer<double>("battery_level");   // once, at wiring time
+//   battery.Send(0.71);                                                  // from any thread
+#ifndef COPPICE_BT_CORE_DATA_INBOX_H_
+#define COPPICE_BT_CORE_DATA_INBOX_H_
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <utility>
+#include <vector>
+
+#include "bt_core/base/wake_up.h"
+#include "bt_core/data/value.h"
+
+namespace coppice {
+
+using SlotIndex = std::uint32_t;
+inline constexpr SlotIndex kNoSlot = UINT32_MAX;
+
+class Inbox {
+ public:
+  struct Message {
+    SlotIndex slot;
+    std::uint32_t epoch;  ///< for mailboxes: the activation of the leaf that asked for it
+    Value value;
+  };
+  using Call = std::function<void()>;
+
+  /// Any thread. The value replaces what the slot holds at the start of the next tick.
+  void Post(SlotIndex slot, std::uint32_t epoch, Value value);
+
+  /// Any thread. The function runs on the ticking thread, between two ticks.
+  void PostCall(Call call);
+
+  /// Ticking thread: true if there is something to take. Costs one relaxed load.
+  bool has_messages() const { return has_messages_.load(std::memory_order_relaxed); }
+  bool has_calls() const { return has_calls_.load(std::memory_order_relaxed); }
+
+  /// Ticking thread: everything that was posted so far, in order; replaces the content of the
+  /// argument.
+  void TakeMessages(std::vector<Message>& out);
+  void TakeCalls(std::vector<Call>& out);
+
+  /// Notified at every post.
+  WakeUp& wake_up() { return wake_up_; }
+
+ private:
+  std::mutex mutex_;
+  std::vector<Message> messages_;
+  std::vector<Call> calls_;
+  std::atomic<bool> has_messages_{false};
+  std::atomic<bool> has_calls_{false};
+  WakeUp wake_up_;
+};
+
+/// Writes one slot through the inbox. A value: copy it freely, use it from any thread, also after
+/// the tree is gone. A default-made Sender drops what is sent.
+template <class T>
+class Sender {
+ public:
+  Sender() = default;
+  Sender(std::shared_ptr<Inbox> inbox, SlotIndex slot, std::uint32_t epoch)
+      : inbox_(std::move(inbox)), slot_(slot), epoch_(epoch) {}
+
+  void Send(const T& value) const {
+    if (inbox_) inbox_->Post(slot_, epoch_, Value(value));
+  }
+  explicit operator bool() const { return inbox_ != nullptr; }
+
+ private:
+  std::shared_ptr<Inbox> inbox_;
+  SlotIndex slot_ = kNoSlot;
+  std::uint32_t epoch_ = 0;
+};
+
+}  // namespace coppice
+
+#endif  // COPPICE_BT_CORE_DATA_INBOX_H_

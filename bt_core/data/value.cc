@@ -1,0 +1,128 @@
+#include "bt_core/data/value.h"
+
+#include <charconv>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+
+namespace coppice {
+namespace {
+
+std::string_view Trim(std::string_view text) {
+  const char* blanks = " \t\r\n";
+  const std::size_t first = text.find_first_not_of(blanks);
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
+// The whole text must be one number: "12abc" is not 12.
+template <class T>
+bool ParseWhole(std::string_view text, T& out) {
+  text = Trim(text);
+  if (!text.empty() && text.front() == '+') text.remove_prefix(1);
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), out);
+  return error == std::errc() && end == text.data() + text.size() && !text.empty();
+}
+
+}  // namespace
+
+Value::Value(Value&& other) noexcept { *this = std::move(other); }
+
+Value& Value::operator=(const Value& other) {
+  if (this == &other) return *this;
+  if (!other.type_) {
+    Reset();
+  } else if (type_ == other.type_) {
+    type_->copy_assign(data(), other.data());
+  } else {
+    other.type_->copy_construct(Prepare(*other.type_), other.data());
+  }
+  return *this;
+}
+
+Value& Value::operator=(Value&& other) noexcept {
+  if (this == &other) return *this;
+  if (other.type_ && !other.is_inline()) {
+    Reset();
+    type_ = std::exchange(other.type_, nullptr);
+    heap_ = other.heap_;
+    return *this;
+  }
+  return *this = static_cast<const Value&>(other);
+}
+
+bool Value::Parse(const Type& type, std::string_view text) {
+  void* at = Prepare(type);
+  type.construct(at);
+  if (type.parse(text, at)) return true;
+  Reset();
+  return false;
+}
+
+void Value::Reset() {
+  if (!type_) return;
+  type_->destroy(data());
+  if (!is_inline()) ::operator delete(heap_, std::align_val_t(type_->alignment));
+  type_ = nullptr;
+}
+
+void* Value::Prepare(const Type& type) {
+  Reset();
+  type_ = &type;
+  if (is_inline()) return inline_;
+  heap_ = ::operator new(type.size, std::align_val_t(type.alignment));
+  return heap_;
+}
+
+bool ValueTraits<bool>::Parse(std::string_view text, bool& out) {
+  text = Trim(text);
+  const bool yes = text == "true" || text == "True" || text == "TRUE" || text == "1";
+  const bool no = text == "false" || text == "False" || text == "FALSE" || text == "0";
+  out = yes;
+  return yes || no;
+}
+std::string ValueTraits<bool>::Print(const bool& value) { return value ? "true" : "false"; }
+
+bool ValueTraits<int>::Parse(std::string_view text, int& out) { return ParseWhole(text, out); }
+std::string ValueTraits<int>::Print(const int& value) { return std::to_string(value); }
+
+bool ValueTraits<unsigned>::Parse(std::string_view text, unsigned& out) {
+  return ParseWhole(text, out);
+}
+std::string ValueTraits<unsigned>::Print(const unsigned& value) { return std::to_string(value); }
+
+bool ValueTraits<long>::Parse(std::string_view text, long& out) { return ParseWhole(text, out); }
+std::string ValueTraits<long>::Print(const long& value) { return std::to_string(value); }
+
+bool ValueTraits<unsigned long>::Parse(std::string_view text, unsigned long& out) {
+  return ParseWhole(text, out);
+}
+std::string ValueTraits<unsigned long>::Print(const unsigned long& value) {
+  return std::to_string(value);
+}
+
+// strtod, because GCC 9 has no from_chars for double.
+bool ValueTraits<double>::Parse(std::string_view text, double& out) {
+  const std::string copy(Trim(text));
+  if (copy.empty()) return false;
+  char* end = nullptr;
+  out = std::strtod(copy.c_str(), &end);
+  return *end == '\0';
+}
+
+std::string ValueTraits<double>::Print(const double& value) {
+  char text[32];
+  for (const int digits : {6, 15, 17}) {  // the shortest that reads back the same
+    std::snprintf(text, sizeof(text), "%.*g", digits, value);
+    if (std::strtod(text, nullptr) == value) break;
+  }
+  return text;
+}
+
+bool ValueTraits<std::string>::Parse(std::string_view text, std::string& out) {
+  out.assign(text);
+  return true;
+}
+std::string ValueTraits<std::string>::Print(const std::string& value) { return value; }
+
+}  // namespace coppice

@@ -1,0 +1,366 @@
+// Document -> Program. One pass over the elements builds the arrays and resolves every name; then,
+// with the types of all ports known, the literals given to SubTrees are converted.
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "bt_core/engine/program.h"
+
+namespace coppice {
+namespace {
+
+std::string Quoted(std::string_view text) { return "\"" + std::string(text) + "\""; }
+
+// "{key}" -> "key"; anything else is a literal.
+bool IsPointer(std::string_view text, std::string_view& key) {
+  const std::size_t first = text.find_first_not_of(' ');
+  const std::size_t last = text.find_last_not_of(' ');
+  if (first == std::string_view::npos || text[first] != '{' || text[last] != '}') return false;
+  key = text.substr(first + 1, last - first - 1);
+  return true;
+}
+
+struct Scope {
+  std::unordered_map<std::string_view, SlotIndex> keys;
+  ScopeIndex parent = 0;
+  bool autoremap = false;
+};
+
+// A SubTree's literal waits until some port inside says what type it is.
+struct PendingLiteral {
+  SlotIndex slot;
+  std::string_view text;
+  SourceLocation where;
+};
+
+class Compiler {
+ public:
+  Compiler(std::shared_ptr<const Project> project, std::shared_ptr<const Registry> registry,
+           Diagnostics& diagnostics)
+      : project_(*project), registry_(*registry), diagnostics_(diagnostics) {
+    program_->project = std::move(project);
+    program_->registry = std::move(registry);
+  }
+
+  std::shared_ptr<const Program> Run(const std::string& tree_id) {
+    const TreeDefinition* tree = FindMainTree(tree_id);
+    if (!tree) return nullptr;
+    AddScope(0, false);
+    program_->layout.scopes.push_back(tree_id);
+    program_->trees.push_back({tree_id, "", 0, 0});
+    open_trees_.push_back(tree_id);
+    AddTreeBody(*tree, 0, 0);
+    ConvertPendingLiterals();
+    return diagnostics_.has_errors() ? nullptr : std::move(program_);
+  }
+
+ private:
+  const TreeDefinition* FindMainTree(const std::string& id) {
+    const TreeDefinition* tree = project_.Find(id);
+    if (tree) return tree;
+    const Document& first = project_.documents().front();
+    std::vector<std::string> ids;
+    for (const auto& [known, definition] : project_.trees()) ids.push_back(known);
+    if (id.empty()) {
+      std::string list;
+      for (const std::string& known : ids) list += (list.empty() ? "" : ", ") + known;
+      diagnostics_.Error(first.Location(first.element(0).offset), "which tree is the main one?",
+                         "give main_tree_to_execute; there are: " + list);
+    } else {
+      diagnostics_.Error(first.Location(first.element(0).offset), "no tree " + Quoted(id),
+                         DidYouMean(id, ids));
+    }
+    return nullptr;
+  }
+
+  void AddTreeBody(const TreeDefinition& tree, ScopeIndex scope, NodeIndex parent) {
+    const Document& document = project_.documents()[tree.document];
+    AddNode(tree.document, document.element(tree.element).first_child, scope, parent);
+  }
+
+  void AddNode(std::uint32_t doc, ElementIndex index, ScopeIndex scope, NodeIndex parent) {
+    const Document& document = project_.documents()[doc];
+    const Element& element = document.element(index);
+    const SourceLocation where = document.Location(element.offset);
+    const auto node = static_cast<NodeIndex>(program_->nodes.size());
+
+    std::string_view id = element.tag;
+    if (CategoryFromTag(element.tag)) {
+      id = document.AttributeValue(element, "ID");
+      if (id.empty()) {
+        diagnostics_.Error(where, "<" + std::string(element.tag) + "> without ID");
+        return;
+      }
+      if (element.tag == "SubTree") {
+        AddSubTree(doc, index, scope, parent, id);
+        return;
+      }
+    }
+    const Registry::Entry* entry = registry_.Find(id);
+    if (!entry && !registry_.fallback()) {
+      diagnostics_.Error(where, "unknown node type " + Quoted(id), DidYouMean(id, registry_.Ids()));
+    }
+    const NodeType type = entry ? entry->type : NodeType::kLeaf;
+    AddRecord(type, entry, doc, index, scope, parent);
+    CheckReserved(document, element);
+    if (entry) {
+      CheckChildCount(*entry, element, where);
+      BindPorts(*entry, document, element, scope);
+    } else if (element.child_count > 0 && registry_.fallback()) {
+      diagnostics_.Error(where,
+                         Quoted(id) + " is not built in, so it must be a leaf without children");
+    }
+    if (type == NodeType::kLeaf) {
+      LeafRecord leaf{node, program_->nodes[node].first_port};
+      program_->nodes[node].first_port = static_cast<std::uint32_t>(program_->leaves.size());
+      program_->leaves.push_back(leaf);
+    }
+    for (ElementIndex child = element.first_child; child != kNoElement;
+         child = document.element(child).next_sibling) {
+      AddNode(doc, child, scope, node);
+    }
+    program_->nodes[node].end = static_cast<NodeIndex>(program_->nodes.size());
+  }
+
+  void AddSubTree(std::uint32_t doc, ElementIndex index, ScopeIndex scope, NodeIndex parent,
+                  std::string_view id) {
+    const Document& document = project_.documents()[doc];
+    const Element& element = document.element(index);
+    const SourceLocation where = document.Location(element.offset);
+    const TreeDefinition* tree = project_.Find(id);
+    if (!tree) {
+      std::vector<std::string> ids;
+      for (const auto& [known, definition] : project_.trees()) ids.push_back(known);
+      diagnostics_.Error(where, "no tree " + Quoted(id), DidYouMean(id, ids));
+      return;
+    }
+    if (element.child_count > 0) diagnostics_.Error(where, "<SubTree> must not have children");
+    for (const std::string_view open : open_trees_) {
+      if (open != id) continue;
+      diagnostics_.Error(where, "tree " + Quoted(id) + " contains itself");
+      return;
+    }
+    CheckReserved(document, element);
+    const auto node = static_cast<NodeIndex>(program_->nodes.size());
+    AddRecord(NodeType::kSubTree, registry_.Find("SubTree"), doc, index, scope, parent);
+    const ScopeIndex inner = AddScope(scope, IsTrue(document, element, "_autoremap"));
+    const std::string path = program_->Path(node);
+    program_->layout.scopes.push_back(path);
+    program_->trees.push_back({std::string(id), path, node + 1, node});
+    RemapPorts(document, element, scope, inner);
+    open_trees_.push_back(id);
+    AddTreeBody(*tree, inner, node);
+    open_trees_.pop_back();
+    program_->nodes[node].end = static_cast<NodeIndex>(program_->nodes.size());
+  }
+
+  void AddRecord(NodeType type, const Registry::Entry* entry, std::uint32_t doc, ElementIndex index,
+                 ScopeIndex scope, NodeIndex parent) {
+    const auto node = static_cast<NodeIndex>(program_->nodes.size());
+    program_->nodes.push_back({type, node + 1, static_cast<std::uint32_t>(program_->ports.size())});
+    program_->info.push_back({entry, parent, scope, doc, index});
+  }
+
+  // Attributes of the language that this engine does not read must not be ignored silently: a tree
+  // that relies on a guard would run without it.
+  void CheckReserved(const Document& document, const Element& element) {
+    static const std::vector<std::string> guards = {"_failureIf", "_successIf", "_skipIf",
+                                                    "_while",     "_onSuccess", "_onFailure",
+                                                    "_onHalted",  "_post"};
+    static const std::vector<std::string> known = {"_autoremap", "_description", "_collapsed",
+                                                   "_uid", "_fullpath"};
+    for (const Attribute* a = document.attributes_begin(element);
+         a != document.attributes_end(element); ++a) {
+      if (a->name.substr(0, 1) != "_") continue;
+      const auto is = [a](const std::string& name) { return a->name == name; };
+      bool ok = false;
+      for (const std::string& name : known) ok = ok || is(name);
+      bool guard = false;
+      for (const std::string& name : guards) guard = guard || is(name);
+      const SourceLocation where = document.Location(a->name_offset);
+      if (guard) {
+        diagnostics_.Error(where, "scripts are not supported yet: " + std::string(a->name));
+      } else if (!ok) {
+        diagnostics_.Error(where, "unknown attribute " + Quoted(a->name),
+                           DidYouMean(a->name, guards));
+      }
+    }
+  }
+
+  void CheckChildCount(const Registry::Entry& entry, const Element& element,
+                       const SourceLocation& where) {
+    const ChildCount allowed = entry.children;
+    if (element.child_count >= allowed.min && element.child_count <= allowed.max) return;
+    const std::string expected = allowed.max == 0            ? "none"
+                                 : allowed.max == UINT32_MAX ? "at least 1"
+                                                             : "exactly 1";
+    diagnostics_.Error(where, entry.manifest.id + " has " + std::to_string(element.child_count) +
+                                  " children, expected " + expected);
+  }
+
+  void BindPorts(const Registry::Entry& entry, const Document& document, const Element& element,
+                 ScopeIndex scope) {
+    CheckPortNames(entry, document, element);
+    for (const PortDeclaration& port : entry.declarations) {
+      program_->ports.push_back({BindPort(entry, port, document, element, scope)});
+    }
+  }
+
+  void CheckPortNames(const Registry::Entry& entry, const Document& document,
+                      const Element& element) {
+    std::vector<std::string> names;
+    for (const PortDeclaration& port : entry.manifest.ports) names.push_back(port.name);
+    for (const Attribute* a = document.attributes_begin(element);
+         a != document.attributes_end(element); ++a) {
+      if (IsReservedAttribute(a->name)) continue;
+      bool known = false;
+      for (const std::string& name : names) known = known || a->name == name;
+      if (known) continue;
+      diagnostics_.Error(document.Location(a->name_offset),
+                         entry.manifest.id + " has no port " + Quoted(a->name),
+                         DidYouMean(a->name, names));
+    }
+  }
+
+  SlotIndex BindPort(const Registry::Entry& entry, const PortDeclaration& port,
+                     const Document& document, const Element& element, ScopeIndex scope) {
+    if (port.direction == PortDirection::kMailbox) return AddSlot("", scope, port.type);
+    const Attribute* attribute = document.FindAttribute(element, port.name);
+    const SourceLocation where =
+        document.Location(attribute ? attribute->value_offset : element.offset);
+    if (!attribute && !port.default_text) {
+      if (port.required) {
+        diagnostics_.Error(where, entry.manifest.id + " needs its port " + Quoted(port.name),
+                           port.description);
+      }
+      return kNoSlot;
+    }
+    const std::string_view text = attribute ? attribute->value : *port.default_text;
+    std::string_view key;
+    if (text == "=" || (IsPointer(text, key) && key == "=")) key = port.name;
+    if (!key.empty()) return UnifyType(ResolveKey(key, scope), port, entry, where);
+    if (port.direction != PortDirection::kInput) {
+      diagnostics_.Error(where, "output " + Quoted(port.name) + " needs a key", "write {key}");
+      return kNoSlot;
+    }
+    return AddLiteral(port.type, text, where, scope,
+                      "port " + Quoted(port.name) + " of " + entry.manifest.id);
+  }
+
+  SlotIndex AddLiteral(const Type* type, std::string_view text, const SourceLocation& where,
+                       ScopeIndex scope, const std::string& what) {
+    const SlotIndex slot = AddSlot("", scope, type);
+    if (!program_->layout.slots[slot].initial.Parse(*type, text)) {
+      diagnostics_.Error(where, Quoted(text) + " is not a value for " + what,
+                         std::string("expected ") + type->name);
+    }
+    return slot;
+  }
+
+  SlotIndex UnifyType(SlotIndex index, const PortDeclaration& port, const Registry::Entry& entry,
+                      const SourceLocation& where) {
+    SlotDefinition& slot = program_->layout.slots[index];
+    if (!slot.type) {
+      slot.type = port.type;
+      first_use_[index] = entry.manifest.id + "." + port.name;
+    } else if (slot.type != port.type) {
+      diagnostics_.Error(where, "key " + Quoted(slot.key) + " is " + slot.type->name + " (from " +
+                                    first_use_[index] + "), but port " + Quoted(port.name) +
+                                    " of " + entry.manifest.id + " is " + port.type->name);
+    }
+    return index;
+  }
+
+  SlotIndex ResolveKey(std::string_view key, ScopeIndex scope) {
+    if (key.front() == '@') {
+      key.remove_prefix(1);
+      scope = 0;
+    }
+    const auto found = scopes_[scope].keys.find(key);
+    if (found != scopes_[scope].keys.end()) return found->second;
+    const bool to_parent = scope != 0 && scopes_[scope].autoremap && key.front() != '_';
+    const SlotIndex slot = to_parent ? ResolveKey(key, scopes_[scope].parent)
+                                     : AddSlot(std::string(key), scope, nullptr);
+    scopes_[scope].keys.emplace(key, slot);
+    return slot;
+  }
+
+  void RemapPorts(const Document& document, const Element& element, ScopeIndex outer,
+                  ScopeIndex inner) {
+    for (const Attribute* a = document.attributes_begin(element);
+         a != document.attributes_end(element); ++a) {
+      if (IsReservedAttribute(a->name)) continue;
+      std::string_view key;
+      if (a->value == "=" || (IsPointer(a->value, key) && key == "=")) key = a->name;
+      SlotIndex slot = kNoSlot;
+      if (!key.empty()) {
+        slot = ResolveKey(key, outer);
+      } else {
+        slot = AddSlot(std::string(a->name), inner, nullptr);
+        pending_.push_back({slot, a->value, document.Location(a->value_offset)});
+      }
+      scopes_[inner].keys.emplace(a->name, slot);
+    }
+  }
+
+  void ConvertPendingLiterals() {
+    for (const PendingLiteral& literal : pending_) {
+      SlotDefinition& slot = program_->layout.slots[literal.slot];
+      if (!slot.type) slot.type = &TypeOf<std::string>();
+      if (slot.initial.Parse(*slot.type, literal.text)) continue;
+      diagnostics_.Error(
+          literal.where,
+          Quoted(literal.text) + " is not a value for key " + Quoted(slot.key) + " inside",
+          std::string("expected ") + slot.type->name);
+    }
+    for (SlotDefinition& slot : program_->layout.slots) {
+      if (!slot.type) slot.type = &TypeOf<std::string>();  // remapped, but used by nobody
+    }
+  }
+
+  SlotIndex AddSlot(std::string key, ScopeIndex scope, const Type* type) {
+    program_->layout.slots.push_back({std::move(key), scope, type, Value()});
+    return static_cast<SlotIndex>(program_->layout.slots.size() - 1);
+  }
+
+  ScopeIndex AddScope(ScopeIndex parent, bool autoremap) {
+    scopes_.push_back({{}, parent, autoremap});
+    return static_cast<ScopeIndex>(scopes_.size() - 1);
+  }
+
+  static bool IsTrue(const Document& document, const Element& element, std::string_view name) {
+    bool value = false;
+    return ValueTraits<bool>::Parse(document.AttributeValue(element, name), value) && value;
+  }
+
+  const Project& project_;
+  const Registry& registry_;
+  Diagnostics& diagnostics_;
+  std::shared_ptr<Program> program_ = std::make_shared<Program>();
+  std::vector<Scope> scopes_;
+  std::vector<std::string_view> open_trees_;
+  std::vector<PendingLiteral> pending_;
+  std::unordered_map<SlotIndex, std::string> first_use_;
+};
+
+}  // namespace
+
+std::shared_ptr<const Program> Compile(std::shared_ptr<const Project> project,
+                                       std::shared_ptr<const Registry> registry,
+                                       Diagnostics& diagnostics, const std::string& tree_id) {
+  const std::string main = tree_id.empty() ? project->main_tree() : tree_id;
+  return Compiler(std::move(project), std::move(registry), diagnostics).Run(main);
+}
+
+std::shared_ptr<const Program> CompileFile(const std::string& path,
+                                           std::shared_ptr<const Registry> registry,
+                                           Diagnostics& diagnostics, const std::string& tree_id) {
+  std::optional<Project> project = Project::FromFile(path, diagnostics);
+  if (!project) return nullptr;
+  return Compile(std::make_shared<const Project>(*std::move(project)), std::move(registry),
+                 diagnostics, tree_id);
+}
+
+}  // namespace coppice

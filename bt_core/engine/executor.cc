@@ -1,0 +1,218 @@
+#include "bt_core/engine/executor.h"
+
+#include <algorithm>
+#include <exception>
+#include <utility>
+
+#include "bt_core/nodes/decorator.h"
+
+namespace coppice {
+
+Executor::Executor(std::shared_ptr<const Program> program, Clock& clock)
+    : program_(std::move(program)),
+      nodes_(program_->nodes.data()),
+      clock_(clock),
+      inbox_(std::make_shared<Inbox>()),
+      statuses_(program_->nodes.size(), Status::kIdle),
+      memory_(program_->nodes.size(), 0),
+      blackboard_(MakeBlackboard(program_->layout)) {
+  now_ = clock_.Now();
+  BuildLeaves();
+}
+
+Executor::~Executor() { Halt(); }
+
+void Executor::BuildLeaves() {
+  leaves_.reserve(program_->leaves.size());
+  for (const LeafRecord& record : program_->leaves) {
+    const Registry::Entry* entry = program_->info[record.node].entry;
+    const PortCollector collector;
+    std::unique_ptr<Leaf> leaf =
+        entry ? entry->build() : program_->registry->fallback()(program_->Name(record.node));
+    leaf->set_host(this);
+    std::uint32_t next = record.first_port;
+    for (const PortCollector::Port& port : collector.ports) {
+      const SlotIndex slot = program_->ports[next++].slot;
+      if (slot != kNoSlot) port.port->Bind(&blackboard_[slot], slot, inbox_);
+    }
+    leaves_.push_back(std::move(leaf));
+  }
+}
+
+Status Executor::Tick() {
+  now_ = clock_.Now();
+  wake_at_ = kNever;
+  tick_again_ = false;
+  ++ticks_;
+  RunCalls();
+  if (inbox_->has_messages()) ApplyInbox();
+  const Status result = Tick(0);
+  if (listening_) Report(result);
+  return result;
+}
+
+void Executor::Halt() {
+  Halt(0);
+  wake_at_ = kNever;
+  tick_again_ = false;
+  if (listening_ && !changes_.empty()) Report(Status::kIdle);
+}
+
+void Executor::RunCalls() {
+  if (!inbox_->has_calls()) return;
+  inbox_->TakeCalls(calls_);
+  for (const Inbox::Call& call : calls_) call();
+  calls_.clear();
+}
+
+void Executor::ApplyInbox() {
+  inbox_->TakeMessages(delivery_);
+  for (Inbox::Message& message : delivery_) {
+    Slot& slot = blackboard_[message.slot];
+    if (message.epoch < slot.epoch) continue;  // answer to a question that is no longer asked
+    slot.value = std::move(message.value);
+    slot.epoch = message.epoch;
+    ++slot.writes;
+  }
+  delivery_.clear();
+}
+
+Status Executor::Tick(NodeIndex node) {
+  const Status result = Dispatch(node, nodes_[node]);
+  if (result != Status::kRunning) memory_[node] = 0;
+  if (result != statuses_[node]) SetStatus(node, result);
+  return result;
+}
+
+Status Executor::Dispatch(NodeIndex node, const NodeRecord& record) {
+  switch (record.type) {
+    case NodeType::kLeaf:
+      return TickLeaf(node, record.first_port);
+    case NodeType::kSequence:
+      return TickSequence(*this, node);
+    case NodeType::kFallback:
+      return TickFallback(*this, node);
+    case NodeType::kReactiveSequence:
+      return TickReactiveSequence(*this, node);
+    case NodeType::kReactiveFallback:
+      return TickReactiveFallback(*this, node);
+    case NodeType::kInverter:
+      return TickMapped(*this, node, Status::kFailure, Status::kSuccess);
+    case NodeType::kForceSuccess:
+      return TickMapped(*this, node, Status::kSuccess, Status::kSuccess);
+    case NodeType::kForceFailure:
+      return TickMapped(*this, node, Status::kFailure, Status::kFailure);
+    case NodeType::kSubTree:
+      return TickMapped(*this, node, Status::kSuccess, Status::kFailure);
+    case NodeType::kAlwaysSuccess:
+      return Status::kSuccess;
+    case NodeType::kAlwaysFailure:
+      return Status::kFailure;
+    default:
+      return DispatchWithPorts(node, record.type);
+  }
+}
+
+Status Executor::DispatchWithPorts(NodeIndex node, NodeType type) {
+  try {
+    switch (type) {
+      case NodeType::kParallel:
+        return TickParallel(*this, node);
+      case NodeType::kRepeat:
+        return TickRepeat(*this, node);
+      case NodeType::kRetryUntilSuccessful:
+        return TickRetryUntilSuccessful(*this, node);
+      case NodeType::kTimeout:
+        return TickTimeout(*this, node);
+      default:
+        return TickDelay(*this, node);
+    }
+  } catch (const UnsetInput& error) {
+    ResetChildren(node);
+    current_leaf_ = node;
+    AddMessage(error.what());
+    return Status::kFailure;
+  }
+}
+
+Status Executor::TickLeaf(NodeIndex node, std::uint32_t leaf) {
+  current_leaf_ = node;
+  try {
+    const Status result = leaves_[leaf]->Tick(statuses_[node] != Status::kRunning);
+    if (result != Status::kIdle) return result;
+    AddMessage("returned IDLE, which no node may; taken as FAILURE");
+  } catch (const std::exception& error) {
+    AddMessage(error.what());
+  } catch (...) {
+    AddMessage("threw something that is not a std::exception");
+  }
+  return Status::kFailure;
+}
+
+void Executor::Halt(NodeIndex node) {
+  if (statuses_[node] != Status::kRunning) {
+    if (statuses_[node] != Status::kIdle) SetStatus(node, Status::kIdle);
+    return;
+  }
+  for (NodeIndex i = node; i < nodes_[node].end; ++i) {
+    if (statuses_[i] == Status::kIdle) continue;
+    if (statuses_[i] == Status::kRunning && nodes_[i].type == NodeType::kLeaf) {
+      current_leaf_ = i;
+      try {
+        leaves_[nodes_[i].first_port]->Halt();
+      } catch (const std::exception& error) {
+        AddMessage(std::string("while halting: ") + error.what());
+      }
+    }
+    memory_[i] = 0;
+    SetStatus(i, Status::kIdle);
+  }
+}
+
+void Executor::ResetChildren(NodeIndex node) {
+  for (NodeIndex child = node + 1; child != nodes_[node].end; child = nodes_[child].end) {
+    if (statuses_[child] != Status::kIdle) Halt(child);
+  }
+}
+
+void Executor::SetStatus(NodeIndex node, Status status) {
+  if (listening_) changes_.push_back({node, statuses_[node], status});
+  statuses_[node] = status;
+}
+
+void Executor::AddMessage(std::string text) {
+  if (listening_) messages_.push_back({current_leaf_, std::move(text)});
+}
+
+void Executor::AddSink(TickSink* sink) {
+  sinks_.push_back(sink);
+  listening_ = true;
+  reported_writes_.resize(blackboard_.size(), 0);
+}
+
+void Executor::RemoveSink(TickSink* sink) {
+  sinks_.erase(std::remove(sinks_.begin(), sinks_.end(), sink), sinks_.end());
+  listening_ = !sinks_.empty();
+}
+
+void Executor::Report(Status result) {
+  writes_.clear();
+  for (SlotIndex i = 0; i < blackboard_.size(); ++i) {
+    if (blackboard_[i].writes == reported_writes_[i]) continue;
+    reported_writes_[i] = blackboard_[i].writes;
+    writes_.push_back(i);
+  }
+  const TickEvents events{ticks_, now_, result, changes_, writes_, messages_, blackboard_};
+  for (TickSink* sink : sinks_) sink->OnTick(events);
+  changes_.clear();
+  messages_.clear();
+}
+
+void Executor::CheckType(SlotIndex slot, const Type& type) const {
+  const SlotDefinition& definition = program_->layout.slots[slot];
+  if (definition.type == &type) return;
+  throw std::invalid_argument("key \"" + definition.key + "\" is " + definition.type->name +
+                              " in the tree, not " + type.name);
+}
+
+}  // namespace coppice

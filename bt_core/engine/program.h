@@ -1,0 +1,94 @@
+// A tree that is ready to run: flat arrays, every name resolved, every port bound to a slot.
+// Immutable; any number of Executors may run the same Program.
+//
+// Nodes lie in preorder, so the descendants of node i are the nodes i + 1 .. end of i - 1, and its
+// first child is i + 1. SubTrees are expanded in place. What a tick needs is in `nodes`; what
+// people need is beside it.
+#ifndef COPPICE_BT_CORE_ENGINE_PROGRAM_H_
+#define COPPICE_BT_CORE_ENGINE_PROGRAM_H_
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "bt_core/data/blackboard.h"
+#include "bt_core/engine/registry.h"
+#include "bt_core/model/project.h"
+#include "bt_core/nodes/control.h"
+
+namespace coppice {
+
+struct NodeRecord {
+  NodeType type;
+  NodeIndex end;             ///< one past the last descendant
+  std::uint32_t first_port;  ///< of Program::ports; for a leaf: its number in Program::leaves
+};
+static_assert(sizeof(NodeRecord) == 12);
+
+/// One port of one node, in the order of the manifest.
+struct PortBinding {
+  SlotIndex slot = kNoSlot;  ///< kNoSlot: optional and not given
+};
+
+struct LeafRecord {
+  NodeIndex node;
+  std::uint32_t first_port;  ///< of Program::ports
+};
+
+/// What people want to know of a node.
+struct NodeInfo {
+  const Registry::Entry* entry;  ///< null for a leaf that only the fallback knows
+  NodeIndex parent;              ///< itself for the root
+  ScopeIndex scope;              ///< blackboard scope that its ports are looked up in
+  std::uint32_t document;        ///< of Project::documents()
+  ElementIndex element;          ///< where it is written
+};
+
+/// One tree or SubTree instance, in the order of creation. Its scope has the same number.
+struct TreeInstance {
+  std::string id;
+  std::string path;  ///< empty for the main tree
+  NodeIndex root;    ///< first node inside
+  NodeIndex node;    ///< the SubTree node that it hangs on; for the main tree its root
+};
+
+class Program {
+ public:
+  std::vector<NodeRecord> nodes;
+  std::vector<PortBinding> ports;
+  std::vector<LeafRecord> leaves;
+  std::vector<NodeInfo> info;
+  std::vector<TreeInstance> trees;
+  Layout layout;
+  std::shared_ptr<const Project> project;
+  std::shared_ptr<const Registry> registry;
+
+  /// Registration ID ("Sequence", "DriveTo"; for a SubTree the ID of its tree).
+  std::string Id(NodeIndex node) const;
+  /// Name given in the XML, or else the ID.
+  std::string Name(NodeIndex node) const;
+  /// "Main/patrol/DriveTo::7": path of the instance, then the name or, without one, ID::uid.
+  std::string Path(NodeIndex node) const;
+  /// Where it is written.
+  SourceLocation Location(NodeIndex node) const;
+
+  const Element& ElementOf(NodeIndex node) const;
+  const Document& DocumentOf(NodeIndex node) const;
+};
+
+/// Translates a tree of a project. All problems go to `diagnostics`; returns null if one of them is
+/// an error. `tree_id` empty: the project's main tree.
+std::shared_ptr<const Program> Compile(std::shared_ptr<const Project> project,
+                                       std::shared_ptr<const Registry> registry,
+                                       Diagnostics& diagnostics, const std::string& tree_id = {});
+
+/// Reads and compiles a file in one go.
+std::shared_ptr<const Program> CompileFile(const std::string& path,
+                                           std::shared_ptr<const Registry> registry,
+                                           Diagnostics& diagnostics,
+                                           const std::string& tree_id = {});
+
+}  // namespace coppice
+
+#endif  // COPPICE_BT_CORE_ENGINE_PROGRAM_H_

@@ -1,0 +1,97 @@
+// A behaviour-tree XML file as a value: the user's exact text and, beside it, a flat index of its
+// elements.
+//
+// tinyxml2 does the parsing; the index adds what it does not keep, the byte position of every name
+// and value, so that every message can name file:line:column of the user's own text. A Document is
+// immutable and cheap to move; views into it live as long as it does.
+#ifndef COPPICE_BT_CORE_MODEL_DOCUMENT_H_
+#define COPPICE_BT_CORE_MODEL_DOCUMENT_H_
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bt_core/base/diagnostic.h"
+
+namespace tinyxml2 {
+class XMLDocument;
+}
+
+namespace coppice {
+
+using ElementIndex = std::uint32_t;
+inline constexpr ElementIndex kNoElement = UINT32_MAX;
+
+struct Attribute {
+  std::string_view name;
+  std::string_view value;      ///< with entities resolved
+  std::uint32_t name_offset;   ///< in bytes from the start of the text
+  std::uint32_t value_offset;  ///< of the first byte after the quote
+};
+
+/// One element. Elements lie in document order; element 0 is the root.
+struct Element {
+  std::string_view tag;
+  std::uint32_t offset;  ///< of the '<'
+  std::uint32_t first_attribute;
+  std::uint32_t attribute_count;
+  ElementIndex parent;
+  ElementIndex first_child;   ///< kNoElement if none
+  ElementIndex next_sibling;  ///< kNoElement if last
+  std::uint32_t child_count;
+};
+
+class Document {
+ public:
+  /// Parses a text; `file` is used in messages only. Nothing is returned if the XML is malformed,
+  /// and the reason is added to `diagnostics`.
+  static std::optional<Document> FromText(std::string text, std::string file,
+                                          Diagnostics& diagnostics);
+
+  /// Reads and parses a file.
+  static std::optional<Document> FromFile(const std::string& path, Diagnostics& diagnostics);
+
+  Document(Document&&) noexcept;
+  Document& operator=(Document&&) noexcept;
+  ~Document();
+
+  const std::string& text() const { return *text_; }
+  const std::string& file() const { return file_; }
+
+  const std::vector<Element>& elements() const { return elements_; }
+  const Element& element(ElementIndex index) const { return elements_[index]; }
+
+  /// Attributes of an element: a contiguous range of attributes().
+  const Attribute* attributes_begin(const Element& element) const {
+    return attributes_.data() + element.first_attribute;
+  }
+  const Attribute* attributes_end(const Element& element) const {
+    return attributes_begin(element) + element.attribute_count;
+  }
+
+  /// The attribute of that name, or null.
+  const Attribute* FindAttribute(const Element& element, std::string_view name) const;
+
+  /// Its value, or empty if there is no such attribute.
+  std::string_view AttributeValue(const Element& element, std::string_view name) const;
+
+  /// Line and column of a byte offset.
+  SourceLocation Location(std::uint32_t offset) const;
+
+ private:
+  Document() = default;
+  void BuildIndex();
+
+  std::string file_;
+  std::unique_ptr<const std::string> text_;
+  std::unique_ptr<tinyxml2::XMLDocument> xml_;  // owns the bytes that the views point to
+  std::vector<Element> elements_;
+  std::vector<Attribute> attributes_;
+};
+
+}  // namespace coppice
+
+#endif  // COPPICE_BT_CORE_MODEL_DOCUMENT_H_

@@ -1,0 +1,144 @@
+// What the control nodes do in one tick.
+//
+// Written against a Tree that knows children, statuses and one 64-bit word of memory for each node;
+// the executor is such a Tree. A node's memory is zero when an activation starts and is cleared
+// when it ends or is halted.
+//
+//   Status   Tick(node)               ticks a child and stores its status
+//   void     Halt(node)               halts a running child and everything below it; makes it idle
+//   void     ResetChildren(node)      makes all children idle, halting the running ones
+//   Status   status(node)
+//   uint64&  memory(node)
+//   NodeIndex EndOf(node)             one past its last descendant; node + 1 is its first child
+//   const T& Port<T>(node, k)         its k-th port
+//
+// A skipped child counts as if it were not there; a control node all of whose children were skipped
+// is skipped. Source of the names and rules: Colledanchise and Ögren, "Behavior Trees in Robotics
+// and AI", 2018, chapter 1; BehaviorTree.CPP 4 for memory, reactivity and skipping.
+#ifndef COPPICE_BT_CORE_NODES_CONTROL_H_
+#define COPPICE_BT_CORE_NODES_CONTROL_H_
+
+#include <cstdint>
+
+#include "bt_core/base/status.h"
+
+namespace coppice {
+
+using NodeIndex = std::uint32_t;
+
+namespace internal {
+
+// Sequence and Fallback are mirror images: `kGoOn` is the child's result after which the next one
+// is ticked. Memory: the child to resume at, and whether a child has returned kGoOn before (bit
+// 63).
+template <Status kGoOn, class Tree>
+Status TickWithMemory(Tree& tree, NodeIndex node) {
+  constexpr Status kStop = kGoOn == Status::kSuccess ? Status::kFailure : Status::kSuccess;
+  constexpr std::uint64_t kWentOn = std::uint64_t{1} << 63;
+  const std::uint64_t memory = tree.memory(node);
+  bool went_on = (memory & kWentOn) != 0;
+  const auto resume_at = static_cast<NodeIndex>(memory);
+  const NodeIndex end = tree.EndOf(node);
+  for (NodeIndex child = resume_at ? resume_at : node + 1; child != end;
+       child = tree.EndOf(child)) {
+    const Status result = tree.Tick(child);
+    if (result == kGoOn) {
+      went_on = true;
+    } else if (result == Status::kRunning) {
+      tree.memory(node) = child | (went_on ? kWentOn : 0);
+      return Status::kRunning;
+    } else if (result == kStop) {
+      tree.ResetChildren(node);
+      return kStop;
+    }
+  }
+  tree.ResetChildren(node);
+  return went_on ? kGoOn : Status::kSkipped;
+}
+
+template <Status kGoOn, class Tree>
+Status TickReactive(Tree& tree, NodeIndex node) {
+  constexpr Status kStop = kGoOn == Status::kSuccess ? Status::kFailure : Status::kSuccess;
+  bool went_on = false;
+  const NodeIndex end = tree.EndOf(node);
+  for (NodeIndex child = node + 1; child != end; child = tree.EndOf(child)) {
+    const Status result = tree.Tick(child);
+    if (result == kGoOn) {
+      went_on = true;
+    } else if (result == Status::kRunning) {
+      // At most one child of a reactive node runs: whatever ran behind this one is no longer
+      // wanted.
+      for (NodeIndex other = tree.EndOf(child); other != end; other = tree.EndOf(other)) {
+        tree.Halt(other);
+      }
+      return Status::kRunning;
+    } else if (result == kStop) {
+      tree.ResetChildren(node);
+      return kStop;
+    }
+  }
+  tree.ResetChildren(node);
+  return went_on ? kGoOn : Status::kSkipped;
+}
+
+}  // namespace internal
+
+template <class Tree>
+Status TickSequence(Tree& tree, NodeIndex node) {
+  return internal::TickWithMemory<Status::kSuccess>(tree, node);
+}
+
+template <class Tree>
+Status TickFallback(Tree& tree, NodeIndex node) {
+  return internal::TickWithMemory<Status::kFailure>(tree, node);
+}
+
+template <class Tree>
+Status TickReactiveSequence(Tree& tree, NodeIndex node) {
+  return internal::TickReactive<Status::kSuccess>(tree, node);
+}
+
+template <class Tree>
+Status TickReactiveFallback(Tree& tree, NodeIndex node) {
+  return internal::TickReactive<Status::kFailure>(tree, node);
+}
+
+/// Children that completed keep their status and are not ticked again until the node ends. A
+/// threshold counts only the children that were not skipped in this tick, so skipping cannot make
+/// it unreachable. A negative threshold -k means "all but k - 1".
+template <class Tree>
+Status TickParallel(Tree& tree, NodeIndex node) {
+  const NodeIndex end = tree.EndOf(node);
+  int children = 0;
+  for (NodeIndex child = node + 1; child != end; child = tree.EndOf(child)) ++children;
+  const auto threshold = [children](int port) { return port < 0 ? children + port + 1 : port; };
+  const int to_succeed = threshold(tree.template Port<int>(node, 0));
+  const int to_fail = threshold(tree.template Port<int>(node, 1));
+
+  int successes = 0;
+  int failures = 0;
+  int skipped = 0;
+  for (NodeIndex child = node + 1; child != end; child = tree.EndOf(child)) {
+    const Status before = tree.status(child);
+    const Status result = IsCompleted(before) ? before : tree.Tick(child);
+    successes += result == Status::kSuccess;
+    failures += result == Status::kFailure;
+    skipped += result == Status::kSkipped;
+    if (successes >= to_succeed && successes > 0) {
+      tree.ResetChildren(node);
+      return Status::kSuccess;
+    }
+    if (failures > 0 && (failures >= to_fail || children - failures < to_succeed)) {
+      tree.ResetChildren(node);
+      return Status::kFailure;
+    }
+  }
+  if (successes + failures + skipped < children) return Status::kRunning;
+  tree.ResetChildren(node);
+  if (skipped == children) return Status::kSkipped;
+  return successes >= to_succeed - skipped ? Status::kSuccess : Status::kFailure;
+}
+
+}  // namespace coppice
+
+#endif  // COPPICE_BT_CORE_NODES_CONTROL_H_

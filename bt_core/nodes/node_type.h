@@ -1,0 +1,50 @@
+// The built-in nodes: a closed set, so that they can be data in a flat array and dispatched by a
+// switch.
+#ifndef COPPICE_BT_CORE_NODES_NODE_TYPE_H_
+#define COPPICE_BT_CORE_NODES_NODE_TYPE_H_
+
+#include <cstdint>
+#include <vector>
+
+#include "bt_core/model/manifest.h"
+
+namespace coppice {
+
+enum class NodeType : std::uint8_t {
+  kSequence,
+  kFallback,
+  kReactiveSequence,
+  kReactiveFallback,
+  kParallel,
+  kInverter,
+  kForceSuccess,
+  kForceFailure,
+  kRepeat,
+  kRetryUntilSuccessful,
+  kTimeout,
+  kDelay,
+  kSubTree,
+  kAlwaysSuccess,
+  kAlwaysFailure,
+  kLeaf,  ///< user code
+};
+
+/// How many children a node may have.
+struct ChildCount {
+  std::uint32_t min;
+  std::uint32_t max;
+};
+
+struct BuiltIn {
+  NodeType type;
+  ChildCount children;
+  Manifest manifest;
+};
+
+/// Every built-in node but kLeaf. The order of ports is the order of Port(node, k) in the tick
+/// functions.
+const std::vector<BuiltIn>& BuiltIns();
+
+}  // namespace coppice
+
+#endif  // COPPICE_BT_CORE_NODES_NODE_TYPE_H_
