@@ -1,0 +1,22 @@
+#include <iostream>
+
+#include "bt_core/cli/options.h"
+#include "bt_core/cli/verbs.h"
+#include "bt_core/engine/models.h"
+
+namespace coppice {
+namespace {
+
+constexpr char kUsage[] = "coppice nodes [--xml]\n  The node types of the engine and their ports.";
+
+}  // namespace
+
+int RunNodes(const Arguments& arguments) {
+  const std::optional<Options> options = ParseOptions(arguments, {}, {"--xml"}, kUsage);
+  if (!options) return 2;
+  const Registry registry;
+  std::cout << (options->Has("--xml") ? WriteModels(registry) : DescribeNodes(registry));
+  return 0;
+}
+
+}  // namespace coppice

@@ -1,0 +1,50 @@
+#include "bt_core/cli/options.h"
+
+#include <algorithm>
+#include <iostream>
+
+#include "bt_core/base/diagnostic.h"
+#include "bt_core/data/value.h"
+
+namespace coppice {
+
+std::string Options::Get(const std::string& name, const std::string& otherwise) const {
+  const auto found = values.find(name);
+  return found == values.end() ? otherwise : found->second;
+}
+
+std::optional<long> Options::GetNumber(const std::string& name) const {
+  long number = 0;
+  if (!ValueTraits<long>::Parse(Get(name), number)) return std::nullopt;
+  return number;
+}
+
+std::optional<Options> ParseOptions(const std::vector<std::string>& arguments,
+                                    const std::vector<std::string>& with_value,
+                                    const std::vector<std::string>& flags,
+                                    const std::string& usage) {
+  const auto contains = [](const std::vector<std::string>& names, const std::string& name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+  };
+  Options options;
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    const std::string& argument = arguments[i];
+    if (argument.size() < 2 || argument.front() != '-') {
+      options.files.push_back(argument);
+    } else if (contains(flags, argument)) {
+      options.values[argument] = "";
+    } else if (contains(with_value, argument) && i + 1 < arguments.size()) {
+      options.values[argument] = arguments[++i];
+    } else {
+      std::vector<std::string> all = with_value;
+      all.insert(all.end(), flags.begin(), flags.end());
+      const bool known = contains(with_value, argument);
+      std::cerr << (known ? argument + " needs a value" : "unknown option " + argument + " ")
+                << (known ? "" : DidYouMean(argument, all)) << "\nusage: " << usage << "\n";
+      return std::nullopt;
+    }
+  }
+  return options;
+}
+
+}  // namespace coppice

@@ -1,0 +1,31 @@
+// The arguments of a verb, taken apart: files, and options with one value each.
+#ifndef COPPICE_BT_CORE_CLI_OPTIONS_H_
+#define COPPICE_BT_CORE_CLI_OPTIONS_H_
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace coppice {
+
+struct Options {
+  std::vector<std::string> files;
+  std::map<std::string, std::string> values;  ///< "--ticks" -> "5"; a flag has an empty value
+
+  bool Has(const std::string& name) const { return values.count(name) > 0; }
+  std::string Get(const std::string& name, const std::string& otherwise = {}) const;
+  /// A whole number, or nothing if the option is missing or no number.
+  std::optional<long> GetNumber(const std::string& name) const;
+};
+
+/// `with_value` and `flags` name the options that there are. Prints the usage and returns nothing
+/// if there is an unknown option or a value is missing.
+std::optional<Options> ParseOptions(const std::vector<std::string>& arguments,
+                                    const std::vector<std::string>& with_value,
+                                    const std::vector<std::string>& flags,
+                                    const std::string& usage);
+
+}  // namespace coppice
+
+#endif  // COPPICE_BT_CORE_CLI_OPTIONS_H_

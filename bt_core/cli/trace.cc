@@ -1,0 +1,122 @@
+#include <fstream>
+#include <iostream>
+#include <map>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "bt_core/cli/options.h"
+#include "bt_core/cli/verbs.h"
+#include "bt_core/engine/executor.h"
+
+namespace coppice {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr char kUsage[] =
+    "coppice trace FILE --leaves SCRIPT.json [--ticks N] [--tree ID]\n"
+    "  Runs a tree whose leaves are scripted and prints what each tick did, one JSON line per "
+    "tick.\n"
+    "  SCRIPT: {\"leaves\": {\"name\": [\"RUNNING\", \"SUCCESS\"]}}, one entry per tick of the "
+    "leaf, the last\n"
+    "  one repeats; a leaf without script succeeds. Leaves are all nodes that are not built in.";
+
+// What the scripted leaves have in common: their scripts, and the list of what happened in this
+// tick.
+struct Stage {
+  std::map<std::string, std::vector<Status>> scripts;
+  Json events = Json::array();
+};
+
+class ScriptedLeaf : public Leaf {
+ public:
+  ScriptedLeaf(Stage& stage, std::string name) : stage_(stage), name_(std::move(name)) {}
+
+  Status Tick(bool) override {
+    Status result = Status::kSuccess;
+    const auto script = stage_.scripts.find(name_);
+    if (script != stage_.scripts.end() && !script->second.empty()) {
+      const std::size_t last = script->second.size() - 1;
+      result = script->second[std::min(next_++, last)];
+    }
+    stage_.events.push_back({"tick", name_, ToString(result)});
+    return result;
+  }
+  void Halt() override { stage_.events.push_back({"halt", name_}); }
+
+ private:
+  Stage& stage_;
+  std::string name_;
+  std::size_t next_ = 0;
+};
+
+bool ReadStatus(const Json& text, Status& status) {
+  for (const Status known :
+       {Status::kRunning, Status::kSuccess, Status::kFailure, Status::kSkipped}) {
+    if (text.is_string() && text.get<std::string>() == ToString(known)) {
+      status = known;
+      return true;
+    }
+  }
+  return false;
+}
+
+bool ReadScripts(const std::string& path, Stage& stage) {
+  std::ifstream file(path);
+  const Json json = Json::parse(file, nullptr, false);
+  if (!json.is_object() || !json.contains("leaves") || !json["leaves"].is_object()) {
+    std::cerr << path << ": error: expected {\"leaves\": {\"name\": [\"SUCCESS\", ...]}}\n";
+    return false;
+  }
+  for (const auto& [name, entries] : json["leaves"].items()) {
+    for (const Json& entry : entries) {
+      Status status;
+      if (!ReadStatus(entry, status)) {
+        std::cerr << path << ": error: leaf \"" << name << "\": " << entry
+                  << " is not RUNNING, SUCCESS, FAILURE or SKIPPED\n";
+        return false;
+      }
+      stage.scripts[name].push_back(status);
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+int RunTrace(const Arguments& arguments) {
+  const std::optional<Options> options =
+      ParseOptions(arguments, {"--leaves", "--ticks", "--tree"}, {}, kUsage);
+  if (!options) return 2;
+  const long ticks = options->Has("--ticks") ? options->GetNumber("--ticks").value_or(-1) : 1;
+  if (options->files.size() != 1 || ticks < 0) {
+    std::cerr << "usage: " << kUsage << "\n";
+    return 2;
+  }
+  Stage stage;
+  if (options->Has("--leaves") && !ReadScripts(options->Get("--leaves"), stage)) return 2;
+
+  auto registry = std::make_shared<Registry>();
+  registry->SetFallback(
+      [&stage](const std::string& name) { return std::make_unique<ScriptedLeaf>(stage, name); });
+  Diagnostics diagnostics;
+  const auto program =
+      CompileFile(options->files[0], registry, diagnostics, options->Get("--tree"));
+  std::cerr << diagnostics.ToString();
+  if (!program) {
+    std::cout << Json{{"load_error", true}} << "\n";
+    return 2;
+  }
+  SimulatedClock clock(std::chrono::seconds(1));
+  Executor executor(program, clock);
+  for (long tick = 1; tick <= ticks; ++tick) {
+    stage.events = Json::array();
+    const Status status = executor.Tick();
+    std::cout << Json{{"tick", tick}, {"status", ToString(status)}, {"events", stage.events}}
+              << "\n";
+  }
+  return 0;
+}
+
+}  // namespace coppice

@@ -1,0 +1,29 @@
+// The verbs of `coppice`. Each takes the arguments behind the verb and returns the exit status: 0
+// fine, 1 the answer is no (a tree failed, a file has errors), 2 wrong usage or unreadable input.
+// What is not a verb here runs the program coppice-VERB that lies beside this one.
+#ifndef COPPICE_BT_CORE_CLI_VERBS_H_
+#define COPPICE_BT_CORE_CLI_VERBS_H_
+
+#include <string>
+#include <vector>
+
+namespace coppice {
+
+using Arguments = std::vector<std::string>;
+
+/// `coppice check FILE...`: loads, resolves and type-checks; prints all problems.
+int RunCheck(const Arguments& arguments);
+
+/// `coppice run FILE`: runs a tree that consists of built-in nodes.
+int RunTree(const Arguments& arguments);
+
+/// `coppice trace FILE --leaves SCRIPT.json --ticks N`: runs a tree with scripted leaves, one JSON
+/// line per tick.
+int RunTrace(const Arguments& arguments);
+
+/// `coppice nodes`: the node types of the engine with their ports, as text or as XML models.
+int RunNodes(const Arguments& arguments);
+
+}  // namespace coppice
+
+#endif  // COPPICE_BT_CORE_CLI_VERBS_H_
