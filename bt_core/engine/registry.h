@@ -43,7 +43,7 @@ class Registry {
   template <class T, class... Args>
   void Register(const std::string& id, Args... args) {
     Builder build = [arguments = std::make_tuple(std::move(args)...)] {
-      return std::apply([](const auto&... a) { return std::make_unique<T>(a...); }, arguments);
+      return std::apply([](auto&... a) { return std::make_unique<T>(a...); }, arguments);
     };
     Add(id, T::kCategory, T::kDescription, std::move(build));
   }

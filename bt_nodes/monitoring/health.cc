@@ -1,0 +1,75 @@
+#include "bt_nodes/monitoring/health.h"
+
+#include <algorithm>
+#include <array>
+
+namespace coppice {
+namespace {
+
+// Takes the text up to a separator off the front.
+std::string_view TakeUntil(std::string_view& text, char separator) {
+  const std::size_t end = std::min(text.find(separator), text.size());
+  const std::string_view part = text.substr(0, end);
+  text.remove_prefix(std::min(end + 1, text.size()));
+  return part;
+}
+
+bool ParseLevel(std::string_view text, HealthLevel& level) {
+  for (const HealthLevel known :
+       {HealthLevel::kOk, HealthLevel::kWarn, HealthLevel::kError, HealthLevel::kStale}) {
+    if (text != ToString(known)) continue;
+    level = known;
+    return true;
+  }
+  return false;
+}
+
+// Separators of the text form must not stand inside a field.
+std::string Clean(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return c == '\t' || c == '\n'; }, ' ');
+  return text;
+}
+
+}  // namespace
+
+const char* ToString(HealthLevel level) {
+  constexpr std::array<const char*, 4> kNames = {"OK", "WARN", "ERROR", "STALE"};
+  return kNames[static_cast<std::size_t>(level)];
+}
+
+const HealthEntry* Health::FirstError(std::string_view monitor) const {
+  const auto found = std::find_if(entries.begin(), entries.end(), [&](const HealthEntry& entry) {
+    return entry.monitor == monitor && entry.level >= HealthLevel::kError;
+  });
+  return found == entries.end() ? nullptr : &*found;
+}
+
+bool ValueTraits<Health>::Parse(std::string_view text, Health& out) {
+  long stamp = 0;
+  if (!ValueTraits<long>::Parse(TakeUntil(text, '\n'), stamp)) return false;
+  out.stamp = Time(stamp);
+  out.entries.clear();
+  while (!text.empty()) {
+    std::string_view line = TakeUntil(text, '\n');
+    HealthEntry entry;
+    if (!ParseLevel(TakeUntil(line, '\t'), entry.level)) return false;
+    entry.monitor = TakeUntil(line, '\t');
+    entry.subject = TakeUntil(line, '\t');
+    entry.node = TakeUntil(line, '\t');
+    entry.message = line;
+    out.entries.push_back(entry);
+  }
+  return true;
+}
+
+std::string ValueTraits<Health>::Print(const Health& value) {
+  std::string text = std::to_string(value.stamp.count());
+  for (const HealthEntry& entry : value.entries) {
+    text += std::string("\n") + ToString(entry.level) + "\t" + Clean(entry.monitor) + "\t" +
+            Clean(entry.subject) + "\t" + Clean(entry.node) + "\t" + Clean(entry.message);
+  }
+  return text;
+}
+
+}  // namespace coppice

@@ -1,0 +1,82 @@
+// Leaves of the monitor tree: take in what the monitors report, and ask what is wrong.
+#ifndef COPPICE_BT_NODES_MONITORING_MONITORING_LEAVES_H_
+#define COPPICE_BT_NODES_MONITORING_MONITORING_LEAVES_H_
+
+#include <string>
+
+#include "bt_core/nodes/leaf.h"
+#include "bt_nodes/monitoring/health.h"
+
+namespace coppice {
+
+/// The second step of every tick of the monitor tree: with reports too old to act on it fails, so
+/// that nothing is repaired blindly.
+class ProcessMonitors : public SyncAction {
+ public:
+  static constexpr const char* kDescription =
+      "Takes in the aggregated reports of the monitors; fails if they are too old to act on.";
+  Input<Health> monitoring{this, "monitoring", "newest aggregated report, fed from outside",
+                           kOptional};
+  Input<double> max_age{this, "max_age", "oldest report to act on [s]", 10.0};
+  Output<Health> health{this, "health", "the report, if it is fresh"};
+  Output<int> errors{this, "errors", "number of entries that are errors or stale"};
+  Status Run() override;
+
+ private:
+  std::uint32_t seen_ = 0;  // writes of the input that were passed on
+};
+
+/// Common to the fault conditions: is some entry of one kind of monitor an error?
+class FaultCondition : public Condition {
+ public:
+  Input<Health> health{this, "health", "from ProcessMonitors"};
+  Output<std::string> subject{this, "subject", "what has the fault"};
+  Output<std::string> node{this, "node", "ROS node to restart"};
+  bool Check() override;
+
+ protected:
+  explicit FaultCondition(const char* monitor) : monitor_(monitor) {}
+
+ private:
+  const char* monitor_;
+};
+
+class NodeFault : public FaultCondition {
+ public:
+  static constexpr const char* kDescription = "Does some ROS node not answer?";
+  NodeFault() : FaultCondition("node") {}
+};
+
+class TopicFault : public FaultCondition {
+ public:
+  static constexpr const char* kDescription = "Is the rate of some topic outside of its band?";
+  TopicFault() : FaultCondition("topic") {}
+};
+
+class NavigationFault : public FaultCondition {
+ public:
+  static constexpr const char* kDescription =
+      "Is there no path, and have the navigation's own recoveries failed?";
+  NavigationFault() : FaultCondition("navigation") {}
+};
+
+class LocalizationFault : public FaultCondition {
+ public:
+  static constexpr const char* kDescription = "Is the robot's position on the map lost?";
+  LocalizationFault() : FaultCondition("localization") {}
+};
+
+/// Runs while a node is reported as faulty by any monitor.
+class WaitUntilHealthy : public Action {
+ public:
+  static constexpr const char* kDescription = "Waits until no monitor blames the node any more.";
+  Input<Health> health{this, "health", "from ProcessMonitors"};
+  Input<std::string> node{this, "node", "ROS node"};
+  Status OnStart() override { return OnRunning(); }
+  Status OnRunning() override;
+  void OnHalted() override {}
+};
+
+}  // namespace coppice
+
+#endif  // COPPICE_BT_NODES_MONITORING_MONITORING_LEAVES_H_

@@ -1,0 +1,52 @@
+// What the navigation leaves need of a robot. Implemented on move_base and the motion server in
+// robot_app/ros, on the simulated world and on test doubles.
+//
+// All functions are called on the ticking thread and return at once. The end of an action is
+// reported through the sender, from any thread; a new action of the same kind replaces the one
+// before it, whose sender is then not used.
+#ifndef COPPICE_BT_NODES_NAVIGATION_NAVIGATOR_H_
+#define COPPICE_BT_NODES_NAVIGATION_NAVIGATOR_H_
+
+#include <string>
+
+#include "bt_core/data/inbox.h"
+#include "bt_nodes/navigation/pose2d.h"
+#include "bt_nodes/system/action_result.h"
+
+namespace coppice {
+
+class Navigator {
+ public:
+  virtual ~Navigator() = default;
+
+  /// Drives to a pose in the map frame, around obstacles.
+  virtual void NavigateTo(const Pose2D& goal, Sender<ActionResult> done) = 0;
+  virtual void CancelNavigation() = 0;
+
+  /// Drives straight on by `distance` [m] (negative: backwards) at `speed` [m/s] and stops before
+  /// obstacles.
+  virtual void Move(double distance, double speed, Sender<ActionResult> done) = 0;
+  /// Turns on the spot by `angle` [rad], counter-clockwise, at `speed` [rad/s].
+  virtual void Rotate(double angle, double speed, Sender<ActionResult> done) = 0;
+  virtual void CancelMotion() = 0;
+};
+
+/// A named place of the topological map.
+struct Waypoint {
+  std::string name;
+  Pose2D pose;
+};
+
+/// The topological map, as far as leaves need it.
+class WaypointMap {
+ public:
+  virtual ~WaypointMap() = default;
+  /// A random waypoint of the patrol, another one than the last time.
+  virtual Waypoint ChooseForPatrol() = 0;
+  /// False if there is no waypoint of that name.
+  virtual bool Find(const std::string& name, Waypoint& waypoint) const = 0;
+};
+
+}  // namespace coppice
+
+#endif  // COPPICE_BT_NODES_NAVIGATION_NAVIGATOR_H_

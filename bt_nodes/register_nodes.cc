@@ -1,0 +1,41 @@
+#include "bt_nodes/register_nodes.h"
+
+#include <functional>
+
+#include "bt_nodes/monitoring/monitoring_leaves.h"
+#include "bt_nodes/navigation/navigation_leaves.h"
+#include "bt_nodes/power/power_leaves.h"
+#include "bt_nodes/system/wait.h"
+
+namespace coppice {
+
+void RegisterNodes(Registry& registry, const Capabilities& capabilities) {
+  const auto navigator = std::ref(capabilities.navigator);
+  registry.Register<NavigateTo>("NavigateTo", navigator);
+  registry.Register<BackUp>("BackUp", navigator);
+  registry.Register<Rotate>("Rotate", navigator);
+  registry.Register<ChooseWaypoint>("ChooseWaypoint", std::ref(capabilities.waypoints));
+  registry.Register<FindWaypoint>("FindWaypoint", std::ref(capabilities.waypoints));
+
+  registry.Register<Dock>("Dock", std::ref(capabilities.station));
+  registry.Register<Undock>("Undock", std::ref(capabilities.station));
+  registry.Register<IsBatteryLow>("IsBatteryLow");
+  registry.Register<IsCharging>("IsCharging");
+  registry.Register<Charge>("Charge");
+
+  registry.Register<Say>("Say", std::ref(capabilities.interaction));
+  registry.Register<SetExpression>("SetExpression", std::ref(capabilities.interaction));
+  registry.Register<Wait>("Wait");
+
+  registry.Register<ProcessMonitors>("ProcessMonitors");
+  registry.Register<NodeFault>("NodeFault");
+  registry.Register<TopicFault>("TopicFault");
+  registry.Register<NavigationFault>("NavigationFault");
+  registry.Register<LocalizationFault>("LocalizationFault");
+  registry.Register<WaitUntilHealthy>("WaitUntilHealthy");
+  registry.Register<RestartNode>("RestartNode", std::ref(capabilities.processes));
+  registry.Register<SwitchConfiguration>("SwitchConfiguration", std::ref(capabilities.processes));
+  registry.Register<AskSupervisor>("AskSupervisor", std::ref(capabilities.supervisors));
+}
+
+}  // namespace coppice

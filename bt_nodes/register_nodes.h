@@ -1,0 +1,27 @@
+// Makes all leaves of the robot known to a Registry.
+#ifndef COPPICE_BT_NODES_REGISTER_NODES_H_
+#define COPPICE_BT_NODES_REGISTER_NODES_H_
+
+#include "bt_core/engine/registry.h"
+#include "bt_nodes/docking/docking_leaves.h"
+#include "bt_nodes/interaction/interaction_leaves.h"
+#include "bt_nodes/navigation/navigator.h"
+#include "bt_nodes/supervision/supervision_leaves.h"
+
+namespace coppice {
+
+/// What the leaves act on. All of it must live as long as the trees that use it.
+struct Capabilities {
+  Navigator& navigator;
+  WaypointMap& waypoints;
+  ChargingStation& station;
+  Interaction& interaction;
+  ProcessManager& processes;
+  SupervisorChannel& supervisors;
+};
+
+void RegisterNodes(Registry& registry, const Capabilities& capabilities);
+
+}  // namespace coppice
+
+#endif  // COPPICE_BT_NODES_REGISTER_NODES_H_
