@@ -1,0 +1,36 @@
+#include "bt_nodes/docking/docking_leaves.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "bt_core/testing/leaf_harness.h"
+#include "tests/bt_nodes/fakes.h"
+
+namespace coppice {
+namespace {
+
+TEST(Dock, AsksTheStationToDock) {
+  FakeRobot robot;
+  LeafHarness harness = LeafHarness::For<Dock>(std::ref<ChargingStation>(robot));
+  EXPECT_EQ(harness.Tick(), Status::kRunning);
+  EXPECT_EQ(robot.calls, std::vector<std::string>{"Dock"});
+}
+
+TEST(Undock, AsksTheStationToUndock) {
+  FakeRobot robot;
+  LeafHarness harness = LeafHarness::For<Undock>(std::ref<ChargingStation>(robot));
+  EXPECT_EQ(harness.Tick(), Status::kRunning);
+  EXPECT_EQ(robot.calls, std::vector<std::string>{"Undock"});
+}
+
+TEST(Undock, CancelsWhenHalted) {
+  FakeRobot robot;
+  LeafHarness harness = LeafHarness::For<Undock>(std::ref<ChargingStation>(robot));
+  harness.Tick();
+  harness.Halt();
+  EXPECT_EQ(robot.calls.back(), "CancelDocking");
+}
+
+}  // namespace
+}  // namespace coppice

@@ -1,0 +1,78 @@
+// Capabilities that remember what they were asked and answer when the test says so.
+#ifndef COPPICE_TESTS_BT_NODES_FAKES_H_
+#define COPPICE_TESTS_BT_NODES_FAKES_H_
+
+#include <string>
+#include <vector>
+
+#include "bt_nodes/register_nodes.h"
+
+namespace coppice {
+
+/// Everything a robot can be asked, as a list of lines, for example "NavigateTo 1;2;0".
+class FakeRobot : public Navigator,
+                  public WaypointMap,
+                  public ChargingStation,
+                  public Interaction,
+                  public ProcessManager,
+                  public SupervisorChannel {
+ public:
+  std::vector<std::string> calls;
+  Sender<ActionResult> done;  ///< of the last action
+
+  void NavigateTo(const Pose2D& goal, Sender<ActionResult> sender) override {
+    Begin("NavigateTo " + ValueTraits<Pose2D>::Print(goal), sender);
+  }
+  void CancelNavigation() override { calls.push_back("CancelNavigation"); }
+  void Move(double distance, double speed, Sender<ActionResult> sender) override {
+    Begin("Move " + Text(distance) + " " + Text(speed), sender);
+  }
+  void Rotate(double angle, double speed, Sender<ActionResult> sender) override {
+    Begin("Rotate " + Text(angle) + " " + Text(speed), sender);
+  }
+  void CancelMotion() override { calls.push_back("CancelMotion"); }
+
+  Waypoint ChooseForPatrol() override { return {"hall", {46, 0, 1}}; }
+  bool Find(const std::string& name, Waypoint& waypoint) const override {
+    if (name != "hall") return false;
+    waypoint = {"hall", {46, 0, 1}};
+    return true;
+  }
+
+  void Dock(Sender<ActionResult> sender) override { Begin("Dock", sender); }
+  void Undock(Sender<ActionResult> sender) override { Begin("Undock", sender); }
+  void CancelDocking() override { calls.push_back("CancelDocking"); }
+
+  void Say(const std::string& text, Sender<ActionResult> sender) override {
+    Begin("Say " + text, sender);
+  }
+  void CancelSpeech() override { calls.push_back("CancelSpeech"); }
+  void SetExpression(const std::string& expression) override {
+    calls.push_back("SetExpression " + expression);
+  }
+
+  void RestartNode(const std::string& node, Sender<ActionResult> sender) override {
+    Begin("RestartNode " + node, sender);
+  }
+  void SetConfiguration(const std::string& configuration) override {
+    calls.push_back("SetConfiguration " + configuration);
+  }
+
+  void Ask(const std::string& question, Sender<ActionResult> sender) override {
+    Begin("Ask " + question, sender);
+  }
+  void Withdraw() override { calls.push_back("Withdraw"); }
+
+  Capabilities capabilities() { return {*this, *this, *this, *this, *this, *this}; }
+
+ private:
+  static std::string Text(double number) { return ValueTraits<double>::Print(number); }
+  void Begin(std::string call, const Sender<ActionResult>& sender) {
+    calls.push_back(std::move(call));
+    done = sender;
+  }
+};
+
+}  // namespace coppice
+
+#endif  // COPPICE_TESTS_BT_NODES_FAKES_H_

@@ -1,0 +1,41 @@
+#include "bt_nodes/interaction/interaction_leaves.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "bt_core/testing/leaf_harness.h"
+#include "tests/bt_nodes/fakes.h"
+
+namespace coppice {
+namespace {
+
+TEST(Say, RunsUntilTheTextWasSpoken) {
+  FakeRobot robot;
+  LeafHarness harness = LeafHarness::For<Say>(std::ref<Interaction>(robot));
+  harness.Set("text", std::string("hello"));
+  EXPECT_EQ(harness.Tick(), Status::kRunning);
+  EXPECT_EQ(robot.calls, std::vector<std::string>{"Say hello"});
+  robot.done.Send({true, ""});
+  EXPECT_EQ(harness.Tick(), Status::kSuccess);
+}
+
+TEST(Say, FallsSilentWhenHalted) {
+  FakeRobot robot;
+  LeafHarness harness = LeafHarness::For<Say>(std::ref<Interaction>(robot));
+  harness.Set("text", std::string("hello"));
+  harness.Tick();
+  harness.Halt();
+  EXPECT_EQ(robot.calls.back(), "CancelSpeech");
+}
+
+TEST(SetExpression, ShowsItAtOnce) {
+  FakeRobot robot;
+  LeafHarness harness = LeafHarness::For<SetExpression>(std::ref<Interaction>(robot));
+  harness.Set("expression", std::string("SLEEP"));
+  EXPECT_EQ(harness.Tick(), Status::kSuccess);
+  EXPECT_EQ(robot.calls, std::vector<std::string>{"SetExpression SLEEP"});
+}
+
+}  // namespace
+}  // namespace coppice

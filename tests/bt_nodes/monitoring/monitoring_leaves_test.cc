@@ -1,0 +1,80 @@
+#include "bt_nodes/monitoring/monitoring_leaves.h"
+
+#include <gtest/gtest.h>
+
+#include "bt_core/testing/leaf_harness.h"
+
+namespace coppice {
+namespace {
+
+Health OneError(const std::string& monitor) {
+  Health health;
+  health.entries = {
+      {monitor, "/navigation", "/navigation", HealthLevel::kError, "does not answer"}};
+  return health;
+}
+
+TEST(ProcessMonitors, FailsBeforeTheFirstReport) {
+  LeafHarness harness = LeafHarness::For<ProcessMonitors>();
+  EXPECT_EQ(harness.Tick(), Status::kFailure);
+  EXPECT_EQ(harness.message(), "no monitor has reported yet");
+}
+
+TEST(ProcessMonitors, PassesAFreshReportOn) {
+  LeafHarness harness = LeafHarness::For<ProcessMonitors>();
+  harness.Set("monitoring", OneError("node"));
+  EXPECT_EQ(harness.Tick(), Status::kSuccess);
+  EXPECT_EQ(harness.Get<Health>("health").entries.size(), 1u);
+  EXPECT_EQ(harness.Get<int>("errors"), 1);
+}
+
+TEST(ProcessMonitors, FailsWhenTheReportIsTooOld) {
+  LeafHarness harness = LeafHarness::For<ProcessMonitors>();
+  harness.Set("monitoring", OneError("node"));
+  harness.Advance(std::chrono::seconds(11));
+  EXPECT_EQ(harness.Tick(), Status::kFailure);
+  EXPECT_FALSE(harness.WasWritten("health"));
+}
+
+TEST(NodeFault, NamesTheNodeToRestart) {
+  LeafHarness harness = LeafHarness::For<NodeFault>();
+  harness.Set("health", OneError("node"));
+  EXPECT_EQ(harness.Tick(), Status::kSuccess);
+  EXPECT_EQ(harness.Get<std::string>("node"), "/navigation");
+}
+
+TEST(NodeFault, IgnoresFaultsOfOtherMonitors) {
+  LeafHarness harness = LeafHarness::For<NodeFault>();
+  harness.Set("health", OneError("topic"));
+  EXPECT_EQ(harness.Tick(), Status::kFailure);
+}
+
+TEST(TopicFault, LooksAtTopics) {
+  LeafHarness harness = LeafHarness::For<TopicFault>();
+  harness.Set("health", OneError("topic"));
+  EXPECT_EQ(harness.Tick(), Status::kSuccess);
+}
+
+TEST(NavigationFault, LooksAtTheNavigation) {
+  LeafHarness harness = LeafHarness::For<NavigationFault>();
+  harness.Set("health", OneError("navigation"));
+  EXPECT_EQ(harness.Tick(), Status::kSuccess);
+}
+
+TEST(LocalizationFault, LooksAtTheLocalization) {
+  LeafHarness harness = LeafHarness::For<LocalizationFault>();
+  harness.Set("health", OneError("localization"));
+  EXPECT_EQ(harness.Tick(), Status::kSuccess);
+}
+
+TEST(WaitUntilHealthy, RunsWhileTheNodeIsBlamed) {
+  LeafHarness harness = LeafHarness::For<WaitUntilHealthy>();
+  harness.Set("node", std::string("/navigation"));
+  harness.Set("health", OneError("topic"));
+  EXPECT_EQ(harness.Tick(), Status::kRunning);
+  harness.Set("health", Health());
+  EXPECT_EQ(harness.Tick(), Status::kSuccess);
+}
+
+}  // namespace
+}  // namespace coppice

@@ -1,0 +1,53 @@
+#include "bt_nodes/power/power_leaves.h"
+
+#include <gtest/gtest.h>
+
+#include "bt_core/testing/leaf_harness.h"
+
+namespace coppice {
+namespace {
+
+TEST(IsBatteryLow, ComparesTheLevelWithTheThreshold) {
+  LeafHarness harness = LeafHarness::For<IsBatteryLow>();
+  harness.Set("threshold", 0.3);
+  harness.Set("level", 0.29);
+  EXPECT_EQ(harness.Tick(), Status::kSuccess);
+  harness.Set("level", 0.3);
+  EXPECT_EQ(harness.Tick(), Status::kFailure);
+}
+
+TEST(IsBatteryLow, SaysNothingBeforeTheLevelIsKnown) {
+  LeafHarness harness = LeafHarness::For<IsBatteryLow>();
+  EXPECT_EQ(harness.Tick(), Status::kFailure);
+  EXPECT_FALSE(harness.message().empty());
+}
+
+TEST(IsCharging, FollowsItsInput) {
+  LeafHarness harness = LeafHarness::For<IsCharging>();
+  harness.Set("charging", true);
+  EXPECT_EQ(harness.Tick(), Status::kSuccess);
+  harness.Set("charging", false);
+  EXPECT_EQ(harness.Tick(), Status::kFailure);
+}
+
+TEST(Charge, RunsWhileCurrentFlowsAndEndsWhenFull) {
+  LeafHarness harness = LeafHarness::For<Charge>();
+  harness.Set("charging", true);
+  harness.Set("level", 0.5);
+  EXPECT_EQ(harness.Tick(), Status::kRunning);
+  harness.Set("level", 0.95);
+  EXPECT_EQ(harness.Tick(), Status::kSuccess);
+}
+
+TEST(Charge, FailsWhenTheCurrentStops) {
+  LeafHarness harness = LeafHarness::For<Charge>();
+  harness.Set("charging", true);
+  harness.Set("level", 0.5);
+  harness.Tick();
+  harness.Set("charging", false);
+  EXPECT_EQ(harness.Tick(), Status::kFailure);
+  EXPECT_EQ(harness.message(), "on the station, but no current flows");
+}
+
+}  // namespace
+}  // namespace coppice
