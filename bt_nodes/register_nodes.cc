@@ -27,7 +27,7 @@ void RegisterNodes(Registry& registry, const Capabilities& capabilities) {
   registry.Register<SetExpression>("SetExpression", std::ref(capabilities.interaction));
   registry.Register<Wait>("Wait");
 
-  registry.Register<ProcessMonitors>("ProcessMonitors");
+  registry.Register<ReadHealth>("ReadHealth");
   registry.Register<NodeFault>("NodeFault");
   registry.Register<TopicFault>("TopicFault");
   registry.Register<NavigationFault>("NavigationFault");

@@ -1,7 +1,7 @@
 #include <iostream>
 #include <memory>
 
-#include "bt_core/cli/options.h"
+#include "bt_core/base/command_line.h"
 #include "bt_core/cli/verbs.h"
 #include "bt_core/engine/program.h"
 

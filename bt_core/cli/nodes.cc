@@ -1,6 +1,6 @@
 #include <iostream>
 
-#include "bt_core/cli/options.h"
+#include "bt_core/base/command_line.h"
 #include "bt_core/cli/verbs.h"
 #include "bt_core/engine/models.h"
 

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "bt_core/cli/options.h"
+#include "bt_core/base/command_line.h"
 #include "bt_core/cli/verbs.h"
 #include "bt_core/engine/executor.h"
 

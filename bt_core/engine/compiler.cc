@@ -47,6 +47,7 @@ class Compiler {
   std::shared_ptr<const Program> Run(const std::string& tree_id) {
     const TreeDefinition* tree = FindMainTree(tree_id);
     if (!tree) return nullptr;
+    CheckTreeNames();
     AddScope(0, false);
     program_->layout.scopes.push_back(tree_id);
     program_->trees.push_back({tree_id, "", 0, 0});
@@ -73,6 +74,16 @@ class Compiler {
                          DidYouMean(id, ids));
     }
     return nullptr;
+  }
+
+  // A tree and a node type of the same name could not be told apart in the compact form.
+  void CheckTreeNames() {
+    for (const auto& [id, definition] : project_.trees()) {
+      if (!registry_.Find(id)) continue;
+      const Document& document = project_.documents()[definition.document];
+      const SourceLocation where = document.Location(document.element(definition.element).offset);
+      diagnostics_.Error(where, "tree " + Quoted(id) + " has the name of a node type");
+    }
   }
 
   void AddTreeBody(const TreeDefinition& tree, ScopeIndex scope, NodeIndex parent) {

@@ -4,7 +4,7 @@
 
 namespace coppice {
 
-Status ProcessMonitors::Run() {
+Status ReadHealth::Run() {
   if (!monitoring.has_value()) return Fail("no monitor has reported yet");
   const double age = std::chrono::duration<double>(now() - monitoring->stamp).count();
   if (age > *max_age) {

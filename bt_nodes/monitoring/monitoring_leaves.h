@@ -11,7 +11,7 @@ namespace coppice {
 
 /// The second step of every tick of the monitor tree: with reports too old to act on it fails, so
 /// that nothing is repaired blindly.
-class ProcessMonitors : public SyncAction {
+class ReadHealth : public SyncAction {
  public:
   static constexpr const char* kDescription =
       "Takes in the aggregated reports of the monitors; fails if they are too old to act on.";
@@ -29,7 +29,7 @@ class ProcessMonitors : public SyncAction {
 /// Common to the fault conditions: is some entry of one kind of monitor an error?
 class FaultCondition : public Condition {
  public:
-  Input<Health> health{this, "health", "from ProcessMonitors"};
+  Input<Health> health{this, "health", "from ReadHealth"};
   Output<std::string> subject{this, "subject", "what has the fault"};
   Output<std::string> node{this, "node", "ROS node to restart"};
   bool Check() override;
@@ -70,7 +70,7 @@ class LocalizationFault : public FaultCondition {
 class WaitUntilHealthy : public Action {
  public:
   static constexpr const char* kDescription = "Waits until no monitor blames the node any more.";
-  Input<Health> health{this, "health", "from ProcessMonitors"};
+  Input<Health> health{this, "health", "from ReadHealth"};
   Input<std::string> node{this, "node", "ROS node"};
   Status OnStart() override { return OnRunning(); }
   Status OnRunning() override;

@@ -14,22 +14,22 @@ Health OneError(const std::string& monitor) {
   return health;
 }
 
-TEST(ProcessMonitors, FailsBeforeTheFirstReport) {
-  LeafHarness harness = LeafHarness::For<ProcessMonitors>();
+TEST(ReadHealth, FailsBeforeTheFirstReport) {
+  LeafHarness harness = LeafHarness::For<ReadHealth>();
   EXPECT_EQ(harness.Tick(), Status::kFailure);
   EXPECT_EQ(harness.message(), "no monitor has reported yet");
 }
 
-TEST(ProcessMonitors, PassesAFreshReportOn) {
-  LeafHarness harness = LeafHarness::For<ProcessMonitors>();
+TEST(ReadHealth, PassesAFreshReportOn) {
+  LeafHarness harness = LeafHarness::For<ReadHealth>();
   harness.Set("monitoring", OneError("node"));
   EXPECT_EQ(harness.Tick(), Status::kSuccess);
   EXPECT_EQ(harness.Get<Health>("health").entries.size(), 1u);
   EXPECT_EQ(harness.Get<int>("errors"), 1);
 }
 
-TEST(ProcessMonitors, FailsWhenTheReportIsTooOld) {
-  LeafHarness harness = LeafHarness::For<ProcessMonitors>();
+TEST(ReadHealth, FailsWhenTheReportIsTooOld) {
+  LeafHarness harness = LeafHarness::For<ReadHealth>();
   harness.Set("monitoring", OneError("node"));
   harness.Advance(std::chrono::seconds(11));
   EXPECT_EQ(harness.Tick(), Status::kFailure);

@@ -1,10 +1,10 @@
-#include "bt_core/cli/options.h"
+#include "bt_core/base/command_line.h"
 
 #include <algorithm>
+#include <charconv>
 #include <iostream>
 
 #include "bt_core/base/diagnostic.h"
-#include "bt_core/data/value.h"
 
 namespace coppice {
 
@@ -14,8 +14,10 @@ std::string Options::Get(const std::string& name, const std::string& otherwise) 
 }
 
 std::optional<long> Options::GetNumber(const std::string& name) const {
+  const std::string text = Get(name);
   long number = 0;
-  if (!ValueTraits<long>::Parse(Get(name), number)) return std::nullopt;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
   return number;
 }
 

@@ -1,6 +1,6 @@
-// The arguments of a verb, taken apart: files, and options with one value each.
-#ifndef COPPICE_BT_CORE_CLI_OPTIONS_H_
-#define COPPICE_BT_CORE_CLI_OPTIONS_H_
+// The arguments of a program or of a verb, taken apart: files, and options with one value each.
+#ifndef COPPICE_BT_CORE_BASE_COMMAND_LINE_H_
+#define COPPICE_BT_CORE_BASE_COMMAND_LINE_H_
 
 #include <map>
 #include <optional>
@@ -28,4 +28,4 @@ std::optional<Options> ParseOptions(const std::vector<std::string>& arguments,
 
 }  // namespace coppice
 
-#endif  // COPPICE_BT_CORE_CLI_OPTIONS_H_
+#endif  // COPPICE_BT_CORE_BASE_COMMAND_LINE_H_

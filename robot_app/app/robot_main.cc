@@ -1,0 +1,179 @@
+// coppice-robot: runs the application tree and the monitor tree on a robot.
+#include <ros/ros.h>
+#include <std_msgs/String.h>
+
+#include <csignal>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "bt_core/base/command_line.h"
+#include "bt_nodes/register_nodes.h"
+#include "robot_app/app/tree_runner.h"
+#include "robot_app/ros/console_supervisor.h"
+#include "robot_app/ros/feeds.h"
+#include "robot_app/ros/ros_clock.h"
+#include "robot_app/ros/ros_interaction.h"
+#include "robot_app/ros/ros_navigator.h"
+#include "robot_app/ros/ros_process_manager.h"
+#include "robot_app/ros/waypoint_map.h"
+
+namespace coppice::robot {
+namespace {
+
+constexpr char kUsage[] =
+    "coppice-robot --application FILE --monitor FILE --waypoints FILE\n"
+    "              [--record FOLDER] [--live-port N] [--rounds N] [--stops N] [--seed N]\n"
+    "  Runs both trees until the application ends, then goes on monitoring until it is stopped. "
+    "The live socket of\n"
+    "  the application is at N (default 1667), that of the monitor at N + 2; 0 = none. rounds: "
+    "patrol rounds\n"
+    "  (default -1 = for ever); stops: places per round (default 4).";
+
+FeedKeys KeysOf(Executor& executor) {
+  return {executor.Writer<double>("battery_level"), executor.Writer<bool>("charging"),
+          executor.Writer<Health>("monitoring"), executor.Writer<std::string>("configuration")};
+}
+
+// All that a robot program needs, in the order of construction; torn down in reverse.
+class Robot {
+ public:
+  Robot(ros::NodeHandle& node, const Options& options)
+      : node_(node),
+        navigator_(MakeRosNavigator(node)),
+        waypoints_(LoadWaypointMap(options.Get("--waypoints"),
+                                   static_cast<unsigned>(Number(options, "--seed", 1)))),
+        station_(MakeRosChargingStation(node)),
+        interaction_(node),
+        supervisors_(node) {
+    RegisterNodes(*registry_,
+                  {*navigator_, *waypoints_, *station_, interaction_, processes_, supervisors_});
+    const int port = static_cast<int>(Number(options, "--live-port", 1667));
+    application_ = MakeRunner(options, "application", port, false);
+    monitor_ = MakeRunner(options, "monitor", port > 0 ? port + 2 : 0, true);
+    Set("rounds", options.Get("--rounds", "-1"));
+    Set("stops", options.Get("--stops", "4"));
+    subscribers_ = SubscribeFeeds(
+        node_, {KeysOf(application_->executor()), KeysOf(monitor_->executor())}, clock_);
+    subscribers_.push_back(node_.subscribe<std_msgs::String>(
+        "/coppice/note", 20, [this](const std_msgs::String::ConstPtr& note) {
+          application_->Note("note", note->data);
+          monitor_->Note("note", note->data);
+        }));
+    status_ = node_.advertise<std_msgs::String>("/coppice/application", 1, true);
+  }
+
+  void Start() {
+    Announce(Status::kRunning);
+    application_->Start([this](Status result) { Announce(result); });
+    monitor_->Start([](Status) {});
+  }
+
+  // The application first, so that the monitor does not take its end for a fault.
+  void Stop() {
+    application_->Stop();
+    monitor_->Stop();
+  }
+
+ private:
+  static long Number(const Options& options, const std::string& name, long otherwise) {
+    if (!options.Has(name)) return otherwise;
+    const std::optional<long> number = options.GetNumber(name);
+    if (!number) throw std::runtime_error(name + " needs a whole number");
+    return *number;
+  }
+
+  std::unique_ptr<TreeRunner> MakeRunner(const Options& options, const std::string& name, int port,
+                                         bool forever) {
+    Diagnostics diagnostics;
+    const auto program = CompileFile(options.Get("--" + name), registry_, diagnostics);
+    std::cerr << diagnostics.ToString();
+    if (!program) throw std::runtime_error("the " + name + " tree cannot run");
+    TreeRunnerOptions runner;
+    runner.name = name;
+    runner.live_port = port;
+    runner.run.forever = forever;
+    if (options.Has("--record")) {
+      std::filesystem::create_directories(options.Get("--record"));
+      runner.record_path = options.Get("--record") + "/" + name + ".coppice";
+    }
+    return std::make_unique<TreeRunner>(program, clock_, runner);
+  }
+
+  void Set(const std::string& key, const std::string& text) {
+    const std::string problem = SetKey(application_->executor(), key, text);
+    if (!problem.empty()) throw std::runtime_error(problem);
+  }
+
+  void Announce(Status status) {
+    std_msgs::String message;
+    message.data = ToString(status);
+    status_.publish(message);
+    ROS_INFO_STREAM("application: " << message.data);
+  }
+
+  ros::NodeHandle& node_;
+  RosClock clock_;
+  std::unique_ptr<Navigator> navigator_;
+  std::unique_ptr<WaypointMap> waypoints_;
+  std::unique_ptr<ChargingStation> station_;
+  RosInteraction interaction_;
+  RosProcessManager processes_;
+  ConsoleSupervisor supervisors_;
+  std::shared_ptr<Registry> registry_ = std::make_shared<Registry>();
+  ros::Publisher status_;
+  std::unique_ptr<TreeRunner> application_;
+  std::unique_ptr<TreeRunner> monitor_;
+  std::vector<ros::Subscriber> subscribers_;
+};
+
+int Main(int argc, char** argv) {
+  ros::init(argc, argv, "coppice_robot", ros::init_options::NoSigintHandler);
+  const std::optional<Options> options =
+      ParseOptions({argv + 1, argv + argc},
+                   {"--application", "--monitor", "--waypoints", "--record", "--live-port",
+                    "--rounds", "--stops", "--seed"},
+                   {}, kUsage);
+  if (!options) return 2;
+  for (const char* needed : {"--application", "--monitor", "--waypoints"}) {
+    if (options->Has(needed)) continue;
+    std::cerr << needed << " is missing\nusage: " << kUsage << "\n";
+    return 2;
+  }
+  if (!ros::master::check()) {
+    std::cerr << "coppice-robot: no ROS master at " << ros::master::getURI()
+              << "; start one with `roscore` or set ROS_MASTER_URI\n";
+    return 2;
+  }
+  sigset_t signals;  // blocked in all threads; taken below by the main thread
+  sigemptyset(&signals);
+  sigaddset(&signals, SIGINT);
+  sigaddset(&signals, SIGTERM);
+  pthread_sigmask(SIG_BLOCK, &signals, nullptr);
+
+  ros::NodeHandle node;
+  ros::AsyncSpinner spinner(2);
+  try {
+    Robot robot(node, *options);
+    spinner.start();
+    robot.Start();
+    int signal = 0;
+    sigwait(&signals, &signal);
+    robot.Stop();
+    spinner.stop();
+  } catch (const std::exception& error) {
+    std::cerr << "coppice-robot: " << error.what() << "\n";
+    return 2;
+  }
+  ros::shutdown();
+  return 0;
+}
+
+}  // namespace
+}  // namespace coppice::robot
+
+int main(int argc, char** argv) { return coppice::robot::Main(argc, argv); }

@@ -1,0 +1,60 @@
+#include "robot_app/app/tree_runner.h"
+
+#include <utility>
+#include <vector>
+
+namespace coppice::robot {
+
+TreeRunner::TreeRunner(std::shared_ptr<const Program> program, Clock& clock,
+                       TreeRunnerOptions options)
+    : options_(std::move(options)), executor_(std::move(program), clock) {
+  if (!options_.record_path.empty()) {
+    recorder_ = std::make_unique<Recorder>(executor_, options_.record_path,
+                                           RecordMetadata{{"tree", options_.name}});
+  }
+  if (options_.live_port > 0) {
+    LiveOptions live;
+    live.port = options_.live_port;
+    live_ = std::make_unique<LivePublisher>(executor_, live);
+  }
+}
+
+TreeRunner::~TreeRunner() { Stop(); }
+
+void TreeRunner::Start(std::function<void(Status)> on_end) {
+  thread_ = std::thread([this, on_end = std::move(on_end)] {
+    const Status result = Run(executor_, options_.run, stop_);
+    if (!stop_) on_end(result);
+  });
+}
+
+void TreeRunner::Stop() {
+  stop_ = true;
+  executor_.wake_up().Notify();
+  if (thread_.joinable()) thread_.join();
+}
+
+void TreeRunner::Note(const std::string& kind, const std::string& text) {
+  if (recorder_) recorder_->Note(executor_.clock().Now(), kind, text);
+}
+
+std::string SetKey(Executor& executor, const std::string& key, const std::string& text) {
+  const Layout& layout = executor.program().layout;
+  const SlotIndex slot = layout.Find(0, key);
+  if (slot == kNoSlot) {
+    std::vector<std::string> keys;
+    for (const SlotDefinition& definition : layout.slots) {
+      if (definition.scope == 0 && !definition.key.empty()) keys.push_back(definition.key);
+    }
+    return "the tree has no key \"" + key + "\" " + DidYouMean(key, keys);
+  }
+  Value value;
+  if (!value.Parse(*layout.slots[slot].type, text)) {
+    return "\"" + text + "\" is not a value for key \"" + key + "\", expected " +
+           layout.slots[slot].type->name;
+  }
+  executor.inbox()->Post(slot, 0, std::move(value));
+  return {};
+}
+
+}  // namespace coppice::robot

@@ -1,0 +1,57 @@
+// One tree of the robot with everything that belongs to it: executor, thread, live socket, record.
+#ifndef COPPICE_ROBOT_APP_APP_TREE_RUNNER_H_
+#define COPPICE_ROBOT_APP_APP_TREE_RUNNER_H_
+
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <string>
+#include <thread>
+
+#include "bt_core/engine/runner.h"
+#include "bt_core/live/live_publisher.h"
+#include "bt_core/record/recorder.h"
+
+namespace coppice::robot {
+
+struct TreeRunnerOptions {
+  std::string name;         ///< "application", "monitor"; also the name of the record
+  std::string record_path;  ///< file to record to; empty: no record
+  int live_port =
+      0;  ///< of the live socket on loopback; it takes this port and the next one. 0: none
+  RunOptions run;
+};
+
+class TreeRunner {
+ public:
+  /// Opens socket and record; does not tick yet. Throws std::runtime_error with one line if a port
+  /// or the file is not to be had.
+  TreeRunner(std::shared_ptr<const Program> program, Clock& clock, TreeRunnerOptions options);
+  ~TreeRunner();  // stops, then halts the tree
+
+  Executor& executor() { return executor_; }
+
+  /// Starts the thread. `on_end` is called on it with the root's last result when the tree has
+  /// completed.
+  void Start(std::function<void(Status)> on_end);
+  void Stop();
+
+  /// Puts a line into the record, for example an injected fault. Any thread.
+  void Note(const std::string& kind, const std::string& text);
+
+ private:
+  TreeRunnerOptions options_;
+  Executor executor_;
+  std::unique_ptr<Recorder> recorder_;
+  std::unique_ptr<LivePublisher> live_;
+  std::atomic<bool> stop_{false};
+  std::thread thread_;
+};
+
+/// Gives a key of the main tree a value from its text form, as if another node had written it.
+/// Returns an empty text, or what is wrong.
+std::string SetKey(Executor& executor, const std::string& key, const std::string& text);
+
+}  // namespace coppice::robot
+
+#endif  // COPPICE_ROBOT_APP_APP_TREE_RUNNER_H_

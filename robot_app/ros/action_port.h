@@ -1,0 +1,129 @@
+// One action server as a capability: start a goal, hear how it ended, cancel it.
+//
+// Unlike a bare SimpleActionClient it never leaves the caller without an answer: a server that is
+// not there within kConnectTimeout, or that dies while it works, is reported as a failure that says
+// so. Times are real time, because programs start and die in real time.
+#ifndef COPPICE_ROBOT_APP_ROS_ACTION_PORT_H_
+#define COPPICE_ROBOT_APP_ROS_ACTION_PORT_H_
+
+#include <actionlib/client/simple_action_client.h>
+#include <ros/node_handle.h>
+
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <string>
+
+#include "bt_core/data/inbox.h"
+#include "bt_nodes/system/action_result.h"
+
+namespace coppice::robot {
+
+template <class ActionSpec>
+class ActionPort {
+ public:
+  // Not by ACTION_DEFINITION, whose ActionResult would hide ours.
+  using Goal = typename ActionSpec::_action_goal_type::_goal_type;
+  using Result = typename ActionSpec::_action_result_type::_result_type;
+  using Client = actionlib::SimpleActionClient<ActionSpec>;
+  /// Turns the end of a goal into the answer; the state is ABORTED, SUCCEEDED, ...
+  using Evaluate =
+      std::function<ActionResult(const actionlib::SimpleClientGoalState&, const Result*)>;
+
+  ActionPort(ros::NodeHandle& node, const std::string& name, Evaluate evaluate)
+      : name_(name), evaluate_(std::move(evaluate)), client_(node, name, false) {
+    timer_ = node.createWallTimer(ros::WallDuration(0.1), [this](const auto&) { Supervise(); });
+  }
+
+  /// Replaces a goal that is still active, whose sender is then not used any more.
+  void Start(const Goal& goal, const Sender<ActionResult>& done) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    ++number_;
+    goal_ = goal;
+    done_ = done;
+    state_ = State::kConnecting;
+    since_ = ros::WallTime::now();
+  }
+
+  void Cancel() {
+    bool was_sent = false;
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      was_sent = state_ == State::kSent;
+      state_ = State::kNone;
+      ++number_;
+    }
+    if (was_sent) client_.cancelAllGoals();
+  }
+
+ private:
+  enum class State { kNone, kConnecting, kSent };
+  static constexpr double kConnectTimeout = 10.0;  // s
+  static constexpr double kLostTimeout = 1.0;      // s
+
+  // Runs on the spinner: sends a goal as soon as the server is there, and notices when it goes
+  // away.
+  void Supervise() {
+    const bool connected = client_.isServerConnected();
+    const ros::WallTime now = ros::WallTime::now();
+    std::unique_lock<std::mutex> lock(mutex_);
+    if (state_ == State::kNone) return;
+    if (state_ == State::kConnecting) {
+      if (connected) {
+        state_ = State::kSent;
+        since_ = now;
+        const Goal goal = goal_;
+        const int number = number_;
+        lock.unlock();
+        client_.sendGoal(goal, [this, number](const auto& end, const auto& result) {
+          Finish(number, evaluate_(end, result.get()));
+        });
+      } else if ((now - since_).toSec() > kConnectTimeout) {
+        lock.unlock();
+        Finish(number_, {false, "no action server \"" + name_ + "\""});
+      }
+      return;
+    }
+    if (connected) {
+      since_ = now;
+    } else if ((now - since_).toSec() > kLostTimeout) {
+      const int number = number_;
+      lock.unlock();
+      client_.stopTrackingGoal();
+      Finish(number, {false, "action server \"" + name_ + "\" is gone"});
+    }
+  }
+
+  void Finish(int number, const ActionResult& result) {
+    Sender<ActionResult> done;
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      if (number != number_ || state_ == State::kNone) return;
+      state_ = State::kNone;
+      done = done_;
+    }
+    done.Send(result);
+  }
+
+  const std::string name_;
+  const Evaluate evaluate_;
+  Client client_;
+  ros::WallTimer timer_;
+
+  std::mutex mutex_;
+  State state_ = State::kNone;
+  int number_ = 0;  // of the goal; answers to earlier ones are dropped
+  Goal goal_;
+  Sender<ActionResult> done_;
+  ros::WallTime since_;  // of the state; in kSent the last time the server was seen
+};
+
+/// ok if the goal succeeded, else the server's text.
+inline ActionResult FromGoalState(const actionlib::SimpleClientGoalState& state) {
+  if (state == actionlib::SimpleClientGoalState::SUCCEEDED) return {true, ""};
+  return {false, state.getText().empty() ? state.toString() : state.getText()};
+}
+
+}  // namespace coppice::robot
+
+#endif  // COPPICE_ROBOT_APP_ROS_ACTION_PORT_H_

@@ -1,0 +1,32 @@
+// What flows from ROS topics onto the blackboards: each feed turns messages into values and posts
+// them to the trees that use the key. Callbacks run on the spinner; the trees see the values at
+// their next tick.
+#ifndef COPPICE_ROBOT_APP_ROS_FEEDS_H_
+#define COPPICE_ROBOT_APP_ROS_FEEDS_H_
+
+#include <ros/node_handle.h>
+
+#include <string>
+#include <vector>
+
+#include "bt_core/base/clock.h"
+#include "bt_core/data/inbox.h"
+#include "bt_nodes/monitoring/health.h"
+
+namespace coppice::robot {
+
+/// The keys that the feeds write. A tree that does not use a key gives an empty sender.
+struct FeedKeys {
+  Sender<double> battery_level;       ///< state of charge, 0..1, from /battery_state
+  Sender<bool> charging;              ///< current flows into the battery, from /battery_state
+  Sender<Health> monitoring;          ///< aggregated reports, from /monitoring, stamped on arrival
+  Sender<std::string> configuration;  ///< in force, from /processes
+};
+
+/// Subscribes as long as the returned subscribers live. The clock stamps the reports on arrival.
+std::vector<ros::Subscriber> SubscribeFeeds(ros::NodeHandle& node,
+                                            const std::vector<FeedKeys>& trees, const Clock& clock);
+
+}  // namespace coppice::robot
+
+#endif  // COPPICE_ROBOT_APP_ROS_FEEDS_H_

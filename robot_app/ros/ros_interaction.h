@@ -1,0 +1,31 @@
+// Interaction on two topics: what is spoken on /speech, what the face shows on /expression
+// (std_msgs/String). Speaking takes 60 ms of ROS time for each character, at least one second.
+#ifndef COPPICE_ROBOT_APP_ROS_ROS_INTERACTION_H_
+#define COPPICE_ROBOT_APP_ROS_ROS_INTERACTION_H_
+
+#include <ros/node_handle.h>
+
+#include <string>
+
+#include "bt_nodes/interaction/interaction_leaves.h"
+
+namespace coppice::robot {
+
+class RosInteraction : public Interaction {
+ public:
+  explicit RosInteraction(ros::NodeHandle& node);
+
+  void Say(const std::string& text, Sender<ActionResult> done) override;
+  void CancelSpeech() override;
+  void SetExpression(const std::string& expression) override;
+
+ private:
+  ros::NodeHandle node_;
+  ros::Publisher speech_;
+  ros::Publisher expression_;
+  ros::Timer end_of_speech_;
+};
+
+}  // namespace coppice::robot
+
+#endif  // COPPICE_ROBOT_APP_ROS_ROS_INTERACTION_H_

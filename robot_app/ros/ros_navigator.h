@@ -1,0 +1,24 @@
+// Navigator on the action servers move_base (move_base_msgs) and motion (coppice_msgs). With a real
+// robot the first one is the real move_base.
+#ifndef COPPICE_ROBOT_APP_ROS_ROS_NAVIGATOR_H_
+#define COPPICE_ROBOT_APP_ROS_ROS_NAVIGATOR_H_
+
+#include <memory>
+
+#include "bt_nodes/docking/docking_leaves.h"
+#include "bt_nodes/navigation/navigator.h"
+
+namespace ros {
+class NodeHandle;
+}
+
+namespace coppice::robot {
+
+std::unique_ptr<Navigator> MakeRosNavigator(ros::NodeHandle& node);
+
+/// ChargingStation on the action server docking (coppice_msgs).
+std::unique_ptr<ChargingStation> MakeRosChargingStation(ros::NodeHandle& node);
+
+}  // namespace coppice::robot
+
+#endif  // COPPICE_ROBOT_APP_ROS_ROS_NAVIGATOR_H_

@@ -1,0 +1,74 @@
+#include "robot_app/ros/ros_process_manager.h"
+
+#include <coppice_msgs/RestartProcess.h>
+#include <coppice_msgs/SetConfiguration.h>
+#include <ros/console.h>
+#include <ros/service.h>
+
+#include <utility>
+
+namespace coppice::robot {
+namespace {
+
+// A service that is not there is an answer, not an exception.
+template <class Service>
+ActionResult Call(const std::string& name, Service& service) {
+  if (!ros::service::call(name, service)) return {false, "service " + name + " does not answer"};
+  return {static_cast<bool>(service.response.ok), service.response.message};
+}
+
+}  // namespace
+
+RosProcessManager::RosProcessManager() : worker_([this] { Work(); }) {}
+
+RosProcessManager::~RosProcessManager() {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    stop_ = true;
+    calls_.clear();
+  }
+  changed_.notify_one();
+  worker_.join();
+}
+
+void RosProcessManager::RestartNode(const std::string& node, Sender<ActionResult> done) {
+  Enqueue([node, done] {
+    coppice_msgs::RestartProcess service;
+    service.request.name = node;
+    done.Send(Call("/supervisor/restart", service));
+  });
+}
+
+void RosProcessManager::SetConfiguration(const std::string& configuration) {
+  Enqueue([configuration] {
+    coppice_msgs::SetConfiguration service;
+    service.request.configuration = configuration;
+    const ActionResult result = Call("/supervisor/set_configuration", service);
+    if (!result.ok) {
+      ROS_WARN_STREAM("configuration " << configuration << ": " << result.message);
+    }
+  });
+}
+
+void RosProcessManager::Enqueue(std::function<void()> call) {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    calls_.push_back(std::move(call));
+  }
+  changed_.notify_one();
+}
+
+void RosProcessManager::Work() {
+  std::unique_lock<std::mutex> lock(mutex_);
+  while (true) {
+    changed_.wait(lock, [this] { return stop_ || !calls_.empty(); });
+    if (stop_) return;
+    const std::function<void()> call = std::move(calls_.front());
+    calls_.pop_front();
+    lock.unlock();
+    call();
+    lock.lock();
+  }
+}
+
+}  // namespace coppice::robot
