@@ -10,19 +10,26 @@
 namespace coppice {
 namespace {
 
-// tinyxml2 keeps one copy of the text and hands out pointers into it, so the distance of two
-// pointers is the distance of two bytes in the user's file. It only lacks the start, which the
-// first node gives: it begins at the first '<'.
+// tinyxml2 parses a copy of the text and hands out pointers into it, so the distance of two
+// pointers is the distance of two bytes in the user's file. It only lacks the start of its copy,
+// which the first node gives: where it lies in the text is known.
 const char* StartOfBuffer(const tinyxml2::XMLDocument& xml, const std::string& text) {
+  constexpr const char* kBlanks = " \t\n\v\f\r";
   const tinyxml2::XMLNode* first = xml.FirstChild();
-  std::size_t prefix = 1;  // <name
-  if (first->ToDeclaration())
-    prefix = 2;  // <?
-  else if (first->ToComment())
-    prefix = 4;  // <!--
-  else if (first->ToUnknown())
-    prefix = 2;  // <!
-  return first->Value() - prefix - text.find('<');
+  std::size_t at = text.find('<');
+  if (const tinyxml2::XMLText* leading = first->ToText(); leading && !leading->CData()) {
+    at = text.find_first_not_of(kBlanks);
+    if (text.compare(at, 3, "\xEF\xBB\xBF") == 0) at += 3;
+  } else if (first->ToElement()) {
+    at = text.find_first_not_of(kBlanks, at + 1);  // "< name" is accepted
+  } else if (first->ToText()) {
+    at += std::string_view("<![CDATA[").size();
+  } else if (first->ToComment()) {
+    at += std::string_view("<!--").size();
+  } else {
+    at += std::string_view("<?").size();  // a declaration, or <! of a document type
+  }
+  return first->Value() - at;
 }
 
 const char* ErrorText(tinyxml2::XMLError error) {
@@ -50,40 +57,40 @@ const char* ErrorText(tinyxml2::XMLError error) {
   }
 }
 
-std::uint32_t StartOfLine(const std::string& text, int line) {
-  std::size_t at = 0;
-  for (int i = 1; i < line; ++i) {
-    const std::size_t newline = text.find('\n', at);
-    if (newline == std::string::npos) break;
-    at = newline + 1;
+std::vector<std::uint32_t> FindLines(const std::string& text) {
+  std::vector<std::uint32_t> lines = {0};
+  for (std::size_t at = text.find('\n'); at != std::string::npos; at = text.find('\n', at + 1)) {
+    lines.push_back(static_cast<std::uint32_t>(at + 1));
   }
-  return static_cast<std::uint32_t>(std::min(text.find_first_not_of(" \t", at), text.size()));
+  return lines;
 }
 
 }  // namespace
-
-Document::Document(Document&&) noexcept = default;
-Document& Document::operator=(Document&&) noexcept = default;
-Document::~Document() = default;
 
 std::optional<Document> Document::FromText(std::string text, std::string file,
                                            Diagnostics& diagnostics) {
   Document document;
   document.file_ = std::move(file);
   document.text_ = std::make_unique<const std::string>(std::move(text));
-  document.xml_ = std::make_unique<tinyxml2::XMLDocument>();
-  const tinyxml2::XMLError error =
-      document.xml_->Parse(document.text_->data(), document.text_->size());
+  document.lines_ = FindLines(document.text());
+  tinyxml2::XMLDocument xml;
+  const tinyxml2::XMLError error = xml.Parse(document.text().data(), document.text().size());
   if (error != tinyxml2::XML_SUCCESS) {
-    const int line = document.xml_->ErrorLineNum();
-    diagnostics.Error(document.Location(StartOfLine(document.text(), line)), ErrorText(error));
+    const int line = std::max(xml.ErrorLineNum(), 1);
+    const std::uint32_t start = document.lines_.at(static_cast<std::size_t>(line) - 1);
+    const std::size_t at = document.text().find_first_not_of(" \t", start);
+    diagnostics.Error(
+        document.Location(static_cast<std::uint32_t>(std::min(at, document.text().size()))),
+        ErrorText(error));
     return std::nullopt;
   }
-  if (!document.xml_->RootElement()) {
+  if (!xml.RootElement()) {
     diagnostics.Error(document.Location(0), ErrorText(tinyxml2::XML_ERROR_EMPTY_DOCUMENT));
     return std::nullopt;
   }
-  document.BuildIndex();
+  const char* const start = StartOfBuffer(xml, document.text());
+  document.BuildIndex(xml, start);
+  document.WarnOutsideRoot(xml, start, diagnostics);
   return document;
 }
 
@@ -98,17 +105,40 @@ std::optional<Document> Document::FromFile(const std::string& path, Diagnostics&
   return FromText(text.str(), path, diagnostics);
 }
 
-void Document::BuildIndex() {
-  const char* const start = StartOfBuffer(*xml_, *text_);
+std::uint32_t Document::FindTag(const char* name, const char* start) const {
+  return static_cast<std::uint32_t>(text_->rfind('<', static_cast<std::size_t>(name - start)));
+}
+
+void Document::WarnOutsideRoot(const tinyxml2::XMLDocument& xml, const char* start,
+                               Diagnostics& diagnostics) const {
+  for (const auto* node = xml.FirstChild(); node; node = node->NextSibling()) {
+    if (node->ToText()) {
+      diagnostics.Warning(Location(static_cast<std::uint32_t>(node->Value() - start)),
+                          "text before the root element is ignored");
+    } else if (node->ToElement() && node != xml.RootElement()) {
+      diagnostics.Warning(Location(FindTag(node->Value(), start)),
+                          std::string("second root element <") + node->Value() + "> is ignored");
+    }
+  }
+}
+
+std::string_view Document::Keep(const char* parsed, std::uint32_t offset) {
+  const std::string_view value(parsed);
+  const std::string_view written = std::string_view(*text_).substr(offset, value.size());
+  if (written == value) return written;
+  return resolved_.emplace_front(value);
+}
+
+void Document::BuildIndex(const tinyxml2::XMLDocument& xml, const char* start) {
   const auto offset_of = [start](const char* at) { return static_cast<std::uint32_t>(at - start); };
 
-  const tinyxml2::XMLElement* at = xml_->RootElement();
+  const tinyxml2::XMLElement* at = xml.RootElement();
   ElementIndex parent = kNoElement;
   ElementIndex previous = kNoElement;  // sibling before `at`
   while (at) {
     const auto index = static_cast<ElementIndex>(elements_.size());
-    Element element{at->Name(),
-                    offset_of(at->Name()) - 1,
+    Element element{Keep(at->Name(), offset_of(at->Name())),
+                    FindTag(at->Name(), start),
                     static_cast<std::uint32_t>(attributes_.size()),
                     0,
                     parent,
@@ -116,7 +146,9 @@ void Document::BuildIndex() {
                     kNoElement,
                     0};
     for (const auto* a = at->FirstAttribute(); a; a = a->Next()) {
-      attributes_.push_back({a->Name(), a->Value(), offset_of(a->Name()), offset_of(a->Value())});
+      const std::uint32_t name = offset_of(a->Name());
+      const std::uint32_t value = offset_of(a->Value());
+      attributes_.push_back({Keep(a->Name(), name), Keep(a->Value(), value), name, value});
       ++element.attribute_count;
     }
     if (parent != kNoElement) {
@@ -134,12 +166,12 @@ void Document::BuildIndex() {
       continue;
     }
     previous = index;
-    while (at && at != xml_->RootElement() && !at->NextSiblingElement()) {
+    while (at && at != xml.RootElement() && !at->NextSiblingElement()) {
       at = at->Parent()->ToElement();
       previous = parent;
       parent = elements_[previous].parent;
     }
-    at = at && at != xml_->RootElement() ? at->NextSiblingElement() : nullptr;
+    at = at && at != xml.RootElement() ? at->NextSiblingElement() : nullptr;
   }
 }
 
@@ -156,11 +188,8 @@ std::string_view Document::AttributeValue(const Element& element, std::string_vi
 }
 
 SourceLocation Document::Location(std::uint32_t offset) const {
-  const std::string_view before = std::string_view(*text_).substr(0, offset);
-  const std::size_t newline = before.rfind('\n');
-  const std::size_t line_start = newline == std::string_view::npos ? 0 : newline + 1;
-  return {file_, static_cast<std::uint32_t>(std::count(before.begin(), before.end(), '\n') + 1),
-          static_cast<std::uint32_t>(before.size() - line_start + 1)};
+  const auto next = std::upper_bound(lines_.begin(), lines_.end(), offset);
+  return {file_, static_cast<std::uint32_t>(next - lines_.begin()), offset - *(next - 1) + 1};
 }
 
 }  // namespace coppice

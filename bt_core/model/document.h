@@ -2,12 +2,14 @@
 // elements.
 //
 // tinyxml2 does the parsing; the index adds what it does not keep, the byte position of every name
-// and value, so that every message can name file:line:column of the user's own text. A Document is
-// immutable and cheap to move; views into it live as long as it does.
+// and value, so that every message can name file:line:column of the user's own text. What tinyxml2
+// accepts is accepted, also where it is laxer than the XML standard. A Document is immutable and
+// cheap to move; views into it live as long as it does.
 #ifndef COPPICE_BT_CORE_MODEL_DOCUMENT_H_
 #define COPPICE_BT_CORE_MODEL_DOCUMENT_H_
 
 #include <cstdint>
+#include <forward_list>
 #include <memory>
 #include <optional>
 #include <string>
@@ -47,16 +49,13 @@ struct Element {
 class Document {
  public:
   /// Parses a text; `file` is used in messages only. Nothing is returned if the XML is malformed,
-  /// and the reason is added to `diagnostics`.
+  /// and the reason is added to `diagnostics`; text and elements outside of the root element are
+  /// ignored with a warning.
   static std::optional<Document> FromText(std::string text, std::string file,
                                           Diagnostics& diagnostics);
 
   /// Reads and parses a file.
   static std::optional<Document> FromFile(const std::string& path, Diagnostics& diagnostics);
-
-  Document(Document&&) noexcept;
-  Document& operator=(Document&&) noexcept;
-  ~Document();
 
   const std::string& text() const { return *text_; }
   const std::string& file() const { return file_; }
@@ -78,16 +77,23 @@ class Document {
   /// Its value, or empty if there is no such attribute.
   std::string_view AttributeValue(const Element& element, std::string_view name) const;
 
-  /// Line and column of a byte offset.
+  /// Line and column of a byte offset. Binary search.
   SourceLocation Location(std::uint32_t offset) const;
 
  private:
   Document() = default;
-  void BuildIndex();
+  // `start` is where tinyxml2's copy of the text begins.
+  void BuildIndex(const tinyxml2::XMLDocument& xml, const char* start);
+  void WarnOutsideRoot(const tinyxml2::XMLDocument& xml, const char* start,
+                       Diagnostics& diagnostics) const;
+  std::uint32_t FindTag(const char* name, const char* start) const;
+  // A view that outlives tinyxml2: into the text if the value stands there as it is.
+  std::string_view Keep(const char* parsed, std::uint32_t offset);
 
   std::string file_;
   std::unique_ptr<const std::string> text_;
-  std::unique_ptr<tinyxml2::XMLDocument> xml_;  // owns the bytes that the views point to
+  std::vector<std::uint32_t> lines_;         // offset of the start of each line
+  std::forward_list<std::string> resolved_;  // values with entities or line ends replaced
   std::vector<Element> elements_;
   std::vector<Attribute> attributes_;
 };
