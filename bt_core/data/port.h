@@ -42,7 +42,9 @@ struct PortDeclaration {
 };
 
 struct UnsetInput : std::runtime_error {
-  UnsetInput() : std::runtime_error("reads an input that has no value yet") {}
+  explicit UnsetInput(const Slot* at)
+      : std::runtime_error("reads an input that has no value yet"), slot(at) {}
+  const Slot* slot;  ///< null: an optional input that the XML leaves out
 };
 
 /// Base of everything that owns ports.
@@ -110,7 +112,7 @@ class Input : public PortBase {
 
   bool has_value() const { return slot_ && slot_->value.has_value(); }
   const T& Get() const {
-    if (!has_value()) throw UnsetInput();
+    if (!has_value()) throw UnsetInput(slot_);
     return slot_->value.template Get<T>();
   }
   const T& operator*() const { return Get(); }
@@ -144,7 +146,7 @@ class InOut : public PortBase {
 
   bool has_value() const { return slot_ && slot_->value.has_value(); }
   const T& Get() const {
-    if (!has_value()) throw UnsetInput();
+    if (!has_value()) throw UnsetInput(slot_);
     return slot_->value.template Get<T>();
   }
   void Set(const T& value) {

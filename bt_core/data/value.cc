@@ -1,5 +1,7 @@
 #include "bt_core/data/value.h"
 
+#include <locale.h>
+
 #include <charconv>
 #include <cstdio>
 #include <cstdlib>
@@ -19,10 +21,25 @@ std::string_view Trim(std::string_view text) {
 template <class T>
 bool ParseWhole(std::string_view text, T& out) {
   text = Trim(text);
-  if (!text.empty() && text.front() == '+') text.remove_prefix(1);
+  if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), out);
   return error == std::errc() && end == text.data() + text.size() && !text.empty();
 }
+
+// Numbers have a decimal point, whatever the locale of the program that the tree runs in.
+class PlainNumbers {
+ public:
+  PlainNumbers() {
+    static const locale_t plain = newlocale(LC_ALL_MASK, "C", nullptr);
+    before_ = uselocale(plain);
+  }
+  ~PlainNumbers() { uselocale(before_); }
+  PlainNumbers(const PlainNumbers&) = delete;
+  PlainNumbers& operator=(const PlainNumbers&) = delete;
+
+ private:
+  locale_t before_;
+};
 
 }  // namespace
 
@@ -105,12 +122,14 @@ std::string ValueTraits<unsigned long>::Print(const unsigned long& value) {
 bool ValueTraits<double>::Parse(std::string_view text, double& out) {
   const std::string copy(Trim(text));
   if (copy.empty()) return false;
+  const PlainNumbers plain;
   char* end = nullptr;
   out = std::strtod(copy.c_str(), &end);
-  return *end == '\0';
+  return end == copy.c_str() + copy.size();
 }
 
 std::string ValueTraits<double>::Print(const double& value) {
+  const PlainNumbers plain;
   char text[32];
   for (const int digits : {6, 15, 17}) {  // the shortest that reads back the same
     std::snprintf(text, sizeof(text), "%.*g", digits, value);

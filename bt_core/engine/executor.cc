@@ -32,6 +32,7 @@ void Executor::BuildLeaves() {
     leaf->set_host(this);
     std::uint32_t next = record.first_port;
     for (const PortCollector::Port& port : collector.ports) {
+      if (!entry) break;  // only the leaves of the registry have ports
       const SlotIndex slot = program_->ports[next++].slot;
       if (slot != kNoSlot) port.port->Bind(&blackboard_[slot], slot, inbox_);
     }
@@ -128,11 +129,14 @@ Status Executor::DispatchWithPorts(NodeIndex node, NodeType type) {
         return TickDelay(*this, node);
     }
   } catch (const UnsetInput& error) {
-    ResetChildren(node);
+    current_leaf_ = node;
+    AddMessage(Describe(error, node));
+  } catch (const std::exception& error) {
     current_leaf_ = node;
     AddMessage(error.what());
-    return Status::kFailure;
   }
+  ResetChildren(node);
+  return Status::kFailure;
 }
 
 Status Executor::TickLeaf(NodeIndex node, std::uint32_t leaf) {
@@ -141,6 +145,8 @@ Status Executor::TickLeaf(NodeIndex node, std::uint32_t leaf) {
     const Status result = leaves_[leaf]->Tick(statuses_[node] != Status::kRunning);
     if (result != Status::kIdle) return result;
     AddMessage("returned IDLE, which no node may; taken as FAILURE");
+  } catch (const UnsetInput& error) {
+    AddMessage(Describe(error, node));
   } catch (const std::exception& error) {
     AddMessage(error.what());
   } catch (...) {
@@ -156,17 +162,38 @@ void Executor::Halt(NodeIndex node) {
   }
   for (NodeIndex i = node; i < nodes_[node].end; ++i) {
     if (statuses_[i] == Status::kIdle) continue;
-    if (statuses_[i] == Status::kRunning && nodes_[i].type == NodeType::kLeaf) {
-      current_leaf_ = i;
-      try {
-        leaves_[nodes_[i].first_port]->Halt();
-      } catch (const std::exception& error) {
-        AddMessage(std::string("while halting: ") + error.what());
-      }
-    }
+    if (statuses_[i] == Status::kRunning && nodes_[i].type == NodeType::kLeaf) HaltLeaf(i);
     memory_[i] = 0;
     SetStatus(i, Status::kIdle);
   }
+}
+
+void Executor::HaltLeaf(NodeIndex node) {
+  current_leaf_ = node;
+  try {
+    leaves_[nodes_[node].first_port]->Halt();
+  } catch (const std::exception& error) {
+    AddMessage(std::string("while halting: ") + error.what());
+  } catch (...) {
+    AddMessage("while halting: threw something that is not a std::exception");
+  }
+}
+
+// Which port it was is found only now, so that reading one costs nothing more.
+std::string Executor::Describe(const UnsetInput& error, NodeIndex node) const {
+  const Registry::Entry* entry = program_->info[node].entry;
+  if (!error.slot || !entry) return error.what();
+  const auto slot = static_cast<SlotIndex>(error.slot - blackboard_.data());
+  const NodeRecord& record = nodes_[node];
+  const std::uint32_t first = record.type == NodeType::kLeaf
+                                  ? program_->leaves[record.first_port].first_port
+                                  : record.first_port;
+  for (std::size_t k = 0; k < entry->declarations.size(); ++k) {
+    if (program_->ports[first + k].slot != slot) continue;
+    return "input \"" + entry->declarations[k].name + "\" has no value: nobody has written key \"" +
+           program_->layout.slots[slot].key + "\" yet";
+  }
+  return error.what();
 }
 
 void Executor::ResetChildren(NodeIndex node) {

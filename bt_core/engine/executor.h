@@ -80,9 +80,9 @@ class Executor final : public LeafHost {
   template <class T>
   const T& Port(NodeIndex node, std::uint32_t k) const {
     const PortBinding& port = program_->ports[nodes_[node].first_port + k];
-    const Value& value = blackboard_[port.slot].value;
-    if (!value.has_value()) throw UnsetInput();
-    return value.Get<T>();
+    const Slot& slot = blackboard_[port.slot];
+    if (!slot.value.has_value()) throw UnsetInput(&slot);
+    return slot.value.Get<T>();
   }
   void TickAgain() { tick_again_ = true; }
 
@@ -91,6 +91,8 @@ class Executor final : public LeafHost {
   Status DispatchWithPorts(NodeIndex node, NodeType type);
   Status TickLeaf(NodeIndex node, std::uint32_t leaf);
   void SetStatus(NodeIndex node, Status status);
+  void HaltLeaf(NodeIndex node);
+  std::string Describe(const UnsetInput& error, NodeIndex node) const;
   void BuildLeaves();
   void ApplyInbox();
   void Report(Status result);

@@ -33,6 +33,9 @@ std::string EscapeXml(std::string_view text) {
       case '\n':
         escaped += "&#10;";
         break;
+      case '\r':
+        escaped += "&#13;";
+        break;
       default:
         escaped += c;
     }

@@ -18,7 +18,10 @@
 #ifndef COPPICE_BT_CORE_NODES_CONTROL_H_
 #define COPPICE_BT_CORE_NODES_CONTROL_H_
 
+#include <algorithm>
 #include <cstdint>
+#include <stdexcept>
+#include <string>
 
 #include "bt_core/base/status.h"
 
@@ -103,40 +106,49 @@ Status TickReactiveFallback(Tree& tree, NodeIndex node) {
   return internal::TickReactive<Status::kFailure>(tree, node);
 }
 
-/// Children that completed keep their status and are not ticked again until the node ends. A
-/// threshold counts only the children that were not skipped in this tick, so skipping cannot make
-/// it unreachable. A negative threshold -k means "all but k - 1".
+/// Children that completed keep their status and are not ticked again until the node ends. After
+/// each child it looks whether the result is decided. A child that is skipped in this tick counts
+/// as if it were not there: a negative threshold -k means "all but k - 1 of the others", and no
+/// threshold is higher than their number, so skipping cannot make it unreachable. Throws
+/// std::invalid_argument if a threshold is higher than the number of all children.
 template <class Tree>
 Status TickParallel(Tree& tree, NodeIndex node) {
   const NodeIndex end = tree.EndOf(node);
-  int children = 0;
-  for (NodeIndex child = node + 1; child != end; child = tree.EndOf(child)) ++children;
-  const auto threshold = [children](int port) { return port < 0 ? children + port + 1 : port; };
-  const int to_succeed = threshold(tree.template Port<int>(node, 0));
-  const int to_fail = threshold(tree.template Port<int>(node, 1));
-
+  int present = 0;  // children that were not skipped, those not yet ticked included
+  for (NodeIndex child = node + 1; child != end; child = tree.EndOf(child)) ++present;
+  const int success_count = tree.template Port<int>(node, 0);
+  const int failure_count = tree.template Port<int>(node, 1);
+  if (success_count > present || failure_count > present) {
+    throw std::invalid_argument("success_count or failure_count is more than the " +
+                                std::to_string(present) + " children");
+  }
+  const auto threshold = [&present](int port) {
+    return port < 0 ? std::max(present + port + 1, 0) : std::min(port, present);
+  };
   int successes = 0;
   int failures = 0;
-  int skipped = 0;
+  int running = 0;
   for (NodeIndex child = node + 1; child != end; child = tree.EndOf(child)) {
     const Status before = tree.status(child);
     const Status result = IsCompleted(before) ? before : tree.Tick(child);
     successes += result == Status::kSuccess;
     failures += result == Status::kFailure;
-    skipped += result == Status::kSkipped;
-    if (successes >= to_succeed && successes > 0) {
+    running += result == Status::kRunning;
+    present -= result == Status::kSkipped;
+    if (successes + failures + running == 0) continue;  // all skipped so far
+    const int to_succeed = threshold(success_count);
+    if (successes >= to_succeed) {
       tree.ResetChildren(node);
       return Status::kSuccess;
     }
-    if (failures > 0 && (failures >= to_fail || children - failures < to_succeed)) {
+    if (failures >= threshold(failure_count) || present - failures < to_succeed) {
       tree.ResetChildren(node);
       return Status::kFailure;
     }
   }
-  if (successes + failures + skipped < children) return Status::kRunning;
+  if (running > 0) return Status::kRunning;
   tree.ResetChildren(node);
-  if (skipped == children) return Status::kSkipped;
-  return successes >= to_succeed - skipped ? Status::kSuccess : Status::kFailure;
+  return Status::kSkipped;
 }
 
 }  // namespace coppice

@@ -66,8 +66,8 @@ Status TickRetryUntilSuccessful(Tree& tree, NodeIndex node) {
   return internal::TickLoop<Status::kFailure>(tree, node, tree.template Port<int>(node, 0));
 }
 
-/// Memory: the time of expiry. The child is halted at the first tick at or after it, before it is
-/// ticked again.
+/// Memory: the time of expiry, plus 1 so that it is never 0. The child is halted at the first tick
+/// at or after it, before it is ticked again.
 template <class Tree>
 Status TickTimeout(Tree& tree, NodeIndex node) {
   const NodeIndex child = node + 1;
@@ -75,9 +75,10 @@ Status TickTimeout(Tree& tree, NodeIndex node) {
   const unsigned limit = tree.template Port<unsigned>(node, 0);
   if (limit > 0) {
     if (memory == 0) {
-      memory = static_cast<std::uint64_t>((tree.now() + std::chrono::milliseconds(limit)).count());
+      const Time expiry = tree.now() + std::chrono::milliseconds(limit);
+      memory = static_cast<std::uint64_t>(expiry.count()) + 1;
     }
-    const Time expiry(static_cast<std::int64_t>(memory));
+    const Time expiry(static_cast<std::int64_t>(memory - 1));
     if (tree.now() >= expiry) {
       tree.Halt(child);
       return Status::kFailure;
@@ -87,15 +88,15 @@ Status TickTimeout(Tree& tree, NodeIndex node) {
   return TickMapped(tree, node, Status::kSuccess, Status::kFailure);
 }
 
-/// Memory: the time from which the child is ticked.
+/// Memory: the time from which the child is ticked, plus 1.
 template <class Tree>
 Status TickDelay(Tree& tree, NodeIndex node) {
   std::uint64_t& memory = tree.memory(node);
   if (memory == 0) {
     const std::chrono::milliseconds delay(tree.template Port<unsigned>(node, 0));
-    memory = static_cast<std::uint64_t>((tree.now() + delay).count()) | 1;  // never 0
+    memory = static_cast<std::uint64_t>((tree.now() + delay).count()) + 1;
   }
-  const Time start(static_cast<std::int64_t>(memory & ~std::uint64_t{1}));
+  const Time start(static_cast<std::int64_t>(memory - 1));
   if (tree.now() < start) {
     tree.WakeAt(start);
     return Status::kRunning;
