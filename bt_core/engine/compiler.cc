@@ -1,5 +1,6 @@
 // Document -> Program. One pass over the elements builds the arrays and resolves every name; then,
-// with the types of all ports known, the literals given to SubTrees are converted.
+// with the types of all ports known, the literals given to SubTrees are converted. Positions in the
+// text and words for messages are worked out only when there is something to say.
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -10,6 +11,10 @@
 
 namespace coppice {
 namespace {
+
+// SubTrees within SubTrees multiply: a few lines of XML can ask for more than any computer has.
+constexpr std::size_t kMostNodes = 1'000'000;
+constexpr std::uint32_t kDeepest = 1'000;
 
 std::string Quoted(std::string_view text) { return "\"" + std::string(text) + "\""; }
 
@@ -31,8 +36,14 @@ struct Scope {
 // A SubTree's literal waits until some port inside says what type it is.
 struct PendingLiteral {
   SlotIndex slot;
-  std::string_view text;
-  SourceLocation where;
+  const Document* document;
+  const Attribute* attribute;
+};
+
+struct Place {
+  const Document& document;
+  std::uint32_t offset;
+  SourceLocation Location() const { return document.Location(offset); }
 };
 
 class Compiler {
@@ -70,8 +81,10 @@ class Compiler {
       diagnostics_.Error(first.Location(first.element(0).offset), "which tree is the main one?",
                          "give main_tree_to_execute; there are: " + list);
     } else {
-      diagnostics_.Error(first.Location(first.element(0).offset), "no tree " + Quoted(id),
-                         DidYouMean(id, ids));
+      const Attribute* asked = first.FindAttribute(first.element(0), "main_tree_to_execute");
+      const bool by_file = asked && asked->value == id;
+      diagnostics_.Error(first.Location(by_file ? asked->value_offset : first.element(0).offset),
+                         "no tree " + Quoted(id), DidYouMean(id, ids));
     }
     return nullptr;
   }
@@ -94,14 +107,14 @@ class Compiler {
   void AddNode(std::uint32_t doc, ElementIndex index, ScopeIndex scope, NodeIndex parent) {
     const Document& document = project_.documents()[doc];
     const Element& element = document.element(index);
-    const SourceLocation where = document.Location(element.offset);
+    if (TooBig(document, element)) return;
     const auto node = static_cast<NodeIndex>(program_->nodes.size());
 
     std::string_view id = element.tag;
     if (CategoryFromTag(element.tag)) {
       id = document.AttributeValue(element, "ID");
       if (id.empty()) {
-        diagnostics_.Error(where, "<" + std::string(element.tag) + "> without ID");
+        Error(document, element, "<" + std::string(element.tag) + "> without ID");
         return;
       }
       if (element.tag == "SubTree") {
@@ -111,46 +124,65 @@ class Compiler {
     }
     const Registry::Entry* entry = registry_.Find(id);
     if (!entry && !registry_.fallback()) {
-      diagnostics_.Error(where, "unknown node type " + Quoted(id), DidYouMean(id, registry_.Ids()));
+      Error(document, element, "unknown node type " + Quoted(id), DidYouMean(id, registry_.Ids()));
+    } else if (entry && element.tag != id && element.tag != ToString(entry->manifest.category)) {
+      diagnostics_.Warning(document.Location(element.offset),
+                           Quoted(id) + " is written as <" + std::string(element.tag) + ">",
+                           std::string("it is a ") + ToString(entry->manifest.category));
     }
     const NodeType type = entry ? entry->type : NodeType::kLeaf;
     AddRecord(type, entry, doc, index, scope, parent);
     CheckReserved(document, element);
     if (entry) {
-      CheckChildCount(*entry, element, where);
+      CheckChildCount(*entry, document, element);
       BindPorts(*entry, document, element, scope);
     } else if (element.child_count > 0 && registry_.fallback()) {
-      diagnostics_.Error(where,
-                         Quoted(id) + " is not built in, so it must be a leaf without children");
+      Error(document, element,
+            Quoted(id) + " is not built in, so it must be a leaf without children",
+            DidYouMean(id, registry_.Ids()));
     }
     if (type == NodeType::kLeaf) {
       LeafRecord leaf{node, program_->nodes[node].first_port};
       program_->nodes[node].first_port = static_cast<std::uint32_t>(program_->leaves.size());
       program_->leaves.push_back(leaf);
     }
+    ++depth_;
     for (ElementIndex child = element.first_child; child != kNoElement;
          child = document.element(child).next_sibling) {
       AddNode(doc, child, scope, node);
     }
+    --depth_;
     program_->nodes[node].end = static_cast<NodeIndex>(program_->nodes.size());
+  }
+
+  // True from the first node on that is too much; says so once.
+  bool TooBig(const Document& document, const Element& element) {
+    const bool deep = depth_ >= kDeepest;
+    if (!deep && program_->nodes.size() < kMostNodes) return false;
+    if (too_big_) return true;
+    too_big_ = true;
+    Error(document, element,
+          deep ? "nodes are nested more than " + std::to_string(kDeepest) + " deep"
+               : "the tree has more than " + std::to_string(kMostNodes) + " nodes",
+          "counted with all SubTrees");
+    return true;
   }
 
   void AddSubTree(std::uint32_t doc, ElementIndex index, ScopeIndex scope, NodeIndex parent,
                   std::string_view id) {
     const Document& document = project_.documents()[doc];
     const Element& element = document.element(index);
-    const SourceLocation where = document.Location(element.offset);
     const TreeDefinition* tree = project_.Find(id);
     if (!tree) {
       std::vector<std::string> ids;
       for (const auto& [known, definition] : project_.trees()) ids.push_back(known);
-      diagnostics_.Error(where, "no tree " + Quoted(id), DidYouMean(id, ids));
+      Error(document, element, "no tree " + Quoted(id), DidYouMean(id, ids));
       return;
     }
-    if (element.child_count > 0) diagnostics_.Error(where, "<SubTree> must not have children");
+    if (element.child_count > 0) Error(document, element, "<SubTree> must not have children");
     for (const std::string_view open : open_trees_) {
       if (open != id) continue;
-      diagnostics_.Error(where, "tree " + Quoted(id) + " contains itself");
+      Error(document, element, "tree " + Quoted(id) + " contains itself");
       return;
     }
     CheckReserved(document, element);
@@ -162,7 +194,9 @@ class Compiler {
     program_->trees.push_back({std::string(id), path, node + 1, node});
     RemapPorts(document, element, scope, inner);
     open_trees_.push_back(id);
+    ++depth_;
     AddTreeBody(*tree, inner, node);
+    --depth_;
     open_trees_.pop_back();
     program_->nodes[node].end = static_cast<NodeIndex>(program_->nodes.size());
   }
@@ -200,15 +234,16 @@ class Compiler {
     }
   }
 
-  void CheckChildCount(const Registry::Entry& entry, const Element& element,
-                       const SourceLocation& where) {
+  void CheckChildCount(const Registry::Entry& entry, const Document& document,
+                       const Element& element) {
     const ChildCount allowed = entry.children;
     if (element.child_count >= allowed.min && element.child_count <= allowed.max) return;
     const std::string expected = allowed.max == 0            ? "none"
                                  : allowed.max == UINT32_MAX ? "at least 1"
                                                              : "exactly 1";
-    diagnostics_.Error(where, entry.manifest.id + " has " + std::to_string(element.child_count) +
-                                  " children, expected " + expected);
+    Error(document, element,
+          entry.manifest.id + " has " + std::to_string(element.child_count) +
+              " children, expected " + expected);
   }
 
   void BindPorts(const Registry::Entry& entry, const Document& document, const Element& element,
@@ -221,14 +256,14 @@ class Compiler {
 
   void CheckPortNames(const Registry::Entry& entry, const Document& document,
                       const Element& element) {
-    std::vector<std::string> names;
-    for (const PortDeclaration& port : entry.manifest.ports) names.push_back(port.name);
     for (const Attribute* a = document.attributes_begin(element);
          a != document.attributes_end(element); ++a) {
       if (IsReservedAttribute(a->name)) continue;
       bool known = false;
-      for (const std::string& name : names) known = known || a->name == name;
+      for (const PortDeclaration& port : entry.manifest.ports) known |= a->name == port.name;
       if (known) continue;
+      std::vector<std::string> names;
+      for (const PortDeclaration& port : entry.manifest.ports) names.push_back(port.name);
       diagnostics_.Error(document.Location(a->name_offset),
                          entry.manifest.id + " has no port " + Quoted(a->name),
                          DidYouMean(a->name, names));
@@ -239,47 +274,50 @@ class Compiler {
                      const Document& document, const Element& element, ScopeIndex scope) {
     if (port.direction == PortDirection::kMailbox) return AddSlot("", scope, port.type);
     const Attribute* attribute = document.FindAttribute(element, port.name);
-    const SourceLocation where =
-        document.Location(attribute ? attribute->value_offset : element.offset);
+    const Place place{document, attribute ? attribute->value_offset : element.offset};
     if (!attribute && !port.default_text) {
       if (port.required) {
-        diagnostics_.Error(where, entry.manifest.id + " needs its port " + Quoted(port.name),
-                           port.description);
+        Error(document, element, entry.manifest.id + " needs its port " + Quoted(port.name),
+              port.description);
       }
       return kNoSlot;
     }
     const std::string_view text = attribute ? attribute->value : *port.default_text;
     std::string_view key;
     if (text == "=" || (IsPointer(text, key) && key == "=")) key = port.name;
-    if (!key.empty()) return UnifyType(ResolveKey(key, scope), port, entry, where);
+    if (!key.empty() && key != "@") {
+      return UnifyType(ResolveKey(key, scope), port, entry, place);
+    }
     if (port.direction != PortDirection::kInput) {
-      diagnostics_.Error(where, "output " + Quoted(port.name) + " needs a key", "write {key}");
+      diagnostics_.Error(
+          place.Location(),
+          std::string(ToString(port.direction)) + " " + Quoted(port.name) + " needs a key",
+          "write {key}");
       return kNoSlot;
     }
-    return AddLiteral(port.type, text, where, scope,
-                      "port " + Quoted(port.name) + " of " + entry.manifest.id);
-  }
-
-  SlotIndex AddLiteral(const Type* type, std::string_view text, const SourceLocation& where,
-                       ScopeIndex scope, const std::string& what) {
-    const SlotIndex slot = AddSlot("", scope, type);
-    if (!program_->layout.slots[slot].initial.Parse(*type, text)) {
-      diagnostics_.Error(where, Quoted(text) + " is not a value for " + what,
-                         std::string("expected ") + type->name);
+    const SlotIndex slot = AddSlot("", scope, port.type);
+    if (!program_->layout.slots[slot].initial.Parse(*port.type, text)) {
+      diagnostics_.Error(place.Location(),
+                         Quoted(text) + " is not a value for port " + Quoted(port.name) + " of " +
+                             entry.manifest.id,
+                         std::string("expected ") + port.type->name);
     }
     return slot;
   }
 
   SlotIndex UnifyType(SlotIndex index, const PortDeclaration& port, const Registry::Entry& entry,
-                      const SourceLocation& where) {
+                      const Place& place) {
     SlotDefinition& slot = program_->layout.slots[index];
     if (!slot.type) {
       slot.type = port.type;
-      first_use_[index] = entry.manifest.id + "." + port.name;
+      first_use_[index] = {&entry, &port};
     } else if (slot.type != port.type) {
-      diagnostics_.Error(where, "key " + Quoted(slot.key) + " is " + slot.type->name + " (from " +
-                                    first_use_[index] + "), but port " + Quoted(port.name) +
-                                    " of " + entry.manifest.id + " is " + port.type->name);
+      const auto& [first_entry, first_port] = first_use_.at(index);
+      diagnostics_.Error(place.Location(), "key " + Quoted(slot.key) + " is " + slot.type->name +
+                                               " (from " + first_entry->manifest.id + "." +
+                                               first_port->name + "), but port " +
+                                               Quoted(port.name) + " of " + entry.manifest.id +
+                                               " is " + port.type->name);
     }
     return index;
   }
@@ -306,11 +344,11 @@ class Compiler {
       std::string_view key;
       if (a->value == "=" || (IsPointer(a->value, key) && key == "=")) key = a->name;
       SlotIndex slot = kNoSlot;
-      if (!key.empty()) {
+      if (!key.empty() && key != "@") {
         slot = ResolveKey(key, outer);
       } else {
         slot = AddSlot(std::string(a->name), inner, nullptr);
-        pending_.push_back({slot, a->value, document.Location(a->value_offset)});
+        pending_.push_back({slot, &document, a});
       }
       scopes_[inner].keys.emplace(a->name, slot);
     }
@@ -320,11 +358,11 @@ class Compiler {
     for (const PendingLiteral& literal : pending_) {
       SlotDefinition& slot = program_->layout.slots[literal.slot];
       if (!slot.type) slot.type = &TypeOf<std::string>();
-      if (slot.initial.Parse(*slot.type, literal.text)) continue;
-      diagnostics_.Error(
-          literal.where,
-          Quoted(literal.text) + " is not a value for key " + Quoted(slot.key) + " inside",
-          std::string("expected ") + slot.type->name);
+      if (slot.initial.Parse(*slot.type, literal.attribute->value)) continue;
+      diagnostics_.Error(literal.document->Location(literal.attribute->value_offset),
+                         Quoted(literal.attribute->value) + " is not a value for key " +
+                             Quoted(slot.key) + " inside",
+                         std::string("expected ") + slot.type->name);
     }
     for (SlotDefinition& slot : program_->layout.slots) {
       if (!slot.type) slot.type = &TypeOf<std::string>();  // remapped, but used by nobody
@@ -346,6 +384,11 @@ class Compiler {
     return ValueTraits<bool>::Parse(document.AttributeValue(element, name), value) && value;
   }
 
+  void Error(const Document& document, const Element& element, std::string message,
+             std::string hint = {}) {
+    diagnostics_.Error(document.Location(element.offset), std::move(message), std::move(hint));
+  }
+
   const Project& project_;
   const Registry& registry_;
   Diagnostics& diagnostics_;
@@ -353,7 +396,11 @@ class Compiler {
   std::vector<Scope> scopes_;
   std::vector<std::string_view> open_trees_;
   std::vector<PendingLiteral> pending_;
-  std::unordered_map<SlotIndex, std::string> first_use_;
+  // Per slot the port that gave it its type; for messages.
+  std::unordered_map<SlotIndex, std::pair<const Registry::Entry*, const PortDeclaration*>>
+      first_use_;
+  std::uint32_t depth_ = 0;
+  bool too_big_ = false;
 };
 
 }  // namespace
