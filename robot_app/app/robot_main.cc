@@ -27,7 +27,11 @@ namespace {
 
 constexpr char kUsage[] =
     "coppice-robot --application FILE --monitor FILE --waypoints FILE\n"
-    "              [--record FOLDER] [--live-port N] [--rounds N] [--stops N] [--seed N]\n"
+    "              [--tree ID] [--record FOLDER] [--live-port N] [--rounds N] [--stops N] [--seed "
+    "N]\n"
+    "  The application may be any tree, for example trees/behavior/leave_station.xml; --tree names "
+    "one that is not\n"
+    "  the main tree of its file.\n"
     "  Runs both trees until the application ends, then goes on monitoring until it is stopped. "
     "The live socket of\n"
     "  the application is at N (default 1667), that of the monitor at N + 2; 0 = none. rounds: "
@@ -55,8 +59,8 @@ class Robot {
     const int port = static_cast<int>(Number(options, "--live-port", 1667));
     application_ = MakeRunner(options, "application", port, false);
     monitor_ = MakeRunner(options, "monitor", port > 0 ? port + 2 : 0, true);
-    Set("rounds", options.Get("--rounds", "-1"));
-    Set("stops", options.Get("--stops", "4"));
+    SetIfUsed(options, "rounds", "-1");
+    SetIfUsed(options, "stops", "4");
     subscribers_ = SubscribeFeeds(
         node_, {KeysOf(application_->executor()), KeysOf(monitor_->executor())}, clock_);
     subscribers_.push_back(node_.subscribe<std_msgs::String>(
@@ -90,7 +94,8 @@ class Robot {
   std::unique_ptr<TreeRunner> MakeRunner(const Options& options, const std::string& name, int port,
                                          bool forever) {
     Diagnostics diagnostics;
-    const auto program = CompileFile(options.Get("--" + name), registry_, diagnostics);
+    const std::string tree = name == "application" ? options.Get("--tree") : "";
+    const auto program = CompileFile(options.Get("--" + name), registry_, diagnostics, tree);
     std::cerr << diagnostics.ToString();
     if (!program) throw std::runtime_error("the " + name + " tree cannot run");
     TreeRunnerOptions runner;
@@ -104,8 +109,13 @@ class Robot {
     return std::make_unique<TreeRunner>(program, clock_, runner);
   }
 
-  void Set(const std::string& key, const std::string& text) {
-    const std::string problem = SetKey(application_->executor(), key, text);
+  // A tree of behaviours alone need not have the key; what is given on the command line must be of
+  // use, though.
+  void SetIfUsed(const Options& options, const std::string& key, const std::string& otherwise) {
+    Executor& executor = application_->executor();
+    const bool used = executor.program().layout.Find(0, key) != kNoSlot;
+    if (!used && !options.Has("--" + key)) return;
+    const std::string problem = SetKey(executor, key, options.Get("--" + key, otherwise));
     if (!problem.empty()) throw std::runtime_error(problem);
   }
 

@@ -1,0 +1,93 @@
+#include "robot_app/ros/feeds.h"
+
+#include <coppice_msgs/Health.h>
+#include <coppice_msgs/ProcessStates.h>
+#include <gtest/gtest.h>
+#include <sensor_msgs/BatteryState.h>
+
+#include "bt_core/engine/executor.h"
+#include "bt_nodes/monitoring/monitoring_leaves.h"
+#include "bt_nodes/power/power_leaves.h"
+#include "tests/robot_app/ros_environment.h"
+
+namespace coppice::robot {
+namespace {
+
+constexpr char kTree[] = R"(<root BTCPP_format="4"><BehaviorTree ID="Main"><Sequence>
+  <IsCharging charging="{charging}"/>
+  <IsBatteryLow level="{battery_level}" threshold="0.5"/>
+  <ReadHealth monitoring="{monitoring}" health="{health}" errors="{errors}"/>
+</Sequence></BehaviorTree></root>)";
+
+class FeedsTest : public testing::Test {
+ protected:
+  FeedsTest() {
+    auto registry = std::make_shared<Registry>();
+    registry->Register<IsCharging>("IsCharging");
+    registry->Register<IsBatteryLow>("IsBatteryLow");
+    registry->Register<ReadHealth>("ReadHealth");
+    Diagnostics diagnostics;
+    auto project = Project::FromText(kTree, "feeds", diagnostics);
+    auto program = Compile(std::make_shared<Project>(*std::move(project)), registry, diagnostics);
+    executor_ = std::make_unique<Executor>(program, clock_);
+    subscribers_ = SubscribeFeeds(
+        node_,
+        {{executor_->Writer<double>("battery_level"), executor_->Writer<bool>("charging"),
+          executor_->Writer<Health>("monitoring"),
+          executor_->Writer<std::string>("configuration")}},
+        clock_);
+  }
+
+  template <class Message>
+  void Publish(const std::string& topic, const Message& message) {
+    publishers_.push_back(node_.advertise<Message>(topic, 1, true));
+    publishers_.back().publish(message);
+  }
+
+  const Value& Key(const std::string& key) {
+    executor_->Tick();
+    return executor_->blackboard()[executor_->program().layout.Find(0, key)].value;
+  }
+
+  SimulatedClock clock_{std::chrono::seconds(7)};
+  ros::NodeHandle node_;
+  std::unique_ptr<Executor> executor_;
+  std::vector<ros::Subscriber> subscribers_;
+  std::vector<ros::Publisher> publishers_;
+};
+
+TEST_F(FeedsTest, BringTheBatteryToTheTree) {
+  sensor_msgs::BatteryState battery;
+  battery.percentage = 0.25f;
+  battery.power_supply_status = sensor_msgs::BatteryState::POWER_SUPPLY_STATUS_CHARGING;
+  Publish("/battery_state", battery);
+  ASSERT_TRUE(Eventually([this] { return Key("battery_level").has_value(); }));
+  EXPECT_DOUBLE_EQ(Key("battery_level").Get<double>(), 0.25);
+  EXPECT_TRUE(Key("charging").Get<bool>());
+}
+
+TEST_F(FeedsTest, StampTheHealthReportOnArrival) {
+  coppice_msgs::Health report;
+  report.entries.resize(1);
+  report.entries[0].monitor = "node";
+  report.entries[0].node = "/a";
+  report.entries[0].level = coppice_msgs::HealthEntry::ERROR;
+  Publish("/monitoring", report);
+  ASSERT_TRUE(Eventually([this] { return Key("monitoring").has_value(); }));
+  const Health health = Key("monitoring").Get<Health>();
+  EXPECT_EQ(health.stamp, std::chrono::seconds(7));
+  ASSERT_NE(health.FirstError("node"), nullptr);
+  EXPECT_EQ(health.FirstError("node")->node, "/a");
+}
+
+TEST_F(FeedsTest, TakeNoHarmFromKeysThatTheTreeDoesNotUse) {
+  coppice_msgs::ProcessStates states;
+  states.configuration = "operating";
+  Publish("/processes", states);
+  sensor_msgs::BatteryState battery;
+  Publish("/battery_state", battery);
+  EXPECT_TRUE(Eventually([this] { return Key("charging").has_value(); }));
+}
+
+}  // namespace
+}  // namespace coppice::robot

@@ -1,0 +1,54 @@
+#include "robot_app/ros/ros_interaction.h"
+
+#include <gtest/gtest.h>
+#include <std_msgs/String.h>
+
+#include "bt_core/testing/leaf_harness.h"
+#include "tests/robot_app/ros_environment.h"
+
+namespace coppice::robot {
+namespace {
+
+// The newest text on a topic.
+class Listener {
+ public:
+  Listener(ros::NodeHandle& node, const std::string& topic)
+      : subscriber_(node.subscribe<std_msgs::String>(
+            topic, 10, [this](const std_msgs::String::ConstPtr& message) {
+              const std::lock_guard<std::mutex> lock(mutex_);
+              text_ = message->data;
+            })) {}
+  std::string text() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return text_;
+  }
+  bool connected() const { return subscriber_.getNumPublishers() > 0; }
+
+ private:
+  std::mutex mutex_;
+  std::string text_;
+  ros::Subscriber subscriber_;
+};
+
+TEST(RosInteraction, SpeaksOnItsTopicAndReportsTheEnd) {
+  ros::NodeHandle node;
+  RosInteraction interaction(node);
+  Listener speech(node, "/speech");
+  ASSERT_TRUE(Eventually([&] { return speech.connected(); }));
+  LeafHarness harness = LeafHarness::For<Say>(std::ref<Interaction>(interaction));
+  harness.Set("text", std::string("hello"));
+  EXPECT_EQ(harness.Tick(), Status::kRunning);
+  EXPECT_TRUE(Eventually([&] { return speech.text() == "hello"; }));
+  EXPECT_TRUE(Eventually([&] { return harness.Tick() == Status::kSuccess; }));
+}
+
+TEST(RosInteraction, ShowsTheExpressionToThoseWhoComeLater) {
+  ros::NodeHandle node;
+  RosInteraction interaction(node);
+  interaction.SetExpression("SLEEP");
+  Listener expression(node, "/expression");
+  EXPECT_TRUE(Eventually([&] { return expression.text() == "SLEEP"; }));
+}
+
+}  // namespace
+}  // namespace coppice::robot

@@ -1,0 +1,80 @@
+// Plays a scenario with a shipped tree: the real tree, the real leaves, the real executor,
+// simulated time, and a robot that remembers what it was asked.
+#ifndef COPPICE_TESTS_TREES_TREE_SCENARIO_H_
+#define COPPICE_TESTS_TREES_TREE_SCENARIO_H_
+
+#include <algorithm>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "bt_core/engine/executor.h"
+#include "bt_nodes/monitoring/health.h"
+#include "tests/bt_nodes/fakes.h"
+
+namespace coppice {
+
+class TreeScenario {
+ public:
+  /// `file` is relative to trees/; an empty tree ID is the main tree.
+  explicit TreeScenario(const std::string& file, const std::string& tree = {}) {
+    auto registry = std::make_shared<Registry>();
+    RegisterNodes(*registry, robot.capabilities());
+    Diagnostics diagnostics;
+    program_ = CompileFile(std::string(COPPICE_SOURCE_DIR) + "/trees/" + file, registry,
+                           diagnostics, tree);
+    if (!program_) throw std::runtime_error(diagnostics.ToString());
+    executor_ = std::make_unique<Executor>(program_, clock_);
+  }
+
+  FakeRobot robot;
+
+  template <class T>
+  void Set(const std::string& key, const T& value) {
+    executor_->Writer<T>(key).Send(value);
+  }
+
+  /// A report with one entry for each (monitor, node) that is an error now; no argument: all is
+  /// well.
+  void Report(const std::vector<std::pair<std::string, std::string>>& errors = {}) {
+    Health health;
+    health.stamp = clock_.Now();
+    for (const auto& [monitor, node] : errors) {
+      health.entries.push_back({monitor, node, node, HealthLevel::kError, "broken"});
+    }
+    Set("monitoring", health);
+  }
+
+  Status Tick() { return executor_->Tick(); }
+  void Advance(double seconds) {
+    clock_.Advance(std::chrono::duration_cast<Duration>(std::chrono::duration<double>(seconds)));
+  }
+  /// Lets the robot's last action end, and ticks.
+  Status Answer(bool ok) {
+    robot.done.Send({ok, ok ? "" : "failed"});
+    return Tick();
+  }
+
+  /// Status of the node with that name; throws if there is none.
+  Status StatusOf(const std::string& name) const {
+    for (NodeIndex node = 0; node < program_->nodes.size(); ++node) {
+      if (program_->Name(node) == name) return executor_->status(node);
+    }
+    throw std::invalid_argument("no node \"" + name + "\"");
+  }
+
+  std::string LastCall() const { return robot.calls.empty() ? "" : robot.calls.back(); }
+  long CallsOf(const std::string& call) const {
+    return std::count(robot.calls.begin(), robot.calls.end(), call);
+  }
+
+ private:
+  std::shared_ptr<const Program> program_;
+  SimulatedClock clock_{std::chrono::seconds(1000)};
+  std::unique_ptr<Executor> executor_;
+};
+
+}  // namespace coppice
+
+#endif  // COPPICE_TESTS_TREES_TREE_SCENARIO_H_
