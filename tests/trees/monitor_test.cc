@@ -15,6 +15,20 @@ class MonitorTree : public testing::Test {
   TreeScenario scenario_{"monitor/monitor.xml"};
 };
 
+// Stuede et al. 2021: "The composition of the tree defines the priority of error handling."
+TEST_F(MonitorTree, HasTheStructureOfThePaper) {
+  using Names = std::vector<std::string>;
+  EXPECT_EQ(scenario_.ChildrenOf("monitor"),
+            (Names{"check_and_set_configuration", "process_monitors", "handle_errors"}));
+  EXPECT_EQ(scenario_.ChildrenOf("handle_errors"),
+            (Names{"node_or_topic", "navigation", "localization", "all_well"}));
+  EXPECT_EQ(scenario_.ChildrenOf("node_or_topic"), (Names{"node_or_topic_error", "restart_node"}));
+  EXPECT_EQ(scenario_.ChildrenOf("node_or_topic_error"), (Names{"node_error", "topic_error"}));
+  EXPECT_EQ(scenario_.ChildrenOf("navigation"), (Names{"navigation_error", "recover_navigation"}));
+  EXPECT_EQ(scenario_.ChildrenOf("localization"),
+            (Names{"localization_error", "recover_localization"}));
+}
+
 TEST_F(MonitorTree, DoesNothingWhenAllIsWell) {
   scenario_.Report();
   EXPECT_EQ(scenario_.Tick(), Status::kSuccess);

@@ -64,6 +64,17 @@ class TreeScenario {
     throw std::invalid_argument("no node \"" + name + "\"");
   }
 
+  /// Names of the children of the node with that name, in order.
+  std::vector<std::string> ChildrenOf(const std::string& name) const {
+    std::vector<std::string> children;
+    for (NodeIndex node = 1; node < program_->nodes.size(); ++node) {
+      if (program_->Name(program_->info[node].parent) == name) {
+        children.push_back(program_->Name(node));
+      }
+    }
+    return children;
+  }
+
   std::string LastCall() const { return robot.calls.empty() ? "" : robot.calls.back(); }
   long CallsOf(const std::string& call) const {
     return std::count(robot.calls.begin(), robot.calls.end(), call);
