@@ -3,6 +3,7 @@
 #include <tinyxml2.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <utility>
@@ -75,7 +76,7 @@ std::optional<Document> Document::FromText(std::string text, std::string file,
   document.lines_ = FindLines(document.text());
   tinyxml2::XMLDocument xml;
   const tinyxml2::XMLError error = xml.Parse(document.text().data(), document.text().size());
-  if (error != tinyxml2::XML_SUCCESS) {
+  if (error != tinyxml2::XML_SUCCESS && error != tinyxml2::XML_ERROR_EMPTY_DOCUMENT) {
     const int line = std::max(xml.ErrorLineNum(), 1);
     const std::uint32_t start = document.lines_.at(static_cast<std::size_t>(line) - 1);
     const std::size_t at = document.text().find_first_not_of(" \t", start);
@@ -97,8 +98,10 @@ std::optional<Document> Document::FromText(std::string text, std::string file,
 std::optional<Document> Document::FromFile(const std::string& path, Diagnostics& diagnostics) {
   std::ifstream stream(path, std::ios::binary);
   std::ostringstream text;
-  if (stream) text << stream.rdbuf();
-  if (!stream) {
+  std::error_code error;
+  const bool readable = stream && !std::filesystem::is_directory(path, error);
+  if (readable) text << stream.rdbuf();
+  if (!readable || stream.bad()) {
     diagnostics.Error({path, 0, 0}, "cannot read this file");
     return std::nullopt;
   }

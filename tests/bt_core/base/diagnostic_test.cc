@@ -1,0 +1,61 @@
+#include "bt_core/base/diagnostic.h"
+
+#include <gtest/gtest.h>
+
+namespace coppice {
+namespace {
+
+TEST(Diagnostic, PrintsPlaceSeverityMessageAndHint) {
+  const Diagnostic diagnostic{
+      Severity::kError, {"patrol.xml", 12, 9}, "unknown node", "did you mean \"X\"?"};
+  EXPECT_EQ(ToString(diagnostic), "patrol.xml:12:9: error: unknown node (did you mean \"X\"?)");
+}
+
+TEST(Diagnostic, LeavesOutWhatIsUnknown) {
+  EXPECT_EQ(ToString({Severity::kWarning, {"a.xml", 0, 0}, "odd", ""}), "a.xml: warning: odd");
+  EXPECT_EQ(ToString({Severity::kError, {}, "bad", ""}), "error: bad");
+}
+
+TEST(Diagnostics, WarningsAreNotErrors) {
+  Diagnostics diagnostics;
+  diagnostics.Warning({"a.xml", 1, 1}, "odd");
+  EXPECT_FALSE(diagnostics.has_errors());
+  diagnostics.Error({"a.xml", 2, 1}, "bad");
+  EXPECT_TRUE(diagnostics.has_errors());
+}
+
+TEST(Diagnostics, KeepTheOrderOfFindingOnePerLine) {
+  Diagnostics diagnostics;
+  diagnostics.Error({"a.xml", 5, 1}, "first");
+  diagnostics.Warning({"a.xml", 1, 1}, "second");
+  EXPECT_EQ(diagnostics.ToString(), "a.xml:5:1: error: first\na.xml:1:1: warning: second\n");
+}
+
+TEST(NearestName, FindsTheMisspeltOneWithoutCase) {
+  EXPECT_EQ(NearestName("sequense", {"Fallback", "Sequence", "Sleep"}), "Sequence");
+  EXPECT_EQ(NearestName("INVERTER", {"Inverter"}), "Inverter");
+}
+
+TEST(NearestName, TakesTheNearestOfSeveral) {
+  EXPECT_EQ(NearestName("goal_pos", {"goal", "goal_pose", "goal_post_x"}), "goal_pose");
+}
+
+TEST(NearestName, IsEmptyWhenNothingIsNear) {
+  EXPECT_EQ(NearestName("DriveTo", {"Sequence", "Fallback"}), "");
+  EXPECT_EQ(NearestName("x", {}), "");
+}
+
+TEST(NearestName, AllowsAThirdOfTheLengthAndAtLeastOne) {
+  EXPECT_EQ(NearestName("ab", {"ax"}), "ax");
+  EXPECT_EQ(NearestName("ab", {"xy"}), "");
+  EXPECT_EQ(NearestName("abcdef", {"abcdxy"}), "abcdxy");
+  EXPECT_EQ(NearestName("abcdef", {"abcxyz"}), "");
+}
+
+TEST(DidYouMean, IsAQuestionOrNothing) {
+  EXPECT_EQ(DidYouMean("Invertor", {"Inverter"}), "did you mean \"Inverter\"?");
+  EXPECT_EQ(DidYouMean("Zzz", {"Inverter"}), "");
+}
+
+}  // namespace
+}  // namespace coppice

@@ -1,0 +1,54 @@
+#include "bt_core/base/wake_up.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+#include <thread>
+
+namespace coppice {
+namespace {
+
+using std::chrono::seconds;
+
+TEST(WakeUp, TimesOutWithoutNotification) {
+  WakeUp wake_up;
+  EXPECT_FALSE(wake_up.WaitFor(std::chrono::nanoseconds(0)));
+}
+
+TEST(WakeUp, ANotificationBeforeTheWaitIsNotLost) {
+  WakeUp wake_up;
+  wake_up.Notify();
+  EXPECT_TRUE(wake_up.WaitFor(seconds(0)));
+}
+
+TEST(WakeUp, SeveralNotificationsEndOneWait) {
+  WakeUp wake_up;
+  wake_up.Notify();
+  wake_up.Notify();
+  EXPECT_TRUE(wake_up.WaitFor(seconds(0)));
+  EXPECT_FALSE(wake_up.WaitFor(seconds(0)));
+}
+
+// Two threads hand a token back and forth; a lost wake-up would let a wait run out.
+TEST(WakeUp, IsNeverLostBetweenThreads) {
+  constexpr int kRounds = 5000;
+  WakeUp ping;
+  WakeUp pong;
+  std::atomic<int> lost{0};
+  std::thread other([&] {
+    for (int i = 0; i < kRounds; ++i) {
+      if (!ping.WaitFor(seconds(10))) ++lost;
+      pong.Notify();
+    }
+  });
+  for (int i = 0; i < kRounds; ++i) {
+    ping.Notify();
+    if (!pong.WaitFor(seconds(10))) ++lost;
+  }
+  other.join();
+  EXPECT_EQ(lost, 0);
+}
+
+}  // namespace
+}  // namespace coppice

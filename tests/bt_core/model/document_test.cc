@@ -1,0 +1,218 @@
+#include "bt_core/model/document.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+namespace coppice {
+namespace {
+
+struct Loaded {
+  std::optional<Document> document;
+  Diagnostics diagnostics;
+};
+
+Loaded Load(std::string text) {
+  Loaded loaded;
+  loaded.document = Document::FromText(std::move(text), "t.xml", loaded.diagnostics);
+  return loaded;
+}
+
+// Every name and value must stand in the user's text where the index says.
+void ExpectOffsetsExact(const Document& document) {
+  const std::string& text = document.text();
+  for (const Element& element : document.elements()) {
+    EXPECT_EQ(text.at(element.offset), '<');
+    EXPECT_EQ(text.substr(element.offset + 1, element.tag.size()), element.tag);
+    for (const Attribute* a = document.attributes_begin(element);
+         a != document.attributes_end(element); ++a) {
+      EXPECT_EQ(text.substr(a->name_offset, a->name.size()), a->name);
+      const char quote = text.at(a->value_offset - 1);
+      EXPECT_TRUE(quote == '"' || quote == '\'') << a->name;
+    }
+  }
+}
+
+std::string FirstError(const std::string& text) {
+  const Loaded loaded = Load(text);
+  EXPECT_FALSE(loaded.document) << text;
+  return loaded.diagnostics.all().empty() ? "" : ToString(loaded.diagnostics.all().front());
+}
+
+TEST(Document, IndexesElementsInDocumentOrder) {
+  const auto document = Load("<a><b><c/></b><d/>text<e/></a>").document;
+  ASSERT_TRUE(document);
+  ASSERT_EQ(document->elements().size(), 5U);
+  const char* tags[] = {"a", "b", "c", "d", "e"};
+  const ElementIndex parents[] = {kNoElement, 0, 1, 0, 0};
+  const ElementIndex first_children[] = {1, 2, kNoElement, kNoElement, kNoElement};
+  const ElementIndex siblings[] = {kNoElement, 3, kNoElement, 4, kNoElement};
+  const std::uint32_t counts[] = {3, 1, 0, 0, 0};
+  for (ElementIndex i = 0; i < 5; ++i) {
+    const Element& element = document->element(i);
+    EXPECT_EQ(element.tag, tags[i]);
+    EXPECT_EQ(element.parent, parents[i]) << tags[i];
+    EXPECT_EQ(element.first_child, first_children[i]) << tags[i];
+    EXPECT_EQ(element.next_sibling, siblings[i]) << tags[i];
+    EXPECT_EQ(element.child_count, counts[i]) << tags[i];
+  }
+}
+
+TEST(Document, FindsAttributes) {
+  const auto document = Load("<a x='1' y='two'><b x='3'/></a>").document;
+  const Element& root = document->element(0);
+  EXPECT_EQ(document->AttributeValue(root, "y"), "two");
+  EXPECT_EQ(document->AttributeValue(root, "z"), "");
+  EXPECT_EQ(document->FindAttribute(root, "z"), nullptr);
+  EXPECT_EQ(document->AttributeValue(document->element(1), "x"), "3");
+}
+
+struct Prefix {
+  const char* name;
+  const char* text;
+};
+class DocumentOffsets : public testing::TestWithParam<Prefix> {};
+
+TEST_P(DocumentOffsets, AreExactBehind) {
+  const std::string prefix = GetParam().text;
+  const auto document = Load(prefix + "<root  x = \"1\"\n\ty='2' ><b z=\"3\"/></root>").document;
+  ASSERT_TRUE(document);
+  ExpectOffsetsExact(*document);
+  EXPECT_EQ(document->element(0).offset, prefix.size());
+  const Attribute* x = document->attributes_begin(document->element(0));
+  EXPECT_EQ(x[0].name_offset, prefix.size() + 7);
+  EXPECT_EQ(x[0].value_offset, prefix.size() + 12);
+  EXPECT_EQ(x[1].name_offset, prefix.size() + 16);
+  EXPECT_EQ(document->element(1).offset, prefix.size() + 23);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    , DocumentOffsets,
+    testing::Values(Prefix{"Nothing", ""}, Prefix{"Blanks", " \r\n\t\n"},
+                    Prefix{"ByteOrderMark", "\xEF\xBB\xBF"},
+                    Prefix{"ByteOrderMarkAndBlanks", "\xEF\xBB\xBF\r\n "},
+                    Prefix{"BlanksAndByteOrderMark", "\n\xEF\xBB\xBF"},
+                    Prefix{"Declaration", "<?xml version=\"1.0\"?>\n"},
+                    Prefix{"DeclarationAfterBlankLine", "\n<?xml version=\"1.0\"?>\n"},
+                    Prefix{"Comment", "<!-- <a> & -->"},
+                    Prefix{"CommentWithDashes", "<!------->\r\n"},
+                    Prefix{"DocumentType", "<!DOCTYPE root>\n"},
+                    Prefix{"DeclarationAndComments", "<?xml?><!--1-->\n<!--2-->"},
+                    Prefix{"Text", " words "},
+                    Prefix{"TextWithEntities", "\xEF\xBB\xBF a &amp; b\r\n"},
+                    Prefix{"CharacterData", "<![CDATA[<x>]]>"}),
+    [](const auto& instance) { return instance.param.name; });
+
+TEST(Document, OffsetsAreExactInsideTheRoot) {
+  const auto document = Load(
+                            "<a>\r\n<!-- <no/> -->&amp;<b\r\n  x='&lt;&#65;'\r\n  y=\"a\r\nb\"/>"
+                            "<![CDATA[<no/>]]><c z='>'/>\r\n</a>")
+                            .document;
+  ASSERT_TRUE(document);
+  ASSERT_EQ(document->elements().size(), 3U);
+  ExpectOffsetsExact(*document);
+}
+
+TEST(Document, BlanksBetweenBracketAndNameAreAllowed) {
+  const auto document = Load(" <  a x='1'><\nb/></a>").document;
+  ASSERT_TRUE(document);
+  EXPECT_EQ(document->element(0).offset, 1U);
+  EXPECT_EQ(document->attributes_begin(document->element(0))->name_offset, 6U);
+  EXPECT_EQ(document->element(1).offset, 12U);
+}
+
+TEST(Document, ResolvesEntitiesAndLineEnds) {
+  const auto document =
+      Load("<a x='&lt;&amp;&#65;&gt;' y='1\r\n2' z='a && b' w='<;0.5'/>").document;
+  ASSERT_TRUE(document);
+  const Element& root = document->element(0);
+  EXPECT_EQ(document->AttributeValue(root, "x"), "<&A>");
+  EXPECT_EQ(document->AttributeValue(root, "y"), "1\n2");
+  EXPECT_EQ(document->AttributeValue(root, "z"), "a && b");
+  EXPECT_EQ(document->AttributeValue(root, "w"), "<;0.5");
+}
+
+TEST(Document, ViewsSurviveAMove) {
+  auto loaded = Load("<a x='&amp;' y='plain'/>");
+  const Document moved = *std::move(loaded.document);
+  EXPECT_EQ(moved.element(0).tag, "a");
+  EXPECT_EQ(moved.AttributeValue(moved.element(0), "x"), "&");
+  EXPECT_EQ(moved.AttributeValue(moved.element(0), "y"), "plain");
+}
+
+TEST(Document, LocatesOffsetsByLineAndColumn) {
+  const auto document = Load("<a>\r\n  <b/>\n</a>").document;
+  const auto at = [&](std::uint32_t offset) {
+    const SourceLocation where = document->Location(offset);
+    EXPECT_EQ(where.file, "t.xml");
+    return std::pair(where.line, where.column);
+  };
+  EXPECT_EQ(at(0), std::pair(1U, 1U));
+  EXPECT_EQ(at(4), std::pair(1U, 5U)) << "the line end belongs to its line";
+  EXPECT_EQ(at(5), std::pair(2U, 1U));
+  EXPECT_EQ(at(document->element(1).offset), std::pair(2U, 3U));
+  EXPECT_EQ(at(12), std::pair(3U, 1U));
+}
+
+TEST(Document, KeepsTheTextAsItIs) {
+  const std::string text = "\xEF\xBB\xBF<a  x = '1' ><!-- c --></a>\r\n";
+  EXPECT_EQ(Load(text).document->text(), text);
+}
+
+TEST(Document, MalformedXmlIsReportedWithItsPlace) {
+  EXPECT_EQ(FirstError("<a>\n  <b>\n</a>"),
+            "t.xml:2:3: error: this element is not closed by its own end tag");
+  EXPECT_EQ(FirstError("<a>\n <b x=1/></a>"),
+            "t.xml:2:2: error: malformed attribute; expected name=\"value\"");
+  EXPECT_EQ(FirstError("<a>\n\t<!-- "), "t.xml:2:2: error: comment without -->");
+  EXPECT_EQ(FirstError("<a><![CDATA[ "), "t.xml:1:1: error: CDATA without ]]>");
+  EXPECT_EQ(FirstError("<a/>\nwords"), "t.xml:2:1: error: text outside of the root element");
+  EXPECT_EQ(FirstError("<a x='1' x='2'/>"),
+            "t.xml:1:1: error: malformed attribute; expected name=\"value\"");
+  EXPECT_EQ(FirstError("<!-- --><?xml?><a/>"),
+            "t.xml:1:1: error: malformed or misplaced <?xml ?> declaration");
+}
+
+TEST(Document, WithoutElementThereIsNoDocument) {
+  const std::string expected = "t.xml:1:1: error: no element; expected <root BTCPP_format=\"4\">";
+  for (const char* text : {"", " \n", "<!-- only -->", "<?xml version='1.0'?>"}) {
+    EXPECT_EQ(FirstError(text), expected) << text;
+  }
+}
+
+TEST(Document, TooDeepNestingIsAnErrorAndNoCrash) {
+  std::string text;
+  for (int i = 0; i < 100000; ++i) text += "<a>";
+  EXPECT_NE(FirstError(text).find("nested too deep"), std::string::npos);
+}
+
+TEST(Document, WarnsOfWhatIsOutsideOfTheRoot) {
+  const Loaded loaded = Load("hello\n<a/>\n <b/>");
+  ASSERT_TRUE(loaded.document);
+  EXPECT_EQ(loaded.diagnostics.ToString(),
+            "t.xml:1:1: warning: text before the root element is ignored\n"
+            "t.xml:3:2: warning: second root element <b> is ignored\n");
+}
+
+TEST(Document, ReadsAFile) {
+  const std::string path = testing::TempDir() + "document_test.xml";
+  std::ofstream(path) << "<root/>";
+  Diagnostics diagnostics;
+  const auto document = Document::FromFile(path, diagnostics);
+  std::filesystem::remove(path);
+  ASSERT_TRUE(document);
+  EXPECT_EQ(document->file(), path);
+  EXPECT_EQ(document->element(0).tag, "root");
+}
+
+TEST(Document, SaysWhenAFileCannotBeRead) {
+  for (const std::string path : {"/no/such.xml", "/tmp"}) {
+    Diagnostics diagnostics;
+    EXPECT_FALSE(Document::FromFile(path, diagnostics)) << path;
+    EXPECT_EQ(diagnostics.ToString(), path + ": error: cannot read this file\n");
+  }
+}
+
+}  // namespace
+}  // namespace coppice

@@ -1,0 +1,166 @@
+#include "bt_core/model/project.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+namespace coppice {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A folder of files that is gone after the test.
+class ProjectTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = fs::path(testing::TempDir()) / (std::string("coppice_project_") + test->name());
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  std::string Write(const std::string& name, const std::string& text) {
+    fs::create_directories((folder_ / name).parent_path());
+    std::ofstream(folder_ / name) << text;
+    return (folder_ / name).string();
+  }
+  std::string Path(const std::string& name) const { return (folder_ / name).string(); }
+  std::optional<Project> Load(const std::string& path, const PackageFinder& finder = {}) {
+    return Project::FromFile(path, diagnostics_, finder);
+  }
+
+  fs::path folder_;
+  Diagnostics diagnostics_;
+};
+
+std::string Root(const std::string& body, const std::string& attributes = "") {
+  return "<root BTCPP_format=\"4\"" + attributes + ">\n" + body + "\n</root>";
+}
+std::string Tree(const std::string& id) {
+  return "<BehaviorTree ID=\"" + id + "\"><AlwaysSuccess/></BehaviorTree>";
+}
+
+std::string Problems(const std::string& text) {
+  Diagnostics diagnostics;
+  Project::FromText(text, "t.xml", diagnostics);
+  return diagnostics.ToString();
+}
+
+std::string MainTree(const std::string& text) {
+  Diagnostics diagnostics;
+  const auto project = Project::FromText(text, "t.xml", diagnostics);
+  return project ? project->main_tree() : "no project: " + diagnostics.ToString();
+}
+
+TEST(Project, FindsItsTrees) {
+  Diagnostics diagnostics;
+  const auto project = Project::FromText(Root(Tree("A") + Tree("B")), "t.xml", diagnostics);
+  ASSERT_TRUE(project);
+  EXPECT_EQ(project->trees().size(), 2U);
+  ASSERT_NE(project->Find("B"), nullptr);
+  EXPECT_EQ(project->Find("C"), nullptr);
+  const TreeDefinition& b = *project->Find("B");
+  const Document& document = project->documents()[b.document];
+  EXPECT_EQ(document.AttributeValue(document.element(b.element), "ID"), "B");
+}
+
+TEST(Project, TheMainTreeIsTheOneThatIsNamed) {
+  EXPECT_EQ(MainTree(Root(Tree("A") + Tree("B"), " main_tree_to_execute=\"B\"")), "B");
+}
+
+TEST(Project, TheOnlyTreeIsTheMainTree) { EXPECT_EQ(MainTree(Root(Tree("A"))), "A"); }
+
+TEST(Project, SeveralTreesWithoutANameHaveNoMainTree) {
+  EXPECT_EQ(MainTree(Root(Tree("A") + Tree("B"))), "");
+}
+
+TEST(Project, WrongRootIsAnError) {
+  EXPECT_EQ(Problems("<Root/>"),
+            "t.xml:1:1: error: root element is <Root> (expected <root BTCPP_format=\"4\">)\n");
+}
+
+TEST(Project, MissingFormatIsAWarning) {
+  EXPECT_EQ(Problems("<root>" + Tree("A") + "</root>"),
+            "t.xml:1:1: warning: no BTCPP_format; read as format 4\n");
+}
+
+TEST(Project, UnknownFormatIsAnError) {
+  EXPECT_EQ(Problems("<root BTCPP_format=\"9\"/>"),
+            "t.xml:1:1: error: BTCPP_format=\"9\" is not known (expected BTCPP_format=\"4\")\n");
+}
+
+TEST(Project, ReportsAllProblemsAtOnce) {
+  EXPECT_EQ(Problems(Root("<BehaviourTree/>\n<BehaviorTree/>\n<BehaviorTree ID=\"E\"/>\n" +
+                          Tree("A") + "\n  " + Tree("A"))),
+            "t.xml:2:1: error: unexpected <BehaviourTree> below <root> "
+            "(did you mean \"BehaviorTree\"?)\n"
+            "t.xml:3:1: error: <BehaviorTree> without ID\n"
+            "t.xml:4:1: error: tree \"E\" has 0 root nodes, expected exactly 1\n"
+            "t.xml:6:3: error: tree \"A\" is defined twice (first defined at t.xml:5)\n");
+}
+
+TEST(Project, ModelsAreNoTrees) {
+  EXPECT_EQ(Problems(Root("<TreeNodesModel><Action ID=\"X\"/></TreeNodesModel>" + Tree("A"))), "");
+}
+
+TEST_F(ProjectTest, IncludesAreRelativeToTheFileThatIncludes) {
+  Write("parts/deep/c.xml", Root(Tree("C")));
+  Write("parts/b.xml", Root("<include path=\"deep/c.xml\"/>" + Tree("B")));
+  const auto project = Load(Write("a.xml", Root("<include path=\"parts/b.xml\"/>" + Tree("A"))));
+  ASSERT_TRUE(project) << diagnostics_.ToString();
+  EXPECT_NE(project->Find("B"), nullptr);
+  EXPECT_NE(project->Find("C"), nullptr);
+  EXPECT_EQ(project->main_tree(), "A") << "trees of included files do not count";
+}
+
+TEST_F(ProjectTest, FilesMayIncludeEachOther) {
+  Write("b.xml", Root("<include path=\"./a.xml\"/><include path=\"b.xml\"/>" + Tree("B")));
+  const auto project = Load(Write("a.xml", Root("<include path=\"b.xml\"/>" + Tree("A"))));
+  ASSERT_TRUE(project) << diagnostics_.ToString();
+  EXPECT_EQ(project->documents().size(), 2U);
+}
+
+TEST_F(ProjectTest, AFileIsReadOnceByWhateverName) {
+  Write("b.xml", Root(Tree("B")));
+  fs::create_symlink(folder_ / "b.xml", folder_ / "link.xml");
+  const auto project = Load(
+      Write("a.xml", Root("<include path=\"b.xml\"/><include path=\"link.xml\"/>" + Tree("A"))));
+  ASSERT_TRUE(project) << diagnostics_.ToString();
+  EXPECT_EQ(project->documents().size(), 2U);
+}
+
+TEST_F(ProjectTest, MissingIncludesAreReportedWithTheirPlace) {
+  const std::string a = Write("a.xml", Root("<include path=\"no.xml\"/>\n <include/>" + Tree("A")));
+  EXPECT_FALSE(Load(a));
+  EXPECT_EQ(diagnostics_.ToString(), a + ":2:1: error: included file " + Path("no.xml") +
+                                         " does not exist\n" + a +
+                                         ":3:2: error: <include> without path\n");
+}
+
+TEST_F(ProjectTest, ProblemsOfAnIncludedFileNameThatFile) {
+  const std::string b = Write("b.xml", "<root BTCPP_format=\"4\">\n<oops/></root>");
+  EXPECT_FALSE(Load(Write("a.xml", Root("<include path=\"b.xml\"/>" + Tree("A")))));
+  EXPECT_EQ(diagnostics_.ToString(), b + ":2:1: error: unexpected <oops> below <root>\n");
+}
+
+TEST_F(ProjectTest, PackagesAreAskedFor) {
+  Write("pkg/trees/b.xml", Root(Tree("B")));
+  const std::string a =
+      Write("a.xml", Root("<include ros_pkg=\"sobi\" path=\"trees/b.xml\"/>" + Tree("A")));
+  const auto project = Load(a, [this](const std::string& package) {
+    return package == "sobi" ? Path("pkg") : std::string();
+  });
+  ASSERT_TRUE(project) << diagnostics_.ToString();
+  EXPECT_NE(project->Find("B"), nullptr);
+}
+
+TEST_F(ProjectTest, AnUnknownPackageIsAnError) {
+  const std::string a = Write("a.xml", Root("<include ros_pkg=\"sobi\" path=\"b.xml\"/>"));
+  EXPECT_FALSE(Load(a));
+  EXPECT_NE(diagnostics_.ToString().find("ROS package \"sobi\" was not found"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace coppice
