@@ -13,9 +13,9 @@ std::string Options::Get(const std::string& name, const std::string& otherwise) 
   return found == values.end() ? otherwise : found->second;
 }
 
-std::optional<long> Options::GetNumber(const std::string& name) const {
+std::optional<std::int64_t> Options::GetNumber(const std::string& name) const {
   const std::string text = Get(name);
-  long number = 0;
+  std::int64_t number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
   return number;

@@ -2,6 +2,7 @@
 #ifndef COPPICE_BT_CORE_BASE_COMMAND_LINE_H_
 #define COPPICE_BT_CORE_BASE_COMMAND_LINE_H_
 
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
@@ -16,7 +17,7 @@ struct Options {
   bool Has(const std::string& name) const { return values.count(name) > 0; }
   std::string Get(const std::string& name, const std::string& otherwise = {}) const;
   /// A whole number, or nothing if the option is missing or no number.
-  std::optional<long> GetNumber(const std::string& name) const;
+  std::optional<std::int64_t> GetNumber(const std::string& name) const;
 };
 
 /// `with_value` and `flags` name the options that there are. Prints the usage and returns nothing

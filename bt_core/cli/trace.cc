@@ -89,7 +89,8 @@ int RunTrace(const Arguments& arguments) {
   const std::optional<Options> options =
       ParseOptions(arguments, {"--leaves", "--ticks", "--tree"}, {}, kUsage);
   if (!options) return 2;
-  const long ticks = options->Has("--ticks") ? options->GetNumber("--ticks").value_or(-1) : 1;
+  const std::int64_t ticks =
+      options->Has("--ticks") ? options->GetNumber("--ticks").value_or(-1) : 1;
   if (options->files.size() != 1 || ticks < 0) {
     std::cerr << "usage: " << kUsage << "\n";
     return 2;
@@ -110,7 +111,7 @@ int RunTrace(const Arguments& arguments) {
   }
   SimulatedClock clock(std::chrono::seconds(1));
   Executor executor(program, clock);
-  for (long tick = 1; tick <= ticks; ++tick) {
+  for (std::int64_t tick = 1; tick <= ticks; ++tick) {
     stage.events = Json::array();
     const Status status = executor.Tick();
     std::cout << Json{{"tick", tick}, {"status", ToString(status)}, {"events", stage.events}}

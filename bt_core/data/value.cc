@@ -108,13 +108,17 @@ bool ValueTraits<unsigned>::Parse(std::string_view text, unsigned& out) {
 }
 std::string ValueTraits<unsigned>::Print(const unsigned& value) { return std::to_string(value); }
 
-bool ValueTraits<long>::Parse(std::string_view text, long& out) { return ParseWhole(text, out); }
-std::string ValueTraits<long>::Print(const long& value) { return std::to_string(value); }
-
-bool ValueTraits<unsigned long>::Parse(std::string_view text, unsigned long& out) {
+bool ValueTraits<std::int64_t>::Parse(std::string_view text, std::int64_t& out) {
   return ParseWhole(text, out);
 }
-std::string ValueTraits<unsigned long>::Print(const unsigned long& value) {
+std::string ValueTraits<std::int64_t>::Print(const std::int64_t& value) {
+  return std::to_string(value);
+}
+
+bool ValueTraits<std::uint64_t>::Parse(std::string_view text, std::uint64_t& out) {
+  return ParseWhole(text, out);
+}
+std::string ValueTraits<std::uint64_t>::Print(const std::uint64_t& value) {
   return std::to_string(value);
 }
 

@@ -13,6 +13,7 @@
 #define COPPICE_BT_CORE_DATA_VALUE_H_
 
 #include <cstddef>
+#include <cstdint>
 #include <new>
 #include <string>
 #include <string_view>
@@ -133,8 +134,8 @@ class Value {
 COPPICE_DECLARE_VALUE_TRAITS(bool, "bool");
 COPPICE_DECLARE_VALUE_TRAITS(int, "int");
 COPPICE_DECLARE_VALUE_TRAITS(unsigned, "unsigned");
-COPPICE_DECLARE_VALUE_TRAITS(long, "int64");
-COPPICE_DECLARE_VALUE_TRAITS(unsigned long, "uint64");
+COPPICE_DECLARE_VALUE_TRAITS(std::int64_t, "int64");
+COPPICE_DECLARE_VALUE_TRAITS(std::uint64_t, "uint64");
 COPPICE_DECLARE_VALUE_TRAITS(double, "double");
 COPPICE_DECLARE_VALUE_TRAITS(std::string, "string");
 #undef COPPICE_DECLARE_VALUE_TRAITS

@@ -46,8 +46,8 @@ const HealthEntry* Health::FirstError(std::string_view monitor) const {
 }
 
 bool ValueTraits<Health>::Parse(std::string_view text, Health& out) {
-  long stamp = 0;
-  if (!ValueTraits<long>::Parse(TakeUntil(text, '\n'), stamp)) return false;
+  std::int64_t stamp = 0;
+  if (!ValueTraits<std::int64_t>::Parse(TakeUntil(text, '\n'), stamp)) return false;
   out.stamp = Time(stamp);
   out.entries.clear();
   while (!text.empty()) {

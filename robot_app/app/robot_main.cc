@@ -84,9 +84,10 @@ class Robot {
   }
 
  private:
-  static long Number(const Options& options, const std::string& name, long otherwise) {
+  static std::int64_t Number(const Options& options, const std::string& name,
+                             std::int64_t otherwise) {
     if (!options.Has(name)) return otherwise;
-    const std::optional<long> number = options.GetNumber(name);
+    const std::optional<std::int64_t> number = options.GetNumber(name);
     if (!number) throw std::runtime_error(name + " needs a whole number");
     return *number;
   }
