@@ -1,0 +1,228 @@
+#include "robot_app/supervision/node_probe.h"
+
+#include <xmlrpcpp/XmlRpc.h>
+#include <xmlrpcpp/XmlRpcDispatch.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace coppice::robot {
+namespace {
+
+Time SteadyNow() { return std::chrono::steady_clock::now().time_since_epoch(); }
+
+// Makes the connection's state visible: the library reports a refused connection nowhere else.
+class Client : public XmlRpc::XmlRpcClient {
+ public:
+  explicit Client(const NodeAddress& to) : XmlRpcClient(to.host.c_str(), to.port, "/") {}
+  bool failed() const { return _connectionState == NO_CONNECTION; }
+};
+
+class QuietHandler : public XmlRpc::XmlRpcErrorHandler {
+ public:
+  void error(const char*) override {}
+};
+
+// The value of an answer [1, message, value] of the ROS APIs.
+std::optional<XmlRpc::XmlRpcValue> Unwrap(XmlRpc::XmlRpcValue& answer) {
+  using Value = XmlRpc::XmlRpcValue;
+  if (answer.getType() != Value::TypeArray || answer.size() != 3) return std::nullopt;
+  if (answer[0].getType() != Value::TypeInt || static_cast<int>(answer[0]) != 1) {
+    return std::nullopt;
+  }
+  return answer[2];
+}
+
+bool Publishes(XmlRpc::XmlRpcValue& topics, const std::string& wanted) {
+  if (topics.getType() != XmlRpc::XmlRpcValue::TypeArray) return false;
+  for (int i = 0; i < topics.size(); ++i) {
+    if (topics[i].getType() != XmlRpc::XmlRpcValue::TypeArray || topics[i].size() < 1) continue;
+    if (static_cast<std::string>(topics[i][0]) == wanted) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+std::optional<NodeAddress> ParseUri(const std::string& uri) {
+  const std::string scheme = "http://";
+  if (uri.rfind(scheme, 0) != 0) return std::nullopt;
+  const std::string rest = uri.substr(scheme.size());
+  const std::size_t colon = rest.find(':');
+  if (colon == 0 || colon == std::string::npos) return std::nullopt;
+  int port = 0;
+  for (std::size_t i = colon + 1; i < rest.size() && rest[i] != '/'; ++i) {
+    if (rest[i] < '0' || rest[i] > '9') return std::nullopt;
+    port = 10 * port + (rest[i] - '0');
+    if (port > 65535) return std::nullopt;
+  }
+  if (port == 0) return std::nullopt;
+  return NodeAddress{rest.substr(0, colon), port};
+}
+
+// The probe of one node: up to three calls, one after the other.
+struct NodeProbe::Call {
+  enum class Step { kLookup, kPid, kPublications, kDone };
+
+  const ProbeRequest* request = nullptr;
+  ProbeResult* result = nullptr;
+  Step step = Step::kLookup;
+  NodeAddress node;
+  std::unique_ptr<Client> client;
+
+  void Ask(const NodeAddress& to, const char* method, const XmlRpc::XmlRpcValue& arguments,
+           XmlRpc::XmlRpcDispatch& dispatch) {
+    client = std::make_unique<Client>(to);
+    if (!client->executeNonBlock(method, arguments)) return;
+    using Dispatch = XmlRpc::XmlRpcDispatch;
+    dispatch.addSource(client.get(), Dispatch::WritableEvent | Dispatch::Exception);
+  }
+
+  void End(bool answered, std::string reason) {
+    step = Step::kDone;
+    result->answered = answered;
+    result->reason = std::move(reason);
+    client.reset();
+  }
+
+  std::string Silence() const {
+    return step == Step::kLookup ? "the ROS master does not answer" : "does not answer";
+  }
+};
+
+struct NodeProbe::Sweep {
+  XmlRpc::XmlRpcDispatch dispatch;
+  std::vector<Call> calls;
+  Time begun{0};
+  Time deadline{0};
+  std::string caller;
+
+  XmlRpc::XmlRpcValue Arguments() const {
+    XmlRpc::XmlRpcValue arguments;
+    arguments[0] = caller;
+    return arguments;
+  }
+
+  bool done() const {
+    return std::all_of(calls.begin(), calls.end(),
+                       [](const Call& call) { return call.step == Call::Step::kDone; });
+  }
+
+  void Advance(Call& call) {
+    XmlRpc::XmlRpcValue answer;
+    if (call.client->executeCheckDone(answer)) {
+      dispatch.removeSource(call.client.get());
+      const auto value = Unwrap(answer);
+      call.client->close();
+      Answered(call, value);
+    } else if (call.client->failed()) {
+      dispatch.removeSource(call.client.get());
+      const std::string where = call.step == Call::Step::kLookup ? "the ROS master " : "";
+      call.End(false, where + "refuses connections");
+    }
+  }
+
+  void Answered(Call& call, std::optional<XmlRpc::XmlRpcValue> value) {
+    switch (call.step) {
+      case Call::Step::kLookup: {
+        const auto address = value && value->getType() == XmlRpc::XmlRpcValue::TypeString
+                                 ? ParseUri(static_cast<std::string>(*value))
+                                 : std::nullopt;
+        if (!address) return call.End(false, "unknown to the ROS master");
+        call.node = *address;
+        call.step = Call::Step::kPid;
+        return call.Ask(call.node, "getPid", Arguments(), dispatch);
+      }
+      case Call::Step::kPid:
+        if (!value || value->getType() != XmlRpc::XmlRpcValue::TypeInt) {
+          return call.End(false, "answers nonsense");
+        }
+        call.result->pid = static_cast<int>(*value);
+        call.result->delay = SteadyNow() - begun;
+        if (call.request->topic.empty()) return call.End(true, "");
+        call.step = Call::Step::kPublications;
+        return call.Ask(call.node, "getPublications", Arguments(), dispatch);
+      case Call::Step::kPublications:
+        if (value && Publishes(*value, call.request->topic)) return call.End(true, "");
+        return call.End(false, "does not publish " + call.request->topic);
+      case Call::Step::kDone:
+        return;
+    }
+  }
+
+  void ExpireAll() {
+    for (Call& call : calls) {
+      if (call.step == Call::Step::kDone) continue;
+      dispatch.removeSource(call.client.get());
+      call.End(false, call.Silence());
+    }
+  }
+};
+
+NodeProbe::NodeProbe(NodeAddress master, std::string caller)
+    : master_(std::move(master)), caller_(std::move(caller)) {}
+
+NodeProbe::~NodeProbe() = default;
+
+bool NodeProbe::busy() const { return sweep_ != nullptr; }
+
+void NodeProbe::Begin(std::vector<ProbeRequest> requests, Duration deadline) {
+  requests_ = std::move(requests);
+  results_.assign(requests_.size(), {});
+  sweep_ = std::make_unique<Sweep>();
+  sweep_->begun = SteadyNow();
+  sweep_->deadline = sweep_->begun + deadline;
+  sweep_->caller = caller_;
+  sweep_->calls.resize(requests_.size());
+  for (std::size_t i = 0; i < requests_.size(); ++i) {
+    Call& call = sweep_->calls[i];
+    call.request = &requests_[i];
+    call.result = &results_[i];
+    XmlRpc::XmlRpcValue arguments = sweep_->Arguments();
+    arguments[1] = requests_[i].node;
+    call.Ask(master_, "lookupNode", arguments, sweep_->dispatch);
+  }
+}
+
+bool NodeProbe::Work(Duration at_most) {
+  if (!sweep_) return true;
+  // Short slices, because an answer is followed by the next question.
+  constexpr Duration kSlice = std::chrono::milliseconds(2);
+  const Time until = std::min(SteadyNow() + at_most, sweep_->deadline);
+  do {
+    sweep_->dispatch.work(std::chrono::duration<double>(kSlice).count());
+    for (Call& call : sweep_->calls) {
+      if (call.step != Call::Step::kDone) sweep_->Advance(call);
+    }
+  } while (!sweep_->done() && SteadyNow() < until);
+  if (!sweep_->done() && SteadyNow() >= sweep_->deadline) sweep_->ExpireAll();
+  if (!sweep_->done()) return false;
+  sweep_.reset();
+  return true;
+}
+
+void NodeProbe::SilenceLibrary() {
+  static QuietHandler handler;
+  XmlRpc::XmlRpcErrorHandler::setErrorHandler(&handler);
+}
+
+bool MasterAnswers(const NodeAddress& master, Duration deadline) {
+  XmlRpc::XmlRpcValue arguments, answer;
+  arguments[0] = "/coppice";
+  Client client(master);
+  XmlRpc::XmlRpcDispatch dispatch;
+  if (!client.executeNonBlock("getPid", arguments)) return false;
+  using Dispatch = XmlRpc::XmlRpcDispatch;
+  dispatch.addSource(&client, Dispatch::WritableEvent | Dispatch::Exception);
+  const Time until = SteadyNow() + deadline;
+  bool done = false;
+  while (!done && !client.failed() && SteadyNow() < until) {
+    dispatch.work(0.01);
+    done = client.executeCheckDone(answer);
+  }
+  dispatch.removeSource(&client);
+  client.close();
+  return done && Unwrap(answer).has_value();
+}
+
+}  // namespace coppice::robot

@@ -1,0 +1,109 @@
+#include "robot_app/supervision/process_launcher.h"
+
+#include <fcntl.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <filesystem>
+#include <utility>
+#include <vector>
+
+namespace coppice::robot {
+namespace {
+
+constexpr int kHighestInheritedFile = 1024;
+
+// Between fork and exec only system calls are allowed: other threads may have held locks.
+[[noreturn]] void BecomeProgram(char* const* arguments, int log, int report, pid_t parent) {
+  setpgid(0, 0);
+  prctl(PR_SET_PDEATHSIG, SIGTERM);
+  if (getppid() != parent) _exit(127);  // the supervisor died before the line above
+  sigset_t none;
+  sigemptyset(&none);
+  sigprocmask(SIG_SETMASK, &none, nullptr);
+  for (const int signal : {SIGINT, SIGTERM, SIGCHLD, SIGPIPE, SIGHUP}) {
+    std::signal(signal, SIG_DFL);
+  }
+  const int nothing = open("/dev/null", O_RDONLY);
+  dup2(nothing, STDIN_FILENO);
+  dup2(log, STDOUT_FILENO);
+  dup2(log, STDERR_FILENO);
+  for (int file = STDERR_FILENO + 1; file < kHighestInheritedFile; ++file) {
+    if (file != report) close(file);
+  }
+  execvp(arguments[0], arguments);
+  const int reason = errno;
+  [[maybe_unused]] const ssize_t written = write(report, &reason, sizeof(reason));
+  _exit(127);
+}
+
+// The reason why exec failed, or 0: the pipe closes by itself when it succeeds.
+int ReadReason(int pipe) {
+  int reason = 0;
+  ssize_t count = 0;
+  do {
+    count = read(pipe, &reason, sizeof(reason));
+  } while (count < 0 && errno == EINTR);
+  return count == sizeof(reason) ? reason : 0;
+}
+
+}  // namespace
+
+PosixLauncher::PosixLauncher(std::string log_folder) : log_folder_(std::move(log_folder)) {
+  std::error_code ignored;  // a missing folder is reported by the first start
+  std::filesystem::create_directories(log_folder_, ignored);
+}
+
+int PosixLauncher::Start(const ProcessConfig& config, std::string& error) {
+  std::vector<char*> arguments;
+  for (const std::string& word : config.command) {
+    arguments.push_back(const_cast<char*>(word.c_str()));
+  }
+  arguments.push_back(nullptr);
+
+  const std::string log_path = log_folder_ + "/" + config.log;
+  const int log = open(log_path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
+  int report[2] = {-1, -1};
+  if (log < 0 || pipe2(report, O_CLOEXEC) != 0) {
+    error = "cannot write " + log_path + ": " + std::strerror(errno);
+    if (log >= 0) close(log);
+    return 0;
+  }
+  const pid_t parent = getpid();
+  const pid_t pid = fork();
+  if (pid == 0) BecomeProgram(arguments.data(), log, report[1], parent);
+  int reason = pid < 0 ? errno : 0;
+  close(log);
+  close(report[1]);
+  if (pid > 0) {
+    setpgid(pid, pid);  // also here: whoever comes first
+    reason = ReadReason(report[0]);
+  }
+  close(report[0]);
+  if (reason == 0) return pid;
+  if (pid > 0) waitpid(pid, nullptr, 0);
+  error = "cannot run " + config.command.front() + ": " + std::strerror(reason);
+  return 0;
+}
+
+void PosixLauncher::Signal(int pid, int signal) {
+  if (pid <= 0) return;
+  kill(-pid, signal);
+  // A stopped process would only see the signal when it goes on.
+  if (signal == SIGTERM) kill(-pid, SIGCONT);
+}
+
+void PosixLauncher::Reap(const std::function<void(int pid, int wait_status)>& ended) {
+  int wait_status = 0;
+  pid_t pid = 0;
+  while ((pid = waitpid(-1, &wait_status, WNOHANG)) > 0) {
+    kill(-pid, SIGKILL);
+    ended(pid, wait_status);
+  }
+}
+
+}  // namespace coppice::robot
