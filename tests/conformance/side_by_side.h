@@ -1,0 +1,57 @@
+// Runs one tree in the oracle and in the engine and compares, after every tick or halt: which
+// leaves were ticked and halted in which order, the result of the root, the status of every node,
+// and when the next tick is wanted.
+#ifndef COPPICE_TESTS_CONFORMANCE_SIDE_BY_SIDE_H_
+#define COPPICE_TESTS_CONFORMANCE_SIDE_BY_SIDE_H_
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "bt_core/engine/executor.h"
+#include "tests/conformance/oracle.h"
+
+namespace coppice::conformance {
+
+/// The XML of a shape.
+std::string ToXml(const Shape& shape);
+
+/// What both sides did, as numbers that are cheap to compare.
+using Log = std::vector<std::int64_t>;
+
+class SideBySide {
+ public:
+  /// `choose` is asked for the result of each leaf that the oracle ticks; the engine's leaves get
+  /// the same results in the same order. kThrow makes the engine's leaf throw instead of failing.
+  static constexpr int kThrow = 5;
+  SideBySide(const Shape& shape, std::function<int()> choose);
+  ~SideBySide();
+
+  void Tick();
+  void Halt();
+  void Advance(Duration duration);
+
+  /// Empty if both sides did the same so far; else both logs. Starts a new comparison.
+  std::string Difference();
+
+ private:
+  class ScriptedLeaf;
+  void LogStatuses();
+  std::string Print(const Log& log) const;
+
+  std::string xml_;
+  std::function<int()> choose_;
+  std::vector<int> choices_;     // of the oracle in this tick
+  std::size_t next_choice_ = 0;  // of the engine
+  Log expected_;
+  Log actual_;
+  World world_;
+  std::unique_ptr<OracleNode> oracle_;
+  std::vector<const OracleNode*> oracle_nodes_;  // in preorder, as the program's
+  SimulatedClock clock_;
+  std::unique_ptr<Executor> executor_;
+};
+
+}  // namespace coppice::conformance
+
+#endif  // COPPICE_TESTS_CONFORMANCE_SIDE_BY_SIDE_H_
