@@ -1,0 +1,58 @@
+// What the laser has seen lately that is not on the map: people, boxes, closed doors.
+//
+// A reading marks the cell at its end and clears the cells on its way. What is marked and never
+// looked at again is forgotten after a while, so that a blocked corridor opens again by itself.
+// Marking and clearing as in D. V. Lu, D. Hershberger, W. D. Smart: Layered Costmaps for
+// Context-Sensitive Navigation, IROS 2014. Not thread-safe.
+#ifndef COPPICE_ROBOT_APP_NAVIGATION_OBSTACLE_LAYER_H_
+#define COPPICE_ROBOT_APP_NAVIGATION_OBSTACLE_LAYER_H_
+
+#include <cstdint>
+#include <vector>
+
+#include "robot_app/navigation/laser_scan.h"
+#include "robot_app/navigation/occupancy_grid.h"
+
+namespace coppice::robot {
+
+struct ObstacleSettings {
+  double mark_range = 8.0;   ///< readings up to here mark [m]
+  double clear_range = 9.0;  ///< free space is believed up to here [m]
+  double forget_after = 20;  ///< marks not seen again are dropped after this time [s]
+};
+
+class ObstacleLayer {
+ public:
+  explicit ObstacleLayer(ObstacleSettings settings = {}) : settings_(settings) {}
+
+  /// Starts empty on a grid.
+  void Reset(const GridFrame& frame);
+
+  /// Enters a scan taken at `pose` (base_link in the map frame).
+  void Insert(const Pose2D& pose, const LaserScan& scan);
+
+  /// Drops marks that are older than `forget_after` at `now` [s].
+  void Forget(double now);
+
+  /// Drops all marks. Those that the laser sees now return with the next scan.
+  void Clear();
+
+  bool Marked(int index) const { return seen_[index] != kNever; }
+  /// The marked cells, in no particular order.
+  const std::vector<int>& marked() const { return marked_; }
+
+ private:
+  static constexpr double kNever = -1e300;
+
+  template <typename Keep>
+  void KeepIf(Keep keep);
+
+  ObstacleSettings settings_;
+  GridFrame frame_;
+  std::vector<double> seen_;  // per cell: when it was last marked
+  std::vector<int> marked_;
+};
+
+}  // namespace coppice::robot
+
+#endif  // COPPICE_ROBOT_APP_NAVIGATION_OBSTACLE_LAYER_H_
