@@ -1,0 +1,75 @@
+// The description of a floor of a building: what stands where before anything moves.
+//
+// 2.5-D: every thing is a vertical prism on the floor plane with a height, so that the lidar looks
+// over what is low and a renderer can raise the walls. The frame is `map`. A floor is read from
+// YAML; the shipped robot_app/simulation/floors/institute.yaml shows every key.
+#ifndef COPPICE_ROBOT_APP_SIMULATION_FLOOR_H_
+#define COPPICE_ROBOT_APP_SIMULATION_FLOOR_H_
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bt_core/base/diagnostic.h"
+#include "robot_app/simulation/geometry.h"
+
+namespace coppice::robot {
+
+/// A door leaf. Closed it fills hinge..end. Open, a hinged leaf stands turned by 90 degrees into
+/// the room (to the left or right of hinge -> end) and a sliding leaf has gone into the wall.
+struct Door {
+  enum class Kind { kHinged, kSliding };
+  std::string name;
+  Kind kind = Kind::kHinged;
+  Vec2 hinge;
+  Vec2 end;
+  bool swings_left = true;  ///< hinged only
+  bool open = true;         ///< at the start
+};
+
+/// Furniture, or a place that can be blocked by a box of this shape.
+struct Box {
+  std::string name;
+  Rectangle shape;
+  double height = 1;
+};
+
+/// A person who walks from point to point, and from the last one to the first.
+struct Walker {
+  std::string name;
+  double speed = 1;  ///< m/s
+  std::vector<Vec2> path;
+};
+
+struct Waypoint {
+  std::string name;
+  Pose2 pose;
+};
+
+struct Floor {
+  std::string name;
+  double wall_height = 2.5;
+  std::vector<std::vector<Vec2>> walls;  ///< polylines
+  std::vector<Box> furniture;
+  std::vector<Door> doors;
+  std::vector<Box> places;  ///< that can be blocked; empty at the start
+  std::vector<Walker> people;
+  std::vector<Waypoint> waypoints;  ///< good goals for the robot
+  Pose2 docked;                     ///< base_link when the charging contacts touch
+  Pose2 staging;                    ///< base_link in front of the station, ready to dock
+};
+
+/// Reads a floor. Adds every problem found, with file and line, and then returns nothing. Never
+/// throws.
+std::optional<Floor> LoadFloor(const std::string& file, Diagnostics& diagnostics);
+
+/// The same from text; `file` is only the name in the messages.
+std::optional<Floor> ParseFloor(const std::string& yaml, const std::string& file,
+                                Diagnostics& diagnostics);
+
+/// Where the leaf of a door stands. A sliding door that is open has none.
+std::optional<Segment> DoorLeaf(const Door& door, bool open);
+
+}  // namespace coppice::robot
+
+#endif  // COPPICE_ROBOT_APP_SIMULATION_FLOOR_H_

@@ -1,0 +1,47 @@
+// People who walk through the floor on their rounds.
+#ifndef COPPICE_ROBOT_APP_SIMULATION_PEOPLE_H_
+#define COPPICE_ROBOT_APP_SIMULATION_PEOPLE_H_
+
+#include <vector>
+
+#include "robot_app/simulation/floor.h"
+#include "robot_app/simulation/ray_caster.h"
+
+namespace coppice::robot {
+
+inline constexpr double kPersonRadius = 0.25;   ///< m
+inline constexpr double kPersonHeight = 1.75;   ///< m
+inline constexpr double kPersonDistance = 0.6;  ///< m, kept from the robot's edge when walking
+inline constexpr double kPersonPatience = 4;    ///< s of waiting, then the person turns round
+
+/// Everybody walks from waypoint to waypoint, stops before the robot and before walls, closed doors
+/// and boxes, and turns round after a while of waiting. People make way for each other without our
+/// help.
+class People {
+ public:
+  /// Everybody stands at the first point of the own path.
+  explicit People(std::vector<Walker> walkers);
+
+  /// Lets `dt` seconds pass, with the robot's disc where it is and what stands still in `still`.
+  void Step(double dt, const Disc& robot, const RayCaster& still);
+
+  /// In the order of the floor.
+  const std::vector<Disc>& discs() const { return discs_; }
+
+ private:
+  struct State {
+    std::size_t target = 0;  // point of the path
+    bool forward = true;     // through the path
+    double waited = 0;       // s
+  };
+  void Walk(std::size_t i, double dt, const Disc& robot, const RayCaster& still);
+  void Advance(std::size_t i);
+
+  std::vector<Walker> walkers_;
+  std::vector<State> states_;
+  std::vector<Disc> discs_;
+};
+
+}  // namespace coppice::robot
+
+#endif  // COPPICE_ROBOT_APP_SIMULATION_PEOPLE_H_

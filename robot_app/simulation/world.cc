@@ -1,0 +1,211 @@
+#include "robot_app/simulation/world.h"
+
+#include "robot_app/simulation/safety_field.h"
+
+namespace coppice::robot {
+namespace {
+
+constexpr double kDockTolerance = 0.03;                // m
+constexpr double kDockAngleTolerance = 3 * kPi / 180;  // rad
+constexpr double kClearance = 0.05;  // kept between a new thing and who stands there, m
+constexpr double kTimeSlack = 1e-9;  // s; time is a sum of steps
+
+// Every sensor draws its own noise, so that one more beam does not change the odometry.
+std::uint64_t SeedOf(std::uint64_t seed, std::uint64_t sensor) { return seed * 16 + sensor; }
+
+template <typename Item>
+std::vector<std::string> Names(const std::vector<Item>& items) {
+  std::vector<std::string> names;
+  for (const Item& item : items) names.push_back(item.name);
+  return names;
+}
+
+std::string Join(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
+
+// The index of the item with this name, or the refusal that tells which names there are.
+template <typename Item>
+std::optional<std::size_t> Find(const std::vector<Item>& items, const std::string& name,
+                                const char* what, Outcome& refusal) {
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    if (items[i].name == name) return i;
+  }
+  const std::vector<std::string> names = Names(items);
+  const std::string hint = DidYouMean(name, names);
+  refusal = {false, std::string("there is no ") + what + " \"" + name + "\"" +
+                        (hint.empty() ? "; known: " + Join(names) : " (" + hint + ")")};
+  return std::nullopt;
+}
+
+void AddOutline(const Rectangle& r, std::vector<Segment>& segments) {
+  const auto corners = Corners(r);
+  for (std::size_t i = 0; i < 4; ++i) segments.push_back({corners[i], corners[(i + 1) % 4]});
+}
+
+}  // namespace
+
+World::World(const Floor& floor, const WorldOptions& options)
+    : floor_(floor),
+      place_blocked_(floor.places.size(), false),
+      bodies_(floor, options.start.value_or(floor.docked)),
+      people_(floor.people),
+      drive_(options.drive),
+      battery_(options.battery, options.state_of_charge),
+      lidar_(options.lidar, SeedOf(options.seed, 1)),
+      odometry_(options.odometry, SeedOf(options.seed, 2)),
+      imu_(SeedOf(options.seed, 3)) {
+  for (std::size_t i = 0; i < floor.doors.size(); ++i) {
+    door_open_.push_back(floor.doors[i].open);
+    bodies_.SetDoor(i, DoorLeaf(floor.doors[i], floor.doors[i].open));
+  }
+  Rebuild();
+  ReadSensors();
+}
+
+void World::Step(double dt, const std::optional<Velocity>& command) {
+  if (command) drive_.Command(time_, *command);
+  MovePeople(dt);
+  MoveRobot(dt);
+  time_ += dt;
+  ReadSensors();
+}
+
+void World::MovePeople(double dt) {
+  people_.Step(dt, robot_disc(), solid_);
+  for (std::size_t i = 0; i < people_.discs().size(); ++i) {
+    bodies_.SetPerson(i, people_.discs()[i], dt);
+  }
+}
+
+void World::MoveRobot(double dt) {
+  const Velocity before = velocity();
+  const Pose2 pose = robot();
+  const double reach = drive_.ProtectiveField(drive_.options().max_linear) + 0.1;
+  const double gap =
+      FrontGap(pose, lidar_.options().mounting, kRobotRadius, reach, visible_, people_.discs());
+  const Velocity wanted = drive_.Next(time_, dt, before, gap, !battery_.empty());
+  bodies_.Step(dt, wanted);
+  const Velocity after = velocity();
+  odometry_.Move(after.linear * dt, NormalAngle(robot().yaw - pose.yaw));
+  imu_.Measure(dt, before, after);
+  const double effort = std::max(std::abs(wanted.linear) / drive_.options().max_linear,
+                                 std::abs(wanted.angular) / drive_.options().max_angular);
+  battery_.Step(dt, effort, docked());
+}
+
+void World::ReadSensors() {
+  if (time_ + kTimeSlack >= next_scan_) {
+    lidar_.Measure(time_, robot(), visible_, people_.discs());
+    next_scan_ += lidar_.options().period;
+    next_scan_ = std::max(next_scan_, time_ + kTimeSlack);
+  }
+  if (time_ + kTimeSlack >= next_odometry_) {
+    odometry_.Read(time_);
+    next_odometry_ += odometry_.options().period;
+    next_odometry_ = std::max(next_odometry_, time_ + kTimeSlack);
+  }
+}
+
+bool World::docked() const {
+  const Pose2 off = Compose(Inverse(floor_.docked), robot());
+  return Length(off.position()) <= kDockTolerance && std::abs(off.yaw) <= kDockAngleTolerance;
+}
+
+Pose2 World::OdomInMap() const { return Compose(robot(), Inverse(odometry_.pose())); }
+
+std::vector<Segment> World::StillThings(bool low_too) const {
+  std::vector<Segment> segments;
+  for (const auto& wall : floor_.walls) {
+    for (std::size_t i = 1; i < wall.size(); ++i) segments.push_back({wall[i - 1], wall[i]});
+  }
+  for (const Box& box : floor_.furniture) {
+    if (low_too || box.height >= kLidarHeight) AddOutline(box.shape, segments);
+  }
+  for (std::size_t i = 0; i < floor_.places.size(); ++i) {
+    const Box& box = floor_.places[i];
+    const bool seen = low_too || box.height >= kLidarHeight;
+    if (place_blocked_[i] && seen) AddOutline(box.shape, segments);
+  }
+  for (std::size_t i = 0; i < floor_.doors.size(); ++i) {
+    if (const auto leaf = DoorLeaf(floor_.doors[i], door_open_[i])) segments.push_back(*leaf);
+  }
+  return segments;
+}
+
+void World::Rebuild() {
+  visible_ = RayCaster(StillThings());
+  solid_ = RayCaster(StillThings(true));
+}
+
+std::string World::WhoStandsIn(const Rectangle& box) const {
+  if (Distance(robot().position(), box) < kRobotRadius + kClearance) return "the robot";
+  for (std::size_t i = 0; i < people().size(); ++i) {
+    if (Distance(people()[i].center, box) < kPersonRadius + kClearance) {
+      return floor_.people[i].name;
+    }
+  }
+  return {};
+}
+
+std::string World::WhoStandsAt(const Segment& leaf) const {
+  if (Distance(robot().position(), leaf) < kRobotRadius + kClearance) return "the robot";
+  for (std::size_t i = 0; i < people().size(); ++i) {
+    if (Distance(people()[i].center, leaf) < kPersonRadius + kClearance) {
+      return floor_.people[i].name;
+    }
+  }
+  return {};
+}
+
+Outcome World::SetPlaceBlocked(const std::string& place, bool blocked) {
+  Outcome refusal;
+  const auto i = Find(floor_.places, place, "place", refusal);
+  if (!i) return refusal;
+  const std::string state = blocked ? "blocked" : "clear";
+  if (place_blocked_[*i] == blocked) return {true, place + " is already " + state};
+  const Rectangle& box = floor_.places[*i].shape;
+  const std::string who = blocked ? WhoStandsIn(box) : "";
+  if (!who.empty()) return {false, "cannot block " + place + ": " + who + " stands there"};
+  place_blocked_[*i] = blocked;
+  bodies_.SetPlace(*i, blocked ? std::optional(box) : std::nullopt);
+  Rebuild();
+  return {true, place + " is " + state};
+}
+
+Outcome World::SetDoorOpen(const std::string& name, bool open) {
+  Outcome refusal;
+  const auto i = Find(floor_.doors, name, "door", refusal);
+  if (!i) return refusal;
+  const std::string state = open ? "open" : "closed";
+  if (door_open_[*i] == open) return {true, name + " is already " + state};
+  const Door& door = floor_.doors[*i];
+  // Nobody may stand where the leaf passes: the opening, and the sector of a hinged leaf.
+  const double sector = door.kind == Door::Kind::kSliding ? 0 : kPi / 2;
+  constexpr int kPositions = 4;
+  for (int k = 0; k <= kPositions; ++k) {
+    const double angle = (door.swings_left ? sector : -sector) * k / kPositions;
+    const std::string who =
+        WhoStandsAt({door.hinge, door.hinge + Rotated(door.end - door.hinge, angle)});
+    if (!who.empty()) {
+      return {false, std::string("cannot ") + (open ? "open " : "close ") + name + ": " + who +
+                         " stands in the way"};
+    }
+  }
+  door_open_[*i] = open;
+  bodies_.SetDoor(*i, DoorLeaf(door, open));
+  Rebuild();
+  return {true, name + " is " + state};
+}
+
+Outcome World::SetStateOfCharge(double state_of_charge) {
+  if (!(state_of_charge >= 0 && state_of_charge <= 1)) {
+    return {false, "the state of charge must be 0..1, not " + std::to_string(state_of_charge)};
+  }
+  battery_.set_state_of_charge(state_of_charge);
+  return {true, "the battery holds " + std::to_string(std::lround(state_of_charge * 100)) + " %"};
+}
+
+}  // namespace coppice::robot

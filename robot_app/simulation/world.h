@@ -1,0 +1,106 @@
+// The simulated robot on its floor: everything that moves, and everything that the robot measures.
+//
+// A World is a deterministic machine: the same floor, options and sequence of calls give the same
+// trace, bit by bit. It knows no ROS, no clock and no thread; whoever owns it calls Step() and
+// reads. Frames (REP-105): `map` of the floor, `odom` where the robot stood at the start,
+// `base_link` between the wheels, `laser` at the front lidar. Not thread-safe.
+#ifndef COPPICE_ROBOT_APP_SIMULATION_WORLD_H_
+#define COPPICE_ROBOT_APP_SIMULATION_WORLD_H_
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "robot_app/simulation/battery.h"
+#include "robot_app/simulation/bodies.h"
+#include "robot_app/simulation/drive.h"
+#include "robot_app/simulation/floor.h"
+#include "robot_app/simulation/lidar.h"
+#include "robot_app/simulation/odometry.h"
+#include "robot_app/simulation/people.h"
+
+namespace coppice::robot {
+
+struct WorldOptions {
+  std::uint64_t seed = 1;      ///< of all noise
+  std::optional<Pose2> start;  ///< of base_link in the map frame; absent: docked
+  double state_of_charge = 1;  ///< of the battery, 0..1
+  LidarOptions lidar;
+  DriveOptions drive;
+  BatteryOptions battery;
+  OdometryOptions odometry;
+};
+
+/// What came of a request, in one sentence for a person.
+struct Outcome {
+  bool ok = false;
+  std::string message;
+};
+
+class World {
+ public:
+  World(const Floor& floor, const WorldOptions& options = {});
+
+  /// Lets `dt` seconds pass (greater than 0; 0.01 to 0.05 is sensible). `command` is a velocity
+  /// command that arrives at the start of the step; without a new one the last one counts until it
+  /// times out.
+  void Step(double dt, const std::optional<Velocity>& command = std::nullopt);
+
+  // --- the truth ---
+  double time() const { return time_; }            ///< s since the start
+  Pose2 robot() const { return bodies_.robot(); }  ///< base_link in the map frame
+  Velocity velocity() const { return bodies_.velocity(); }
+  bool touching() const { return bodies_.touching(); }  ///< the robot touches something
+  bool docked() const;                                  ///< the charging contacts touch
+  bool protective_stop() const { return drive_.protective_stop(); }
+  const std::vector<Disc>& people() const { return people_.discs(); }
+  const Floor& floor() const { return floor_; }
+  bool door_open(std::size_t i) const { return door_open_[i]; }          ///< in the floor's order
+  bool place_blocked(std::size_t i) const { return place_blocked_[i]; }  ///< in the floor's order
+  /// What stands still now and is as high as the lidar, or anything however low if `low_too`.
+  std::vector<Segment> StillThings(bool low_too = false) const;
+
+  // --- the sensors; each reading carries its time ---
+  const Scan& scan() const { return lidar_.scan(); }
+  const Lidar& lidar() const { return lidar_; }
+  const Odometry& odometry() const { return odometry_; }
+  const ImuReading& imu() const { return imu_.reading(); }  ///< of the last step
+  const Battery& battery() const { return battery_; }
+  /// The true pose of `odom` in `map` now: what a perfect localization would deliver.
+  Pose2 OdomInMap() const;
+
+  // --- changes from outside; refused with a reason, and then nothing has changed ---
+  Outcome SetPlaceBlocked(const std::string& place, bool blocked);
+  Outcome SetDoorOpen(const std::string& door, bool open);
+  Outcome SetStateOfCharge(double state_of_charge);
+
+ private:
+  void MovePeople(double dt);
+  void MoveRobot(double dt);
+  void ReadSensors();
+  void Rebuild();
+  std::string WhoStandsIn(const Rectangle& box) const;
+  std::string WhoStandsAt(const Segment& leaf) const;
+  Disc robot_disc() const { return {robot().position(), kRobotRadius}; }
+
+  Floor floor_;
+  double time_ = 0;
+  std::vector<bool> door_open_;
+  std::vector<bool> place_blocked_;
+  Bodies bodies_;
+  People people_;
+  Drive drive_;
+  Battery battery_;
+  Lidar lidar_;
+  Odometry odometry_;
+  Imu imu_;
+  RayCaster visible_;  // StillThings() for the lidar
+  RayCaster solid_;    // and all of them, for people's feet
+  double next_scan_ = 0;
+  double next_odometry_ = 0;
+};
+
+}  // namespace coppice::robot
+
+#endif  // COPPICE_ROBOT_APP_SIMULATION_WORLD_H_
