@@ -186,17 +186,15 @@ class Demo {
                   std::to_string(watch_->view().pids.at("navigation")));
   }
 
-  // Waits for a drive through the corridor that still has to pass the place, then closes it for a
-  // while.
+  // Waits for a drive that still has to pass one of the places, then closes it for a while.
   void BlockCorridor() {
-    const double place = 30;  // x of corridor_east [m]
-    WaitOrFail("a drive along the corridor", 600, [place](const RobotView& view) {
-      const bool eastward = view.x < place - 5 && view.goal_x > place + 3;
-      const bool westward = view.x > place + 5 && view.goal_x < place - 3;
-      return eastward || westward;
+    std::string place;
+    WaitOrFail("a drive along the corridor", 600, [&place](const RobotView& view) {
+      place = PlaceAhead(view);
+      return !place.empty();
     });
-    console_.Step("fault 2: corridor_east is blocked for 75 s");
-    Inject("block_corridor", "corridor_east", 75);
+    console_.Step("fault 2: " + place + " is blocked for 75 s");
+    Inject("block_corridor", place, 75);
     WaitOrFail("the monitor to notice", 240, [](const RobotView& view) {
       for (const std::string& error : view.errors) {
         if (error.rfind("navigation", 0) == 0) return true;
@@ -207,6 +205,18 @@ class Demo {
     WaitOrFail("the monitor tree to recover", 240,
                [](const RobotView& view) { return view.errors.empty(); });
     console_.Tell("recovered: the robot drives on");
+  }
+
+  // A place of the floor that lies between the robot and its goal, not too near to either; or
+  // empty.
+  static std::string PlaceAhead(const RobotView& view) {
+    const std::map<std::string, double> places = {{"corridor_west", 10}, {"corridor_east", 30}};
+    for (const auto& [name, x] : places) {  // [m] along the corridor
+      const bool eastward = view.x < x - 5 && view.goal_x > x + 2;
+      const bool westward = view.x > x + 5 && view.goal_x < x - 2;
+      if (view.has_goal && (eastward || westward)) return name;
+    }
+    return {};
   }
 
   void Inject(const std::string& fault, const std::string& target, double duration) {

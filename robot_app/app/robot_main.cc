@@ -101,7 +101,7 @@ class Robot {
     if (!program) throw std::runtime_error("the " + name + " tree cannot run");
     TreeRunnerOptions runner;
     runner.name = name;
-    runner.live_port = port;
+    runner.live_port = static_cast<std::uint16_t>(port);
     runner.run.forever = forever;
     if (options.Has("--record")) {
       std::filesystem::create_directories(options.Get("--record"));

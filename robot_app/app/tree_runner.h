@@ -3,6 +3,7 @@
 #define COPPICE_ROBOT_APP_APP_TREE_RUNNER_H_
 
 #include <atomic>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>

@@ -58,8 +58,8 @@ class ActionPort {
 
  private:
   enum class State { kNone, kConnecting, kSent };
-  static constexpr double kConnectTimeout = 10.0;  // s
-  static constexpr double kLostTimeout = 1.0;      // s
+  static constexpr double kConnectTimeout = 5.0;  // s
+  static constexpr double kLostTimeout = 1.0;     // s
 
   // Runs on the spinner: sends a goal as soon as the server is there, and notices when it goes
   // away.

@@ -34,7 +34,7 @@ class FakeRobot : public Navigator,
 
   Waypoint ChooseForPatrol() override { return {"hall", {46, 0, 1}}; }
   bool Find(const std::string& name, Waypoint& waypoint) const override {
-    if (name != "hall" && name != "charging_station") return false;
+    if (name != "hall" && name != "staging") return false;
     waypoint = {name, {46, 0, 1}};
     return true;
   }
