@@ -36,6 +36,11 @@ TEST(NearestName, FindsTheMisspeltOneWithoutCase) {
   EXPECT_EQ(NearestName("INVERTER", {"Inverter"}), "Inverter");
 }
 
+TEST(NearestName, TakesASwapForOneMistake) {
+  EXPECT_EQ(NearestName("gaol", {"goal"}), "goal");
+  EXPECT_EQ(NearestName("dcok", {"dock"}), "dock");
+}
+
 TEST(NearestName, TakesTheNearestOfSeveral) {
   EXPECT_EQ(NearestName("goal_pos", {"goal", "goal_pose", "goal_post_x"}), "goal_pose");
 }

@@ -1,0 +1,157 @@
+// A steady tick allocates nothing: this program counts every call of operator new.
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+#include "tests/bt_core/engine/fixture.h"
+
+namespace {
+std::atomic<std::size_t> allocations{0};
+
+void* Allocate(std::size_t size, std::size_t alignment) {
+  ++allocations;
+  const std::size_t rounded = (size + alignment - 1) / alignment * alignment;
+  if (void* at = std::aligned_alloc(alignment, rounded ? rounded : alignment)) return at;
+  throw std::bad_alloc();
+}
+}  // namespace
+
+void* operator new(std::size_t size) { return Allocate(size, alignof(std::max_align_t)); }
+void* operator new[](std::size_t size) { return Allocate(size, alignof(std::max_align_t)); }
+void* operator new(std::size_t size, std::align_val_t alignment) {
+  return Allocate(size, static_cast<std::size_t>(alignment));
+}
+void operator delete(void* at) noexcept { std::free(at); }
+void operator delete[](void* at) noexcept { std::free(at); }
+void operator delete(void* at, std::size_t) noexcept { std::free(at); }
+void operator delete[](void* at, std::size_t) noexcept { std::free(at); }
+void operator delete(void* at, std::align_val_t) noexcept { std::free(at); }
+void operator delete(void* at, std::size_t, std::align_val_t) noexcept { std::free(at); }
+
+namespace coppice {
+namespace {
+
+// Passes a text on and never ends, changing its length with every tick.
+class Chatter : public Action {
+ public:
+  static constexpr const char* kDescription = "Writes texts of up to 200 characters.";
+  Input<std::string> text{this, "text", "what"};
+  Output<std::string> copy{this, "copy", "the same"};
+  Output<double> number{this, "number", "ticks so far"};
+  Status OnStart() override { return OnRunning(); }
+  Status OnRunning() override {
+    const char* const texts[] = {"short", kLong};
+    copy.Set(*text);
+    number.Set(number_ += 1);
+    buffer_.assign(texts[static_cast<int>(number_) % 2]);
+    copy.Set(buffer_);
+    WakeAt(now() + std::chrono::seconds(1));
+    return Status::kRunning;
+  }
+  void OnHalted() override {}
+
+ private:
+  static constexpr const char* kLong =
+      "0123456789012345678901234567890123456789012345678901234567890123456789012345678901234567890"
+      "123456789012345678901234567890123456789012345678901234567890123456789012345678901234567890"
+      "1234567890123456789";
+  double number_ = 0;
+  std::string buffer_;
+};
+
+class IsPositive : public Condition {
+ public:
+  static constexpr const char* kDescription = "Is the number positive?";
+  Input<double> number{this, "number", "which"};
+  bool Check() override { return *number > 0; }
+};
+
+class CountingSink : public TickSink {
+ public:
+  void OnTick(const TickEvents& events) override { changes += events.changes.size(); }
+  std::size_t changes = 0;
+};
+
+// All node types; the reactive ones make leaves start and end in every tick.
+constexpr const char* kTree = R"(
+<root BTCPP_format="4" main_tree_to_execute="Main">
+ <BehaviorTree ID="Main">
+  <Parallel success_count="-1" failure_count="-1">
+   <ReactiveFallback>
+    <Inverter><ForceSuccess><AlwaysFailure/></ForceSuccess></Inverter>
+    <ForceFailure><AlwaysSuccess/></ForceFailure>
+    <Sequence><IsPositive number="-1"/><AlwaysSuccess/></Sequence>
+    <Timeout msec="3600000"><SubTree ID="Talk" words="{words}" out="{heard}"/></Timeout>
+   </ReactiveFallback>
+   <ReactiveSequence>
+    <Fallback><AlwaysFailure/><IsPositive number="2.5"/></Fallback>
+    <Delay delay_msec="0"><AlwaysSuccess/></Delay>
+    <Repeat num_cycles="-1"><AlwaysSuccess/></Repeat>
+   </ReactiveSequence>
+   <RetryUntilSuccessful num_attempts="-1"><AlwaysFailure/></RetryUntilSuccessful>
+   <Delay delay_msec="3600000"><AlwaysSuccess/></Delay>
+  </Parallel>
+ </BehaviorTree>
+ <BehaviorTree ID="Talk">
+  <ReactiveSequence>
+   <Chatter text="{words}" copy="{out}" number="{n}"/>
+  </ReactiveSequence>
+ </BehaviorTree>
+</root>)";
+
+class AllocationTest : public testing::Test {
+ protected:
+  AllocationTest() {
+    auto registry = std::make_shared<Registry>();
+    registry->Register<Chatter>("Chatter");
+    registry->Register<IsPositive>("IsPositive");
+    Diagnostics diagnostics;
+    program_ = CompileText(kTree, diagnostics, registry);
+    if (!program_) throw std::logic_error(diagnostics.ToString());
+    executor_ = std::make_unique<Executor>(program_, clock_);
+    executor_->Writer<std::string>("words").Send(std::string(200, 'w'));
+  }
+
+  // Allocations of 1000 ticks after the first few.
+  std::size_t SteadyTicks() {
+    const auto tick = [this] {
+      clock_.Advance(std::chrono::milliseconds(10));
+      return executor_->Tick();
+    };
+    for (int i = 0; i < 10; ++i) EXPECT_EQ(tick(), Status::kRunning);
+    const std::size_t before = allocations;
+    for (int i = 0; i < 1000; ++i) tick();
+    return allocations - before;
+  }
+
+  std::shared_ptr<const Program> program_;
+  SimulatedClock clock_;
+  std::unique_ptr<Executor> executor_;
+};
+
+TEST(Allocations, AreCounted) {
+  const std::size_t before = allocations;
+  const auto number = std::make_unique<int>(5);
+  EXPECT_EQ(allocations, before + 1) << *number;
+}
+
+TEST_F(AllocationTest, TheTreeHasAllNodeTypes) {
+  std::vector<bool> seen(static_cast<std::size_t>(NodeType::kLeaf) + 1);
+  for (const NodeRecord& node : program_->nodes) seen[static_cast<std::size_t>(node.type)] = true;
+  for (std::size_t type = 0; type < seen.size(); ++type) EXPECT_TRUE(seen[type]) << type;
+}
+
+TEST_F(AllocationTest, ASteadyTickAllocatesNothing) { EXPECT_EQ(SteadyTicks(), 0U); }
+
+TEST_F(AllocationTest, ASteadyTickWithASinkAllocatesNothing) {
+  CountingSink sink;
+  executor_->AddSink(&sink);
+  EXPECT_EQ(SteadyTicks(), 0U);
+  EXPECT_GT(sink.changes, 1000U);
+  executor_->RemoveSink(&sink);
+}
+
+}  // namespace
+}  // namespace coppice

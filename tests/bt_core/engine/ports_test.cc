@@ -1,0 +1,115 @@
+// How the compiler binds ports, and what it says when it cannot.
+#include <gtest/gtest.h>
+
+#include "tests/bt_core/engine/fixture.h"
+
+namespace coppice {
+namespace {
+
+std::string Problems(const std::string& body) {
+  Diagnostics diagnostics;
+  CompileText(Main(body), diagnostics, TestRegistry());
+  return diagnostics.ToString();
+}
+
+TEST(Ports, LiteralsAndKeysAreAccepted) {
+  EXPECT_EQ(Problems("<Drive goal=\"1.5\" tries=\"{n}\" label=\"hall\" distance=\"{d}\" "
+                     "total=\" {t} \"/>"),
+            "");
+}
+
+TEST(Ports, MisspeltPortGetsTheNearestName) {
+  EXPECT_EQ(Problems("<Drive goal=\"1\" total=\"{t}\"\n  distanse=\"{d}\"/>"),
+            "t.xml:4:3: error: Drive has no port \"distanse\" (did you mean \"distance\"?)\n");
+}
+
+TEST(Ports, RequiredInputsMustBeGiven) {
+  EXPECT_EQ(Problems(" <Drive total=\"{t}\"/>"),
+            "t.xml:3:2: error: Drive needs its port \"goal\" (where to [m])\n");
+}
+
+TEST(Ports, InOutMustBeGiven) {
+  EXPECT_EQ(Problems("<Drive goal=\"1\"/>"),
+            "t.xml:3:1: error: Drive needs its port \"total\" (sum of all drives)\n");
+}
+
+TEST(Ports, LiteralsMustBeOfTheType) {
+  EXPECT_EQ(Problems("<Drive goal=\"far\" total=\"{t}\"/>"),
+            "t.xml:3:14: error: \"far\" is not a value for port \"goal\" of Drive "
+            "(expected double)\n");
+  EXPECT_EQ(
+      Problems("<Drive goal=\"\" total=\"{t}\"/>"),
+      "t.xml:3:14: error: \"\" is not a value for port \"goal\" of Drive (expected double)\n");
+}
+
+TEST(Ports, OutputsNeedAKey) {
+  EXPECT_EQ(Problems("<Drive goal=\"1\" total=\"{t}\" distance=\"d\"/>"),
+            "t.xml:3:40: error: output \"distance\" needs a key (write {key})\n");
+  EXPECT_EQ(Problems("<Drive goal=\"1\" total=\"5\"/>"),
+            "t.xml:3:24: error: inout \"total\" needs a key (write {key})\n");
+}
+
+TEST(Ports, EmptyBracesAreNoKey) {
+  EXPECT_NE(Problems("<Drive goal=\"{}\" total=\"{t}\"/>"), "");
+  EXPECT_NE(Problems("<Drive goal=\"{@}\" total=\"{t}\"/>"), "");
+}
+
+TEST(Ports, AllUsersOfAKeyAgreeOnItsType) {
+  EXPECT_EQ(Problems("<Sequence>\n<Tell text=\"x\" to=\"{k}\"/>\n"
+                     "<Drive goal=\"{k}\" total=\"{t}\"/></Sequence>"),
+            "t.xml:5:14: error: key \"k\" is string (from Tell.to), but port \"goal\" of Drive is "
+            "double\n");
+}
+
+TEST(Ports, TheDefaultIsUsedWhenThePortIsLeftOut) {
+  Stage stage(Main("<Drive goal=\"1\" total=\"{t}\"/>"));
+  EXPECT_EQ(stage.executor->Tick(), Status::kSuccess);
+  const SlotIndex total = stage.program->layout.Find(0, "t");
+  EXPECT_EQ(stage.executor->blackboard()[total].value.Get<int>(), 3);
+}
+
+TEST(Ports, EqualsSignMeansTheKeyOfTheSameName) {
+  for (const char* text : {"=", "{=}", " {=} "}) {
+    Stage stage(Main(std::string("<Drive goal=\"1\" total=\"") + text + "\"/>"));
+    EXPECT_NE(stage.program->layout.Find(0, "total"), kNoSlot) << text;
+  }
+}
+
+TEST(Ports, OneNodeReadsWhatAnotherWrote) {
+  Stage stage(
+      Main("<Sequence><Tell text=\"hello\" to=\"{a}\"/><Tell text=\"{a}\" to=\"{b}\"/>"
+           "</Sequence>"));
+  EXPECT_EQ(stage.executor->Tick(), Status::kSuccess);
+  const SlotIndex b = stage.program->layout.Find(0, "b");
+  EXPECT_EQ(stage.executor->blackboard()[b].value.Get<std::string>(), "hello");
+}
+
+TEST(Ports, AnUnsetInputFailsTheLeafAndNamesPortAndKey) {
+  Stage stage(Main("<Drive goal=\"{target}\" total=\"{t}\"/>"));
+  const KeepingSink& sink = stage.Listen();
+  EXPECT_EQ(stage.executor->Tick(), Status::kFailure);
+  ASSERT_EQ(sink.ticks[0].messages.size(), 1U);
+  EXPECT_EQ(sink.ticks[0].messages[0].text,
+            "input \"goal\" has no value: nobody has written key \"target\" yet");
+}
+
+TEST(Ports, AnUnsetInputOfABuiltInNodeFailsIt) {
+  Stage stage(Main("<Repeat num_cycles=\"{n}\"><AlwaysSuccess/></Repeat>"));
+  const KeepingSink& sink = stage.Listen();
+  EXPECT_EQ(stage.executor->Tick(), Status::kFailure);
+  ASSERT_EQ(sink.ticks[0].messages.size(), 1U);
+  EXPECT_EQ(sink.ticks[0].messages[0].text,
+            "input \"num_cycles\" has no value: nobody has written key \"n\" yet");
+}
+
+TEST(Ports, ParallelSaysWhenAThresholdIsTooHigh) {
+  Stage stage(Main("<Parallel success_count=\"3\"><AlwaysSuccess/><AlwaysSuccess/></Parallel>"));
+  const KeepingSink& sink = stage.Listen();
+  EXPECT_EQ(stage.executor->Tick(), Status::kFailure);
+  ASSERT_EQ(sink.ticks[0].messages.size(), 1U);
+  EXPECT_EQ(sink.ticks[0].messages[0].text,
+            "success_count or failure_count is more than the 2 children");
+}
+
+}  // namespace
+}  // namespace coppice

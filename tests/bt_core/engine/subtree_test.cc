@@ -1,0 +1,172 @@
+// SubTrees: scopes, remapping, literals, limits.
+#include <gtest/gtest.h>
+
+#include "tests/bt_core/engine/fixture.h"
+
+namespace coppice {
+namespace {
+
+std::string Tree(const std::string& id, const std::string& body) {
+  return "<BehaviorTree ID=\"" + id + "\">" + body + "</BehaviorTree>\n";
+}
+
+std::string Problems(const std::string& trees) {
+  Diagnostics diagnostics;
+  CompileText(Root(trees), diagnostics, TestRegistry());
+  return diagnostics.ToString();
+}
+
+// Value of a key of the main tree after one tick, or "(unset)".
+std::string After(const std::string& trees, const std::string& key) {
+  Stage stage(Root(trees));
+  stage.executor->Tick();
+  const SlotIndex slot = stage.program->layout.Find(0, key);
+  if (slot == kNoSlot) return "(no key)";
+  const Value& value = stage.executor->blackboard()[slot].value;
+  return value.has_value() ? value.Print() : "(unset)";
+}
+
+TEST(SubTree, IsExpandedInPlace) {
+  Stage stage(Root(Tree("Main", "<Sequence><SubTree ID=\"S\"/><AlwaysSuccess/></Sequence>") +
+                   Tree("S", "<Inverter><AlwaysFailure/></Inverter>")));
+  const auto& nodes = stage.program->nodes;
+  ASSERT_EQ(nodes.size(), 5U);
+  EXPECT_EQ(nodes[1].type, NodeType::kSubTree);
+  EXPECT_EQ(nodes[1].end, 4U);
+  EXPECT_EQ(nodes[2].type, NodeType::kInverter);
+  ASSERT_EQ(stage.program->trees.size(), 2U);
+  EXPECT_EQ(stage.program->trees[1].id, "S");
+  EXPECT_EQ(stage.program->trees[1].root, 2U);
+  EXPECT_EQ(stage.program->trees[1].node, 1U);
+}
+
+TEST(SubTree, HasAScopeOfItsOwn) {
+  EXPECT_EQ(After(Tree("Main",
+                       "<Sequence><Tell text=\"outer\" to=\"{k}\"/><SubTree ID=\"S\"/>"
+                       "</Sequence>") +
+                      Tree("S", "<Tell text=\"inner\" to=\"{k}\"/>"),
+                  "k"),
+            "outer");
+}
+
+TEST(SubTree, ARemappedKeyIsTheSameSlot) {
+  EXPECT_EQ(After(Tree("Main", "<SubTree ID=\"S\" result=\"{answer}\"/>") +
+                      Tree("S", "<Tell text=\"42\" to=\"{result}\"/>"),
+                  "answer"),
+            "42");
+}
+
+TEST(SubTree, EqualsSignRemapsToTheSameName) {
+  for (const char* text : {"=", "{=}"}) {
+    EXPECT_EQ(After(Tree("Main", std::string("<SubTree ID=\"S\" k=\"") + text + "\"/>") +
+                        Tree("S", "<Tell text=\"x\" to=\"{k}\"/>"),
+                    "k"),
+              "x");
+  }
+}
+
+TEST(SubTree, RemappingGoesThroughLevels) {
+  EXPECT_EQ(After(Tree("Main", "<SubTree ID=\"A\" x=\"{top}\"/>") +
+                      Tree("A", "<SubTree ID=\"B\" y=\"{x}\"/>") +
+                      Tree("B", "<Tell text=\"deep\" to=\"{y}\"/>"),
+                  "top"),
+            "deep");
+}
+
+TEST(SubTree, AutoremapSharesAllKeysButPrivateOnes) {
+  const std::string trees = Tree("Main",
+                                 "<Sequence><SubTree ID=\"S\" _autoremap=\"true\"/>"
+                                 "<Tell text=\"x\" to=\"{other}\"/></Sequence>") +
+                            Tree("S",
+                                 "<Sequence><Tell text=\"1\" to=\"{shared}\"/>"
+                                 "<Tell text=\"2\" to=\"{_own}\"/></Sequence>");
+  EXPECT_EQ(After(trees, "shared"), "1");
+  EXPECT_EQ(After(trees, "_own"), "(no key)");
+}
+
+TEST(SubTree, ExplicitRemappingWinsOverAutoremap) {
+  EXPECT_EQ(After(Tree("Main", "<SubTree ID=\"S\" _autoremap=\"true\" k=\"{other}\"/>") +
+                      Tree("S", "<Tell text=\"1\" to=\"{k}\"/>"),
+                  "other"),
+            "1");
+}
+
+TEST(SubTree, AtSignReachesTheMainTree) {
+  EXPECT_EQ(After(Tree("Main", "<SubTree ID=\"A\"/>") + Tree("A", "<SubTree ID=\"B\"/>") +
+                      Tree("B", "<Tell text=\"global\" to=\"{@k}\"/>"),
+                  "k"),
+            "global");
+}
+
+TEST(SubTree, ALiteralGetsTheTypeOfThePortInside) {
+  EXPECT_EQ(After(Tree("Main", "<SubTree ID=\"S\" v=\"00042\" out=\"{r}\"/>") +
+                      Tree("S", "<Tell text=\"{v}\" to=\"{out}\"/>"),
+                  "r"),
+            "00042");
+  EXPECT_EQ(After(Tree("Main", "<SubTree ID=\"S\" v=\"00042\" out=\"{r}\"/>") +
+                      Tree("S", "<Drive goal=\"{v}\" total=\"{t}\" distance=\"{out}\"/>"),
+                  "r"),
+            "84");
+}
+
+TEST(SubTree, AWrongLiteralIsReportedWhereItIsWritten) {
+  EXPECT_EQ(Problems(Tree("Main", "<SubTree ID=\"S\" v=\"far\"/>") +
+                     Tree("S", "<Drive goal=\"{v}\" total=\"{t}\"/>")),
+            "t.xml:2:46: error: \"far\" is not a value for key \"v\" inside (expected double)\n");
+}
+
+TEST(SubTree, TypesMustAgreeAcrossTheBoundary) {
+  EXPECT_EQ(Problems(Tree("Main",
+                          "<Sequence><Tell text=\"x\" to=\"{k}\"/>"
+                          "<SubTree ID=\"S\" v=\"{k}\"/></Sequence>") +
+                     Tree("S", "<Drive goal=\"{v}\" total=\"{t}\"/>")),
+            "t.xml:3:40: error: key \"k\" is string (from Tell.to), but port \"goal\" of Drive is "
+            "double\n");
+}
+
+TEST(SubTree, UnknownTreeGetsTheNearestName) {
+  EXPECT_EQ(Problems(Tree("Main", "<SubTree ID=\"Dokc\"/>") + Tree("Dock", "<AlwaysSuccess/>")),
+            "t.xml:2:25: error: no tree \"Dokc\" (did you mean \"Dock\"?)\n");
+}
+
+TEST(SubTree, NeedsAnId) {
+  EXPECT_EQ(Problems(Tree("Main", "<SubTree/>")), "t.xml:2:25: error: <SubTree> without ID\n");
+}
+
+TEST(SubTree, MustNotHaveChildren) {
+  EXPECT_EQ(Problems(Tree("Main", "<SubTree ID=\"S\"><AlwaysSuccess/></SubTree>") +
+                     Tree("S", "<AlwaysSuccess/>")),
+            "t.xml:2:25: error: <SubTree> must not have children\n");
+}
+
+TEST(SubTree, MustNotContainItself) {
+  EXPECT_EQ(Problems(Tree("Main", "<SubTree ID=\"A\"/>") + Tree("A", "<SubTree ID=\"B\"/>") +
+                     Tree("B", "<SubTree ID=\"A\"/>")),
+            "t.xml:4:22: error: tree \"A\" contains itself\n");
+}
+
+TEST(SubTree, DoublingIsStoppedBeforeMemoryIsUsedUp) {
+  std::string trees = Tree("Main", "<SubTree ID=\"T0\"/>");
+  for (int i = 0; i < 40; ++i) {
+    const std::string next = "<SubTree ID=\"T" + std::to_string(i + 1) + "\"/>";
+    trees += Tree("T" + std::to_string(i), "<Sequence>" + next + next + "</Sequence>");
+  }
+  trees += Tree("T40", "<AlwaysSuccess/>");
+  const std::string problems = Problems(trees);
+  EXPECT_NE(problems.find("error: the tree has more than 1000000 nodes"), std::string::npos)
+      << problems.substr(0, 300);
+}
+
+TEST(SubTree, ALongChainIsStoppedBeforeTheStackIsUsedUp) {
+  std::string trees = Tree("Main", "<SubTree ID=\"T0\"/>");
+  for (int i = 0; i < 50000; ++i) {
+    trees += Tree("T" + std::to_string(i), "<SubTree ID=\"T" + std::to_string(i + 1) + "\"/>");
+  }
+  trees += Tree("T50000", "<AlwaysSuccess/>");
+  EXPECT_EQ(Problems(trees),
+            "t.xml:1002:24: error: nodes are nested more than 1000 deep "
+            "(counted with all SubTrees)\n");
+}
+
+}  // namespace
+}  // namespace coppice

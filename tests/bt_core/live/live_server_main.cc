@@ -1,0 +1,32 @@
+// Runs the watched tree with a live view on a free port, until its input ends. Prints the port.
+#include <atomic>
+#include <iostream>
+#include <thread>
+
+#include "bt_core/engine/runner.h"
+#include "bt_core/live/live_publisher.h"
+#include "tests/bt_core/live/watched_tree.h"
+
+int main() {
+  coppice::WallClock clock;
+  coppice::Executor executor(coppice::WatchedProgram(), clock);
+  coppice::LiveOptions live_options;
+  live_options.port = 0;
+  const coppice::LivePublisher live(executor, live_options);
+  std::cout << live.port() << std::endl;
+
+  std::atomic<bool> stop{false};
+  std::thread input([&] {
+    for (std::string line; std::getline(std::cin, line);) {
+    }
+    stop = true;
+    executor.wake_up().Notify();
+  });
+  coppice::RunOptions options;
+  options.period = std::chrono::milliseconds(10);
+  options.forever = true;
+  coppice::Run(executor, options, stop);
+  input.join();
+  std::cout << executor.ticks() << " ticks" << std::endl;
+  return 0;
+}
