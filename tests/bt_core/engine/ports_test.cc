@@ -44,7 +44,7 @@ TEST(Ports, LiteralsMustBeOfTheType) {
 
 TEST(Ports, OutputsNeedAKey) {
   EXPECT_EQ(Problems("<Drive goal=\"1\" total=\"{t}\" distance=\"d\"/>"),
-            "t.xml:3:40: error: output \"distance\" needs a key (write {key})\n");
+            "t.xml:3:39: error: output \"distance\" needs a key (write {key})\n");
   EXPECT_EQ(Problems("<Drive goal=\"1\" total=\"5\"/>"),
             "t.xml:3:24: error: inout \"total\" needs a key (write {key})\n");
 }

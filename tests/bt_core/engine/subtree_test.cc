@@ -112,7 +112,7 @@ TEST(SubTree, ALiteralGetsTheTypeOfThePortInside) {
 TEST(SubTree, AWrongLiteralIsReportedWhereItIsWritten) {
   EXPECT_EQ(Problems(Tree("Main", "<SubTree ID=\"S\" v=\"far\"/>") +
                      Tree("S", "<Drive goal=\"{v}\" total=\"{t}\"/>")),
-            "t.xml:2:46: error: \"far\" is not a value for key \"v\" inside (expected double)\n");
+            "t.xml:2:44: error: \"far\" is not a value for key \"v\" inside (expected double)\n");
 }
 
 TEST(SubTree, TypesMustAgreeAcrossTheBoundary) {
@@ -120,7 +120,7 @@ TEST(SubTree, TypesMustAgreeAcrossTheBoundary) {
                           "<Sequence><Tell text=\"x\" to=\"{k}\"/>"
                           "<SubTree ID=\"S\" v=\"{k}\"/></Sequence>") +
                      Tree("S", "<Drive goal=\"{v}\" total=\"{t}\"/>")),
-            "t.xml:3:40: error: key \"k\" is string (from Tell.to), but port \"goal\" of Drive is "
+            "t.xml:3:35: error: key \"k\" is string (from Tell.to), but port \"goal\" of Drive is "
             "double\n");
 }
 
@@ -164,7 +164,7 @@ TEST(SubTree, ALongChainIsStoppedBeforeTheStackIsUsedUp) {
   }
   trees += Tree("T50000", "<AlwaysSuccess/>");
   EXPECT_EQ(Problems(trees),
-            "t.xml:1002:24: error: nodes are nested more than 1000 deep "
+            "t.xml:1002:25: error: nodes are nested more than 1000 deep "
             "(counted with all SubTrees)\n");
 }
 

@@ -1,0 +1,116 @@
+#include "tests/bench/bench_leaves.h"
+
+#include <optional>
+#include <stdexcept>
+
+namespace coppice::bench {
+namespace {
+
+class CondOk : public Condition {
+ public:
+  static constexpr const char* kDescription = "Succeeds.";
+  bool Check() override { return true; }
+};
+
+class CondFail : public Condition {
+ public:
+  static constexpr const char* kDescription = "Fails.";
+  bool Check() override { return false; }
+};
+
+class ActOk : public SyncAction {
+ public:
+  static constexpr const char* kDescription = "Succeeds.";
+  Status Run() override { return Status::kSuccess; }
+};
+
+class RunForever : public Action {
+ public:
+  static constexpr const char* kDescription = "Runs.";
+  Status OnStart() override { return Status::kRunning; }
+  Status OnRunning() override { return Status::kRunning; }
+  void OnHalted() override {}
+};
+
+class CondPort : public Condition {
+ public:
+  static constexpr const char* kDescription = "Is the value below the threshold?";
+  Input<double> value{this, "value", "which"};
+  Input<double> threshold{this, "threshold", "limit"};
+  bool Check() override { return *value < *threshold; }
+};
+
+class Reader : public SyncAction {
+ public:
+  static constexpr const char* kDescription = "Reads a port many times.";
+  Input<double> value{this, "value", "which"};
+  Input<int> count{this, "count", "how often"};
+  Status Run() override {
+    double sum = 0;
+    for (int i = *count; i > 0; --i) {
+      sum += *value;
+      asm volatile("" ::: "memory");  // every round reads anew
+    }
+    return sum > 0 ? Status::kSuccess : Status::kFailure;
+  }
+};
+
+class Writer : public SyncAction {
+ public:
+  static constexpr const char* kDescription = "Writes a port many times.";
+  Output<double> value{this, "value", "which"};
+  Input<int> count{this, "count", "how often"};
+  Status Run() override {
+    for (int i = *count; i > 0; --i) {
+      value.Set(i);
+      asm volatile("" ::: "memory");
+    }
+    return Status::kSuccess;
+  }
+};
+
+}  // namespace
+
+std::shared_ptr<const Registry> BenchRegistry() {
+  static const std::shared_ptr<const Registry> all = [] {
+    auto registry = std::make_shared<Registry>();
+    registry->Register<CondOk>("CondOk");
+    registry->Register<CondFail>("CondFail");
+    registry->Register<ActOk>("ActOk");
+    registry->Register<RunForever>("RunForever");
+    registry->Register<CondPort>("CondPort");
+    registry->Register<Reader>("Reader");
+    registry->Register<Writer>("Writer");
+    return registry;
+  }();
+  return all;
+}
+
+std::shared_ptr<const Program> Load(const std::string& text) {
+  Diagnostics diagnostics;
+  std::optional<Project> project = Project::FromText(text, "bench.xml", diagnostics);
+  std::shared_ptr<const Program> program;
+  if (project) {
+    program =
+        Compile(std::make_shared<const Project>(*std::move(project)), BenchRegistry(), diagnostics);
+  }
+  if (!program) throw std::runtime_error(diagnostics.ToString());
+  return program;
+}
+
+Tree::Tree(const std::string& text) : executor(Load(text), clock) {
+  executor.Writer<double>("battery").Send(80);
+  executor.Tick();
+}
+
+std::string ReadLoop(int count) {
+  return "<root BTCPP_format=\"4\"><BehaviorTree ID=\"Main\"><Reader value=\"{battery}\" count=\"" +
+         std::to_string(count) + "\"/></BehaviorTree></root>";
+}
+
+std::string WriteLoop(int count) {
+  return "<root BTCPP_format=\"4\"><BehaviorTree ID=\"Main\"><Writer value=\"{battery}\" count=\"" +
+         std::to_string(count) + "\"/></BehaviorTree></root>";
+}
+
+}  // namespace coppice::bench
