@@ -27,6 +27,9 @@ class Client:
         self.socket.setsockopt(zmq.RCVTIMEO, TIMEOUT_MS)
         self.socket.connect("tcp://127.0.0.1:%d" % port)
 
+    def close(self):
+        self.socket.close()
+
     def raw(self, *parts):
         self.socket.send_multipart(parts)
         return self.socket.recv_multipart()
@@ -52,7 +55,12 @@ class Groot2ClientTest(unittest.TestCase):
         self.server = subprocess.Popen([self.program], stdin=subprocess.PIPE,
                                        stdout=subprocess.PIPE)
         self.port = int(self.server.stdout.readline())
-        self.client = Client(self.port)
+        self.client = self.connect()
+
+    def connect(self):
+        client = Client(self.port)
+        self.addCleanup(client.close)
+        return client
 
     def tearDown(self):
         rest, _ = self.server.communicate(timeout=20)  # closes its input
@@ -119,7 +127,7 @@ class Groot2ClientTest(unittest.TestCase):
 
     def test_tree_id_is_a_constant_uuid(self):
         first, _ = self.client.ask(b"S")
-        again, _ = Client(self.port).ask(b"T")
+        again, _ = self.connect().ask(b"T")
         self.assertEqual(first, again)
         self.assertEqual(first[6] >> 4, 4)
         self.assertEqual(first[8] >> 6, 2)
@@ -147,11 +155,11 @@ class Groot2ClientTest(unittest.TestCase):
                 plain.sendall(garbage)
         dealer = zmq.Context.instance().socket(zmq.DEALER)
         dealer.setsockopt(zmq.LINGER, 0)
+        self.addCleanup(dealer.close)
         dealer.connect("tcp://127.0.0.1:%d" % self.port)
         dealer.send_multipart([b"no", b"envelope"])
         dealer.send_multipart([b"", b"\x02S1234"])
         self.assertEqual(dealer.poll(TIMEOUT_MS), zmq.POLLIN)
-        dealer.close()
         self.assertEqual(len(self.client.statuses()), 6)
 
 
