@@ -1,0 +1,63 @@
+// coppice-health-aggregator --config FILE: node /health_aggregator. Reads /monitoring/reports and
+// publishes /monitoring (coppice_msgs/Health, latched): every publish_period of wall time, and at
+// once when a level changes.
+#include <coppice_msgs/Health.h>
+#include <ros/ros.h>
+
+#include "robot_app/monitoring/health_aggregator.h"
+#include "robot_app/monitoring/health_messages.h"
+#include "robot_app/monitoring/monitor_node.h"
+
+namespace coppice::robot {
+namespace {
+
+constexpr int kQueue = 100;
+
+class Program {
+ public:
+  explicit Program(const MonitorConfig& config)
+      : aggregator_(config.hold, config.silent_periods),
+        node_(config, [this](const WatchList& list) {
+          aggregator_.Expect(list.sources, MonitorNode::Now().wall);
+        }) {
+    health_ = node_.handle().advertise<coppice_msgs::Health>("/monitoring", kQueue, true);
+    reports_ = node_.handle().subscribe<coppice_msgs::Health>(
+        "/monitoring/reports", kQueue,
+        [this](const coppice_msgs::Health::ConstPtr& message) { OnReport(*message); });
+    const ros::WallDuration period(std::chrono::duration<double>(config.publish_period).count());
+    timer_ = node_.handle().createWallTimer(period, [this](const ros::WallTimerEvent&) {
+      const Times now = MonitorNode::Now();
+      aggregator_.CheckSilence(node_.processes(), now.wall, now.ros);
+      Publish();
+    });
+  }
+
+ private:
+  void OnReport(const coppice_msgs::Health& message) {
+    if (aggregator_.OnReport(message.source, FromMessage(message), MonitorNode::Now().wall)) {
+      Publish();
+    }
+  }
+
+  void Publish() {
+    health_.publish(
+        ToMessage(ros::this_node::getName(), aggregator_.Publish(MonitorNode::Now().wall)));
+  }
+
+  HealthAggregator aggregator_;
+  MonitorNode node_;
+  ros::Publisher health_;
+  ros::Subscriber reports_;
+  ros::WallTimer timer_;
+};
+
+}  // namespace
+}  // namespace coppice::robot
+
+int main(int argc, char** argv) {
+  const auto config = coppice::robot::StartMonitor(argc, argv, "health_aggregator");
+  if (!config) return 2;
+  const coppice::robot::Program program(*config);
+  ros::spin();
+  return 0;
+}

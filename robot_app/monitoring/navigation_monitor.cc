@@ -1,0 +1,75 @@
+#include "robot_app/monitoring/navigation_monitor.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <utility>
+
+namespace coppice::robot {
+namespace {
+
+std::string InSeconds(Duration duration) {
+  char text[32];
+  std::snprintf(text, sizeof(text), "%.1f s", std::chrono::duration<double>(duration).count());
+  return text;
+}
+
+}  // namespace
+
+void NavigationMonitor::Watch(const std::optional<NavigationWatch>& watch) {
+  if (!watch_ || !watch || watch_->topic != watch->topic) {
+    state_.reset();
+    since_.reset();
+  }
+  watch_ = watch;
+}
+
+void NavigationMonitor::OnState(NavigationReport state, Time now) {
+  if (!watch_) return;
+  state_ = std::move(state);
+  since_ = now;
+}
+
+std::vector<Finding> NavigationMonitor::Report(const ProcessTable& processes, Time now) {
+  if (!watch_) return {};
+  if (processes.IsStarting(watch_->node)) {
+    state_.reset();
+    since_.reset();
+  }
+  if (!since_ || now < *since_) since_ = now;
+  std::vector<Finding> findings = {Progress(now), Freshness(now)};
+  ApplyGrace(processes, watch_->node, findings[1]);
+  return findings;
+}
+
+Finding NavigationMonitor::Progress(Time now) const {
+  Finding finding{"navigation", "progress", "", HealthLevel::kOk, 0, "s", "", now};
+  // An old state says nothing about now; that it is old is the other finding.
+  if (!state_ || now - *since_ > watch_->staleness) {
+    finding.message = "state unknown";
+    return finding;
+  }
+  const bool no_path = state_->phase == NavigationPhase::kNoPath;
+  if (!no_path && state_->phase != NavigationPhase::kBlocked) return finding;
+
+  const Duration lasted = state_->in_phase + (now - *since_);
+  const Duration bound = no_path ? watch_->no_path : watch_->blocked;
+  const bool failed = no_path && state_->consecutive_failures > 0;
+  finding.level = failed || lasted > bound ? HealthLevel::kError : HealthLevel::kWarn;
+  finding.value = std::chrono::duration<double>(lasted).count();
+  finding.message = (no_path ? "no path for " : "blocked for ") + InSeconds(lasted);
+  if (!state_->message.empty()) finding.message += ": " + state_->message;
+  return finding;
+}
+
+Finding NavigationMonitor::Freshness(Time now) const {
+  const Duration age = now - *since_;
+  Finding finding{"topic", watch_->topic, watch_->node, HealthLevel::kOk, 0, "s", "", now};
+  finding.value = std::chrono::duration<double>(age).count();
+  if (age > watch_->staleness) {
+    finding.level = HealthLevel::kError;
+    finding.message = "no state for " + InSeconds(age);
+  }
+  return finding;
+}
+
+}  // namespace coppice::robot

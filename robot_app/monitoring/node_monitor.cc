@@ -1,0 +1,51 @@
+#include "robot_app/monitoring/node_monitor.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace coppice::robot {
+
+void NodeMonitor::Watch(const std::vector<NodeWatch>& nodes) {
+  std::vector<Watched> watched;
+  for (const NodeWatch& watch : nodes) {
+    Watched entry;
+    for (const Watched& known : nodes_) {
+      if (known.watch.node == watch.node) entry = known;
+    }
+    entry.watch = watch;
+    watched.push_back(std::move(entry));
+  }
+  nodes_ = std::move(watched);
+}
+
+std::vector<ProbeRequest> NodeMonitor::Requests() const {
+  std::vector<ProbeRequest> requests;
+  for (const Watched& node : nodes_) requests.push_back({node.watch.node, ""});
+  return requests;
+}
+
+void NodeMonitor::Observe(const std::string& name, const ProbeResult& result) {
+  for (Watched& node : nodes_) {
+    if (node.watch.node != name) continue;
+    node.misses = result.answered ? 0 : node.misses + 1;
+    node.last = result;
+  }
+}
+
+std::vector<Finding> NodeMonitor::Report(const ProcessTable& processes, Time stamp) {
+  std::vector<Finding> findings;
+  for (Watched& node : nodes_) {
+    if (processes.IsStarting(node.watch.node)) node.misses = 0;
+    Finding finding{"node", node.watch.node, node.watch.node, HealthLevel::kOk, 0, "s", "", stamp};
+    finding.value = std::chrono::duration<double>(node.last.delay).count();
+    if (node.misses > 0) {
+      finding.level = node.misses >= node.watch.misses ? HealthLevel::kError : HealthLevel::kWarn;
+      finding.message = node.last.reason + " (" + std::to_string(node.misses) + " pings in a row)";
+    }
+    ApplyGrace(processes, node.watch.node, finding);
+    findings.push_back(std::move(finding));
+  }
+  return findings;
+}
+
+}  // namespace coppice::robot

@@ -1,0 +1,29 @@
+// What the process supervisor says about the processes behind the nodes. Monitors look here so that
+// a node that is just being started raises no alarm.
+#ifndef COPPICE_ROBOT_APP_MONITORING_PROCESS_TABLE_H_
+#define COPPICE_ROBOT_APP_MONITORING_PROCESS_TABLE_H_
+
+#include <map>
+#include <string>
+
+#include "robot_app/monitoring/finding.h"
+#include "robot_app/supervision/supervisor.h"
+
+namespace coppice::robot {
+
+/// /processes as a value. Empty while there is no supervisor: then nothing has a grace.
+struct ProcessTable {
+  std::string configuration;
+  std::map<std::string, ProcessStatus> by_node;
+
+  /// The supervisor is about to start this node, or waits for it to become ready.
+  bool IsStarting(const std::string& node) const;
+};
+
+/// Takes what the supervisor knows into account: OK while the node starts; no worse than WARN while
+/// the supervisor itself is about to start it again; else its message is added to an error's.
+void ApplyGrace(const ProcessTable& processes, const std::string& node, Finding& finding);
+
+}  // namespace coppice::robot
+
+#endif  // COPPICE_ROBOT_APP_MONITORING_PROCESS_TABLE_H_

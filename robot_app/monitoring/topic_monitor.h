@@ -1,0 +1,66 @@
+// Do the topics flow, neither too slowly nor too fast? Rates are two-sided: a sensor that sends
+// twice as fast as it should is as broken as one that is half asleep.
+//
+// By default in ROS time, because that is what a publisher's rate is defined in: a simulation at
+// eight times real time sends eight times as often on the wall clock. When ROS time itself stands
+// still nothing can be stale in it, so the clock's topic is to be watched in wall time.
+#ifndef COPPICE_ROBOT_APP_MONITORING_TOPIC_MONITOR_H_
+#define COPPICE_ROBOT_APP_MONITORING_TOPIC_MONITOR_H_
+
+#include <deque>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "robot_app/monitoring/finding.h"
+#include "robot_app/monitoring/monitor_config.h"
+#include "robot_app/monitoring/process_table.h"
+
+namespace coppice::robot {
+
+/// Now, on both time lines.
+struct Times {
+  Time ros{0};
+  Time wall{0};
+};
+
+/// Watches one topic on one time line.
+class RateWatch {
+ public:
+  explicit RateWatch(TopicWatch watch) : watch_(std::move(watch)) {}
+
+  /// Forgets everything: silence and window count from the next Assess on.
+  void Reset();
+  /// Takes over what another watch of the same topic has seen.
+  void Continue(const RateWatch& other);
+  void OnMessage(Time now);
+  /// The rate is the number of messages in the window that ends now; until the first window is full
+  /// there is no judgement on it. Time that jumps back starts anew.
+  Finding Assess(Time now);
+
+  const TopicWatch& watch() const { return watch_; }
+
+ private:
+  void Judge(double rate, Finding& finding) const;
+
+  TopicWatch watch_;
+  std::optional<Time> since_;  // start of the observation
+  std::deque<Time> messages_;  // the last one, and all within the window
+};
+
+class TopicMonitor {
+ public:
+  /// Watches these topics from now on; a watch that stays the same keeps what it has seen.
+  void Watch(const std::vector<TopicWatch>& topics);
+  /// Topics that are not watched are ignored.
+  void OnMessage(const std::string& topic, const Times& now);
+  /// One finding per topic, value: rate in Hz. A topic whose publisher is being started is reset.
+  std::vector<Finding> Report(const ProcessTable& processes, const Times& now);
+
+ private:
+  std::vector<RateWatch> topics_;
+};
+
+}  // namespace coppice::robot
+
+#endif  // COPPICE_ROBOT_APP_MONITORING_TOPIC_MONITOR_H_
