@@ -78,39 +78,40 @@ void Executor::ApplyInbox() {
   delivery_.clear();
 }
 
-Status Executor::Tick(NodeIndex node) {
-  const Status result = Dispatch(node, nodes_[node]);
-  if (result != Status::kRunning) memory_[node] = 0;
+inline Status Executor::Store(NodeIndex node, Status result) {
   if (result != statuses_[node]) SetStatus(node, result);
   return result;
 }
 
-Status Executor::Dispatch(NodeIndex node, const NodeRecord& record) {
-  switch (record.type) {
-    case NodeType::kLeaf:
-      return TickLeaf(node, record.first_port);
+inline Status Executor::StoreAndForget(NodeIndex node, Status result) {
+  if (result != Status::kRunning) memory_[node] = 0;
+  return Store(node, result);
+}
+
+Status Executor::TickInner(NodeIndex node, NodeType type) {
+  switch (type) {
     case NodeType::kSequence:
-      return TickSequence(*this, node);
+      return StoreAndForget(node, TickSequence(*this, node));
     case NodeType::kFallback:
-      return TickFallback(*this, node);
+      return StoreAndForget(node, TickFallback(*this, node));
     case NodeType::kReactiveSequence:
-      return TickReactiveSequence(*this, node);
+      return Store(node, TickReactiveSequence(*this, node));
     case NodeType::kReactiveFallback:
-      return TickReactiveFallback(*this, node);
+      return Store(node, TickReactiveFallback(*this, node));
     case NodeType::kInverter:
-      return TickMapped(*this, node, Status::kFailure, Status::kSuccess);
+      return Store(node, TickMapped(*this, node, Status::kFailure, Status::kSuccess));
     case NodeType::kForceSuccess:
-      return TickMapped(*this, node, Status::kSuccess, Status::kSuccess);
+      return Store(node, TickMapped(*this, node, Status::kSuccess, Status::kSuccess));
     case NodeType::kForceFailure:
-      return TickMapped(*this, node, Status::kFailure, Status::kFailure);
+      return Store(node, TickMapped(*this, node, Status::kFailure, Status::kFailure));
     case NodeType::kSubTree:
-      return TickMapped(*this, node, Status::kSuccess, Status::kFailure);
+      return Store(node, TickMapped(*this, node, Status::kSuccess, Status::kFailure));
     case NodeType::kAlwaysSuccess:
-      return Status::kSuccess;
+      return Store(node, Status::kSuccess);
     case NodeType::kAlwaysFailure:
-      return Status::kFailure;
+      return Store(node, Status::kFailure);
     default:
-      return DispatchWithPorts(node, record.type);
+      return StoreAndForget(node, DispatchWithPorts(node, type));
   }
 }
 
@@ -128,23 +129,34 @@ Status Executor::DispatchWithPorts(NodeIndex node, NodeType type) {
       default:
         return TickDelay(*this, node);
     }
-  } catch (const UnsetInput& error) {
-    current_leaf_ = node;
-    AddMessage(Describe(error, node));
-  } catch (const std::exception& error) {
-    current_leaf_ = node;
-    AddMessage(error.what());
+  } catch (...) {
+    ResetChildren(node);
+    return FailByException(node);
   }
-  ResetChildren(node);
+}
+
+Status Executor::TickLeaf(NodeIndex node) {
+  current_leaf_ = node;
+  Status result;
+  try {
+    result = leaves_[nodes_[node].first_port]->Tick(statuses_[node] != Status::kRunning);
+    if (result == Status::kIdle) result = RefuseIdle();
+  } catch (...) {
+    result = FailByException(node);
+  }
+  return Store(node, result);
+}
+
+Status Executor::RefuseIdle() {
+  AddMessage("returned IDLE, which no node may; taken as FAILURE");
   return Status::kFailure;
 }
 
-Status Executor::TickLeaf(NodeIndex node, std::uint32_t leaf) {
+// Called while an exception is being handled.
+Status Executor::FailByException(NodeIndex node) {
   current_leaf_ = node;
   try {
-    const Status result = leaves_[leaf]->Tick(statuses_[node] != Status::kRunning);
-    if (result != Status::kIdle) return result;
-    AddMessage("returned IDLE, which no node may; taken as FAILURE");
+    throw;
   } catch (const UnsetInput& error) {
     AddMessage(Describe(error, node));
   } catch (const std::exception& error) {
@@ -155,17 +167,20 @@ Status Executor::TickLeaf(NodeIndex node, std::uint32_t leaf) {
   return Status::kFailure;
 }
 
-void Executor::Halt(NodeIndex node) {
-  if (statuses_[node] != Status::kRunning) {
-    if (statuses_[node] != Status::kIdle) SetStatus(node, Status::kIdle);
-    return;
-  }
-  for (NodeIndex i = node; i < nodes_[node].end; ++i) {
-    if (statuses_[i] == Status::kIdle) continue;
-    if (statuses_[i] == Status::kRunning && nodes_[i].type == NodeType::kLeaf) HaltLeaf(i);
+// Only what runs has descendants that are not idle.
+void Executor::HaltRunning(NodeIndex node) {
+  for (NodeIndex i = node; i < nodes_[node].end;) {
+    const bool running = statuses_[i] == Status::kRunning;
+    if (running && nodes_[i].type == NodeType::kLeaf) HaltLeaf(i);
     memory_[i] = 0;
-    SetStatus(i, Status::kIdle);
+    if (statuses_[i] != Status::kIdle) SetStatus(i, Status::kIdle);
+    i = running ? i + 1 : nodes_[i].end;
   }
+}
+
+void Executor::ResetChildren(NodeIndex node) {
+  const NodeIndex end = nodes_[node].end;
+  for (NodeIndex child = node + 1; child != end; child = nodes_[child].end) Halt(child);
 }
 
 void Executor::HaltLeaf(NodeIndex node) {
@@ -196,15 +211,8 @@ std::string Executor::Describe(const UnsetInput& error, NodeIndex node) const {
   return error.what();
 }
 
-void Executor::ResetChildren(NodeIndex node) {
-  for (NodeIndex child = node + 1; child != nodes_[node].end; child = nodes_[child].end) {
-    if (statuses_[child] != Status::kIdle) Halt(child);
-  }
-}
-
-void Executor::SetStatus(NodeIndex node, Status status) {
-  if (listening_) changes_.push_back({node, statuses_[node], status});
-  statuses_[node] = status;
+void Executor::RecordChange(NodeIndex node, Status status) {
+  changes_.push_back({node, statuses_[node], status});
 }
 
 void Executor::AddMessage(std::string text) {

@@ -71,8 +71,15 @@ class Executor final : public LeafHost {
   void AddMessage(std::string text) override;
 
   // The Tree of bt_core/nodes/control.h.
-  Status Tick(NodeIndex node);
-  void Halt(NodeIndex node);
+  Status Tick(NodeIndex node) {
+    const NodeType type = nodes_[node].type;
+    return type == NodeType::kLeaf ? TickLeaf(node) : TickInner(node, type);
+  }
+  void Halt(NodeIndex node) {
+    if (statuses_[node] == Status::kIdle) return;
+    if (statuses_[node] == Status::kRunning) return HaltRunning(node);
+    SetStatus(node, Status::kIdle);
+  }
   void ResetChildren(NodeIndex node);
   Status status(NodeIndex node) const { return statuses_[node]; }
   std::uint64_t& memory(NodeIndex node) { return memory_[node]; }
@@ -87,10 +94,19 @@ class Executor final : public LeafHost {
   void TickAgain() { tick_again_ = true; }
 
  private:
-  Status Dispatch(NodeIndex node, const NodeRecord& record);
+  Status TickInner(NodeIndex node, NodeType type);
   Status DispatchWithPorts(NodeIndex node, NodeType type);
-  Status TickLeaf(NodeIndex node, std::uint32_t leaf);
-  void SetStatus(NodeIndex node, Status status);
+  Status TickLeaf(NodeIndex node);
+  Status RefuseIdle();
+  Status FailByException(NodeIndex node);
+  Status Store(NodeIndex node, Status result);  // of a node that has no memory
+  Status StoreAndForget(NodeIndex node, Status result);
+  void SetStatus(NodeIndex node, Status status) {
+    if (listening_) RecordChange(node, status);
+    statuses_[node] = status;
+  }
+  void RecordChange(NodeIndex node, Status status);
+  void HaltRunning(NodeIndex node);
   void HaltLeaf(NodeIndex node);
   std::string Describe(const UnsetInput& error, NodeIndex node) const;
   void BuildLeaves();
