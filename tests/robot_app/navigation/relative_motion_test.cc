@@ -1,0 +1,100 @@
+#include "robot_app/navigation/relative_motion.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace coppice::robot {
+namespace {
+
+using State = RelativeMotion::State;
+using testing::HasSubstr;
+
+constexpr double kStep = 0.05;
+
+// Updates until the motion has ended; `share` of the commanded motion really happens.
+double Carry(RelativeMotion& motion, Pose2D& pose, std::vector<Point2D> obstacles = {},
+             double share = 1) {
+  double seconds = 0;
+  const std::vector<Point2D> fixed = obstacles;
+  const Pose2D start = pose;
+  for (; motion.state() == State::kMoving && seconds < 100; seconds += kStep) {
+    for (std::size_t i = 0; i < fixed.size(); ++i) {
+      obstacles[i] = RelativeTo(pose, Compose(start, fixed[i]));
+    }
+    const Velocity2D velocity = motion.Update(pose, obstacles, kStep);
+    pose = Advance(pose, {share * velocity.linear, share * velocity.angular}, kStep);
+  }
+  return seconds;
+}
+
+TEST(RelativeMotion, DrivesTheDistanceThenTurns) {
+  RelativeMotion motion;
+  Pose2D pose{3, 2, 1};
+  motion.Start(pose, 0.8, -M_PI / 2, 0.2);
+  Carry(motion, pose);
+  EXPECT_EQ(motion.state(), State::kDone);
+  EXPECT_NEAR(pose.x, 3 + 0.8 * std::cos(1), 0.02);
+  EXPECT_NEAR(pose.y, 2 + 0.8 * std::sin(1), 0.02);
+  EXPECT_NEAR(NormalizeAngle(pose.yaw - 1 + M_PI / 2), 0, 0.03);
+}
+
+TEST(RelativeMotion, BacksUp) {
+  RelativeMotion motion;
+  Pose2D pose;
+  motion.Start(pose, -0.5, 0, 0.1);
+  const double seconds = Carry(motion, pose);
+  EXPECT_EQ(motion.state(), State::kDone);
+  EXPECT_NEAR(pose.x, -0.5, 0.02);
+  EXPECT_NEAR(seconds, 5.5, 1.5);
+}
+
+TEST(RelativeMotion, TurnsMoreThanAFullCircle) {
+  RelativeMotion motion;
+  Pose2D pose;
+  motion.Start(pose, 0, 7.5, 0.8);
+  const double seconds = Carry(motion, pose);
+  EXPECT_EQ(motion.state(), State::kDone);
+  EXPECT_NEAR(NormalizeAngle(pose.yaw - 7.5), 0, 0.03);
+  EXPECT_GT(seconds, 7.4 / 0.8);
+}
+
+TEST(RelativeMotion, RefusesToGoFarBackwards) {
+  RelativeMotion motion;
+  motion.Start({}, -1.2, 0, 0);
+  EXPECT_EQ(motion.state(), State::kFailed);
+  EXPECT_THAT(motion.message(), HasSubstr("at most 1.00 m"));
+}
+
+TEST(RelativeMotion, RefusesWhatIsNoNumber) {
+  RelativeMotion motion;
+  motion.Start({}, NAN, 0, 0);
+  EXPECT_EQ(motion.state(), State::kFailed);
+  motion.Start({}, 1, 0, -0.1);
+  EXPECT_EQ(motion.state(), State::kFailed);
+}
+
+TEST(RelativeMotion, StopsBeforeAnObstacleAndGivesUpAfterAWhile) {
+  RelativeMotion motion;
+  Pose2D pose;
+  motion.Start(pose, 2, 0, 0.3);
+  Carry(motion, pose, {{1.5, 0}});
+  EXPECT_EQ(motion.state(), State::kFailed);
+  EXPECT_THAT(motion.message(), HasSubstr("obstacle"));
+  EXPECT_LT(pose.x, 1.5 - 0.33 - 0.05);
+  EXPECT_GT(pose.x, 0.8);
+}
+
+TEST(RelativeMotion, NoticesThatTheWheelsDoNotMoveIt) {
+  RelativeMotion motion;
+  Pose2D pose;
+  motion.Start(pose, -0.5, 0, 0.1);
+  const double seconds = Carry(motion, pose, {}, 0.05);
+  EXPECT_EQ(motion.state(), State::kFailed);
+  EXPECT_THAT(motion.message(), HasSubstr("do not move"));
+  EXPECT_LT(seconds, 3);
+}
+
+}  // namespace
+}  // namespace coppice::robot
