@@ -1,0 +1,130 @@
+// Some ten thousand mutated inputs, the same in every run. What must not happen is a crash, which
+// is why this is worth most under -DCOPPICE_SANITIZE=address,undefined.
+#include <gtest/gtest.h>
+
+#include <random>
+#include <string>
+#include <vector>
+
+#include "tests/fuzz/fuzz_targets.h"
+
+namespace coppice::fuzz {
+namespace {
+
+constexpr const char* kTree = R"(<?xml version="1.0"?>
+<!-- patrol -->
+<root BTCPP_format="4" main_tree_to_execute="Main">
+  <BehaviorTree ID="Main">
+    <ReactiveFallback name="top">
+      <Timeout msec="250"><SubTree ID="Inner" a="{b}" c="5" _autoremap="true"/></Timeout>
+      <Parallel success_count="-1" failure_count="{n}"><AlwaysSuccess/><Leaf/></Parallel>
+      <Repeat num_cycles="3"><Action ID="Any" x="&lt;&#65;"/></Repeat>
+    </ReactiveFallback>
+  </BehaviorTree>
+  <BehaviorTree ID="Inner">
+    <Sequence _skipIf="a &gt; 1"><Delay delay_msec="{a}"><Inverter><AlwaysFailure/></Inverter></Delay>
+    <![CDATA[ text ]]></Sequence>
+  </BehaviorTree>
+  <TreeNodesModel/>
+</root>
+)";
+
+class Mutator {
+ public:
+  explicit Mutator(unsigned seed) : random_(seed) {}
+
+  std::string Mutate(std::string text) {
+    for (int edits = Uniform(1, 4); edits > 0 && !text.empty(); --edits) Edit(text);
+    return text;
+  }
+
+ private:
+  std::size_t Uniform(std::size_t from, std::size_t to) {
+    return std::uniform_int_distribution<std::size_t>(from, to)(random_);
+  }
+
+  void Edit(std::string& text) {
+    static const std::vector<std::string> kTokens = {"<",
+                                                     ">",
+                                                     "/>",
+                                                     "\"",
+                                                     "'",
+                                                     "=",
+                                                     "&",
+                                                     "&#x0;",
+                                                     "&#1114112;",
+                                                     "{",
+                                                     "}",
+                                                     "{=}",
+                                                     "{@}",
+                                                     "@",
+                                                     "\r\n",
+                                                     "\xEF\xBB\xBF",
+                                                     "<!--",
+                                                     "-->",
+                                                     "<?",
+                                                     "-1",
+                                                     "1e999",
+                                                     "nan",
+                                                     "\xFF",
+                                                     "ID=\"Main\"",
+                                                     "<SubTree ID=\"Main\"/>",
+                                                     "<include path=\".\"/>",
+                                                     "<![CDATA[",
+                                                     "</Sequence>",
+                                                     "4294967296",
+                                                     "<root>",
+                                                     "_autoremap=\"1\""};
+    const std::size_t at = Uniform(0, text.size() - 1);
+    switch (Uniform(0, 4)) {
+      case 0:
+        text[at] = static_cast<char>(Uniform(0, 255));
+        break;
+      case 1:
+        text.erase(at, Uniform(1, 40));
+        break;
+      case 2:
+        text.insert(at, kTokens[Uniform(0, kTokens.size() - 1)]);
+        break;
+      case 3: {  // repeat a piece elsewhere
+        const std::string piece = text.substr(at, Uniform(1, 80));
+        text.insert(Uniform(0, text.size()), piece);
+        break;
+      }
+      default:
+        text.resize(at);
+    }
+  }
+
+  std::mt19937 random_;
+};
+
+TEST(Fuzz, MutatedTreesNeverCrash) {
+  EXPECT_EQ(FuzzDocument(kTree), 2) << "scripts are refused";
+  int reached[4] = {};
+  std::string whole = kTree;
+  whole.erase(whole.find(" _skipIf"), std::string(" _skipIf=\"a &gt; 1\"").size());
+  EXPECT_EQ(FuzzDocument(whole), 3);
+  for (unsigned seed = 0; seed < 20000; ++seed) {
+    ++reached[FuzzDocument(Mutator(seed).Mutate(seed % 2 ? whole : kTree))];
+  }
+  for (const int count : reached) EXPECT_GT(count, 50) << "every stage must be reached";
+}
+
+TEST(Fuzz, MutatedLiteralsNeverCrash) {
+  const char* const kLiterals[] = {"true", "-2147483648", "18446744073709551615", "1.5e-300",
+                                   "0x1p-1074"};
+  int accepted = 0;
+  for (unsigned seed = 0; seed < 5000; ++seed) {
+    accepted += FuzzLiteral(Mutator(seed).Mutate(kLiterals[seed % 5]));
+  }
+  EXPECT_GT(accepted, 5000);
+}
+
+TEST(Fuzz, EmptyInputIsFine) {
+  EXPECT_EQ(FuzzDocument(""), 0);
+  EXPECT_EQ(FuzzLiteral(""), 1);
+}
+
+}  // namespace
+}  // namespace coppice::fuzz
