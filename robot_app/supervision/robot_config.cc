@@ -74,6 +74,8 @@ class Loader {
     if (rule == "on_failure") process.restart = RestartRule::kOnFailure;
     process.log = fields.Text("log", process.name + ".log").text;
     depends_.push_back(fields.Texts("depends"));
+    after_.push_back(fields.Texts("after"));
+    where_.push_back(fields.where());
     fields.Finish();
     config_.processes.push_back(std::move(process));
   }
@@ -101,27 +103,33 @@ class Loader {
 
   void ResolveDependencies() {
     for (std::size_t i = 0; i < config_.processes.size(); ++i) {
+      ProcessConfig& process = config_.processes[i];
       for (const LocatedText& name : depends_[i]) {
-        if (const auto index = Resolve(name)) config_.processes[i].depends.push_back(*index);
+        if (const auto index = Resolve(name)) process.depends.push_back(*index);
+      }
+      for (const LocatedText& name : after_[i]) {
+        if (const auto index = Resolve(name)) process.after.push_back(*index);
       }
     }
   }
 
-  // A process that needs itself, directly or through others.
+  // A process that waits for itself, directly or through others.
   void FindCycles() {
     for (std::size_t start = 0; start < config_.processes.size(); ++start) {
       std::set<std::size_t> seen;
-      std::vector<std::size_t> pending = config_.processes[start].depends;
+      std::vector<std::size_t> pending = {start};
       while (!pending.empty()) {
-        const std::size_t next = pending.back();
+        const ProcessConfig& process = config_.processes[pending.back()];
         pending.pop_back();
-        if (!seen.insert(next).second) continue;
-        const auto& depends = config_.processes[next].depends;
-        pending.insert(pending.end(), depends.begin(), depends.end());
+        for (const auto* list : {&process.depends, &process.after}) {
+          for (const std::size_t next : *list) {
+            if (seen.insert(next).second) pending.push_back(next);
+          }
+        }
       }
       if (seen.count(start) == 0) continue;
-      file_.Error(depends_[start].front().where,
-                  "process \"" + config_.processes[start].name + "\" depends on itself");
+      file_.Error(where_[start], "process \"" + config_.processes[start].name +
+                                     "\" waits for itself (depends, after)");
     }
   }
 
@@ -191,7 +199,7 @@ class Loader {
       const std::size_t begin = word.text.find("${", position);
       filled += word.text.substr(position, begin - position);
       if (begin == std::string::npos) return filled;
-      const std::size_t end = word.text.find('}', begin);
+      const std::size_t end = MatchingBrace(word.text, begin + 2);
       if (end == std::string::npos) {
         file_.Error(word.where, "\"${\" without \"}\" in \"" + word.text + "\"");
         return filled;
@@ -201,12 +209,24 @@ class Loader {
     }
   }
 
+  // Of the brace that was opened just before `position`; npos if there is none.
+  static std::size_t MatchingBrace(const std::string& text, std::size_t position) {
+    int open = 1;
+    for (; position < text.size(); ++position) {
+      if (text.compare(position, 2, "${") == 0) ++open;
+      if (text[position] == '}' && --open == 0) return position;
+    }
+    return std::string::npos;
+  }
+
   std::string Lookup(const std::string& expression, const SourceLocation& where) const {
     const std::size_t separator = expression.find(":-");
     const std::string name = expression.substr(0, separator);
     const auto found = variables_.find(name);
     if (found != variables_.end()) return found->second;
-    if (separator != std::string::npos) return expression.substr(separator + 2);
+    if (separator != std::string::npos) {
+      return Fill({expression.substr(separator + 2), where});
+    }
     std::vector<std::string> names;
     for (const auto& [known, value] : variables_) names.push_back(known);
     const std::string hint = DidYouMean(name, names);
@@ -219,7 +239,9 @@ class Loader {
   const Variables& variables_;
   bool readable_ = false;
   RobotConfig config_;
-  std::vector<std::vector<LocatedText>> depends_;  // per process, as written
+  // Per process, as written.
+  std::vector<std::vector<LocatedText>> depends_, after_;
+  std::vector<SourceLocation> where_;
 };
 
 }  // namespace

@@ -31,6 +31,7 @@ struct ProcessConfig {
   std::vector<std::string> command;  ///< program and arguments, variables filled in
   std::string node;                  ///< its ROS node, with slash; may be empty
   std::vector<std::size_t> depends;  ///< indices of processes that must be ready before its start
+  std::vector<std::size_t> after;    ///< as depends, but only if they run at all
   Readiness ready = Readiness::kNode;
   std::string ready_topic;
   Duration start_timeout = std::chrono::seconds(20);  ///< started but not ready: it is ended
@@ -68,7 +69,8 @@ struct RobotConfig {
   Duration stop_timeout = std::chrono::seconds(3);  ///< between SIGTERM and SIGKILL
 };
 
-/// Values of `${name}` in commands. `${name:-default}` stands for the default if there is none.
+/// Values of `${name}` in commands. `${name:-default}` stands for the default if there is none; the
+/// default may contain variables.
 using Variables = std::map<std::string, std::string>;
 
 /// Reads and checks a file. Everything that is wrong is reported at once; with errors the result is

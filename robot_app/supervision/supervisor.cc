@@ -23,6 +23,10 @@ std::string DescribeEnd(int wait_status) {
   return "ended with exit status " + std::to_string(WEXITSTATUS(wait_status));
 }
 
+bool Contains(const std::vector<std::size_t>& list, std::size_t wanted) {
+  return std::find(list.begin(), list.end(), wanted) != list.end();
+}
+
 bool EndedWell(int wait_status) { return WIFEXITED(wait_status) && WEXITSTATUS(wait_status) == 0; }
 
 }  // namespace
@@ -67,8 +71,7 @@ Verdict Supervisor::Unknown(const std::string& name) const {
 }
 
 bool Supervisor::Wanted(std::size_t process) const {
-  const auto& wanted = config_.configurations[configuration_].processes;
-  return !stopping_ && std::find(wanted.begin(), wanted.end(), process) != wanted.end();
+  return !stopping_ && Contains(config_.configurations[configuration_].processes, process);
 }
 
 bool Supervisor::AwaitsReadiness(std::size_t process) const {
@@ -81,11 +84,12 @@ bool Supervisor::AllStopped() const {
                      [](const State& state) { return state.status.pid == 0; });
 }
 
-bool Supervisor::DependentsRun(std::size_t process) const {
+// Those that stay up must do without it, or they would depend on it.
+bool Supervisor::DependentsEnd(std::size_t process) const {
   for (std::size_t i = 0; i < states_.size(); ++i) {
-    const auto& depends = config_.processes[i].depends;
-    if (states_[i].status.pid == 0) continue;
-    if (std::find(depends.begin(), depends.end(), process) != depends.end()) return true;
+    if (states_[i].status.pid == 0 || Wanted(i)) continue;
+    const ProcessConfig& other = config_.processes[i];
+    if (Contains(other.depends, process) || Contains(other.after, process)) return true;
   }
   return false;
 }
@@ -100,6 +104,12 @@ bool Supervisor::UnwantedRun() const {
 std::optional<std::size_t> Supervisor::MissingDependency(std::size_t process) const {
   for (const std::size_t needed : config_.processes[process].depends) {
     if (states_[needed].status.phase != ProcessPhase::kReady) return needed;
+  }
+  for (const std::size_t earlier : config_.processes[process].after) {
+    const State& state = states_[earlier];
+    const bool will_be_ready = state.status.phase == ProcessPhase::kStarting ||
+                               (state.status.phase == ProcessPhase::kStopped && !state.failed);
+    if (Wanted(earlier) && will_be_ready) return earlier;
   }
   return std::nullopt;
 }
@@ -209,7 +219,7 @@ void Supervisor::StepRunning(std::size_t process, Time now) {
       state.killed = true;
     }
   } else if (!Wanted(process)) {
-    if (!DependentsRun(process)) End(process, AfterEnd::kStop, "is ended", now);
+    if (!DependentsEnd(process)) End(process, AfterEnd::kStop, "is ended", now);
   } else if (state.status.phase == ProcessPhase::kStarting && now >= state.deadline) {
     End(process, AfterEnd::kCountAsFailure,
         "was not ready within " + InSeconds(config_.processes[process].start_timeout), now);

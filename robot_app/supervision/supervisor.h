@@ -108,9 +108,9 @@ class Supervisor {
   std::optional<std::size_t> Find(const std::string& name) const;
   Verdict Unknown(const std::string& name) const;
   bool Wanted(std::size_t process) const;
-  bool DependentsRun(std::size_t process) const;
+  bool DependentsEnd(std::size_t process) const;  // something that waited for it is ending
   bool UnwantedRun() const;
-  /// The first dependency that is not ready; nothing if all are.
+  /// The first that it has to wait for; nothing if it may start.
   std::optional<std::size_t> MissingDependency(std::size_t process) const;
 
   void StepRunning(std::size_t process, Time now);
