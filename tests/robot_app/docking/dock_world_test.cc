@@ -1,0 +1,79 @@
+// Docking and undocking of the simulated robot, without ROS.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <optional>
+
+#include "robot_app/docking/dock_controller.h"
+#include "tests/robot_app/navigation/world_robot.h"
+
+namespace coppice::robot {
+namespace {
+
+using Phase = DockController::Phase;
+
+class DockingInWorld : public testing::Test {
+ protected:
+  void Place(const std::optional<Pose2>& start, double charge = 0.5) {
+    WorldOptions options;
+    options.start = start;
+    options.state_of_charge = charge;
+    world_.emplace(floor_, options);
+    world_->Step(0.02);
+  }
+  DockInput Input() const {
+    return {world_->time(), PoseOf(*world_), world_->battery().current(), true,
+            PointsInBase(ScanOf(*world_), 3)};
+  }
+  void Run() {
+    const double stop = world_->time() + 300;
+    while (controller_.active() && world_->time() < stop) {
+      const Velocity2D velocity = controller_.Update(Input());
+      for (int i = 0; i < 5; ++i) world_->Step(0.01, Velocity{velocity.linear, velocity.angular});
+    }
+  }
+
+  Floor floor_ = InstituteFloor();
+  std::optional<World> world_;
+  DockController controller_;
+};
+
+TEST_F(DockingInWorld, DocksFromPlacesNearTheStagingPose) {
+  for (const Pose2& start : {floor_.staging, Pose2{0.3, 0.6, 1}, Pose2{-0.6, -0.5, -2}}) {
+    SCOPED_TRACE(testing::Message() << start.x << ' ' << start.y << ' ' << start.yaw);
+    Place(start);
+    controller_.StartDocking(Input());
+    Run();
+    EXPECT_EQ(controller_.phase(), Phase::kDone) << controller_.message();
+    EXPECT_TRUE(world_->docked());
+    EXPECT_TRUE(world_->battery().charging());
+    EXPECT_LT(std::abs(PoseOf(*world_).y), 0.02);
+  }
+}
+
+TEST_F(DockingInWorld, UndocksAndDocksAgain) {
+  Place(std::nullopt);
+  ASSERT_TRUE(world_->docked());
+  controller_.StartUndocking(Input());
+  Run();
+  ASSERT_EQ(controller_.phase(), Phase::kDone) << controller_.message();
+  EXPECT_FALSE(world_->docked());
+  controller_.StartDocking(Input());
+  Run();
+  EXPECT_EQ(controller_.phase(), Phase::kDone) << controller_.message();
+  EXPECT_TRUE(world_->docked());
+}
+
+TEST_F(DockingInWorld, ABoxBeforeTheStationFailsWithoutATouch) {
+  Place(floor_.staging);
+  ASSERT_TRUE(world_->SetPlaceBlocked("dock_front", true).ok);
+  world_->Step(0.2);
+  controller_.StartDocking(Input());
+  Run();
+  EXPECT_EQ(controller_.phase(), Phase::kFailed);
+  EXPECT_THAT(controller_.message(), testing::HasSubstr("obstacle"));
+  EXPECT_FALSE(world_->touching());
+}
+
+}  // namespace
+}  // namespace coppice::robot

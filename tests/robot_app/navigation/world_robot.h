@@ -1,0 +1,48 @@
+// The simulated world as navigation and docking see it, without ROS and without delay.
+#ifndef COPPICE_TESTS_ROBOT_APP_NAVIGATION_WORLD_ROBOT_H_
+#define COPPICE_TESTS_ROBOT_APP_NAVIGATION_WORLD_ROBOT_H_
+
+#include <stdexcept>
+
+#include "robot_app/navigation/laser_scan.h"
+#include "robot_app/navigation/occupancy_grid.h"
+#include "robot_app/simulation/grid_map.h"
+#include "robot_app/simulation/world.h"
+
+namespace coppice::robot {
+
+inline Floor InstituteFloor() {
+  Diagnostics diagnostics;
+  auto floor =
+      LoadFloor(COPPICE_SOURCE_DIR "/robot_app/simulation/floors/institute.yaml", diagnostics);
+  if (!floor) throw std::runtime_error(diagnostics.ToString());
+  return *floor;
+}
+
+inline OccupancyGrid MapOf(const Floor& floor) {
+  const GridMap map = MakeGridMap(floor);
+  return {{map.resolution, map.origin.x, map.origin.y, map.width, map.height}, map.cells};
+}
+
+inline Pose2D PoseOf(const World& world) {
+  const Pose2 pose = world.robot();
+  return {pose.x, pose.y, pose.yaw};
+}
+
+inline LaserScan ScanOf(const World& world) {
+  const Scan& scan = world.scan();
+  const LidarOptions& options = world.lidar().options();
+  LaserScan result;
+  result.stamp = scan.time;
+  result.mount = {options.mounting.x, options.mounting.y, options.mounting.yaw};
+  result.angle_min = scan.angle_min;
+  result.angle_increment = scan.angle_step;
+  result.range_min = options.min_range;
+  result.range_max = options.max_range;
+  result.ranges = scan.ranges;
+  return result;
+}
+
+}  // namespace coppice::robot
+
+#endif  // COPPICE_TESTS_ROBOT_APP_NAVIGATION_WORLD_ROBOT_H_
