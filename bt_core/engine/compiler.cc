@@ -1,12 +1,11 @@
-// Document -> Program. One pass over the elements builds the arrays and resolves every name; then,
-// with the types of all ports known, the literals given to SubTrees are converted. Positions in the
-// text and words for messages are worked out only when there is something to say.
+// Document -> Program. One pass over the elements builds the arrays and resolves every name.
+// Positions in the text and words for messages are worked out only when there is something to say.
 #include <string>
 #include <string_view>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
+#include "bt_core/engine/keys.h"
 #include "bt_core/engine/program.h"
 
 namespace coppice {
@@ -17,34 +16,6 @@ constexpr std::size_t kMostNodes = 1'000'000;
 constexpr std::uint32_t kDeepest = 1'000;
 
 std::string Quoted(std::string_view text) { return "\"" + std::string(text) + "\""; }
-
-// "{key}" -> "key"; anything else is a literal.
-bool IsPointer(std::string_view text, std::string_view& key) {
-  const std::size_t first = text.find_first_not_of(' ');
-  const std::size_t last = text.find_last_not_of(' ');
-  if (first == std::string_view::npos || text[first] != '{' || text[last] != '}') return false;
-  key = text.substr(first + 1, last - first - 1);
-  return true;
-}
-
-struct Scope {
-  std::unordered_map<std::string_view, SlotIndex> keys;
-  ScopeIndex parent = 0;
-  bool autoremap = false;
-};
-
-// A SubTree's literal waits until some port inside says what type it is.
-struct PendingLiteral {
-  SlotIndex slot;
-  const Document* document;
-  const Attribute* attribute;
-};
-
-struct Place {
-  const Document& document;
-  std::uint32_t offset;
-  SourceLocation Location() const { return document.Location(offset); }
-};
 
 class Compiler {
  public:
@@ -59,12 +30,12 @@ class Compiler {
     const TreeDefinition* tree = FindMainTree(tree_id);
     if (!tree) return nullptr;
     CheckTreeNames();
-    AddScope(0, false);
+    keys_.AddScope(0, false);
     program_->layout.scopes.push_back(tree_id);
     program_->trees.push_back({tree_id, "", 0, 0});
     open_trees_.push_back(tree_id);
     AddTreeBody(*tree, 0, 0);
-    ConvertPendingLiterals();
+    keys_.ConvertLiterals();
     return diagnostics_.has_errors() ? nullptr : std::move(program_);
   }
 
@@ -188,11 +159,11 @@ class Compiler {
     CheckReserved(document, element);
     const auto node = static_cast<NodeIndex>(program_->nodes.size());
     AddRecord(NodeType::kSubTree, registry_.Find("SubTree"), doc, index, scope, parent);
-    const ScopeIndex inner = AddScope(scope, IsTrue(document, element, "_autoremap"));
+    const ScopeIndex inner = keys_.AddScope(scope, IsTrue(document, element, "_autoremap"));
     const std::string path = program_->Path(node);
     program_->layout.scopes.push_back(path);
     program_->trees.push_back({std::string(id), path, node + 1, node});
-    RemapPorts(document, element, scope, inner);
+    keys_.Remap(document, element, scope, inner);
     open_trees_.push_back(id);
     ++depth_;
     AddTreeBody(*tree, inner, node);
@@ -272,9 +243,9 @@ class Compiler {
 
   SlotIndex BindPort(const Registry::Entry& entry, const PortDeclaration& port,
                      const Document& document, const Element& element, ScopeIndex scope) {
-    if (port.direction == PortDirection::kMailbox) return AddSlot("", scope, port.type);
+    if (port.direction == PortDirection::kMailbox) return keys_.AddSlot("", scope, port.type);
     const Attribute* attribute = document.FindAttribute(element, port.name);
-    const Place place{document, attribute ? attribute->value_offset : element.offset};
+    const std::uint32_t offset = attribute ? attribute->value_offset : element.offset;
     if (!attribute && !port.default_text) {
       if (port.required) {
         Error(document, element, entry.manifest.id + " needs its port " + Quoted(port.name),
@@ -283,100 +254,27 @@ class Compiler {
       return kNoSlot;
     }
     const std::string_view text = attribute ? attribute->value : *port.default_text;
-    std::string_view key;
-    if (text == "=" || (IsPointer(text, key) && key == "=")) key = port.name;
-    if (!key.empty() && key != "@") {
-      return UnifyType(ResolveKey(key, scope), port, entry, place);
+    const std::string_view key = KeyOf(text, port.name);
+    if (!key.empty()) {
+      const SlotIndex slot = keys_.Resolve(key, scope);
+      keys_.SetType(slot, entry, port, document, offset);
+      return slot;
     }
     if (port.direction != PortDirection::kInput) {
       diagnostics_.Error(
-          place.Location(),
+          document.Location(offset),
           std::string(ToString(port.direction)) + " " + Quoted(port.name) + " needs a key",
           "write {key}");
       return kNoSlot;
     }
-    const SlotIndex slot = AddSlot("", scope, port.type);
+    const SlotIndex slot = keys_.AddSlot("", scope, port.type);
     if (!program_->layout.slots[slot].initial.Parse(*port.type, text)) {
-      diagnostics_.Error(place.Location(),
+      diagnostics_.Error(document.Location(offset),
                          Quoted(text) + " is not a value for port " + Quoted(port.name) + " of " +
                              entry.manifest.id,
                          std::string("expected ") + port.type->name);
     }
     return slot;
-  }
-
-  SlotIndex UnifyType(SlotIndex index, const PortDeclaration& port, const Registry::Entry& entry,
-                      const Place& place) {
-    SlotDefinition& slot = program_->layout.slots[index];
-    if (!slot.type) {
-      slot.type = port.type;
-      first_use_[index] = {&entry, &port};
-    } else if (slot.type != port.type) {
-      const auto& [first_entry, first_port] = first_use_.at(index);
-      diagnostics_.Error(place.Location(), "key " + Quoted(slot.key) + " is " + slot.type->name +
-                                               " (from " + first_entry->manifest.id + "." +
-                                               first_port->name + "), but port " +
-                                               Quoted(port.name) + " of " + entry.manifest.id +
-                                               " is " + port.type->name);
-    }
-    return index;
-  }
-
-  SlotIndex ResolveKey(std::string_view key, ScopeIndex scope) {
-    if (key.front() == '@') {
-      key.remove_prefix(1);
-      scope = 0;
-    }
-    const auto found = scopes_[scope].keys.find(key);
-    if (found != scopes_[scope].keys.end()) return found->second;
-    const bool to_parent = scope != 0 && scopes_[scope].autoremap && key.front() != '_';
-    const SlotIndex slot = to_parent ? ResolveKey(key, scopes_[scope].parent)
-                                     : AddSlot(std::string(key), scope, nullptr);
-    scopes_[scope].keys.emplace(key, slot);
-    return slot;
-  }
-
-  void RemapPorts(const Document& document, const Element& element, ScopeIndex outer,
-                  ScopeIndex inner) {
-    for (const Attribute* a = document.attributes_begin(element);
-         a != document.attributes_end(element); ++a) {
-      if (IsReservedAttribute(a->name)) continue;
-      std::string_view key;
-      if (a->value == "=" || (IsPointer(a->value, key) && key == "=")) key = a->name;
-      SlotIndex slot = kNoSlot;
-      if (!key.empty() && key != "@") {
-        slot = ResolveKey(key, outer);
-      } else {
-        slot = AddSlot(std::string(a->name), inner, nullptr);
-        pending_.push_back({slot, &document, a});
-      }
-      scopes_[inner].keys.emplace(a->name, slot);
-    }
-  }
-
-  void ConvertPendingLiterals() {
-    for (const PendingLiteral& literal : pending_) {
-      SlotDefinition& slot = program_->layout.slots[literal.slot];
-      if (!slot.type) slot.type = &TypeOf<std::string>();
-      if (slot.initial.Parse(*slot.type, literal.attribute->value)) continue;
-      diagnostics_.Error(literal.document->Location(literal.attribute->value_offset),
-                         Quoted(literal.attribute->value) + " is not a value for key " +
-                             Quoted(slot.key) + " inside",
-                         std::string("expected ") + slot.type->name);
-    }
-    for (SlotDefinition& slot : program_->layout.slots) {
-      if (!slot.type) slot.type = &TypeOf<std::string>();  // remapped, but used by nobody
-    }
-  }
-
-  SlotIndex AddSlot(std::string key, ScopeIndex scope, const Type* type) {
-    program_->layout.slots.push_back({std::move(key), scope, type, Value()});
-    return static_cast<SlotIndex>(program_->layout.slots.size() - 1);
-  }
-
-  ScopeIndex AddScope(ScopeIndex parent, bool autoremap) {
-    scopes_.push_back({{}, parent, autoremap});
-    return static_cast<ScopeIndex>(scopes_.size() - 1);
   }
 
   static bool IsTrue(const Document& document, const Element& element, std::string_view name) {
@@ -393,12 +291,8 @@ class Compiler {
   const Registry& registry_;
   Diagnostics& diagnostics_;
   std::shared_ptr<Program> program_ = std::make_shared<Program>();
-  std::vector<Scope> scopes_;
+  KeyTable keys_{program_->layout, diagnostics_};
   std::vector<std::string_view> open_trees_;
-  std::vector<PendingLiteral> pending_;
-  // Per slot the port that gave it its type; for messages.
-  std::unordered_map<SlotIndex, std::pair<const Registry::Entry*, const PortDeclaration*>>
-      first_use_;
   std::uint32_t depth_ = 0;
   bool too_big_ = false;
 };

@@ -1,0 +1,58 @@
+// The table of keys by itself; what it means for trees is in subtree_test.cc.
+#include "bt_core/engine/keys.h"
+
+#include <gtest/gtest.h>
+
+namespace coppice {
+namespace {
+
+TEST(KeyOf, TellsKeysFromLiterals) {
+  EXPECT_EQ(KeyOf("{goal}", "port"), "goal");
+  EXPECT_EQ(KeyOf("  {goal} ", "port"), "goal");
+  EXPECT_EQ(KeyOf("{@goal}", "port"), "@goal");
+  for (const char* literal : {"", " ", "goal", "{goal", "goal}", "{", "{}", "{@}", "a{b}"}) {
+    EXPECT_EQ(KeyOf(literal, "port"), "") << literal;
+  }
+}
+
+TEST(KeyOf, EqualsSignIsTheOwnName) {
+  EXPECT_EQ(KeyOf("=", "port"), "port");
+  EXPECT_EQ(KeyOf("{=}", "port"), "port");
+}
+
+struct KeyTableTest : testing::Test {
+  Layout layout;
+  Diagnostics diagnostics;
+  KeyTable keys{layout, diagnostics};
+  const ScopeIndex main = keys.AddScope(0, false);
+};
+
+TEST_F(KeyTableTest, AKeyIsOneSlotPerScope) {
+  const ScopeIndex inner = keys.AddScope(main, false);
+  const SlotIndex slot = keys.Resolve("k", main);
+  EXPECT_EQ(keys.Resolve("k", main), slot);
+  EXPECT_NE(keys.Resolve("k", inner), slot);
+  EXPECT_EQ(layout.slots[slot].key, "k");
+}
+
+TEST_F(KeyTableTest, AutoremapGoesUpThroughAllScopesThatHaveIt) {
+  const ScopeIndex outer = keys.AddScope(main, true);
+  const ScopeIndex inner = keys.AddScope(outer, true);
+  EXPECT_EQ(keys.Resolve("k", inner), keys.Resolve("k", main));
+  EXPECT_NE(keys.Resolve("_k", inner), keys.Resolve("_k", outer));
+}
+
+TEST_F(KeyTableTest, AtSignIsTheMainTreeFromEverywhere) {
+  const ScopeIndex inner = keys.AddScope(main, false);
+  EXPECT_EQ(keys.Resolve("@k", inner), keys.Resolve("k", main));
+  EXPECT_EQ(keys.Resolve("@k", main), keys.Resolve("k", main));
+}
+
+TEST_F(KeyTableTest, WhatNoPortReadsIsAString) {
+  const SlotIndex slot = keys.Resolve("k", main);
+  keys.ConvertLiterals();
+  EXPECT_EQ(layout.slots[slot].type, &TypeOf<std::string>());
+}
+
+}  // namespace
+}  // namespace coppice
