@@ -61,7 +61,7 @@ class Value {
   Value() = default;
   template <class T, class = std::enable_if_t<!std::is_same_v<std::decay_t<T>, Value>>>
   explicit Value(const T& value) {
-    Set(value);
+    TypeOf<T>().copy_construct(Prepare(TypeOf<T>()), &value);
   }
   Value(const Value& other) { *this = other; }
   Value(Value&& other) noexcept;

@@ -13,7 +13,7 @@ namespace {
 
 // SubTrees within SubTrees multiply: a few lines of XML can ask for more than any computer has.
 constexpr std::size_t kMostNodes = 1'000'000;
-constexpr std::uint32_t kDeepest = 1'000;
+constexpr std::uint32_t kDeepest = 500;
 
 std::string Quoted(std::string_view text) { return "\"" + std::string(text) + "\""; }
 

@@ -164,7 +164,7 @@ TEST(SubTree, ALongChainIsStoppedBeforeTheStackIsUsedUp) {
   }
   trees += Tree("T50000", "<AlwaysSuccess/>");
   EXPECT_EQ(Problems(trees),
-            "t.xml:1002:25: error: nodes are nested more than 1000 deep "
+            "t.xml:502:25: error: nodes are nested more than 500 deep "
             "(counted with all SubTrees)\n");
 }
 
