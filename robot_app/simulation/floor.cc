@@ -286,4 +286,16 @@ std::optional<Segment> DoorLeaf(const Door& door, bool open) {
   return Segment{door.hinge, door.hinge + Rotated(door.end - door.hinge, angle)};
 }
 
+double DistanceFromSweep(const Door& door, Vec2 point) {
+  const Segment closed{door.hinge, door.end};
+  if (door.kind == Door::Kind::kSliding) return Distance(point, closed);
+  const Segment open = *DoorLeaf(door, true);
+  const Vec2 from_hinge = point - door.hinge;
+  // Between the two ends of the swing, the sweep is a quarter of a disc.
+  if (Dot(from_hinge, closed.b - closed.a) >= 0 && Dot(from_hinge, open.b - open.a) >= 0) {
+    return std::max(0.0, Length(from_hinge) - Length(closed.b - closed.a));
+  }
+  return std::min(Distance(point, closed), Distance(point, open));
+}
+
 }  // namespace coppice::robot

@@ -70,6 +70,10 @@ std::optional<Floor> ParseFloor(const std::string& yaml, const std::string& file
 /// Where the leaf of a door stands. A sliding door that is open has none.
 std::optional<Segment> DoorLeaf(const Door& door, bool open);
 
+/// The distance of a point from the area that the leaf passes when the door opens or closes; 0
+/// inside it.
+double DistanceFromSweep(const Door& door, Vec2 point);
+
 }  // namespace coppice::robot
 
 #endif  // COPPICE_ROBOT_APP_SIMULATION_FLOOR_H_

@@ -140,22 +140,13 @@ void World::Rebuild() {
   solid_ = RayCaster(StillThings(true));
 }
 
-std::string World::WhoStandsIn(const Rectangle& box) const {
-  if (Distance(robot().position(), box) < kRobotRadius + kClearance) return "the robot";
+// Who stands nearer to a thing than allowed; empty if nobody. `distance` is that of a point from
+// it.
+template <typename DistanceTo>
+std::string World::WhoStandsNear(DistanceTo distance) const {
+  if (distance(robot().position()) < kRobotRadius + kClearance) return "the robot";
   for (std::size_t i = 0; i < people().size(); ++i) {
-    if (Distance(people()[i].center, box) < kPersonRadius + kClearance) {
-      return floor_.people[i].name;
-    }
-  }
-  return {};
-}
-
-std::string World::WhoStandsAt(const Segment& leaf) const {
-  if (Distance(robot().position(), leaf) < kRobotRadius + kClearance) return "the robot";
-  for (std::size_t i = 0; i < people().size(); ++i) {
-    if (Distance(people()[i].center, leaf) < kPersonRadius + kClearance) {
-      return floor_.people[i].name;
-    }
+    if (distance(people()[i].center) < kPersonRadius + kClearance) return floor_.people[i].name;
   }
   return {};
 }
@@ -167,8 +158,9 @@ Outcome World::SetPlaceBlocked(const std::string& place, bool blocked) {
   const std::string state = blocked ? "blocked" : "clear";
   if (place_blocked_[*i] == blocked) return {true, place + " is already " + state};
   const Rectangle& box = floor_.places[*i].shape;
-  const std::string who = blocked ? WhoStandsIn(box) : "";
-  if (!who.empty()) return {false, "cannot block " + place + ": " + who + " stands there"};
+  const std::string who = WhoStandsNear([&](Vec2 point) { return Distance(point, box); });
+  if (blocked && !who.empty())
+    return {false, "cannot block " + place + ": " + who + " stands there"};
   place_blocked_[*i] = blocked;
   bodies_.SetPlace(*i, blocked ? std::optional(box) : std::nullopt);
   Rebuild();
@@ -182,17 +174,10 @@ Outcome World::SetDoorOpen(const std::string& name, bool open) {
   const std::string state = open ? "open" : "closed";
   if (door_open_[*i] == open) return {true, name + " is already " + state};
   const Door& door = floor_.doors[*i];
-  // Nobody may stand where the leaf passes: the opening, and the sector of a hinged leaf.
-  const double sector = door.kind == Door::Kind::kSliding ? 0 : kPi / 2;
-  constexpr int kPositions = 4;
-  for (int k = 0; k <= kPositions; ++k) {
-    const double angle = (door.swings_left ? sector : -sector) * k / kPositions;
-    const std::string who =
-        WhoStandsAt({door.hinge, door.hinge + Rotated(door.end - door.hinge, angle)});
-    if (!who.empty()) {
-      return {false, std::string("cannot ") + (open ? "open " : "close ") + name + ": " + who +
-                         " stands in the way"};
-    }
+  const std::string who = WhoStandsNear([&](Vec2 point) { return DistanceFromSweep(door, point); });
+  if (!who.empty()) {
+    const std::string verb = open ? "cannot open " : "cannot close ";
+    return {false, verb + name + ": " + who + " stands in the way"};
   }
   door_open_[*i] = open;
   bodies_.SetDoor(*i, DoorLeaf(door, open));

@@ -80,8 +80,8 @@ class World {
   void MoveRobot(double dt);
   void ReadSensors();
   void Rebuild();
-  std::string WhoStandsIn(const Rectangle& box) const;
-  std::string WhoStandsAt(const Segment& leaf) const;
+  template <typename DistanceTo>
+  std::string WhoStandsNear(DistanceTo distance) const;
   Disc robot_disc() const { return {robot().position(), kRobotRadius}; }
 
   Floor floor_;

@@ -1,0 +1,121 @@
+#include "robot_app/simulation/floor.h"
+
+#include <gmock/gmock.h>
+
+#include "tests/robot_app/simulation/test_floor.h"
+
+namespace coppice::robot {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr char kStation[] = "charging_station: {docked: [0, 0, 0], staging: [1, 0, 0]}\n";
+constexpr char kSmall[] =
+    "name: small\n"
+    "wall_height: 2.5\n"
+    "walls: [[[0, 0], [4, 0]]]\n";
+
+// The messages for a floor whose fourth line is `line`.
+std::string ErrorsOf(const std::string& line) {
+  Diagnostics diagnostics;
+  const auto floor =
+      ParseFloor(std::string(kSmall) + line + "\n" + kStation, "f.yaml", diagnostics);
+  EXPECT_EQ(floor.has_value(), !diagnostics.has_errors());
+  return diagnostics.ToString();
+}
+
+TEST(Floor, ReadsTheInstitute) {
+  const Floor floor = LoadInstitute();
+  EXPECT_EQ(floor.name, "institute");
+  EXPECT_EQ(floor.doors.size(), 8U);
+  EXPECT_GE(floor.places.size(), 2U);
+  EXPECT_GE(floor.people.size(), 3U);
+  EXPECT_NEAR(floor.docked.x, -2.4, 1e-9);
+  EXPECT_NEAR(std::abs(floor.docked.yaw), kPi, 1e-9);
+  for (const Door& door : floor.doors) {
+    EXPECT_GE(Length(door.end - door.hinge), 1.0) << door.name;
+  }
+}
+
+TEST(Floor, ReadsEveryKindOfThing) {
+  EXPECT_EQ(ErrorsOf("places: [{name: p, at: [1, 1], size: [1, 2], yaw: 0.5, height: 1}]"), "");
+  EXPECT_EQ(ErrorsOf("people: [{name: a, speed: 1, path: [[0, 0], [1, 1]]}]"), "");
+  EXPECT_EQ(ErrorsOf("waypoints: [{name: w, pose: [1, 2, 3]}]"), "");
+  EXPECT_EQ(ErrorsOf("doors: [{name: d, kind: sliding, hinge: [0, 0], end: [1, 0], state: open}]"),
+            "");
+}
+
+TEST(Floor, TellsTheLineOfAMistake) {
+  EXPECT_THAT(ErrorsOf("places: [{name: p, at: [1, x], size: [1, 2], height: 1}]"),
+              HasSubstr("f.yaml:4:28: error: place: at: expected a number"));
+  EXPECT_THAT(ErrorsOf("people: [{name: a, speed: 0, path: [[0, 0], [1, 1]]}]"),
+              HasSubstr("f.yaml:4:27: error: person: speed must be greater than 0"));
+  EXPECT_THAT(ErrorsOf("people: [{name: a, speed: 1, path: [[0, 0]]}]"),
+              HasSubstr("at least two points"));
+  EXPECT_THAT(ErrorsOf("waypoints: [{name: w, pose: [1, 2]}]"),
+              HasSubstr("waypoint: pose: expected a list of 3 numbers"));
+  EXPECT_THAT(ErrorsOf("waypoints: 7"),
+              HasSubstr("f.yaml:4:12: error: waypoints: expected a list"));
+}
+
+TEST(Floor, SuggestsTheRightWordForAMisspeltKey) {
+  EXPECT_THAT(ErrorsOf("dors: []"), HasSubstr("unknown key \"dors\" (did you mean \"doors\"?)"));
+  EXPECT_THAT(ErrorsOf("doors: [{name: d, kind: hinged, hinge: [0, 0], end: [1, 0], swing: up, "
+                       "state: open}]"),
+              HasSubstr("swing must be left or right, not \"up\""));
+}
+
+TEST(Floor, TellsWhatIsMissing) {
+  EXPECT_THAT(ErrorsOf("places: [{name: p, at: [1, 1], height: 1}]"),
+              HasSubstr("f.yaml:4:10: error: place: \"size\" is missing"));
+  Diagnostics diagnostics;
+  EXPECT_FALSE(ParseFloor("name: x\n", "f.yaml", diagnostics));
+  EXPECT_THAT(diagnostics.ToString(), HasSubstr("\"charging_station\" is missing"));
+}
+
+TEST(Floor, RefusesTheSameNameTwice) {
+  EXPECT_THAT(ErrorsOf("waypoints: [{name: w, pose: [1, 2, 3]}, {name: w, pose: [1, 2, 3]}]"),
+              HasSubstr("the name \"w\" is used twice"));
+  EXPECT_THAT(ErrorsOf("name: again"), HasSubstr("appears twice"));
+}
+
+TEST(Floor, ReportsTextThatIsNotYaml) {
+  EXPECT_THAT(ErrorsOf("doors: [}"), HasSubstr("f.yaml:4"));
+  EXPECT_THAT(ErrorsOf("[1, 2]: 3"), HasSubstr("error"));
+  Diagnostics diagnostics;
+  EXPECT_FALSE(ParseFloor("just words", "f.yaml", diagnostics));
+  EXPECT_FALSE(ParseFloor("", "f.yaml", diagnostics));
+}
+
+TEST(Floor, ReportsAFileThatCannotBeRead) {
+  Diagnostics diagnostics;
+  EXPECT_FALSE(LoadFloor("/nowhere/f.yaml", diagnostics));
+  EXPECT_THAT(diagnostics.ToString(), HasSubstr("/nowhere/f.yaml: error: cannot read"));
+}
+
+TEST(Floor, AnOpenLeafStandsInTheRoom) {
+  Door door;
+  door.hinge = {1, 0};
+  door.end = {2, 0};
+  EXPECT_EQ(DoorLeaf(door, false)->b.x, 2);
+  EXPECT_NEAR(DoorLeaf(door, true)->b.y, 1, 1e-12);
+  door.swings_left = false;
+  EXPECT_NEAR(DoorLeaf(door, true)->b.y, -1, 1e-12);
+  door.kind = Door::Kind::kSliding;
+  EXPECT_FALSE(DoorLeaf(door, true));
+  EXPECT_TRUE(DoorLeaf(door, false));
+}
+
+TEST(Floor, TheLeafOfAHingedDoorSweepsAQuarterOfADisc) {
+  Door door;
+  door.end = {2, 0};
+  EXPECT_EQ(DistanceFromSweep(door, {1, 1}), 0);
+  EXPECT_NEAR(DistanceFromSweep(door, {2, 2}), std::sqrt(8) - 2, 1e-12);
+  EXPECT_NEAR(DistanceFromSweep(door, {1, -0.5}), 0.5, 1e-12);
+  EXPECT_NEAR(DistanceFromSweep(door, {-0.4, 1}), 0.4, 1e-12);
+  door.kind = Door::Kind::kSliding;
+  EXPECT_NEAR(DistanceFromSweep(door, {1, 1}), 1, 1e-12);
+}
+
+}  // namespace
+}  // namespace coppice::robot

@@ -1,0 +1,83 @@
+#include "robot_app/simulation/node_signals.h"
+
+#include <gmock/gmock.h>
+#include <ros/master.h>
+#include <signal.h>
+
+#include <fstream>
+
+#include "tests/robot_app/ros_environment.h"
+
+namespace coppice::robot {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr char kSimulator[] = COPPICE_BINARY_DIR "/bin/coppice-simulator";
+
+// The third field of /proc/PID/stat: R running, S sleeping, T stopped ...
+char StateOf(pid_t pid) {
+  std::ifstream stat("/proc/" + std::to_string(pid) + "/stat");
+  std::string number;
+  std::string name;
+  char state = '?';
+  stat >> number >> name >> state;
+  return state;
+}
+
+NodeSignals MakeSignals() {
+  return NodeSignals(ros::master::getURI(), ros::this_node::getName(), "127.0.0.1");
+}
+
+bool Knows(const std::string& node) {
+  ros::V_string nodes;
+  return ros::master::getNodes(nodes) && std::find(nodes.begin(), nodes.end(), node) != nodes.end();
+}
+
+TEST(NodeSignals, StopResumeAndKillTheProcessOfANode) {
+  ChildProcess victim({kSimulator, "__name:=victim"}, testing::TempDir() + "victim.log");
+  ASSERT_TRUE(Eventually([] { return Knows("/victim"); }));
+  NodeSignals signals = MakeSignals();
+  const Outcome stopped = signals.Send("/victim", SIGSTOP);
+  EXPECT_TRUE(stopped.ok) << stopped.message;
+  EXPECT_TRUE(Eventually([&] { return StateOf(victim.pid()) == 'T'; }));
+  EXPECT_TRUE(signals.Send("victim", SIGCONT).ok);
+  EXPECT_TRUE(Eventually([&] { return StateOf(victim.pid()) != 'T'; }));
+  const Outcome killed = signals.Send("/victim", SIGKILL);
+  EXPECT_TRUE(killed.ok) << killed.message;
+  EXPECT_TRUE(Eventually([&] { return !victim.IsRunning(); }));
+  EXPECT_EQ(victim.exit_status(), 128 + SIGKILL);
+  EXPECT_THAT(signals.Send("/victim", SIGKILL).message, HasSubstr("does not answer"));
+}
+
+TEST(NodeSignals, RefuseThemselvesAndTheUnknown) {
+  NodeSignals signals = MakeSignals();
+  EXPECT_FALSE(signals.Send(ros::this_node::getName(), SIGKILL).ok);
+  const Outcome unknown = signals.Send("/coppice_tost", SIGKILL);
+  EXPECT_FALSE(unknown.ok);
+  EXPECT_THAT(unknown.message, HasSubstr("the master knows no node"));
+}
+
+TEST(NodeSignals, RefuseNodesOfAnotherMachine) {
+  XmlRpc::XmlRpcValue request;
+  request[0] = "/far_away";
+  request[1] = "/topic";
+  request[2] = "std_msgs/String";
+  request[3] = "http://192.0.2.1:4/";
+  XmlRpc::XmlRpcValue answer;
+  XmlRpc::XmlRpcValue payload;
+  ASSERT_TRUE(ros::master::execute("registerSubscriber", request, answer, payload, false));
+  EXPECT_THAT(MakeSignals().Send("/far_away", SIGKILL).message,
+              HasSubstr("/far_away runs on another machine"));
+  request[2] = "http://192.0.2.1:4/";
+  request.setSize(3);
+  EXPECT_TRUE(ros::master::execute("unregisterSubscriber", request, answer, payload, false));
+}
+
+TEST(NodeSignals, FailWithoutAMaster) {
+  NodeSignals signals("http://127.0.0.1:1", "/somebody", "127.0.0.1");
+  EXPECT_FALSE(signals.Send("/coppice_test", SIGKILL).ok);
+}
+
+}  // namespace
+}  // namespace coppice::robot

@@ -1,0 +1,188 @@
+#include <coppice_msgs/InjectFault.h>
+#include <geometry_msgs/PoseStamped.h>
+#include <geometry_msgs/Twist.h>
+#include <gmock/gmock.h>
+#include <nav_msgs/OccupancyGrid.h>
+#include <nav_msgs/Odometry.h>
+#include <rosgraph_msgs/Clock.h>
+#include <sensor_msgs/BatteryState.h>
+#include <sensor_msgs/Imu.h>
+#include <sensor_msgs/LaserScan.h>
+#include <tf2_msgs/TFMessage.h>
+
+#include <fstream>
+#include <mutex>
+#include <sstream>
+
+#include "tests/robot_app/ros_environment.h"
+
+namespace coppice::robot {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr char kSimulator[] = COPPICE_BINARY_DIR "/bin/coppice-simulator";
+
+// Keeps the newest message of a topic.
+template <typename Message>
+class Latest {
+ public:
+  Latest(ros::NodeHandle& node, const std::string& topic)
+      : subscriber_(node.subscribe<Message>(
+            topic, 5, [this](const boost::shared_ptr<const Message>& message) {
+              const std::lock_guard<std::mutex> lock(mutex_);
+              message_ = *message;
+              ++count_;
+            })) {}
+  ~Latest() { subscriber_.shutdown(); }
+
+  Message get() const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return message_;
+  }
+  int count() const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return count_;
+  }
+
+ private:
+  mutable std::mutex mutex_;
+  Message message_;
+  int count_ = 0;
+  ros::Subscriber subscriber_;
+};
+
+std::string Log(const std::string& name) { return testing::TempDir() + name + ".log"; }
+
+std::string TextOf(const std::string& file) {
+  std::ifstream stream(file);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+// Runs the program to its end; returns its exit status.
+int RunToTheEnd(std::vector<std::string> arguments, const std::string& log,
+                const std::vector<std::pair<std::string, std::string>>& environment = {}) {
+  arguments.insert(arguments.begin(), kSimulator);
+  ChildProcess process(arguments, log, environment);
+  EXPECT_TRUE(Eventually([&] { return !process.IsRunning(); }, 15));
+  return process.exit_status();
+}
+
+class SimulatorNodeTest : public testing::Test {
+ protected:
+  coppice_msgs::InjectFault::Response Inject(const std::string& fault, const std::string& target,
+                                             double value = 0) {
+    coppice_msgs::InjectFault service;
+    service.request.fault = fault;
+    service.request.target = target;
+    service.request.value = value;
+    EXPECT_TRUE(ros::service::call("/simulation/inject_fault", service)) << fault;
+    return service.response;
+  }
+
+  ros::NodeHandle node_;
+};
+
+TEST_F(SimulatorNodeTest, DrivesSeesAndBreaksOnRequestAndEndsOnSigterm) {
+  Latest<nav_msgs::Odometry> odom(node_, "/odom");
+  Latest<sensor_msgs::LaserScan> scan(node_, "/scan");
+  Latest<rosgraph_msgs::Clock> clock(node_, "/clock");
+  Latest<geometry_msgs::PoseStamped> truth(node_, "/simulation/truth");
+  Latest<sensor_msgs::BatteryState> battery(node_, "/battery_state");
+  ros::Publisher command = node_.advertise<geometry_msgs::Twist>("/cmd_vel", 1);
+  ChildProcess simulator({kSimulator, "_speed:=4", "_start:=17 0 0"}, Log("simulator"));
+  const auto drive = [&](double speed) {
+    geometry_msgs::Twist twist;
+    twist.linear.x = speed;
+    command.publish(twist);
+  };
+
+  // It drives.
+  ASSERT_TRUE(Eventually([&] { return odom.count() > 0 && clock.count() > 0; }, 15))
+      << TextOf(Log("simulator"));
+  bool simulated = false;
+  EXPECT_TRUE(ros::param::get("/use_sim_time", simulated) && simulated);
+  EXPECT_TRUE(Eventually([&] {
+    drive(0.3);
+    return odom.get().pose.pose.position.x > 0.3;
+  }));
+  EXPECT_GT(truth.get().pose.position.x, 17.2);
+  EXPECT_TRUE(Eventually([&] {
+    drive(0);
+    return std::abs(odom.get().twist.twist.linear.x) < 0.01;
+  }));
+  EXPECT_EQ(odom.get().header.frame_id, "odom");
+
+  // It sees what is put in its way.
+  EXPECT_TRUE(Eventually([&] { return Inject("block_corridor", "corridor_middle").ok; }));
+  EXPECT_TRUE(Eventually([&] {
+    const auto ranges = scan.get().ranges;
+    return ranges.size() == 541 && ranges[270] < 2.4;
+  }));
+  EXPECT_TRUE(Inject("clear_corridor", "corridor_middle").ok);
+  EXPECT_TRUE(Eventually([&] { return scan.get().ranges[270] > 3; }));
+  EXPECT_THAT(Inject("block_corridor", "corridor_midle").message, HasSubstr("corridor_middle"));
+  EXPECT_FALSE(Inject("kill_node", "/simulator").ok);
+
+  EXPECT_TRUE(Inject("set_battery", "", 0.25).ok);
+  EXPECT_TRUE(Eventually([&] { return std::abs(battery.get().percentage - 0.25) < 0.01; }));
+  EXPECT_EQ(battery.get().power_supply_status,
+            sensor_msgs::BatteryState::POWER_SUPPLY_STATUS_DISCHARGING);
+
+  EXPECT_EQ(simulator.Stop(std::chrono::seconds(5)), 0) << TextOf(Log("simulator"));
+}
+
+TEST_F(SimulatorNodeTest, StartsDockedWithMapAndTransforms) {
+  Latest<sensor_msgs::BatteryState> battery(node_, "/battery_state");
+  Latest<nav_msgs::OccupancyGrid> map(node_, "/map");
+  Latest<tf2_msgs::TFMessage> tf(node_, "/tf");
+  Latest<tf2_msgs::TFMessage> tf_static(node_, "/tf_static");
+  Latest<sensor_msgs::Imu> imu(node_, "/imu/data");
+  Latest<sensor_msgs::LaserScan> scan(node_, "/scan");
+  // Private parameters outlive their node at the master, so the start is given here too.
+  ChildProcess simulator({kSimulator, "_speed:=4", "_start:=docked", "_state_of_charge:=0.5"},
+                         Log("docked"));
+  ASSERT_TRUE(Eventually([&] { return battery.count() > 0 && map.count() > 0; }, 15))
+      << TextOf(Log("docked"));
+  EXPECT_EQ(battery.get().power_supply_status,
+            sensor_msgs::BatteryState::POWER_SUPPLY_STATUS_CHARGING);
+  EXPECT_EQ(map.get().data.size(), map.get().info.width * map.get().info.height);
+  EXPECT_TRUE(Eventually([&] { return tf.get().transforms.size() == 2; }));  // with map -> odom
+  EXPECT_TRUE(Eventually([&] { return tf_static.count() > 0 && imu.count() > 0; }));
+  EXPECT_EQ(tf_static.get().transforms.at(0).child_frame_id, "laser");
+
+  // A silenced topic is silent: the clock runs on for a second and no scan comes.
+  Latest<rosgraph_msgs::Clock> clock(node_, "/clock");
+  EXPECT_TRUE(Inject("silence_topic", "/scan").ok);
+  EXPECT_TRUE(Eventually([&] { return clock.count() > 0; }));
+  const ros::Time since = clock.get().clock;
+  EXPECT_TRUE(Eventually([&] { return (clock.get().clock - since).toSec() > 1; }));
+  EXPECT_LT((scan.get().header.stamp - since).toSec(), 0.2);
+  EXPECT_TRUE(Inject("restore_topic", "/scan").ok);
+  EXPECT_TRUE(Eventually([&] { return (scan.get().header.stamp - since).toSec() > 1; }));
+}
+
+TEST_F(SimulatorNodeTest, EndsWithCodeTwoWhenNoMasterAnswers) {
+  const std::string log = Log("no_master");
+  EXPECT_EQ(RunToTheEnd({}, log, {{"ROS_MASTER_URI", "http://127.0.0.1:1"}}), 2);
+  EXPECT_THAT(TextOf(log), HasSubstr("no ROS master answers at http://127.0.0.1:1"));
+}
+
+TEST_F(SimulatorNodeTest, EndsWithCodeTwoWhenAParameterIsBad) {
+  const std::string log = Log("bad");
+  EXPECT_EQ(RunToTheEnd({"__name:=bad", "_floor:=/nowhere.yaml"}, log), 2);
+  EXPECT_THAT(TextOf(log), HasSubstr("/nowhere.yaml"));
+  EXPECT_EQ(RunToTheEnd({"__name:=bad_start", "_start:=here"}, log), 2);
+  EXPECT_THAT(TextOf(log), HasSubstr("~start must be"));
+}
+
+TEST_F(SimulatorNodeTest, ExplainsItself) {
+  const std::string log = Log("help");
+  EXPECT_EQ(RunToTheEnd({"--help"}, log), 0);
+  EXPECT_THAT(TextOf(log), HasSubstr("_speed"));
+}
+
+}  // namespace
+}  // namespace coppice::robot

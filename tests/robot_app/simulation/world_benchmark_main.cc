@@ -1,0 +1,46 @@
+// How fast the world is. Run it by hand: robot_simulation_benchmark
+#include <benchmark/benchmark.h>
+
+#include "robot_app/simulation/world.h"
+#include "tests/robot_app/simulation/test_floor.h"
+
+namespace coppice::robot {
+namespace {
+
+// One simulated second per iteration: the items per second are the factor of real time.
+void BM_SimulatedSecond(benchmark::State& state) {
+  WorldOptions options;
+  options.start = Pose2{46, 0, 0};
+  options.lidar.beams = static_cast<int>(state.range(0));
+  World world(LoadInstitute(), options);
+  for (auto unused : state) {
+    for (int i = 0; i < 50; ++i) world.Step(0.02, Velocity{0.4, 0.4});
+  }
+  state.SetItemsProcessed(state.iterations());
+}
+BENCHMARK(BM_SimulatedSecond)->Arg(61)->Arg(541);
+
+void BM_Ray(benchmark::State& state) {
+  const RayCaster caster(World(LoadInstitute()).StillThings());
+  double angle = 0;
+  for (auto unused : state) {
+    for (int i = 0; i < 541; ++i) {
+      const Vec2 direction = Direction(angle += 0.0087);
+      benchmark::DoNotOptimize(caster.Cast({20.3, 0.2}, direction, 20));
+    }
+  }
+  state.SetItemsProcessed(state.iterations() * 541);
+}
+BENCHMARK(BM_Ray);
+
+void BM_RebuildAfterADoor(benchmark::State& state) {
+  World world(LoadInstitute());
+  bool open = false;
+  for (auto unused : state) world.SetDoorOpen("door_101", open = !open);
+}
+BENCHMARK(BM_RebuildAfterADoor);
+
+}  // namespace
+}  // namespace coppice::robot
+
+BENCHMARK_MAIN();
