@@ -36,10 +36,19 @@ class Compiler {
     open_trees_.push_back(tree_id);
     AddTreeBody(*tree, 0, 0);
     keys_.ConvertLiterals();
+    GiveBackSpareMemory();
     return diagnostics_.has_errors() ? nullptr : std::move(program_);
   }
 
  private:
+  void GiveBackSpareMemory() {
+    program_->nodes.shrink_to_fit();
+    program_->ports.shrink_to_fit();
+    program_->leaves.shrink_to_fit();
+    program_->info.shrink_to_fit();
+    program_->layout.slots.shrink_to_fit();
+  }
+
   const TreeDefinition* FindMainTree(const std::string& id) {
     const TreeDefinition* tree = project_.Find(id);
     if (tree) return tree;

@@ -63,6 +63,7 @@ std::vector<std::uint32_t> FindLines(const std::string& text) {
   for (std::size_t at = text.find('\n'); at != std::string::npos; at = text.find('\n', at + 1)) {
     lines.push_back(static_cast<std::uint32_t>(at + 1));
   }
+  lines.shrink_to_fit();
   return lines;
 }
 
@@ -176,6 +177,8 @@ void Document::BuildIndex(const tinyxml2::XMLDocument& xml, const char* start) {
     }
     at = at && at != xml.RootElement() ? at->NextSiblingElement() : nullptr;
   }
+  elements_.shrink_to_fit();
+  attributes_.shrink_to_fit();
 }
 
 const Attribute* Document::FindAttribute(const Element& element, std::string_view name) const {

@@ -115,8 +115,11 @@ TEST(ParallelConformance, ThreeChildrenAndAllThresholds) {
   }
 }
 
-TEST(ParallelConformance, ThreeChildrenForFourTicks) {
+TEST(ParallelConformance, ThreeChildrenThatMustAllSucceedForFourTicks) {
   ExpectSame(Make("Parallel", {-1, 1}, 3), 4);
+}
+
+TEST(ParallelConformance, ThreeChildrenOneOfWhichMustSucceedForFourTicks) {
   ExpectSame(Make("Parallel", {1, -1}, 3), 4);
 }
 
