@@ -77,7 +77,12 @@ geometry_msgs::TransformStamped ToTransform(ros::Time stamp, const char* parent,
   return message;
 }
 
-ros::Time ToRosTime(double time) { return ros::Time(kStartTime + time); }
+// In whole microseconds: the world's time is a sum of steps, and 0.8 s should not read 0.799999999.
+ros::Time ToRosTime(double time) {
+  ros::Time stamp;
+  stamp.fromNSec(static_cast<std::uint64_t>(std::llround((kStartTime + time) * 1e6)) * 1000);
+  return stamp;
+}
 
 struct Settings {
   Floor floor;
