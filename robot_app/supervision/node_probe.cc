@@ -23,6 +23,11 @@ class QuietHandler : public XmlRpc::XmlRpcErrorHandler {
   void error(const char*) override {}
 };
 
+// A refused connection ends as an answer without content.
+bool IsEmpty(const XmlRpc::XmlRpcValue& answer) {
+  return answer.getType() == XmlRpc::XmlRpcValue::TypeInvalid;
+}
+
 // The value of an answer [1, message, value] of the ROS APIs.
 std::optional<XmlRpc::XmlRpcValue> Unwrap(XmlRpc::XmlRpcValue& answer) {
   using Value = XmlRpc::XmlRpcValue;
@@ -110,13 +115,14 @@ struct NodeProbe::Sweep {
 
   void Advance(Call& call) {
     XmlRpc::XmlRpcValue answer;
-    if (call.client->executeCheckDone(answer)) {
-      dispatch.removeSource(call.client.get());
+    const bool done = call.client->executeCheckDone(answer);
+    if (!done && !call.client->failed()) return;
+    dispatch.removeSource(call.client.get());
+    if (done && !IsEmpty(answer)) {
       const auto value = Unwrap(answer);
       call.client->close();
       Answered(call, value);
-    } else if (call.client->failed()) {
-      dispatch.removeSource(call.client.get());
+    } else {
       const std::string where = call.step == Call::Step::kLookup ? "the ROS master " : "";
       call.End(false, where + "refuses connections");
     }

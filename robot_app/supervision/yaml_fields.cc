@@ -73,7 +73,7 @@ LocatedText YamlFields::Text(const std::string& key) {
     return {"", where()};
   }
   const LocatedText text = Text(key, "");
-  if (text.text.empty()) Error(text.where, "\"" + key + "\" is empty");
+  if (text.text.empty() && Find(key).IsScalar()) Error(text.where, "\"" + key + "\" is empty");
   return text;
 }
 
