@@ -135,7 +135,7 @@ bool ValueTraits<double>::Parse(std::string_view text, double& out) {
 std::string ValueTraits<double>::Print(const double& value) {
   const PlainNumbers plain;
   char text[32];
-  for (const int digits : {6, 15, 17}) {  // the shortest that reads back the same
+  for (const int digits : {6, 15, 16, 17}) {  // the shortest that reads back the same
     std::snprintf(text, sizeof(text), "%.*g", digits, value);
     if (std::strtod(text, nullptr) == value) break;
   }

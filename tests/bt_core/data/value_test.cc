@@ -172,7 +172,7 @@ TEST(ValueTraits, DoublesReadBackTheSame) {
     EXPECT_TRUE(Parses(ValueTraits<double>::Print(value), value)) << value;
   }
   EXPECT_EQ(ValueTraits<double>::Print(0.1), "0.1");
-  EXPECT_EQ(ValueTraits<double>::Print(1.0 / 3), "0.333333333333333315");
+  EXPECT_EQ(ValueTraits<double>::Print(1.0 / 3), "0.3333333333333333");
 }
 
 TEST(ValueTraits, KeepStringsAsTheyAre) {
