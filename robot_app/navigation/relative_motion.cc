@@ -22,7 +22,8 @@ std::string Print(const char* format, double a, double b) {
 
 }  // namespace
 
-void RelativeMotion::Start(const Pose2D& from, double distance, double angle, double speed) {
+void RelativeMotion::Start(const Pose2D& from, double distance, double angle, double speed,
+                           const Velocity2D& velocity) {
   *this = RelativeMotion(settings_);
   if (!std::isfinite(distance) || !std::isfinite(angle) || !std::isfinite(speed) || speed < 0) {
     Fail("distance, angle and speed must be numbers, and the speed not negative");
@@ -40,6 +41,8 @@ void RelativeMotion::Start(const Pose2D& from, double distance, double angle, do
   straight_ = distance != 0;
   remaining_ = straight_ ? std::abs(distance) : std::abs(angle);
   from_ = last_ = from;
+  velocity_ = velocity;
+  stopping_ = velocity.linear != 0 || velocity.angular != 0;
 }
 
 Velocity2D RelativeMotion::Fail(std::string message) {
@@ -52,10 +55,19 @@ Velocity2D RelativeMotion::Fail(std::string message) {
 Velocity2D RelativeMotion::Update(const Pose2D& odometry, const std::vector<Point2D>& obstacles,
                                   double seconds) {
   if (state_ != State::kMoving) return {};
-  const Velocity2D velocity =
-      straight_ ? Straight(odometry, obstacles, seconds) : Turn(odometry, seconds);
+  const Velocity2D velocity = stopping_   ? Stop(odometry, seconds)
+                              : straight_ ? Straight(odometry, obstacles, seconds)
+                                          : Turn(odometry, seconds);
   last_ = odometry;
   return velocity;
+}
+
+Velocity2D RelativeMotion::Stop(const Pose2D& odometry, double seconds) {
+  velocity_.linear = LimitChange(velocity_.linear, 0, settings_.deceleration, seconds);
+  velocity_.angular = LimitChange(velocity_.angular, 0, settings_.turn_acceleration, seconds);
+  stopping_ = velocity_.linear != 0 || velocity_.angular != 0;
+  from_ = odometry;
+  return velocity_;
 }
 
 bool RelativeMotion::Stalled(double moved, double commanded, double seconds) {

@@ -20,6 +20,7 @@ struct RelativeMotionSettings {
   double max_speed = 0.5;          ///< [m/s]
   double max_turn = 1.0;           ///< [rad/s]
   double acceleration = 0.4;       ///< [m/s^2]
+  double deceleration = 0.6;       ///< of what the robot did before [m/s^2]
   double turn_acceleration = 1.0;  ///< [rad/s^2]
   double robot_radius = 0.33;      ///< [m]
   double stop_distance = 0.1;      ///< kept from obstacles in front [m]
@@ -36,13 +37,17 @@ class RelativeMotion {
 
   /// Starts from odometry pose `from`. `distance` [m], negative: backwards; `angle` [rad], done
   /// after the distance; `speed` [m/s or rad/s] > 0, or 0 for the default. A request that is not
-  /// allowed leads to kFailed with the reason in message().
-  void Start(const Pose2D& from, double distance, double angle, double speed);
+  /// allowed leads to kFailed with the reason in message(). A robot that is still moving with
+  /// `velocity` is stopped first; the motion counts from where it then stands.
+  void Start(const Pose2D& from, double distance, double angle, double speed,
+             const Velocity2D& velocity = {});
 
   /// The next command, `seconds` after the last one. `obstacles`: laser points in base_link.
   Velocity2D Update(const Pose2D& odometry, const std::vector<Point2D>& obstacles, double seconds);
 
   State state() const { return state_; }
+  /// True while it drives forwards, so that it needs a laser scan that is not too old.
+  bool looks_ahead() const { return state_ == State::kMoving && straight_ && distance_ > 0; }
   /// Why it failed, or that it is done.
   const std::string& message() const { return message_; }
   /// What is left of the distance [m], or after it of the angle [rad].
@@ -50,6 +55,7 @@ class RelativeMotion {
 
  private:
   Velocity2D Fail(std::string message);
+  Velocity2D Stop(const Pose2D& odometry, double seconds);
   Velocity2D Straight(const Pose2D& odometry, const std::vector<Point2D>& obstacles,
                       double seconds);
   Velocity2D Turn(const Pose2D& odometry, double seconds);
@@ -62,6 +68,7 @@ class RelativeMotion {
   double distance_ = 0;
   double angle_ = 0;
   double speed_ = 0;
+  bool stopping_ = false;  // what the robot did before
   bool straight_ = false;  // the distance is not done yet
   Pose2D from_;
   Pose2D last_;        // odometry of the last update

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace coppice::robot {
@@ -58,6 +59,26 @@ TEST(RelativeMotion, TurnsMoreThanAFullCircle) {
   EXPECT_EQ(motion.state(), State::kDone);
   EXPECT_NEAR(NormalizeAngle(pose.yaw - 7.5), 0, 0.03);
   EXPECT_GT(seconds, 7.4 / 0.8);
+}
+
+TEST(RelativeMotion, FirstStopsARobotThatIsMoving) {
+  RelativeMotion motion;
+  Pose2D pose;
+  motion.Start(pose, -0.5, 0, 0.2, {0.6, 0.3});
+  double farthest = 0;
+  double last = 0.6;
+  while (motion.state() == State::kMoving) {
+    const Velocity2D velocity = motion.Update(pose, {}, kStep);
+    if (last > 0) {
+      EXPECT_NEAR(velocity.linear, last, 0.6 * kStep + 1e-9);
+    }
+    last = velocity.linear;
+    pose = Advance(pose, velocity, kStep);
+    farthest = std::max(farthest, pose.x);
+  }
+  EXPECT_EQ(motion.state(), State::kDone) << motion.message();
+  EXPECT_NEAR(farthest, 0.3, 0.06) << "the braking distance";
+  EXPECT_NEAR(pose.x, farthest - 0.5, 0.05);
 }
 
 TEST(RelativeMotion, RefusesToGoFarBackwards) {

@@ -1,0 +1,190 @@
+// coppice-docking: the dock controller as the ROS node /docking.
+#include <actionlib/server/simple_action_server.h>
+#include <coppice_msgs/DockingAction.h>
+#include <ros/ros.h>
+#include <sensor_msgs/BatteryState.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "robot_app/docking/dock_controller.h"
+#include "robot_app/navigation/ros_support.h"
+
+namespace coppice::robot {
+namespace {
+
+constexpr char kHelp[] =
+    "coppice-docking: drives onto the charging station and off it, as the ROS node /docking.\n"
+    "  action      docking (coppice_msgs/Docking)\n"
+    "  subscribes  /battery_state /scan /tf /tf_static\n"
+    "  publishes   /cmd_vel, only during a manoeuvre\n"
+    "  parameters  with defaults, in SI units:\n"
+    "    ~docked_x -2.4  ~docked_y 0  ~docked_yaw 3.14159 (base_link when docked, map frame)\n"
+    "    ~staging_distance 1.6  ~farthest_start 1.5  ~approach_speed 0.12  ~attempts 3\n"
+    "    ~charging_above 0.5  ~charging_for 3  ~charging_within 10  ~robot_radius 0.33\n"
+    "    ~map_frame map  ~odom_frame odom  ~base_frame base_link\n"
+    "Only a charging current that lasts is success. Ends on SIGTERM and SIGINT.\n"
+    "Exit status 2: no ROS master answers, or a parameter is wrong.\n";
+
+constexpr double kControlPeriod = 0.05;  // ROS time [s]
+constexpr double kPoseTimeout = 1.0;     // an older pose is not driven with [s]
+constexpr double kScanTimeout = 1.0;     // nor is an older scan
+constexpr double kBatteryTimeout = 5.0;  // an older reading of the battery does not count [s]
+constexpr double kPointRange = 3.0;      // of obstacles [m]
+
+struct Settings {
+  DockSettings dock;
+  std::string map_frame;
+  std::string odom_frame;
+  std::string base_frame;
+};
+
+std::optional<Settings> ReadSettings() {
+  Settings settings;
+  Parameters parameters;
+  DockSettings& dock = settings.dock;
+  const auto read = [&](const char* name, double& value, double low, double high) {
+    value = parameters.Number(name, value, low, high);
+  };
+  read("docked_x", dock.docked.x, -1e4, 1e4);
+  read("docked_y", dock.docked.y, -1e4, 1e4);
+  read("docked_yaw", dock.docked.yaw, -7, 7);
+  read("staging_distance", dock.staging_distance, 0.3, 5);
+  read("farthest_start", dock.farthest_start, 0.1, 10);
+  read("approach_speed", dock.approach_speed, 0.03, 0.15);
+  read("charging_above", dock.charging_above, 0, 1000);
+  read("charging_for", dock.charging_for, 0, 600);
+  read("charging_within", dock.charging_within, 0.1, 600);
+  read("robot_radius", dock.robot_radius, 0.05, 3);
+  dock.attempts = static_cast<int>(parameters.Number("attempts", dock.attempts, 1, 20));
+  settings.map_frame = parameters.Text("map_frame", "map");
+  settings.odom_frame = parameters.Text("odom_frame", "odom");
+  settings.base_frame = parameters.Text("base_frame", "base_link");
+  if (!parameters.Finish()) return std::nullopt;
+  return settings;
+}
+
+class DockingNode {
+ public:
+  explicit DockingNode(const Settings& settings)
+      : controller_(settings.dock),
+        pose_(settings.map_frame, settings.odom_frame, settings.base_frame),
+        server_(node_, "docking", false) {
+    command_ = node_.advertise<geometry_msgs::Twist>("/cmd_vel", 1);
+    subscribers_.push_back(node_.subscribe<sensor_msgs::BatteryState>(
+        "/battery_state", 5, [this](const sensor_msgs::BatteryState::ConstPtr& message) {
+          current_ = message->current;
+          battery_stamp_ = message->header.stamp.toSec();
+        }));
+    subscribers_.push_back(node_.subscribe<sensor_msgs::LaserScan>(
+        "/scan", 1, [this](const sensor_msgs::LaserScan::ConstPtr& message) {
+          const auto mount = pose_.MountOf(message->header.frame_id);
+          if (!mount) return;
+          const LaserScan scan = ToLaserScan(*message, *mount);
+          points_ = PointsInBase(scan, kPointRange);
+          scan_stamp_ = scan.stamp;
+        }));
+    server_.registerGoalCallback([this] { OnGoal(); });
+    server_.registerPreemptCallback([this] {
+      if (!server_.isNewGoalAvailable()) OnCancel();
+    });
+    server_.start();
+    timer_ = node_.createTimer(ros::Duration(kControlPeriod),
+                               [this](const ros::TimerEvent&) { Control(); });
+  }
+
+ private:
+  // What is known now; nothing, with the reason, if that is not enough to drive with.
+  std::optional<DockInput> Input(std::string& missing) const {
+    DockInput input;
+    input.now = ros::Time::now().toSec();
+    const auto pose = pose_.Newest();
+    if (!pose || input.now - pose->stamp > kPoseTimeout) missing = "the robot's pose is not known";
+    if (input.now - scan_stamp_ > kScanTimeout) missing = "there is no laser scan";
+    if (!missing.empty()) return std::nullopt;
+    input.pose = pose->pose;
+    input.current = current_;
+    input.battery_known = input.now - battery_stamp_ < kBatteryTimeout;
+    input.obstacles = points_;
+    return input;
+  }
+
+  void OnGoal() {
+    const auto goal = server_.acceptNewGoal();
+    std::string missing;
+    const auto input = Input(missing);
+    if (!input) return Finish(false, missing);
+    if (goal->dock) {
+      controller_.StartDocking(*input);
+    } else {
+      controller_.StartUndocking(*input);
+    }
+  }
+
+  void OnCancel() {
+    if (!server_.isActive()) return;
+    controller_.Cancel();
+    command_.publish(geometry_msgs::Twist());
+    coppice_msgs::DockingResult result;
+    result.message = controller_.message();
+    server_.setPreempted(result, result.message);
+  }
+
+  void Finish(bool ok, const std::string& message) {
+    coppice_msgs::DockingResult result;
+    result.ok = ok;
+    result.message = message;
+    if (ok) {
+      ROS_INFO("%s", message.c_str());
+      server_.setSucceeded(result, message);
+    } else {
+      ROS_WARN("%s", message.c_str());
+      server_.setAborted(result, message);
+    }
+  }
+
+  void Control() {
+    if (!server_.isActive()) return;
+    std::string missing;
+    const auto input = Input(missing);
+    if (!input) {
+      controller_.Cancel();
+      command_.publish(geometry_msgs::Twist());
+      return Finish(false, missing);
+    }
+    command_.publish(ToTwist(controller_.Update(*input)));  // zero once it has ended
+    if (!controller_.active()) {
+      return Finish(controller_.phase() == DockController::Phase::kDone, controller_.message());
+    }
+    coppice_msgs::DockingFeedback feedback;
+    feedback.phase = ToString(controller_.phase());
+    server_.publishFeedback(feedback);
+  }
+
+  ros::NodeHandle node_;
+  DockController controller_;
+  RobotPose pose_;
+  double current_ = 0;        // [A]
+  double battery_stamp_ = 0;  // [s]
+  std::vector<Point2D> points_;
+  double scan_stamp_ = 0;
+  actionlib::SimpleActionServer<coppice_msgs::DockingAction> server_;
+  ros::Publisher command_;
+  std::vector<ros::Subscriber> subscribers_;
+  ros::Timer timer_;
+};
+
+}  // namespace
+}  // namespace coppice::robot
+
+int main(int argc, char** argv) {
+  namespace robot = coppice::robot;
+  if (const auto status = robot::StartNode(argc, argv, "docking", robot::kHelp)) return *status;
+  ros::NodeHandle keep_alive;
+  const auto settings = robot::ReadSettings();
+  if (!settings) return 2;
+  robot::DockingNode node(*settings);
+  ros::spin();
+  return 0;
+}

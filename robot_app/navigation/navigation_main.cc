@@ -1,0 +1,326 @@
+// coppice-navigation: the library of this folder as the ROS node /navigation.
+#include <actionlib/server/simple_action_server.h>
+#include <coppice_msgs/MotionAction.h>
+#include <coppice_msgs/NavigationState.h>
+#include <move_base_msgs/MoveBaseAction.h>
+#include <nav_msgs/Odometry.h>
+#include <nav_msgs/Path.h>
+#include <ros/ros.h>
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "robot_app/navigation/navigation.h"
+#include "robot_app/navigation/relative_motion.h"
+#include "robot_app/navigation/ros_support.h"
+
+namespace coppice::robot {
+namespace {
+
+constexpr char kHelp[] =
+    "coppice-navigation: drives the robot to goals, as the ROS node /navigation.\n"
+    "  actions     move_base (move_base_msgs/MoveBase), motion (coppice_msgs/Motion)\n"
+    "  subscribes  /map /scan /odom /tf /tf_static\n"
+    "  publishes   /cmd_vel (only while moving), /navigation/state, /navigation/path\n"
+    "  parameters  with defaults, in SI units:\n"
+    "    ~max_speed 0.7  ~max_turn 1.0  ~acceleration 0.5  ~turn_acceleration 1.2\n"
+    "    ~robot_radius 0.33  ~clearance 0.05 (planned beyond the radius)\n"
+    "    ~inflation_radius 1.0  ~goal_tolerance 0.15  ~goal_yaw_tolerance 0.15\n"
+    "    ~patience 8  ~forget_obstacles_after 20  ~sensor_timeout 1\n"
+    "    ~map_frame map  ~odom_frame odom  ~base_frame base_link\n"
+    "A motion holds up a running goal, which goes on afterwards. Ends on SIGTERM and SIGINT.\n"
+    "Exit status 2: no ROS master answers, or a parameter is wrong.\n";
+
+constexpr double kControlPeriod = 0.05;  // ROS time [s]
+constexpr double kStatePeriod = 0.5;     // ROS time [s]
+
+struct Settings {
+  NavigationSettings navigation;
+  RelativeMotionSettings motion;
+  std::string map_frame;
+  std::string odom_frame;
+  std::string base_frame;
+};
+
+std::optional<Settings> ReadSettings() {
+  Settings settings;
+  Parameters parameters;
+  NavigationSettings& navigation = settings.navigation;
+  FollowerSettings& follower = navigation.follower;
+  const auto read = [&](const char* name, double& value, double low, double high) {
+    value = parameters.Number(name, value, low, high);
+  };
+  read("max_speed", follower.max_speed, 0.05, 3);
+  read("max_turn", follower.max_turn, 0.05, 6);
+  read("acceleration", follower.acceleration, 0.05, 10);
+  read("turn_acceleration", follower.turn_acceleration, 0.05, 20);
+  read("robot_radius", follower.robot_radius, 0.05, 3);
+  read("inflation_radius", navigation.costs.inflation_radius, 0.1, 5);
+  read("goal_tolerance", follower.goal_tolerance, 0.03, 2);
+  read("goal_yaw_tolerance", follower.goal_yaw_tolerance, 0.02, 4);
+  read("patience", navigation.patience, 0, 3600);
+  read("forget_obstacles_after", navigation.obstacles.forget_after, 0.1, 36000);
+  read("sensor_timeout", navigation.sensor_timeout, 0.1, 60);
+  double clearance = 0.05;
+  read("clearance", clearance, 0.02, 1);
+  navigation.costs.lethal_radius = follower.robot_radius + clearance;
+  settings.motion.robot_radius = follower.robot_radius;
+  settings.map_frame = parameters.Text("map_frame", "map");
+  settings.odom_frame = parameters.Text("odom_frame", "odom");
+  settings.base_frame = parameters.Text("base_frame", "base_link");
+  if (!parameters.Finish()) return std::nullopt;
+  return settings;
+}
+
+class NavigationNode {
+ public:
+  explicit NavigationNode(const Settings& settings)
+      : settings_(settings),
+        navigation_(settings.navigation),
+        motion_(settings.motion),
+        pose_(settings.map_frame, settings.odom_frame, settings.base_frame),
+        move_base_(node_, "move_base", false),
+        motion_server_(node_, "motion", false) {
+    command_ = node_.advertise<geometry_msgs::Twist>("/cmd_vel", 1);
+    state_ = node_.advertise<coppice_msgs::NavigationState>("/navigation/state", 10);
+    path_ = node_.advertise<nav_msgs::Path>("/navigation/path", 1, true);
+    Subscribe();
+    move_base_.registerGoalCallback([this] { OnGoal(); });
+    move_base_.registerPreemptCallback([this] {
+      if (!move_base_.isNewGoalAvailable()) OnCancel();
+    });
+    motion_server_.registerGoalCallback([this] { OnMotion(); });
+    motion_server_.registerPreemptCallback([this] {
+      if (!motion_server_.isNewGoalAvailable()) EndMotion(false, "cancelled", true);
+    });
+    move_base_.start();
+    motion_server_.start();
+    control_timer_ = node_.createTimer(ros::Duration(kControlPeriod),
+                                       [this](const ros::TimerEvent&) { Control(); });
+    state_timer_ = node_.createTimer(ros::Duration(kStatePeriod),
+                                     [this](const ros::TimerEvent&) { PublishState(); });
+  }
+
+ private:
+  static double Now() { return ros::Time::now().toSec(); }
+
+  void Subscribe() {
+    subscribers_.push_back(node_.subscribe<nav_msgs::OccupancyGrid>(
+        "/map", 1, [this](const nav_msgs::OccupancyGrid::ConstPtr& message) {
+          std::string error;
+          auto grid = ToGrid(*message, error);
+          if (!grid) {
+            ROS_ERROR("%s; it is not used", error.c_str());
+            return;
+          }
+          navigation_.SetMap(std::move(*grid));
+        }));
+    subscribers_.push_back(node_.subscribe<sensor_msgs::LaserScan>(
+        "/scan", 1, [this](const sensor_msgs::LaserScan::ConstPtr& message) { OnScan(*message); }));
+    subscribers_.push_back(node_.subscribe<nav_msgs::Odometry>(
+        "/odom", 1, [this](const nav_msgs::Odometry::ConstPtr& message) {
+          odometry_ = ToPose2D(message->pose.pose);
+          odometry_stamp_ = message->header.stamp.toSec();
+        }));
+  }
+
+  void OnScan(const sensor_msgs::LaserScan& message) {
+    const auto mount = pose_.MountOf(message.header.frame_id);
+    const auto pose = pose_.At(message.header.stamp);
+    if (!mount) {
+      ROS_WARN_THROTTLE(10, "tf does not know where %s is", message.header.frame_id.c_str());
+      return;
+    }
+    const LaserScan scan = ToLaserScan(message, *mount);
+    scan_stamp_ = scan.stamp;
+    points_ = PointsInBase(scan, 3);
+    if (pose) navigation_.AddScan(*pose, scan);
+  }
+
+  void OnGoal() {
+    const auto goal = move_base_.acceptNewGoal();
+    const auto refuse = [this](const std::string& why) {
+      navigation_.Cancel(Now());
+      move_base_.setAborted({}, why);
+      ROS_WARN("goal refused: %s", why.c_str());
+    };
+    if (!IsValid(goal->target_pose.pose)) return refuse("the goal's pose is not valid");
+    const auto pose = pose_.InMap(goal->target_pose);
+    if (!pose)
+      return refuse("tf does not know the goal's frame " + goal->target_pose.header.frame_id);
+    ROS_INFO("goal (%.2f, %.2f, %.2f)", pose->x, pose->y, pose->yaw);
+    navigation_.SetGoal(*pose, Now());
+    busy_ = true;
+    // A preempt request that came before this goal was accepted still counts.
+    if (move_base_.isPreemptRequested()) OnCancel();
+  }
+
+  void OnCancel() {
+    if (!move_base_.isActive()) return;
+    navigation_.Cancel(Now());
+    move_base_.setPreempted({}, "cancelled");
+  }
+
+  void OnMotion() {
+    const auto goal = motion_server_.acceptNewGoal();
+    const bool blind = goal->distance > 0 && Now() - scan_stamp_ > 1;
+    if (Now() - odometry_stamp_ > 1) return EndMotion(false, "there is no odometry");
+    if (blind) return EndMotion(false, "there is no laser scan");
+    motion_.Start(odometry_, goal->distance, goal->angle, goal->speed, commanded_);
+    motion_update_ = Now();
+    busy_ = true;
+  }
+
+  void EndMotion(bool ok, const std::string& message, bool cancelled = false) {
+    if (!motion_server_.isActive()) return;
+    coppice_msgs::MotionResult result;
+    result.ok = ok;
+    result.message = message;
+    if (cancelled) {
+      motion_server_.setPreempted(result, message);
+    } else if (ok) {
+      motion_server_.setSucceeded(result, message);
+    } else {
+      motion_server_.setAborted(result, message);
+      ROS_WARN("motion failed: %s", message.c_str());
+    }
+    // The robot has been moved by something else than the goal's path.
+    navigation_.Restart(Now());
+  }
+
+  void Control() {
+    const double now = Now();
+    const Velocity2D velocity = motion_server_.isActive() ? MotionStep(now) : NavigationStep(now);
+    Publish(velocity);
+    if (navigation_.path_number() != published_path_) PublishPath();
+    if (navigation_.status() != published_status_ || published_failures_ != Failures()) {
+      PublishState();
+    }
+  }
+
+  Velocity2D MotionStep(double now) {
+    const double seconds = std::clamp(now - motion_update_, 0.0, 0.2);
+    motion_update_ = now;
+    if (now - odometry_stamp_ > 1) {
+      EndMotion(false, "odometry has fallen silent");
+      return {};
+    }
+    if (now - scan_stamp_ > 1 && motion_.looks_ahead()) {
+      EndMotion(false, "the laser scan has fallen silent");
+      return {};
+    }
+    const Velocity2D velocity = motion_.Update(odometry_, points_, seconds);
+    if (motion_.state() == RelativeMotion::State::kMoving) {
+      coppice_msgs::MotionFeedback feedback;
+      feedback.remaining = motion_.remaining();
+      motion_server_.publishFeedback(feedback);
+      return velocity;
+    }
+    EndMotion(motion_.state() == RelativeMotion::State::kDone, motion_.message());
+    return {};
+  }
+
+  Velocity2D NavigationStep(double now) {
+    const auto pose = pose_.Newest();
+    const bool active = move_base_.isActive();
+    const Velocity2D velocity =
+        navigation_.Update(now, pose ? pose->pose : Pose2D(), pose ? pose->stamp : 0);
+    if (!active) return velocity;
+    if (pose) {
+      move_base_msgs::MoveBaseFeedback feedback;
+      feedback.base_position.header.frame_id = settings_.map_frame;
+      feedback.base_position.header.stamp = ros::Time(pose->stamp);
+      feedback.base_position.pose = ToPoseMessage(pose->pose);
+      move_base_.publishFeedback(feedback);
+    }
+    if (navigation_.end() == Navigation::End::kReached) {
+      move_base_.setSucceeded({}, navigation_.message());
+      ROS_INFO("%s", navigation_.message().c_str());
+    } else if (navigation_.end() == Navigation::End::kAborted) {
+      move_base_.setAborted({}, navigation_.message());
+      ROS_WARN("goal aborted: %s", navigation_.message().c_str());
+    }
+    return velocity;
+  }
+
+  // Silent when idle, so that others may drive; the last command is always zero.
+  void Publish(const Velocity2D& velocity) {
+    const bool working = move_base_.isActive() || motion_server_.isActive();
+    const bool standing = velocity.linear == 0 && velocity.angular == 0;
+    if (!busy_ && !working && standing) return;
+    command_.publish(ToTwist(velocity));
+    commanded_ = velocity;
+    busy_ = working || !standing;
+  }
+
+  std::uint32_t Failures() const {
+    return static_cast<std::uint32_t>(navigation_.consecutive_failures());
+  }
+
+  void PublishState() {
+    coppice_msgs::NavigationState state;
+    state.header.stamp = ros::Time::now();
+    state.state = static_cast<std::uint8_t>(navigation_.status());
+    state.seconds_in_state = std::max(0.0, Now() - navigation_.status_since());
+    state.consecutive_failures = Failures();
+    state.message = navigation_.message();
+    state_.publish(state);
+    published_status_ = navigation_.status();
+    published_failures_ = state.consecutive_failures;
+  }
+
+  void PublishPath() {
+    nav_msgs::Path path;
+    path.header.stamp = ros::Time::now();
+    path.header.frame_id = settings_.map_frame;
+    for (const Point2D& point : navigation_.path()) {
+      geometry_msgs::PoseStamped pose;
+      pose.header = path.header;
+      pose.pose = ToPoseMessage({point.x, point.y, 0});
+      path.poses.push_back(pose);
+    }
+    path_.publish(path);
+    published_path_ = navigation_.path_number();
+  }
+
+  Settings settings_;
+  ros::NodeHandle node_;
+  Navigation navigation_;
+  RelativeMotion motion_;
+  RobotPose pose_;
+  std::vector<Point2D> points_;  // of the newest scan, in base_link
+  double scan_stamp_ = 0;
+  Pose2D odometry_;
+  double odometry_stamp_ = 0;
+  double motion_update_ = 0;
+  Velocity2D commanded_;  // last
+  bool busy_ = false;     // commands are being published
+  int published_path_ = 0;
+  NavigationStatus published_status_ = NavigationStatus::kIdle;
+  std::uint32_t published_failures_ = 0;
+
+  actionlib::SimpleActionServer<move_base_msgs::MoveBaseAction> move_base_;
+  actionlib::SimpleActionServer<coppice_msgs::MotionAction> motion_server_;
+  ros::Publisher command_;
+  ros::Publisher state_;
+  ros::Publisher path_;
+  std::vector<ros::Subscriber> subscribers_;
+  ros::Timer control_timer_;
+  ros::Timer state_timer_;
+};
+
+}  // namespace
+}  // namespace coppice::robot
+
+int main(int argc, char** argv) {
+  namespace robot = coppice::robot;
+  if (const auto status = robot::StartNode(argc, argv, "navigation", robot::kHelp)) return *status;
+  ros::NodeHandle keep_alive;
+  const auto settings = robot::ReadSettings();
+  if (!settings) return 2;
+  robot::NavigationNode node(*settings);
+  ros::spin();
+  return 0;
+}

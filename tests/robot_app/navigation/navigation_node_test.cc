@@ -1,0 +1,224 @@
+// The programs coppice-navigation and coppice-docking drive the simulator's robot over ROS.
+#include <actionlib/client/simple_action_client.h>
+#include <coppice_msgs/DockingAction.h>
+#include <coppice_msgs/MotionAction.h>
+#include <coppice_msgs/NavigationState.h>
+#include <geometry_msgs/Twist.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <move_base_msgs/MoveBaseAction.h>
+#include <nav_msgs/Path.h>
+
+#include <atomic>
+#include <cstdio>
+#include <fstream>
+#include <mutex>
+#include <sstream>
+
+#include "tests/robot_app/ros_environment.h"
+
+namespace coppice::robot {
+namespace {
+
+using actionlib::SimpleClientGoalState;
+using testing::HasSubstr;
+
+constexpr double kPatience = 30;  // wall time, for whatever is waited for [s]
+const std::string kPrograms = COPPICE_BINARY_DIR "/bin/";
+
+std::string Log(const std::string& name) { return testing::TempDir() + name + ".log"; }
+
+std::string TextOf(const std::string& file) {
+  std::ostringstream text;
+  text << std::ifstream(file).rdbuf();
+  return text.str();
+}
+
+template <class Action>
+class Client {
+ public:
+  explicit Client(const std::string& name) : client_(name, true) {
+    EXPECT_TRUE(client_.waitForServer(ros::Duration(kPatience))) << name;
+  }
+  template <class Goal>
+  void Send(const Goal& goal) {
+    client_.sendGoal(goal);
+  }
+  SimpleClientGoalState Wait() {
+    EXPECT_TRUE(client_.waitForResult(ros::Duration(kPatience)));
+    return client_.getState();
+  }
+  auto* operator->() { return &client_; }
+
+ private:
+  actionlib::SimpleActionClient<Action> client_;
+};
+
+move_base_msgs::MoveBaseGoal Goal(double x, double y) {
+  move_base_msgs::MoveBaseGoal goal;
+  goal.target_pose.header.frame_id = "map";
+  goal.target_pose.pose.position.x = x;
+  goal.target_pose.pose.position.y = y;
+  goal.target_pose.pose.orientation.w = 1;
+  return goal;
+}
+
+// Keeps what the navigation says and what the robot is told.
+struct Listener {
+  Listener() {
+    state_subscriber = node.subscribe<coppice_msgs::NavigationState>(
+        "/navigation/state", 20, [this](const coppice_msgs::NavigationState::ConstPtr& message) {
+          const std::lock_guard<std::mutex> lock(mutex);
+          state = *message;
+          driving = driving || message->state == coppice_msgs::NavigationState::DRIVING;
+        });
+    command_subscriber = node.subscribe<geometry_msgs::Twist>(
+        "/cmd_vel", 100, [this](const geometry_msgs::Twist::ConstPtr& message) {
+          speed = message->linear.x;
+          ++commands;
+        });
+    path_subscriber = node.subscribe<nav_msgs::Path>(
+        "/navigation/path", 20, [this](const nav_msgs::Path::ConstPtr& message) {
+          longest_path = std::max<int>(longest_path, static_cast<int>(message->poses.size()));
+        });
+  }
+  ~Listener() {
+    state_subscriber.shutdown();
+    command_subscriber.shutdown();
+    path_subscriber.shutdown();
+  }
+  coppice_msgs::NavigationState State() {
+    const std::lock_guard<std::mutex> lock(mutex);
+    return state;
+  }
+
+  ros::NodeHandle node;
+  std::mutex mutex;
+  coppice_msgs::NavigationState state;
+  std::atomic<bool> driving{false};
+  std::atomic<double> speed{0};
+  std::atomic<int> commands{0};
+  std::atomic<int> longest_path{0};
+  ros::Subscriber state_subscriber;
+  ros::Subscriber command_subscriber;
+  ros::Subscriber path_subscriber;
+};
+
+class NavigationNode : public testing::Test {
+ protected:
+  // Starts the robot where it is told: "docked" or "X Y YAW".
+  void StartRobot(const std::string& start) {
+    ros::param::set("/use_sim_time", true);
+    simulator_ = ChildProcess(
+        {kPrograms + "coppice-simulator", "_speed:=6", "_start:=" + start, "_state_of_charge:=0.5"},
+        Log("simulator"));
+    navigation_ = ChildProcess({kPrograms + "coppice-navigation"}, Log("navigation"));
+  }
+
+  ChildProcess simulator_;
+  ChildProcess navigation_;
+};
+
+TEST_F(NavigationNode, LeavesTheStationDrivesToAGoalAndComesBack) {
+  StartRobot("docked");
+  ChildProcess docking({kPrograms + "coppice-docking"}, Log("docking"));
+  Listener listener;
+  Client<coppice_msgs::DockingAction> dock("docking");
+  Client<move_base_msgs::MoveBaseAction> move_base("move_base");
+  ASSERT_TRUE(Eventually([&] { return listener.State().header.stamp.toSec() > 1; }, kPatience));
+
+  coppice_msgs::DockingGoal undock;
+  undock.dock = false;
+  dock.Send(undock);
+  EXPECT_EQ(dock.Wait(), SimpleClientGoalState::SUCCEEDED) << dock->getState().getText();
+
+  move_base.Send(Goal(5.2, 0));
+  EXPECT_EQ(move_base.Wait(), SimpleClientGoalState::SUCCEEDED) << move_base->getState().getText();
+  EXPECT_TRUE(listener.driving);
+  EXPECT_GT(listener.longest_path, 100);
+  EXPECT_TRUE(Eventually([&] {
+    return listener.speed == 0 && listener.State().state == coppice_msgs::NavigationState::IDLE;
+  }));
+
+  move_base.Send(Goal(0, 0));
+  EXPECT_EQ(move_base.Wait(), SimpleClientGoalState::SUCCEEDED) << move_base->getState().getText();
+  coppice_msgs::DockingGoal back;
+  back.dock = true;
+  dock.Send(back);
+  EXPECT_EQ(dock.Wait(), SimpleClientGoalState::SUCCEEDED) << dock->getState().getText();
+  EXPECT_THAT(dock->getResult()->message, HasSubstr("charging with"));
+
+  EXPECT_EQ(navigation_.Stop(std::chrono::seconds(5)), 0);
+  EXPECT_EQ(docking.Stop(std::chrono::seconds(5)), 0);
+}
+
+TEST_F(NavigationNode, AnswersLikeMoveBase) {
+  StartRobot("4 0 0");
+  Listener listener;
+  Client<move_base_msgs::MoveBaseAction> move_base("move_base");
+  Client<coppice_msgs::MotionAction> motion("motion");
+  ASSERT_TRUE(Eventually([&] { return listener.State().header.stamp.toSec() > 1; }, kPatience));
+
+  move_base.Send(Goal(5, 1.2));
+  EXPECT_EQ(move_base.Wait(), SimpleClientGoalState::ABORTED);
+  EXPECT_THAT(move_base->getState().getText(), HasSubstr("is blocked"));
+  EXPECT_TRUE(Eventually([&] { return listener.State().consecutive_failures == 1; }));
+
+  auto invalid = Goal(5, 0);
+  invalid.target_pose.pose.orientation.w = 0;
+  move_base.Send(invalid);
+  EXPECT_EQ(move_base.Wait(), SimpleClientGoalState::ABORTED);
+
+  move_base.Send(Goal(30, 0));
+  ASSERT_TRUE(Eventually([&] { return listener.speed > 0.3; }, kPatience));
+  move_base->cancelGoal();
+  EXPECT_EQ(move_base.Wait(), SimpleClientGoalState::PREEMPTED);
+  EXPECT_TRUE(Eventually([&] { return listener.speed == 0; }));
+
+  // A motion holds up the running goal, which goes on afterwards.
+  move_base.Send(Goal(11, 0));
+  ASSERT_TRUE(Eventually([&] { return listener.speed > 0.3; }, kPatience));
+  coppice_msgs::MotionGoal backwards;
+  backwards.distance = -0.3;
+  motion.Send(backwards);
+  EXPECT_EQ(motion.Wait(), SimpleClientGoalState::SUCCEEDED) << motion->getState().getText();
+  EXPECT_TRUE(motion->getResult()->ok);
+  EXPECT_EQ(move_base.Wait(), SimpleClientGoalState::SUCCEEDED) << move_base->getState().getText();
+  EXPECT_TRUE(Eventually([&] { return listener.State().consecutive_failures == 0; }));
+
+  backwards.distance = -3;
+  motion.Send(backwards);
+  EXPECT_EQ(motion.Wait(), SimpleClientGoalState::ABORTED);
+  EXPECT_THAT(motion->getResult()->message, HasSubstr("too far"));
+
+  // Nothing to do, nothing said on /cmd_vel.
+  ASSERT_TRUE(Eventually([&] { return listener.speed == 0; }));
+  const int commands = listener.commands;
+  const auto stamp = listener.State().header.stamp;
+  ASSERT_TRUE(Eventually([&] { return listener.State().header.stamp > stamp + ros::Duration(3); }));
+  EXPECT_EQ(listener.commands, commands);
+}
+
+TEST(NavigationPrograms, SayInOneLineThatThereIsNoMaster) {
+  for (const std::string program : {"coppice-navigation", "coppice-docking"}) {
+    std::remove(Log(program + "_lonely").c_str());
+    ChildProcess lonely({kPrograms + program}, Log(program + "_lonely"),
+                        {{"ROS_MASTER_URI", "http://127.0.0.1:" + std::to_string(FreePort())}});
+    ASSERT_TRUE(Eventually([&] { return !lonely.IsRunning(); }, kPatience));
+    EXPECT_EQ(lonely.exit_status(), 2);
+    const std::string text = TextOf(Log(program + "_lonely"));
+    EXPECT_THAT(text, HasSubstr(program + ": no ROS master at http://127.0.0.1:"));
+    EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1) << text;
+  }
+}
+
+TEST(NavigationPrograms, RefuseAParameterThatTheyDoNotKnow) {
+  ChildProcess wrong({kPrograms + "coppice-navigation", "_max_sped:=1"}, Log("wrong"));
+  ASSERT_TRUE(Eventually([&] { return !wrong.IsRunning(); }, kPatience));
+  EXPECT_EQ(wrong.exit_status(), 2);
+  EXPECT_THAT(TextOf(Log("wrong")), HasSubstr("did you mean \"max_speed\"?"));
+  ros::param::del("/navigation/max_sped");
+}
+
+}  // namespace
+}  // namespace coppice::robot
