@@ -1,0 +1,158 @@
+#include "robot_app/monitoring/health_aggregator.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace coppice::robot {
+namespace {
+
+using std::chrono::milliseconds;
+using std::chrono::seconds;
+
+Finding About(const std::string& subject, HealthLevel level) {
+  return {"node", subject, subject, level, 0, "", "", Time(0)};
+}
+
+class HealthAggregatorTest : public testing::Test {
+ protected:
+  HealthAggregatorTest() { aggregator_.Expect({{"/monitor", milliseconds(500)}}, now_); }
+
+  bool Report(HealthLevel level) {
+    return aggregator_.OnReport("/monitor", {About("/a", level)}, now_);
+  }
+  bool CheckSilence() { return aggregator_.CheckSilence(processes_, now_, Time(9)); }
+  HealthLevel Published() { return aggregator_.Publish(now_).at(0).level; }
+
+  HealthAggregator aggregator_{milliseconds(250), 3};
+  ProcessTable processes_;
+  Time now_ = seconds(100);
+};
+
+TEST_F(HealthAggregatorTest, AnErrorThatWasGoneBeforeThePublicationIsSeenNevertheless) {
+  Report(HealthLevel::kError);
+  now_ += seconds(10);
+  Report(HealthLevel::kOk);
+  EXPECT_EQ(Published(), HealthLevel::kError);
+  EXPECT_EQ(Published(), HealthLevel::kOk);
+}
+
+TEST_F(HealthAggregatorTest, TheWorstOfSeveralReportsCounts) {
+  Report(HealthLevel::kWarn);
+  Report(HealthLevel::kError);
+  Report(HealthLevel::kWarn);
+  now_ += seconds(1);
+  EXPECT_EQ(Published(), HealthLevel::kError);
+  EXPECT_EQ(Published(), HealthLevel::kWarn);
+}
+
+TEST_F(HealthAggregatorTest, ABadLevelIsHeldForSlowReaders) {
+  Report(HealthLevel::kError);
+  EXPECT_EQ(Published(), HealthLevel::kError);
+  Report(HealthLevel::kOk);
+  now_ += milliseconds(249);
+  EXPECT_EQ(Published(), HealthLevel::kError);
+  now_ += milliseconds(1);
+  EXPECT_EQ(Published(), HealthLevel::kOk);
+}
+
+TEST_F(HealthAggregatorTest, OnlyAChangeOfLevelIsUrgent) {
+  EXPECT_TRUE(Report(HealthLevel::kOk));  // the first word about it
+  Published();
+  EXPECT_FALSE(Report(HealthLevel::kOk));
+  EXPECT_TRUE(Report(HealthLevel::kWarn));
+  EXPECT_TRUE(Report(HealthLevel::kWarn));  // not yet published
+  Published();
+  EXPECT_FALSE(Report(HealthLevel::kWarn));
+  EXPECT_TRUE(Report(HealthLevel::kOk));
+}
+
+TEST_F(HealthAggregatorTest, ASilentSourceMakesItsEntriesStale) {
+  aggregator_.OnReport("/monitor",
+                       {About("/a", HealthLevel::kOk), About("/b", HealthLevel::kError)}, now_);
+  aggregator_.Publish(now_);
+  now_ += milliseconds(1500);
+  EXPECT_FALSE(CheckSilence());  // three periods exactly
+  now_ += milliseconds(1);
+  EXPECT_TRUE(CheckSilence());
+  EXPECT_FALSE(CheckSilence());  // no longer news
+  const auto findings = aggregator_.Publish(now_);
+  ASSERT_EQ(findings.size(), 3u);
+  for (const Finding& finding : findings) {
+    EXPECT_EQ(finding.level, HealthLevel::kStale);
+    EXPECT_EQ(finding.node, "/monitor");  // the monitor is to be restarted, not what it watched
+    EXPECT_EQ(finding.message, "/monitor: no report for 1.5 s");
+    EXPECT_EQ(finding.stamp, Time(9));
+  }
+  EXPECT_EQ(findings[2].monitor, "node");
+  EXPECT_EQ(findings[2].subject, "/monitor");
+}
+
+TEST_F(HealthAggregatorTest, ASourceThatNeverSpokeIsSilentToo) {
+  now_ += seconds(2);
+  EXPECT_TRUE(CheckSilence());
+  EXPECT_EQ(Published(), HealthLevel::kStale);
+}
+
+TEST_F(HealthAggregatorTest, ASourceThatSpeaksAgainIsBelieved) {
+  Report(HealthLevel::kOk);
+  now_ += seconds(2);
+  CheckSilence();
+  aggregator_.Publish(now_);
+  now_ += seconds(1);
+  EXPECT_TRUE(Report(HealthLevel::kOk));
+  EXPECT_FALSE(CheckSilence());
+  const auto findings = aggregator_.Publish(now_);
+  ASSERT_EQ(findings.size(), 1u);
+  EXPECT_EQ(findings[0].level, HealthLevel::kOk);
+  EXPECT_EQ(findings[0].node, "/a");
+}
+
+TEST_F(HealthAggregatorTest, ASourceThatIsBeingStartedHasItsTime) {
+  Report(HealthLevel::kError);
+  now_ += seconds(2);
+  CheckSilence();
+  processes_.by_node["/monitor"].phase = ProcessPhase::kStarting;
+  EXPECT_TRUE(CheckSilence());
+  EXPECT_TRUE(aggregator_.Publish(now_).empty());  // its old entries are gone with it
+  now_ += seconds(60);
+  EXPECT_FALSE(CheckSilence());
+  processes_.by_node["/monitor"].phase = ProcessPhase::kReady;
+  now_ += milliseconds(1500);
+  EXPECT_FALSE(CheckSilence());
+  now_ += milliseconds(1);
+  EXPECT_TRUE(CheckSilence());
+}
+
+TEST_F(HealthAggregatorTest, UnknownSourcesArePassedThrough) {
+  aggregator_.OnReport("/stranger", {About("/x", HealthLevel::kWarn)}, now_);
+  const auto findings = aggregator_.Publish(now_);
+  ASSERT_EQ(findings.size(), 1u);
+  EXPECT_EQ(findings[0].subject, "/x");
+  EXPECT_EQ(findings[0].level, HealthLevel::kWarn);
+}
+
+TEST_F(HealthAggregatorTest, SourcesThatAreNoLongerExpectedAreForgotten) {
+  Report(HealthLevel::kError);
+  aggregator_.OnReport("/stranger", {About("/x", HealthLevel::kOk)}, now_);
+  aggregator_.Expect({{"/other", milliseconds(500)}}, now_);
+  const auto findings = aggregator_.Publish(now_);
+  ASSERT_EQ(findings.size(), 1u);
+  EXPECT_EQ(findings[0].subject, "/x");
+}
+
+TEST_F(HealthAggregatorTest, WhatAReportNoLongerMentionsIsForgotten) {
+  Report(HealthLevel::kOk);
+  aggregator_.Publish(now_);
+  EXPECT_TRUE(aggregator_.OnReport("/monitor", {}, now_));
+  EXPECT_TRUE(aggregator_.Publish(now_).empty());
+}
+
+TEST_F(HealthAggregatorTest, TheSameSubjectFromTwoSourcesIsTwoEntries) {
+  Report(HealthLevel::kOk);
+  aggregator_.OnReport("/stranger", {About("/a", HealthLevel::kError)}, now_);
+  EXPECT_EQ(aggregator_.Publish(now_).size(), 2u);
+}
+
+}  // namespace
+}  // namespace coppice::robot

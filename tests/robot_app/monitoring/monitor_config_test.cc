@@ -1,0 +1,127 @@
+#include "robot_app/monitoring/monitor_config.h"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <fstream>
+
+#include "robot_app/supervision/robot_config.h"
+
+namespace coppice::robot {
+namespace {
+
+using std::chrono::milliseconds;
+using std::chrono::seconds;
+using testing::HasSubstr;
+
+class MonitorConfigTest : public testing::Test {
+ protected:
+  MonitorConfig Read(const std::string& text) {
+    const std::string path = testing::TempDir() + "monitor_config_test.yaml";
+    std::ofstream(path) << text;
+    return LoadMonitorConfig(path, diagnostics_);
+  }
+  std::string Errors() const { return diagnostics_.ToString(); }
+  Diagnostics diagnostics_;
+};
+
+TEST_F(MonitorConfigTest, ReadsWhatIsWatchedInEachConfiguration) {
+  const MonitorConfig config = Read(R"(
+report_period: 0.2
+node_monitor: {deadline: 0.3, misses: 3}
+topic_monitor: {window: 4}
+health_aggregator: {period: 0.1, hold: 0.7, silent_periods: 5}
+initial: operating
+configurations:
+  charging: {}
+  operating:
+    nodes: [{node: /a}, {node: /b, misses: 1}]
+    topics:
+      - {topic: /scan, node: /a, warn: [8, 12], error: [5, none], staleness: 1.5}
+      - {topic: /clock, node: /a, time: wall, window: 1}
+    navigation: {topic: /navigation/state, node: /b, blocked: 7, no_path: 3, staleness: 2}
+    sources: [{source: /node_monitor, period: 0.5}]
+)");
+  EXPECT_EQ(Errors(), "");
+  EXPECT_EQ(config.report_period, milliseconds(200));
+  EXPECT_EQ(config.ping_deadline, milliseconds(300));
+  EXPECT_EQ(config.publish_period, milliseconds(100));
+  EXPECT_EQ(config.hold, milliseconds(700));
+  EXPECT_EQ(config.silent_periods, 5);
+  EXPECT_EQ(config.initial, "operating");
+  const WatchList& list = config.ForConfiguration("operating");
+  ASSERT_EQ(list.nodes.size(), 2u);
+  EXPECT_EQ(list.nodes[0].misses, 3);
+  EXPECT_EQ(list.nodes[1].misses, 1);
+  ASSERT_EQ(list.topics.size(), 2u);
+  EXPECT_EQ(list.topics[0].warn.high, 12);
+  EXPECT_EQ(list.topics[0].error.low, 5);
+  EXPECT_FALSE(list.topics[0].error.high.has_value());
+  EXPECT_EQ(list.topics[0].window, seconds(4));
+  EXPECT_EQ(list.topics[0].staleness, milliseconds(1500));
+  EXPECT_FALSE(list.topics[0].wall_time);
+  EXPECT_TRUE(list.topics[1].wall_time);
+  EXPECT_EQ(list.topics[1].window, seconds(1));
+  ASSERT_TRUE(list.navigation.has_value());
+  EXPECT_EQ(list.navigation->blocked, seconds(7));
+  EXPECT_EQ(list.sources.at(0).period, milliseconds(500));
+  EXPECT_TRUE(config.ForConfiguration("charging").nodes.empty());
+  EXPECT_FALSE(config.ForConfiguration("charging").navigation.has_value());
+  EXPECT_TRUE(config.ForConfiguration("unheard-of").nodes.empty());
+}
+
+TEST_F(MonitorConfigTest, ReportsEverythingAtOnceWithPlaceAndHint) {
+  Read(R"(report_perod: 1
+initial: oprating
+configurations:
+  operating:
+    nodes: [{node: a}, {node: /b}, {node: /b}]
+    topics:
+      - {topic: /x, node: /b, warn: [3, 2]}
+      - {topic: /y, node: /b, warn: [1], error: [a, 2]}
+      - {topic: /z, node: /b, warn: [1, 9], error: [2, 8], time: ross}
+      - {topic: /z}
+    sources: [{source: /m, period: -1}]
+)");
+  EXPECT_THAT(Errors(), HasSubstr(":1:1: error: unknown key \"report_perod\" (did you mean "
+                                  "\"report_period\"?)"));
+  EXPECT_THAT(Errors(), HasSubstr("unknown configuration \"oprating\" (did you mean "
+                                  "\"operating\"?)"));
+  EXPECT_THAT(Errors(), HasSubstr(":5:20: error: \"node\": expected a ROS name with slash"));
+  EXPECT_THAT(Errors(), HasSubstr("\"/b\" is listed twice"));
+  EXPECT_THAT(Errors(), HasSubstr("low is not below high"));
+  EXPECT_THAT(Errors(), HasSubstr("expected [low, high]"));
+  EXPECT_THAT(Errors(), HasSubstr("expected a rate in Hz or none, got \"a\""));
+  EXPECT_THAT(Errors(), HasSubstr("\"warn\" is not within \"error\""));
+  EXPECT_THAT(Errors(), HasSubstr("\"ross\" is none of ros, wall (did you mean \"ros\"?)"));
+  EXPECT_THAT(Errors(), HasSubstr("-1 is not within"));
+}
+
+// Both files must speak of the same robot.
+TEST_F(MonitorConfigTest, TheShippedFileIsRightAndFitsTheShippedProcesses) {
+  const std::string folder = std::string(COPPICE_SOURCE_DIR) + "/robot_app/config/";
+  const MonitorConfig monitors = LoadMonitorConfig(folder + "monitors.yaml", diagnostics_);
+  const RobotConfig robot = LoadRobotConfig(
+      folder + "robot.yaml", {{"bin", "b"}, {"config", "c"}, {"record", "r"}}, diagnostics_);
+  ASSERT_EQ(Errors(), "");
+  EXPECT_EQ(monitors.lists.size(), robot.configurations.size());
+  for (const Configuration& configuration : robot.configurations) {
+    std::vector<std::string> nodes;
+    for (const std::size_t process : configuration.processes) {
+      nodes.push_back(robot.processes[process].node);
+    }
+    const WatchList& list = monitors.ForConfiguration(configuration.name);
+    EXPECT_FALSE(list.nodes.empty()) << configuration.name;
+    for (const NodeWatch& watch : list.nodes) EXPECT_THAT(nodes, testing::Contains(watch.node));
+    for (const TopicWatch& watch : list.topics) EXPECT_THAT(nodes, testing::Contains(watch.node));
+    for (const SourceWatch& watch : list.sources) {
+      EXPECT_THAT(nodes, testing::Contains(watch.source));
+    }
+    if (list.navigation) {
+      EXPECT_THAT(nodes, testing::Contains(list.navigation->node));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace coppice::robot

@@ -1,0 +1,193 @@
+// The monitors' programs and the aggregator, with a real master and real nodes: from a broken node
+// to the error on /monitoring.
+#include "robot_app/monitoring/monitor_node.h"
+
+#include <coppice_msgs/Health.h>
+#include <coppice_msgs/NavigationState.h>
+#include <coppice_msgs/ProcessStates.h>
+#include <gmock/gmock.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "tests/robot_app/supervision/ros_graph.h"
+
+namespace coppice::robot {
+namespace {
+
+using coppice_msgs::HealthEntry;
+using testing::HasSubstr;
+
+constexpr char kConfig[] = R"(
+configurations:
+  operating:
+    nodes: [{node: /victim}]
+    topics:
+      - {topic: /steady, node: /steady_talker, warn: [15, 25], error: [10, 30], staleness: 1}
+      - {topic: /slow, node: /slow_talker, error: [10, 30], staleness: 5}
+      - {topic: /fast, node: /fast_talker, error: [10, 30], staleness: 1}
+      - {topic: /silent, node: /silent_talker, staleness: 1}
+    navigation: {topic: /navigation/state, node: /navigation, staleness: 2}
+  charging:
+    nodes: [{node: /absent}]
+)";
+
+class MonitorNodeTest : public testing::Test {
+ protected:
+  MonitorNodeTest() {
+    std::ofstream(config_) << kConfig;
+    subscriber_ = graph_.node().subscribe<coppice_msgs::Health>(
+        "/monitoring", 100, [this](const coppice_msgs::Health::ConstPtr& message) {
+          health_ = *message;
+          ++publications_;
+        });
+    graph_.Start("aggregator", {kPrograms + "coppice-health-aggregator", "--config", config_});
+  }
+  ~MonitorNodeTest() override { graph_.EndPrograms(); }
+
+  void StartMonitor(const std::string& name) {
+    graph_.Start(name, {kPrograms + "coppice-" + name, "--config", config_});
+  }
+  int StartTalker(const std::string& name, double rate) {
+    return graph_.Start(name, {kTestPrograms + "test_talker", "__name:=" + name + "_talker",
+                               "_topic:=/" + name, "_rate:=" + std::to_string(rate)});
+  }
+
+  const HealthEntry* Find(const std::string& monitor, const std::string& subject) const {
+    for (const HealthEntry& entry : health_.entries) {
+      if (entry.monitor == monitor && entry.subject == subject) return &entry;
+    }
+    return nullptr;
+  }
+  bool WaitForLevel(const std::string& monitor, const std::string& subject, int level,
+                    double seconds) {
+    return graph_.WaitFor(
+        [&] {
+          const HealthEntry* entry = Find(monitor, subject);
+          return entry && entry->level == level;
+        },
+        seconds);
+  }
+
+  const std::string config_ = testing::TempDir() + "monitor_node_test.yaml";
+  RosGraph& graph_ = RosGraph::Shared();
+  ros::Subscriber subscriber_;
+  coppice_msgs::Health health_;
+  int publications_ = 0;
+};
+
+TEST_F(MonitorNodeTest, AKilledOrHungNodeIsAnErrorWithinTwoSeconds) {
+  StartMonitor("node-monitor");
+  const auto start = [this] {
+    return graph_.Start("victim", {kTestPrograms + "test_talker", "__name:=victim"});
+  };
+  int victim = start();
+  ASSERT_TRUE(WaitForLevel("node", "/victim", HealthEntry::OK, 10));
+
+  graph_.Kill(victim, SIGKILL);
+  ASSERT_TRUE(WaitForLevel("node", "/victim", HealthEntry::ERROR, 2));
+  EXPECT_EQ(Find("node", "/victim")->node, "/victim");
+  EXPECT_THAT(Find("node", "/victim")->message, HasSubstr("refuses connections"));
+
+  victim = start();
+  ASSERT_TRUE(WaitForLevel("node", "/victim", HealthEntry::OK, 10));
+  kill(victim, SIGSTOP);
+  ASSERT_TRUE(WaitForLevel("node", "/victim", HealthEntry::ERROR, 2));
+  EXPECT_THAT(Find("node", "/victim")->message, HasSubstr("does not answer"));
+  kill(victim, SIGCONT);
+  EXPECT_TRUE(WaitForLevel("node", "/victim", HealthEntry::OK, 2));
+}
+
+TEST_F(MonitorNodeTest, TopicsThatAreTooSlowTooFastOrSilentAreErrors) {
+  StartTalker("steady", 20);
+  StartTalker("slow", 5);
+  StartTalker("fast", 60);
+  StartMonitor("topic-monitor");
+  ASSERT_TRUE(WaitForLevel("topic", "/silent", HealthEntry::ERROR, 10));
+  ASSERT_TRUE(WaitForLevel("topic", "/slow", HealthEntry::ERROR, 5));
+  ASSERT_TRUE(WaitForLevel("topic", "/fast", HealthEntry::ERROR, 5));
+  EXPECT_EQ(Find("topic", "/slow")->node, "/slow_talker");
+  EXPECT_NEAR(Find("topic", "/slow")->value, 5, 1.5);
+  EXPECT_GT(Find("topic", "/fast")->value, 30);
+  EXPECT_THAT(Find("topic", "/silent")->message, HasSubstr("no message for"));
+  EXPECT_TRUE(WaitForLevel("topic", "/steady", HealthEntry::OK, 5));
+}
+
+TEST_F(MonitorNodeTest, ABlockedPathIsAnErrorOfTheNavigation) {
+  ros::Publisher states =
+      graph_.node().advertise<coppice_msgs::NavigationState>("/navigation/state", 5);
+  StartMonitor("navigation-monitor");
+  coppice_msgs::NavigationState state;
+  const auto tell = [&](double seconds) {
+    const int level = state.state == state.NO_PATH ? HealthEntry::ERROR : HealthEntry::OK;
+    return graph_.WaitFor(
+        [&] {
+          states.publish(state);
+          const HealthEntry* entry = Find("navigation", "progress");
+          return entry && entry->level == level && entry->message != "state unknown";
+        },
+        seconds);
+  };
+  EXPECT_TRUE(tell(10));  // idle
+  state.state = state.NO_PATH;
+  state.consecutive_failures = 1;
+  EXPECT_TRUE(tell(3));
+  EXPECT_TRUE(WaitForLevel("topic", "/navigation/state", HealthEntry::ERROR, 6));  // now silent
+  EXPECT_EQ(Find("topic", "/navigation/state")->node, "/navigation");
+}
+
+TEST_F(MonitorNodeTest, TheSupervisorsWordCountsWhileItStartsANodeAndChangesTheConfiguration) {
+  ros::Publisher processes =
+      graph_.node().advertise<coppice_msgs::ProcessStates>("/processes", 5, true);
+  coppice_msgs::ProcessStates message;
+  message.configuration = "charging";
+  message.processes.resize(1);
+  message.processes[0].node = "/absent";
+  message.processes[0].state = coppice_msgs::ProcessState::STARTING;
+  processes.publish(message);
+  StartMonitor("node-monitor");
+  ASSERT_TRUE(graph_.WaitFor(
+      [&] {
+        const HealthEntry* entry = Find("node", "/absent");
+        return entry && entry->level == HealthEntry::OK && entry->message == "starting";
+      },
+      10));
+  EXPECT_TRUE(graph_.WaitFor([&] { return !Find("node", "/victim"); }, 3));
+  message.processes[0].state = coppice_msgs::ProcessState::STOPPED;
+  message.processes[0].message = "ended by signal 9";
+  processes.publish(message);
+  ASSERT_TRUE(WaitForLevel("node", "/absent", HealthEntry::ERROR, 3));
+  EXPECT_THAT(Find("node", "/absent")->message, HasSubstr("process ended by signal 9"));
+  message.configuration = "operating";
+  processes.publish(message);
+  EXPECT_TRUE(graph_.WaitFor([&] { return Find("node", "/victim"); }, 3));
+}
+
+TEST_F(MonitorNodeTest, TheAggregateIsPublishedFourTimesPerSecondEvenWithoutReports) {
+  ASSERT_TRUE(graph_.WaitFor([&] { return publications_ > 0; }, 10));
+  const int before = publications_;
+  const ros::WallTime begin = ros::WallTime::now();
+  ASSERT_TRUE(graph_.WaitFor([&] { return publications_ >= before + 4; }, 3));
+  EXPECT_GT((ros::WallTime::now() - begin).toSec(), 0.6);
+}
+
+TEST_F(MonitorNodeTest, BadInputEndsAProgramWithOneLineAndStatus2) {
+  const auto run = [this](std::vector<std::string> arguments, const std::string& name) {
+    arguments.insert(arguments.begin(), kPrograms + "coppice-node-monitor");
+    std::remove((testing::TempDir() + "ros_graph/" + name + ".log").c_str());
+    int status = 0;
+    waitpid(graph_.Start(name, std::move(arguments)), &status, 0);
+    EXPECT_EQ(WEXITSTATUS(status), 2);
+    std::ostringstream text;
+    text << std::ifstream(testing::TempDir() + "ros_graph/" + name + ".log").rdbuf();
+    return text.str();
+  };
+  EXPECT_THAT(run({}, "usage"), HasSubstr("--config FILE"));
+  EXPECT_EQ(run({"--config", "/nowhere"}, "missing"), "/nowhere: error: cannot read the file\n");
+  const std::string port = std::to_string(FreePort());
+  EXPECT_EQ(run({"--config", config_, "__master:=http://127.0.0.1:" + port}, "no_master"),
+            "node_monitor: no ROS master at http://127.0.0.1:" + port + " (ROS_MASTER_URI)\n");
+}
+
+}  // namespace
+}  // namespace coppice::robot

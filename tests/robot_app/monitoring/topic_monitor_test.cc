@@ -1,0 +1,147 @@
+#include "robot_app/monitoring/topic_monitor.h"
+
+#include <gtest/gtest.h>
+
+namespace coppice::robot {
+namespace {
+
+using std::chrono::milliseconds;
+using std::chrono::seconds;
+
+// Within [8, 12] Hz well, outside [5, 15] Hz an error; window 2 s, staleness 1 s.
+TopicWatch Scan() {
+  TopicWatch watch;
+  watch.topic = "/scan";
+  watch.node = "/scanner";
+  watch.warn = {8, 12};
+  watch.error = {5, 15};
+  watch.window = seconds(2);
+  watch.staleness = seconds(1);
+  return watch;
+}
+
+// `count` messages, evenly over the window of 2 s that ends at the returned assessment.
+Finding AtCount(int count) {
+  RateWatch watch(Scan());
+  const Time begin = seconds(100), window = seconds(2);
+  watch.Assess(begin);
+  for (int i = 1; i <= count; ++i) watch.OnMessage(begin + window * i / count);
+  return watch.Assess(begin + window);
+}
+
+TEST(RateWatch, JudgesBothSidesOfTheBandWithExactEdges) {
+  EXPECT_EQ(AtCount(9).level, HealthLevel::kError);  // 4.5 Hz
+  EXPECT_EQ(AtCount(10).level, HealthLevel::kWarn);  // 5 Hz: on the edge of error
+  EXPECT_EQ(AtCount(15).level, HealthLevel::kWarn);  // 7.5 Hz
+  EXPECT_EQ(AtCount(16).level, HealthLevel::kOk);    // 8 Hz: on the edge of warn
+  EXPECT_EQ(AtCount(20).level, HealthLevel::kOk);
+  EXPECT_EQ(AtCount(24).level, HealthLevel::kOk);     // 12 Hz: on the edge of warn
+  EXPECT_EQ(AtCount(25).level, HealthLevel::kWarn);   // 12.5 Hz
+  EXPECT_EQ(AtCount(30).level, HealthLevel::kWarn);   // 15 Hz: on the edge of error
+  EXPECT_EQ(AtCount(31).level, HealthLevel::kError);  // 15.5 Hz
+}
+
+TEST(RateWatch, SaysWhatItMeasuredAndWhatItExpected) {
+  const Finding finding = AtCount(9);
+  EXPECT_EQ(finding.monitor, "topic");
+  EXPECT_EQ(finding.subject, "/scan");
+  EXPECT_EQ(finding.node, "/scanner");
+  EXPECT_EQ(finding.value, 4.5);
+  EXPECT_EQ(finding.unit, "Hz");
+  EXPECT_EQ(finding.message, "4.5 Hz, expected 5 to 15 Hz");
+}
+
+TEST(RateWatch, DoesNotJudgeTheRateBeforeTheWindowIsFull) {
+  RateWatch watch(Scan());
+  watch.Assess(seconds(100));
+  watch.OnMessage(seconds(101));
+  EXPECT_EQ(watch.Assess(seconds(102) - Duration(1)).level, HealthLevel::kOk);
+  EXPECT_EQ(watch.Assess(seconds(102)).level, HealthLevel::kError);
+}
+
+TEST(RateWatch, SilenceIsAnErrorBeforeTheFirstWindowIsFull) {
+  RateWatch watch(Scan());
+  watch.Assess(seconds(100));
+  EXPECT_EQ(watch.Assess(seconds(101)).level, HealthLevel::kOk);  // exactly the limit
+  const Finding finding = watch.Assess(seconds(101) + milliseconds(500));
+  EXPECT_EQ(finding.level, HealthLevel::kError);
+  EXPECT_EQ(finding.message, "no message for 1.5 s");
+}
+
+TEST(RateWatch, ALongSilenceStaysOne) {
+  RateWatch watch(Scan());
+  watch.Assess(seconds(100));
+  watch.OnMessage(seconds(100));
+  const Finding finding = watch.Assess(seconds(500));
+  EXPECT_EQ(finding.message, "no message for 400 s");
+  EXPECT_EQ(finding.value, 0);
+}
+
+TEST(RateWatch, WithoutABandOnlySilenceCounts) {
+  TopicWatch only_staleness = Scan();
+  only_staleness.warn = only_staleness.error = {};
+  RateWatch watch(only_staleness);
+  watch.Assess(seconds(100));
+  watch.OnMessage(seconds(102));
+  EXPECT_EQ(watch.Assess(seconds(102)).level, HealthLevel::kOk);
+}
+
+TEST(RateWatch, TimeThatJumpsBackStartsAnew) {
+  RateWatch watch(Scan());
+  watch.Assess(seconds(100));
+  watch.OnMessage(seconds(101));
+  EXPECT_EQ(watch.Assess(seconds(50)).message, "measuring");
+  EXPECT_EQ(watch.Assess(seconds(51) + milliseconds(1)).level, HealthLevel::kError);
+}
+
+class TopicMonitorTest : public testing::Test {
+ protected:
+  TopicMonitorTest() { monitor_.Watch({Scan()}); }
+  Finding Report(Time ros, Time wall = Time(0)) {
+    return monitor_.Report(processes_, {ros, wall}).at(0);
+  }
+  TopicMonitor monitor_;
+  ProcessTable processes_;
+};
+
+TEST_F(TopicMonitorTest, CountsInRosTimeHoweverFastItRuns) {
+  Report(seconds(100));
+  for (int i = 1; i <= 20; ++i) {
+    monitor_.OnMessage("/scan", {seconds(100) + milliseconds(100) * i, milliseconds(i)});
+  }
+  EXPECT_EQ(Report(seconds(102), milliseconds(20)).value, 10);
+}
+
+TEST_F(TopicMonitorTest, CountsInWallTimeIfToldSo) {
+  TopicWatch clock = Scan();
+  clock.wall_time = true;
+  monitor_.Watch({clock});
+  Report(seconds(100), seconds(7));
+  const Finding finding = Report(seconds(100), seconds(9));  // ROS time stands still
+  EXPECT_EQ(finding.level, HealthLevel::kError);
+  EXPECT_EQ(finding.stamp, seconds(100));
+}
+
+TEST_F(TopicMonitorTest, APublisherThatStartsHasItsTime) {
+  Report(seconds(100));
+  processes_.by_node["/scanner"].phase = ProcessPhase::kStarting;
+  EXPECT_EQ(Report(seconds(110)).message, "starting");
+  processes_.by_node["/scanner"].phase = ProcessPhase::kReady;
+  EXPECT_EQ(Report(seconds(111)).level, HealthLevel::kOk);  // counts from the last "starting"
+  EXPECT_EQ(Report(seconds(111) + milliseconds(1)).level, HealthLevel::kError);
+}
+
+TEST_F(TopicMonitorTest, AChangeOfTheListKeepsWhatWasSeen) {
+  Report(seconds(100));
+  for (int i = 1; i <= 20; ++i) {
+    monitor_.OnMessage("/scan", {seconds(100) + milliseconds(100) * i, Time(0)});
+  }
+  TopicWatch other = Scan();
+  other.topic = "/other";
+  monitor_.Watch({Scan(), other});
+  monitor_.OnMessage("/unwatched", {seconds(102), Time(0)});
+  EXPECT_EQ(Report(seconds(102)).value, 10);
+}
+
+}  // namespace
+}  // namespace coppice::robot
