@@ -3,45 +3,57 @@
 #define COPPICE_ROBOT_APP_APP_RUN_SUMMARY_H_
 
 #include <cstdint>
-#include <map>
 #include <string>
 #include <vector>
 
+#include "bt_core/record/entries.h"
+
 namespace coppice::robot {
 
-/// One kind of recovery, for example "wait_and_retry".
+/// One record, read whole.
+struct Recording {
+  RecordHeader header;
+  std::vector<RecordEntry> entries;
+};
+
+/// One kind of recovery: a node of the monitor tree.
 struct RecoveryCount {
+  std::string kind;  ///< for people: "wait and retry"
   int started = 0;
   int ended_well = 0;  ///< the tree saw the fault disappear
   int successful =
-      0;  ///< and no further recovery was needed within 60 s (Hawes 2016, used by Sobi)
+      0;  ///< and no further recovery began within 60 s (Hawes et al. 2016, as Sobi counts)
 };
 
 struct TickStatistics {
   std::uint64_t ticks = 0;
   std::uint64_t status_changes = 0;
-  double seconds = 0;  ///< from the first to the last recorded tick, in the tree's time
+  double seconds = 0;  ///< from the start of the record to its last entry, in the tree's time
 };
 
 struct RunSummary {
-  int rounds = 0;                   ///< patrol rounds that were completed
-  int stops = 0;                    ///< places that were reached
-  bool docked = false;              ///< the robot came home
-  std::vector<std::string> faults;  ///< what the monitors reported as errors, first message of each
-  std::map<std::string, RecoveryCount> recoveries;
+  int rounds = 0;                         ///< patrol rounds that were completed
+  int stops = 0;                          ///< places that were reached
+  bool docked = false;                    ///< the robot came home at the end
+  std::vector<std::string> injected;      ///< notes about injected faults
+  std::vector<std::string> faults;        ///< what the monitor tree saw, each text once
+  std::vector<RecoveryCount> recoveries;  ///< every kind that the monitor tree has
   TickStatistics application;
   TickStatistics monitor;
   std::vector<std::string> problems;  ///< a record that is missing or damaged
 
-  /// Recoveries that ended well, of all kinds.
-  int SuccessfulRecoveries() const;
+  /// The count of that kind; zeros if there is none.
+  RecoveryCount Recovery(const std::string& kind) const;
 };
 
-/// Reads both records. Never throws: what is wrong is in `problems`.
-RunSummary Summarize(const std::string& application_record, const std::string& monitor_record);
+/// Counts what two recordings say.
+RunSummary Summarize(const Recording& application, const Recording& monitor);
 
-/// The summary for people.
-std::string ToTable(const RunSummary& summary, int injected_faults, double distance);
+/// Reads both records and counts. Never throws: what is wrong is in `problems`.
+RunSummary SummarizeFiles(const std::string& application_record, const std::string& monitor_record);
+
+/// The summary for people. `distance` was driven [m], from odometry.
+std::string ToTable(const RunSummary& summary, double distance);
 
 }  // namespace coppice::robot
 

@@ -1,16 +1,31 @@
 #include "robot_app/app/tree_runner.h"
 
+#include <filesystem>
 #include <utility>
 #include <vector>
 
 namespace coppice::robot {
+namespace {
+
+// A record is never overwritten: a program that was restarted continues in a second one.
+std::string FreePath(const std::filesystem::path& wanted) {
+  std::filesystem::path path = wanted;
+  for (int number = 2; std::filesystem::exists(path); ++number) {
+    path = wanted;
+    path.replace_extension(std::to_string(number) + wanted.extension().string());
+  }
+  return path;
+}
+
+}  // namespace
 
 TreeRunner::TreeRunner(std::shared_ptr<const Program> program, Clock& clock,
                        TreeRunnerOptions options)
     : options_(std::move(options)), executor_(std::move(program), clock) {
   if (!options_.record_path.empty()) {
-    recorder_ = std::make_unique<Recorder>(executor_, options_.record_path,
-                                           RecordMetadata{{"tree", options_.name}});
+    RecorderOptions recording;
+    recording.metadata = {{"tree", options_.name}};
+    recorder_ = std::make_unique<Recorder>(executor_, FreePath(options_.record_path), recording);
   }
   if (options_.live_port > 0) {
     LiveOptions live;

@@ -16,8 +16,9 @@
 namespace coppice::robot {
 
 struct TreeRunnerOptions {
-  std::string name;         ///< "application", "monitor"; also the name of the record
-  std::string record_path;  ///< file to record to; empty: no record
+  std::string name;  ///< "application", "monitor"; also the name of the record
+  std::string
+      record_path;  ///< file to record to; if it exists, name.2.coppice and so on. Empty: none
   int live_port =
       0;  ///< of the live socket on loopback; it takes this port and the next one. 0: none
   RunOptions run;

@@ -7,6 +7,9 @@
 namespace coppice::robot {
 namespace {
 
+// Between two attempts of the application the server is idle, but the fault is still there.
+constexpr Duration kFailureLasts = std::chrono::seconds(15);
+
 std::string InSeconds(Duration duration) {
   char text[32];
   std::snprintf(text, sizeof(text), "%.1f s", std::chrono::duration<double>(duration).count());
@@ -48,10 +51,16 @@ Finding NavigationMonitor::Progress(Time now) const {
     finding.message = "state unknown";
     return finding;
   }
+  const Duration lasted = state_->in_phase + (now - *since_);
+  const bool idle = state_->phase == NavigationPhase::kIdle;
+  if (idle && state_->consecutive_failures > 0 && lasted < kFailureLasts) {
+    finding.level = HealthLevel::kError;
+    finding.message = "the last goal was not reached: " + state_->message;
+    return finding;
+  }
   const bool no_path = state_->phase == NavigationPhase::kNoPath;
   if (!no_path && state_->phase != NavigationPhase::kBlocked) return finding;
 
-  const Duration lasted = state_->in_phase + (now - *since_);
   const Duration bound = no_path ? watch_->no_path : watch_->blocked;
   const bool failed = no_path && state_->consecutive_failures > 0;
   finding.level = failed || lasted > bound ? HealthLevel::kError : HealthLevel::kWarn;

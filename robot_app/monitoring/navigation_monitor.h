@@ -37,7 +37,8 @@ class NavigationMonitor {
   /// named, for a restart frees no corridor. "topic": is the state fresh; names the server's node.
   ///
   /// NO_PATH is an error at once if a goal has failed for it, else after its bound, and a warning
-  /// before; so is BLOCKED after its bound.
+  /// before; so is BLOCKED after its bound. A goal that has failed remains an error for some time:
+  /// whoever wants to get there will try again soon.
   std::vector<Finding> Report(const ProcessTable& processes, Time now);
 
  private:

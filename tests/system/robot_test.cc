@@ -1,0 +1,57 @@
+// The whole robot at once, as `./dev demo` runs it: ROS master, simulated robot, monitors, process
+// supervisor, both trees, live sockets, records. What happened is read from the records, not from
+// log lines.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <thread>
+
+#include "robot_app/app/child_process.h"
+#include "robot_app/app/run_summary.h"
+
+namespace coppice::robot {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string Contents(const fs::path& path) {
+  std::ostringstream text;
+  text << std::ifstream(path).rdbuf();
+  return text.str();
+}
+
+TEST(Robot, RecoversFromADeadNodeAndABlockedCorridorOnItsPatrol) {
+  const fs::path folder = fs::path(COPPICE_BINARY_DIR) / "tests" / "system_run";
+  fs::remove_all(folder);
+  fs::create_directories(folder);
+  const std::string live_port = std::to_string(20000 + getpid() % 20000);
+  ChildProcess demo(
+      {std::string(COPPICE_BINARY_DIR) + "/bin/coppice-demo", "--no-editor", "--run",
+       folder.string(), "--rounds", "1", "--stops", "4", "--speed", "6", "--live-port", live_port},
+      (folder / "demo.log").string());
+  const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(540);
+  while (demo.IsRunning() && std::chrono::steady_clock::now() < deadline) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  }
+  EXPECT_EQ(demo.Stop(std::chrono::seconds(30)), 0) << Contents(folder / "demo.log");
+
+  const RunSummary run = SummarizeFiles((folder / "application.coppice").string(),
+                                        (folder / "monitor.coppice").string());
+  EXPECT_TRUE(run.problems.empty()) << run.problems.front();
+  EXPECT_EQ(run.rounds, 1);
+  EXPECT_EQ(run.stops, 4);
+  EXPECT_TRUE(run.docked);
+  EXPECT_EQ(run.injected.size(), 2u);
+  EXPECT_GE(run.Recovery("restart node").ended_well, 1);
+  EXPECT_GE(run.Recovery("wait and retry").ended_well + run.Recovery("move backwards").ended_well,
+            1);
+  EXPECT_EQ(run.Recovery("navigation: ask").started, 0);
+  EXPECT_GT(run.application.ticks, 100u);
+  EXPECT_GT(run.monitor.ticks, 100u);
+}
+
+}  // namespace
+}  // namespace coppice::robot
