@@ -1,0 +1,54 @@
+#include "bt_core/record/record_file.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <stdexcept>
+#include <utility>
+
+namespace coppice {
+namespace {
+
+std::string Problem(const std::string& path, const char* what, int error) {
+  return path + ": cannot " + what + ": " + std::strerror(error);
+}
+
+}  // namespace
+
+RecordFile::RecordFile(std::string path) : path_(std::move(path)) {
+  file_ = open(path_.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
+  if (file_ < 0) throw std::runtime_error(Problem(path_, "make this record", errno));
+  struct stat status {};
+  if (fstat(file_, &status) == 0 && S_ISREG(status.st_mode) && status.st_size > 0) {
+    close(file_);
+    throw std::runtime_error(path_ + ": there is a file already, and a record overwrites nothing");
+  }
+}
+
+RecordFile::~RecordFile() { close(file_); }
+
+std::string RecordFile::Write(Bytes& bytes) {
+  std::size_t written = 0;
+  int error = 0;
+  while (written < bytes.size() && error == 0) {
+    const ssize_t count = write(file_, bytes.data() + written, bytes.size() - written);
+    if (count >= 0) {
+      written += static_cast<std::size_t>(count);
+    } else if (errno != EINTR) {
+      error = errno;
+    }
+  }
+  bytes.erase(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(written));
+  return error ? Problem(path_, "write", error) : "";
+}
+
+std::string RecordFile::Sync() {
+  if (fdatasync(file_) == 0) return "";
+  const bool no_disk = errno == EINVAL || errno == EROFS;  // a pipe
+  return no_disk ? "" : Problem(path_, "sync", errno);
+}
+
+}  // namespace coppice

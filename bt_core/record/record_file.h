@@ -1,0 +1,34 @@
+// The file that a record grows in. Only ever appended to.
+#ifndef COPPICE_BT_CORE_RECORD_RECORD_FILE_H_
+#define COPPICE_BT_CORE_RECORD_RECORD_FILE_H_
+
+#include <string>
+
+#include "bt_core/record/coding.h"
+
+namespace coppice {
+
+class RecordFile {
+ public:
+  /// Creates the file. Throws std::runtime_error if that is not possible, or if there is a file
+  /// with something in it: a record is never overwritten.
+  explicit RecordFile(std::string path);
+  ~RecordFile();
+  RecordFile(const RecordFile&) = delete;
+  RecordFile& operator=(const RecordFile&) = delete;
+
+  /// Hands the bytes to the kernel and takes what was written out of `bytes`; what is left can be
+  /// tried again. An error text, or empty.
+  std::string Write(Bytes& bytes);
+
+  /// Waits until what was written is on the disk. An error text, or empty.
+  std::string Sync();
+
+ private:
+  std::string path_;
+  int file_;
+};
+
+}  // namespace coppice
+
+#endif  // COPPICE_BT_CORE_RECORD_RECORD_FILE_H_
