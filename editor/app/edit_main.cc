@@ -1,0 +1,66 @@
+// coppice-edit: the graphical editor.
+#include <csignal>
+#include <cstdlib>
+#include <iostream>
+
+#include "editor/app/run.h"
+
+namespace coppice::editor {
+
+std::atomic<bool> g_stop{false};
+
+namespace {
+
+std::string RecentFile() {
+  if (const char* folder = std::getenv("XDG_CONFIG_HOME"); folder && *folder) {
+    return std::string(folder) + "/coppice/recent";
+  }
+  if (const char* home = std::getenv("HOME"); home && *home) {
+    return std::string(home) + "/.config/coppice/recent";
+  }
+  return {};
+}
+
+}  // namespace
+
+std::unique_ptr<Editor> MakeEditor(const Clock& clock, const EditOptions& options,
+                                   EditorOptions editor_options) {
+  editor_options.palette = options.palette;
+  if (!options.headless) editor_options.recent_file = RecentFile();
+  auto editor = std::make_unique<Editor>(clock, std::move(editor_options));
+  if (!editor->error().empty()) {
+    std::cerr << "coppice-edit: " << editor->error() << "\n";
+    return nullptr;
+  }
+  for (const std::string& models : options.models) editor->AddModels(models);
+  for (const std::string& file : options.files) editor->Open(file);
+  if (options.files.size() > 1) editor->Open(options.files.front());  // shows the first
+  for (const std::string& robot : options.robots) {
+    const std::string wrong = editor->Connect(robot);
+    if (wrong.empty()) continue;
+    std::cerr << "coppice-edit: " << wrong << "\n";
+    return nullptr;
+  }
+  editor->state().workspace.ShowRobot(0);
+  return editor;
+}
+
+int Main(const std::vector<std::string>& arguments) {
+  std::string error;
+  const std::optional<EditOptions> options = ParseEditOptions(arguments, error);
+  if (!options) {
+    (error.empty() ? std::cout : std::cerr)
+        << (error.empty() ? "" : "coppice-edit: " + error + "\n") << kEditUsage;
+    return error.empty() ? 0 : 2;
+  }
+  std::signal(SIGTERM, [](int) { g_stop = true; });
+  std::signal(SIGINT, [](int) { g_stop = true; });
+  WallClock clock;
+  return options->headless ? RunHeadless(clock, *options) : RunWindow(clock, *options);
+}
+
+}  // namespace coppice::editor
+
+int main(int argc, char** argv) {
+  return coppice::editor::Main(std::vector<std::string>(argv + 1, argv + argc));
+}

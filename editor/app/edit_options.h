@@ -1,0 +1,34 @@
+// The command line of coppice-edit.
+#ifndef COPPICE_EDITOR_APP_EDIT_OPTIONS_H_
+#define COPPICE_EDITOR_APP_EDIT_OPTIONS_H_
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "editor/look/palette.h"
+
+namespace coppice::editor {
+
+struct EditOptions {
+  std::vector<std::string> files;
+  std::vector<std::string> robots;  ///< host:port
+  std::vector<std::string> models;
+  std::string picture;       ///< PNG file; empty: none
+  double picture_every = 0;  ///< seconds; 0: at the end only
+  int width = 1280;
+  int height = 800;
+  PaletteName palette = PaletteName::kDark;
+  bool headless = false;
+  double run_for = 0;  ///< seconds; 0: until told to end
+};
+
+extern const char* const kEditUsage;
+
+/// Nothing if the arguments are wrong; then `error` says what, or is empty if help was asked for.
+std::optional<EditOptions> ParseEditOptions(const std::vector<std::string>& arguments,
+                                            std::string& error);
+
+}  // namespace coppice::editor
+
+#endif  // COPPICE_EDITOR_APP_EDIT_OPTIONS_H_

@@ -1,0 +1,25 @@
+// Paints the lines between parents and children. A line has the status of its child: the running
+// path is thick, with dots that walk in the direction of the tick.
+#ifndef COPPICE_EDITOR_CANVAS_EDGE_PAINTER_H_
+#define COPPICE_EDITOR_CANVAS_EDGE_PAINTER_H_
+
+#include "editor/canvas/node_painter.h"
+#include "editor/canvas/tidy_tree.h"
+
+namespace coppice::editor {
+
+struct EdgeLook {
+  Box parent;  ///< on the screen
+  Box child;
+  Orientation orientation = Orientation::kTopToBottom;
+  float zoom = 1;
+  NodeState state;  ///< of the child
+  bool offline = false;
+  std::uint32_t number = 1;  ///< of the child; painted beside its end unless 0
+};
+
+void PaintEdge(const Ui& ui, ImDrawList& list, const EdgeLook& look);
+
+}  // namespace coppice::editor
+
+#endif  // COPPICE_EDITOR_CANVAS_EDGE_PAINTER_H_

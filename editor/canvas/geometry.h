@@ -1,0 +1,42 @@
+// Points and boxes of the canvas, in pixels; x to the right, y down.
+#ifndef COPPICE_EDITOR_CANVAS_GEOMETRY_H_
+#define COPPICE_EDITOR_CANVAS_GEOMETRY_H_
+
+#include <algorithm>
+
+namespace coppice::editor {
+
+struct Point {
+  float x = 0;
+  float y = 0;
+};
+
+inline Point operator+(Point a, Point b) { return {a.x + b.x, a.y + b.y}; }
+inline Point operator-(Point a, Point b) { return {a.x - b.x, a.y - b.y}; }
+inline Point operator*(Point a, float k) { return {a.x * k, a.y * k}; }
+inline bool operator==(Point a, Point b) { return a.x == b.x && a.y == b.y; }
+
+struct Box {
+  Point min;
+  Point max;
+
+  float width() const { return max.x - min.x; }
+  float height() const { return max.y - min.y; }
+  Point center() const { return (min + max) * 0.5F; }
+  bool Contains(Point p) const {
+    return p.x >= min.x && p.x < max.x && p.y >= min.y && p.y < max.y;
+  }
+  bool Overlaps(const Box& other) const {
+    return min.x < other.max.x && other.min.x < max.x && min.y < other.max.y && other.min.y < max.y;
+  }
+};
+
+/// The smallest box around both.
+inline Box Union(const Box& a, const Box& b) {
+  return {{std::min(a.min.x, b.min.x), std::min(a.min.y, b.min.y)},
+          {std::max(a.max.x, b.max.x), std::max(a.max.y, b.max.y)}};
+}
+
+}  // namespace coppice::editor
+
+#endif  // COPPICE_EDITOR_CANVAS_GEOMETRY_H_

@@ -1,0 +1,60 @@
+#include <algorithm>
+
+#include "editor/canvas/canvas.h"
+#include "editor/canvas/node_painter.h"
+
+namespace coppice::editor {
+namespace {
+
+constexpr float kWidth = 178;
+constexpr float kHeight = 104;
+constexpr float kInset = 8;
+constexpr float kSmallest = 2;  // pixels; a smaller branch is one block
+
+Color ColorOf(const Ui& ui, const LiveSnapshot* live, const SceneNode& node) {
+  return StatusColor(ui.palette, StateOf(live, node), ui.palette.Of(node.shape));
+}
+
+}  // namespace
+
+void DrawMinimap(const Ui& ui, TreeView& view, const Box& box, const LiveSnapshot* live) {
+  const Point size = Point{kWidth, kHeight} * ui.scale;
+  const Point margin = Point{10, 10} * ui.scale;
+  const Box frame = {{box.max.x - size.x - margin.x, box.min.y + margin.y},
+                     {box.max.x - margin.x, box.min.y + margin.y + size.y}};
+  if (frame.min.x < box.min.x + size.x || frame.max.y > box.max.y - size.y) return;
+  const Box& world = view.bounds();
+  const float zoom = std::min((frame.width() - 2 * kInset) / std::max(world.width(), 1.0F),
+                              (frame.height() - 2 * kInset) / std::max(world.height(), 1.0F));
+  Camera camera;
+  camera.zoom = zoom;
+  camera.offset = frame.center() - world.center() * zoom;
+
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  ui.Fill(list, frame, Fade(ui.palette.panel, 0.94F), 4);
+  ui.Frame(list, frame, ui.palette.border, 4);
+  const auto& nodes = view.scene()->nodes;
+  for (std::uint32_t k = 0; k < view.shown().size();) {
+    const Box branch = camera.ToScreen(view.BranchBounds(k));
+    const bool tiny = branch.width() < kSmallest && branch.height() < kSmallest;
+    Box block = tiny ? branch : camera.ToScreen(view.BoxAt(k, ui.now));
+    block.max = {std::max(block.max.x, block.min.x + 1), std::max(block.max.y, block.min.y + 1)};
+    ui.Fill(list, block, ColorOf(ui, live, nodes[view.shown()[k]]));
+    k = tiny ? view.shown_ends()[k] : k + 1;
+  }
+
+  const Point canvas = {box.width(), box.height()};
+  Box seen = {camera.ToScreen(view.camera.ToWorld({0, 0})),
+              camera.ToScreen(view.camera.ToWorld(canvas))};
+  seen.min = {std::max(seen.min.x, frame.min.x + 2), std::max(seen.min.y, frame.min.y + 2)};
+  seen.max = {std::min(seen.max.x, frame.max.x - 2), std::min(seen.max.y, frame.max.y - 2)};
+  if (seen.width() > 0 && seen.height() > 0) ui.Frame(list, seen, ui.palette.text, 2);
+
+  ui.Hit("canvas/minimap", frame);
+  if (ImGui::IsItemActive()) {
+    const Point at = camera.ToWorld(FromIm(ImGui::GetIO().MousePos));
+    view.camera.offset = canvas * 0.5F - at * view.camera.zoom;
+  }
+}
+
+}  // namespace coppice::editor

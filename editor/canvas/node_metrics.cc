@@ -1,0 +1,119 @@
+#include "editor/canvas/node_metrics.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "editor/look/icons.h"
+
+namespace coppice::editor {
+namespace {
+
+constexpr std::size_t kLongestValue = 34;
+constexpr float kChipPadding = 5;
+
+bool Contains(std::string_view text, std::string_view part) {
+  return text.find(part) != std::string_view::npos;
+}
+
+std::string_view ControlGlyph(std::string_view id) {
+  if (Contains(id, "Parallel")) return icon::kDoubleArrows;
+  if (Contains(id, "Fallback")) return "?";
+  if (Contains(id, "Sequence")) return icon::kRightArrow;
+  return icon::kSitemap;
+}
+
+std::string_view DecoratorGlyph(std::string_view id) {
+  if (id == "Inverter") return "!";
+  if (Contains(id, "Retry")) return icon::kRefresh;
+  if (Contains(id, "Repeat") || Contains(id, "Loop") || Contains(id, "KeepRunning")) {
+    return icon::kRepeat;
+  }
+  if (id == "Timeout") return icon::kClock;
+  if (Contains(id, "Delay")) return icon::kHourglass;
+  if (Contains(id, "Success")) return icon::kCheck;
+  if (Contains(id, "Failure")) return icon::kTimes;
+  return icon::kShield;
+}
+
+float PortWidth(const Ui& ui, const PortLine& port, float column) {
+  const float value = ui.Width(ShownValue(port.value), {Face::kMono, metrics::kValueSize, 0});
+  return column + metrics::kColumnGap + value + (port.is_key ? 2 * kChipPadding : 0);
+}
+
+Point Measure(const Ui& ui, const Scene& scene, const SceneNode& node) {
+  float title = metrics::kIcon + metrics::kStatus + 2 * metrics::kPad +
+                ui.Width(node.name, {Face::kBold, metrics::kTitleSize, 0});
+  const bool leaf = node.shape == Shape::kAction || node.shape == Shape::kCondition ||
+                    node.shape == Shape::kSubTree || node.shape == Shape::kUnknown;
+  if (leaf && node.uid >= 0) title += metrics::kElapsed;
+  float body = ui.Width(TypeLineOf(node), {Face::kSans, metrics::kNameSize, 0});
+  const float column = NameColumn(ui, scene, node);
+  for (std::uint32_t i = 0; i < node.port_count; ++i) {
+    body = std::max(body, PortWidth(ui, scene.ports[node.first_port + i], column));
+  }
+  const std::uint32_t lines = BodyLines(node);
+  const float height = metrics::kHeader +
+                       (lines ? static_cast<float>(lines) * metrics::kLine + metrics::kBottom : 0);
+  return {std::ceil(std::max(title, body + 2 * metrics::kPad)), height};
+}
+
+}  // namespace
+
+std::string_view GlyphOf(const SceneNode& node) {
+  switch (node.shape) {
+    case Shape::kControl:
+      return ControlGlyph(node.id);
+    case Shape::kDecorator:
+      return DecoratorGlyph(node.id);
+    case Shape::kAction:
+      return Contains(node.id, "Script") || Contains(node.id, "Blackboard") ? icon::kCode
+                                                                            : icon::kBolt;
+    case Shape::kCondition:
+      return icon::kQuestion;
+    case Shape::kSubTree:
+      return icon::kSitemap;
+    case Shape::kUnknown:
+      return icon::kCogs;
+  }
+  return {};
+}
+
+std::string_view TypeLineOf(const SceneNode& node) {
+  if (node.name == node.id) return {};
+  if (node.id == "Sequence" || node.id == "Fallback" || node.id == "Parallel") return {};
+  return node.id;
+}
+
+std::string ShownValue(std::string_view value) {
+  std::string shown;
+  std::size_t characters = 0;
+  for (const char c : value) {
+    if ((static_cast<unsigned char>(c) & 0xC0U) != 0x80U && ++characters > kLongestValue) {
+      return shown + icon::kEllipsis;
+    }
+    shown += c == '\n' || c == '\t' || c == '\r' ? ' ' : c;
+  }
+  return shown;
+}
+
+float NameColumn(const Ui& ui, const Scene& scene, const SceneNode& node) {
+  float width = 0;
+  for (std::uint32_t i = 0; i < node.port_count; ++i) {
+    const PortLine& port = scene.ports[node.first_port + i];
+    width = std::max(width, ui.Width(port.name, {Face::kSans, metrics::kNameSize, 0}));
+  }
+  return width;
+}
+
+std::uint32_t BodyLines(const SceneNode& node) {
+  return node.port_count + (TypeLineOf(node).empty() ? 0 : 1);
+}
+
+std::vector<Point> MeasureNodes(const Ui& ui, const Scene& scene) {
+  std::vector<Point> sizes;
+  sizes.reserve(scene.nodes.size());
+  for (const SceneNode& node : scene.nodes) sizes.push_back(Measure(ui, scene, node));
+  return sizes;
+}
+
+}  // namespace coppice::editor

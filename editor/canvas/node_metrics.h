@@ -1,0 +1,54 @@
+// How large the boxes are and what stands in them, at zoom 1. One place for measuring and painting,
+// so that no text is ever clipped.
+#ifndef COPPICE_EDITOR_CANVAS_NODE_METRICS_H_
+#define COPPICE_EDITOR_CANVAS_NODE_METRICS_H_
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "editor/canvas/geometry.h"
+#include "editor/look/ui.h"
+#include "editor/scene/scene.h"
+
+namespace coppice::editor::metrics {
+
+inline constexpr float kHeader = 24;     ///< height of the title row
+inline constexpr float kLine = 19;       ///< height of a port's row
+inline constexpr float kPad = 9;         ///< left and right of all rows
+inline constexpr float kIcon = 20;       ///< left part of the title row
+inline constexpr float kStatus = 20;     ///< right part of the title row
+inline constexpr float kElapsed = 40;    ///< for the seconds of a running leaf
+inline constexpr float kBottom = 5;      ///< below the last row
+inline constexpr float kChip = 20;       ///< height of the row that stands for collapsed children
+inline constexpr float kColumnGap = 10;  ///< between a port's name and its value
+
+inline constexpr float kTitleSize = 13;
+inline constexpr float kNameSize = 11;
+inline constexpr float kValueSize = 11;
+
+}  // namespace coppice::editor::metrics
+
+namespace coppice::editor {
+
+/// The glyph left of a node's name.
+std::string_view GlyphOf(const SceneNode& node);
+
+/// The node type, if the name and the glyph do not say it already; else empty.
+std::string_view TypeLineOf(const SceneNode& node);
+
+/// A port's value as it is shown: one line, not too long.
+std::string ShownValue(std::string_view value);
+
+/// Width of the column of port names of a node.
+float NameColumn(const Ui& ui, const Scene& scene, const SceneNode& node);
+
+/// Rows below the title: the type and the ports.
+std::uint32_t BodyLines(const SceneNode& node);
+
+/// Sizes of all nodes of a scene at zoom 1, without the row for collapsed children.
+std::vector<Point> MeasureNodes(const Ui& ui, const Scene& scene);
+
+}  // namespace coppice::editor
+
+#endif  // COPPICE_EDITOR_CANVAS_NODE_METRICS_H_

@@ -1,0 +1,59 @@
+#include "editor/canvas/node_tooltip.h"
+
+namespace coppice::editor {
+namespace {
+
+constexpr float kWidth = 340;
+
+void Line(const Ui& ui, Face face, Color color, const std::string& text) {
+  ImGui::PushFont(ui.fonts.Pick(face, 12 * ui.scale));
+  ImGui::PushStyleColor(ImGuiCol_Text, color);
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopStyleColor();
+  ImGui::PopFont();
+}
+
+std::string StatusText(const Ui& ui, const NodeState& state) {
+  if (state.status == Status::kIdle) {
+    return state.before == Status::kIdle ? "IDLE, never run"
+                                         : std::string("IDLE, was ") + ToString(state.before);
+  }
+  const double seconds = std::chrono::duration<double>(ui.clock - state.since).count();
+  return std::string(ToString(state.status)) + " for " + DurationText(seconds);
+}
+
+void Port(const Ui& ui, const PortLine& port) {
+  std::string line = std::string(port.name) + " = " + std::string(port.value);
+  Line(ui, Face::kMono, ui.palette.text, line);
+  if (!port.model) return;
+  std::string about = std::string("    ") + ToString(port.model->direction);
+  if (!port.model->type.empty()) about += " " + port.model->type;
+  if (!port.model->description.empty()) about += ": " + port.model->description;
+  Line(ui, Face::kSans, ui.palette.text_dim, about);
+}
+
+}  // namespace
+
+void DrawNodeTooltip(const Ui& ui, const Scene& scene, const SceneNode& node,
+                     const NodeState& state) {
+  ImGui::BeginTooltip();
+  ImGui::PushTextWrapPos(kWidth * ui.scale);
+  Line(ui, Face::kBold, ui.palette.text, std::string(node.name));
+  const std::string kind = node.model ? ToString(node.model->category) : "unknown type";
+  Line(ui, Face::kSans, ui.palette.text_dim,
+       std::string(node.id) + "  (" + (node.shape == Shape::kSubTree ? "SubTree" : kind) + ")  " +
+           node.path);
+  if (node.uid >= 0) {
+    const bool idle = state.status == Status::kIdle;
+    Line(ui, Face::kSans, idle ? ui.palette.text_dim : ui.palette.Of(state.status),
+         StatusText(ui, state));
+  }
+  if (node.model && !node.model->description.empty()) {
+    Line(ui, Face::kSans, ui.palette.text, node.model->description);
+  }
+  for (std::uint32_t i = 0; i < node.port_count; ++i) Port(ui, scene.ports[node.first_port + i]);
+  ImGui::PopTextWrapPos();
+  ImGui::EndTooltip();
+}
+
+}  // namespace coppice::editor

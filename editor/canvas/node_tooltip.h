@@ -1,0 +1,17 @@
+// What the mouse shows of a node: type, status, description, and every port with type and meaning.
+#ifndef COPPICE_EDITOR_CANVAS_NODE_TOOLTIP_H_
+#define COPPICE_EDITOR_CANVAS_NODE_TOOLTIP_H_
+
+#include "editor/live/live_snapshot.h"
+#include "editor/look/ui.h"
+#include "editor/scene/scene.h"
+
+namespace coppice::editor {
+
+/// Draws it at the mouse, above everything else.
+void DrawNodeTooltip(const Ui& ui, const Scene& scene, const SceneNode& node,
+                     const NodeState& state);
+
+}  // namespace coppice::editor
+
+#endif  // COPPICE_EDITOR_CANVAS_NODE_TOOLTIP_H_

@@ -1,0 +1,91 @@
+#include "editor/canvas/shapes.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace coppice::editor {
+namespace {
+
+constexpr float kQuarter = 1.57079633F;
+constexpr int kStepsPerCorner = 5;
+
+void AddCorner(Outline& outline, ImVec2 center, float radius, float from) {
+  for (int i = 0; i <= kStepsPerCorner; ++i) {
+    const float angle = from + kQuarter * static_cast<float>(i) / kStepsPerCorner;
+    outline.push_back({center.x + std::cos(angle) * radius, center.y + std::sin(angle) * radius});
+  }
+}
+
+}  // namespace
+
+Outline RoundedBox(const Box& box, float radius) {
+  radius = std::min({radius, box.width() / 2, box.height() / 2});
+  if (radius < 1) {
+    return {{box.min.x, box.min.y},
+            {box.max.x, box.min.y},
+            {box.max.x, box.max.y},
+            {box.min.x, box.max.y}};
+  }
+  Outline outline;
+  AddCorner(outline, {box.min.x + radius, box.min.y + radius}, radius, 2 * kQuarter);
+  AddCorner(outline, {box.max.x - radius, box.min.y + radius}, radius, 3 * kQuarter);
+  AddCorner(outline, {box.max.x - radius, box.max.y - radius}, radius, 0);
+  AddCorner(outline, {box.min.x + radius, box.max.y - radius}, radius, kQuarter);
+  return outline;
+}
+
+Outline CutBox(const Box& box, float cut) {
+  cut = std::min({cut, box.width() / 2, box.height() / 2});
+  return {{box.min.x + cut, box.min.y}, {box.max.x - cut, box.min.y}, {box.max.x, box.min.y + cut},
+          {box.max.x, box.max.y - cut}, {box.max.x - cut, box.max.y}, {box.min.x + cut, box.max.y},
+          {box.min.x, box.max.y - cut}, {box.min.x, box.min.y + cut}};
+}
+
+void FillOutline(ImDrawList& list, const Outline& outline, Color color) {
+  list.AddConvexPolyFilled(outline.data(), static_cast<int>(outline.size()), color);
+}
+
+void StrokeOutline(ImDrawList& list, const Outline& outline, Color color, float thickness) {
+  list.AddPolyline(outline.data(), static_cast<int>(outline.size()), color, ImDrawFlags_Closed,
+                   thickness);
+}
+
+void DashOutline(ImDrawList& list, const Outline& outline, Color color, float thickness,
+                 float dash) {
+  float walked = 0;  // since the start of the current dash or gap
+  bool on = true;
+  std::vector<ImVec2> line = {outline.front()};
+  const auto finish = [&] {
+    if (on && line.size() > 1) {
+      list.AddPolyline(line.data(), static_cast<int>(line.size()), color, 0, thickness);
+    }
+    line.erase(line.begin(), line.end() - 1);
+  };
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    ImVec2 at = outline[i];
+    const ImVec2 to = outline[(i + 1) % outline.size()];
+    float length = std::hypot(to.x - at.x, to.y - at.y);
+    while (length > 0) {
+      const float step = std::min(length, dash - walked);
+      at = {at.x + (to.x - at.x) * step / length, at.y + (to.y - at.y) * step / length};
+      line.push_back(at);
+      length -= step;
+      walked += step;
+      if (walked < dash - 1e-3F) continue;
+      finish();
+      on = !on;
+      walked = 0;
+    }
+  }
+  finish();
+}
+
+void Hatch(ImDrawList& list, const Box& box, Color color, float distance) {
+  list.PushClipRect({box.min.x, box.min.y}, {box.max.x, box.max.y}, true);
+  for (float x = box.min.x - box.height(); x < box.max.x; x += distance) {
+    list.AddLine({x, box.max.y}, {x + box.height(), box.min.y}, color, 1.5F);
+  }
+  list.PopClipRect();
+}
+
+}  // namespace coppice::editor

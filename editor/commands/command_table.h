@@ -1,0 +1,44 @@
+// Every command of the editor by ID, with its title and its key. Menus, keys and the command
+// palette all run commands from here, so that nothing can be done in one way only.
+#ifndef COPPICE_EDITOR_COMMANDS_COMMAND_TABLE_H_
+#define COPPICE_EDITOR_COMMANDS_COMMAND_TABLE_H_
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "editor/commands/keys.h"
+
+namespace coppice::editor {
+
+struct Command {
+  std::string id;     ///< "view.fit_all"
+  std::string title;  ///< "Fit all"
+  KeyChord keys;
+  std::function<void()> run;
+};
+
+class CommandTable {
+ public:
+  /// Throws std::invalid_argument if the ID or the keys are taken.
+  void Add(Command command);
+
+  const std::vector<Command>& all() const { return commands_; }
+
+  /// The command of that ID, or null.
+  const Command* Find(std::string_view id) const;
+
+  /// Runs the command of that ID; false if there is none.
+  bool Run(std::string_view id) const;
+
+  /// Runs what the key is bound to; false if it is bound to nothing.
+  bool Press(KeyChord chord) const;
+
+ private:
+  std::vector<Command> commands_;
+};
+
+}  // namespace coppice::editor
+
+#endif  // COPPICE_EDITOR_COMMANDS_COMMAND_TABLE_H_

@@ -1,0 +1,267 @@
+#include "editor/core/editor.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <utility>
+
+#include "editor/canvas/canvas.h"
+#include "editor/canvas/node_metrics.h"
+#include "editor/core/standard_commands.h"
+#include "editor/live/live_client.h"
+#include "editor/look/imgui_style.h"
+#include "editor/panels/panels.h"
+#include "editor/panels/tiles.h"
+#include "editor/render/rasteriser.h"
+
+namespace coppice::editor {
+namespace {
+
+constexpr std::size_t kMostRecent = 10;
+constexpr int kFramesToSettle = 2;       // Dear ImGui shows some reactions a frame later
+constexpr double kLiveFrame = 1.0 / 20;  // while something runs on the robot
+constexpr double kWaitingFrame = 1.0;    // to count down to the next try
+
+// Makes the editor's ImGui context current for a while.
+class WithContext {
+ public:
+  explicit WithContext(ImGuiContext* context) : before_(ImGui::GetCurrentContext()) {
+    ImGui::SetCurrentContext(context);
+  }
+  ~WithContext() { ImGui::SetCurrentContext(before_); }
+  WithContext(const WithContext&) = delete;
+  WithContext& operator=(const WithContext&) = delete;
+
+ private:
+  ImGuiContext* before_;
+};
+
+std::string CheckEndpoint(const std::string& endpoint) {
+  const std::size_t colon = endpoint.rfind(':');
+  const std::string port = colon == std::string::npos ? "" : endpoint.substr(colon + 1);
+  const bool digits =
+      !port.empty() && port.size() <= 5 &&
+      std::all_of(port.begin(), port.end(), [](char c) { return c >= '0' && c <= '9'; });
+  if (colon == 0 || !digits || std::stoi(port) < 1 || std::stoi(port) > 65535) {
+    return "\"" + endpoint + "\" is no HOST:PORT, for example 127.0.0.1:1667";
+  }
+  return {};
+}
+
+}  // namespace
+
+struct Editor::Drawing {
+  Fonts fonts;
+};
+
+Editor::Editor(const Clock& clock, EditorOptions options)
+    : clock_(clock),
+      options_(std::move(options)),
+      context_(ImGui::CreateContext()),
+      drawing_(std::make_unique<Drawing>()),
+      state_([this](const Scene& scene) {
+        const Ui ui{GetPalette(state_.palette), drawing_->fonts, items_, 1, 0, Time(0)};
+        return MeasureNodes(ui, scene);
+      }) {
+  const WithContext current(context_);
+  SetUpImGui();
+  state_.palette = options_.palette;
+  state_.open_file = [this](const std::string& path) { return Open(path); };
+  state_.connect = [this](const std::string& endpoint) { return Connect(endpoint); };
+  AddStandardCommands(state_, [this] { return now_; });
+  LoadRecent();
+}
+
+Editor::~Editor() { ImGui::DestroyContext(context_); }
+
+void Editor::SetUpImGui() {
+  ImGuiIO& io = ImGui::GetIO();
+  io.IniFilename = nullptr;
+  io.LogFilename = nullptr;
+  io.ConfigInputTextCursorBlink = false;  // the same events give the same picture
+  io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
+  MapKeys(io);
+  io.ClipboardUserData = this;
+  io.GetClipboardTextFn = [](void* self) {
+    auto& editor = *static_cast<Editor*>(self);
+    if (editor.options_.get_clipboard) editor.clipboard_ = editor.options_.get_clipboard();
+    return editor.clipboard_.c_str();
+  };
+  io.SetClipboardTextFn = [](void* self, const char* text) {
+    auto& editor = *static_cast<Editor*>(self);
+    editor.clipboard_ = text;
+    if (editor.options_.set_clipboard) editor.options_.set_clipboard(editor.clipboard_);
+  };
+  error_ = drawing_->fonts.Load(options_.scale);
+}
+
+bool Editor::Open(const std::string& path) {
+  const WithContext current(context_);
+  const bool good = state_.workspace.Open(path, now_);
+  if (good) Remember(path);
+  settle_ = kFramesToSettle;
+  return good;
+}
+
+std::string Editor::Connect(const std::string& endpoint) {
+  std::string wrong = CheckEndpoint(endpoint);
+  if (!wrong.empty()) return wrong;
+  for (std::size_t i = 0; i < state_.workspace.robots().size(); ++i) {
+    if (state_.workspace.robots()[i].source->endpoint() != endpoint) continue;
+    state_.workspace.ShowRobot(i);
+    return {};
+  }
+  AddRobot(std::make_unique<LiveClient>(endpoint, clock_, options_.wake));
+  return {};
+}
+
+void Editor::AddRobot(std::unique_ptr<LiveSource> source) {
+  state_.workspace.AddRobot(std::move(source));
+  state_.workspace.ShowRobot(state_.workspace.robots().size() - 1);
+  settle_ = kFramesToSettle;
+}
+
+void Editor::Frame(const InputEvents& input) {
+  const WithContext current(context_);
+  now_ += input.dt;
+  state_.workspace.Update(now_);
+  Apply(input);
+  ImGui::NewFrame();
+  items_.Clear();
+  const Palette& palette = GetPalette(state_.palette);
+  ApplyImGuiStyle(palette, options_.scale);
+  RunKeys();
+  const Ui ui{
+      GetPalette(state_.palette), drawing_->fonts, items_, options_.scale, now_, clock_.Now()};
+  ImGui::SetNextWindowPos({0, 0});
+  ImGui::SetNextWindowSize({input.width, input.height});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
+  ImGui::Begin("editor", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus |
+                   ImGuiWindowFlags_NoScrollWithMouse);
+  ImGui::PopStyleVar();
+  DrawTiles(ui, state_, {{0, 0}, {input.width, input.height}});
+  ImGui::End();
+  DrawPopup(ui, state_);
+  ImGui::Render();
+}
+
+void Editor::Apply(const InputEvents& input) {
+  ImGuiIO& io = ImGui::GetIO();
+  io.DisplaySize = {std::max(input.width, 1.0F), std::max(input.height, 1.0F)};
+  io.DeltaTime = std::max(input.dt, 1e-6F);
+  io.MouseDoubleClickMaxDist = 6;
+  settle_ = input.events.empty() ? std::max(settle_ - 1, 0) : kFramesToSettle;
+  queue_.Add(input.events);
+  state_.keys.clear();
+  for (const InputEvent& event : queue_.TakeFrame()) {
+    if (const auto* move = std::get_if<MouseMove>(&event)) io.MousePos = {move->x, move->y};
+    if (const auto* button = std::get_if<MouseButton>(&event)) {
+      if (button->button >= 0 && button->button < 5) io.MouseDown[button->button] = button->down;
+    }
+    if (const auto* wheel = std::get_if<MouseWheel>(&event)) {
+      io.MouseWheel += wheel->y;
+      io.MouseWheelH += wheel->x;
+    }
+    if (const auto* text = std::get_if<TypedText>(&event)) {
+      io.AddInputCharactersUTF8(text->utf8.c_str());
+    }
+    if (const auto* key = std::get_if<KeyEvent>(&event)) {
+      ApplyKey(io, *key);
+      if (key->down) state_.keys.push_back(*key);
+    }
+  }
+}
+
+// While a text is being typed, its keys are its own.
+void Editor::RunKeys() {
+  if (state_.popup != Popup::kNone || ImGui::GetIO().WantTextInput) return;
+  const std::vector<KeyEvent> keys = state_.keys;
+  for (const KeyEvent& event : keys) {
+    if (state_.commands.Press({event.key, event.modifiers})) state_.keys.clear();
+    if (state_.popup != Popup::kNone) return;
+  }
+}
+
+ImDrawData* Editor::draw_data() const {
+  const WithContext current(context_);
+  return ImGui::GetDrawData();
+}
+
+Image Editor::Picture() const {
+  const WithContext current(context_);
+  const ImGuiIO& io = ImGui::GetIO();
+  Texture texture;
+  unsigned char* alpha = nullptr;
+  io.Fonts->GetTexDataAsAlpha8(&alpha, &texture.width, &texture.height);
+  texture.alpha = alpha;
+  Image image = MakeImage(static_cast<int>(io.DisplaySize.x), static_cast<int>(io.DisplaySize.y),
+                          GetPalette(state_.palette).canvas);
+  if (const ImDrawData* data = ImGui::GetDrawData()) Rasterise(*data, texture, image);
+  return image;
+}
+
+double Editor::NextFrameIn() const {
+  if (queue_.pending() || settle_ > 0) return 0;
+  const Workspace& workspace = state_.workspace;
+  if (const TreeView* view = const_cast<Workspace&>(workspace).view()) {
+    if (view->IsMoving(now_)) return 0;
+  }
+  double next = std::numeric_limits<double>::infinity();
+  for (const Robot& robot : workspace.robots()) {
+    if (robot.snapshot->connection != Connection::kLive) next = std::min(next, kWaitingFrame);
+  }
+  const LiveSnapshot* live = workspace.live();
+  if (live && live->connection == Connection::kLive) next = std::min(next, kLiveFrame);
+  return next;
+}
+
+bool Editor::IsUpToDate() const {
+  const auto& robots = state_.workspace.robots();
+  return std::all_of(robots.begin(), robots.end(),
+                     [](const Robot& robot) { return robot.source->snapshot() == robot.snapshot; });
+}
+
+CursorShape Editor::cursor() const {
+  const WithContext current(context_);
+  switch (ImGui::GetMouseCursor()) {
+    case ImGuiMouseCursor_TextInput:
+      return CursorShape::kText;
+    case ImGuiMouseCursor_ResizeEW:
+      return CursorShape::kResizeAcross;
+    case ImGuiMouseCursor_ResizeNS:
+      return CursorShape::kResizeDown;
+    case ImGuiMouseCursor_Hand:
+      return CursorShape::kHand;
+    default:
+      return CursorShape::kArrow;
+  }
+}
+
+void Editor::LoadRecent() {
+  if (options_.recent_file.empty()) return;
+  std::ifstream stream(options_.recent_file);
+  for (std::string line; std::getline(stream, line) && state_.recent.size() < kMostRecent;) {
+    if (!line.empty()) state_.recent.push_back(line);
+  }
+}
+
+void Editor::Remember(const std::string& path) {
+  std::error_code error;
+  const std::string full = std::filesystem::absolute(path, error).lexically_normal().string();
+  auto& recent = state_.recent;
+  recent.erase(std::remove(recent.begin(), recent.end(), full), recent.end());
+  recent.insert(recent.begin(), full);
+  if (recent.size() > kMostRecent) recent.resize(kMostRecent);
+  if (options_.recent_file.empty()) return;
+  std::filesystem::create_directories(std::filesystem::path(options_.recent_file).parent_path(),
+                                      error);
+  std::ofstream stream(options_.recent_file);
+  for (const std::string& line : recent) stream << line << "\n";
+}
+
+}  // namespace coppice::editor

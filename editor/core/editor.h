@@ -1,0 +1,109 @@
+// The editor as a function of events: Frame() takes what the user did and how much time passed, and
+// leaves draw data behind. It knows no window, no display and no clock but the one it is given, so
+// it runs the same in a window, in a test and in a program without a display.
+//
+//   Editor editor(clock, {});
+//   editor.Open("patrol.xml");
+//   InputEvents events;                       // size, dt, mouse, keys
+//   editor.Frame(events);
+//   Image picture = editor.Picture();         // the software rasteriser; or draw_data() for OpenGL
+//   const Box* box = editor.items().Find("canvas/MainTree/1.2");
+//
+// All calls from one thread. Several editors may exist at the same time.
+#ifndef COPPICE_EDITOR_CORE_EDITOR_H_
+#define COPPICE_EDITOR_CORE_EDITOR_H_
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "bt_core/base/clock.h"
+#include "editor/commands/input_queue.h"
+#include "editor/core/editor_state.h"
+#include "editor/look/item_registry.h"
+#include "editor/render/image.h"
+
+struct ImDrawData;
+struct ImGuiContext;
+
+namespace coppice::editor {
+
+struct EditorOptions {
+  PaletteName palette = PaletteName::kDark;
+  float scale = 1;             ///< of the screen; 2 on a screen with tiny pixels
+  std::string recent_file;     ///< where the list of recent files is kept; empty: nowhere
+  std::function<void()> wake;  ///< called by any thread when a new frame would show news
+  std::function<std::string()> get_clipboard;  ///< empty: the editor's own
+  std::function<void(const std::string&)> set_clipboard;
+};
+
+/// Shape of the mouse cursor that the window should show.
+enum class CursorShape { kArrow, kText, kResizeAcross, kResizeDown, kHand };
+
+class Editor {
+ public:
+  /// `clock` stamps statuses and must outlive the editor.
+  Editor(const Clock& clock, EditorOptions options);
+  ~Editor();
+  Editor(const Editor&) = delete;
+  Editor& operator=(const Editor&) = delete;
+
+  /// Why the editor cannot draw (a font is missing), or empty. With an error, do not call Frame().
+  const std::string& error() const { return error_; }
+
+  /// Opens a file; false if there is nothing to show. The problems are in the problems tile.
+  bool Open(const std::string& path);
+  /// Adds a file of node models.
+  void AddModels(const std::string& path) { state_.workspace.AddModels(path); }
+  /// Follows a robot at "host:port". Returns what is wrong with the text, or nothing.
+  std::string Connect(const std::string& endpoint);
+  /// Follows anything else that gives snapshots.
+  void AddRobot(std::unique_ptr<LiveSource> source);
+
+  /// Builds one frame. Events that a frame cannot see together are kept for the next.
+  void Frame(const InputEvents& input);
+
+  /// Of the last frame; valid until the next.
+  ImDrawData* draw_data() const;
+  /// Paints the last frame without a display.
+  Image Picture() const;
+
+  /// Where everything was in the last frame.
+  const ItemRegistry& items() const { return items_; }
+  EditorState& state() { return state_; }
+  double now() const { return now_; }
+
+  /// Seconds until the next frame is worth drawing: 0 at once, infinity when nothing moves.
+  double NextFrameIn() const;
+  /// False if a robot has news that the last frame does not show.
+  bool IsUpToDate() const;
+  bool wants_quit() const { return state_.quit; }
+  CursorShape cursor() const;
+
+  /// For a renderer that sets itself up in the editor's context.
+  ImGuiContext* context() const { return context_; }
+
+ private:
+  void SetUpImGui();
+  void Apply(const InputEvents& input);
+  void RunKeys();
+  void LoadRecent();
+  void Remember(const std::string& path);
+
+  const Clock& clock_;
+  const EditorOptions options_;
+  ImGuiContext* context_;
+  std::string error_;
+  std::string clipboard_;
+  struct Drawing;  // the fonts
+  std::unique_ptr<Drawing> drawing_;
+  ItemRegistry items_;
+  EditorState state_;
+  InputQueue queue_;
+  double now_ = 0;
+  int settle_ = 2;  // frames that are still needed after the last event
+};
+
+}  // namespace coppice::editor
+
+#endif  // COPPICE_EDITOR_CORE_EDITOR_H_

@@ -1,0 +1,70 @@
+// The state of the user interface that all panels share. What is open is in the Workspace.
+#ifndef COPPICE_EDITOR_CORE_EDITOR_STATE_H_
+#define COPPICE_EDITOR_CORE_EDITOR_STATE_H_
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "editor/commands/command_table.h"
+#include "editor/commands/keys.h"
+#include "editor/core/workspace.h"
+#include "editor/look/palette.h"
+
+namespace coppice::editor {
+
+/// Which tiles are shown.
+struct Tiles {
+  bool project = true;
+  bool outline = true;
+  bool inspector = true;
+  bool blackboard = true;
+  bool xml = true;
+  bool problems = true;
+  bool minimap = true;
+};
+
+/// Sizes of the tiles in pixels at scale 1; parts as a fraction.
+struct Splits {
+  float left = 236;
+  float right = 296;
+  float bottom = 170;
+  float left_part = 0.28F;    ///< of the project in the left column
+  float right_part = 0.55F;   ///< of the inspector in the right column
+  float bottom_part = 0.62F;  ///< of the XML in the bottom row
+};
+
+enum class Popup { kNone, kOpen, kConnect, kPalette, kKeys };
+
+struct EditorState {
+  explicit EditorState(Workspace::Measure measure) : workspace(std::move(measure)) {}
+
+  Workspace workspace;
+  CommandTable commands;
+  PaletteName palette = PaletteName::kDark;
+  Tiles tiles;
+  Splits splits;
+  Popup popup = Popup::kNone;
+  bool popup_is_new = false;  ///< opened since the last frame
+  std::string popup_text;     ///< what is typed into it
+  std::string popup_error;
+  int popup_choice = 0;             ///< highlighted row
+  std::vector<std::string> recent;  ///< files, newest first
+  std::vector<KeyEvent> keys;       ///< pressed in this frame
+  Point canvas_size{800, 600};      ///< of the last frame
+  bool quit = false;
+  std::function<bool(const std::string&)> open_file;
+  std::function<std::string(const std::string&)> connect;  ///< returns what is wrong, or nothing
+
+  void OpenPopup(Popup which, std::string text = {}) {
+    popup = which;
+    popup_is_new = true;
+    popup_text = std::move(text);
+    popup_error.clear();
+    popup_choice = 0;
+  }
+};
+
+}  // namespace coppice::editor
+
+#endif  // COPPICE_EDITOR_CORE_EDITOR_STATE_H_

@@ -1,0 +1,150 @@
+#include "editor/core/standard_commands.h"
+
+#include <utility>
+
+namespace coppice::editor {
+namespace {
+
+enum class Way { kParent, kChild, kNext, kPrevious };
+
+std::uint32_t Neighbour(const Scene& scene, const TreeView& view, std::uint32_t node, Way way) {
+  const auto& nodes = scene.nodes;
+  const std::uint32_t parent = nodes[node].parent;
+  switch (way) {
+    case Way::kParent:
+      return parent;
+    case Way::kChild:
+      return scene.HasChildren(node) && !view.IsCollapsed(node) ? node + 1 : kNoNode;
+    case Way::kNext:
+      return parent != kNoNode && nodes[node].end < nodes[parent].end ? nodes[node].end : kNoNode;
+    case Way::kPrevious: {
+      if (parent == kNoNode || node == parent + 1) return kNoNode;
+      std::uint32_t before = parent + 1;
+      while (nodes[before].end != node) before = nodes[before].end;
+      return before;
+    }
+  }
+  return kNoNode;
+}
+
+class Commands {
+ public:
+  Commands(EditorState& state, std::function<double()> now) : state_(state), now_(std::move(now)) {}
+
+  void AddAll() {
+    AddFile();
+    AddView();
+    AddTree();
+    AddTiles();
+    Add("robot.connect", "Connect to a robot", {'K', kCtrl},
+        [&s = state_] { s.OpenPopup(Popup::kConnect, "127.0.0.1:1667"); });
+    Add("robot.next", "Next robot", {kKeyTab}, [&s = state_] { s.workspace.ShowNextRobot(); });
+    Add("help.palette", "Command palette", {'P', kCtrl},
+        [&s = state_] { s.OpenPopup(Popup::kPalette); });
+    Add("help.keys", "Keys", {kKeyF1}, [&s = state_] { s.OpenPopup(Popup::kKeys); });
+  }
+
+ private:
+  void Add(std::string id, std::string title, KeyChord keys, std::function<void()> run) {
+    state_.commands.Add({std::move(id), std::move(title), keys, std::move(run)});
+  }
+
+  // A command that needs a tree.
+  void AddForView(std::string id, std::string title, KeyChord keys,
+                  std::function<void(TreeView&)> run) {
+    Add(std::move(id), std::move(title), keys, [&s = state_, run = std::move(run)] {
+      if (TreeView* view = s.workspace.view()) run(*view);
+    });
+  }
+
+  void AddFile() {
+    Add("file.open", "Open file", {'O', kCtrl}, [&s = state_] { s.OpenPopup(Popup::kOpen); });
+    Add("file.reload", "Reload file", {'R', kCtrl},
+        [&s = state_, now = now_] { s.workspace.Reload(now()); });
+    Add("file.quit", "Quit", {'Q', kCtrl}, [&s = state_] { s.quit = true; });
+  }
+
+  void AddView() {
+    AddForView("view.fit_all", "Fit all", {kKeyHome},
+               [&s = state_](TreeView& view) { view.FitAll(s.canvas_size); });
+    AddForView("view.fit_selection", "Fit selection", {kKeyPeriod},
+               [&s = state_](TreeView& view) { view.FitSelection(s.canvas_size); });
+    AddForView("view.zoom_100", "Zoom to 100 %", {'Z'}, [&s = state_](TreeView& view) {
+      view.ZoomAt(s.canvas_size * 0.5F, 1 / view.camera.zoom);
+    });
+    AddOrientation("view.top_to_bottom", "Top to bottom", Orientation::kTopToBottom);
+    AddOrientation("view.left_to_right", "Left to right", Orientation::kLeftToRight);
+    AddPalette("palette.dark", "Dark colours", PaletteName::kDark);
+    AddPalette("palette.light", "Light colours", PaletteName::kLight);
+    AddPalette("palette.colourblind", "Colour-blind colours", PaletteName::kColourBlind);
+  }
+
+  void AddOrientation(std::string id, std::string title, Orientation orientation) {
+    Add(std::move(id), std::move(title), {}, [&s = state_, now = now_, orientation] {
+      if (s.workspace.orientation() == orientation) return;
+      s.workspace.SetOrientation(orientation, now());
+      if (TreeView* view = s.workspace.view()) view->FitAll(s.canvas_size);
+    });
+  }
+
+  void AddPalette(std::string id, std::string title, PaletteName name) {
+    Add(std::move(id), std::move(title), {}, [&s = state_, name] { s.palette = name; });
+  }
+
+  void AddTree() {
+    AddForView("tree.collapse", "Collapse or open", {'C'}, [now = now_](TreeView& view) {
+      const std::uint32_t node = view.selected();
+      if (node != kNoNode) view.SetCollapsed(node, !view.IsCollapsed(node), now());
+    });
+    AddForView("tree.open_subtrees", "Open all SubTrees", {'E'},
+               [now = now_](TreeView& view) { view.CollapseSubTrees(false, now()); });
+    AddForView("tree.close_subtrees", "Close all SubTrees", {'E', kShift},
+               [now = now_](TreeView& view) { view.CollapseSubTrees(true, now()); });
+    AddForView("tree.unselect", "Select nothing", {kKeyEscape},
+               [](TreeView& view) { view.Select(kNoNode); });
+    AddWalk("walk.up", "Walk up", kKeyUp, Way::kParent, Way::kPrevious);
+    AddWalk("walk.down", "Walk down", kKeyDown, Way::kChild, Way::kNext);
+    AddWalk("walk.left", "Walk left", kKeyLeft, Way::kPrevious, Way::kParent);
+    AddWalk("walk.right", "Walk right", kKeyRight, Way::kNext, Way::kChild);
+  }
+
+  // The arrow keys go where they point to on the screen.
+  void AddWalk(std::string id, std::string title, Key key, Way top_to_bottom, Way left_to_right) {
+    AddForView(std::move(id), std::move(title), {key}, [=, &s = state_](TreeView& view) {
+      const bool sideways = view.orientation() == Orientation::kLeftToRight;
+      const std::uint32_t to = view.selected() == kNoNode
+                                   ? 0
+                                   : Neighbour(*view.scene(), view, view.selected(),
+                                               sideways ? left_to_right : top_to_bottom);
+      if (to == kNoNode) return;
+      view.Select(to);
+      view.Reveal(s.canvas_size);
+    });
+  }
+
+  void AddTiles() {
+    AddTile("tile.project", "Project tile", 2, &Tiles::project);
+    AddTile("tile.outline", "Outline tile", 3, &Tiles::outline);
+    AddTile("tile.inspector", "Inspector tile", 4, &Tiles::inspector);
+    AddTile("tile.blackboard", "Blackboard tile", 6, &Tiles::blackboard);
+    AddTile("tile.xml", "XML tile", 7, &Tiles::xml);
+    AddTile("tile.problems", "Problems tile", 8, &Tiles::problems);
+    AddTile("tile.minimap", "Minimap", 11, &Tiles::minimap);
+  }
+
+  void AddTile(std::string id, std::string title, int function_key, bool Tiles::*tile) {
+    Add(std::move(id), std::move(title), {kKeyF1 + function_key - 1},
+        [&s = state_, tile] { s.tiles.*tile = !(s.tiles.*tile); });
+  }
+
+  EditorState& state_;
+  const std::function<double()> now_;
+};
+
+}  // namespace
+
+void AddStandardCommands(EditorState& state, std::function<double()> now) {
+  Commands(state, std::move(now)).AddAll();
+}
+
+}  // namespace coppice::editor

@@ -1,0 +1,107 @@
+#include "editor/look/fonts.h"
+
+#ifdef COPPICE_HAS_FREETYPE
+#include <imgui_freetype.h>
+#endif
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <iterator>
+
+namespace coppice::editor {
+namespace {
+
+constexpr float kSizes[] = {7, 8, 9, 10, 11, 12, 13, 14, 15, 17, 19, 22, 25, 29, 34, 40};
+
+constexpr ImWchar kTextRanges[] = {0x0020, 0x017F, 0x0391, 0x03C9, 0x2010, 0x2026, 0x2190,
+                                   0x2193, 0x21C9, 0x21C9, 0x2248, 0x2248, 0x2260, 0x2265,
+                                   0x25A0, 0x25A1, 0x25B2, 0x25CF, 0};
+constexpr ImWchar kIconRanges[] = {
+    0xF002, 0xF002, 0xF00C, 0xF00D, 0xF017, 0xF017, 0xF01E, 0xF01E, 0xF021, 0xF021, 0xF04C,
+    0xF04E, 0xF059, 0xF059, 0xF06A, 0xF06A, 0xF071, 0xF071, 0xF07B, 0xF07C, 0xF085, 0xF085,
+    0xF0E7, 0xF0E8, 0xF0FE, 0xF0FE, 0xF10C, 0xF10C, 0xF111, 0xF111, 0xF121, 0xF121, 0xF132,
+    0xF132, 0xF146, 0xF146, 0xF1C9, 0xF1C9, 0xF1E6, 0xF1E6, 0xF252, 0xF252, 0};
+
+// Debian and Ubuntu, Fedora, Arch.
+constexpr const char* kTextFolders[] = {"/usr/share/fonts/truetype/dejavu/",
+                                        "/usr/share/fonts/dejavu-sans-fonts/",
+                                        "/usr/share/fonts/TTF/"};
+constexpr const char* kIconFolders[] = {"/usr/share/fonts/truetype/font-awesome/",
+                                        "/usr/share/fonts-font-awesome/fonts/",
+                                        "/usr/share/fonts/TTF/"};
+
+template <std::size_t kCount>
+std::string FindFile(const char* const (&folders)[kCount], const char* name) {
+  for (const char* folder : folders) {
+    std::error_code error;
+    if (std::filesystem::exists(std::string(folder) + name, error)) {
+      return std::string(folder) + name;
+    }
+  }
+  return {};
+}
+
+void Bake(const std::string& text_file, const std::string& icon_file, float scale,
+          std::vector<ImFont*>& fonts) {
+  ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
+  for (const float size : kSizes) {
+    ImFontConfig config;
+    config.OversampleH = size < 16 ? 2 : 1;
+    config.OversampleV = 1;
+    const float pixels = std::round(size * scale);
+    fonts.push_back(atlas.AddFontFromFileTTF(text_file.c_str(), pixels, &config, kTextRanges));
+    if (icon_file.empty()) continue;
+    config.MergeMode = true;
+    config.GlyphMinAdvanceX = pixels;
+    config.GlyphOffset.y = 0;
+    atlas.AddFontFromFileTTF(icon_file.c_str(), pixels, &config, kIconRanges);
+  }
+}
+
+}  // namespace
+
+std::string Fonts::Load(float scale) {
+  ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
+#ifdef COPPICE_HAS_FREETYPE
+  atlas.FontBuilderIO = ImGuiFreeType::GetBuilderForFreeType();
+  atlas.FontBuilderFlags = ImGuiFreeTypeBuilderFlags_LightHinting;
+#endif
+  atlas.Flags |= ImFontAtlasFlags_NoPowerOfTwoHeight;
+  atlas.TexDesiredWidth = 2048;
+  const std::string icons = FindFile(kIconFolders, "fontawesome-webfont.ttf");
+  if (icons.empty()) {
+    return "the font fontawesome-webfont.ttf is missing; on Debian: apt-get install "
+           "fonts-font-awesome";
+  }
+  const struct {
+    const char* file;
+    std::vector<ImFont*>& fonts;
+    bool with_icons;
+  } kFaces[] = {{"DejaVuSans.ttf", sans_, true},
+                {"DejaVuSans-Bold.ttf", bold_, true},
+                {"DejaVuSansMono.ttf", mono_, false}};
+  for (const auto& face : kFaces) {
+    const std::string file = FindFile(kTextFolders, face.file);
+    if (file.empty()) {
+      return std::string("the font ") + face.file +
+             " is missing; on Debian: apt-get install fonts-dejavu-core";
+    }
+    Bake(file, face.with_icons ? icons : std::string(), scale, face.fonts);
+  }
+  ImGui::GetIO().FontDefault = Pick(Face::kSans, 13 * scale);
+  return atlas.Build() ? std::string() : "the fonts cannot be baked into a texture";
+}
+
+ImFont* Fonts::Pick(Face face, float pixels) const {
+  const std::vector<ImFont*>& fonts = face == Face::kSans   ? sans_
+                                      : face == Face::kBold ? bold_
+                                                            : mono_;
+  ImFont* best = fonts.front();
+  for (ImFont* font : fonts) {
+    if (font->ConfigData && font->ConfigData->SizePixels <= pixels + 0.01F) best = font;
+  }
+  return best;
+}
+
+}  // namespace coppice::editor

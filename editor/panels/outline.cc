@@ -1,0 +1,153 @@
+#include <algorithm>
+
+#include "editor/canvas/canvas.h"
+#include "editor/canvas/node_metrics.h"
+#include "editor/canvas/node_painter.h"
+#include "editor/panels/panel.h"
+#include "editor/panels/panels.h"
+
+namespace coppice::editor {
+namespace {
+
+constexpr float kIndent = 12;
+constexpr std::uint32_t kDeepest = 12;  // deeper rows are indented no further
+
+std::uint32_t DepthOf(const SceneNode& node) {
+  return static_cast<std::uint32_t>(std::count(node.path.begin(), node.path.end(), '.'));
+}
+
+class OutlineRow {
+ public:
+  OutlineRow(const Ui& ui, TreeView& view, const LiveSnapshot* live, std::uint32_t k)
+      : ui_(ui),
+        view_(view),
+        node_number_(view.shown()[k]),
+        node_(view.scene()->nodes[node_number_]),
+        state_(StateOf(live, node_)),
+        live_(live && live->connection == Connection::kLive) {}
+
+  void Draw(Point canvas) {
+    const Row row = NextRow(ui_, "outline/" + node_.path, view_.selected() == node_number_);
+    if (row.clicked) {
+      view_.Select(node_number_);
+      view_.Reveal(canvas);
+    }
+    if (!row.visible) return;
+    PaintStatus(row.box);
+    PaintText(row.box);
+  }
+
+ private:
+  void PaintStatus(const Box& box) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const bool active = state_.status != Status::kIdle;
+    if (!active && state_.before == Status::kIdle) return;
+    const Color color = StatusColor(ui_.palette, state_, 0);
+    const float strength = !live_ ? 0.4F : active ? 1.0F : 0.45F;
+    if (active) ui_.Fill(list, box, Fade(color, live_ ? 0.12F : 0.05F));
+    ui_.Fill(list, {box.min, {box.min.x + 4, box.max.y}}, Fade(color, strength));
+  }
+
+  void PaintText(const Box& box) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const float indent =
+        (10 + kIndent * static_cast<float>(std::min(DepthOf(node_), kDeepest))) * ui_.scale;
+    const float right = box.max.x - 8 * ui_.scale;
+    const std::string note = Note();
+    const bool running = state_.status == Status::kRunning;
+    const TextStyle note_style{Face::kSans, 11,
+                               running && live_ ? ui_.palette.running : ui_.palette.text_dim};
+    const float note_width = ui_.Width(note, note_style);
+    ui_.RowText(list, {right - note_width, box.min.y}, box.height(), note, note_style);
+
+    const TextStyle glyph{Face::kSans, 12,
+                          Mix(ui_.palette.Of(node_.shape), ui_.palette.text, 0.6F)};
+    const std::string_view icon = GlyphOf(node_);
+    const float middle = box.min.x + indent + 7 * ui_.scale;
+    ui_.RowText(list, {middle - ui_.Width(icon, glyph) / 2, box.min.y}, box.height(), icon, glyph);
+
+    const Point at = {box.min.x + indent + 18 * ui_.scale, box.min.y};
+    const float room = right - note_width - 6 * ui_.scale - at.x;
+    const bool own_name = node_.name != node_.id;
+    const float used =
+        ui_.RowText(list, at, box.height(), node_.name,
+                    {own_name ? Face::kBold : Face::kSans, 12, ui_.palette.text}, room);
+    const std::string ports = Ports();
+    if (room - used > 40 * ui_.scale) {
+      ui_.RowText(list, at + Point{used + 7 * ui_.scale, 0}, box.height(), ports,
+                  {Face::kSans, 11, ui_.palette.text_dim}, room - used - 7 * ui_.scale);
+    }
+  }
+
+  std::string Note() const {
+    if (view_.IsCollapsed(node_number_)) {
+      return std::to_string(node_.end - node_number_ - 1) + " hidden";
+    }
+    if (state_.status == Status::kRunning) {
+      const double seconds = std::chrono::duration<double>(ui_.clock - state_.since).count();
+      return DurationText(seconds);
+    }
+    return GlyphOf(state_.status == Status::kIdle ? state_.before : state_.status);
+  }
+
+  std::string Ports() const {
+    std::string text;
+    const Scene& scene = *view_.scene();
+    for (std::uint32_t i = 0; i < node_.port_count; ++i) {
+      const PortLine& port = scene.ports[node_.first_port + i];
+      text += (text.empty() ? "" : "  ") + ShownValue(port.value);
+    }
+    return text;
+  }
+
+  const Ui& ui_;
+  TreeView& view_;
+  const std::uint32_t node_number_;
+  const SceneNode& node_;
+  const NodeState state_;
+  const bool live_;
+};
+
+// Scrolls to the selected row when the selection has changed.
+void FollowSelection(const Ui& ui, const TreeView& view) {
+  ImGuiStorage& storage = *ImGui::GetStateStorage();
+  const ImGuiID id = ImGui::GetID("selected");
+  const int selected = static_cast<int>(view.selected());
+  if (storage.GetInt(id, -1) == selected) return;
+  storage.SetInt(id, selected);
+  if (view.selected() == kNoNode) return;
+  const float height = kRowHeight * ui.scale;
+  const float top = static_cast<float>(view.ShownOf(view.selected())) * height;
+  const float first = ImGui::GetScrollY();
+  const float size = ImGui::GetWindowHeight();
+  if (top < first) ImGui::SetScrollY(top);
+  if (top + height > first + size) ImGui::SetScrollY(top + height - size);
+}
+
+}  // namespace
+
+void DrawOutline(const Ui& ui, EditorState& state, const Box& box) {
+  TreeView* view = state.workspace.view();
+  const LiveSnapshot* live = state.workspace.live();
+  const std::string note = live   ? "status, seconds"
+                           : view ? std::to_string(view->scene()->nodes.size()) + " nodes"
+                                  : "";
+  Panel(ui, "outline", box, "OUTLINE", note, [&] {
+    if (!view) {
+      Hint(ui, "Open a file with Ctrl+O.");
+      return;
+    }
+    FollowSelection(ui, *view);
+    ImGuiListClipper clipper;
+    clipper.Begin(static_cast<int>(view->shown().size()), kRowHeight * ui.scale);
+    while (clipper.Step()) {
+      const int end = std::min(clipper.DisplayEnd, static_cast<int>(view->shown().size()));
+      for (int k = clipper.DisplayStart; k < end; ++k) {
+        if (static_cast<std::size_t>(k) >= view->shown().size()) break;  // a row opened or closed
+        OutlineRow(ui, *view, live, static_cast<std::uint32_t>(k)).Draw(state.canvas_size);
+      }
+    }
+  });
+}
+
+}  // namespace coppice::editor

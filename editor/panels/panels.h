@@ -1,0 +1,44 @@
+// The tiles and bars of the editor. Each function draws one into `box` of the current ImGui window
+// and registers its rows by path.
+#ifndef COPPICE_EDITOR_PANELS_PANELS_H_
+#define COPPICE_EDITOR_PANELS_PANELS_H_
+
+#include "editor/core/editor_state.h"
+#include "editor/look/ui.h"
+
+namespace coppice::editor {
+
+/// Menus, the field that opens the command palette, the mode. "menu/file", "bar/palette".
+void DrawTopBar(const Ui& ui, EditorState& state, const Box& box);
+
+/// One tab per robot with its state, and "strip/connect". A tab is "strip/HOST:PORT".
+void DrawConnectionStrip(const Ui& ui, EditorState& state, const Box& box);
+
+/// What is on the canvas, and buttons for it. "canvasbar/tb", "canvasbar/lr", "canvasbar/fit".
+void DrawCanvasBar(const Ui& ui, EditorState& state, const Box& box);
+
+/// Files and their trees. "project/FILE", "project/FILE/TREE".
+void DrawProject(const Ui& ui, EditorState& state, const Box& box);
+
+/// The shown tree as rows, with status and seconds. "outline/1.2".
+void DrawOutline(const Ui& ui, EditorState& state, const Box& box);
+
+/// Everything about the selected node. "inspector/port/NAME".
+void DrawInspector(const Ui& ui, EditorState& state, const Box& box);
+
+/// Values on the robot, by blackboard. "blackboard/SCOPE/KEY".
+void DrawBlackboard(const Ui& ui, EditorState& state, const Box& box);
+
+/// The text of the file, with the line of the selected node. "xml/LINE".
+void DrawXml(const Ui& ui, EditorState& state, const Box& box);
+
+/// What is wrong with the files and with the connection. "problems/0".
+void DrawProblems(const Ui& ui, EditorState& state, const Box& box);
+
+/// The open popup, if any: prompts, the command palette, the list of keys. "popup/input",
+/// "popup/0".
+void DrawPopup(const Ui& ui, EditorState& state);
+
+}  // namespace coppice::editor
+
+#endif  // COPPICE_EDITOR_PANELS_PANELS_H_

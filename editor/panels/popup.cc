@@ -1,0 +1,172 @@
+#include <imgui.h>
+// After imgui.h, which it needs.
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+
+#include "editor/panels/choices.h"
+#include "editor/panels/panel.h"
+#include "editor/panels/panels.h"
+
+namespace coppice::editor {
+namespace {
+
+constexpr float kWidth = 560;
+constexpr float kField = 32;
+constexpr std::size_t kRows = 12;
+
+bool Pressed(const EditorState& state, Key key) {
+  return std::any_of(state.keys.begin(), state.keys.end(),
+                     [&](const KeyEvent& event) { return event.key == key; });
+}
+
+bool Confirmed(const EditorState& state) {
+  return Pressed(state, kKeyEnter) || Pressed(state, kKeyKeypadEnter);
+}
+
+class PopupWindow {
+ public:
+  PopupWindow(const Ui& ui, EditorState& state) : ui_(ui), state_(state) {}
+
+  void Draw() {
+    const std::size_t rows = state_.popup == Popup::kPalette ? kRows
+                             : state_.popup == Popup::kKeys  ? state_.commands.all().size()
+                                                             : 0;
+    float height = kField + 20 + static_cast<float>(rows) * kRowHeight;
+    if (!state_.popup_error.empty()) height += 24;
+    const ImVec2 display = ImGui::GetIO().DisplaySize;
+    const Point size = {std::min(kWidth * ui_.scale, display.x - 20),
+                        std::min(height * ui_.scale, display.y - 80 * ui_.scale)};
+    const Point at = {(display.x - size.x) / 2, 56 * ui_.scale};
+    ImGui::SetNextWindowPos(ToIm(at));
+    ImGui::SetNextWindowSize(ToIm(size));
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, ui_.palette.panel);
+    ImGui::PushStyleColor(ImGuiCol_Border, ui_.palette.accent);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {10 * ui_.scale, 10 * ui_.scale});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
+    ImGui::SetNextWindowFocus();
+    ImGui::Begin(
+        "popup", nullptr,
+        ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
+    ui_.items.Add("popup", {at, at + size});
+    const bool outside = ImGui::IsMouseClicked(0) && !state_.popup_is_new &&
+                         !Box{at, at + size}.Contains(FromIm(ImGui::GetIO().MousePos));
+    Content();
+    ImGui::End();
+    ImGui::PopStyleVar(2);
+    ImGui::PopStyleColor(2);
+    if (Pressed(state_, kKeyEscape) || outside) state_.popup = Popup::kNone;
+  }
+
+ private:
+  void Content() {
+    switch (state_.popup) {
+      case Popup::kOpen:
+        Input("path of a behaviour-tree file");
+        if (Confirmed(state_)) Open();
+        break;
+      case Popup::kConnect:
+        Input("host:port of a robot");
+        if (Confirmed(state_)) Connect();
+        break;
+      case Popup::kPalette:
+        Input("command, node, tree or robot");
+        Choices();
+        break;
+      case Popup::kKeys:
+        Keys();
+        break;
+      case Popup::kNone:
+        break;
+    }
+    if (state_.popup_error.empty()) return;
+    ImGui::PushStyleColor(ImGuiCol_Text, ui_.palette.error);
+    ImGui::TextUnformatted(state_.popup_error.c_str());
+    ImGui::PopStyleColor();
+  }
+
+  void Input(const char* hint) {
+    if (state_.popup_is_new) ImGui::SetKeyboardFocusHere();
+    state_.popup_is_new = false;
+    ImGui::SetNextItemWidth(-1);
+    ImGui::PushFont(ui_.fonts.Pick(Face::kSans, 14 * ui_.scale));
+    if (ImGui::InputTextWithHint("##input", hint, &state_.popup_text)) {
+      state_.popup_choice = 0;
+      state_.popup_error.clear();
+    }
+    ImGui::PopFont();
+    ui_.items.Add("popup/input",
+                  {FromIm(ImGui::GetItemRectMin()), FromIm(ImGui::GetItemRectMax())});
+  }
+
+  void Open() {
+    if (state_.open_file(state_.popup_text)) {
+      state_.popup = Popup::kNone;
+    } else {
+      state_.popup_error = "nothing to show in this file; see Problems";
+    }
+  }
+
+  void Connect() {
+    state_.popup_error = state_.connect(state_.popup_text);
+    if (state_.popup_error.empty()) state_.popup = Popup::kNone;
+  }
+
+  void Choices() {
+    const std::vector<Choice> choices = FindChoices(state_, state_.popup_text, ui_.now, kRows);
+    const int count = static_cast<int>(choices.size());
+    if (Pressed(state_, kKeyDown)) ++state_.popup_choice;
+    if (Pressed(state_, kKeyUp)) --state_.popup_choice;
+    state_.popup_choice = std::clamp(state_.popup_choice, 0, std::max(count - 1, 0));
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
+    ImGui::Dummy({1, 6 * ui_.scale});
+    int chosen = -1;
+    for (int i = 0; i < count; ++i) {
+      const Choice& choice = choices[static_cast<std::size_t>(i)];
+      const Row row = NextRow(ui_, "popup/" + std::to_string(i), i == state_.popup_choice);
+      Paint(row.box, choice.title, choice.note, choice.kind);
+      if (row.clicked) chosen = i;
+    }
+    ImGui::PopStyleVar();
+    if (Confirmed(state_) && count > 0) chosen = state_.popup_choice;
+    if (chosen < 0) return;
+    state_.popup = Popup::kNone;  // before running: the command may open another
+    choices[static_cast<std::size_t>(chosen)].run();
+  }
+
+  void Keys() {
+    state_.popup_is_new = false;
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
+    for (const Command& command : state_.commands.all()) {
+      const Row row = NextRow(ui_, "popup/keys/" + command.id, false);
+      Paint(row.box, command.title, ToString(command.keys), "");
+    }
+    ImGui::PopStyleVar();
+  }
+
+  void Paint(const Box& box, const std::string& title, const std::string& note,
+             const std::string& kind) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const TextStyle dim{Face::kSans, 11, ui_.palette.text_dim};
+    const float kind_width = 64 * ui_.scale;
+    const float pad = 6 * ui_.scale;
+    if (!kind.empty()) ui_.RowText(list, box.min + Point{pad, 0}, box.height(), kind, dim);
+    const float left = box.min.x + (kind.empty() ? pad : kind_width);
+    const float note_width = std::min(ui_.Width(note, dim), box.width() * 0.4F);
+    ui_.RowText(list, {left, box.min.y}, box.height(), title, {Face::kSans, 12, ui_.palette.text},
+                box.max.x - left - note_width - 3 * pad);
+    ui_.RowText(list, {box.max.x - note_width - pad, box.min.y}, box.height(), note, dim,
+                note_width + 1);
+  }
+
+  const Ui& ui_;
+  EditorState& state_;
+};
+
+}  // namespace
+
+void DrawPopup(const Ui& ui, EditorState& state) {
+  if (state.popup != Popup::kNone) PopupWindow(ui, state).Draw();
+}
+
+}  // namespace coppice::editor

@@ -1,0 +1,74 @@
+#include <filesystem>
+
+#include "editor/look/icons.h"
+#include "editor/panels/panel.h"
+#include "editor/panels/panels.h"
+
+namespace coppice::editor {
+namespace {
+
+std::string FileName(const std::string& path) {
+  return std::filesystem::path(path).filename().string();
+}
+
+void IconRow(const Ui& ui, const Box& box, float indent, std::string_view glyph,
+             std::string_view text, Color color, std::string_view note) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float left = box.min.x + indent * ui.scale;
+  const TextStyle small{Face::kSans, 11, ui.palette.text_dim};
+  const float note_width = ui.Width(note, small);
+  const float right = box.max.x - 8 * ui.scale - note_width;
+  ui.RowText(list, {left, box.min.y}, box.height(), glyph, {Face::kSans, 12, ui.palette.text_dim});
+  ui.RowText(list, {left + 20 * ui.scale, box.min.y}, box.height(), text, {Face::kSans, 12, color},
+             right - left - 26 * ui.scale);
+  ui.RowText(list, {right, box.min.y}, box.height(), note, small);
+}
+
+void DrawFile(const Ui& ui, EditorState& state, std::size_t number) {
+  Workspace& workspace = state.workspace;
+  const OpenFile& file = workspace.files()[number];
+  const auto forest = file.forest;  // a click may load the file anew
+  const double now = ui.now;
+  const std::string name = FileName(file.path);
+  const bool broken = forest->documents().empty();
+  if (broken) {
+    const Row row = NextRow(ui, "project/" + name, workspace.file() == &file);
+    IconRow(ui, row.box, 8, icon::kWarning, name, ui.palette.error, "cannot be read");
+    if (row.clicked) workspace.ShowFileTree(number, -1, now);
+    return;
+  }
+  for (std::uint32_t d = 0; d < forest->documents().size(); ++d) {
+    const std::string document = FileName(forest->documents()[d]->file());
+    const Row row = NextRow(ui, "project/" + document, false);
+    if (row.visible) {
+      IconRow(ui, row.box, d == 0 ? 8 : 16, icon::kFolderOpen, document,
+              d == 0 ? ui.palette.text : ui.palette.text_dim, d == 0 ? "" : "included");
+    }
+    for (std::size_t t = 0; t < forest->trees().size(); ++t) {
+      if (forest->trees()[t].document != d) continue;
+      const int tree = static_cast<int>(t);
+      const std::string& id = forest->trees()[t].id;
+      const bool shown = workspace.file() == &file && workspace.tree() == tree;
+      const Row item = NextRow(ui, "project/" + document + "/" + id, shown);
+      if (item.visible) {
+        IconRow(ui, item.box, d == 0 ? 24 : 32, icon::kSitemap, id, ui.palette.text,
+                tree == forest->main_tree() ? "main" : "");
+      }
+      if (item.clicked) workspace.ShowFileTree(number, tree, now);
+    }
+  }
+}
+
+}  // namespace
+
+void DrawProject(const Ui& ui, EditorState& state, const Box& box) {
+  const std::size_t count = state.workspace.files().size();
+  const std::string note =
+      count == 0 ? "" : std::to_string(count) + (count == 1 ? " file" : " files");
+  Panel(ui, "project", box, "PROJECT", note, [&] {
+    if (count == 0) Hint(ui, "No file is open. Ctrl+O opens one.");
+    for (std::size_t i = 0; i < count; ++i) DrawFile(ui, state, i);
+  });
+}
+
+}  // namespace coppice::editor

@@ -1,0 +1,159 @@
+#include "editor/panels/tiles.h"
+
+#include <algorithm>
+
+#include "editor/canvas/canvas.h"
+#include "editor/panels/panel.h"
+#include "editor/panels/panels.h"
+
+namespace coppice::editor {
+namespace {
+
+constexpr float kBar = 30;
+constexpr float kStrip = 28;
+constexpr float kCanvasBar = 26;
+constexpr float kGap = 4;
+constexpr float kSmallest = 80;  // of a tile
+
+using DrawTile = void (*)(const Ui&, EditorState&, const Box&);
+
+struct Tile {
+  bool shown;
+  DrawTile draw;
+};
+
+class Screen {
+ public:
+  Screen(const Ui& ui, EditorState& state, const Box& box) : ui_(ui), state_(state), box_(box) {}
+
+  void Draw() {
+    Box rest = box_;
+    DrawTopBar(ui_, state_, TakeTop(rest, kBar));
+    DrawConnectionStrip(ui_, state_, TakeTop(rest, kStrip));
+    const float gap = kGap * ui_.scale;
+    rest = {rest.min + Point{gap, gap}, rest.max - Point{gap, gap}};
+    Tiles& tiles = state_.tiles;
+    Splits& splits = state_.splits;
+    if (tiles.project || tiles.outline) {
+      const Box column = TakeLeft(rest, splits.left);
+      Column("left", column, {tiles.project, DrawProject}, {tiles.outline, DrawOutline},
+             splits.left_part);
+    }
+    if (tiles.inspector || tiles.blackboard) {
+      const Box column = TakeRight(rest, splits.right);
+      Column("right", column, {tiles.inspector, DrawInspector}, {tiles.blackboard, DrawBlackboard},
+             splits.right_part);
+    }
+    if (tiles.xml || tiles.problems) {
+      const Box row = TakeBottom(rest, splits.bottom);
+      Row("bottom", row, {tiles.xml, DrawXml}, {tiles.problems, DrawProblems}, splits.bottom_part);
+    }
+    DrawMiddle(rest);
+  }
+
+ private:
+  Box TakeTop(Box& rest, float height) const {
+    const Box taken = {rest.min, {rest.max.x, rest.min.y + height * ui_.scale}};
+    rest.min.y = taken.max.y;
+    return taken;
+  }
+
+  float Limit(float size, float room) const {
+    return std::clamp(size * ui_.scale, kSmallest * ui_.scale,
+                      std::max(kSmallest * ui_.scale, room - kSmallest * ui_.scale));
+  }
+
+  Box TakeLeft(Box& rest, float& size) {
+    const float width = Limit(size, rest.width() * 0.6F);
+    const float gap = kGap * ui_.scale;
+    const Box taken = {rest.min, {rest.min.x + width, rest.max.y}};
+    const Box bar = {{taken.max.x, rest.min.y}, {taken.max.x + gap, rest.max.y}};
+    size += Splitter(ui_, "split/left", bar, true);
+    rest.min.x = bar.max.x;
+    return taken;
+  }
+
+  Box TakeRight(Box& rest, float& size) {
+    const float width = Limit(size, rest.width() * 0.6F);
+    const float gap = kGap * ui_.scale;
+    const Box taken = {{rest.max.x - width, rest.min.y}, rest.max};
+    const Box bar = {{taken.min.x - gap, rest.min.y}, {taken.min.x, rest.max.y}};
+    size -= Splitter(ui_, "split/right", bar, true);
+    rest.max.x = bar.min.x;
+    return taken;
+  }
+
+  Box TakeBottom(Box& rest, float& size) {
+    const float height = Limit(size, rest.height() * 0.8F);
+    const float gap = kGap * ui_.scale;
+    const Box taken = {{rest.min.x, rest.max.y - height}, rest.max};
+    const Box bar = {{rest.min.x, taken.min.y - gap}, {rest.max.x, taken.min.y}};
+    size -= Splitter(ui_, "split/bottom", bar, false);
+    rest.max.y = bar.min.y;
+    return taken;
+  }
+
+  // Two tiles one above the other.
+  void Column(const std::string& name, const Box& box, Tile first, Tile second, float& part) {
+    if (!first.shown || !second.shown) {
+      (first.shown ? first : second).draw(ui_, state_, box);
+      return;
+    }
+    const float gap = kGap * ui_.scale;
+    const float cut = box.min.y + std::clamp(part, 0.1F, 0.9F) * box.height();
+    const Box bar = {{box.min.x, cut}, {box.max.x, cut + gap}};
+    first.draw(ui_, state_, {box.min, {box.max.x, bar.min.y}});
+    second.draw(ui_, state_, {{box.min.x, bar.max.y}, box.max});
+    part += Splitter(ui_, "split/" + name + "_part", bar, false) * ui_.scale / box.height();
+  }
+
+  // Two tiles side by side.
+  void Row(const std::string& name, const Box& box, Tile first, Tile second, float& part) {
+    if (!first.shown || !second.shown) {
+      (first.shown ? first : second).draw(ui_, state_, box);
+      return;
+    }
+    const float gap = kGap * ui_.scale;
+    const float cut = box.min.x + std::clamp(part, 0.1F, 0.9F) * box.width();
+    const Box bar = {{cut, box.min.y}, {cut + gap, box.max.y}};
+    first.draw(ui_, state_, {box.min, {bar.min.x, box.max.y}});
+    second.draw(ui_, state_, {{bar.max.x, box.min.y}, box.max});
+    part += Splitter(ui_, "split/" + name + "_part", bar, true) * ui_.scale / box.width();
+  }
+
+  void DrawMiddle(Box rest) {
+    DrawCanvasBar(ui_, state_, TakeTop(rest, kCanvasBar));
+    state_.canvas_size = {rest.width(), rest.height()};
+    TreeView* view = state_.workspace.view();
+    ImGui::SetCursorScreenPos(ToIm(rest.min));
+    if (view) {
+      const CanvasOptions options = {state_.tiles.minimap, state_.workspace.live()};
+      DrawCanvas(ui_, *view, rest, options);
+      return;
+    }
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    ui_.Fill(list, rest, ui_.palette.canvas);
+    const std::string text = Invitation();
+    const TextStyle style{Face::kSans, 14, ui_.palette.text_dim};
+    ui_.RowText(list, {rest.center().x - ui_.Width(text, style) / 2, rest.center().y - 20}, 40,
+                text, style);
+  }
+
+  std::string Invitation() const {
+    if (const Robot* robot = state_.workspace.robot()) {
+      return "waiting for " + robot->source->endpoint();
+    }
+    if (state_.workspace.file()) return "this file holds no tree that can be shown";
+    return "Ctrl+O opens a file";
+  }
+
+  const Ui& ui_;
+  EditorState& state_;
+  const Box box_;
+};
+
+}  // namespace
+
+void DrawTiles(const Ui& ui, EditorState& state, const Box& box) { Screen(ui, state, box).Draw(); }
+
+}  // namespace coppice::editor

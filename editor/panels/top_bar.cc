@@ -1,0 +1,138 @@
+#include "editor/look/icons.h"
+#include "editor/panels/panels.h"
+
+namespace coppice::editor {
+namespace {
+
+struct MenuEntry {
+  const char* command;  // null: a line between groups
+};
+
+constexpr MenuEntry kView[] = {
+    {"view.top_to_bottom"}, {"view.left_to_right"},  {nullptr}, {"view.fit_all"},
+    {"view.fit_selection"}, {"view.zoom_100"},       {nullptr}, {"tree.collapse"},
+    {"tree.open_subtrees"}, {"tree.close_subtrees"}, {nullptr}, {"palette.dark"},
+    {"palette.light"},      {"palette.colourblind"}};
+constexpr MenuEntry kTilesMenu[] = {{"tile.project"},    {"tile.outline"}, {"tile.inspector"},
+                                    {"tile.blackboard"}, {"tile.xml"},     {"tile.problems"},
+                                    {"tile.minimap"}};
+constexpr MenuEntry kRobotMenu[] = {{"robot.connect"}, {"robot.next"}};
+constexpr MenuEntry kHelpMenu[] = {{"help.palette"}, {"help.keys"}};
+
+class TopBar {
+ public:
+  TopBar(const Ui& ui, EditorState& state, const Box& box) : ui_(ui), state_(state), box_(box) {}
+
+  void Draw() {
+    ui_.Fill(*ImGui::GetWindowDrawList(), box_, ui_.palette.panel);
+    float x = box_.min.x + 6 * ui_.scale;
+    x = Menu("File", x, [this] { FileMenu(); });
+    x = Menu("View", x, [this] { Entries(kView); });
+    x = Menu("Tiles", x, [this] { Entries(kTilesMenu); });
+    x = Menu("Robot", x, [this] { Entries(kRobotMenu); });
+    x = Menu("Help", x, [this] { Entries(kHelpMenu); });
+    DrawField();
+    DrawMode();
+  }
+
+ private:
+  template <class Body>
+  float Menu(const std::string& title, float x, Body body) {
+    const TextStyle style{Face::kSans, 13, ui_.palette.text};
+    const float width = ui_.Width(title, style) + 18 * ui_.scale;
+    const Box box = {{x, box_.min.y}, {x + width, box_.max.y}};
+    std::string lower = title;
+    lower[0] = static_cast<char>(lower[0] - 'A' + 'a');
+    bool hovered = false;
+    const bool pressed = ui_.Hit("menu/" + lower, box, &hovered);
+    const std::string popup = "menu " + title;
+    const bool open = ImGui::IsPopupOpen(popup.c_str());
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    if (hovered || open) ui_.Fill(list, box, ui_.palette.row_hover, 3);
+    ui_.RowText(list, box.min + Point{9 * ui_.scale, 0}, box.height(), title, style);
+    if (pressed) ImGui::OpenPopup(popup.c_str());
+    ImGui::SetNextWindowPos({box.min.x, box.max.y});
+    if (ImGui::BeginPopup(popup.c_str())) {
+      body();
+      ImGui::EndPopup();
+    }
+    return x + width;
+  }
+
+  template <std::size_t kCount>
+  void Entries(const MenuEntry (&entries)[kCount]) {
+    for (const MenuEntry& entry : entries) {
+      if (entry.command) {
+        Entry(entry.command);
+      } else {
+        ImGui::Separator();
+      }
+    }
+  }
+
+  void Entry(const char* id) {
+    const Command* command = state_.commands.Find(id);
+    if (!command) return;
+    const std::string keys = ToString(command->keys);
+    const bool chosen = ImGui::MenuItem(command->title.c_str(), keys.c_str());
+    ui_.items.Add(std::string("menu/") + id,
+                  {FromIm(ImGui::GetItemRectMin()), FromIm(ImGui::GetItemRectMax())});
+    if (chosen) command->run();
+  }
+
+  void FileMenu() {
+    Entry("file.open");
+    Entry("file.reload");
+    if (!state_.recent.empty()) ImGui::Separator();
+    for (std::size_t i = 0; i < state_.recent.size(); ++i) {
+      const std::string path = state_.recent[i];
+      const bool chosen = ImGui::MenuItem(path.c_str());
+      ui_.items.Add("menu/recent/" + std::to_string(i),
+                    {FromIm(ImGui::GetItemRectMin()), FromIm(ImGui::GetItemRectMax())});
+      if (chosen) {
+        state_.open_file(path);
+        break;
+      }
+    }
+    ImGui::Separator();
+    Entry("file.quit");
+  }
+
+  void DrawField() {
+    const float width = std::min(460 * ui_.scale, box_.width() * 0.36F);
+    const float pad = 4 * ui_.scale;
+    const Box field = {{box_.center().x - width / 2, box_.min.y + pad},
+                       {box_.center().x + width / 2, box_.max.y - pad}};
+    bool hovered = false;
+    const bool pressed = ui_.Hit("bar/palette", field, &hovered);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    ui_.Fill(list, field, ui_.palette.field, 4);
+    ui_.Frame(list, field, hovered ? ui_.palette.accent : ui_.palette.border, 4);
+    const TextStyle style{Face::kSans, 12, ui_.palette.text_dim};
+    ui_.RowText(list, field.min + Point{10 * ui_.scale, 0}, field.height(), icon::kSearch, style);
+    ui_.RowText(list, field.min + Point{30 * ui_.scale, 0}, field.height(),
+                "Ctrl+P   commands, nodes, trees, robots", style, field.width() - 36 * ui_.scale);
+    if (pressed) state_.OpenPopup(Popup::kPalette);
+  }
+
+  // One document, and a robot or none: the mode follows from what is shown.
+  void DrawMode() {
+    const LiveSnapshot* live = state_.workspace.live();
+    const bool good = live && live->connection == Connection::kLive;
+    const std::string text = live ? "LIVE" : "VIEW";
+    const Color color = good ? ui_.palette.success : live ? ui_.palette.text_dim : 0;
+    const Box chip = {{box_.max.x - 70 * ui_.scale, box_.min.y + 4 * ui_.scale},
+                      {box_.max.x - 8 * ui_.scale, box_.max.y - 4 * ui_.scale}};
+    ui_.Button("bar/mode", chip, text, live != nullptr, color);
+  }
+
+  const Ui& ui_;
+  EditorState& state_;
+  const Box box_;
+};
+
+}  // namespace
+
+void DrawTopBar(const Ui& ui, EditorState& state, const Box& box) { TopBar(ui, state, box).Draw(); }
+
+}  // namespace coppice::editor

@@ -1,0 +1,63 @@
+// The trees that can be shown together: those of a file with its includes, or those that a robot
+// runs. Immutable; views into it live as long as it does.
+#ifndef COPPICE_EDITOR_SCENE_FOREST_H_
+#define COPPICE_EDITOR_SCENE_FOREST_H_
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bt_core/base/diagnostic.h"
+#include "bt_core/model/document.h"
+#include "bt_core/model/project.h"
+
+namespace coppice::editor {
+
+/// One <BehaviorTree>. A robot sends one for every instance, with its path.
+struct TreeEntry {
+  std::string id;
+  std::string instance_path;  ///< empty for a definition and for the main tree
+  std::uint32_t document = 0;
+  ElementIndex element = 0;
+};
+
+class Forest {
+ public:
+  /// A file with its includes. What is wrong goes to `diagnostics`. A file that is well-formed but
+  /// wrong otherwise is shown alone, without its includes; if it is malformed, there are no trees.
+  static Forest FromFile(const std::string& path, Diagnostics& diagnostics);
+
+  /// The text that a robot sends: one <BehaviorTree> per instance. `source` is used in messages.
+  static Forest FromRobot(std::string text, const std::string& source, Diagnostics& diagnostics);
+
+  const std::vector<const Document*>& documents() const { return documents_; }
+  const std::vector<TreeEntry>& trees() const { return trees_; }
+
+  /// The tree to show first: the main tree, else the first. -1 if there is none.
+  int main_tree() const { return main_tree_; }
+
+  /// Number of the tree of that ID, or -1.
+  int Find(std::string_view id) const;
+
+  /// Number of the tree that a <SubTree> element stands for, or -1.
+  int Resolve(const Document& document, const Element& subtree) const;
+
+  /// The project, if the file is good in itself; else null.
+  const std::shared_ptr<const Project>& project() const { return project_; }
+
+ private:
+  void AddTreesOf(std::uint32_t document);
+  void ChooseMain(std::string_view id);
+
+  std::shared_ptr<const Project> project_;
+  std::shared_ptr<const Document> single_;
+  std::vector<const Document*> documents_;
+  std::vector<TreeEntry> trees_;
+  int main_tree_ = -1;
+};
+
+}  // namespace coppice::editor
+
+#endif  // COPPICE_EDITOR_SCENE_FOREST_H_

@@ -1,0 +1,219 @@
+#include "editor/scene/scene.h"
+
+#include <algorithm>
+#include <charconv>
+
+namespace coppice::editor {
+namespace {
+
+bool IsHidden(std::string_view name) {
+  return name == "name" || name == "ID" || name == "_uid" || name == "_fullpath";
+}
+
+Shape ShapeOf(NodeCategory category) {
+  switch (category) {
+    case NodeCategory::kAction:
+      return Shape::kAction;
+    case NodeCategory::kCondition:
+      return Shape::kCondition;
+    case NodeCategory::kControl:
+      return Shape::kControl;
+    case NodeCategory::kDecorator:
+      return Shape::kDecorator;
+    case NodeCategory::kSubTree:
+      return Shape::kSubTree;
+  }
+  return Shape::kUnknown;
+}
+
+// Walks the elements depth first, with a list of its own instead of recursion: files may be deep.
+class Builder {
+ public:
+  Builder(const Forest& forest, const NodeModels& models, std::size_t limit)
+      : forest_(forest), models_(models), limit_(limit) {}
+
+  Scene Build(int tree) {
+    const TreeEntry& entry = forest_.trees()[static_cast<std::size_t>(tree)];
+    scene_.tree_id = entry.id;
+    scene_.scopes.push_back(entry.instance_path.empty() ? entry.id : entry.instance_path);
+    trees_.push_back({tree, kNone});
+    PushChildren(entry.document, forest_.documents()[entry.document]->element(entry.element),
+                 kNoNode, 0, 0);
+    while (!open_.empty()) {
+      const Open next = open_.back();
+      open_.pop_back();
+      Add(next);
+    }
+    CloseRanges();
+    return std::move(scene_);
+  }
+
+ private:
+  static constexpr std::uint32_t kNone = UINT32_MAX;
+
+  struct Open {
+    std::uint32_t document;
+    ElementIndex element;
+    std::uint32_t parent;
+    std::uint32_t number;
+    std::uint32_t scope;
+    std::uint32_t tree;  // of trees_
+  };
+  struct TreeInstance {
+    int tree;
+    std::uint32_t outer;  // of trees_
+  };
+
+  void PushChildren(std::uint32_t document, const Element& element, std::uint32_t parent,
+                    std::uint32_t scope, std::uint32_t tree) {
+    const std::size_t first = open_.size();
+    std::uint32_t number = 0;
+    const Document& text = *forest_.documents()[document];
+    for (ElementIndex i = element.first_child; i != kNoElement; i = text.element(i).next_sibling) {
+      open_.push_back({document, i, parent, ++number, scope, tree});
+    }
+    std::reverse(open_.begin() + static_cast<std::ptrdiff_t>(first), open_.end());
+  }
+
+  void Add(const Open& open) {
+    const Document& document = *forest_.documents()[open.document];
+    const Element& element = document.element(open.element);
+    const auto index = static_cast<std::uint32_t>(scene_.nodes.size());
+    scene_.nodes.push_back({});
+    Name(document, element, open);
+    AddPorts(document, element);
+    if (scene_.nodes[index].shape == Shape::kSubTree && element.child_count == 0) {
+      OpenSubTree(document, element, index, open);
+    } else {
+      PushChildren(open.document, element, index, open.scope, open.tree);
+    }
+  }
+
+  void Name(const Document& document, const Element& element, const Open& open) {
+    SceneNode& node = scene_.nodes.back();
+    node.parent = open.parent;
+    node.number = open.number;
+    node.document = open.document;
+    node.element = open.element;
+    node.scope = open.scope;
+    node.path = open.parent == kNoNode
+                    ? std::to_string(open.number)
+                    : scene_.nodes[open.parent].path + "." + std::to_string(open.number);
+    const std::string_view id = document.AttributeValue(element, "ID");
+    const std::optional<NodeCategory> explicit_category = CategoryFromTag(element.tag);
+    node.id = explicit_category && !id.empty() ? id : element.tag;
+    const bool is_subtree = element.tag == "SubTree" || element.tag == "SubTreePlus";
+    if (element.tag == "SubTreePlus") node.id = id;
+    node.name = document.AttributeValue(element, "name");
+    if (node.name.empty()) node.name = node.id;
+    node.model = models_.Find(node.id);
+    if (is_subtree) {
+      node.shape = Shape::kSubTree;
+    } else if (explicit_category) {
+      node.shape = ShapeOf(*explicit_category);
+    } else if (node.model) {
+      node.shape = ShapeOf(node.model->category);
+    }
+    ReadUid(document.AttributeValue(element, "_uid"), node);
+  }
+
+  void ReadUid(std::string_view text, SceneNode& node) {
+    int uid = -1;
+    std::from_chars(text.data(), text.data() + text.size(), uid);
+    if (uid < 0 || uid > UINT16_MAX) return;
+    node.uid = uid;
+    const auto at = static_cast<std::size_t>(uid);
+    if (scene_.node_of_uid.size() <= at) scene_.node_of_uid.resize(at + 1, kNoNode);
+    scene_.node_of_uid[at] = static_cast<std::uint32_t>(scene_.nodes.size() - 1);
+  }
+
+  // Declared ports first, in the declared order; then the others as they are written.
+  void AddPorts(const Document& document, const Element& element) {
+    SceneNode& node = scene_.nodes.back();
+    node.first_port = static_cast<std::uint32_t>(scene_.ports.size());
+    if (node.model && node.shape != Shape::kSubTree) {
+      for (const PortModel& port : node.model->ports) {
+        if (const Attribute* given = document.FindAttribute(element, port.name)) {
+          scene_.ports.push_back(
+              {given->name, given->value, port.direction, !KeyOf(given->value).empty(), &port});
+        }
+      }
+    }
+    for (const Attribute* a = document.attributes_begin(element);
+         a != document.attributes_end(element); ++a) {
+      if (IsHidden(a->name)) continue;
+      if (node.shape != Shape::kSubTree && node.model && node.model->FindPort(a->name)) continue;
+      scene_.ports.push_back(
+          {a->name, a->value, PortDirection::kInput, !KeyOf(a->value).empty(), nullptr});
+    }
+    node.port_count = static_cast<std::uint32_t>(scene_.ports.size()) - node.first_port;
+  }
+
+  void OpenSubTree(const Document& document, const Element& element, std::uint32_t index,
+                   const Open& open) {
+    const int tree = forest_.Resolve(document, element);
+    if (tree < 0) return;
+    if (IsInside(tree, open.tree) || scene_.nodes.size() + open_.size() > limit_) {
+      scene_.nodes[index].recursive = true;
+      return;
+    }
+    const TreeEntry& entry = forest_.trees()[static_cast<std::size_t>(tree)];
+    const auto scope = static_cast<std::uint32_t>(scene_.scopes.size());
+    scene_.scopes.push_back(entry.instance_path.empty() ? InstancePath(index, open.scope)
+                                                        : entry.instance_path);
+    trees_.push_back({tree, open.tree});
+    PushChildren(entry.document, forest_.documents()[entry.document]->element(entry.element), index,
+                 scope, static_cast<std::uint32_t>(trees_.size() - 1));
+  }
+
+  // Below the main tree the path starts anew, as the engine writes it.
+  std::string InstancePath(std::uint32_t index, std::uint32_t scope) const {
+    const std::string name(scene_.nodes[index].name);
+    return scope == 0 ? name : scene_.scopes[scope] + "/" + name;
+  }
+
+  bool IsInside(int tree, std::uint32_t instance) const {
+    for (; instance != kNone; instance = trees_[instance].outer) {
+      if (trees_[instance].tree == tree) return true;
+    }
+    return false;
+  }
+
+  void CloseRanges() {
+    for (auto i = static_cast<std::uint32_t>(scene_.nodes.size()); i-- > 0;) {
+      SceneNode& node = scene_.nodes[i];
+      node.end = std::max(node.end, i + 1);
+      if (node.parent == kNoNode) continue;
+      SceneNode& parent = scene_.nodes[node.parent];
+      parent.end = std::max(parent.end, node.end);
+    }
+  }
+
+  const Forest& forest_;
+  const NodeModels& models_;
+  const std::size_t limit_;
+  Scene scene_;
+  std::vector<Open> open_;
+  std::vector<TreeInstance> trees_;
+};
+
+}  // namespace
+
+std::uint32_t Scene::FindPath(std::string_view path) const {
+  for (std::uint32_t i = 0; i < nodes.size(); ++i) {
+    if (nodes[i].path == path) return i;
+  }
+  return kNoNode;
+}
+
+Scene BuildScene(const Forest& forest, int tree, const NodeModels& models, std::size_t limit) {
+  if (tree < 0 || static_cast<std::size_t>(tree) >= forest.trees().size()) return {};
+  return Builder(forest, models, limit).Build(tree);
+}
+
+std::string_view KeyOf(std::string_view value) {
+  if (value.size() < 3 || value.front() != '{' || value.back() != '}') return {};
+  return value.substr(1, value.size() - 2);
+}
+
+}  // namespace coppice::editor

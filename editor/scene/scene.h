@@ -1,0 +1,70 @@
+// One tree as the editor shows it: flat, in preorder, SubTrees written out in place, with the paths
+// that people and scripted tests use ("1.2" is the second child of the root).
+//
+// Immutable. The views point into the Forest and the NodeModels that it was made from.
+#ifndef COPPICE_EDITOR_SCENE_SCENE_H_
+#define COPPICE_EDITOR_SCENE_SCENE_H_
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "editor/scene/forest.h"
+#include "editor/scene/node_models.h"
+
+namespace coppice::editor {
+
+enum class Shape : std::uint8_t { kControl, kDecorator, kAction, kCondition, kSubTree, kUnknown };
+
+inline constexpr std::uint32_t kNoNode = UINT32_MAX;
+
+/// One attribute that is not reserved, or a pre- or post-condition.
+struct PortLine {
+  std::string_view name;
+  std::string_view value;
+  PortDirection direction = PortDirection::kInput;
+  bool is_key = false;               ///< value is {key}
+  const PortModel* model = nullptr;  ///< null if not declared
+};
+
+struct SceneNode {
+  std::string_view id;    ///< node type; for a SubTree the ID of its tree
+  std::string_view name;  ///< given in the XML, or else the ID
+  std::string path;       ///< "1.2.1"
+  const NodeModel* model = nullptr;
+  Shape shape = Shape::kUnknown;
+  bool recursive = false;  ///< a SubTree inside itself, or beyond the limit: not written out
+  std::uint32_t parent = kNoNode;
+  std::uint32_t end = 0;     ///< one past the last descendant
+  std::uint32_t number = 1;  ///< among its siblings, from 1
+  std::uint32_t document = 0;
+  ElementIndex element = 0;
+  std::uint32_t first_port = 0;  ///< of Scene::ports
+  std::uint32_t port_count = 0;
+  std::uint32_t scope = 0;  ///< of Scene::scopes
+  int uid = -1;             ///< number on the robot; -1 if there is none
+};
+
+struct Scene {
+  std::string tree_id;
+  std::vector<SceneNode> nodes;
+  std::vector<PortLine> ports;
+  std::vector<std::string> scopes;         ///< names of the blackboards, in order of creation
+  std::vector<std::uint32_t> node_of_uid;  ///< kNoNode where there is none
+
+  bool HasChildren(std::uint32_t node) const { return nodes[node].end > node + 1; }
+  std::uint32_t FindPath(std::string_view path) const;  ///< kNoNode if there is none
+};
+
+/// Writes out tree number `tree` of the forest, up to about `limit` nodes; SubTrees beyond it stay
+/// closed.
+Scene BuildScene(const Forest& forest, int tree, const NodeModels& models,
+                 std::size_t limit = 50000);
+
+/// "{key}" without braces, or empty if the value is no key.
+std::string_view KeyOf(std::string_view value);
+
+}  // namespace coppice::editor
+
+#endif  // COPPICE_EDITOR_SCENE_SCENE_H_
