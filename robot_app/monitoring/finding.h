@@ -21,6 +21,12 @@ struct Finding {
   Time stamp{0};        ///< of the measurement, ROS time
 };
 
+/// Now, on both time lines.
+struct Times {
+  Time ros{0};
+  Time wall{0};
+};
+
 }  // namespace coppice::robot
 
 #endif  // COPPICE_ROBOT_APP_MONITORING_FINDING_H_

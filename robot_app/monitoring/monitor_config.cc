@@ -59,6 +59,7 @@ class Loader {
   MonitorConfig Load() {
     if (!readable_) return {};
     config_.report_period = file_.Seconds("report_period", 0.5, 0.05, 60);
+    config_.patience = file_.Seconds("patience", 0.4, 0, 60);
     YamlFields nodes = file_.Map("node_monitor");
     config_.ping_deadline = nodes.Seconds("deadline", 0.5, 0.01, 60);
     misses_ = nodes.Integer("misses", 2, 1, 100);

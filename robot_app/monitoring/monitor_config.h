@@ -54,6 +54,7 @@ struct WatchList {
 
 struct MonitorConfig {
   Duration report_period{0};   ///< of every monitor, wall time
+  Duration patience{0};        ///< how long an error in ROS time is only a warning, wall time
   Duration ping_deadline{0};   ///< wall time
   Duration publish_period{0};  ///< of the aggregate, wall time
   Duration hold{0};            ///< how long the aggregate shows the worst level at least

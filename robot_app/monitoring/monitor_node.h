@@ -15,7 +15,6 @@
 
 #include "robot_app/monitoring/monitor_config.h"
 #include "robot_app/monitoring/process_table.h"
-#include "robot_app/monitoring/topic_monitor.h"
 
 namespace coppice::robot {
 

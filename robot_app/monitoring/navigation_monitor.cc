@@ -32,14 +32,15 @@ void NavigationMonitor::OnState(NavigationReport state, Time now) {
   since_ = now;
 }
 
-std::vector<Finding> NavigationMonitor::Report(const ProcessTable& processes, Time now) {
+std::vector<Finding> NavigationMonitor::Report(const ProcessTable& processes, const Times& now) {
   if (!watch_) return {};
   if (processes.IsStarting(watch_->node)) {
     state_.reset();
     since_.reset();
   }
-  if (!since_ || now < *since_) since_ = now;
-  std::vector<Finding> findings = {Progress(now), Freshness(now)};
+  if (!since_ || now.ros < *since_) since_ = now.ros;
+  std::vector<Finding> findings = {Progress(now.ros), Freshness(now.ros)};
+  freshness_.Apply(findings[1], now.wall, patience_);
   ApplyGrace(processes, watch_->node, findings[1]);
   return findings;
 }

@@ -12,6 +12,7 @@
 
 #include "robot_app/monitoring/finding.h"
 #include "robot_app/monitoring/monitor_config.h"
+#include "robot_app/monitoring/patience.h"
 #include "robot_app/monitoring/process_table.h"
 
 namespace coppice::robot {
@@ -29,6 +30,8 @@ struct NavigationReport {
 
 class NavigationMonitor {
  public:
+  explicit NavigationMonitor(Duration patience = Duration::zero()) : patience_(patience) {}
+
   /// Nothing: navigation is not watched, and nothing is reported.
   void Watch(const std::optional<NavigationWatch>& watch);
   void OnState(NavigationReport state, Time now);
@@ -39,12 +42,14 @@ class NavigationMonitor {
   /// NO_PATH is an error at once if a goal has failed for it, else after its bound, and a warning
   /// before; so is BLOCKED after its bound. A goal that has failed remains an error for some time:
   /// whoever wants to get there will try again soon.
-  std::vector<Finding> Report(const ProcessTable& processes, Time now);
+  std::vector<Finding> Report(const ProcessTable& processes, const Times& now);
 
  private:
   Finding Progress(Time now) const;
   Finding Freshness(Time now) const;
 
+  Duration patience_;
+  Patience freshness_;
   std::optional<NavigationWatch> watch_;
   std::optional<NavigationReport> state_;
   std::optional<Time> since_;  // of the last state, or of the observation

@@ -24,11 +24,12 @@ NavigationReport FromMessage(const coppice_msgs::NavigationState& message) {
 class Program {
  public:
   explicit Program(const MonitorConfig& config)
-      : node_(config, [this](const WatchList& list) { Watch(list.navigation); }) {
+      : monitor_(config.patience),
+        node_(config, [this](const WatchList& list) { Watch(list.navigation); }) {
     Subscribe();
     const ros::WallDuration period(std::chrono::duration<double>(config.report_period).count());
     timer_ = node_.handle().createWallTimer(period, [this](const ros::WallTimerEvent&) {
-      node_.Publish(monitor_.Report(node_.processes(), MonitorNode::Now().ros));
+      node_.Publish(monitor_.Report(node_.processes(), MonitorNode::Now()));
     });
   }
 

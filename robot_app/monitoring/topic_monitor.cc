@@ -72,34 +72,36 @@ void RateWatch::Judge(double rate, Finding& finding) const {
 }
 
 void TopicMonitor::Watch(const std::vector<TopicWatch>& topics) {
-  std::vector<RateWatch> watches;
+  std::vector<Watched> watched;
   for (const TopicWatch& topic : topics) {
-    RateWatch watch(topic);
-    for (const RateWatch& known : topics_) {
-      const bool same = known.watch().topic == topic.topic &&
-                        known.watch().window == topic.window &&
-                        known.watch().wall_time == topic.wall_time;
-      if (same) watch.Continue(known);
+    Watched entry{RateWatch(topic), Patience()};
+    for (const Watched& known : topics_) {
+      const TopicWatch& before = known.rate.watch();
+      const bool same = before.topic == topic.topic && before.window == topic.window &&
+                        before.wall_time == topic.wall_time;
+      if (same) entry.rate.Continue(known.rate);
     }
-    watches.push_back(std::move(watch));
+    watched.push_back(std::move(entry));
   }
-  topics_ = std::move(watches);
+  topics_ = std::move(watched);
 }
 
 void TopicMonitor::OnMessage(const std::string& topic, const Times& now) {
-  for (RateWatch& watch : topics_) {
-    if (watch.watch().topic == topic) watch.OnMessage(watch.watch().wall_time ? now.wall : now.ros);
+  for (Watched& entry : topics_) {
+    const TopicWatch& watch = entry.rate.watch();
+    if (watch.topic == topic) entry.rate.OnMessage(watch.wall_time ? now.wall : now.ros);
   }
 }
 
 std::vector<Finding> TopicMonitor::Report(const ProcessTable& processes, const Times& now) {
   std::vector<Finding> findings;
-  for (RateWatch& watch : topics_) {
-    const std::string& node = watch.watch().node;
-    if (processes.IsStarting(node)) watch.Reset();
-    Finding finding = watch.Assess(watch.watch().wall_time ? now.wall : now.ros);
+  for (Watched& entry : topics_) {
+    const TopicWatch& watch = entry.rate.watch();
+    if (processes.IsStarting(watch.node)) entry.rate.Reset();
+    Finding finding = entry.rate.Assess(watch.wall_time ? now.wall : now.ros);
     finding.stamp = now.ros;
-    ApplyGrace(processes, node, finding);
+    entry.patience.Apply(finding, now.wall, patience_);
+    ApplyGrace(processes, watch.node, finding);
     findings.push_back(std::move(finding));
   }
   return findings;

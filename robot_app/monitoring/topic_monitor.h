@@ -14,15 +14,10 @@
 
 #include "robot_app/monitoring/finding.h"
 #include "robot_app/monitoring/monitor_config.h"
+#include "robot_app/monitoring/patience.h"
 #include "robot_app/monitoring/process_table.h"
 
 namespace coppice::robot {
-
-/// Now, on both time lines.
-struct Times {
-  Time ros{0};
-  Time wall{0};
-};
 
 /// Watches one topic on one time line.
 class RateWatch {
@@ -50,6 +45,8 @@ class RateWatch {
 
 class TopicMonitor {
  public:
+  explicit TopicMonitor(Duration patience = Duration::zero()) : patience_(patience) {}
+
   /// Watches these topics from now on; a watch that stays the same keeps what it has seen.
   void Watch(const std::vector<TopicWatch>& topics);
   /// Topics that are not watched are ignored.
@@ -58,7 +55,12 @@ class TopicMonitor {
   std::vector<Finding> Report(const ProcessTable& processes, const Times& now);
 
  private:
-  std::vector<RateWatch> topics_;
+  struct Watched {
+    RateWatch rate;
+    Patience patience;
+  };
+  Duration patience_;
+  std::vector<Watched> topics_;
 };
 
 }  // namespace coppice::robot

@@ -15,7 +15,8 @@ constexpr int kQueue = 1000;
 class Program {
  public:
   explicit Program(const MonitorConfig& config)
-      : node_(config, [this](const WatchList& list) { Watch(list.topics); }) {
+      : monitor_(config.patience),
+        node_(config, [this](const WatchList& list) { Watch(list.topics); }) {
     Subscribe();
     const ros::WallDuration period(std::chrono::duration<double>(config.report_period).count());
     timer_ = node_.handle().createWallTimer(period, [this](const ros::WallTimerEvent&) {

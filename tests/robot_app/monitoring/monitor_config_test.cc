@@ -28,6 +28,7 @@ class MonitorConfigTest : public testing::Test {
 TEST_F(MonitorConfigTest, ReadsWhatIsWatchedInEachConfiguration) {
   const MonitorConfig config = Read(R"(
 report_period: 0.2
+patience: 0.6
 node_monitor: {deadline: 0.3, misses: 3}
 topic_monitor: {window: 4}
 health_aggregator: {period: 0.1, hold: 0.7, silent_periods: 5}
@@ -44,6 +45,7 @@ configurations:
 )");
   EXPECT_EQ(Errors(), "");
   EXPECT_EQ(config.report_period, milliseconds(200));
+  EXPECT_EQ(config.patience, milliseconds(600));
   EXPECT_EQ(config.ping_deadline, milliseconds(300));
   EXPECT_EQ(config.publish_period, milliseconds(100));
   EXPECT_EQ(config.hold, milliseconds(700));

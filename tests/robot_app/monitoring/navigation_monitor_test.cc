@@ -19,8 +19,8 @@ class NavigationMonitorTest : public testing::Test {
   void State(NavigationPhase phase, Duration in_phase, std::uint32_t failures = 0) {
     monitor_.OnState({phase, in_phase, failures, ""}, kNow);
   }
-  Finding Progress(Time now = kNow) { return monitor_.Report(processes_, now).at(0); }
-  Finding Freshness(Time now = kNow) { return monitor_.Report(processes_, now).at(1); }
+  Finding Progress(Time now = kNow) { return monitor_.Report(processes_, {now, Time(0)}).at(0); }
+  Finding Freshness(Time now = kNow) { return monitor_.Report(processes_, {now, Time(0)}).at(1); }
 
   NavigationMonitor monitor_;
   ProcessTable processes_;
@@ -30,6 +30,13 @@ TEST_F(NavigationMonitorTest, AnIdleOrDrivingRobotIsWellHoweverLong) {
   State(NavigationPhase::kIdle, seconds(100000), 3);
   EXPECT_EQ(Progress().level, HealthLevel::kOk);
   State(NavigationPhase::kDriving, seconds(100000));
+  EXPECT_EQ(Progress().level, HealthLevel::kOk);
+}
+
+TEST_F(NavigationMonitorTest, AFailedGoalIsAFaultUntilItWouldHaveBeenTriedAgain) {
+  State(NavigationPhase::kIdle, seconds(14), 1);
+  EXPECT_EQ(Progress().level, HealthLevel::kError);
+  State(NavigationPhase::kIdle, seconds(15), 1);
   EXPECT_EQ(Progress().level, HealthLevel::kOk);
 }
 
@@ -88,10 +95,21 @@ TEST_F(NavigationMonitorTest, AServerThatStartsHasItsTime) {
   EXPECT_EQ(Freshness(kNow + seconds(64)).level, HealthLevel::kError);
 }
 
+TEST_F(NavigationMonitorTest, OldNewsMustLastInWallTimeToo) {
+  NavigationMonitor patient(milliseconds(400));
+  patient.Watch(NavigationWatch{"/navigation/state", "/navigation", {}, {}, seconds(3)});
+  patient.Report(processes_, {kNow, seconds(1)});
+  const auto level = [&](Time wall) {
+    return patient.Report(processes_, {kNow + seconds(9), wall}).at(1).level;
+  };
+  EXPECT_EQ(level(seconds(2)), HealthLevel::kWarn);
+  EXPECT_EQ(level(seconds(2) + milliseconds(400)), HealthLevel::kError);
+}
+
 TEST_F(NavigationMonitorTest, SaysNothingWhereNavigationIsNotWatched) {
   monitor_.Watch(std::nullopt);
   State(NavigationPhase::kNoPath, seconds(50));
-  EXPECT_TRUE(monitor_.Report(processes_, kNow).empty());
+  EXPECT_TRUE(monitor_.Report(processes_, {kNow, Time(0)}).empty());
 }
 
 TEST_F(NavigationMonitorTest, TimeThatJumpsBackMakesNothingStale) {

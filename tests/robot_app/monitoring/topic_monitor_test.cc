@@ -131,6 +131,23 @@ TEST_F(TopicMonitorTest, APublisherThatStartsHasItsTime) {
   EXPECT_EQ(Report(seconds(111) + milliseconds(1)).level, HealthLevel::kError);
 }
 
+TEST_F(TopicMonitorTest, AnErrorMustLastInWallTimeToo) {
+  TopicMonitor patient(milliseconds(400));
+  patient.Watch({Scan()});
+  const auto level = [&](Time ros, Time wall) {
+    return patient.Report(processes_, {ros, wall}).at(0).level;
+  };
+  EXPECT_EQ(level(seconds(100), seconds(1)), HealthLevel::kOk);
+  EXPECT_EQ(level(seconds(102), seconds(2)), HealthLevel::kWarn);
+  EXPECT_EQ(level(seconds(103), seconds(2) + milliseconds(399)), HealthLevel::kWarn);
+  EXPECT_EQ(level(seconds(104), seconds(2) + milliseconds(400)), HealthLevel::kError);
+  patient.OnMessage("/scan", {seconds(105), seconds(3)});
+  EXPECT_EQ(level(seconds(105), seconds(3)), HealthLevel::kError);  // 0.5 Hz: still an error
+  for (int i = 0; i < 20; ++i) patient.OnMessage("/scan", {seconds(105), seconds(3)});
+  EXPECT_EQ(level(seconds(105), seconds(3)), HealthLevel::kOk);
+  EXPECT_EQ(level(seconds(107), seconds(4)), HealthLevel::kWarn);  // patience begins anew
+}
+
 TEST_F(TopicMonitorTest, AChangeOfTheListKeepsWhatWasSeen) {
   Report(seconds(100));
   for (int i = 1; i <= 20; ++i) {
