@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "robot_app/supervision/robot_config.h"
+#include "tests/robot_app/supervision/temporary.h"
 
 namespace coppice::robot {
 namespace {
@@ -17,7 +18,7 @@ using testing::HasSubstr;
 class MonitorConfigTest : public testing::Test {
  protected:
   MonitorConfig Read(const std::string& text) {
-    const std::string path = testing::TempDir() + "monitor_config_test.yaml";
+    const std::string path = Temporary("monitor_config_test.yaml");
     std::ofstream(path) << text;
     return LoadMonitorConfig(path, diagnostics_);
   }

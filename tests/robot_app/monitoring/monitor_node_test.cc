@@ -69,7 +69,7 @@ class MonitorNodeTest : public testing::Test {
         seconds);
   }
 
-  const std::string config_ = testing::TempDir() + "monitor_node_test.yaml";
+  const std::string config_ = Temporary("monitor_node_test.yaml");
   RosGraph& graph_ = RosGraph::Shared();
   ros::Subscriber subscriber_;
   coppice_msgs::Health health_;
@@ -174,12 +174,12 @@ TEST_F(MonitorNodeTest, TheAggregateIsPublishedFourTimesPerSecondEvenWithoutRepo
 TEST_F(MonitorNodeTest, BadInputEndsAProgramWithOneLineAndStatus2) {
   const auto run = [this](std::vector<std::string> arguments, const std::string& name) {
     arguments.insert(arguments.begin(), kPrograms + "coppice-node-monitor");
-    std::remove((testing::TempDir() + "ros_graph/" + name + ".log").c_str());
+    std::remove((Temporary("ros_graph/") + name + ".log").c_str());
     int status = 0;
     waitpid(graph_.Start(name, std::move(arguments)), &status, 0);
     EXPECT_EQ(WEXITSTATUS(status), 2);
     std::ostringstream text;
-    text << std::ifstream(testing::TempDir() + "ros_graph/" + name + ".log").rdbuf();
+    text << std::ifstream(Temporary("ros_graph/") + name + ".log").rdbuf();
     return text.str();
   };
   EXPECT_THAT(run({}, "usage"), HasSubstr("--config FILE"));

@@ -12,6 +12,8 @@
 #include <sstream>
 #include <thread>
 
+#include "tests/robot_app/supervision/temporary.h"
+
 namespace coppice::robot {
 namespace {
 
@@ -61,7 +63,7 @@ class PosixLauncherTest : public testing::Test {
     return status;
   }
 
-  const std::string folder_ = testing::TempDir() + "process_launcher_test";
+  const std::string folder_ = Temporary("process_launcher_test");
   std::unique_ptr<PosixLauncher> launcher_;
   std::string error_;
 };

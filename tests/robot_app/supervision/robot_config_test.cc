@@ -4,6 +4,8 @@
 
 #include <fstream>
 
+#include "tests/robot_app/supervision/temporary.h"
+
 namespace coppice::robot {
 namespace {
 
@@ -13,7 +15,7 @@ using testing::HasSubstr;
 class RobotConfigTest : public testing::Test {
  protected:
   RobotConfig Read(const std::string& text, const Variables& variables = {}) {
-    const std::string path = testing::TempDir() + "robot_config_test.yaml";
+    const std::string path = Temporary("robot_config_test.yaml");
     std::ofstream(path) << text;
     return LoadRobotConfig(path, variables, diagnostics_);
   }

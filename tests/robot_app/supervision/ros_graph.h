@@ -18,6 +18,7 @@
 
 #include "robot_app/supervision/node_probe.h"
 #include "robot_app/supervision/ros_master.h"
+#include "tests/robot_app/supervision/temporary.h"
 
 namespace coppice::robot {
 
@@ -27,7 +28,7 @@ inline const std::string kTestPrograms = std::string(COPPICE_BINARY_DIR) + "/tes
 class RosGraph {
  public:
   /// With a master of its own.
-  explicit RosGraph(const std::string& log_folder = testing::TempDir() + "ros_graph")
+  explicit RosGraph(const std::string& log_folder = Temporary("ros_graph"))
       : launcher_(log_folder) {
     NodeProbe::SilenceLibrary();
     master_ = FindOrStartMaster(0, launcher_, std::chrono::seconds(20));

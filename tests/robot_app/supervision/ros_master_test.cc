@@ -9,6 +9,8 @@
 
 #include <csignal>
 
+#include "tests/robot_app/supervision/temporary.h"
+
 namespace coppice::robot {
 namespace {
 
@@ -17,7 +19,7 @@ using std::chrono::seconds;
 class RosMasterTest : public testing::Test {
  protected:
   RosMasterTest() { NodeProbe::SilenceLibrary(); }
-  PosixLauncher launcher_{testing::TempDir() + "ros_master_test"};
+  PosixLauncher launcher_{Temporary("ros_master_test")};
 };
 
 TEST_F(RosMasterTest, StartsAMasterAtAFreePortAndFindsItAgain) {

@@ -81,7 +81,7 @@ class SupervisorProgramTest : public testing::Test {
     return service.response;
   }
 
-  const std::string folder_ = testing::TempDir() + "supervisor_program_test";
+  const std::string folder_ = Temporary("supervisor_program_test");
   RosGraph graph_{RosGraph::WithoutMaster{}, folder_};
   int supervisor_ = 0;
   ros::Subscriber subscriber_;
