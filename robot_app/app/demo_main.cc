@@ -193,8 +193,8 @@ class Demo {
       place = PlaceAhead(view);
       return !place.empty();
     });
-    console_.Step("fault 2: " + place + " is blocked for 75 s");
-    Inject("block_corridor", place, 75);
+    console_.Step("fault 2: " + place + " is blocked for 60 s");
+    Inject("block_corridor", place, 60);
     WaitOrFail("the monitor to notice", 240, [](const RobotView& view) {
       for (const std::string& error : view.errors) {
         if (error.rfind("navigation", 0) == 0) return true;
@@ -243,6 +243,10 @@ class Demo {
       Remember(view);
       console_.Progress(view);
       if (!supervisor_.IsRunning()) throw DemoFailed("the process supervisor has ended");
+      if (!view.given_up.empty()) {
+        throw DemoFailed("program " + view.given_up.front() + " does not stay up; see " +
+                         Log(view.given_up.front()));
+      }
       if (interrupted) throw DemoFailed("interrupted");
     };
     if (watch_->WaitFor(predicate, seconds, still_there)) return;

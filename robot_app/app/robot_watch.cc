@@ -18,8 +18,12 @@ void UpdateProcesses(const coppice_msgs::ProcessStates& message, RobotView& view
   view.configuration = message.configuration;
   view.pids.clear();
   view.ready.clear();
+  view.given_up.clear();
   for (const coppice_msgs::ProcessState& process : message.processes) {
     if (process.pid > 0) view.pids[process.name] = process.pid;
+    if (process.state == coppice_msgs::ProcessState::GIVEN_UP) {
+      view.given_up.push_back(process.name);
+    }
     view.ready[process.name] = process.state == coppice_msgs::ProcessState::READY;
   }
 }

@@ -21,6 +21,7 @@ struct RobotView {
   std::string configuration;          ///< in force
   std::map<std::string, int> pids;    ///< of the running processes by name
   std::map<std::string, bool> ready;  ///< of all processes by name
+  std::vector<std::string> given_up;  ///< processes that were restarted too often
   std::vector<std::string>
       errors;           ///< "monitor subject: message" of every entry that is an error or stale
   double x = 0, y = 0;  ///< true position in the map frame [m]

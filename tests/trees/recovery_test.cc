@@ -68,6 +68,29 @@ TEST_F(RecoverNavigation, GivesUpWhenNobodyAnswers) {
   EXPECT_EQ(scenario_.LastCall(), "Withdraw");
 }
 
+TEST_F(RecoverNavigation, WithdrawsTheQuestionWhenTheWayIsFreeAgain) {
+  scenario_.Tick();
+  scenario_.Advance(20);
+  scenario_.Tick();
+  scenario_.Answer(false);
+  ASSERT_EQ(scenario_.LastCall().rfind("Ask ", 0), 0u);
+  scenario_.Set("health", Errors(""));
+  EXPECT_EQ(scenario_.Tick(), Status::kSuccess);
+  EXPECT_EQ(scenario_.LastCall(), "Withdraw");
+}
+
+TEST(RestartFaultyNode, WithdrawsTheQuestionWhenTheNodeIsWellAgain) {
+  TreeScenario scenario("recovery/restart_node.xml");
+  scenario.Set("health", Errors("node"));
+  scenario.Set("node", std::string("/it"));
+  scenario.Tick();
+  scenario.Answer(false);
+  ASSERT_EQ(scenario.LastCall().rfind("Ask ", 0), 0u);
+  scenario.Set("health", Errors(""));
+  EXPECT_EQ(scenario.Tick(), Status::kSuccess);
+  EXPECT_EQ(scenario.LastCall(), "Withdraw");
+}
+
 class RecoverLocalization : public testing::Test {
  protected:
   RecoverLocalization() {

@@ -45,6 +45,16 @@ TEST_F(RobotWatchTest, KnowsTheNumbersOfRunningProcesses) {
   EXPECT_FALSE(watch_.view().ready.at("docking"));
 }
 
+TEST_F(RobotWatchTest, SeesWhichProcessWasGivenUp) {
+  coppice_msgs::ProcessStates states;
+  states.processes.resize(1);
+  states.processes[0].name = "docking";
+  states.processes[0].state = coppice_msgs::ProcessState::GIVEN_UP;
+  const auto publisher = Publish("/processes", states);
+  EXPECT_TRUE(watch_.WaitFor(
+      [](const RobotView& v) { return v.given_up == std::vector<std::string>{"docking"}; }, 10));
+}
+
 TEST_F(RobotWatchTest, KeepsErrorsAndStaleEntriesOnly) {
   coppice_msgs::Health health;
   health.entries.resize(3);
