@@ -1,0 +1,57 @@
+#include "bt_core/record/record_file.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+#include "tests/bt_core/record/temporary_folder.h"
+
+namespace coppice {
+namespace {
+
+using ::testing::HasSubstr;
+
+std::string WhyNot(const std::string& path) {
+  try {
+    const RecordFile file(path);
+    return "";
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+}
+
+TEST(RecordFile, AppendsAndTakesWhatIsWritten) {
+  const TemporaryFolder folder;
+  RecordFile file(folder.Path("a"));
+  for (const char byte : {'1', '2'}) {
+    Bytes bytes(3, static_cast<std::uint8_t>(byte));
+    EXPECT_EQ(file.Write(bytes), "");
+    EXPECT_TRUE(bytes.empty());
+  }
+  EXPECT_EQ(file.Sync(), "");
+  EXPECT_EQ(ReadFile(folder.Path("a")), "111222");
+}
+
+TEST(RecordFile, OverwritesNothing) {
+  const TemporaryFolder folder;
+  WriteFile(folder.Path("a"), "an older record");
+  EXPECT_THAT(WhyNot(folder.Path("a")), HasSubstr("there is a file already"));
+  EXPECT_EQ(ReadFile(folder.Path("a")), "an older record");
+  WriteFile(folder.Path("empty"), "");
+  EXPECT_EQ(WhyNot(folder.Path("empty")), "");
+}
+
+TEST(RecordFile, SaysWhyItCannotBeMade) {
+  EXPECT_THAT(WhyNot("/nowhere/a"), HasSubstr("/nowhere/a: cannot make this record: No such file"));
+}
+
+TEST(RecordFile, SaysThatTheDiskIsFullAndKeepsTheRest) {
+  RecordFile file("/dev/full");
+  Bytes bytes(3, 'x');
+  EXPECT_EQ(file.Write(bytes), "/dev/full: cannot write: No space left on device");
+  EXPECT_EQ(bytes.size(), 3u);
+}
+
+}  // namespace
+}  // namespace coppice
