@@ -21,6 +21,8 @@ void RegisterNodes(Registry& registry, const Capabilities& capabilities) {
   registry.Register<Undock>("Undock", std::ref(capabilities.station));
   registry.Register<IsBatteryLow>("IsBatteryLow");
   registry.Register<IsCharging>("IsCharging");
+  registry.Register<IsNotCharging>("IsNotCharging");
+  registry.Register<WaitForBattery>("WaitForBattery");
   registry.Register<Charge>("Charge");
 
   registry.Register<Say>("Say", std::ref(capabilities.interaction));

@@ -22,6 +22,23 @@ class IsCharging : public Condition {
   bool Check() override { return *charging; }
 };
 
+/// Not the inverse of IsCharging: as long as nothing is known, both fail.
+class IsNotCharging : public Condition {
+ public:
+  static constexpr const char* kDescription = "Is it known that no charging current flows?";
+  Input<bool> charging{this, "charging", "true while current flows"};
+  bool Check() override { return !*charging; }
+};
+
+class WaitForBattery : public Action {
+ public:
+  static constexpr const char* kDescription = "Waits until the state of the battery is known.";
+  Input<bool> charging{this, "charging", "true while current flows", kOptional};
+  Status OnStart() override { return OnRunning(); }
+  Status OnRunning() override { return charging.has_value() ? Status::kSuccess : Status::kRunning; }
+  void OnHalted() override {}
+};
+
 /// Runs until the battery is charged. Fails when the current stops before that.
 class Charge : public Action {
  public:

@@ -82,6 +82,14 @@ TEST(DriveTo, GivesUpAfterFortyAttempts) {
   EXPECT_EQ(scenario.CallsOf("NavigateTo 1;2;0"), 40);
 }
 
+TEST(LeaveStation, WaitsUntilTheBatteryHasReported) {
+  TreeScenario scenario("behavior/leave_station.xml");
+  EXPECT_EQ(scenario.Tick(), Status::kRunning);
+  scenario.Set("charging", true);
+  scenario.Tick();
+  EXPECT_EQ(scenario.LastCall(), "Say Good morning.");
+}
+
 TEST(LeaveStation, DoesNothingAwayFromTheStation) {
   TreeScenario scenario("behavior/leave_station.xml");
   scenario.Set("charging", false);

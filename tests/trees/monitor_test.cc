@@ -115,6 +115,14 @@ TEST_F(MonitorTree, SwitchesBackToOperatingWhenCurrentStops) {
   EXPECT_EQ(scenario_.LastCall(), "SetConfiguration operating");
 }
 
+TEST(MonitorTreeWithoutBattery, KeepsTheConfigurationAndWatchesTheRest) {
+  TreeScenario scenario("monitor/monitor.xml");
+  scenario.Set("configuration", std::string("charging"));
+  scenario.Report({{"node", "/docking"}});
+  scenario.Tick();
+  EXPECT_EQ(scenario.robot.calls, std::vector<std::string>{"RestartNode /docking"});
+}
+
 TEST_F(MonitorTree, ChecksTheConfigurationBeforeTheMonitors) {
   scenario_.Set("configuration", std::string("charging"));
   scenario_.Report({{"node", "/navigation"}});

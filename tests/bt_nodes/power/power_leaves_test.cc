@@ -30,6 +30,26 @@ TEST(IsCharging, FollowsItsInput) {
   EXPECT_EQ(harness.Tick(), Status::kFailure);
 }
 
+TEST(IsNotCharging, IsTheOppositeOnceTheStateIsKnown) {
+  LeafHarness harness = LeafHarness::For<IsNotCharging>();
+  harness.Set("charging", true);
+  EXPECT_EQ(harness.Tick(), Status::kFailure);
+  harness.Set("charging", false);
+  EXPECT_EQ(harness.Tick(), Status::kSuccess);
+}
+
+TEST(IsNotCharging, FailsBeforeTheStateIsKnown) {
+  LeafHarness harness = LeafHarness::For<IsNotCharging>();
+  EXPECT_EQ(harness.Tick(), Status::kFailure);
+}
+
+TEST(WaitForBattery, RunsUntilTheStateIsKnown) {
+  LeafHarness harness = LeafHarness::For<WaitForBattery>();
+  EXPECT_EQ(harness.Tick(), Status::kRunning);
+  harness.Set("charging", false);
+  EXPECT_EQ(harness.Tick(), Status::kSuccess);
+}
+
 TEST(Charge, RunsWhileCurrentFlowsAndEndsWhenFull) {
   LeafHarness harness = LeafHarness::For<Charge>();
   harness.Set("charging", true);
