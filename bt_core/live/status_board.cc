@@ -1,5 +1,6 @@
 #include "bt_core/live/status_board.h"
 
+#include <chrono>
 #include <cstddef>
 #include <thread>
 
@@ -33,16 +34,26 @@ void StatusBoard::Apply(const std::vector<StatusChange>& changes) {
   version_.store(version + 2, std::memory_order_release);
 }
 
+bool StatusBoard::TryRead(std::vector<std::uint8_t>& out) const {
+  const std::uint32_t before = version_.load(std::memory_order_acquire);
+  for (std::size_t i = 0; i < bytes_.size(); ++i) {
+    out[i] = bytes_[i].load(std::memory_order_acquire);
+  }
+  return before % 2 == 0 && before == version_.load(std::memory_order_relaxed);
+}
+
+// The pauses let a writer go on that was interrupted in the middle of its work.
 void StatusBoard::Read(std::vector<std::uint8_t>& out) const {
+  constexpr int kQuickAttempts = 100;
+  constexpr int kPatientAttempts = 10000;
+  constexpr std::chrono::microseconds kPause(100);
   out.resize(bytes_.size());
-  for (int attempt = 0; attempt < 1000; ++attempt) {
-    const std::uint32_t before = version_.load(std::memory_order_acquire);
-    for (std::size_t i = 0; i < bytes_.size(); ++i) {
-      out[i] = bytes_[i].load(std::memory_order_acquire);
-    }
-    const std::uint32_t after = version_.load(std::memory_order_relaxed);
-    if (before == after && before % 2 == 0) return;
-    std::this_thread::yield();
+  for (int attempt = 0; attempt < kQuickAttempts; ++attempt) {
+    if (TryRead(out)) return;
+  }
+  for (int attempt = 0; attempt < kPatientAttempts; ++attempt) {
+    std::this_thread::sleep_for(kPause);
+    if (TryRead(out)) return;
   }
 }
 

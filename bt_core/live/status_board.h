@@ -23,10 +23,12 @@ class StatusBoard {
 
   /// Any thread: one byte per node. A node that is active or has completed shows its status; one
   /// that was reset shows 10 + the status it had before; one that never ran shows 0. All bytes are
-  /// of the same tick, unless the writer is so busy that a thousand attempts failed.
+  /// of the same tick, unless the writer does nothing but write for a whole second.
   void Read(std::vector<std::uint8_t>& out) const;
 
  private:
+  bool TryRead(std::vector<std::uint8_t>& out) const;
+
   std::vector<std::atomic<std::uint8_t>> bytes_;
   std::atomic<std::uint32_t> version_{0};  // odd while Apply works
 };

@@ -25,6 +25,7 @@ class BoardCopierTest : public ::testing::Test {
 
 TEST_F(BoardCopierTest, BringsTheValuesOfTheTickingTree) {
   BoardCopier copier(executor_);
+  executor_.Tick();
   auto number = std::async(std::launch::async, [&] { return NumberIn(copier.Copy({0}, 30s)); });
   while (number.wait_for(0s) != std::future_status::ready) executor_.Tick();
   EXPECT_GT(number.get(), 0);

@@ -103,6 +103,7 @@ TEST_F(LivePublisherTest, ServesTheStatusOfEveryNode) {
 }
 
 TEST_F(LivePublisherTest, ServesTheBlackboardOfTheTickingTree) {
+  executor_.Tick();
   const Parts reply = TickUntil(std::async(std::launch::async, [&] {
     return client_.Ask({Client::Header('B'), "Main;inner"});
   }));

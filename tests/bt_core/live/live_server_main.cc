@@ -13,6 +13,7 @@ int main() {
   coppice::LiveOptions live_options;
   live_options.port = 0;
   const coppice::LivePublisher live(executor, live_options);
+  executor.Tick();  // from here on there is something to see
   std::cout << live.port() << std::endl;
 
   std::atomic<bool> stop{false};
