@@ -1,0 +1,137 @@
+#include "robot_app/app/run_summary.h"
+
+#include <gtest/gtest.h>
+
+namespace coppice::robot {
+namespace {
+
+using std::chrono::seconds;
+
+// A recording that is written line by line.
+class Script {
+ public:
+  NodeIndex Node(const std::string& path, const std::string& id = "Sequence") {
+    recording_.header.nodes.push_back({path, id, 0, 0, 0});
+    return static_cast<NodeIndex>(recording_.header.nodes.size() - 1);
+  }
+  void Change(int second, NodeIndex node, Status from, Status to) {
+    Tick(second).changes.push_back({node, from, to});
+  }
+  void Message(int second, NodeIndex node, const std::string& text) {
+    Tick(second).messages.push_back({node, text});
+  }
+  // One activation from its first tick to its end.
+  void Activation(int start, int end, NodeIndex node, Status result) {
+    Change(start, node, Status::kIdle, Status::kRunning);
+    Change(end, node, Status::kRunning, result);
+    if (result != Status::kIdle) Change(end, node, result, Status::kIdle);
+  }
+  void Note(int second, const std::string& text) {
+    recording_.entries.push_back(RecordedNote{seconds(second), "note", text});
+  }
+  const Recording& recording() const { return recording_; }
+
+ private:
+  RecordedTick& Tick(int second) {
+    RecordedTick tick;
+    tick.time = seconds(second);
+    tick.tick = ++ticks_;
+    recording_.entries.push_back(tick);
+    return std::get<RecordedTick>(recording_.entries.back());
+  }
+  Recording recording_;
+  std::uint64_t ticks_ = 0;
+};
+
+class RunSummaryTest : public testing::Test {
+ protected:
+  RunSummary Summary() { return Summarize(application_.recording(), monitor_.recording()); }
+  Script application_;
+  Script monitor_;
+};
+
+TEST_F(RunSummaryTest, CountsCompletedRoundsAndStops) {
+  const NodeIndex round = application_.Node("round");
+  const NodeIndex stop = application_.Node("patrol_round/stop");
+  application_.Activation(1, 5, stop, Status::kSuccess);
+  application_.Activation(6, 9, stop, Status::kSuccess);
+  application_.Activation(1, 9, round, Status::kSuccess);
+  application_.Activation(10, 12, stop, Status::kIdle);
+  EXPECT_EQ(Summary().rounds, 1);
+  EXPECT_EQ(Summary().stops, 2);
+  EXPECT_FALSE(Summary().docked);
+}
+
+TEST_F(RunSummaryTest, SeesThatTheRobotCameHome) {
+  application_.Activation(1, 5, application_.Node("go_home"), Status::kSuccess);
+  EXPECT_TRUE(Summary().docked);
+}
+
+TEST_F(RunSummaryTest, CountsARecoveryThatEndedWell) {
+  monitor_.Activation(1, 5, monitor_.Node("restart_node/restart"), Status::kSuccess);
+  const RecoveryCount count = Summary().Recovery("restart node");
+  EXPECT_EQ(count.started, 1);
+  EXPECT_EQ(count.ended_well, 1);
+  EXPECT_EQ(count.successful, 1);
+}
+
+TEST_F(RunSummaryTest, CountsARecoveryThatFailedOrWasPreEmpted) {
+  const NodeIndex wait = monitor_.Node("recover_navigation/wait_and_retry");
+  monitor_.Activation(1, 5, wait, Status::kFailure);
+  monitor_.Activation(6, 8, wait, Status::kIdle);
+  const RecoveryCount count = Summary().Recovery("wait and retry");
+  EXPECT_EQ(count.started, 2);
+  EXPECT_EQ(count.ended_well, 0);
+}
+
+TEST_F(RunSummaryTest, CallsARecoverySuccessfulOnlyIfNoOtherFollowsWithinAMinute) {
+  const NodeIndex restart = monitor_.Node("restart_node/restart");
+  const NodeIndex wait = monitor_.Node("recover_navigation/wait_and_retry");
+  monitor_.Activation(0, 10, restart, Status::kSuccess);
+  monitor_.Activation(70, 80, wait, Status::kSuccess);  // 60 s after the end: within the minute
+  monitor_.Activation(141, 150, restart, Status::kSuccess);
+  EXPECT_EQ(Summary().Recovery("restart node").successful, 1);
+  EXPECT_EQ(Summary().Recovery("wait and retry").successful, 1);
+}
+
+TEST_F(RunSummaryTest, GivesZerosForARecoveryThatThereIsNot) {
+  EXPECT_EQ(Summary().Recovery("dance").started, 0);
+}
+
+TEST_F(RunSummaryTest, ListsInjectedFaultsAndWhatTheMonitorsSawOnce) {
+  const NodeIndex fault = monitor_.Node("node_error", "NodeFault");
+  const NodeIndex other = monitor_.Node("restart", "RestartNode");
+  monitor_.Note(1, "fault injected: kill_node /a");
+  monitor_.Note(1, "something else");
+  monitor_.Message(2, fault, "/a: does not answer");
+  monitor_.Message(3, fault, "/a: does not answer");
+  monitor_.Message(4, other, "refused");
+  EXPECT_EQ(Summary().injected, std::vector<std::string>{"fault injected: kill_node /a"});
+  EXPECT_EQ(Summary().faults, std::vector<std::string>{"/a: does not answer"});
+}
+
+TEST_F(RunSummaryTest, CountsTicksAndTime) {
+  const NodeIndex node = application_.Node("a");
+  application_.Change(0, node, Status::kIdle, Status::kRunning);
+  application_.Change(30, node, Status::kRunning, Status::kSuccess);
+  EXPECT_EQ(Summary().application.ticks, 2u);
+  EXPECT_EQ(Summary().application.status_changes, 2u);
+  EXPECT_DOUBLE_EQ(Summary().application.seconds, 30);
+}
+
+TEST_F(RunSummaryTest, PrintsOnlyTheRecoveriesThatHappened) {
+  monitor_.Activation(1, 5, monitor_.Node("restart_node/restart"), Status::kSuccess);
+  const std::string table = ToTable(Summary(), 12.3);
+  EXPECT_NE(table.find("restart node"), std::string::npos);
+  EXPECT_EQ(table.find("slow rotate"), std::string::npos);
+  EXPECT_NE(table.find("12.3 m"), std::string::npos);
+}
+
+TEST(SummarizeFiles, SaysWhichRecordIsMissing) {
+  const RunSummary summary = SummarizeFiles("/no/application.coppice", "/no/monitor.coppice");
+  ASSERT_EQ(summary.problems.size(), 2u);
+  EXPECT_NE(summary.problems[0].find("/no/application.coppice"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace coppice::robot

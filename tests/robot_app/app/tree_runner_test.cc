@@ -1,0 +1,112 @@
+#include "robot_app/app/tree_runner.h"
+
+#include <gtest/gtest.h>
+
+#include <condition_variable>
+#include <filesystem>
+#include <mutex>
+
+#include "bt_core/record/record_reader.h"
+
+namespace coppice::robot {
+namespace {
+
+constexpr char kTree[] = R"(<root BTCPP_format="4"><BehaviorTree ID="Main">
+  <Repeat num_cycles="{rounds}"><Delay delay_msec="1"><AlwaysSuccess/></Delay></Repeat>
+</BehaviorTree></root>)";
+
+std::shared_ptr<const Program> MakeProgram() {
+  Diagnostics diagnostics;
+  auto project = Project::FromText(kTree, "runner", diagnostics);
+  return Compile(std::make_shared<const Project>(*std::move(project)),
+                 std::make_shared<const Registry>(), diagnostics);
+}
+
+class TreeRunnerTest : public testing::Test {
+ protected:
+  TreeRunnerTest() {
+    std::filesystem::remove_all(folder_);
+    std::filesystem::create_directories(folder_);
+    options_.name = "application";
+    options_.record_path = (folder_ / "application.coppice").string();
+  }
+  ~TreeRunnerTest() override { std::filesystem::remove_all(folder_); }
+
+  // Runs the tree for some rounds; returns the root's last result.
+  Status RunRounds(const std::string& rounds) {
+    TreeRunner runner(MakeProgram(), clock_, options_);
+    EXPECT_EQ(SetKey(runner.executor(), "rounds", rounds), "");
+    std::mutex mutex;
+    std::condition_variable ended;
+    Status result = Status::kIdle;
+    runner.Start([&](Status status) {
+      const std::lock_guard<std::mutex> lock(mutex);
+      result = status;
+      ended.notify_one();
+    });
+    std::unique_lock<std::mutex> lock(mutex);
+    ended.wait_for(lock, std::chrono::seconds(10), [&] { return result != Status::kIdle; });
+    return result;
+  }
+
+  const std::filesystem::path folder_ =
+      std::filesystem::path(testing::TempDir()) / ("tree_runner_test_" + std::to_string(getpid()));
+  SimulatedClock clock_{std::chrono::seconds(1)};
+  TreeRunnerOptions options_;
+};
+
+TEST_F(TreeRunnerTest, TellsHowTheTreeEnded) { EXPECT_EQ(RunRounds("3"), Status::kSuccess); }
+
+TEST_F(TreeRunnerTest, LeavesARecordThatWasClosedInOrder) {
+  RunRounds("3");
+  Diagnostics diagnostics;
+  auto reader = RecordReader::Open(options_.record_path, diagnostics);
+  ASSERT_TRUE(reader) << diagnostics.ToString();
+  while (reader->Next()) {
+  }
+  EXPECT_TRUE(reader->closed());
+}
+
+TEST_F(TreeRunnerTest, StartsASecondRecordBesideAnEarlierOne) {
+  RunRounds("1");
+  RunRounds("1");
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "application.2.coppice"));
+}
+
+TEST_F(TreeRunnerTest, StopsATreeThatRunsForEver) {
+  options_.run.forever = true;
+  TreeRunner runner(MakeProgram(), clock_, options_);
+  SetKey(runner.executor(), "rounds", "-1");
+  bool ended = false;
+  runner.Start([&](Status) { ended = true; });
+  runner.Stop();
+  EXPECT_FALSE(ended) << "a tree that was stopped has not completed";
+}
+
+TEST_F(TreeRunnerTest, SaysWhichPortIsTaken) {
+  options_.live_port = 21667;
+  const TreeRunner first(MakeProgram(), clock_, options_);
+  try {
+    const TreeRunner second(MakeProgram(), clock_, options_);
+    FAIL() << "expected an exception";
+  } catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string(error.what()).find("21667"), std::string::npos) << error.what();
+  }
+}
+
+TEST(SetKey, RefusesAKeyThatTheTreeDoesNotUseAndNamesTheNearest) {
+  SimulatedClock clock;
+  Executor executor(MakeProgram(), clock);
+  EXPECT_EQ(SetKey(executor, "round", "3"),
+            "the tree has no key \"round\" did you mean \"rounds\"?");
+}
+
+TEST(SetKey, RefusesAValueOfAnotherType) {
+  SimulatedClock clock;
+  Executor executor(MakeProgram(), clock);
+  EXPECT_EQ(SetKey(executor, "rounds", "many"),
+            "\"many\" is not a value for key \"rounds\", expected int");
+}
+
+}  // namespace
+}  // namespace coppice::robot
