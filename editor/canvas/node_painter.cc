@@ -126,8 +126,8 @@ class NodePainter {
     const bool active = look_.state.status != Status::kIdle;
     const float thick = std::clamp(Z(2.5F), 1.5F, 4.0F);
     if (node_.shape == Shape::kSubTree) {
-      StrokeOutline(list_, OutlineOf(Grown(Z(3))), active ? Fade(StateColor(), 0.6F) : StateColor(),
-                    1);
+      const Color outer = active ? Fade(StateColor(), 0.6F) : colors().node_border;
+      StrokeOutline(list_, OutlineOf(Grown(Z(3))), outer, 1);
     }
     if (active) {
       StrokeOutline(list_, OutlineOf(box_), StateColor(), thick);
@@ -153,31 +153,32 @@ class NodePainter {
     const float middle = at.x + Z(7);
     ui_.RowText(list_, {middle - ui_.Width(glyph, glyph_style) / 2, at.y}, height, glyph,
                 glyph_style);
-    const float used = ui_.RowText(list_, at + Point{Z(metrics::kIcon), 0}, height, node_.name,
-                                   Style(Face::kBold, metrics::kTitleSize, ink));
-    PaintStatus(at.x + Z(metrics::kIcon) + used, height);
+    ui_.RowText(list_, at + Point{Z(metrics::kIcon), 0}, height, node_.name,
+                Style(Face::kBold, metrics::kTitleSize, ink));
+    PaintStatus(height);
   }
 
-  void PaintStatus(float, float height) {
-    const float right = box_.max.x - Z(metrics::kPad);
-    if (node_.shape == Shape::kSubTree) {
+  // From the right: the toggle of a SubTree, or the glyph of the status; then the seconds.
+  void PaintStatus(float height) {
+    float right = box_.max.x - Z(metrics::kPad);
+    if (node_.shape == Shape::kSubTree && HasToggle()) {
       PaintToggle();
-      if (look_.state.status != Status::kRunning)
-        return PaintGlyph(right - Z(metrics::kStatus), height);
+      right -= Z(metrics::kStatus);
     }
+    const bool running = look_.state.status == Status::kRunning;
     const bool has_room = node_.shape != Shape::kControl && node_.shape != Shape::kDecorator;
-    if (look_.state.status == Status::kRunning && has_room && look_.state.since != Time(0)) {
-      const std::string text = DurationText(Seconds(ui_.clock - look_.state.since));
-      const TextStyle style = Style(Face::kSans, 10, colors().text_on_header);
-      const float end = right - Z(metrics::kStatus) + Z(3);
-      if (node_.shape == Shape::kSubTree) {
-        ui_.RowText(list_, {end - ui_.Width(text, style), box_.min.y}, height, text, style);
-        return;
-      }
-      ui_.RowText(list_, {end - ui_.Width(text, style), box_.min.y}, height, text, style);
+    if (!running || !has_room || look_.state.since == Time(0)) return PaintGlyph(right, height);
+    const std::string text = DurationText(Seconds(ui_.clock - look_.state.since));
+    const TextStyle style = Style(Face::kSans, 10, colors().text_on_header);
+    if (node_.shape != Shape::kSubTree) {
+      PaintGlyph(right, height);
+      right -= Z(metrics::kStatus - 3);
     }
-    PaintGlyph(right, height);
+    ui_.RowText(list_, {right - ui_.Width(text, style), box_.min.y}, height, text, style);
   }
+
+  bool HasToggle() const { return node_.recursive || node_.end > Index() + 1; }
+  std::uint32_t Index() const { return static_cast<std::uint32_t>(&node_ - scene_.nodes.data()); }
 
   void PaintGlyph(float right, float height) {
     const Status status = IsTrail() ? look_.state.before : look_.state.status;
@@ -188,7 +189,6 @@ class NodePainter {
   }
 
   void PaintToggle() {
-    if (node_.end == 0) return;
     const std::string_view glyph =
         look_.collapsed || node_.recursive ? icon::kPlusSquare : icon::kMinusSquare;
     const Box box = ToggleBox(look_);
@@ -236,7 +236,7 @@ class NodePainter {
   // The name as large as the box allows, so that it is readable far longer than the details.
   void PaintName() {
     const float room = box_.width() - 6;
-    const float largest = std::min(12.0F, box_.height() * 0.8F / ui_.scale);
+    const float largest = std::min(10.0F, box_.height() * 0.7F / ui_.scale);
     const Color ink =
         box_.height() > Z(metrics::kHeader + 1) ? colors().text : colors().text_on_header;
     TextStyle style{Face::kBold, largest, ink};

@@ -69,7 +69,9 @@ class Drawing {
     }
     const Node& first = Child(t, 0);
     const Node& last = Child(t, t.child_count - 1);
-    t.prelim = (first.prelim + first.mod + last.mod + last.prelim + last.w) / 2 - t.w / 2;
+    const float first_center = first.prelim + first.mod + first.w / 2;
+    const float last_center = last.prelim + last.mod + last.w / 2;
+    t.prelim = (first_center + last_center) / 2 - t.w / 2;
     t.el = first.el;
     t.msel = first.msel;
     t.er = last.er;

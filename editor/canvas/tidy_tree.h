@@ -2,8 +2,8 @@
 //
 // A. van der Ploeg, "Drawing non-layered tidy trees in linear time", Software: Practice and
 // Experience 44(12), 2014, doi 10.1002/spe.2213. Siblings keep their order, a parent stands over
-// the middle of its first and last child, no boxes overlap, and each box hangs directly below its
-// parent, however high its neighbours are.
+// the middle between the centers of its first and last child, no boxes overlap, and each box hangs
+// directly below its parent, however high its neighbours are.
 #ifndef COPPICE_EDITOR_CANVAS_TIDY_TREE_H_
 #define COPPICE_EDITOR_CANVAS_TIDY_TREE_H_
 
@@ -19,8 +19,8 @@ enum class Orientation : std::uint8_t { kTopToBottom, kLeftToRight };
 
 struct LayoutOptions {
   Orientation orientation = Orientation::kTopToBottom;
-  float sibling_gap = 24;  ///< least distance of boxes side by side
-  float level_gap = 44;    ///< distance of parent and child
+  float sibling_gap = 18;  ///< least distance of boxes side by side
+  float level_gap = 38;    ///< distance of parent and child
 };
 
 struct TidyTree {

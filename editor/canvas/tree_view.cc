@@ -10,7 +10,7 @@ namespace {
 constexpr double kMoveSeconds = 0.15;
 constexpr float kChipRow = 20;
 constexpr float kMargin = 24;  // around a fitted tree, on the screen
-constexpr float kLeastZoom = 0.02F;
+constexpr float kLeastZoom = 0.0005F;
 constexpr float kLargestZoom = 3;
 
 float EaseOut(double t) {

@@ -69,11 +69,19 @@ void MapKeys(ImGuiIO& io) {
   for (const auto& key : kKeys) io.KeyMap[key.theirs] = key.ours;
 }
 
+// The event that releases a modifier may still name it.
 void ApplyKey(ImGuiIO& io, const KeyEvent& event) {
-  io.KeyCtrl = (event.modifiers & kCtrl) != 0;
-  io.KeyShift = (event.modifiers & kShift) != 0;
-  io.KeyAlt = (event.modifiers & kAlt) != 0;
-  io.KeySuper = (event.modifiers & kSuper) != 0;
+  constexpr Key kLeftShift = 340;  // then Ctrl, Alt, Super; the right ones follow in the same order
+  constexpr int kModifiers[] = {kShift, kCtrl, kAlt, kSuper};
+  int modifiers = event.modifiers;
+  if (event.key >= kLeftShift && event.key < kLeftShift + 8) {
+    const int modifier = kModifiers[(event.key - kLeftShift) % 4];
+    modifiers = event.down ? modifiers | modifier : modifiers & ~modifier;
+  }
+  io.KeyCtrl = (modifiers & kCtrl) != 0;
+  io.KeyShift = (modifiers & kShift) != 0;
+  io.KeyAlt = (modifiers & kAlt) != 0;
+  io.KeySuper = (modifiers & kSuper) != 0;
   if (event.key >= 0 && event.key < IM_ARRAYSIZE(io.KeysDown)) io.KeysDown[event.key] = event.down;
 }
 

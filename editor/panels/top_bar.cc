@@ -119,11 +119,11 @@ class TopBar {
   void DrawMode() {
     const LiveSnapshot* live = state_.workspace.live();
     const bool good = live && live->connection == Connection::kLive;
-    const std::string text = live ? "LIVE" : "VIEW";
+    const std::string text = good ? "LIVE" : live ? "OFFLINE" : "VIEW";
     const Color color = good ? ui_.palette.success : live ? ui_.palette.text_dim : 0;
-    const Box chip = {{box_.max.x - 70 * ui_.scale, box_.min.y + 4 * ui_.scale},
+    const Box chip = {{box_.max.x - 84 * ui_.scale, box_.min.y + 4 * ui_.scale},
                       {box_.max.x - 8 * ui_.scale, box_.max.y - 4 * ui_.scale}};
-    ui_.Button("bar/mode", chip, text, live != nullptr, color);
+    ui_.Button("bar/mode", chip, text, good, color);
   }
 
   const Ui& ui_;

@@ -26,23 +26,25 @@ std::vector<std::string_view> SplitLines(const std::string& text) {
 // Paints a piece of a line and moves on by its width.
 class LineWriter {
  public:
-  LineWriter(const Ui& ui, Point at, float height) : ui_(ui), at_(at), height_(height) {}
+  LineWriter(const Ui& ui, Point at, const Box& row) : ui_(ui), at_(at), row_(row) {}
+
+  bool IsFull() const { return at_.x > row_.max.x; }
 
   void Write(std::string_view text, Color color) {
     const TextStyle style{Face::kMono, 11, color};
-    at_.x += ui_.RowText(*ImGui::GetWindowDrawList(), at_, height_, text, style);
+    at_.x += ui_.RowText(*ImGui::GetWindowDrawList(), at_, row_.height(), text, style);
   }
 
  private:
   const Ui& ui_;
   Point at_;
-  const float height_;
+  const Box row_;
 };
 
 // Tags, values and comments in colours of their own; one line at a time, so a comment over several
 // lines is coloured in its first line only.
-void PaintLine(const Ui& ui, std::string_view line, Point at, float height) {
-  LineWriter writer(ui, at, height);
+void PaintLine(const Ui& ui, std::string_view line, Point at, const Box& row) {
+  LineWriter writer(ui, at, row);
   const Palette& colors = ui.palette;
   std::size_t i = 0;
   const auto write_until = [&](std::size_t end, Color color) {
@@ -50,7 +52,7 @@ void PaintLine(const Ui& ui, std::string_view line, Point at, float height) {
     writer.Write(line.substr(i, end - i), color);
     i = end;
   };
-  while (i < line.size()) {
+  while (i < line.size() && !writer.IsFull()) {
     if (line.compare(i, 4, "<!--") == 0) {
       const std::size_t end = line.find("-->", i);
       write_until(end == std::string_view::npos ? line.size() : end + 3, colors.text_dim);
@@ -146,7 +148,7 @@ void DrawLines(const Ui& ui, const Shown& shown) {
       ui.RowText(list, {right - ui.Width(text, style), row.box.min.y}, row.box.height(), text,
                  style);
       PaintLine(ui, lines[static_cast<std::size_t>(i)],
-                row.box.min + Point{kNumberWidth * ui.scale, 0}, row.box.height());
+                row.box.min + Point{kNumberWidth * ui.scale, 0}, row.box);
     }
   }
 }

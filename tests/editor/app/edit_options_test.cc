@@ -1,0 +1,46 @@
+#include "editor/app/edit_options.h"
+
+#include <gtest/gtest.h>
+
+namespace coppice::editor {
+namespace {
+
+TEST(EditOptions, ReadsEverythingInAnyOrder) {
+  std::string error;
+  const auto options =
+      ParseEditOptions({"a.xml", "--connect", "h:1", "--size", "640x480", "b.xml", "--connect",
+                        "h:2", "--palette", "light", "--picture", "p.png", "--every", "0.5",
+                        "--headless", "--for", "3", "--models", "m.xml"},
+                       error);
+  ASSERT_TRUE(options) << error;
+  EXPECT_EQ(options->files, (std::vector<std::string>{"a.xml", "b.xml"}));
+  EXPECT_EQ(options->robots, (std::vector<std::string>{"h:1", "h:2"}));
+  EXPECT_EQ(options->models, (std::vector<std::string>{"m.xml"}));
+  EXPECT_EQ(options->width, 640);
+  EXPECT_EQ(options->height, 480);
+  EXPECT_EQ(options->palette, PaletteName::kLight);
+  EXPECT_EQ(options->picture_every, 0.5);
+  EXPECT_EQ(options->run_for, 3);
+  EXPECT_TRUE(options->headless);
+}
+
+TEST(EditOptions, SaysWhatIsWrong) {
+  const std::vector<std::vector<std::string>> kWrong = {
+      {"--size", "12"}, {"--size", "10x10"}, {"--palette", "pink"}, {"--every", "soon"},
+      {"--for", "-1"},  {"--connect"},       {"--unknown"},
+  };
+  for (const auto& arguments : kWrong) {
+    std::string error;
+    EXPECT_FALSE(ParseEditOptions(arguments, error));
+    EXPECT_NE(error.find(arguments[0]), std::string::npos) << error;
+  }
+}
+
+TEST(EditOptions, AsksForTheUsageWithoutAnError) {
+  std::string error = "x";
+  EXPECT_FALSE(ParseEditOptions({"--help"}, error));
+  EXPECT_EQ(error, "");
+}
+
+}  // namespace
+}  // namespace coppice::editor

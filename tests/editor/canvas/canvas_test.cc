@@ -1,0 +1,187 @@
+#include "editor/canvas/canvas.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+
+#include "editor/canvas/node_painter.h"
+#include "tests/editor/driver.h"
+
+namespace coppice::editor {
+namespace {
+
+class CanvasTest : public testing::Test {
+ protected:
+  void OpenSmall() {
+    ASSERT_TRUE(driver_.editor.Open(file_.path()));
+    driver_.Frames();
+  }
+  TemporaryFile file_{"small.xml", kSmallFile};
+  Driver driver_;
+};
+
+TEST_F(CanvasTest, RegistersEveryVisibleNodeByPath) {
+  OpenSmall();
+  for (const char* path : {"1", "1.1", "1.1.1", "1.1.1.1", "1.1.2", "1.2", "1.2.1", "1.2.1.1"}) {
+    EXPECT_TRUE(driver_.Has(std::string("canvas/MainTree/") + path)) << path;
+  }
+  driver_.Picture("small");
+}
+
+TEST_F(CanvasTest, SelectsTheNodeThatIsClicked) {
+  OpenSmall();
+  ASSERT_TRUE(driver_.Click("canvas/MainTree/1.1.2"));
+  EXPECT_EQ(driver_.Selected(), "1.1.2");
+  const Box box = driver_.BoxOf("canvas/MainTree/1.1.2");
+  const Box around = {box.min - Point{6, 6}, box.max + Point{6, 6}};
+  EXPECT_GT(driver_.CountColor(around, GetPalette(PaletteName::kDark).accent), 100);
+}
+
+TEST_F(CanvasTest, ClosesAndOpensASubTreeByItsToggle) {
+  OpenSmall();
+  ASSERT_TRUE(driver_.Click("canvas/MainTree/1.2/toggle"));
+  driver_.Frames(12);
+  EXPECT_FALSE(driver_.Has("canvas/MainTree/1.2.1"));
+  ASSERT_TRUE(driver_.Click("canvas/MainTree/1.2/toggle"));
+  driver_.Frames(12);
+  EXPECT_TRUE(driver_.Has("canvas/MainTree/1.2.1.1"));
+}
+
+TEST_F(CanvasTest, PansWhenDraggedAndZoomsWithTheWheel) {
+  OpenSmall();
+  const Box before = driver_.BoxOf("canvas/MainTree/1");
+  const Box canvas = driver_.BoxOf("canvas");
+  const Point free = {canvas.min.x + 20, canvas.max.y - 20};
+  driver_.Drag(free, free + Point{60, -40});
+  const Box moved = driver_.BoxOf("canvas/MainTree/1");
+  EXPECT_NEAR(moved.min.x, before.min.x + 60, 1);
+  EXPECT_NEAR(moved.min.y, before.min.y - 40, 1);
+  driver_.Wheel(-2);
+  EXPECT_LT(driver_.BoxOf("canvas/MainTree/1").width(), moved.width());
+}
+
+TEST_F(CanvasTest, PaintsStatusesOnBordersInThreePalettes) {
+  const auto robot = driver_.AddRobot("robot:1", kLiveTree);
+  robot->states[1] = {Status::kRunning, Status::kIdle, Time(1)};
+  robot->states[2] = {Status::kSuccess, Status::kIdle, Time(1)};
+  robot->states[6] = {Status::kFailure, Status::kIdle, Time(1)};
+  robot->states[5] = {Status::kIdle, Status::kFailure, Time(1)};
+  for (const PaletteName name :
+       {PaletteName::kDark, PaletteName::kLight, PaletteName::kColourBlind}) {
+    driver_.editor.state().palette = name;
+    driver_.Frames(30);
+    const Palette& colors = GetPalette(name);
+    EXPECT_GT(driver_.CountColor(driver_.BoxOf("canvas/Main/1"), colors.running), 60);
+    EXPECT_GT(driver_.CountColor(driver_.BoxOf("canvas/Main/1.1"), colors.success), 60);
+    EXPECT_GT(driver_.CountColor(driver_.BoxOf("canvas/Main/1.3"), colors.failure), 60);
+    driver_.Picture(std::string("statuses_") + ToString(name));
+  }
+  const Palette& colors = GetPalette(PaletteName::kColourBlind);
+  EXPECT_LT(driver_.CountColor(driver_.BoxOf("canvas/Main/1.2.1.1"), colors.failure), 20)
+      << "the trail of an idle node must be weaker than the status";
+}
+
+TEST_F(CanvasTest, PaintsStatusesGreyedWhenTheRobotIsDown) {
+  const auto robot = driver_.AddRobot("robot:1", kLiveTree);
+  robot->states[1] = {Status::kRunning, Status::kIdle, Time(1)};
+  driver_.Frames(3);
+  const Color running = GetPalette(PaletteName::kDark).running;
+  EXPECT_GT(driver_.CountColor(driver_.BoxOf("canvas/Main/1"), running), 60);
+  robot->connection = Connection::kReconnecting;
+  driver_.Frames(3);
+  EXPECT_TRUE(driver_.Has("canvas/Main/1.2.1.1")) << "the last known tree stays";
+  EXPECT_EQ(driver_.CountColor(driver_.BoxOf("canvas/Main/1"), running), 0);
+}
+
+TEST_F(CanvasTest, ShowsARunningDescendantOnTheCollapsedNode) {
+  const auto robot = driver_.AddRobot("robot:1", kLiveTree);
+  robot->states[5] = {Status::kRunning, Status::kIdle, Time(1)};
+  driver_.view().SetCollapsed(1 + 1, true, driver_.editor.now());
+  driver_.Frames(20);
+  const Box chip = driver_.BoxOf("canvas/Main/1.2/toggle");
+  const Palette& colors = GetPalette(PaletteName::kDark);
+  const Color tint = Mix(colors.node_body, colors.running, 0.25F);
+  EXPECT_GT(driver_.CountColor(chip, tint, 10), 100);
+  EXPECT_FALSE(driver_.Has("canvas/Main/1.2.1"));
+}
+
+TEST_F(CanvasTest, MovesTheDotsAlongARunningEdge) {
+  const auto robot = driver_.AddRobot("robot:1", kLiveTree);
+  robot->states[1] = robot->states[3] = {Status::kRunning, Status::kIdle, Time(1)};
+  driver_.Frames(10);
+  const std::uint64_t before = HashOf(driver_.editor.Picture());
+  driver_.Frames(5);
+  EXPECT_NE(HashOf(driver_.editor.Picture()), before);
+}
+
+TEST_F(CanvasTest, PaintsTheSamePictureForTheSameEvents) {
+  const auto run = [this] {
+    Driver driver;
+    driver.editor.Open(file_.path());
+    const auto robot = driver.AddRobot("robot:1", kLiveTree);
+    robot->states[1] = {Status::kRunning, Status::kIdle, Time(1)};
+    driver.Click("canvas/Main/1.1");
+    driver.Press('C');
+    driver.Frames(20);
+    return HashOf(driver.editor.Picture());
+  };
+  EXPECT_EQ(run(), run());
+}
+
+TEST_F(CanvasTest, ShowsLessDetailFromFarAway) {
+  EXPECT_EQ(DetailFor(1), Detail::kFull);
+  EXPECT_EQ(DetailFor(0.5F), Detail::kName);
+  EXPECT_EQ(DetailFor(0.1F), Detail::kBlock);
+  OpenSmall();
+  for (const float zoom : {0.45F, 0.15F}) {
+    driver_.view().camera.zoom = zoom;
+    driver_.Frames();
+    EXPECT_TRUE(driver_.Has("canvas/MainTree/1"));
+    EXPECT_EQ(driver_.Has("canvas/MainTree/1.2/toggle"), zoom > 0.3F);
+  }
+}
+
+// A tree of 20 000 nodes whose frame is built from what can be seen alone.
+std::string LargeTree() {
+  std::string xml = "<root BTCPP_format=\"4\"><BehaviorTree ID=\"Large\"><Sequence>";
+  for (int i = 0; i < 200; ++i) {
+    xml += "<Fallback>";
+    for (int j = 0; j < 33; ++j) {
+      xml += "<Inverter><Go to=\"{place}\" speed=\"0.4\"/></Inverter><Wait seconds=\"2\"/>";
+    }
+    xml += "</Fallback>";
+  }
+  return xml + "</Sequence></BehaviorTree></root>";
+}
+
+TEST_F(CanvasTest, BuildsAFrameOf20000NodesInMilliseconds) {
+  const TemporaryFile file("large.xml", LargeTree());
+  ASSERT_TRUE(driver_.editor.Open(file.path()));
+  driver_.Frames();
+  ASSERT_GT(driver_.view().scene()->nodes.size(), 19900U);
+  for (const bool close : {false, true}) {
+    if (close) {
+      driver_.view().Select(driver_.view().scene()->FindPath("1.100.30"));
+      driver_.Press('Z');
+      driver_.view().Reveal(driver_.editor.state().canvas_size);
+      driver_.Frames();
+      EXPECT_GT(driver_.CountColor(driver_.BoxOf("canvas"), GetPalette(PaletteName::kDark).unknown),
+                500);
+    }
+    double best = 1e9;
+    for (int i = 0; i < 20; ++i) {
+      const auto start = std::chrono::steady_clock::now();
+      driver_.editor.Frame(driver_.input);
+      const std::chrono::duration<double, std::milli> took =
+          std::chrono::steady_clock::now() - start;
+      best = std::min(best, took.count());
+    }
+    RecordProperty(close ? "milliseconds_close" : "milliseconds_far", std::to_string(best));
+    std::printf("frame of 20 000 nodes, %s: %.2f ms\n", close ? "zoom 100 %" : "fit", best);
+    EXPECT_LT(best, 4) << "budget 2 ms on a quiet computer";
+  }
+  driver_.Picture("large");
+}
+
+}  // namespace
+}  // namespace coppice::editor

@@ -1,0 +1,45 @@
+#include "editor/canvas/node_metrics.h"
+
+#include <gtest/gtest.h>
+
+#include "editor/look/icons.h"
+#include "tests/editor/driver.h"
+
+namespace coppice::editor {
+namespace {
+
+TEST(NodeMetrics, MakeRoomForTheWidestLine) {
+  const TemporaryFile file(
+      "wide.xml",
+      "<root BTCPP_format=\"4\"><BehaviorTree ID=\"T\"><Sequence><A/>"
+      "<A x=\"12345678901234567890\"/><A x=\"1\" y=\"2\"/></Sequence></BehaviorTree></root>");
+  Driver driver;
+  ASSERT_TRUE(driver.editor.Open(file.path()));
+  driver.Frames();
+  const Box plain = driver.BoxOf("canvas/T/1.1");
+  const Box wide = driver.BoxOf("canvas/T/1.2");
+  const Box tall = driver.BoxOf("canvas/T/1.3");
+  EXPECT_GT(wide.width(), plain.width() + 40);
+  EXPECT_NEAR(tall.height() - wide.height(), metrics::kLine * driver.view().camera.zoom, 1);
+}
+
+TEST(NodeMetrics, CutLongValuesAtACharacter) {
+  const std::string shown =
+      ShownValue(std::string(30, 'a') + "\xC3\xA4\xC3\xB6\xC3\xBC\xC3\x9F...");
+  EXPECT_EQ(shown, std::string(30, 'a') + "\xC3\xA4\xC3\xB6\xC3\xBC\xC3\x9F" + icon::kEllipsis);
+  EXPECT_EQ(ShownValue("a\nb"), "a b");
+}
+
+TEST(NodeMetrics, NameTheTypeWhenTheNameDoesNot) {
+  SceneNode node;
+  node.id = "NavigateTo";
+  node.name = "NavigateTo";
+  EXPECT_EQ(TypeLineOf(node), "");
+  node.name = "to the door";
+  EXPECT_EQ(TypeLineOf(node), "NavigateTo");
+  node.id = "Sequence";
+  EXPECT_EQ(TypeLineOf(node), "") << "the arrow says it";
+}
+
+}  // namespace
+}  // namespace coppice::editor

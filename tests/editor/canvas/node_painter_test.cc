@@ -1,0 +1,60 @@
+#include "editor/canvas/node_painter.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/editor/driver.h"
+
+namespace coppice::editor {
+namespace {
+
+TEST(NodePainter, GivesEachShapeItsHeader) {
+  const TemporaryFile file("small.xml", kSmallFile);
+  Driver driver;
+  ASSERT_TRUE(driver.editor.Open(file.path()));
+  driver.Frames();
+  const Palette& colors = GetPalette(PaletteName::kDark);
+  const auto has = [&](const char* path, Color color) {
+    return driver.CountColor(driver.BoxOf(std::string("canvas/MainTree/") + path), color, 6);
+  };
+  EXPECT_GT(has("1", colors.control), 200);
+  EXPECT_GT(has("1.1.1", colors.decorator), 200);
+  EXPECT_GT(has("1.1.1.1", colors.condition), 200);
+  EXPECT_GT(has("1.1.2", colors.action), 200);
+  EXPECT_GT(has("1.2", colors.subtree), 200);
+  EXPECT_GT(has("1.2.1.1", colors.unknown), 100);
+}
+
+TEST(NodePainter, CutsTheCornersOfConditionsOnly) {
+  const TemporaryFile file("small.xml", kSmallFile);
+  Driver driver;
+  ASSERT_TRUE(driver.editor.Open(file.path()));
+  driver.Frames();
+  const Palette& colors = GetPalette(PaletteName::kDark);
+  const auto corner = [&](const char* path) {
+    const Box box = driver.BoxOf(std::string("canvas/MainTree/") + path);
+    return driver.CountColor({box.min, box.min + Point{4, 4}}, colors.canvas, 10);
+  };
+  EXPECT_GT(corner("1.1.1.1"), 6);
+  EXPECT_LT(corner("1.1.1"), 4);
+}
+
+TEST(NodePainter, FlashesWhenAStatusHasJustCome) {
+  Driver driver;
+  const auto robot = driver.AddRobot("robot:1", kLiveTree);
+  driver.Frames(5);
+  robot->states[6] = {Status::kSuccess, Status::kIdle, driver.clock.Now()};
+  driver.Frames(1);
+  const std::uint64_t fresh = HashOf(driver.editor.Picture());
+  driver.Frames(40);
+  EXPECT_NE(HashOf(driver.editor.Picture()), fresh);
+}
+
+TEST(NodePainter, ColoursTheTrailLikeTheLastStatus) {
+  const Palette& colors = GetPalette(PaletteName::kLight);
+  EXPECT_EQ(StatusColor(colors, {Status::kIdle, Status::kFailure, Time(0)}, 7), colors.failure);
+  EXPECT_EQ(StatusColor(colors, {Status::kRunning, Status::kIdle, Time(0)}, 7), colors.running);
+  EXPECT_EQ(StatusColor(colors, {}, 7), 7U);
+}
+
+}  // namespace
+}  // namespace coppice::editor

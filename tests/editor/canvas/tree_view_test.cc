@@ -1,0 +1,126 @@
+#include "editor/canvas/tree_view.h"
+
+#include <gtest/gtest.h>
+
+namespace coppice::editor {
+namespace {
+
+std::shared_ptr<const Scene> MakeScene(const std::string& xml) {
+  Diagnostics diagnostics;
+  static std::vector<Forest> alive;  // scenes point into their forests
+  static const NodeModels models;
+  alive.reserve(100);
+  alive.push_back(Forest::FromRobot(
+      "<root BTCPP_format=\"4\"><BehaviorTree ID=\"T\">" + xml + "</BehaviorTree></root>", "test",
+      diagnostics));
+  return std::make_shared<Scene>(BuildScene(alive.back(), 0, models));
+}
+
+class TreeViewTest : public testing::Test {
+ protected:
+  TreeViewTest() {
+    auto scene = MakeScene("<A><B><C/><D/></B><E><F/></E></A>");
+    view_.SetScene(scene, std::vector<Point>(scene->nodes.size(), {100, 30}), 0);
+  }
+  TreeView view_;
+};
+
+TEST_F(TreeViewTest, HidesWhatIsBelowACollapsedNode) {
+  view_.SetCollapsed(1, true, 1);
+  EXPECT_EQ(view_.shown(), (std::vector<std::uint32_t>{0, 1, 4, 5}));
+  EXPECT_EQ(view_.shown_ends(), (std::vector<std::uint32_t>{4, 2, 4, 4}));
+  EXPECT_EQ(view_.ShownOf(3), 1U);
+  view_.SetCollapsed(1, false, 2);
+  EXPECT_EQ(view_.shown().size(), 6U);
+}
+
+TEST_F(TreeViewTest, DoesNotCollapseLeaves) {
+  view_.SetCollapsed(2, true, 1);
+  EXPECT_FALSE(view_.IsCollapsed(2));
+}
+
+TEST_F(TreeViewTest, KeepsTheCollapsedNodeWhereItIsOnTheScreen) {
+  view_.FitAll({800, 600});
+  const Point before = view_.camera.ToScreen(view_.BoxAt(1, 5).min);
+  view_.SetCollapsed(1, true, 5);
+  for (const double now : {5.0, 5.05, 5.1, 6.0}) {
+    const Point after = view_.camera.ToScreen(view_.BoxAt(1, now).min);
+    EXPECT_NEAR(after.x, before.x, 0.01) << now;
+    EXPECT_NEAR(after.y, before.y, 0.01) << now;
+  }
+}
+
+TEST_F(TreeViewTest, MovesTheOtherNodesSmoothlyToTheirPlaces) {
+  view_.FitAll({800, 600});
+  const Point before = view_.camera.ToScreen(view_.BoxAt(4, 5).min);
+  view_.SetCollapsed(1, true, 5);
+  EXPECT_TRUE(view_.IsMoving(5.01));
+  const Point first = view_.camera.ToScreen(view_.BoxAt(2, 5).min);
+  EXPECT_NEAR(first.x, before.x, 0.01);
+  const float half = view_.camera.ToScreen(view_.BoxAt(2, 5.05).min).x;
+  const float end = view_.camera.ToScreen(view_.BoxAt(2, 9).min).x;
+  EXPECT_LT(end, half);
+  EXPECT_LT(half, before.x);
+  EXPECT_FALSE(view_.IsMoving(5.2));
+}
+
+TEST_F(TreeViewTest, LetsNewNodesComeOutOfTheirParent) {
+  view_.SetCollapsed(1, true, 1);
+  const Point parent = view_.BoxAt(1, 5).min;
+  const Point screen = view_.camera.ToScreen(parent);
+  view_.SetCollapsed(1, false, 5);
+  const Point child = view_.camera.ToScreen(view_.BoxAt(2, 5).min);
+  EXPECT_NEAR(child.x, screen.x, 0.01);
+  EXPECT_NEAR(child.y, screen.y, 0.01);
+}
+
+TEST_F(TreeViewTest, OpensWhatHidesTheSelection) {
+  view_.SetCollapsed(0, true, 1);
+  view_.Select(3);
+  EXPECT_FALSE(view_.IsCollapsed(0));
+  EXPECT_EQ(view_.selected(), 3U);
+}
+
+TEST_F(TreeViewTest, KeepsSelectionAndCollapsedNodesByPathInANewScene) {
+  view_.Select(5);
+  view_.SetCollapsed(1, true, 1);
+  auto scene = MakeScene("<A><B><C/></B><E><F/></E></A>");
+  view_.SetScene(scene, std::vector<Point>(scene->nodes.size(), {100, 30}), 2);
+  EXPECT_TRUE(view_.IsCollapsed(1));
+  EXPECT_EQ(scene->nodes[view_.selected()].path, "1.2.1");
+}
+
+TEST_F(TreeViewTest, FitsAllIntoTheCanvas) {
+  view_.FitAll({300, 200});
+  const Box box = view_.camera.ToScreen(view_.bounds());
+  EXPECT_GE(box.min.x, 0);
+  EXPECT_GE(box.min.y, 0);
+  EXPECT_LE(box.max.x, 300);
+  EXPECT_LE(box.max.y, 200);
+  EXPECT_FALSE(view_.needs_fit);
+}
+
+TEST_F(TreeViewTest, ZoomsAroundThePointUnderTheMouse) {
+  view_.FitAll({800, 600});
+  const Point world = view_.camera.ToWorld({200, 100});
+  view_.ZoomAt({200, 100}, 1.7F);
+  EXPECT_NEAR(view_.camera.ToScreen(world).x, 200, 0.01);
+  EXPECT_NEAR(view_.camera.ToScreen(world).y, 100, 0.01);
+}
+
+TEST_F(TreeViewTest, RevealsASelectionThatIsOutOfSight) {
+  view_.camera.offset = {5000, 5000};
+  view_.Select(2);
+  view_.Reveal({800, 600});
+  const Box box = view_.camera.ToScreen(view_.BoxAt(view_.ShownOf(2), 9));
+  EXPECT_TRUE((Box{{0, 0}, {800, 600}}).Contains(box.min));
+  EXPECT_TRUE((Box{{0, 0}, {800, 600}}).Contains(box.max));
+}
+
+TEST_F(TreeViewTest, TurnsTheTreeOnItsSide) {
+  view_.SetOrientation(Orientation::kLeftToRight, 1);
+  EXPECT_GT(view_.BoxAt(1, 9).min.x, view_.BoxAt(0, 9).max.x);
+}
+
+}  // namespace
+}  // namespace coppice::editor

@@ -1,0 +1,50 @@
+#include "editor/look/ui.h"
+
+#include <gtest/gtest.h>
+#include <imgui_internal.h>
+
+namespace coppice::editor {
+namespace {
+
+class UiTest : public testing::Test {
+ protected:
+  UiTest() : context_(ImGui::CreateContext()) {
+    ImGui::SetCurrentContext(context_);
+    EXPECT_EQ(fonts_.Load(1), "");
+  }
+  ~UiTest() override { ImGui::DestroyContext(context_); }
+  ImGuiContext* context_;
+  Fonts fonts_;
+  ItemRegistry items_;
+  Ui ui_{GetPalette(PaletteName::kDark), fonts_, items_, 1, 0, Time(0)};
+};
+
+TEST_F(UiTest, CutsTextThatIsTooWideAndSaysHowWideItIs) {
+  ImDrawListSharedData shared;
+  ImDrawList list(&shared);
+  list._ResetForNewFrame();
+  list.PushClipRect({0, 0}, {1000, 1000});
+  list.PushTextureID(ImGui::GetIO().Fonts->TexID);
+  const TextStyle style{Face::kSans, 13, 0xFFFFFFFF};
+  const float full = ui_.Width("a rather long line of text", style);
+  EXPECT_EQ(ui_.RowText(list, {0, 0}, 20, "a rather long line of text", style), full);
+  const float cut = ui_.RowText(list, {0, 0}, 20, "a rather long line of text", style, full / 2);
+  EXPECT_LE(cut, full / 2);
+  EXPECT_GT(cut, full / 3);
+  EXPECT_EQ(ui_.RowText(list, {0, 0}, 20, {}, style), 0);
+}
+
+TEST(Ui, WritesDurationsAsPeopleReadThem) {
+  EXPECT_EQ(DurationText(4.21), "4.2 s");
+  EXPECT_EQ(DurationText(185), "3:05");
+  EXPECT_EQ(DurationText(7800), "2:10:00");
+}
+
+TEST(Ui, HasADifferentGlyphForEveryStatus) {
+  EXPECT_STREQ(GlyphOf(Status::kIdle), "");
+  EXPECT_STRNE(GlyphOf(Status::kSuccess), GlyphOf(Status::kFailure));
+  EXPECT_STRNE(GlyphOf(Status::kRunning), GlyphOf(Status::kSkipped));
+}
+
+}  // namespace
+}  // namespace coppice::editor

@@ -1,0 +1,39 @@
+#include <gtest/gtest.h>
+
+#include "tests/editor/driver.h"
+
+namespace coppice::editor {
+namespace {
+
+TEST(ConnectionStrip, HasATabForEachRobotAndSwitchesByClick) {
+  Driver driver;
+  driver.AddRobot("one:1", kLiveTree);
+  driver.AddRobot("two:2", kLiveTree);
+  ASSERT_TRUE(driver.Click("strip/one:1"));
+  EXPECT_EQ(driver.editor.state().workspace.robot()->source->endpoint(), "one:1");
+  ASSERT_TRUE(driver.Click("strip/two:2"));
+  EXPECT_EQ(driver.editor.state().workspace.robot()->source->endpoint(), "two:2");
+}
+
+TEST(ConnectionStrip, ShowsTheStateInColour) {
+  Driver driver;
+  const auto robot = driver.AddRobot("one:1", kLiveTree);
+  const Color green = GetPalette(PaletteName::kDark).success;
+  driver.Frames();
+  EXPECT_GT(driver.CountColor(driver.BoxOf("strip/one:1"), green), 30);
+  robot->connection = Connection::kReconnecting;
+  driver.Frames();
+  EXPECT_EQ(driver.CountColor(driver.BoxOf("strip/one:1"), green), 0);
+}
+
+TEST(ConnectionStrip, AsksWhereToConnect) {
+  Driver driver;
+  driver.Frames();
+  ASSERT_TRUE(driver.Click("strip/connect"));
+  EXPECT_TRUE(driver.Has("popup/input"));
+  driver.Press(kKeyEscape);
+  EXPECT_FALSE(driver.Has("popup/input"));
+}
+
+}  // namespace
+}  // namespace coppice::editor

@@ -1,0 +1,37 @@
+#include <gtest/gtest.h>
+
+#include "tests/editor/driver.h"
+
+namespace coppice::editor {
+namespace {
+
+TEST(Problems, LeadToTheNode) {
+  const TemporaryFile file("wrong.xml",
+                           "<root BTCPP_format=\"4\">\n<BehaviorTree ID=\"A\"><AlwaysSuccess/>"
+                           "</BehaviorTree>\n<BehaviorTree ID=\"B\">\n<Sequence>\n"
+                           "<RetryUntilSuccessful num_attempts=\"many\"><Go/>"
+                           "</RetryUntilSuccessful>\n</Sequence>\n</BehaviorTree></root>");
+  Driver driver;
+  driver.editor.Open(file.path());
+  driver.Frames();
+  const auto& problems = driver.editor.state().workspace.files()[0].problems;
+  ASSERT_FALSE(problems.empty());
+  std::size_t wanted = 0;
+  while (wanted < problems.size() && problems[wanted].where.line != 5) ++wanted;
+  ASSERT_LT(wanted, problems.size()) << ToString(problems[0]);
+  ASSERT_TRUE(driver.Click("problems/" + std::to_string(wanted)));
+  EXPECT_EQ(driver.view().scene()->tree_id, "B");
+  EXPECT_EQ(driver.Selected(), "1.1");
+}
+
+TEST(Problems, TellWhyARobotIsNotConnected) {
+  Driver driver;
+  const auto robot = driver.AddRobot("robot:1", kLiveTree);
+  EXPECT_FALSE(driver.Has("problems/0"));
+  robot->error = "no answer";
+  driver.Frames();
+  EXPECT_TRUE(driver.Has("problems/0"));
+}
+
+}  // namespace
+}  // namespace coppice::editor

@@ -1,0 +1,55 @@
+#include "editor/panels/tiles.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/editor/driver.h"
+
+namespace coppice::editor {
+namespace {
+
+TEST(Tiles, CoverTheWindowWithoutOverlap) {
+  Driver driver;
+  driver.Frames();
+  std::vector<Box> boxes;
+  for (const char* path : {"project", "outline", "inspector", "blackboard", "xml", "problems"}) {
+    boxes.push_back(driver.BoxOf(path));
+  }
+  float area = 0;
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    area += boxes[i].width() * boxes[i].height();
+    for (std::size_t j = i + 1; j < boxes.size(); ++j) EXPECT_FALSE(boxes[i].Overlaps(boxes[j]));
+  }
+  const Point canvas = driver.editor.state().canvas_size;
+  EXPECT_GT(area + canvas.x * canvas.y, 0.88F * 1280 * 800);
+}
+
+TEST(Tiles, AreResizedByTheirSplitters) {
+  Driver driver;
+  driver.Frames();
+  const float left = driver.BoxOf("project").width();
+  const float bottom = driver.BoxOf("xml").height();
+  const float inspector = driver.BoxOf("inspector").height();
+  const auto drag = [&](const char* path, Point by) {
+    const Point from = driver.BoxOf(path).center();
+    driver.Drag(from, from + by);
+  };
+  drag("split/left", {50, 0});
+  drag("split/bottom", {0, -40});
+  drag("split/right_part", {0, 30});
+  EXPECT_NEAR(driver.BoxOf("project").width(), left + 50, 2);
+  EXPECT_NEAR(driver.BoxOf("xml").height(), bottom + 40, 2);
+  EXPECT_NEAR(driver.BoxOf("inspector").height(), inspector + 30, 2);
+}
+
+TEST(Tiles, GiveTheRoomOfHiddenOnesToTheCanvas) {
+  Driver driver;
+  driver.Frames();
+  const Point before = driver.editor.state().canvas_size;
+  for (const int key : {2, 3, 4, 6, 7, 8}) driver.Press(kKeyF1 + key - 1);
+  const Point after = driver.editor.state().canvas_size;
+  EXPECT_GT(after.x, before.x + 400);
+  EXPECT_GT(after.y, before.y + 100);
+}
+
+}  // namespace
+}  // namespace coppice::editor

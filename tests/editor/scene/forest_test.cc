@@ -1,0 +1,57 @@
+#include "editor/scene/forest.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/editor/driver.h"
+
+namespace coppice::editor {
+namespace {
+
+TEST(Forest, HoldsTheTreesOfAFileAndItsIncludes) {
+  Diagnostics diagnostics;
+  const Forest forest = Forest::FromFile(
+      std::string(COPPICE_SOURCE_DIR) + "/trees/application/patrol.xml", diagnostics);
+  EXPECT_FALSE(diagnostics.has_errors()) << diagnostics.ToString();
+  EXPECT_GT(forest.documents().size(), 1U);
+  EXPECT_GE(forest.Find("PatrolRound"), 0);
+  EXPECT_EQ(forest.trees()[static_cast<std::size_t>(forest.main_tree())].id, "Application");
+}
+
+TEST(Forest, ShowsAWrongFileWithoutItsIncludes) {
+  const TemporaryFile file("wrong.xml",
+                           "<root BTCPP_format=\"4\"><include path=\"missing.xml\"/>"
+                           "<BehaviorTree ID=\"A\"><AlwaysSuccess/></BehaviorTree></root>");
+  Diagnostics diagnostics;
+  const Forest forest = Forest::FromFile(file.path(), diagnostics);
+  EXPECT_TRUE(diagnostics.has_errors());
+  EXPECT_EQ(forest.trees().size(), 1U);
+  EXPECT_EQ(forest.project(), nullptr);
+}
+
+TEST(Forest, IsEmptyWhenTheFileIsMalformedOrMissing) {
+  const TemporaryFile file("broken.xml", "<root>\n  <BehaviorTree");
+  Diagnostics diagnostics;
+  EXPECT_TRUE(Forest::FromFile(file.path(), diagnostics).trees().empty());
+  ASSERT_TRUE(diagnostics.has_errors());
+  EXPECT_GT(diagnostics.all()[0].where.line, 0U);
+  EXPECT_EQ(Forest::FromFile("/nowhere.xml", diagnostics).main_tree(), -1);
+}
+
+TEST(Forest, FindsTheInstanceOfASubTreeByItsPath) {
+  Diagnostics diagnostics;
+  const Forest forest = Forest::FromRobot(
+      "<root><BehaviorTree ID=\"M\" _fullpath=\"\"><Sequence>"
+      "<SubTree ID=\"S\" _fullpath=\"a\"/><SubTree ID=\"S\" _fullpath=\"b\"/></Sequence>"
+      "</BehaviorTree><BehaviorTree ID=\"S\" _fullpath=\"a\"><A/></BehaviorTree>"
+      "<BehaviorTree ID=\"S\" _fullpath=\"b\"><A/></BehaviorTree></root>",
+      "robot", diagnostics);
+  const Document& document = *forest.documents()[0];
+  std::vector<int> found;
+  for (const Element& element : document.elements()) {
+    if (element.tag == "SubTree") found.push_back(forest.Resolve(document, element));
+  }
+  EXPECT_EQ(found, (std::vector<int>{1, 2}));
+}
+
+}  // namespace
+}  // namespace coppice::editor

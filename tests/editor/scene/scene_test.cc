@@ -1,0 +1,105 @@
+#include "editor/scene/scene.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/editor/driver.h"
+
+namespace coppice::editor {
+namespace {
+
+class SceneTest : public testing::Test {
+ protected:
+  const Scene& Build(const std::string& xml, std::size_t limit = 1000) {
+    Diagnostics diagnostics;
+    forest_ = Forest::FromRobot(xml, "test", diagnostics);
+    for (const Document* document : forest_.documents()) models_.AddFrom(*document);
+    scene_ = BuildScene(forest_, forest_.main_tree(), models_, limit);
+    return scene_;
+  }
+  Forest forest_;
+  NodeModels models_;
+  Scene scene_;
+};
+
+TEST_F(SceneTest, WritesSubTreesOutInPlaceAndNumbersThePaths) {
+  const Scene& scene = Build(kSmallFile);
+  std::string paths;
+  for (const SceneNode& node : scene.nodes) paths += node.path + " ";
+  EXPECT_EQ(paths, "1 1.1 1.1.1 1.1.1.1 1.1.2 1.2 1.2.1 1.2.1.1 1.3 ");
+  EXPECT_EQ(scene.nodes[0].end, 9U);
+  EXPECT_EQ(scene.nodes[5].end, 8U);
+  EXPECT_EQ(scene.nodes[5].shape, Shape::kSubTree);
+  EXPECT_EQ(scene.nodes[5].id, "Walk");
+  EXPECT_EQ(scene.nodes[5].name, "walk");
+  EXPECT_EQ(scene.nodes[7].scope, 1U);
+  EXPECT_EQ(scene.scopes[1], "walk");
+}
+
+TEST_F(SceneTest, GivesEveryNodeItsShape) {
+  const Scene& scene = Build(kSmallFile);
+  EXPECT_EQ(scene.nodes[0].shape, Shape::kControl);
+  EXPECT_EQ(scene.nodes[2].shape, Shape::kDecorator);
+  EXPECT_EQ(scene.nodes[3].shape, Shape::kCondition);
+  EXPECT_EQ(scene.nodes[4].shape, Shape::kAction);
+  EXPECT_EQ(scene.nodes[7].shape, Shape::kUnknown);
+}
+
+TEST_F(SceneTest, OrdersPortsAsDeclared) {
+  const Scene& scene = Build(kSmallFile);
+  const SceneNode& lamp = scene.nodes[4];
+  ASSERT_EQ(lamp.port_count, 2U);
+  EXPECT_EQ(scene.ports[lamp.first_port].name, "level");
+  EXPECT_TRUE(scene.ports[lamp.first_port].is_key);
+  EXPECT_EQ(scene.ports[lamp.first_port + 1].name, "lamp");
+}
+
+TEST_F(SceneTest, FindsNodesByTheRobotsNumber) {
+  const Scene& scene = Build(kLiveTree);
+  ASSERT_EQ(scene.node_of_uid.size(), 7U);
+  EXPECT_EQ(scene.nodes[scene.node_of_uid[5]].name, "Step");
+  EXPECT_EQ(scene.node_of_uid[0], kNoNode);
+}
+
+TEST_F(SceneTest, ReadsTheExplicitForm) {
+  const Scene& scene = Build(
+      "<root><BehaviorTree ID=\"T\"><Control ID=\"Sequence\"><Condition ID=\"Mine\"/>"
+      "</Control></BehaviorTree></root>");
+  EXPECT_EQ(scene.nodes[0].id, "Sequence");
+  EXPECT_EQ(scene.nodes[1].id, "Mine");
+  EXPECT_EQ(scene.nodes[1].shape, Shape::kCondition);
+}
+
+TEST_F(SceneTest, StopsAtATreeInsideItself) {
+  const Scene& scene = Build(
+      "<root><BehaviorTree ID=\"A\"><Sequence><SubTree ID=\"B\"/></Sequence></BehaviorTree>"
+      "<BehaviorTree ID=\"B\"><Sequence><SubTree ID=\"A\"/></Sequence></BehaviorTree></root>");
+  ASSERT_EQ(scene.nodes.size(), 4U);
+  EXPECT_TRUE(scene.nodes[3].recursive);
+}
+
+TEST_F(SceneTest, StopsGrowingAtTheLimit) {
+  // Each tree uses the next one ten times: 10^6 nodes if written out.
+  std::string xml = "<root>";
+  for (int i = 0; i < 6; ++i) {
+    xml += "<BehaviorTree ID=\"T" + std::to_string(i) + "\"><Sequence>";
+    for (int k = 0; k < 10; ++k) xml += "<SubTree ID=\"T" + std::to_string(i + 1) + "\"/>";
+    xml += "</Sequence></BehaviorTree>";
+  }
+  const Scene& scene = Build(xml + "</root>", 1000);
+  EXPECT_GT(scene.nodes.size(), 500U);
+  EXPECT_LT(scene.nodes.size(), 1200U);
+}
+
+TEST_F(SceneTest, IsEmptyWithoutATree) {
+  EXPECT_TRUE(Build("<root/>").nodes.empty());
+  EXPECT_TRUE(Build("<root><BehaviorTree ID=\"E\"/></root>").nodes.empty());
+}
+
+TEST(Scene, TakesTheKeyOutOfItsBraces) {
+  EXPECT_EQ(KeyOf("{goal}"), "goal");
+  EXPECT_EQ(KeyOf("goal"), "");
+  EXPECT_EQ(KeyOf("{}"), "");
+}
+
+}  // namespace
+}  // namespace coppice::editor
