@@ -18,11 +18,12 @@ function(coppice_program name)
   target_link_libraries(${name} PRIVATE ${ARG_LINK} coppice_warnings)
 endfunction()
 
-# coppice_test(NAME SOURCES... [LINK libraries...] [TIMEOUT seconds])
+# coppice_test(NAME SOURCES... [LINK libraries...] [TIMEOUT seconds] [SERIAL])
 #   A GoogleTest program in build/tests/bin whose cases become tests of ctest, prefixed "NAME.".
+#   SERIAL: no other test runs at the same time.
 #   COPPICE_SOURCE_DIR and COPPICE_BINARY_DIR are defined as strings for finding data and programs.
 function(coppice_test name)
-  cmake_parse_arguments(ARG "" "TIMEOUT" "LINK" ${ARGN})
+  cmake_parse_arguments(ARG "SERIAL" "TIMEOUT" "LINK" ${ARGN})
   if(NOT ARG_TIMEOUT)
     set(ARG_TIMEOUT 60)
   endif()
@@ -34,5 +35,5 @@ function(coppice_test name)
   set_target_properties(${name} PROPERTIES
     RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests/bin)
   gtest_discover_tests(${name} TEST_PREFIX "${name}." DISCOVERY_TIMEOUT 60
-    PROPERTIES TIMEOUT ${ARG_TIMEOUT})
+    PROPERTIES TIMEOUT ${ARG_TIMEOUT} RUN_SERIAL ${ARG_SERIAL})
 endfunction()

@@ -37,6 +37,9 @@ std::optional<Options> ParseOptions(const std::vector<std::string>& arguments,
       options.values[argument] = "";
     } else if (contains(with_value, argument) && i + 1 < arguments.size()) {
       options.values[argument] = arguments[++i];
+    } else if (argument == "--help" || argument == "-h") {
+      std::cout << "usage: " << usage << "\n";
+      return std::nullopt;
     } else {
       std::vector<std::string> all = with_value;
       all.insert(all.end(), flags.begin(), flags.end());

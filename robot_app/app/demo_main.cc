@@ -69,6 +69,15 @@ std::optional<Settings> ReadSettings(const std::vector<std::string>& arguments) 
   return settings;
 }
 
+std::string LastLine(const std::string& path) {
+  std::ifstream file(path);
+  std::string line, last;
+  while (std::getline(file, line)) {
+    if (!line.empty()) last = line;
+  }
+  return last;
+}
+
 // Progress on the console: what happens, and a line that shows that time goes on.
 class Console {
  public:
@@ -244,8 +253,9 @@ class Demo {
       console_.Progress(view);
       if (!supervisor_.IsRunning()) throw DemoFailed("the process supervisor has ended");
       if (!view.given_up.empty()) {
-        throw DemoFailed("program " + view.given_up.front() + " does not stay up; see " +
-                         Log(view.given_up.front()));
+        const std::string log = Log(view.given_up.front());
+        throw DemoFailed("program " + view.given_up.front() + " does not stay up (" + log +
+                         "): " + LastLine(log));
       }
       if (interrupted) throw DemoFailed("interrupted");
     };
