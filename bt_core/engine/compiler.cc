@@ -2,6 +2,7 @@
 // Positions in the text and words for messages are worked out only when there is something to say.
 #include <string>
 #include <string_view>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -170,6 +171,11 @@ class Compiler {
     AddRecord(NodeType::kSubTree, registry_.Find("SubTree"), doc, index, scope, parent);
     const ScopeIndex inner = keys_.AddScope(scope, IsTrue(document, element, "_autoremap"));
     const std::string path = program_->Path(node);
+    if (!instance_paths_.insert(path).second) {
+      Error(document, element,
+            "two SubTrees in the same tree have the name " + Quoted(program_->Name(node)),
+            "give each a name of its own");
+    }
     program_->layout.scopes.push_back(path);
     program_->trees.push_back({std::string(id), path, node + 1, node});
     keys_.Remap(document, element, scope, inner);
@@ -302,6 +308,7 @@ class Compiler {
   std::shared_ptr<Program> program_ = std::make_shared<Program>();
   KeyTable keys_{program_->layout, diagnostics_};
   std::vector<std::string_view> open_trees_;
+  std::unordered_set<std::string> instance_paths_;
   std::uint32_t depth_ = 0;
   bool too_big_ = false;
 };

@@ -40,6 +40,15 @@ TEST(SubTree, IsExpandedInPlace) {
   EXPECT_EQ(stage.program->trees[1].node, 1U);
 }
 
+TEST(SubTree, NeedsANameOfItsOwn) {
+  const std::string problems = Problems(
+      Tree("Main",
+           "<Sequence><SubTree ID=\"S\" name=\"a\"/><SubTree ID=\"S\" name=\"a\"/></Sequence>") +
+      Tree("S", "<AlwaysSuccess/>"));
+  EXPECT_NE(problems.find("two SubTrees in the same tree have the name \"a\""), std::string::npos)
+      << problems;
+}
+
 TEST(SubTree, HasAScopeOfItsOwn) {
   EXPECT_EQ(After(Tree("Main",
                        "<Sequence><Tell text=\"outer\" to=\"{k}\"/><SubTree ID=\"S\"/>"

@@ -1,0 +1,327 @@
+#include "robot_app/app/demo.h"
+
+#include <coppice_msgs/InjectFault.h>
+#include <ros/ros.h>
+#include <std_msgs/String.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <iostream>
+#include <memory>
+#include <set>
+#include <sstream>
+#include <stdexcept>
+#include <utility>
+
+#include "robot_app/app/child_process.h"
+#include "robot_app/app/demo_console.h"
+#include "robot_app/app/robot_watch.h"
+#include "robot_app/app/run_summary.h"
+
+namespace coppice::robot {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string LastLine(const std::string& path) {
+  std::ifstream file(path);
+  std::string line, last;
+  while (std::getline(file, line)) {
+    if (!line.empty()) last = line;
+  }
+  return last;
+}
+
+// A failure of the demonstration itself; the summary is still printed.
+struct DemoFailed : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+class Demo {
+ public:
+  Demo(const DemoSettings& settings, const volatile int& interrupted)
+      : settings_(settings), interrupted_(interrupted) {}
+
+  int Run() {
+    fs::create_directories(settings_.folder / "logs");
+    std::string failure;
+    try {
+      StartEverything();
+      Patrol();
+    } catch (const DemoFailed& error) {
+      failure = error.what();
+    }
+    const bool clean = StopEverything();
+    return Report(failure, clean);
+  }
+
+ private:
+  void StartEverything() {
+    console_.Step("starting ROS, the simulated robot, monitors and trees");
+    const fs::path port_file = settings_.folder / "ros_port";
+    supervisor_ = ChildProcess(SupervisorCommand(port_file), Log("supervisor"));
+    const std::string port = WaitForPort(port_file);
+    setenv("ROS_MASTER_URI", ("http://127.0.0.1:" + port).c_str(), 1);
+    setenv("ROS_IP", "127.0.0.1", 1);
+    console_.Tell("ROS master at port " + port + ", logs in " +
+                  (settings_.folder / "logs").string());
+
+    int no_arguments = 0;
+    ros::init(no_arguments, nullptr, "coppice_demo",
+              ros::init_options::NoSigintHandler | ros::init_options::NoRosout);
+    node_ = std::make_unique<ros::NodeHandle>();
+    spinner_ = std::make_unique<ros::AsyncSpinner>(1);
+    spinner_->start();
+    note_ = node_->advertise<std_msgs::String>("/coppice/note", 10, true);
+    watch_ = std::make_unique<RobotWatch>(*node_);
+    WaitOrFail("all programs to be ready", 60, [this](const RobotView& view) {
+      Remember(view);
+      return view.application == "RUNNING";
+    });
+    console_.Tell("live sockets: application 127.0.0.1:" + settings_.live_port +
+                  ", monitor 127.0.0.1:" + MonitorPort());
+    if (settings_.editor) StartEditor();
+  }
+
+  void Patrol() {
+    console_.Step("patrol: " + settings_.rounds + " rounds of " + settings_.stops + " stops");
+    WaitOrFail("the robot to leave its station", 120,
+               [](const RobotView& view) { return view.has_goal && view.distance > 5; });
+    KillNavigation();
+    BlockCorridor();
+    WaitOrFail("the application to end", 900,
+               [](const RobotView& view) { return view.application != "RUNNING"; });
+    console_.Tell("application: " + watch_->view().application);
+    // Long enough for the monitor tree to see that all is well, and for the records to be complete.
+    WaitOrFail("the robot to be without faults", 60,
+               [](const RobotView& view) { return view.errors.empty(); });
+  }
+
+  void KillNavigation() {
+    const int before = watch_->view().pids.at("navigation");
+    console_.Step("fault 1: kill -9 of /navigation (pid " + std::to_string(before) + ")");
+    Inject("kill_node", "/navigation", 0);
+    WaitOrFail("the monitor to notice", 60,
+               [](const RobotView& view) { return !view.errors.empty(); });
+    console_.Tell("noticed: " + watch_->view().errors.front());
+    WaitOrFail("the monitor tree to restart it", 120, [before](const RobotView& view) {
+      const auto now = view.pids.find("navigation");
+      return now != view.pids.end() && now->second != before && view.ready.at("navigation") &&
+             view.errors.empty();
+    });
+    console_.Tell("recovered: /navigation has pid " +
+                  std::to_string(watch_->view().pids.at("navigation")));
+  }
+
+  // Waits for a drive that still has to pass one of the places, then closes it for a while.
+  void BlockCorridor() {
+    std::string place;
+    WaitOrFail("a drive along the corridor", 600, [&place](const RobotView& view) {
+      place = PlaceAhead(view);
+      return !place.empty();
+    });
+    console_.Step("fault 2: " + place + " is blocked for 60 s");
+    Inject("block_corridor", place, 60);
+    WaitOrFail("the monitor to notice", 240, [](const RobotView& view) {
+      for (const std::string& error : view.errors) {
+        if (error.rfind("navigation", 0) == 0) return true;
+      }
+      return false;
+    });
+    console_.Tell("noticed: " + watch_->view().errors.front());
+    WaitOrFail("the monitor tree to recover", 240,
+               [](const RobotView& view) { return view.errors.empty(); });
+    console_.Tell("recovered: the robot drives on");
+  }
+
+  // A place of the floor that lies between the robot and its goal, not too near to either; or
+  // empty.
+  static std::string PlaceAhead(const RobotView& view) {
+    const std::map<std::string, double> places = {{"corridor_west", 10}, {"corridor_east", 30}};
+    for (const auto& [name, x] : places) {  // [m] along the corridor
+      const bool eastward = view.x < x - 5 && view.goal_x > x + 2;
+      const bool westward = view.x > x + 5 && view.goal_x < x - 2;
+      if (view.has_goal && (eastward || westward)) return name;
+    }
+    return {};
+  }
+
+  // A place cannot be blocked while somebody stands in it: then it is tried again for a while.
+  void Inject(const std::string& fault, const std::string& target, double duration) {
+    coppice_msgs::InjectFault service;
+    service.request.fault = fault;
+    service.request.target = target;
+    service.request.duration = duration;
+    for (int attempts = 0; attempts < 20 && !service.response.ok; ++attempts) {
+      if (attempts > 0) watch_->WaitFor([](const RobotView&) { return false; }, 0.5);
+      ros::service::call("/simulation/inject_fault", service);
+    }
+    if (!service.response.ok) {
+      throw DemoFailed("fault " + fault + " was not injected: " + service.response.message);
+    }
+    std_msgs::String note;
+    note.data = "fault injected: " + fault + " " + target;
+    note_.publish(note);
+  }
+
+  void WaitOrFail(const std::string& what, double seconds,
+                  const std::function<bool(const RobotView&)>& predicate) {
+    const auto still_there = [this](const RobotView& view) {
+      Remember(view);
+      console_.Progress(view);
+      if (!supervisor_.IsRunning()) throw DemoFailed("the process supervisor has ended");
+      if (!view.given_up.empty()) {
+        const std::string log = Log(view.given_up.front());
+        throw DemoFailed("program " + view.given_up.front() + " does not stay up (" + log +
+                         "): " + LastLine(log));
+      }
+      if (interrupted_ != 0) throw DemoFailed("interrupted");
+    };
+    if (watch_->WaitFor(predicate, seconds, still_there)) return;
+    throw DemoFailed("waited " + std::to_string(static_cast<int>(seconds)) + " s for " + what);
+  }
+
+  void Remember(const RobotView& view) {
+    for (const auto& [name, pid] : view.pids) pids_.insert(pid);
+  }
+
+  std::vector<std::string> SupervisorCommand(const fs::path& port_file) const {
+    std::vector<std::string> command = {(settings_.programs / "coppice-supervisor").string(),
+                                        "--config",
+                                        (settings_.source / "robot_app/config/robot.yaml").string(),
+                                        "--port",
+                                        "0",
+                                        "--port-file",
+                                        port_file.string(),
+                                        "--logs",
+                                        (settings_.folder / "logs").string()};
+    const std::vector<std::pair<std::string, std::string>> values = {
+        {"bin", settings_.programs.string()},
+        {"source", settings_.source.string()},
+        {"record", settings_.folder.string()},
+        {"speed", settings_.speed},
+        {"seed", settings_.seed},
+        {"rounds", settings_.rounds},
+        {"stops", settings_.stops},
+        {"live_port", settings_.live_port}};
+    for (const auto& [name, value] : values) {
+      command.push_back("--set");
+      command.push_back(name + "=" + value);
+    }
+    return command;
+  }
+
+  std::string WaitForPort(const fs::path& port_file) {
+    for (int i = 0; i < 300; ++i) {
+      std::ifstream file(port_file);
+      std::string port;
+      if (file >> port) return port;
+      if (!supervisor_.IsRunning()) break;
+      usleep(100000);
+    }
+    std::ifstream log(Log("supervisor"));
+    std::ostringstream text;
+    text << log.rdbuf();
+    throw DemoFailed("the process supervisor did not start:\n" + text.str());
+  }
+
+  void StartEditor() {
+    const bool window = std::getenv("DISPLAY") || std::getenv("WAYLAND_DISPLAY");
+    std::vector<std::string> command = {(settings_.programs / "coppice-edit").string(),
+                                        "--connect",
+                                        "127.0.0.1:" + settings_.live_port,
+                                        "--connect",
+                                        "127.0.0.1:" + MonitorPort(),
+                                        "--picture",
+                                        Picture().string(),
+                                        "--every",
+                                        "5"};
+    if (!window) {
+      command.insert(command.begin(), {"xvfb-run", "-a", "-s", "-screen 0 1920x1200x24"});
+      command.insert(command.end(), {"--size", "1920x1200"});
+    }
+    editor_ = ChildProcess(command, Log("editor"));
+    console_.Tell(window
+                      ? "the editor shows both trees"
+                      : "no display: the editor runs under Xvfb and saves " + Picture().string());
+  }
+
+  // True if nothing is left behind.
+  bool StopEverything() {
+    console_.Step("stopping");
+    if (watch_) {
+      Remember(watch_->view());
+      distance_ = watch_->view().distance;
+    }
+    const bool editor_was_there = editor_.pid() == 0 || editor_.IsRunning();
+    if (!editor_was_there) console_.Tell("the editor has ended early; see " + Log("editor"));
+    editor_.Stop(std::chrono::seconds(5));
+    watch_.reset();
+    if (spinner_) spinner_->stop();
+    if (ros::isStarted()) ros::shutdown();
+    const int status = supervisor_.Stop(std::chrono::seconds(20));
+    if (status != 0) console_.Tell("the supervisor ended with status " + std::to_string(status));
+    bool clean = status == 0 && editor_was_there;
+    for (const pid_t pid : pids_) {
+      if (!ProcessExists(pid)) continue;
+      console_.Tell("left behind: process " + std::to_string(pid));
+      clean = false;
+    }
+    return clean;
+  }
+
+  int Report(const std::string& failure, bool clean) {
+    const RunSummary summary = SummarizeFiles((settings_.folder / "application.coppice").string(),
+                                              (settings_.folder / "monitor.coppice").string());
+    std::cout << "\n" << ToTable(summary, distance_);
+    std::cout << "\nrecorded run   " << (settings_.folder / "application.coppice").string()
+              << "\n               " << (settings_.folder / "monitor.coppice").string() << "\n";
+    if (settings_.editor) std::cout << "editor picture " << Picture().string() << "\n";
+    std::cout << "look at it with: coppice replay FILE\n\n";
+
+    std::vector<std::string> problems = summary.problems;
+    if (!failure.empty()) problems.push_back(failure);
+    if (!clean) problems.push_back("not everything ended as it should");
+    const int navigation = summary.Recovery("wait and retry").ended_well +
+                           summary.Recovery("move backwards").ended_well +
+                           summary.Recovery("navigation: ask").ended_well;
+    if (summary.Recovery("restart node").ended_well == 0) {
+      problems.push_back("the record shows no successful restart of a node");
+    }
+    if (navigation == 0) problems.push_back("the record shows no recovery of the navigation");
+    if (settings_.editor && !fs::exists(Picture()))
+      problems.push_back("the editor saved no picture");
+    for (const std::string& problem : problems) std::cout << "PROBLEM: " << problem << "\n";
+    std::cout << (problems.empty() ? "The demonstration went well.\n"
+                                   : "The demonstration did NOT go well.\n");
+    return problems.empty() ? 0 : 1;
+  }
+
+  std::string Log(const std::string& name) const {
+    return (settings_.folder / "logs" / (name + ".log")).string();
+  }
+  fs::path Picture() const { return settings_.folder / "editor.png"; }
+  std::string MonitorPort() const { return std::to_string(std::stoi(settings_.live_port) + 2); }
+
+ private:
+  const DemoSettings settings_;
+  const volatile int& interrupted_;
+  DemoConsole console_{std::cout, isatty(STDOUT_FILENO) == 1};
+  ChildProcess supervisor_;
+  ChildProcess editor_;
+  std::unique_ptr<ros::NodeHandle> node_;
+  std::unique_ptr<ros::AsyncSpinner> spinner_;
+  ros::Publisher note_;
+  std::unique_ptr<RobotWatch> watch_;
+  std::set<pid_t> pids_;
+  double distance_ = 0;  // m
+};
+
+}  // namespace
+
+int RunDemo(const DemoSettings& settings, const volatile int& interrupted) {
+  return Demo(settings, interrupted).Run();
+}
+
+}  // namespace coppice::robot
