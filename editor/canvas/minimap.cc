@@ -9,6 +9,8 @@ namespace {
 constexpr float kWidth = 178;
 constexpr float kHeight = 104;
 constexpr float kInset = 8;
+constexpr float kPart = 4.5F;   // of the canvas' width at most one in so many,
+constexpr float kLeast = 0.6F;  // but not smaller than this part of its full size
 constexpr float kSmallest = 2;  // pixels; a smaller branch is one block
 
 Color ColorOf(const Ui& ui, const LiveSnapshot* live, const SceneNode& node) {
@@ -18,7 +20,8 @@ Color ColorOf(const Ui& ui, const LiveSnapshot* live, const SceneNode& node) {
 }  // namespace
 
 void DrawMinimap(const Ui& ui, TreeView& view, const Box& box, const LiveSnapshot* live) {
-  const Point size = Point{kWidth, kHeight} * ui.scale;
+  const float shrink = std::clamp(box.width() / (kWidth * ui.scale * kPart), kLeast, 1.0F);
+  const Point size = Point{kWidth, kHeight} * (ui.scale * shrink);
   const Point margin = Point{10, 10} * ui.scale;
   const Box frame = {{box.max.x - size.x - margin.x, box.min.y + margin.y},
                      {box.max.x - margin.x, box.min.y + margin.y + size.y}};

@@ -9,10 +9,15 @@ namespace {
 constexpr float kQuarter = 1.57079633F;
 constexpr int kStepsPerCorner = 5;
 
+bool Touch(const ImVec2& a, const ImVec2& b) {
+  return std::abs(a.x - b.x) < 0.05F && std::abs(a.y - b.y) < 0.05F;
+}
+
 void AddCorner(Outline& outline, ImVec2 center, float radius, float from) {
   for (int i = 0; i <= kStepsPerCorner; ++i) {
     const float angle = from + kQuarter * static_cast<float>(i) / kStepsPerCorner;
-    outline.push_back({center.x + std::cos(angle) * radius, center.y + std::sin(angle) * radius});
+    const ImVec2 at = {center.x + std::cos(angle) * radius, center.y + std::sin(angle) * radius};
+    if (outline.empty() || !Touch(outline.back(), at)) outline.push_back(at);
   }
 }
 
@@ -31,6 +36,7 @@ Outline RoundedBox(const Box& box, float radius) {
   AddCorner(outline, {box.max.x - radius, box.min.y + radius}, radius, 3 * kQuarter);
   AddCorner(outline, {box.max.x - radius, box.max.y - radius}, radius, 0);
   AddCorner(outline, {box.min.x + radius, box.max.y - radius}, radius, kQuarter);
+  if (Touch(outline.front(), outline.back())) outline.pop_back();  // half circles at both ends
   return outline;
 }
 

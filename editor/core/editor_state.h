@@ -49,6 +49,7 @@ struct EditorState {
   std::string popup_text;     ///< what is typed into it
   std::string popup_error;
   int popup_choice = 0;             ///< highlighted row
+  std::size_t popup_rows = 12;      ///< choices shown in the last frame
   std::vector<std::string> recent;  ///< files, newest first
   std::vector<KeyEvent> keys;       ///< pressed in this frame
   Point canvas_size{800, 600};      ///< of the last frame

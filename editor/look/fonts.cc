@@ -89,8 +89,9 @@ std::string Fonts::Load(float scale) {
     }
     Bake(file, face.with_icons ? icons : std::string(), scale, face.fonts);
   }
+  if (!atlas.Build()) return "the fonts cannot be baked into a texture";
   ImGui::GetIO().FontDefault = Pick(Face::kSans, 13 * scale);
-  return atlas.Build() ? std::string() : "the fonts cannot be baked into a texture";
+  return {};
 }
 
 ImFont* Fonts::Pick(Face face, float pixels) const {

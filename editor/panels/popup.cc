@@ -29,7 +29,7 @@ class PopupWindow {
   PopupWindow(const Ui& ui, EditorState& state) : ui_(ui), state_(state) {}
 
   void Draw() {
-    const std::size_t rows = state_.popup == Popup::kPalette ? kRows
+    const std::size_t rows = state_.popup == Popup::kPalette ? state_.popup_rows
                              : state_.popup == Popup::kKeys  ? state_.commands.all().size()
                                                              : 0;
     float height = kField + 20 + static_cast<float>(rows) * kRowHeight;
@@ -115,6 +115,7 @@ class PopupWindow {
   void Choices() {
     const std::vector<Choice> choices = FindChoices(state_, state_.popup_text, ui_.now, kRows);
     const int count = static_cast<int>(choices.size());
+    state_.popup_rows = choices.size();
     if (Pressed(state_, kKeyDown)) ++state_.popup_choice;
     if (Pressed(state_, kKeyUp)) --state_.popup_choice;
     state_.popup_choice = std::clamp(state_.popup_choice, 0, std::max(count - 1, 0));
