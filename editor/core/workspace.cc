@@ -1,8 +1,9 @@
 #include "editor/core/workspace.h"
 
 #include <algorithm>
-#include <filesystem>
+#include <fstream>
 #include <optional>
+#include <sstream>
 #include <utility>
 
 #include "bt_core/engine/program.h"
@@ -15,6 +16,14 @@ class UnknownLeaf : public SyncAction {
  public:
   Status Run() override { return Status::kSuccess; }
 };
+
+// Empty if it cannot be read; that is a problem already.
+std::string ReadText(const std::string& path) {
+  std::ifstream stream(path, std::ios::binary);
+  std::ostringstream text;
+  if (stream) text << stream.rdbuf();
+  return text.str();
+}
 
 void AddOnce(std::vector<Diagnostic>& all, const std::vector<Diagnostic>& more) {
   for (const Diagnostic& one : more) {
@@ -55,6 +64,7 @@ OpenFile Workspace::Load(const std::string& path) const {
   auto models = std::make_shared<NodeModels>(models_);
   for (const Document* document : file.forest->documents()) models->AddFrom(*document);
   file.models = std::move(models);
+  if (file.forest->documents().empty()) file.text = ReadText(path);
   return file;
 }
 

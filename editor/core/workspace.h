@@ -20,6 +20,7 @@ struct OpenFile {
   std::shared_ptr<const Forest> forest;
   std::shared_ptr<const NodeModels> models;
   std::vector<Diagnostic> problems;
+  std::string text;  ///< of a file that cannot be parsed; else empty
 };
 
 /// A blackboard value with the time of its last change, in seconds of the editor.

@@ -1,7 +1,5 @@
 #include <algorithm>
 #include <cctype>
-#include <fstream>
-#include <sstream>
 
 #include "editor/panels/panel.h"
 #include "editor/panels/panels.h"
@@ -81,7 +79,7 @@ struct Shown {
 };
 
 // The document of the selected node, else of the shown tree; of a file without trees its text.
-Shown Choose(const Workspace& workspace, const TreeView* view, std::string& raw) {
+Shown Choose(const Workspace& workspace, const TreeView* view) {
   Shown shown;
   const Forest* forest = workspace.forest();
   if (forest && view) {
@@ -102,12 +100,8 @@ Shown Choose(const Workspace& workspace, const TreeView* view, std::string& raw)
   }
   const OpenFile* file = workspace.file();
   if (!file) return shown;
-  std::ifstream stream(file->path, std::ios::binary);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  raw = text.str();
   shown.title = file->path.substr(file->path.rfind('/') + 1);
-  shown.text = &raw;
+  shown.text = &file->text;
   for (const Diagnostic& problem : file->problems) {
     if (problem.where.file == file->path && shown.line == 0) {
       shown.line = shown.last_line = problem.where.line;
@@ -156,8 +150,7 @@ void DrawLines(const Ui& ui, const Shown& shown) {
 }  // namespace
 
 void DrawXml(const Ui& ui, EditorState& state, const Box& box) {
-  std::string raw;
-  const Shown shown = Choose(state.workspace, state.workspace.view(), raw);
+  const Shown shown = Choose(state.workspace, state.workspace.view());
   const std::string title = shown.title.empty() ? "XML" : "XML  " + shown.title;
   Panel(ui, "xml", box, title, "read only", [&] {
     if (!shown.text) {

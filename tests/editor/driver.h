@@ -121,7 +121,7 @@ inline constexpr char kSmallFile[] = R"(<?xml version="1.0"?>
     <RetryUntilSuccessful num_attempts="3"><Step to="{goal}"/></RetryUntilSuccessful>
   </BehaviorTree>
   <TreeNodesModel>
-    <Condition ID="IsDark"><input_port name="light" type="double">how bright [lux]</input_port></Condition>
+    <Condition ID="IsDark"><input_port name="light" type="double">in lux</input_port></Condition>
     <Action ID="SwitchOn"><input_port name="level" type="int">0 to 9</input_port>
       <input_port name="lamp" type="string">which one</input_port>
       <input_port name="slowly" type="bool" default="false">over a second</input_port>
@@ -138,8 +138,10 @@ inline constexpr char kLiveTree[] = R"(<root BTCPP_format="4">
   <SubTree ID="Walk" name="walk" _fullpath="walk" goal="{goal}" _uid="3"/>
   <Say name="Say" text="hello" _uid="6"/></Sequence>
 </BehaviorTree>
-<BehaviorTree ID="Walk" _fullpath="walk"><Repeat name="Repeat" num_cycles="3" _uid="4"><Step name="Step" to="{goal}" _uid="5"/></Repeat></BehaviorTree>
-<TreeNodesModel><Condition ID="IsReady"/><Action ID="Say"><input_port name="text" type="string">what</input_port></Action><Action ID="Step"/></TreeNodesModel>
+<BehaviorTree ID="Walk" _fullpath="walk"><Repeat name="Repeat" num_cycles="3" _uid="4">
+ <Step name="Step" to="{goal}" _uid="5"/></Repeat></BehaviorTree>
+<TreeNodesModel><Condition ID="IsReady"/>
+ <Action ID="Say"><input_port name="text" type="string">what</input_port></Action><Action ID="Step"/></TreeNodesModel>
 </root>
 )";
 
