@@ -141,7 +141,8 @@ inline constexpr char kLiveTree[] = R"(<root BTCPP_format="4">
 <BehaviorTree ID="Walk" _fullpath="walk"><Repeat name="Repeat" num_cycles="3" _uid="4">
  <Step name="Step" to="{goal}" _uid="5"/></Repeat></BehaviorTree>
 <TreeNodesModel><Condition ID="IsReady"/>
- <Action ID="Say"><input_port name="text" type="string">what</input_port></Action><Action ID="Step"/></TreeNodesModel>
+ <Action ID="Say"><input_port name="text" type="string">what</input_port></Action>
+ <Action ID="Step"/></TreeNodesModel>
 </root>
 )";
 

@@ -19,7 +19,8 @@ constexpr char kTree[] = R"(<root BTCPP_format="4" main_tree_to_execute="Main">
     </Sequence>
   </BehaviorTree>
   <BehaviorTree ID="Sub">
-    <Fallback><AlwaysFailure/><Delay delay_msec="60000"><ReadNote text="{heard}"/></Delay></Fallback>
+    <Fallback><AlwaysFailure/>
+      <Delay delay_msec="60000"><ReadNote text="{heard}"/></Delay></Fallback>
   </BehaviorTree>
 </root>)";
 
