@@ -13,8 +13,8 @@ std::string Lower(std::string_view text) {
   return lower;
 }
 
-// Letters to insert, remove, replace or swap with their neighbour (optimal string alignment: Damerau
-// 1964), with three rows of memory.
+// Letters to insert, remove, replace or swap with their neighbour (optimal string alignment:
+// Damerau 1964), with three rows of memory.
 std::size_t EditDistance(const std::string& a, const std::string& b) {
   std::vector<std::size_t> before(b.size() + 1);  // row i - 2
   std::vector<std::size_t> above(b.size() + 1);   // row i - 1

@@ -22,7 +22,8 @@ constexpr const char* kTree = R"(<?xml version="1.0"?>
     </ReactiveFallback>
   </BehaviorTree>
   <BehaviorTree ID="Inner">
-    <Sequence _skipIf="a &gt; 1"><Delay delay_msec="{a}"><Inverter><AlwaysFailure/></Inverter></Delay>
+    <Sequence _skipIf="a &gt; 1">
+      <Delay delay_msec="{a}"><Inverter><AlwaysFailure/></Inverter></Delay>
     <![CDATA[ text ]]></Sequence>
   </BehaviorTree>
   <TreeNodesModel/>
