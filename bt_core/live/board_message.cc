@@ -11,8 +11,8 @@ nlohmann::json Convert(const Value& value) {
   if (value.Is<bool>()) return value.Get<bool>();
   if (value.Is<int>()) return value.Get<int>();
   if (value.Is<unsigned>()) return value.Get<unsigned>();
-  if (value.Is<long>()) return value.Get<long>();
-  if (value.Is<unsigned long>()) return value.Get<unsigned long>();
+  if (value.Is<std::int64_t>()) return value.Get<std::int64_t>();
+  if (value.Is<std::uint64_t>()) return value.Get<std::uint64_t>();
   if (value.Is<double>()) return value.Get<double>();
   return value.Print();
 }

@@ -32,9 +32,9 @@ RecordedValue DecodeValue(Decoder& in) {
     case Kind::kBool:
       return ValueTraits<bool>::Print(in.Byte() != 0);
     case Kind::kSigned:
-      return ValueTraits<long>::Print(in.Signed());
+      return ValueTraits<std::int64_t>::Print(in.Signed());
     case Kind::kUnsigned:
-      return ValueTraits<unsigned long>::Print(in.Unsigned());
+      return ValueTraits<std::uint64_t>::Print(in.Unsigned());
     case Kind::kDouble:
       return ValueTraits<double>::Print(in.Double());
   }
@@ -117,15 +117,15 @@ void EncodeValue(const Value& value, Encoder& out) {
   } else if (value.Is<int>()) {
     Tag(Kind::kSigned, out);
     out.Signed(value.Get<int>());
-  } else if (value.Is<long>()) {
+  } else if (value.Is<std::int64_t>()) {
     Tag(Kind::kSigned, out);
-    out.Signed(value.Get<long>());
+    out.Signed(value.Get<std::int64_t>());
   } else if (value.Is<unsigned>()) {
     Tag(Kind::kUnsigned, out);
     out.Unsigned(value.Get<unsigned>());
-  } else if (value.Is<unsigned long>()) {
+  } else if (value.Is<std::uint64_t>()) {
     Tag(Kind::kUnsigned, out);
-    out.Unsigned(value.Get<unsigned long>());
+    out.Unsigned(value.Get<std::uint64_t>());
   } else if (value.Is<std::string>()) {
     Tag(Kind::kText, out);
     out.Text(value.Get<std::string>());

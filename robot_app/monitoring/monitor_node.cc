@@ -18,7 +18,7 @@ namespace {
 constexpr int kQueue = 20;
 
 bool FindMaster(const std::string& name) {
-  const std::string uri = ros::master::getURI();
+  const std::string& uri = ros::master::getURI();
   const auto master = ParseUri(uri);
   if (master && MasterAnswers(*master, std::chrono::seconds(2))) return true;
   std::cerr << name << ": no ROS master at " << uri << " (ROS_MASTER_URI)\n";

@@ -40,7 +40,7 @@ struct Outcome {
 
 class World {
  public:
-  World(const Floor& floor, const WorldOptions& options = {});
+  explicit World(const Floor& floor, const WorldOptions& options = {});
 
   /// Lets `dt` seconds pass (greater than 0; 0.01 to 0.05 is sensible). `command` is a velocity
   /// command that arrives at the start of the step; without a new one the last one counts until it
