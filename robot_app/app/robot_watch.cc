@@ -48,12 +48,10 @@ RobotWatch::RobotWatch(ros::NodeHandle& node) {
                                     [](const auto& message, RobotView& view) {
                                       view.x = message.pose.position.x;
                                       view.y = message.pose.position.y;
-                                      view.has_position = true;
                                     });
   Watch<move_base_msgs::MoveBaseActionGoal>(
       node, "/move_base/goal", [](const auto& message, RobotView& view) {
         view.goal_x = message.goal.target_pose.pose.position.x;
-        view.goal_y = message.goal.target_pose.pose.position.y;
         view.has_goal = true;
       });
   Watch<nav_msgs::Odometry>(node, "/odom", [this](const auto& message, RobotView& view) {

@@ -25,9 +25,8 @@ struct RobotView {
   std::vector<std::string>
       errors;           ///< "monitor subject: message" of every entry that is an error or stale
   double x = 0, y = 0;  ///< true position in the map frame [m]
-  bool has_position = false;
-  double distance = 0;            ///< driven so far [m], from odometry
-  double goal_x = 0, goal_y = 0;  ///< of the navigation's newest goal [m]
+  double distance = 0;  ///< driven so far [m], from odometry
+  double goal_x = 0;    ///< of the navigation's newest goal [m]
   bool has_goal = false;
   double time = 0;  ///< ROS time [s]
 };

@@ -163,6 +163,7 @@ class Loader {
     watch.blocked = fields.Seconds("blocked", 20, 0, 3600);
     watch.no_path = fields.Seconds("no_path", 5, 0, 3600);
     watch.staleness = fields.Seconds("staleness", 3, 0.01, 3600);
+    watch.after_failure = fields.Seconds("after_failure", 15, 0, 3600);
     fields.Finish();
     return watch;
   }

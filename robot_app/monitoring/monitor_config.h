@@ -36,6 +36,8 @@ struct NavigationWatch {
   Duration blocked{0};    ///< BLOCKED for longer than this is an error
   Duration no_path{0};    ///< NO_PATH for longer than this is an error
   Duration staleness{0};  ///< no state for longer than this is an error of the topic
+  Duration after_failure{
+      0};  ///< a goal that failed is an error for so long while nobody tries again
 };
 
 struct SourceWatch {

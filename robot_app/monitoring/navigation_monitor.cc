@@ -7,9 +7,6 @@
 namespace coppice::robot {
 namespace {
 
-// Between two attempts of the application the server is idle, but the fault is still there.
-constexpr Duration kFailureLasts = std::chrono::seconds(15);
-
 std::string InSeconds(Duration duration) {
   char text[32];
   std::snprintf(text, sizeof(text), "%.1f s", std::chrono::duration<double>(duration).count());
@@ -53,8 +50,9 @@ Finding NavigationMonitor::Progress(Time now) const {
     return finding;
   }
   const Duration lasted = state_->in_phase + (now - *since_);
+  // Between two attempts of the application the server is idle, but the fault is still there.
   const bool idle = state_->phase == NavigationPhase::kIdle;
-  if (idle && state_->consecutive_failures > 0 && lasted < kFailureLasts) {
+  if (idle && state_->consecutive_failures > 0 && lasted < watch_->after_failure) {
     finding.level = HealthLevel::kError;
     finding.message = "the last goal was not reached: " + state_->message;
     return finding;

@@ -13,8 +13,8 @@ class NavigationMonitorTest : public testing::Test {
   static constexpr Time kNow = seconds(100);
 
   NavigationMonitorTest() {
-    monitor_.Watch(
-        NavigationWatch{"/navigation/state", "/navigation", seconds(20), seconds(5), seconds(3)});
+    monitor_.Watch(NavigationWatch{"/navigation/state", "/navigation", seconds(20), seconds(5),
+                                   seconds(3), seconds(15)});
   }
   void State(NavigationPhase phase, Duration in_phase, std::uint32_t failures = 0) {
     monitor_.OnState({phase, in_phase, failures, ""}, kNow);
