@@ -190,7 +190,8 @@ class Compiler {
   void AddRecord(NodeType type, const Registry::Entry* entry, std::uint32_t doc, ElementIndex index,
                  ScopeIndex scope, NodeIndex parent) {
     const auto node = static_cast<NodeIndex>(program_->nodes.size());
-    program_->nodes.push_back({type, node + 1, static_cast<std::uint32_t>(program_->ports.size())});
+    program_->nodes.push_back(
+        {type, type, node + 1, static_cast<std::uint32_t>(program_->ports.size())});
     program_->info.push_back({entry, parent, scope, doc, index});
   }
 

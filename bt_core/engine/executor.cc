@@ -27,7 +27,7 @@ void Executor::BuildLeaves() {
   for (const LeafRecord& record : program_->leaves) {
     const Registry::Entry* entry = program_->info[record.node].entry;
     const PortCollector collector;
-    std::unique_ptr<Leaf> leaf =
+    std::unique_ptr<UserNode> leaf =
         entry ? entry->build() : program_->registry->fallback()(program_->Name(record.node));
     leaf->set_host(this);
     std::uint32_t next = record.first_port;
@@ -111,24 +111,13 @@ Status Executor::TickInner(NodeIndex node, NodeType type) {
     case NodeType::kAlwaysFailure:
       return Store(node, Status::kFailure);
     default:
-      return StoreAndForget(node, DispatchWithPorts(node, type));
+      return StoreAndForget(node, TickOthers(node, type));
   }
 }
 
-Status Executor::DispatchWithPorts(NodeIndex node, NodeType type) {
+Status Executor::TickOthers(NodeIndex node, NodeType type) {
   try {
-    switch (type) {
-      case NodeType::kParallel:
-        return TickParallel(*this, node);
-      case NodeType::kRepeat:
-        return TickRepeat(*this, node);
-      case NodeType::kRetryUntilSuccessful:
-        return TickRetryUntilSuccessful(*this, node);
-      case NodeType::kTimeout:
-        return TickTimeout(*this, node);
-      default:
-        return TickDelay(*this, node);
-    }
+    return DispatchOthers(node, type);
   } catch (...) {
     ResetChildren(node);
     return FailByException(node);
@@ -218,6 +207,8 @@ void Executor::RecordChange(NodeIndex node, Status status) {
 void Executor::AddMessage(std::string text) {
   if (listening_) messages_.push_back({current_leaf_, std::move(text)});
 }
+
+void Executor::Drain(Duration) {}
 
 void Executor::AddSink(TickSink* sink) {
   sinks_.push_back(sink);

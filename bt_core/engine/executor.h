@@ -23,7 +23,7 @@
 
 namespace coppice {
 
-class Executor final : public LeafHost {
+class Executor final : public LeafHost, public ChildHost {
  public:
   /// Builds the leaves. The clock must live as long as the executor.
   Executor(std::shared_ptr<const Program> program, Clock& clock);
@@ -69,6 +69,10 @@ class Executor final : public LeafHost {
   void RemoveSink(TickSink* sink);
 
   void AddMessage(std::string text) override;
+  void Drain(Duration limit) override;
+  Status TickChild(NodeIndex node) override { return Tick(node); }
+  void HaltChild(NodeIndex node) override { Halt(node); }
+  Status StatusOfChild(NodeIndex node) const override { return statuses_[node]; }
 
   // The Tree of bt_core/nodes/control.h.
   Status Tick(NodeIndex node) {
@@ -86,16 +90,35 @@ class Executor final : public LeafHost {
   NodeIndex EndOf(NodeIndex node) const { return nodes_[node].end; }
   template <class T>
   const T& Port(NodeIndex node, std::uint32_t k) const {
-    const PortBinding& port = program_->ports[nodes_[node].first_port + k];
-    const Slot& slot = blackboard_[port.slot];
+    const Slot& slot = blackboard_[Binding(node, k)];
     if (!slot.value.has_value()) throw UnsetInput(&slot);
     return slot.value.Get<T>();
+  }
+  Slot* SlotOf(NodeIndex node, std::uint32_t k) {
+    const SlotIndex slot = Binding(node, k);
+    return slot == kNoSlot ? nullptr : &blackboard_[slot];
+  }
+  template <class T>
+  T& Own(NodeIndex node, std::uint32_t k) {
+    Value& value = blackboard_[Binding(node, k)].value;
+    if (!value.has_value()) value.Set(T());
+    return value.Get<T>();
+  }
+  void RunScript(NodeIndex node, std::uint32_t k) {
+    program_->scripts[Binding(node, k)].Run(blackboard_);
+  }
+  bool TestScript(NodeIndex node, std::uint32_t k) {
+    return program_->scripts[Binding(node, k)].Test(blackboard_);
   }
   void TickAgain() { tick_again_ = true; }
 
  private:
   Status TickInner(NodeIndex node, NodeType type);
-  Status DispatchWithPorts(NodeIndex node, NodeType type);
+  Status DispatchOthers(NodeIndex node, NodeType type);  // dispatch_others.cc
+  Status TickOthers(NodeIndex node, NodeType type);
+  std::uint32_t Binding(NodeIndex node, std::uint32_t k) const {
+    return program_->ports[nodes_[node].first_port + k].slot;
+  }
   Status TickLeaf(NodeIndex node);
   Status RefuseIdle();
   Status FailByException(NodeIndex node);
@@ -122,7 +145,7 @@ class Executor final : public LeafHost {
   std::vector<Status> statuses_;
   std::vector<std::uint64_t> memory_;
   Blackboard blackboard_;
-  std::vector<std::unique_ptr<Leaf>> leaves_;
+  std::vector<std::unique_ptr<UserNode>> leaves_;
 
   std::uint64_t ticks_ = 0;
   bool tick_again_ = false;

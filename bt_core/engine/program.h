@@ -7,6 +7,7 @@
 #ifndef COPPICE_BT_CORE_ENGINE_PROGRAM_H_
 #define COPPICE_BT_CORE_ENGINE_PROGRAM_H_
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -16,21 +17,34 @@
 #include "bt_core/engine/registry.h"
 #include "bt_core/model/project.h"
 #include "bt_core/nodes/control.h"
+#include "bt_core/nodes/guards.h"
+#include "bt_core/script/script.h"
 
 namespace coppice {
 
 struct NodeRecord {
   NodeType type;
+  NodeType dispatch;         ///< kGuarded if the node has guards or hooks, else its type
   NodeIndex end;             ///< one past the last descendant
-  std::uint32_t first_port;  ///< of Program::ports; for a leaf: its number in Program::leaves
+  std::uint32_t first_port;  ///< of Program::ports; for a user node: its number in Program::leaves
 };
 static_assert(sizeof(NodeRecord) == 12);
 
-/// One port of one node, in the order of the manifest.
+/// One port of one node, in the order of the declarations.
 struct PortBinding {
-  SlotIndex slot = kNoSlot;  ///< kNoSlot: optional and not given
+  /// kNoSlot: optional and not given. For a port of type ScriptCode a number in Program::scripts.
+  SlotIndex slot = kNoSlot;
 };
 
+inline constexpr std::uint32_t kNoScript = UINT32_MAX;
+
+/// The guards and hooks of one node, in the order of Guard: numbers in Program::scripts.
+struct GuardRecord {
+  NodeIndex node;
+  std::array<std::uint32_t, kGuardCount> scripts;  ///< kNoScript where there is none
+};
+
+/// A node of the user's C++: a leaf, or a control node or decorator of a user's class.
 struct LeafRecord {
   NodeIndex node;
   std::uint32_t first_port;  ///< of Program::ports
@@ -58,6 +72,8 @@ class Program {
   std::vector<NodeRecord> nodes;
   std::vector<PortBinding> ports;
   std::vector<LeafRecord> leaves;
+  std::vector<Script> scripts;
+  std::vector<GuardRecord> guards;  ///< by ascending node
   std::vector<NodeInfo> info;
   std::vector<TreeInstance> trees;
   Layout layout;

@@ -1,5 +1,6 @@
 #include "bt_core/engine/registry.h"
 
+#include <algorithm>
 #include <cctype>
 #include <stdexcept>
 
@@ -7,8 +8,13 @@ namespace coppice {
 
 Registry::Registry() {
   for (const BuiltIn& node : BuiltIns()) {
-    entries_[node.manifest.id] =
-        Entry{node.type, node.children, node.manifest, nullptr, node.manifest.ports};
+    Entry entry{node.type, node.children, node.manifest, nullptr, nullptr, node.manifest.ports};
+    const auto is_private = [](const PortDeclaration& port) {
+      return port.direction == PortDirection::kMailbox;
+    };
+    std::vector<PortDeclaration>& visible = entry.manifest.ports;
+    visible.erase(std::remove_if(visible.begin(), visible.end(), is_private), visible.end());
+    entries_[node.manifest.id] = std::move(entry);
   }
 }
 
@@ -23,28 +29,25 @@ std::vector<std::string> Registry::Ids() const {
   return ids;
 }
 
-void Registry::Add(const std::string& id, NodeCategory category, std::string description,
-                   Builder build) {
+void Registry::Add(Entry entry) {
+  const std::string id = entry.manifest.id;
   if (id.empty() || !std::isalpha(static_cast<unsigned char>(id.front()))) {
     throw std::invalid_argument("node ID \"" + id + "\" must begin with a letter");
   }
   if (entries_.count(id))
     throw std::invalid_argument("node ID \"" + id + "\" is already registered");
-  Manifest manifest{id, category, std::move(description), {}};
   const PortCollector collector;
-  const std::unique_ptr<Leaf> prototype = build();
-  std::vector<PortDeclaration> declarations;
+  const std::unique_ptr<UserNode> prototype = entry.build();
   for (const PortCollector::Port& port : collector.ports) {
-    declarations.push_back(port.declaration);
+    entry.declarations.push_back(port.declaration);
     if (port.declaration.direction == PortDirection::kMailbox) continue;
     if (IsReservedAttribute(port.declaration.name)) {
       throw std::invalid_argument("port \"" + port.declaration.name + "\" of " + id +
                                   " has a reserved name");
     }
-    manifest.ports.push_back(port.declaration);
+    entry.manifest.ports.push_back(port.declaration);
   }
-  entries_[id] = Entry{
-      NodeType::kLeaf, {0, 0}, std::move(manifest), std::move(build), std::move(declarations)};
+  entries_[id] = std::move(entry);
 }
 
 }  // namespace coppice

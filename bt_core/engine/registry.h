@@ -17,35 +17,50 @@
 #include <string>
 #include <string_view>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "bt_core/nodes/leaf.h"
 #include "bt_core/nodes/node_type.h"
+#include "bt_core/nodes/user_control.h"
 
 namespace coppice {
 
 class Registry {
  public:
-  using Builder = std::function<std::unique_ptr<Leaf>()>;
+  using Builder = std::function<std::unique_ptr<UserNode>()>;
+
+  /// A tick of a node whose class is known, without virtual calls.
+  using TickFunction = Status (*)(UserNode& node, bool starting);
 
   struct Entry {
     NodeType type = NodeType::kLeaf;
     ChildCount children{0, 0};
     Manifest manifest;
-    Builder build;                              ///< leaves only
-    std::vector<PortDeclaration> declarations;  ///< the manifest's ports and the leaf's mailboxes
+    Builder build;                              ///< nodes of the user only
+    TickFunction tick = nullptr;                ///< the same
+    std::vector<PortDeclaration> declarations;  ///< the manifest's ports and the node's mailboxes
   };
 
   Registry();
 
-  /// Adds leaf type T. Throws std::invalid_argument if the ID is taken or not a valid name.
+  /// Adds node type T, a leaf, control node or decorator. Throws std::invalid_argument if the ID is
+  /// taken or not a valid name.
   template <class T, class... Args>
   void Register(const std::string& id, Args... args) {
     Builder build = [arguments = std::make_tuple(std::move(args)...)] {
       return std::apply([](auto&... a) { return std::make_unique<T>(a...); }, arguments);
     };
-    Add(id, T::kCategory, T::kDescription, std::move(build));
+    Entry entry;
+    entry.manifest = {id, T::kCategory, T::kDescription, {}};
+    entry.build = std::move(build);
+    entry.tick = &TickAs<T>;
+    if constexpr (std::is_base_of_v<UserControl, T>) {
+      entry.type = NodeType::kUser;
+      entry.children = T::kChildren;
+    }
+    Add(std::move(entry));
   }
 
   /// What an ID that nobody registered becomes, instead of an error. The builder gets the
@@ -63,7 +78,21 @@ class Registry {
   const std::map<std::string, Entry, std::less<>>& entries() const { return entries_; }
 
  private:
-  void Add(const std::string& id, NodeCategory category, std::string description, Builder build);
+  // Calls the function of T itself: the builder makes a T, so nothing overrides it.
+  template <class T, class = void>
+  struct HasCheck : std::false_type {};
+  template <class T>
+  struct HasCheck<T, std::void_t<decltype(std::declval<T&>().T::Check())>> : std::true_type {};
+  template <class T>
+  static Status TickAs(UserNode& node, bool starting) {
+    if constexpr (std::is_base_of_v<Condition, T> && HasCheck<T>::value) {
+      return static_cast<T&>(node).T::Check() ? Status::kSuccess : Status::kFailure;
+    } else {
+      return node.Tick(starting);
+    }
+  }
+
+  void Add(Entry entry);
 
   std::map<std::string, Entry, std::less<>> entries_;
   std::function<std::unique_ptr<Leaf>(const std::string&)> fallback_;

@@ -27,19 +27,22 @@
 
 namespace coppice {
 
-/// What a leaf may ask of the tree that ticks it.
+/// What a node of the user may ask of the tree that ticks it.
 class LeafHost {
  public:
   /// The time of the tree's clock at which this tick began; the same for all nodes in one tick.
   Time now() const { return now_; }
 
-  /// Asks for a tick at that time at the latest, if this leaf is still running then.
+  /// Asks for a tick at that time at the latest, if this node is still running then.
   void WakeAt(Time time) {
     if (time < wake_at_) wake_at_ = time;
   }
 
   /// Why the leaf did what it did, for people: shown in the live view, kept in the record.
   virtual void AddMessage(std::string text) = 0;
+
+  /// Called in Halt: the node needs until `limit` after now to stop. See Action::OnDraining.
+  virtual void Drain(Duration limit) = 0;
 
  protected:
   ~LeafHost() = default;
@@ -48,13 +51,17 @@ class LeafHost {
   Time wake_at_ = kNever;
 };
 
-class Leaf : public PortOwner {
+/// What all nodes of the user have in common: leaves here, inner nodes in user_control.h.
+class UserNode : public PortOwner {
  public:
   /// One tick. `starting` is true for the first tick of an activation.
   virtual Status Tick(bool starting) = 0;
 
-  /// Called when a running leaf is no longer wanted. Must stop what it has started.
+  /// Called when a running node is no longer wanted. Must stop what it has started.
   virtual void Halt() {}
+
+  /// After a Halt that called Drain: true when everything has stopped. Asked in every tick.
+  virtual bool HasStopped() { return true; }
 
   void set_host(LeafHost* host) { host_ = host; }
 
@@ -68,10 +75,14 @@ class Leaf : public PortOwner {
     return Status::kFailure;
   }
   void Say(std::string text) { host_->AddMessage(std::move(text)); }
+  void DrainFor(Duration limit) { host_->Drain(limit); }
 
  private:
   LeafHost* host_ = nullptr;
 };
+
+/// A node without children.
+class Leaf : public UserNode {};
 
 /// A question about the world, answered at once.
 class Condition : public Leaf {
@@ -99,11 +110,18 @@ class Action : public Leaf {
   virtual Status OnStart() = 0;
   /// Every further tick while it returned kRunning.
   virtual Status OnRunning() = 0;
-  /// The activation ends before the action does: stop it.
+  /// The activation ends before the action does: stop it. What takes several ticks to stop, such as
+  /// the cancelling of a remote goal, calls DrainFor(limit) here: the tree goes on, OnDraining is
+  /// asked in each tick, and a new activation begins only when it has answered true or `limit` is
+  /// over; until then the node is RUNNING.
   virtual void OnHalted() = 0;
+
+  /// True when the action has stopped. Asked only after DrainFor.
+  virtual bool OnDraining() { return true; }
 
   Status Tick(bool starting) final { return starting ? OnStart() : OnRunning(); }
   void Halt() final { OnHalted(); }
+  bool HasStopped() final { return OnDraining(); }
 };
 
 }  // namespace coppice

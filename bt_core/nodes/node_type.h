@@ -26,7 +26,9 @@ enum class NodeType : std::uint8_t {
   kSubTree,
   kAlwaysSuccess,
   kAlwaysFailure,
-  kLeaf,  ///< user code
+  kLeaf,     ///< user code
+  kUser,     ///< a control node or decorator of a user's class
+  kGuarded,  ///< not a node: what a node with guards or hooks is dispatched as
 };
 
 /// How many children a node may have.
@@ -41,7 +43,7 @@ struct BuiltIn {
   Manifest manifest;
 };
 
-/// Every built-in node but kLeaf. The order of ports is the order of Port(node, k) in the tick
+/// Every built-in node. The order of ports is the order of Port(node, k) in the tick
 /// functions.
 const std::vector<BuiltIn>& BuiltIns();
 

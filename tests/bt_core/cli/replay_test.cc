@@ -19,7 +19,7 @@ using namespace std::chrono_literals;  // NOLINT(google-build-using-namespace)
 class ReplayTest : public ::testing::Test {
  protected:
   ReplayTest() {
-    Script script;
+    LeafScript script;
     SimulatedClock clock(100s);
     Executor executor(RecordedProgram(script), clock);
     RecorderOptions options;

@@ -18,8 +18,8 @@ constexpr Status kRunning = Status::kRunning;
 constexpr Status kSuccess = Status::kSuccess;
 constexpr Status kFailure = Status::kFailure;
 
-Script WithResults(std::map<std::string, std::vector<Status>> results) {
-  Script script;
+LeafScript WithResults(std::map<std::string, std::vector<Status>> results) {
+  LeafScript script;
   script.results = std::move(results);
   return script;
 }

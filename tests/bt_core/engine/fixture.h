@@ -46,7 +46,7 @@ class Tell : public SyncAction {
 
 /// What the scripted leaves of a tree share: <Leaf name="x"/> returns the results of "x" in turn
 /// and then repeats the last one.
-struct Script {
+struct LeafScript {
   std::map<std::string, std::vector<Status>> results;
   std::map<std::string, std::function<void()>> on_tick;
   std::map<std::string, std::function<void()>> on_halt;
@@ -55,7 +55,7 @@ struct Script {
 
 class ScriptedLeaf : public Leaf {
  public:
-  ScriptedLeaf(Script& script, std::string name) : script_(script), name_(std::move(name)) {}
+  ScriptedLeaf(LeafScript& script, std::string name) : script_(script), name_(std::move(name)) {}
   Status Tick(bool starting) override {
     script_.events.push_back((starting ? "start " : "tick ") + name_);
     if (script_.on_tick.count(name_)) script_.on_tick[name_]();
@@ -69,7 +69,7 @@ class ScriptedLeaf : public Leaf {
   }
 
  private:
-  Script& script_;
+  LeafScript& script_;
   std::string name_;
   std::size_t next_ = 0;
 };
@@ -117,7 +117,7 @@ inline std::shared_ptr<const Program> CompileText(const std::string& text, Diagn
 
 /// Runs a tree of scripted leaves, built-in nodes, Drive and Tell on simulated time.
 struct Stage {
-  explicit Stage(const std::string& text, Script given = {}) : script(std::move(given)) {
+  explicit Stage(const std::string& text, LeafScript given = {}) : script(std::move(given)) {
     auto registry = std::make_shared<Registry>(*TestRegistry());
     registry->SetFallback(
         [this](const std::string& name) { return std::make_unique<ScriptedLeaf>(script, name); });
@@ -133,7 +133,7 @@ struct Stage {
     return sink;
   }
 
-  Script script;
+  LeafScript script;
   KeepingSink sink;  // before the executor, which reports to it until its end
   SimulatedClock clock{std::chrono::seconds(1)};
   std::shared_ptr<const Program> program;

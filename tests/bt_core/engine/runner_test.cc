@@ -12,8 +12,8 @@ namespace {
 using std::chrono::milliseconds;
 using std::chrono::seconds;
 
-Script Running(const std::string& leaf) {
-  Script script;
+LeafScript Running(const std::string& leaf) {
+  LeafScript script;
   script.results[leaf] = {Status::kRunning};
   return script;
 }

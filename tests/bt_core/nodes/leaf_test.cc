@@ -14,6 +14,7 @@ class Host : public LeafHost {
   void set_now(Time now) { now_ = now; }
   Time wake_at() const { return wake_at_; }
   std::vector<std::string> messages;
+  void Drain(Duration) override {}
 };
 
 class Dark : public Condition {

@@ -42,7 +42,7 @@ class EntryCodingTest : public ::testing::Test {
     return DecodeTick(Read(bytes), Header()).value().writes.at(0).value;
   }
 
-  Script script_;
+  LeafScript script_;
   SimulatedClock clock_{Time(1234)};
   Executor executor_{RecordedProgram(script_), clock_};
 };

@@ -23,7 +23,7 @@ class RecordReaderTest : public ::testing::Test {
   static constexpr int kTicks = 12;
 
   RecordReaderTest() {
-    Script script;
+    LeafScript script;
     SimulatedClock clock;
     Executor executor(RecordedProgram(script), clock);
     Recorder recorder(executor, folder_.Path("whole"));

@@ -11,7 +11,7 @@
 
 int main(int argc, char** argv) {
   if (argc != 2) return 2;
-  coppice::Script script;
+  coppice::LeafScript script;
   script.write = true;
   coppice::SimulatedClock clock;
   coppice::Executor executor(coppice::RecordedProgram(script), clock);

@@ -15,7 +15,7 @@
 namespace coppice {
 
 /// What the next ticks of the leaves bring; shared by all leaves of a tree.
-struct Script {
+struct LeafScript {
   std::function<Status()> status = [] { return Status::kRunning; };
   int number = 0;
   double ratio = 0;
@@ -31,7 +31,7 @@ class Scripted : public Leaf {
   Output<int> number{this, "number", "a number"};
   Output<double> ratio{this, "ratio", "a ratio"};
   Output<std::string> text{this, "text", "a text"};
-  explicit Scripted(Script* script) : script_(*script) {}
+  explicit Scripted(LeafScript* script) : script_(*script) {}
   Status Tick(bool) override {
     if (script_.write) {
       number.Set(script_.number);
@@ -43,10 +43,10 @@ class Scripted : public Leaf {
   }
 
  private:
-  Script& script_;
+  LeafScript& script_;
 };
 
-inline std::shared_ptr<const Program> RecordedProgram(Script& script) {
+inline std::shared_ptr<const Program> RecordedProgram(LeafScript& script) {
   const std::string xml = R"(<root BTCPP_format="4" main_tree_to_execute="Main">
   <BehaviorTree ID="Main"><Sequence name="top">
     <Scripted name="first" number="{number}" ratio="{ratio}"/>

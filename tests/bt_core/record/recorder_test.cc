@@ -41,7 +41,7 @@ class RecorderTest : public ::testing::Test {
   }
 
   const TemporaryFolder folder_;
-  Script script_;
+  LeafScript script_;
   SimulatedClock clock_;
   Keeper keeper_;  // gets the last halt from the executor's destructor
   Executor executor_{RecordedProgram(script_), clock_};

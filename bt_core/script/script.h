@@ -1,0 +1,77 @@
+// Scripts: the small expression language of guards, hooks, Script and ScriptCondition.
+//
+//   battery > 20 && !charging
+//   attempts += 1; state := attempts < 3 ? 'again' : 'give up'
+//
+// A script is compiled once, when its tree is loaded, to typed code on blackboard slots; running it
+// looks up no name and allocates nothing unless it makes a new long string. The language is that of
+// BehaviorTree.CPP 4; docs/scripts.md describes it.
+#ifndef COPPICE_BT_CORE_SCRIPT_SCRIPT_H_
+#define COPPICE_BT_CORE_SCRIPT_SCRIPT_H_
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bt_core/data/blackboard.h"
+
+namespace coppice {
+
+/// A name in scripts that stands for a number, such as the enumerators of a registered enum.
+using ScriptConstants = std::map<std::string, std::int64_t, std::less<>>;
+
+/// What the names in a script mean in one place of a tree.
+class ScriptNames {
+ public:
+  virtual ~ScriptNames() = default;
+  /// The slot of a name ("key", or "@key" for a key of the main tree); made if nobody used it yet.
+  virtual SlotIndex Slot(std::string_view name) = 0;
+  /// The type that ports give to a slot; null if no port does, then it takes values of any type.
+  virtual const Type* TypeOf(SlotIndex slot) const = 0;
+};
+
+/// What is wrong with a script, and where in its text.
+struct ScriptProblem {
+  std::size_t offset;  ///< in bytes from the start of the script
+  std::string message;
+  std::string hint;  ///< may be empty
+};
+
+/// While running: an operand has no value, or values of types that the operator does not take.
+struct ScriptError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Stands for the type of a port whose text is a script. No slot has this type.
+struct ScriptCode {};
+
+class Script {
+ public:
+  /// Nothing is returned if there are problems; all of them are in `problems`.
+  static std::optional<Script> Compile(std::string_view text, ScriptNames& names,
+                                       const ScriptConstants& constants,
+                                       std::vector<ScriptProblem>& problems);
+
+  /// Runs all statements. Throws ScriptError; what was assigned before stays assigned.
+  void Run(Blackboard& blackboard) const;
+
+  /// Runs all statements; true if the value of the last is true or a number other than 0.
+  bool Test(Blackboard& blackboard) const;
+};
+
+template <>
+struct ValueTraits<ScriptCode> {
+  static constexpr const char* kName = "script";
+  static bool Parse(std::string_view, ScriptCode&) { return true; }
+  static std::string Print(const ScriptCode&) { return {}; }
+};
+
+}  // namespace coppice
+
+#endif  // COPPICE_BT_CORE_SCRIPT_SCRIPT_H_
