@@ -3,10 +3,14 @@
 #include <tinyxml2.h>
 
 #include <algorithm>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <utility>
+
+#include "bt_core/model/markup.h"
+#include "bt_core/model/xml_text.h"
 
 namespace coppice {
 namespace {
@@ -126,11 +130,13 @@ void Document::WarnOutsideRoot(const tinyxml2::XMLDocument& xml, const char* sta
   }
 }
 
-std::string_view Document::Keep(const char* parsed, std::uint32_t offset) {
-  const std::string_view value(parsed);
-  const std::string_view written = std::string_view(*text_).substr(offset, value.size());
-  if (written == value) return written;
-  return resolved_.emplace_front(value);
+Attribute Document::MakeAttribute(std::uint32_t name, std::size_t name_length,
+                                  std::uint32_t value) {
+  const std::string_view text = *text_;
+  const auto end = static_cast<std::uint32_t>(text.find(text[value - 1], value));
+  std::string_view decoded = text.substr(value, end - value);
+  if (NeedsDecoding(decoded)) decoded = resolved_.emplace_front(DecodeXml(decoded));
+  return {text.substr(name, name_length), decoded, name, value, end};
 }
 
 void Document::BuildIndex(const tinyxml2::XMLDocument& xml, const char* start) {
@@ -141,8 +147,11 @@ void Document::BuildIndex(const tinyxml2::XMLDocument& xml, const char* start) {
   ElementIndex previous = kNoElement;  // sibling before `at`
   while (at) {
     const auto index = static_cast<ElementIndex>(elements_.size());
-    Element element{Keep(at->Name(), offset_of(at->Name())),
+    const std::uint32_t name = offset_of(at->Name());
+    Element element{std::string_view(*text_).substr(name, std::strlen(at->Name())),
                     FindTag(at->Name(), start),
+                    0,
+                    0,
                     static_cast<std::uint32_t>(attributes_.size()),
                     0,
                     parent,
@@ -150,9 +159,8 @@ void Document::BuildIndex(const tinyxml2::XMLDocument& xml, const char* start) {
                     kNoElement,
                     0};
     for (const auto* a = at->FirstAttribute(); a; a = a->Next()) {
-      const std::uint32_t name = offset_of(a->Name());
-      const std::uint32_t value = offset_of(a->Value());
-      attributes_.push_back({Keep(a->Name(), name), Keep(a->Value(), value), name, value});
+      attributes_.push_back(
+          MakeAttribute(offset_of(a->Name()), std::strlen(a->Name()), offset_of(a->Value())));
       ++element.attribute_count;
     }
     if (parent != kNoElement) {
@@ -179,6 +187,43 @@ void Document::BuildIndex(const tinyxml2::XMLDocument& xml, const char* start) {
   }
   elements_.shrink_to_fit();
   attributes_.shrink_to_fit();
+  FindEnds();
+}
+
+std::uint32_t Document::FindStartTagEnd(const Element& element) const {
+  const std::size_t behind_name = element.tag.data() + element.tag.size() - text_->data();
+  const std::size_t from = element.attribute_count == 0
+                               ? behind_name
+                               : (attributes_end(element) - 1)->value_end + std::size_t{1};
+  return static_cast<std::uint32_t>(text_->find('>', from) + 1);
+}
+
+// tinyxml2 does not tell where elements end. It has accepted the text, so every tag that is not the
+// start of the next element is the end tag of the innermost open one.
+void Document::FindEnds() {
+  std::vector<ElementIndex> open;
+  ElementIndex next = 0;
+  std::size_t at = elements_[0].offset;
+  do {
+    if (next < elements_.size() && at == elements_[next].offset) {
+      Element& element = elements_[next];
+      at = element.start_tag_end = element.end = FindStartTagEnd(element);
+      if (text()[at - 2] != '/') open.push_back(next);
+      ++next;
+    } else {
+      const Markup piece = ReadMarkup(text(), at);
+      at = piece.end;
+      if (piece.kind != MarkupKind::kTag) continue;
+      elements_[open.back()].end = static_cast<std::uint32_t>(at);
+      open.pop_back();
+    }
+  } while (!open.empty());
+}
+
+std::uint32_t Document::OffsetInValue(const Attribute& attribute,
+                                      std::size_t decoded_offset) const {
+  return attribute.value_offset +
+         static_cast<std::uint32_t>(RawOffset(RawValue(attribute), decoded_offset));
 }
 
 const Attribute* Document::FindAttribute(const Element& element, std::string_view name) const {

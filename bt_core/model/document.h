@@ -32,12 +32,15 @@ struct Attribute {
   std::string_view value;      ///< with entities resolved
   std::uint32_t name_offset;   ///< in bytes from the start of the text
   std::uint32_t value_offset;  ///< of the first byte after the quote
+  std::uint32_t value_end;     ///< of the closing quote, which is the same character
 };
 
 /// One element. Elements lie in document order; element 0 is the root.
 struct Element {
   std::string_view tag;
-  std::uint32_t offset;  ///< of the '<'
+  std::uint32_t offset;         ///< of the '<'
+  std::uint32_t start_tag_end;  ///< after the '>' of the start tag
+  std::uint32_t end;            ///< after the '>' of the end tag; start_tag_end if self-closing
   std::uint32_t first_attribute;
   std::uint32_t attribute_count;
   ElementIndex parent;
@@ -77,6 +80,16 @@ class Document {
   /// Its value, or empty if there is no such attribute.
   std::string_view AttributeValue(const Element& element, std::string_view name) const;
 
+  /// The attribute's value as it stands in the text, references unresolved.
+  std::string_view RawValue(const Attribute& attribute) const {
+    return std::string_view(*text_).substr(attribute.value_offset,
+                                           attribute.value_end - attribute.value_offset);
+  }
+
+  /// The byte offset in the text of position `decoded_offset` of an attribute's value; for a
+  /// message about a part of a value, such as a script.
+  std::uint32_t OffsetInValue(const Attribute& attribute, std::size_t decoded_offset) const;
+
   /// Line and column of a byte offset. Binary search.
   SourceLocation Location(std::uint32_t offset) const;
 
@@ -87,13 +100,14 @@ class Document {
   void WarnOutsideRoot(const tinyxml2::XMLDocument& xml, const char* start,
                        Diagnostics& diagnostics) const;
   std::uint32_t FindTag(const char* name, const char* start) const;
-  // A view that outlives tinyxml2: into the text if the value stands there as it is.
-  std::string_view Keep(const char* parsed, std::uint32_t offset);
+  void FindEnds();
+  std::uint32_t FindStartTagEnd(const Element& element) const;
+  Attribute MakeAttribute(std::uint32_t name, std::size_t name_length, std::uint32_t value);
 
   std::string file_;
   std::unique_ptr<const std::string> text_;
   std::vector<std::uint32_t> lines_;         // offset of the start of each line
-  std::forward_list<std::string> resolved_;  // values with entities or line ends replaced
+  std::forward_list<std::string> resolved_;  // values with references or line ends replaced
   std::vector<Element> elements_;
   std::vector<Attribute> attributes_;
 };

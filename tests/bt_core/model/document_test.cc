@@ -25,11 +25,14 @@ void ExpectOffsetsExact(const Document& document) {
   for (const Element& element : document.elements()) {
     EXPECT_EQ(text.at(element.offset), '<');
     EXPECT_EQ(text.substr(element.offset + 1, element.tag.size()), element.tag);
+    EXPECT_EQ(text.at(element.start_tag_end - 1), '>');
+    EXPECT_EQ(text.at(element.end - 1), '>');
     for (const Attribute* a = document.attributes_begin(element);
          a != document.attributes_end(element); ++a) {
       EXPECT_EQ(text.substr(a->name_offset, a->name.size()), a->name);
       const char quote = text.at(a->value_offset - 1);
       EXPECT_TRUE(quote == '"' || quote == '\'') << a->name;
+      EXPECT_EQ(text.at(a->value_end), quote) << a->name;
     }
   }
 }
@@ -131,6 +134,52 @@ TEST(Document, ResolvesEntitiesAndLineEnds) {
   EXPECT_EQ(document->AttributeValue(root, "y"), "1\n2");
   EXPECT_EQ(document->AttributeValue(root, "z"), "a && b");
   EXPECT_EQ(document->AttributeValue(root, "w"), "<;0.5");
+}
+
+TEST(Document, KnowsWhereElementsEnd) {
+  const std::string text =
+      "<a><b x='>' /><c>words > <!-- </c> --><![CDATA[</c>]]><d></d>\n</c ><e y='/'\n></e></a> ";
+  const auto document = Load(text).document;
+  ASSERT_TRUE(document);
+  const auto start_tag = [&](ElementIndex i) {
+    const Element& e = document->element(i);
+    return text.substr(e.offset, e.start_tag_end - e.offset);
+  };
+  const auto whole = [&](ElementIndex i) {
+    const Element& e = document->element(i);
+    return text.substr(e.offset, e.end - e.offset);
+  };
+  EXPECT_EQ(whole(0) + " ", text);
+  EXPECT_EQ(whole(1), "<b x='>' />");
+  EXPECT_EQ(start_tag(1), whole(1)) << "self-closing";
+  EXPECT_EQ(start_tag(2), "<c>");
+  EXPECT_EQ(whole(2), "<c>words > <!-- </c> --><![CDATA[</c>]]><d></d>\n</c >");
+  EXPECT_EQ(whole(3), "<d></d>");
+  EXPECT_EQ(start_tag(4), "<e y='/'\n>");
+  EXPECT_EQ(whole(4), "<e y='/'\n></e>");
+}
+
+TEST(Document, KnowsWhereElementsEndInWhatOnlyTinyxml2Accepts) {
+  const std::string text = "<a><b>< c></c x='>'></b></d/></a><!-- --- -->";
+  const auto document = Load(text).document;
+  ASSERT_TRUE(document);
+  ASSERT_EQ(document->elements().size(), 4U) << "</d/> counts as a self-closing element";
+  EXPECT_EQ(document->element(0).end, text.find("<!--"));
+  EXPECT_EQ(document->element(1).end, text.find("</d"));
+  EXPECT_EQ(document->element(2).end, text.find("</b"));
+  EXPECT_EQ(document->element(3).end, text.find("</a>"));
+}
+
+TEST(Document, FindsThePlaceOfACharacterInsideOfAValue) {
+  const std::string text = "<a x='1 &lt; 2 &amp;&amp; y\r\n == 3'/>";
+  const auto document = Load(text).document;
+  const Attribute& x = *document->FindAttribute(document->element(0), "x");
+  EXPECT_EQ(document->RawValue(x), "1 &lt; 2 &amp;&amp; y\r\n == 3");
+  EXPECT_EQ(document->OffsetInValue(x, 0), x.value_offset);
+  EXPECT_EQ(document->OffsetInValue(x, x.value.find('<')), text.find("&lt;"));
+  EXPECT_EQ(document->OffsetInValue(x, x.value.find('y')), text.find('y'));
+  EXPECT_EQ(document->OffsetInValue(x, x.value.find('3')), text.find('3'));
+  EXPECT_EQ(document->OffsetInValue(x, x.value.size()), x.value_end);
 }
 
 TEST(Document, ViewsSurviveAMove) {
