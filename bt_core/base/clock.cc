@@ -1,13 +1,7 @@
 #include "bt_core/base/clock.h"
 
-#include <algorithm>
-
 namespace coppice {
 namespace {
-
-// A wait with no deadline still looks up now and then, so that a lost owner cannot hang it for
-// ever.
-constexpr Duration kLongestWait = std::chrono::seconds(1);
 
 Time SteadyNow() { return std::chrono::steady_clock::now().time_since_epoch(); }
 
@@ -21,11 +15,11 @@ Time WallClock::Now() const { return SteadyNow() + offset_; }
 void WallClock::WaitUntil(Time deadline, WakeUp& wake_up) {
   const Time now = Now();
   if (deadline <= now) return;
-  wake_up.WaitFor(std::min<Duration>(deadline - now, kLongestWait));
+  wake_up.WaitFor(deadline == kNever ? Duration::max() : deadline - now);
 }
 
 void SimulatedClock::WaitUntil(Time deadline, WakeUp& wake_up) {
-  if (wake_up.WaitFor(deadline == kNever ? kLongestWait : Duration::zero())) return;
+  if (wake_up.WaitFor(deadline == kNever ? Duration::max() : Duration::zero())) return;
   if (deadline != kNever && deadline > Now()) now_ = deadline.count();
 }
 

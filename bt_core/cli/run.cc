@@ -15,7 +15,11 @@ constexpr char kUsage[] =
     "  Runs a tree of built-in nodes until its root completes; Ctrl+C halts it.\n"
     "  Trees with the robot's leaves are run by coppice-robot.";
 
-std::atomic<bool> stop{false};
+std::atomic<Runner*> running{nullptr};
+
+void StopRunning(int) {
+  if (Runner* runner = running) runner->RequestStop();
+}
 
 // Prints every change of status as it happens.
 class Printer : public TickSink {
@@ -56,11 +60,14 @@ int RunTree(const Arguments& arguments) {
   Executor executor(program, clock);
   Printer printer(*program);
   executor.AddSink(&printer);
-  std::signal(SIGINT, [](int) { stop = true; });
-  std::signal(SIGTERM, [](int) { stop = true; });
-  const Status result = Run(executor, RunOptions(), stop);
+  Runner runner(executor);
+  running = &runner;
+  std::signal(SIGINT, StopRunning);
+  std::signal(SIGTERM, StopRunning);
+  const Status result = runner.Run();
+  running = nullptr;
   std::cout << ToString(result) << "\n";
-  return result == Status::kFailure || stop ? 1 : 0;
+  return result == Status::kFailure || runner.stop_requested() ? 1 : 0;
 }
 
 }  // namespace coppice

@@ -20,6 +20,11 @@ void Inbox::PostCall(Call call) {
   wake_up_.Notify();
 }
 
+void Inbox::RequestTick() {
+  tick_requested_.store(true, std::memory_order_relaxed);
+  wake_up_.Notify();
+}
+
 void Inbox::TakeMessages(std::vector<Message>& out) {
   out.clear();
   const std::lock_guard<std::mutex> lock(mutex_);

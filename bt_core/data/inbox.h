@@ -40,6 +40,9 @@ class Inbox {
   /// Any thread. The function runs on the ticking thread, between two ticks.
   void PostCall(Call call);
 
+  /// Any thread. The tree is ticked soon although nothing was written: see Pace::kEvents.
+  void RequestTick();
+
   /// Ticking thread: true if there is something to take. Costs one relaxed load.
   bool has_messages() const { return has_messages_.load(std::memory_order_relaxed); }
   bool has_calls() const { return has_calls_.load(std::memory_order_relaxed); }
@@ -48,6 +51,12 @@ class Inbox {
   /// argument.
   void TakeMessages(std::vector<Message>& out);
   void TakeCalls(std::vector<Call>& out);
+
+  /// True if there was a request since the last call.
+  bool TakeTickRequest() {
+    return tick_requested_.load(std::memory_order_relaxed) &&
+           tick_requested_.exchange(false, std::memory_order_relaxed);
+  }
 
   /// Notified at every post.
   WakeUp& wake_up() { return wake_up_; }
@@ -58,6 +67,7 @@ class Inbox {
   std::vector<Call> calls_;
   std::atomic<bool> has_messages_{false};
   std::atomic<bool> has_calls_{false};
+  std::atomic<bool> tick_requested_{false};
   WakeUp wake_up_;
 };
 

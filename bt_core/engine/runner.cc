@@ -1,24 +1,90 @@
 #include "bt_core/engine/runner.h"
 
 #include <algorithm>
+#include <stdexcept>
 
 namespace coppice {
 
-Status Run(Executor& executor, const RunOptions& options, const std::atomic<bool>& stop) {
-  Status result = Status::kIdle;
-  while (!stop) {
-    result = executor.Tick();
-    if (result != Status::kRunning && !options.forever) break;
-    const Time latest = options.period == kNever ? kNever : executor.now() + options.period;
-    const Time next = std::min(executor.next_tick(), latest);
-    // Calls of remote clients are served without a tick; a message or the time ends the wait.
-    while (!stop && !executor.inbox()->has_messages() && executor.clock().Now() < next) {
-      executor.clock().WaitUntil(next, executor.wake_up());
-      executor.RunCalls();
-    }
+Runner::Runner(Executor& executor, RunOptions options) : executor_(executor), options_(options) {
+  if (options_.pace == Pace::kFixedRate &&
+      (options_.period <= Duration::zero() || options_.period == kNever)) {
+    throw std::invalid_argument("a fixed rate needs a positive period");
   }
-  executor.Halt();
+}
+
+Runner::~Runner() { Stop(); }
+
+Status Runner::Run() {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    running_on_ = std::this_thread::get_id();
+  }
+  const Status result = TickUntilDone();
+  executor_.Halt();
+  // Under the lock to the end: who waits in Stop may destroy the runner as soon as it is free.
+  const std::lock_guard<std::mutex> lock(mutex_);
+  running_on_ = {};
+  ended_.notify_all();
   return result;
+}
+
+void Runner::RequestStop() {
+  stop_.store(true, std::memory_order_relaxed);
+  executor_.wake_up().Notify();  // makes the store visible to the thread that it wakes
+}
+
+void Runner::Stop() {
+  RequestStop();
+  std::unique_lock<std::mutex> lock(mutex_);
+  if (running_on_ == std::this_thread::get_id()) return;
+  ended_.wait(lock, [this] { return running_on_ == std::thread::id(); });
+}
+
+Status Runner::TickUntilDone() {
+  Status result = Status::kIdle;
+  scheduled_ = executor_.clock().Now();
+  while (!stop_requested()) {
+    executor_.inbox()->TakeTickRequest();  // this is the tick that was requested
+    result = executor_.Tick();
+    if (result != Status::kRunning && !options_.forever) break;
+    Wait(NextTick());
+  }
+  return result;
+}
+
+Time Runner::NextTick() {
+  if (options_.pace == Pace::kFixedRate) return NextPeriod();
+  if (options_.period == kNever) return executor_.next_tick();
+  return std::min(executor_.next_tick(), executor_.now() + options_.period);
+}
+
+Time Runner::NextPeriod() {
+  scheduled_ += options_.period;
+  const Time late = executor_.clock().Now() - scheduled_;
+  if (late > Duration::zero()) {
+    const auto missed = (late + options_.period - Duration(1)) / options_.period;
+    scheduled_ += missed * options_.period;
+    ++overruns_;
+    missed_periods_ += static_cast<std::uint64_t>(missed);
+  }
+  return scheduled_;
+}
+
+bool Runner::HasEvent() {
+  return options_.pace == Pace::kEvents &&
+         (executor_.inbox()->has_messages() || executor_.inbox()->TakeTickRequest());
+}
+
+// Calls of remote clients are served without a tick.
+void Runner::Wait(Time next) {
+  while (!stop_requested() && !HasEvent() && executor_.clock().Now() < next) {
+    executor_.clock().WaitUntil(next, executor_.wake_up());
+    executor_.RunCalls();
+  }
+}
+
+Status Run(Executor& executor, const RunOptions& options) {
+  return Runner(executor, options).Run();
 }
 
 }  // namespace coppice

@@ -21,7 +21,9 @@ std::string FreePath(const std::filesystem::path& wanted) {
 
 TreeRunner::TreeRunner(std::shared_ptr<const Program> program, Clock& clock,
                        TreeRunnerOptions options)
-    : options_(std::move(options)), executor_(std::move(program), clock) {
+    : options_(std::move(options)),
+      executor_(std::move(program), clock),
+      runner_(executor_, options_.run) {
   if (!options_.record_path.empty()) {
     RecorderOptions recording;
     recording.metadata = {{"tree", options_.name}};
@@ -38,14 +40,13 @@ TreeRunner::~TreeRunner() { Stop(); }
 
 void TreeRunner::Start(std::function<void(Status)> on_end) {
   thread_ = std::thread([this, on_end = std::move(on_end)] {
-    const Status result = Run(executor_, options_.run, stop_);
-    if (!stop_) on_end(result);
+    const Status result = runner_.Run();
+    if (!runner_.stop_requested()) on_end(result);
   });
 }
 
 void TreeRunner::Stop() {
-  stop_ = true;
-  executor_.wake_up().Notify();
+  runner_.RequestStop();
   if (thread_.joinable()) thread_.join();
 }
 

@@ -2,7 +2,6 @@
 #ifndef COPPICE_ROBOT_APP_APP_TREE_RUNNER_H_
 #define COPPICE_ROBOT_APP_APP_TREE_RUNNER_H_
 
-#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -46,7 +45,7 @@ class TreeRunner {
   Executor executor_;
   std::unique_ptr<Recorder> recorder_;
   std::unique_ptr<LivePublisher> live_;
-  std::atomic<bool> stop_{false};
+  Runner runner_;
   std::thread thread_;
 };
 

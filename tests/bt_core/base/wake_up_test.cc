@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <csignal>
 #include <thread>
 
 namespace coppice {
@@ -28,6 +29,36 @@ TEST(WakeUp, SeveralNotificationsEndOneWait) {
   wake_up.Notify();
   EXPECT_TRUE(wake_up.WaitFor(seconds(0)));
   EXPECT_FALSE(wake_up.WaitFor(seconds(0)));
+}
+
+TEST(WakeUp, WaitsForEverWithoutALimit) {
+  WakeUp wake_up;
+  std::thread notifier([&] { wake_up.Notify(); });
+  EXPECT_TRUE(wake_up.WaitFor(std::chrono::nanoseconds::max()));
+  notifier.join();
+}
+
+TEST(WakeUp, ShowsWhatWasWrittenBefore) {
+  WakeUp wake_up;
+  int written = 0;
+  std::thread notifier([&] {
+    written = 5;
+    wake_up.Notify();
+  });
+  while (!wake_up.WaitFor(seconds(1))) {
+  }
+  EXPECT_EQ(written, 5);
+  notifier.join();
+}
+
+TEST(WakeUp, NotifyMayBeCalledFromASignalHandler) {
+  static WakeUp wake_up;
+  std::signal(SIGUSR1, [](int) { wake_up.Notify(); });
+  const pthread_t waiter = pthread_self();
+  std::thread sender([waiter] { pthread_kill(waiter, SIGUSR1); });
+  EXPECT_TRUE(wake_up.WaitFor(seconds(30)));
+  sender.join();
+  std::signal(SIGUSR1, SIG_DFL);
 }
 
 // Two threads hand a token back and forth; a lost wake-up would let a wait run out.

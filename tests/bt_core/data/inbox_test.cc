@@ -108,5 +108,15 @@ TEST(Sender, WorksAfterTheReceiverIsGone) {
   sender.Send("late");
 }
 
+TEST(Inbox, ARequestForATickIsTakenOnce) {
+  Inbox inbox;
+  EXPECT_FALSE(inbox.TakeTickRequest());
+  inbox.RequestTick();
+  inbox.RequestTick();
+  EXPECT_TRUE(inbox.wake_up().WaitFor(std::chrono::seconds(0)));
+  EXPECT_TRUE(inbox.TakeTickRequest());
+  EXPECT_FALSE(inbox.TakeTickRequest());
+}
+
 }  // namespace
 }  // namespace coppice

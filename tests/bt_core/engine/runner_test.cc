@@ -2,7 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <memory>
+#include <stdexcept>
 #include <thread>
+#include <vector>
 
 #include "tests/bt_core/engine/fixture.h"
 
@@ -20,81 +24,171 @@ LeafScript Running(const std::string& leaf) {
 
 TEST(Runner, RunsUntilTheRootCompletes) {
   Stage stage(Main("<Delay delay_msec=\"250\"><AlwaysFailure/></Delay>"));
-  const std::atomic<bool> stop{false};
-  EXPECT_EQ(coppice::Run(*stage.executor, RunOptions(), stop), Status::kFailure);
+  EXPECT_EQ(coppice::Run(*stage.executor), Status::kFailure);
   EXPECT_EQ(stage.clock.Now(), seconds(1) + milliseconds(250));
 }
 
 TEST(Runner, SleepsUntilTheNextTimerOnly) {
   Stage stage(Main("<Delay delay_msec=\"250\"><AlwaysSuccess/></Delay>"));
-  const std::atomic<bool> stop{false};
-  coppice::Run(*stage.executor, {kNever, false}, stop);
+  coppice::Run(*stage.executor, {Pace::kEvents, kNever});
   EXPECT_EQ(stage.executor->ticks(), 2U);
 }
 
 TEST(Runner, TicksAtLeastOncePerPeriod) {
   Stage stage(Main("<Delay delay_msec=\"250\"><AlwaysSuccess/></Delay>"));
-  const std::atomic<bool> stop{false};
-  coppice::Run(*stage.executor, {milliseconds(100), false}, stop);
+  coppice::Run(*stage.executor, {Pace::kEvents, milliseconds(100)});
   EXPECT_EQ(stage.executor->ticks(), 4U) << "at 0, 100, 200 and 250 ms";
-}
-
-TEST(Runner, StopHaltsTheTree) {
-  Stage stage(Main("<Leaf name=\"a\"/>"), Running("a"));
-  std::atomic<bool> stop{false};
-  int ticks = 0;
-  stage.script.on_tick["a"] = [&] { stop = ++ticks == 3; };
-  EXPECT_EQ(coppice::Run(*stage.executor, RunOptions(), stop), Status::kRunning);
-  EXPECT_EQ(stage.script.events.back(), "halt a");
-  EXPECT_EQ(stage.executor->ticks(), 3U);
-}
-
-TEST(Runner, StopFromAnotherThreadEndsASleepWithoutPeriod) {
-  Stage stage(Main("<Leaf name=\"a\"/>"), Running("a"));
-  std::atomic<bool> stop{false};
-  std::atomic<bool> ticked{false};
-  stage.script.on_tick["a"] = [&] { ticked = true; };
-  std::thread stopper([&] {
-    while (!ticked) std::this_thread::yield();
-    stop = true;
-    stage.executor->wake_up().Notify();
-  });
-  coppice::Run(*stage.executor, {kNever, false}, stop);
-  stopper.join();
-  EXPECT_EQ(stage.executor->statuses()[0], Status::kIdle);
 }
 
 TEST(Runner, ForEverStartsAgain) {
   Stage stage(Main("<Leaf name=\"a\"/>"));
-  std::atomic<bool> stop{false};
+  Runner runner(*stage.executor, {Pace::kEvents, milliseconds(10), true});
   int ticks = 0;
-  stage.script.on_tick["a"] = [&] { stop = ++ticks == 5; };
-  EXPECT_EQ(coppice::Run(*stage.executor, {milliseconds(10), true}, stop), Status::kSuccess);
+  stage.script.on_tick["a"] = [&] {
+    if (++ticks == 5) runner.RequestStop();
+  };
+  EXPECT_EQ(runner.Run(), Status::kSuccess);
   EXPECT_EQ(ticks, 5);
 }
 
-TEST(Runner, AMessageWakesATreeWithoutTimers) {
-  Stage stage(Main("<ReactiveFallback><Drive goal=\"{g}\" total=\"{t}\"/><Leaf name=\"a\"/>"
-                   "</ReactiveFallback>"),
-              Running("a"));
-  const std::atomic<bool> stop{false};
-  std::atomic<bool> ticked{false};
-  stage.script.on_tick["a"] = [&] { ticked = true; };
-  std::thread sensor([&, goal = stage.executor->Writer<double>("g")] {
-    while (!ticked) std::this_thread::yield();
-    goal.Send(1);
-  });
-  EXPECT_EQ(coppice::Run(*stage.executor, {kNever, false}, stop), Status::kSuccess);
-  sensor.join();
+// Runs a tree of one leaf that never ends on a thread of its own.
+class RunnerThread : public testing::Test {
+ protected:
+  void Start(RunOptions options) {
+    runner_ = std::make_unique<Runner>(*stage_.executor, options);
+    stage_.script.on_tick["a"] = [this] {
+      ticks_ = ticks_ + 1;
+      ticked_.Notify();
+    };
+    thread_ = std::thread([this] { result_ = runner_->Run(); });
+  }
+  void AwaitTick() { ASSERT_TRUE(ticked_.WaitFor(seconds(30))); }
+  void TearDown() override {
+    runner_->Stop();
+    if (thread_.joinable()) thread_.join();
+  }
+
+  Stage stage_{Main("<ReactiveFallback><Drive goal=\"{g}\" total=\"{t}\"/><Leaf name=\"a\"/>"
+                    "</ReactiveFallback>"),
+               Running("a")};
+  std::unique_ptr<Runner> runner_;
+  std::atomic<int> ticks_{0};
+  WakeUp ticked_;
+  Status result_ = Status::kIdle;
+  std::thread thread_;
+};
+
+TEST_F(RunnerThread, TheTreeIsHaltedWhenStopReturns) {
+  Start({Pace::kEvents, kNever});
+  AwaitTick();
+  runner_->Stop();
+  EXPECT_EQ(stage_.executor->statuses()[0], Status::kIdle);
+  EXPECT_EQ(stage_.script.events.back(), "halt a");
 }
 
-TEST(Runner, CallsAreServedWithoutATick) {
+TEST_F(RunnerThread, AMessageWakesATreeWithoutTimers) {
+  Start({Pace::kEvents, kNever});
+  AwaitTick();
+  stage_.executor->Writer<double>("g").Send(1);
+  thread_.join();
+  EXPECT_EQ(result_, Status::kSuccess);
+}
+
+TEST_F(RunnerThread, ARequestedTickWakesATreeWithoutTimers) {
+  Start({Pace::kEvents, kNever});
+  for (int i = 1; i <= 100; ++i) {
+    AwaitTick();
+    EXPECT_EQ(ticks_, i);
+    stage_.executor->inbox()->RequestTick();
+  }
+  AwaitTick();
+}
+
+TEST_F(RunnerThread, CallsAreServedWithoutATick) {
+  Start({Pace::kEvents, kNever});
+  AwaitTick();
+  WakeUp called;
+  for (int i = 0; i < 10; ++i) {
+    stage_.executor->inbox()->PostCall([&] { called.Notify(); });
+    ASSERT_TRUE(called.WaitFor(seconds(30)));
+  }
+  runner_->Stop();
+  EXPECT_EQ(ticks_, 1);
+}
+
+TEST_F(RunnerThread, AMessageDoesNotDisturbAFixedRate) {
+  Start({Pace::kFixedRate, std::chrono::hours(1)});
+  AwaitTick();
+  stage_.executor->Writer<double>("unused").Send(1);
+  stage_.executor->inbox()->RequestTick();
+  while (ticks_ < 10) AwaitTick();
+  runner_->Stop();
+  const auto hours = stage_.clock.Now() / std::chrono::hours(1);
+  EXPECT_GE(hours, ticks_ - 1);
+}
+
+TEST(Runner, StopHaltsTheTree) {
   Stage stage(Main("<Leaf name=\"a\"/>"), Running("a"));
-  std::atomic<bool> stop{false};
-  stage.executor->inbox()->PostCall([] {});
-  stage.script.on_tick["a"] = [&] { stage.executor->inbox()->PostCall([&] { stop = true; }); };
-  coppice::Run(*stage.executor, {kNever, false}, stop);
-  EXPECT_EQ(stage.executor->ticks(), 1U);
+  Runner runner(*stage.executor);
+  int ticks = 0;
+  stage.script.on_tick["a"] = [&] {
+    if (++ticks == 3) runner.Stop();  // in the ticking thread: cannot wait
+  };
+  EXPECT_EQ(runner.Run(), Status::kRunning);
+  EXPECT_EQ(stage.script.events.back(), "halt a");
+  EXPECT_EQ(stage.executor->ticks(), 3U);
+}
+
+TEST(Runner, StoppedBeforeItRunsItDoesNotTick) {
+  Stage stage(Main("<Leaf name=\"a\"/>"));
+  Runner runner(*stage.executor);
+  runner.Stop();
+  EXPECT_EQ(runner.Run(), Status::kIdle);
+  EXPECT_EQ(stage.executor->ticks(), 0U);
+}
+
+TEST(Runner, TheScheduleOfAFixedRateIsAnchoredAtTheFirstTick) {
+  Stage stage(Main("<Leaf name=\"a\"/>"), Running("a"));
+  Runner runner(*stage.executor, {Pace::kFixedRate, milliseconds(100)});
+  std::vector<Time> starts;
+  stage.script.on_tick["a"] = [&] {
+    starts.push_back(stage.clock.Now() - seconds(1));
+    stage.clock.Advance(milliseconds(30));  // what the tick takes
+    if (starts.size() == 4) runner.RequestStop();
+  };
+  runner.Run();
+  EXPECT_EQ(starts, (std::vector<Time>{milliseconds(0), milliseconds(100), milliseconds(200),
+                                       milliseconds(300)}));
+  EXPECT_EQ(runner.overruns(), 0U);
+}
+
+TEST(Runner, AFixedRateLeavesOutThePeriodsThatATickMisses) {
+  Stage stage(Main("<Leaf name=\"a\"/>"), Running("a"));
+  Runner runner(*stage.executor, {Pace::kFixedRate, milliseconds(100)});
+  std::vector<Time> starts;
+  stage.script.on_tick["a"] = [&] {
+    starts.push_back(stage.clock.Now() - seconds(1));
+    stage.clock.Advance(milliseconds(starts.size() == 1 ? 350 : 100));
+    if (starts.size() == 3) runner.RequestStop();
+  };
+  runner.Run();
+  EXPECT_EQ(starts, (std::vector<Time>{milliseconds(0), milliseconds(400), milliseconds(500)}));
+  EXPECT_EQ(runner.overruns(), 1U) << "a tick that takes exactly a period is in time";
+  EXPECT_EQ(runner.missed_periods(), 3U) << "100, 200 and 300 ms";
+}
+
+TEST(Runner, AFixedRateDoesNotListenToTimers) {
+  Stage stage(Main("<Delay delay_msec=\"250\"><AlwaysSuccess/></Delay>"));
+  coppice::Run(*stage.executor, {Pace::kFixedRate, milliseconds(100)});
+  EXPECT_EQ(stage.clock.Now(), seconds(1) + milliseconds(300));
+  EXPECT_EQ(stage.executor->ticks(), 4U);
+}
+
+TEST(Runner, AFixedRateNeedsAPeriod) {
+  Stage stage(Main("<Leaf name=\"a\"/>"));
+  for (const Duration period : {Duration(0), Duration(-1), Duration(kNever)}) {
+    EXPECT_THROW(Runner(*stage.executor, {Pace::kFixedRate, period}), std::invalid_argument);
+  }
 }
 
 }  // namespace

@@ -1,5 +1,4 @@
 // Runs the watched tree with a live view on a free port, until its input ends. Prints the port.
-#include <atomic>
 #include <iostream>
 #include <thread>
 
@@ -16,17 +15,16 @@ int main() {
   executor.Tick();  // from here on there is something to see
   std::cout << live.port() << std::endl;
 
-  std::atomic<bool> stop{false};
-  std::thread input([&] {
-    for (std::string line; std::getline(std::cin, line);) {
-    }
-    stop = true;
-    executor.wake_up().Notify();
-  });
   coppice::RunOptions options;
   options.period = std::chrono::milliseconds(10);
   options.forever = true;
-  coppice::Run(executor, options, stop);
+  coppice::Runner runner(executor, options);
+  std::thread input([&] {
+    for (std::string line; std::getline(std::cin, line);) {
+    }
+    runner.RequestStop();
+  });
+  runner.Run();
   input.join();
   std::cout << executor.ticks() << " ticks" << std::endl;
   return 0;
