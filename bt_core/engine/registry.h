@@ -2,8 +2,8 @@
 //
 //   Registry registry;
 //   registry.Register<IsDark>("IsDark");
-//   registry.Register<DriveTo>("DriveTo", std::ref(navigator));   // arguments go to every
-//   DriveTo's constructor
+//   registry.Register<DriveTo>("DriveTo", std::ref(navigator));  // arguments of its constructor
+//   registry.Condition("IsNight", [] { return Hour() < 6; });    // see nodes/lambda_leaf.h
 //
 // The manifest of a leaf is read off the leaf itself: Register makes one instance and asks it for
 // its ports. Fill a Registry before use; afterwards it is read-only and may be shared by threads
@@ -21,6 +21,7 @@
 #include <utility>
 #include <vector>
 
+#include "bt_core/nodes/lambda_leaf.h"
 #include "bt_core/nodes/leaf.h"
 #include "bt_core/nodes/node_type.h"
 #include "bt_core/nodes/user_control.h"
@@ -45,22 +46,36 @@ class Registry {
 
   Registry();
 
-  /// Adds node type T, a leaf, control node or decorator. Throws std::invalid_argument if the ID is
-  /// taken or not a valid name.
+  /// Adds node type T, a leaf, control node or decorator; every node of this type is made with
+  /// copies of the arguments. Throws std::invalid_argument if the ID is taken or not a valid name,
+  /// or a port has a reserved name.
   template <class T, class... Args>
   void Register(const std::string& id, Args... args) {
-    Builder build = [arguments = std::make_tuple(std::move(args)...)] {
-      return std::apply([](auto&... a) { return std::make_unique<T>(a...); }, arguments);
-    };
-    Entry entry;
-    entry.manifest = {id, T::kCategory, T::kDescription, {}};
-    entry.build = std::move(build);
-    entry.tick = &TickAs<T>;
-    if constexpr (std::is_base_of_v<UserControl, T>) {
-      entry.type = NodeType::kUser;
-      entry.children = T::kChildren;
-    }
-    Add(std::move(entry));
+    AddNode<T>(id, T::kDescription, std::move(args)...);
+  }
+
+  /// Adds a condition that asks a function. Throws as Register does.
+  template <class Function>
+  void Condition(const std::string& id, Function check) {
+    AddLambda<LambdaCondition<Function>>(id, nullptr, 0, "", std::move(check));
+  }
+  template <std::size_t count, class Function>
+  void Condition(const std::string& id, const LambdaPort (&ports)[count], Function check,
+                 const std::string& description = {}) {
+    static_assert(count == LambdaCondition<Function>::Call::kArity, "one name for each parameter");
+    AddLambda<LambdaCondition<Function>>(id, ports, count, description, std::move(check));
+  }
+
+  /// Adds an action that is done within one tick by a function. Throws as Register does.
+  template <class Function>
+  void Action(const std::string& id, Function run) {
+    AddLambda<LambdaAction<Function>>(id, nullptr, 0, "", std::move(run));
+  }
+  template <std::size_t count, class Function>
+  void Action(const std::string& id, const LambdaPort (&ports)[count], Function run,
+              const std::string& description = {}) {
+    static_assert(count == LambdaAction<Function>::Call::kArity, "one name for each parameter");
+    AddLambda<LambdaAction<Function>>(id, ports, count, description, std::move(run));
   }
 
   /// What an ID that nobody registered becomes, instead of an error. The builder gets the
@@ -85,11 +100,32 @@ class Registry {
   struct HasCheck<T, std::void_t<decltype(std::declval<T&>().T::Check())>> : std::true_type {};
   template <class T>
   static Status TickAs(UserNode& node, bool starting) {
-    if constexpr (std::is_base_of_v<Condition, T> && HasCheck<T>::value) {
+    if constexpr (std::is_base_of_v<coppice::Condition, T> && HasCheck<T>::value) {
       return static_cast<T&>(node).T::Check() ? Status::kSuccess : Status::kFailure;
     } else {
       return node.Tick(starting);
     }
+  }
+
+  template <class T, class... Args>
+  void AddNode(const std::string& id, const std::string& description, Args... args) {
+    Entry entry;
+    entry.manifest = {id, T::kCategory, description, {}};
+    entry.build = [arguments = std::make_tuple(std::move(args)...)] {
+      return std::apply([](auto&... a) { return std::make_unique<T>(a...); }, arguments);
+    };
+    entry.tick = &TickAs<T>;
+    if constexpr (std::is_base_of_v<UserControl, T>) {
+      entry.type = NodeType::kUser;
+      entry.children = T::kChildren;
+    }
+    Add(std::move(entry));
+  }
+
+  template <class T, class Function>
+  void AddLambda(const std::string& id, const LambdaPort* ports, std::size_t count,
+                 const std::string& description, Function function) {
+    AddNode<T>(id, description, std::vector<LambdaPort>(ports, ports + count), std::move(function));
   }
 
   void Add(Entry entry);

@@ -33,7 +33,8 @@ class LeafHost {
   /// The time of the tree's clock at which this tick began; the same for all nodes in one tick.
   Time now() const { return now_; }
 
-  /// Asks for a tick at that time at the latest, if this node is still running then.
+  /// Asks for a tick at that time at the latest. Holds until the next tick, which may come earlier
+  /// for another reason: a node that still waits then asks again.
   void WakeAt(Time time) {
     if (time < wake_at_) wake_at_ = time;
   }

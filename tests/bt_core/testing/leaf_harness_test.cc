@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <thread>
+
 namespace coppice {
 namespace {
 
@@ -16,10 +18,10 @@ class Wait : public Action {
   Status OnStart() override {
     if (*time < 0) return Fail("negative time");
     end_ = now() + Duration(static_cast<std::int64_t>(*time * 1e9));
-    WakeAt(end_);
-    return Status::kRunning;
+    return OnRunning();
   }
   Status OnRunning() override {
+    WakeAt(end_);
     if (now() < end_) return Status::kRunning;
     waited.Set(*time);
     return Status::kSuccess;
@@ -74,6 +76,67 @@ TEST(LeafHarness, RefusesWrongNamesAndTypes) {
   EXPECT_THROW(harness.Set("secnds", 1.0), std::invalid_argument);
   EXPECT_THROW(harness.Set("seconds", 1), std::invalid_argument);
   EXPECT_THROW(harness.Get<double>("waited"), std::out_of_range);
+  EXPECT_THROW(LeafHarness(std::make_shared<Registry>(), "Wait"), std::invalid_argument);
+  EXPECT_THROW(LeafHarness(std::make_shared<Registry>(), "Inverter", 2), std::invalid_argument);
+}
+
+TEST(LeafHarness, MovesTheTimeUntilTheLeafIsDone) {
+  LeafHarness harness = LeafHarness::For<Wait>();
+  harness.Set("seconds", 3600.0);
+  EXPECT_EQ(harness.TickUntilDone(), Status::kSuccess);
+  EXPECT_EQ(harness.Get<double>("waited"), 3600.0);
+}
+
+// Waits for a message that another thread sends.
+class WaitForMessage : public Action {
+ public:
+  static constexpr const char* kDescription = "Waits for a message.";
+  explicit WaitForMessage(std::thread* thread) : thread_(thread) {}
+  Mailbox<int> answer{this, "answer"};
+  Status OnStart() override {
+    *thread_ = std::thread([sender = answer.NewSender()] { sender.Send(1); });
+    return Status::kRunning;
+  }
+  Status OnRunning() override { return answer.Take() ? Status::kSuccess : Status::kRunning; }
+  void OnHalted() override {}
+
+ private:
+  std::thread* thread_;
+};
+
+TEST(LeafHarness, WaitsForMessagesOfOtherThreads) {
+  std::thread thread;
+  LeafHarness harness = LeafHarness::For<WaitForMessage>(&thread);
+  EXPECT_EQ(harness.TickUntilDone(), Status::kSuccess);
+  thread.join();
+}
+
+TEST(LeafHarness, ChildrenDoAsTheyAreTold) {
+  LeafHarness harness(std::make_shared<Registry>(), "Sequence", 3);
+  harness.SetChild(1, {Status::kRunning, Status::kFailure});
+  EXPECT_EQ(harness.Tick(), Status::kRunning);
+  EXPECT_EQ(harness.child_status(0), Status::kSuccess);
+  EXPECT_EQ(harness.child_status(1), Status::kRunning);
+  EXPECT_EQ(harness.child_status(2), Status::kIdle);
+  EXPECT_EQ(harness.TakeChildEvents(), (std::vector<std::string>{"start 0", "start 1"}));
+  EXPECT_EQ(harness.Tick(), Status::kFailure);
+  EXPECT_EQ(harness.TakeChildEvents(), std::vector<std::string>{"tick 1"});
+}
+
+TEST(LeafHarness, ChildrenAreToldThatTheyAreHalted) {
+  LeafHarness harness(std::make_shared<Registry>(), "Inverter", 1);
+  harness.SetChild(0, {Status::kRunning});
+  harness.Tick();
+  harness.Halt();
+  EXPECT_EQ(harness.TakeChildEvents(), (std::vector<std::string>{"start 0", "halt 0"}));
+}
+
+TEST(LeafHarness, SetsThePortsOfBuiltInNodes) {
+  LeafHarness harness(std::make_shared<Registry>(), "Delay", 1);
+  harness.Set("delay_msec", 50U);
+  EXPECT_EQ(harness.Tick(), Status::kRunning);
+  EXPECT_EQ(harness.TakeChildEvents(), std::vector<std::string>());
+  EXPECT_EQ(harness.TickUntilDone(), Status::kSuccess);
 }
 
 }  // namespace
