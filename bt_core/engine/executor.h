@@ -6,12 +6,18 @@
 //   WallClock clock;
 //   Executor executor(program, clock);
 //   Sender<double> battery = executor.Writer<double>("battery_level");
-//   while (executor.Tick() == Status::kRunning) clock.WaitUntil(executor.next_tick(),
-//   executor.wake_up());
+//   while (executor.Tick() == Status::kRunning) {
+//     clock.WaitUntil(executor.next_tick(), executor.wake_up());
+//   }
+//
+// Statuses lie in an array in the order of the nodes. When a node ends, its children are idle by
+// definition; while nobody listens this is not written down, so the array may hold what they
+// returned last. statuses() says what holds.
 #ifndef COPPICE_BT_CORE_ENGINE_EXECUTOR_H_
 #define COPPICE_BT_CORE_ENGINE_EXECUTOR_H_
 
 #include <cstdint>
+#include <exception>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -23,10 +29,29 @@
 
 namespace coppice {
 
+/// What becomes of an exception that a node of the user or a script throws. In all cases the
+/// sinks get the text as a message of that node, and the tree is left consistent.
+enum class ExceptionPolicy : std::uint8_t {
+  kFailNode,  ///< the node fails and the tree goes on
+  kHaltTree,  ///< the whole tree is halted; the tick returns FAILURE
+  kRethrow,   ///< the whole tree is halted; the tick throws TickError
+};
+
+struct ExecutorOptions {
+  ExceptionPolicy on_exception = ExceptionPolicy::kFailNode;
+};
+
+/// "PATH: TEXT" of a node that threw, under ExceptionPolicy::kRethrow. The original exception is
+/// nested in it (std::rethrow_if_nested).
+struct TickError : std::runtime_error {
+  TickError(NodeIndex at, const std::string& text) : std::runtime_error(text), node(at) {}
+  NodeIndex node;
+};
+
 class Executor final : public LeafHost, public ChildHost {
  public:
-  /// Builds the leaves. The clock must live as long as the executor.
-  Executor(std::shared_ptr<const Program> program, Clock& clock);
+  /// Builds the nodes of the user. The clock must live as long as the executor.
+  Executor(std::shared_ptr<const Program> program, Clock& clock, ExecutorOptions options = {});
   ~Executor();  // halts what runs
   Executor(const Executor&) = delete;
   Executor& operator=(const Executor&) = delete;
@@ -36,6 +61,12 @@ class Executor final : public LeafHost, public ChildHost {
 
   /// Halts the whole tree; running leaves are told.
   void Halt();
+
+  /// True while a halted leaf has not stopped yet (Action::OnDraining). Each tick asks it.
+  bool is_draining() const { return !drains_.empty(); }
+
+  /// Asks the halted leaves whether they have stopped, without a tick.
+  void ServeDrains();
 
   /// Runs the functions that were posted with Inbox::PostCall. Between ticks.
   void RunCalls();
@@ -48,7 +79,8 @@ class Executor final : public LeafHost, public ChildHost {
   std::shared_ptr<const Program> shared_program() const { return program_; }
   Clock& clock() { return clock_; }
   std::uint64_t ticks() const { return ticks_; }
-  const std::vector<Status>& statuses() const { return statuses_; }
+  /// Status of every node, as it is between ticks.
+  std::vector<Status> statuses() const;
   const Blackboard& blackboard() const { return blackboard_; }
 
   const std::shared_ptr<Inbox>& inbox() { return inbox_; }
@@ -75,16 +107,16 @@ class Executor final : public LeafHost, public ChildHost {
   Status StatusOfChild(NodeIndex node) const override { return statuses_[node]; }
 
   // The Tree of bt_core/nodes/control.h.
-  Status Tick(NodeIndex node) {
-    const NodeType type = nodes_[node].type;
-    return type == NodeType::kLeaf ? TickLeaf(node) : TickInner(node, type);
-  }
+  Status Tick(NodeIndex node);
   void Halt(NodeIndex node) {
     if (statuses_[node] == Status::kIdle) return;
     if (statuses_[node] == Status::kRunning) return HaltRunning(node);
     SetStatus(node, Status::kIdle);
   }
   void ResetChildren(NodeIndex node);
+  void ChildrenAreIdle(NodeIndex node) {
+    if (listening_) ResetChildren(node);
+  }
   Status status(NodeIndex node) const { return statuses_[node]; }
   std::uint64_t& memory(NodeIndex node) { return memory_[node]; }
   NodeIndex EndOf(NodeIndex node) const { return nodes_[node].end; }
@@ -113,26 +145,51 @@ class Executor final : public LeafHost, public ChildHost {
   void TickAgain() { tick_again_ = true; }
 
  private:
-  Status TickInner(NodeIndex node, NodeType type);
+  // How a kind of node is ticked: one function for each, in a table (tick.cc).
+  struct TickTable;
+  struct User {
+    std::unique_ptr<UserNode> node;
+    Registry::TickFunction tick;
+  };
+  struct Draining {
+    NodeIndex node;
+    Time until;
+    Registry::TickFunction tick;  // of the leaf; meanwhile it waits
+  };
+  struct Abort {};  // ends a tick from within
+
   Status DispatchOthers(NodeIndex node, NodeType type);  // dispatch_others.cc
-  Status TickOthers(NodeIndex node, NodeType type);
+  Status TickGuarded(NodeIndex node);
+  Status AskGuards(const GuardRecord& guards, NodeIndex node, bool running);
+  void RunHook(const GuardRecord& guards, Guard hook);
+  void RunHaltedHook(NodeIndex node);
+  Status TickUnguarded(NodeIndex node);
+  const GuardRecord& GuardsOf(NodeIndex node) const;
   std::uint32_t Binding(NodeIndex node, std::uint32_t k) const {
     return program_->ports[nodes_[node].first_port + k].slot;
   }
-  Status TickLeaf(NodeIndex node);
-  Status RefuseIdle();
+  Status RefuseIdle(NodeIndex node);
   Status FailByException(NodeIndex node);
-  Status Store(NodeIndex node, Status result);  // of a node that has no memory
-  Status StoreAndForget(NodeIndex node, Status result);
+  void AddExceptionMessage(NodeIndex node);
+  Status EndAborted();
+  [[noreturn]] void Rethrow();
+  Status Store(NodeIndex node, Status result) {
+    if (listening_ && result != statuses_[node]) RecordChange(node, result);
+    statuses_[node] = result;
+    return result;
+  }
   void SetStatus(NodeIndex node, Status status) {
     if (listening_) RecordChange(node, status);
     statuses_[node] = status;
   }
   void RecordChange(NodeIndex node, Status status);
   void HaltRunning(NodeIndex node);
-  void HaltLeaf(NodeIndex node);
+  void HaltDescendants(NodeIndex node);
+  void HaltUser(NodeIndex node);
+  User& UserOf(NodeIndex node) { return users_[nodes_[node].first_port]; }
   std::string Describe(const UnsetInput& error, NodeIndex node) const;
-  void BuildLeaves();
+  void BuildUserNodes();
+  void GiveChildren(UserNode& node, NodeIndex index);
   void ApplyInbox();
   void Report(Status result);
   void CheckType(SlotIndex slot, const Type& type) const;
@@ -145,11 +202,15 @@ class Executor final : public LeafHost, public ChildHost {
   std::vector<Status> statuses_;
   std::vector<std::uint64_t> memory_;
   Blackboard blackboard_;
-  std::vector<std::unique_ptr<UserNode>> leaves_;
+  std::vector<User> users_;
+  std::vector<Draining> drains_;
+  const ExecutorOptions options_;
 
   std::uint64_t ticks_ = 0;
   bool tick_again_ = false;
-  NodeIndex current_leaf_ = 0;
+  NodeIndex current_ = 0;  // the node of the user that is called
+  NodeIndex thrower_ = 0;
+  std::exception_ptr thrown_;
 
   std::vector<TickSink*> sinks_;
   bool listening_ = false;  // someone wants events

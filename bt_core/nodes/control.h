@@ -7,7 +7,8 @@
 //   Status   Tick(node)               ticks a child and stores its status
 //   void     Halt(node)               halts a running child and everything below it; makes it idle
 //   void     ResetChildren(node)      makes all children idle, halting the running ones
-//   Status   status(node)
+//   Status   status(node)             of a child: RUNNING is always true, the other values only
+//                                     where the node itself sees to it that children are reset
 //   uint64&  memory(node)
 //   NodeIndex EndOf(node)             one past its last descendant; node + 1 is its first child
 //   const T& Port<T>(node, k)         its k-th port
@@ -35,53 +36,60 @@ namespace internal {
 // is ticked. Memory: the child to resume at, and whether a child has returned kGoOn before (bit
 // 63).
 template <Status kGoOn, class Tree>
-Status TickWithMemory(Tree& tree, NodeIndex node) {
+inline Status TickWithMemory(Tree& tree, NodeIndex node) {
   constexpr Status kStop = kGoOn == Status::kSuccess ? Status::kFailure : Status::kSuccess;
   constexpr std::uint64_t kWentOn = std::uint64_t{1} << 63;
   const std::uint64_t memory = tree.memory(node);
-  bool went_on = (memory & kWentOn) != 0;
-  const auto resume_at = static_cast<NodeIndex>(memory);
   const NodeIndex end = tree.EndOf(node);
-  for (NodeIndex child = resume_at ? resume_at : node + 1; child != end;
-       child = tree.EndOf(child)) {
+  Status at_end = (memory & kWentOn) != 0 ? kGoOn : Status::kSkipped;
+  NodeIndex child = memory != 0 ? static_cast<NodeIndex>(memory) : node + 1;
+  do {
     const Status result = tree.Tick(child);
     if (result == kGoOn) {
-      went_on = true;
+      at_end = kGoOn;
     } else if (result == Status::kRunning) {
-      tree.memory(node) = child | (went_on ? kWentOn : 0);
+      tree.memory(node) = child | (at_end == kGoOn ? kWentOn : 0);
       return Status::kRunning;
     } else if (result == kStop) {
-      tree.ResetChildren(node);
-      return kStop;
+      at_end = kStop;
+      break;
     }
-  }
-  tree.ResetChildren(node);
-  return went_on ? kGoOn : Status::kSkipped;
+    child = tree.EndOf(child);
+  } while (child != end);
+  tree.memory(node) = 0;
+  tree.ChildrenAreIdle(node);
+  return at_end;
 }
 
+// At most one child of a reactive node runs. Memory: that child.
 template <Status kGoOn, class Tree>
-Status TickReactive(Tree& tree, NodeIndex node) {
+inline Status TickReactive(Tree& tree, NodeIndex node) {
   constexpr Status kStop = kGoOn == Status::kSuccess ? Status::kFailure : Status::kSuccess;
-  bool went_on = false;
   const NodeIndex end = tree.EndOf(node);
-  for (NodeIndex child = node + 1; child != end; child = tree.EndOf(child)) {
+  Status at_end = Status::kSkipped;
+  NodeIndex child = node + 1;
+  do {
     const Status result = tree.Tick(child);
     if (result == kGoOn) {
-      went_on = true;
+      at_end = kGoOn;
     } else if (result == Status::kRunning) {
-      // At most one child of a reactive node runs: whatever ran behind this one is no longer
-      // wanted.
-      for (NodeIndex other = tree.EndOf(child); other != end; other = tree.EndOf(other)) {
-        tree.Halt(other);
-      }
+      // What ran behind this child is no longer wanted.
+      const auto before = static_cast<NodeIndex>(tree.memory(node));
+      if (before > child) tree.Halt(before);
+      tree.ChildrenBehindAreIdle(child, end);
+      tree.memory(node) = child;
       return Status::kRunning;
     } else if (result == kStop) {
-      tree.ResetChildren(node);
-      return kStop;
+      const auto before = static_cast<NodeIndex>(tree.memory(node));
+      if (before > child) tree.Halt(before);
+      at_end = kStop;
+      break;
     }
-  }
-  tree.ResetChildren(node);
-  return went_on ? kGoOn : Status::kSkipped;
+    child = tree.EndOf(child);
+  } while (child != end);
+  tree.memory(node) = 0;
+  tree.ChildrenAreIdle(node);
+  return at_end;
 }
 
 }  // namespace internal

@@ -1,0 +1,100 @@
+// Halting, and leaves that need several ticks to stop.
+#include <algorithm>
+#include <exception>
+#include <string>
+
+#include "bt_core/engine/executor.h"
+
+namespace coppice {
+namespace {
+
+// Ticked instead of a leaf that is asked to start before it has stopped.
+Status WaitUntilStopped(UserNode&, bool) { return Status::kRunning; }
+
+}  // namespace
+
+void Executor::Halt() {
+  Halt(0);
+  wake_at_ = kNever;
+  tick_again_ = false;
+  if (listening_ && !changes_.empty()) Report(Status::kIdle);
+}
+
+void Executor::ResetChildren(NodeIndex node) {
+  const NodeIndex end = nodes_[node].end;
+  for (NodeIndex child = node + 1; child != end; child = nodes_[child].end) Halt(child);
+}
+
+void Executor::HaltRunning(NodeIndex node) {
+  const NodeType type = nodes_[node].type;
+  if (type == NodeType::kLeaf || type == NodeType::kUser) HaltUser(node);
+  memory_[node] = 0;
+  SetStatus(node, Status::kIdle);
+  HaltDescendants(node);
+  if (nodes_[node].dispatch == NodeType::kGuarded) RunHaltedHook(node);
+}
+
+// Flat, in document order. Only what runs has descendants that run; a node with a hook is left to
+// HaltRunning, so that its hook comes after what is below it.
+void Executor::HaltDescendants(NodeIndex node) {
+  for (NodeIndex i = node + 1; i < nodes_[node].end;) {
+    const bool running = statuses_[i] == Status::kRunning;
+    if (running && nodes_[i].dispatch == NodeType::kGuarded) {
+      HaltRunning(i);
+      i = nodes_[i].end;
+      continue;
+    }
+    const NodeType type = nodes_[i].type;
+    if (running && (type == NodeType::kLeaf || type == NodeType::kUser)) HaltUser(i);
+    memory_[i] = 0;
+    if (statuses_[i] != Status::kIdle) SetStatus(i, Status::kIdle);
+    i = running ? i + 1 : nodes_[i].end;
+  }
+}
+
+void Executor::HaltUser(NodeIndex node) {
+  User& user = UserOf(node);
+  if (user.tick == &WaitUntilStopped) return;  // it has not been started again yet
+  current_ = node;
+  try {
+    user.node->Halt();
+  } catch (const std::exception& error) {
+    AddMessage(std::string("while halting: ") + error.what());
+  } catch (...) {
+    AddMessage("while halting: threw something that is not a std::exception");
+  }
+}
+
+void Executor::Drain(Duration limit) {
+  User& user = UserOf(current_);
+  drains_.push_back({current_, now_ + limit, user.tick});
+  user.tick = &WaitUntilStopped;
+}
+
+void Executor::ServeDrains() {
+  now_ = clock_.Now();
+  const auto has_ended = [this](const Draining& drain) {
+    User& user = UserOf(drain.node);
+    current_ = drain.node;
+    bool stopped = true;
+    try {
+      stopped = user.node->HasStopped();
+    } catch (const std::exception& error) {
+      AddMessage(std::string("while stopping: ") + error.what());
+    } catch (...) {
+      AddMessage("while stopping: threw something that is not a std::exception");
+    }
+    if (!stopped && now_ < drain.until) {
+      WakeAt(drain.until);
+      return false;
+    }
+    if (!stopped) AddMessage("has not stopped in time and is given up");
+    user.tick = drain.tick;
+    // If the tree waits for it, the next tick starts it.
+    if (statuses_[drain.node] == Status::kRunning) SetStatus(drain.node, Status::kIdle);
+    return true;
+  };
+  drains_.erase(std::remove_if(drains_.begin(), drains_.end(), has_ended), drains_.end());
+}
+
+}  // namespace coppice

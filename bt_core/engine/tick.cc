@@ -1,0 +1,153 @@
+// One tick of every kind of node. Most time is spent here, so the nodes that trees are made of have
+// a function each, a leaf is called straight from the loop of its parent, and what only watchers
+// need costs one branch.
+#include <array>
+#include <utility>
+
+#include "bt_core/engine/executor.h"
+#include "bt_core/nodes/decorator.h"
+
+namespace coppice {
+
+/// The functions by NodeRecord::dispatch.
+struct Executor::TickTable {
+  using Function = Status (*)(Executor&, NodeIndex);
+  static const std::array<Function, static_cast<std::size_t>(NodeType::kGuarded) + 1> functions;
+
+  static Status Call(Executor& executor, NodeIndex node, NodeType dispatch) {
+    return functions[static_cast<std::size_t>(dispatch)](executor, node);
+  }
+
+  // The Tree of nodes/control.h for the functions below: the executor, with the array of nodes in a
+  // register.
+  class Tree {
+   public:
+    explicit Tree(Executor& executor) : executor_(executor), nodes_(executor.nodes_) {}
+
+    Status Tick(NodeIndex node) {
+      const NodeRecord& record = nodes_[node];
+      if (record.dispatch != NodeType::kLeaf) return Call(executor_, node, record.dispatch);
+      return TickLeaf(executor_, node, record.first_port);
+    }
+    void Halt(NodeIndex node) { executor_.Halt(node); }
+    void ResetChildren(NodeIndex node) { executor_.ResetChildren(node); }
+    void ChildrenAreIdle(NodeIndex node) {
+      if (executor_.listening_) executor_.ResetChildren(node);
+    }
+    void ChildrenBehindAreIdle(NodeIndex child, NodeIndex end) {
+      if (!executor_.listening_) return;
+      for (NodeIndex i = nodes_[child].end; i != end; i = nodes_[i].end) executor_.Halt(i);
+    }
+    std::uint64_t& memory(NodeIndex node) { return executor_.memory_[node]; }
+    NodeIndex EndOf(NodeIndex node) const { return nodes_[node].end; }
+
+   private:
+    Executor& executor_;
+    const NodeRecord* const nodes_;
+  };
+
+  static Status TickLeaf(Executor& executor, NodeIndex node, std::uint32_t number) {
+    const User& user = executor.users_[number];
+    const bool starting = executor.statuses_[node] != Status::kRunning;
+    executor.current_ = node;
+    Status result;
+    try {
+      result = user.tick(*user.node, starting);
+      if (result == Status::kIdle) result = executor.RefuseIdle(node);
+    } catch (...) {
+      result = executor.FailByException(node);
+    }
+    return executor.Store(node, result);
+  }
+
+  static Status Leaf(Executor& executor, NodeIndex node) {
+    return TickLeaf(executor, node, executor.nodes_[node].first_port);
+  }
+
+  template <Status (*kTick)(Tree&, NodeIndex)>
+  static Status Control(Executor& executor, NodeIndex node) {
+    Tree tree(executor);
+    return executor.Store(node, kTick(tree, node));
+  }
+
+  template <Status kOnSuccess, Status kOnFailure>
+  static Status Mapped(Executor& executor, NodeIndex node) {
+    Tree tree(executor);
+    Status result = tree.Tick(node + 1);
+    if (result != Status::kRunning) tree.ChildrenAreIdle(node);
+    if (result == Status::kSuccess) {
+      result = kOnSuccess;
+    } else if (result == Status::kFailure) {
+      result = kOnFailure;
+    }
+    return executor.Store(node, result);
+  }
+
+  template <Status kResult>
+  static Status Constant(Executor& executor, NodeIndex node) {
+    return executor.Store(node, kResult);
+  }
+
+  static Status UserControlNode(Executor& executor, NodeIndex node) {
+    const Status result = TickLeaf(executor, node, executor.nodes_[node].first_port);
+    if (result != Status::kRunning) executor.ResetChildren(node);
+    return result;
+  }
+
+  static Status Guarded(Executor& executor, NodeIndex node) { return executor.TickGuarded(node); }
+
+  static Status Other(Executor& executor, NodeIndex node) {
+    Status result;
+    try {
+      result = executor.DispatchOthers(node, executor.nodes_[node].type);
+    } catch (const Abort&) {
+      throw;
+    } catch (...) {
+      executor.ResetChildren(node);
+      result = executor.FailByException(node);
+    }
+    if (result != Status::kRunning) executor.memory_[node] = 0;
+    return executor.Store(node, result);
+  }
+
+  static constexpr std::array<Function, static_cast<std::size_t>(NodeType::kGuarded) + 1> Make() {
+    std::array<Function, static_cast<std::size_t>(NodeType::kGuarded) + 1> all{};
+    for (Function& function : all) function = &Other;
+    const auto set = [&all](NodeType type, Function function) {
+      all[static_cast<std::size_t>(type)] = function;
+    };
+    set(NodeType::kSequence, &Control<&TickSequence<Tree>>);
+    set(NodeType::kFallback, &Control<&TickFallback<Tree>>);
+    set(NodeType::kReactiveSequence, &Control<&TickReactiveSequence<Tree>>);
+    set(NodeType::kReactiveFallback, &Control<&TickReactiveFallback<Tree>>);
+    set(NodeType::kInverter, &Mapped<Status::kFailure, Status::kSuccess>);
+    set(NodeType::kForceSuccess, &Mapped<Status::kSuccess, Status::kSuccess>);
+    set(NodeType::kForceFailure, &Mapped<Status::kFailure, Status::kFailure>);
+    set(NodeType::kSubTree, &Mapped<Status::kSuccess, Status::kFailure>);
+    set(NodeType::kAlwaysSuccess, &Constant<Status::kSuccess>);
+    set(NodeType::kAlwaysFailure, &Constant<Status::kFailure>);
+    set(NodeType::kLeaf, &Leaf);
+    set(NodeType::kUser, &UserControlNode);
+    set(NodeType::kGuarded, &Guarded);
+    return all;
+  }
+};
+
+const std::array<Executor::TickTable::Function, static_cast<std::size_t>(NodeType::kGuarded) + 1>
+    Executor::TickTable::functions = Make();
+
+Status Executor::Tick(NodeIndex node) {
+  return TickTable::Call(*this, node, nodes_[node].dispatch);
+}
+
+Status Executor::TickUnguarded(NodeIndex node) {
+  return TickTable::Call(*this, node, nodes_[node].type);
+}
+
+Status Executor::RefuseIdle(NodeIndex node) {
+  current_ = node;
+  AddMessage("returned IDLE, which no node may; taken as FAILURE");
+  return Status::kFailure;
+}
+
+}  // namespace coppice
