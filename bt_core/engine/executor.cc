@@ -8,8 +8,6 @@ namespace coppice {
 
 namespace {
 
-Status TickVirtually(UserNode& node, bool starting) { return node.Tick(starting); }
-
 // A node whose children follow each other: behind the running child all are idle.
 bool TicksOneAfterTheOther(NodeType type) {
   return type == NodeType::kSequence || type == NodeType::kFallback ||
@@ -48,7 +46,7 @@ void Executor::BuildUserNodes() {
       if (slot != kNoSlot) port.port->Bind(&blackboard_[slot], slot, inbox_);
     }
     if (nodes_[record.node].type == NodeType::kUser) GiveChildren(*node, record.node);
-    users_.push_back({std::move(node), entry ? entry->tick : &TickVirtually});
+    users_.push_back({std::move(node), entry ? entry->tick : &Registry::TickVirtually});
   }
 }
 
@@ -106,6 +104,11 @@ void Executor::ApplyInbox() {
     ++slot.writes;
   }
   delivery_.clear();
+}
+
+Status Executor::StoreAndRecord(NodeIndex node, Status result) {
+  if (result != statuses_[node]) RecordChange(node, result);
+  return statuses_[node] = result;
 }
 
 void Executor::RecordChange(NodeIndex node, Status status) {

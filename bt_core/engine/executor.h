@@ -168,20 +168,19 @@ class Executor final : public LeafHost, public ChildHost {
   std::uint32_t Binding(NodeIndex node, std::uint32_t k) const {
     return program_->ports[nodes_[node].first_port + k].slot;
   }
-  Status RefuseIdle(NodeIndex node);
   Status FailByException(NodeIndex node);
   void AddExceptionMessage(NodeIndex node);
   Status EndAborted();
   [[noreturn]] void Rethrow();
   Status Store(NodeIndex node, Status result) {
-    if (listening_ && result != statuses_[node]) RecordChange(node, result);
-    statuses_[node] = result;
-    return result;
+    if (listening_) return StoreAndRecord(node, result);
+    return statuses_[node] = result;
   }
   void SetStatus(NodeIndex node, Status status) {
     if (listening_) RecordChange(node, status);
     statuses_[node] = status;
   }
+  [[gnu::noinline, gnu::cold]] Status StoreAndRecord(NodeIndex node, Status result);
   void RecordChange(NodeIndex node, Status status);
   void HaltRunning(NodeIndex node);
   void HaltDescendants(NodeIndex node);

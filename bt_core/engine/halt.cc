@@ -9,7 +9,7 @@ namespace coppice {
 namespace {
 
 // Ticked instead of a leaf that is asked to start before it has stopped.
-Status WaitUntilStopped(UserNode&, bool) { return Status::kRunning; }
+Status WaitUntilStopped(UserNode&, Status) { return Status::kRunning; }
 
 }  // namespace
 

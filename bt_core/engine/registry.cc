@@ -18,6 +18,12 @@ Registry::Registry() {
   }
 }
 
+Status Registry::TickVirtually(UserNode& node, Status before) {
+  const Status result = node.Tick(before != Status::kRunning);
+  if (result == Status::kIdle) throw std::logic_error("returned IDLE, which no node may");
+  return result;
+}
+
 const Registry::Entry* Registry::Find(std::string_view id) const {
   const auto found = entries_.find(id);
   return found == entries_.end() ? nullptr : &found->second;

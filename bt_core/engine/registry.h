@@ -32,8 +32,9 @@ class Registry {
  public:
   using Builder = std::function<std::unique_ptr<UserNode>()>;
 
-  /// A tick of a node whose class is known, without virtual calls.
-  using TickFunction = Status (*)(UserNode& node, bool starting);
+  /// A tick of a node whose class is known, without virtual calls where that is possible. `before`
+  /// is the node's status: what is not RUNNING starts.
+  using TickFunction = Status (*)(UserNode& node, Status before);
 
   struct Entry {
     NodeType type = NodeType::kLeaf;
@@ -85,6 +86,10 @@ class Registry {
   }
   const auto& fallback() const { return fallback_; }
 
+  /// The TickFunction of any node. A node that returns IDLE, which none may, throws
+  /// std::logic_error.
+  static Status TickVirtually(UserNode& node, Status before);
+
   /// The node type of that ID, or null.
   const Entry* Find(std::string_view id) const;
 
@@ -99,11 +104,11 @@ class Registry {
   template <class T>
   struct HasCheck<T, std::void_t<decltype(std::declval<T&>().T::Check())>> : std::true_type {};
   template <class T>
-  static Status TickAs(UserNode& node, bool starting) {
+  static Status TickAs(UserNode& node, Status before) {
     if constexpr (std::is_base_of_v<coppice::Condition, T> && HasCheck<T>::value) {
       return static_cast<T&>(node).T::Check() ? Status::kSuccess : Status::kFailure;
     } else {
-      return node.Tick(starting);
+      return TickVirtually(node, before);
     }
   }
 

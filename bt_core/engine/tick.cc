@@ -39,6 +39,7 @@ struct Executor::TickTable {
       for (NodeIndex i = nodes_[child].end; i != end; i = nodes_[i].end) executor_.Halt(i);
     }
     std::uint64_t& memory(NodeIndex node) { return executor_.memory_[node]; }
+    Status status(NodeIndex node) const { return executor_.statuses_[node]; }
     NodeIndex EndOf(NodeIndex node) const { return nodes_[node].end; }
 
    private:
@@ -48,12 +49,10 @@ struct Executor::TickTable {
 
   static Status TickLeaf(Executor& executor, NodeIndex node, std::uint32_t number) {
     const User& user = executor.users_[number];
-    const bool starting = executor.statuses_[node] != Status::kRunning;
     executor.current_ = node;
     Status result;
     try {
-      result = user.tick(*user.node, starting);
-      if (result == Status::kIdle) result = executor.RefuseIdle(node);
+      result = user.tick(*user.node, executor.statuses_[node]);
     } catch (...) {
       result = executor.FailByException(node);
     }
@@ -142,12 +141,6 @@ Status Executor::Tick(NodeIndex node) {
 
 Status Executor::TickUnguarded(NodeIndex node) {
   return TickTable::Call(*this, node, nodes_[node].type);
-}
-
-Status Executor::RefuseIdle(NodeIndex node) {
-  current_ = node;
-  AddMessage("returned IDLE, which no node may; taken as FAILURE");
-  return Status::kFailure;
 }
 
 }  // namespace coppice

@@ -32,64 +32,65 @@ using NodeIndex = std::uint32_t;
 
 namespace internal {
 
+// The result of a sequence or fallback whose last child was skipped.
+template <Status kGoOn, class Tree>
+[[gnu::noinline, gnu::cold]] Status UnlessAllWereSkipped(Tree tree, NodeIndex node) {
+  for (NodeIndex child = node + 1; child != tree.EndOf(node); child = tree.EndOf(child)) {
+    if (tree.status(child) != Status::kSkipped) return kGoOn;
+  }
+  return Status::kSkipped;
+}
+
 // Sequence and Fallback are mirror images: `kGoOn` is the child's result after which the next one
-// is ticked. Memory: the child to resume at, and whether a child has returned kGoOn before (bit
-// 63).
+// is ticked. Memory: the child to resume at.
 template <Status kGoOn, class Tree>
 inline Status TickWithMemory(Tree& tree, NodeIndex node) {
-  constexpr Status kStop = kGoOn == Status::kSuccess ? Status::kFailure : Status::kSuccess;
-  constexpr std::uint64_t kWentOn = std::uint64_t{1} << 63;
-  const std::uint64_t memory = tree.memory(node);
   const NodeIndex end = tree.EndOf(node);
-  Status at_end = (memory & kWentOn) != 0 ? kGoOn : Status::kSkipped;
-  NodeIndex child = memory != 0 ? static_cast<NodeIndex>(memory) : node + 1;
-  do {
-    const Status result = tree.Tick(child);
-    if (result == kGoOn) {
-      at_end = kGoOn;
-    } else if (result == Status::kRunning) {
-      tree.memory(node) = child | (at_end == kGoOn ? kWentOn : 0);
-      return Status::kRunning;
-    } else if (result == kStop) {
-      at_end = kStop;
-      break;
-    }
+  const auto resume_at = static_cast<NodeIndex>(tree.memory(node));
+  NodeIndex child = resume_at != 0 ? resume_at : node + 1;
+  Status result;
+  for (;;) {
+    result = tree.Tick(child);
+    if (__builtin_expect(result != kGoOn, false) && result != Status::kSkipped) break;
     child = tree.EndOf(child);
-  } while (child != end);
+    if (child != end) continue;
+    if (result != kGoOn) result = UnlessAllWereSkipped<kGoOn>(tree, node);
+    break;
+  }
+  if (result == Status::kRunning) {
+    tree.memory(node) = child;
+    return result;
+  }
   tree.memory(node) = 0;
   tree.ChildrenAreIdle(node);
-  return at_end;
+  return result;
 }
 
 // At most one child of a reactive node runs. Memory: that child.
 template <Status kGoOn, class Tree>
 inline Status TickReactive(Tree& tree, NodeIndex node) {
-  constexpr Status kStop = kGoOn == Status::kSuccess ? Status::kFailure : Status::kSuccess;
   const NodeIndex end = tree.EndOf(node);
-  Status at_end = Status::kSkipped;
   NodeIndex child = node + 1;
-  do {
-    const Status result = tree.Tick(child);
-    if (result == kGoOn) {
-      at_end = kGoOn;
-    } else if (result == Status::kRunning) {
-      // What ran behind this child is no longer wanted.
-      const auto before = static_cast<NodeIndex>(tree.memory(node));
-      if (before > child) tree.Halt(before);
-      tree.ChildrenBehindAreIdle(child, end);
-      tree.memory(node) = child;
-      return Status::kRunning;
-    } else if (result == kStop) {
-      const auto before = static_cast<NodeIndex>(tree.memory(node));
-      if (before > child) tree.Halt(before);
-      at_end = kStop;
-      break;
-    }
+  Status result;
+  for (;;) {
+    result = tree.Tick(child);
+    if (__builtin_expect(result != kGoOn, false) && result != Status::kSkipped) break;
     child = tree.EndOf(child);
-  } while (child != end);
+    if (child != end) continue;
+    if (result != kGoOn) result = UnlessAllWereSkipped<kGoOn>(tree, node);
+    break;
+  }
+  // What ran behind this child is no longer wanted.
+  const auto ran = static_cast<NodeIndex>(tree.memory(node));
+  if (ran > child) tree.Halt(ran);
+  if (result == Status::kRunning) {
+    tree.ChildrenBehindAreIdle(child, end);
+    tree.memory(node) = child;
+    return result;
+  }
   tree.memory(node) = 0;
   tree.ChildrenAreIdle(node);
-  return at_end;
+  return result;
 }
 
 }  // namespace internal
