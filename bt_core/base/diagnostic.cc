@@ -56,6 +56,11 @@ void Diagnostics::Warning(SourceLocation where, std::string message, std::string
   all_.push_back({Severity::kWarning, std::move(where), std::move(message), std::move(hint)});
 }
 
+void Diagnostics::Append(const Diagnostics& other) {
+  all_.insert(all_.end(), other.all_.begin(), other.all_.end());
+  errors_ += other.errors_;
+}
+
 std::string Diagnostics::ToString() const {
   std::string text;
   for (const Diagnostic& diagnostic : all_) text += coppice::ToString(diagnostic) + "\n";

@@ -40,6 +40,9 @@ class Diagnostics {
   void Error(SourceLocation where, std::string message, std::string hint = {});
   void Warning(SourceLocation where, std::string message, std::string hint = {});
 
+  /// Adds all of the other list.
+  void Append(const Diagnostics& other);
+
   bool has_errors() const { return errors_ > 0; }
   const std::vector<Diagnostic>& all() const { return all_; }
 

@@ -29,7 +29,7 @@ bool CheckFile(const std::string& path) {
   if (!loaded) return false;
   const auto project = std::make_shared<const Project>(*std::move(loaded));
 
-  bool good = true;
+  bool good = !project->has_errors();
   std::vector<std::string> printed;  // a tree that is used twice is checked twice
   for (const auto& [id, definition] : project->trees()) {
     Diagnostics diagnostics;

@@ -320,7 +320,9 @@ std::shared_ptr<const Program> Compile(std::shared_ptr<const Project> project,
                                        std::shared_ptr<const Registry> registry,
                                        Diagnostics& diagnostics, const std::string& tree_id) {
   const std::string main = tree_id.empty() ? project->main_tree() : tree_id;
-  return Compiler(std::move(project), std::move(registry), diagnostics).Run(main);
+  const bool whole = !project->has_errors();
+  auto program = Compiler(std::move(project), std::move(registry), diagnostics).Run(main);
+  return whole ? program : nullptr;
 }
 
 std::shared_ptr<const Program> CompileFile(const std::string& path,

@@ -15,11 +15,12 @@
 namespace coppice {
 namespace {
 
+constexpr const char* kBlanks = " \t\n\v\f\r";
+
 // tinyxml2 parses a copy of the text and hands out pointers into it, so the distance of two
 // pointers is the distance of two bytes in the user's file. It only lacks the start of its copy,
 // which the first node gives: where it lies in the text is known.
 const char* StartOfBuffer(const tinyxml2::XMLDocument& xml, const std::string& text) {
-  constexpr const char* kBlanks = " \t\n\v\f\r";
   const tinyxml2::XMLNode* first = xml.FirstChild();
   std::size_t at = text.find('<');
   if (const tinyxml2::XMLText* leading = first->ToText(); leading && !leading->CData()) {
@@ -218,6 +219,29 @@ void Document::FindEnds() {
       open.pop_back();
     }
   } while (!open.empty());
+}
+
+std::string Document::TextOf(const Element& element) const {
+  std::string result;
+  int depth = 0;  // of the children that are open
+  for (std::size_t at = element.start_tag_end; at < element.end;) {
+    const Markup piece = ReadMarkup(text(), at);
+    const std::string_view content = std::string_view(text()).substr(at, piece.end - at);
+    if (piece.kind == MarkupKind::kText && depth == 0) {
+      result += DecodeXml(content);
+    } else if (piece.kind == MarkupKind::kCharacterData && depth == 0) {
+      constexpr std::size_t kOpen = std::string_view("<![CDATA[").size();
+      constexpr std::size_t kClose = std::string_view("]]>").size();
+      result += content.substr(kOpen, content.size() - kOpen - kClose);
+    } else if (piece.kind == MarkupKind::kTag && content[content.size() - 2] != '/') {
+      depth += content[1] == '/' ? -1 : 1;
+    }
+    at = piece.end;
+  }
+  const std::size_t first = result.find_first_not_of(kBlanks);
+  return first == std::string::npos
+             ? std::string()
+             : result.substr(first, result.find_last_not_of(kBlanks) - first + 1);
 }
 
 std::uint32_t Document::OffsetInValue(const Attribute& attribute,

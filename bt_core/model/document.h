@@ -80,6 +80,10 @@ class Document {
   /// Its value, or empty if there is no such attribute.
   std::string_view AttributeValue(const Element& element, std::string_view name) const;
 
+  /// The text directly inside of an element, decoded, CDATA included, without blanks at both ends;
+  /// not that of its children.
+  std::string TextOf(const Element& element) const;
+
   /// The attribute's value as it stands in the text, references unresolved.
   std::string_view RawValue(const Attribute& attribute) const {
     return std::string_view(*text_).substr(attribute.value_offset,

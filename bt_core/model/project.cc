@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <utility>
 
+#include "bt_core/model/ros_packages.h"
+
 namespace coppice {
 namespace {
 
@@ -12,141 +14,185 @@ bool SameFile(const std::string& a, const std::string& b) {
   return a == b || std::filesystem::equivalent(a, b, error);
 }
 
+std::string LineOf(const Document& document, ElementIndex element) {
+  const SourceLocation where = document.Location(document.element(element).offset);
+  return where.file + ":" + std::to_string(where.line);
+}
+
+template <class Map>
+const typename Map::mapped_type* FindIn(const Map& map, std::string_view id) {
+  const auto found = map.find(id);
+  return found == map.end() ? nullptr : &found->second;
+}
+
 }  // namespace
+
+// Fills a Project. Documents are named by number, never by reference: an include adds documents.
+class ProjectReader {
+ public:
+  explicit ProjectReader(const PackageFinder& find_package)
+      : find_package_(find_package ? find_package : PackageFinder(FindRosPackage)) {}
+
+  void ReadFile(const std::string& path) {
+    if (IsKnown(path)) return;
+    if (auto document = Document::FromFile(path, diagnostics_)) Add(*std::move(document));
+  }
+
+  /// Reads it as one that the user has given: it may name the main tree.
+  void ReadGiven(const std::string& path) {
+    const auto number = static_cast<std::uint32_t>(project_.documents_.size());
+    ReadFile(path);
+    if (number < project_.documents_.size()) given_.push_back(number);
+  }
+
+  void ReadText(std::string text, const std::string& file) {
+    given_.push_back(0);
+    auto document = Document::FromText(std::move(text), file, diagnostics_);
+    if (document) Add(*std::move(document));
+  }
+
+  std::optional<Project> Finish(Diagnostics& diagnostics) {
+    diagnostics.Append(diagnostics_);
+    if (project_.documents_.empty()) return std::nullopt;
+    ChooseMainTree();
+    project_.has_errors_ = diagnostics_.has_errors();
+    return std::move(project_);
+  }
+
+ private:
+  void Add(Document document) {
+    const auto number = static_cast<std::uint32_t>(project_.documents_.size());
+    project_.documents_.push_back(std::move(document));
+    if (!CheckRoot(number)) return;
+    for (ElementIndex i = At(number).element(0).first_child; i != kNoElement;) {
+      const Element element = At(number).element(i);
+      if (element.tag == "BehaviorTree") {
+        AddTree(number, i);
+      } else if (element.tag == "include") {
+        const std::string path = IncludePath(At(number), element, find_package_, diagnostics_);
+        if (!path.empty()) ReadFile(path);
+      } else if (element.tag == "TreeNodesModel") {
+        AddModels(number, element);
+      } else {
+        const std::string tag(element.tag);
+        Error(number, element, "unexpected <" + tag + "> below <root>",
+              DidYouMean(tag, {"BehaviorTree", "include", "TreeNodesModel"}));
+      }
+      i = element.next_sibling;
+    }
+  }
+
+  const Document& At(std::uint32_t number) const { return project_.documents_[number]; }
+
+  bool IsKnown(const std::string& path) const {
+    return std::any_of(project_.documents_.begin(), project_.documents_.end(),
+                       [&](const Document& known) { return SameFile(known.file(), path); });
+  }
+
+  // False if nothing below can be meant as a tree.
+  bool CheckRoot(std::uint32_t number) {
+    const Element root = At(number).element(0);
+    if (root.tag != "root") {
+      Error(number, root, "root element is <" + std::string(root.tag) + ">",
+            "expected <root BTCPP_format=\"4\">");
+      return root.tag == "Root";
+    }
+    const Attribute* format = At(number).FindAttribute(root, "BTCPP_format");
+    if (!format) {
+      diagnostics_.Warning(At(number).Location(root.offset), "no BTCPP_format; read as format 4");
+    } else if (format->value != "4") {
+      diagnostics_.Error(At(number).Location(format->value_offset),
+                         "BTCPP_format=\"" + std::string(format->value) + "\" is not known",
+                         "expected BTCPP_format=\"4\"");
+      return false;
+    }
+    return true;
+  }
+
+  void AddTree(std::uint32_t number, ElementIndex index) {
+    const Element element = At(number).element(index);
+    const std::string id(At(number).AttributeValue(element, "ID"));
+    if (id.empty()) {
+      Error(number, element, "<BehaviorTree> without ID");
+      return;
+    }
+    if (element.child_count != 1) {
+      Error(number, element,
+            "tree \"" + id + "\" has " + std::to_string(element.child_count) +
+                " root nodes, expected exactly 1");
+      if (element.child_count == 0) return;
+    }
+    const auto [at, inserted] = project_.trees_.insert({id, TreeDefinition{number, index}});
+    if (inserted) return;
+    Error(number, element, "tree \"" + id + "\" is defined twice",
+          "first defined at " + LineOf(At(at->second.document), at->second.element));
+  }
+
+  void AddModels(std::uint32_t number, const Element& element) {
+    for (NodeModel& model : ReadModels(At(number), element, number, diagnostics_)) {
+      NodeModels& models =
+          model.category == NodeCategory::kSubTree ? project_.subtree_models_ : project_.models_;
+      const auto [at, inserted] = models.try_emplace(model.id, model);
+      if (inserted || HasSameInterface(at->second, model)) continue;
+      diagnostics_.Warning(
+          At(number).Location(At(number).element(model.element).offset),
+          "another model of \"" + model.id + "\" with other ports is ignored",
+          "the first one is at " + LineOf(At(at->second.document), at->second.element));
+    }
+  }
+
+  void ChooseMainTree() {
+    for (const std::uint32_t number : given_) {
+      project_.main_tree_ =
+          At(number).AttributeValue(At(number).element(0), "main_tree_to_execute");
+      if (!project_.main_tree_.empty()) return;
+    }
+    int trees_in_first = 0;
+    std::string only;
+    for (const auto& [id, definition] : project_.trees_) {
+      if (definition.document != 0) continue;
+      ++trees_in_first;
+      only = id;
+    }
+    if (trees_in_first == 1) project_.main_tree_ = only;
+  }
+
+  void Error(std::uint32_t number, const Element& element, std::string message,
+             std::string hint = {}) {
+    diagnostics_.Error(At(number).Location(element.offset), std::move(message), std::move(hint));
+  }
+
+  Project project_;
+  Diagnostics diagnostics_;
+  PackageFinder find_package_;
+  std::vector<std::uint32_t> given_;
+};
 
 std::optional<Project> Project::FromFile(const std::string& path, Diagnostics& diagnostics,
                                          const PackageFinder& find_package) {
-  std::optional<Document> document = Document::FromFile(path, diagnostics);
-  if (!document) return std::nullopt;
-  Project project;
-  project.Add(*std::move(document), diagnostics, find_package);
-  if (diagnostics.has_errors()) return std::nullopt;
-  project.ChooseMainTree();
-  return project;
+  return FromFiles({path}, diagnostics, find_package);
+}
+
+std::optional<Project> Project::FromFiles(const std::vector<std::string>& paths,
+                                          Diagnostics& diagnostics,
+                                          const PackageFinder& find_package) {
+  ProjectReader reader(find_package);
+  for (const std::string& path : paths) reader.ReadGiven(path);
+  return reader.Finish(diagnostics);
 }
 
 std::optional<Project> Project::FromText(std::string text, const std::string& file,
                                          Diagnostics& diagnostics,
                                          const PackageFinder& find_package) {
-  std::optional<Document> document = Document::FromText(std::move(text), file, diagnostics);
-  if (!document) return std::nullopt;
-  Project project;
-  project.Add(*std::move(document), diagnostics, find_package);
-  if (diagnostics.has_errors()) return std::nullopt;
-  project.ChooseMainTree();
-  return project;
+  ProjectReader reader(find_package);
+  reader.ReadText(std::move(text), file);
+  return reader.Finish(diagnostics);
 }
 
-const TreeDefinition* Project::Find(std::string_view id) const {
-  const auto found = trees_.find(id);
-  return found == trees_.end() ? nullptr : &found->second;
-}
+const TreeDefinition* Project::Find(std::string_view id) const { return FindIn(trees_, id); }
 
-void Project::Add(Document document, Diagnostics& diagnostics, const PackageFinder& find_package) {
-  const auto number = static_cast<std::uint32_t>(documents_.size());
-  documents_.push_back(std::move(document));
-  // By index, never by reference: an include adds documents.
-  const Element root = documents_[number].element(0);
-  const auto where = [&](const Element& element) {
-    return documents_[number].Location(element.offset);
-  };
-  if (root.tag != "root") {
-    diagnostics.Error(where(root), "root element is <" + std::string(root.tag) + ">",
-                      "expected <root BTCPP_format=\"4\">");
-    return;
-  }
-  const std::string format(documents_[number].AttributeValue(root, "BTCPP_format"));
-  if (format.empty()) {
-    diagnostics.Warning(where(root), "no BTCPP_format; read as format 4");
-  } else if (format != "4") {
-    diagnostics.Error(where(root), "BTCPP_format=\"" + format + "\" is not known",
-                      "expected BTCPP_format=\"4\"");
-    return;
-  }
-  for (ElementIndex i = root.first_child; i != kNoElement;) {
-    const Element element = documents_[number].element(i);
-    if (element.tag == "BehaviorTree") {
-      AddTree(number, i, diagnostics);
-    } else if (element.tag == "include") {
-      Include(number, i, diagnostics, find_package);
-    } else if (element.tag != "TreeNodesModel") {
-      const std::string tag(element.tag);
-      diagnostics.Error(where(element), "unexpected <" + tag + "> below <root>",
-                        DidYouMean(tag, {"BehaviorTree", "include", "TreeNodesModel"}));
-    }
-    i = element.next_sibling;
-  }
-}
-
-void Project::AddTree(std::uint32_t document, ElementIndex index, Diagnostics& diagnostics) {
-  const Document& doc = documents_[document];
-  const Element& element = doc.element(index);
-  const SourceLocation where = doc.Location(element.offset);
-  const std::string id(doc.AttributeValue(element, "ID"));
-  if (id.empty()) {
-    diagnostics.Error(where, "<BehaviorTree> without ID");
-    return;
-  }
-  if (element.child_count != 1) {
-    diagnostics.Error(where, "tree \"" + id + "\" has " + std::to_string(element.child_count) +
-                                 " root nodes, expected exactly 1");
-    return;
-  }
-  const auto [at, inserted] = trees_.insert({id, TreeDefinition{document, index}});
-  if (!inserted) {
-    const Document& first = documents_[at->second.document];
-    const SourceLocation other = first.Location(first.element(at->second.element).offset);
-    diagnostics.Error(where, "tree \"" + id + "\" is defined twice",
-                      "first defined at " + other.file + ":" + std::to_string(other.line));
-  }
-}
-
-void Project::Include(std::uint32_t document, ElementIndex index, Diagnostics& diagnostics,
-                      const PackageFinder& find_package) {
-  const Document& doc = documents_[document];
-  const Element& element = doc.element(index);
-  const SourceLocation where = doc.Location(element.offset);
-  std::filesystem::path path(doc.AttributeValue(element, "path"));
-  if (path.empty()) {
-    diagnostics.Error(where, "<include> without path");
-    return;
-  }
-  std::filesystem::path folder = std::filesystem::path(doc.file()).parent_path();
-  if (const Attribute* package = doc.FindAttribute(element, "ros_pkg")) {
-    const std::string name(package->value);
-    folder = find_package ? find_package(name) : std::string();
-    if (folder.empty()) {
-      diagnostics.Error(where, "ROS package \"" + name + "\" was not found",
-                        "looked in ROS_PACKAGE_PATH");
-      return;
-    }
-  }
-  if (path.is_relative()) path = folder / path;
-  const std::string file = path.lexically_normal().string();
-  const bool known = std::any_of(documents_.begin(), documents_.end(),
-                                 [&](const Document& d) { return SameFile(d.file(), file); });
-  if (known) return;
-  if (!std::filesystem::is_regular_file(path)) {
-    diagnostics.Error(where, "included file " + file + " does not exist");
-    return;
-  }
-  if (auto included = Document::FromFile(file, diagnostics)) {
-    Add(*std::move(included), diagnostics, find_package);
-  }
-}
-
-void Project::ChooseMainTree() {
-  const Document& first = documents_.front();
-  main_tree_ = first.AttributeValue(first.element(0), "main_tree_to_execute");
-  if (!main_tree_.empty()) return;
-  int trees_in_first = 0;
-  std::string only;
-  for (const auto& [id, definition] : trees_) {
-    if (definition.document != 0) continue;
-    ++trees_in_first;
-    only = id;
-  }
-  if (trees_in_first == 1) main_tree_ = only;
+const NodeModel* Project::SubTreeModel(std::string_view id) const {
+  return FindIn(subtree_models_, id);
 }
 
 }  // namespace coppice

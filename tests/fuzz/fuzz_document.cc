@@ -52,8 +52,9 @@ int FuzzDocument(std::string_view bytes) {
 
   auto project = Project::FromText(text, "", diagnostics);
   CheckDiagnostics(diagnostics, text);
-  Require(project.has_value() != diagnostics.has_errors());
-  if (!project) return 1;
+  Require(project.has_value());
+  Require(project->has_errors() == diagnostics.has_errors());
+  const bool whole = !project->has_errors();
 
   auto registry = std::make_shared<Registry>();
   registry->SetFallback([](const std::string&) { return std::make_unique<Anything>(); });
@@ -61,6 +62,7 @@ int FuzzDocument(std::string_view bytes) {
       Compile(std::make_shared<const Project>(*std::move(project)), registry, diagnostics);
   CheckDiagnostics(diagnostics, text);
   Require((program != nullptr) != diagnostics.has_errors());
+  if (!whole) return 1;
   if (!program) return 2;
 
   SimulatedClock clock;

@@ -10,8 +10,8 @@
 namespace coppice::fuzz {
 
 /// The bytes as an XML file: parse, resolve, compile, tick. Checks that every position lies in the
-/// text and that what compiles is idle after a halt. Returns how far it came: 0 no document, 1 no
-/// project, 2 no program, 3 ticked.
+/// text and that what compiles is idle after a halt. Returns how far it came: 0 no document, 1 an
+/// incomplete project, 2 no program, 3 ticked.
 int FuzzDocument(std::string_view bytes);
 
 /// The bytes as a literal of each built-in type. What is accepted must print to a text that is

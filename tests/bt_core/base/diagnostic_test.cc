@@ -62,5 +62,20 @@ TEST(DidYouMean, IsAQuestionOrNothing) {
   EXPECT_EQ(DidYouMean("Zzz", {"Inverter"}), "");
 }
 
+TEST(Diagnostics, TakesOverAnotherList) {
+  Diagnostics all;
+  all.Warning({"a.xml", 1, 1}, "one");
+  Diagnostics other;
+  other.Warning({"b.xml", 1, 1}, "two");
+  all.Append(other);
+  EXPECT_FALSE(all.has_errors());
+  other.Error({"b.xml", 2, 1}, "three");
+  all.Append(other);
+  EXPECT_TRUE(all.has_errors());
+  EXPECT_EQ(all.ToString(),
+            "a.xml:1:1: warning: one\nb.xml:1:1: warning: two\n"
+            "b.xml:1:1: warning: two\nb.xml:2:1: error: three\n");
+}
+
 }  // namespace
 }  // namespace coppice

@@ -70,6 +70,79 @@ TEST(Project, TheMainTreeIsTheOneThatIsNamed) {
   EXPECT_EQ(MainTree(Root(Tree("A") + Tree("B"), " main_tree_to_execute=\"B\"")), "B");
 }
 
+TEST_F(ProjectTest, SeveralFilesAreOneProject) {
+  const std::string a = Write("a.xml", Root("<include path=\"c.xml\"/>" + Tree("A")));
+  const std::string b = Write("b.xml", Root(Tree("B"), " main_tree_to_execute=\"C\""));
+  const std::string c = Write("c.xml", Root(Tree("C"), " main_tree_to_execute=\"A\""));
+  const auto project = Project::FromFiles({a, b, c}, diagnostics_);
+  ASSERT_TRUE(project) << diagnostics_.ToString();
+  EXPECT_EQ(project->documents().size(), 3U);
+  for (const char* id : {"A", "B", "C"}) EXPECT_NE(project->Find(id), nullptr) << id;
+  EXPECT_EQ(project->main_tree(), "C") << "included files do not say which tree is the main one";
+}
+
+TEST_F(ProjectTest, ATreeThatTwoFilesDefineIsAnError) {
+  const std::string a = Write("a.xml", Root(Tree("A")));
+  const std::string b = Write("b.xml", Root(Tree("A") + "\n" + Tree("B")));
+  const auto project = Project::FromFiles({a, b}, diagnostics_);
+  ASSERT_TRUE(project);
+  EXPECT_TRUE(project->has_errors());
+  EXPECT_EQ(diagnostics_.ToString(),
+            b + ":2:1: error: tree \"A\" is defined twice (first defined at " + a + ":2)\n");
+  EXPECT_EQ(project->Find("A")->document, 0U) << "the first one counts";
+  EXPECT_NE(project->Find("B"), nullptr);
+}
+
+TEST_F(ProjectTest, AFileThatCannotBeReadDoesNotHideTheOthers) {
+  const auto project = Project::FromFiles(
+      {Path("no.xml"), Write("bad.xml", "<root>"), Write("a.xml", Root(Tree("A")))}, diagnostics_);
+  ASSERT_TRUE(project);
+  EXPECT_TRUE(project->has_errors());
+  EXPECT_NE(project->Find("A"), nullptr);
+  EXPECT_EQ(diagnostics_.all().size(), 2U) << diagnostics_.ToString();
+}
+
+TEST_F(ProjectTest, WithoutAnyReadableFileThereIsNoProject) {
+  EXPECT_FALSE(Load(Path("no.xml")));
+  EXPECT_TRUE(diagnostics_.has_errors());
+}
+
+TEST(Project, EarlierErrorsInTheListAreNotItsOwn) {
+  Diagnostics diagnostics;
+  diagnostics.Error({}, "of something else");
+  EXPECT_FALSE(Project::FromText(Root(Tree("A")), "t.xml", diagnostics)->has_errors());
+}
+
+TEST(Project, ATreeWithTwoRootNodesIsThereForTheChecksThatFollow) {
+  Diagnostics diagnostics;
+  const auto project = Project::FromText(Root("<BehaviorTree ID=\"A\"><X/><Y/></BehaviorTree>"),
+                                         "t.xml", diagnostics);
+  EXPECT_TRUE(project->has_errors());
+  EXPECT_NE(project->Find("A"), nullptr);
+}
+
+TEST(Project, KnowsTheModelsOfItsFiles) {
+  Diagnostics diagnostics;
+  const auto project = Project::FromText(
+      Root("<TreeNodesModel><Action ID=\"A\"/><SubTree ID=\"A\"><input_port name=\"x\"/></SubTree>"
+           "</TreeNodesModel>"),
+      "t.xml", diagnostics);
+  EXPECT_EQ(project->models().count("A"), 1U);
+  EXPECT_TRUE(project->models().find("A")->second.ports.empty());
+  ASSERT_NE(project->SubTreeModel("A"), nullptr);
+  EXPECT_NE(project->SubTreeModel("A")->FindPort("x"), nullptr);
+  EXPECT_EQ(project->SubTreeModel("B"), nullptr);
+}
+
+TEST(Project, ModelsThatContradictEachOtherAreAWarning) {
+  const std::string once = "<Action ID=\"A\"><input_port name=\"x\">words</input_port></Action>\n";
+  const std::string same = "<Action ID=\"A\"><input_port name=\"x\"/></Action>\n";
+  const std::string other = "<Action ID=\"A\"><output_port name=\"x\"/></Action>\n";
+  EXPECT_EQ(Problems(Root("<TreeNodesModel>\n" + once + same + other + "</TreeNodesModel>")),
+            "t.xml:5:1: warning: another model of \"A\" with other ports is ignored "
+            "(the first one is at t.xml:3)\n");
+}
+
 TEST(Project, TheOnlyTreeIsTheMainTree) { EXPECT_EQ(MainTree(Root(Tree("A"))), "A"); }
 
 TEST(Project, SeveralTreesWithoutANameHaveNoMainTree) {
@@ -88,7 +161,7 @@ TEST(Project, MissingFormatIsAWarning) {
 
 TEST(Project, UnknownFormatIsAnError) {
   EXPECT_EQ(Problems("<root BTCPP_format=\"9\"/>"),
-            "t.xml:1:1: error: BTCPP_format=\"9\" is not known (expected BTCPP_format=\"4\")\n");
+            "t.xml:1:21: error: BTCPP_format=\"9\" is not known (expected BTCPP_format=\"4\")\n");
 }
 
 TEST(Project, ReportsAllProblemsAtOnce) {
@@ -133,15 +206,19 @@ TEST_F(ProjectTest, AFileIsReadOnceByWhateverName) {
 
 TEST_F(ProjectTest, MissingIncludesAreReportedWithTheirPlace) {
   const std::string a = Write("a.xml", Root("<include path=\"no.xml\"/>\n <include/>" + Tree("A")));
-  EXPECT_FALSE(Load(a));
-  EXPECT_EQ(diagnostics_.ToString(), a + ":2:1: error: included file " + Path("no.xml") +
+  const auto project = Load(a);
+  ASSERT_TRUE(project);
+  EXPECT_TRUE(project->has_errors());
+  EXPECT_NE(project->Find("A"), nullptr) << "a broken include does not hide the rest";
+  EXPECT_EQ(diagnostics_.ToString(), a + ":2:16: error: included file " + Path("no.xml") +
                                          " does not exist\n" + a +
                                          ":3:2: error: <include> without path\n");
 }
 
 TEST_F(ProjectTest, ProblemsOfAnIncludedFileNameThatFile) {
   const std::string b = Write("b.xml", "<root BTCPP_format=\"4\">\n<oops/></root>");
-  EXPECT_FALSE(Load(Write("a.xml", Root("<include path=\"b.xml\"/>" + Tree("A")))));
+  const auto project = Load(Write("a.xml", Root("<include path=\"b.xml\"/>" + Tree("A"))));
+  EXPECT_TRUE(project && project->has_errors());
   EXPECT_EQ(diagnostics_.ToString(), b + ":2:1: error: unexpected <oops> below <root>\n");
 }
 
@@ -158,7 +235,7 @@ TEST_F(ProjectTest, PackagesAreAskedFor) {
 
 TEST_F(ProjectTest, AnUnknownPackageIsAnError) {
   const std::string a = Write("a.xml", Root("<include ros_pkg=\"sobi\" path=\"b.xml\"/>"));
-  EXPECT_FALSE(Load(a));
+  EXPECT_TRUE(Load(a)->has_errors());
   EXPECT_NE(diagnostics_.ToString().find("ROS package \"sobi\" was not found"), std::string::npos);
 }
 
