@@ -112,12 +112,31 @@ class Registry {
     }
   }
 
+  // A class that has work of its own, such as a thread, ends it in BeforeDestruction, while the
+  // object is still whole: in its destructor it would be too late for what is derived from it.
+  template <class T>
+  class Ending final : public T {
+   public:
+    using T::T;
+    ~Ending() override { this->BeforeDestruction(); }
+  };
+  template <class T, class = void>
+  struct MadeAs {
+    using Type = T;
+  };
+  template <class T>
+  struct MadeAs<T, std::void_t<decltype(std::declval<T&>().BeforeDestruction())>> {
+    using Type = Ending<T>;
+  };
+  template <class T>
+  using Made = typename MadeAs<T>::Type;
+
   template <class T, class... Args>
   void AddNode(const std::string& id, const std::string& description, Args... args) {
     Entry entry;
     entry.manifest = {id, T::kCategory, description, {}};
     entry.build = [arguments = std::make_tuple(std::move(args)...)] {
-      return std::apply([](auto&... a) { return std::make_unique<T>(a...); }, arguments);
+      return std::apply([](auto&... a) { return std::make_unique<Made<T>>(a...); }, arguments);
     };
     entry.tick = &TickAs<T>;
     if constexpr (std::is_base_of_v<UserControl, T>) {
