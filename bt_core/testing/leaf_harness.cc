@@ -119,6 +119,17 @@ Status LeafHarness::TickUntilDone(Duration limit) {
   return status;
 }
 
+bool LeafHarness::WaitUntilStopped(Duration step) {
+  const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(10);
+  executor_->ServeDrains();
+  while (executor_->is_draining() && std::chrono::steady_clock::now() < deadline) {
+    if (step == Duration::zero()) executor_->wake_up().WaitFor(std::chrono::milliseconds(1));
+    clock_->Advance(step);
+    executor_->ServeDrains();
+  }
+  return !executor_->is_draining();
+}
+
 void LeafHarness::Halt() {
   sink_->messages.clear();
   executor_->Halt();

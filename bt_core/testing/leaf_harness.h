@@ -79,6 +79,10 @@ class LeafHarness {
   /// real time it is still not done.
   Status TickUntilDone(Duration limit = std::chrono::seconds(10));
 
+  /// After a Halt: asks the node whether it has stopped, without a tick, until it says so; between
+  /// two questions the time moves by `step`. False if after 10 s of real time it has not.
+  bool WaitUntilStopped(Duration step = Duration::zero());
+
   /// When the node asked to be ticked again; kNever if it did not.
   Time next_tick() const { return executor_->next_tick(); }
 

@@ -120,6 +120,7 @@ TEST(ThreadedAction, HaltingRequestsTheStopAndDoesNotWait) {
   harness.Halt();  // would never return if it waited for Work
   stopped.get_future().wait();
   may_end.set_value();
+  EXPECT_TRUE(harness.WaitUntilStopped());
 }
 
 TEST(ThreadedAction, ANewActivationWaitsForTheOldWork) {
@@ -136,7 +137,9 @@ TEST(ThreadedAction, ANewActivationWaitsForTheOldWork) {
   harness.Tick();
   harness.Halt();
   EXPECT_EQ(harness.Tick(), Status::kRunning);
+  harness.Advance(hours(1));  // the engine gives it up, the action does not
   EXPECT_EQ(harness.Tick(), Status::kRunning);
+  EXPECT_LE(runs, 1);
   may_end.set_value();
   EXPECT_EQ(harness.TickUntilDone(), Status::kSuccess);
   EXPECT_EQ(runs, 2);

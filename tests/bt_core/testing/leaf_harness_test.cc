@@ -111,6 +111,35 @@ TEST(LeafHarness, WaitsForMessagesOfOtherThreads) {
   thread.join();
 }
 
+// Needs two seconds to stop.
+class Brake : public Action {
+ public:
+  static constexpr const char* kDescription = "Drives until it is halted, then brakes.";
+  Output<bool> standing{this, "standing", "it does not move"};
+  Status OnStart() override { return Status::kRunning; }
+  Status OnRunning() override { return Status::kRunning; }
+  void OnHalted() override {
+    stopped_at_ = now() + seconds(2);
+    DrainFor(seconds(5));
+  }
+  bool OnDraining() override {
+    standing.Set(now() >= stopped_at_);
+    return now() >= stopped_at_;
+  }
+
+ private:
+  Time stopped_at_{0};
+};
+
+TEST(LeafHarness, WaitsUntilAHaltedLeafHasStopped) {
+  LeafHarness harness = LeafHarness::For<Brake>();
+  harness.Tick();
+  harness.Halt();
+  EXPECT_FALSE(harness.WasWritten("standing"));
+  EXPECT_TRUE(harness.WaitUntilStopped(seconds(1)));
+  EXPECT_TRUE(harness.Get<bool>("standing"));
+}
+
 TEST(LeafHarness, ChildrenDoAsTheyAreTold) {
   LeafHarness harness(std::make_shared<Registry>(), "Sequence", 3);
   harness.SetChild(1, {Status::kRunning, Status::kFailure});
