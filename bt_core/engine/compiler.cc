@@ -122,7 +122,7 @@ class Compiler {
             Quoted(id) + " is not built in, so it must be a leaf without children",
             DidYouMean(id, registry_.Ids()));
     }
-    if (type == NodeType::kLeaf) {
+    if (type == NodeType::kLeaf || type == NodeType::kUser) {
       LeafRecord leaf{node, program_->nodes[node].first_port};
       program_->nodes[node].first_port = static_cast<std::uint32_t>(program_->leaves.size());
       program_->leaves.push_back(leaf);

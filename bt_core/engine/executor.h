@@ -102,8 +102,8 @@ class Executor final : public LeafHost, public ChildHost {
 
   void AddMessage(std::string text) override;
   void Drain(Duration limit) override;
-  Status TickChild(NodeIndex node) override { return Tick(node); }
-  void HaltChild(NodeIndex node) override { Halt(node); }
+  Status TickChild(NodeIndex node) override;
+  void HaltChild(NodeIndex node) override;
   Status StatusOfChild(NodeIndex node) const override { return statuses_[node]; }
 
   // The Tree of bt_core/nodes/control.h.

@@ -143,4 +143,18 @@ Status Executor::TickUnguarded(NodeIndex node) {
   return TickTable::Call(*this, node, nodes_[node].type);
 }
 
+// For the user's control nodes: what they say or start afterwards is theirs, not the child's.
+Status Executor::TickChild(NodeIndex node) {
+  const NodeIndex caller = current_;
+  const Status result = Tick(node);
+  current_ = caller;
+  return result;
+}
+
+void Executor::HaltChild(NodeIndex node) {
+  const NodeIndex caller = current_;
+  Halt(node);
+  current_ = caller;
+}
+
 }  // namespace coppice
