@@ -221,6 +221,16 @@ void Document::FindEnds() {
   } while (!open.empty());
 }
 
+ElementIndex Document::ElementAt(std::uint32_t offset) const {
+  const auto behind =
+      std::upper_bound(elements_.begin(), elements_.end(), offset,
+                       [](std::uint32_t at, const Element& e) { return at < e.offset; });
+  if (behind == elements_.begin()) return kNoElement;
+  auto index = static_cast<ElementIndex>(behind - elements_.begin() - 1);
+  while (index != kNoElement && elements_[index].end <= offset) index = elements_[index].parent;
+  return index;
+}
+
 std::string Document::TextOf(const Element& element) const {
   std::string result;
   int depth = 0;  // of the children that are open

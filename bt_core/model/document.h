@@ -47,6 +47,8 @@ struct Element {
   ElementIndex first_child;   ///< kNoElement if none
   ElementIndex next_sibling;  ///< kNoElement if last
   std::uint32_t child_count;
+
+  bool is_self_closing() const { return start_tag_end == end; }
 };
 
 class Document {
@@ -79,6 +81,9 @@ class Document {
 
   /// Its value, or empty if there is no such attribute.
   std::string_view AttributeValue(const Element& element, std::string_view name) const;
+
+  /// The innermost element that covers this byte of the text, or kNoElement.
+  ElementIndex ElementAt(std::uint32_t offset) const;
 
   /// The text directly inside of an element, decoded, CDATA included, without blanks at both ends;
   /// not that of its children.

@@ -170,6 +170,34 @@ TEST(Document, KnowsWhereElementsEndInWhatOnlyTinyxml2Accepts) {
   EXPECT_EQ(document->element(3).end, text.find("</a>"));
 }
 
+TEST(Document, FindsTheInnermostElementAtAPlace) {
+  const std::string text = "\n<a>.<b><c/></b>.<d/>.</a>\n";
+  const auto document = Load(text).document;
+  const auto at = [&](std::size_t offset) {
+    const ElementIndex index = document->ElementAt(static_cast<std::uint32_t>(offset));
+    return index == kNoElement ? "none" : std::string(document->element(index).tag);
+  };
+  EXPECT_EQ(at(0), "none");
+  EXPECT_EQ(at(text.find("<a")), "a");
+  EXPECT_EQ(at(text.find("<b")), "b");
+  EXPECT_EQ(at(text.find("<c") + 3), "c");
+  EXPECT_EQ(at(text.find("</b")), "b");
+  EXPECT_EQ(at(text.find(".<d")), "a");
+  EXPECT_EQ(at(text.find("</a>") + 3), "a");
+  EXPECT_EQ(at(text.size() - 1), "none");
+}
+
+TEST(Document, TextIsWhatStandsDirectlyInAnElement) {
+  const auto document =
+      Load(
+          "<a> one <b>not &amp; this<c/></b>&lt;two<!-- no --><![CDATA[<&amp;>]]>\n"
+          "</a>")
+          .document;
+  EXPECT_EQ(document->TextOf(document->element(0)), "one <two<&amp;>");
+  EXPECT_EQ(document->TextOf(document->element(1)), "not & this");
+  EXPECT_EQ(document->TextOf(document->element(2)), "");
+}
+
 TEST(Document, FindsThePlaceOfACharacterInsideOfAValue) {
   const std::string text = "<a x='1 &lt; 2 &amp;&amp; y\r\n == 3'/>";
   const auto document = Load(text).document;

@@ -1,0 +1,52 @@
+// A change of a text as a value: which bytes go and which come in their place. What it does not
+// name stays as it is, byte for byte.
+//
+//   const Edit edit = SetAttribute(document, node, "msec", "500");       // element_edits.h
+//   const Edit undo = Inverse(edit, document.text());
+//   const std::string after = Apply(edit, document.text());
+//   Apply(undo, after) == document.text()
+//
+// An undo stack is a stack of inverses: it costs the changed bytes only, so it need not end.
+#ifndef COPPICE_BT_CORE_MODEL_EDIT_H_
+#define COPPICE_BT_CORE_MODEL_EDIT_H_
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bt_core/model/document.h"
+
+namespace coppice {
+
+struct Splice {
+  std::uint32_t offset = 0;   ///< in the text before the edit
+  std::uint32_t removed = 0;  ///< bytes
+  std::string inserted;
+};
+
+/// In the order of their offsets, not overlapping.
+using Edit = std::vector<Splice>;
+
+/// The text after the edit.
+std::string Apply(const Edit& edit, std::string_view text);
+
+/// The edit that turns Apply(edit, text) back into `text`.
+Edit Inverse(const Edit& edit, std::string_view text);
+
+/// Where a byte of the text lies after the edit. What is inserted in front of it moves it; a
+/// removed byte lies where its replacement begins.
+std::uint32_t MapOffset(const Edit& edit, std::uint32_t offset);
+
+/// Both edits at once. They must be about the same text and about different places of it.
+Edit Merge(Edit a, const Edit& b);
+
+/// The document after the edit, under the same file name. Nothing if the result is malformed, which
+/// can only be if the edit put malformed text in.
+std::optional<Document> Edited(const Document& document, const Edit& edit,
+                               Diagnostics& diagnostics);
+
+}  // namespace coppice
+
+#endif  // COPPICE_BT_CORE_MODEL_EDIT_H_

@@ -1,0 +1,90 @@
+#include "bt_core/model/write_file.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+
+namespace coppice {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A file beside the target. It is gone with this object, unless it has become the target.
+class TemporaryFile {
+ public:
+  explicit TemporaryFile(const std::string& target) : path_(target + ".XXXXXX") {
+    descriptor_ = mkstemp(path_.data());
+  }
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+  ~TemporaryFile() {
+    if (descriptor_ < 0) return;
+    close(descriptor_);
+    if (!renamed_) unlink(path_.c_str());
+  }
+
+  bool is_open() const { return descriptor_ >= 0; }
+
+  bool Write(std::string_view text) {
+    while (!text.empty()) {
+      const ssize_t written = write(descriptor_, text.data(), text.size());
+      if (written < 0 && errno == EINTR) continue;
+      if (written <= 0) return false;
+      text.remove_prefix(static_cast<std::size_t>(written));
+    }
+    return true;
+  }
+
+  bool SetMode(mode_t mode) { return fchmod(descriptor_, mode) == 0; }
+
+  bool Become(const std::string& target) {
+    renamed_ = fsync(descriptor_) == 0 && rename(path_.c_str(), target.c_str()) == 0;
+    return renamed_;
+  }
+
+ private:
+  std::string path_;
+  int descriptor_ = -1;
+  bool renamed_ = false;
+};
+
+// What a new file gets: there is no way to ask for the mask without setting it.
+mode_t ModeOf(const std::string& path) {
+  struct stat info = {};
+  if (stat(path.c_str(), &info) == 0) return info.st_mode & 07777U;
+  const mode_t mask = umask(0);
+  umask(mask);
+  return 0666U & ~mask;
+}
+
+// The rename itself is only safe once the folder is on the disk. Some file systems cannot; then
+// there is nothing more to do.
+void SyncFolder(const fs::path& folder) {
+  const int descriptor = open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY);
+  if (descriptor < 0) return;
+  fsync(descriptor);
+  close(descriptor);
+}
+
+}  // namespace
+
+bool WriteFile(const std::string& path, std::string_view text, Diagnostics& diagnostics) {
+  std::error_code error;
+  const fs::path real = fs::is_symlink(path, error) ? fs::canonical(path, error) : fs::path(path);
+  const std::string target = error ? path : real.string();
+  TemporaryFile file(target);
+  if (!file.is_open() || !file.Write(text) || !file.SetMode(ModeOf(target)) ||
+      !file.Become(target)) {
+    diagnostics.Error({path, 0, 0}, "cannot write this file", std::strerror(errno));
+    return false;
+  }
+  SyncFolder(fs::path(target).parent_path());
+  return true;
+}
+
+}  // namespace coppice
