@@ -131,9 +131,11 @@ void Document::WarnOutsideRoot(const tinyxml2::XMLDocument& xml, const char* sta
   }
 }
 
-Attribute Document::MakeAttribute(std::uint32_t name, std::size_t name_length,
-                                  std::uint32_t value) {
+Attribute Document::MakeAttribute(std::uint32_t name, std::size_t name_length) {
   const std::string_view text = *text_;
+  std::uint32_t value = name + static_cast<std::uint32_t>(name_length);
+  while (text[value] != '"' && text[value] != '\'') ++value;
+  ++value;
   const auto end = static_cast<std::uint32_t>(text.find(text[value - 1], value));
   std::string_view decoded = text.substr(value, end - value);
   if (NeedsDecoding(decoded)) decoded = resolved_.emplace_front(DecodeXml(decoded));
@@ -143,6 +145,9 @@ Attribute Document::MakeAttribute(std::uint32_t name, std::size_t name_length,
 void Document::BuildIndex(const tinyxml2::XMLDocument& xml, const char* start) {
   const auto offset_of = [start](const char* at) { return static_cast<std::uint32_t>(at - start); };
 
+  const auto tags = static_cast<std::size_t>(std::count(text_->begin(), text_->end(), '<'));
+  elements_.reserve(tags);
+  attributes_.reserve(2 * tags);
   const tinyxml2::XMLElement* at = xml.RootElement();
   ElementIndex parent = kNoElement;
   ElementIndex previous = kNoElement;  // sibling before `at`
@@ -160,8 +165,7 @@ void Document::BuildIndex(const tinyxml2::XMLDocument& xml, const char* start) {
                     kNoElement,
                     0};
     for (const auto* a = at->FirstAttribute(); a; a = a->Next()) {
-      attributes_.push_back(
-          MakeAttribute(offset_of(a->Name()), std::strlen(a->Name()), offset_of(a->Value())));
+      attributes_.push_back(MakeAttribute(offset_of(a->Name()), std::strlen(a->Name())));
       ++element.attribute_count;
     }
     if (parent != kNoElement) {

@@ -111,7 +111,7 @@ class Document {
   std::uint32_t FindTag(const char* name, const char* start) const;
   void FindEnds();
   std::uint32_t FindStartTagEnd(const Element& element) const;
-  Attribute MakeAttribute(std::uint32_t name, std::size_t name_length, std::uint32_t value);
+  Attribute MakeAttribute(std::uint32_t name, std::size_t name_length);
 
   std::string file_;
   std::unique_ptr<const std::string> text_;

@@ -105,7 +105,7 @@ bool BeginsName(char c) {
 }  // namespace
 
 bool NeedsDecoding(std::string_view raw) {
-  return raw.find_first_of("&\r") != std::string_view::npos;
+  return std::any_of(raw.begin(), raw.end(), [](char c) { return c == '&' || c == '\r'; });
 }
 
 std::string DecodeXml(std::string_view raw) {
