@@ -25,9 +25,34 @@ namespace coppice {
 template <class T>
 struct ValueTraits;  // specialised below and by the user
 
+/// The types that scripts compute with; every other type is kOther.
+enum class TypeKind : std::uint8_t {
+  kBool,
+  kInt,
+  kUnsigned,
+  kInt64,
+  kUint64,
+  kDouble,
+  kString,
+  kOther
+};
+
+template <class T>
+constexpr TypeKind KindOf() {
+  if (std::is_same_v<T, bool>) return TypeKind::kBool;
+  if (std::is_same_v<T, int>) return TypeKind::kInt;
+  if (std::is_same_v<T, unsigned>) return TypeKind::kUnsigned;
+  if (std::is_same_v<T, std::int64_t>) return TypeKind::kInt64;
+  if (std::is_same_v<T, std::uint64_t>) return TypeKind::kUint64;
+  if (std::is_same_v<T, double>) return TypeKind::kDouble;
+  if (std::is_same_v<T, std::string>) return TypeKind::kString;
+  return TypeKind::kOther;
+}
+
 /// What the engine knows about a C++ type. There is one Type per C++ type; compare addresses.
 struct Type {
   const char* name;
+  TypeKind kind;
   std::size_t size;
   std::size_t alignment;
   void (*construct)(void* at);
@@ -42,6 +67,7 @@ template <class T>
 const Type& TypeOf() {
   static const Type type = {
       ValueTraits<T>::kName,
+      KindOf<T>(),
       sizeof(T),
       alignof(T),
       [](void* at) { new (at) T(); },

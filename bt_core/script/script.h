@@ -13,10 +13,12 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "bt_core/data/blackboard.h"
@@ -43,6 +45,10 @@ struct ScriptProblem {
   std::string hint;  ///< may be empty
 };
 
+namespace script {
+struct Code;
+}  // namespace script
+
 /// While running: an operand has no value, or values of types that the operator does not take.
 struct ScriptError : std::runtime_error {
   using std::runtime_error::runtime_error;
@@ -51,8 +57,13 @@ struct ScriptError : std::runtime_error {
 /// Stands for the type of a port whose text is a script. No slot has this type.
 struct ScriptCode {};
 
+/// A compiled script. Immutable and cheap to copy; any number of threads may run it, each on a
+/// blackboard of its own.
 class Script {
  public:
+  /// At most so many bytes of text.
+  static constexpr std::size_t kMaxSize = 65536;
+
   /// Nothing is returned if there are problems; all of them are in `problems`.
   static std::optional<Script> Compile(std::string_view text, ScriptNames& names,
                                        const ScriptConstants& constants,
@@ -61,8 +72,18 @@ class Script {
   /// Runs all statements. Throws ScriptError; what was assigned before stays assigned.
   void Run(Blackboard& blackboard) const;
 
-  /// Runs all statements; true if the value of the last is true or a number other than 0.
+  /// Runs all statements; true if the value of the last is true, a number other than 0, or a text
+  /// that reads as one of these. Throws ScriptError, also if it is neither true nor false.
   bool Test(Blackboard& blackboard) const;
+
+  /// The slots that the script may read or write, in ascending order. `x += 1` does both.
+  const std::vector<SlotIndex>& reads() const;
+  const std::vector<SlotIndex>& writes() const;
+
+ private:
+  explicit Script(std::shared_ptr<const script::Code> code) : code_(std::move(code)) {}
+
+  std::shared_ptr<const script::Code> code_;
 };
 
 template <>

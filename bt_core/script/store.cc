@@ -1,0 +1,137 @@
+#include "bt_core/script/store.h"
+
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <utility>
+
+namespace coppice::script {
+namespace {
+
+using Kind = Operand::Kind;
+
+[[noreturn]] void Refuse(const Operand& operand, const Type& type) {
+  throw Failure{Describe(operand) + " is no value of type " + type.name};
+}
+
+bool IsNumeric(const Operand& operand) {
+  return operand.kind != Kind::kText && operand.kind != Kind::kOther;
+}
+
+// False if the number is not kept.
+template <class T>
+bool StoreInteger(const Operand& operand, Value& value) {
+  const Operand number = ToNumber(operand);
+  std::int64_t integer = number.integer;
+  if (number.kind == Kind::kDouble) {
+    constexpr double kEnd = 9223372036854775808.0;
+    if (!(number.number >= -kEnd && number.number < kEnd)) return false;
+    integer = static_cast<std::int64_t>(number.number);
+    if (static_cast<double>(integer) != number.number) return false;
+  }
+  const T kept = static_cast<T>(integer);
+  const bool negative = std::is_unsigned_v<T> && integer < 0;
+  if (negative || static_cast<std::int64_t>(kept) != integer) return false;
+  value.Set(kept);
+  return true;
+}
+
+bool StoreBool(const Operand& operand, Value& value) {
+  const Operand number = ToNumber(operand);
+  const double truth =
+      number.kind == Kind::kInteger ? static_cast<double>(number.integer) : number.number;
+  if (truth != 0 && truth != 1) return false;
+  value.Set(truth == 1);
+  return true;
+}
+
+bool StoreDouble(const Operand& operand, Value& value) {
+  const Operand number = ToNumber(operand);
+  value.Set(number.kind == Kind::kInteger ? static_cast<double>(number.integer) : number.number);
+  return true;
+}
+
+// False if the number is not kept by that type.
+bool StoreNumber(const Operand& operand, const Type& type, Value& value) {
+  switch (type.kind) {
+    case TypeKind::kBool:
+      return StoreBool(operand, value);
+    case TypeKind::kInt:
+      return StoreInteger<int>(operand, value);
+    case TypeKind::kUnsigned:
+      return StoreInteger<unsigned>(operand, value);
+    case TypeKind::kInt64:
+      return StoreInteger<std::int64_t>(operand, value);
+    case TypeKind::kUint64:
+      return StoreInteger<std::uint64_t>(operand, value);
+    case TypeKind::kDouble:
+      return StoreDouble(operand, value);
+    case TypeKind::kString:
+    case TypeKind::kOther:
+      break;
+  }
+  return false;
+}
+
+// Reuses the storage of a text that is there already.
+void StoreText(std::string_view text, Value& value) {
+  if (value.Is<std::string>()) {
+    value.Get<std::string>().assign(text);
+  } else {
+    value.Set(std::string(text));
+  }
+}
+
+void StoreAs(const Type& type, const Operand& operand, Value& value) {
+  if (operand.kind == Kind::kText) {
+    if (type.kind == TypeKind::kString) return StoreText(operand.text(), value);
+    Value read;
+    if (!read.Parse(type, operand.text())) Refuse(operand, type);
+    value = std::move(read);
+    return;
+  }
+  if (operand.kind == Kind::kOther) {
+    if (operand.other->type() != &type) Refuse(operand, type);
+    value = *operand.other;
+    return;
+  }
+  if (!StoreNumber(operand, type, value)) Refuse(operand, type);
+}
+
+void StoreFirst(const Operand& operand, Value& value) {
+  switch (operand.kind) {
+    case Kind::kBool:
+      return value.Set(operand.truth);
+    case Kind::kInteger:
+      return value.Set(operand.integer);
+    case Kind::kDouble:
+      return value.Set(operand.number);
+    case Kind::kText:
+      return StoreText(operand.text(), value);
+    case Kind::kOther:
+      value = *operand.other;
+      return;
+  }
+}
+
+bool Widens(const Operand& operand, const Type& type) {
+  const bool from_number = type.kind != TypeKind::kString && type.kind != TypeKind::kOther;
+  return from_number && IsNumeric(operand);
+}
+
+}  // namespace
+
+void Store(const Operand& operand, const Type* type, Slot& slot) {
+  if (type) {
+    StoreAs(*type, operand, slot.value);
+  } else if (!slot.value.has_value()) {
+    StoreFirst(operand, slot.value);
+  } else if (!Widens(operand, *slot.value.type())) {
+    StoreAs(*slot.value.type(), operand, slot.value);
+  } else if (!StoreNumber(operand, *slot.value.type(), slot.value)) {
+    StoreFirst(ToNumber(operand), slot.value);
+  }
+  ++slot.writes;
+}
+
+}  // namespace coppice::script
