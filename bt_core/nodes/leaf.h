@@ -64,7 +64,8 @@ class UserNode : public PortOwner {
   /// After a Halt that called Drain: true when everything has stopped. Asked in every tick.
   virtual bool HasStopped() { return true; }
 
-  void set_host(LeafHost* host) { host_ = host; }
+  /// Called by the engine before anything else; virtual for nodes that contain another one.
+  virtual void set_host(LeafHost* host) { host_ = host; }
 
  protected:
   Time now() const { return host_->now(); }

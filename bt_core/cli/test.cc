@@ -1,0 +1,99 @@
+#include <chrono>
+#include <fstream>
+#include <iostream>
+#include <memory>
+
+#include "bt_core/base/command_line.h"
+#include "bt_core/cli/test_report.h"
+#include "bt_core/cli/verbs.h"
+
+namespace coppice {
+namespace {
+
+constexpr char kUsage[] =
+    "coppice test FILE... [--filter PATTERN] [--json] [--junit FILE]\n"
+    "  Plays the scenarios of each file with the tree that it names, on simulated time.\n"
+    "  --filter PATTERN  only scenarios whose name fits; * stands for any characters\n"
+    "  --json            the result as one JSON object\n"
+    "  --junit FILE      also writes the result for continuous integration\n"
+    "  Leaves that are not built in are played by scripts. The format: docs/testing.md.";
+
+// Stands for a leaf that only the robot's program knows. Never ticked: a scenario in which no
+// script plays it is not played.
+class UnknownLeaf : public Leaf {
+ public:
+  Status Tick(bool) override { return Status::kFailure; }
+};
+
+TestedScenario Play(const Program& program, const ScenarioSuite& suite, const Scenario& scenario) {
+  const auto start = std::chrono::steady_clock::now();
+  TestedScenario tested{scenario.name, RunScenario(program, suite, scenario), 0};
+  tested.seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return tested;
+}
+
+TestedFile TestFile(const std::string& path, const std::string& filter) {
+  TestedFile tested{path, "", {}};
+  Diagnostics diagnostics;
+  const std::optional<ScenarioSuite> suite = LoadScenarios(path, diagnostics);
+  std::shared_ptr<const Program> program;
+  if (suite) {
+    auto registry = std::make_shared<Registry>();
+    registry->SetFallback([](const std::string&) { return std::make_unique<UnknownLeaf>(); });
+    program = CompileFile(suite->tree_file, registry, diagnostics, suite->tree_id);
+  }
+  if (!program) {
+    tested.errors = diagnostics.ToString();
+    return tested;
+  }
+  for (const Scenario& scenario : suite->scenarios) {
+    if (!FitsWildcards(filter, scenario.name)) continue;
+    tested.scenarios.push_back(Play(*program, *suite, scenario));
+  }
+  return tested;
+}
+
+int ExitStatus(const std::vector<TestedFile>& files) {
+  int status = 0;
+  for (const TestedFile& file : files) {
+    if (!file.errors.empty()) return 2;
+    if (!Passed(file)) status = 1;
+  }
+  return status;
+}
+
+}  // namespace
+
+int RunTest(const Arguments& arguments) {
+  const std::optional<Options> options =
+      ParseOptions(arguments, {"--filter", "--junit"}, {"--json"}, kUsage);
+  if (!options) return 2;
+  if (options->files.empty()) {
+    std::cerr << "no file given\nusage: " << kUsage << "\n";
+    return 2;
+  }
+  std::vector<TestedFile> files;
+  std::size_t played = 0;
+  for (const std::string& path : options->files) {
+    files.push_back(TestFile(path, options->Get("--filter", "*")));
+    played += files.back().scenarios.size();
+  }
+  std::cout << (options->Has("--json") ? ReportJson(files) : ReportText(files));
+  if (options->Has("--junit")) {
+    std::ofstream out(options->Get("--junit"));
+    out << ReportJUnit(files);
+    if (!out.flush()) {
+      std::cerr << options->Get("--junit") << ": cannot be written\n";
+      return 2;
+    }
+  }
+  const int status = ExitStatus(files);
+  if (status == 0 && played == 0) {
+    std::cerr << "no scenario fits \"" << options->Get("--filter") << "\"\n";
+    return 2;
+  }
+  return status;
+}
+
+}  // namespace coppice

@@ -1,0 +1,174 @@
+#include "bt_core/testing/json_text.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string_view>
+#include <utility>
+
+namespace coppice {
+namespace {
+
+using Kind = JsonText::Kind;
+
+// nlohmann's parser does not say where it is, so it reads through an iterator that counts.
+class CountingIterator {
+ public:
+  using iterator_category = std::input_iterator_tag;
+  using value_type = char;
+  using difference_type = std::ptrdiff_t;
+  using pointer = const char*;
+  using reference = const char&;
+
+  CountingIterator(const char* at, const char** furthest) : at_(at), furthest_(furthest) {}
+  reference operator*() const { return *at_; }
+  CountingIterator& operator++() {
+    ++at_;
+    if (furthest_) *furthest_ = at_;
+    return *this;
+  }
+  bool operator==(const CountingIterator& other) const { return at_ == other.at_; }
+  bool operator!=(const CountingIterator& other) const { return at_ != other.at_; }
+
+ private:
+  const char* at_;
+  const char** furthest_;
+};
+
+constexpr std::size_t kMaxDepth = 100;
+
+class Reader : public nlohmann::json_sax<nlohmann::json> {
+ public:
+  Reader(const std::string& text, const std::string& file, Diagnostics& diagnostics)
+      : text_(text), file_(file), diagnostics_(diagnostics), at_(text.data()) {}
+
+  std::optional<JsonText> Read() {
+    const char* end = text_.data() + text_.size();
+    const bool good = nlohmann::json::sax_parse(CountingIterator(text_.data(), &at_),
+                                                CountingIterator(end, nullptr), this,
+                                                nlohmann::json::input_format_t::json, true, true);
+    if (!good || diagnostics_.has_errors()) return std::nullopt;
+    return std::move(root_);
+  }
+
+  bool null() override { return Add(Kind::kNull, "null", 4); }
+  bool boolean(bool value) override {
+    return Add(Kind::kBool, value ? "true" : "false", value ? 4 : 5);
+  }
+  bool number_integer(number_integer_t) override { return AddNumber(); }
+  bool number_unsigned(number_unsigned_t) override { return AddNumber(); }
+  bool number_float(number_float_t, const string_t&) override { return AddNumber(); }
+  bool string(string_t& value) override {
+    return Add(Kind::kString, value, consumed() - StartOfString());
+  }
+  bool binary(binary_t&) override { return false; }
+  bool start_object(std::size_t) override { return Open(Kind::kObject); }
+  bool start_array(std::size_t) override { return Open(Kind::kArray); }
+  bool end_object() override { return Close(); }
+  bool end_array() override { return Close(); }
+  bool key(string_t& name) override {
+    key_ = name;
+    return true;
+  }
+  bool parse_error(std::size_t position, const std::string&,
+                   const nlohmann::json::exception& error) override {
+    const std::string what = error.what();
+    const std::size_t reason = what.find(": ");
+    diagnostics_.Error(Locate(position ? position - 1 : 0),
+                       reason == std::string::npos ? what : what.substr(reason + 2));
+    return false;
+  }
+
+ private:
+  std::size_t consumed() const { return static_cast<std::size_t>(at_ - text_.data()); }
+
+  // The parser has just read the closing quote.
+  std::size_t StartOfString() const {
+    std::size_t start = consumed() - 2;
+    const auto is_escaped = [this](std::size_t at) {
+      std::size_t slashes = 0;
+      while (slashes < at && text_[at - 1 - slashes] == '\\') ++slashes;
+      return slashes % 2 == 1;
+    };
+    while (start > 0 && (text_[start] != '"' || is_escaped(start))) --start;
+    return start;
+  }
+
+  // The parser has read one character more, unless the number is the whole text.
+  bool AddNumber() {
+    constexpr std::string_view kCharacters = "+-.0123456789Ee";
+    std::size_t end = consumed();
+    if (kCharacters.find(text_[end - 1]) == std::string_view::npos) --end;
+    std::size_t start = end;
+    while (start > 0 && kCharacters.find(text_[start - 1]) != std::string_view::npos) --start;
+    return Add(Kind::kNumber, text_.substr(start, end - start), consumed() - start);
+  }
+
+  bool Open(Kind kind) {
+    Add(kind, "", 1);
+    if (open_.size() == kMaxDepth) {
+      diagnostics_.Error(Locate(consumed() - 1), "nested more than 100 levels deep");
+      return false;
+    }
+    open_.push_back(open_.empty() ? &root_ : &open_.back()->children.back());
+    return true;
+  }
+
+  bool Close() {
+    RefuseTwins(*open_.back());
+    open_.pop_back();
+    return true;
+  }
+
+  void RefuseTwins(const JsonText& object) {
+    if (!object.is(Kind::kObject)) return;
+    std::set<std::string_view> names;
+    for (const JsonText& member : object.children) {
+      if (names.insert(member.key).second) continue;
+      diagnostics_.Error(member.where, "\"" + member.key + "\" is given twice");
+    }
+  }
+
+  bool Add(Kind kind, std::string text, std::size_t length) {
+    JsonText value{kind, std::exchange(key_, {}), std::move(text), Locate(consumed() - length), {}};
+    if (open_.empty()) {
+      root_ = std::move(value);
+    } else {
+      open_.back()->children.push_back(std::move(value));
+    }
+    return true;
+  }
+
+  SourceLocation Locate(std::size_t offset) const {
+    const auto until = text_.begin() + static_cast<std::ptrdiff_t>(std::min(offset, text_.size()));
+    const auto lines = std::count(text_.begin(), until, '\n');
+    const std::size_t line_start = text_.rfind('\n', offset ? offset - 1 : 0);
+    const bool first = offset == 0 || line_start == std::string::npos;
+    return {file_, static_cast<std::uint32_t>(lines + 1),
+            static_cast<std::uint32_t>(first ? offset + 1 : offset - line_start)};
+  }
+
+  const std::string& text_;
+  const std::string& file_;
+  Diagnostics& diagnostics_;
+  const char* at_;  // behind what the parser has read
+  std::string key_;
+  JsonText root_;
+  std::vector<JsonText*> open_;  // an array or object does not grow while a child is open
+};
+
+}  // namespace
+
+const JsonText* JsonText::Find(std::string_view name) const {
+  for (const JsonText& child : children) {
+    if (child.key == name) return &child;
+  }
+  return nullptr;
+}
+
+std::optional<JsonText> ParseJsonText(const std::string& text, const std::string& file,
+                                      Diagnostics& diagnostics) {
+  return Reader(text, file, diagnostics).Read();
+}
+
+}  // namespace coppice

@@ -1,0 +1,233 @@
+#include "bt_core/testing/mocked_tree.h"
+
+#include <algorithm>
+#include <deque>
+#include <stdexcept>
+
+namespace coppice {
+
+// What is known of one leaf or played node.
+struct MockedTree::Part {
+  MockedTree& tree;
+  NodeIndex node;
+  NodeNames names;
+  const Registry::Entry* original;  // null for a type that nobody registered
+  bool of_user;                     // not built in
+  std::uint32_t first_port;         // of Program::ports, if there is an original
+  bool played;
+  MockScript script;
+  std::size_t next = 0;  // of the script's results
+};
+
+// A copy in which the parts have entries of their own: those build what plays or watches the node.
+class MockedTree::MockedProgram : public Program {
+ public:
+  explicit MockedProgram(const Program& program) : Program(program) {}
+  std::deque<Registry::Entry> entries;
+};
+
+// A port of a played node; knows its type at run time only.
+class MockedTree::MockPort : public PortBase {
+ public:
+  explicit MockPort(const PortDeclaration& declaration)
+      : PortBase(declaration), name_(declaration.name), type_(declaration.type) {}
+
+  const std::string& name() const { return name_; }
+  void Write(const std::string& text) {
+    if (!slot_) return;
+    Value value;
+    if (!value.Parse(type_ ? *type_ : TypeOf<std::string>(), text)) {
+      throw std::invalid_argument("\"" + text + "\" is not a value for output \"" + name_ +
+                                  "\", expected " + type_->name);
+    }
+    slot_->value = std::move(value);
+    ++slot_->writes;
+  }
+
+ private:
+  std::string name_;
+  const Type* type_;
+};
+
+class MockedTree::PlayedNode : public Leaf {
+ public:
+  explicit PlayedNode(Part& part) : part_(part) {
+    if (!part.of_user) return;
+    for (const PortDeclaration& declaration : part.original->declarations) {
+      ports_.emplace_back(declaration);
+    }
+  }
+
+  Status Tick(bool starting) override {
+    if (starting) {
+      done_at_ = now() + part_.script.duration;
+      if (part_.script.restart) part_.next = 0;
+    }
+    const Status result = now() < done_at_ ? Waiting() : NextResult();
+    const bool throws = IsCompleted(result) && !part_.script.throws.empty();
+    part_.tree.Record(part_, false, throws ? Status::kFailure : result);
+    if (throws) throw std::runtime_error(part_.script.throws);
+    if (IsCompleted(result)) Complete();
+    return result;
+  }
+
+  void Halt() override { part_.tree.Record(part_, true, Status::kIdle); }
+
+ private:
+  Status Waiting() {
+    WakeAt(done_at_);
+    return Status::kRunning;
+  }
+
+  Status NextResult() {
+    const std::vector<Status>& results = part_.script.results;
+    if (results.empty()) return Status::kSuccess;
+    const Status result = results[std::min(part_.next, results.size() - 1)];
+    ++part_.next;
+    return result;
+  }
+
+  void Complete() {
+    for (const auto& [name, text] : part_.script.outputs) Output(name).Write(text);
+    if (!part_.script.says.empty()) Say(part_.script.says);
+  }
+
+  MockPort& Output(const std::string& name) {
+    for (MockPort& port : ports_) {
+      if (port.name() == name) return port;
+    }
+    throw std::invalid_argument("the scripted node has no port \"" + name + "\"");
+  }
+
+  Part& part_;
+  std::deque<MockPort> ports_;
+  Time done_at_{0};
+};
+
+// A leaf that is itself, but for being written down.
+class MockedTree::WatchedLeaf : public Leaf {
+ public:
+  WatchedLeaf(Part& part, std::unique_ptr<UserNode> leaf) : part_(part), leaf_(std::move(leaf)) {}
+
+  void set_host(LeafHost* host) override { leaf_->set_host(host); }
+  Status Tick(bool starting) override {
+    Status result = Status::kFailure;
+    try {
+      result = leaf_->Tick(starting);
+    } catch (...) {
+      part_.tree.Record(part_, false, result);
+      throw;
+    }
+    part_.tree.Record(part_, false, result);
+    return result;
+  }
+  void Halt() override {
+    part_.tree.Record(part_, true, Status::kIdle);
+    leaf_->Halt();
+  }
+  bool HasStopped() override { return leaf_->HasStopped(); }
+
+ private:
+  Part& part_;
+  std::unique_ptr<UserNode> leaf_;
+};
+
+MockedTree::MockedTree(const Program& program, std::vector<MockRule> rules, Clock& clock,
+                       MockOptions options)
+    : options_(options),
+      rules_(std::move(rules)),
+      program_(std::make_shared<MockedProgram>(program)) {
+  for (NodeIndex node = 0; node < program.nodes.size(); ++node) {
+    const std::optional<std::size_t> rule =
+        ChooseRule(rules_, {program.Name(node), program.Path(node), program.Id(node)});
+    const bool is_leaf = program.nodes[node].type == NodeType::kLeaf;
+    if (rule || is_leaf) AddPart(node, rule ? &rules_[*rule].script : nullptr);
+  }
+  executor_ = std::make_unique<Executor>(program_, clock);
+  events_.clear();
+}
+
+MockedTree::~MockedTree() = default;
+
+void MockedTree::AddPart(NodeIndex node, const MockScript* script) {
+  NodeRecord& record = program_->nodes[node];
+  NodeInfo& info = program_->info[node];
+  const bool of_user = record.type == NodeType::kLeaf || record.type == NodeType::kUser;
+  const std::uint32_t first_port =
+      of_user ? program_->leaves[record.first_port].first_port : record.first_port;
+  parts_.push_back(std::make_unique<Part>(
+      Part{*this,
+           node,
+           {program_->Name(node), program_->Path(node), program_->Id(node)},
+           info.entry,
+           of_user,
+           first_port,
+           script != nullptr,
+           script ? *script : MockScript()}));
+  Part& part = *parts_.back();
+
+  Registry::Entry entry = info.entry ? *info.entry : Registry::Entry();
+  entry.tick = [](UserNode& leaf, bool starting) { return leaf.Tick(starting); };
+  entry.build = [&part, original = info.entry,
+                 registry = program_->registry]() -> std::unique_ptr<UserNode> {
+    if (part.played) return std::make_unique<PlayedNode>(part);
+    if (original) return std::make_unique<WatchedLeaf>(part, original->build());
+    const PortCollector unused;  // nobody binds the ports of a leaf without an entry
+    return std::make_unique<WatchedLeaf>(part, registry->fallback()(part.names.name));
+  };
+  program_->entries.push_back(std::move(entry));
+  info.entry = &program_->entries.back();
+
+  if (record.dispatch == record.type) record.dispatch = NodeType::kLeaf;
+  record.type = NodeType::kLeaf;
+  if (!of_user) {
+    record.first_port = static_cast<std::uint32_t>(program_->leaves.size());
+    program_->leaves.push_back({node, first_port});
+  }
+}
+
+void MockedTree::Record(const Part& part, bool halted, Status result) {
+  LeafEvent event{part.node, halted, result, {}};
+  if (options_.inputs && !halted && part.original) {
+    for (std::size_t k = 0; k < part.original->declarations.size(); ++k) {
+      const PortDeclaration& port = part.original->declarations[k];
+      const SlotIndex slot = program_->ports[part.first_port + k].slot;
+      const bool is_input =
+          port.direction == PortDirection::kInput || port.direction == PortDirection::kInOut;
+      if (!is_input || slot == kNoSlot || port.type == &TypeOf<ScriptCode>()) continue;
+      const Value& value = executor_->blackboard()[slot].value;
+      if (value.has_value()) event.inputs.emplace_back(port.name, value.Print());
+    }
+  }
+  events_.push_back(std::move(event));
+}
+
+int MockedTree::ChangeScript(const std::string& pattern, const MockScript& script) {
+  int changed = 0;
+  for (const auto& part : parts_) {
+    if (!part->played || !Matches(pattern, part->names)) continue;
+    part->script = script;
+    part->next = 0;
+    ++changed;
+  }
+  return changed;
+}
+
+std::vector<std::string> MockedTree::UnusedPatterns() const {
+  std::vector<std::string> unused;
+  for (const MockRule& rule : rules_) {
+    const auto fits = [&](const auto& part) { return Matches(rule.pattern, part->names); };
+    if (std::none_of(parts_.begin(), parts_.end(), fits)) unused.push_back(rule.pattern);
+  }
+  return unused;
+}
+
+std::vector<NodeIndex> MockedTree::UnknownLeaves() const {
+  std::vector<NodeIndex> unknown;
+  for (const auto& part : parts_) {
+    if (!part->played && !part->original) unknown.push_back(part->node);
+  }
+  return unknown;
+}
+
+}  // namespace coppice
