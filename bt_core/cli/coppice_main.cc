@@ -23,9 +23,8 @@ constexpr Verb kVerbs[] = {
     {"nodes", "list the node types and their ports", coppice::RunNodes},
     {"replay", "print what happened in a recorded run", coppice::RunReplay},
     {"run", "run a tree of built-in nodes", coppice::RunTree},
-#ifdef COPPICE_WITH_TRACE
+    {"test", "play scenarios with whole trees", coppice::RunTest},
     {"trace", "run a tree with scripted leaves", coppice::RunTrace},
-#endif
 };
 
 std::filesystem::path FolderOfThisProgram() {

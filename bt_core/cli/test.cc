@@ -28,8 +28,7 @@ class UnknownLeaf : public Leaf {
 TestedScenario Play(const Program& program, const ScenarioSuite& suite, const Scenario& scenario) {
   const auto start = std::chrono::steady_clock::now();
   TestedScenario tested{scenario.name, RunScenario(program, suite, scenario), 0};
-  tested.seconds =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  tested.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return tested;
 }
 

@@ -20,8 +20,8 @@ std::string StepOf(const Difference& difference) {
 }
 
 std::string Describe(const Difference& difference) {
-  return Place(difference.where) + ": " + StepOf(difference) + difference.what +
-         "\n    expected " + difference.expected + "\n    got      " + difference.got + "\n";
+  return Place(difference.where) + ": " + StepOf(difference) + difference.what + "\n    expected " +
+         difference.expected + "\n    got      " + difference.got + "\n";
 }
 
 long CountPassed(const TestedFile& file) {

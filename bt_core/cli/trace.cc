@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <fstream>
 #include <iostream>
 #include <map>
@@ -14,13 +15,18 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+// Real time hardly passes between ticks that follow each other at once, but it does pass.
+constexpr Duration kDefaultStep = std::chrono::microseconds(1);
+
 constexpr char kUsage[] =
-    "coppice trace FILE --leaves SCRIPT.json [--ticks N] [--tree ID]\n"
+    "coppice trace FILE --leaves SCRIPT.json [--ticks N] [--tree ID] [--step MS]\n"
     "  Runs a tree whose leaves are scripted and prints what each tick did, one JSON line per "
     "tick.\n"
     "  SCRIPT: {\"leaves\": {\"name\": [\"RUNNING\", \"SUCCESS\"]}}, one entry per tick of the "
     "leaf, the last\n"
-    "  one repeats; a leaf without script succeeds. Leaves are all nodes that are not built in.";
+    "  one repeats; a leaf without script succeeds. Leaves are all nodes that are not built in.\n"
+    "  --ticks N   how many ticks; 1 without it\n"
+    "  --step MS   time that passes from tick to tick, for Timeout and the like; 0.001 without it";
 
 // What the scripted leaves have in common: their scripts, and the list of what happened in this
 // tick.
@@ -83,15 +89,39 @@ bool ReadScripts(const std::string& path, Stage& stage) {
   return true;
 }
 
+// In one line, whatever bytes the names are made of.
+void Print(const Json& json) {
+  std::cout << json.dump(-1, ' ', false, Json::error_handler_t::replace) << "\n";
+}
+
+void PrintTicks(std::shared_ptr<const Program> program, Stage& stage, std::int64_t ticks,
+                Duration step) {
+  SimulatedClock clock(std::chrono::seconds(1));
+  Executor executor(std::move(program), clock, {ExceptionPolicy::kRethrow});
+  for (std::int64_t tick = 1; tick <= ticks; ++tick) {
+    stage.events = Json::array();
+    try {
+      const Status status = executor.Tick();
+      Print({{"tick", tick}, {"status", ToString(status)}, {"events", stage.events}});
+    } catch (const TickError& error) {
+      std::cerr << "tick " << tick << ": " << error.what() << "\n";
+      return Print({{"tick", tick}, {"error", true}});
+    }
+    clock.Advance(step);
+  }
+}
+
 }  // namespace
 
 int RunTrace(const Arguments& arguments) {
   const std::optional<Options> options =
-      ParseOptions(arguments, {"--leaves", "--ticks", "--tree"}, {}, kUsage);
+      ParseOptions(arguments, {"--leaves", "--ticks", "--tree", "--step"}, {}, kUsage);
   if (!options) return 2;
   const std::int64_t ticks =
       options->Has("--ticks") ? options->GetNumber("--ticks").value_or(-1) : 1;
-  if (options->files.size() != 1 || ticks < 0) {
+  const std::int64_t step = options->Has("--step") ? options->GetNumber("--step").value_or(-1) : 0;
+  constexpr std::int64_t kLongestStep = 1'000'000'000;  // ms: twelve days
+  if (options->files.size() != 1 || ticks < 0 || step < 0 || step > kLongestStep) {
     std::cerr << "usage: " << kUsage << "\n";
     return 2;
   }
@@ -102,21 +132,14 @@ int RunTrace(const Arguments& arguments) {
   registry->SetFallback(
       [&stage](const std::string& name) { return std::make_unique<ScriptedLeaf>(stage, name); });
   Diagnostics diagnostics;
-  const auto program =
-      CompileFile(options->files[0], registry, diagnostics, options->Get("--tree"));
+  auto program = CompileFile(options->files[0], registry, diagnostics, options->Get("--tree"));
   std::cerr << diagnostics.ToString();
   if (!program) {
-    std::cout << Json{{"load_error", true}} << "\n";
+    Print({{"load_error", true}});
     return 2;
   }
-  SimulatedClock clock(std::chrono::seconds(1));
-  Executor executor(program, clock);
-  for (std::int64_t tick = 1; tick <= ticks; ++tick) {
-    stage.events = Json::array();
-    const Status status = executor.Tick();
-    std::cout << Json{{"tick", tick}, {"status", ToString(status)}, {"events", stage.events}}
-              << "\n";
-  }
+  PrintTicks(std::move(program), stage, ticks,
+             options->Has("--step") ? std::chrono::milliseconds(step) : kDefaultStep);
   return 0;
 }
 

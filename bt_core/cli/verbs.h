@@ -17,6 +17,9 @@ int RunCheck(const Arguments& arguments);
 /// `coppice run FILE`: runs a tree that consists of built-in nodes.
 int RunTree(const Arguments& arguments);
 
+/// `coppice test FILE...`: plays scenarios with whole trees.
+int RunTest(const Arguments& arguments);
+
 /// `coppice trace FILE --leaves SCRIPT.json --ticks N`: runs a tree with scripted leaves, one JSON
 /// line per tick.
 int RunTrace(const Arguments& arguments);

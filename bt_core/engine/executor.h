@@ -65,7 +65,8 @@ class Executor final : public LeafHost, public ChildHost {
   /// True while a halted leaf has not stopped yet (Action::OnDraining). Each tick asks it.
   bool is_draining() const { return !drains_.empty(); }
 
-  /// Asks the halted leaves whether they have stopped, without a tick.
+  /// Applies the inbox and asks the halted leaves whether they have stopped, without a tick.
+  /// Afterwards next_tick() is when to ask again at the latest.
   void ServeDrains();
 
   /// Runs the functions that were posted with Inbox::PostCall. Between ticks.

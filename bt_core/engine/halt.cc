@@ -73,6 +73,8 @@ void Executor::Drain(Duration limit) {
 
 void Executor::ServeDrains() {
   now_ = clock_.Now();
+  wake_at_ = kNever;
+  if (inbox_->has_messages()) ApplyInbox();  // the answer that a leaf waits for may be there
   const auto has_ended = [this](const Draining& drain) {
     User& user = UserOf(drain.node);
     current_ = drain.node;

@@ -20,7 +20,7 @@ Status Runner::Run() {
     running_on_ = std::this_thread::get_id();
   }
   const Status result = TickUntilDone();
-  executor_.Halt();
+  HaltTree();
   // Under the lock to the end: who waits in Stop may destroy the runner as soon as it is free.
   const std::lock_guard<std::mutex> lock(mutex_);
   running_on_ = {};
@@ -50,6 +50,17 @@ Status Runner::TickUntilDone() {
     Wait(NextTick());
   }
   return result;
+}
+
+// Returns when every leaf has stopped or has been given up.
+void Runner::HaltTree() {
+  executor_.Halt();
+  while (executor_.is_draining()) {
+    executor_.ServeDrains();
+    if (executor_.is_draining()) {
+      executor_.clock().WaitUntil(executor_.next_tick(), executor_.wake_up());
+    }
+  }
 }
 
 Time Runner::NextTick() {

@@ -48,8 +48,8 @@ class Runner {
   Runner(const Runner&) = delete;
   Runner& operator=(const Runner&) = delete;
 
-  /// Ticks on the calling thread until the root completes or someone stops it, then halts the tree.
-  /// Returns the last result of the root; kIdle if it was stopped before the first tick. May be
+  /// Ticks on the calling thread until the root completes or someone stops it, then halts the tree
+  /// and waits for leaves that need time to stop (Action::OnDraining). Returns the last result of the root; kIdle if it was stopped before the first tick. May be
   /// called once.
   Status Run();
 
@@ -57,7 +57,7 @@ class Runner {
   /// handler. Before Run: Run ends without a tick.
   void RequestStop();
 
-  /// RequestStop, and waits until the tree has been halted. Any thread; in the ticking thread (a
+  /// RequestStop, and waits until the tree has been halted and every leaf has stopped. Any thread; in the ticking thread (a
   /// leaf, a sink) it cannot wait and returns at once.
   void Stop();
 
@@ -70,6 +70,7 @@ class Runner {
 
  private:
   Status TickUntilDone();
+  void HaltTree();
   Time NextTick();
   Time NextPeriod();
   bool HasEvent();

@@ -52,7 +52,7 @@ class MockedTree::MockPort : public PortBase {
 class MockedTree::PlayedNode : public Leaf {
  public:
   explicit PlayedNode(Part& part) : part_(part) {
-    if (!part.of_user) return;
+    if (!part.of_user || !part.original) return;
     for (const PortDeclaration& declaration : part.original->declarations) {
       ports_.emplace_back(declaration);
     }
@@ -65,13 +65,14 @@ class MockedTree::PlayedNode : public Leaf {
     }
     const Status result = now() < done_at_ ? Waiting() : NextResult();
     const bool throws = IsCompleted(result) && !part_.script.throws.empty();
-    part_.tree.Record(part_, false, throws ? Status::kFailure : result);
+    part_.tree.events_.push_back(
+        {part_.node, false, throws ? Status::kFailure : result, part_.tree.InputsOf(part_)});
     if (throws) throw std::runtime_error(part_.script.throws);
     if (IsCompleted(result)) Complete();
     return result;
   }
 
-  void Halt() override { part_.tree.Record(part_, true, Status::kIdle); }
+  void Halt() override { part_.tree.events_.push_back({part_.node, true, Status::kIdle, {}}); }
 
  private:
   Status Waiting() {
@@ -111,18 +112,14 @@ class MockedTree::WatchedLeaf : public Leaf {
 
   void set_host(LeafHost* host) override { leaf_->set_host(host); }
   Status Tick(bool starting) override {
-    Status result = Status::kFailure;
-    try {
-      result = leaf_->Tick(starting);
-    } catch (...) {
-      part_.tree.Record(part_, false, result);
-      throw;
-    }
-    part_.tree.Record(part_, false, result);
+    std::vector<LeafEvent>& events = part_.tree.events_;
+    events.push_back({part_.node, false, Status::kFailure, part_.tree.InputsOf(part_)});
+    const Status result = leaf_->Tick(starting);
+    events.back().result = result;  // a leaf that throws has failed
     return result;
   }
   void Halt() override {
-    part_.tree.Record(part_, true, Status::kIdle);
+    part_.tree.events_.push_back({part_.node, true, Status::kIdle, {}});
     leaf_->Halt();
   }
   bool HasStopped() override { return leaf_->HasStopped(); }
@@ -155,19 +152,19 @@ void MockedTree::AddPart(NodeIndex node, const MockScript* script) {
   const bool of_user = record.type == NodeType::kLeaf || record.type == NodeType::kUser;
   const std::uint32_t first_port =
       of_user ? program_->leaves[record.first_port].first_port : record.first_port;
-  parts_.push_back(std::make_unique<Part>(
-      Part{*this,
-           node,
-           {program_->Name(node), program_->Path(node), program_->Id(node)},
-           info.entry,
-           of_user,
-           first_port,
-           script != nullptr,
-           script ? *script : MockScript()}));
+  parts_.push_back(
+      std::make_unique<Part>(Part{*this,
+                                  node,
+                                  {program_->Name(node), program_->Path(node), program_->Id(node)},
+                                  info.entry,
+                                  of_user,
+                                  first_port,
+                                  script != nullptr,
+                                  script ? *script : MockScript()}));
   Part& part = *parts_.back();
 
   Registry::Entry entry = info.entry ? *info.entry : Registry::Entry();
-  entry.tick = [](UserNode& leaf, bool starting) { return leaf.Tick(starting); };
+  entry.tick = &Registry::TickVirtually;
   entry.build = [&part, original = info.entry,
                  registry = program_->registry]() -> std::unique_ptr<UserNode> {
     if (part.played) return std::make_unique<PlayedNode>(part);
@@ -186,20 +183,19 @@ void MockedTree::AddPart(NodeIndex node, const MockScript* script) {
   }
 }
 
-void MockedTree::Record(const Part& part, bool halted, Status result) {
-  LeafEvent event{part.node, halted, result, {}};
-  if (options_.inputs && !halted && part.original) {
-    for (std::size_t k = 0; k < part.original->declarations.size(); ++k) {
-      const PortDeclaration& port = part.original->declarations[k];
-      const SlotIndex slot = program_->ports[part.first_port + k].slot;
-      const bool is_input =
-          port.direction == PortDirection::kInput || port.direction == PortDirection::kInOut;
-      if (!is_input || slot == kNoSlot || port.type == &TypeOf<ScriptCode>()) continue;
-      const Value& value = executor_->blackboard()[slot].value;
-      if (value.has_value()) event.inputs.emplace_back(port.name, value.Print());
-    }
+MockedTree::Inputs MockedTree::InputsOf(const Part& part) const {
+  Inputs inputs;
+  if (!options_.inputs || !part.original) return inputs;
+  for (std::size_t k = 0; k < part.original->declarations.size(); ++k) {
+    const PortDeclaration& port = part.original->declarations[k];
+    const SlotIndex slot = program_->ports[part.first_port + k].slot;
+    const bool is_input =
+        port.direction == PortDirection::kInput || port.direction == PortDirection::kInOut;
+    if (!is_input || slot == kNoSlot || port.type == &TypeOf<ScriptCode>()) continue;
+    const Value& value = executor_->blackboard()[slot].value;
+    if (value.has_value()) inputs.emplace_back(port.name, value.Print());
   }
-  events_.push_back(std::move(event));
+  return inputs;
 }
 
 int MockedTree::ChangeScript(const std::string& pattern, const MockScript& script) {

@@ -46,7 +46,7 @@ class MockedTree {
   MockedTree& operator=(const MockedTree&) = delete;
 
   Executor& executor() { return *executor_; }
-  const Program& program() const { return *program_; }
+  const Program& program() const { return executor_->program(); }
 
   /// What happened since the last call.
   std::vector<LeafEvent> TakeEvents() { return std::exchange(events_, {}); }
@@ -67,9 +67,10 @@ class MockedTree {
   class WatchedLeaf;
   class MockPort;
   class MockedProgram;
+  using Inputs = std::vector<std::pair<std::string, std::string>>;
 
   void AddPart(NodeIndex node, const MockScript* script);
-  void Record(const Part& part, bool halted, Status result);
+  Inputs InputsOf(const Part& part) const;
 
   MockOptions options_;
   std::vector<MockRule> rules_;

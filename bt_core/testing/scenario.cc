@@ -140,7 +140,8 @@ class Player {
     std::vector<std::string> keys;
     for (const SlotDefinition& slot : layout.slots) {
       const std::string& instance = trees[slot.scope].path;
-      if (!slot.key.empty()) keys.push_back(instance.empty() ? slot.key : instance + "/" + slot.key);
+      if (!slot.key.empty())
+        keys.push_back(instance.empty() ? slot.key : instance + "/" + slot.key);
     }
     const std::string hint = DidYouMean(given.key, keys);
     Add(given.where, "key \"" + given.key + "\"", "a key of the tree",
@@ -169,8 +170,7 @@ class Player {
           "none" + (hint.empty() ? "" : ", " + hint));
     } else if (std::distance(first, last) > 1) {
       Add(expected.where, "node \"" + expected.node + "\"", "one node of that path", "several");
-    } else if (const Status got = tree_.executor().statuses()[first->second];
-               got != expected.status) {
+    } else if (const Status got = tree_.executor().status(first->second); got != expected.status) {
       Add(expected.where, "status of node \"" + expected.node + "\"", ToString(expected.status),
           ToString(got));
     }

@@ -27,7 +27,8 @@
 namespace coppice {
 
 /// A value for a key, as text. "goal" is a key of the main tree, "patrol/goal" one of the SubTree
-/// instance with the path "patrol".
+/// instance with the path "patrol". A key that a SubTree shares with the tree around it goes by its
+/// name there.
 struct KeyValue {
   /// What the text is where the key has no type of its own.
   enum class Kind : std::uint8_t { kString, kNumber, kBool };

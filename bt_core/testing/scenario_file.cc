@@ -13,8 +13,8 @@ namespace {
 using Kind = JsonText::Kind;
 
 const char* ToString(Kind kind) {
-  static const char* const kNames[] = {"null", "a boolean", "a number", "a text", "a list",
-                                       "an object"};
+  static const char* const kNames[] = {"null",   "a boolean", "a number",
+                                       "a text", "a list",    "an object"};
   return kNames[static_cast<int>(kind)];
 }
 
@@ -201,8 +201,8 @@ class SuiteReader {
 
   Status ReadStatus(const JsonText& json) {
     std::vector<std::string> names;
-    for (const Status status : {Status::kIdle, Status::kRunning, Status::kSuccess, Status::kFailure,
-                                Status::kSkipped}) {
+    for (const Status status :
+         {Status::kIdle, Status::kRunning, Status::kSuccess, Status::kFailure, Status::kSkipped}) {
       if (json.is(Kind::kString) && json.text == coppice::ToString(status)) return status;
       names.emplace_back(coppice::ToString(status));
     }
@@ -264,8 +264,8 @@ class SuiteReader {
   bool Require(const JsonText& json, Kind kind) {
     if (json.is(kind)) return true;
     const std::string name = json.key.empty() ? "this" : "\"" + json.key + "\"";
-    diagnostics_.Error(json.where, name + " must be " + ToString(kind) + ", not " +
-                                       ToString(json.kind));
+    diagnostics_.Error(json.where,
+                       name + " must be " + ToString(kind) + ", not " + ToString(json.kind));
     return false;
   }
 
