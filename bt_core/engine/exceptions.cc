@@ -62,10 +62,7 @@ std::string Executor::Describe(const UnsetInput& error, NodeIndex node) const {
   const Registry::Entry* entry = program_->info[node].entry;
   if (!error.slot || !entry) return error.what();
   const auto slot = static_cast<SlotIndex>(error.slot - blackboard_.data());
-  const NodeRecord& record = nodes_[node];
-  const bool is_user = record.type == NodeType::kLeaf || record.type == NodeType::kUser;
-  const std::uint32_t first =
-      is_user ? program_->leaves[record.first_port].first_port : record.first_port;
+  const std::uint32_t first = program_->FirstPort(node);
   for (std::size_t k = 0; k < entry->declarations.size(); ++k) {
     if (program_->ports[first + k].slot != slot) continue;
     return "input \"" + entry->declarations[k].name + "\" has no value: nobody has written key \"" +

@@ -146,7 +146,7 @@ void Executor::Report(Status result) {
 
 void Executor::CheckType(SlotIndex slot, const Type& type) const {
   const SlotDefinition& definition = program_->layout.slots[slot];
-  if (definition.type == &type) return;
+  if (!definition.type || definition.type == &type) return;
   throw std::invalid_argument("key \"" + definition.key + "\" is " + definition.type->name +
                               " in the tree, not " + type.name);
 }

@@ -1,20 +1,29 @@
 #include "bt_core/engine/keys.h"
 
+#include <utility>
+
+#include "bt_core/data/literal.h"
+
 namespace coppice {
+
 namespace {
 
-std::string Quoted(std::string_view text) { return "\"" + std::string(text) + "\""; }
+std::string_view Trim(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(' ');
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(' ') - first + 1);
+}
 
 }  // namespace
 
 std::string_view KeyOf(std::string_view text, std::string_view own_name) {
+  text = Trim(text);
   if (text == "=") return own_name;
-  const std::size_t first = text.find_first_not_of(' ');
-  const std::size_t last = text.find_last_not_of(' ');
-  if (first == std::string_view::npos || text[first] != '{' || text[last] != '}') return {};
-  const std::string_view key = text.substr(first + 1, last - first - 1);
+  if (text.size() < 2 || text.front() != '{' || text.back() != '}') return {};
+  const std::string_view key = Trim(text.substr(1, text.size() - 2));
   if (key == "=") return own_name;
-  return key == "@" ? std::string_view() : key;
+  if (key == "@" || key.find_first_of("{}") != std::string_view::npos) return {};
+  return key;
 }
 
 ScopeIndex KeyTable::AddScope(ScopeIndex parent, bool autoremap) {
@@ -22,9 +31,17 @@ ScopeIndex KeyTable::AddScope(ScopeIndex parent, bool autoremap) {
   return static_cast<ScopeIndex>(scopes_.size() - 1);
 }
 
-SlotIndex KeyTable::AddSlot(std::string key, ScopeIndex scope, const Type* type) {
-  layout_.slots.push_back({std::move(key), scope, type, Value()});
+SlotIndex KeyTable::AddSlot(std::string key, ScopeIndex scope, const Type* type, Value initial) {
+  layout_.slots.push_back({std::move(key), scope, type, std::move(initial)});
   return static_cast<SlotIndex>(layout_.slots.size() - 1);
+}
+
+ScopeIndex KeyTable::Home(std::string_view key, ScopeIndex scope) const {
+  while (scope != 0 && scopes_[scope].autoremap && key.front() != '_' &&
+         scopes_[scope].keys.count(key) == 0) {
+    scope = scopes_[scope].parent;
+  }
+  return scope;
 }
 
 SlotIndex KeyTable::Resolve(std::string_view key, ScopeIndex scope) {
@@ -34,57 +51,58 @@ SlotIndex KeyTable::Resolve(std::string_view key, ScopeIndex scope) {
   }
   const auto found = scopes_[scope].keys.find(key);
   if (found != scopes_[scope].keys.end()) return found->second;
-  const bool to_parent = scope != 0 && scopes_[scope].autoremap && key.front() != '_';
-  const SlotIndex slot =
-      to_parent ? Resolve(key, scopes_[scope].parent) : AddSlot(std::string(key), scope, nullptr);
-  scopes_[scope].keys.emplace(key, slot);
+  const ScopeIndex home = Home(key, scope);
+  const auto at_home = scopes_[home].keys.find(key);
+  const SlotIndex slot = at_home != scopes_[home].keys.end()
+                             ? at_home->second
+                             : AddSlot(std::string(key), home, nullptr);
+  for (ScopeIndex at = scope; at != home; at = scopes_[at].parent) scopes_[at].keys[key] = slot;
+  scopes_[home].keys.emplace(key, slot);
   return slot;
 }
 
-void KeyTable::SetType(SlotIndex index, const Registry::Entry& entry, const PortDeclaration& port,
+SlotIndex KeyTable::ResolveCopy(std::string_view key, ScopeIndex scope) {
+  const auto found = scopes_[scope].keys.find(key);
+  if (found != scopes_[scope].keys.end()) return found->second;
+  return Resolve(copies_.emplace_back(key), scope);
+}
+
+void KeyTable::Bind(std::string_view key, ScopeIndex scope, SlotIndex slot) {
+  scopes_[scope].keys.emplace(key, slot);
+}
+
+void KeyTable::SetType(SlotIndex index, std::string_view owner, const PortDeclaration& port,
                        const Document& document, std::uint32_t offset) {
   SlotDefinition& slot = layout_.slots[index];
+  if (!port.type) return;
   if (!slot.type) {
     slot.type = port.type;
-    first_use_[index] = {&entry, &port};
+    first_use_[index] = {owner, port.name};
   } else if (slot.type != port.type) {
-    const auto& [first_entry, first_port] = first_use_.at(index);
-    diagnostics_.Error(document.Location(offset),
-                       "key " + Quoted(slot.key) + " is " + slot.type->name + " (from " +
-                           first_entry->manifest.id + "." + first_port->name + "), but port " +
-                           Quoted(port.name) + " of " + entry.manifest.id + " is " +
-                           port.type->name);
+    const FirstUse& first = first_use_.at(index);
+    problems_.Error(document, offset,
+                    "key " + Quoted(slot.key) + " is " + slot.type->name + " (from " +
+                        std::string(first.owner) + "." + std::string(first.port) + "), but port " +
+                        Quoted(port.name) + " of " + std::string(owner) + " is " + port.type->name);
   }
 }
 
-void KeyTable::Remap(const Document& document, const Element& element, ScopeIndex outer,
-                     ScopeIndex inner) {
-  for (const Attribute* a = document.attributes_begin(element);
-       a != document.attributes_end(element); ++a) {
-    if (IsReservedAttribute(a->name)) continue;
-    const std::string_view key = KeyOf(a->value, a->name);
-    SlotIndex slot = kNoSlot;
-    if (!key.empty()) {
-      slot = Resolve(key, outer);
-    } else {
-      slot = AddSlot(std::string(a->name), inner, nullptr);
-      literals_.push_back({slot, &document, a});
-    }
-    scopes_[inner].keys.emplace(a->name, slot);
-  }
+void KeyTable::AddLiteral(SlotIndex slot, std::string_view text, const Document& document,
+                          std::uint32_t offset) {
+  literals_.push_back({slot, text, &document, offset});
 }
 
 void KeyTable::ConvertLiterals() {
-  for (SlotDefinition& slot : layout_.slots) {
-    if (!slot.type) slot.type = &TypeOf<std::string>();
-  }
   for (const Literal& literal : literals_) {
     SlotDefinition& slot = layout_.slots[literal.slot];
-    const std::string_view text = literal.attribute->value;
-    if (slot.initial.Parse(*slot.type, text)) continue;
-    diagnostics_.Error(literal.document->Location(literal.attribute->value_offset),
-                       Quoted(text) + " is not a value for key " + Quoted(slot.key) + " inside",
-                       std::string("expected ") + slot.type->name);
+    if (!slot.type) {
+      slot.initial = GuessValue(literal.text);
+    } else if (!slot.initial.Parse(*slot.type, literal.text)) {
+      problems_.Error(
+          *literal.document, literal.offset,
+          Quoted(literal.text) + " is not a value for key " + Quoted(slot.key) + " inside",
+          std::string("expected ") + slot.type->name);
+    }
   }
 }
 

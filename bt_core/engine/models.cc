@@ -3,11 +3,16 @@
 namespace coppice {
 namespace {
 
+// As in the models of BehaviorTree.CPP.
+std::string TypeName(const PortDeclaration& port) {
+  return port.type ? port.type->name : "BT::AnyTypeAllowed";
+}
+
 std::string Port(const PortDeclaration& port) {
   std::string tag = ToString(port.direction);
   tag += "_port";
   std::string xml = "      <" + tag + " name=\"" + EscapeXml(port.name) + "\" type=\"" +
-                    EscapeXml(port.type->name) + "\"";
+                    EscapeXml(TypeName(port)) + "\"";
   if (port.default_text) xml += " default=\"" + EscapeXml(*port.default_text) + "\"";
   return xml + ">" + EscapeXml(port.description) + "</" + tag + ">\n";
 }
@@ -65,8 +70,8 @@ std::string DescribeNodes(const Registry& registry) {
     text += id + "  (" + ToString(entry.manifest.category) + ")\n  " + entry.manifest.description +
             "\n";
     for (const PortDeclaration& port : entry.manifest.ports) {
-      text += std::string("    ") + ToString(port.direction) + " " + port.name + " : " +
-              port.type->name;
+      text +=
+          std::string("    ") + ToString(port.direction) + " " + port.name + " : " + TypeName(port);
       if (port.default_text) text += " = " + *port.default_text;
       text += "  " + port.description + "\n";
     }

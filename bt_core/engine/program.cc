@@ -35,4 +35,10 @@ SourceLocation Program::Location(NodeIndex node) const {
   return DocumentOf(node).Location(ElementOf(node).offset);
 }
 
+std::uint32_t Program::FirstPort(NodeIndex node) const {
+  const NodeRecord& record = nodes[node];
+  const bool of_user = record.type == NodeType::kLeaf || record.type == NodeType::kUser;
+  return of_user ? leaves[record.first_port].first_port : record.first_port;
+}
+
 }  // namespace coppice

@@ -89,6 +89,9 @@ class Program {
   /// Where it is written.
   SourceLocation Location(NodeIndex node) const;
 
+  /// Number of its first port in `ports`, whatever kind of node it is.
+  std::uint32_t FirstPort(NodeIndex node) const;
+
   const Element& ElementOf(NodeIndex node) const;
   const Document& DocumentOf(NodeIndex node) const;
 };

@@ -25,6 +25,7 @@
 #include "bt_core/nodes/leaf.h"
 #include "bt_core/nodes/node_type.h"
 #include "bt_core/nodes/user_control.h"
+#include "bt_core/script/script.h"
 
 namespace coppice {
 
@@ -89,6 +90,9 @@ class Registry {
   /// The TickFunction of any node. A node that returns IDLE, which none may, throws
   /// std::logic_error.
   static Status TickVirtually(UserNode& node, Status before);
+
+  /// Names that stand for numbers in every script.
+  const ScriptConstants& script_constants() const { return script_constants_; }
 
   /// The node type of that ID, or null.
   const Entry* Find(std::string_view id) const;
@@ -155,6 +159,7 @@ class Registry {
   void Add(Entry entry);
 
   std::map<std::string, Entry, std::less<>> entries_;
+  ScriptConstants script_constants_;
   std::function<std::unique_ptr<Leaf>(const std::string&)> fallback_;
 };
 

@@ -1,21 +1,20 @@
 #include "bt_core/live/full_tree.h"
 
+#include <algorithm>
 #include <string_view>
 #include <unordered_map>
 
 #include "bt_core/engine/models.h"
 #include "bt_core/model/manifest.h"
+#include "bt_core/nodes/guards.h"
 
 namespace coppice {
 namespace {
 
 // The attributes with an underscore that belong to the behaviour and are shown.
 bool IsGuard(std::string_view name) {
-  for (const char* guard : {"_failureIf", "_successIf", "_skipIf", "_while", "_onSuccess",
-                            "_onFailure", "_onHalted", "_post"}) {
-    if (name == guard) return true;
-  }
-  return false;
+  return std::find(kGuardAttributes.begin(), kGuardAttributes.end(), name) !=
+         kGuardAttributes.end();
 }
 
 class TreeWriter {

@@ -56,17 +56,15 @@ RecordedState DecodeState(Decoder& in, std::size_t nodes, std::size_t slots) {
   return state;
 }
 
-// Names for the slots that have no key: "path of the node.port".
+// Names for the slots that have no key: "path of the node.port". The port of a script has none.
 std::unordered_map<SlotIndex, std::string> PortNames(const Program& program) {
   std::unordered_map<SlotIndex, std::string> names;
   for (NodeIndex node = 0; node < program.nodes.size(); ++node) {
     const Registry::Entry* entry = program.info[node].entry;
     if (!entry) continue;
-    const NodeRecord& record = program.nodes[node];
-    const std::uint32_t first = record.type == NodeType::kLeaf
-                                    ? program.leaves[record.first_port].first_port
-                                    : record.first_port;
+    const std::uint32_t first = program.FirstPort(node);
     for (std::uint32_t k = 0; k < entry->declarations.size(); ++k) {
+      if (entry->declarations[k].type == &TypeOf<ScriptCode>()) continue;
       names.emplace(program.ports[first + k].slot,
                     program.Path(node) + "." + entry->declarations[k].name);
     }
@@ -93,7 +91,7 @@ void EncodeSlots(const Program& program, Encoder& out) {
     const SlotDefinition& definition = layout.slots[slot];
     out.Text(layout.scopes[definition.scope]);
     out.Text(definition.key.empty() ? names[slot] : definition.key);
-    out.Text(definition.type->name);
+    out.Text(definition.type ? definition.type->name : "any");
   }
 }
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "bt_core/data/literal.h"
+
 namespace coppice {
 
 // What the children of the node under test do, and what they have been asked to do.
@@ -90,9 +92,10 @@ LeafHarness::LeafHarness(std::shared_ptr<const Registry> given, const std::strin
   executor_ = std::make_unique<Executor>(program, *clock_);
   executor_->AddSink(sink_.get());
   for (const PortDeclaration& port : manifest.ports) {
-    Value value;
-    if (!port.default_text || !value.Parse(*port.type, *port.default_text)) continue;
-    executor_->inbox()->Post(SlotOf(port.name, *port.type), 0, std::move(value));
+    if (!port.default_text) continue;
+    Value value = GuessValue(*port.default_text);
+    if (port.type && !value.Parse(*port.type, *port.default_text)) continue;
+    executor_->inbox()->Post(SlotOf(port.name, *value.type()), 0, std::move(value));
   }
 }
 

@@ -4,6 +4,8 @@
 #include <utility>
 #include <vector>
 
+#include "bt_core/data/literal.h"
+
 namespace coppice::robot {
 namespace {
 
@@ -64,10 +66,12 @@ std::string SetKey(Executor& executor, const std::string& key, const std::string
     }
     return "the tree has no key \"" + key + "\" " + DidYouMean(key, keys);
   }
+  const Type* type = layout.slots[slot].type;
   Value value;
-  if (!value.Parse(*layout.slots[slot].type, text)) {
-    return "\"" + text + "\" is not a value for key \"" + key + "\", expected " +
-           layout.slots[slot].type->name;
+  if (!type) {
+    value = GuessValue(text);
+  } else if (!value.Parse(*type, text)) {
+    return "\"" + text + "\" is not a value for key \"" + key + "\", expected " + type->name;
   }
   executor.inbox()->Post(slot, 0, std::move(value));
   return {};

@@ -10,7 +10,9 @@ TEST(KeyOf, TellsKeysFromLiterals) {
   EXPECT_EQ(KeyOf("{goal}", "port"), "goal");
   EXPECT_EQ(KeyOf("  {goal} ", "port"), "goal");
   EXPECT_EQ(KeyOf("{@goal}", "port"), "@goal");
-  for (const char* literal : {"", " ", "goal", "{goal", "goal}", "{", "{}", "{@}", "a{b}"}) {
+  EXPECT_EQ(KeyOf("{ goal }", "port"), "goal");
+  for (const char* literal :
+       {"", " ", "goal", "{goal", "goal}", "{", "{}", "{@}", "a{b}", "{a}_{b}"}) {
     EXPECT_EQ(KeyOf(literal, "port"), "") << literal;
   }
 }
@@ -23,7 +25,8 @@ TEST(KeyOf, EqualsSignIsTheOwnName) {
 struct KeyTableTest : testing::Test {
   Layout layout;
   Diagnostics diagnostics;
-  KeyTable keys{layout, diagnostics};
+  Problems problems{diagnostics};
+  KeyTable keys{layout, problems};
   const ScopeIndex main = keys.AddScope(0, false);
 };
 
@@ -48,10 +51,39 @@ TEST_F(KeyTableTest, AtSignIsTheMainTreeFromEverywhere) {
   EXPECT_EQ(keys.Resolve("@k", main), keys.Resolve("k", main));
 }
 
-TEST_F(KeyTableTest, WhatNoPortReadsIsAString) {
+TEST_F(KeyTableTest, AutoremapEndsAtAKeyThatIsRemapped) {
+  const ScopeIndex outer = keys.AddScope(main, true);
+  const ScopeIndex inner = keys.AddScope(outer, true);
+  const SlotIndex other = keys.Resolve("other", main);
+  keys.Bind("k", outer, other);
+  EXPECT_EQ(keys.Resolve("k", inner), other);
+  EXPECT_NE(keys.Resolve("k", main), other);
+}
+
+TEST_F(KeyTableTest, ACopiedKeyIsTheSameKey) {
+  std::string name = "k";
+  const SlotIndex slot = keys.ResolveCopy(name, main);
+  const SlotIndex root = keys.ResolveCopy("@other", main);
+  name = "overwritten";
+  EXPECT_EQ(keys.Resolve("k", main), slot);
+  EXPECT_EQ(keys.Resolve("other", main), root);
+}
+
+TEST_F(KeyTableTest, WhatNoPortReadsTakesAnyType) {
   const SlotIndex slot = keys.Resolve("k", main);
   keys.ConvertLiterals();
-  EXPECT_EQ(layout.slots[slot].type, &TypeOf<std::string>());
+  EXPECT_EQ(layout.slots[slot].type, nullptr);
+}
+
+TEST_F(KeyTableTest, ALiteralGetsTheTypeOfItsSlotOrElseThatOfItsText) {
+  const Document document = *Document::FromText("<root/>", "t.xml", diagnostics);
+  const SlotIndex text = keys.AddSlot("text", main, &TypeOf<std::string>());
+  const SlotIndex any = keys.AddSlot("any", main, nullptr);
+  keys.AddLiteral(text, "42", document, 0);
+  keys.AddLiteral(any, "42", document, 0);
+  keys.ConvertLiterals();
+  EXPECT_TRUE(layout.slots[text].initial.Is<std::string>());
+  EXPECT_TRUE(layout.slots[any].initial.Is<std::int64_t>());
 }
 
 }  // namespace

@@ -151,7 +151,7 @@ TEST(SubTree, MustNotHaveChildren) {
 TEST(SubTree, MustNotContainItself) {
   EXPECT_EQ(Problems(Tree("Main", "<SubTree ID=\"A\"/>") + Tree("A", "<SubTree ID=\"B\"/>") +
                      Tree("B", "<SubTree ID=\"A\"/>")),
-            "t.xml:4:22: error: tree \"A\" contains itself\n");
+            "t.xml:4:22: error: tree \"A\" contains itself (A -> B -> A)\n");
 }
 
 TEST(SubTree, DoublingIsStoppedBeforeMemoryIsUsedUp) {
@@ -162,19 +162,63 @@ TEST(SubTree, DoublingIsStoppedBeforeMemoryIsUsedUp) {
   }
   trees += Tree("T40", "<AlwaysSuccess/>");
   const std::string problems = Problems(trees);
-  EXPECT_NE(problems.find("error: the tree has more than 1000000 nodes"), std::string::npos)
+  EXPECT_NE(problems.find("error: the paths of the SubTrees take more than 64 MiB"),
+            std::string::npos)
       << problems.substr(0, 300);
 }
 
-TEST(SubTree, ALongChainIsStoppedBeforeTheStackIsUsedUp) {
+TEST(SubTree, AMillionNodesAreTheMost) {
+  std::string trees = Tree("Main", "<SubTree ID=\"T0\"/>");
+  for (int i = 0; i < 4; ++i) {
+    std::string body;
+    for (int k = 0; k < 40; ++k) body += "<SubTree ID=\"T" + std::to_string(i + 1) + "\"/>";
+    trees += Tree("T" + std::to_string(i), "<Sequence>" + body + "</Sequence>");
+  }
+  trees += Tree("T4", "<AlwaysSuccess/>");
+  EXPECT_EQ(
+      Problems(trees),
+      "t.xml:6:357: error: the tree has more than 1000000 nodes (counted with all SubTrees)\n");
+}
+
+// Trees of 50 nodes each in one line, one inside the other.
+std::string DeepTrees(int count) {
+  std::string trees;
+  for (int i = 0; i < count; ++i) {
+    std::string body = i + 1 < count ? "<SubTree ID=\"T" + std::to_string(i + 1) + "\"/>"
+                                     : std::string("<AlwaysSuccess/>");
+    for (int k = 0; k < 49; ++k) body = "<Inverter>" + body + "</Inverter>";
+    trees += Tree(i == 0 ? "Main" : "T" + std::to_string(i), body);
+  }
+  return trees;
+}
+
+TEST(SubTree, NodesMayBeNestedTenThousandDeep) {
+  Diagnostics diagnostics;
+  const auto program = CompileText(Root(DeepTrees(200)), diagnostics, TestRegistry());
+  ASSERT_TRUE(program) << diagnostics.ToString();
+  EXPECT_EQ(program->nodes.size(), 10'000U);
+  EXPECT_EQ(program->nodes[0].end, 10'000U);
+  EXPECT_EQ(program->info[9'999].parent, 9'998U);
+}
+
+TEST(SubTree, NodesMustNotBeNestedDeeper) {
+  const std::string problems = Problems(DeepTrees(201));
+  EXPECT_NE(
+      problems.find("error: nodes are nested more than 10000 deep (counted with all SubTrees)"),
+      std::string::npos)
+      << problems;
+}
+
+TEST(SubTree, ALongChainIsStoppedBeforeMemoryIsUsedUp) {
   std::string trees = Tree("Main", "<SubTree ID=\"T0\"/>");
   for (int i = 0; i < 50000; ++i) {
     trees += Tree("T" + std::to_string(i), "<SubTree ID=\"T" + std::to_string(i + 1) + "\"/>");
   }
   trees += Tree("T50000", "<AlwaysSuccess/>");
-  EXPECT_EQ(Problems(trees),
-            "t.xml:502:25: error: nodes are nested more than 500 deep "
-            "(counted with all SubTrees)\n");
+  const std::string problems = Problems(trees);
+  EXPECT_NE(problems.find("error: the paths of the SubTrees take more than 64 MiB"),
+            std::string::npos)
+      << problems;
 }
 
 }  // namespace

@@ -1,0 +1,45 @@
+// Which tree is compiled, and what is said of a project before.
+#include <gtest/gtest.h>
+
+#include "tests/bt_core/engine/fixture.h"
+
+namespace coppice {
+namespace {
+
+std::string Problems(const std::string& text, const std::string& tree = {}) {
+  Diagnostics diagnostics;
+  const auto program = CompileText(text, diagnostics, TestRegistry(), tree);
+  EXPECT_EQ(program == nullptr, diagnostics.has_errors());
+  return diagnostics.ToString();
+}
+
+TEST(Compile, TheMainTreeMustExist) {
+  EXPECT_EQ(Problems("<root BTCPP_format=\"4\" main_tree_to_execute=\"Mian\">\n"
+                     "<BehaviorTree ID=\"Main\"><AlwaysSuccess/></BehaviorTree></root>"),
+            "t.xml:1:46: error: no tree \"Mian\" (did you mean \"Main\"?)\n");
+  EXPECT_EQ(Problems(Main("<AlwaysSuccess/>"), "Other"), "t.xml:1:1: error: no tree \"Other\"\n");
+}
+
+TEST(Compile, AsksWhichTreeIsTheMainOne) {
+  EXPECT_EQ(
+      Problems("<root BTCPP_format=\"4\"><BehaviorTree ID=\"A\"><AlwaysSuccess/></BehaviorTree>"
+               "<BehaviorTree ID=\"B\"><AlwaysSuccess/></BehaviorTree></root>"),
+      "t.xml:1:1: error: which tree is the main one? "
+      "(give main_tree_to_execute; there are: A, B)\n");
+}
+
+TEST(Compile, ATreeMayNotHaveTheNameOfANode) {
+  const std::string problems =
+      Problems(Root("<BehaviorTree ID=\"Main\"><AlwaysSuccess/></BehaviorTree>\n"
+                    "<BehaviorTree ID=\"Sequence\"><AlwaysSuccess/></BehaviorTree>"));
+  EXPECT_EQ(problems, "t.xml:3:1: error: tree \"Sequence\" has the name of a node type\n");
+}
+
+TEST(Compile, CompileFileReportsAMissingFile) {
+  Diagnostics diagnostics;
+  EXPECT_FALSE(CompileFile("/no/such.xml", TestRegistry(), diagnostics));
+  EXPECT_EQ(diagnostics.ToString(), "/no/such.xml: error: cannot read this file\n");
+}
+
+}  // namespace
+}  // namespace coppice
