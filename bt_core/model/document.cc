@@ -114,6 +114,18 @@ std::optional<Document> Document::FromFile(const std::string& path, Diagnostics&
   return FromText(text.str(), path, diagnostics);
 }
 
+std::optional<Document> Document::Edited(const Edit& edit, Diagnostics& diagnostics) const {
+  return FromText(Apply(edit, text()), file_, diagnostics);
+}
+
+std::optional<Document> Document::Rewritten(const Edit& edit, Diagnostics& diagnostics) const {
+  std::optional<Document> document = Edited(edit, diagnostics);
+  if (!document) return document;
+  document->lines_ = lines_;
+  document->back_ = Inverse(edit, text());
+  return document;
+}
+
 std::uint32_t Document::FindTag(const char* name, const char* start) const {
   return static_cast<std::uint32_t>(text_->rfind('<', static_cast<std::size_t>(name - start)));
 }
@@ -277,6 +289,7 @@ std::string_view Document::AttributeValue(const Element& element, std::string_vi
 }
 
 SourceLocation Document::Location(std::uint32_t offset) const {
+  offset = MapOffset(back_, offset);
   const auto next = std::upper_bound(lines_.begin(), lines_.end(), offset);
   return {file_, static_cast<std::uint32_t>(next - lines_.begin()), offset - *(next - 1) + 1};
 }

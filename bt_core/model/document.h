@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "bt_core/base/diagnostic.h"
+#include "bt_core/model/edit.h"
 
 namespace tinyxml2 {
 class XMLDocument;
@@ -62,6 +63,14 @@ class Document {
   /// Reads and parses a file.
   static std::optional<Document> FromFile(const std::string& path, Diagnostics& diagnostics);
 
+  /// The document after an edit, under the same file name. Nothing if the result is malformed,
+  /// which can only be if the edit put malformed text in.
+  std::optional<Document> Edited(const Edit& edit, Diagnostics& diagnostics) const;
+
+  /// The same, but Location() goes on speaking of the text before the edit: for a rewriting that
+  /// the user does not see, such as that of format 3.
+  std::optional<Document> Rewritten(const Edit& edit, Diagnostics& diagnostics) const;
+
   const std::string& text() const { return *text_; }
   const std::string& file() const { return file_; }
 
@@ -99,7 +108,7 @@ class Document {
   /// message about a part of a value, such as a script.
   std::uint32_t OffsetInValue(const Attribute& attribute, std::size_t decoded_offset) const;
 
-  /// Line and column of a byte offset. Binary search.
+  /// Line and column of a byte offset, in the user's file. Binary search.
   SourceLocation Location(std::uint32_t offset) const;
 
  private:
@@ -115,7 +124,8 @@ class Document {
 
   std::string file_;
   std::unique_ptr<const std::string> text_;
-  std::vector<std::uint32_t> lines_;         // offset of the start of each line
+  std::vector<std::uint32_t> lines_;         // offset of the start of each line of the user's file
+  Edit back_;                                // from text_ to the user's file
   std::forward_list<std::string> resolved_;  // values with references or line ends replaced
   std::vector<Element> elements_;
   std::vector<Attribute> attributes_;

@@ -46,9 +46,4 @@ Edit Merge(Edit a, const Edit& b) {
   return a;
 }
 
-std::optional<Document> Edited(const Document& document, const Edit& edit,
-                               Diagnostics& diagnostics) {
-  return Document::FromText(Apply(edit, document.text()), document.file(), diagnostics);
-}
-
 }  // namespace coppice

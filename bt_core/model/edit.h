@@ -11,12 +11,9 @@
 #define COPPICE_BT_CORE_MODEL_EDIT_H_
 
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
-
-#include "bt_core/model/document.h"
 
 namespace coppice {
 
@@ -41,11 +38,6 @@ std::uint32_t MapOffset(const Edit& edit, std::uint32_t offset);
 
 /// Both edits at once. They must be about the same text and about different places of it.
 Edit Merge(Edit a, const Edit& b);
-
-/// The document after the edit, under the same file name. Nothing if the result is malformed, which
-/// can only be if the edit put malformed text in.
-std::optional<Document> Edited(const Document& document, const Edit& edit,
-                               Diagnostics& diagnostics);
 
 }  // namespace coppice
 

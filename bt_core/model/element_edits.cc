@@ -116,24 +116,8 @@ Splice PutAt(const Document& document, Place place, std::string_view xml,
   return Replacement(place.begin, place.end, place.before + place.after);
 }
 
-// The element and what goes with it: its lines, or the blanks before it at the end of a line.
 Splice Removal(const Document& document, const Element& element) {
-  const std::string_view text = document.text();
-  std::size_t begin = element.offset;
-  std::size_t end = element.end;
-  const std::size_t next = std::min(text.find_first_not_of(" \t", end), text.size());
-  const bool ends_line = next == text.size() || text[next] == '\r' || text[next] == '\n';
-  if (ends_line) {
-    const auto indentation = IndentationAt(text, begin);
-    if (indentation) {
-      begin -= indentation->size();
-      end = next +
-            (text.substr(next, 2) == "\r\n" ? 2 : std::min<std::size_t>(1, text.size() - next));
-    } else {
-      begin = text.find_last_not_of(" \t", begin - 1) + 1;
-    }
-  }
-  return Replacement(begin, end, "");
+  return RemovalOfLine(document.text(), element.offset, element.end);
 }
 
 bool LiesIn(const Document& document, ElementIndex inner, ElementIndex outer) {

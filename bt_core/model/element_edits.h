@@ -2,13 +2,13 @@
 // Indentation, line ends and quotes are taken from the text around; values are escaped.
 //
 //   Edit edit = InsertElement(document, sequence, 2, "<Delay delay_msec=\"500\"><Beep/></Delay>");
-//   document = *Edited(document, edit, diagnostics);
+//   document = *document.Edited(edit, diagnostics);
 //
-// Tags must be XML names (IsXmlName) and XML text must be one well-formed element; otherwise Edited
-// returns nothing. Positions count the element children of a parent from 0; a position behind the
-// last is the end. What makes no sense, such as removing the root element, is an empty Edit.
-// Element indices are those of the document given; afterwards, find an element again with
-// MapOffset and Document::ElementAt.
+// Tags must be XML names (IsXmlName) and XML text must be one well-formed element; otherwise
+// Document::Edited returns nothing. Positions count the element children of a parent from 0; a
+// position behind the last is the end. What makes no sense, such as removing the root element, is
+// an empty Edit. Element indices are those of the document given; afterwards, find an element again
+// with MapOffset and Document::ElementAt.
 #ifndef COPPICE_BT_CORE_MODEL_ELEMENT_EDITS_H_
 #define COPPICE_BT_CORE_MODEL_ELEMENT_EDITS_H_
 

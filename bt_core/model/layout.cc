@@ -112,6 +112,21 @@ std::size_t EndTagOffset(const Document& document, const Element& element) {
   }
 }
 
+Splice RemovalOfLine(std::string_view text, std::size_t begin, std::size_t end) {
+  const std::size_t next = std::min(text.find_first_not_of(" \t", end), text.size());
+  const bool ends_line = next == text.size() || text[next] == '\r' || text[next] == '\n';
+  if (ends_line && begin > 0) {
+    if (const auto indentation = IndentationAt(text, begin)) {
+      begin -= indentation->size();
+      const std::size_t line_end = text.substr(next, 2) == "\r\n" ? 2 : 1;
+      end = std::min(next + line_end, text.size());
+    } else {
+      begin = text.find_last_not_of(" \t", begin - 1) + 1;
+    }
+  }
+  return {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end - begin), ""};
+}
+
 std::string Reindent(std::string_view xml, std::string_view from, std::string_view to,
                      std::string_view line_end) {
   Indenter indenter(from, to, line_end);

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "bt_core/model/document.h"
+#include "bt_core/model/edit.h"
 
 namespace coppice {
 
@@ -23,6 +24,10 @@ std::string_view IndentationStep(const Document& document, ElementIndex element)
 
 /// The offset of the end tag's '<'. Undefined for a self-closing element.
 std::size_t EndTagOffset(const Document& document, const Element& element);
+
+/// Removes these bytes and what would be left of nothing: their lines if nothing else stands on
+/// them, or the blanks before them at the end of a line.
+Splice RemovalOfLine(std::string_view text, std::size_t begin, std::size_t end);
 
 /// XML text moved from one indentation to another. Line ends become `line_end`. Attribute values,
 /// comments and CDATA are left alone: their blanks may matter.

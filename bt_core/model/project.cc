@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "bt_core/model/ros_packages.h"
+#include "bt_core/model/upgrade.h"
 
 namespace coppice {
 namespace {
@@ -60,9 +61,32 @@ class ProjectReader {
   }
 
  private:
+  // Format 3 becomes format 4 here; Location() still names the user's own text.
+  Document AsFormat4(Document document) {
+    if (document.element(0).tag != "root" || !IsFormat3(document)) return document;
+    const Edit edit = UpgradeToFormat4(document, diagnostics_);
+    Diagnostics known;  // the same warnings once more
+    std::optional<Document> upgraded = document.Rewritten(edit, known);
+    if (!upgraded) return document;
+    const bool says_so = document.FindAttribute(document.element(0), "BTCPP_format") != nullptr;
+    if (says_so || edit.size() > 1) {
+      diagnostics_.Warning(document.Location(document.element(0).offset),
+                           "format 3 is read as format 4",
+                           "\"coppice upgrade -i " + document.file() + "\" makes it format 4");
+    } else {
+      WarnOfNoFormat(document);
+    }
+    return *std::move(upgraded);
+  }
+
+  void WarnOfNoFormat(const Document& document) {
+    diagnostics_.Warning(document.Location(document.element(0).offset),
+                         "no BTCPP_format; read as format 4");
+  }
+
   void Add(Document document) {
     const auto number = static_cast<std::uint32_t>(project_.documents_.size());
-    project_.documents_.push_back(std::move(document));
+    project_.documents_.push_back(AsFormat4(std::move(document)));
     if (!CheckRoot(number)) return;
     for (ElementIndex i = At(number).element(0).first_child; i != kNoElement;) {
       const Element element = At(number).element(i);
@@ -99,7 +123,7 @@ class ProjectReader {
     }
     const Attribute* format = At(number).FindAttribute(root, "BTCPP_format");
     if (!format) {
-      diagnostics_.Warning(At(number).Location(root.offset), "no BTCPP_format; read as format 4");
+      WarnOfNoFormat(At(number));
     } else if (format->value != "4") {
       diagnostics_.Error(At(number).Location(format->value_offset),
                          "BTCPP_format=\"" + std::string(format->value) + "\" is not known",

@@ -272,6 +272,35 @@ TEST(Document, WarnsOfWhatIsOutsideOfTheRoot) {
             "t.xml:3:2: warning: second root element <b> is ignored\n");
 }
 
+TEST(Document, AnEditedDocumentHasTheSameName) {
+  Diagnostics diagnostics;
+  const auto document = Load("<a><b/></a>").document;
+  const auto edited = document->Edited({{3, 4, "\n<c/>"}}, diagnostics);
+  ASSERT_TRUE(edited);
+  EXPECT_EQ(edited->text(), "<a>\n<c/></a>");
+  EXPECT_EQ(edited->Location(edited->element(1).offset).line, 2U);
+  EXPECT_EQ(edited->file(), "t.xml");
+  EXPECT_FALSE(document->Edited({{3, 4, "<c>"}}, diagnostics));
+  EXPECT_TRUE(diagnostics.has_errors());
+}
+
+TEST(Document, ARewrittenDocumentSpeaksOfTheOldPlaces) {
+  Diagnostics diagnostics;
+  const auto document = Load("<a>\n  <b x='1'/>\n  <c/>\n</a>").document;
+  const auto rewritten =
+      document->Rewritten({{0, 0, "<!-- 1\n2\n-->"}, {7, 1, "longer"}}, diagnostics);
+  ASSERT_TRUE(rewritten);
+  EXPECT_EQ(rewritten->element(1).tag, "longer");
+  for (ElementIndex i = 0; i < 3; ++i) {
+    const SourceLocation where = rewritten->Location(rewritten->element(i).offset);
+    const SourceLocation old = document->Location(document->element(i).offset);
+    EXPECT_EQ(std::pair(where.line, where.column), std::pair(old.line, old.column)) << i;
+  }
+  const SourceLocation x =
+      rewritten->Location(rewritten->attributes_begin(rewritten->element(1))->name_offset);
+  EXPECT_EQ(std::pair(x.line, x.column), std::pair(2U, 6U));
+}
+
 TEST(Document, ReadsAFile) {
   const std::string path = testing::TempDir() + "document_test.xml";
   std::ofstream(path) << "<root/>";

@@ -39,16 +39,5 @@ TEST(Edit, TwoEditsOfDifferentPlacesAreOne) {
   EXPECT_EQ(Apply(merged, kText), Apply(kEdit, kText));
 }
 
-TEST(Edit, AnEditedDocumentHasTheSameName) {
-  Diagnostics diagnostics;
-  const auto document = Document::FromText("<a><b/></a>", "t.xml", diagnostics);
-  const auto edited = Edited(*document, {{3, 4, "<c/>"}}, diagnostics);
-  ASSERT_TRUE(edited);
-  EXPECT_EQ(edited->text(), "<a><c/></a>");
-  EXPECT_EQ(edited->file(), "t.xml");
-  EXPECT_FALSE(Edited(*document, {{3, 4, "<c>"}}, diagnostics));
-  EXPECT_TRUE(diagnostics.has_errors());
-}
-
 }  // namespace
 }  // namespace coppice

@@ -6,7 +6,7 @@
 
 #include <string>
 
-#include "bt_core/model/edit.h"
+#include "bt_core/model/document.h"
 
 namespace coppice {
 
@@ -21,7 +21,7 @@ inline Document Parsed(const std::string& text) {
 inline std::string After(const Document& document, const Edit& edit) {
   std::string after = Apply(edit, document.text());
   Diagnostics diagnostics;
-  EXPECT_TRUE(Edited(document, edit, diagnostics)) << diagnostics.ToString() << after;
+  EXPECT_TRUE(document.Edited(edit, diagnostics)) << diagnostics.ToString() << after;
   EXPECT_EQ(Apply(Inverse(edit, document.text()), after), document.text()) << "undo";
   return after;
 }

@@ -159,6 +159,24 @@ TEST(Project, MissingFormatIsAWarning) {
             "t.xml:1:1: warning: no BTCPP_format; read as format 4\n");
 }
 
+TEST(Project, Format3IsReadWithOneWarning) {
+  Diagnostics diagnostics;
+  const auto project = Project::FromText(
+      "<root>\n <BehaviorTree ID=\"A\">\n  <SequenceStar>\n   <SubTree ID=\"B\" x=\"k\"/><N/>\n"
+      "  </SequenceStar>\n </BehaviorTree>\n</root>",
+      "t.xml", diagnostics);
+  ASSERT_TRUE(project && !project->has_errors());
+  EXPECT_EQ(diagnostics.ToString(),
+            "t.xml:1:1: warning: format 3 is read as format 4 "
+            "(\"coppice upgrade -i t.xml\" makes it format 4)\n");
+  const Document& document = project->documents()[0];
+  EXPECT_EQ(document.element(2).tag, "SequenceWithMemory");
+  EXPECT_EQ(document.AttributeValue(document.element(3), "x"), "{k}");
+  const SourceLocation where = document.Location(document.element(4).offset);
+  EXPECT_EQ(where.line, 4U);
+  EXPECT_EQ(where.column, 27U) << "the place in the user's own file";
+}
+
 TEST(Project, UnknownFormatIsAnError) {
   EXPECT_EQ(Problems("<root BTCPP_format=\"9\"/>"),
             "t.xml:1:21: error: BTCPP_format=\"9\" is not known (expected BTCPP_format=\"4\")\n");

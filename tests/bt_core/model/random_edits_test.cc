@@ -142,7 +142,7 @@ TEST(RandomEdits, AreUndoneByteForByteInTheOppositeOrder) {
       const Edit edit = AnyEdit(document, random);
       undo.push_back(Inverse(edit, document.text()));
       Diagnostics diagnostics;
-      auto edited = Edited(document, edit, diagnostics);
+      auto edited = document.Edited(edit, diagnostics);
       ASSERT_TRUE(edited) << "seed " << seed << " step " << step << "\n"
                           << document.text() << "\n-->\n"
                           << Apply(edit, document.text()) << "\n"

@@ -1,0 +1,209 @@
+#include "bt_core/model/upgrade.h"
+
+#include <algorithm>
+#include <string>
+
+#include "bt_core/model/attribute_edits.h"
+#include "bt_core/model/element_edits.h"
+#include "bt_core/model/layout.h"
+#include "bt_core/model/manifest.h"
+#include "bt_core/model/upgrade_check.h"
+
+namespace coppice {
+namespace {
+
+struct NewName {
+  std::string_view old;
+  std::string_view now;
+};
+
+constexpr NewName kNodes[] = {{"SequenceStar", "SequenceWithMemory"},
+                              {"FallbackStar", "Fallback"},
+                              {"RetryUntilSuccesful", "RetryUntilSuccessful"}};
+
+constexpr NewName kParallelPorts[] = {{"threshold", "success_count"},
+                                      {"success_threshold", "success_count"},
+                                      {"failure_threshold", "failure_count"}};
+
+constexpr std::string_view kGuards[] = {"_failureIf", "_successIf", "_skipIf",   "_while",
+                                        "_onSuccess", "_onFailure", "_onHalted", "_post"};
+
+constexpr std::string_view kNodesOfFormat4[] = {
+    "Script",         "ScriptCondition", "SequenceWithMemory",
+    "AsyncSequence",  "AsyncFallback",   "Precondition",
+    "RunOnce",        "UnsetBlackboard", "SkipUnlessUpdated",
+    "WaitValueUpdate"};
+
+template <class Names>
+std::string_view FindNew(const Names& names, std::string_view old) {
+  for (const NewName& name : names) {
+    if (name.old == old) return name.now;
+  }
+  return {};
+}
+
+template <class Names>
+bool Contains(const Names& names, std::string_view name) {
+  return std::find(std::begin(names), std::end(names), name) != std::end(names);
+}
+
+bool IsTrue(std::string_view value) { return value == "1" || value == "true" || value == "TRUE"; }
+
+// In a tree, "<Control ID="SequenceStar">" and "<SequenceStar>" are the same.
+std::string_view TypeOf(const Document& document, const Element& element) {
+  const bool is_explicit = CategoryFromTag(element.tag) && element.tag != "SubTree";
+  return is_explicit ? document.AttributeValue(element, "ID") : element.tag;
+}
+
+// A port of a SubTree: neither its ID nor for the engine or an editor.
+bool IsPort(const Attribute& attribute) { return !IsReservedAttribute(attribute.name); }
+
+bool IsPointer(std::string_view value) {
+  return value.size() > 1 && value.front() == '{' && value.back() == '}';
+}
+
+bool IsOfFormat3(const Document& document, const Element& element) {
+  const std::string_view type = TypeOf(document, element);
+  return type == "SubTreePlus" || !FindNew(kNodes, type).empty() || IsBlackboardCheck(type) ||
+         document.FindAttribute(element, "__shared_blackboard") ||
+         document.FindAttribute(element, "__autoremap");
+}
+
+bool IsOfFormat4(const Document& document, const Element& element) {
+  if (Contains(kNodesOfFormat4, TypeOf(document, element))) return true;
+  return std::any_of(document.attributes_begin(element), document.attributes_end(element),
+                     [&element](const Attribute& a) {
+                       return a.name == "_autoremap" || Contains(kGuards, a.name) ||
+                              (element.tag == "SubTree" && IsPort(a) && IsPointer(a.value));
+                     });
+}
+
+class Upgrader {
+ public:
+  Upgrader(const Document& document, Diagnostics& diagnostics)
+      : document_(document), diagnostics_(diagnostics) {}
+
+  Edit Run() {
+    Add(SetAttribute(document_, 0, "BTCPP_format", "4"));
+    for (ElementIndex i = document_.element(0).first_child; i != kNoElement;
+         i = document_.element(i).next_sibling) {
+      if (document_.element(i).tag == "BehaviorTree") UpgradeTree(i);
+    }
+    return Merge(std::move(edit_), {});  // in order
+  }
+
+ private:
+  // Elements lie in document order, so those of a tree follow it.
+  void UpgradeTree(ElementIndex tree) {
+    const std::uint32_t end = document_.element(tree).end;
+    for (ElementIndex i = tree + 1;
+         i < document_.elements().size() && document_.element(i).offset < end; ++i) {
+      UpgradeNode(i);
+    }
+  }
+
+  void UpgradeNode(ElementIndex index) {
+    const Element& element = document_.element(index);
+    const std::string_view type = TypeOf(document_, element);
+    const std::string_view now = FindNew(kNodes, type);
+    if (!now.empty()) {
+      Add(type == element.tag ? SetTag(document_, index, now)
+                              : SetAttribute(document_, index, "ID", now));
+    } else if (type == "SubTree" || type == "SubTreePlus") {
+      UpgradeSubTree(index);
+    } else if (type == "Parallel") {
+      UpgradeParallel(index);
+    } else if (IsBlackboardCheck(type)) {
+      Add(UpgradeBlackboardCheck(document_, index, type, diagnostics_));
+    } else if (element.tag == "Root" && element.child_count == 1 &&
+               document_.element(element.parent).tag == "BehaviorTree") {
+      RemoveRoot(element);
+    }
+    WarnOfGuards(element);
+  }
+
+  void UpgradeSubTree(ElementIndex index) {
+    const Element& element = document_.element(index);
+    const bool plus = element.tag == "SubTreePlus";
+    if (plus) {
+      Add(SetTag(document_, index, "SubTree"));
+      Add(RenameAttribute(document_, index, "__autoremap", "_autoremap"));
+    } else {
+      for (const Attribute* a = document_.attributes_begin(element);
+           a != document_.attributes_end(element); ++a) {
+        if (IsPort(*a)) UpgradeRemapping(index, *a);
+      }
+    }
+    if (const Attribute* shared = document_.FindAttribute(element, "__shared_blackboard")) {
+      Add(IsTrue(shared->value)
+              ? RenameAttribute(document_, index, "__shared_blackboard", "_autoremap")
+              : RemoveAttribute(document_, index, "__shared_blackboard"));
+    }
+  }
+
+  void UpgradeRemapping(ElementIndex index, const Attribute& port) {
+    if (IsPointer(port.value)) return;
+    if (IsKey(port.value)) {
+      Add(SetAttribute(document_, index, port.name, "{" + std::string(port.value) + "}"));
+    } else {
+      Warn(port.value_offset,
+           "\"" + std::string(port.value) + "\" cannot be a key; it is left as a value",
+           "in format 3, the attributes of a SubTree name keys");
+    }
+  }
+
+  void UpgradeParallel(ElementIndex index) {
+    const Element& element = document_.element(index);
+    for (const NewName& port : kParallelPorts) {
+      if (document_.FindAttribute(element, port.now)) continue;
+      const bool has_better =
+          port.old == "threshold" && document_.FindAttribute(element, "success_threshold");
+      if (!has_better) Add(RenameAttribute(document_, index, port.old, port.now));
+    }
+  }
+
+  // The two tags go, with their lines; what is between them stays as it is.
+  void RemoveRoot(const Element& element) {
+    const std::size_t end_tag = EndTagOffset(document_, element);
+    Add({RemovalOfLine(document_.text(), element.offset, element.start_tag_end),
+         RemovalOfLine(document_.text(), end_tag, element.end)});
+  }
+
+  void WarnOfGuards(const Element& element) {
+    for (const Attribute* a = document_.attributes_begin(element);
+         a != document_.attributes_end(element); ++a) {
+      if (!Contains(kGuards, a->name)) continue;
+      Warn(a->name_offset, "in format 4, " + std::string(a->name) + " is a guard with a script",
+           "if it is a port of the node, give it another name");
+    }
+  }
+
+  void Add(const Edit& edit) { edit_.insert(edit_.end(), edit.begin(), edit.end()); }
+
+  void Warn(std::uint32_t offset, std::string message, std::string hint) {
+    diagnostics_.Warning(document_.Location(offset), std::move(message), std::move(hint));
+  }
+
+  const Document& document_;
+  Diagnostics& diagnostics_;
+  Edit edit_;
+};
+
+}  // namespace
+
+bool IsFormat3(const Document& document) {
+  const Attribute* format = document.FindAttribute(document.element(0), "BTCPP_format");
+  if (format) return format->value == "3";
+  bool is_4 = false;
+  for (const Element& element : document.elements()) {
+    if (IsOfFormat3(document, element)) return true;
+    is_4 = is_4 || IsOfFormat4(document, element);
+  }
+  return !is_4;
+}
+
+Edit UpgradeToFormat4(const Document& document, Diagnostics& diagnostics) {
+  return IsFormat3(document) ? Upgrader(document, diagnostics).Run() : Edit();
+}
+
+}  // namespace coppice

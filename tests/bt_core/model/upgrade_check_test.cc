@@ -1,0 +1,72 @@
+#include "bt_core/model/upgrade_check.h"
+
+#include "tests/bt_core/model/edited.h"
+
+namespace coppice {
+namespace {
+
+std::string Upgrade(const std::string& text, std::string_view type, Diagnostics& diagnostics) {
+  const Document document = Parsed(text);
+  return After(document, UpgradeBlackboardCheck(document, 0, type, diagnostics));
+}
+std::string Upgrade(const std::string& kind, const std::string& attributes) {
+  Diagnostics diagnostics;
+  const std::string type = "BlackboardCheck" + kind;
+  std::string after =
+      Upgrade("<" + type + " " + attributes + "><A/></" + type + ">", type, diagnostics);
+  EXPECT_EQ(diagnostics.ToString(), "");
+  return after;
+}
+
+TEST(UpgradeBlackboardCheck, BecomesAConditionThatIsTestedOnEveryTick) {
+  EXPECT_EQ(Upgrade("Int", "value_A='{x}' value_B='3' return_on_mismatch='FAILURE'"),
+            "<ReactiveSequence><ScriptCondition code=\"x == 3\"/><A/></ReactiveSequence>");
+  EXPECT_EQ(Upgrade("Double", "name='n' value_A='{x}' value_B='{y}'"),
+            "<ReactiveSequence name='n'><ScriptCondition code=\"x == y\"/><A/>"
+            "</ReactiveSequence>");
+}
+
+TEST(UpgradeBlackboardCheck, SuccessOnMismatchIsAFallbackOfTheOpposite) {
+  EXPECT_EQ(Upgrade("Bool", "value_A='{x}' value_B='1' return_on_mismatch='success'"),
+            "<ReactiveFallback><ScriptCondition code=\"x != true\"/><A/></ReactiveFallback>");
+}
+
+TEST(UpgradeBlackboardCheck, TextIsQuotedForTheScript) {
+  EXPECT_EQ(Upgrade("String", "value_A='{x}' value_B='a &lt; \"b\"'"),
+            "<ReactiveSequence><ScriptCondition code=\"x == 'a &lt; &quot;b&quot;'\"/><A/>"
+            "</ReactiveSequence>");
+}
+
+TEST(UpgradeBlackboardCheck, KeepsTheLayout) {
+  Diagnostics diagnostics;
+  EXPECT_EQ(Upgrade("<Decorator ID='BlackboardCheckInt'\n  value_A='{x}'\n  value_B='3'>\n"
+                    "  <!-- c -->\n  <A/>\n</Decorator>",
+                    "BlackboardCheckInt", diagnostics),
+            "<ReactiveSequence>\n  <ScriptCondition code=\"x == 3\"/>\n  <!-- c -->\n  <A/>\n"
+            "</ReactiveSequence>");
+}
+
+TEST(UpgradeBlackboardCheck, WhatAScriptCannotSayIsAWarning) {
+  for (const char* attributes :
+       {"", "value_A='{x}'", "value_A='{x}' value_B='three'", "value_A='{a-b}' value_B='3'",
+        "value_A='{x}' value_B='nan'", "value_A='{x}' value_B='3' return_on_mismatch='RUNNING'"}) {
+    Diagnostics diagnostics;
+    const std::string text =
+        std::string("<BlackboardCheckInt ") + attributes + "><A/></BlackboardCheckInt>";
+    EXPECT_EQ(Upgrade(text, "BlackboardCheckInt", diagnostics), text);
+    EXPECT_EQ(diagnostics.ToString(),
+              "t.xml:1:1: warning: BlackboardCheckInt cannot be upgraded by itself "
+              "(format 4 has no such node; write a ScriptCondition)\n");
+  }
+}
+
+TEST(UpgradeBlackboardCheck, KnowsItsTypesAndKeys) {
+  EXPECT_TRUE(IsBlackboardCheck("BlackboardCheckString"));
+  EXPECT_FALSE(IsBlackboardCheck("BlackboardCheck"));
+  EXPECT_FALSE(IsBlackboardCheck("BlackboardCheckPose"));
+  EXPECT_TRUE(IsKey("goal_2"));
+  for (const char* name : {"", "2", "a b", "a-b", "/a", "true"}) EXPECT_FALSE(IsKey(name)) << name;
+}
+
+}  // namespace
+}  // namespace coppice

@@ -1,0 +1,152 @@
+#include "bt_core/model/upgrade.h"
+
+#include <algorithm>
+
+#include "tests/bt_core/model/edited.h"
+
+namespace coppice {
+namespace {
+
+struct Upgraded {
+  std::string text;
+  std::string problems;
+};
+
+Upgraded Upgrade(const std::string& text) {
+  const Document document = Parsed(text);
+  Diagnostics diagnostics;
+  Upgraded upgraded;
+  upgraded.text = After(document, UpgradeToFormat4(document, diagnostics));
+  upgraded.problems = diagnostics.ToString();
+  EXPECT_FALSE(diagnostics.has_errors());
+  EXPECT_FALSE(IsFormat3(Parsed(upgraded.text)));
+  return upgraded;
+}
+
+std::string Root3(const std::string& tree) {
+  return "<root BTCPP_format=\"3\"><BehaviorTree ID=\"M\">" + tree + "</BehaviorTree></root>";
+}
+std::string Root4(const std::string& tree) {
+  return "<root BTCPP_format=\"4\"><BehaviorTree ID=\"M\">" + tree + "</BehaviorTree></root>";
+}
+
+// One node of format 3, without problems.
+std::string Node(const std::string& node) {
+  const Upgraded upgraded = Upgrade(Root3(node));
+  EXPECT_EQ(upgraded.problems, "") << node;
+  const std::size_t begin = Root4("").find("</Beh");
+  return upgraded.text.substr(begin, upgraded.text.size() - Root4("").size());
+}
+
+TEST(Upgrade, KeepsEverythingElseAsItIs) {
+  const std::string text =
+      "\xEF\xBB\xBF<?xml version='1.0'?>\r\n<!-- SequenceStar -->\r\n"
+      "<root  main_tree_to_execute = 'M' >\r\n"
+      "\t<BehaviorTree ID='M'>\r\n"
+      "\t\t<SequenceStar name='s'> <!-- the star -->\r\n"
+      "\t\t\t<SubTree ID='T' goal = 'target'/>\r\n"
+      "\t\t</SequenceStar >\r\n"
+      "\t</BehaviorTree>\r\n"
+      "\t<TreeNodesModel><Control ID='SequenceStar'/></TreeNodesModel>\r\n"
+      "</root>\r\n";
+  std::string expected = text;
+  const auto replace = [&expected](const std::string& what, const std::string& by) {
+    expected.replace(expected.find(what), what.size(), by);
+  };
+  replace("= 'M' >", "= 'M' BTCPP_format='4' >");
+  replace("<SequenceStar name", "<SequenceWithMemory name");
+  replace("</SequenceStar >", "</SequenceWithMemory >");
+  replace("'target'", "'{target}'");
+  const Upgraded upgraded = Upgrade(text);
+  EXPECT_EQ(upgraded.text, expected);
+  EXPECT_EQ(upgraded.problems, "");
+}
+
+TEST(Upgrade, RenamesNodes) {
+  EXPECT_EQ(Node("<SequenceStar><A/></SequenceStar>"),
+            "<SequenceWithMemory><A/></SequenceWithMemory>");
+  EXPECT_EQ(Node("<FallbackStar/>"), "<Fallback/>");
+  EXPECT_EQ(Node("<RetryUntilSuccesful num_attempts='2'/>"),
+            "<RetryUntilSuccessful num_attempts='2'/>");
+  EXPECT_EQ(Node("<Control ID='SequenceStar'><SequenceStar/></Control>"),
+            "<Control ID='SequenceWithMemory'><SequenceWithMemory/></Control>");
+  EXPECT_EQ(Node("<Decorator ID='RetryUntilSuccesful'/>"),
+            "<Decorator ID='RetryUntilSuccessful'/>");
+  EXPECT_EQ(Node("<Action ID='Go' to='SequenceStar'/>"), "<Action ID='Go' to='SequenceStar'/>");
+}
+
+TEST(Upgrade, AttributesOfASubTreeAreKeys) {
+  EXPECT_EQ(Node("<SubTree ID='T' name='t' a='key' b='{key}' _description='d'/>"),
+            "<SubTree ID='T' name='t' a='{key}' b='{key}' _description='d'/>");
+}
+
+TEST(Upgrade, WhatCannotBeAKeyIsLeftWithAWarning) {
+  const Upgraded upgraded = Upgrade(Root3("<SubTree ID='T' a='0.5'/>"));
+  EXPECT_EQ(upgraded.text, Root4("<SubTree ID='T' a='0.5'/>"));
+  EXPECT_EQ(upgraded.problems,
+            "t.xml:1:64: warning: \"0.5\" cannot be a key; it is left as a value "
+            "(in format 3, the attributes of a SubTree name keys)\n");
+}
+
+TEST(Upgrade, SharedBlackboardsBecomeRemapping) {
+  EXPECT_EQ(Node("<SubTree ID='T' __shared_blackboard='true'/>"),
+            "<SubTree ID='T' _autoremap='true'/>");
+  EXPECT_EQ(Node("<SubTree ID='T' __shared_blackboard='false' a='b'/>"),
+            "<SubTree ID='T' a='{b}'/>");
+}
+
+TEST(Upgrade, SubTreePlusIsTheSubTreeOfFormat4) {
+  EXPECT_EQ(Node("<SubTreePlus ID='T' __autoremap='1' a='value' b='{key}'></SubTreePlus>"),
+            "<SubTree ID='T' _autoremap='1' a='value' b='{key}'></SubTree>");
+}
+
+TEST(Upgrade, ThresholdsAreCounts) {
+  EXPECT_EQ(Node("<Parallel threshold='2'/>"), "<Parallel success_count='2'/>");
+  EXPECT_EQ(Node("<Parallel success_threshold='2' failure_threshold='3'/>"),
+            "<Parallel success_count='2' failure_count='3'/>");
+  EXPECT_EQ(Node("<Parallel threshold='1' success_threshold='2'/>"),
+            "<Parallel threshold='1' success_count='2'/>");
+}
+
+TEST(Upgrade, ARootAroundTheTreeGoes) {
+  EXPECT_EQ(Node("<Root><A/></Root>"), "<A/>");
+  EXPECT_EQ(Node("\n  <Root>\n    <!-- c -->\n    <SequenceStar/>\n  </Root>\n"),
+            "\n    <!-- c -->\n    <SequenceWithMemory/>\n");
+}
+
+TEST(Upgrade, PortsThatHaveBecomeGuardsAreAWarning) {
+  EXPECT_NE(Upgrade(Root3("<A _while='x'/>"))
+                .problems.find("t.xml:1:48: warning: in format 4, _while is a guard with a script"),
+            std::string::npos);
+}
+
+TEST(Upgrade, AppliedTwiceChangesNothingMore) {
+  const std::string once = Upgrade(Root3("<SubTree ID='T' a='b'/>")).text;
+  Diagnostics diagnostics;
+  EXPECT_TRUE(UpgradeToFormat4(Parsed(once), diagnostics).empty());
+}
+
+bool Is3(const std::string& root_attributes, const std::string& tree) {
+  return IsFormat3(
+      Parsed("<root " + root_attributes + "><BehaviorTree>" + tree + "</BehaviorTree></root>"));
+}
+
+TEST(Format, IsWhatTheFileSays) {
+  EXPECT_TRUE(Is3("BTCPP_format='3'", "<Script/>"));
+  EXPECT_FALSE(Is3("BTCPP_format='4'", "<SequenceStar/>"));
+  EXPECT_FALSE(Is3("BTCPP_format='9'", "<SequenceStar/>"));
+}
+
+TEST(Format, IsToldByWhatAFileUsesThatDoesNotSay) {
+  EXPECT_TRUE(Is3("", "<A/>"));
+  EXPECT_TRUE(Is3("", "<SubTree ID='T' a='b'/>"));
+  EXPECT_FALSE(Is3("", "<SubTree ID='T' a='{b}'/>"));
+  EXPECT_FALSE(Is3("", "<A _skipIf='x'/>"));
+  EXPECT_FALSE(Is3("", "<Control ID='SequenceWithMemory'/>"));
+  EXPECT_FALSE(Is3("", "<SubTree ID='T' _autoremap='true'/>"));
+  EXPECT_TRUE(Is3("", "<Script/><SubTreePlus ID='T'/>")) << "then the script is a leaf's name";
+  EXPECT_TRUE(Is3("", "<Script/><SubTree ID='T' __shared_blackboard='true'/>"));
+}
+
+}  // namespace
+}  // namespace coppice
