@@ -24,6 +24,7 @@
 #include <vector>
 
 #include "bt_core/data/blackboard.h"
+#include "bt_core/data/standard_types.h"
 
 namespace coppice {
 

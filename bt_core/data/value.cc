@@ -5,7 +5,7 @@
 #include <charconv>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
+#include <initializer_list>
 
 namespace coppice {
 namespace {
@@ -41,6 +41,30 @@ class PlainNumbers {
   locale_t before_;
 };
 
+// strtod and strtof, because GCC 9 has no from_chars for them.
+template <class T>
+bool ParseReal(std::string_view text, T& out, T (*convert)(const char*, char**)) {
+  const std::string copy(Trim(text));
+  if (copy.empty()) return false;
+  const PlainNumbers plain;
+  char* end = nullptr;
+  out = convert(copy.c_str(), &end);
+  return end == copy.c_str() + copy.size();
+}
+
+// The shortest text that reads back the same.
+template <class T>
+std::string PrintReal(T value, std::initializer_list<int> digits,
+                      T (*convert)(const char*, char**)) {
+  const PlainNumbers plain;
+  char text[32];
+  for (const int count : digits) {
+    std::snprintf(text, sizeof(text), "%.*g", count, static_cast<double>(value));
+    if (convert(text, nullptr) == value) break;
+  }
+  return text;
+}
+
 }  // namespace
 
 Value::Value(Value&& other) noexcept { *this = std::move(other); }
@@ -69,9 +93,21 @@ Value& Value::operator=(Value&& other) noexcept {
 }
 
 bool Value::Parse(const Type& type, std::string_view text) {
+  constexpr std::string_view kJson = "json:";
+  if (type.has_json_form && text.substr(0, kJson.size()) == kJson) {
+    return FromJson(type, text.substr(kJson.size()));
+  }
   void* at = Prepare(type);
   type.construct(at);
   if (type.parse(text, at)) return true;
+  Reset();
+  return false;
+}
+
+bool Value::FromJson(const Type& type, std::string_view json) {
+  void* at = Prepare(type);
+  type.construct(at);
+  if (type.from_json(json, at)) return true;
   Reset();
   return false;
 }
@@ -122,24 +158,18 @@ std::string ValueTraits<std::uint64_t>::Print(const std::uint64_t& value) {
   return std::to_string(value);
 }
 
-// strtod, because GCC 9 has no from_chars for double.
-bool ValueTraits<double>::Parse(std::string_view text, double& out) {
-  const std::string copy(Trim(text));
-  if (copy.empty()) return false;
-  const PlainNumbers plain;
-  char* end = nullptr;
-  out = std::strtod(copy.c_str(), &end);
-  return end == copy.c_str() + copy.size();
+bool ValueTraits<float>::Parse(std::string_view text, float& out) {
+  return ParseReal(text, out, std::strtof);
+}
+std::string ValueTraits<float>::Print(const float& value) {
+  return PrintReal(value, {6, 7, 8, 9}, std::strtof);
 }
 
+bool ValueTraits<double>::Parse(std::string_view text, double& out) {
+  return ParseReal(text, out, std::strtod);
+}
 std::string ValueTraits<double>::Print(const double& value) {
-  const PlainNumbers plain;
-  char text[32];
-  for (const int digits : {6, 15, 16, 17}) {  // the shortest that reads back the same
-    std::snprintf(text, sizeof(text), "%.*g", digits, value);
-    if (std::strtod(text, nullptr) == value) break;
-  }
-  return text;
+  return PrintReal(value, {6, 15, 16, 17}, std::strtod);
 }
 
 bool ValueTraits<std::string>::Parse(std::string_view text, std::string& out) {

@@ -1,14 +1,7 @@
 // A value of any registered type, as it lies on the blackboard, in a literal or in a message.
 //
-// A type takes part by one conversion pair, ValueTraits<T>: its name, text -> T, T -> text. Small
-// types live inside the Value; assigning a value of the same type reuses the storage, so a string
-// that does not grow is written without allocation.
-//
-//   template <> struct coppice::ValueTraits<Pose2D> {
-//     static constexpr const char* kName = "Pose2D";
-//     static bool Parse(std::string_view text, Pose2D& out);   // false: not a Pose2D
-//     static std::string Print(const Pose2D& value);
-//   };
+// Small types live inside the Value; assigning a value of the same type reuses the storage, so a
+// string that does not grow is written without allocation. How a type takes part is in type.h.
 #ifndef COPPICE_BT_CORE_DATA_VALUE_H_
 #define COPPICE_BT_CORE_DATA_VALUE_H_
 
@@ -20,67 +13,9 @@
 #include <type_traits>
 #include <utility>
 
+#include "bt_core/data/type.h"
+
 namespace coppice {
-
-template <class T>
-struct ValueTraits;  // specialised below and by the user
-
-/// The types that scripts compute with; every other type is kOther.
-enum class TypeKind : std::uint8_t {
-  kBool,
-  kInt,
-  kUnsigned,
-  kInt64,
-  kUint64,
-  kDouble,
-  kString,
-  kOther
-};
-
-template <class T>
-constexpr TypeKind KindOf() {
-  if (std::is_same_v<T, bool>) return TypeKind::kBool;
-  if (std::is_same_v<T, int>) return TypeKind::kInt;
-  if (std::is_same_v<T, unsigned>) return TypeKind::kUnsigned;
-  if (std::is_same_v<T, std::int64_t>) return TypeKind::kInt64;
-  if (std::is_same_v<T, std::uint64_t>) return TypeKind::kUint64;
-  if (std::is_same_v<T, double>) return TypeKind::kDouble;
-  if (std::is_same_v<T, std::string>) return TypeKind::kString;
-  return TypeKind::kOther;
-}
-
-/// What the engine knows about a C++ type. There is one Type per C++ type; compare addresses.
-struct Type {
-  const char* name;
-  TypeKind kind;
-  std::size_t size;
-  std::size_t alignment;
-  void (*construct)(void* at);
-  void (*copy_construct)(void* at, const void* from);
-  void (*copy_assign)(void* to, const void* from);
-  void (*destroy)(void* at);
-  bool (*parse)(std::string_view text, void* out);
-  std::string (*print)(const void* value);
-};
-
-template <class T>
-const Type& TypeOf() {
-  static const Type type = {
-      ValueTraits<T>::kName,
-      KindOf<T>(),
-      sizeof(T),
-      alignof(T),
-      [](void* at) { new (at) T(); },
-      [](void* at, const void* from) { new (at) T(*static_cast<const T*>(from)); },
-      [](void* to, const void* from) { *static_cast<T*>(to) = *static_cast<const T*>(from); },
-      [](void* at) { static_cast<T*>(at)->~T(); },
-      [](std::string_view text, void* out) {
-        return ValueTraits<T>::Parse(text, *static_cast<T*>(out));
-      },
-      [](const void* value) { return ValueTraits<T>::Print(*static_cast<const T*>(value)); },
-  };
-  return type;
-}
 
 class Value {
  public:
@@ -124,11 +59,21 @@ class Value {
     }
   }
 
-  /// Becomes the value that the text stands for. False leaves *this empty.
+  /// Becomes the value that the text stands for. False leaves *this empty. A type that brings its
+  /// own JSON is also read from "json:" and a JSON text.
   bool Parse(const Type& type, std::string_view text);
 
   /// The text that Parse reads; empty for an empty value.
   std::string Print() const { return type_ ? type_->print(data()) : std::string(); }
+
+  /// The text of a JSON value; "null" for an empty value.
+  std::string ToJson() const { return type_ ? type_->to_json(data()) : "null"; }
+
+  /// Becomes the value that the JSON text stands for. False leaves *this empty.
+  bool FromJson(const Type& type, std::string_view json);
+
+  /// Of an enum, the number behind its enumerator. Undefined unless the type has enumerators.
+  std::int64_t EnumeratorValue() const { return type_->enumerators->value_of(data()); }
 
   void Reset();
 
@@ -162,6 +107,7 @@ COPPICE_DECLARE_VALUE_TRAITS(int, "int");
 COPPICE_DECLARE_VALUE_TRAITS(unsigned, "unsigned");
 COPPICE_DECLARE_VALUE_TRAITS(std::int64_t, "int64");
 COPPICE_DECLARE_VALUE_TRAITS(std::uint64_t, "uint64");
+COPPICE_DECLARE_VALUE_TRAITS(float, "float");
 COPPICE_DECLARE_VALUE_TRAITS(double, "double");
 COPPICE_DECLARE_VALUE_TRAITS(std::string, "string");
 #undef COPPICE_DECLARE_VALUE_TRAITS

@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "bt_core/data/enum.h"
 #include "bt_core/script/grammar.h"
 #include "bt_core/script/store.h"
 
@@ -195,8 +196,10 @@ class Checker {
     if (!is_text || !key.type || key.type->kind == TypeKind::kString) return;
     Value read;
     if (read.Parse(*key.type, literal.value.text())) return;
-    Problem(literal, Describe(literal.value) + " is no value of type " + key.type->name +
-                         ", which " + NameOf(key) + " has");
+    Problem(literal,
+            Describe(literal.value) + " is no value of type " + key.type->name + ", which " +
+                NameOf(key) + " has",
+            key.type->enumerators ? "it is " + Choices(*key.type->enumerators) : "");
   }
 
   void CheckAssignment(Node& node) {

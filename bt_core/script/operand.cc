@@ -79,14 +79,21 @@ Operand OperandOf(const Value& value) {
       return number >> 63 ? Operand::Double(static_cast<double>(number))
                           : Operand::Integer(static_cast<std::int64_t>(number));
     }
+    case TypeKind::kFloat:
+      return Operand::Double(value.Get<float>());
     case TypeKind::kDouble:
       return Operand::Double(value.Get<double>());
     case TypeKind::kString:
       return Operand::Text(value.Get<std::string>());
+    case TypeKind::kEnum:
     case TypeKind::kOther:
       break;
   }
   return Operand::Other(value);
+}
+
+bool IsEnumerator(const Operand& operand) {
+  return operand.kind == Kind::kOther && operand.other->type()->kind == TypeKind::kEnum;
 }
 
 std::string Describe(const Operand& operand) {
@@ -125,8 +132,10 @@ Operand ToNumber(const Operand& operand) {
     case Kind::kInteger:
     case Kind::kDouble:
       return operand;
-    case Kind::kText:
     case Kind::kOther:
+      if (IsEnumerator(operand)) return Operand::Integer(operand.other->EnumeratorValue());
+      break;
+    case Kind::kText:
       break;
   }
   throw Failure{Describe(operand) + " is not a number"};

@@ -47,6 +47,8 @@ struct Failure {
 /// What a slot holds. The slot must not be empty.
 Operand OperandOf(const Value& value);
 
+bool IsEnumerator(const Operand& operand);
+
 /// "true", "2.5", "'text'", "Pose2D 1;2;3": for messages.
 std::string Describe(const Operand& operand);
 

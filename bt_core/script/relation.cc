@@ -74,9 +74,13 @@ Order OrderOfOthers(const Operand& a, const Operand& b) {
   return a.other->Print() == b.other->Print() ? Order::kEqual : Order::kDifferent;
 }
 
+bool IsNumber(const Operand& operand) {
+  return operand.kind < Kind::kText || IsEnumerator(operand);
+}
+
 Order OrderOf(const Operand& a, const Operand& b) {
+  if (IsNumber(a) && IsNumber(b)) return OrderOfNumbers(a, b);
   if (a.kind == Kind::kOther || b.kind == Kind::kOther) return OrderOfOthers(a, b);
-  if (a.kind != Kind::kText && b.kind != Kind::kText) return OrderOfNumbers(a, b);
   if (a.kind != Kind::kText) return Reversed(OrderOfTextAndNumber(b.text(), a));
   if (b.kind != Kind::kText) return OrderOfTextAndNumber(a.text(), b);
   return OrderOf(a.text(), b.text());

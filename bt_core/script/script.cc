@@ -66,6 +66,15 @@ Answer Ask(const Instruction& at, const Slot* slots, const Code& code) {
 
 }  // namespace
 
+std::optional<std::string> AddEnumerators(const EnumeratorList& list, ScriptConstants& constants) {
+  std::optional<std::string> clash;
+  for (const Enumerator& enumerator : list) {
+    const auto [at, is_new] = constants.emplace(enumerator.name, enumerator.value);
+    if (!is_new && at->second != enumerator.value && !clash) clash = at->first;
+  }
+  return clash;
+}
+
 std::optional<Script> Script::Compile(std::string_view text, ScriptNames& names,
                                       const ScriptConstants& constants,
                                       std::vector<ScriptProblem>& problems) {

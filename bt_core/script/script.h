@@ -28,6 +28,9 @@ namespace coppice {
 /// A name in scripts that stands for a number, such as the enumerators of a registered enum.
 using ScriptConstants = std::map<std::string, std::int64_t, std::less<>>;
 
+/// Adds the names of an enum. Returns the first that stands for another number already, if any.
+std::optional<std::string> AddEnumerators(const EnumeratorList& list, ScriptConstants& constants);
+
 /// What the names in a script mean in one place of a tree.
 class ScriptNames {
  public:

@@ -5,6 +5,8 @@
 #include <string>
 #include <utility>
 
+#include "bt_core/data/enum.h"
+
 namespace coppice::script {
 namespace {
 
@@ -45,10 +47,16 @@ bool StoreBool(const Operand& operand, Value& value) {
   return true;
 }
 
-bool StoreDouble(const Operand& operand, Value& value) {
+template <class T>
+bool StoreReal(const Operand& operand, Value& value) {
   const Operand number = ToNumber(operand);
-  value.Set(number.kind == Kind::kInteger ? static_cast<double>(number.integer) : number.number);
+  value.Set(static_cast<T>(number.kind == Kind::kInteger ? number.integer : number.number));
   return true;
+}
+
+bool StoreEnumerator(const Operand& operand, const Type& type, Value& value) {
+  const Enumerator* const found = FindEnumerator(*type.enumerators, ToInteger(operand));
+  return found && value.Parse(type, found->name);
 }
 
 // False if the number is not kept by that type.
@@ -64,8 +72,12 @@ bool StoreNumber(const Operand& operand, const Type& type, Value& value) {
       return StoreInteger<std::int64_t>(operand, value);
     case TypeKind::kUint64:
       return StoreInteger<std::uint64_t>(operand, value);
+    case TypeKind::kFloat:
+      return StoreReal<float>(operand, value);
     case TypeKind::kDouble:
-      return StoreDouble(operand, value);
+      return StoreReal<double>(operand, value);
+    case TypeKind::kEnum:
+      return StoreEnumerator(operand, type, value);
     case TypeKind::kString:
     case TypeKind::kOther:
       break;
@@ -83,16 +95,17 @@ void StoreText(std::string_view text, Value& value) {
 }
 
 void StoreAs(const Type& type, const Operand& operand, Value& value) {
+  const bool is_other = operand.kind == Kind::kOther;
+  if (is_other && operand.other->type() == &type) {
+    value = *operand.other;
+    return;
+  }
+  if (is_other && !IsEnumerator(operand)) Refuse(operand, type);
   if (operand.kind == Kind::kText) {
     if (type.kind == TypeKind::kString) return StoreText(operand.text(), value);
     Value read;
     if (!read.Parse(type, operand.text())) Refuse(operand, type);
     value = std::move(read);
-    return;
-  }
-  if (operand.kind == Kind::kOther) {
-    if (operand.other->type() != &type) Refuse(operand, type);
-    value = *operand.other;
     return;
   }
   if (!StoreNumber(operand, type, value)) Refuse(operand, type);
@@ -115,7 +128,7 @@ void StoreFirst(const Operand& operand, Value& value) {
 }
 
 bool Widens(const Operand& operand, const Type& type) {
-  const bool from_number = type.kind != TypeKind::kString && type.kind != TypeKind::kOther;
+  const bool from_number = type.kind < TypeKind::kString;
   return from_number && IsNumeric(operand);
 }
 

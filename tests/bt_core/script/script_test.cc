@@ -2,12 +2,13 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "bt_core/data/standard_types.h"
 #include "tests/bt_core/script/fixture.h"
 
 namespace coppice {
@@ -179,6 +180,34 @@ TEST(Script, ConstantsAreNumbers) {
   const std::vector<ScriptProblem> problems = bench.ProblemsOf("color == RED; RED := 5");
   ASSERT_EQ(problems.size(), 1U);
   EXPECT_EQ(problems[0].offset, 14U);
+}
+
+TEST(Script, TheEnumeratorsOfAnEnumBecomeConstants) {
+  ScriptConstants constants = {{"RUNNING", 1}};
+  EXPECT_EQ(AddEnumerators(EnumeratorsOf<Status>(), constants), std::nullopt);
+  EXPECT_EQ(constants.size(), 5U);
+  EXPECT_EQ(constants.at("FAILURE"), 3);
+  constants["SKIPPED"] = 77;
+  EXPECT_EQ(AddEnumerators(EnumeratorsOf<Status>(), constants), "SKIPPED");
+}
+
+TEST(Script, AKeyOfAnEnumComparesWithNamesAndNumbers) {
+  ScriptBench bench;
+  AddEnumerators(EnumeratorsOf<Status>(), bench.constants());
+  bench.Declare<Status>("last");
+  bench.Run("last := FAILURE");
+  EXPECT_EQ(bench.Show("last"), "Status FAILURE");
+  EXPECT_TRUE(bench.Test("last == FAILURE && last == 'FAILURE' && last == 3 && last != SUCCESS"));
+  EXPECT_TRUE(bench.Test("last > RUNNING && last .. '!' == 'FAILURE!'"));
+  bench.Run("last := 'SUCCESS'; copy := last");
+  EXPECT_EQ(bench.Show("last"), "Status SUCCESS");
+  EXPECT_EQ(bench.Show("copy"), "Status SUCCESS");
+  EXPECT_TRUE(bench.Test("copy == last && copy == SUCCESS"));
+  EXPECT_EQ(bench.ProblemsOf("last := 9").size(), 1U);
+  EXPECT_EQ(bench.ProblemsOf("last == 'FAILED'").at(0).hint,
+            "it is IDLE, RUNNING, SUCCESS, FAILURE or SKIPPED");
+  EXPECT_THROW(bench.Run("nine := 9; last := nine"), ScriptError);
+  EXPECT_EQ(bench.Show("last"), "Status SUCCESS");
 }
 
 TEST(Script, AllProblemsAreToldInTheOrderOfTheText) {
