@@ -29,13 +29,25 @@ class Inbox {
  public:
   struct Message {
     SlotIndex slot;
-    std::uint32_t epoch;  ///< for mailboxes: the activation of the leaf that asked for it
+    std::uint32_t epoch;       ///< for mailboxes: the activation of the leaf that asked for it
+    std::uint32_t generation;  ///< of the tree whose slot it is
     Value value;
   };
   using Call = std::function<void()>;
 
-  /// Any thread. The value replaces what the slot holds at the start of the next tick.
-  void Post(SlotIndex slot, std::uint32_t epoch, Value value);
+  /// Any thread. The value replaces what the slot holds at the start of the next tick. A slot of an
+  /// earlier generation is that slot under its present number.
+  void Post(SlotIndex slot, std::uint32_t epoch, Value value, std::uint32_t generation);
+  void Post(SlotIndex slot, std::uint32_t epoch, Value value) {
+    Post(slot, epoch, std::move(value), generation());
+  }
+
+  /// Counts the trees that were swapped in: slots are numbered anew by each.
+  std::uint32_t generation() const { return generation_.load(std::memory_order_relaxed); }
+
+  /// Ticking thread: begins a generation. `new_numbers`: for each slot of the last one its number
+  /// now, or kNoSlot; then what is sent to it is dropped.
+  void Renumber(const std::vector<SlotIndex>& new_numbers);
 
   /// Any thread. The function runs on the ticking thread, between two ticks.
   void PostCall(Call call);
@@ -62,12 +74,16 @@ class Inbox {
   WakeUp& wake_up() { return wake_up_; }
 
  private:
+  SlotIndex Find(const Message& message) const;
+
   std::mutex mutex_;
   std::vector<Message> messages_;
+  std::vector<std::vector<SlotIndex>> renumbered_;  // per earlier generation: the numbers now
   std::vector<Call> calls_;
   std::atomic<bool> has_messages_{false};
   std::atomic<bool> has_calls_{false};
   std::atomic<bool> tick_requested_{false};
+  std::atomic<std::uint32_t> generation_{0};
   WakeUp wake_up_;
 };
 
@@ -78,10 +94,10 @@ class Sender {
  public:
   Sender() = default;
   Sender(std::shared_ptr<Inbox> inbox, SlotIndex slot, std::uint32_t epoch)
-      : inbox_(std::move(inbox)), slot_(slot), epoch_(epoch) {}
+      : inbox_(std::move(inbox)), slot_(slot), epoch_(epoch), generation_(inbox_->generation()) {}
 
   void Send(const T& value) const {
-    if (inbox_) inbox_->Post(slot_, epoch_, Value(value));
+    if (inbox_) inbox_->Post(slot_, epoch_, Value(value), generation_);
   }
   explicit operator bool() const { return inbox_ != nullptr; }
 
@@ -89,6 +105,7 @@ class Sender {
   std::shared_ptr<Inbox> inbox_;
   SlotIndex slot_ = kNoSlot;
   std::uint32_t epoch_ = 0;
+  std::uint32_t generation_ = 0;
 };
 
 }  // namespace coppice

@@ -37,12 +37,19 @@ struct TickEvents {
   const Blackboard& blackboard;  ///< as it is after the tick
 };
 
+class Executor;
+
 /// Gets every tick. Called on the ticking thread, so it must neither block nor throw: copy and
 /// return.
 class TickSink {
  public:
   virtual ~TickSink() = default;
   virtual void OnTick(const TickEvents& events) = 0;
+
+  /// The executor goes on with another program (Executor::Reload): numbers of nodes and slots have
+  /// a new meaning. Only a sink that says that it can follow is told.
+  virtual bool can_follow_reload() const { return false; }
+  virtual void OnReload(const Executor&) {}
 };
 
 }  // namespace coppice

@@ -35,8 +35,7 @@ void Executor::AddExceptionMessage(NodeIndex node) {
 Status Executor::EndAborted() {
   for (NodeIndex i = 0; i < statuses_.size(); ++i) {
     const bool running = statuses_[i] == Status::kRunning;
-    const NodeType type = nodes_[i].type;
-    if (running && (type == NodeType::kLeaf || type == NodeType::kUser)) HaltUser(i);
+    if (running && IsUserNode(nodes_[i].type)) HaltUser(i);
     memory_[i] = 0;
     if (statuses_[i] != Status::kIdle) SetStatus(i, Status::kIdle);
     if (running && nodes_[i].dispatch == NodeType::kGuarded) RunHaltedHook(i);

@@ -26,27 +26,36 @@ Executor::Executor(std::shared_ptr<const Program> program, Clock& clock, Executo
       blackboard_(MakeBlackboard(program_->layout)),
       options_(options) {
   now_ = clock_.Now();
-  BuildUserNodes();
+  users_.reserve(program_->leaves.size());
+  for (const LeafRecord& record : program_->leaves) BuildUser(record);
 }
 
 Executor::~Executor() { Halt(); }
 
-void Executor::BuildUserNodes() {
-  users_.reserve(program_->leaves.size());
-  for (const LeafRecord& record : program_->leaves) {
-    const Registry::Entry* entry = program_->info[record.node].entry;
-    const PortCollector collector;
-    std::unique_ptr<UserNode> node =
-        entry ? entry->build() : program_->registry->fallback()(program_->Name(record.node));
-    node->set_host(this);
-    std::uint32_t next = record.first_port;
-    for (const PortCollector::Port& port : collector.ports) {
-      if (!entry) break;  // only the nodes of the registry have ports
-      const SlotIndex slot = program_->ports[next++].slot;
-      if (slot != kNoSlot) port.port->Bind(&blackboard_[slot], slot, inbox_);
-    }
-    if (nodes_[record.node].type == NodeType::kUser) GiveChildren(*node, record.node);
-    users_.push_back({std::move(node), entry ? entry->tick : &Registry::TickVirtually});
+void Executor::BuildUser(const LeafRecord& record) {
+  const Registry::Entry* entry = program_->info[record.node].entry;
+  const PortCollector collector;
+  std::unique_ptr<UserNode> node =
+      entry ? entry->build() : program_->registry->fallback()(program_->Name(record.node));
+  node->set_host(this);
+  if (entry) {  // only the nodes of the registry have ports
+    for (const PortCollector::Port& port : collector.ports) user_ports_.push_back(port.port);
+  }
+  users_.push_back({std::move(node), entry ? entry->tick : &Registry::TickVirtually});
+  BindPorts(record);
+}
+
+// Of the user node that was added last.
+void Executor::BindPorts(const LeafRecord& record) {
+  const Registry::Entry* entry = program_->info[record.node].entry;
+  const std::size_t count = entry ? entry->declarations.size() : 0;
+  PortBase* const* ports = user_ports_.data() + user_ports_.size() - count;
+  for (std::size_t k = 0; k < count; ++k) {
+    const SlotIndex slot = program_->ports[record.first_port + k].slot;
+    if (slot != kNoSlot) ports[k]->Bind(&blackboard_[slot], slot, inbox_);
+  }
+  if (nodes_[record.node].type == NodeType::kUser) {
+    GiveChildren(*users_.back().node, record.node);
   }
 }
 

@@ -26,6 +26,7 @@
 #include "bt_core/data/inbox.h"
 #include "bt_core/engine/events.h"
 #include "bt_core/engine/program.h"
+#include "bt_core/engine/tree_state.h"
 
 namespace coppice {
 
@@ -68,6 +69,22 @@ class Executor final : public LeafHost, public ChildHost {
   /// Applies the inbox and asks the halted leaves whether they have stopped, without a tick.
   /// Afterwards next_tick() is when to ask again at the latest.
   void ServeDrains();
+
+  /// The state of the tree as a value. Between ticks.
+  TreeState Save() const;
+
+  /// Makes the tree as it was when Save was called on it or on another executor of the same
+  /// program. A node of the user that runs and did not run then is halted; one that ran then and
+  /// does not run now is started by the next tick, since only the node itself knows how far it was.
+  /// Throws std::invalid_argument if the state is that of another program. Between ticks.
+  void Restore(const TreeState& state);
+
+  /// Goes on with another program. A node lives on, with its status and memory, if it is written
+  /// the same (type, attributes, number of children) at the same place below nodes that live on;
+  /// what does not is halted and begins anew. Keys of the same scope, name and type keep their
+  /// values, and Senders stay valid. Throws std::logic_error if a sink cannot follow. Between
+  /// ticks.
+  void Reload(std::shared_ptr<const Program> next);
 
   /// Runs the functions that were posted with Inbox::PostCall. Between ticks.
   void RunCalls();
@@ -155,7 +172,8 @@ class Executor final : public LeafHost, public ChildHost {
   struct Draining {
     NodeIndex node;
     Time until;
-    Registry::TickFunction tick;  // of the leaf; meanwhile it waits
+    Registry::TickFunction tick;       // of the leaf; meanwhile it waits
+    std::unique_ptr<UserNode> orphan;  // the leaf, if its tree was swapped for one without it
   };
   struct Abort {};  // ends a tick from within
 
@@ -188,7 +206,14 @@ class Executor final : public LeafHost, public ChildHost {
   void HaltUser(NodeIndex node);
   User& UserOf(NodeIndex node) { return users_[nodes_[node].first_port]; }
   std::string Describe(const UnsetInput& error, NodeIndex node) const;
-  void BuildUserNodes();
+  bool HasStopped(Draining& drain);
+  void BuildUser(const LeafRecord& record);
+  void BindPorts(const LeafRecord& record);
+  void RestoreBlackboard(const Blackboard& saved);
+  void HaltWhatEnds(const std::vector<NodeIndex>& lives_on);
+  void MoveBlackboard(const std::vector<SlotIndex>& slots);
+  void MoveNodes(const Program& old, const std::vector<NodeIndex>& lives_on);
+  void MoveUsers(const Program& old, const std::vector<NodeIndex>& lives_on);
   void GiveChildren(UserNode& node, NodeIndex index);
   void ApplyInbox();
   void Report(Status result);
@@ -203,6 +228,7 @@ class Executor final : public LeafHost, public ChildHost {
   std::vector<std::uint64_t> memory_;
   Blackboard blackboard_;
   std::vector<User> users_;
+  std::vector<PortBase*> user_ports_;  // of all user nodes, in their order
   std::vector<Draining> drains_;
   const ExecutorOptions options_;
 

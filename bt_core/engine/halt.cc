@@ -26,8 +26,7 @@ void Executor::ResetChildren(NodeIndex node) {
 }
 
 void Executor::HaltRunning(NodeIndex node) {
-  const NodeType type = nodes_[node].type;
-  if (type == NodeType::kLeaf || type == NodeType::kUser) HaltUser(node);
+  if (IsUserNode(nodes_[node].type)) HaltUser(node);
   memory_[node] = 0;
   SetStatus(node, Status::kIdle);
   HaltDescendants(node);
@@ -44,8 +43,7 @@ void Executor::HaltDescendants(NodeIndex node) {
       i = nodes_[i].end;
       continue;
     }
-    const NodeType type = nodes_[i].type;
-    if (running && (type == NodeType::kLeaf || type == NodeType::kUser)) HaltUser(i);
+    if (running && IsUserNode(nodes_[i].type)) HaltUser(i);
     memory_[i] = 0;
     if (statuses_[i] != Status::kIdle) SetStatus(i, Status::kIdle);
     i = running ? i + 1 : nodes_[i].end;
@@ -67,7 +65,7 @@ void Executor::HaltUser(NodeIndex node) {
 
 void Executor::Drain(Duration limit) {
   User& user = UserOf(current_);
-  drains_.push_back({current_, now_ + limit, user.tick});
+  drains_.push_back({current_, now_ + limit, user.tick, nullptr});
   user.tick = &WaitUntilStopped;
 }
 
@@ -75,28 +73,30 @@ void Executor::ServeDrains() {
   now_ = clock_.Now();
   wake_at_ = kNever;
   if (inbox_->has_messages()) ApplyInbox();  // the answer that a leaf waits for may be there
-  const auto has_ended = [this](const Draining& drain) {
-    User& user = UserOf(drain.node);
-    current_ = drain.node;
-    bool stopped = true;
-    try {
-      stopped = user.node->HasStopped();
-    } catch (const std::exception& error) {
-      AddMessage(std::string("while stopping: ") + error.what());
-    } catch (...) {
-      AddMessage("while stopping: threw something that is not a std::exception");
-    }
-    if (!stopped && now_ < drain.until) {
-      WakeAt(drain.until);
-      return false;
-    }
-    if (!stopped) AddMessage("has not stopped in time and is given up");
-    user.tick = drain.tick;
-    // If the tree waits for it, the next tick starts it.
-    if (statuses_[drain.node] == Status::kRunning) SetStatus(drain.node, Status::kIdle);
-    return true;
-  };
-  drains_.erase(std::remove_if(drains_.begin(), drains_.end(), has_ended), drains_.end());
+  const auto has_stopped = [this](Draining& drain) { return HasStopped(drain); };
+  drains_.erase(std::remove_if(drains_.begin(), drains_.end(), has_stopped), drains_.end());
+}
+
+bool Executor::HasStopped(Draining& drain) {
+  if (!drain.orphan) current_ = drain.node;
+  bool stopped = true;
+  try {
+    stopped = (drain.orphan ? *drain.orphan : *UserOf(drain.node).node).HasStopped();
+  } catch (const std::exception& error) {
+    AddMessage(std::string("while stopping: ") + error.what());
+  } catch (...) {
+    AddMessage("while stopping: threw something that is not a std::exception");
+  }
+  if (!stopped && now_ < drain.until) {
+    WakeAt(drain.until);
+    return false;
+  }
+  if (!stopped) AddMessage("has not stopped in time and is given up");
+  if (drain.orphan) return true;
+  UserOf(drain.node).tick = drain.tick;
+  // If the tree waits for it, the next tick starts it.
+  if (statuses_[drain.node] == Status::kRunning) SetStatus(drain.node, Status::kIdle);
+  return true;
 }
 
 }  // namespace coppice

@@ -31,6 +31,11 @@ enum class NodeType : std::uint8_t {
   kGuarded,  ///< not a node: what a node with guards or hooks is dispatched as
 };
 
+/// True for the nodes of the user's classes.
+constexpr bool IsUserNode(NodeType type) {
+  return type == NodeType::kLeaf || type == NodeType::kUser;
+}
+
 /// How many children a node may have.
 struct ChildCount {
   std::uint32_t min;

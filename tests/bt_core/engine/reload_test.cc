@@ -1,0 +1,205 @@
+// Swapping the program of a running executor.
+#include <gtest/gtest.h>
+
+#include "tests/bt_core/engine/fixture.h"
+
+namespace coppice {
+namespace {
+
+using Names = std::vector<std::string>;
+constexpr Status kIdle = Status::kIdle;
+constexpr Status kRunning = Status::kRunning;
+constexpr Status kSuccess = Status::kSuccess;
+
+// Runs until told otherwise; the answer comes through a mailbox.
+struct Phone {
+  Names events;
+  Sender<int> answer;
+};
+
+class Call : public Action {
+ public:
+  static constexpr const char* kDescription = "Calls somebody and waits for the answer.";
+  Input<std::string> who{this, "who", "name"};
+  Output<int> heard{this, "heard", "the answer"};
+  Mailbox<int> mailbox{this, "mailbox"};
+  explicit Call(Phone* phone) : phone_(*phone) {}
+  Status OnStart() override {
+    phone_.events.push_back("call " + *who);
+    phone_.answer = mailbox.NewSender();
+    return kRunning;
+  }
+  Status OnRunning() override {
+    const int* answer = mailbox.Take();
+    if (!answer) return kRunning;
+    heard.Set(*answer);
+    phone_.events.push_back(*who + " said " + std::to_string(*answer));
+    return kSuccess;
+  }
+  void OnHalted() override { phone_.events.push_back("hang up " + *who); }
+
+ private:
+  Phone& phone_;
+};
+
+class Reload : public ::testing::Test {
+ protected:
+  Reload() {
+    auto registry = std::make_shared<Registry>(*TestRegistry());
+    registry->Register<Call>("Call", &phone_);
+    registry_ = registry;
+  }
+  std::shared_ptr<const Program> Load(const std::string& text) {
+    Diagnostics diagnostics;
+    auto program = CompileText(text, diagnostics, registry_);
+    EXPECT_TRUE(program) << diagnostics.ToString();
+    return program;
+  }
+  void Start(const std::string& body) {
+    executor_ = std::make_unique<Executor>(Load(Main(body)), clock_);
+    executor_->Tick();
+  }
+  Names Events() { return std::exchange(phone_.events, {}); }
+
+  Phone phone_;
+  SimulatedClock clock_;
+  std::shared_ptr<const Registry> registry_;
+  std::unique_ptr<Executor> executor_;
+};
+
+constexpr char kCallAnn[] = "<Call name=\"ann\" who=\"Ann\" heard=\"{a}\"/>";
+constexpr char kCallBob[] = "<Call name=\"bob\" who=\"Bob\" heard=\"{b}\"/>";
+
+std::string Sequence(const std::string& children) {
+  return "<Sequence>" + children + "</Sequence>";
+}
+
+TEST_F(Reload, WhatIsWrittenTheSameGoesOnUndisturbed) {
+  Start(Sequence(std::string("<AlwaysSuccess/>") + kCallAnn));
+  const auto next = Load(Main(Sequence(std::string("<AlwaysFailure/>") + kCallAnn)));
+  executor_->Reload(next);
+  EXPECT_EQ(executor_->statuses(), (std::vector<Status>{kRunning, kIdle, kRunning}));
+  executor_->Tick();
+  EXPECT_EQ(Events(), (Names{"call Ann"}));
+}
+
+TEST_F(Reload, AnAnswerToAQuestionFromBeforeArrives) {
+  Start(Sequence(std::string("<AlwaysSuccess/>") + kCallAnn));
+  executor_->Reload(Load(
+      Main(Sequence("<Sequence><AlwaysSuccess/><Drive goal=\"{new}\" total=\"{t}\"/></Sequence>" +
+                    std::string(kCallAnn)))));
+  phone_.answer.Send(7);
+  EXPECT_EQ(executor_->Tick(), kSuccess);
+  EXPECT_EQ(Events(), (Names{"call Ann", "Ann said 7"}));
+  const SlotIndex slot = executor_->program().layout.Find(0, "a");
+  EXPECT_EQ(executor_->blackboard()[slot].value.Get<int>(), 7);
+}
+
+TEST_F(Reload, TheSequenceStaysAtItsChildThoughTheNumbersOfNodesChange) {
+  Start(Sequence(std::string("<AlwaysSuccess/>") + kCallAnn));
+  executor_->Reload(
+      Load(Main(Sequence("<Inverter><AlwaysFailure/></Inverter>" + std::string(kCallAnn)))));
+  EXPECT_EQ(executor_->Tick(), kRunning);
+  EXPECT_EQ(executor_->statuses()[3], kRunning);
+  EXPECT_EQ(Events(), (Names{"call Ann"}));
+}
+
+TEST_F(Reload, WhatIsWrittenOtherwiseIsHaltedAndBeginsAnew) {
+  Start(Sequence(std::string("<AlwaysSuccess/>") + kCallAnn));
+  executor_->Reload(Load(Main(Sequence(std::string("<AlwaysSuccess/>") + kCallBob))));
+  EXPECT_EQ(Events(), (Names{"call Ann", "hang up Ann"}));
+  EXPECT_EQ(executor_->Tick(), kRunning);
+  EXPECT_EQ(Events(), (Names{"call Bob"}));
+}
+
+TEST_F(Reload, AnAnswerToAHaltedNodeIsDropped) {
+  Start(kCallAnn);
+  executor_->Reload(Load(Main(kCallBob)));
+  const Sender<int> old = phone_.answer;
+  executor_->Tick();
+  old.Send(3);
+  EXPECT_EQ(executor_->Tick(), kRunning);
+}
+
+TEST_F(Reload, KeepsTheBlackboard) {
+  Start(Sequence(std::string("<Drive goal=\"2\" total=\"{total}\"/>") + kCallAnn));
+  executor_->Reload(
+      Load(Main(Sequence(std::string(kCallBob) + "<Drive goal=\"3\" total=\"{total}\"/>"
+                                                 "<Drive goal=\"3\" total=\"{other}\"/>"))));
+  const Program& program = executor_->program();
+  EXPECT_EQ(executor_->blackboard()[program.layout.Find(0, "total")].value.Get<int>(), 3);
+  EXPECT_FALSE(executor_->blackboard()[program.layout.Find(0, "other")].value.has_value());
+}
+
+TEST_F(Reload, SendersStayValid) {
+  Start("<Drive goal=\"{way}\" total=\"{total}\"/>");
+  const Sender<double> way = executor_->Writer<double>("way");
+  executor_->Reload(Load(Main(
+      Sequence("<Drive goal=\"1\" total=\"{x}\"/><Drive goal=\"{way}\" total=\"{total}\"/>"))));
+  executor_->Reload(Load(Main("<Drive goal=\"{way}\" total=\"{total}\"/>")));
+  way.Send(4.5);
+  executor_->Tick();
+  const SlotIndex slot = executor_->program().layout.Find(0, "way");
+  EXPECT_EQ(executor_->blackboard()[slot].value.Get<double>(), 4.5);
+}
+
+TEST_F(Reload, ASenderOfAKeyThatIsGoneDrops) {
+  Start("<Drive goal=\"{way}\" total=\"{total}\"/>");
+  const Sender<double> way = executor_->Writer<double>("way");
+  executor_->Reload(Load(Main("<AlwaysSuccess/>")));
+  way.Send(4.5);
+  EXPECT_EQ(executor_->Tick(), kSuccess);
+}
+
+TEST_F(Reload, ANodeWithMoreChildrenBeginsAnew) {
+  Start(Sequence(kCallAnn));
+  executor_->Reload(Load(Main(Sequence(std::string(kCallAnn) + kCallBob))));
+  EXPECT_EQ(Events(), (Names{"call Ann", "hang up Ann"}));
+}
+
+TEST_F(Reload, ASubTreeIsSwappedAloneWithTheRestRunning) {
+  const std::string main = "<BehaviorTree ID=\"Main\"><Parallel failure_count=\"2\">" +
+                           std::string(kCallAnn) +
+                           "<SubTree ID=\"Part\" name=\"part\"/></Parallel></BehaviorTree>";
+  const auto part = [](const std::string& body) {
+    return "<BehaviorTree ID=\"Part\">" + body + "</BehaviorTree>";
+  };
+  executor_ = std::make_unique<Executor>(Load(Root(main + part(kCallBob))), clock_);
+  executor_->Tick();
+  Events();
+  executor_->Reload(Load(Root(main + part("<Call name=\"eve\" who=\"Eve\" heard=\"{b}\"/>"))));
+  EXPECT_EQ(executor_->Tick(), kRunning);
+  EXPECT_EQ(Events(), (Names{"hang up Bob", "call Eve"}));
+}
+
+TEST_F(Reload, IsRefusedWhenASinkCannotFollow) {
+  Start(kCallAnn);
+  KeepingSink sink;
+  executor_->AddSink(&sink);
+  EXPECT_THROW(executor_->Reload(Load(Main(kCallBob))), std::logic_error);
+  EXPECT_EQ(executor_->Tick(), kRunning);
+  executor_->RemoveSink(&sink);
+}
+
+TEST_F(Reload, ASinkThatFollowsIsTold) {
+  struct Following : KeepingSink {
+    bool can_follow_reload() const override { return true; }
+    void OnReload(const Executor& executor) override {
+      nodes = executor.program().nodes.size();
+      halts = ticks.size();
+    }
+    std::size_t nodes = 0;
+    std::size_t halts = 0;
+  };
+  Start(kCallAnn);
+  Following sink;
+  executor_->AddSink(&sink);
+  executor_->Reload(Load(Main(Sequence(kCallBob))));
+  EXPECT_EQ(sink.nodes, 2U);
+  EXPECT_EQ(sink.halts, 1U);
+  EXPECT_EQ(executor_->Tick(), kRunning);
+  executor_->RemoveSink(&sink);
+}
+
+}  // namespace
+}  // namespace coppice
