@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <deque>
 #include <stdexcept>
+#include <string_view>
+
+#include "bt_core/engine/keys.h"
 
 namespace coppice {
 
@@ -184,8 +187,12 @@ void MockedTree::AddPart(NodeIndex node, const MockScript* script) {
 }
 
 MockedTree::Inputs MockedTree::InputsOf(const Part& part) const {
+  if (!options_.inputs) return {};
+  return part.original ? InputsOfPorts(part) : InputsOfAttributes(part.node);
+}
+
+MockedTree::Inputs MockedTree::InputsOfPorts(const Part& part) const {
   Inputs inputs;
-  if (!options_.inputs || !part.original) return inputs;
   for (std::size_t k = 0; k < part.original->declarations.size(); ++k) {
     const PortDeclaration& port = part.original->declarations[k];
     const SlotIndex slot = program_->ports[part.first_port + k].slot;
@@ -194,6 +201,26 @@ MockedTree::Inputs MockedTree::InputsOf(const Part& part) const {
     if (!is_input || slot == kNoSlot || port.type == &TypeOf<ScriptCode>()) continue;
     const Value& value = executor_->blackboard()[slot].value;
     if (value.has_value()) inputs.emplace_back(port.name, value.Print());
+  }
+  return inputs;
+}
+
+// Of a node of a type that nobody declared: every attribute may be an input.
+MockedTree::Inputs MockedTree::InputsOfAttributes(NodeIndex node) const {
+  Inputs inputs;
+  const Document& document = program_->DocumentOf(node);
+  const Element& element = program_->ElementOf(node);
+  for (const Attribute* attribute = document.attributes_begin(element);
+       attribute != document.attributes_end(element); ++attribute) {
+    if (IsReservedAttribute(attribute->name)) continue;
+    const std::string_view key = KeyOf(attribute->value, attribute->name);
+    if (key.empty()) {
+      inputs.emplace_back(attribute->name, attribute->value);
+      continue;
+    }
+    const SlotIndex slot = program_->layout.Find(program_->info[node].scope, key);
+    if (slot == kNoSlot || !executor_->blackboard()[slot].value.has_value()) continue;
+    inputs.emplace_back(attribute->name, executor_->blackboard()[slot].value.Print());
   }
   return inputs;
 }

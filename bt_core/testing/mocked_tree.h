@@ -28,7 +28,8 @@ struct LeafEvent {
   NodeIndex node;
   bool halted;    ///< else ticked
   Status result;  ///< of a tick
-  /// Of a tick: input ports that have a value, as text. Only with MockOptions::inputs.
+  /// Of a tick: input ports that have a value, as text; of a type that the registry does not know
+  /// all attributes. Only with MockOptions::inputs.
   std::vector<std::pair<std::string, std::string>> inputs;
 };
 
@@ -71,6 +72,8 @@ class MockedTree {
 
   void AddPart(NodeIndex node, const MockScript* script);
   Inputs InputsOf(const Part& part) const;
+  Inputs InputsOfPorts(const Part& part) const;
+  Inputs InputsOfAttributes(NodeIndex node) const;
 
   MockOptions options_;
   std::vector<MockRule> rules_;

@@ -221,11 +221,9 @@ class Player {
   }
 
   bool Fits(const ExpectedEvent& expected, const LeafEvent& got) const {
-    const bool is_path = expected.leaf.find('/') != std::string::npos;
-    const std::string leaf =
-        is_path ? tree_.program().Path(got.node) : tree_.program().Name(got.node);
-    const std::string& wanted = expected.leaf;
-    if (leaf != (is_path && wanted[0] == '/' ? wanted.substr(1) : wanted)) return false;
+    const Program& program = tree_.program();
+    const NodeNames names{program.Name(got.node), program.Path(got.node), program.Id(got.node)};
+    if (!Matches(expected.leaf, names)) return false;
     if (expected.halted != got.halted) return false;
     if (expected.status && *expected.status != got.result) return false;
     return std::all_of(expected.inputs.begin(), expected.inputs.end(), [&](const KeyValue& input) {

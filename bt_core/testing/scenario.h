@@ -53,7 +53,7 @@ struct ExpectedStatus {
 struct ExpectedEvent {
   SourceLocation where;
   bool halted = false;  ///< else ticked
-  std::string leaf;     ///< name, or with a slash path
+  std::string leaf;     ///< a pattern, see mock_rules.h
   std::optional<Status> status;
   std::vector<KeyValue> inputs;  ///< those that matter
 };
@@ -125,6 +125,10 @@ struct ScenarioResult {
 
 /// Reads a file. Nothing is returned if there is something wrong with it.
 std::optional<ScenarioSuite> LoadScenarios(const std::string& path, Diagnostics& diagnostics);
+
+/// The same from a text; `file` is for messages, and the tree is relative to it.
+std::optional<ScenarioSuite> ParseScenarios(const std::string& text, const std::string& file,
+                                            Diagnostics& diagnostics);
 
 /// Plays one scenario on simulated time. A scenario that cannot be played to the end (a rule that
 /// fits no node, a key that the tree does not have) has differences too.

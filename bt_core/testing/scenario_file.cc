@@ -282,6 +282,19 @@ class SuiteReader {
 
 }  // namespace
 
+std::optional<ScenarioSuite> ParseScenarios(const std::string& text, const std::string& file,
+                                            Diagnostics& diagnostics) {
+  Diagnostics problems;
+  const std::optional<JsonText> json = ParseJsonText(text, file, problems);
+  std::optional<ScenarioSuite> suite;
+  if (json) suite = SuiteReader(problems).ReadSuite(*json, file);
+  for (const Diagnostic& problem : problems.all()) {
+    diagnostics.Error(problem.where, problem.message, problem.hint);
+  }
+  if (problems.has_errors()) suite.reset();
+  return suite;
+}
+
 std::optional<ScenarioSuite> LoadScenarios(const std::string& path, Diagnostics& diagnostics) {
   std::ifstream file(path, std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(file), {}};
@@ -289,15 +302,7 @@ std::optional<ScenarioSuite> LoadScenarios(const std::string& path, Diagnostics&
     diagnostics.Error({path, 0, 0}, "cannot be read");
     return std::nullopt;
   }
-  Diagnostics problems;
-  const std::optional<JsonText> json = ParseJsonText(text, path, problems);
-  std::optional<ScenarioSuite> suite;
-  if (json) suite = SuiteReader(problems).ReadSuite(*json, path);
-  for (const Diagnostic& problem : problems.all()) {
-    diagnostics.Error(problem.where, problem.message, problem.hint);
-  }
-  if (problems.has_errors()) suite.reset();
-  return suite;
+  return ParseScenarios(text, path, diagnostics);
 }
 
 }  // namespace coppice

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <stdexcept>
+#include <utility>
 
 namespace coppice::bench {
 namespace {
@@ -69,6 +70,11 @@ class Writer : public SyncAction {
   }
 };
 
+void Post(Executor& executor, const char* key, Value value) {
+  const SlotIndex slot = executor.program().layout.Find(0, key);
+  if (slot != kNoSlot) executor.inbox()->Post(slot, 0, std::move(value));
+}
+
 }  // namespace
 
 std::shared_ptr<const Registry> BenchRegistry() {
@@ -98,8 +104,12 @@ std::shared_ptr<const Program> Load(const std::string& text) {
   return program;
 }
 
-Tree::Tree(const std::string& text) : executor(Load(text), clock) {
-  executor.Writer<double>("battery").Send(80);
+Tree::Tree(const std::string& text, int sinks)
+    : listeners(static_cast<std::size_t>(sinks)), executor(Load(text), clock) {
+  Post(executor, "battery", Value(80.0));
+  Post(executor, "charging", Value(false));
+  Post(executor, "counter", Value(std::int64_t{0}));
+  for (IdleSink& sink : listeners) executor.AddSink(&sink);
   executor.Tick();
 }
 

@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "bt_core/engine/executor.h"
 
@@ -14,10 +15,18 @@ std::shared_ptr<const Registry> BenchRegistry();
 /// Throws std::runtime_error if the text has errors.
 std::shared_ptr<const Program> Load(const std::string& text);
 
-/// A tree on simulated time.
+/// Listens and does nothing.
+class IdleSink : public TickSink {
+ public:
+  void OnTick(const TickEvents&) override {}
+};
+
+/// A tree on simulated time with so many idle sinks. The keys battery, charging and counter, where
+/// the tree has them, are 80, false and 0.
 struct Tree {
-  explicit Tree(const std::string& text);
+  explicit Tree(const std::string& text, int sinks = 0);
   SimulatedClock clock;
+  std::vector<IdleSink> listeners;
   Executor executor;
 };
 

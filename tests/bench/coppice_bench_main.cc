@@ -7,13 +7,14 @@
 
 #include "tests/bench/bench_leaves.h"
 #include "tests/bench/counts.h"
+#include "tests/bench/instructions.h"
 #include "tests/bench/tree_texts.h"
 
 namespace coppice::bench {
 namespace {
 
-void TickLoop(benchmark::State& state, const std::string& text, double per) {
-  Tree tree(text);
+void TickLoop(benchmark::State& state, const std::string& text, double per, int sinks = 0) {
+  Tree tree(text, sinks);
   for (auto _ : state) benchmark::DoNotOptimize(tree.executor.Tick());
   state.counters["per"] = benchmark::Counter(
       per, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
@@ -26,6 +27,11 @@ void FullTraversal(benchmark::State& state) {
 }
 BENCHMARK(FullTraversal)->ArgsProduct({{4, 2}, {10, 100, 1000, 10000, 50000, 100000}});
 
+void FullTraversalWithSinks(benchmark::State& state) {
+  TickLoop(state, FullTree(4, 1000), 1000, static_cast<int>(state.range(0)));
+}
+BENCHMARK(FullTraversalWithSinks)->Arg(0)->Arg(1)->Arg(5);
+
 void ArbiterFlat(benchmark::State& state) { TickLoop(state, FlatArbiter(), 52); }
 BENCHMARK(ArbiterFlat);
 
@@ -34,6 +40,12 @@ BENCHMARK(ArbiterGuarded);
 
 void ArbiterWithPorts(benchmark::State& state) { TickLoop(state, PortArbiter(), 52); }
 BENCHMARK(ArbiterWithPorts);
+
+void GuardedNodes(benchmark::State& state) {
+  const std::string guard = Attribute("_skipIf", "battery > 20 && !charging");
+  TickLoop(state, SequenceOf(100, "<ActOk" + guard + "/>"), 100);
+}
+BENCHMARK(GuardedNodes);
 
 void PortRead(benchmark::State& state) { TickLoop(state, ReadLoop(1000), 1000); }
 BENCHMARK(PortRead);

@@ -1,5 +1,4 @@
-// Exact and repeatable figures where the clock is too noisy: instructions counted by callgrind, and
-// bytes of memory.
+// The table of `coppice_bench --counts`.
 #ifndef COPPICE_TESTS_BENCH_COUNTS_H_
 #define COPPICE_TESTS_BENCH_COUNTS_H_
 
@@ -7,12 +6,9 @@
 
 namespace coppice::bench {
 
-/// Runs this program under callgrind for every case and prints instructions per node or access,
-/// then bytes per node. Returns the exit status.
+/// Measures instructions, allocations, bytes, loading, wake-up and timers, and prints each beside
+/// its limit. `program` is this program's path. Returns the exit status: 1 if a limit is exceeded.
 int PrintCounts(const std::string& program);
-
-/// One case, `rounds` times. The difference of two runs is free of starting and loading.
-int RunCase(const std::string& name, int rounds);
 
 }  // namespace coppice::bench
 

@@ -9,10 +9,12 @@
 namespace {
 
 std::atomic<std::size_t> bytes{0};
+std::atomic<std::size_t> allocations{0};
 
 void* Allocate(std::size_t size) {
   void* at = std::malloc(size);
   if (!at) throw std::bad_alloc();
+  allocations.fetch_add(1, std::memory_order_relaxed);
   bytes.fetch_add(malloc_usable_size(at), std::memory_order_relaxed);
   return at;
 }
@@ -34,5 +36,7 @@ void operator delete[](void* at, std::size_t) noexcept { Free(at); }
 namespace coppice::bench {
 
 std::size_t BytesInUse() { return bytes; }
+
+std::size_t Allocations() { return allocations; }
 
 }  // namespace coppice::bench

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "bt_core/engine/models.h"
+
 namespace coppice::bench {
 namespace {
 
@@ -50,9 +52,10 @@ std::string Document(const std::string& body) {
          body + "</BehaviorTree>\n</root>\n";
 }
 
-std::string Arbiter(const std::string& monitor) {
+template <class Monitor>
+std::string Arbiter(Monitor monitor) {
   std::string body = "<ReactiveFallback>\n";
-  for (int i = 0; i < 50; ++i) body += "  " + monitor + "\n";
+  for (int i = 0; i < 50; ++i) body += "  " + monitor(i) + "\n";
   return Document(body + "  <RunForever/>\n</ReactiveFallback>\n");
 }
 
@@ -64,10 +67,33 @@ std::string FullTree(int arity, int nodes) {
   return Document(writer.text());
 }
 
-std::string FlatArbiter() { return Arbiter("<CondFail/>"); }
+std::string FlatArbiter() {
+  return Arbiter([](int) { return std::string("<CondFail/>"); });
+}
 
-std::string GuardedArbiter() { return Arbiter("<Sequence><CondFail/><ActOk/></Sequence>"); }
+std::string GuardedArbiter() {
+  return Arbiter([](int) { return std::string("<Sequence><CondFail/><ActOk/></Sequence>"); });
+}
 
-std::string PortArbiter() { return Arbiter("<CondPort value=\"{battery}\" threshold=\"20\"/>"); }
+std::string PortArbiter() {
+  return Arbiter(
+      [](int) { return std::string("<CondPort value=\"{battery}\" threshold=\"20\"/>"); });
+}
+
+std::string SequenceOf(int count, const std::string& node) {
+  std::string body = "<Sequence>\n";
+  for (int i = 0; i < count; ++i) body += "  " + node + "\n";
+  return Document(body + "</Sequence>\n");
+}
+
+std::string ArmedTimeouts(int count) {
+  std::string body = "<Parallel success_count=\"-1\">\n";
+  for (int i = 0; i < count; ++i) body += "  <Timeout msec=\"3600000\"><RunForever/></Timeout>\n";
+  return Document(body + "</Parallel>\n");
+}
+
+std::string Attribute(const std::string& name, const std::string& script) {
+  return " " + name + "=\"" + EscapeXml(script) + "\"";
+}
 
 }  // namespace coppice::bench

@@ -20,6 +20,15 @@ std::string GuardedArbiter();
 /// The same with monitors that read two ports.
 std::string PortArbiter();
 
+/// A Sequence of `count` times the same node, given as XML.
+std::string SequenceOf(int count, const std::string& node);
+
+/// A Parallel of `count` Timeout nodes of one hour, each with an action that runs for ever.
+std::string ArmedTimeouts(int count);
+
+/// ` name="script"` with the script as it must stand in XML.
+std::string Attribute(const std::string& name, const std::string& script);
+
 }  // namespace coppice::bench
 
 #endif  // COPPICE_TESTS_BENCH_TREE_TEXTS_H_

@@ -1,4 +1,3 @@
-#include <cstdint>
 #include <cstdlib>
 #include <memory>
 #include <string>
@@ -77,10 +76,3 @@ int FuzzDocument(std::string_view bytes) {
 }
 
 }  // namespace coppice::fuzz
-
-#ifdef COPPICE_FUZZ_MAIN
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  coppice::fuzz::FuzzDocument({reinterpret_cast<const char*>(data), size});
-  return 0;
-}
-#endif

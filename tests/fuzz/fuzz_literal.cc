@@ -1,4 +1,3 @@
-#include <cstdint>
 #include <cstdlib>
 
 #include "bt_core/data/value.h"
@@ -24,10 +23,3 @@ int FuzzLiteral(std::string_view bytes) {
 }
 
 }  // namespace coppice::fuzz
-
-#ifdef COPPICE_FUZZ_MAIN
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  coppice::fuzz::FuzzLiteral({reinterpret_cast<const char*>(data), size});
-  return 0;
-}
-#endif

@@ -1,7 +1,5 @@
-// Harness functions: each takes any bytes and must neither crash nor hang.
-//
-// With COPPICE_FUZZ_MAIN defined, a source defines LLVMFuzzerTestOneInput, the entry that libFuzzer
-// looks for, in addition.
+// Harness functions: each takes any bytes and must neither crash nor hang. A new one has a file of
+// its own, a line in CMakeLists.txt and a test in smoke_test.cc.
 #ifndef COPPICE_TESTS_FUZZ_FUZZ_TARGETS_H_
 #define COPPICE_TESTS_FUZZ_FUZZ_TARGETS_H_
 
@@ -17,6 +15,10 @@ int FuzzDocument(std::string_view bytes);
 /// The bytes as a literal of each built-in type. What is accepted must print to a text that is
 /// accepted again with the same result. Returns the number of types that took it.
 int FuzzLiteral(std::string_view bytes);
+
+/// The bytes as a file of scenarios, played with a small tree. Returns 0 if it is none, 1 if it
+/// would take long, 2 if it was played.
+int FuzzScenario(std::string_view bytes);
 
 }  // namespace coppice::fuzz
 

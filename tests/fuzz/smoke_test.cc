@@ -2,8 +2,12 @@
 // is why this is worth most under -DCOPPICE_SANITIZE=address,undefined.
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tests/fuzz/fuzz_targets.h"
@@ -101,13 +105,10 @@ class Mutator {
 };
 
 TEST(Fuzz, MutatedTreesNeverCrash) {
-  EXPECT_EQ(FuzzDocument(kTree), 2) << "scripts are refused";
+  EXPECT_EQ(FuzzDocument(kTree), 3);
   int reached[4] = {};
-  std::string whole = kTree;
-  whole.erase(whole.find(" _skipIf"), std::string(" _skipIf=\"a &gt; 1\"").size());
-  EXPECT_EQ(FuzzDocument(whole), 3);
   for (unsigned seed = 0; seed < 20000; ++seed) {
-    ++reached[FuzzDocument(Mutator(seed).Mutate(seed % 2 ? whole : kTree))];
+    ++reached[FuzzDocument(Mutator(seed).Mutate(kTree))];
   }
   for (const int count : reached) EXPECT_GT(count, 50) << "every stage must be reached";
 }
@@ -122,9 +123,42 @@ TEST(Fuzz, MutatedLiteralsNeverCrash) {
   EXPECT_GT(accepted, 5000);
 }
 
+TEST(Fuzz, MutatedScenariosNeverCrash) {
+  constexpr const char* kScenarios = R"({
+  "tree": "x.xml", "leaves": {"<Go>": ["RUNNING", "SUCCESS"], "a": {"after_ms": 20, "says": "x"}},
+  "scenarios": [{"name": "one", "steps": [
+    {"set": {"n": 3, "g": 1.5}, "expect": {"status": "RUNNING", "nodes": {"top": "RUNNING"}}},
+    {"advance_ms": 20, "ticks": 2, "leaves": {"b": "SKIPPED"},
+     "expect": {"events": [["tick", "a", "SUCCESS", {"g": "1.5"}], ["halt", "b"]],
+                "blackboard": {"n": 3}, "messages": ["x"]}},
+    {"halt": true}]}]})";
+  EXPECT_EQ(FuzzScenario(kScenarios), 2);
+  int played = 0;
+  for (unsigned seed = 0; seed < 5000; ++seed) {
+    played += FuzzScenario(Mutator(seed).Mutate(kScenarios)) == 2;
+  }
+  EXPECT_GT(played, 20);
+}
+
+// What once crashed a harness must not do so again: regressions/NAME/* are inputs of FuzzName.
+TEST(Fuzz, WhatOnceCrashedDoesNotAnyMore) {
+  const std::pair<const char*, int (*)(std::string_view)> harnesses[] = {
+      {"document", FuzzDocument}, {"literal", FuzzLiteral}, {"scenario", FuzzScenario}};
+  for (const auto& [name, harness] : harnesses) {
+    const auto folder = std::filesystem::path(COPPICE_SOURCE_DIR "/tests/fuzz/regressions") / name;
+    if (!std::filesystem::exists(folder)) continue;
+    for (const auto& input : std::filesystem::directory_iterator(folder)) {
+      SCOPED_TRACE(input.path());
+      std::ifstream file(input.path(), std::ios::binary);
+      harness(std::string(std::istreambuf_iterator<char>(file), {}));
+    }
+  }
+}
+
 TEST(Fuzz, EmptyInputIsFine) {
   EXPECT_EQ(FuzzDocument(""), 0);
   EXPECT_EQ(FuzzLiteral(""), 1);
+  EXPECT_EQ(FuzzScenario(""), 0);
 }
 
 }  // namespace
