@@ -10,14 +10,6 @@ constexpr std::size_t kMostNodes = 1'000'000;
 constexpr std::size_t kDeepest = 10'000;
 constexpr std::size_t kMostPathBytes = std::size_t{64} << 20;
 
-std::string Expected(ChildCount allowed) {
-  const std::string min = std::to_string(allowed.min);
-  if (allowed.max == 0) return "none";
-  if (allowed.max == UINT32_MAX) return "at least " + min;
-  if (allowed.max == allowed.min) return "exactly " + min;
-  return min + (allowed.max == allowed.min + 1 ? " or " : " to ") + std::to_string(allowed.max);
-}
-
 std::shared_ptr<Program> EmptyProgram(std::shared_ptr<const Project> project,
                                       std::shared_ptr<const Registry> registry) {
   auto program = std::make_shared<Program>();
@@ -29,15 +21,17 @@ std::shared_ptr<Program> EmptyProgram(std::shared_ptr<const Project> project,
 }  // namespace
 
 TreeCompiler::TreeCompiler(std::shared_ptr<const Project> project,
-                           std::shared_ptr<const Registry> registry, Problems& problems)
+                           std::shared_ptr<const Registry> registry, Tolerance tolerance,
+                           Problems& problems)
     : program_(EmptyProgram(std::move(project), std::move(registry))),
       problems_(problems),
-      keys_(program_->layout, problems),
-      scripts_(keys_, problems),
-      ports_(keys_, scripts_, problems),
+      keys_(program_->layout),
+      types_(program_->layout, problems),
+      scripts_(keys_, types_, problems),
+      ports_(keys_, types_, scripts_, problems),
       guards_(scripts_, problems),
-      lookup_(*program_->project, *program_->registry, problems),
-      subtrees_(*program_, keys_, problems) {}
+      lookup_(*program_->project, *program_->registry, tolerance, problems),
+      subtrees_(*program_, keys_, types_, tolerance, problems) {}
 
 std::shared_ptr<const Program> TreeCompiler::Run(const std::string& tree_id,
                                                  const TreeDefinition& tree) {
@@ -48,8 +42,8 @@ std::shared_ptr<const Program> TreeCompiler::Run(const std::string& tree_id,
        root = document.element(root).next_sibling) {
     Walk(Site(*program_->project, tree.document, root, 0));
   }
+  types_.Settle();
   scripts_.Compile(program_->registry->script_constants(), program_->scripts);
-  keys_.ConvertLiterals();
   GiveBackSpareMemory();
   return std::move(program_);
 }
@@ -94,10 +88,7 @@ void TreeCompiler::AddNode(const Site& site, const FoundNode& found, NodeIndex p
   const Registry::Entry* entry = found.entry;
   const NodeType type = entry ? entry->type : NodeType::kLeaf;
   const NodeIndex node = AddRecord(type, site, entry, parent);
-  if (entry) {
-    CheckChildCount(site, *entry);
-    ports_.Bind(*entry, site, program_->ports);
-  }
+  if (entry) ports_.Bind(*entry, site, program_->ports);
   if (type == NodeType::kLeaf || type == NodeType::kUser) AddLeaf(node);
   const ElementIndex child = site.element.first_child;
   if (child != kNoElement) {
@@ -151,15 +142,6 @@ bool TreeCompiler::IsTooBig(const Site& site) {
   }
   too_big_ = true;
   return true;
-}
-
-void TreeCompiler::CheckChildCount(const Site& site, const Registry::Entry& entry) {
-  const ChildCount allowed = entry.children;
-  const std::uint32_t count = site.element.child_count;
-  if (count >= allowed.min && count <= allowed.max) return;
-  problems_.Error(site.document, site.element.offset,
-                  entry.manifest.id + " has " + std::to_string(count) +
-                      (count == 1 ? " child" : " children") + ", expected " + Expected(allowed));
 }
 
 void TreeCompiler::GiveBackSpareMemory() {

@@ -19,6 +19,7 @@
 #include "bt_core/engine/compiler_scripts.h"
 #include "bt_core/engine/compiler_site.h"
 #include "bt_core/engine/compiler_subtrees.h"
+#include "bt_core/engine/compiler_types.h"
 #include "bt_core/engine/keys.h"
 #include "bt_core/engine/program.h"
 
@@ -27,7 +28,7 @@ namespace coppice {
 class TreeCompiler {
  public:
   TreeCompiler(std::shared_ptr<const Project> project, std::shared_ptr<const Registry> registry,
-               Problems& problems);
+               Tolerance tolerance, Problems& problems);
 
   /// Translates one tree, once. The result is good for a run only if no errors were reported.
   std::shared_ptr<const Program> Run(const std::string& tree_id, const TreeDefinition& tree);
@@ -52,12 +53,12 @@ class TreeCompiler {
                       NodeIndex parent);
   void AddLeaf(NodeIndex node);
   bool IsTooBig(const Site& site);
-  void CheckChildCount(const Site& site, const Registry::Entry& entry);
   void GiveBackSpareMemory();
 
   std::shared_ptr<Program> program_;
   Problems& problems_;
   KeyTable keys_;
+  SlotTypes types_;
   ScriptTable scripts_;
   PortBinder ports_;
   GuardReader guards_;

@@ -1,8 +1,23 @@
 #include "bt_core/engine/compiler_lookup.h"
 
-#include <string>
+#include <algorithm>
+#include <cctype>
+#include <vector>
+
+#include "bt_core/engine/compiler_children.h"
 
 namespace coppice {
+namespace {
+
+bool DifferOnlyInCase(std::string_view a, std::string_view b) {
+  const auto same = [](char x, char y) {
+    return std::tolower(static_cast<unsigned char>(x)) ==
+           std::tolower(static_cast<unsigned char>(y));
+  };
+  return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin(), same);
+}
+
+}  // namespace
 
 std::optional<FoundNode> NodeLookup::Find(const Site& site) {
   const std::string_view tag = site.element.tag;
@@ -19,32 +34,84 @@ std::optional<FoundNode> NodeLookup::Find(const Site& site) {
 
 FoundNode NodeLookup::FindType(const Site& site, std::string_view id) {
   const Registry::Entry* entry = registry_.Find(id);
-  if (entry) {
-    CheckForm(site, *entry);
+  if (!entry) {
+    CheckUnknown(site, id);
+  } else {
+    CheckForm(site, id, entry->manifest.category);
+    const std::string wrong = WrongChildCount(id, site.element.child_count, entry->children);
+    if (!wrong.empty()) problems_.Error(site.document, site.element.offset, wrong);
+  }
+  return {id, false, entry};
+}
+
+void NodeLookup::CheckUnknown(const Site& site, std::string_view id) {
+  const auto model = project_.models().find(id);
+  const bool is_described = model != project_.models().end();
+  if (is_described) CheckAgainstModel(site, model->second);
+  if (tolerance_.unknown_types) {
+    if (!is_described) WarnOfUnknown(site, id);
   } else if (!registry_.fallback()) {
     ReportUnknown(site, id);
   } else if (site.element.child_count > 0) {
     problems_.Error(site.document, site.element.offset,
                     Quoted(id) + " is not built in, so it must be a leaf without children",
-                    DidYouMean(id, registry_.Ids()));
+                    Advice(id));
   }
-  return {id, false, entry};
 }
 
 void NodeLookup::ReportUnknown(const Site& site, std::string_view id) {
-  const bool is_tree = project_.Find(id) != nullptr;
   problems_.Error(site.document, site.element.offset, "unknown node type " + Quoted(id),
-                  is_tree ? "a tree is used as <SubTree ID=" + Quoted(id) + "/>"
-                          : DidYouMean(id, registry_.Ids()));
+                  Advice(id));
 }
 
-void NodeLookup::CheckForm(const Site& site, const Registry::Entry& entry) {
-  const std::string_view tag = site.element.tag;
-  const std::string category = ToString(entry.manifest.category);
-  if (tag == entry.manifest.id || tag == category) return;
+// Once for each type. What differs from a built-in node in upper and lower case only is misspelt,
+// wherever it runs.
+void NodeLookup::WarnOfUnknown(const Site& site, std::string_view id) {
+  const std::string nearest = NearestName(id, registry_.Ids());
+  if (DifferOnlyInCase(id, nearest) || project_.Find(id)) {
+    ReportUnknown(site, id);
+    return;
+  }
+  if (!problems_.IsFirst("node type " + std::string(id))) return;
+  const bool has_children = site.element.child_count > 0;
   problems_.Warning(site.document, site.element.offset,
-                    Quoted(entry.manifest.id) + " is written as <" + std::string(tag) + ">",
-                    "it is a " + category);
+                    "node type " + Quoted(id) + " is not built in; it is taken for " +
+                        (has_children ? "a control node or decorator" : "a leaf") +
+                        " of the robot's",
+                    Advice(id));
+}
+
+std::string NodeLookup::Advice(std::string_view id) const {
+  if (project_.Find(id)) return "a tree is used as <SubTree ID=" + Quoted(id) + "/>";
+  return DidYouMean(id, registry_.Ids());
+}
+
+// A model that a file brings along may be older than the node: it is good for warnings.
+void NodeLookup::CheckAgainstModel(const Site& site, const NodeModel& model) {
+  CheckForm(site, model.id, model.category);
+  const std::string wrong =
+      WrongChildCount(model.id, site.element.child_count, ChildrenOf(model.category));
+  if (!wrong.empty()) {
+    problems_.Warning(site.document, site.element.offset, wrong,
+                      std::string("its model says that it is a ") + ToString(model.category));
+  }
+  for (const Attribute& attribute : site) {
+    if (IsReservedAttribute(attribute.name) || model.FindPort(attribute.name)) continue;
+    std::vector<std::string> names;
+    for (const PortModel& port : model.ports) names.push_back(port.name);
+    problems_.Warning(site.document, attribute.name_offset,
+                      "the model of " + model.id + " has no port " + Quoted(attribute.name),
+                      DidYouMean(attribute.name, names));
+  }
+}
+
+void NodeLookup::CheckForm(const Site& site, std::string_view id, NodeCategory category) {
+  const std::string_view tag = site.element.tag;
+  const char* const form = ToString(category);
+  if (tag == id || tag == form) return;
+  problems_.Warning(site.document, site.element.offset,
+                    Quoted(id) + " is written as <" + std::string(tag) + ">",
+                    std::string("it is a ") + form);
 }
 
 }  // namespace coppice

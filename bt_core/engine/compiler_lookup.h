@@ -3,6 +3,7 @@
 #define COPPICE_BT_CORE_ENGINE_COMPILER_LOOKUP_H_
 
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "bt_core/engine/compiler_problems.h"
@@ -11,28 +12,41 @@
 
 namespace coppice {
 
+/// What is a warning instead of an error, because a tree is checked where only the robot has
+/// everything.
+struct Tolerance {
+  bool unknown_types = false;
+  bool unknown_trees = false;
+};
+
 struct FoundNode {
   std::string_view id;  ///< registration ID; for a SubTree the ID of its tree
   bool is_subtree = false;
-  const Registry::Entry* entry = nullptr;  ///< null: unknown, taken for a leaf
+  const Registry::Entry* entry = nullptr;  ///< null: unknown
 };
 
 class NodeLookup {
  public:
-  NodeLookup(const Project& project, const Registry& registry, Problems& problems)
-      : project_(project), registry_(registry), problems_(problems) {}
+  NodeLookup(const Project& project, const Registry& registry, Tolerance tolerance,
+             Problems& problems)
+      : project_(project), registry_(registry), tolerance_(tolerance), problems_(problems) {}
 
   /// Reads the compact form <Drive/> and the generic one <Action ID="Drive"/>. Nothing if the
-  /// element has no ID. An ID that neither the registry nor its fallback knows is an error.
+  /// element has no ID.
   std::optional<FoundNode> Find(const Site& site);
 
  private:
   FoundNode FindType(const Site& site, std::string_view id);
+  void CheckUnknown(const Site& site, std::string_view id);
   void ReportUnknown(const Site& site, std::string_view id);
-  void CheckForm(const Site& site, const Registry::Entry& entry);
+  void WarnOfUnknown(const Site& site, std::string_view id);
+  void CheckAgainstModel(const Site& site, const NodeModel& model);
+  void CheckForm(const Site& site, std::string_view id, NodeCategory category);
+  std::string Advice(std::string_view id) const;
 
   const Project& project_;
   const Registry& registry_;
+  const Tolerance tolerance_;
   Problems& problems_;
 };
 

@@ -4,12 +4,21 @@
 #include <string>
 #include <utility>
 
-#include "bt_core/data/literal.h"
-
 namespace coppice {
 namespace {
 
 bool IsScript(const PortDeclaration& port) { return port.type == &TypeOf<ScriptCode>(); }
+
+// A port that is about a key and not about its value takes the plain name, too, as in
+// BehaviorTree.CPP: output_key="x" is output_key="{x}".
+bool IsAboutKey(const PortDeclaration& port) {
+  return !port.type && (port.direction == PortDirection::kOutput || port.name == "entry");
+}
+
+bool HasBraces(std::string_view text) {
+  const std::size_t open = text.find('{');
+  return open != std::string_view::npos && text.find('}', open) != std::string_view::npos;
+}
 
 }  // namespace
 
@@ -18,6 +27,21 @@ void PortBinder::Bind(const Registry::Entry& entry, const Site& site,
   CheckNames(entry, site);
   for (const PortDeclaration& port : entry.declarations) {
     ports.push_back({BindPort(entry, port, site)});
+  }
+  BindCopies(entry, site, ports.data() + ports.size() - entry.declarations.size());
+}
+
+void PortBinder::BindCopies(const Registry::Entry& entry, const Site& site,
+                            const PortBinding* ports) {
+  SlotIndex from = kNoSlot;
+  SlotIndex to = kNoSlot;
+  for (std::size_t k = 0; k < entry.declarations.size(); ++k) {
+    const PortDeclaration& port = entry.declarations[k];
+    if (port.type || port.direction == PortDirection::kMailbox) continue;
+    (port.direction == PortDirection::kInput ? from : to) = ports[k].slot;
+  }
+  if (from != kNoSlot && to != kNoSlot) {
+    types_.AddCopy(from, to, entry.manifest.id, {&site.document, site.element.offset});
   }
 }
 
@@ -54,7 +78,11 @@ std::uint32_t PortBinder::BindPort(const Registry::Entry& entry, const PortDecla
                     attribute ? attribute->value_offset : site.element.offset};
   if (IsScript(port)) return BindScript(given);
   const std::string_view key = KeyOf(given.text, port.name);
-  return key.empty() ? BindLiteral(given) : BindKey(given, key);
+  if (!key.empty()) return BindKey(given, key);
+  if (IsAboutKey(port) && !given.text.empty() && !HasBraces(given.text) && given.text != "@") {
+    return BindKey(given, given.text);
+  }
+  return BindLiteral(given);
 }
 
 std::uint32_t PortBinder::BindScript(const Given& given) {
@@ -64,7 +92,7 @@ std::uint32_t PortBinder::BindScript(const Given& given) {
 
 std::uint32_t PortBinder::BindKey(const Given& given, std::string_view key) {
   const SlotIndex slot = keys_.Resolve(key, given.site.scope);
-  keys_.SetType(slot, given.entry.manifest.id, given.port, given.site.document, given.offset);
+  types_.Set(slot, given.entry.manifest.id, given.port, {&given.site.document, given.offset});
   return slot;
 }
 
@@ -77,20 +105,29 @@ std::uint32_t PortBinder::BindLiteral(const Given& given) {
         "write {key}");
     return kNoSlot;
   }
-  Value value;
-  if (!port.type) {
-    value = GuessValue(given.text);
-  } else if (!value.Parse(*port.type, given.text)) {
-    ReportLiteral(given);
+  if (port.type != &TypeOf<std::string>() && HasBraces(given.text)) {
+    problems_.Warning(given.site.document, given.offset,
+                      Quoted(given.text) + " is taken as it stands",
+                      "a key is the whole text, as in \"{key}\", or none of it");
   }
+  if (!port.type) return BindUntypedLiteral(given);
+  Value value;
+  if (!value.Parse(*port.type, given.text)) ReportLiteral(given);
   return keys_.AddSlot("", given.site.scope, port.type, std::move(value));
+}
+
+std::uint32_t PortBinder::BindUntypedLiteral(const Given& given) {
+  const SlotIndex slot = keys_.AddSlot("", given.site.scope, nullptr);
+  types_.AddLiteral(slot, given.text, "port " + Quoted(given.port.name),
+                    {&given.site.document, given.offset});
+  return slot;
 }
 
 void PortBinder::ReportLiteral(const Given& given) {
   problems_.Error(given.site.document, given.offset,
                   Quoted(given.text) + " is not a value for port " + Quoted(given.port.name) +
                       " of " + given.entry.manifest.id,
-                  std::string("expected ") + given.port.type->name);
+                  Expected(*given.port.type));
 }
 
 }  // namespace coppice

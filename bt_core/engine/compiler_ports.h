@@ -9,6 +9,7 @@
 #include "bt_core/engine/compiler_problems.h"
 #include "bt_core/engine/compiler_scripts.h"
 #include "bt_core/engine/compiler_site.h"
+#include "bt_core/engine/compiler_types.h"
 #include "bt_core/engine/keys.h"
 #include "bt_core/engine/program.h"
 
@@ -16,10 +17,11 @@ namespace coppice {
 
 class PortBinder {
  public:
-  PortBinder(KeyTable& keys, ScriptTable& scripts, Problems& problems)
-      : keys_(keys), scripts_(scripts), problems_(problems) {}
+  PortBinder(KeyTable& keys, SlotTypes& types, ScriptTable& scripts, Problems& problems)
+      : keys_(keys), types_(types), scripts_(scripts), problems_(problems) {}
 
-  /// Appends one binding for each declared port of the node, in the order of the declarations.
+  /// Appends one binding for each declared port of the node, in the order of the declarations. A
+  /// literal that the node copies to an output, as SetBlackboard does, gets the type of the key.
   void Bind(const Registry::Entry& entry, const Site& site, std::vector<PortBinding>& ports);
 
  private:
@@ -39,9 +41,12 @@ class PortBinder {
   std::uint32_t BindKey(const Given& given, std::string_view key);
   std::uint32_t BindScript(const Given& given);
   std::uint32_t BindLiteral(const Given& given);
+  std::uint32_t BindUntypedLiteral(const Given& given);
+  void BindCopies(const Registry::Entry& entry, const Site& site, const PortBinding* ports);
   void ReportLiteral(const Given& given);
 
   KeyTable& keys_;
+  SlotTypes& types_;
   ScriptTable& scripts_;
   Problems& problems_;
 };

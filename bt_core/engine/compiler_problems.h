@@ -24,6 +24,9 @@ class Problems {
   void Warning(const Document& document, std::uint32_t offset, std::string message,
                std::string hint = {});
 
+  /// True the first time: for what is said once and not in every place.
+  bool IsFirst(const std::string& topic) { return topics_.insert(topic).second; }
+
   bool has_errors() const { return diagnostics_.has_errors(); }
 
  private:
@@ -31,6 +34,7 @@ class Problems {
 
   Diagnostics& diagnostics_;
   std::set<std::tuple<const Document*, std::uint32_t, std::string>> known_;
+  std::set<std::string> topics_;
 };
 
 /// The text in double quotes.

@@ -10,12 +10,14 @@ namespace {
 // The names of a script are keys of the scope of its node.
 class NamesInScope : public ScriptNames {
  public:
-  NamesInScope(KeyTable& keys, ScopeIndex scope) : keys_(keys), scope_(scope) {}
+  NamesInScope(KeyTable& keys, const SlotTypes& types, ScopeIndex scope)
+      : keys_(keys), types_(types), scope_(scope) {}
   SlotIndex Slot(std::string_view name) override { return keys_.ResolveCopy(name, scope_); }
-  const Type* TypeOf(SlotIndex slot) const override { return keys_.TypeOf(slot); }
+  const Type* TypeOf(SlotIndex slot) const override { return types_.Of(slot); }
 
  private:
   KeyTable& keys_;
+  const SlotTypes& types_;
   ScopeIndex scope_;
 };
 
@@ -45,7 +47,7 @@ void ScriptTable::Compile(const ScriptConstants& constants, std::vector<Script>&
   scripts.reserve(pending_.size());
   std::vector<ScriptProblem> found;
   for (const Pending& pending : pending_) {
-    NamesInScope names(keys_, pending.scope);
+    NamesInScope names(keys_, types_, pending.scope);
     found.clear();
     std::optional<Script> script = Script::Compile(pending.text, names, constants, found);
     if (script) scripts.push_back(*std::move(script));

@@ -10,6 +10,7 @@
 
 #include "bt_core/engine/compiler_problems.h"
 #include "bt_core/engine/compiler_site.h"
+#include "bt_core/engine/compiler_types.h"
 #include "bt_core/engine/keys.h"
 #include "bt_core/engine/program.h"
 
@@ -17,7 +18,8 @@ namespace coppice {
 
 class ScriptTable {
  public:
-  ScriptTable(KeyTable& keys, Problems& problems) : keys_(keys), problems_(problems) {}
+  ScriptTable(KeyTable& keys, const SlotTypes& types, Problems& problems)
+      : keys_(keys), types_(types), problems_(problems) {}
 
   /// A script that stands in an attribute of a node; returns its number in Program::scripts. The
   /// document must outlive the table.
@@ -42,6 +44,7 @@ class ScriptTable {
   void Report(const Pending& pending, ScriptProblem problem);
 
   KeyTable& keys_;
+  const SlotTypes& types_;
   Problems& problems_;
   std::vector<Pending> pending_;
 };

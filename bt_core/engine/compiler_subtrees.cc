@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "bt_core/engine/sibling_files.h"
+#include "bt_core/engine/type_names.h"
+
 namespace coppice {
 namespace {
 
@@ -37,7 +40,14 @@ const TreeDefinition* SubTreeBinder::Find(const Site& site, std::string_view id)
 void SubTreeBinder::ReportMissing(const Site& site, std::string_view id) {
   std::vector<std::string> ids;
   for (const auto& [known, definition] : program_.project->trees()) ids.push_back(known);
-  problems_.Error(site.document, site.element.offset, "no tree " + Quoted(id), DidYouMean(id, ids));
+  const std::string file = FindTreeInFolder(site.document.file(), id);
+  std::string advice = file.empty() ? DidYouMean(id, ids) : file + " has it; include that file";
+  if (!tolerance_.unknown_trees) {
+    problems_.Error(site.document, site.element.offset, "no tree " + Quoted(id), advice);
+  } else {
+    problems_.Warning(site.document, site.element.offset,
+                      "tree " + Quoted(id) + " is not among these files", advice);
+  }
 }
 
 void SubTreeBinder::ReportLoop(const Site& site, std::string_view id) {
@@ -53,7 +63,20 @@ ScopeIndex SubTreeBinder::Open(const Site& site, std::string_view id, NodeIndex 
   if (site.element.child_count > 0) {
     problems_.Error(site.document, site.element.offset, "<SubTree> must not have children");
   }
-  const ScopeIndex inner = keys_.AddScope(site.scope, IsTrue(site, "_autoremap"));
+  const bool autoremap = IsTrue(site, "_autoremap");
+  const ScopeIndex inner = AddInstance(site, id, node, autoremap);
+  Remap(site, inner);
+  if (const NodeModel* model = program_.project->SubTreeModel(id)) {
+    ApplyModel(site, *model, inner, autoremap);
+    CheckNames(site, *model);
+  }
+  open_.push_back(id);
+  is_open_.insert(id);
+  return inner;
+}
+
+ScopeIndex SubTreeBinder::AddInstance(const Site& site, std::string_view id, NodeIndex node,
+                                      bool autoremap) {
   std::string path = program_.Path(node);
   path_bytes_ += path.size();
   if (!paths_.insert(path).second) {
@@ -63,10 +86,7 @@ ScopeIndex SubTreeBinder::Open(const Site& site, std::string_view id, NodeIndex 
   }
   program_.layout.scopes.push_back(path);
   program_.trees.push_back({std::string(id), std::move(path), node + 1, node});
-  Remap(site, inner);
-  open_.push_back(id);
-  is_open_.insert(id);
-  return inner;
+  return keys_.AddScope(site.scope, autoremap);
 }
 
 void SubTreeBinder::Close() {
@@ -77,14 +97,49 @@ void SubTreeBinder::Close() {
 void SubTreeBinder::Remap(const Site& site, ScopeIndex inner) {
   for (const Attribute& attribute : site) {
     if (IsReservedAttribute(attribute.name)) continue;
-    const std::string_view key = KeyOf(attribute.value, attribute.name);
-    if (!key.empty()) {
-      keys_.Bind(attribute.name, inner, keys_.Resolve(key, site.scope));
-      continue;
+    RemapOne(site, inner, attribute.name, attribute.value, attribute.value_offset);
+  }
+}
+
+void SubTreeBinder::RemapOne(const Site& site, ScopeIndex inner, std::string_view name,
+                             std::string_view text, std::uint32_t offset) {
+  const std::string_view key = KeyOf(text, name);
+  if (!key.empty()) {
+    keys_.Bind(name, inner, keys_.Resolve(key, site.scope));
+    return;
+  }
+  const SlotIndex slot = keys_.AddSlot(std::string(name), inner, nullptr);
+  keys_.Bind(name, inner, slot);
+  types_.AddLiteral(slot, text, "key " + Quoted(name) + " inside", {&site.document, offset});
+}
+
+void SubTreeBinder::ApplyModel(const Site& site, const NodeModel& model, ScopeIndex inner,
+                               bool autoremap) {
+  const Document& document = program_.project->documents()[model.document];
+  const std::uint32_t offset = document.element(model.element).offset;
+  for (const PortModel& port : model.ports) {
+    const bool given = site.document.FindAttribute(site.element, port.name) != nullptr;
+    if (!given && !autoremap && port.default_text) {
+      RemapOne(site, inner, port.name, *port.default_text, site.element.offset);
+    } else if (!given && !autoremap) {
+      problems_.Error(site.document, site.element.offset,
+                      "SubTree " + Quoted(model.id) + " needs its port " + Quoted(port.name),
+                      port.description);
     }
-    const SlotIndex slot = keys_.AddSlot(std::string(attribute.name), inner, nullptr);
-    keys_.AddLiteral(slot, attribute.value, site.document, attribute.value_offset);
-    keys_.Bind(attribute.name, inner, slot);
+    const Type* type = FindType(*program_.registry, port.type);
+    if (type) types_.Suggest(keys_.Resolve(port.name, inner), *type, {&document, offset});
+  }
+}
+
+void SubTreeBinder::CheckNames(const Site& site, const NodeModel& model) {
+  for (const Attribute& attribute : site) {
+    if (IsReservedAttribute(attribute.name) || model.FindPort(attribute.name)) continue;
+    std::vector<std::string> names;
+    for (const PortModel& port : model.ports) names.push_back(port.name);
+    problems_.Warning(
+        site.document, attribute.name_offset,
+        "the model of SubTree " + Quoted(model.id) + " has no port " + Quoted(attribute.name),
+        DidYouMean(attribute.name, names));
   }
 }
 

@@ -1,5 +1,8 @@
 // SubTrees: an element becomes an instance of another tree, with a scope of its own whose keys the
 // attributes of the element tie to keys outside or to literals.
+//
+// A <SubTree> in <TreeNodesModel> declares the ports of a tree, as in BehaviorTree.CPP: one without
+// default must be given, unless the SubTree has _autoremap.
 #ifndef COPPICE_BT_CORE_ENGINE_COMPILER_SUBTREES_H_
 #define COPPICE_BT_CORE_ENGINE_COMPILER_SUBTREES_H_
 
@@ -8,8 +11,10 @@
 #include <unordered_set>
 #include <vector>
 
+#include "bt_core/engine/compiler_lookup.h"
 #include "bt_core/engine/compiler_problems.h"
 #include "bt_core/engine/compiler_site.h"
+#include "bt_core/engine/compiler_types.h"
 #include "bt_core/engine/keys.h"
 #include "bt_core/engine/program.h"
 
@@ -17,8 +22,9 @@ namespace coppice {
 
 class SubTreeBinder {
  public:
-  SubTreeBinder(Program& program, KeyTable& keys, Problems& problems)
-      : program_(program), keys_(keys), problems_(problems) {}
+  SubTreeBinder(Program& program, KeyTable& keys, SlotTypes& types, Tolerance tolerance,
+                Problems& problems)
+      : program_(program), keys_(keys), types_(types), tolerance_(tolerance), problems_(problems) {}
 
   /// The main tree: scope 0.
   void OpenMain(const std::string& id);
@@ -38,10 +44,17 @@ class SubTreeBinder {
  private:
   void ReportMissing(const Site& site, std::string_view id);
   void ReportLoop(const Site& site, std::string_view id);
+  ScopeIndex AddInstance(const Site& site, std::string_view id, NodeIndex node, bool autoremap);
   void Remap(const Site& site, ScopeIndex inner);
+  void RemapOne(const Site& site, ScopeIndex inner, std::string_view name, std::string_view text,
+                std::uint32_t offset);
+  void ApplyModel(const Site& site, const NodeModel& model, ScopeIndex inner, bool autoremap);
+  void CheckNames(const Site& site, const NodeModel& model);
 
   Program& program_;
   KeyTable& keys_;
+  SlotTypes& types_;
+  const Tolerance tolerance_;
   Problems& problems_;
   std::vector<std::string_view> open_;
   std::unordered_set<std::string_view> is_open_;

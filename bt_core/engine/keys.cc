@@ -2,8 +2,6 @@
 
 #include <utility>
 
-#include "bt_core/data/literal.h"
-
 namespace coppice {
 
 namespace {
@@ -64,46 +62,11 @@ SlotIndex KeyTable::Resolve(std::string_view key, ScopeIndex scope) {
 SlotIndex KeyTable::ResolveCopy(std::string_view key, ScopeIndex scope) {
   const auto found = scopes_[scope].keys.find(key);
   if (found != scopes_[scope].keys.end()) return found->second;
-  return Resolve(copies_.emplace_back(key), scope);
+  return Resolve(names_.emplace_back(key), scope);
 }
 
 void KeyTable::Bind(std::string_view key, ScopeIndex scope, SlotIndex slot) {
   scopes_[scope].keys.emplace(key, slot);
-}
-
-void KeyTable::SetType(SlotIndex index, std::string_view owner, const PortDeclaration& port,
-                       const Document& document, std::uint32_t offset) {
-  SlotDefinition& slot = layout_.slots[index];
-  if (!port.type) return;
-  if (!slot.type) {
-    slot.type = port.type;
-    first_use_[index] = {owner, port.name};
-  } else if (slot.type != port.type) {
-    const FirstUse& first = first_use_.at(index);
-    problems_.Error(document, offset,
-                    "key " + Quoted(slot.key) + " is " + slot.type->name + " (from " +
-                        std::string(first.owner) + "." + std::string(first.port) + "), but port " +
-                        Quoted(port.name) + " of " + std::string(owner) + " is " + port.type->name);
-  }
-}
-
-void KeyTable::AddLiteral(SlotIndex slot, std::string_view text, const Document& document,
-                          std::uint32_t offset) {
-  literals_.push_back({slot, text, &document, offset});
-}
-
-void KeyTable::ConvertLiterals() {
-  for (const Literal& literal : literals_) {
-    SlotDefinition& slot = layout_.slots[literal.slot];
-    if (!slot.type) {
-      slot.initial = GuessValue(literal.text);
-    } else if (!slot.initial.Parse(*slot.type, literal.text)) {
-      problems_.Error(
-          *literal.document, literal.offset,
-          Quoted(literal.text) + " is not a value for key " + Quoted(slot.key) + " inside",
-          std::string("expected ") + slot.type->name);
-    }
-  }
 }
 
 }  // namespace coppice

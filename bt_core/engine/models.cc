@@ -1,12 +1,9 @@
 #include "bt_core/engine/models.h"
 
+#include "bt_core/engine/type_names.h"
+
 namespace coppice {
 namespace {
-
-// As in the models of BehaviorTree.CPP.
-std::string TypeName(const PortDeclaration& port) {
-  return port.type ? port.type->name : "BT::AnyTypeAllowed";
-}
 
 std::string Port(const PortDeclaration& port) {
   std::string tag = ToString(port.direction);

@@ -20,19 +20,12 @@ TEST(Compile, TheMainTreeMustExist) {
   EXPECT_EQ(Problems(Main("<AlwaysSuccess/>"), "Other"), "t.xml:1:1: error: no tree \"Other\"\n");
 }
 
-TEST(Compile, AsksWhichTreeIsTheMainOne) {
-  EXPECT_EQ(
-      Problems("<root BTCPP_format=\"4\"><BehaviorTree ID=\"A\"><AlwaysSuccess/></BehaviorTree>"
-               "<BehaviorTree ID=\"B\"><AlwaysSuccess/></BehaviorTree></root>"),
-      "t.xml:1:1: error: which tree is the main one? "
-      "(give main_tree_to_execute; there are: A, B)\n");
-}
-
-TEST(Compile, ATreeMayNotHaveTheNameOfANode) {
-  const std::string problems =
-      Problems(Root("<BehaviorTree ID=\"Main\"><AlwaysSuccess/></BehaviorTree>\n"
-                    "<BehaviorTree ID=\"Sequence\"><AlwaysSuccess/></BehaviorTree>"));
-  EXPECT_EQ(problems, "t.xml:3:1: error: tree \"Sequence\" has the name of a node type\n");
+TEST(Compile, NothingComesOfAProjectThatIsNotWhole) {
+  EXPECT_EQ(Problems(Root("<BehaviorTree ID=\"Main\"><Inverter/></BehaviorTree>\n"
+                          "<BehaviorTree ID=\"Two\"><AlwaysSuccess/><AlwaysSuccess/>"
+                          "</BehaviorTree>")),
+            "t.xml:3:1: error: tree \"Two\" has 2 root nodes, expected exactly 1\n"
+            "t.xml:2:25: error: Inverter has 0 children, expected exactly 1\n");
 }
 
 TEST(Compile, CompileFileReportsAMissingFile) {

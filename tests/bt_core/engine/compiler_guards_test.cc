@@ -19,8 +19,9 @@ struct GuardReaderTest : testing::Test {
   Diagnostics diagnostics;
   Problems problems{diagnostics};
   Layout layout;
-  KeyTable keys{layout, problems};
-  ScriptTable scripts{keys, problems};
+  KeyTable keys{layout};
+  SlotTypes types{layout, problems};
+  ScriptTable scripts{keys, types, problems};
   GuardReader reader{scripts, problems};
   std::optional<Project> project;
   std::vector<GuardRecord> guards;

@@ -24,9 +24,7 @@ TEST(KeyOf, EqualsSignIsTheOwnName) {
 
 struct KeyTableTest : testing::Test {
   Layout layout;
-  Diagnostics diagnostics;
-  Problems problems{diagnostics};
-  KeyTable keys{layout, problems};
+  KeyTable keys{layout};
   const ScopeIndex main = keys.AddScope(0, false);
 };
 
@@ -67,23 +65,6 @@ TEST_F(KeyTableTest, ACopiedKeyIsTheSameKey) {
   name = "overwritten";
   EXPECT_EQ(keys.Resolve("k", main), slot);
   EXPECT_EQ(keys.Resolve("other", main), root);
-}
-
-TEST_F(KeyTableTest, WhatNoPortReadsTakesAnyType) {
-  const SlotIndex slot = keys.Resolve("k", main);
-  keys.ConvertLiterals();
-  EXPECT_EQ(layout.slots[slot].type, nullptr);
-}
-
-TEST_F(KeyTableTest, ALiteralGetsTheTypeOfItsSlotOrElseThatOfItsText) {
-  const Document document = *Document::FromText("<root/>", "t.xml", diagnostics);
-  const SlotIndex text = keys.AddSlot("text", main, &TypeOf<std::string>());
-  const SlotIndex any = keys.AddSlot("any", main, nullptr);
-  keys.AddLiteral(text, "42", document, 0);
-  keys.AddLiteral(any, "42", document, 0);
-  keys.ConvertLiterals();
-  EXPECT_TRUE(layout.slots[text].initial.Is<std::string>());
-  EXPECT_TRUE(layout.slots[any].initial.Is<std::int64_t>());
 }
 
 }  // namespace
