@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "bt_core/data/enum.h"
 #include "bt_core/data/literal.h"
 
 namespace coppice {
@@ -11,12 +12,14 @@ namespace {
 bool IsNumber(const Type& type) {
   return type.kind == TypeKind::kInt || type.kind == TypeKind::kUnsigned ||
          type.kind == TypeKind::kInt64 || type.kind == TypeKind::kUint64 ||
-         type.kind == TypeKind::kDouble;
+         type.kind == TypeKind::kFloat || type.kind == TypeKind::kDouble;
 }
 
 }  // namespace
 
-std::string Expected(const Type& type) { return std::string("expected ") + type.name; }
+std::string Expected(const Type& type) {
+  return "expected " + (type.enumerators ? Choices(*type.enumerators) : std::string(type.name));
+}
 
 void SlotTypes::Set(SlotIndex index, std::string_view owner, const PortDeclaration& port,
                     Place place) {

@@ -88,7 +88,7 @@ class SlotTypes {
   std::vector<Literal> literals_;
 };
 
-/// What a text should have been: "expected int".
+/// What a text should have been: "expected int", "expected RED, GREEN or BLUE".
 std::string Expected(const Type& type);
 
 }  // namespace coppice

@@ -3,6 +3,9 @@
 #include <cstdint>
 #include <string>
 #include <utility>
+#include <vector>
+
+#include "bt_core/data/standard_types.h"
 
 namespace coppice {
 namespace {
@@ -17,9 +20,16 @@ const Type* FindBasicType(std::string_view name) {
       {"int64_t", &TypeOf<std::int64_t>()},
       {"uint64", &TypeOf<std::uint64_t>()},
       {"uint64_t", &TypeOf<std::uint64_t>()},
+      {"float", &TypeOf<float>()},
       {"double", &TypeOf<double>()},
       {"string", &TypeOf<std::string>()},
       {"std::string", &TypeOf<std::string>()},
+      {"std::vector<int>", &TypeOf<std::vector<int>>()},
+      {"std::vector<double>", &TypeOf<std::vector<double>>()},
+      {"std::vector<bool>", &TypeOf<std::vector<bool>>()},
+      {"std::vector<std::string>", &TypeOf<std::vector<std::string>>()},
+      {"Status", &TypeOf<Status>()},
+      {"BT::NodeStatus", &TypeOf<Status>()},
   };
   for (const auto& [known, type] : names) {
     if (known == name) return type;

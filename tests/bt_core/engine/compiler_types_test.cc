@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "bt_core/data/standard_types.h"
+
 namespace coppice {
 namespace {
 
@@ -60,6 +62,14 @@ TEST_F(SlotTypesTest, AWrongLiteralSaysWhatWasExpected) {
   types.Settle();
   EXPECT_EQ(diagnostics.ToString(),
             "t.xml:1:1: error: \"far\" is not a value for key \"k\" inside (expected int)\n");
+}
+
+TEST_F(SlotTypesTest, AWrongLiteralOfAnEnumListsTheChoices) {
+  types.AddLiteral(Slot("k", &TypeOf<Status>()), "GOOD", "port \"else\"", place);
+  types.Settle();
+  EXPECT_EQ(diagnostics.ToString(),
+            "t.xml:1:1: error: \"GOOD\" is not a value for port \"else\" "
+            "(expected IDLE, RUNNING, SUCCESS, FAILURE or SKIPPED)\n");
 }
 
 TEST_F(SlotTypesTest, AModelsTypeCountsWherePortsGiveNone) {
