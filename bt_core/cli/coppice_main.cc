@@ -19,12 +19,14 @@ struct Verb {
 };
 
 constexpr Verb kVerbs[] = {
+    {"cat", "print a file, with attributes set", coppice::RunCat},
     {"check", "find what is wrong in tree files", coppice::RunCheck},
     {"nodes", "list the node types and their ports", coppice::RunNodes},
     {"replay", "print what happened in a recorded run", coppice::RunReplay},
     {"run", "run a tree of built-in nodes", coppice::RunTree},
     {"test", "play scenarios with whole trees", coppice::RunTest},
     {"trace", "run a tree with scripted leaves", coppice::RunTrace},
+    {"upgrade", "make trees of format 3 trees of format 4", coppice::RunUpgrade},
 };
 
 std::filesystem::path FolderOfThisProgram() {

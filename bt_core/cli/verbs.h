@@ -11,6 +11,10 @@ namespace coppice {
 
 using Arguments = std::vector<std::string>;
 
+/// `coppice cat FILE [--set PATH@ATTRIBUTE=VALUE ...]`: prints a file byte for byte, with
+/// attributes set.
+int RunCat(const Arguments& arguments);
+
 /// `coppice check FILE...`: loads, resolves and type-checks; prints all problems.
 int RunCheck(const Arguments& arguments);
 
@@ -26,6 +30,9 @@ int RunTrace(const Arguments& arguments);
 
 /// `coppice nodes`: the node types of the engine with their ports, as text or as XML models.
 int RunNodes(const Arguments& arguments);
+
+/// `coppice upgrade FILE... [-i | -o OUTPUT]`: makes trees of format 3 trees of format 4.
+int RunUpgrade(const Arguments& arguments);
 
 }  // namespace coppice
 

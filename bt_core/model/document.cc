@@ -10,6 +10,9 @@
 #include <utility>
 
 #include "bt_core/model/markup.h"
+#include "bt_core/model/strictness.h"
+#include "bt_core/model/utf8.h"
+#include "bt_core/model/xml_error.h"
 #include "bt_core/model/xml_text.h"
 
 namespace coppice {
@@ -38,31 +41,6 @@ const char* StartOfBuffer(const tinyxml2::XMLDocument& xml, const std::string& t
   return first->Value() - at;
 }
 
-const char* ErrorText(tinyxml2::XMLError error) {
-  switch (error) {
-    case tinyxml2::XML_ERROR_MISMATCHED_ELEMENT:
-      return "this element is not closed by its own end tag";
-    case tinyxml2::XML_ERROR_PARSING_ATTRIBUTE:
-      return "malformed attribute; expected name=\"value\"";
-    case tinyxml2::XML_ERROR_PARSING_ELEMENT:
-      return "malformed element; expected <Name attribute=\"value\"/>";
-    case tinyxml2::XML_ERROR_PARSING_COMMENT:
-      return "comment without -->";
-    case tinyxml2::XML_ERROR_PARSING_CDATA:
-      return "CDATA without ]]>";
-    case tinyxml2::XML_ERROR_PARSING_DECLARATION:
-      return "malformed or misplaced <?xml ?> declaration";
-    case tinyxml2::XML_ERROR_PARSING_TEXT:
-      return "text outside of the root element";
-    case tinyxml2::XML_ERROR_EMPTY_DOCUMENT:
-      return "no element; expected <root BTCPP_format=\"4\">";
-    case tinyxml2::XML_ELEMENT_DEPTH_EXCEEDED:
-      return "elements are nested too deep";
-    default:
-      return "malformed XML";
-  }
-}
-
 std::vector<std::uint32_t> FindLines(const std::string& text) {
   std::vector<std::uint32_t> lines = {0};
   for (std::size_t at = text.find('\n'); at != std::string::npos; at = text.find('\n', at + 1)) {
@@ -80,25 +58,35 @@ std::optional<Document> Document::FromText(std::string text, std::string file,
   document.file_ = std::move(file);
   document.text_ = std::make_unique<const std::string>(std::move(text));
   document.lines_ = FindLines(document.text());
-  tinyxml2::XMLDocument xml;
-  const tinyxml2::XMLError error = xml.Parse(document.text().data(), document.text().size());
-  if (error != tinyxml2::XML_SUCCESS && error != tinyxml2::XML_ERROR_EMPTY_DOCUMENT) {
-    const int line = std::max(xml.ErrorLineNum(), 1);
-    const std::uint32_t start = document.lines_.at(static_cast<std::size_t>(line) - 1);
-    const std::size_t at = document.text().find_first_not_of(" \t", start);
-    diagnostics.Error(
-        document.Location(static_cast<std::uint32_t>(std::min(at, document.text().size()))),
-        ErrorText(error));
+  if (LooksLikeUtf16(document.text())) {
+    diagnostics.Error(document.Location(0), "this file is UTF-16", "save it as UTF-8");
     return std::nullopt;
   }
-  if (!xml.RootElement()) {
-    diagnostics.Error(document.Location(0), ErrorText(tinyxml2::XML_ERROR_EMPTY_DOCUMENT));
+  tinyxml2::XMLDocument xml;
+  const tinyxml2::XMLError error = xml.Parse(document.text().data(), document.text().size());
+  if (error != tinyxml2::XML_SUCCESS || !xml.RootElement()) {
+    document.ReportError(xml, diagnostics);
     return std::nullopt;
   }
   const char* const start = StartOfBuffer(xml, document.text());
   document.BuildIndex(xml, start);
   document.WarnOutsideRoot(xml, start, diagnostics);
+  WarnOfLaxXml(document, diagnostics);
   return document;
+}
+
+void Document::ReportError(const tinyxml2::XMLDocument& xml, Diagnostics& diagnostics) const {
+  if (const std::optional<XmlError> error = FindXmlError(text())) {
+    diagnostics.Error(Location(static_cast<std::uint32_t>(error->offset)), error->message,
+                      error->hint);
+    return;
+  }
+  if (!xml.Error() || xml.ErrorID() == tinyxml2::XML_ERROR_EMPTY_DOCUMENT) {
+    diagnostics.Error(Location(0), "no element", "expected <root BTCPP_format=\"4\">");
+    return;
+  }
+  const auto line = static_cast<std::size_t>(std::max(xml.ErrorLineNum(), 1));
+  diagnostics.Error(Location(lines_.at(line - 1)), "malformed XML", xml.ErrorName());
 }
 
 std::optional<Document> Document::FromFile(const std::string& path, Diagnostics& diagnostics) {

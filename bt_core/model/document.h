@@ -3,8 +3,8 @@
 //
 // tinyxml2 does the parsing; the index adds what it does not keep, the byte position of every name
 // and value, so that every message can name file:line:column of the user's own text. What tinyxml2
-// accepts is accepted, also where it is laxer than the XML standard. A Document is immutable and
-// cheap to move; views into it live as long as it does.
+// accepts is accepted, also where it is laxer than the XML standard (strictness.h says where, and
+// warns). A Document is immutable and cheap to move; views into it live as long as it does.
 #ifndef COPPICE_BT_CORE_MODEL_DOCUMENT_H_
 #define COPPICE_BT_CORE_MODEL_DOCUMENT_H_
 
@@ -54,9 +54,9 @@ struct Element {
 
 class Document {
  public:
-  /// Parses a text; `file` is used in messages only. Nothing is returned if the XML is malformed,
-  /// and the reason is added to `diagnostics`; text and elements outside of the root element are
-  /// ignored with a warning.
+  /// Parses a text; `file` is used in messages only. Nothing is returned if the XML is malformed or
+  /// UTF-16, and the reason is added to `diagnostics`; text and elements outside of the root
+  /// element are ignored with a warning.
   static std::optional<Document> FromText(std::string text, std::string file,
                                           Diagnostics& diagnostics);
 
@@ -115,6 +115,7 @@ class Document {
   Document() = default;
   // `start` is where tinyxml2's copy of the text begins.
   void BuildIndex(const tinyxml2::XMLDocument& xml, const char* start);
+  void ReportError(const tinyxml2::XMLDocument& xml, Diagnostics& diagnostics) const;
   void WarnOutsideRoot(const tinyxml2::XMLDocument& xml, const char* start,
                        Diagnostics& diagnostics) const;
   std::uint32_t FindTag(const char* name, const char* start) const;

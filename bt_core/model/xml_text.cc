@@ -154,10 +154,14 @@ std::string EscapeXmlValue(std::string_view value, char quote) {
   return escaped;
 }
 
-bool IsXmlName(std::string_view name) {
-  return !name.empty() && BeginsName(name[0]) && std::all_of(name.begin(), name.end(), [](char c) {
+std::size_t NameLength(std::string_view text) {
+  if (text.empty() || !BeginsName(text[0])) return 0;
+  const auto end = std::find_if_not(text.begin(), text.end(), [](char c) {
     return BeginsName(c) || (c >= '0' && c <= '9') || c == '.' || c == '-';
   });
+  return static_cast<std::size_t>(end - text.begin());
 }
+
+bool IsXmlName(std::string_view name) { return !name.empty() && NameLength(name) == name.size(); }
 
 }  // namespace coppice

@@ -34,6 +34,9 @@ std::size_t ReferenceLength(std::string_view raw);
 /// references, because strict XML parsers read them as blanks.
 std::string EscapeXmlValue(std::string_view value, char quote);
 
+/// The length of the name of an element or attribute at the start of the text; 0 if there is none.
+std::size_t NameLength(std::string_view text);
+
 /// True if an element or attribute can have that name. Names beyond ASCII are fine.
 bool IsXmlName(std::string_view name);
 

@@ -239,29 +239,51 @@ TEST(Document, KeepsTheTextAsItIs) {
 
 TEST(Document, MalformedXmlIsReportedWithItsPlace) {
   EXPECT_EQ(FirstError("<a>\n  <b>\n</a>"),
-            "t.xml:2:3: error: this element is not closed by its own end tag");
+            "t.xml:3:1: error: <b> of line 2 is not closed before </a> (</b> is missing)");
   EXPECT_EQ(FirstError("<a>\n <b x=1/></a>"),
-            "t.xml:2:2: error: malformed attribute; expected name=\"value\"");
-  EXPECT_EQ(FirstError("<a>\n\t<!-- "), "t.xml:2:2: error: comment without -->");
-  EXPECT_EQ(FirstError("<a><![CDATA[ "), "t.xml:1:1: error: CDATA without ]]>");
-  EXPECT_EQ(FirstError("<a/>\nwords"), "t.xml:2:1: error: text outside of the root element");
-  EXPECT_EQ(FirstError("<a x='1' x='2'/>"),
-            "t.xml:1:1: error: malformed attribute; expected name=\"value\"");
-  EXPECT_EQ(FirstError("<!-- --><?xml?><a/>"),
-            "t.xml:1:1: error: malformed or misplaced <?xml ?> declaration");
+            "t.xml:2:7: error: the value of \"x\" must stand in quotes (write x=\"1\")");
 }
 
 TEST(Document, WithoutElementThereIsNoDocument) {
-  const std::string expected = "t.xml:1:1: error: no element; expected <root BTCPP_format=\"4\">";
+  const std::string expected = "t.xml:1:1: error: no element (expected <root BTCPP_format=\"4\">)";
   for (const char* text : {"", " \n", "<!-- only -->", "<?xml version='1.0'?>"}) {
     EXPECT_EQ(FirstError(text), expected) << text;
   }
 }
 
+TEST(Document, Utf16IsNamed) {
+  const std::string utf16("\xFF\xFE<\0a\0", 6);
+  EXPECT_EQ(FirstError(utf16), "t.xml:1:1: error: this file is UTF-16 (save it as UTF-8)");
+}
+
 TEST(Document, TooDeepNestingIsAnErrorAndNoCrash) {
-  std::string text;
-  for (int i = 0; i < 100000; ++i) text += "<a>";
-  EXPECT_NE(FirstError(text).find("nested too deep"), std::string::npos);
+  const auto nested = [](int depth) {
+    std::string text;
+    for (int i = 1; i < depth; ++i) text += "<a>";
+    text += "<b/>";
+    for (int i = 1; i < depth; ++i) text += "</a>";
+    return text;
+  };
+  EXPECT_TRUE(Load(nested(99)).document);
+  EXPECT_EQ(FirstError(nested(100)),
+            "t.xml:1:295: error: elements are nested more than 98 deep "
+            "(make the inner ones a SubTree)");
+  EXPECT_NE(FirstError(nested(100000)).find("nested"), std::string::npos);
+}
+
+TEST(Document, AValueOfAMegabyteIsFine) {
+  const std::string value(1 << 20, 'x');
+  const auto document = Load("<a x='" + value + "&amp;'/>").document;
+  EXPECT_EQ(document->AttributeValue(document->element(0), "x"), value + "&");
+}
+
+TEST(Document, WhatFollowsAZeroByteIsIgnoredWithAWarning) {
+  const Loaded loaded = Load(std::string("<a/>\n\0<b", 8));
+  ASSERT_TRUE(loaded.document);
+  EXPECT_EQ(loaded.document->text().size(), 8U) << "but kept";
+  EXPECT_EQ(loaded.diagnostics.ToString(),
+            "t.xml:2:1: warning: what follows is ignored "
+            "(an end tag that closes nothing, or a zero byte)\n");
 }
 
 TEST(Document, WarnsOfWhatIsOutsideOfTheRoot) {

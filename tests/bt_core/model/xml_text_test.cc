@@ -86,6 +86,13 @@ TEST(XmlText, KnowsTheLengthOfAReference) {
   EXPECT_EQ(ReferenceLength(""), 0U);
 }
 
+TEST(XmlText, KnowsTheLengthOfAName) {
+  EXPECT_EQ(NameLength("Sequence name"), 8U);
+  EXPECT_EQ(NameLength("a/>"), 1U);
+  EXPECT_EQ(NameLength("1a"), 0U);
+  EXPECT_EQ(NameLength(""), 0U);
+}
+
 TEST(XmlText, KnowsNames) {
   for (const char* name : {"a", "_skipIf", "xml:lang", "T\xC3\xBCr", "a-b.c1"}) {
     EXPECT_TRUE(IsXmlName(name)) << name;

@@ -1,0 +1,70 @@
+#include "bt_core/model/upgrade.h"
+
+#include <iostream>
+#include <optional>
+#include <string>
+
+#include "bt_core/base/command_line.h"
+#include "bt_core/cli/verbs.h"
+#include "bt_core/model/strictness.h"
+#include "bt_core/model/write_file.h"
+
+namespace coppice {
+namespace {
+
+constexpr char kUsage[] =
+    "coppice upgrade FILE... [-i | -o OUTPUT]\n"
+    "  Makes trees of format 3 trees of format 4, and mends what only lax XML parsers accept.\n"
+    "  Comments and layout stay. Prints the new file; -i writes it in its place, -o to OUTPUT.\n"
+    "  What it cannot upgrade is a warning.";
+
+// The whole new text, or nothing if the file cannot be read.
+std::optional<std::string> Upgraded(const std::string& path) {
+  Diagnostics reading;
+  const std::optional<Document> document = Document::FromFile(path, reading);
+  if (!document) {
+    std::cerr << reading.ToString();
+    return std::nullopt;
+  }
+  Diagnostics diagnostics;
+  const auto strict = document->Rewritten(StrictXmlEdit(*document), diagnostics);
+  diagnostics = Diagnostics();  // from here on about the format
+  const Document& readable = strict ? *strict : *document;
+  std::string text = Apply(UpgradeToFormat4(readable, diagnostics), readable.text());
+  std::cerr << diagnostics.ToString();
+  return text;
+}
+
+bool Put(const std::string& text, const std::string& path) {
+  Diagnostics diagnostics;
+  const bool written = WriteFile(path, text, diagnostics);
+  std::cerr << diagnostics.ToString();
+  return written;
+}
+
+}  // namespace
+
+int RunUpgrade(const Arguments& arguments) {
+  const std::optional<Options> options = ParseOptions(arguments, {"-o"}, {"-i"}, kUsage);
+  if (!options) return 2;
+  const bool in_place = options->Has("-i");
+  if (options->files.empty() || (in_place && options->Has("-o")) ||
+      (options->Has("-o") && options->files.size() > 1)) {
+    std::cerr << "expected files, and either -i or -o with one file\nusage: " << kUsage << "\n";
+    return 2;
+  }
+  bool good = true;
+  for (const std::string& file : options->files) {
+    const std::optional<std::string> text = Upgraded(file);
+    if (!text) {
+      good = false;
+    } else if (in_place || options->Has("-o")) {
+      good = Put(*text, in_place ? file : options->Get("-o")) && good;
+    } else {
+      std::cout << *text << std::flush;
+    }
+  }
+  return good ? 0 : 2;
+}
+
+}  // namespace coppice

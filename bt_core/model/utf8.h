@@ -1,0 +1,20 @@
+// Is a text UTF-8?
+#ifndef COPPICE_BT_CORE_MODEL_UTF8_H_
+#define COPPICE_BT_CORE_MODEL_UTF8_H_
+
+#include <cstddef>
+#include <string_view>
+
+namespace coppice {
+
+/// The offset of the first byte that is not part of a UTF-8 character (RFC 3629: no overlong forms,
+/// no surrogates, nothing above U+10FFFF); the size of the text if there is none.
+std::size_t FindInvalidUtf8(std::string_view text);
+
+/// True if the text looks like UTF-16: by its byte order mark, or by a zero byte beside its first
+/// character.
+bool LooksLikeUtf16(std::string_view text);
+
+}  // namespace coppice
+
+#endif  // COPPICE_BT_CORE_MODEL_UTF8_H_
