@@ -148,6 +148,10 @@ class Executor final : public LeafHost, public ChildHost {
     const SlotIndex slot = Binding(node, k);
     return slot == kNoSlot ? nullptr : &blackboard_[slot];
   }
+  bool HasPort(NodeIndex node, std::uint32_t k) const { return Binding(node, k) != kNoSlot; }
+  const Type* TypeOfPort(NodeIndex node, std::uint32_t k) const {
+    return program_->layout.slots[Binding(node, k)].type;
+  }
   template <class T>
   T& Own(NodeIndex node, std::uint32_t k) {
     Value& value = blackboard_[Binding(node, k)].value;

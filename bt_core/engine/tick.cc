@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "bt_core/engine/executor.h"
-#include "bt_core/nodes/decorator.h"
+#include "bt_core/nodes/control.h"
 
 namespace coppice {
 

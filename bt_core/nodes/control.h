@@ -11,7 +11,18 @@
 //                                     where the node itself sees to it that children are reset
 //   uint64&  memory(node)
 //   NodeIndex EndOf(node)             one past its last descendant; node + 1 is its first child
-//   const T& Port<T>(node, k)         its k-th port
+//   const T& Port<T>(node, k)         the value of its k-th port; throws UnsetInput
+//   bool     HasPort(node, k)         false for an optional port that the XML leaves out
+//   Slot*    SlotOf(node, k)          the slot that the port is bound to; null if there is none
+//   const Type* TypeOfPort(node, k)   the type of that slot; null if it takes any
+//   T&       Own<T>(node, k)          a private slot, which outlives the activation; k counts on
+//                                     behind the ports ("own slot 0" is the first one)
+//   void     RunScript(node, k)       a port of type ScriptCode
+//   bool     TestScript(node, k)
+//   Time     now()                    when this tick began
+//   uint64   ticks()                  number of this tick, from 1
+//   void     WakeAt(time)             asks for a tick at that time at the latest
+//   void     TickAgain()              asks for the next tick at once
 //
 // A skipped child counts as if it were not there; a control node all of whose children were skipped
 // is skipped. Source of the names and rules: Colledanchise and Ögren, "Behavior Trees in Robotics
@@ -19,10 +30,7 @@
 #ifndef COPPICE_BT_CORE_NODES_CONTROL_H_
 #define COPPICE_BT_CORE_NODES_CONTROL_H_
 
-#include <algorithm>
 #include <cstdint>
-#include <stdexcept>
-#include <string>
 
 #include "bt_core/base/status.h"
 
@@ -113,51 +121,6 @@ Status TickReactiveSequence(Tree& tree, NodeIndex node) {
 template <class Tree>
 Status TickReactiveFallback(Tree& tree, NodeIndex node) {
   return internal::TickReactive<Status::kFailure>(tree, node);
-}
-
-/// Children that completed keep their status and are not ticked again until the node ends. After
-/// each child it looks whether the result is decided. A child that is skipped in this tick counts
-/// as if it were not there: a negative threshold -k means "all but k - 1 of the others", and no
-/// threshold is higher than their number, so skipping cannot make it unreachable. Throws
-/// std::invalid_argument if a threshold is higher than the number of all children.
-template <class Tree>
-Status TickParallel(Tree& tree, NodeIndex node) {
-  const NodeIndex end = tree.EndOf(node);
-  int present = 0;  // children that were not skipped, those not yet ticked included
-  for (NodeIndex child = node + 1; child != end; child = tree.EndOf(child)) ++present;
-  const int success_count = tree.template Port<int>(node, 0);
-  const int failure_count = tree.template Port<int>(node, 1);
-  if (success_count > present || failure_count > present) {
-    throw std::invalid_argument("success_count or failure_count is more than the " +
-                                std::to_string(present) + " children");
-  }
-  const auto threshold = [&present](int port) {
-    return port < 0 ? std::max(present + port + 1, 0) : std::min(port, present);
-  };
-  int successes = 0;
-  int failures = 0;
-  int running = 0;
-  for (NodeIndex child = node + 1; child != end; child = tree.EndOf(child)) {
-    const Status before = tree.status(child);
-    const Status result = IsCompleted(before) ? before : tree.Tick(child);
-    successes += result == Status::kSuccess;
-    failures += result == Status::kFailure;
-    running += result == Status::kRunning;
-    present -= result == Status::kSkipped;
-    if (successes + failures + running == 0) continue;  // all skipped so far
-    const int to_succeed = threshold(success_count);
-    if (successes >= to_succeed) {
-      tree.ResetChildren(node);
-      return Status::kSuccess;
-    }
-    if (failures >= threshold(failure_count) || present - failures < to_succeed) {
-      tree.ResetChildren(node);
-      return Status::kFailure;
-    }
-  }
-  if (running > 0) return Status::kRunning;
-  tree.ResetChildren(node);
-  return Status::kSkipped;
 }
 
 }  // namespace coppice

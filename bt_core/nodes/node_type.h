@@ -1,5 +1,8 @@
 // The built-in nodes: a closed set, so that they can be data in a flat array and dispatched by a
-// switch.
+// switch. What they do is in the header of each group: control.h (Sequence, Fallback and their
+// reactive forms), resume.h, parallel.h, pipeline.h, conditional.h, switch.h, try_catch.h,
+// recovery.h, random.h, retry.h, timing.h, rate.h, once.h, breaker.h, filter.h, script_nodes.h,
+// blackboard_nodes.h and test_node.h.
 #ifndef COPPICE_BT_CORE_NODES_NODE_TYPE_H_
 #define COPPICE_BT_CORE_NODES_NODE_TYPE_H_
 
@@ -15,17 +18,57 @@ enum class NodeType : std::uint8_t {
   kFallback,
   kReactiveSequence,
   kReactiveFallback,
-  kParallel,
   kInverter,
   kForceSuccess,
   kForceFailure,
-  kRepeat,
-  kRetryUntilSuccessful,
-  kTimeout,
-  kDelay,
   kSubTree,
   kAlwaysSuccess,
   kAlwaysFailure,
+
+  kAsyncSequence,
+  kAsyncFallback,
+  kSequenceWithMemory,
+  kPersistentSequence,
+  kParallel,
+  kParallelAll,
+  kWorstOf,
+  kPipelineSequence,
+  kNonblockingSequence,
+  kIfThenElse,
+  kWhileDoElse,
+  kSwitchN,  ///< Switch2 .. Switch6
+  kSwitch,
+  kTryCatch,
+  kRecoveryNode,
+  kRoundRobin,
+  kRandomSequence,
+  kRandomSelector,
+
+  kRepeat,
+  kRetryUntilSuccessful,
+  kKeepRunningUntilFailure,
+  kTimeout,
+  kDelay,
+  kRunOnce,
+  kSingleTrigger,
+  kRateController,
+  kCooldown,
+  kCircuitBreaker,
+  kConsecutive,
+  kDebounce,
+  kPrecondition,
+  kSkipUnlessUpdated,
+  kWaitValueUpdate,
+
+  kSleep,
+  kScript,
+  kScriptCondition,
+  kSetBlackboard,
+  kUnsetBlackboard,
+  kWasEntryUpdated,
+  kHysteresis,
+  kTestNode,
+
   kLeaf,     ///< user code
   kUser,     ///< a control node or decorator of a user's class
   kGuarded,  ///< not a node: what a node with guards or hooks is dispatched as
@@ -45,11 +88,10 @@ struct ChildCount {
 struct BuiltIn {
   NodeType type;
   ChildCount children;
-  Manifest manifest;
+  Manifest manifest;  ///< with the private slots, as ports of direction kMailbox
 };
 
-/// Every built-in node. The order of ports is the order of Port(node, k) in the tick
-/// functions.
+/// Every built-in node. The order of ports is the order of Port(node, k) in the tick functions.
 const std::vector<BuiltIn>& BuiltIns();
 
 }  // namespace coppice

@@ -8,6 +8,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "bt_core/base/clock.h"
@@ -18,22 +19,32 @@ namespace coppice::conformance {
 /// A tree to be tested: what it is made of, apart from how it is run.
 struct Shape {
   std::string type;  ///< ID of a built-in node, or "Leaf"
-  std::vector<int> ports;
+  std::vector<std::pair<std::string, std::string>> attributes;
   std::vector<Shape> children;
+
+  /// The text of an attribute, or else `otherwise`.
+  std::string Text(const std::string& name, const std::string& otherwise) const;
+  int Number(const std::string& name, int otherwise) const;
+  Status Result(const std::string& name, Status otherwise) const;
 };
 
 /// The world that a tree of the oracle lives in.
 struct World {
   Time now{0};
+  std::uint64_t tick = 0;
   Time wake_at = kNever;
   bool tick_again = false;
   std::function<Status(int leaf, bool starting)> tick_leaf;
   std::function<void(int leaf)> halt_leaf;
+
+  void WakeAt(Time time) {
+    if (time < wake_at) wake_at = time;
+  }
 };
 
 class OracleNode {
  public:
-  explicit OracleNode(World& world) : world_(world) {}
+  OracleNode(World& world, const Shape& shape) : world_(world), shape_(shape) {}
   virtual ~OracleNode() = default;
 
   Status Tick();
@@ -49,15 +60,22 @@ class OracleNode {
   void ResetChildren();
   Status End(Status result);  // makes the children idle
   OracleNode& child() { return *children.front(); }
+  int count() const { return static_cast<int>(children.size()); }
+  bool was_running() const { return status_ == Status::kRunning; }
 
   World& world_;
+  const Shape& shape_;
 
  private:
   Status status_ = Status::kIdle;
 };
 
-/// Builds the tree of a shape. Leaves are numbered in document order from 0.
+/// Builds the tree of a shape, which must outlive it. Leaves are numbered in document order from 0.
 std::unique_ptr<OracleNode> MakeOracle(const Shape& shape, World& world);
+
+/// The node of a shape, without its children; null if it is not one of the group.
+std::unique_ptr<OracleNode> MakeControl(const Shape& shape, World& world);
+std::unique_ptr<OracleNode> MakeDecorator(const Shape& shape, World& world);
 
 }  // namespace coppice::conformance
 

@@ -15,43 +15,125 @@ class Generator {
   int Uniform(int from, int to) { return std::uniform_int_distribution<int>(from, to)(random_); }
 
   Shape Tree(int depth) {
-    if (depth == 0 || Uniform(0, 9) == 0) {
-      const int kind = Uniform(0, 9);
-      if (kind == 0) return {"AlwaysSuccess", {}, {}};
-      if (kind == 1) return {"AlwaysFailure", {}, {}};
-      return {"Leaf", {}, {}};
-    }
-    return Uniform(0, 1) == 0 ? Control(depth) : Decorator(depth);
-  }
-
- private:
-  Shape Control(int depth) {
-    static const char* const kTypes[] = {"Sequence", "Fallback", "ReactiveSequence",
-                                         "ReactiveFallback", "Parallel"};
-    Shape shape{kTypes[Uniform(0, 4)], {}, {}};
-    const int children = Uniform(1, 4);
-    if (shape.type == "Parallel") {
-      shape.ports = {Uniform(-children - 1, children), Uniform(-children - 1, children)};
+    if (depth == 0 || Uniform(0, 9) == 0) return LeafOfTree();
+    const NodeKind& kind = Pick(Uniform(0, 1) == 0 ? kControls : kDecorators);
+    Shape shape{kind.type, {}, {}};
+    const int children = Uniform(kind.min_children, kind.max_children);
+    for (const PortKind& port : kind.ports) {
+      if (Uniform(0, 3) == 0 && !port.required) continue;
+      shape.attributes.emplace_back(port.name, Value(port, children));
     }
     for (int i = 0; i < children; ++i) shape.children.push_back(Tree(depth - 1));
     return shape;
   }
 
-  Shape Decorator(int depth) {
-    static const char* const kTypes[] = {"Inverter", "ForceSuccess", "ForceFailure",
-                                         "SubTree",  "Repeat",       "RetryUntilSuccessful",
-                                         "Timeout",  "Delay"};
-    Shape shape{kTypes[Uniform(0, 7)], {}, {}};
-    if (shape.type == "Repeat" || shape.type == "RetryUntilSuccessful") {
-      shape.ports = {Uniform(-1, 3)};
-    } else if (shape.type == "Timeout" || shape.type == "Delay") {
-      shape.ports = {Uniform(0, 3) * 70};
-    }
-    shape.children.push_back(Tree(depth - 1));
+ private:
+  // The values of a port: texts, or numbers from .. to, times the factor.
+  struct PortKind {
+    const char* name;
+    bool required;
+    int from;
+    int to;
+    int factor = 1;
+    std::vector<const char*> texts = {};
+  };
+  struct NodeKind {
+    const char* type;
+    int min_children;
+    int max_children;
+    std::vector<PortKind> ports = {};
+  };
+  static constexpr int kChildren = 99;  // stands for the number of children
+
+  static const std::vector<NodeKind> kControls;
+  static const std::vector<NodeKind> kDecorators;
+  static const std::vector<NodeKind> kLeaves;
+
+  template <class T>
+  const T& Pick(const std::vector<T>& all) {
+    return all[static_cast<std::size_t>(Uniform(0, static_cast<int>(all.size()) - 1))];
+  }
+
+  Shape LeafOfTree() {
+    if (Uniform(0, 9) < 8) return {"Leaf", {}, {}};
+    const NodeKind& kind = Pick(kLeaves);
+    Shape shape{kind.type, {}, {}};
+    for (const PortKind& port : kind.ports)
+      shape.attributes.emplace_back(port.name, Value(port, 0));
     return shape;
   }
 
+  std::string Value(const PortKind& port, int children) {
+    if (!port.texts.empty()) return Pick(port.texts);
+    const int from = port.from == -kChildren ? -children - 1 : port.from;
+    const int to = port.to == kChildren ? children : port.to;
+    return std::to_string(Uniform(from, to) * port.factor);
+  }
+
   std::mt19937 random_;
+};
+
+const std::vector<Generator::NodeKind> Generator::kControls = {
+    {"Sequence", 1, 4},
+    {"Fallback", 1, 4},
+    {"ReactiveSequence", 1, 4},
+    {"ReactiveFallback", 1, 4},
+    {"AsyncSequence", 1, 4},
+    {"AsyncFallback", 1, 4},
+    {"SequenceWithMemory", 1, 4},
+    {"Parallel",
+     1,
+     4,
+     {{"success_count", false, -kChildren, kChildren},
+      {"failure_count", false, -kChildren, kChildren}}},
+    {"ParallelAll", 1, 4, {{"max_failures", false, -kChildren, kChildren}}},
+    {"WorstOf", 1, 4},
+    {"PipelineSequence", 1, 4},
+    {"NonblockingSequence", 1, 4},
+    {"IfThenElse", 2, 3},
+    {"WhileDoElse", 2, 3},
+    {"TryCatch", 2, 4},
+    {"RecoveryNode", 2, 2, {{"number_of_retries", false, -1, 3}}},
+    {"RoundRobin", 1, 4, {{"wrap_around", false, 0, 0, 1, {"true", "false"}}}},
+};
+
+const std::vector<Generator::NodeKind> Generator::kDecorators = {
+    {"Inverter", 1, 1},
+    {"ForceSuccess", 1, 1},
+    {"ForceFailure", 1, 1},
+    {"SubTree", 1, 1},
+    {"Repeat", 1, 1, {{"num_cycles", true, -1, 3}}},
+    {"RetryUntilSuccessful", 1, 1, {{"num_attempts", true, -1, 3}}},
+    {"KeepRunningUntilFailure", 1, 1},
+    {"Timeout", 1, 1, {{"msec", true, 0, 3, 70}}},
+    {"Delay", 1, 1, {{"delay_msec", true, 0, 3, 70}}},
+    {"RunOnce", 1, 1, {{"then_skip", false, 0, 0, 1, {"true", "false"}}}},
+    {"SingleTrigger", 1, 1},
+    {"RateController", 1, 1, {{"hz", false, 1, 20}}},
+    {"Cooldown",
+     1,
+     1,
+     {{"msec", true, 0, 3, 70}, {"if_cooling", false, 0, 0, 1, {"SUCCESS", "RUNNING", "SKIPPED"}}}},
+    {"CircuitBreaker",
+     1,
+     1,
+     {{"max_failures", false, 1, 3},
+      {"period_msec", false, 0, 5, 70},
+      {"open_msec", false, 0, 5, 70},
+      {"if_open", false, 0, 0, 1, {"SUCCESS", "RUNNING", "SKIPPED"}}}},
+    {"Consecutive", 1, 1, {{"successes", false, 0, 3}, {"failures", false, 0, 3}}},
+    {"Debounce", 1, 1, {{"success_msec", false, 0, 3, 70}, {"failure_msec", false, 0, 3, 70}}},
+};
+
+const std::vector<Generator::NodeKind> Generator::kLeaves = {
+    {"AlwaysSuccess", 0, 0},
+    {"AlwaysFailure", 0, 0},
+    {"Sleep", 0, 0, {{"msec", true, 0, 3, 70}}},
+    {"TestNode",
+     0,
+     0,
+     {{"return_status", false, 0, 0, 1, {"SUCCESS", "FAILURE", "SKIPPED"}},
+      {"async_delay", false, 0, 3, 70}}},
 };
 
 TEST(RandomTrees, DoWhatTheOracleDoes) {

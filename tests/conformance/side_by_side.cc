@@ -11,20 +11,6 @@ namespace {
 // Kinds of log entries.
 enum : std::int64_t { kStart = 1000, kTicked = 2000, kHalted = 3000, kResult = 4000, kNode = 5000 };
 
-const std::vector<std::string>& PortNames(const std::string& type) {
-  static const std::vector<std::pair<std::string, std::vector<std::string>>> names = {
-      {"Parallel", {"success_count", "failure_count"}},
-      {"Repeat", {"num_cycles"}},
-      {"RetryUntilSuccessful", {"num_attempts"}},
-      {"Timeout", {"msec"}},
-      {"Delay", {"delay_msec"}}};
-  static const std::vector<std::string> none;
-  for (const auto& [id, ports] : names) {
-    if (id == type) return ports;
-  }
-  return none;
-}
-
 void AppendXml(const Shape& shape, int& leaf, int& tree, std::string& xml, std::string& trees) {
   if (shape.type == "Leaf") {
     xml += "<Leaf name=\"" + std::to_string(leaf++) + "\"/>";
@@ -39,10 +25,7 @@ void AppendXml(const Shape& shape, int& leaf, int& tree, std::string& xml, std::
     return;
   }
   xml += "<" + shape.type;
-  const std::vector<std::string>& names = PortNames(shape.type);
-  for (std::size_t k = 0; k < names.size(); ++k) {
-    xml += " " + names[k] + "=\"" + std::to_string(shape.ports.at(k)) + "\"";
-  }
+  for (const auto& [name, text] : shape.attributes) xml += " " + name + "=\"" + text + "\"";
   xml += ">";
   for (const Shape& child : shape.children) AppendXml(child, leaf, tree, xml, trees);
   xml += "</" + shape.type + ">";
@@ -84,14 +67,14 @@ class SideBySide::ScriptedLeaf : public Leaf {
 };
 
 SideBySide::SideBySide(const Shape& shape, std::function<int()> choose)
-    : xml_(ToXml(shape)), choose_(std::move(choose)) {
+    : shape_(shape), xml_(ToXml(shape)), choose_(std::move(choose)) {
   world_.tick_leaf = [this](int leaf, bool starting) {
     expected_.push_back((starting ? kStart : kTicked) + leaf);
     choices_.push_back(choose_());
     return choices_.back() == kThrow ? Status::kFailure : static_cast<Status>(choices_.back());
   };
   world_.halt_leaf = [this](int leaf) { expected_.push_back(kHalted + leaf); };
-  oracle_ = MakeOracle(shape, world_);
+  oracle_ = MakeOracle(shape_, world_);
   Flatten(*oracle_, oracle_nodes_);
 
   auto registry = std::make_shared<Registry>();
@@ -110,6 +93,7 @@ SideBySide::SideBySide(const Shape& shape, std::function<int()> choose)
 SideBySide::~SideBySide() = default;
 
 void SideBySide::Tick() {
+  ++world_.tick;
   world_.wake_at = kNever;
   world_.tick_again = false;
   choices_.clear();

@@ -39,6 +39,7 @@ class SideBySide {
   void LogStatuses();
   std::string Print(const Log& log) const;
 
+  const Shape shape_;
   std::string xml_;
   std::function<int()> choose_;
   std::vector<int> choices_;     // of the oracle in this tick

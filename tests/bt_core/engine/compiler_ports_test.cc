@@ -107,8 +107,7 @@ TEST(Ports, ParallelSaysWhenAThresholdIsTooHigh) {
   const KeepingSink& sink = stage.Listen();
   EXPECT_EQ(stage.executor->Tick(), Status::kFailure);
   ASSERT_EQ(sink.ticks[0].messages.size(), 1U);
-  EXPECT_EQ(sink.ticks[0].messages[0].text,
-            "success_count or failure_count is more than the 2 children");
+  EXPECT_EQ(sink.ticks[0].messages[0].text, "asks for 3 of 2 children");
 }
 
 }  // namespace

@@ -7,12 +7,11 @@
 namespace coppice {
 namespace {
 
-TEST(BuiltIns, AreInTheOrderOfTheirTypes) {
-  const auto& all = BuiltIns();
-  ASSERT_EQ(all.size(), static_cast<std::size_t>(NodeType::kLeaf));
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    EXPECT_EQ(static_cast<std::size_t>(all[i].type), i) << all[i].manifest.id;
-  }
+TEST(BuiltIns, AreAllTypesThatAreNotUserCode) {
+  std::set<NodeType> types;
+  for (const BuiltIn& node : BuiltIns()) types.insert(node.type);
+  EXPECT_EQ(types.size(), static_cast<std::size_t>(NodeType::kLeaf));
+  EXPECT_EQ(types.upper_bound(NodeType::kLeaf), types.end());
 }
 
 TEST(BuiltIns, HaveDistinctIdsAndDescriptions) {
@@ -28,21 +27,71 @@ TEST(BuiltIns, HaveDistinctIdsAndDescriptions) {
 
 TEST(BuiltIns, HaveChildrenAccordingToTheirCategory) {
   for (const BuiltIn& node : BuiltIns()) {
-    const bool control = node.manifest.category == NodeCategory::kControl;
-    const bool decorator = node.manifest.category == NodeCategory::kDecorator;
-    EXPECT_EQ(node.children.min, control || decorator ? 1U : 0U) << node.manifest.id;
-    EXPECT_EQ(node.children.max, control ? UINT32_MAX : decorator ? 1U : 0U) << node.manifest.id;
+    const NodeCategory category = node.manifest.category;
+    const bool control = category == NodeCategory::kControl;
+    const bool decorator = category == NodeCategory::kDecorator;
+    EXPECT_EQ(node.children.min > 0, control || decorator) << node.manifest.id;
+    EXPECT_EQ(node.children.max > 1, control) << node.manifest.id;
+    EXPECT_LE(node.children.min, node.children.max) << node.manifest.id;
+    if (decorator) {
+      EXPECT_EQ(node.children.max, 1U) << node.manifest.id;
+    }
   }
 }
 
 TEST(BuiltIns, DefaultsAreValuesOfTheirPorts) {
   for (const BuiltIn& node : BuiltIns()) {
     for (const PortDeclaration& port : node.manifest.ports) {
-      EXPECT_EQ(port.required, !port.default_text.has_value());
       if (!port.default_text) continue;
+      EXPECT_FALSE(port.required) << port.name;
       Value value;
       EXPECT_TRUE(value.Parse(*port.type, *port.default_text)) << port.name;
     }
+  }
+}
+
+TEST(BuiltIns, HaveTheIdsOfThePeer) {
+  std::set<std::string> ids;
+  for (const BuiltIn& node : BuiltIns()) ids.insert(node.manifest.id);
+  for (const char* id : {"AlwaysFailure",
+                         "AlwaysSuccess",
+                         "AsyncFallback",
+                         "AsyncSequence",
+                         "Delay",
+                         "Fallback",
+                         "ForceFailure",
+                         "ForceSuccess",
+                         "IfThenElse",
+                         "Inverter",
+                         "KeepRunningUntilFailure",
+                         "Parallel",
+                         "ParallelAll",
+                         "Precondition",
+                         "ReactiveFallback",
+                         "ReactiveSequence",
+                         "Repeat",
+                         "RetryUntilSuccessful",
+                         "RunOnce",
+                         "Script",
+                         "ScriptCondition",
+                         "Sequence",
+                         "SequenceWithMemory",
+                         "SetBlackboard",
+                         "SkipUnlessUpdated",
+                         "Sleep",
+                         "SubTree",
+                         "Switch2",
+                         "Switch3",
+                         "Switch4",
+                         "Switch5",
+                         "Switch6",
+                         "Timeout",
+                         "TryCatch",
+                         "UnsetBlackboard",
+                         "WaitValueUpdate",
+                         "WasEntryUpdated",
+                         "WhileDoElse"}) {
+    EXPECT_EQ(ids.count(id), 1U) << id;
   }
 }
 
