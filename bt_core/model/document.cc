@@ -20,6 +20,9 @@ namespace {
 
 constexpr const char* kBlanks = " \t\n\v\f\r";
 
+// An element for tinyxml2: </a/>. Neither a start tag nor an end tag; nobody can mean it.
+bool IsMixedTag(const Element& element) { return element.tag.data()[-1] == '/'; }
+
 // tinyxml2 parses a copy of the text and hands out pointers into it, so the distance of two
 // pointers is the distance of two bytes in the user's file. It only lacks the start of its copy,
 // which the first node gives: where it lies in the text is known.
@@ -30,7 +33,7 @@ const char* StartOfBuffer(const tinyxml2::XMLDocument& xml, const std::string& t
     at = text.find_first_not_of(kBlanks);
     if (text.compare(at, 3, "\xEF\xBB\xBF") == 0) at += 3;
   } else if (first->ToElement()) {
-    at = text.find_first_not_of(kBlanks, at + 1);  // "< name" is accepted
+    at = text.find_first_not_of(" \t\n\v\f\r/", at + 1);  // "< name" is accepted
   } else if (first->ToText()) {
     at += std::string_view("<![CDATA[").size();
   } else if (first->ToComment()) {
@@ -70,6 +73,10 @@ std::optional<Document> Document::FromText(std::string text, std::string file,
   }
   const char* const start = StartOfBuffer(xml, document.text());
   document.BuildIndex(xml, start);
+  if (std::any_of(document.elements_.begin(), document.elements_.end(), IsMixedTag)) {
+    document.ReportError(xml, diagnostics);
+    return std::nullopt;
+  }
   document.WarnOutsideRoot(xml, start, diagnostics);
   WarnOfLaxXml(document, diagnostics);
   return document;
@@ -145,9 +152,11 @@ Attribute Document::MakeAttribute(std::uint32_t name, std::size_t name_length) {
 void Document::BuildIndex(const tinyxml2::XMLDocument& xml, const char* start) {
   const auto offset_of = [start](const char* at) { return static_cast<std::uint32_t>(at - start); };
 
-  const auto tags = static_cast<std::size_t>(std::count(text_->begin(), text_->end(), '<'));
-  elements_.reserve(tags);
-  attributes_.reserve(2 * tags);
+  const auto count = [this](char c) {
+    return static_cast<std::size_t>(std::count(text_->begin(), text_->end(), c));
+  };
+  elements_.reserve(count('<'));
+  attributes_.reserve(count('='));
   const tinyxml2::XMLElement* at = xml.RootElement();
   ElementIndex parent = kNoElement;
   ElementIndex previous = kNoElement;  // sibling before `at`

@@ -143,7 +143,7 @@ Edit SetTag(const Document& document, ElementIndex index, std::string_view tag) 
   const std::size_t name = element.tag.data() - document.text().data();
   Edit edit = {Replacement(name, name + element.tag.size(), std::string(tag))};
   if (!element.is_self_closing()) {
-    const std::size_t end_name = EndTagOffset(document, element) + 2;
+    const std::size_t end_name = document.text().find('/', EndTagOffset(document, element)) + 1;
     edit.push_back(Replacement(end_name, end_name + element.tag.size(), std::string(tag)));
   }
   return edit;

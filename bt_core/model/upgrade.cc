@@ -124,21 +124,28 @@ class Upgrader {
 
   void UpgradeSubTree(ElementIndex index) {
     const Element& element = document_.element(index);
-    const bool plus = element.tag == "SubTreePlus";
-    if (plus) {
+    UpgradeAutoremap(index);
+    if (element.tag == "SubTreePlus") {
       Add(SetTag(document_, index, "SubTree"));
-      Add(RenameAttribute(document_, index, "__autoremap", "_autoremap"));
-    } else {
-      for (const Attribute* a = document_.attributes_begin(element);
-           a != document_.attributes_end(element); ++a) {
-        if (IsPort(*a)) UpgradeRemapping(index, *a);
-      }
+      return;
     }
-    if (const Attribute* shared = document_.FindAttribute(element, "__shared_blackboard")) {
-      Add(IsTrue(shared->value)
-              ? RenameAttribute(document_, index, "__shared_blackboard", "_autoremap")
-              : RemoveAttribute(document_, index, "__shared_blackboard"));
+    for (const Attribute* a = document_.attributes_begin(element);
+         a != document_.attributes_end(element); ++a) {
+      if (IsPort(*a)) UpgradeRemapping(index, *a);
     }
+  }
+
+  // One of the two old attributes becomes the new one, unless that is there already.
+  void UpgradeAutoremap(ElementIndex index) {
+    const Element& element = document_.element(index);
+    const bool done = document_.FindAttribute(element, "_autoremap") != nullptr;
+    const bool shared = IsTrue(document_.AttributeValue(element, "__shared_blackboard"));
+    const auto upgrade = [&](std::string_view old, bool counts) {
+      Add(counts && !done ? RenameAttribute(document_, index, old, "_autoremap")
+                          : RemoveAttribute(document_, index, old));
+    };
+    upgrade("__shared_blackboard", shared);
+    upgrade("__autoremap", !shared);
   }
 
   void UpgradeRemapping(ElementIndex index, const Attribute& port) {

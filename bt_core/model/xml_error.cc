@@ -185,6 +185,11 @@ class Checker {
     if (auto error = tag.Read()) return error;
     if (!piece.is_closed) return XmlError{piece.begin, Unclosed(piece.kind), ""};
     seen_markup_ = seen_root_ = true;
+    if (tag.is_self_closing() && tag.is_end_tag()) {
+      const std::string name(tag.name());
+      return XmlError{piece.begin, "</" + name + "/> is neither a start tag nor an end tag",
+                      "write <" + name + "/> or </" + name + ">"};
+    }
     if (tag.is_self_closing()) return std::nullopt;
     if (tag.is_end_tag()) return Close(tag.name(), piece.begin);
     open_.push_back({tag.name(), piece.begin});

@@ -12,6 +12,11 @@ namespace coppice::fuzz {
 /// incomplete project, 2 no program, 3 ticked.
 int FuzzDocument(std::string_view bytes);
 
+/// The first 16 bytes as choices of edits, the others as an XML file, which is upgraded, edited and
+/// restored by undoing. Checks that edits are in order and that the restored text is the old one.
+/// Returns 0 if it is no XML, else 1 and the number of edits done, at most 4.
+int FuzzEdit(std::string_view bytes);
+
 /// The bytes as a literal of each built-in type. What is accepted must print to a text that is
 /// accepted again with the same result. Returns the number of types that took it.
 int FuzzLiteral(std::string_view bytes);

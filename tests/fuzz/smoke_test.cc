@@ -113,6 +113,34 @@ TEST(Fuzz, MutatedTreesNeverCrash) {
   for (const int count : reached) EXPECT_GT(count, 50) << "every stage must be reached";
 }
 
+constexpr const char* kTree3 = R"(<root main_tree_to_execute="M">
+  <!-- format 3 -->
+  <BehaviorTree ID="M">
+    <SequenceStar name="s"> <!-- c -->
+      <SubTree ID="T" a="b" __shared_blackboard="true"/>
+      <BlackboardCheckInt value_A="{x}" value_B="3"
+                          return_on_mismatch="SUCCESS">
+        <SubTreePlus ID="T" __autoremap="1"></SubTreePlus>
+      </BlackboardCheckInt>
+      <Parallel threshold="2"><A/><![CDATA[ < ]]><B x='a &lt; b && c'/></Parallel>
+    </SequenceStar>
+  </BehaviorTree>
+</root>
+)";
+
+TEST(Fuzz, EditsOfMutatedTreesCanBeUndone) {
+  int reached[6] = {};
+  for (unsigned seed = 0; seed < 20000; ++seed) {
+    std::mt19937 random(seed);
+    std::string choices;
+    for (int i = 0; i < 16; ++i) choices += static_cast<char>(random() % 256);
+    const std::string text = seed % 2 == 0 ? kTree : kTree3;
+    ++reached[FuzzEdit(choices + Mutator(seed).Mutate(text))];
+  }
+  EXPECT_GT(reached[0], 1000) << "some are no XML";
+  EXPECT_GT(reached[5], 1000) << "many take all edits";
+}
+
 TEST(Fuzz, MutatedLiteralsNeverCrash) {
   const char* const kLiterals[] = {"true", "-2147483648", "18446744073709551615", "1.5e-300",
                                    "0x1p-1074"};
@@ -143,7 +171,10 @@ TEST(Fuzz, MutatedScenariosNeverCrash) {
 // What once crashed a harness must not do so again: regressions/NAME/* are inputs of FuzzName.
 TEST(Fuzz, WhatOnceCrashedDoesNotAnyMore) {
   const std::pair<const char*, int (*)(std::string_view)> harnesses[] = {
-      {"document", FuzzDocument}, {"literal", FuzzLiteral}, {"scenario", FuzzScenario}};
+      {"document", FuzzDocument},
+      {"edit", FuzzEdit},
+      {"literal", FuzzLiteral},
+      {"scenario", FuzzScenario}};
   for (const auto& [name, harness] : harnesses) {
     const auto folder = std::filesystem::path(COPPICE_SOURCE_DIR "/tests/fuzz/regressions") / name;
     if (!std::filesystem::exists(folder)) continue;

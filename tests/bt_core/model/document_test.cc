@@ -160,14 +160,13 @@ TEST(Document, KnowsWhereElementsEnd) {
 }
 
 TEST(Document, KnowsWhereElementsEndInWhatOnlyTinyxml2Accepts) {
-  const std::string text = "<a><b>< c></c x='>'></b></d/></a><!-- --- -->";
+  const std::string text = "<a><b>< c></c x='>'></b></a><!-- --- -->";
   const auto document = Load(text).document;
   ASSERT_TRUE(document);
-  ASSERT_EQ(document->elements().size(), 4U) << "</d/> counts as a self-closing element";
+  ASSERT_EQ(document->elements().size(), 3U);
   EXPECT_EQ(document->element(0).end, text.find("<!--"));
-  EXPECT_EQ(document->element(1).end, text.find("</d"));
+  EXPECT_EQ(document->element(1).end, text.find("</a>"));
   EXPECT_EQ(document->element(2).end, text.find("</b"));
-  EXPECT_EQ(document->element(3).end, text.find("</a>"));
 }
 
 TEST(Document, FindsTheInnermostElementAtAPlace) {
@@ -249,6 +248,14 @@ TEST(Document, WithoutElementThereIsNoDocument) {
   for (const char* text : {"", " \n", "<!-- only -->", "<?xml version='1.0'?>"}) {
     EXPECT_EQ(FirstError(text), expected) << text;
   }
+}
+
+TEST(Document, ATagThatBeginsAndEndsIsRefused) {
+  EXPECT_EQ(FirstError("</a/>"),
+            "t.xml:1:1: error: </a/> is neither a start tag nor an end tag "
+            "(write <a/> or </a>)");
+  EXPECT_NE(FirstError("<a>\n<b></c/></b></a>").find("t.xml:2:4: error: </c/> is neither"),
+            std::string::npos);
 }
 
 TEST(Document, Utf16IsNamed) {

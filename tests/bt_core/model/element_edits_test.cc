@@ -146,6 +146,8 @@ TEST(SetTag, ChangesBothTags) {
   EXPECT_EQ(After(document, SetTag(document, 1, "new")), "<a><new x='1'><b/></new ><c/></a>");
   EXPECT_EQ(After(document, SetTag(document, 2, "new")), "<a><b x='1'><new/></b ><c/></a>");
   EXPECT_TRUE(SetTag(document, 1, "b").empty());
+  const Document lax = Parsed("<a>< b>< /b></a>");
+  EXPECT_EQ(After(lax, SetTag(lax, 1, "new")), "<a>< new>< /new></a>");
 }
 
 TEST(WrapElements, IndentsWhatIsNowInside) {

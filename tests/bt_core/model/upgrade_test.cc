@@ -100,6 +100,15 @@ TEST(Upgrade, SubTreePlusIsTheSubTreeOfFormat4) {
             "<SubTree ID='T' _autoremap='1' a='value' b='{key}'></SubTree>");
 }
 
+TEST(Upgrade, ThereIsOneAutoremapAtMost) {
+  EXPECT_EQ(Node("<SubTreePlus ID='T' __autoremap='0' __shared_blackboard='1'/>"),
+            "<SubTree ID='T' _autoremap='1'/>");
+  EXPECT_EQ(Node("<SubTreePlus ID='T' __autoremap='1' __shared_blackboard='0'/>"),
+            "<SubTree ID='T' _autoremap='1'/>");
+  EXPECT_EQ(Node("<SubTreePlus ID='T' _autoremap='0' __autoremap='1'/>"),
+            "<SubTree ID='T' _autoremap='0'/>");
+}
+
 TEST(Upgrade, ThresholdsAreCounts) {
   EXPECT_EQ(Node("<Parallel threshold='2'/>"), "<Parallel success_count='2'/>");
   EXPECT_EQ(Node("<Parallel success_threshold='2' failure_threshold='3'/>"),
