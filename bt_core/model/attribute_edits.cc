@@ -8,16 +8,9 @@
 namespace coppice {
 namespace {
 
-Splice Replacement(std::size_t begin, std::size_t end, std::string text) {
-  return {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end - begin),
-          std::move(text)};
-}
-
-bool IsBlank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
-
 // Where the blanks before an attribute begin.
 std::size_t BlanksBefore(const std::string& text, std::size_t offset) {
-  return text.find_last_not_of(" \t\r\n", offset - 1) + 1;
+  return text.find_last_not_of(kXmlBlanks, offset - 1) + 1;
 }
 
 // Scripts of several lines keep their lines if the old value had such.
@@ -67,7 +60,7 @@ Edit RemoveAttribute(const Document& document, ElementIndex index, std::string_v
   const std::string& text = document.text();
   const std::size_t end = attribute->value_end + std::size_t{1};
   // Attributes that touch each other keep the blank that parts them from the tag.
-  const bool next_touches = !IsBlank(text[end]) && text[end] != '>' && text[end] != '/';
+  const bool next_touches = NameLength(std::string_view(text).substr(end)) > 0;
   return {Replacement(
       next_touches ? attribute->name_offset : BlanksBefore(text, attribute->name_offset), end, "")};
 }

@@ -18,8 +18,6 @@
 namespace coppice {
 namespace {
 
-constexpr const char* kBlanks = " \t\n\v\f\r";
-
 // An element for tinyxml2: </a/>. Neither a start tag nor an end tag; nobody can mean it.
 bool IsMixedTag(const Element& element) { return element.tag.data()[-1] == '/'; }
 
@@ -30,7 +28,7 @@ const char* StartOfBuffer(const tinyxml2::XMLDocument& xml, const std::string& t
   const tinyxml2::XMLNode* first = xml.FirstChild();
   std::size_t at = text.find('<');
   if (const tinyxml2::XMLText* leading = first->ToText(); leading && !leading->CData()) {
-    at = text.find_first_not_of(kBlanks);
+    at = text.find_first_not_of(kXmlBlanks);
     if (text.compare(at, 3, "\xEF\xBB\xBF") == 0) at += 3;
   } else if (first->ToElement()) {
     at = text.find_first_not_of(" \t\n\v\f\r/", at + 1);  // "< name" is accepted
@@ -261,10 +259,10 @@ std::string Document::TextOf(const Element& element) const {
     }
     at = piece.end;
   }
-  const std::size_t first = result.find_first_not_of(kBlanks);
+  const std::size_t first = result.find_first_not_of(kXmlBlanks);
   return first == std::string::npos
              ? std::string()
-             : result.substr(first, result.find_last_not_of(kBlanks) - first + 1);
+             : result.substr(first, result.find_last_not_of(kXmlBlanks) - first + 1);
 }
 
 std::uint32_t Document::OffsetInValue(const Attribute& attribute,

@@ -10,9 +10,11 @@
 #ifndef COPPICE_BT_CORE_MODEL_EDIT_H_
 #define COPPICE_BT_CORE_MODEL_EDIT_H_
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace coppice {
@@ -22,6 +24,12 @@ struct Splice {
   std::uint32_t removed = 0;  ///< bytes
   std::string inserted;
 };
+
+/// Replaces the bytes from `begin` up to `end`.
+inline Splice Replacement(std::size_t begin, std::size_t end, std::string text) {
+  return {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end - begin),
+          std::move(text)};
+}
 
 /// In the order of their offsets, not overlapping.
 using Edit = std::vector<Splice>;

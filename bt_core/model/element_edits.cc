@@ -5,20 +5,10 @@
 
 #include "bt_core/model/layout.h"
 #include "bt_core/model/markup.h"
+#include "bt_core/model/xml_text.h"
 
 namespace coppice {
 namespace {
-
-constexpr const char* kBlanks = " \t\r\n";
-
-Splice Insertion(std::size_t offset, std::string text) {
-  return {static_cast<std::uint32_t>(offset), 0, std::move(text)};
-}
-
-Splice Replacement(std::size_t begin, std::size_t end, std::string text) {
-  return {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end - begin),
-          std::move(text)};
-}
 
 std::string_view TextBetween(const Document& document, std::size_t begin, std::size_t end) {
   return std::string_view(document.text()).substr(begin, end - begin);
@@ -64,7 +54,7 @@ Place PlaceInEmpty(const Document& document, ElementIndex parent) {
   const std::string last_line = outer ? line_end + std::string(*outer) : "";
   if (element.is_self_closing()) {
     const std::size_t slash = element.end - 2;
-    place.begin = text.find_last_not_of(kBlanks, slash - 1) + 1;
+    place.begin = text.find_last_not_of(kXmlBlanks, slash - 1) + 1;
     place.end = element.end;
     place.before = ">" + line;
     place.after = last_line + "</" + std::string(element.tag) + ">";
@@ -72,7 +62,7 @@ Place PlaceInEmpty(const Document& document, ElementIndex parent) {
   }
   const std::size_t end_tag = EndTagOffset(document, element);
   const std::string_view content = TextBetween(document, element.start_tag_end, end_tag);
-  const std::size_t last = content.find_last_not_of(kBlanks);
+  const std::size_t last = content.find_last_not_of(kXmlBlanks);
   const std::size_t used = last == std::string_view::npos ? 0 : last + 1;
   place.begin = place.end = element.start_tag_end + used;
   place.before = line;
@@ -194,7 +184,8 @@ Edit WrapElements(const Document& document, ElementIndex first, std::uint32_t co
   const std::size_t end = document.element(last).end;
   const auto outer = IndentationAt(document.text(), begin);
   const std::string name(tag);
-  if (!outer) return {Insertion(begin, "<" + name + ">"), Insertion(end, "</" + name + ">")};
+  if (!outer)
+    return {Replacement(begin, begin, "<" + name + ">"), Replacement(end, end, "</" + name + ">")};
 
   const std::string line_end(LineEndAt(document.text(), begin));
   std::string inner(*outer);
@@ -211,8 +202,8 @@ Edit UnwrapElement(const Document& document, ElementIndex index) {
   if (element.child_count == 0) return RemoveElement(document, index);
   const std::size_t end_tag = EndTagOffset(document, element);
   const std::string_view text = document.text();
-  const std::size_t begin = text.find_first_not_of(kBlanks, element.start_tag_end);
-  const std::size_t end = text.find_last_not_of(kBlanks, end_tag - 1) + 1;
+  const std::size_t begin = text.find_first_not_of(kXmlBlanks, element.start_tag_end);
+  const std::size_t end = text.find_last_not_of(kXmlBlanks, end_tag - 1) + 1;
   const auto outer = IndentationAt(text, element.offset);
   const auto inner = IndentationAt(text, begin);
   const std::string_view content = TextBetween(document, begin, end);

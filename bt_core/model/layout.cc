@@ -124,7 +124,7 @@ Splice RemovalOfLine(std::string_view text, std::size_t begin, std::size_t end) 
       begin = text.find_last_not_of(" \t", begin - 1) + 1;
     }
   }
-  return {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end - begin), ""};
+  return Replacement(begin, end, "");
 }
 
 std::string Reindent(std::string_view xml, std::string_view from, std::string_view to,

@@ -14,8 +14,6 @@
 namespace coppice {
 namespace {
 
-constexpr const char* kBlanks = " \t\r\n";
-
 enum class Laxity : std::uint8_t {
   kAmpersand,
   kLessThan,
@@ -68,8 +66,8 @@ class Finder {
   // Behind the root element, an end tag ends the document for tinyxml2.
   bool IsCutShort(std::size_t at) const {
     if (at < document_.element(0).end || text_[at] != '<') return false;
-    return text_.substr(std::min(text_.find_first_not_of(kBlanks, at + 1), text_.size() - 1), 1) ==
-           "/";
+    return text_.substr(std::min(text_.find_first_not_of(kXmlBlanks, at + 1), text_.size() - 1),
+                        1) == "/";
   }
 
   void Check(const Markup& piece) {
@@ -115,7 +113,7 @@ class Finder {
 
   void CheckDeclaration(const Markup& piece) {
     const std::size_t first = text_.substr(0, 3) == "\xEF\xBB\xBF" ? 3 : 0;
-    const bool only_blanks = text_.find_first_not_of(kBlanks, first) == piece.begin;
+    const bool only_blanks = text_.find_first_not_of(kXmlBlanks, first) == piece.begin;
     if (only_blanks && piece.begin > first) {
       Add(Laxity::kLateDeclaration, first, piece.begin - first, "");
     }
@@ -143,16 +141,14 @@ class Finder {
   void CheckEndTag(const Markup& piece) {
     const std::size_t name = text_.find('/', piece.begin) + 1;
     const std::size_t name_end = text_.find_first_of(" \t\r\n\v\f>", name);
-    const std::size_t rest = text_.find_first_not_of(kBlanks, name_end);
+    const std::size_t rest = text_.find_first_not_of(kXmlBlanks, name_end);
     if (name == piece.begin + 2 && rest == piece.end - 1) return;
     Add(Laxity::kTag, piece.begin, piece.end - piece.begin,
         "</" + std::string(text_.substr(name, name_end - name)) + ">");
   }
 
   void Add(Laxity kind, std::size_t offset, std::size_t removed, std::string inserted) {
-    found_.push_back({kind,
-                      {static_cast<std::uint32_t>(offset), static_cast<std::uint32_t>(removed),
-                       std::move(inserted)}});
+    found_.push_back({kind, Replacement(offset, offset + removed, std::move(inserted))});
   }
 
   const Document& document_;

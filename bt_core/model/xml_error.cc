@@ -14,8 +14,6 @@ namespace {
 // tinyxml2 counts the document and the end tag as levels.
 constexpr std::size_t kDeepest = TINYXML2_MAX_ELEMENT_DEPTH - 2;
 
-constexpr const char* kBlanks = " \t\r\n\v\f";
-
 std::string LineOf(std::string_view text, std::size_t offset) {
   const auto before = text.substr(0, offset);
   return std::to_string(std::count(before.begin(), before.end(), '\n') + 1);
@@ -70,7 +68,7 @@ class TagReader {
     ++at_;
     return true;
   }
-  void SkipBlanks() { at_ = std::min(text_.find_first_not_of(kBlanks, at_), end_); }
+  void SkipBlanks() { at_ = std::min(text_.find_first_not_of(kXmlBlanks, at_), end_); }
 
   std::string_view ReadName() {
     const std::size_t begin = at_;
@@ -175,7 +173,7 @@ class Checker {
   }
 
   std::optional<XmlError> CheckText(const Markup& piece) const {
-    const std::size_t words = text_.find_first_not_of(kBlanks, piece.begin);
+    const std::size_t words = text_.find_first_not_of(kXmlBlanks, piece.begin);
     if (!open_.empty() || !seen_root_ || words >= piece.end) return std::nullopt;
     return XmlError{words, "text outside of the root element", "put it in a comment"};
   }

@@ -16,6 +16,9 @@
 
 namespace coppice {
 
+/// What tinyxml2 takes for a blank.
+inline constexpr const char* kXmlBlanks = " \t\n\v\f\r";
+
 /// True if decoding changes the text.
 bool NeedsDecoding(std::string_view raw);
 
