@@ -1,64 +1,97 @@
+#include <algorithm>
 #include <iostream>
+#include <map>
 #include <memory>
+#include <utility>
 
 #include "bt_core/base/command_line.h"
+#include "bt_core/cli/replay_printer.h"
 #include "bt_core/cli/verbs.h"
-#include "bt_core/engine/program.h"
+#include "bt_core/engine/check_project.h"
+#include "bt_core/engine/model_registry.h"
 
 namespace coppice {
 namespace {
 
 constexpr char kUsage[] =
-    "coppice check FILE...\n"
-    "  Loads each file with its includes and checks every tree in it: structure, names, ports, "
-    "types.\n"
-    "  Leaf types of the robot are not known here; their ports are not checked.";
+    "coppice check FILE... [--json] [--models FILE]\n"
+    "  Checks every tree in the files, which are taken as one project, and in what they include:\n"
+    "  structure, names, ports, types, scripts. All problems are printed; 1 if one is an error.\n"
+    "  --models  what `coppice-robot nodes --xml` writes: the robot's node types. Without it, "
+    "node\n"
+    "            types that are not built in are not checked.\n"
+    "  --json    problems as an array of {file, line, column, severity, message, hint} on the\n"
+    "            standard output";
 
-// Stands for a leaf that only the robot's program knows.
-class UnknownLeaf : public SyncAction {
- public:
-  Status Run() override { return Status::kSuccess; }
-};
-
-bool CheckFile(const std::string& path) {
+std::shared_ptr<const Registry> ReadRegistry(const Options& options, Diagnostics& diagnostics) {
   auto registry = std::make_shared<Registry>();
-  registry->SetFallback([](const std::string&) { return std::make_unique<UnknownLeaf>(); });
-  Diagnostics loading;
-  std::optional<Project> loaded = Project::FromFile(path, loading);
-  std::cerr << loading.ToString();
-  if (!loaded) return false;
-  const auto project = std::make_shared<const Project>(*std::move(loaded));
+  if (!options.Has("--models")) return registry;
+  const auto models = Project::FromFile(options.Get("--models"), diagnostics);
+  if (models) AddModels(*models, *registry);
+  return registry;
+}
 
-  bool good = !project->has_errors();
-  std::vector<std::string> printed;  // a tree that is used twice is checked twice
-  for (const auto& [id, definition] : project->trees()) {
-    Diagnostics diagnostics;
-    Compile(project, registry, diagnostics, id);
-    good = good && !diagnostics.has_errors();
-    for (const Diagnostic& diagnostic : diagnostics.all()) {
-      const std::string line = ToString(diagnostic);
-      bool known = false;
-      for (const std::string& old : printed) known = known || old == line;
-      if (known) continue;
-      printed.push_back(line);
-      std::cerr << line << "\n";
-    }
+Diagnostics Check(const Options& options) {
+  Diagnostics diagnostics;
+  const auto registry = ReadRegistry(options, diagnostics);
+  std::optional<Project> project = Project::FromFiles(options.files, diagnostics);
+  if (!project) return diagnostics;
+  CheckProject(std::make_shared<const Project>(*std::move(project)), registry,
+               {options.Has("--models")}, diagnostics);
+  return diagnostics;
+}
+
+// By file in the order of first mention, then by line and column.
+std::vector<Diagnostic> Sorted(const Diagnostics& diagnostics) {
+  std::vector<Diagnostic> sorted = diagnostics.all();
+  std::map<std::string, std::size_t> files;
+  for (const Diagnostic& diagnostic : sorted) {
+    files.emplace(diagnostic.where.file, files.size());
   }
-  return good;
+  const auto place = [&files](const Diagnostic& d) {
+    return std::make_tuple(files.at(d.where.file), d.where.line, d.where.column);
+  };
+  std::stable_sort(sorted.begin(), sorted.end(),
+                   [&](const Diagnostic& a, const Diagnostic& b) { return place(a) < place(b); });
+  return sorted;
+}
+
+std::string ToJson(const Diagnostic& diagnostic) {
+  const SourceLocation& where = diagnostic.where;
+  return "{\"file\":" + JsonText(where.file) + ",\"line\":" + std::to_string(where.line) +
+         ",\"column\":" + std::to_string(where.column) + ",\"severity\":" +
+         (diagnostic.severity == Severity::kError ? "\"error\"" : "\"warning\"") +
+         ",\"message\":" + JsonText(diagnostic.message) + ",\"hint\":" + JsonText(diagnostic.hint) +
+         "}";
+}
+
+void PrintJson(const std::vector<Diagnostic>& diagnostics) {
+  std::cout << "[";
+  const char* separator = "\n  ";
+  for (const Diagnostic& diagnostic : diagnostics) {
+    std::cout << separator << ToJson(diagnostic);
+    separator = ",\n  ";
+  }
+  std::cout << (diagnostics.empty() ? "]\n" : "\n]\n");
 }
 
 }  // namespace
 
 int RunCheck(const Arguments& arguments) {
-  const std::optional<Options> options = ParseOptions(arguments, {}, {}, kUsage);
+  const std::optional<Options> options = ParseOptions(arguments, {"--models"}, {"--json"}, kUsage);
   if (!options) return 2;
   if (options->files.empty()) {
     std::cerr << "no file given\nusage: " << kUsage << "\n";
     return 2;
   }
-  bool good = true;
-  for (const std::string& file : options->files) good = CheckFile(file) && good;
-  return good ? 0 : 1;
+  const Diagnostics diagnostics = Check(*options);
+  const std::vector<Diagnostic> sorted = Sorted(diagnostics);
+  if (options->Has("--json")) {
+    PrintJson(sorted);
+  } else {
+    for (const Diagnostic& diagnostic : sorted) std::cerr << ToString(diagnostic) << "\n";
+  }
+  return diagnostics.has_errors() ? 1 : 0;
 }
 
 }  // namespace coppice

@@ -62,7 +62,7 @@ void CheckProject(const std::shared_ptr<const Project>& project,
   Problems problems(diagnostics);
   if (!project->main_tree().empty()) FindMainTree(*project, project->main_tree(), problems);
   CheckTreeNames(*project, *registry, problems);
-  Checker(project, registry, {!options.all_types_known, true}, problems).CheckAll();
+  Checker(project, registry, {!options.all_types_known, true, true}, problems).CheckAll();
 }
 
 }  // namespace coppice

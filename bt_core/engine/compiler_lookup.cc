@@ -38,10 +38,19 @@ FoundNode NodeLookup::FindType(const Site& site, std::string_view id) {
     CheckUnknown(site, id);
   } else {
     CheckForm(site, id, entry->manifest.category);
+    CheckClass(site, *entry);
     const std::string wrong = WrongChildCount(id, site.element.child_count, entry->children);
     if (!wrong.empty()) problems_.Error(site.document, site.element.offset, wrong);
   }
   return {id, false, entry};
+}
+
+void NodeLookup::CheckClass(const Site& site, const Registry::Entry& entry) {
+  const bool of_user = entry.type == NodeType::kLeaf || entry.type == NodeType::kUser;
+  if (!of_user || entry.build || tolerance_.types_without_class) return;
+  problems_.Error(site.document, site.element.offset,
+                  "node type " + Quoted(entry.manifest.id) + " is known from a model only",
+                  "register its class");
 }
 
 void NodeLookup::CheckUnknown(const Site& site, std::string_view id) {

@@ -17,6 +17,7 @@ namespace coppice {
 struct Tolerance {
   bool unknown_types = false;
   bool unknown_trees = false;
+  bool types_without_class = false;  ///< Registry::AddManifest
 };
 
 struct FoundNode {
@@ -37,6 +38,7 @@ class NodeLookup {
 
  private:
   FoundNode FindType(const Site& site, std::string_view id);
+  void CheckClass(const Site& site, const Registry::Entry& entry);
   void CheckUnknown(const Site& site, std::string_view id);
   void ReportUnknown(const Site& site, std::string_view id);
   void WarnOfUnknown(const Site& site, std::string_view id);

@@ -35,6 +35,18 @@ std::vector<std::string> Registry::Ids() const {
   return ids;
 }
 
+void Registry::AddManifest(Manifest manifest, ChildCount children,
+                           std::shared_ptr<const void> types) {
+  Entry entry;
+  entry.type = children.max == 0 ? NodeType::kLeaf : NodeType::kUser;
+  entry.children = children;
+  entry.declarations = manifest.ports;
+  entry.types = std::move(types);
+  const std::string id = manifest.id;
+  entry.manifest = std::move(manifest);
+  entries_.emplace(id, std::move(entry));
+}
+
 void Registry::Add(Entry entry) {
   const std::string id = entry.manifest.id;
   if (id.empty() || !std::isalpha(static_cast<unsigned char>(id.front()))) {

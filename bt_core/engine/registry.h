@@ -41,9 +41,10 @@ class Registry {
     NodeType type = NodeType::kLeaf;
     ChildCount children{0, 0};
     Manifest manifest;
-    Builder build;                              ///< nodes of the user only
-    TickFunction tick = nullptr;                ///< the same
-    std::vector<PortDeclaration> declarations;  ///< the manifest's ports and the node's mailboxes
+    Builder build;                                ///< nodes of the user only
+    TickFunction tick = nullptr;                  ///< the same
+    std::vector<PortDeclaration> declarations;    ///< the manifest's ports and the node's mailboxes
+    std::shared_ptr<const void> types = nullptr;  ///< keeps those of a manifest without class
   };
 
   Registry();
@@ -79,6 +80,10 @@ class Registry {
     static_assert(count == LambdaAction<Function>::Call::kArity, "one name for each parameter");
     AddLambda<LambdaAction<Function>>(id, ports, count, description, std::move(run));
   }
+
+  /// Adds a node type without class: trees with it can be checked, but not run. `types` keeps the
+  /// types of its ports. Without effect if the ID is taken.
+  void AddManifest(Manifest manifest, ChildCount children, std::shared_ptr<const void> types);
 
   /// What an ID that nobody registered becomes, instead of an error. The builder gets the
   /// instance's name.

@@ -1,0 +1,19 @@
+// Node types that are known from a file only: good for checking trees where the robot's own program
+// is not at hand. Trees that use them cannot run.
+#ifndef COPPICE_BT_CORE_ENGINE_MODEL_REGISTRY_H_
+#define COPPICE_BT_CORE_ENGINE_MODEL_REGISTRY_H_
+
+#include "bt_core/engine/registry.h"
+#include "bt_core/model/project.h"
+
+namespace coppice {
+
+/// Adds the models of the project (what WriteModels writes, or the peer's generator) that the
+/// registry does not know yet. A type that the engine does not know takes any text; two ports of
+/// different unknown types do not fit together. Whether an input is mandatory is not in a model, so
+/// none is.
+void AddModels(const Project& models, Registry& registry);
+
+}  // namespace coppice
+
+#endif  // COPPICE_BT_CORE_ENGINE_MODEL_REGISTRY_H_
