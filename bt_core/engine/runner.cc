@@ -57,9 +57,9 @@ void Runner::HaltTree() {
   executor_.Halt();
   while (executor_.is_draining()) {
     executor_.ServeDrains();
-    if (executor_.is_draining()) {
-      executor_.clock().WaitUntil(executor_.next_tick(), executor_.wake_up());
-    }
+    if (!executor_.is_draining()) break;
+    executor_.clock().WaitUntil(executor_.next_tick(), executor_.wake_up());
+    executor_.RunCalls();
   }
 }
 

@@ -49,16 +49,16 @@ class Runner {
   Runner& operator=(const Runner&) = delete;
 
   /// Ticks on the calling thread until the root completes or someone stops it, then halts the tree
-  /// and waits for leaves that need time to stop (Action::OnDraining). Returns the last result of the root; kIdle if it was stopped before the first tick. May be
-  /// called once.
+  /// and waits for leaves that need time to stop (Action::OnDraining). Returns the last result of
+  /// the root; kIdle if it was stopped before the first tick. May be called once.
   Status Run();
 
   /// Asks Run to end after the tick that is going on. Returns at once. Any thread, also a signal
   /// handler. Before Run: Run ends without a tick.
   void RequestStop();
 
-  /// RequestStop, and waits until the tree has been halted and every leaf has stopped. Any thread; in the ticking thread (a
-  /// leaf, a sink) it cannot wait and returns at once.
+  /// RequestStop, and waits until the tree has been halted and every leaf has stopped. Any thread;
+  /// in the ticking thread (a leaf, a sink) it cannot wait and returns at once.
   void Stop();
 
   bool stop_requested() const { return stop_.load(std::memory_order_relaxed); }

@@ -30,7 +30,7 @@ class MockedTree::MockedProgram : public Program {
 };
 
 // A port of a played node; knows its type at run time only.
-class MockedTree::MockPort : public PortBase {
+class MockedTree::MockPort final : public PortBase {
  public:
   explicit MockPort(const PortDeclaration& declaration)
       : PortBase(declaration), name_(declaration.name), type_(declaration.type) {}

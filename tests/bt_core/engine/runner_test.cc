@@ -127,6 +127,76 @@ TEST_F(RunnerThread, AMessageDoesNotDisturbAFixedRate) {
   EXPECT_GE(hours, ticks_ - 1);
 }
 
+// Needs a minute to stop, unless an answer comes before.
+class Slow : public Action {
+ public:
+  static constexpr const char* kDescription = "Stops slowly.";
+  struct Signals {
+    WakeUp started;
+    WakeUp halted;
+    Sender<bool> answer;
+  };
+  explicit Slow(Signals* signals) : signals_(*signals) {}
+  Mailbox<bool> stopped{this, "stopped"};
+  Status OnStart() override {
+    signals_.answer = stopped.NewSender();
+    signals_.started.Notify();
+    return Status::kRunning;
+  }
+  Status OnRunning() override { return Status::kRunning; }
+  void OnHalted() override {
+    DrainFor(seconds(60));
+    signals_.halted.Notify();
+  }
+  bool OnDraining() override { return stopped.Take() != nullptr; }
+
+ private:
+  Signals& signals_;
+};
+
+class SlowLeaf : public testing::Test {
+ protected:
+  void Make(Clock& clock) {
+    auto registry = std::make_shared<Registry>();
+    registry->Register<Slow>("Slow", &signals_);
+    Diagnostics diagnostics;
+    executor_ =
+        std::make_unique<Executor>(CompileText(Main("<Slow/>"), diagnostics, registry), clock);
+  }
+  Slow::Signals signals_;
+  WallClock wall_clock_;
+  SimulatedClock simulated_clock_;
+  std::unique_ptr<Executor> executor_;
+};
+
+TEST_F(SlowLeaf, RunEndsWhenItHasStopped) {
+  Make(wall_clock_);
+  const Time start = wall_clock_.Now();
+  Runner runner(*executor_, {Pace::kEvents, kNever});
+  std::atomic<bool> ended{false};
+  std::thread thread([&] {
+    runner.Run();
+    ended = true;
+  });
+  ASSERT_TRUE(signals_.started.WaitFor(seconds(30)));
+  runner.RequestStop();
+  ASSERT_TRUE(signals_.halted.WaitFor(seconds(30)));
+  EXPECT_FALSE(ended);
+  signals_.answer.Send(true);
+  thread.join();
+  EXPECT_FALSE(executor_->is_draining());
+  EXPECT_LT(wall_clock_.Now() - start, seconds(60)) << "the answer ended it";
+}
+
+TEST_F(SlowLeaf, IsGivenUpAfterItsLimit) {
+  Make(simulated_clock_);
+  Runner runner(*executor_, {Pace::kEvents, milliseconds(10)});
+  executor_->inbox()->PostCall([&runner] { runner.RequestStop(); });
+  EXPECT_EQ(runner.Run(), Status::kRunning);
+  EXPECT_EQ(simulated_clock_.Now(), seconds(60));
+  EXPECT_FALSE(executor_->is_draining());
+}
+
 TEST(Runner, StopHaltsTheTree) {
   Stage stage(Main("<Leaf name=\"a\"/>"), Running("a"));
   Runner runner(*stage.executor);
