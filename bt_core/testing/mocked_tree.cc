@@ -167,6 +167,7 @@ void MockedTree::AddPart(NodeIndex node, const MockScript* script) {
   Part& part = *parts_.back();
 
   Registry::Entry entry = info.entry ? *info.entry : Registry::Entry();
+  if (!of_user) entry.declarations.clear();  // what plays a built-in node has no ports
   entry.tick = &Registry::TickVirtually;
   entry.build = [&part, original = info.entry,
                  registry = program_->registry]() -> std::unique_ptr<UserNode> {

@@ -41,6 +41,9 @@ BENCHMARK(ArbiterGuarded);
 void ArbiterWithPorts(benchmark::State& state) { TickLoop(state, PortArbiter(), 52); }
 BENCHMARK(ArbiterWithPorts);
 
+void ArbiterWithScripts(benchmark::State& state) { TickLoop(state, ScriptArbiter(), 52); }
+BENCHMARK(ArbiterWithScripts);
+
 void GuardedNodes(benchmark::State& state) {
   const std::string guard = Attribute("_skipIf", "battery > 20 && !charging");
   TickLoop(state, SequenceOf(100, "<ActOk" + guard + "/>"), 100);

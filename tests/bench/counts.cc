@@ -47,7 +47,7 @@ double AllocationsPerTick(const Workload& workload) {
 void AddAllocations(Table& table) {
   for (const Workload& workload : Workloads()) {
     std::optional<double> peer;
-    if (workload.name == "arbiter_port_50") peer = 50;
+    if (workload.name == "arbiter_port_50" || workload.name == "arbiter_script_50") peer = 50;
     table.Add({workload.name, AllocationsPerTick(workload), "allocations per tick", 0, peer});
   }
 }

@@ -80,6 +80,12 @@ std::string PortArbiter() {
       [](int) { return std::string("<CondPort value=\"{battery}\" threshold=\"20\"/>"); });
 }
 
+std::string ScriptArbiter() {
+  return Arbiter([](int i) {
+    return "<ScriptCondition" + Attribute("code", "battery < " + std::to_string(i)) + "/>";
+  });
+}
+
 std::string SequenceOf(int count, const std::string& node) {
   std::string body = "<Sequence>\n";
   for (int i = 0; i < count; ++i) body += "  " + node + "\n";

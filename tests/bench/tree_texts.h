@@ -19,6 +19,8 @@ std::string FlatArbiter();
 std::string GuardedArbiter();
 /// The same with monitors that read two ports.
 std::string PortArbiter();
+/// The same with a ScriptCondition `battery < i` as the i-th monitor.
+std::string ScriptArbiter();
 
 /// A Sequence of `count` times the same node, given as XML.
 std::string SequenceOf(int count, const std::string& node);
