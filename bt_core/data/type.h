@@ -122,12 +122,16 @@ constexpr TypeKind KindOf() {
 }
 
 template <class T>
-const EnumeratorList* Enumerators() {
+struct EnumeratorHolder {
+  static constexpr EnumeratorList kList = {
+      ValueTraits<T>::kEnumerators, std::size(ValueTraits<T>::kEnumerators),
+      [](const void* at) { return static_cast<std::int64_t>(*static_cast<const T*>(at)); }};
+};
+
+template <class T>
+constexpr const EnumeratorList* Enumerators() {
   if constexpr (HasEnumerators<T>::value) {
-    static constexpr EnumeratorList kList = {
-        ValueTraits<T>::kEnumerators, std::size(ValueTraits<T>::kEnumerators),
-        [](const void* at) { return static_cast<std::int64_t>(*static_cast<const T*>(at)); }};
-    return &kList;
+    return &EnumeratorHolder<T>::kList;
   } else {
     return nullptr;
   }
@@ -151,13 +155,12 @@ bool FromJson(std::string_view json, void* out) {
   }
 }
 
-}  // namespace type_details
-
+// A constant, so that asking for its address costs nothing.
 template <class T>
-const Type& TypeOf() {
-  static const Type type = {
+struct Holder {
+  static constexpr Type kType = {
       ValueTraits<T>::kName,
-      type_details::KindOf<T>(),
+      KindOf<T>(),
       sizeof(T),
       alignof(T),
       [](void* at) { new (at) T(); },
@@ -168,12 +171,18 @@ const Type& TypeOf() {
         return ValueTraits<T>::Parse(text, *static_cast<T*>(out));
       },
       [](const void* value) { return ValueTraits<T>::Print(*static_cast<const T*>(value)); },
-      &type_details::ToJson<T>,
-      &type_details::FromJson<T>,
-      type_details::Enumerators<T>(),
-      type_details::HasFromJson<T>::value,
+      &ToJson<T>,
+      &FromJson<T>,
+      Enumerators<T>(),
+      HasFromJson<T>::value,
   };
-  return type;
+};
+
+}  // namespace type_details
+
+template <class T>
+const Type& TypeOf() {
+  return type_details::Holder<T>::kType;
 }
 
 }  // namespace coppice

@@ -134,8 +134,12 @@ class Checker {
   void CheckTruth(const Node& node) {
     if (node.family == Family::kOther) {
       Problem(node, NameOf(node) + " is neither true nor false", "expected a bool or a number");
-    } else if (node.op == Operator::kLiteral) {
+    }
+    if (node.op != Operator::kLiteral) return;
+    try {
       IsTrue(node.value);
+    } catch (const Failure& failure) {
+      Problem(node, failure.message);
     }
   }
 
@@ -205,7 +209,8 @@ class Checker {
   void CheckAssignment(Node& node) {
     const Node& key = OperandAt(node, 0);
     const Node& value = OperandAt(node, 1);
-    node.family = key.family == Family::kUnknown ? value.family : key.family;
+    const bool may_convert = key.family == Family::kUnknown && value.family != Family::kText;
+    node.family = may_convert ? value.family : key.family;  // a text may be read as a number
     if (node.op != Operator::kCreate && node.op != Operator::kAssign) {
       return CheckCompound(node, key, value);
     }

@@ -1,7 +1,7 @@
 // What a script is compiled to: instructions for a machine with a few registers, whose memory are
 // the slots of the blackboard. Jumps lead forward only, so a script ends.
 //
-// The commonest conditions, a slot against a constant and a slot that is true or false, are one
+// The commonest conditions, a slot against a number and a slot that is true or false, are one
 // instruction each and use no register.
 #ifndef COPPICE_BT_CORE_SCRIPT_CODE_H_
 #define COPPICE_BT_CORE_SCRIPT_CODE_H_
@@ -20,16 +20,30 @@ namespace coppice::script {
 enum class Op : std::uint16_t {
   kReturnTrue,
   kReturnFalse,
-  // Goes on if the slot `a` compares like that with the constant `b`, else jumps.
+  // The questions: how the slot `a` compares with the constant `b`, a number or a text, or whether
+  // it is true or not. Goes on if the answer is yes, else jumps.
   kWhileEqual,
   kWhileNotEqual,
   kWhileLess,
   kWhileLessOrEqual,
   kWhileGreater,
   kWhileGreaterOrEqual,
-  kWhileSlot,     // goes on if the slot `a` is true, else jumps
-  kWhileNotSlot,  // goes on if the slot `a` is false, else jumps
-  kWhile,         // goes on if the register `to` is true, else jumps
+  kWhileTextEqual,
+  kWhileTextNotEqual,
+  kWhileSlot,
+  kWhileNotSlot,
+  // The same questions; returns the answer.
+  kIsEqual,
+  kIsNotEqual,
+  kIsLess,
+  kIsLessOrEqual,
+  kIsGreater,
+  kIsGreaterOrEqual,
+  kIsTextEqual,
+  kIsTextNotEqual,
+  kIsSlot,
+  kIsNotSlot,
+  kWhile,  // goes on if the register `to` is true, else jumps
   kJump,
   kLoadConstant,   // `to` = constant `a`
   kLoadSlot,       // `to` = slot `a`
@@ -67,14 +81,13 @@ struct Instruction {
   std::uint16_t to = 0;
   std::uint32_t a = 0;
   std::uint32_t b = 0;
-  std::uint32_t jump = 0;  ///< how many instructions further
+  std::uint32_t jump = 0;  ///< how many instructions further; at least 1
 };
 static_assert(sizeof(Instruction) == 16);
 
 struct Constant {
   Operand value;
-  double number;  ///< of a number
-  bool is_exact;  ///< it is a number, and `number` is that number
+  double number;  ///< of a number; the same one, if slots are compared with it
 };
 
 inline constexpr std::uint32_t kRegisters = 128;

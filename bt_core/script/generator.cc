@@ -1,6 +1,7 @@
 #include "bt_core/script/generator.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 namespace coppice::script {
@@ -66,6 +67,11 @@ Relation Mirrored(Relation relation) {
   }
 }
 
+double ToDouble(const Operand& operand) {
+  const Operand number = ToNumber(operand);
+  return number.kind == Kind::kInteger ? static_cast<double>(number.integer) : number.number;
+}
+
 bool IsPlainAssignment(Operator op) { return op == Operator::kCreate || op == Operator::kAssign; }
 
 class Generator {
@@ -101,8 +107,7 @@ class Generator {
 
   void LandHere(const Jumps& jumps) {
     for (const std::size_t jump : jumps) {
-      code_.instructions[jump].jump =
-          static_cast<std::uint32_t>(code_.instructions.size() - jump - 1);
+      code_.instructions[jump].jump = static_cast<std::uint32_t>(code_.instructions.size() - jump);
     }
   }
 
@@ -117,14 +122,7 @@ class Generator {
   }
 
   std::uint32_t ConstantOf(const Operand& value) {
-    Constant constant = {value, 0, false};
-    if (value.kind != Kind::kText) {
-      const Operand number = ToNumber(value);
-      constant.number =
-          number.kind == Kind::kInteger ? static_cast<double>(number.integer) : number.number;
-      constant.is_exact = Holds(Relation::kEqual, number, Operand::Double(constant.number));
-    }
-    code_.constants.push_back(constant);
+    code_.constants.push_back({value, value.kind == Kind::kText ? 0 : ToDouble(value)});
     return static_cast<std::uint32_t>(code_.constants.size() - 1);
   }
 
@@ -137,10 +135,7 @@ class Generator {
 
   // A statement whose value nobody wants.
   void Effect(NodeId statement) {
-    NodeId rest = statement;
-    while (IsPlainAssignment(At(rest).op)) rest = At(rest).operands[1];
-    const bool compound = IsAssignment(At(rest).op);
-    copies_texts_ = HasAssignment(compound ? At(rest).operands[1] : rest);
+    Begin(statement);
     if (IsAssignment(At(statement).op)) {
       Assign(At(statement), 0);
     } else {
@@ -148,7 +143,15 @@ class Generator {
     }
   }
 
-  // A text that was read before an assignment could change under the hands of an operator.
+  // A text that was read before an assignment could change under the hands of an operator. Not so
+  // in a := b := c, where nothing was read before.
+  void Begin(NodeId statement) {
+    NodeId rest = statement;
+    while (IsPlainAssignment(At(rest).op)) rest = At(rest).operands[1];
+    const bool compound = IsAssignment(At(rest).op);
+    copies_texts_ = HasAssignment(compound ? At(rest).operands[1] : rest);
+  }
+
   bool HasAssignment(NodeId id) const {
     const Node& node = At(id);
     const auto has = [this](NodeId operand) { return HasAssignment(operand); };
@@ -156,21 +159,75 @@ class Generator {
   }
 
   void Result(NodeId node) {
+    Begin(node);
     Jumps falses;
-    copies_texts_ = HasAssignment(node);
-    Test(node, 0, falses);
-    Emit({Op::kReturnTrue}, 0);
+    Return(node, falses);
     LandHere(falses);
     Emit({Op::kReturnFalse}, 0);
   }
 
+  // Returns whether the expression is true, or jumps if it is false.
+  void Return(NodeId id, Jumps& falses) {
+    const Node& node = At(id);
+    if (node.op == Operator::kAnd) {
+      Test(node.operands[0], 0, falses);
+      return Return(node.operands[1], falses);
+    }
+    if (const std::optional<Question> question = QuestionOf(id)) {
+      Ask(*question, Op::kIsEqual);
+      return;
+    }
+    Test(id, 0, falses);
+    Emit({Op::kReturnTrue}, 0);
+  }
+
+  // What can be asked of a slot in one instruction.
+  struct Question {
+    int number;  // among the ten
+    const Node* key;
+    const Node* constant = nullptr;
+  };
+
+  std::size_t Ask(const Question& question, Op first) {
+    const Op op = static_cast<Op>(static_cast<int>(first) + question.number);
+    const std::uint32_t b = question.constant ? ConstantOf(question.constant->value) : 0;
+    return Emit({op, 0, question.key->slot, b}, question.key->offset);
+  }
+
+  std::optional<Question> QuestionOf(NodeId id) const {
+    constexpr int kTextEqual = 6;
+    constexpr int kSlot = 8;
+    constexpr int kNotSlot = 9;
+    const Node& node = At(id);
+    if (node.op == Operator::kName) return Question{kSlot, &node};
+    if (node.op == Operator::kNot && At(node.operands[0]).op == Operator::kName) {
+      return Question{kNotSlot, &At(node.operands[0])};
+    }
+    if (node.op != Operator::kCompare || node.relations.size() > 1) return std::nullopt;
+    const Node* key = &At(node.operands[0]);
+    const Node* constant = &At(node.operands[1]);
+    const bool mirrored = key->op == Operator::kLiteral;
+    if (mirrored) std::swap(key, constant);
+    const Relation relation = mirrored ? Mirrored(node.relations[0]) : node.relations[0];
+    const int number = static_cast<int>(relation);
+    if (key->op != Operator::kName || constant->op != Operator::kLiteral) return std::nullopt;
+    if (constant->value.kind == Kind::kText) {
+      if (relation > Relation::kNotEqual) return std::nullopt;
+      return Question{kTextEqual + number, key, constant};
+    }
+    const Operand rounded = Operand::Double(ToDouble(constant->value));
+    if (!Holds(Relation::kEqual, rounded, constant->value)) return std::nullopt;
+    return Question{number, key, constant};
+  }
+
   // Goes on if the expression is true; the jumps that are made if it is false go to `falses`.
   void Test(NodeId id, Register to, Jumps& falses) {
+    if (const std::optional<Question> question = QuestionOf(id)) {
+      falses.push_back(Ask(*question, Op::kWhileEqual));
+      return;
+    }
     const Node& node = At(id);
     switch (node.op) {
-      case Operator::kName:
-        falses.push_back(Emit({Op::kWhileSlot, 0, node.slot}, node.offset));
-        return;
       case Operator::kAnd:
         Test(node.operands[0], to, falses);
         return Test(node.operands[1], to, falses);
@@ -196,11 +253,6 @@ class Generator {
   }
 
   void TestNot(const Node& node, Register to, Jumps& falses) {
-    const Node& operand = At(node.operands[0]);
-    if (operand.op == Operator::kName) {
-      falses.push_back(Emit({Op::kWhileNotSlot, 0, operand.slot}, operand.offset));
-      return;
-    }
     Jumps inner;
     Test(node.operands[0], to, inner);
     falses.push_back(Emit({Op::kJump}, node.offset));
@@ -208,7 +260,6 @@ class Generator {
   }
 
   void TestChain(const Node& node, Register to, Jumps& falses) {
-    if (node.relations.size() == 1 && TestAgainstConstant(node, falses)) return;
     const Register next = After(to, node);
     Evaluate(node.operands[0], to);
     for (std::size_t i = 0; i < node.relations.size(); ++i) {
@@ -217,20 +268,6 @@ class Generator {
       Emit({Shifted(Op::kEqual, node.relations[i]), to}, node.offset);
       falses.push_back(Emit({Op::kWhile, to}, node.offset));
     }
-  }
-
-  bool TestAgainstConstant(const Node& node, Jumps& falses) {
-    const Node* key = &At(node.operands[0]);
-    const Node* constant = &At(node.operands[1]);
-    Relation relation = node.relations[0];
-    if (key->op == Operator::kLiteral) {
-      std::swap(key, constant);
-      relation = Mirrored(relation);
-    }
-    if (key->op != Operator::kName || constant->op != Operator::kLiteral) return false;
-    const std::uint32_t number = ConstantOf(constant->value);
-    falses.push_back(Emit({Shifted(Op::kWhileEqual, relation), 0, key->slot, number}, key->offset));
-    return true;
   }
 
   void Evaluate(NodeId id, Register to) {

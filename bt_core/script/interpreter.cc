@@ -50,7 +50,7 @@ class Scratch {
   }
 
  private:
-  char characters_[512];
+  char characters_[1024];
   std::size_t used_ = 0;
   std::forward_list<std::string> long_;
 };
@@ -76,19 +76,28 @@ class Machine {
         case Op::kWhileLessOrEqual:
         case Op::kWhileGreater:
         case Op::kWhileGreaterOrEqual:
-          JumpUnless(Holds(RelationOf(Op::kWhileEqual), Load(), code_.constants[at->b].value));
-          break;
+        case Op::kWhileTextEqual:
+        case Op::kWhileTextNotEqual:
         case Op::kWhileSlot:
-          JumpUnless(IsTrue(Load()));
-          break;
         case Op::kWhileNotSlot:
-          JumpUnless(!IsTrue(Load()));
+          JumpUnless(Ask(Op::kWhileEqual));
           break;
+        case Op::kIsEqual:
+        case Op::kIsNotEqual:
+        case Op::kIsLess:
+        case Op::kIsLessOrEqual:
+        case Op::kIsGreater:
+        case Op::kIsGreaterOrEqual:
+        case Op::kIsTextEqual:
+        case Op::kIsTextNotEqual:
+        case Op::kIsSlot:
+        case Op::kIsNotSlot:
+          return Ask(Op::kIsEqual);
         case Op::kWhile:
           JumpUnless(IsTrue(Here()));
           break;
         case Op::kJump:
-          at += at->jump;
+          JumpUnless(false);
           break;
         case Op::kLoadConstant:
           Here() = code_.constants[at->a].value;
@@ -160,7 +169,8 @@ class Machine {
         case Op::kLessOrEqual:
         case Op::kGreater:
         case Op::kGreaterOrEqual:
-          Here() = Operand::Bool(Holds(RelationOf(Op::kEqual), Here(), Next()));
+          Here() =
+              Operand::Bool(Holds(static_cast<Relation>(NumberFrom(Op::kEqual)), Here(), Next()));
           break;
       }
     }
@@ -170,12 +180,19 @@ class Machine {
   Operand& Here() { return registers_[at->to]; }
   const Operand& Next() const { return registers_[at->to + 1]; }
 
-  Relation RelationOf(Op first) const {
-    return static_cast<Relation>(static_cast<int>(at->op) - static_cast<int>(first));
+  int NumberFrom(Op first) const { return static_cast<int>(at->op) - static_cast<int>(first); }
+
+  // `first` is the first of the ten questions.
+  bool Ask(Op first) const {
+    constexpr int kRelations = 6;
+    const int question = NumberFrom(first);
+    if (question >= 8) return IsTrue(Load()) == (question == 8);
+    const int relation = question < kRelations ? question : question - kRelations;
+    return Holds(static_cast<Relation>(relation), Load(), code_.constants[at->b].value);
   }
 
   void JumpUnless(bool holds) {
-    if (!holds) at += at->jump;
+    if (!holds) at += at->jump - 1;
   }
 
   Operand Load() const {
@@ -215,7 +232,7 @@ class Machine {
 };
 
 bool NamesSlot(Op op) {
-  return op <= Op::kWhileNotSlot || (op >= Op::kLoadSlot && op <= Op::kStoreExisting);
+  return op <= Op::kIsNotSlot || (op >= Op::kLoadSlot && op <= Op::kStoreExisting);
 }
 
 [[noreturn]] void Throw(const Code& code, const Instruction& at, const Failure& failure) {

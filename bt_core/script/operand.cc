@@ -32,38 +32,6 @@ Operand Compute(const Operand& a, const Operand& b, Exact exact, Rounded rounded
 
 }  // namespace
 
-Operand Operand::Bool(bool value) {
-  Operand operand;
-  operand.kind = Kind::kBool;
-  operand.truth = value;
-  return operand;
-}
-Operand Operand::Integer(std::int64_t value) {
-  Operand operand;
-  operand.kind = Kind::kInteger;
-  operand.integer = value;
-  return operand;
-}
-Operand Operand::Double(double value) {
-  Operand operand;
-  operand.kind = Kind::kDouble;
-  operand.number = value;
-  return operand;
-}
-Operand Operand::Text(std::string_view text) {
-  Operand operand;
-  operand.kind = Kind::kText;
-  operand.size = static_cast<std::uint32_t>(text.size());
-  operand.characters = text.data();
-  return operand;
-}
-Operand Operand::Other(const Value& value) {
-  Operand operand;
-  operand.kind = Kind::kOther;
-  operand.other = &value;
-  return operand;
-}
-
 Operand OperandOf(const Value& value) {
   switch (value.type()->kind) {
     case TypeKind::kBool:
@@ -125,19 +93,9 @@ bool IsTrue(const Operand& operand) {
   return number.kind == Kind::kInteger ? number.integer != 0 : number.number != 0;
 }
 
-Operand ToNumber(const Operand& operand) {
-  switch (operand.kind) {
-    case Kind::kBool:
-      return Operand::Integer(operand.truth ? 1 : 0);
-    case Kind::kInteger:
-    case Kind::kDouble:
-      return operand;
-    case Kind::kOther:
-      if (IsEnumerator(operand)) return Operand::Integer(operand.other->EnumeratorValue());
-      break;
-    case Kind::kText:
-      break;
-  }
+Operand NumberOf(const Operand& operand) {
+  if (operand.kind == Kind::kBool) return Operand::Integer(operand.truth ? 1 : 0);
+  if (IsEnumerator(operand)) return Operand::Integer(operand.other->EnumeratorValue());
   throw Failure{Describe(operand) + " is not a number"};
 }
 

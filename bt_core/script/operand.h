@@ -20,11 +20,39 @@ namespace coppice::script {
 struct Operand {
   enum class Kind : std::uint8_t { kBool, kInteger, kDouble, kText, kOther };
 
-  static Operand Bool(bool value);
-  static Operand Integer(std::int64_t value);
-  static Operand Double(double value);
-  static Operand Text(std::string_view text);  ///< which must live as long as the operand
-  static Operand Other(const Value& value);    ///< the same
+  static Operand Bool(bool value) {
+    Operand operand;
+    operand.kind = Kind::kBool;
+    operand.truth = value;
+    return operand;
+  }
+  static Operand Integer(std::int64_t value) {
+    Operand operand;
+    operand.kind = Kind::kInteger;
+    operand.integer = value;
+    return operand;
+  }
+  static Operand Double(double value) {
+    Operand operand;
+    operand.kind = Kind::kDouble;
+    operand.number = value;
+    return operand;
+  }
+  /// The text must live as long as the operand.
+  static Operand Text(std::string_view text) {
+    Operand operand;
+    operand.kind = Kind::kText;
+    operand.size = static_cast<std::uint32_t>(text.size());
+    operand.characters = text.data();
+    return operand;
+  }
+  /// The value must live as long as the operand.
+  static Operand Other(const Value& value) {
+    Operand operand;
+    operand.kind = Kind::kOther;
+    operand.other = &value;
+    return operand;
+  }
 
   std::string_view text() const { return {characters, size}; }
 
@@ -57,7 +85,12 @@ bool IsTrue(const Operand& operand);
 
 /// A truth value, a number or an enumerator as a number of kind kInteger or kDouble. Throws
 /// Failure.
-Operand ToNumber(const Operand& operand);
+Operand NumberOf(const Operand& operand);
+inline Operand ToNumber(const Operand& operand) {
+  const bool is_number =
+      operand.kind == Operand::Kind::kInteger || operand.kind == Operand::Kind::kDouble;
+  return is_number ? operand : NumberOf(operand);
+}
 
 /// A number without fraction. Throws Failure.
 std::int64_t ToInteger(const Operand& operand);

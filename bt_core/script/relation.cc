@@ -8,7 +8,8 @@ namespace {
 
 using Kind = Operand::Kind;
 
-enum class Order : std::uint8_t { kLess, kEqual, kGreater, kUnordered, kDifferent };
+// The last two are equality without order.
+enum class Order : std::uint8_t { kLess, kEqual, kGreater, kUnordered, kSame, kDifferent };
 
 template <class T>
 Order OrderOf(const T& a, const T& b) {
@@ -59,19 +60,20 @@ Order OrderOfTextAndNumber(std::string_view text, const Operand& number) {
   return Order::kDifferent;
 }
 
+Order OrderOfOtherAndText(const Value& other, std::string_view text) {
+  Value read;
+  if (!read.Parse(*other.type(), text)) return Order::kDifferent;
+  if (other.type()->enumerators) return OrderOf(other.EnumeratorValue(), read.EnumeratorValue());
+  return read.Print() == other.Print() ? Order::kSame : Order::kDifferent;
+}
+
 Order OrderOfOthers(const Operand& a, const Operand& b) {
-  if (a.kind == Kind::kText || b.kind == Kind::kText) {
-    const std::string_view text = a.kind == Kind::kText ? a.text() : b.text();
-    const Value& other = a.kind == Kind::kText ? *b.other : *a.other;
-    Value read;
-    const bool same = read.Parse(*other.type(), text) && read.Print() == other.Print();
-    return same ? Order::kEqual : Order::kDifferent;
-  }
-  const bool comparable = a.kind == b.kind && a.other->type() == b.other->type();
-  if (!comparable) {
+  if (b.kind == Kind::kText) return OrderOfOtherAndText(*a.other, b.text());
+  if (a.kind == Kind::kText) return Reversed(OrderOfOtherAndText(*b.other, a.text()));
+  if (a.kind != b.kind || a.other->type() != b.other->type()) {
     throw Failure{Describe(a) + " and " + Describe(b) + " cannot be compared"};
   }
-  return a.other->Print() == b.other->Print() ? Order::kEqual : Order::kDifferent;
+  return a.other->Print() == b.other->Print() ? Order::kSame : Order::kDifferent;
 }
 
 bool IsNumber(const Operand& operand) {
@@ -95,15 +97,16 @@ const char* ToString(Relation relation) {
 
 bool Holds(Relation relation, const Operand& a, const Operand& b) {
   const Order order = OrderOf(a, b);
-  if (relation == Relation::kEqual) return order == Order::kEqual;
-  if (relation == Relation::kNotEqual) return order != Order::kEqual;
-  if (order == Order::kDifferent) {
+  const bool equal = order == Order::kEqual || order == Order::kSame;
+  if (relation == Relation::kEqual) return equal;
+  if (relation == Relation::kNotEqual) return !equal;
+  if (order >= Order::kSame) {
     throw Failure{std::string("\"") + ToString(relation) + "\" has no meaning between " +
                   Describe(a) + " and " + Describe(b)};
   }
   const bool strict = relation == Relation::kLess || relation == Relation::kGreater;
   const bool less = relation == Relation::kLess || relation == Relation::kLessOrEqual;
-  return order == (less ? Order::kLess : Order::kGreater) || (!strict && order == Order::kEqual);
+  return order == (less ? Order::kLess : Order::kGreater) || (!strict && equal);
 }
 
 }  // namespace coppice::script

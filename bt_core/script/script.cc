@@ -16,52 +16,38 @@ using script::Code;
 using script::Constant;
 using script::Instruction;
 using script::Op;
+using script::Operand;
 using script::Relation;
 
-// How far an instruction of a condition gets without the interpreter.
-enum class Answer : std::uint8_t { kNo, kYes, kNotHere };
+// The answer to a question of a condition, if it takes no interpreter.
+enum class Answer : std::uint8_t { kNo, kYes, kUnknown };
 
 Answer ToAnswer(bool yes) { return yes ? Answer::kYes : Answer::kNo; }
 
 template <Relation kRelation>
-Answer Compare(const Instruction& at, const Slot* slots, const Code& code) {
-  const Value& value = slots[at.a].value;
-  const Constant& constant = code.constants[at.b];
-  if (value.Is<double>() && constant.is_exact) {
+Answer Compare(const Value& value, const Constant& constant) {
+  if (value.Is<double>()) {
     return ToAnswer(script::HoldsFor(kRelation, value.Get<double>(), constant.number));
   }
-  if (value.Is<std::int64_t>() && constant.value.kind == script::Operand::Kind::kInteger) {
+  if (value.Is<std::int64_t>() && constant.value.kind == Operand::Kind::kInteger) {
     const std::int64_t integer = constant.value.integer;
     return ToAnswer(script::HoldsFor(kRelation, value.Get<std::int64_t>(), integer));
   }
-  return Answer::kNotHere;
+  return Answer::kUnknown;
 }
 
-Answer IsTruth(const Value& value, bool truth) {
-  return value.Is<bool>() ? ToAnswer(value.Get<bool>() == truth) : Answer::kNotHere;
+Answer IsText(const Value& value, const Constant& constant, bool expected) {
+  if (!value.Is<std::string>()) return Answer::kUnknown;
+  const std::string& text = value.Get<std::string>();
+  const Operand& other = constant.value;
+  bool same = text.size() == other.size;
+  // Byte by byte: a call would make the loop of Test save its registers.
+  for (std::uint32_t i = 0; same && i < other.size; ++i) same = text[i] == other.characters[i];
+  return ToAnswer(same == expected);
 }
 
-Answer Ask(const Instruction& at, const Slot* slots, const Code& code) {
-  switch (at.op) {
-    case Op::kWhileEqual:
-      return Compare<Relation::kEqual>(at, slots, code);
-    case Op::kWhileNotEqual:
-      return Compare<Relation::kNotEqual>(at, slots, code);
-    case Op::kWhileLess:
-      return Compare<Relation::kLess>(at, slots, code);
-    case Op::kWhileLessOrEqual:
-      return Compare<Relation::kLessOrEqual>(at, slots, code);
-    case Op::kWhileGreater:
-      return Compare<Relation::kGreater>(at, slots, code);
-    case Op::kWhileGreaterOrEqual:
-      return Compare<Relation::kGreaterOrEqual>(at, slots, code);
-    case Op::kWhileSlot:
-      return IsTruth(slots[at.a].value, true);
-    case Op::kWhileNotSlot:
-      return IsTruth(slots[at.a].value, false);
-    default:
-      return Answer::kNotHere;
-  }
+Answer IsTruth(const Value& value, bool expected) {
+  return value.Is<bool>() ? ToAnswer(value.Get<bool>() == expected) : Answer::kUnknown;
 }
 
 }  // namespace
@@ -101,20 +87,71 @@ void Script::Run(Blackboard& blackboard) const {
   script::Execute(*code_, code_->instructions.data(), blackboard.data());
 }
 
-// Conditions on doubles, integers of 64 bits and truth values are decided here; everything else,
-// errors among it, is left to the interpreter.
+// Conditions on doubles, integers of 64 bits, texts and truth values are decided here; everything
+// else, errors among it, is left to the interpreter.
 bool Script::Test(Blackboard& blackboard) const {
-  const Code& code = *code_;
+  const Constant* const constants = code_->constants.data();
   Slot* const slots = blackboard.data();
-  const Instruction* at = code.instructions.data() + code.test;
+  const Instruction* at = test_;
   while (true) {
-    if (at->op == Op::kReturnTrue) return true;
-    if (at->op == Op::kReturnFalse) return false;
-    const Answer answer = Ask(*at, slots, code);
-    if (answer == Answer::kNotHere) return script::Execute(code, at, slots);
-    at += answer == Answer::kYes ? 1 : at->jump + 1;
+    Answer answer = Answer::kUnknown;
+    const auto compare = [&](auto how) { answer = how(slots[at->a].value, constants[at->b]); };
+    switch (at->op) {
+      case Op::kReturnTrue:
+        return true;
+      case Op::kReturnFalse:
+        return false;
+      case Op::kWhileEqual:
+      case Op::kIsEqual:
+        compare(Compare<Relation::kEqual>);
+        break;
+      case Op::kWhileNotEqual:
+      case Op::kIsNotEqual:
+        compare(Compare<Relation::kNotEqual>);
+        break;
+      case Op::kWhileLess:
+      case Op::kIsLess:
+        compare(Compare<Relation::kLess>);
+        break;
+      case Op::kWhileLessOrEqual:
+      case Op::kIsLessOrEqual:
+        compare(Compare<Relation::kLessOrEqual>);
+        break;
+      case Op::kWhileGreater:
+      case Op::kIsGreater:
+        compare(Compare<Relation::kGreater>);
+        break;
+      case Op::kWhileGreaterOrEqual:
+      case Op::kIsGreaterOrEqual:
+        compare(Compare<Relation::kGreaterOrEqual>);
+        break;
+      case Op::kWhileTextEqual:
+      case Op::kIsTextEqual:
+        answer = IsText(slots[at->a].value, constants[at->b], true);
+        break;
+      case Op::kWhileTextNotEqual:
+      case Op::kIsTextNotEqual:
+        answer = IsText(slots[at->a].value, constants[at->b], false);
+        break;
+      case Op::kWhileSlot:
+      case Op::kIsSlot:
+        answer = IsTruth(slots[at->a].value, true);
+        break;
+      case Op::kWhileNotSlot:
+      case Op::kIsNotSlot:
+        answer = IsTruth(slots[at->a].value, false);
+        break;
+      default:
+        break;
+    }
+    if (answer == Answer::kUnknown) return script::Execute(*code_, at, slots);
+    if (at->op >= Op::kIsEqual) return answer == Answer::kYes;
+    at += answer == Answer::kYes ? 1 : at->jump;
   }
 }
+
+Script::Script(std::shared_ptr<const Code> code)
+    : code_(std::move(code)), test_(code_->instructions.data() + code_->test) {}
 
 const std::vector<SlotIndex>& Script::reads() const { return code_->reads; }
 const std::vector<SlotIndex>& Script::writes() const { return code_->writes; }

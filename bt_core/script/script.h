@@ -50,6 +50,7 @@ struct ScriptProblem {
 
 namespace script {
 struct Code;
+struct Instruction;
 }  // namespace script
 
 /// While running: an operand has no value, or values of types that the operator does not take.
@@ -84,9 +85,10 @@ class Script {
   const std::vector<SlotIndex>& writes() const;
 
  private:
-  explicit Script(std::shared_ptr<const script::Code> code) : code_(std::move(code)) {}
+  explicit Script(std::shared_ptr<const script::Code> code);
 
   std::shared_ptr<const script::Code> code_;
+  const script::Instruction* test_;  // where Test begins
 };
 
 template <>

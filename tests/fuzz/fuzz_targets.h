@@ -25,6 +25,10 @@ int FuzzLiteral(std::string_view bytes);
 /// would take long, 2 if it was played.
 int FuzzScenario(std::string_view bytes);
 
+/// The bytes as a script, on keys of all kinds. Every position must lie in the text; Run and Test
+/// may throw nothing but ScriptError. Returns how far it came: 0 refused, 1 failed when run, 2 ran.
+int FuzzScript(std::string_view bytes);
+
 }  // namespace coppice::fuzz
 
 #endif  // COPPICE_TESTS_FUZZ_FUZZ_TARGETS_H_

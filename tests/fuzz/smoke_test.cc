@@ -151,6 +151,21 @@ TEST(Fuzz, MutatedLiteralsNeverCrash) {
   EXPECT_GT(accepted, 5000);
 }
 
+TEST(Fuzz, MutatedScriptsNeverCrash) {
+  const char* const kScripts[] = {
+      "a := d > 20 && !b ? 'yes' : s .. 1.5; i += 1; a == s",
+      "e == SUCCESS || e != 'FAILURE' && (u & 0x1F) < 7 < f; v == '1;2'",
+      "a := clamp(min(d, 3), -1, abs(i)) % 7; s = s + 'it\\'s'; ~u ^ 3 | i",
+      "x := y := d / 2 - -i; x *= 3; y -= f; s .. (s := 'new'); !(x < y)",
+      "v := '1;2'; e := RUNNING; @root := true; i = 7 u = 8; a"};
+  int reached[3] = {};
+  for (const char* script : kScripts) EXPECT_GE(FuzzScript(script), 1) << script;
+  for (unsigned seed = 0; seed < 30000; ++seed) {
+    ++reached[FuzzScript(Mutator(seed).Mutate(kScripts[seed % 5]))];
+  }
+  for (const int count : reached) EXPECT_GT(count, 500) << "every stage must be reached";
+}
+
 TEST(Fuzz, MutatedScenariosNeverCrash) {
   constexpr const char* kScenarios = R"({
   "tree": "x.xml", "leaves": {"<Go>": ["RUNNING", "SUCCESS"], "a": {"after_ms": 20, "says": "x"}},
@@ -170,11 +185,11 @@ TEST(Fuzz, MutatedScenariosNeverCrash) {
 
 // What once crashed a harness must not do so again: regressions/NAME/* are inputs of FuzzName.
 TEST(Fuzz, WhatOnceCrashedDoesNotAnyMore) {
-  const std::pair<const char*, int (*)(std::string_view)> harnesses[] = {
-      {"document", FuzzDocument},
-      {"edit", FuzzEdit},
-      {"literal", FuzzLiteral},
-      {"scenario", FuzzScenario}};
+  const std::pair<const char*, int (*)(std::string_view)> harnesses[] = {{"document", FuzzDocument},
+                                                                         {"edit", FuzzEdit},
+                                                                         {"literal", FuzzLiteral},
+                                                                         {"scenario", FuzzScenario},
+                                                                         {"script", FuzzScript}};
   for (const auto& [name, harness] : harnesses) {
     const auto folder = std::filesystem::path(COPPICE_SOURCE_DIR "/tests/fuzz/regressions") / name;
     if (!std::filesystem::exists(folder)) continue;
@@ -188,8 +203,9 @@ TEST(Fuzz, WhatOnceCrashedDoesNotAnyMore) {
 
 TEST(Fuzz, EmptyInputIsFine) {
   EXPECT_EQ(FuzzDocument(""), 0);
-  EXPECT_EQ(FuzzLiteral(""), 1);
+  EXPECT_EQ(FuzzLiteral(""), 2) << "a text and an empty list";
   EXPECT_EQ(FuzzScenario(""), 0);
+  EXPECT_EQ(FuzzScript(""), 0);
 }
 
 }  // namespace
