@@ -94,7 +94,10 @@ class Sender {
  public:
   Sender() = default;
   Sender(std::shared_ptr<Inbox> inbox, SlotIndex slot, std::uint32_t epoch)
-      : inbox_(std::move(inbox)), slot_(slot), epoch_(epoch), generation_(inbox_->generation()) {}
+      : inbox_(std::move(inbox)),
+        slot_(slot),
+        epoch_(epoch),
+        generation_(inbox_ ? inbox_->generation() : 0) {}
 
   void Send(const T& value) const {
     if (inbox_) inbox_->Post(slot_, epoch_, Value(value), generation_);
