@@ -7,23 +7,14 @@ namespace coppice::editor {
 
 Forest Forest::FromFile(const std::string& path, Diagnostics& diagnostics) {
   Forest forest;
-  std::string_view main;
-  if (std::optional<Project> project = Project::FromFile(path, diagnostics)) {
-    forest.project_ = std::make_shared<const Project>(*std::move(project));
-    for (const Document& document : forest.project_->documents()) {
-      forest.documents_.push_back(&document);
-    }
-    main = forest.project_->main_tree();
-  } else {
-    Diagnostics known;  // the same problems once more
-    std::optional<Document> document = Document::FromFile(path, known);
-    if (!document) return forest;
-    forest.single_ = std::make_shared<const Document>(*std::move(document));
-    forest.documents_.push_back(forest.single_.get());
-    main = forest.single_->AttributeValue(forest.single_->element(0), "main_tree_to_execute");
+  std::optional<Project> project = Project::FromFile(path, diagnostics);
+  if (!project) return forest;
+  forest.project_ = std::make_shared<const Project>(*std::move(project));
+  for (const Document& document : forest.project_->documents()) {
+    forest.documents_.push_back(&document);
   }
   for (std::uint32_t i = 0; i < forest.documents_.size(); ++i) forest.AddTreesOf(i);
-  forest.ChooseMain(main);
+  forest.ChooseMain(forest.project_->main_tree());
   return forest;
 }
 

@@ -25,8 +25,8 @@ struct TreeEntry {
 
 class Forest {
  public:
-  /// A file with its includes. What is wrong goes to `diagnostics`. A file that is well-formed but
-  /// wrong otherwise is shown alone, without its includes; if it is malformed, there are no trees.
+  /// A file with its includes. What is wrong goes to `diagnostics`; what can be read is shown. If
+  /// the file itself is malformed, there are no trees.
   static Forest FromFile(const std::string& path, Diagnostics& diagnostics);
 
   /// The text that a robot sends: one <BehaviorTree> per instance. `source` is used in messages.
@@ -44,7 +44,7 @@ class Forest {
   /// Number of the tree that a <SubTree> element stands for, or -1.
   int Resolve(const Document& document, const Element& subtree) const;
 
-  /// The project, if the file is good in itself; else null.
+  /// The project; null if the file cannot be read, or if the text is from a robot.
   const std::shared_ptr<const Project>& project() const { return project_; }
 
  private:
@@ -52,7 +52,7 @@ class Forest {
   void ChooseMain(std::string_view id);
 
   std::shared_ptr<const Project> project_;
-  std::shared_ptr<const Document> single_;
+  std::shared_ptr<const Document> single_;  // the text of a robot
   std::vector<const Document*> documents_;
   std::vector<TreeEntry> trees_;
   int main_tree_ = -1;
