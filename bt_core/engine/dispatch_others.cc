@@ -19,6 +19,20 @@
 #include "bt_core/nodes/try_catch.h"
 
 namespace coppice {
+namespace {
+
+bool KeepsMemoryWhenSkipped(NodeType type) {
+  return type == NodeType::kRepeat || type == NodeType::kRetryUntilSuccessful ||
+         type == NodeType::kDelay;
+}
+
+}  // namespace
+
+// Of a node that is skipped: see halt.cc.
+void Executor::KeepSomeMemory(NodeIndex node) {
+  if (!KeepsMemoryWhenSkipped(nodes_[node].type)) memory_[node] = 0;
+  if (memory_[node] != 0) ChangeKept(1);
+}
 
 Status Executor::DispatchOthers(NodeIndex node, NodeType type) {
   switch (type) {

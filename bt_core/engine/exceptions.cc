@@ -35,11 +35,12 @@ void Executor::AddExceptionMessage(NodeIndex node) {
 Status Executor::EndAborted() {
   for (NodeIndex i = 0; i < statuses_.size(); ++i) {
     const bool running = statuses_[i] == Status::kRunning;
-    if (running && IsUserNode(nodes_[i].type)) HaltUser(i);
+    if ((running || Keeps(i)) && IsUserNode(nodes_[i].type)) HaltUser(i);
     memory_[i] = 0;
     if (statuses_[i] != Status::kIdle) SetStatus(i, Status::kIdle);
     if (running && nodes_[i].dispatch == NodeType::kGuarded) RunHaltedHook(i);
   }
+  CountKept();
   wake_at_ = kNever;
   tick_again_ = false;
   return Status::kFailure;

@@ -132,12 +132,14 @@ void Executor::AddSink(TickSink* sink) {
   statuses_ = statuses();
   sinks_.push_back(sink);
   listening_ = true;
+  ChangeKept(0);
   reported_writes_.resize(blackboard_.size(), 0);
 }
 
 void Executor::RemoveSink(TickSink* sink) {
   sinks_.erase(std::remove(sinks_.begin(), sinks_.end(), sink), sinks_.end());
   listening_ = !sinks_.empty();
+  ChangeKept(0);
 }
 
 void Executor::Report(Status result) {

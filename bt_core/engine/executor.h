@@ -127,14 +127,12 @@ class Executor final : public LeafHost, public ChildHost {
   // The Tree of bt_core/nodes/control.h.
   Status Tick(NodeIndex node);
   void Halt(NodeIndex node) {
-    if (statuses_[node] == Status::kIdle) return;
     if (statuses_[node] == Status::kRunning) return HaltRunning(node);
-    SetStatus(node, Status::kIdle);
+    if (kept_ != 0) LetGo(node);
+    if (statuses_[node] != Status::kIdle) SetStatus(node, Status::kIdle);
   }
   void ResetChildren(NodeIndex node);
-  void ChildrenAreIdle(NodeIndex node) {
-    if (listening_) ResetChildren(node);
-  }
+  void LeaveChildren(NodeIndex node);
   Status status(NodeIndex node) const { return statuses_[node]; }
   std::uint64_t& memory(NodeIndex node) { return memory_[node]; }
   NodeIndex EndOf(NodeIndex node) const { return nodes_[node].end; }
@@ -205,6 +203,21 @@ class Executor final : public LeafHost, public ChildHost {
   }
   [[gnu::noinline, gnu::cold]] Status StoreAndRecord(NodeIndex node, Status result);
   void RecordChange(NodeIndex node, Status status);
+
+  // What skipped nodes keep (halt.cc).
+  bool Keeps(NodeIndex node) const {
+    return statuses_[node] != Status::kRunning && memory_[node] != 0;
+  }
+  void CountKept();
+  void ChangeKept(int by) {
+    kept_ += static_cast<std::uint32_t>(by);
+    resets_children_ = listening_ || kept_ != 0;
+  }
+  [[gnu::cold]] void KeepIfRunning(NodeIndex leaf);
+  [[gnu::cold]] void Resume(NodeIndex node);
+  [[gnu::cold]] void LetGo(NodeIndex node);
+  void KeepSomeMemory(NodeIndex node);  // dispatch_others.cc
+
   void HaltRunning(NodeIndex node);
   void HaltDescendants(NodeIndex node);
   void HaltUser(NodeIndex node);
@@ -243,7 +256,9 @@ class Executor final : public LeafHost, public ChildHost {
   std::exception_ptr thrown_;
 
   std::vector<TickSink*> sinks_;
-  bool listening_ = false;  // someone wants events
+  bool listening_ = false;        // someone wants events
+  bool resets_children_ = false;  // when a node ends, all its children are reset one by one
+  std::uint32_t kept_ = 0;        // number of skipped nodes that keep something
   std::vector<StatusChange> changes_;
   std::vector<NodeMessage> messages_;
   std::vector<SlotIndex> writes_;

@@ -25,6 +25,47 @@ void Executor::ResetChildren(NodeIndex node) {
   for (NodeIndex child = node + 1; child != end; child = nodes_[child].end) Halt(child);
 }
 
+// Makes the children idle that do not run; what they keep stays.
+void Executor::LeaveChildren(NodeIndex node) {
+  const NodeIndex end = nodes_[node].end;
+  for (NodeIndex child = node + 1; child != end; child = nodes_[child].end) {
+    const Status status = statuses_[child];
+    if (status != Status::kIdle && status != Status::kRunning) SetStatus(child, Status::kIdle);
+  }
+}
+
+// SKIPPED does not end what a node has begun: a leaf that was RUNNING, or the rounds of a loop. It
+// lies in the memory of a node that is not RUNNING, until the node is ticked again or its parent
+// resets it.
+void Executor::KeepIfRunning(NodeIndex leaf) {
+  if (statuses_[leaf] != Status::kRunning) return;
+  memory_[leaf] = 1;
+  ChangeKept(1);
+}
+
+void Executor::Resume(NodeIndex node) {
+  if (!Keeps(node)) return;
+  if (IsUserNode(nodes_[node].type)) memory_[node] = 0;
+  SetStatus(node, Status::kRunning);
+  ChangeKept(-1);
+}
+
+// A skipped node, and what was skipped below it, forgets what it keeps.
+void Executor::LetGo(NodeIndex node) {
+  for (NodeIndex i = node; i < nodes_[node].end && kept_ != 0; ++i) {
+    if (!Keeps(i)) continue;
+    if (IsUserNode(nodes_[i].type)) HaltUser(i);
+    memory_[i] = 0;
+    ChangeKept(-1);
+  }
+}
+
+void Executor::CountKept() {
+  kept_ = 0;
+  for (NodeIndex i = 0; i < statuses_.size(); ++i) kept_ += Keeps(i);
+  ChangeKept(0);
+}
+
 void Executor::HaltRunning(NodeIndex node) {
   if (IsUserNode(nodes_[node].type)) HaltUser(node);
   memory_[node] = 0;
@@ -33,8 +74,9 @@ void Executor::HaltRunning(NodeIndex node) {
   if (nodes_[node].dispatch == NodeType::kGuarded) RunHaltedHook(node);
 }
 
-// Flat, in document order. Only what runs has descendants that run; a node with a hook is left to
-// HaltRunning, so that its hook comes after what is below it.
+// Flat, in document order. Only what runs has descendants that run, or skipped ones that keep
+// something; a node with a hook is left to HaltRunning, so that its hook comes after what is below
+// it.
 void Executor::HaltDescendants(NodeIndex node) {
   for (NodeIndex i = node + 1; i < nodes_[node].end;) {
     const bool running = statuses_[i] == Status::kRunning;
@@ -43,6 +85,7 @@ void Executor::HaltDescendants(NodeIndex node) {
       i = nodes_[i].end;
       continue;
     }
+    if (!running && kept_ != 0) LetGo(i);
     if (running && IsUserNode(nodes_[i].type)) HaltUser(i);
     memory_[i] = 0;
     if (statuses_[i] != Status::kIdle) SetStatus(i, Status::kIdle);

@@ -164,6 +164,7 @@ void Executor::MoveNodes(const Program& old, const std::vector<NodeIndex>& lives
                      : memory[lives_on[k]];
   }
   MoveUsers(old, lives_on);
+  CountKept();
 }
 
 void Executor::MoveUsers(const Program& old, const std::vector<NodeIndex>& lives_on) {

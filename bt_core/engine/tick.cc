@@ -32,7 +32,10 @@ struct Executor::TickTable {
     void Halt(NodeIndex node) { executor_.Halt(node); }
     void ResetChildren(NodeIndex node) { executor_.ResetChildren(node); }
     void ChildrenAreIdle(NodeIndex node) {
-      if (executor_.listening_) executor_.ResetChildren(node);
+      if (executor_.resets_children_) executor_.ResetChildren(node);
+    }
+    void LetGo(NodeIndex child) {
+      if (executor_.kept_ != 0) executor_.LetGo(child);
     }
     void ChildrenBehindAreIdle(NodeIndex child, NodeIndex end) {
       if (!executor_.listening_) return;
@@ -50,12 +53,14 @@ struct Executor::TickTable {
   static Status TickLeaf(Executor& executor, NodeIndex node, std::uint32_t number) {
     const User& user = executor.users_[number];
     executor.current_ = node;
+    if (__builtin_expect(executor.kept_ != 0, false)) executor.Resume(node);
     Status result;
     try {
       result = user.tick(*user.node, executor.statuses_[node]);
     } catch (...) {
       result = executor.FailByException(node);
     }
+    if (__builtin_expect(result == Status::kSkipped, false)) executor.KeepIfRunning(node);
     return executor.Store(node, result);
   }
 
@@ -73,7 +78,8 @@ struct Executor::TickTable {
   static Status Mapped(Executor& executor, NodeIndex node) {
     Tree tree(executor);
     Status result = tree.Tick(node + 1);
-    if (result != Status::kRunning) tree.ChildrenAreIdle(node);
+    if (IsCompleted(result)) tree.ChildrenAreIdle(node);
+    if (result == Status::kSkipped && executor.listening_) executor.LeaveChildren(node);
     if (result == Status::kSuccess) {
       result = kOnSuccess;
     } else if (result == Status::kFailure) {
@@ -96,6 +102,7 @@ struct Executor::TickTable {
   static Status Guarded(Executor& executor, NodeIndex node) { return executor.TickGuarded(node); }
 
   static Status Other(Executor& executor, NodeIndex node) {
+    if (executor.kept_ != 0) executor.Resume(node);
     Status result;
     try {
       result = executor.DispatchOthers(node, executor.nodes_[node].type);
@@ -105,7 +112,8 @@ struct Executor::TickTable {
       executor.ResetChildren(node);
       result = executor.FailByException(node);
     }
-    if (result != Status::kRunning) executor.memory_[node] = 0;
+    if (IsCompleted(result)) executor.memory_[node] = 0;
+    if (result == Status::kSkipped) executor.KeepSomeMemory(node);
     return executor.Store(node, result);
   }
 

@@ -23,7 +23,11 @@ void Executor::Restore(const TreeState& state) {
     }
     if (status != statuses_[i]) SetStatus(i, status);
   }
-  memory_ = state.memory;
+  // What a node of the user has begun is known to that node only.
+  for (NodeIndex i = 0; i < memory_.size(); ++i) {
+    if (!IsUserNode(nodes_[i].type)) memory_[i] = state.memory[i];
+  }
+  CountKept();
   RestoreBlackboard(state.blackboard);
 }
 

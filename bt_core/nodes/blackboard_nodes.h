@@ -42,8 +42,7 @@ template <class Tree>
 Status TickIfUpdated(Tree& tree, NodeIndex node, Status otherwise) {
   const bool child_runs = tree.status(node + 1) == Status::kRunning;
   if (!child_runs && !WasUpdated(tree, node)) return otherwise;
-  const Status result = tree.Tick(node + 1);
-  return result == Status::kRunning ? result : End(tree, node, result);
+  return PassOn(tree, node, tree.Tick(node + 1));
 }
 
 }  // namespace internal

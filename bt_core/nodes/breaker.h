@@ -66,7 +66,7 @@ Status TickCircuitBreaker(Tree& tree, NodeIndex node) {
       failures.Clear();
     }
   }
-  return internal::End(tree, node, result);
+  return internal::PassOn(tree, node, result);
 }
 
 }  // namespace coppice

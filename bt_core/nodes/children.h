@@ -28,6 +28,14 @@ NodeIndex ChildAt(const Tree& tree, NodeIndex node, std::uint64_t k) {
   return child;
 }
 
+/// What a node returns that passes the result of its child on.
+template <class Tree>
+Status PassOn(Tree& tree, NodeIndex node, Status result) {
+  if (result == Status::kSkipped) tree.LeaveChildren(node);
+  if (IsCompleted(result)) tree.ResetChildren(node);
+  return result;
+}
+
 /// Ends a node: its children become idle.
 template <class Tree>
 Status End(Tree& tree, NodeIndex node, Status result) {

@@ -7,6 +7,9 @@
 //   Status   Tick(node)               ticks a child and stores its status
 //   void     Halt(node)               halts a running child and everything below it; makes it idle
 //   void     ResetChildren(node)      makes all children idle, halting the running ones
+//   void     LeaveChildren(node)      makes all children idle that do not run; a skipped one keeps
+//                                     what it has begun (see below)
+//   void     LetGo(node)              makes a skipped child forget that
 //   Status   status(node)             of a child: RUNNING is always true, the other values only
 //                                     where the node itself sees to it that children are reset
 //   uint64&  memory(node)
@@ -23,6 +26,10 @@
 //   uint64   ticks()                  number of this tick, from 1
 //   void     WakeAt(time)             asks for a tick at that time at the latest
 //   void     TickAgain()              asks for the next tick at once
+//
+// SKIPPED does not end what a node has begun: a leaf that was RUNNING goes on when it is ticked
+// again, and loops keep their rounds, unless the parent resets them, which halts such a leaf. So a
+// node that passes SKIPPED on leaves its children, and one that goes on without them resets them.
 //
 // A skipped child counts as if it were not there; a control node all of whose children were skipped
 // is skipped. Source of the names and rules: Colledanchise and Ögren, "Behavior Trees in Robotics
@@ -82,7 +89,10 @@ inline Status TickReactive(Tree& tree, NodeIndex node) {
   Status result;
   for (;;) {
     result = tree.Tick(child);
-    if (__builtin_expect(result != kGoOn, false) && result != Status::kSkipped) break;
+    if (__builtin_expect(result != kGoOn, false)) {
+      if (result != Status::kSkipped) break;
+      tree.LetGo(child);
+    }
     child = tree.EndOf(child);
     if (child != end) continue;
     if (result != kGoOn) result = UnlessAllWereSkipped<kGoOn>(tree, node);

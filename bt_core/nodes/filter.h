@@ -30,8 +30,7 @@ template <class Tree>
 Status TickFiltered(Tree& tree, NodeIndex node, std::uint32_t k, Status initial) {
   std::uint64_t& answer = tree.template Own<std::uint64_t>(node, k);
   if (answer == 0) answer = static_cast<std::uint64_t>(initial);
-  const Status result = tree.Tick(node + 1);
-  return result == Status::kRunning ? result : End(tree, node, result);
+  return PassOn(tree, node, tree.Tick(node + 1));
 }
 
 }  // namespace internal

@@ -27,7 +27,7 @@ Status TickRunOnce(Tree& tree, NodeIndex node) {
   const Status result = tree.Tick(node + 1);
   if (result == Status::kRunning) return result;
   if (IsCompleted(result)) done = static_cast<std::uint64_t>(result);
-  return internal::End(tree, node, result);
+  return internal::PassOn(tree, node, result);
 }
 
 /// Own slot 0: number of the tick in which it was done, then of the last one in which it failed.
@@ -41,7 +41,7 @@ Status TickSingleTrigger(Tree& tree, NodeIndex node) {
   const Status result = tree.Tick(node + 1);
   if (result == Status::kRunning) return result;
   done_at = IsCompleted(result) ? tree.ticks() : 0;
-  return internal::End(tree, node, result);
+  return internal::PassOn(tree, node, result);
 }
 
 }  // namespace coppice

@@ -54,7 +54,7 @@ struct Tally {
 template <class Tree>
 Tally CountCompleted(Tree& tree, NodeIndex node) {
   Tally tally;
-  if (tree.memory(node) == 0) tree.ResetChildren(node);
+  if (tree.memory(node) == 0) tree.LeaveChildren(node);
   tree.memory(node) = 1;
   for (NodeIndex child = node + 1; child != tree.EndOf(node); child = tree.EndOf(child)) {
     if (IsCompleted(tree.status(child))) tally.Add(tree.status(child));
@@ -81,7 +81,7 @@ Status TickParallel(Tree& tree, NodeIndex node) {
     }
   }
   if (tally.running > 0) return Status::kRunning;
-  if (tally.skipped == children) return internal::End(tree, node, Status::kSkipped);
+  if (tally.skipped == children) return internal::PassOn(tree, node, Status::kSkipped);
   return internal::End(tree, node, tally.failure > 0 ? Status::kFailure : Status::kSuccess);
 }
 
@@ -95,7 +95,7 @@ Status TickParallelAll(Tree& tree, NodeIndex node) {
     if (!IsCompleted(tree.status(child))) tally.Add(tree.Tick(child));
   }
   if (tally.running > 0) return Status::kRunning;
-  if (tally.skipped == children) return internal::End(tree, node, Status::kSkipped);
+  if (tally.skipped == children) return internal::PassOn(tree, node, Status::kSkipped);
   return internal::End(tree, node, tally.failure >= to_fail ? Status::kFailure : Status::kSuccess);
 }
 

@@ -56,7 +56,7 @@ Status TickRateController(Tree& tree, NodeIndex node) {
     began = tree.now().count();
     ended_at = tree.ticks();
   }
-  return internal::End(tree, node, result);
+  return internal::PassOn(tree, node, result);
 }
 
 /// Own slot 0: time at which the child may run again.
@@ -73,7 +73,7 @@ Status TickCooldown(Tree& tree, NodeIndex node) {
     const std::chrono::milliseconds time(tree.template Port<unsigned>(node, 0));
     until = (tree.now() + time).count();
   }
-  return internal::End(tree, node, result);
+  return internal::PassOn(tree, node, result);
 }
 
 }  // namespace coppice

@@ -65,9 +65,7 @@ Status TickRetryUntilSuccessful(Tree& tree, NodeIndex node) {
 
 template <class Tree>
 Status TickKeepRunningUntilFailure(Tree& tree, NodeIndex node) {
-  const Status result = tree.Tick(node + 1);
-  if (result == Status::kRunning) return result;
-  tree.ResetChildren(node);
+  const Status result = internal::PassOn(tree, node, tree.Tick(node + 1));
   return result == Status::kFailure ? result : Status::kRunning;
 }
 

@@ -31,8 +31,7 @@ template <class Tree>
 Status TickPrecondition(Tree& tree, NodeIndex node) {
   const bool child_runs = tree.status(node + 1) == Status::kRunning;
   if (!child_runs && !tree.TestScript(node, 0)) return internal::ResultPort(tree, node, 1);
-  const Status result = tree.Tick(node + 1);
-  return result == Status::kRunning ? result : internal::End(tree, node, result);
+  return internal::PassOn(tree, node, tree.Tick(node + 1));
 }
 
 }  // namespace coppice

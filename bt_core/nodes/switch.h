@@ -33,8 +33,7 @@ Status TickChosen(Tree& tree, NodeIndex node, std::uint64_t choice) {
   for (NodeIndex child = node + 1; child != tree.EndOf(node); child = tree.EndOf(child)) {
     if (child != chosen && tree.status(child) == Status::kRunning) tree.Halt(child);
   }
-  const Status result = tree.Tick(chosen);
-  return result == Status::kRunning ? result : End(tree, node, result);
+  return PassOn(tree, node, tree.Tick(chosen));
 }
 
 }  // namespace internal

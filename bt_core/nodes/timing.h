@@ -31,12 +31,6 @@ Time EndOfWaiting(Tree& tree, NodeIndex node, unsigned msec) {
   return Time(static_cast<std::int64_t>(memory - 1));
 }
 
-template <class Tree>
-Status PassOn(Tree& tree, NodeIndex node) {
-  const Status result = tree.Tick(node + 1);
-  return result == Status::kRunning ? result : End(tree, node, result);
-}
-
 }  // namespace internal
 
 /// A limit of 0 means none.
@@ -48,14 +42,14 @@ Status TickTimeout(Tree& tree, NodeIndex node) {
     if (tree.now() >= expiry) return internal::End(tree, node, Status::kFailure);
     tree.WakeAt(expiry);
   }
-  return internal::PassOn(tree, node);
+  return internal::PassOn(tree, node, tree.Tick(node + 1));
 }
 
 template <class Tree>
 Status TickDelay(Tree& tree, NodeIndex node) {
   const unsigned delay = tree.template Port<unsigned>(node, 0);
   const Time start = internal::EndOfWaiting(tree, node, delay);
-  if (tree.now() >= start) return internal::PassOn(tree, node);
+  if (tree.now() >= start) return internal::PassOn(tree, node, tree.Tick(node + 1));
   tree.WakeAt(start);
   return Status::kRunning;
 }

@@ -27,18 +27,28 @@ Status Shape::Result(const std::string& name, Status otherwise) const {
 
 Status OracleNode::Tick() {
   const Status result = Run();
-  if (result != Status::kRunning) Forget();
+  if (result == Status::kRunning) has_begun_ = true;
+  if (result == Status::kSkipped) has_begun_ |= !children.empty();
+  if (IsCompleted(result)) has_begun_ = false;
+  if (IsCompleted(result) || (result == Status::kSkipped && !RemembersWhenSkipped())) Forget();
   status_ = result;
   return result;
 }
 
 void OracleNode::Halt() {
-  if (status_ == Status::kRunning) {
+  if (has_begun_) {
     OnHalt();
     ResetChildren();
     Forget();
   }
+  has_begun_ = false;
   status_ = Status::kIdle;
+}
+
+void OracleNode::LetGo() {
+  const Status status = status_;
+  Halt();
+  status_ = status;
 }
 
 void OracleNode::ResetChildren() {
@@ -50,6 +60,14 @@ Status OracleNode::End(Status result) {
   return result;
 }
 
+Status OracleNode::PassOn(Status result) {
+  if (IsCompleted(result)) ResetChildren();
+  if (result == Status::kSkipped) {
+    for (const auto& child : children) child->status_ = Status::kIdle;
+  }
+  return result;
+}
+
 namespace {
 
 class Leaf : public OracleNode {
@@ -57,7 +75,7 @@ class Leaf : public OracleNode {
   Leaf(World& world, const Shape& shape, int number) : OracleNode(world, shape), number_(number) {}
 
  private:
-  Status Run() override { return world_.tick_leaf(number_, !was_running()); }
+  Status Run() override { return world_.tick_leaf(number_, !has_begun()); }
   void OnHalt() override { world_.halt_leaf(number_); }
 
   int number_;

@@ -49,6 +49,7 @@ class OracleNode {
 
   Status Tick();
   void Halt();
+  void LetGo();  // as Halt, but the status stays
 
   Status status() const { return status_; }
   std::vector<std::unique_ptr<OracleNode>> children;
@@ -57,17 +58,21 @@ class OracleNode {
   virtual Status Run() = 0;
   virtual void Forget() {}  // an activation has ended
   virtual void OnHalt() {}
+  virtual bool RemembersWhenSkipped() const { return false; }
   void ResetChildren();
-  Status End(Status result);  // makes the children idle
+  Status End(Status result);     // makes the children idle
+  Status PassOn(Status result);  // the same, but what a skipped child has begun goes on
   OracleNode& child() { return *children.front(); }
   int count() const { return static_cast<int>(children.size()); }
   bool was_running() const { return status_ == Status::kRunning; }
+  bool has_begun() const { return has_begun_; }
 
   World& world_;
   const Shape& shape_;
 
  private:
   Status status_ = Status::kIdle;
+  bool has_begun_ = false;  // and was not ended since: SKIPPED does not end it
 };
 
 /// Builds the tree of a shape, which must outlive it. Leaves are numbered in document order from 0.

@@ -93,7 +93,9 @@ class Reactive : public OracleNode {
         return result;
       }
       if (result == ends_at_) return End(result);
-      if (result == kSkipped) ++skipped;
+      if (result != kSkipped) continue;
+      children[i]->LetGo();
+      ++skipped;
     }
     return End(skipped == count() ? kSkipped : Opposite(ends_at_));
   }
@@ -144,7 +146,7 @@ class Parallel : public Together {
       if (count() - Completed(kFailure) < needed) return End(kFailure);
     }
     if (runs) return kRunning;
-    if (skipped == count()) return End(kSkipped);
+    if (skipped == count()) return PassOn(kSkipped);
     return End(Completed(kFailure) == 0 ? kSuccess : kFailure);
   }
 };
@@ -162,7 +164,7 @@ class ParallelAll : public Together {
       return std::find(results.begin(), results.end(), status) != results.end();
     };
     if (has(kRunning)) return kRunning;
-    if (!has(kSuccess) && !has(kFailure)) return End(kSkipped);
+    if (!has(kSuccess) && !has(kFailure)) return PassOn(kSkipped);
     return End(Completed(kFailure) < fatal ? kSuccess : kFailure);
   }
 };

@@ -24,9 +24,8 @@ class Mapped : public OracleNode {
 
  private:
   Status Run() override {
-    const Status result = child().Tick();
-    if (result == kRunning) return result;
-    return End(results_.count(result) ? results_.at(result) : result);
+    const Status result = PassOn(child().Tick());
+    return results_.count(result) ? results_.at(result) : result;
   }
 
   const std::map<Status, Status> results_;
@@ -57,6 +56,7 @@ class Loop : public OracleNode {
     return again_;
   }
   void Forget() override { done_ = 0; }
+  bool RemembersWhenSkipped() const override { return true; }
 
   const Status again_;
   const int limit_;
@@ -65,21 +65,14 @@ class Loop : public OracleNode {
 
 class KeepRunning : public OracleNode {
   using OracleNode::OracleNode;
-  Status Run() override {
-    const Status result = child().Tick();
-    if (result != kRunning) ResetChildren();
-    return result == kFailure ? kFailure : kRunning;
-  }
+  Status Run() override { return PassOn(child().Tick()) == kFailure ? kFailure : kRunning; }
 };
 
 // What decorators have in common that pass the result of their child on.
 class Passing : public OracleNode {
  protected:
   using OracleNode::OracleNode;
-  Status TickChild() {
-    const Status result = child().Tick();
-    return result == kRunning ? result : End(result);
-  }
+  Status TickChild() { return PassOn(child().Tick()); }
   bool child_runs() { return child().status() == kRunning; }
 
   // Before a time nothing is ticked; who waits in RUNNING wants to be woken.
@@ -116,6 +109,7 @@ class Timeout : public Timer {
 
 class Delay : public Timer {
   using Timer::Timer;
+  bool RemembersWhenSkipped() const override { return true; }
   Status Run() override { return Expired(shape_.Number("delay_msec", 0)) ? TickChild() : kRunning; }
 };
 

@@ -147,6 +147,7 @@ TEST(RandomTrees, DoWhatTheOracleDoes) {
       const int choice = generator.Uniform(1, 20);
       return choice == 20 ? SideBySide::kThrow : 1 + choice % 4;
     });
+    if (seed % 2 == 1) both.Listen();
     for (int tick = 0; tick < kTicks; ++tick) {
       both.Tick();
       if (generator.Uniform(0, 9) == 0) both.Halt();

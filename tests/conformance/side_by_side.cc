@@ -92,6 +92,11 @@ SideBySide::SideBySide(const Shape& shape, std::function<int()> choose)
 
 SideBySide::~SideBySide() = default;
 
+void SideBySide::Listen() {
+  watcher_.statuses = executor_->statuses();
+  executor_->AddSink(&watcher_);
+}
+
 void SideBySide::Tick() {
   ++world_.tick;
   world_.wake_at = kNever;
@@ -115,7 +120,8 @@ void SideBySide::LogStatuses() {
   for (const OracleNode* node : oracle_nodes_) {
     expected_.push_back(kNode + static_cast<int>(node->status()));
   }
-  for (const Status status : executor_->statuses()) {
+  const bool watches = !watcher_.statuses.empty();
+  for (const Status status : watches ? watcher_.statuses : executor_->statuses()) {
     actual_.push_back(kNode + static_cast<int>(status));
   }
 }

@@ -29,6 +29,9 @@ class SideBySide {
 
   void Tick();
   void Halt();
+
+  /// From now on the statuses are those that somebody sees who is told of every change.
+  void Listen();
   void Advance(Duration duration);
 
   /// Empty if both sides did the same so far; else both logs. Starts a new comparison.
@@ -50,6 +53,13 @@ class SideBySide {
   std::unique_ptr<OracleNode> oracle_;
   std::vector<const OracleNode*> oracle_nodes_;  // in preorder, as the program's
   SimulatedClock clock_;
+  class Watcher : public TickSink {
+   public:
+    void OnTick(const TickEvents& events) override {
+      for (const StatusChange& change : events.changes) statuses[change.node] = change.to;
+    }
+    std::vector<Status> statuses;  // empty: does not watch
+  } watcher_;
   std::unique_ptr<Executor> executor_;
 };
 
