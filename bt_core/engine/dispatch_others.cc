@@ -4,6 +4,7 @@
 #include "bt_core/nodes/breaker.h"
 #include "bt_core/nodes/conditional.h"
 #include "bt_core/nodes/filter.h"
+#include "bt_core/nodes/loop.h"
 #include "bt_core/nodes/once.h"
 #include "bt_core/nodes/parallel.h"
 #include "bt_core/nodes/pipeline.h"
@@ -78,6 +79,14 @@ Status Executor::DispatchOthers(NodeIndex node, NodeType type) {
       return TickRetryUntilSuccessful(*this, node);
     case NodeType::kKeepRunningUntilFailure:
       return TickKeepRunningUntilFailure(*this, node);
+    case NodeType::kLoopInt:
+      return TickLoopInt(*this, node);
+    case NodeType::kLoopBool:
+      return TickLoopBool(*this, node);
+    case NodeType::kLoopDouble:
+      return TickLoopDouble(*this, node);
+    case NodeType::kLoopString:
+      return TickLoopString(*this, node);
     case NodeType::kTimeout:
       return TickTimeout(*this, node);
     case NodeType::kDelay:

@@ -162,6 +162,7 @@ class Executor final : public LeafHost, public ChildHost {
   bool TestScript(NodeIndex node, std::uint32_t k) {
     return program_->scripts[Binding(node, k)].Test(blackboard_);
   }
+  const ScriptConstants& constants() const { return program_->registry->script_constants(); }
   void TickAgain() { tick_again_ = true; }
 
  private:
@@ -220,6 +221,7 @@ class Executor final : public LeafHost, public ChildHost {
 
   void HaltRunning(NodeIndex node);
   void HaltDescendants(NodeIndex node);
+  void CatchHaltOf(NodeIndex node);
   void HaltUser(NodeIndex node);
   User& UserOf(NodeIndex node) { return users_[nodes_[node].first_port]; }
   std::string Describe(const UnsetInput& error, NodeIndex node) const;

@@ -4,12 +4,18 @@
 #include <string>
 
 #include "bt_core/engine/executor.h"
+#include "bt_core/nodes/try_catch.h"
 
 namespace coppice {
 namespace {
 
 // Ticked instead of a leaf that is asked to start before it has stopped.
 Status WaitUntilStopped(UserNode&, Status) { return Status::kRunning; }
+
+// A node with a hook, which comes after what is below it, or with a child for this case.
+bool HaltsInItsOwnWay(const NodeRecord& node) {
+  return node.dispatch == NodeType::kGuarded || node.type == NodeType::kTryCatch;
+}
 
 }  // namespace
 
@@ -67,6 +73,7 @@ void Executor::CountKept() {
 }
 
 void Executor::HaltRunning(NodeIndex node) {
+  if (nodes_[node].type == NodeType::kTryCatch) CatchHaltOf(node);
   if (IsUserNode(nodes_[node].type)) HaltUser(node);
   memory_[node] = 0;
   SetStatus(node, Status::kIdle);
@@ -74,13 +81,22 @@ void Executor::HaltRunning(NodeIndex node) {
   if (nodes_[node].dispatch == NodeType::kGuarded) RunHaltedHook(node);
 }
 
+void Executor::CatchHaltOf(NodeIndex node) {
+  try {
+    CatchHalt(*this, node);
+  } catch (const Abort&) {
+    thrown_ = nullptr;  // what is halted anyway needs no end
+  } catch (...) {
+    AddExceptionMessage(node);
+  }
+}
+
 // Flat, in document order. Only what runs has descendants that run, or skipped ones that keep
-// something; a node with a hook is left to HaltRunning, so that its hook comes after what is below
-// it.
+// something.
 void Executor::HaltDescendants(NodeIndex node) {
   for (NodeIndex i = node + 1; i < nodes_[node].end;) {
     const bool running = statuses_[i] == Status::kRunning;
-    if (running && nodes_[i].dispatch == NodeType::kGuarded) {
+    if (running && HaltsInItsOwnWay(nodes_[i])) {
       HaltRunning(i);
       i = nodes_[i].end;
       continue;

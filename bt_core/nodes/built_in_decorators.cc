@@ -17,6 +17,14 @@ BuiltIn Decorator(NodeType type, std::string id, std::string description,
                       std::move(description), std::move(ports));
 }
 
+template <class T>
+BuiltIn Loop(NodeType type, std::string id) {
+  return Decorator(type, std::move(id), "Runs its child once for each element of a list.",
+                   {In<std::vector<T>>("queue", "the elements, separated by ; or a key"),
+                    In<Status>("if_empty", "result when no element is left", "SUCCESS"),
+                    tables::Out<T>("value", "where each element is written")});
+}
+
 }  // namespace
 
 std::vector<BuiltIn> BuiltInDecorators() {
@@ -34,6 +42,10 @@ std::vector<BuiltIn> BuiltInDecorators() {
                 {In<int>("num_attempts", "how often; -1 = for ever")}),
       Decorator(NodeType::kKeepRunningUntilFailure, "KeepRunningUntilFailure",
                 "Runs its child again in every tick until it fails."),
+      Loop<int>(NodeType::kLoopInt, "LoopInt"),
+      Loop<bool>(NodeType::kLoopBool, "LoopBool"),
+      Loop<double>(NodeType::kLoopDouble, "LoopDouble"),
+      Loop<std::string>(NodeType::kLoopString, "LoopString"),
       Decorator(NodeType::kTimeout, "Timeout", "Halts its child and fails when it takes too long.",
                 {In<unsigned>("msec", "limit [ms]; 0 = none")}),
       Decorator(NodeType::kDelay, "Delay", "Waits, then ticks its child.",

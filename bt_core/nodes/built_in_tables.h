@@ -38,6 +38,13 @@ PortDeclaration MayIn(std::string name, std::string description) {
   return port;
 }
 
+/// An output, which may be left out.
+template <class T>
+PortDeclaration Out(std::string name, std::string description) {
+  return {std::move(name), PortDirection::kOutput, &TypeOf<T>(), std::move(description), false,
+          std::nullopt};
+}
+
 /// A port of any type.
 inline PortDeclaration Any(PortDirection direction, std::string name, std::string description) {
   return {std::move(name), direction, nullptr, std::move(description), true, std::nullopt};

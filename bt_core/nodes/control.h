@@ -22,6 +22,7 @@
 //                                     behind the ports ("own slot 0" is the first one)
 //   void     RunScript(node, k)       a port of type ScriptCode
 //   bool     TestScript(node, k)
+//   const ScriptConstants& constants()
 //   Time     now()                    when this tick began
 //   uint64   ticks()                  number of this tick, from 1
 //   void     WakeAt(time)             asks for a tick at that time at the latest

@@ -1,8 +1,8 @@
 // The built-in nodes: a closed set, so that they can be data in a flat array and dispatched by a
 // switch. What they do is in the header of each group: control.h (Sequence, Fallback and their
 // reactive forms), resume.h, parallel.h, pipeline.h, conditional.h, switch.h, try_catch.h,
-// recovery.h, random.h, retry.h, timing.h, rate.h, once.h, breaker.h, filter.h, script_nodes.h,
-// blackboard_nodes.h and test_node.h.
+// recovery.h, random.h, retry.h, loop.h, timing.h, rate.h, once.h, breaker.h, filter.h,
+// script_nodes.h, blackboard_nodes.h and test_node.h.
 #ifndef COPPICE_BT_CORE_NODES_NODE_TYPE_H_
 #define COPPICE_BT_CORE_NODES_NODE_TYPE_H_
 
@@ -47,6 +47,10 @@ enum class NodeType : std::uint8_t {
   kRepeat,
   kRetryUntilSuccessful,
   kKeepRunningUntilFailure,
+  kLoopInt,
+  kLoopBool,
+  kLoopDouble,
+  kLoopString,
   kTimeout,
   kDelay,
   kRunOnce,

@@ -8,7 +8,8 @@
 //   result         SUCCESS    FAILURE    RUNNING    SKIPPED
 //
 // A value matches a case if it has the same text, or if both are numbers that differ by at most the
-// epsilon of float; true and false are the numbers 1 and 0. Source: BehaviorTree.CPP 4.
+// epsilon of float; true and false are the numbers 1 and 0, and a name that scripts know is its
+// number. An enum matches its name and its number. Source: BehaviorTree.CPP 4.
 #ifndef COPPICE_BT_CORE_NODES_SWITCH_H_
 #define COPPICE_BT_CORE_NODES_SWITCH_H_
 
@@ -19,11 +20,12 @@
 
 #include "bt_core/data/blackboard.h"
 #include "bt_core/nodes/children.h"
+#include "bt_core/script/script.h"
 
 namespace coppice {
 
-/// True if a value stands for the same as a text.
-bool MatchesText(const Value& value, std::string_view text);
+/// True if a value stands for the same as a text, in which the names of `constants` are numbers.
+bool MatchesText(const Value& value, std::string_view text, const ScriptConstants& constants);
 
 namespace internal {
 
@@ -47,7 +49,7 @@ Status TickSwitchN(Tree& tree, NodeIndex node) {
   const auto matches = [&] {
     const Slot* text = tree.SlotOf(node, choice + 1);
     return text && text->value.has_value() &&
-           MatchesText(variable->value, text->value.template Get<std::string>());
+           MatchesText(variable->value, text->value.template Get<std::string>(), tree.constants());
   };
   if (!variable || !variable->value.has_value()) choice = cases;
   while (choice < cases && !matches()) ++choice;
@@ -66,7 +68,8 @@ Status TickSwitch(Tree& tree, NodeIndex node) {
   for (bool more = true; more; ++cases) {
     const std::size_t semicolon = rest.find(';');
     const std::string_view text = rest.substr(0, semicolon);
-    if (is_set && choice == UINT32_MAX && MatchesText(variable->value, text)) choice = cases;
+    if (is_set && choice == UINT32_MAX && MatchesText(variable->value, text, tree.constants()))
+      choice = cases;
     more = semicolon != std::string_view::npos;
     if (more) rest.remove_prefix(semicolon + 1);
   }

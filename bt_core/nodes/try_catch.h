@@ -58,6 +58,16 @@ Status TickTryCatch(Tree& tree, NodeIndex node) {
   return internal::End(tree, node, tried ? Status::kSuccess : Status::kSkipped);
 }
 
+/// Before a TryCatch that is RUNNING is halted: what catch_on_halt asks for.
+template <class Tree>
+void CatchHalt(Tree& tree, NodeIndex node) {
+  const NodeIndex last = internal::LastChild(tree, node);
+  if (tree.memory(node) == last || !tree.template Port<bool>(node, 0)) return;
+  for (NodeIndex child = node + 1; child != last; child = tree.EndOf(child)) tree.Halt(child);
+  tree.Tick(last);
+  tree.Halt(last);
+}
+
 }  // namespace coppice
 
 #endif  // COPPICE_BT_CORE_NODES_TRY_CATCH_H_

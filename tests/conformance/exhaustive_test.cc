@@ -115,6 +115,8 @@ std::vector<Shape> WithUpToThreeChildren() {
   shapes.push_back(Make("Parallel", 3, {{"success_count", "1"}, {"failure_count", "-1"}}));
   shapes.push_back(Make("RoundRobin", 2, {{"wrap_around", "true"}}));
   shapes.push_back(Make("RoundRobin", 3, {{"wrap_around", "true"}}));
+  shapes.push_back(Make("TryCatch", 2, {{"catch_on_halt", "true"}}));
+  shapes.push_back(Make("TryCatch", 3, {{"catch_on_halt", "true"}}));
   for (const char* retries : {"-1", "0", "1", "2"}) {
     shapes.push_back(Make("RecoveryNode", 2, {{"number_of_retries", retries}}));
   }

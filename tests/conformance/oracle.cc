@@ -25,6 +25,20 @@ Status Shape::Result(const std::string& name, Status otherwise) const {
   return Status::kSkipped;
 }
 
+std::optional<std::string> World::Read(const std::string& text) const {
+  if (text.empty() || text.front() != '{') return text;
+  const auto found = blackboard.find(text);
+  if (found == blackboard.end()) return std::nullopt;
+  return found->second;
+}
+
+void World::Write(const std::string& text, std::optional<std::string> value) {
+  if (text.empty()) return;
+  ++writes[text];
+  blackboard.erase(text);
+  if (value) blackboard[text] = *value;
+}
+
 Status OracleNode::Tick() {
   const Status result = Run();
   if (result == Status::kRunning) has_begun_ = true;
@@ -111,6 +125,7 @@ std::unique_ptr<OracleNode> Make(const Shape& shape, World& world, int& next_lea
   if (type == "Sleep" || type == "TestNode") return std::make_unique<Wait>(world, shape);
   std::unique_ptr<OracleNode> node = MakeControl(shape, world);
   if (!node) node = MakeDecorator(shape, world);
+  if (!node) node = MakeBlackboardNode(shape, world);
   if (!node) throw std::logic_error("no such node: " + type);
   for (const Shape& child : shape.children) {
     node->children.push_back(Make(child, world, next_leaf));

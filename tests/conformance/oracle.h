@@ -6,7 +6,9 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -37,9 +39,19 @@ struct World {
   std::function<Status(int leaf, bool starting)> tick_leaf;
   std::function<void(int leaf)> halt_leaf;
 
+  std::map<std::string, std::string> blackboard;  // by the text of a port: "{key}"
+  std::map<std::string, int> writes;
+
   void WakeAt(Time time) {
     if (time < wake_at) wake_at = time;
   }
+
+  /// The value of a port with this text, which is a key in braces or the value itself. Nothing for
+  /// an empty key.
+  std::optional<std::string> Read(const std::string& text) const;
+
+  /// Nothing empties the key. A port without text is left out.
+  void Write(const std::string& text, std::optional<std::string> value);
 };
 
 class OracleNode {
@@ -81,6 +93,7 @@ std::unique_ptr<OracleNode> MakeOracle(const Shape& shape, World& world);
 /// The node of a shape, without its children; null if it is not one of the group.
 std::unique_ptr<OracleNode> MakeControl(const Shape& shape, World& world);
 std::unique_ptr<OracleNode> MakeDecorator(const Shape& shape, World& world);
+std::unique_ptr<OracleNode> MakeBlackboardNode(const Shape& shape, World& world);
 
 }  // namespace coppice::conformance
 

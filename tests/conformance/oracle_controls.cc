@@ -249,6 +249,13 @@ class TryCatch : public OracleNode {
     if (!catching_) return End(skipped_ + 1 == count() ? kSkipped : kSuccess);
     return children.back()->Tick() == kRunning ? kRunning : End(kFailure);
   }
+  void OnHalt() override {
+    if (!was_running() || catching_) return;
+    if (shape_.Text("catch_on_halt", "false") != "true") return;
+    for (int k = 0; k + 1 < count(); ++k) children[static_cast<std::size_t>(k)]->Halt();
+    children.back()->Tick();
+    children.back()->Halt();
+  }
   void Forget() override {
     catching_ = false;
     index_ = skipped_ = 0;

@@ -45,6 +45,8 @@ class Generator {
   };
   static constexpr int kChildren = 99;  // stands for the number of children
 
+  static const PortKind kVariable;
+  static const PortKind kEntry;
   static const std::vector<NodeKind> kControls;
   static const std::vector<NodeKind> kDecorators;
   static const std::vector<NodeKind> kLeaves;
@@ -55,7 +57,7 @@ class Generator {
   }
 
   Shape LeafOfTree() {
-    if (Uniform(0, 9) < 8) return {"Leaf", {}, {}};
+    if (Uniform(0, 9) < 7) return {"Leaf", {}, {}};
     const NodeKind& kind = Pick(kLeaves);
     Shape shape{kind.type, {}, {}};
     for (const PortKind& port : kind.ports)
@@ -72,6 +74,10 @@ class Generator {
 
   std::mt19937 random_;
 };
+
+// Keys of the main tree, so that all SubTrees share them.
+const Generator::PortKind Generator::kVariable = {"variable", true, 0, 0, 1, {"{@k}", "{@j}"}};
+const Generator::PortKind Generator::kEntry = {"entry", true, 0, 0, 1, {"{@k}", "{@j}"}};
 
 const std::vector<Generator::NodeKind> Generator::kControls = {
     {"Sequence", 1, 4},
@@ -92,9 +98,15 @@ const std::vector<Generator::NodeKind> Generator::kControls = {
     {"NonblockingSequence", 1, 4},
     {"IfThenElse", 2, 3},
     {"WhileDoElse", 2, 3},
-    {"TryCatch", 2, 4},
+    {"TryCatch", 2, 4, {{"catch_on_halt", false, 0, 0, 1, {"true", "false"}}}},
     {"RecoveryNode", 2, 2, {{"number_of_retries", false, -1, 3}}},
     {"RoundRobin", 1, 4, {{"wrap_around", false, 0, 0, 1, {"true", "false"}}}},
+    {"PersistentSequence", 1, 4, {{"current_child_idx", true, 0, 0, 1, {"{@m}", "{@n}"}}}},
+    {"Switch2",
+     3,
+     3,
+     {kVariable, {"case_1", false, 0, 0, 1, {"a"}}, {"case_2", true, 0, 0, 1, {"b"}}}},
+    {"Switch", 4, 4, {kVariable, {"cases", true, 0, 0, 1, {"a;b;c", "c;a;a"}}}},
 };
 
 const std::vector<Generator::NodeKind> Generator::kDecorators = {
@@ -121,6 +133,20 @@ const std::vector<Generator::NodeKind> Generator::kDecorators = {
       {"period_msec", false, 0, 5, 70},
       {"open_msec", false, 0, 5, 70},
       {"if_open", false, 0, 0, 1, {"SUCCESS", "RUNNING", "SKIPPED"}}}},
+    {"SkipUnlessUpdated", 1, 1, {kEntry}},
+    {"WaitValueUpdate", 1, 1, {kEntry}},
+    {"Precondition",
+     1,
+     1,
+     {{"if", true, 0, 0, 1, {"@k == 'a'", "@j == 'b'"}},
+      {"else", false, 0, 0, 1, {"SUCCESS", "RUNNING", "SKIPPED"}}}},
+    {"LoopString",
+     1,
+     1,
+     {{"queue", true, 0, 0, 1, {"", "a", "b;a;c"}},
+      {"value", false, 0, 0, 1, {"{@k}", "{@j}"}},
+      {"if_empty", false, 0, 0, 1, {"FAILURE", "RUNNING", "SKIPPED"}}}},
+    {"LoopInt", 1, 1, {{"queue", true, 0, 0, 1, {"1;2"}}}},
     {"Consecutive", 1, 1, {{"successes", false, 0, 3}, {"failures", false, 0, 3}}},
     {"Debounce", 1, 1, {{"success_msec", false, 0, 3, 70}, {"failure_msec", false, 0, 3, 70}}},
 };
@@ -129,6 +155,15 @@ const std::vector<Generator::NodeKind> Generator::kLeaves = {
     {"AlwaysSuccess", 0, 0},
     {"AlwaysFailure", 0, 0},
     {"Sleep", 0, 0, {{"msec", true, 0, 3, 70}}},
+    {"WasEntryUpdated", 0, 0, {kEntry}},
+    {"SetBlackboard",
+     0,
+     0,
+     {{"value", true, 0, 0, 1, {"a", "b", "c", "{@k}", "{@j}"}},
+      {"output_key", true, 0, 0, 1, {"{@k}", "{@j}"}}}},
+    {"UnsetBlackboard", 0, 0, {{"key", true, 0, 0, 1, {"{@k}", "{@j}"}}}},
+    {"Script", 0, 0, {{"code", true, 0, 0, 1, {"@k := 'b'", "@j := 'a'"}}}},
+    {"ScriptCondition", 0, 0, {{"code", true, 0, 0, 1, {"@k == 'b'", "@j == 'a'"}}}},
     {"TestNode",
      0,
      0,

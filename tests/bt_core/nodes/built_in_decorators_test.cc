@@ -15,6 +15,7 @@ TEST(BuiltInDecorators, HaveThePortsOfThePeer) {
   EXPECT_EQ(ports("Delay"), "delay_msec");
   EXPECT_EQ(ports("Timeout"), "msec");
   EXPECT_EQ(ports("RunOnce"), "then_skip=true");
+  EXPECT_EQ(ports("LoopDouble"), "queue if_empty=SUCCESS value?");
   EXPECT_EQ(ports("Precondition"), "if else=FAILURE");
   EXPECT_EQ(ports("SkipUnlessUpdated"), "entry");
   EXPECT_EQ(ports("WaitValueUpdate"), "entry");

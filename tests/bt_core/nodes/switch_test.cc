@@ -2,8 +2,18 @@
 
 #include <gtest/gtest.h>
 
+#include "bt_core/data/enum.h"
+
+enum class Color { RED = 1, GREEN = 2 };
+COPPICE_ENUM(Color, RED, GREEN)
+
 namespace coppice {
 namespace {
+
+bool MatchesText(const Value& value, std::string_view text) {
+  static const ScriptConstants constants = {{"LOW", 1}, {"HIGH", 2}};
+  return MatchesText(value, text, constants);
+}
 
 TEST(MatchesText, ComparesStringsAsTheyAre) {
   EXPECT_TRUE(MatchesText(Value(std::string("red")), "red"));
@@ -35,6 +45,20 @@ TEST(MatchesText, TakesTrueForOneAndForTrue) {
   EXPECT_TRUE(MatchesText(Value(false), "0"));
   EXPECT_FALSE(MatchesText(Value(false), "true"));
   EXPECT_FALSE(MatchesText(Value(true), "2"));
+}
+
+TEST(MatchesText, KnowsTheNamesThatScriptsKnow) {
+  EXPECT_TRUE(MatchesText(Value(2), "HIGH"));
+  EXPECT_TRUE(MatchesText(Value(std::string("LOW")), "1"));
+  EXPECT_TRUE(MatchesText(Value(std::string("LOW")), "LOW"));
+  EXPECT_FALSE(MatchesText(Value(2), "LOW"));
+}
+
+TEST(MatchesText, ComparesEnumsByNameAndNumber) {
+  EXPECT_TRUE(MatchesText(Value(Color::RED), "RED"));
+  EXPECT_TRUE(MatchesText(Value(Color::RED), "1"));
+  EXPECT_FALSE(MatchesText(Value(Color::RED), "GREEN"));
+  EXPECT_FALSE(MatchesText(Value(Color::RED), "BLUE"));
 }
 
 }  // namespace
