@@ -93,8 +93,8 @@ Status TickSequenceWithMemory(Tree& tree, NodeIndex node) {
 }
 
 /// Port 0, of direction inout: number of the child to resume at; 0 if it has no value. Throws
-/// std::invalid_argument if it is negative; a number behind the last child is the end. Memory: as
-/// for SequenceWithMemory.
+/// std::invalid_argument if it is negative; a number behind the last child is the end. Memory: 1 +
+/// the number of children skipped, and kWentOn.
 template <class Tree>
 Status TickPersistentSequence(Tree& tree, NodeIndex node) {
   Slot& slot = *tree.SlotOf(node, 0);
@@ -112,11 +112,11 @@ Status TickPersistentSequence(Tree& tree, NodeIndex node) {
     if (result == Status::kRunning) return result;
     move_to(result == Status::kFailure ? 0 : ++place);
     if (result == Status::kFailure) return internal::End(tree, node, result);
-    if (result == Status::kSuccess) memory |= internal::kWentOn;
+    memory = result == Status::kSkipped ? memory + 1 : memory | internal::kWentOn;
   }
   move_to(0);
-  const bool went_on = (memory & internal::kWentOn) != 0;
-  return internal::End(tree, node, went_on ? Status::kSuccess : Status::kSkipped);
+  const bool all_skipped = memory == std::uint64_t{1} + internal::CountChildren(tree, node);
+  return internal::End(tree, node, all_skipped ? Status::kSkipped : Status::kSuccess);
 }
 
 }  // namespace coppice

@@ -150,7 +150,7 @@ std::string SideBySide::Print(const Log& log) const {
     if (kind == kTicked) text += " tick " + number;
     if (kind == kHalted) text += " halt " + number;
     if (kind == kResult) text += std::string(" -> ") + status + ";";
-    if (kind == kNode) text += std::string(" ") + status[0];
+    if (kind == kNode) text += std::string(" ") + status[0] + status[1];
     if (kind < kStart || kind > kNode) text += " next " + std::to_string(entry) + " |";
   }
   return text;
