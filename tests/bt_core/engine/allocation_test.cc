@@ -92,7 +92,55 @@ constexpr const char* kTree = R"(
    </ReactiveSequence>
    <RetryUntilSuccessful num_attempts="-1"><AlwaysFailure/></RetryUntilSuccessful>
    <Delay delay_msec="3600000"><AlwaysSuccess/></Delay>
+   <KeepRunningUntilFailure><ForceSuccess><SubTree ID="Others"/></ForceSuccess></KeepRunningUntilFailure>
   </Parallel>
+ </BehaviorTree>
+ <BehaviorTree ID="Others">
+  <ParallelAll max_failures="-1">
+   <AsyncSequence><AlwaysSuccess/><AlwaysSuccess/></AsyncSequence>
+   <AsyncFallback><AlwaysFailure/><AlwaysFailure/></AsyncFallback>
+   <SequenceWithMemory><AlwaysSuccess/><AlwaysFailure/></SequenceWithMemory>
+   <PersistentSequence current_child_idx="{place}"><AlwaysSuccess/></PersistentSequence>
+   <WorstOf>
+    <PipelineSequence><AlwaysSuccess/></PipelineSequence>
+    <NonblockingSequence><AlwaysSuccess/></NonblockingSequence>
+   </WorstOf>
+   <IfThenElse><AlwaysSuccess/><AlwaysSuccess/></IfThenElse>
+   <WhileDoElse><AlwaysSuccess/><AlwaysSuccess/></WhileDoElse>
+   <Switch2 variable="{place}" case_1="1" case_2="0">
+    <AlwaysFailure/><AlwaysSuccess/><AlwaysFailure/>
+   </Switch2>
+   <Switch variable="{place}" cases="red;green;0">
+    <AlwaysFailure/><AlwaysFailure/><AlwaysSuccess/><AlwaysFailure/>
+   </Switch>
+   <TryCatch><AlwaysFailure/><AlwaysSuccess/></TryCatch>
+   <RecoveryNode><AlwaysFailure/><AlwaysSuccess/></RecoveryNode>
+   <RoundRobin><AlwaysFailure/><AlwaysSuccess/></RoundRobin>
+   <RandomSequence><AlwaysSuccess/><AlwaysSuccess/></RandomSequence>
+   <RandomSelector><AlwaysFailure/><AlwaysSuccess/></RandomSelector>
+   <LoopInt queue="1;2" value="{int}"><AlwaysFailure/></LoopInt>
+   <LoopBool queue="0;1" value="{bool}"><AlwaysFailure/></LoopBool>
+   <LoopDouble queue="0.5;1" value="{double}"><AlwaysSuccess/></LoopDouble>
+   <LoopString queue="a;b" value="{string}"><AlwaysFailure/></LoopString>
+   <RunOnce><AlwaysSuccess/></RunOnce>
+   <SingleTrigger><AlwaysSuccess/></SingleTrigger>
+   <RateController hz="50"><AlwaysSuccess/></RateController>
+   <Cooldown msec="15"><AlwaysSuccess/></Cooldown>
+   <CircuitBreaker max_failures="3" open_msec="15"><AlwaysFailure/></CircuitBreaker>
+   <Consecutive><AlwaysSuccess/></Consecutive>
+   <Debounce><AlwaysSuccess/></Debounce>
+   <Precondition if="place == 0"><AlwaysSuccess/></Precondition>
+   <SkipUnlessUpdated entry="{int}"><AlwaysSuccess/></SkipUnlessUpdated>
+   <WaitValueUpdate entry="{int}"><AlwaysSuccess/></WaitValueUpdate>
+   <Sleep msec="15"/>
+   <Script code="count := 1"/>
+   <ScriptCondition code="count == 1"/>
+   <SetBlackboard value="5" output_key="five"/>
+   <UnsetBlackboard key="five"/>
+   <WasEntryUpdated entry="{five}"/>
+   <Hysteresis value="{double}" low="0" high="1"/>
+   <TestNode/>
+  </ParallelAll>
  </BehaviorTree>
  <BehaviorTree ID="Talk">
   <ReactiveSequence>
