@@ -14,6 +14,7 @@ class NamesInScope : public ScriptNames {
       : keys_(keys), types_(types), scope_(scope) {}
   SlotIndex Slot(std::string_view name) override { return keys_.ResolveCopy(name, scope_); }
   const Type* TypeOf(SlotIndex slot) const override { return types_.Of(slot); }
+  bool IsKey(std::string_view name) const override { return keys_.Has(name, scope_); }
 
  private:
   KeyTable& keys_;

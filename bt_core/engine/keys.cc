@@ -65,6 +65,10 @@ SlotIndex KeyTable::ResolveCopy(std::string_view key, ScopeIndex scope) {
   return Resolve(names_.emplace_back(key), scope);
 }
 
+bool KeyTable::Has(std::string_view key, ScopeIndex scope) const {
+  return scopes_[Home(key, scope)].keys.count(key) != 0;
+}
+
 void KeyTable::Bind(std::string_view key, ScopeIndex scope, SlotIndex slot) {
   scopes_[scope].keys.emplace(key, slot);
 }

@@ -37,6 +37,9 @@ class KeyTable {
   /// The same for a key whose text does not outlive the table.
   SlotIndex ResolveCopy(std::string_view key, ScopeIndex scope);
 
+  /// True if that is the name of a key already, in this scope or where the scope has it from.
+  bool Has(std::string_view key, ScopeIndex scope) const;
+
   /// Makes the key of a scope that slot. Without effect if the scope has that key already.
   void Bind(std::string_view key, ScopeIndex scope, SlotIndex slot);
 

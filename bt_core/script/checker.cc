@@ -121,6 +121,9 @@ class Checker {
       node.slot = names_.Slot(node.name);
       node.type = names_.TypeOf(node.slot);
       node.family = FamilyOf(node.type);
+    } else if (names_.IsKey(node.name)) {
+      Problem(node, Quoted(node.name) + " is both a constant and a key",
+              "give the key another name");
     } else if (node.is_target) {
       Problem(node, Quoted(node.name) + " is a constant and cannot be assigned to",
               "give the key another name");

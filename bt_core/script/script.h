@@ -39,6 +39,9 @@ class ScriptNames {
   virtual SlotIndex Slot(std::string_view name) = 0;
   /// The type that ports give to a slot; null if no port does, then it takes values of any type.
   virtual const Type* TypeOf(SlotIndex slot) const = 0;
+  /// True if a port or another script has this key already. Asked for constants: a name that is
+  /// both is a problem.
+  virtual bool IsKey(std::string_view name) const = 0;
 };
 
 /// What is wrong with a script, and where in its text.

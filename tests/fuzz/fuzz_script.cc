@@ -37,6 +37,7 @@ class Keys : public ScriptNames {
     return static_cast<SlotIndex>(keys_.size() - 1);
   }
   const Type* TypeOf(SlotIndex slot) const override { return keys_.at(slot).type; }
+  bool IsKey(std::string_view) const override { return false; }
 
   // All keys that have a type have a value.
   Blackboard MakeBlackboard() const {

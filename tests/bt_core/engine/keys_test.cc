@@ -43,6 +43,16 @@ TEST_F(KeyTableTest, AutoremapGoesUpThroughAllScopesThatHaveIt) {
   EXPECT_NE(keys.Resolve("_k", inner), keys.Resolve("_k", outer));
 }
 
+TEST_F(KeyTableTest, AskingForAKeyMakesNone) {
+  const ScopeIndex inner = keys.AddScope(main, true);
+  EXPECT_FALSE(keys.Has("k", inner));
+  EXPECT_FALSE(keys.Has("k", main));
+  keys.Resolve("k", main);
+  EXPECT_TRUE(keys.Has("k", main));
+  EXPECT_TRUE(keys.Has("k", inner));
+  EXPECT_EQ(layout.slots.size(), 1U);
+}
+
 TEST_F(KeyTableTest, AtSignIsTheMainTreeFromEverywhere) {
   const ScopeIndex inner = keys.AddScope(main, false);
   EXPECT_EQ(keys.Resolve("@k", inner), keys.Resolve("k", main));

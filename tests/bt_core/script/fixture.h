@@ -2,6 +2,7 @@
 #ifndef COPPICE_TESTS_BT_CORE_SCRIPT_FIXTURE_H_
 #define COPPICE_TESTS_BT_CORE_SCRIPT_FIXTURE_H_
 
+#include <algorithm>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -22,6 +23,9 @@ class FlatNames : public ScriptNames {
     return Declare(name, nullptr);
   }
   const Type* TypeOf(SlotIndex slot) const override { return types_.at(slot); }
+  bool IsKey(std::string_view name) const override {
+    return std::find(keys_.begin(), keys_.end(), name) != keys_.end();
+  }
 
   SlotIndex Declare(std::string_view name, const Type* type) {
     keys_.emplace_back(name);

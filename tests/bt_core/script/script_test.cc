@@ -182,6 +182,16 @@ TEST(Script, ConstantsAreNumbers) {
   EXPECT_EQ(problems[0].offset, 14U);
 }
 
+TEST(Script, ANameIsAConstantOrAKeyButNotBoth) {
+  ScriptBench bench;
+  bench.constants() = {{"RED", 1}};
+  bench.Declare<int>("RED");
+  const std::vector<ScriptProblem> problems = bench.ProblemsOf("color := RED");
+  ASSERT_EQ(problems.size(), 1U);
+  EXPECT_EQ(problems[0].message, "\"RED\" is both a constant and a key");
+  EXPECT_EQ(problems[0].offset, 9U);
+}
+
 TEST(Script, TheEnumeratorsOfAnEnumBecomeConstants) {
   ScriptConstants constants = {{"RUNNING", 1}};
   EXPECT_EQ(AddEnumerators(EnumeratorsOf<Status>(), constants), std::nullopt);
