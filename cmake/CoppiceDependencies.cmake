@@ -1,0 +1,34 @@
+# What the engine's libraries need, for this build and for those who use an installed Coppice.
+#   coppice_dependencies(LIVE bool RESULT variable)
+#   Makes Threads::Threads, coppice::tinyxml2 and, for the live socket, PkgConfig::ZMQ. Sets the
+#   variable to what is missing, in words, or to nothing.
+macro(coppice_dependencies)
+  cmake_parse_arguments(COPPICE_DEPENDENCIES "" "LIVE;RESULT" "" ${ARGN})
+  set(${COPPICE_DEPENDENCIES_RESULT})
+
+  find_package(Threads)
+  if(NOT Threads_FOUND)
+    set(${COPPICE_DEPENDENCIES_RESULT} "threads were not found")
+  endif()
+
+  find_library(COPPICE_TINYXML2 tinyxml2)
+  mark_as_advanced(COPPICE_TINYXML2)
+  if(NOT COPPICE_TINYXML2)
+    set(${COPPICE_DEPENDENCIES_RESULT}
+        "tinyxml2 was not found; on Debian and Ubuntu: apt-get install libtinyxml2-dev")
+  elseif(NOT TARGET coppice::tinyxml2)
+    add_library(coppice::tinyxml2 UNKNOWN IMPORTED GLOBAL)
+    set_target_properties(coppice::tinyxml2 PROPERTIES IMPORTED_LOCATION ${COPPICE_TINYXML2})
+  endif()
+
+  if(${COPPICE_DEPENDENCIES_LIVE} AND NOT TARGET PkgConfig::ZMQ)
+    find_package(PkgConfig QUIET)
+    if(PkgConfig_FOUND)
+      pkg_check_modules(ZMQ QUIET IMPORTED_TARGET GLOBAL libzmq)
+    endif()
+    if(NOT TARGET PkgConfig::ZMQ)
+      set(${COPPICE_DEPENDENCIES_RESULT}
+          "ZeroMQ was not found; on Debian and Ubuntu: apt-get install pkg-config libzmq3-dev")
+    endif()
+  endif()
+endmacro()

@@ -1,0 +1,37 @@
+# `cmake --install build --prefix PREFIX`: the engine's libraries, headers and command line, and what
+# find_package(coppice) needs. Robot and editor are run from the build folder.
+#   find_package(coppice 0.1 REQUIRED)
+#   target_link_libraries(my_robot coppice::bt_core)     # and coppice::record, coppice::live
+include(CMakePackageConfigHelpers)
+include(GNUInstallDirs)
+set(COPPICE_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/coppice)
+
+set(libraries bt_core bt_core_record)
+if(COPPICE_LIVE)
+  list(APPEND libraries bt_core_live)
+endif()
+foreach(library ${libraries})
+  string(REPLACE bt_core_ "" name ${library})
+  set_target_properties(${library} PROPERTIES EXPORT_NAME ${name})
+endforeach()
+install(TARGETS ${libraries} EXPORT coppice ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(TARGETS coppice RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(EXPORT coppice NAMESPACE coppice:: FILE coppice-targets.cmake
+        DESTINATION ${COPPICE_PACKAGE_DIR})
+
+set(other_headers PATTERN cli EXCLUDE)
+if(NOT COPPICE_LIVE)
+  list(APPEND other_headers PATTERN live EXCLUDE)
+endif()
+install(DIRECTORY bt_core DESTINATION include/coppice
+        FILES_MATCHING PATTERN "*.h" ${other_headers})
+
+configure_package_config_file(cmake/coppice-config.cmake.in
+  ${PROJECT_BINARY_DIR}/coppice-config.cmake INSTALL_DESTINATION ${COPPICE_PACKAGE_DIR})
+# 0.x: what comes new may change what there was.
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/coppice-config-version.cmake
+                                 COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/coppice-config.cmake
+              ${PROJECT_BINARY_DIR}/coppice-config-version.cmake
+              cmake/CoppiceDependencies.cmake
+        DESTINATION ${COPPICE_PACKAGE_DIR})
