@@ -33,5 +33,5 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/coppice-config-version.cm
                                  COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/coppice-config.cmake
               ${PROJECT_BINARY_DIR}/coppice-config-version.cmake
-              cmake/CoppiceDependencies.cmake
+              cmake/CoppiceDependencies.cmake cmake/CoppicePlugin.cmake
         DESTINATION ${COPPICE_PACKAGE_DIR})

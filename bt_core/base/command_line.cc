@@ -10,7 +10,12 @@ namespace coppice {
 
 std::string Options::Get(const std::string& name, const std::string& otherwise) const {
   const auto found = values.find(name);
-  return found == values.end() ? otherwise : found->second;
+  return found == values.end() ? otherwise : found->second.back();
+}
+
+std::vector<std::string> Options::GetAll(const std::string& name) const {
+  const auto found = values.find(name);
+  return found == values.end() ? std::vector<std::string>() : found->second;
 }
 
 std::optional<std::int64_t> Options::GetNumber(const std::string& name) const {
@@ -34,9 +39,9 @@ std::optional<Options> ParseOptions(const std::vector<std::string>& arguments,
     if (argument.size() < 2 || argument.front() != '-') {
       options.files.push_back(argument);
     } else if (contains(flags, argument)) {
-      options.values[argument] = "";
+      options.values[argument].emplace_back();
     } else if (contains(with_value, argument) && i + 1 < arguments.size()) {
-      options.values[argument] = arguments[++i];
+      options.values[argument].push_back(arguments[++i]);
     } else if (argument == "--help" || argument == "-h") {
       std::cout << "usage: " << usage << "\n";
       return std::nullopt;

@@ -1,4 +1,4 @@
-// The arguments of a program or of a verb, taken apart: files, and options with one value each.
+// The arguments of a program or of a verb, taken apart: files, and options with a value each.
 #ifndef COPPICE_BT_CORE_BASE_COMMAND_LINE_H_
 #define COPPICE_BT_CORE_BASE_COMMAND_LINE_H_
 
@@ -12,10 +12,13 @@ namespace coppice {
 
 struct Options {
   std::vector<std::string> files;
-  std::map<std::string, std::string> values;  ///< "--ticks" -> "5"; a flag has an empty value
+  /// "--ticks" -> {"5"}, one for each time it is given; a flag has an empty value.
+  std::map<std::string, std::vector<std::string>> values;
 
   bool Has(const std::string& name) const { return values.count(name) > 0; }
+  /// The last value given.
   std::string Get(const std::string& name, const std::string& otherwise = {}) const;
+  std::vector<std::string> GetAll(const std::string& name) const;
   /// A whole number, or nothing if the option is missing or no number.
   std::optional<std::int64_t> GetNumber(const std::string& name) const;
 };

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "bt_core/base/command_line.h"
+#include "bt_core/cli/plugins.h"
 #include "bt_core/cli/replay_printer.h"
 #include "bt_core/cli/verbs.h"
 #include "bt_core/engine/check_project.h"
@@ -14,26 +15,22 @@ namespace coppice {
 namespace {
 
 constexpr char kUsage[] =
-    "coppice check FILE... [--json] [--models FILE]\n"
+    "coppice check FILE... [--json] [--models FILE] [--plugin FILE.so]...\n"
     "  Checks every tree in the files, which are taken as one project, and in what they include:\n"
     "  structure, names, ports, types, scripts. All problems are printed; 1 if one is an error.\n"
     "  --models  what `coppice-robot nodes --xml` writes: the robot's node types. Without it, "
     "node\n"
     "            types that are not built in are not checked.\n"
+    "  --plugin  a library with node types\n"
     "  --json    problems as an array of {file, line, column, severity, message, hint} on the\n"
     "            standard output";
 
-std::shared_ptr<const Registry> ReadRegistry(const Options& options, Diagnostics& diagnostics) {
-  auto registry = std::make_shared<Registry>();
-  if (!options.Has("--models")) return registry;
-  const auto models = Project::FromFile(options.Get("--models"), diagnostics);
-  if (models) AddModels(*models, *registry);
-  return registry;
-}
-
-Diagnostics Check(const Options& options) {
+Diagnostics Check(const Options& options, const std::shared_ptr<Registry>& registry) {
   Diagnostics diagnostics;
-  const auto registry = ReadRegistry(options, diagnostics);
+  if (options.Has("--models")) {
+    const auto models = Project::FromFile(options.Get("--models"), diagnostics);
+    if (models) AddModels(*models, *registry);
+  }
   std::optional<Project> project = Project::FromFiles(options.files, diagnostics);
   if (!project) return diagnostics;
   CheckProject(std::make_shared<const Project>(*std::move(project)), registry,
@@ -78,13 +75,16 @@ void PrintJson(const std::vector<Diagnostic>& diagnostics) {
 }  // namespace
 
 int RunCheck(const Arguments& arguments) {
-  const std::optional<Options> options = ParseOptions(arguments, {"--models"}, {"--json"}, kUsage);
+  const std::optional<Options> options =
+      ParseOptions(arguments, {"--models", "--plugin"}, {"--json"}, kUsage);
   if (!options) return 2;
   if (options->files.empty()) {
     std::cerr << "no file given\nusage: " << kUsage << "\n";
     return 2;
   }
-  const Diagnostics diagnostics = Check(*options);
+  const std::shared_ptr<Registry> registry = RegistryWithPlugins(*options);
+  if (!registry) return 2;
+  const Diagnostics diagnostics = Check(*options, registry);
   const std::vector<Diagnostic> sorted = Sorted(diagnostics);
   if (options->Has("--json")) {
     PrintJson(sorted);

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "bt_core/base/command_line.h"
+#include "bt_core/cli/plugins.h"
 #include "bt_core/cli/verbs.h"
 #include "bt_core/engine/runner.h"
 
@@ -11,8 +12,9 @@ namespace coppice {
 namespace {
 
 constexpr char kUsage[] =
-    "coppice run FILE [--tree ID]\n"
-    "  Runs a tree of built-in nodes until its root completes; Ctrl+C halts it.\n"
+    "coppice run FILE [--tree ID] [--plugin FILE.so]...\n"
+    "  Runs a tree of built-in nodes and those of plugins until its root completes; Ctrl+C halts "
+    "it.\n"
     "  Trees with the robot's leaves are run by coppice-robot.";
 
 std::atomic<Runner*> running{nullptr};
@@ -44,15 +46,18 @@ class Printer : public TickSink {
 }  // namespace
 
 int RunTree(const Arguments& arguments) {
-  const std::optional<Options> options = ParseOptions(arguments, {"--tree"}, {}, kUsage);
+  const std::optional<Options> options =
+      ParseOptions(arguments, {"--plugin", "--tree"}, {}, kUsage);
   if (!options) return 2;
   if (options->files.size() != 1) {
     std::cerr << "expected one file\nusage: " << kUsage << "\n";
     return 2;
   }
+  const std::shared_ptr<const Registry> registry = RegistryWithPlugins(*options);
+  if (!registry) return 2;
   Diagnostics diagnostics;
-  const auto program = CompileFile(options->files[0], std::make_shared<const Registry>(),
-                                   diagnostics, options->Get("--tree"));
+  const auto program =
+      CompileFile(options->files[0], registry, diagnostics, options->Get("--tree"));
   std::cerr << diagnostics.ToString();
   if (!program) return 2;
 

@@ -85,6 +85,11 @@ class Registry {
   /// types of its ports. Without effect if the ID is taken.
   void AddManifest(Manifest manifest, ChildCount children, std::shared_ptr<const void> types);
 
+  /// Adds the node types of a shared library (engine/plugin.h), which stays loaded until the
+  /// program ends. Throws std::runtime_error, "PATH: why", if it cannot be loaded, was built for
+  /// another version of Coppice, or one of its node types cannot be added; then none of them is.
+  void LoadPlugin(const std::string& path);
+
   /// What an ID that nobody registered becomes, instead of an error. The builder gets the
   /// instance's name.
   void SetFallback(std::function<std::unique_ptr<Leaf>(const std::string& name)> build) {

@@ -25,6 +25,13 @@ TEST(CommandLine, GivesTheDefaultForWhatIsMissing) {
   EXPECT_EQ(Parse({})->Get("--tree", "Main"), "Main");
 }
 
+TEST(CommandLine, AnOptionMayBeGivenMoreThanOnce) {
+  const auto options = Parse({"--tree", "A", "--tree", "B"});
+  EXPECT_EQ(options->Get("--tree"), "B");
+  EXPECT_EQ(options->GetAll("--tree"), (std::vector<std::string>{"A", "B"}));
+  EXPECT_TRUE(options->GetAll("--ticks").empty());
+}
+
 TEST(CommandLine, NumbersAreWhole) {
   EXPECT_EQ(Parse({"--ticks", "12"})->GetNumber("--ticks"), 12);
   EXPECT_EQ(Parse({"--ticks", "12x"})->GetNumber("--ticks"), std::nullopt);

@@ -187,7 +187,10 @@ TEST(UserControl, NestsWithBuiltInNodes) {
       <Repeat num_cycles="4">
         <Alternate>
           <AlwaysSuccess/>
-          <Control ID="Alternate"><AlwaysSuccess/><ForceSuccess><AlwaysFailure/></ForceSuccess></Control>
+          <Control ID="Alternate">
+            <AlwaysSuccess/>
+            <ForceSuccess><AlwaysFailure/></ForceSuccess>
+          </Control>
         </Alternate>
       </Repeat>)"),
                                    diagnostics, registry);

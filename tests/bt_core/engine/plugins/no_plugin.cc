@@ -1,0 +1,2 @@
+// A library of something else.
+extern "C" int Answer() { return 42; }
