@@ -7,11 +7,13 @@
 #ifndef COPPICE_BT_CORE_DATA_BLACKBOARD_H_
 #define COPPICE_BT_CORE_DATA_BLACKBOARD_H_
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "bt_core/base/clock.h"
 #include "bt_core/data/inbox.h"
 #include "bt_core/data/value.h"
 
@@ -21,8 +23,15 @@ using ScopeIndex = std::uint32_t;
 
 struct Slot {
   Value value;               ///< empty until it is written for the first time
+  Time stamp{0};             ///< begin of the tick in which it was written last
   std::uint32_t writes = 0;  ///< counts every write
   std::uint32_t epoch = 0;   ///< mailboxes: of the message that lies here
+
+  /// Whoever changes the value calls this, with Blackboard::now().
+  void CountWrite(Time now) {
+    ++writes;
+    stamp = now;
+  }
 };
 
 struct SlotDefinition {
@@ -41,7 +50,28 @@ struct Layout {
   SlotIndex Find(ScopeIndex scope, std::string_view key) const;
 };
 
-using Blackboard = std::vector<Slot>;
+/// The values of one running tree, by the number of their slot.
+class Blackboard {
+ public:
+  Blackboard() = default;
+  explicit Blackboard(std::size_t size) : slots_(size) {}
+
+  Slot& operator[](SlotIndex index) { return slots_[index]; }
+  const Slot& operator[](SlotIndex index) const { return slots_[index]; }
+  std::size_t size() const { return slots_.size(); }
+  Slot* data() { return slots_.data(); }
+  const Slot* data() const { return slots_.data(); }
+  std::vector<Slot>::const_iterator begin() const { return slots_.begin(); }
+  std::vector<Slot>::const_iterator end() const { return slots_.end(); }
+
+  /// When the present tick began. The reference stays valid as long as the blackboard.
+  const Time& now() const { return now_; }
+  void set_now(Time now) { now_ = now; }
+
+ private:
+  std::vector<Slot> slots_;
+  Time now_{0};
+};
 
 /// All slots with their first values.
 Blackboard MakeBlackboard(const Layout& layout);

@@ -25,8 +25,10 @@ PortBase::PortBase(PortDeclaration declaration) {
   if (current_collector) current_collector->ports.push_back({std::move(declaration), this});
 }
 
-void PortBase::Bind(Slot* slot, SlotIndex index, const std::shared_ptr<Inbox>& inbox) {
+void PortBase::Bind(Slot* slot, const Time& now, SlotIndex index,
+                    const std::shared_ptr<Inbox>& inbox) {
   slot_ = slot;
+  now_ = &now;
   OnBound(index, inbox);
 }
 

@@ -64,13 +64,15 @@ class PortBase {
   PortBase& operator=(const PortBase&) = delete;
 
   bool is_bound() const { return slot_ != nullptr; }
-  void Bind(Slot* slot, SlotIndex index, const std::shared_ptr<Inbox>& inbox);
+  /// `now`: begin of the present tick; must stay valid, as the slot must.
+  void Bind(Slot* slot, const Time& now, SlotIndex index, const std::shared_ptr<Inbox>& inbox);
 
  protected:
   explicit PortBase(PortDeclaration declaration);
   ~PortBase() = default;
 
   Slot* slot_ = nullptr;
+  const Time* now_ = nullptr;  // of the present tick
 
  private:
   virtual void OnBound(SlotIndex, const std::shared_ptr<Inbox>&) {}
@@ -121,6 +123,8 @@ class Input : public PortBase {
 
   /// Counts the writes of the key; a change of the number means that somebody wrote it.
   std::uint32_t writes() const { return slot_ ? slot_->writes : 0; }
+  /// Begin of the tick in which the key was written last; 0 if never. For "is this still fresh?".
+  Time stamp() const { return slot_ ? slot_->stamp : Time(0); }
 };
 
 template <class T>
@@ -134,7 +138,7 @@ class Output : public PortBase {
   void Set(const T& value) {
     if (!slot_) return;
     slot_->value.Set(value);
-    ++slot_->writes;
+    slot_->CountWrite(*now_);
   }
 };
 
@@ -153,7 +157,7 @@ class InOut : public PortBase {
   void Set(const T& value) {
     if (!slot_) return;
     slot_->value.Set(value);
-    ++slot_->writes;
+    slot_->CountWrite(*now_);
   }
 };
 

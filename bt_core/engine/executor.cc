@@ -52,7 +52,7 @@ void Executor::BindPorts(const LeafRecord& record) {
   PortBase* const* ports = user_ports_.data() + user_ports_.size() - count;
   for (std::size_t k = 0; k < count; ++k) {
     const SlotIndex slot = program_->ports[record.first_port + k].slot;
-    if (slot != kNoSlot) ports[k]->Bind(&blackboard_[slot], slot, inbox_);
+    if (slot != kNoSlot) ports[k]->Bind(&blackboard_[slot], blackboard_.now(), slot, inbox_);
   }
   if (nodes_[record.node].type == NodeType::kUser) {
     GiveChildren(*users_.back().node, record.node);
@@ -67,6 +67,7 @@ void Executor::GiveChildren(UserNode& node, NodeIndex index) {
 
 Status Executor::Tick() {
   now_ = clock_.Now();
+  blackboard_.set_now(now_);
   wake_at_ = kNever;
   tick_again_ = false;
   ++ticks_;
@@ -110,7 +111,7 @@ void Executor::ApplyInbox() {
     if (message.epoch < slot.epoch) continue;  // answer to a question that is no longer asked
     slot.value = std::move(message.value);
     slot.epoch = message.epoch;
-    ++slot.writes;
+    slot.CountWrite(now_);
   }
   delivery_.clear();
 }

@@ -130,6 +130,7 @@ void Executor::Drain(Duration limit) {
 
 void Executor::ServeDrains() {
   now_ = clock_.Now();
+  blackboard_.set_now(now_);
   wake_at_ = kNever;
   if (inbox_->has_messages()) ApplyInbox();  // the answer that a leaf waits for may be there
   const auto has_stopped = [this](Draining& drain) { return HasStopped(drain); };

@@ -147,6 +147,7 @@ void Executor::MoveBlackboard(const std::vector<SlotIndex>& slots) {
   for (SlotIndex i = 0; i < slots.size(); ++i) {
     if (slots[i] != kNoSlot) moved[slots[i]] = std::move(blackboard_[i]);
   }
+  moved.set_now(blackboard_.now());
   blackboard_ = std::move(moved);
   reported_writes_.assign(blackboard_.size(), 0);
 }

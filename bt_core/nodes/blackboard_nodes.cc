@@ -16,7 +16,6 @@ void CopyTo(Slot& slot, const Type* type, const Value& value) {
     }
     slot.value = converted;
   }
-  ++slot.writes;
 }
 
 }  // namespace coppice::internal

@@ -52,6 +52,7 @@ Status TickSetBlackboard(Tree& tree, NodeIndex node) {
   const Slot& from = *tree.SlotOf(node, 0);
   if (!from.value.has_value()) return Status::kFailure;
   internal::CopyTo(*tree.SlotOf(node, 1), tree.TypeOfPort(node, 1), from.value);
+  tree.SlotOf(node, 1)->CountWrite(tree.now());
   return Status::kSuccess;
 }
 
@@ -59,7 +60,7 @@ template <class Tree>
 Status TickUnsetBlackboard(Tree& tree, NodeIndex node) {
   Slot& slot = *tree.SlotOf(node, 0);
   slot.value.Reset();
-  ++slot.writes;
+  slot.CountWrite(tree.now());
   return Status::kSuccess;
 }
 

@@ -100,9 +100,9 @@ Status TickPersistentSequence(Tree& tree, NodeIndex node) {
   Slot& slot = *tree.SlotOf(node, 0);
   int place = slot.value.has_value() ? slot.value.template Get<int>() : 0;
   if (place < 0) throw std::invalid_argument("there is no child " + std::to_string(place));
-  const auto move_to = [&slot](int to) {
+  const auto move_to = [&](int to) {
     slot.value.Set(to);
-    ++slot.writes;
+    slot.CountWrite(tree.now());
   };
   std::uint64_t& memory = tree.memory(node);
   if (memory == 0) memory = 1 | (place > 0 ? internal::kWentOn : 0);

@@ -134,7 +134,7 @@ bool Widens(const Operand& operand, const Type& type) {
 
 }  // namespace
 
-void Store(const Operand& operand, const Type* type, Slot& slot) {
+void Store(const Operand& operand, const Type* type, Slot& slot, Time now) {
   if (type) {
     StoreAs(*type, operand, slot.value);
   } else if (!slot.value.has_value()) {
@@ -144,7 +144,7 @@ void Store(const Operand& operand, const Type* type, Slot& slot) {
   } else if (!StoreNumber(operand, *slot.value.type(), slot.value)) {
     StoreFirst(ToNumber(operand), slot.value);
   }
-  ++slot.writes;
+  slot.CountWrite(now);
 }
 
 }  // namespace coppice::script

@@ -12,7 +12,7 @@ namespace coppice::script {
 /// it; a number that is not kept by that turns the slot into a wider type (bool, integer, double).
 /// A text is read as a value of the type. Throws Failure and leaves the slot as it is if none of
 /// this can be done.
-void Store(const Operand& operand, const Type* type, Slot& slot);
+void Store(const Operand& operand, const Type* type, Slot& slot, Time now);
 
 }  // namespace coppice::script
 

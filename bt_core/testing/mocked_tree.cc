@@ -44,7 +44,7 @@ class MockedTree::MockPort final : public PortBase {
                                   "\", expected " + type_->name);
     }
     slot_->value = std::move(value);
-    ++slot_->writes;
+    slot_->CountWrite(*now_);
   }
 
  private:
