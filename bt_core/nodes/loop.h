@@ -29,7 +29,7 @@ Status TickLoopOver(Tree& tree, NodeIndex node) {
     if (taken >= list.size()) return ResultPort(tree, node, 1);
     if (Slot* const value = tree.SlotOf(node, 2)) {
       value->value.Set<T>(list[taken]);
-      ++value->writes;
+      value->CountWrite(tree.now());
     }
     ++taken;
   }

@@ -226,7 +226,7 @@ class Checker {
               key.family == Family::kText ? "'' .. value makes a text of it" : "");
     } else if (value.op == Operator::kLiteral && value.family == Family::kNumber) {
       Slot slot;
-      Store(value.value, key.type, slot);
+      Store(value.value, key.type, slot, Time(0));
     }
   }
 

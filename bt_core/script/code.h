@@ -111,7 +111,7 @@ struct Code {
 std::string_view KeyAt(std::string_view script, std::uint32_t offset);
 
 /// Runs from `at` on. Throws ScriptError.
-bool Execute(const Code& code, const Instruction* at, Slot* slots);
+bool Execute(const Code& code, const Instruction* at, Blackboard& blackboard);
 
 }  // namespace coppice::script
 

@@ -58,7 +58,8 @@ class Scratch {
 // The registers and what the instructions do with them.
 class Machine {
  public:
-  Machine(const Code& code, Slot* slots) : code_(code), slots_(slots) {}
+  Machine(const Code& code, Blackboard& blackboard)
+      : code_(code), slots_(blackboard.data()), now_(blackboard.now()) {}
 
   // The instruction at work; where it is when something is thrown is where the error is.
   const Instruction* at = nullptr;
@@ -207,7 +208,7 @@ class Machine {
     if (!create && !type && !slot.value.has_value()) {
       throw Failure{"it has no value yet; := creates it"};
     }
-    Store(Here(), type, slot);
+    Store(Here(), type, slot, now_);
   }
 
   void AddHere() {
@@ -227,6 +228,7 @@ class Machine {
 
   const Code& code_;
   Slot* slots_;
+  const Time now_;
   Scratch scratch_;
   Operand registers_[kRegisters];
 };
@@ -250,8 +252,8 @@ std::string_view KeyAt(std::string_view script, std::uint32_t offset) {
   return rest.substr(0, rest.find_first_of(kEnds));
 }
 
-bool Execute(const Code& code, const Instruction* at, Slot* slots) {
-  Machine machine(code, slots);
+bool Execute(const Code& code, const Instruction* at, Blackboard& blackboard) {
+  Machine machine(code, blackboard);
   try {
     return machine.Run(at);
   } catch (const Failure& failure) {

@@ -84,7 +84,7 @@ std::optional<Script> Script::Compile(std::string_view text, ScriptNames& names,
 }
 
 void Script::Run(Blackboard& blackboard) const {
-  script::Execute(*code_, code_->instructions.data(), blackboard.data());
+  script::Execute(*code_, code_->instructions.data(), blackboard);
 }
 
 // Conditions on doubles, integers of 64 bits, texts and truth values are decided here; everything
@@ -144,7 +144,7 @@ bool Script::Test(Blackboard& blackboard) const {
       default:
         break;
     }
-    if (answer == Answer::kUnknown) return script::Execute(*code_, at, slots);
+    if (answer == Answer::kUnknown) return script::Execute(*code_, at, blackboard);
     if (at->op >= Op::kIsEqual) return answer == Answer::kYes;
     at += answer == Answer::kYes ? 1 : at->jump;
   }

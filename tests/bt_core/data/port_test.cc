@@ -17,6 +17,8 @@ struct Owner : PortOwner {
   Mailbox<bool> answer{this, "answer"};
 };
 
+const Time now{5};  // of the tick in which the ports are used
+
 TEST(PortDirection, HasAName) {
   EXPECT_STREQ(ToString(PortDirection::kInput), "input");
   EXPECT_STREQ(ToString(PortDirection::kOutput), "output");
@@ -72,10 +74,11 @@ TEST(Input, ThrowsWhileNobodyHasWritten) {
 
 TEST(Input, ReadsItsSlot) {
   Owner owner;
-  Slot slot{Value(12), 3, 0};
+  Slot slot{Value(12), Time(7), 3, 0};
   owner.count.Bind(&slot, now, 0, nullptr);
   EXPECT_EQ(*owner.count, 12);
   EXPECT_EQ(owner.count.writes(), 3U);
+  EXPECT_EQ(owner.count.stamp(), Time(7));
 }
 
 TEST(Output, WritesAndCounts) {
@@ -86,6 +89,7 @@ TEST(Output, WritesAndCounts) {
   owner.distance.Set(1.5);
   EXPECT_EQ(slot.value.Get<double>(), 1.5);
   EXPECT_EQ(slot.writes, 2U);
+  EXPECT_EQ(slot.stamp, now);
 }
 
 TEST(Output, LeftOutOfTheXmlIsWithoutEffect) {
