@@ -82,12 +82,13 @@ void NodeLookup::WarnOfUnknown(const Site& site, std::string_view id) {
     return;
   }
   if (!problems_.IsFirst("node type " + std::string(id))) return;
-  const bool has_children = site.element.child_count > 0;
+  const std::uint32_t children = site.element.child_count;
+  const Registry::Entry* near = registry_.Find(nearest);
+  const bool fits = near && WrongChildCount(id, children, near->children).empty();
   problems_.Warning(site.document, site.element.offset,
-                    "node type " + Quoted(id) + " is not built in; it is taken for " +
-                        (has_children ? "a control node or decorator" : "a leaf") +
-                        " of the robot's",
-                    Advice(id));
+                    "node type " + Quoted(id) + " is not built in: its ports are not checked" +
+                        (children > 0 ? ", nor how many children it may have" : ""),
+                    fits ? "did you mean " + Quoted(nearest) + "?" : "");
 }
 
 std::string NodeLookup::Advice(std::string_view id) const {

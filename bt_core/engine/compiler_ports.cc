@@ -124,10 +124,14 @@ std::uint32_t PortBinder::BindUntypedLiteral(const Given& given) {
 }
 
 void PortBinder::ReportLiteral(const Given& given) {
+  std::string hint = Expected(*given.port.type);
+  if (given.text.empty() && given.port.default_text) {
+    hint += "; without the attribute it is " + *given.port.default_text;
+  }
   problems_.Error(given.site.document, given.offset,
                   Quoted(given.text) + " is not a value for port " + Quoted(given.port.name) +
                       " of " + given.entry.manifest.id,
-                  Expected(*given.port.type));
+                  std::move(hint));
 }
 
 }  // namespace coppice

@@ -1,9 +1,16 @@
 #include "bt_core/engine/models.h"
 
+#include "bt_core/data/enum.h"
 #include "bt_core/engine/type_names.h"
 
 namespace coppice {
 namespace {
+
+// With the choices of an enum, which a model has no other place for.
+std::string Description(const PortDeclaration& port) {
+  if (!port.type || !port.type->enumerators) return port.description;
+  return port.description + ": " + Choices(*port.type->enumerators);
+}
 
 std::string Port(const PortDeclaration& port) {
   std::string tag = ToString(port.direction);
@@ -11,7 +18,7 @@ std::string Port(const PortDeclaration& port) {
   std::string xml = "      <" + tag + " name=\"" + EscapeXml(port.name) + "\" type=\"" +
                     EscapeXml(TypeName(port)) + "\"";
   if (port.default_text) xml += " default=\"" + EscapeXml(*port.default_text) + "\"";
-  return xml + ">" + EscapeXml(port.description) + "</" + tag + ">\n";
+  return xml + ">" + EscapeXml(Description(port)) + "</" + tag + ">\n";
 }
 
 }  // namespace
@@ -70,7 +77,7 @@ std::string DescribeNodes(const Registry& registry) {
       text +=
           std::string("    ") + ToString(port.direction) + " " + port.name + " : " + TypeName(port);
       if (port.default_text) text += " = " + *port.default_text;
-      text += "  " + port.description + "\n";
+      text += "  " + Description(port) + "\n";
     }
     text += "\n";
   }

@@ -70,11 +70,10 @@ TEST_F(CheckTest, ModelsTellAboutTheLeavesOfTheRobot) {
 TEST_F(CheckTest, JsonHasOneObjectForEachProblem) {
   const std::string file = WriteTree("<Sequense><AlwaysSuccess/></Sequense>");
   EXPECT_EQ(Run(RunCheck, {file, "--json"}), 0);
-  EXPECT_EQ(out_,
-            "[\n  {\"file\":\"" + file +
-                "\",\"line\":3,\"column\":1,\"severity\":\"warning\",\"message\":\"node type "
-                "\\\"Sequense\\\" is not built in; it is taken for a control node or decorator "
-                "of the robot's\",\"hint\":\"did you mean \\\"Sequence\\\"?\"}\n]\n");
+  EXPECT_EQ(out_, "[\n  {\"file\":\"" + file +
+                      "\",\"line\":3,\"column\":1,\"severity\":\"warning\",\"message\":\"node type "
+                      "\\\"Sequense\\\" is not built in: its ports are not checked, nor how many "
+                      "children it may have\",\"hint\":\"did you mean \\\"Sequence\\\"?\"}\n]\n");
   EXPECT_EQ(err_, "");
   EXPECT_EQ(Run(RunCheck, {WriteTree("<AlwaysSuccess/>"), "--json"}), 0);
   EXPECT_EQ(out_, "[]\n");

@@ -34,16 +34,25 @@ TEST(CheckProject, TreesThatUseEachOtherInACircleAreChecked) {
 
 TEST(CheckProject, AnUnknownLeafIsOneWarningForItsType) {
   EXPECT_EQ(Check(Tree("A", "<Sequence><Say text=\"a\"/><Say text=\"b\"/></Sequence>")),
-            "t.xml:2:32: warning: node type \"Say\" is not built in; it is taken for a leaf of the "
-            "robot's\n");
+            "t.xml:2:32: warning: node type \"Say\" is not built in: its ports are "
+            "not checked\n");
 }
 
 TEST(CheckProject, WhatIsInsideOfAnUnknownControlNodeIsChecked) {
   EXPECT_EQ(
       Check(Tree("A", "<Elsewhere><Inverter/></Elsewhere>")),
-      "t.xml:2:22: warning: node type \"Elsewhere\" is not built in; it is taken for a control "
-      "node or decorator of the robot's\n"
+      "t.xml:2:22: warning: node type \"Elsewhere\" is not built in: its ports are not checked, "
+      "nor how many children it may have\n"
       "t.xml:2:33: error: Inverter has 0 children, expected exactly 1\n");
+}
+
+TEST(CheckProject, ABuiltInNodeThatWouldFitIsSuggested) {
+  EXPECT_EQ(
+      Check(Tree("A", "<Sequense><Inverterr/></Sequense>")),
+      "t.xml:2:22: warning: node type \"Sequense\" is not built in: its ports are not checked, "
+      "nor how many children it may have (did you mean \"Sequence\"?)\n"
+      "t.xml:2:32: warning: node type \"Inverterr\" is not built in: its ports are not "
+      "checked\n");
 }
 
 TEST(CheckProject, ABuiltInNodeInTheWrongCaseIsAnError) {

@@ -42,6 +42,12 @@ TEST(Ports, LiteralsMustBeOfTheType) {
       "t.xml:3:14: error: \"\" is not a value for port \"goal\" of Drive (expected double)\n");
 }
 
+TEST(Ports, AnEmptyLiteralIsToldOfTheDefault) {
+  EXPECT_EQ(Problems("<Drive goal=\"1\" total=\"{t}\" tries=\"\"/>"),
+            "t.xml:3:36: error: \"\" is not a value for port \"tries\" of Drive "
+            "(expected int; without the attribute it is 3)\n");
+}
+
 TEST(Ports, OutputsNeedAKey) {
   EXPECT_EQ(Problems("<Drive goal=\"1\" total=\"{t}\" distance=\"d\"/>"),
             "t.xml:3:39: error: output \"distance\" needs a key (write {key})\n");

@@ -36,6 +36,16 @@ TEST(WriteModels, DescribesThePorts) {
   EXPECT_NE(xml.find("<inout_port name=\"total\" type=\"int\">"), std::string::npos);
 }
 
+TEST(WriteModels, ListsTheChoicesOfAnEnum) {
+  EXPECT_NE(WriteModels(Registry()).find("IDLE, RUNNING, SUCCESS, FAILURE or SKIPPED</input_port>"),
+            std::string::npos);
+}
+
+TEST(WriteModels, APortOfAnyTypeSaysSo) {
+  EXPECT_NE(WriteModels(Registry()).find("<input_port name=\"value\" type=\"BT::AnyTypeAllowed\">"),
+            std::string::npos);
+}
+
 TEST(DescribeNodes, NamesEveryNodeAndPort) {
   const std::string text = DescribeNodes(*TestRegistry());
   EXPECT_NE(text.find("Drive  (Action)\n  Drives.\n    input goal : double  where to [m]\n"
