@@ -59,6 +59,8 @@ class Blackboard {
   Slot& operator[](SlotIndex index) { return slots_[index]; }
   const Slot& operator[](SlotIndex index) const { return slots_[index]; }
   std::size_t size() const { return slots_.size(); }
+  /// Pointers to slots become invalid.
+  void resize(std::size_t size) { slots_.resize(size); }
   Slot* data() { return slots_.data(); }
   const Slot* data() const { return slots_.data(); }
   std::vector<Slot>::const_iterator begin() const { return slots_.begin(); }
