@@ -63,9 +63,34 @@ void Registry::Add(Entry entry) {
       throw std::invalid_argument("port \"" + port.declaration.name + "\" of " + id +
                                   " has a reserved name");
     }
+    if (port.declaration.type == &TypeOf<ScriptCode>()) {
+      throw std::invalid_argument("port \"" + port.declaration.name + "\" of " + id +
+                                  " is a script, which only built-in nodes may have");
+    }
     entry.manifest.ports.push_back(port.declaration);
   }
+  for (const PortDeclaration& port : entry.manifest.ports) {
+    if (port.type && port.type->enumerators) AddEnumerators(*port.type->enumerators);
+  }
   entries_[id] = std::move(entry);
+}
+
+void Registry::AddScriptConstant(const std::string& name, std::int64_t value) {
+  const auto [at, inserted] = script_constants_.emplace(name, value);
+  if (inserted || at->second == value) return;
+  throw std::invalid_argument("script constant \"" + name + "\" is " + std::to_string(at->second) +
+                              ", not " + std::to_string(value));
+}
+
+void Registry::AddEnumerators(const EnumeratorList& list) {
+  for (const Enumerator& enumerator : list) {
+    const std::string name(enumerator.name);
+    if (ambiguous_constants_.count(name) > 0) continue;
+    const auto [at, inserted] = script_constants_.emplace(name, enumerator.value);
+    if (inserted || at->second == enumerator.value) continue;
+    script_constants_.erase(at);
+    ambiguous_constants_.insert(name);
+  }
 }
 
 }  // namespace coppice

@@ -14,6 +14,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <string_view>
 #include <tuple>
@@ -101,7 +102,13 @@ class Registry {
   /// std::logic_error.
   static Status TickVirtually(UserNode& node, Status before);
 
-  /// Names that stand for numbers in every script.
+  /// Makes a name stand for a number in every script. Throws std::invalid_argument if it stands for
+  /// another number already.
+  void AddScriptConstant(const std::string& name, std::int64_t value);
+
+  /// Names that stand for numbers in every script: those above and the enumerators of the types
+  /// that ports of registered nodes have. A name that two enums give different numbers is none of
+  /// them.
   const ScriptConstants& script_constants() const { return script_constants_; }
 
   /// The node type of that ID, or null.
@@ -167,9 +174,11 @@ class Registry {
   }
 
   void Add(Entry entry);
+  void AddEnumerators(const EnumeratorList& list);
 
   std::map<std::string, Entry, std::less<>> entries_;
   ScriptConstants script_constants_;
+  std::set<std::string, std::less<>> ambiguous_constants_;
   std::function<std::unique_ptr<Leaf>(const std::string&)> fallback_;
 };
 

@@ -22,6 +22,35 @@ class Adder : public SyncAction {
   int amount_;
 };
 
+enum class Answer { YES = 1, NO };
+enum class Vote { YES = 5, NO = 2, ABSENT };
+
+}  // namespace
+}  // namespace coppice
+
+COPPICE_ENUM(coppice::Answer, YES, NO)
+COPPICE_ENUM(coppice::Vote, YES, NO, ABSENT)
+
+namespace coppice {
+namespace {
+
+template <class E>
+class TakesEnum : public SyncAction {
+ public:
+  static constexpr const char* kDescription = "Takes an enum.";
+  Input<E> value{this, "value", "which"};
+  Status Run() override { return Status::kSuccess; }
+};
+using Answerer = TakesEnum<Answer>;
+using Voter = TakesEnum<Vote>;
+
+class Scripted : public SyncAction {
+ public:
+  static constexpr const char* kDescription = "Wants a script.";
+  Input<ScriptCode> code{this, "code", "what to run"};
+  Status Run() override { return Status::kSuccess; }
+};
+
 class Reserved : public SyncAction {
  public:
   static constexpr const char* kDescription = "Has a port with a name that XML needs.";
@@ -88,6 +117,33 @@ TEST(Registry, RefusesPortsWithReservedNames) {
   Registry registry;
   EXPECT_THROW(registry.Register<Reserved>("Reserved"), std::invalid_argument);
   EXPECT_EQ(registry.Find("Reserved"), nullptr);
+}
+
+TEST(Registry, RefusesScriptsInPortsOfUserNodes) {
+  Registry registry;
+  EXPECT_THROW(registry.Register<Scripted>("Scripted"), std::invalid_argument);
+}
+
+TEST(Registry, EnumeratorsOfPortsAreConstantsOfScripts) {
+  Registry registry;
+  registry.Register<Answerer>("Answerer");
+  EXPECT_EQ(registry.script_constants(), (ScriptConstants{{"YES", 1}, {"NO", 2}}));
+}
+
+TEST(Registry, ANameForTwoNumbersIsNoConstant) {
+  Registry registry;
+  registry.Register<Answerer>("Answerer");
+  registry.Register<Voter>("Voter");
+  registry.Register<Answerer>("Another");
+  EXPECT_EQ(registry.script_constants(), (ScriptConstants{{"NO", 2}, {"ABSENT", 3}}));
+}
+
+TEST(Registry, ConstantsOfScriptsCanBeAdded) {
+  Registry registry;
+  registry.AddScriptConstant("LIMIT", 7);
+  registry.AddScriptConstant("LIMIT", 7);
+  EXPECT_EQ(registry.script_constants(), (ScriptConstants{{"LIMIT", 7}}));
+  EXPECT_THROW(registry.AddScriptConstant("LIMIT", 8), std::invalid_argument);
 }
 
 TEST(Registry, ListsIdsInAlphabeticalOrder) {
