@@ -15,7 +15,9 @@ constexpr char kFrame[] = R"(  <xs:simpleType name="key">
   <xs:simpleType name="whole_number">
     <xs:restriction base="xs:string"><xs:pattern value="\s*[+\-]?[0-9]+\s*"/></xs:restriction>
   </xs:simpleType>
-  <xs:simpleType name="whole_number_or_key"><xs:union memberTypes="whole_number key"/></xs:simpleType>
+  <xs:simpleType name="whole_number_or_key">
+    <xs:union memberTypes="whole_number key"/>
+  </xs:simpleType>
   <xs:simpleType name="number_or_key"><xs:union memberTypes="xs:double key"/></xs:simpleType>
   <xs:element name="root">
     <xs:complexType>
@@ -35,7 +37,9 @@ constexpr char kFrame[] = R"(  <xs:simpleType name="key">
         </xs:element>
         <xs:element name="TreeNodesModel">
           <xs:complexType mixed="true">
-            <xs:sequence><xs:any minOccurs="0" maxOccurs="unbounded" processContents="skip"/></xs:sequence>
+            <xs:sequence>
+              <xs:any minOccurs="0" maxOccurs="unbounded" processContents="skip"/>
+            </xs:sequence>
           </xs:complexType>
         </xs:element>
       </xs:choice>
