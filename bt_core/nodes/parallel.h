@@ -76,7 +76,7 @@ Status TickParallel(Tree& tree, NodeIndex node) {
     if (!IsCompleted(tree.status(child))) tally.Add(tree.Tick(child));
     const int successes = tally.success + (success_count < 0 ? tally.skipped : 0);
     if (successes >= to_succeed) return internal::End(tree, node, Status::kSuccess);
-    if (children - tally.failure < to_succeed || tally.failure >= to_fail) {
+    if (children - tally.failure < to_succeed || tally.failure == to_fail) {
       return internal::End(tree, node, Status::kFailure);
     }
   }

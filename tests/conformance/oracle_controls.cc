@@ -142,7 +142,7 @@ class Parallel : public Together {
       if (result == kRunning) runs = true;
       const int good = Completed(kSuccess) + (success_count < 0 ? skipped : 0);
       if (good >= needed) return End(kSuccess);
-      if (Completed(kFailure) >= fatal) return End(kFailure);
+      if (Completed(kFailure) == fatal) return End(kFailure);
       if (count() - Completed(kFailure) < needed) return End(kFailure);
     }
     if (runs) return kRunning;
