@@ -22,6 +22,7 @@
 #include <utility>
 #include <vector>
 
+#include "bt_core/data/enum.h"
 #include "bt_core/nodes/lambda_leaf.h"
 #include "bt_core/nodes/leaf.h"
 #include "bt_core/nodes/node_type.h"
@@ -101,6 +102,13 @@ class Registry {
   /// The TickFunction of any node. A node that returns IDLE, which none may, throws
   /// std::logic_error.
   static Status TickVirtually(UserNode& node, Status before);
+
+  /// Makes the names of an enum (data/enum.h) stand for their numbers in every script, also if no
+  /// port has this type.
+  template <class E>
+  void RegisterEnum() {
+    AddEnumerators(EnumeratorsOf<E>());
+  }
 
   /// Makes a name stand for a number in every script. Throws std::invalid_argument if it stands for
   /// another number already.
