@@ -115,8 +115,6 @@ Status Executor::DispatchOthers(NodeIndex node, NodeType type) {
       return TickSleep(*this, node);
     case NodeType::kScript:
       return TickScript(*this, node);
-    case NodeType::kScriptCondition:
-      return TickScriptCondition(*this, node);
     case NodeType::kSetBlackboard:
       return TickSetBlackboard(*this, node);
     case NodeType::kUnsetBlackboard:

@@ -119,6 +119,8 @@ class Executor final : public LeafHost, public ChildHost {
   void RemoveSink(TickSink* sink);
 
   void AddMessage(std::string text) override;
+  bool ResumeSkipped() override;
+  void KeepSkipped() override;
   void Drain(Duration limit) override;
   Status TickChild(NodeIndex node) override;
   void HaltChild(NodeIndex node) override;
@@ -214,7 +216,6 @@ class Executor final : public LeafHost, public ChildHost {
     kept_ += static_cast<std::uint32_t>(by);
     resets_children_ = listening_ || kept_ != 0;
   }
-  [[gnu::cold]] void KeepIfRunning(NodeIndex leaf);
   [[gnu::cold]] void Resume(NodeIndex node);
   [[gnu::cold]] void LetGo(NodeIndex node);
   void KeepSomeMemory(NodeIndex node);  // dispatch_others.cc
@@ -260,7 +261,6 @@ class Executor final : public LeafHost, public ChildHost {
   std::vector<TickSink*> sinks_;
   bool listening_ = false;        // someone wants events
   bool resets_children_ = false;  // when a node ends, all its children are reset one by one
-  std::uint32_t kept_ = 0;        // number of skipped nodes that keep something
   std::vector<StatusChange> changes_;
   std::vector<NodeMessage> messages_;
   std::vector<SlotIndex> writes_;

@@ -43,10 +43,16 @@ void Executor::LeaveChildren(NodeIndex node) {
 // SKIPPED does not end what a node has begun: a leaf that was RUNNING, or the rounds of a loop. It
 // lies in the memory of a node that is not RUNNING, until the node is ticked again or its parent
 // resets it.
-void Executor::KeepIfRunning(NodeIndex leaf) {
-  if (statuses_[leaf] != Status::kRunning) return;
-  memory_[leaf] = 1;
+void Executor::KeepSkipped() {
+  if (statuses_[current_] != Status::kRunning) return;
+  memory_[current_] = 1;
   ChangeKept(1);
+}
+
+bool Executor::ResumeSkipped() {
+  if (!Keeps(current_)) return false;
+  Resume(current_);
+  return true;
 }
 
 void Executor::Resume(NodeIndex node) {

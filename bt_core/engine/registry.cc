@@ -19,8 +19,11 @@ Registry::Registry() {
 }
 
 Status Registry::TickVirtually(UserNode& node, Status before) {
-  const Status result = node.Tick(before != Status::kRunning);
+  bool starting = before != Status::kRunning;
+  if (starting && node.host().keeps_skipped_nodes()) starting = !node.host().ResumeSkipped();
+  const Status result = node.Tick(starting);
   if (result == Status::kIdle) throw std::logic_error("returned IDLE, which no node may");
+  if (result == Status::kSkipped) node.host().KeepSkipped();
   return result;
 }
 

@@ -6,6 +6,7 @@
 
 #include "bt_core/engine/executor.h"
 #include "bt_core/nodes/control.h"
+#include "bt_core/nodes/script_nodes.h"
 
 namespace coppice {
 
@@ -53,14 +54,12 @@ struct Executor::TickTable {
   static Status TickLeaf(Executor& executor, NodeIndex node, std::uint32_t number) {
     const User& user = executor.users_[number];
     executor.current_ = node;
-    if (__builtin_expect(executor.kept_ != 0, false)) executor.Resume(node);
     Status result;
     try {
       result = user.tick(*user.node, executor.statuses_[node]);
     } catch (...) {
       result = executor.FailByException(node);
     }
-    if (__builtin_expect(result == Status::kSkipped, false)) executor.KeepIfRunning(node);
     return executor.Store(node, result);
   }
 
@@ -99,6 +98,16 @@ struct Executor::TickTable {
     return result;
   }
 
+  static Status ScriptCondition(Executor& executor, NodeIndex node) {
+    Status result;
+    try {
+      result = TickScriptCondition(executor, node);
+    } catch (...) {
+      result = executor.FailByException(node);
+    }
+    return executor.Store(node, result);
+  }
+
   static Status Guarded(Executor& executor, NodeIndex node) { return executor.TickGuarded(node); }
 
   static Status Other(Executor& executor, NodeIndex node) {
@@ -133,6 +142,7 @@ struct Executor::TickTable {
     set(NodeType::kSubTree, &Mapped<Status::kSuccess, Status::kFailure>);
     set(NodeType::kAlwaysSuccess, &Constant<Status::kSuccess>);
     set(NodeType::kAlwaysFailure, &Constant<Status::kFailure>);
+    set(NodeType::kScriptCondition, &ScriptCondition);
     set(NodeType::kLeaf, &Leaf);
     set(NodeType::kUser, &UserControlNode);
     set(NodeType::kGuarded, &Guarded);

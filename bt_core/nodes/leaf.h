@@ -45,8 +45,17 @@ class LeafHost {
   /// Called in Halt: the node needs until `limit` after now to stop. See Action::OnDraining.
   virtual void Drain(Duration limit) = 0;
 
+  // For the engine: SKIPPED does not end what a RUNNING node has begun.
+  bool keeps_skipped_nodes() const { return kept_ != 0; }
+  /// True if the node that is ticked now was skipped while it was RUNNING: it goes on.
+  virtual bool ResumeSkipped() { return false; }
+  /// The node that is ticked now has returned SKIPPED.
+  virtual void KeepSkipped() {}
+
  protected:
   ~LeafHost() = default;
+
+  std::uint32_t kept_ = 0;  // number of skipped nodes that keep something
 
   Time now_{0};
   Time wake_at_ = kNever;
@@ -66,6 +75,7 @@ class UserNode : public PortOwner {
 
   /// Called by the engine before anything else; virtual for nodes that contain another one.
   virtual void set_host(LeafHost* host) { host_ = host; }
+  LeafHost& host() const { return *host_; }
 
  protected:
   Time now() const { return host_->now(); }

@@ -113,7 +113,10 @@ class MockedTree::WatchedLeaf : public Leaf {
  public:
   WatchedLeaf(Part& part, std::unique_ptr<UserNode> leaf) : part_(part), leaf_(std::move(leaf)) {}
 
-  void set_host(LeafHost* host) override { leaf_->set_host(host); }
+  void set_host(LeafHost* host) override {
+    UserNode::set_host(host);
+    leaf_->set_host(host);
+  }
   Status Tick(bool starting) override {
     std::vector<LeafEvent>& events = part_.tree.events_;
     events.push_back({part_.node, false, Status::kFailure, part_.tree.InputsOf(part_)});
