@@ -18,9 +18,9 @@ constexpr char kUsage[] =
     "coppice check FILE... [--json] [--models FILE] [--plugin FILE.so]...\n"
     "  Checks every tree in the files, which are taken as one project, and in what they include:\n"
     "  structure, names, ports, types, scripts. All problems are printed; 1 if one is an error.\n"
-    "  --models  a file with the <TreeNodesModel> of the robot's node types, as WriteModels writes\n"
-    "            it (bt_core/engine/models.h). Without it, node types that are not built in are not\n"
-    "            checked.\n"
+    "  --models  a file with the <TreeNodesModel> of the robot's node types, as WriteModels of\n"
+    "            bt_core/engine/models.h writes it. Without it, node types that are not built in\n"
+    "            are not checked.\n"
     "  --plugin  a library with node types\n"
     "  --json    problems as an array of {file, line, column, severity, message, hint} on the\n"
     "            standard output";

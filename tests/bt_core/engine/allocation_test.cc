@@ -92,7 +92,9 @@ constexpr const char* kTree = R"(
    </ReactiveSequence>
    <RetryUntilSuccessful num_attempts="-1"><AlwaysFailure/></RetryUntilSuccessful>
    <Delay delay_msec="3600000"><AlwaysSuccess/></Delay>
-   <KeepRunningUntilFailure><ForceSuccess><SubTree ID="Others"/></ForceSuccess></KeepRunningUntilFailure>
+   <KeepRunningUntilFailure>
+    <ForceSuccess><SubTree ID="Others"/></ForceSuccess>
+   </KeepRunningUntilFailure>
   </Parallel>
  </BehaviorTree>
  <BehaviorTree ID="Others">
