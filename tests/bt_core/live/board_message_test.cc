@@ -38,7 +38,7 @@ TEST(BoardMessage, WritesNilForAKeyWithoutValue) {
 TEST(BoardMessage, PutsRemappedKeysInTheScopeThatOwnsThem) {
   SimulatedClock clock;
   const Executor executor(WatchedProgram(), clock);
-  EXPECT_EQ(Boards(executor, {"inner"}), json::parse(R"({"inner": {"literal": "7"}})"));
+  EXPECT_EQ(Boards(executor, {"inner"}), json::parse(R"({"inner": {"literal": 7}})"));
 }
 
 TEST(BoardMessage, LeavesOutUnknownScopesAndIsNilIfNoneIsLeft) {

@@ -115,7 +115,7 @@ class Groot2ClientTest(unittest.TestCase):
         self.assertIsInstance(number, int)
         self.assertEqual(main, {"flag": True, "large": 1 << 40, "ratio": 0.5, "third": 1 / 3,
                                 "text": "n\u00e4her & n\u00e4her", "spot": "3;-4"})
-        self.assertEqual(first["inner"], {"literal": "7"})
+        self.assertEqual(first["inner"], {"literal": 7})
         deadline = time.monotonic() + TIMEOUT_MS / 1000
         now = number
         while now <= number and time.monotonic() < deadline:

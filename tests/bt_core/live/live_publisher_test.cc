@@ -111,13 +111,13 @@ TEST_F(LivePublisherTest, ServesTheBlackboardOfTheTickingTree) {
   const auto boards = nlohmann::json::from_msgpack(reply[1]);
   EXPECT_EQ(boards["Main"]["spot"], "3;-4");
   EXPECT_GT(boards["Main"]["number"], 0);
-  EXPECT_EQ(boards["inner"]["literal"], "7");
+  EXPECT_EQ(boards["inner"]["literal"], 7);
 }
 
 TEST_F(LivePublisherTest, ServesTheLastKnownBlackboardOfATreeThatNobodyTicks) {
   const Parts reply = client_.Ask({Client::Header('B'), "inner"});
   ASSERT_EQ(reply.size(), 2u);
-  EXPECT_EQ(nlohmann::json::from_msgpack(reply[1])["inner"]["literal"], "7");
+  EXPECT_EQ(nlohmann::json::from_msgpack(reply[1])["inner"]["literal"], 7);
 }
 
 TEST_F(LivePublisherTest, AnswersWhatItCannotServeWithAnError) {
