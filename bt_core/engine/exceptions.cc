@@ -11,7 +11,7 @@ namespace coppice {
 Status Executor::FailByException(NodeIndex node) {
   AddExceptionMessage(node);
   if (options_.on_exception == ExceptionPolicy::kFailNode) return Status::kFailure;
-  thrown_ = std::current_exception();
+  if (options_.on_exception == ExceptionPolicy::kRethrow) thrown_ = std::current_exception();
   thrower_ = node;
   throw Abort();
 }

@@ -6,16 +6,6 @@
 
 namespace coppice {
 
-namespace {
-
-// A node whose children follow each other: behind the running child all are idle.
-bool TicksOneAfterTheOther(NodeType type) {
-  return type == NodeType::kSequence || type == NodeType::kFallback ||
-         type == NodeType::kReactiveSequence || type == NodeType::kReactiveFallback;
-}
-
-}  // namespace
-
 Executor::Executor(std::shared_ptr<const Program> program, Clock& clock, ExecutorOptions options)
     : program_(std::move(program)),
       nodes_(program_->nodes.data()),
@@ -81,7 +71,7 @@ Status Executor::Tick() {
     result = EndAborted();
   }
   if (listening_) Report(result);
-  if (thrown_ && options_.on_exception == ExceptionPolicy::kRethrow) Rethrow();
+  if (thrown_) Rethrow();
   return result;
 }
 
@@ -91,7 +81,7 @@ std::vector<Status> Executor::statuses() const {
   for (NodeIndex i = 1; i < result.size(); ++i) {
     const NodeIndex parent = program_->info[i].parent;
     const bool behind =
-        TicksOneAfterTheOther(nodes_[parent].type) && i > static_cast<NodeIndex>(memory_[parent]);
+        RunsOneChild(nodes_[parent].type) && i > static_cast<NodeIndex>(memory_[parent]);
     if (result[parent] != Status::kRunning || behind) result[i] = Status::kIdle;
   }
   return result;

@@ -32,12 +32,6 @@ std::uint32_t ChildCountOf(const Program& program, NodeIndex node) {
   return count;
 }
 
-// Nodes that remember by its number which child runs, and nothing else.
-bool RunsOneChild(NodeType type) {
-  return type == NodeType::kSequence || type == NodeType::kFallback ||
-         type == NodeType::kReactiveSequence || type == NodeType::kReactiveFallback;
-}
-
 // The number in `next` of a child of `i` in `old`; 0 for none.
 std::uint64_t SameChild(const Program& old, NodeIndex i, std::uint64_t child, const Program& next,
                         NodeIndex k) {

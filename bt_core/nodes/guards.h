@@ -1,9 +1,8 @@
 // Guards and hooks: the scripts that any node may carry as attributes.
 //
 // Before a node that is not RUNNING is ticked, its guards are asked in the order of the list below;
-// the first that decides gives the node's result without a tick. `_while` and `_onlyIf` are asked
-// first of all; `_while` is asked in every tick, also while the node is RUNNING, and halts it.
-// Hooks run exactly once in an activation.
+// the first that decides gives the node's result without a tick. `_while` is asked in every tick,
+// also while the node is RUNNING, and halts it. Each hook runs at most once in an activation.
 #ifndef COPPICE_BT_CORE_NODES_GUARDS_H_
 #define COPPICE_BT_CORE_NODES_GUARDS_H_
 

@@ -83,6 +83,13 @@ constexpr bool IsUserNode(NodeType type) {
   return type == NodeType::kLeaf || type == NodeType::kUser;
 }
 
+/// True for the nodes that remember by its number which child runs, and nothing else; the children
+/// behind that one are idle.
+constexpr bool RunsOneChild(NodeType type) {
+  return type == NodeType::kSequence || type == NodeType::kFallback ||
+         type == NodeType::kReactiveSequence || type == NodeType::kReactiveFallback;
+}
+
 /// How many children a node may have.
 struct ChildCount {
   std::uint32_t min;
