@@ -1,40 +1,25 @@
-// What happened in a tick, for those who watch: live view, recorder, statistics.
+// What happened in a tick, for those who watch on the ticking thread. Who can wait a millisecond
+// watches from another thread: event_stream.h.
 #ifndef COPPICE_BT_CORE_ENGINE_EVENTS_H_
 #define COPPICE_BT_CORE_ENGINE_EVENTS_H_
 
 #include <cstdint>
-#include <string>
-#include <vector>
 
 #include "bt_core/base/clock.h"
 #include "bt_core/base/status.h"
-#include "bt_core/data/blackboard.h"
-#include "bt_core/nodes/control.h"
+#include "bt_core/engine/event_words.h"
 
 namespace coppice {
 
-struct StatusChange {
-  NodeIndex node;
-  Status from;
-  Status to;
-};
-
-/// Why a node did what it did: a leaf's reason for failing, the text of an exception.
-struct NodeMessage {
-  NodeIndex node;
-  std::string text;
-};
-
-/// One tick, or one halt of the whole tree. References are valid during the call only.
+/// One tick, one halt of the whole tree, or what happened between two ticks. The words are valid
+/// during the call only.
 struct TickEvents {
-  std::uint64_t tick;  ///< counts from 1; a halt bears the number of the tick before it
+  std::uint64_t tick;  ///< counts from 1; what is no tick bears the number of the tick before it
   Time start;          ///< in the tree's clock
-  Status result;       ///< of the root; kIdle for a halt
-  const std::vector<StatusChange>& changes;  ///< in the order of happening
-  const std::vector<SlotIndex>&
-      writes;  ///< slots that were written in or before this tick, each once
-  const std::vector<NodeMessage>& messages;
-  const Blackboard& blackboard;  ///< as it is after the tick
+  Duration duration;   ///< that the tick took, in real time; 0 for what is no tick
+  Status result;       ///< of the root; kIdle if this is no tick
+  bool is_whole;       ///< false: the tree stands at a breakpoint, the rest of the tick follows
+  EventWords words;
 };
 
 class Executor;
@@ -46,10 +31,9 @@ class TickSink {
   virtual ~TickSink() = default;
   virtual void OnTick(const TickEvents& events) = 0;
 
-  /// The executor goes on with another program (Executor::Reload): numbers of nodes and slots have
-  /// a new meaning. Only a sink that says that it can follow is told.
-  virtual bool can_follow_reload() const { return false; }
-  virtual void OnReload(const Executor&) {}
+  /// The tree has another program (Executor::Reload) or another state (Executor::Restore): what is
+  /// known of its nodes and slots no longer holds. Between ticks.
+  virtual void OnJump(const Executor&) {}
 };
 
 }  // namespace coppice
