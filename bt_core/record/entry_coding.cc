@@ -5,7 +5,7 @@
 #include <unordered_map>
 #include <utility>
 
-#include "bt_core/record/frame.h"
+#include "bt_core/history/frame.h"
 
 namespace coppice {
 namespace {

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "bt_core/engine/executor.h"
-#include "bt_core/record/coding.h"
+#include "bt_core/history/coding.h"
 #include "bt_core/record/entries.h"
 
 namespace coppice {

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-#include "bt_core/record/coding.h"
+#include "bt_core/history/coding.h"
 
 namespace coppice {
 
@@ -20,8 +20,10 @@ class FileWindow {
   /// `count` bytes from `offset` on, valid until the next call; null if they are not all there.
   const std::uint8_t* View(std::uint64_t offset, std::uint64_t count);
 
-  /// When it was opened [bytes].
+  /// When it was opened or refreshed [bytes].
   std::uint64_t size() const { return size_; }
+  /// Looks how long the file is now.
+  void Refresh();
   const std::string& error() const { return error_; }
 
  private:

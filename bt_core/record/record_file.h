@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "bt_core/record/coding.h"
+#include "bt_core/history/coding.h"
 
 namespace coppice {
 

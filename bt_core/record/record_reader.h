@@ -1,59 +1,92 @@
-// Reads a record from the first tick to the last whole frame, also if the file is cut off or
-// damaged somewhere.
+// A record on the disk: one file, or the series of files that a Recorder made one after another.
+// Knows where reading can begin; RecordCursor (record_cursor.h) reads.
 //
 //   Diagnostics diagnostics;
-//   auto reader = RecordReader::Open("run.coppice", diagnostics);
-//   if (!reader) ...                                       // diagnostics say why
-//   while (auto entry = reader->Next()) std::visit(..., *entry);
+//   auto record = RecordReader::Open("run.coppice", diagnostics);
+//   if (!record) ...                                       // diagnostics say why
+//   RecordCursor cursor(*record);
+//   cursor.SeekTick(4711);
+//
+// Opening hops from frame to frame and reads little of each. A file that is cut off or damaged is
+// read as far as it makes sense, and on behind the damage.
 #ifndef COPPICE_BT_CORE_RECORD_RECORD_READER_H_
 #define COPPICE_BT_CORE_RECORD_RECORD_READER_H_
 
 #include <cstdint>
-#include <optional>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "bt_core/base/diagnostic.h"
-#include "bt_core/record/entries.h"
-#include "bt_core/record/file_window.h"
+#include "bt_core/history/history.h"
+#include "bt_core/record/frame_file.h"
 
 namespace coppice {
 
-/// A piece of the file that could not be read, and was left out.
+/// Where a state lies.
+struct RecordKeyframe {
+  std::uint32_t file;    ///< of RecordReader::files()
+  std::uint32_t tree;    ///< of RecordReader::trees()
+  std::uint64_t offset;  ///< in the file [bytes]
+  std::uint64_t tick;    ///< number of the last tick before it
+  Time time;             ///< and its start
+};
+
+/// A piece of a file that could not be read, and was left out.
 struct RecordDamage {
+  std::uint32_t file;    ///< of RecordReader::files()
   std::uint64_t offset;  ///< in the file [bytes]
   std::string what;
 };
 
 class RecordReader {
  public:
-  /// Reads the header. Nothing is returned if this is no record, is one of a newer version, or its
-  /// header is damaged.
-  static std::optional<RecordReader> Open(const std::string& path, Diagnostics& diagnostics);
+  /// With any file of a series, all of it is opened that is in the same folder. Nothing is returned
+  /// if this is no record, is one of another version, or has no whole tree with a state behind it.
+  static std::unique_ptr<RecordReader> Open(const std::string& path, Diagnostics& diagnostics);
 
-  const RecordHeader& header() const { return header_; }
+  /// The tree at the start.
+  const TreeDescription& tree() const { return trees_.front(); }
+  /// The same, and what it was changed for since. A description that is repeated is one.
+  const std::vector<TreeDescription>& trees() const { return trees_; }
 
-  /// The next entry; nothing at the end of the file.
-  std::optional<RecordEntry> Next();
+  const std::vector<std::string>& files() const { return files_; }
+  /// In the order of files and offsets. There is at least one.
+  const std::vector<RecordKeyframe>& keyframes() const { return keyframes_; }
 
-  /// So far.
-  const std::vector<RecordDamage>& damages() const { return damages_; }
-  /// Whether the end of an orderly closed record was read.
+  /// State at the start, and last tick.
+  std::uint64_t first_tick() const { return keyframes_.front().tick; }
+  Time begin() const { return keyframes_.front().time; }
+  std::uint64_t last_tick() const { return last_tick_; }
+  Time end() const { return end_; }
+
+  /// Takes in what was appended since, also further files. True if there was something.
+  bool Refresh();
+
+  /// Whether the recording was closed in order. If not, it ended abruptly, or still goes on.
   bool closed() const { return closed_; }
+  /// Bytes at the end that are no whole frame.
+  std::uint64_t torn_bytes() const { return torn_bytes_; }
+  /// Pieces that opening had to leave out. A RecordCursor looks closer.
+  const std::vector<RecordDamage>& damages() const { return damages_; }
 
  private:
-  explicit RecordReader(FileWindow file) : file_(std::move(file)) {}
+  RecordReader() = default;
+  std::string OpenFirst(const std::string& path);
+  bool OpenNext();
+  bool Index();
+  void IndexFrame(const FrameFile::Span& span);
+  void FindEnd();
 
-  std::string ReadHeader();
-  // Size of the whole frame at an offset, or 0 if there is none.
-  std::uint64_t FrameAt(std::uint64_t offset);
-  void SkipDamage();
-  std::optional<RecordEntry> Decode(std::uint64_t frame_size);
-
-  FileWindow file_;
-  RecordHeader header_;
-  std::uint64_t offset_ = 0;
+  std::vector<std::string> files_;
+  std::vector<TreeDescription> trees_;
+  std::vector<RecordKeyframe> keyframes_;
   std::vector<RecordDamage> damages_;
+  std::unique_ptr<FrameFile> file_;  // the last one
+  std::uint64_t offset_ = 0;         // in it: as far as it is known
+  std::uint64_t torn_bytes_ = 0;
+  std::uint64_t last_tick_ = 0;
+  Time end_{0};
   bool closed_ = false;
 };
 

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "bt_core/record/entry_coding.h"
-#include "bt_core/record/frame.h"
+#include "bt_core/history/frame.h"
 
 namespace coppice {
 namespace {

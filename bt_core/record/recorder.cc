@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "bt_core/record/entry_coding.h"
-#include "bt_core/record/frame.h"
+#include "bt_core/history/frame.h"
 #include "bt_core/record/record_writer.h"
 
 namespace coppice {

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "bt_core/record/frame.h"
+#include "bt_core/history/frame.h"
 #include "bt_core/record/recorder.h"
 #include "tests/bt_core/record/recorded_tree.h"
 #include "tests/bt_core/record/temporary_folder.h"

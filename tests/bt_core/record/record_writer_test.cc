@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "bt_core/record/entry_coding.h"
-#include "bt_core/record/frame.h"
+#include "bt_core/history/frame.h"
 #include "tests/bt_core/record/temporary_folder.h"
 
 namespace coppice {

@@ -1,6 +1,6 @@
 // How numbers and texts become bytes in a record, and back. docs/record_format.md is the reference.
-#ifndef COPPICE_BT_CORE_RECORD_CODING_H_
-#define COPPICE_BT_CORE_RECORD_CODING_H_
+#ifndef COPPICE_BT_CORE_HISTORY_CODING_H_
+#define COPPICE_BT_CORE_HISTORY_CODING_H_
 
 #include <cstddef>
 #include <cstdint>
@@ -69,4 +69,4 @@ class Decoder {
 
 }  // namespace coppice
 
-#endif  // COPPICE_BT_CORE_RECORD_CODING_H_
+#endif  // COPPICE_BT_CORE_HISTORY_CODING_H_

@@ -1,4 +1,4 @@
-#include "bt_core/record/crc32c.h"
+#include "bt_core/history/crc32c.h"
 
 #include <array>
 

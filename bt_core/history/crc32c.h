@@ -1,6 +1,6 @@
 // CRC-32C (Castagnoli), the checksum of iSCSI: RFC 3720, section 12.1.
-#ifndef COPPICE_BT_CORE_RECORD_CRC32C_H_
-#define COPPICE_BT_CORE_RECORD_CRC32C_H_
+#ifndef COPPICE_BT_CORE_HISTORY_CRC32C_H_
+#define COPPICE_BT_CORE_HISTORY_CRC32C_H_
 
 #include <cstddef>
 #include <cstdint>
@@ -12,4 +12,4 @@ std::uint32_t Crc32c(const void* bytes, std::size_t size, std::uint32_t before =
 
 }  // namespace coppice
 
-#endif  // COPPICE_BT_CORE_RECORD_CRC32C_H_
+#endif  // COPPICE_BT_CORE_HISTORY_CRC32C_H_

@@ -1,4 +1,4 @@
-#include "bt_core/record/frame.h"
+#include "bt_core/history/frame.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
-#include "bt_core/record/frame.h"
+#include "bt_core/history/frame.h"
 
-#include "bt_core/record/crc32c.h"
+#include "bt_core/history/crc32c.h"
 
 namespace coppice {
 namespace {
@@ -50,7 +50,7 @@ FrameHeader ReadFrameHeader(const std::uint8_t* bytes) {
 }
 
 bool IsPlausible(const FrameHeader& header) {
-  return header.type >= static_cast<std::uint8_t>(FrameType::kHeader) &&
+  return header.type >= static_cast<std::uint8_t>(FrameType::kTree) &&
          header.type <= static_cast<std::uint8_t>(FrameType::kEnd) &&
          header.payload_size <= kMaxPayloadSize;
 }

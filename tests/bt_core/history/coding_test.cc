@@ -1,4 +1,4 @@
-#include "bt_core/record/coding.h"
+#include "bt_core/history/coding.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

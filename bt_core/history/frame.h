@@ -1,20 +1,27 @@
-// Frames: the checksummed pieces that a record consists of. Behind the magic bytes and the version,
-// a record is nothing but frames, each of which is understood without the others.
-#ifndef COPPICE_BT_CORE_RECORD_FRAME_H_
-#define COPPICE_BT_CORE_RECORD_FRAME_H_
+// Frames: the checksummed pieces that a history consists of, on disk and on the wire. A record is
+// the magic bytes, the version, and then nothing but frames.
+#ifndef COPPICE_BT_CORE_HISTORY_FRAME_H_
+#define COPPICE_BT_CORE_HISTORY_FRAME_H_
 
 #include <cstddef>
 #include <cstdint>
 
-#include "bt_core/record/coding.h"
+#include "bt_core/history/coding.h"
 
 namespace coppice {
 
 inline constexpr std::uint8_t kRecordMagic[8] = {0x89, 'C', 'o', 'p', 'p', 'i', 'c', '\n'};
-inline constexpr std::uint32_t kRecordVersion = 1;
+inline constexpr std::uint32_t kRecordVersion = 2;
 inline constexpr std::size_t kPreambleSize = sizeof(kRecordMagic) + 4;
 
-enum class FrameType : std::uint8_t { kHeader = 1, kTick = 2, kNote = 3, kGap = 4, kEnd = 5 };
+enum class FrameType : std::uint8_t {
+  kTree = 1,    ///< what the tree is
+  kState = 2,   ///< how it stands; reading can begin here, if the tree is known
+  kEvents = 3,  ///< ticks; understood only if the frames since the last state are
+  kGap = 4,     ///< what is missing
+  kNote = 5,
+  kEnd = 6,
+};
 
 /// On disk: payload size (4 bytes), type (1), CRC-32C of all but itself (4), payload.
 struct FrameHeader {
@@ -49,4 +56,4 @@ bool IsWhole(const std::uint8_t* frame, const FrameHeader& header);
 
 }  // namespace coppice
 
-#endif  // COPPICE_BT_CORE_RECORD_FRAME_H_
+#endif  // COPPICE_BT_CORE_HISTORY_FRAME_H_

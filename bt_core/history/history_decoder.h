@@ -1,0 +1,49 @@
+// Takes the frames of a history apart. Any bytes may be handed in: what is no sense is refused.
+//
+//   HistoryDecoder decoder;
+//   const std::string problem = decoder.Decode(data, size, handler);   // calls of the handler
+#ifndef COPPICE_BT_CORE_HISTORY_HISTORY_DECODER_H_
+#define COPPICE_BT_CORE_HISTORY_HISTORY_DECODER_H_
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "bt_core/history/frame.h"
+#include "bt_core/history/history.h"
+#include "bt_core/history/packer.h"
+#include "bt_core/history/tick_coding.h"
+
+namespace coppice {
+
+class HistoryDecoder {
+ public:
+  /// One whole frame with its header. Returns what is wrong with it, or nothing. After a problem,
+  /// and at the start, events are refused until a state has come: they build on what was before
+  /// them. A state needs a tree.
+  std::string Decode(const std::uint8_t* frame, std::size_t size, HistoryHandler& handler);
+
+  /// Frames are missing, or are skipped to go on elsewhere: the next one must be a state, or one
+  /// that stands for itself.
+  void Forget() { follows_ = false; }
+
+  /// Goes on behind a tree that was decoded elsewhere.
+  void SetTree(std::size_t nodes, std::size_t slots);
+
+ private:
+  std::string DecodeTree(Decoder payload, HistoryHandler& handler);
+  std::string DecodeState(Decoder payload, HistoryHandler& handler);
+  std::string DecodeEvents(Decoder payload, HistoryHandler& handler);
+
+  bool has_tree_ = false;
+  bool follows_ = false;  // events can be understood
+  TreeSize size_;
+  TickDecoder ticks_;
+  Unpacker unpacker_;
+  Bytes raw_;
+};
+
+}  // namespace coppice
+
+#endif  // COPPICE_BT_CORE_HISTORY_HISTORY_DECODER_H_

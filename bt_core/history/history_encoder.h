@@ -1,0 +1,113 @@
+// Makes the frames of a history from what an EventStream hands out.
+//
+//   class Output : public FrameSink { void OnFrame(const Frame& frame) override {...} };
+//   HistoryEncoder encoder(options, output);
+//   encoder.Add(state);     // EventListener::OnState -> frames `tree` and `state`
+//   encoder.Add(events);    // EventListener::OnTick: kept until
+//   encoder.Flush();        // -> a frame `events`
+//
+// It follows the tree, so it can give its state at any time. All functions on one thread, or under
+// one lock. Time and memory per call depend on the sizes of tick and tree only.
+#ifndef COPPICE_BT_CORE_HISTORY_HISTORY_ENCODER_H_
+#define COPPICE_BT_CORE_HISTORY_HISTORY_ENCODER_H_
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "bt_core/engine/event_stream.h"
+#include "bt_core/history/follower.h"
+#include "bt_core/history/frame.h"
+#include "bt_core/history/history.h"
+#include "bt_core/history/packer.h"
+#include "bt_core/history/tick_coding.h"
+
+namespace coppice {
+
+/// A frame that is ready to be written or sent.
+struct Frame {
+  FrameType type;
+  const std::uint8_t* data;  ///< with its header; valid during the call only
+  std::size_t size;
+  std::uint64_t tick;  ///< number of the last tick that is in it or before it
+  Time time;           ///< and its start, in the tree's clock
+};
+
+class FrameSink {
+ public:
+  virtual ~FrameSink() = default;
+  virtual void OnFrame(const Frame& frame) = 0;
+};
+
+struct HistoryOptions {
+  /// `start` and `wall_start` are those of the first state; a `run` of zeros becomes a random one.
+  RunInfo info;
+  /// Raw bytes of events after which a state is put in. The larger of the two counts.
+  std::size_t keyframe_bytes = 256 << 10;
+  std::size_t keyframe_states = 4;  ///< sizes of a state
+  /// Raw bytes of events after which they become a frame by themselves.
+  std::size_t frame_bytes = 32 << 10;
+};
+
+class HistoryEncoder {
+ public:
+  HistoryEncoder(HistoryOptions options, FrameSink& sink);
+
+  /// The first state, and what comes after a gap or a jump. A program that is not the one before is
+  /// described first.
+  void Add(const StreamState& state);
+  void Add(const TickEvents& events);
+
+  /// Instead of Add for a tick that finds no room: the tree is followed, the tick is counted. The
+  /// next Add, Note, Begin or End says what is missing and how the tree stands.
+  void Skip(const TickEvents& events);
+
+  /// Stands behind all ticks so far.
+  void Note(const HistoryNote& note);
+  /// Notes that found no room. Said as Skip's are.
+  void SkipNotes(std::uint64_t count) { gap_.lost_notes += count; }
+
+  /// Makes a frame of the events that are not in one yet.
+  void Flush();
+  /// Raw bytes of these events.
+  std::size_t unflushed() const { return raw_.size(); }
+
+  /// Puts in the state: reading can begin here.
+  void Keyframe();
+
+  /// Puts in tree and state: another file begins here, or another listener.
+  void Begin();
+
+  void End(HistoryEnd::Cause cause, Time time);
+
+  /// What the frames so far amount to. Null before the first state.
+  const HistoryFollower* follower() const { return follower_ ? &*follower_ : nullptr; }
+  const TreeDescription& tree() const { return tree_; }
+
+ private:
+  void Emit(FrameType type);
+  void EmitTree();
+  void EmitState(HistoryState::Cause cause);
+  void EmitGap();
+  bool HasGap() const { return gap_.lost_ticks > 0 || gap_.lost_notes > 0; }
+  void CloseGap();
+
+  HistoryOptions options_;
+  FrameSink& sink_;
+  std::shared_ptr<const Program> program_;
+  TreeDescription tree_;
+  std::optional<HistoryFollower> follower_;
+  TickEncoder ticks_;
+  Packer packer_;
+  HistoryGap gap_;  // what is missing and not said yet
+  Bytes raw_;       // ticks that are in no frame yet
+  Bytes frame_;
+  std::size_t since_keyframe_ = 0;  // raw bytes
+  std::size_t keyframe_every_ = 0;
+};
+
+}  // namespace coppice
+
+#endif  // COPPICE_BT_CORE_HISTORY_HISTORY_ENCODER_H_
