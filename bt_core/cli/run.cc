@@ -7,6 +7,7 @@
 #include "bt_core/cli/plugins.h"
 #include "bt_core/cli/verbs.h"
 #include "bt_core/engine/runner.h"
+#include "bt_core/engine/status_follower.h"
 
 namespace coppice {
 namespace {
@@ -26,21 +27,28 @@ void StopRunning(int) {
 // Prints every change of status as it happens.
 class Printer : public TickSink {
  public:
-  explicit Printer(const Program& program) : program_(program) {}
+  explicit Printer(const Executor& executor)
+      : program_(executor.program()), follower_(ShapeOf(program_), executor.statuses()) {}
   void OnTick(const TickEvents& events) override {
-    for (const StatusChange& change : events.changes) {
-      if (change.to == Status::kIdle) continue;
-      std::cout << "tick " << events.tick << "  " << program_.Path(change.node) << "  "
-                << ToString(change.from) << " -> " << ToString(change.to) << "\n";
+    EventReader reader(events.words);
+    for (Event event; reader.Next(event);) {
+      follower_.Apply(event, [&](const StatusChange& change) { Print(events.tick, change); });
     }
-    for (const NodeMessage& message : events.messages) {
+    for (const NodeMessage& message : MessagesOf(events.words)) {
       std::cout << "tick " << events.tick << "  " << program_.Path(message.node) << ": "
                 << message.text << "\n";
     }
   }
 
  private:
+  void Print(std::uint64_t tick, const StatusChange& change) const {
+    if (change.to == Status::kIdle) return;
+    std::cout << "tick " << tick << "  " << program_.Path(change.node) << "  "
+              << ToString(change.from) << " -> " << ToString(change.to) << "\n";
+  }
+
   const Program& program_;
+  StatusFollower follower_;
 };
 
 }  // namespace
@@ -63,7 +71,7 @@ int RunTree(const Arguments& arguments) {
 
   WallClock clock;
   Executor executor(program, clock);
-  Printer printer(*program);
+  Printer printer(executor);
   executor.AddSink(&printer);
   Runner runner(executor);
   running = &runner;

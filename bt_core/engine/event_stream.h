@@ -29,24 +29,26 @@ struct StreamState {
     kLost,   ///< events are missing before this
     kJump,   ///< the tree was given another program or another state
   };
-  Cause cause;
+  Cause cause = Cause::kBegin;
   std::shared_ptr<const Program> program;
-  std::uint64_t tick;  ///< number of the last tick
-  Time time;           ///< its start, in the tree's clock
+  std::uint64_t tick = 0;  ///< number of the last tick
+  Time time{0};            ///< in the tree's clock
   std::vector<Status> statuses;
   std::vector<std::string> values;  ///< per slot, as in data/value_bytes.h
-  std::uint64_t lost_ticks = 0;     ///< with cause kLost: number, first and last
+  std::uint64_t lost_ticks = 0;     ///< missing before this: number, first and last
   std::uint64_t first_lost = 0;
   std::uint64_t last_lost = 0;
 };
 
-/// Called on the thread of the stream, one call at a time.
+/// Called on the thread of the stream, one call at a time; must not throw.
 class EventListener {
  public:
   virtual ~EventListener() = default;
   virtual void OnState(const StreamState& state) = 0;
   virtual void OnTick(const TickEvents& events) = 0;
 };
+
+class EventWorker;
 
 class EventStream final : public TickSink {
  public:
@@ -66,7 +68,8 @@ class EventStream final : public TickSink {
 
   Executor& executor() { return executor_; }
 
-  /// Any thread but that of the listeners: returns when they have got everything that had happened.
+  /// Any thread but that of the stream: returns when the listeners have got everything that had
+  /// happened.
   void Flush();
 
   /// Any thread: ticks that were left out because listeners were too slow.
@@ -76,11 +79,16 @@ class EventStream final : public TickSink {
   void OnJump(const Executor&) override;
 
  private:
-  class Ring;
-  struct Shared;
+  StreamState StateNow(StreamState::Cause cause) const;
+  void CountLost(std::uint64_t tick);
+  void PushState(StreamState::Cause cause);
 
   Executor& executor_;
-  std::unique_ptr<Shared> shared_;
+  std::size_t listeners_ = 0;
+  std::uint64_t lost_ticks_ = 0;  // since the listeners were told
+  std::uint64_t first_lost_ = 0;
+  std::uint64_t last_lost_ = 0;
+  std::unique_ptr<EventWorker> worker_;
 };
 
 }  // namespace coppice

@@ -19,6 +19,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -56,10 +57,10 @@ enum class EventText : std::uint32_t {
 /// One event, taken apart.
 struct Event {
   EventCode code = EventCode::kReset;
-  std::uint32_t index = 0;          ///< a slot for kWrite and kDelivery, else a node
-  NodeIndex writer = kNoNode;       ///< of kWrite; kNoNode: not known which
+  std::uint32_t index = 0;     ///< a slot for kWrite and kDelivery, else a node
+  NodeIndex writer = kNoNode;  ///< of kWrite; kNoNode: not known which
   EventText text = EventText::kMessage;
-  std::string_view bytes;           ///< valid as long as the words
+  std::string_view bytes;  ///< valid as long as the words
 
   bool is_result() const { return code >= EventCode::kRunning && code <= EventCode::kSkipped; }
   bool is_status() const { return code <= EventCode::kSkipped; }
@@ -77,6 +78,15 @@ class EventReader {
   const std::uint32_t* at_;
   const std::uint32_t* end_;
 };
+
+/// Why a node did what it did: a message of a leaf, the text of an exception.
+struct NodeMessage {
+  NodeIndex node;
+  std::string text;
+};
+
+/// The messages and exceptions among events, in their order.
+std::vector<NodeMessage> MessagesOf(EventWords words);
 
 /// Appends events; the words stay where they are until Clear.
 class EventWriter {

@@ -17,17 +17,16 @@ Status Executor::FailByException(NodeIndex node) {
 }
 
 void Executor::AddExceptionMessage(NodeIndex node) {
-  current_ = node;
   try {
     throw;
   } catch (const Abort&) {
     throw;
   } catch (const UnsetInput& error) {
-    AddMessage(Describe(error, node));
+    AddException(node, Describe(error, node));
   } catch (const std::exception& error) {
-    AddMessage(error.what());
+    AddException(node, error.what());
   } catch (...) {
-    AddMessage("threw something that is not a std::exception");
+    AddException(node, "threw something that is not a std::exception");
   }
 }
 
@@ -37,8 +36,8 @@ Status Executor::EndAborted() {
     const bool running = statuses_[i] == Status::kRunning;
     if ((running || Keeps(i)) && IsUserNode(nodes_[i].type)) HaltUser(i);
     memory_[i] = 0;
-    if (statuses_[i] != Status::kIdle) SetStatus(i, Status::kIdle);
-    if (running && nodes_[i].dispatch == NodeType::kGuarded) RunHaltedHook(i);
+    if (statuses_[i] != Status::kIdle) MakeIdle(i);
+    if (running && IsGuarded(i)) RunHaltedHook(i);
   }
   CountKept();
   wake_at_ = kNever;

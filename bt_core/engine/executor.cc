@@ -1,6 +1,5 @@
 #include "bt_core/engine/executor.h"
 
-#include <algorithm>
 #include <exception>
 #include <utility>
 
@@ -56,12 +55,14 @@ void Executor::GiveChildren(UserNode& node, NodeIndex index) {
 }
 
 Status Executor::Tick() {
+  if (hooks_) hooks_->BeforeTick();
   now_ = clock_.Now();
   blackboard_.set_now(now_);
   wake_at_ = kNever;
   tick_again_ = false;
   ++ticks_;
   RunCalls();
+  if (listening_) tick_start_ = std::chrono::steady_clock::now();
   if (!drains_.empty()) ServeDrains();
   if (inbox_->has_messages()) ApplyInbox();
   Status result;
@@ -70,14 +71,13 @@ Status Executor::Tick() {
   } catch (const Abort&) {
     result = EndAborted();
   }
-  if (listening_) Report(result);
+  if (listening_) ReportTick(result);
   if (thrown_) Rethrow();
   return result;
 }
 
 std::vector<Status> Executor::statuses() const {
   std::vector<Status> result = statuses_;
-  if (listening_) return result;  // then all resets are written down
   for (NodeIndex i = 1; i < result.size(); ++i) {
     const NodeIndex parent = program_->info[i].parent;
     const bool behind =
@@ -102,48 +102,9 @@ void Executor::ApplyInbox() {
     slot.value = std::move(message.value);
     slot.epoch = message.epoch;
     slot.CountWrite(now_);
+    if (listening_) ReportDelivery(message.slot);
   }
   delivery_.clear();
-}
-
-Status Executor::StoreAndRecord(NodeIndex node, Status result) {
-  if (result != statuses_[node]) RecordChange(node, result);
-  return statuses_[node] = result;
-}
-
-void Executor::RecordChange(NodeIndex node, Status status) {
-  changes_.push_back({node, statuses_[node], status});
-}
-
-void Executor::AddMessage(std::string text) {
-  if (listening_) messages_.push_back({current_, std::move(text)});
-}
-
-void Executor::AddSink(TickSink* sink) {
-  statuses_ = statuses();
-  sinks_.push_back(sink);
-  listening_ = true;
-  ChangeKept(0);
-  reported_writes_.resize(blackboard_.size(), 0);
-}
-
-void Executor::RemoveSink(TickSink* sink) {
-  sinks_.erase(std::remove(sinks_.begin(), sinks_.end(), sink), sinks_.end());
-  listening_ = !sinks_.empty();
-  ChangeKept(0);
-}
-
-void Executor::Report(Status result) {
-  writes_.clear();
-  for (SlotIndex i = 0; i < blackboard_.size(); ++i) {
-    if (blackboard_[i].writes == reported_writes_[i]) continue;
-    reported_writes_[i] = blackboard_[i].writes;
-    writes_.push_back(i);
-  }
-  const TickEvents events{ticks_, now_, result, changes_, writes_, messages_, blackboard_};
-  for (TickSink* sink : sinks_) sink->OnTick(events);
-  changes_.clear();
-  messages_.clear();
 }
 
 void Executor::CheckType(SlotIndex slot, const Type& type) const {

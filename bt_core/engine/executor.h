@@ -11,11 +11,12 @@
 //   }
 //
 // Statuses lie in an array in the order of the nodes. When a node ends, its children are idle by
-// definition; while nobody listens this is not written down, so the array may hold what they
-// returned last. statuses() says what holds.
+// definition; this is not written down, so the array may hold what they returned last. statuses()
+// says what holds.
 #ifndef COPPICE_BT_CORE_ENGINE_EXECUTOR_H_
 #define COPPICE_BT_CORE_ENGINE_EXECUTOR_H_
 
+#include <chrono>
 #include <cstdint>
 #include <exception>
 #include <memory>
@@ -25,8 +26,10 @@
 
 #include "bt_core/data/inbox.h"
 #include "bt_core/engine/events.h"
+#include "bt_core/engine/node_hooks.h"
 #include "bt_core/engine/program.h"
 #include "bt_core/engine/tree_state.h"
+#include "bt_core/engine/written_slots.h"
 
 namespace coppice {
 
@@ -76,14 +79,15 @@ class Executor final : public LeafHost, public ChildHost {
   /// Makes the tree as it was when Save was called on it or on another executor of the same
   /// program. A node of the user that runs and did not run then is halted; one that ran then and
   /// does not run now is started by the next tick, since only the node itself knows how far it was.
+  /// The sinks are told of a jump.
   /// Throws std::invalid_argument if the state is that of another program. Between ticks.
   void Restore(const TreeState& state);
 
   /// Goes on with another program. A node lives on, with its status and memory, if it is written
   /// the same (type, attributes, number of children) at the same place below nodes that live on;
   /// what does not is halted and begins anew. Keys of the same scope, name and type keep their
-  /// values, and Senders stay valid. Throws std::logic_error if a sink cannot follow. Between
-  /// ticks.
+  /// values, and Senders stay valid. The sinks are told of a jump. Hooks are taken away: nodes have
+  /// new numbers. Between ticks.
   void Reload(std::shared_ptr<const Program> next);
 
   /// Runs the functions that were posted with Inbox::PostCall. Between ticks.
@@ -118,6 +122,13 @@ class Executor final : public LeafHost, public ChildHost {
   void AddSink(TickSink* sink);
   void RemoveSink(TickSink* sink);
 
+  /// Asks `hooks` before every tick, and before and after each tick of these nodes; null takes the
+  /// hooks away. They must live until then. Between ticks.
+  void SetHooks(NodeHooks* hooks, const std::vector<NodeIndex>& nodes = {});
+
+  /// From within a hook: the sinks get what has happened in this tick so far.
+  void ReportSoFar();
+
   void AddMessage(std::string text) override;
   bool ResumeSkipped() override;
   void KeepSkipped() override;
@@ -131,7 +142,7 @@ class Executor final : public LeafHost, public ChildHost {
   void Halt(NodeIndex node) {
     if (statuses_[node] == Status::kRunning) return HaltRunning(node);
     if (kept_ != 0) LetGo(node);
-    if (statuses_[node] != Status::kIdle) SetStatus(node, Status::kIdle);
+    if (statuses_[node] != Status::kIdle) MakeIdle(node);
   }
   void ResetChildren(NodeIndex node);
   void LeaveChildren(NodeIndex node);
@@ -188,6 +199,13 @@ class Executor final : public LeafHost, public ChildHost {
   void RunHook(const GuardRecord& guards, Guard hook);
   void RunHaltedHook(NodeIndex node);
   Status TickUnguarded(NodeIndex node);
+  Status TickAsItself(NodeIndex node);
+  bool IsHooked(NodeIndex node) const;
+  Status TickHooked(NodeIndex node);
+  Status Inject(NodeIndex node, Status status);
+  bool IsGuarded(NodeIndex node) const {
+    return program_->nodes[node].dispatch == NodeType::kGuarded;
+  }
   const GuardRecord& GuardsOf(NodeIndex node) const;
   std::uint32_t Binding(NodeIndex node, std::uint32_t k) const {
     return program_->ports[nodes_[node].first_port + k].slot;
@@ -197,25 +215,32 @@ class Executor final : public LeafHost, public ChildHost {
   Status EndAborted();
   [[noreturn]] void Rethrow();
   Status Store(NodeIndex node, Status result) {
-    if (listening_) return StoreAndRecord(node, result);
+    if (listening_) return StoreAndReport(node, result);
     return statuses_[node] = result;
   }
-  void SetStatus(NodeIndex node, Status status) {
-    if (listening_) RecordChange(node, status);
-    statuses_[node] = status;
+  void MakeIdle(NodeIndex node) {
+    if (listening_) events_.Reset(node);
+    statuses_[node] = Status::kIdle;
   }
-  [[gnu::noinline, gnu::cold]] Status StoreAndRecord(NodeIndex node, Status result);
-  void RecordChange(NodeIndex node, Status status);
+
+  // For the watchers (reporting.cc).
+  [[gnu::noinline]] Status StoreAndReport(NodeIndex node, Status result);
+  void StartListening();
+  void ReportWrites(NodeIndex node);
+  void ReportWrite(SlotIndex slot, NodeIndex writer);
+  void ReportDelivery(SlotIndex slot);
+  void AddException(NodeIndex node, const std::string& text);
+  void ReportTick(Status result);
+  void ReportHalt();
+  void ReportJump();
+  void Report(Status result, Duration duration, bool is_whole);
 
   // What skipped nodes keep (halt.cc).
   bool Keeps(NodeIndex node) const {
     return statuses_[node] != Status::kRunning && memory_[node] != 0;
   }
   void CountKept();
-  void ChangeKept(int by) {
-    kept_ += static_cast<std::uint32_t>(by);
-    resets_children_ = listening_ || kept_ != 0;
-  }
+  void ChangeKept(int by) { kept_ += static_cast<std::uint32_t>(by); }
   [[gnu::cold]] void Resume(NodeIndex node);
   [[gnu::cold]] void LetGo(NodeIndex node);
   void KeepSomeMemory(NodeIndex node);  // dispatch_others.cc
@@ -236,7 +261,6 @@ class Executor final : public LeafHost, public ChildHost {
   void MoveUsers(const Program& old, const std::vector<NodeIndex>& lives_on);
   void GiveChildren(UserNode& node, NodeIndex index);
   void ApplyInbox();
-  void Report(Status result);
   void CheckType(SlotIndex slot, const Type& type) const;
 
   std::shared_ptr<const Program> program_;
@@ -259,12 +283,15 @@ class Executor final : public LeafHost, public ChildHost {
   std::exception_ptr thrown_;
 
   std::vector<TickSink*> sinks_;
-  bool listening_ = false;        // someone wants events
-  bool resets_children_ = false;  // when a node ends, all its children are reset one by one
-  std::vector<StatusChange> changes_;
-  std::vector<NodeMessage> messages_;
-  std::vector<SlotIndex> writes_;
-  std::vector<std::uint32_t> reported_writes_;  // per slot, when listening
+  bool listening_ = false;  // someone wants events; the next three are in use then
+  EventWriter events_;      // since the last report
+  WrittenSlots written_slots_;
+  std::vector<std::uint32_t> reported_writes_;  // per slot: how many writes were reported
+  std::chrono::steady_clock::time_point tick_start_;
+
+  NodeHooks* hooks_ = nullptr;
+  std::vector<NodeRecord> hooked_nodes_;  // the program's, with some dispatched as kHooked
+
   std::vector<Inbox::Message> delivery_;
   std::vector<Inbox::Call> calls_;
 };

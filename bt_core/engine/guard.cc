@@ -46,6 +46,7 @@ void Executor::RunHaltedHook(NodeIndex node) {
   } catch (...) {
     AddExceptionMessage(node);
   }
+  if (listening_) ReportWrites(node);
 }
 
 Status Executor::TickGuarded(NodeIndex node) {
@@ -56,6 +57,7 @@ Status Executor::TickGuarded(NodeIndex node) {
     if (result == Status::kSuccess) RunHook(guards, Guard::kOnSuccess);
     if (result == Status::kFailure) RunHook(guards, Guard::kOnFailure);
     if (IsCompleted(result)) RunHook(guards, Guard::kPost);
+    if (listening_) ReportWrites(node);
     return result;
   } catch (const Abort&) {
     throw;

@@ -12,18 +12,13 @@ namespace {
 // Ticked instead of a leaf that is asked to start before it has stopped.
 Status WaitUntilStopped(UserNode&, Status) { return Status::kRunning; }
 
-// A node with a hook, which comes after what is below it, or with a child for this case.
-bool HaltsInItsOwnWay(const NodeRecord& node) {
-  return node.dispatch == NodeType::kGuarded || node.type == NodeType::kTryCatch;
-}
-
 }  // namespace
 
 void Executor::Halt() {
   Halt(0);
   wake_at_ = kNever;
   tick_again_ = false;
-  if (listening_ && !changes_.empty()) Report(Status::kIdle);
+  ReportHalt();
 }
 
 void Executor::ResetChildren(NodeIndex node) {
@@ -36,7 +31,7 @@ void Executor::LeaveChildren(NodeIndex node) {
   const NodeIndex end = nodes_[node].end;
   for (NodeIndex child = node + 1; child != end; child = nodes_[child].end) {
     const Status status = statuses_[child];
-    if (status != Status::kIdle && status != Status::kRunning) SetStatus(child, Status::kIdle);
+    if (status != Status::kIdle && status != Status::kRunning) MakeIdle(child);
   }
 }
 
@@ -58,7 +53,7 @@ bool Executor::ResumeSkipped() {
 void Executor::Resume(NodeIndex node) {
   if (!Keeps(node)) return;
   if (IsUserNode(nodes_[node].type)) memory_[node] = 0;
-  SetStatus(node, Status::kRunning);
+  statuses_[node] = Status::kRunning;
   ChangeKept(-1);
 }
 
@@ -75,16 +70,15 @@ void Executor::LetGo(NodeIndex node) {
 void Executor::CountKept() {
   kept_ = 0;
   for (NodeIndex i = 0; i < statuses_.size(); ++i) kept_ += Keeps(i);
-  ChangeKept(0);
 }
 
 void Executor::HaltRunning(NodeIndex node) {
   if (nodes_[node].type == NodeType::kTryCatch) CatchHaltOf(node);
   if (IsUserNode(nodes_[node].type)) HaltUser(node);
   memory_[node] = 0;
-  SetStatus(node, Status::kIdle);
+  MakeIdle(node);
   HaltDescendants(node);
-  if (nodes_[node].dispatch == NodeType::kGuarded) RunHaltedHook(node);
+  if (IsGuarded(node)) RunHaltedHook(node);
 }
 
 void Executor::CatchHaltOf(NodeIndex node) {
@@ -102,7 +96,7 @@ void Executor::CatchHaltOf(NodeIndex node) {
 void Executor::HaltDescendants(NodeIndex node) {
   for (NodeIndex i = node + 1; i < nodes_[node].end;) {
     const bool running = statuses_[i] == Status::kRunning;
-    if (running && HaltsInItsOwnWay(nodes_[i])) {
+    if (running && (IsGuarded(i) || nodes_[i].type == NodeType::kTryCatch)) {  // in its own way
       HaltRunning(i);
       i = nodes_[i].end;
       continue;
@@ -110,7 +104,7 @@ void Executor::HaltDescendants(NodeIndex node) {
     if (!running && kept_ != 0) LetGo(i);
     if (running && IsUserNode(nodes_[i].type)) HaltUser(i);
     memory_[i] = 0;
-    if (statuses_[i] != Status::kIdle) SetStatus(i, Status::kIdle);
+    if (statuses_[i] != Status::kIdle) MakeIdle(i);
     i = running ? i + 1 : nodes_[i].end;
   }
 }
@@ -161,7 +155,7 @@ bool Executor::HasStopped(Draining& drain) {
   if (drain.orphan) return true;
   UserOf(drain.node).tick = drain.tick;
   // If the tree waits for it, the next tick starts it.
-  if (statuses_[drain.node] == Status::kRunning) SetStatus(drain.node, Status::kIdle);
+  if (statuses_[drain.node] == Status::kRunning) MakeIdle(drain.node);
   return true;
 }
 

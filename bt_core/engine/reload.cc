@@ -1,7 +1,6 @@
 // Swapping the program of a running executor.
 #include <cstdint>
 #include <map>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -106,14 +105,10 @@ std::vector<SlotIndex> MatchSlots(const Program& old, const Program& next,
 }  // namespace
 
 void Executor::Reload(std::shared_ptr<const Program> next) {
-  for (const TickSink* sink : sinks_) {
-    if (!sink->can_follow_reload()) {
-      throw std::logic_error("a sink of this executor cannot follow a change of the tree");
-    }
-  }
   const std::vector<NodeIndex> lives_on = MatchNodes(*program_, *next);
   HaltWhatEnds(lives_on);
-  if (!changes_.empty()) Report(Status::kIdle);
+  ReportHalt();
+  SetHooks(nullptr);
   const std::vector<SlotIndex> slots = MatchSlots(*program_, *next, lives_on);
   statuses_ = statuses();
 
@@ -122,7 +117,7 @@ void Executor::Reload(std::shared_ptr<const Program> next) {
   MoveBlackboard(slots);
   MoveNodes(*old_program, lives_on);
   inbox_->Renumber(slots);
-  for (TickSink* sink : sinks_) sink->OnReload(*this);
+  ReportJump();
 }
 
 // A node ends if it does not live on; what runs below it is halted before anything is moved.
@@ -143,7 +138,6 @@ void Executor::MoveBlackboard(const std::vector<SlotIndex>& slots) {
   }
   moved.set_now(blackboard_.now());
   blackboard_ = std::move(moved);
-  reported_writes_.assign(blackboard_.size(), 0);
 }
 
 void Executor::MoveNodes(const Program& old, const std::vector<NodeIndex>& lives_on) {

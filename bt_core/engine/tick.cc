@@ -13,7 +13,8 @@ namespace coppice {
 /// The functions by NodeRecord::dispatch.
 struct Executor::TickTable {
   using Function = Status (*)(Executor&, NodeIndex);
-  static const std::array<Function, static_cast<std::size_t>(NodeType::kGuarded) + 1> functions;
+  static constexpr std::size_t kCount = static_cast<std::size_t>(NodeType::kHooked) + 1;
+  static const std::array<Function, kCount> functions;
 
   static Status Call(Executor& executor, NodeIndex node, NodeType dispatch) {
     return functions[static_cast<std::size_t>(dispatch)](executor, node);
@@ -33,14 +34,10 @@ struct Executor::TickTable {
     void Halt(NodeIndex node) { executor_.Halt(node); }
     void ResetChildren(NodeIndex node) { executor_.ResetChildren(node); }
     void ChildrenAreIdle(NodeIndex node) {
-      if (executor_.resets_children_) executor_.ResetChildren(node);
+      if (executor_.kept_ != 0) executor_.ResetChildren(node);
     }
     void LetGo(NodeIndex child) {
       if (executor_.kept_ != 0) executor_.LetGo(child);
-    }
-    void ChildrenBehindAreIdle(NodeIndex child, NodeIndex end) {
-      if (!executor_.listening_) return;
-      for (NodeIndex i = nodes_[child].end; i != end; i = nodes_[i].end) executor_.Halt(i);
     }
     std::uint64_t& memory(NodeIndex node) { return executor_.memory_[node]; }
     Status status(NodeIndex node) const { return executor_.statuses_[node]; }
@@ -78,7 +75,6 @@ struct Executor::TickTable {
     Tree tree(executor);
     Status result = tree.Tick(node + 1);
     if (IsCompleted(result)) tree.ChildrenAreIdle(node);
-    if (result == Status::kSkipped && executor.listening_) executor.LeaveChildren(node);
     if (result == Status::kSuccess) {
       result = kOnSuccess;
     } else if (result == Status::kFailure) {
@@ -110,6 +106,10 @@ struct Executor::TickTable {
 
   static Status Guarded(Executor& executor, NodeIndex node) { return executor.TickGuarded(node); }
 
+  static Status Hooked(Executor& executor, NodeIndex node) {
+    return executor.IsGuarded(node) ? executor.TickGuarded(node) : executor.TickHooked(node);
+  }
+
   static Status Other(Executor& executor, NodeIndex node) {
     if (executor.kept_ != 0) executor.Resume(node);
     Status result;
@@ -126,8 +126,8 @@ struct Executor::TickTable {
     return executor.Store(node, result);
   }
 
-  static constexpr std::array<Function, static_cast<std::size_t>(NodeType::kGuarded) + 1> Make() {
-    std::array<Function, static_cast<std::size_t>(NodeType::kGuarded) + 1> all{};
+  static constexpr std::array<Function, kCount> Make() {
+    std::array<Function, kCount> all{};
     for (Function& function : all) function = &Other;
     const auto set = [&all](NodeType type, Function function) {
       all[static_cast<std::size_t>(type)] = function;
@@ -146,11 +146,12 @@ struct Executor::TickTable {
     set(NodeType::kLeaf, &Leaf);
     set(NodeType::kUser, &UserControlNode);
     set(NodeType::kGuarded, &Guarded);
+    set(NodeType::kHooked, &Hooked);
     return all;
   }
 };
 
-const std::array<Executor::TickTable::Function, static_cast<std::size_t>(NodeType::kGuarded) + 1>
+const std::array<Executor::TickTable::Function, Executor::TickTable::kCount>
     Executor::TickTable::functions = Make();
 
 Status Executor::Tick(NodeIndex node) {
@@ -158,6 +159,10 @@ Status Executor::Tick(NodeIndex node) {
 }
 
 Status Executor::TickUnguarded(NodeIndex node) {
+  return IsHooked(node) ? TickHooked(node) : TickAsItself(node);
+}
+
+Status Executor::TickAsItself(NodeIndex node) {
   return TickTable::Call(*this, node, nodes_[node].type);
 }
 

@@ -21,7 +21,7 @@ void Executor::Restore(const TreeState& state) {
     if (is_user && statuses_[i] != Status::kRunning && status == Status::kRunning) {
       status = Status::kIdle;
     }
-    if (status != statuses_[i]) SetStatus(i, status);
+    statuses_[i] = status;
   }
   // What a node of the user has begun is known to that node only.
   for (NodeIndex i = 0; i < memory_.size(); ++i) {
@@ -29,6 +29,7 @@ void Executor::Restore(const TreeState& state) {
   }
   CountKept();
   RestoreBlackboard(state.blackboard);
+  ReportJump();
 }
 
 // Mailboxes of user nodes belong to what those remember.
@@ -44,9 +45,7 @@ void Executor::RestoreBlackboard(const Blackboard& saved) {
   }
   for (SlotIndex i = 0; i < blackboard_.size(); ++i) {
     if (is_mailbox[i]) continue;
-    const bool changed = blackboard_[i].writes != saved[i].writes;
     blackboard_[i] = saved[i];
-    if (changed && listening_) reported_writes_[i] = saved[i].writes - 1;  // to be reported
   }
 }
 

@@ -103,7 +103,6 @@ inline Status TickReactive(Tree& tree, NodeIndex node) {
   const auto ran = static_cast<NodeIndex>(tree.memory(node));
   if (ran > child) tree.Halt(ran);
   if (result == Status::kRunning) {
-    tree.ChildrenBehindAreIdle(child, end);
     tree.memory(node) = child;
     return result;
   }

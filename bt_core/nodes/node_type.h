@@ -76,6 +76,7 @@ enum class NodeType : std::uint8_t {
   kLeaf,     ///< user code
   kUser,     ///< a control node or decorator of a user's class
   kGuarded,  ///< not a node: what a node with guards or hooks is dispatched as
+  kHooked,   ///< not a node: what a node is dispatched as that somebody wants to stop at
 };
 
 /// True for the nodes of the user's classes.

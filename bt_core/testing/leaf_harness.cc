@@ -42,7 +42,9 @@ class LeafHarness::Children::Leaf final : public coppice::Leaf {
 class LeafHarness::MessageSink : public TickSink {
  public:
   void OnTick(const TickEvents& events) override {
-    for (const NodeMessage& message : events.messages) messages.push_back(message.text);
+    for (NodeMessage& message : MessagesOf(events.words)) {
+      messages.push_back(std::move(message.text));
+    }
   }
   std::vector<std::string> messages;
 };

@@ -11,7 +11,7 @@ namespace {
 class KeepMessages : public TickSink {
  public:
   void OnTick(const TickEvents& events) override {
-    for (const NodeMessage& message : events.messages) messages.push_back(message);
+    for (NodeMessage& message : MessagesOf(events.words)) messages.push_back(std::move(message));
   }
   std::vector<NodeMessage> messages;
 };

@@ -22,15 +22,16 @@ constexpr char kSleepingTree[] =
 // Sees every tick from within: when it began, and how often the key was written so far.
 class TickWatch : public TickSink {
  public:
-  explicit TickWatch(SlotIndex slot) : slot_(slot) {}
+  TickWatch(const Executor& executor, SlotIndex slot) : executor_(executor), slot_(slot) {}
   void OnTick(const TickEvents& events) override {
     start = events.start;
-    writes.store(events.blackboard[slot_].writes, std::memory_order_release);
+    writes.store(executor_.blackboard()[slot_].writes, std::memory_order_release);
   }
   Time start{0};  // of the newest tick; published by `writes`
   std::atomic<std::uint32_t> writes{0};
 
  private:
+  const Executor& executor_;
   SlotIndex slot_;
 };
 
@@ -40,7 +41,7 @@ class SleepingTree {
   SleepingTree()
       : executor(Load(kSleepingTree), clock),
         battery(executor.Writer<double>("battery")),
-        watch(executor.program().layout.Find(0, "battery")),
+        watch(executor, executor.program().layout.Find(0, "battery")),
         runner_(executor, {Pace::kEvents, kNever}) {
     executor.AddSink(&watch);
     battery.Send(80);

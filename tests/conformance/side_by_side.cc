@@ -93,7 +93,7 @@ SideBySide::SideBySide(const Shape& shape, std::function<int()> choose)
 SideBySide::~SideBySide() = default;
 
 void SideBySide::Listen() {
-  watcher_.statuses = executor_->statuses();
+  watcher_.follower.emplace(ShapeOf(executor_->program()), executor_->statuses());
   executor_->AddSink(&watcher_);
 }
 
@@ -120,8 +120,8 @@ void SideBySide::LogStatuses() {
   for (const OracleNode* node : oracle_nodes_) {
     expected_.push_back(kNode + static_cast<int>(node->status()));
   }
-  const bool watches = !watcher_.statuses.empty();
-  for (const Status status : watches ? watcher_.statuses : executor_->statuses()) {
+  const auto& watcher = watcher_.follower;
+  for (const Status status : watcher ? watcher->statuses() : executor_->statuses()) {
     actual_.push_back(kNode + static_cast<int>(status));
   }
 }

@@ -5,10 +5,12 @@
 #define COPPICE_TESTS_CONFORMANCE_SIDE_BY_SIDE_H_
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "bt_core/engine/executor.h"
+#include "bt_core/engine/status_follower.h"
 #include "tests/conformance/oracle.h"
 
 namespace coppice::conformance {
@@ -56,9 +58,10 @@ class SideBySide {
   class Watcher : public TickSink {
    public:
     void OnTick(const TickEvents& events) override {
-      for (const StatusChange& change : events.changes) statuses[change.node] = change.to;
+      EventReader reader(events.words);
+      for (Event event; reader.Next(event);) follower->Apply(event);
     }
-    std::vector<Status> statuses;  // empty: does not watch
+    std::optional<StatusFollower> follower;  // none: does not watch
   } watcher_;
   std::unique_ptr<Executor> executor_;
 };

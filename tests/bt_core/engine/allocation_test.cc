@@ -70,8 +70,8 @@ class IsPositive : public Condition {
 
 class CountingSink : public TickSink {
  public:
-  void OnTick(const TickEvents& events) override { changes += events.changes.size(); }
-  std::size_t changes = 0;
+  void OnTick(const TickEvents& events) override { words += events.words.size; }
+  std::size_t words = 0;
 };
 
 // All node types; the reactive ones make leaves start and end in every tick.
@@ -199,7 +199,7 @@ TEST_F(AllocationTest, ASteadyTickWithASinkAllocatesNothing) {
   CountingSink sink;
   executor_->AddSink(&sink);
   EXPECT_EQ(SteadyTicks(), 0U);
-  EXPECT_GT(sink.changes, 1000U);
+  EXPECT_GT(sink.words, 1000U);
   executor_->RemoveSink(&sink);
 }
 

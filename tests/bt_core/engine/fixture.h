@@ -8,11 +8,13 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "bt_core/engine/executor.h"
 #include "bt_core/engine/program.h"
+#include "bt_core/engine/status_follower.h"
 
 namespace coppice {
 
@@ -84,11 +86,29 @@ class KeepingSink : public TickSink {
     std::vector<SlotIndex> writes;
     std::vector<NodeMessage> messages;
   };
-  void OnTick(const TickEvents& events) override {
-    ticks.push_back(
-        {events.tick, events.start, events.result, events.changes, events.writes, events.messages});
+  /// Without it, the changes are not known.
+  void Follow(const Executor& executor) {
+    follower_.emplace(ShapeOf(executor.program()), executor.statuses());
   }
+  void OnTick(const TickEvents& events) override {
+    ticks.push_back({events.tick, events.start, events.result, {}, {}, MessagesOf(events.words)});
+    EventReader reader(events.words);
+    for (Event event; reader.Next(event);) Keep(event, ticks.back());
+  }
+  /// As they follow from the events.
+  const std::vector<Status>& statuses() const { return follower_->statuses(); }
   std::vector<Kept> ticks;
+
+ private:
+  void Keep(const Event& event, Kept& tick) {
+    if (event.code == EventCode::kWrite || event.code == EventCode::kDelivery) {
+      tick.writes.push_back(event.index);
+    }
+    if (!follower_) return;
+    follower_->Apply(event, [&](const StatusChange& change) { tick.changes.push_back(change); });
+  }
+
+  std::optional<StatusFollower> follower_;
 };
 
 inline std::string Root(const std::string& trees) {
@@ -129,6 +149,7 @@ struct Stage {
   std::vector<std::string> TakeEvents() { return std::exchange(script.events, {}); }
 
   const KeepingSink& Listen() {
+    sink.Follow(*executor);
     executor->AddSink(&sink);
     return sink;
   }

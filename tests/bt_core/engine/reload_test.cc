@@ -172,19 +172,9 @@ TEST_F(Reload, ASubTreeIsSwappedAloneWithTheRestRunning) {
   EXPECT_EQ(Events(), (Names{"hang up Bob", "call Eve"}));
 }
 
-TEST_F(Reload, IsRefusedWhenASinkCannotFollow) {
-  Start(kCallAnn);
-  KeepingSink sink;
-  executor_->AddSink(&sink);
-  EXPECT_THROW(executor_->Reload(Load(Main(kCallBob))), std::logic_error);
-  EXPECT_EQ(executor_->Tick(), kRunning);
-  executor_->RemoveSink(&sink);
-}
-
-TEST_F(Reload, ASinkThatFollowsIsTold) {
+TEST_F(Reload, SinksAreTold) {
   struct Following : KeepingSink {
-    bool can_follow_reload() const override { return true; }
-    void OnReload(const Executor& executor) override {
+    void OnJump(const Executor& executor) override {
       nodes = executor.program().nodes.size();
       halts = ticks.size();
     }

@@ -18,18 +18,6 @@ LeafScript Results(std::map<std::string, std::vector<Status>> results) {
   return script;
 }
 
-// The same tree without a sink and with one, which makes the executor write down every reset.
-void ExpectTheSameStatusesWithAndWithoutSink(const std::string& body, const LeafScript& script,
-                                             int ticks) {
-  Stage alone(Main(body), script);
-  Stage watched(Main(body), script);
-  watched.Listen();
-  for (int i = 0; i < ticks; ++i) {
-    EXPECT_EQ(alone.executor->Tick(), watched.executor->Tick());
-    EXPECT_EQ(alone.executor->statuses(), watched.executor->statuses()) << "tick " << i + 1;
-  }
-}
-
 TEST(Tick, ChildrenOfAnEndedNodeAreIdle) {
   Stage stage(
       Main("<Sequence><Leaf name=\"a\"/><Fallback><Leaf name=\"b\"/></Fallback></Sequence>"));
@@ -43,20 +31,6 @@ TEST(Tick, ChildrenBehindTheRunningOneAreIdleAlsoInALaterActivation) {
   EXPECT_EQ(stage.executor->Tick(), kSuccess);
   EXPECT_EQ(stage.executor->Tick(), kRunning);
   EXPECT_EQ(stage.executor->statuses(), (Statuses{kRunning, kRunning, kIdle}));
-}
-
-TEST(Tick, StatusesDoNotDependOnWhetherSomeoneListens) {
-  const LeafScript script = Results({{"a", {kSuccess, kRunning, kSuccess, kFailure}},
-                                     {"b", {kRunning, kFailure, kSuccess}},
-                                     {"c", {kFailure, kRunning, kRunning, kSuccess}}});
-  for (const std::string outer : {"Sequence", "Fallback", "ReactiveSequence", "ReactiveFallback"}) {
-    for (const std::string inner : {"Sequence", "Fallback", "ReactiveFallback", "Parallel"}) {
-      ExpectTheSameStatusesWithAndWithoutSink(
-          "<" + outer + "><" + inner + "><Leaf name=\"a\"/><Leaf name=\"b\"/></" + inner +
-              "><Inverter><Leaf name=\"c\"/></Inverter></" + outer + ">",
-          script, 12);
-    }
-  }
 }
 
 TEST(Tick, ASinkThatComesLateSeesTheRightStatuses) {

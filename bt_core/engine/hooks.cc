@@ -1,0 +1,38 @@
+// Nodes that somebody has chosen (node_hooks.h): they are dispatched as kHooked in a copy of the
+// program's records, so the others pay nothing.
+#include "bt_core/engine/executor.h"
+
+namespace coppice {
+
+void Executor::SetHooks(NodeHooks* hooks, const std::vector<NodeIndex>& nodes) {
+  hooks_ = hooks;
+  hooked_nodes_.clear();
+  nodes_ = program_->nodes.data();
+  if (!hooks || nodes.empty()) return;
+  hooked_nodes_ = program_->nodes;
+  for (const NodeIndex node : nodes) {
+    if (node < hooked_nodes_.size()) hooked_nodes_[node].dispatch = NodeType::kHooked;
+  }
+  nodes_ = hooked_nodes_.data();
+}
+
+bool Executor::IsHooked(NodeIndex node) const { return nodes_[node].dispatch == NodeType::kHooked; }
+
+Status Executor::TickHooked(NodeIndex node) {
+  const std::optional<Status> before = hooks_->Before(node);
+  if (before) return Inject(node, *before);
+  const Status result = TickAsItself(node);
+  const std::optional<Status> after = hooks_->After(node, result);
+  return after && *after != result ? Inject(node, *after) : result;
+}
+
+Status Executor::Inject(NodeIndex node, Status status) {
+  if (statuses_[node] == Status::kRunning && status != Status::kRunning) HaltRunning(node);
+  if (listening_) {
+    const char byte = static_cast<char>(status);
+    events_.Text(node, EventText::kInjected, std::string_view(&byte, 1));
+  }
+  return Store(node, status);
+}
+
+}  // namespace coppice

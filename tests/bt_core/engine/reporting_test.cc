@@ -1,0 +1,114 @@
+#include <gtest/gtest.h>
+
+#include "bt_core/data/value_bytes.h"
+#include "tests/bt_core/engine/fixture.h"
+
+namespace coppice {
+namespace {
+
+// Writes events down, one word for each.
+class Scribe : public TickSink {
+ public:
+  explicit Scribe(const Program& program) : program_(program) {}
+  void OnTick(const TickEvents& events) override {
+    EventReader reader(events.words);
+    for (Event event; reader.Next(event);) lines.push_back(Line(event));
+    whole.push_back(events.is_whole);
+  }
+  std::vector<std::string> lines;
+  std::vector<bool> whole;
+
+ private:
+  std::string Line(const Event& event) const {
+    switch (event.code) {
+      case EventCode::kReset:
+        return "reset " + program_.Name(event.index);
+      case EventCode::kWrite:
+        return (event.writer == kNoNode ? "?" : program_.Name(event.writer)) + " writes " +
+               Entry(event);
+      case EventCode::kDelivery:
+        return "inbox writes " + Entry(event);
+      case EventCode::kText:
+        return program_.Name(event.index) + ": " + std::string(event.bytes);
+      default:
+        return program_.Name(event.index) + " " + ToString(event.status());
+    }
+  }
+  std::string Entry(const Event& event) const {
+    return program_.layout.slots[event.index].key + "=" + PrintValueBytes(event.bytes);
+  }
+
+  const Program& program_;
+};
+
+struct Reported : Stage {
+  explicit Reported(const std::string& body, LeafScript given = {})
+      : Stage(Main(body), std::move(given)), scribe(*program) {
+    executor->AddSink(&scribe);
+  }
+  ~Reported() { executor->RemoveSink(&scribe); }
+  std::vector<std::string> Tick() {
+    executor->Tick();
+    return std::exchange(scribe.lines, {});
+  }
+  Scribe scribe;
+};
+using Lines = std::vector<std::string>;
+
+LeafScript Results(std::map<std::string, std::vector<Status>> results) {
+  LeafScript script;
+  script.results = std::move(results);
+  return script;
+}
+
+TEST(Reporting, NamesEveryNodeThatWasTickedInTheOrderOfTheResults) {
+  Reported tree("<Sequence name=\"s\"><Leaf name=\"a\"/><Leaf name=\"b\"/></Sequence>",
+                Results({{"b", {Status::kRunning}}}));
+  const Lines expected{"a SUCCESS", "b RUNNING", "s RUNNING"};
+  EXPECT_EQ(tree.Tick(), expected);
+  EXPECT_EQ(tree.Tick(), (Lines{"b RUNNING", "s RUNNING"})) << "also what stays as it was";
+}
+
+TEST(Reporting, AWriteComesBeforeTheResultOfItsWriter) {
+  Reported tree(
+      "<Sequence name=\"s\"><Tell name=\"t\" text=\"hello\" to=\"{k}\"/>"
+      "<Script name=\"c\" code=\"n:=1\"/></Sequence>");
+  EXPECT_EQ(tree.Tick(),
+            (Lines{"t writes k=hello", "t SUCCESS", "c writes n=1", "c SUCCESS", "s SUCCESS"}));
+}
+
+TEST(Reporting, WhatAHookWritesIsWrittenByItsNode) {
+  Reported tree("<Leaf name=\"a\" _onSuccess=\"done:=true\"/>");
+  EXPECT_EQ(tree.Tick(), (Lines{"a SUCCESS", "a writes done=true"}));
+}
+
+TEST(Reporting, ADeliveryComesBeforeTheTick) {
+  Reported tree("<Tell name=\"t\" text=\"{in}\" to=\"{out}\"/>");
+  tree.executor->Writer<std::string>("in").Send("news");
+  EXPECT_EQ(tree.Tick(), (Lines{"inbox writes in=news", "t writes out=news", "t SUCCESS"}));
+}
+
+TEST(Reporting, AHaltResetsWhatRanFromTheTopDown) {
+  Reported tree("<Sequence name=\"s\"><Leaf name=\"a\"/></Sequence>",
+                Results({{"a", {Status::kRunning}}}));
+  tree.Tick();
+  tree.executor->Halt();
+  EXPECT_EQ(tree.scribe.lines, (Lines{"reset s", "reset a"}));
+}
+
+TEST(Reporting, NothingIsLeftOverForASinkThatComesLater) {
+  Stage stage(Main("<Leaf name=\"a\"/>"));
+  Scribe first(*stage.program);
+  Scribe second(*stage.program);
+  stage.executor->AddSink(&first);
+  stage.executor->Tick();
+  stage.executor->RemoveSink(&first);
+  stage.executor->Tick();
+  stage.executor->AddSink(&second);
+  stage.executor->Tick();
+  stage.executor->RemoveSink(&second);
+  EXPECT_EQ(second.lines, Lines{"a SUCCESS"});
+}
+
+}  // namespace
+}  // namespace coppice
