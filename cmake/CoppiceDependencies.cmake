@@ -1,7 +1,7 @@
 # What the engine's libraries need, for this build and for those who use an installed Coppice.
 #   coppice_dependencies(LIVE bool RESULT variable)
-#   Makes Threads::Threads, coppice::tinyxml2 and, for the live socket, PkgConfig::ZMQ. Sets the
-#   variable to what is missing, in words, or to nothing.
+#   Makes Threads::Threads, coppice::tinyxml2 and, for the live socket, PkgConfig::ZMQ and
+#   PkgConfig::SODIUM. Sets the variable to what is missing, in words, or to nothing.
 macro(coppice_dependencies)
   cmake_parse_arguments(COPPICE_DEPENDENCIES "" "LIVE;RESULT" "" ${ARGN})
   set(${COPPICE_DEPENDENCIES_RESULT})
@@ -29,6 +29,16 @@ macro(coppice_dependencies)
     if(NOT TARGET PkgConfig::ZMQ)
       set(${COPPICE_DEPENDENCIES_RESULT}
           "ZeroMQ was not found; on Debian and Ubuntu: apt-get install pkg-config libzmq3-dev")
+    endif()
+  endif()
+  if(${COPPICE_DEPENDENCIES_LIVE} AND NOT TARGET PkgConfig::SODIUM)
+    find_package(PkgConfig QUIET)
+    if(PkgConfig_FOUND)
+      pkg_check_modules(SODIUM QUIET IMPORTED_TARGET GLOBAL libsodium)
+    endif()
+    if(NOT TARGET PkgConfig::SODIUM)
+      set(${COPPICE_DEPENDENCIES_RESULT}
+          "libsodium was not found; on Debian and Ubuntu: apt-get install pkg-config libsodium-dev")
     endif()
   endif()
 endmacro()

@@ -1,56 +1,51 @@
-// Lets others watch a running tree: serves the requests of the Groot2 protocol for the tree, the
-// state of its nodes and its blackboard.
+// Lets others watch and debug a running tree: coppice live, the editor, Groot2, scripts.
 //
-//   Executor executor(program, clock);
-//   LivePublisher live(executor);          // on 127.0.0.1, ports 1667 and 1668
+//   EventStream stream(executor);
+//   LivePublisher live(stream);                  // 127.0.0.1, ports 1667 and 1668
 //
-// Watching cannot slow or stop the tree: the ticking thread stores one byte per change of status
-// and copies blackboard values when it is asked for them; a thread of the publisher does the rest.
-// Whoever reaches the port can read everything, so it listens on this computer only unless told
-// otherwise; there is no request that changes the tree.
+// The ticking thread does nothing for it but what the stream does anyway; nothing that a client
+// does or fails to do is felt by the tree, unless it may control the tree and stops it.
+// docs/live.md is the manual.
 #ifndef COPPICE_BT_CORE_LIVE_LIVE_PUBLISHER_H_
 #define COPPICE_BT_CORE_LIVE_LIVE_PUBLISHER_H_
 
-#include <chrono>
 #include <cstdint>
 #include <memory>
-#include <string>
 
-#include "bt_core/engine/executor.h"
+#include "bt_core/engine/event_stream.h"
+#include "bt_core/live/live_options.h"
+#include "bt_core/live/live_server.h"
 
 namespace coppice {
 
-struct LiveOptions {
-  /// Requests; notifications leave at port + 1. Every tree needs a pair of its own: 1667, 1669, ...
-  /// 0 takes a free pair; port() says which.
-  std::uint16_t port = 1667;
-  /// Where to listen: a local address, or "*" for every network that the computer is in.
-  std::string address = "127.0.0.1";
-  /// How long a BLACKBOARD request waits for a tree that is not ticking. Then it gets the values
-  /// that were copied last.
-  Duration patience = std::chrono::milliseconds(300);
-};
+class Debugger;
+class LiveTree;
 
-class LivePublisher final : public TickSink {
+class LivePublisher {
  public:
-  /// Between ticks, on the ticking thread; so is the destructor. The executor must live longer.
-  /// Throws std::runtime_error if the ports cannot be had or the tree has more than 65535 nodes,
-  /// which the protocol cannot number.
-  explicit LivePublisher(Executor& executor, const LiveOptions& options = {});
-  ~LivePublisher() override;
+  /// With an endpoint of its own. Between ticks, on the ticking thread; so is the destructor. The
+  /// stream must live longer. Throws as LiveServer does.
+  explicit LivePublisher(EventStream& stream, const LiveOptions& options = {});
+  /// One of several trees at an endpoint, which must live longer.
+  LivePublisher(EventStream& stream, LiveServer& server, const LiveTreeOptions& options = {});
+  ~LivePublisher();
   LivePublisher(const LivePublisher&) = delete;
   LivePublisher& operator=(const LivePublisher&) = delete;
 
   /// Where requests are served.
-  std::uint16_t port() const;
+  std::uint16_t port() const { return server_.port(); }
+  /// For people who may only watch; empty if there is no token.
+  const std::string& read_token() const { return server_.read_token(); }
 
-  void OnTick(const TickEvents& events) override;
+  /// What the clients use to stop the tree. A program that wants its ticking thread back, to end
+  /// itself, calls Debugger::ReleaseAll.
+  Debugger& debugger();
 
  private:
-  class Server;
-
-  Executor& executor_;
-  std::unique_ptr<Server> server_;
+  std::unique_ptr<LiveServer> own_server_;
+  LiveServer& server_;
+  EventStream& stream_;
+  std::shared_ptr<LiveTree> tree_;
 };
 
 }  // namespace coppice
