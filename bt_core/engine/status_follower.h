@@ -36,7 +36,9 @@ class StatusFollower {
   StatusFollower(TreeShape shape, std::vector<Status> statuses);
 
   /// Events of other kinds, and nodes that there are not, change nothing.
-  void Apply(const Event& event) { Apply(event, [](const StatusChange&) {}); }
+  void Apply(const Event& event) {
+    Apply(event, [](const StatusChange&) {});
+  }
 
   /// The same; `on_change` is called with every StatusChange that follows from the event, the node
   /// of the event last.
@@ -87,7 +89,7 @@ void StatusFollower::Apply(const Event& event, OnChange on_change) {
   const Status status = event.status();
   if (status == Status::kIdle) return Reset(node, on_change);
   const NodeShape& shape = shape_[node];
-  ticked_child_[shape.parent] = node;
+  if (node != shape.parent) ticked_child_[shape.parent] = node;
   NodeIndex idle_from = shape.end;  // the children from here on are idle now
   if (status != Status::kRunning) {
     idle_from = node + 1;

@@ -10,7 +10,7 @@
 
 namespace coppice {
 
-enum class Mode : int { kSlow = 2, kFast = 7 };
+enum class Mode : int { SLOW = 2, FAST = 7 };
 struct Spot {
   double x = 0;
   std::string name;
@@ -27,7 +27,7 @@ struct ValueTraits<Spot> : JsonTraits<Spot> {
 
 }  // namespace coppice
 
-COPPICE_ENUM(coppice::Mode, "Mode", {"SLOW", coppice::Mode::kSlow}, {"FAST", coppice::Mode::kFast});
+COPPICE_ENUM(coppice::Mode, SLOW, FAST)
 
 namespace coppice {
 namespace {
@@ -63,8 +63,8 @@ TEST(ValueBytes, TextsComeBackByteForByte) {
 }
 
 TEST(ValueBytes, EnumsAreTheirNames) {
-  EXPECT_EQ(PrintValueBytes(BytesOf(Value(Mode::kFast))), "FAST");
-  EXPECT_EQ(RoundTrip(Mode::kSlow), Mode::kSlow);
+  EXPECT_EQ(PrintValueBytes(BytesOf(Value(Mode::FAST))), "FAST");
+  EXPECT_EQ(RoundTrip(Mode::SLOW), Mode::SLOW);
 }
 
 TEST(ValueBytes, OtherTypesAreTheirJson) {
