@@ -55,6 +55,14 @@ class Inbox {
   /// Any thread. The tree is ticked soon although nothing was written: see Pace::kEvents.
   void RequestTick();
 
+  /// Any thread, also a signal handler: whoever ticks the tree wants to end soon, or begins anew.
+  /// Who blocks the ticking thread on purpose must let it go then.
+  void set_ending(bool ending) {
+    is_ending_.store(ending, std::memory_order_relaxed);
+    wake_up_.Notify();
+  }
+  bool is_ending() const { return is_ending_.load(std::memory_order_relaxed); }
+
   /// Ticking thread: true if there is something to take. Costs one relaxed load.
   bool has_messages() const { return has_messages_.load(std::memory_order_relaxed); }
   bool has_calls() const { return has_calls_.load(std::memory_order_relaxed); }
@@ -83,6 +91,7 @@ class Inbox {
   std::atomic<bool> has_messages_{false};
   std::atomic<bool> has_calls_{false};
   std::atomic<bool> tick_requested_{false};
+  std::atomic<bool> is_ending_{false};
   std::atomic<std::uint32_t> generation_{0};
   WakeUp wake_up_;
 };

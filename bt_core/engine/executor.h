@@ -123,7 +123,8 @@ class Executor final : public LeafHost, public ChildHost {
   void RemoveSink(TickSink* sink);
 
   /// Asks `hooks` before every tick, and before and after each tick of these nodes; null takes the
-  /// hooks away. They must live until then. Between ticks.
+  /// hooks away. They must live until then. Between ticks; also from within a hook, with at least
+  /// one node.
   void SetHooks(NodeHooks* hooks, const std::vector<NodeIndex>& nodes = {});
 
   /// From within a hook: the sinks get what has happened in this tick so far.
@@ -203,6 +204,8 @@ class Executor final : public LeafHost, public ChildHost {
   bool IsHooked(NodeIndex node) const;
   Status TickHooked(NodeIndex node);
   Status Inject(NodeIndex node, Status status);
+  bool StopPretending(NodeIndex node);
+  void KeepPretending(const std::vector<NodeIndex>& nodes);
   bool IsGuarded(NodeIndex node) const {
     return program_->nodes[node].dispatch == NodeType::kGuarded;
   }
@@ -291,6 +294,7 @@ class Executor final : public LeafHost, public ChildHost {
 
   NodeHooks* hooks_ = nullptr;
   std::vector<NodeRecord> hooked_nodes_;  // the program's, with some dispatched as kHooked
+  std::vector<NodeIndex> pretending_;     // were made RUNNING by a hook and have begun nothing
 
   std::vector<Inbox::Message> delivery_;
   std::vector<Inbox::Call> calls_;

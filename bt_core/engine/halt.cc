@@ -73,6 +73,7 @@ void Executor::CountKept() {
 }
 
 void Executor::HaltRunning(NodeIndex node) {
+  if (StopPretending(node)) return MakeIdle(node);
   if (nodes_[node].type == NodeType::kTryCatch) CatchHaltOf(node);
   if (IsUserNode(nodes_[node].type)) HaltUser(node);
   memory_[node] = 0;
@@ -95,6 +96,11 @@ void Executor::CatchHaltOf(NodeIndex node) {
 // something.
 void Executor::HaltDescendants(NodeIndex node) {
   for (NodeIndex i = node + 1; i < nodes_[node].end;) {
+    if (StopPretending(i)) {
+      MakeIdle(i);
+      i = nodes_[i].end;
+      continue;
+    }
     const bool running = statuses_[i] == Status::kRunning;
     if (running && (IsGuarded(i) || nodes_[i].type == NodeType::kTryCatch)) {  // in its own way
       HaltRunning(i);

@@ -108,6 +108,7 @@ void Executor::Reload(std::shared_ptr<const Program> next) {
   const std::vector<NodeIndex> lives_on = MatchNodes(*program_, *next);
   HaltWhatEnds(lives_on);
   ReportHalt();
+  NodeHooks* const hooks = hooks_;
   SetHooks(nullptr);
   const std::vector<SlotIndex> slots = MatchSlots(*program_, *next, lives_on);
   statuses_ = statuses();
@@ -118,6 +119,7 @@ void Executor::Reload(std::shared_ptr<const Program> next) {
   MoveNodes(*old_program, lives_on);
   inbox_->Renumber(slots);
   ReportJump();
+  if (hooks) hooks->OnReload();
 }
 
 // A node ends if it does not live on; what runs below it is halted before anything is moved.

@@ -10,6 +10,7 @@ Runner::Runner(Executor& executor, RunOptions options) : executor_(executor), op
       (options_.period <= Duration::zero() || options_.period == kNever)) {
     throw std::invalid_argument("a fixed rate needs a positive period");
   }
+  executor_.inbox()->set_ending(false);
 }
 
 Runner::~Runner() { Stop(); }
@@ -30,7 +31,7 @@ Status Runner::Run() {
 
 void Runner::RequestStop() {
   stop_.store(true, std::memory_order_relaxed);
-  executor_.wake_up().Notify();  // makes the store visible to the thread that it wakes
+  executor_.inbox()->set_ending(true);  // also wakes the thread, which sees both
 }
 
 void Runner::Stop() {

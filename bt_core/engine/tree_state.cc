@@ -12,6 +12,7 @@ void Executor::Restore(const TreeState& state) {
   if (state.statuses.size() != statuses_.size() || state.blackboard.size() != blackboard_.size()) {
     throw std::invalid_argument("the state is that of another tree");
   }
+  KeepPretending({});
   statuses_ = statuses();
   for (NodeIndex i = 0; i < statuses_.size(); ++i) {
     const bool is_user = IsUserNode(nodes_[i].type);

@@ -86,7 +86,8 @@ class Debugger {
  private:
   class Core;
 
-  std::shared_ptr<Core> core_;  // also held by the calls that lie in the inbox
+  std::shared_ptr<Core> core_;    // also held by the call that lies in the inbox at the end
+  std::shared_ptr<Inbox> inbox_;  // of the executor
 };
 
 }  // namespace coppice

@@ -8,7 +8,7 @@ namespace coppice {
 
 Debugger::Core::Core(Executor& executor, DebuggerOptions options)
     : executor_(executor),
-      inbox_(executor.inbox()),
+      inbox_(*executor.inbox()),
       options_(std::move(options)),
       table_(executor.shared_program()) {
   executor_.RunCalls();  // the debugger before this one may lie there
@@ -21,6 +21,7 @@ void Debugger::Core::Close() {
   for (const HookTable::Entry& entry : std::vector<HookTable::Entry>(table_.entries())) {
     table_.Remove(entry.info.id);
   }
+  ChangedHooks();
   Resume();
   told_.wait(lock, [this] { return !is_telling_; });
 }
@@ -32,13 +33,11 @@ void Debugger::Core::BeforeTick() {
   const std::shared_ptr<Core> alive = shared_from_this();  // a call of the inbox may detach it
   Lock lock(mutex_);
   if (mode_ != Mode::kRun) Stand(lock, {DebugStop::Where::kBetweenTicks});
-  if (is_closed_) return;
   HandOver();
 }
 
 void Debugger::Core::OnReload() {
   const Lock lock(mutex_);
-  if (is_closed_) return;
   table_.SetProgram(executor_.shared_program());
   executor_.SetHooks(this);
   has_new_hooks_ = true;
@@ -78,8 +77,8 @@ std::optional<Status> Debugger::Core::After(NodeIndex node, Status result) {
 
 std::optional<Status> Debugger::Core::ActAt(Lock& lock, NodeIndex node, HookPosition position,
                                             Status result, bool has_stood) {
-  const auto where = position == HookPosition::kBefore ? DebugStop::Where::kBefore
-                                                       : DebugStop::Where::kAfter;
+  const auto where =
+      position == HookPosition::kBefore ? DebugStop::Where::kBefore : DebugStop::Where::kAfter;
   for (const HookId id : table_.At(node, position)) {
     HookTable::Entry* const entry = table_.Find(id);  // it may have gone during a stop
     if (!entry) continue;
@@ -185,7 +184,7 @@ std::optional<Status> Debugger::Core::Stand(Lock& lock, DebugStop stop) {
   stop_ = {};
   if (mode_ == Mode::kStopBeforeNode && !between_ticks) HandOver();
   Tell(lock, DebugEvent::Kind::kResumed, stop);
-  inbox_->wake_up().Notify();  // what woke this wait may have been for another one
+  inbox_.wake_up().Notify();  // what woke this wait may have been for another one
   return between_ticks ? std::nullopt : std::exchange(forced_, std::nullopt);
 }
 
@@ -193,13 +192,13 @@ std::optional<Status> Debugger::Core::Stand(Lock& lock, DebugStop stop) {
 void Debugger::Core::WaitForRelease(Lock& lock, bool between_ticks) {
   while (!resumes_ && !IsOver()) {
     lock.unlock();
-    inbox_->wake_up().WaitFor(std::chrono::nanoseconds::max());
+    inbox_.wake_up().WaitFor(std::chrono::nanoseconds::max());
     if (between_ticks) executor_.RunCalls();
     lock.lock();
   }
 }
 
-bool Debugger::Core::IsOver() const { return is_closed_ || inbox_->is_ending(); }
+bool Debugger::Core::IsOver() const { return is_closed_ || inbox_.is_ending(); }
 
 void Debugger::Core::Tell(Lock& lock, DebugEvent::Kind kind, const DebugStop& stop,
                           std::string reason) {
@@ -277,8 +276,6 @@ void Debugger::Core::Release(OwnerId owner) {
   if (is_its_stop) Resume();
 }
 
-void Debugger::Core::ReleaseAll() { Close(); }
-
 std::string Debugger::Core::Pause(OwnerId owner) {
   std::string reason = Refusal();
   if (!reason.empty()) return reason;
@@ -307,7 +304,7 @@ std::string Debugger::Core::SetMode(Mode mode, OwnerId owner) {
   mode_ = mode;
   controller_ = owner;
   attention_.store(true, std::memory_order_release);
-  inbox_->RequestTick();
+  inbox_.RequestTick();
   if (stop_.where != DebugStop::Where::kNowhere) Resume();
   return {};
 }
@@ -356,7 +353,7 @@ void Debugger::Core::LeaveHook(HookId id) {
 
 void Debugger::Core::Resume() {
   resumes_ = true;
-  inbox_->wake_up().Notify();
+  inbox_.wake_up().Notify();
 }
 
 }  // namespace coppice

@@ -36,7 +36,6 @@ class Debugger::Core final : public NodeHooks, public std::enable_shared_from_th
   void RemoveAllOf(OwnerId owner);
   void SetAllEnabledOf(OwnerId owner, bool enabled);
   void Release(OwnerId owner);
-  void ReleaseAll();
   std::string Pause(OwnerId owner);
   std::string StepNode(OwnerId owner);
   std::string StepTick(OwnerId owner);
@@ -46,8 +45,9 @@ class Debugger::Core final : public NodeHooks, public std::enable_shared_from_th
   DebugStop where() const;
   bool is_pausing() const;
 
-  /// Ends everything, for good. Called by the inbox afterwards: takes the hooks from the executor.
+  /// Ends everything, for good.
   void Close();
+  /// Afterwards, on the ticking thread: takes the hooks from the executor.
   void Detach() { executor_.SetHooks(nullptr); }
 
  private:
@@ -77,7 +77,7 @@ class Debugger::Core final : public NodeHooks, public std::enable_shared_from_th
   std::string SetMode(Mode mode, OwnerId owner);
 
   Executor& executor_;  // of the ticking thread
-  const std::shared_ptr<Inbox> inbox_;
+  Inbox& inbox_;        // lives as long as the executor and as the Debugger
   const DebuggerOptions options_;
   std::atomic<bool> attention_{false};  // BeforeTick has something to do
 

@@ -6,8 +6,8 @@ namespace {
 // The path as nodes bear it: without the ID of the main tree in front.
 std::string_view WithoutMain(const Program& program, std::string_view path) {
   const std::string& main = program.trees[0].id;
-  const bool has_main = path.size() > main.size() && path.substr(0, main.size()) == main &&
-                        path[main.size()] == '/';
+  const bool has_main =
+      path.size() > main.size() && path.substr(0, main.size()) == main && path[main.size()] == '/';
   return has_main ? path.substr(main.size() + 1) : path;
 }
 

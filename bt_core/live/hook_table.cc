@@ -83,7 +83,7 @@ void HookTable::SetProgram(std::shared_ptr<const Program> program) {
   RebuildPlaces();
 }
 
-HookTable::Entry* HookTable::Find(HookId id) {
+const HookTable::Entry* HookTable::Find(HookId id) const {
   const auto at = std::lower_bound(entries_.begin(), entries_.end(), id,
                                    [](const Entry& e, HookId key) { return e.info.id < key; });
   return at != entries_.end() && at->info.id == id ? &*at : nullptr;
@@ -97,10 +97,10 @@ std::vector<HookId> HookTable::IdsOf(OwnerId owner) const {
   return ids;
 }
 
-std::vector<HookId> HookTable::At(NodeIndex node, HookPosition position) {
+std::vector<HookId> HookTable::At(NodeIndex node, HookPosition position) const {
   std::vector<std::pair<HookAction, HookId>> found;
-  const auto at_node = std::lower_bound(places_.begin(), places_.end(),
-                                        std::make_pair(node, kNoHook));
+  const auto at_node =
+      std::lower_bound(places_.begin(), places_.end(), std::make_pair(node, kNoHook));
   for (auto at = at_node; at != places_.end() && at->first == node; ++at) {
     const Entry& entry = *Find(at->second);
     const Hook& hook = entry.info.hook;
@@ -126,8 +126,8 @@ HookAnswer HookTable::Check(const Hook& hook) const {
   if (!problem.empty()) return Refuse(std::move(problem));
   const std::size_t nodes = program_->nodes.size();
   if (hook.path.empty() && hook.node >= nodes) {
-    return Refuse("there is no node " + std::to_string(hook.node) + "; the tree has the nodes 0 to " +
-                  std::to_string(nodes - 1));
+    return Refuse("there is no node " + std::to_string(hook.node) +
+                  "; the tree has the nodes 0 to " + std::to_string(nodes - 1));
   }
   return {};
 }

@@ -40,12 +40,13 @@ class HookTable {
   void SetProgram(std::shared_ptr<const Program> program);
 
   /// Null if there is none; valid until hooks come or go.
-  Entry* Find(HookId id);
+  const Entry* Find(HookId id) const;
+  Entry* Find(HookId id) { return const_cast<Entry*>(std::as_const(*this).Find(id)); }
   const std::vector<Entry>& entries() const { return entries_; }
   std::vector<HookId> IdsOf(OwnerId owner) const;
 
   /// The enabled hooks at a node: first those that stop, then those that decide.
-  std::vector<HookId> At(NodeIndex node, HookPosition position);
+  std::vector<HookId> At(NodeIndex node, HookPosition position) const;
   /// The nodes that have hooks, in ascending order.
   std::vector<NodeIndex> Nodes() const;
 
@@ -57,7 +58,7 @@ class HookTable {
   void RebuildPlaces();
 
   std::shared_ptr<const Program> program_;
-  std::vector<Entry> entries_;                            // by ascending id
+  std::vector<Entry> entries_;                        // by ascending id
   std::vector<std::pair<NodeIndex, HookId>> places_;  // in ascending order
   HookId last_id_ = kNoHook;
 };
