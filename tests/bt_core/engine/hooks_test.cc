@@ -141,5 +141,57 @@ TEST(NodeHooks, WatchersCanSeeHowFarATickCame) {
   EXPECT_EQ(watch.parts, (std::vector<std::pair<bool, std::size_t>>{{false, 1}, {true, 2}}));
 }
 
+TEST(NodeHooks, ANodeThatAHookMadeRunningBeginsWhenItIsTicked) {
+  Stage stage(Main("<Sequence><Leaf name=\"a\"/></Sequence>"), Results({{"a", {kRunning}}}));
+  Hooks hooks;
+  hooks.before = kRunning;
+  stage.executor->SetHooks(&hooks, {1});
+  EXPECT_EQ(stage.executor->Tick(), kRunning);
+  EXPECT_EQ(stage.executor->Tick(), kRunning);
+  hooks.before.reset();
+  stage.executor->Tick();
+  stage.executor->Tick();
+  stage.executor->Halt();
+  EXPECT_EQ(stage.TakeEvents(), (Names{"start a", "tick a", "halt a"}));
+}
+
+TEST(NodeHooks, ANodeThatAHookMadeRunningIsNotToldOfAHalt) {
+  Stage stage(Main("<Sequence><Inverter><Leaf name=\"a\"/></Inverter></Sequence>"));
+  Hooks hooks;
+  hooks.before = kRunning;
+  stage.executor->SetHooks(&hooks, {2});
+  for (const bool by_root : {true, false}) {
+    EXPECT_EQ(stage.executor->Tick(), kRunning);
+    by_root ? stage.executor->Halt() : stage.executor->Halt(2);
+    EXPECT_EQ(stage.TakeEvents(), Names());
+  }
+}
+
+TEST(NodeHooks, ANodeThatAHookMadeRunningBeginsWhenTheHooksAreTakenAway) {
+  Stage stage(Main("<Leaf name=\"a\"/>"), Results({{"a", {kRunning}}}));
+  Hooks hooks;
+  hooks.before = kRunning;
+  stage.executor->SetHooks(&hooks, {0});
+  stage.executor->Tick();
+  stage.executor->SetHooks(nullptr);
+  stage.executor->Tick();
+  EXPECT_EQ(stage.TakeEvents(), (Names{"start a"}));
+}
+
+TEST(NodeHooks, AreToldThatTheTreeWasSwapped) {
+  struct Reloaded : Hooks {
+    void OnReload() override { ++reloads; }
+    int reloads = 0;
+  } hooks;
+  Stage stage(Main("<Leaf name=\"a\"/>"));
+  const Stage other(Main("<Leaf name=\"b\"/>"));
+  stage.executor->SetHooks(&hooks, {0});
+  stage.executor->Reload(other.program);
+  EXPECT_EQ(hooks.reloads, 1);
+  stage.executor->Tick();
+  EXPECT_EQ(hooks.calls, Names());
+  stage.executor.reset();
+}
+
 }  // namespace
 }  // namespace coppice

@@ -16,10 +16,10 @@ class HookNodesTest : public ::testing::Test {
  protected:
   Stage stage_{Root(R"(
       <BehaviorTree ID="Main"><Sequence name="top">
-        <Drive goal="1"/>
+        <AlwaysSuccess/>
         <SubTree ID="Dock" name="dock"/>
       </Sequence></BehaviorTree>
-      <BehaviorTree ID="Dock"><Sequence><Drive goal="2"/><Drive goal="3"/></Sequence>
+      <BehaviorTree ID="Dock"><Sequence><AlwaysSuccess/><AlwaysSuccess/></Sequence>
       </BehaviorTree>)")};
   const Program& program_ = *stage_.program;
 };
@@ -36,8 +36,8 @@ TEST_F(HookNodesTest, TheMainTreeMayStandInFront) {
 }
 
 TEST_F(HookNodesTest, ATypeStandsForAllItsNodesInTheInstance) {
-  EXPECT_THAT(FindNodes(program_, "Drive"), ElementsAre(1u));
-  EXPECT_THAT(FindNodes(program_, "dock/Drive"), ElementsAre(4u, 5u));
+  EXPECT_THAT(FindNodes(program_, "AlwaysSuccess"), ElementsAre(1u));
+  EXPECT_THAT(FindNodes(program_, "dock/AlwaysSuccess"), ElementsAre(4u, 5u));
 }
 
 TEST_F(HookNodesTest, AMissingNodeIsDescribedWithTheNearestPath) {
