@@ -5,6 +5,7 @@
 #include <time.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 
 namespace coppice {
@@ -32,6 +33,28 @@ void WakeUp::Rouse() {
 }
 
 bool WakeUp::WaitFor(nanoseconds duration) {
+  if (duration <= nanoseconds::zero() || lookout_ <= nanoseconds::zero()) return Sleep(duration);
+  const auto start = std::chrono::steady_clock::now();
+  const bool expects_it_soon = last_wait_ < lookout_;
+  const bool came =
+      (expects_it_soon && LookOut(std::min(duration, lookout_)) && Consume()) || Sleep(duration);
+  last_wait_ = std::chrono::steady_clock::now() - start;
+  return came;
+}
+
+// True if the notification came in time.
+bool WakeUp::LookOut(nanoseconds duration) const {
+  constexpr int kLooks = 64;  // between two looks at the clock
+  const auto end = std::chrono::steady_clock::now() + duration;
+  do {
+    for (int i = 0; i < kLooks; ++i) {
+      if (state_.load(std::memory_order_acquire) == kNotified) return true;
+    }
+  } while (std::chrono::steady_clock::now() < end);
+  return false;
+}
+
+bool WakeUp::Sleep(nanoseconds duration) {
   if (Consume()) return true;
   if (duration <= nanoseconds::zero()) return false;
   const bool for_ever = duration == nanoseconds::max();

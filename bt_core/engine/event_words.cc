@@ -44,12 +44,24 @@ std::vector<NodeMessage> MessagesOf(EventWords words) {
 
 void EventWriter::Add(EventCode code, std::uint32_t index, std::uint32_t second,
                       std::string_view bytes) {
-  words_.push_back(index << 3 | static_cast<std::uint32_t>(code));
-  words_.push_back(second);
-  words_.push_back(static_cast<std::uint32_t>(bytes.size()));
-  const std::size_t at = words_.size();
-  words_.resize(at + WordsFor(bytes.size()));  // zero where the bytes do not fill a word
-  if (!bytes.empty()) std::memcpy(&words_[at], bytes.data(), bytes.size());
+  const std::size_t words = WordsFor(bytes.size());
+  while (static_cast<std::size_t>(end_ - next_) < 3 + words) Grow();
+  next_[0] = index << 3 | static_cast<std::uint32_t>(code);
+  next_[1] = second;
+  next_[2] = static_cast<std::uint32_t>(bytes.size());
+  next_ += 3;
+  if (words == 0) return;
+  next_[words - 1] = 0;  // where the bytes do not fill a word
+  std::memcpy(next_, bytes.data(), bytes.size());
+  next_ += words;
+}
+
+void EventWriter::Grow() {
+  constexpr std::size_t kFirstSize = 64;
+  const std::size_t used = words().size;
+  words_.resize(words_.empty() ? kFirstSize : 2 * words_.size());
+  next_ = words_.data() + used;
+  end_ = words_.data() + words_.size();
 }
 
 void EventWriter::Write(SlotIndex slot, NodeIndex writer, const Value& value) {

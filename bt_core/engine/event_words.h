@@ -88,25 +88,42 @@ struct NodeMessage {
 /// The messages and exceptions among events, in their order.
 std::vector<NodeMessage> MessagesOf(EventWords words);
 
-/// Appends events; the words stay where they are until Clear.
+/// Appends events. Memory grows to the longest tick and is kept.
 class EventWriter {
  public:
-  void Reset(NodeIndex node) { words_.push_back(node << 3); }
+  EventWriter() { Grow(); }
+  EventWriter(const EventWriter&) = delete;
+  EventWriter& operator=(const EventWriter&) = delete;
+
+  void Reset(NodeIndex node) { Put(node << 3); }
   void Status(NodeIndex node, coppice::Status status) {
-    words_.push_back(node << 3 | static_cast<std::uint32_t>(status));
+    Put(node << 3 | static_cast<std::uint32_t>(status));
   }
+  /// There is room for one more word without growing.
+  bool has_room() const { return next_ != end_; }
   void Write(SlotIndex slot, NodeIndex writer, const Value& value);
   void Delivery(SlotIndex slot, const Value& value);
   void Text(NodeIndex node, EventText kind, std::string_view text);
   /// The same with bytes that are there already.
   void Add(EventCode code, std::uint32_t index, std::uint32_t second, std::string_view bytes);
 
-  EventWords words() const { return {words_.data(), words_.size()}; }
-  bool empty() const { return words_.empty(); }
-  void Clear() { words_.clear(); }
+  /// Valid until the next event.
+  EventWords words() const {
+    return {words_.data(), static_cast<std::size_t>(next_ - words_.data())};
+  }
+  bool empty() const { return next_ == words_.data(); }
+  void Clear() { next_ = words_.data(); }
 
  private:
+  void Put(std::uint32_t word) {
+    if (!has_room()) Grow();
+    *next_++ = word;
+  }
+  void Grow();
+
   std::vector<std::uint32_t> words_;
+  std::uint32_t* next_ = nullptr;  // where the next word goes
+  std::uint32_t* end_ = nullptr;
   std::string bytes_;  // of the value that is being written
 };
 

@@ -195,13 +195,11 @@ class Executor final : public LeafHost, public ChildHost {
   struct Abort {};  // ends a tick from within
 
   Status DispatchOthers(NodeIndex node, NodeType type);  // dispatch_others.cc
-  Status TickGuarded(NodeIndex node);
+  Status TickGuarded(NodeIndex node, bool hooked);
   Status AskGuards(const GuardRecord& guards, NodeIndex node, bool running);
   void RunHook(const GuardRecord& guards, Guard hook);
   void RunHaltedHook(NodeIndex node);
-  Status TickUnguarded(NodeIndex node);
   Status TickAsItself(NodeIndex node);
-  bool IsHooked(NodeIndex node) const;
   Status TickHooked(NodeIndex node);
   Status Inject(NodeIndex node, Status status);
   bool StopPretending(NodeIndex node);
@@ -228,6 +226,7 @@ class Executor final : public LeafHost, public ChildHost {
 
   // For the watchers (reporting.cc).
   [[gnu::noinline]] Status StoreAndReport(NodeIndex node, Status result);
+  [[gnu::noinline]] Status StoreAndReportWrites(NodeIndex node, Status result);
   void StartListening();
   void ReportWrites(NodeIndex node);
   void ReportWrite(SlotIndex slot, NodeIndex writer);
@@ -243,7 +242,10 @@ class Executor final : public LeafHost, public ChildHost {
     return statuses_[node] != Status::kRunning && memory_[node] != 0;
   }
   void CountKept();
-  void ChangeKept(int by) { kept_ += static_cast<std::uint32_t>(by); }
+  void ChangeKept(int by) {
+    kept_ += static_cast<std::uint32_t>(by);
+    resets_children_ = kept_ != 0;
+  }
   [[gnu::cold]] void Resume(NodeIndex node);
   [[gnu::cold]] void LetGo(NodeIndex node);
   void KeepSomeMemory(NodeIndex node);  // dispatch_others.cc
@@ -286,6 +288,8 @@ class Executor final : public LeafHost, public ChildHost {
   std::exception_ptr thrown_;
 
   std::vector<TickSink*> sinks_;
+  bool resets_children_ = false;  // when a node ends, its children are halted one by one
+
   bool listening_ = false;  // someone wants events; the next three are in use then
   EventWriter events_;      // since the last report
   WrittenSlots written_slots_;

@@ -49,11 +49,13 @@ void Executor::RunHaltedHook(NodeIndex node) {
   if (listening_) ReportWrites(node);
 }
 
-Status Executor::TickGuarded(NodeIndex node) {
+Status Executor::TickGuarded(NodeIndex node, bool hooked) {
   const GuardRecord& guards = GuardsOf(node);
   try {
     const Status decided = AskGuards(guards, node, statuses_[node] == Status::kRunning);
-    const Status result = decided == Status::kIdle ? TickUnguarded(node) : Store(node, decided);
+    const Status result = decided != Status::kIdle ? Store(node, decided)
+                          : hooked                 ? TickHooked(node)
+                                                   : TickAsItself(node);
     if (result == Status::kSuccess) RunHook(guards, Guard::kOnSuccess);
     if (result == Status::kFailure) RunHook(guards, Guard::kOnFailure);
     if (IsCompleted(result)) RunHook(guards, Guard::kPost);

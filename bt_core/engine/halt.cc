@@ -70,6 +70,7 @@ void Executor::LetGo(NodeIndex node) {
 void Executor::CountKept() {
   kept_ = 0;
   for (NodeIndex i = 0; i < statuses_.size(); ++i) kept_ += Keeps(i);
+  ChangeKept(0);
 }
 
 void Executor::HaltRunning(NodeIndex node) {

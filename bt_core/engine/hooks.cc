@@ -20,8 +20,6 @@ void Executor::SetHooks(NodeHooks* hooks, const std::vector<NodeIndex>& nodes) {
   nodes_ = hooked_nodes_.data();
 }
 
-bool Executor::IsHooked(NodeIndex node) const { return nodes_[node].dispatch == NodeType::kHooked; }
-
 Status Executor::TickHooked(NodeIndex node) {
   const std::optional<Status> before = hooks_->Before(node);
   if (before) return Inject(node, *before);

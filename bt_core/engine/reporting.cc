@@ -24,9 +24,16 @@ void Executor::StartListening() {
   events_.Clear();
 }
 
+// Most nodes write nothing; those that do are left to another function, so that this one is short.
 Status Executor::StoreAndReport(NodeIndex node, Status result) {
-  const std::uint32_t* const first = &written_slots_.first[node];
-  if (first[0] != first[1]) ReportWrites(node);
+  const std::uint32_t* const first = written_slots_.first.data() + node;
+  if (first[0] != first[1] || !events_.has_room()) return StoreAndReportWrites(node, result);
+  events_.Status(node, result);
+  return statuses_[node] = result;
+}
+
+Status Executor::StoreAndReportWrites(NodeIndex node, Status result) {
+  ReportWrites(node);
   events_.Status(node, result);
   return statuses_[node] = result;
 }

@@ -11,6 +11,7 @@ Runner::Runner(Executor& executor, RunOptions options) : executor_(executor), op
     throw std::invalid_argument("a fixed rate needs a positive period");
   }
   executor_.inbox()->set_ending(false);
+  if (std::thread::hardware_concurrency() > 1) executor_.wake_up().set_lookout(options_.lookout);
 }
 
 Runner::~Runner() { Stop(); }

@@ -34,7 +34,7 @@ struct Executor::TickTable {
     void Halt(NodeIndex node) { executor_.Halt(node); }
     void ResetChildren(NodeIndex node) { executor_.ResetChildren(node); }
     void ChildrenAreIdle(NodeIndex node) {
-      if (executor_.kept_ != 0) executor_.ResetChildren(node);
+      if (executor_.resets_children_) executor_.ResetChildren(node);
     }
     void LetGo(NodeIndex child) {
       if (executor_.kept_ != 0) executor_.LetGo(child);
@@ -104,10 +104,12 @@ struct Executor::TickTable {
     return executor.Store(node, result);
   }
 
-  static Status Guarded(Executor& executor, NodeIndex node) { return executor.TickGuarded(node); }
+  static Status Guarded(Executor& executor, NodeIndex node) {
+    return executor.TickGuarded(node, false);
+  }
 
   static Status Hooked(Executor& executor, NodeIndex node) {
-    return executor.IsGuarded(node) ? executor.TickGuarded(node) : executor.TickHooked(node);
+    return executor.IsGuarded(node) ? executor.TickGuarded(node, true) : executor.TickHooked(node);
   }
 
   static Status Other(Executor& executor, NodeIndex node) {
@@ -156,10 +158,6 @@ const std::array<Executor::TickTable::Function, Executor::TickTable::kCount>
 
 Status Executor::Tick(NodeIndex node) {
   return TickTable::Call(*this, node, nodes_[node].dispatch);
-}
-
-Status Executor::TickUnguarded(NodeIndex node) {
-  return IsHooked(node) ? TickHooked(node) : TickAsItself(node);
 }
 
 Status Executor::TickAsItself(NodeIndex node) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "bt_core/engine/event_stream.h"
 #include "bt_core/engine/executor.h"
 
 namespace coppice::bench {
@@ -22,6 +23,12 @@ std::shared_ptr<const Program> Compile(std::shared_ptr<const Project> project);
 /// Listens and does nothing.
 class IdleSink : public TickSink {
  public:
+  void OnTick(const TickEvents&) override {}
+};
+
+class IdleListener : public EventListener {
+ public:
+  void OnState(const StreamState&) override {}
   void OnTick(const TickEvents&) override {}
 };
 

@@ -21,6 +21,16 @@ std::optional<double> Known(double value) {
   return value > 0 ? std::optional<double>(value) : std::nullopt;
 }
 
+// What a watcher on another thread costs the ticking thread.
+void AddStreaming(Table& table, const std::string& program) {
+  constexpr double kChanges = 2353;  // of status in one tick, as the peer counts them
+  const auto alone = InstructionsPerRound(program, "full_4ary_1000");
+  const auto streamed = InstructionsPerRound(program, "full_4ary_1000, streamed");
+  if (!alone || !streamed) return;
+  table.Add(
+      {"event stream", (*streamed - *alone) / kChanges, "instructions per status change", 15, 480});
+}
+
 bool AddInstructions(Table& table, const std::string& program) {
   for (const Workload& workload : Workloads()) {
     const auto instructions = InstructionsPerRound(program, workload.name);
@@ -28,6 +38,7 @@ bool AddInstructions(Table& table, const std::string& program) {
     table.Add({workload.name, *instructions / workload.per_tick,
                "instructions per " + workload.unit, Known(workload.limit), Known(workload.peer)});
   }
+  AddStreaming(table, program);
   const auto script = InstructionsPerRound(program, "script");
   if (script) {
     table.Add({"script_two_terms", *script / 1000, "instructions per run", 60, 2567});

@@ -26,6 +26,7 @@ const std::vector<Workload>& Workloads() {
       {"full_2ary_1000", "node", 1000, 45, 1008, FullTree(2, 1000)},
       {"full_4ary_1000, 1 sink", "node", 1000, 0, 0, FullTree(4, 1000), 1},
       {"full_4ary_1000, 5 sinks", "node", 1000, 0, 0, FullTree(4, 1000), 5},
+      {"full_4ary_1000, streamed", "node", 1000, 0, 0, FullTree(4, 1000), 0, true},
       {"arbiter_flat_50", "tick", 1, 2000, 42090, FlatArbiter()},
       {"arbiter_guarded_50", "tick", 1, 4000, 107940, GuardedArbiter()},
       {"arbiter_port_50", "tick", 1, 3000, 127096, PortArbiter()},

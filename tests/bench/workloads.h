@@ -15,7 +15,8 @@ struct Workload {
   double limit;      ///< instructions per unit; 0: no limit
   double peer;       ///< of BehaviorTree.CPP 4.10 for the same; 0: not known
   std::string text;
-  int sinks = 0;  ///< listeners that look at nothing
+  int sinks = 0;         ///< watchers that look at nothing
+  bool streams = false;  ///< with an EventStream and a listener that looks at nothing
 };
 
 const std::vector<Workload>& Workloads();

@@ -51,6 +51,33 @@ TEST(WakeUp, ShowsWhatWasWrittenBefore) {
   notifier.join();
 }
 
+TEST(WakeUp, IsNotLostWhileTheWaiterLooksOut) {
+  constexpr int kRounds = 5000;
+  WakeUp ping;
+  WakeUp pong;
+  ping.set_lookout(std::chrono::microseconds(50));
+  pong.set_lookout(std::chrono::microseconds(50));
+  std::thread other([&] {
+    for (int i = 0; i < kRounds; ++i) {
+      EXPECT_TRUE(ping.WaitFor(seconds(10)));
+      pong.Notify();
+    }
+  });
+  for (int i = 0; i < kRounds; ++i) {
+    ping.Notify();
+    EXPECT_TRUE(pong.WaitFor(seconds(10)));
+  }
+  other.join();
+}
+
+TEST(WakeUp, ALookoutEndsWithTheWait) {
+  WakeUp wake_up;
+  wake_up.set_lookout(std::chrono::hours(1));
+  EXPECT_FALSE(wake_up.WaitFor(std::chrono::microseconds(10)));
+  wake_up.Notify();
+  EXPECT_TRUE(wake_up.WaitFor(std::chrono::hours(1)));
+}
+
 TEST(WakeUp, NotifyMayBeCalledFromASignalHandler) {
   static WakeUp wake_up;
   std::signal(SIGUSR1, [](int) { wake_up.Notify(); });
