@@ -1,7 +1,8 @@
 # What the engine's libraries need, for this build and for those who use an installed Coppice.
 #   coppice_dependencies(LIVE bool RESULT variable)
-#   Makes Threads::Threads, coppice::tinyxml2 and, for the live socket, PkgConfig::ZMQ and
-#   PkgConfig::SODIUM. Sets the variable to what is missing, in words, or to nothing.
+#   Makes Threads::Threads, coppice::tinyxml2, coppice::zstd and, for the live socket,
+#   PkgConfig::ZMQ and PkgConfig::SODIUM. Sets the variable to what is missing, in words, or to
+#   nothing.
 macro(coppice_dependencies)
   cmake_parse_arguments(COPPICE_DEPENDENCIES "" "LIVE;RESULT" "" ${ARGN})
   set(${COPPICE_DEPENDENCIES_RESULT})
@@ -19,6 +20,16 @@ macro(coppice_dependencies)
   elseif(NOT TARGET coppice::tinyxml2)
     add_library(coppice::tinyxml2 UNKNOWN IMPORTED GLOBAL)
     set_target_properties(coppice::tinyxml2 PROPERTIES IMPORTED_LOCATION ${COPPICE_TINYXML2})
+  endif()
+
+  find_library(COPPICE_ZSTD zstd)
+  mark_as_advanced(COPPICE_ZSTD)
+  if(NOT COPPICE_ZSTD)
+    set(${COPPICE_DEPENDENCIES_RESULT}
+        "zstd was not found; on Debian and Ubuntu: apt-get install libzstd-dev")
+  elseif(NOT TARGET coppice::zstd)
+    add_library(coppice::zstd UNKNOWN IMPORTED GLOBAL)
+    set_target_properties(coppice::zstd PROPERTIES IMPORTED_LOCATION ${COPPICE_ZSTD})
   endif()
 
   if(${COPPICE_DEPENDENCIES_LIVE} AND NOT TARGET PkgConfig::ZMQ)

@@ -6,7 +6,7 @@ include(CMakePackageConfigHelpers)
 include(GNUInstallDirs)
 set(COPPICE_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/coppice)
 
-set(libraries bt_core bt_core_record)
+set(libraries bt_core bt_core_history bt_core_record)
 if(COPPICE_LIVE)
   list(APPEND libraries bt_core_live)
 endif()

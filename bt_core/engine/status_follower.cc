@@ -16,10 +16,11 @@ TreeShape ShapeOf(const Program& program) {
   return shape;
 }
 
-StatusFollower::StatusFollower(TreeShape shape, std::vector<Status> statuses)
+StatusFollower::StatusFollower(TreeShape shape, std::vector<Status> statuses,
+                               std::vector<Status> last)
     : shape_(std::move(shape)),
       statuses_(std::move(statuses)),
-      last_(statuses_),
+      last_(last.empty() ? statuses_ : std::move(last)),
       ticked_child_(shape_.size(), 0) {
   statuses_.resize(shape_.size(), Status::kIdle);
   last_.resize(shape_.size(), Status::kIdle);

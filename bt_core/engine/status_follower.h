@@ -33,7 +33,8 @@ struct StatusChange {
 
 class StatusFollower {
  public:
-  StatusFollower(TreeShape shape, std::vector<Status> statuses);
+  /// `last`: the last statuses as far as they are known; else they follow from the statuses.
+  StatusFollower(TreeShape shape, std::vector<Status> statuses, std::vector<Status> last = {});
 
   /// Events of other kinds, and nodes that there are not, change nothing.
   void Apply(const Event& event) {
@@ -49,6 +50,7 @@ class StatusFollower {
   const std::vector<Status>& statuses() const { return statuses_; }
   /// The last status of a node that was not IDLE; kIdle if it never was anything else.
   Status last(NodeIndex node) const { return last_[node]; }
+  const std::vector<Status>& lasts() const { return last_; }
   const TreeShape& shape() const { return shape_; }
 
  private:

@@ -76,12 +76,21 @@ double Decoder::Double() {
   return number;
 }
 
-std::string Decoder::Text() {
+std::string Decoder::Text() { return std::string(View()); }
+
+std::string_view Decoder::View() {
   const std::uint64_t size = Unsigned();
   if (!Need(size)) return {};
-  std::string text(reinterpret_cast<const char*>(at_), size);
+  const std::string_view text(reinterpret_cast<const char*>(at_), size);
   at_ += size;
   return text;
+}
+
+Decoder Decoder::Part() {
+  const std::uint64_t size = Unsigned();
+  if (!Need(size)) return {end_, end_};
+  at_ += size;
+  return {at_ - size, at_};
 }
 
 std::size_t Decoder::Count() {

@@ -1,4 +1,5 @@
-// How numbers and texts become bytes in a record, and back. docs/record_format.md is the reference.
+// How numbers and texts become bytes in a history, and back. docs/record_format.md is the
+// reference.
 #ifndef COPPICE_BT_CORE_HISTORY_CODING_H_
 #define COPPICE_BT_CORE_HISTORY_CODING_H_
 
@@ -48,6 +49,13 @@ class Decoder {
   std::int64_t Signed();
   double Double();
   std::string Text();
+  /// A text that lies where it is.
+  std::string_view View();
+  /// What a text consists of, to be decoded by itself.
+  Decoder Part();
+  /// All that is left.
+  const std::uint8_t* at() const { return at_; }
+  std::size_t left() const { return static_cast<std::size_t>(end_ - at_); }
   Time At() { return Time(Signed()); }
 
   /// A count of things of which each takes at least one byte; one that cannot be is an error.
@@ -55,12 +63,13 @@ class Decoder {
   /// An index below the limit; any other is an error.
   std::uint32_t Index(std::size_t limit);
 
+  /// What was read makes no sense: as if it were cut off.
+  void Fail();
   bool ok() const { return ok_; }
   bool at_end() const { return at_ == end_; }
 
  private:
   bool Need(std::uint64_t bytes);
-  void Fail();
 
   const std::uint8_t* at_;
   const std::uint8_t* end_;

@@ -34,6 +34,9 @@ class HistoryFollower {
 
   HistoryState State(HistoryState::Cause cause) const;
 
+  /// The last statuses if the statuses were these.
+  std::vector<Status> LastsWith(const std::vector<Status>& statuses) const;
+
  private:
   void ApplyWrite(const Event& event);
 

@@ -31,6 +31,8 @@ struct FrameHeader {
 };
 inline constexpr std::size_t kFrameHeaderSize = 9;
 inline constexpr std::size_t kMaxPayloadSize = 64 << 20;
+/// What a payload unpacks to has at most so many bytes.
+inline constexpr std::size_t kMaxRawSize = 64 << 20;
 
 /// Appends magic bytes and version.
 void AppendPreamble(Bytes& out);

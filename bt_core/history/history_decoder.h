@@ -28,16 +28,21 @@ class HistoryDecoder {
   /// that stands for itself.
   void Forget() { follows_ = false; }
 
+  /// Whether events can be understood now.
+  bool follows() const { return follows_; }
+
   /// Goes on behind a tree that was decoded elsewhere.
-  void SetTree(std::size_t nodes, std::size_t slots);
+  void SetTree(const TreeSize& size);
 
  private:
-  std::string DecodeTree(Decoder payload, HistoryHandler& handler);
-  std::string DecodeState(Decoder payload, HistoryHandler& handler);
-  std::string DecodeEvents(Decoder payload, HistoryHandler& handler);
+  std::string DecodeFrame(const std::uint8_t* frame, std::size_t size, HistoryHandler& handler);
+  std::string TakeTree(Decoder payload, HistoryHandler& handler);
+  std::string TakeState(Decoder payload, HistoryHandler& handler);
+  std::string TakeEvents(Decoder payload, HistoryHandler& handler);
+  bool Unpack(const Decoder& packed);
 
   bool has_tree_ = false;
-  bool follows_ = false;  // events can be understood
+  bool follows_ = false;
   TreeSize size_;
   TickDecoder ticks_;
   Unpacker unpacker_;

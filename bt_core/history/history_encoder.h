@@ -42,7 +42,6 @@ class FrameSink {
 };
 
 struct HistoryOptions {
-  /// `start` and `wall_start` are those of the first state; a `run` of zeros becomes a random one.
   RunInfo info;
   /// Raw bytes of events after which a state is put in. The larger of the two counts.
   std::size_t keyframe_bytes = 256 << 10;
@@ -60,8 +59,9 @@ class HistoryEncoder {
   void Add(const StreamState& state);
   void Add(const TickEvents& events);
 
-  /// Instead of Add for a tick that finds no room: the tree is followed, the tick is counted. The
-  /// next Add, Note, Begin or End says what is missing and how the tree stands.
+  /// Instead of Add for what finds no room: the tree is followed, the tick is counted. The next
+  /// Add, Note, Begin or End says what is missing and how the tree stands.
+  void Skip(const StreamState& state);
   void Skip(const TickEvents& events);
 
   /// Stands behind all ticks so far.
@@ -74,10 +74,11 @@ class HistoryEncoder {
   /// Raw bytes of these events.
   std::size_t unflushed() const { return raw_.size(); }
 
-  /// Puts in the state: reading can begin here.
+  /// Puts in the state: reading can begin here. Nothing happens between the parts of a tick that
+  /// stands at a breakpoint, since no state can be told there.
   void Keyframe();
 
-  /// Puts in tree and state: another file begins here, or another listener.
+  /// Puts in tree and state: another file begins here. Not between the parts of a tick.
   void Begin();
 
   void End(HistoryEnd::Cause cause, Time time);
@@ -87,12 +88,17 @@ class HistoryEncoder {
   const TreeDescription& tree() const { return tree_; }
 
  private:
-  void Emit(FrameType type);
+  static HistoryState::Cause CauseOf(const StreamState& state);
+  void Follow(const StreamState& state);
+  void CountLost(const StreamState& state);
+  void CountLost(std::uint64_t first, std::uint64_t last, std::uint64_t count);
+  bool HasGap() const { return gap_.lost_ticks > 0 || gap_.lost_notes > 0; }
+  void PayDebts();
+  void EmitGap();
   void EmitTree();
   void EmitState(HistoryState::Cause cause);
-  void EmitGap();
-  bool HasGap() const { return gap_.lost_ticks > 0 || gap_.lost_notes > 0; }
-  void CloseGap();
+  void Open(FrameType type);
+  void Emit();
 
   HistoryOptions options_;
   FrameSink& sink_;
@@ -101,8 +107,11 @@ class HistoryEncoder {
   std::optional<HistoryFollower> follower_;
   TickEncoder ticks_;
   Packer packer_;
-  HistoryGap gap_;  // what is missing and not said yet
-  Bytes raw_;       // ticks that are in no frame yet
+  HistoryGap gap_;            // what is missing and not said yet
+  bool owes_tree_ = false;    // a reader does not know it yet
+  bool owes_state_ = false;   // nor how it stands
+  bool within_tick_ = false;  // the rest of it follows
+  Bytes raw_;                 // ticks that are in no frame yet
   Bytes frame_;
   std::size_t since_keyframe_ = 0;  // raw bytes
   std::size_t keyframe_every_ = 0;

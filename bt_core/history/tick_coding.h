@@ -16,6 +16,8 @@ namespace coppice {
 
 /// A value or text with more bytes than this is cut.
 inline constexpr std::size_t kMaxValueBytes = 64 << 10;
+/// The same in a frame that holds much already: a reader does not take frames of any length.
+inline constexpr std::size_t kShortValueBytes = 64;
 
 /// The bytes of a value (data/value_bytes.h), or, if they are more than `limit`, those of a text
 /// that begins as the value does and ends in "... (cut: N bytes)".
@@ -37,7 +39,7 @@ class TickEncoder {
   void Encode(const TickEvents& events, Bytes& out);
 
  private:
-  void EncodeEvents(EventWords words);
+  void EncodeEvents(EventWords words, std::size_t before);
 
   TickPlace place_;
   Bytes events_;
@@ -57,7 +59,7 @@ class TickDecoder {
   std::optional<TickEvents> Decode(Decoder& in, const TreeSize& size);
 
  private:
-  bool DecodeEvents(Decoder in, const TreeSize& size);
+  static constexpr std::uint64_t kMaxMicroseconds = INT64_MAX / 1000;
 
   TickPlace place_;
   EventWriter words_;

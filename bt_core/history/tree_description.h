@@ -37,6 +37,9 @@ struct RunInfo {
   Time wall_start{0};  ///< the same moment, since 1970
 };
 
+/// A new run that begins now, with a random number. The clock is "wall", "simulated" or "own".
+RunInfo BeginRun(const Clock& clock);
+
 struct DescribedDocument {
   std::string file;
   std::string text;  ///< complete

@@ -11,7 +11,7 @@
 
 namespace coppice {
 namespace {
-constexpr std::uint64_t kWindowBytes = 1 << 20;
+constexpr std::uint64_t kWindowBytes = 64 << 10;
 }
 
 FileWindow::FileWindow(const std::string& path) : file_(open(path.c_str(), O_RDONLY | O_CLOEXEC)) {
@@ -35,6 +35,13 @@ FileWindow::FileWindow(FileWindow&& other) noexcept
       error_(std::move(other.error_)),
       start_(other.start_),
       window_(std::move(other.window_)) {}
+
+void FileWindow::Refresh() {
+  struct stat status {};
+  if (file_ >= 0 && error_.empty() && fstat(file_, &status) == 0) {
+    size_ = static_cast<std::uint64_t>(status.st_size);
+  }
+}
 
 const std::uint8_t* FileWindow::View(std::uint64_t offset, std::uint64_t count) {
   if (offset > size_ || count > size_ - offset) return nullptr;

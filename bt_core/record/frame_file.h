@@ -30,6 +30,9 @@ class FrameFile {
   /// The same; the frame is whole.
   Span Find(std::uint64_t offset);
 
+  /// Whether its checksum is right.
+  bool IsWholeAt(const Span& span);
+
   /// The first `count` bytes of a frame or fewer, valid until the next call; null if they cannot be
   /// read.
   const std::uint8_t* View(std::uint64_t offset, std::uint64_t count) {
@@ -43,8 +46,6 @@ class FrameFile {
 
  private:
   Span HeaderAt(std::uint64_t offset);
-  bool IsWholeAt(const Span& span);
-  Span Scan(std::uint64_t offset);
 
   FileWindow window_;
   std::string error_;

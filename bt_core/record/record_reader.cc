@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "bt_core/record/entry_coding.h"
 #include "bt_core/history/frame.h"
+#include "bt_core/record/entry_coding.h"
 
 namespace coppice {
 namespace {

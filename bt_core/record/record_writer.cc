@@ -3,22 +3,12 @@
 #include <pthread.h>
 #include <signal.h>
 
-#include <algorithm>
-#include <iterator>
-#include <stdexcept>
 #include <utility>
 
-#include "bt_core/record/entry_coding.h"
-#include "bt_core/history/frame.h"
+#include "bt_core/record/recorder.h"
 
 namespace coppice {
 namespace {
-
-constexpr std::size_t kMaxNoteBytes = 4 << 20;
-
-std::size_t SizeOf(const RecordedNote& note) {
-  return sizeof(note) + note.kind.size() + note.text.size();
-}
 
 // Signals are for the threads of the application; a pipe without reader is an error, not a signal.
 void BlockSignals() {
@@ -29,43 +19,79 @@ void BlockSignals() {
 
 }  // namespace
 
-RecordWriter::RecordWriter(const std::string& path, Bytes start, std::size_t buffer_bytes,
-                           Periods periods)
-    : file_(path),
-      periods_(periods),
-      ring_(std::min(buffer_bytes, kMaxPayloadSize)),
+RecordWriter::RecordWriter(const std::string& path, const RecorderOptions& options,
+                           HistoryOptions history)
+    : buffer_bytes_(options.buffer_bytes),
+      max_file_bytes_(options.max_file_bytes),
+      flush_period_(options.flush_period),
+      sync_period_(options.sync_period),
+      encoder_(std::move(history), *this),
+      series_(path, options.keep_files),
       synced_(std::chrono::steady_clock::now()) {
-  const std::string error = file_.Write(start);
-  if (!error.empty()) throw std::runtime_error(error);
   thread_ = std::thread([this] { Run(); });
 }
 
-RecordWriter::~RecordWriter() { Stop({}); }
-
-bool RecordWriter::Push(const Bytes& frames) {
-  const bool pushed = ring_.Push(frames.data(), frames.size());
-  if (!pushed || ring_.size() > ring_.capacity() / 2) {
-    hurry_.store(true, std::memory_order_relaxed);
-    wake_.notify_one();  // missed if the thread is just going to wait: then it waits one period
-  }
-  return pushed;
+RecordWriter::~RecordWriter() {
+  if (thread_.joinable()) Stop(Time(0));
 }
 
-void RecordWriter::PushNote(RecordedNote note) {
+void RecordWriter::Add(const StreamState& state) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (stop_ || note_bytes_ + SizeOf(note) > kMaxNoteBytes) {
-    ++lost_notes_;
+  lost_ticks_ += state.lost_ticks;
+  if (HasRoom()) {
+    encoder_.Add(state);
+  } else {
+    encoder_.Skip(state);
+  }
+  if (start_bytes_ == 0) start_bytes_ = file_bytes_;
+}
+
+void RecordWriter::Add(const TickEvents& events) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (!HasRoom()) {
+    lost_ticks_ += events.is_whole;
+    return encoder_.Skip(events);
+  }
+  encoder_.Add(events);
+  if (events.is_whole) GoOnInAnotherFileIfDue(events.start);
+}
+
+void RecordWriter::Add(const HistoryNote& note) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (stop_ || !HasRoom()) return encoder_.SkipNotes(1);
+  encoder_.Note(note);
+}
+
+void RecordWriter::OnFrame(const Frame& frame) {
+  if (queue_.empty()) queue_.emplace_back();
+  Piece& piece = queue_.back();
+  piece.bytes.insert(piece.bytes.end(), frame.data, frame.data + frame.size);
+  piece.tick = frame.tick;
+  waiting_ += frame.size;
+  file_bytes_ += frame.size;
+  if (waiting_ < buffer_bytes_ / 2 || hurry_) return;
+  hurry_ = true;
+  wake_.notify_one();
+}
+
+// A file that holds less than it needs to begin with would only be followed by another such file.
+void RecordWriter::GoOnInAnotherFileIfDue(Time time) {
+  if (max_file_bytes_ == 0 || file_bytes_ < max_file_bytes_ || file_bytes_ < 2 * start_bytes_) {
     return;
   }
-  note_bytes_ += SizeOf(note);
-  notes_.push_back(std::move(note));
+  encoder_.End(HistoryEnd::Cause::kContinued, time);
+  queue_.emplace_back();
+  queue_.back().begins_file = true;
+  file_bytes_ = 0;
+  encoder_.Begin();
+  start_bytes_ = file_bytes_;
 }
 
-void RecordWriter::Stop(const Bytes& last_frames) {
+void RecordWriter::Stop(Time now) {
   if (!thread_.joinable()) return;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    last_frames_ = last_frames;
+    encoder_.End(HistoryEnd::Cause::kClosed, now);
     stop_ = true;
   }
   wake_.notify_one();
@@ -85,83 +111,62 @@ void RecordWriter::Run() {
     SyncIfDue(false);
   }
   Drain();
-  AppendNotesUntil(kNever);
-  AppendSealed(last_frames_);
-  Flush();
   SyncIfDue(true);
 }
 
 // False when it is time to end.
 bool RecordWriter::WaitForWork() {
   std::unique_lock<std::mutex> lock(mutex_);
-  wake_.wait_for(lock, periods_.flush, [this] { return stop_ || hurry_.load(); });
-  hurry_ = false;
+  wake_.wait_for(lock, flush_period_, [this] { return stop_ || hurry_; });
   return !stop_;
 }
 
-// New frames are taken only when the old ones are written, so that a slow disk fills the ring and
+// New frames are taken only when the old ones are written, so that a slow disk fills the queue and
 // not the memory.
 void RecordWriter::Drain() {
-  if (!Flush()) return;
-  Gather();
-  Flush();
-}
-
-void RecordWriter::Gather() {
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    taken_notes_.insert(taken_notes_.end(), std::make_move_iterator(notes_.begin()),
-                        std::make_move_iterator(notes_.end()));
-    notes_.clear();
-    note_bytes_ = 0;
-  }
-  batch_.clear();
-  ring_.PopAll(batch_);
-  AppendSealed(batch_);
-  AppendNotesUntil(kNever);
-}
-
-void RecordWriter::AppendSealed(Bytes& frames) {
-  for (std::size_t at = 0; at < frames.size();) {
-    const std::size_t size = SealFrame(frames.data() + at);
-    const std::uint8_t* payload = frames.data() + at + kFrameHeaderSize;
-    Decoder decoder(payload, payload + size - kFrameHeaderSize);
-    AppendNotesUntil(decoder.At());
-    const FrameHeader header = ReadFrameHeader(frames.data() + at);
-    if (header.type == static_cast<std::uint8_t>(FrameType::kTick)) {
-      newest_tick_ = decoder.Unsigned();
-    }
-    const auto begin = frames.begin() + static_cast<std::ptrdiff_t>(at);
-    pending_.insert(pending_.end(), begin, begin + static_cast<std::ptrdiff_t>(size));
-    at += size;
+  while (Write() && Take()) {
   }
 }
 
-void RecordWriter::AppendNotesUntil(Time time) {
-  while (!taken_notes_.empty() && taken_notes_.front().time <= time) {
-    const std::size_t frame = OpenFrame(pending_, FrameType::kNote);
-    Encoder encoder(pending_);
-    EncodeNote(taken_notes_.front(), encoder);
-    CloseFrame(pending_, frame);
-    SealFrame(pending_.data() + frame);
-    taken_notes_.pop_front();
-  }
+// False if there is nothing.
+bool RecordWriter::Take() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  encoder_.Flush();
+  hurry_ = false;
+  pending_ = std::exchange(queue_, {});
+  return !pending_.empty();
 }
 
 // True if nothing is left to write.
-bool RecordWriter::Flush() {
-  if (pending_.empty()) return true;
-  Report(file_.Write(pending_));
+bool RecordWriter::Write() {
+  while (!pending_.empty()) {
+    if (!WriteFront()) return false;
+    pending_.pop_front();
+  }
+  return true;
+}
+
+bool RecordWriter::WriteFront() {
+  Piece& piece = pending_.front();
+  if (std::exchange(piece.begins_file, false)) Report(series_.Next());
+  const std::size_t size = piece.bytes.size();
+  const std::string error = series_.Write(piece.bytes);
   unsynced_ = true;
-  if (!pending_.empty()) return false;
-  flushed_tick_.store(newest_tick_, std::memory_order_release);
+  Report(error);
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    waiting_ -= size - piece.bytes.size();
+    hurry_ = false;  // what did not work is tried again after a while
+  }
+  if (!piece.bytes.empty()) return false;
+  flushed_tick_.store(piece.tick, std::memory_order_release);
   return true;
 }
 
 void RecordWriter::SyncIfDue(bool now) {
   const auto time = std::chrono::steady_clock::now();
-  if (!unsynced_ || (!now && time - synced_ < periods_.sync)) return;
-  Report(file_.Sync());
+  if (!unsynced_ || (!now && time - synced_ < sync_period_)) return;
+  Report(series_.Sync());
   synced_ = time;
   unsynced_ = false;
 }

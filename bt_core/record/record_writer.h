@@ -1,4 +1,4 @@
-// The writing half of a recorder: a thread that brings frames from a ring to a file.
+// The writing half of a recorder: a queue of frames and a thread that brings them to the disk.
 #ifndef COPPICE_BT_CORE_RECORD_RECORD_WRITER_H_
 #define COPPICE_BT_CORE_RECORD_RECORD_WRITER_H_
 
@@ -11,76 +11,81 @@
 #include <string>
 #include <thread>
 
-#include "bt_core/record/byte_ring.h"
-#include "bt_core/record/entries.h"
-#include "bt_core/record/record_file.h"
+#include "bt_core/history/history_encoder.h"
+#include "bt_core/record/record_series.h"
 
 namespace coppice {
 
-class RecordWriter {
- public:
-  struct Periods {
-    Duration flush;  ///< between writes to the kernel
-    Duration sync;   ///< between waits for the disk
-  };
+struct RecorderOptions;
 
-  /// Makes the file with these bytes at its start and starts the thread. Throws
-  /// std::runtime_error.
-  RecordWriter(const std::string& path, Bytes start, std::size_t buffer_bytes, Periods periods);
-  ~RecordWriter();
+class RecordWriter final : private FrameSink {
+ public:
+  /// Makes the first file and starts the thread. Throws std::runtime_error.
+  RecordWriter(const std::string& path, const RecorderOptions& options, HistoryOptions history);
+  ~RecordWriter() override;
   RecordWriter(const RecordWriter&) = delete;
   RecordWriter& operator=(const RecordWriter&) = delete;
 
-  /// Ticking thread: closed frames, without their checksums, of which each begins with a time. All
-  /// or nothing; false if there is no room. Neither waits nor allocates.
-  bool Push(const Bytes& frames);
-  std::size_t room() const { return ring_.capacity() - ring_.size(); }
-  std::size_t capacity() const { return ring_.capacity(); }
+  /// Any thread, but in order. None of them waits for the disk: what finds no room is counted.
+  void Add(const StreamState& state);
+  void Add(const TickEvents& events);
+  void Add(const HistoryNote& note);
 
-  /// Any thread. Written between the frames according to its time; counted if there is no room.
-  void PushNote(RecordedNote note);
-  std::uint64_t lost_notes() const { return lost_notes_.load(std::memory_order_relaxed); }
-  void ForgetLostNotes(std::uint64_t count) { lost_notes_ -= count; }
+  /// Writes everything that is left and an end at that time, and ends the thread.
+  void Stop(Time now);
 
-  /// Ticking thread: writes everything that is left, then these frames, and ends the thread.
-  void Stop(const Bytes& last_frames);
-
+  /// Any thread.
+  std::uint64_t lost_ticks() const { return lost_ticks_.load(std::memory_order_relaxed); }
   /// Any thread: number of the newest tick that the kernel has; 0 if none.
   std::uint64_t flushed_tick() const { return flushed_tick_.load(std::memory_order_acquire); }
   /// Any thread: what went wrong last, or empty.
   std::string error() const;
 
  private:
+  // A run of frames for one file.
+  struct Piece {
+    bool begins_file = false;
+    Bytes bytes;
+    std::uint64_t tick = 0;  // the last one in it
+  };
+
+  // With the lock.
+  void OnFrame(const Frame& frame) override;
+  bool HasRoom() const { return waiting_ < buffer_bytes_; }
+  void GoOnInAnotherFileIfDue(Time time);
+
+  // Of the thread.
   void Run();
   bool WaitForWork();
   void Drain();
-  void Gather();
-  void AppendNotesUntil(Time time);
-  void AppendSealed(Bytes& frames);
-  bool Flush();
+  bool Take();
+  bool Write();
+  bool WriteFront();
   void SyncIfDue(bool now);
   void Report(const std::string& error);
 
-  RecordFile file_;
-  const Periods periods_;
-  ByteRing ring_;
-  std::atomic<bool> hurry_{false};
-  std::atomic<std::uint64_t> lost_notes_{0};
+  const std::size_t buffer_bytes_;
+  const std::uint64_t max_file_bytes_;
+  const Duration flush_period_;
+  const Duration sync_period_;
+
+  std::atomic<std::uint64_t> lost_ticks_{0};
   std::atomic<std::uint64_t> flushed_tick_{0};
 
-  mutable std::mutex mutex_;  // of what follows; the ticking thread takes it only in Stop
+  mutable std::mutex mutex_;  // of what follows; never held while the disk works
   std::condition_variable wake_;
   bool stop_ = false;
-  Bytes last_frames_;
-  std::deque<RecordedNote> notes_;
-  std::size_t note_bytes_ = 0;
+  bool hurry_ = false;
+  HistoryEncoder encoder_;
+  std::deque<Piece> queue_;
+  std::size_t waiting_ = 0;        // bytes in the queue and in the thread's hands
+  std::uint64_t file_bytes_ = 0;   // of the file that the queue ends in
+  std::uint64_t start_bytes_ = 0;  // of these, until reading can begin
   std::string error_;
 
   // Of the thread.
-  std::deque<RecordedNote> taken_notes_;
-  Bytes batch_;
-  Bytes pending_;  // sealed, not yet in the kernel
-  std::uint64_t newest_tick_ = 0;
+  RecordSeries series_;
+  std::deque<Piece> pending_;  // taken, not yet in the kernel
   bool unsynced_ = false;
   std::chrono::steady_clock::time_point synced_;
   std::thread thread_;

@@ -37,7 +37,7 @@ TEST(Frame, NoticesEveryFlippedBit) {
 
 TEST(Frame, IsNotPlausibleWithAnUnknownTypeOrSize) {
   EXPECT_FALSE(IsPlausible({0, 0, 0}));
-  EXPECT_FALSE(IsPlausible({0, 6, 0}));
+  EXPECT_FALSE(IsPlausible({0, 7, 0}));
   EXPECT_FALSE(IsPlausible({kMaxPayloadSize + 1, 2, 0}));
 }
 
@@ -45,7 +45,7 @@ TEST(Frame, BeginsTheFileWithMagicBytesAndVersion) {
   Bytes bytes;
   AppendPreamble(bytes);
   EXPECT_EQ(std::string(bytes.begin(), bytes.end()), std::string("\x89"
-                                                                 "Coppic\n\x01\0\0\0",
+                                                                 "Coppic\n\x02\0\0\0",
                                                                  12));
 }
 

@@ -1,0 +1,46 @@
+#include "bt_core/record/record_series.h"
+
+#include <filesystem>
+#include <stdexcept>
+#include <utility>
+
+#include "bt_core/history/frame.h"
+#include "bt_core/record/record_names.h"
+
+namespace coppice {
+
+RecordSeries::RecordSeries(std::string path, std::uint32_t keep)
+    : path_(std::move(path)), keep_(keep) {
+  Open(path_);
+}
+
+void RecordSeries::Open(const std::string& path) {
+  auto file = std::make_unique<RecordFile>(path);
+  Bytes preamble;
+  AppendPreamble(preamble);
+  const std::string error = file->Write(preamble);
+  if (!error.empty()) throw std::runtime_error(error);
+  file_ = std::move(file);
+  written_.push_back(path);
+}
+
+// Names that are taken, for example by an older record, are left out.
+std::string RecordSeries::Next() {
+  std::string error = file_->Sync();
+  std::error_code ignored;
+  do {
+    ++number_;
+  } while (std::filesystem::exists(NumberedName(path_, number_), ignored));
+  try {
+    Open(NumberedName(path_, number_));
+  } catch (const std::runtime_error& problem) {
+    error = problem.what();
+  }
+  while (keep_ > 0 && written_.size() > keep_) {
+    std::filesystem::remove(written_.front(), ignored);
+    written_.pop_front();
+  }
+  return error;
+}
+
+}  // namespace coppice

@@ -1,0 +1,39 @@
+// The files that a record grows in, one after another.
+#ifndef COPPICE_BT_CORE_RECORD_RECORD_SERIES_H_
+#define COPPICE_BT_CORE_RECORD_RECORD_SERIES_H_
+
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <string>
+
+#include "bt_core/record/record_file.h"
+
+namespace coppice {
+
+class RecordSeries {
+ public:
+  /// Makes the first file, with the bytes that every file begins with. Of `keep` files the oldest
+  /// is removed for another one; 0: all are kept. Throws std::runtime_error.
+  RecordSeries(std::string path, std::uint32_t keep);
+
+  /// Goes on in another file, or in the old one if none can be made. An error text, or empty.
+  std::string Next();
+
+  /// As RecordFile.
+  std::string Write(Bytes& bytes) { return file_->Write(bytes); }
+  std::string Sync() { return file_->Sync(); }
+
+ private:
+  void Open(const std::string& path);
+
+  const std::string path_;
+  const std::uint32_t keep_;
+  std::uint32_t number_ = 1;  // of the present file
+  std::unique_ptr<RecordFile> file_;
+  std::deque<std::string> written_;  // of this series, the present file last
+};
+
+}  // namespace coppice
+
+#endif  // COPPICE_BT_CORE_RECORD_RECORD_SERIES_H_
