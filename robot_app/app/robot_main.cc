@@ -101,7 +101,8 @@ class Robot {
     if (!program) throw std::runtime_error("the " + name + " tree cannot run");
     TreeRunnerOptions runner;
     runner.name = name;
-    runner.live_port = static_cast<std::uint16_t>(port);
+    runner.live_port = port;
+    if (const char* token = std::getenv("COPPICE_LIVE_TOKEN")) runner.live_token = token;
     runner.run.forever = forever;
     if (options.Has("--record")) {
       std::filesystem::create_directories(options.Get("--record"));

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <iomanip>
+#include <memory>
 #include <optional>
 #include <sstream>
 #include <utility>
 
-#include "bt_core/record/record_reader.h"
+#include "bt_core/engine/status_follower.h"
+#include "bt_core/record/record_cursor.h"
 
 namespace coppice::robot {
 namespace {
@@ -36,17 +38,10 @@ struct Activation {
   bool ended_well = false;
 };
 
-template <class Entry, class Function>
-void ForEach(const Recording& recording, Function function) {
-  for (const RecordEntry& entry : recording.entries) {
-    if (const auto* one = std::get_if<Entry>(&entry)) function(*one);
-  }
-}
-
 std::optional<NodeIndex> FindNode(const Recording& recording, const std::string& path) {
-  const auto& nodes = recording.header.nodes;
+  const auto& nodes = recording.tree.nodes;
   const auto found = std::find_if(nodes.begin(), nodes.end(),
-                                  [&](const RecordedNode& node) { return node.path == path; });
+                                  [&](const DescribedNode& node) { return node.path == path; });
   if (found == nodes.end()) return std::nullopt;
   return static_cast<NodeIndex>(found - nodes.begin());
 }
@@ -54,28 +49,15 @@ std::optional<NodeIndex> FindNode(const Recording& recording, const std::string&
 int CountSuccesses(const Recording& recording, const std::string& path) {
   const std::optional<NodeIndex> node = FindNode(recording, path);
   int count = 0;
-  ForEach<RecordedTick>(recording, [&](const RecordedTick& tick) {
-    for (const StatusChange& change : tick.changes) {
-      count += change.node == node && change.to == Status::kSuccess;
-    }
-  });
+  for (const auto& [time, change] : recording.changes) {
+    count += change.node == node && change.to == Status::kSuccess;
+  }
   return count;
 }
 
 TickStatistics CountTicks(const Recording& recording) {
-  TickStatistics statistics;
-  Time last = recording.header.start;
-  ForEach<RecordedTick>(recording, [&](const RecordedTick& tick) {
-    statistics.ticks = std::max(statistics.ticks, tick.tick);
-    statistics.status_changes += tick.changes.size();
-    last = tick.time;
-  });
-  ForEach<RecordedEnd>(recording, [&](const RecordedEnd& end) {
-    statistics.ticks = std::max(statistics.ticks, end.ticks);
-    last = end.time;
-  });
-  statistics.seconds = std::chrono::duration<double>(last - recording.header.start).count();
-  return statistics;
+  const std::chrono::duration<double> time = recording.end - recording.begin;
+  return {recording.ticks, recording.changes.size(), time.count()};
 }
 
 void AddOnce(std::vector<std::string>& texts, const std::string& text) {
@@ -85,13 +67,11 @@ void AddOnce(std::vector<std::string>& texts, const std::string& text) {
 // The text of the messages of all fault conditions.
 std::vector<std::string> FaultsSeen(const Recording& monitor) {
   std::vector<std::string> faults;
-  ForEach<RecordedTick>(monitor, [&](const RecordedTick& tick) {
-    for (const NodeMessage& message : tick.messages) {
-      const std::string& id = monitor.header.nodes[message.node].id;
-      const bool is_fault = id.size() > 5 && id.compare(id.size() - 5, 5, "Fault") == 0;
-      if (is_fault) AddOnce(faults, message.text);
-    }
-  });
+  for (const NodeMessage& message : monitor.messages) {
+    const std::string& id = monitor.tree.nodes[message.node].id;
+    const bool is_fault = id.size() > 5 && id.compare(id.size() - 5, 5, "Fault") == 0;
+    if (is_fault) AddOnce(faults, message.text);
+  }
   return faults;
 }
 
@@ -110,9 +90,7 @@ std::vector<Activation> Activations(const Recording& monitor) {
       activations.back().ended_well = change.to == Status::kSuccess;
     }
   };
-  ForEach<RecordedTick>(monitor, [&](const RecordedTick& tick) {
-    for (const StatusChange& change : tick.changes) apply(tick.time, change);
-  });
+  for (const auto& [time, change] : monitor.changes) apply(time, change);
   return activations;
 }
 
@@ -133,21 +111,46 @@ std::vector<RecoveryCount> CountRecoveries(const Recording& monitor) {
   return counts;
 }
 
+void AddTick(const TickEvents& events, StatusFollower& follower, Recording& recording) {
+  EventReader reader(events.words);
+  for (Event event; reader.Next(event);) {
+    follower.Apply(event, [&](const StatusChange& change) {
+      recording.changes.push_back({events.start, change});
+    });
+  }
+  for (NodeMessage& message : MessagesOf(events.words)) {
+    recording.messages.push_back(std::move(message));
+  }
+}
+
+Recording ReadAll(const RecordReader& record) {
+  Recording recording;
+  recording.tree = record.tree();
+  recording.begin = record.begin();
+  recording.end = record.end();
+  recording.ticks = record.last_tick();
+  RecordCursor cursor(record);
+  StatusFollower follower(ShapeOf(record.tree()), cursor.state().statuses());
+  for (RecordItem item = cursor.Next(); item != RecordItem::kNone; item = cursor.Next()) {
+    if (item == RecordItem::kState) {  // behind a gap
+      follower = StatusFollower(ShapeOf(cursor.tree()), cursor.state().statuses());
+    }
+    if (item == RecordItem::kTick) AddTick(cursor.events(), follower, recording);
+    if (item == RecordItem::kNote) recording.notes.push_back(cursor.note());
+  }
+  return recording;
+}
+
 std::optional<Recording> Read(const std::string& path, std::vector<std::string>& problems) {
   Diagnostics diagnostics;
-  std::optional<RecordReader> reader = RecordReader::Open(path, diagnostics);
+  const std::unique_ptr<RecordReader> record = RecordReader::Open(path, diagnostics);
   for (const Diagnostic& diagnostic : diagnostics.all()) problems.push_back(ToString(diagnostic));
-  if (!reader) return std::nullopt;
-  Recording recording;
-  recording.header = reader->header();
-  while (std::optional<RecordEntry> entry = reader->Next()) {
-    recording.entries.push_back(*std::move(entry));
-  }
-  for (const RecordDamage& damage : reader->damages()) {
+  if (!record) return std::nullopt;
+  for (const RecordDamage& damage : record->damages()) {
     problems.push_back(path + " at byte " + std::to_string(damage.offset) + ": " + damage.what);
   }
-  if (!reader->closed()) problems.push_back(path + " was not closed in order");
-  return recording;
+  if (!record->closed()) problems.push_back(path + " was not closed in order");
+  return ReadAll(*record);
 }
 
 std::string Line(const std::string& label, const TickStatistics& statistics) {
@@ -171,9 +174,9 @@ RunSummary Summarize(const Recording& application, const Recording& monitor) {
   summary.rounds = CountSuccesses(application, "round");
   summary.stops = CountSuccesses(application, "patrol_round/stop");
   summary.docked = CountSuccesses(application, "go_home") > 0;
-  ForEach<RecordedNote>(monitor, [&](const RecordedNote& note) {
+  for (const HistoryNote& note : monitor.notes) {
     if (note.text.rfind("fault injected", 0) == 0) AddOnce(summary.injected, note.text);
-  });
+  }
   summary.faults = FaultsSeen(monitor);
   summary.recoveries = CountRecoveries(monitor);
   summary.application = CountTicks(application);

@@ -6,14 +6,23 @@
 #include <string>
 #include <vector>
 
-#include "bt_core/record/entries.h"
+#include "bt_core/history/history.h"
 
 namespace coppice::robot {
 
-/// One record, read whole.
+/// What counts in one record.
 struct Recording {
-  RecordHeader header;
-  std::vector<RecordEntry> entries;
+  struct Change {
+    Time time;
+    StatusChange change;
+  };
+  TreeDescription tree;
+  Time begin{0};
+  Time end{0};  ///< of the last entry
+  std::uint64_t ticks = 0;
+  std::vector<Change> changes;
+  std::vector<NodeMessage> messages;
+  std::vector<HistoryNote> notes;
 };
 
 /// One kind of recovery: a node of the monitor tree.

@@ -25,16 +25,20 @@ TreeRunner::TreeRunner(std::shared_ptr<const Program> program, Clock& clock,
                        TreeRunnerOptions options)
     : options_(std::move(options)),
       executor_(std::move(program), clock),
+      stream_(executor_),
       runner_(executor_, options_.run) {
   if (!options_.record_path.empty()) {
     RecorderOptions recording;
     recording.metadata = {{"tree", options_.name}};
-    recorder_ = std::make_unique<Recorder>(executor_, FreePath(options_.record_path), recording);
+    recorder_ = std::make_unique<Recorder>(stream_, FreePath(options_.record_path), recording);
   }
   if (options_.live_port > 0) {
     LiveOptions live;
-    live.port = options_.live_port;
-    live_ = std::make_unique<LivePublisher>(executor_, live);
+    live.name = options_.name;
+    live.port = static_cast<std::uint16_t>(options_.live_port);
+    live.token = options_.live_token;
+    live.read_only = live.token.empty();
+    live_ = std::make_unique<LivePublisher>(stream_, live);
   }
 }
 

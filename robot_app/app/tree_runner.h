@@ -8,6 +8,7 @@
 #include <string>
 #include <thread>
 
+#include "bt_core/engine/event_stream.h"
 #include "bt_core/engine/runner.h"
 #include "bt_core/live/live_publisher.h"
 #include "bt_core/record/recorder.h"
@@ -18,8 +19,10 @@ struct TreeRunnerOptions {
   std::string name;  ///< "application", "monitor"; also the name of the record
   std::string
       record_path;  ///< file to record to; if it exists, name.2.coppice and so on. Empty: none
-  int live_port =
-      0;  ///< of the live socket on loopback; it takes this port and the next one. 0: none
+  /// Of the live socket on loopback; it takes this port and the next one. 0: none.
+  int live_port = 0;
+  /// For those who may stop and change the tree by the live socket; without it nobody may.
+  std::string live_token;
   RunOptions run;
 };
 
@@ -43,6 +46,7 @@ class TreeRunner {
  private:
   TreeRunnerOptions options_;
   Executor executor_;
+  EventStream stream_;
   std::unique_ptr<Recorder> recorder_;
   std::unique_ptr<LivePublisher> live_;
   Runner runner_;

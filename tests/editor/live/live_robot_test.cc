@@ -78,7 +78,8 @@ LiveOptions AnyPort() {
 
 TEST_F(LiveRobotTest, ShowsTheTreeTheStatusesAndTheValuesOfARunningProgram) {
   Executor executor(program_, robot_clock_);
-  LivePublisher publisher(executor, AnyPort());
+  EventStream stream(executor);
+  LivePublisher publisher(stream, AnyPort());
   LiveClient client("127.0.0.1:" + std::to_string(publisher.port()), clock_);
   ASSERT_TRUE(TickUntil(executor, client, [](const LiveSnapshot& s) {
     return s.connection == Connection::kLive && !s.states.empty();
@@ -118,7 +119,8 @@ TEST_F(LiveRobotTest, FollowsARobotThatIsStartedAgain) {
   quick.first_pause = quick.longest_pause = std::chrono::milliseconds(20);
   {
     Executor executor(program_, robot_clock_);
-    LivePublisher publisher(executor, AnyPort());
+    EventStream stream(executor);
+    LivePublisher publisher(stream, AnyPort());
     port = publisher.port();
     client = std::make_unique<LiveClient>("127.0.0.1:" + std::to_string(port), clock_,
                                           std::function<void()>(), quick);
@@ -128,7 +130,8 @@ TEST_F(LiveRobotTest, FollowsARobotThatIsStartedAgain) {
   Executor executor(program_, robot_clock_);
   LiveOptions same;
   same.port = port;
-  LivePublisher publisher(executor, same);
+  EventStream stream(executor);
+  LivePublisher publisher(stream, same);
   EXPECT_TRUE(TickUntil(executor, *client, [](const LiveSnapshot& s) {
     return s.sessions == 2 && s.connection == Connection::kLive;
   })) << client->snapshot()->error;

@@ -11,14 +11,19 @@ using std::chrono::seconds;
 class Script {
  public:
   NodeIndex Node(const std::string& path, const std::string& id = "Sequence") {
-    recording_.header.nodes.push_back({path, id, 0, 0, 0});
-    return static_cast<NodeIndex>(recording_.header.nodes.size() - 1);
+    DescribedNode node;
+    node.path = path;
+    node.id = id;
+    recording_.tree.nodes.push_back(node);
+    return static_cast<NodeIndex>(recording_.tree.nodes.size() - 1);
   }
   void Change(int second, NodeIndex node, Status from, Status to) {
-    Tick(second).changes.push_back({node, from, to});
+    Tick(second);
+    recording_.changes.push_back({seconds(second), {node, from, to}});
   }
   void Message(int second, NodeIndex node, const std::string& text) {
-    Tick(second).messages.push_back({node, text});
+    Tick(second);
+    recording_.messages.push_back({node, text});
   }
   // One activation from its first tick to its end.
   void Activation(int start, int end, NodeIndex node, Status result) {
@@ -27,20 +32,16 @@ class Script {
     if (result != Status::kIdle) Change(end, node, result, Status::kIdle);
   }
   void Note(int second, const std::string& text) {
-    recording_.entries.push_back(RecordedNote{seconds(second), "note", text});
+    recording_.notes.push_back({seconds(second), "note", text});
   }
   const Recording& recording() const { return recording_; }
 
  private:
-  RecordedTick& Tick(int second) {
-    RecordedTick tick;
-    tick.time = seconds(second);
-    tick.tick = ++ticks_;
-    recording_.entries.push_back(tick);
-    return std::get<RecordedTick>(recording_.entries.back());
+  void Tick(int second) {
+    recording_.end = seconds(second);
+    ++recording_.ticks;
   }
   Recording recording_;
-  std::uint64_t ticks_ = 0;
 };
 
 class RunSummaryTest : public testing::Test {
