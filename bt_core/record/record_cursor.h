@@ -32,7 +32,7 @@ enum class RecordItem : std::uint8_t {
   kNone,    ///< the end of what there is; Next may find more after RecordReader::Refresh
   kTick,    ///< events(): a tick, a halt, or what happened between two ticks
   kState,   ///< state(): at the start, behind a gap or damage, after a jump
-  kTree,    ///< tree(): another one; a state follows
+  kTree,    ///< tree(), state(): the tree is another one from here on
   kGap,     ///< gap()
   kNote,    ///< note()
   kEnd,     ///< end(): the record was closed
@@ -52,6 +52,8 @@ class RecordCursor {
   void SeekTime(Time time);
   /// Goes back to the first state.
   void SeekBegin();
+  /// Goes behind everything.
+  void SeekLast();
 
   /// Goes on by one item, whose functions below are then valid until the next call.
   RecordItem Next();
@@ -65,9 +67,9 @@ class RecordCursor {
   /// breakpoint comes in parts: each brings all of it so far, and the last one is_whole.
   const TickEvents& events() const { return events_; }
 
-  const HistoryGap& gap() const { return gap_; }
-  const HistoryNote& note() const { return note_; }
-  const HistoryEnd& end() const { return end_; }
+  const HistoryGap& gap() const;
+  const HistoryNote& note() const;
+  const HistoryEnd& end() const;
 
   /// What could not be read on the way. A seek forgets what was before.
   const std::vector<RecordDamage>& damages() const { return damages_; }
@@ -75,27 +77,33 @@ class RecordCursor {
  private:
   class Items;
 
+  static TreeSize SizeOf(const TreeDescription& tree);
+  template <class IsBefore>
+  const RecordKeyframe& LastKeyframe(IsBefore is_before) const;
   void GoTo(const RecordKeyframe& keyframe);
   template <class IsBehind, class IsThere>
   void Seek(IsBehind is_behind, IsThere is_there);
+  void OpenFile(std::uint32_t number);
   bool Load();
-  bool OpenNextFile();
+  void Read(const FrameFile::Span& span);
+  void ReadTree(const FrameFile::Span& span);
+  void ShowState();
+  void AddDamage(std::uint64_t offset, std::uint64_t bytes);
   RecordItem Take();
   void TakeTick();
 
   const RecordReader& record_;
   std::unique_ptr<FrameFile> file_;
   std::uint32_t file_number_ = 0;
-  std::uint64_t offset_ = 0;
+  std::uint64_t offset_ = 0;  // of the next frame
   HistoryDecoder decoder_;
-  std::unique_ptr<Items> items_;  // of the present frame
+  std::unique_ptr<Items> items_;  // of the frames before it
   std::uint32_t tree_ = 0;
+  std::uint32_t next_tree_ = 0;  // from the next state on
+  bool shows_state_ = true;      // the next state is news, whatever its cause
   std::optional<HistoryFollower> state_;
-  EventWriter words_;
   TickEvents events_{};
-  HistoryGap gap_;
-  HistoryNote note_;
-  HistoryEnd end_;
+  std::vector<std::uint32_t> words_;  // of a tick that came in parts
   std::vector<RecordDamage> damages_;
 };
 

@@ -1,113 +1,183 @@
 #include "bt_core/record/record_reader.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
-#include "bt_core/history/frame.h"
-#include "bt_core/record/entry_coding.h"
+#include "bt_core/history/history_decoder.h"
+#include "bt_core/history/payload_coding.h"
+#include "bt_core/record/record_cursor.h"
+#include "bt_core/record/record_names.h"
 
 namespace coppice {
 namespace {
 
-template <class T>
-std::optional<RecordEntry> AsEntry(std::optional<T> value) {
-  if (!value) return std::nullopt;
-  return RecordEntry(*std::move(value));
+class TreeTaker final : public HistoryHandler {
+ public:
+  void OnTree(const TreeDescription& description) override { tree = description; }
+  void OnState(const HistoryState&) override {}
+  void OnTick(const TickEvents&) override {}
+  std::optional<TreeDescription> tree;
+};
+
+std::optional<TreeDescription> ReadTree(FrameFile& file, const FrameFile::Span& span) {
+  TreeTaker taker;
+  const std::uint8_t* const frame = file.View(span.offset, span.size);
+  if (frame) HistoryDecoder().Decode(frame, span.size, taker);
+  return std::move(taker.tree);
+}
+
+Decoder PayloadOf(FrameFile& file, const FrameFile::Span& span) {
+  const std::uint8_t* const frame = file.View(span.offset, span.size);
+  if (!frame) return {nullptr, nullptr};
+  return {frame + kFrameHeaderSize, frame + span.size};
+}
+
+// The run that a file is of; nothing if it does not begin with a tree.
+std::optional<RunId> RunOf(const std::string& path) {
+  FrameFile file(path);
+  if (!file.error().empty()) return {};
+  const FrameFile::Span span = file.Hop(kPreambleSize);
+  if (span.size == 0 || span.type != static_cast<std::uint8_t>(FrameType::kTree)) return {};
+  const std::optional<TreeDescription> tree = ReadTree(file, span);
+  return tree ? std::optional(tree->info.run) : std::nullopt;
 }
 
 }  // namespace
 
-std::optional<RecordReader> RecordReader::Open(const std::string& path, Diagnostics& diagnostics) {
-  FileWindow file(path);
-  if (!file.error().empty()) {
-    diagnostics.Error({path, 0, 0}, "cannot read this file: " + file.error());
-    return std::nullopt;
-  }
-  RecordReader reader(std::move(file));
-  const std::string problem = reader.ReadHeader();
+std::unique_ptr<RecordReader> RecordReader::Open(const std::string& path,
+                                                 Diagnostics& diagnostics) {
+  std::unique_ptr<RecordReader> reader(new RecordReader);
+  const std::string problem = reader->OpenSeries(path);
   if (problem.empty()) return reader;
   diagnostics.Error({path, 0, 0}, problem);
-  return std::nullopt;
+  return nullptr;
 }
 
-std::string RecordReader::ReadHeader() {
-  const std::uint8_t* preamble = file_.View(0, kPreambleSize);
-  if (!preamble || !std::equal(std::begin(kRecordMagic), std::end(kRecordMagic), preamble)) {
-    return "not a Coppice record";
+std::string RecordReader::OpenSeries(const std::string& path) {
+  const FrameFile file(path);
+  if (!file.error().empty()) return file.error();
+  const std::optional<RunId> run = RunOf(path);
+  for (const NumberedFile& found : FilesOfSeries(path)) {
+    if (run && RunOf(found.path) == run) waiting_.push_back(found.path);
   }
-  Decoder decoder(preamble + sizeof(kRecordMagic), preamble + kPreambleSize);
-  const std::uint32_t version = decoder.Fixed32();
-  if (version != kRecordVersion) {
-    return "a record of version " + std::to_string(version) + "; this program reads version " +
-           std::to_string(kRecordVersion);
-  }
-  const std::uint64_t size = FrameAt(kPreambleSize);
-  if (size == 0) return "the header of this record, at byte 12, is cut off or damaged";
-  const std::uint8_t* frame = file_.View(kPreambleSize, size);
-  std::optional<RecordHeader> header;
-  if (frame[4] == static_cast<std::uint8_t>(FrameType::kHeader)) {
-    header = DecodeHeader(Decoder(frame + kFrameHeaderSize, frame + size));
-  }
-  if (!header) return "the header of this record, at byte 12, does not make sense";
-  header_ = *std::move(header);
-  offset_ = kPreambleSize + size;
+  if (waiting_.empty()) waiting_.push_back(path);  // its beginning is damaged
+  while (OpenNext()) Index();
+  if (trees_.empty()) return "there is no whole description of a tree in this record";
+  if (keyframes_.empty()) return "there is no whole state of the tree in this record";
+  FindEnd();
   return "";
 }
 
-std::uint64_t RecordReader::FrameAt(std::uint64_t offset) {
-  const std::uint8_t* start = file_.View(offset, kFrameHeaderSize);
-  if (!start) return 0;
-  const FrameHeader header = ReadFrameHeader(start);
-  if (!IsPlausible(header)) return 0;
-  const std::uint64_t size = kFrameHeaderSize + std::uint64_t{header.payload_size};
-  const std::uint8_t* frame = file_.View(offset, size);
-  return frame && IsWhole(frame, header) ? size : 0;
+bool RecordReader::OpenNext() {
+  if (waiting_.empty()) return false;
+  if (torn_bytes_ > 0) AddDamage(offset_, std::exchange(torn_bytes_, 0));
+  files_.push_back(waiting_.front());
+  waiting_.pop_front();
+  sizes_.push_back(kPreambleSize);
+  file_ = std::make_unique<FrameFile>(files_.back());
+  offset_ = kPreambleSize;
+  continues_ = false;
+  return true;
 }
 
-std::optional<RecordEntry> RecordReader::Next() {
-  while (offset_ < file_.size()) {
-    const std::uint64_t size = FrameAt(offset_);
-    if (size == 0) {
-      SkipDamage();
-      continue;
-    }
-    std::optional<RecordEntry> entry = Decode(size);
-    if (!entry) damages_.push_back({offset_, "a frame that does not make sense is left out"});
-    offset_ += size;
-    if (entry) return entry;
-  }
-  return std::nullopt;
-}
-
-// Frames stand for themselves, so reading goes on at the next whole one.
-void RecordReader::SkipDamage() {
-  std::uint64_t next = offset_ + 1;
-  while (next < file_.size() && FrameAt(next) == 0) ++next;
-  const std::string bytes = std::to_string(next - offset_) + " bytes";
-  damages_.push_back({offset_, next < file_.size()
-                                   ? bytes + " are damaged and left out"
-                                   : "the last " + bytes + " are not a whole frame"});
-  offset_ = next;
-}
-
-std::optional<RecordEntry> RecordReader::Decode(std::uint64_t frame_size) {
-  const std::uint8_t* frame = file_.View(offset_, frame_size);
-  if (!frame) return std::nullopt;
-  const Decoder payload(frame + kFrameHeaderSize, frame + frame_size);
-  switch (static_cast<FrameType>(frame[4])) {
-    case FrameType::kTick:
-      return AsEntry(DecodeTick(payload, header_));
-    case FrameType::kNote:
-      return AsEntry(DecodeNote(payload));
-    case FrameType::kGap:
-      return AsEntry(DecodeGap(payload, header_));
-    case FrameType::kEnd:
-      closed_ = true;
-      return AsEntry(DecodeEnd(payload));
-    case FrameType::kHeader:
+// True if there was something new.
+bool RecordReader::Index() {
+  const std::uint64_t before = offset_;
+  while (true) {
+    const FrameFile::Span span = file_->Hop(offset_);
+    if (span.size == 0) {
+      torn_bytes_ = span.damaged;
       break;
+    }
+    if (span.damaged > 0) AddDamage(span.offset - span.damaged, span.damaged);
+    offset_ = span.offset + span.size;
+    if (!IndexFrame(span)) AddDamage(span.offset, span.size);
   }
-  return std::nullopt;
+  sizes_.back() = offset_;
+  return offset_ != before;
+}
+
+// False if the frame is damaged; the events are not looked at.
+bool RecordReader::IndexFrame(const FrameFile::Span& span) {
+  const auto type = static_cast<FrameType>(span.type);
+  if (type == FrameType::kEvents || type == FrameType::kNote) return true;
+  if (!file_->IsWholeAt(span)) return false;
+  switch (type) {
+    case FrameType::kTree:
+      return IndexTree(span);
+    case FrameType::kState:
+      return IndexState(span);
+    case FrameType::kGap:
+      if (const auto gap = DecodeGap(PayloadOf(*file_, span))) {
+        gaps_.push_back(*gap);
+        return true;
+      }
+      return false;
+    default:
+      if (const auto end = DecodeEnd(PayloadOf(*file_, span))) {
+        continues_ = end->cause == HistoryEnd::Cause::kContinued;
+        closed_ = !continues_;
+        return true;
+      }
+      return false;
+  }
+}
+
+bool RecordReader::IndexTree(const FrameFile::Span& span) {
+  const std::uint32_t sum = ReadFrameHeader(file_->View(span.offset, kFrameHeaderSize)).crc;
+  if (trees_.empty() || sum != tree_sum_) {
+    std::optional<TreeDescription> tree = ReadTree(*file_, span);
+    if (!tree) return false;
+    trees_.push_back(*std::move(tree));
+    tree_sum_ = sum;
+  }
+  const auto tree = static_cast<std::uint32_t>(trees_.size() - 1);
+  tree_places_.push_back({file_number(), span.offset, tree});
+  return true;
+}
+
+bool RecordReader::IndexState(const FrameFile::Span& span) {
+  HistoryState state;
+  Decoder payload = PayloadOf(*file_, span);
+  if (trees_.empty() || !DecodeStateHead(payload, state)) return false;
+  keyframes_.push_back({file_number(), static_cast<std::uint32_t>(trees_.size() - 1), span.offset,
+                        state.tick, state.time});
+  return true;
+}
+
+std::uint32_t RecordReader::TreeAt(std::uint32_t file, std::uint64_t offset) const {
+  for (const TreePlace& place : tree_places_) {
+    if (place.file == file && place.offset == offset) return place.tree;
+  }
+  return kNoTree;
+}
+
+void RecordReader::AddDamage(std::uint64_t offset, std::uint64_t bytes) {
+  damages_.push_back({file_number(), offset, std::to_string(bytes) + " bytes are damaged"});
+}
+
+void RecordReader::FindEnd() {
+  RecordCursor cursor(*this);
+  cursor.SeekLast();
+  last_tick_ = cursor.state().tick();
+  end_ = cursor.state().time();
+}
+
+bool RecordReader::Refresh() {
+  file_->Refresh();
+  bool has_grown = Index();
+  if (continues_) FindNewFiles();
+  while (OpenNext()) has_grown |= Index();
+  if (has_grown) FindEnd();
+  return has_grown;
+}
+
+void RecordReader::FindNewFiles() {
+  for (const NumberedFile& found : FilesOfSeries(files_.back())) {
+    if (std::find(files_.begin(), files_.end(), found.path) != files_.end()) continue;
+    if (RunOf(found.path) == trees_.front().info.run) waiting_.push_back(found.path);
+  }
 }
 
 }  // namespace coppice

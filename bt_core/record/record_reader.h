@@ -13,6 +13,7 @@
 #define COPPICE_BT_CORE_RECORD_RECORD_READER_H_
 
 #include <cstdint>
+#include <deque>
 #include <memory>
 #include <string>
 #include <vector>
@@ -54,6 +55,9 @@ class RecordReader {
   /// In the order of files and offsets. There is at least one.
   const std::vector<RecordKeyframe>& keyframes() const { return keyframes_; }
 
+  /// What is missing because the recorder could not follow.
+  const std::vector<HistoryGap>& gaps() const { return gaps_; }
+
   /// State at the start, and last tick.
   std::uint64_t first_tick() const { return keyframes_.front().tick; }
   Time begin() const { return keyframes_.front().time; }
@@ -71,22 +75,45 @@ class RecordReader {
   const std::vector<RecordDamage>& damages() const { return damages_; }
 
  private:
+  friend class RecordCursor;
+  struct TreePlace {
+    std::uint32_t file;
+    std::uint64_t offset;
+    std::uint32_t tree;
+  };
+  static constexpr std::uint32_t kNoTree = UINT32_MAX;
+
   RecordReader() = default;
-  std::string OpenFirst(const std::string& path);
+  std::string OpenSeries(const std::string& path);
   bool OpenNext();
   bool Index();
-  void IndexFrame(const FrameFile::Span& span);
+  bool IndexFrame(const FrameFile::Span& span);
+  bool IndexTree(const FrameFile::Span& span);
+  bool IndexState(const FrameFile::Span& span);
+  void AddDamage(std::uint64_t offset, std::uint64_t bytes);
   void FindEnd();
+  void FindNewFiles();
+  std::uint32_t file_number() const { return static_cast<std::uint32_t>(files_.size() - 1); }
+
+  // For cursors: how far a file is known, and which tree is described at a place.
+  std::uint64_t SizeOf(std::uint32_t file) const { return sizes_[file]; }
+  std::uint32_t TreeAt(std::uint32_t file, std::uint64_t offset) const;
 
   std::vector<std::string> files_;
+  std::vector<std::uint64_t> sizes_;  // of the files, as far as they are whole
+  std::deque<std::string> waiting_;   // files that are still to be opened
   std::vector<TreeDescription> trees_;
+  std::uint32_t tree_sum_ = 0;  // checksum of the last one
+  std::vector<TreePlace> tree_places_;
   std::vector<RecordKeyframe> keyframes_;
+  std::vector<HistoryGap> gaps_;
   std::vector<RecordDamage> damages_;
   std::unique_ptr<FrameFile> file_;  // the last one
-  std::uint64_t offset_ = 0;         // in it: as far as it is known
+  std::uint64_t offset_ = 0;         // in it
   std::uint64_t torn_bytes_ = 0;
   std::uint64_t last_tick_ = 0;
   Time end_{0};
+  bool continues_ = false;  // in another file
   bool closed_ = false;
 };
 

@@ -7,18 +7,20 @@
 #include <thread>
 
 #include "bt_core/record/recorder.h"
-#include "tests/bt_core/record/recorded_tree.h"
+#include "tests/bt_core/history/scripted_tree.h"
 
 int main(int argc, char** argv) {
   if (argc != 2) return 2;
   coppice::LeafScript script;
   script.write = true;
   coppice::SimulatedClock clock;
-  coppice::Executor executor(coppice::RecordedProgram(script), clock);
+  coppice::Executor executor(coppice::ScriptedProgram(script), clock);
+  coppice::EventStream stream(executor);
   coppice::RecorderOptions options;
   options.flush_period = std::chrono::milliseconds(1);
   options.sync_period = std::chrono::milliseconds(5);
-  const coppice::Recorder recorder(executor, argv[1], options);
+  options.max_file_bytes = 30000;
+  const coppice::Recorder recorder(stream, argv[1], options);
   std::uint64_t reported = 0;
   while (true) {
     if (executor.ticks() - recorder.flushed_tick() < 5000) {

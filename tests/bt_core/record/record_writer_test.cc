@@ -4,117 +4,122 @@
 #include <gtest/gtest.h>
 
 #include <stdexcept>
+#include <thread>
 
-#include "bt_core/record/entry_coding.h"
-#include "bt_core/history/frame.h"
+#include "bt_core/record/recorder.h"
+#include "tests/bt_core/history/scripted_tree.h"
 #include "tests/bt_core/record/temporary_folder.h"
+#include "tests/bt_core/record/whole_record.h"
 
 namespace coppice {
 namespace {
 
-using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::SizeIs;
 using namespace std::chrono_literals;  // NOLINT(google-build-using-namespace)
 
-constexpr RecordWriter::Periods kNeverByItself{1h, 1h};
-
-// A frame that begins with a time and the number of a tick.
-Bytes TickFrame(Time time, std::uint64_t tick) {
-  Bytes bytes;
-  const std::size_t frame = OpenFrame(bytes, FrameType::kTick);
-  Encoder out(bytes);
-  out.At(time);
-  out.Unsigned(tick);
-  CloseFrame(bytes, frame);
-  return bytes;
-}
-
-// "t5" for a tick at 5, "n7" for a note; "BAD" for a frame with a wrong checksum.
-std::vector<std::string> Frames(const std::string& file) {
-  std::vector<std::string> found;
-  const Bytes bytes(file.begin(), file.end());
-  for (std::size_t at = 0; at < bytes.size();) {
-    const FrameHeader header = ReadFrameHeader(bytes.data() + at);
-    if (!IsWhole(bytes.data() + at, header)) found.emplace_back("BAD");
-    Decoder payload(bytes.data() + at + kFrameHeaderSize, bytes.data() + bytes.size());
-    const bool note = header.type == static_cast<std::uint8_t>(FrameType::kNote);
-    found.push_back((note ? "n" : "t") + std::to_string(payload.At().count()));
-    at += kFrameHeaderSize + header.payload_size;
+class RecordWriterTest : public ::testing::Test {
+ protected:
+  RecordWriterTest() {
+    options_.flush_period = 1h;
+    options_.sync_period = 1h;
+    LeafScript script;
+    state_.cause = StreamState::Cause::kBegin;
+    state_.program = ScriptedProgram(script);
+    state_.statuses.resize(state_.program->nodes.size());
+    state_.values.resize(state_.program->layout.slots.size());
+    words_.Status(1, Status::kRunning);
+    words_.Status(0, Status::kRunning);
   }
-  return found;
-}
 
-TEST(RecordWriter, WritesEverythingBeforeItEnds) {
-  const TemporaryFolder folder;
-  RecordWriter writer(folder.Path("a"), {}, 1000, kNeverByItself);
-  EXPECT_TRUE(writer.Push(TickFrame(Time(1), 1)));
-  EXPECT_TRUE(writer.Push(TickFrame(Time(2), 2)));
-  writer.Stop(TickFrame(Time(3), 3));
-  EXPECT_THAT(Frames(ReadFile(folder.Path("a"))), ElementsAre("t1", "t2", "t3"));
-  EXPECT_EQ(writer.flushed_tick(), 3u);
+  std::string path() const { return folder_.Path("run.coppice"); }
+  TickEvents Tick(std::uint64_t number) const {
+    return {number, number * 100ms, 10us, Status::kRunning, true, words_.words()};
+  }
+  template <class Done>
+  static void WaitUntil(Done done) {
+    const auto deadline = std::chrono::steady_clock::now() + 30s;
+    while (!done() && std::chrono::steady_clock::now() < deadline) std::this_thread::yield();
+    EXPECT_TRUE(done());
+  }
+
+  const TemporaryFolder folder_;
+  RecorderOptions options_;
+  StreamState state_;
+  EventWriter words_;
+};
+
+TEST_F(RecordWriterTest, WritesEverythingBeforeItEnds) {
+  RecordWriter writer(path(), options_, {});
+  writer.Add(state_);
+  for (std::uint64_t i = 1; i <= 10; ++i) writer.Add(Tick(i));
+  writer.Add(HistoryNote{5s, "kind", "text"});
+  writer.Stop(6s);
   EXPECT_EQ(writer.error(), "");
+  EXPECT_EQ(writer.flushed_tick(), 10u);
+  const WholeRecord record = ReadRecord(path());
+  EXPECT_THAT(record.ticks, SizeIs(10));
+  EXPECT_THAT(record.notes, SizeIs(1));
+  EXPECT_TRUE(record.closed);
 }
 
-TEST(RecordWriter, PutsNotesWhereTheyBelongInTime) {
-  const TemporaryFolder folder;
-  RecordWriter writer(folder.Path("a"), {}, 1000, kNeverByItself);
-  for (const int time : {15, 25, 99}) writer.PushNote({Time(time), "k", "t"});
-  for (const int time : {10, 20, 30}) writer.Push(TickFrame(Time(time), 1));
-  writer.Stop({});
-  EXPECT_THAT(Frames(ReadFile(folder.Path("a"))),
-              ElementsAre("t10", "n15", "t20", "n25", "t30", "n99"));
+TEST_F(RecordWriterTest, WritesByItself) {
+  options_.flush_period = 1ms;
+  RecordWriter writer(path(), options_, {});
+  writer.Add(state_);
+  writer.Add(Tick(77));
+  WaitUntil([&] { return writer.flushed_tick() == 77; });
+  EXPECT_THAT(ReadRecord(path()).ticks, SizeIs(1));
 }
 
-TEST(RecordWriter, WritesByItself) {
-  const TemporaryFolder folder;
-  RecordWriter writer(folder.Path("a"), {}, 1000, {1ms, 1ms});
-  writer.Push(TickFrame(Time(1), 77));
-  const auto deadline = std::chrono::steady_clock::now() + 30s;
-  while (writer.flushed_tick() != 77 && std::chrono::steady_clock::now() < deadline) {
-    std::this_thread::yield();
-  }
-  EXPECT_THAT(Frames(ReadFile(folder.Path("a"))), ElementsAre("t1"));
-}
-
-TEST(RecordWriter, HurriesWhenTheBufferIsHalfFull) {
-  const TemporaryFolder folder;
-  RecordWriter writer(folder.Path("a"), {}, 100, {1s, 1h});
-  const auto deadline = std::chrono::steady_clock::now() + 30s;
+TEST_F(RecordWriterTest, HurriesWhenTheBufferIsHalfFull) {
+  options_.buffer_bytes = 4000;
+  HistoryOptions history;
+  history.frame_bytes = 10;
+  RecordWriter writer(path(), options_, history);
+  writer.Add(state_);
   std::uint64_t tick = 0;
-  while (writer.flushed_tick() == 0 && std::chrono::steady_clock::now() < deadline) {
-    writer.Push(TickFrame(Time(1), ++tick));
-  }
-  EXPECT_GT(writer.flushed_tick(), 0u);
+  WaitUntil([&] {
+    writer.Add(Tick(++tick));
+    return writer.flushed_tick() > 0;
+  });
 }
 
-TEST(RecordWriter, RefusesWhatFindsNoRoom) {
-  const TemporaryFolder folder;
-  RecordWriter writer(folder.Path("a"), {}, 20, kNeverByItself);
-  EXPECT_EQ(writer.room(), 20u);
-  EXPECT_FALSE(writer.Push(Bytes(21, 0)));
+TEST_F(RecordWriterTest, CountsWhatFindsNoRoom) {
+  options_.buffer_bytes = 1;
+  RecordWriter writer(path(), options_, {});
+  writer.Add(state_);  // there is room for something as long as there is room for a byte
+  writer.Add(Tick(1));
+  writer.Add(Tick(2));
+  writer.Add(HistoryNote{5s, "kind", "text"});
+  EXPECT_EQ(writer.lost_ticks(), 2u);
+  writer.Stop(6s);
+  const WholeRecord record = ReadRecord(path());
+  EXPECT_THAT(record.ticks, SizeIs(0));
+  ASSERT_THAT(record.gaps, SizeIs(1));
+  EXPECT_EQ(record.gaps[0].lost_ticks, 2u);
+  EXPECT_EQ(record.gaps[0].lost_notes, 1u);
 }
 
-TEST(RecordWriter, CountsNotesThatFindNoRoom) {
-  const TemporaryFolder folder;
-  RecordWriter writer(folder.Path("a"), {}, 1000, kNeverByItself);
-  writer.PushNote({Time(0), "k", std::string(3 << 20, 'x')});
-  EXPECT_EQ(writer.lost_notes(), 0u);
-  writer.PushNote({Time(0), "k", std::string(3 << 20, 'x')});
-  writer.PushNote({Time(0), "k", "small"});
-  EXPECT_EQ(writer.lost_notes(), 1u);
-  writer.ForgetLostNotes(1);
-  EXPECT_EQ(writer.lost_notes(), 0u);
+TEST_F(RecordWriterTest, GoesOnInAnotherFileWhenOneIsLongEnough) {
+  options_.max_file_bytes = 1;
+  HistoryOptions history;
+  history.info.run = MakeRunId();
+  history.frame_bytes = 10;
+  RecordWriter writer(path(), options_, history);
+  writer.Add(state_);
+  for (std::uint64_t i = 1; i <= 2000; ++i) writer.Add(Tick(i));
+  writer.Stop(6s);
+  const auto record = OpenRecord(path());
+  EXPECT_THAT(record->files(), SizeIs(::testing::Gt(3u)));
+  const WholeRecord all = ReadAll(*record);
+  EXPECT_THAT(all.ticks, SizeIs(2000));
+  EXPECT_THAT(all.damages, SizeIs(0));
+  EXPECT_TRUE(all.closed);
 }
 
-TEST(RecordWriter, ThrowsIfTheStartCannotBeWritten) {
-  EXPECT_THROW(RecordWriter("/dev/full", Bytes(5, 'x'), 100, kNeverByItself), std::runtime_error);
-}
-
-TEST(RecordWriter, SaysWhatWentWrongLater) {
-  RecordWriter writer("/dev/full", {}, 1000, kNeverByItself);
-  writer.Push(TickFrame(Time(1), 1));
-  writer.Stop({});
-  EXPECT_EQ(writer.error(), "/dev/full: cannot write: No space left on device");
-  EXPECT_EQ(writer.flushed_tick(), 0u);
+TEST_F(RecordWriterTest, ThrowsIfTheFileCannotBeWritten) {
+  EXPECT_THROW(RecordWriter("/dev/full", options_, {}), std::runtime_error);
 }
 
 }  // namespace

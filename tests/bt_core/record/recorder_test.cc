@@ -3,6 +3,8 @@
 #include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -10,9 +12,9 @@
 #include <random>
 #include <thread>
 
-#include "tests/bt_core/record/counting_new.h"
-#include "tests/bt_core/record/recorded_tree.h"
+#include "tests/bt_core/history/scripted_tree.h"
 #include "tests/bt_core/record/temporary_folder.h"
+#include "tests/bt_core/record/whole_record.h"
 
 namespace coppice {
 namespace {
@@ -24,59 +26,53 @@ using namespace std::chrono_literals;  // NOLINT(google-build-using-namespace)
 
 class RecorderTest : public ::testing::Test {
  protected:
-  RecorderTest() { executor_.AddSink(&keeper_); }
+  RecorderTest() { stream_.Add(kept_); }
+  ~RecorderTest() override { stream_.Remove(kept_); }
 
   std::string path() const { return folder_.Path("run.coppice"); }
-
-  void TickAtRandom(std::mt19937& random) {
-    clock_.Advance(Duration(random() % 1000000));
-    script_.write = random() % 3 == 0;
-    script_.number = static_cast<int>(random());
-    script_.ratio = static_cast<double>(random()) / 7;
-    script_.text.assign(random() % 40, static_cast<char>(random()));
-    script_.message = random() % 4 ? "" : "message " + std::to_string(random());
-    script_.status = [&random] { return static_cast<Status>(1 + random() % 4); };
-    if (random() % 20 == 0) executor_.Halt();
-    executor_.Tick();
-  }
+  void Tick() { TickAtRandom(random_, script_, clock_, executor_); }
 
   const TemporaryFolder folder_;
+  std::mt19937 random_{11};
   LeafScript script_;
   SimulatedClock clock_;
-  Keeper keeper_;  // gets the last halt from the executor's destructor
-  Executor executor_{RecordedProgram(script_), clock_};
+  Executor executor_{ScriptedProgram(script_), clock_};
+  EventStream stream_{executor_};
+  KeptStream kept_;
 };
 
-TEST_F(RecorderTest, RecordsEveryTickInWhichSomethingHappens) {
-  Recorder recorder(executor_, path());
-  executor_.Tick();
-  executor_.Tick();  // nothing new
-  script_.message = "because";
-  executor_.Tick();
+TEST_F(RecorderTest, RecordsWhateverATreeDoes) {
+  Recorder recorder(stream_, path());
+  for (int i = 0; i < 2000; ++i) Tick();
   EXPECT_EQ(recorder.Close(), "");
   const WholeRecord record = ReadRecord(path());
-  EXPECT_THAT(record.ticks, SizeIs(2));
-  EXPECT_EQ(DescribeAll(record.ticks), DescribeAll(keeper_.ticks));
+  EXPECT_GT(record.ticks.size(), 2000u) << "ticks and halts";
+  EXPECT_EQ(record.ticks, kept_.ticks);
+  EXPECT_THAT(record.damages, SizeIs(0));
   EXPECT_TRUE(record.closed);
 }
 
-TEST_F(RecorderTest, RecordsWhateverATreeDoes) {
-  std::mt19937 random(11);
-  Recorder recorder(executor_, path());
-  for (int i = 0; i < 2000; ++i) TickAtRandom(random);
-  EXPECT_EQ(recorder.Close(), "");
-  const WholeRecord record = ReadRecord(path());
-  EXPECT_GT(record.ticks.size(), 1000u);
-  EXPECT_EQ(DescribeAll(record.ticks), DescribeAll(keeper_.ticks));
-  EXPECT_THAT(record.damages, SizeIs(0));
+TEST_F(RecorderTest, BeginsWithTheTreeAsItStands) {
+  for (int i = 0; i < 10; ++i) Tick();
+  RecorderOptions options;
+  options.metadata = {{"robot", "sobi-1"}};
+  options.clock = "ros";
+  Recorder recorder(stream_, path(), options);
+  recorder.Close();
+  const auto record = OpenRecord(path());
+  EXPECT_EQ(record->tree().info.metadata, options.metadata);
+  EXPECT_EQ(record->tree().info.clock, "ros");
+  EXPECT_EQ(record->tree().info.start, clock_.Now());
+  EXPECT_NE(record->tree().info.run, RunId());
+  EXPECT_EQ(record->first_tick(), 10u);
+  EXPECT_EQ(RecordCursor(*record).state().statuses(), executor_.statuses());
 }
 
-TEST_F(RecorderTest, KeepsNotesFromAnyThreadInOrderOfTime) {
-  Recorder recorder(executor_, path());
+TEST_F(RecorderTest, KeepsNotesFromAnyThread) {
+  Recorder recorder(stream_, path());
   std::thread other([&] { recorder.Note(Time(10), "fault", "laser unplugged"); });
   other.join();
-  clock_.Advance(Duration(20));
-  executor_.Tick();
+  Tick();
   recorder.Note(Time(30), "fault", "laser back");
   recorder.Close();
   const WholeRecord record = ReadRecord(path());
@@ -86,26 +82,31 @@ TEST_F(RecorderTest, KeepsNotesFromAnyThreadInOrderOfTime) {
   EXPECT_EQ(record.notes[1].text, "laser back");
 }
 
-TEST_F(RecorderTest, DoesNotAllocateInASteadyTick) {
-  Recorder recorder(executor_, path());
-  executor_.RemoveSink(&keeper_);
-  script_.write = true;
-  script_.text = "a text that does not fit into the string object itself";
-  const auto tick = [&](int i) {
-    script_.number = i;
-    script_.ratio = i / 3.0;
-    script_.status = [i] { return i % 2 ? Status::kSuccess : Status::kFailure; };
-    executor_.Tick();
-  };
-  for (int i = 0; i < 100; ++i) tick(i);
-  std::uint64_t allocations = 0;
-  for (int i = 0; i < 1000; ++i) {
-    const std::uint64_t before = Allocations();
-    tick(i);
-    allocations += Allocations() - before;
-  }
-  EXPECT_EQ(allocations, 0u);
+TEST_F(RecorderTest, GoesOnWhenTheTreeIsSwapped) {
+  Recorder recorder(stream_, path());
+  for (int i = 0; i < 10; ++i) Tick();
+  executor_.Reload(OtherScriptedProgram(script_));
+  for (int i = 0; i < 10; ++i) Tick();
   EXPECT_EQ(recorder.Close(), "");
+  EXPECT_EQ(ReadRecord(path()).ticks, kept_.ticks);
+  const auto record = OpenRecord(path());
+  ASSERT_THAT(record->trees(), SizeIs(2));
+  RecordCursor cursor(*record);
+  cursor.SeekLast();
+  EXPECT_EQ(cursor.tree().nodes[2].path, "new");
+  EXPECT_EQ(cursor.state().statuses(), executor_.statuses());
+}
+
+TEST_F(RecorderTest, GoesOnInAnotherFileWhenOneIsLongEnough) {
+  RecorderOptions options;
+  options.max_file_bytes = 20000;
+  options.flush_period = 1ms;
+  Recorder recorder(stream_, path(), options);
+  for (int i = 0; i < 5000; ++i) Tick();
+  EXPECT_EQ(recorder.Close(), "");
+  const auto record = OpenRecord(path());
+  EXPECT_GT(record->files().size(), 2u);
+  EXPECT_EQ(ReadAll(*record).ticks, kept_.ticks);
 }
 
 /// A file system that stands still until Drain is called: a pipe that nobody reads.
@@ -147,17 +148,17 @@ TEST_F(RecorderTest, LeavesOutTicksThatTheDiskCannotTakeAndSaysSo) {
   RecorderOptions options;
   options.buffer_bytes = 8000;
   options.flush_period = 1ms;
-  auto recorder = std::make_unique<Recorder>(executor_, path(), options);
-  std::mt19937 random(2);
-  while (recorder->lost_ticks() < 100) TickAtRandom(random);  // goes on although the disk does not
+  auto recorder = std::make_unique<Recorder>(stream_, path(), options);
+  while (recorder->lost_ticks() < 100) {  // goes on although the disk does not
+    Tick();
+    stream_.Flush();
+  }
   const std::uint64_t lost = recorder->lost_ticks();
   disk.Drain();
   const std::uint64_t now = executor_.ticks();
   const auto deadline = std::chrono::steady_clock::now() + 30s;
-  while (recorder->flushed_tick() <= now && std::chrono::steady_clock::now() < deadline) {
-    TickAtRandom(random);
-  }
-  EXPECT_THAT(recorder->Close(), HasSubstr("ticks are missing: the disk was too slow"));
+  while (recorder->flushed_tick() <= now && std::chrono::steady_clock::now() < deadline) Tick();
+  EXPECT_THAT(recorder->Close(), HasSubstr("ticks are missing: disk or computer was too slow"));
   const std::uint64_t all_lost = recorder->lost_ticks();
   recorder.reset();
   WriteFile(folder_.Path("copy"), disk.Content());
@@ -165,50 +166,95 @@ TEST_F(RecorderTest, LeavesOutTicksThatTheDiskCannotTakeAndSaysSo) {
   const WholeRecord record = ReadRecord(folder_.Path("copy"));
   EXPECT_THAT(record.damages, SizeIs(0));
   std::uint64_t counted = 0;
-  for (const RecordedGap& gap : record.gaps) counted += gap.lost_ticks;
+  for (const HistoryGap& gap : record.gaps) counted += gap.lost_ticks;
   EXPECT_GE(all_lost, lost);
   EXPECT_EQ(counted, all_lost);
-  EXPECT_EQ(record.ticks.size() + all_lost, keeper_.ticks.size());
-  const std::vector<std::string> kept = DescribeAll(keeper_.ticks);
-  for (const std::string& tick : DescribeAll(record.ticks)) {
-    EXPECT_EQ(std::count(kept.begin(), kept.end(), tick), 1) << tick;
+  EXPECT_EQ(record.ticks.size() + all_lost, kept_.ticks.size());
+  auto kept = kept_.ticks.begin();  // what is there is right and in order
+  for (const std::string& tick : record.ticks) {
+    kept = std::find(kept, kept_.ticks.end(), tick);
+    ASSERT_NE(kept, kept_.ticks.end()) << tick;
   }
 }
 
-// Statuses after all changes, with the state of the gaps taken over.
 TEST_F(RecorderTest, GivesTheStateOfTheTreeAfterAGap) {
   SlowDisk disk(path());
   RecorderOptions options;
   options.buffer_bytes = 8000;
   options.flush_period = 1ms;
-  auto recorder = std::make_unique<Recorder>(executor_, path(), options);
-  std::mt19937 random(3);
-  while (recorder->lost_ticks() < 100) TickAtRandom(random);
+  auto recorder = std::make_unique<Recorder>(stream_, path(), options);
+  while (recorder->lost_ticks() < 100) {
+    Tick();
+    stream_.Flush();
+  }
   disk.Drain();
   recorder->Close();
   recorder.reset();
   WriteFile(folder_.Path("copy"), disk.Content());
-  const WholeRecord record = ReadRecord(folder_.Path("copy"));
-  ASSERT_FALSE(record.gaps.empty());
-  EXPECT_EQ(record.gaps.back().state.statuses, executor_.statuses());
+  const auto record = OpenRecord(folder_.Path("copy"));
+  ASSERT_FALSE(record->gaps().empty());
+  RecordCursor cursor(*record);
+  cursor.SeekLast();
+  EXPECT_EQ(cursor.state().statuses(), executor_.statuses());
   for (SlotIndex slot = 0; slot < executor_.blackboard().size(); ++slot) {
-    EXPECT_EQ(record.gaps.back().state.values[slot].value_or(""),
+    EXPECT_EQ(PrintValueBytes(cursor.state().values()[slot]),
               executor_.blackboard()[slot].value.Print());
   }
 }
 
+// Files of this process must not be longer, as if the disk were full.
+class FullDisk {
+ public:
+  explicit FullDisk(rlim_t bytes) {
+    signal(SIGXFSZ, SIG_IGN);
+    getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit limit{bytes, before_.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  ~FullDisk() { setrlimit(RLIMIT_FSIZE, &before_); }
+
+ private:
+  rlimit before_{};
+};
+
+TEST_F(RecorderTest, GoesOnWhenThereIsRoomOnTheDiskAgain) {
+  RecorderOptions options;
+  options.buffer_bytes = 8000;
+  options.flush_period = 1ms;
+  Recorder recorder(stream_, path(), options);
+  {
+    const FullDisk disk(20000);
+    while (recorder.lost_ticks() < 100) {
+      Tick();
+      stream_.Flush();
+    }
+    EXPECT_THAT(recorder.error(), HasSubstr("run.coppice: cannot write: File too large"));
+  }
+  const std::uint64_t now = executor_.ticks();
+  const auto deadline = std::chrono::steady_clock::now() + 30s;
+  while (recorder.flushed_tick() <= now && std::chrono::steady_clock::now() < deadline) Tick();
+  EXPECT_THAT(recorder.Close(), HasSubstr("File too large"));
+  const WholeRecord record = ReadRecord(path());
+  EXPECT_THAT(record.damages, SizeIs(0));
+  EXPECT_TRUE(record.closed);
+  std::uint64_t counted = 0;
+  for (const HistoryGap& gap : record.gaps) counted += gap.lost_ticks;
+  EXPECT_EQ(counted, recorder.lost_ticks());
+  EXPECT_EQ(record.ticks.size() + counted, kept_.ticks.size());
+}
+
 TEST_F(RecorderTest, ThrowsRatherThanOverwriting) {
   WriteFile(path(), "precious");
-  EXPECT_THROW(Recorder(executor_, path()), std::runtime_error);
+  EXPECT_THROW(Recorder(stream_, path()), std::runtime_error);
   EXPECT_EQ(ReadFile(path()), "precious");
-  executor_.Tick();  // nothing is left behind in the executor
+  Tick();  // nothing is left behind in the stream
 }
 
 TEST_F(RecorderTest, ClosesOnceAndStopsListening) {
-  Recorder recorder(executor_, path());
+  Recorder recorder(stream_, path());
   recorder.Close();
   const std::string content = ReadFile(path());
-  executor_.Tick();
+  Tick();
   EXPECT_EQ(recorder.Close(), "");
   EXPECT_EQ(ReadFile(path()), content);
 }
