@@ -3,35 +3,47 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "bt_core/data/value_bytes.h"
+
 namespace coppice {
 namespace {
 
-nlohmann::json Convert(const Value& value) {
-  if (!value.has_value()) return nullptr;
-  if (value.Is<bool>()) return value.Get<bool>();
-  if (value.Is<int>()) return value.Get<int>();
-  if (value.Is<unsigned>()) return value.Get<unsigned>();
-  if (value.Is<std::int64_t>()) return value.Get<std::int64_t>();
-  if (value.Is<std::uint64_t>()) return value.Get<std::uint64_t>();
-  if (value.Is<double>()) return value.Get<double>();
-  return value.Print();
+using Json = nlohmann::json;
+
+Json ConvertOther(const std::string& text, const Type* type) {
+  Json value = Json::parse(text, nullptr, false);
+  if (value.is_discarded()) return text;
+  if (value.is_object() && type) value["__type"] = type->name;
+  return value;
+}
+
+Json Convert(const std::string& bytes, const Type* type) {
+  const PlainValue value = ReadPlainValue(bytes);
+  if (const std::string* text = std::get_if<std::string>(&value)) {
+    return FormOfValue(bytes) == ValueForm::kJson ? ConvertOther(*text, type) : Json(*text);
+  }
+  if (const bool* flag = std::get_if<bool>(&value)) return *flag;
+  if (const std::int64_t* number = std::get_if<std::int64_t>(&value)) return *number;
+  if (const std::uint64_t* number = std::get_if<std::uint64_t>(&value)) return *number;
+  if (const double* number = std::get_if<double>(&value)) return *number;
+  return nullptr;
 }
 
 }  // namespace
 
 std::string WriteBoards(const Layout& layout, const std::vector<ScopeIndex>& scopes,
-                        const std::vector<Value>& values) {
-  nlohmann::json boards;
+                        const std::vector<std::string>& values) {
+  Json boards;
   for (const ScopeIndex scope : scopes) {
-    nlohmann::json& board = boards[layout.scopes[scope]];
+    Json& board = boards[layout.scopes[scope]];
     for (SlotIndex slot = 0; slot < layout.slots.size(); ++slot) {
       const SlotDefinition& definition = layout.slots[slot];
       if (definition.scope != scope || definition.key.empty()) continue;
-      board[definition.key] = Convert(values[slot]);
+      board[definition.key] = Convert(values[slot], definition.type);
     }
   }
   std::string bytes;
-  nlohmann::json::to_msgpack(boards, bytes);
+  Json::to_msgpack(boards, bytes);
   return bytes;
 }
 

@@ -10,11 +10,12 @@
 namespace coppice {
 
 /// Map of scope name -> map of key -> value, with the keys that belong to the scope itself.
-/// Numbers, bool and string are themselves, a key without value is nil, everything else is its
-/// printed text. No scope: nil. The source of the form is the BLACKBOARD reply of the Groot2
-/// protocol.
+/// `values` are those of all slots, as in data/value_bytes.h. Numbers, bool and string are
+/// themselves, a key without value is nil, a value of another type is its JSON, with "__type" if
+/// that is an object. A scope without keys, and no scope at all: nil. The source of the form is the
+/// BLACKBOARD reply of the Groot2 protocol.
 std::string WriteBoards(const Layout& layout, const std::vector<ScopeIndex>& scopes,
-                        const std::vector<Value>& values);
+                        const std::vector<std::string>& values);
 
 /// The scopes of those names; names that there are not are left out.
 std::vector<ScopeIndex> FindScopes(const Layout& layout,

@@ -1,6 +1,7 @@
 #include "bt_core/live/groot2_protocol.h"
 
 #include <algorithm>
+#include <optional>
 #include <random>
 #include <utility>
 
@@ -15,22 +16,31 @@ std::uint32_t ReadNumber(std::string_view bytes) {
   return number;
 }
 
-// Why a request that is not served is refused.
-std::string Refusal(char type) {
-  switch (type) {
-    case 'I':  // insert, remove, dump, remove all, disable all; release a waiting tree
-    case 'R':
-    case 'D':
-    case 'A':
-    case 'X':
-    case 'U':
-      return "hooks and breakpoints are not supported by this tree";
-    case 'r':
-    case 't':
-      return "recording over this socket is not supported; poll STATUS, or record on the robot";
-    default:
-      return "Request not recognized";
+// Whether a type of request has a second part; nothing for what is no request.
+std::optional<bool> HasArgument(char type) {
+  switch (static_cast<RequestType>(type)) {
+    case RequestType::kFullTree:
+    case RequestType::kStatus:
+    case RequestType::kDumpHooks:
+    case RequestType::kRemoveAllHooks:
+    case RequestType::kDisableAllHooks:
+    case RequestType::kTransitions:
+      return false;
+    case RequestType::kBlackboard:
+    case RequestType::kInsertHooks:
+    case RequestType::kRemoveHook:
+    case RequestType::kUnlock:
+    case RequestType::kToggleRecording:
+    case RequestType::kExtension:
+      return true;
+    case RequestType::kBreakpointReached:
+      break;
   }
+  return std::nullopt;
+}
+
+void AppendNumber(std::string& out, std::uint32_t number) {
+  for (int shift = 0; shift < 32; shift += 8) out += static_cast<char>(number >> shift & 0xff);
 }
 
 }  // namespace
@@ -38,14 +48,22 @@ std::string Refusal(char type) {
 std::variant<Request, std::string> ParseRequest(const Parts& parts) {
   if (parts.empty() || parts[0].size() != kRequestHeaderSize) return "wrong request header";
   const std::string_view header = parts[0];
-  const char type = header[1];
-  if (type != 'T' && type != 'S' && type != 'B') return Refusal(type);
-  Request request{static_cast<RequestType>(type), ReadNumber(header.substr(2)), {}};
-  if (request.type == RequestType::kBlackboard) {
+  const std::optional<bool> has_argument = HasArgument(header[1]);
+  if (!has_argument) return "Request not recognized";
+  Request request{static_cast<RequestType>(header[1]), ReadNumber(header.substr(2)), {}};
+  if (*has_argument) {
     if (parts.size() != 2) return "must be 2 parts message";
     request.argument = parts[1];
   }
   return request;
+}
+
+std::string MakeHeader(char type, std::uint32_t number) {
+  std::string header;
+  header += static_cast<char>(kVersion);
+  header += type;
+  AppendNumber(header, number);
+  return header;
 }
 
 TreeId RandomTreeId() {
@@ -59,13 +77,7 @@ TreeId RandomTreeId() {
 }
 
 Parts MakeReply(const Request& request, const TreeId& tree) {
-  std::string header;
-  header.reserve(kReplyHeaderSize);
-  header += static_cast<char>(kVersion);
-  header += static_cast<char>(request.type);
-  for (int shift = 0; shift < 32; shift += 8) {
-    header += static_cast<char>(request.number >> shift & 0xff);
-  }
+  std::string header = MakeHeader(static_cast<char>(request.type), request.number);
   header.append(tree.data(), tree.size());
   return {std::move(header)};
 }

@@ -25,13 +25,27 @@ inline constexpr std::size_t kReplyHeaderSize = 22;
 /// The largest number of nodes that a 16-bit node number can name.
 inline constexpr std::size_t kMaxNodes = 65535;
 
-/// The requests that are answered; the values are those on the wire.
-enum class RequestType : char { kFullTree = 'T', kStatus = 'S', kBlackboard = 'B' };
+/// The values are those on the wire.
+enum class RequestType : char {
+  kFullTree = 'T',
+  kStatus = 'S',
+  kBlackboard = 'B',   ///< argument: names separated by ';'
+  kInsertHooks = 'I',  ///< argument: JSON
+  kRemoveHook = 'R',   ///< argument: JSON
+  kUnlock = 'U',       ///< argument: JSON
+  kDumpHooks = 'D',
+  kRemoveAllHooks = 'A',
+  kDisableAllHooks = 'X',
+  kToggleRecording = 'r',  ///< argument: "start" or "stop"
+  kTransitions = 't',
+  kBreakpointReached = 'N',  ///< only published
+  kExtension = 'C',          ///< not of this protocol; argument: JSON
+};
 
 struct Request {
   RequestType type;
   std::uint32_t number;       ///< chosen by the client, echoed in the reply
-  std::string_view argument;  ///< kBlackboard: names separated by ';'
+  std::string_view argument;  ///< of the types that have one
 };
 
 /// Message parts as they go over the wire.
@@ -39,6 +53,12 @@ using Parts = std::vector<std::string>;
 
 /// Takes a request apart; a string says what is wrong with it. The request looks into `parts`.
 std::variant<Request, std::string> ParseRequest(const Parts& parts);
+
+/// The text of an error when a hook or its node is not there.
+inline constexpr const char* kNoSuchNode = "Node ID not found";
+
+/// The first part of every request.
+std::string MakeHeader(char type, std::uint32_t number);
 
 /// 16 random bytes that tell clients one run of a tree from another (a UUID, version 4).
 using TreeId = std::array<char, 16>;

@@ -42,6 +42,9 @@ class LivePublisher {
   Debugger& debugger();
 
  private:
+  LivePublisher(EventStream& stream, std::unique_ptr<LiveServer> own, LiveServer* other,
+                const LiveTreeOptions& options);
+
   std::unique_ptr<LiveServer> own_server_;
   LiveServer& server_;
   EventStream& stream_;
