@@ -8,7 +8,7 @@ set(COPPICE_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/coppice)
 
 set(libraries bt_core bt_core_history bt_core_record)
 if(COPPICE_LIVE)
-  list(APPEND libraries bt_core_live)
+  list(APPEND libraries bt_core_debugger bt_core_live)
 endif()
 foreach(library ${libraries})
   string(REPLACE bt_core_ "" name ${library})

@@ -76,9 +76,10 @@ Hook Groot2Hooks::Translate(const Groot2Hook& hook) {
 
 std::string Groot2Hooks::Remove(std::string_view json) {
   const Json parsed = ParseLimitedJson(json);
-  const Place place(parsed.at("uid").get<std::uint16_t>(), ReadPosition(parsed));
+  const auto uid = parsed.at("uid").get<std::uint16_t>();
+  const HookPosition position = ReadPosition(parsed);
   ForgetFinished();
-  const auto hook = hooks_.find(place);
+  const auto hook = hooks_.find({uid, position});
   if (hook == hooks_.end()) return groot2::kNoSuchNode;
   debugger_.Remove(hook->second.id);
   hooks_.erase(hook);

@@ -9,7 +9,8 @@ namespace coppice {
 namespace {
 
 constexpr std::int64_t kMaxRequestBytes = 1 << 20;
-constexpr int kLinger = 200;  // ms: for what was sent when the program ends
+constexpr int kMaxUnread = 256;  // messages for a client that does not read
+constexpr int kLinger = 200;     // ms: for what was sent when the program ends
 
 std::string Endpoint(const std::string& address, const std::string& port) {
   return "tcp://" + address + ":" + port;
@@ -56,6 +57,7 @@ void LiveSockets::MakeSockets() {
     socket->set(zmq::sockopt::maxmsgsize, kMaxRequestBytes);
     if (gate_) gate_->Guard(*socket);
   }
+  requests_.set(zmq::sockopt::sndhwm, kMaxUnread);
   requests_.set(zmq::sockopt::router_mandatory, true);  // so that Send knows who has gone
 }
 

@@ -1,5 +1,6 @@
 #include "bt_core/live/live_tree.h"
 
+#include <algorithm>
 #include <chrono>
 #include <exception>
 #include <utility>
@@ -9,22 +10,26 @@ namespace {
 
 constexpr std::size_t kMaxWaiting = 4096;  // notices of replaced results
 
-HistoryOptions OptionsOfHistory(const RunInfo& info) {
+// What is kept is thrown away from state to state, so there must be some.
+HistoryOptions OptionsOfHistory(const RunInfo& info, std::size_t kept_bytes) {
+  constexpr std::size_t kStatesKept = 8;
   HistoryOptions options;
   options.info = info;
+  options.keyframe_bytes = std::min(options.keyframe_bytes, kept_bytes / kStatesKept);
   return options;
 }
 
 // Why a value cannot be written, or nothing.
 std::string ReadValue(const SlotDefinition& slot, const std::string& text, bool is_text,
                       Value& out) {
-  if (!slot.type) return "the tree never says which type the key has";
+  const Type* const type = slot.type ? slot.type : slot.initial.type();
+  if (!type) return "the tree never says which type the key has";
   try {
-    if (is_text ? out.Parse(*slot.type, text) : out.FromJson(*slot.type, text)) return {};
+    if (is_text ? out.Parse(*type, text) : out.FromJson(*type, text)) return {};
   } catch (const std::exception& error) {  // from the conversion of a type of the application
-    return std::string("this is no ") + slot.type->name + ": " + error.what();
+    return std::string("this is no ") + type->name + ": " + error.what();
   }
-  return text.substr(0, 200) + " is no " + slot.type->name;
+  return text.substr(0, 200) + " is no " + type->name;
 }
 
 SlotIndex FindSlot(const Layout& layout, const std::string& scope, const std::string& key) {
@@ -44,7 +49,7 @@ LiveTree::LiveTree(EventStream& stream, LiveTreeOptions options, std::function<v
       inbox_(stream.executor().inbox()),
       run_(BeginRun(clock_)),
       frames_(options_.history_bytes),
-      encoder_(OptionsOfHistory(run_), *this),
+      encoder_(OptionsOfHistory(run_, options_.history_bytes), *this),
       debugger_(stream.executor(), {[this] { return Refusal(); },
                                     [this](const DebugEvent& event) { OnDebugEvent(event); }}) {}
 

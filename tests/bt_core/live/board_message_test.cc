@@ -5,17 +5,36 @@
 
 #include <nlohmann/json.hpp>
 
+#include "bt_core/data/json.h"
+#include "bt_core/data/value_bytes.h"
 #include "tests/bt_core/live/watched_tree.h"
 
 namespace coppice {
+
+struct Pose {
+  double x = 0;
+  int level = 0;
+};
+template <>
+struct ValueTraits<Pose> : JsonTraits<Pose> {
+  static constexpr const char* kName = "Pose";
+  template <class Fields, class P>
+  static void List(Fields& fields, P& pose) {
+    fields("x", pose.x)("level", pose.level);
+  }
+};
+
 namespace {
 
 using nlohmann::json;
 using ::testing::ElementsAre;
 
 json Boards(const Executor& executor, const std::vector<std::string_view>& names) {
-  std::vector<Value> values;
-  for (const Slot& slot : executor.blackboard()) values.push_back(slot.value);
+  std::vector<std::string> values;
+  for (const Slot& slot : executor.blackboard()) {
+    values.emplace_back();
+    AppendValueBytes(slot.value, values.back());
+  }
   const Layout& layout = executor.program().layout;
   return json::from_msgpack(WriteBoards(layout, FindScopes(layout, names), values));
 }
@@ -27,6 +46,16 @@ TEST(BoardMessage, WritesValuesAsWhatTheyAre) {
   EXPECT_EQ(Boards(executor, {"Main"}), json::parse(R"({"Main": {
     "flag": true, "large": 1099511627776, "number": 1, "ratio": 0.5,
     "spot": "3;-4", "text": "näher & näher", "third": 0.3333333333333333}})"));
+}
+
+TEST(BoardMessage, WritesARegisteredTypeAsItsJsonWithItsName) {
+  Layout layout;
+  layout.scopes = {"Main"};
+  layout.slots.push_back({"pose", 0, &TypeOf<Pose>(), {}});
+  std::string bytes;
+  AppendValueBytes(Value(Pose{1.5, 2}), bytes);
+  EXPECT_EQ(json::from_msgpack(WriteBoards(layout, {0}, {bytes})),
+            json::parse(R"({"Main": {"pose": {"__type": "Pose", "x": 1.5, "level": 2}}})"));
 }
 
 TEST(BoardMessage, WritesNilForAKeyWithoutValue) {

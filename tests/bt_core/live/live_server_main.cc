@@ -1,24 +1,90 @@
-// Runs the watched tree with a live view on a free port, until its input ends. Prints the port.
+// Runs the watched tree with a live view on a free port, until its input ends. Prints the port and,
+// with COPPICE_LIVE_TOKEN in the environment, the token of readers.
+//
+// usage: bt_core_live_server [deadline_ms=N] [wait_ms=N] [history_kib=N] [read_only] [moving] [two]
+//   two: another tree at the same ports
+#include <cstdlib>
 #include <iostream>
+#include <optional>
+#include <string>
 #include <thread>
 
 #include "bt_core/engine/runner.h"
 #include "bt_core/live/live_publisher.h"
+#include "bt_core/live/token_keys.h"
 #include "tests/bt_core/live/watched_tree.h"
 
-int main() {
-  coppice::WallClock clock;
-  coppice::Executor executor(coppice::WatchedProgram(), clock);
-  coppice::LiveOptions live_options;
-  live_options.port = 0;
-  const coppice::LivePublisher live(executor, live_options);
-  executor.Tick();  // from here on there is something to see
-  std::cout << live.port() << std::endl;
+namespace {
 
+coppice::LiveOptions ReadOptions(int count, char** arguments, bool& two) {
+  coppice::LiveOptions options;
+  options.port = 0;
+  if (const char* token = std::getenv(coppice::kTokenVariable)) options.token = token;
+  for (int i = 1; i < count; ++i) {
+    const std::string argument = arguments[i];
+    const std::string name = argument.substr(0, argument.find('='));
+    const int number = name == argument ? 0 : std::stoi(argument.substr(name.size() + 1));
+    if (name == "deadline_ms") options.deadline = std::chrono::milliseconds(number);
+    if (name == "wait_ms") options.wait_for_client = std::chrono::milliseconds(number);
+    if (name == "history_kib") options.history_bytes = static_cast<std::size_t>(number) << 10;
+    if (name == "read_only") options.read_only = true;
+    if (name == "moving") options.refusal = [] { return std::string("the robot moves"); };
+    if (name == "two") two = true;
+  }
+  return options;
+}
+
+coppice::LiveTreeOptions Named(const char* name) {
+  coppice::LiveTreeOptions options;
+  options.name = name;
+  return options;
+}
+
+coppice::RunOptions ForEver() {
   coppice::RunOptions options;
   options.period = std::chrono::milliseconds(10);
   options.forever = true;
-  coppice::Runner runner(executor, options);
+  return options;
+}
+
+// A tree that runs on a thread of its own.
+class Companion {
+ public:
+  explicit Companion(coppice::LiveServer& server)
+      : publisher_(stream_, server, Named("companion")), thread_([this] { runner_.Run(); }) {}
+  ~Companion() {
+    runner_.Stop();
+    thread_.join();
+  }
+
+ private:
+  coppice::WallClock clock_;
+  coppice::Executor executor_{coppice::WatchedProgram(), clock_};
+  coppice::EventStream stream_{executor_};
+  coppice::LivePublisher publisher_;
+  coppice::Runner runner_{executor_, ForEver()};
+  std::thread thread_;
+};
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  bool two = false;
+  const coppice::LiveOptions live_options = ReadOptions(count, arguments, two);
+  coppice::WallClock clock;
+  coppice::Executor executor(coppice::WatchedProgram(), clock);
+  coppice::EventStream stream(executor);
+  coppice::LiveServer server(live_options);
+  const coppice::LivePublisher live(stream, server, live_options);
+  std::optional<Companion> companion;
+  if (two) companion.emplace(server);
+  if (live_options.wait_for_client == coppice::Duration::zero()) {
+    executor.Tick();  // from here on there is something to see
+    stream.Flush();
+  }
+  std::cout << live.port() << " " << live.read_token() << std::endl;
+
+  coppice::Runner runner(executor, ForEver());
   std::thread input([&] {
     for (std::string line; std::getline(std::cin, line);) {
     }
@@ -26,6 +92,7 @@ int main() {
   });
   runner.Run();
   input.join();
+  companion.reset();
   std::cout << executor.ticks() << " ticks" << std::endl;
   return 0;
 }
