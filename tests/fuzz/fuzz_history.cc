@@ -32,8 +32,8 @@ class Follower final : public HistoryHandler {
   void OnTick(const TickEvents& events) override {
     Require(follower_.has_value());
     ++ticks_;
-    follower_->Apply(events, [](const StatusChange&) {},
-                     [this](const Event& event) { Check(event); });
+    follower_->Apply(
+        events, [](const StatusChange&) {}, [this](const Event& event) { Check(event); });
   }
 
   int reached() const { return ticks_ > 0 ? 3 : follower_ ? 2 : nodes_ > 0 ? 1 : 0; }

@@ -17,6 +17,11 @@ int FuzzDocument(std::string_view bytes);
 /// Returns 0 if it is no XML, else 1 and the number of edits done, at most 4.
 int FuzzEdit(std::string_view bytes);
 
+/// The bytes as frames of a history, of which each has a type (1 byte), a size (2 bytes, little
+/// endian) and a payload that is packed and sealed here; and each payload as a frame as it is. What
+/// is handed out must fit the tree. Returns how far it came: 0 no tree, 1 no state, 2 no tick, 3.
+int FuzzHistory(std::string_view bytes);
+
 /// The bytes as a literal of each built-in type. What is accepted must print to a text that is
 /// accepted again with the same result. Returns the number of types that took it.
 int FuzzLiteral(std::string_view bytes);

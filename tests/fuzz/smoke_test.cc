@@ -10,6 +10,9 @@
 #include <utility>
 #include <vector>
 
+#include "bt_core/history/frame.h"
+#include "bt_core/history/payload_coding.h"
+#include "bt_core/history/tick_coding.h"
 #include "tests/fuzz/fuzz_targets.h"
 
 namespace coppice::fuzz {
@@ -141,6 +144,55 @@ TEST(Fuzz, EditsOfMutatedTreesCanBeUndone) {
   EXPECT_GT(reached[5], 1000) << "many take all edits";
 }
 
+void AppendFrame(FrameType type, const Bytes& payload, std::string& out) {
+  out += static_cast<char>(type);
+  out += static_cast<char>(payload.size() & 0xff);
+  out += static_cast<char>(payload.size() >> 8);
+  out.append(payload.begin(), payload.end());
+}
+
+// A tree of two nodes and a slot, how it stands, and some ticks.
+std::string SomeHistory() {
+  TreeDescription tree;
+  tree.documents = {{"a.xml", "<root/>"}};
+  tree.nodes.resize(2);
+  tree.nodes[1].path = "top";
+  tree.nodes[1].ports = {{"port", 0}};
+  tree.slots.resize(1);
+  std::string history;
+  Bytes payload;
+  Encoder out(payload);
+  EncodeTree(tree, out);
+  AppendFrame(FrameType::kTree, payload, history);
+  payload.clear();
+  const HistoryState state{{}, 1, Time(1), {{}, {}}, {{}, {}}, {"\1text"}};
+  EncodeStateHead(state, out);
+  EncodeStateBody(state, out);
+  AppendFrame(FrameType::kState, payload, history);
+  TickEncoder ticks;
+  EventWriter words;
+  words.Add(EventCode::kWrite, 0, 1, "\1new");
+  words.Text(1, EventText::kMessage, "because");
+  words.Status(1, Status::kSuccess);
+  words.Status(0, Status::kRunning);
+  for (std::uint64_t i = 2; i < 5; ++i) {
+    payload.clear();
+    ticks.Encode({i, Time(1000 * i), Duration(0), Status::kRunning, true, words.words()}, payload);
+    AppendFrame(FrameType::kEvents, payload, history);
+  }
+  return history;
+}
+
+TEST(Fuzz, MutatedHistoriesNeverCrash) {
+  const std::string history = SomeHistory();
+  EXPECT_EQ(FuzzHistory(history), 3);
+  int reached[4] = {};
+  for (unsigned seed = 0; seed < 20000; ++seed) {
+    ++reached[FuzzHistory(Mutator(seed).Mutate(history))];
+  }
+  for (const int count : reached) EXPECT_GT(count, 50) << "every stage must be reached";
+}
+
 TEST(Fuzz, MutatedLiteralsNeverCrash) {
   const char* const kLiterals[] = {"true", "-2147483648", "18446744073709551615", "1.5e-300",
                                    "0x1p-1074"};
@@ -185,11 +237,9 @@ TEST(Fuzz, MutatedScenariosNeverCrash) {
 
 // What once crashed a harness must not do so again: regressions/NAME/* are inputs of FuzzName.
 TEST(Fuzz, WhatOnceCrashedDoesNotAnyMore) {
-  const std::pair<const char*, int (*)(std::string_view)> harnesses[] = {{"document", FuzzDocument},
-                                                                         {"edit", FuzzEdit},
-                                                                         {"literal", FuzzLiteral},
-                                                                         {"scenario", FuzzScenario},
-                                                                         {"script", FuzzScript}};
+  const std::pair<const char*, int (*)(std::string_view)> harnesses[] = {
+      {"document", FuzzDocument}, {"edit", FuzzEdit},         {"history", FuzzHistory},
+      {"literal", FuzzLiteral},   {"scenario", FuzzScenario}, {"script", FuzzScript}};
   for (const auto& [name, harness] : harnesses) {
     const auto folder = std::filesystem::path(COPPICE_SOURCE_DIR "/tests/fuzz/regressions") / name;
     if (!std::filesystem::exists(folder)) continue;
@@ -203,6 +253,7 @@ TEST(Fuzz, WhatOnceCrashedDoesNotAnyMore) {
 
 TEST(Fuzz, EmptyInputIsFine) {
   EXPECT_EQ(FuzzDocument(""), 0);
+  EXPECT_EQ(FuzzHistory(""), 0);
   EXPECT_EQ(FuzzLiteral(""), 2) << "a text and an empty list";
   EXPECT_EQ(FuzzScenario(""), 0);
   EXPECT_EQ(FuzzScript(""), 0);
