@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "bt_core/base/command_line.h"
+#include "bt_core/cli/live_view.h"
 #include "bt_core/cli/plugins.h"
 #include "bt_core/cli/verbs.h"
 #include "bt_core/engine/runner.h"
@@ -13,7 +14,7 @@ namespace coppice {
 namespace {
 
 constexpr char kUsage[] =
-    "coppice run FILE [--tree ID] [--plugin FILE.so]...\n"
+    "coppice run FILE [--tree ID] [--plugin FILE.so]... [--live]\n"
     "  Runs a tree of built-in nodes and those of plugins until its root completes; Ctrl+C halts "
     "it.\n"
     "  Trees with the robot's leaves are run by coppice-robot.";
@@ -54,11 +55,14 @@ class Printer : public TickSink {
 }  // namespace
 
 int RunTree(const Arguments& arguments) {
+  const std::string usage = std::string(kUsage) + "\n" + LiveView::kUsage;
+  std::vector<std::string> with_value = LiveView::WithValue();
+  with_value.insert(with_value.end(), {"--plugin", "--tree"});
   const std::optional<Options> options =
-      ParseOptions(arguments, {"--plugin", "--tree"}, {}, kUsage);
+      ParseOptions(arguments, with_value, LiveView::Flags(), usage);
   if (!options) return 2;
   if (options->files.size() != 1) {
-    std::cerr << "expected one file\nusage: " << kUsage << "\n";
+    std::cerr << "expected one file\nusage: " << usage << "\n";
     return 2;
   }
   const std::shared_ptr<const Registry> registry = RegistryWithPlugins(*options);
@@ -73,6 +77,13 @@ int RunTree(const Arguments& arguments) {
   Executor executor(program, clock);
   Printer printer(executor);
   executor.AddSink(&printer);
+  std::optional<LiveView> live;
+  try {
+    live.emplace(executor, *options);
+  } catch (const std::exception& error) {
+    std::cerr << error.what() << "\n";
+    return 2;
+  }
   Runner runner(executor);
   running = &runner;
   std::signal(SIGINT, StopRunning);

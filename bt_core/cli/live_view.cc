@@ -1,0 +1,65 @@
+#include "bt_core/cli/live_view.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <iostream>
+#include <stdexcept>
+
+#include "bt_core/live/live_publisher.h"
+#include "bt_core/live/token_keys.h"
+
+namespace coppice {
+namespace {
+
+bool IsWanted(const Options& options) {
+  const auto given = [&](const std::string& name) { return options.Has(name); };
+  const std::vector<std::string> values = LiveView::WithValue();
+  const std::vector<std::string> flags = LiveView::Flags();
+  return std::any_of(values.begin(), values.end(), given) ||
+         std::any_of(flags.begin(), flags.end(), given);
+}
+
+std::int64_t ReadNumber(const Options& options, const std::string& name, std::int64_t otherwise,
+                        std::int64_t largest) {
+  if (!options.Has(name)) return otherwise;
+  const std::optional<std::int64_t> number = options.GetNumber(name);
+  if (number && *number >= 0 && *number <= largest) return *number;
+  throw std::invalid_argument(name + ": expected a number from 0 to " + std::to_string(largest));
+}
+
+LiveOptions ReadLiveOptions(const Options& options) {
+  constexpr std::int64_t kLongestWait = 86400;  // s: a day
+  LiveOptions live;
+  live.port = static_cast<std::uint16_t>(ReadNumber(options, "--live-port", live.port, 65534));
+  live.address = options.Get("--live-address", live.address);
+  live.read_only = options.Has("--live-read-only");
+  live.wait_for_client =
+      std::chrono::seconds(ReadNumber(options, "--wait-for-client", 0, kLongestWait));
+  if (const char* token = std::getenv(kTokenVariable)) live.token = token;
+  return live;
+}
+
+}  // namespace
+
+struct LiveView::View {
+  View(Executor& executor, const LiveOptions& options)
+      : stream(executor), publisher(stream, options) {}
+
+  EventStream stream;
+  LivePublisher publisher;
+};
+
+LiveView::LiveView(Executor& executor, const Options& options) {
+  if (!IsWanted(options)) return;
+  const LiveOptions live = ReadLiveOptions(options);
+  view_ = std::make_unique<View>(executor, live);
+  std::cerr << "live view on " << live.address << ":" << view_->publisher.port();
+  if (live.wait_for_client > Duration::zero()) std::cerr << ", waiting for a client to continue";
+  std::cerr << "\n";
+  const std::string& read_token = view_->publisher.read_token();
+  if (!read_token.empty()) std::cerr << "token for those who only watch: " << read_token << "\n";
+}
+
+LiveView::~LiveView() = default;
+
+}  // namespace coppice

@@ -1,0 +1,45 @@
+// `coppice run --live`: the options of the live view, and the view.
+#ifndef COPPICE_BT_CORE_CLI_LIVE_VIEW_H_
+#define COPPICE_BT_CORE_CLI_LIVE_VIEW_H_
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "bt_core/base/command_line.h"
+#include "bt_core/engine/executor.h"
+
+namespace coppice {
+
+class LiveView {
+ public:
+  static constexpr const char* kUsage =
+      "  --live                    others may watch and debug it: coppice live, the editor, "
+      "Groot2\n"
+      "  --live-port N             where; 1667 without it, 0 takes a free one\n"
+      "  --live-address A          not only on this computer; needs a token in COPPICE_LIVE_TOKEN\n"
+      "  --live-read-only          they may watch, not control\n"
+      "  --wait-for-client SECONDS how long the first tick waits for one that says continue";
+
+  /// Options for ParseOptions.
+  static std::vector<std::string> WithValue() {
+    return {"--live-port", "--live-address", "--wait-for-client"};
+  }
+  static std::vector<std::string> Flags() { return {"--live", "--live-read-only"}; }
+
+  /// Opens the view if one of the options is given, and prints where it is. Throws std::exception
+  /// with a text for people if that cannot be.
+  LiveView(Executor& executor, const Options& options);
+  ~LiveView();
+  LiveView(const LiveView&) = delete;
+  LiveView& operator=(const LiveView&) = delete;
+
+ private:
+  struct View;
+
+  std::unique_ptr<View> view_;
+};
+
+}  // namespace coppice
+
+#endif  // COPPICE_BT_CORE_CLI_LIVE_VIEW_H_
