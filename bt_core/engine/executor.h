@@ -77,17 +77,18 @@ class Executor final : public LeafHost, public ChildHost {
   TreeState Save() const;
 
   /// Makes the tree as it was when Save was called on it or on another executor of the same
-  /// program. A node of the user that runs and did not run then is halted; one that ran then and
-  /// does not run now is started by the next tick, since only the node itself knows how far it was.
-  /// The sinks are told of a jump.
-  /// Throws std::invalid_argument if the state is that of another program. Between ticks.
+  /// program. A node of the user that has begun something now and had not then is halted; one that
+  /// had and has not now is started by the next tick, since only the node itself knows how far it
+  /// was. (It has begun when it is RUNNING, or was and then SKIPPED.) A tree that runs then asks
+  /// for the next tick at once. The sinks are told of a jump. Throws std::invalid_argument if the
+  /// state is that of another program. Between ticks.
   void Restore(const TreeState& state);
 
   /// Goes on with another program. A node lives on, with its status and memory, if it is written
   /// the same (type, attributes, number of children) at the same place below nodes that live on;
   /// what does not is halted and begins anew. Keys of the same scope, name and type keep their
-  /// values, and Senders stay valid. The sinks are told of a jump. Hooks are taken away: nodes have
-  /// new numbers. Between ticks.
+  /// values, and Senders stay valid. A tree that runs asks for the next tick at once. The sinks are
+  /// told of a jump. Hooks are taken away: nodes have new numbers. Between ticks.
   void Reload(std::shared_ptr<const Program> next);
 
   /// Runs the functions that were posted with Inbox::PostCall. Between ticks.
@@ -241,6 +242,7 @@ class Executor final : public LeafHost, public ChildHost {
   bool Keeps(NodeIndex node) const {
     return statuses_[node] != Status::kRunning && memory_[node] != 0;
   }
+  bool HasBegun(NodeIndex user);
   void CountKept();
   void ChangeKept(int by) {
     kept_ += static_cast<std::uint32_t>(by);
@@ -259,6 +261,7 @@ class Executor final : public LeafHost, public ChildHost {
   bool HasStopped(Draining& drain);
   void BuildUser(const LeafRecord& record);
   void BindPorts(const LeafRecord& record);
+  void RestoreUser(NodeIndex node, const TreeState& state);
   void RestoreBlackboard(const Blackboard& saved);
   void HaltWhatEnds(const std::vector<NodeIndex>& lives_on);
   void MoveBlackboard(const std::vector<SlotIndex>& slots);

@@ -67,6 +67,12 @@ void Executor::LetGo(NodeIndex node) {
   }
 }
 
+// A node that waits until it has stopped has not.
+bool Executor::HasBegun(NodeIndex user) {
+  if (statuses_[user] != Status::kRunning) return Keeps(user);
+  return UserOf(user).tick != &WaitUntilStopped;
+}
+
 void Executor::CountKept() {
   kept_ = 0;
   for (NodeIndex i = 0; i < statuses_.size(); ++i) kept_ += Keeps(i);

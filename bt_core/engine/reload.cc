@@ -118,6 +118,7 @@ void Executor::Reload(std::shared_ptr<const Program> next) {
   MoveBlackboard(slots);
   MoveNodes(*old_program, lives_on);
   inbox_->Renumber(slots);
+  if (statuses_[0] == Status::kRunning) tick_again_ = true;  // what is new begins
   ReportJump();
   if (hooks) hooks->OnReload();
 }

@@ -15,22 +15,27 @@ void Executor::Restore(const TreeState& state) {
   KeepPretending({});
   statuses_ = statuses();
   for (NodeIndex i = 0; i < statuses_.size(); ++i) {
-    const bool is_user = IsUserNode(nodes_[i].type);
-    Status status = state.statuses[i];
-    if (is_user && statuses_[i] == Status::kRunning && status != Status::kRunning) HaltUser(i);
-    // A node of the user that does not run cannot be made to: the next tick starts it.
-    if (is_user && statuses_[i] != Status::kRunning && status == Status::kRunning) {
-      status = Status::kIdle;
+    if (IsUserNode(nodes_[i].type)) {
+      RestoreUser(i, state);
+    } else {
+      statuses_[i] = state.statuses[i];
+      memory_[i] = state.memory[i];
     }
-    statuses_[i] = status;
-  }
-  // What a node of the user has begun is known to that node only.
-  for (NodeIndex i = 0; i < memory_.size(); ++i) {
-    if (!IsUserNode(nodes_[i].type)) memory_[i] = state.memory[i];
   }
   CountKept();
   RestoreBlackboard(state.blackboard);
+  if (statuses_[0] == Status::kRunning) tick_again_ = true;  // timers are armed by a tick
   ReportJump();
+}
+
+// Only the node knows what it has begun: it can go on or be halted, but not be made to run.
+void Executor::RestoreUser(NodeIndex node, const TreeState& state) {
+  const bool had_begun = state.statuses[node] == Status::kRunning || state.memory[node] != 0;
+  const bool goes_on = had_begun && HasBegun(node);
+  if (!goes_on && (statuses_[node] == Status::kRunning || Keeps(node))) HaltUser(node);
+  const bool must_start = !goes_on && state.statuses[node] == Status::kRunning;
+  statuses_[node] = must_start ? Status::kIdle : state.statuses[node];
+  memory_[node] = goes_on ? state.memory[node] : 0;
 }
 
 // Mailboxes of user nodes belong to what those remember.

@@ -9,6 +9,7 @@ namespace {
 using Names = std::vector<std::string>;
 constexpr Status kIdle = Status::kIdle;
 constexpr Status kRunning = Status::kRunning;
+constexpr Status kSkipped = Status::kSkipped;
 constexpr Status kSuccess = Status::kSuccess;
 
 // Runs until told otherwise; the answer comes through a mailbox.
@@ -112,6 +113,13 @@ TEST_F(Reload, WhatIsWrittenOtherwiseIsHaltedAndBeginsAnew) {
   EXPECT_EQ(Events(), (Names{"call Bob"}));
 }
 
+TEST_F(Reload, AsksForATickIfTheTreeRuns) {
+  Start(Sequence(kCallAnn));
+  EXPECT_EQ(executor_->next_tick(), kNever);
+  executor_->Reload(Load(Main(Sequence(kCallBob))));
+  EXPECT_EQ(executor_->next_tick(), Time(0));
+}
+
 TEST_F(Reload, AnAnswerToAHaltedNodeIsDropped) {
   Start(kCallAnn);
   executor_->Reload(Load(Main(kCallBob)));
@@ -189,6 +197,89 @@ TEST_F(Reload, SinksAreTold) {
   EXPECT_EQ(sink.halts, 1U);
   EXPECT_EQ(executor_->Tick(), kRunning);
   executor_->RemoveSink(&sink);
+}
+
+class Skipping : public ::testing::Test {
+ protected:
+  void Load(const std::string& body) {
+    auto registry = std::make_shared<Registry>();
+    registry->SetFallback(
+        [this](const std::string& name) { return std::make_unique<ScriptedLeaf>(script_, name); });
+    Diagnostics diagnostics;
+    program_ = CompileText(Main(body), diagnostics, registry);
+    ASSERT_TRUE(program_) << diagnostics.ToString();
+    if (executor_) return executor_->Reload(program_);
+    executor_ = std::make_unique<Executor>(program_, clock_);
+  }
+  // Twice: so the leaf "a" has begun and is skipped.
+  void SkipA() {
+    script_.results["a"] = {kRunning, kSkipped, kRunning};
+    executor_->Tick();
+    executor_->Tick();
+    EXPECT_EQ(Events(), (Names{"start a", "tick a"}));
+  }
+  Names Events() { return std::exchange(script_.events, {}); }
+
+  LeafScript script_;
+  SimulatedClock clock_;
+  std::shared_ptr<const Program> program_;
+  std::unique_ptr<Executor> executor_;
+};
+
+TEST_F(Skipping, ALeafThatLivesOnGoesOnWithWhatItHasBegun) {
+  const std::string until_failure =
+      "<KeepRunningUntilFailure><Inverter><Leaf name=\"a\"/></Inverter></KeepRunningUntilFailure>";
+  Load(Sequence("<AlwaysSuccess/>" + until_failure));
+  SkipA();
+  Load(Sequence("<Inverter><AlwaysFailure/></Inverter>" + until_failure));  // other numbers
+  EXPECT_EQ(Events(), Names{});
+  executor_->Tick();
+  EXPECT_EQ(Events(), (Names{"tick a"}));
+}
+
+TEST_F(Skipping, ALeafThatLivesOnIsHaltedWithItsParent) {
+  Load("<ForceSuccess><Inverter><Leaf name=\"a\"/></Inverter></ForceSuccess>");
+  SkipA();
+  Load("<ForceSuccess><Inverter><Leaf name=\"a\"/></Inverter></ForceSuccess>");
+  executor_->Halt();
+  EXPECT_EQ(Events(), (Names{"halt a"}));
+}
+
+TEST_F(Skipping, ALeafThatEndsIsHalted) {
+  Load("<Inverter><Leaf name=\"a\"/></Inverter>");
+  SkipA();
+  Load("<Inverter><Leaf name=\"b\"/></Inverter>");
+  EXPECT_EQ(Events(), (Names{"halt a"}));
+  executor_->Tick();
+  EXPECT_EQ(Events(), (Names{"start b"}));
+}
+
+TEST_F(Skipping, ALeafEndsWithItsParent) {
+  Load("<Inverter><Leaf name=\"a\"/></Inverter>");
+  SkipA();
+  Load("<ForceFailure><Leaf name=\"a\"/></ForceFailure>");
+  EXPECT_EQ(Events(), (Names{"halt a"}));
+  executor_->Tick();
+  EXPECT_EQ(Events(), (Names{"start a"}));
+}
+
+TEST_F(Skipping, ALoopThatLivesOnKeepsItsRounds) {
+  script_.results["a"] = {kSuccess, kSkipped, kSuccess};
+  const std::string loop = "<Repeat num_cycles=\"2\"><Leaf name=\"a\"/></Repeat>";
+  Load(loop);
+  EXPECT_EQ(executor_->Tick(), kRunning);
+  EXPECT_EQ(executor_->Tick(), kSkipped);
+  Load(loop);
+  EXPECT_EQ(executor_->Tick(), kSuccess);
+}
+
+TEST_F(Skipping, ALoopThatIsWrittenOtherwiseBeginsAnew) {
+  script_.results["a"] = {kSuccess, kSkipped, kSuccess};
+  Load("<Repeat num_cycles=\"2\"><Leaf name=\"a\"/></Repeat>");
+  EXPECT_EQ(executor_->Tick(), kRunning);
+  EXPECT_EQ(executor_->Tick(), kSkipped);
+  Load("<Repeat num_cycles=\"2\" name=\"again\"><Leaf name=\"a\"/></Repeat>");
+  EXPECT_EQ(executor_->Tick(), kRunning);
 }
 
 }  // namespace

@@ -9,7 +9,28 @@ namespace {
 
 using Names = std::vector<std::string>;
 constexpr Status kRunning = Status::kRunning;
+constexpr Status kSkipped = Status::kSkipped;
 constexpr Status kSuccess = Status::kSuccess;
+
+// Is SKIPPED when it has run; never stops by itself.
+class Slow : public Action {
+ public:
+  static constexpr const char* kDescription = "Stops when it is given up.";
+  explicit Slow(Names* events) : events_(*events) {}
+  Status OnStart() override {
+    events_.emplace_back("start");
+    return kRunning;
+  }
+  Status OnRunning() override { return kSkipped; }
+  void OnHalted() override {
+    events_.emplace_back("halt");
+    DrainFor(std::chrono::seconds(2));
+  }
+  bool OnDraining() override { return false; }
+
+ private:
+  Names& events_;
+};
 
 LeafScript Results(std::map<std::string, std::vector<Status>> results) {
   LeafScript script;
@@ -60,6 +81,120 @@ TEST(TreeState, StartsWhatRanThenInTheNextTick) {
   EXPECT_EQ(stage.executor->statuses()[0], kRunning);
   EXPECT_EQ(stage.executor->Tick(), kRunning);
   EXPECT_EQ(stage.TakeEvents(), (Names{"start b"}));
+}
+
+// A leaf that is RUNNING and then SKIPPED keeps what it has begun (docs/semantics.md).
+TEST(TreeState, WhatASkippedLeafHasBegunGoesOn) {
+  Stage stage(Main("<Leaf name=\"a\"/>"), Results({{"a", {kRunning, kSkipped, kRunning}}}));
+  stage.executor->Tick();
+  stage.executor->Tick();
+  const TreeState skipped = stage.executor->Save();
+  stage.executor->Restore(skipped);
+  EXPECT_EQ(stage.executor->statuses()[0], kSkipped);
+  stage.executor->Tick();
+  stage.executor->Tick();
+  EXPECT_EQ(stage.TakeEvents(), (Names{"start a", "tick a", "tick a", "tick a"}));
+}
+
+TEST(TreeState, ALeafThatRunsGoesOnAsTheSkippedOneItWas) {
+  Stage stage(Main("<Leaf name=\"a\"/>"), Results({{"a", {kRunning, kSkipped, kRunning}}}));
+  stage.executor->Tick();
+  stage.executor->Tick();
+  const TreeState skipped = stage.executor->Save();
+  stage.executor->Tick();
+  stage.TakeEvents();
+  stage.executor->Restore(skipped);
+  EXPECT_EQ(stage.executor->statuses()[0], kSkipped);
+  EXPECT_EQ(stage.executor->Tick(), kRunning);
+  EXPECT_EQ(stage.TakeEvents(), (Names{"tick a"}));
+  stage.executor->Restore(skipped);
+  stage.executor->Halt();
+  EXPECT_EQ(stage.TakeEvents(), (Names{"halt a"}));
+}
+
+TEST(TreeState, ASkippedLeafGoesOnAsTheRunningOneItWas) {
+  Stage stage(Main("<Leaf name=\"a\"/>"), Results({{"a", {kRunning, kSkipped, kSuccess}}}));
+  stage.executor->Tick();
+  const TreeState running = stage.executor->Save();
+  stage.executor->Tick();
+  stage.TakeEvents();
+  stage.executor->Restore(running);
+  EXPECT_EQ(stage.executor->statuses()[0], kRunning);
+  EXPECT_EQ(stage.executor->Tick(), kSuccess);
+  EXPECT_EQ(stage.executor->Tick(), kSuccess);
+  EXPECT_EQ(stage.TakeEvents(), (Names{"tick a", "start a"}));
+}
+
+TEST(TreeState, HaltsASkippedLeafThatHadNotBegunThen) {
+  Stage stage(Main("<Leaf name=\"a\"/>"), Results({{"a", {kRunning, kSkipped, kRunning}}}));
+  const TreeState fresh = stage.executor->Save();
+  stage.executor->Tick();
+  stage.executor->Tick();
+  stage.TakeEvents();
+  stage.executor->Restore(fresh);
+  EXPECT_EQ(stage.TakeEvents(), (Names{"halt a"}));
+  stage.executor->Tick();
+  EXPECT_EQ(stage.TakeEvents(), (Names{"start a"}));
+}
+
+TEST(TreeState, WhatIsGoneOfASkippedLeafStartsAgain) {
+  Stage stage(Main("<Leaf name=\"a\"/>"), Results({{"a", {kRunning, kSkipped, kRunning}}}));
+  stage.executor->Tick();
+  stage.executor->Tick();
+  const TreeState skipped = stage.executor->Save();
+  stage.executor->Halt();
+  stage.TakeEvents();
+  stage.executor->Restore(skipped);
+  EXPECT_EQ(stage.executor->statuses()[0], kSkipped);
+  stage.executor->Halt();
+  EXPECT_EQ(stage.TakeEvents(), Names{});
+  stage.executor->Restore(skipped);
+  stage.executor->Tick();
+  EXPECT_EQ(stage.TakeEvents(), (Names{"start a"}));
+}
+
+TEST(TreeState, BringsBackTheRoundsOfASkippedLoop) {
+  Stage stage(Main("<Repeat num_cycles=\"2\"><Leaf name=\"a\"/></Repeat>"),
+              Results({{"a", {kSuccess, kSkipped, kSuccess}}}));
+  EXPECT_EQ(stage.executor->Tick(), kRunning);
+  EXPECT_EQ(stage.executor->Tick(), kSkipped);
+  const TreeState one_done = stage.executor->Save();
+  stage.executor->Halt();
+  stage.executor->Restore(one_done);
+  EXPECT_EQ(stage.executor->Tick(), kSuccess);
+  stage.executor->Restore(one_done);
+  stage.executor->Halt();
+  EXPECT_EQ(stage.executor->Tick(), kRunning);
+}
+
+TEST(TreeState, ALeafThatWaitsUntilItHasStoppedHasBegunNothing) {
+  Names events;
+  SimulatedClock clock;
+  auto registry = std::make_shared<Registry>();
+  registry->Register<Slow>("Slow", &events);
+  Diagnostics diagnostics;
+  Executor executor(CompileText(Main("<Slow/>"), diagnostics, registry), clock);
+  executor.Tick();
+  executor.Tick();
+  const TreeState skipped = executor.Save();
+  executor.Halt();
+  EXPECT_EQ(executor.Tick(), kRunning);
+  executor.Restore(skipped);
+  clock.Advance(std::chrono::seconds(2));
+  events.clear();
+  EXPECT_EQ(executor.Tick(), kRunning);
+  EXPECT_EQ(events, (Names{"start"}));
+}
+
+TEST(TreeState, AsksForATickIfTheTreeRan) {
+  Stage stage(Main("<Sleep msec=\"50\"/>"));
+  stage.executor->Tick();
+  const TreeState state = stage.executor->Save();
+  stage.clock.Advance(std::chrono::milliseconds(50));
+  EXPECT_EQ(stage.executor->Tick(), kSuccess);
+  EXPECT_EQ(stage.executor->next_tick(), kNever);
+  stage.executor->Restore(state);
+  EXPECT_EQ(stage.executor->next_tick(), Time(0));
 }
 
 TEST(TreeState, SinksAreToldOfARestore) {
