@@ -6,6 +6,7 @@
 
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
 #include <stdexcept>
 #include <utility>
 
@@ -46,9 +47,22 @@ std::string RecordFile::Write(Bytes& bytes) {
 }
 
 std::string RecordFile::Sync() {
+  if (!has_name_) SyncFolder();
   if (fdatasync(file_) == 0) return "";
   const bool no_disk = errno == EINVAL || errno == EROFS;  // a pipe
   return no_disk ? "" : Problem(path_, "sync", errno);
+}
+
+// A folder that cannot be synced is none that keeps names, such as that of a pipe.
+void RecordFile::SyncFolder() {
+  const std::filesystem::path folder = std::filesystem::path(path_).parent_path();
+  const int opened =
+      open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (opened >= 0) {
+    fsync(opened);
+    close(opened);
+  }
+  has_name_ = true;
 }
 
 }  // namespace coppice

@@ -21,12 +21,15 @@ class RecordFile {
   /// tried again. An error text, or empty.
   std::string Write(Bytes& bytes);
 
-  /// Waits until what was written is on the disk. An error text, or empty.
+  /// Waits until what was written is on the disk, and the file's name too. An error text, or empty.
   std::string Sync();
 
  private:
+  void SyncFolder();
+
   std::string path_;
   int file_;
+  bool has_name_ = false;  // on the disk
 };
 
 }  // namespace coppice

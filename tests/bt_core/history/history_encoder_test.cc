@@ -223,6 +223,68 @@ TEST_F(HistoryEncoderTest, GivesNoStateWithinATick) {
   EXPECT_EQ(frames_.Count(FrameType::kState), 2u);
 }
 
+// Bytes per status change if each tick is a frame of its own, as at 10 Hz.
+double BytesPerChange(const std::string& children, int ticks) {
+  LeafScript script;
+  SimulatedClock clock;
+  Executor executor(CompileScripted(script, R"(<root BTCPP_format="4"><BehaviorTree ID="T">)" +
+                                                children + "</BehaviorTree></root>"),
+                    clock);
+  std::mt19937 random(1);
+  script.status = [&random] { return random() % 20 ? Status::kSuccess : Status::kFailure; };
+  script.write = true;
+  EventStream stream(executor);
+  KeptFrames frames;
+  HistoryEncoder encoder({}, frames);
+  EncodingListener listener(encoder);
+  stream.Add(listener);
+  stream.Flush();
+  std::uint64_t changes = 0;
+  HistoryFollower follower = *encoder.follower();
+  class Counter : public EventListener {
+   public:
+    Counter(HistoryFollower& follower, std::uint64_t& changes)
+        : follower_(follower), changes_(changes) {}
+    void OnState(const StreamState&) override {}
+    void OnTick(const TickEvents& events) override {
+      follower_.Apply(
+          events, [this](const StatusChange&) { ++changes_; }, [](const Event&) {});
+    }
+
+   private:
+    HistoryFollower& follower_;
+    std::uint64_t& changes_;
+  } counter(follower, changes);
+  stream.Add(counter);
+  for (int i = 0; i < ticks; ++i) {
+    clock.Advance(Duration(100000000 - 50000 + random() % 100000));
+    script.ratio = i * 0.1;
+    executor.Tick();
+    stream.Flush();
+    encoder.Flush();
+  }
+  stream.Remove(counter);
+  stream.Remove(listener);
+  return static_cast<double>(frames.bytes) / static_cast<double>(changes);
+}
+
+TEST(HistorySize, IsSmallForASmallTreeThatTicksRarely) {
+  const double bytes = BytesPerChange(R"(<ReactiveSequence>
+      <Scripted ratio="{battery}"/><Scripted/>
+      <Fallback><Inverter><Scripted/></Inverter><Scripted/></Fallback>
+    </ReactiveSequence>)",
+                                      2000);
+  EXPECT_LE(bytes, 4);
+}
+
+TEST(HistorySize, IsSmallForALargeTree) {
+  std::string leaves;
+  for (int i = 0; i < 300; ++i) leaves += "<Inverter><Scripted/></Inverter>";
+  EXPECT_LE(BytesPerChange(
+                "<Parallel success_count='-1' failure_count='-1'>" + leaves + "</Parallel>", 200),
+            0.5);
+}
+
 TEST_F(HistoryEncoderTest, EndsBehindAllEvents) {
   Listen();
   Tick();
