@@ -273,16 +273,14 @@ TEST(HistorySize, IsSmallForASmallTreeThatTicksRarely) {
       <Scripted ratio="{battery}"/><Scripted/>
       <Fallback><Inverter><Scripted/></Inverter><Scripted/></Fallback>
     </ReactiveSequence>)",
-                                      2000);
+                                      500);
   EXPECT_LE(bytes, 4);
 }
 
 TEST(HistorySize, IsSmallForALargeTree) {
   std::string leaves;
-  for (int i = 0; i < 300; ++i) leaves += "<Inverter><Scripted/></Inverter>";
-  EXPECT_LE(BytesPerChange(
-                "<Parallel success_count='-1' failure_count='-1'>" + leaves + "</Parallel>", 200),
-            0.5);
+  for (int i = 0; i < 300; ++i) leaves += "<ForceSuccess><Scripted/></ForceSuccess>";
+  EXPECT_LE(BytesPerChange("<Sequence>" + leaves + "</Sequence>", 200), 0.5);
 }
 
 TEST_F(HistoryEncoderTest, EndsBehindAllEvents) {
