@@ -56,9 +56,10 @@ std::vector<std::uint32_t> FindLines(const std::string& text) {
 std::optional<Document> Document::FromText(std::string text, std::string file,
                                            Diagnostics& diagnostics) {
   Document document;
-  document.file_ = std::move(file);
-  document.text_ = std::make_unique<const std::string>(std::move(text));
-  document.lines_ = FindLines(document.text());
+  document.content_ = std::make_shared<Content>();
+  document.content_->file = std::move(file);
+  document.content_->text = std::move(text);
+  document.content_->lines = FindLines(document.text());
   if (LooksLikeUtf16(document.text())) {
     diagnostics.Error(document.Location(0), "this file is UTF-16", "save it as UTF-8");
     return std::nullopt;
@@ -71,7 +72,8 @@ std::optional<Document> Document::FromText(std::string text, std::string file,
   }
   const char* const start = StartOfBuffer(xml, document.text());
   document.BuildIndex(xml, start);
-  if (std::any_of(document.elements_.begin(), document.elements_.end(), IsMixedTag)) {
+  if (std::any_of(document.content_->elements.begin(), document.content_->elements.end(),
+                  IsMixedTag)) {
     document.ReportError(xml, diagnostics);
     return std::nullopt;
   }
@@ -91,7 +93,7 @@ void Document::ReportError(const tinyxml2::XMLDocument& xml, Diagnostics& diagno
     return;
   }
   const auto line = static_cast<std::size_t>(std::max(xml.ErrorLineNum(), 1));
-  diagnostics.Error(Location(lines_.at(line - 1)), "malformed XML", xml.ErrorName());
+  diagnostics.Error(Location(content_->lines.at(line - 1)), "malformed XML", xml.ErrorName());
 }
 
 std::optional<Document> Document::FromFile(const std::string& path, Diagnostics& diagnostics) {
@@ -108,19 +110,19 @@ std::optional<Document> Document::FromFile(const std::string& path, Diagnostics&
 }
 
 std::optional<Document> Document::Edited(const Edit& edit, Diagnostics& diagnostics) const {
-  return FromText(Apply(edit, text()), file_, diagnostics);
+  return FromText(Apply(edit, text()), content_->file, diagnostics);
 }
 
 std::optional<Document> Document::Rewritten(const Edit& edit, Diagnostics& diagnostics) const {
   std::optional<Document> document = Edited(edit, diagnostics);
   if (!document) return document;
-  document->lines_ = lines_;
-  document->back_ = Inverse(edit, text());
+  document->content_->lines = content_->lines;
+  document->content_->back = Inverse(edit, text());
   return document;
 }
 
 std::uint32_t Document::FindTag(const char* name, const char* start) const {
-  return static_cast<std::uint32_t>(text_->rfind('<', static_cast<std::size_t>(name - start)));
+  return static_cast<std::uint32_t>(text().rfind('<', static_cast<std::size_t>(name - start)));
 }
 
 void Document::WarnOutsideRoot(const tinyxml2::XMLDocument& xml, const char* start,
@@ -137,13 +139,13 @@ void Document::WarnOutsideRoot(const tinyxml2::XMLDocument& xml, const char* sta
 }
 
 Attribute Document::MakeAttribute(std::uint32_t name, std::size_t name_length) {
-  const std::string_view text = *text_;
+  const std::string_view text = content_->text;
   std::uint32_t value = name + static_cast<std::uint32_t>(name_length);
   while (text[value] != '"' && text[value] != '\'') ++value;
   ++value;
   const auto end = static_cast<std::uint32_t>(text.find(text[value - 1], value));
   std::string_view decoded = text.substr(value, end - value);
-  if (NeedsDecoding(decoded)) decoded = resolved_.emplace_front(DecodeXml(decoded));
+  if (NeedsDecoding(decoded)) decoded = content_->resolved.emplace_front(DecodeXml(decoded));
   return {text.substr(name, name_length), decoded, name, value, end};
 }
 
@@ -151,36 +153,36 @@ void Document::BuildIndex(const tinyxml2::XMLDocument& xml, const char* start) {
   const auto offset_of = [start](const char* at) { return static_cast<std::uint32_t>(at - start); };
 
   const auto count = [this](char c) {
-    return static_cast<std::size_t>(std::count(text_->begin(), text_->end(), c));
+    return static_cast<std::size_t>(std::count(text().begin(), text().end(), c));
   };
-  elements_.reserve(count('<'));
-  attributes_.reserve(count('='));
+  content_->elements.reserve(count('<'));
+  content_->attributes.reserve(count('='));
   const tinyxml2::XMLElement* at = xml.RootElement();
   ElementIndex parent = kNoElement;
   ElementIndex previous = kNoElement;  // sibling before `at`
   while (at) {
-    const auto index = static_cast<ElementIndex>(elements_.size());
+    const auto index = static_cast<ElementIndex>(content_->elements.size());
     const std::uint32_t name = offset_of(at->Name());
-    Element element{std::string_view(*text_).substr(name, std::strlen(at->Name())),
+    Element element{std::string_view(text()).substr(name, std::strlen(at->Name())),
                     FindTag(at->Name(), start),
                     0,
                     0,
-                    static_cast<std::uint32_t>(attributes_.size()),
+                    static_cast<std::uint32_t>(content_->attributes.size()),
                     0,
                     parent,
                     kNoElement,
                     kNoElement,
                     0};
     for (const auto* a = at->FirstAttribute(); a; a = a->Next()) {
-      attributes_.push_back(MakeAttribute(offset_of(a->Name()), std::strlen(a->Name())));
+      content_->attributes.push_back(MakeAttribute(offset_of(a->Name()), std::strlen(a->Name())));
       ++element.attribute_count;
     }
     if (parent != kNoElement) {
-      ++elements_[parent].child_count;
-      if (previous == kNoElement) elements_[parent].first_child = index;
+      ++content_->elements[parent].child_count;
+      if (previous == kNoElement) content_->elements[parent].first_child = index;
     }
-    if (previous != kNoElement) elements_[previous].next_sibling = index;
-    elements_.push_back(element);
+    if (previous != kNoElement) content_->elements[previous].next_sibling = index;
+    content_->elements.push_back(element);
 
     // Next in document order: first child, else next sibling of the nearest ancestor that has one.
     if (const auto* child = at->FirstChildElement()) {
@@ -193,21 +195,21 @@ void Document::BuildIndex(const tinyxml2::XMLDocument& xml, const char* start) {
     while (at && at != xml.RootElement() && !at->NextSiblingElement()) {
       at = at->Parent()->ToElement();
       previous = parent;
-      parent = elements_[previous].parent;
+      parent = content_->elements[previous].parent;
     }
     at = at && at != xml.RootElement() ? at->NextSiblingElement() : nullptr;
   }
-  elements_.shrink_to_fit();
-  attributes_.shrink_to_fit();
+  content_->elements.shrink_to_fit();
+  content_->attributes.shrink_to_fit();
   FindEnds();
 }
 
 std::uint32_t Document::FindStartTagEnd(const Element& element) const {
-  const std::size_t behind_name = element.tag.data() + element.tag.size() - text_->data();
+  const std::size_t behind_name = element.tag.data() + element.tag.size() - text().data();
   const std::size_t from = element.attribute_count == 0
                                ? behind_name
                                : (attributes_end(element) - 1)->value_end + std::size_t{1};
-  return static_cast<std::uint32_t>(text_->find('>', from) + 1);
+  return static_cast<std::uint32_t>(text().find('>', from) + 1);
 }
 
 // tinyxml2 does not tell where elements end. It has accepted the text, so every tag that is not the
@@ -215,10 +217,10 @@ std::uint32_t Document::FindStartTagEnd(const Element& element) const {
 void Document::FindEnds() {
   std::vector<ElementIndex> open;
   ElementIndex next = 0;
-  std::size_t at = elements_[0].offset;
+  std::size_t at = content_->elements[0].offset;
   do {
-    if (next < elements_.size() && at == elements_[next].offset) {
-      Element& element = elements_[next];
+    if (next < content_->elements.size() && at == content_->elements[next].offset) {
+      Element& element = content_->elements[next];
       at = element.start_tag_end = element.end = FindStartTagEnd(element);
       if (text()[at - 2] != '/') open.push_back(next);
       ++next;
@@ -226,7 +228,7 @@ void Document::FindEnds() {
       const Markup piece = ReadMarkup(text(), at);
       at = piece.end;
       if (piece.kind != MarkupKind::kTag) continue;
-      elements_[open.back()].end = static_cast<std::uint32_t>(at);
+      content_->elements[open.back()].end = static_cast<std::uint32_t>(at);
       open.pop_back();
     }
   } while (!open.empty());
@@ -234,11 +236,12 @@ void Document::FindEnds() {
 
 ElementIndex Document::ElementAt(std::uint32_t offset) const {
   const auto behind =
-      std::upper_bound(elements_.begin(), elements_.end(), offset,
+      std::upper_bound(content_->elements.begin(), content_->elements.end(), offset,
                        [](std::uint32_t at, const Element& e) { return at < e.offset; });
-  if (behind == elements_.begin()) return kNoElement;
-  auto index = static_cast<ElementIndex>(behind - elements_.begin() - 1);
-  while (index != kNoElement && elements_[index].end <= offset) index = elements_[index].parent;
+  if (behind == content_->elements.begin()) return kNoElement;
+  auto index = static_cast<ElementIndex>(behind - content_->elements.begin() - 1);
+  while (index != kNoElement && content_->elements[index].end <= offset)
+    index = content_->elements[index].parent;
   return index;
 }
 
@@ -284,9 +287,10 @@ std::string_view Document::AttributeValue(const Element& element, std::string_vi
 }
 
 SourceLocation Document::Location(std::uint32_t offset) const {
-  offset = MapOffset(back_, offset);
-  const auto next = std::upper_bound(lines_.begin(), lines_.end(), offset);
-  return {file_, static_cast<std::uint32_t>(next - lines_.begin()), offset - *(next - 1) + 1};
+  offset = MapOffset(content_->back, offset);
+  const auto next = std::upper_bound(content_->lines.begin(), content_->lines.end(), offset);
+  return {content_->file, static_cast<std::uint32_t>(next - content_->lines.begin()),
+          offset - *(next - 1) + 1};
 }
 
 }  // namespace coppice

@@ -4,7 +4,8 @@
 // tinyxml2 does the parsing; the index adds what it does not keep, the byte position of every name
 // and value, so that every message can name file:line:column of the user's own text. What tinyxml2
 // accepts is accepted, also where it is laxer than the XML standard (strictness.h says where, and
-// warns). A Document is immutable and cheap to move; views into it live as long as it does.
+// warns). A Document is immutable. Copies share what they are made of, so a copy costs nothing, and
+// views live as long as one of them does.
 #ifndef COPPICE_BT_CORE_MODEL_DOCUMENT_H_
 #define COPPICE_BT_CORE_MODEL_DOCUMENT_H_
 
@@ -71,15 +72,15 @@ class Document {
   /// the user does not see, such as that of format 3.
   std::optional<Document> Rewritten(const Edit& edit, Diagnostics& diagnostics) const;
 
-  const std::string& text() const { return *text_; }
-  const std::string& file() const { return file_; }
+  const std::string& text() const { return content_->text; }
+  const std::string& file() const { return content_->file; }
 
-  const std::vector<Element>& elements() const { return elements_; }
-  const Element& element(ElementIndex index) const { return elements_[index]; }
+  const std::vector<Element>& elements() const { return content_->elements; }
+  const Element& element(ElementIndex index) const { return content_->elements[index]; }
 
   /// Attributes of an element: a contiguous range of attributes().
   const Attribute* attributes_begin(const Element& element) const {
-    return attributes_.data() + element.first_attribute;
+    return content_->attributes.data() + element.first_attribute;
   }
   const Attribute* attributes_end(const Element& element) const {
     return attributes_begin(element) + element.attribute_count;
@@ -100,7 +101,7 @@ class Document {
 
   /// The attribute's value as it stands in the text, references unresolved.
   std::string_view RawValue(const Attribute& attribute) const {
-    return std::string_view(*text_).substr(attribute.value_offset,
+    return std::string_view(content_->text).substr(attribute.value_offset,
                                            attribute.value_end - attribute.value_offset);
   }
 
@@ -123,13 +124,16 @@ class Document {
   std::uint32_t FindStartTagEnd(const Element& element) const;
   Attribute MakeAttribute(std::uint32_t name, std::size_t name_length);
 
-  std::string file_;
-  std::unique_ptr<const std::string> text_;
-  std::vector<std::uint32_t> lines_;         // offset of the start of each line of the user's file
-  Edit back_;                                // from text_ to the user's file
-  std::forward_list<std::string> resolved_;  // values with references or line ends replaced
-  std::vector<Element> elements_;
-  std::vector<Attribute> attributes_;
+  struct Content {
+    std::string file;
+    std::string text;
+    std::vector<std::uint32_t> lines;         // offset of the start of each line of the user's file
+    Edit back;                                // from the text to the user's file
+    std::forward_list<std::string> resolved;  // values with references or line ends replaced
+    std::vector<Element> elements;
+    std::vector<Attribute> attributes;
+  };
+  std::shared_ptr<Content> content_;  // changes only while it is made
 };
 
 }  // namespace coppice

@@ -31,12 +31,13 @@ const typename Map::mapped_type* FindIn(const Map& map, std::string_view id) {
 // Fills a Project. Documents are named by number, never by reference: an include adds documents.
 class ProjectReader {
  public:
-  explicit ProjectReader(const PackageFinder& find_package)
-      : find_package_(find_package ? find_package : PackageFinder(FindRosPackage)) {}
+  explicit ProjectReader(const PackageFinder& find_package, const DocumentReader& read = {})
+      : find_package_(find_package ? find_package : PackageFinder(FindRosPackage)),
+        read_(read ? read : DocumentReader(Document::FromFile)) {}
 
   void ReadFile(const std::string& path) {
     if (IsKnown(path)) return;
-    if (auto document = Document::FromFile(path, diagnostics_)) Add(*std::move(document));
+    if (auto document = read_(path, diagnostics_)) Add(*std::move(document));
   }
 
   /// Reads it as one that the user has given: it may name the main tree.
@@ -189,6 +190,7 @@ class ProjectReader {
   Project project_;
   Diagnostics diagnostics_;
   PackageFinder find_package_;
+  DocumentReader read_;
   std::vector<std::uint32_t> given_;
 };
 
@@ -199,8 +201,9 @@ std::optional<Project> Project::FromFile(const std::string& path, Diagnostics& d
 
 std::optional<Project> Project::FromFiles(const std::vector<std::string>& paths,
                                           Diagnostics& diagnostics,
-                                          const PackageFinder& find_package) {
-  ProjectReader reader(find_package);
+                                          const PackageFinder& find_package,
+                                          const DocumentReader& read) {
+  ProjectReader reader(find_package, read);
   for (const std::string& path : paths) reader.ReadGiven(path);
   return reader.Finish(diagnostics);
 }

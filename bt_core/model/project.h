@@ -13,6 +13,7 @@
 #define COPPICE_BT_CORE_MODEL_PROJECT_H_
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -33,6 +34,10 @@ struct TreeDefinition {
 
 using NodeModels = std::map<std::string, NodeModel, std::less<>>;
 
+/// Gives the document of a file, as Document::FromFile does.
+using DocumentReader =
+    std::function<std::optional<Document>(const std::string& path, Diagnostics& diagnostics)>;
+
 class Project {
  public:
   /// Reads a file and its includes. Problems go to `diagnostics`; nothing is returned if the file
@@ -41,10 +46,12 @@ class Project {
                                          const PackageFinder& find_package = {});
 
   /// Reads several files as one project: a SubTree may lie in any of them. The first file comes
-  /// first in documents(). Nothing is returned if none of them can be read.
+  /// first in documents(). Nothing is returned if none of them can be read. With a reader, files
+  /// that are being edited count as they are in memory.
   static std::optional<Project> FromFiles(const std::vector<std::string>& paths,
                                           Diagnostics& diagnostics,
-                                          const PackageFinder& find_package = {});
+                                          const PackageFinder& find_package = {},
+                                          const DocumentReader& read = {});
 
   /// The same from a text; includes are relative to the folder of `file`.
   static std::optional<Project> FromText(std::string text, const std::string& file,

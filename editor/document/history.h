@@ -1,0 +1,62 @@
+// What was done, so that it can be undone and done again: without limit, and across files. A step
+// costs the bytes that it changed, in both directions. The last steps keep their documents as well,
+// so that undoing them parses nothing.
+#ifndef COPPICE_EDITOR_DOCUMENT_HISTORY_H_
+#define COPPICE_EDITOR_DOCUMENT_HISTORY_H_
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "editor/document/change.h"
+
+namespace coppice::editor {
+
+/// How one file changed.
+struct FileStep {
+  std::string path;
+  std::vector<Edit> forward;
+  std::vector<Edit> back;
+  std::optional<Document> before;  ///< if it is kept
+  std::optional<Document> after;
+};
+
+struct Step {
+  std::string name;
+  std::vector<FileStep> files;
+  std::vector<Place> selected_before;
+  std::vector<Place> selected_after;
+};
+
+class History {
+ public:
+  /// Adds a step that was done; what was undone is forgotten.
+  void Add(Step step);
+
+  /// The step to undo, or null. Moves back over it.
+  const Step* TakeUndo();
+  /// The step to do again, or null. Moves over it.
+  const Step* TakeRedo();
+
+  /// A file has another name from now on.
+  void Rename(const std::string& path, const std::string& new_path);
+
+  const std::vector<Step>& steps() const { return steps_; }
+  /// So many of the steps are done; those behind are undone.
+  std::size_t done() const { return done_; }
+
+  /// What TakeUndo and TakeRedo would give.
+  const Step* undo() const { return done_ > 0 ? &steps_[done_ - 1] : nullptr; }
+  const Step* redo() const { return done_ < steps_.size() ? &steps_[done_] : nullptr; }
+
+ private:
+  void ForgetDocuments();
+
+  std::vector<Step> steps_;
+  std::size_t done_ = 0;
+};
+
+}  // namespace coppice::editor
+
+#endif  // COPPICE_EDITOR_DOCUMENT_HISTORY_H_

@@ -1,0 +1,250 @@
+#include "editor/document/open_project.h"
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+#include <system_error>
+#include <utility>
+
+#include "bt_core/model/write_file.h"
+
+namespace coppice::editor {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::optional<std::string> ReadText(const std::string& path) {
+  std::ifstream stream(path, std::ios::binary);
+  std::error_code error;
+  if (!stream || fs::is_directory(path, error)) return std::nullopt;
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return stream.bad() ? std::nullopt : std::optional(text.str());
+}
+
+// What a file looks like from outside: enough to see that somebody wrote it.
+void NoteStamp(EditedFile& file) {
+  std::error_code error;
+  file.time = fs::last_write_time(file.path, error);
+  file.size = fs::file_size(file.path, error);
+}
+
+bool HasOldStamp(const EditedFile& file) {
+  std::error_code error;
+  const auto time = fs::last_write_time(file.path, error);
+  if (error) return true;  // it is gone; the text in memory is all there is
+  return time == file.time && fs::file_size(file.path, error) == file.size;
+}
+
+std::vector<Edit> Backwards(const std::vector<Edit>& steps, std::string& text) {
+  std::vector<Edit> back;
+  for (const Edit& step : steps) {
+    back.push_back(Inverse(step, text));
+    text = Apply(step, text);
+  }
+  std::reverse(back.begin(), back.end());
+  return back;
+}
+
+}  // namespace
+
+const EditedFile* OpenProject::Find(const std::string& path) const {
+  const auto found = files_.find(path);
+  if (found != files_.end()) return &found->second;
+  for (const auto& [known, file] : files_) {
+    std::error_code error;
+    if (!file.is_new && fs::equivalent(known, path, error)) return &file;
+  }
+  return nullptr;
+}
+
+EditedFile* OpenProject::Get(const std::string& path) {
+  return const_cast<EditedFile*>(std::as_const(*this).Find(path));
+}
+
+const EditedFile* OpenProject::Open(const std::string& path, Diagnostics& diagnostics) {
+  if (const EditedFile* known = Find(path)) return known;
+  std::optional<std::string> text = ReadText(path);
+  if (!text) {
+    diagnostics.Error({path, 0, 0}, "cannot read this file");
+    return nullptr;
+  }
+  EditedFile& file = files_[path];
+  file.path = path;
+  file.saved = *text;
+  NoteStamp(file);
+  Replace(file, *std::move(text), std::nullopt);
+  return &file;
+}
+
+const EditedFile& OpenProject::Create(const std::string& path, std::string text) {
+  EditedFile& file = files_[path];
+  file.path = path;
+  file.is_new = true;
+  Replace(file, std::move(text), std::nullopt);
+  return file;
+}
+
+void OpenProject::Replace(EditedFile& file, std::string text, std::optional<Document> document) {
+  file.problems = {};
+  file.text = std::move(text);
+  file.document = std::move(document);
+  if (!file.document) {
+    file.document = Document::FromText(file.text, file.path, file.problems);
+  }
+  ++file.version;
+  ++version_;
+}
+
+bool OpenProject::Do(Change change, std::vector<Place> selected, Diagnostics& diagnostics) {
+  if (change.is_empty()) return true;
+  Step step;
+  std::vector<std::string> texts;
+  for (FileChange& part : change.files) {
+    const EditedFile* file = Find(part.path);
+    if (!file) {
+      diagnostics.Error({part.path, 0, 0}, "this file is not open");
+      return false;
+    }
+    std::string text = file->text;
+    FileStep done;
+    done.path = file->path;
+    done.back = Backwards(part.steps, text);
+    done.forward = std::move(part.steps);
+    done.before = file->document;
+    if (!part.after) part.after = Document::FromText(text, file->path, diagnostics);
+    if (!part.after) return false;
+    done.after = std::move(part.after);
+    for (const std::uint32_t offset : part.selected) {
+      step.selected_after.push_back({file->path, offset});
+    }
+    step.files.push_back(std::move(done));
+    texts.push_back(std::move(text));
+  }
+  for (std::size_t i = 0; i < texts.size(); ++i) {
+    Replace(*Get(step.files[i].path), std::move(texts[i]), step.files[i].after);
+  }
+  step.name = std::move(change.name);
+  step.selected_before = std::move(selected);
+  history_.Add(std::move(step));
+  return true;
+}
+
+void OpenProject::SetText(const std::string& path, std::string name, std::string text) {
+  EditedFile* file = Get(path);
+  if (!file || file->text == text) return;
+  FileStep part;
+  part.path = file->path;
+  part.forward = {Difference(file->text, text)};
+  part.back = {Inverse(part.forward[0], file->text)};
+  part.before = file->document;
+  Replace(*file, std::move(text), std::nullopt);
+  part.after = file->document;
+  Step step;
+  step.name = std::move(name);
+  step.files.push_back(std::move(part));
+  history_.Add(std::move(step));
+}
+
+void OpenProject::Run(const FileStep& step, bool forward) {
+  EditedFile* file = Get(step.path);
+  if (!file) return;
+  std::string text = std::move(file->text);
+  for (const Edit& edit : forward ? step.forward : step.back) text = Apply(edit, text);
+  Replace(*file, std::move(text), forward ? step.after : step.before);
+}
+
+const Step* OpenProject::Undo() {
+  const auto* step = history_.TakeUndo();
+  if (!step) return nullptr;
+  for (const FileStep& file : step->files) Run(file, false);
+  return step;
+}
+
+const Step* OpenProject::Redo() {
+  const auto* step = history_.TakeRedo();
+  if (!step) return nullptr;
+  for (const FileStep& file : step->files) Run(file, true);
+  return step;
+}
+
+bool OpenProject::Save(const std::string& path, Diagnostics& diagnostics, bool overwrite) {
+  EditedFile* file = Get(path);
+  if (!file) return false;
+  if (!file->is_dirty()) return true;
+  if (!overwrite && !file->is_new && !HasOldStamp(*file)) {
+    const std::optional<std::string> there = ReadText(file->path);
+    if (there && *there != file->saved) file->other = there;
+  }
+  if (!overwrite && file->other) {
+    diagnostics.Error({file->path, 0, 0}, "somebody else has changed this file",
+                      "take theirs, or save over it");
+    return false;
+  }
+  if (!WriteFile(file->path, file->text, diagnostics)) return false;
+  file->saved = file->text;
+  file->other.reset();
+  file->is_new = false;
+  NoteStamp(*file);
+  return true;
+}
+
+bool OpenProject::SaveAs(const std::string& path, const std::string& new_path,
+                         Diagnostics& diagnostics) {
+  EditedFile* file = Get(path);
+  if (!file) return false;
+  if (file->path == new_path) return Save(path, diagnostics, true);
+  if (Find(new_path)) {
+    diagnostics.Error({new_path, 0, 0}, "this file is open already");
+    return false;
+  }
+  if (!WriteFile(new_path, file->text, diagnostics)) return false;
+  history_.Rename(file->path, new_path);
+  auto node = files_.extract(file->path);
+  node.key() = new_path;
+  EditedFile& moved = files_.insert(std::move(node)).position->second;
+  moved.path = new_path;
+  moved.saved = moved.text;
+  moved.is_new = false;
+  moved.other.reset();
+  NoteStamp(moved);
+  Replace(moved, std::string(moved.text), std::nullopt);
+  return true;
+}
+
+std::vector<std::string> OpenProject::LookAtDisk() {
+  std::vector<std::string> changed;
+  for (auto& [path, file] : files_) {
+    if (file.is_new || HasOldStamp(file)) continue;
+    std::optional<std::string> text = ReadText(path);
+    NoteStamp(file);
+    if (!text || *text == file.saved) continue;
+    changed.push_back(path);
+    if (*text == file.text) {
+      file.saved = *std::move(text);
+    } else if (file.is_dirty()) {
+      file.other = std::move(text);
+    } else {
+      file.saved = *text;
+      SetText(path, "Changed on the disk", *std::move(text));
+    }
+  }
+  return changed;
+}
+
+void OpenProject::TakeTheirs(const std::string& path) {
+  EditedFile* file = Get(path);
+  if (!file || !file->other) return;
+  file->saved = *file->other;
+  file->other.reset();
+  SetText(path, "Take what is on the disk", std::string(file->saved));
+}
+
+void OpenProject::KeepMine(const std::string& path) {
+  EditedFile* file = Get(path);
+  if (!file || !file->other) return;
+  file->saved = *file->other;
+  file->other.reset();
+}
+
+}  // namespace coppice::editor
