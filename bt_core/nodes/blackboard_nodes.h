@@ -23,8 +23,8 @@ namespace coppice {
 namespace internal {
 
 /// Copies a value to a slot; `type` is that of the ports that share the slot, null for any. A value
-/// of another type than the slot's is converted through its text. Throws std::invalid_argument if
-/// that cannot be done.
+/// of another type is converted to it through its text. Throws std::invalid_argument if that cannot
+/// be done. A slot of any type keeps the type of the value that it holds, if that can be done.
 void CopyTo(Slot& slot, const Type* type, const Value& value);
 
 // Port 0 is the entry. Own slot 0: 1 + the number of writes that was seen last.

@@ -22,6 +22,14 @@ TEST(CopyTo, ConvertsToTheTypeThatTheSlotHas) {
   EXPECT_EQ(slot.value.Get<double>(), 3.0);
 }
 
+TEST(CopyTo, ASlotOfAnyTypeTakesWhatIsNotOfTheTypeThatItHas) {
+  Slot slot;
+  for (const Value& value : {Value(2), Value(2.5), Value(std::string("two"))}) {
+    internal::CopyTo(slot, nullptr, value);
+    EXPECT_EQ(slot.value.Print(), value.Print());
+  }
+}
+
 TEST(CopyTo, RefusesWhatCannotBeConverted) {
   Slot slot;
   EXPECT_THROW(internal::CopyTo(slot, &TypeOf<int>(), Value(std::string("two"))),
