@@ -104,6 +104,10 @@ std::vector<Shape> WithUpToThreeChildren() {
                            "WorstOf", "PipelineSequence", "NonblockingSequence", "RoundRobin"}) {
     for (int leaves = 1; leaves <= 3; ++leaves) shapes.push_back(Make(type, leaves));
   }
+  for (const char* type : {"RandomSequence", "RandomSelector"}) {
+    for (int leaves = 1; leaves <= 3; ++leaves) shapes.push_back(Make(type, leaves));
+    for (const char* seed : {"1", "7"}) shapes.push_back(Make(type, 3, {{"seed", seed}}));
+  }
   for (const char* type : {"IfThenElse", "WhileDoElse", "TryCatch"}) {
     for (int leaves = 2; leaves <= 3; ++leaves) shapes.push_back(Make(type, leaves));
   }
@@ -180,6 +184,26 @@ std::vector<Shape> Decorators() {
 
 INSTANTIATE_TEST_SUITE_P(, Decorator, testing::ValuesIn(Decorators()),
                          [](const auto& instance) { return NameOf(instance.param); });
+
+// All words of four measurements, below, at, between and above the thresholds. The leaf is ticked
+// when Hysteresis fails.
+TEST(HysteresisConformance, AllWords) {
+  const std::vector<std::string> values = {"1", "2", "2.5", "3", "4"};
+  for (std::size_t word = 0; word < 5 * 5 * 5 * 5; ++word) {
+    std::string queue;
+    for (std::size_t rest = word, k = 0; k < 4; rest /= 5, ++k) queue += values[rest % 5] + ";";
+    queue.pop_back();
+    for (const char* high : {"3", "2"}) {
+      const Shape hysteresis = {
+          "Hysteresis", {{"value", "{@x}"}, {"low", "2"}, {"high", high}}, {}};
+      const Shape either = {"Fallback", {}, {hysteresis, {"Leaf", {}, {}}}};
+      const Shape loop = {"LoopDouble", {{"queue", queue}, {"value", "{@x}"}}, {either}};
+      SideBySide both(loop, [] { return static_cast<int>(Status::kSuccess); });
+      for (int tick = 0; tick < 6; ++tick) both.Tick();
+      ASSERT_EQ(both.Difference(), "");
+    }
+  }
+}
 
 // A loop of no rounds has its result without ticking the child.
 TEST(LoopConformance, NoRounds) {

@@ -98,6 +98,25 @@ class Updated : public OracleNode {
   int seen_ = 0;
 };
 
+class Hysteresis : public OracleNode {
+  using OracleNode::OracleNode;
+  Status Run() override {
+    const auto value = world_.Read(shape_.Text("value", ""));
+    const double low = std::stod(shape_.Text("low", ""));
+    const double high = std::stod(shape_.Text("high", ""));
+    if (!value || low > high) return kFailure;
+    const double number = std::stod(*value);
+    if (number <= low) {
+      is_high_ = false;
+    } else if (number >= high) {
+      is_high_ = true;
+    }
+    return is_high_ ? kSuccess : kFailure;
+  }
+
+  bool is_high_ = false;
+};
+
 class Switch : public OracleNode {
   using OracleNode::OracleNode;
   Status Run() override {
@@ -178,6 +197,7 @@ std::unique_ptr<OracleNode> MakeBlackboardNode(const Shape& shape, World& world)
   if (type == "SkipUnlessUpdated") return std::make_unique<Updated>(world, shape, kSkipped);
   if (type == "WaitValueUpdate") return std::make_unique<Updated>(world, shape, kRunning);
   if (type == "PersistentSequence") return std::make_unique<PersistentSequence>(world, shape);
+  if (type == "Hysteresis") return std::make_unique<Hysteresis>(world, shape);
   if (type.rfind("Switch", 0) == 0) return std::make_unique<Switch>(world, shape);
   if (type.rfind("Loop", 0) == 0) return std::make_unique<LoopOver>(world, shape);
   return nullptr;

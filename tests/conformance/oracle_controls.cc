@@ -47,6 +47,55 @@ class WithMemory : public OracleNode {
   int skipped_ = 0;
 };
 
+// Steele, Lea, Flood 2014: the output function of SplitMix64, and the next state before it.
+std::uint64_t NextOfSplitMix(std::uint64_t state) {
+  constexpr std::uint64_t kGolden = 0x9e3779b97f4a7c15;
+  std::uint64_t z = state + kGolden;
+  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9;
+  z = (z ^ (z >> 27)) * 0x94d049bb133111eb;
+  return z ^ (z >> 31);
+}
+
+// RandomSequence, RandomSelector: as Sequence and Fallback, over children that are sorted anew for
+// each activation.
+class Shuffled : public OracleNode {
+ public:
+  Shuffled(World& world, const Shape& shape, Status ends_at)
+      : OracleNode(world, shape), ends_at_(ends_at) {}
+
+ private:
+  Status Run() override {
+    if (to_do_.empty()) Shuffle();
+    while (!to_do_.empty()) {
+      const Status result = to_do_.front()->Tick();
+      if (result == kRunning) return result;
+      if (result == ends_at_) return End(result);
+      if (result == kSkipped) ++skipped_;
+      to_do_.erase(to_do_.begin());
+    }
+    return End(skipped_ == count() ? kSkipped : Opposite(ends_at_));
+  }
+  void Shuffle() {
+    ++activations_;
+    const auto seed = static_cast<std::uint64_t>(shape_.Number("seed", 0));
+    const std::uint64_t key = NextOfSplitMix(NextOfSplitMix(seed) + activations_);
+    std::map<std::uint64_t, OracleNode*> by_hash;
+    for (std::uint64_t k = 0; k < children.size(); ++k) {
+      by_hash[NextOfSplitMix(key + k)] = children[k].get();
+    }
+    for (const auto& [hash, one] : by_hash) to_do_.push_back(one);
+  }
+  void Forget() override {
+    to_do_.clear();
+    skipped_ = 0;
+  }
+
+  const Status ends_at_;
+  std::uint64_t activations_ = 0;
+  std::vector<OracleNode*> to_do_;
+  int skipped_ = 0;
+};
+
 // SequenceWithMemory: what is behind a success or a skip stays behind.
 class KeepsPlace : public OracleNode {
   using OracleNode::OracleNode;
@@ -334,6 +383,8 @@ std::unique_ptr<OracleNode> MakeControl(const Shape& shape, World& world) {
   if (type == "AsyncSequence") return memory(kFailure, true);
   if (type == "AsyncFallback") return memory(kSuccess, true);
   if (type == "SequenceWithMemory") return std::make_unique<KeepsPlace>(world, shape);
+  if (type == "RandomSequence") return std::make_unique<Shuffled>(world, shape, kFailure);
+  if (type == "RandomSelector") return std::make_unique<Shuffled>(world, shape, kSuccess);
   if (type == "ReactiveSequence") return std::make_unique<Reactive>(world, shape, kFailure);
   if (type == "ReactiveFallback") return std::make_unique<Reactive>(world, shape, kSuccess);
   if (type == "Parallel") return std::make_unique<Parallel>(world, shape);

@@ -47,6 +47,7 @@ class Generator {
 
   static const PortKind kVariable;
   static const PortKind kEntry;
+  static const PortKind kMeasured;
   static const std::vector<NodeKind> kControls;
   static const std::vector<NodeKind> kDecorators;
   static const std::vector<NodeKind> kLeaves;
@@ -78,6 +79,7 @@ class Generator {
 // Keys of the main tree, so that all SubTrees share them.
 const Generator::PortKind Generator::kVariable = {"variable", true, 0, 0, 1, {"{@k}", "{@j}"}};
 const Generator::PortKind Generator::kEntry = {"entry", true, 0, 0, 1, {"{@k}", "{@j}"}};
+const Generator::PortKind Generator::kMeasured = {"value", true, 0, 0, 1, {"{@x}", "{@y}"}};
 
 const std::vector<Generator::NodeKind> Generator::kControls = {
     {"Sequence", 1, 4},
@@ -101,6 +103,8 @@ const std::vector<Generator::NodeKind> Generator::kControls = {
     {"TryCatch", 2, 4, {{"catch_on_halt", false, 0, 0, 1, {"true", "false"}}}},
     {"RecoveryNode", 2, 2, {{"number_of_retries", false, -1, 3}}},
     {"RoundRobin", 1, 4, {{"wrap_around", false, 0, 0, 1, {"true", "false"}}}},
+    {"RandomSequence", 1, 4, {{"seed", false, 0, 3}}},
+    {"RandomSelector", 1, 4, {{"seed", false, 0, 3}}},
     {"PersistentSequence", 1, 4, {{"current_child_idx", true, 0, 0, 1, {"{@m}", "{@n}"}}}},
     {"Switch2",
      3,
@@ -147,6 +151,7 @@ const std::vector<Generator::NodeKind> Generator::kDecorators = {
       {"value", false, 0, 0, 1, {"{@k}", "{@j}"}},
       {"if_empty", false, 0, 0, 1, {"FAILURE", "RUNNING", "SKIPPED"}}}},
     {"LoopInt", 1, 1, {{"queue", true, 0, 0, 1, {"1;2"}}}},
+    {"LoopDouble", 1, 1, {{"queue", true, 0, 0, 1, {"4;2.5;1;2.5"}}, kMeasured}},
     {"Consecutive", 1, 1, {{"successes", false, 0, 3}, {"failures", false, 0, 3}}},
     {"Debounce", 1, 1, {{"success_msec", false, 0, 3, 70}, {"failure_msec", false, 0, 3, 70}}},
 };
@@ -161,6 +166,15 @@ const std::vector<Generator::NodeKind> Generator::kLeaves = {
      0,
      {{"value", true, 0, 0, 1, {"a", "b", "c", "{@k}", "{@j}"}},
       {"output_key", true, 0, 0, 1, {"{@k}", "{@j}"}}}},
+    {"SetBlackboard",
+     0,
+     0,
+     {{"value", true, 0, 0, 1, {"1", "2", "2.5", "3", "4"}},
+      {"output_key", true, 0, 0, 1, {"{@x}", "{@y}"}}}},
+    {"Hysteresis",
+     0,
+     0,
+     {kMeasured, {"low", true, 1, 2}, {"high", true, 0, 0, 1, {"1.5", "2.5", "3"}}}},
     {"UnsetBlackboard", 0, 0, {{"key", true, 0, 0, 1, {"{@k}", "{@j}"}}}},
     {"Script", 0, 0, {{"code", true, 0, 0, 1, {"@k := 'b'", "@j := 'a'"}}}},
     {"ScriptCondition", 0, 0, {{"code", true, 0, 0, 1, {"@k == 'b'", "@j == 'a'"}}}},
