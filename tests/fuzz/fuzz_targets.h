@@ -26,9 +26,9 @@ int FuzzHistory(std::string_view bytes);
 /// accepted again with the same result. Returns the number of types that took it.
 int FuzzLiteral(std::string_view bytes);
 
-/// The bytes as requests to a live view, a line each: one byte that says who asks and when, the type
-/// of the request, its second part. The tree is ticked in between. Returns how many were answered
-/// with something else than an error.
+/// The bytes as requests to a live view, a line each: one byte that says who asks and when, the
+/// type of the request, its second part. The tree is ticked in between. Returns how many were
+/// answered with something else than an error.
 int FuzzLive(std::string_view bytes);
 
 /// The bytes as a file of scenarios, played with a small tree. Returns 0 if it is none, 1 if it
