@@ -1,0 +1,75 @@
+// The client's end of a connection: a DEALER socket that also tells when the robot is gone, and
+// that another thread can wake.
+#ifndef COPPICE_BT_CORE_LIVE_CLIENT_SOCKET_H_
+#define COPPICE_BT_CORE_LIVE_CLIENT_SOCKET_H_
+
+#include <cstdint>
+#include <mutex>
+#include <string>
+#include <vector>
+#include <zmq.hpp>
+
+#include "bt_core/base/clock.h"
+
+namespace coppice {
+
+/// Wakes the thread that waits at a ClientSocket.
+class ClientBell {
+ public:
+  explicit ClientBell(zmq::context_t& context);
+  /// Any thread.
+  void Ring();
+
+ private:
+  friend class ClientSocket;
+
+  std::mutex mutex_;
+  zmq::socket_t in_;
+  zmq::socket_t out_;
+};
+
+class ClientSocket {
+ public:
+  using Parts = std::vector<std::string>;
+
+  /// Connects when it can, again and again; with a token encrypted. Throws std::invalid_argument,
+  /// with a text for people, if endpoint or token make no sense.
+  ClientSocket(zmq::context_t& context, ClientBell& bell, const std::string& endpoint,
+               const std::string& token);
+  ~ClientSocket();
+  ClientSocket(const ClientSocket&) = delete;
+  ClientSocket& operator=(const ClientSocket&) = delete;
+
+  enum class Event : std::uint8_t {
+    kMessage,  ///< Receive has something
+    kBell,
+    kGone,     ///< the connection is closed; problem() says why
+    kTimeout,
+  };
+  Event Wait(Duration at_most);
+
+  /// The parts without the empty one that stands before them. Empty: nothing was there.
+  Parts Receive();
+
+  void Send(const Parts& parts);
+
+  /// Why there is no connection, for people; empty while that is not known.
+  const std::string& problem() const { return problem_; }
+
+ private:
+  bool ReadMonitor();
+  static void Secure(zmq::socket_t& socket, const std::string& token);
+
+  ClientBell& bell_;
+  zmq::socket_t socket_;
+  zmq::socket_t monitor_;
+  std::string problem_;
+};
+
+/// "tcp://host:port" for "host:port" or "host". Throws std::invalid_argument, with a text for
+/// people.
+std::string AddressOf(const std::string& endpoint);
+
+}  // namespace coppice
+
+#endif  // COPPICE_BT_CORE_LIVE_CLIENT_SOCKET_H_
