@@ -28,6 +28,9 @@ class ClientSession {
   /// The connection is gone: nothing that was asked is answered any more.
   virtual void Abandon(const std::string& why) = 0;
 
+  /// The history comes.
+  virtual bool is_live() const = 0;
+
   /// Why it cannot go on; empty while it can. Then the client tries again over another connection.
   const std::string& failure() const { return failure_; }
   /// The robot does not know this protocol.

@@ -6,13 +6,11 @@
 #include <cstring>
 #include <stdexcept>
 
-#include "bt_core/live/token_keys.h"
-
 namespace coppice {
 namespace {
 
 constexpr char kDefaultPort[] = "1667";
-constexpr int kReconnectPause = 50;      // ms
+constexpr int kReconnectPause = 50;         // ms
 constexpr int kLargestMessage = 128 << 20;  // bytes; a frame is smaller
 
 // A name of its own for each pair of sockets in the program.
@@ -37,13 +35,17 @@ bool IsPort(const std::string& text) {
 std::string AddressOf(const std::string& endpoint) {
   const std::size_t colon = endpoint.rfind(':');
   const std::string host = endpoint.substr(0, colon);
-  const std::string port =
-      colon == std::string::npos ? kDefaultPort : endpoint.substr(colon + 1);
+  const std::string port = colon == std::string::npos ? kDefaultPort : endpoint.substr(colon + 1);
   if (host.empty() || !IsPort(port) || host.find('/') != std::string::npos) {
     throw std::invalid_argument("\"" + endpoint +
                                 "\" is no robot; expected HOST:PORT, such as localhost:1667");
   }
   return "tcp://" + host + ":" + port;
+}
+
+std::string NotificationsOf(const std::string& address) {
+  const std::size_t colon = address.rfind(':');
+  return address.substr(0, colon + 1) + std::to_string(std::stoi(address.substr(colon + 1)) + 1);
 }
 
 ClientBell::ClientBell(zmq::context_t& context)
@@ -58,44 +60,44 @@ void ClientBell::Ring() {
   static_cast<void>(in_.send(zmq::message_t(), zmq::send_flags::dontwait));
 }
 
-ClientSocket::ClientSocket(zmq::context_t& context, ClientBell& bell, const std::string& endpoint,
-                           const std::string& token)
+ClientSocket::ClientSocket(zmq::context_t& context, ClientBell& bell, const std::string& address,
+                           const WatcherKeys* keys)
     : bell_(bell),
       socket_(context, zmq::socket_type::dealer),
-      monitor_(context, zmq::socket_type::pair) {
+      monitor_(context, zmq::socket_type::pair),
+      published_(context, zmq::socket_type::sub) {
   socket_.set(zmq::sockopt::linger, 0);
   socket_.set(zmq::sockopt::reconnect_ivl, kReconnectPause);
   socket_.set(zmq::sockopt::maxmsgsize, static_cast<std::int64_t>(kLargestMessage));
   socket_.set(zmq::sockopt::ipv6, true);
-  if (!token.empty()) Secure(socket_, token);
+  if (keys) {
+    socket_.set(zmq::sockopt::curve_serverkey, keys->robot);
+    socket_.set(zmq::sockopt::curve_publickey, keys->client.public_key);
+    socket_.set(zmq::sockopt::curve_secretkey, keys->client.secret_key);
+  }
   const std::string inner = InnerAddress("monitor-");
   constexpr int kEvents = ZMQ_EVENT_DISCONNECTED | ZMQ_EVENT_HANDSHAKE_FAILED_AUTH |
                           ZMQ_EVENT_HANDSHAKE_FAILED_PROTOCOL |
                           ZMQ_EVENT_HANDSHAKE_FAILED_NO_DETAIL;
   if (zmq_socket_monitor(socket_.handle(), inner.c_str(), kEvents) != 0) throw zmq::error_t();
   monitor_.connect(inner);
-  try {
-    socket_.connect(AddressOf(endpoint));
-  } catch (const zmq::error_t& error) {
-    throw std::invalid_argument("cannot connect to " + endpoint + ": " + error.what());
-  }
+  socket_.connect(address);
 }
 
 ClientSocket::~ClientSocket() { zmq_socket_monitor(socket_.handle(), nullptr, 0); }
 
-void ClientSocket::Secure(zmq::socket_t& socket, const std::string& token) {
-  const WatcherKeys keys = KeysOfWatcher(token);
-  socket.set(zmq::sockopt::curve_serverkey, keys.robot);
-  socket.set(zmq::sockopt::curve_publickey, keys.client.public_key);
-  socket.set(zmq::sockopt::curve_secretkey, keys.client.secret_key);
+void ClientSocket::Linger() {
+  constexpr int kLongest = 100;  // ms
+  socket_.set(zmq::sockopt::linger, kLongest);
 }
 
 ClientSocket::Event ClientSocket::Wait(Duration at_most) {
   zmq::pollitem_t items[] = {{socket_.handle(), 0, ZMQ_POLLIN, 0},
                              {bell_.out_.handle(), 0, ZMQ_POLLIN, 0},
-                             {monitor_.handle(), 0, ZMQ_POLLIN, 0}};
-  zmq::poll(items, 3, Milliseconds(at_most));
-  if (items[0].revents & ZMQ_POLLIN) return Event::kMessage;
+                             {monitor_.handle(), 0, ZMQ_POLLIN, 0},
+                             {published_.handle(), 0, ZMQ_POLLIN, 0}};
+  zmq::poll(items, 4, Milliseconds(at_most));
+  if ((items[0].revents | items[3].revents) & ZMQ_POLLIN) return Event::kMessage;
   if (items[1].revents & ZMQ_POLLIN) {
     zmq::message_t ring;
     while (bell_.out_.recv(ring, zmq::recv_flags::dontwait)) continue;
@@ -120,21 +122,34 @@ bool ClientSocket::ReadMonitor() {
       return true;
     case ZMQ_EVENT_HANDSHAKE_FAILED_AUTH:
     case ZMQ_EVENT_HANDSHAKE_FAILED_PROTOCOL:
-      problem_ = std::string("the robot does not let this client in; it needs the token that the ") +
-                 "robot has, in " + kTokenVariable;
+      problem_ =
+          std::string("the robot does not let this client in; it needs the token that the ") +
+          "robot has, in " + kTokenVariable;
       return true;
     default:
       return false;
   }
 }
 
+void ClientSocket::Listen(const std::string& address) {
+  published_.set(zmq::sockopt::linger, 0);
+  published_.set(zmq::sockopt::ipv6, true);
+  published_.set(zmq::sockopt::subscribe, "");
+  published_.connect(address);
+}
+
 ClientSocket::Parts ClientSocket::Receive() {
+  Parts parts = ReceiveFrom(socket_);
+  return parts.empty() ? ReceiveFrom(published_) : parts;
+}
+
+ClientSocket::Parts ClientSocket::ReceiveFrom(zmq::socket_t& socket) {
   Parts parts;
   zmq::message_t part;
-  if (!socket_.recv(part, zmq::recv_flags::dontwait)) return parts;
+  if (!socket.recv(part, zmq::recv_flags::dontwait)) return parts;
   parts.push_back(part.to_string());
   while (part.more()) {
-    static_cast<void>(socket_.recv(part));
+    static_cast<void>(socket.recv(part));
     parts.push_back(part.to_string());
   }
   if (parts.front().empty()) parts.erase(parts.begin());

@@ -10,6 +10,7 @@
 #include <zmq.hpp>
 
 #include "bt_core/base/clock.h"
+#include "bt_core/live/token_keys.h"
 
 namespace coppice {
 
@@ -32,39 +33,49 @@ class ClientSocket {
  public:
   using Parts = std::vector<std::string>;
 
-  /// Connects when it can, again and again; with a token encrypted. Throws std::invalid_argument,
-  /// with a text for people, if endpoint or token make no sense.
-  ClientSocket(zmq::context_t& context, ClientBell& bell, const std::string& endpoint,
-               const std::string& token);
+  /// Connects to `address` (AddressOf) when it can, again and again; with keys encrypted.
+  ClientSocket(zmq::context_t& context, ClientBell& bell, const std::string& address,
+               const WatcherKeys* keys);
   ~ClientSocket();
   ClientSocket(const ClientSocket&) = delete;
   ClientSocket& operator=(const ClientSocket&) = delete;
 
+  /// Also receives what is published there.
+  void Listen(const std::string& address);
+
   enum class Event : std::uint8_t {
     kMessage,  ///< Receive has something
     kBell,
-    kGone,     ///< the connection is closed; problem() says why
+    kGone,  ///< the connection is closed; problem() says why
     kTimeout,
   };
   Event Wait(Duration at_most);
 
-  /// The parts without the empty one that stands before them. Empty: nothing was there.
+  /// The parts of a message without the empty one that stands before them. Empty: nothing was
+  /// there.
   Parts Receive();
 
   void Send(const Parts& parts);
+
+  /// What was sent last still goes out when the socket is closed.
+  void Linger();
 
   /// Why there is no connection, for people; empty while that is not known.
   const std::string& problem() const { return problem_; }
 
  private:
   bool ReadMonitor();
-  static void Secure(zmq::socket_t& socket, const std::string& token);
+  static Parts ReceiveFrom(zmq::socket_t& socket);
 
   ClientBell& bell_;
   zmq::socket_t socket_;
   zmq::socket_t monitor_;
+  zmq::socket_t published_;
   std::string problem_;
 };
+
+/// The address of the notifications, one port further.
+std::string NotificationsOf(const std::string& address);
 
 /// "tcp://host:port" for "host:port" or "host". Throws std::invalid_argument, with a text for
 /// people.

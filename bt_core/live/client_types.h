@@ -72,10 +72,12 @@ LiveCommand WriteKey(std::string scope, std::string key, std::string value);
 
 /// What came of a command.
 struct LiveReply {
-  std::string error;     ///< empty: it was done
-  std::string remark;    ///< of a hook whose node the tree does not have yet, for example
+  std::string error;      ///< empty: it was done
+  std::string remark;     ///< of a hook whose node the tree does not have yet, for example
   HookId hook = kNoHook;  ///< the one that was added
 };
+
+LiveReply FailedReply(std::string error);
 
 /// What the robot's debugger has told.
 struct LiveNotice {
