@@ -166,11 +166,13 @@ void ClientExtension::OnSubscribed(const std::string& json) {
 void ClientExtension::OnFrames(const Parts& parts) {
   if (ReadNumber<std::uint32_t>(parts[0], 2) != subscription_ || !is_subscribed_) return;
   constexpr std::size_t kNumberSize = 8;
-  if (parts[1].size() < kNumberSize) return Fail("the robot sent frames without a number");
-  const std::uint64_t first = ReadNumber<std::uint64_t>(parts[1], 0);
-  const std::string problem = history_.Add(first, std::string_view(parts[1]).substr(kNumberSize));
+  if (parts[1].size() < 2 * kNumberSize) return Fail("the robot sent frames without a number");
+  const auto first = ReadNumber<std::uint64_t>(parts[1], 0);
+  const auto next = ReadNumber<std::uint64_t>(parts[1], kNumberSize);
+  const std::string problem =
+      history_.Add(first, next, std::string_view(parts[1]).substr(2 * kNumberSize));
   if (!problem.empty()) return Fail(problem);
-  SendWithoutReply(WriteAck(subscription_, history_.next().value_or(first)));
+  SendWithoutReply(WriteAck(subscription_, next));
 }
 
 void ClientExtension::OnNotice(const Parts& parts) {

@@ -24,14 +24,11 @@ bool ClientHistory::Begin(const RunId& run, std::uint64_t first) {
   has_frames_ = false;
   run_ = run;
   next_ = first;
-  unnumbered_ = 1;  // the description of the tree
   return false;
 }
 
-std::string ClientHistory::Add(std::uint64_t first, std::string_view frames) {
+std::string ClientHistory::Add(std::uint64_t first, std::uint64_t next, std::string_view frames) {
   if (first < next_) return "the robot sent a frame twice";
-  if (first > next_) unnumbered_ = 2;  // this client was too slow: what is missing, and the tree
-  next_ = first;
   const auto* at = reinterpret_cast<const std::uint8_t*>(frames.data());
   const std::uint8_t* const end = at + frames.size();
   while (at != end) {
@@ -42,14 +39,10 @@ std::string ClientHistory::Add(std::uint64_t first, std::string_view frames) {
     std::string problem = decoder_.Decode(at, size, *this);
     if (!problem.empty()) return "the robot sent what cannot be read: " + problem;
     listener_.OnFrame(at, size);
-    if (unnumbered_ > 0) {
-      --unnumbered_;
-    } else {
-      ++next_;
-    }
-    has_frames_ = true;
     at += size;
   }
+  next_ = next;
+  has_frames_ = true;
   return "";
 }
 

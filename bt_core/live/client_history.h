@@ -24,12 +24,12 @@ class ClientHistory : private HistoryHandler {
   }
 
   /// What follows is of this run; `first` is the frame that follows. True if it goes on where it
-  /// was; else it begins with frames that bear no number.
+  /// was.
   bool Begin(const RunId& run, std::uint64_t first);
 
-  /// One push: frames, and the number of the first of them that bears one. Returns what is wrong
-  /// with them, or nothing; afterwards the connection must begin anew.
-  std::string Add(std::uint64_t first, std::string_view frames);
+  /// One push: the number of its first frame, the number after the last one, and the frames.
+  /// Returns what is wrong with them, or nothing; afterwards the connection must begin anew.
+  std::string Add(std::uint64_t first, std::uint64_t next, std::string_view frames);
 
  private:
   void OnTree(const TreeDescription& tree) override;
@@ -45,9 +45,8 @@ class ClientHistory : private HistoryHandler {
   RunId run_{};
   bool has_frames_ = false;
   std::uint64_t next_ = 0;
-  std::uint64_t tick_ = 0;      // the last one that came
-  bool has_hole_ = false;       // something is missing before the next state
-  std::size_t unnumbered_ = 0;  // so many frames of the next push bear no number
+  std::uint64_t tick_ = 0;  // the last one that came
+  bool has_hole_ = false;   // something is missing before the next state
 };
 
 /// A frame that says what is missing.

@@ -118,13 +118,14 @@ bool ClientSocket::ReadMonitor() {
   std::memcpy(&number, event.data(), sizeof(number));
   switch (number) {
     case ZMQ_EVENT_DISCONNECTED:
-      if (problem_.empty()) problem_ = "the connection is closed";
-      return true;
-    case ZMQ_EVENT_HANDSHAKE_FAILED_AUTH:
+    case ZMQ_EVENT_HANDSHAKE_FAILED_NO_DETAIL:
     case ZMQ_EVENT_HANDSHAKE_FAILED_PROTOCOL:
-      problem_ =
-          std::string("the robot does not let this client in; it needs the token that the ") +
-          "robot has, in " + kTokenVariable;
+    case ZMQ_EVENT_HANDSHAKE_FAILED_AUTH:
+      problem_ = has_received_ ? "the connection is closed"
+                               : std::string(
+                                     "the robot closed the connection at once; perhaps it "
+                                     "needs another token in ") +
+                                     kTokenVariable;
       return true;
     default:
       return false;
@@ -140,6 +141,7 @@ void ClientSocket::Listen(const std::string& address) {
 
 ClientSocket::Parts ClientSocket::Receive() {
   Parts parts = ReceiveFrom(socket_);
+  has_received_ = has_received_ || !parts.empty();
   return parts.empty() ? ReceiveFrom(published_) : parts;
 }
 

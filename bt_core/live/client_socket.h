@@ -71,6 +71,7 @@ class ClientSocket {
   zmq::socket_t socket_;
   zmq::socket_t monitor_;
   zmq::socket_t published_;
+  bool has_received_ = false;
   std::string problem_;
 };
 

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "bt_core/engine/keys.h"
+#include "bt_core/model/manifest.h"
 
 namespace coppice {
 namespace {
@@ -56,6 +57,14 @@ std::vector<std::string> KeysAround(const Program& program, ScopeIndex scope) {
     if (!slot.key.empty() && FindKey(program, scope, slot.key) != kNoSlot) {
       keys.push_back(slot.key);
     }
+  }
+  if (scope == 0) return keys;
+  const NodeIndex node = program.trees[scope].node;  // its attributes are keys inside
+  const Document& document = program.DocumentOf(node);
+  const Element& element = program.ElementOf(node);
+  for (const Attribute* a = document.attributes_begin(element);
+       a != document.attributes_end(element); ++a) {
+    if (!IsReservedAttribute(a->name)) keys.emplace_back(a->name);
   }
   return keys;
 }

@@ -8,8 +8,6 @@
 namespace coppice {
 namespace {
 
-using ::testing::UnorderedElementsAre;
-
 class ScopeKeysTest : public ::testing::Test {
  protected:
   Stage stage_{Root(R"(
@@ -64,7 +62,7 @@ TEST_F(ScopeKeysTest, AutoremappedKeysAreThoseOfTheParentButForPrivateOnes) {
 }
 
 TEST_F(ScopeKeysTest, HintsNameWhatIsVisible) {
-  EXPECT_THAT(KeysAround(program_, 1), ::testing::IsSupersetOf({"speed", "own", "_mine"}));
+  EXPECT_THAT(KeysAround(program_, 1), ::testing::IsSupersetOf({"speed", "own", "_mine", "level"}));
 }
 
 }  // namespace
