@@ -57,15 +57,15 @@ TEST(LiveClient, GetsEveryTickFromTheBeginning) {
 
 TEST(LiveClient, BeginsWithThePresentIfThePastIsNotWanted) {
   Robot robot;
-  robot.Tick(3000);
+  robot.Tick(30000);
   Watcher watcher;
   LiveClientOptions options;
   options.with_past = false;
   const LiveClient client(robot.endpoint(), watcher, options);
   ASSERT_TRUE(watcher.Await([](const Watched& w) { return !w.states.empty(); }));
   robot.Tick();
-  ASSERT_TRUE(watcher.Await(HasTick(3001)));
-  EXPECT_LT(watcher.watched().ticks.size(), 3000u);
+  ASSERT_TRUE(watcher.Await(HasTick(30001)));
+  EXPECT_LT(watcher.watched().ticks.size(), 30000u);
   EXPECT_EQ(watcher.watched().follower->statuses(), robot.executor().statuses());
 }
 
@@ -140,8 +140,7 @@ TEST(LiveClient, ReportsWhatTheRobotHasNotKeptWhileTheLineWasCut) {
   ASSERT_TRUE(watcher.Await(HasTick(20010)));
   const Watched watched = watcher.watched();
   ASSERT_FALSE(watched.gaps.empty());
-  EXPECT_EQ(watched.gaps[0].first_tick, 11u);
-  std::uint64_t lost = 0;
+  std::uint64_t lost = watched.states[0].tick;  // before it was there
   for (const HistoryGap& gap : watched.gaps) lost += gap.lost_ticks;
   EXPECT_EQ(lost + watched.ticks.size(), 20010u);
   EXPECT_EQ(watched.follower->statuses(), robot.executor().statuses());
