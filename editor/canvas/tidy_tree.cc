@@ -1,5 +1,6 @@
 #include "editor/canvas/tidy_tree.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace coppice::editor {
@@ -179,7 +180,24 @@ class Drawing {
   std::size_t steps_ = 0;
 };
 
-// The boxes with half a gap on each side; depth is known before breadth.
+// Gives all nodes of a depth the room of the largest of them.
+void AlignLayers(const std::vector<std::uint32_t>& ends, std::vector<Node>& nodes) {
+  std::vector<std::uint32_t> depth(nodes.size(), 0);
+  std::vector<float> room;
+  for (std::uint32_t i = 0; i < nodes.size(); ++i) {
+    for (std::uint32_t c = i + 1; c < ends[i]; c = ends[c]) depth[c] = depth[i] + 1;
+    if (room.size() <= depth[i]) room.push_back(0);
+    room[depth[i]] = std::max(room[depth[i]], nodes[i].h);
+  }
+  std::vector<float> start(room.size(), 0);
+  for (std::size_t d = 1; d < room.size(); ++d) start[d] = start[d - 1] + room[d - 1];
+  for (std::uint32_t i = 0; i < nodes.size(); ++i) {
+    nodes[i].y = start[depth[i]];
+    nodes[i].h = room[depth[i]];
+  }
+}
+
+// The boxes with their gaps; depth is known before breadth.
 std::vector<Node> PaddedNodes(const std::vector<std::uint32_t>& ends,
                               const std::vector<Point>& sizes, const LayoutOptions& options) {
   const bool sideways = options.orientation == Orientation::kLeftToRight;
@@ -189,6 +207,7 @@ std::vector<Node> PaddedNodes(const std::vector<std::uint32_t>& ends,
     nodes[i].h = (sideways ? sizes[i].x : sizes[i].y) + options.level_gap;
     for (std::uint32_t c = i + 1; c < ends[i]; c = ends[c]) nodes[c].y = nodes[i].y + nodes[i].h;
   }
+  if (options.layered) AlignLayers(ends, nodes);
   return nodes;
 }
 

@@ -21,6 +21,7 @@ struct LayoutOptions {
   Orientation orientation = Orientation::kTopToBottom;
   float sibling_gap = 18;  ///< least distance of boxes side by side
   float level_gap = 38;    ///< distance of parent and child
+  bool layered = false;    ///< all boxes of a depth begin at the same line
 };
 
 struct TidyTree {

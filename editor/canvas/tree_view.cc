@@ -1,8 +1,9 @@
 #include "editor/canvas/tree_view.h"
 
 #include <algorithm>
-#include <map>
 #include <utility>
+
+#include "editor/scene/tree_match.h"
 
 namespace coppice::editor {
 namespace {
@@ -21,27 +22,52 @@ float EaseOut(double t) {
 }  // namespace
 
 void TreeView::SetScene(std::shared_ptr<const Scene> scene, std::vector<Point> sizes, double now) {
-  std::set<std::string> closed;
-  std::string selected;
-  for (std::uint32_t i = 0; scene_ && i < scene_->nodes.size(); ++i) {
-    if (collapsed_[i]) closed.insert(scene_->nodes[i].path);
-    if (i == selected_) selected = scene_->nodes[i].path;
+  TreeMatch match;
+  const bool another = !scene_ || scene_->nodes.empty();
+  if (another) {
+    match.before_of.assign(scene->nodes.size(), kNoNode);
+  } else {
+    match = MatchTrees(*scene_, *scene);
   }
+  const Places before = PlacesAt(now);
+  Places after = {std::vector<Point>(scene->nodes.size()),
+                  std::vector<bool>(scene->nodes.size(), false)};
+  std::vector<bool> collapsed(scene->nodes.size(), false);
+  for (std::uint32_t i = 0; i < scene->nodes.size(); ++i) {
+    const std::uint32_t old = match.before_of[i];
+    if (old == kNoNode) continue;
+    collapsed[i] = collapsed_[old] && scene->HasChildren(i);
+    after.known[i] = before.known[old];
+    after.at[i] = before.at[old];
+  }
+  const auto new_number = [&](std::uint32_t old) { return match.after_of[old]; };
+  selected_ = selected_ == kNoNode ? kNoNode : new_number(selected_);
+  for (std::uint32_t& node : selection_) node = new_number(node);
+  std::sort(selection_.begin(), selection_.end());
+  selection_.erase(std::lower_bound(selection_.begin(), selection_.end(), kNoNode),
+                   selection_.end());
+  if (selected_ == kNoNode && !selection_.empty()) selected_ = selection_.back();
+
   scene_ = std::move(scene);
   sizes_ = std::move(sizes);
-  collapsed_.assign(scene_->nodes.size(), false);
-  for (std::uint32_t i = 0; i < scene_->nodes.size() && !closed.empty(); ++i) {
-    collapsed_[i] = closed.count(scene_->nodes[i].path) > 0 && scene_->HasChildren(i);
-  }
-  selected_ = selected.empty() ? kNoNode : scene_->FindPath(selected);
-  shown_.clear();
-  Relayout(kNoNode, now);
+  collapsed_ = std::move(collapsed);
+  ListShown();
+  LayOutShown();
+  const std::uint32_t anchor = Anchor();
+  const bool knows_anchor = !scene_->nodes.empty() && after.known[anchor];
+  Move(after, knows_anchor ? anchor : kNoNode, now);
+}
+
+void TreeView::SetStyle(const LayoutStyle& style, double now) {
+  if (style == style_) return;
+  style_ = style;
+  if (scene_) Relayout(Anchor(), now);
 }
 
 void TreeView::SetOrientation(Orientation orientation, double now) {
-  if (orientation == orientation_) return;
-  orientation_ = orientation;
-  Relayout(selected_ == kNoNode ? 0 : selected_, now);
+  LayoutStyle style = style_;
+  style.orientation = orientation;
+  SetStyle(style, now);
 }
 
 void TreeView::SetCollapsed(std::uint32_t node, bool collapsed, double now) {
@@ -56,17 +82,25 @@ void TreeView::CollapseSubTrees(bool collapsed, double now) {
       collapsed_[i] = collapsed && scene_->HasChildren(i);
     }
   }
-  Relayout(selected_ == kNoNode ? 0 : selected_, now);
+  Relayout(Anchor(), now);
 }
 
-void TreeView::Select(std::uint32_t node) {
-  selected_ = node;
-  bool opened = false;
-  while (node != kNoNode && (node = scene_->nodes[node].parent) != kNoNode) {
-    opened = opened || collapsed_[node];
-    collapsed_[node] = false;
+void TreeView::CollapseOthers(double now) {
+  if (selection_.empty()) return;
+  for (std::uint32_t i = 0; i < scene_->nodes.size(); ++i) {
+    const auto inside = std::lower_bound(selection_.begin(), selection_.end(), i);
+    const bool holds = inside != selection_.end() && *inside < scene_->nodes[i].end;
+    collapsed_[i] = !holds && scene_->HasChildren(i);
   }
-  if (opened) Relayout(0, moved_at_);
+  for (const std::uint32_t node : selection_) {
+    for (std::uint32_t i = node; i < scene_->nodes[node].end; ++i) collapsed_[i] = false;
+  }
+  Relayout(Anchor(), now);
+}
+
+void TreeView::OpenAll(double now) {
+  std::fill(collapsed_.begin(), collapsed_.end(), false);
+  Relayout(Anchor(), now);
 }
 
 std::uint32_t TreeView::ShownOf(std::uint32_t node) const {
@@ -74,51 +108,79 @@ std::uint32_t TreeView::ShownOf(std::uint32_t node) const {
   return static_cast<std::uint32_t>(after - shown_.begin()) - 1;
 }
 
-// The anchor does not move on the screen: what the layout moves it, the camera moves back, and
-// where the boxes come from is shifted along.
-void TreeView::Relayout(std::uint32_t anchor, double now) {
-  std::map<std::uint32_t, Point> before;
-  const bool animate = !shown_.empty() && anchor != kNoNode;
-  for (std::uint32_t k = 0; animate && k < shown_.size(); ++k) {
-    before[shown_[k]] = BoxAt(k, now).min;
+TreeView::Places TreeView::PlacesAt(double now) const {
+  const std::size_t count = scene_ ? scene_->nodes.size() : 0;
+  Places places = {std::vector<Point>(count), std::vector<bool>(count, false)};
+  for (std::uint32_t k = 0; k < shown_.size(); ++k) {
+    places.at[shown_[k]] = BoxAt(k, now).min;
+    places.known[shown_[k]] = true;
   }
-  if (animate) anchor = shown_[ShownOf(anchor)];
+  return places;
+}
 
+void TreeView::Relayout(std::uint32_t anchor, double now) {
+  const Places before = PlacesAt(now);
+  anchor = shown_.empty() ? kNoNode : shown_[ShownOf(anchor)];
+  ListShown();
+  LayOutShown();
+  Move(before, anchor, now);
+}
+
+void TreeView::ListShown() {
   shown_.clear();
   shown_ends_.clear();
-  std::vector<Point> sizes;
+  shown_parents_.clear();
   const std::uint32_t count = scene_->nodes.empty() ? 0 : scene_->nodes[0].end;
+  std::vector<std::uint32_t> branch;  // numbers of the nodes above
   for (std::uint32_t i = 0; i < count; i = collapsed_[i] ? scene_->nodes[i].end : i + 1) {
+    const auto k = static_cast<std::uint32_t>(shown_.size());
+    while (!branch.empty() && scene_->nodes[shown_[branch.back()]].end <= i) {
+      shown_ends_[branch.back()] = k;
+      branch.pop_back();
+    }
+    shown_parents_.push_back(branch.empty() ? 0 : branch.back());
     shown_.push_back(i);
-    sizes.push_back(sizes_[i] + Point{0, collapsed_[i] ? kChipRow : 0});
+    shown_ends_.push_back(0);
+    branch.push_back(k);
   }
-  for (const std::uint32_t node : shown_) {
-    const auto end = std::lower_bound(shown_.begin(), shown_.end(), scene_->nodes[node].end);
-    shown_ends_.push_back(static_cast<std::uint32_t>(end - shown_.begin()));
-  }
-  LayoutOptions options;
-  options.orientation = orientation_;
-  if (orientation_ == Orientation::kLeftToRight) options = {orientation_, 14, 56};
-  layout_ = LayOut(shown_ends_, sizes, options);
+  for (const std::uint32_t k : branch) shown_ends_[k] = static_cast<std::uint32_t>(shown_.size());
+}
 
+void TreeView::LayOutShown() {
+  std::vector<Point> sizes;
+  std::vector<bool> is_decorator;
+  sizes.reserve(shown_.size());
+  is_decorator.reserve(shown_.size());
+  for (const std::uint32_t node : shown_) {
+    sizes.push_back(sizes_[node] + Point{0, collapsed_[node] ? kChipRow : 0});
+    is_decorator.push_back(scene_->nodes[node].shape == Shape::kDecorator);
+  }
+  layout_ = Arrange(shown_ends_, sizes, is_decorator, style_);
   branches_ = layout_.boxes;
   for (auto k = static_cast<std::uint32_t>(shown_.size()); k-- > 1;) {
-    const std::uint32_t parent = ShownOf(scene_->nodes[shown_[k]].parent);
-    branches_[parent] = Union(branches_[parent], branches_[k]);
+    Box& parent = branches_[shown_parents_[k]];
+    parent = Union(parent, branches_[k]);
   }
+}
 
+// The anchor does not move on the screen: what the layout moves it, the camera moves back, and
+// where the boxes come from is shifted along. kNoNode: everything is in its place at once.
+void TreeView::Move(const Places& before, std::uint32_t anchor, double now) {
   from_.assign(shown_.size(), {});
-  if (!animate || before.count(anchor) == 0) {
-    moved_at_ = -1e9;
-    return;
-  }
-  const Point shift = layout_.boxes[ShownOf(anchor)].min - before[anchor];
-  for (std::uint32_t k = 0; k < shown_.size(); ++k) {
-    std::uint32_t origin = shown_[k];  // a new box comes out of the nearest old one
-    while (before.count(origin) == 0) origin = scene_->nodes[origin].parent;
-    from_[k] = before[origin] + shift;
-  }
+  moved_at_ = -1e9;
+  if (anchor == kNoNode) return;
+  const Point shift = layout_.boxes[ShownOf(anchor)].min - before.at[anchor];
   camera.offset = camera.offset - shift * camera.zoom;
+  if (!animated) return;
+  for (std::uint32_t k = 0; k < shown_.size(); ++k) {
+    const std::uint32_t node = shown_[k];
+    if (before.known[node]) {
+      from_[k] = before.at[node] + shift;
+    } else {
+      // A new box comes out of its parent.
+      from_[k] = k == 0 ? layout_.boxes[0].min : from_[shown_parents_[k]];
+    }
+  }
   moved_at_ = now;
 }
 
@@ -139,8 +201,10 @@ void TreeView::FitAll(Point canvas) {
 }
 
 void TreeView::FitSelection(Point canvas) {
-  if (selected_ == kNoNode) return;
-  Fit(branches_[ShownOf(selected_)], canvas, 1.4F);
+  if (selection_.empty()) return;
+  Box box = branches_[ShownOf(selection_.front())];
+  for (const std::uint32_t node : selection_) box = Union(box, branches_[ShownOf(node)]);
+  Fit(box, canvas, 1.4F);
 }
 
 void TreeView::Fit(const Box& box, Point canvas, float largest_zoom) {

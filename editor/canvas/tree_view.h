@@ -7,11 +7,10 @@
 
 #include <cstdint>
 #include <memory>
-#include <set>
 #include <string>
 #include <vector>
 
-#include "editor/canvas/tidy_tree.h"
+#include "editor/canvas/tree_layout.h"
 #include "editor/scene/scene.h"
 
 namespace coppice::editor {
@@ -27,32 +26,56 @@ struct Camera {
 
 class TreeView {
  public:
-  /// Shows a tree. `sizes` are those of its nodes without the row for collapsed children. Selection
-  /// and collapsed nodes stay where the paths are still there. `now` in seconds.
+  /// Shows a tree. `sizes` are those of its nodes without the row for collapsed children. If it is
+  /// another version of the one that is shown, selection and collapsed nodes stay with their nodes,
+  /// which move to their new places. `now` in seconds.
   void SetScene(std::shared_ptr<const Scene> scene, std::vector<Point> sizes, double now);
   const std::shared_ptr<const Scene>& scene() const { return scene_; }
 
+  void SetStyle(const LayoutStyle& style, double now);
+  const LayoutStyle& style() const { return style_; }
   void SetOrientation(Orientation orientation, double now);
-  Orientation orientation() const { return orientation_; }
+  Orientation orientation() const { return style_.orientation; }
+
+  /// Without it, nodes jump to their places.
+  bool animated = true;
 
   bool IsCollapsed(std::uint32_t node) const { return collapsed_[node]; }
   /// Nodes without children are never collapsed. The node stays where it is on the screen.
   void SetCollapsed(std::uint32_t node, bool collapsed, double now);
   /// All SubTrees at once.
   void CollapseSubTrees(bool collapsed, double now);
+  /// Everything that neither holds a selected node nor is selected. Without a selection nothing.
+  void CollapseOthers(double now);
+  void OpenAll(double now);
 
-  std::uint32_t selected() const { return selected_; }  ///< kNoNode: none
-  void Select(std::uint32_t node);                      ///< opens what it is hidden in
+  /// The node that was selected last; kNoNode: none.
+  std::uint32_t selected() const { return selected_; }
+  /// All that are selected, rising.
+  const std::vector<std::uint32_t>& selection() const { return selection_; }
+  bool IsSelected(std::uint32_t node) const;
+  /// That node alone, or nothing. Opens what it is hidden in.
+  void Select(std::uint32_t node);
+  /// Adds it to the selection, or takes it out.
+  void ToggleSelected(std::uint32_t node);
+  /// Adds everything from the node that was selected last to this one: siblings if they are, else
+  /// all visible nodes between them.
+  void SelectTo(std::uint32_t node);
+  /// Exactly these; the last one becomes selected().
+  void SelectAll(std::vector<std::uint32_t> nodes);
 
   /// Visible nodes in preorder. The range of descendants of shown()[k] ends at shown_ends()[k].
   const std::vector<std::uint32_t>& shown() const { return shown_; }
   const std::vector<std::uint32_t>& shown_ends() const { return shown_ends_; }
+  /// Number among shown() of the parent of shown()[k]; 0 for the root.
+  std::uint32_t ShownParent(std::uint32_t k) const { return shown_parents_[k]; }
 
   /// Box of shown()[k] in the world at that time.
   Box BoxAt(std::uint32_t k, double now) const;
   /// Around shown()[k] and all its descendants, at rest.
   const Box& BranchBounds(std::uint32_t k) const { return branches_[k]; }
   const Box& bounds() const { return layout_.bounds; }
+  Link LinkOf(std::uint32_t k) const { return layout_.links[k]; }
   /// Number among shown() of a node, or of the collapsed node that hides it.
   std::uint32_t ShownOf(std::uint32_t node) const;
   bool IsMoving(double now) const;
@@ -69,16 +92,29 @@ class TreeView {
   bool needs_fit = true;  ///< the camera was never set; cleared by FitAll
 
  private:
+  // Where the nodes of the scene are on the canvas; only those with `known` are there.
+  struct Places {
+    std::vector<Point> at;
+    std::vector<bool> known;
+  };
+
+  Places PlacesAt(double now) const;
+  std::uint32_t Anchor() const { return selected_ == kNoNode ? 0 : selected_; }
   void Relayout(std::uint32_t anchor, double now);
+  void Move(const Places& before, std::uint32_t anchor, double now);
+  void ListShown();
+  void LayOutShown();
+  void OpenAround(std::uint32_t node);
   void Fit(const Box& box, Point canvas, float largest_zoom);
 
   std::shared_ptr<const Scene> scene_;
   std::vector<Point> sizes_;
   std::vector<bool> collapsed_;
-  Orientation orientation_ = Orientation::kTopToBottom;
+  LayoutStyle style_;
   std::uint32_t selected_ = kNoNode;
-  std::vector<std::uint32_t> shown_, shown_ends_;
-  TidyTree layout_;
+  std::vector<std::uint32_t> selection_;
+  std::vector<std::uint32_t> shown_, shown_ends_, shown_parents_;
+  TreeLayout layout_;
   std::vector<Point> from_;  // upper left corners when the boxes began to move
   std::vector<Box> branches_;
   double moved_at_ = -1e9;

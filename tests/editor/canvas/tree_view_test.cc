@@ -2,19 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/editor/canvas/make_scene.h"
+
 namespace coppice::editor {
 namespace {
-
-std::shared_ptr<const Scene> MakeScene(const std::string& xml) {
-  Diagnostics diagnostics;
-  static std::vector<Forest> alive;  // scenes point into their forests
-  static const NodeModels models;
-  alive.reserve(100);
-  alive.push_back(Forest::FromRobot(
-      "<root BTCPP_format=\"4\"><BehaviorTree ID=\"T\">" + xml + "</BehaviorTree></root>", "test",
-      diagnostics));
-  return std::make_shared<Scene>(BuildScene(alive.back(), 0, models));
-}
 
 class TreeViewTest : public testing::Test {
  protected:
@@ -81,13 +72,72 @@ TEST_F(TreeViewTest, OpensWhatHidesTheSelection) {
   EXPECT_EQ(view_.selected(), 3U);
 }
 
-TEST_F(TreeViewTest, KeepsSelectionAndCollapsedNodesByPathInANewScene) {
+TEST_F(TreeViewTest, KeepsSelectionAndCollapsedNodesInAnotherVersion) {
   view_.Select(5);
   view_.SetCollapsed(1, true, 1);
   auto scene = MakeScene("<A><B><C/></B><E><F/></E></A>");
   view_.SetScene(scene, std::vector<Point>(scene->nodes.size(), {100, 30}), 2);
   EXPECT_TRUE(view_.IsCollapsed(1));
   EXPECT_EQ(scene->nodes[view_.selected()].path, "1.2.1");
+}
+
+TEST_F(TreeViewTest, MovesTheNodesOfAnotherVersionToTheirNewPlaces) {
+  view_.FitAll({800, 600});
+  view_.Select(3);
+  const Point before = view_.camera.ToScreen(view_.BoxAt(3, 5).min);
+  const Point sibling = view_.camera.ToScreen(view_.BoxAt(5, 5).min);
+  auto scene = MakeScene("<A><New/><B><C/><D/></B><E><F/></E></A>");
+  view_.SetScene(scene, std::vector<Point>(scene->nodes.size(), {100, 30}), 5);
+  EXPECT_EQ(scene->nodes[view_.selected()].path, "1.2.2");
+  for (const double now : {5.0, 5.1, 9.0}) {
+    const Point after =
+        view_.camera.ToScreen(view_.BoxAt(view_.ShownOf(view_.selected()), now).min);
+    EXPECT_NEAR(after.x, before.x, 0.01) << "the selected node is the anchor";
+    EXPECT_NEAR(after.y, before.y, 0.01);
+  }
+  EXPECT_NEAR(view_.camera.ToScreen(view_.BoxAt(6, 5).min).x, sibling.x, 0.01);
+}
+
+TEST_F(TreeViewTest, JumpsWhenNotAnimated) {
+  view_.animated = false;
+  view_.SetCollapsed(1, true, 5);
+  EXPECT_FALSE(view_.IsMoving(5));
+}
+
+TEST_F(TreeViewTest, AddsToTheSelectionAndTakesOut) {
+  view_.Select(2);
+  view_.ToggleSelected(5);
+  EXPECT_EQ(view_.selection(), (std::vector<std::uint32_t>{2, 5}));
+  EXPECT_EQ(view_.selected(), 5U);
+  view_.ToggleSelected(5);
+  EXPECT_EQ(view_.selection(), std::vector<std::uint32_t>{2});
+  EXPECT_EQ(view_.selected(), 2U);
+  view_.ToggleSelected(2);
+  EXPECT_EQ(view_.selected(), kNoNode);
+}
+
+TEST_F(TreeViewTest, SelectsSiblingsUpToTheOneThatIsShiftClicked) {
+  view_.Select(4);
+  view_.SelectTo(1);
+  EXPECT_EQ(view_.selection(), (std::vector<std::uint32_t>{1, 4}));
+  view_.Select(2);
+  view_.SelectTo(5);
+  EXPECT_EQ(view_.selection(), (std::vector<std::uint32_t>{2, 3, 4, 5}));
+}
+
+TEST_F(TreeViewTest, KeepsTheSelectedNodesThatAreStillThere) {
+  view_.SelectAll({2, 3, 5});
+  auto scene = MakeScene("<A><B><C/></B><E><F/></E></A>");
+  view_.SetScene(scene, std::vector<Point>(scene->nodes.size(), {100, 30}), 2);
+  EXPECT_EQ(view_.selection(), (std::vector<std::uint32_t>{2, 4}));
+}
+
+TEST_F(TreeViewTest, CollapsesWhatDoesNotHoldTheSelection) {
+  view_.Select(2);
+  view_.CollapseOthers(1);
+  EXPECT_EQ(view_.shown(), (std::vector<std::uint32_t>{0, 1, 2, 3, 4}));
+  view_.OpenAll(2);
+  EXPECT_EQ(view_.shown().size(), 6U);
 }
 
 TEST_F(TreeViewTest, FitsAllIntoTheCanvas) {

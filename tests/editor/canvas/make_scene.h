@@ -1,0 +1,30 @@
+// Scenes of a few elements, written as XML.
+#ifndef COPPICE_TESTS_EDITOR_CANVAS_MAKE_SCENE_H_
+#define COPPICE_TESTS_EDITOR_CANVAS_MAKE_SCENE_H_
+
+#include <memory>
+#include <string>
+
+#include "editor/scene/scene.h"
+
+namespace coppice::editor {
+
+/// The scene of a tree with that root element. What it points into lives as long as it does.
+inline std::shared_ptr<const Scene> MakeScene(const std::string& xml) {
+  struct Kept {
+    Forest forest;
+    Scene scene;
+  };
+  static const NodeModels models;
+  Diagnostics diagnostics;
+  auto kept = std::make_shared<Kept>();
+  kept->forest = Forest::FromRobot(
+      "<root BTCPP_format=\"4\"><BehaviorTree ID=\"T\">" + xml + "</BehaviorTree></root>", "test",
+      diagnostics);
+  kept->scene = BuildScene(kept->forest, 0, models);
+  return {kept, &kept->scene};
+}
+
+}  // namespace coppice::editor
+
+#endif  // COPPICE_TESTS_EDITOR_CANVAS_MAKE_SCENE_H_
