@@ -32,6 +32,16 @@ struct Names {
   std::uint32_t slot = 0;
 };
 
+// Times of damaged bytes may be anything, so what is too large wraps around.
+Duration Sum(Duration a, Duration b) {
+  return Duration(static_cast<std::int64_t>(static_cast<std::uint64_t>(a.count()) +
+                                            static_cast<std::uint64_t>(b.count())));
+}
+Duration Difference(Duration a, Duration b) {
+  return Duration(static_cast<std::int64_t>(static_cast<std::uint64_t>(a.count()) -
+                                            static_cast<std::uint64_t>(b.count())));
+}
+
 std::int64_t Step(std::uint32_t from, std::uint32_t to) {
   return std::int64_t{to} - std::int64_t{from};
 }
@@ -157,13 +167,13 @@ std::string CutValue(std::string_view bytes, std::size_t limit) {
 void TickEncoder::Encode(const TickEvents& events, Bytes& out) {
   EncodeEvents(events.words, out.size());
   const std::uint64_t number_step = events.tick - place_.tick;
-  const Duration step = events.start - place_.time;
+  const Duration step = Difference(events.start, place_.time);
   Encoder encoder(out);
   encoder.Byte(static_cast<std::uint8_t>(
       static_cast<unsigned>(events.result) | (events.is_whole ? 0u : kIsPart) |
       static_cast<unsigned>(number_step < kOtherStep ? number_step : kOtherStep) << kStepShift));
   if (number_step >= kOtherStep) encoder.Signed(static_cast<std::int64_t>(number_step));
-  encoder.Signed((step - place_.step).count());
+  encoder.Signed(Difference(step, place_.step).count());
   const auto duration = std::chrono::round<std::chrono::microseconds>(events.duration);
   encoder.Unsigned(static_cast<std::uint64_t>(duration.count()));
   encoder.Unsigned(events_.size());
@@ -185,17 +195,13 @@ std::optional<TickEvents> TickDecoder::Decode(Decoder& in, const TreeSize& size)
   if (result > static_cast<unsigned>(Status::kSkipped) || step_code > kOtherStep) return {};
   const std::uint64_t number_step =
       step_code < kOtherStep ? step_code : static_cast<std::uint64_t>(in.Signed());
-  // Times of damaged bytes may be anything; they must not overflow.
-  const auto step =
-      static_cast<std::uint64_t>(place_.step.count()) + static_cast<std::uint64_t>(in.Signed());
-  const std::uint64_t time = static_cast<std::uint64_t>(place_.time.count()) + step;
+  const Duration step = Sum(place_.step, Duration(in.Signed()));
   const std::uint64_t duration = in.Unsigned();
   words_.Clear();
   const Decoder events = in.Part();
   if (!in.ok() || duration > kMaxMicroseconds) return {};
   if (!EventsDecoder(events, size, words_).DecodeAll()) return {};
-  place_ = {place_.tick + number_step, Time(static_cast<std::int64_t>(time)),
-            Duration(static_cast<std::int64_t>(step))};
+  place_ = {place_.tick + number_step, Sum(place_.time, step), step};
   return TickEvents{place_.tick,
                     place_.time,
                     std::chrono::microseconds(duration),

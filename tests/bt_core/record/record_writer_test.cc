@@ -14,7 +14,6 @@
 namespace coppice {
 namespace {
 
-using ::testing::HasSubstr;
 using ::testing::SizeIs;
 using namespace std::chrono_literals;  // NOLINT(google-build-using-namespace)
 
@@ -83,22 +82,6 @@ TEST_F(RecordWriterTest, HurriesWhenTheBufferIsHalfFull) {
     writer.Add(Tick(++tick));
     return writer.flushed_tick() > 0;
   });
-}
-
-TEST_F(RecordWriterTest, CountsWhatFindsNoRoom) {
-  options_.buffer_bytes = 1;
-  RecordWriter writer(path(), options_, {});
-  writer.Add(state_);  // there is room for something as long as there is room for a byte
-  writer.Add(Tick(1));
-  writer.Add(Tick(2));
-  writer.Add(HistoryNote{5s, "kind", "text"});
-  EXPECT_EQ(writer.lost_ticks(), 2u);
-  writer.Stop(6s);
-  const WholeRecord record = ReadRecord(path());
-  EXPECT_THAT(record.ticks, SizeIs(0));
-  ASSERT_THAT(record.gaps, SizeIs(1));
-  EXPECT_EQ(record.gaps[0].lost_ticks, 2u);
-  EXPECT_EQ(record.gaps[0].lost_notes, 1u);
 }
 
 TEST_F(RecordWriterTest, GoesOnInAnotherFileWhenOneIsLongEnough) {

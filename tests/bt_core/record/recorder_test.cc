@@ -154,6 +154,7 @@ TEST_F(RecorderTest, LeavesOutTicksThatTheDiskCannotTakeAndSaysSo) {
     stream_.Flush();
   }
   const std::uint64_t lost = recorder->lost_ticks();
+  for (int i = 0; i < 3; ++i) recorder->Note(Time(0), "note", "finds no room");
   disk.Drain();
   const std::uint64_t now = executor_.ticks();
   const auto deadline = std::chrono::steady_clock::now() + 30s;
@@ -166,7 +167,12 @@ TEST_F(RecorderTest, LeavesOutTicksThatTheDiskCannotTakeAndSaysSo) {
   const WholeRecord record = ReadRecord(folder_.Path("copy"));
   EXPECT_THAT(record.damages, SizeIs(0));
   std::uint64_t counted = 0;
-  for (const HistoryGap& gap : record.gaps) counted += gap.lost_ticks;
+  std::uint64_t notes = 0;
+  for (const HistoryGap& gap : record.gaps) {
+    counted += gap.lost_ticks;
+    notes += gap.lost_notes;
+  }
+  EXPECT_EQ(notes, 3u);
   EXPECT_GE(all_lost, lost);
   EXPECT_EQ(counted, all_lost);
   EXPECT_EQ(record.ticks.size() + all_lost, kept_.ticks.size());
