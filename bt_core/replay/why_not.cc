@@ -1,0 +1,73 @@
+#include "bt_core/replay/why_not.h"
+
+namespace coppice {
+namespace {
+
+// The nodes whose first child chooses among the others.
+bool IsChosenByFirstChild(const RecordedTree& tree, NodeIndex node) {
+  if (!tree.program) return false;
+  const NodeType type = tree.program->nodes[node].type;
+  return type == NodeType::kIfThenElse || type == NodeType::kWhileDoElse;
+}
+
+// A tick of the root that has no result of the root.
+WhyNot WithoutRoot(const TickStory& story, NodeIndex node) {
+  using Cause = WhyNot::Cause;
+  const TickEvents& events = story.view().events;
+  if (!events.is_whole) return {Cause::kNotWhole, node, node, kNoNode, Status::kIdle};
+  if (events.result == Status::kIdle) return {Cause::kNoTick, node, node, kNoNode, Status::kIdle};
+  WhyNot why{Cause::kAborted, node, node, kNoNode, events.result};
+  for (const Event& event : story.walk().events) {
+    const bool is_exception =
+        event.code == EventCode::kText && event.text == EventText::kException;
+    if (is_exception) why.by = event.index;
+  }
+  return why;
+}
+
+// The children of a step that were ticked, in order.
+std::vector<const WalkStep*> TickedChildren(const Walk& walk, StepIndex step) {
+  std::vector<const WalkStep*> ticked;
+  for (const StepIndex child : walk.ChildrenOf(step)) {
+    if (walk.steps[child].result != Status::kIdle) ticked.push_back(&walk.steps[child]);
+  }
+  return ticked;
+}
+
+}  // namespace
+
+WhyNot WhyNotOf(const TickStory& story, NodeIndex node) {
+  using Cause = WhyNot::Cause;
+  const Walk& walk = story.walk();
+  NodeIndex towards = node;
+  NodeIndex by = node;
+  StepIndex step = kNoStep;
+  while (step == kNoStep) {
+    towards = by;
+    by = story.tree().shape[towards].parent;
+    if (by == towards) return WithoutRoot(story, node);
+    step = walk.LastStepOf(by);
+  }
+  WhyNot why{Cause::kOwn, by, towards, kNoNode, walk.steps[step].result};
+  const std::vector<const WalkStep*> ticked = TickedChildren(walk, step);
+  if (ticked.empty()) {
+    if (walk.steps[step].is_injected) why.cause = Cause::kInjected;
+    return why;
+  }
+  const Status earlier = story.view().statuses[towards];
+  if (earlier != Status::kIdle && earlier != Status::kRunning) {
+    why.cause = Cause::kDone;
+    why.status = earlier;
+    return why;
+  }
+  const WalkStep* decisive = ticked.back();
+  if (IsChosenByFirstChild(story.tree(), by) && ticked.front()->node == by + 1) {
+    decisive = ticked.front();
+  }
+  why.cause = decisive->node < towards ? Cause::kChild : Cause::kPassedOver;
+  why.child = decisive->node;
+  why.status = decisive->result;
+  return why;
+}
+
+}  // namespace coppice
