@@ -10,7 +10,8 @@
 //
 //   index * 8 + code | writer, or kind of text | number of bytes | bytes
 //
-// Writes stand before the result of the node that wrote; texts before the result of their node.
+// Writes stand before the result of the node that wrote, and those of an inner node also before the
+// results of the children that it ticked afterwards; texts stand before the result of their node.
 //
 //   EventReader reader(events.words);
 //   for (Event event; reader.Next(event);) ...

@@ -132,6 +132,7 @@ class Executor final : public LeafHost, public ChildHost {
   void ReportSoFar();
 
   void AddMessage(std::string text) override;
+  std::uint32_t current_node() const override { return current_; }
   bool ResumeSkipped() override;
   void KeepSkipped() override;
   void Drain(Duration limit) override;

@@ -53,6 +53,7 @@ Status Executor::TickGuarded(NodeIndex node, bool hooked) {
   const GuardRecord& guards = GuardsOf(node);
   try {
     const Status decided = AskGuards(guards, node, statuses_[node] == Status::kRunning);
+    if (listening_) ReportWrites(node);
     const Status result = decided != Status::kIdle ? Store(node, decided)
                           : hooked                 ? TickHooked(node)
                                                    : TickAsItself(node);

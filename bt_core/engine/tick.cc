@@ -157,6 +157,7 @@ const std::array<Executor::TickTable::Function, Executor::TickTable::kCount>
     Executor::TickTable::functions = Make();
 
 Status Executor::Tick(NodeIndex node) {
+  if (listening_) ReportWrites(program_->info[node].parent);
   return TickTable::Call(*this, node, nodes_[node].dispatch);
 }
 

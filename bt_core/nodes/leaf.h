@@ -16,6 +16,7 @@
 #ifndef COPPICE_BT_CORE_NODES_LEAF_H_
 #define COPPICE_BT_CORE_NODES_LEAF_H_
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -44,6 +45,9 @@ class LeafHost {
 
   /// Called in Halt: the node needs until `limit` after now to stop. See Action::OnDraining.
   virtual void Drain(Duration limit) = 0;
+
+  /// The number of the node that is called now, in preorder.
+  virtual std::uint32_t current_node() const { return 0; }
 
   // For the engine: SKIPPED does not end what a RUNNING node has begun.
   bool keeps_skipped_nodes() const { return kept_ != 0; }

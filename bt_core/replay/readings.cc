@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "bt_core/data/value_bytes.h"
+#include "bt_core/replay/played_value.h"
 
 namespace coppice {
 namespace {
@@ -27,22 +27,6 @@ void AddGuards(const RecordedTree& tree, NodeIndex node, std::vector<NodeScript>
     scripts.push_back({name, static_cast<Guard>(i), AttributeOf(program, node, name),
                        &program.scripts[guards->scripts[i]]});
   }
-}
-
-// A value of a type that the program knows, or one that is at least of the same form.
-Value ValueOf(std::string_view bytes, const Type* type) {
-  Value value;
-  if (type && ReadValueBytes(bytes, *type, value)) return value;
-  value.Reset();
-  const PlainValue plain = ReadPlainValue(bytes);
-  std::visit(
-      [&](const auto& content) {
-        if constexpr (!std::is_same_v<std::decay_t<decltype(content)>, std::monostate>) {
-          value.Set(content);
-        }
-      },
-      plain);
-  return value;
 }
 
 // The status that an answer of a guard stands for; IDLE: the node may be ticked.
@@ -130,7 +114,7 @@ std::optional<bool> Test(const RecordedTree& tree, const NodeScript& script,
   for (const SlotIndex slot : script.script->reads()) {
     const SlotIndex recorded = tree.recorded_slots[slot];
     if (recorded == kNoSlot) continue;
-    blackboard[slot].value = ValueOf(values[recorded], tree.program->layout.slots[slot].type);
+    blackboard[slot].value = PlayedValue(values[recorded], tree.program->layout.slots[slot].type);
   }
   try {
     return script.script->Test(blackboard);
