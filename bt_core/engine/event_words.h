@@ -10,8 +10,9 @@
 //
 //   index * 8 + code | writer, or kind of text | number of bytes | bytes
 //
-// Writes stand before the result of the node that wrote, and those of an inner node also before the
-// results of the children that it ticked afterwards; texts stand before the result of their node.
+// Writes stand before the result of the node that wrote, and before what it said and what its
+// children did afterwards; texts stand before the result of their node. Of several writes of a slot
+// only the last one before such an event is there.
 //
 //   EventReader reader(events.words);
 //   for (Event event; reader.Next(event);) ...

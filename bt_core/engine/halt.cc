@@ -133,6 +133,7 @@ void Executor::HaltUser(NodeIndex node) {
   } catch (...) {
     AddMessage("while halting: threw something that is not a std::exception");
   }
+  if (listening_) ReportWrites(node);
 }
 
 void Executor::Drain(Duration limit) {

@@ -58,11 +58,15 @@ void Executor::ReportDelivery(SlotIndex slot) {
 }
 
 void Executor::AddMessage(std::string text) {
-  if (listening_) events_.Text(current_, EventText::kMessage, text);
+  if (!listening_) return;
+  ReportWrites(current_);
+  events_.Text(current_, EventText::kMessage, text);
 }
 
 void Executor::AddException(NodeIndex node, const std::string& text) {
-  if (listening_) events_.Text(node, EventText::kException, text);
+  if (!listening_) return;
+  ReportWrites(node);
+  events_.Text(node, EventText::kException, text);
 }
 
 void Executor::ReportTick(Status result) {

@@ -175,6 +175,7 @@ Status Executor::TickChild(NodeIndex node) {
 
 void Executor::HaltChild(NodeIndex node) {
   const NodeIndex caller = current_;
+  if (listening_ && statuses_[node] != Status::kIdle) ReportWrites(caller);
   Halt(node);
   current_ = caller;
 }

@@ -45,10 +45,9 @@ class Part {
     }
   }
 
-  /// Performs the writes and messages that come next. Returns the event behind them.
-  const Event* PlayOwn(LeafHost& host) {
+  /// Performs the writes and messages from `event` on. Returns the event behind them.
+  const Event* PlayOwn(LeafHost& host, const Event* event) {
     const NodeIndex node = host.current_node();
-    const Event* event = prompter_.begin();
     const std::string* thrown = nullptr;
     std::string text;
     for (; event != prompter_.end(); ++event) {
@@ -70,24 +69,22 @@ class Part {
     return event;
   }
 
-  void PlayHalt(LeafHost& host) {
-    if (!prompter_.Sync()) return;
-    const NodeIndex node = host.current_node();
-    const Event* event = prompter_.begin();
-    for (; event != prompter_.end() && event->code == EventCode::kText && event->index == node;
-         ++event) {
-      host.AddMessage(std::string(event->bytes));
-    }
-    for (; event != prompter_.end(); ++event) {  // nobody can tell afterwards who wrote these
-      if (event->code == EventCode::kWrite && event->writer == kNoNode) Write(*event);
-    }
+  /// True if the node needs time to stop.
+  bool PlayHalt(LeafHost& host) {
+    if (!prompter_.Sync()) return false;
+    return prompter_.WillDrain(host.current_node(), PlayOwn(host, prompter_.begin()));
   }
 
+  /// Asked at the beginning of a tick: true if what comes next is that the node has stopped.
   bool PlayStopping(LeafHost& host) {
     const NodeIndex node = host.current_node();
-    if (!prompter_.Sync() || !prompter_.HasDrained(node)) return false;
-    const Event* event = PlayOwn(host);
-    return event != prompter_.end() && event->code == EventCode::kReset && event->index == node;
+    if (!prompter_.Sync() || !prompter_.is_in_tick()) return false;
+    if (prompter_.begin() == prompter_.end()) return false;
+    const Event& next = *prompter_.begin();
+    if (next.index != node) return false;
+    if (IsAboutStopping(next)) host.AddMessage(std::string(next.bytes));
+    return IsAboutStopping(next) ||
+           (next.code == EventCode::kReset && prompter_.IsRunning(node));
   }
 
  private:
@@ -102,13 +99,12 @@ class PlayedLeaf final : public Leaf {
   Status Tick(bool) override {
     if (!part_.prompter().Sync()) return Status::kFailure;
     const NodeIndex node = host().current_node();
-    const Event* event = part_.PlayOwn(host());
+    const Event* event = part_.PlayOwn(host(), part_.prompter().begin_of_change());
     const bool is_own = event != part_.prompter().end() && event->is_result();
     return is_own && event->index == node ? event->status() : Status::kFailure;
   }
   void Halt() override {
-    part_.PlayHalt(host());
-    if (part_.prompter().WillDrain(host().current_node())) DrainFor(kUntilItHasStopped);
+    if (part_.PlayHalt(host())) DrainFor(kUntilItHasStopped);
   }
   bool HasStopped() override { return part_.PlayStopping(host()); }
 
@@ -123,7 +119,7 @@ class PlayedControl final : public UserControl {
   Status Tick(Children& children, bool) override {
     const NodeIndex node = host().current_node();
     while (part_.prompter().Sync()) {
-      const Event* event = part_.PlayOwn(host());
+      const Event* event = part_.PlayOwn(host(), part_.prompter().begin_of_change());
       if (event == part_.prompter().end()) break;
       if (event->is_result() && event->index == node) return event->status();
       if (!PlayChild(children, node, event)) break;

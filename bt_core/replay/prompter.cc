@@ -32,16 +32,26 @@ bool IsInjected(const Event& event, NodeIndex node) {
 
 }  // namespace
 
-bool HasDrainedIn(const Event* begin, const Event* end, NodeIndex node) {
-  bool was_reset = false;
-  for (const Event* event = begin; event != end; ++event) {
-    if (!event->is_status()) continue;
-    if (!was_reset && event->is_result()) return false;
-    if (event->index != node) continue;
-    if (event->is_result()) return was_reset;
-    was_reset = true;
+bool IsAboutStopping(const Event& event) {
+  constexpr std::string_view kGivenUp = "has not stopped in time";
+  constexpr std::string_view kThrew = "while stopping: ";
+  return event.code == EventCode::kText && (event.bytes.substr(0, kGivenUp.size()) == kGivenUp ||
+                                            event.bytes.substr(0, kThrew.size()) == kThrew);
+}
+
+// What the node's hook writes when it is halted is not followed by its result.
+bool StoppingNode::Follow(const Event& event) {
+  const bool has_written = has_written_;
+  has_written_ = event.code == EventCode::kWrite && event.writer == node_;
+  if (IsWrite(event) || event.index != node_) return true;
+  if (event.code == EventCode::kText) {
+    is_injected_ = event.text == EventText::kInjected;
+    return is_injected_;
   }
-  return false;
+  const bool is_own = event.is_result() && !is_injected_;
+  is_injected_ = false;
+  is_waited_for_ = is_own && event.status() == Status::kRunning;
+  return !is_own || (is_waited_for_ && !has_written);
 }
 
 void Prompter::Begin(const RecordedTree& tree, const std::vector<Status>& statuses) {
@@ -67,11 +77,12 @@ void Prompter::Expect(const TickEvents& events) {
     if (IsWrite(event)) event.index = tree_->program_slots[event.index];
     expected_.push_back(event);
   }
-  SkipWhatChangesNothing();
 }
 
-void Prompter::SkipWhatChangesNothing() {
-  while (at_ < expected_.size() && ChangesNothing(*expected_statuses_, expected_[at_])) ++at_;
+const Event* Prompter::begin_of_change() const {
+  const Event* event = begin();
+  while (event != end() && ChangesNothing(*expected_statuses_, *event)) ++event;
+  return event;
 }
 
 bool Prompter::Sync() {
@@ -84,21 +95,44 @@ void Prompter::OnTick(const TickEvents& events) {
   for (Event event; reader.Next(event);) Compare(event);
 }
 
+// A reset that changes nothing may be missing on either side.
 void Prompter::Compare(Event event) {
-  if (divergence_ || ChangesNothing(*actual_statuses_, event)) return;
+  if (divergence_) return;
+  if (ChangesNothing(*actual_statuses_, event)) {
+    const bool is_expected = begin() != end() && IsSame(*begin(), event) &&
+                             ChangesNothing(*expected_statuses_, *begin());
+    at_ += is_expected;
+    return;
+  }
   if (IsWrite(event) && tree_->recorded_slots[event.index] == kNoSlot) return;
+  FollowPretending(event);
   actual_statuses_->Apply(event);
-  if (at_ == expected_.size()) return Diverge(nullptr, &event);
-  if (!IsSame(expected_[at_], event)) return Diverge(&expected_[at_], &event);
-  expected_statuses_->Apply(expected_[at_]);
-  ++at_;
+  const Event* expected = begin_of_change();
+  if (expected == end()) return Diverge(nullptr, &event);
+  if (!IsSame(*expected, event)) return Diverge(expected, &event);
+  expected_statuses_->Apply(*expected);
+  at_ = static_cast<std::size_t>(expected - expected_.data()) + 1;
   ++events_;
-  SkipWhatChangesNothing();
+}
+
+void Prompter::FollowPretending(const Event& event) {
+  if (event.is_status()) {
+    const bool goes_on = event.status() == Status::kRunning &&
+                         actual_statuses_->status(event.index) == Status::kRunning;
+    if (!goes_on && event.index != injected_) pretending_.erase(event.index);
+    injected_ = kNoNode;
+  } else if (IsInjected(event, event.index)) {
+    injected_ = event.index;
+    const bool runs = actual_statuses_->status(event.index) == Status::kRunning;
+    if (!runs && static_cast<Status>(event.bytes[0]) == Status::kRunning) {
+      pretending_.insert(event.index);
+    }
+  }
 }
 
 void Prompter::Finish(Status result) {
   if (divergence_) return;
-  if (at_ < expected_.size()) return Diverge(&expected_[at_], nullptr);
+  if (begin_of_change() != end()) return Diverge(begin_of_change(), nullptr);
   if (result == played_.result) return;
   divergence_ = Divergence{played_.tick, played_.start, tree_->PathOf(0),
                            std::string("the tick ends with ") + ToString(played_.result),
@@ -137,20 +171,27 @@ std::string Prompter::Describe(const Event& event) const {
   return node;
 }
 
-bool Prompter::HasDrained(NodeIndex node) const { return HasDrainedIn(begin(), end(), node); }
+bool Prompter::WillDrain(NodeIndex node, const Event* next) const {
+  StoppingNode stopping(node, false);
+  for (; next != end(); ++next) {
+    if (!stopping.Follow(*next)) return false;
+  }
+  return will_drain_(stopping);
+}
 
 Value Prompter::ValueOf(const Event& event) const {
   return PlayedValue(event.bytes, tree_->program->layout.slots[event.index].type);
 }
 
-// The status that somebody outside is about to put in the node's place: its own events come first
-// if it is halted for that, but not its own result.
+// What runs is halted for that first, so there are other events, but no result of its own.
 std::optional<Status> Prompter::InjectedNext(NodeIndex node) const {
+  const bool runs = IsRunning(node);
   for (const Event* event = begin(); event != end(); ++event) {
     if (IsInjected(*event, node)) return static_cast<Status>(event->bytes[0]);
     const NodeIndex of = NodeOf(*event);
-    if (event->is_result() && of == node) return std::nullopt;
     if (of < node || of >= shape()[node].end) return std::nullopt;
+    if (of != node || !event->is_status()) continue;
+    if (event->is_result() || !runs) return std::nullopt;
   }
   return std::nullopt;
 }

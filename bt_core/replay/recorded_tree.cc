@@ -5,8 +5,8 @@
 #include <string_view>
 #include <utility>
 
+#include "bt_core/engine/compiler.h"
 #include "bt_core/engine/model_registry.h"
-#include "bt_core/engine/models.h"
 
 namespace coppice {
 namespace {
@@ -43,12 +43,15 @@ std::shared_ptr<const Program> CompileDocuments(const TreeDescription& tree,
   Diagnostics problems;
   std::optional<Project> project =
       Project::FromText(JoinDocuments(tree, problems), "record", problems);
-  std::shared_ptr<const Program> program;
-  if (project) {
-    program = Compile(std::make_shared<const Project>(*std::move(project)), std::move(registry),
-                      problems, tree.main_tree);
+  if (project && project->Find(tree.main_tree)) {
+    Problems found(problems);
+    Tolerance tolerance;
+    tolerance.types_without_class = true;  // nothing of the user is run
+    const auto shared = std::make_shared<const Project>(*std::move(project));
+    auto program = TreeCompiler(shared, std::move(registry), tolerance, found)
+                       .Run(tree.main_tree, *shared->Find(tree.main_tree));
+    if (!problems.has_errors()) return program;
   }
-  if (program) return program;
   for (const Diagnostic& problem : problems.all()) {
     diagnostics.Warning(problem.where, "the recorded tree cannot be compiled: " + problem.message,
                         problem.hint);
@@ -169,7 +172,7 @@ RecordedTree CompileRecorded(const TreeDescription& description, std::shared_ptr
   tree.shape = ShapeOf(description);
   tree.program_slots.assign(description.slots.size(), kNoSlot);
   AddRecordedModels(description, *registry);
-  registry->SetFallback([](const std::string&) { return nullptr; });  // nothing of it is run
+  registry->SetFallback([](const std::string&) { return nullptr; });
   tree.program = CompileDocuments(description, std::move(registry), diagnostics);
   if (!tree.program) return tree;
   const std::string difference = Difference(description, *tree.program);

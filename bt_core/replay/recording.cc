@@ -5,7 +5,6 @@
 #include "bt_core/history/follower.h"
 
 namespace coppice {
-
 void Recording::OnTree(const TreeDescription& tree) { trees_.push_back(tree); }
 
 void Recording::OnState(const HistoryState& state) {

@@ -1,7 +1,7 @@
 // A recorded run in memory: every tick, and how the tree stood before it.
 //
 //   Diagnostics diagnostics;
-//   std::optional<Recording> run = Recording::Load("run.coppice", diagnostics);
+//   std::optional<Recording> run = LoadRecording("run.coppice", diagnostics);
 //   const TickView view = run->Before(run->Find(57));   // what is known when tick 57 begins
 #ifndef COPPICE_BT_CORE_REPLAY_RECORDING_H_
 #define COPPICE_BT_CORE_REPLAY_RECORDING_H_
@@ -53,10 +53,6 @@ class Recording final : public HistoryHandler {
     HistoryNote note;
   };
 
-  /// Reads a record and the files that continue it. Nothing is returned if there is no tree in it;
-  /// damaged places are left out with a warning.
-  static std::optional<Recording> Load(const std::string& path, Diagnostics& diagnostics);
-
   const std::vector<TreeDescription>& trees() const { return trees_; }
   const std::vector<Section>& sections() const { return sections_; }
   const std::vector<Tick>& ticks() const { return ticks_; }
@@ -64,6 +60,8 @@ class Recording final : public HistoryHandler {
   const std::vector<Note>& notes() const { return notes_; }
   const std::optional<HistoryEnd>& end() const { return end_; }
   std::size_t damages() const { return damages_; }
+  /// Whether the recording was closed in order.
+  bool is_closed() const { return end_ && end_->cause == HistoryEnd::Cause::kClosed; }
 
   /// Start of the run: of the first tree, in its clock.
   Time start() const { return trees_.front().info.start; }
@@ -91,6 +89,8 @@ class Recording final : public HistoryHandler {
   void OnGap(const HistoryGap& gap) override;
   void OnNote(const HistoryNote& note) override;
   void OnEnd(const HistoryEnd& end) override;
+  /// Something could not be read.
+  void OnDamage() { ++damages_; }
 
  private:
   const Section& SectionOf(std::size_t tick) const;

@@ -16,48 +16,56 @@ std::vector<Event> EventsIn(EventWords words) {
   return events;
 }
 
-bool IsIdle(const std::vector<Status>& statuses) {
-  return std::all_of(statuses.begin(), statuses.end(),
-                     [](Status status) { return status == Status::kIdle; });
+// Where the root does not run, no node remembers anything. (SKIPPED would keep something.)
+bool RemembersNothing(const std::vector<Status>& statuses) {
+  return statuses[0] == Status::kIdle || IsCompleted(statuses[0]);
 }
 
-// Nodes that stop late (OnDraining): in which entries they have stopped.
+// Nodes that stop late (OnDraining): in which entries the record shows that they have stopped. It
+// does so at the beginning of a tick, by what the engine says about it or by the reset of a node
+// that the tree waits for.
 class Drains {
  public:
   explicit Drains(const Recording& run) : run_(run) {
     for (std::size_t i = 0; i < run.ticks().size(); ++i) Look(i);
   }
 
-  /// Whether a node that is halted in entry `at` is waited for by the tree.
-  bool Waits(NodeIndex node, std::size_t at) const {
-    const auto found = stops_.find(node);
+  /// Whether a node that was halted in entry `at`, and has been followed to its end, stops late.
+  bool StopsLate(StoppingNode node, std::size_t at) const {
+    const auto found = stops_.find(node.node());
     if (found == stops_.end()) return false;
-    const auto stop = std::upper_bound(found->second.begin(), found->second.end(), at);
-    if (stop == found->second.end()) return false;
-    bool was_running = false;
-    for (std::size_t i = at + 1; i < *stop; ++i) {
+    for (std::size_t i = at + 1; i <= found->second; ++i) {
+      bool is_head = run_.ticks()[i].result != Status::kIdle;
       for (const Event& event : EventsIn(run_.EventsOf(i).words)) {
-        if (event.index != node || !event.is_status()) continue;
-        if (event.status() != Status::kRunning) return false;
-        was_running = true;
+        is_head &= IsHead(event, i);
+        const bool is_stop = is_head && event.code != EventCode::kDelivery &&
+                             event.index == node.node();
+        if (is_stop && (node.is_waited_for() || IsAboutStopping(event))) return true;
+        if (!node.Follow(event)) return false;
       }
     }
-    return was_running || *stop == at + 1;
+    return false;
   }
 
  private:
+  // Of what stands before everything else in a tick.
+  bool IsHead(const Event& event, std::size_t entry) const {
+    if (event.code == EventCode::kDelivery) return true;
+    if (event.code != EventCode::kReset && !IsAboutStopping(event)) return false;
+    const TreeDescription& tree = run_.trees()[run_.TreeOf(entry)];
+    return tree.nodes[event.index].category == NodeCategory::kAction;
+  }
+
   void Look(std::size_t entry) {
-    const std::vector<Event> events = EventsIn(run_.EventsOf(entry).words);
-    const Event* const end = events.data() + events.size();
-    for (const Event& event : events) {
-      if (event.is_result()) return;
-      if (event.code != EventCode::kReset) continue;
-      if (HasDrainedIn(events.data(), end, event.index)) stops_[event.index].push_back(entry);
+    if (run_.ticks()[entry].result == Status::kIdle) return;
+    for (const Event& event : EventsIn(run_.EventsOf(entry).words)) {
+      if (!IsHead(event, entry)) return;
+      if (event.code != EventCode::kDelivery) stops_[event.index] = entry;
     }
   }
 
   const Recording& run_;
-  std::map<NodeIndex, std::vector<std::size_t>> stops_;
+  std::map<NodeIndex, std::size_t> stops_;  // the last entry for each node
 };
 
 // Ends of ticks without a result of the root: an exception has ended them.
@@ -96,7 +104,8 @@ class Verifier {
         drains_(run),
         injected_(InjectedNodes(run)) {
     if (HasAbortedTicks(run)) options_.on_exception = ExceptionPolicy::kHaltTree;
-    prompter_.set_will_drain([this](NodeIndex node) { return drains_.Waits(node, at_); });
+    prompter_.set_will_drain(
+        [this](StoppingNode node) { return drains_.StopsLate(node, at_); });
   }
 
   Verification Run() {
@@ -179,12 +188,12 @@ class Verifier {
     Stop();
   }
 
-  // Only a tree in which nothing runs is known whole.
+  // Only a tree that does not run is known whole.
   void Start() {
     const RecordedTree& tree = TreeOf(tree_);
-    if (!tree.program || !IsIdle(follower_->statuses())) return;
+    if (!tree.program || !RemembersNothing(follower_->statuses())) return;
     if (at_ > 0) Remark("begins at tick " + std::to_string(run_.ticks()[at_].number));
-    prompter_.Begin(tree, follower_->statuses());
+    prompter_.Begin(tree, {});
     clock_.Advance(follower_->time() - clock_.Now());
     executor_ = std::make_unique<Executor>(WithPlayedNodes(*tree.program, prompter_), clock_,
                                            options_);
@@ -209,6 +218,7 @@ class Verifier {
 
   void Play(const TickEvents& events) {
     clock_.Advance(events.start - clock_.Now());
+    StopInjecting();
     Deliver();
     Status result = Status::kIdle;
     if (events.result != Status::kIdle) {
@@ -218,6 +228,19 @@ class Verifier {
       executor_->Halt();
     }
     if (FinishEntry(result)) ++result_.ticks;
+  }
+
+  // A node whose injected RUNNING was taken back between two ticks is idle before the tick.
+  void StopInjecting() {
+    std::vector<NodeIndex> left = injected_;
+    for (const Event* event = prompter_.begin(); event != prompter_.end(); ++event) {
+      if (event->code != EventCode::kReset || !prompter_.IsPretending(event->index)) break;
+      if (prompter_.InjectedNext(event->index)) break;  // is halted for that
+      left.erase(std::find(left.begin(), left.end(), event->index));
+    }
+    if (left.size() == injected_.size()) return;
+    executor_->SetHooks(&prompter_, left);
+    executor_->SetHooks(&prompter_, injected_);
   }
 
   void Deliver() {
