@@ -42,7 +42,8 @@ class Things {
            std::vector<ThingNumber>& slots) {
     for (const DescribedNode& node : tree.nodes) nodes.push_back(NumberOf(node.path, true));
     for (const DescribedSlot& slot : tree.slots) {
-      slots.push_back(NumberOf(slot.has_key ? slot.scope + "{" + slot.name + "}" : slot.name, false));
+      slots.push_back(
+          NumberOf(slot.has_key ? slot.scope + "{" + slot.name + "}" : slot.name, false));
     }
   }
 
@@ -146,8 +147,8 @@ class Comparer {
       while (i < a.size() && !things_.are_of_both(a[i].thing)) ++i;
       while (k < b.size() && !things_.are_of_both(b[k].thing)) ++k;
       if (i == a.size() && k == b.size()) return;
-      const bool is_same = i < a.size() && k < b.size() && a[i].thing == b[k].thing &&
-                           a[i].what == b[k].what;
+      const bool is_same =
+          i < a.size() && k < b.size() && a[i].thing == b[k].thing && a[i].what == b[k].what;
       if (!is_same) break;
       ++i;
       ++k;

@@ -15,10 +15,10 @@ namespace coppice {
 
 /// What one node or key did otherwise.
 struct RunDifference {
-  std::string what;             ///< path of the node, or "scope{key}"
-  std::uint64_t ticks = 0;      ///< in which the two runs differ in it
-  std::uint64_t first_tick = 0; ///< the first of these, in the first run
-  std::string first;            ///< what happened there in each run: "SUCCESS", "RUNNING RUNNING"
+  std::string what;              ///< path of the node, or "scope{key}"
+  std::uint64_t ticks = 0;       ///< in which the two runs differ in it
+  std::uint64_t first_tick = 0;  ///< the first of these, in the first run
+  std::string first;             ///< what happened there in each run: "SUCCESS", "RUNNING RUNNING"
   std::string second;
 };
 
@@ -34,8 +34,8 @@ struct PartingPoint {
 };
 
 struct RunComparison {
-  std::uint64_t ticks = 0;         ///< that both runs have
-  std::uint64_t first_ticks = 0;   ///< of each run
+  std::uint64_t ticks = 0;        ///< that both runs have
+  std::uint64_t first_ticks = 0;  ///< of each run
   std::uint64_t second_ticks = 0;
   std::uint64_t different_ticks = 0;
   std::optional<PartingPoint> parting;

@@ -23,7 +23,9 @@ class JsonObject {
  public:
   JsonObject& Add(std::string_view key, const std::string& json);
   JsonObject& Add(std::string_view key, std::uint64_t number);
-  JsonObject& AddBool(std::string_view key, bool value) { return Add(key, value ? "true" : "false"); }
+  JsonObject& AddBool(std::string_view key, bool value) {
+    return Add(key, value ? "true" : "false");
+  }
   JsonObject& AddText(std::string_view key, std::string_view text);
   std::string Finish() const { return text_ + "}"; }
 

@@ -83,8 +83,7 @@ class Part {
     const Event& next = *prompter_.begin();
     if (next.index != node) return false;
     if (IsAboutStopping(next)) host.AddMessage(std::string(next.bytes));
-    return IsAboutStopping(next) ||
-           (next.code == EventCode::kReset && prompter_.IsRunning(node));
+    return IsAboutStopping(next) || (next.code == EventCode::kReset && prompter_.IsRunning(node));
   }
 
  private:

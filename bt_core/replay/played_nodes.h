@@ -1,5 +1,5 @@
-// Nodes that do again what the nodes of the user did in a recorded run: the same results, writes and
-// messages, the same children ticked and halted, at the same places of the walk.
+// Nodes that do again what the nodes of the user did in a recorded run: the same results, writes
+// and messages, the same children ticked and halted, at the same places of the walk.
 #ifndef COPPICE_BT_CORE_REPLAY_PLAYED_NODES_H_
 #define COPPICE_BT_CORE_REPLAY_PLAYED_NODES_H_
 

@@ -141,10 +141,10 @@ void Prompter::Finish(Status result) {
 
 void Prompter::Diverge(const Event* expected, const Event* actual) {
   const NodeIndex node = NodeOf(expected ? *expected : *actual);
-  divergence_ = Divergence{played_.tick, played_.start,
-                           node < tree_->shape.size() ? tree_->PathOf(node) : "",
-                           expected ? Describe(*expected) : "the end of the tick",
-                           actual ? Describe(*actual) : "the end of the tick"};
+  divergence_ =
+      Divergence{played_.tick, played_.start, node < tree_->shape.size() ? tree_->PathOf(node) : "",
+                 expected ? Describe(*expected) : "the end of the tick",
+                 actual ? Describe(*actual) : "the end of the tick"};
 }
 
 NodeIndex Prompter::NodeOf(const Event& event) const {
@@ -190,7 +190,7 @@ std::optional<Status> Prompter::InjectedNext(NodeIndex node) const {
     if (IsInjected(*event, node)) return static_cast<Status>(event->bytes[0]);
     const NodeIndex of = NodeOf(*event);
     if (of < node || of >= shape()[node].end) return std::nullopt;
-    if (of != node || !event->is_status()) continue;
+    if (of != node || event->code == EventCode::kText) continue;
     if (event->is_result() || !runs) return std::nullopt;
   }
   return std::nullopt;

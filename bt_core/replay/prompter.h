@@ -24,12 +24,11 @@ namespace coppice {
 /// True for what the engine says of a node that stops late.
 bool IsAboutStopping(const Event& event);
 
-/// Follows a node that has been halted and may go on stopping: then it is RUNNING when the tree waits
-/// for it and does nothing, and halting it again is no news to it.
+/// Follows a node that has been halted and may go on stopping: then it is RUNNING when the tree
+/// waits for it and does nothing, and halting it again is no news to it.
 class StoppingNode {
  public:
-  StoppingNode(NodeIndex node, bool is_waited_for)
-      : node_(node), is_waited_for_(is_waited_for) {}
+  StoppingNode(NodeIndex node, bool is_waited_for) : node_(node), is_waited_for_(is_waited_for) {}
 
   /// False if the event shows that the node is active.
   bool Follow(const Event& event);
@@ -83,8 +82,8 @@ class Prompter final : public TickSink, public NodeHooks {
   const TreeShape& shape() const { return tree_->shape; }
   /// What a write or delivery brings, of the type of the slot.
   Value ValueOf(const Event& event) const;
-  /// True if a node that is halted now, what follows being `next`, goes on stopping (OnDraining) and
-  /// the record shows when it has stopped, in a later tick.
+  /// True if a node that is halted now, what follows being `next`, goes on stopping (OnDraining)
+  /// and the record shows when it has stopped, in a later tick.
   bool WillDrain(NodeIndex node, const Event* next) const;
   /// True if a tick is played, and no halt.
   bool is_in_tick() const { return played_.result != Status::kIdle; }

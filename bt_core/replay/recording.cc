@@ -41,8 +41,8 @@ void Recording::OnEnd(const HistoryEnd& end) { end_ = end; }
 
 TickEvents Recording::EventsOf(std::size_t tick) const {
   const Tick& t = ticks_[tick];
-  return {t.number, t.start, t.duration, t.result, t.is_whole,
-          {words_.data() + t.first_word, t.words}};
+  return {t.number, t.start,    t.duration,
+          t.result, t.is_whole, {words_.data() + t.first_word, t.words}};
 }
 
 const Recording::Section& Recording::SectionOf(std::size_t tick) const {
@@ -75,9 +75,9 @@ std::optional<std::size_t> Recording::TickBefore(std::size_t tick) const {
 }
 
 std::size_t Recording::Find(std::uint64_t number) const {
-  const auto found = std::lower_bound(
-      ticks_.begin(), ticks_.end(), number,
-      [](const Tick& tick, std::uint64_t wanted) { return tick.number < wanted; });
+  const auto found =
+      std::lower_bound(ticks_.begin(), ticks_.end(), number,
+                       [](const Tick& tick, std::uint64_t wanted) { return tick.number < wanted; });
   return static_cast<std::size_t>(found - ticks_.begin());
 }
 

@@ -88,8 +88,8 @@ class Count {
     if (figures.first_tick == 0) figures.first_tick = tick;
     figures.last_tick = tick;
     if (!IsCompleted(event.status())) return;
-    const bool flips = counter.last_completed != Status::kIdle &&
-                       counter.last_completed != event.status();
+    const bool flips =
+        counter.last_completed != Status::kIdle && counter.last_completed != event.status();
     figures.flips += flips;
     counter.last_completed = event.status();
   }

@@ -29,12 +29,12 @@ Spread SpreadOf(std::vector<Duration> durations);
 struct NodeStatistics {
   std::string path;
   std::string id;
-  std::uint64_t ticks = 0;                    ///< how often it was ticked
-  std::array<std::uint64_t, 5> results{};     ///< of these, by Status; at IDLE: how often halted
-  Spread activations;                         ///< from the first tick to SUCCESS, FAILURE or halt
-  std::uint64_t flips = 0;                    ///< result unlike the last SUCCESS or FAILURE
-  double flips_per_minute = 0;                ///< over the time of the run
-  std::uint64_t first_tick = 0;               ///< number of the first and the last tick; 0: never
+  std::uint64_t ticks = 0;                 ///< how often it was ticked
+  std::array<std::uint64_t, 5> results{};  ///< of these, by Status; at IDLE: how often halted
+  Spread activations;                      ///< from the first tick to SUCCESS, FAILURE or halt
+  std::uint64_t flips = 0;                 ///< result unlike the last SUCCESS or FAILURE
+  double flips_per_minute = 0;             ///< over the time of the run
+  std::uint64_t first_tick = 0;            ///< number of the first and the last tick; 0: never
   std::uint64_t last_tick = 0;
 
   std::uint64_t results_of(Status status) const {
@@ -44,11 +44,12 @@ struct NodeStatistics {
 
 struct Statistics {
   std::uint64_t ticks = 0;
-  Duration time{0};      ///< from the first tick to the last, in the tree's clock
+  Duration time{0};       ///< from the first tick to the last, in the tree's clock
   Spread tick_durations;  ///< in real time
   Spread periods;         ///< from tick to tick, in the tree's clock
   std::uint64_t lost_ticks = 0;
-  std::vector<NodeStatistics> nodes;  ///< in the order of the tree; of all trees of the run, by path
+  std::vector<NodeStatistics>
+      nodes;  ///< in the order of the tree; of all trees of the run, by path
 };
 
 /// An activation that goes on at a gap or a jump is not counted.

@@ -18,8 +18,11 @@ std::string Print(Duration time) {
     const double value = nanoseconds / unit.size;
     if (value < 1 && unit.size > 1) continue;
     char text[40];
-    std::snprintf(text, sizeof text, "%.*f %s", value < 10 ? 2 : value < 100 ? 1 : 0, value,
-                  unit.name);
+    std::snprintf(text, sizeof text, "%.*f %s",
+                  value < 10    ? 2
+                  : value < 100 ? 1
+                                : 0,
+                  value, unit.name);
     return text;
   }
   return "0";
@@ -60,9 +63,8 @@ std::vector<const NodeStatistics*> Sorted(const Statistics& statistics, Statisti
   std::vector<const NodeStatistics*> nodes;
   for (const NodeStatistics& node : statistics.nodes) nodes.push_back(&node);
   const auto by = [&](auto key) {
-    std::stable_sort(nodes.begin(), nodes.end(), [&](const auto* a, const auto* b) {
-      return key(*a) > key(*b);
-    });
+    std::stable_sort(nodes.begin(), nodes.end(),
+                     [&](const auto* a, const auto* b) { return key(*a) > key(*b); });
   };
   if (order == StatisticsOrder::kTicks) by([](const auto& node) { return node.ticks; });
   if (order == StatisticsOrder::kTime) by([](const auto& node) { return node.activations.p95; });

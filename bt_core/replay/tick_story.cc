@@ -52,9 +52,9 @@ bool TickStory::AddGuard(StepIndex index, const SlotValues& values, WhyStep& why
   const std::optional<GuardDecision> decision = DecideGuards(tree_, why.node, running, values);
   if (!decision || decision->result != walk_.steps[index].result) return false;
   why.cause = WhyCause::kGuard;
-  why.script = WhyScript{std::string(decision->script.attribute), decision->script.text,
-                         decision->answer,
-                         Read(ScriptReadings(tree_, decision->script), why.node, values)};
+  why.script =
+      WhyScript{std::string(decision->script.attribute), decision->script.text, decision->answer,
+                Read(ScriptReadings(tree_, decision->script), why.node, values)};
   return true;
 }
 

@@ -38,8 +38,8 @@ class Drains {
       bool is_head = run_.ticks()[i].result != Status::kIdle;
       for (const Event& event : EventsIn(run_.EventsOf(i).words)) {
         is_head &= IsHead(event, i);
-        const bool is_stop = is_head && event.code != EventCode::kDelivery &&
-                             event.index == node.node();
+        const bool is_stop =
+            is_head && event.code != EventCode::kDelivery && event.index == node.node();
         if (is_stop && (node.is_waited_for() || IsAboutStopping(event))) return true;
         if (!node.Follow(event)) return false;
       }
@@ -104,8 +104,7 @@ class Verifier {
         drains_(run),
         injected_(InjectedNodes(run)) {
     if (HasAbortedTicks(run)) options_.on_exception = ExceptionPolicy::kHaltTree;
-    prompter_.set_will_drain(
-        [this](StoppingNode node) { return drains_.StopsLate(node, at_); });
+    prompter_.set_will_drain([this](StoppingNode node) { return drains_.StopsLate(node, at_); });
   }
 
   Verification Run() {
@@ -128,8 +127,8 @@ class Verifier {
     std::unique_ptr<RecordedTree>& tree = trees_[number];
     if (!tree) {
       tree = std::make_unique<RecordedTree>(CompileRecorded(
-          run_.trees()[number],
-          make_registry_ ? make_registry_() : std::make_shared<Registry>(), diagnostics_));
+          run_.trees()[number], make_registry_ ? make_registry_() : std::make_shared<Registry>(),
+          diagnostics_));
       if (!tree->program) Remark("the tree cannot be compiled again, so it cannot be played");
     }
     return *tree;
@@ -137,8 +136,8 @@ class Verifier {
 
   // What the section begins with. A keyframe changes nothing; a swap of the tree is played.
   void Enter(const Recording::Section& section) {
-    follower_ = std::make_unique<HistoryFollower>(ShapeOf(run_.trees()[section.tree]),
-                                                  section.state);
+    follower_ =
+        std::make_unique<HistoryFollower>(ShapeOf(run_.trees()[section.tree]), section.state);
     if (FollowsOn(section) && executor_) return;
     const bool swaps = section.state.cause == HistoryState::Cause::kJump && executor_ &&
                        section.tree != tree_ && TreeOf(section.tree).program;
@@ -195,8 +194,8 @@ class Verifier {
     if (at_ > 0) Remark("begins at tick " + std::to_string(run_.ticks()[at_].number));
     prompter_.Begin(tree, {});
     clock_.Advance(follower_->time() - clock_.Now());
-    executor_ = std::make_unique<Executor>(WithPlayedNodes(*tree.program, prompter_), clock_,
-                                           options_);
+    executor_ =
+        std::make_unique<Executor>(WithPlayedNodes(*tree.program, prompter_), clock_, options_);
     SetValues(tree);
     executor_->AddSink(&prompter_);
     executor_->SetHooks(&prompter_, injected_);

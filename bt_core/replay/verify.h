@@ -27,9 +27,9 @@
 namespace coppice {
 
 struct Verification {
-  std::uint64_t ticks = 0;          ///< played again, and halts
-  std::uint64_t events = 0;         ///< that were the same
-  std::uint64_t skipped_ticks = 0;  ///< that could not be played
+  std::uint64_t ticks = 0;           ///< played again, and halts
+  std::uint64_t events = 0;          ///< that were the same
+  std::uint64_t skipped_ticks = 0;   ///< that could not be played
   std::vector<std::string> remarks;  ///< why not, and where it went on
   std::optional<Divergence> divergence;
 

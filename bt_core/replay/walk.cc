@@ -91,9 +91,8 @@ std::vector<StepIndex> InOrderOfCompletion(const Walk& walk) {
   for (StepIndex i = 0; i < walk.steps.size(); ++i) {
     if (walk.steps[i].result != Status::kIdle) order.push_back(i);
   }
-  std::sort(order.begin(), order.end(), [&](StepIndex a, StepIndex b) {
-    return walk.steps[a].event < walk.steps[b].event;
-  });
+  std::sort(order.begin(), order.end(),
+            [&](StepIndex a, StepIndex b) { return walk.steps[a].event < walk.steps[b].event; });
   return order;
 }
 

@@ -18,8 +18,7 @@ WhyNot WithoutRoot(const TickStory& story, NodeIndex node) {
   if (events.result == Status::kIdle) return {Cause::kNoTick, node, node, kNoNode, Status::kIdle};
   WhyNot why{Cause::kAborted, node, node, kNoNode, events.result};
   for (const Event& event : story.walk().events) {
-    const bool is_exception =
-        event.code == EventCode::kText && event.text == EventText::kException;
+    const bool is_exception = event.code == EventCode::kText && event.text == EventText::kException;
     if (is_exception) why.by = event.index;
   }
   return why;

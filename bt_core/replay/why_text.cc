@@ -71,7 +71,8 @@ void AppendStep(const RecordedTree& tree, const WhyStep& step, std::string& text
   text += step.is_asked ? "> " : "  ";
   text += std::string(2 * static_cast<std::size_t>(step.depth), ' ') + tree.NameOf(step.node);
   if (!is_halt) text += std::string("  ") + ToString(step.result);
-  if (!is_halt && step.before && is_new) text += std::string(" (was ") + ToString(*step.before) + ")";
+  if (!is_halt && step.before && is_new)
+    text += std::string(" (was ") + ToString(*step.before) + ")";
   const std::string reason = ReasonOf(tree, step);
   text += (reason.empty() ? "" : "  " + reason) + "\n";
 }

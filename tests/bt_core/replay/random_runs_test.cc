@@ -57,8 +57,8 @@ class RandomControl final : public UserControl {
   Status Tick(Children& children, bool) override {
     Status status = Status::kSuccess;
     for (int i = dice_.Uniform(0, 3); i > 0; --i) {
-      const auto k = static_cast<std::uint32_t>(
-          dice_.Uniform(0, static_cast<int>(children.size()) - 1));
+      const auto k =
+          static_cast<std::uint32_t>(dice_.Uniform(0, static_cast<int>(children.size()) - 1));
       if (dice_.OneIn(4)) word.Set(dice_.Pick({"a", "b", "c"}));
       if (dice_.OneIn(3)) children.Halt(k);
       if (dice_.OneIn(5)) Say("between");
@@ -120,7 +120,10 @@ const std::vector<Kind> kKinds = {
     {"RunOnce", 1, 1, {{"then_skip", {"true", "false"}}}},
     {"SingleTrigger", 1, 1},
     {"RateController", 1, 1, {{"hz", {"1", "5", "20"}}}},
-    {"Cooldown", 1, 1, {{"msec", {"70", "140"}}, {"if_cooling", {"SUCCESS", "RUNNING", "SKIPPED"}}}},
+    {"Cooldown",
+     1,
+     1,
+     {{"msec", {"70", "140"}}, {"if_cooling", {"SUCCESS", "RUNNING", "SKIPPED"}}}},
     {"CircuitBreaker", 1, 1, {{"max_failures", {"1", "2"}}, {"open_msec", {"70", "140"}}}},
     {"SkipUnlessUpdated", 1, 1, {{"entry", kKeys}}},
     {"WaitValueUpdate", 1, 1, {{"entry", kKeys}}},
@@ -145,10 +148,12 @@ const std::vector<Kind> kLeaves = {
 };
 
 const std::vector<std::string> kGuards = {
-    "_skipIf=\"@k == 'a'\"",      "_failureIf=\"@j == 'c'\"", "_successIf=\"@k == 'c'\"",
-    "_onlyIf=\"@k != 'b'\"",      "_while=\"@j != 'b'\"",     "_onStart=\"starts += 1\"",
-    "_onHalted=\"@k := 'b'\"",    "_post=\"@j := 'c'\"",      "_onSuccess=\"@j := 'a'\"",
-    "_onFailure=\"fails += 1\"",  "_onStart=\"@k := 'a'\"",   "_while=\"@k != 'c'\" _skipIf=\"@j == 'a'\""};
+    "_skipIf=\"@k == 'a'\"",    "_failureIf=\"@j == 'c'\"",
+    "_successIf=\"@k == 'c'\"", "_onlyIf=\"@k != 'b'\"",
+    "_while=\"@j != 'b'\"",     "_onStart=\"starts += 1\"",
+    "_onHalted=\"@k := 'b'\"",  "_post=\"@j := 'c'\"",
+    "_onSuccess=\"@j := 'a'\"", "_onFailure=\"fails += 1\"",
+    "_onStart=\"@k := 'a'\"",   "_while=\"@k != 'c'\" _skipIf=\"@j == 'a'\""};
 
 class Generator {
  public:
@@ -163,8 +168,8 @@ class Generator {
   std::string Node(int depth) {
     if (depth == 0 || dice_.OneIn(10)) return LeafNode();
     if (depth > 2 && dice_.OneIn(15)) return "<SubTree ID=\"Sub\"" + Guards() + "/>";
-    const Kind& kind = kKinds[static_cast<std::size_t>(
-        dice_.Uniform(0, static_cast<int>(kKinds.size()) - 1))];
+    const Kind& kind =
+        kKinds[static_cast<std::size_t>(dice_.Uniform(0, static_cast<int>(kKinds.size()) - 1))];
     std::string xml = Begin(kind) + ">";
     for (int i = dice_.Uniform(kind.min_children, kind.max_children); i > 0; --i) {
       xml += Node(depth - 1);

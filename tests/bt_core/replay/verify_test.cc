@@ -115,13 +115,13 @@ TEST(Verify, PlaysTheInbox) {
 
 TEST(Verify, PlaysNodesOfTheUserThatHaveChildren) {
   for (const char* halts : {"true", "false"}) {
-    RecordedRun run(std::string("<BehaviorTree ID='Main'><Repeat num_cycles='-1'><Alternate halts='") +
-                        halts +
-                        "' chosen='{chosen}'><Counter count='{a}' text='{at}'/>"
-                        "<Sequence><ScriptCondition code='chosen == 1'/><Counter count='{b}'/>"
-                        "</Sequence><AlwaysFailure/><Sleep msec='250'/></Alternate></Repeat>"
-                        "</BehaviorTree>",
-                    TestNodes());
+    RecordedRun run(
+        std::string("<BehaviorTree ID='Main'><Repeat num_cycles='-1'><Alternate halts='") + halts +
+            "' chosen='{chosen}'><Counter count='{a}' text='{at}'/>"
+            "<Sequence><ScriptCondition code='chosen == 1'/><Counter count='{b}'/>"
+            "</Sequence><AlwaysFailure/><Sleep msec='250'/></Alternate></Repeat>"
+            "</BehaviorTree>",
+        TestNodes());
     for (int i = 0; i < 50; ++i) {
       run.Tick();
       if (i % 17 == 5) run.executor.Halt();
@@ -172,8 +172,7 @@ TEST(Verify, PlaysASwapOfTheTree) {
 }
 
 TEST(Verify, GoesOnBehindAGapWhereNothingRuns) {
-  RecordedRun run(
-      "<BehaviorTree ID='Main'><Counter count='{count}'/></BehaviorTree>", TestNodes());
+  RecordedRun run("<BehaviorTree ID='Main'><Counter count='{count}'/></BehaviorTree>", TestNodes());
   for (int i = 0; i < 4; ++i) run.Tick();
   run.keeper.Lose();  // after tick 4 it runs
   for (int i = 0; i < 10; ++i) run.Tick();

@@ -6,7 +6,7 @@ namespace coppice {
 namespace {
 
 // 0 Sequence: 1 leaf, 2 Fallback: (3 leaf, 4 leaf), 5 leaf
-const TreeShape kShape = {{0, 6, true}, {0, 2, false}, {0, 5, true},
+const TreeShape kShape = {{0, 6, true},  {0, 2, false}, {0, 5, true},
                           {2, 4, false}, {2, 5, false}, {0, 6, false}};
 
 std::vector<NodeIndex> NodesOf(const Walk& walk) {
