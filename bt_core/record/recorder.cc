@@ -18,7 +18,7 @@ HistoryOptions OptionsOf(Executor& executor, const RecorderOptions& options) {
 
 }  // namespace
 
-Recorder::Recorder(EventStream& stream, const std::string& path, RecorderOptions options)
+Recorder::Recorder(EventStream& stream, const std::string& path, const RecorderOptions& options)
     : stream_(stream),
       writer_(
           std::make_unique<RecordWriter>(path, options, OptionsOf(stream.executor(), options))) {

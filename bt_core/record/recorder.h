@@ -50,7 +50,7 @@ class Recorder final : public EventListener {
  public:
   /// On the ticking thread, between ticks; so are Close and the destructor. The stream must live
   /// longer. Throws std::runtime_error if the file cannot be written or is there already.
-  Recorder(EventStream& stream, const std::string& path, RecorderOptions options = {});
+  Recorder(EventStream& stream, const std::string& path, const RecorderOptions& options = {});
   ~Recorder() override;
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;

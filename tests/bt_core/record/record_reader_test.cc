@@ -59,6 +59,7 @@ class RecordReaderTest : public ::testing::Test {
   }
 
   std::unique_ptr<RecordReader> Open(const std::string& bytes) {
+    std::filesystem::remove(folder_.Path("copy"));  // a file that is cut short is written slowly
     WriteFile(folder_.Path("copy"), bytes);
     diagnostics_ = Diagnostics();
     return RecordReader::Open(folder_.Path("copy"), diagnostics_);
