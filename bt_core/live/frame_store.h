@@ -8,6 +8,7 @@
 #include <deque>
 #include <string>
 
+#include "bt_core/base/clock.h"
 #include "bt_core/history/frame.h"
 
 namespace coppice {
@@ -15,6 +16,7 @@ namespace coppice {
 struct StoredFrame {
   FrameType type = FrameType::kTree;
   std::uint64_t tick = 0;  ///< number of the last tick that is in it or before it
+  Time time{0};            ///< and its start, in the tree's clock
   std::string bytes;
 };
 

@@ -35,6 +35,11 @@ std::string WhyNot(const std::string& place, const zmq::error_t& error) {
 
 LiveSockets::LiveSockets(const std::string& address, std::uint16_t port,
                          std::optional<RobotKeys> keys) {
+  if (keys && zmq_has("curve") == 0) {
+    throw std::runtime_error(
+        "live view: this ZeroMQ was built without CURVE, so there can be no token; listen on "
+        "127.0.0.1 without one");
+  }
   if (keys) gate_.emplace(context_, *std::move(keys));
   if (port == UINT16_MAX) {
     throw std::runtime_error("live view: port 65535 has no neighbour for notifications");

@@ -55,7 +55,11 @@ LiveTree::LiveTree(EventStream& stream, LiveTreeOptions options, std::function<v
 
 std::string LiveTree::Refusal() const {
   if (options_.read_only) return "this robot can be watched, not controlled (read-only)";
-  return options_.refusal ? options_.refusal() : std::string();
+  try {
+    return options_.refusal ? options_.refusal() : std::string();
+  } catch (const std::exception& error) {  // it should not; but the tree must not suffer from it
+    return std::string("it is not known whether this is allowed now: ") + error.what();
+  }
 }
 
 void LiveTree::OnState(const StreamState& state) {
@@ -96,8 +100,8 @@ void LiveTree::Count(const TickEvents& events) {
 }
 
 void LiveTree::OnFrame(const Frame& frame) {
-  frames_.Add(
-      {frame.type, frame.tick, std::string(reinterpret_cast<const char*>(frame.data), frame.size)});
+  frames_.Add({frame.type, frame.tick, frame.time,
+               std::string(reinterpret_cast<const char*>(frame.data), frame.size)});
 }
 
 LiveTreeInfo LiveTree::Info() const {

@@ -47,6 +47,7 @@ void Subscription::CrossHole(const FrameStore& store) {
   const std::uint64_t tick = store[entry.start].tick;
   HistoryGap gap;
   gap.cause = HistoryGap::Cause::kOutput;
+  gap.time = store[entry.start].time;
   gap.first_tick = tick_ + 1;
   gap.last_tick = std::max(tick, gap.first_tick);
   gap.lost_ticks = gap.last_tick - gap.first_tick + 1;

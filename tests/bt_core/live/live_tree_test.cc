@@ -110,6 +110,9 @@ TEST(LiveTree, RefusesWithTheReason) {
   EXPECT_EQ(Tree(Moving()).tree_->Refusal(), "the robot moves");
   EXPECT_THAT(Tree(ReadOnly()).tree_->Refusal(), HasSubstr("read-only"));
   EXPECT_EQ(Tree({}).tree_->Refusal(), "");
+  LiveTreeOptions broken;
+  broken.refusal = []() -> std::string { throw std::runtime_error("no odometry"); };
+  EXPECT_THAT(Tree(broken).tree_->Refusal(), HasSubstr("no odometry"));
 }
 
 }  // namespace
