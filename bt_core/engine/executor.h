@@ -251,8 +251,10 @@ class Executor final : public LeafHost, public ChildHost {
   }
   [[gnu::cold]] void Resume(NodeIndex node);
   [[gnu::cold]] void LetGo(NodeIndex node);
+  void Forget(NodeIndex node);
   void KeepSomeMemory(NodeIndex node);  // dispatch_others.cc
 
+  void HaltAll();
   void HaltRunning(NodeIndex node);
   void HaltDescendants(NodeIndex node);
   void CatchHaltOf(NodeIndex node);

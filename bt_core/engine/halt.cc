@@ -15,10 +15,15 @@ Status WaitUntilStopped(UserNode&, Status) { return Status::kRunning; }
 }  // namespace
 
 void Executor::Halt() {
-  Halt(0);
+  HaltAll();
   wake_at_ = kNever;
   tick_again_ = false;
   ReportHalt();
+}
+
+void Executor::HaltAll() {
+  Halt(0);
+  for (NodeIndex i = 0; kept_ != 0 && i < statuses_.size(); ++i) Forget(i);
 }
 
 void Executor::ResetChildren(NodeIndex node) {
@@ -57,14 +62,20 @@ void Executor::Resume(NodeIndex node) {
   ChangeKept(-1);
 }
 
-// A skipped node, and what was skipped below it, forgets what it keeps.
+// A skipped node, and what was skipped below it, forgets what it keeps. A SequenceWithMemory that
+// is not RUNNING keeps its place, and with it what the children in front of that have begun.
 void Executor::LetGo(NodeIndex node) {
-  for (NodeIndex i = node; i < nodes_[node].end && kept_ != 0; ++i) {
-    if (!Keeps(i)) continue;
-    if (IsUserNode(nodes_[i].type)) HaltUser(i);
-    memory_[i] = 0;
-    ChangeKept(-1);
+  for (NodeIndex i = node; kept_ != 0 && i < nodes_[node].end;) {
+    Forget(i);
+    i = nodes_[i].type == NodeType::kSequenceWithMemory ? nodes_[i].end : i + 1;
   }
+}
+
+void Executor::Forget(NodeIndex node) {
+  if (!Keeps(node)) return;
+  if (IsUserNode(nodes_[node].type)) HaltUser(node);
+  memory_[node] = 0;
+  ChangeKept(-1);
 }
 
 // A node that waits until it has stopped has not.

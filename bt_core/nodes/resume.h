@@ -12,6 +12,8 @@
 // tick and is not the last. At the end SKIPPED if all children were skipped in this activation,
 // else the result of the plain node. SequenceWithMemory keeps its place after a failure and after a
 // halt, PersistentSequence keeps it on the blackboard and loses it only by FAILURE and SUCCESS.
+// A failure of SequenceWithMemory does not halt what skipped children in front of its place have
+// begun: that ends when the node comes to its end, is halted while it is RUNNING, or with the tree.
 // Sources: BehaviorTree.CPP 4; Nav2 for PersistentSequence.
 #ifndef COPPICE_BT_CORE_NODES_RESUME_H_
 #define COPPICE_BT_CORE_NODES_RESUME_H_
@@ -65,6 +67,18 @@ Status TickAsyncFallback(Tree& tree, NodeIndex node) {
   return internal::TickYielding<Status::kFailure>(tree, node);
 }
 
+namespace internal {
+
+// Resets the child and those behind it. Those in front of it become idle, but end nothing.
+template <class Tree>
+Status FailInPlace(Tree& tree, NodeIndex node, NodeIndex child) {
+  for (; child != tree.EndOf(node); child = tree.EndOf(child)) tree.Halt(child);
+  tree.LeaveChildren(node);
+  return Status::kFailure;
+}
+
+}  // namespace internal
+
 /// Own slot 0: number of the child to resume at. Memory: 1 from the first tick on, and kWentOn.
 template <class Tree>
 Status TickSequenceWithMemory(Tree& tree, NodeIndex node) {
@@ -77,7 +91,7 @@ Status TickSequenceWithMemory(Tree& tree, NodeIndex node) {
     const bool starts_now = tree.status(child) != Status::kRunning;
     const Status result = tree.Tick(child);
     if (result == Status::kRunning) return result;
-    if (result == Status::kFailure) return internal::End(tree, node, result);
+    if (result == Status::kFailure) return internal::FailInPlace(tree, node, child);
     ++place;
     child = tree.EndOf(child);
     if (result == Status::kSkipped) continue;

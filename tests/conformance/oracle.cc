@@ -69,6 +69,10 @@ void OracleNode::ResetChildren() {
   for (const auto& child : children) child->Halt();
 }
 
+void OracleNode::LeaveChildren() {
+  for (const auto& child : children) child->status_ = Status::kIdle;
+}
+
 Status OracleNode::End(Status result) {
   ResetChildren();
   return result;
@@ -76,9 +80,7 @@ Status OracleNode::End(Status result) {
 
 Status OracleNode::PassOn(Status result) {
   if (IsCompleted(result)) ResetChildren();
-  if (result == Status::kSkipped) {
-    for (const auto& child : children) child->status_ = Status::kIdle;
-  }
+  if (result == Status::kSkipped) LeaveChildren();
   return result;
 }
 

@@ -72,6 +72,7 @@ class OracleNode {
   virtual void OnHalt() {}
   virtual bool RemembersWhenSkipped() const { return false; }
   void ResetChildren();
+  void LeaveChildren();          // makes them idle without ending what they have begun
   Status End(Status result);     // makes the children idle
   Status PassOn(Status result);  // the same, but what a skipped child has begun goes on
   OracleNode& child() { return *children.front(); }

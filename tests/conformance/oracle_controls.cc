@@ -106,7 +106,7 @@ class KeepsPlace : public OracleNode {
       const bool took_longer = current.status() == kRunning;
       const Status result = current.Tick();
       if (result == kRunning) return result;
-      if (result == kFailure) return End(result);
+      if (result == kFailure) return FailInPlace();
       ++place_;
       if (result == kSkipped) {
         ++skipped_;
@@ -117,6 +117,11 @@ class KeepsPlace : public OracleNode {
     }
     place_ = 0;
     return End(began_at_ == 0 && skipped_ == count() ? kSkipped : kSuccess);
+  }
+  Status FailInPlace() {
+    for (int k = place_; k < count(); ++k) children[static_cast<std::size_t>(k)]->Halt();
+    LeaveChildren();
+    return kFailure;
   }
   void Forget() override { skipped_ = 0; }
 

@@ -31,7 +31,7 @@ void AppendXml(const Shape& shape, int& leaf, int& tree, std::string& xml, std::
   xml += "</" + shape.type + ">";
 }
 
-void Flatten(const OracleNode& node, std::vector<const OracleNode*>& nodes) {
+void Flatten(OracleNode& node, std::vector<OracleNode*>& nodes) {
   nodes.push_back(&node);
   for (const auto& child : node.children) Flatten(*child, nodes);
 }
@@ -111,7 +111,8 @@ void SideBySide::Tick() {
 }
 
 void SideBySide::Halt() {
-  oracle_->Halt();
+  // From the root, and then whatever its node has left behind.
+  for (OracleNode* node : oracle_nodes_) node->Halt();
   executor_->Halt();
   LogStatuses();
 }

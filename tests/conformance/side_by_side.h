@@ -53,7 +53,7 @@ class SideBySide {
   Log actual_;
   World world_;
   std::unique_ptr<OracleNode> oracle_;
-  std::vector<const OracleNode*> oracle_nodes_;  // in preorder, as the program's
+  std::vector<OracleNode*> oracle_nodes_;  // in preorder, as the program's
   SimulatedClock clock_;
   class Watcher : public TickSink {
    public:

@@ -1,4 +1,4 @@
-// Leaves that need several ticks to stop.
+// Leaves that need several ticks to stop, and what skipped ones have begun.
 #include <gtest/gtest.h>
 
 #include "tests/bt_core/engine/fixture.h"
@@ -119,6 +119,46 @@ TEST_F(Draining, CanBeServedWithoutATick) {
   executor_->ServeDrains();
   EXPECT_FALSE(executor_->is_draining());
   EXPECT_EQ(Events(), (Names{"start", "halt", "drain"}));
+}
+
+// RUNNING, then SKIPPED, and the one behind it fails: the sequence keeps its place.
+class InFrontOfThePlace : public ::testing::Test {
+ protected:
+  InFrontOfThePlace()
+      : stage_(Main("<Fallback><SequenceWithMemory><Inverter><Leaf name=\"a\"/></Inverter>"
+                    "<Leaf name=\"b\"/></SequenceWithMemory><AlwaysSuccess/></Fallback>"),
+               MakeScript()) {
+    stage_.executor->Tick();
+    EXPECT_EQ(stage_.executor->Tick(), Status::kSuccess);
+    EXPECT_EQ(stage_.TakeEvents(), (Names{"start a", "tick a", "start b"}));
+  }
+  static LeafScript MakeScript() {
+    LeafScript script;
+    script.results["a"] = {Status::kRunning, Status::kSkipped, Status::kRunning};
+    script.results["b"] = {Status::kFailure, Status::kRunning, Status::kSuccess};
+    return script;
+  }
+
+  Stage stage_;
+};
+
+TEST_F(InFrontOfThePlace, ASkippedLeafIsHaltedWhenTheSequenceComesToItsEnd) {
+  EXPECT_EQ(stage_.executor->Tick(), Status::kRunning);
+  EXPECT_EQ(stage_.executor->Tick(), Status::kSuccess);
+  EXPECT_EQ(stage_.TakeEvents(), (Names{"start b", "tick b", "halt a"}));
+}
+
+TEST_F(InFrontOfThePlace, ASkippedLeafIsHaltedWithTheSequenceThatRuns) {
+  stage_.executor->Tick();
+  stage_.executor->Halt();
+  EXPECT_EQ(stage_.TakeEvents(), (Names{"start b", "halt a", "halt b"}));
+}
+
+TEST_F(InFrontOfThePlace, ASkippedLeafIsHaltedWithTheTree) {
+  stage_.executor->Halt();
+  EXPECT_EQ(stage_.TakeEvents(), (Names{"halt a"}));
+  stage_.executor->Halt();
+  EXPECT_EQ(stage_.TakeEvents(), Names{});
 }
 
 }  // namespace
