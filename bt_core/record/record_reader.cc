@@ -33,6 +33,12 @@ Decoder PayloadOf(FrameFile& file, const FrameFile::Span& span) {
   return {frame + kFrameHeaderSize, frame + span.size};
 }
 
+template <class T>
+bool Keep(std::optional<T> value, std::vector<T>& all) {
+  if (value) all.push_back(*std::move(value));
+  return value.has_value();
+}
+
 // The run that a file is of; nothing if it does not begin with a tree.
 std::optional<RunId> RunOf(const std::string& path) {
   FrameFile file(path);
@@ -101,7 +107,7 @@ bool RecordReader::Index() {
 // False if the frame is damaged; the events are not looked at.
 bool RecordReader::IndexFrame(const FrameFile::Span& span) {
   const auto type = static_cast<FrameType>(span.type);
-  if (type == FrameType::kEvents || type == FrameType::kNote) return true;
+  if (type == FrameType::kEvents) return true;
   if (!file_->IsWholeAt(span)) return false;
   switch (type) {
     case FrameType::kTree:
@@ -109,19 +115,19 @@ bool RecordReader::IndexFrame(const FrameFile::Span& span) {
     case FrameType::kState:
       return IndexState(span);
     case FrameType::kGap:
-      if (const auto gap = DecodeGap(PayloadOf(*file_, span))) {
-        gaps_.push_back(*gap);
-        return true;
-      }
-      return false;
+      return Keep(DecodeGap(PayloadOf(*file_, span)), gaps_);
+    case FrameType::kNote:
+      return Keep(DecodeNote(PayloadOf(*file_, span)), notes_);
     default:
-      if (const auto end = DecodeEnd(PayloadOf(*file_, span))) {
-        continues_ = end->cause == HistoryEnd::Cause::kContinued;
-        closed_ = !continues_;
-        return true;
-      }
-      return false;
+      return IndexEnd(DecodeEnd(PayloadOf(*file_, span)));
   }
+}
+
+bool RecordReader::IndexEnd(const std::optional<HistoryEnd>& end) {
+  if (!end) return false;
+  continues_ = end->cause == HistoryEnd::Cause::kContinued;
+  closed_ = !continues_;
+  return true;
 }
 
 bool RecordReader::IndexTree(const FrameFile::Span& span) {

@@ -15,6 +15,7 @@
 #include <cstdint>
 #include <deque>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -57,6 +58,8 @@ class RecordReader {
 
   /// What is missing because the recorder could not follow.
   const std::vector<HistoryGap>& gaps() const { return gaps_; }
+  /// What the application noted, in the order of the record.
+  const std::vector<HistoryNote>& notes() const { return notes_; }
 
   /// State at the start, and last tick.
   std::uint64_t first_tick() const { return keyframes_.front().tick; }
@@ -90,6 +93,7 @@ class RecordReader {
   bool IndexFrame(const FrameFile::Span& span);
   bool IndexTree(const FrameFile::Span& span);
   bool IndexState(const FrameFile::Span& span);
+  bool IndexEnd(const std::optional<HistoryEnd>& end);
   void AddDamage(std::uint64_t offset, std::uint64_t bytes);
   void FindEnd();
   void FindNewFiles();
@@ -107,6 +111,7 @@ class RecordReader {
   std::vector<TreePlace> tree_places_;
   std::vector<RecordKeyframe> keyframes_;
   std::vector<HistoryGap> gaps_;
+  std::vector<HistoryNote> notes_;
   std::vector<RecordDamage> damages_;
   std::unique_ptr<FrameFile> file_;  // the last one
   std::uint64_t offset_ = 0;         // in it

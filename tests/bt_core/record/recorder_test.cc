@@ -80,6 +80,7 @@ TEST_F(RecorderTest, KeepsNotesFromAnyThread) {
   EXPECT_EQ(record.notes[0].time, Time(10));
   EXPECT_EQ(record.notes[0].kind, "fault");
   EXPECT_EQ(record.notes[1].text, "laser back");
+  EXPECT_THAT(OpenRecord(path())->notes(), SizeIs(2));
 }
 
 TEST_F(RecorderTest, GoesOnWhenTheTreeIsSwapped) {
