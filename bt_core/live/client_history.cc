@@ -75,8 +75,13 @@ void ClientHistory::OnTick(const TickEvents& events) {
 }
 
 void ClientHistory::OnGap(const HistoryGap& gap) {
+  HistoryGap told = gap;
+  if (has_hole_ && gap.first_tick <= tick_ && gap.last_tick > tick_) {  // the robot does not know
+    told.first_tick = tick_ + 1;                                        // what came over another
+    told.lost_ticks = gap.last_tick - tick_;                            // connection
+  }
   has_hole_ = false;
-  listener_.OnGap(gap);
+  listener_.OnGap(told);
 }
 
 }  // namespace coppice
