@@ -21,7 +21,9 @@ struct Verb {
 constexpr Verb kVerbs[] = {
     {"cat", "print a file, with attributes set", coppice::RunCat},
     {"check", "find what is wrong in tree files", coppice::RunCheck},
+    {"live", "watch and debug a robot", coppice::RunLive},
     {"nodes", "list the node types and their ports", coppice::RunNodes},
+    {"record", "record a robot over the network", coppice::RunRecord},
     {"replay", "print what happened in a recorded run", coppice::RunReplay},
     {"run", "run a tree of built-in nodes", coppice::RunTree},
     {"test", "play scenarios with whole trees", coppice::RunTest},

@@ -28,6 +28,12 @@ int RunTest(const Arguments& arguments);
 /// line per tick.
 int RunTrace(const Arguments& arguments);
 
+/// `coppice live HOST:PORT`: shows what a robot does, in the terminal or as JSON, and debugs it.
+int RunLive(const Arguments& arguments);
+
+/// `coppice record HOST:PORT -o FILE`: records a robot from elsewhere.
+int RunRecord(const Arguments& arguments);
+
 /// `coppice nodes`: the node types of the engine with their ports, as text or as XML models.
 int RunNodes(const Arguments& arguments);
 

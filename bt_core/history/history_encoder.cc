@@ -20,6 +20,17 @@ void HistoryEncoder::Add(const StreamState& state) {
   EmitState(CauseOf(state));
 }
 
+void HistoryEncoder::Add(TreeDescription tree, const HistoryState& state) {
+  Flush();
+  if (HasGap()) EmitGap();
+  program_.reset();
+  tree_ = std::move(tree);
+  follower_.emplace(ShapeOf(tree_), state);
+  within_tick_ = false;
+  EmitTree();
+  EmitState(state.cause);
+}
+
 void HistoryEncoder::Skip(const StreamState& state) {
   CountLost(state);
   Follow(state);

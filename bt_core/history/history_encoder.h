@@ -57,6 +57,8 @@ class HistoryEncoder {
   /// The first state, and what comes after a gap or a jump. A program that is not the one before is
   /// described first.
   void Add(const StreamState& state);
+  /// The same for a tree that runs elsewhere, described by others.
+  void Add(TreeDescription tree, const HistoryState& state);
   void Add(const TickEvents& events);
 
   /// Instead of Add for what finds no room: the tree is followed, the tick is counted. The next

@@ -166,7 +166,7 @@ RobotTree ReadRobotTree(std::string xml, const std::string& file, Diagnostics& d
   const std::optional<Document> document = Document::FromText(xml, file, diagnostics);
   if (!document) return {};
   RobotTree tree = Reader(*document, diagnostics).Read();
-  tree.description.writer = "Groot2 protocol";
+  tree.description.writer = kGroot2Writer;
   tree.description.documents.push_back({file, std::move(xml)});
   return tree;
 }

@@ -23,6 +23,9 @@ struct RobotTree {
   NodeIndex Find(std::uint16_t uid) const;
 };
 
+/// TreeDescription::writer of such a tree.
+inline constexpr const char* kGroot2Writer = "Groot2 protocol";
+
 /// The answer to FULLTREE. Subtrees are put where they are used. Without nodes if it makes no
 /// sense; then `diagnostics` says why.
 RobotTree ReadRobotTree(std::string xml, const std::string& file, Diagnostics& diagnostics);
