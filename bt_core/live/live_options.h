@@ -2,6 +2,7 @@
 #ifndef COPPICE_BT_CORE_LIVE_LIVE_OPTIONS_H_
 #define COPPICE_BT_CORE_LIVE_LIVE_OPTIONS_H_
 
+#include <array>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
@@ -25,6 +26,9 @@ struct LiveTreeOptions {
   /// The first tick waits so long for a client that says `continue`, so that breakpoints can be set
   /// before. 0: it does not wait.
   Duration wait_for_client{0};
+  /// The number of the run, if it is to be the same as that of a record (RecorderOptions::run);
+  /// zeros: a random one.
+  std::array<std::uint8_t, 16> run{};
   /// How much of the past is kept for clients that come later or come back.
   std::size_t history_bytes = 32 << 20;
 };

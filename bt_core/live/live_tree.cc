@@ -19,6 +19,12 @@ HistoryOptions OptionsOfHistory(const RunInfo& info, std::size_t kept_bytes) {
   return options;
 }
 
+RunInfo Begin(const Clock& clock, const RunId& run) {
+  RunInfo info = BeginRun(clock);
+  if (run != RunId()) info.run = run;
+  return info;
+}
+
 // Why a value cannot be written, or nothing.
 std::string ReadValue(const SlotDefinition& slot, const std::string& text, bool is_text,
                       Value& out) {
@@ -47,7 +53,7 @@ LiveTree::LiveTree(EventStream& stream, LiveTreeOptions options, std::function<v
       clock_(stream.executor().clock()),
       executor_(stream.executor()),
       inbox_(stream.executor().inbox()),
-      run_(BeginRun(clock_)),
+      run_(Begin(clock_, options_.run)),
       frames_(options_.history_bytes),
       encoder_(OptionsOfHistory(run_, options_.history_bytes), *this),
       debugger_(stream.executor(), {[this] { return Refusal(); },

@@ -101,12 +101,20 @@ TEST_F(LiveTreeTest, WakesTheServerForSubscribersOnly) {
   EXPECT_GT(wakes_, 0);
 }
 
+struct Tree : LiveTreeFixture {
+  explicit Tree(const LiveTreeOptions& options) : LiveTreeFixture(options) {}
+  void TestBody() override {}
+  using LiveTreeFixture::tree_;
+};
+
+TEST(LiveTree, BearsTheRunThatItIsGiven) {
+  LiveTreeOptions options;
+  options.run.fill(7);
+  EXPECT_EQ(Tree(options).tree_->run(), options.run);
+  EXPECT_NE(Tree({}).tree_->run(), Tree({}).tree_->run());
+}
+
 TEST(LiveTree, RefusesWithTheReason) {
-  struct Tree : LiveTreeFixture {
-    explicit Tree(const LiveTreeOptions& options) : LiveTreeFixture(options) {}
-    void TestBody() override {}
-    using LiveTreeFixture::tree_;
-  };
   EXPECT_EQ(Tree(Moving()).tree_->Refusal(), "the robot moves");
   EXPECT_THAT(Tree(ReadOnly()).tree_->Refusal(), HasSubstr("read-only"));
   EXPECT_EQ(Tree({}).tree_->Refusal(), "");

@@ -13,7 +13,9 @@ class SubscriptionTest : public ::testing::Test {
     Add(FrameType::kTree, "T");
     Add(FrameType::kState, "S");
   }
-  void Add(FrameType type, const std::string& bytes) { store_.Add({type, tick_++, Time(0), bytes}); }
+  void Add(FrameType type, const std::string& bytes) {
+    store_.Add({type, tick_++, Time(0), bytes});
+  }
   void AddEvents(int count) {
     for (int i = 0; i < count; ++i) Add(FrameType::kEvents, "e");
   }
