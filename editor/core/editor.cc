@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <limits>
 #include <utility>
 
 #include "editor/canvas/canvas.h"
 #include "editor/canvas/node_metrics.h"
+#include "editor/core/edit_commands.h"
 #include "editor/core/standard_commands.h"
 #include "editor/live/live_client.h"
 #include "editor/look/imgui_style.h"
@@ -71,6 +71,9 @@ Editor::Editor(const Clock& clock, EditorOptions options)
   state_.palette = options_.palette;
   state_.open_file = [this](const std::string& path) { return Open(path); };
   state_.connect = [this](const std::string& endpoint) { return Connect(endpoint); };
+  state_.get_clipboard = [] { return std::string(ImGui::GetClipboardText()); };
+  state_.set_clipboard = [](const std::string& text) { ImGui::SetClipboardText(text.c_str()); };
+  AddEditCommands(state_, [this] { return now_; });
   AddStandardCommands(state_, [this] { return now_; });
   LoadRecent();
 }
@@ -128,6 +131,8 @@ void Editor::Frame(const InputEvents& input) {
   const WithContext current(context_);
   now_ += input.dt;
   state_.workspace.Update(now_);
+  const std::string news = state_.workspace.TakeNews();
+  if (!news.empty()) state_.Notify(news, now_);
   Apply(input);
   ImGui::NewFrame();
   items_.Clear();
@@ -211,7 +216,10 @@ double Editor::NextFrameIn() const {
   if (const TreeView* view = const_cast<Workspace&>(workspace).view()) {
     if (view->IsMoving(now_)) return 0;
   }
-  double next = std::numeric_limits<double>::infinity();
+  double next = workspace.NextUpdateIn(now_);
+  if (state_.notice.at + kNoticeSeconds > now_) {
+    next = std::min(next, state_.notice.at + kNoticeSeconds - now_);
+  }
   for (const Robot& robot : workspace.robots()) {
     if (robot.snapshot->connection != Connection::kLive) next = std::min(next, kWaitingFrame);
   }

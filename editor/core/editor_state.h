@@ -34,7 +34,27 @@ struct Splits {
   float bottom_part = 0.62F;  ///< of the XML in the bottom row
 };
 
-enum class Popup { kNone, kOpen, kConnect, kPalette, kKeys };
+enum class Popup {
+  kNone,
+  kOpen,
+  kConnect,
+  kPalette,
+  kKeys,
+  kAdd,
+  kChangeType,
+  kRename,
+  kSaveAs,
+  kPasteErrors
+};
+
+inline constexpr double kNoticeSeconds = 4;  ///< how long a notice is shown
+
+/// A sentence about what was just done or refused.
+struct Notice {
+  std::string text;
+  bool is_refusal = false;
+  double at = -1e9;  ///< seconds of the editor
+};
 
 struct EditorState {
   explicit EditorState(Workspace::Measure measure) : workspace(std::move(measure)) {}
@@ -48,14 +68,23 @@ struct EditorState {
   bool popup_is_new = false;  ///< opened since the last frame
   std::string popup_text;     ///< what is typed into it
   std::string popup_error;
-  int popup_choice = 0;             ///< highlighted row
-  std::size_t popup_rows = 12;      ///< choices shown in the last frame
-  std::vector<std::string> recent;  ///< files, newest first
-  std::vector<KeyEvent> keys;       ///< pressed in this frame
-  Point canvas_size{800, 600};      ///< of the last frame
+  int popup_choice = 0;         ///< highlighted row
+  std::size_t popup_rows = 12;  ///< choices shown in the last frame
+  std::vector<Diagnostic> popup_problems;
+  std::vector<std::string> recent;        ///< files, newest first
+  std::vector<std::string> recent_types;  ///< of nodes that were added, newest first
+  Notice notice;
+  std::vector<KeyEvent> keys;   ///< pressed in this frame
+  Point canvas_size{800, 600};  ///< of the last frame
   bool quit = false;
   std::function<bool(const std::string&)> open_file;
   std::function<std::string(const std::string&)> connect;  ///< returns what is wrong, or nothing
+  std::function<std::string()> get_clipboard;
+  std::function<void(const std::string&)> set_clipboard;
+
+  void Notify(std::string text, double now, bool is_refusal = false) {
+    notice = {std::move(text), is_refusal, now};
+  }
 
   void OpenPopup(Popup which, std::string text = {}) {
     popup = which;

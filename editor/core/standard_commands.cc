@@ -1,5 +1,6 @@
 #include "editor/core/standard_commands.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace coppice::editor {
@@ -27,6 +28,24 @@ std::uint32_t Neighbour(const Scene& scene, const TreeView& view, std::uint32_t 
   return kNoNode;
 }
 
+// Unsaved work is not lost by one key: the second time within some seconds counts.
+void Quit(EditorState& state, double now) {
+  constexpr double kSecondTime = 5;
+  const auto& files = state.workspace.project().files();
+  const auto dirty = std::find_if(files.begin(), files.end(),
+                                  [](const auto& file) { return file.second.is_dirty(); });
+  const std::string warning =
+      dirty == files.end()
+          ? ""
+          : dirty->first + " is not saved: Ctrl+S saves, Ctrl+Q again quits without saving";
+  const bool warned = state.notice.text == warning && now - state.notice.at < kSecondTime;
+  if (warning.empty() || warned) {
+    state.quit = true;
+  } else {
+    state.Notify(warning, now, true);
+  }
+}
+
 class Commands {
  public:
   Commands(EditorState& state, std::function<double()> now) : state_(state), now_(std::move(now)) {}
@@ -38,7 +57,8 @@ class Commands {
     AddTiles();
     Add("robot.connect", "Connect to a robot", {'K', kCtrl},
         [&s = state_] { s.OpenPopup(Popup::kConnect, "127.0.0.1:1667"); });
-    Add("robot.next", "Next robot", {kKeyTab}, [&s = state_] { s.workspace.ShowNextRobot(); });
+    Add("robot.next", "Next robot", {kKeyTab, kCtrl},
+        [&s = state_] { s.workspace.ShowNextRobot(); });
     Add("help.palette", "Command palette", {'P', kCtrl},
         [&s = state_] { s.OpenPopup(Popup::kPalette); });
     Add("help.keys", "Keys", {kKeyF1}, [&s = state_] { s.OpenPopup(Popup::kKeys); });
@@ -61,7 +81,7 @@ class Commands {
     Add("file.open", "Open file", {'O', kCtrl}, [&s = state_] { s.OpenPopup(Popup::kOpen); });
     Add("file.reload", "Reload file", {'R', kCtrl},
         [&s = state_, now = now_] { s.workspace.Reload(now()); });
-    Add("file.quit", "Quit", {'Q', kCtrl}, [&s = state_] { s.quit = true; });
+    Add("file.quit", "Quit", {'Q', kCtrl}, [&s = state_, now = now_] { Quit(s, now()); });
   }
 
   void AddView() {
@@ -123,7 +143,8 @@ class Commands {
   }
 
   void AddTiles() {
-    AddTile("tile.project", "Project tile", 2, &Tiles::project);
+    Add("tile.project", "Project tile", {kKeyF1 + 1, kShift},
+        [&s = state_] { s.tiles.project = !s.tiles.project; });
     AddTile("tile.outline", "Outline tile", 3, &Tiles::outline);
     AddTile("tile.inspector", "Inspector tile", 4, &Tiles::inspector);
     AddTile("tile.blackboard", "Blackboard tile", 6, &Tiles::blackboard);

@@ -1,29 +1,17 @@
 #include "editor/core/workspace.h"
 
 #include <algorithm>
-#include <fstream>
 #include <optional>
-#include <sstream>
 #include <utility>
 
-#include "bt_core/engine/program.h"
+#include "bt_core/engine/check_project.h"
+#include "bt_core/engine/model_registry.h"
 
 namespace coppice::editor {
 namespace {
 
-// Stands for a leaf that only the robot's program knows.
-class UnknownLeaf : public SyncAction {
- public:
-  Status Run() override { return Status::kSuccess; }
-};
-
-// Empty if it cannot be read; that is a problem already.
-std::string ReadText(const std::string& path) {
-  std::ifstream stream(path, std::ios::binary);
-  std::ostringstream text;
-  if (stream) text << stream.rdbuf();
-  return text.str();
-}
+constexpr double kCheckDelay = 0.05;  // seconds: a burst of changes is checked once
+constexpr double kLookDelay = 1;      // between two looks at the disk
 
 void AddOnce(std::vector<Diagnostic>& all, const std::vector<Diagnostic>& more) {
   for (const Diagnostic& one : more) {
@@ -31,18 +19,6 @@ void AddOnce(std::vector<Diagnostic>& all, const std::vector<Diagnostic>& more) 
     const bool known = std::any_of(all.begin(), all.end(),
                                    [&](const Diagnostic& d) { return ToString(d) == text; });
     if (!known) all.push_back(one);
-  }
-}
-
-// Compiles every tree, which finds what reading alone does not.
-void Check(const Forest& forest, std::vector<Diagnostic>& problems) {
-  if (!forest.project()) return;
-  auto registry = std::make_shared<Registry>();
-  registry->SetFallback([](const std::string&) { return std::make_unique<UnknownLeaf>(); });
-  for (const auto& [id, definition] : forest.project()->trees()) {
-    Diagnostics diagnostics;
-    Compile(forest.project(), registry, diagnostics, id);
-    AddOnce(problems, diagnostics.all());
   }
 }
 
@@ -54,59 +30,153 @@ std::vector<std::string> ShownBoards(const Scene& scene) {
 
 }  // namespace
 
-OpenFile Workspace::Load(const std::string& path) const {
+OpenFile Workspace::Load(const std::string& path) {
   OpenFile file;
   file.path = path;
   Diagnostics diagnostics;
-  file.forest = std::make_shared<const Forest>(Forest::FromFile(path, diagnostics));
-  file.problems = diagnostics.all();
-  Check(*file.forest, file.problems);
+  const auto read = [this](const std::string& wanted, Diagnostics& problems) {
+    const EditedFile* edited = project_.Open(wanted, problems);
+    if (!edited) return std::optional<Document>();
+    problems.Append(edited->problems);
+    return edited->document;
+  };
+  file.forest = std::make_shared<const Forest>(Forest::FromFile(path, diagnostics, read));
+  file.read_problems = file.problems = diagnostics.all();
   auto models = std::make_shared<NodeModels>(models_);
   for (const Document* document : file.forest->documents()) models->AddFrom(*document);
   file.models = std::move(models);
-  if (file.forest->documents().empty()) file.text = ReadText(path);
+  const EditedFile* edited = project_.Find(path);
+  if (edited && !edited->document) file.text = edited->text;
   return file;
 }
 
 bool Workspace::Open(const std::string& path, double now) {
+  look_at_ = std::min(look_at_, now + kLookDelay);
   std::size_t at = 0;
   while (at < files_.size() && files_[at].path != path) ++at;
-  const bool renew = at < files_.size();
-  OpenFile loaded = Load(path);
-  if (renew) {
-    // Scenes keep what they point into alive; the others are renewed when they are shown.
-    files_[at] = std::move(loaded);
-    const std::string prefix = "file:" + path + ":";
-    for (auto& [key, view] : views_) {
-      if (key.compare(0, prefix.size(), prefix) != 0) continue;
-      const int tree = files_[at].forest->Find(key.substr(prefix.size()));
-      if (tree >= 0) {
-        ViewOf(key, *files_[at].forest, tree, *files_[at].models, now, true);
-        alive_[view.get()] = std::make_shared<OpenFile>(files_[at]);
-      }
-    }
-  } else {
-    files_.push_back(std::move(loaded));
+  if (at < files_.size()) {
+    Reload(now);
+    const int main = files_[at].forest->main_tree();
+    if (file_ != static_cast<int>(at)) ShowFileTree(at, main, now);
+    return main >= 0;
   }
+  files_.push_back(Load(path));
+  shown_version_ = project_.version();
+  CheckAll();
   const int main = files_[at].forest->main_tree();
-  if (renew && file_ == static_cast<int>(at) && tree_ >= 0 && view_) {
-    const int same = files_[at].forest->Find(view_->scene()->tree_id);
-    ShowFileTree(at, same >= 0 ? same : main, now);
-  } else {
-    ShowFileTree(at, main, now);
-  }
+  ShowFileTree(at, main, now);
   return main >= 0;
+}
+
+std::string Workspace::New(double now) {
+  std::string path = "untitled.xml";
+  for (int i = 2; project_.Find(path); ++i) path = "untitled-" + std::to_string(i) + ".xml";
+  project_.Create(path,
+                  "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+                  "<root BTCPP_format=\"4\" main_tree_to_execute=\"MainTree\">\n"
+                  "  <BehaviorTree ID=\"MainTree\"/>\n"
+                  "</root>\n");
+  Open(path, now);
+  return path;
+}
+
+// Scenes keep what they point into alive; the others are renewed when they are shown.
+void Workspace::Renew(std::size_t at, double now) {
+  OpenFile loaded = Load(files_[at].path);
+  if (loaded.forest->trees().empty() && !loaded.text.empty() &&
+      !files_[at].forest->trees().empty()) {
+    loaded.forest = files_[at].forest;
+    loaded.models = files_[at].models;
+    loaded.is_stale = true;
+  }
+  // What the checker said holds until it speaks again, or the list would flicker.
+  if (!loaded.is_stale) AddOnce(loaded.problems, files_[at].problems);
+  files_[at] = std::move(loaded);
+  if (files_[at].is_stale) return;
+  const std::string prefix = "file:" + files_[at].path + ":";
+  for (auto& [key, view] : views_) {
+    if (key.compare(0, prefix.size(), prefix) != 0) continue;
+    const int tree = files_[at].forest->Find(key.substr(prefix.size()));
+    if (tree < 0) continue;
+    ViewOf(key, *files_[at].forest, tree, *files_[at].models, now, true);
+    alive_[view.get()] = std::make_shared<OpenFile>(files_[at]);
+  }
+}
+
+void Workspace::Refresh(double now) {
+  if (project_.version() == shown_version_) return;
+  const std::string shown =
+      file_ >= 0 && tree_ >= 0 ? forest()->trees()[Index(tree_)].id : std::string();
+  for (std::size_t at = 0; at < files_.size(); ++at) Renew(at, now);
+  shown_version_ = project_.version();
+  check_at_ = std::min(check_at_, now + kCheckDelay);
+  if (file_ < 0) return;
+  const Forest& forest = *files_[Index(file_)].forest;
+  const int same = forest.Find(shown);
+  ShowFileTree(Index(file_), same >= 0 ? same : forest.main_tree(), now);
+}
+
+void Workspace::Rename(const std::string& path, const std::string& new_path) {
+  for (OpenFile& file : files_) {
+    if (file.path == path) file.path = new_path;
+  }
+  const std::string prefix = "file:" + path + ":";
+  std::map<std::string, std::unique_ptr<TreeView>> views;
+  for (auto& [key, view] : views_) {
+    const bool moved = key.compare(0, prefix.size(), prefix) == 0;
+    views[moved ? "file:" + new_path + ":" + key.substr(prefix.size()) : key] = std::move(view);
+  }
+  views_ = std::move(views);
+}
+
+void Workspace::CheckNow() {
+  if (check_at_ != kNever) CheckAll();
+}
+
+// The engine's own checker, with what the files say about node types.
+void Workspace::CheckAll() {
+  check_at_ = kNever;
+  for (OpenFile& file : files_) {
+    if (!file.forest->project() || file.is_stale) continue;
+    Diagnostics diagnostics;
+    auto registry = std::make_shared<Registry>();
+    for (const Project& models : model_projects_) coppice::AddModels(models, *registry);
+    coppice::AddModels(*file.forest->project(), *registry);
+    CheckProject(file.forest->project(), registry, {}, diagnostics);
+    file.problems = file.read_problems;
+    AddOnce(file.problems, diagnostics.all());
+  }
+}
+
+double Workspace::NextUpdateIn(double now) const {
+  return std::max(std::min(check_at_, look_at_) - now, 0.0);
 }
 
 void Workspace::AddModels(const std::string& path) {
   Diagnostics diagnostics;
-  const std::optional<Document> document = Document::FromFile(path, diagnostics);
-  if (document) models_.AddFrom(*document);
+  std::optional<Project> project = Project::FromFile(path, diagnostics);
+  if (project) {
+    for (const Document& document : project->documents()) models_.AddFrom(document);
+    model_projects_.push_back(*std::move(project));
+  }
   AddOnce(model_problems_, diagnostics.all());
 }
 
+void Workspace::LookAtDisk(double now) {
+  for (const std::string& path : project_.LookAtDisk()) {
+    const std::string name = path.substr(path.rfind('/') + 1);
+    news_ = project_.Find(path)->other
+                ? name +
+                      " was changed on the disk, and here: \"Take\" or \"Save over\" what "
+                      "somebody else wrote (Ctrl+P)"
+                : name + " was changed on the disk and read again";
+  }
+  Refresh(now);
+}
+
 void Workspace::Reload(double now) {
-  if (file_ >= 0) Open(std::string(files_[Index(file_)].path), now);
+  LookAtDisk(now);
+  CheckNow();
 }
 
 void Workspace::AddRobot(std::unique_ptr<LiveSource> source) {
@@ -118,6 +188,11 @@ void Workspace::AddRobot(std::unique_ptr<LiveSource> source) {
 }
 
 void Workspace::Update(double now) {
+  if (now >= look_at_) {
+    look_at_ = now + kLookDelay;
+    LookAtDisk(now);
+  }
+  if (now >= check_at_) CheckAll();
   for (Robot& robot : robots_) UpdateRobot(robot, now);
   if (robot_ < 0) return;
   Robot& robot = robots_[Index(robot_)];
@@ -211,6 +286,86 @@ const Forest* Workspace::forest() const {
 void Workspace::SetOrientation(Orientation orientation, double now) {
   orientation_ = orientation;
   for (auto& [key, view] : views_) view->SetOrientation(orientation, now);
+}
+
+std::optional<ElementPlace> Workspace::PlaceOf(const SceneNode& node) const {
+  if (robot_ >= 0 || !file() || file()->is_stale) return std::nullopt;
+  const Document& document = *forest()->documents()[node.document];
+  const EditedFile* edited = project_.Find(document.file());
+  // A file of format 3 is shown as format 4, element by element the same.
+  const bool fits = edited && edited->document &&
+                    edited->document->elements().size() == document.elements().size();
+  return fits ? std::optional(ElementPlace{edited->path, node.element}) : std::nullopt;
+}
+
+std::optional<ElementPlace> Workspace::ShownTree() const {
+  if (robot_ >= 0 || !file() || tree_ < 0) return std::nullopt;
+  const TreeEntry& tree = forest()->trees()[Index(tree_)];
+  SceneNode node;
+  node.document = tree.document;
+  node.element = tree.element;
+  return PlaceOf(node);
+}
+
+std::string Workspace::ShownTreeId() const {
+  return forest() && tree_ >= 0 ? forest()->trees()[Index(tree_)].id : std::string();
+}
+
+// An element may be shown several times, where a SubTree is used several times: the one that is
+// selected already comes first.
+std::vector<std::uint32_t> Workspace::NodesAt(const std::vector<Place>& places) const {
+  std::vector<std::uint32_t> found;
+  if (!view_) return found;
+  const auto& documents = forest()->documents();
+  const auto& nodes = view_->scene()->nodes;
+  for (const Place& place : places) {
+    const EditedFile* edited = project_.Find(place.path);
+    if (!edited || !edited->document) continue;
+    const ElementIndex element = edited->document->ElementAt(place.offset);
+    std::uint32_t first = kNoNode;
+    for (std::uint32_t i = 0; i < nodes.size(); ++i) {
+      if (nodes[i].element != element || documents[nodes[i].document]->file() != edited->path) {
+        continue;
+      }
+      if (first == kNoNode || view_->selected() == i) first = i;
+    }
+    if (first != kNoNode) found.push_back(first);
+  }
+  return found;
+}
+
+bool Workspace::IsInShownTree(const Place& place) const {
+  const std::optional<ElementPlace> tree = ShownTree();
+  if (!tree || tree->path != place.path) return false;
+  const Element& element = project_.Find(tree->path)->document->element(tree->element);
+  return place.offset >= element.offset && place.offset < element.end;
+}
+
+bool Workspace::ShowTreeOf(const Place& place, double now) {
+  for (std::size_t f = 0; f < files_.size(); ++f) {
+    const Forest& forest = *files_[f].forest;
+    for (std::size_t t = 0; t < forest.trees().size(); ++t) {
+      const TreeEntry& tree = forest.trees()[t];
+      const Document& document = *forest.documents()[tree.document];
+      if (document.file() != place.path) continue;
+      const EditedFile* edited = project_.Find(place.path);
+      if (!edited || !edited->document) return false;
+      const Element& element = edited->document->element(tree.element);
+      if (place.offset < element.offset || place.offset >= element.end) continue;
+      ShowFileTree(f, static_cast<int>(t), now);
+      return true;
+    }
+  }
+  return false;
+}
+
+void Workspace::SelectPlaces(const std::vector<Place>& places, double now) {
+  if (places.empty() || robot_ >= 0) return;
+  std::vector<std::uint32_t> nodes = NodesAt(places);
+  if (nodes.empty() && !IsInShownTree(places.front()) && ShowTreeOf(places.front(), now)) {
+    nodes = NodesAt(places);
+  }
+  if (view_) view_->Select(nodes.empty() ? kNoNode : nodes.front());
 }
 
 bool Workspace::SelectElement(const Document& document, ElementIndex element) {

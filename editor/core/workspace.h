@@ -4,12 +4,16 @@
 #define COPPICE_EDITOR_CORE_WORKSPACE_H_
 
 #include <functional>
+#include <limits>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "editor/canvas/tree_view.h"
+#include "editor/document/open_project.h"
 #include "editor/live/live_snapshot.h"
 #include "editor/scene/node_models.h"
 
@@ -19,8 +23,16 @@ struct OpenFile {
   std::string path;
   std::shared_ptr<const Forest> forest;
   std::shared_ptr<const NodeModels> models;
-  std::vector<Diagnostic> problems;
-  std::string text;  ///< of a file that cannot be parsed; else empty
+  std::vector<Diagnostic> problems;       ///< of reading, then of checking
+  std::vector<Diagnostic> read_problems;  ///< of reading alone
+  std::string text;                       ///< of a file that cannot be parsed; else empty
+  bool is_stale = false;                  ///< the text is malformed; forest is what it was before
+};
+
+/// An element of a file that is being edited.
+struct ElementPlace {
+  std::string path;
+  ElementIndex element = 0;
 };
 
 /// A blackboard value with the time of its last change, in seconds of the editor.
@@ -48,14 +60,33 @@ class Workspace {
   /// Opens a file, or reads it again if it is open, and shows its main tree. False if there is
   /// nothing to show; the problems tell why.
   bool Open(const std::string& path, double now);
+  /// Makes a file that is not on the disk yet, with one empty tree, and shows it. Returns its path.
+  std::string New(double now);
   /// Adds node models from a file; what is wrong goes to the problems.
   void AddModels(const std::string& path);
+  /// Looks at the disk at once; Update does it every second.
   void Reload(double now);
+
+  /// The files as they are being edited. After a change call Refresh.
+  OpenProject& project() { return project_; }
+  const OpenProject& project() const { return project_; }
+
+  /// Shows what has changed in project() since the last time. The checker follows a little later.
+  void Refresh(double now);
+  /// The file has another path from now on.
+  void Rename(const std::string& path, const std::string& new_path);
 
   void AddRobot(std::unique_ptr<LiveSource> source);
 
-  /// Takes the newest snapshots of all robots. Once per frame.
+  /// Takes the newest snapshots of all robots, looks at the disk, checks what was changed. Once per
+  /// frame.
   void Update(double now);
+  /// What the last Updates found on the disk that the user should know; empty: nothing.
+  std::string TakeNews() { return std::exchange(news_, {}); }
+  /// Seconds until Update has something to do for files; infinity: nothing.
+  double NextUpdateIn(double now) const;
+  /// Checks what waits to be checked.
+  void CheckNow();
 
   void ShowFileTree(std::size_t file, int tree, double now);
   void ShowRobot(std::size_t robot);
@@ -78,20 +109,43 @@ class Workspace {
   void SetOrientation(Orientation orientation, double now);
   Orientation orientation() const { return orientation_; }
 
+  /// The element of project() that the scene node stands for; nothing on a robot and in a file
+  /// whose text is malformed.
+  std::optional<ElementPlace> PlaceOf(const SceneNode& node) const;
+  /// The <BehaviorTree> that is shown.
+  std::optional<ElementPlace> ShownTree() const;
+  std::string ShownTreeId() const;
+
+  /// Selects these elements, by offset, in the shown tree or else in the one that has the first.
+  void SelectPlaces(const std::vector<Place>& places, double now);
+
   /// Selects the element with that number in that document, if the shown tree has it.
   bool SelectElement(const Document& document, ElementIndex element);
 
  private:
+  static constexpr double kNever = std::numeric_limits<double>::infinity();
   static std::size_t Index(int number) { return static_cast<std::size_t>(number); }
-  OpenFile Load(const std::string& path) const;
+  OpenFile Load(const std::string& path);
+  void Renew(std::size_t file, double now);
+  void CheckAll();
+  void LookAtDisk(double now);
+  bool IsInShownTree(const Place& place) const;
+  bool ShowTreeOf(const Place& place, double now);
+  std::vector<std::uint32_t> NodesAt(const std::vector<Place>& places) const;
   void UpdateRobot(Robot& robot, double now);
   TreeView* ViewOf(const std::string& key, const Forest& forest, int tree, const NodeModels& models,
                    double now, bool renew);
 
   Measure measure_;
+  OpenProject project_;
+  std::uint64_t shown_version_ = 0;  // of project_
+  std::string news_;
+  double check_at_ = kNever;
+  double look_at_ = kNever;
   std::vector<OpenFile> files_;
   std::vector<Robot> robots_;
-  NodeModels models_;  // known for all files
+  NodeModels models_;                    // known for all files
+  std::vector<Project> model_projects_;  // the same, for the checker
   std::vector<Diagnostic> model_problems_;
   std::map<std::string, std::unique_ptr<TreeView>> views_;
   std::map<const TreeView*, std::shared_ptr<const void>> alive_;  // what the scenes point into

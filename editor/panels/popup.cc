@@ -4,9 +4,11 @@
 
 #include <algorithm>
 
+#include "editor/core/tree_editor.h"
 #include "editor/panels/choices.h"
 #include "editor/panels/panel.h"
 #include "editor/panels/panels.h"
+#include "editor/panels/type_choices.h"
 
 namespace coppice::editor {
 namespace {
@@ -29,9 +31,7 @@ class PopupWindow {
   PopupWindow(const Ui& ui, EditorState& state) : ui_(ui), state_(state) {}
 
   void Draw() {
-    const std::size_t rows = state_.popup == Popup::kPalette ? state_.popup_rows
-                             : state_.popup == Popup::kKeys  ? state_.commands.all().size()
-                                                             : 0;
+    const std::size_t rows = Rows();
     float height = kField + 20 + static_cast<float>(rows) * kRowHeight;
     if (!state_.popup_error.empty()) height += 24;
     const ImVec2 display = ImGui::GetIO().DisplaySize;
@@ -59,6 +59,22 @@ class PopupWindow {
   }
 
  private:
+  std::size_t Rows() const {
+    switch (state_.popup) {
+      case Popup::kPalette:
+        return state_.popup_rows;
+      case Popup::kAdd:
+      case Popup::kChangeType:
+        return state_.popup_rows + 1;
+      case Popup::kKeys:
+        return state_.commands.all().size();
+      case Popup::kPasteErrors:
+        return state_.popup_problems.size() + 1;
+      default:
+        return 0;
+    }
+  }
+
   void Content() {
     switch (state_.popup) {
       case Popup::kOpen:
@@ -75,6 +91,25 @@ class PopupWindow {
         break;
       case Popup::kKeys:
         Keys();
+        break;
+      case Popup::kAdd:
+        Input("type of the new node");
+        Types(true);
+        break;
+      case Popup::kChangeType:
+        Input("new type");
+        Types(false);
+        break;
+      case Popup::kRename:
+        Input("name; empty: that of the type");
+        if (Confirmed(state_) && TreeEditor(state_, ui_.now).Rename(state_.popup_text)) Close();
+        break;
+      case Popup::kSaveAs:
+        Input("path of the file");
+        if (Confirmed(state_)) TreeEditor(state_, ui_.now).SaveAs(state_.popup_text);
+        break;
+      case Popup::kPasteErrors:
+        PasteErrors();
         break;
       case Popup::kNone:
         break;
@@ -116,9 +151,7 @@ class PopupWindow {
     const std::vector<Choice> choices = FindChoices(state_, state_.popup_text, ui_.now, kRows);
     const int count = static_cast<int>(choices.size());
     state_.popup_rows = choices.size();
-    if (Pressed(state_, kKeyDown)) ++state_.popup_choice;
-    if (Pressed(state_, kKeyUp)) --state_.popup_choice;
-    state_.popup_choice = std::clamp(state_.popup_choice, 0, std::max(count - 1, 0));
+    Choose(count);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
     ImGui::Dummy({1, 6 * ui_.scale});
     int chosen = -1;
@@ -133,6 +166,83 @@ class PopupWindow {
     if (chosen < 0) return;
     state_.popup = Popup::kNone;  // before running: the command may open another
     choices[static_cast<std::size_t>(chosen)].run();
+  }
+
+  // Moves the highlighted row with the arrow keys.
+  void Choose(int count) {
+    if (Pressed(state_, kKeyDown)) ++state_.popup_choice;
+    if (Pressed(state_, kKeyUp)) --state_.popup_choice;
+    state_.popup_choice = std::clamp(state_.popup_choice, 0, std::max(count - 1, 0));
+  }
+
+  void Types(bool add) {
+    const std::vector<TypeChoice> types = FindTypes(state_, state_.popup_text, add, kRows);
+    state_.popup_rows = types.size();
+    Choose(static_cast<int>(types.size()));
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
+    ImGui::Dummy({1, 6 * ui_.scale});
+    int chosen = -1;
+    for (std::size_t i = 0; i < types.size(); ++i) {
+      const Row row =
+          NextRow(ui_, "popup/" + std::to_string(i), static_cast<int>(i) == state_.popup_choice);
+      Paint(row.box, types[i].type, types[i].note, types[i].kind);
+      if (row.clicked) chosen = static_cast<int>(i);
+    }
+    const Row help = NextRow(ui_, "popup/help", false);
+    Paint(help.box, add ? AddHelp() : ChangeHelp(types), "", "");
+    ImGui::PopStyleVar();
+    if (Confirmed(state_) && !types.empty()) chosen = state_.popup_choice;
+    if (chosen < 0) return;
+    Take(types[static_cast<std::size_t>(chosen)], add);
+  }
+
+  std::string AddHelp() const {
+    return "Enter " + TreeEditor(state_, ui_.now).PlaceOfNew() +
+           "     Shift+Enter behind     Ctrl+Enter around";
+  }
+
+  std::string ChangeHelp(const std::vector<TypeChoice>& types) const {
+    if (types.empty()) return {};
+    const std::string lost =
+        TreeEditor(state_, ui_.now)
+            .LostByChange(types[static_cast<std::size_t>(state_.popup_choice)].type);
+    return lost.empty() ? "all ports stay" : "this loses " + lost;
+  }
+
+  void Take(const TypeChoice& choice, bool add) {
+    TreeEditor edit(state_, ui_.now);
+    const bool done =
+        add ? edit.Add(choice.xml, choice.type, ChosenPlace()) : edit.ChangeType(choice.type);
+    if (done) {
+      RememberType(state_, choice.type);
+      Close();
+    } else {
+      state_.popup_error = state_.notice.text;
+    }
+  }
+
+  AddWhere ChosenPlace() const {
+    for (const KeyEvent& event : state_.keys) {
+      if (event.key != kKeyEnter && event.key != kKeyKeypadEnter) continue;
+      if (event.modifiers & kCtrl) return AddWhere::kAround;
+      if (event.modifiers & kShift) return AddWhere::kAfter;
+    }
+    return AddWhere::kChild;
+  }
+
+  void Close() { state_.popup = Popup::kNone; }
+
+  void PasteErrors() {
+    state_.popup_is_new = false;
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
+    const Row head = NextRow(ui_, "popup/head", false);
+    Paint(head.box, "Nothing was pasted: the text has errors", "Esc", "");
+    for (std::size_t i = 0; i < state_.popup_problems.size(); ++i) {
+      const Row row = NextRow(ui_, "popup/error/" + std::to_string(i), false);
+      Paint(row.box, ToString(state_.popup_problems[i]), "", "");
+    }
+    ImGui::PopStyleVar();
+    if (Confirmed(state_)) Close();
   }
 
   void Keys() {

@@ -129,6 +129,7 @@ class Screen {
     if (view) {
       const CanvasOptions options = {state_.tiles.minimap, state_.workspace.live()};
       DrawCanvas(ui_, *view, rest, options);
+      DrawNotice(rest);
       return;
     }
     ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -137,14 +138,36 @@ class Screen {
     const TextStyle style{Face::kSans, 14, ui_.palette.text_dim};
     ui_.RowText(list, {rest.center().x - ui_.Width(text, style) / 2, rest.center().y - 20}, 40,
                 text, style);
+    DrawNotice(rest);
+  }
+
+  // What was just done or refused, at the lower edge of the canvas.
+  void DrawNotice(const Box& canvas) const {
+    const Notice& notice = state_.notice;
+    const double age = ui_.now - notice.at;
+    if (notice.text.empty() || age >= kNoticeSeconds) return;
+    const TextStyle style{Face::kSans, 13,
+                          notice.is_refusal ? ui_.palette.error : ui_.palette.text};
+    const float width = std::min(ui_.Width(notice.text, style), canvas.width() - 60 * ui_.scale);
+    const float height = 28 * ui_.scale;
+    const Point at = {canvas.center().x - width / 2, canvas.max.y - height - 12 * ui_.scale};
+    const Box box = {at - Point{12 * ui_.scale, 0}, at + Point{width + 12 * ui_.scale, height}};
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    ui_.Fill(list, box, ui_.palette.panel, 6 * ui_.scale);
+    ui_.Frame(list, box, notice.is_refusal ? ui_.palette.error : ui_.palette.border, 6 * ui_.scale);
+    ui_.RowText(list, at, height, notice.text, style, width + 1);
+    ui_.items.Add("notice", box);
   }
 
   std::string Invitation() const {
     if (const Robot* robot = state_.workspace.robot()) {
       return "waiting for " + robot->source->endpoint();
     }
+    if (state_.workspace.ShownTree()) {
+      return state_.workspace.ShownTreeId() + " is empty: Tab adds its root node";
+    }
     if (state_.workspace.file()) return "this file holds no tree that can be shown";
-    return "Ctrl+O opens a file";
+    return "Ctrl+O opens a file, Ctrl+N begins a new one";
   }
 
   const Ui& ui_;

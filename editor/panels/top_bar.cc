@@ -13,6 +13,20 @@ constexpr MenuEntry kView[] = {
     {"view.fit_selection"}, {"view.zoom_100"},       {nullptr}, {"tree.collapse"},
     {"tree.open_subtrees"}, {"tree.close_subtrees"}, {nullptr}, {"palette.dark"},
     {"palette.light"},      {"palette.colourblind"}};
+constexpr MenuEntry kEditMenu[] = {{"edit.undo"},
+                                   {"edit.redo"},
+                                   {nullptr},
+                                   {"edit.cut"},
+                                   {"edit.copy"},
+                                   {"edit.paste"},
+                                   {"edit.paste_after"},
+                                   {nullptr},
+                                   {"edit.add"},
+                                   {"edit.rename"},
+                                   {"edit.change_type"},
+                                   {"edit.disable"},
+                                   {"edit.delete"},
+                                   {"edit.delete_only"}};
 constexpr MenuEntry kTilesMenu[] = {{"tile.project"},    {"tile.outline"}, {"tile.inspector"},
                                     {"tile.blackboard"}, {"tile.xml"},     {"tile.problems"},
                                     {"tile.minimap"}};
@@ -27,6 +41,7 @@ class TopBar {
     ui_.Fill(*ImGui::GetWindowDrawList(), box_, ui_.palette.panel);
     float x = box_.min.x + 6 * ui_.scale;
     x = Menu("File", x, [this] { FileMenu(); });
+    x = Menu("Edit", x, [this] { Entries(kEditMenu); });
     x = Menu("View", x, [this] { Entries(kView); });
     x = Menu("Tiles", x, [this] { Entries(kTilesMenu); });
     x = Menu("Robot", x, [this] { Entries(kRobotMenu); });
@@ -81,8 +96,11 @@ class TopBar {
   }
 
   void FileMenu() {
+    Entry("file.new");
     Entry("file.open");
     Entry("file.reload");
+    Entry("file.save");
+    Entry("file.save_as");
     if (!state_.recent.empty()) ImGui::Separator();
     for (std::size_t i = 0; i < state_.recent.size(); ++i) {
       const std::string path = state_.recent[i];
@@ -119,7 +137,7 @@ class TopBar {
   void DrawMode() {
     const LiveSnapshot* live = state_.workspace.live();
     const bool good = live && live->connection == Connection::kLive;
-    const std::string text = good ? "LIVE" : live ? "OFFLINE" : "VIEW";
+    const std::string text = good ? "LIVE" : live ? "OFFLINE" : "EDIT";
     const Color color = good ? ui_.palette.success : live ? ui_.palette.text_dim : 0;
     const Box chip = {{box_.max.x - 84 * ui_.scale, box_.min.y + 4 * ui_.scale},
                       {box_.max.x - 8 * ui_.scale, box_.max.y - 4 * ui_.scale}};

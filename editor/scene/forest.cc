@@ -5,9 +5,10 @@
 
 namespace coppice::editor {
 
-Forest Forest::FromFile(const std::string& path, Diagnostics& diagnostics) {
+Forest Forest::FromFile(const std::string& path, Diagnostics& diagnostics,
+                        const DocumentReader& read) {
   Forest forest;
-  std::optional<Project> project = Project::FromFile(path, diagnostics);
+  std::optional<Project> project = Project::FromFiles({path}, diagnostics, {}, read);
   if (!project) return forest;
   forest.project_ = std::make_shared<const Project>(*std::move(project));
   for (const Document& document : forest.project_->documents()) {

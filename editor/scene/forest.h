@@ -27,7 +27,9 @@ class Forest {
  public:
   /// A file with its includes. What is wrong goes to `diagnostics`; what can be read is shown. If
   /// the file itself is malformed, there are no trees.
-  static Forest FromFile(const std::string& path, Diagnostics& diagnostics);
+  /// A reader gives what is being edited instead of what is on the disk.
+  static Forest FromFile(const std::string& path, Diagnostics& diagnostics,
+                         const DocumentReader& read = {});
 
   /// The text that a robot sends: one <BehaviorTree> per instance. `source` is used in messages.
   static Forest FromRobot(std::string text, const std::string& source, Diagnostics& diagnostics);

@@ -56,11 +56,14 @@ TEST(Editor, IsAtRestWhenNothingMoves) {
   Driver driver;
   driver.editor.Open(file.path());
   driver.Frames(5);
-  EXPECT_EQ(driver.editor.NextFrameIn(), std::numeric_limits<double>::infinity());
+  EXPECT_GT(driver.editor.NextFrameIn(), 0.1) << "until the next look at the disk";
   driver.Click("canvas/MainTree/1.2/toggle");
   EXPECT_EQ(driver.editor.NextFrameIn(), 0) << "the boxes are on their way";
   driver.Frames(20);
-  EXPECT_EQ(driver.editor.NextFrameIn(), std::numeric_limits<double>::infinity());
+  EXPECT_GT(driver.editor.NextFrameIn(), 0.1);
+  Driver empty;
+  empty.Frames(5);
+  EXPECT_EQ(empty.editor.NextFrameIn(), std::numeric_limits<double>::infinity());
 }
 
 TEST(Editor, MovesAtAModestRateWhileLive) {

@@ -75,8 +75,8 @@ TEST_F(StandardCommandsTest, FitSelectionAndFitAll) {
 }
 
 TEST_F(StandardCommandsTest, HideAndShowEveryTileByItsKey) {
-  const std::pair<int, const char*> kTiles[] = {{2, "project"},    {3, "outline"}, {4, "inspector"},
-                                                {6, "blackboard"}, {7, "xml"},     {8, "problems"}};
+  const std::pair<int, const char*> kTiles[] = {
+      {3, "outline"}, {4, "inspector"}, {6, "blackboard"}, {7, "xml"}, {8, "problems"}};
   for (const auto& [key, path] : kTiles) {
     driver_.Press(kKeyF1 + key - 1);
     EXPECT_FALSE(driver_.Has(path)) << path;
@@ -85,19 +85,24 @@ TEST_F(StandardCommandsTest, HideAndShowEveryTileByItsKey) {
   }
 }
 
+TEST_F(StandardCommandsTest, HideTheProjectTileWithShiftF2) {
+  driver_.Press(kKeyF1 + 1, kShift);
+  EXPECT_FALSE(driver_.Has("project"));
+}
+
 TEST_F(StandardCommandsTest, QuitWithCtrlQ) {
   EXPECT_FALSE(driver_.editor.wants_quit());
   driver_.Press('Q', kCtrl);
   EXPECT_TRUE(driver_.editor.wants_quit());
 }
 
-TEST_F(StandardCommandsTest, SwitchRobotsWithTab) {
+TEST_F(StandardCommandsTest, SwitchRobotsWithControlTab) {
   driver_.AddRobot("one:1", kLiveTree);
   driver_.AddRobot("two:2", kLiveTree);
   EXPECT_EQ(driver_.editor.state().workspace.robot()->source->endpoint(), "two:2");
-  driver_.Press(kKeyTab);
+  driver_.Press(kKeyTab, kCtrl);
   EXPECT_EQ(driver_.editor.state().workspace.robot()->source->endpoint(), "one:1");
-  driver_.Press(kKeyTab);
+  driver_.Press(kKeyTab, kCtrl);
   EXPECT_EQ(driver_.editor.state().workspace.robot()->source->endpoint(), "two:2");
 }
 

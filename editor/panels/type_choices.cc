@@ -1,0 +1,100 @@
+#include "editor/panels/type_choices.h"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "bt_core/model/xml_text.h"
+#include "editor/commands/fuzzy.h"
+
+namespace coppice::editor {
+namespace {
+
+constexpr int kRecentBonus = 1000;  // more than any score
+constexpr std::size_t kMostRecent = 8;
+
+class TypeCollector {
+ public:
+  TypeCollector(const EditorState& state, const std::string& typed)
+      : recent_(state.recent_types), typed_(typed) {}
+
+  void Offer(TypeChoice choice) {
+    choice.score = FuzzyScore(typed_, choice.type);
+    if (choice.score == 0) return;
+    const auto used = std::find(recent_.begin(), recent_.end(), choice.type);
+    if (typed_.empty() && used != recent_.end()) {
+      choice.score += kRecentBonus - static_cast<int>(used - recent_.begin());
+    }
+    choices_.push_back(std::move(choice));
+  }
+
+  std::vector<TypeChoice> Best(std::size_t limit) {
+    std::stable_sort(choices_.begin(), choices_.end(),
+                     [](const auto& a, const auto& b) { return a.score > b.score; });
+    if (choices_.size() > limit) choices_.resize(limit);
+    return std::move(choices_);
+  }
+
+ private:
+  const std::vector<std::string>& recent_;
+  const std::string& typed_;
+  std::vector<TypeChoice> choices_;
+};
+
+void OfferTrees(const Forest& forest, const std::string& shown, TypeCollector& collector) {
+  for (const TreeEntry& tree : forest.trees()) {
+    if (tree.id.empty() || tree.id == shown) continue;
+    collector.Offer({tree.id, "SubTree", "a tree of this project",
+                     "<SubTree ID=\"" + EscapeXmlValue(tree.id, '"') + "\"/>"});
+  }
+}
+
+// Types that are used in the file although no model describes them.
+void OfferUnknown(const Forest& forest, const NodeModels& models, TypeCollector& collector) {
+  std::set<std::string_view> seen;
+  for (const Document* document : forest.documents()) {
+    for (const Element& element : document->elements()) {
+      const ElementIndex parent = element.parent;
+      if (parent == kNoElement || CategoryFromTag(element.tag) || models.Find(element.tag))
+        continue;
+      const std::string_view outer = document->element(parent).tag;
+      const bool is_node = element.tag != "BehaviorTree" && element.tag != "include" &&
+                           element.tag != "TreeNodesModel" && element.tag != "SubTreePlus" &&
+                           outer != "TreeNodesModel" && !CategoryFromTag(outer);
+      if (!is_node || outer == "MetadataFields" || !seen.insert(element.tag).second) continue;
+      const std::string tag(element.tag);
+      collector.Offer({tag, "unknown", "used in this project", "<" + tag + "/>"});
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<TypeChoice> FindTypes(const EditorState& state, const std::string& typed,
+                                  bool with_trees, std::size_t limit) {
+  TypeCollector collector(state, typed);
+  const OpenFile* file = state.workspace.file();
+  if (!file) return {};
+  for (const auto& [id, model] : file->models->all()) {
+    collector.Offer({id, ToString(model.category), model.description, "<" + id + "/>"});
+  }
+  OfferUnknown(*file->forest, *file->models, collector);
+  if (with_trees) OfferTrees(*file->forest, state.workspace.ShownTreeId(), collector);
+  std::vector<TypeChoice> best = collector.Best(limit);
+  const bool is_there = std::any_of(best.begin(), best.end(),
+                                    [&](const TypeChoice& one) { return one.type == typed; });
+  if (IsXmlName(typed) && !is_there) {
+    if (best.size() == limit) best.pop_back();
+    best.push_back({typed, "new", "a type that no model describes yet", "<" + typed + "/>"});
+  }
+  return best;
+}
+
+void RememberType(EditorState& state, const std::string& type) {
+  auto& recent = state.recent_types;
+  recent.erase(std::remove(recent.begin(), recent.end(), type), recent.end());
+  recent.insert(recent.begin(), type);
+  if (recent.size() > kMostRecent) recent.resize(kMostRecent);
+}
+
+}  // namespace coppice::editor
