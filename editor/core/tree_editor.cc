@@ -7,15 +7,6 @@
 #include "editor/document/tree_edits.h"
 
 namespace coppice::editor {
-namespace {
-
-std::vector<std::uint32_t> SelectionOf(const TreeView& view) {
-  if (view.selected() == kNoNode) return {};
-  return {view.selected()};
-}
-
-}  // namespace
-
 bool TreeEditor::Refuse(std::string why) {
   state_.Notify(std::move(why), now_, true);
   return false;
@@ -41,7 +32,7 @@ std::vector<TreeEditor::Selected> TreeEditor::Selection() const {
   std::vector<Selected> selection;
   const TreeView* view = state_.workspace.view();
   if (!view) return selection;
-  for (const std::uint32_t node : SelectionOf(*view)) {
+  for (const std::uint32_t node : view->selection()) {
     const auto place = state_.workspace.PlaceOf(view->scene()->nodes[node]);
     if (!place) continue;
     auto at = std::find_if(selection.begin(), selection.end(),

@@ -327,7 +327,7 @@ std::vector<std::uint32_t> Workspace::NodesAt(const std::vector<Place>& places) 
       if (nodes[i].element != element || documents[nodes[i].document]->file() != edited->path) {
         continue;
       }
-      if (first == kNoNode || view_->selected() == i) first = i;
+      if (first == kNoNode || view_->IsSelected(i)) first = i;
     }
     if (first != kNoNode) found.push_back(first);
   }
@@ -365,7 +365,7 @@ void Workspace::SelectPlaces(const std::vector<Place>& places, double now) {
   if (nodes.empty() && !IsInShownTree(places.front()) && ShowTreeOf(places.front(), now)) {
     nodes = NodesAt(places);
   }
-  if (view_) view_->Select(nodes.empty() ? kNoNode : nodes.front());
+  if (view_) view_->SelectAll(std::move(nodes));
 }
 
 bool Workspace::SelectElement(const Document& document, ElementIndex element) {

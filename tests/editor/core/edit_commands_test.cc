@@ -190,6 +190,18 @@ TEST_F(EditCommandsTest, NodesOfASubTreeAreEditedWhereItIsDefined) {
   EXPECT_EQ(driver_.Selected(), "1.2.1");
 }
 
+TEST_F(EditCommandsTest, SeveralNodesAreChangedInOneStep) {
+  const Scene& scene = *driver_.view().scene();
+  driver_.view().SelectAll({scene.FindPath("1.1.1"), scene.FindPath("1.3")});
+  driver_.Press(kKeyDelete);
+  EXPECT_THAT(Text(), Not(HasSubstr("<Inverter>")));
+  EXPECT_THAT(Text(), Not(HasSubstr("<AlwaysSuccess/>")));
+  driver_.Press('Z', kCtrl);
+  EXPECT_EQ(Notice(), "Undone: Delete 2 nodes");
+  EXPECT_EQ(Text(), kSmallFile);
+  EXPECT_EQ(driver_.view().selection().size(), 2U);
+}
+
 TEST_F(EditCommandsTest, SaveWritesOnlyWhatWasTouched) {
   Select("1.3");
   driver_.Press('D');
