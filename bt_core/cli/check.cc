@@ -29,7 +29,10 @@ Diagnostics Check(const Options& options, const std::shared_ptr<Registry>& regis
   Diagnostics diagnostics;
   if (options.Has("--models")) {
     const auto models = Project::FromFile(options.Get("--models"), diagnostics);
-    if (models) AddModels(*models, *registry);
+    if (models) {
+      RemoveContradicted(*models, *registry, diagnostics);
+      AddModels(*models, *registry);
+    }
   }
   std::optional<Project> project = Project::FromFiles(options.files, diagnostics);
   if (!project) return diagnostics;

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "bt_core/engine/compiler.h"
+#include "bt_core/engine/model_registry.h"
 #include "bt_core/engine/project_problems.h"
 
 namespace coppice {
@@ -61,8 +62,10 @@ void CheckProject(const std::shared_ptr<const Project>& project,
                   Diagnostics& diagnostics) {
   Problems problems(diagnostics);
   if (!project->main_tree().empty()) FindMainTree(*project, project->main_tree(), problems);
-  CheckTreeNames(*project, *registry, problems);
-  Checker(project, registry, {!options.all_types_known, true, true}, problems).CheckAll();
+  auto known = std::make_shared<Registry>(*registry);
+  if (!options.all_types_known) RemoveContradicted(*project, *known, diagnostics);
+  CheckTreeNames(*project, *known, problems);
+  Checker(project, known, {!options.all_types_known, true, true}, problems).CheckAll();
 }
 
 }  // namespace coppice

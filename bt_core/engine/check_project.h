@@ -18,7 +18,8 @@ namespace coppice {
 
 struct CheckOptions {
   /// The registry has all node types: others are errors. Else they are a warning for each type, and
-  /// the rest of the tree is checked.
+  /// the rest of the tree is checked; and where a model in the project contradicts the built-in
+  /// node of the same name, the model counts, with a warning.
   bool all_types_known = false;
 };
 

@@ -1,5 +1,6 @@
 #include "bt_core/engine/model_registry.h"
 
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <string>
@@ -40,7 +41,39 @@ Manifest ManifestOf(const NodeModel& model, const Registry& registry, NamedTypes
   return manifest;
 }
 
+// How the two differ; empty if they may be the same.
+std::string Contradiction(const NodeModel& model, const Manifest& built_in) {
+  const std::string other =
+      ", but the built-in " + std::string(ToString(built_in.category)) + " of that name ";
+  if (model.category != built_in.category) {
+    return "is of category " + std::string(ToString(model.category)) + other + "is not";
+  }
+  for (const PortModel& port : model.ports) {
+    const auto has_name = [&port](const PortDeclaration& p) { return p.name == port.name; };
+    if (std::any_of(built_in.ports.begin(), built_in.ports.end(), has_name)) continue;
+    return "has port \"" + port.name + "\"" + other + "has not";
+  }
+  for (const PortDeclaration& port : built_in.ports) {
+    if (!port.required || port.default_text || model.FindPort(port.name)) continue;
+    return "has no port \"" + port.name + "\"" + other + "needs it";
+  }
+  return {};
+}
+
 }  // namespace
+
+void RemoveContradicted(const Project& models, Registry& registry, Diagnostics& diagnostics) {
+  for (const auto& [id, model] : models.models()) {
+    if (!registry.HasBuiltIn(id)) continue;
+    const std::string why = Contradiction(model, registry.Find(id)->manifest);
+    if (why.empty()) continue;
+    const Document& document = models.documents()[model.document];
+    diagnostics.Warning(document.Location(document.element(model.element).offset),
+                        "\"" + id + "\" of this model " + why,
+                        "trees are checked against the model");
+    registry.Remove(id);
+  }
+}
 
 void AddModels(const Project& models, Registry& registry) {
   const auto named = std::make_shared<NamedTypes>();

@@ -3,6 +3,7 @@
 #ifndef COPPICE_BT_CORE_ENGINE_MODEL_REGISTRY_H_
 #define COPPICE_BT_CORE_ENGINE_MODEL_REGISTRY_H_
 
+#include "bt_core/base/diagnostic.h"
 #include "bt_core/engine/registry.h"
 #include "bt_core/model/project.h"
 
@@ -13,6 +14,11 @@ namespace coppice {
 /// different unknown types do not fit together. Whether an input is mandatory is not in a model, so
 /// none is.
 void AddModels(const Project& models, Registry& registry);
+
+/// A model that contradicts the built-in node of the same name speaks of another node: the built-in
+/// one is taken out of the registry, with a warning at the model. To contradict is to be of another
+/// category, to have a port that the other has not, or not to have one that it needs.
+void RemoveContradicted(const Project& models, Registry& registry, Diagnostics& diagnostics);
 
 }  // namespace coppice
 

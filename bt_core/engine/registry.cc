@@ -32,6 +32,11 @@ const Registry::Entry* Registry::Find(std::string_view id) const {
   return found == entries_.end() ? nullptr : &found->second;
 }
 
+bool Registry::HasBuiltIn(std::string_view id) const {
+  const Entry* entry = Find(id);
+  return entry && entry->type != NodeType::kLeaf && entry->type != NodeType::kUser;
+}
+
 std::vector<std::string> Registry::Ids() const {
   std::vector<std::string> ids;
   for (const auto& [id, entry] : entries_) ids.push_back(id);

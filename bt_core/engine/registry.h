@@ -87,6 +87,12 @@ class Registry {
   /// types of its ports. Without effect if the ID is taken.
   void AddManifest(Manifest manifest, ChildCount children, std::shared_ptr<const void> types);
 
+  /// True if the node type is there and is one of Coppice.
+  bool HasBuiltIn(std::string_view id) const;
+
+  /// Takes a node type away, for a file that has another one of that name.
+  void Remove(const std::string& id) { entries_.erase(id); }
+
   /// Adds the node types of a shared library (engine/plugin.h), which stays loaded until the
   /// program ends. Throws std::runtime_error, "PATH: why", if it cannot be loaded, was built for
   /// another version of Coppice, or one of its node types cannot be added; then none of them is.

@@ -54,6 +54,21 @@ TEST_F(CheckTest, AFileThatCannotBeReadDoesNotHideTheProblemsOfTheOthers) {
   EXPECT_NE(err_.find("Inverter has 0 children"), std::string::npos) << err_;
 }
 
+TEST_F(CheckTest, ANodeOfTheRobotMayHaveTheNameOfABuiltInOne) {
+  const std::string models = Write("models.xml",
+                                   "<root BTCPP_format=\"4\"><TreeNodesModel>"
+                                   "<Action ID=\"Cooldown\"><input_port name=\"motor\"/></Action>"
+                                   "</TreeNodesModel></root>");
+  const std::string file = WriteTree("<Cooldown motor=\"left\"/>");
+  EXPECT_EQ(Run(RunCheck, {file}), 1);
+  EXPECT_EQ(Run(RunCheck, {file, "--models", models}), 0);
+  EXPECT_EQ(
+      err_,
+      models +
+          ":1:40: warning: \"Cooldown\" of this model is of category Action, but the built-in "
+          "Decorator of that name is not (trees are checked against the model)\n");
+}
+
 TEST_F(CheckTest, ModelsTellAboutTheLeavesOfTheRobot) {
   const std::string models = Write("models.xml",
                                    "<root BTCPP_format=\"4\"><TreeNodesModel><Action ID=\"Go\">"

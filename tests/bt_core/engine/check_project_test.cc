@@ -84,5 +84,36 @@ TEST(CheckProject, TheModelOfALeafTellsItsPorts) {
             "(its model says that it is a Condition)\n");
 }
 
+TEST(CheckProject, AModelThatContradictsABuiltInNodeCounts) {
+  const std::string model =
+      "<TreeNodesModel><Condition ID=\"Cooldown\"><input_port name=\"motor\"/></Condition>"
+      "</TreeNodesModel>";
+  EXPECT_EQ(
+      Check(Tree("A", "<Cooldown motor=\"left\"/>") + model),
+      "t.xml:3:17: warning: \"Cooldown\" of this model is of category Condition, but the built-in "
+      "Decorator of that name is not (trees are checked against the model)\n");
+  EXPECT_EQ(
+      Check(Tree("A", "<Cooldown moter=\"left\"/>") + model),
+      "t.xml:3:17: warning: \"Cooldown\" of this model is of category Condition, but the built-in "
+      "Decorator of that name is not (trees are checked against the model)\n"
+      "t.xml:2:32: warning: the model of Cooldown has no port \"moter\" "
+      "(did you mean \"motor\"?)\n");
+}
+
+TEST(CheckProject, AModelThatAgreesWithABuiltInNodeChangesNothing) {
+  const std::string model =
+      "<TreeNodesModel><Decorator ID=\"Cooldown\"><input_port name=\"msec\"/></Decorator>"
+      "</TreeNodesModel>";
+  EXPECT_EQ(Check(Tree("A", "<Cooldown><AlwaysSuccess/></Cooldown>") + model),
+            "t.xml:2:22: error: Cooldown needs its port \"msec\" "
+            "(how long [ms])\n");
+}
+
+TEST(CheckProject, TheBuiltInNodeCountsIfAllTypesAreKnown) {
+  const std::string model = "<TreeNodesModel><Condition ID=\"Cooldown\"/></TreeNodesModel>";
+  EXPECT_EQ(Check(Tree("A", "<Cooldown msec=\"1\"/>") + model, {true}),
+            "t.xml:2:22: error: Cooldown has 0 children, expected exactly 1\n");
+}
+
 }  // namespace
 }  // namespace coppice

@@ -71,5 +71,45 @@ TEST(ModelRegistry, WhatARegistryWritesIsReadBack) {
   EXPECT_EQ(drive.ports[4].direction, PortDirection::kInOut);
 }
 
+std::string Removed(const std::string& models) {
+  Diagnostics diagnostics;
+  Registry registry;
+  const auto project = Project::FromText(
+      "<root BTCPP_format=\"4\">\n<TreeNodesModel>\n" + models + "</TreeNodesModel></root>",
+      "m.xml", diagnostics);
+  const std::size_t before = registry.entries().size();
+  RemoveContradicted(*project, registry, diagnostics);
+  EXPECT_EQ(registry.entries().size() + diagnostics.all().size(), before);
+  return diagnostics.ToString();
+}
+
+TEST(ModelRegistry, SaysHowAModelContradictsABuiltInNode) {
+  EXPECT_EQ(Removed("<Decorator ID=\"Sleep\"><input_port name=\"msec\"/></Decorator>"),
+            "m.xml:3:1: warning: \"Sleep\" of this model is of category Decorator, but the "
+            "built-in Action of "
+            "that name is not (trees are checked against the model)\n");
+  EXPECT_EQ(Removed("<Action ID=\"Sleep\"><input_port name=\"msec\"/>"
+                    "<input_port name=\"why\"/></Action>"),
+            "m.xml:3:1: warning: \"Sleep\" of this model has port \"why\", but the built-in Action "
+            "of that name has not (trees are checked against the model)\n");
+  EXPECT_EQ(Removed("<Action ID=\"Sleep\"/>"),
+            "m.xml:3:1: warning: \"Sleep\" of this model has no port \"msec\", but the built-in "
+            "Action of that name needs it (trees are checked against the model)\n");
+}
+
+TEST(ModelRegistry, ABuiltInNodeThatAModelDescribesStays) {
+  EXPECT_EQ(Removed("<Action ID=\"Sleep\"><input_port name=\"msec\" type=\"int\"/></Action>"
+                    "<Control ID=\"Parallel\"/><Action ID=\"Say\"/>"),
+            "");
+}
+
+TEST(ModelRegistry, TheModelsOfAllBuiltInNodesContradictNone) {
+  Diagnostics diagnostics;
+  Registry registry;
+  const auto project = Project::FromText(WriteModels(registry), "m.xml", diagnostics);
+  RemoveContradicted(*project, registry, diagnostics);
+  EXPECT_EQ(diagnostics.ToString(), "");
+}
+
 }  // namespace
 }  // namespace coppice
