@@ -90,6 +90,21 @@ TEST(Ports, OneNodeReadsWhatAnotherWrote) {
   EXPECT_EQ(stage.executor->blackboard()[b].value.Get<std::string>(), "hello");
 }
 
+TEST(Ports, OneThatIsAboutAKeyTakesItsPlainName) {
+  Stage stage(
+      Root("<BehaviorTree ID=\"Main\"><SubTree ID=\"Sub\" inner=\"{outer}\"/></BehaviorTree>"
+           "<BehaviorTree ID=\"Sub\"><Sequence><SetBlackboard value=\"7\" output_key=\"inner\"/>"
+           "<WasEntryUpdated entry=\"inner\"/><SetBlackboard value=\"8\" output_key=\"@own\"/>"
+           "<UnsetBlackboard key=\"@own\"/></Sequence></BehaviorTree>"));
+  EXPECT_EQ(stage.executor->Tick(), Status::kSuccess);
+  const auto at = [&stage](const char* key) -> const Slot& {
+    return stage.executor->blackboard()[stage.program->layout.Find(0, key)];
+  };
+  EXPECT_EQ(at("outer").value.Print(), "7");
+  EXPECT_EQ(at("own").writes, 2U);
+  EXPECT_FALSE(at("own").value.has_value());
+}
+
 TEST(Ports, AnUnsetInputFailsTheLeafAndNamesPortAndKey) {
   Stage stage(Main("<Drive goal=\"{target}\" total=\"{t}\"/>"));
   const KeepingSink& sink = stage.Listen();
