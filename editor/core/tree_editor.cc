@@ -79,7 +79,7 @@ bool TreeEditor::RunAll(const std::string& name, const std::vector<Selected>& se
   if (!read_only.empty()) return Refuse(read_only);
   if (selection.empty()) return Refuse("nothing is selected");
   const NodeRules rules = Rules();
-  Change change;
+  NamedChange change;
   change.name = name;
   std::vector<Place> after;
   for (const Selected& selected : selection) {

@@ -26,7 +26,7 @@ struct FileChange {
   std::vector<std::uint32_t> selected;  ///< offsets in the result of what is to be selected
 };
 
-struct Change {
+struct NamedChange {
   std::string name;               ///< "Move OpenDoor", for menus and the history
   std::vector<FileChange> files;  ///< each file once
 
@@ -36,12 +36,6 @@ struct Change {
     }
     return true;
   }
-};
-
-/// A Change, or the reason why there is none.
-struct Proposal {
-  Change change;
-  std::string refusal;  ///< a sentence for the user; empty: nothing is refused
 };
 
 /// The smallest single splice that makes `after` of `before`; empty if they are the same.

@@ -60,7 +60,7 @@ class OpenProject {
 
   /// Makes a change; false if a result would be malformed, then nothing has changed. An empty
   /// change is no step of the history. `selected` is the selection before it.
-  bool Do(Change change, std::vector<Place> selected, Diagnostics& diagnostics);
+  bool Do(NamedChange change, std::vector<Place> selected, Diagnostics& diagnostics);
 
   /// Replaces the whole text of a file, which may be malformed: what is typed.
   void SetText(const std::string& path, std::string name, std::string text);

@@ -16,8 +16,8 @@ TEST(Difference, IsTheSmallestSpliceThatMakesOneOfTheOther) {
   }
 }
 
-TEST(Change, IsEmptyWithoutSteps) {
-  Change change{"Nothing", {{"a.xml", {}, {}, {}}}};
+TEST(NamedChange, IsEmptyWithoutSteps) {
+  NamedChange change{"Nothing", {{"a.xml", {}, {}, {}}}};
   EXPECT_TRUE(change.is_empty());
   change.files[0].steps.push_back({Replacement(0, 0, "x")});
   EXPECT_FALSE(change.is_empty());

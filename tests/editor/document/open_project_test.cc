@@ -85,7 +85,7 @@ TEST_F(OpenProjectTest, HistoryHasNoEnd) {
 TEST_F(OpenProjectTest, AChangeOfSeveralFilesIsOneStep) {
   TemporaryFile other("other.xml", kRound);
   project_.Open(other.path(), diagnostics_);
-  Change change;
+  NamedChange change;
   change.name = "Both";
   for (const std::string& path : {path_, other.path()}) {
     Draft draft = DraftOf(*project_.Find(path)->document, {"A"});
