@@ -7,11 +7,17 @@ namespace {
 
 constexpr std::size_t kTexts = 5;
 
+std::string NameOfStatus(char byte) {
+  const bool is_status = byte >= 0 && byte <= static_cast<char>(Status::kSkipped);
+  return is_status ? ToString(static_cast<Status>(byte)) : "a result";
+}
+
 std::string DescribeText(const Event& event, const TreeDescription& tree) {
   const std::string& node = tree.nodes[event.index].path;
   switch (event.text) {
     case EventText::kInjected:
-      return node + ": a result was put in its place";
+      return node + ": " + (event.bytes.empty() ? "a result" : NameOfStatus(event.bytes[0])) +
+             " was put in its place";
     case EventText::kException:
       return node + " threw: " + std::string(event.bytes);
     default:
@@ -102,8 +108,8 @@ void LiveSceneKeeper::OnNotice(const LiveNotice& notice) {
     scene_.stop = text;
   } else if (notice.event.kind == DebugEvent::Kind::kResumed) {
     scene_.stop.clear();
-  } else {
-    AddText(text);
+  } else if (notice.event.kind == DebugEvent::Kind::kRefused) {
+    AddText(text);  // what was replaced is in the history too
   }
   Changed();
 }

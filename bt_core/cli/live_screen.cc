@@ -62,6 +62,7 @@ class Screen {
       if (options_.shows_board) AddBoard();
       for (const std::string& text : scene_.texts) Add("  " + text, kDim);
     }
+    if (options_.rows > 0 && lines_.size() > options_.rows) lines_.resize(options_.rows);
     return std::move(lines_);
   }
 

@@ -61,8 +61,8 @@ TEST(ClientJson, SubscribesFromAFrameOfARunOrFromNow) {
 }
 
 TEST(ClientJson, ReadsWhatARobotSaysOfItself) {
-  const HelloReply reply = ReadHello(
-      R"({"protocol":1,"control":"the robot moves","trees":[{"tree":1,"name":"b"},{"tree":0,"name":"a"}]})");
+  const HelloReply reply = ReadHello(R"({"protocol":1,"control":"the robot moves",)"
+                                     R"("trees":[{"tree":1,"name":"b"},{"tree":0,"name":"a"}]})");
   EXPECT_EQ(reply.error, "");
   EXPECT_EQ(reply.refusal, "the robot moves");
   EXPECT_THAT(reply.trees, ElementsAre("a", "b"));
