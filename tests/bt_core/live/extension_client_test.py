@@ -127,7 +127,8 @@ class ExtensionClientTest(unittest.TestCase):
         return client
 
     def tearDown(self):
-        self.server.communicate(timeout=20)
+        if self.server.poll() is None:
+            self.server.communicate(timeout=20)
         self.assertEqual(self.server.returncode, 0)
 
     def tick(self, client):
@@ -233,6 +234,14 @@ class ExtensionClientTest(unittest.TestCase):
         while END not in types:
             types += split_frames(client.push()[4])
         self.server.stdin = open(os.devnull)
+
+    def test_a_stopped_tree_does_not_hold_up_the_end_of_its_program(self):
+        client = self.connect()
+        client.ask("hook", node="last")
+        self.assertEqual(client.notice("stopped")["stop"]["where"], "before")
+        self.server.communicate(timeout=20)
+    test_a_stopped_tree_does_not_hold_up_the_end_of_its_program.arguments = [
+        "deadline_ms=3600000"]
 
     def test_pause_step_and_continue(self):
         client = self.connect()
