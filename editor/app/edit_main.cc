@@ -11,12 +11,13 @@ std::atomic<bool> g_stop{false};
 
 namespace {
 
-std::string RecentFile() {
-  if (const char* folder = std::getenv("XDG_CONFIG_HOME"); folder && *folder) {
-    return std::string(folder) + "/coppice/recent";
+// A place below the user's own folder: XDG Base Directory Specification 0.8.
+std::string UserPath(const char* variable, const char* fallback, const char* path) {
+  if (const char* folder = std::getenv(variable); folder && *folder) {
+    return std::string(folder) + path;
   }
   if (const char* home = std::getenv("HOME"); home && *home) {
-    return std::string(home) + "/.config/coppice/recent";
+    return std::string(home) + fallback + path;
   }
   return {};
 }
@@ -26,7 +27,10 @@ std::string RecentFile() {
 std::unique_ptr<Editor> MakeEditor(const Clock& clock, const EditOptions& options,
                                    EditorOptions editor_options) {
   editor_options.palette = options.palette;
-  if (!options.headless) editor_options.recent_file = RecentFile();
+  if (!options.headless) {
+    editor_options.recent_file = UserPath("XDG_CONFIG_HOME", "/.config", "/coppice/recent");
+    editor_options.backup_folder = UserPath("XDG_STATE_HOME", "/.local/state", "/coppice/backup");
+  }
   auto editor = std::make_unique<Editor>(clock, std::move(editor_options));
   if (!editor->error().empty()) {
     std::cerr << "coppice-edit: " << editor->error() << "\n";

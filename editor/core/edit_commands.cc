@@ -16,6 +16,7 @@ class EditCommands {
 
   void AddAll() {
     AddFiles();
+    AddRestore();
     AddNodes();
     AddMoves();
     AddClipboard();
@@ -68,6 +69,13 @@ class EditCommands {
                 [](TreeEditor edit) { edit.Save(true); });
     AddFunction("file.take_theirs", "Take what somebody else wrote", {},
                 [](TreeEditor edit) { edit.TakeTheirs(); });
+  }
+
+  void AddRestore() {
+    AddFunction("file.restore", "Restore unsaved work", {},
+                [](TreeEditor edit) { edit.Restore(); });
+    AddFunction("file.forget", "Forget unsaved work of the last time", {},
+                [&s = state_](const TreeEditor&) { s.restorable.clear(); });
   }
 
   void AddNodes() {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <utility>
 
 #include "editor/canvas/canvas.h"
@@ -23,6 +24,7 @@ namespace {
 constexpr std::size_t kMostRecent = 10;
 constexpr int kFramesToSettle = 2;       // Dear ImGui shows some reactions a frame later
 constexpr double kLiveFrame = 1.0 / 20;  // while something runs on the robot
+constexpr double kBackupSeconds = 5;     // between two backups of unsaved work
 constexpr double kWaitingFrame = 1.0;    // to count down to the next try
 
 // Makes the editor's ImGui context current for a while.
@@ -65,7 +67,8 @@ Editor::Editor(const Clock& clock, EditorOptions options)
       state_([this](const Scene& scene) {
         const Ui ui{GetPalette(state_.palette), drawing_->fonts, items_, 1, 0, Time(0)};
         return MeasureNodes(ui, scene);
-      }) {
+      }),
+      backup_(options_.backup_folder) {
   const WithContext current(context_);
   SetUpImGui();
   state_.palette = options_.palette;
@@ -105,8 +108,26 @@ bool Editor::Open(const std::string& path) {
   const WithContext current(context_);
   const bool good = state_.workspace.Open(path, now_);
   if (good) Remember(path);
+  LookForBackup(path);
   settle_ = kFramesToSettle;
   return good;
+}
+
+void Editor::LookForBackup(const std::string& path) {
+  const EditedFile* file = state_.workspace.project().Find(path);
+  if (!file || file->is_dirty()) return;
+  const std::optional<std::string> text = backup_.Find(*file);
+  if (!text) return;
+  state_.restorable[file->path] = *text;
+  state_.Notify("there is unsaved work on this file: \"Restore unsaved work\" in the File menu",
+                now_);
+}
+
+// Every few seconds, and not before what is there has been restored or refused.
+void Editor::BackUp() {
+  if (now_ - backed_up_at_ < kBackupSeconds || !state_.restorable.empty()) return;
+  backed_up_at_ = now_;
+  backup_.Update(state_.workspace.project());
 }
 
 std::string Editor::Connect(const std::string& endpoint) {
@@ -131,6 +152,7 @@ void Editor::Frame(const InputEvents& input) {
   const WithContext current(context_);
   now_ += input.dt;
   state_.workspace.Update(now_);
+  BackUp();
   const std::string news = state_.workspace.TakeNews();
   if (!news.empty()) state_.Notify(news, now_);
   Apply(input);

@@ -20,6 +20,7 @@
 #include "bt_core/base/clock.h"
 #include "editor/commands/input_queue.h"
 #include "editor/core/editor_state.h"
+#include "editor/document/backup.h"
 #include "editor/look/item_registry.h"
 #include "editor/render/image.h"
 
@@ -32,6 +33,7 @@ struct EditorOptions {
   PaletteName palette = PaletteName::kDark;
   float scale = 1;             ///< of the screen; 2 on a screen with tiny pixels
   std::string recent_file;     ///< where the list of recent files is kept; empty: nowhere
+  std::string backup_folder;   ///< where unsaved work is kept; empty: nowhere
   std::function<void()> wake;  ///< called by any thread when a new frame would show news
   std::function<std::string()> get_clipboard;  ///< empty: the editor's own
   std::function<void(const std::string&)> set_clipboard;
@@ -88,6 +90,8 @@ class Editor {
   void Apply(const InputEvents& input);
   void RunKeys();
   void LoadRecent();
+  void LookForBackup(const std::string& path);
+  void BackUp();
   void Remember(const std::string& path);
 
   const Clock& clock_;
@@ -100,6 +104,8 @@ class Editor {
   ItemRegistry items_;
   EditorState state_;
   InputQueue queue_;
+  Backup backup_;
+  double backed_up_at_ = 0;
   double now_ = 0;
   int settle_ = 2;  // frames that are still needed after the last event
 };

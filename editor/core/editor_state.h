@@ -3,6 +3,7 @@
 #define COPPICE_EDITOR_CORE_EDITOR_STATE_H_
 
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -49,6 +50,12 @@ enum class Popup {
 
 inline constexpr double kNoticeSeconds = 4;  ///< how long a notice is shown
 
+/// The text field that the user types in.
+struct Typing {
+  std::string key;
+  std::string text;
+};
+
 /// A sentence about what was just done or refused.
 struct Notice {
   std::string text;
@@ -74,8 +81,11 @@ struct EditorState {
   std::vector<std::string> recent;        ///< files, newest first
   std::vector<std::string> recent_types;  ///< of nodes that were added, newest first
   Notice notice;
-  std::vector<KeyEvent> keys;   ///< pressed in this frame
-  Point canvas_size{800, 600};  ///< of the last frame
+  Typing typing;
+  std::string focus_field;                        ///< path of the field to type in next
+  std::map<std::string, std::string> restorable;  ///< unsaved texts of the last time, by path
+  std::vector<KeyEvent> keys;                     ///< pressed in this frame
+  Point canvas_size{800, 600};                    ///< of the last frame
   bool quit = false;
   std::function<bool(const std::string&)> open_file;
   std::function<std::string(const std::string&)> connect;  ///< returns what is wrong, or nothing

@@ -305,6 +305,18 @@ void TreeEditor::Save(bool overwrite) {
                 now_);
 }
 
+void TreeEditor::Restore() {
+  if (state_.restorable.empty()) {
+    Refuse("everything was saved the last time");
+    return;
+  }
+  for (auto& [path, text] : state_.restorable) {
+    state_.workspace.project().SetText(path, "Restore unsaved work", std::move(text));
+  }
+  state_.restorable.clear();
+  Show({});
+}
+
 void TreeEditor::TakeTheirs() {
   OpenProject& project = state_.workspace.project();
   std::vector<std::string> paths;

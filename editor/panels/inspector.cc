@@ -1,5 +1,13 @@
+#include <functional>
+#include <memory>
+#include <utility>
+
+#include "bt_core/nodes/node_type.h"
 #include "editor/canvas/canvas.h"
 #include "editor/canvas/node_metrics.h"
+#include "editor/core/tree_editor.h"
+#include "editor/document/script_check.h"
+#include "editor/panels/field.h"
 #include "editor/panels/panel.h"
 #include "editor/panels/panels.h"
 
@@ -7,15 +15,37 @@ namespace coppice::editor {
 namespace {
 
 constexpr float kLabelWidth = 92;
+constexpr float kFieldRow = 26;
+
+// What the user did; it is done after the panel is drawn, for it replaces what is drawn.
+using Action = std::function<void(TreeEditor&)>;
+
+// The values that a port of a built-in node can have, if its type is an enum.
+std::vector<std::string> ChoicesOf(std::string_view id, std::string_view port) {
+  std::vector<std::string> names;
+  for (const BuiltIn& built_in : BuiltIns()) {
+    if (built_in.manifest.id != id) continue;
+    for (const PortDeclaration& one : built_in.manifest.ports) {
+      if (one.name != port || !one.type || !one.type->enumerators) continue;
+      for (const Enumerator& value : *one.type->enumerators) names.emplace_back(value.name);
+    }
+  }
+  return names;
+}
 
 class Inspector {
  public:
-  Inspector(const Ui& ui, EditorState& state, const SceneNode& node)
-      : ui_(ui), state_(state), scene_(*state.workspace.view()->scene()), node_(node) {}
+  Inspector(const Ui& ui, EditorState& state, std::shared_ptr<const Scene> scene,
+            const SceneNode& node)
+      : ui_(ui),
+        state_(state),
+        scene_(std::move(scene)),
+        node_(node),
+        can_edit_(TreeEditor(state, ui.now).WhyReadOnly().empty()) {}
 
   void Draw() {
     ImGui::SetCursorPosY(4 * ui_.scale);
-    Field("name", std::string(node_.name), ui_.palette.text);
+    DrawName();
     Field("type", std::string(node_.id) + "  (" + Category() + ")", ui_.palette.text);
     Field("path", node_.path, ui_.palette.text);
     DrawStatus();
@@ -29,15 +59,20 @@ class Inspector {
       Field("model", node_.model->source.substr(node_.model->source.rfind('/') + 1),
             ui_.palette.text);
     }
-    if (node_.scope < scene_.scopes.size()) {
-      Field("blackboard", scene_.scopes[node_.scope], ui_.palette.text);
+    if (node_.scope < scene_->scopes.size()) {
+      Field("blackboard", scene_->scopes[node_.scope], ui_.palette.text);
     }
     DrawPorts();
+    DrawScripts();
     if (node_.model && !node_.model->description.empty()) Hint(ui_, node_.model->description);
     if (!node_.model && node_.shape == Shape::kUnknown) {
       Hint(ui_,
            "No model of this type is known. Give one with --models, in <TreeNodesModel>, or "
            "connect to the robot.");
+    }
+    if (action_) {
+      TreeEditor edit(state_, ui_.now);
+      action_(edit);
     }
   }
 
@@ -47,9 +82,27 @@ class Inspector {
     return node_.model ? ToString(node_.model->category) : "unknown";
   }
 
+  const Document& TheDocument() const {
+    return *state_.workspace.forest()->documents()[node_.document];
+  }
+
   SourceLocation Where() const {
-    const Document& document = *state_.workspace.forest()->documents()[node_.document];
-    return document.Location(document.element(node_.element).offset);
+    return TheDocument().Location(TheDocument().element(node_.element).offset);
+  }
+
+  void DrawName() {
+    const std::string given(
+        TheDocument().AttributeValue(TheDocument().element(node_.element), "name"));
+    if (!can_edit_) {
+      Field("name", std::string(node_.name), ui_.palette.text);
+      return;
+    }
+    FieldLook look;
+    look.hint = node_.id;
+    look.color = ui_.palette.text;
+    const FieldResult result = Edit("inspector/name", "name", "name", given, look);
+    if (!result.value) return;
+    action_ = [name = *result.value](TreeEditor& edit) { edit.Rename(name); };
   }
 
   void DrawStatus() {
@@ -86,42 +139,154 @@ class Inspector {
                 {face, face == Face::kMono ? 11.0F : 12.0F, color}, field.width() - 12 * ui_.scale);
   }
 
+  // A row with a label and a field that can be edited.
+  FieldResult Edit(const std::string& path, std::string_view label, std::string_view attribute,
+                   const std::string& value, const FieldLook& look) {
+    const Point at = FromIm(ImGui::GetCursorScreenPos());
+    const float width = ImGui::GetContentRegionAvail().x;
+    const Box row = {at, at + Point{width, kFieldRow * ui_.scale}};
+    const float pad = 8 * ui_.scale;
+    ui_.RowText(*ImGui::GetWindowDrawList(), row.min + Point{pad, 0}, row.height(), label,
+                {Face::kSans, 11, ui_.palette.text_dim}, (kLabelWidth - 8) * ui_.scale);
+    const Box field = {row.min + Point{pad + kLabelWidth * ui_.scale, 2 * ui_.scale},
+                       row.max - Point{pad, 2 * ui_.scale}};
+    const std::string key = std::string(attribute) + "@" + scene_->tree_id + "/" + node_.path;
+    const FieldResult result = DrawField(ui_, state_, path, key, field, value, look);
+    ImGui::SetCursorScreenPos(ToIm(row.min));
+    ImGui::Dummy({width, row.height()});
+    return result;
+  }
+
+  void EditAttribute(const std::string& path, const std::string& name, const std::string& value,
+                     const FieldLook& look) {
+    const FieldResult result = Edit(path, name, name, value, look);
+    if (result.cleared) {
+      action_ = [name](TreeEditor& edit) { edit.ClearValue(name); };
+    } else if (result.value) {
+      action_ = [name, text = *result.value](TreeEditor& edit) { edit.SetValue(name, text); };
+    }
+  }
+
   void Heading(std::string_view text) {
     const Row row = NextRow(ui_, "inspector/heading/" + std::string(text), false, 22);
     ui_.RowText(*ImGui::GetWindowDrawList(), row.box.min + Point{8 * ui_.scale, 0},
                 row.box.height(), text, {Face::kBold, 11, ui_.palette.text_dim});
   }
 
+  const PortLine* Given(std::string_view name) const {
+    for (std::uint32_t i = 0; i < node_.port_count; ++i) {
+      const PortLine& port = scene_->ports[node_.first_port + i];
+      if (port.name == name) return &port;
+    }
+    return nullptr;
+  }
+
+  // Declared ports in the declared order, given or not; then the other attributes.
   void DrawPorts() {
-    if (node_.port_count > 0) Heading("ports");
+    const bool has_model = node_.model && node_.shape != Shape::kSubTree;
+    if (node_.port_count > 0 || (has_model && !node_.model->ports.empty())) Heading("ports");
+    if (has_model) {
+      for (const PortModel& port : node_.model->ports) DrawPort(port, Given(port.name));
+    }
     for (std::uint32_t i = 0; i < node_.port_count; ++i) {
-      DrawPort(scene_.ports[node_.first_port + i]);
-    }
-    if (!node_.model || node_.shape == Shape::kSubTree) return;
-    for (const PortModel& port : node_.model->ports) {
-      if (!IsGiven(port.name)) DrawMissing(port);
+      const PortLine& port = scene_->ports[node_.first_port + i];
+      if (!port.model && !IsScriptAttribute(port.name)) DrawOther(port);
     }
   }
 
-  bool IsGiven(const std::string& name) const {
-    for (std::uint32_t i = 0; i < node_.port_count; ++i) {
-      if (scene_.ports[node_.first_port + i].name == name) return true;
+  Color ColorOf(std::string_view value) const {
+    const std::string_view key = KeyOf(value);
+    return key.empty() ? ui_.palette.text : ui_.palette.OfKey(key);
+  }
+
+  void DrawPort(const PortModel& port, const PortLine* given) {
+    const std::string value = given ? std::string(given->value) : "";
+    const std::string path = "inspector/port/" + port.name;
+    if (!can_edit_) {
+      ShowPort(port.name, given ? value : port.default_text.value_or("(not given)"), &port);
+      return;
     }
-    return false;
+    FieldLook look;
+    look.hint = port.default_text ? std::string_view(*port.default_text) : "not given";
+    look.color = ColorOf(value);
+    look.can_clear = given != nullptr;
+    if (KeyOf(value).empty()) look.kind = KindOf(port.type);
+    look.choices = ChoicesOf(node_.id, port.name);
+    if (!look.choices.empty() && KeyOf(value).empty()) look.kind = FieldKind::kChoice;
+    EditAttribute(path, port.name, value, look);
+    if (ImGui::IsItemHovered() && state_.typing.key.empty())
+      PortTooltip(&port, given ? value : std::string(look.hint));
+    if (port.type == "script" && !value.empty()) DrawScriptProblem(value);
   }
 
-  void DrawPort(const PortLine& port) {
-    const Row row = NextRow(ui_, "inspector/port/" + std::string(port.name), false, 24);
-    const Color color = port.is_key ? ui_.palette.OfKey(KeyOf(port.value)) : ui_.palette.text;
-    if (row.visible) Paint(row, port.name, port.value, color, Face::kMono);
-    if (row.hovered) PortTooltip(port.model, port.value);
+  void DrawOther(const PortLine& port) {
+    if (!can_edit_) {
+      ShowPort(std::string(port.name), port.value, nullptr);
+      return;
+    }
+    FieldLook look;
+    look.color = ColorOf(port.value);
+    look.can_clear = true;
+    EditAttribute("inspector/port/" + std::string(port.name), std::string(port.name),
+                  std::string(port.value), look);
   }
 
-  void DrawMissing(const PortModel& port) {
-    const Row row = NextRow(ui_, "inspector/port/" + port.name, false, 24);
-    const std::string value = port.default_text ? *port.default_text : "(not given)";
-    if (row.visible) Paint(row, port.name, value, Fade(ui_.palette.text_dim, 0.7F), Face::kMono);
-    if (row.hovered) PortTooltip(&port, value);
+  void ShowPort(const std::string& name, std::string_view value, const PortModel* model) {
+    const Row row = NextRow(ui_, "inspector/port/" + name, false, 24);
+    if (row.visible) Paint(row, name, value, ColorOf(value), Face::kMono);
+    if (row.hovered) PortTooltip(model, value);
+  }
+
+  void DrawScripts() {
+    bool headed = false;
+    for (const std::string_view name : kScriptAttributes) {
+      const PortLine* given = Given(name);
+      if (!given) continue;
+      if (!headed) Heading("guards and hooks");
+      headed = true;
+      if (can_edit_) {
+        FieldLook look;
+        look.color = ui_.palette.text;
+        look.can_clear = true;
+        EditAttribute("inspector/script/" + std::string(name), std::string(name),
+                      std::string(given->value), look);
+      } else {
+        ShowPort(std::string(name), given->value, nullptr);
+      }
+      DrawScriptProblem(given->value);
+    }
+    if (can_edit_) DrawNewScript();
+  }
+
+  void DrawScriptProblem(std::string_view script) {
+    const std::string problem = ScriptProblemOf(script);
+    if (problem.empty()) return;
+    const Row row = NextRow(ui_, "inspector/script_problem", false, 20);
+    ui_.RowText(*ImGui::GetWindowDrawList(), row.box.min + Point{8 * ui_.scale, 0},
+                row.box.height(), problem, {Face::kSans, 11, ui_.palette.error},
+                row.box.width() - 16 * ui_.scale);
+    if (row.hovered) ImGui::SetTooltip("%s", problem.c_str());
+  }
+
+  // A row that gives the node a guard or hook that it does not have yet.
+  void DrawNewScript() {
+    const Row row = NextRow(ui_, "inspector/new_script", false, 24);
+    ui_.RowText(*ImGui::GetWindowDrawList(), row.box.min + Point{8 * ui_.scale, 0},
+                row.box.height(), "+ guard or hook", {Face::kSans, 11, ui_.palette.text_dim});
+    if (row.clicked) ImGui::OpenPopup("new script");
+    if (!ImGui::BeginPopup("new script")) return;
+    for (const std::string_view name : kScriptAttributes) {
+      if (Given(name)) continue;
+      const std::string text(name);
+      const bool chosen = ImGui::MenuItem(text.c_str());
+      ui_.items.Add("inspector/new_script/" + text,
+                    {FromIm(ImGui::GetItemRectMin()), FromIm(ImGui::GetItemRectMax())});
+      if (!chosen) continue;
+      action_ = [text, &state = state_](TreeEditor& edit) {
+        if (edit.SetValue(text, "true")) state.focus_field = "inspector/script/" + text;
+      };
+    }
+    ImGui::EndPopup();
   }
 
   void PortTooltip(const PortModel* model, std::string_view value) {
@@ -135,8 +300,10 @@ class Inspector {
 
   const Ui& ui_;
   EditorState& state_;
-  const Scene& scene_;
+  const std::shared_ptr<const Scene> scene_;
   const SceneNode& node_;
+  const bool can_edit_;
+  Action action_;
 };
 
 }  // namespace
@@ -150,7 +317,8 @@ void DrawInspector(const Ui& ui, EditorState& state, const Box& box) {
       Hint(ui, "Click a node, or walk with the arrow keys.");
       return;
     }
-    Inspector(ui, state, view->scene()->nodes[view->selected()]).Draw();
+    const std::shared_ptr<const Scene> scene = view->scene();
+    Inspector(ui, state, scene, scene->nodes[view->selected()]).Draw();
   });
 }
 

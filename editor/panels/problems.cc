@@ -1,3 +1,5 @@
+#include "editor/core/tree_editor.h"
+#include "editor/document/fixes.h"
 #include "editor/look/icons.h"
 #include "editor/panels/panel.h"
 #include "editor/panels/panels.h"
@@ -40,8 +42,45 @@ void JumpTo(EditorState& state, std::size_t number, const Diagnostic& problem, d
   workspace.ShowFileTree(number, forest->main_tree(), now);
 }
 
-Row DrawProblem(const Ui& ui, int number, const Diagnostic& problem) {
-  const Row row = NextRow(ui, "problems/" + std::to_string(number), false);
+// What would make it go away; of the text as it is now.
+std::vector<Fix> FixesOf(const EditorState& state, const Diagnostic& problem) {
+  const EditedFile* file = state.workspace.project().Find(problem.where.file);
+  return file && file->document ? FixesFor(*file->document, problem) : std::vector<Fix>();
+}
+
+void Run(EditorState& state, const Diagnostic& problem, const Fix& fix, double now) {
+  const EditedFile& file = *state.workspace.project().Find(problem.where.file);
+  const ElementIndex element = file.document->ElementAt(OffsetOf(*file.document, problem.where));
+  TreeEditor(state, now)
+      .RunOn("Fix: " + fix.title, file.path, {element}, [&](Draft& draft, const NodeRules&) {
+        return draft.Apply(fix.edit) ? "" : "not possible";
+      });
+}
+
+// A button for each fix at the right end of the row; returns the one that was pressed, or -1.
+int DrawFixes(const Ui& ui, const std::string& path, Box& rest, const std::vector<Fix>& fixes) {
+  int pressed = -1;
+  for (std::size_t i = 0; i < fixes.size(); ++i) {
+    const float width = ui.Width(fixes[i].title, {Face::kSans, 12, 0}) + 14 * ui.scale;
+    const Box box = {{rest.max.x - width, rest.min.y + ui.scale},
+                     {rest.max.x - 2 * ui.scale, rest.max.y - ui.scale}};
+    const std::string item = path + "/fix/" + std::to_string(i);
+    if (ui.Button(item, box, fixes[i].title)) pressed = static_cast<int>(i);
+    rest.max.x = box.min.x - 2 * ui.scale;
+  }
+  return pressed;
+}
+
+Row DrawProblem(const Ui& ui, int number, const Diagnostic& problem, const std::vector<Fix>& fixes,
+                int& pressed) {
+  Row row = NextRow(ui, "problems/" + std::to_string(number), false);
+  ImGui::SetItemAllowOverlap();
+  const ImVec2 behind = ImGui::GetCursorScreenPos();
+  if (row.visible) {
+    pressed = DrawFixes(ui, "problems/" + std::to_string(number), row.box, fixes);
+    ImGui::SetCursorScreenPos(behind);
+  }
+
   const std::string text = ToString(problem);
   if (row.hovered) ImGui::SetTooltip("%s", text.c_str());
   if (!row.visible) return row;
@@ -91,7 +130,13 @@ void DrawProblems(const Ui& ui, EditorState& state, const Box& box) {
   Panel(ui, "problems", box, "PROBLEMS", note, [&] {
     if (all.empty()) Hint(ui, "No problems.");
     for (std::size_t i = 0; i < all.size(); ++i) {
-      const Row row = DrawProblem(ui, static_cast<int>(i), all[i].problem);
+      const std::vector<Fix> fixes = FixesOf(state, all[i].problem);
+      int pressed = -1;
+      const Row row = DrawProblem(ui, static_cast<int>(i), all[i].problem, fixes, pressed);
+      if (pressed >= 0) {
+        Run(state, all[i].problem, fixes[static_cast<std::size_t>(pressed)], ui.now);
+        return;
+      }
       if (row.clicked && all[i].file >= 0) {
         JumpTo(state, static_cast<std::size_t>(all[i].file), all[i].problem, ui.now);
         return;

@@ -101,6 +101,10 @@ class TopBar {
     Entry("file.reload");
     Entry("file.save");
     Entry("file.save_as");
+    if (!state_.restorable.empty()) {
+      Entry("file.restore");
+      Entry("file.forget");
+    }
     if (!state_.recent.empty()) ImGui::Separator();
     for (std::size_t i = 0; i < state_.recent.size(); ++i) {
       const std::string path = state_.recent[i];

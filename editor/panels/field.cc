@@ -1,0 +1,132 @@
+#include "editor/panels/field.h"
+
+#include <imgui.h>
+// After imgui.h, which it needs.
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+
+namespace coppice::editor {
+namespace {
+
+constexpr float kButton = 20;
+
+class FieldDrawer {
+ public:
+  FieldDrawer(const Ui& ui, EditorState& state, const std::string& path, const std::string& key,
+              const Box& box, const std::string& value, const FieldLook& look)
+      : ui_(ui), state_(state), path_(path), key_(key), rest_(box), value_(value), look_(look) {}
+
+  FieldResult Draw() {
+    ui_.items.Add(path_, rest_);
+    if (look_.can_clear && Button("clear", "x")) result_.cleared = true;
+    switch (look_.kind) {
+      case FieldKind::kBool:
+        if (Button("toggle", "!")) result_.value = value_ == "true" ? "false" : "true";
+        break;
+      case FieldKind::kNumber:
+        Step();
+        break;
+      case FieldKind::kChoice:
+        if (Button("next", ">")) result_.value = NextChoice();
+        break;
+      case FieldKind::kText:
+        break;
+    }
+    Text();
+    return std::move(result_);
+  }
+
+ private:
+  // At the right end of what is left.
+  bool Button(const char* name, std::string_view text) {
+    const Box box = {{rest_.max.x - kButton * ui_.scale, rest_.min.y}, rest_.max};
+    rest_.max.x = box.min.x - 2 * ui_.scale;
+    const std::string path = path_ + "/" + name;
+    const bool pressed = ui_.Button(path, box, text);
+    ui_.items.Add(path, box);
+    return pressed;
+  }
+
+  void Step() {
+    if (Button("more", "+")) result_.value = Stepped(value_, +1);
+    if (Button("less", "-")) result_.value = Stepped(value_, -1);
+  }
+
+  std::string NextChoice() const {
+    const auto at = std::find(look_.choices.begin(), look_.choices.end(), value_);
+    const bool is_last = at == look_.choices.end() || at + 1 == look_.choices.end();
+    return is_last ? look_.choices.front() : *(at + 1);
+  }
+
+  // While the user types, the text is the state's; before and after it is the document's.
+  void Text() {
+    const bool is_typing = state_.typing.key == key_;
+    std::string buffer = is_typing ? state_.typing.text : value_;
+    ImGui::SetCursorScreenPos(ToIm(rest_.min));
+    ImGui::SetNextItemWidth(rest_.width());
+    ImGui::PushFont(ui_.fonts.Pick(Face::kMono, 11 * ui_.scale));
+    ImGui::PushStyleColor(ImGuiCol_Text, look_.color);
+    ImGui::PushStyleColor(ImGuiCol_FrameBg, ui_.palette.field);
+    ImGui::PushID(key_.c_str());
+    if (state_.focus_field == path_) {
+      ImGui::SetKeyboardFocusHere();
+      state_.focus_field.clear();
+    }
+    const std::string hint(look_.hint);
+    ImGui::InputTextWithHint("##text", hint.c_str(), &buffer);
+    if (ImGui::IsItemActive()) {
+      state_.typing = {key_, buffer};
+    } else if (is_typing) {
+      state_.typing = {};
+      if (buffer != value_) result_.value = buffer;
+    }
+    ImGui::PopID();
+    ImGui::PopStyleColor(2);
+    ImGui::PopFont();
+  }
+
+  const Ui& ui_;
+  EditorState& state_;
+  const std::string& path_;
+  const std::string& key_;
+  Box rest_;
+  const std::string& value_;
+  const FieldLook& look_;
+  FieldResult result_;
+};
+
+}  // namespace
+
+FieldResult DrawField(const Ui& ui, EditorState& state, const std::string& path,
+                      const std::string& key, const Box& box, const std::string& value,
+                      const FieldLook& look) {
+  return FieldDrawer(ui, state, path, key, box, value, look).Draw();
+}
+
+FieldKind KindOf(std::string_view type) {
+  if (type == "bool") return FieldKind::kBool;
+  for (const std::string_view name :
+       {"int", "unsigned", "unsigned int", "int64_t", "uint64_t", "long", "float", "double",
+        "int64", "uint64", "int32_t", "uint32_t", "uint8_t", "size_t"}) {
+    if (type == name) return FieldKind::kNumber;
+  }
+  return FieldKind::kText;
+}
+
+std::optional<std::string> Stepped(const std::string& number, int by) {
+  char* end = nullptr;
+  const double value = std::strtod(number.c_str(), &end);
+  if (number.empty() || *end != '\0' || !std::isfinite(value)) return std::nullopt;
+  const std::size_t point = number.find('.');
+  const int decimals = point == std::string::npos ? 0 : static_cast<int>(number.size() - point - 1);
+  char text[64];
+  std::snprintf(text, sizeof(text), "%.*f", std::min(decimals, 9),
+                value + by * std::pow(10.0, -std::min(decimals, 9)));
+  return std::string(text);
+}
+
+}  // namespace coppice::editor
