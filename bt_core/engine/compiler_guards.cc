@@ -19,6 +19,11 @@ std::optional<std::size_t> GuardOf(std::string_view name) {
   return static_cast<std::size_t>(found - kGuardAttributes.begin());
 }
 
+ScriptUse UseOf(std::size_t guard) {
+  return guard < static_cast<std::size_t>(Guard::kOnStart) ? ScriptUse::kCondition
+                                                           : ScriptUse::kAction;
+}
+
 std::string Advice(std::string_view name) {
   if (name == "__shared_blackboard") return "in format 4 it is _autoremap=\"true\"";
   std::vector<std::string> known(kGuardAttributes.begin(), kGuardAttributes.end());
@@ -36,7 +41,7 @@ bool GuardReader::Read(const Site& site, NodeIndex node, std::vector<GuardRecord
   for (const Attribute& attribute : site) {
     if (attribute.name.front() != '_') continue;
     if (const std::optional<std::size_t> guard = GuardOf(attribute.name)) {
-      record.scripts[*guard] = scripts_.Add(site, attribute);
+      record.scripts[*guard] = scripts_.Add(site, attribute, UseOf(*guard));
       any = true;
     } else {
       CheckMetadata(site, attribute);

@@ -15,6 +15,11 @@ bool IsAboutKey(const PortDeclaration& port) {
   return !port.type && (port.direction == PortDirection::kOutput || port.name == "entry");
 }
 
+ScriptUse UseOf(NodeType type) {
+  const bool asks = type == NodeType::kScriptCondition || type == NodeType::kPrecondition;
+  return asks ? ScriptUse::kCondition : ScriptUse::kAction;
+}
+
 bool HasBraces(std::string_view text) {
   const std::size_t open = text.find('{');
   return open != std::string_view::npos && text.find('}', open) != std::string_view::npos;
@@ -86,8 +91,9 @@ std::uint32_t PortBinder::BindPort(const Registry::Entry& entry, const PortDecla
 }
 
 std::uint32_t PortBinder::BindScript(const Given& given) {
-  return given.attribute ? scripts_.Add(given.site, *given.attribute)
-                         : scripts_.AddDefault(given.site, given.text);
+  const ScriptUse use = UseOf(given.entry.type);
+  return given.attribute ? scripts_.Add(given.site, *given.attribute, use)
+                         : scripts_.AddDefault(given.site, given.text, use);
 }
 
 std::uint32_t PortBinder::BindKey(const Given& given, std::string_view key) {

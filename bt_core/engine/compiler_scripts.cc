@@ -24,7 +24,7 @@ class NamesInScope : public ScriptNames {
 
 }  // namespace
 
-std::uint32_t ScriptTable::Add(const Site& site, const Attribute& attribute) {
+std::uint32_t ScriptTable::Add(const Site& site, const Attribute& attribute, ScriptUse use) {
   if (!KeyOf(attribute.value, attribute.name).empty()) {
     problems_.Error(site.document, attribute.value_offset,
                     "a script cannot come from the blackboard: " + Quoted(attribute.value),
@@ -32,11 +32,11 @@ std::uint32_t ScriptTable::Add(const Site& site, const Attribute& attribute) {
                     "key stands without braces");
     return kNoScript;
   }
-  return Add({&site.document, &attribute, site.element.offset, attribute.value, site.scope});
+  return Add({&site.document, &attribute, site.element.offset, attribute.value, site.scope, use});
 }
 
-std::uint32_t ScriptTable::AddDefault(const Site& site, std::string_view text) {
-  return Add({&site.document, nullptr, site.element.offset, text, site.scope});
+std::uint32_t ScriptTable::AddDefault(const Site& site, std::string_view text, ScriptUse use) {
+  return Add({&site.document, nullptr, site.element.offset, text, site.scope, use});
 }
 
 std::uint32_t ScriptTable::Add(const Pending& pending) {
@@ -50,7 +50,8 @@ void ScriptTable::Compile(const ScriptConstants& constants, std::vector<Script>&
   for (const Pending& pending : pending_) {
     NamesInScope names(keys_, types_, pending.scope);
     found.clear();
-    std::optional<Script> script = Script::Compile(pending.text, names, constants, found);
+    std::optional<Script> script =
+        Script::Compile(pending.text, names, constants, found, pending.use);
     if (script) scripts.push_back(*std::move(script));
     for (ScriptProblem& problem : found) Report(pending, std::move(problem));
   }
@@ -60,7 +61,9 @@ void ScriptTable::Report(const Pending& pending, ScriptProblem problem) {
   const std::uint32_t offset =
       pending.attribute ? pending.document->OffsetInValue(*pending.attribute, problem.offset)
                         : pending.offset;
-  problems_.Error(*pending.document, offset, std::move(problem.message), std::move(problem.hint));
+  const auto report = problem.is_warning ? &Problems::Warning : &Problems::Error;
+  (problems_.*report)(*pending.document, offset, std::move(problem.message),
+                      std::move(problem.hint));
 }
 
 }  // namespace coppice

@@ -5,6 +5,7 @@
 #include "bt_core/script/ast.h"
 #include "bt_core/script/checker.h"
 #include "bt_core/script/code.h"
+#include "bt_core/script/doubts.h"
 #include "bt_core/script/generator.h"
 #include "bt_core/script/parser.h"
 #include "bt_core/script/relation.h"
@@ -63,8 +64,9 @@ std::optional<std::string> AddEnumerators(const EnumeratorList& list, ScriptCons
 
 std::optional<Script> Script::Compile(std::string_view text, ScriptNames& names,
                                       const ScriptConstants& constants,
-                                      std::vector<ScriptProblem>& problems) {
+                                      std::vector<ScriptProblem>& problems, ScriptUse use) {
   std::vector<ScriptProblem> found;
+  std::vector<ScriptProblem> doubts;
   std::optional<Script> script;
   if (text.size() > kMaxSize) {
     found.push_back({0, "the script is longer than " + std::to_string(kMaxSize) + " bytes", ""});
@@ -72,10 +74,12 @@ std::optional<Script> Script::Compile(std::string_view text, ScriptNames& names,
     script::Ast ast = script::Parse(text, found);
     if (found.empty()) script::Check(ast, names, constants, found);
     if (found.empty()) {
+      if (use == ScriptUse::kCondition) script::AddDoubts(ast, doubts);
       auto code = std::make_shared<const Code>(script::Generate(std::move(ast), text, found));
       if (found.empty()) script = Script(std::move(code));
     }
   }
+  found.insert(found.end(), doubts.begin(), doubts.end());
   std::stable_sort(found.begin(), found.end(), [](const ScriptProblem& a, const ScriptProblem& b) {
     return a.offset < b.offset;
   });

@@ -48,7 +48,14 @@ class ScriptNames {
 struct ScriptProblem {
   std::size_t offset;  ///< in bytes from the start of the script
   std::string message;
-  std::string hint;  ///< may be empty
+  std::string hint;         ///< may be empty
+  bool is_warning = false;  ///< it can run all the same
+};
+
+/// What a script is there for.
+enum class ScriptUse : std::uint8_t {
+  kAction,     ///< for what it does
+  kCondition,  ///< for its truth: an assignment taken for true or false is a warning
 };
 
 namespace script {
@@ -71,10 +78,11 @@ class Script {
   /// At most so many bytes of text.
   static constexpr std::size_t kMaxSize = 65536;
 
-  /// Nothing is returned if there are problems; all of them are in `problems`.
+  /// Nothing is returned if there are problems other than warnings; all of them are in `problems`.
   static std::optional<Script> Compile(std::string_view text, ScriptNames& names,
                                        const ScriptConstants& constants,
-                                       std::vector<ScriptProblem>& problems);
+                                       std::vector<ScriptProblem>& problems,
+                                       ScriptUse use = ScriptUse::kAction);
 
   /// Runs all statements. Throws ScriptError; what was assigned before stays assigned.
   void Run(Blackboard& blackboard) const;

@@ -24,14 +24,14 @@ struct ScriptTableTest : testing::Test {
 
 TEST_F(ScriptTableTest, ScriptsAreNumberedInTheOrderOfAdding) {
   const Site site = TheNode();
-  EXPECT_EQ(scripts.Add(site, site.begin()[0]), 0U);
-  EXPECT_EQ(scripts.AddDefault(site, "x"), 1U);
+  EXPECT_EQ(scripts.Add(site, site.begin()[0], ScriptUse::kAction), 0U);
+  EXPECT_EQ(scripts.AddDefault(site, "x", ScriptUse::kAction), 1U);
   EXPECT_EQ(diagnostics.ToString(), "");
 }
 
 TEST_F(ScriptTableTest, AKeyInBracesIsNoScript) {
   const Site site = TheNode();
-  EXPECT_EQ(scripts.Add(site, site.begin()[1]), kNoScript);
+  EXPECT_EQ(scripts.Add(site, site.begin()[1], ScriptUse::kAction), kNoScript);
   EXPECT_EQ(diagnostics.ToString(),
             "t.xml:2:25: error: a script cannot come from the blackboard: \"{k}\" (it is compiled "
             "when the tree is loaded; write the script itself, in which a key stands without "
@@ -43,6 +43,26 @@ std::string Problem(const std::string& body) {
   Diagnostics diagnostics;
   CompileText(Main(body), diagnostics, TestRegistry());
   return diagnostics.ToString();
+}
+
+TEST(Scripts, AnAssignmentInAConditionIsAWarning) {
+  const char* const conditions[] = {"<AlwaysSuccess _skipIf=\"x = 3\"/>",
+                                    "<ScriptCondition code=\"x = 3\"/>",
+                                    "<Precondition if=\"x = 3\"><AlwaysSuccess/></Precondition>"};
+  for (const std::string text : conditions) {
+    const std::string column = std::to_string(text.find(" = ") + 2);
+    EXPECT_EQ(Problem("<Sequence><Script code=\"x := 1\"/>\n" + text + "</Sequence>"),
+              "t.xml:4:" + column +
+                  ": warning: this condition assigns to \"x\" (did you mean \"==\"?)\n");
+  }
+  EXPECT_EQ(Problem("<AlwaysSuccess _onStart=\"x := 3\" _post=\"x = 3\" _onHalted=\"x = 3\"/>"),
+            "");
+}
+
+TEST(Scripts, AWarningDoesNotHinderTheTree) {
+  Stage stage(
+      Main("<Sequence><Script code=\"x := 1\"/><ScriptCondition code=\"x = 3\"/></Sequence>"));
+  EXPECT_EQ(stage.executor->Tick(), Status::kSuccess);
 }
 
 TEST(Scripts, AProblemIsReportedWhereItStandsInTheAttribute) {
