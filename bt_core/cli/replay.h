@@ -1,4 +1,4 @@
-// `coppice replay`: what happened in a recorded run, for people and for scripts.
+// `coppice replay`, `coppice stats` and `coppice convert`: what can be made of a recorded run.
 #ifndef COPPICE_BT_CORE_CLI_REPLAY_H_
 #define COPPICE_BT_CORE_CLI_REPLAY_H_
 
@@ -7,12 +7,17 @@
 
 namespace coppice {
 
-/// `coppice replay FILE [--json] [--node PATTERN] [--from T] [--to T]`. Prints the header, every
-/// tick in which something happened and a summary; with --json one object per line. PATTERN is a
-/// shell pattern for node paths; then only changes and messages of those nodes are shown. T is in
-/// seconds since the start of the record. Returns 0; 1 if the record is damaged, cut off or has
-/// gaps, and the output says where; 2 for wrong usage or a file that cannot be read.
+/// `coppice replay FILE`: in a terminal, a view to go back and forth in the run; else everything
+/// that happened, tick by tick. With --at, --tick, --why, --why-not, --verify or --diff the answer
+/// to that. docs/replay.md is the manual. Returns 0; 1 if something is missing in the record, or
+/// the answer is no; 2 for wrong usage or a file that cannot be read.
 int RunReplay(const std::vector<std::string>& arguments);
+
+/// `coppice stats FILE [--sort tree|ticks|time|flips] [--json]`: figures per node.
+int RunStats(const std::vector<std::string>& arguments);
+
+/// `coppice convert IN OUT`: between formats, which the endings of the names say.
+int RunConvert(const std::vector<std::string>& arguments);
 
 }  // namespace coppice
 

@@ -2,24 +2,60 @@
 #ifndef COPPICE_BT_CORE_CLI_REPLAY_PRINTER_H_
 #define COPPICE_BT_CORE_CLI_REPLAY_PRINTER_H_
 
-#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <ostream>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
-#include "bt_core/record/record_reader.h"
+#include "bt_core/replay/json_writer.h"
+#include "bt_core/replay/recording.h"
 
 namespace coppice {
 
-/// Counted while the entries go by.
-struct ReplaySummary {
-  explicit ReplaySummary(const RecordHeader& header);
-  void Add(const RecordEntry& entry);
+/// What of a run is printed.
+struct ReplayFilter {
+  std::string pattern;  ///< a shell pattern for paths; empty: all nodes
+  Time from{INT64_MIN};
+  Time to = kNever;
 
+  bool Has(Time time) const { return from <= time && time <= to; }
+};
+
+/// What happened in a tick, by name.
+struct PrintedTick {
+  struct Change {
+    std::string node;
+    Status from;
+    Status to;
+  };
+  struct Write {
+    std::string scope;
+    std::string key;
+    std::string value;   ///< bytes as in data/value_bytes.h
+    std::string writer;  ///< path; empty: not known, or from outside
+  };
+  struct Message {
+    std::string node;
+    std::string text;
+  };
+  std::uint64_t number;
+  Time time;
+  Duration duration;
+  Status result;
+  std::vector<Change> changes;
+  std::vector<Write> writes;
+  std::vector<Message> messages;
+
+  bool is_empty() const { return changes.empty() && writes.empty() && messages.empty(); }
+};
+
+/// Counted while the run goes by.
+struct ReplaySummary {
   struct Node {
+    std::string path;
     std::uint64_t successes = 0;
     std::uint64_t failures = 0;
   };
@@ -31,8 +67,7 @@ struct ReplaySummary {
   std::uint64_t gaps = 0;
   std::uint64_t lost_ticks = 0;
   std::uint64_t lost_notes = 0;
-  Time first;  ///< start of the record
-  Time last;   ///< of the last entry
+  Duration duration{0};
   bool closed = false;
   std::size_t damages = 0;
 
@@ -43,21 +78,20 @@ struct ReplaySummary {
 class ReplayPrinter {
  public:
   virtual ~ReplayPrinter() = default;
-  virtual void Header(const RecordHeader& header) = 0;
-  virtual void Entry(const RecordedTick& tick) = 0;
-  virtual void Entry(const RecordedNote& note) = 0;
-  virtual void Entry(const RecordedGap& gap) = 0;
-  virtual void Entry(const RecordedEnd& end) = 0;
-  virtual void Damage(const RecordDamage& damage) = 0;
+  virtual void Tree(const TreeDescription& tree) = 0;
+  virtual void Tick(const PrintedTick& tick) = 0;
+  virtual void Note(const HistoryNote& note) = 0;
+  virtual void Gap(const HistoryGap& gap) = 0;
+  virtual void End(const HistoryEnd& end) = 0;
   virtual void Summary(const ReplaySummary& summary) = 0;
 };
 
-/// The header must outlive the printer. Times are shown in seconds since its start.
-std::unique_ptr<ReplayPrinter> MakeTextPrinter(std::ostream& out, const RecordHeader& header);
-std::unique_ptr<ReplayPrinter> MakeJsonPrinter(std::ostream& out, const RecordHeader& header);
+/// Times are shown in seconds since `start`.
+std::unique_ptr<ReplayPrinter> MakeTextPrinter(std::ostream& out, Time start);
+std::unique_ptr<ReplayPrinter> MakeJsonPrinter(std::ostream& out, Time start);
 
-/// The text in quotes, as JSON wants it. Bytes that are not UTF-8 become U+FFFD.
-std::string JsonText(std::string_view text);
+/// Prints a run from its first entry to its last.
+ReplaySummary PrintRun(const Recording& run, const ReplayFilter& filter, ReplayPrinter& printer);
 
 }  // namespace coppice
 
