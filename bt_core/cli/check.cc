@@ -6,10 +6,10 @@
 
 #include "bt_core/base/command_line.h"
 #include "bt_core/cli/plugins.h"
-#include "bt_core/cli/replay_printer.h"
 #include "bt_core/cli/verbs.h"
 #include "bt_core/engine/check_project.h"
 #include "bt_core/engine/model_registry.h"
+#include "bt_core/replay/json_writer.h"
 
 namespace coppice {
 namespace {

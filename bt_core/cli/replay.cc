@@ -72,7 +72,8 @@ class Replay {
   int PrintAll() {
     ReplayFilter filter;
     filter.pattern = options_.Get("--node");
-    for (const auto& [name, time] : {std::make_pair("--from", &filter.from), {"--to", &filter.to}}) {
+    for (const auto& [name, time] :
+         {std::make_pair("--from", &filter.from), {"--to", &filter.to}}) {
       if (!options_.Has(name)) continue;
       const std::optional<Time> given = ReadTime(options_.Get(name), run_.start());
       if (!given) return Fail(std::string(name) + " needs a number of seconds");
@@ -86,6 +87,10 @@ class Replay {
   // The entry that --at or --tick name, or the last tick; nothing, with a message, if there is
   // none.
   std::optional<std::size_t> Entry() const {
+    if (run_.ticks().empty()) {
+      std::cerr << "there is no tick in this record\n";
+      return std::nullopt;
+    }
     std::size_t entry = run_.ticks().size() - 1;
     if (options_.Has("--at")) {
       const std::optional<Time> time = ReadTime(options_.Get("--at"), run_.start());
@@ -141,8 +146,8 @@ class Replay {
   int VerifyAll() {
     if (!RegistryWithPlugins(options_)) return 2;
     Diagnostics diagnostics;
-    const Verification verification =
-        Verify(run_, [this] { return RegistryWithPlugins(options_); }, diagnostics);
+    const Verification verification = Verify(
+        run_, [this] { return RegistryWithPlugins(options_); }, diagnostics);
     std::cerr << diagnostics.ToString();
     std::cout << (is_json() ? VerificationToJson(verification, run_.start()) + "\n"
                             : PrintVerification(verification, run_.start()));
@@ -163,8 +168,7 @@ int CompareFiles(const Recording& first, const Recording& second, bool is_json) 
 
 int RunReplay(const std::vector<std::string>& arguments) {
   const std::optional<Options> options = ParseOptions(
-      arguments,
-      {"--node", "--from", "--to", "--at", "--tick", "--why", "--why-not", "--plugin"},
+      arguments, {"--node", "--from", "--to", "--at", "--tick", "--why", "--why-not", "--plugin"},
       {"--json", "--print", "--verify", "--diff"}, kUsage);
   if (!options) return 2;
   const std::size_t files = options->Has("--diff") ? 2 : 1;

@@ -12,17 +12,17 @@ class JsonPrinter final : public ReplayPrinter {
   void Tree(const TreeDescription& tree) override {
     JsonObject metadata;
     for (const auto& [key, value] : tree.info.metadata) metadata.AddText(key, value);
-    Print(JsonObject()
-              .AddText("type", "header")
-              .AddText("writer", tree.writer)
-              .AddText("run", ToString(tree.info.run))
-              .AddText("clock", tree.info.clock)
-              .AddText("tree", tree.main_tree)
-              .Add("start_ns", std::to_string(start_.count()))
-              .Add("metadata", metadata.Finish())
-              .Add("files",
-                   JsonArray(tree.documents, [](const auto& d) { return JsonText(d.file); }))
-              .Add("nodes", JsonArray(tree.nodes, [](const auto& n) { return JsonText(n.path); })));
+    Print(
+        JsonObject()
+            .AddText("type", "header")
+            .AddText("writer", tree.writer)
+            .AddText("run", ToString(tree.info.run))
+            .AddText("clock", tree.info.clock)
+            .AddText("tree", tree.main_tree)
+            .Add("start_ns", std::to_string(start_.count()))
+            .Add("metadata", metadata.Finish())
+            .Add("files", JsonArray(tree.documents, [](const auto& d) { return JsonText(d.file); }))
+            .Add("nodes", JsonArray(tree.nodes, [](const auto& n) { return JsonText(n.path); })));
   }
 
   void Tick(const PrintedTick& tick) override {
@@ -64,18 +64,15 @@ class JsonPrinter final : public ReplayPrinter {
               .Add("lost_notes", gap.lost_notes));
   }
 
-  void End(const HistoryEnd& end) override {
-    Print(Begin("end", end.time).Add("ticks", end.tick));
-  }
+  void End(const HistoryEnd& end) override { Print(Begin("end", end.time).Add("ticks", end.tick)); }
 
   void Summary(const ReplaySummary& summary) override {
     JsonObject nodes;
     for (const ReplaySummary::Node& node : summary.nodes) {
       if (node.successes + node.failures == 0) continue;
-      nodes.Add(node.path, JsonObject()
-                               .Add("successes", node.successes)
-                               .Add("failures", node.failures)
-                               .Finish());
+      nodes.Add(
+          node.path,
+          JsonObject().Add("successes", node.successes).Add("failures", node.failures).Finish());
     }
     Print(JsonObject()
               .AddText("type", "summary")

@@ -42,7 +42,10 @@ TreePicture PictureOf(const Recording& run, std::size_t entry) {
   TickView view = run.Before(entry);
   const TreeDescription& tree = run.trees()[run.TreeOf(entry)];
   StatusFollower follower(ShapeOf(tree), view.statuses);
-  TreePicture picture{view.events.tick, view.events.start, view.events.result, {},
+  TreePicture picture{view.events.tick,
+                      view.events.start,
+                      view.events.result,
+                      {},
                       std::vector<Status>(tree.nodes.size(), Status::kIdle),
                       std::move(view.values)};
   EventReader reader(view.events.words);

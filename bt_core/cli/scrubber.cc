@@ -139,21 +139,19 @@ void Scrubber::Search(const std::string& text) {
 
 void Scrubber::Explain() {
   Diagnostics diagnostics;
-  const RecordedTree recorded =
-      CompileRecorded(tree(), std::make_shared<Registry>(), diagnostics);
+  const RecordedTree recorded = CompileRecorded(tree(), std::make_shared<Registry>(), diagnostics);
   const TickView now = run_.Before(entry_);
   std::optional<TickView> before;
   if (const auto earlier = run_.TickBefore(entry_)) before = run_.Before(*earlier);
-  message_ = PrintWhy(recorded, WhyOf(recorded, now, before ? &*before : nullptr, node_),
-                      run_.start());
+  message_ =
+      PrintWhy(recorded, WhyOf(recorded, now, before ? &*before : nullptr, node_), run_.start());
 }
 
 std::string Scrubber::Render(std::size_t lines, std::size_t columns) const {
   const TreePicture picture = PictureOf(run_, entry_);
-  const std::string title = "tick " + std::to_string(picture.tick) + " of " +
-                            std::to_string(run_.ticks().back().number) + "   " +
-                            JsonSeconds(picture.time - run_.start()) + " s   " +
-                            ToString(picture.result);
+  const std::string title =
+      "tick " + std::to_string(picture.tick) + " of " + std::to_string(run_.ticks().back().number) +
+      "   " + JsonSeconds(picture.time - run_.start()) + " s   " + ToString(picture.result);
   std::vector<std::string> below = LinesOf(message_);
   if (!prompt_.empty()) below = {prompt_ + ": " + typed_};
   const std::size_t room = lines > 3 ? lines - 2 : 1;

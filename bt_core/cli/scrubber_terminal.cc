@@ -37,11 +37,11 @@ std::string KeyOf(const std::string& bytes) {
   constexpr struct {
     const char* bytes;
     const char* key;
-  } kKeys[] = {{"\x1b[D", "left"},   {"\x1b[C", "right"},  {"\x1b[A", "up"},
-               {"\x1b[B", "down"},   {"\x1b[5~", "pageup"}, {"\x1b[6~", "pagedown"},
-               {"\x1b[H", "home"},   {"\x1b[F", "end"},    {"\x1b[1~", "home"},
-               {"\x1b[4~", "end"},   {"\x1b", "escape"},   {"\n", "enter"},
-               {"\r", "enter"},      {"\x7f", "backspace"}, {"\b", "backspace"}};
+  } kKeys[] = {{"\x1b[D", "left"}, {"\x1b[C", "right"},   {"\x1b[A", "up"},
+               {"\x1b[B", "down"}, {"\x1b[5~", "pageup"}, {"\x1b[6~", "pagedown"},
+               {"\x1b[H", "home"}, {"\x1b[F", "end"},     {"\x1b[1~", "home"},
+               {"\x1b[4~", "end"}, {"\x1b", "escape"},    {"\n", "enter"},
+               {"\r", "enter"},    {"\x7f", "backspace"}, {"\b", "backspace"}};
   for (const auto& known : kKeys) {
     if (bytes == known.bytes) return known.key;
   }
