@@ -69,20 +69,15 @@ class Count {
     newest_ = std::max(newest_, events.start);
     follower.Apply(
         events, [&](const StatusChange& change) { CountChange(change, events); },
-        [&](const Event& event) { CountResult(event, events.tick, follower); });
+        [&](const Event& event) { CountResult(event, events.tick); });
   }
 
   Counter& CounterOf(NodeIndex node) { return counters_[numbers_[node]]; }
 
-  void CountResult(const Event& event, std::uint64_t tick, const HistoryFollower& follower) {
-    if (!event.is_status()) return;
+  void CountResult(const Event& event, std::uint64_t tick) {
+    if (!event.is_result()) return;
     Counter& counter = CounterOf(event.index);
     NodeStatistics& figures = counter.figures;
-    if (!event.is_result()) {
-      const bool was_running = follower.status(event.index) == Status::kRunning;
-      figures.results[0] += was_running;
-      return;
-    }
     ++figures.ticks;
     ++figures.results[static_cast<std::size_t>(event.status())];
     if (figures.first_tick == 0) figures.first_tick = tick;
@@ -98,6 +93,8 @@ class Count {
   // What takes one tick only does not count.
   void CountChange(const StatusChange& change, const TickEvents& events) {
     Counter& counter = CounterOf(change.node);
+    const bool is_halted = change.from == Status::kRunning && change.to == Status::kIdle;
+    counter.figures.results[0] += is_halted;
     if (change.to == Status::kRunning) {
       counter.active_since = events.start;
     } else if (change.from == Status::kRunning && counter.active_since) {

@@ -13,6 +13,7 @@ std::string Print(Duration time) {
     double size;
     const char* name;
   } kUnits[] = {{1e9, "s"}, {1e6, "ms"}, {1e3, "us"}, {1, "ns"}};
+  if (time.count() == 0) return "0";
   const auto nanoseconds = static_cast<double>(time.count());
   for (const auto& unit : kUnits) {
     const double value = nanoseconds / unit.size;

@@ -3,7 +3,10 @@
 namespace coppice {
 
 TickStory::TickStory(const RecordedTree& tree, const TickView& view, const TickStory* before)
-    : tree_(tree), view_(view), before_(before), walk_(WalkOf(tree.shape, view.events.words)) {
+    : tree_(tree),
+      view_(view),
+      before_(before),
+      walk_(WalkOf(tree.shape, view.events.words, &view.statuses)) {
   StatusFollower follower(tree.shape, view.statuses);
   for (const Event& event : walk_.events) follower.Apply(event);
   after_ = follower.statuses();

@@ -1,6 +1,8 @@
 #include "bt_core/replay/walk.h"
 
 #include <algorithm>
+#include <map>
+#include <optional>
 
 namespace coppice {
 namespace {
@@ -8,7 +10,10 @@ namespace {
 // Makes preorder from the order of completion.
 class Builder {
  public:
-  Builder(const TreeShape& shape, Walk& walk) : shape_(shape), walk_(walk) {}
+  Builder(const TreeShape& shape, Walk& walk, const std::vector<Status>* before)
+      : shape_(shape), walk_(walk) {
+    if (before) statuses_.emplace(shape, *before);
+  }
 
   void Add(const Event& event) {
     const auto number = static_cast<std::uint32_t>(walk_.events.size());
@@ -16,7 +21,8 @@ class Builder {
     if (event.code == EventCode::kText && event.text == EventText::kInjected) {
       injected_ = event.index;
     }
-    if (!event.is_status() || event.index >= shape_.size()) return;
+    if (!event.is_status() || event.index >= shape_.size() || ChangesNothing(event)) return;
+    if (statuses_) statuses_->Apply(event);
     Complete(event.index, event.status(), number);
     entry_ = number + 1;
     injected_ = kNoNode;
@@ -36,6 +42,10 @@ class Builder {
     bool is_injected;
     std::vector<std::uint32_t> children;
   };
+
+  bool ChangesNothing(const Event& event) const {
+    return statuses_ && !event.is_result() && statuses_->status(event.index) == Status::kIdle;
+  }
 
   // What was completed below the node and has no parent yet is its own.
   void Complete(NodeIndex node, Status result, std::uint32_t event) {
@@ -79,6 +89,7 @@ class Builder {
 
   const TreeShape& shape_;
   Walk& walk_;
+  std::optional<StatusFollower> statuses_;
   std::vector<Done> done_;           // in order of completion
   std::vector<std::uint32_t> open_;  // of these: those that nobody has taken yet
   std::uint32_t entry_ = 0;          // behind the last result or reset
@@ -125,9 +136,9 @@ StepIndex Walk::Decisive(StepIndex step) const {
   return same != kNoStep ? same : last;
 }
 
-Walk WalkOf(const TreeShape& shape, EventWords words) {
+Walk WalkOf(const TreeShape& shape, EventWords words, const std::vector<Status>* before) {
   Walk walk;
-  Builder builder(shape, walk);
+  Builder builder(shape, walk, before);
   EventReader reader(words);
   for (Event event; reader.Next(event);) builder.Add(event);
   builder.Finish();
@@ -135,13 +146,16 @@ Walk WalkOf(const TreeShape& shape, EventWords words) {
 }
 
 StepIndex FirstDifference(const Walk& walk, const Walk& before) {
-  const std::vector<StepIndex> now = InOrderOfCompletion(walk);
-  const std::vector<StepIndex> then = InOrderOfCompletion(before);
-  for (std::size_t i = 0; i < now.size(); ++i) {
-    const WalkStep& step = walk.steps[now[i]];
-    if (i >= then.size()) return now[i];
-    const WalkStep& other = before.steps[then[i]];
-    if (step.node != other.node || step.result != other.result) return now[i];
+  std::map<NodeIndex, std::vector<Status>> results;  // of `before`, in order
+  for (const StepIndex step : InOrderOfCompletion(before)) {
+    results[before.steps[step].node].push_back(before.steps[step].result);
+  }
+  std::map<NodeIndex, std::size_t> ticked;
+  for (const StepIndex index : InOrderOfCompletion(walk)) {
+    const WalkStep& step = walk.steps[index];
+    const std::vector<Status>& earlier = results[step.node];
+    const std::size_t number = ticked[step.node]++;
+    if (number >= earlier.size() || earlier[number] != step.result) return index;
   }
   return kNoStep;
 }

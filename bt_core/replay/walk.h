@@ -43,11 +43,12 @@ struct Walk {
   StepIndex Decisive(StepIndex step) const;
 };
 
-/// Nodes that there are not are left out. The words must live as long as the walk.
-Walk WalkOf(const TreeShape& shape, EventWords words);
+/// Nodes that there are not are left out; with the statuses before the tick, so are resets that
+/// change nothing. The words must live as long as the walk.
+Walk WalkOf(const TreeShape& shape, EventWords words, const std::vector<Status>* before = nullptr);
 
-/// The first step, in order of completion, at which two walks part; kNoStep if `walk` goes no other
-/// way. Resets do not count.
+/// The first step, in order of completion, whose node returned something else in `before` or was
+/// not ticked there; kNoStep if there is none. Resets do not count.
 StepIndex FirstDifference(const Walk& walk, const Walk& before);
 
 }  // namespace coppice

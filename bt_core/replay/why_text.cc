@@ -133,7 +133,7 @@ std::string PrintWhy(const RecordedTree& tree, const Why& why, Time start) {
   if (why.change) {
     text += "first change: " + SentenceOf(tree, *why.change) + "\n";
   } else if (!why.steps.empty()) {
-    text += "up to here everything went as in the tick before\n";
+    text += "up to here every node returned what it did in the tick before\n";
   }
   return text;
 }

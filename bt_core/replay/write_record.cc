@@ -25,7 +25,7 @@ class RecordMaker {
       Flush();
       if (sections[i].tree != tree) AddTree(run_.trees()[tree = sections[i].tree]);
       follower_.emplace(ShapeOf(run_.trees()[tree]), sections[i].state);
-      AddState(sections[i].state);
+      AddState(follower_->State(sections[i].state.cause));
       const bool is_last = i + 1 == sections.size();
       AddTicks(sections[i].first_tick, is_last ? run_.ticks().size() : sections[i + 1].first_tick);
     }

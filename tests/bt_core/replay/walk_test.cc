@@ -71,6 +71,16 @@ TEST(Walk, HasResetsAsSteps) {
   EXPECT_EQ(walk.Decisive(0), 1u);
 }
 
+TEST(Walk, LeavesOutResetsThatChangeNothing) {
+  EventWriter words;
+  words.Reset(2);
+  words.Reset(3);
+  words.Status(0, Status::kRunning);
+  const Status r = Status::kRunning;
+  const std::vector<Status> before = {r, Status::kIdle, r, r, Status::kIdle, Status::kIdle};
+  EXPECT_EQ(NodesOf(WalkOf(kShape, words.words(), &before)), (std::vector<NodeIndex>{0, 2}));
+}
+
 TEST(Walk, LeavesOutNodesThatThereAreNot) {
   EventWriter words;
   words.Status(77, Status::kRunning);
