@@ -101,8 +101,8 @@ class Document {
 
   /// The attribute's value as it stands in the text, references unresolved.
   std::string_view RawValue(const Attribute& attribute) const {
-    return std::string_view(content_->text).substr(attribute.value_offset,
-                                           attribute.value_end - attribute.value_offset);
+    return std::string_view(content_->text)
+        .substr(attribute.value_offset, attribute.value_end - attribute.value_offset);
   }
 
   /// The byte offset in the text of position `decoded_offset` of an attribute's value; for a
