@@ -1,0 +1,150 @@
+#include "editor/timeline/run.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace coppice::editor {
+namespace {
+
+constexpr Time kRestart = std::chrono::seconds(1);       // on the axis
+constexpr std::size_t kFewestKeyframeWords = 16 << 10;   // between two states that are kept
+constexpr std::size_t kKeyframeWordsPerEntry = 16;       // for each node and slot of a state
+
+// The last element whose tick is at or before `tick`; there is one.
+template <class Elements>
+const auto& LastAt(const Elements& elements, std::size_t tick) {
+  const auto behind = std::upper_bound(elements.begin() + 1, elements.end(), tick,
+                                       [](std::size_t t, const auto& e) { return t < e.tick; });
+  return *(behind - 1);
+}
+
+}  // namespace
+
+const Tracks& Run::TracksAt(std::size_t tick) const { return *LastAt(tracks_, tick).tracks; }
+
+Time Run::TimeOf(std::size_t tick) const {
+  return recording_.ticks()[tick].start + LastAt(epochs_, tick).offset;
+}
+
+std::size_t Run::TickAt(Time time) const {
+  std::size_t first = 0;
+  std::size_t count = size();
+  while (count > 0) {
+    const std::size_t half = count / 2;
+    if (TimeOf(first + half) <= time) {
+      first += half + 1;
+      count -= half + 1;
+    } else {
+      count = half;
+    }
+  }
+  return first == 0 ? 0 : first - 1;
+}
+
+std::size_t Run::Activity(std::size_t first, std::size_t end) const {
+  const auto& ticks = recording_.ticks();
+  end = std::min(end, ticks.size());
+  if (first >= end) return 0;
+  return ticks[end - 1].first_word + ticks[end - 1].words - ticks[first].first_word;
+}
+
+Event Run::EventAt(const SlotWrite& write) const {
+  EventWords words = recording_.EventsOf(write.tick).words;
+  words.data += write.word;
+  words.size -= write.word;
+  Event event;
+  EventReader(words).Next(event);
+  return event;
+}
+
+const Recording::Section& Run::SectionAt(std::size_t tick) const {
+  const auto& sections = recording_.sections();
+  const auto behind = std::upper_bound(
+      sections.begin() + 1, sections.end(), tick,
+      [](std::size_t t, const Recording::Section& section) { return t < section.first_tick; });
+  return *(behind - 1);
+}
+
+void Run::OnTree(const TreeDescription& tree) {
+  const auto& trees = recording_.trees();
+  other_run_ = other_run_ || (!trees.empty() && trees.back().info.run != tree.info.run);
+  recording_.OnTree(tree);
+  if (!tracks_.empty() && IsSameTree(*tracks_.back().tracks->tree(), tree)) return;
+  other_tree_ = !tracks_.empty();
+  tracks_.push_back({size(), std::make_shared<Tracks>(std::make_shared<TreeDescription>(tree))});
+}
+
+void Run::OnState(const HistoryState& state) {
+  if (tracks_.empty()) return;
+  recording_.OnState(state);
+  if (state.cause != HistoryState::Cause::kKeyframe || !follower_ || other_tree_) Break(state);
+}
+
+void Run::Break(const HistoryState& state) {
+  Tracks& tracks = *tracks_.back().tracks;
+  if (follower_) breaks_.push_back({size(), state.cause, lost_ticks_, other_run_, other_tree_});
+  follower_.emplace(tracks.shape(), state);
+  tracks.Begin(size(), state);
+  keyframe_every_ =
+      std::max(kFewestKeyframeWords, kKeyframeWordsPerEntry * (tracks.tree()->nodes.size() +
+                                                               tracks.tree()->slots.size()));
+  since_keyframe_ = 0;
+  lost_ticks_ = 0;
+}
+
+void Run::OnTick(const TickEvents& events) {
+  if (!follower_) return;
+  const std::size_t before = size();
+  recording_.OnTick(events);
+  const std::size_t tick = size() - 1;
+  const float milliseconds = static_cast<float>(events.duration.count()) * 1e-6F;
+  if (size() == before) {
+    durations_.RaiseLast(milliseconds);
+  } else {
+    durations_.Add(milliseconds);
+    KeepTime(tick);
+  }
+  const std::size_t word = recording_.ticks()[tick].words - events.words.size;
+  tracks_.back().tracks->Add(tick, word, events, *follower_);
+  since_keyframe_ += events.words.size;
+  if (events.is_whole && since_keyframe_ >= keyframe_every_) AddKeyframe();
+}
+
+void Run::AddKeyframe() {
+  recording_.OnState(follower_->State(HistoryState::Cause::kKeyframe));
+  since_keyframe_ = 0;
+}
+
+// The axis begins at 0 and never goes back, whatever the robot's clock does.
+void Run::KeepTime(std::size_t tick) {
+  const Time start = recording_.ticks()[tick].start;
+  if (tick == 0) {
+    epochs_.push_back({0, -start});
+  } else {
+    const Time last = TimeOf(tick - 1);
+    const bool goes_back = start + epochs_.back().offset < last;
+    if (other_run_) epochs_.push_back({tick, last + kRestart - start});
+    if (!other_run_ && goes_back) epochs_.push_back({tick, last - start});
+  }
+  other_run_ = other_tree_ = false;
+}
+
+void Run::OnGap(const HistoryGap& gap) {
+  recording_.OnGap(gap);
+  lost_ticks_ += gap.lost_ticks;
+}
+
+void RunPlace::Go(std::size_t tick) {
+  const Recording::Section& section = run_.SectionAt(tick);
+  std::size_t next = tick_ + 1;
+  const bool goes_on = state_ && tick >= tick_ && section.first_tick <= tick_ &&
+                       run_.recording().ticks()[tick_].is_whole;
+  if (!goes_on) {
+    state_.emplace(run_.TracksAt(tick).shape(), section.state);
+    next = section.first_tick;
+  }
+  for (; next <= tick; ++next) state_->Apply(run_.recording().EventsOf(next));
+  tick_ = tick;
+}
+
+}  // namespace coppice::editor
