@@ -6,9 +6,9 @@
 namespace coppice::editor {
 namespace {
 
-constexpr Time kRestart = std::chrono::seconds(1);       // on the axis
-constexpr std::size_t kFewestKeyframeWords = 16 << 10;   // between two states that are kept
-constexpr std::size_t kKeyframeWordsPerEntry = 16;       // for each node and slot of a state
+constexpr Time kRestart = std::chrono::seconds(1);      // on the axis
+constexpr std::size_t kFewestKeyframeWords = 16 << 10;  // between two states that are kept
+constexpr std::size_t kKeyframeWordsPerEntry = 16;      // for each node and slot of a state
 
 // The last element whose tick is at or before `tick`; there is one.
 template <class Elements>
@@ -69,25 +69,30 @@ void Run::OnTree(const TreeDescription& tree) {
   const auto& trees = recording_.trees();
   other_run_ = other_run_ || (!trees.empty() && trees.back().info.run != tree.info.run);
   recording_.OnTree(tree);
-  if (!tracks_.empty() && IsSameTree(*tracks_.back().tracks->tree(), tree)) return;
+  auto shared = std::make_shared<const TreeDescription>(tree);
+  if (!tracks_.empty() && tracks_.back().tracks->GoOnAs(shared)) return;
   other_tree_ = !tracks_.empty();
-  tracks_.push_back({size(), std::make_shared<Tracks>(std::make_shared<TreeDescription>(tree))});
+  tracks_.push_back({size(), std::make_shared<Tracks>(std::move(shared))});
 }
 
 void Run::OnState(const HistoryState& state) {
   if (tracks_.empty()) return;
   recording_.OnState(state);
-  if (state.cause != HistoryState::Cause::kKeyframe || !follower_ || other_tree_) Break(state);
+  if (state.cause != HistoryState::Cause::kKeyframe || !follower_) Begin(state);
 }
 
-void Run::Break(const HistoryState& state) {
+void Run::Begin(const HistoryState& state) {
   Tracks& tracks = *tracks_.back().tracks;
-  if (follower_) breaks_.push_back({size(), state.cause, lost_ticks_, other_run_, other_tree_});
+  const bool goes_on = !other_run_ && !other_tree_ && lost_ticks_ == 0 && follower_ &&
+                       follower_->statuses() == state.statuses;
+  if (follower_ && !goes_on) {
+    breaks_.push_back({size(), state.cause, lost_ticks_, other_run_, other_tree_});
+  }
   follower_.emplace(tracks.shape(), state);
   tracks.Begin(size(), state);
-  keyframe_every_ =
-      std::max(kFewestKeyframeWords, kKeyframeWordsPerEntry * (tracks.tree()->nodes.size() +
-                                                               tracks.tree()->slots.size()));
+  keyframe_every_ = std::max(
+      kFewestKeyframeWords,
+      kKeyframeWordsPerEntry * (tracks.tree()->nodes.size() + tracks.tree()->slots.size()));
   since_keyframe_ = 0;
   lost_ticks_ = 0;
 }

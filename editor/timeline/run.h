@@ -44,7 +44,8 @@ class Run final : public HistoryHandler {
   /// How the tree stands at the end.
   const HistoryFollower& now() const { return *follower_; }
 
-  /// Since the beginning of the run. Never falls; where the robot was started anew, a second passes.
+  /// Since the beginning of the run. Never falls; where the robot was started anew, a second
+  /// passes.
   Time TimeOf(std::size_t tick) const;
   /// The last tick that began at that time or before; 0 if all began later.
   std::size_t TickAt(Time time) const;
@@ -81,7 +82,7 @@ class Run final : public HistoryHandler {
   };
 
   void KeepTime(std::size_t tick);
-  void Break(const HistoryState& state);
+  void Begin(const HistoryState& state);
   void AddKeyframe();
 
   Recording recording_;

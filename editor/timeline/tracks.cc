@@ -3,6 +3,28 @@
 #include <algorithm>
 
 namespace coppice::editor {
+namespace {
+
+// The same texts and nodes, and all slots of the other one. Robots may make keys while they run.
+bool Extends(const TreeDescription& tree, const TreeDescription& before) {
+  const auto same_text = [](const DescribedDocument& a, const DescribedDocument& b) {
+    return a.text == b.text;
+  };
+  const auto same_node = [](const DescribedNode& a, const DescribedNode& b) {
+    return a.path == b.path && a.id == b.id;
+  };
+  const auto same_slot = [](const DescribedSlot& a, const DescribedSlot& b) {
+    return a.scope == b.scope && a.name == b.name && a.type == b.type;
+  };
+  return tree.main_tree == before.main_tree && tree.slots.size() >= before.slots.size() &&
+         std::equal(tree.documents.begin(), tree.documents.end(), before.documents.begin(),
+                    before.documents.end(), same_text) &&
+         std::equal(tree.nodes.begin(), tree.nodes.end(), before.nodes.begin(), before.nodes.end(),
+                    same_node) &&
+         std::equal(before.slots.begin(), before.slots.end(), tree.slots.begin(), same_slot);
+}
+
+}  // namespace
 
 Tracks::Tracks(std::shared_ptr<const TreeDescription> tree)
     : tree_(std::move(tree)),
@@ -51,21 +73,11 @@ void Tracks::Note(std::size_t tick, std::size_t word, const TickEvents& events,
   }
 }
 
-bool IsSameTree(const TreeDescription& a, const TreeDescription& b) {
-  const auto same_text = [](const DescribedDocument& x, const DescribedDocument& y) {
-    return x.text == y.text;
-  };
-  const auto same_node = [](const DescribedNode& x, const DescribedNode& y) {
-    return x.path == y.path && x.id == y.id;
-  };
-  const auto same_slot = [](const DescribedSlot& x, const DescribedSlot& y) {
-    return x.scope == y.scope && x.name == y.name && x.type == y.type;
-  };
-  return a.main_tree == b.main_tree &&
-         std::equal(a.documents.begin(), a.documents.end(), b.documents.begin(), b.documents.end(),
-                    same_text) &&
-         std::equal(a.nodes.begin(), a.nodes.end(), b.nodes.begin(), b.nodes.end(), same_node) &&
-         std::equal(a.slots.begin(), a.slots.end(), b.slots.begin(), b.slots.end(), same_slot);
+bool Tracks::GoOnAs(std::shared_ptr<const TreeDescription> tree) {
+  if (!Extends(*tree, *tree_)) return false;
+  tree_ = std::move(tree);
+  writes_.resize(tree_->slots.size());
+  return true;
 }
 
 }  // namespace coppice::editor

@@ -39,6 +39,10 @@ class Tracks {
   const std::vector<SlotWrite>& WritesOf(SlotIndex slot) const { return writes_[slot]; }
   const std::vector<Injection>& injections() const { return injections_; }
 
+  /// If the other tree has the same nodes, and the same slots or more, these are its tracks too
+  /// from now on, and true is returned.
+  bool GoOnAs(std::shared_ptr<const TreeDescription> tree);
+
   /// The tree stands so before the tick.
   void Begin(std::size_t tick, const HistoryState& state);
   /// Applies the events of a tick to the follower and takes them down. `word`: where they begin in
@@ -50,16 +54,13 @@ class Tracks {
 
   std::shared_ptr<const TreeDescription> tree_;
   TreeShape shape_;
-  std::vector<Lane> lanes_;                             // per node
-  std::vector<std::vector<SlotWrite>> writes_;          // per slot
+  std::vector<Lane> lanes_;                     // per node
+  std::vector<std::vector<SlotWrite>> writes_;  // per slot
   std::vector<Injection> injections_;
   std::vector<NodeIndex> touched_;                      // their lanes show more than their status
   std::vector<NodeIndex> changed_;                      // of the tick that is being added
   std::vector<std::pair<NodeIndex, Status>> returned_;  // in it
 };
-
-/// Whether nodes and slots have the same numbers and the texts are the same.
-bool IsSameTree(const TreeDescription& a, const TreeDescription& b);
 
 }  // namespace coppice::editor
 

@@ -59,7 +59,8 @@ TEST(LaneTest, SaysWhichStatusesOccurInAnyRange) {
     const std::size_t first = random() % ticks.size();
     const std::size_t end = first + random() % (i % 2 ? 9000 : 40);
     StatusSet expected = 0;
-    for (std::size_t t = first; t < end; ++t) expected |= SetOf(ticks[std::min(t, ticks.size() - 1)]);
+    for (std::size_t t = first; t < end; ++t)
+      expected |= SetOf(ticks[std::min(t, ticks.size() - 1)]);
     ASSERT_EQ(lane.Seen(first, end), expected) << first << " to " << end;
   }
   EXPECT_EQ(lane.Seen(5, 5), 0);
