@@ -1,14 +1,15 @@
 # `cmake --install build --prefix PREFIX`: the engine's libraries, headers and command line, and what
 # find_package(coppice) needs. Robot and editor are run from the build folder.
 #   find_package(coppice 0.1 REQUIRED)
-#   target_link_libraries(my_robot coppice::bt_core)     # and coppice::record, coppice::live
+#   target_link_libraries(my_robot coppice::bt_core coppice::record coppice::live)
+# coppice-config.cmake.in lists the targets.
 include(CMakePackageConfigHelpers)
 include(GNUInstallDirs)
 set(COPPICE_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/coppice)
 
-set(libraries bt_core bt_core_history bt_core_record)
+set(libraries bt_core bt_core_history bt_core_record bt_core_replay bt_core_scenario)
 if(COPPICE_LIVE)
-  list(APPEND libraries bt_core_debugger bt_core_live)
+  list(APPEND libraries bt_core_debugger bt_core_live bt_core_live_client)
 endif()
 foreach(library ${libraries})
   string(REPLACE bt_core_ "" name ${library})

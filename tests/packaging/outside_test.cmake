@@ -1,6 +1,6 @@
 # Installs this build to a folder of its own, then configures, builds and runs the project
 # `outside`, which knows nothing but that folder. Called with -D SOURCE, BUILD, WORK, COMPILER,
-# LAUNCHER, SANITIZE.
+# LAUNCHER, SANITIZE, LIVE.
 cmake_minimum_required(VERSION 3.16)
 
 function(run)
@@ -23,8 +23,21 @@ run(${CMAKE_COMMAND} -S ${SOURCE} -B ${WORK}/build -D CMAKE_PREFIX_PATH=${WORK}/
     -D CMAKE_CXX_COMPILER=${COMPILER} -D CMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER}
     -D CMAKE_CXX_FLAGS=${flags})
 run(${CMAKE_COMMAND} --build ${WORK}/build)
-run(${WORK}/build/outside)
-if(NOT output MATCHES "SUCCESS after 3 ticks")
-  message(FATAL_ERROR "the outside program printed:\n${output}")
+
+# expect(PART COMMAND...): the command prints this.
+function(expect part)
+  run(${ARGN})
+  string(FIND "${output}" "${part}" place)
+  if(place EQUAL -1)
+    message(FATAL_ERROR "${ARGN} printed:\n${output}instead of \"${part}\"")
+  endif()
+endfunction()
+
+expect("SUCCESS after 3 ticks" ${WORK}/build/outside)
+expect("SUCCESS after 3 recorded ticks" ${WORK}/build/outside_recorded ${WORK}/run.coppice)
+expect("it sleeps: 0 differences\nit does not: 1 differences" ${WORK}/build/outside_scenario)
+if(LIVE)
+  expect("SUCCESS after 3 watched ticks" ${WORK}/build/outside_watched)
 endif()
 run(${WORK}/prefix/bin/coppice run ${SOURCE}/tree.xml --plugin ${WORK}/build/outside_nodes.so)
+run(${WORK}/prefix/bin/coppice replay ${WORK}/run.coppice)
