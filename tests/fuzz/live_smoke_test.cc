@@ -1,9 +1,6 @@
 // The harness of requests to a live view, as smoke_test.cc does it for the others.
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <string>
 
 #include "tests/fuzz/fuzz_targets.h"
@@ -56,17 +53,6 @@ TEST(FuzzLive, MutatedRequestsNeverCrash) {
 }
 
 TEST(FuzzLive, EmptyInputIsFine) { EXPECT_EQ(FuzzLive(""), 0); }
-
-// What once crashed must not do so again.
-TEST(FuzzLive, WhatOnceCrashedDoesNotAnyMore) {
-  const std::filesystem::path folder(COPPICE_SOURCE_DIR "/tests/fuzz/regressions/live");
-  if (!std::filesystem::exists(folder)) GTEST_SKIP() << "nothing has crashed yet";
-  for (const auto& input : std::filesystem::directory_iterator(folder)) {
-    SCOPED_TRACE(input.path());
-    std::ifstream file(input.path(), std::ios::binary);
-    FuzzLive(std::string(std::istreambuf_iterator<char>(file), {}));
-  }
-}
 
 }  // namespace
 }  // namespace coppice::fuzz
