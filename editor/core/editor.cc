@@ -11,6 +11,7 @@
 #include "editor/canvas/canvas.h"
 #include "editor/canvas/node_metrics.h"
 #include "editor/core/edit_commands.h"
+#include "editor/core/project_commands.h"
 #include "editor/core/standard_commands.h"
 #include "editor/live/live_client.h"
 #include "editor/look/imgui_style.h"
@@ -77,6 +78,7 @@ Editor::Editor(const Clock& clock, EditorOptions options)
   state_.get_clipboard = [] { return std::string(ImGui::GetClipboardText()); };
   state_.set_clipboard = [](const std::string& text) { ImGui::SetClipboardText(text.c_str()); };
   AddEditCommands(state_, [this] { return now_; });
+  AddProjectCommands(state_, [this] { return now_; });
   AddStandardCommands(state_, [this] { return now_; });
   LoadRecent();
 }

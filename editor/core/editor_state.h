@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "editor/commands/choice.h"
 #include "editor/commands/command_table.h"
 #include "editor/commands/keys.h"
 #include "editor/core/workspace.h"
@@ -45,7 +46,22 @@ enum class Popup {
   kChangeType,
   kRename,
   kSaveAs,
-  kPasteErrors
+  kPasteErrors,
+  kPrompt,  ///< asks for a text
+  kList     ///< offers rows
+};
+
+/// What a kPrompt asks.
+struct Prompt {
+  std::string hint;
+  std::function<std::string(const std::string&)> run;  ///< of the text; returns why not, or nothing
+  ChoiceSource preview;  ///< rows below it; empty: none. A click on one runs it
+};
+
+/// What a kList offers.
+struct List {
+  std::string hint;
+  ChoiceSource rows;
 };
 
 inline constexpr double kNoticeSeconds = 4;  ///< how long a notice is shown
@@ -78,8 +94,11 @@ struct EditorState {
   int popup_choice = 0;         ///< highlighted row
   std::size_t popup_rows = 12;  ///< choices shown in the last frame
   std::vector<Diagnostic> popup_problems;
+  Prompt prompt;
+  List list;
   std::vector<std::string> recent;        ///< files, newest first
   std::vector<std::string> recent_types;  ///< of nodes that were added, newest first
+  std::string last_search;
   Notice notice;
   Typing typing;
   std::string focus_field;                        ///< path of the field to type in next
@@ -94,6 +113,18 @@ struct EditorState {
 
   void Notify(std::string text, double now, bool is_refusal = false) {
     notice = {std::move(text), is_refusal, now};
+  }
+
+  /// Asks for a text.
+  void Ask(Prompt what, std::string text = {}) {
+    prompt = std::move(what);
+    OpenPopup(Popup::kPrompt, std::move(text));
+  }
+
+  /// Offers rows that are searched by typing.
+  void Offer(List what, std::string text = {}) {
+    list = std::move(what);
+    OpenPopup(Popup::kList, std::move(text));
   }
 
   void OpenPopup(Popup which, std::string text = {}) {

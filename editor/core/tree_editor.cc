@@ -43,7 +43,7 @@ std::vector<TreeEditor::Selected> TreeEditor::Selection() const {
   return selection;
 }
 
-std::vector<Place> TreeEditor::Places() const {
+std::vector<Place> TreeEditor::SelectedPlaces() const {
   std::vector<Place> places;
   for (const Selected& selected : Selection()) {
     for (const ElementIndex element : selected.elements) {
@@ -92,7 +92,7 @@ bool TreeEditor::RunAll(const std::string& name, const std::vector<Selected>& se
     }
   }
   Diagnostics diagnostics;
-  if (!state_.workspace.project().Do(std::move(change), Places(), diagnostics)) {
+  if (!state_.workspace.project().Do(std::move(change), SelectedPlaces(), diagnostics)) {
     return Refuse(diagnostics.all().empty() ? "not possible" : diagnostics.all()[0].message);
   }
   Show(after);

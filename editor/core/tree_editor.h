@@ -36,6 +36,9 @@ class TreeEditor {
   /// Where Add(kChild) would put it: "into Sequence", "behind Beep", "as the root of Main".
   std::string PlaceOfNew() const;
 
+  /// The selected elements, by file and offset.
+  std::vector<Place> SelectedPlaces() const;
+
   /// The name that the selected node has in the XML.
   std::string GivenName() const;
 
@@ -82,7 +85,6 @@ class TreeEditor {
     std::vector<ElementIndex> elements;
   };
   std::vector<Selected> Selection() const;
-  std::vector<Place> Places() const;
   const Document& DocumentOf(const std::string& path) const;
   NodeRules Rules() const;
   std::string What() const;

@@ -2,21 +2,12 @@
 #ifndef COPPICE_EDITOR_PANELS_CHOICES_H_
 #define COPPICE_EDITOR_PANELS_CHOICES_H_
 
-#include <functional>
 #include <string>
 #include <vector>
 
 #include "editor/core/editor_state.h"
 
 namespace coppice::editor {
-
-struct Choice {
-  std::string title;
-  std::string note;  ///< key of a command, path of a node
-  std::string kind;  ///< "command", "node", "tree", "robot"
-  int score = 0;
-  std::function<void()> run;
-};
 
 /// The best choices for what is typed, best first, at most `limit`.
 std::vector<Choice> FindChoices(EditorState& state, const std::string& typed, double now,

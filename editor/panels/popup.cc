@@ -14,6 +14,7 @@ namespace coppice::editor {
 namespace {
 
 constexpr float kWidth = 560;
+constexpr float kKeysWidth = 760;
 constexpr float kField = 32;
 constexpr std::size_t kRows = 12;
 
@@ -35,7 +36,8 @@ class PopupWindow {
     float height = kField + 20 + static_cast<float>(rows) * kRowHeight;
     if (!state_.popup_error.empty()) height += 24;
     const ImVec2 display = ImGui::GetIO().DisplaySize;
-    const Point size = {std::min(kWidth * ui_.scale, display.x - 20),
+    const float width = state_.popup == Popup::kKeys ? kKeysWidth : kWidth;
+    const Point size = {std::min(width * ui_.scale, display.x - 20),
                         std::min(height * ui_.scale, display.y - 80 * ui_.scale)};
     const Point at = {(display.x - size.x) / 2, 56 * ui_.scale};
     ImGui::SetNextWindowPos(ToIm(at));
@@ -62,12 +64,15 @@ class PopupWindow {
   std::size_t Rows() const {
     switch (state_.popup) {
       case Popup::kPalette:
+      case Popup::kList:
         return state_.popup_rows;
+      case Popup::kPrompt:
+        return state_.prompt.preview ? state_.popup_rows : 0;
       case Popup::kAdd:
       case Popup::kChangeType:
         return state_.popup_rows + 1;
       case Popup::kKeys:
-        return state_.commands.all().size();
+        return (Bound().size() + 1) / 2;
       case Popup::kPasteErrors:
         return state_.popup_problems.size() + 1;
       default:
@@ -87,7 +92,14 @@ class PopupWindow {
         break;
       case Popup::kPalette:
         Input("command, node, tree or robot");
-        Choices();
+        Choices(FindChoices(state_, state_.popup_text, ui_.now, kRows));
+        break;
+      case Popup::kList:
+        Input(state_.list.hint.c_str());
+        Choices(state_.list.rows(state_.popup_text));
+        break;
+      case Popup::kPrompt:
+        Ask();
         break;
       case Popup::kKeys:
         Keys();
@@ -147,8 +159,33 @@ class PopupWindow {
     if (state_.popup_error.empty()) state_.popup = Popup::kNone;
   }
 
-  void Choices() {
-    const std::vector<Choice> choices = FindChoices(state_, state_.popup_text, ui_.now, kRows);
+  // What is asked may ask further.
+  void Ask() {
+    const Prompt prompt = state_.prompt;
+    Input(prompt.hint.c_str());
+    const bool confirmed = Confirmed(state_);
+    if (prompt.preview && !confirmed) Preview(prompt.preview(state_.popup_text));
+    if (!confirmed) return;
+    Close();
+    const std::string refusal = prompt.run(state_.popup_text);
+    if (refusal.empty()) return;
+    state_.popup = Popup::kPrompt;
+    state_.popup_error = refusal;
+  }
+
+  void Preview(const std::vector<Choice>& rows) {
+    state_.popup_rows = rows.size();
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
+    ImGui::Dummy({1, 6 * ui_.scale});
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      const Row row = NextRow(ui_, "popup/" + std::to_string(i), false);
+      Paint(row.box, rows[i].title, rows[i].note, rows[i].kind);
+      if (row.clicked && rows[i].run) rows[i].run();
+    }
+    ImGui::PopStyleVar();
+  }
+
+  void Choices(const std::vector<Choice>& choices) {
     const int count = static_cast<int>(choices.size());
     state_.popup_rows = choices.size();
     Choose(count);
@@ -245,14 +282,34 @@ class PopupWindow {
     if (Confirmed(state_)) Close();
   }
 
+  // In two columns; what has no key is in the palette.
   void Keys() {
     state_.popup_is_new = false;
+    const std::vector<const Command*> bound = Bound();
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
-    for (const Command& command : state_.commands.all()) {
-      const Row row = NextRow(ui_, "popup/keys/" + command.id, false);
-      Paint(row.box, command.title, ToString(command.keys), "");
+    const std::size_t rows = (bound.size() + 1) / 2;
+    for (std::size_t i = 0; i < rows; ++i) {
+      const Row row = NextRow(ui_, "popup/keys/" + std::to_string(i), false);
+      const float middle = row.box.center().x;
+      PaintKey(*bound[i], {row.box.min, {middle - 14 * ui_.scale, row.box.max.y}});
+      if (i + rows < bound.size()) {
+        PaintKey(*bound[i + rows], {{middle + 14 * ui_.scale, row.box.min.y}, row.box.max});
+      }
     }
     ImGui::PopStyleVar();
+  }
+
+  std::vector<const Command*> Bound() const {
+    std::vector<const Command*> bound;
+    for (const Command& command : state_.commands.all()) {
+      if (command.keys.key != 0) bound.push_back(&command);
+    }
+    return bound;
+  }
+
+  void PaintKey(const Command& command, const Box& box) {
+    ui_.items.Add("popup/keys/" + command.id, box);
+    Paint(box, command.title, ToString(command.keys), "");
   }
 
   void Paint(const Box& box, const std::string& title, const std::string& note,

@@ -1,0 +1,154 @@
+#include "editor/document/key_names.h"
+
+#include <algorithm>
+#include <set>
+
+#include "bt_core/model/xml_text.h"
+#include "bt_core/script/token.h"
+#include "editor/document/draft.h"
+#include "editor/document/node_rules.h"
+#include "editor/document/script_check.h"
+#include "editor/scene/scene.h"
+
+namespace coppice::editor {
+namespace {
+
+using script::Token;
+using script::TokenKind;
+
+bool IsInCapitals(std::string_view word) {
+  return std::all_of(word.begin(), word.end(), [](char c) {
+    return (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+  });
+}
+
+class Collector {
+ public:
+  Collector(const Document& document, const NodeModels& models)
+      : document_(document), models_(models) {}
+
+  std::vector<KeyName> Run(ElementIndex branch) {
+    const ElementIndex end = EndOfBranch(document_, branch);
+    for (ElementIndex i = branch; i < end; ++i) {
+      if (IsNode(document_, i)) AddElement(i);
+    }
+    DropConstants();
+    return std::move(names_);
+  }
+
+ private:
+  void AddElement(ElementIndex index) {
+    const Element& element = document_.element(index);
+    const NodeModel* model = models_.Find(TypeOf(document_, index));
+    const bool is_subtree = element.tag == "SubTree" || element.tag == "SubTreePlus";
+    for (const Attribute* a = document_.attributes_begin(element);
+         a != document_.attributes_end(element); ++a) {
+      const PortModel* port = model && !is_subtree ? model->FindPort(a->name) : nullptr;
+      if (IsScriptAttribute(a->name) || (port && port->type == "script")) {
+        AddScript(index, *a);
+      } else {
+        AddPort(index, *a, port, is_subtree);
+      }
+    }
+  }
+
+  void AddPort(ElementIndex element, const Attribute& attribute, const PortModel* port,
+               bool is_subtree) {
+    if (IsReservedAttribute(attribute.name)) return;
+    KeyName name;
+    std::string_view key = KeyOf(attribute.value);
+    const bool is_plain = port && port->name == "output_key";
+    if (key == "=" || attribute.value == "=") {
+      name.form = KeyForm::kPort;
+      key = attribute.name;
+    } else if (key.empty() && is_plain) {
+      name.form = KeyForm::kPlain;
+      key = attribute.value;
+    }
+    if (key.empty()) return;
+    name.reads = !is_subtree && (!port || port->direction != PortDirection::kOutput);
+    name.writes = !is_subtree && port && port->direction != PortDirection::kInput;
+    Add(std::move(name), key, element, attribute);
+    names_.back().begin = attribute.value_offset;
+    names_.back().end = attribute.value_end;
+  }
+
+  void Add(KeyName name, std::string_view key, ElementIndex element, const Attribute& attribute) {
+    name.is_global = key.front() == '@';
+    name.key = key.substr(name.is_global ? 1 : 0);
+    name.element = element;
+    name.attribute = attribute.name;
+    names_.push_back(std::move(name));
+  }
+
+  void AddScript(ElementIndex element, const Attribute& attribute) {
+    std::vector<ScriptProblem> problems;
+    const std::vector<Token> tokens = script::Tokenize(attribute.value, problems);
+    for (std::size_t i = 0; i < tokens.size(); ++i) {
+      const Token& token = tokens[i];
+      if (token.kind != TokenKind::kName || token.text == "true" || token.text == "false") continue;
+      const Token& next = tokens[std::min(i + 1, tokens.size() - 1)];
+      KeyName name;
+      name.form = KeyForm::kScript;
+      name.writes = next.Is(":=") || next.Is("=") || IsUpdate(next);
+      name.reads = !name.writes || IsUpdate(next);
+      Add(std::move(name), token.text, element, attribute);
+      names_.back().begin = document_.OffsetInValue(attribute, token.offset);
+      names_.back().end = document_.OffsetInValue(attribute, token.offset + token.text.size());
+      if (names_.back().writes) written_.insert(names_.back().key);
+    }
+  }
+
+  static bool IsUpdate(const Token& token) {
+    return token.Is("+=") || token.Is("-=") || token.Is("*=") || token.Is("/=");
+  }
+
+  void DropConstants() {
+    for (const KeyName& name : names_) {
+      if (name.form != KeyForm::kScript) written_.insert(name.key);
+    }
+    const auto is_constant = [this](const KeyName& name) {
+      return name.form == KeyForm::kScript && IsInCapitals(name.key) &&
+             written_.count(name.key) == 0;
+    };
+    names_.erase(std::remove_if(names_.begin(), names_.end(), is_constant), names_.end());
+  }
+
+  const Document& document_;
+  const NodeModels& models_;
+  std::vector<KeyName> names_;
+  std::set<std::string, std::less<>> written_;
+};
+
+}  // namespace
+
+ElementIndex EndOfBranch(const Document& document, ElementIndex element) {
+  ElementIndex end = element + 1;
+  while (end < document.elements().size() && LiesIn(document, end, element)) ++end;
+  return end;
+}
+
+std::vector<KeyName> KeyNamesIn(const Document& document, const NodeModels& models,
+                                ElementIndex branch) {
+  return Collector(document, models).Run(branch);
+}
+
+Splice WithKey(const KeyName& name, std::string_view key) {
+  const bool braces = name.form == KeyForm::kBraces || name.form == KeyForm::kPort;
+  const std::string text(key);
+  return Replacement(name.begin, name.end, braces ? "{" + text + "}" : text);
+}
+
+bool IsKeyName(std::string_view text) {
+  std::vector<ScriptProblem> problems;
+  const std::vector<Token> tokens = script::Tokenize(text, problems);
+  return problems.empty() && tokens.size() == 2 && tokens[0].kind == TokenKind::kName &&
+         tokens[0].text.size() == text.size();
+}
+
+bool HasAutoremap(const Document& document, ElementIndex subtree) {
+  const std::string_view value = document.AttributeValue(document.element(subtree), "_autoremap");
+  return value == "true" || value == "1";
+}
+
+}  // namespace coppice::editor

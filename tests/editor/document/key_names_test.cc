@@ -1,0 +1,71 @@
+#include "editor/document/key_names.h"
+
+#include <gmock/gmock.h>
+
+#include "tests/editor/document/drafts.h"
+
+namespace coppice::editor {
+namespace {
+
+using testing::ElementsAre;
+
+std::vector<std::string> Keys(const std::string& nodes) {
+  const Document document = Parsed("<root BTCPP_format=\"4\"><BehaviorTree ID=\"Main\">" + nodes +
+                                   "</BehaviorTree></root>");
+  std::vector<std::string> keys;
+  for (const KeyName& name : KeyNamesIn(document, NodeModels(), 1)) {
+    EXPECT_NE(document.text()
+                  .substr(name.begin, name.end - name.begin)
+                  .find(name.form == KeyForm::kPort ? "=" : name.key),
+              std::string::npos);
+    keys.push_back((name.is_global ? "@" : "") + name.key + (name.reads ? " r" : "") +
+                   (name.writes ? " w" : ""));
+  }
+  return keys;
+}
+
+TEST(KeyNames, AreFoundInPortsAndScripts) {
+  EXPECT_THAT(Keys("<Go goal=\"{goal}\" speed=\"{@speed}\" text=\"in {braces} somewhere\"/>"),
+              ElementsAre("goal r", "@speed r"));
+  EXPECT_THAT(Keys("<Script code=\"a := b + 1; c += 2; d = true\"/>"),
+              ElementsAre("a w", "b r", "c r w", "d w"));
+  EXPECT_THAT(Keys("<Go _skipIf=\"battery &lt; 20\"/>"), ElementsAre("battery r"));
+}
+
+TEST(KeyNames, KnowTheDirectionOfAPort) {
+  EXPECT_THAT(Keys("<SetBlackboard value=\"{from}\" output_key=\"to\"/>"),
+              ElementsAre("from r", "to w"));
+}
+
+TEST(KeyNames, OfASubTreeAreHandedOn) {
+  EXPECT_THAT(Keys("<SubTree ID=\"Walk\" goal=\"{place}\" speed=\"{=}\" loud=\"true\"/>"),
+              ElementsAre("place", "speed"));
+}
+
+TEST(KeyNames, WordsInCapitalsThatNobodyAssignsAreNoKeys) {
+  EXPECT_THAT(Keys("<Script code=\"color := RED\"/>"), ElementsAre("color w"));
+  EXPECT_THAT(Keys("<Script code=\"RED := 1; color := RED\"/>"),
+              ElementsAre("RED w", "color w", "RED r"));
+}
+
+TEST(KeyNames, AnotherKeyTakesTheirPlace) {
+  const Document document = Parsed(
+      "<root><BehaviorTree ID=\"M\"><A x=\"{k}\" y=\"{=}\" _post=\"k &lt; k\"/></BehaviorTree>"
+      "</root>");
+  Edit edit;
+  for (const KeyName& name : KeyNamesIn(document, NodeModels(), 0)) {
+    edit = Merge(std::move(edit), {WithKey(name, "new")});
+  }
+  EXPECT_EQ(Apply(edit, document.text()),
+            "<root><BehaviorTree ID=\"M\"><A x=\"{new}\" y=\"{new}\" _post=\"new &lt; new\"/>"
+            "</BehaviorTree></root>");
+}
+
+TEST(KeyNames, HaveLettersAndDigits) {
+  EXPECT_TRUE(IsKeyName("goal_2"));
+  EXPECT_TRUE(IsKeyName("@goal"));
+  for (const char* bad : {"", "a b", "2a", "a-b", "{a}", "a "}) EXPECT_FALSE(IsKeyName(bad)) << bad;
+}
+
+}  // namespace
+}  // namespace coppice::editor
