@@ -1,18 +1,29 @@
 // The canvas: paints a TreeView with the statuses of a robot, and lets the user walk in it with the
 // mouse. Registers "canvas/TREE/PATH" for nodes, "canvas/TREE/PATH/toggle" for what opens and
-// closes them, and "canvas/minimap".
+// closes them, "canvas/TREE/PATH/port/NAME" for the chips of keys, and "canvas/minimap".
+//
+// The wheel zooms. The left button drags the canvas, or a node if there is a DropHandler; with
+// Shift or Ctrl it draws a rectangle that selects. The other buttons always drag the canvas.
 #ifndef COPPICE_EDITOR_CANVAS_CANVAS_H_
 #define COPPICE_EDITOR_CANVAS_CANVAS_H_
 
+#include <vector>
+
+#include "editor/canvas/drop_target.h"
+#include "editor/canvas/heat_map.h"
+#include "editor/canvas/node_look.h"
 #include "editor/canvas/tree_view.h"
-#include "editor/live/live_snapshot.h"
 #include "editor/look/ui.h"
 
 namespace coppice::editor {
 
 struct CanvasOptions {
   bool minimap = true;
-  const LiveSnapshot* live = nullptr;  ///< null: no statuses
+  const LiveSnapshot* live = nullptr;            ///< null: no statuses
+  const std::vector<Badge>* badges = nullptr;    ///< by node of the scene; null or empty: none
+  const HeatMap* heat = nullptr;                 ///< null: headers in the colours of the shapes
+  const std::vector<Change>* changes = nullptr;  ///< by node of the scene; null: none
+  const DropHandler* drop = nullptr;             ///< null: nodes cannot be dragged
 };
 
 /// State of a node on the robot; idle if there is none.
@@ -23,7 +34,7 @@ void DrawCanvas(const Ui& ui, TreeView& view, const Box& box, const CanvasOption
 
 /// The small picture of the whole tree in the upper right corner of `box`; a click moves the
 /// camera.
-void DrawMinimap(const Ui& ui, TreeView& view, const Box& box, const LiveSnapshot* live);
+void DrawMinimap(const Ui& ui, TreeView& view, const Box& box, const CanvasOptions& options);
 
 }  // namespace coppice::editor
 

@@ -9,7 +9,6 @@
 #include <cstdint>
 #include <functional>
 #include <string>
-#include <vector>
 
 #include "editor/canvas/tree_view.h"
 
@@ -36,12 +35,6 @@ inline bool operator==(const DropTarget& a, const DropTarget& b) {
 
 /// What is below that point of the world. Takes time for what is near the point, not for the tree.
 DropTarget FindDropTarget(const TreeView& view, Point world, double now);
-
-/// What is being dragged.
-struct Drag {
-  std::vector<std::uint32_t> nodes;  ///< of this scene, rising; empty: something new
-  std::string label;                 ///< painted beside the mouse
-};
 
 /// Where, and which keys are held.
 struct DropRequest {

@@ -1,83 +1,113 @@
 #include "editor/canvas/edge_painter.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+
+#include "editor/canvas/edge_shape.h"
+#include "editor/canvas/node_marks.h"
+#include "editor/canvas/node_painter.h"
+#include "editor/canvas/status_look.h"
 
 namespace coppice::editor {
 namespace {
 
 constexpr float kDotDistance = 30;  // pixels at zoom 1
-constexpr float kDotSpeed = 45;     // pixels per second at zoom 1
-constexpr int kSamples = 24;
-
-struct Curve {
-  Point a, b, c, d;  // a cubic Bezier curve
-};
-
-Curve CurveOf(const EdgeLook& look) {
-  if (look.orientation == Orientation::kTopToBottom) {
-    const Point a = {look.parent.center().x, look.parent.max.y};
-    const Point d = {look.child.center().x, look.child.min.y};
-    const float bend = (d.y - a.y) * 0.55F;
-    return {a, {a.x, a.y + bend}, {d.x, d.y - bend}, d};
-  }
-  const Point a = {look.parent.max.x, look.parent.center().y};
-  const Point d = {look.child.min.x, look.child.center().y};
-  const float bend = (d.x - a.x) * 0.5F;
-  return {a, {a.x + bend, a.y}, {d.x - bend, d.y}, d};
-}
-
-Point On(const Curve& curve, float t) {
-  const float s = 1 - t;
-  return curve.a * (s * s * s) + curve.b * (3 * s * s * t) + curve.c * (3 * s * t * t) +
-         curve.d * (t * t * t);
-}
+constexpr float kDotSpeed = 150;    // pixels per second at zoom 1
+constexpr float kDash = 9;
 
 float Distance(Point a, Point b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
-void PaintDots(ImDrawList& list, const Curve& curve, Color color, float zoom, double now) {
-  std::array<Point, kSamples + 1> points;
-  for (int i = 0; i <= kSamples; ++i) {
-    points[static_cast<std::size_t>(i)] = On(curve, static_cast<float>(i) / kSamples);
-  }
-  const float gap = kDotDistance * zoom;
-  const auto phase = static_cast<float>(std::fmod(now * kDotSpeed * zoom, gap));
-  float next = phase;
+// Calls `visit(point)` every `gap` pixels along the line, from `first` on.
+template <typename Visit>
+void Walk(const std::vector<Point>& points, float first, float gap, Visit visit) {
+  float next = first;
   float walked = 0;
   for (std::size_t i = 1; i < points.size(); ++i) {
     const float length = Distance(points[i - 1], points[i]);
     for (; next <= walked + length; next += gap) {
       const float t = length > 0 ? (next - walked) / length : 0;
-      const Point at = points[i - 1] + (points[i] - points[i - 1]) * t;
-      list.AddCircleFilled({at.x, at.y}, std::max(2.0F, 4 * zoom), color, 12);
+      visit(points[i - 1] + (points[i] - points[i - 1]) * t);
     }
     walked += length;
   }
 }
 
+class EdgePainter {
+ public:
+  EdgePainter(Pen& pen, const EdgeLook& look)
+      : pen_(pen),
+        look_(look),
+        edge_(ShapeOfEdge(look.parent, look.child, look.link, look.orientation, look.zoom)) {}
+
+  void Paint() {
+    const float before = pen_.opacity;
+    pen_.opacity *= look_.strength;
+    const bool running = look_.state.status == Status::kRunning;
+    PaintLine(Colour(), Thickness());
+    if (running && !look_.offline) PaintMotion(Mix(Colour(), 0xFFFFFFFF, 0.45F));
+    if (look_.number != 0 && DetailFor(look_.zoom) == Detail::kFull) PaintNumber();
+    pen_.opacity = before;
+  }
+
+ private:
+  Color Colour() const {
+    const Palette& colors = pen_.ui.palette;
+    const bool changed = look_.change != Change::kNone && look_.change != Change::kChanged;
+    const Color at_rest = changed ? ColorOf(colors, look_.change) : colors.edge;
+    const Color color = StatusColor(colors, look_.state, at_rest);
+    if (look_.offline) return Mix(color, colors.edge, 0.6F);
+    if (!IsTrail(look_.state)) return color;
+    return Fade(color, StatusStrength(look_.state, pen_.ui.clock));
+  }
+
+  float Thickness() const {
+    const bool running = look_.state.status == Status::kRunning;
+    const float thick = running ? 3.0F : look_.state.status != Status::kIdle ? 2.0F : 1.5F;
+    return std::max(1.0F, thick * std::min(look_.zoom, 1.2F));
+  }
+
+  void PaintLine(Color color, float thick) {
+    pen_.Curve(edge_.a, edge_.b, edge_.c, edge_.d, color, thick);
+    if (edge_.branch.empty()) return;
+    Outline line = {ToIm(edge_.d)};
+    for (const Point point : edge_.branch) line.push_back(ToIm(point));
+    pen_.Line(line, color, thick);
+  }
+
+  // Dots that walk in the direction of the tick; if nothing may move, dashes.
+  void PaintMotion(Color color) {
+    const std::vector<Point> points = PointsAlong(edge_);
+    const float gap = kDotDistance * look_.zoom;
+    if (pen_.ui.reduce_motion) {
+      const float half = kDash * look_.zoom / 2;
+      Walk(points, gap / 2, gap, [&](Point at) {
+        pen_.FillBox({at - Point{half / 2, half / 2}, at + Point{half / 2, half / 2}}, color);
+      });
+      return;
+    }
+    const auto phase =
+        static_cast<float>(std::fmod(pen_.ui.now * kDotSpeed, kDotDistance)) * look_.zoom;
+    Walk(points, phase, gap,
+         [&](Point at) { pen_.Disc(at, std::max(2.0F, 4 * look_.zoom), color); });
+  }
+
+  void PaintNumber() {
+    Point at = edge_.branch.empty() ? edge_.d : edge_.branch.back();
+    const bool down = look_.orientation == Orientation::kTopToBottom && edge_.branch.empty();
+    at = at + (down ? Point{5, -14} : Point{-12, -14}) * look_.zoom;
+    pen_.Text(at, std::to_string(look_.number),
+              {Face::kSans, 9 * look_.zoom / pen_.ui.scale, Fade(pen_.ui.palette.text_dim, 0.75F)});
+  }
+
+  Pen& pen_;
+  const EdgeLook& look_;
+  const EdgeShape edge_;
+};
+
 }  // namespace
 
-void PaintEdge(const Ui& ui, ImDrawList& list, const EdgeLook& look) {
-  const Palette& colors = ui.palette;
-  const Curve curve = CurveOf(look);
-  const bool running = look.state.status == Status::kRunning;
-  const bool trail = look.state.status == Status::kIdle && look.state.before != Status::kIdle;
-  Color color = StatusColor(colors, look.state, colors.edge);
-  if (look.offline) color = Mix(color, colors.edge, 0.6F);
-  if (trail) color = Fade(color, 0.5F);
-  float thick = running ? 3.0F : look.state.status != Status::kIdle ? 2.0F : 1.5F;
-  thick = std::max(1.0F, thick * std::min(look.zoom, 1.2F));
-  list.AddBezierCubic(ToIm(curve.a), ToIm(curve.b), ToIm(curve.c), ToIm(curve.d), color, thick);
-  if (running && !look.offline) {
-    PaintDots(list, curve, Mix(color, 0xFFFFFFFF, 0.45F), look.zoom, ui.now);
-  }
-  if (look.number == 0 || DetailFor(look.zoom) != Detail::kFull) return;
-  const Point beside = look.orientation == Orientation::kTopToBottom
-                           ? Point{5 * look.zoom, -14 * look.zoom}
-                           : Point{-12 * look.zoom, -14 * look.zoom};
-  ui.Text(list, curve.d + beside, std::to_string(look.number),
-          {Face::kSans, 9 * look.zoom / ui.scale, Fade(colors.text_dim, 0.75F)});
+void PaintEdge(Pen& pen, const EdgeLook& look) {
+  if (look.link != Link::kNone) EdgePainter(pen, look).Paint();
 }
 
 }  // namespace coppice::editor

@@ -1,7 +1,7 @@
 #include <algorithm>
 
-#include "editor/canvas/canvas.h"
-#include "editor/canvas/node_painter.h"
+#include "editor/canvas/canvas_looks.h"
+#include "editor/canvas/status_look.h"
 
 namespace coppice::editor {
 namespace {
@@ -13,13 +13,19 @@ constexpr float kPart = 4.5F;   // of the canvas' width at most one in so many,
 constexpr float kLeast = 0.6F;  // but not smaller than this part of its full size
 constexpr float kSmallest = 2;  // pixels; a smaller branch is one block
 
-Color ColorOf(const Ui& ui, const LiveSnapshot* live, const SceneNode& node) {
-  return StatusColor(ui.palette, StateOf(live, node), ui.palette.Of(node.shape));
+Color ColorOf(const Ui& ui, const CanvasOptions& options, const Scene& scene, std::uint32_t node) {
+  const SceneNode& shown = scene.nodes[node];
+  if (BadgeOf(options, node) == Badge::kError) return ui.palette.error;
+  if (options.heat && node < options.heat->values.size()) {
+    const float heat = options.heat->values[node];
+    return heat < 0 ? ui.palette.node_border : HeatColor(ui.palette, heat);
+  }
+  return StatusColor(ui.palette, StateOf(options.live, shown), ui.palette.Of(shown.shape));
 }
 
 }  // namespace
 
-void DrawMinimap(const Ui& ui, TreeView& view, const Box& box, const LiveSnapshot* live) {
+void DrawMinimap(const Ui& ui, TreeView& view, const Box& box, const CanvasOptions& options) {
   const float shrink = std::clamp(box.width() / (kWidth * ui.scale * kPart), kLeast, 1.0F);
   const Point size = Point{kWidth, kHeight} * (ui.scale * shrink);
   const Point margin = Point{10, 10} * ui.scale;
@@ -36,13 +42,12 @@ void DrawMinimap(const Ui& ui, TreeView& view, const Box& box, const LiveSnapsho
   ImDrawList& list = *ImGui::GetWindowDrawList();
   ui.Fill(list, frame, Fade(ui.palette.panel, 0.94F), 4);
   ui.Frame(list, frame, ui.palette.border, 4);
-  const auto& nodes = view.scene()->nodes;
   for (std::uint32_t k = 0; k < view.shown().size();) {
     const Box branch = camera.ToScreen(view.BranchBounds(k));
     const bool tiny = branch.width() < kSmallest && branch.height() < kSmallest;
     Box block = tiny ? branch : camera.ToScreen(view.BoxAt(k, ui.now));
     block.max = {std::max(block.max.x, block.min.x + 1), std::max(block.max.y, block.min.y + 1)};
-    ui.Fill(list, block, ColorOf(ui, live, nodes[view.shown()[k]]));
+    ui.Fill(list, block, ColorOf(ui, options, *view.scene(), view.shown()[k]));
     k = tiny ? view.shown_ends()[k] : k + 1;
   }
 

@@ -54,7 +54,8 @@ Point Measure(const Ui& ui, const Scene& scene, const SceneNode& node) {
   const std::uint32_t lines = BodyLines(node);
   const float height = metrics::kHeader +
                        (lines ? static_cast<float>(lines) * metrics::kLine + metrics::kBottom : 0);
-  return {std::ceil(std::max(title, body + 2 * metrics::kPad)), height};
+  const float least = node.note.empty() ? 0 : metrics::kNoteWidth;
+  return {std::ceil(std::max({title, body + 2 * metrics::kPad, least})), height + NoteHeight(node)};
 }
 
 }  // namespace
@@ -103,6 +104,12 @@ float NameColumn(const Ui& ui, const Scene& scene, const SceneNode& node) {
     width = std::max(width, ui.Width(port.name, {Face::kSans, metrics::kNameSize, 0}));
   }
   return width;
+}
+
+float NoteHeight(const SceneNode& node) {
+  if (node.note.empty()) return 0;
+  const bool two = node.note.size() > metrics::kNoteColumns;
+  return metrics::kNoteLine * (two ? 2.0F : 1.0F) + 6 + metrics::kNoteGap;
 }
 
 std::uint32_t BodyLines(const SceneNode& node) {

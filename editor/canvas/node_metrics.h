@@ -3,6 +3,7 @@
 #ifndef COPPICE_EDITOR_CANVAS_NODE_METRICS_H_
 #define COPPICE_EDITOR_CANVAS_NODE_METRICS_H_
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,6 +24,13 @@ inline constexpr float kBottom = 5;      ///< below the last row
 inline constexpr float kChip = 20;       ///< height of the row that stands for collapsed children
 inline constexpr float kColumnGap = 10;  ///< between a port's name and its value
 
+inline constexpr std::size_t kNoteColumns = 34;   ///< characters in a line of a note
+inline constexpr std::size_t kMostNoteLines = 2;  ///< longer notes are cut
+inline constexpr float kNoteLine = 14;
+inline constexpr float kNoteGap = 3;      ///< between a note and its node
+inline constexpr float kNoteWidth = 150;  ///< least width of a node with a note
+
+inline constexpr float kNoteSize = 10;
 inline constexpr float kTitleSize = 13;
 inline constexpr float kNameSize = 11;
 inline constexpr float kValueSize = 11;
@@ -42,6 +50,9 @@ std::string ShownValue(std::string_view value);
 
 /// Width of the column of port names of a node.
 float NameColumn(const Ui& ui, const Scene& scene, const SceneNode& node);
+
+/// Height of the note above the node with the gap below it; 0 without a note.
+float NoteHeight(const SceneNode& node);
 
 /// Rows below the title: the type and the ports.
 std::uint32_t BodyLines(const SceneNode& node);

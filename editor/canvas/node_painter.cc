@@ -3,47 +3,55 @@
 #include <algorithm>
 #include <cmath>
 
-#include "editor/canvas/shapes.h"
+#include "editor/canvas/node_lines.h"
+#include "editor/canvas/node_marks.h"
+#include "editor/canvas/status_look.h"
 #include "editor/look/icons.h"
 
 namespace coppice::editor {
 namespace {
 
-constexpr double kPulseSeconds = 0.8;
-constexpr double kFlashSeconds = 0.4;
-constexpr float kTrailAlpha = 0.7F;
+constexpr double kShimmerSeconds = 1.6;
+constexpr float kDisabledStrength = 0.4F;
 
 double Seconds(Duration duration) { return std::chrono::duration<double>(duration).count(); }
 
 class NodePainter {
  public:
-  NodePainter(const Ui& ui, ImDrawList& list, const Scene& scene, const SceneNode& node,
-              const NodeLook& look)
-      : ui_(ui), list_(list), scene_(scene), node_(node), look_(look), box_(look.box) {
-    if (look.collapsed) box_.max.y -= metrics::kChip * look.zoom;
-  }
+  NodePainter(Pen& pen, const Scene& scene, const SceneNode& node, const NodeLook& look)
+      : pen_(pen),
+        ui_(pen.ui),
+        scene_(scene),
+        node_(node),
+        look_(look),
+        box_(BodyBox(node, look)) {}
 
   void Paint() {
-    switch (DetailFor(look_.zoom)) {
-      case Detail::kBlock:
-        PaintBlock();
-        return;
-      case Detail::kName:
-        PaintBody();
-        PaintBorder();
-        PaintName();
-        break;
-      case Detail::kFull:
-        PaintBody();
-        PaintBorder();
-        PaintTitle();
-        PaintLines();
-        break;
-    }
-    if (look_.collapsed) PaintChip();
+    const float before = pen_.opacity;
+    pen_.opacity *= look_.strength * (node_.disabled ? kDisabledStrength : 1);
+    PaintAll();
+    pen_.opacity = before;
   }
 
  private:
+  void PaintAll() {
+    if (DetailFor(look_.zoom) == Detail::kBlock) return PaintBlock();
+    PaintBody();
+    PaintBorder();
+    PaintNote(pen_, node_, look_);
+    if (DetailFor(look_.zoom) == Detail::kName) {
+      PaintName();
+    } else {
+      PaintTitle();
+      PaintNodeLines(pen_, scene_, node_, look_, box_);
+    }
+    if (node_.disabled) PaintStrike();
+    if (look_.collapsed) PaintChip(pen_, look_);
+    PaintHeat(pen_, look_, box_);
+    PaintChange(pen_, look_, box_);
+    PaintBadge(pen_, look_, box_);
+  }
+
   float Z(float pixels) const { return pixels * look_.zoom; }
   const Palette& colors() const { return ui_.palette; }
   bool IsPill() const { return node_.shape == Shape::kControl; }
@@ -70,56 +78,72 @@ class NodePainter {
   }
 
   Color StateColor() const {
-    const Color color = StatusColor(colors(), look_.state, colors().node_border);
+    Color at_rest = colors().node_border;
+    if (look_.badge == Badge::kWarning) at_rest = colors().warning;
+    if (look_.badge == Badge::kError) at_rest = colors().error;
+    if (look_.change != Change::kNone) at_rest = ColorOf(colors(), look_.change);
+    const Color color = StatusColor(colors(), look_.state, at_rest);
     return look_.offline ? Mix(color, colors().node_border, 0.6F) : color;
   }
 
-  bool IsTrail() const {
-    return look_.state.status == Status::kIdle && look_.state.before != Status::kIdle;
-  }
+  bool IsMarked() const { return look_.badge != Badge::kNone || look_.change != Change::kNone; }
 
   void PaintBlock() {
     const Color at_rest = colors().Of(node_.shape);
     Color color = StatusColor(colors(), look_.state, at_rest);
-    if (IsTrail()) color = Mix(color, at_rest, 0.5F);
-    ui_.Fill(list_, box_, color, std::min(Z(4), 3.0F));
-    if (look_.selected) ui_.Frame(list_, Grown(2), colors().accent, 3, 2);
+    if (IsTrail(look_.state)) color = Mix(at_rest, color, StatusStrength(look_.state, ui_.clock));
+    if (look_.has_heat) {
+      color = look_.heat < 0 ? colors().node_border : HeatColor(colors(), look_.heat);
+    }
+    if (look_.change != Change::kNone) color = ColorOf(colors(), look_.change);
+    pen_.FillBox(box_, color, std::min(Z(4), 3.0F));
+    if (look_.selected) pen_.FrameBox(Grown(2), colors().accent, 3, 2);
+    PaintBadge(pen_, look_, box_);
   }
 
   void PaintBody() {
     if (look_.state.status == Status::kRunning && !look_.offline) PaintGlow();
     const bool tall = box_.height() > Z(metrics::kHeader + 1);
     const Outline outline = OutlineOf(box_);
-    FillOutline(list_, outline, tall ? colors().node_body : HeaderColor());
+    pen_.Fill(outline, tall ? colors().node_body : HeaderColor());
+    const Box header = {box_.min, {box_.max.x, box_.min.y + Z(metrics::kHeader)}};
     if (tall) {
       // The header is the same outline, cut off below the title.
-      list_.PushClipRect(ToIm(box_.min), {box_.max.x, box_.min.y + Z(metrics::kHeader)}, true);
-      FillOutline(list_, outline, HeaderColor());
-      list_.PopClipRect();
+      pen_.PushClip(header);
+      pen_.Fill(outline, HeaderColor());
+      pen_.PopClip();
     }
-    if (node_.shape == Shape::kUnknown) {
-      Hatch(list_, {box_.min, {box_.max.x, box_.min.y + Z(metrics::kHeader)}},
-            Fade(colors().text, 0.10F), Z(8));
-    }
-    PaintFlash(outline);
+    if (node_.shape == Shape::kUnknown) pen_.Hatch(header, Fade(colors().text, 0.10F), Z(8));
+    const bool running = look_.state.status == Status::kRunning && !look_.offline;
+    if (running && !ui_.reduce_motion) PaintShimmer(header);
+    const float flash = FlashStrength(look_.state, ui_.clock);
+    if (flash > 0) pen_.Fill(outline, Fade(0xFFFFFFFF, 0.35F * flash));
+  }
+
+  // A slanted band of light that walks through the title.
+  void PaintShimmer(const Box& header) {
+    const auto at = static_cast<float>(std::fmod(ui_.now, kShimmerSeconds) / kShimmerSeconds);
+    const float slant = header.height() / 2;
+    const float width = Z(22);
+    const float x = header.min.x - width + at * (header.width() + 2 * width);
+    pen_.PushClip(header);
+    pen_.Fill({{x + slant, header.min.y},
+               {x + slant + width, header.min.y},
+               {x - slant + width, header.max.y},
+               {x - slant, header.max.y}},
+              Fade(0xFFFFFFFF, 0.10F));
+    pen_.PopClip();
   }
 
   Color HeaderColor() const {
-    const Color color = colors().Of(node_.shape);
+    Color color = colors().Of(node_.shape);
+    if (look_.has_heat) color = Mix(color, colors().chip, 0.6F);
     return look_.hovered ? Mix(color, 0xFFFFFFFF, 0.08F) : color;
   }
 
   void PaintGlow() {
-    const double phase = std::fmod(ui_.now, kPulseSeconds) / kPulseSeconds * 6.2831853;
-    const auto strength = static_cast<float>(0.16 + 0.07 * std::sin(phase));
-    FillOutline(list_, OutlineOf(Grown(Z(5))), Fade(colors().running, strength));
-  }
-
-  void PaintFlash(const Outline& outline) {
-    const double age = Seconds(ui_.clock - look_.state.since) / kFlashSeconds;
-    if (look_.state.since == Time(0) || age < 0 || age >= 1) return;
-    const auto left = static_cast<float>(1 - age);
-    FillOutline(list_, outline, Fade(0xFFFFFFFF, 0.35F * left * left));
+    const float strength = 0.09F + 0.14F * Pulse(ui_);
+    pen_.Fill(OutlineOf(Grown(Z(5))), Fade(colors().running, strength));
   }
 
   void PaintBorder() {
@@ -127,21 +151,30 @@ class NodePainter {
     const float thick = std::clamp(Z(2.5F), 1.5F, 4.0F);
     if (node_.shape == Shape::kSubTree) {
       const Color outer = active ? Fade(StateColor(), 0.6F) : colors().node_border;
-      StrokeOutline(list_, OutlineOf(Grown(Z(3))), outer, 1);
+      pen_.Stroke(OutlineOf(Grown(Z(3))), outer, 1);
     }
+    const Outline outline = OutlineOf(box_);
     if (active) {
-      StrokeOutline(list_, OutlineOf(box_), StateColor(), thick);
-    } else if (IsTrail()) {
-      DashOutline(list_, OutlineOf(box_), Fade(StateColor(), kTrailAlpha), thick * 0.75F, Z(5));
+      pen_.Stroke(outline, StateColor(), thick);
+    } else if (IsTrail(look_.state)) {
+      const Color color = Fade(StateColor(), StatusStrength(look_.state, ui_.clock));
+      pen_.Dash(outline, color, thick * 0.75F, Z(5));
     } else if (node_.shape == Shape::kUnknown) {
-      DashOutline(list_, OutlineOf(box_), StateColor(), 1, Z(3));
+      pen_.Dash(outline, StateColor(), IsMarked() ? 2 : 1, Z(3));
     } else {
-      StrokeOutline(list_, OutlineOf(box_), StateColor(), 1);
+      pen_.Stroke(outline, StateColor(), IsMarked() ? 2 : 1);
     }
     if (look_.selected) {
       const float out = Z(node_.shape == Shape::kSubTree ? 7 : 4);
-      StrokeOutline(list_, OutlineOf(Grown(out)), colors().accent, 2);
+      pen_.Stroke(OutlineOf(Grown(out)), colors().accent, 2);
     }
+  }
+
+  void PaintStrike() {
+    const float y = box_.min.y + Z(metrics::kHeader / 2);
+    const Color ink = colors().text_on_header;
+    pen_.Line({{box_.min.x + Z(metrics::kPad), y}, {box_.max.x - Z(metrics::kPad), y}}, ink,
+              std::max(1.0F, Z(1.5F)));
   }
 
   void PaintTitle() {
@@ -151,10 +184,9 @@ class NodePainter {
     const std::string_view glyph = GlyphOf(node_);
     const TextStyle glyph_style = Style(Face::kBold, 12, Fade(ink, 0.92F));
     const float middle = at.x + Z(7);
-    ui_.RowText(list_, {middle - ui_.Width(glyph, glyph_style) / 2, at.y}, height, glyph,
-                glyph_style);
-    ui_.RowText(list_, at + Point{Z(metrics::kIcon), 0}, height, node_.name,
-                Style(Face::kBold, metrics::kTitleSize, ink));
+    pen_.RowText({middle - ui_.Width(glyph, glyph_style) / 2, at.y}, height, glyph, glyph_style);
+    pen_.RowText(at + Point{Z(metrics::kIcon), 0}, height, node_.name,
+                 Style(Face::kBold, metrics::kTitleSize, ink));
     PaintStatus(height);
   }
 
@@ -174,63 +206,26 @@ class NodePainter {
       PaintGlyph(right, height);
       right -= Z(metrics::kStatus - 3);
     }
-    ui_.RowText(list_, {right - ui_.Width(text, style), box_.min.y}, height, text, style);
+    pen_.RowText({right - ui_.Width(text, style), box_.min.y}, height, text, style);
   }
 
   bool HasToggle() const { return node_.recursive || node_.end > Index() + 1; }
   std::uint32_t Index() const { return static_cast<std::uint32_t>(&node_ - scene_.nodes.data()); }
 
   void PaintGlyph(float right, float height) {
-    const Status status = IsTrail() ? look_.state.before : look_.state.status;
-    const std::string_view glyph = GlyphOf(status);
-    const float strength = IsTrail() || look_.offline ? 0.65F : 1.0F;
+    const std::string_view glyph = StatusGlyph(look_.state);
+    const float strength = look_.offline ? 0.65F : StatusStrength(look_.state, ui_.clock);
     const TextStyle style = Style(Face::kBold, 12, Fade(colors().text_on_header, strength));
-    ui_.RowText(list_, {right - ui_.Width(glyph, style), box_.min.y}, height, glyph, style);
+    pen_.RowText({right - ui_.Width(glyph, style), box_.min.y}, height, glyph, style);
   }
 
   void PaintToggle() {
     const std::string_view glyph =
         look_.collapsed || node_.recursive ? icon::kPlusSquare : icon::kMinusSquare;
-    const Box box = ToggleBox(look_);
+    const Box box = ToggleBox(node_, look_);
     const TextStyle style = Style(Face::kSans, 12, Fade(colors().text_on_header, 0.7F));
-    ui_.RowText(list_, {box.center().x - ui_.Width(glyph, style) / 2, box.min.y}, box.height(),
-                glyph, style);
-  }
-
-  void PaintLines() {
-    float y = box_.min.y + Z(metrics::kHeader) + Z(2);
-    const float x = box_.min.x + Z(metrics::kPad);
-    const std::string_view type = TypeLineOf(node_);
-    if (!type.empty()) {
-      ui_.RowText(list_, {x, y}, Z(metrics::kLine), type,
-                  Style(Face::kSans, metrics::kNameSize, Fade(colors().text_dim, 0.9F)));
-      y += Z(metrics::kLine);
-    }
-    const float column = Z(NameColumn(ui_, scene_, node_) / ui_.scale + metrics::kColumnGap);
-    for (std::uint32_t i = 0; i < node_.port_count; ++i) {
-      PaintPort(scene_.ports[node_.first_port + i], {x, y}, column);
-      y += Z(metrics::kLine);
-    }
-  }
-
-  void PaintPort(const PortLine& port, Point at, float column) {
-    ui_.RowText(list_, at, Z(metrics::kLine), port.name,
-                Style(Face::kSans, metrics::kNameSize, colors().text_dim));
-    const Point value_at = at + Point{column, 0};
-    const std::string value = ShownValue(port.value);
-    if (!port.is_key) {
-      ui_.RowText(list_, value_at, Z(metrics::kLine), value,
-                  Style(Face::kMono, metrics::kValueSize, colors().text));
-      return;
-    }
-    const Color key = colors().OfKey(KeyOf(port.value));
-    const TextStyle style = Style(Face::kMono, metrics::kValueSize, key);
-    const float width = ui_.Width(value, style);
-    const Box chip = {value_at + Point{0, Z(2)},
-                      value_at + Point{width + Z(10), Z(metrics::kLine - 2)}};
-    ui_.Fill(list_, chip, Mix(colors().node_body, key, 0.16F), Z(4));
-    ui_.Frame(list_, chip, Mix(colors().node_body, key, 0.5F), Z(4));
-    ui_.RowText(list_, value_at + Point{Z(5), 0}, Z(metrics::kLine), value, style);
+    pen_.RowText({box.center().x - ui_.Width(glyph, style) / 2, box.min.y}, box.height(), glyph,
+                 style);
   }
 
   // The name as large as the box allows, so that it is readable far longer than the details.
@@ -245,28 +240,15 @@ class NodePainter {
     const float width = std::min(ui_.Width(node_.name, style), room);
     const bool tall = box_.height() > Z(metrics::kHeader + 1);
     const float top = tall ? box_.min.y + Z(metrics::kHeader) : box_.min.y;
-    ui_.RowText(list_, {box_.center().x - width / 2, top}, box_.max.y - top, node_.name, style,
-                room);
+    pen_.RowText({box_.center().x - width / 2, top}, box_.max.y - top, node_.name, style, room);
     if (!tall) return;
     const TextStyle glyph{Face::kBold, Z(14) / ui_.scale, colors().text_on_header};
-    ui_.RowText(list_, box_.min + Point{4, 0}, Z(metrics::kHeader), GlyphOf(node_), glyph);
+    pen_.RowText(box_.min + Point{4, 0}, Z(metrics::kHeader), GlyphOf(node_), glyph);
     PaintGlyph(box_.max.x - 4, Z(metrics::kHeader));
   }
 
-  void PaintChip() {
-    const Box chip = ChipBox(look_);
-    const bool live = look_.hidden_status != Status::kIdle;
-    const Color stripe = live ? colors().Of(look_.hidden_status) : colors().node_border;
-    ui_.Fill(list_, chip, Mix(colors().node_body, stripe, live ? 0.25F : 0.0F), Z(4));
-    ui_.Frame(list_, chip, Mix(colors().border, stripe, 0.6F), Z(4));
-    const std::string text = std::to_string(look_.hidden) + " nodes";
-    const TextStyle style = Style(Face::kSans, 10, live ? colors().text : colors().text_dim);
-    const float width = ui_.Width(text, style);
-    ui_.RowText(list_, {chip.center().x - width / 2, chip.min.y}, chip.height(), text, style);
-  }
-
+  Pen& pen_;
   const Ui& ui_;
-  ImDrawList& list_;
   const Scene& scene_;
   const SceneNode& node_;
   const NodeLook& look_;
@@ -280,19 +262,20 @@ Detail DetailFor(float zoom) {
   return zoom >= 0.3F ? Detail::kName : Detail::kBlock;
 }
 
-Color StatusColor(const Palette& palette, const NodeState& state, Color at_rest) {
-  if (state.status != Status::kIdle) return palette.Of(state.status);
-  return state.before != Status::kIdle ? palette.Of(state.before) : at_rest;
+void PaintNode(Pen& pen, const Scene& scene, const SceneNode& node, const NodeLook& look) {
+  NodePainter(pen, scene, node, look).Paint();
 }
 
-void PaintNode(const Ui& ui, ImDrawList& list, const Scene& scene, const SceneNode& node,
-               const NodeLook& look) {
-  NodePainter(ui, list, scene, node, look).Paint();
+Box BodyBox(const SceneNode& node, const NodeLook& look) {
+  Box box = look.box;
+  box.min.y += NoteHeight(node) * look.zoom;
+  if (look.collapsed) box.max.y -= metrics::kChip * look.zoom;
+  return box;
 }
 
-Box ToggleBox(const NodeLook& look) {
+Box ToggleBox(const SceneNode& node, const NodeLook& look) {
   const float right = look.box.max.x - 5 * look.zoom;
-  const float top = look.box.min.y + 3 * look.zoom;
+  const float top = look.box.min.y + (NoteHeight(node) + 3) * look.zoom;
   return {{right - 18 * look.zoom, top}, {right, top + 18 * look.zoom}};
 }
 
@@ -301,6 +284,14 @@ Box ChipBox(const NodeLook& look) {
   const float center = look.box.center().x;
   const float bottom = look.box.max.y;
   return {{center - width / 2, bottom - 16 * look.zoom}, {center + width / 2, bottom}};
+}
+
+Box PortBox(const SceneNode& node, const NodeLook& look, std::uint32_t port) {
+  const Box body = BodyBox(node, look);
+  const float lines = static_cast<float>(port) + (TypeLineOf(node).empty() ? 0 : 1);
+  const float top = body.min.y + (metrics::kHeader + 2 + lines * metrics::kLine) * look.zoom;
+  return {{body.min.x + metrics::kPad * look.zoom, top},
+          {body.max.x - metrics::kPad * look.zoom, top + metrics::kLine * look.zoom}};
 }
 
 }  // namespace coppice::editor

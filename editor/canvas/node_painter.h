@@ -4,8 +4,9 @@
 #ifndef COPPICE_EDITOR_CANVAS_NODE_PAINTER_H_
 #define COPPICE_EDITOR_CANVAS_NODE_PAINTER_H_
 
+#include "editor/canvas/node_look.h"
 #include "editor/canvas/node_metrics.h"
-#include "editor/live/live_snapshot.h"
+#include "editor/canvas/pen.h"
 
 namespace coppice::editor {
 
@@ -14,30 +15,19 @@ enum class Detail : std::uint8_t { kFull, kName, kBlock };
 /// Above 60 % everything, below 30 % blocks.
 Detail DetailFor(float zoom);
 
-/// How a node is to be painted now.
-struct NodeLook {
-  Box box;  ///< on the screen
-  float zoom = 1;
-  NodeState state;
-  bool selected = false;
-  bool hovered = false;
-  bool collapsed = false;
-  bool offline = false;                  ///< the robot does not answer: statuses are the last known
-  std::uint32_t hidden = 0;              ///< descendants of a collapsed node
-  Status hidden_status = Status::kIdle;  ///< kRunning if one of them runs
-};
+void PaintNode(Pen& pen, const Scene& scene, const SceneNode& node, const NodeLook& look);
 
-/// Colour of the status, of the idle trail if the node is idle, else of nodes at rest.
-Color StatusColor(const Palette& palette, const NodeState& state, Color at_rest);
-
-void PaintNode(const Ui& ui, ImDrawList& list, const Scene& scene, const SceneNode& node,
-               const NodeLook& look);
+/// The node itself on the screen, without the note above it and the chip below it.
+Box BodyBox(const SceneNode& node, const NodeLook& look);
 
 /// The place of the [+] or [-] that opens and closes a SubTree, on the screen.
-Box ToggleBox(const NodeLook& look);
+Box ToggleBox(const SceneNode& node, const NodeLook& look);
 
 /// The row that stands for collapsed children, on the screen.
 Box ChipBox(const NodeLook& look);
+
+/// Where port number `port` of the node (from 0) is painted at full detail: its whole row.
+Box PortBox(const SceneNode& node, const NodeLook& look, std::uint32_t port);
 
 }  // namespace coppice::editor
 

@@ -15,8 +15,9 @@ void Line(const Ui& ui, Face face, Color color, const std::string& text) {
 
 std::string StatusText(const Ui& ui, const NodeState& state) {
   if (state.status == Status::kIdle) {
-    return state.before == Status::kIdle ? "IDLE, never run"
-                                         : std::string("IDLE, was ") + ToString(state.before);
+    if (state.before == Status::kIdle) return "IDLE, never run";
+    if (state.before == Status::kRunning) return "IDLE, was halted";
+    return std::string("IDLE, was ") + ToString(state.before);
   }
   const double seconds = std::chrono::duration<double>(ui.clock - state.since).count();
   return std::string(ToString(state.status)) + " for " + DurationText(seconds);
@@ -51,6 +52,7 @@ void DrawNodeTooltip(const Ui& ui, const Scene& scene, const SceneNode& node,
   if (node.model && !node.model->description.empty()) {
     Line(ui, Face::kSans, ui.palette.text, node.model->description);
   }
+  if (!node.note.empty()) Line(ui, Face::kSans, ui.palette.text_dim, node.note);
   for (std::uint32_t i = 0; i < node.port_count; ++i) Port(ui, scene.ports[node.first_port + i]);
   ImGui::PopTextWrapPos();
   ImGui::EndTooltip();

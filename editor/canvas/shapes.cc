@@ -47,24 +47,13 @@ Outline CutBox(const Box& box, float cut) {
           {box.min.x, box.max.y - cut}, {box.min.x, box.min.y + cut}};
 }
 
-void FillOutline(ImDrawList& list, const Outline& outline, Color color) {
-  list.AddConvexPolyFilled(outline.data(), static_cast<int>(outline.size()), color);
-}
-
-void StrokeOutline(ImDrawList& list, const Outline& outline, Color color, float thickness) {
-  list.AddPolyline(outline.data(), static_cast<int>(outline.size()), color, ImDrawFlags_Closed,
-                   thickness);
-}
-
-void DashOutline(ImDrawList& list, const Outline& outline, Color color, float thickness,
-                 float dash) {
+std::vector<Outline> DashesOf(const Outline& outline, float dash) {
+  std::vector<Outline> dashes;
   float walked = 0;  // since the start of the current dash or gap
   bool on = true;
-  std::vector<ImVec2> line = {outline.front()};
+  Outline line = {outline.front()};
   const auto finish = [&] {
-    if (on && line.size() > 1) {
-      list.AddPolyline(line.data(), static_cast<int>(line.size()), color, 0, thickness);
-    }
+    if (on && line.size() > 1) dashes.push_back(line);
     line.erase(line.begin(), line.end() - 1);
   };
   for (std::size_t i = 0; i < outline.size(); ++i) {
@@ -84,14 +73,7 @@ void DashOutline(ImDrawList& list, const Outline& outline, Color color, float th
     }
   }
   finish();
-}
-
-void Hatch(ImDrawList& list, const Box& box, Color color, float distance) {
-  list.PushClipRect({box.min.x, box.min.y}, {box.max.x, box.max.y}, true);
-  for (float x = box.min.x - box.height(); x < box.max.x; x += distance) {
-    list.AddLine({x, box.max.y}, {x + box.height(), box.min.y}, color, 1.5F);
-  }
-  list.PopClipRect();
+  return dashes;
 }
 
 }  // namespace coppice::editor

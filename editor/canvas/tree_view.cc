@@ -51,6 +51,9 @@ void TreeView::SetScene(std::shared_ptr<const Scene> scene, std::vector<Point> s
   scene_ = std::move(scene);
   sizes_ = std::move(sizes);
   collapsed_ = std::move(collapsed);
+  keys_ = FindKeyUses(*scene_);
+  lit_key_ = kNoKey;
+  gesture = {};
   ListShown();
   LayOutShown();
   const std::uint32_t anchor = Anchor();

@@ -10,7 +10,9 @@
 #include <string>
 #include <vector>
 
+#include "editor/canvas/gesture.h"
 #include "editor/canvas/tree_layout.h"
+#include "editor/scene/key_uses.h"
 #include "editor/scene/scene.h"
 
 namespace coppice::editor {
@@ -64,6 +66,11 @@ class TreeView {
   /// Exactly these; the last one becomes selected().
   void SelectAll(std::vector<std::uint32_t> nodes);
 
+  /// Lights a key of keys(), so that all others step back; kNoKey: none.
+  void LightKey(std::uint32_t key) { lit_key_ = key; }
+  std::uint32_t lit_key() const { return lit_key_; }
+  const KeyUses& keys() const { return keys_; }
+
   /// Visible nodes in preorder. The range of descendants of shown()[k] ends at shown_ends()[k].
   const std::vector<std::uint32_t>& shown() const { return shown_; }
   const std::vector<std::uint32_t>& shown_ends() const { return shown_ends_; }
@@ -89,6 +96,7 @@ class TreeView {
   void Reveal(Point canvas);
 
   Camera camera;
+  Gesture gesture;        ///< of the mouse on the canvas
   bool needs_fit = true;  ///< the camera was never set; cleared by FitAll
 
  private:
@@ -111,6 +119,8 @@ class TreeView {
   std::vector<Point> sizes_;
   std::vector<bool> collapsed_;
   LayoutStyle style_;
+  KeyUses keys_;
+  std::uint32_t lit_key_ = kNoKey;
   std::uint32_t selected_ = kNoNode;
   std::vector<std::uint32_t> selection_;
   std::vector<std::uint32_t> shown_, shown_ends_, shown_parents_;

@@ -42,6 +42,8 @@ Palette Dark() {
   p.halted = Rgb(0xA878E0);
   p.warning = Rgb(0xF0AA28);
   p.error = Rgb(0xF0645A);
+  p.note = Rgb(0xC9B458);
+  p.note_text = Rgb(0x201B08);
   p.is_dark = true;
   return p;
 }
@@ -74,6 +76,8 @@ Palette Light() {
   p.failure = Rgb(0xCF3A30);
   p.warning = Rgb(0xB36B00);
   p.error = Rgb(0xC62F26);
+  p.note = Rgb(0xFFF0A8);
+  p.note_text = Rgb(0x4A4010);
   p.is_dark = false;
   return p;
 }

@@ -33,6 +33,15 @@ void Ui::Text(ImDrawList& list, Point at, std::string_view text, const TextStyle
                text.data() + text.size());
 }
 
+std::string Ui::Cut(std::string_view text, const TextStyle& style, float width) const {
+  const ImFont* font = fonts.Pick(style.face, style.size * scale);
+  if (WidthIn(font, text) <= width) return std::string(text);
+  const float dots = WidthIn(font, icon::kEllipsis);
+  if (dots > width) return {};
+  const std::size_t length = FittingLength(font, text, width - dots);
+  return std::string(text.substr(0, length)) + icon::kEllipsis;
+}
+
 float Ui::RowText(ImDrawList& list, Point at, float row_height, std::string_view text,
                   const TextStyle& style, float width) const {
   if (text.empty()) return 0;
@@ -44,10 +53,7 @@ float Ui::RowText(ImDrawList& list, Point at, float row_height, std::string_view
                  text.data() + text.size());
     return full;
   }
-  const float dots = WidthIn(font, icon::kEllipsis);
-  if (dots > width) return 0;
-  const std::size_t length = FittingLength(font, text, width - dots);
-  const std::string cut = std::string(text.substr(0, length)) + icon::kEllipsis;
+  const std::string cut = Cut(text, style, width);
   list.AddText(font, font->FontSize, ToIm(start), style.color, cut.data(), cut.data() + cut.size());
   return WidthIn(font, cut);
 }

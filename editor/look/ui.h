@@ -30,11 +30,16 @@ struct Ui {
   const Palette& palette;
   const Fonts& fonts;
   ItemRegistry& items;
-  float scale;  ///< of the screen
-  double now;   ///< seconds of the editor's own time, for animations
-  Time clock;   ///< of the clock that stamps statuses
+  float scale;                 ///< of the screen
+  double now;                  ///< seconds of the editor's own time, for animations
+  Time clock;                  ///< of the clock that stamps statuses
+  bool reduce_motion = false;  ///< nothing pulses, walks or glides
 
   float Width(std::string_view text, const TextStyle& style) const;
+
+  /// The beginning that fits into `width`, with an ellipsis if something is cut off; empty if not
+  /// even that fits.
+  std::string Cut(std::string_view text, const TextStyle& style, float width) const;
 
   /// Draws with the top left corner at `at`.
   void Text(ImDrawList& list, Point at, std::string_view text, const TextStyle& style) const;

@@ -2,7 +2,7 @@
 
 #include "editor/canvas/canvas.h"
 #include "editor/canvas/node_metrics.h"
-#include "editor/canvas/node_painter.h"
+#include "editor/canvas/status_look.h"
 #include "editor/panels/panel.h"
 #include "editor/panels/panels.h"
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <charconv>
 
+#include "editor/scene/notes.h"
+
 namespace coppice::editor {
 namespace {
 
@@ -114,6 +116,8 @@ class Builder {
     } else if (node.model) {
       node.shape = ShapeOf(node.model->category);
     }
+    node.disabled = document.AttributeValue(element, "_skipIf") == "true";
+    node.note = NoteOf(document, open.element);
     ReadUid(document.AttributeValue(element, "_uid"), node);
   }
 
@@ -202,6 +206,13 @@ class Builder {
 std::uint32_t Scene::FindPath(std::string_view path) const {
   for (std::uint32_t i = 0; i < nodes.size(); ++i) {
     if (nodes[i].path == path) return i;
+  }
+  return kNoNode;
+}
+
+std::uint32_t Scene::FindElement(std::uint32_t document, ElementIndex element) const {
+  for (std::uint32_t i = 0; i < nodes.size(); ++i) {
+    if (nodes[i].element == element && nodes[i].document == document) return i;
   }
   return kNoNode;
 }

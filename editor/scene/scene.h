@@ -44,6 +44,8 @@ struct SceneNode {
   std::uint32_t port_count = 0;
   std::uint32_t scope = 0;  ///< of Scene::scopes
   int uid = -1;             ///< number on the robot; -1 if there is none
+  bool disabled = false;    ///< always skipped: _skipIf="true"
+  std::string note;         ///< the comments about it in the file, in one line; may be empty
 };
 
 struct Scene {
@@ -55,10 +57,11 @@ struct Scene {
 
   bool HasChildren(std::uint32_t node) const { return nodes[node].end > node + 1; }
   std::uint32_t FindPath(std::string_view path) const;  ///< kNoNode if there is none
+  std::uint32_t FindElement(std::uint32_t document, ElementIndex element) const;  ///< the first
 };
 
 /// Writes out tree number `tree` of the forest, up to about `limit` nodes; SubTrees beyond it stay
-/// closed.
+/// closed, with limit 0 all of them.
 Scene BuildScene(const Forest& forest, int tree, const NodeModels& models,
                  std::size_t limit = 50000);
 

@@ -53,6 +53,12 @@ void Driver::Press(Key key, int modifiers) {
   Frames();
 }
 
+void Driver::Hold(int modifiers) {
+  constexpr Key kLeftShift = 340;
+  input.events.push_back(KeyEvent{kLeftShift, (modifiers & kShift) != 0, modifiers});
+  Frames();
+}
+
 void Driver::Wheel(float up) {
   input.events.push_back(MouseWheel{0, up});
   Frames();

@@ -80,6 +80,8 @@ class Driver {
   bool Click(const std::string& path);
   void Drag(Point from, Point to, int button = 0);
   void Press(Key key, int modifiers = kNoModifier);
+  /// Holds the modifier keys until the next call.
+  void Hold(int modifiers);
   void Type(const std::string& text);
   void Wheel(float up);
 

@@ -141,6 +141,54 @@ TEST_F(CanvasTest, ShowsLessDetailFromFarAway) {
   }
 }
 
+TEST_F(CanvasTest, AddsToTheSelectionWithCtrlAndUpToWithShift) {
+  OpenSmall();
+  driver_.Click("canvas/MainTree/1.1.2");
+  driver_.Hold(kCtrl);
+  driver_.Click("canvas/MainTree/1.3");
+  driver_.Hold(kNoModifier);
+  EXPECT_EQ(driver_.view().selection().size(), 2U);
+  driver_.Click("canvas/MainTree/1.1");
+  driver_.Hold(kShift);
+  driver_.Click("canvas/MainTree/1.3");
+  driver_.Hold(kNoModifier);
+  EXPECT_EQ(driver_.view().selection().size(), 3U);
+}
+
+TEST_F(CanvasTest, SelectsWhatIsInTheRectangle) {
+  OpenSmall();
+  const Box a = driver_.BoxOf("canvas/MainTree/1.1.1");
+  const Box b = driver_.BoxOf("canvas/MainTree/1.1.2");
+  driver_.Hold(kShift);
+  driver_.Drag({a.min.x - 12, a.min.y - 4}, {b.max.x - 4, b.min.y + 10});
+  driver_.Hold(kNoModifier);
+  EXPECT_EQ(driver_.view().selection().size(), 2U);
+  EXPECT_EQ(driver_.Selected(), "1.1.2");
+}
+
+TEST_F(CanvasTest, LightsAKeyAndDimsTheOthers) {
+  OpenSmall();
+  const Palette& colors = GetPalette(PaletteName::kDark);
+  ASSERT_GT(driver_.CountColor(driver_.BoxOf("canvas/MainTree/1.1"), colors.control, 6), 100);
+  ASSERT_TRUE(driver_.Click("canvas/MainTree/1.2/port/goal"));
+  driver_.MoveTo({5, 5});
+  EXPECT_LT(driver_.CountColor(driver_.BoxOf("canvas/MainTree/1.1"), colors.control, 6), 20);
+  EXPECT_GT(driver_.CountColor(driver_.BoxOf("canvas/MainTree/1.2.1.1"), colors.OfKey("goal")),
+            100);
+  driver_.Picture("lit_key");
+  ASSERT_TRUE(driver_.Click("canvas/MainTree/1.2/port/goal"));
+  EXPECT_EQ(driver_.view().lit_key(), kNoKey);
+}
+
+TEST_F(CanvasTest, ShowsCommentsAsNotes) {
+  file_.Write(R"(<root BTCPP_format="4"><BehaviorTree ID="MainTree"><Sequence>
+    <!-- needs the long pick --><AlwaysSuccess/></Sequence></BehaviorTree></root>)");
+  OpenSmall();
+  const Box note = driver_.BoxOf("canvas/MainTree/1.1/note");
+  EXPECT_GT(driver_.CountColor(note, GetPalette(PaletteName::kDark).note), 500);
+  EXPECT_GT(driver_.BoxOf("canvas/MainTree/1.1").min.y, note.min.y + 10);
+}
+
 // A tree of 20 000 nodes whose frame is built from what can be seen alone.
 std::string LargeTree() {
   std::string xml = "<root BTCPP_format=\"4\"><BehaviorTree ID=\"Large\"><Sequence>";

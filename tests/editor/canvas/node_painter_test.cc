@@ -49,11 +49,15 @@ TEST(NodePainter, FlashesWhenAStatusHasJustCome) {
   EXPECT_NE(HashOf(driver.editor.Picture()), fresh);
 }
 
-TEST(NodePainter, ColoursTheTrailLikeTheLastStatus) {
-  const Palette& colors = GetPalette(PaletteName::kLight);
-  EXPECT_EQ(StatusColor(colors, {Status::kIdle, Status::kFailure, Time(0)}, 7), colors.failure);
-  EXPECT_EQ(StatusColor(colors, {Status::kRunning, Status::kIdle, Time(0)}, 7), colors.running);
-  EXPECT_EQ(StatusColor(colors, {}, 7), 7U);
+TEST(NodePainter, StrikesWhatIsDisabledAndMakesItPale) {
+  const TemporaryFile file("small.xml", R"(<root BTCPP_format="4"><BehaviorTree ID="T"><Sequence>
+    <AlwaysSuccess/><AlwaysSuccess _skipIf="true"/></Sequence></BehaviorTree></root>)");
+  Driver driver;
+  ASSERT_TRUE(driver.editor.Open(file.path()));
+  driver.Frames();
+  const Color action = GetPalette(PaletteName::kDark).action;
+  EXPECT_GT(driver.CountColor(driver.BoxOf("canvas/T/1.1"), action, 6), 200);
+  EXPECT_LT(driver.CountColor(driver.BoxOf("canvas/T/1.2"), action, 6), 20);
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 #include "editor/canvas/shapes.h"
 
 #include <gtest/gtest.h>
-#include <imgui_internal.h>
 
 #include <cmath>
 
@@ -28,17 +27,13 @@ TEST(Shapes, KeepOutlinesInsideTheirBox) {
 }
 
 TEST(Shapes, DrawHalfOfADashedOutline) {
-  ImDrawListSharedData shared;
-  ImDrawList list(&shared);
-  list._ResetForNewFrame();
-  DashOutline(list, RoundedBox({{0, 0}, {100, 100}}, 0), 0xFFFFFFFF, 2, 10);
-  float length = 0;  // of the long sides of the dashes
-  for (int i = 0; i + 3 < list.VtxBuffer.Size; i += 4) {
-    const ImVec2 a = list.VtxBuffer[i].pos;
-    const ImVec2 b = list.VtxBuffer[i + 1].pos;
-    length += std::hypot(b.x - a.x, b.y - a.y);
+  float length = 0;
+  for (const Outline& dash : DashesOf(RoundedBox({{0, 0}, {100, 100}}, 0), 10)) {
+    for (std::size_t i = 1; i < dash.size(); ++i) {
+      length += std::hypot(dash[i].x - dash[i - 1].x, dash[i].y - dash[i - 1].y);
+    }
   }
-  EXPECT_NEAR(length, 200, 25) << "perimeter 400, dashes as long as gaps";
+  EXPECT_NEAR(length, 200, 1) << "perimeter 400, dashes as long as gaps";
 }
 
 }  // namespace

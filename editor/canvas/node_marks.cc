@@ -1,0 +1,154 @@
+#include "editor/canvas/node_marks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "editor/canvas/node_metrics.h"
+#include "editor/canvas/node_painter.h"
+#include "editor/canvas/status_look.h"
+#include "editor/look/icons.h"
+
+namespace coppice::editor {
+namespace {
+
+const char* SignOf(Change change) {
+  switch (change) {
+    case Change::kAdded:
+      return "+";
+    case Change::kRemoved:
+      return "-";
+    case Change::kMoved:
+      return icon::kRightArrow;
+    case Change::kChanged:
+      return "~";
+    case Change::kNone:
+      break;
+  }
+  return "";
+}
+
+}  // namespace
+
+std::vector<std::string> NoteLines(std::string_view note) {
+  std::vector<std::string> lines;
+  std::size_t at = 0;
+  while (at < note.size() && lines.size() < metrics::kMostNoteLines) {
+    std::size_t end = std::min(note.size(), at + metrics::kNoteColumns);
+    if (end < note.size() && lines.size() + 1 < metrics::kMostNoteLines) {
+      const std::size_t blank = note.rfind(' ', end);
+      if (blank != std::string_view::npos && blank > at) end = blank;
+    }
+    while (end < note.size() && (static_cast<unsigned char>(note[end]) & 0xC0U) == 0x80U) ++end;
+    lines.emplace_back(note.substr(at, end - at));
+    at = end < note.size() && note[end] == ' ' ? end + 1 : end;
+  }
+  if (at < note.size()) lines.back() += icon::kEllipsis;
+  return lines;
+}
+
+void PaintNote(Pen& pen, const SceneNode& node, const NodeLook& look) {
+  if (node.note.empty()) return;
+  const Palette& colors = pen.ui.palette;
+  const float zoom = look.zoom;
+  const float height = NoteHeight(node) - metrics::kNoteGap;
+  const Box box = {look.box.min, {look.box.max.x, look.box.min.y + height * zoom}};
+  const float fold = std::min(9 * zoom, box.height() / 2);
+  // The upper right corner is folded down.
+  pen.Fill({{box.min.x, box.min.y},
+            {box.max.x - fold, box.min.y},
+            {box.max.x, box.min.y + fold},
+            {box.max.x, box.max.y},
+            {box.min.x, box.max.y}},
+           colors.note);
+  pen.Fill({{box.max.x - fold, box.min.y},
+            {box.max.x, box.min.y + fold},
+            {box.max.x - fold, box.min.y + fold}},
+           Mix(colors.note, 0xFF000000, 0.25F));
+  if (DetailFor(zoom) != Detail::kFull) return;
+  const TextStyle style{Face::kSans, metrics::kNoteSize * zoom / pen.ui.scale, colors.note_text};
+  Point at = box.min + Point{6 * zoom, 3 * zoom};
+  for (const std::string& line : NoteLines(node.note)) {
+    pen.RowText(at, metrics::kNoteLine * zoom, line, style, box.width() - 14 * zoom);
+    at.y += metrics::kNoteLine * zoom;
+  }
+}
+
+void PaintBadge(Pen& pen, const NodeLook& look, const Box& body) {
+  const Badge badge = std::max(look.badge, look.collapsed ? look.hidden_badge : Badge::kNone);
+  if (badge == Badge::kNone) return;
+  const Palette& colors = pen.ui.palette;
+  const Color color = badge == Badge::kError ? colors.error : colors.warning;
+  const float radius = std::clamp(8 * look.zoom, 4.0F, 16.0F);
+  const Point center = {body.max.x - radius * 0.3F, body.min.y - radius * 0.1F};
+  pen.Disc(center, radius + std::max(1.0F, look.zoom), colors.canvas);
+  pen.Disc(center, radius, color);
+  const TextStyle style{Face::kBold, radius * 1.5F / pen.ui.scale, colors.canvas};
+  const char* sign = badge == Badge::kError ? icon::kTimesSign : "!";
+  const Point at = {center.x - pen.Width(sign, style) / 2, center.y - radius};
+  pen.RowText(at, radius * 2, sign, style);
+}
+
+void PaintChip(Pen& pen, const NodeLook& look) {
+  const Palette& colors = pen.ui.palette;
+  const Box chip = ChipBox(look);
+  const bool live = look.hidden_status != Status::kIdle;
+  Color stripe = live ? colors.Of(look.hidden_status) : colors.node_border;
+  if (!live && look.hidden_badge == Badge::kWarning) stripe = colors.warning;
+  if (!live && look.hidden_badge == Badge::kError) stripe = colors.error;
+  const float rounding = 4 * look.zoom;
+  pen.FillBox(chip, Mix(colors.node_body, stripe, live ? 0.25F : 0.0F), rounding);
+  pen.FrameBox(chip, Mix(colors.border, stripe, 0.6F), rounding);
+  const std::string text = std::to_string(look.hidden) + (look.hidden == 1 ? " node" : " nodes");
+  const TextStyle style{Face::kSans, 10 * look.zoom / pen.ui.scale,
+                        live ? colors.text : colors.text_dim};
+  pen.RowText({chip.center().x - pen.Width(text, style) / 2, chip.min.y}, chip.height(), text,
+              style);
+}
+
+void PaintHeat(Pen& pen, const NodeLook& look, const Box& body) {
+  if (!look.has_heat) return;
+  const Palette& colors = pen.ui.palette;
+  if (look.heat < 0) {
+    pen.Hatch(body, Fade(colors.text_dim, 0.35F), std::max(4.0F, 9 * look.zoom));
+    return;
+  }
+  const float high = std::max(2.0F, 4 * look.zoom);
+  const Box all = {{body.min.x, body.max.y + 2}, {body.max.x, body.max.y + 2 + high}};
+  pen.FillBox(all, Fade(colors.node_border, 0.5F));
+  const float width = all.width() * std::clamp(look.heat, 0.0F, 1.0F);
+  pen.FillBox({all.min, {all.min.x + width, all.max.y}}, HeatColor(colors, look.heat));
+}
+
+Color ColorOf(const Palette& palette, Change change) {
+  switch (change) {
+    case Change::kAdded:
+      return palette.success;
+    case Change::kRemoved:
+      return palette.failure;
+    case Change::kMoved:
+      return palette.accent;
+    case Change::kChanged:
+      return palette.running;
+    case Change::kNone:
+      break;
+  }
+  return palette.node_border;
+}
+
+void PaintChange(Pen& pen, const NodeLook& look, const Box& body) {
+  if (look.change == Change::kNone) return;
+  const Palette& colors = pen.ui.palette;
+  const Color color = ColorOf(colors, look.change);
+  const float wide = std::max(4.0F, 14 * look.zoom);
+  const Box stripe = {{body.min.x - wide - 2 * look.zoom, body.min.y},
+                      {body.min.x - 2 * look.zoom, body.max.y}};
+  pen.FillBox(stripe, color, 3 * look.zoom);
+  const TextStyle style{Face::kBold, 12 * look.zoom / pen.ui.scale, colors.canvas};
+  const char* sign = SignOf(look.change);
+  pen.RowText({stripe.center().x - pen.Width(sign, style) / 2, stripe.min.y},
+              std::min(stripe.height(), metrics::kHeader * look.zoom), sign, style);
+}
+
+}  // namespace coppice::editor
