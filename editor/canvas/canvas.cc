@@ -3,18 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "editor/canvas/canvas_looks.h"
 #include "editor/canvas/canvas_mouse.h"
 #include "editor/canvas/data_links.h"
-#include "editor/canvas/edge_painter.h"
 #include "editor/canvas/node_painter.h"
-#include "editor/canvas/status_look.h"
+#include "editor/canvas/tree_painter.h"
 #include "editor/canvas/visible_nodes.h"
 
 namespace coppice::editor {
 namespace {
-
-constexpr float kEnclosure = 10;  // around a SubTree that is open, at zoom 1
 
 class CanvasPass {
  public:
@@ -27,7 +23,7 @@ class CanvasPass {
         pen_(ui, *ImGui::GetWindowDrawList()) {
     camera_ = view.camera;
     camera_.offset = camera_.offset + box.min;
-    detail_ = DetailFor(camera_.zoom);
+    detail_ = DetailFor(camera_.zoom, ui.scale);
     visible_ = FindVisible(view, camera_, box, ui.now);
   }
 
@@ -36,9 +32,8 @@ class CanvasPass {
     hovered_ = FindHovered();
     pen_.PushClip(box_);
     if (detail_ == Detail::kFull) DrawGrid();
-    if (detail_ != Detail::kBlock) DrawEnclosures();
-    for (const VisibleNode& item : visible_) DrawEdge(item);
-    for (const VisibleNode& item : visible_) DrawNode(item);
+    PaintTree(pen_, {view_, options_, camera_, box_, visible_, hovered_});
+    for (const VisibleNode& item : visible_) Register(item);
     if (detail_ == Detail::kBlock) DrawLabels();
     PaintDataLinks(pen_, view_, camera_);
     pen_.PopClip();
@@ -54,10 +49,6 @@ class CanvasPass {
     return scene_.nodes[view_.shown()[item.k]];
   }
 
-  Box ParentBox(std::uint32_t k) const {
-    return camera_.ToScreen(view_.BoxAt(view_.ShownParent(k), ui_.now));
-  }
-
   void DrawGrid() {
     const float step = 40 * camera_.zoom;
     const Color color = Fade(ui_.palette.text_dim, 0.10F);
@@ -71,71 +62,13 @@ class CanvasPass {
     }
   }
 
-  // What belongs to a SubTree lies on a ground of its own.
-  void DrawEnclosures() {
-    if (view_.IsMoving(ui_.now)) return;
-    const float margin = kEnclosure * camera_.zoom;
-    for (const VisibleNode& item : visible_) {
-      const bool leaf = view_.shown_ends()[item.k] == item.k + 1;
-      if (NodeOf(item).shape != Shape::kSubTree || leaf) continue;
-      const Box branch = camera_.ToScreen(view_.BranchBounds(item.k));
-      const Box box = {branch.min - Point{margin, margin}, branch.max + Point{margin, margin}};
-      pen_.FillBox(box, Fade(ui_.palette.text, 0.03F), margin);
-      pen_.FrameBox(box, Fade(ui_.palette.text_dim, 0.28F), margin);
-    }
-  }
-
-  void DrawEdge(const VisibleNode& item) {
-    if (item.k == 0 || item.whole_branch) return;
+  void Register(const VisibleNode& item) {
+    if (item.whole_branch || !item.box.Overlaps(box_)) return;
     const SceneNode& node = NodeOf(item);
-    EdgeLook look;
-    look.parent = ParentBox(item.k);
-    look.child = item.box;
-    look.child.min.y += NoteHeight(node) * camera_.zoom;
-    if (!Union(look.parent, look.child).Overlaps(box_)) return;
-    look.link = view_.LinkOf(item.k);
-    look.orientation = view_.orientation();
+    NodeLook look;
+    look.box = item.box;
     look.zoom = camera_.zoom;
-    look.state = StateOf(options_.live, node);
-    look.offline = options_.live && options_.live->connection != Connection::kLive;
-    look.number = node.number;
-    look.change = ChangeOf(options_, view_.shown()[item.k]);
-    if (view_.lit_key() != kNoKey) look.strength = kDimmed;
-    if (detail_ == Detail::kBlock) return DrawStraight(look);
-    PaintEdge(pen_, look);
-  }
-
-  void DrawStraight(const EdgeLook& look) {
-    const Color color = StatusColor(ui_.palette, look.state, ui_.palette.edge);
-    pen_.Line({ToIm(look.parent.center()), ToIm(look.child.center())},
-              Fade(color, 0.7F * look.strength), 1);
-  }
-
-  void DrawNode(const VisibleNode& item) {
-    if (!item.box.Overlaps(box_)) return;
-    const SceneNode& node = NodeOf(item);
-    if (item.whole_branch) return DrawBranch(item);
-    NodeLook look = LookOf(view_, options_, item.k, item.box, camera_.zoom);
-    look.hovered = hovered_ == &item;
-    PaintNode(pen_, scene_, node, look);
-    Register(item, look);
-  }
-
-  // A branch of a few pixels still shows what is wrong in it.
-  void DrawBranch(const VisibleNode& item) {
-    Color color = ui_.palette.Of(NodeOf(item).shape);
-    const std::uint32_t first = view_.shown()[item.k];
-    for (std::uint32_t i = first; i < scene_.nodes[first].end; ++i) {
-      if (BadgeOf(options_, i) == Badge::kError) color = ui_.palette.error;
-      if (StateOf(options_.live, scene_.nodes[i]).status == Status::kRunning) {
-        color = ui_.palette.running;
-      }
-    }
-    pen_.FillBox(item.box, color);
-  }
-
-  void Register(const VisibleNode& item, const NodeLook& look) {
-    const SceneNode& node = NodeOf(item);
+    look.collapsed = view_.IsCollapsed(view_.shown()[item.k]);
     const std::string path = "canvas/" + scene_.tree_id + "/" + node.path;
     ui_.items.Add(path, BodyBox(node, look));
     if (detail_ != Detail::kBlock && scene_.HasChildren(view_.shown()[item.k])) {
@@ -194,6 +127,7 @@ class CanvasPass {
 
 void DrawCanvas(const Ui& ui, TreeView& view, const Box& box, const CanvasOptions& options) {
   const Point size = {box.width(), box.height()};
+  view.screen_scale = ui.scale;
   if (view.needs_fit) view.FitAll(size);
   CanvasPass(ui, view, box, options).Run();
 }

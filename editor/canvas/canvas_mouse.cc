@@ -127,15 +127,17 @@ class Mouse {
     if (io_.KeyShift) return view_.SelectTo(node);
     const bool twice = io_.MouseClickedLastCount[0] == 2;
     const NodeLook look = LookOf(view_, options_, hovered_->k, hovered_->box, view_.camera.zoom);
+    if (!IsOnToggle(look) && ClickKey(look)) return;
     if (twice || IsOnToggle(look)) {
       view_.SetCollapsed(node, !look.collapsed, ui_.now);
-    } else if (!ClickKey(look)) {
+    } else {
       view_.Select(node);
     }
   }
 
   bool IsOnToggle(const NodeLook& look) const {
-    if (DetailFor(look.zoom) == Detail::kBlock || !scene_.HasChildren(HoveredIndex())) return false;
+    if (DetailFor(look.zoom, ui_.scale) == Detail::kBlock || !scene_.HasChildren(HoveredIndex()))
+      return false;
     const Point mouse = FromIm(io_.MousePos);
     if (look.collapsed && ChipBox(look).Contains(mouse)) return true;
     return HoveredNode().shape == Shape::kSubTree && ToggleBox(HoveredNode(), look).Contains(mouse);
@@ -143,7 +145,7 @@ class Mouse {
 
   // A click on the row of a key lights it; a second one puts it out.
   bool ClickKey(const NodeLook& look) {
-    if (DetailFor(look.zoom) != Detail::kFull) return false;
+    if (DetailFor(look.zoom, ui_.scale) != Detail::kFull) return false;
     const SceneNode& node = HoveredNode();
     for (std::uint32_t i = 0; i < node.port_count; ++i) {
       const std::uint32_t key = view_.keys().key_of_port[node.first_port + i];

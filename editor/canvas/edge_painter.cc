@@ -45,7 +45,7 @@ class EdgePainter {
     const bool running = look_.state.status == Status::kRunning;
     PaintLine(Colour(), Thickness());
     if (running && !look_.offline) PaintMotion(Mix(Colour(), 0xFFFFFFFF, 0.45F));
-    if (look_.number != 0 && DetailFor(look_.zoom) == Detail::kFull) PaintNumber();
+    if (look_.number != 0 && DetailFor(look_.zoom, pen_.ui.scale) == Detail::kFull) PaintNumber();
     pen_.opacity = before;
   }
 

@@ -21,8 +21,7 @@ class LinesPainter {
       pen_.RowText(at, Z(metrics::kLine), type,
                    Style(Face::kSans, metrics::kNameSize, Fade(colors().text_dim, 0.9F)));
     }
-    const float column =
-        Z(NameColumn(pen_.ui, scene_, node_) / pen_.ui.scale + metrics::kColumnGap);
+    const float column = Z(NameColumn(pen_.ui, scene_, node_) + metrics::kColumnGap);
     for (std::uint32_t i = 0; i < node_.port_count; ++i) {
       const Box row = PortBox(node_, look_, i);
       PaintPort(scene_.ports[node_.first_port + i], row.min, column);

@@ -66,7 +66,7 @@ void PaintNote(Pen& pen, const SceneNode& node, const NodeLook& look) {
             {box.max.x, box.min.y + fold},
             {box.max.x - fold, box.min.y + fold}},
            Mix(colors.note, 0xFF000000, 0.25F));
-  if (DetailFor(zoom) != Detail::kFull) return;
+  if (DetailFor(zoom, pen.ui.scale) != Detail::kFull) return;
   const TextStyle style{Face::kSans, metrics::kNoteSize * zoom / pen.ui.scale, colors.note_text};
   Point at = box.min + Point{6 * zoom, 3 * zoom};
   for (const std::string& line : NoteLines(node.note)) {

@@ -35,18 +35,23 @@ std::string_view DecoratorGlyph(std::string_view id) {
   return icon::kShield;
 }
 
+// Width at zoom 1.
+float WidthOf(const Ui& ui, std::string_view text, const TextStyle& style) {
+  return ui.Width(text, style) / ui.scale;
+}
+
 float PortWidth(const Ui& ui, const PortLine& port, float column) {
-  const float value = ui.Width(ShownValue(port.value), {Face::kMono, metrics::kValueSize, 0});
+  const float value = WidthOf(ui, ShownValue(port.value), {Face::kMono, metrics::kValueSize, 0});
   return column + metrics::kColumnGap + value + (port.is_key ? 2 * kChipPadding : 0);
 }
 
 Point Measure(const Ui& ui, const Scene& scene, const SceneNode& node) {
   float title = metrics::kIcon + metrics::kStatus + 2 * metrics::kPad +
-                ui.Width(node.name, {Face::kBold, metrics::kTitleSize, 0});
+                WidthOf(ui, node.name, {Face::kBold, metrics::kTitleSize, 0});
   const bool leaf = node.shape == Shape::kAction || node.shape == Shape::kCondition ||
                     node.shape == Shape::kSubTree || node.shape == Shape::kUnknown;
   if (leaf && node.uid >= 0) title += metrics::kElapsed;
-  float body = ui.Width(TypeLineOf(node), {Face::kSans, metrics::kNameSize, 0});
+  float body = WidthOf(ui, TypeLineOf(node), {Face::kSans, metrics::kNameSize, 0});
   const float column = NameColumn(ui, scene, node);
   for (std::uint32_t i = 0; i < node.port_count; ++i) {
     body = std::max(body, PortWidth(ui, scene.ports[node.first_port + i], column));
@@ -101,7 +106,7 @@ float NameColumn(const Ui& ui, const Scene& scene, const SceneNode& node) {
   float width = 0;
   for (std::uint32_t i = 0; i < node.port_count; ++i) {
     const PortLine& port = scene.ports[node.first_port + i];
-    width = std::max(width, ui.Width(port.name, {Face::kSans, metrics::kNameSize, 0}));
+    width = std::max(width, WidthOf(ui, port.name, {Face::kSans, metrics::kNameSize, 0}));
   }
   return width;
 }

@@ -48,7 +48,7 @@ std::string_view TypeLineOf(const SceneNode& node);
 /// A port's value as it is shown: one line, not too long.
 std::string ShownValue(std::string_view value);
 
-/// Width of the column of port names of a node.
+/// Width of the column of port names of a node at zoom 1.
 float NameColumn(const Ui& ui, const Scene& scene, const SceneNode& node);
 
 /// Height of the note above the node with the gap below it; 0 without a note.
@@ -57,7 +57,8 @@ float NoteHeight(const SceneNode& node);
 /// Rows below the title: the type and the ports.
 std::uint32_t BodyLines(const SceneNode& node);
 
-/// Sizes of all nodes of a scene at zoom 1, without the row for collapsed children.
+/// Sizes of all nodes of a scene at zoom 1, without the row for collapsed children. They are the
+/// same on every screen but for the rounding of its fonts.
 std::vector<Point> MeasureNodes(const Ui& ui, const Scene& scene);
 
 }  // namespace coppice::editor

@@ -35,11 +35,11 @@ class NodePainter {
 
  private:
   void PaintAll() {
-    if (DetailFor(look_.zoom) == Detail::kBlock) return PaintBlock();
+    if (DetailFor(look_.zoom, ui_.scale) == Detail::kBlock) return PaintBlock();
     PaintBody();
     PaintBorder();
     PaintNote(pen_, node_, look_);
-    if (DetailFor(look_.zoom) == Detail::kName) {
+    if (DetailFor(look_.zoom, ui_.scale) == Detail::kName) {
       PaintName();
     } else {
       PaintTitle();
@@ -257,9 +257,9 @@ class NodePainter {
 
 }  // namespace
 
-Detail DetailFor(float zoom) {
-  if (zoom > 0.6F) return Detail::kFull;
-  return zoom >= 0.3F ? Detail::kName : Detail::kBlock;
+Detail DetailFor(float zoom, float screen_scale) {
+  if (zoom > 0.6F * screen_scale) return Detail::kFull;
+  return zoom >= 0.3F * screen_scale ? Detail::kName : Detail::kBlock;
 }
 
 void PaintNode(Pen& pen, const Scene& scene, const SceneNode& node, const NodeLook& look) {

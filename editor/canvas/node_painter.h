@@ -13,7 +13,7 @@ namespace coppice::editor {
 enum class Detail : std::uint8_t { kFull, kName, kBlock };
 
 /// Above 60 % everything, below 30 % blocks.
-Detail DetailFor(float zoom);
+Detail DetailFor(float zoom, float screen_scale = 1);
 
 void PaintNode(Pen& pen, const Scene& scene, const SceneNode& node, const NodeLook& look);
 

@@ -199,7 +199,7 @@ bool TreeView::IsMoving(double now) const { return now < moved_at_ + kMoveSecond
 
 void TreeView::FitAll(Point canvas) {
   if (shown_.empty() || canvas.x < 1 || canvas.y < 1) return;
-  Fit(layout_.bounds, canvas, 1);
+  Fit(layout_.bounds, canvas, screen_scale);
   needs_fit = false;
 }
 
@@ -207,7 +207,7 @@ void TreeView::FitSelection(Point canvas) {
   if (selection_.empty()) return;
   Box box = branches_[ShownOf(selection_.front())];
   for (const std::uint32_t node : selection_) box = Union(box, branches_[ShownOf(node)]);
-  Fit(box, canvas, 1.4F);
+  Fit(box, canvas, 1.4F * screen_scale);
 }
 
 void TreeView::Fit(const Box& box, Point canvas, float largest_zoom) {
@@ -219,7 +219,7 @@ void TreeView::Fit(const Box& box, Point canvas, float largest_zoom) {
 
 void TreeView::ZoomAt(Point screen, float factor) {
   const Point world = camera.ToWorld(screen);
-  camera.zoom = std::clamp(camera.zoom * factor, kLeastZoom, kLargestZoom);
+  camera.zoom = std::clamp(camera.zoom * factor, kLeastZoom, kLargestZoom * screen_scale);
   camera.offset = screen - world * camera.zoom;
 }
 

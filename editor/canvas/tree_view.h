@@ -41,6 +41,8 @@ class TreeView {
 
   /// Without it, nodes jump to their places.
   bool animated = true;
+  /// Of the screen; a tree is never fitted larger than that.
+  float screen_scale = 1;
 
   bool IsCollapsed(std::uint32_t node) const { return collapsed_[node]; }
   /// Nodes without children are never collapsed. The node stays where it is on the screen.

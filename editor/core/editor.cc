@@ -14,6 +14,7 @@
 #include "editor/core/project_commands.h"
 #include "editor/core/standard_commands.h"
 #include "editor/live/live_client.h"
+#include "editor/look/imgui_context.h"
 #include "editor/look/imgui_style.h"
 #include "editor/panels/panels.h"
 #include "editor/panels/tiles.h"
@@ -27,20 +28,6 @@ constexpr int kFramesToSettle = 2;       // Dear ImGui shows some reactions a fr
 constexpr double kLiveFrame = 1.0 / 20;  // while something runs on the robot
 constexpr double kBackupSeconds = 5;     // between two backups of unsaved work
 constexpr double kWaitingFrame = 1.0;    // to count down to the next try
-
-// Makes the editor's ImGui context current for a while.
-class WithContext {
- public:
-  explicit WithContext(ImGuiContext* context) : before_(ImGui::GetCurrentContext()) {
-    ImGui::SetCurrentContext(context);
-  }
-  ~WithContext() { ImGui::SetCurrentContext(before_); }
-  WithContext(const WithContext&) = delete;
-  WithContext& operator=(const WithContext&) = delete;
-
- private:
-  ImGuiContext* before_;
-};
 
 std::string CheckEndpoint(const std::string& endpoint) {
   const std::size_t colon = endpoint.rfind(':');
@@ -66,7 +53,8 @@ Editor::Editor(const Clock& clock, EditorOptions options)
       context_(ImGui::CreateContext()),
       drawing_(std::make_unique<Drawing>()),
       state_([this](const Scene& scene) {
-        const Ui ui{GetPalette(state_.palette), drawing_->fonts, items_, 1, 0, Time(0)};
+        const Ui ui{
+            GetPalette(state_.palette), drawing_->fonts, items_, options_.scale, 0, Time(0)};
         return MeasureNodes(ui, scene);
       }),
       backup_(options_.backup_folder) {

@@ -90,7 +90,7 @@ class Commands {
     AddForView("view.fit_selection", "Fit selection", {kKeyPeriod},
                [&s = state_](TreeView& view) { view.FitSelection(s.canvas_size); });
     AddForView("view.zoom_100", "Zoom to 100 %", {'Z'}, [&s = state_](TreeView& view) {
-      view.ZoomAt(s.canvas_size * 0.5F, 1 / view.camera.zoom);
+      view.ZoomAt(s.canvas_size * 0.5F, view.screen_scale / view.camera.zoom);
     });
     AddOrientation("view.top_to_bottom", "Top to bottom", Orientation::kTopToBottom);
     AddOrientation("view.left_to_right", "Left to right", Orientation::kLeftToRight);

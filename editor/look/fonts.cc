@@ -6,8 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <iterator>
+
+#include "editor/look/font_files.h"
 
 namespace coppice::editor {
 namespace {
@@ -22,25 +23,6 @@ constexpr ImWchar kIconRanges[] = {
     0xF04E, 0xF059, 0xF059, 0xF06A, 0xF06A, 0xF071, 0xF071, 0xF07B, 0xF07C, 0xF085, 0xF085,
     0xF0E7, 0xF0E8, 0xF0FE, 0xF0FE, 0xF10C, 0xF10C, 0xF111, 0xF111, 0xF121, 0xF121, 0xF132,
     0xF132, 0xF146, 0xF146, 0xF1C9, 0xF1C9, 0xF1E6, 0xF1E6, 0xF252, 0xF252, 0};
-
-// Debian and Ubuntu, Fedora, Arch.
-constexpr const char* kTextFolders[] = {"/usr/share/fonts/truetype/dejavu/",
-                                        "/usr/share/fonts/dejavu-sans-fonts/",
-                                        "/usr/share/fonts/TTF/"};
-constexpr const char* kIconFolders[] = {"/usr/share/fonts/truetype/font-awesome/",
-                                        "/usr/share/fonts-font-awesome/fonts/",
-                                        "/usr/share/fonts/TTF/"};
-
-template <std::size_t kCount>
-std::string FindFile(const char* const (&folders)[kCount], const char* name) {
-  for (const char* folder : folders) {
-    std::error_code error;
-    if (std::filesystem::exists(std::string(folder) + name, error)) {
-      return std::string(folder) + name;
-    }
-  }
-  return {};
-}
 
 void Bake(const std::string& text_file, const std::string& icon_file, float scale,
           std::vector<ImFont*>& fonts) {
@@ -69,7 +51,7 @@ std::string Fonts::Load(float scale) {
 #endif
   atlas.Flags |= ImFontAtlasFlags_NoPowerOfTwoHeight;
   atlas.TexDesiredWidth = 2048;
-  const std::string icons = FindFile(kIconFolders, "fontawesome-webfont.ttf");
+  const std::string icons = IconFontFile();
   if (icons.empty()) {
     return "the font fontawesome-webfont.ttf is missing; on Debian: apt-get install "
            "fonts-font-awesome";
@@ -82,7 +64,7 @@ std::string Fonts::Load(float scale) {
                 {"DejaVuSans-Bold.ttf", bold_, true},
                 {"DejaVuSansMono.ttf", mono_, false}};
   for (const auto& face : kFaces) {
-    const std::string file = FindFile(kTextFolders, face.file);
+    const std::string file = TextFontFile(face.file);
     if (file.empty()) {
       return std::string("the font ") + face.file +
              " is missing; on Debian: apt-get install fonts-dejavu-core";

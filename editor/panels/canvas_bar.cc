@@ -38,7 +38,8 @@ void DrawCanvasBar(const Ui& ui, EditorState& state, const Box& box) {
     return ui.Button(path, at, text, active);
   };
   TreeView* view = state.workspace.view();
-  const int percent = view ? static_cast<int>(std::lround(view->camera.zoom * 100)) : 100;
+  const int percent =
+      view ? static_cast<int>(std::lround(view->camera.zoom * 100 / view->screen_scale)) : 100;
   const bool sideways = state.workspace.orientation() == Orientation::kLeftToRight;
   if (button("canvasbar/zoom", std::to_string(percent) + " %", false)) {
     state.commands.Run("view.zoom_100");

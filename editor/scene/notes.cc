@@ -12,6 +12,12 @@ constexpr std::string_view kBlanksOfALine = " \t";
 
 bool IsBlank(char c) { return kBlanks.find(c) != std::string_view::npos; }
 
+// True if nothing but blanks comes before the end of the line.
+bool EndsLine(std::string_view text, std::size_t offset) {
+  const std::size_t next = text.find_first_not_of(kBlanksOfALine, offset);
+  return next == std::string_view::npos || text[next] == '\n' || text[next] == '\r';
+}
+
 // Adds the words of a comment.
 void AddWords(std::string_view comment, std::string& note) {
   for (std::size_t i = 0; i < comment.size(); ++i) {
@@ -36,6 +42,7 @@ void AddBefore(std::string_view text, std::size_t offset, std::string& note) {
     if (begin == std::string_view::npos || begin == 0) break;
     const std::size_t left = text.find_last_not_of(kBlanksOfALine, begin - 1);
     const bool follows = left != std::string_view::npos && text[left] == '>' &&
+                         EndsLine(text, end + 1) &&
                          (left < 2 || text.substr(left - 2, 3) != kClose);
     if (follows) break;
     std::string words;
@@ -54,6 +61,7 @@ void AddBehind(std::string_view text, std::size_t offset, std::string_view blank
     if (begin == std::string_view::npos || text.substr(begin, kOpen.size()) != kOpen) return;
     const std::size_t end = text.find(kClose, begin + kOpen.size());
     if (end == std::string_view::npos) return;
+    if (blanks == kBlanksOfALine && !EndsLine(text, end + kClose.size())) return;
     AddWords(text.substr(begin + kOpen.size(), end - begin - kOpen.size()), note);
     offset = end + kClose.size();
   }

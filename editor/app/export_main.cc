@@ -1,0 +1,6 @@
+// coppice-export, which is `coppice export`.
+#include "editor/export/export_verb.h"
+
+int main(int argc, char** argv) {
+  return coppice::editor::RunExport(std::vector<std::string>(argv + 1, argv + argc));
+}

@@ -1,0 +1,103 @@
+#include "editor/canvas/tree_painter.h"
+
+#include "editor/canvas/canvas_looks.h"
+#include "editor/canvas/edge_painter.h"
+#include "editor/canvas/node_painter.h"
+#include "editor/canvas/status_look.h"
+
+namespace coppice::editor {
+namespace {
+
+class TreePainter {
+ public:
+  TreePainter(Pen& pen, const PaintArea& area)
+      : pen_(pen),
+        colors_(pen.ui.palette),
+        area_(area),
+        view_(area.view),
+        scene_(*area.view.scene()),
+        detail_(DetailFor(area.camera.zoom, pen.ui.scale)) {}
+
+  void Paint() {
+    if (detail_ != Detail::kBlock) PaintGround();
+    for (const VisibleNode& item : area_.visible) PaintLine(item);
+    for (const VisibleNode& item : area_.visible) PaintItem(item);
+  }
+
+ private:
+  const SceneNode& NodeOf(const VisibleNode& item) const {
+    return scene_.nodes[view_.shown()[item.k]];
+  }
+
+  // What belongs to a SubTree lies on a ground of its own: around each node half the way to its
+  // neighbours. SubTrees side by side differ in shade.
+  void PaintGround() {
+    const bool down = view_.orientation() == Orientation::kTopToBottom;
+    const Point reach = (down ? Point{8, 21} : Point{30, 6}) * area_.camera.zoom;
+    for (const VisibleNode& item : area_.visible) {
+      const std::uint32_t scope = NodeOf(item).scope;
+      if (scope == 0 || !item.box.Overlaps(area_.box)) continue;
+      const Color color = Mix(colors_.canvas, colors_.text, scope % 2 == 1 ? 0.05F : 0.085F);
+      pen_.FillBox({item.box.min - reach, item.box.max + reach}, color, 8 * area_.camera.zoom);
+    }
+  }
+
+  void PaintLine(const VisibleNode& item) {
+    if (item.k == 0 || item.whole_branch) return;
+    const SceneNode& node = NodeOf(item);
+    EdgeLook look;
+    look.parent = area_.camera.ToScreen(view_.BoxAt(view_.ShownParent(item.k), pen_.ui.now));
+    look.child = item.box;
+    look.child.min.y += NoteHeight(node) * area_.camera.zoom;
+    if (!Union(look.parent, look.child).Overlaps(area_.box)) return;
+    look.link = view_.LinkOf(item.k);
+    look.orientation = view_.orientation();
+    look.zoom = area_.camera.zoom;
+    look.state = StateOf(area_.options.live, node);
+    look.offline = area_.options.live && area_.options.live->connection != Connection::kLive;
+    look.number = node.number;
+    look.change = ChangeOf(area_.options, view_.shown()[item.k]);
+    if (view_.lit_key() != kNoKey) look.strength = kDimmed;
+    if (detail_ == Detail::kBlock) return PaintStraight(look);
+    PaintEdge(pen_, look);
+  }
+
+  void PaintStraight(const EdgeLook& look) {
+    const Color color = StatusColor(colors_, look.state, colors_.edge);
+    pen_.Line({ToIm(look.parent.center()), ToIm(look.child.center())},
+              Fade(color, 0.7F * look.strength), 1);
+  }
+
+  void PaintItem(const VisibleNode& item) {
+    if (!item.box.Overlaps(area_.box)) return;
+    if (item.whole_branch) return PaintBranch(item);
+    NodeLook look = LookOf(view_, area_.options, item.k, item.box, area_.camera.zoom);
+    look.hovered = area_.hovered == &item;
+    PaintNode(pen_, scene_, NodeOf(item), look);
+  }
+
+  // A branch of a few pixels still shows what runs and what is wrong in it.
+  void PaintBranch(const VisibleNode& item) {
+    Color color = colors_.Of(NodeOf(item).shape);
+    const std::uint32_t first = view_.shown()[item.k];
+    for (std::uint32_t i = first; i < scene_.nodes[first].end; ++i) {
+      if (BadgeOf(area_.options, i) == Badge::kError) color = colors_.error;
+      const Status status = StateOf(area_.options.live, scene_.nodes[i]).status;
+      if (status == Status::kRunning) color = colors_.running;
+    }
+    pen_.FillBox(item.box, color);
+  }
+
+  Pen& pen_;
+  const Palette& colors_;
+  const PaintArea& area_;
+  const TreeView& view_;
+  const Scene& scene_;
+  const Detail detail_;
+};
+
+}  // namespace
+
+void PaintTree(Pen& pen, const PaintArea& area) { TreePainter(pen, area).Paint(); }
+
+}  // namespace coppice::editor

@@ -1,0 +1,81 @@
+#include "editor/scene/tree_diff.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/editor/canvas/make_scene.h"
+
+namespace coppice::editor {
+namespace {
+
+std::string Diff(const std::string& before, const std::string& after) {
+  const auto a = MakeScene(before);
+  const auto b = MakeScene(after);
+  std::string text;
+  for (const NodeDiff& diff : DiffTrees(*a, *b)) text += ToString(diff, *a, *b) + "\n";
+  return text;
+}
+
+// "1 A, 1.1 B +": paths and names of the merged tree, with the sign of what became of them.
+std::string Merged(const std::string& before, const std::string& after) {
+  const auto a = MakeScene(before);
+  const auto b = MakeScene(after);
+  const MergedTree merged = MergeTrees(*a, *b);
+  std::string text;
+  for (std::size_t i = 0; i < merged.kinds.size(); ++i) {
+    const SceneNode& node = merged.scene.nodes[i];
+    text += node.path + " " + std::string(node.name);
+    if (merged.kinds[i]) text += std::string(" ") + "+->~"[merged.kinds[i] - 1];
+    text += i + 1 < merged.kinds.size() ? ", " : "";
+  }
+  return text;
+}
+
+TEST(TreeDiff, SaysNothingAboutTheSameTree) {
+  EXPECT_EQ(Diff("<A><B x='1'/><C/></A>", "<A>\n  <B x='1'/> <C/></A>"), "");
+}
+
+TEST(TreeDiff, NamesWhatCameAndWhatWent) {
+  EXPECT_EQ(Diff("<A><B/><C/></A>", "<A><B/><D/><C/></A>"), "+ 1.2 D\n");
+  EXPECT_EQ(Diff("<A><B/><C/></A>", "<A><C/></A>"), "- 1.1 B\n");
+}
+
+TEST(TreeDiff, NamesTheAttributesThatChanged) {
+  EXPECT_EQ(Diff("<A><R n='3' m='1'/></A>", "<A><R n='5' k='2'/></A>"),
+            "~ 1.1 R: n \"3\" -> \"5\", m \"1\" -> \"\", k \"\" -> \"2\"\n");
+  EXPECT_EQ(Diff("<A><R name='x'/></A>", "<A><R name='y'/></A>"), "~ 1.1 y: name \"x\" -> \"y\"\n");
+}
+
+TEST(TreeDiff, NamesATypeThatChangedAroundTheSameChildren) {
+  EXPECT_EQ(Diff("<A><S><X/><Y/></S></A>", "<A><F><X/><Y/></F></A>"),
+            "~ 1.1 F: type \"S\" -> \"F\"\n");
+}
+
+TEST(TreeDiff, NamesTheOneThatMovedAmongItsSiblings) {
+  EXPECT_EQ(Diff("<A><B/><C/><D/></A>", "<A><D/><B/><C/></A>"), "> 1.1 D (was 1.3)\n");
+}
+
+TEST(TreeDiff, NamesABranchThatMovedToAnotherParentOnce) {
+  EXPECT_EQ(Diff("<A><S><X y='1'/></S><F/></A>", "<A><S/><F><X y='1'/></F></A>"),
+            "> 1.2.1 X (was 1.1.1)\n");
+}
+
+TEST(TreeDiff, DoesNotCallWrappingAndUnwrappingAMove) {
+  EXPECT_EQ(Diff("<A><B/><C/></A>", "<A><W><B/></W><C/></A>"), "+ 1.1 W\n");
+  EXPECT_EQ(Diff("<A><W><B/></W><C/></A>", "<A><B/><C/></A>"), "- 1.1 W\n");
+  EXPECT_EQ(Diff("<A><B/></A>", "<W><A><B/></A></W>"), "+ 1 W\n");
+}
+
+TEST(TreeDiff, NamesMoveAndChangeOfOneNode) {
+  EXPECT_EQ(Diff("<A><B x='1'/><C/><D/></A>", "<A><C/><D/><B x='2'/></A>"),
+            "> 1.3 B (was 1.1)\n~ 1.3 B: x \"1\" -> \"2\"\n");
+}
+
+TEST(TreeDiff, MergesRemovedNodesWhereTheyWere) {
+  EXPECT_EQ(Merged("<A><B/><C/><D/></A>", "<A><B/><D/><E/></A>"),
+            "1 A, 1.1 B, 1.2 C -, 1.3 D, 1.4 E +");
+  EXPECT_EQ(Merged("<A><B><X/><Y/></B></A>", "<A><C/></A>"),
+            "1 A, 1.1 B -, 1.1.1 X -, 1.1.2 Y -, 1.2 C +");
+}
+
+}  // namespace
+}  // namespace coppice::editor
