@@ -1,5 +1,6 @@
 #include "bt_core/history/tick_coding.h"
 
+#include <algorithm>
 #include <chrono>
 
 #include "bt_core/data/value_bytes.h"
@@ -174,8 +175,10 @@ void TickEncoder::Encode(const TickEvents& events, Bytes& out) {
       static_cast<unsigned>(number_step < kOtherStep ? number_step : kOtherStep) << kStepShift));
   if (number_step >= kOtherStep) encoder.Signed(static_cast<std::int64_t>(number_step));
   encoder.Signed(Difference(step, place_.step).count());
-  const auto duration = std::chrono::round<std::chrono::microseconds>(events.duration);
-  encoder.Unsigned(static_cast<std::uint64_t>(duration.count()));
+  // A clock that is set back while the tree ticks makes no ticks of less than no time.
+  const Duration duration = std::max(events.duration, Duration(0));
+  encoder.Unsigned(
+      static_cast<std::uint64_t>(std::chrono::round<std::chrono::microseconds>(duration).count()));
   encoder.Unsigned(events_.size());
   out.insert(out.end(), events_.begin(), events_.end());
   place_ = {events.tick, events.start, step};

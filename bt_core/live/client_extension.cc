@@ -12,7 +12,6 @@ namespace {
 
 constexpr Duration kPingPeriod = std::chrono::milliseconds(1000);
 constexpr Duration kPatience = std::chrono::milliseconds(3000);
-constexpr std::size_t kHeaderSize = 6;
 constexpr std::size_t kLongHeaderSize = 22;
 constexpr char kVersion = 2;
 
@@ -122,6 +121,7 @@ void ClientExtension::OnHello(const std::string& json) {
 
 // A tree that is not there yet is waited for.
 void ClientExtension::Subscribe() {
+  if (is_subscribing_) return;
   if (!ChooseTree()) {
     connection_.problem = options_.tree.empty()
                               ? "the robot has no tree yet"
@@ -134,6 +134,7 @@ void ClientExtension::Subscribe() {
   request.run = history_.run();
   request.from = history_.next();
   request.with_past = options_.with_past;
+  is_subscribing_ = true;
   Ask(WriteSubscribe(request), [this](const std::string& json) { OnSubscribed(json); });
 }
 
@@ -160,6 +161,13 @@ void ClientExtension::OnSubscribed(const std::string& json) {
   connection_.run = reply.run;
   connection_.is_live = true;
   connection_.problem.clear();
+  TellLive();
+}
+
+// A tree that the robot has taken away since has no name.
+void ClientExtension::TellLive() {
+  std::vector<std::string>& trees = connection_.trees;
+  trees.resize(std::max(trees.size(), connection_.tree + 1));
   listener_.OnConnection(connection_);
 }
 
@@ -176,16 +184,19 @@ void ClientExtension::OnFrames(const Parts& parts) {
 }
 
 void ClientExtension::OnNotice(const Parts& parts) {
-  const NoticeMessage message = ReadNotice(parts[1]);
+  NoticeMessage message = ReadNotice(parts[1]);
   if (message.event == "released") return Fail("the robot has given this client up");
   if (message.event == "trees") return OnTrees(message.trees);
-  if (message.tree == connection_.tree) listener_.OnNotice(message.notice);
+  if (message.tree != connection_.tree) return;
+  NodeIndex& node = message.notice.event.stop.node;
+  if (node >= history_.nodes()) node = kNoNode;
+  listener_.OnNotice(message.notice);
 }
 
 void ClientExtension::OnTrees(const std::vector<std::string>& trees) {
   connection_.trees = trees;
   if (!is_subscribed_) return Subscribe();
-  listener_.OnConnection(connection_);
+  TellLive();
 }
 
 }  // namespace coppice

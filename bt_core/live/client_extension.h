@@ -32,6 +32,7 @@ class ClientExtension final : public ClientSession {
   void OnHello(const std::string& json);
   void Subscribe();
   void OnSubscribed(const std::string& json);
+  void TellLive();
   void OnReply(const Parts& parts);
   void OnFrames(const Parts& parts);
   void OnNotice(const Parts& parts);
@@ -46,6 +47,7 @@ class ClientExtension final : public ClientSession {
   std::uint32_t number_ = 0;
   std::map<std::uint32_t, ReplyHandler> pending_;  // by the number of the request
   std::uint32_t subscription_ = 0;
+  bool is_subscribing_ = false;
   bool is_subscribed_ = false;
   Duration heard_{0};
   Duration next_ping_{0};

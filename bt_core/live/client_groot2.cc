@@ -150,13 +150,13 @@ void ClientGroot2::OnMessage(const Parts& parts, Duration now) {
   }
   heard_ = true;
   is_waiting_ = false;
-  const Request request = std::move(requests_.front());
-  requests_.pop_front();
   if (!is_error) std::copy_n(parts[0].begin() + kRequestHeader, id_.size(), id_.begin());
   if (is_live_ && id_ != history_.id()) {
     Abandon("the robot runs another tree");
     return AskForTree();
   }
+  const Request request = std::move(requests_.front());
+  requests_.pop_front();
   Answer answer;
   if (parts.size() > 1) (is_error ? answer.error : answer.payload) = parts[1];
   request.on_answer(answer);
@@ -175,7 +175,7 @@ void ClientGroot2::OnNotification(const std::string& text) {
   std::uint16_t uid = 0;
   std::from_chars(text.data(), text.data() + text.size(), uid);
   const NodeIndex node = history_.tree().Find(uid);
-  if (node == kNoNode) return;
+  if (!is_live_ || node == kNoNode) return;
   LiveNotice notice;
   notice.path = history_.tree().description.nodes[node].path;
   notice.event.stop = {DebugStop::Where::kBefore, node};

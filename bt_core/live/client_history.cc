@@ -46,7 +46,10 @@ std::string ClientHistory::Add(std::uint64_t first, std::uint64_t next, std::str
   return "";
 }
 
-void ClientHistory::OnTree(const TreeDescription& tree) { listener_.OnTree(tree); }
+void ClientHistory::OnTree(const TreeDescription& tree) {
+  nodes_ = tree.nodes.size();
+  listener_.OnTree(tree);
+}
 
 void ClientHistory::OnState(const HistoryState& state) {
   if (has_hole_) TellHole(state);

@@ -3,6 +3,7 @@
 #ifndef COPPICE_BT_CORE_LIVE_CLIENT_HISTORY_H_
 #define COPPICE_BT_CORE_LIVE_CLIENT_HISTORY_H_
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -22,6 +23,9 @@ class ClientHistory : private HistoryHandler {
   std::optional<std::uint64_t> next() const {
     return has_frames_ ? std::optional(next_) : std::nullopt;
   }
+
+  /// Of the present tree; 0 if there is none yet.
+  std::size_t nodes() const { return nodes_; }
 
   /// What follows is of this run; `first` is the frame that follows. True if it goes on where it
   /// was.
@@ -43,6 +47,7 @@ class ClientHistory : private HistoryHandler {
   LiveListener& listener_;
   HistoryDecoder decoder_;
   RunId run_{};
+  std::size_t nodes_ = 0;
   bool has_frames_ = false;
   std::uint64_t next_ = 0;
   std::uint64_t tick_ = 0;  // the last one that came

@@ -4,6 +4,8 @@
 #include <chrono>
 #include <nlohmann/json.hpp>
 
+#include "bt_core/live/limited_json.h"
+
 namespace coppice {
 namespace {
 
@@ -17,8 +19,12 @@ std::string Print(const Json& json) {
 
 // An empty object if it is none: then all members are missing.
 Json Parse(std::string_view text) {
-  Json json = Json::parse(text, nullptr, false);
-  return json.is_object() ? json : Json::object();
+  try {
+    Json json = ParseLimitedJson(text);
+    if (json.is_object()) return json;
+  } catch (const std::exception&) {  // it is no JSON
+  }
+  return Json::object();
 }
 
 std::string TextOf(const Json& json, const char* member) {

@@ -134,6 +134,7 @@ bool ClientSocket::ReadMonitor() {
 
 void ClientSocket::Listen(const std::string& address) {
   published_.set(zmq::sockopt::linger, 0);
+  published_.set(zmq::sockopt::maxmsgsize, static_cast<std::int64_t>(kLargestMessage));
   published_.set(zmq::sockopt::ipv6, true);
   published_.set(zmq::sockopt::subscribe, "");
   published_.connect(address);

@@ -1,11 +1,13 @@
 #include "bt_core/live/groot2_history.h"
 
+#include <algorithm>
 #include <charconv>
 #include <chrono>
 #include <nlohmann/json.hpp>
 
 #include "bt_core/data/value.h"
 #include "bt_core/data/value_bytes.h"
+#include "bt_core/live/limited_json.h"
 
 namespace coppice {
 namespace {
@@ -150,7 +152,8 @@ void Groot2History::TellState(HistoryState::Cause cause, Time now) {
 }
 
 void Groot2History::TellTick(Time start, Duration duration) {
-  listener_.OnTick({++tick_, start, duration, follower_->status(0), true, words_.words()});
+  const Duration whole = std::max(duration, Duration(0));  // the robot's clock may be set back
+  listener_.OnTick({++tick_, start, whole, follower_->status(0), true, words_.words()});
   words_.Clear();
 }
 
@@ -190,7 +193,7 @@ void Groot2History::Correct(const std::vector<Status>& statuses, Time now) {
 }
 
 std::string Groot2History::AddBoards(std::string_view message_pack, Time now) {
-  const nlohmann::json all = nlohmann::json::from_msgpack(message_pack, true, false);
+  const nlohmann::json all = ReadLimitedMessagePack(message_pack);
   if (all.is_discarded()) return "the robot sent a blackboard that cannot be read";
   if (!all.is_object()) return "";  // there are no values
   std::vector<std::pair<std::string, std::string>> keys;

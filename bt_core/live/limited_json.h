@@ -1,4 +1,4 @@
-// JSON from strangers: the same as nlohmann::json::parse, but nothing that is nested so deep that
+// JSON from strangers: the same as nlohmann::json reads, but nothing that is nested so deep that
 // handling it would need more stack than a thread has.
 #ifndef COPPICE_BT_CORE_LIVE_LIMITED_JSON_H_
 #define COPPICE_BT_CORE_LIVE_LIMITED_JSON_H_
@@ -12,6 +12,9 @@ inline constexpr int kMaxJsonDepth = 64;
 
 /// Throws std::exception.
 nlohmann::json ParseLimitedJson(std::string_view text);
+
+/// The same of MessagePack; what cannot be read is a discarded value.
+nlohmann::json ReadLimitedMessagePack(std::string_view bytes);
 
 }  // namespace coppice
 

@@ -5,6 +5,21 @@
 
 namespace coppice {
 
+namespace {
+
+// How a tree stands when nothing is known of it but the place.
+HistoryState UnknownState(const TreeSize& size, const RecordKeyframe& place) {
+  HistoryState state;
+  state.tick = place.tick;
+  state.time = place.time;
+  state.statuses.resize(size.nodes, Status::kIdle);
+  state.last = state.statuses;
+  state.values.resize(size.slots);
+  return state;
+}
+
+}  // namespace
+
 // What the frames that were read last bring, in order.
 class RecordCursor::Items final : public HistoryHandler {
  public:
@@ -133,7 +148,7 @@ void RecordCursor::GoTo(const RecordKeyframe& keyframe) {
   next_tree_ = tree_;
   decoder_.SetTree(SizeOf(tree()));
   shows_state_ = true;
-  state_.emplace(ShapeOf(tree()), HistoryState());
+  state_.emplace(ShapeOf(tree()), UnknownState(SizeOf(tree()), keyframe));
   if (Load()) Take();
 }
 

@@ -41,7 +41,8 @@ enum class RecordItem : std::uint8_t {
 
 class RecordCursor {
  public:
-  /// Stands behind the first state. The record must live longer.
+  /// Stands behind the first state; if that is damaged, all nodes are idle, and damages() says so.
+  /// The record must live longer.
   explicit RecordCursor(const RecordReader& record);
   ~RecordCursor();
 

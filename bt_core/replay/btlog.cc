@@ -7,6 +7,8 @@ constexpr std::string_view kMagic = "BTCPP4-FileLogger2";
 constexpr char kVersion = 1;
 constexpr std::size_t kHeadSize = kMagic.size() + 1 + 4;
 constexpr std::size_t kTransitionSize = 9;
+constexpr std::int64_t kLatest =
+    INT64_MAX / 2000;  // as nanoseconds it leaves room for what follows
 
 void Append(std::uint64_t number, int bytes, std::string& out) {
   for (int i = 0; i < bytes; ++i) out += static_cast<char>(number >> (8 * i) & 0xff);
@@ -58,6 +60,11 @@ std::optional<Btlog> ReadBtlog(std::string_view bytes, const std::string& file,
   Btlog log;
   log.xml = bytes.substr(0, xml_size);
   const auto first = static_cast<std::int64_t>(Read(bytes.substr(xml_size, 8)));
+  if (first < 0 || first > kLatest) {
+    diagnostics.Error({file}, "starts at a time that makes no sense: " + std::to_string(first) +
+                                  " us since 1970");
+    return std::nullopt;
+  }
   bytes.remove_prefix(xml_size + 8);
   for (; bytes.size() >= kTransitionSize; bytes.remove_prefix(kTransitionSize)) {
     const auto status = static_cast<unsigned char>(bytes[8]);

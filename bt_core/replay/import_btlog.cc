@@ -1,5 +1,6 @@
 #include "bt_core/replay/import_btlog.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <map>
 #include <string_view>
@@ -139,8 +140,9 @@ class TickMaker {
 
   void Finish() {
     if (words_.empty()) return;
-    run_.OnTick({++tick_, Time(first_ * 1000), Duration((last_ - first_) * 1000), root_, true,
-                 words_.words()});
+    const std::int64_t duration = std::max<std::int64_t>(last_ - first_, 0);  // a clock set back
+    run_.OnTick(
+        {++tick_, Time(first_ * 1000), Duration(duration * 1000), root_, true, words_.words()});
     words_.Clear();
   }
 

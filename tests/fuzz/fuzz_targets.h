@@ -7,6 +7,17 @@
 
 namespace coppice::fuzz {
 
+/// The bytes as a log of BehaviorTree.CPP, and as the contents of one: the time at which it starts
+/// (8 bytes), the XML up to a zero byte, the transitions. What comes of it is exported. Returns 0
+/// if it is refused, 1 if nothing happens in it, 2.
+int FuzzBtlog(std::string_view bytes);
+
+/// The bytes as what a robot says to a client: 'G' for one that knows the Groot2 protocol only,
+/// then frames as in frames.h whose type says what it is (fuzz_client.cc). Each command must be
+/// answered once; what is told must fit together. Returns how far it came: 0 no tree, 1 no state, 2
+/// no tick, 3.
+int FuzzClient(std::string_view bytes);
+
 /// The bytes as an XML file: parse, resolve, compile, tick. Checks that every position lies in the
 /// text and that what compiles is idle after a halt. Returns how far it came: 0 no document, 1 an
 /// incomplete project, 2 no program, 3 ticked.
@@ -17,9 +28,9 @@ int FuzzDocument(std::string_view bytes);
 /// Returns 0 if it is no XML, else 1 and the number of edits done, at most 4.
 int FuzzEdit(std::string_view bytes);
 
-/// The bytes as frames of a history, of which each has a type (1 byte), a size (2 bytes, little
-/// endian) and a payload that is packed and sealed here; and each payload as a frame as it is. What
-/// is handed out must fit the tree. Returns how far it came: 0 no tree, 1 no state, 2 no tick, 3.
+/// The bytes as frames of a history (frames.h), sealed here; and each payload as a frame as it is.
+/// What is handed out must fit the tree. Returns how far it came: 0 no tree, 1 no state, 2 no
+/// tick, 3.
 int FuzzHistory(std::string_view bytes);
 
 /// The bytes as a literal of each built-in type. What is accepted must print to a text that is
@@ -30,6 +41,12 @@ int FuzzLiteral(std::string_view bytes);
 /// type of the request, its second part. The tree is ticked in between. Returns how many were
 /// answered with something else than an error.
 int FuzzLive(std::string_view bytes);
+
+/// The bytes as a record on the disk: frames (frames.h), some types of which write bytes as they
+/// are, cut the file off, begin another one, or open a reader that is refreshed later
+/// (fuzz_record.cc). Cursors must find their way, and what they tell must fit the tree. Returns 0
+/// if it is no record, 1 if nothing happens in it, 2.
+int FuzzRecord(std::string_view bytes);
 
 /// The bytes as a file of scenarios, played with a small tree. Returns 0 if it is none, 1 if it
 /// would take long, 2 if it was played.

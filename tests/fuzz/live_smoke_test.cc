@@ -1,58 +1,56 @@
-// The harness of requests to a live view, as smoke_test.cc does it for the others.
+// The harnesses of what comes over the network, as smoke_test.cc does it for the others.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <string>
 
 #include "tests/fuzz/fuzz_targets.h"
 #include "tests/fuzz/mutator.h"
+#include "tests/fuzz/regressions.h"
+#include "tests/fuzz/seeds.h"
 
 namespace coppice::fuzz {
 namespace {
 
-constexpr const char* kRequests = R"(1T
-1S
-1BMain;inner
-1I{"enabled": true, "uid": 2, "mode": 1, "once": false, "desired_status": "FAILURE", "position": 0}
-1I[{"enabled": true, "uid": 1, "mode": 0, "once": true, "desired_status": "SKIPPED", "position": 1}]
-1U{"uid": 2, "position": 0, "desired_status": "SUCCESS", "remove_when_done": true}
-1R{"uid": 1, "position": 1}
-1D
-1A
-1X
-1rstart
-1t
-1C{"do": "hello", "protocol": 1, "name": "x"}
-2C{"do": "hello"}
-1C{"do": "subscribe", "tree": 0, "run": "00", "from": 3, "window": 1000}
-1C{"do": "subscribe", "from": "now"}
-1C{"do": "ack", "subscription": 1, "next": 2}
-1C{"do": "hook", "node": "inner/a", "action": "replace", "status": "FAILURE", "times": 2}
-2C{"do": "hook", "node": 2, "condition": "n > 0 && word == 'x'", "from_hit": 2, "action": "stop"}
-2C{"do": "hook", "hook": 2, "node": "s", "action": "delay", "delay_ms": 1.5, "enabled": false}
-1C{"do": "enable", "hook": 1, "enabled": false}
-1C{"do": "hooks"}
-1C{"do": "write", "scope": "inner", "key": "number", "value": 7}
-1C{"do": "write", "key": "n", "text": "8"}
-1C{"do": "statistics"}
-1C{"do": "pause"}
-1C{"do": "step", "to": "node"}
-1C{"do": "continue", "result": "SUCCESS"}
-1C{"do": "trees"}
-1C{"do": "unhook", "hook": 1}
-1C{"do": "unsubscribe", "subscription": 1}
-1C{"do": "ping"}
-2C{"do": "bye"}
-)";
-
 TEST(FuzzLive, MutatedRequestsNeverCrash) {
-  const int good = FuzzLive(kRequests);
+  const int good = FuzzLive(SomeRequests());
   EXPECT_GE(good, 30) << "the unchanged requests are good ones";
   int total = 0;
-  for (unsigned seed = 0; seed < 1000; ++seed) total += FuzzLive(Mutator(seed).Mutate(kRequests));
+  for (unsigned seed = 0; seed < 1000; ++seed)
+    total += FuzzLive(Mutator(seed).Mutate(SomeRequests()));
   EXPECT_GT(total, 5000) << "many reach the tree";
 }
 
-TEST(FuzzLive, EmptyInputIsFine) { EXPECT_EQ(FuzzLive(""), 0); }
+// How often mutants of the input came how far.
+std::array<int, 4> ReachedBy(const std::string& talk) {
+  std::array<int, 4> reached{};
+  for (unsigned seed = 0; seed < 10000; ++seed) ++reached[FuzzClient(Mutator(seed).Mutate(talk))];
+  return reached;
+}
+
+TEST(FuzzClient, MutatedTalkNeverCrashes) {
+  EXPECT_EQ(FuzzClient(SomeTalk()), 3);
+  for (const int count : ReachedBy(SomeTalk())) EXPECT_GT(count, 50);
+}
+
+TEST(FuzzClient, MutatedTalkInTheGroot2ProtocolNeverCrashes) {
+  EXPECT_EQ(FuzzClient(SomeGroot2Talk()), 3);
+  const std::array<int, 4> reached = ReachedBy(SomeGroot2Talk());
+  EXPECT_GT(reached[0], 50) << "tree and state come together";
+  EXPECT_GT(reached[2], 50);
+  EXPECT_GT(reached[3], 50);
+}
+
+TEST(FuzzLive, EmptyInputIsFine) {
+  EXPECT_EQ(FuzzLive(""), 0);
+  EXPECT_EQ(FuzzClient(""), 0);
+}
+
+// What once crashed must not do so again.
+TEST(FuzzLive, WhatOnceCrashedDoesNotAnyMore) {
+  RunRegressions("client", FuzzClient);
+  RunRegressions("live", FuzzLive);
+}
 
 }  // namespace
 }  // namespace coppice::fuzz

@@ -2,19 +2,13 @@
 // is why this is worth most under -DCOPPICE_SANITIZE=address,undefined.
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <random>
 #include <string>
-#include <utility>
-#include <vector>
 
-#include "bt_core/history/frame.h"
-#include "bt_core/history/payload_coding.h"
-#include "bt_core/history/tick_coding.h"
 #include "tests/fuzz/fuzz_targets.h"
 #include "tests/fuzz/mutator.h"
+#include "tests/fuzz/regressions.h"
+#include "tests/fuzz/seeds.h"
 
 namespace coppice::fuzz {
 namespace {
@@ -75,45 +69,6 @@ TEST(Fuzz, EditsOfMutatedTreesCanBeUndone) {
   EXPECT_GT(reached[5], 1000) << "many take all edits";
 }
 
-void AppendFrame(FrameType type, const Bytes& payload, std::string& out) {
-  out += static_cast<char>(type);
-  out += static_cast<char>(payload.size() & 0xff);
-  out += static_cast<char>(payload.size() >> 8);
-  out.append(payload.begin(), payload.end());
-}
-
-// A tree of two nodes and a slot, how it stands, and some ticks.
-std::string SomeHistory() {
-  TreeDescription tree;
-  tree.documents = {{"a.xml", "<root/>"}};
-  tree.nodes.resize(2);
-  tree.nodes[1].path = "top";
-  tree.nodes[1].ports = {{"port", 0}};
-  tree.slots.resize(1);
-  std::string history;
-  Bytes payload;
-  Encoder out(payload);
-  EncodeTree(tree, out);
-  AppendFrame(FrameType::kTree, payload, history);
-  payload.clear();
-  const HistoryState state{{}, 1, Time(1), {{}, {}}, {{}, {}}, {"\1text"}};
-  EncodeStateHead(state, out);
-  EncodeStateBody(state, out);
-  AppendFrame(FrameType::kState, payload, history);
-  TickEncoder ticks;
-  EventWriter words;
-  words.Add(EventCode::kWrite, 0, 1, "\1new");
-  words.Text(1, EventText::kMessage, "because");
-  words.Status(1, Status::kSuccess);
-  words.Status(0, Status::kRunning);
-  for (std::uint64_t i = 2; i < 5; ++i) {
-    payload.clear();
-    ticks.Encode({i, Time(1000 * i), Duration(0), Status::kRunning, true, words.words()}, payload);
-    AppendFrame(FrameType::kEvents, payload, history);
-  }
-  return history;
-}
-
 TEST(Fuzz, MutatedHistoriesNeverCrash) {
   const std::string history = SomeHistory();
   EXPECT_EQ(FuzzHistory(history), 3);
@@ -166,26 +121,41 @@ TEST(Fuzz, MutatedScenariosNeverCrash) {
   EXPECT_GT(played, 20);
 }
 
-// What once crashed a harness must not do so again: regressions/NAME/* are inputs of FuzzName.
-TEST(Fuzz, WhatOnceCrashedDoesNotAnyMore) {
-  const std::pair<const char*, int (*)(std::string_view)> harnesses[] = {
-      {"document", FuzzDocument}, {"edit", FuzzEdit},         {"history", FuzzHistory},
-      {"literal", FuzzLiteral},   {"scenario", FuzzScenario}, {"script", FuzzScript}};
-  for (const auto& [name, harness] : harnesses) {
-    const auto folder = std::filesystem::path(COPPICE_SOURCE_DIR "/tests/fuzz/regressions") / name;
-    if (!std::filesystem::exists(folder)) continue;
-    for (const auto& input : std::filesystem::directory_iterator(folder)) {
-      SCOPED_TRACE(input.path());
-      std::ifstream file(input.path(), std::ios::binary);
-      harness(std::string(std::istreambuf_iterator<char>(file), {}));
-    }
+TEST(Fuzz, MutatedRecordsNeverCrash) {
+  EXPECT_EQ(FuzzRecord(SomeRecord()), 2);
+  int reached[3] = {};
+  for (unsigned seed = 0; seed < 5000; ++seed) {
+    ++reached[FuzzRecord(Mutator(seed).Mutate(SomeRecord()))];
   }
+  for (const int count : reached) EXPECT_GT(count, 50) << "every stage must be reached";
+}
+
+TEST(Fuzz, MutatedLogsOfBehaviorTreeCppNeverCrash) {
+  EXPECT_EQ(FuzzBtlog(SomeBtlog()), 2);
+  int reached[3] = {};
+  for (unsigned seed = 0; seed < 5000; ++seed) {
+    ++reached[FuzzBtlog(Mutator(seed).Mutate(SomeBtlog()))];
+  }
+  for (const int count : reached) EXPECT_GT(count, 5) << "every stage must be reached";
+}
+
+TEST(Fuzz, WhatOnceCrashedDoesNotAnyMore) {
+  RunRegressions("btlog", FuzzBtlog);
+  RunRegressions("document", FuzzDocument);
+  RunRegressions("edit", FuzzEdit);
+  RunRegressions("history", FuzzHistory);
+  RunRegressions("literal", FuzzLiteral);
+  RunRegressions("record", FuzzRecord);
+  RunRegressions("scenario", FuzzScenario);
+  RunRegressions("script", FuzzScript);
 }
 
 TEST(Fuzz, EmptyInputIsFine) {
+  EXPECT_EQ(FuzzBtlog(""), 0);
   EXPECT_EQ(FuzzDocument(""), 0);
   EXPECT_EQ(FuzzHistory(""), 0);
   EXPECT_EQ(FuzzLiteral(""), 2) << "a text and an empty list";
+  EXPECT_EQ(FuzzRecord(""), 0);
   EXPECT_EQ(FuzzScenario(""), 0);
   EXPECT_EQ(FuzzScript(""), 0);
 }

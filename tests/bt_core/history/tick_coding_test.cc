@@ -47,6 +47,12 @@ TEST(TickCoding, BringsBackEveryKindOfEvent) {
   EXPECT_EQ(DecodeOne(Encode(part)), Describe(part));
 }
 
+TEST(TickCoding, ATickOfLessThanNoTimeHasNone) {
+  const TickEvents back{5, 1s, -2s, Status::kSuccess, true, {}};
+  const TickEvents told{5, 1s, 0s, Status::kSuccess, true, {}};
+  EXPECT_EQ(DecodeOne(Encode(back)), Describe(told));
+}
+
 TEST(TickCoding, BringsBackAnySequenceOfNumbersAndTimes) {
   TickEncoder encoder;
   TickDecoder decoder;

@@ -62,6 +62,30 @@ TEST_F(ClientExtensionTest, WaitsForItsTree) {
   EXPECT_EQ(Asked()["do"], "subscribe");
 }
 
+TEST_F(ClientExtensionTest, SubscribesOnceAlthoughTreesComeMeanwhile) {
+  Answer({{"protocol", 1}, {"trees", {{{"tree", 0}, {"name", "Main"}}}}});
+  const std::size_t sent = sent_.size();
+  Push('E', R"({"event":"trees","trees":[{"tree":0,"name":"Main"},{"tree":1,"name":"B"}]})");
+  EXPECT_THAT(sent_, SizeIs(sent));
+}
+
+TEST_F(ClientExtensionTest, ATreeThatIsGoneHasNoName) {
+  Connect();
+  Push('E', R"({"event":"trees","trees":[]})");
+  const LiveConnection connection = watcher_.watched().connections.back();
+  EXPECT_TRUE(connection.is_live);
+  ASSERT_LT(connection.tree, connection.trees.size());
+  EXPECT_EQ(connection.trees[connection.tree], "");
+}
+
+TEST_F(ClientExtensionTest, ANodeThatTheTreeDoesNotHaveIsNotHandedOn) {
+  Connect();
+  Push('E', R"({"event":"stopped","tree":0,"stop":{"where":"before","node":9,"path":"x"}})");
+  ASSERT_THAT(watcher_.watched().notices, SizeIs(1));
+  EXPECT_EQ(watcher_.watched().notices[0].event.stop.node, kNoNode);
+  EXPECT_EQ(watcher_.watched().notices[0].path, "x");
+}
+
 TEST_F(ClientExtensionTest, GivesUpARobotThatDoesNotKnowTheExtension) {
   session_.OnMessage({"error", "Request not recognized"}, 1s);
   EXPECT_TRUE(session_.is_wrong_protocol());

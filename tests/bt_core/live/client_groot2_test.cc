@@ -12,6 +12,7 @@
 namespace coppice {
 namespace {
 
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using namespace std::chrono_literals;  // NOLINT(google-build-using-namespace)
@@ -142,6 +143,61 @@ TEST(ClientGroot2, BeginsAnewWhenTheRobotIsAnotherOne) {
   ASSERT_TRUE(watcher.Await(IsLive));
   robot->Tick(3);
   ASSERT_TRUE(watcher.Await(Agrees(*robot)));
+}
+
+// The robot's side is the test.
+class ClientGroot2SessionTest : public ::testing::Test {
+ protected:
+  static constexpr char kTree[] = R"(<root BTCPP_format="4"><BehaviorTree ID="Main" _fullpath="">
+    <AlwaysSuccess name="a" _uid="1"/></BehaviorTree></root>)";
+
+  // Answers the request that was sent last, as a robot with the tree of this number.
+  void Answer(const std::string& payload, char run = 'a') {
+    session_.OnMessage({sent_.back()[0] + std::string(16, run), payload}, 1s);
+  }
+  void Connect() {
+    session_.OnTime(1s);
+    const std::string idle = {1, 0, 0};
+    for (const std::string& payload :
+         {idle, std::string(kTree), std::string("\x80"), std::string("1000000"), idle}) {
+      Answer(payload);
+      session_.OnTime(1s);
+    }
+    ASSERT_TRUE(session_.is_live());
+  }
+
+  LiveClientOptions options_ = Groot2Only();
+  Watcher watcher_;
+  Groot2History history_{watcher_, "robot"};
+  std::vector<ClientSession::Parts> sent_;
+  ClientGroot2 session_{options_, watcher_, history_,
+                        [this](const ClientSession::Parts& parts) { sent_.push_back(parts); }};
+};
+
+TEST_F(ClientGroot2SessionTest, ACommandIsAnsweredAlsoWhenTheRobotIsAnotherOne) {
+  Connect();
+  Answer("");                      // transitions
+  Answer(std::string({1, 0, 0}));  // statuses
+  Answer("\x80");                  // values
+  Hook hook;
+  hook.path = "a";
+  std::vector<std::string> errors;
+  session_.Send(SetHook(hook), [&](const LiveReply& reply) { errors.push_back(reply.error); });
+  session_.OnTime(1s);
+  ASSERT_EQ(sent_.back()[0][1], 'I');
+  Answer("", 'b');
+  EXPECT_THAT(errors, ElementsAre("the robot runs another tree"));
+  session_.OnTime(1s);
+  EXPECT_EQ(sent_.back()[0][1], 'T');
+}
+
+TEST_F(ClientGroot2SessionTest, HandsOnNoNoticeBeforeTheTree) {
+  session_.OnTime(1s);
+  Answer(std::string({1, 0, 0}));
+  session_.OnTime(1s);
+  Answer(kTree);
+  session_.OnMessage({std::string("\2N\0\0\0\0", 6), "1"}, 1s);
+  EXPECT_THAT(watcher_.watched().notices, IsEmpty());
 }
 
 }  // namespace

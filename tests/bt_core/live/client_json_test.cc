@@ -95,6 +95,12 @@ TEST(ClientJson, IsNotDisturbedByNonsense) {
     ReadReply(text);
     ReadNotice(text);
   }
+  ReadReply("{\"a\":" + std::string(10 << 20, '['));
+  EXPECT_EQ(ReadReply("{\"error\":\"x\",\"a\":" + std::string(100000, '[') +
+                      std::string(100000, ']') + "}")
+                .error,
+            "")
+      << "it is nested too deep";
   EXPECT_NE(ReadReply("{\"error\":5}").error, "");
   EXPECT_EQ(ReadReply(WriteAbandoned("gone")).error, "gone");
 }

@@ -31,5 +31,17 @@ TEST(LimitedJson, RefusesWhatIsNestedTooDeep) {
   EXPECT_THROW(ParseLimitedJson(std::string(1 << 20, '[')), std::invalid_argument);
 }
 
+TEST(LimitedJson, ReadsMessagePackThatIsNotNestedTooDeep) {
+  EXPECT_EQ(ReadLimitedMessagePack("\x81\xa1k\x93\x01\xc0\xa1x"),
+            nlohmann::json({{"k", {1, nullptr, "x"}}}));
+  const std::string inner = "\x01";
+  EXPECT_FALSE(ReadLimitedMessagePack(std::string(kMaxJsonDepth, '\x91') + inner).is_discarded());
+  EXPECT_TRUE(
+      ReadLimitedMessagePack(std::string(kMaxJsonDepth + 1, '\x91') + inner).is_discarded());
+  EXPECT_TRUE(ReadLimitedMessagePack(std::string(10 << 20, '\x91')).is_discarded());
+  EXPECT_TRUE(ReadLimitedMessagePack("\x81\xa1k").is_discarded());
+  EXPECT_TRUE(ReadLimitedMessagePack("").is_discarded());
+}
+
 }  // namespace
 }  // namespace coppice

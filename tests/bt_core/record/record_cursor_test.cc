@@ -267,5 +267,22 @@ TEST_F(RecordCursorTest, SaysWhereSomethingIsDamagedAndGivesTheStateBehindIt) {
   EXPECT_THAT(cursor.damages(), SizeIs(0)) << "it is not on the way";
 }
 
+TEST_F(RecordCursorTest, AllNodesAreIdleWhereTheStateIsDamaged) {
+  const auto record = RecordTicks(200);
+  const std::string path = folder_.Path("run.coppice");
+  std::string bytes = ReadFile(path);
+  const auto damaged = OpenRecord(path);
+  const RecordKeyframe last = damaged->keyframes().back();
+  bytes[last.offset + 20] ^= 1;  // only now: opening looks at the sums of states
+  WriteFile(path, bytes);
+  RecordCursor cursor(*damaged);
+  cursor.SeekTime(last.time + 1ns);
+  EXPECT_THAT(cursor.damages(), SizeIs(1));
+  EXPECT_THAT(cursor.state().statuses(), SizeIs(cursor.tree().nodes.size()));
+  EXPECT_THAT(cursor.state().values(), SizeIs(cursor.tree().slots.size()));
+  EXPECT_EQ(cursor.state().status(0), Status::kIdle);
+  EXPECT_EQ(cursor.state().tick(), last.tick);
+}
+
 }  // namespace
 }  // namespace coppice

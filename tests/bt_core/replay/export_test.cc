@@ -93,6 +93,34 @@ TEST(Btlog, IsRefusedIfItIsNone) {
   }
 }
 
+Btlog LogOf(std::vector<BtlogTransition> transitions) {
+  return {R"(<root><BehaviorTree ID="M"><A _uid="1"/></BehaviorTree></root>)",
+          std::move(transitions)};
+}
+
+TEST(Btlog, AClockThatWasSetBackMakesNoTickOfLessThanNoTime) {
+  Diagnostics diagnostics;
+  const std::string bytes =
+      WriteBtlog(LogOf({{5000, 1, Status::kRunning}, {9000, 1, Status::kSuccess}}));
+  std::string set_back = bytes;
+  set_back[bytes.size() - 9] = 0;  // the second one at 5000 us too
+  set_back[bytes.size() - 8] = 0;
+  set_back[bytes.size() - 18] = 100;  // the first one 100 us later
+  const auto run = FromBtlog(set_back, "a.btlog", diagnostics);
+  ASSERT_TRUE(run) << diagnostics.ToString();
+  ASSERT_EQ(run->ticks().size(), 1u);
+  EXPECT_EQ(run->ticks()[0].duration, Duration(0));
+}
+
+TEST(Btlog, IsRefusedIfItStartsAtATimeThatMakesNoSense) {
+  for (const std::int64_t time : {std::int64_t{-1}, INT64_MAX / 1000, INT64_MAX}) {
+    Diagnostics diagnostics;
+    EXPECT_FALSE(
+        FromBtlog(WriteBtlog(LogOf({{time, 1, Status::kRunning}})), "a.btlog", diagnostics));
+    EXPECT_THAT(diagnostics.ToString(), HasSubstr("makes no sense: " + std::to_string(time)));
+  }
+}
+
 TEST(Btlog, HasNoMoreThan65535Nodes) {
   Recording run;
   TreeDescription tree;
