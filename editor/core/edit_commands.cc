@@ -22,6 +22,7 @@ class EditCommands {
     AddClipboard();
     Add("edit.undo", "Undo", {'Z', kCtrl}, &TreeEditor::Undo);
     Add("edit.redo", "Redo", {'Z', kCtrl | kShift}, &TreeEditor::Redo);
+    AddTyping();
   }
 
  private:
@@ -55,6 +56,30 @@ class EditCommands {
                   }
                   s.OpenPopup(popup, popup == Popup::kRename ? edit.GivenName() : "");
                 });
+  }
+
+  // Places to type in.
+  void AddTyping() {
+    AddFunction("edit.xml", "Edit the XML", {kKeyEnter, kCtrl}, [&s = state_](const TreeEditor&) {
+      s.tiles.xml = true;
+      s.xml.wants_focus = true;
+    });
+    AddFunction("edit.first_port", "Edit the first port", {kKeyEnter},
+                [&s = state_](const TreeEditor&) {
+                  const TreeView* view = s.workspace.view();
+                  if (!view || view->selected() == kNoNode) return;
+                  s.tiles.inspector = true;
+                  s.focus_field = FirstField(*view);
+                });
+  }
+
+  static std::string FirstField(const TreeView& view) {
+    const Scene& scene = *view.scene();
+    const SceneNode& node = scene.nodes[view.selected()];
+    const bool declared = node.model && node.shape != Shape::kSubTree && !node.model->ports.empty();
+    if (declared) return "inspector/port/" + node.model->ports[0].name;
+    if (node.port_count == 0) return "inspector/name";
+    return "inspector/port/" + std::string(scene.ports[node.first_port].name);
   }
 
   void AddFiles() {

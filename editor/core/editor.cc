@@ -18,6 +18,7 @@
 #include "editor/look/imgui_style.h"
 #include "editor/panels/panels.h"
 #include "editor/panels/tiles.h"
+#include "editor/panels/xml_keys.h"
 #include "editor/render/rasteriser.h"
 
 namespace coppice::editor {
@@ -199,6 +200,7 @@ void Editor::RunKeys() {
   if (state_.popup != Popup::kNone || ImGui::GetIO().WantTextInput) return;
   const std::vector<KeyEvent> keys = state_.keys;
   for (const KeyEvent& event : keys) {
+    if (state_.xml.focused && IsTextKey({event.key, event.modifiers})) continue;
     if (state_.commands.Press({event.key, event.modifiers})) state_.keys.clear();
     if (state_.popup != Popup::kNone) return;
   }

@@ -72,6 +72,18 @@ struct Typing {
   std::string text;
 };
 
+/// The caret of the XML tile.
+struct XmlPane {
+  std::string path;  ///< of the file it is in
+  std::size_t at = 0;
+  std::size_t anchor = 0;    ///< the other end of what is selected
+  std::size_t typed_to = 0;  ///< where the caret was when a character was typed last
+  bool focused = false;      ///< keys are for the text
+  bool wants_focus = false;
+  bool pressed = false;  ///< the mouse button went down in it
+  bool follow = false;   ///< the caret has moved and must be seen
+};
+
 /// A sentence about what was just done or refused.
 struct Notice {
   std::string text;
@@ -101,6 +113,7 @@ struct EditorState {
   std::string last_search;
   Notice notice;
   Typing typing;
+  XmlPane xml;
   std::string focus_field;                        ///< path of the field to type in next
   std::map<std::string, std::string> restorable;  ///< unsaved texts of the last time, by path
   std::vector<KeyEvent> keys;                     ///< pressed in this frame

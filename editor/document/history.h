@@ -34,6 +34,12 @@ class History {
   /// Adds a step that was done; what was undone is forgotten.
   void Add(Step step);
 
+  /// Forgets the step that was done last; it becomes part of the next.
+  void DropLast() {
+    steps_.pop_back();
+    --done_;
+  }
+
   /// The step to undo, or null. Moves back over it.
   const Step* TakeUndo();
   /// The step to do again, or null. Moves over it.

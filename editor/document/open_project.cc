@@ -130,17 +130,31 @@ bool OpenProject::Do(NamedChange change, std::vector<Place> selected, Diagnostic
   return true;
 }
 
-void OpenProject::SetText(const std::string& path, std::string name, std::string text) {
+const Step* OpenProject::LastOf(const std::string& path, const std::string& name) const {
+  const Step* last = history_.undo();
+  const bool fits = last && !history_.redo() && last->name == name && last->files.size() == 1 &&
+                    last->files[0].path == path;
+  return fits ? last : nullptr;
+}
+
+void OpenProject::SetText(const std::string& path, std::string name, std::string text, bool join) {
   EditedFile* file = Get(path);
   if (!file || file->text == text) return;
+  Step step;
   FileStep part;
   part.path = file->path;
-  part.forward = {Difference(file->text, text)};
-  part.back = {Inverse(part.forward[0], file->text)};
+  std::string before = file->text;
   part.before = file->document;
+  if (const Step* last = join ? LastOf(file->path, name) : nullptr) {
+    for (const Edit& edit : last->files[0].back) before = Apply(edit, before);
+    part.before = last->files[0].before;
+    history_.DropLast();
+  }
+  part.forward = {Difference(before, text)};
+  part.back = {Inverse(part.forward[0], before)};
   Replace(*file, std::move(text), std::nullopt);
+  if (before == file->text) return;  // typed and taken back
   part.after = file->document;
-  Step step;
   step.name = std::move(name);
   step.files.push_back(std::move(part));
   history_.Add(std::move(step));

@@ -62,8 +62,9 @@ class OpenProject {
   /// change is no step of the history. `selected` is the selection before it.
   bool Do(NamedChange change, std::vector<Place> selected, Diagnostics& diagnostics);
 
-  /// Replaces the whole text of a file, which may be malformed: what is typed.
-  void SetText(const std::string& path, std::string name, std::string text);
+  /// Replaces the whole text of a file, which may be malformed: what is typed. With `join` it is
+  /// one step with the last one, if that has the same name and is about the same file.
+  void SetText(const std::string& path, std::string name, std::string text, bool join = false);
 
   /// Undoes or repeats a step; null if there is none. Its selected_before or selected_after is what
   /// was selected.
@@ -93,6 +94,7 @@ class OpenProject {
   EditedFile* Get(const std::string& path);
   void Replace(EditedFile& file, std::string text, std::optional<Document> document);
   void Run(const FileStep& step, bool forward);
+  const Step* LastOf(const std::string& path, const std::string& name) const;
 
   std::map<std::string, EditedFile> files_;
   History history_;

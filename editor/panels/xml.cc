@@ -1,8 +1,12 @@
 #include <algorithm>
-#include <cctype>
+#include <optional>
+#include <utility>
 
+#include "editor/core/project_editor.h"
 #include "editor/panels/panel.h"
 #include "editor/panels/panels.h"
+#include "editor/panels/xml_keys.h"
+#include "editor/panels/xml_line.h"
 
 namespace coppice::editor {
 namespace {
@@ -10,155 +14,359 @@ namespace {
 constexpr float kLineHeight = 18;
 constexpr float kNumberWidth = 44;
 
-std::vector<std::string_view> SplitLines(const std::string& text) {
-  std::vector<std::string_view> lines;
+struct Line {
+  std::uint32_t begin = 0;
+  std::uint32_t end = 0;  // before the line end
+};
+
+std::vector<Line> SplitLines(const std::string& text) {
+  std::vector<Line> lines;
   std::size_t start = 0;
-  for (std::size_t end = text.find('\n'); end != std::string::npos; end = text.find('\n', start)) {
-    lines.push_back(std::string_view(text).substr(start, end - start));
+  while (start <= text.size()) {
+    const std::size_t end = std::min(text.find('\n', start), text.size());
+    const bool cr = end > start && end < text.size() && text[end - 1] == '\r';
+    lines.push_back(
+        {static_cast<std::uint32_t>(start), static_cast<std::uint32_t>(cr ? end - 1 : end)});
     start = end + 1;
   }
-  if (start < text.size()) lines.push_back(std::string_view(text).substr(start));
   return lines;
 }
 
-// Paints a piece of a line and moves on by its width.
-class LineWriter {
- public:
-  LineWriter(const Ui& ui, Point at, const Box& row) : ui_(ui), at_(at), row_(row) {}
-
-  bool IsFull() const { return at_.x > row_.max.x; }
-
-  void Write(std::string_view text, Color color) {
-    const TextStyle style{Face::kMono, 11, color};
-    at_.x += ui_.RowText(*ImGui::GetWindowDrawList(), at_, row_.height(), text, style);
-  }
-
- private:
-  const Ui& ui_;
-  Point at_;
-  const Box row_;
-};
-
-// Tags, values and comments in colours of their own; one line at a time, so a comment over several
-// lines is coloured in its first line only.
-void PaintLine(const Ui& ui, std::string_view line, Point at, const Box& row) {
-  LineWriter writer(ui, at, row);
-  const Palette& colors = ui.palette;
-  std::size_t i = 0;
-  const auto write_until = [&](std::size_t end, Color color) {
-    end = std::min(end, line.size());
-    writer.Write(line.substr(i, end - i), color);
-    i = end;
-  };
-  while (i < line.size() && !writer.IsFull()) {
-    if (line.compare(i, 4, "<!--") == 0) {
-      const std::size_t end = line.find("-->", i);
-      write_until(end == std::string_view::npos ? line.size() : end + 3, colors.text_dim);
-    } else if (line[i] == '<') {
-      std::size_t end = i + 1;
-      while (end < line.size() && (std::isalnum(static_cast<unsigned char>(line[end])) ||
-                                   line[end] == '/' || line[end] == '_')) {
-        ++end;
-      }
-      write_until(end, colors.accent);
-    } else if (line[i] == '"') {
-      const std::size_t end = line.find('"', i + 1);
-      write_until(end == std::string_view::npos ? line.size() : end + 1, colors.link);
-    } else {
-      write_until(std::max(line.find_first_of("<\"", i), i + 1), colors.text);
-    }
-  }
-}
-
+// Which text is shown, and what of it is marked.
 struct Shown {
-  std::string title;
+  std::string path;
   const std::string* text = nullptr;
-  std::uint32_t line = 0;       ///< to highlight, from 1; 0: none
-  std::uint32_t last_line = 0;  ///< of the start tag
-  bool error = false;
+  bool can_edit = false;
+  std::uint32_t begin = 0;  // of the start tag of the selected node
+  std::uint32_t end = 0;    // both 0: none
 };
 
-// The document of the selected node, else of the shown tree; of a file without trees its text.
-Shown Choose(const Workspace& workspace, const TreeView* view) {
+// The file of the selected node, else of the shown tree; of a malformed file its text.
+Shown Choose(const EditorState& state, const TreeView* view) {
+  const Workspace& workspace = state.workspace;
   Shown shown;
   const Forest* forest = workspace.forest();
-  if (forest && view) {
+  const OpenFile* file = workspace.file();
+  if (file && (file->is_stale || !view)) {
+    shown.path = file->path;
+  } else if (forest && view) {
     const bool selected = view->selected() != kNoNode;
     const SceneNode& node = view->scene()->nodes[selected ? view->selected() : 0];
     const Document& document = *forest->documents()[node.document];
-    shown.title = document.file().substr(document.file().rfind('/') + 1);
+    shown.path = document.file();
     shown.text = &document.text();
+    const auto place = workspace.PlaceOf(node);
+    const EditedFile* edited = place ? workspace.project().Find(place->path) : nullptr;
+    const Document& text = edited ? *edited->document : document;
     if (selected) {
-      const Element& element = document.element(node.element);
-      shown.line = document.Location(element.offset).line;
-      const std::size_t end = document.text().find('>', element.offset);
-      shown.last_line =
-          document.Location(static_cast<std::uint32_t>(std::min(end, document.text().size() - 1)))
-              .line;
+      const Element& element = text.element(place ? place->element : node.element);
+      shown.begin = element.offset;
+      shown.end = element.start_tag_end;
     }
-    return shown;
   }
-  const OpenFile* file = workspace.file();
-  if (!file) return shown;
-  shown.title = file->path.substr(file->path.rfind('/') + 1);
-  shown.text = &file->text;
-  for (const Diagnostic& problem : file->problems) {
-    if (problem.where.file == file->path && shown.line == 0) {
-      shown.line = shown.last_line = problem.where.line;
-      shown.error = true;
-    }
+  if (const EditedFile* edited = file ? workspace.project().Find(shown.path) : nullptr) {
+    shown.text = &edited->text;
+    shown.can_edit = true;
   }
   return shown;
 }
 
-void FollowLine(const Ui& ui, const Shown& shown) {
-  ImGuiStorage& storage = *ImGui::GetStateStorage();
-  const ImGuiID id = ImGui::GetID(shown.title.c_str());
-  if (storage.GetInt(id, -1) == static_cast<int>(shown.line)) return;
-  storage.SetInt(id, static_cast<int>(shown.line));
-  if (shown.line == 0) return;
-  const float middle = static_cast<float>(shown.line) * kLineHeight * ui.scale;
-  ImGui::SetScrollY(std::max(0.0F, middle - ImGui::GetWindowHeight() / 2));
-}
+// What the keys of this frame make of the text.
+class XmlTyping {
+ public:
+  XmlTyping(const Ui& ui, EditorState& state, const Shown& shown)
+      : ui_(ui), state_(state), pane_(state.xml), shown_(shown) {}
 
-void DrawLines(const Ui& ui, const Shown& shown) {
-  const std::vector<std::string_view> lines = SplitLines(*shown.text);
-  ImGuiListClipper clipper;
-  clipper.Begin(static_cast<int>(lines.size()), kLineHeight * ui.scale);
-  while (clipper.Step()) {
-    for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
-      const auto number = static_cast<std::uint32_t>(i) + 1;
-      const Row row = NextRow(ui, "xml/" + std::to_string(number), false, kLineHeight);
-      if (!row.visible) continue;
-      ImDrawList& list = *ImGui::GetWindowDrawList();
-      if (number >= shown.line && number <= shown.last_line) {
-        const Color color = shown.error ? ui.palette.error : ui.palette.accent;
-        ui.Fill(list, row.box, Fade(color, 0.18F));
-        ui.Fill(list, {row.box.min, {row.box.min.x + 3, row.box.max.y}}, color);
+  void Run() {
+    TextEdit edit{*shown_.text, pane_.at, pane_.anchor};
+    const TextClipboard clipboard = {state_.get_clipboard, state_.set_clipboard};
+    for (const KeyEvent& event : state_.keys) {
+      const KeyChord chord = {event.key, event.modifiers};
+      if (event.key == kKeyEscape) pane_.focused = false;
+      if (IsTextKey(chord)) PressTextKey(chord, clipboard, edit);
+    }
+    const std::string typed = Typed();
+    if (!typed.empty()) edit.Put(typed);
+    const bool moved = edit.at != pane_.at || edit.anchor != pane_.anchor;
+    pane_.at = edit.at;
+    pane_.anchor = edit.anchor;
+    pane_.follow = pane_.follow || moved;
+    if (edit.text != *shown_.text) Become(std::move(edit));
+    if (moved) SelectNode();
+  }
+
+ private:
+  static std::string Typed() {
+    std::string typed;
+    for (const ImWchar c : ImGui::GetIO().InputQueueCharacters) {
+      if (c < 0x20) continue;
+      if (c < 0x80) {
+        typed += static_cast<char>(c);
+      } else if (c < 0x800) {
+        typed += static_cast<char>(0xC0 | (c >> 6));
+        typed += static_cast<char>(0x80 | (c & 0x3F));
+      } else {
+        typed += static_cast<char>(0xE0 | (c >> 12));
+        typed += static_cast<char>(0x80 | ((c >> 6) & 0x3F));
+        typed += static_cast<char>(0x80 | (c & 0x3F));
       }
-      const std::string text = std::to_string(number);
-      const TextStyle style{Face::kMono, 11, Fade(ui.palette.text_dim, 0.8F)};
-      const float right = row.box.min.x + (kNumberWidth - 14) * ui.scale;
-      ui.RowText(list, {right - ui.Width(text, style), row.box.min.y}, row.box.height(), text,
-                 style);
-      PaintLine(ui, lines[static_cast<std::size_t>(i)],
-                row.box.min + Point{kNumberWidth * ui.scale, 0}, row.box);
+    }
+    return typed;
+  }
+
+  // What is typed in one go, within a line, is one step of the history.
+  void Become(TextEdit edit) {
+    const Edit change = Difference(*shown_.text, edit.text);
+    const std::size_t start = change[0].offset;
+    const std::size_t stop = start + change[0].removed;
+    const bool goes_on = start == pane_.typed_to || stop == pane_.typed_to;
+    const bool line_end = change[0].inserted.find('\n') != std::string::npos;
+    const std::string name = "Type in " + shown_.path.substr(shown_.path.rfind('/') + 1);
+    state_.workspace.project().SetText(shown_.path, name, std::move(edit.text),
+                                       goes_on && !line_end);
+    pane_.typed_to = pane_.at;
+    state_.workspace.Refresh(ui_.now);
+  }
+
+  // The canvas follows the caret.
+  void SelectNode() {
+    const EditedFile* file = state_.workspace.project().Find(shown_.path);
+    if (!file || !file->document) return;
+    const ElementIndex element = file->document->ElementAt(static_cast<std::uint32_t>(pane_.at));
+    if (element == kNoElement || !IsNode(*file->document, element)) return;
+    ProjectEditor(state_, ui_.now).GoTo(shown_.path, file->document->element(element).offset);
+  }
+
+  const Ui& ui_;
+  EditorState& state_;
+  XmlPane& pane_;
+  const Shown& shown_;
+};
+
+class XmlPanel {
+ public:
+  XmlPanel(const Ui& ui, EditorState& state, const Shown& shown)
+      : ui_(ui),
+        state_(state),
+        pane_(state.xml),
+        shown_(shown),
+        lines_(SplitLines(*shown.text)),
+        list_(*ImGui::GetWindowDrawList()) {
+    for (const OpenFile& file : state.workspace.files()) {
+      for (const Diagnostic& problem : file.problems) {
+        if (problem.where.file == shown.path) problems_.push_back(&problem);
+      }
     }
   }
+
+  void Draw() {
+    Follow();
+    first_y_ = ImGui::GetCursorScreenPos().y;
+    ImGuiListClipper clipper;
+    clipper.Begin(static_cast<int>(lines_.size()), kLineHeight * ui_.scale);
+    while (clipper.Step()) {
+      for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
+        DrawLine(static_cast<std::size_t>(i));
+      }
+    }
+    if (shown_.can_edit) Mouse();
+  }
+
+ private:
+  std::size_t LineOf(std::size_t offset) const {
+    const auto behind =
+        std::upper_bound(lines_.begin(), lines_.end(), offset,
+                         [](std::size_t at, const Line& line) { return at < line.begin; });
+    return static_cast<std::size_t>(behind - lines_.begin()) - 1;
+  }
+
+  std::string_view TextOf(std::size_t line) const {
+    return std::string_view(*shown_.text)
+        .substr(lines_[line].begin, lines_[line].end - lines_[line].begin);
+  }
+
+  // To the caret while the user types, else to the node that was selected last.
+  void Follow() {
+    ImGuiStorage& storage = *ImGui::GetStateStorage();
+    const ImGuiID id = ImGui::GetID("followed");
+    const int line = static_cast<int>(LineOf(pane_.focused ? pane_.at : shown_.begin));
+    const bool moved = storage.GetInt(id, -1) != line;
+    storage.SetInt(id, line);
+    const bool wanted = pane_.focused ? std::exchange(pane_.follow, false) : shown_.end > 0;
+    if (!moved || !wanted) return;
+    const float height = kLineHeight * ui_.scale;
+    const float at = static_cast<float>(line) * height;
+    const float room = ImGui::GetWindowHeight();
+    const float top = ImGui::GetScrollY();
+    if (pane_.focused && at > top && at + 2 * height < top + room) return;
+    ImGui::SetScrollY(std::max(0.0F, at - room / 2));
+  }
+
+  void DrawLine(std::size_t number) {
+    const std::string label = std::to_string(number + 1);
+    const Row row = NextRow(ui_, "xml/" + label, false, kLineHeight);
+    if (!row.visible) return;
+    if (pane_.focused && number == LineOf(pane_.at)) {
+      ui_.Fill(list_, row.box, Fade(ui_.palette.text_dim, 0.10F));
+    }
+    MarkNode(number, row.box);
+    const Diagnostic* problem = ProblemOf(number);
+    if (problem) MarkProblem(*problem, row);
+    const TextStyle style{Face::kMono, 11, Fade(ui_.palette.text_dim, 0.8F)};
+    const float right = row.box.min.x + (kNumberWidth - 14) * ui_.scale;
+    ui_.RowText(list_, {right - ui_.Width(label, style), row.box.min.y}, row.box.height(), label,
+                style);
+    MarkSelected(number, row.box);
+    PaintXmlLine(ui_, TextOf(number), row.box.min + Point{kNumberWidth * ui_.scale, 0}, row.box);
+    DrawCaret(number, row.box);
+  }
+
+  void MarkNode(std::size_t number, const Box& box) {
+    if (shown_.end == 0 || lines_[number].end < shown_.begin ||
+        lines_[number].begin >= shown_.end) {
+      return;
+    }
+    ui_.Fill(list_, box, Fade(ui_.palette.accent, 0.18F));
+    ui_.Fill(list_, {box.min, {box.min.x + 3, box.max.y}}, ui_.palette.accent);
+  }
+
+  // The gravest of the line.
+  const Diagnostic* ProblemOf(std::size_t number) const {
+    const Diagnostic* found = nullptr;
+    for (const Diagnostic* problem : problems_) {
+      if (problem->where.line != number + 1) continue;
+      if (!found || problem->severity == Severity::kError) found = problem;
+    }
+    return found;
+  }
+
+  void MarkProblem(const Diagnostic& problem, const Row& row) {
+    const bool error = problem.severity == Severity::kError;
+    const Color color = error ? ui_.palette.error : ui_.palette.warning;
+    const std::size_t number = problem.where.line - 1;
+    const std::size_t column = problem.where.column > 0 ? problem.where.column - 1 : 0;
+    ui_.Fill(list_, {row.box.min, {row.box.min.x + 3, row.box.max.y}}, color);
+    const float left = row.box.min.x + kNumberWidth * ui_.scale;
+    const float from = left + XmlColumn(ui_, TextOf(number), column);
+    const float to = left + XmlColumn(ui_, TextOf(number), TextOf(number).size());
+    const float y = row.box.max.y - 2 * ui_.scale;
+    ui_.Fill(list_, {{from, y}, {std::max(to, from + 12 * ui_.scale), y + ui_.scale}}, color);
+    ui_.items.Add("xml/problem/" + std::to_string(problem.where.line), row.box);
+    if (row.hovered) ImGui::SetTooltip("%s", problem.message.c_str());
+  }
+
+  void MarkSelected(std::size_t number, const Box& box) {
+    const std::size_t begin = std::min(pane_.at, pane_.anchor);
+    const std::size_t end = std::max(pane_.at, pane_.anchor);
+    const Line& line = lines_[number];
+    if (!pane_.focused || begin == end || end <= line.begin || begin > line.end) return;
+    const float left = box.min.x + kNumberWidth * ui_.scale;
+    const auto at = [&](std::size_t offset) {
+      const std::size_t inside = std::clamp<std::size_t>(offset, line.begin, line.end);
+      return left + XmlColumn(ui_, TextOf(number), inside - line.begin);
+    };
+    const float more = end > line.end ? 6 * ui_.scale : 0;  // the line end is selected too
+    ui_.Fill(list_, {{at(begin), box.min.y}, {at(end) + more, box.max.y}},
+             Fade(ui_.palette.accent, 0.35F));
+  }
+
+  void DrawCaret(std::size_t number, const Box& box) {
+    if (!pane_.focused || number != LineOf(pane_.at)) return;
+    const float x = box.min.x + kNumberWidth * ui_.scale +
+                    XmlColumn(ui_, TextOf(number), pane_.at - lines_[number].begin);
+    const Box caret = {{x, box.min.y + 1}, {x + 1.5F * ui_.scale, box.max.y - 1}};
+    ui_.Fill(list_, caret, ui_.palette.text);
+    ui_.items.Add("xml/caret", caret);
+  }
+
+  // A press sets the caret, dragging selects, a double click selects a word.
+  void Mouse() {
+    const bool over = ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
+    if (over) ImGui::SetMouseCursor(ImGuiMouseCursor_TextInput);
+    const bool pressed = over && ImGui::IsMouseClicked(0);
+    const bool dragged = pane_.focused && pane_.pressed && ImGui::IsMouseDown(0);
+    if (!pressed && !dragged) {
+      pane_.pressed = false;
+      return;
+    }
+    const std::size_t at = OffsetAtMouse();
+    if (pressed) pane_.focused = pane_.pressed = true;
+    if (at == pane_.at && !pressed) return;
+    pane_.at = at;
+    if (pressed && !ImGui::GetIO().KeyShift) pane_.anchor = at;
+    if (ImGui::IsMouseDoubleClicked(0)) SelectWord();
+  }
+
+  std::size_t OffsetAtMouse() const {
+    const Point mouse = FromIm(ImGui::GetIO().MousePos);
+    const float row = (mouse.y - first_y_) / (kLineHeight * ui_.scale);
+    const auto last = static_cast<float>(lines_.size() - 1);
+    const auto number = static_cast<std::size_t>(std::clamp(row, 0.0F, last));
+    const float left = ImGui::GetWindowPos().x + kNumberWidth * ui_.scale;
+    return lines_[number].begin + XmlByteAt(ui_, TextOf(number), mouse.x - left);
+  }
+
+  void SelectWord() {
+    TextEdit edit{*shown_.text, pane_.at, pane_.at};
+    edit.Move(TextStep::kWordRight, false);
+    edit.Move(TextStep::kWordLeft, true);
+    pane_.anchor = edit.at;
+    pane_.at = edit.anchor;
+  }
+
+  const Ui& ui_;
+  EditorState& state_;
+  XmlPane& pane_;
+  const Shown& shown_;
+  const std::vector<Line> lines_;
+  ImDrawList& list_;
+  std::vector<const Diagnostic*> problems_;
+  float first_y_ = 0;
+};
+
+std::string TitleOf(const Shown& shown) {
+  return shown.text ? "XML  " + shown.path.substr(shown.path.rfind('/') + 1) : "XML";
+}
+
+std::string NoteOf(const EditorState& state, const Shown& shown) {
+  if (!shown.can_edit) return "read only";
+  return state.xml.focused ? "Esc ends typing" : "click to type";
+}
+
+// A click elsewhere ends typing; a command begins it at the selected node.
+void PassFocus(EditorState& state, const Shown& shown, const Box& box) {
+  XmlPane& pane = state.xml;
+  if (pane.path != shown.path) {
+    const bool wanted = pane.wants_focus;
+    pane = {};
+    pane.path = shown.path;
+    pane.wants_focus = wanted;
+  }
+  if (std::exchange(pane.wants_focus, false)) {
+    pane.focused = pane.follow = true;
+    pane.at = pane.anchor = shown.begin;
+  }
+  const bool elsewhere = ImGui::IsMouseClicked(0) && !box.Contains(FromIm(ImGui::GetIO().MousePos));
+  if (elsewhere || !shown.can_edit || state.popup != Popup::kNone) pane.focused = false;
+  pane.at = std::min(pane.at, shown.text->size());
+  pane.anchor = std::min(pane.anchor, shown.text->size());
 }
 
 }  // namespace
 
 void DrawXml(const Ui& ui, EditorState& state, const Box& box) {
-  const Shown shown = Choose(state.workspace, state.workspace.view());
-  const std::string title = shown.title.empty() ? "XML" : "XML  " + shown.title;
-  Panel(ui, "xml", box, title, "read only", [&] {
-    if (!shown.text) {
+  Shown shown = Choose(state, state.workspace.view());
+  if (shown.text) PassFocus(state, shown, box);
+  if (shown.text && state.xml.focused) {
+    XmlTyping(ui, state, shown).Run();
+    shown = Choose(state, state.workspace.view());  // what has become of it
+  }
+  Panel(ui, "xml", box, TitleOf(shown), NoteOf(state, shown), [&] {
+    if (shown.text) {
+      XmlPanel(ui, state, shown).Draw();
+    } else {
       Hint(ui, "The text of the shown tree.");
-      return;
     }
-    FollowLine(ui, shown);
-    DrawLines(ui, shown);
   });
 }
 

@@ -24,5 +24,97 @@ TEST(Xml, ScrollsToTheLineOfTheSelectedNodeAndMarksIt) {
   EXPECT_EQ(driver.CountColor({other.min, {other.min.x + 3, other.max.y}}, accent, 4), 0);
 }
 
+class XmlTypingTest : public testing::Test {
+ protected:
+  XmlTypingTest() {
+    driver_.editor.Open(file_.path());
+    driver_.Frames();
+  }
+  const std::string& Text() {
+    return driver_.editor.state().workspace.project().Find(file_.path())->text;
+  }
+  void ClickBehind(const std::string& line) { driver_.ClickAt(End(line)); }
+  Point End(const std::string& line) const {
+    const Box box = driver_.BoxOf("xml/" + line);
+    return {box.max.x - 20, box.center().y};
+  }
+
+  TemporaryFile file_{"small.xml", kSmallFile};
+  Driver driver_;
+};
+
+TEST_F(XmlTypingTest, WhatIsTypedChangesTheTree) {
+  ClickBehind("4");
+  EXPECT_EQ(driver_.Selected(), "");
+  driver_.Press(kKeyEnter);
+  driver_.Type("  <Beep tone=\"high\"/>");
+  EXPECT_NE(Text().find("round\">\n      <Beep tone=\"high\"/>\n"), std::string::npos) << Text();
+  EXPECT_TRUE(driver_.Has("canvas/MainTree/1.4"));
+  EXPECT_EQ(driver_.Selected(), "1");
+  driver_.Picture("xml_typing");
+  driver_.Press(kKeyLeft);
+  EXPECT_EQ(driver_.Selected(), "1.1");
+}
+
+TEST_F(XmlTypingTest, AnErrorIsShownAtItsPlaceAndTheTreeStays) {
+  ClickBehind("4");
+  driver_.Type("<Beep");
+  EXPECT_TRUE(driver_.editor.state().workspace.file()->is_stale);
+  EXPECT_TRUE(driver_.Has("canvas/MainTree/1.3"));
+  driver_.Frames(10);
+  EXPECT_TRUE(driver_.Has("xml/problem/5") || driver_.Has("xml/problem/4"));
+  driver_.Picture("xml_error");
+  driver_.Type("/>");
+  EXPECT_FALSE(driver_.editor.state().workspace.file()->is_stale);
+  EXPECT_TRUE(driver_.Has("canvas/MainTree/1.4"));
+}
+
+TEST_F(XmlTypingTest, AWordIsOneStepOfTheHistory) {
+  ClickBehind("4");
+  for (const char* letter : {"<", "A", "/", ">"}) driver_.Type(letter);
+  EXPECT_EQ(driver_.editor.state().workspace.project().history().done(), 1U);
+  driver_.Press('Z', kCtrl);
+  EXPECT_EQ(Text(), kSmallFile);
+  EXPECT_FALSE(driver_.editor.state().workspace.file()->is_stale);
+}
+
+TEST_F(XmlTypingTest, KeysAreForTheTextUntilEscape) {
+  ClickBehind("4");
+  driver_.Press('D');
+  driver_.Press(kKeyDelete);
+  EXPECT_EQ(Text().find("_skipIf"), std::string::npos);
+  driver_.Press('Z', kCtrl);
+  driver_.Press(kKeyEscape);
+  driver_.view().Select(driver_.view().scene()->FindPath("1.3"));
+  driver_.Press('D');
+  EXPECT_NE(Text().find("_skipIf"), std::string::npos);
+}
+
+TEST_F(XmlTypingTest, ACommandGoesToTheTextOfTheNode) {
+  driver_.view().Select(driver_.view().scene()->FindPath("1.3"));
+  driver_.Press(kKeyEnter, kCtrl);
+  EXPECT_TRUE(driver_.Has("xml/caret"));
+  EXPECT_EQ(driver_.editor.state().xml.at, Text().find("<AlwaysSuccess"));
+  driver_.Press(kKeyEnd, kShift);
+  driver_.Press('X', kCtrl);
+  EXPECT_EQ(driver_.editor.state().get_clipboard(), "<AlwaysSuccess/>");
+  EXPECT_EQ(Text().find("<AlwaysSuccess"), std::string::npos);
+}
+
+TEST_F(XmlTypingTest, AMalformedTextIsSavedAsItIs) {
+  ClickBehind("4");
+  driver_.Type("<");
+  driver_.Press('S', kCtrl);
+  std::ifstream stream(file_.path(), std::ios::binary);
+  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(stream), {}), Text());
+}
+
+TEST_F(XmlTypingTest, ARobotsTreeIsReadOnly) {
+  driver_.AddRobot("robot:1", kLiveTree);
+  ClickBehind("3");
+  driver_.Type("x");
+  EXPECT_FALSE(driver_.Has("xml/caret"));
+}
+
 }  // namespace
 }  // namespace coppice::editor
