@@ -2,9 +2,11 @@
 // one.
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstring>
 #include <filesystem>
 #include <iostream>
+#include <utility>
 
 #include "bt_core/base/diagnostic.h"
 #include "bt_core/cli/replay.h"
@@ -33,6 +35,13 @@ constexpr Verb kVerbs[] = {
     {"upgrade", "make trees of format 3 trees of format 4", coppice::RunUpgrade},
 };
 
+// Programs of their own, which are there if the editor is.
+constexpr std::pair<const char*, const char*> kEditorVerbs[] = {
+    {"diff", "say and paint what became of the trees of a file"},
+    {"edit", "open the graphical editor"},
+    {"export", "paint trees as SVG, PDF, PNG, DOT or Markdown"},
+};
+
 std::filesystem::path FolderOfThisProgram() {
   return std::filesystem::read_symlink("/proc/self/exe").parent_path();
 }
@@ -53,8 +62,10 @@ int Usage() {
     std::cout << "  " << verb.name << std::string(10 - std::strlen(verb.name), ' ') << verb.summary
               << "\n";
   }
-  for (const std::string& verb : OtherPrograms()) {
-    if (verb == "edit") std::cout << "  edit      open the graphical editor\n";
+  const std::vector<std::string> others = OtherPrograms();
+  for (const auto& [verb, summary] : kEditorVerbs) {
+    if (std::find(others.begin(), others.end(), verb) == others.end()) continue;
+    std::cout << "  " << verb << std::string(10 - std::strlen(verb), ' ') << summary << "\n";
   }
   return 2;
 }

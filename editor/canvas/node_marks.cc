@@ -18,7 +18,7 @@ const char* SignOf(Change change) {
     case Change::kAdded:
       return "+";
     case Change::kRemoved:
-      return "-";
+      return "\u2013";
     case Change::kMoved:
       return icon::kRightArrow;
     case Change::kChanged:

@@ -55,7 +55,8 @@ class TreePainter {
     look.zoom = area_.camera.zoom;
     look.state = StateOf(area_.options.live, node);
     look.offline = area_.options.live && area_.options.live->connection != Connection::kLive;
-    look.number = node.number;
+    const bool alone = node.number == 1 && node.end == scene_.nodes[node.parent].end;
+    look.number = alone ? 0 : node.number;
     look.change = ChangeOf(area_.options, view_.shown()[item.k]);
     if (view_.lit_key() != kNoKey) look.strength = kDimmed;
     if (detail_ == Detail::kBlock) return PaintStraight(look);

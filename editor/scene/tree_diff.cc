@@ -1,6 +1,7 @@
 #include "editor/scene/tree_diff.h"
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 #include "editor/scene/tree_match.h"
@@ -16,25 +17,42 @@ std::uint32_t KnownAbove(const Scene& scene, const std::vector<std::uint32_t>& o
   return above;
 }
 
-// The places in a list of different numbers that do not belong to its longest rising part.
-std::vector<std::size_t> OutOfOrder(const std::vector<std::uint32_t>& list) {
-  std::vector<std::size_t> tails;  // places of the least ends of rising parts, by length
+// Where each node stands now, and where it stood.
+struct Sibling {
+  std::uint32_t before = 0;  // number in the tree before
+  bool same_number = false;  // among its siblings
+};
+
+// The places of siblings that do not keep their order. As few as possible are named, and rather
+// those whose number has changed: the others are the heaviest rising part of the list.
+std::vector<std::size_t> OutOfOrder(const std::vector<Sibling>& list) {
+  std::vector<std::uint32_t> sorted;
+  for (const Sibling& sibling : list) sorted.push_back(sibling.before);
+  std::sort(sorted.begin(), sorted.end());
+  struct Part {
+    std::size_t weight = 0;
+    std::size_t last = 0;  // place of its last one
+  };
+  std::vector<Part> best(list.size() +
+                         1);  // Fenwick tree: the heaviest part that ends up to a rank
   std::vector<std::size_t> previous(list.size(), list.size());
+  Part heaviest = {0, list.size()};
   for (std::size_t i = 0; i < list.size(); ++i) {
-    const auto at = std::partition_point(tails.begin(), tails.end(),
-                                         [&](std::size_t t) { return list[t] < list[i]; });
-    if (at != tails.begin()) previous[i] = *(at - 1);
-    if (at == tails.end()) {
-      tails.push_back(i);
-    } else {
-      *at = i;
+    const auto at = std::lower_bound(sorted.begin(), sorted.end(), list[i].before);
+    const auto rank = static_cast<std::size_t>(at - sorted.begin());
+    Part before;
+    for (std::size_t r = rank; r > 0; r &= r - 1) {
+      if (best[r].weight > before.weight) before = best[r];
     }
+    if (before.weight > 0) previous[i] = before.last;
+    const Part part = {before.weight + 2 * list.size() + (list[i].same_number ? 1 : 0), i};
+    for (std::size_t r = rank + 1; r < best.size(); r += r & (~r + 1)) {
+      if (part.weight > best[r].weight) best[r] = part;
+    }
+    if (part.weight > heaviest.weight) heaviest = part;
   }
   std::vector<bool> rising(list.size(), false);
-  for (std::size_t i = tails.empty() ? list.size() : tails.back(); i < list.size();
-       i = previous[i]) {
-    rising[i] = true;
-  }
+  for (std::size_t i = heaviest.last; i < list.size(); i = previous[i]) rising[i] = true;
   std::vector<std::size_t> out;
   for (std::size_t i = 0; i < list.size(); ++i) {
     if (!rising[i]) out.push_back(i);
@@ -55,8 +73,11 @@ std::vector<bool> FindMoved(const Scene& before, const Scene& after, const TreeM
     if (!moved[i]) below[above == kNoNode ? after.nodes.size() : above].push_back(i);
   }
   for (const std::vector<std::uint32_t>& siblings : below) {
-    std::vector<std::uint32_t> old;
-    for (const std::uint32_t node : siblings) old.push_back(match.before_of[node]);
+    std::vector<Sibling> old;
+    for (const std::uint32_t node : siblings) {
+      const std::uint32_t number = before.nodes[match.before_of[node]].number;
+      old.push_back({match.before_of[node], number == after.nodes[node].number});
+    }
     for (const std::size_t place : OutOfOrder(old)) moved[siblings[place]] = true;
   }
   return moved;
@@ -94,6 +115,8 @@ std::vector<AttributeChange> CompareNodes(const Scene& before, const SceneNode& 
   return changes;
 }
 
+std::string OrNone(const std::string& value) { return value.empty() ? "(none)" : value; }
+
 class Merger {
  public:
   Merger(const Scene& before, const Scene& after)
@@ -101,6 +124,7 @@ class Merger {
     kind_of_.assign(after.nodes.size(), 0);
     for (const NodeDiff& diff : DiffTrees(before, after)) {
       if (diff.after == kNoNode) continue;
+      if (!diff.attributes.empty()) changes_[diff.after] = diff.attributes;
       std::uint8_t& kind = kind_of_[diff.after];
       if (kind == 0) kind = static_cast<std::uint8_t>(1 + static_cast<int>(diff.kind));
     }
@@ -109,7 +133,8 @@ class Merger {
   MergedTree Run() {
     result_.scene.tree_id = after_.tree_id;
     result_.scene.scopes = after_.scopes;
-    if (!after_.nodes.empty()) AddAfter(0, kNoNode, 1);
+    if (after_.nodes.empty()) result_.scene.tree_id = before_.tree_id;
+    AddRoot();
     return std::move(result_);
   }
 
@@ -138,9 +163,65 @@ class Merger {
     result_.scene.nodes[index].end = static_cast<std::uint32_t>(result_.scene.nodes.size());
   }
 
+  // A removed root stays above what has come out of it; else it is shown below the new root.
+  void AddRoot() {
+    const bool removed = !before_.nodes.empty() && match_.after_of[0] == kNoNode;
+    if (after_.nodes.empty()) {
+      if (removed) AddRemoved(0, kNoNode, 1);
+      return;
+    }
+    const std::uint32_t old = match_.before_of[0];
+    bool came_out = removed && old != kNoNode;
+    for (std::uint32_t i = came_out ? old : 0; i != 0 && came_out; i = before_.nodes[i].parent) {
+      came_out = match_.after_of[before_.nodes[i].parent] == kNoNode;
+    }
+    if (came_out) {
+      came_out_ = old;
+      return AddRemoved(0, kNoNode, 1);
+    }
+    AddAfter(0, kNoNode, 1);
+    if (!removed) return;
+    std::uint32_t count = 0;
+    const auto& nodes = result_.scene.nodes;
+    for (std::uint32_t c = 1; c < nodes.size(); c = nodes[c].end) ++count;
+    AddRemoved(0, 0, count + 1);
+    Close(0);
+  }
+
+  std::string_view Keep(std::string text) { return result_.texts.emplace_back(std::move(text)); }
+
+  // Says old and new of what changed in a node that was just added.
+  void ShowChanges(std::uint32_t node, const std::vector<AttributeChange>& changes) {
+    SceneNode& shown = result_.scene.nodes[node];
+    std::string was;
+    for (const AttributeChange& change : changes) {
+      if (change.name == "type" || change.name == "name") {
+        if (!change.before.empty()) was += (was.empty() ? "" : ", ") + change.before;
+      } else {
+        ShowPort(shown, change);
+      }
+    }
+    if (!was.empty()) shown.name = Keep(std::string(shown.name) + " (was " + was + ")");
+  }
+
+  void ShowPort(SceneNode& node, const AttributeChange& change) {
+    const std::string_view value = Keep(OrNone(change.before) + " \u2192 " + OrNone(change.after));
+    std::vector<PortLine>& ports = result_.scene.ports;
+    for (std::size_t p = node.first_port; p < node.first_port + node.port_count; ++p) {
+      if (ports[p].name != change.name) continue;
+      ports[p].value = value;
+      ports[p].is_key = false;
+      return;
+    }
+    ports.push_back({Keep(change.name), value, PortDirection::kInput, false, nullptr});
+    ++node.port_count;
+  }
+
   // Removed children come behind the sibling that they stood behind.
   void AddAfter(std::uint32_t node, std::uint32_t parent, std::uint32_t number) {
     const std::uint32_t index = Add(after_, node, parent, number, kind_of_[node]);
+    const auto changes = changes_.find(node);
+    if (changes != changes_.end()) ShowChanges(index, changes->second);
     const std::uint32_t old = match_.before_of[node];
     std::uint32_t next = old == kNoNode ? kNoNode : old + 1;
     const std::uint32_t old_end = old == kNoNode ? kNoNode : before_.nodes[old].end;
@@ -173,6 +254,7 @@ class Merger {
     std::uint32_t count = 0;
     for (std::uint32_t c = node + 1; c < before_.nodes[node].end; c = before_.nodes[c].end) {
       if (match_.after_of[c] == kNoNode) AddRemoved(c, index, ++count);
+      if (c == came_out_) AddAfter(0, index, ++count);
     }
     Close(index);
   }
@@ -181,6 +263,8 @@ class Merger {
   const Scene& after_;
   const TreeMatch match_;
   std::vector<std::uint8_t> kind_of_;
+  std::uint32_t came_out_ = kNoNode;  // node before that is the root now, if the old one is gone
+  std::map<std::uint32_t, std::vector<AttributeChange>> changes_;  // by node after
   MergedTree result_;
 };
 

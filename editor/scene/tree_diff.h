@@ -8,6 +8,7 @@
 #define COPPICE_EDITOR_SCENE_TREE_DIFF_H_
 
 #include <cstdint>
+#include <deque>
 #include <string>
 #include <vector>
 
@@ -40,10 +41,12 @@ std::vector<NodeDiff> DiffTrees(const Scene& before, const Scene& after);
 /// One line as above.
 std::string ToString(const NodeDiff& diff, const Scene& before, const Scene& after);
 
-/// Both versions as one tree: that after, with the removed nodes where they were. Views point into
-/// what both scenes point into.
+/// Both versions as one tree: that after, with the removed nodes where they were. What changed says
+/// both: a port "3 → 5", a name "Fallback (was Sequence)". Views point into what both scenes point
+/// into, and into `texts`.
 struct MergedTree {
   Scene scene;
+  std::deque<std::string> texts;
   std::vector<std::uint8_t> kinds;  ///< by node: 0 the same, else 1 + DiffKind
 };
 MergedTree MergeTrees(const Scene& before, const Scene& after);

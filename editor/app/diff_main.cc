@@ -1,0 +1,6 @@
+// coppice-diff, which is `coppice diff`.
+#include "editor/export/diff_verb.h"
+
+int main(int argc, char** argv) {
+  return coppice::editor::RunDiff(std::vector<std::string>(argv + 1, argv + argc));
+}

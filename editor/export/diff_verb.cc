@@ -1,0 +1,97 @@
+#include "editor/export/diff_verb.h"
+
+#include <unistd.h>
+
+#include <cstdlib>
+#include <iostream>
+#include <optional>
+
+#include "editor/export/diff_picture.h"
+#include "editor/export/verb_options.h"
+
+namespace coppice::editor {
+namespace {
+
+constexpr int kSame = 0;
+constexpr int kDifferent = 1;
+constexpr int kTrouble = 2;
+
+std::string Usage() {
+  return "coppice diff A.xml B.xml [-o PICTURE] [options]\n"
+         "  Says which nodes were added (+), removed (-), moved (>) and changed (~) from A to B.\n"
+         "  Ends with 0 if the trees are the same, 1 if they differ.\n"
+         "  -o PICTURE        ends in .svg, .pdf, .png, .dot or .md\n" +
+         std::string(kPictureUsage);
+}
+
+// Green, red, blue, yellow; nothing if the output is no terminal.
+const char* ColorOf(DiffKind kind) {
+  constexpr const char* kColors[] = {"\x1b[32m", "\x1b[31m", "\x1b[34m", "\x1b[33m"};
+  return kColors[static_cast<std::size_t>(kind)];
+}
+
+class Printer {
+ public:
+  Printer(const Forest& before, const Forest& after)
+      : before_(before),
+        after_(after),
+        colored_(::isatty(STDOUT_FILENO) != 0 && std::getenv("NO_COLOR") == nullptr) {}
+
+  void Print(const TreeComparison& tree) const {
+    if (tree.diffs.empty()) return;
+    if (tree.before.nodes.empty()) return Line(DiffKind::kAdded, "+ tree " + tree.id);
+    if (tree.after.nodes.empty()) return Line(DiffKind::kRemoved, "- tree " + tree.id);
+    std::cout << tree.id << ": " << CountDiffs(tree.diffs) << "\n";
+    for (const NodeDiff& diff : tree.diffs) {
+      Line(diff.kind, "  " + ToString(diff, tree.before, tree.after),
+           "   " + PlaceOf(diff, tree, before_, after_));
+    }
+  }
+
+ private:
+  void Line(DiffKind kind, const std::string& text, const std::string& place = {}) const {
+    std::cout << (colored_ ? ColorOf(kind) : "") << text << (colored_ ? "\x1b[0m" : "") << place
+              << "\n";
+  }
+
+  const Forest& before_;
+  const Forest& after_;
+  const bool colored_;
+};
+
+}  // namespace
+
+int RunDiff(const std::vector<std::string>& arguments) {
+  const auto options = ParseOptions(arguments, PictureOptions(), PictureFlags(), Usage());
+  if (!options) return kTrouble;
+  std::string wrong;
+  const auto order = ReadPictureOrder(*options, wrong);
+  if (!order || options->files.size() != 2) {
+    std::cerr << "coppice diff: " << (order ? "needs two files\nusage: " + Usage() : wrong) << "\n";
+    return kTrouble;
+  }
+  Diagnostics diagnostics;
+  const Forest before = Forest::FromFile(options->files[0], diagnostics);
+  const Forest after = Forest::FromFile(options->files[1], diagnostics);
+  const NodeModels models_before = ModelsFor(before, order->models, diagnostics);
+  const NodeModels models_after = ModelsFor(after, order->models, diagnostics);
+  std::cerr << diagnostics.ToString();
+  if (diagnostics.has_errors()) return kTrouble;
+
+  const auto trees = CompareForests({before, models_before}, {after, models_after});
+  const Printer printer(before, after);
+  bool same = true;
+  for (const TreeComparison& tree : trees) {
+    same = same && tree.diffs.empty();
+    printer.Print(tree);
+  }
+  if (order->path.empty() || same) return same ? kSame : kDifferent;
+  const DiffPicture picture(trees);
+  TreePainting painting = order->painting;
+  picture.AddTo(painting);
+  wrong = WritePicture(painting, order->path, order->pixels);
+  if (!wrong.empty()) std::cerr << "coppice diff: " << wrong << "\n";
+  return wrong.empty() ? kDifferent : kTrouble;
+}
+
+}  // namespace coppice::editor

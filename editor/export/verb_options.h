@@ -1,0 +1,37 @@
+// What the verbs `export` and `diff` have in common: options that say how a picture looks.
+#ifndef COPPICE_EDITOR_EXPORT_VERB_OPTIONS_H_
+#define COPPICE_EDITOR_EXPORT_VERB_OPTIONS_H_
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bt_core/base/command_line.h"
+#include "editor/export/write_picture.h"
+#include "editor/scene/forest.h"
+
+namespace coppice::editor {
+
+struct PictureOrder {
+  std::string path;                 ///< empty: no picture
+  float pixels = 2;                 ///< of a PNG
+  std::vector<std::string> models;  ///< files
+  TreePainting painting;            ///< without trees
+};
+
+/// Their names, for ParseOptions.
+std::vector<std::string> PictureOptions();
+std::vector<std::string> PictureFlags();
+/// What they mean, for the usage.
+extern const char* const kPictureUsage;
+
+/// Nothing if a value is not what was expected; then `wrong` says what was.
+std::optional<PictureOrder> ReadPictureOrder(const Options& options, std::string& wrong);
+
+/// Models of these files and of the forest itself.
+NodeModels ModelsFor(const Forest& forest, const std::vector<std::string>& files,
+                     Diagnostics& diagnostics);
+
+}  // namespace coppice::editor
+
+#endif  // COPPICE_EDITOR_EXPORT_VERB_OPTIONS_H_
