@@ -166,6 +166,8 @@ void Editor::Frame(const InputEvents& input) {
   ImGui::End();
   DrawPopup(ui, state_);
   ImGui::Render();
+  if (!ImGui::IsMouseDown(0)) state_.incoming.reset();
+  if (state_.after_frame) std::exchange(state_.after_frame, {})();
 }
 
 void Editor::Apply(const InputEvents& input) {
