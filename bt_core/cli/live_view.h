@@ -7,11 +7,9 @@
 #include <vector>
 
 #include "bt_core/base/command_line.h"
-#include "bt_core/engine/event_stream.h"
+#include "bt_core/engine/executor.h"
 
 namespace coppice {
-
-class LivePublisher;
 
 class LiveView {
  public:
@@ -29,15 +27,17 @@ class LiveView {
   }
   static std::vector<std::string> Flags() { return {"--live", "--live-read-only"}; }
 
-  /// Opens the view if one of the options is given, and prints where it is. The stream must live
-  /// longer. Throws std::exception with a text for people if that cannot be.
-  LiveView(EventStream& stream, const Options& options);
+  /// Opens the view if one of the options is given, and prints where it is. Throws std::exception
+  /// with a text for people if that cannot be.
+  LiveView(Executor& executor, const Options& options);
   ~LiveView();
   LiveView(const LiveView&) = delete;
   LiveView& operator=(const LiveView&) = delete;
 
  private:
-  std::unique_ptr<LivePublisher> publisher_;
+  struct View;
+
+  std::unique_ptr<View> view_;
 };
 
 }  // namespace coppice

@@ -97,87 +97,60 @@ bool Script::Test(Blackboard& blackboard) const {
   const Constant* const constants = code_->constants.data();
   Slot* const slots = blackboard.data();
   const Instruction* at = test_;
-  const auto value = [&]() -> const Value& { return slots[at->a].value; };
-  const auto constant = [&]() -> const Constant& { return constants[at->b]; };
-  // Goes on at the next question; false if the interpreter must answer this one. At each question
-  // by itself: one place for all of them costs a fifth more.
-  const auto go_on = [&](Answer answer) {
-    if (answer == Answer::kUnknown) return false;
-    at += answer == Answer::kYes ? 1 : at->jump;
-    return true;
-  };
   while (true) {
     Answer answer = Answer::kUnknown;
+    const auto compare = [&](auto how) { answer = how(slots[at->a].value, constants[at->b]); };
     switch (at->op) {
       case Op::kReturnTrue:
         return true;
       case Op::kReturnFalse:
         return false;
       case Op::kWhileEqual:
-        if (go_on(Compare<Relation::kEqual>(value(), constant()))) continue;
+      case Op::kIsEqual:
+        compare(Compare<Relation::kEqual>);
         break;
       case Op::kWhileNotEqual:
-        if (go_on(Compare<Relation::kNotEqual>(value(), constant()))) continue;
+      case Op::kIsNotEqual:
+        compare(Compare<Relation::kNotEqual>);
         break;
       case Op::kWhileLess:
-        if (go_on(Compare<Relation::kLess>(value(), constant()))) continue;
+      case Op::kIsLess:
+        compare(Compare<Relation::kLess>);
         break;
       case Op::kWhileLessOrEqual:
-        if (go_on(Compare<Relation::kLessOrEqual>(value(), constant()))) continue;
+      case Op::kIsLessOrEqual:
+        compare(Compare<Relation::kLessOrEqual>);
         break;
       case Op::kWhileGreater:
-        if (go_on(Compare<Relation::kGreater>(value(), constant()))) continue;
+      case Op::kIsGreater:
+        compare(Compare<Relation::kGreater>);
         break;
       case Op::kWhileGreaterOrEqual:
-        if (go_on(Compare<Relation::kGreaterOrEqual>(value(), constant()))) continue;
+      case Op::kIsGreaterOrEqual:
+        compare(Compare<Relation::kGreaterOrEqual>);
         break;
       case Op::kWhileTextEqual:
-        if (go_on(IsText(value(), constant(), true))) continue;
+      case Op::kIsTextEqual:
+        answer = IsText(slots[at->a].value, constants[at->b], true);
         break;
       case Op::kWhileTextNotEqual:
-        if (go_on(IsText(value(), constant(), false))) continue;
+      case Op::kIsTextNotEqual:
+        answer = IsText(slots[at->a].value, constants[at->b], false);
         break;
       case Op::kWhileSlot:
-        if (go_on(IsTruth(value(), true))) continue;
+      case Op::kIsSlot:
+        answer = IsTruth(slots[at->a].value, true);
         break;
       case Op::kWhileNotSlot:
-        if (go_on(IsTruth(value(), false))) continue;
-        break;
-      case Op::kIsEqual:
-        answer = Compare<Relation::kEqual>(value(), constant());
-        break;
-      case Op::kIsNotEqual:
-        answer = Compare<Relation::kNotEqual>(value(), constant());
-        break;
-      case Op::kIsLess:
-        answer = Compare<Relation::kLess>(value(), constant());
-        break;
-      case Op::kIsLessOrEqual:
-        answer = Compare<Relation::kLessOrEqual>(value(), constant());
-        break;
-      case Op::kIsGreater:
-        answer = Compare<Relation::kGreater>(value(), constant());
-        break;
-      case Op::kIsGreaterOrEqual:
-        answer = Compare<Relation::kGreaterOrEqual>(value(), constant());
-        break;
-      case Op::kIsTextEqual:
-        answer = IsText(value(), constant(), true);
-        break;
-      case Op::kIsTextNotEqual:
-        answer = IsText(value(), constant(), false);
-        break;
-      case Op::kIsSlot:
-        answer = IsTruth(value(), true);
-        break;
       case Op::kIsNotSlot:
-        answer = IsTruth(value(), false);
+        answer = IsTruth(slots[at->a].value, false);
         break;
       default:
         break;
     }
     if (answer == Answer::kUnknown) return script::Execute(*code_, at, blackboard);
-    return answer == Answer::kYes;
+    if (at->op >= Op::kIsEqual) return answer == Answer::kYes;
+    at += answer == Answer::kYes ? 1 : at->jump;
   }
 }
 
