@@ -41,22 +41,14 @@ LiveOptions ReadLiveOptions(const Options& options) {
 
 }  // namespace
 
-struct LiveView::View {
-  View(Executor& executor, const LiveOptions& options)
-      : stream(executor), publisher(stream, options) {}
-
-  EventStream stream;
-  LivePublisher publisher;
-};
-
-LiveView::LiveView(Executor& executor, const Options& options) {
+LiveView::LiveView(EventStream& stream, const Options& options) {
   if (!IsWanted(options)) return;
   const LiveOptions live = ReadLiveOptions(options);
-  view_ = std::make_unique<View>(executor, live);
-  std::cerr << "live view on " << live.address << ":" << view_->publisher.port();
+  publisher_ = std::make_unique<LivePublisher>(stream, live);
+  std::cerr << "live view on " << live.address << ":" << publisher_->port();
   if (live.wait_for_client > Duration::zero()) std::cerr << ", waiting for a client to continue";
   std::cerr << "\n";
-  const std::string& read_token = view_->publisher.read_token();
+  const std::string& read_token = publisher_->read_token();
   if (!read_token.empty()) std::cerr << "token for those who only watch: " << read_token << "\n";
 }
 

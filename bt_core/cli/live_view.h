@@ -7,9 +7,11 @@
 #include <vector>
 
 #include "bt_core/base/command_line.h"
-#include "bt_core/engine/executor.h"
+#include "bt_core/engine/event_stream.h"
 
 namespace coppice {
+
+class LivePublisher;
 
 class LiveView {
  public:
@@ -27,17 +29,15 @@ class LiveView {
   }
   static std::vector<std::string> Flags() { return {"--live", "--live-read-only"}; }
 
-  /// Opens the view if one of the options is given, and prints where it is. Throws std::exception
-  /// with a text for people if that cannot be.
-  LiveView(Executor& executor, const Options& options);
+  /// Opens the view if one of the options is given, and prints where it is. The stream must live
+  /// longer. Throws std::exception with a text for people if that cannot be.
+  LiveView(EventStream& stream, const Options& options);
   ~LiveView();
   LiveView(const LiveView&) = delete;
   LiveView& operator=(const LiveView&) = delete;
 
  private:
-  struct View;
-
-  std::unique_ptr<View> view_;
+  std::unique_ptr<LivePublisher> publisher_;
 };
 
 }  // namespace coppice

@@ -5,9 +5,9 @@
 
 namespace coppice {
 
-struct LiveView::View {};
+class LivePublisher {};
 
-LiveView::LiveView(Executor&, const Options& options) {
+LiveView::LiveView(EventStream&, const Options& options) {
   for (const std::vector<std::string>& names : {WithValue(), Flags()}) {
     for (const std::string& name : names) {
       if (!options.Has(name)) continue;

@@ -9,15 +9,20 @@
 #include "bt_core/cli/verbs.h"
 #include "bt_core/engine/runner.h"
 #include "bt_core/engine/status_follower.h"
+#include "bt_core/record/recorder.h"
 
 namespace coppice {
 namespace {
 
 constexpr char kUsage[] =
-    "coppice run FILE [--tree ID] [--plugin FILE.so]... [--live]\n"
+    "coppice run FILE [--tree ID] [--plugin FILE.so]... [--forever] [--quiet] [--record OUT] "
+    "[--live]\n"
     "  Runs a tree of built-in nodes and those of plugins until its root completes; Ctrl+C halts "
     "it.\n"
-    "  Trees with the robot's leaves are run by coppice-robot.";
+    "  Trees with the robot's leaves are run by coppice-robot.\n"
+    "  --forever                 starts again when the root has completed\n"
+    "  --quiet                   prints the result only\n"
+    "  --record OUT.coppice      writes every tick into a file for coppice replay";
 
 std::atomic<Runner*> running{nullptr};
 
@@ -52,14 +57,39 @@ class Printer : public TickSink {
   StatusFollower follower_;
 };
 
+// The tree with everything around it, until its root completes.
+int RunProgram(const std::shared_ptr<const Program>& program, const Options& options) {
+  WallClock clock;
+  Executor executor(program, clock);
+  Printer printer(executor);
+  if (!options.Has("--quiet")) executor.AddSink(&printer);
+  EventStream stream(executor);
+  std::optional<Recorder> recorder;
+  if (options.Has("--record")) recorder.emplace(stream, options.Get("--record"));
+  const LiveView live(stream, options);
+  RunOptions run;
+  run.forever = options.Has("--forever");
+  Runner runner(executor, run);
+  running = &runner;
+  std::signal(SIGINT, StopRunning);
+  std::signal(SIGTERM, StopRunning);
+  const Status result = runner.Run();
+  running = nullptr;
+  std::cout << ToString(result) << "\n";
+  const std::string problem = recorder ? recorder->Close() : "";
+  if (!problem.empty()) std::cerr << problem << "\n";
+  return result == Status::kFailure || runner.stop_requested() || !problem.empty() ? 1 : 0;
+}
+
 }  // namespace
 
 int RunTree(const Arguments& arguments) {
   const std::string usage = std::string(kUsage) + "\n" + LiveView::kUsage;
   std::vector<std::string> with_value = LiveView::WithValue();
-  with_value.insert(with_value.end(), {"--plugin", "--tree"});
-  const std::optional<Options> options =
-      ParseOptions(arguments, with_value, LiveView::Flags(), usage);
+  with_value.insert(with_value.end(), {"--plugin", "--record", "--tree"});
+  std::vector<std::string> flags = LiveView::Flags();
+  flags.insert(flags.end(), {"--forever", "--quiet"});
+  const std::optional<Options> options = ParseOptions(arguments, with_value, flags, usage);
   if (!options) return 2;
   if (options->files.size() != 1) {
     std::cerr << "expected one file\nusage: " << usage << "\n";
@@ -72,26 +102,12 @@ int RunTree(const Arguments& arguments) {
       CompileFile(options->files[0], registry, diagnostics, options->Get("--tree"));
   std::cerr << diagnostics.ToString();
   if (!program) return 2;
-
-  WallClock clock;
-  Executor executor(program, clock);
-  Printer printer(executor);
-  executor.AddSink(&printer);
-  std::optional<LiveView> live;
   try {
-    live.emplace(executor, *options);
-  } catch (const std::exception& error) {
+    return RunProgram(program, *options);
+  } catch (const std::exception& error) {  // no such address, the record is there already
     std::cerr << error.what() << "\n";
     return 2;
   }
-  Runner runner(executor);
-  running = &runner;
-  std::signal(SIGINT, StopRunning);
-  std::signal(SIGTERM, StopRunning);
-  const Status result = runner.Run();
-  running = nullptr;
-  std::cout << ToString(result) << "\n";
-  return result == Status::kFailure || runner.stop_requested() ? 1 : 0;
 }
 
 }  // namespace coppice

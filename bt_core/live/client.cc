@@ -101,7 +101,9 @@ class LiveClient::Loop {
       while (!stop_ && session.failure().empty() && why.empty()) {
         AnswerCommands(&session);
         const Duration now = Now();
-        if (!session.is_live() && now >= start + kPatience) Tell("no answer from " + endpoint_);
+        if (!session.has_answered() && now >= start + kPatience) {
+          Tell("no answer from " + endpoint_);
+        }
         const Duration next = std::min(session.OnTime(now), now + kPatience);
         if (!session.failure().empty()) break;
         const ClientSocket::Event event = socket.Wait(next - now);

@@ -22,6 +22,7 @@ class ClientExtension final : public ClientSession {
   void Send(const LiveCommand& command, LiveClient::ReplyHandler on_reply) override;
   void Leave() override;
   void Abandon(const std::string& why) override;
+  bool has_answered() const override { return heard_ > Duration(0); }
   bool is_live() const override { return is_subscribed_; }
 
  private:

@@ -24,6 +24,7 @@ class ClientGroot2 final : public ClientSession {
   void OnMessage(const Parts& parts, Duration now) override;
   void Send(const LiveCommand& command, LiveClient::ReplyHandler on_reply) override;
   void Abandon(const std::string& why) override;
+  bool has_answered() const override { return heard_; }
   bool is_live() const override { return is_live_; }
 
  private:

@@ -28,6 +28,8 @@ class ClientSession {
   /// The connection is gone: nothing that was asked is answered any more.
   virtual void Abandon(const std::string& why) = 0;
 
+  /// The robot has said something in this protocol.
+  virtual bool has_answered() const = 0;
   /// The history comes.
   virtual bool is_live() const = 0;
 

@@ -12,7 +12,6 @@
 #include "editor/canvas/node_metrics.h"
 #include "editor/core/edit_commands.h"
 #include "editor/core/project_commands.h"
-#include "editor/core/picture_commands.h"
 #include "editor/core/standard_commands.h"
 #include "editor/live/live_client.h"
 #include "editor/look/imgui_context.h"
@@ -69,7 +68,6 @@ Editor::Editor(const Clock& clock, EditorOptions options)
   state_.set_clipboard = [](const std::string& text) { ImGui::SetClipboardText(text.c_str()); };
   AddEditCommands(state_, [this] { return now_; });
   AddProjectCommands(state_, [this] { return now_; });
-  AddPictureCommands(state_, [this] { return now_; });
   AddStandardCommands(state_, [this] { return now_; });
   LoadRecent();
 }
@@ -168,6 +166,8 @@ void Editor::Frame(const InputEvents& input) {
   ImGui::End();
   DrawPopup(ui, state_);
   ImGui::Render();
+  if (!ImGui::IsMouseDown(0)) state_.incoming.reset();
+  if (state_.after_frame) std::exchange(state_.after_frame, {})();
 }
 
 void Editor::Apply(const InputEvents& input) {

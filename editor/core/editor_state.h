@@ -4,13 +4,14 @@
 
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "editor/canvas/drop_target.h"
 #include "editor/commands/choice.h"
 #include "editor/commands/command_table.h"
 #include "editor/commands/keys.h"
-#include "editor/core/canvas_state.h"
 #include "editor/core/workspace.h"
 #include "editor/look/palette.h"
 
@@ -20,6 +21,7 @@ namespace coppice::editor {
 struct Tiles {
   bool project = true;
   bool outline = true;
+  bool types = true;
   bool inspector = true;
   bool blackboard = true;
   bool xml = true;
@@ -32,7 +34,8 @@ struct Splits {
   float left = 236;
   float right = 296;
   float bottom = 170;
-  float left_part = 0.28F;    ///< of the project in the left column
+  float left_part = 0.28F;    ///< of the project in the upper part of the left column
+  float types_part = 0.62F;   ///< of what is above the node types
   float right_part = 0.55F;   ///< of the inspector in the right column
   float bottom_part = 0.62F;  ///< of the XML in the bottom row
 };
@@ -85,6 +88,16 @@ struct XmlPane {
   bool follow = false;   ///< the caret has moved and must be seen
 };
 
+/// The last answer to "may this be dropped there?".
+struct DropAnswer {
+  std::uint64_t version = 0;  ///< of the project
+  std::string label;
+  DropTarget target;
+  bool copy = false;
+  bool replace = false;
+  std::string refusal;
+};
+
 /// A sentence about what was just done or refused.
 struct Notice {
   std::string text;
@@ -96,7 +109,6 @@ struct EditorState {
   explicit EditorState(Workspace::Measure measure) : workspace(std::move(measure)) {}
 
   Workspace workspace;
-  CanvasState canvas;
   CommandTable commands;
   PaletteName palette = PaletteName::kDark;
   Tiles tiles;
@@ -116,7 +128,12 @@ struct EditorState {
   Notice notice;
   Typing typing;
   XmlPane xml;
-  std::string focus_field;                        ///< path of the field to type in next
+  std::string type_filter;       ///< typed above the node types
+  std::optional<Drag> incoming;  ///< dragged out of a tile
+  std::string dragged_xml;       ///< of a new node that is being dragged
+  DropAnswer drop_answer;
+  std::function<void()> after_frame;  ///< what would disturb the frame that is being drawn
+  std::string focus_field;            ///< path of the field to type in next
   std::map<std::string, std::string> restorable;  ///< unsaved texts of the last time, by path
   std::vector<KeyEvent> keys;                     ///< pressed in this frame
   Point canvas_size{800, 600};                    ///< of the last frame

@@ -116,6 +116,8 @@ class Commands {
       const std::uint32_t node = view.selected();
       if (node != kNoNode) view.SetCollapsed(node, !view.IsCollapsed(node), now());
     });
+    AddForView("tree.collapse_others", "Collapse all others", {'C', kShift},
+               [now = now_](TreeView& view) { view.CollapseOthers(now()); });
     AddForView("tree.open_subtrees", "Open all SubTrees", {'E'},
                [now = now_](TreeView& view) { view.CollapseSubTrees(false, now()); });
     AddForView("tree.close_subtrees", "Close all SubTrees", {'E', kShift},
@@ -145,6 +147,8 @@ class Commands {
   void AddTiles() {
     Add("tile.project", "Project tile", {kKeyF1 + 1, kShift},
         [&s = state_] { s.tiles.project = !s.tiles.project; });
+    Add("tile.types", "Nodes tile", {kKeyF1 + 2, kShift},
+        [&s = state_] { s.tiles.types = !s.tiles.types; });
     AddTile("tile.outline", "Outline tile", 3, &Tiles::outline);
     AddTile("tile.inspector", "Inspector tile", 4, &Tiles::inspector);
     AddTile("tile.blackboard", "Blackboard tile", 6, &Tiles::blackboard);

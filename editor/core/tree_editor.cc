@@ -53,6 +53,7 @@ std::vector<Place> TreeEditor::SelectedPlaces() const {
   return places;
 }
 
+// "Beep", or "3 nodes".
 std::string TreeEditor::What() const {
   std::size_t count = 0;
   std::string name;
@@ -100,18 +101,6 @@ bool TreeEditor::RunAll(const std::string& name, const std::vector<Selected>& se
 
 bool TreeEditor::Run(const std::string& name, const Edit& edit) {
   return RunAll(name, Selection(), edit);
-}
-
-std::string TreeEditor::WhyNot(const Edit& edit) const {
-  const std::vector<Selected> selection = Selection();
-  if (!WhyReadOnly().empty()) return WhyReadOnly();
-  if (selection.empty()) return "nothing is selected";
-  for (const Selected& selected : selection) {
-    Draft draft(DocumentOf(selected.path), selected.elements);
-    std::string refusal = edit(draft, Rules());
-    if (!refusal.empty()) return refusal;
-  }
-  return {};
 }
 
 bool TreeEditor::RunOn(const std::string& name, const std::string& path,

@@ -39,9 +39,6 @@ class TreeEditor {
   /// The selected elements, by file and offset.
   std::vector<Place> SelectedPlaces() const;
 
-  /// The selection in a few words: "Beep", or "3 nodes".
-  std::string What() const;
-
   /// The name that the selected node has in the XML.
   std::string GivenName() const;
 
@@ -78,8 +75,6 @@ class TreeEditor {
   using Edit = std::function<std::string(Draft&, const NodeRules&)>;
   /// Runs an edit on the selected elements of each file; one step of that name.
   bool Run(const std::string& name, const Edit& edit);
-  /// Why Run() would refuse it, or empty. Nothing changes.
-  std::string WhyNot(const Edit& edit) const;
   /// The same on elements of one file. Selects what the edit selects.
   bool RunOn(const std::string& name, const std::string& path,
              const std::vector<ElementIndex>& elements, const Edit& edit);
@@ -92,6 +87,7 @@ class TreeEditor {
   std::vector<Selected> Selection() const;
   const Document& DocumentOf(const std::string& path) const;
   NodeRules Rules() const;
+  std::string What() const;
   bool RunAll(const std::string& name, const std::vector<Selected>& selection, const Edit& edit);
   bool InsertAll(const std::string& name, const std::vector<std::string>& fragments,
                  AddWhere where);

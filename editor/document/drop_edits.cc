@@ -1,86 +1,99 @@
 #include "editor/document/drop_edits.h"
 
-#include <algorithm>
+#include <optional>
 #include <utility>
-#include <vector>
 
 #include "bt_core/model/element_edits.h"
+#include "editor/document/fragment.h"
 #include "editor/document/tree_edits.h"
 
 namespace coppice::editor {
 namespace {
 
-constexpr char kNothing[] = "nothing is selected";
+constexpr char kMalformed[] = "the result would not be well-formed XML";
 
-std::vector<std::string> TextsOf(const Document& document,
-                                 const std::vector<ElementIndex>& elements) {
-  std::vector<std::string> texts;
-  for (const ElementIndex index : elements) {
-    const Element& element = document.element(index);
-    texts.push_back(document.text().substr(element.offset, element.end - element.offset));
-  }
-  return texts;
+std::string TextOf(const Document& document, ElementIndex index) {
+  return CopyText(document, {index});
 }
 
-std::string Problem(const Draft& draft) {
-  return draft.problems().all().empty() ? "the result would not be well-formed XML"
-                                        : draft.problems().all().back().message;
+// The fragment with the element as its last child; nothing, with a reason, if it takes none.
+std::optional<std::string> Around(const Document& document, const NodeRules& rules,
+                                  ElementIndex element, const std::string& fragment,
+                                  std::string& refusal) {
+  Diagnostics problems;
+  const auto outer = Document::FromText(fragment, "dropped", problems);
+  if (!outer) {
+    refusal = kMalformed;
+    return std::nullopt;
+  }
+  refusal = rules.WhyNoRoom(*outer, 0, 1);
+  if (!refusal.empty()) return std::nullopt;
+  std::string inner = TextOf(document, element);
+  inner.pop_back();  // the line end
+  const auto both = outer->Edited(InsertElement(*outer, 0, UINT32_MAX, inner), problems);
+  if (!both) {
+    refusal = kMalformed;
+    return std::nullopt;
+  }
+  return both->text();
+}
+
+// What stands in the place of the element afterwards.
+std::string Put(Draft& draft, const Edit& edit, ElementIndex element) {
+  draft.Select({element});
+  return draft.Apply(edit) ? "" : kMalformed;
+}
+
+std::string DropAround(Draft& draft, const NodeRules& rules, ElementIndex element,
+                       const std::string& fragment, Edit removal) {
+  std::string refusal;
+  const auto both = Around(draft.document(), rules, element, fragment, refusal);
+  if (!both) return refusal;
+  return Put(draft, Merge(std::move(removal), ReplaceElement(draft.document(), element, *both)),
+             element);
 }
 
 }  // namespace
 
-std::string CopyInto(Draft& draft, const NodeRules& rules, ElementIndex parent,
-                     std::uint32_t position) {
-  const auto nodes = Topmost(draft.document(), draft.selection());
-  if (nodes.empty()) return kNothing;
-  return InsertNodes(draft, rules, parent, position, TextsOf(draft.document(), nodes));
+std::string DropNew(Draft& draft, const NodeRules& rules, const DropSpot& spot,
+                    const std::vector<std::string>& fragments) {
+  if (spot.kind == DropSpot::Kind::kInto) {
+    return InsertNodes(draft, rules, spot.element, spot.position, fragments);
+  }
+  if (fragments.size() != 1) return "one node at a time";
+  if (spot.kind == DropSpot::Kind::kAround) {
+    return DropAround(draft, rules, spot.element, fragments[0], {});
+  }
+  Diagnostics problems;
+  const auto dropped = Document::FromText(fragments[0], "dropped", problems);
+  const bool has_children = draft.document().element(spot.element).child_count > 0;
+  if (dropped && has_children && dropped->elements().size() == 1 &&
+      dropped->element(0).tag != "SubTree") {
+    draft.Select({spot.element});
+    return ChangeType(draft, rules, dropped->element(0).tag);
+  }
+  return Put(draft, ReplaceElement(draft.document(), spot.element, fragments[0]), spot.element);
 }
 
-std::string PutAround(Draft& draft, const NodeRules& rules, ElementIndex inner) {
+std::string DropMoved(Draft& draft, const NodeRules& rules, const DropSpot& spot) {
   const Document& document = draft.document();
-  const auto nodes = Topmost(document, draft.selection());
-  if (nodes.empty()) return kNothing;
-  if (nodes.size() > 1) return "only one node can go around another";
-  const ElementIndex outer = nodes.front();
-  if (outer == inner) return "a node cannot be moved into itself";
-  if (LiesIn(document, inner, outer) || LiesIn(document, outer, inner)) {
-    return "one of the two lies in the other";
+  if (spot.kind == DropSpot::Kind::kInto) {
+    return MoveInto(draft, rules, spot.element, spot.position);
   }
-  const std::string refusal = rules.WhyNoRoom(document, outer, 1);
-  if (!refusal.empty()) return refusal;
-  const ElementIndex parent = document.element(inner).parent;
-  const std::uint32_t position = PositionOf(document, inner);
-  // Both are followed; which of them comes first does not change.
-  const bool parent_first = parent < outer;
-  draft.Select({parent, outer});
-  if (!draft.Move(inner, outer, UINT32_MAX)) return Problem(draft);
-  const std::vector<ElementIndex> both = draft.selection();
-  draft.Select({both[parent_first ? 1 : 0]});
-  return MoveInto(draft, rules, both[parent_first ? 0 : 1], position);
-}
-
-std::string TakePlaceOf(Draft& draft, const NodeRules& rules, ElementIndex old) {
-  const Document& document = draft.document();
-  const auto nodes = Topmost(document, draft.selection());
-  if (nodes.empty()) return kNothing;
-  for (const ElementIndex node : nodes) {
-    if (LiesIn(document, old, node)) return "a node cannot take the place of what lies in it";
+  const std::vector<ElementIndex> nodes = Topmost(document, draft.selection());
+  if (nodes.size() != 1) return "one node at a time";
+  const bool inside = LiesIn(document, spot.element, nodes[0]);
+  if (inside || LiesIn(document, nodes[0], spot.element)) {
+    return inside ? "a node cannot be moved into itself" : "it is in that branch already";
   }
-  const std::vector<std::string> texts = TextsOf(document, nodes);
-  std::vector<ElementIndex> gone = nodes;
-  gone.push_back(old);
-  gone = Topmost(document, std::move(gone));
-  const ElementIndex parent = document.element(old).parent;
-  std::uint32_t position = PositionOf(document, old);
-  Edit removal;
-  for (const ElementIndex element : gone) {
-    const bool before = document.element(element).parent == parent && element < old;
-    if (before) --position;
-    removal = Merge(std::move(removal), RemoveElement(document, element));
+  std::string text = TextOf(document, nodes[0]);
+  text.pop_back();  // the line end
+  Edit removal = RemoveElement(document, nodes[0]);
+  if (spot.kind == DropSpot::Kind::kAround) {
+    return DropAround(draft, rules, spot.element, text, std::move(removal));
   }
-  draft.Select({parent});
-  if (!draft.Apply(removal)) return Problem(draft);
-  return InsertNodes(draft, rules, draft.selection().front(), position, texts);
+  return Put(draft, Merge(std::move(removal), ReplaceElement(document, spot.element, text)),
+             spot.element);
 }
 
 }  // namespace coppice::editor

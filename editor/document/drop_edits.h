@@ -1,24 +1,36 @@
-// What a drop on the canvas does beside moving (MoveInto of tree_edits.h). Each works on the
-// selection of a Draft, returns why it refuses, or nothing, and selects what was dropped.
+// What it means to let nodes go somewhere over a tree: between others, onto one, or onto the line
+// above one. Like tree_edits.h; each returns why it refuses, or nothing, and selects what was
+// dropped.
 #ifndef COPPICE_EDITOR_DOCUMENT_DROP_EDITS_H_
 #define COPPICE_EDITOR_DOCUMENT_DROP_EDITS_H_
 
+#include <cstdint>
 #include <string>
+#include <vector>
 
 #include "editor/document/draft.h"
 #include "editor/document/node_rules.h"
 
 namespace coppice::editor {
 
-/// Puts copies of the selected nodes into `parent`, at `position` among its children.
-std::string CopyInto(Draft& draft, const NodeRules& rules, ElementIndex parent,
-                     std::uint32_t position);
+struct DropSpot {
+  enum class Kind : std::uint8_t {
+    kInto,     ///< among the children of `element`, at `position`
+    kReplace,  ///< in the place of `element`
+    kAround    ///< `element` becomes the last child of what is dropped
+  };
+  Kind kind = Kind::kInto;
+  ElementIndex element = 0;
+  std::uint32_t position = 0;
+};
 
-/// The selected node, one, goes to the place of `inner`, and `inner` becomes its last child.
-std::string PutAround(Draft& draft, const NodeRules& rules, ElementIndex inner);
+/// Puts new elements there, given as XML. A single one without children that replaces a node takes
+/// its children and what ports fit.
+std::string DropNew(Draft& draft, const NodeRules& rules, const DropSpot& spot,
+                    const std::vector<std::string>& fragments);
 
-/// The selected nodes go to the place of `old`, which is deleted with all that stays in it.
-std::string TakePlaceOf(Draft& draft, const NodeRules& rules, ElementIndex old);
+/// Moves the selection there.
+std::string DropMoved(Draft& draft, const NodeRules& rules, const DropSpot& spot);
 
 }  // namespace coppice::editor
 

@@ -3,6 +3,7 @@
 #include "editor/canvas/canvas.h"
 #include "editor/canvas/node_metrics.h"
 #include "editor/canvas/status_look.h"
+#include "editor/panels/drag_source.h"
 #include "editor/panels/panel.h"
 #include "editor/panels/panels.h"
 
@@ -26,11 +27,13 @@ class OutlineRow {
         state_(StateOf(live, node_)),
         live_(live && live->connection == Connection::kLive) {}
 
-  void Draw(Point canvas) {
-    const Row row = NextRow(ui_, "outline/" + node_.path, view_.selected() == node_number_);
-    if (row.clicked) {
-      view_.Select(node_number_);
-      view_.Reveal(canvas);
+  void Draw(EditorState& state) {
+    const Row row = NextRow(ui_, "outline/" + node_.path, view_.IsSelected(node_number_));
+    if (!live_ && StartsDrag()) {
+      state.incoming = Drag{{node_number_}, std::string(node_.name)};
+      state.drop_answer = {};
+    } else if (row.clicked && !state.incoming) {
+      Select(state.canvas_size);
     }
     if (!row.visible) return;
     PaintStatus(row.box);
@@ -38,6 +41,14 @@ class OutlineRow {
   }
 
  private:
+  // With Ctrl or Shift more than one, as on the canvas.
+  void Select(Point canvas) {
+    if (ImGui::GetIO().KeyCtrl) return view_.ToggleSelected(node_number_);
+    if (ImGui::GetIO().KeyShift) return view_.SelectTo(node_number_);
+    view_.Select(node_number_);
+    view_.Reveal(canvas);
+  }
+
   void PaintStatus(const Box& box) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const bool active = state_.status != Status::kIdle;
@@ -144,7 +155,7 @@ void DrawOutline(const Ui& ui, EditorState& state, const Box& box) {
       const int end = std::min(clipper.DisplayEnd, static_cast<int>(view->shown().size()));
       for (int k = clipper.DisplayStart; k < end; ++k) {
         if (static_cast<std::size_t>(k) >= view->shown().size()) break;  // a row opened or closed
-        OutlineRow(ui, *view, live, static_cast<std::uint32_t>(k)).Draw(state.canvas_size);
+        OutlineRow(ui, *view, live, static_cast<std::uint32_t>(k)).Draw(state);
       }
     }
   });

@@ -23,6 +23,9 @@ void DrawProject(const Ui& ui, EditorState& state, const Box& box);
 /// The shown tree as rows, with status and seconds. "outline/1.2".
 void DrawOutline(const Ui& ui, EditorState& state, const Box& box);
 
+/// The node types that can be added. "types/TYPE", "types/filter".
+void DrawTypes(const Ui& ui, EditorState& state, const Box& box);
+
 /// Everything about the selected node. "inspector/port/NAME".
 void DrawInspector(const Ui& ui, EditorState& state, const Box& box);
 

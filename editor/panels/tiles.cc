@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
-#include "editor/panels/canvas_tile.h"
+#include "editor/canvas/canvas.h"
+#include "editor/core/node_drop.h"
+#include "editor/core/tree_editor.h"
 #include "editor/panels/panel.h"
 #include "editor/panels/panels.h"
 
@@ -34,11 +36,7 @@ class Screen {
     rest = {rest.min + Point{gap, gap}, rest.max - Point{gap, gap}};
     Tiles& tiles = state_.tiles;
     Splits& splits = state_.splits;
-    if (tiles.project || tiles.outline) {
-      const Box column = TakeLeft(rest, splits.left);
-      Column("left", column, {tiles.project, DrawProject}, {tiles.outline, DrawOutline},
-             splits.left_part);
-    }
+    if (tiles.project || tiles.outline || tiles.types) LeftColumn(TakeLeft(rest, splits.left));
     if (tiles.inspector || tiles.blackboard) {
       const Box column = TakeRight(rest, splits.right);
       Column("right", column, {tiles.inspector, DrawInspector}, {tiles.blackboard, DrawBlackboard},
@@ -93,6 +91,25 @@ class Screen {
     return taken;
   }
 
+  void LeftColumn(Box column) {
+    const Tiles& tiles = state_.tiles;
+    const bool upper = tiles.project || tiles.outline;
+    if (tiles.types && upper) {
+      const float gap = kGap * ui_.scale;
+      float& part = state_.splits.types_part;
+      const float cut = column.min.y + std::clamp(part, 0.1F, 0.9F) * column.height();
+      const Box bar = {{column.min.x, cut}, {column.max.x, cut + gap}};
+      DrawTypes(ui_, state_, {{column.min.x, bar.max.y}, column.max});
+      part += Splitter(ui_, "split/types_part", bar, false) * ui_.scale / column.height();
+      column.max.y = bar.min.y;
+    } else if (tiles.types) {
+      DrawTypes(ui_, state_, column);
+    }
+    if (!upper) return;
+    Column("left", column, {tiles.project, DrawProject}, {tiles.outline, DrawOutline},
+           state_.splits.left_part);
+  }
+
   // Two tiles one above the other.
   void Column(const std::string& name, const Box& box, Tile first, Tile second, float& part) {
     if (!first.shown || !second.shown) {
@@ -124,9 +141,15 @@ class Screen {
   void DrawMiddle(Box rest) {
     DrawCanvasBar(ui_, state_, TakeTop(rest, kCanvasBar));
     state_.canvas_size = {rest.width(), rest.height()};
+    TreeView* view = state_.workspace.view();
     ImGui::SetCursorScreenPos(ToIm(rest.min));
-    if (state_.workspace.view()) {
-      DrawCanvasTile(ui_, state_, rest);
+    if (view) {
+      const NodeDrop drop(state_, ui_.now);
+      CanvasOptions options;
+      options.minimap = state_.tiles.minimap;
+      options.live = state_.workspace.live();
+      if (TreeEditor(state_, ui_.now).WhyReadOnly().empty()) options.drop = &drop.handler();
+      DrawCanvas(ui_, *view, rest, options);
       DrawNotice(rest);
       return;
     }

@@ -26,10 +26,18 @@ constexpr MenuEntry kEditMenu[] = {{"edit.undo"},
                                    {"edit.change_type"},
                                    {"edit.disable"},
                                    {"edit.delete"},
-                                   {"edit.delete_only"}};
-constexpr MenuEntry kTilesMenu[] = {{"tile.project"},    {"tile.outline"}, {"tile.inspector"},
-                                    {"tile.blackboard"}, {"tile.xml"},     {"tile.problems"},
-                                    {"tile.minimap"}};
+                                   {"edit.delete_only"},
+                                   {nullptr},
+                                   {"edit.find"},
+                                   {"edit.replace"},
+                                   {"key.rename"},
+                                   {"edit.xml"}};
+constexpr MenuEntry kTreeMenu[] = {
+    {"tree.new"},    {"tree.rename"},     {"tree.delete"}, {nullptr}, {"tree.extract"},
+    {"tree.inline"}, {"tree.definition"}, {"tree.usages"}, {nullptr}, {"file.include"}};
+constexpr MenuEntry kTilesMenu[] = {{"tile.project"},   {"tile.outline"},    {"tile.types"},
+                                    {"tile.inspector"}, {"tile.blackboard"}, {"tile.xml"},
+                                    {"tile.problems"},  {"tile.minimap"}};
 constexpr MenuEntry kRobotMenu[] = {{"robot.connect"}, {"robot.next"}};
 constexpr MenuEntry kHelpMenu[] = {{"help.palette"}, {"help.keys"}};
 
@@ -42,6 +50,7 @@ class TopBar {
     float x = box_.min.x + 6 * ui_.scale;
     x = Menu("File", x, [this] { FileMenu(); });
     x = Menu("Edit", x, [this] { Entries(kEditMenu); });
+    x = Menu("Tree", x, [this] { Entries(kTreeMenu); });
     x = Menu("View", x, [this] { Entries(kView); });
     x = Menu("Tiles", x, [this] { Entries(kTilesMenu); });
     x = Menu("Robot", x, [this] { Entries(kRobotMenu); });
@@ -101,10 +110,6 @@ class TopBar {
     Entry("file.reload");
     Entry("file.save");
     Entry("file.save_as");
-    ImGui::Separator();
-    Entry("file.export");
-    Entry("file.compare");
-    Entry("file.stop_comparing");
     if (!state_.restorable.empty()) {
       Entry("file.restore");
       Entry("file.forget");

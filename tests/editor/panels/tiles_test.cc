@@ -11,7 +11,8 @@ TEST(Tiles, CoverTheWindowWithoutOverlap) {
   Driver driver;
   driver.Frames();
   std::vector<Box> boxes;
-  for (const char* path : {"project", "outline", "inspector", "blackboard", "xml", "problems"}) {
+  for (const char* path :
+       {"project", "outline", "types", "inspector", "blackboard", "xml", "problems"}) {
     boxes.push_back(driver.BoxOf(path));
   }
   float area = 0;
@@ -46,6 +47,7 @@ TEST(Tiles, GiveTheRoomOfHiddenOnesToTheCanvas) {
   driver.Frames();
   const Point before = driver.editor.state().canvas_size;
   driver.Press(kKeyF1 + 1, kShift);
+  driver.Press(kKeyF1 + 2, kShift);
   for (const int key : {3, 4, 6, 7, 8}) driver.Press(kKeyF1 + key - 1);
   const Point after = driver.editor.state().canvas_size;
   EXPECT_GT(after.x, before.x + 400);

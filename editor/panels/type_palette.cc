@@ -1,0 +1,101 @@
+// The tile of node types: what can be dragged onto the canvas.
+#include <imgui.h>
+// After imgui.h, which it needs.
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <array>
+
+#include "editor/core/tree_editor.h"
+#include "editor/look/icons.h"
+#include "editor/panels/drag_source.h"
+#include "editor/panels/panel.h"
+#include "editor/panels/panels.h"
+#include "editor/panels/type_choices.h"
+
+namespace coppice::editor {
+namespace {
+
+constexpr float kFilter = 26;
+
+struct Kind {
+  const char* name;
+  const char* icon;
+  Shape shape;
+};
+constexpr std::array<Kind, 6> kKinds = {{{"Control", icon::kSitemap, Shape::kControl},
+                                         {"Decorator", icon::kShield, Shape::kDecorator},
+                                         {"Action", icon::kBolt, Shape::kAction},
+                                         {"Condition", icon::kQuestion, Shape::kCondition},
+                                         {"SubTree", icon::kFolder, Shape::kSubTree},
+                                         {"unknown", icon::kCogs, Shape::kUnknown}}};
+
+std::size_t KindOf(const TypeChoice& type) {
+  std::size_t i = 0;
+  while (i + 1 < kKinds.size() && type.kind != kKinds[i].name) ++i;
+  return i;
+}
+
+void DrawFilter(const Ui& ui, EditorState& state) {
+  ImGui::SetCursorPos({6 * ui.scale, 4 * ui.scale});
+  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - 6 * ui.scale);
+  ImGui::PushFont(ui.fonts.Pick(Face::kSans, 12 * ui.scale));
+  ImGui::InputTextWithHint("##filter", "filter", &state.type_filter);
+  ui.items.Add("types/filter", {FromIm(ImGui::GetItemRectMin()), FromIm(ImGui::GetItemRectMax())});
+  ImGui::PopFont();
+  ImGui::SetCursorPos({0, kFilter * ui.scale + 2 * ui.scale});
+}
+
+void DrawType(const Ui& ui, EditorState& state, const TypeChoice& type) {
+  const Row row = NextRow(ui, "types/" + type.type, false);
+  if (StartsDrag()) {
+    state.incoming = Drag{{}, type.type};
+    state.dragged_xml = type.xml;
+    state.drop_answer = {};
+  }
+  const bool twice = row.hovered && ImGui::IsMouseDoubleClicked(0);
+  if (row.hovered && !type.note.empty() && !state.incoming) {
+    ImGui::SetTooltip("%s", type.note.c_str());
+  }
+  if (row.visible) {
+    const Kind& kind = kKinds[KindOf(type)];
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const TextStyle glyph{Face::kSans, 12, Mix(ui.palette.Of(kind.shape), ui.palette.text, 0.6F)};
+    ui.RowText(list, row.box.min + Point{12 * ui.scale, 0}, row.box.height(), kind.icon, glyph);
+    ui.RowText(list, row.box.min + Point{34 * ui.scale, 0}, row.box.height(), type.type,
+               {Face::kSans, 12, ui.palette.text}, row.box.width() - 40 * ui.scale);
+  }
+  if (!twice) return;
+  state.after_frame = [&state, type, now = ui.now] {
+    if (TreeEditor(state, now).Add(type.xml, type.type, AddWhere::kChild)) {
+      RememberType(state, type.type);
+    }
+  };
+}
+
+}  // namespace
+
+void DrawTypes(const Ui& ui, EditorState& state, const Box& box) {
+  std::vector<TypeChoice> types = FindTypes(state, state.type_filter, true, SIZE_MAX);
+  if (state.type_filter.empty()) {
+    std::stable_sort(types.begin(), types.end(), [](const auto& a, const auto& b) {
+      return std::make_pair(KindOf(a), a.type) < std::make_pair(KindOf(b), b.type);
+    });
+  }
+  Panel(ui, "types", box, "NODES", "drag onto the canvas", [&] {
+    if (!state.workspace.file()) return Hint(ui, "Node types of the open file.");
+    DrawFilter(ui, state);
+    const std::string* heading = nullptr;
+    for (const TypeChoice& type : types) {
+      if (state.type_filter.empty() && (!heading || *heading != type.kind)) {
+        const Row row = NextRow(ui, "types/heading/" + type.kind, false, 19);
+        ui.RowText(*ImGui::GetWindowDrawList(), row.box.min + Point{8 * ui.scale, 0},
+                   row.box.height(), type.kind, {Face::kBold, 11, ui.palette.text_dim});
+        heading = &type.kind;
+      }
+      DrawType(ui, state, type);
+    }
+  });
+}
+
+}  // namespace coppice::editor
