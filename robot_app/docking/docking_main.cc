@@ -31,6 +31,7 @@ constexpr double kControlPeriod = 0.05;  // ROS time [s]
 constexpr double kPoseTimeout = 1.0;     // an older pose is not driven with [s]
 constexpr double kScanTimeout = 1.0;     // nor is an older scan
 constexpr double kBatteryTimeout = 5.0;  // an older reading of the battery does not count [s]
+constexpr double kBlindTimeout = 10.0;   // standing still until they are back, no longer [s]
 constexpr double kPointRange = 3.0;      // of obstacles [m]
 
 struct Settings {
@@ -111,14 +112,18 @@ class DockingNode {
   }
 
   void OnGoal() {
-    const auto goal = server_.acceptNewGoal();
-    std::string missing;
-    const auto input = Input(missing);
-    if (!input) return Finish(false, missing);
-    if (goal->dock) {
-      controller_.StartDocking(*input);
+    goal_ = server_.acceptNewGoal();
+    is_started_ = false;
+    blind_for_ = 0;
+  }
+
+  void Start(const DockInput& input) {
+    if (is_started_) return;
+    is_started_ = true;
+    if (goal_->dock) {
+      controller_.StartDocking(input);
     } else {
-      controller_.StartUndocking(*input);
+      controller_.StartUndocking(input);
     }
   }
 
@@ -144,15 +149,22 @@ class DockingNode {
     }
   }
 
+  // A sensor that is late, as when its node has just started, does not end the manoeuvre.
+  void StandStill(const std::string& missing) {
+    command_.publish(geometry_msgs::Twist());
+    blind_for_ += kControlPeriod;
+    if (blind_for_ < kBlindTimeout) return;
+    controller_.Cancel();
+    Finish(false, missing);
+  }
+
   void Control() {
     if (!server_.isActive()) return;
     std::string missing;
     const auto input = Input(missing);
-    if (!input) {
-      controller_.Cancel();
-      command_.publish(geometry_msgs::Twist());
-      return Finish(false, missing);
-    }
+    if (!input) return StandStill(missing);
+    blind_for_ = 0;
+    Start(*input);
     command_.publish(ToTwist(controller_.Update(*input)));  // zero once it has ended
     if (!controller_.active()) {
       return Finish(controller_.phase() == DockController::Phase::kDone, controller_.message());
@@ -170,6 +182,9 @@ class DockingNode {
   std::vector<Point2D> points_;
   double scan_stamp_ = 0;
   actionlib::SimpleActionServer<coppice_msgs::DockingAction> server_;
+  coppice_msgs::DockingGoal::ConstPtr goal_;
+  bool is_started_ = false;  // the goal; else it waits for the sensors
+  double blind_for_ = 0;     // not all is known that the controller needs, since then [s]
   ros::Publisher command_;
   std::vector<ros::Subscriber> subscribers_;
   ros::Timer timer_;

@@ -119,6 +119,19 @@ class NavigationNode : public testing::Test {
   ChildProcess navigation_;
 };
 
+TEST_F(NavigationNode, AManoeuvreWaitsForSensorsThatComeLate) {
+  ros::param::set("/use_sim_time", true);
+  ChildProcess docking({kPrograms + "coppice-docking"}, Log("docking_first"));
+  Client<coppice_msgs::DockingAction> dock("docking");
+  coppice_msgs::DockingGoal undock;
+  undock.dock = false;
+  dock.Send(undock);
+  ASSERT_TRUE(
+      Eventually([&] { return dock->getState() == SimpleClientGoalState::ACTIVE; }, kPatience));
+  StartRobot("docked");
+  EXPECT_EQ(dock.Wait(), SimpleClientGoalState::SUCCEEDED) << dock->getState().getText();
+}
+
 TEST_F(NavigationNode, LeavesTheStationDrivesToAGoalAndComesBack) {
   StartRobot("docked");
   ChildProcess docking({kPrograms + "coppice-docking"}, Log("docking"));
