@@ -6,6 +6,7 @@
 #include "bt_core/base/command_line.h"
 #include "bt_core/cli/test_report.h"
 #include "bt_core/cli/verbs.h"
+#include "bt_core/testing/stand_in.h"
 
 namespace coppice {
 namespace {
@@ -17,13 +18,6 @@ constexpr char kUsage[] =
     "  --json            the result as one JSON object\n"
     "  --junit FILE      also writes the result for continuous integration\n"
     "  Leaves that are not built in are played by scripts. The format: docs/testing.md.";
-
-// Stands for a leaf that only the robot's program knows. Never ticked: a scenario in which no
-// script plays it is not played.
-class UnknownLeaf : public Leaf {
- public:
-  Status Tick(bool) override { return Status::kFailure; }
-};
 
 TestedScenario Play(const Program& program, const ScenarioSuite& suite, const Scenario& scenario) {
   const auto start = std::chrono::steady_clock::now();
@@ -38,9 +32,12 @@ TestedFile TestFile(const std::string& path, const std::string& filter) {
   const std::optional<ScenarioSuite> suite = LoadScenarios(path, diagnostics);
   std::shared_ptr<const Program> program;
   if (suite) {
-    auto registry = std::make_shared<Registry>();
-    registry->SetFallback([](const std::string&) { return std::make_unique<UnknownLeaf>(); });
-    program = CompileFile(suite->tree_file, registry, diagnostics, suite->tree_id);
+    std::optional<Project> project = Project::FromFile(suite->tree_file, diagnostics);
+    if (project) {
+      const auto registry = ScenarioRegistry(*project);
+      program = Compile(std::make_shared<const Project>(*std::move(project)), registry, diagnostics,
+                        suite->tree_id);
+    }
   }
   if (!program) {
     tested.errors = diagnostics.ToString();

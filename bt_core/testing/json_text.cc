@@ -116,6 +116,7 @@ class Reader : public nlohmann::json_sax<nlohmann::json> {
 
   bool Close() {
     RefuseTwins(*open_.back());
+    open_.back()->end = consumed();
     open_.pop_back();
     return true;
   }
@@ -130,7 +131,8 @@ class Reader : public nlohmann::json_sax<nlohmann::json> {
   }
 
   bool Add(Kind kind, std::string text, std::size_t length) {
-    JsonText value{kind, std::exchange(key_, {}), std::move(text), Locate(consumed() - length), {}};
+    JsonText value{kind, std::exchange(key_, {}), std::move(text), Locate(consumed() - length), {},
+                   0};
     if (open_.empty()) {
       root_ = std::move(value);
     } else {
@@ -157,6 +159,40 @@ class Reader : public nlohmann::json_sax<nlohmann::json> {
   std::vector<JsonText*> open_;  // an array or object does not grow while a child is open
 };
 
+constexpr std::size_t kLineLength = 100;
+
+std::string Quoted(const std::string& text) {
+  return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+std::string Label(const JsonText& member, const JsonText& parent) {
+  return parent.is(Kind::kObject) ? Quoted(member.key) + ": " : std::string();
+}
+
+std::string PrintInOneLine(const JsonText& json) {
+  if (json.is(Kind::kString)) return Quoted(json.text);
+  if (!json.is(Kind::kArray) && !json.is(Kind::kObject)) return json.text;
+  std::string inside;
+  for (const JsonText& child : json.children) {
+    inside += (inside.empty() ? "" : ", ") + Label(child, json) + PrintInOneLine(child);
+  }
+  return json.is(Kind::kArray) ? "[" + inside + "]" : "{" + inside + "}";
+}
+
+// `column`: where its first line begins.
+std::string PrintInLines(const JsonText& json, std::size_t indent, std::size_t column) {
+  std::string line = PrintInOneLine(json);
+  if (column + line.size() < kLineLength || json.children.empty()) return line;
+  const std::string inner(indent + 2, ' ');
+  std::string text(1, line.front());
+  for (const JsonText& child : json.children) {
+    const std::string label = Label(child, json);
+    text += (&child == json.children.data() ? "\n" : ",\n") + inner + label +
+            PrintInLines(child, indent + 2, indent + 2 + label.size());
+  }
+  return text + "\n" + std::string(indent, ' ') + line.back();
+}
+
 }  // namespace
 
 const JsonText* JsonText::Find(std::string_view name) const {
@@ -169,6 +205,10 @@ const JsonText* JsonText::Find(std::string_view name) const {
 std::optional<JsonText> ParseJsonText(const std::string& text, const std::string& file,
                                       Diagnostics& diagnostics) {
   return Reader(text, file, diagnostics).Read();
+}
+
+std::string PrintJsonText(const JsonText& json, std::size_t indent) {
+  return PrintInLines(json, indent, indent);
 }
 
 }  // namespace coppice

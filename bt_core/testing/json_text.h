@@ -5,6 +5,7 @@
 #ifndef COPPICE_BT_CORE_TESTING_JSON_TEXT_H_
 #define COPPICE_BT_CORE_TESTING_JSON_TEXT_H_
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -23,6 +24,7 @@ struct JsonText {
   std::string text;  ///< of a string what it says; else as it is written: "true", "-1.5", "null"
   SourceLocation where;
   std::vector<JsonText> children;  ///< elements or members
+  std::size_t end = 0;             ///< of an array or object: offset behind its last bracket
 
   bool is(Kind other) const { return kind == other; }
 
@@ -33,6 +35,10 @@ struct JsonText {
 /// Nothing if the text is no JSON; then the reason is in `diagnostics`.
 std::optional<JsonText> ParseJsonText(const std::string& text, const std::string& file,
                                       Diagnostics& diagnostics);
+
+/// The value as text, as people would write it: what fits into a line of 100 characters is one
+/// line. `indent`: spaces before its further lines. A number is written as it is in `text`.
+std::string PrintJsonText(const JsonText& json, std::size_t indent = 0);
 
 }  // namespace coppice
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <deque>
+#include <optional>
 #include <stdexcept>
 #include <string_view>
 
@@ -19,7 +20,7 @@ struct MockedTree::Part {
   std::uint32_t first_port;         // of Program::ports, if there is an original
   bool played;
   MockScript script;
-  std::size_t next = 0;  // of the script's results
+  std::optional<std::size_t> next = 0;  // of the script's results; nothing: as before the reload
 };
 
 // A copy in which the parts have entries of their own: those build what plays or watches the node.
@@ -36,12 +37,14 @@ class MockedTree::MockPort final : public PortBase {
       : PortBase(declaration), name_(declaration.name), type_(declaration.type) {}
 
   const std::string& name() const { return name_; }
-  void Write(const std::string& text) {
+  /// `key_type`: what other ports give to the key; null if none does.
+  void Write(const std::string& text, const Type* key_type) {
     if (!slot_) return;
+    const Type* type = type_ ? type_ : key_type;
     Value value;
-    if (!value.Parse(type_ ? *type_ : TypeOf<std::string>(), text)) {
+    if (!value.Parse(type ? *type : TypeOf<std::string>(), text)) {
       throw std::invalid_argument("\"" + text + "\" is not a value for output \"" + name_ +
-                                  "\", expected " + type_->name);
+                                  "\", expected " + type->name);
     }
     slot_->value = std::move(value);
     slot_->CountWrite(*now_);
@@ -54,7 +57,7 @@ class MockedTree::MockPort final : public PortBase {
 
 class MockedTree::PlayedNode : public Leaf {
  public:
-  explicit PlayedNode(Part& part) : part_(part) {
+  explicit PlayedNode(Part& part) : part_(&part) {
     if (!part.of_user || !part.original) return;
     for (const PortDeclaration& declaration : part.original->declarations) {
       ports_.emplace_back(declaration);
@@ -62,48 +65,64 @@ class MockedTree::PlayedNode : public Leaf {
   }
 
   Status Tick(bool starting) override {
+    Part& part = Here();
     if (starting) {
-      done_at_ = now() + part_.script.duration;
-      if (part_.script.restart) part_.next = 0;
+      done_at_ = now() + part.script.duration;
+      if (part.script.restart) part.next = 0;
     }
-    const Status result = now() < done_at_ ? Waiting() : NextResult();
-    const bool throws = IsCompleted(result) && !part_.script.throws.empty();
-    part_.tree.events_.push_back(
-        {part_.node, false, throws ? Status::kFailure : result, part_.tree.InputsOf(part_)});
-    if (throws) throw std::runtime_error(part_.script.throws);
-    if (IsCompleted(result)) Complete();
+    const Status result = now() < done_at_ ? Waiting() : NextResult(part);
+    const bool throws = IsCompleted(result) && !part.script.throws.empty();
+    part.tree.events_.push_back(
+        {part.node, false, throws ? Status::kFailure : result, part.tree.InputsOf(part)});
+    if (throws) throw std::runtime_error(part.script.throws);
+    if (IsCompleted(result)) Complete(part);
     return result;
   }
 
-  void Halt() override { part_.tree.events_.push_back({part_.node, true, Status::kIdle, {}}); }
+  void Halt() override {
+    const Part& part = Here();
+    part.tree.events_.push_back({part.node, true, Status::kIdle, {}});
+  }
 
  private:
+  // After a reload the node is another part of the tree; it goes on in its script.
+  Part& Here() {
+    Part& part = part_->tree.PartAt(host().current_node());
+    if (!part.next) part.next = part_->next.value_or(0);
+    part_ = &part;
+    return part;
+  }
+
   Status Waiting() {
     WakeAt(done_at_);
     return Status::kRunning;
   }
 
-  Status NextResult() {
-    const std::vector<Status>& results = part_.script.results;
+  static Status NextResult(Part& part) {
+    const std::vector<Status>& results = part.script.results;
     if (results.empty()) return Status::kSuccess;
-    const Status result = results[std::min(part_.next, results.size() - 1)];
-    ++part_.next;
+    const Status result = results[std::min(*part.next, results.size() - 1)];
+    ++*part.next;
     return result;
   }
 
-  void Complete() {
-    for (const auto& [name, text] : part_.script.outputs) Output(name).Write(text);
-    if (!part_.script.says.empty()) Say(part_.script.says);
+  void Complete(const Part& part) {
+    for (const auto& [name, text] : part.script.outputs) WriteOutput(part, name, text);
+    if (!part.script.says.empty()) Say(part.script.says);
   }
 
-  MockPort& Output(const std::string& name) {
-    for (MockPort& port : ports_) {
-      if (port.name() == name) return port;
+  void WriteOutput(const Part& part, const std::string& name, const std::string& text) {
+    const Program& program = *part.tree.program_;
+    for (std::size_t k = 0; k < ports_.size(); ++k) {
+      if (ports_[k].name() != name) continue;
+      const SlotIndex slot = program.ports[part.first_port + k].slot;
+      ports_[k].Write(text, slot == kNoSlot ? nullptr : program.layout.slots[slot].type);
+      return;
     }
     throw std::invalid_argument("the scripted node has no port \"" + name + "\"");
   }
 
-  Part& part_;
+  Part* part_;
   std::deque<MockPort> ports_;
   Time done_at_{0};
 };
@@ -111,27 +130,29 @@ class MockedTree::PlayedNode : public Leaf {
 // A leaf that is itself, but for being written down.
 class MockedTree::WatchedLeaf : public Leaf {
  public:
-  WatchedLeaf(Part& part, std::unique_ptr<UserNode> leaf) : part_(part), leaf_(std::move(leaf)) {}
+  WatchedLeaf(MockedTree& tree, std::unique_ptr<UserNode> leaf)
+      : tree_(tree), leaf_(std::move(leaf)) {}
 
   void set_host(LeafHost* host) override {
     UserNode::set_host(host);
     leaf_->set_host(host);
   }
   Status Tick(bool starting) override {
-    std::vector<LeafEvent>& events = part_.tree.events_;
-    events.push_back({part_.node, false, Status::kFailure, part_.tree.InputsOf(part_)});
+    const Part& part = tree_.PartAt(host().current_node());
+    std::vector<LeafEvent>& events = tree_.events_;
+    events.push_back({part.node, false, Status::kFailure, tree_.InputsOf(part)});
     const Status result = leaf_->Tick(starting);
     events.back().result = result;  // a leaf that throws has failed
     return result;
   }
   void Halt() override {
-    part_.tree.events_.push_back({part_.node, true, Status::kIdle, {}});
+    tree_.events_.push_back({host().current_node(), true, Status::kIdle, {}});
     leaf_->Halt();
   }
   bool HasStopped() override { return leaf_->HasStopped(); }
 
  private:
-  Part& part_;
+  MockedTree& tree_;
   std::unique_ptr<UserNode> leaf_;
 };
 
@@ -140,54 +161,90 @@ MockedTree::MockedTree(const Program& program, std::vector<MockRule> rules, Cloc
     : options_(options),
       rules_(std::move(rules)),
       program_(std::make_shared<MockedProgram>(program)) {
-  for (NodeIndex node = 0; node < program.nodes.size(); ++node) {
-    const std::optional<std::size_t> rule =
-        ChooseRule(rules_, {program.Name(node), program.Path(node), program.Id(node)});
-    const bool is_leaf = program.nodes[node].type == NodeType::kLeaf;
-    if (rule || is_leaf) AddPart(node, rule ? &rules_[*rule].script : nullptr);
-  }
+  parts_ = MakeParts(*program_);
   executor_ = std::make_unique<Executor>(program_, clock);
   events_.clear();
 }
 
 MockedTree::~MockedTree() = default;
 
-void MockedTree::AddPart(NodeIndex node, const MockScript* script) {
-  NodeRecord& record = program_->nodes[node];
-  NodeInfo& info = program_->info[node];
+MockedTree::Parts MockedTree::MakeParts(MockedProgram& program) {
+  Parts parts;
+  for (NodeIndex node = 0; node < program.nodes.size(); ++node) {
+    const std::optional<std::size_t> rule =
+        ChooseRule(rules_, {program.Name(node), program.Path(node), program.Id(node)});
+    const bool is_leaf = program.nodes[node].type == NodeType::kLeaf;
+    if (!rule && !is_leaf) continue;
+    parts.push_back(MakePart(program, node, rule ? &rules_[*rule].script : nullptr));
+  }
+  return parts;
+}
+
+std::unique_ptr<MockedTree::Part> MockedTree::MakePart(MockedProgram& program, NodeIndex node,
+                                                       const MockScript* script) {
+  NodeRecord& record = program.nodes[node];
+  NodeInfo& info = program.info[node];
   const bool of_user = record.type == NodeType::kLeaf || record.type == NodeType::kUser;
   const std::uint32_t first_port =
-      of_user ? program_->leaves[record.first_port].first_port : record.first_port;
-  parts_.push_back(
+      of_user ? program.leaves[record.first_port].first_port : record.first_port;
+  auto made =
       std::make_unique<Part>(Part{*this,
                                   node,
-                                  {program_->Name(node), program_->Path(node), program_->Id(node)},
+                                  {program.Name(node), program.Path(node), program.Id(node)},
                                   info.entry,
                                   of_user,
                                   first_port,
                                   script != nullptr,
-                                  script ? *script : MockScript()}));
-  Part& part = *parts_.back();
+                                  script ? *script : MockScript()});
 
   Registry::Entry entry = info.entry ? *info.entry : Registry::Entry();
   if (!of_user) entry.declarations.clear();  // what plays a built-in node has no ports
   entry.tick = &Registry::TickVirtually;
-  entry.build = [&part, original = info.entry,
-                 registry = program_->registry]() -> std::unique_ptr<UserNode> {
+  entry.build = [&part = *made, original = info.entry,
+                 registry = program.registry]() -> std::unique_ptr<UserNode> {
     if (part.played) return std::make_unique<PlayedNode>(part);
-    if (original) return std::make_unique<WatchedLeaf>(part, original->build());
+    if (original) return std::make_unique<WatchedLeaf>(part.tree, original->build());
     const PortCollector unused;  // nobody binds the ports of a leaf without an entry
-    return std::make_unique<WatchedLeaf>(part, registry->fallback()(part.names.name));
+    return std::make_unique<WatchedLeaf>(part.tree, registry->fallback()(part.names.name));
   };
-  program_->entries.push_back(std::move(entry));
-  info.entry = &program_->entries.back();
+  program.entries.push_back(std::move(entry));
+  info.entry = &program.entries.back();
 
   if (record.dispatch == record.type) record.dispatch = NodeType::kLeaf;
   record.type = NodeType::kLeaf;
   if (!of_user) {
-    record.first_port = static_cast<std::uint32_t>(program_->leaves.size());
-    program_->leaves.push_back({node, first_port});
+    record.first_port = static_cast<std::uint32_t>(program.leaves.size());
+    program.leaves.push_back({node, first_port});
   }
+  return made;
+}
+
+void MockedTree::Reload(const Program& program, std::vector<MockRule> rules) {
+  rules_ = std::move(rules);
+  const std::shared_ptr<MockedProgram> old = program_;  // until its nodes have moved
+  auto next = std::make_shared<MockedProgram>(program);
+  Parts parts = MakeParts(*next);
+  for (const auto& part : parts) {
+    part->next.reset();
+    for (const MockRule& change : changes_) {
+      if (part->played && Matches(change.pattern, part->names)) part->script = change.script;
+    }
+  }
+  executor_->Reload(next);
+  program_ = std::move(next);
+  old_parts_.push_back(std::exchange(parts_, std::move(parts)));
+}
+
+MockedTree::Part& MockedTree::PartAt(NodeIndex node) {
+  return **std::lower_bound(parts_.begin(), parts_.end(), node,
+                            [](const auto& part, NodeIndex n) { return part->node < n; });
+}
+
+const MockScript* MockedTree::ScriptOf(NodeIndex node) const {
+  for (const auto& part : parts_) {
+    if (part->node == node && part->played) return &part->script;
+  }
+  return nullptr;
 }
 
 MockedTree::Inputs MockedTree::InputsOf(const Part& part) const {
@@ -231,6 +288,7 @@ MockedTree::Inputs MockedTree::InputsOfAttributes(NodeIndex node) const {
 
 int MockedTree::ChangeScript(const std::string& pattern, const MockScript& script) {
   int changed = 0;
+  changes_.push_back({pattern, script});
   for (const auto& part : parts_) {
     if (!part->played || !Matches(pattern, part->names)) continue;
     part->script = script;

@@ -47,6 +47,7 @@ class MockedTree {
   MockedTree& operator=(const MockedTree&) = delete;
 
   Executor& executor() { return *executor_; }
+  const Executor& executor() const { return *executor_; }
   const Program& program() const { return executor_->program(); }
 
   /// What happened since the last call.
@@ -55,6 +56,13 @@ class MockedTree {
   /// From now on the nodes that are played by a script and fit the pattern follow this one, from
   /// its start. Returns how many nodes that are; a node that is not played cannot be taken over.
   int ChangeScript(const std::string& pattern, const MockScript& script);
+
+  /// Goes on with another program, as Executor::Reload, and with these rules; changes of scripts
+  /// hold on. A node that lives on goes on in its script. Between ticks.
+  void Reload(const Program& program, std::vector<MockRule> rules);
+
+  /// The script of a node that is played, or null.
+  const MockScript* ScriptOf(NodeIndex node) const;
 
   /// Patterns of rules that fit no node of the tree.
   std::vector<std::string> UnusedPatterns() const;
@@ -70,14 +78,20 @@ class MockedTree {
   class MockedProgram;
   using Inputs = std::vector<std::pair<std::string, std::string>>;
 
-  void AddPart(NodeIndex node, const MockScript* script);
+  using Parts = std::vector<std::unique_ptr<Part>>;
+
+  Parts MakeParts(MockedProgram& program);
+  std::unique_ptr<Part> MakePart(MockedProgram& program, NodeIndex node, const MockScript* script);
+  Part& PartAt(NodeIndex node);
   Inputs InputsOf(const Part& part) const;
   Inputs InputsOfPorts(const Part& part) const;
   Inputs InputsOfAttributes(NodeIndex node) const;
 
   MockOptions options_;
   std::vector<MockRule> rules_;
-  std::vector<std::unique_ptr<Part>> parts_;
+  std::vector<MockRule> changes_;  // of scripts, in their order
+  Parts parts_;                    // by ascending node
+  std::vector<Parts> old_parts_;   // nodes that live on remember where they were
   std::vector<LeafEvent> events_;
   std::shared_ptr<MockedProgram> program_;
   std::unique_ptr<Executor> executor_;

@@ -3,74 +3,39 @@
 #include <algorithm>
 #include <map>
 
-#include "bt_core/testing/mocked_tree.h"
+#include "bt_core/testing/scenario_player.h"
 
 namespace coppice {
 namespace {
 
-class KeepMessages : public TickSink {
- public:
-  void OnTick(const TickEvents& events) override {
-    for (NodeMessage& message : MessagesOf(events.words)) messages.push_back(std::move(message));
-  }
-  std::vector<NodeMessage> messages;
-};
-
-std::vector<MockRule> RulesOf(const ScenarioSuite& suite, const Scenario& scenario) {
-  std::vector<MockRule> rules;
-  for (const PlacedRule& placed : scenario.leaves) rules.push_back(placed.rule);
-  for (const PlacedRule& placed : suite.leaves) rules.push_back(placed.rule);
+std::vector<PlacedRule> RulesOf(const ScenarioSuite& suite, const Scenario& scenario) {
+  std::vector<PlacedRule> rules = scenario.leaves;
+  rules.insert(rules.end(), suite.leaves.begin(), suite.leaves.end());
   return rules;
-}
-
-Value UntypedValue(const KeyValue& given) {
-  Value value;
-  if (given.kind == KeyValue::Kind::kBool) {
-    value.Set(given.text == "true");
-  } else if (given.kind == KeyValue::Kind::kNumber) {
-    if (!value.Parse(TypeOf<std::int64_t>(), given.text)) value.Parse(TypeOf<double>(), given.text);
-  } else {
-    value.Set(given.text);
-  }
-  return value;
-}
-
-// Empty if the text is no value of that type.
-Value ValueOf(const KeyValue& given, const Type* type) {
-  if (!type) return UntypedValue(given);
-  Value value;
-  value.Parse(*type, given.text);
-  return value;
 }
 
 class Player {
  public:
   Player(const Program& program, const ScenarioSuite& suite, const Scenario& scenario)
-      : scenario_(scenario),
-        clock_(std::chrono::seconds(1)),
-        tree_(program, RulesOf(suite, scenario), clock_, {true}) {
-    tree_.executor().AddSink(&sink_);
+      : scenario_(scenario), player_(program, RulesOf(suite, scenario)) {
     for (NodeIndex node = 0; node < program.nodes.size(); ++node) {
       nodes_.emplace(program.Path(node), node);
     }
     CheckRules(suite);
     CheckUnknownLeaves();
   }
-  ~Player() { tree_.executor().RemoveSink(&sink_); }
-  Player(const Player&) = delete;
-  Player& operator=(const Player&) = delete;
 
   ScenarioResult Play() {
     if (result_.differences.empty()) {
       for (const ScenarioStep& step : scenario_.steps) PlayStep(step);
     }
-    result_.ticks = tree_.executor().ticks();
+    result_.ticks = tree().executor().ticks();
     return std::move(result_);
   }
 
  private:
   void CheckRules(const ScenarioSuite& suite) {
-    const std::vector<std::string> unused = tree_.UnusedPatterns();
+    const std::vector<std::string> unused = tree().UnusedPatterns();
     for (const std::vector<PlacedRule>* rules : {&scenario_.leaves, &suite.leaves}) {
       for (const PlacedRule& placed : *rules) {
         const std::string& pattern = placed.rule.pattern;
@@ -81,78 +46,27 @@ class Player {
   }
 
   void CheckUnknownLeaves() {
-    for (const NodeIndex node : tree_.UnknownLeaves()) {
+    for (const NodeIndex node : player_.UnplayedLeaves()) {
       Add(scenario_.where, "leaves",
-          "a rule for \"" + tree_.program().Path(node) + "\", whose type <" +
-              tree_.program().Id(node) + "> is not known here",
+          "a rule for \"" + tree().program().Path(node) + "\", whose type <" +
+              tree().program().Id(node) + "> is not known here",
           "none");
     }
   }
 
   void PlayStep(const ScenarioStep& step) {
     ++step_;
-    for (const KeyValue& value : step.set) Set(value);
-    for (const PlacedRule& placed : step.leaves) ChangeScript(placed);
-    clock_.Advance(step.advance);
-    sink_.messages.clear();
-    tree_.TakeEvents();
-    Status status = Status::kIdle;
-    if (step.halt) {
-      tree_.executor().Halt();
-    } else {
-      for (int i = 0; i < step.ticks; ++i) status = tree_.executor().Tick();
+    outcome_ = player_.Play(step);
+    for (const Difference& problem : outcome_.problems) {
+      Add(problem.where, problem.what, problem.expected, problem.got);
     }
-    Compare(step.expect, status);
+    Compare(step.expect);
   }
 
-  void Set(const KeyValue& given) {
-    const SlotIndex slot = Find(given);
-    if (slot == kNoSlot) return;
-    const Type* type = tree_.program().layout.slots[slot].type;
-    Value value = ValueOf(given, type);
-    if (value.has_value()) {
-      tree_.executor().inbox()->Post(slot, 0, std::move(value));
-    } else {
-      Add(given.where, "key \"" + given.key + "\"", std::string("a value of type ") + type->name,
-          given.text);
-    }
-  }
-
-  void ChangeScript(const PlacedRule& placed) {
-    if (tree_.ChangeScript(placed.rule.pattern, placed.rule.script) > 0) return;
-    Add(placed.where, "leaves",
-        "a node with a script from the start that fits \"" + placed.rule.pattern + "\"", "none");
-  }
-
-  // The slot of "path of the instance/key".
-  SlotIndex Find(const KeyValue& given) {
-    const Layout& layout = tree_.program().layout;
-    const std::size_t slash = given.key.rfind('/');
-    const bool inner = slash != std::string::npos;
-    const std::string path = inner ? given.key.substr(0, slash) : "";
-    const std::string key = inner ? given.key.substr(slash + 1) : given.key;
-    const std::vector<TreeInstance>& trees = tree_.program().trees;
-    for (ScopeIndex scope = 0; scope < trees.size(); ++scope) {
-      if (trees[scope].path != path) continue;
-      const SlotIndex slot = layout.Find(scope, key);
-      if (slot != kNoSlot) return slot;
-    }
-    std::vector<std::string> keys;
-    for (const SlotDefinition& slot : layout.slots) {
-      const std::string& instance = trees[slot.scope].path;
-      if (!slot.key.empty())
-        keys.push_back(instance.empty() ? slot.key : instance + "/" + slot.key);
-    }
-    const std::string hint = DidYouMean(given.key, keys);
-    Add(given.where, "key \"" + given.key + "\"", "a key of the tree",
-        "none" + (hint.empty() ? "" : ", " + hint));
-    return kNoSlot;
-  }
-
-  void Compare(const Expectations& expect, Status status) {
-    if (expect.status && expect.status->status != status) {
+  void Compare(const Expectations& expect) {
+    if (expect.status && expect.status->status != outcome_.status) {
       Add(expect.status->where, "status of the tree", ToString(expect.status->status),
-          ToString(status));
+          ToString(outcome_.status));
     }
     if (expect.events) CompareEvents(*expect.events);
     for (const ExpectedStatus& node : expect.nodes) CompareNode(node);
@@ -170,17 +84,22 @@ class Player {
           "none" + (hint.empty() ? "" : ", " + hint));
     } else if (std::distance(first, last) > 1) {
       Add(expected.where, "node \"" + expected.node + "\"", "one node of that path", "several");
-    } else if (const Status got = tree_.executor().status(first->second); got != expected.status) {
+    } else if (const Status got = tree().executor().status(first->second); got != expected.status) {
       Add(expected.where, "status of node \"" + expected.node + "\"", ToString(expected.status),
           ToString(got));
     }
   }
 
   void CompareValue(const ExpectedValue& expected) {
-    const SlotIndex slot = Find(expected.value);
-    if (slot == kNoSlot) return;
-    const Value& got = tree_.executor().blackboard()[slot].value;
+    std::string hint;
+    const SlotIndex slot = FindKey(tree().program(), expected.value.key, hint);
     const std::string what = "key \"" + expected.value.key + "\"";
+    if (slot == kNoSlot) {
+      Add(expected.value.where, what, "a key of the tree",
+          "none" + (hint.empty() ? "" : ", " + hint));
+      return;
+    }
+    const Value& got = tree().executor().blackboard()[slot].value;
     if (expected.unset || !got.has_value()) {
       if (expected.unset && !got.has_value()) return;
       Add(expected.value.where, what, expected.unset ? "not written" : expected.value.text,
@@ -199,9 +118,9 @@ class Player {
 
   void CompareMessage(const ExpectedMessage& expected) {
     std::string all;
-    for (const NodeMessage& message : sink_.messages) {
+    for (const NodeMessage& message : outcome_.messages) {
       if (message.text.find(expected.part) != std::string::npos) return;
-      all += (all.empty() ? "" : "; ") + tree_.program().Path(message.node) + ": " + message.text;
+      all += (all.empty() ? "" : "; ") + tree().program().Path(message.node) + ": " + message.text;
     }
     Add(expected.where, "messages", "one with \"" + expected.part + "\"",
         all.empty() ? "none" : all);
@@ -209,7 +128,7 @@ class Player {
 
   // Reports the first event that differs, in its surroundings.
   void CompareEvents(const ExpectedEvents& expected) {
-    const std::vector<LeafEvent> got = tree_.TakeEvents();
+    const std::vector<LeafEvent>& got = outcome_.events;
     std::size_t i = 0;
     while (i < got.size() && i < expected.events.size() && Fits(expected.events[i], got[i])) ++i;
     if (i == got.size() && i == expected.events.size()) return;
@@ -221,7 +140,7 @@ class Player {
   }
 
   bool Fits(const ExpectedEvent& expected, const LeafEvent& got) const {
-    const Program& program = tree_.program();
+    const Program& program = tree().program();
     const NodeNames names{program.Name(got.node), program.Path(got.node), program.Id(got.node)};
     if (!Matches(expected.leaf, names)) return false;
     if (expected.halted != got.halted) return false;
@@ -240,7 +159,7 @@ class Player {
   }
 
   std::string Print(const LeafEvent& event, bool with_inputs) const {
-    const std::string leaf = tree_.program().Name(event.node);
+    const std::string leaf = tree().program().Name(event.node);
     if (event.halted) return "halt " + leaf;
     std::string text = "tick " + leaf + " " + ToString(event.result);
     if (!with_inputs) return text;
@@ -253,10 +172,12 @@ class Player {
         {where, step_, std::move(what), std::move(expected), std::move(got)});
   }
 
+  MockedTree& tree() { return player_.tree(); }
+  const MockedTree& tree() const { return player_.tree(); }
+
   const Scenario& scenario_;
-  SimulatedClock clock_;
-  KeepMessages sink_;
-  MockedTree tree_;
+  ScenarioPlayer player_;
+  StepOutcome outcome_;  // of the last step
   std::multimap<std::string, NodeIndex> nodes_;
   std::size_t step_ = 0;
   ScenarioResult result_;

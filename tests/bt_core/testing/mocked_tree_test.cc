@@ -19,14 +19,21 @@ MockScript Returns(Results results) {
 class MockedTreeTest : public testing::Test {
  protected:
   MockedTree& Make(const std::string& body, std::vector<MockRule> rules) {
+    tree_ = std::make_unique<MockedTree>(*CompiledText(body), std::move(rules), clock_,
+                                         MockOptions{true});
+    return *tree_;
+  }
+  std::shared_ptr<const Program> CompiledText(const std::string& text) {
     auto registry = std::make_shared<Registry>(*TestRegistry());
     registry->SetFallback(
         [this](const std::string& name) { return std::make_unique<ScriptedLeaf>(real_, name); });
     Diagnostics diagnostics;
-    const auto program = CompileText(body, diagnostics, registry);
+    auto program = CompileText(text, diagnostics, registry);
     if (!program) throw std::logic_error(diagnostics.ToString());
-    tree_ = std::make_unique<MockedTree>(*program, std::move(rules), clock_, MockOptions{true});
-    return *tree_;
+    return program;
+  }
+  std::shared_ptr<const Program> Compiled(const std::string& root) {
+    return CompiledText(Main(root));
   }
 
   std::string Tick() {
@@ -184,6 +191,34 @@ TEST_F(MockedTreeTest, NamesRulesThatFitNothingAndLeavesThatNobodyKnows) {
   EXPECT_EQ(tree_->UnusedPatterns(), (std::vector<std::string>{"c", "<Drive>"}));
   ASSERT_EQ(tree_->UnknownLeaves().size(), 1U);
   EXPECT_EQ(tree_->program().Name(tree_->UnknownLeaves()[0]), "b");
+}
+
+TEST_F(MockedTreeTest, AfterAReloadWhatLivesOnGoesOnInItsScript) {
+  const std::vector<MockRule> rules = {{"<Leaf>", Returns({Status::kSuccess})}};
+  Make(Main("<Sequence><Leaf name=\"a\"/><Parallel><Leaf name=\"b\"/></Parallel></Sequence>"),
+       rules);
+  tree_->ChangeScript("b", Returns({Status::kRunning, Status::kRunning, Status::kFailure}));
+  EXPECT_EQ(Tick(), "RUNNING: tick a SUCCESS, tick b RUNNING,");
+  tree_->Reload(*Compiled("<Sequence><Sequence><Leaf name=\"c\"/><Leaf name=\"d\"/></Sequence>"
+                          "<Parallel><Leaf name=\"b\"/></Parallel></Sequence>"),
+                rules);
+  EXPECT_EQ(Tick(), "RUNNING: tick b RUNNING,");
+  EXPECT_EQ(Tick(), "FAILURE: tick b FAILURE,");
+  tree_->Reload(*Compiled("<Fallback><Leaf name=\"b\"/><Leaf name=\"c\"/></Fallback>"), rules);
+  EXPECT_EQ(Tick(), "RUNNING: tick b RUNNING,") << "another b begins, with the script of all b";
+  EXPECT_EQ(tree_->ScriptOf(1)->results.size(), 3U);
+  EXPECT_EQ(tree_->ScriptOf(0), nullptr);
+}
+
+TEST_F(MockedTreeTest, AReloadHaltsWhatIsGone) {
+  Make(Main("<Sequence><Leaf name=\"a\"/></Sequence>"), {{"<Leaf>", Returns({Status::kRunning})}});
+  Tick();
+  tree_->Reload(*Compiled("<Sequence><Leaf name=\"b\"/></Sequence>"),
+                {{"<Leaf>", Returns({Status::kRunning})}});
+  const std::vector<LeafEvent> events = tree_->TakeEvents();
+  ASSERT_EQ(events.size(), 1U);
+  EXPECT_TRUE(events[0].halted);
+  EXPECT_EQ(Tick(), "RUNNING: tick b RUNNING,");
 }
 
 }  // namespace

@@ -1,0 +1,190 @@
+#include "bt_core/testing/scenario_writer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <utility>
+
+#include "bt_core/testing/json_text.h"
+
+namespace coppice {
+namespace {
+
+using Kind = JsonText::Kind;
+
+JsonText Make(Kind kind, std::string text = {}) {
+  JsonText json;
+  json.kind = kind;
+  json.text = std::move(text);
+  return json;
+}
+JsonText Text(std::string text) { return Make(Kind::kString, std::move(text)); }
+JsonText Object() { return Make(Kind::kObject); }
+JsonText Array() { return Make(Kind::kArray); }
+JsonText StatusText(Status status) { return Text(ToString(status)); }
+
+void Add(JsonText& object, std::string key, JsonText value) {
+  value.key = std::move(key);
+  object.children.push_back(std::move(value));
+}
+
+JsonText Milliseconds(Duration duration) {
+  const auto count = duration.count();
+  std::string text = std::to_string(count / 1'000'000);
+  if (std::string rest = std::to_string(count % 1'000'000); rest != "0") {
+    rest.insert(0, 6 - rest.size(), '0');
+    rest.erase(rest.find_last_not_of('0') + 1);
+    text += "." + rest;
+  }
+  return Make(Kind::kNumber, text);
+}
+
+JsonText ValueText(const KeyValue& value) {
+  static constexpr Kind kKinds[] = {Kind::kString, Kind::kNumber, Kind::kBool};
+  return Make(kKinds[static_cast<int>(value.kind)], value.text);
+}
+
+JsonText Values(const std::vector<KeyValue>& values) {
+  JsonText object = Object();
+  for (const KeyValue& value : values) Add(object, value.key, ValueText(value));
+  return object;
+}
+
+JsonText Results(const std::vector<Status>& results) {
+  if (results.size() == 1) return StatusText(results[0]);
+  JsonText list = Array();
+  for (const Status result : results) list.children.push_back(StatusText(result));
+  return list;
+}
+
+JsonText ScriptText(const MockScript& script) {
+  JsonText object = Object();
+  if (script.duration > Duration(0)) Add(object, "after_ms", Milliseconds(script.duration));
+  if (!script.results.empty()) Add(object, "returns", Results(script.results));
+  if (script.restart) Add(object, "restart", Make(Kind::kBool, "true"));
+  if (!script.outputs.empty()) {
+    JsonText outputs = Object();
+    for (const auto& [port, text] : script.outputs) Add(outputs, port, Text(text));
+    Add(object, "outputs", std::move(outputs));
+  }
+  if (!script.says.empty()) Add(object, "says", Text(script.says));
+  if (!script.throws.empty()) Add(object, "throws", Text(script.throws));
+  const bool only_results = object.children.size() == 1 && !script.results.empty();
+  return only_results ? Results(script.results) : object;
+}
+
+JsonText Rules(const std::vector<PlacedRule>& rules) {
+  JsonText object = Object();
+  for (const PlacedRule& placed : rules) {
+    Add(object, placed.rule.pattern, ScriptText(placed.rule.script));
+  }
+  return object;
+}
+
+JsonText EventText(const ExpectedEvent& event) {
+  JsonText list = Array();
+  list.children.push_back(Text(event.halted ? "halt" : "tick"));
+  list.children.push_back(Text(event.leaf));
+  if (event.status) list.children.push_back(StatusText(*event.status));
+  if (!event.inputs.empty()) list.children.push_back(Values(event.inputs));
+  return list;
+}
+
+JsonText ExpectationsText(const Expectations& expect) {
+  JsonText object = Object();
+  if (expect.status) Add(object, "status", StatusText(expect.status->status));
+  if (!expect.nodes.empty()) {
+    JsonText nodes = Object();
+    for (const ExpectedStatus& node : expect.nodes) Add(nodes, node.node, StatusText(node.status));
+    Add(object, "nodes", std::move(nodes));
+  }
+  if (expect.events) {
+    JsonText events = Array();
+    for (const ExpectedEvent& event : expect.events->events) {
+      events.children.push_back(EventText(event));
+    }
+    Add(object, "events", std::move(events));
+  }
+  if (!expect.blackboard.empty()) {
+    JsonText board = Object();
+    for (const ExpectedValue& value : expect.blackboard) {
+      Add(board, value.value.key, value.unset ? Make(Kind::kNull, "null") : ValueText(value.value));
+    }
+    Add(object, "blackboard", std::move(board));
+  }
+  if (!expect.messages.empty()) {
+    JsonText messages = Array();
+    for (const ExpectedMessage& message : expect.messages) {
+      messages.children.push_back(Text(message.part));
+    }
+    Add(object, "messages", std::move(messages));
+  }
+  return object;
+}
+
+JsonText StepText(const ScenarioStep& step) {
+  JsonText object = Object();
+  if (!step.set.empty()) Add(object, "set", Values(step.set));
+  if (!step.leaves.empty()) Add(object, "leaves", Rules(step.leaves));
+  if (step.advance > Duration(0)) Add(object, "advance_ms", Milliseconds(step.advance));
+  if (step.halt) Add(object, "halt", Make(Kind::kBool, "true"));
+  if (!step.halt && step.ticks != 1) {
+    Add(object, "ticks", Make(Kind::kNumber, std::to_string(step.ticks)));
+  }
+  JsonText expect = ExpectationsText(step.expect);
+  if (!expect.children.empty()) Add(object, "expect", std::move(expect));
+  return object;
+}
+
+JsonText ScenarioText(const Scenario& scenario) {
+  JsonText object = Object();
+  Add(object, "name", Text(scenario.name));
+  if (!scenario.leaves.empty()) Add(object, "leaves", Rules(scenario.leaves));
+  JsonText steps = Array();
+  for (const ScenarioStep& step : scenario.steps) steps.children.push_back(StepText(step));
+  Add(object, "steps", std::move(steps));
+  return object;
+}
+
+std::string RelativeTo(const std::string& file, const std::string& tree) {
+  const std::filesystem::path folder = std::filesystem::path(file).parent_path();
+  if (folder.empty()) return tree;
+  const std::filesystem::path relative = std::filesystem::path(tree).lexically_relative(folder);
+  return relative.empty() ? tree : relative.string();
+}
+
+// Comments and blanks between the last scenario and the bracket stay where they are.
+std::size_t EndOfLast(const JsonText& scenarios) { return scenarios.children.back().end; }
+
+}  // namespace
+
+std::string PrintScenarios(const ScenarioSuite& suite) {
+  JsonText object = Object();
+  Add(object, "tree", Text(RelativeTo(suite.file, suite.tree_file)));
+  if (!suite.tree_id.empty()) Add(object, "tree_id", Text(suite.tree_id));
+  if (!suite.leaves.empty()) Add(object, "leaves", Rules(suite.leaves));
+  JsonText scenarios = Array();
+  for (const Scenario& scenario : suite.scenarios) {
+    scenarios.children.push_back(ScenarioText(scenario));
+  }
+  Add(object, "scenarios", std::move(scenarios));
+  return PrintJsonText(object) + "\n";
+}
+
+std::optional<std::string> AddScenario(const std::string& text, const std::string& file,
+                                       const Scenario& scenario, Diagnostics& diagnostics) {
+  const std::optional<ScenarioSuite> suite = ParseScenarios(text, file, diagnostics);
+  if (!suite) return std::nullopt;
+  for (const Scenario& other : suite->scenarios) {
+    if (other.name != scenario.name) continue;
+    diagnostics.Error(other.where, "there is a scenario \"" + scenario.name + "\" already");
+    return std::nullopt;
+  }
+  const std::optional<JsonText> json = ParseJsonText(text, file, diagnostics);
+  std::string changed = text;
+  changed.insert(EndOfLast(*json->Find("scenarios")),
+                 ",\n    " + PrintJsonText(ScenarioText(scenario), 4));
+  return changed;
+}
+
+}  // namespace coppice

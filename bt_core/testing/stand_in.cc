@@ -1,0 +1,141 @@
+#include "bt_core/testing/stand_in.h"
+
+#include <algorithm>
+#include <deque>
+#include <map>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bt_core/engine/keys.h"
+#include "bt_core/engine/type_names.h"
+#include "bt_core/nodes/leaf.h"
+
+namespace coppice {
+namespace {
+
+using Ports = std::vector<PortDeclaration>;
+
+class StandIn : public Leaf {
+ public:
+  static constexpr const char* kDescription = "";
+  explicit StandIn(const Ports& ports) {
+    for (const PortDeclaration& port : ports) ports_.emplace_back(port);
+  }
+  Status Tick(bool) override { throw std::logic_error("only the robot's program has this leaf"); }
+
+ private:
+  struct Port final : PortBase {
+    explicit Port(const PortDeclaration& declaration) : PortBase(declaration) {}
+  };
+  std::deque<Port> ports_;
+};
+
+class StandInAction final : public StandIn {
+ public:
+  static constexpr NodeCategory kCategory = NodeCategory::kAction;
+  using StandIn::StandIn;
+};
+
+class StandInCondition final : public StandIn {
+ public:
+  static constexpr NodeCategory kCategory = NodeCategory::kCondition;
+  using StandIn::StandIn;
+};
+
+// What a project shows of the leaves that are not built in.
+class Leaves {
+ public:
+  explicit Leaves(const Project& project) : project_(project) {
+    for (const auto& [id, tree] : project.trees()) {
+      const Document& document = project.documents()[tree.document];
+      const Element& root = document.element(tree.element);
+      for (ElementIndex i = tree.element + 1; i < document.elements().size(); ++i) {
+        if (document.element(i).offset >= root.end) break;
+        Add(document, document.element(i));
+      }
+    }
+  }
+
+  void RegisterAll(Registry& registry) const {
+    for (const auto& [id, leaf] : leaves_) {
+      try {
+        if (leaf.is_condition) {
+          registry.Register<StandInCondition>(id, leaf.ports);
+        } else {
+          registry.Register<StandInAction>(id, leaf.ports);
+        }
+      } catch (const std::invalid_argument&) {
+        continue;  // no type can have such a name: the compiler says so
+      }
+    }
+  }
+
+ private:
+  struct Seen {
+    bool is_condition = false;
+    Ports ports;
+  };
+
+  void Add(const Document& document, const Element& element) {
+    const std::string id(IdOf(document, element));
+    if (id.empty() || element.child_count > 0 || built_in_.Find(id)) return;
+    const auto model = project_.models().find(id);
+    const auto [at, is_new] = leaves_.try_emplace(id);
+    Seen& leaf = at->second;
+    if (model == project_.models().end()) {
+      leaf.is_condition = element.tag == "Condition";
+      AddAttributes(document, element, leaf.ports);
+    } else if (is_new) {
+      leaf.is_condition = model->second.category == NodeCategory::kCondition;
+      for (const PortModel& port : model->second.ports) {
+        leaf.ports.push_back({port.name, port.direction, FindType(built_in_, port.type),
+                              port.description, false, port.default_text});
+      }
+    }
+  }
+
+  static std::string_view IdOf(const Document& document, const Element& element) {
+    if (!CategoryFromTag(element.tag)) return element.tag;
+    const Attribute* id = document.FindAttribute(element, "ID");
+    return id && element.tag != "SubTree" ? std::string_view(id->value) : std::string_view();
+  }
+
+  // A port to which a literal is given anywhere cannot be written.
+  static void AddAttributes(const Document& document, const Element& element, Ports& ports) {
+    for (const Attribute* attribute = document.attributes_begin(element);
+         attribute != document.attributes_end(element); ++attribute) {
+      if (IsReservedAttribute(attribute->name)) continue;
+      const bool is_key = !KeyOf(attribute->value, attribute->name).empty();
+      auto port = std::find_if(ports.begin(), ports.end(),
+                               [&](const auto& p) { return p.name == attribute->name; });
+      if (port == ports.end()) {
+        port = ports.insert(ports.end(), {std::string(attribute->name), PortDirection::kInOut,
+                                          nullptr, "", false, std::nullopt});
+      }
+      if (!is_key) port->direction = PortDirection::kInput;
+    }
+  }
+
+  const Project& project_;
+  const Registry built_in_;
+  std::map<std::string, Seen> leaves_;
+};
+
+}  // namespace
+
+std::shared_ptr<const Registry> ScenarioRegistry(const Project& project) {
+  auto registry = std::make_shared<Registry>();
+  Leaves(project).RegisterAll(*registry);
+  return registry;
+}
+
+bool IsStandIn(const Registry::Entry& entry) {
+  if (!entry.build) return false;
+  const PortCollector unused;
+  return dynamic_cast<const StandIn*>(entry.build().get()) != nullptr;
+}
+
+}  // namespace coppice

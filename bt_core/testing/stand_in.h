@@ -1,0 +1,26 @@
+// Stand-ins for the leaves that only a robot's program knows: they have the ports that the tree
+// gives them, so keys are there and can be set and seen, but they can do nothing. Scripts play
+// them.
+//
+//   auto registry = ScenarioRegistry(*project);
+//   auto program = Compile(project, registry, diagnostics);
+#ifndef COPPICE_BT_CORE_TESTING_STAND_IN_H_
+#define COPPICE_BT_CORE_TESTING_STAND_IN_H_
+
+#include <memory>
+
+#include "bt_core/engine/registry.h"
+#include "bt_core/model/project.h"
+
+namespace coppice {
+
+/// The built-in nodes, and a stand-in for every other leaf of the project. Its ports are those of
+/// its model, or without a model the attributes that it has anywhere in the project, of any type.
+std::shared_ptr<const Registry> ScenarioRegistry(const Project& project);
+
+/// True for the type of a stand-in.
+bool IsStandIn(const Registry::Entry& entry);
+
+}  // namespace coppice
+
+#endif  // COPPICE_BT_CORE_TESTING_STAND_IN_H_

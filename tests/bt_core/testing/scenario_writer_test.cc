@@ -1,0 +1,87 @@
+#include "bt_core/testing/scenario_writer.h"
+
+#include <gtest/gtest.h>
+
+namespace coppice {
+namespace {
+
+constexpr char kText[] = R"({
+  "tree": "drive_to.xml",
+  "tree_id": "DriveTo",
+  "leaves": {
+    "<NavigateTo>": ["FAILURE", "RUNNING", "SUCCESS"],
+    "<Wait>": {
+      "after_ms": 5000.25,
+      "returns": "FAILURE",
+      "restart": true,
+      "outputs": {"path": "1;2"},
+      "says": "waited \"long\" enough",
+      "throws": "broken"
+    }
+  },
+  "scenarios": [
+    {
+      "name": "tries again",
+      "leaves": {"speak": "SKIPPED"},
+      "steps": [
+        {
+          "set": {"goal": "1;2", "n": -2.50, "patrol/done": false},
+          "leaves": {"<Wait>": "SUCCESS"},
+          "advance_ms": 100,
+          "ticks": 3,
+          "expect": {
+            "status": "RUNNING",
+            "nodes": {"until_there": "RUNNING"},
+            "events": [["tick", "NavigateTo", "FAILURE", {"goal": "1;2"}], ["halt", "Wait"]],
+            "blackboard": {"n": 4, "never": null},
+            "messages": ["stuck"]
+          }
+        },
+        {"halt": true}
+      ]
+    }
+  ]
+}
+)";
+
+ScenarioSuite Parsed(const std::string& text) {
+  Diagnostics diagnostics;
+  auto suite = ParseScenarios(text, "trees/drive_to.test.json", diagnostics);
+  EXPECT_TRUE(suite) << diagnostics.ToString();
+  return suite ? *std::move(suite) : ScenarioSuite();
+}
+
+TEST(ScenarioWriter, WritesWhatWasRead) { EXPECT_EQ(PrintScenarios(Parsed(kText)), kText); }
+
+TEST(ScenarioWriter, AScenarioIsAddedBehindTheOthersAndNothingElseChanges) {
+  const std::string text =
+      "// comment\n{ \"tree\": \"a.xml\",  \"scenarios\": [\n"
+      "  {\"name\": \"one\", \"steps\": [{}]}  // the first ]\n  ] }\n";
+  Scenario scenario;
+  scenario.name = "two";
+  scenario.steps.resize(1);
+  Diagnostics diagnostics;
+  const auto changed = AddScenario(text, "a.test.json", scenario, diagnostics);
+  ASSERT_TRUE(changed) << diagnostics.ToString();
+  EXPECT_EQ(*changed,
+            "// comment\n{ \"tree\": \"a.xml\",  \"scenarios\": [\n"
+            "  {\"name\": \"one\", \"steps\": [{}]},\n"
+            "    {\"name\": \"two\", \"steps\": [{}]}  // the first ]\n  ] }\n");
+  const ScenarioSuite suite = Parsed(*changed);
+  ASSERT_EQ(suite.scenarios.size(), 2U);
+  EXPECT_EQ(suite.scenarios[1].name, "two");
+
+  EXPECT_FALSE(AddScenario(*changed, "a.test.json", scenario, diagnostics));
+  EXPECT_NE(diagnostics.ToString().find("a.test.json:4:5: error: there is a scenario \"two\""),
+            std::string::npos)
+      << diagnostics.ToString();
+}
+
+TEST(ScenarioWriter, AFileThatIsWrongStaysAsItIs) {
+  Diagnostics diagnostics;
+  EXPECT_FALSE(AddScenario("{\"tree\": 3}", "a.test.json", {}, diagnostics));
+  EXPECT_TRUE(diagnostics.has_errors());
+}
+
+}  // namespace
+}  // namespace coppice

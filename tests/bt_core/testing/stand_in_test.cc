@@ -1,0 +1,62 @@
+#include "bt_core/testing/stand_in.h"
+
+#include <gtest/gtest.h>
+
+#include "bt_core/testing/scenario_player.h"
+#include "tests/bt_core/testing/with_stand_ins.h"
+
+namespace coppice {
+namespace {
+
+std::shared_ptr<const Program> Compiled(const std::string& inside) {
+  Diagnostics diagnostics;
+  auto program = CompileWithStandIns(
+      "<root BTCPP_format=\"4\" main_tree_to_execute=\"Main\">" + inside + "</root>", diagnostics);
+  EXPECT_TRUE(program) << diagnostics.ToString();
+  return program;
+}
+
+TEST(StandIn, HasThePortsThatTheTreeGivesIt) {
+  const auto program = Compiled(
+      "<BehaviorTree ID=\"Main\"><Sequence><IsLow level=\"{battery}\" limit=\"0.3\"/>"
+      "<Action ID=\"Go\" to=\"{goal}\"/></Sequence></BehaviorTree>");
+  ASSERT_TRUE(program);
+  std::string hint;
+  EXPECT_NE(FindKey(*program, "battery", hint), kNoSlot);
+  EXPECT_NE(FindKey(*program, "goal", hint), kNoSlot);
+  EXPECT_TRUE(IsStandIn(*program->registry->Find("Go")));
+  EXPECT_FALSE(IsStandIn(*program->registry->Find("Sleep")));
+  ScenarioPlayer player(*program, {{{}, {"Go", {}}}});
+  EXPECT_EQ(player.UnplayedLeaves(), std::vector<NodeIndex>{1});
+}
+
+TEST(StandIn, AModelSaysMore) {
+  const auto program = Compiled(
+      "<BehaviorTree ID=\"Main\"><IsLow level=\"{battery}\"/></BehaviorTree>"
+      "<TreeNodesModel><Condition ID=\"IsLow\"><input_port name=\"level\" type=\"double\"/>"
+      "</Condition></TreeNodesModel>");
+  ASSERT_TRUE(program);
+  const Registry::Entry& entry = *program->registry->Find("IsLow");
+  EXPECT_EQ(entry.manifest.category, NodeCategory::kCondition);
+  EXPECT_EQ(entry.declarations[0].type, &TypeOf<double>());
+}
+
+TEST(StandIn, WhatAScriptWritesHasTheTypeOfTheKey) {
+  const auto program = Compiled(
+      "<BehaviorTree ID=\"Main\"><Sequence><Look seen=\"{n}\"/><Repeat num_cycles=\"{n}\">"
+      "<AlwaysSuccess/></Repeat></Sequence></BehaviorTree>");
+  ASSERT_TRUE(program);
+  PlacedRule rule;
+  rule.rule.pattern = "<Look>";
+  rule.rule.script.outputs = {{"seen", "1"}};
+  ScenarioPlayer player(*program, {rule});
+  EXPECT_EQ(player.Play({}).status, Status::kSuccess);
+  rule.rule.script.outputs = {{"seen", "many"}};
+  ScenarioPlayer other(*program, {rule});
+  const StepOutcome outcome = other.Play({});
+  EXPECT_EQ(outcome.status, Status::kFailure);
+  ASSERT_EQ(outcome.messages.size(), 1U);
+}
+
+}  // namespace
+}  // namespace coppice
