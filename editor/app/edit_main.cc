@@ -24,14 +24,14 @@ std::string UserPath(const char* variable, const char* fallback, const char* pat
 
 }  // namespace
 
-std::unique_ptr<Editor> MakeEditor(const Clock& clock, const EditOptions& options,
+std::unique_ptr<Editor> MakeEditor(const EditOptions& options,
                                    EditorOptions editor_options) {
   editor_options.palette = options.palette;
   if (!options.headless) {
     editor_options.recent_file = UserPath("XDG_CONFIG_HOME", "/.config", "/coppice/recent");
     editor_options.backup_folder = UserPath("XDG_STATE_HOME", "/.local/state", "/coppice/backup");
   }
-  auto editor = std::make_unique<Editor>(clock, std::move(editor_options));
+  auto editor = std::make_unique<Editor>(std::move(editor_options));
   if (!editor->error().empty()) {
     std::cerr << "coppice-edit: " << editor->error() << "\n";
     return nullptr;
@@ -45,7 +45,7 @@ std::unique_ptr<Editor> MakeEditor(const Clock& clock, const EditOptions& option
     std::cerr << "coppice-edit: " << wrong << "\n";
     return nullptr;
   }
-  editor->state().workspace.ShowRobot(0);
+  if (!options.robots.empty()) editor->Connect(options.robots.front());  // shows the first
   return editor;
 }
 

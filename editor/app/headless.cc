@@ -18,7 +18,7 @@ bool Save(const Editor& editor, const std::string& path) {
 }  // namespace
 
 int RunHeadless(Clock& clock, const EditOptions& options) {
-  const std::unique_ptr<Editor> editor = MakeEditor(clock, options, {});
+  const std::unique_ptr<Editor> editor = MakeEditor(options, {});
   if (!editor) return 2;
   const auto seconds = [&clock](Time since) {
     return std::chrono::duration<double>(clock.Now() - since).count();

@@ -295,7 +295,7 @@ int RunWindow(const Clock& clock, const EditOptions& options) {
   editor_options.set_clipboard = [&window](const std::string& text) {
     glfwSetClipboardString(window.get(), text.c_str());
   };
-  const std::unique_ptr<Editor> editor = MakeEditor(clock, options, std::move(editor_options));
+  const std::unique_ptr<Editor> editor = MakeEditor(options, std::move(editor_options));
   if (!editor) return kNoDisplay;
   Renderer renderer(editor->context());
   if (!renderer.good()) {

@@ -34,7 +34,7 @@ std::string_view LitValue(const TreeView& view, const SceneNode& node) {
 
 }  // namespace
 
-NodeState StateOf(const LiveSnapshot* live, const SceneNode& node) {
+NodeState StateOf(const TreeState* live, const SceneNode& node) {
   if (!live || node.uid < 0 || static_cast<std::size_t>(node.uid) >= live->states.size()) return {};
   return live->states[static_cast<std::size_t>(node.uid)];
 }
@@ -58,7 +58,7 @@ NodeLook LookOf(const TreeView& view, const CanvasOptions& options, std::uint32_
   look.state = StateOf(options.live, scene_node);
   look.selected = view.IsSelected(node);
   look.collapsed = view.IsCollapsed(node);
-  look.offline = options.live && options.live->connection != Connection::kLive;
+  look.offline = options.live && !options.live->is_fresh;
   look.badge = BadgeOf(options, node);
   look.change = ChangeOf(options, node);
   if (options.heat && node < options.heat->values.size()) {

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "editor/canvas/geometry.h"
-#include "editor/live/live_snapshot.h"
+#include "editor/live/tree_state.h"
 
 namespace coppice::editor {
 

@@ -54,7 +54,7 @@ class TreePainter {
     look.orientation = view_.orientation();
     look.zoom = area_.camera.zoom;
     look.state = StateOf(area_.options.live, node);
-    look.offline = area_.options.live && area_.options.live->connection != Connection::kLive;
+    look.offline = area_.options.live && !area_.options.live->is_fresh;
     const bool alone = node.number == 1 && node.end == scene_.nodes[node.parent].end;
     look.number = alone ? 0 : node.number;
     look.change = ChangeOf(area_.options, view_.shown()[item.k]);

@@ -8,7 +8,7 @@ namespace coppice::editor {
 void CommandTable::Add(Command command) {
   for (const Command& other : commands_) {
     if (other.id == command.id) throw std::invalid_argument("command twice: " + command.id);
-    if (command.keys.key != 0 && other.keys == command.keys) {
+    if (command.keys.key != 0 && other.keys == command.keys && !command.when && !other.when) {
       throw std::invalid_argument(ToString(command.keys) + " is bound to " + other.id + " and " +
                                   command.id);
     }
@@ -31,13 +31,14 @@ bool CommandTable::Run(std::string_view id) const {
 }
 
 bool CommandTable::Press(KeyChord chord) const {
+  if (chord.key == 0) return false;
+  const Command* found = nullptr;
   for (const Command& command : commands_) {
-    if (command.keys.key != 0 && command.keys == chord) {
-      command.run();
-      return true;
-    }
+    if (!(command.keys == chord)) continue;
+    if (command.when ? command.when() : !found) found = &command;
   }
-  return false;
+  if (found) found->run();
+  return found;
 }
 
 }  // namespace coppice::editor

@@ -17,11 +17,14 @@ struct Command {
   std::string title;  ///< "Fit all"
   KeyChord keys;
   std::function<void()> run;
+  /// Whether its keys are its own now, before those of commands without it; null: always.
+  std::function<bool()> when = nullptr;
 };
 
 class CommandTable {
  public:
-  /// Throws std::invalid_argument if the ID or the keys are taken.
+  /// Throws std::invalid_argument if the ID is taken, or the keys by another command that has them
+  /// always.
   void Add(Command command);
 
   const std::vector<Command>& all() const { return commands_; }

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <optional>
+#include <stdexcept>
 #include <utility>
 
 #include "editor/canvas/canvas.h"
@@ -13,7 +14,7 @@
 #include "editor/core/edit_commands.h"
 #include "editor/core/project_commands.h"
 #include "editor/core/standard_commands.h"
-#include "editor/live/live_client.h"
+#include "editor/live/robot_source.h"
 #include "editor/look/imgui_context.h"
 #include "editor/look/imgui_style.h"
 #include "editor/panels/panels.h"
@@ -30,27 +31,14 @@ constexpr double kLiveFrame = 1.0 / 20;  // while something runs on the robot
 constexpr double kBackupSeconds = 5;     // between two backups of unsaved work
 constexpr double kWaitingFrame = 1.0;    // to count down to the next try
 
-std::string CheckEndpoint(const std::string& endpoint) {
-  const std::size_t colon = endpoint.rfind(':');
-  const std::string port = colon == std::string::npos ? "" : endpoint.substr(colon + 1);
-  const bool digits =
-      !port.empty() && port.size() <= 5 &&
-      std::all_of(port.begin(), port.end(), [](char c) { return c >= '0' && c <= '9'; });
-  if (colon == 0 || !digits || std::stoi(port) < 1 || std::stoi(port) > 65535) {
-    return "\"" + endpoint + "\" is no HOST:PORT, for example 127.0.0.1:1667";
-  }
-  return {};
-}
-
 }  // namespace
 
 struct Editor::Drawing {
   Fonts fonts;
 };
 
-Editor::Editor(const Clock& clock, EditorOptions options)
-    : clock_(clock),
-      options_(std::move(options)),
+Editor::Editor(EditorOptions options)
+    : options_(std::move(options)),
       context_(ImGui::CreateContext()),
       drawing_(std::make_unique<Drawing>()),
       state_([this](const Scene& scene) {
@@ -122,20 +110,22 @@ void Editor::BackUp() {
 }
 
 std::string Editor::Connect(const std::string& endpoint) {
-  std::string wrong = CheckEndpoint(endpoint);
-  if (!wrong.empty()) return wrong;
-  for (std::size_t i = 0; i < state_.workspace.robots().size(); ++i) {
-    if (state_.workspace.robots()[i].source->endpoint() != endpoint) continue;
-    state_.workspace.ShowRobot(i);
+  const int known = state_.workspace.FindRun(endpoint);
+  if (known >= 0) {
+    state_.workspace.ShowRun(static_cast<std::size_t>(known));
     return {};
   }
-  AddRobot(std::make_unique<LiveClient>(endpoint, clock_, options_.wake));
+  try {
+    AddRun(std::make_unique<RobotSource>(endpoint, options_.wake));
+  } catch (const std::invalid_argument& wrong) {
+    return wrong.what();
+  }
   return {};
 }
 
-void Editor::AddRobot(std::unique_ptr<LiveSource> source) {
-  state_.workspace.AddRobot(std::move(source));
-  state_.workspace.ShowRobot(state_.workspace.robots().size() - 1);
+void Editor::AddRun(std::unique_ptr<RunSource> source) {
+  state_.workspace.AddRun(std::move(source));
+  state_.workspace.ShowRun(state_.workspace.runs().size() - 1);
   settle_ = kFramesToSettle;
 }
 
@@ -152,8 +142,9 @@ void Editor::Frame(const InputEvents& input) {
   const Palette& palette = GetPalette(state_.palette);
   ApplyImGuiStyle(palette, options_.scale);
   RunKeys();
-  const Ui ui{
-      GetPalette(state_.palette), drawing_->fonts, items_, options_.scale, now_, clock_.Now()};
+  const TreeState* shown = state_.workspace.tree_state();
+  const Ui ui{GetPalette(state_.palette),  drawing_->fonts, items_, options_.scale, now_,
+              shown ? shown->now : Time(0)};
   ImGui::SetNextWindowPos({0, 0});
   ImGui::SetNextWindowSize({input.width, input.height});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
@@ -236,18 +227,21 @@ double Editor::NextFrameIn() const {
   if (state_.notice.at + kNoticeSeconds > now_) {
     next = std::min(next, state_.notice.at + kNoticeSeconds - now_);
   }
-  for (const Robot& robot : workspace.robots()) {
-    if (robot.snapshot->connection != Connection::kLive) next = std::min(next, kWaitingFrame);
+  for (const auto& run : workspace.runs()) {
+    if (run->source().has_news() || run->playhead().is_playing()) return 0;
+    const RunPhase phase = run->phase();
+    const bool waits = phase == RunPhase::kConnecting || phase == RunPhase::kReconnecting;
+    if (waits) next = std::min(next, kWaitingFrame);
   }
-  const LiveSnapshot* live = workspace.live();
-  if (live && live->connection == Connection::kLive) next = std::min(next, kLiveFrame);
+  const RunView* shown = workspace.run();
+  if (shown && shown->phase() == RunPhase::kLive) next = std::min(next, kLiveFrame);
   return next;
 }
 
 bool Editor::IsUpToDate() const {
-  const auto& robots = state_.workspace.robots();
-  return std::all_of(robots.begin(), robots.end(),
-                     [](const Robot& robot) { return robot.source->snapshot() == robot.snapshot; });
+  const auto& runs = state_.workspace.runs();
+  return std::none_of(runs.begin(), runs.end(),
+                      [](const auto& run) { return run->source().has_news(); });
 }
 
 CursorShape Editor::cursor() const {

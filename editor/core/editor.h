@@ -1,8 +1,8 @@
 // The editor as a function of events: Frame() takes what the user did and how much time passed, and
-// leaves draw data behind. It knows no window, no display and no clock but the one it is given, so
-// it runs the same in a window, in a test and in a program without a display.
+// leaves draw data behind. It knows no window, no display and no clock, so it
+// runs the same in a window, in a test and in a program without a display.
 //
-//   Editor editor(clock, {});
+//   Editor editor({});
 //   editor.Open("patrol.xml");
 //   InputEvents events;                       // size, dt, mouse, keys
 //   editor.Frame(events);
@@ -17,7 +17,6 @@
 #include <memory>
 #include <string>
 
-#include "bt_core/base/clock.h"
 #include "editor/commands/input_queue.h"
 #include "editor/core/editor_state.h"
 #include "editor/document/backup.h"
@@ -44,8 +43,7 @@ enum class CursorShape { kArrow, kText, kResizeAcross, kResizeDown, kHand };
 
 class Editor {
  public:
-  /// `clock` stamps statuses and must outlive the editor.
-  Editor(const Clock& clock, EditorOptions options);
+  explicit Editor(EditorOptions options);
   ~Editor();
   Editor(const Editor&) = delete;
   Editor& operator=(const Editor&) = delete;
@@ -57,10 +55,11 @@ class Editor {
   bool Open(const std::string& path);
   /// Adds a file of node models.
   void AddModels(const std::string& path) { state_.workspace.AddModels(path); }
-  /// Follows a robot at "host:port". Returns what is wrong with the text, or nothing.
+  /// Follows a robot at "host:port", or one of its trees at "host:port/TREE". Returns what is wrong
+  /// with the text, or nothing.
   std::string Connect(const std::string& endpoint);
-  /// Follows anything else that gives snapshots.
-  void AddRobot(std::unique_ptr<LiveSource> source);
+  /// Shows any other run.
+  void AddRun(std::unique_ptr<RunSource> source);
 
   /// Builds one frame. Events that a frame cannot see together are kept for the next.
   void Frame(const InputEvents& input);
@@ -94,7 +93,6 @@ class Editor {
   void BackUp();
   void Remember(const std::string& path);
 
-  const Clock& clock_;
   const EditorOptions options_;
   ImGuiContext* context_;
   std::string error_;

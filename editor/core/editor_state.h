@@ -136,6 +136,8 @@ struct EditorState {
   std::string focus_field;            ///< path of the field to type in next
   std::map<std::string, std::string> restorable;  ///< unsaved texts of the last time, by path
   std::vector<KeyEvent> keys;                     ///< pressed in this frame
+  bool selected_keys_only = false;                ///< in the blackboard
+  std::string shown_key;                          ///< "blackboard/SCOPE/KEY" with its history
   Point canvas_size{800, 600};                    ///< of the last frame
   bool quit = false;
   std::function<bool(const std::string&)> open_file;

@@ -57,8 +57,8 @@ class Commands {
     AddTiles();
     Add("robot.connect", "Connect to a robot", {'K', kCtrl},
         [&s = state_] { s.OpenPopup(Popup::kConnect, "127.0.0.1:1667"); });
-    Add("robot.next", "Next robot", {kKeyTab, kCtrl},
-        [&s = state_] { s.workspace.ShowNextRobot(); });
+    Add("robot.next", "Next robot or record", {kKeyTab, kCtrl},
+        [&s = state_] { s.workspace.ShowNextRun(); });
     Add("help.palette", "Command palette", {'P', kCtrl},
         [&s = state_] { s.OpenPopup(Popup::kPalette); });
     Add("help.keys", "Keys", {kKeyF1}, [&s = state_] { s.OpenPopup(Popup::kKeys); });

@@ -14,7 +14,7 @@ bool TreeEditor::Refuse(std::string why) {
 
 std::string TreeEditor::WhyReadOnly() const {
   const Workspace& workspace = state_.workspace;
-  if (workspace.robot()) return "this is what the robot runs; open its file to change it";
+  if (workspace.run()) return "this is what the robot runs; open its file to change it";
   if (!workspace.file()) return "no file is open";
   if (workspace.file()->is_stale || !workspace.ShownTree()) {
     return "the text of this file is malformed: correct it first";

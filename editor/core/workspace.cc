@@ -6,6 +6,7 @@
 
 #include "bt_core/engine/check_project.h"
 #include "bt_core/engine/model_registry.h"
+#include "editor/live/record_source.h"
 
 namespace coppice::editor {
 namespace {
@@ -20,12 +21,6 @@ void AddOnce(std::vector<Diagnostic>& all, const std::vector<Diagnostic>& more) 
                                    [&](const Diagnostic& d) { return ToString(d) == text; });
     if (!known) all.push_back(one);
   }
-}
-
-std::vector<std::string> ShownBoards(const Scene& scene) {
-  std::vector<std::string> boards = scene.scopes;
-  boards.erase(std::remove(boards.begin(), boards.end(), ""), boards.end());
-  return boards;
 }
 
 }  // namespace
@@ -50,7 +45,22 @@ OpenFile Workspace::Load(const std::string& path) {
   return file;
 }
 
+bool Workspace::OpenRecord(const std::string& path) {
+  int run = FindRun(path);
+  if (run < 0) {
+    Diagnostics diagnostics;
+    std::unique_ptr<RecordSource> record = RecordSource::Open(path, diagnostics);
+    AddOnce(record_problems_, diagnostics.all());
+    if (!record) return false;
+    AddRun(std::move(record));
+    run = static_cast<int>(runs_.size() - 1);
+  }
+  ShowRun(Index(run));
+  return true;
+}
+
 bool Workspace::Open(const std::string& path, double now) {
+  if (IsRecordName(path)) return OpenRecord(path);
   look_at_ = std::min(look_at_, now + kLookDelay);
   std::size_t at = 0;
   while (at < files_.size() && files_[at].path != path) ++at;
@@ -179,12 +189,36 @@ void Workspace::Reload(double now) {
   CheckNow();
 }
 
-void Workspace::AddRobot(std::unique_ptr<LiveSource> source) {
-  Robot robot;
-  robot.snapshot = source->snapshot();
-  robot.source = std::move(source);
-  robots_.push_back(std::move(robot));
-  if (robots_.size() == 1) ShowRobot(0);
+void Workspace::AddRun(std::unique_ptr<RunSource> source) {
+  runs_.push_back(
+      std::make_unique<RunView>(std::move(source), std::make_shared<const NodeModels>(models_)));
+  if (runs_.size() == 1) ShowRun(0);
+}
+
+void Workspace::CloseRun(std::size_t run, double now) {
+  if (run >= runs_.size()) return;
+  const std::string key = "run:" + runs_[run]->name();
+  runs_.erase(runs_.begin() + static_cast<std::ptrdiff_t>(run));
+  if (const auto view = views_.find(key); view != views_.end()) {
+    if (view_ == view->second.get()) view_ = nullptr;
+    alive_.erase(view->second.get());
+    views_.erase(view);
+  }
+  if (run_ < static_cast<int>(run)) return;
+  --run_;
+  if (run_ >= 0) return;
+  if (!runs_.empty()) {
+    run_ = 0;
+  } else if (!files_.empty()) {
+    ShowFileTree(0, files_[0].forest->main_tree(), now);
+  }
+}
+
+int Workspace::FindRun(const std::string& name) const {
+  for (std::size_t i = 0; i < runs_.size(); ++i) {
+    if (runs_[i]->name() == name) return static_cast<int>(i);
+  }
+  return -1;
 }
 
 void Workspace::Update(double now) {
@@ -193,45 +227,23 @@ void Workspace::Update(double now) {
     LookAtDisk(now);
   }
   if (now >= check_at_) CheckAll();
-  for (Robot& robot : robots_) UpdateRobot(robot, now);
-  if (robot_ < 0) return;
-  Robot& robot = robots_[Index(robot_)];
-  if (!robot.tree) {
+  for (const auto& run : runs_) run->Update(hooks, now);
+  if (run_ >= 0) ShowTreeOfRun(now);
+}
+
+void Workspace::ShowTreeOfRun(double now) {
+  const std::shared_ptr<const RunTree>& tree = run()->tree();
+  if (!tree) {
     view_ = nullptr;
     tree_ = -1;
     return;
   }
-  tree_ = robot.tree->forest.main_tree();
-  const std::string key = "robot:" + robot.source->endpoint();
+  tree_ = tree->forest().main_tree();
+  const std::string key = "run:" + run()->name();
   const auto known = views_.find(key);
-  const bool renew = known == views_.end() || alive_[known->second.get()] != robot.tree;
-  view_ = ViewOf(key, robot.tree->forest, tree_, *robot.models, now, renew);
-  if (!renew || !view_) return;
-  alive_[view_] = robot.tree;
-  robot.source->Watch(ShownBoards(*view_->scene()));
-}
-
-void Workspace::UpdateRobot(Robot& robot, double now) {
-  auto snapshot = robot.source->snapshot();
-  if (snapshot == robot.snapshot && (robot.tree || !snapshot->tree)) return;
-  robot.snapshot = std::move(snapshot);
-  if (robot.snapshot->tree && robot.snapshot->tree != robot.tree) {
-    robot.tree = robot.snapshot->tree;
-    auto models = std::make_shared<NodeModels>(models_);
-    for (const Document* document : robot.tree->forest.documents()) models->AddFrom(*document);
-    // A scene that is about to be replaced still points into the old models.
-    robot.models = std::move(models);
-    robot.boards.clear();
-  }
-  for (const Board& board : robot.snapshot->boards) {
-    auto& known = robot.boards[board.name];
-    for (const BoardEntry& entry : board.entries) {
-      const bool is_new = known.count(entry.key) == 0;
-      ShownValueState& shown = known[entry.key];
-      if (!is_new && shown.value != entry.value) shown.changed_at = now;
-      shown.value = entry.value;
-    }
-  }
+  const bool renew = known == views_.end() || alive_[known->second.get()] != tree;
+  view_ = ViewOf(key, tree->forest(), tree_, tree->models(), now, renew);
+  if (renew && view_) alive_[view_] = tree;
 }
 
 TreeView* Workspace::ViewOf(const std::string& key, const Forest& forest, int tree,
@@ -243,6 +255,7 @@ TreeView* Workspace::ViewOf(const std::string& key, const Forest& forest, int tr
   }
   if (renew) {
     auto scene = std::make_shared<Scene>(BuildScene(forest, tree, models));
+    if (run_ >= 0) NumberNodes(*run()->tree()->description(), *scene);
     std::vector<Point> sizes = measure_(*scene);
     view->SetScene(std::move(scene), std::move(sizes), now);
   }
@@ -251,7 +264,7 @@ TreeView* Workspace::ViewOf(const std::string& key, const Forest& forest, int tr
 }
 
 void Workspace::ShowFileTree(std::size_t file, int tree, double now) {
-  robot_ = -1;
+  run_ = -1;
   file_ = static_cast<int>(file);
   tree_ = tree;
   view_ = nullptr;
@@ -262,24 +275,21 @@ void Workspace::ShowFileTree(std::size_t file, int tree, double now) {
   if (view_ && !alive_[view_]) alive_[view_] = std::make_shared<OpenFile>(open);
 }
 
-void Workspace::ShowRobot(std::size_t robot) {
-  if (robot >= robots_.size()) return;
-  robot_ = static_cast<int>(robot);
+void Workspace::ShowRun(std::size_t run) {
+  if (run >= runs_.size()) return;
+  run_ = static_cast<int>(run);
   file_ = -1;
   view_ = nullptr;  // until the next Update
   tree_ = -1;
 }
 
-void Workspace::ShowNextRobot() {
-  if (robots_.empty()) return;
-  ShowRobot(Index(robot_ + 1) % robots_.size());
+void Workspace::ShowNextRun() {
+  if (runs_.empty()) return;
+  ShowRun(Index(run_ + 1) % runs_.size());
 }
 
 const Forest* Workspace::forest() const {
-  if (robot_ >= 0) {
-    const Robot& shown = robots_[Index(robot_)];
-    return shown.tree ? &shown.tree->forest : nullptr;
-  }
+  if (run()) return run()->tree() ? &run()->tree()->forest() : nullptr;
   return file_ >= 0 ? files_[Index(file_)].forest.get() : nullptr;
 }
 
@@ -289,7 +299,7 @@ void Workspace::SetOrientation(Orientation orientation, double now) {
 }
 
 std::optional<ElementPlace> Workspace::PlaceOf(const SceneNode& node) const {
-  if (robot_ >= 0 || !file() || file()->is_stale) return std::nullopt;
+  if (run_ >= 0 || !file() || file()->is_stale) return std::nullopt;
   const Document& document = *forest()->documents()[node.document];
   const EditedFile* edited = project_.Find(document.file());
   // A file of format 3 is shown as format 4, element by element the same.
@@ -299,7 +309,7 @@ std::optional<ElementPlace> Workspace::PlaceOf(const SceneNode& node) const {
 }
 
 std::optional<ElementPlace> Workspace::ShownTree() const {
-  if (robot_ >= 0 || !file() || tree_ < 0) return std::nullopt;
+  if (run_ >= 0 || !file() || tree_ < 0) return std::nullopt;
   const TreeEntry& tree = forest()->trees()[Index(tree_)];
   SceneNode node;
   node.document = tree.document;
@@ -360,7 +370,7 @@ bool Workspace::ShowTreeOf(const Place& place, double now) {
 }
 
 void Workspace::SelectPlaces(const std::vector<Place>& places, double now) {
-  if (places.empty() || robot_ >= 0) return;
+  if (places.empty() || run_ >= 0) return;
   std::vector<std::uint32_t> nodes = NodesAt(places);
   if (nodes.empty() && !IsInShownTree(places.front()) && ShowTreeOf(places.front(), now)) {
     nodes = NodesAt(places);

@@ -1,5 +1,5 @@
-// What is open: files, robots, and the one tree that is shown. Knows nothing of windows and
-// colours.
+// What is open: files, runs (of robots and of records), and the one tree that is shown. Knows
+// nothing of windows and colours.
 #ifndef COPPICE_EDITOR_CORE_WORKSPACE_H_
 #define COPPICE_EDITOR_CORE_WORKSPACE_H_
 
@@ -14,7 +14,7 @@
 
 #include "editor/canvas/tree_view.h"
 #include "editor/document/open_project.h"
-#include "editor/live/live_snapshot.h"
+#include "editor/live/run_view.h"
 #include "editor/scene/node_models.h"
 
 namespace coppice::editor {
@@ -35,21 +35,6 @@ struct ElementPlace {
   ElementIndex element = 0;
 };
 
-/// A blackboard value with the time of its last change, in seconds of the editor.
-struct ShownValueState {
-  std::string value;
-  double changed_at = -1e9;
-};
-using BoardHistory = std::map<std::string, std::map<std::string, ShownValueState>>;
-
-struct Robot {
-  std::unique_ptr<LiveSource> source;
-  std::shared_ptr<const LiveSnapshot> snapshot;  ///< never null
-  std::shared_ptr<const LiveTree> tree;          ///< the one that `models` and the view belong to
-  std::shared_ptr<const NodeModels> models;
-  BoardHistory boards;  ///< by blackboard, by key
-};
-
 class Workspace {
  public:
   /// Sizes of the nodes of a scene at zoom 1.
@@ -57,8 +42,8 @@ class Workspace {
 
   explicit Workspace(Measure measure) : measure_(std::move(measure)) {}
 
-  /// Opens a file, or reads it again if it is open, and shows its main tree. False if there is
-  /// nothing to show; the problems tell why.
+  /// Opens a file of trees, or reads it again if it is open, and shows its main tree; or a record.
+  /// False if there is nothing to show; the problems tell why.
   bool Open(const std::string& path, double now);
   /// Makes a file that is not on the disk yet, with one empty tree, and shows it. Returns its path.
   std::string New(double now);
@@ -76,9 +61,14 @@ class Workspace {
   /// The file has another path from now on.
   void Rename(const std::string& path, const std::string& new_path);
 
-  void AddRobot(std::unique_ptr<LiveSource> source);
+  /// The first one is shown.
+  void AddRun(std::unique_ptr<RunSource> source);
+  /// Takes leave of the robot, or forgets the record.
+  void CloseRun(std::size_t run, double now);
+  /// The number of the run of that name, or -1.
+  int FindRun(const std::string& name) const;
 
-  /// Takes the newest snapshots of all robots, looks at the disk, checks what was changed. Once per
+  /// Takes in what has come of all runs, looks at the disk, checks what was changed. Once per
   /// frame.
   void Update(double now);
   /// What the last Updates found on the disk that the user should know; empty: nothing.
@@ -89,19 +79,27 @@ class Workspace {
   void CheckNow();
 
   void ShowFileTree(std::size_t file, int tree, double now);
-  void ShowRobot(std::size_t robot);
-  /// The next robot, from a file too; without robots nothing changes.
-  void ShowNextRobot();
+  void ShowRun(std::size_t run);
+  /// The next run, from a file too; without runs nothing changes.
+  void ShowNextRun();
 
   const std::vector<OpenFile>& files() const { return files_; }
-  const std::vector<Robot>& robots() const { return robots_; }
+  const std::vector<std::unique_ptr<RunView>>& runs() const { return runs_; }
   const std::vector<Diagnostic>& model_problems() const { return model_problems_; }
+  /// Why records could not be opened.
+  const std::vector<Diagnostic>& record_problems() const { return record_problems_; }
+
+  /// Breakpoints and faults, of all robots.
+  HookList hooks;
 
   /// The tree that is shown, null if there is none. Its scene is not empty.
   TreeView* view() { return view_; }
   const Forest* forest() const;
-  const Robot* robot() const { return robot_ < 0 ? nullptr : &robots_[Index(robot_)]; }
-  const LiveSnapshot* live() const { return robot() ? robot()->snapshot.get() : nullptr; }
+  /// The run that is shown, null if it is a file.
+  RunView* run() { return run_ < 0 ? nullptr : runs_[Index(run_)].get(); }
+  const RunView* run() const { return run_ < 0 ? nullptr : runs_[Index(run_)].get(); }
+  /// How the shown tree stands, null if it is that of a file.
+  const TreeState* tree_state() const { return run() ? &run()->state() : nullptr; }
   const OpenFile* file() const { return file_ < 0 ? nullptr : &files_[Index(file_)]; }
   int tree() const { return tree_; }  ///< of forest(); -1: none
 
@@ -109,7 +107,7 @@ class Workspace {
   void SetOrientation(Orientation orientation, double now);
   Orientation orientation() const { return orientation_; }
 
-  /// The element of project() that the scene node stands for; nothing on a robot and in a file
+  /// The element of project() that the scene node stands for; nothing in a run and in a file
   /// whose text is malformed.
   std::optional<ElementPlace> PlaceOf(const SceneNode& node) const;
   /// The <BehaviorTree> that is shown.
@@ -132,7 +130,8 @@ class Workspace {
   bool IsInShownTree(const Place& place) const;
   bool ShowTreeOf(const Place& place, double now);
   std::vector<std::uint32_t> NodesAt(const std::vector<Place>& places) const;
-  void UpdateRobot(Robot& robot, double now);
+  bool OpenRecord(const std::string& path);
+  void ShowTreeOfRun(double now);
   TreeView* ViewOf(const std::string& key, const Forest& forest, int tree, const NodeModels& models,
                    double now, bool renew);
 
@@ -143,16 +142,17 @@ class Workspace {
   double check_at_ = kNever;
   double look_at_ = kNever;
   std::vector<OpenFile> files_;
-  std::vector<Robot> robots_;
+  std::vector<std::unique_ptr<RunView>> runs_;
   NodeModels models_;                    // known for all files
   std::vector<Project> model_projects_;  // the same, for the checker
   std::vector<Diagnostic> model_problems_;
+  std::vector<Diagnostic> record_problems_;
   std::map<std::string, std::unique_ptr<TreeView>> views_;
   std::map<const TreeView*, std::shared_ptr<const void>> alive_;  // what the scenes point into
   Orientation orientation_ = Orientation::kTopToBottom;
   TreeView* view_ = nullptr;
   int file_ = -1;
-  int robot_ = -1;
+  int run_ = -1;
   int tree_ = -1;
 };
 

@@ -1,47 +1,18 @@
 #include <algorithm>
 
+#include "bt_core/data/value_bytes.h"
 #include "editor/canvas/node_metrics.h"
 #include "editor/panels/panel.h"
 #include "editor/panels/panels.h"
+#include "editor/panels/run_text.h"
+#include "editor/timeline/slot_history.h"
 
 namespace coppice::editor {
 namespace {
 
 constexpr double kFlashSeconds = 1.0;
-
-void DrawScope(const Ui& ui, const std::string& scope, std::size_t count) {
-  const Row row = NextRow(ui, "blackboard/" + scope, false);
-  if (!row.visible) return;
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  ui.Fill(list, row.box, Fade(ui.palette.header, 0.6F));
-  ui.RowText(list, row.box.min + Point{8 * ui.scale, 0}, row.box.height(), scope,
-             {Face::kBold, 11, ui.palette.text_dim}, row.box.width() - 60 * ui.scale);
-  const std::string note = std::to_string(count);
-  const TextStyle style{Face::kSans, 11, ui.palette.text_dim};
-  ui.RowText(list, {row.box.max.x - 10 * ui.scale - ui.Width(note, style), row.box.min.y},
-             row.box.height(), note, style);
-}
-
-void DrawValue(const Ui& ui, const std::string& scope, const std::string& key,
-               const ShownValueState& value, float column, bool used) {
-  const Row row = NextRow(ui, "blackboard/" + scope + "/" + key, used);
-  if (row.hovered) ImGui::SetTooltip("%s = %s", key.c_str(), value.value.c_str());
-  if (!row.visible) return;
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  const double age = (ui.now - value.changed_at) / kFlashSeconds;
-  if (age < 1) {
-    const auto left = static_cast<float>(1 - age);
-    ui.Fill(list, row.box, Fade(ui.palette.running, 0.35F * left * left));
-  }
-  const float pad = 8 * ui.scale;
-  ui.RowText(list, row.box.min + Point{pad, 0}, row.box.height(), key,
-             {Face::kSans, 12, ui.palette.OfKey(key)}, column - pad);
-  const bool unset = value.value == "null";
-  ui.RowText(list, row.box.min + Point{pad + column, 0}, row.box.height(),
-             unset ? "(unset)" : ShownValue(value.value),
-             {Face::kMono, 11, unset ? ui.palette.text_dim : ui.palette.text},
-             row.box.width() - column - 2 * pad);
-}
+constexpr std::size_t kListedWrites = 6;
+constexpr std::size_t kSamples = 120;
 
 // Keys that the selected node's ports name.
 std::vector<std::string> KeysOfSelection(const TreeView* view) {
@@ -56,50 +27,200 @@ std::vector<std::string> KeysOfSelection(const TreeView* view) {
   return keys;
 }
 
-float KeyColumn(const Ui& ui, const BoardHistory& boards, float width) {
-  float column = 60 * ui.scale;
-  for (const auto& [scope, values] : boards) {
-    for (const auto& [key, value] : values) {
-      column = std::max(column, ui.Width(key, {Face::kSans, 12, 0}));
+class Board {
+ public:
+  Board(const Ui& ui, EditorState& state, RunView& run, const Box& box)
+      : ui_(ui),
+        state_(state),
+        run_(run),
+        tracks_(run.run().TracksAt(run.playhead().is_at_now() ? run.run().size()
+                                                              : run.playhead().tick())),
+        slots_(tracks_.tree()->slots),
+        keys_(KeysOfSelection(state.workspace.view())),
+        width_(box.width()) {}
+
+  void Draw() {
+    ListSlots();
+    if (listed_.empty()) {
+      Hint(ui_, state_.selected_keys_only ? "The selected node has no keys." : "No values yet.");
+      return;
+    }
+    MeasureColumn();
+    const std::string* scope = nullptr;
+    for (const SlotIndex slot : listed_) {
+      if (!scope || *scope != slots_[slot].scope) DrawScope(slots_[slot].scope);
+      scope = &slots_[slot].scope;
+      DrawSlot(slot);
+    }
+    DrawHistory();
+  }
+
+  std::size_t CountKeys() const {
+    return static_cast<std::size_t>(std::count_if(
+        slots_.begin(), slots_.end(), [](const DescribedSlot& slot) { return slot.has_key; }));
+  }
+
+ private:
+  bool IsOfSelection(SlotIndex slot) const {
+    return std::find(keys_.begin(), keys_.end(), slots_[slot].name) != keys_.end();
+  }
+
+  void ListSlots() {
+    for (SlotIndex i = 0; i < slots_.size(); ++i) {
+      if (!slots_[i].has_key) continue;
+      if (!state_.selected_keys_only || IsOfSelection(i)) listed_.push_back(i);
+    }
+    std::stable_sort(listed_.begin(), listed_.end(), [this](SlotIndex a, SlotIndex b) {
+      return slots_[a].scope < slots_[b].scope;
+    });
+  }
+
+  void MeasureColumn() {
+    column_ = 60 * ui_.scale;
+    for (const SlotIndex slot : listed_) {
+      column_ = std::max(column_, ui_.Width(slots_[slot].name, {Face::kSans, 12, 0}));
+    }
+    column_ = std::min(column_ + 14 * ui_.scale, width_ * 0.45F);
+  }
+
+  void DrawScope(const std::string& scope) {
+    const Row row = NextRow(ui_, "blackboard/" + scope, false);
+    if (!row.visible) return;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    ui_.Fill(list, row.box, Fade(ui_.palette.header, 0.6F));
+    ui_.RowText(list, row.box.min + Point{8 * ui_.scale, 0}, row.box.height(), scope,
+                {Face::kBold, 11, ui_.palette.text_dim}, row.box.width() - 16 * ui_.scale);
+  }
+
+  const SlotWrite* LastWrite(SlotIndex slot) const {
+    const auto& writes = tracks_.WritesOf(slot);
+    const std::size_t count = WritesUpTo(writes, run_.playhead().tick());
+    return count == 0 ? nullptr : &writes[count - 1];
+  }
+
+  std::string Value(SlotIndex slot) const {
+    const auto& values = run_.follower().values();
+    return slot < values.size() ? PrintValueBytes(values[slot]) : std::string();
+  }
+
+  void DrawSlot(SlotIndex slot) {
+    const DescribedSlot& described = slots_[slot];
+    const std::string path = "blackboard/" + described.scope + "/" + described.name;
+    const bool selected = state_.shown_key == path;
+    const Row row = NextRow(ui_, path, selected || IsOfSelection(slot));
+    const std::string value = Value(slot);
+    const SlotWrite* write = LastWrite(slot);
+    if (row.hovered) {
+      const std::string by = write ? "\nwritten in " + TickText(run_.run(), write->tick) + " by " +
+                                         WriterOf(run_.run(), *write)
+                                   : "";
+      ImGui::SetTooltip("%s : %s\n%s%s", described.name.c_str(), described.type.c_str(),
+                        value.c_str(), by.c_str());
+      if (ImGui::IsMouseDoubleClicked(0)) state_.commands.Run("blackboard.write");
+    }
+    if (row.clicked) state_.shown_key = path;
+    if (row.visible) PaintSlot(row.box, described, value, write);
+  }
+
+  void PaintSlot(const Box& box, const DescribedSlot& described, const std::string& value,
+                 const SlotWrite* write) const {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    if (write) {
+      const Time age = run_.state().now - run_.run().TimeOf(write->tick);
+      const double part = static_cast<double>(age.count()) * 1e-9 / kFlashSeconds;
+      if (part < 1) {
+        const auto left = static_cast<float>(1 - std::max(part, 0.0));
+        ui_.Fill(list, box, Fade(ui_.palette.running, 0.35F * left * left));
+      }
+    }
+    const float pad = 8 * ui_.scale;
+    ui_.RowText(list, box.min + Point{pad, 0}, box.height(), described.name,
+                {Face::kSans, 12, ui_.palette.OfKey(described.name)}, column_ - pad);
+    const bool unset = value.empty();
+    const float room = box.width() - column_ - 2 * pad;
+    const float used =
+        ui_.RowText(list, box.min + Point{pad + column_, 0}, box.height(),
+                    unset ? "(unset)" : ShownValue(value),
+                    {Face::kMono, 11, unset ? ui_.palette.text_dim : ui_.palette.text}, room);
+    if (!write || room - used < 50 * ui_.scale) return;
+    const std::string by = WriterOf(run_.run(), *write);
+    const std::string name = by.substr(by.rfind('/') + 1);
+    const TextStyle dim{Face::kSans, 10, ui_.palette.text_dim};
+    const float width = std::min(ui_.Width(name, dim), room - used - pad);
+    ui_.RowText(list, {box.max.x - pad - width, box.min.y}, box.height(), name, dim, width + 1);
+  }
+
+  // The last writes of the key that was clicked, and its curve if it is a number.
+  void DrawHistory() {
+    for (const SlotIndex slot : listed_) {
+      if (state_.shown_key != "blackboard/" + slots_[slot].scope + "/" + slots_[slot].name)
+        continue;
+      const auto& writes = tracks_.WritesOf(slot);
+      const std::size_t count = WritesUpTo(writes, run_.playhead().tick());
+      DrawScope("writes of " + slots_[slot].name + ": " + std::to_string(count));
+      DrawCurve(slot);
+      for (std::size_t i = 0; i < std::min(count, kListedWrites); ++i) {
+        DrawWrite(writes[count - 1 - i], i);
+      }
+      return;
     }
   }
-  return std::min(column + 14 * ui.scale, width * 0.5F);
-}
+
+  void DrawWrite(const SlotWrite& write, std::size_t number) {
+    const Row row = NextRow(ui_, "blackboard/write/" + std::to_string(number), false);
+    if (row.hovered) ImGui::SetTooltip("click: go there");
+    if (row.clicked) run_.playhead().GoToTick(write.tick);
+    if (!row.visible) return;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const float pad = 8 * ui_.scale;
+    const TextStyle dim{Face::kSans, 11, ui_.palette.text_dim};
+    ui_.RowText(list, row.box.min + Point{pad, 0}, row.box.height(),
+                AxisText(run_.run().TimeOf(write.tick)), dim, column_ - pad);
+    const float room = row.box.width() - column_ - 2 * pad;
+    const float used =
+        ui_.RowText(list, row.box.min + Point{pad + column_, 0}, row.box.height(),
+                    ValueOf(run_.run(), write), {Face::kMono, 11, ui_.palette.text}, room * 0.5F);
+    ui_.RowText(list, row.box.min + Point{2 * pad + column_ + used, 0}, row.box.height(),
+                WriterOf(run_.run(), write), dim, room - used - pad);
+  }
+
+  void DrawCurve(SlotIndex slot) {
+    const std::size_t end = run_.playhead().tick() + 1;
+    const std::size_t first = run_.run().SectionAt(end - 1).tree == run_.run().SectionAt(0).tree
+                                  ? 0
+                                  : end - std::min(end, kSamples);
+    std::vector<std::size_t> ticks;
+    const std::size_t count = std::min(end - first, kSamples);
+    for (std::size_t i = 1; i <= count; ++i) ticks.push_back(first + (end - first) * i / count - 1);
+    const auto samples = SampleSlot(run_.run(), slot, ticks);
+    const Row row = NextRow(ui_, "blackboard/curve", false, 40);
+    if (row.visible) PaintCurve(ui_, *ImGui::GetWindowDrawList(), row.box, samples);
+  }
+
+  const Ui& ui_;
+  EditorState& state_;
+  RunView& run_;
+  const Tracks& tracks_;
+  const std::vector<DescribedSlot>& slots_;
+  const std::vector<std::string> keys_;
+  const float width_;
+  std::vector<SlotIndex> listed_;
+  float column_ = 0;
+};
 
 }  // namespace
 
 void DrawBlackboard(const Ui& ui, EditorState& state, const Box& box) {
-  const Robot* robot = state.workspace.robot();
-  const TreeView* view = state.workspace.view();
-  std::size_t count = 0;
-  if (robot) {
-    for (const auto& [scope, values] : robot->boards) count += values.size();
+  RunView* run = state.workspace.run();
+  if (!run || !run->tree()) {
+    Panel(ui, "blackboard", box, "BLACKBOARD", "",
+          [&] { Hint(ui, "Values are shown while connected to a robot, and of records."); });
+    return;
   }
-  const std::string note = count ? std::to_string(count) + " keys" : "";
-  Panel(ui, "blackboard", box, "BLACKBOARD", note, [&] {
-    if (!robot) {
-      Hint(ui, "Values are shown while connected to a robot.");
-      return;
-    }
-    if (count == 0) {
-      Hint(ui, "No values yet.");
-      return;
-    }
-    const std::vector<std::string> keys = KeysOfSelection(view);
-    const float column = KeyColumn(ui, robot->boards, box.width());
-    const auto draw = [&](const std::string& scope) {
-      const auto found = robot->boards.find(scope);
-      if (found == robot->boards.end() || found->second.empty()) return;
-      DrawScope(ui, scope, found->second.size());
-      for (const auto& [key, value] : found->second) {
-        const bool used = std::find(keys.begin(), keys.end(), key) != keys.end();
-        DrawValue(ui, scope, key, value, column, used);
-      }
-    };
-    if (!view) return;
-    for (const std::string& scope : view->scene()->scopes) draw(scope);
-    draw("ROOT");
-  });
+  Board board(ui, state, *run, box);
+  const std::string note =
+      state.selected_keys_only ? "of the selection" : std::to_string(board.CountKeys()) + " keys";
+  Panel(ui, "blackboard", box, "BLACKBOARD", note, [&] { board.Draw(); });
 }
 
 }  // namespace coppice::editor

@@ -9,7 +9,7 @@ std::string Breadcrumb(EditorState& state) {
   const Workspace& workspace = state.workspace;
   std::string text;
   if (const OpenFile* file = workspace.file()) text = file->path.substr(file->path.rfind('/') + 1);
-  if (const Robot* robot = workspace.robot()) text = robot->source->endpoint();
+  if (const RunView* run = workspace.run()) text = run->name();
   TreeView* view = state.workspace.view();
   if (!view) return text;
   text += "  /  " + view->scene()->tree_id;

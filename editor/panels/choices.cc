@@ -70,9 +70,10 @@ std::vector<Choice> FindChoices(EditorState& state, const std::string& typed, do
   if (!typed.empty()) OfferNodes(state, collector);
   OfferTrees(state, collector, now);
   Workspace& workspace = state.workspace;
-  for (std::size_t i = 0; i < workspace.robots().size(); ++i) {
-    collector.Offer(workspace.robots()[i].source->endpoint(), "", "robot",
-                    [&workspace, i] { workspace.ShowRobot(i); });
+  for (std::size_t i = 0; i < workspace.runs().size(); ++i) {
+    const RunSource& source = workspace.runs()[i]->source();
+    collector.Offer(source.name(), "", source.is_robot() ? "robot" : "record",
+                    [&workspace, i] { workspace.ShowRun(i); });
   }
   return collector.Best(limit);
 }

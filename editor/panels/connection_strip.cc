@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 
 #include "editor/look/icons.h"
@@ -8,91 +7,220 @@
 namespace coppice::editor {
 namespace {
 
-Color StateColor(const Ui& ui, const LiveSnapshot& snapshot) {
-  switch (snapshot.connection) {
-    case Connection::kLive:
+bool IsStopped(const RunView& run) { return run.stop().where != DebugStop::Where::kNowhere; }
+
+Color StateColor(const Ui& ui, const RunView& run) {
+  if (IsStopped(run)) return ui.palette.running;
+  switch (run.phase()) {
+    case RunPhase::kLive:
       return ui.palette.success;
-    case Connection::kConnecting:
+    case RunPhase::kConnecting:
+    case RunPhase::kLoading:
+    case RunPhase::kRecord:
       return ui.palette.accent;
-    case Connection::kReconnecting:
+    case RunPhase::kReconnecting:
       return ui.palette.text_dim;
   }
   return ui.palette.text_dim;
 }
 
-std::string Describe(const Ui& ui, const LiveSnapshot& snapshot) {
-  char text[96];
-  if (snapshot.connection == Connection::kLive) {
-    const double milliseconds =
-        std::chrono::duration<double, std::milli>(snapshot.round_trip).count();
-    std::snprintf(text, sizeof(text), "%.1f Hz   rtt %.1f ms", snapshot.rate, milliseconds);
-    return text;
+std::string StopText(const RunView& run) {
+  switch (run.stop().where) {
+    case DebugStop::Where::kNowhere:
+      return "";
+    case DebugStop::Where::kBetweenTicks:
+      return "PAUSED after tick " + std::to_string(run.stop().tick);
+    case DebugStop::Where::kBefore:
+      return "PAUSED before " + run.stop_path();
+    case DebugStop::Where::kAfter:
+      return "PAUSED after " + run.stop_path();
   }
-  if (snapshot.connection == Connection::kConnecting) return "connecting";
-  const double left = std::chrono::duration<double>(snapshot.next_try - ui.clock).count();
-  std::snprintf(text, sizeof(text), "reconnecting (%.0f s)", std::max(0.0, std::ceil(left)));
-  return text;
+  return "";
 }
 
-// Returns the right end of the tab.
-float DrawTab(const Ui& ui, EditorState& state, const Box& bar, float x, std::size_t number) {
-  const Robot& robot = state.workspace.robots()[number];
-  const bool shown = state.workspace.robot() == &robot;
-  const Color color = StateColor(ui, *robot.snapshot);
-  const std::string tree =
-      robot.tree && robot.tree->forest.main_tree() >= 0
-          ? robot.tree->forest.trees()[static_cast<std::size_t>(robot.tree->forest.main_tree())].id
-          : "";
-  const TextStyle bold{Face::kBold, 12, shown ? ui.palette.text : ui.palette.text_dim};
-  const TextStyle plain{Face::kSans, 12, shown ? ui.palette.text : ui.palette.text_dim};
-  const std::string about = Describe(ui, *robot.snapshot);
-  const float gap = 12 * ui.scale;
-  const float width = 26 * ui.scale + ui.Width(robot.source->endpoint(), bold) +
-                      (tree.empty() ? 0 : gap + ui.Width(tree, plain)) + gap +
-                      std::max(ui.Width(about, plain), 130 * ui.scale) + gap;
-  const Box tab = {{x, bar.min.y + 2 * ui.scale}, {x + width, bar.max.y - 2 * ui.scale}};
-  bool hovered = false;
-  const bool pressed = ui.Hit("strip/" + robot.source->endpoint(), tab, &hovered);
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  if (shown || hovered) {
-    ui.Fill(list, tab, Mix(ui.palette.panel, color, shown ? 0.22F : 0.10F), 4);
-    if (shown) ui.Frame(list, tab, Mix(ui.palette.panel, color, 0.55F), 4);
+std::string Describe(const RunView& run) {
+  char text[96];
+  const std::size_t ticks = run.run().size();
+  switch (run.phase()) {
+    case RunPhase::kLive:
+      std::snprintf(text, sizeof(text), "%.0f Hz   tick %zu", run.rate(), ticks);
+      return text;
+    case RunPhase::kLoading:
+      std::snprintf(text, sizeof(text), "loading %.0f %%", run.source().progress() * 100);
+      return text;
+    case RunPhase::kRecord:
+      std::snprintf(text, sizeof(text), "record, %zu ticks", ticks);
+      return text;
+    default:
+      return ToString(run.phase());
   }
-  list.AddCircleFilled({tab.min.x + 13 * ui.scale, tab.center().y}, 4.5F * ui.scale, color);
-  float at = tab.min.x + 26 * ui.scale;
-  at += ui.RowText(list, {at, tab.min.y}, tab.height(), robot.source->endpoint(), bold) + gap;
-  if (!tree.empty()) at += ui.RowText(list, {at, tab.min.y}, tab.height(), tree, plain) + gap;
-  ui.RowText(list, {at, tab.min.y}, tab.height(), about, plain);
-  if (hovered && !robot.snapshot->error.empty()) {
-    ImGui::SetTooltip("%s", robot.snapshot->error.c_str());
-  }
-  if (pressed) state.workspace.ShowRobot(number);
-  return tab.max.x + 6 * ui.scale;
 }
+
+std::string ShortName(const RunView& run) {
+  const std::string& name = run.name();
+  return run.source().is_robot() ? name : name.substr(name.rfind('/') + 1);
+}
+
+class Strip {
+ public:
+  Strip(const Ui& ui, EditorState& state, const Box& box)
+      : ui_(ui), state_(state), box_(box), list_(*ImGui::GetWindowDrawList()) {}
+
+  void Draw() {
+    const RunView* shown = state_.workspace.run();
+    const Color tint = shown ? StateColor(ui_, *shown) : ui_.palette.panel;
+    const bool stopped = shown && IsStopped(*shown);
+    ui_.items.Add("strip", box_);
+    ui_.Fill(list_, box_, Mix(ui_.palette.panel, tint, stopped ? 0.28F : 0.10F));
+    ui_.Fill(list_, {box_.min, {box_.min.x + 3, box_.max.y}}, shown ? tint : ui_.palette.border);
+    right_ = box_.max.x - 6 * ui_.scale;
+    DrawFaults();
+    if (shown) DrawControls(*shown);
+    float x = box_.min.x + 8 * ui_.scale;
+    for (std::size_t i = 0; i < state_.workspace.runs().size(); ++i) {
+      if (x < right_ - 60 * ui_.scale) x = DrawTab(x, i);
+    }
+    if (state_.workspace.runs().empty()) {
+      x += 6 * ui_.scale;
+      x += ui_.RowText(list_, {x, box_.min.y}, box_.height(), "not connected to a robot",
+                       {Face::kSans, 12, ui_.palette.text_dim}) +
+           14 * ui_.scale;
+    }
+    DrawConnect(x);
+  }
+
+ private:
+  // Buttons grow from the right end.
+  bool Button(const std::string& path, const std::string& text, bool active = false,
+              Color tint = 0) {
+    const float width = ui_.Width(text, {Face::kSans, 12, 0}) + 18 * ui_.scale;
+    const Box at = {{right_ - width, box_.min.y + 4 * ui_.scale},
+                    {right_, box_.max.y - 4 * ui_.scale}};
+    right_ -= width + 4 * ui_.scale;
+    return ui_.Button(path, at, text, active, tint);
+  }
+
+  // Whatever is shown, and on which robot: nobody shall forget a fault.
+  void DrawFaults() {
+    std::size_t count = 0;
+    std::string first;
+    for (const WantedHook& wanted : state_.workspace.hooks.all()) {
+      if (IsBreakpoint(wanted.hook) || !wanted.hook.enabled) continue;
+      if (count++ == 0) first = wanted.hook.path + ": " + ToString(wanted.hook);
+    }
+    if (count == 0) return;
+    if (Button("strip/clear_faults", "clear", true, ui_.palette.error)) {
+      state_.commands.Run("run.clear_faults");
+    }
+    const std::string text = std::string(icon::kWarning) + "  FAULTS ACTIVE  " +
+                             (count == 1 ? first : std::to_string(count) + " forced results");
+    const TextStyle style{Face::kBold, 12, ui_.palette.text};
+    const float width = std::min(ui_.Width(text, style), box_.width() * 0.4F) + 20 * ui_.scale;
+    const Box chip = {{right_ - width, box_.min.y + 3 * ui_.scale},
+                      {right_, box_.max.y - 3 * ui_.scale}};
+    ui_.Fill(list_, chip, Mix(ui_.palette.panel, ui_.palette.error, 0.45F), 4);
+    ui_.Frame(list_, chip, ui_.palette.error, 4);
+    ui_.RowText(list_, {chip.min.x + 10 * ui_.scale, chip.min.y}, chip.height(), text, style,
+                width - 18 * ui_.scale);
+    ui_.items.Add("strip/faults", chip);
+    right_ = chip.min.x - 8 * ui_.scale;
+  }
+
+  void DrawControls(const RunView& run) {
+    if (run.phase() == RunPhase::kLive) {
+      if (Button("strip/step_node", "node")) state_.commands.Run("run.step_node");
+      if (Button("strip/step_tick", "tick")) state_.commands.Run("run.step_tick");
+      const bool stopped = IsStopped(run);
+      const std::string text = stopped ? "continue" : std::string(icon::kPause) + "  pause";
+      if (Button("strip/pause", text, stopped, stopped ? ui_.palette.running : 0)) {
+        state_.commands.Run("run.pause");
+      }
+    }
+    if (!IsStopped(run)) return;
+    const std::string text = StopText(run);
+    const TextStyle style{Face::kBold, 12, ui_.palette.text};
+    const float width = std::min(ui_.Width(text, style), box_.width() * 0.35F);
+    right_ -= width + 8 * ui_.scale;
+    ui_.RowText(list_, {right_, box_.min.y}, box_.height(), text, style, width);
+    ui_.items.Add("strip/stopped", {{right_, box_.min.y}, {right_ + width, box_.max.y}});
+    right_ -= 10 * ui_.scale;
+  }
+
+  // Returns the right end of the tab.
+  float DrawTab(float x, std::size_t number) {
+    const RunView& run = *state_.workspace.runs()[number];
+    const bool shown = state_.workspace.run() == &run;
+    const Color color = StateColor(ui_, run);
+    const std::string tree = run.tree() ? run.tree()->description()->main_tree : "";
+    const Color writing = shown ? ui_.palette.text : ui_.palette.text_dim;
+    const TextStyle bold{Face::kBold, 12, writing};
+    const TextStyle plain{Face::kSans, 12, writing};
+    const std::string name = ShortName(run);
+    const std::string about = Describe(run);
+    const float gap = 12 * ui_.scale;
+    const float width = 26 * ui_.scale + ui_.Width(name, bold) +
+                        (tree.empty() ? 0 : gap + ui_.Width(tree, plain)) + gap +
+                        std::max(ui_.Width(about, plain), 110 * ui_.scale) + gap;
+    const Box tab = {{x, box_.min.y + 2 * ui_.scale},
+                     {std::min(x + width, right_), box_.max.y - 2 * ui_.scale}};
+    bool hovered = false;
+    const bool pressed = ui_.Hit("strip/" + run.name(), tab, &hovered);
+    if (shown || hovered) {
+      ui_.Fill(list_, tab, Mix(ui_.palette.panel, color, shown ? 0.22F : 0.10F), 4);
+      if (shown) ui_.Frame(list_, tab, Mix(ui_.palette.panel, color, 0.55F), 4);
+    }
+    list_.AddCircleFilled({tab.min.x + 13 * ui_.scale, tab.center().y}, 4.5F * ui_.scale, color);
+    float at = tab.min.x + 26 * ui_.scale;
+    const auto write = [&](const std::string& text, const TextStyle& style) {
+      const float room = tab.max.x - at - 4 * ui_.scale;
+      if (room > 10 * ui_.scale) {
+        at += ui_.RowText(list_, {at, tab.min.y}, tab.height(), text, style, room) + gap;
+      }
+    };
+    write(name, bold);
+    if (!tree.empty()) write(tree, plain);
+    write(about, plain);
+    if (hovered) Explain(run);
+    if (pressed) state_.workspace.ShowRun(number);
+    return tab.max.x + 6 * ui_.scale;
+  }
+
+  static void Explain(const RunView& run) {
+    std::string text = run.name();
+    const LiveConnection& connection = run.connection();
+    if (!connection.problem.empty()) text += "\n" + connection.problem;
+    if (!connection.refusal.empty()) text += "\nmay not be controlled: " + connection.refusal;
+    if (connection.protocol == LiveConnection::Protocol::kGroot2) {
+      text += "\nknows the Groot2 protocol only: no pause, no steps";
+    }
+    if (connection.trees.size() > 1) {
+      text += "\ntrees:";
+      for (const std::string& tree : connection.trees) text += " " + tree;
+    }
+    ImGui::SetTooltip("%s", text.c_str());
+  }
+
+  void DrawConnect(float x) {
+    const std::string text = std::string(icon::kPlug) + "  connect";
+    const float width = ui_.Width(text, {Face::kSans, 12, 0}) + 20 * ui_.scale;
+    if (x + width > right_) return;
+    const Box button = {{x, box_.min.y + 4 * ui_.scale}, {x + width, box_.max.y - 4 * ui_.scale}};
+    if (ui_.Button("strip/connect", button, text)) {
+      state_.OpenPopup(Popup::kConnect, "127.0.0.1:1667");
+    }
+  }
+
+  const Ui& ui_;
+  EditorState& state_;
+  const Box box_;
+  ImDrawList& list_;
+  float right_ = 0;
+};
 
 }  // namespace
 
 void DrawConnectionStrip(const Ui& ui, EditorState& state, const Box& box) {
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  const LiveSnapshot* live = state.workspace.live();
-  const Color tint = live ? StateColor(ui, *live) : ui.palette.panel;
-  ui.items.Add("strip", box);
-  ui.Fill(list, box, Mix(ui.palette.panel, tint, 0.10F));
-  ui.Fill(list, {box.min, {box.min.x + 3, box.max.y}}, live ? tint : ui.palette.border);
-  float x = box.min.x + 8 * ui.scale;
-  for (std::size_t i = 0; i < state.workspace.robots().size(); ++i) {
-    x = DrawTab(ui, state, box, x, i);
-  }
-  if (state.workspace.robots().empty()) {
-    x += 6 * ui.scale;
-    x += ui.RowText(list, {x, box.min.y}, box.height(), "not connected to a robot",
-                    {Face::kSans, 12, ui.palette.text_dim}) +
-         14 * ui.scale;
-  }
-  const std::string text = std::string(icon::kPlug) + "  connect";
-  const float width = ui.Width(text, {Face::kSans, 12, 0}) + 20 * ui.scale;
-  const Box button = {{x, box.min.y + 4 * ui.scale}, {x + width, box.max.y - 4 * ui.scale}};
-  if (ui.Button("strip/connect", button, text)) state.OpenPopup(Popup::kConnect, "127.0.0.1:1667");
+  Strip(ui, state, box).Draw();
 }
 
 }  // namespace coppice::editor

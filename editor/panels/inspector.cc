@@ -106,8 +106,8 @@ class Inspector {
   }
 
   void DrawStatus() {
-    if (node_.uid < 0 || !state_.workspace.live()) return;
-    const NodeState state = StateOf(state_.workspace.live(), node_);
+    if (node_.uid < 0 || !state_.workspace.tree_state()) return;
+    const NodeState state = StateOf(state_.workspace.tree_state(), node_);
     if (state.status == Status::kIdle) {
       const std::string was = state.before == Status::kIdle
                                   ? "IDLE, never run"

@@ -19,13 +19,13 @@ std::uint32_t DepthOf(const SceneNode& node) {
 
 class OutlineRow {
  public:
-  OutlineRow(const Ui& ui, TreeView& view, const LiveSnapshot* live, std::uint32_t k)
+  OutlineRow(const Ui& ui, TreeView& view, const TreeState* live, std::uint32_t k)
       : ui_(ui),
         view_(view),
         node_number_(view.shown()[k]),
         node_(view.scene()->nodes[node_number_]),
         state_(StateOf(live, node_)),
-        live_(live && live->connection == Connection::kLive) {}
+        live_(live && live->is_fresh) {}
 
   void Draw(EditorState& state) {
     const Row row = NextRow(ui_, "outline/" + node_.path, view_.IsSelected(node_number_));
@@ -139,7 +139,7 @@ void FollowSelection(const Ui& ui, const TreeView& view) {
 
 void DrawOutline(const Ui& ui, EditorState& state, const Box& box) {
   TreeView* view = state.workspace.view();
-  const LiveSnapshot* live = state.workspace.live();
+  const TreeState* live = state.workspace.tree_state();
   const std::string note = live   ? "status, seconds"
                            : view ? std::to_string(view->scene()->nodes.size()) + " nodes"
                                   : "";

@@ -48,7 +48,7 @@ std::vector<Fix> FixesOf(const EditorState& state, const Diagnostic& problem) {
   return file && file->document ? FixesFor(*file->document, problem) : std::vector<Fix>();
 }
 
-void Run(EditorState& state, const Diagnostic& problem, const Fix& fix, double now) {
+void RunFix(EditorState& state, const Diagnostic& problem, const Fix& fix, double now) {
   const EditedFile& file = *state.workspace.project().Find(problem.where.file);
   const ElementIndex element = file.document->ElementAt(OffsetOf(*file.document, problem.where));
   TreeEditor(state, now)
@@ -120,10 +120,11 @@ void DrawProblems(const Ui& ui, EditorState& state, const Box& box) {
       all.push_back({problem, static_cast<int>(f)});
     }
   }
-  for (const Robot& robot : workspace.robots()) {
-    const std::string& error = robot.snapshot->error;
-    if (!error.empty()) {
-      all.push_back({{Severity::kWarning, {robot.source->endpoint(), 0, 0}, error, {}}, -1});
+  for (const Diagnostic& problem : workspace.record_problems()) all.push_back({problem, -1});
+  for (const auto& run : workspace.runs()) {
+    const std::string& problem = run->connection().problem;
+    if (!problem.empty()) {
+      all.push_back({{Severity::kWarning, {run->name(), 0, 0}, problem, {}}, -1});
     }
   }
   const std::string note = all.empty() ? "none" : std::to_string(all.size());
@@ -134,7 +135,7 @@ void DrawProblems(const Ui& ui, EditorState& state, const Box& box) {
       int pressed = -1;
       const Row row = DrawProblem(ui, static_cast<int>(i), all[i].problem, fixes, pressed);
       if (pressed >= 0) {
-        Run(state, all[i].problem, fixes[static_cast<std::size_t>(pressed)], ui.now);
+        RunFix(state, all[i].problem, fixes[static_cast<std::size_t>(pressed)], ui.now);
         return;
       }
       if (row.clicked && all[i].file >= 0) {

@@ -147,7 +147,7 @@ class Screen {
       const NodeDrop drop(state_, ui_.now);
       CanvasOptions options;
       options.minimap = state_.tiles.minimap;
-      options.live = state_.workspace.live();
+      options.live = state_.workspace.tree_state();
       if (TreeEditor(state_, ui_.now).WhyReadOnly().empty()) options.drop = &drop.handler();
       DrawCanvas(ui_, *view, rest, options);
       DrawNotice(rest);
@@ -181,8 +181,8 @@ class Screen {
   }
 
   std::string Invitation() const {
-    if (const Robot* robot = state_.workspace.robot()) {
-      return "waiting for " + robot->source->endpoint();
+    if (const RunView* run = state_.workspace.run()) {
+      return (run->source().is_robot() ? "waiting for " : "reading ") + run->name();
     }
     if (state_.workspace.ShownTree()) {
       return state_.workspace.ShownTreeId() + " is empty: Tab adds its root node";

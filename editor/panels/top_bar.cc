@@ -146,15 +146,19 @@ class TopBar {
     if (pressed) state_.OpenPopup(Popup::kPalette);
   }
 
-  // One document, and a robot or none: the mode follows from what is shown.
+  // The mode follows from what is shown, and from where the playhead is.
   void DrawMode() {
-    const LiveSnapshot* live = state_.workspace.live();
-    const bool good = live && live->connection == Connection::kLive;
-    const std::string text = good ? "LIVE" : live ? "OFFLINE" : "EDIT";
-    const Color color = good ? ui_.palette.success : live ? ui_.palette.text_dim : 0;
+    const RunView* run = state_.workspace.run();
+    const bool is_live = run && run->phase() == RunPhase::kLive && run->playhead().is_at_now();
+    const bool is_offline = run && run->source().is_robot() && !run->state().is_fresh;
+    const std::string text = !run ? "EDIT" : is_live ? "LIVE" : is_offline ? "OFFLINE" : "REPLAY";
+    const Color color = is_live      ? ui_.palette.success
+                        : is_offline ? ui_.palette.text_dim
+                        : run        ? ui_.palette.accent
+                                     : 0;
     const Box chip = {{box_.max.x - 84 * ui_.scale, box_.min.y + 4 * ui_.scale},
                       {box_.max.x - 8 * ui_.scale, box_.max.y - 4 * ui_.scale}};
-    ui_.Button("bar/mode", chip, text, good, color);
+    if (ui_.Button("bar/mode", chip, text, run, color) && run) state_.commands.Run("run.now");
   }
 
   const Ui& ui_;

@@ -19,14 +19,12 @@ Forest Forest::FromFile(const std::string& path, Diagnostics& diagnostics,
   return forest;
 }
 
-Forest Forest::FromRobot(std::string text, const std::string& source, Diagnostics& diagnostics) {
+Forest Forest::FromDocuments(std::vector<Document> documents, std::string_view main_tree) {
   Forest forest;
-  std::optional<Document> document = Document::FromText(std::move(text), source, diagnostics);
-  if (!document) return forest;
-  forest.single_ = std::make_shared<const Document>(*std::move(document));
-  forest.documents_.push_back(forest.single_.get());
-  forest.AddTreesOf(0);
-  forest.ChooseMain({});
+  forest.texts_ = std::make_shared<const std::vector<Document>>(std::move(documents));
+  for (const Document& document : *forest.texts_) forest.documents_.push_back(&document);
+  for (std::uint32_t i = 0; i < forest.documents_.size(); ++i) forest.AddTreesOf(i);
+  forest.ChooseMain(main_tree);
   return forest;
 }
 

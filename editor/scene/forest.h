@@ -31,8 +31,8 @@ class Forest {
   static Forest FromFile(const std::string& path, Diagnostics& diagnostics,
                          const DocumentReader& read = {});
 
-  /// The text that a robot sends: one <BehaviorTree> per instance. `source` is used in messages.
-  static Forest FromRobot(std::string text, const std::string& source, Diagnostics& diagnostics);
+  /// Texts that belong together, whatever they include, in this order: those that a robot runs.
+  static Forest FromDocuments(std::vector<Document> documents, std::string_view main_tree);
 
   const std::vector<const Document*>& documents() const { return documents_; }
   const std::vector<TreeEntry>& trees() const { return trees_; }
@@ -46,7 +46,7 @@ class Forest {
   /// Number of the tree that a <SubTree> element stands for, or -1.
   int Resolve(const Document& document, const Element& subtree) const;
 
-  /// The project; null if the file cannot be read, or if the text is from a robot.
+  /// The project; null if the file cannot be read, or if the texts are those of a robot.
   const std::shared_ptr<const Project>& project() const { return project_; }
 
  private:
@@ -54,7 +54,7 @@ class Forest {
   void ChooseMain(std::string_view id);
 
   std::shared_ptr<const Project> project_;
-  std::shared_ptr<const Document> single_;  // the text of a robot
+  std::shared_ptr<const std::vector<Document>> texts_;  // if there is no project
   std::vector<const Document*> documents_;
   std::vector<TreeEntry> trees_;
   int main_tree_ = -1;

@@ -1,7 +1,6 @@
 #include "editor/scene/scene.h"
 
 #include <algorithm>
-#include <charconv>
 
 #include "editor/scene/notes.h"
 
@@ -118,17 +117,6 @@ class Builder {
     }
     node.disabled = document.AttributeValue(element, "_skipIf") == "true";
     node.note = NoteOf(document, open.element);
-    ReadUid(document.AttributeValue(element, "_uid"), node);
-  }
-
-  void ReadUid(std::string_view text, SceneNode& node) {
-    int uid = -1;
-    std::from_chars(text.data(), text.data() + text.size(), uid);
-    if (uid < 0 || uid > UINT16_MAX) return;
-    node.uid = uid;
-    const auto at = static_cast<std::size_t>(uid);
-    if (scene_.node_of_uid.size() <= at) scene_.node_of_uid.resize(at + 1, kNoNode);
-    scene_.node_of_uid[at] = static_cast<std::uint32_t>(scene_.nodes.size() - 1);
   }
 
   // Declared ports first, in the declared order; then the others as they are written.

@@ -69,18 +69,12 @@ void Driver::Type(const std::string& text) {
   Frames();
 }
 
-std::shared_ptr<LiveSnapshot> Driver::AddRobot(const std::string& endpoint,
-                                               const std::string& xml) {
-  std::shared_ptr<LiveSnapshot> snapshot;
-  editor.AddRobot(std::make_unique<ScriptedRobot>(endpoint, &snapshot));
-  auto tree = std::make_shared<LiveTree>();
-  tree->forest = Forest::FromRobot(xml, endpoint, tree->problems);
-  snapshot->tree = tree;
-  snapshot->connection = Connection::kLive;
-  snapshot->rate = 20;
-  snapshot->states.resize(100);
+ScriptedRobot* Driver::AddRobot(const std::string& endpoint, const std::string& xml) {
+  auto robot = std::make_unique<ScriptedRobot>(endpoint, xml);
+  ScriptedRobot* added = robot.get();
+  editor.AddRun(std::move(robot));
   Frames();
-  return snapshot;
+  return added;
 }
 
 int Driver::CountColor(const Box& box, Color color, int tolerance) const {
@@ -105,7 +99,6 @@ void Driver::Picture(const std::string& name) const {
 void Driver::Frames(int count) {
   for (int i = 0; i < count; ++i) {
     editor.Frame(input);
-    clock.Advance(std::chrono::milliseconds(20));
     input.events.clear();
   }
 }

@@ -1,5 +1,5 @@
-// Drives an Editor as a user does, by path: no window, simulated time, and a robot whose snapshots
-// the test writes itself.
+// Drives an Editor as a user does, by path: no window, simulated time, and robots of which the
+// test says what they do.
 #ifndef COPPICE_TESTS_EDITOR_DRIVER_H_
 #define COPPICE_TESTS_EDITOR_DRIVER_H_
 
@@ -10,30 +10,10 @@
 #include <string>
 #include <vector>
 
-#include "bt_core/base/clock.h"
 #include "editor/core/editor.h"
+#include "tests/editor/scripted_robot.h"
 
 namespace coppice::editor {
-
-/// A robot of which the test says what it does.
-class ScriptedRobot : public LiveSource {
- public:
-  ScriptedRobot(std::string endpoint, std::shared_ptr<LiveSnapshot>* out)
-      : endpoint_(std::move(endpoint)), shared_(std::make_shared<LiveSnapshot>()) {
-    *out = shared_;
-  }
-  const std::string& endpoint() const override { return endpoint_; }
-  std::shared_ptr<const LiveSnapshot> snapshot() const override {
-    return std::make_shared<LiveSnapshot>(*shared_);
-  }
-  void Watch(std::vector<std::string> boards) override { watched = std::move(boards); }
-
-  std::vector<std::string> watched;
-
- private:
-  std::string endpoint_;
-  std::shared_ptr<LiveSnapshot> shared_;
-};
 
 /// A file in a folder of its own that is gone afterwards.
 class TemporaryFile {
@@ -59,7 +39,7 @@ class TemporaryFile {
 
 class Driver {
  public:
-  explicit Driver(EditorOptions options = {}) : editor(clock, std::move(options)) {
+  explicit Driver(EditorOptions options = {}) : editor(std::move(options)) {
     input.width = 1280;
     input.height = 800;
     input.dt = 0.02F;
@@ -85,8 +65,9 @@ class Driver {
   void Type(const std::string& text);
   void Wheel(float up);
 
-  /// A robot that runs the trees of that XML; write its snapshot and let frames go by.
-  std::shared_ptr<LiveSnapshot> AddRobot(const std::string& endpoint, const std::string& xml);
+  /// A robot that runs the trees of that XML; tell it what to do and let frames go by. The editor
+  /// owns it.
+  ScriptedRobot* AddRobot(const std::string& endpoint, const std::string& xml);
 
   TreeView& view() { return *editor.state().workspace.view(); }
   std::string Selected() {
@@ -101,7 +82,6 @@ class Driver {
   /// Writes the picture into $COPPICE_PICTURES, if that is set.
   void Picture(const std::string& name) const;
 
-  SimulatedClock clock{std::chrono::seconds(1000)};
   Editor editor;
   InputEvents input;
 };

@@ -61,11 +61,11 @@ TEST_F(CanvasTest, PansWhenDraggedAndZoomsWithTheWheel) {
 }
 
 TEST_F(CanvasTest, PaintsStatusesOnBordersInThreePalettes) {
-  const auto robot = driver_.AddRobot("robot:1", kLiveTree);
-  robot->states[1] = {Status::kRunning, Status::kIdle, Time(1)};
-  robot->states[2] = {Status::kSuccess, Status::kIdle, Time(1)};
-  robot->states[6] = {Status::kFailure, Status::kIdle, Time(1)};
-  robot->states[5] = {Status::kIdle, Status::kFailure, Time(1)};
+  ScriptedRobot* const robot = driver_.AddRobot("robot:1", kLiveTree);
+  robot->Set(1, Status::kRunning);
+  robot->Set(2, Status::kSuccess);
+  robot->Set(6, Status::kFailure);
+  robot->Set(5, Status::kIdle, Status::kFailure);
   for (const PaletteName name :
        {PaletteName::kDark, PaletteName::kLight, PaletteName::kColourBlind}) {
     driver_.editor.state().palette = name;
@@ -82,20 +82,20 @@ TEST_F(CanvasTest, PaintsStatusesOnBordersInThreePalettes) {
 }
 
 TEST_F(CanvasTest, PaintsStatusesGreyedWhenTheRobotIsDown) {
-  const auto robot = driver_.AddRobot("robot:1", kLiveTree);
-  robot->states[1] = {Status::kRunning, Status::kIdle, Time(1)};
+  ScriptedRobot* const robot = driver_.AddRobot("robot:1", kLiveTree);
+  robot->Set(1, Status::kRunning);
   driver_.Frames(3);
   const Color running = GetPalette(PaletteName::kDark).running;
   EXPECT_GT(driver_.CountColor(driver_.BoxOf("canvas/Main/1"), running), 60);
-  robot->connection = Connection::kReconnecting;
+  robot->Disconnect("no answer");
   driver_.Frames(3);
   EXPECT_TRUE(driver_.Has("canvas/Main/1.2.1.1")) << "the last known tree stays";
   EXPECT_EQ(driver_.CountColor(driver_.BoxOf("canvas/Main/1"), running), 0);
 }
 
 TEST_F(CanvasTest, ShowsARunningDescendantOnTheCollapsedNode) {
-  const auto robot = driver_.AddRobot("robot:1", kLiveTree);
-  robot->states[5] = {Status::kRunning, Status::kIdle, Time(1)};
+  ScriptedRobot* const robot = driver_.AddRobot("robot:1", kLiveTree);
+  robot->Set(5, Status::kRunning);
   driver_.view().SetCollapsed(1 + 1, true, driver_.editor.now());
   driver_.Frames(20);
   const Box chip = driver_.BoxOf("canvas/Main/1.2/toggle");
@@ -106,8 +106,9 @@ TEST_F(CanvasTest, ShowsARunningDescendantOnTheCollapsedNode) {
 }
 
 TEST_F(CanvasTest, MovesTheDotsAlongARunningEdge) {
-  const auto robot = driver_.AddRobot("robot:1", kLiveTree);
-  robot->states[1] = robot->states[3] = {Status::kRunning, Status::kIdle, Time(1)};
+  ScriptedRobot* const robot = driver_.AddRobot("robot:1", kLiveTree);
+  robot->Set(1, Status::kRunning);
+  robot->Set(3, Status::kRunning);
   driver_.Frames(10);
   const std::uint64_t before = HashOf(driver_.editor.Picture());
   driver_.Frames(5);
@@ -118,8 +119,8 @@ TEST_F(CanvasTest, PaintsTheSamePictureForTheSameEvents) {
   const auto run = [this] {
     Driver driver;
     driver.editor.Open(file_.path());
-    const auto robot = driver.AddRobot("robot:1", kLiveTree);
-    robot->states[1] = {Status::kRunning, Status::kIdle, Time(1)};
+    ScriptedRobot* const robot = driver.AddRobot("robot:1", kLiveTree);
+    robot->Set(1, Status::kRunning);
     driver.Click("canvas/Main/1.1");
     driver.Press('C');
     driver.Frames(20);

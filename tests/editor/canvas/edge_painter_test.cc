@@ -16,17 +16,17 @@ Box Between(const Driver& driver, const std::string& parent, const std::string& 
 
 TEST(EdgePainter, PaintsTheStatusOfTheChildOnTheEdge) {
   Driver driver;
-  const auto robot = driver.AddRobot("robot:1", kLiveTree);
+  ScriptedRobot* const robot = driver.AddRobot("robot:1", kLiveTree);
   const Palette& colors = GetPalette(PaletteName::kDark);
   const Box gap = Between(driver, "canvas/Main/1.2", "canvas/Main/1.2.1");
   EXPECT_EQ(driver.CountColor(gap, colors.running), 0);
-  robot->states[4] = {Status::kRunning, Status::kIdle, Time(1)};
+  robot->Set(4, Status::kRunning);
   driver.Frames(20);
   // The dots are of a lighter colour and cover a part of the line.
   const int running = driver.CountColor(gap, colors.running) +
                       driver.CountColor(gap, Mix(colors.running, 0xFFFFFFFF, 0.45F), 10);
   EXPECT_GT(driver.CountColor(gap, colors.running), 10);
-  robot->states[4] = {Status::kSuccess, Status::kIdle, Time(1)};
+  robot->Set(4, Status::kSuccess);
   driver.Frames(20);
   EXPECT_EQ(driver.CountColor(gap, colors.running), 0);
   const int success = driver.CountColor(gap, colors.success);

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "editor/scene/scene.h"
+#include "tests/editor/read_forest.h"
 
 namespace coppice::editor {
 
@@ -16,11 +17,9 @@ inline std::shared_ptr<const Scene> MakeScene(const std::string& xml) {
     Scene scene;
   };
   static const NodeModels models;
-  Diagnostics diagnostics;
   auto kept = std::make_shared<Kept>();
-  kept->forest = Forest::FromRobot(
-      "<root BTCPP_format=\"4\"><BehaviorTree ID=\"T\">" + xml + "</BehaviorTree></root>", "test",
-      diagnostics);
+  kept->forest = ReadForest(
+      "<root BTCPP_format=\"4\"><BehaviorTree ID=\"T\">" + xml + "</BehaviorTree></root>");
   kept->scene = BuildScene(kept->forest, 0, models);
   return {kept, &kept->scene};
 }

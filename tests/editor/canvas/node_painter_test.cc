@@ -40,9 +40,11 @@ TEST(NodePainter, CutsTheCornersOfConditionsOnly) {
 
 TEST(NodePainter, FlashesWhenAStatusHasJustCome) {
   Driver driver;
-  const auto robot = driver.AddRobot("robot:1", kLiveTree);
+  ScriptedRobot* const robot = driver.AddRobot("robot:1", kLiveTree);
   driver.Frames(5);
-  robot->states[6] = {Status::kSuccess, Status::kIdle, driver.clock.Now()};
+  robot->Tick();
+  robot->Set(6, Status::kSuccess);
+  robot->Tick();
   driver.Frames(1);
   const std::uint64_t fresh = HashOf(driver.editor.Picture());
   driver.Frames(40);

@@ -68,7 +68,7 @@ TEST(Editor, IsAtRestWhenNothingMoves) {
 
 TEST(Editor, MovesAtAModestRateWhileLive) {
   Driver driver;
-  const auto robot = driver.AddRobot("robot:1", kLiveTree);
+  driver.AddRobot("robot:1", kLiveTree);
   driver.Frames(10);
   EXPECT_GT(driver.editor.NextFrameIn(), 0.02);
   EXPECT_LT(driver.editor.NextFrameIn(), 0.2);
@@ -90,10 +90,10 @@ TEST(Editor, LosesNoTapOfAKeyInASlowFrame) {
 
 TEST(Editor, RefusesAnEndpointThatIsNone) {
   Driver driver;
-  EXPECT_NE(driver.editor.Connect("nowhere"), "");
+  EXPECT_NE(driver.editor.Connect("no where:x"), "");
   EXPECT_NE(driver.editor.Connect("host:99999"), "");
   EXPECT_NE(driver.editor.Connect(":1667"), "");
-  EXPECT_TRUE(driver.editor.state().workspace.robots().empty());
+  EXPECT_TRUE(driver.editor.state().workspace.runs().empty());
 }
 
 TEST(Editor, RemembersRecentFiles) {

@@ -99,11 +99,11 @@ TEST_F(StandardCommandsTest, QuitWithCtrlQ) {
 TEST_F(StandardCommandsTest, SwitchRobotsWithControlTab) {
   driver_.AddRobot("one:1", kLiveTree);
   driver_.AddRobot("two:2", kLiveTree);
-  EXPECT_EQ(driver_.editor.state().workspace.robot()->source->endpoint(), "two:2");
+  EXPECT_EQ(driver_.editor.state().workspace.run()->name(), "two:2");
   driver_.Press(kKeyTab, kCtrl);
-  EXPECT_EQ(driver_.editor.state().workspace.robot()->source->endpoint(), "one:1");
+  EXPECT_EQ(driver_.editor.state().workspace.run()->name(), "one:1");
   driver_.Press(kKeyTab, kCtrl);
-  EXPECT_EQ(driver_.editor.state().workspace.robot()->source->endpoint(), "two:2");
+  EXPECT_EQ(driver_.editor.state().workspace.run()->name(), "two:2");
 }
 
 }  // namespace

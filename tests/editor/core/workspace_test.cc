@@ -9,46 +9,30 @@ namespace {
 
 TEST(Workspace, ShowsTheNewTreeWhenARobotSwapsIt) {
   Driver driver;
-  const auto robot = driver.AddRobot("robot:1", kLiveTree);
+  ScriptedRobot* const robot = driver.AddRobot("robot:1", kLiveTree);
   EXPECT_TRUE(driver.Has("canvas/Main/1"));
-  auto tree = std::make_shared<LiveTree>();
-  tree->forest = Forest::FromRobot(
+  robot->SetTree(
       "<root><BehaviorTree ID=\"Other\" _fullpath=\"\"><Sequence "
-      "_uid=\"1\"/></BehaviorTree></root>",
-      "robot:1", tree->problems);
-  robot->tree = tree;
+      "_uid=\"1\"/></BehaviorTree></root>");
   driver.Frames();
   EXPECT_TRUE(driver.Has("canvas/Other/1"));
   EXPECT_FALSE(driver.Has("canvas/Main/1"));
 }
 
-TEST(Workspace, AsksARobotForTheBoardsOfItsTree) {
-  Workspace workspace([](const Scene& scene) {
-    return std::vector<Point>(scene.nodes.size(), Point{10, 10});
-  });
-  std::shared_ptr<LiveSnapshot> snapshot;
-  auto source = std::make_unique<ScriptedRobot>("robot:1", &snapshot);
-  const ScriptedRobot& robot = *source;
-  workspace.AddRobot(std::move(source));
-  workspace.Update(0);
-  EXPECT_TRUE(robot.watched.empty());
-  auto tree = std::make_shared<LiveTree>();
-  tree->forest = Forest::FromRobot(kLiveTree, "robot:1", tree->problems);
-  snapshot->tree = tree;
-  workspace.Update(0.1);
-  EXPECT_EQ(robot.watched, (std::vector<std::string>{"Main", "walk"}));
-}
-
-TEST(Workspace, StampsBlackboardValuesThatChange) {
+TEST(Workspace, ShowsAnotherRunWhenTheShownOneIsClosed) {
   Driver driver;
-  const auto robot = driver.AddRobot("robot:1", kLiveTree);
-  robot->boards = {{"Main", {{"goal", "1"}, {"level", "5"}}}};
-  driver.Frames(1);
-  robot->boards = {{"Main", {{"goal", "2"}, {"level", "5"}}}};
-  driver.Frames(1);
-  const BoardHistory& boards = driver.editor.state().workspace.robot()->boards;
-  EXPECT_GT(boards.at("Main").at("goal").changed_at, 0);
-  EXPECT_LT(boards.at("Main").at("level").changed_at, 0);
+  driver.AddRobot("one:1", kLiveTree);
+  driver.AddRobot("two:2", kLiveTree);
+  Workspace& workspace = driver.editor.state().workspace;
+  workspace.CloseRun(1, 0);
+  driver.Frames();
+  ASSERT_NE(workspace.run(), nullptr);
+  EXPECT_EQ(workspace.run()->name(), "one:1");
+  EXPECT_TRUE(driver.Has("canvas/Main/1"));
+  workspace.CloseRun(0, 0);
+  driver.Frames();
+  EXPECT_EQ(workspace.run(), nullptr);
+  EXPECT_EQ(workspace.view(), nullptr);
 }
 
 TEST(Workspace, ReportsAMissingFileOfModels) {

@@ -7,8 +7,10 @@ namespace {
 
 TEST(Blackboard, ShowsTheValuesOfEveryScope) {
   Driver driver;
-  const auto robot = driver.AddRobot("robot:1", kLiveTree);
-  robot->boards = {{"Main", {{"goal", "\"kitchen\""}, {"level", "7"}}}, {"walk", {{"n", "null"}}}};
+  ScriptedRobot* const robot = driver.AddRobot("robot:1", kLiveTree);
+  robot->Write("Main", "goal", "kitchen");
+  robot->Write("Main", "level", "7");
+  robot->Write("walk", "n", "1");
   driver.Frames();
   for (const char* path :
        {"blackboard/Main", "blackboard/Main/goal", "blackboard/Main/level", "blackboard/walk/n"}) {
@@ -18,13 +20,14 @@ TEST(Blackboard, ShowsTheValuesOfEveryScope) {
 
 TEST(Blackboard, FlashesAValueThatChanges) {
   Driver driver;
-  const auto robot = driver.AddRobot("robot:1", kLiveTree);
-  robot->boards = {{"Main", {{"goal", "1"}}}};
+  ScriptedRobot* const robot = driver.AddRobot("robot:1", kLiveTree);
+  robot->Write("Main", "goal", "1");
+  robot->Tick();
   driver.Frames(3);
   const Box row = driver.BoxOf("blackboard/Main/goal");
   const Color panel = GetPalette(PaletteName::kDark).panel;
   const int calm = driver.CountColor(row, panel, 2);
-  robot->boards = {{"Main", {{"goal", "2"}}}};
+  robot->Write("Main", "goal", "2");
   driver.Frames(1);
   EXPECT_LT(driver.CountColor(row, panel, 2), calm / 4);
   driver.Frames(80);
@@ -33,8 +36,9 @@ TEST(Blackboard, FlashesAValueThatChanges) {
 
 TEST(Blackboard, MarksTheKeysOfTheSelectedNode) {
   Driver driver;
-  const auto robot = driver.AddRobot("robot:1", kLiveTree);
-  robot->boards = {{"Main", {{"goal", "1"}, {"other", "1"}}}};
+  ScriptedRobot* const robot = driver.AddRobot("robot:1", kLiveTree);
+  robot->Write("Main", "goal", "1");
+  robot->Write("Main", "other", "1");
   driver.Frames(3);
   ASSERT_TRUE(driver.Click("canvas/Main/1.2"));
   const Color marked = GetPalette(PaletteName::kDark).row_selected;

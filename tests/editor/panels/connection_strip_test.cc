@@ -10,18 +10,18 @@ TEST(ConnectionStrip, HasATabForEachRobotAndSwitchesByClick) {
   driver.AddRobot("one:1", kLiveTree);
   driver.AddRobot("two:2", kLiveTree);
   ASSERT_TRUE(driver.Click("strip/one:1"));
-  EXPECT_EQ(driver.editor.state().workspace.robot()->source->endpoint(), "one:1");
+  EXPECT_EQ(driver.editor.state().workspace.run()->name(), "one:1");
   ASSERT_TRUE(driver.Click("strip/two:2"));
-  EXPECT_EQ(driver.editor.state().workspace.robot()->source->endpoint(), "two:2");
+  EXPECT_EQ(driver.editor.state().workspace.run()->name(), "two:2");
 }
 
 TEST(ConnectionStrip, ShowsTheStateInColour) {
   Driver driver;
-  const auto robot = driver.AddRobot("one:1", kLiveTree);
+  ScriptedRobot* const robot = driver.AddRobot("one:1", kLiveTree);
   const Color green = GetPalette(PaletteName::kDark).success;
   driver.Frames();
   EXPECT_GT(driver.CountColor(driver.BoxOf("strip/one:1"), green), 30);
-  robot->connection = Connection::kReconnecting;
+  robot->Disconnect("no answer");
   driver.Frames();
   EXPECT_EQ(driver.CountColor(driver.BoxOf("strip/one:1"), green), 0);
 }

@@ -26,8 +26,8 @@ TEST(Inspector, ShowsPortsInDeclaredOrderAndThoseNotGiven) {
 
 TEST(Inspector, ShowsTheStatusOfARobotsNode) {
   Driver driver;
-  const auto robot = driver.AddRobot("robot:1", kLiveTree);
-  robot->states[6] = {Status::kRunning, Status::kIdle, driver.clock.Now()};
+  ScriptedRobot* const robot = driver.AddRobot("robot:1", kLiveTree);
+  robot->Set(6, Status::kRunning);
   driver.Frames();
   ASSERT_TRUE(driver.Click("canvas/Main/1.3"));
   ASSERT_TRUE(driver.Has("inspector/status"));

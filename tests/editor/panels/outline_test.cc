@@ -34,8 +34,8 @@ TEST(Outline, SelectsByClickAndBringsTheNodeIntoView) {
 
 TEST(Outline, TintsRowsByStatus) {
   Driver driver;
-  const auto robot = driver.AddRobot("robot:1", kLiveTree);
-  robot->states[6] = {Status::kFailure, Status::kIdle, Time(1)};
+  ScriptedRobot* const robot = driver.AddRobot("robot:1", kLiveTree);
+  robot->Set(6, Status::kFailure);
   driver.Frames();
   const Box row = driver.BoxOf("outline/1.3");
   const Box stripe = {row.min, {row.min.x + 4, row.max.y}};

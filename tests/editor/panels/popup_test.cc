@@ -79,7 +79,7 @@ TEST(Popup, ConnectsToARobot) {
   driver.Press('A', kCtrl);
   driver.Type("localhost:1");
   driver.Press(kKeyEnter);
-  ASSERT_EQ(driver.editor.state().workspace.robots().size(), 1U);
+  ASSERT_EQ(driver.editor.state().workspace.runs().size(), 1U);
   EXPECT_TRUE(driver.Has("strip/localhost:1"));
 }
 

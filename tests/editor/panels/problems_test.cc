@@ -26,9 +26,9 @@ TEST(Problems, LeadToTheNode) {
 
 TEST(Problems, TellWhyARobotIsNotConnected) {
   Driver driver;
-  const auto robot = driver.AddRobot("robot:1", kLiveTree);
+  ScriptedRobot* const robot = driver.AddRobot("robot:1", kLiveTree);
   EXPECT_FALSE(driver.Has("problems/0"));
-  robot->error = "no answer";
+  robot->Disconnect("no answer");
   driver.Frames();
   EXPECT_TRUE(driver.Has("problems/0"));
 }

@@ -33,9 +33,9 @@ TEST(TopBar, ShowsGreenWhileLive) {
   const Palette& colors = GetPalette(PaletteName::kDark);
   const Color green = Mix(colors.panel, colors.success, 0.55F);
   EXPECT_EQ(driver.CountColor(driver.BoxOf("bar/mode"), green, 6), 0);
-  const auto robot = driver.AddRobot("robot:1", kLiveTree);
+  ScriptedRobot* const robot = driver.AddRobot("robot:1", kLiveTree);
   EXPECT_GT(driver.CountColor(driver.BoxOf("bar/mode"), green, 6), 300);
-  robot->connection = Connection::kReconnecting;
+  robot->Disconnect("no answer");
   driver.Frames();
   EXPECT_EQ(driver.CountColor(driver.BoxOf("bar/mode"), green, 6), 0);
 }

@@ -4,14 +4,14 @@
 
 #include <algorithm>
 
+#include "tests/editor/read_forest.h"
+
 namespace coppice::editor {
 namespace {
 
 struct Version {
   explicit Version(const std::string& trees) {
-    Diagnostics diagnostics;
-    forest = Forest::FromRobot("<root BTCPP_format=\"4\">\n" + trees + "</root>", "file.xml",
-                               diagnostics);
+    forest = ReadForest("<root BTCPP_format=\"4\">\n" + trees + "</root>", "file.xml");
   }
   Forest forest;
   NodeModels models;

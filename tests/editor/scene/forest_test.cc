@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/editor/driver.h"
+#include "tests/editor/read_forest.h"
 
 namespace coppice::editor {
 namespace {
@@ -38,13 +39,11 @@ TEST(Forest, IsEmptyWhenTheFileIsMalformedOrMissing) {
 }
 
 TEST(Forest, FindsTheInstanceOfASubTreeByItsPath) {
-  Diagnostics diagnostics;
-  const Forest forest = Forest::FromRobot(
+  const Forest forest = ReadForest(
       "<root><BehaviorTree ID=\"M\" _fullpath=\"\"><Sequence>"
       "<SubTree ID=\"S\" _fullpath=\"a\"/><SubTree ID=\"S\" _fullpath=\"b\"/></Sequence>"
       "</BehaviorTree><BehaviorTree ID=\"S\" _fullpath=\"a\"><A/></BehaviorTree>"
-      "<BehaviorTree ID=\"S\" _fullpath=\"b\"><A/></BehaviorTree></root>",
-      "robot", diagnostics);
+      "<BehaviorTree ID=\"S\" _fullpath=\"b\"><A/></BehaviorTree></root>");
   const Document& document = *forest.documents()[0];
   std::vector<int> found;
   for (const Element& element : document.elements()) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/editor/read_forest.h"
+
 namespace coppice::editor {
 namespace {
 
@@ -21,8 +23,7 @@ constexpr char kTrees[] = R"(<root BTCPP_format="4">
 class KeyUsesTest : public testing::Test {
  protected:
   KeyUsesTest() {
-    Diagnostics diagnostics;
-    forest_ = Forest::FromRobot(kTrees, "test", diagnostics);
+    forest_ = ReadForest(kTrees);
     models_.AddFrom(*forest_.documents()[0]);
     scene_ = BuildScene(forest_, 0, models_);
     uses_ = FindKeyUses(scene_);

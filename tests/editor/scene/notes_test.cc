@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/editor/canvas/make_scene.h"
+#include "tests/editor/read_forest.h"
 
 namespace coppice::editor {
 namespace {
@@ -38,11 +39,9 @@ TEST(Notes, BehindTheLastChildAreAboutTheLastChild) {
 }
 
 TEST(Notes, BeforeATreeAreAboutItsRoot) {
-  Diagnostics diagnostics;
-  const Forest forest = Forest::FromRobot(
+  const Forest forest = ReadForest(
       "<root BTCPP_format='4'>\n<!-- the round -->\n<BehaviorTree "
-      "ID='T'><A/></BehaviorTree></root>",
-      "test", diagnostics);
+      "ID='T'><A/></BehaviorTree></root>");
   EXPECT_EQ(BuildScene(forest, 0, NodeModels()).nodes[0].note, "the round");
 }
 

@@ -2,15 +2,16 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/editor/read_forest.h"
+
 namespace coppice::editor {
 namespace {
 
 TEST(ProblemPlaces, GivesEachNodeItsWorstProblem) {
-  Diagnostics diagnostics;
-  const Forest forest = Forest::FromRobot(
+  const Forest forest = ReadForest(
       "<root BTCPP_format='4'><BehaviorTree ID='T'>\n<A>\n<B "
       "x='1'/>\n<C/></A></BehaviorTree></root>",
-      "t.xml", diagnostics);
+      "t.xml");
   const Scene scene = BuildScene(forest, 0, NodeModels());
   const std::vector<Diagnostic> problems = {
       {Severity::kWarning, {"t.xml", 3, 4}, "in a port of B", ""},

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/editor/driver.h"
+#include "tests/editor/read_forest.h"
 
 namespace coppice::editor {
 namespace {
@@ -10,8 +11,7 @@ namespace {
 class SceneTest : public testing::Test {
  protected:
   const Scene& Build(const std::string& xml, std::size_t limit = 1000) {
-    Diagnostics diagnostics;
-    forest_ = Forest::FromRobot(xml, "test", diagnostics);
+    forest_ = ReadForest(xml);
     for (const Document* document : forest_.documents()) models_.AddFrom(*document);
     scene_ = BuildScene(forest_, forest_.main_tree(), models_, limit);
     return scene_;
@@ -51,13 +51,6 @@ TEST_F(SceneTest, OrdersPortsAsDeclared) {
   EXPECT_EQ(scene.ports[lamp.first_port].name, "level");
   EXPECT_TRUE(scene.ports[lamp.first_port].is_key);
   EXPECT_EQ(scene.ports[lamp.first_port + 1].name, "lamp");
-}
-
-TEST_F(SceneTest, FindsNodesByTheRobotsNumber) {
-  const Scene& scene = Build(kLiveTree);
-  ASSERT_EQ(scene.node_of_uid.size(), 7U);
-  EXPECT_EQ(scene.nodes[scene.node_of_uid[5]].name, "Step");
-  EXPECT_EQ(scene.node_of_uid[0], kNoNode);
 }
 
 TEST_F(SceneTest, ReadsTheExplicitForm) {

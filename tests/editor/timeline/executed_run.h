@@ -38,7 +38,7 @@ class ExecutedTree {
     static constexpr NodeCategory kCategory = NodeCategory::kAction;
     static constexpr const char* kDescription = "Does what it is told.";
     explicit Do(Results* results) : results_(*results) {}
-    Input<std::string> as{this, "as", "what `results` calls it"};
+    Input<std::string> as{this, "as", "what `results` calls it", ""};
     Output<int> count{this, "count", "how often it was ticked"};
     Status Tick(bool) override {
       count.Set(++count_);
@@ -57,7 +57,7 @@ class ExecutedTree {
     static constexpr NodeCategory kCategory = NodeCategory::kCondition;
     static constexpr const char* kDescription = "Is what it is told.";
     explicit Is(Results* results) : results_(*results) {}
-    Input<std::string> as{this, "as", "what `results` calls it"};
+    Input<std::string> as{this, "as", "what `results` calls it", ""};
     Status Tick(bool) override {
       const auto found = results_.find(*as);
       return found == results_.end() ? Status::kSuccess : found->second;

@@ -1,0 +1,37 @@
+#include "editor/live/robot_source.h"
+
+#include <utility>
+
+namespace coppice::editor {
+
+namespace {
+
+// "host:port/TREE" names one tree of several.
+LiveClientOptions WithTree(const std::string& endpoint, LiveClientOptions options) {
+  const std::size_t slash = endpoint.find('/');
+  if (slash != std::string::npos) options.tree = endpoint.substr(slash + 1);
+  return options;
+}
+
+}  // namespace
+
+RobotSource::RobotSource(std::string endpoint, std::function<void()> wake,
+                         const LiveClientOptions& options)
+    : endpoint_(std::move(endpoint)),
+      mailbox_(std::move(wake)),
+      client_(endpoint_.substr(0, endpoint_.find('/')), mailbox_, WithTree(endpoint_, options)) {}
+
+LiveClientOptions RobotSource::DefaultOptions() {
+  LiveClientOptions options;
+  options.name = "coppice-edit";
+  options.token = TokenFromEnvironment();
+  return options;
+}
+
+void RobotSource::Send(LiveCommand command, LiveClient::ReplyHandler on_reply) {
+  client_.Send(std::move(command), [this, on_reply = std::move(on_reply)](const LiveReply& reply) {
+    mailbox_.PutReply(on_reply, reply);
+  });
+}
+
+}  // namespace coppice::editor

@@ -1,0 +1,65 @@
+#include "editor/live/run_tree.h"
+
+#include <utility>
+#include <vector>
+
+namespace coppice::editor {
+namespace {
+
+Forest ReadForest(const TreeDescription& description, Diagnostics& problems) {
+  std::vector<Document> documents;
+  for (const DescribedDocument& described : description.documents) {
+    auto document = Document::FromText(described.text, described.file, problems);
+    if (!document) return {};
+    documents.push_back(*std::move(document));
+  }
+  return Forest::FromDocuments(std::move(documents), description.main_tree);
+}
+
+}  // namespace
+
+RunTree::RunTree(std::shared_ptr<const TreeDescription> description, const NodeModels& known)
+    : description_(std::move(description)),
+      forest_(ReadForest(*description_, problems_)),
+      models_(known) {
+  for (const Document* document : forest_.documents()) models_.AddFrom(*document);
+  if (description_->models.empty()) return;
+  const auto models = Document::FromText(description_->models, "models", problems_);
+  if (models) models_.AddFrom(*models);
+}
+
+const RecordedTree& RunTree::recorded() const {
+  if (!recorded_) {
+    Diagnostics ignored;  // without a program less can be asked, that is all
+    recorded_ = CompileRecorded(*description_, std::make_shared<Registry>(), ignored);
+  }
+  return *recorded_;
+}
+
+// Both list children in the order of the text, so each search goes on behind the child before.
+void NumberNodes(const TreeDescription& description, Scene& scene) {
+  const TreeShape shape = ShapeOf(description);
+  scene.node_of_uid.assign(shape.size(), kNoNode);
+  std::vector<NodeIndex> next(shape.size());  // per node of the run: its first child to look at
+  for (NodeIndex i = 0; i < next.size(); ++i) next[i] = i + 1;
+  for (std::uint32_t i = 0; i < scene.nodes.size(); ++i) {
+    SceneNode& node = scene.nodes[i];
+    node.uid = -1;
+    const bool is_root = node.parent == kNoNode;
+    if (!is_root && scene.nodes[node.parent].uid < 0) continue;
+    const auto parent = is_root ? 0 : static_cast<NodeIndex>(scene.nodes[node.parent].uid);
+    if (parent >= shape.size()) continue;
+    NodeIndex at = is_root ? 0 : next[parent];
+    const NodeIndex end = shape[parent].end;
+    const auto fits = [&](const DescribedNode& other) {
+      return other.element == node.element && other.document == node.document;
+    };
+    while (at < end && !fits(description.nodes[at])) at = shape[at].end;
+    if (at >= end) continue;
+    node.uid = static_cast<int>(at);
+    scene.node_of_uid[at] = i;
+    if (!is_root) next[parent] = shape[at].end;
+  }
+}
+
+}  // namespace coppice::editor

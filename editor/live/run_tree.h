@@ -1,0 +1,44 @@
+// The tree of a run, made showable: its texts as a Forest, its node types as models, and compiled
+// again for questions about it (bt_core/replay).
+#ifndef COPPICE_EDITOR_LIVE_RUN_TREE_H_
+#define COPPICE_EDITOR_LIVE_RUN_TREE_H_
+
+#include <memory>
+#include <optional>
+
+#include "bt_core/history/tree_description.h"
+#include "bt_core/replay/recorded_tree.h"
+#include "editor/scene/forest.h"
+#include "editor/scene/node_models.h"
+#include "editor/scene/scene.h"
+
+namespace coppice::editor {
+
+class RunTree {
+ public:
+  /// `known`: models that the user has loaded; those of the run come on top.
+  RunTree(std::shared_ptr<const TreeDescription> description, const NodeModels& known);
+
+  const std::shared_ptr<const TreeDescription>& description() const { return description_; }
+  const Forest& forest() const { return forest_; }
+  const NodeModels& models() const { return models_; }
+  const Diagnostics& problems() const { return problems_; }
+
+  /// Compiled when it is asked for the first time.
+  const RecordedTree& recorded() const;
+
+ private:
+  std::shared_ptr<const TreeDescription> description_;
+  Diagnostics problems_;
+  Forest forest_;
+  NodeModels models_;
+  mutable std::optional<RecordedTree> recorded_;
+};
+
+/// Gives each node of the scene its number in the run: SceneNode::uid. The scene was built from the
+/// run's main tree; what the run does not know has none.
+void NumberNodes(const TreeDescription& description, Scene& scene);
+
+}  // namespace coppice::editor
+
+#endif  // COPPICE_EDITOR_LIVE_RUN_TREE_H_

@@ -1,0 +1,101 @@
+// One run that is open: where it comes from, all that has come of it, and the moment of it that the
+// user looks at. Live and replay are the same; live the playhead is glued to the end.
+//
+//   RunView view(std::make_unique<RobotSource>("robot:1667"), models);
+//   view.Update(hooks, now);                 // once per frame
+//   view.playhead().GoToTick(4711);
+//   view.state().states[7].status;           // at the tick that is shown
+#ifndef COPPICE_EDITOR_LIVE_RUN_VIEW_H_
+#define COPPICE_EDITOR_LIVE_RUN_VIEW_H_
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "editor/live/run_hooks.h"
+#include "editor/live/run_source.h"
+#include "editor/live/run_tree.h"
+#include "editor/live/tree_state.h"
+#include "editor/timeline/playhead.h"
+
+namespace coppice::editor {
+
+enum class RunPhase : std::uint8_t { kConnecting, kLive, kReconnecting, kLoading, kRecord };
+
+/// "connecting", "live", "reconnecting", "loading", "record".
+const char* ToString(RunPhase phase);
+
+class RunView final : private LiveListener {
+ public:
+  RunView(std::unique_ptr<RunSource> source, std::shared_ptr<const NodeModels> known);
+
+  /// Takes in what has come, and moves the playhead; `now` in seconds of the editor.
+  void Update(const HookList& hooks, double now);
+
+  RunSource& source() { return *source_; }
+  const RunSource& source() const { return *source_; }
+  const std::string& name() const { return source_->name(); }
+  RunPhase phase() const;
+  const LiveConnection& connection() const { return connection_; }
+  /// Ticks per second of the editor, of late.
+  double rate() const { return rate_; }
+
+  const Run& run() const { return run_; }
+  Playhead& playhead() { return playhead_; }
+  const Playhead& playhead() const { return playhead_; }
+  /// The tree at the shown tick; null before there is one.
+  const std::shared_ptr<const RunTree>& tree() const { return tree_; }
+  /// How it stands there. There must be a tree.
+  const HistoryFollower& follower() const;
+  const TreeState& state() const { return state_; }
+
+  /// Where the robot stands; kNowhere: it runs.
+  const DebugStop& stop() const { return stop_; }
+  const std::string& stop_path() const { return stop_path_; }
+  const RunHooks& hooks() const { return hooks_; }
+
+  /// Why the last command was refused, or what came of it; empty after it was read.
+  std::string TakeAnswer() { return std::exchange(answer_, {}); }
+  /// Tells the robot; what is wrong becomes the answer.
+  void Send(LiveCommand command);
+
+ private:
+  void OnConnection(const LiveConnection& connection) override;
+  void OnNotice(const LiveNotice& notice) override;
+  void OnTree(const TreeDescription& tree) override { run_.OnTree(tree); }
+  void OnState(const HistoryState& state) override { run_.OnState(state); }
+  void OnTick(const TickEvents& events) override { run_.OnTick(events); }
+  void OnGap(const HistoryGap& gap) override { run_.OnGap(gap); }
+  void OnNote(const HistoryNote& note) override { run_.OnNote(note); }
+  void OnEnd(const HistoryEnd& end) override { run_.OnEnd(end); }
+
+  void MeasureRate(double now);
+  void ShowTick();
+  void Mark(const HookList& hooks);
+
+  std::unique_ptr<RunSource> source_;
+  std::shared_ptr<const NodeModels> known_;
+  RunHooks hooks_{*source_};
+  LiveConnection connection_;
+  bool was_live_ = false;
+  Run run_;
+  RunPlace place_{run_};
+  Playhead playhead_{run_};
+  std::shared_ptr<const RunTree> tree_;
+  std::map<const TreeDescription*, std::shared_ptr<const RunTree>> trees_;
+  TreeState state_;
+  DebugStop stop_;
+  std::string stop_path_;
+  std::string answer_;
+  std::shared_ptr<std::string> late_answer_ = std::make_shared<std::string>();
+  double now_ = 0;
+  double came_at_ = 0;  // the last tick
+  double rate_ = 0;
+  double rate_from_ = 0;
+  std::size_t rate_ticks_ = 0;
+};
+
+}  // namespace coppice::editor
+
+#endif  // COPPICE_EDITOR_LIVE_RUN_VIEW_H_

@@ -1,0 +1,63 @@
+#include "editor/live/mailbox.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <thread>
+
+namespace coppice::editor {
+namespace {
+
+class Teller : public LiveListener {
+ public:
+  void OnConnection(const LiveConnection& connection) override {
+    told += connection.is_live ? "live " : "gone ";
+  }
+  void OnTree(const TreeDescription& tree) override { told += "tree " + tree.main_tree + " "; }
+  void OnState(const HistoryState& state) override {
+    told += "state " + std::to_string(state.tick) + " ";
+  }
+  void OnTick(const TickEvents& events) override {
+    told += "tick " + std::to_string(events.tick) + ":";
+    for (std::size_t i = 0; i < events.words.size; ++i) {
+      told += std::to_string(events.words.data[i]) + " ";
+    }
+  }
+  std::string told;
+};
+
+TEST(MailboxTest, TellsAgainInOrderWhatWasToldOnAnotherThread) {
+  int wakes = 0;
+  Mailbox mailbox([&wakes] { ++wakes; });
+  EXPECT_TRUE(mailbox.empty());
+  std::thread([&mailbox] {
+    LiveConnection connection;
+    connection.is_live = true;
+    mailbox.OnConnection(connection);
+    TreeDescription tree;
+    tree.main_tree = "Main";
+    mailbox.OnTree(tree);
+    mailbox.OnState({});
+    const std::uint32_t words[] = {10, 20, 30};
+    mailbox.OnTick({1, Time(1), Duration(0), Status::kRunning, true, {words, 2}});
+    mailbox.OnTick({2, Time(2), Duration(0), Status::kRunning, true, {words + 2, 1}});
+  }).join();
+  EXPECT_EQ(wakes, 1) << "once, until it is emptied";
+  Teller teller;
+  mailbox.Deliver(teller);
+  EXPECT_EQ(teller.told, "live tree Main state 0 tick 1:10 20 tick 2:30 ");
+  EXPECT_TRUE(mailbox.empty());
+}
+
+TEST(MailboxTest, CallsTheHandlersOfRepliesWhenItDelivers) {
+  Mailbox mailbox(nullptr);
+  std::string error;
+  mailbox.PutReply([&error](const LiveReply& reply) { error = reply.error; }, FailedReply("no"));
+  EXPECT_EQ(error, "");
+  Teller teller;
+  mailbox.Deliver(teller);
+  EXPECT_EQ(error, "no");
+}
+
+}  // namespace
+}  // namespace coppice::editor

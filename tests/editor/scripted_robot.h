@@ -1,0 +1,120 @@
+// A robot of which the test says what it does: it tells a history, as robots do.
+#ifndef COPPICE_TESTS_EDITOR_SCRIPTED_ROBOT_H_
+#define COPPICE_TESTS_EDITOR_SCRIPTED_ROBOT_H_
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "bt_core/data/value_bytes.h"
+#include "bt_core/live/client_robot_tree.h"
+#include "editor/live/mailbox.h"
+#include "editor/live/run_source.h"
+
+namespace coppice::editor {
+
+class ScriptedRobot final : public RunSource {
+ public:
+  /// `xml`: as robots send it in the Groot2 protocol.
+  ScriptedRobot(std::string endpoint, const std::string& xml) : endpoint_(std::move(endpoint)) {
+    Connect();
+    SetTree(xml);
+  }
+
+  const std::string& name() const override { return endpoint_; }
+  bool is_robot() const override { return true; }
+  void Pump(LiveListener& listener) override { mailbox_.Deliver(listener); }
+  bool has_news() const override { return !mailbox_.empty(); }
+  void Send(LiveCommand command, LiveClient::ReplyHandler on_reply) override {
+    commands.push_back(command);
+    LiveReply reply;
+    if (command.kind == LiveCommand::Kind::kAddHook) reply.hook = ++last_hook_;
+    mailbox_.PutReply(std::move(on_reply), reply);
+  }
+
+  void Connect() {
+    connection_.is_live = true;
+    connection_.problem.clear();
+    connection_.protocol = LiveConnection::Protocol::kCoppice;
+    mailbox_.OnConnection(connection_);
+  }
+  void Disconnect(const std::string& why) {
+    connection_.is_live = false;
+    connection_.problem = why;
+    mailbox_.OnConnection(connection_);
+  }
+
+  void SetTree(const std::string& xml) {
+    Diagnostics diagnostics;
+    tree_ = ReadRobotTree(xml, endpoint_, diagnostics);
+    state_.statuses.assign(tree_.uids.size(), Status::kIdle);
+    state_.last = state_.statuses;
+    state_.values.clear();
+    TellAll();
+  }
+
+  /// `before`: the last status of a node that is idle.
+  void Set(std::uint16_t uid, Status status, Status before = Status::kIdle) {
+    const NodeIndex node = tree_.Find(uid);
+    state_.statuses[node] = status;
+    state_.last[node] = status == Status::kIdle ? before : status;
+    state_.cause = HistoryState::Cause::kJump;
+    mailbox_.OnState(state_);
+  }
+
+  /// A tick in which a key gets that text as its value.
+  void Write(const std::string& scope, const std::string& key, const std::string& text) {
+    SlotIndex slot = 0;
+    while (slot < slots().size() && (slots()[slot].scope != scope || slots()[slot].name != key)) {
+      ++slot;
+    }
+    std::string bytes;
+    AppendValueBytes(Value(text), bytes);
+    if (slot == slots().size()) {
+      slots().push_back({scope, key, "std::string", true});
+      state_.values.push_back(bytes);
+      state_.cause = HistoryState::Cause::kJump;
+      TellAll();
+      return;
+    }
+    state_.values[slot] = bytes;
+    EventWriter words;
+    words.Add(EventCode::kWrite, slot, 0, bytes);
+    Tick(words.words());
+  }
+
+  /// A tick with these events.
+  void Tick(EventWords words = {}) {
+    ++state_.tick;
+    state_.time += std::chrono::milliseconds(100);
+    mailbox_.OnTick({state_.tick, state_.time, Duration(0), state_.statuses[0], true, words});
+  }
+
+  void Stop(NodeIndex node) {
+    LiveNotice notice;
+    notice.event.kind = DebugEvent::Kind::kStopped;
+    notice.event.stop = {DebugStop::Where::kBefore, node, Status::kIdle, last_hook_, state_.tick};
+    notice.path = tree_.description.nodes[node].path;
+    mailbox_.OnNotice(notice);
+  }
+
+  std::vector<LiveCommand> commands;  ///< that it was sent
+
+ private:
+  std::vector<DescribedSlot>& slots() { return tree_.description.slots; }
+  void TellAll() {
+    mailbox_.OnTree(tree_.description);
+    mailbox_.OnState(state_);
+  }
+
+  const std::string endpoint_;
+  Mailbox mailbox_{nullptr};
+  LiveConnection connection_;
+  RobotTree tree_;
+  HistoryState state_;
+  HookId last_hook_ = kNoHook;
+};
+
+}  // namespace coppice::editor
+
+#endif  // COPPICE_TESTS_EDITOR_SCRIPTED_ROBOT_H_
