@@ -76,7 +76,7 @@ void NodeLookup::ReportUnknown(const Site& site, std::string_view id) {
 // Once for each type. What differs from a built-in node in upper and lower case only is misspelt,
 // wherever it runs.
 void NodeLookup::WarnOfUnknown(const Site& site, std::string_view id) {
-  const std::string nearest = NearestName(id, registry_.Ids());
+  const std::string& nearest = NearestType(id);
   if (DifferOnlyInCase(id, nearest) || project_.Find(id)) {
     ReportUnknown(site, id);
     return;
@@ -89,6 +89,13 @@ void NodeLookup::WarnOfUnknown(const Site& site, std::string_view id) {
                     "node type " + Quoted(id) + " is not built in: its ports are not checked" +
                         (children > 0 ? ", nor how many children it may have" : ""),
                     fits ? "did you mean " + Quoted(nearest) + "?" : "");
+}
+
+// A large file may use an unknown type ten thousand times.
+const std::string& NodeLookup::NearestType(std::string_view id) {
+  const auto known = nearest_.find(id);
+  if (known != nearest_.end()) return known->second;
+  return nearest_.emplace(id, NearestName(id, registry_.Ids())).first->second;
 }
 
 std::string NodeLookup::Advice(std::string_view id) const {

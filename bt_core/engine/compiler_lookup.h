@@ -2,6 +2,7 @@
 #ifndef COPPICE_BT_CORE_ENGINE_COMPILER_LOOKUP_H_
 #define COPPICE_BT_CORE_ENGINE_COMPILER_LOOKUP_H_
 
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -45,11 +46,13 @@ class NodeLookup {
   void CheckAgainstModel(const Site& site, const NodeModel& model);
   void CheckForm(const Site& site, std::string_view id, NodeCategory category);
   std::string Advice(std::string_view id) const;
+  const std::string& NearestType(std::string_view id);
 
   const Project& project_;
   const Registry& registry_;
   const Tolerance tolerance_;
   Problems& problems_;
+  std::map<std::string, std::string, std::less<>> nearest_;  // registered types, by unknown ones
 };
 
 }  // namespace coppice

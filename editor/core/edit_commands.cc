@@ -92,6 +92,8 @@ class EditCommands {
     });
     AddFunction("file.save_over", "Save over what somebody else wrote", {},
                 [](TreeEditor edit) { edit.Save(true); });
+    AddFunction("file.merge", "Merge what somebody else wrote, keeping mine where both changed", {},
+                [](TreeEditor edit) { edit.MergeTheirs(); });
     AddFunction("file.take_theirs", "Take what somebody else wrote", {},
                 [](TreeEditor edit) { edit.TakeTheirs(); });
   }

@@ -317,13 +317,28 @@ void TreeEditor::Restore() {
   Show({});
 }
 
-void TreeEditor::TakeTheirs() {
-  OpenProject& project = state_.workspace.project();
+std::vector<std::string> TreeEditor::Disputed() const {
   std::vector<std::string> paths;
-  for (const auto& [path, file] : project.files()) {
+  for (const auto& [path, file] : state_.workspace.project().files()) {
     if (file.other) paths.push_back(path);
   }
-  for (const std::string& path : paths) project.TakeTheirs(path);
+  return paths;
+}
+
+void TreeEditor::TakeTheirs() {
+  for (const std::string& path : Disputed()) state_.workspace.project().TakeTheirs(path);
+  Show({});
+}
+
+void TreeEditor::MergeTheirs() {
+  for (const std::string& path : Disputed()) {
+    const int kept = state_.workspace.project().MergeTheirs(path);
+    if (kept < 0) {
+      Refuse("merging would give malformed XML: take theirs, or save over it");
+      return;
+    }
+    state_.Notify("Merged; mine stayed in " + std::to_string(kept) + " places", now_);
+  }
   Show({});
 }
 

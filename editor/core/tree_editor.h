@@ -71,6 +71,8 @@ class TreeEditor {
   void Restore();
   /// Of every file that somebody else has changed.
   void TakeTheirs();
+  /// The same, where the user's changes stay.
+  void MergeTheirs();
 
   using Edit = std::function<std::string(Draft&, const NodeRules&)>;
   /// Runs an edit on the selected elements of each file; one step of that name.
@@ -88,6 +90,7 @@ class TreeEditor {
   const Document& DocumentOf(const std::string& path) const;
   NodeRules Rules() const;
   std::string What() const;
+  std::vector<std::string> Disputed() const;  // paths of files that somebody else changed too
   bool RunAll(const std::string& name, const std::vector<Selected>& selection, const Edit& edit);
   bool InsertAll(const std::string& name, const std::vector<std::string>& fragments,
                  AddWhere where);

@@ -72,7 +72,7 @@ bool Workspace::Open(const std::string& path, double now) {
   }
   files_.push_back(Load(path));
   shown_version_ = project_.version();
-  CheckAll();
+  check_at_ = now;  // the tree is shown first
   const int main = files_[at].forest->main_tree();
   ShowFileTree(at, main, now);
   return main >= 0;
@@ -174,12 +174,17 @@ void Workspace::AddModels(const std::string& path) {
 
 void Workspace::LookAtDisk(double now) {
   for (const std::string& path : project_.LookAtDisk()) {
+    const EditedFile& file = *project_.Find(path);
     const std::string name = path.substr(path.rfind('/') + 1);
-    news_ = project_.Find(path)->other
-                ? name +
-                      " was changed on the disk, and here: \"Take\" or \"Save over\" what "
-                      "somebody else wrote (Ctrl+P)"
-                : name + " was changed on the disk and read again";
+    if (file.other) {
+      news_ = name +
+              " was changed on the disk, in the same places as here: \"Merge\", \"Take\" or "
+              "\"Save over\" what somebody else wrote (Ctrl+P)";
+    } else if (file.is_dirty()) {
+      news_ = name + " was changed on the disk and merged with what is not saved here";
+    } else {
+      news_ = name + " was changed on the disk and read again";
+    }
   }
   Refresh(now);
 }

@@ -10,6 +10,7 @@
 namespace coppice::editor {
 namespace {
 
+constexpr char kNoNode[] = "this is no node";
 constexpr char kMalformed[] = "the result would not be well-formed XML";
 
 std::string TextOf(const Document& document, ElementIndex index) {
@@ -61,6 +62,7 @@ std::string DropNew(Draft& draft, const NodeRules& rules, const DropSpot& spot,
     return InsertNodes(draft, rules, spot.element, spot.position, fragments);
   }
   if (fragments.size() != 1) return "one node at a time";
+  if (!IsNode(draft.document(), spot.element)) return kNoNode;
   if (spot.kind == DropSpot::Kind::kAround) {
     return DropAround(draft, rules, spot.element, fragments[0], {});
   }
@@ -82,6 +84,7 @@ std::string DropMoved(Draft& draft, const NodeRules& rules, const DropSpot& spot
   }
   const std::vector<ElementIndex> nodes = Topmost(document, draft.selection());
   if (nodes.size() != 1) return "one node at a time";
+  if (!IsNode(document, nodes[0]) || !IsNode(document, spot.element)) return kNoNode;
   const bool inside = LiesIn(document, spot.element, nodes[0]);
   if (inside || LiesIn(document, nodes[0], spot.element)) {
     return inside ? "a node cannot be moved into itself" : "it is in that branch already";

@@ -156,7 +156,8 @@ class Inliner {
 std::string InlineSubTree(Draft& draft, const NodeRules& rules, const Document& from,
                           ElementIndex tree) {
   const std::vector<ElementIndex> nodes = Topmost(draft.document(), draft.selection());
-  if (nodes.size() != 1 || draft.document().element(nodes[0]).tag != "SubTree") {
+  if (nodes.size() != 1 || draft.document().element(nodes[0]).tag != "SubTree" ||
+      !IsNode(draft.document(), nodes[0])) {
     return "select one SubTree";
   }
   const ElementIndex root = from.element(tree).first_child;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "bt_core/model/write_file.h"
+#include "editor/document/merge.h"
 
 namespace coppice::editor {
 namespace {
@@ -238,6 +239,7 @@ std::vector<std::string> OpenProject::LookAtDisk() {
       file.saved = *std::move(text);
     } else if (file.is_dirty()) {
       file.other = std::move(text);
+      if (MergeTexts(file.saved, file.text, *file.other).conflicts.empty()) MergeTheirs(path);
     } else {
       file.saved = *text;
       SetText(path, "Changed on the disk", *std::move(text));
@@ -252,6 +254,18 @@ void OpenProject::TakeTheirs(const std::string& path) {
   file->saved = *file->other;
   file->other.reset();
   SetText(path, "Take what is on the disk", std::string(file->saved));
+}
+
+int OpenProject::MergeTheirs(const std::string& path) {
+  EditedFile* file = Get(path);
+  if (!file || !file->other) return 0;
+  MergedText merged = MergeTexts(file->saved, file->text, *file->other);
+  Diagnostics problems;
+  if (!Document::FromText(merged.text, file->path, problems)) return -1;
+  file->saved = *file->other;
+  file->other.reset();
+  SetText(path, "Merge with what is on the disk", std::move(merged.text));
+  return static_cast<int>(merged.conflicts.size());
 }
 
 void OpenProject::KeepMine(const std::string& path) {

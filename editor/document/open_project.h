@@ -79,12 +79,16 @@ class OpenProject {
   bool SaveAs(const std::string& path, const std::string& new_path, Diagnostics& diagnostics);
 
   /// Looks for files that were changed by others. Those that the user has not changed are read
-  /// again, as a step that can be undone; the others get `other`. Returns the paths of both.
+  /// again, and those where the changes do not meet are merged (merge.h), as a step that can be
+  /// undone; the others get `other`. Returns the paths of all.
   std::vector<std::string> LookAtDisk();
 
   /// Ends the disagreement with the disk: the text of the other side becomes the file's text, or
   /// what it holds becomes known and the next save overwrites it.
   void TakeTheirs(const std::string& path);
+  /// Merges; where both changed the same place, the user's stays. Returns how many these are, or -1
+  /// if the result would be malformed: then nothing has changed.
+  int MergeTheirs(const std::string& path);
   void KeepMine(const std::string& path);
 
   /// Counts all changes of all files.

@@ -241,14 +241,43 @@ TEST_F(EditCommandsTest, AChangedFileIsReadAgainAndADirtyOneIsKept) {
   Select("1.3");
   driver_.Press('D');
   const std::string mine = Text();
-  file_.Write(std::string(kSmallFile) + "\n");
+  other.replace(other.find("AlwaysFailure/>"), 15, "AlwaysFailure _skipIf=\"late\"/>");
+  file_.Write(other);
   driver_.Frames(60);
   EXPECT_EQ(Text(), mine);
-  EXPECT_THAT(Notice(), HasSubstr("changed on the disk"));
+  EXPECT_THAT(Notice(), HasSubstr("in the same places"));
   driver_.Press('S', kCtrl);
   EXPECT_TRUE(File().is_dirty());
   driver_.editor.state().commands.Run("file.save_over");
   EXPECT_EQ(Disk(), mine);
+}
+
+TEST_F(EditCommandsTest, ChangesOfOthersInOtherPlacesAreMerged) {
+  Select("1.3");
+  driver_.Press('D');
+  std::string other = kSmallFile;
+  other.replace(other.find("lamp=\"hall\""), 11, "lamp=\"attic\"");
+  file_.Write(other);
+  driver_.Frames(60);
+  EXPECT_THAT(Notice(), HasSubstr("merged"));
+  EXPECT_THAT(Text(), HasSubstr("lamp=\"attic\""));
+  EXPECT_THAT(Text(), HasSubstr("<AlwaysSuccess _skipIf=\"true\"/>"));
+  driver_.Press('S', kCtrl);
+  EXPECT_EQ(Disk(), Text());
+}
+
+TEST_F(EditCommandsTest, MergingKeepsMineWhereBothChanged) {
+  Select("1.3");
+  driver_.Press('D');
+  std::string other = kSmallFile;
+  other.replace(other.find("lamp=\"hall\""), 11, "lamp=\"attic\"");
+  other.replace(other.find("<AlwaysSuccess/>"), 16, "<AlwaysSuccess _skipIf=\"late\"/>");
+  file_.Write(other);
+  driver_.Frames(60);
+  driver_.editor.state().commands.Run("file.merge");
+  EXPECT_THAT(Notice(), HasSubstr("1 places"));
+  EXPECT_THAT(Text(), HasSubstr("lamp=\"attic\""));
+  EXPECT_THAT(Text(), HasSubstr("<AlwaysSuccess _skipIf=\"true\"/>"));
 }
 
 TEST_F(EditCommandsTest, ARobotsTreeIsNotChanged) {

@@ -4,8 +4,11 @@
 #include <cstdlib>
 #include <random>
 
+#include "editor/document/drop_edits.h"
 #include "editor/document/fragment.h"
 #include "editor/document/open_project.h"
+#include "editor/document/project_names.h"
+#include "editor/document/subtree_edits.h"
 #include "editor/document/tree_edits.h"
 #include "tests/editor/document/drafts.h"
 #include "tests/editor/driver.h"
@@ -131,7 +134,7 @@ class Session {
   std::string RunCommand(Draft& draft) {
     const auto element = static_cast<ElementIndex>(dice_.Below(draft.document().elements().size()));
     const auto position = static_cast<std::uint32_t>(dice_.Below(4));
-    switch (dice_.Below(13)) {
+    switch (dice_.Below(17)) {
       case 0:
         return InsertNodes(
             draft, rules_, element, position,
@@ -159,9 +162,35 @@ class Session {
                         dice_.Pick({"", "a < b", "{key}", "\"", "two\nlines", "\xC3\xA9"}));
       case 11:
         return ClearValue(draft, dice_.Pick({"name", "goal", "new"}));
+      case 12:
+        return ExtractSubTree(draft, rules_, "T" + std::to_string(draft.document().text().size()),
+                              {});
+      case 13:
+        return Inline(draft);
+      case 14:
+        return DropNew(draft, rules_, Spot(element, position),
+                       {dice_.Pick({"<N/>", "<Sequence/>", "<Inverter/>"})});
+      case 15:
+        return DropMoved(draft, rules_, Spot(element, position));
       default:
         return Paste(draft, element, position);
     }
+  }
+
+  DropSpot Spot(ElementIndex element, std::uint32_t position) {
+    constexpr DropSpot::Kind kKinds[] = {DropSpot::Kind::kInto, DropSpot::Kind::kReplace,
+                                         DropSpot::Kind::kAround};
+    return {kKinds[dice_.Below(3)], element, position};
+  }
+
+  std::string Inline(Draft& draft) {
+    const std::vector<ElementIndex> selection = draft.selection();
+    if (selection.empty()) return "nothing";
+    const Document document = draft.document();
+    const ProjectFiles files = {document};
+    const auto trees = TreesCalled(files, TypeOf(document, selection[0]));
+    if (trees.empty() || document.text().size() > 200000) return "no tree";
+    return InlineSubTree(draft, rules_, document, trees[0].element);
   }
 
   std::string Paste(Draft& draft, ElementIndex element, std::uint32_t position) {
