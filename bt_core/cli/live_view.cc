@@ -35,8 +35,25 @@ LiveOptions ReadLiveOptions(const Options& options) {
   live.read_only = options.Has("--live-read-only");
   live.wait_for_client =
       std::chrono::seconds(ReadNumber(options, "--wait-for-client", 0, kLongestWait));
+  live.web = options.Has("--web") || options.Has("--web-port") || options.Has("--web-folder");
+  live.web_port =
+      static_cast<std::uint16_t>(ReadNumber(options, "--web-port", live.web_port, 65535));
+  live.web_folder = options.Get("--web-folder", COPPICE_WEB_FOLDER);
   if (const char* token = std::getenv(kTokenVariable)) live.token = token;
   return live;
+}
+
+// Behind the '#' nothing is sent to the robot but by the page itself.
+std::string Link(const LiveOptions& live, std::uint16_t port, const std::string& token) {
+  const std::string host = live.address == "*" || live.address == "lo" ? "localhost" : live.address;
+  return "http://" + host + ":" + std::to_string(port) + "/" + (token.empty() ? "" : "#" + token);
+}
+
+void PrintWeb(const LiveOptions& live, const LiveWeb& web) {
+  if (web.port == 0) return;
+  std::cerr << "in a browser: " << Link(live, web.port, web.control_token) << "\n";
+  if (web.read_token.empty()) return;
+  std::cerr << "for those who only watch: " << Link(live, web.port, web.read_token) << "\n";
 }
 
 }  // namespace
@@ -50,6 +67,7 @@ LiveView::LiveView(EventStream& stream, const Options& options) {
   std::cerr << "\n";
   const std::string& read_token = publisher_->read_token();
   if (!read_token.empty()) std::cerr << "token for those who only watch: " << read_token << "\n";
+  PrintWeb(live, publisher_->web());
 }
 
 LiveView::~LiveView() = default;

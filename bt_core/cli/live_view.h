@@ -21,13 +21,16 @@ class LiveView {
       "  --live-port N             where; 1667 without it, 0 takes a free one\n"
       "  --live-address A          not only on this computer; needs a token in COPPICE_LIVE_TOKEN\n"
       "  --live-read-only          they may watch, not control\n"
+      "  --web                     also in a browser, with the editor\n"
+      "  --web-port N              where; 8667 without it, 0 takes a free one\n"
+      "  --web-folder FOLDER       where the files of the editor's page lie\n"
       "  --wait-for-client SECONDS how long the first tick waits for one that says continue";
 
   /// Options for ParseOptions.
   static std::vector<std::string> WithValue() {
-    return {"--live-port", "--live-address", "--wait-for-client"};
+    return {"--live-port", "--live-address", "--wait-for-client", "--web-port", "--web-folder"};
   }
-  static std::vector<std::string> Flags() { return {"--live", "--live-read-only"}; }
+  static std::vector<std::string> Flags() { return {"--live", "--live-read-only", "--web"}; }
 
   /// Opens the view if one of the options is given, and prints where it is. The stream must live
   /// longer. Throws std::exception with a text for people if that cannot be.

@@ -44,6 +44,12 @@ struct LiveOptions : LiveTreeOptions {
   /// For those who may control the tree, at least 16 characters; see LiveServer::read_token. With
   /// it, connections are encrypted and nobody else is let in.
   std::string token;
+  /// Also serve the editor for browsers, and the live protocol over WebSocket.
+  bool web = false;
+  /// Where; 0 takes a free port.
+  std::uint16_t web_port = 8667;
+  /// Where the files of the page lie (docs/editor.md).
+  std::string web_folder;
   /// A client that was silent for so long is taken for dead: what it holds is released.
   Duration deadline = std::chrono::seconds(5);
 };

@@ -36,6 +36,8 @@ class LivePublisher {
   std::uint16_t port() const { return server_.port(); }
   /// For people who may only watch; empty if there is no token.
   const std::string& read_token() const { return server_.read_token(); }
+  /// Where browsers find it, with LiveOptions::web.
+  const LiveWeb& web() const { return server_.web(); }
 
   /// What the clients use to stop the tree. A program that wants its ticking thread back, to end
   /// itself, calls Debugger::ReleaseAll.

@@ -13,6 +13,7 @@
 
 #include "bt_core/live/live_desk.h"
 #include "bt_core/live/live_sockets.h"
+#include "bt_core/live/web_gateway.h"
 
 namespace coppice {
 namespace {
@@ -36,30 +37,70 @@ std::optional<RobotKeys> KeysFor(const LiveOptions& options) {
       kTokenVariable + "; or listen on 127.0.0.1 and let others come through SSH");
 }
 
+WebGatewayOptions WebOptions(const LiveOptions& options, const std::optional<RobotKeys>& keys) {
+  WebGatewayOptions web;
+  web.address = options.address;
+  web.port = options.web_port;
+  web.folder = options.web_folder;
+  if (keys) web.tokens = {keys->web_control_token, keys->web_read_token};
+  return web;
+}
+
+// To each client by the way that it came.
+class Doors final : public LiveOutbox {
+ public:
+  Doors(const LiveOptions& options, const std::optional<RobotKeys>& keys)
+      : read_token_(keys ? keys->read_token : std::string()),
+        sockets_(options.address, options.port, keys) {
+    if (!options.web) return;
+    const WebGatewayOptions web = WebOptions(options, keys);
+    gateway_.emplace(web, [this] { sockets_.Wake(); });
+    web_ = {gateway_->port(), web.tokens.control, web.tokens.read};
+  }
+
+  LiveSockets& sockets() { return sockets_; }
+  const LiveSockets& sockets() const { return sockets_; }
+  const std::string& read_token() const { return read_token_; }
+  const LiveWeb& web() const { return web_; }
+
+  bool Receive(ReceivedRequest& request) {
+    return sockets_.Receive(request) || (gateway_ && gateway_->Receive(request));
+  }
+  SendResult Send(const std::string& client, const groot2::Parts& parts) override {
+    const bool is_web = gateway_ && WebGateway::IsWebClient(client);
+    return is_web ? gateway_->Send(client, parts) : sockets_.Send(client, parts);
+  }
+  void Publish(const groot2::Parts& parts) override { sockets_.Publish(parts); }
+
+ private:
+  const std::string read_token_;
+  LiveSockets sockets_;
+  std::optional<WebGateway> gateway_;
+  LiveWeb web_;
+};
+
 }  // namespace
 
 class LiveServer::Loop {
  public:
-  Loop(const LiveOptions& options, std::optional<RobotKeys> keys)
-      : read_token_(keys ? keys->read_token : std::string()),
-        sockets_(options.address, options.port, std::move(keys)),
-        desk_(sockets_, options.deadline),
-        thread_([this] { Run(); }) {}
+  Loop(const LiveOptions& options, const std::optional<RobotKeys>& keys)
+      : doors_(options, keys), desk_(doors_, options.deadline), thread_([this] { Run(); }) {}
 
   ~Loop() {
     {
       const std::lock_guard<std::mutex> lock(mutex_);
       stops_ = true;
     }
-    sockets_.Wake();
+    Wake();
     thread_.join();
   }
   Loop(const Loop&) = delete;
   Loop& operator=(const Loop&) = delete;
 
-  std::uint16_t port() const { return sockets_.port(); }
-  const std::string& read_token() const { return read_token_; }
-  void Wake() { sockets_.Wake(); }
+  std::uint16_t port() const { return doors_.sockets().port(); }
+  const std::string& read_token() const { return doors_.read_token(); }
+  const LiveWeb& web() const { return doors_.web(); }
+  void Wake() { doors_.sockets().Wake(); }
 
   void Add(std::shared_ptr<LiveTree> tree) {
     InLoop([this, tree = std::move(tree)] { desk_.Add(tree, RealTime()); });
@@ -75,7 +116,7 @@ class LiveServer::Loop {
     done_.wait(lock, [this] { return !task_; });
     task_ = std::move(task);
     const std::uint64_t number = ++tasks_;
-    sockets_.Wake();
+    Wake();
     done_.wait(lock, [this, number] { return tasks_done_ >= number; });
   }
 
@@ -88,7 +129,7 @@ class LiveServer::Loop {
     while (RunTask()) {
       const Duration left = std::max(attend_at - RealTime(), Duration::zero());
       // Rounded up, so that it does not spin for the rest of a millisecond.
-      sockets_.Wait(std::chrono::duration_cast<std::chrono::milliseconds>(
+      doors_.sockets().Wait(std::chrono::duration_cast<std::chrono::milliseconds>(
           left + std::chrono::microseconds(999)));
       ServeRequests();
       attend_at = Attend();
@@ -109,7 +150,7 @@ class LiveServer::Loop {
 
   void ServeRequests() {
     ReceivedRequest request;
-    for (int served = 0; served < kRequestsAtOnce && sockets_.Receive(request); ++served) {
+    for (int served = 0; served < kRequestsAtOnce && doors_.Receive(request); ++served) {
       desk_.Serve(request.client, request.may_control, request.parts, RealTime());
     }
   }
@@ -122,8 +163,7 @@ class LiveServer::Loop {
     return desk_.Attend(now);
   }
 
-  const std::string read_token_;
-  LiveSockets sockets_;
+  Doors doors_;
   LiveDesk desk_;
   Duration last_push_{0};
 
@@ -143,6 +183,7 @@ LiveServer::~LiveServer() = default;
 
 std::uint16_t LiveServer::port() const { return loop_->port(); }
 const std::string& LiveServer::read_token() const { return loop_->read_token(); }
+const LiveWeb& LiveServer::web() const { return loop_->web(); }
 void LiveServer::Add(std::shared_ptr<LiveTree> tree) { loop_->Add(std::move(tree)); }
 void LiveServer::Remove(const std::shared_ptr<LiveTree>& tree) { loop_->Remove(tree); }
 void LiveServer::Wake() { loop_->Wake(); }

@@ -19,6 +19,14 @@ namespace coppice {
 
 class LiveTree;
 
+/// Where browsers find a live view.
+struct LiveWeb {
+  std::uint16_t port = 0;  ///< 0: nowhere
+  /// Parts of the address that a browser needs, if there is a token; else empty.
+  std::string control_token;
+  std::string read_token;
+};
+
 class LiveServer {
  public:
   /// Listens when it returns. Throws std::runtime_error, with a text for people, if the ports
@@ -34,6 +42,9 @@ class LiveServer {
 
   /// For people who may only watch; empty if there is no token.
   const std::string& read_token() const;
+
+  /// The web side, with LiveOptions::web.
+  const LiveWeb& web() const;
 
   /// Called by LivePublisher.
   void Add(std::shared_ptr<LiveTree> tree);

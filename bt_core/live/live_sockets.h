@@ -14,15 +14,10 @@
 
 #include "bt_core/live/curve_gate.h"
 #include "bt_core/live/live_outbox.h"
+#include "bt_core/live/received_request.h"
 #include "bt_core/live/wake_descriptor.h"
 
 namespace coppice {
-
-struct ReceivedRequest {
-  std::string client;  ///< whom to answer
-  bool may_control = true;
-  groot2::Parts parts;
-};
 
 /// Used by one thread but for Wake.
 class LiveSockets final : public LiveOutbox {

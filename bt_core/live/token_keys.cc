@@ -11,6 +11,7 @@ namespace {
 
 constexpr std::string_view kReadPrefix = "read-";
 constexpr std::size_t kReadSecretSize = 16;
+constexpr std::size_t kWebTokenSize = 16;
 constexpr std::size_t kKeySize = 32;
 constexpr std::size_t kShortestToken = 16;
 constexpr unsigned char kSalt[crypto_pwhash_SALTBYTES] = {'c', 'o', 'p', 'p', 'i', 'c', 'e', '-',
@@ -99,6 +100,8 @@ RobotKeys KeysOfRobot(std::string_view control_token) {
   keys.control_client = KeysOfSecret(Hash(seed, "control")).public_key;
   keys.read_client = KeysOfSecret(Hash({}, read_secret)).public_key;
   keys.read_token = std::string(kReadPrefix) + ToHex(read_secret + keys.robot.public_key);
+  keys.web_control_token = ToHex(Hash(seed, "web").substr(0, kWebTokenSize));
+  keys.web_read_token = ToHex(Hash(seed, "web-read").substr(0, kWebTokenSize));
   return keys;
 }
 

@@ -24,7 +24,9 @@ struct RobotKeys {
   CurveKeys robot;
   std::string control_client;  ///< public keys of those who may connect
   std::string read_client;
-  std::string read_token;  ///< for people who only watch
+  std::string read_token;         ///< for people who only watch
+  std::string web_control_token;  ///< for browsers (web_access.h)
+  std::string web_read_token;
 };
 
 struct WatcherKeys {

@@ -56,6 +56,11 @@ int FuzzScenario(std::string_view bytes);
 /// may throw nothing but ScriptError. Returns how far it came: 0 refused, 1 failed when run, 2 ran.
 int FuzzScript(std::string_view bytes);
 
+/// The bytes as what somebody sends to the port for browsers; behind a 'W' over a WebSocket that is
+/// open already. The port must close the connection. Returns how far it came: 0 no answer, 1 an
+/// answer of HTTP, 2 no message over the WebSocket, 3 a message.
+int FuzzWeb(std::string_view bytes);
+
 }  // namespace coppice::fuzz
 
 #endif  // COPPICE_TESTS_FUZZ_FUZZ_TARGETS_H_

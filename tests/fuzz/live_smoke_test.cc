@@ -41,15 +41,29 @@ TEST(FuzzClient, MutatedTalkInTheGroot2ProtocolNeverCrashes) {
   EXPECT_GT(reached[3], 50);
 }
 
+TEST(FuzzWeb, MutatedVisitorsDisturbNobody) {
+  EXPECT_EQ(FuzzWeb(SomeWebRequest()), 1);
+  EXPECT_EQ(FuzzWeb(SomeWebMessages()), 3);
+  std::array<int, 4> reached{};
+  for (unsigned seed = 0; seed < 1000; ++seed) {
+    ++reached[FuzzWeb(Mutator(seed).Mutate(SomeWebRequest()))];
+    ++reached[FuzzWeb(Mutator(seed).Mutate(SomeWebMessages()))];
+  }
+  for (const int count : reached) EXPECT_GT(count, 20);
+  EXPECT_EQ(FuzzWeb(SomeWebMessages()), 3) << "it still serves";
+}
+
 TEST(FuzzLive, EmptyInputIsFine) {
   EXPECT_EQ(FuzzLive(""), 0);
   EXPECT_EQ(FuzzClient(""), 0);
+  EXPECT_EQ(FuzzWeb(""), 0);
 }
 
 // What once crashed must not do so again.
 TEST(FuzzLive, WhatOnceCrashedDoesNotAnyMore) {
   RunRegressions("client", FuzzClient);
   RunRegressions("live", FuzzLive);
+  RunRegressions("web", FuzzWeb);
 }
 
 }  // namespace

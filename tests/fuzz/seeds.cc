@@ -171,9 +171,24 @@ std::string SomeGroot2Talk() {
          Say('O', Statuses(0, 0, 0)) + Say('R', kFullTree);
 }
 
+std::string SomeWebRequest() {
+  return "GET /index.html HTTP/1.1\r\nHost: localhost\r\nConnection: keep-alive\r\n\r\n"
+         "GET / HTTP/1.1\r\nHost: localhost\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n"
+         "Sec-WebSocket-Version: 13\r\nSec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n"
+         "Origin: http://localhost\r\nSec-WebSocket-Protocol: coppice-live\r\n\r\n";
+}
+
+// A ping, a message in two fragments, another with a pong before it, the end.
+std::string SomeWebMessages() {
+  using namespace std::string_literals;
+  return "W\x89\x81\0\0\0\0p\x02\x85\0\0\0\0\1\0\0\0a\x80\x84\0\0\0\0\0\0\0\0"
+         "\x8a\x80\1\2\3\4\x82\x86\0\0\0\0\2\0\0\0hi\x88\x82\0\0\0\0\x03\xe8"s;
+}
+
 std::vector<std::pair<std::string, std::string>> AllSeeds() {
-  return {{"btlog", SomeBtlog()},     {"client", SomeTalk()},   {"client", SomeGroot2Talk()},
-          {"history", SomeHistory()}, {"live", SomeRequests()}, {"record", SomeRecord()}};
+  return {{"btlog", SomeBtlog()},     {"client", SomeTalk()},    {"client", SomeGroot2Talk()},
+          {"history", SomeHistory()}, {"live", SomeRequests()},  {"record", SomeRecord()},
+          {"web", SomeWebRequest()},  {"web", SomeWebMessages()}};
 }
 
 }  // namespace coppice::fuzz

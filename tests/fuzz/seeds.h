@@ -22,6 +22,9 @@ std::string SomeRequests();
 /// What a robot says to a client: one with Coppice, and one with the Groot2 protocol.
 std::string SomeTalk();
 std::string SomeGroot2Talk();
+/// What a browser sends: a page and a WebSocket are asked for; messages over one that is open.
+std::string SomeWebRequest();
+std::string SomeWebMessages();
 
 }  // namespace coppice::fuzz
 

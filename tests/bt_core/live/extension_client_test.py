@@ -117,7 +117,7 @@ class ExtensionClientTest(unittest.TestCase):
                                        env=environment)
         words = self.server.stdout.readline().decode().split()
         self.port = int(words[0])
-        self.read_token = words[1] if len(words) > 1 else None
+        self.read_token = words[2] if len(words) > 2 else None
 
     def connect(self, hello=True, curve=None):
         client = Client(self.port, curve)

@@ -1,8 +1,11 @@
-// Runs the watched tree with a live view on a free port, until its input ends. Prints the port and,
-// with COPPICE_LIVE_TOKEN in the environment, the token of readers.
+// Runs the watched tree with a live view on a free port, until its input ends. Prints the port,
+// that of browsers (0 without "web") and, with COPPICE_LIVE_TOKEN in the environment, the tokens:
+// that of readers, and for browsers those of control and readers.
 //
 // usage: bt_core_live_server [deadline_ms=N] [wait_ms=N] [history_kib=N] [read_only] [moving] [two]
+//                            [web=FOLDER]
 //   two: another tree at the same ports
+#include <algorithm>
 #include <cstdlib>
 #include <iostream>
 #include <optional>
@@ -23,12 +26,17 @@ coppice::LiveOptions ReadOptions(int count, char** arguments, bool& two) {
   for (int i = 1; i < count; ++i) {
     const std::string argument = arguments[i];
     const std::string name = argument.substr(0, argument.find('='));
-    const int number = name == argument ? 0 : std::stoi(argument.substr(name.size() + 1));
+    const int number = std::atoi(argument.c_str() + std::min(name.size() + 1, argument.size()));
     if (name == "deadline_ms") options.deadline = std::chrono::milliseconds(number);
     if (name == "wait_ms") options.wait_for_client = std::chrono::milliseconds(number);
     if (name == "history_kib") options.history_bytes = static_cast<std::size_t>(number) << 10;
     if (name == "read_only") options.read_only = true;
     if (name == "moving") options.refusal = [] { return std::string("the robot moves"); };
+    if (name == "web") {
+      options.web = true;
+      options.web_port = 0;
+      options.web_folder = argument.substr(argument.find('=') + 1);
+    }
     if (name == "two") two = true;
   }
   return options;
@@ -82,7 +90,9 @@ int main(int count, char** arguments) {
     executor.Tick();  // from here on there is something to see
     stream.Flush();
   }
-  std::cout << live.port() << " " << live.read_token() << std::endl;
+  const coppice::LiveWeb& web = live.web();
+  std::cout << live.port() << " " << web.port << " " << live.read_token() << " "
+            << web.control_token << " " << web.read_token << std::endl;
 
   coppice::Runner runner(executor, ForEver());
   std::thread input([&] {
