@@ -21,6 +21,7 @@ struct MockedTree::Part {
   bool played;
   MockScript script;
   std::optional<std::size_t> next = 0;  // of the script's results; nothing: as before the reload
+  bool begins = false;                  // the script is a new one, also for an activation that runs
 };
 
 // A copy in which the parts have entries of their own: those build what plays or watches the node.
@@ -66,7 +67,7 @@ class MockedTree::PlayedNode : public Leaf {
 
   Status Tick(bool starting) override {
     Part& part = Here();
-    if (starting) {
+    if (starting || std::exchange(part.begins, false)) {
       done_at_ = now() + part.script.duration;
       if (part.script.restart) part.next = 0;
     }
@@ -293,6 +294,7 @@ int MockedTree::ChangeScript(const std::string& pattern, const MockScript& scrip
     if (!part->played || !Matches(pattern, part->names)) continue;
     part->script = script;
     part->next = 0;
+    part->begins = true;
     ++changed;
   }
   return changed;

@@ -43,7 +43,7 @@ class ScenarioPlayer {
 
   MockedTree& tree() { return tree_; }
   const MockedTree& tree() const { return tree_; }
-  SimulatedClock& clock() { return clock_; }
+  const SimulatedClock& clock() const { return clock_; }
 
  private:
   class KeepMessages;

@@ -193,6 +193,20 @@ TEST_F(MockedTreeTest, NamesRulesThatFitNothingAndLeavesThatNobodyKnows) {
   EXPECT_EQ(tree_->program().Name(tree_->UnknownLeaves()[0]), "b");
 }
 
+TEST_F(MockedTreeTest, AnExchangedScriptEndsWhatTheOldOneHadBegun) {
+  MockScript slow = Returns({Status::kSuccess});
+  slow.duration = milliseconds(500);
+  Make(Main("<Leaf name=\"a\"/>"), {{"a", slow}});
+  EXPECT_EQ(Tick(), "RUNNING: tick a RUNNING,");
+  tree_->ChangeScript("a", Returns({Status::kFailure}));
+  EXPECT_EQ(Tick(), "FAILURE: tick a FAILURE,");
+  Tick();
+  tree_->ChangeScript("a", slow);
+  EXPECT_EQ(Tick(), "RUNNING: tick a RUNNING,");
+  clock_.Advance(milliseconds(500));
+  EXPECT_EQ(Tick(), "SUCCESS: tick a SUCCESS,");
+}
+
 TEST_F(MockedTreeTest, AfterAReloadWhatLivesOnGoesOnInItsScript) {
   const std::vector<MockRule> rules = {{"<Leaf>", Returns({Status::kSuccess})}};
   Make(Main("<Sequence><Leaf name=\"a\"/><Parallel><Leaf name=\"b\"/></Parallel></Sequence>"),

@@ -1,0 +1,150 @@
+#include "editor/simulation/scenario_tests.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "bt_core/model/write_file.h"
+#include "bt_core/testing/scenario_writer.h"
+#include "editor/simulation/open_tree.h"
+
+namespace coppice::editor {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr char kEnding[] = ".test.json";
+
+bool EndsIn(const std::string& text, const std::string& end) {
+  return text.size() > end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+std::set<std::string> ScenarioFilesIn(const fs::path& folder) {
+  std::set<std::string> files;
+  std::error_code ignored;  // a folder that cannot be read has none
+  for (const auto& entry : fs::directory_iterator(folder.empty() ? "." : folder, ignored)) {
+    const fs::path path = folder / entry.path().filename();
+    if (EndsIn(path.string(), kEnding)) files.insert(path.string());
+  }
+  return files;
+}
+
+}  // namespace
+
+void ScenarioTests::Look(const std::vector<std::string>& open_files) {
+  std::set<std::string> files;
+  for (const std::string& path : open_files) {
+    files.merge(ScenarioFilesIn(fs::path(path).parent_path()));
+  }
+  const std::vector<ScenarioTest> known = std::exchange(tests_, {});
+  for (const std::string& file : files) Read(file);
+  for (ScenarioTest& test : tests_) {
+    const auto same = std::find_if(known.begin(), known.end(), [&](const ScenarioTest& other) {
+      return other.file == test.file && other.name == test.name && !other.name.empty();
+    });
+    if (same == known.end()) continue;
+    test.state = same->state;
+    test.differences = same->differences;
+    test.ticks = same->ticks;
+  }
+}
+
+void ScenarioTests::Read(const std::string& path) {
+  Diagnostics diagnostics;
+  const std::optional<ScenarioSuite> suite = LoadScenarios(path, diagnostics);
+  if (!suite) {
+    ScenarioTest broken;
+    broken.file = path;
+    broken.where = diagnostics.all().front().where;
+    broken.state = ScenarioTest::State::kBroken;
+    broken.problem = diagnostics.ToString();
+    tests_.push_back(std::move(broken));
+    return;
+  }
+  for (const Scenario& scenario : suite->scenarios) {
+    ScenarioTest test;
+    test.file = path;
+    test.tree_file = suite->tree_file;
+    test.name = scenario.name;
+    test.where = scenario.where;
+    tests_.push_back(std::move(test));
+  }
+}
+
+void ScenarioTests::Run(OpenProject& files, const std::string& pattern, const std::string& file) {
+  struct Loaded {
+    std::optional<ScenarioSuite> suite;
+    std::shared_ptr<const Program> program;
+    std::string problem;
+  };
+  std::map<std::string, Loaded> loaded;
+  const auto load = [&](const std::string& path) {
+    Loaded result;
+    Diagnostics diagnostics;
+    result.suite = LoadScenarios(path, diagnostics);
+    if (result.suite) {
+      result.program =
+          CompileOpenTree(files, result.suite->tree_file, result.suite->tree_id, diagnostics);
+    }
+    result.problem = diagnostics.ToString();
+    return result;
+  };
+  for (ScenarioTest& test : tests_) {
+    if (test.name.empty() || !FitsWildcards(pattern, test.name)) continue;
+    if (!file.empty() && file != test.file) continue;
+    if (loaded.count(test.file) == 0) loaded.emplace(test.file, load(test.file));
+    const Loaded& from = loaded.at(test.file);
+    test.differences.clear();
+    test.problem = from.problem;
+    test.state = ScenarioTest::State::kBroken;
+    if (!from.program) continue;
+    for (const Scenario& scenario : from.suite->scenarios) {
+      if (scenario.name != test.name) continue;
+      ScenarioResult result = RunScenario(*from.program, *from.suite, scenario);
+      test.state =
+          result.differences.empty() ? ScenarioTest::State::kPassed : ScenarioTest::State::kFailed;
+      test.differences = std::move(result.differences);
+      test.ticks = result.ticks;
+    }
+  }
+}
+
+std::size_t ScenarioTests::Count(ScenarioTest::State state) const {
+  return static_cast<std::size_t>(
+      std::count_if(tests_.begin(), tests_.end(),
+                    [state](const ScenarioTest& test) { return test.state == state; }));
+}
+
+std::string ScenarioFileOf(const std::string& tree_file, const std::string& tree_id) {
+  return fs::path(tree_file).replace_extension("").string() +
+         (tree_id.empty() ? "" : "." + tree_id) + kEnding;
+}
+
+std::string SaveScenario(const Scenario& scenario, const std::string& tree_file,
+                         const std::string& tree_id, Diagnostics& diagnostics) {
+  std::string path = ScenarioFileOf(tree_file, tree_id);
+  std::string text;
+  if (fs::exists(path)) {
+    std::ifstream stream(path, std::ios::binary);
+    const std::string old{std::istreambuf_iterator<char>(stream), {}};
+    const std::optional<std::string> changed = AddScenario(old, path, scenario, diagnostics);
+    if (!changed) return {};
+    text = *changed;
+  } else {
+    ScenarioSuite suite;
+    suite.file = path;
+    suite.tree_file = tree_file;
+    suite.tree_id = tree_id;
+    suite.scenarios = {scenario};
+    text = PrintScenarios(suite);
+  }
+  return WriteFile(path, text, diagnostics) ? path : std::string();
+}
+
+}  // namespace coppice::editor

@@ -1,0 +1,199 @@
+#include "editor/simulation/simulation.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "bt_core/replay/write_record.h"
+#include "bt_core/testing/scenario_writer.h"
+
+namespace coppice::editor {
+namespace {
+
+// What a text is where the key has no type.
+KeyValue::Kind KindOf(const std::string& text) {
+  if (text == "true" || text == "false") return KeyValue::Kind::kBool;
+  Value number;
+  return number.Parse(TypeOf<double>(), text) ? KeyValue::Kind::kNumber : KeyValue::Kind::kString;
+}
+
+}  // namespace
+
+Simulation::Simulation(std::shared_ptr<const Program> program, HistoryHandler& run,
+                       std::size_t ticks_before)
+    : run_(run), ticks_before_(ticks_before) {
+  Begin(std::move(program));
+}
+
+void Simulation::Begin(std::shared_ptr<const Program> program) {
+  next_ = {};
+  moves_.push_back({kNone, program, {}});
+  at_ = moves_.size() - 1;
+  HistoryHandler* const teller = this;
+  tree_ = std::make_unique<SimulatedTree>(std::move(program), teller);
+}
+
+void Simulation::OnTick(const TickEvents& events) {
+  move_of_tick_.push_back(at_);
+  run_.OnTick(events);
+}
+
+std::string Simulation::ValueOf(const std::string& key) const {
+  std::string hint;
+  const SlotIndex slot = FindKey(*program(), key, hint);
+  if (slot == kNoSlot) return {};
+  const Value& value = tree_->player().tree().executor().blackboard()[slot].value;
+  return value.has_value() ? value.Print() : std::string();
+}
+
+std::vector<std::string> Simulation::Keys() const {
+  std::vector<std::string> keys;
+  for (SlotIndex slot = 0; slot < program()->layout.slots.size(); ++slot) {
+    std::string key = KeyPathOf(*program(), slot);
+    if (!key.empty()) keys.push_back(std::move(key));
+  }
+  return keys;
+}
+
+bool Simulation::SetScript(NodeIndex node, const MockScript& script) {
+  if (!tree_->player().tree().ScriptOf(node)) return false;
+  const std::string pattern = PatternOf(*program(), node);
+  for (PlacedRule& placed : next_.leaves) {
+    if (placed.rule.pattern != pattern) continue;
+    placed.rule.script = script;
+    return true;
+  }
+  next_.leaves.push_back({{}, {pattern, script}});
+  return true;
+}
+
+const MockScript* Simulation::ScriptOf(NodeIndex node) const {
+  const std::string pattern = PatternOf(*program(), node);
+  for (const PlacedRule& placed : next_.leaves) {
+    if (placed.rule.pattern == pattern) return &placed.rule.script;
+  }
+  return tree_->player().tree().ScriptOf(node);
+}
+
+std::string Simulation::SetKey(const std::string& key, const std::string& text) {
+  std::string hint;
+  const SlotIndex slot = FindKey(*program(), key, hint);
+  if (slot == kNoSlot) {
+    return "the tree has no key \"" + key + "\"" + (hint.empty() ? "" : ", " + hint);
+  }
+  const Type* type = program()->layout.slots[slot].type;
+  const KeyValue value{{}, key, text, KindOf(text)};
+  if (!coppice::ValueOf(value, type).has_value()) {
+    return "\"" + text + "\" is no value of type " + type->name;
+  }
+  const auto same = [&](const KeyValue& other) { return other.key == key; };
+  next_.set.erase(std::remove_if(next_.set.begin(), next_.set.end(), same), next_.set.end());
+  next_.set.push_back(value);
+  return {};
+}
+
+Status Simulation::Tick(Duration after) {
+  ScenarioStep step = std::exchange(next_, {});
+  step.advance = after;
+  return Play(std::move(step)).status;
+}
+
+Status Simulation::TickUntilChange(Duration period, Duration limit) {
+  Status status = Status::kIdle;
+  for (Duration passed{0}; passed < limit; passed += period) {
+    const std::vector<Status> before = state().statuses();
+    status = Tick(period);
+    if (state().statuses() != before) break;
+  }
+  return status;
+}
+
+void Simulation::Halt() {
+  ScenarioStep step = std::exchange(next_, {});
+  step.halt = true;
+  Play(std::move(step));
+}
+
+StepOutcome Simulation::Play(ScenarioStep step) {
+  moves_.push_back({at_, nullptr, std::move(step)});
+  at_ = moves_.size() - 1;
+  return tree_->Play(moves_[at_].step);
+}
+
+void Simulation::Reload(std::shared_ptr<const Program> program) {
+  moves_.push_back({at_, program, {}});
+  at_ = moves_.size() - 1;
+  tree_->Reload(std::move(program));
+}
+
+bool Simulation::GoTo(std::size_t tick) {
+  if (tick < ticks_before_ || tick - ticks_before_ >= move_of_tick_.size()) return false;
+  GoToMove(move_of_tick_[tick - ticks_before_]);
+  return true;
+}
+
+bool Simulation::Back() {
+  std::size_t move = at_;
+  while (moves_[move].before != kNone && moves_[move].program) move = moves_[move].before;
+  if (moves_[move].before == kNone) return false;
+  GoToMove(moves_[move].before);
+  return true;
+}
+
+void Simulation::GoToMove(std::size_t move) {
+  next_ = {};
+  const std::shared_ptr<const Program> present = program();
+  tree_ = Replay(move, nullptr);
+  at_ = move;
+  tree_->TellTo(*this, program() == present);
+  if (program() != present) Reload(present);
+}
+
+std::unique_ptr<SimulatedTree> Simulation::Replay(std::size_t to, HistoryHandler* handler) const {
+  std::unique_ptr<SimulatedTree> tree;
+  for (const std::size_t i : Way(to)) {
+    const Move& move = moves_[i];
+    if (!tree) {
+      tree = std::make_unique<SimulatedTree>(move.program, handler);
+    } else if (move.program) {
+      tree->Reload(move.program);
+    } else {
+      tree->Play(move.step);
+    }
+  }
+  return tree;
+}
+
+void Simulation::Restart() { Begin(program()); }
+
+void Simulation::PlayAgain() {
+  const std::vector<ScenarioStep> steps = Steps();
+  Restart();
+  for (const ScenarioStep& step : steps) Play(step);
+}
+
+std::vector<std::size_t> Simulation::Way(std::size_t to) const {
+  std::vector<std::size_t> way;
+  for (std::size_t move = to; move != kNone; move = moves_[move].before) way.push_back(move);
+  std::reverse(way.begin(), way.end());
+  return way;
+}
+
+std::vector<ScenarioStep> Simulation::Steps() const {
+  std::vector<ScenarioStep> steps;
+  for (const std::size_t move : Way(at_)) {
+    if (!moves_[move].program) steps.push_back(moves_[move].step);
+  }
+  return steps;
+}
+
+Scenario Simulation::Record(std::string name) const {
+  return RecordScenario(*program(), DefaultLeaves(*program()), Steps(), std::move(name));
+}
+
+std::string Simulation::ToRecord() const {
+  Recording recording;
+  Replay(at_, &recording);
+  return coppice::ToRecord(recording);
+}
+
+}  // namespace coppice::editor

@@ -1,0 +1,47 @@
+#include "editor/simulation/open_tree.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+namespace coppice::editor {
+namespace {
+
+std::string InTemp(const std::string& name, const std::string& trees) {
+  const std::string path = testing::TempDir() + name;
+  std::ofstream(path) << "<root BTCPP_format=\"4\">" << trees << "</root>";
+  return path;
+}
+
+TEST(OpenTree, TheTextInMemoryCountsAlsoOfAnIncludedFile) {
+  InTemp("open_tree_in.xml", "<BehaviorTree ID=\"In\"><A/></BehaviorTree>");
+  const std::string path = InTemp("open_tree.xml",
+                                  "<include path=\"open_tree_in.xml\"/>"
+                                  "<BehaviorTree ID=\"Main\"><SubTree ID=\"In\"/></BehaviorTree>");
+  OpenProject files;
+  Diagnostics diagnostics;
+  ASSERT_TRUE(CompileOpenTree(files, path, "Main", diagnostics)) << diagnostics.ToString();
+  for (const auto& [name, file] : files.files()) {
+    if (name.find("_in.xml") == std::string::npos) continue;
+    files.SetText(name, "Type",
+                  "<root BTCPP_format=\"4\"><BehaviorTree ID=\"In\"><B/></BehaviorTree></root>");
+    break;
+  }
+  const auto program = CompileOpenTree(files, path, "Main", diagnostics);
+  ASSERT_TRUE(program) << diagnostics.ToString();
+  EXPECT_EQ(program->Id(1), "B");
+  EXPECT_EQ(CompileOpenTree(files, path, "In", diagnostics)->nodes.size(), 1U);
+}
+
+TEST(OpenTree, ErrorsAreSaid) {
+  OpenProject files;
+  files.Create("wrong.xml",
+               "<root BTCPP_format=\"4\"><BehaviorTree ID=\"Main\"><Inverter/></BehaviorTree>"
+               "</root>");
+  Diagnostics diagnostics;
+  EXPECT_FALSE(CompileOpenTree(files, "wrong.xml", "", diagnostics));
+  EXPECT_NE(diagnostics.ToString().find("wrong.xml:1:"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace coppice::editor

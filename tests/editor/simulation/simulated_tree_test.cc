@@ -1,0 +1,63 @@
+#include "editor/simulation/simulated_tree.h"
+
+#include <gtest/gtest.h>
+
+#include "editor/timeline/run.h"
+#include "tests/editor/simulation/simulated_text.h"
+
+namespace coppice::editor {
+namespace {
+
+ScenarioStep After(Duration time) {
+  ScenarioStep step;
+  step.advance = time;
+  return step;
+}
+
+TEST(SimulatedTree, ConditionsAreTrueAndActionsTakeASecond) {
+  const auto program =
+      CompiledRoot("<Sequence><IsDay/><Condition ID=\"Dry\"/><Island/><AlwaysSuccess/></Sequence>");
+  const std::vector<PlacedRule> rules = DefaultLeaves(*program);
+  ASSERT_EQ(rules.size(), 3U);
+  EXPECT_EQ(rules[0].rule.pattern, "<Dry>");
+  EXPECT_EQ(rules[0].rule.script.duration, Duration(0));
+  EXPECT_EQ(rules[1].rule.pattern, "<IsDay>");
+  EXPECT_EQ(rules[1].rule.script.duration, Duration(0));
+  EXPECT_EQ(rules[2].rule.script.duration, std::chrono::seconds(1)) << "an island is no condition";
+}
+
+TEST(SimulatedTree, TellsItsHistoryAsARobotDoes) {
+  editor::Run run;
+  SimulatedTree tree(CompiledRoot("<Sequence><IsDay/><Go/></Sequence>"), &run);
+  EXPECT_TRUE(run.has_tree());
+  tree.Play(After(Duration(0)));
+  tree.Play(After(std::chrono::seconds(1)));
+  ASSERT_EQ(run.size(), 2U);
+  EXPECT_EQ(run.TracksAt(0).LaneOf(2).At(0), Status::kRunning);
+  EXPECT_EQ(run.TracksAt(1).LaneOf(2).At(1), Status::kSuccess);
+  EXPECT_EQ(run.TimeOf(1) - run.TimeOf(0), std::chrono::seconds(1));
+  EXPECT_EQ(run.now().last(2), Status::kSuccess);
+}
+
+TEST(SimulatedTree, AReloadIsAnotherTreeOfTheSameRun) {
+  editor::Run run;
+  SimulatedTree tree(CompiledRoot("<Sequence><Go/></Sequence>"), &run);
+  tree.Play(After(Duration(0)));
+  tree.Reload(CompiledRoot("<Fallback><New/><Go/></Fallback>"));
+  tree.Play(After(Duration(0)));
+  EXPECT_EQ(run.TracksAt(run.size() - 1).tree()->nodes.size(), 3U);
+  EXPECT_EQ(run.now().status(1), Status::kRunning);
+  EXPECT_FALSE(run.breaks().back().is_other_run);
+}
+
+TEST(SimulatedTree, WhoIsToldLaterLearnsHowItStands) {
+  SimulatedTree tree(CompiledRoot("<Sequence><IsDay/><Go/></Sequence>"), nullptr);
+  tree.Play(After(Duration(0)));
+  editor::Run run;
+  tree.TellTo(run, false);
+  EXPECT_EQ(run.now().status(2), Status::kRunning);
+  EXPECT_EQ(run.now().last(1), Status::kSuccess);
+}
+
+}  // namespace
+}  // namespace coppice::editor
