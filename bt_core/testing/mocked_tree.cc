@@ -67,7 +67,7 @@ class MockedTree::PlayedNode : public Leaf {
 
   Status Tick(bool starting) override {
     Part& part = Here();
-    if (starting || std::exchange(part.begins, false)) {
+    if (std::exchange(part.begins, false) || starting) {
       done_at_ = now() + part.script.duration;
       if (part.script.restart) part.next = 0;
     }
