@@ -13,6 +13,7 @@
 #include "editor/canvas/node_metrics.h"
 #include "editor/core/edit_commands.h"
 #include "editor/core/project_commands.h"
+#include "editor/core/picture_commands.h"
 #include "editor/core/standard_commands.h"
 #include "editor/live/robot_source.h"
 #include "editor/look/imgui_context.h"
@@ -56,6 +57,7 @@ Editor::Editor(EditorOptions options)
   state_.set_clipboard = [](const std::string& text) { ImGui::SetClipboardText(text.c_str()); };
   AddEditCommands(state_, [this] { return now_; });
   AddProjectCommands(state_, [this] { return now_; });
+  AddPictureCommands(state_, [this] { return now_; });
   AddStandardCommands(state_, [this] { return now_; });
   LoadRecent();
 }

@@ -12,6 +12,7 @@
 #include "editor/commands/choice.h"
 #include "editor/commands/command_table.h"
 #include "editor/commands/keys.h"
+#include "editor/core/canvas_state.h"
 #include "editor/core/workspace.h"
 #include "editor/look/palette.h"
 
@@ -109,6 +110,7 @@ struct EditorState {
   explicit EditorState(Workspace::Measure measure) : workspace(std::move(measure)) {}
 
   Workspace workspace;
+  CanvasState canvas;
   CommandTable commands;
   PaletteName palette = PaletteName::kDark;
   Tiles tiles;

@@ -2,9 +2,7 @@
 
 #include <algorithm>
 
-#include "editor/canvas/canvas.h"
-#include "editor/core/node_drop.h"
-#include "editor/core/tree_editor.h"
+#include "editor/panels/canvas_tile.h"
 #include "editor/panels/panel.h"
 #include "editor/panels/panels.h"
 
@@ -141,15 +139,9 @@ class Screen {
   void DrawMiddle(Box rest) {
     DrawCanvasBar(ui_, state_, TakeTop(rest, kCanvasBar));
     state_.canvas_size = {rest.width(), rest.height()};
-    TreeView* view = state_.workspace.view();
     ImGui::SetCursorScreenPos(ToIm(rest.min));
-    if (view) {
-      const NodeDrop drop(state_, ui_.now);
-      CanvasOptions options;
-      options.minimap = state_.tiles.minimap;
-      options.live = state_.workspace.tree_state();
-      if (TreeEditor(state_, ui_.now).WhyReadOnly().empty()) options.drop = &drop.handler();
-      DrawCanvas(ui_, *view, rest, options);
+    if (state_.workspace.view()) {
+      DrawCanvasTile(ui_, state_, rest);
       DrawNotice(rest);
       return;
     }

@@ -110,6 +110,10 @@ class TopBar {
     Entry("file.reload");
     Entry("file.save");
     Entry("file.save_as");
+    ImGui::Separator();
+    Entry("file.export");
+    Entry("file.compare");
+    Entry("file.stop_comparing");
     if (!state_.restorable.empty()) {
       Entry("file.restore");
       Entry("file.forget");

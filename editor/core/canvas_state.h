@@ -1,0 +1,39 @@
+// What the canvas tile keeps from frame to frame beside the view of the tree.
+#ifndef COPPICE_EDITOR_CORE_CANVAS_STATE_H_
+#define COPPICE_EDITOR_CORE_CANVAS_STATE_H_
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "bt_core/base/diagnostic.h"
+#include "editor/canvas/node_look.h"
+#include "editor/core/comparison.h"
+
+namespace coppice::editor {
+
+/// Badges of the nodes, and what they were made of.
+struct CanvasBadges {
+  std::shared_ptr<const Scene> scene;
+  std::vector<Diagnostic> problems;
+  std::vector<Badge> by_node;
+};
+
+/// A tree of a file that was shown, or a robot.
+struct CanvasTab {
+  std::string path;  ///< of the file, or HOST:PORT
+  std::string tree;  ///< ID; empty for a robot
+};
+inline bool operator==(const CanvasTab& a, const CanvasTab& b) {
+  return a.path == b.path && a.tree == b.tree;
+}
+
+struct CanvasState {
+  CanvasBadges badges;
+  std::unique_ptr<Comparison> comparison;  ///< null: the tree itself is shown
+  std::vector<CanvasTab> tabs;             ///< in the order of opening
+};
+
+}  // namespace coppice::editor
+
+#endif  // COPPICE_EDITOR_CORE_CANVAS_STATE_H_

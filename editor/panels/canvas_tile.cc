@@ -1,0 +1,106 @@
+#include "editor/panels/canvas_tile.h"
+
+#include <algorithm>
+#include <tuple>
+
+#include "editor/canvas/canvas.h"
+#include "editor/canvas/node_metrics.h"
+#include "editor/core/node_drop.h"
+#include "editor/core/tree_editor.h"
+#include "editor/scene/problem_places.h"
+
+namespace coppice::editor {
+namespace {
+
+constexpr float kBanner = 28;
+
+bool AreSame(const std::vector<Diagnostic>& a, const std::vector<Diagnostic>& b) {
+  const auto key = [](const Diagnostic& one) {
+    return std::tie(one.severity, one.where.file, one.where.line, one.where.column);
+  };
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [&](const Diagnostic& x, const Diagnostic& y) { return key(x) == key(y); });
+}
+
+class CanvasTile {
+ public:
+  CanvasTile(const Ui& ui, EditorState& state, const Box& box)
+      : ui_(ui), state_(state), view_(*state.workspace.view()), box_(box) {}
+
+  void Draw() {
+    if (state_.canvas.comparison) return DrawComparison();
+    UpdateBadges();
+    CanvasOptions options;
+    options.minimap = state_.tiles.minimap;
+    options.live = state_.workspace.tree_state();
+    options.badges = &state_.canvas.badges.by_node;
+    const NodeDrop drop(state_, ui_.now);
+    if (TreeEditor(state_, ui_.now).WhyReadOnly().empty()) options.drop = &drop.handler();
+    DrawCanvas(ui_, view_, box_, options);
+  }
+
+ private:
+  void UpdateBadges() {
+    CanvasBadges& badges = state_.canvas.badges;
+    const OpenFile* file = state_.workspace.file();
+    const Forest* forest = state_.workspace.forest();
+    static const std::vector<Diagnostic> kNone;
+    const std::vector<Diagnostic>& problems = file ? file->problems : kNone;
+    if (badges.scene == view_.scene() && AreSame(badges.problems, problems)) return;
+    badges.scene = view_.scene();
+    badges.problems = problems;
+    badges.by_node.clear();
+    if (!forest) return;
+    for (const std::uint8_t worst : PlaceProblems(*forest, *view_.scene(), problems)) {
+      badges.by_node.push_back(static_cast<Badge>(worst));
+    }
+  }
+
+  Comparison::Alive Alive() const {
+    if (const OpenFile* file = state_.workspace.file()) return {file->forest, file->models};
+    const RunView* run = state_.workspace.run();
+    return run ? Comparison::Alive{run->tree()} : Comparison::Alive{};
+  }
+
+  void DrawComparison() {
+    Comparison& comparison = *state_.canvas.comparison;
+    comparison.Follow(
+        view_.scene(), Alive(), view_.style(),
+        [this](const Scene& scene) { return MeasureNodes(ui_, scene); }, ui_.now);
+    const Box banner = {box_.min, {box_.max.x, box_.min.y + kBanner * ui_.scale}};
+    CanvasOptions options;
+    options.minimap = state_.tiles.minimap;
+    options.changes = &comparison.changes();
+    if (!comparison.view().scene()->nodes.empty()) {
+      DrawCanvas(ui_, comparison.view(), {{box_.min.x, banner.max.y}, box_.max}, options);
+    }
+    DrawBanner(comparison, banner);
+  }
+
+  void DrawBanner(const Comparison& comparison, const Box& banner) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    ui_.Fill(list, banner, Mix(ui_.palette.panel, ui_.palette.accent, 0.25F));
+    const float width = 70 * ui_.scale;
+    const float pad = 4 * ui_.scale;
+    const std::string text = "compared with " + comparison.path() + ": " + comparison.summary() +
+                             "   + added   " + "\u2013 removed   \u2192 moved   ~ changed";
+    ui_.RowText(list, banner.min + Point{10 * ui_.scale, 0}, banner.height(), text,
+                {Face::kSans, 12, ui_.palette.text}, banner.width() - width - 30 * ui_.scale);
+    const Box close = {{banner.max.x - width - pad, banner.min.y + pad},
+                       {banner.max.x - pad, banner.max.y - pad}};
+    if (ui_.Button("comparison/close", close, "close")) state_.canvas.comparison.reset();
+  }
+
+  const Ui& ui_;
+  EditorState& state_;
+  TreeView& view_;
+  const Box box_;
+};
+
+}  // namespace
+
+void DrawCanvasTile(const Ui& ui, EditorState& state, const Box& box) {
+  CanvasTile(ui, state, box).Draw();
+}
+
+}  // namespace coppice::editor
