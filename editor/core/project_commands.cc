@@ -26,6 +26,8 @@ class ProjectCommands {
     AddTrees();
     AddKeys();
     AddSearch();
+    AddHistory();
+    AddModels();
   }
 
  private:
@@ -160,6 +162,48 @@ class ProjectCommands {
                 },
                 {}},
                key);
+  }
+
+  // The newest step first; choosing one goes back or forth to behind it.
+  void AddHistory() {
+    Add("edit.history", "History", {'H', kCtrl | kShift}, [this_ = *this] {
+      const History& history = this_.state_.workspace.project().history();
+      std::vector<Choice> rows;
+      for (std::size_t i = history.steps().size(); i > 0; --i) {
+        Choice row = this_.HistoryRow(history.steps()[i - 1].name, i);
+        row.kind = i == history.done() ? "now" : i > history.done() ? "undone" : "";
+        rows.push_back(std::move(row));
+      }
+      rows.push_back(this_.HistoryRow("as it was opened", 0));
+      this_.Offer("go back or forth to behind a step", std::move(rows));
+    });
+  }
+
+  Choice HistoryRow(const std::string& title, std::size_t step) const {
+    Choice row;
+    row.title = title;
+    row.note = std::to_string(step);
+    row.run = [&s = state_, now = now_, step] {
+      const History& history = s.workspace.project().history();
+      TreeEditor edit(s, now());
+      while (history.done() > step) edit.Undo();
+      while (history.done() < step) edit.Redo();
+    };
+    return row;
+  }
+
+  void AddModels() {
+    Add("file.models", "Load node models", {}, [&s = state_, now = now_] {
+      s.Ask({"path of a file with <TreeNodesModel>, as \"coppice nodes\" writes it",
+             [&s, now](const std::string& path) -> std::string {
+               const std::size_t before = s.workspace.model_problems().size();
+               s.workspace.AddModels(path);
+               s.workspace.RenewAll(now());
+               const auto& problems = s.workspace.model_problems();
+               return problems.size() > before ? problems.back().message : "";
+             },
+             {}});
+    });
   }
 
   void AddSearch() {

@@ -23,6 +23,16 @@ void AddOnce(std::vector<Diagnostic>& all, const std::vector<Diagnostic>& more) 
   }
 }
 
+// What a text says about node types, as a file of its own.
+std::string ModelsOf(const Document& document) {
+  std::string text = "<root BTCPP_format=\"4\">";
+  for (const Element& element : document.elements()) {
+    if (element.tag != "TreeNodesModel") continue;
+    text += document.text().substr(element.offset, element.end - element.offset);
+  }
+  return text + "</root>";
+}
+
 }  // namespace
 
 OpenFile Workspace::Load(const std::string& path) {
@@ -38,6 +48,7 @@ OpenFile Workspace::Load(const std::string& path) {
   file.forest = std::make_shared<const Forest>(Forest::FromFile(path, diagnostics, read));
   file.read_problems = file.problems = diagnostics.all();
   auto models = std::make_shared<NodeModels>(models_);
+  for (const Project& project : run_models_) models->AddFrom(project.documents().front());
   for (const Document* document : file.forest->documents()) models->AddFrom(*document);
   file.models = std::move(models);
   const EditedFile* edited = project_.Find(path);
@@ -150,6 +161,7 @@ void Workspace::CheckAll() {
     if (!file.forest->project() || file.is_stale) continue;
     Diagnostics diagnostics;
     auto registry = std::make_shared<Registry>();
+    for (const Project& models : run_models_) coppice::AddModels(models, *registry);
     for (const Project& models : model_projects_) coppice::AddModels(models, *registry);
     coppice::AddModels(*file.forest->project(), *registry);
     CheckProject(file.forest->project(), registry, {}, diagnostics);
@@ -233,7 +245,33 @@ void Workspace::Update(double now) {
   }
   if (now >= check_at_) CheckAll();
   for (const auto& run : runs_) run->Update(hooks, now);
+  LearnFromRuns(now);
   if (run_ >= 0) ShowTreeOfRun(now);
+}
+
+// Robots say which node types they have: files are edited and checked with them.
+void Workspace::LearnFromRuns(double now) {
+  std::vector<const RunTree*> trees;
+  for (const auto& run : runs_) {
+    if (run->tree()) trees.push_back(run->tree().get());
+  }
+  if (trees == learned_from_) return;
+  learned_from_ = std::move(trees);
+  run_models_.clear();
+  for (const auto& run : runs_) {
+    if (!run->tree()) continue;
+    for (const Document* document : run->tree()->forest().documents()) {
+      Diagnostics ignored;  // the run's own view speaks of them
+      auto models = Project::FromText(ModelsOf(*document), run->name(), ignored);
+      if (models) run_models_.push_back(*std::move(models));
+    }
+  }
+  RenewAll(now);
+}
+
+void Workspace::RenewAll(double now) {
+  for (std::size_t at = 0; at < files_.size(); ++at) Renew(at, now);
+  check_at_ = std::min(check_at_, now);
 }
 
 void Workspace::ShowTreeOfRun(double now) {
@@ -301,99 +339,6 @@ const Forest* Workspace::forest() const {
 void Workspace::SetOrientation(Orientation orientation, double now) {
   orientation_ = orientation;
   for (auto& [key, view] : views_) view->SetOrientation(orientation, now);
-}
-
-std::optional<ElementPlace> Workspace::PlaceOf(const SceneNode& node) const {
-  if (run_ >= 0 || !file() || file()->is_stale) return std::nullopt;
-  const Document& document = *forest()->documents()[node.document];
-  const EditedFile* edited = project_.Find(document.file());
-  // A file of format 3 is shown as format 4, element by element the same.
-  const bool fits = edited && edited->document &&
-                    edited->document->elements().size() == document.elements().size();
-  return fits ? std::optional(ElementPlace{edited->path, node.element}) : std::nullopt;
-}
-
-std::optional<ElementPlace> Workspace::ShownTree() const {
-  if (run_ >= 0 || !file() || tree_ < 0) return std::nullopt;
-  const TreeEntry& tree = forest()->trees()[Index(tree_)];
-  SceneNode node;
-  node.document = tree.document;
-  node.element = tree.element;
-  return PlaceOf(node);
-}
-
-std::string Workspace::ShownTreeId() const {
-  return forest() && tree_ >= 0 ? forest()->trees()[Index(tree_)].id : std::string();
-}
-
-// An element may be shown several times, where a SubTree is used several times: the one that is
-// selected already comes first.
-std::vector<std::uint32_t> Workspace::NodesAt(const std::vector<Place>& places) const {
-  std::vector<std::uint32_t> found;
-  if (!view_) return found;
-  const auto& documents = forest()->documents();
-  const auto& nodes = view_->scene()->nodes;
-  for (const Place& place : places) {
-    const EditedFile* edited = project_.Find(place.path);
-    if (!edited || !edited->document) continue;
-    const ElementIndex element = edited->document->ElementAt(place.offset);
-    std::uint32_t first = kNoNode;
-    for (std::uint32_t i = 0; i < nodes.size(); ++i) {
-      if (nodes[i].element != element || documents[nodes[i].document]->file() != edited->path) {
-        continue;
-      }
-      if (first == kNoNode || view_->IsSelected(i)) first = i;
-    }
-    if (first != kNoNode) found.push_back(first);
-  }
-  return found;
-}
-
-bool Workspace::IsInShownTree(const Place& place) const {
-  const std::optional<ElementPlace> tree = ShownTree();
-  if (!tree || tree->path != place.path) return false;
-  const Element& element = project_.Find(tree->path)->document->element(tree->element);
-  return place.offset >= element.offset && place.offset < element.end;
-}
-
-bool Workspace::ShowTreeOf(const Place& place, double now) {
-  for (std::size_t f = 0; f < files_.size(); ++f) {
-    const Forest& forest = *files_[f].forest;
-    for (std::size_t t = 0; t < forest.trees().size(); ++t) {
-      const TreeEntry& tree = forest.trees()[t];
-      const Document& document = *forest.documents()[tree.document];
-      if (document.file() != place.path) continue;
-      const EditedFile* edited = project_.Find(place.path);
-      if (!edited || !edited->document) return false;
-      const Element& element = edited->document->element(tree.element);
-      if (place.offset < element.offset || place.offset >= element.end) continue;
-      ShowFileTree(f, static_cast<int>(t), now);
-      return true;
-    }
-  }
-  return false;
-}
-
-void Workspace::SelectPlaces(const std::vector<Place>& places, double now) {
-  if (places.empty() || run_ >= 0) return;
-  std::vector<std::uint32_t> nodes = NodesAt(places);
-  if (nodes.empty() && !IsInShownTree(places.front()) && ShowTreeOf(places.front(), now)) {
-    nodes = NodesAt(places);
-  }
-  if (view_) view_->SelectAll(std::move(nodes));
-}
-
-bool Workspace::SelectElement(const Document& document, ElementIndex element) {
-  if (!view_ || !forest()) return false;
-  const Scene& scene = *view_->scene();
-  for (std::uint32_t i = 0; i < scene.nodes.size(); ++i) {
-    const SceneNode& node = scene.nodes[i];
-    if (node.element == element && forest()->documents()[node.document] == &document) {
-      view_->Select(i);
-      return true;
-    }
-  }
-  return false;
 }
 
 }  // namespace coppice::editor

@@ -49,6 +49,8 @@ class Workspace {
   std::string New(double now);
   /// Adds node models from a file; what is wrong goes to the problems.
   void AddModels(const std::string& path);
+  /// Shows all files with what is known of node types now.
+  void RenewAll(double now);
   /// Looks at the disk at once; Update does it every second.
   void Reload(double now);
 
@@ -127,6 +129,7 @@ class Workspace {
   void Renew(std::size_t file, double now);
   void CheckAll();
   void LookAtDisk(double now);
+  void LearnFromRuns(double now);
   bool IsInShownTree(const Place& place) const;
   bool ShowTreeOf(const Place& place, double now);
   std::vector<std::uint32_t> NodesAt(const std::vector<Place>& places) const;
@@ -146,6 +149,8 @@ class Workspace {
   NodeModels models_;                    // known for all files
   std::vector<Project> model_projects_;  // the same, for the checker
   std::vector<Diagnostic> model_problems_;
+  std::vector<Project> run_models_;           // what the robots say about node types
+  std::vector<const RunTree*> learned_from_;  // the trees that said it; never followed
   std::vector<Diagnostic> record_problems_;
   std::map<std::string, std::unique_ptr<TreeView>> views_;
   std::map<const TreeView*, std::shared_ptr<const void>> alive_;  // what the scenes point into

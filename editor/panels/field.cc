@@ -14,6 +14,17 @@ namespace {
 
 constexpr float kButton = 20;
 
+bool IsWord(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+         static_cast<unsigned char>(c) >= 0x80U;
+}
+
+std::string_view WordAtEnd(std::string_view text) {
+  std::size_t start = text.size();
+  while (start > 0 && IsWord(text[start - 1])) --start;
+  return text.substr(start);
+}
+
 class FieldDrawer {
  public:
   FieldDrawer(const Ui& ui, EditorState& state, const std::string& path, const std::string& key,
@@ -77,7 +88,11 @@ class FieldDrawer {
       state_.focus_field.clear();
     }
     const std::string hint(look_.hint);
-    ImGui::InputTextWithHint("##text", hint.c_str(), &buffer);
+    const ImGuiInputTextFlags flags =
+        look_.keys.empty() ? ImGuiInputTextFlags_None : ImGuiInputTextFlags_CallbackCompletion;
+    ImGui::InputTextWithHint("##text", hint.c_str(), &buffer, flags, Complete,
+                             const_cast<FieldLook*>(&look_));
+    if (ImGui::IsItemActive()) ShowCompletions(buffer);
     if (ImGui::IsItemActive()) {
       state_.typing = {key_, buffer};
     } else if (is_typing) {
@@ -87,6 +102,31 @@ class FieldDrawer {
     ImGui::PopID();
     ImGui::PopStyleColor(2);
     ImGui::PopFont();
+  }
+
+  // Tab takes the first.
+  static int Complete(ImGuiInputTextCallbackData* data) {
+    const auto& look = *static_cast<const FieldLook*>(data->UserData);
+    const std::string_view typed(data->Buf, static_cast<std::size_t>(data->CursorPos));
+    const std::vector<std::string> found = Completions(typed, look);
+    if (found.empty()) return 0;
+    std::string rest = found[0].substr(WordAtEnd(typed).size());
+    const bool closed = data->CursorPos < data->BufTextLen && data->Buf[data->CursorPos] == '}';
+    if (!look.is_script && !closed) rest += '}';
+    data->InsertChars(data->CursorPos, rest.c_str());
+    return 0;
+  }
+
+  void ShowCompletions(const std::string& typed) const {
+    constexpr std::size_t kMost = 8;
+    std::vector<std::string> found = Completions(typed, look_);
+    if (found.empty()) return;
+    if (found.size() > kMost) found.resize(kMost);
+    std::string text = "Tab: " + found[0];
+    for (std::size_t i = 1; i < found.size(); ++i) text += "\n     " + found[i];
+    ImGui::SetNextWindowPos({rest_.min.x, rest_.max.y + 2});
+    ImGui::SetTooltip("%s", text.c_str());
+    ui_.items.Add(path_ + "/completions", rest_);
   }
 
   const Ui& ui_;
@@ -105,6 +145,18 @@ FieldResult DrawField(const Ui& ui, EditorState& state, const std::string& path,
                       const std::string& key, const Box& box, const std::string& value,
                       const FieldLook& look) {
   return FieldDrawer(ui, state, path, key, box, value, look).Draw();
+}
+
+std::vector<std::string> Completions(std::string_view text, const FieldLook& look) {
+  std::vector<std::string> found;
+  const std::string_view word = WordAtEnd(text);
+  const std::string_view before = text.substr(0, text.size() - word.size());
+  const bool fits = look.is_script ? !word.empty() : before == "{" || before == "{@";
+  if (!fits) return found;
+  for (const std::string& key : look.keys) {
+    if (key.size() > word.size() && key.compare(0, word.size(), word) == 0) found.push_back(key);
+  }
+  return found;
 }
 
 FieldKind KindOf(std::string_view type) {

@@ -21,6 +21,8 @@ struct FieldLook {
   Color color = 0xFFFFFFFF;          ///< of the text
   std::vector<std::string> choices;  ///< of kChoice
   bool can_clear = false;            ///< with a button that takes the attribute away
+  std::vector<std::string> keys;     ///< that Tab completes: behind '{', in a script any word
+  bool is_script = false;
 };
 
 /// What the user did to the field.
@@ -37,6 +39,10 @@ FieldResult DrawField(const Ui& ui, EditorState& state, const std::string& path,
 
 /// The kind that suits values of a type of that name.
 FieldKind KindOf(std::string_view type);
+
+/// The keys that begin with the word that ends at the end of `text`; nothing where no key can
+/// stand.
+std::vector<std::string> Completions(std::string_view text, const FieldLook& look);
 
 /// One step up or down from a number, with as many decimals as it has; nothing if it is none.
 std::optional<std::string> Stepped(const std::string& number, int by);

@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <functional>
+#include <map>
 #include <memory>
 #include <utility>
 
@@ -194,6 +196,23 @@ class Inspector {
     }
   }
 
+  // Those of the blackboard that the node sees, most used first.
+  const std::vector<std::string>& Keys() {
+    if (!keys_.empty()) return keys_;
+    std::map<std::string, int> uses;
+    for (const SceneNode& node : scene_->nodes) {
+      if (node.scope != node_.scope) continue;
+      for (std::uint32_t i = 0; i < node.port_count; ++i) {
+        const std::string_view key = KeyOf(scene_->ports[node.first_port + i].value);
+        if (!key.empty() && key != "=") ++uses[std::string(key)];
+      }
+    }
+    for (const auto& [key, count] : uses) keys_.push_back(key);
+    std::stable_sort(keys_.begin(), keys_.end(),
+                     [&](const auto& a, const auto& b) { return uses[a] > uses[b]; });
+    return keys_;
+  }
+
   Color ColorOf(std::string_view value) const {
     const std::string_view key = KeyOf(value);
     return key.empty() ? ui_.palette.text : ui_.palette.OfKey(key);
@@ -212,6 +231,8 @@ class Inspector {
     look.can_clear = given != nullptr;
     if (KeyOf(value).empty()) look.kind = KindOf(port.type);
     look.choices = ChoicesOf(node_.id, port.name);
+    look.keys = Keys();
+    look.is_script = port.type == "script";
     if (!look.choices.empty() && KeyOf(value).empty()) look.kind = FieldKind::kChoice;
     EditAttribute(path, port.name, value, look);
     if (ImGui::IsItemHovered() && state_.typing.key.empty())
@@ -227,6 +248,7 @@ class Inspector {
     FieldLook look;
     look.color = ColorOf(port.value);
     look.can_clear = true;
+    look.keys = Keys();
     EditAttribute("inspector/port/" + std::string(port.name), std::string(port.name),
                   std::string(port.value), look);
   }
@@ -248,6 +270,8 @@ class Inspector {
         FieldLook look;
         look.color = ui_.palette.text;
         look.can_clear = true;
+        look.keys = Keys();
+        look.is_script = true;
         EditAttribute("inspector/script/" + std::string(name), std::string(name),
                       std::string(given->value), look);
       } else {
@@ -304,6 +328,7 @@ class Inspector {
   const SceneNode& node_;
   const bool can_edit_;
   Action action_;
+  std::vector<std::string> keys_;
 };
 
 }  // namespace

@@ -15,6 +15,7 @@ constexpr MenuEntry kView[] = {
     {"palette.light"},      {"palette.colourblind"}};
 constexpr MenuEntry kEditMenu[] = {{"edit.undo"},
                                    {"edit.redo"},
+                                   {"edit.history"},
                                    {nullptr},
                                    {"edit.cut"},
                                    {"edit.copy"},

@@ -78,6 +78,46 @@ TEST_F(ProjectCommandsTest, ReplaceLeavesOutWhatWasClicked) {
   EXPECT_THAT(Text(), HasSubstr("<Step to=\"{goal}\"/>"));
 }
 
+TEST_F(ProjectCommandsTest, TheHistoryGoesToAnyStep) {
+  Select("1.3");
+  driver_.Press('D');
+  const std::string first = Text();
+  driver_.Press(kKeyDelete);
+  Select("1.1");
+  driver_.Press(kKeyDelete);
+  driver_.Press('H', kCtrl | kShift);
+  driver_.Picture("history");
+  driver_.Type("disable");
+  driver_.Press(kKeyEnter);
+  EXPECT_EQ(Text(), first);
+  driver_.Press('H', kCtrl | kShift);
+  driver_.Type("opened");
+  driver_.Press(kKeyEnter);
+  EXPECT_EQ(Text(), kSmallFile);
+  EXPECT_EQ(driver_.editor.state().workspace.project().history().steps().size(), 3U);
+}
+
+TEST_F(ProjectCommandsTest, NodeModelsAreLoadedFromAFile) {
+  const TemporaryFile models("models.xml",
+                             "<root BTCPP_format=\"4\"><TreeNodesModel><Action ID=\"Step\">"
+                             "<input_port name=\"to\"/></Action></TreeNodesModel></root>");
+  driver_.editor.state().commands.Run("file.models");
+  driver_.Frames();
+  Answer(models.path());
+  driver_.Frames(5);
+  const Scene& scene = *driver_.view().scene();
+  EXPECT_EQ(scene.nodes[scene.FindPath("1.2.1.1")].shape, Shape::kAction);
+  EXPECT_TRUE(driver_.editor.state().workspace.file()->problems.empty());
+}
+
+TEST_F(ProjectCommandsTest, ARobotSaysWhatItsNodesAre) {
+  driver_.AddRobot("robot:1", kLiveTree);
+  driver_.editor.state().workspace.ShowFileTree(0, 0, driver_.editor.now());
+  driver_.Frames(5);
+  const Scene& scene = *driver_.view().scene();
+  EXPECT_EQ(scene.nodes[scene.FindPath("1.2.1.1")].shape, Shape::kAction);
+}
+
 TEST_F(ProjectCommandsTest, AKeyIsRenamedEverywhere) {
   Select("1.1.2");
   driver_.Press('K', kCtrl | kShift);

@@ -53,6 +53,29 @@ TEST_F(FieldTest, ButtonsFlipABoolAndStepANumber) {
   EXPECT_THAT(Text(), HasSubstr("num_attempts=\"4\""));
 }
 
+TEST_F(FieldTest, TabCompletesAKey) {
+  ASSERT_TRUE(driver_.Click("inspector/port/lamp"));
+  driver_.Press('A', kCtrl);
+  driver_.Type("{le");
+  EXPECT_TRUE(driver_.Has("inspector/port/lamp/completions"));
+  driver_.Picture("completion");
+  driver_.Press(kKeyTab);
+  driver_.Press(kKeyEnter);
+  EXPECT_THAT(Text(), HasSubstr("lamp=\"{level}\""));
+}
+
+TEST(Field, CompletesKeysOnlyWhereTheyCanStand) {
+  FieldLook look;
+  look.keys = {"goal", "gold", "speed"};
+  EXPECT_THAT(Completions("{go", look), testing::ElementsAre("goal", "gold"));
+  EXPECT_THAT(Completions("{", look), testing::SizeIs(3));
+  EXPECT_THAT(Completions("go", look), testing::IsEmpty());
+  EXPECT_THAT(Completions("{goal", look), testing::IsEmpty());
+  look.is_script = true;
+  EXPECT_THAT(Completions("x := sp", look), testing::ElementsAre("speed"));
+  EXPECT_THAT(Completions("x := ", look), testing::IsEmpty());
+}
+
 TEST(Field, SuitsTheType) {
   EXPECT_EQ(KindOf("bool"), FieldKind::kBool);
   EXPECT_EQ(KindOf("double"), FieldKind::kNumber);
