@@ -217,11 +217,14 @@ class WindowLoop {
            (options_.run_for > 0 && Elapsed() >= options_.run_for);
   }
 
-  void DrawFrame() {
+  // Seconds since the last time.
+  float Lapse() {
     const Time now = clock_.Now();
-    const auto dt = std::chrono::duration<float>(now - last_).count();
-    last_ = now;
-    editor_.Frame(window_.Take(dt));
+    return std::chrono::duration<float>(now - std::exchange(last_, now)).count();
+  }
+
+  void DrawFrame() {
+    editor_.Frame(window_.Take(Lapse()));
     window_.Show(editor_.cursor());
     RedrawBackBuffer();
     if (!options_.picture.empty() && options_.picture_every > 0 && Elapsed() >= next_picture_) {
@@ -236,12 +239,16 @@ class WindowLoop {
   // Until something happens or the editor wants to move on. Robots wake the loop through
   // glfwPostEmptyEvent; more than one frame per period of theirs is not worth drawing.
   void Wait() {
-    const double frame_at = Elapsed() + editor_.NextFrameIn();
+    double frame_at = Elapsed() + editor_.NextFrameIn();
     glfwPollEvents();
     while (!Ended() && !window_.NeedsFrame()) {
       double left = frame_at - Elapsed();
       if (options_.picture_every > 0) left = std::min(left, next_picture_ - Elapsed());
-      if (left <= 0) return;
+      if (left <= 0) {
+        if (options_.picture_every > 0 || editor_.Rest(Lapse())) return;
+        frame_at = Elapsed() + editor_.NextFrameIn();
+        continue;
+      }
       if (options_.run_for > 0) left = std::min(left, options_.run_for - Elapsed());
       glfwWaitEventsTimeout(std::clamp(left, 0.001, kLongestWait));
       // While live, statuses come faster than they are drawn; otherwise any news is drawn at once.

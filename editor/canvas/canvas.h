@@ -7,6 +7,7 @@
 #ifndef COPPICE_EDITOR_CANVAS_CANVAS_H_
 #define COPPICE_EDITOR_CANVAS_CANVAS_H_
 
+#include <functional>
 #include <vector>
 
 #include "editor/canvas/drop_target.h"
@@ -23,6 +24,7 @@ struct CanvasOptions {
   const std::vector<Badge>* badges = nullptr;    ///< by node of the scene; null or empty: none
   const HeatMap* heat = nullptr;                 ///< null: headers in the colours of the shapes
   const std::vector<Change>* changes = nullptr;  ///< by node of the scene; null: none
+  std::function<void(std::uint32_t)> open;       ///< a SubTree was clicked twice; empty: collapse
   const DropHandler* drop = nullptr;             ///< null: nodes cannot be dragged
 };
 

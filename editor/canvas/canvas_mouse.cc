@@ -128,7 +128,9 @@ class Mouse {
     const bool twice = io_.MouseClickedLastCount[0] == 2;
     const NodeLook look = LookOf(view_, options_, hovered_->k, hovered_->box, view_.camera.zoom);
     if (!IsOnToggle(look) && ClickKey(look)) return;
-    if (twice || IsOnToggle(look)) {
+    if (twice && !IsOnToggle(look) && options_.open && HoveredNode().shape == Shape::kSubTree) {
+      options_.open(node);
+    } else if (twice || IsOnToggle(look)) {
       view_.SetCollapsed(node, !look.collapsed, ui_.now);
     } else {
       view_.Select(node);
@@ -136,8 +138,8 @@ class Mouse {
   }
 
   bool IsOnToggle(const NodeLook& look) const {
-    if (DetailFor(look.zoom, ui_.scale) == Detail::kBlock || !scene_.HasChildren(HoveredIndex()))
-      return false;
+    const bool block = DetailFor(look.zoom, ui_.scale) == Detail::kBlock;
+    if (block || !scene_.HasChildren(HoveredIndex())) return false;
     const Point mouse = FromIm(io_.MousePos);
     if (look.collapsed && ChipBox(look).Contains(mouse)) return true;
     return HoveredNode().shape == Shape::kSubTree && ToggleBox(HoveredNode(), look).Contains(mouse);

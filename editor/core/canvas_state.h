@@ -19,10 +19,10 @@ struct CanvasBadges {
   std::vector<Badge> by_node;
 };
 
-/// A tree of a file that was shown, or a robot.
+/// A tree of a file.
 struct CanvasTab {
-  std::string path;  ///< of the file, or HOST:PORT
-  std::string tree;  ///< ID; empty for a robot
+  std::string path;  ///< of the file
+  std::string tree;  ///< ID
 };
 inline bool operator==(const CanvasTab& a, const CanvasTab& b) {
   return a.path == b.path && a.tree == b.tree;

@@ -163,6 +163,16 @@ void Editor::Frame(const InputEvents& input) {
   if (state_.after_frame) std::exchange(state_.after_frame, {})();
 }
 
+bool Editor::Rest(double seconds) {
+  const WithContext current(context_);
+  const double notice_end = state_.notice.at + kNoticeSeconds;
+  const bool showed_notice = notice_end > now_;
+  now_ += seconds;
+  const bool changed = state_.workspace.Update(now_);
+  BackUp();
+  return changed || (showed_notice && notice_end <= now_) || NextFrameIn() == 0;
+}
+
 void Editor::Apply(const InputEvents& input) {
   ImGuiIO& io = ImGui::GetIO();
   io.DisplaySize = {std::max(input.width, 1.0F), std::max(input.height, 1.0F)};

@@ -64,6 +64,10 @@ class Editor {
   /// Builds one frame. Events that a frame cannot see together are kept for the next.
   void Frame(const InputEvents& input);
 
+  /// Lets time pass without a frame, for a program that only waits: looks at the disk. True if a
+  /// frame is worth drawing now.
+  bool Rest(double seconds);
+
   /// Of the last frame; valid until the next.
   ImDrawData* draw_data() const;
   /// Paints the last frame without a display.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "editor/core/canvas_tabs.h"
+
 namespace coppice::editor {
 namespace {
 
@@ -94,6 +96,10 @@ class Commands {
     });
     AddOrientation("view.top_to_bottom", "Top to bottom", Orientation::kTopToBottom);
     AddOrientation("view.left_to_right", "Left to right", Orientation::kLeftToRight);
+    AddToggle("view.compact", "Decorators lie on their children", &LayoutStyle::compact);
+    AddToggle("view.layered", "All nodes of a depth on one line", &LayoutStyle::layered);
+    AddToggle("view.stacked", "Many leaves stand in a column", &LayoutStyle::stacked);
+    AddTabs();
     AddPalette("palette.dark", "Dark colours", PaletteName::kDark);
     AddPalette("palette.light", "Light colours", PaletteName::kLight);
     AddPalette("palette.colourblind", "Colour-blind colours", PaletteName::kColourBlind);
@@ -102,9 +108,31 @@ class Commands {
   void AddOrientation(std::string id, std::string title, Orientation orientation) {
     Add(std::move(id), std::move(title), {}, [&s = state_, now = now_, orientation] {
       if (s.workspace.orientation() == orientation) return;
-      s.workspace.SetOrientation(orientation, now());
+      LayoutStyle style = s.workspace.style();
+      style.orientation = orientation;
+      s.workspace.SetStyle(style, now());
       if (TreeView* view = s.workspace.view()) view->FitAll(s.canvas_size);
     });
+  }
+
+  void AddToggle(std::string id, std::string title, bool LayoutStyle::*part) {
+    Add(std::move(id), std::move(title), {}, [&s = state_, now = now_, part] {
+      LayoutStyle style = s.workspace.style();
+      style.*part = !(style.*part);
+      s.workspace.SetStyle(style, now());
+    });
+  }
+
+  void AddTabs() {
+    const auto step = [&s = state_, now = now_](std::size_t by) {
+      const std::size_t count = s.canvas.tabs.size();
+      if (count > 0) ShowTab(s, (ShownTab(s) + by) % count, now());
+    };
+    Add("tab.next", "Next tab", {kKeyPageDown, kCtrl}, [step] { step(1); });
+    Add("tab.previous", "Previous tab", {kKeyPageUp, kCtrl},
+        [step, &s = state_] { step(s.canvas.tabs.size() - 1); });
+    Add("tab.close", "Close tab", {'W', kCtrl},
+        [&s = state_, now = now_] { CloseTab(s, ShownTab(s), now()); });
   }
 
   void AddPalette(std::string id, std::string title, PaletteName name) {

@@ -238,7 +238,9 @@ int Workspace::FindRun(const std::string& name) const {
   return -1;
 }
 
-void Workspace::Update(double now) {
+bool Workspace::Update(double now) {
+  const std::uint64_t version = shown_version_;
+  const bool checked = now >= check_at_;
   if (now >= look_at_) {
     look_at_ = now + kLookDelay;
     LookAtDisk(now);
@@ -247,6 +249,7 @@ void Workspace::Update(double now) {
   for (const auto& run : runs_) run->Update(hooks, now);
   LearnFromRuns(now);
   if (run_ >= 0) ShowTreeOfRun(now);
+  return checked || version != shown_version_ || !news_.empty() || !runs_.empty();
 }
 
 // Robots say which node types they have: files are edited and checked with them.
@@ -302,7 +305,7 @@ TreeView* Workspace::ViewOf(const std::string& key, const Forest& forest, int tr
     std::vector<Point> sizes = measure_(*scene);
     view->SetScene(std::move(scene), std::move(sizes), now);
   }
-  view->SetOrientation(orientation_, now);
+  view->SetStyle(style_, now);
   return view->scene()->nodes.empty() ? nullptr : view.get();
 }
 
@@ -336,9 +339,9 @@ const Forest* Workspace::forest() const {
   return file_ >= 0 ? files_[Index(file_)].forest.get() : nullptr;
 }
 
-void Workspace::SetOrientation(Orientation orientation, double now) {
-  orientation_ = orientation;
-  for (auto& [key, view] : views_) view->SetOrientation(orientation, now);
+void Workspace::SetStyle(const LayoutStyle& style, double now) {
+  style_ = style;
+  for (auto& [key, view] : views_) view->SetStyle(style, now);
 }
 
 }  // namespace coppice::editor

@@ -71,8 +71,8 @@ class Workspace {
   int FindRun(const std::string& name) const;
 
   /// Takes in what has come of all runs, looks at the disk, checks what was changed. Once per
-  /// frame.
-  void Update(double now);
+  /// frame. False if nothing of that is to be seen.
+  bool Update(double now);
   /// What the last Updates found on the disk that the user should know; empty: nothing.
   std::string TakeNews() { return std::exchange(news_, {}); }
   /// Seconds until Update has something to do for files; infinity: nothing.
@@ -106,8 +106,9 @@ class Workspace {
   int tree() const { return tree_; }  ///< of forest(); -1: none
 
   /// Every tree is laid out this way from now on.
-  void SetOrientation(Orientation orientation, double now);
-  Orientation orientation() const { return orientation_; }
+  void SetStyle(const LayoutStyle& style, double now);
+  const LayoutStyle& style() const { return style_; }
+  Orientation orientation() const { return style_.orientation; }
 
   /// The element of project() that the scene node stands for; nothing in a run and in a file
   /// whose text is malformed.
@@ -154,7 +155,7 @@ class Workspace {
   std::vector<Diagnostic> record_problems_;
   std::map<std::string, std::unique_ptr<TreeView>> views_;
   std::map<const TreeView*, std::shared_ptr<const void>> alive_;  // what the scenes point into
-  Orientation orientation_ = Orientation::kTopToBottom;
+  LayoutStyle style_;
   TreeView* view_ = nullptr;
   int file_ = -1;
   int run_ = -1;

@@ -1,55 +1,148 @@
+#include <algorithm>
 #include <cmath>
+#include <string>
+#include <vector>
 
+#include "editor/core/canvas_tabs.h"
 #include "editor/panels/panels.h"
 
 namespace coppice::editor {
 namespace {
 
-std::string Breadcrumb(EditorState& state) {
-  const Workspace& workspace = state.workspace;
+constexpr float kLongestTab = 150;
+constexpr char kSeparator[] = "  /  ";
+
+// A step on the way to the selected node; a click on it selects `node`.
+struct Crumb {
   std::string text;
-  if (const OpenFile* file = workspace.file()) text = file->path.substr(file->path.rfind('/') + 1);
-  if (const RunView* run = workspace.run()) text = run->name();
-  TreeView* view = state.workspace.view();
-  if (!view) return text;
-  text += "  /  " + view->scene()->tree_id;
-  if (view->selected() == kNoNode) return text;
-  const auto& nodes = view->scene()->nodes;
-  std::string inner;
-  for (std::uint32_t i = view->selected(); i != kNoNode; i = nodes[i].parent) {
-    if (i == view->selected() || nodes[i].shape == Shape::kSubTree) {
-      inner = "  /  " + std::string(nodes[i].name) + inner;
+  std::uint32_t node = kNoNode;
+};
+
+class CanvasBar {
+ public:
+  CanvasBar(const Ui& ui, EditorState& state, const Box& box)
+      : ui_(ui), state_(state), list_(*ImGui::GetWindowDrawList()), box_(box) {}
+
+  void Draw() {
+    list_.AddRectFilled(ToIm(box_.min), ToIm(box_.max), ui_.palette.header, 4 * ui_.scale,
+                        ImDrawFlags_RoundCornersTop);
+    UpdateTabs(state_);
+    left_ = box_.min.x + 6 * ui_.scale;
+    right_ = box_.max.x - 6 * ui_.scale;
+    DrawButtons();
+    if (state_.canvas.tabs.size() > 1) DrawTabs();
+    DrawCrumbs();
+  }
+
+ private:
+  // From the right to the left.
+  bool Button(const std::string& path, const std::string& text, bool active) {
+    const float width = ui_.Width(text, {Face::kSans, 12, 0}) + 16 * ui_.scale;
+    const float pad = 3 * ui_.scale;
+    const Box at = {{right_ - width, box_.min.y + pad}, {right_, box_.max.y - pad}};
+    right_ -= width + 4 * ui_.scale;
+    return ui_.Button(path, at, text, active);
+  }
+
+  void DrawButtons() {
+    const TreeView* view = state_.workspace.view();
+    const int percent =
+        view ? static_cast<int>(std::lround(view->camera.zoom * 100 / view->screen_scale)) : 100;
+    const LayoutStyle& style = state_.workspace.style();
+    const bool sideways = style.orientation == Orientation::kLeftToRight;
+    const auto button = [this](const char* path, const std::string& text, bool active,
+                               const char* command) {
+      if (Button(path, text, active)) state_.commands.Run(command);
+    };
+    button("canvasbar/zoom", std::to_string(percent) + " %", false, "view.zoom_100");
+    button("canvasbar/fit", "fit", false, "view.fit_all");
+    button("canvasbar/compact", "compact", style.compact, "view.compact");
+    button("canvasbar/lr", "LR", sideways, "view.left_to_right");
+    button("canvasbar/tb", "TB", !sideways, "view.top_to_bottom");
+  }
+
+  void DrawTabs() {
+    const std::vector<CanvasTab> tabs = state_.canvas.tabs;
+    const std::size_t shown = ShownTab(state_);
+    const float pad = 3 * ui_.scale;
+    for (std::size_t i = 0; i < tabs.size(); ++i) {
+      const std::string& name = tabs[i].tree;
+      const float wanted = ui_.Width(name, {Face::kSans, 12, 0}) + 18 * ui_.scale;
+      const float width = std::min(wanted, kLongestTab * ui_.scale);
+      if (left_ + width > right_ - 40 * ui_.scale) return;
+      const Box at = {{left_, box_.min.y + pad}, {left_ + width, box_.max.y - pad}};
+      left_ += width + 4 * ui_.scale;
+      const std::string text = ui_.Cut(name, {Face::kSans, 12, 0}, width - 14 * ui_.scale);
+      if (ui_.Button("canvasbar/tab/" + name, at, text, i == shown)) {
+        ShowTab(state_, i, ui_.now);
+      }
+      if (ImGui::IsItemHovered() && ImGui::IsMouseClicked(2)) CloseTab(state_, i, ui_.now);
+    }
+    left_ += 6 * ui_.scale;
+  }
+
+  std::vector<Crumb> Crumbs() const {
+    const Workspace& workspace = state_.workspace;
+    std::string name;
+    if (const OpenFile* file = workspace.file()) {
+      name = file->path.substr(file->path.rfind('/') + 1);
+    }
+    if (const RunView* run = workspace.run()) name = run->name();
+    std::vector<Crumb> crumbs = {{name, kNoNode}};
+    const TreeView* view = state_.workspace.view();
+    if (!view) return crumbs;
+    crumbs.push_back({view->scene()->tree_id, 0});
+    const auto& nodes = view->scene()->nodes;
+    std::vector<Crumb> inner;
+    for (std::uint32_t i = view->selected(); i != kNoNode; i = nodes[i].parent) {
+      if (i != view->selected() && nodes[i].shape != Shape::kSubTree) continue;
+      inner.push_back({std::string(nodes[i].name), i});
+    }
+    crumbs.insert(crumbs.end(), inner.rbegin(), inner.rend());
+    return crumbs;
+  }
+
+  void DrawCrumbs() {
+    const std::vector<Crumb> crumbs = Crumbs();
+    const TextStyle dim{Face::kSans, 12, ui_.palette.text_dim};
+    float x = left_ + 4 * ui_.scale;
+    for (std::size_t i = 0; i < crumbs.size(); ++i) {
+      const float room = right_ - x - 4 * ui_.scale;
+      if (room < 12 * ui_.scale) return;
+      if (i > 0) x += ui_.RowText(list_, {x, box_.min.y}, box_.height(), kSeparator, dim, room);
+      const TextStyle style{Face::kSans, 12, ui_.palette.text};
+      const float width = std::min(ui_.Width(crumbs[i].text, style), right_ - x - 4 * ui_.scale);
+      if (width <= 0) return;
+      DrawCrumb(crumbs[i], {{x, box_.min.y}, {x + width, box_.max.y}}, i);
+      x += width;
     }
   }
-  return text + inner;
-}
+
+  void DrawCrumb(const Crumb& crumb, const Box& at, std::size_t number) {
+    bool hovered = false;
+    const bool can = crumb.node != kNoNode;
+    const std::string path = "canvasbar/crumb/" + std::to_string(number);
+    if (can && ui_.Hit(path, at, &hovered)) {
+      TreeView& view = *state_.workspace.view();
+      view.Select(crumb.node);
+      view.Reveal(state_.canvas_size);
+    }
+    const TextStyle style{Face::kSans, 12, hovered ? ui_.palette.accent : ui_.palette.text};
+    ui_.RowText(list_, at.min, at.height(), crumb.text, style, at.width() + 1);
+  }
+
+  const Ui& ui_;
+  EditorState& state_;
+  ImDrawList& list_;
+  const Box box_;
+  float left_ = 0;
+  float right_ = 0;
+};
 
 }  // namespace
 
 void DrawCanvasBar(const Ui& ui, EditorState& state, const Box& box) {
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.AddRectFilled(ToIm(box.min), ToIm(box.max), ui.palette.header, 4,
-                     ImDrawFlags_RoundCornersTop);
-  float x = box.max.x - 6 * ui.scale;
-  const auto button = [&](const std::string& path, const std::string& text, bool active) {
-    const float width = ui.Width(text, {Face::kSans, 12, 0}) + 16 * ui.scale;
-    const Box at = {{x - width, box.min.y + 3 * ui.scale}, {x, box.max.y - 3 * ui.scale}};
-    x -= width + 4 * ui.scale;
-    return ui.Button(path, at, text, active);
-  };
-  TreeView* view = state.workspace.view();
-  const int percent =
-      view ? static_cast<int>(std::lround(view->camera.zoom * 100 / view->screen_scale)) : 100;
-  const bool sideways = state.workspace.orientation() == Orientation::kLeftToRight;
-  if (button("canvasbar/zoom", std::to_string(percent) + " %", false)) {
-    state.commands.Run("view.zoom_100");
-  }
-  if (button("canvasbar/fit", "fit", false)) state.commands.Run("view.fit_all");
-  if (button("canvasbar/lr", "LR", sideways)) state.commands.Run("view.left_to_right");
-  if (button("canvasbar/tb", "TB", !sideways)) state.commands.Run("view.top_to_bottom");
-  const float left = box.min.x + 10 * ui.scale;
-  ui.RowText(list, {left, box.min.y}, box.height(), Breadcrumb(state),
-             {Face::kSans, 12, ui.palette.text}, x - left - 8 * ui.scale);
+  CanvasBar(ui, state, box).Draw();
 }
 
 }  // namespace coppice::editor

@@ -10,7 +10,8 @@ struct MenuEntry {
 
 constexpr MenuEntry kView[] = {
     {"view.top_to_bottom"}, {"view.left_to_right"},  {nullptr}, {"view.fit_all"},
-    {"view.fit_selection"}, {"view.zoom_100"},       {nullptr}, {"tree.collapse"},
+    {"view.fit_selection"}, {"view.zoom_100"},       {nullptr}, {"view.compact"},
+    {"view.layered"},       {"view.stacked"},        {nullptr}, {"tree.collapse"},
     {"tree.open_subtrees"}, {"tree.close_subtrees"}, {nullptr}, {"palette.dark"},
     {"palette.light"},      {"palette.colourblind"}};
 constexpr MenuEntry kEditMenu[] = {{"edit.undo"},
