@@ -38,7 +38,7 @@ TEST_F(HeadlessTest, ShowsABrokenFileInsteadOfFailing) {
 TEST_F(HeadlessTest, SaysWhatIsWrongWithTheCommandLine) {
   EXPECT_EQ(Run({"--size", "huge"}), 2);
   EXPECT_NE(ReadFile(errors_).find("--size"), std::string::npos);
-  EXPECT_EQ(Run({"--connect", "nowhere", "--headless"}), 2);
+  EXPECT_EQ(Run({"--connect", "nowhere:99999", "--headless"}), 2);
   EXPECT_NE(ReadFile(errors_).find("nowhere"), std::string::npos);
 }
 
