@@ -171,10 +171,11 @@ class ProjectCommands {
       std::vector<Choice> rows;
       for (std::size_t i = history.steps().size(); i > 0; --i) {
         Choice row = this_.HistoryRow(history.steps()[i - 1].name, i);
-        row.kind = i == history.done() ? "now" : i > history.done() ? "undone" : "";
+        row.kind = i == history.done() ? "now" : i > history.done() ? "undone" : "done";
         rows.push_back(std::move(row));
       }
       rows.push_back(this_.HistoryRow("as it was opened", 0));
+      rows.back().kind = history.done() == 0 ? "now" : "done";
       this_.Offer("go back or forth to behind a step", std::move(rows));
     });
   }

@@ -125,7 +125,13 @@ class FieldDrawer {
     std::string text = "Tab: " + found[0];
     for (std::size_t i = 1; i < found.size(); ++i) text += "\n     " + found[i];
     ImGui::SetNextWindowPos({rest_.min.x, rest_.max.y + 2});
+    const float pad = 6 * ui_.scale;
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {pad, pad});
+    ImGui::PushStyleColor(ImGuiCol_PopupBg, ui_.palette.panel);
+    ImGui::PushStyleColor(ImGuiCol_Text, ui_.palette.text);
     ImGui::SetTooltip("%s", text.c_str());
+    ImGui::PopStyleColor(2);
+    ImGui::PopStyleVar();
     ui_.items.Add(path_ + "/completions", rest_);
   }
 

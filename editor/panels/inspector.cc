@@ -313,8 +313,28 @@ class Inspector {
     ImGui::EndPopup();
   }
 
+  // Who writes and who reads the key of an attribute: "written by Plan; read by Follow, Say".
+  std::string UsersOf(std::string_view name) const {
+    const PortLine* port = Given(name);
+    const TreeView* view = state_.workspace.view();
+    if (!port || !view) return {};
+    const KeyUses& uses = view->keys();
+    const std::uint32_t key =
+        uses.key_of_port[static_cast<std::size_t>(port - scene_->ports.data())];
+    if (key == kNoKey) return {};
+    std::string writers, readers;
+    for (const KeyUse& use : uses.uses[key]) {
+      const std::string user(scene_->nodes[use.node].name);
+      if (use.writes) writers += (writers.empty() ? "" : ", ") + user;
+      if (use.reads) readers += (readers.empty() ? "" : ", ") + user;
+    }
+    return "\nwritten by " + (writers.empty() ? "no port" : writers) + "\nread by " +
+           (readers.empty() ? "no port" : readers);
+  }
+
   void PortTooltip(const PortModel* model, std::string_view value) {
     std::string text(value);
+    if (model) text += UsersOf(model->name);
     if (model) {
       text += std::string("\n") + ToString(model->direction) + " " + model->type;
       if (!model->description.empty()) text += "\n" + model->description;

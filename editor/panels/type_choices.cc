@@ -1,6 +1,7 @@
 #include "editor/panels/type_choices.h"
 
 #include <algorithm>
+#include <cctype>
 #include <set>
 #include <utility>
 
@@ -10,6 +11,7 @@
 namespace coppice::editor {
 namespace {
 
+constexpr int kNameBonus = 1;
 constexpr int kRecentBonus = 1000;  // more than any score
 constexpr std::size_t kMostRecent = 8;
 
@@ -19,13 +21,28 @@ class TypeCollector {
       : recent_(state.recent_types), typed_(typed) {}
 
   void Offer(TypeChoice choice) {
-    choice.score = FuzzyScore(typed_, choice.type);
+    choice.score = Score(choice);
     if (choice.score == 0) return;
     const auto used = std::find(recent_.begin(), recent_.end(), choice.type);
     if (typed_.empty() && used != recent_.end()) {
       choice.score += kRecentBonus - static_cast<int>(used - recent_.begin());
     }
     choices_.push_back(std::move(choice));
+  }
+
+  // By name; else by a word of category or description, behind all that fit by name.
+  int Score(const TypeChoice& choice) const {
+    const int by_name = FuzzyScore(typed_, choice.type);
+    if (by_name > 0) return by_name + kNameBonus;
+    if (typed_.size() < 3) return 0;
+    return Contains(choice.kind) || Contains(choice.note) ? 1 : 0;
+  }
+
+  bool Contains(const std::string& text) const {
+    return std::search(text.begin(), text.end(), typed_.begin(), typed_.end(), [](char a, char b) {
+             return std::tolower(static_cast<unsigned char>(a)) ==
+                    std::tolower(static_cast<unsigned char>(b));
+           }) != text.end();
   }
 
   std::vector<TypeChoice> Best(std::size_t limit) {

@@ -25,6 +25,11 @@ TEST_F(TypeChoicesTest, FindByAFewLetters) {
   EXPECT_EQ(Find("swon").front().xml, "<SwitchOn/>");
 }
 
+TEST_F(TypeChoicesTest, FindByAWordOfTheDescriptionOrTheCategory) {
+  EXPECT_EQ(Find("a lamp").front().type, "SwitchOn");
+  EXPECT_THAT(Find("condition"), Contains(Field(&TypeChoice::type, "IsDark")));
+}
+
 TEST_F(TypeChoicesTest, OfferTheOtherTreesAsSubTrees) {
   EXPECT_EQ(Find("Walk").front().xml, "<SubTree ID=\"Walk\"/>");
   EXPECT_THAT(Find("MainTree"), Not(Contains(Field(&TypeChoice::kind, "SubTree"))));
