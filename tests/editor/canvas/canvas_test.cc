@@ -226,7 +226,8 @@ TEST_F(CanvasTest, ShowsTwentyThousandNodes) {
       best = std::min(best, took.count());
     }
     RecordProperty(close ? "milliseconds_close" : "milliseconds_far", std::to_string(best));
-    std::printf("frame of 20 000 nodes, %s: %.2f ms (budget 2)\n", close ? "zoom 100 %" : "fit", best);
+    std::printf("frame of 20 000 nodes, %s: %.2f ms (budget 2)\n", close ? "zoom 100 %" : "fit",
+                best);
   }
   driver_.Picture("large");
 }
