@@ -16,6 +16,8 @@ class RunSource {
   /// "127.0.0.1:1667", or the path of a file.
   virtual const std::string& name() const = 0;
   virtual bool is_robot() const = 0;
+  /// Played by the editor itself.
+  virtual bool is_simulation() const { return false; }
 
   /// Hands over, in order, what has come since the last call, and calls the handlers of replies.
   virtual void Pump(LiveListener& listener) = 0;

@@ -22,6 +22,8 @@ const char* ToString(RunPhase phase) {
       return "loading";
     case RunPhase::kRecord:
       return "record";
+    case RunPhase::kSimulation:
+      return "simulation";
   }
   return "?";
 }
@@ -30,6 +32,7 @@ RunView::RunView(std::unique_ptr<RunSource> source, std::shared_ptr<const NodeMo
     : source_(std::move(source)), known_(std::move(known)) {}
 
 RunPhase RunView::phase() const {
+  if (source_->is_simulation()) return RunPhase::kSimulation;
   if (!source_->is_robot()) return source_->has_news() ? RunPhase::kLoading : RunPhase::kRecord;
   if (connection_.is_live) return RunPhase::kLive;
   return was_live_ ? RunPhase::kReconnecting : RunPhase::kConnecting;

@@ -21,9 +21,17 @@
 
 namespace coppice::editor {
 
-enum class RunPhase : std::uint8_t { kConnecting, kLive, kReconnecting, kLoading, kRecord };
+enum class RunPhase : std::uint8_t {
+  kConnecting,
+  kLive,
+  kReconnecting,
+  kLoading,
+  kRecord,
+  kSimulation
+};
 
-/// "connecting", "live", "reconnecting", "loading", "record".
+/// "connecting", "live", "reconnecting", "loading", "record",
+/// "simulation".
 const char* ToString(RunPhase phase);
 
 class RunView final : private LiveListener {

@@ -27,7 +27,7 @@ struct ScenarioTest {
   SourceLocation where;
   State state = State::kNotRun;
   std::vector<coppice::Difference> differences;  ///< of kFailed
-  std::string problem;                  ///< of kBroken, with its place
+  std::string problem;                           ///< of kBroken, with its place
   std::uint64_t ticks = 0;
 };
 

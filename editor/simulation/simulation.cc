@@ -18,9 +18,7 @@ KeyValue::Kind KindOf(const std::string& text) {
 
 }  // namespace
 
-Simulation::Simulation(std::shared_ptr<const Program> program, HistoryHandler& run,
-                       std::size_t ticks_before)
-    : run_(run), ticks_before_(ticks_before) {
+Simulation::Simulation(std::shared_ptr<const Program> program, HistoryHandler& run) : run_(run) {
   Begin(std::move(program));
 }
 
@@ -126,8 +124,8 @@ void Simulation::Reload(std::shared_ptr<const Program> program) {
 }
 
 bool Simulation::GoTo(std::size_t tick) {
-  if (tick < ticks_before_ || tick - ticks_before_ >= move_of_tick_.size()) return false;
-  GoToMove(move_of_tick_[tick - ticks_before_]);
+  if (tick >= move_of_tick_.size()) return false;
+  GoToMove(move_of_tick_[tick]);
   return true;
 }
 

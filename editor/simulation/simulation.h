@@ -25,9 +25,8 @@ namespace coppice::editor {
 
 class Simulation final : private HistoryHandler {
  public:
-  /// `run` is told what happens; it must live longer. What it was told before counts for GoTo.
-  Simulation(std::shared_ptr<const Program> program, HistoryHandler& run,
-             std::size_t ticks_before = 0);
+  /// `run` is told what happens; it must live longer.
+  Simulation(std::shared_ptr<const Program> program, HistoryHandler& run);
 
   const std::shared_ptr<const Program>& program() const { return tree_->program(); }
   /// Since the beginning, on this way.
@@ -98,7 +97,6 @@ class Simulation final : private HistoryHandler {
   std::unique_ptr<SimulatedTree> Replay(std::size_t to, HistoryHandler* handler) const;
 
   HistoryHandler& run_;
-  const std::size_t ticks_before_;
   std::vector<Move> moves_;
   std::size_t at_ = kNone;
   std::vector<std::size_t> move_of_tick_;

@@ -1,0 +1,26 @@
+// What a leaf does, in a few words, as the user types and reads it:
+//
+//   "SUCCESS"             that in every tick
+//   "2s FAILURE"          RUNNING for two seconds, then FAILURE
+//   "RUNNING x3 SUCCESS"  one result per tick; the last one repeats
+//   "each FAILURE SUCCESS"  every activation begins at the first result
+#ifndef COPPICE_EDITOR_SIMULATION_SCRIPT_TEXT_H_
+#define COPPICE_EDITOR_SIMULATION_SCRIPT_TEXT_H_
+
+#include <optional>
+#include <string>
+
+#include "bt_core/testing/mock_rules.h"
+
+namespace coppice::editor {
+
+/// Null, with the reason, if the text says nothing that a leaf can do. Statuses may be shortened to
+/// their first letters.
+std::optional<MockScript> ParseScript(const std::string& text, std::string& why);
+
+/// Outputs and messages of a script are left out.
+std::string PrintScript(const MockScript& script);
+
+}  // namespace coppice::editor
+
+#endif  // COPPICE_EDITOR_SIMULATION_SCRIPT_TEXT_H_

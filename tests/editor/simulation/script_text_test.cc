@@ -1,0 +1,32 @@
+#include "editor/simulation/script_text.h"
+
+#include <gtest/gtest.h>
+
+namespace coppice::editor {
+namespace {
+
+std::string Again(const std::string& text) {
+  std::string why;
+  const auto script = ParseScript(text, why);
+  return script ? PrintScript(*script) : why;
+}
+
+TEST(ScriptText, SaysWhatALeafDoes) {
+  EXPECT_EQ(Again("SUCCESS"), "SUCCESS");
+  EXPECT_EQ(Again("2s FAILURE"), "2s FAILURE");
+  EXPECT_EQ(Again("RUNNING x3, SUCCESS"), "RUNNING x3 SUCCESS");
+  EXPECT_EQ(Again("each r r f"), "each RUNNING x2 FAILURE");
+  EXPECT_EQ(Again("0.25s"), "250ms SUCCESS");
+  EXPECT_EQ(Again("sk"), "SKIPPED");
+}
+
+TEST(ScriptText, SaysWhatItDoesNotUnderstand) {
+  EXPECT_NE(Again("2s FAIL quickly").find("\"quickly\" is no SUCCESS"), std::string::npos);
+  EXPECT_NE(Again("").find("say what it returns"), std::string::npos);
+  EXPECT_NE(Again("x3").find("\"x3\""), std::string::npos);
+  EXPECT_NE(Again("1e99s").find("\"1e99s\""), std::string::npos);
+  EXPECT_NE(Again("RUNNING x9999 RUNNING x9999").find("more than"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace coppice::editor

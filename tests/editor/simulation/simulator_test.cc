@@ -1,0 +1,109 @@
+#include "editor/simulation/simulator.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "editor/live/run_view.h"
+
+namespace coppice::editor {
+namespace {
+
+std::string Text(const std::string& root) {
+  return "<root BTCPP_format=\"4\"><BehaviorTree ID=\"Main\">" + root + "</BehaviorTree></root>";
+}
+
+class SimulatorTest : public testing::Test {
+ protected:
+  SimulatorTest() {
+    files_.Create("a.xml", Text("<Sequence><Go to=\"{goal}\"/><Say/></Sequence>"));
+    Diagnostics diagnostics;
+    view_ = std::make_unique<RunView>(simulator_.Start(files_, "a.xml", "", diagnostics),
+                                      std::make_shared<NodeModels>());
+  }
+  void Update(double seconds) {
+    now_ += seconds;
+    simulator_.Update(files_, now_);
+    view_->Update(HookList(), now_);
+  }
+
+  OpenProject files_;
+  Simulator simulator_;
+  std::unique_ptr<RunView> view_;
+  double now_ = 0;
+};
+
+TEST_F(SimulatorTest, IsARunLikeThatOfARobot) {
+  Update(0);
+  EXPECT_EQ(view_->phase(), RunPhase::kSimulation);
+  simulator_.get()->Tick(Duration(0));
+  Update(0);
+  EXPECT_EQ(view_->run().size(), 1U);
+  EXPECT_EQ(view_->state().states[1].status, Status::kRunning);
+}
+
+TEST_F(SimulatorTest, RunsAtASpeedUntilTheTreeIsDone) {
+  EXPECT_TRUE(std::isinf(simulator_.NextUpdateIn(now_)));
+  simulator_.SetSpeed(2);
+  simulator_.Play();
+  Update(0.25);
+  EXPECT_EQ(simulator_.get()->ticks(), 5U);
+  EXPECT_NEAR(simulator_.NextUpdateIn(now_), 0.05, 1e-6);
+  Update(10);
+  EXPECT_FALSE(simulator_.is_playing());
+  EXPECT_EQ(simulator_.result(), Status::kSuccess);
+  EXPECT_EQ(simulator_.get()->now(), std::chrono::milliseconds(2100));
+}
+
+TEST_F(SimulatorTest, AnEditIsReloadedALittleLater) {
+  simulator_.get()->Tick(Duration(0));
+  files_.SetText("a.xml", "Type", Text("<Sequence><Go to=\"{goal}\"/><Wave/></Sequence>"));
+  Update(0.01);
+  EXPECT_EQ(simulator_.get()->program()->Id(2), "Say");
+  EXPECT_GT(simulator_.NextUpdateIn(now_), 0);
+  Update(0.2);
+  EXPECT_EQ(simulator_.get()->program()->Id(2), "Wave");
+  EXPECT_EQ(view_->state().states[1].status, Status::kRunning);
+}
+
+TEST_F(SimulatorTest, ATextWithErrorsIsSaidAndTheTreeBeforeItGoesOn) {
+  files_.SetText("a.xml", "Type", Text("<Inverter/>"));
+  Update(0);
+  Update(0.2);
+  EXPECT_NE(simulator_.problem().find("a.xml:1:"), std::string::npos);
+  EXPECT_EQ(simulator_.get()->Tick(Duration(0)), Status::kRunning);
+  files_.SetText("a.xml", "Type", Text("<Go/>"));
+  Update(0);
+  Update(0.2);
+  EXPECT_EQ(simulator_.problem(), "");
+  EXPECT_EQ(simulator_.get()->program()->nodes.size(), 1U);
+}
+
+TEST_F(SimulatorTest, KeysAreWrittenAsOnARobot) {
+  std::string error = "?";
+  view_->source().Send(WriteKey("", "goal", "3"),
+                       [&](const LiveReply& reply) { error = reply.error; });
+  EXPECT_EQ(error, "");
+  simulator_.get()->Tick(Duration(0));
+  EXPECT_EQ(simulator_.get()->ValueOf("goal"), "3");
+  view_->source().Send(MakeCommand(LiveCommand::Kind::kStepNode),
+                       [&](const LiveReply& reply) { error = reply.error; });
+  EXPECT_NE(error, "");
+}
+
+TEST_F(SimulatorTest, EndsWithItsRun) {
+  view_.reset();
+  EXPECT_EQ(simulator_.get(), nullptr);
+  EXPECT_FALSE(simulator_.is_playing());
+}
+
+TEST_F(SimulatorTest, ATreeWithErrorsIsNotBegun) {
+  files_.Create("b.xml", Text("<Inverter/>"));
+  Diagnostics diagnostics;
+  EXPECT_FALSE(simulator_.Start(files_, "b.xml", "", diagnostics));
+  EXPECT_TRUE(diagnostics.has_errors());
+  EXPECT_NE(simulator_.get(), nullptr) << "the other one goes on";
+}
+
+}  // namespace
+}  // namespace coppice::editor
