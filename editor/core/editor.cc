@@ -12,8 +12,9 @@
 #include "editor/canvas/canvas.h"
 #include "editor/canvas/node_metrics.h"
 #include "editor/core/edit_commands.h"
-#include "editor/core/project_commands.h"
 #include "editor/core/picture_commands.h"
+#include "editor/core/project_commands.h"
+#include "editor/core/simulation_commands.h"
 #include "editor/core/standard_commands.h"
 #include "editor/live/robot_source.h"
 #include "editor/look/imgui_context.h"
@@ -59,6 +60,7 @@ Editor::Editor(EditorOptions options)
   AddProjectCommands(state_, [this] { return now_; });
   AddPictureCommands(state_, [this] { return now_; });
   AddStandardCommands(state_, [this] { return now_; });
+  AddSimulationCommands(state_, [this] { return now_; });  // last: see there
   LoadRecent();
 }
 
@@ -134,6 +136,7 @@ void Editor::AddRun(std::unique_ptr<RunSource> source) {
 void Editor::Frame(const InputEvents& input) {
   const WithContext current(context_);
   now_ += input.dt;
+  state_.simulator.Update(state_.workspace.project(), now_);
   state_.workspace.Update(now_);
   BackUp();
   const std::string news = state_.workspace.TakeNews();
@@ -235,7 +238,7 @@ double Editor::NextFrameIn() const {
   if (const TreeView* view = const_cast<Workspace&>(workspace).view()) {
     if (view->IsMoving(now_)) return 0;
   }
-  double next = workspace.NextUpdateIn(now_);
+  double next = std::min(workspace.NextUpdateIn(now_), state_.simulator.NextUpdateIn(now_));
   if (state_.notice.at + kNoticeSeconds > now_) {
     next = std::min(next, state_.notice.at + kNoticeSeconds - now_);
   }

@@ -15,6 +15,8 @@
 #include "editor/core/canvas_state.h"
 #include "editor/core/workspace.h"
 #include "editor/look/palette.h"
+#include "editor/simulation/scenario_tests.h"
+#include "editor/simulation/simulator.h"
 
 namespace coppice::editor {
 
@@ -27,6 +29,7 @@ struct Tiles {
   bool blackboard = true;
   bool xml = true;
   bool problems = true;
+  bool tests = false;  ///< in the place of the problems
   bool minimap = true;
 };
 
@@ -111,6 +114,8 @@ struct EditorState {
 
   Workspace workspace;
   CanvasState canvas;
+  Simulator simulator;
+  ScenarioTests tests;
   CommandTable commands;
   PaletteName palette = PaletteName::kDark;
   Tiles tiles;

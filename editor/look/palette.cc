@@ -43,6 +43,7 @@ Palette Dark() {
   p.warning = Rgb(0xF0AA28);
   p.error = Rgb(0xF0645A);
   p.note = Rgb(0xC9B458);
+  p.simulation = Rgb(0xB69CF5);
   p.note_text = Rgb(0x201B08);
   p.is_dark = true;
   return p;
@@ -77,6 +78,7 @@ Palette Light() {
   p.warning = Rgb(0xB36B00);
   p.error = Rgb(0xC62F26);
   p.note = Rgb(0xFFF0A8);
+  p.simulation = Rgb(0x6B46B8);
   p.note_text = Rgb(0x4A4010);
   p.is_dark = false;
   return p;

@@ -29,6 +29,7 @@ struct Palette {
   Color control, decorator, action, condition, subtree, unknown;        // headers by shape
   Color running, success, failure, skipped, halted;                     // statuses
   Color warning, error;
+  Color simulation;       ///< what is no robot
   Color note, note_text;  ///< of XML comments
   bool is_dark;
 

@@ -18,6 +18,8 @@ Color StateColor(const Ui& ui, const RunView& run) {
     case RunPhase::kLoading:
     case RunPhase::kRecord:
       return ui.palette.accent;
+    case RunPhase::kSimulation:
+      return ui.palette.simulation;
     case RunPhase::kReconnecting:
       return ui.palette.text_dim;
   }
@@ -47,6 +49,9 @@ std::string Describe(const RunView& run) {
       return text;
     case RunPhase::kLoading:
       std::snprintf(text, sizeof(text), "loading %.0f %%", run.source().progress() * 100);
+      return text;
+    case RunPhase::kSimulation:
+      std::snprintf(text, sizeof(text), "%zu ticks", ticks);
       return text;
     case RunPhase::kRecord:
       std::snprintf(text, sizeof(text), "record, %zu ticks", ticks);

@@ -38,6 +38,16 @@ void DrawXml(const Ui& ui, EditorState& state, const Box& box);
 /// What is wrong with the files and with the connection. "problems/0".
 void DrawProblems(const Ui& ui, EditorState& state, const Box& box);
 
+/// The banner over a simulation and what can be done with it. "sim/banner", "sim/tick".
+void DrawSimulationBar(const Ui& ui, EditorState& state, const Box& box);
+
+/// A frame around the canvas of a simulation, and below the selected leaf what it returns.
+/// "sim/success", "sim/script".
+void DrawSimulatedLeaf(const Ui& ui, EditorState& state, const Box& canvas);
+
+/// Scenarios and how they went. "tests/0", with its first difference "tests/0/0", "tests/run".
+void DrawTests(const Ui& ui, EditorState& state, const Box& box);
+
 /// The open popup, if any: prompts, the command palette, the list of keys. "popup/input",
 /// "popup/0".
 void DrawPopup(const Ui& ui, EditorState& state);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "editor/core/simulation_editor.h"
 #include "editor/panels/canvas_tile.h"
 #include "editor/panels/panel.h"
 #include "editor/panels/panels.h"
@@ -40,9 +41,10 @@ class Screen {
       Column("right", column, {tiles.inspector, DrawInspector}, {tiles.blackboard, DrawBlackboard},
              splits.right_part);
     }
-    if (tiles.xml || tiles.problems) {
+    const Tile second = tiles.tests ? Tile{true, DrawTests} : Tile{tiles.problems, DrawProblems};
+    if (tiles.xml || second.shown) {
       const Box row = TakeBottom(rest, splits.bottom);
-      Row("bottom", row, {tiles.xml, DrawXml}, {tiles.problems, DrawProblems}, splits.bottom_part);
+      Row("bottom", row, {tiles.xml, DrawXml}, second, splits.bottom_part);
     }
     DrawMiddle(rest);
   }
@@ -138,10 +140,21 @@ class Screen {
 
   void DrawMiddle(Box rest) {
     DrawCanvasBar(ui_, state_, TakeTop(rest, kCanvasBar));
+    const bool is_simulation = SimulationEditor(state_, ui_.now).IsShown();
+    if (is_simulation) DrawSimulationBar(ui_, state_, TakeTop(rest, kBar));
     state_.canvas_size = {rest.width(), rest.height()};
     ImGui::SetCursorScreenPos(ToIm(rest.min));
     if (state_.workspace.view()) {
+      // What lies over the canvas takes clicks before it, and is painted over it.
+      ImDrawListSplitter layers;
+      ImDrawList& painting = *ImGui::GetWindowDrawList();
+      layers.Split(&painting, 2);
+      layers.SetCurrentChannel(&painting, 1);
+      if (is_simulation) DrawSimulatedLeaf(ui_, state_, rest);
+      layers.SetCurrentChannel(&painting, 0);
+      ImGui::SetCursorScreenPos(ToIm(rest.min));
       DrawCanvasTile(ui_, state_, rest);
+      layers.Merge(&painting);
       DrawNotice(rest);
       return;
     }

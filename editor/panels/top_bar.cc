@@ -14,26 +14,12 @@ constexpr MenuEntry kView[] = {
     {"view.layered"},       {"view.stacked"},        {nullptr}, {"tree.collapse"},
     {"tree.open_subtrees"}, {"tree.close_subtrees"}, {nullptr}, {"palette.dark"},
     {"palette.light"},      {"palette.colourblind"}};
-constexpr MenuEntry kEditMenu[] = {{"edit.undo"},
-                                   {"edit.redo"},
-                                   {"edit.history"},
-                                   {nullptr},
-                                   {"edit.cut"},
-                                   {"edit.copy"},
-                                   {"edit.paste"},
-                                   {"edit.paste_after"},
-                                   {nullptr},
-                                   {"edit.add"},
-                                   {"edit.rename"},
-                                   {"edit.change_type"},
-                                   {"edit.disable"},
-                                   {"edit.delete"},
-                                   {"edit.delete_only"},
-                                   {nullptr},
-                                   {"edit.find"},
-                                   {"edit.replace"},
-                                   {"key.rename"},
-                                   {"edit.xml"}};
+constexpr MenuEntry kEditMenu[] = {
+    {"edit.undo"},    {"edit.redo"},    {"edit.history"},     {nullptr},
+    {"edit.cut"},     {"edit.copy"},    {"edit.paste"},       {"edit.paste_after"},
+    {nullptr},        {"edit.add"},     {"edit.rename"},      {"edit.change_type"},
+    {"edit.disable"}, {"edit.delete"},  {"edit.delete_only"}, {nullptr},
+    {"edit.find"},    {"edit.replace"}, {"key.rename"},       {"edit.xml"}};
 constexpr MenuEntry kTreeMenu[] = {
     {"tree.new"},    {"tree.rename"},     {"tree.delete"}, {nullptr}, {"tree.extract"},
     {"tree.inline"}, {"tree.definition"}, {"tree.usages"}, {nullptr}, {"file.include"}};
@@ -157,11 +143,17 @@ class TopBar {
     const RunView* run = state_.workspace.run();
     const bool is_live = run && run->phase() == RunPhase::kLive && run->playhead().is_at_now();
     const bool is_offline = run && run->source().is_robot() && !run->state().is_fresh;
-    const std::string text = !run ? "EDIT" : is_live ? "LIVE" : is_offline ? "OFFLINE" : "REPLAY";
-    const Color color = is_live      ? ui_.palette.success
-                        : is_offline ? ui_.palette.text_dim
-                        : run        ? ui_.palette.accent
-                                     : 0;
+    const bool is_simulation = run && run->source().is_simulation();
+    const std::string text = !run            ? "EDIT"
+                             : is_simulation ? "SIMULATION"
+                             : is_live       ? "LIVE"
+                             : is_offline    ? "OFFLINE"
+                                             : "REPLAY";
+    const Color color = is_simulation ? ui_.palette.simulation
+                        : is_live     ? ui_.palette.success
+                        : is_offline  ? ui_.palette.text_dim
+                        : run         ? ui_.palette.accent
+                                      : 0;
     const Box chip = {{box_.max.x - 84 * ui_.scale, box_.min.y + 4 * ui_.scale},
                       {box_.max.x - 8 * ui_.scale, box_.max.y - 4 * ui_.scale}};
     if (ui_.Button("bar/mode", chip, text, run, color) && run) state_.commands.Run("run.now");

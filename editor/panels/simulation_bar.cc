@@ -1,0 +1,182 @@
+#include <algorithm>
+#include <cstdio>
+#include <string>
+
+#include "editor/core/simulation_editor.h"
+#include "editor/look/icons.h"
+#include "editor/panels/panels.h"
+#include "editor/simulation/script_text.h"
+
+namespace coppice::editor {
+namespace {
+
+std::string SpeedText(double speed) {
+  char text[32];
+  std::snprintf(text, sizeof(text), "%.3g", speed);
+  return icon::kTimesSign + std::string(text);
+}
+
+class Bar {
+ public:
+  Bar(const Ui& ui, EditorState& state, const Box& box)
+      : ui_(ui), state_(state), box_(box), list_(*ImGui::GetWindowDrawList()) {}
+
+  void Draw() {
+    ui_.items.Add("sim", box_);
+    ui_.Fill(list_, box_, Mix(ui_.palette.panel, ui_.palette.simulation, 0.30F));
+    left_ = box_.min.x + 10 * ui_.scale;
+    right_ = box_.max.x - 6 * ui_.scale;
+    Write("SIMULATION", {Face::kBold, 13, ui_.palette.simulation}, "sim/banner");
+    DrawLeft();
+    DrawRight();
+    DrawTime();
+  }
+
+ private:
+  void DrawLeft() {
+    const bool plays = state_.simulator.is_playing();
+    Left("sim/restart", icon::kRefresh, "sim.restart");
+    Left("sim/back", "back", "sim.back");
+    Left("sim/play", plays ? std::string(icon::kPause) + "  pause" : "run", "sim.play", plays);
+    Left("sim/tick", "tick", "sim.tick");
+    Left("sim/change", std::string(icon::kForward) + "  change", "sim.change");
+    left_ += 4 * ui_.scale;
+    Left("sim/slower", "-", "sim.slower");
+    Write(SpeedText(state_.simulator.speed()), {Face::kSans, 12, ui_.palette.text}, "sim/speed");
+    Left("sim/faster", "+", "sim.faster");
+  }
+
+  void DrawRight() {
+    Right("sim/end", "end", "sim.end");
+    Right("sim/save_test", "as test", "sim.save_test");
+    Right("sim/again", "again", "sim.again");
+    Right("sim/set", "set key", "sim.set");
+  }
+
+  void DrawTime() {
+    const Simulation& simulation = *state_.simulator.get();
+    char text[64];
+    std::snprintf(text, sizeof(text), "%.7g s   tick %llu",
+                  static_cast<double>(simulation.now().count()) * 1e-9,
+                  static_cast<unsigned long long>(simulation.ticks()));
+    std::string what = text;
+    Color color = ui_.palette.text;
+    if (const auto result = state_.simulator.result()) {
+      what += std::string("  ") + icon::kRightArrow + " " + ToString(*result);
+      color = ui_.palette.Of(*result);
+    }
+    if (!state_.simulator.problem().empty()) {
+      what = std::string(icon::kWarning) + "  the text has errors: the tree before it goes on";
+      color = ui_.palette.error;
+    }
+    Write(what, {Face::kSans, 12, color}, "sim/time");
+  }
+
+  void Write(const std::string& text, const TextStyle& style, const std::string& path) {
+    const float room = right_ - left_;
+    if (room < 20 * ui_.scale) return;
+    const float width = ui_.RowText(list_, {left_, box_.min.y}, box_.height(), text, style, room);
+    ui_.items.Add(path, {{left_, box_.min.y}, {left_ + width, box_.max.y}});
+    left_ += width + 10 * ui_.scale;
+  }
+
+  float WidthOf(const std::string& text) const {
+    return ui_.Width(text, {Face::kSans, 12, 0}) + 14 * ui_.scale;
+  }
+
+  void Left(const std::string& path, const std::string& text, const char* command,
+            bool active = false) {
+    const float width = WidthOf(text);
+    if (left_ + width > right_) return;
+    Press(path, left_, width, text, command, active);
+    left_ += width + 4 * ui_.scale;
+  }
+
+  void Right(const std::string& path, const std::string& text, const char* command) {
+    const float width = WidthOf(text);
+    if (right_ - width < left_) return;
+    right_ -= width;
+    Press(path, right_, width, text, command, false);
+    right_ -= 4 * ui_.scale;
+  }
+
+  void Press(const std::string& path, float x, float width, const std::string& text,
+             const char* command, bool active) {
+    const Box at = {{x, box_.min.y + 3 * ui_.scale}, {x + width, box_.max.y - 3 * ui_.scale}};
+    if (ui_.Button(path, at, text, active, ui_.palette.simulation)) state_.commands.Run(command);
+    const Command* known = state_.commands.Find(command);
+    if (!ImGui::IsItemHovered() || !known) return;
+    ImGui::SetTooltip("%s   %s", known->title.c_str(), ToString(known->keys).c_str());
+  }
+
+  const Ui& ui_;
+  EditorState& state_;
+  const Box box_;
+  ImDrawList& list_;
+  float left_ = 0;
+  float right_ = 0;
+};
+
+struct Answer {
+  const char* path;
+  const char* text;
+  const char* command;
+  Status status;
+};
+
+constexpr Answer kAnswers[] = {{"sim/success", "SUCCESS", "sim.success", Status::kSuccess},
+                               {"sim/failure", "FAILURE", "sim.failure", Status::kFailure},
+                               {"sim/running", "RUNNING", "sim.running", Status::kRunning},
+                               {"sim/skipped", "SKIPPED", "sim.skipped", Status::kSkipped}};
+
+}  // namespace
+
+void DrawSimulationBar(const Ui& ui, EditorState& state, const Box& box) {
+  Bar(ui, state, box).Draw();
+}
+
+void DrawSimulatedLeaf(const Ui& ui, EditorState& state, const Box& canvas) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  ui.Frame(list, canvas, ui.palette.simulation, 0, 2 * ui.scale);
+  const TreeView* view = state.workspace.view();
+  const NodeIndex leaf = SimulationEditor(state, ui.now).SelectedLeaf();
+  if (!view || leaf == editor::kNoNode) return;
+  const MockScript& script = *state.simulator.get()->ScriptOf(leaf);
+  const std::string does = PrintScript(script);
+
+  Box node = view->camera.ToScreen(view->BoxAt(view->ShownOf(view->selected()), ui.now));
+  node = {node.min + canvas.min, node.max + canvas.min};
+  const float height = 24 * ui.scale;
+  const float pad = 6 * ui.scale;
+  const auto width_of = [&](const std::string& text) {
+    return ui.Width(text, {Face::kSans, 12, 0}) + 14 * ui.scale;
+  };
+  float width = width_of(does) + pad;
+  for (const Answer& answer : kAnswers) width += width_of(answer.text) + 3 * ui.scale;
+  const float highest = std::max(canvas.max.y - height - pad, canvas.min.y);
+  const float furthest = std::max(canvas.max.x - width - pad, canvas.min.x);
+  const Point at = {
+      std::clamp(node.center().x - width / 2, canvas.min.x + pad,
+                 std::max(furthest, canvas.min.x + pad)),
+      std::clamp(node.max.y + pad, canvas.min.y + pad, std::max(highest, canvas.min.y + pad))};
+  const Box box = {at, at + Point{width + pad, height}};
+  ui.Fill(list, box, ui.palette.panel, 5 * ui.scale);
+  ui.Frame(list, box, ui.palette.simulation, 5 * ui.scale);
+  float x = at.x + pad / 2;
+  const auto button = [&](const char* path, const std::string& text, bool active, Color tint) {
+    const Box place = {{x, at.y + 2 * ui.scale},
+                       {x + width_of(text), at.y + height - 2 * ui.scale}};
+    x = place.max.x + 3 * ui.scale;
+    return ui.Button(path, place, text, active, tint);
+  };
+  for (const Answer& answer : kAnswers) {
+    const bool now = script.duration == Duration(0) && script.results.size() == 1 &&
+                     script.results[0] == answer.status;
+    if (button(answer.path, answer.text, now, ui.palette.Of(answer.status))) {
+      state.commands.Run(answer.command);
+    }
+  }
+  if (button("sim/script", does, false, 0)) state.commands.Run("sim.script");
+}
+
+}  // namespace coppice::editor

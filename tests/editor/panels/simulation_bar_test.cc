@@ -1,0 +1,203 @@
+#include <gtest/gtest.h>
+
+#include "editor/core/simulation_editor.h"
+#include "editor/simulation/script_text.h"
+#include "tests/editor/driver.h"
+
+namespace coppice::editor {
+namespace {
+
+constexpr char kPatrol[] = R"(<root BTCPP_format="4" main_tree_to_execute="Patrol">
+  <BehaviorTree ID="Patrol">
+    <ReactiveFallback name="patrol">
+      <Sequence name="recharge">
+        <ScriptCondition name="low?" code="battery &lt; 0.3"/>
+        <GoTo name="to station" place="station"/>
+        <Dock name="dock"/>
+      </Sequence>
+      <KeepRunningUntilFailure name="rounds">
+        <Sequence name="round">
+          <GoTo name="to door" place="{door}"/>
+          <Say name="say" text="All quiet."/>
+        </Sequence>
+      </KeepRunningUntilFailure>
+    </ReactiveFallback>
+  </BehaviorTree>
+</root>
+)";
+
+class SimulationBarTest : public testing::Test {
+ protected:
+  SimulationBarTest() : file_("patrol.xml", kPatrol) {
+    driver_.editor.Open(file_.path());
+    driver_.Frames();
+  }
+  EditorState& state() { return driver_.editor.state(); }
+  Simulation& simulation() { return *state().simulator.get(); }
+  void Start() {
+    driver_.Press(kKeyF1 + 4);
+    driver_.Frames();
+  }
+  void Answer(const std::string& text) {
+    driver_.Type(text);
+    driver_.Press(kKeyEnter);
+    driver_.Frames();
+  }
+  // By the name of the node.
+  bool ClickNode(const std::string& name) {
+    const Scene& scene = *driver_.view().scene();
+    for (const SceneNode& node : scene.nodes) {
+      if (node.name != name) continue;
+      return driver_.Click("canvas/" + scene.tree_id + "/" + node.path);
+    }
+    return false;
+  }
+  Status StatusOf(const std::string& name) {
+    const RunView& run = *state().workspace.run();
+    const auto& nodes = run.tree()->description()->nodes;
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      if (nodes[i].path == name) return run.state().states[i].status;
+    }
+    return Status::kIdle;
+  }
+
+  TemporaryFile file_;
+  Driver driver_;
+};
+
+TEST_F(SimulationBarTest, NobodyTakesASimulationForARobot) {
+  EXPECT_FALSE(driver_.Has("sim/banner"));
+  Start();
+  EXPECT_TRUE(driver_.Has("sim/banner"));
+  EXPECT_EQ(state().workspace.run()->phase(), RunPhase::kSimulation);
+  driver_.Press(kKeyF1 + 4, kShift);
+  driver_.Frames();
+  EXPECT_FALSE(driver_.Has("sim/banner"));
+  EXPECT_EQ(state().workspace.run(), nullptr);
+  EXPECT_EQ(state().workspace.ShownTreeId(), "Patrol");
+}
+
+TEST_F(SimulationBarTest, TicksRunsAndGoesBack) {
+  Start();
+  EXPECT_TRUE(driver_.Click("sim/tick"));
+  driver_.Frames();
+  EXPECT_EQ(StatusOf("to door"), Status::kRunning);
+  driver_.Press(kKeySpace);
+  driver_.Frames(30);  // 0.6 s
+  EXPECT_GE(simulation().ticks(), 5U);
+  EXPECT_EQ(driver_.editor.state().simulator.is_playing(), true);
+  driver_.Click("sim/play");
+  const std::uint64_t ticks = simulation().ticks();
+  driver_.Press(kKeyBackspace);
+  driver_.Frames();
+  EXPECT_EQ(simulation().ticks(), ticks - 1);
+  driver_.Press(kKeyF1 + 9, kShift);
+  driver_.Frames();
+  EXPECT_EQ(StatusOf("say"), Status::kRunning);
+}
+
+TEST_F(SimulationBarTest, FromThePastItGoesOnThere) {
+  Start();
+  for (int i = 0; i < 12; ++i) driver_.Press(kKeyF1 + 9);
+  driver_.Frames();
+  EXPECT_EQ(StatusOf("say"), Status::kRunning);
+  state().workspace.run()->playhead().GoToTick(2);
+  driver_.Frames();
+  EXPECT_EQ(StatusOf("to door"), Status::kRunning);
+  driver_.Press(kKeyF1 + 9);
+  driver_.Frames();
+  EXPECT_EQ(simulation().ticks(), 4U);
+  EXPECT_TRUE(state().workspace.run()->playhead().is_at_now());
+  EXPECT_EQ(StatusOf("to door"), Status::kRunning);
+}
+
+TEST_F(SimulationBarTest, TheUserAnswersForALeaf) {
+  Start();
+  driver_.Press(kKeyF1 + 9);
+  ASSERT_TRUE(ClickNode("to door"));
+  driver_.Frames();
+  EXPECT_TRUE(driver_.Click("sim/success"));
+  driver_.Frames();
+  EXPECT_EQ(StatusOf("say"), Status::kRunning);
+  EXPECT_EQ(simulation().ticks(), 2U);
+  driver_.Press(kKeyEnter);
+  driver_.Frames();
+  state().popup_text.clear();
+  Answer("300ms FAILURE");
+  EXPECT_EQ(state().popup, Popup::kNone);
+  const NodeIndex leaf = SimulationEditor(state(), 0).SelectedLeaf();
+  ASSERT_NE(leaf, kNoNode) << "it is still selected";
+  EXPECT_EQ(PrintScript(*simulation().ScriptOf(leaf)), "300ms FAILURE");
+}
+
+TEST_F(SimulationBarTest, AnEditIsReloadedAndErrorsAreSaid) {
+  Start();
+  driver_.Press(kKeyF1 + 9);
+  std::string text = kPatrol;
+  text.replace(text.find("<Dock name=\"dock\"/>"), 19, "<Inverter/>");
+  state().workspace.project().SetText(file_.path(), "Type", text);
+  driver_.Frames(20);
+  EXPECT_FALSE(state().simulator.problem().empty());
+  EXPECT_EQ(StatusOf("to door"), Status::kRunning);
+  text.replace(text.find("<Inverter/>"), 11, "<Park name=\"park\"/>");
+  state().workspace.project().SetText(file_.path(), "Type", text);
+  driver_.Frames(20);
+  EXPECT_TRUE(state().simulator.problem().empty());
+  EXPECT_EQ(StatusOf("to door"), Status::kRunning) << "it lives on";
+  EXPECT_EQ(simulation().program()->Id(4), "Park");
+}
+
+// The story: simulate the patrol until the battery is low, see the recharge branch, save it as a
+// test, run the test.
+TEST_F(SimulationBarTest, AStoryFromTheSimulationToTheTest) {
+  Start();
+  driver_.Press('B', kCtrl);
+  driver_.Frames();
+  Answer("battery = 0.8");
+  driver_.Press(kKeyF1 + 9);
+  driver_.Press(kKeyF1 + 9, kShift);
+  driver_.Frames();
+  EXPECT_EQ(StatusOf("say"), Status::kRunning) << "on patrol";
+  driver_.Picture("simulation_patrol");
+
+  driver_.Press('B', kCtrl);
+  driver_.Frames();
+  Answer("battery = 0.2");
+  driver_.Press(kKeyF1 + 9);
+  driver_.Frames();
+  EXPECT_EQ(StatusOf("to station"), Status::kRunning) << "the recharge branch";
+  EXPECT_EQ(StatusOf("say"), Status::kIdle);
+  ASSERT_TRUE(ClickNode("to station"));
+  driver_.Frames(30);
+  driver_.Picture("simulation_recharge");
+  driver_.Press('1');
+  driver_.Frames();
+  EXPECT_EQ(StatusOf("dock"), Status::kRunning);
+  driver_.Press(kKeyF1 + 9, kShift);
+  driver_.Frames();
+  EXPECT_EQ(state().simulator.result(), Status::kSuccess);
+
+  EXPECT_TRUE(driver_.Click("sim/save_test"));
+  driver_.Frames();
+  Answer("recharges when the battery is low");
+  ASSERT_EQ(state().popup, Popup::kNone) << state().popup_error;
+  ASSERT_EQ(state().tests.all().size(), 1U);
+  driver_.Press('R', kCtrl | kShift);
+  driver_.Frames(30);
+  EXPECT_EQ(state().tests.all()[0].state, ScenarioTest::State::kPassed);
+  EXPECT_TRUE(driver_.Has("tests/0"));
+  driver_.Picture("simulation_test_passed");
+
+  // With another threshold the tree does something else, and the test says where.
+  std::string text = kPatrol;
+  text.replace(text.find("0.3"), 3, "0.1");
+  state().workspace.project().SetText(file_.path(), "Type", text);
+  driver_.Press('R', kCtrl | kShift);
+  driver_.Frames(30);
+  EXPECT_EQ(state().tests.all()[0].state, ScenarioTest::State::kFailed);
+  EXPECT_TRUE(driver_.Has("tests/0/0"));
+  driver_.Picture("simulation_test_failed");
+}
+
+}  // namespace
+}  // namespace coppice::editor
