@@ -145,7 +145,7 @@ class TopBar {
     const bool is_offline = run && run->source().is_robot() && !run->state().is_fresh;
     const bool is_simulation = run && run->source().is_simulation();
     const std::string text = !run            ? "EDIT"
-                             : is_simulation ? "SIMULATION"
+                             : is_simulation ? "SIM"
                              : is_live       ? "LIVE"
                              : is_offline    ? "OFFLINE"
                                              : "REPLAY";
