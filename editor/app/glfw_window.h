@@ -1,0 +1,59 @@
+// A window of GLFW whose events are those of the editor.
+#ifndef COPPICE_EDITOR_APP_GLFW_WINDOW_H_
+#define COPPICE_EDITOR_APP_GLFW_WINDOW_H_
+
+#include <GLFW/glfw3.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "editor/core/editor.h"
+
+namespace coppice::editor {
+
+/// The library, from construction to destruction.
+class Glfw {
+ public:
+  Glfw();
+  ~Glfw();
+  Glfw(const Glfw&) = delete;
+  Glfw& operator=(const Glfw&) = delete;
+
+  bool good() const { return good_; }
+  /// What went wrong last, in the words of the library.
+  static const std::string& LastError();
+
+ private:
+  bool good_ = false;
+};
+
+class GlfwWindow {
+ public:
+  /// With a context of OpenGL, which is made current.
+  GlfwWindow(int width, int height);
+  ~GlfwWindow();
+  GlfwWindow(const GlfwWindow&) = delete;
+  GlfwWindow& operator=(const GlfwWindow&) = delete;
+
+  /// Null if there is no window.
+  GLFWwindow* get() const { return window_; }
+  void Show(CursorShape shape);
+
+  /// What happened since the last call, and the size now. `dt`: seconds since then.
+  InputEvents Take(float dt);
+  bool NeedsFrame() const { return !events_.empty() || damaged_; }
+
+ private:
+  static GlfwWindow& Self(GLFWwindow* window);
+  void SetCallbacks();
+
+  GLFWwindow* window_ = nullptr;
+  std::array<GLFWcursor*, 5> cursors_{};  // by CursorShape
+  std::vector<InputEvent> events_;
+  bool damaged_ = true;
+};
+
+}  // namespace coppice::editor
+
+#endif  // COPPICE_EDITOR_APP_GLFW_WINDOW_H_
