@@ -10,7 +10,9 @@ function(coppice_library name)
                                             $<INSTALL_INTERFACE:include/coppice>)
   target_compile_features(${name} PUBLIC cxx_std_17)
   target_link_libraries(${name} PUBLIC ${ARG_LINK} PRIVATE $<BUILD_INTERFACE:coppice_warnings>)
-  set_target_properties(${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  if(NOT EMSCRIPTEN)  # there a program has no plugins
+    set_target_properties(${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  endif()
 endfunction()
 
 # coppice_program(NAME SOURCES... [LINK libraries...])   builds build/bin/NAME

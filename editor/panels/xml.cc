@@ -147,7 +147,6 @@ class XmlPanel {
  public:
   XmlPanel(const Ui& ui, EditorState& state, const Shown& shown)
       : ui_(ui),
-        state_(state),
         pane_(state.xml),
         shown_(shown),
         lines_(SplitLines(*shown.text)),
@@ -315,7 +314,6 @@ class XmlPanel {
   }
 
   const Ui& ui_;
-  EditorState& state_;
   XmlPane& pane_;
   const Shown& shown_;
   const std::vector<Line> lines_;

@@ -1,0 +1,146 @@
+"""Opens the page of a running tree in Chromium and looks at what it shows.
+
+usage: page_test.py COPPICE FOLDER_OF_THE_PAGE [PICTURE.png]
+"""
+import base64
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+
+TIMEOUT = 120
+RUNNING = (0xF0, 0xAA, 0x28)  # of the dark palette
+TREE = """<root BTCPP_format="4"><BehaviorTree ID="Watched"><Sequence name="top">
+<Delay delay_msec="300"><AlwaysSuccess name="first"/></Delay>
+<KeepRunningUntilFailure><Sequence name="work"><Sleep name="rest" msec="800"/>
+<Script code="rounds := 1"/></Sequence></KeepRunningUntilFailure></Sequence></BehaviorTree></root>"""
+
+
+class Browser:
+    """Chromium without a window, talked to through a pipe (Chrome DevTools Protocol)."""
+
+    def __init__(self, folder):
+        read_here, write_there = os.pipe()
+        read_there, write_here = os.pipe()
+
+        def connect():
+            os.dup2(read_there, 3)
+            os.dup2(write_there, 4)
+        self.process = subprocess.Popen(
+            [shutil.which("chromium"), "--headless", "--no-sandbox", "--disable-gpu",
+             "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--no-first-run",
+             "--user-data-dir=" + folder, "--remote-debugging-pipe", "about:blank"],
+            preexec_fn=connect, close_fds=False, stderr=subprocess.DEVNULL)
+        os.close(read_there)
+        os.close(write_there)
+        self.reader, self.writer = os.fdopen(read_here, "rb"), write_here
+        self.number, self.session = 0, None
+        targets = self.call("Target.getTargets")["targetInfos"]
+        page = next(target for target in targets if target["type"] == "page")
+        self.session = self.call("Target.attachToTarget", targetId=page["targetId"],
+                                 flatten=True)["sessionId"]
+
+    def read(self):
+        message = b""
+        while True:
+            byte = self.reader.read(1)
+            if byte == b"\0":
+                return json.loads(message)
+            if not byte:
+                raise EOFError("the browser has ended")
+            message += byte
+
+    def call(self, method, **parameters):
+        self.number += 1
+        request = {"id": self.number, "method": method, "params": parameters}
+        if self.session:
+            request["sessionId"] = self.session
+        os.write(self.writer, json.dumps(request).encode() + b"\0")
+        while True:
+            answer = self.read()
+            if answer.get("id") == self.number:
+                assert "error" not in answer, answer
+                return answer["result"]
+
+    def evaluate(self, script):
+        result = self.call("Runtime.evaluate", expression=script, awaitPromise=True,
+                           returnByValue=True)
+        assert "exceptionDetails" not in result, result
+        return result["result"].get("value")
+
+    def close(self):
+        self.process.terminate()
+        self.process.wait(TIMEOUT)
+
+
+# Right after a frame was drawn, while its pixels are still there.
+COUNT = """new Promise(resolve => {
+  Module.onFrame = () => {
+    Module.onFrame = () => {};
+    const copy = document.createElement("canvas");
+    copy.width = Module.canvas.width;
+    copy.height = Module.canvas.height;
+    const context = copy.getContext("2d");
+    context.drawImage(Module.canvas, 0, 0);
+    const pixels = context.getImageData(0, 0, copy.width, copy.height).data;
+    let count = 0;
+    for (let i = 0; i < pixels.length; i += 4)
+      count += pixels[i] == %d && pixels[i + 1] == %d && pixels[i + 2] == %d;
+    resolve(count);
+  };
+  dispatchEvent(new MouseEvent("mousemove", {clientX: 600 + performance.now() %% 7, clientY: 300}));
+})"""
+
+
+def wait_for(what, question):
+    deadline = time.monotonic() + TIMEOUT
+    while time.monotonic() < deadline:
+        answer = question()
+        if answer:
+            return answer
+        time.sleep(0.1)
+    raise AssertionError("never happened: " + what)
+
+
+def look(browser, address, picture):
+    browser.call("Emulation.setDeviceMetricsOverride", width=1280, height=800,
+                 deviceScaleFactor=1, mobile=False)
+    browser.call("Page.navigate", url=address)
+    first = wait_for("a first frame", lambda: browser.evaluate(
+        "performance.getEntriesByName('first frame').map(mark => mark.startTime)[0] || 0"))
+    print("first frame after %.0f ms" % first)
+    wait_for("a running node in its colour",
+             lambda: browser.evaluate(COUNT % RUNNING) > 100)
+    shot = browser.call("Page.captureScreenshot", format="png")["data"]
+    if picture:
+        with open(picture, "wb") as file:
+            file.write(base64.b64decode(shot))
+
+
+def main(coppice, folder, picture=None):
+    with tempfile.TemporaryDirectory() as scratch:
+        with open(scratch + "/tree.xml", "w") as file:
+            file.write(TREE)
+        robot = subprocess.Popen(
+            [coppice, "run", scratch + "/tree.xml", "--forever", "--quiet", "--live-port", "0",
+             "--web-port", "0", "--web-folder", folder], stderr=subprocess.PIPE, text=True)
+        browser = None
+        try:
+            address = None
+            while not address:
+                address = re.search(r"in a browser: (\S+)", robot.stderr.readline())
+            browser = Browser(scratch + "/profile")
+            look(browser, address.group(1), picture)
+        finally:
+            if browser:
+                browser.close()
+            robot.terminate()
+            robot.wait(TIMEOUT)
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])
