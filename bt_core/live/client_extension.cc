@@ -14,6 +14,7 @@ constexpr Duration kPingPeriod = std::chrono::milliseconds(1000);
 constexpr Duration kPatience = std::chrono::milliseconds(3000);
 constexpr std::size_t kLongHeaderSize = 22;
 constexpr char kVersion = 2;
+constexpr std::size_t kMostEarlyNotices = 100;  // the newest
 
 template <class T>
 void Append(std::string& bytes, T number) {  // little endian
@@ -180,6 +181,7 @@ void ClientExtension::OnFrames(const Parts& parts) {
   const std::string problem =
       history_.Add(first, next, std::string_view(parts[1]).substr(2 * kNumberSize));
   if (!problem.empty()) return Fail(problem);
+  TellNotices();
   SendWithoutReply(WriteAck(subscription_, next));
 }
 
@@ -188,9 +190,19 @@ void ClientExtension::OnNotice(const Parts& parts) {
   if (message.event == "released") return Fail("the robot has given this client up");
   if (message.event == "trees") return OnTrees(message.trees);
   if (message.tree != connection_.tree) return;
-  NodeIndex& node = message.notice.event.stop.node;
-  if (node >= history_.nodes()) node = kNoNode;
-  listener_.OnNotice(message.notice);
+  if (early_notices_.size() == kMostEarlyNotices) early_notices_.erase(early_notices_.begin());
+  early_notices_.push_back(std::move(message.notice));
+  TellNotices();
+}
+
+// A tree can stop before its description has come: then the notice waits for it.
+void ClientExtension::TellNotices() {
+  if (history_.nodes() == 0) return;
+  for (LiveNotice& notice : std::exchange(early_notices_, {})) {
+    NodeIndex& node = notice.event.stop.node;
+    if (node >= history_.nodes()) node = kNoNode;
+    listener_.OnNotice(notice);
+  }
 }
 
 void ClientExtension::OnTrees(const std::vector<std::string>& trees) {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "bt_core/live/client_history.h"
 #include "bt_core/live/client_session.h"
@@ -37,6 +38,7 @@ class ClientExtension final : public ClientSession {
   void OnReply(const Parts& parts);
   void OnFrames(const Parts& parts);
   void OnNotice(const Parts& parts);
+  void TellNotices();
   void OnTrees(const std::vector<std::string>& trees);
   bool ChooseTree();
 
@@ -50,6 +52,7 @@ class ClientExtension final : public ClientSession {
   std::uint32_t subscription_ = 0;
   bool is_subscribing_ = false;
   bool is_subscribed_ = false;
+  std::vector<LiveNotice> early_notices_;  // those that came before the tree
   Duration heard_{0};
   Duration next_ping_{0};
   bool pinged_ = false;  // since the robot was heard last

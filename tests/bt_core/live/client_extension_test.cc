@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
+#include "tests/bt_core/live/encoded_run.h"
 #include "tests/bt_core/live/watcher.h"
 
 namespace coppice {
@@ -34,6 +35,13 @@ class ClientExtensionTest : public ::testing::Test {
     Answer({{"protocol", 1}, {"control", true}, {"trees", {{{"tree", 0}, {"name", "Main"}}}}});
     Answer({{"subscription", 0}, {"run", std::string(32, '1')}, {"next", 5}, {"missed", 0}});
   }
+
+  // Tree and state, the frames 5 and 6.
+  void PushTree() {
+    const EncodedRun run(0);
+    Push('F', Number(5) + Number(7) + run[0] + run[1]);
+  }
+  static std::string Number(char number) { return std::string(1, number) + std::string(7, '\0'); }
 
   LiveClientOptions options_;
   Watcher watcher_;
@@ -82,10 +90,20 @@ TEST_F(ClientExtensionTest, ATreeThatIsGoneHasNoName) {
 
 TEST_F(ClientExtensionTest, ANodeThatTheTreeDoesNotHaveIsNotHandedOn) {
   Connect();
-  Push('E', R"({"event":"stopped","tree":0,"stop":{"where":"before","node":9,"path":"x"}})");
+  PushTree();
+  Push('E', R"({"event":"stopped","tree":0,"stop":{"where":"before","node":99,"path":"x"}})");
   ASSERT_THAT(watcher_.watched().notices, SizeIs(1));
   EXPECT_EQ(watcher_.watched().notices[0].event.stop.node, kNoNode);
   EXPECT_EQ(watcher_.watched().notices[0].path, "x");
+}
+
+TEST_F(ClientExtensionTest, AStopBeforeTheTreeIsKnownIsToldBehindTheTree) {
+  Connect();
+  Push('E', R"({"event":"stopped","tree":0,"stop":{"where":"before","node":1,"path":"x"}})");
+  EXPECT_THAT(watcher_.watched().notices, SizeIs(0));
+  PushTree();
+  ASSERT_THAT(watcher_.watched().notices, SizeIs(1));
+  EXPECT_EQ(watcher_.watched().notices[0].event.stop.node, 1u);
 }
 
 TEST_F(ClientExtensionTest, GivesUpARobotThatDoesNotKnowTheExtension) {

@@ -3,8 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "bt_core/history/history_encoder.h"
-#include "tests/bt_core/live/watched_tree.h"
+#include "tests/bt_core/live/encoded_run.h"
 #include "tests/bt_core/live/watcher.h"
 
 namespace coppice {
@@ -14,40 +13,10 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-// The frames of a run, as a robot stores them: 0 the tree, 1 the state, then one for each tick.
-class Frames : private FrameSink, private EventListener {
- public:
-  explicit Frames(int ticks) {
-    stream_.Add(*this);
-    for (int i = 0; i < ticks; ++i) {
-      executor_.Tick();
-      stream_.Flush();
-      encoder_.Flush();
-    }
-    encoder_.Keyframe();
-    stream_.Remove(*this);
-  }
-  std::string operator[](std::size_t i) const { return frames_.at(i); }
-  std::size_t size() const { return frames_.size(); }
-
- private:
-  void OnFrame(const Frame& frame) override {
-    frames_.emplace_back(reinterpret_cast<const char*>(frame.data), frame.size);
-  }
-  void OnState(const StreamState& state) override { encoder_.Add(state); }
-  void OnTick(const TickEvents& events) override { encoder_.Add(events); }
-
-  SimulatedClock clock_;
-  Executor executor_{WatchedProgram(), clock_};
-  EventStream stream_{executor_};
-  HistoryEncoder encoder_{{}, *this};
-  std::vector<std::string> frames_;
-};
-
 class ClientHistoryTest : public ::testing::Test {
  protected:
   const RunId run_ = {1};
-  const Frames frames_{5};  // frame 7 is a state after tick 5
+  const EncodedRun frames_{5};  // frame 7 is a state after tick 5
   Watcher watcher_;
   ClientHistory history_{watcher_};
 };
