@@ -57,7 +57,8 @@ bool TakesValue(const std::string& name) {
 
 const char* const kEditUsage =
     "coppice-edit [FILES...] [options]\n"
-    "  Shows behaviour trees: of files, and live of robots that speak the Groot2 protocol.\n"
+    "  Shows behaviour trees: of files (.xml), live of robots that speak the Groot2 protocol, and\n"
+    "  of records of runs (.coppice, and .btlog of BehaviorTree.CPP).\n"
     "  --connect HOST:PORT  follow a robot; may be given several times\n"
     "  --models FILE        XML file with a <TreeNodesModel>; may be given several times\n"
     "  --palette NAME       dark, light or colourblind\n"

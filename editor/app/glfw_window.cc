@@ -102,6 +102,9 @@ void GlfwWindow::SetCallbacks() {
     constexpr int kKnown = GLFW_MOD_SHIFT | GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SUPER;
     Self(w).events_.push_back(KeyEvent{key, action != GLFW_RELEASE, modifiers & kKnown});
   });
+  glfwSetDropCallback(window_, [](GLFWwindow* w, int count, const char** paths) {
+    Self(w).dropped_.assign(paths, paths + count);
+  });
   glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned codepoint) {
     Self(w).events_.push_back(TypedText{ToUtf8(codepoint)});
   });

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "editor/core/editor.h"
@@ -42,7 +43,9 @@ class GlfwWindow {
 
   /// What happened since the last call, and the size now. `dt`: seconds since then.
   InputEvents Take(float dt);
-  bool NeedsFrame() const { return !events_.empty() || damaged_; }
+  bool NeedsFrame() const { return !events_.empty() || damaged_ || !dropped_.empty(); }
+  /// Files that were dragged onto the window since the last call.
+  std::vector<std::string> TakeDropped() { return std::exchange(dropped_, {}); }
 
  private:
   static GlfwWindow& Self(GLFWwindow* window);
@@ -52,6 +55,7 @@ class GlfwWindow {
   std::array<GLFWcursor*, 5> cursors_{};  // by CursorShape
   std::vector<InputEvent> events_;
   bool damaged_ = true;
+  std::vector<std::string> dropped_;
 };
 
 }  // namespace coppice::editor

@@ -73,6 +73,7 @@ class WindowLoop {
   }
 
   void DrawFrame() {
+    for (const std::string& path : window_.TakeDropped()) editor_.Open(path);
     editor_.Frame(window_.Take(Lapse()));
     window_.Show(editor_.cursor());
     RedrawBackBuffer();

@@ -2,6 +2,7 @@
 
 #include "editor/canvas/canvas_looks.h"
 #include "editor/canvas/edge_painter.h"
+#include "editor/canvas/mark_painter.h"
 #include "editor/canvas/node_painter.h"
 #include "editor/canvas/status_look.h"
 
@@ -75,6 +76,7 @@ class TreePainter {
     NodeLook look = LookOf(view_, area_.options, item.k, item.box, area_.camera.zoom);
     look.hovered = area_.hovered == &item;
     PaintNode(pen_, scene_, NodeOf(item), look);
+    PaintMarks(pen_, look);
   }
 
   // A branch of a few pixels still shows what runs and what is wrong in it.

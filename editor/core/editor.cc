@@ -14,6 +14,7 @@
 #include "editor/core/edit_commands.h"
 #include "editor/core/picture_commands.h"
 #include "editor/core/project_commands.h"
+#include "editor/core/run_commands.h"
 #include "editor/core/simulation_commands.h"
 #include "editor/core/standard_commands.h"
 #include "editor/live/robot_source.h"
@@ -59,6 +60,7 @@ Editor::Editor(EditorOptions options)
   AddEditCommands(state_, [this] { return now_; });
   AddProjectCommands(state_, [this] { return now_; });
   AddPictureCommands(state_, [this] { return now_; });
+  AddRunCommands(state_, [this] { return now_; });
   AddStandardCommands(state_, [this] { return now_; });
   AddSimulationCommands(state_, [this] { return now_; });  // last: see there
   LoadRecent();
@@ -138,6 +140,10 @@ void Editor::Frame(const InputEvents& input) {
   now_ += input.dt;
   state_.simulator.Update(state_.workspace.project(), now_);
   state_.workspace.Update(now_);
+  for (const auto& run : state_.workspace.runs()) {
+    const std::string answer = run->TakeAnswer();
+    if (!answer.empty()) state_.Notify(run->name() + ": " + answer, now_, true);
+  }
   BackUp();
   const std::string news = state_.workspace.TakeNews();
   if (!news.empty()) state_.Notify(news, now_);

@@ -8,13 +8,18 @@
 #include <string>
 #include <vector>
 
+#include "bt_core/replay/compare.h"
 #include "editor/canvas/drop_target.h"
 #include "editor/commands/choice.h"
 #include "editor/commands/command_table.h"
 #include "editor/commands/keys.h"
 #include "editor/core/canvas_state.h"
 #include "editor/core/workspace.h"
+#include "editor/live/run_figures.h"
+#include "editor/live/why_answer.h"
 #include "editor/look/palette.h"
+#include "editor/panels/follow.h"
+#include "editor/panels/timeline_state.h"
 #include "editor/simulation/scenario_tests.h"
 #include "editor/simulation/simulator.h"
 
@@ -29,6 +34,8 @@ struct Tiles {
   bool blackboard = true;
   bool xml = true;
   bool problems = true;
+  bool run = true;       ///< why, running, breakpoints, statistics; while a run is shown
+  bool timeline = true;  ///< while a run is shown
   bool tests = false;  ///< in the place of the problems
   bool minimap = true;
 };
@@ -38,9 +45,11 @@ struct Splits {
   float left = 236;
   float right = 296;
   float bottom = 170;
+  float timeline = 190;
   float left_part = 0.28F;    ///< of the project in the upper part of the left column
   float types_part = 0.62F;   ///< of what is above the node types
   float right_part = 0.55F;   ///< of the inspector in the right column
+  float run_part = 0.42F;     ///< of the XML there, while a run is shown
   float bottom_part = 0.62F;  ///< of the XML in the bottom row
 };
 
@@ -70,6 +79,16 @@ struct Prompt {
 struct List {
   std::string hint;
   ChoiceSource rows;
+};
+
+/// What the run's tile shows.
+enum class RunTab { kWhy, kRunning, kHooks, kStatistics, kComparison };
+
+/// Two runs that were compared, by name.
+struct ShownComparison {
+  std::string first;
+  std::string second;
+  std::optional<RunComparison> result;
 };
 
 inline constexpr double kNoticeSeconds = 4;  ///< how long a notice is shown
@@ -143,9 +162,16 @@ struct EditorState {
   std::string focus_field;            ///< path of the field to type in next
   std::map<std::string, std::string> restorable;  ///< unsaved texts of the last time, by path
   std::vector<KeyEvent> keys;                     ///< pressed in this frame
-  bool selected_keys_only = false;                ///< in the blackboard
-  std::string shown_key;                          ///< "blackboard/SCOPE/KEY" with its history
-  Point canvas_size{800, 600};                    ///< of the last frame
+  RunTab run_tab = RunTab::kWhy;
+  std::map<std::string, TimelineState> timelines;  ///< by name of the run
+  FollowMode follow;
+  std::optional<HeatMode> heat;
+  RunFigures figures;
+  WhyAnswer why;
+  ShownComparison comparison;
+  bool selected_keys_only = false;  ///< in the blackboard
+  std::string shown_key;            ///< "blackboard/SCOPE/KEY" with its history
+  Point canvas_size{800, 600};      ///< of the last frame
   bool quit = false;
   std::function<bool(const std::string&)> open_file;
   std::function<std::string(const std::string&)> connect;  ///< returns what is wrong, or nothing

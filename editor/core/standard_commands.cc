@@ -182,6 +182,10 @@ class Commands {
     AddTile("tile.blackboard", "Blackboard tile", 6, &Tiles::blackboard);
     AddTile("tile.xml", "XML tile", 7, &Tiles::xml);
     AddTile("tile.problems", "Problems tile", 8, &Tiles::problems);
+    Add("tile.timeline", "Timeline tile", {kKeyF1 + 7, kCtrl},
+        [&s = state_] { s.tiles.timeline = !s.tiles.timeline; });
+    Add("tile.run", "Why, running, breakpoints tile", {kKeyF1 + 7, kShift},
+        [&s = state_] { s.tiles.run = !s.tiles.run; });
     AddTile("tile.minimap", "Minimap", 11, &Tiles::minimap);
   }
 

@@ -60,13 +60,14 @@ void RunView::MeasureRate(double now) {
 }
 
 const HistoryFollower& RunView::follower() const {
-  return playhead_.is_at_now() || run_.size() == 0 ? run_.now() : place_.state();
+  return shows_now_ ? run_.now() : place_.state();
 }
 
 void RunView::ShowTick() {
   if (!run_.has_tree()) return;
   const std::size_t tick = playhead_.tick();
-  if (!playhead_.is_at_now() && run_.size() > 0) place_.Go(tick);
+  shows_now_ = playhead_.is_at_now() || run_.size() == 0;
+  if (!shows_now_) place_.Go(tick);
   const std::size_t at = playhead_.is_at_now() ? run_.size() : tick;
   const Tracks& tracks = run_.TracksAt(at);
   std::shared_ptr<const RunTree>& tree = trees_[tracks.tree().get()];

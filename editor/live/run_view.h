@@ -54,7 +54,7 @@ class RunView final : private LiveListener {
   const Playhead& playhead() const { return playhead_; }
   /// The tree at the shown tick; null before there is one.
   const std::shared_ptr<const RunTree>& tree() const { return tree_; }
-  /// How it stands there. There must be a tree.
+  /// How it stands there, as of the last Update. There must be a tree.
   const HistoryFollower& follower() const;
   const TreeState& state() const { return state_; }
 
@@ -92,6 +92,7 @@ class RunView final : private LiveListener {
   Playhead playhead_{run_};
   std::shared_ptr<const RunTree> tree_;
   std::map<const TreeDescription*, std::shared_ptr<const RunTree>> trees_;
+  bool shows_now_ = true;  // not what place_ says
   TreeState state_;
   DebugStop stop_;
   std::string stop_path_;

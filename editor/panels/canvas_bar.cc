@@ -54,6 +54,12 @@ class CanvasBar {
                                const char* command) {
       if (Button(path, text, active)) state_.commands.Run(command);
     };
+    if (state_.workspace.run()) {
+      const std::string heat =
+          std::string("heat: ") + (state_.heat ? ToString(*state_.heat) : "off");
+      button("canvasbar/heat", heat, state_.heat.has_value(), "run.heat");
+      button("canvasbar/follow", "follow", state_.follow.is_on, "run.follow");
+    }
     button("canvasbar/zoom", std::to_string(percent) + " %", false, "view.zoom_100");
     button("canvasbar/fit", "fit", false, "view.fit_all");
     button("canvasbar/compact", "compact", style.compact, "view.compact");

@@ -7,6 +7,7 @@
 #include "editor/canvas/node_metrics.h"
 #include "editor/core/node_drop.h"
 #include "editor/core/tree_editor.h"
+#include "editor/panels/run_marks.h"
 #include "editor/scene/problem_places.h"
 
 namespace coppice::editor {
@@ -41,6 +42,12 @@ class CanvasTile {
         state_.after_frame = [&s = state_] { s.commands.Run("tree.definition"); };
       };
     }
+    const HeatMap heat = RunHeat(state_, view_);
+    if (!heat.values.empty()) options.heat = &heat;
+    const std::vector<Change> changes = RunDifferences(state_, view_);
+    if (!changes.empty()) options.changes = &changes;
+    if (options.live)
+      FollowRunning(state_.follow, view_, *options.live, {box_.width(), box_.height()}, ui_.now);
     DrawCanvas(ui_, view_, box_, options);
   }
 

@@ -38,6 +38,14 @@ void DrawXml(const Ui& ui, EditorState& state, const Box& box);
 /// What is wrong with the files and with the connection. "problems/0".
 void DrawProblems(const Ui& ui, EditorState& state, const Box& box);
 
+/// Time: lanes of nodes, ticks and a key. "timeline/PATH", "timeline/overview", "timeline/now".
+void DrawTimeline(const Ui& ui, EditorState& state, const Box& box);
+
+/// Why, what runs, breakpoints, statistics and comparison of the shown run. "run/why".
+void DrawRunTile(const Ui& ui, EditorState& state, const Box& box);
+
+/// Where the robot stands: how to go on, below the node. "stop/continue".
+void DrawStopBar(const Ui& ui, EditorState& state, const Box& canvas);
 /// The banner over a simulation and what can be done with it. "sim/banner", "sim/tick".
 void DrawSimulationBar(const Ui& ui, EditorState& state, const Box& box);
 

@@ -36,15 +36,23 @@ class Screen {
     Tiles& tiles = state_.tiles;
     Splits& splits = state_.splits;
     if (tiles.project || tiles.outline || tiles.types) LeftColumn(TakeLeft(rest, splits.left));
+    const bool is_run = state_.workspace.run() != nullptr;
+    if (is_run && tiles.timeline) {
+      DrawTimeline(ui_, state_, TakeBottom(rest, splits.timeline, "split/timeline"));
+    }
     if (tiles.inspector || tiles.blackboard) {
       const Box column = TakeRight(rest, splits.right);
       Column("right", column, {tiles.inspector, DrawInspector}, {tiles.blackboard, DrawBlackboard},
              splits.right_part);
     }
-    const Tile second = tiles.tests ? Tile{true, DrawTests} : Tile{tiles.problems, DrawProblems};
+    const bool shows_run = is_run && !tiles.tests;
+    const Tile second = tiles.tests ? Tile{true, DrawTests}
+                        : shows_run ? Tile{tiles.run, DrawRunTile}
+                                    : Tile{tiles.problems, DrawProblems};
     if (tiles.xml || second.shown) {
-      const Box row = TakeBottom(rest, splits.bottom);
-      Row("bottom", row, {tiles.xml, DrawXml}, second, splits.bottom_part);
+      const Box row = TakeBottom(rest, splits.bottom, "split/bottom");
+      Row("bottom", row, {tiles.xml, DrawXml}, second,
+          shows_run ? splits.run_part : splits.bottom_part);
     }
     DrawMiddle(rest);
   }
@@ -81,12 +89,12 @@ class Screen {
     return taken;
   }
 
-  Box TakeBottom(Box& rest, float& size) {
+  Box TakeBottom(Box& rest, float& size, const std::string& name) {
     const float height = Limit(size, rest.height() * 0.8F);
     const float gap = kGap * ui_.scale;
     const Box taken = {{rest.min.x, rest.max.y - height}, rest.max};
     const Box bar = {{rest.min.x, taken.min.y - gap}, {rest.max.x, taken.min.y}};
-    size -= Splitter(ui_, "split/bottom", bar, false);
+    size -= Splitter(ui_, name, bar, false);
     rest.max.y = bar.min.y;
     return taken;
   }
@@ -151,6 +159,7 @@ class Screen {
       layers.Split(&painting, 2);
       layers.SetCurrentChannel(&painting, 1);
       if (is_simulation) DrawSimulatedLeaf(ui_, state_, rest);
+      DrawStopBar(ui_, state_, rest);
       layers.SetCurrentChannel(&painting, 0);
       ImGui::SetCursorScreenPos(ToIm(rest.min));
       DrawCanvasTile(ui_, state_, rest);

@@ -23,10 +23,50 @@ constexpr MenuEntry kEditMenu[] = {
 constexpr MenuEntry kTreeMenu[] = {
     {"tree.new"},    {"tree.rename"},     {"tree.delete"}, {nullptr}, {"tree.extract"},
     {"tree.inline"}, {"tree.definition"}, {"tree.usages"}, {nullptr}, {"file.include"}};
-constexpr MenuEntry kTilesMenu[] = {{"tile.project"},   {"tile.outline"},    {"tile.types"},
-                                    {"tile.inspector"}, {"tile.blackboard"}, {"tile.xml"},
-                                    {"tile.problems"},  {"tile.minimap"}};
-constexpr MenuEntry kRobotMenu[] = {{"robot.connect"}, {"robot.next"}};
+constexpr MenuEntry kTilesMenu[] = {
+    {"tile.project"}, {"tile.outline"},  {"tile.types"}, {"tile.inspector"}, {"tile.blackboard"},
+    {"tile.xml"},     {"tile.problems"}, {"tile.run"},   {"tile.timeline"},  {"tile.minimap"}};
+constexpr MenuEntry kRobotMenu[] = {{"robot.connect"},
+                                    {"robot.next"},
+                                    {"run.close"},
+                                    {nullptr},
+                                    {"run.pause"},
+                                    {"run.continue"},
+                                    {"run.step_tick"},
+                                    {"run.step_node"},
+                                    {nullptr},
+                                    {"run.breakpoint"},
+                                    {"run.breakpoint_enable"},
+                                    {"run.breakpoint_condition"},
+                                    {"run.breakpoint_path"},
+                                    {nullptr},
+                                    {"run.force_success"},
+                                    {"run.force_failure"},
+                                    {"run.force_running"},
+                                    {"run.force_skipped"},
+                                    {"run.delay"},
+                                    {"run.clear_faults"}};
+constexpr MenuEntry kRunMenu[] = {{"run.back"},
+                                  {"run.forward"},
+                                  {"run.change_before"},
+                                  {"run.next_change"},
+                                  {"run.begin"},
+                                  {"run.now"},
+                                  {"run.play"},
+                                  {"run.faster"},
+                                  {"run.slower"},
+                                  {nullptr},
+                                  {"run.why"},
+                                  {"run.running"},
+                                  {"run.hooks"},
+                                  {"run.statistics"},
+                                  {"run.comparison"},
+                                  {nullptr},
+                                  {"run.follow"},
+                                  {"run.heat"},
+                                  {"blackboard.selection"},
+                                  {"blackboard.write"},
+                                  {"run.save"}};
 constexpr MenuEntry kHelpMenu[] = {{"help.palette"}, {"help.keys"}};
 
 class TopBar {
@@ -42,6 +82,7 @@ class TopBar {
     x = Menu("View", x, [this] { Entries(kView); });
     x = Menu("Tiles", x, [this] { Entries(kTilesMenu); });
     x = Menu("Robot", x, [this] { Entries(kRobotMenu); });
+    x = Menu("Run", x, [this] { Entries(kRunMenu); });
     x = Menu("Help", x, [this] { Entries(kHelpMenu); });
     DrawField();
     DrawMode();

@@ -103,7 +103,9 @@ TEST_F(RunViewTest, ABreakpointThatWasThereBeforeTheRobotStopsIt) {
   LiveRobot robot(kTrees);
   const auto view = Open(robot.endpoint());
   robot.StartTicking();
-  ASSERT_TRUE(Await(*view, [&] { return view->stop().where == DebugStop::Where::kBefore; }));
+  ASSERT_TRUE(Await(*view, [&] {
+    return view->run().has_tree() && view->stop().where == DebugStop::Where::kBefore;
+  }));
   EXPECT_EQ(view->stop_path(), "sub/work");
   const auto has_mark = [&](auto mark) {
     return view->state().states.size() > 3 && (view->state().states[3].marks & mark) != 0;

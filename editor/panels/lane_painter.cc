@@ -1,0 +1,67 @@
+#include "editor/panels/lane_painter.h"
+
+#include <algorithm>
+
+namespace coppice::editor {
+namespace {
+
+constexpr Status kByWeight[] = {Status::kFailure, Status::kRunning, Status::kSuccess,
+                                Status::kSkipped};
+
+}  // namespace
+
+Status WorstOf(StatusSet statuses) {
+  for (const Status status : kByWeight) {
+    if (statuses & SetOf(status)) return status;
+  }
+  return Status::kIdle;
+}
+
+void PaintBars(const Ui& ui, ImDrawList& list, const Box& box, const std::vector<Bar>& bars,
+               std::size_t columns) {
+  const float step = box.width() / static_cast<float>(std::max<std::size_t>(columns, 1));
+  for (const Bar& bar : bars) {
+    const float left = box.min.x + step * static_cast<float>(bar.first_column);
+    const float right = box.min.x + step * static_cast<float>(bar.end_column);
+    const bool also_idle = bar.statuses & SetOf(Status::kIdle);
+    int kinds = 0;
+    for (const Status status : kByWeight) kinds += (bar.statuses & SetOf(status)) != 0;
+    const float height = box.height() / static_cast<float>(kinds);
+    float top = box.min.y;
+    for (const Status status : kByWeight) {
+      if (!(bar.statuses & SetOf(status))) continue;
+      const Color color = Mix(ui.palette.panel, ui.palette.Of(status), also_idle ? 0.45F : 0.75F);
+      ui.Fill(list, {{left, top}, {right, top + height}}, color);
+      top += height;
+    }
+    const TextStyle style{Face::kBold, 9, ui.palette.is_dark ? 0xFF101010 : 0xFFFFFFFF};
+    const std::string text = ToString(WorstOf(bar.statuses));
+    const float width = ui.Width(text, style);
+    if (kinds == 1 && !also_idle && right - left > width + 8 * ui.scale) {
+      ui.RowText(list, {left + 4 * ui.scale, box.min.y}, box.height(), text, style);
+    }
+  }
+}
+
+void PaintHatched(const Ui& ui, ImDrawList& list, const Box& box, Color color) {
+  ui.Fill(list, box, Fade(color, 0.18F));
+  list.PushClipRect(ToIm(box.min), ToIm(box.max), true);
+  const float step = 6 * ui.scale;
+  for (float x = box.min.x - box.height(); x < box.max.x; x += step) {
+    list.AddLine({x, box.max.y}, {x + box.height(), box.min.y}, Fade(color, 0.6F), ui.scale);
+  }
+  list.PopClipRect();
+}
+
+Time MarkDistance(Time span, int most) {
+  constexpr double kSteps[] = {1e-5, 2e-5, 5e-5, 1e-4, 2e-4, 5e-4, 1e-3, 2e-3,  5e-3,  0.01, 0.02,
+                               0.05, 0.1,  0.2,  0.5,  1,    2,    5,    10,    15,    30,   60,
+                               120,  300,  600,  900,  1800, 3600, 7200, 14400, 43200, 86400};
+  const double wanted = static_cast<double>(span.count()) * 1e-9 / std::max(most, 1);
+  for (const double step : kSteps) {
+    if (step >= wanted) return Time(static_cast<Time::rep>(step * 1e9));
+  }
+  return Time(static_cast<Time::rep>(wanted * 1e9));
+}
+
+}  // namespace coppice::editor

@@ -1,0 +1,30 @@
+// What the tabs of the run's tile show. There is a tree and at least one tick.
+#ifndef COPPICE_EDITOR_PANELS_RUN_BODIES_H_
+#define COPPICE_EDITOR_PANELS_RUN_BODIES_H_
+
+#include "editor/core/editor_state.h"
+#include "editor/look/ui.h"
+
+namespace coppice::editor {
+
+/// The walk of the shown tick on the way to the selected node. "run/why/0", "run/why/change".
+void DrawWhy(const Ui& ui, EditorState& state, RunView& run);
+
+/// The leaves that run, the longest first. "run/running/PATH".
+void DrawRunning(const Ui& ui, EditorState& state, RunView& run);
+
+/// Breakpoints and faults of all robots. "run/hook/1", with "/on" and "/remove".
+void DrawHooks(const Ui& ui, EditorState& state, RunView& run);
+
+/// Figures of every node, of the marked stretch or of the whole run. "run/figures/PATH".
+void DrawStatistics(const Ui& ui, EditorState& state, RunView& run);
+
+/// Where this run and another one part. "run/compare/NAME", "run/parting", "run/difference/0".
+void DrawComparison(const Ui& ui, EditorState& state, RunView& run);
+
+/// Selects a node of the run in the shown tree.
+void SelectRunNode(EditorState& state, NodeIndex node);
+
+}  // namespace coppice::editor
+
+#endif  // COPPICE_EDITOR_PANELS_RUN_BODIES_H_

@@ -1,0 +1,75 @@
+#include <vector>
+
+#include "editor/core/run_commands.h"
+#include "editor/look/icons.h"
+#include "editor/panels/panel.h"
+#include "editor/panels/run_bodies.h"
+
+namespace coppice::editor {
+namespace {
+
+void DrawHook(const Ui& ui, EditorState& state, const RunView& run, const WantedHook& wanted) {
+  const std::string path = "run/hook/" + std::to_string(wanted.number);
+  Row row = NextRow(ui, path, false);
+  ImGui::SetItemAllowOverlap();
+  const ImVec2 behind = ImGui::GetCursorScreenPos();
+  if (!row.visible) return;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  float right = row.box.max.x - 4 * ui.scale;
+  const auto button = [&](const std::string& name, const std::string& text) {
+    const float width = ui.Width(text, {Face::kSans, 12, 0}) + 12 * ui.scale;
+    const Box at = {{right - width, row.box.min.y + ui.scale}, {right, row.box.max.y - ui.scale}};
+    right -= width + 3 * ui.scale;
+    return ui.Button(path + name, at, text);
+  };
+  Hook hook = wanted.hook;
+  HookList& hooks = state.workspace.hooks;
+  const bool removed = button("/remove", icon::kTimes);
+  const bool switched = button("/on", hook.enabled ? "on" : "off");
+  const bool asked = button("/condition", "if");
+  ImGui::SetCursorScreenPos(behind);
+
+  const SetHookState* set = run.hooks().Find(wanted.number);
+  const Color color = !hook.enabled        ? ui.palette.text_dim
+                      : IsBreakpoint(hook) ? ui.palette.failure
+                                           : ui.palette.warning;
+  const Point dot = {row.box.min.x + 12 * ui.scale, row.box.center().y};
+  if (set && set->id != kNoHook) {
+    list.AddCircleFilled(ToIm(dot), 4 * ui.scale, color);
+  } else {
+    list.AddCircle(ToIm(dot), 4 * ui.scale, color);
+  }
+  float x = row.box.min.x + 24 * ui.scale;
+  const auto write = [&](const std::string& text, Face face, Color with) {
+    const float room = right - x - 4 * ui.scale;
+    if (text.empty() || room < 8 * ui.scale) return;
+    x += ui.RowText(list, {x, row.box.min.y}, row.box.height(), text, {face, 12, with}, room) +
+         8 * ui.scale;
+  };
+  write(hook.path, Face::kBold, hook.enabled ? ui.palette.text : ui.palette.text_dim);
+  write(ToString(hook), Face::kSans, color);
+  if (set && set->hits > 0) write(std::to_string(set->hits) + " hits", Face::kSans, color);
+  if (!wanted.robot.empty()) write("on " + wanted.robot, Face::kSans, ui.palette.text_dim);
+  if (set) write(set->remark, Face::kSans, ui.palette.warning);
+
+  if (removed) return hooks.Remove(wanted.number);
+  if (switched) {
+    hook.enabled = !hook.enabled;
+    return hooks.Change(wanted.number, hook);
+  }
+  if (asked) AskForCondition(state, wanted.number);
+}
+
+}  // namespace
+
+void DrawHooks(const Ui& ui, EditorState& state, RunView& run) {
+  const std::vector<WantedHook> all = state.workspace.hooks.all();  // rows may change it
+  if (all.empty()) {
+    Hint(ui,
+         "F9 stops the robot at the selected node; a fault forces its result (Ctrl+P, \"force\"). "
+         "Both may be set before the robot is there.");
+  }
+  for (const WantedHook& wanted : all) DrawHook(ui, state, run, wanted);
+}
+
+}  // namespace coppice::editor

@@ -1,0 +1,22 @@
+// What a run adds to its nodes on the canvas besides their statuses.
+#ifndef COPPICE_EDITOR_PANELS_RUN_MARKS_H_
+#define COPPICE_EDITOR_PANELS_RUN_MARKS_H_
+
+#include <vector>
+
+#include "editor/canvas/heat_map.h"
+#include "editor/canvas/node_look.h"
+#include "editor/core/editor_state.h"
+
+namespace coppice::editor {
+
+/// Of the statistics, if a heat map is wanted; else without values.
+HeatMap RunHeat(EditorState& state, const TreeView& view);
+
+/// The nodes that did something else in the run that the shown one was compared with; empty if it
+/// was compared with none.
+std::vector<Change> RunDifferences(const EditorState& state, const TreeView& view);
+
+}  // namespace coppice::editor
+
+#endif  // COPPICE_EDITOR_PANELS_RUN_MARKS_H_

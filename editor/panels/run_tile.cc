@@ -1,0 +1,50 @@
+#include <algorithm>
+#include <cstdio>
+
+#include "editor/core/run_commands.h"
+#include "editor/look/icons.h"
+#include "editor/panels/panel.h"
+#include "editor/panels/panels.h"
+#include "editor/panels/run_bodies.h"
+
+namespace coppice::editor {
+namespace {
+
+struct Tab {
+  RunTab tab;
+  const char* path;
+  const char* title;
+  void (*draw)(const Ui&, EditorState&, RunView&);
+};
+
+constexpr Tab kTabs[] = {{RunTab::kWhy, "run/why", "WHY", DrawWhy},
+                         {RunTab::kRunning, "run/running", "RUNNING", DrawRunning},
+                         {RunTab::kHooks, "run/hooks", "BREAKPOINTS", DrawHooks},
+                         {RunTab::kStatistics, "run/statistics", "STATISTICS", DrawStatistics},
+                         {RunTab::kComparison, "run/comparison", "COMPARE", DrawComparison}};
+
+}  // namespace
+
+void DrawRunTile(const Ui& ui, EditorState& state, const Box& box) {
+  RunView* run = state.workspace.run();
+  Panel(ui, "run", box, "", "", [&] {
+    if (!run || !run->tree() || run->run().size() == 0) {
+      Hint(ui, "Nothing has happened yet.");
+      return;
+    }
+    for (const Tab& tab : kTabs) {
+      if (tab.tab == state.run_tab) tab.draw(ui, state, *run);
+    }
+  });
+  float x = box.min.x + 4 * ui.scale;
+  for (const Tab& tab : kTabs) {
+    const float width = ui.Width(tab.title, {Face::kSans, 12, 0}) + 12 * ui.scale;
+    const Box at = {{x, box.min.y + 2 * ui.scale},
+                    {x + width, box.min.y + (kPanelHeader - 2) * ui.scale}};
+    if (at.max.x > box.max.x) break;
+    if (ui.Button(tab.path, at, tab.title, state.run_tab == tab.tab)) state.run_tab = tab.tab;
+    x += width + 2 * ui.scale;
+  }
+}
+
+}  // namespace coppice::editor

@@ -1,0 +1,76 @@
+#include <algorithm>
+
+#include "editor/look/icons.h"
+#include "editor/panels/panel.h"
+#include "editor/panels/run_bodies.h"
+#include "editor/panels/run_text.h"
+
+namespace coppice::editor {
+namespace {
+
+constexpr float kIndent = 10;
+
+NodeIndex SelectedNode(EditorState& state) {
+  const TreeView* view = state.workspace.view();
+  if (!view || view->selected() == kNoNode) return 0;
+  return static_cast<NodeIndex>(std::max(view->scene()->nodes[view->selected()].uid, 0));
+}
+
+void DrawSentence(const Ui& ui, const std::string& path, const std::string& text, Color color) {
+  const Row row = NextRow(ui, path, false);
+  if (row.hovered) ImGui::SetTooltip("%s", text.c_str());
+  if (!row.visible) return;
+  ui.RowText(*ImGui::GetWindowDrawList(), row.box.min + Point{8 * ui.scale, 0}, row.box.height(),
+             text, {Face::kBold, 12, color}, row.box.width() - 16 * ui.scale);
+}
+
+void DrawLine(const Ui& ui, EditorState& state, const WhyLine& line, std::size_t number) {
+  const Row row = NextRow(ui, "run/why/" + std::to_string(number), line.is_asked);
+  if (row.clicked) SelectRunNode(state, line.node);
+  if (row.hovered) ImGui::SetTooltip("%s\n%s", line.name.c_str(), line.reason.c_str());
+  if (!row.visible) return;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const Color color =
+      line.status == Status::kIdle ? ui.palette.text_dim : ui.palette.Of(line.status);
+  ui.Fill(list, {row.box.min, {row.box.min.x + 3 * ui.scale, row.box.max.y}}, color);
+  float x = row.box.min.x +
+            (10 + kIndent * static_cast<float>(std::min<std::uint32_t>(line.depth, 10))) * ui.scale;
+  const auto write = [&](const std::string& text, Face face, Color with) {
+    const float room = row.box.max.x - x - 8 * ui.scale;
+    if (room > 8 * ui.scale) {
+      x += ui.RowText(list, {x, row.box.min.y}, row.box.height(), text, {face, 12, with}, room) +
+           8 * ui.scale;
+    }
+  };
+  write(line.name, line.is_asked ? Face::kBold : Face::kSans, ui.palette.text);
+  write(line.status == Status::kIdle ? "made idle" : ToString(line.status), Face::kBold, color);
+  if (line.is_news) write("new", Face::kSans, ui.palette.accent);
+  write(line.reason, Face::kSans, ui.palette.text_dim);
+}
+
+}  // namespace
+
+void SelectRunNode(EditorState& state, NodeIndex node) {
+  TreeView* view = state.workspace.view();
+  if (!view || node >= view->scene()->node_of_uid.size()) return;
+  const std::uint32_t in_scene = view->scene()->node_of_uid[node];
+  if (in_scene == kNoNode) return;
+  view->Select(in_scene);
+  view->Reveal(state.canvas_size);
+}
+
+void DrawWhy(const Ui& ui, EditorState& state, RunView& run) {
+  state.why.Ask(run, SelectedNode(state));
+  const WhyAnswer& why = state.why;
+  const std::string tick = TickText(run.run(), run.playhead().tick());
+  if (!why.why_not().empty()) {
+    DrawSentence(ui, "run/why/not", tick + ": " + why.why_not(), ui.palette.warning);
+  }
+  if (!why.change().empty()) {
+    DrawSentence(ui, "run/why/change", why.change(), ui.palette.accent);
+  }
+  if (why.lines().empty()) Hint(ui, "Nothing was ticked in " + tick + ".");
+  for (std::size_t i = 0; i < why.lines().size(); ++i) DrawLine(ui, state, why.lines()[i], i);
+}
+
+}  // namespace coppice::editor

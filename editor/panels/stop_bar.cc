@@ -1,0 +1,50 @@
+#include <algorithm>
+
+#include "editor/panels/panels.h"
+
+namespace coppice::editor {
+namespace {
+
+struct StopButton {
+  const char* path;
+  const char* text;
+  const char* command;
+};
+
+constexpr StopButton kButtons[] = {{"stop/continue", "Continue", "run.continue"},
+                                   {"stop/step", "Step", "run.step_node"},
+                                   {"stop/success", "SUCCESS", "run.continue_success"},
+                                   {"stop/failure", "FAILURE", "run.continue_failure"},
+                                   {"stop/skip", "SKIP", "run.continue_skipped"}};
+
+}  // namespace
+
+void DrawStopBar(const Ui& ui, EditorState& state, const Box& canvas) {
+  const RunView* run = state.workspace.run();
+  const TreeView* view = state.workspace.view();
+  if (!run || !view || !run->playhead().is_at_now()) return;
+  const DebugStop& stop = run->stop();
+  if (stop.where != DebugStop::Where::kBefore && stop.where != DebugStop::Where::kAfter) return;
+  const auto& nodes = view->scene()->node_of_uid;
+  if (stop.node >= nodes.size() || nodes[stop.node] == kNoNode) return;
+  Box node = view->camera.ToScreen(view->BoxAt(view->ShownOf(nodes[stop.node]), ui.now));
+  node = {node.min + canvas.min, node.max + canvas.min};
+  const float height = 22 * ui.scale;
+  const float top = std::clamp(node.max.y + 6 * ui.scale, canvas.min.y + 4 * ui.scale,
+                               std::max(canvas.max.y - height - 4 * ui.scale, canvas.min.y));
+  float x = std::clamp(node.min.x, canvas.min.x + 4 * ui.scale,
+                       std::max(canvas.max.x - 330 * ui.scale, canvas.min.x));
+  for (const StopButton& button : kButtons) {
+    const bool can = stop.where == DebugStop::Where::kBefore || &button < kButtons + 2;
+    if (!can) continue;
+    const float width = ui.Width(button.text, {Face::kSans, 12, 0}) + 16 * ui.scale;
+    const Box at = {{x, top}, {x + width, top + height}};
+    x += width + 3 * ui.scale;
+    ui.Fill(*ImGui::GetWindowDrawList(), at, ui.palette.panel, 4);
+    if (ui.Button(button.path, at, button.text, false, ui.palette.running)) {
+      state.commands.Run(button.command);
+    }
+  }
+}
+
+}  // namespace coppice::editor

@@ -1,0 +1,150 @@
+#include <algorithm>
+#include <cstdio>
+
+#include "editor/panels/lane_painter.h"
+#include "editor/panels/run_text.h"
+#include "editor/panels/timeline_frame.h"
+#include "editor/timeline/slot_history.h"
+
+namespace coppice::editor {
+namespace {
+
+class Lanes {
+ public:
+  explicit Lanes(TimelineFrame& frame) : f_(frame), list_(*ImGui::GetWindowDrawList()) {}
+
+  void DrawLanes() {
+    ListLanes();
+    const float height = kLaneHeight * f_.ui.scale;
+    const float fixed = (f_.state.shown_key.empty() ? 1.0F : 2.5F) * height;
+    Box box = {f_.lanes.min, {f_.lanes.max.x, std::max(f_.lanes.max.y - fixed, f_.lanes.min.y)}};
+    const float all = height * static_cast<float>(f_.shown.listed.size());
+    f_.shown.scroll = std::clamp(f_.shown.scroll, 0.0F, std::max(all - box.height(), 0.0F));
+    list_.PushClipRect({f_.labels.min.x, box.min.y}, ToIm(box.max), true);
+    for (std::size_t i = 0; i < f_.shown.listed.size(); ++i) {
+      const float top = box.min.y + height * static_cast<float>(i) - f_.shown.scroll;
+      if (top + height < box.min.y || top > box.max.y) continue;
+      DrawLane(f_.shown.listed[i], {{f_.lanes.min.x, top}, {f_.lanes.max.x, top + height}});
+    }
+    list_.PopClipRect();
+    DrawDurations({{f_.lanes.min.x, box.max.y}, {f_.lanes.max.x, box.max.y + height}});
+    if (!f_.state.shown_key.empty()) {
+      DrawKey({{f_.lanes.min.x, box.max.y + height}, {f_.lanes.max.x, f_.lanes.max.y}});
+    }
+  }
+
+ private:
+  // Nodes that do something in what is shown, in the order of the tree.
+  void ListLanes() {
+    f_.shown.listed.clear();
+    std::size_t first = f_.run.size();
+    std::size_t end = 0;
+    for (const Column& column : f_.columns) {
+      if (column.is_empty()) continue;
+      first = std::min(first, column.first);
+      end = std::max(end, column.end);
+    }
+    for (NodeIndex i = 0; i < f_.tracks.shape().size(); ++i) {
+      const StatusSet seen = f_.tracks.LaneOf(i).Seen(first, end);
+      if (seen & ~SetOf(Status::kIdle)) f_.shown.listed.push_back(i);
+    }
+  }
+
+  void Label(const Box& lane, const std::string& text, float indent, const TextStyle& style) {
+    const float left = f_.labels.min.x + (8 + indent) * f_.ui.scale;
+    f_.ui.RowText(list_, {left, lane.min.y}, lane.height(), text, style,
+                  f_.labels.max.x - left - 6 * f_.ui.scale);
+  }
+
+  void DrawLane(NodeIndex node, const Box& lane) {
+    const DescribedNode& described = f_.tracks.tree()->nodes[node];
+    const TreeView* tree = f_.state.workspace.view();
+    const bool selected = tree && tree->selected() != kNoNode &&
+                          tree->scene()->nodes[tree->selected()].uid == static_cast<int>(node);
+    const Box row = {{f_.labels.min.x, lane.min.y}, lane.max};
+    if (selected) f_.ui.Fill(list_, row, Fade(f_.ui.palette.row_selected, 0.6F));
+    f_.ui.items.Add("timeline/" + described.path, lane);
+    float depth = 0;
+    for (NodeIndex i = node; f_.tracks.shape()[i].parent != i && depth < 8; ++depth) {
+      i = f_.tracks.shape()[i].parent;
+    }
+    const auto& states = f_.view.state().states;
+    const bool runs = node < states.size() && states[node].status == Status::kRunning;
+    Label(lane, described.path.substr(described.path.rfind('/') + 1), depth * 6,
+          {selected ? Face::kBold : Face::kSans, 11,
+           runs ? f_.ui.palette.running : f_.ui.palette.text});
+    const Box bars = {lane.min + Point{0, 2 * f_.ui.scale}, lane.max - Point{0, 2 * f_.ui.scale}};
+    PaintBars(f_.ui, list_, bars, BarsOf(f_.tracks.LaneOf(node), f_.columns), f_.columns.size());
+    DrawInjections(node, bars);
+  }
+
+  void DrawInjections(NodeIndex node, const Box& bars) {
+    const auto& all = f_.tracks.injections();
+    float last = -1e9F;
+    auto at = std::lower_bound(
+        all.begin(), all.end(), f_.run.TickAt(f_.shown.view.begin()),
+        [](const Injection& injection, std::size_t tick) { return injection.tick < tick; });
+    for (; at != all.end(); ++at) {
+      const float x = f_.XOf(f_.run.TimeOf(at->tick));
+      if (x > bars.max.x) return;
+      if (at->node != node || x < last + 3 * f_.ui.scale) continue;
+      last = x;
+      f_.ui.Fill(list_, {{x, bars.min.y}, {x + 2 * f_.ui.scale, bars.max.y}}, f_.ui.palette.error);
+    }
+  }
+
+  void DrawDurations(const Box& lane) {
+    Label(lane, "tick ms", 0, {Face::kSans, 11, f_.ui.palette.text_dim});
+    float most = 0.001F;
+    std::vector<float> durations;
+    for (const Column& column : f_.columns) {
+      durations.push_back(f_.run.durations().Largest(column.first, column.end));
+      most = std::max(most, durations.back());
+    }
+    const float step = lane.width() / static_cast<float>(f_.columns.size());
+    for (std::size_t i = 0; i < durations.size(); ++i) {
+      if (durations[i] <= 0) continue;
+      const float height = std::max(durations[i] / most * (lane.height() - 3), 1.0F);
+      const float x = lane.min.x + step * static_cast<float>(i);
+      f_.ui.Fill(list_, {{x, lane.max.y - height}, {x + step, lane.max.y}},
+                 Fade(f_.ui.palette.accent, 0.6F));
+    }
+    char text[32];
+    std::snprintf(text, sizeof(text), "max %.2f", static_cast<double>(most));
+    const TextStyle style{Face::kSans, 9, f_.ui.palette.text_dim};
+    f_.ui.RowText(list_, {lane.min.x + 3 * f_.ui.scale, lane.min.y}, lane.height(), text, style);
+  }
+
+  void DrawKey(const Box& lane) {
+    const auto& slots = f_.tracks.tree()->slots;
+    for (SlotIndex slot = 0; slot < slots.size(); ++slot) {
+      if (f_.state.shown_key != "blackboard/" + slots[slot].scope + "/" + slots[slot].name)
+        continue;
+      Label(lane, "{" + slots[slot].name + "}", 0,
+            {Face::kSans, 11, f_.ui.palette.OfKey(slots[slot].name)});
+      std::vector<std::size_t> ticks;
+      std::size_t empty = 0;
+      for (const Column& column : f_.columns) {
+        if (column.is_empty()) {
+          empty += ticks.empty();
+        } else {
+          ticks.push_back(column.end - 1);
+        }
+      }
+      const float step = lane.width() / static_cast<float>(f_.columns.size());
+      const Box box = {{lane.min.x + step * static_cast<float>(empty), lane.min.y},
+                       {lane.min.x + step * static_cast<float>(empty + ticks.size()), lane.max.y}};
+      PaintCurve(f_.ui, list_, box, SampleSlot(f_.run, slot, ticks));
+      return;
+    }
+  }
+
+  TimelineFrame& f_;
+  ImDrawList& list_;
+};
+
+}  // namespace
+
+void DrawTimelineLanes(TimelineFrame& frame) { Lanes(frame).DrawLanes(); }
+
+}  // namespace coppice::editor

@@ -1,0 +1,31 @@
+#include <gtest/gtest.h>
+
+#include "tests/editor/executed_source.h"
+
+namespace coppice::editor {
+namespace {
+
+TEST(RunStatistics, HasALineForEveryNodeAndLeadsThere) {
+  Driver driver;
+  AddExecuted(driver, "robot:1", 20);
+  driver.Press('S');
+  EXPECT_TRUE(driver.Has("run/figures/all"));
+  ASSERT_TRUE(driver.Click("run/figures/IsDoorOpen"));
+  EXPECT_EQ(driver.Selected(), "1.1.1");
+  driver.Picture("statistics");
+}
+
+TEST(RunStatistics, PaintHeatOnTheCanvas) {
+  Driver driver;
+  AddExecuted(driver, "robot:1", 20);
+  driver.Press('H');
+  ASSERT_TRUE(driver.editor.state().heat);
+  EXPECT_EQ(*driver.editor.state().heat, HeatMode::kTime);
+  driver.Frames(10);
+  driver.Picture("heat");
+  for (int i = 0; i < 3; ++i) driver.Press('H');
+  EXPECT_FALSE(driver.editor.state().heat);
+}
+
+}  // namespace
+}  // namespace coppice::editor

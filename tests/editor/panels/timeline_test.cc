@@ -1,0 +1,108 @@
+#include <gtest/gtest.h>
+
+#include "tests/editor/executed_source.h"
+
+namespace coppice::editor {
+namespace {
+
+class TimelineTest : public testing::Test {
+ protected:
+  TimelineTest() { driver_.Frames(); }
+  RunView& run() { return *driver_.editor.state().workspace.run(); }
+  Point In(const std::string& path, float x, float y = 0.5F) const {
+    const Box box = driver_.BoxOf(path);
+    return box.min + Point{box.width() * x, box.height() * y};
+  }
+  Driver driver_;
+};
+
+TEST_F(TimelineTest, HasALaneForEachNodeThatDoesSomething) {
+  AddExecuted(driver_, "robot:1", 30);
+  driver_.Frames();
+  EXPECT_TRUE(driver_.Has("timeline/mission"));
+  EXPECT_TRUE(driver_.Has("timeline/pass/Drive"));
+  EXPECT_FALSE(driver_.Has("timeline/OpenDoor")) << "it was never ticked";
+  const Color bar =
+      Mix(GetPalette(PaletteName::kDark).panel, GetPalette(PaletteName::kDark).running, 0.75F);
+  EXPECT_GT(driver_.CountColor(driver_.BoxOf("timeline/mission"), bar, 8), 300);
+  driver_.Picture("timeline");
+}
+
+TEST_F(TimelineTest, AClickGoesThereAndAKeyGoesBackToNow) {
+  AddExecuted(driver_, "robot:1", 60);
+  driver_.ClickAt(In("timeline/ruler", 0.7F));
+  EXPECT_FALSE(run().playhead().is_at_now());
+  const std::size_t tick = run().playhead().tick();
+  EXPECT_GT(tick, 10U);
+  EXPECT_LT(tick, 59U);
+  driver_.Press(kKeyLeft);
+  EXPECT_EQ(run().playhead().tick(), tick - 1);
+  driver_.Press(kKeyRight);
+  driver_.Press(kKeyRight);
+  EXPECT_EQ(run().playhead().tick(), tick + 1);
+  driver_.Press('L');
+  EXPECT_TRUE(run().playhead().is_at_now());
+}
+
+TEST_F(TimelineTest, TheOverviewScrubsTheWholeRun) {
+  AddExecuted(driver_, "robot:1", 500);
+  const Box box = driver_.BoxOf("timeline/overview");
+  driver_.Drag({box.min.x + 20, box.center().y}, {box.min.x + box.width() * 0.5F, box.center().y});
+  EXPECT_NEAR(static_cast<double>(run().playhead().tick()), 250, 15);
+  driver_.Frames();
+  const TimeView& view = driver_.editor.state().timelines["robot:1"].view;
+  EXPECT_GE(view.PartOf(run().playhead().time()), 0) << "the playhead is in view";
+  EXPECT_LE(view.PartOf(run().playhead().time()), 1);
+}
+
+TEST_F(TimelineTest, ShiftMarksAStretch) {
+  AddExecuted(driver_, "robot:1", 100);
+  driver_.MoveTo(In("timeline/lanes", 0.3F));
+  driver_.input.events.push_back(KeyEvent{340, true, kShift});
+  driver_.Frames(1);
+  const Point from = In("timeline/lanes", 0.3F);
+  const Point to = In("timeline/lanes", 0.6F);
+  driver_.Drag(from, to);
+  const auto& range = driver_.editor.state().timelines["robot:1"].range;
+  ASSERT_TRUE(range);
+  EXPECT_LT(range->first, range->second);
+}
+
+TEST_F(TimelineTest, TheWheelPansAndZoomsWithCtrl) {
+  AddExecuted(driver_, "robot:1", 100);
+  TimeView& view = driver_.editor.state().timelines["robot:1"].view;
+  EXPECT_TRUE(view.is_following());
+  driver_.MoveTo(In("timeline/lanes", 0.5F));
+  driver_.Wheel(1);
+  EXPECT_FALSE(view.is_following());
+  const Time span = view.span();
+  driver_.input.events.push_back(KeyEvent{341, true, kCtrl});
+  driver_.Frames(1);
+  driver_.Wheel(1);
+  EXPECT_LT(view.span(), span);
+}
+
+TEST_F(TimelineTest, AHoleInTheHistoryIsHatched) {
+  auto source = std::make_unique<ExecutedSource>("robot:1", kDoorTrees);
+  source->Ticks(10);
+  ExecutedSource* robot = source.get();
+  driver_.editor.AddRun(std::move(source));
+  driver_.Frames();
+  robot->Lose(7);
+  robot->Ticks(10);
+  driver_.Frames();
+  EXPECT_TRUE(driver_.Has("timeline/gap/10"));
+}
+
+TEST_F(TimelineTest, SpacePlaysARecord) {
+  AddExecuted(driver_, "run.coppice", 50, false);
+  driver_.Press(kKeySpace);
+  EXPECT_TRUE(run().playhead().is_playing());
+  driver_.Frames(30);  // 20 ms each
+  EXPECT_NEAR(static_cast<double>(run().playhead().tick()), 6, 2);
+  driver_.Press(kKeySpace);
+  EXPECT_FALSE(run().playhead().is_playing());
+}
+
+}  // namespace
+}  // namespace coppice::editor
