@@ -95,6 +95,10 @@ void RunView::ShowTick() {
 void RunView::Mark(const HookList& hooks) {
   if (!tree_) return;
   const auto& nodes = tree_->description()->nodes;
+  // The notice may say the path alone.
+  for (NodeIndex i = 0; stop_.node == coppice::kNoNode && i < nodes.size(); ++i) {
+    if (!stop_path_.empty() && nodes[i].path == stop_path_) stop_.node = i;
+  }
   const auto mark = [&](const std::string& path, std::uint8_t marks) {
     for (std::size_t i = 0; i < nodes.size() && i < state_.states.size(); ++i) {
       if (nodes[i].path == path) state_.states[i].marks |= marks;
@@ -133,6 +137,7 @@ void RunView::OnNotice(const LiveNotice& notice) {
       break;
     case DebugEvent::Kind::kResumed:
       stop_ = DebugStop();
+      stop_path_.clear();
       break;
     case DebugEvent::Kind::kReplaced:
       break;

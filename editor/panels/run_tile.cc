@@ -1,8 +1,3 @@
-#include <algorithm>
-#include <cstdio>
-
-#include "editor/core/run_commands.h"
-#include "editor/look/icons.h"
 #include "editor/panels/panel.h"
 #include "editor/panels/panels.h"
 #include "editor/panels/run_bodies.h"
@@ -23,11 +18,22 @@ constexpr Tab kTabs[] = {{RunTab::kWhy, "run/why", "WHY", DrawWhy},
                          {RunTab::kStatistics, "run/statistics", "STATISTICS", DrawStatistics},
                          {RunTab::kComparison, "run/comparison", "COMPARE", DrawComparison}};
 
+// Why the robot is not there.
+void DrawProblem(const Ui& ui, const std::string& problem) {
+  if (problem.empty()) return;
+  const Row row = NextRow(ui, "run/problem", false);
+  if (row.hovered) ImGui::SetTooltip("%s", problem.c_str());
+  if (!row.visible) return;
+  ui.RowText(*ImGui::GetWindowDrawList(), row.box.min + Point{8 * ui.scale, 0}, row.box.height(),
+             problem, {Face::kBold, 12, ui.palette.warning}, row.box.width() - 16 * ui.scale);
+}
+
 }  // namespace
 
 void DrawRunTile(const Ui& ui, EditorState& state, const Box& box) {
   RunView* run = state.workspace.run();
   Panel(ui, "run", box, "", "", [&] {
+    if (run) DrawProblem(ui, run->connection().problem);
     if (!run || !run->tree() || run->run().size() == 0) {
       Hint(ui, "Nothing has happened yet.");
       return;

@@ -34,6 +34,10 @@ void DrawStopBar(const Ui& ui, EditorState& state, const Box& canvas) {
                                std::max(canvas.max.y - height - 4 * ui.scale, canvas.min.y));
   float x = std::clamp(node.min.x, canvas.min.x + 4 * ui.scale,
                        std::max(canvas.max.x - 330 * ui.scale, canvas.min.x));
+  // A window of its own: it lies above the canvas, for the mouse too.
+  ImGui::SetCursorScreenPos({x, top});
+  ImGui::BeginChild("stop", {330 * ui.scale, height}, false,
+                    ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoBackground);
   for (const StopButton& button : kButtons) {
     const bool can = stop.where == DebugStop::Where::kBefore || &button < kButtons + 2;
     if (!can) continue;
@@ -45,6 +49,7 @@ void DrawStopBar(const Ui& ui, EditorState& state, const Box& canvas) {
       state.commands.Run(button.command);
     }
   }
+  ImGui::EndChild();
 }
 
 }  // namespace coppice::editor

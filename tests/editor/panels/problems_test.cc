@@ -27,10 +27,10 @@ TEST(Problems, LeadToTheNode) {
 TEST(Problems, TellWhyARobotIsNotConnected) {
   Driver driver;
   ScriptedRobot* const robot = driver.AddRobot("robot:1", kLiveTree);
-  EXPECT_FALSE(driver.Has("problems/0"));
+  EXPECT_FALSE(driver.Has("run/problem"));
   robot->Disconnect("no answer");
   driver.Frames();
-  EXPECT_TRUE(driver.Has("problems/0"));
+  EXPECT_TRUE(driver.Has("run/problem")) << "beside what is known of the run";
 }
 
 }  // namespace
