@@ -144,6 +144,16 @@ class RunCommands {
     command.when = [&s = state_] { return s.workspace.run() != nullptr; };
     state_.commands.Add(std::move(command));
   }
+  // The same for robots only; a simulation has keys of its own for it.
+  void AddForRobot(std::string id, std::string title, KeyChord keys,
+                   std::function<void(RunView&)> run) {
+    Command command{std::move(id), std::move(title), keys, {}, {}};
+    command.run = [&s = state_, run = std::move(run)] {
+      if (!RobotOf(s).empty()) run(*s.workspace.run());
+    };
+    command.when = [&s = state_] { return !RobotOf(s).empty(); };
+    state_.commands.Add(std::move(command));
+  }
   void AddAlways(std::string id, std::string title, KeyChord keys, std::function<void()> run) {
     state_.commands.Add({std::move(id), std::move(title), keys, std::move(run)});
   }
@@ -187,14 +197,14 @@ class RunCommands {
   }
 
   void AddSend(std::string id, std::string title, KeyChord keys, Kind kind) {
-    Add(std::move(id), std::move(title), keys, [kind](RunView& run) {
+    AddForRobot(std::move(id), std::move(title), keys, [kind](RunView& run) {
       run.playhead().GoToNow();
       run.Send(MakeCommand(kind));
     });
   }
 
   void AddContinue(std::string id, std::string title, Status result) {
-    Add(std::move(id), std::move(title), {}, [result](RunView& run) {
+    AddForRobot(std::move(id), std::move(title), {}, [result](RunView& run) {
       LiveCommand command = MakeCommand(Kind::kContinue);
       command.result = result;
       run.Send(std::move(command));
