@@ -21,13 +21,22 @@ class ProcessManager {
 };
 
 /// The people who look after the robot. Called on the ticking thread; returns at once.
+///
+/// A request is known by its subject, for example "navigation" or "node /docking"; there is one
+/// request for each subject at most, and any number of subjects at the same time.
 class SupervisorChannel {
  public:
   virtual ~SupervisorChannel() = default;
-  /// Asks for help. ok: somebody confirmed that it is fixed.
-  virtual void Ask(const std::string& question, Sender<ActionResult> done) = 0;
-  /// The question has settled itself.
-  virtual void Withdraw() = 0;
+  /// Opens a request about a subject, or joins the one that is open; the newest question and sender
+  /// count. `done`, from any thread and once: ok when a person has confirmed that it is fixed; not
+  /// ok when nobody could fix it or nobody answered in time. With the answer the request is closed.
+  virtual void Ask(const std::string& subject, const std::string& question,
+                   Sender<ActionResult> done) = 0;
+  /// The fault has gone: closes the request, tells those who were asked (all-clear), and the sender
+  /// is not used any more. Without effect if no request about the subject is open.
+  virtual void Withdraw(const std::string& subject) = 0;
+  /// A message that asks nothing and needs no answer.
+  virtual void Tell(const std::string& subject, const std::string& message) = 0;
 };
 
 class RestartNode : public CapabilityAction {
@@ -67,11 +76,32 @@ class AskSupervisor : public CapabilityAction {
   static constexpr const char* kDescription =
       "Asks the robot's supervisors for help and waits for a confirmation.";
   explicit AskSupervisor(SupervisorChannel& channel) : channel_(channel) {}
+  Input<std::string> subject{this, "subject", "what the request is about; one request for each"};
   Input<std::string> question{this, "question", "what is wrong and what to do"};
 
  protected:
-  void Begin(Sender<ActionResult> done) override { channel_.Ask(*question, done); }
-  void Cancel() override { channel_.Withdraw(); }
+  void Begin(Sender<ActionResult> done) override {
+    asked_about_ = *subject;
+    channel_.Ask(asked_about_, *question, done);
+  }
+  void Cancel() override { channel_.Withdraw(asked_about_); }
+
+ private:
+  SupervisorChannel& channel_;
+  std::string asked_about_;
+};
+
+class TellSupervisor : public SyncAction {
+ public:
+  static constexpr const char* kDescription =
+      "Sends a message to the robot's supervisors that asks nothing.";
+  explicit TellSupervisor(SupervisorChannel& channel) : channel_(channel) {}
+  Input<std::string> subject{this, "subject", "what the message is about"};
+  Input<std::string> message{this, "message", "what to tell"};
+  Status Run() override {
+    channel_.Tell(*subject, *message);
+    return Status::kSuccess;
+  }
 
  private:
   SupervisorChannel& channel_;

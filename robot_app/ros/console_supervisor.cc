@@ -3,6 +3,7 @@
 #include <poll.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <iostream>
 
 namespace coppice::robot {
@@ -19,11 +20,12 @@ ConsoleSupervisor::~ConsoleSupervisor() {
   reader_.join();
 }
 
-void ConsoleSupervisor::Ask(const std::string& question, Sender<ActionResult> done) {
+void ConsoleSupervisor::Ask(const std::string& subject, const std::string& question,
+                            Sender<ActionResult> done) {
+  Close(subject);
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    asking_ = true;
-    done_ = done;
+    open_.push_back({subject, done});
   }
   std::cout << "\n*** The robot asks for help: " << question
             << "\n*** Answer with \"fixed\" or \"not fixed\".\n"
@@ -33,10 +35,24 @@ void ConsoleSupervisor::Ask(const std::string& question, Sender<ActionResult> do
   question_.publish(message);
 }
 
-void ConsoleSupervisor::Withdraw() {
+void ConsoleSupervisor::Withdraw(const std::string& subject) {
+  if (!Close(subject)) return;
+  std::cout << "*** " << subject << ": the robot needs no help any more.\n" << std::flush;
+}
+
+void ConsoleSupervisor::Tell(const std::string& subject, const std::string& message) {
+  std::cout << "*** " << subject << ": " << message << "\n" << std::flush;
+}
+
+// True if there was one.
+bool ConsoleSupervisor::Close(const std::string& subject) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (asking_) std::cout << "*** The robot needs no help any more.\n" << std::flush;
-  asking_ = false;
+  const auto found = std::find_if(open_.begin(), open_.end(), [&](const Request& request) {
+    return request.subject == subject;
+  });
+  if (found == open_.end()) return false;
+  open_.erase(found);
+  return true;
 }
 
 void ConsoleSupervisor::Answer(const std::string& text) {
@@ -48,9 +64,9 @@ void ConsoleSupervisor::Answer(const std::string& text) {
   Sender<ActionResult> done;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    if (!asking_) return;
-    asking_ = false;
-    done = done_;
+    if (open_.empty()) return;
+    done = open_.back().done;
+    open_.pop_back();
   }
   done.Send({fixed, fixed ? "" : "the supervisor could not fix it"});
 }

@@ -58,10 +58,14 @@ class FakeRobot : public Navigator,
     calls.push_back("SetConfiguration " + configuration);
   }
 
-  void Ask(const std::string& question, Sender<ActionResult> sender) override {
-    Begin("Ask " + question, sender);
+  void Ask(const std::string& subject, const std::string& question,
+           Sender<ActionResult> sender) override {
+    Begin("Ask " + subject + ": " + question, sender);
   }
-  void Withdraw() override { calls.push_back("Withdraw"); }
+  void Withdraw(const std::string& subject) override { calls.push_back("Withdraw " + subject); }
+  void Tell(const std::string& subject, const std::string& message) override {
+    calls.push_back("Tell " + subject + ": " + message);
+  }
 
   Capabilities capabilities() { return {*this, *this, *this, *this, *this, *this}; }
 

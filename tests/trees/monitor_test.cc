@@ -86,7 +86,7 @@ TEST_F(MonitorTree, WithdrawsAQuestionThatSettlesItselfBehindAMoreUrgentFault) {
   ASSERT_EQ(scenario_.LastCall().rfind("Ask ", 0), 0u);
   scenario_.Report({{"navigation", "path"}, {"node", "/docking"}});
   scenario_.Tick();
-  EXPECT_EQ(scenario_.CallsOf("Withdraw"), 1);
+  EXPECT_EQ(scenario_.CallsOf("Withdraw navigation"), 1);
 }
 
 TEST_F(MonitorTree, RepairsNothingWithoutReports) {

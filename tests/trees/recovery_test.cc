@@ -65,7 +65,7 @@ TEST_F(RecoverNavigation, GivesUpWhenNobodyAnswers) {
   scenario_.Answer(false);
   scenario_.Advance(600);
   EXPECT_EQ(scenario_.Tick(), Status::kFailure);
-  EXPECT_EQ(scenario_.LastCall(), "Withdraw");
+  EXPECT_EQ(scenario_.LastCall(), "Withdraw navigation");
 }
 
 TEST_F(RecoverNavigation, WithdrawsTheQuestionWhenTheWayIsFreeAgain) {
@@ -76,7 +76,7 @@ TEST_F(RecoverNavigation, WithdrawsTheQuestionWhenTheWayIsFreeAgain) {
   ASSERT_EQ(scenario_.LastCall().rfind("Ask ", 0), 0u);
   scenario_.Set("health", Errors(""));
   EXPECT_EQ(scenario_.Tick(), Status::kSuccess);
-  EXPECT_EQ(scenario_.LastCall(), "Withdraw");
+  EXPECT_EQ(scenario_.LastCall(), "Withdraw navigation");
 }
 
 TEST(RestartFaultyNode, WithdrawsTheQuestionWhenTheNodeIsWellAgain) {
@@ -88,7 +88,7 @@ TEST(RestartFaultyNode, WithdrawsTheQuestionWhenTheNodeIsWellAgain) {
   ASSERT_EQ(scenario.LastCall().rfind("Ask ", 0), 0u);
   scenario.Set("health", Errors(""));
   EXPECT_EQ(scenario.Tick(), Status::kSuccess);
-  EXPECT_EQ(scenario.LastCall(), "Withdraw");
+  EXPECT_EQ(scenario.LastCall(), "Withdraw node");
 }
 
 class RecoverLocalization : public testing::Test {

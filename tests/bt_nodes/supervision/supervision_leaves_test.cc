@@ -67,9 +67,10 @@ TEST_F(SwitchConfigurationTest, AsksAtOnceForAnotherConfiguration) {
 TEST(AskSupervisor, SucceedsWhenSomebodyConfirms) {
   FakeRobot robot;
   LeafHarness harness = LeafHarness::For<AskSupervisor>(std::ref<SupervisorChannel>(robot));
+  harness.Set("subject", std::string("navigation"));
   harness.Set("question", std::string("stuck"));
   harness.Tick();
-  EXPECT_EQ(robot.calls, std::vector<std::string>{"Ask stuck"});
+  EXPECT_EQ(robot.calls, std::vector<std::string>{"Ask navigation: stuck"});
   robot.done.Send({true, ""});
   EXPECT_EQ(harness.Tick(), Status::kSuccess);
 }
@@ -77,10 +78,20 @@ TEST(AskSupervisor, SucceedsWhenSomebodyConfirms) {
 TEST(AskSupervisor, WithdrawsTheQuestionWhenHalted) {
   FakeRobot robot;
   LeafHarness harness = LeafHarness::For<AskSupervisor>(std::ref<SupervisorChannel>(robot));
+  harness.Set("subject", std::string("navigation"));
   harness.Set("question", std::string("stuck"));
   harness.Tick();
   harness.Halt();
-  EXPECT_EQ(robot.calls.back(), "Withdraw");
+  EXPECT_EQ(robot.calls.back(), "Withdraw navigation");
+}
+
+TEST(TellSupervisor, SendsAMessageAndIsDone) {
+  FakeRobot robot;
+  LeafHarness harness = LeafHarness::For<TellSupervisor>(std::ref<SupervisorChannel>(robot));
+  harness.Set("subject", std::string("cpu"));
+  harness.Set("message", std::string("busy"));
+  EXPECT_EQ(harness.Tick(), Status::kSuccess);
+  EXPECT_EQ(robot.calls, std::vector<std::string>{"Tell cpu: busy"});
 }
 
 }  // namespace

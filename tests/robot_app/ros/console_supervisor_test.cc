@@ -11,6 +11,7 @@ namespace {
 class ConsoleSupervisorTest : public testing::Test {
  protected:
   ConsoleSupervisorTest() {
+    harness_.Set("subject", std::string("navigation"));
     harness_.Set("question", std::string("stuck"));
     harness_.Tick();
   }
@@ -41,6 +42,19 @@ TEST_F(ConsoleSupervisorTest, TellsThatAWithdrawnQuestionHasSettledItself) {
   harness_.Halt();
   const std::string out = testing::internal::GetCapturedStdout();
   EXPECT_NE(out.find("needs no help any more"), std::string::npos) << out;
+}
+
+TEST_F(ConsoleSupervisorTest, AnswersTheNewestOfSeveralQuestions) {
+  LeafHarness second = LeafHarness::For<AskSupervisor>(std::ref<SupervisorChannel>(supervisor_));
+  second.Set("subject", std::string("localization"));
+  second.Set("question", std::string("lost"));
+  second.Tick();
+  std_msgs::String message;
+  message.data = "fixed";
+  ros::Publisher answers = node_.advertise<std_msgs::String>("/supervisor/answer", 1, true);
+  answers.publish(message);
+  EXPECT_TRUE(Eventually([&] { return second.Tick() == Status::kSuccess; }));
+  EXPECT_EQ(harness_.Tick(), Status::kRunning);
 }
 
 }  // namespace
