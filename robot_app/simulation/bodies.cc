@@ -102,6 +102,14 @@ void Bodies::SetPerson(std::size_t i, const Disc& disc, double dt) {
   body->SetLinearVelocity(ToBox2D(way * (1 / dt)));
 }
 
+void Bodies::PutRobot(const Pose2& pose) {
+  b2Body& robot = *box2d_->robot;
+  robot.SetTransform(ToBox2D(pose.position()), static_cast<float>(pose.yaw));
+  robot.SetLinearVelocity(b2Vec2(0, 0));
+  robot.SetAngularVelocity(0);
+  box2d_->velocity = {};
+}
+
 void Bodies::Step(double dt, const Velocity& velocity) {
   b2Body& robot = *box2d_->robot;
   const Pose2 before = this->robot();

@@ -37,6 +37,9 @@ class Bodies {
   /// Moves person `i` to `disc` in the next Step().
   void SetPerson(std::size_t i, const Disc& disc, double dt);
 
+  /// Lifts the robot and puts it down at `pose` (map frame), standing.
+  void PutRobot(const Pose2& pose);
+
   /// Lets `dt` seconds pass. The wheels try to hold `velocity`; what stands in the way may take it
   /// away.
   void Step(double dt, const Velocity& velocity);

@@ -2,9 +2,16 @@
 
 #include <algorithm>
 #include <csignal>
+#include <cstdio>
+#include <sstream>
 #include <utility>
 
 namespace coppice::robot {
+namespace {
+
+constexpr double kMostHaste = 20;  // times the rate of a topic
+
+}  // namespace
 
 const std::map<std::string, Faults::Kind>& Faults::Kinds() {
   static const std::map<std::string, Kind> kinds = {
@@ -13,10 +20,20 @@ const std::map<std::string, Faults::Kind>& Faults::Kinds() {
       {"open_door", {&Faults::Open, "close_door"}},
       {"close_door", {&Faults::Close, "open_door"}},
       {"set_battery", {&Faults::SetBattery, ""}},
+      {"freeze_battery", {&Faults::FreezeBattery, "thaw_battery"}},
+      {"thaw_battery", {&Faults::ThawBattery, "freeze_battery"}},
+      {"contact_without_current", {&Faults::SwitchChargerOff, "restore_current"}},
+      {"restore_current", {&Faults::SwitchChargerOn, "contact_without_current"}},
+      {"docking_offset", {&Faults::MoveStation, "docking_offset"}},
+      {"emergency_stop", {&Faults::PressStop, "release_emergency_stop"}},
+      {"release_emergency_stop", {&Faults::ReleaseStop, "emergency_stop"}},
+      {"kidnap", {&Faults::Kidnap, ""}},
       {"kill_node", {&Faults::Kill, ""}},
       {"hang_node", {&Faults::Hang, "resume_node"}},
       {"resume_node", {&Faults::Resume, ""}},
       {"silence_topic", {&Faults::Silence, "restore_topic"}},
+      {"slow_topic", {&Faults::Slow, "restore_topic"}},
+      {"fast_topic", {&Faults::Hasten, "restore_topic"}},
       {"restore_topic", {&Faults::Restore, "silence_topic"}},
   };
   return kinds;
@@ -82,18 +99,72 @@ Outcome Faults::CheckTopic(const std::string& topic) const {
                      (hint.empty() ? "; it publishes " + list : " (" + hint + ")")};
 }
 
-Outcome Faults::Silence(const Fault& f) {
-  const Outcome known = CheckTopic(f.target);
+Outcome Faults::SetRate(const std::string& topic, double factor) {
+  const Outcome known = CheckTopic(topic);
   if (!known.ok) return known;
-  silenced_.insert(f.target);
-  return {true, f.target + " is silent"};
+  rates_[topic] = {factor};
+  std::ostringstream message;
+  message << topic << " has " << factor << " times its rate";
+  return {true, message.str()};
+}
+
+Outcome Faults::Silence(const Fault& f) { return SetRate(f.target, 0); }
+
+Outcome Faults::Slow(const Fault& f) {
+  if (!(f.value > 0 && f.value < 1))
+    return {false, "the factor of a slow topic is between 0 and 1"};
+  return SetRate(f.target, f.value);
+}
+
+Outcome Faults::Hasten(const Fault& f) {
+  if (!(f.value > 1 && f.value <= kMostHaste)) {
+    return {false, "the factor of a fast topic is above 1, 20 at most"};
+  }
+  return SetRate(f.target, f.value);
 }
 
 Outcome Faults::Restore(const Fault& f) {
   const Outcome known = CheckTopic(f.target);
   if (!known.ok) return known;
-  silenced_.erase(f.target);
-  return {true, f.target + " is published"};
+  rates_.erase(f.target);
+  return {true, f.target + " is published as it should be"};
+}
+
+int Faults::Copies(const std::string& topic) {
+  const auto found = rates_.find(topic);
+  if (found == rates_.end()) return 1;
+  Rate& rate = found->second;
+  rate.due += rate.factor;
+  const int copies = static_cast<int>(rate.due + 1e-9);  // ten times 0.3 is 3
+  rate.due -= copies;
+  return copies;
+}
+
+Outcome Faults::FreezeBattery(const Fault&) {
+  battery_frozen_ = true;
+  return {true, "the battery's values stand still"};
+}
+
+Outcome Faults::ThawBattery(const Fault&) {
+  battery_frozen_ = false;
+  return {true, "the battery's values are measured"};
+}
+
+Outcome Faults::Kidnap(const Fault& f) {
+  std::vector<std::string> names;
+  for (const Waypoint& waypoint : world_.floor().waypoints) {
+    if (waypoint.name == f.target) return world_.Kidnap(waypoint.pose);
+    names.push_back(waypoint.name);
+  }
+  Pose2 pose;
+  char rest = 0;
+  const char* text = f.target.c_str();
+  if (std::sscanf(text, "%lf %lf %lf %c", &pose.x, &pose.y, &pose.yaw, &rest) == 3) {
+    return world_.Kidnap(pose);
+  }
+  const std::string hint = DidYouMean(f.target, names);
+  return {false, "the target is a waypoint of the floor or \"X Y YAW\", not \"" + f.target + "\"" +
+                     (hint.empty() ? "" : " (" + hint + ")")};
 }
 
 }  // namespace coppice::robot

@@ -1,14 +1,13 @@
 // Breaks things on purpose, and heals them after a while of simulated time.
 //
 // The requests are those of robot_app/srv/InjectFault.srv. What concerns the floor and the battery
-// is done on the World; silenced topics are kept here for the node to ask; signals to other nodes
-// go through a function that the owner provides.
+// is done on the World; what is wrong with the sensors' messages is kept here for the node to ask;
+// signals to other nodes go through a function that the owner provides.
 #ifndef COPPICE_ROBOT_APP_SIMULATION_FAULTS_H_
 #define COPPICE_ROBOT_APP_SIMULATION_FAULTS_H_
 
 #include <functional>
 #include <map>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -18,8 +17,8 @@ namespace coppice::robot {
 
 struct Fault {
   std::string fault;    ///< what to do, for example "block_corridor"
-  std::string target;   ///< the place, door, node or topic
-  double value = 0;     ///< for set_battery: 0..1
+  std::string target;   ///< the place, door, node or topic; for kidnap a waypoint or "X Y YAW"
+  double value = 0;     ///< charge 0..1, offset [m] or factor of a rate, as the fault needs it
   double duration = 0;  ///< s of simulated time until it heals by itself; 0 = never
 };
 
@@ -28,7 +27,7 @@ using SignalNode = std::function<Outcome(const std::string& node, int signal)>;
 
 class Faults {
  public:
-  /// `topics` can be silenced. The world must outlive this object.
+  /// `topics` can be silenced, slowed down and sped up. The world must outlive this object.
   Faults(World& world, std::vector<std::string> topics, SignalNode signal_node);
 
   /// Does what is asked, or refuses with the reason. Never throws.
@@ -38,7 +37,13 @@ class Faults {
   /// robot stands in the door) is tried again.
   void Update();
 
-  bool silenced(const std::string& topic) const { return silenced_.count(topic) > 0; }
+  /// How often the message that is due on a topic now is to be sent: 1 when nothing is wrong, 0
+  /// while it is silent, now and then 0 while it is slow, more than 1 while it is fast. Call it
+  /// once for each message that is due.
+  int Copies(const std::string& topic);
+
+  /// The battery's measured values stand still, though its messages come.
+  bool battery_frozen() const { return battery_frozen_; }
 
  private:
   using Action = Outcome (Faults::*)(const Fault&);
@@ -53,13 +58,28 @@ class Faults {
   Outcome Open(const Fault& f) { return world_.SetDoorOpen(f.target, true); }
   Outcome Close(const Fault& f) { return world_.SetDoorOpen(f.target, false); }
   Outcome SetBattery(const Fault& f) { return world_.SetStateOfCharge(f.value); }
+  Outcome Kidnap(const Fault& f);
+  Outcome MoveStation(const Fault& f) { return world_.SetStationOffset(f.value); }
+  Outcome SwitchChargerOff(const Fault&) { return world_.SetChargerOn(false); }
+  Outcome SwitchChargerOn(const Fault&) { return world_.SetChargerOn(true); }
+  Outcome PressStop(const Fault&) { return world_.SetEmergencyStop(true); }
+  Outcome ReleaseStop(const Fault&) { return world_.SetEmergencyStop(false); }
+  Outcome FreezeBattery(const Fault& f);
+  Outcome ThawBattery(const Fault& f);
   Outcome Kill(const Fault& f);
   Outcome Hang(const Fault& f);
   Outcome Resume(const Fault& f);
   Outcome Silence(const Fault& f);
+  Outcome Slow(const Fault& f);
+  Outcome Hasten(const Fault& f);
   Outcome Restore(const Fault& f);
+  Outcome SetRate(const std::string& topic, double factor);
   Outcome CheckTopic(const std::string& topic) const;
 
+  struct Rate {
+    double factor;
+    double due = 0;  // messages, the part of one that is left over
+  };
   struct Healing {
     double time;
     Fault fault;
@@ -67,7 +87,8 @@ class Faults {
   World& world_;
   std::vector<std::string> topics_;
   SignalNode signal_node_;
-  std::set<std::string> silenced_;
+  std::map<std::string, Rate> rates_;  // of topics that do not come as they should
+  bool battery_frozen_ = false;
   std::vector<Healing> healings_;
 };
 

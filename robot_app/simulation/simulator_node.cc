@@ -12,6 +12,7 @@
 #include <sensor_msgs/BatteryState.h>
 #include <sensor_msgs/Imu.h>
 #include <sensor_msgs/LaserScan.h>
+#include <std_msgs/Bool.h>
 #include <tf2_msgs/TFMessage.h>
 
 #include <atomic>
@@ -38,8 +39,8 @@ The simulated robot and its floor as the ROS node /simulator.
   _start            docked, or "X Y YAW" in the frame map; default docked
   _state_of_charge  of the battery, 0..1; default 1
   _localization     false: do not publish map -> odom; default true
-Publishes /clock /odom /scan /imu/data /battery_state /map /tf /tf_static and, for evaluation
-only, /simulation/truth. Obeys /cmd_vel. Breaks things on /simulation/inject_fault.
+Publishes /clock /odom /scan /imu/data /battery_state /emergency_stop (std_msgs/Bool, true while
+pressed) /map /tf /tf_static and, for evaluation only, /simulation/truth. Obeys /cmd_vel. Breaks things on /simulation/inject_fault.
 )";
 
 constexpr double kStep = 0.02;         // s of simulated time
@@ -113,7 +114,8 @@ class SimulatorNode {
         world_(settings.floor, settings.world),
         node_signals_(ros::master::getURI(), ros::this_node::getName(), ros::network::getHost()),
         faults_(world_,
-                {"/odom", "/scan", "/imu/data", "/battery_state", "/tf", "/simulation/truth"},
+                {"/odom", "/scan", "/imu/data", "/battery_state", "/emergency_stop", "/tf",
+                 "/simulation/truth"},
                 [this](const std::string& node, int signal) {
                   return node_signals_.Send(node, signal);
                 }) {
@@ -147,6 +149,7 @@ class SimulatorNode {
     map_ = node_.advertise<nav_msgs::OccupancyGrid>("/map", 1, true);
     tf_ = node_.advertise<tf2_msgs::TFMessage>("/tf", 50);
     tf_static_ = node_.advertise<tf2_msgs::TFMessage>("/tf_static", 1, true);
+    stop_ = node_.advertise<std_msgs::Bool>("/emergency_stop", 5, true);
     truth_ = node_.advertise<geometry_msgs::PoseStamped>("/simulation/truth", 5);
     command_subscriber_ = node_.subscribe<geometry_msgs::Twist>(
         "/cmd_vel", 1, [this](const geometry_msgs::Twist::ConstPtr& twist) {
@@ -179,12 +182,15 @@ class SimulatorNode {
     PublishScan();
     PublishImu();
     if (battery_due_.Due(world_.time())) PublishBattery();
+    PublishEmergencyStop();
     if (truth_due_.Due(world_.time())) PublishTruth();
   }
 
   template <typename Message>
   void Publish(const ros::Publisher& publisher, const Message& message) {
-    if (!faults_.silenced(publisher.getTopic())) publisher.publish(message);
+    for (int copies = faults_.Copies(publisher.getTopic()); copies > 0; --copies) {
+      publisher.publish(message);
+    }
   }
 
   void PublishMotion() {
@@ -242,11 +248,10 @@ class SimulatorNode {
     Publish(imu_, message);
   }
 
-  void PublishBattery() {
+  sensor_msgs::BatteryState MeasureBattery() const {
     using State = sensor_msgs::BatteryState;
     const Battery& battery = world_.battery();
     State message;
-    message.header.stamp = stamp_;
     message.voltage = static_cast<float>(battery.voltage());
     message.temperature = std::numeric_limits<float>::quiet_NaN();
     message.current = static_cast<float>(battery.current());
@@ -260,7 +265,21 @@ class SimulatorNode {
                                                      : State::POWER_SUPPLY_STATUS_NOT_CHARGING;
     message.power_supply_health = State::POWER_SUPPLY_HEALTH_GOOD;
     message.present = 1;
-    Publish(battery_, message);
+    return message;
+  }
+
+  void PublishBattery() {
+    if (!faults_.battery_frozen()) battery_state_ = MeasureBattery();
+    battery_state_.header.stamp = stamp_;
+    Publish(battery_, battery_state_);
+  }
+
+  void PublishEmergencyStop() {
+    if (!stop_due_.Due(world_.time()) && emergency_stop_ == world_.emergency_stop()) return;
+    emergency_stop_ = world_.emergency_stop();
+    std_msgs::Bool message;
+    message.data = emergency_stop_;
+    Publish(stop_, message);
   }
 
   void PublishTruth() {
@@ -297,15 +316,18 @@ class SimulatorNode {
   NodeSignals node_signals_;
   Faults faults_;
   ros::NodeHandle node_;
-  ros::Publisher clock_, odom_, scan_, imu_, battery_, map_, tf_, tf_static_, truth_;
+  ros::Publisher clock_, odom_, scan_, imu_, battery_, map_, tf_, tf_static_, stop_, truth_;
   ros::Subscriber command_subscriber_;
   ros::ServiceServer fault_service_;
   std::optional<Velocity> command_;
   ros::Time stamp_;
+  sensor_msgs::BatteryState battery_state_;
+  bool emergency_stop_ = false;
   double odometry_time_ = -1;
   double scan_time_ = -1;
   Every localization_due_{0.1};
   Every battery_due_{0.5};
+  Every stop_due_{0.5};
   Every truth_due_{0.2};
 };
 

@@ -7,8 +7,10 @@ namespace {
 
 constexpr double kDockTolerance = 0.03;                // m
 constexpr double kDockAngleTolerance = 3 * kPi / 180;  // rad
-constexpr double kClearance = 0.05;  // kept between a new thing and who stands there, m
-constexpr double kTimeSlack = 1e-9;  // s; time is a sum of steps
+constexpr double kClearance = 0.05;      // kept between a new thing and who stands there, m
+constexpr double kMaxStationOffset = 1;  // m
+constexpr double kLargestFloor = 1000;   // m
+constexpr double kTimeSlack = 1e-9;      // s; time is a sum of steps
 
 // Every sensor draws its own noise, so that one more beam does not change the odometry.
 std::uint64_t SeedOf(std::uint64_t seed, std::uint64_t sensor) { return seed * 16 + sensor; }
@@ -86,14 +88,15 @@ void World::MoveRobot(double dt) {
   const double reach = drive_.ProtectiveField(drive_.options().max_linear) + 0.1;
   const double gap =
       FrontGap(pose, lidar_.options().mounting, kRobotRadius, reach, visible_, people_.discs());
-  const Velocity wanted = drive_.Next(time_, dt, before, gap, !battery_.empty());
+  const bool powered = !battery_.empty() && !emergency_stop_;
+  const Velocity wanted = drive_.Next(time_, dt, before, gap, powered);
   bodies_.Step(dt, wanted);
   const Velocity after = velocity();
   odometry_.Move(after.linear * dt, NormalAngle(robot().yaw - pose.yaw));
   imu_.Measure(dt, before, after);
   const double effort = std::max(std::abs(wanted.linear) / drive_.options().max_linear,
                                  std::abs(wanted.angular) / drive_.options().max_angular);
-  battery_.Step(dt, effort, docked());
+  battery_.Step(dt, effort, docked() && charger_on_);
 }
 
 void World::ReadSensors() {
@@ -109,8 +112,11 @@ void World::ReadSensors() {
   }
 }
 
+// base_link when the contacts touch, where they are now.
+Pose2 World::station() const { return Compose(floor_.docked, {0, station_offset_, 0}); }
+
 bool World::docked() const {
-  const Pose2 off = Compose(Inverse(floor_.docked), robot());
+  const Pose2 off = Compose(Inverse(station()), robot());
   return Length(off.position()) <= kDockTolerance && std::abs(off.yaw) <= kDockAngleTolerance;
 }
 
@@ -191,6 +197,50 @@ Outcome World::SetStateOfCharge(double state_of_charge) {
   }
   battery_.set_state_of_charge(state_of_charge);
   return {true, "the battery holds " + std::to_string(std::lround(state_of_charge * 100)) + " %"};
+}
+
+// Within walls, and nothing and nobody nearer than the robot is wide.
+bool World::CanStandAt(Vec2 point) const {
+  for (const double angle : {0.0, kPi / 2, kPi, 3 * kPi / 2}) {
+    if (solid_.Cast(point, Direction(angle), kLargestFloor) >= kLargestFloor) return false;
+  }
+  for (const Segment& segment : solid_.segments()) {
+    if (Distance(point, segment) < kRobotRadius) return false;
+  }
+  for (const Box& box : floor_.furniture) {
+    if (Distance(point, box.shape) <= 0) return false;
+  }
+  for (const Disc& person : people()) {
+    if (Length(point - person.center) < kRobotRadius + person.radius) return false;
+  }
+  return true;
+}
+
+Outcome World::Kidnap(const Pose2& pose) {
+  if (!std::isfinite(pose.x) || !std::isfinite(pose.y) || !std::isfinite(pose.yaw)) {
+    return {false, "that is no pose"};
+  }
+  if (!CanStandAt(pose.position())) return {false, "the robot cannot stand there"};
+  bodies_.PutRobot(pose);
+  return {true, "the robot was put elsewhere"};
+}
+
+Outcome World::SetStationOffset(double offset) {
+  if (!(std::abs(offset) <= kMaxStationOffset)) {
+    return {false, "the station can be moved by 1 m at most"};
+  }
+  station_offset_ = offset;
+  return {true, "the station is " + std::to_string(std::lround(offset * 1000)) + " mm aside"};
+}
+
+Outcome World::SetChargerOn(bool on) {
+  charger_on_ = on;
+  return {true, on ? "the charger is on" : "the charger is off"};
+}
+
+Outcome World::SetEmergencyStop(bool pressed) {
+  emergency_stop_ = pressed;
+  return {true, pressed ? "the emergency stop is pressed" : "the emergency stop is released"};
 }
 
 }  // namespace coppice::robot

@@ -53,6 +53,8 @@ class World {
   Velocity velocity() const { return bodies_.velocity(); }
   bool touching() const { return bodies_.touching(); }  ///< the robot touches something
   bool docked() const;                                  ///< the charging contacts touch
+  bool charger_on() const { return charger_on_; }
+  bool emergency_stop() const { return emergency_stop_; }
   bool protective_stop() const { return drive_.protective_stop(); }
   const std::vector<Disc>& people() const { return people_.discs(); }
   const Floor& floor() const { return floor_; }
@@ -74,12 +76,24 @@ class World {
   Outcome SetPlaceBlocked(const std::string& place, bool blocked);
   Outcome SetDoorOpen(const std::string& door, bool open);
   Outcome SetStateOfCharge(double state_of_charge);
+  /// Lifts the robot and puts it down elsewhere. Its wheels do not turn, so odometry does not
+  /// notice.
+  Outcome Kidnap(const Pose2& pose);
+  /// Moves the charging contacts sideways, seen from a docked robot positive to its left [m]. What
+  /// the robot knows of its station stays where it was. 0: back in place.
+  Outcome SetStationOffset(double offset);
+  /// A charger that is off gives no current, though the contacts touch.
+  Outcome SetChargerOn(bool on);
+  /// Pressed, it takes the motors away; the computers run on.
+  Outcome SetEmergencyStop(bool pressed);
 
  private:
   void MovePeople(double dt);
   void MoveRobot(double dt);
   void ReadSensors();
   void Rebuild();
+  Pose2 station() const;
+  bool CanStandAt(Vec2 point) const;
   template <typename DistanceTo>
   std::string WhoStandsNear(DistanceTo distance) const;
   Disc robot_disc() const { return {robot().position(), kRobotRadius}; }
@@ -92,6 +106,9 @@ class World {
   People people_;
   Drive drive_;
   Battery battery_;
+  double station_offset_ = 0;
+  bool charger_on_ = true;
+  bool emergency_stop_ = false;
   Lidar lidar_;
   Odometry odometry_;
   Imu imu_;

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
 #include <csignal>
 
 #include "tests/robot_app/simulation/test_floor.h"
@@ -41,6 +42,13 @@ class FaultsTest : public testing::Test {
     return false;
   }
 
+  // How many messages go out when ten are due.
+  int CopiesOfTen(const std::string& topic) {
+    int copies = 0;
+    for (int i = 0; i < 10; ++i) copies += faults_.Copies(topic);
+    return copies;
+  }
+
   World world_;
   std::vector<std::pair<std::string, int>> signals_;
   Faults faults_;
@@ -78,12 +86,99 @@ TEST_F(FaultsTest, SetsTheBattery) {
 
 TEST_F(FaultsTest, SilencesATopicForAWhile) {
   EXPECT_TRUE(faults_.Inject({"silence_topic", "/scan", 0, 1}).ok);
-  EXPECT_TRUE(faults_.silenced("/scan"));
-  EXPECT_FALSE(faults_.silenced("/odom"));
+  EXPECT_EQ(CopiesOfTen("/scan"), 0);
+  EXPECT_EQ(CopiesOfTen("/odom"), 10);
   Pass(1.1);
-  EXPECT_FALSE(faults_.silenced("/scan"));
+  EXPECT_EQ(CopiesOfTen("/scan"), 10);
   EXPECT_THAT(faults_.Inject({"silence_topic", "/scam", 0, 0}).message,
               HasSubstr("did you mean \"/scan\"?"));
+}
+
+TEST_F(FaultsTest, ATopicComesTooSlowlyOrTooFastForAWhile) {
+  EXPECT_TRUE(faults_.Inject({"slow_topic", "/scan", 0.3, 1}).ok);
+  EXPECT_EQ(CopiesOfTen("/scan"), 3);
+  Pass(1.1);
+  EXPECT_EQ(CopiesOfTen("/scan"), 10);
+  EXPECT_TRUE(faults_.Inject({"fast_topic", "/scan", 2.5, 1}).ok);
+  EXPECT_EQ(CopiesOfTen("/scan"), 25);
+  EXPECT_EQ(CopiesOfTen("/odom"), 10);
+  Pass(1.1);
+  EXPECT_EQ(CopiesOfTen("/scan"), 10);
+}
+
+TEST_F(FaultsTest, TheNewestWordOnATopicCounts) {
+  faults_.Inject({"silence_topic", "/scan", 0, 1});
+  faults_.Inject({"slow_topic", "/scan", 0.5, 0});
+  Pass(1.1);
+  EXPECT_EQ(CopiesOfTen("/scan"), 5);
+  EXPECT_TRUE(faults_.Inject({"restore_topic", "/scan", 0, 0}).ok);
+  EXPECT_EQ(CopiesOfTen("/scan"), 10);
+}
+
+TEST_F(FaultsTest, RefusesFactorsThatMakeNoSense) {
+  EXPECT_FALSE(faults_.Inject({"slow_topic", "/scan", 1, 0}).ok);
+  EXPECT_FALSE(faults_.Inject({"slow_topic", "/scan", 0, 0}).ok);
+  EXPECT_FALSE(faults_.Inject({"fast_topic", "/scan", 0.5, 0}).ok);
+  EXPECT_FALSE(faults_.Inject({"fast_topic", "/scan", 1e9, 0}).ok);
+  EXPECT_FALSE(faults_.Inject({"fast_topic", "/scan", std::nan(""), 0}).ok);
+  EXPECT_EQ(CopiesOfTen("/scan"), 10);
+}
+
+TEST_F(FaultsTest, FreezesTheBatteryForAWhile) {
+  EXPECT_TRUE(faults_.Inject({"freeze_battery", "", 0, 1}).ok);
+  EXPECT_TRUE(faults_.battery_frozen());
+  Pass(1.1);
+  EXPECT_FALSE(faults_.battery_frozen());
+}
+
+TEST_F(FaultsTest, AChargerThatIsOffGivesNoCurrentThoughTheRobotStandsInTheStation) {
+  faults_.Inject({"set_battery", "", 0.5, 0});
+  Pass(0.1);
+  ASSERT_TRUE(world_.battery().charging());
+  EXPECT_TRUE(faults_.Inject({"contact_without_current", "", 0, 1}).ok);
+  Pass(0.1);
+  EXPECT_TRUE(world_.docked());
+  EXPECT_FALSE(world_.battery().charging());
+  Pass(1.1);
+  EXPECT_TRUE(world_.battery().charging());
+}
+
+TEST_F(FaultsTest, AStationThatWasMovedHasNoContactUntilItIsMovedBack) {
+  EXPECT_TRUE(faults_.Inject({"docking_offset", "", 0.05, 1}).ok);
+  EXPECT_FALSE(world_.docked());
+  Pass(1.1);
+  EXPECT_TRUE(world_.docked());
+  EXPECT_TRUE(faults_.Inject({"docking_offset", "", -0.05, 0}).ok);
+  EXPECT_FALSE(world_.docked());
+  EXPECT_TRUE(faults_.Inject({"docking_offset", "", 0, 0}).ok);
+  EXPECT_TRUE(world_.docked());
+  EXPECT_FALSE(faults_.Inject({"docking_offset", "", 5, 0}).ok);
+}
+
+TEST_F(FaultsTest, AnEmergencyStopHoldsTheRobotForAWhile) {
+  faults_.Inject({"kidnap", "10 0 0", 0, 0});
+  EXPECT_TRUE(faults_.Inject({"emergency_stop", "", 0, 1}).ok);
+  EXPECT_TRUE(world_.emergency_stop());
+  world_.Step(0.02, Velocity{0.5, 0});
+  Pass(0.4);
+  EXPECT_NEAR(world_.robot().x, 10, 0.01);
+  Pass(1);
+  EXPECT_FALSE(world_.emergency_stop());
+  world_.Step(0.02, Velocity{0.5, 0});
+  Pass(0.4);
+  EXPECT_GT(world_.robot().x, 10.02);
+}
+
+TEST_F(FaultsTest, KidnapsTheRobotToAPoseOrAWaypoint) {
+  EXPECT_TRUE(faults_.Inject({"kidnap", "10 0.2 1.5", 0, 0}).ok);
+  EXPECT_NEAR(world_.robot().x, 10, 1e-6);
+  EXPECT_NEAR(world_.robot().yaw, 1.5, 1e-6);
+  const Waypoint& waypoint = world_.floor().waypoints.back();
+  EXPECT_TRUE(faults_.Inject({"kidnap", waypoint.name, 0, 0}).ok);
+  EXPECT_NEAR(world_.robot().x, waypoint.pose.x, 1e-5);
+  EXPECT_FALSE(faults_.Inject({"kidnap", "10 0", 0, 0}).ok);
+  EXPECT_FALSE(faults_.Inject({"kidnap", "10 0 0 0", 0, 0}).ok);
+  EXPECT_FALSE(faults_.Inject({"kidnap", "10 0 0", 0, 5}).ok);
 }
 
 TEST_F(FaultsTest, SignalsNodesAndWakesAHungOneUpAgain) {

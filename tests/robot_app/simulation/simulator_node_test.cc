@@ -8,6 +8,7 @@
 #include <sensor_msgs/BatteryState.h>
 #include <sensor_msgs/Imu.h>
 #include <sensor_msgs/LaserScan.h>
+#include <std_msgs/Bool.h>
 #include <tf2_msgs/TFMessage.h>
 
 #include <fstream>
@@ -126,6 +127,12 @@ TEST_F(SimulatorNodeTest, DrivesSeesAndBreaksOnRequestAndEndsOnSigterm) {
   EXPECT_THAT(Inject("block_corridor", "corridor_midle").message, HasSubstr("corridor_middle"));
   EXPECT_FALSE(Inject("kill_node", "/simulator").ok);
 
+  // It is put elsewhere, and its odometry does not notice.
+  const double driven = odom.get().pose.pose.position.x;
+  EXPECT_TRUE(Inject("kidnap", "45 0 0").ok);
+  EXPECT_TRUE(Eventually([&] { return truth.get().pose.position.x > 44; }));
+  EXPECT_NEAR(odom.get().pose.pose.position.x, driven, 0.1);
+
   EXPECT_TRUE(Inject("set_battery", "", 0.25).ok);
   EXPECT_TRUE(Eventually([&] { return std::abs(battery.get().percentage - 0.25) < 0.01; }));
   EXPECT_EQ(battery.get().power_supply_status,
@@ -162,6 +169,42 @@ TEST_F(SimulatorNodeTest, StartsDockedWithMapAndTransforms) {
   EXPECT_LT((scan.get().header.stamp - since).toSec(), 0.2);
   EXPECT_TRUE(Inject("restore_topic", "/scan").ok);
   EXPECT_TRUE(Eventually([&] { return (scan.get().header.stamp - since).toSec() > 1; }));
+}
+
+TEST_F(SimulatorNodeTest, TopicsComeTooFastOrTooSlowlyAndTheBatteryFreezesOnRequest) {
+  Latest<rosgraph_msgs::Clock> clock(node_, "/clock");
+  Latest<sensor_msgs::LaserScan> scan(node_, "/scan");
+  Latest<sensor_msgs::BatteryState> battery(node_, "/battery_state");
+  Latest<std_msgs::Bool> stop(node_, "/emergency_stop");
+  ChildProcess simulator({kSimulator, "_speed:=4", "_start:=10 0 0", "_state_of_charge:=0.5"},
+                         Log("rates"));
+  ASSERT_TRUE(Eventually([&] { return scan.count() > 0 && battery.count() > 0; }, 15))
+      << TextOf(Log("rates"));
+  // Scans within five seconds of simulated time; ten a second are due.
+  const auto scans = [&] {
+    const ros::Time since = scan.get().header.stamp;
+    const int before = scan.count();
+    EXPECT_TRUE(Eventually([&] { return (clock.get().clock - since).toSec() > 5; }));
+    return scan.count() - before;
+  };
+  EXPECT_TRUE(Inject("slow_topic", "/scan", 0.3).ok);
+  EXPECT_LT(scans(), 25);
+  EXPECT_TRUE(Inject("fast_topic", "/scan", 3).ok);
+  EXPECT_GT(scans(), 100);
+  EXPECT_TRUE(Inject("restore_topic", "/scan").ok);
+
+  EXPECT_TRUE(Inject("freeze_battery", "").ok);
+  const auto frozen = battery.get();
+  EXPECT_TRUE(Inject("set_battery", "", 0.2).ok);
+  EXPECT_TRUE(
+      Eventually([&] { return (battery.get().header.stamp - frozen.header.stamp).toSec() > 2; }));
+  EXPECT_NEAR(battery.get().percentage, 0.5, 0.01);
+  EXPECT_TRUE(Inject("thaw_battery", "").ok);
+  EXPECT_TRUE(Eventually([&] { return battery.get().percentage < 0.25; }));
+
+  EXPECT_TRUE(Eventually([&] { return stop.count() > 0 && !stop.get().data; }));
+  EXPECT_TRUE(Inject("emergency_stop", "").ok);
+  EXPECT_TRUE(Eventually([&] { return stop.get().data != 0; }));
 }
 
 TEST_F(SimulatorNodeTest, EndsWithCodeTwoWhenNoMasterAnswers) {

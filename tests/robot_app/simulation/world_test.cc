@@ -216,6 +216,28 @@ TEST(World, PeopleNeverPushTheRobot) {
   }
 }
 
+TEST(World, OdometryDoesNotNoticeAKidnapping) {
+  World world(MakeRoom(), At(5, 0, 0));
+  Drive(world, {0.5, 0}, 2);
+  const Pose2 before = world.odometry().pose();
+  EXPECT_TRUE(world.Kidnap({12, 1, 1.5}).ok);
+  world.Step(kDt, Velocity{});
+  EXPECT_NEAR(world.robot().x, 12, 0.01);
+  EXPECT_NEAR(world.robot().yaw, 1.5, 0.01);
+  EXPECT_NEAR(world.odometry().pose().x, before.x, 0.05);
+  EXPECT_NEAR(world.odometry().pose().yaw, before.yaw, 0.01);
+  EXPECT_NEAR(world.imu().yaw_rate, 0, 0.05);
+}
+
+TEST(World, NobodyIsKidnappedIntoAWallACupboardOrOutOfTheHouse) {
+  World world(LoadInstitute());
+  for (const Pose2& pose : {Pose2{10, 1.2, 0}, Pose2{11, 6, 0}, Pose2{60, 0, 0},
+                            Pose2{std::nan(""), 0, 0}, Pose2{-2.94, 0, 0}}) {
+    EXPECT_FALSE(world.Kidnap(pose).ok) << pose.x;
+  }
+  EXPECT_TRUE(world.docked());
+}
+
 TEST(World, TheSameSeedGivesTheSameTrace) {
   const auto trace = [](std::uint64_t seed) {
     WorldOptions options = At(4, 0, 0);
