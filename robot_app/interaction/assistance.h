@@ -1,0 +1,54 @@
+// The desk of requests with what it needs: couriers for its letters, links to the page, and a file.
+// Knows no ROS. Time is handed in. For one thread; nothing here waits for a channel.
+#ifndef COPPICE_ROBOT_APP_INTERACTION_ASSISTANCE_H_
+#define COPPICE_ROBOT_APP_INTERACTION_ASSISTANCE_H_
+
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "robot_app/interaction/assistance_config.h"
+#include "robot_app/interaction/courier.h"
+#include "robot_app/interaction/help_desk.h"
+#include "robot_app/interaction/page_access.h"
+
+namespace coppice::robot {
+
+using Channels = std::map<std::string, std::unique_ptr<MessageChannel>>;
+Channels MakeChannels(const AssistanceConfig& config);
+
+class Assistance {
+ public:
+  /// Takes up what an earlier run has left open. `now`: nanoseconds since 1970 of a clock that
+  /// never goes back.
+  Assistance(const AssistanceConfig& config, Channels channels, Time now);
+
+  HelpDesk& desk() { return desk_; }
+  const HelpDesk& desk() const { return desk_; }
+  PageAccess& access() { return access_; }
+
+  /// Moves on: deadlines, letters, the file. Returns problems for the log, one line each. Call it
+  /// several times a second.
+  std::vector<std::string> Step(Time now);
+
+ private:
+  OutgoingMessage Compose(const Letter& letter, Time now);
+  void SendLetters(Time now);
+  void EndLinksOfClosed();
+  void Save(std::vector<std::string>& problems);
+
+  const AssistanceConfig config_;
+  HelpDesk desk_;
+  PageAccess access_;
+  Courier courier_;
+  std::set<std::uint32_t> with_links_;  // requests that links were made for
+  std::uint64_t messages_so_far_ = 0;
+  std::uint64_t saved_desk_ = 0;
+  std::uint64_t saved_access_ = 0;
+};
+
+}  // namespace coppice::robot
+
+#endif  // COPPICE_ROBOT_APP_INTERACTION_ASSISTANCE_H_
