@@ -14,12 +14,12 @@
 #include "bt_core/base/command_line.h"
 #include "bt_nodes/register_nodes.h"
 #include "robot_app/app/tree_runner.h"
-#include "robot_app/ros/console_supervisor.h"
 #include "robot_app/ros/feeds.h"
 #include "robot_app/ros/ros_clock.h"
 #include "robot_app/ros/ros_interaction.h"
 #include "robot_app/ros/ros_navigator.h"
 #include "robot_app/ros/ros_process_manager.h"
+#include "robot_app/ros/ros_supervisors.h"
 #include "robot_app/ros/waypoint_map.h"
 
 namespace coppice::robot {
@@ -135,7 +135,7 @@ class Robot {
   std::unique_ptr<ChargingStation> station_;
   RosInteraction interaction_;
   RosProcessManager processes_;
-  ConsoleSupervisor supervisors_;
+  RosSupervisors supervisors_;
   std::shared_ptr<Registry> registry_ = std::make_shared<Registry>();
   ros::Publisher status_;
   std::unique_ptr<TreeRunner> application_;

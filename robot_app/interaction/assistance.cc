@@ -37,8 +37,10 @@ Channels MakeChannels(const AssistanceConfig& config) {
 }
 
 // Seconds as the first id: grows from run to run, even without a file.
-Assistance::Assistance(const AssistanceConfig& config, Channels channels, Time now)
+Assistance::Assistance(const AssistanceConfig& config, Channels channels,
+                       const std::string& state_file, Time now)
     : config_(config),
+      state_file_(state_file),
       desk_(
           config.supervisors,
           [this](const std::string& subject) { return config_.RulesOf(subject); },
@@ -46,9 +48,9 @@ Assistance::Assistance(const AssistanceConfig& config, Channels channels, Time n
               std::chrono::duration_cast<std::chrono::seconds>(now).count())),
       access_(config.page.operator_token, config.page.viewer_token),
       courier_(std::move(channels)) {
-  if (config_.state_file.empty()) return;
+  if (state_file_.empty()) return;
   Diagnostics diagnostics;  // a file that cannot be read is written anew; Save says what is wrong
-  AssistanceState state = LoadState(config_.state_file, diagnostics);
+  AssistanceState state = LoadState(state_file_, diagnostics);
   for (const HelpRequest& request : state.requests) with_links_.insert(request.id);
   desk_.Restore(std::move(state.requests));
   access_.Restore(std::move(state.passes));
@@ -111,14 +113,14 @@ void Assistance::EndLinksOfClosed() {
 }
 
 void Assistance::Save(std::vector<std::string>& problems) {
-  if (config_.state_file.empty()) return;
+  if (state_file_.empty()) return;
   if (saved_desk_ == desk_.version() && saved_access_ == access_.version()) return;
   saved_desk_ = desk_.version();
   saved_access_ = access_.version();
   const AssistanceState state = {{desk_.requests().begin(), desk_.requests().end()},
                                  access_.state()};
   Diagnostics diagnostics;
-  if (!SaveState(config_.state_file, state, diagnostics)) {
+  if (!SaveState(state_file_, state, diagnostics)) {
     problems.push_back(diagnostics.ToString());
   }
 }

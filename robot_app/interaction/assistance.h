@@ -21,9 +21,10 @@ Channels MakeChannels(const AssistanceConfig& config);
 
 class Assistance {
  public:
-  /// Takes up what an earlier run has left open. `now`: nanoseconds since 1970 of a clock that
-  /// never goes back.
-  Assistance(const AssistanceConfig& config, Channels channels, Time now);
+  /// Keeps open requests in `state_file` and takes up what an earlier run has left there; empty:
+  /// they end with the program. `now`: nanoseconds since 1970 of a clock that never goes back.
+  Assistance(const AssistanceConfig& config, Channels channels, const std::string& state_file,
+             Time now);
 
   HelpDesk& desk() { return desk_; }
   const HelpDesk& desk() const { return desk_; }
@@ -40,6 +41,7 @@ class Assistance {
   void Save(std::vector<std::string>& problems);
 
   const AssistanceConfig config_;
+  const std::string state_file_;
   HelpDesk desk_;
   PageAccess access_;
   Courier courier_;

@@ -44,7 +44,6 @@ class Loader {
   AssistanceConfig Load() {
     if (!readable_) return {};
     config_.robot = Optional(file_, "robot", "The robot");
-    config_.state_file = Optional(file_, "state_file", "");
     for (YamlFields& fields : file_.Maps("channels")) ReadChannel(fields);
     for (YamlFields& fields : file_.Maps("supervisors")) ReadSupervisor(fields);
     YamlFields rules = file_.Map("patience");

@@ -48,8 +48,6 @@ struct PageConfig {
 
 struct AssistanceConfig {
   std::string robot;  ///< its name in messages
-  /// Where open questions outlive the program; empty: they do not.
-  std::string state_file;
   std::vector<ChannelConfig> channels;
   std::vector<HumanSupervisor> supervisors;  ///< in the order in which they are asked
   HelpRules rules;

@@ -1,0 +1,125 @@
+// coppice-assistance: the node /assistance, the robot's way to its human supervisors.
+#include <coppice_msgs/AnswerHelp.h>
+#include <ros/callback_queue.h>
+#include <ros/ros.h>
+
+#include <atomic>
+#include <csignal>
+#include <iostream>
+#include <optional>
+#include <string>
+
+#include "bt_core/base/command_line.h"
+#include "robot_app/interaction/assistance.h"
+#include "robot_app/interaction/assistance_node.h"
+#include "robot_app/interaction/call.h"
+
+namespace coppice::robot {
+namespace {
+
+constexpr char kUsage[] =
+    "coppice-assistance --config FILE [--state FILE] [--call TEXT [--subject NAME]]\n"
+    "       coppice-assistance --answer fixed|not_fixed [--request ID] [--by NAME]\n"
+    "  Asks the robot's human supervisors for help, as the ROS node /assistance, and serves their "
+    "page.\n"
+    "  --state   where open requests outlive a restart of the program\n"
+    "  --call    sends one message to the first supervisor who can be reached, without ROS, and "
+    "ends\n"
+    "  --answer  answers a request of the running node (default: the oldest that is open), and "
+    "ends";
+
+std::atomic<bool> stop_requested{false};
+void RequestStop(int) { stop_requested = true; }
+
+// Warnings are printed; nothing, if there are errors.
+std::optional<AssistanceConfig> Load(const Options& options) {
+  if (!options.Has("--config")) {
+    std::cerr << "--config is missing\nusage: " << kUsage << "\n";
+    return std::nullopt;
+  }
+  Diagnostics diagnostics;
+  AssistanceConfig config =
+      LoadAssistanceConfig(options.Get("--config"), ProcessEnvironment, diagnostics);
+  std::cerr << diagnostics.ToString();
+  if (diagnostics.has_errors()) return std::nullopt;
+  return config;
+}
+
+int Call(const Options& options) {
+  const std::optional<AssistanceConfig> config = Load(options);
+  if (!config) return 2;
+  std::string problems;
+  const bool ok = CallSupervisors(*config, MakeChannels(*config), options.Get("--subject", "robot"),
+                                  options.Get("--call"), problems);
+  std::cerr << problems;
+  return ok ? 0 : 1;
+}
+
+int Answer(const Options& options) {
+  const std::string answer = options.Get("--answer");
+  if (answer != "fixed" && answer != "not_fixed") {
+    std::cerr << "--answer must be fixed or not_fixed\n";
+    return 2;
+  }
+  coppice_msgs::AnswerHelp service;
+  service.request.id = static_cast<std::uint32_t>(options.GetNumber("--request").value_or(0));
+  service.request.by = options.Get("--by", "console");
+  service.request.fixed = answer == "fixed";
+  if (!ros::service::call("/assistance/answer", service)) {
+    std::cerr << "coppice-assistance: the node /assistance does not answer\n";
+    return 1;
+  }
+  std::cout << service.response.message << "\n";
+  return service.response.ok ? 0 : 1;
+}
+
+void Serve(const AssistanceConfig& config, const std::string& state_file) {
+  const WallClock clock;
+  ros::NodeHandle node;
+  Assistance assistance(config, MakeChannels(config), state_file, clock.Now());
+  AssistanceNode services(node, assistance.desk(), clock);
+  while (ros::ok() && !stop_requested) {
+    ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.02));
+    for (const std::string& problem : assistance.Step(clock.Now())) {
+      ROS_WARN_STREAM_THROTTLE(1, problem);
+    }
+    services.Publish();
+  }
+}
+
+bool FindMaster() {
+  if (ros::master::check()) return true;
+  std::cerr << "coppice-assistance: no ROS master at " << ros::master::getURI()
+            << "; start one with `roscore` or set ROS_MASTER_URI\n";
+  return false;
+}
+
+int Main(int argc, char** argv) {
+  const bool is_answer = argc > 1 && std::string(argv[1]) == "--answer";
+  ros::init(
+      argc, argv, "assistance",
+      ros::init_options::NoSigintHandler | (is_answer ? ros::init_options::AnonymousName : 0));
+  const std::optional<Options> options = ParseOptions(
+      {argv + 1, argv + argc},
+      {"--config", "--state", "--call", "--subject", "--answer", "--request", "--by"}, {}, kUsage);
+  if (!options) return 2;
+  if (options->Has("--call")) return Call(*options);
+  if (options->Has("--answer")) return FindMaster() ? Answer(*options) : 2;
+  const std::optional<AssistanceConfig> config = Load(*options);
+  if (!config || !FindMaster()) return 2;
+  std::signal(SIGINT, RequestStop);
+  std::signal(SIGTERM, RequestStop);
+  try {
+    Serve(*config, options->Get("--state"));
+  } catch (const std::exception& error) {
+    std::cerr << "coppice-assistance: " << error.what() << "\n";
+    return 2;
+  }
+  ros::shutdown();
+  return 0;
+}
+
+}  // namespace
+}  // namespace coppice::robot
+
+int main(int argc, char** argv) { return coppice::robot::Main(argc, argv); }
