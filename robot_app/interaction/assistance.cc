@@ -91,10 +91,9 @@ OutgoingMessage Assistance::Compose(const Letter& letter, Time now) {
   message.id = "coppice-" + std::to_string(now.count()) + "-" + std::to_string(++messages_so_far_);
   const bool asks =
       letter.kind == Letter::Kind::kQuestion || letter.kind == Letter::Kind::kReminder;
-  if (asks && config_.page.port != 0) {
+  if (asks && !page_url_.empty()) {
     // Behind "#": browsers keep it to themselves, so neither logs nor previews of links use it up.
-    message.link = config_.page.public_url + "/#" +
-                   access_.MakeLinkToken(supervisor.name, letter.request, now);
+    message.link = page_url_ + "/#" + access_.MakeLinkToken(supervisor.name, letter.request, now);
     with_links_.insert(letter.request);
   }
   return message;

@@ -26,6 +26,9 @@ class Assistance {
   Assistance(const AssistanceConfig& config, Channels channels, const std::string& state_file,
              Time now);
 
+  /// Where the page is, without slash at its end; from now on questions bear a link to it.
+  void set_page_url(const std::string& url) { page_url_ = url; }
+
   HelpDesk& desk() { return desk_; }
   const HelpDesk& desk() const { return desk_; }
   PageAccess& access() { return access_; }
@@ -42,6 +45,7 @@ class Assistance {
 
   const AssistanceConfig config_;
   const std::string state_file_;
+  std::string page_url_;
   HelpDesk desk_;
   PageAccess access_;
   Courier courier_;

@@ -200,8 +200,7 @@ class Loader {
     PageConfig& page = config_.page;
     page.address = Optional(fields, "address", page.address);
     page.port = static_cast<std::uint16_t>(fields.Integer("port", page.port, 0, 65535));
-    page.public_url =
-        Optional(fields, "public_url", "http://" + page.address + ":" + std::to_string(page.port));
+    page.public_url = Optional(fields, "public_url", "");
     while (!page.public_url.empty() && page.public_url.back() == '/') page.public_url.pop_back();
     page.operator_token = Secret(fields, "operator_token").value_or("");
     page.viewer_token = Secret(fields, "viewer_token").value_or("");

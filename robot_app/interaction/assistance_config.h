@@ -37,8 +37,8 @@ struct CameraConfig {
 struct PageConfig {
   std::string address = "127.0.0.1";  ///< as LocalAddress (bt_core/live/local_address.h)
   std::uint16_t port = 8090;          ///< 0: no page
-  std::string public_url;             ///< how supervisors reach it; without slash at its end
-  std::string operator_token;         ///< empty: only links of messages let in
+  std::string public_url;      ///< how supervisors reach it, without slash at its end; may be empty
+  std::string operator_token;  ///< empty: only links of messages let in
   std::string viewer_token;
   double most_linear = 0.4;     ///< m/s, of a person who drives
   double most_angular = 0.8;    ///< rad/s

@@ -18,15 +18,13 @@ namespace coppice::robot {
 namespace {
 
 constexpr char kUsage[] =
-    "coppice-assistance --config FILE [--state FILE] [--call TEXT [--subject NAME]]\n"
-    "       coppice-assistance --answer fixed|not_fixed [--request ID] [--by NAME]\n"
-    "  Asks the robot's human supervisors for help, as the ROS node /assistance, and serves their "
-    "page.\n"
-    "  --state   where open requests outlive a restart of the program\n"
-    "  --call    sends one message to the first supervisor who can be reached, without ROS, and "
-    "ends\n"
-    "  --answer  answers a request of the running node (default: the oldest that is open), and "
-    "ends";
+    R"(coppice-assistance --config FILE [--state FILE] [--page-port N] [--call TEXT [--subject NAME]]
+       coppice-assistance --answer fixed|not_fixed [--request ID] [--by NAME]
+  Asks the robot's human supervisors for help, as the ROS node /assistance, and serves their page.
+  --state      where open requests outlive a restart of the program
+  --page-port  of the page, 0 = none; default: as the configuration says
+  --call       sends one message to the first supervisor who can be reached, without ROS, and ends
+  --answer     answers a request of the running node (default: the oldest that is open), and ends)";
 
 std::atomic<bool> stop_requested{false};
 void RequestStop(int) { stop_requested = true; }
@@ -42,6 +40,9 @@ std::optional<AssistanceConfig> Load(const Options& options) {
       LoadAssistanceConfig(options.Get("--config"), ProcessEnvironment, diagnostics);
   std::cerr << diagnostics.ToString();
   if (diagnostics.has_errors()) return std::nullopt;
+  if (const auto port = options.GetNumber("--page-port")) {
+    config.page.port = static_cast<std::uint16_t>(*port);
+  }
   return config;
 }
 
@@ -99,9 +100,11 @@ int Main(int argc, char** argv) {
   ros::init(
       argc, argv, "assistance",
       ros::init_options::NoSigintHandler | (is_answer ? ros::init_options::AnonymousName : 0));
-  const std::optional<Options> options = ParseOptions(
-      {argv + 1, argv + argc},
-      {"--config", "--state", "--call", "--subject", "--answer", "--request", "--by"}, {}, kUsage);
+  const std::optional<Options> options =
+      ParseOptions({argv + 1, argv + argc},
+                   {"--config", "--state", "--page-port", "--call", "--subject", "--answer",
+                    "--request", "--by"},
+                   {}, kUsage);
   if (!options) return 2;
   if (options->Has("--call")) return Call(*options);
   if (options->Has("--answer")) return FindMaster() ? Answer(*options) : 2;
