@@ -1,0 +1,160 @@
+#include "tests/system/fault_case.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <iomanip>
+#include <sstream>
+
+namespace coppice::robot {
+namespace {
+
+constexpr double kDetectionPatience = 120;  // s, wall; the measured time is judged, not this
+
+std::string ReportFile() {
+  const char* file = std::getenv("COPPICE_FAULT_REPORT");
+  return file != nullptr ? file : std::string(COPPICE_BINARY_DIR) + "/tests/system/faults.tsv";
+}
+
+std::string Seconds(const std::optional<double>& seconds) {
+  if (!seconds) return "-";
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(1) << *seconds;
+  return text.str();
+}
+
+}  // namespace
+
+FaultCase::FaultCase(RobotRig& rig, std::string fault, std::string injection)
+    : rig_(rig), fault_(std::move(fault)), injection_(std::move(injection)) {
+  rig_.WaitUntilNominal(kDetectionPatience);
+  pids_ = Pids();
+  begin_ = rig_.Now();
+}
+
+FaultCase::~FaultCase() {
+  if (testing::Test::HasFailure()) {
+    ADD_FAILURE() << fault_ << ", what happened:\n"
+                  << rig_.TimelineSince(begin_) << "logs: " << rig_.folder();
+    return;
+  }
+  std::ofstream(ReportFile(), std::ios::app)
+      << fault_ << '\t' << injection_ << '\t' << detected_by_ << '\t' << Seconds(detected_) << '\t'
+      << Seconds(limit_) << '\t' << recovery_ << '\t' << (asked_ ? "yes" : "no") << '\t'
+      << Seconds(nominal_) << '\n';
+}
+
+std::map<std::string, int> FaultCase::Pids() const {
+  return rig_.With([](const RobotState& state) {
+    std::map<std::string, int> pids;
+    for (const auto& [name, process] : state.processes()) {
+      if (const int pid = state.ReadyPid(name)) pids[name] = pid;
+    }
+    return pids;
+  });
+}
+
+void FaultCase::Begin() { begin_ = rig_.Now(); }
+
+bool FaultCase::ExpectDetected(const std::string& monitor, const std::string& subject,
+                               double within) {
+  return ExpectLevel(monitor, subject, coppice_msgs::HealthEntry::ERROR, within);
+}
+
+// The first one since the injection.
+std::optional<Event> FaultCase::WaitForEvent(const std::function<bool(const Event&)>& is_it,
+                                             double patience) {
+  std::optional<Event> found;
+  rig_.WaitFor(
+      [&](const RobotState& state) {
+        for (const Event& event : state.events()) {
+          if (event.at.wall < begin_.wall || !is_it(event)) continue;
+          found = event;
+          return true;
+        }
+        return false;
+      },
+      patience);
+  return found;
+}
+
+bool FaultCase::ExpectLevel(const std::string& monitor, const std::string& subject, int level,
+                            double within) {
+  const std::string what = monitor + " " + subject;
+  const std::optional<Event> seen = WaitForEvent(
+      [&](const Event& event) {
+        return event.kind == Event::Kind::kHealth && event.subject == what && event.value >= level;
+      },
+      kDetectionPatience);
+  EXPECT_TRUE(seen) << fault_ << ": no monitor said it of " << what;
+  if (!seen) return false;
+  const double after = SecondsSince(seen->stamp);
+  EXPECT_LE(after, within) << fault_ << ": detected late by " << what;
+  if (!detected_) {
+    detected_by_ = what;
+    detected_ = after;
+    limit_ = within;
+  }
+  return after <= within;
+}
+
+bool FaultCase::ExpectRestartBegun(const std::string& process, double within) {
+  const std::optional<Event> begun = WaitForEvent(
+      [&](const Event& event) {
+        return event.kind == Event::Kind::kProcess && event.subject == process &&
+               event.value == coppice_msgs::ProcessState::STARTING;
+      },
+      kDetectionPatience);
+  EXPECT_TRUE(begun) << fault_ << ": " << process << " was not restarted";
+  if (!begun) return false;
+  EXPECT_LE(SecondsSince(begun->stamp), within) << fault_ << ": restarted late";
+  return SecondsSince(begun->stamp) <= within;
+}
+
+bool FaultCase::ExpectRestarted(const std::string& process, double patience) {
+  const int before = pids_.count(process) > 0 ? pids_.at(process) : 0;
+  const bool restarted = rig_.WaitFor(
+      [&](const RobotState& state) {
+        const int pid = state.ReadyPid(process);
+        return pid != 0 && pid != before;
+      },
+      patience);
+  EXPECT_TRUE(restarted) << fault_ << ": " << process << " was not restarted";
+  return restarted;
+}
+
+bool FaultCase::ExpectAsked(const std::string& subject, double patience) {
+  asked_ = rig_.WaitFor([&](const RobotState& state) { return state.IsAsked(subject); }, patience);
+  EXPECT_TRUE(asked_) << fault_ << ": nobody was asked about " << subject;
+  return asked_;
+}
+
+bool FaultCase::ExpectNominal(double patience) {
+  if (!rig_.WaitUntilNominal(patience)) return false;
+  nominal_ =
+      SecondsSince(rig_.With([](const RobotState& state) { return state.nominal_since()->ros; }));
+  return true;
+}
+
+void FaultCase::ExpectOnlyRestarted(const std::set<std::string>& processes) {
+  const std::map<std::string, int> now = Pids();
+  for (const auto& [name, pid] : pids_) {
+    const auto found = now.find(name);
+    if (processes.count(name) > 0) continue;
+    EXPECT_TRUE(found != now.end() && found->second == pid)
+        << fault_ << ": " << name << " was disturbed";
+  }
+}
+
+void FaultCase::ExpectNobodyAsked() {
+  const bool asked = rig_.With([&](const RobotState& state) {
+    for (const Event& event : state.events()) {
+      if (event.kind == Event::Kind::kRequest && event.at.wall >= begin_.wall) return true;
+    }
+    return false;
+  });
+  EXPECT_FALSE(asked) << fault_ << ": a person was asked";
+}
+
+}  // namespace coppice::robot

@@ -1,0 +1,39 @@
+// laser_driver: stands for the driver of a scanner that wedges. It passes the simulator's scans on
+// (/simulation/scan to /scan) and answers every ping; on a signal it goes wrong, until it is
+// started anew, as drivers do.
+//   SIGUSR1  says nothing any more
+//   SIGUSR2  one message of four
+//   SIGRTMIN three copies of each message
+#include <ros/ros.h>
+#include <sensor_msgs/LaserScan.h>
+
+#include <csignal>
+
+namespace {
+
+volatile std::sig_atomic_t g_wrong = 0;  // the signal that came last
+
+int Copies(unsigned count) {
+  if (g_wrong == SIGUSR1) return 0;
+  if (g_wrong == SIGUSR2) return count % 4 == 0 ? 1 : 0;
+  return g_wrong == SIGRTMIN ? 3 : 1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  ros::init(argc, argv, "laser_driver");
+  for (const int signal : {SIGUSR1, SIGUSR2, SIGRTMIN}) {
+    std::signal(signal, [](int which) { g_wrong = which; });
+  }
+  ros::NodeHandle node;
+  const ros::Publisher scan = node.advertise<sensor_msgs::LaserScan>("/scan", 10);
+  unsigned count = 0;
+  const ros::Subscriber raw = node.subscribe<sensor_msgs::LaserScan>(
+      "/simulation/scan", 10, [&](const sensor_msgs::LaserScan::ConstPtr& message) {
+        ++count;
+        for (int i = Copies(count); i > 0; --i) scan.publish(message);
+      });
+  ros::spin();
+  return 0;
+}

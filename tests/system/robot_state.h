@@ -1,0 +1,91 @@
+// What is known of a running robot from its topics, and what changed when.
+#ifndef COPPICE_TESTS_SYSTEM_ROBOT_STATE_H_
+#define COPPICE_TESTS_SYSTEM_ROBOT_STATE_H_
+
+#include <coppice_msgs/Health.h>
+#include <coppice_msgs/HealthEntry.h>
+#include <coppice_msgs/HelpRequests.h>
+#include <coppice_msgs/ProcessStates.h>
+
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace coppice::robot {
+
+/// A moment on both time lines [s].
+struct Instant {
+  double wall = 0;
+  double ros = 0;
+};
+
+/// One line of the record of a run.
+struct Event {
+  enum class Kind { kHealth, kProcess, kRequest, kConfiguration, kNote };
+  Kind kind;
+  std::string subject;  ///< "monitor subject", process, subject of the request
+  int value = 0;        ///< level, state
+  std::string text;
+  double stamp = 0;  ///< ROS time that the sender gave to what it tells; 0: none
+  Instant at;        ///< when it was heard
+};
+
+/// For people: "12.34 s health node /navigation 2: no answer".
+std::string ToString(const Event& event, const Instant& origin);
+
+class RobotState {
+ public:
+  using Key = std::pair<std::string, std::string>;  // monitor and subject
+
+  void OnClock(const Instant& now);
+  void OnHealth(const coppice_msgs::Health& message, const Instant& now);
+  void OnProcesses(const coppice_msgs::ProcessStates& message, const Instant& now);
+  void OnRequests(const coppice_msgs::HelpRequests& message, const Instant& now);
+  void OnApplication(const std::string& status, const Instant& now);
+  void OnTruth(double x, double y);
+  void Note(const std::string& text, const Instant& now);
+
+  const Instant& now() const { return now_; }
+  const std::string& application() const { return application_; }
+  const std::string& configuration() const { return configuration_; }
+  double x() const { return x_; }  ///< true position, frame map [m]
+  double y() const { return y_; }
+  const std::map<Key, coppice_msgs::HealthEntry>& health() const { return health_; }
+  const std::map<std::string, coppice_msgs::ProcessState>& processes() const { return processes_; }
+  const std::vector<coppice_msgs::HelpRequest>& requests() const { return requests_; }
+  const std::vector<Event>& events() const { return events_; }
+
+  /// The level of what a monitor says; nothing if it does not speak of that.
+  std::optional<int> Level(const std::string& monitor, const std::string& subject) const;
+  /// pid of a process that is ready; 0 otherwise.
+  int ReadyPid(const std::string& process) const;
+  bool IsAsked(const std::string& subject) const;
+
+  /// All that is not as it should be: errors, processes that are not ready, open questions,
+  /// recoveries under way, a tree that has ended. Empty: nominal.
+  std::vector<std::string> Problems() const;
+  /// Since when there are no problems without a break.
+  const std::optional<Instant>& nominal_since() const { return nominal_since_; }
+
+ private:
+  void Add(Event::Kind kind, const std::string& subject, int value, const std::string& text,
+           double stamp, const Instant& now);
+  void Judge(const Instant& now);
+
+  Instant now_;
+  std::string application_;
+  std::string configuration_;
+  bool changing_ = false;
+  double x_ = 0, y_ = 0;
+  std::map<Key, coppice_msgs::HealthEntry> health_;
+  std::map<std::string, coppice_msgs::ProcessState> processes_;
+  std::vector<coppice_msgs::HelpRequest> requests_;
+  std::vector<Event> events_;
+  std::optional<Instant> nominal_since_;
+};
+
+}  // namespace coppice::robot
+
+#endif  // COPPICE_TESTS_SYSTEM_ROBOT_STATE_H_
