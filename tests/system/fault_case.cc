@@ -26,6 +26,15 @@ std::string Seconds(const std::optional<double>& seconds) {
 
 }  // namespace
 
+void WriteReport(const FaultReport& r) {
+  std::ofstream file(ReportFile(), std::ios::app);
+  for (const std::string* field : {&r.fault, &r.injection, &r.detected_by, &r.detected_after,
+                                   &r.limit, &r.recovery, &r.asked}) {
+    file << *field << '\t';
+  }
+  file << r.nominal_after << '\n';
+}
+
 FaultCase::FaultCase(RobotRig& rig, std::string fault, std::string injection)
     : rig_(rig), fault_(std::move(fault)), injection_(std::move(injection)) {
   rig_.WaitUntilNominal(kDetectionPatience);
@@ -39,10 +48,8 @@ FaultCase::~FaultCase() {
                   << rig_.TimelineSince(begin_) << "logs: " << rig_.folder();
     return;
   }
-  std::ofstream(ReportFile(), std::ios::app)
-      << fault_ << '\t' << injection_ << '\t' << detected_by_ << '\t' << Seconds(detected_) << '\t'
-      << Seconds(limit_) << '\t' << recovery_ << '\t' << (asked_ ? "yes" : "no") << '\t'
-      << Seconds(nominal_) << '\n';
+  WriteReport({fault_, injection_, detected_by_, Seconds(detected_), Seconds(limit_), recovery_,
+               asked_ ? "yes" : "no", Seconds(nominal_)});
 }
 
 std::map<std::string, int> FaultCase::Pids() const {
@@ -54,8 +61,6 @@ std::map<std::string, int> FaultCase::Pids() const {
     return pids;
   });
 }
-
-void FaultCase::Begin() { begin_ = rig_.Now(); }
 
 bool FaultCase::ExpectDetected(const std::string& monitor, const std::string& subject,
                                double within) {

@@ -16,15 +16,21 @@
 
 namespace coppice::robot {
 
+/// A line of the report.
+struct FaultReport {
+  std::string fault, injection, detected_by, detected_after, limit, recovery, asked, nominal_after;
+};
+void WriteReport(const FaultReport& report);
+
 class FaultCase {
  public:
-  /// Begins with a robot that is nominal. `fault` and `injection` are for the report.
+  /// Waits until the robot is nominal; times count from then on, so inject the fault at once, or
+  /// call Begin() right before. `fault` and `injection` are for the report.
   FaultCase(RobotRig& rig, std::string fault, std::string injection);
   /// Writes the report; shows the record of the run if the test has failed.
   ~FaultCase();
 
-  /// The moment of the injection is now. Call it right after.
-  void Begin();
+  void Begin() { begin_ = rig_.Now(); }
 
   /// Waits until a monitor says ERROR or worse of a subject, and expects that it measured that no
   /// later than `within` seconds of ROS time after the injection.

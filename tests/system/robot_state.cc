@@ -116,6 +116,11 @@ std::optional<int> RobotState::Level(const std::string& monitor, const std::stri
   return found->second.level;
 }
 
+int RobotState::Pid(const std::string& process) const {
+  const auto found = processes_.find(process);
+  return found != processes_.end() ? found->second.pid : 0;
+}
+
 int RobotState::ReadyPid(const std::string& process) const {
   const auto found = processes_.find(process);
   return found != processes_.end() && found->second.state == ProcessState::READY ? found->second.pid

@@ -59,7 +59,9 @@ class RobotState {
 
   /// The level of what a monitor says; nothing if it does not speak of that.
   std::optional<int> Level(const std::string& monitor, const std::string& subject) const;
-  /// pid of a process that is ready; 0 otherwise.
+  /// pid of a process; 0 if it does not run.
+  int Pid(const std::string& process) const;
+  /// The same, but 0 as well if it is not ready.
   int ReadyPid(const std::string& process) const;
   bool IsAsked(const std::string& subject) const;
 

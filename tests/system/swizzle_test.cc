@@ -1,0 +1,108 @@
+// Random subsets of the robot's programs are killed one by one and brought back in another order;
+// each time the robot must come back to nominal by itself.
+//
+// COPPICE_SWIZZLES says how many (default 10); `./dev bench swizzle` runs 50.
+#include <coppice_msgs/RestartProcess.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <csignal>
+#include <cstdlib>
+#include <fstream>
+#include <iomanip>
+#include <iostream>
+#include <random>
+#include <sstream>
+
+#include "tests/system/fault_case.h"
+
+namespace coppice::robot {
+namespace {
+
+constexpr double kBackToNominal = 60;  // s, wall; at most
+
+int Swizzles() {
+  const char* text = std::getenv("COPPICE_SWIZZLES");
+  return text != nullptr ? std::max(1, std::atoi(text)) : 10;
+}
+
+// All that runs, but for what stands for the robot's hardware.
+std::vector<std::string> Programs(const RobotState& state) {
+  std::vector<std::string> names;
+  for (const auto& [name, process] : state.processes()) {
+    if (name != "simulator" && state.ReadyPid(name) != 0) names.push_back(name);
+  }
+  return names;
+}
+
+template <class Random>
+std::vector<std::string> RandomSubset(std::vector<std::string> names, Random& random) {
+  std::shuffle(names.begin(), names.end(), random);
+  names.resize(std::uniform_int_distribution<std::size_t>(1, names.size())(random));
+  return names;
+}
+
+std::string Join(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : " ") + name;
+  return text;
+}
+
+// By hand, as an impatient operator would, while the robot helps itself. Refusals are part of it.
+void BringBack(const std::string& process) {
+  coppice_msgs::RestartProcess service;
+  service.request.name = process;
+  ros::service::call("/supervisor/restart", service);
+}
+
+RigOptions Options() {
+  RigOptions options;
+  options.name = "swizzle";
+  options.variables = {{"speed", "1"}, {"seed", "3"}};
+  // Here it is the test that breaks everything again and again, which nobody is to be called for.
+  options.edits = {{"robot.yaml", "\"_seed:=", "\"_start:=2 0 0\", \"_seed:="},
+                   {"robot.yaml", "restart_intensity: {restarts: 3, window: 60}",
+                    "restart_intensity: {restarts: 1000, window: 60}"}};
+  return options;
+}
+
+TEST(Swizzle, TheRobotComesBackFromAnySubsetOfDeadPrograms) {
+  RobotRig rig(Options());
+  ASSERT_TRUE(rig.Start());
+  std::vector<double> times;
+  for (int seed = 1; seed <= Swizzles(); ++seed) {
+    SCOPED_TRACE("swizzle " + std::to_string(seed));
+    std::mt19937 random(static_cast<unsigned>(seed));
+    std::vector<std::string> victims = RandomSubset(rig.With(Programs), random);
+    const Instant begin = rig.Now();
+    for (const std::string& victim : victims) {
+      if (const int pid = rig.With([&](const auto& state) { return state.Pid(victim); })) {
+        kill(pid, SIGKILL);
+      }
+      rig.Note("killed " + victim);
+      // The pause is a part of the fault.
+      rig.WaitFor([](const RobotState&) { return false; },
+                  std::uniform_real_distribution<double>(0, 0.3)(random));
+    }
+    std::shuffle(victims.begin(), victims.end(), random);
+    for (const std::string& victim : victims) BringBack(victim);
+    const bool nominal = rig.WaitUntilNominal(kBackToNominal);
+    const double seconds = rig.With([&](const RobotState& state) {
+      return state.nominal_since() ? state.nominal_since()->wall - begin.wall : -1;
+    });
+    std::cout << "swizzle " << seed << ": " << std::fixed << std::setprecision(1) << seconds
+              << " s after " << Join(victims) << std::endl;
+    ASSERT_TRUE(nominal) << rig.TimelineSince(begin);
+    times.push_back(seconds);
+  }
+  std::sort(times.begin(), times.end());
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(1) << "median " << times[times.size() / 2] << ", longest "
+       << times.back();
+  WriteReport({std::to_string(times.size()) + " random swizzles",
+               "SIGKILL to a random subset, brought back in random order", "several", "-", "-",
+               "restarts", "no", text.str()});
+}
+
+}  // namespace
+}  // namespace coppice::robot
