@@ -25,6 +25,7 @@ coppice_msgs::Health ToMessage(const std::string& source, const std::vector<Find
     entry.unit = finding.unit;
     entry.message = finding.message;
     entry.stamp = ToRos(finding.stamp);
+    entry.host = finding.host;
     message.entries.push_back(std::move(entry));
   }
   return message;
@@ -33,8 +34,9 @@ coppice_msgs::Health ToMessage(const std::string& source, const std::vector<Find
 std::vector<Finding> FromMessage(const coppice_msgs::Health& message) {
   std::vector<Finding> findings;
   for (const coppice_msgs::HealthEntry& entry : message.entries) {
-    Finding finding{entry.monitor, entry.subject, entry.node,    HealthLevel::kOk,
-                    entry.value,   entry.unit,    entry.message, FromRos(entry.stamp)};
+    Finding finding{entry.monitor,    entry.subject,        entry.node,
+                    HealthLevel::kOk, entry.value,          entry.unit,
+                    entry.message,    FromRos(entry.stamp), entry.host};
     // A number that we do not know is no reason to feel well.
     finding.level = static_cast<HealthLevel>(
         std::min<std::uint8_t>(entry.level, coppice_msgs::HealthEntry::STALE));
