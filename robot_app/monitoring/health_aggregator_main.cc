@@ -15,17 +15,16 @@ constexpr int kQueue = 100;
 
 class Program {
  public:
-  explicit Program(const MonitorConfig& config)
-      : aggregator_(config.hold, config.silent_periods),
-        node_(config, [this](const WatchList& list) {
+  explicit Program(const MonitorStart& start)
+      : aggregator_(start.config.hold, start.config.silent_periods),
+        node_(start, [this](const WatchList& list) {
           aggregator_.Expect(list.sources, MonitorNode::Now().wall);
         }) {
     health_ = node_.handle().advertise<coppice_msgs::Health>("/monitoring", kQueue, true);
     reports_ = node_.handle().subscribe<coppice_msgs::Health>(
         "/monitoring/reports", kQueue,
         [this](const coppice_msgs::Health::ConstPtr& message) { OnReport(*message); });
-    const ros::WallDuration period(std::chrono::duration<double>(config.publish_period).count());
-    timer_ = node_.handle().createWallTimer(period, [this](const ros::WallTimerEvent&) {
+    timer_ = node_.Every(start.config.publish_period, [this] {
       const Times now = MonitorNode::Now();
       aggregator_.CheckSilence(node_.processes(), now.wall, now.ros);
       Publish();
@@ -55,9 +54,9 @@ class Program {
 }  // namespace coppice::robot
 
 int main(int argc, char** argv) {
-  const auto config = coppice::robot::StartMonitor(argc, argv, "health_aggregator");
-  if (!config) return 2;
-  const coppice::robot::Program program(*config);
+  const auto start = coppice::robot::StartMonitor(argc, argv, "health_aggregator");
+  if (!start) return 2;
+  const coppice::robot::Program program(*start);
   ros::spin();
   return 0;
 }

@@ -50,6 +50,7 @@ ProcessTable FromMessage(const coppice_msgs::ProcessStates& message) {
   table.configuration = message.configuration;
   for (const coppice_msgs::ProcessState& state : message.processes) {
     if (state.node.empty()) continue;
+    if (!state.host.empty()) table.hosts[state.node] = state.host;
     ProcessStatus& status = table.by_node[state.node];
     status.phase = static_cast<ProcessPhase>(state.state);
     status.pid = state.pid;

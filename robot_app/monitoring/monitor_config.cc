@@ -1,54 +1,30 @@
 #include "robot_app/monitoring/monitor_config.h"
 
 #include <algorithm>
-#include <set>
 
-#include "robot_app/supervision/yaml_fields.h"
+#include "robot_app/monitoring/band_fields.h"
+#include "robot_app/monitoring/power/power_fields.h"
+#include "robot_app/monitoring/system/system_fields.h"
+#include "robot_app/monitoring/watch_fields.h"
 
 namespace coppice::robot {
 namespace {
 
-constexpr double kHighestRate = 10000;
-
-// A ROS name that must begin with a slash.
-std::string RosName(YamlFields& fields, const std::string& key) {
-  const LocatedText name = fields.Text(key);
-  if (!name.text.empty() && name.text.front() != '/') {
-    fields.Error(name.where,
-                 "\"" + key + "\": expected a ROS name with slash, got \"" + name.text + "\"");
-  }
-  return name.text;
+// The section `key` if there is one.
+template <class Watch>
+std::optional<Watch> Section(YamlFields& fields, const std::string& key,
+                             Watch (*read)(YamlFields&)) {
+  const bool is_given = fields.Has(key);
+  YamlFields section = fields.Map(key);
+  return is_given ? std::optional<Watch>(read(section)) : std::nullopt;
 }
 
-// "[low, high]", each a number or "none".
-RateBand ReadBand(YamlFields& fields, const std::string& key) {
-  RateBand band;
-  if (!fields.Has(key)) {
-    fields.Texts(key);
-    return band;
-  }
-  const std::vector<LocatedText> bounds = fields.Texts(key);
-  const auto read = [&fields, &key](const LocatedText& bound, std::optional<double>& rate) {
-    if (bound.text == "none") return;
-    double number = -1;
-    if (YAML::convert<double>::decode(YAML::Node(bound.text), number) && number >= 0 &&
-        number <= kHighestRate) {
-      rate = number;
-    } else {
-      fields.Error(bound.where,
-                   "\"" + key + "\": expected a rate in Hz or none, got \"" + bound.text + "\"");
-    }
-  };
-  if (bounds.size() != 2) {
-    fields.Error(fields.where(), "\"" + key + "\": expected [low, high]");
-    return band;
-  }
-  read(bounds[0], band.low);
-  read(bounds[1], band.high);
-  if (band.low && band.high && *band.low >= *band.high) {
-    fields.Error(bounds[0].where, "\"" + key + "\": low is not below high");
-  }
-  return band;
+template <class Watch>
+void CheckNames(const YamlFields& fields, const std::vector<Watch>& watches,
+                std::string Watch::*name) {
+  std::vector<std::string> names;
+  for (const Watch& watch : watches) names.push_back(watch.*name);
+  CheckUnique(fields, names);
 }
 
 class Loader {
@@ -67,11 +43,7 @@ class Loader {
     YamlFields topics = file_.Map("topic_monitor");
     window_ = topics.Number("window", 2, 0.1, 600);
     topics.Finish();
-    YamlFields aggregator = file_.Map("health_aggregator");
-    config_.publish_period = aggregator.Seconds("period", 0.25, 0.05, 60);
-    config_.hold = aggregator.Seconds("hold", 0.25, 0, 60);
-    config_.silent_periods = aggregator.Integer("silent_periods", 3, 1, 1000);
-    aggregator.Finish();
+    ReadAggregator();
     for (auto& [name, node] : file_.Pairs("configurations")) {
       YamlFields fields = file_.MapOf(node);
       ReadList(name.text, fields);
@@ -82,6 +54,15 @@ class Loader {
   }
 
  private:
+  void ReadAggregator() {
+    YamlFields aggregator = file_.Map("health_aggregator");
+    config_.publish_period = aggregator.Seconds("period", 0.25, 0.05, 60);
+    config_.hold = aggregator.Seconds("hold", 0.25, 0, 60);
+    config_.silent_periods = aggregator.Integer("silent_periods", 3, 1, 1000);
+    config_.diagnostics_period = aggregator.Seconds("diagnostics", 1, 0, 60);
+    aggregator.Finish();
+  }
+
   void ReadInitial() {
     if (config_.lists.empty()) {
       file_.Error(file_.where(), "\"configurations\" names no configuration");
@@ -100,72 +81,46 @@ class Loader {
   void ReadList(const std::string& name, YamlFields& fields) {
     WatchList list;
     list.configuration = name;
-    for (YamlFields& item : fields.Maps("nodes")) list.nodes.push_back(ReadNode(item));
-    for (YamlFields& item : fields.Maps("topics")) list.topics.push_back(ReadTopic(item));
-    for (YamlFields& item : fields.Maps("sources")) list.sources.push_back(ReadSource(item));
-    const bool has_navigation = fields.Has("navigation");
-    YamlFields navigation = fields.Map("navigation");
-    if (has_navigation) list.navigation = ReadNavigation(navigation);
+    for (YamlFields& item : fields.Maps("nodes")) {
+      list.nodes.push_back(ReadNodeWatch(item, misses_));
+    }
+    for (YamlFields& item : fields.Maps("topics")) {
+      list.topics.push_back(ReadTopicWatch(item, window_));
+    }
+    ReadMovement(fields, list);
+    ReadPower(fields, list);
+    for (YamlFields& item : fields.Maps("loggers")) list.loggers.push_back(ReadLoggerWatch(item));
+    list.diagnostics = Section(fields, "diagnostics", &ReadDiagnosticsWatch);
+    for (YamlFields& item : fields.Maps("system")) list.system.push_back(ReadSystemWatch(item));
+    for (YamlFields& item : fields.Maps("sources")) list.sources.push_back(ReadSourceWatch(item));
     fields.Finish();
-    Unique(fields, list.nodes, &NodeWatch::node);
-    Unique(fields, list.topics, &TopicWatch::topic);
-    Unique(fields, list.sources, &SourceWatch::source);
+    CheckNames(fields, list.nodes, &NodeWatch::node);
+    CheckNames(fields, list.topics, &TopicWatch::topic);
+    CheckNames(fields, list.loggers, &LoggerWatch::name);
+    CheckNames(fields, list.system, &SystemWatch::host);
+    CheckNames(fields, list.sources, &SourceWatch::source);
     config_.lists.push_back(std::move(list));
   }
 
-  template <class Watch>
-  static void Unique(const YamlFields& fields, const std::vector<Watch>& watches,
-                     std::string Watch::*name) {
-    std::set<std::string> seen;
-    for (const Watch& watch : watches) {
-      if (seen.insert(watch.*name).second) continue;
-      fields.Error(fields.where(), "\"" + watch.*name + "\" is listed twice");
+  static void ReadMovement(YamlFields& fields, WatchList& list) {
+    list.navigation = Section(fields, "navigation", &ReadNavigationWatch);
+    list.localization = Section(fields, "localization", &ReadLocalizationWatch);
+    std::vector<std::string> pairs;
+    for (YamlFields& item : fields.Maps("transforms")) {
+      list.transforms.push_back(ReadTransformWatch(item));
+      pairs.push_back(list.transforms.back().parent + " -> " + list.transforms.back().child);
     }
+    CheckUnique(fields, pairs);
   }
 
-  NodeWatch ReadNode(YamlFields& fields) const {
-    NodeWatch watch;
-    watch.node = RosName(fields, "node");
-    watch.misses = fields.Integer("misses", misses_, 1, 100);
-    fields.Finish();
-    return watch;
-  }
-
-  TopicWatch ReadTopic(YamlFields& fields) const {
-    TopicWatch watch;
-    watch.topic = RosName(fields, "topic");
-    watch.node = RosName(fields, "node");
-    watch.warn = ReadBand(fields, "warn");
-    watch.error = ReadBand(fields, "error");
-    watch.window = fields.Seconds("window", window_, 0.1, 600);
-    watch.staleness = fields.Seconds("staleness", 2, 0.01, 86400);
-    watch.wall_time = fields.Choice("time", "ros", {"ros", "wall"}) == "wall";
-    const bool inverted =
-        (watch.warn.low && watch.error.low && *watch.warn.low < *watch.error.low) ||
-        (watch.warn.high && watch.error.high && *watch.warn.high > *watch.error.high);
-    if (inverted) fields.Error(fields.where(), "\"warn\" is not within \"error\"");
-    fields.Finish();
-    return watch;
-  }
-
-  static SourceWatch ReadSource(YamlFields& fields) {
-    SourceWatch watch;
-    watch.source = RosName(fields, "source");
-    watch.period = fields.Seconds("period", 0.5, 0.01, 3600);
-    fields.Finish();
-    return watch;
-  }
-
-  static NavigationWatch ReadNavigation(YamlFields& fields) {
-    NavigationWatch watch;
-    watch.topic = RosName(fields, "topic");
-    watch.node = RosName(fields, "node");
-    watch.blocked = fields.Seconds("blocked", 20, 0, 3600);
-    watch.no_path = fields.Seconds("no_path", 5, 0, 3600);
-    watch.staleness = fields.Seconds("staleness", 3, 0.01, 3600);
-    watch.after_failure = fields.Seconds("after_failure", 15, 0, 3600);
-    fields.Finish();
-    return watch;
+  static void ReadPower(YamlFields& fields, WatchList& list) {
+    list.battery = Section(fields, "battery", &ReadBatteryWatch);
+    list.charging = Section(fields, "charging", &ReadChargingWatch);
+    list.docking = Section(fields, "docking", &ReadDockingWatch);
+    list.emergency_stop = Section(fields, "emergency_stop", &ReadEmergencyStopWatch);
+    if (list.charging && !list.battery) {
+      fields.Error(fields.where(), "\"charging\" needs \"battery\"");
+    }
   }
 
   YamlFields file_;
@@ -176,6 +131,15 @@ class Loader {
 };
 
 }  // namespace
+
+const SystemWatch* WatchList::ForHost(const std::string& host) const {
+  const SystemWatch* found = nullptr;
+  for (const SystemWatch& watch : system) {
+    if (watch.host == host) return &watch;
+    if (watch.host.empty()) found = &watch;
+  }
+  return found;
+}
 
 const WatchList& MonitorConfig::ForConfiguration(const std::string& name) const {
   static const WatchList kNothing;

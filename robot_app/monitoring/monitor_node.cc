@@ -3,6 +3,7 @@
 #include <ros/init.h>
 #include <ros/master.h>
 #include <ros/this_node.h>
+#include <unistd.h>
 
 #include <csignal>
 #include <iostream>
@@ -16,6 +17,13 @@ namespace coppice::robot {
 namespace {
 
 constexpr int kQueue = 20;
+constexpr char kUsage[] = "--config FILE [--host NAME] [--folder FOLDER]";
+
+std::string HostName() {
+  char name[256] = {};
+  gethostname(name, sizeof(name) - 1);
+  return name;
+}
 
 bool FindMaster(const std::string& name) {
   const std::string& uri = ros::master::getURI();
@@ -27,29 +35,31 @@ bool FindMaster(const std::string& name) {
 
 }  // namespace
 
-std::optional<MonitorConfig> StartMonitor(int argc, char** argv, const std::string& name) {
+std::optional<MonitorStart> StartMonitor(int argc, char** argv, const std::string& name) {
   ros::init(argc, argv, name, ros::init_options::NoSigintHandler);
   const auto stop = [](int) { ros::requestShutdown(); };
   std::signal(SIGINT, stop);
   std::signal(SIGTERM, stop);
   NodeProbe::SilenceLibrary();
 
-  const auto options = ParseOptions({argv + 1, argv + argc}, {"--config"}, {}, "--config FILE");
+  const auto options =
+      ParseOptions({argv + 1, argv + argc}, {"--config", "--host", "--folder"}, {}, kUsage);
   if (!options) return std::nullopt;
   if (!options->Has("--config") || !options->files.empty()) {
-    std::cerr << "usage: " << argv[0] << " --config FILE\n";
+    std::cerr << "usage: " << argv[0] << " " << kUsage << "\n";
     return std::nullopt;
   }
   Diagnostics diagnostics;
-  MonitorConfig config = LoadMonitorConfig(options->Get("--config"), diagnostics);
+  MonitorStart start{LoadMonitorConfig(options->Get("--config"), diagnostics),
+                     options->Get("--host", HostName()), options->Get("--folder", ".")};
   std::cerr << diagnostics.ToString();
   if (diagnostics.has_errors() || !FindMaster(name)) return std::nullopt;
-  return config;
+  return start;
 }
 
-MonitorNode::MonitorNode(const MonitorConfig& config, std::function<void(const WatchList&)> on_list)
-    : config_(config), on_list_(std::move(on_list)), configuration_(config.initial) {
-  on_list_(config_.ForConfiguration(configuration_));
+MonitorNode::MonitorNode(const MonitorStart& start, std::function<void(const WatchList&)> on_list)
+    : start_(start), on_list_(std::move(on_list)), configuration_(start.config.initial) {
+  on_list_(start_.config.ForConfiguration(configuration_));
   reports_ = handle_.advertise<coppice_msgs::Health>("/monitoring/reports", kQueue);
   subscriber_ = handle_.subscribe<coppice_msgs::ProcessStates>(
       "/processes", kQueue, [this](const coppice_msgs::ProcessStates::ConstPtr& message) {
@@ -61,7 +71,16 @@ Times MonitorNode::Now() {
   return {FromRos(ros::Time::now()), std::chrono::steady_clock::now().time_since_epoch()};
 }
 
-void MonitorNode::Publish(const std::vector<Finding>& findings) {
+ros::WallTimer MonitorNode::Every(Duration period, std::function<void()> call) {
+  return handle_.createWallTimer(ros::WallDuration(std::chrono::duration<double>(period).count()),
+                                 [call = std::move(call)](const ros::WallTimerEvent&) { call(); });
+}
+
+void MonitorNode::Publish(std::vector<Finding> findings) {
+  for (Finding& finding : findings) {
+    if (finding.host.empty()) finding.host = processes_.HostOf(finding.node);
+    if (finding.host.empty()) finding.host = start_.host;
+  }
   reports_.publish(ToMessage(ros::this_node::getName(), findings));
 }
 
@@ -69,7 +88,7 @@ void MonitorNode::OnProcesses(const ProcessTable& processes) {
   processes_ = processes;
   if (processes_.configuration == configuration_) return;
   configuration_ = processes_.configuration;
-  on_list_(config_.ForConfiguration(configuration_));
+  on_list_(start_.config.ForConfiguration(configuration_));
 }
 
 }  // namespace coppice::robot

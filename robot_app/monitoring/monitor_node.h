@@ -18,28 +18,39 @@
 
 namespace coppice::robot {
 
-/// Reads `--config FILE` and starts a ROS node of this name (ROS remappings work). On a problem
-/// prints one line and returns nothing; the program is to end with status 2. SIGTERM and SIGINT end
-/// ros::spin.
-std::optional<MonitorConfig> StartMonitor(int argc, char** argv, const std::string& name);
+/// With what a monitor was started.
+struct MonitorStart {
+  MonitorConfig config;
+  std::string host;    ///< name of this computer: that of the system unless --host says another
+  std::string folder;  ///< --folder: relative paths in the configuration begin here
+};
+
+/// Reads `--config FILE [--host NAME] [--folder FOLDER]` and starts a ROS node of this name (ROS
+/// remappings work). On a problem prints one line and returns nothing; the program is to end with
+/// status 2. SIGTERM and SIGINT end ros::spin.
+std::optional<MonitorStart> StartMonitor(int argc, char** argv, const std::string& name);
 
 /// For the thread that spins.
 class MonitorNode {
  public:
   /// `on_list` is called at once and whenever another configuration comes into force.
-  MonitorNode(const MonitorConfig& config, std::function<void(const WatchList&)> on_list);
+  MonitorNode(const MonitorStart& start, std::function<void(const WatchList&)> on_list);
 
   ros::NodeHandle& handle() { return handle_; }
+  const std::string& host() const { return start_.host; }
   const ProcessTable& processes() const { return processes_; }
   static Times Now();
 
-  /// To /monitoring/reports.
-  void Publish(const std::vector<Finding>& findings);
+  /// Calls again and again, in wall time, as long as the timer lives.
+  ros::WallTimer Every(Duration period, std::function<void()> call);
+
+  /// To /monitoring/reports. A finding without host is about the host of its node, else this one.
+  void Publish(std::vector<Finding> findings);
 
  private:
   void OnProcesses(const ProcessTable& processes);
 
-  const MonitorConfig& config_;
+  const MonitorStart& start_;
   std::function<void(const WatchList&)> on_list_;
   ros::NodeHandle handle_;
   ProcessTable processes_;

@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "robot_app/monitoring/finding.h"
-#include "robot_app/monitoring/monitor_config.h"
 #include "robot_app/monitoring/patience.h"
 #include "robot_app/monitoring/process_table.h"
+#include "robot_app/monitoring/watch.h"
 
 namespace coppice::robot {
 

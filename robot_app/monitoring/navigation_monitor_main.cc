@@ -23,12 +23,11 @@ NavigationReport FromMessage(const coppice_msgs::NavigationState& message) {
 
 class Program {
  public:
-  explicit Program(const MonitorConfig& config)
-      : monitor_(config.patience),
-        node_(config, [this](const WatchList& list) { Watch(list.navigation); }) {
+  explicit Program(const MonitorStart& start)
+      : monitor_(start.config.patience),
+        node_(start, [this](const WatchList& list) { Watch(list.navigation); }) {
     Subscribe();
-    const ros::WallDuration period(std::chrono::duration<double>(config.report_period).count());
-    timer_ = node_.handle().createWallTimer(period, [this](const ros::WallTimerEvent&) {
+    timer_ = node_.Every(start.config.report_period, [this] {
       node_.Publish(monitor_.Report(node_.processes(), MonitorNode::Now()));
     });
   }
@@ -61,9 +60,9 @@ class Program {
 }  // namespace coppice::robot
 
 int main(int argc, char** argv) {
-  const auto config = coppice::robot::StartMonitor(argc, argv, "navigation_monitor");
-  if (!config) return 2;
-  const coppice::robot::Program program(*config);
+  const auto start = coppice::robot::StartMonitor(argc, argv, "navigation_monitor");
+  if (!start) return 2;
+  const coppice::robot::Program program(*start);
   ros::spin();
   return 0;
 }

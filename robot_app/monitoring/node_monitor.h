@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "robot_app/monitoring/finding.h"
-#include "robot_app/monitoring/monitor_config.h"
 #include "robot_app/monitoring/process_table.h"
+#include "robot_app/monitoring/watch.h"
 #include "robot_app/supervision/node_probe.h"
 
 namespace coppice::robot {

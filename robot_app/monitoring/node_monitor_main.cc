@@ -13,9 +13,9 @@ const ros::WallDuration kRound(0.01);
 
 class Program {
  public:
-  explicit Program(const MonitorConfig& config)
-      : config_(config),
-        node_(config, [this](const WatchList& list) { monitor_.Watch(list.nodes); }),
+  explicit Program(const MonitorStart& start)
+      : config_(start.config),
+        node_(start, [this](const WatchList& list) { monitor_.Watch(list.nodes); }),
         probe_(ParseUri(ros::master::getURI()).value(), ros::this_node::getName()) {
     timer_ =
         node_.handle().createWallTimer(kRound, [this](const ros::WallTimerEvent&) { Round(); });
@@ -52,9 +52,9 @@ class Program {
 }  // namespace coppice::robot
 
 int main(int argc, char** argv) {
-  const auto config = coppice::robot::StartMonitor(argc, argv, "node_monitor");
-  if (!config) return 2;
-  const coppice::robot::Program program(*config);
+  const auto start = coppice::robot::StartMonitor(argc, argv, "node_monitor");
+  if (!start) return 2;
+  const coppice::robot::Program program(*start);
   ros::spin();
   return 0;
 }

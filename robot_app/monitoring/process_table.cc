@@ -7,6 +7,11 @@ bool ProcessTable::IsStarting(const std::string& node) const {
   return found != by_node.end() && found->second.phase == ProcessPhase::kStarting;
 }
 
+std::string ProcessTable::HostOf(const std::string& node) const {
+  const auto found = hosts.find(node);
+  return found == hosts.end() ? "" : found->second;
+}
+
 void ApplyGrace(const ProcessTable& processes, const std::string& node, Finding& finding) {
   const auto found = processes.by_node.find(node);
   if (found == processes.by_node.end()) return;

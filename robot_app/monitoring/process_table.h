@@ -15,9 +15,12 @@ namespace coppice::robot {
 struct ProcessTable {
   std::string configuration;
   std::map<std::string, ProcessStatus> by_node;
+  std::map<std::string, std::string> hosts;  ///< of the nodes that run on other computers
 
   /// The supervisor is about to start this node, or waits for it to become ready.
   bool IsStarting(const std::string& node) const;
+  /// The computer on which the node runs; empty: the supervisor's own, or not known.
+  std::string HostOf(const std::string& node) const;
 };
 
 /// Takes what the supervisor knows into account: OK while the node starts; no worse than WARN while

@@ -9,26 +9,12 @@ namespace {
 
 constexpr std::size_t kMostMessages = 20000;  // a limit for a publisher gone wild
 
-std::string Print(double number) {
-  char text[32];
-  std::snprintf(text, sizeof(text), "%.3g", number);
-  return text;
-}
-
 double InSeconds(Duration duration) { return std::chrono::duration<double>(duration).count(); }
-
-bool Outside(const RateBand& band, double rate) {
-  return (band.low && rate < *band.low) || (band.high && rate > *band.high);
-}
-
-std::string Print(const RateBand& band) {
-  return (band.low ? Print(*band.low) : "0") + " to " + (band.high ? Print(*band.high) : "any") +
-         " Hz";
-}
 
 }  // namespace
 
 void RateWatch::Reset() {
+  judge_.Reset();
   since_.reset();
   messages_.clear();
 }
@@ -36,6 +22,7 @@ void RateWatch::Reset() {
 void RateWatch::Continue(const RateWatch& other) {
   since_ = other.since_;
   messages_ = other.messages_;
+  if (watch_.band == other.watch_.band) judge_ = other.judge_;
 }
 
 void RateWatch::OnMessage(Time now) {
@@ -53,33 +40,31 @@ Finding RateWatch::Assess(Time now) {
   std::size_t count = messages_.size();
   if (count == 1 && messages_.front() <= now - watch_.window) count = 0;
   finding.value = static_cast<double>(count) / InSeconds(watch_.window);
-  if (now - newest > watch_.staleness) {
+  const Duration staleness = watch_.band.staleness;
+  if (staleness > Duration::zero() && now - newest > staleness) {
     finding.level = HealthLevel::kError;
-    finding.message = "no message for " + Print(InSeconds(now - newest)) + " s";
+    finding.message = "no message for " + ToText(InSeconds(now - newest)) + " s";
   } else if (now - *since_ >= watch_.window) {
-    Judge(finding.value, finding);
+    judge_.OnValue(finding.value, now);
+    const Assessment assessment = judge_.Assess(now);
+    finding.level = assessment.level;
+    finding.message = assessment.message;
   } else {
     finding.message = "measuring";
   }
   return finding;
 }
 
-void RateWatch::Judge(double rate, Finding& finding) const {
-  const bool is_error = Outside(watch_.error, rate);
-  if (!is_error && !Outside(watch_.warn, rate)) return;
-  finding.level = is_error ? HealthLevel::kError : HealthLevel::kWarn;
-  finding.message = Print(rate) + " Hz, expected " + Print(is_error ? watch_.error : watch_.warn);
-}
-
 void TopicMonitor::Watch(const std::vector<TopicWatch>& topics) {
   std::vector<Watched> watched;
   for (const TopicWatch& topic : topics) {
-    Watched entry{RateWatch(topic), Patience()};
+    Watched entry{RateWatch(topic), StatisticsWatch(topic), Patience()};
     for (const Watched& known : topics_) {
       const TopicWatch& before = known.rate.watch();
       const bool same = before.topic == topic.topic && before.window == topic.window &&
                         before.wall_time == topic.wall_time;
       if (same) entry.rate.Continue(known.rate);
+      if (same) entry.statistics.Continue(known.statistics);
     }
     watched.push_back(std::move(entry));
   }
@@ -93,12 +78,29 @@ void TopicMonitor::OnMessage(const std::string& topic, const Times& now) {
   }
 }
 
+void TopicMonitor::OnStatistics(const SubscriberStatistics& statistics, const Times& now) {
+  for (Watched& entry : topics_) {
+    const TopicWatch& watch = entry.rate.watch();
+    if (watch.topic != statistics.topic) continue;
+    entry.statistics.OnStatistics(statistics, watch.wall_time ? now.wall : now.ros);
+  }
+}
+
+Finding TopicMonitor::Assess(Watched& entry, const Times& now) {
+  const TopicWatch& watch = entry.rate.watch();
+  const Time time = watch.wall_time ? now.wall : now.ros;
+  return watch.by_statistics ? entry.statistics.Assess(time) : entry.rate.Assess(time);
+}
+
 std::vector<Finding> TopicMonitor::Report(const ProcessTable& processes, const Times& now) {
   std::vector<Finding> findings;
   for (Watched& entry : topics_) {
     const TopicWatch& watch = entry.rate.watch();
-    if (processes.IsStarting(watch.node)) entry.rate.Reset();
-    Finding finding = entry.rate.Assess(watch.wall_time ? now.wall : now.ros);
+    if (processes.IsStarting(watch.node)) {
+      entry.rate.Reset();
+      entry.statistics.Reset();
+    }
+    Finding finding = Assess(entry, now);
     finding.stamp = now.ros;
     entry.patience.Apply(finding, now.wall, patience_);
     ApplyGrace(processes, watch.node, finding);

@@ -13,16 +13,17 @@
 #include <vector>
 
 #include "robot_app/monitoring/finding.h"
-#include "robot_app/monitoring/monitor_config.h"
 #include "robot_app/monitoring/patience.h"
 #include "robot_app/monitoring/process_table.h"
+#include "robot_app/monitoring/statistics_watch.h"
+#include "robot_app/monitoring/watch.h"
 
 namespace coppice::robot {
 
 /// Watches one topic on one time line.
 class RateWatch {
  public:
-  explicit RateWatch(TopicWatch watch) : watch_(std::move(watch)) {}
+  explicit RateWatch(TopicWatch watch) : watch_(std::move(watch)), judge_(watch_.band, "Hz") {}
 
   /// Forgets everything: silence and window count from the next Assess on.
   void Reset();
@@ -36,9 +37,8 @@ class RateWatch {
   const TopicWatch& watch() const { return watch_; }
 
  private:
-  void Judge(double rate, Finding& finding) const;
-
   TopicWatch watch_;
+  Judge judge_;
   std::optional<Time> since_;  // start of the observation
   std::deque<Time> messages_;  // the last one, and all within the window
 };
@@ -51,14 +51,19 @@ class TopicMonitor {
   void Watch(const std::vector<TopicWatch>& topics);
   /// Topics that are not watched are ignored.
   void OnMessage(const std::string& topic, const Times& now);
+  /// For the topics that are watched by statistics.
+  void OnStatistics(const SubscriberStatistics& statistics, const Times& now);
   /// One finding per topic, value: rate in Hz. A topic whose publisher is being started is reset.
   std::vector<Finding> Report(const ProcessTable& processes, const Times& now);
 
  private:
   struct Watched {
     RateWatch rate;
+    StatisticsWatch statistics;  // used instead of `rate` if the watch says so
     Patience patience;
   };
+  static Finding Assess(Watched& entry, const Times& now);
+
   Duration patience_;
   std::vector<Watched> topics_;
 };

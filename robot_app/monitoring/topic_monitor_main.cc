@@ -1,6 +1,10 @@
 // coppice-topic-monitor --config FILE: node /topic_monitor. Counts the messages of any type without
-// reading them and reports rates and silence every report_period of wall time.
+// reading them, or takes what their subscribers say on /statistics, and reports rates and silence
+// every report_period of wall time.
 #include <ros/ros.h>
+#include <rosgraph_msgs/TopicStatistics.h>
+
+#include <algorithm>
 
 #include "robot_app/monitoring/any_message.h"
 #include "robot_app/monitoring/monitor_node.h"
@@ -14,12 +18,11 @@ constexpr int kQueue = 1000;
 
 class Program {
  public:
-  explicit Program(const MonitorConfig& config)
-      : monitor_(config.patience),
-        node_(config, [this](const WatchList& list) { Watch(list.topics); }) {
+  explicit Program(const MonitorStart& start)
+      : monitor_(start.config.patience),
+        node_(start, [this](const WatchList& list) { Watch(list.topics); }) {
     Subscribe();
-    const ros::WallDuration period(std::chrono::duration<double>(config.report_period).count());
-    timer_ = node_.handle().createWallTimer(period, [this](const ros::WallTimerEvent&) {
+    timer_ = node_.Every(start.config.report_period, [this] {
       node_.Publish(monitor_.Report(node_.processes(), MonitorNode::Now()));
     });
   }
@@ -34,6 +37,7 @@ class Program {
   void Subscribe() {
     std::map<std::string, ros::Subscriber> subscribers;
     for (const TopicWatch& watch : topics_) {
+      if (watch.by_statistics) continue;
       const auto known = subscribers_.find(watch.topic);
       if (known != subscribers_.end()) {
         subscribers.insert(*known);
@@ -46,12 +50,29 @@ class Program {
           });
     }
     subscribers_ = std::move(subscribers);
+    SubscribeStatistics();
+  }
+
+  void SubscribeStatistics() {
+    const bool needed = std::any_of(topics_.begin(), topics_.end(),
+                                    [](const TopicWatch& watch) { return watch.by_statistics; });
+    if (!needed) statistics_.shutdown();
+    if (!needed || !statistics_.getTopic().empty()) return;
+    statistics_ = node_.handle().subscribe<rosgraph_msgs::TopicStatistics>(
+        "/statistics", kQueue, [this](const rosgraph_msgs::TopicStatistics::ConstPtr& message) {
+          const double seconds = (message->window_stop - message->window_start).toSec();
+          if (seconds <= 0) return;
+          monitor_.OnStatistics({message->topic, message->node_pub, message->node_sub,
+                                 message->delivered_msgs / seconds},
+                                MonitorNode::Now());
+        });
   }
 
   TopicMonitor monitor_;
   std::vector<TopicWatch> topics_;
   MonitorNode node_;
   std::map<std::string, ros::Subscriber> subscribers_;
+  ros::Subscriber statistics_;
   ros::WallTimer timer_;
 };
 
@@ -59,9 +80,9 @@ class Program {
 }  // namespace coppice::robot
 
 int main(int argc, char** argv) {
-  const auto config = coppice::robot::StartMonitor(argc, argv, "topic_monitor");
-  if (!config) return 2;
-  const coppice::robot::Program program(*config);
+  const auto start = coppice::robot::StartMonitor(argc, argv, "topic_monitor");
+  if (!start) return 2;
+  const coppice::robot::Program program(*start);
   ros::spin();
   return 0;
 }

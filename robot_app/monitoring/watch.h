@@ -35,11 +35,11 @@ struct NavigationWatch {
 
 struct LocalizationWatch {
   std::string topic;
-  std::string node;        ///< the localization
-  Duration staleness{0};   ///< no state for longer than this is an error
-  Band since_confirmed;    ///< s since the pose was last confirmed
-  Band score;              ///< 0..1
-  Band deviation;          ///< m
+  std::string node;       ///< the localization
+  Duration staleness{0};  ///< no state for longer than this is an error
+  Band since_confirmed;   ///< s since the pose was last confirmed
+  Band score;             ///< 0..1
+  Band deviation;         ///< m
 };
 
 struct TransformWatch {
@@ -64,9 +64,9 @@ struct DiagnosticsWatch {
 };
 
 struct SourceWatch {
-  std::string source;  ///< node of a monitor
-  Duration period{0};  ///< at which it reports
-  std::string host;    ///< computer on which it runs; empty: this one
+  std::string source;     ///< node of a monitor
+  Duration period{0};     ///< at which it reports
+  std::string host = {};  ///< computer on which it runs; empty: this one
 };
 
 }  // namespace coppice::robot

@@ -16,24 +16,25 @@ struct BatteryWatch {
   Band current;           ///< A, positive: into the battery
   Band charge;            ///< state of charge, 0..1
   Band coulombs;          ///< Ah, what the battery says less what its current has brought
+  Band unchanged;         ///< s that the charge has stood still although current flows
   Band since_charge;      ///< s since the last charging current
   Band margin;            ///< Ah that are left after the way to the dock and the reserve
 };
 
 struct ChargingWatch {
-  double current = 0.5;     ///< A; less is no charging current
-  Duration within{0};       ///< so soon after the contact it must flow
-  Duration interruption{0}; ///< so long it may pause before the battery is full
-  double full = 0.95;       ///< state of charge from which on no current needs to flow
+  double current = 0.5;      ///< A; less is no charging current
+  Duration within{0};        ///< so soon after the contact it must flow
+  Duration interruption{0};  ///< so long it may pause before the battery is full
+  double full = 0.95;        ///< state of charge from which on no current needs to flow
 };
 
 struct DockingWatch {
-  std::string action;   ///< name of the action server
-  std::string node;     ///< its node, to be restarted when it falls silent
+  std::string action;     ///< name of the action server
+  std::string node;       ///< its node, to be restarted when it falls silent
   Duration staleness{0};  ///< no status for longer than this is an error
-  Band failures;        ///< attempts in a row that did not succeed
-  Band duration;        ///< s of one attempt
-  Duration forget{0};   ///< failures count no more when nobody has tried for so long
+  Band failures;          ///< attempts in a row that did not succeed
+  Band duration;          ///< s of one attempt
+  Duration forget{0};     ///< failures count no more when nobody has tried for so long
 };
 
 struct EmergencyStopWatch {

@@ -11,8 +11,8 @@ class HealthMessagesTest : public testing::Test {
 };
 
 TEST_F(HealthMessagesTest, AFindingSurvivesTheJourney) {
-  const Finding finding{"topic", "/scan", "/scanner", HealthLevel::kWarn,
-                        7.5,     "Hz",    "slow",     Time(1500000000)};
+  const Finding finding{"topic", "/scan",          "/scanner", HealthLevel::kWarn, 7.5, "Hz",
+                        "slow",  Time(1500000000), "jetson"};
   const coppice_msgs::Health message = ToMessage("/topic_monitor", {finding});
   EXPECT_EQ(message.source, "/topic_monitor");
   EXPECT_FALSE(message.header.stamp.isZero());
@@ -26,6 +26,7 @@ TEST_F(HealthMessagesTest, AFindingSurvivesTheJourney) {
   EXPECT_EQ(findings[0].unit, "Hz");
   EXPECT_EQ(findings[0].message, "slow");
   EXPECT_EQ(findings[0].stamp, Time(1500000000));
+  EXPECT_EQ(findings[0].host, "jetson");
 }
 
 TEST_F(HealthMessagesTest, TheNumbersOfLevelsAndPhasesAreThoseOfTheMessages) {
@@ -56,8 +57,11 @@ TEST_F(HealthMessagesTest, ProcessesAreFoundByTheirNodes) {
   message.processes[0].node = "/a";
   message.processes[0].state = coppice_msgs::ProcessState::STARTING;
   message.processes[0].message = "waits for b";
+  message.processes[0].host = "jetson";
   const ProcessTable table = FromMessage(message);
   EXPECT_EQ(table.configuration, "charging");
+  EXPECT_EQ(table.HostOf("/a"), "jetson");
+  EXPECT_EQ(table.HostOf("/unknown"), "");
   ASSERT_EQ(table.by_node.size(), 1u);  // the other one has no node
   EXPECT_TRUE(table.IsStarting("/a"));
   EXPECT_EQ(table.by_node.at("/a").message, "waits for b");

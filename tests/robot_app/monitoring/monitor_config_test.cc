@@ -57,11 +57,11 @@ configurations:
   EXPECT_EQ(list.nodes[0].misses, 3);
   EXPECT_EQ(list.nodes[1].misses, 1);
   ASSERT_EQ(list.topics.size(), 2u);
-  EXPECT_EQ(list.topics[0].warn.high, 12);
-  EXPECT_EQ(list.topics[0].error.low, 5);
-  EXPECT_FALSE(list.topics[0].error.high.has_value());
+  EXPECT_EQ(list.topics[0].band.warn.high, 12);
+  EXPECT_EQ(list.topics[0].band.error.low, 5);
+  EXPECT_FALSE(list.topics[0].band.error.high.has_value());
   EXPECT_EQ(list.topics[0].window, seconds(4));
-  EXPECT_EQ(list.topics[0].staleness, milliseconds(1500));
+  EXPECT_EQ(list.topics[0].band.staleness, milliseconds(1500));
   EXPECT_FALSE(list.topics[0].wall_time);
   EXPECT_TRUE(list.topics[1].wall_time);
   EXPECT_EQ(list.topics[1].window, seconds(1));
@@ -94,7 +94,7 @@ configurations:
   EXPECT_THAT(Errors(), HasSubstr("\"/b\" is listed twice"));
   EXPECT_THAT(Errors(), HasSubstr("low is not below high"));
   EXPECT_THAT(Errors(), HasSubstr("expected [low, high]"));
-  EXPECT_THAT(Errors(), HasSubstr("expected a rate in Hz or none, got \"a\""));
+  EXPECT_THAT(Errors(), HasSubstr("expected a number or none, got \"a\""));
   EXPECT_THAT(Errors(), HasSubstr("\"warn\" is not within \"error\""));
   EXPECT_THAT(Errors(), HasSubstr("\"ross\" is none of ros, wall (did you mean \"ros\"?)"));
   EXPECT_THAT(Errors(), HasSubstr("-1 is not within"));

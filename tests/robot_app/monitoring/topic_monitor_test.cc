@@ -13,10 +13,8 @@ TopicWatch Scan() {
   TopicWatch watch;
   watch.topic = "/scan";
   watch.node = "/scanner";
-  watch.warn = {8, 12};
-  watch.error = {5, 15};
+  watch.band = {{8, 12}, {5, 15}, 1, seconds(1), 0};
   watch.window = seconds(2);
-  watch.staleness = seconds(1);
   return watch;
 }
 
@@ -79,11 +77,21 @@ TEST(RateWatch, ALongSilenceStaysOne) {
 
 TEST(RateWatch, WithoutABandOnlySilenceCounts) {
   TopicWatch only_staleness = Scan();
-  only_staleness.warn = only_staleness.error = {};
+  only_staleness.band.warn = only_staleness.band.error = {};
   RateWatch watch(only_staleness);
   watch.Assess(seconds(100));
   watch.OnMessage(seconds(102));
   EXPECT_EQ(watch.Assess(seconds(102)).level, HealthLevel::kOk);
+}
+
+TEST(RateWatch, ABadRateMustBeSeenSoManyTimesInARow) {
+  TopicWatch twice = Scan();
+  twice.band.consecutive = 2;
+  twice.band.staleness = Duration::zero();
+  RateWatch watch(twice);
+  watch.Assess(seconds(100));
+  EXPECT_EQ(watch.Assess(seconds(102)).level, HealthLevel::kWarn);
+  EXPECT_EQ(watch.Assess(seconds(103)).level, HealthLevel::kError);
 }
 
 TEST(RateWatch, TimeThatJumpsBackStartsAnew) {
@@ -120,6 +128,17 @@ TEST_F(TopicMonitorTest, CountsInWallTimeIfToldSo) {
   const Finding finding = Report(seconds(100), seconds(9));  // ROS time stands still
   EXPECT_EQ(finding.level, HealthLevel::kError);
   EXPECT_EQ(finding.stamp, seconds(100));
+}
+
+TEST_F(TopicMonitorTest, ATopicWatchedByStatisticsNeedsNoMessages) {
+  TopicWatch camera = Scan();
+  camera.by_statistics = true;
+  monitor_.Watch({camera});
+  Report(seconds(100));
+  monitor_.OnStatistics({"/scan", "/scanner", "/reader", 10}, {seconds(101), Time(0)});
+  monitor_.OnStatistics({"/other", "/scanner", "/reader", 99}, {seconds(101), Time(0)});
+  EXPECT_EQ(Report(seconds(102)).value, 10);
+  EXPECT_EQ(Report(seconds(103)).level, HealthLevel::kError);
 }
 
 TEST_F(TopicMonitorTest, APublisherThatStartsHasItsTime) {

@@ -1,0 +1,66 @@
+#include "robot_app/monitoring/power/power_fields.h"
+
+#include "robot_app/monitoring/band_fields.h"
+
+namespace coppice::robot {
+namespace {
+
+constexpr double kHour = 3600;
+
+Band AtMost(double warn, double error) {
+  return {{std::nullopt, warn}, {std::nullopt, error}, 1, Duration::zero(), 0};
+}
+
+Band AtLeast(double warn, double error, int consecutive, double hysteresis) {
+  return {{warn, std::nullopt}, {error, std::nullopt}, consecutive, Duration::zero(), hysteresis};
+}
+
+}  // namespace
+
+BatteryWatch ReadBatteryWatch(YamlFields& fields) {
+  BatteryWatch watch;
+  watch.topic = ReadRosName(fields, "topic");
+  watch.node = ReadRosName(fields, "node");
+  watch.staleness = fields.Seconds("staleness", 5, 0.1, kHour);
+  watch.voltage = ReadBand(fields, "voltage");  // depends on the cells
+  watch.current = ReadBand(fields, "current");  // depends on the motors and the charger
+  watch.charge = ReadBand(fields, "charge", AtLeast(0.25, 0.15, 3, 0.01));
+  watch.coulombs = ReadBand(fields, "coulombs", {{-2, 2}, {}, 3, Duration::zero(), 0});
+  watch.unchanged = ReadBand(fields, "unchanged", AtMost(60, 180));
+  watch.since_charge = ReadBand(fields, "since_charge", AtMost(3.5 * kHour, 4 * kHour));
+  watch.margin = ReadBand(fields, "margin", AtLeast(3, 0, 3, 0.1));
+  fields.Finish();
+  return watch;
+}
+
+ChargingWatch ReadChargingWatch(YamlFields& fields) {
+  ChargingWatch watch;
+  watch.current = fields.Number("current", 0.5, 0.01, 1000);
+  watch.within = fields.Seconds("within", 12, 0.1, kHour);
+  watch.interruption = fields.Seconds("interruption", 5, 0.1, kHour);
+  watch.full = fields.Number("full", 0.95, 0, 1);
+  fields.Finish();
+  return watch;
+}
+
+DockingWatch ReadDockingWatch(YamlFields& fields) {
+  DockingWatch watch;
+  watch.action = ReadRosName(fields, "action");
+  watch.node = ReadRosName(fields, "node");
+  watch.staleness = fields.Seconds("staleness", 5, 0.1, kHour);
+  watch.failures = ReadBand(fields, "failures", AtMost(0, 2));
+  watch.duration = ReadBand(fields, "duration", AtMost(180, 300));
+  watch.forget = fields.Seconds("forget", 600, 0, 24 * kHour);
+  fields.Finish();
+  return watch;
+}
+
+EmergencyStopWatch ReadEmergencyStopWatch(YamlFields& fields) {
+  EmergencyStopWatch watch;
+  watch.topic = ReadRosName(fields, "topic");
+  watch.staleness = fields.Seconds("staleness", 0, 0, kHour);
+  fields.Finish();
+  return watch;
+}
+
+}  // namespace coppice::robot

@@ -1,0 +1,18 @@
+// What is watched about the robot's energy, read from YAML. Each function takes the mapping of one
+// section and finishes it.
+#ifndef COPPICE_ROBOT_APP_MONITORING_POWER_POWER_FIELDS_H_
+#define COPPICE_ROBOT_APP_MONITORING_POWER_POWER_FIELDS_H_
+
+#include "robot_app/monitoring/power/power_watch.h"
+#include "robot_app/supervision/yaml_fields.h"
+
+namespace coppice::robot {
+
+BatteryWatch ReadBatteryWatch(YamlFields& fields);
+ChargingWatch ReadChargingWatch(YamlFields& fields);
+DockingWatch ReadDockingWatch(YamlFields& fields);
+EmergencyStopWatch ReadEmergencyStopWatch(YamlFields& fields);
+
+}  // namespace coppice::robot
+
+#endif  // COPPICE_ROBOT_APP_MONITORING_POWER_POWER_FIELDS_H_

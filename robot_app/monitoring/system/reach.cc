@@ -1,0 +1,69 @@
+#include "robot_app/monitoring/system/reach.h"
+
+#include <poll.h>
+#include <sys/socket.h>
+
+#include <cerrno>
+#include <cstring>
+
+#include "robot_app/monitoring/system/sockets.h"
+
+namespace coppice::robot {
+namespace {
+
+struct Attempt {
+  Socket socket;
+  Time begun{0};
+  bool is_done = false;
+};
+
+Time Now() { return std::chrono::steady_clock::now().time_since_epoch(); }
+
+void Conclude(Attempt& attempt, ReachResult& result) {
+  int code = 0;
+  socklen_t size = sizeof(code);
+  getsockopt(attempt.socket.fd(), SOL_SOCKET, SO_ERROR, &code, &size);
+  attempt.is_done = true;
+  result.ok = code == 0 || code == ECONNREFUSED;
+  result.delay = std::chrono::duration<double>(Now() - attempt.begun).count();
+  if (!result.ok) result.error = std::strerror(code);
+}
+
+Attempt Begin(const ReachTarget& target, ReachResult& result) {
+  Attempt attempt;
+  attempt.begun = Now();
+  attempt.socket = Connect(target.address, target.port, SOCK_STREAM, result.error);
+  attempt.is_done = !attempt.socket.is_open();
+  return attempt;
+}
+
+}  // namespace
+
+std::vector<ReachResult> TryToReach(const std::vector<ReachTarget>& targets, Duration deadline) {
+  std::vector<ReachResult> results(targets.size());
+  std::vector<Attempt> attempts;
+  for (std::size_t i = 0; i < targets.size(); ++i) {
+    attempts.push_back(Begin(targets[i], results[i]));
+  }
+  const Deadline until(deadline);
+  do {
+    std::vector<pollfd> waiting;
+    std::vector<std::size_t> indices;
+    for (std::size_t i = 0; i < attempts.size(); ++i) {
+      if (attempts[i].is_done) continue;
+      waiting.push_back({attempts[i].socket.fd(), POLLOUT, 0});
+      indices.push_back(i);
+    }
+    if (waiting.empty()) break;
+    poll(waiting.data(), waiting.size(), until.milliseconds());
+    for (std::size_t i = 0; i < waiting.size(); ++i) {
+      if (waiting[i].revents != 0) Conclude(attempts[indices[i]], results[indices[i]]);
+    }
+  } while (!until.has_passed());
+  for (std::size_t i = 0; i < attempts.size(); ++i) {
+    if (!attempts[i].is_done) results[i].error = "no answer";
+  }
+  return results;
+}
+
+}  // namespace coppice::robot

@@ -1,0 +1,30 @@
+// Can other computers be reached? Asked by a TCP connection, for which no privileges are needed;
+// a computer that refuses it is up too.
+#ifndef COPPICE_ROBOT_APP_MONITORING_SYSTEM_REACH_H_
+#define COPPICE_ROBOT_APP_MONITORING_SYSTEM_REACH_H_
+
+#include <string>
+#include <vector>
+
+#include "bt_core/base/clock.h"
+
+namespace coppice::robot {
+
+struct ReachTarget {
+  std::string address;
+  int port = 22;
+};
+
+struct ReachResult {
+  bool ok = false;
+  double delay = 0;   ///< s until the answer
+  std::string error;  ///< of a failure, for people
+};
+
+/// Asks all at the same time; blocks until all have answered or the deadline has passed (the
+/// resolution of names takes its own time). For any thread.
+std::vector<ReachResult> TryToReach(const std::vector<ReachTarget>& targets, Duration deadline);
+
+}  // namespace coppice::robot
+
+#endif  // COPPICE_ROBOT_APP_MONITORING_SYSTEM_REACH_H_

@@ -1,0 +1,19 @@
+// What is watched about computers, read from YAML.
+#ifndef COPPICE_ROBOT_APP_MONITORING_SYSTEM_SYSTEM_FIELDS_H_
+#define COPPICE_ROBOT_APP_MONITORING_SYSTEM_SYSTEM_FIELDS_H_
+
+#include "robot_app/monitoring/gauge_board.h"
+#include "robot_app/monitoring/system/system_watch.h"
+#include "robot_app/supervision/yaml_fields.h"
+
+namespace coppice::robot {
+
+/// Takes the mapping of one computer and finishes it.
+SystemWatch ReadSystemWatch(YamlFields& fields);
+
+/// The numbers that a watch asks for, each with its band.
+std::vector<GaugeWatch> GaugesOf(const SystemWatch& watch);
+
+}  // namespace coppice::robot
+
+#endif  // COPPICE_ROBOT_APP_MONITORING_SYSTEM_SYSTEM_FIELDS_H_

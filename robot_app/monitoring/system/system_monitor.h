@@ -1,0 +1,54 @@
+// Is the computer well? Reads what the operating system says about load, temperature, memory,
+// disks, network and processes, and judges it. What other computers say is handed in.
+//
+// All times are wall time: a computer is busy however fast simulated time runs.
+#ifndef COPPICE_ROBOT_APP_MONITORING_SYSTEM_SYSTEM_MONITOR_H_
+#define COPPICE_ROBOT_APP_MONITORING_SYSTEM_SYSTEM_MONITOR_H_
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "robot_app/monitoring/gauge_board.h"
+#include "robot_app/monitoring/system/counter_rate.h"
+#include "robot_app/monitoring/system/reach.h"
+#include "robot_app/monitoring/system/sntp.h"
+#include "robot_app/monitoring/system/system_watch.h"
+
+namespace coppice::robot {
+
+class SystemMonitor {
+ public:
+  /// `root`: the folder that stands for "/", for /proc and /sys.
+  explicit SystemMonitor(std::string root = {}) : root_(std::move(root)) {}
+
+  /// Null: nothing is watched. What is known of numbers that stay is kept.
+  void Watch(const SystemWatch* watch);
+
+  /// Reads everything once; to be called every period. `pids`: of the ROS nodes; a node that is
+  /// missing or 0 does not run, which is for others to judge.
+  void Measure(const std::map<std::string, int>& pids, Time now);
+
+  /// The answers of other computers, in the order of the watch.
+  void OnClocks(const std::vector<ClockReading>& readings, Time now);
+  void OnHosts(const std::vector<ReachResult>& results, Time now);
+
+  /// One finding per number that can be measured on this computer.
+  std::vector<Finding> Report(const Times& now);
+
+ private:
+  void MeasureCpu(Time now);
+  void MeasureNetwork(const InterfaceWatch& link, Time now);
+  void MeasureProcess(const ProcessWatch& process, int pid, Time now);
+  /// The growth of a counter per second, if it is known already.
+  std::optional<double> Rate(const std::string& counter, double reading, Time now);
+
+  std::string root_;
+  SystemWatch watch_;
+  GaugeBoard board_;
+  std::map<std::string, CounterRate> rates_;
+};
+
+}  // namespace coppice::robot
+
+#endif  // COPPICE_ROBOT_APP_MONITORING_SYSTEM_SYSTEM_MONITOR_H_
