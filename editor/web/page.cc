@@ -22,6 +22,8 @@ Page::Page(const Clock& clock) : clock_(clock), window_(1, 1) {
   }
   EditorOptions options;
   options.scale = static_cast<float>(std::clamp(emscripten_get_device_pixel_ratio(), 1.0, 3.0));
+  options.recent_file = "/coppice/recent";
+  options.backup_folder = "/coppice/backup";
   editor_ = std::make_unique<Editor>(std::move(options));
   error_ = editor_->error();
   if (!error_.empty()) return;
@@ -79,7 +81,10 @@ void Page::DrawFrame() {
   renderer_->Draw(editor_->draw_data());
   const std::chrono::duration<double> pause(std::min(editor_->NextFrameIn(), kLongestPause));
   next_ = now + std::chrono::duration_cast<Duration>(pause);
-  EM_ASM({ Module.onFrame(); });
+  EM_ASM({
+    Module.onFrame();
+    Module.keepSoon();
+  });
 }
 
 }  // namespace coppice::editor

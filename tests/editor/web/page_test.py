@@ -106,13 +106,42 @@ def wait_for(what, question):
     raise AssertionError("never happened: " + what)
 
 
+# The text of a file as the browser keeps it, or nothing.
+KEPT = """new Promise(resolve => {
+  const opening = indexedDB.open("/trees");
+  opening.onerror = () => resolve("");
+  opening.onsuccess = () => {
+    const files = opening.result.transaction("FILE_DATA").objectStore("FILE_DATA");
+    const getting = files.get("/trees/mine.xml");
+    getting.onsuccess = () => {
+      opening.result.close();
+      resolve(getting.result ? new TextDecoder().decode(getting.result.contents) : "");
+    };
+  };
+})"""
+
+
+def visit(browser, address):
+    browser.call("Page.navigate", url="about:blank")
+    browser.call("Page.navigate", url=address)
+    return wait_for("a first frame", lambda: browser.evaluate(
+        "performance.getEntriesByName('first frame').map(mark => mark.startTime)[0] || 0"))
+
+
+def keeps_files(browser, address):
+    browser.evaluate("FS.writeFile('/trees/mine.xml', %s); show('/trees/mine.xml')" %
+                     json.dumps(TREE))
+    wait_for("a file kept by the browser", lambda: browser.evaluate(KEPT) == TREE)
+    visit(browser, address)
+    again = wait_for("the file of the last visit", lambda: browser.evaluate(
+        "opened && FS.readFile(opened, {encoding: 'utf8'})"))
+    assert again == TREE, again
+
+
 def look(browser, address, picture):
     browser.call("Emulation.setDeviceMetricsOverride", width=1280, height=800,
                  deviceScaleFactor=1, mobile=False)
-    browser.call("Page.navigate", url=address)
-    first = wait_for("a first frame", lambda: browser.evaluate(
-        "performance.getEntriesByName('first frame').map(mark => mark.startTime)[0] || 0"))
-    print("first frame after %.0f ms" % first)
+    print("first frame after %.0f ms" % visit(browser, address))
     wait_for("a running node in its colour",
              lambda: browser.evaluate(COUNT % RUNNING) > 100)
     shot = browser.call("Page.captureScreenshot", format="png")["data"]
@@ -135,6 +164,7 @@ def main(coppice, folder, picture=None):
                 address = re.search(r"in a browser: (\S+)", robot.stderr.readline())
             browser = Browser(scratch + "/profile")
             look(browser, address.group(1), picture)
+            keeps_files(browser, address.group(1))
         finally:
             if browser:
                 browser.close()
