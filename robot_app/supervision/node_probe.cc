@@ -1,5 +1,9 @@
 #include "robot_app/supervision/node_probe.h"
 
+#include <netdb.h>
+#include <poll.h>
+#include <sys/socket.h>
+#include <unistd.h>
 #include <xmlrpcpp/XmlRpc.h>
 #include <xmlrpcpp/XmlRpcDispatch.h>
 
@@ -8,6 +12,8 @@
 
 namespace coppice::robot {
 namespace {
+
+constexpr Duration kConnectTime = std::chrono::milliseconds(100);
 
 Time SteadyNow() { return std::chrono::steady_clock::now().time_since_epoch(); }
 
@@ -38,6 +44,33 @@ std::optional<XmlRpc::XmlRpcValue> Unwrap(XmlRpc::XmlRpcValue& answer) {
   return answer[2];
 }
 
+bool Connects(const addrinfo& address, Duration deadline) {
+  const int connection = socket(address.ai_family, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
+  if (connection < 0) return false;
+  connect(connection, address.ai_addr, address.ai_addrlen);
+  pollfd ready{connection, POLLOUT, 0};
+  const auto ms = std::chrono::duration_cast<std::chrono::milliseconds>(deadline).count();
+  int error = -1;
+  socklen_t size = sizeof(error);
+  const bool connected = poll(&ready, 1, static_cast<int>(ms)) == 1 &&
+                         getsockopt(connection, SOL_SOCKET, SO_ERROR, &error, &size) == 0 &&
+                         error == 0;
+  close(connection);
+  return connected;
+}
+
+bool AcceptsConnections(const NodeAddress& to, Duration deadline) {
+  addrinfo hints{};
+  hints.ai_socktype = SOCK_STREAM;
+  addrinfo* addresses = nullptr;
+  if (getaddrinfo(to.host.c_str(), std::to_string(to.port).c_str(), &hints, &addresses) != 0) {
+    return false;
+  }
+  const bool connected = Connects(*addresses, deadline);
+  freeaddrinfo(addresses);
+  return connected;
+}
+
 bool Publishes(XmlRpc::XmlRpcValue& topics, const std::string& wanted) {
   if (topics.getType() != XmlRpc::XmlRpcValue::TypeArray) return false;
   for (int i = 0; i < topics.size(); ++i) {
@@ -47,10 +80,8 @@ bool Publishes(XmlRpc::XmlRpcValue& topics, const std::string& wanted) {
   return false;
 }
 
-}  // namespace
-
-std::optional<NodeAddress> ParseUri(const std::string& uri) {
-  const std::string scheme = "http://";
+// Of "scheme://host:port/".
+std::optional<NodeAddress> ParseAddress(const std::string& uri, const std::string& scheme) {
   if (uri.rfind(scheme, 0) != 0) return std::nullopt;
   const std::string rest = uri.substr(scheme.size());
   const std::size_t colon = rest.find(':');
@@ -65,9 +96,23 @@ std::optional<NodeAddress> ParseUri(const std::string& uri) {
   return NodeAddress{rest.substr(0, colon), port};
 }
 
-// The probe of one node: up to three calls, one after the other.
+// The master remembers services of nodes that were killed, so the answer of lookupService alone
+// means little.
+bool IsOpen(XmlRpc::XmlRpcValue& service) {
+  if (service.getType() != XmlRpc::XmlRpcValue::TypeString) return false;
+  const auto address = ParseAddress(static_cast<std::string>(service), "rosrpc://");
+  return address && AcceptsConnections(*address, kConnectTime);
+}
+
+}  // namespace
+
+std::optional<NodeAddress> ParseUri(const std::string& uri) {
+  return ParseAddress(uri, "http://");
+}
+
+// The probe of one node: up to four calls, one after the other.
 struct NodeProbe::Call {
-  enum class Step { kLookup, kPid, kPublications, kDone };
+  enum class Step { kLookup, kPid, kPublications, kService, kDone };
 
   const ProbeRequest* request = nullptr;
   ProbeResult* result = nullptr;
@@ -91,7 +136,8 @@ struct NodeProbe::Call {
   }
 
   std::string Silence() const {
-    return step == Step::kLookup ? "the ROS master does not answer" : "does not answer";
+    const bool of_master = step == Step::kLookup || step == Step::kService;
+    return of_master ? "the ROS master does not answer" : "does not answer";
   }
 };
 
@@ -101,6 +147,7 @@ struct NodeProbe::Sweep {
   Time begun{0};
   Time deadline{0};
   std::string caller;
+  NodeAddress master;
 
   XmlRpc::XmlRpcValue Arguments() const {
     XmlRpc::XmlRpcValue arguments;
@@ -128,6 +175,14 @@ struct NodeProbe::Sweep {
     }
   }
 
+  void AskForService(Call& call) {
+    if (call.request->service.empty()) return call.End(true, "");
+    XmlRpc::XmlRpcValue arguments = Arguments();
+    arguments[1] = call.request->service;
+    call.step = Call::Step::kService;
+    call.Ask(master, "lookupService", arguments, dispatch);
+  }
+
   void Answered(Call& call, std::optional<XmlRpc::XmlRpcValue> value) {
     switch (call.step) {
       case Call::Step::kLookup: {
@@ -145,12 +200,15 @@ struct NodeProbe::Sweep {
         }
         call.result->pid = static_cast<int>(*value);
         call.result->delay = SteadyNow() - begun;
-        if (call.request->topic.empty()) return call.End(true, "");
+        if (call.request->topic.empty()) return AskForService(call);
         call.step = Call::Step::kPublications;
         return call.Ask(call.node, "getPublications", Arguments(), dispatch);
       case Call::Step::kPublications:
-        if (value && Publishes(*value, call.request->topic)) return call.End(true, "");
+        if (value && Publishes(*value, call.request->topic)) return AskForService(call);
         return call.End(false, "does not publish " + call.request->topic);
+      case Call::Step::kService:
+        if (value && IsOpen(*value)) return call.End(true, "");
+        return call.End(false, "does not offer " + call.request->service);
       case Call::Step::kDone:
         return;
     }
@@ -179,6 +237,7 @@ void NodeProbe::Begin(std::vector<ProbeRequest> requests, Duration deadline) {
   sweep_->begun = SteadyNow();
   sweep_->deadline = sweep_->begun + deadline;
   sweep_->caller = caller_;
+  sweep_->master = master_;
   sweep_->calls.resize(requests_.size());
   for (std::size_t i = 0; i < requests_.size(); ++i) {
     Call& call = sweep_->calls[i];

@@ -1,9 +1,13 @@
 #include "robot_app/supervision/robot_config.h"
 
 #include <algorithm>
+#include <filesystem>
+#include <iterator>
 #include <optional>
 #include <set>
 
+#include "robot_app/supervision/group_order.h"
+#include "robot_app/supervision/robot_config_fields.h"
 #include "robot_app/supervision/yaml_fields.h"
 
 namespace coppice::robot {
@@ -24,9 +28,12 @@ class Loader {
       if (value.IsScalar()) config_.parameters[name.text] = value.Scalar();
     }
     ReadLimits();
+    ReadHostsAndConditions();
+    ReadGroups();
     ReadProcesses();
     ResolveDependencies();
     FindCycles();
+    FindGroupCycles();
     ReadConfigurations();
     file_.Finish();
     return std::move(config_);
@@ -34,15 +41,37 @@ class Loader {
 
  private:
   void ReadLimits() {
-    YamlFields intensity = file_.Map("restart_intensity");
-    config_.intensity.restarts = intensity.Integer("restarts", 3, 0, 1000);
-    config_.intensity.window = intensity.Seconds("window", 60, 1, 86400);
-    intensity.Finish();
-    YamlFields back_off = file_.Map("back_off");
-    config_.back_off.first = back_off.Seconds("first", 1, 0.01, 3600);
-    config_.back_off.most = back_off.Seconds("most", 30, 0.01, 3600);
-    back_off.Finish();
+    limits_ = ReadRestartLimits(file_.Map("restart_intensity"), {});
+    config_.back_off = ReadBackOff(file_.Map("back_off"));
+    config_.escalation = ReadEscalation(file_.Map("escalation"));
     config_.stop_timeout = file_.Seconds("stop_timeout", 3, 0.1, 600);
+  }
+
+  void ReadHostsAndConditions() {
+    for (auto& [name, value] : file_.Pairs("hosts")) {
+      config_.hosts.push_back(ReadHost(name, file_.MapOf(value)));
+    }
+    for (auto& [name, value] : file_.Pairs("conditions")) {
+      config_.conditions.push_back(ReadCondition(name, file_.MapOf(value)));
+    }
+  }
+
+  void ReadGroups() {
+    for (YamlFields& fields : file_.Maps("groups")) {
+      GroupConfig group;
+      const LocatedText name = fields.Text("name");
+      group.name = name.text;
+      if (IndexOf(config_.groups, name.text)) {
+        fields.Error(name.where, "duplicate group \"" + name.text + "\"");
+      }
+      group.strategy = ReadStrategy(fields);
+      group.essential = fields.Choice("essential", "yes", {"yes", "no"}) == "yes";
+      group.limits = ReadRestartLimits(fields.Map("restart_intensity"), limits_);
+      group_depends_.push_back(fields.Texts("depends"));
+      group_where_.push_back(fields.where());
+      fields.Finish();
+      config_.groups.push_back(std::move(group));
+    }
   }
 
   void ReadProcesses() {
@@ -54,11 +83,11 @@ class Loader {
     ProcessConfig process;
     const LocatedText name = fields.Text("name");
     process.name = name.text;
-    if (Find(name.text)) fields.Error(name.where, "duplicate process \"" + name.text + "\"");
-
-    const std::vector<LocatedText> command = fields.Texts("command");
-    if (command.empty()) fields.Error(fields.where(), "\"command\" is missing");
-    for (const LocatedText& word : command) process.command.push_back(Fill(word));
+    if (IndexOf(config_.processes, name.text)) {
+      fields.Error(name.where, "duplicate process \"" + name.text + "\"");
+    }
+    process.group = GroupOf(fields, process.name);
+    if (fields.Has("host")) process.host = Resolve("host", config_.hosts, fields.Text("host"));
 
     const LocatedText node = fields.Text("node", "");
     process.node = node.text;
@@ -68,60 +97,83 @@ class Loader {
     }
     ReadReadiness(fields, process);
     process.start_timeout = fields.Seconds("start_timeout", 20, 0.1, 3600);
-    const std::string rule =
-        fields.Choice("restart", "by_tree", {"by_tree", "on_failure", "always"});
-    if (rule == "always") process.restart = RestartRule::kAlways;
-    if (rule == "on_failure") process.restart = RestartRule::kOnFailure;
+    process.restart = ReadRestartRule(fields);
     process.log = fields.Text("log", process.name + ".log").text;
+    ReadCommand(fields, process);
+    ReadState(fields, process);
     depends_.push_back(fields.Texts("depends"));
     after_.push_back(fields.Texts("after"));
     where_.push_back(fields.where());
     fields.Finish();
+    config_.groups[process.group].processes.push_back(config_.processes.size());
     config_.processes.push_back(std::move(process));
   }
 
-  // "node", "none" or "topic NAME".
-  void ReadReadiness(YamlFields& fields, ProcessConfig& process) {
-    const LocatedText ready = fields.Text("ready", process.node.empty() ? "none" : "node");
-    const std::string topic_word = "topic ";
-    if (ready.text == "none") {
-      process.ready = Readiness::kNone;
-    } else if (ready.text == "node") {
-      process.ready = Readiness::kNode;
-    } else if (ready.text.rfind(topic_word + "/", 0) == 0) {
-      process.ready = Readiness::kTopic;
-      process.ready_topic = ready.text.substr(topic_word.size());
-    } else {
-      fields.Error(ready.where,
-                   "\"ready\": \"" + ready.text + "\" is none of node, none, topic /NAME",
-                   DidYouMean(ready.text, {"node", "none"}));
+  // A process that names no group is one of its own.
+  std::size_t GroupOf(YamlFields& fields, const std::string& process) {
+    if (fields.Has("group")) {
+      if (const auto group = Resolve("group", config_.groups, fields.Text("group"))) return *group;
     }
-    if (process.ready != Readiness::kNone && process.node.empty()) {
-      fields.Error(ready.where, "\"ready\": " + ready.text + " needs \"node\"");
+    if (const auto group = IndexOf(config_.groups, process)) return *group;
+    GroupConfig group;
+    group.name = process;
+    group.limits = limits_;
+    config_.groups.push_back(std::move(group));
+    group_depends_.emplace_back();
+    group_where_.push_back(fields.where());
+    return config_.groups.size() - 1;
+  }
+
+  void ReadCommand(YamlFields& fields, ProcessConfig& process) {
+    const std::vector<LocatedText> command = fields.Texts("command");
+    if (command.empty()) fields.Error(fields.where(), "\"command\" is missing");
+    Variables variables = variables_;
+    if (process.host) variables["bin"] = config_.hosts[*process.host].bin;
+    for (const LocatedText& word : command) process.command.push_back(Fill(word, variables));
+  }
+
+  // What is deleted must be named so that nothing else can be meant.
+  void ReadState(YamlFields& fields, ProcessConfig& process) {
+    for (const LocatedText& text : fields.Texts("state")) {
+      const std::filesystem::path path = Fill(text, variables_);
+      const bool deep = std::distance(path.begin(), path.end()) > 3;
+      if (!path.is_absolute() || !deep || path.lexically_normal() != path) {
+        file_.Error(text.where, "\"state\": \"" + path.string() +
+                                    "\" must be an absolute path without \"..\" at least three "
+                                    "folders deep");
+      }
+      if (process.host) file_.Error(text.where, "\"state\" is only for processes of this host");
+      process.state.push_back(path);
     }
   }
 
   void ResolveDependencies() {
     for (std::size_t i = 0; i < config_.processes.size(); ++i) {
       ProcessConfig& process = config_.processes[i];
-      for (const LocatedText& name : depends_[i]) {
-        if (const auto index = Resolve(name)) process.depends.push_back(*index);
-      }
-      for (const LocatedText& name : after_[i]) {
-        if (const auto index = Resolve(name)) process.after.push_back(*index);
+      process.depends = ResolveAll("process", config_.processes, depends_[i]);
+      process.after = ResolveAll("process", config_.processes, after_[i]);
+    }
+    for (std::size_t i = 0; i < config_.groups.size(); ++i) {
+      GroupConfig& group = config_.groups[i];
+      group.depends = ResolveAll("group", config_.groups, group_depends_[i]);
+      if (group.strategy != Strategy::kRestForOne) continue;
+      for (std::size_t k = 1; k < group.processes.size(); ++k) {
+        config_.processes[group.processes[k]].after.push_back(group.processes[k - 1]);
       }
     }
   }
 
   // A process that waits for itself, directly or through others.
   void FindCycles() {
+    const GroupOrder order(config_);
     for (std::size_t start = 0; start < config_.processes.size(); ++start) {
       std::set<std::size_t> seen;
       std::vector<std::size_t> pending = {start};
       while (!pending.empty()) {
-        const ProcessConfig& process = config_.processes[pending.back()];
+        const std::size_t process = pending.back();
         pending.pop_back();
-        for (const auto* list : {&process.depends, &process.after}) {
+        const Indices* const lists[] = {&order.needs(process), &config_.processes[process].after};
+        for (const Indices* list : lists) {
           for (const std::size_t next : *list) {
             if (seen.insert(next).second) pending.push_back(next);
           }
@@ -133,13 +185,30 @@ class Loader {
     }
   }
 
+  // Groups that wait for each other, by `depends` of theirs or of their processes.
+  void FindGroupCycles() {
+    const GroupOrder order(config_);
+    for (const std::size_t group : order.circular()) {
+      file_.Error(group_where_[group],
+                  "group \"" + config_.groups[group].name + "\" waits for itself (depends)");
+    }
+  }
+
   void ReadConfigurations() {
-    for (auto& [name, list] : file_.Pairs("configurations")) {
+    for (auto& [name, value] : file_.Pairs("configurations")) {
       Configuration configuration;
       configuration.name = name.text;
-      for (const LocatedText& process : file_.TextsOf(list)) {
-        if (const auto index = Resolve(process)) configuration.processes.push_back(*index);
+      std::vector<LocatedText> processes, conditions;
+      if (value.IsMap()) {
+        YamlFields fields = file_.MapOf(value);
+        processes = fields.Texts("processes");
+        conditions = fields.Texts("requires");
+        fields.Finish();
+      } else {
+        processes = file_.TextsOf(value);
       }
+      configuration.processes = ResolveAll("process", config_.processes, processes);
+      configuration.requires_conditions = ResolveAll("condition", config_.conditions, conditions);
       CheckComplete(name, configuration);
       config_.configurations.push_back(std::move(configuration));
     }
@@ -148,18 +217,29 @@ class Loader {
       return;
     }
     ReadInitial();
+    ReadGivenUp();
+  }
+
+  void ReadGivenUp() {
+    YamlFields fields = file_.Map("on_given_up");
+    for (const LocatedText& word : fields.Texts("command")) {
+      config_.given_up.command.push_back(Fill(word, variables_));
+    }
+    if (fields.Has("configuration")) {
+      const LocatedText name = fields.Text("configuration");
+      config_.given_up.configuration = Resolve("configuration", config_.configurations, name);
+    }
+    fields.Finish();
   }
 
   void ReadInitial() {
-    const LocatedText initial = file_.Text("initial", config_.configurations.front().name);
-    std::vector<std::string> names;
-    for (std::size_t i = 0; i < config_.configurations.size(); ++i) {
-      names.push_back(config_.configurations[i].name);
-      if (names.back() == initial.text) config_.initial = i;
-    }
-    if (names[config_.initial] != initial.text) {
-      file_.Error(initial.where, "unknown configuration \"" + initial.text + "\"",
-                  DidYouMean(initial.text, names));
+    const LocatedText name = file_.Text("initial", config_.configurations.front().name);
+    const auto initial = Resolve("configuration", config_.configurations, name);
+    if (!initial) return;
+    config_.initial = *initial;
+    if (!config_.configurations[*initial].requires_conditions.empty()) {
+      file_.Error(name.where, "configuration \"" + name.text +
+                                  "\" requires a condition, so nothing can begin with it");
     }
   }
 
@@ -176,72 +256,52 @@ class Loader {
     }
   }
 
-  std::optional<std::size_t> Find(const std::string& name) const {
-    for (std::size_t i = 0; i < config_.processes.size(); ++i) {
-      if (config_.processes[i].name == name) return i;
+  template <class Named>
+  static std::optional<std::size_t> IndexOf(const std::vector<Named>& list,
+                                            const std::string& name) {
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      if (list[i].name == name) return i;
     }
     return std::nullopt;
   }
 
-  std::optional<std::size_t> Resolve(const LocatedText& name) const {
-    const auto index = Find(name.text);
+  template <class Named>
+  std::optional<std::size_t> Resolve(const std::string& kind, const std::vector<Named>& list,
+                                     const LocatedText& name) const {
+    const auto index = IndexOf(list, name.text);
     if (index) return index;
     std::vector<std::string> names;
-    for (const ProcessConfig& process : config_.processes) names.push_back(process.name);
-    file_.Error(name.where, "unknown process \"" + name.text + "\"", DidYouMean(name.text, names));
+    for (const Named& item : list) names.push_back(item.name);
+    file_.Error(name.where, "unknown " + kind + " \"" + name.text + "\"",
+                DidYouMean(name.text, names));
     return std::nullopt;
   }
 
-  std::string Fill(const LocatedText& word) const {
-    std::string filled;
-    std::size_t position = 0;
-    while (true) {
-      const std::size_t begin = word.text.find("${", position);
-      filled += word.text.substr(position, begin - position);
-      if (begin == std::string::npos) return filled;
-      const std::size_t end = MatchingBrace(word.text, begin + 2);
-      if (end == std::string::npos) {
-        file_.Error(word.where, "\"${\" without \"}\" in \"" + word.text + "\"");
-        return filled;
-      }
-      filled += Lookup(word.text.substr(begin + 2, end - begin - 2), word.where);
-      position = end + 1;
+  template <class Named>
+  Indices ResolveAll(const std::string& kind, const std::vector<Named>& list,
+                     const std::vector<LocatedText>& names) const {
+    Indices indices;
+    for (const LocatedText& name : names) {
+      if (const auto index = Resolve(kind, list, name)) indices.push_back(*index);
     }
+    return indices;
   }
 
-  // Of the brace that was opened just before `position`; npos if there is none.
-  static std::size_t MatchingBrace(const std::string& text, std::size_t position) {
-    int open = 1;
-    for (; position < text.size(); ++position) {
-      if (text.compare(position, 2, "${") == 0) ++open;
-      if (text[position] == '}' && --open == 0) return position;
-    }
-    return std::string::npos;
-  }
-
-  std::string Lookup(const std::string& expression, const SourceLocation& where) const {
-    const std::size_t separator = expression.find(":-");
-    const std::string name = expression.substr(0, separator);
-    const auto found = variables_.find(name);
-    if (found != variables_.end()) return found->second;
-    if (separator != std::string::npos) {
-      return Fill({expression.substr(separator + 2), where});
-    }
-    std::vector<std::string> names;
-    for (const auto& [known, value] : variables_) names.push_back(known);
-    const std::string hint = DidYouMean(name, names);
-    file_.Error(where, "variable \"" + name + "\" has no value",
-                hint.empty() ? "give it with --set " + name + "=VALUE" : hint);
-    return "";
+  std::string Fill(const LocatedText& word, const Variables& variables) const {
+    return FillVariables(word.text, variables,
+                         [&](const std::string& message, const std::string& hint) {
+                           file_.Error(word.where, message, hint);
+                         });
   }
 
   YamlFields file_;
   const Variables& variables_;
   bool readable_ = false;
   RobotConfig config_;
-  // Per process, as written.
-  std::vector<std::vector<LocatedText>> depends_, after_;
-  std::vector<SourceLocation> where_;
+  RestartLimits limits_;  // of groups that do not say
+  // Per process and per group, as written.
+  std::vector<std::vector<LocatedText>> depends_, after_, group_depends_;
+  std::vector<SourceLocation> where_, group_where_;
 };
 
 }  // namespace

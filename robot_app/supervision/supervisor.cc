@@ -3,18 +3,16 @@
 #include <sys/wait.h>
 
 #include <algorithm>
-#include <csignal>
 #include <utility>
 
 namespace coppice::robot {
 namespace {
 
-std::string InSeconds(Duration duration) {
-  const auto ms = std::chrono::duration_cast<std::chrono::milliseconds>(duration).count();
-  std::string text = std::to_string(ms / 1000);
-  if (ms % 1000 != 0) text += "." + std::to_string(ms % 1000 / 100);
-  return text + " s";
-}
+// How a transport to another host says that it got no connection (ssh(1)); coppice-remote never
+// ends like that.
+constexpr int kNoConnection = 255;
+
+constexpr Duration kHostRetry = std::chrono::seconds(5);
 
 std::string DescribeEnd(int wait_status) {
   if (WIFSIGNALED(wait_status)) {
@@ -23,301 +21,351 @@ std::string DescribeEnd(int wait_status) {
   return "ended with exit status " + std::to_string(WEXITSTATUS(wait_status));
 }
 
-bool Contains(const std::vector<std::size_t>& list, std::size_t wanted) {
-  return std::find(list.begin(), list.end(), wanted) != list.end();
+bool EndedWith(int wait_status, int status) {
+  return WIFEXITED(wait_status) && WEXITSTATUS(wait_status) == status;
 }
-
-bool EndedWell(int wait_status) { return WIFEXITED(wait_status) && WEXITSTATUS(wait_status) == 0; }
 
 }  // namespace
 
-const char* ToString(ProcessPhase phase) {
-  switch (phase) {
-    case ProcessPhase::kStopped:
-      return "STOPPED";
-    case ProcessPhase::kStarting:
-      return "STARTING";
-    case ProcessPhase::kReady:
-      return "READY";
-    case ProcessPhase::kBackingOff:
-      return "BACKING_OFF";
-    case ProcessPhase::kGivenUp:
-      return "GIVEN_UP";
+Supervisor::Supervisor(RobotConfig config, ProcessLauncher& launcher,
+                       const SupervisorMemory& memory)
+    : config_(std::move(config)),
+      order_(config_),
+      lifecycle_(config_, launcher),
+      escalation_(config_, order_),
+      switch_(config_),
+      plans_(config_.processes.size()) {
+  for (std::size_t i = 0; i < config_.configurations.size(); ++i) {
+    if (config_.configurations[i].name == memory.configuration) {
+      switch_.Restore(i, memory.manual, memory.safe_stop);
+    }
   }
-  return "?";
+  for (std::size_t i = 0; i < config_.groups.size(); ++i) {
+    const auto found = memory.groups.find(config_.groups[i].name);
+    if (found != memory.groups.end()) escalation_.Restore(i, found->second);
+  }
+  for (std::size_t i = 0; i < config_.processes.size(); ++i) {
+    const auto found = memory.restarts.find(config_.processes[i].name);
+    if (found != memory.restarts.end()) lifecycle_.SetRestarts(i, found->second);
+    plans_[i].as_restart = plans_[i].cleared = memory.new_stack;
+  }
+  escalation_.stack().Restore(memory.stack_restarts, memory.stack_counting);
 }
 
-Supervisor::Supervisor(RobotConfig config, ProcessLauncher& launcher)
-    : config_(std::move(config)),
-      launcher_(launcher),
-      states_(config_.processes.size()),
-      configuration_(config_.initial) {}
+SupervisorMemory Supervisor::Remember() const {
+  SupervisorMemory memory;
+  memory.configuration = config_.configurations[switch_.before_safe_stop()].name;
+  memory.manual = switch_.manual();
+  memory.safe_stop = switch_.safe_stop();
+  memory.new_stack = new_stack_;
+  for (std::size_t i = 0; i < config_.groups.size(); ++i) {
+    memory.groups[config_.groups[i].name] = escalation_.Remember(i);
+  }
+  for (std::size_t i = 0; i < config_.processes.size(); ++i) {
+    memory.restarts[config_.processes[i].name] = status(i).restarts;
+  }
+  memory.stack_restarts = escalation_.stack().times();
+  memory.stack_counting = escalation_.stack().counting();
+  return memory;
+}
 
-std::optional<std::size_t> Supervisor::Find(const std::string& name) const {
-  for (std::size_t i = 0; i < states_.size(); ++i) {
-    const ProcessConfig& process = config_.processes[i];
-    if (process.name == name || (!name.empty() && process.node == name)) return i;
+std::vector<std::string> Supervisor::TakeCalls() { return std::exchange(calls_, {}); }
+
+EscalationStep Supervisor::escalation(std::size_t process) const {
+  return escalation_.step(config_.processes[process].group);
+}
+
+int Supervisor::RestartsUsed(std::size_t process, Time now) {
+  return escalation_.RestartsUsed(config_.processes[process].group, now);
+}
+
+// ---- what should be
+
+bool Supervisor::IsWanted(std::size_t process) const {
+  return !stopping_ && !new_stack_ &&
+         Contains(config_.configurations[switch_.current()].processes, process);
+}
+
+std::optional<std::size_t> Supervisor::GivenUpAbove(std::size_t process) const {
+  for (const std::size_t group : order_.upstream(config_.processes[process].group)) {
+    if (escalation_.IsGivenUp(group)) return group;
   }
   return std::nullopt;
 }
 
-Verdict Supervisor::Unknown(const std::string& name) const {
-  std::vector<std::string> names;
-  for (const ProcessConfig& process : config_.processes) {
-    names.push_back(process.name);
-    if (!process.node.empty()) names.push_back(process.node);
-  }
-  return {false, "no process or node \"" + name + "\" " + DidYouMean(name, names)};
-}
-
-bool Supervisor::Wanted(std::size_t process) const {
-  return !stopping_ && Contains(config_.configurations[configuration_].processes, process);
-}
-
-bool Supervisor::AwaitsReadiness(std::size_t process) const {
-  const State& state = states_[process];
-  return state.status.phase == ProcessPhase::kStarting && state.status.pid != 0 && !state.ending;
-}
-
-bool Supervisor::AllStopped() const {
-  return std::all_of(states_.begin(), states_.end(),
-                     [](const State& state) { return state.status.pid == 0; });
+bool Supervisor::MustEnd(std::size_t process) const {
+  return lifecycle_.IsUp(process) &&
+         (!IsWanted(process) || plans_[process].end_first || GivenUpAbove(process));
 }
 
 // Those that stay up must do without it, or they would depend on it.
 bool Supervisor::DependentsEnd(std::size_t process) const {
-  for (std::size_t i = 0; i < states_.size(); ++i) {
-    if (states_[i].status.pid == 0 || Wanted(i)) continue;
-    const ProcessConfig& other = config_.processes[i];
-    if (Contains(other.depends, process) || Contains(other.after, process)) return true;
+  for (std::size_t i = 0; i < plans_.size(); ++i) {
+    if (i == process || !MustEnd(i)) continue;
+    if (Contains(order_.needs(i), process)) return true;
+    if (Contains(config_.processes[i].after, process)) return true;
   }
   return false;
 }
 
-bool Supervisor::UnwantedRun() const {
-  for (std::size_t i = 0; i < states_.size(); ++i) {
-    if (states_[i].status.pid != 0 && !Wanted(i)) return true;
-  }
-  return false;
+// Ready, or done with its work.
+bool Supervisor::IsSatisfied(std::size_t process) const {
+  return status(process).phase == ProcessPhase::kReady || plans_[process].done;
 }
 
-std::optional<std::size_t> Supervisor::MissingDependency(std::size_t process) const {
-  for (const std::size_t needed : config_.processes[process].depends) {
-    if (states_[needed].status.phase != ProcessPhase::kReady) return needed;
-  }
-  for (const std::size_t earlier : config_.processes[process].after) {
-    const State& state = states_[earlier];
-    const bool will_be_ready = state.status.phase == ProcessPhase::kStarting ||
-                               (state.status.phase == ProcessPhase::kStopped && !state.failed);
-    if (Wanted(earlier) && will_be_ready) return earlier;
+std::optional<std::size_t> Supervisor::MissingNeed(std::size_t process) const {
+  for (const std::size_t needed : order_.needs(process)) {
+    if (IsWanted(needed) && !IsSatisfied(needed)) return needed;
   }
   return std::nullopt;
 }
 
-Verdict Supervisor::SetConfiguration(const std::string& name) {
-  if (stopping_) return {false, "the supervisor is stopping"};
-  std::vector<std::string> names;
-  for (std::size_t i = 0; i < config_.configurations.size(); ++i) {
-    names.push_back(config_.configurations[i].name);
-    if (names.back() != name) continue;
-    if (i == configuration_) return {true, "configuration " + name + " is already in force"};
-    for (const std::size_t process : config_.configurations[i].processes) {
-      if (!Wanted(process)) states_[process].failed = false;
+std::optional<std::size_t> Supervisor::MissingDependency(std::size_t process) const {
+  if (const auto needed = MissingNeed(process)) return needed;
+  for (const std::size_t earlier : config_.processes[process].after) {
+    const ProcessPhase phase = status(earlier).phase;
+    const bool to_come = phase == ProcessPhase::kStarting || phase == ProcessPhase::kStopped;
+    if (IsWanted(earlier) && to_come && !plans_[earlier].done && !GivenUpAbove(earlier)) {
+      return earlier;
     }
-    configuration_ = i;
-    ++revision_;
-    return {true, "changing to configuration " + name};
   }
-  return {false, "no configuration \"" + name + "\" " + DidYouMean(name, names)};
+  return std::nullopt;
 }
 
-Verdict Supervisor::Restart(const std::string& name, Time now) {
-  const auto process = Find(name);
-  if (!process) return Unknown(name);
-  State& state = states_[*process];
-  const std::string& full_name = config_.processes[*process].name;
-  if (stopping_) return {false, "the supervisor is stopping"};
-  if (!Wanted(*process)) {
-    return {false, full_name + " is not part of configuration " + configuration()};
+// First what ends, then what starts: what is not wanted any more, and the others of its wave.
+bool Supervisor::IsEndingFirst(std::size_t process, Time now) const {
+  for (std::size_t i = 0; i < plans_.size(); ++i) {
+    if (!MustEnd(i) || lifecycle_.IsStuck(i, now)) continue;
+    const bool same_wave = plans_[i].wave != 0 && plans_[i].wave == plans_[process].wave;
+    if (!IsWanted(i) || same_wave) return true;
   }
-  if (state.status.phase == ProcessPhase::kGivenUp) {
-    return {false, full_name + " is given up: " + state.status.message};
-  }
-  if (state.status.phase == ProcessPhase::kStarting && !AwaitsReadiness(*process)) {
-    return {true, full_name + " is about to start already"};
-  }
-  if (RestartsAreUsedUp(state, now)) {
-    GiveUp(*process, now);
-    return {false, full_name + " is given up: " + state.status.message};
-  }
-  state.restarts.push_back(now);
-  ++state.status.restarts;
-  state.failed = false;
-  if (state.status.pid != 0) {
-    End(*process, AfterEnd::kStartAgain, "ends before it is started again", now);
-  } else {
-    SetPhase(*process, ProcessPhase::kStarting, "", now);
-  }
-  return {true, full_name + " is restarted"};
+  return false;
 }
 
-Verdict Supervisor::Reset(const std::string& name, Time now) {
-  const auto process = Find(name);
-  if (!process) return Unknown(name);
-  State& state = states_[*process];
-  state.restarts.clear();
-  state.failed = false;
-  if (state.status.phase == ProcessPhase::kGivenUp ||
-      state.status.phase == ProcessPhase::kBackingOff) {
-    SetPhase(*process, ProcessPhase::kStopped, "reset", now);
+bool Supervisor::IsChanging() const {
+  for (std::size_t i = 0; i < plans_.size(); ++i) {
+    const bool should_run = IsWanted(i) && !plans_[i].done && !GivenUpAbove(i);
+    if (should_run ? status(i).phase != ProcessPhase::kReady : lifecycle_.IsUp(i)) return true;
   }
-  return {true, "restarts of " + config_.processes[*process].name + " are forgotten"};
+  return false;
 }
+
+// ---- events
 
 void Supervisor::OnExit(int pid, int wait_status, Time now) {
-  const auto found = std::find_if(states_.begin(), states_.end(),
-                                  [pid](const State& state) { return state.status.pid == pid; });
-  if (pid == 0 || found == states_.end()) return;
-  const std::size_t process = static_cast<std::size_t>(found - states_.begin());
-  const bool asked = found->ending;
-  found->status.pid = 0;
-  found->ending = found->killed = false;
-  ++revision_;
-  if (!asked) {
-    const RestartRule rule = config_.processes[process].restart;
-    const bool again = rule == RestartRule::kAlways ||
-                       (rule == RestartRule::kOnFailure && !EndedWell(wait_status));
-    Failed(process, again, DescribeEnd(wait_status), now);
-  } else if (found->after_end == AfterEnd::kCountAsFailure) {
-    Failed(process, config_.processes[process].restart != RestartRule::kByTree,
-           found->status.message, now);
-  } else if (found->after_end == AfterEnd::kStop && found->status.phase != ProcessPhase::kGivenUp) {
-    SetPhase(process, ProcessPhase::kStopped, "", now);
+  const auto ended = lifecycle_.OnExit(pid);
+  if (!ended) return;
+  const std::size_t process = ended->process;
+  Plan& plan = plans_[process];
+  const bool expected = ended->asked || plan.end_first;
+  plan.end_first = false;
+  if (expected) return;
+  lifecycle_.SetPhase(process, ProcessPhase::kStopped, DescribeEnd(wait_status), now);
+  const ProcessConfig& config = config_.processes[process];
+  if (config.host && (!ended->connected || EndedWith(wait_status, kNoConnection))) {
+    LoseHost(process, now);
+  } else if (config.restart == RestartRule::kNever ||
+             (config.restart == RestartRule::kOnFailure && EndedWith(wait_status, 0))) {
+    plan.done = true;
+  } else {
+    Fail(process, DescribeEnd(wait_status), now);
   }
 }
 
 void Supervisor::OnReady(std::size_t process, int pid, Time now) {
-  if (!AwaitsReadiness(process) || states_[process].status.pid != pid) return;
-  SetPhase(process, ProcessPhase::kReady, "", now);
+  if (!AwaitsReadiness(process) || status(process).pid != pid) return;
+  lifecycle_.SetPhase(process, ProcessPhase::kReady, "", now);
 }
+
+void Supervisor::OnMasterEnded(Time now) {
+  if (stopping_ || new_stack_) return;
+  const std::string why_not = escalation_.stack().WhyNot(now);
+  if (why_not.empty()) {
+    escalation_.stack().Add(now);
+    RestartStack("the ROS master ended");
+  } else {
+    calls_.push_back("The ROS master ended again; everything is stopped.");
+    StopAll();
+  }
+}
+
+// ---- what is due
 
 void Supervisor::Step(Time now) {
-  for (std::size_t i = 0; i < states_.size(); ++i) {
-    if (states_[i].status.pid != 0) {
-      StepRunning(i, now);
+  StepHealth(now);
+  lifecycle_.KillOverdue(now);
+  for (std::size_t i = 0; i < plans_.size(); ++i) {
+    if (lifecycle_.IsUp(i)) {
+      StepUp(i, now);
     } else {
-      StepStopped(i, now);
+      StepDown(i, now);
     }
   }
 }
 
-void Supervisor::StepRunning(std::size_t process, Time now) {
-  State& state = states_[process];
-  if (state.ending) {
-    if (!state.killed && now >= state.deadline) {
-      launcher_.Signal(state.status.pid, SIGKILL);
-      state.killed = true;
+void Supervisor::StepHealth(Time now) {
+  bool any_wanted = false, all_ready = true;
+  for (std::size_t group = 0; group < config_.groups.size(); ++group) {
+    bool wanted = false, ready = true, waits = false, to_blame = false;
+    for (const std::size_t member : config_.groups[group].processes) {
+      if (!IsWanted(member)) continue;
+      wanted = true;
+      if (IsSatisfied(member)) continue;
+      ready = false;
+      const bool excused =
+          status(member).phase == ProcessPhase::kUnreachable || MissingNeed(member);
+      (excused ? waits : to_blame) = true;
     }
-  } else if (!Wanted(process)) {
-    if (!DependentsEnd(process)) End(process, AfterEnd::kStop, "is ended", now);
-  } else if (state.status.phase == ProcessPhase::kStarting && now >= state.deadline) {
-    End(process, AfterEnd::kCountAsFailure,
-        "was not ready within " + InSeconds(config_.processes[process].start_timeout), now);
+    any_wanted = any_wanted || wanted;
+    all_ready = all_ready && ready;
+    escalation_.SetReady(group, wanted && ready, now);
+    if (waits && !to_blame) escalation_.Excuse(group, now);
+    if (to_blame && !escalation_.IsGivenUp(group) && escalation_.IsOverdue(group, now)) {
+      GiveUp(group, "in trouble for longer than " + InSeconds(config_.escalation.ask_within));
+    }
+  }
+  escalation_.SetAllReady(any_wanted && all_ready, now);
+}
+
+void Supervisor::StepUp(std::size_t process, Time now) {
+  if (lifecycle_.IsEnding(process)) return;
+  Plan& plan = plans_[process];
+  if (MustEnd(process)) {
+    if (!DependentsEnd(process)) EndNow(process, now);
+  } else if (!lifecycle_.AwaitsReadiness(process)) {
+    return;
+  } else if (!lifecycle_.IsConnected(process)) {
+    if (!lifecycle_.IsLate(process, now)) return;
+    LoseHost(process, now);
+    plan.end_first = true;
+  } else if (lifecycle_.IsLate(process, now)) {
+    Fail(process,
+         "was not ready within " + InSeconds(config_.processes[process].start_timeout), now);
+  } else {
+    const bool ready = config_.processes[process].ready == Readiness::kNone;
+    lifecycle_.SetPhase(process, ready ? ProcessPhase::kReady : ProcessPhase::kStarting, "", now);
   }
 }
 
-void Supervisor::StepStopped(std::size_t process, Time now) {
-  State& state = states_[process];
-  if (!Wanted(process)) {
-    if (state.status.phase != ProcessPhase::kStopped &&
-        state.status.phase != ProcessPhase::kGivenUp) {
-      SetPhase(process, ProcessPhase::kStopped, "", now);
-    }
+// The phase says what comes after the end.
+void Supervisor::EndNow(std::size_t process, Time now) {
+  const Plan& plan = plans_[process];
+  const std::size_t group = config_.processes[process].group;
+  if (escalation_.IsGivenUp(group)) {
+    lifecycle_.End(process, ProcessPhase::kGivenUp, escalation_.given_up(group), now);
+  } else if (!IsWanted(process) || GivenUpAbove(process)) {
+    lifecycle_.End(process, ProcessPhase::kStopped, "is ended", now);
+  } else if (status(process).phase == ProcessPhase::kUnreachable) {
+    lifecycle_.End(process, ProcessPhase::kUnreachable, plan.reason, now);
+  } else {
+    lifecycle_.End(process, ProcessPhase::kStarting, plan.reason, now);
+  }
+}
+
+void Supervisor::StepDown(std::size_t process, Time now) {
+  Plan& plan = plans_[process];
+  const std::size_t group = config_.processes[process].group;
+  if (escalation_.IsGivenUp(group)) {
+    lifecycle_.SetPhase(process, ProcessPhase::kGivenUp, escalation_.given_up(group), now);
+  } else if (!IsWanted(process)) {
+    lifecycle_.SetPhase(process, ProcessPhase::kStopped, "", now);
+    plan = {};
+  } else if (const auto above = GivenUpAbove(process)) {
+    lifecycle_.SetPhase(process, ProcessPhase::kStopped,
+                        "needs " + config_.groups[*above].name + ", which is given up", now);
+  } else if (plan.done) {
     return;
+  } else if (now < plan.not_before) {
+    const bool unreachable = status(process).phase == ProcessPhase::kUnreachable;
+    lifecycle_.SetPhase(process,
+                        unreachable ? ProcessPhase::kUnreachable : ProcessPhase::kBackingOff,
+                        plan.reason, now, plan.not_before);
+  } else if (IsEndingFirst(process, now)) {
+    lifecycle_.SetPhase(process, ProcessPhase::kStarting, "waits for others to end", now);
+  } else if (const auto needed = MissingDependency(process)) {
+    lifecycle_.SetPhase(process, ProcessPhase::kStarting,
+                        "waits for " + config_.processes[*needed].name, now);
+  } else {
+    Launch(process, now);
   }
-  if (state.status.phase == ProcessPhase::kGivenUp || state.failed) return;
-  if (state.status.phase == ProcessPhase::kBackingOff) {
-    if (now < state.deadline) return;
-    state.restarts.push_back(now);
-    ++state.status.restarts;
-  }
-  if (UnwantedRun()) return;  // first what ends, then what starts
-  if (const auto needed = MissingDependency(process)) {
-    SetPhase(process, ProcessPhase::kStarting, "waits for " + config_.processes[*needed].name, now);
-    return;
-  }
-  Launch(process, now);
 }
 
 void Supervisor::Launch(std::size_t process, Time now) {
-  State& state = states_[process];
-  const ProcessConfig& config = config_.processes[process];
-  std::string error;
-  state.status.pid = launcher_.Start(config, error);
-  if (state.status.pid == 0) {
-    Failed(process, config.restart != RestartRule::kByTree, error, now);
-    return;
+  Plan& plan = plans_[process];
+  Lifecycle::Start start;
+  start.counts = plan.as_restart;
+  start.cleared = plan.cleared;
+  plan = {};
+  const std::string error = lifecycle_.Launch(process, start, now);
+  if (!error.empty()) return Fail(process, error, now);
+  StepUp(process, now);
+}
+
+// ---- failures
+
+void Supervisor::Fail(std::size_t process, const std::string& reason, Time now) {
+  if (GivenUpAbove(process)) return;
+  // When something that it needs is down, that is the one to be counted: it will wait for it.
+  if (MissingNeed(process)) return BeginWave({process}, {reason, now}, now);
+
+  const std::size_t group = config_.processes[process].group;
+  const Decision decision = escalation_.OnFailure(group, now);
+  const std::string why =
+      config_.processes[process].name + " " + reason + "; " + decision.reason;
+  switch (decision.step) {
+    case EscalationStep::kGroup:
+      return BeginWave(order_.RestartedWith(process), {reason, now + decision.delay}, now);
+    case EscalationStep::kClosure:
+      return BeginWave(order_.Members(order_.closure(decision.root)), {why, now, true}, now);
+    case EscalationStep::kStack:
+      return RestartStack(why);
+    case EscalationStep::kPerson:
+      return GiveUp(decision.root, why);
   }
-  state.deadline = now + config.start_timeout;
-  SetPhase(process, ProcessPhase::kStarting, "", now);
-  if (config.ready == Readiness::kNone) SetPhase(process, ProcessPhase::kReady, "", now);
 }
 
-// The phase is set first, so that the one that reads it knows why the process goes.
-void Supervisor::End(std::size_t process, AfterEnd after, std::string message, Time now) {
-  State& state = states_[process];
-  const ProcessPhase phase =
-      after == AfterEnd::kStartAgain ? ProcessPhase::kStarting : ProcessPhase::kStopped;
-  SetPhase(process, phase, std::move(message), now);
-  state.after_end = after;
-  if (state.ending) return;
-  state.ending = true;
-  state.deadline = now + config_.stop_timeout;
-  launcher_.Signal(state.status.pid, SIGTERM);
+// Its host does not answer: nobody's fault, so it is tried again and again, and not counted.
+void Supervisor::LoseHost(std::size_t process, Time now) {
+  Plan& plan = plans_[process];
+  plan.reason = "host " + config_.hosts[*config_.processes[process].host].name + " cannot be reached";
+  plan.not_before = now + kHostRetry;
+  plan.as_restart = true;
+  lifecycle_.SetPhase(process, ProcessPhase::kUnreachable, plan.reason, now, plan.not_before);
 }
 
-void Supervisor::Failed(std::size_t process, bool may_restart, std::string message, Time now) {
-  State& state = states_[process];
-  if (!may_restart) {
-    state.failed = true;
-    SetPhase(process, ProcessPhase::kStopped, std::move(message), now);
-    return;
+void Supervisor::BeginWave(const Indices& processes, const Restarting& how, Time now) {
+  ++last_wave_;
+  for (const std::size_t process : processes) {
+    Plan& plan = plans_[process];
+    if (!IsWanted(process) || plan.done) continue;
+    plan.end_first = lifecycle_.IsUp(process);
+    plan.as_restart = true;
+    plan.cleared = how.cleared;
+    plan.wave = last_wave_;
+    plan.reason = how.reason;
+    plan.not_before = how.not_before;
+    if (const auto started = lifecycle_.started_at(process)) {
+      const Duration floor = config_.groups[config_.processes[process].group].limits.floor;
+      plan.not_before = std::max(plan.not_before, *started + floor);
+    }
   }
-  if (RestartsAreUsedUp(state, now)) {
-    GiveUp(process, now);
-    return;
+  for (const std::size_t process : processes) {
+    if (!lifecycle_.IsUp(process)) StepDown(process, now);
   }
-  Duration delay = Duration::zero();
-  for (std::size_t i = 0; i < state.restarts.size(); ++i) {
-    delay = i == 0 ? config_.back_off.first : std::min(2 * delay, config_.back_off.most);
-  }
-  state.deadline = now + delay;
-  SetPhase(process, ProcessPhase::kBackingOff, message + "; starts again after " + InSeconds(delay),
-           now);
 }
 
-void Supervisor::GiveUp(std::size_t process, Time now) {
-  State& state = states_[process];
-  const std::string reason = "restarted " + std::to_string(state.restarts.size()) +
-                             " times within " + InSeconds(config_.intensity.window);
-  if (state.status.pid != 0) End(process, AfterEnd::kStop, reason, now);
-  SetPhase(process, ProcessPhase::kGivenUp, reason, now);
+void Supervisor::RestartStack(const std::string& reason) {
+  new_stack_ = true;
+  stack_reason_ = reason;
+  ++revision_;
 }
 
-bool Supervisor::RestartsAreUsedUp(State& state, Time now) const {
-  const Time oldest = now - config_.intensity.window;
-  state.restarts.erase(std::remove_if(state.restarts.begin(), state.restarts.end(),
-                                      [oldest](Time at) { return at <= oldest; }),
-                       state.restarts.end());
-  return state.restarts.size() >= static_cast<std::size_t>(config_.intensity.restarts);
-}
-
-void Supervisor::SetPhase(std::size_t process, ProcessPhase phase, std::string message, Time now) {
-  ProcessStatus& status = states_[process].status;
-  if (status.phase == phase && status.message == message) return;
-  if (status.phase != phase) status.since = now;
-  status.phase = phase;
-  status.message = std::move(message);
+void Supervisor::GiveUp(std::size_t group, const std::string& reason) {
+  escalation_.GiveUp(group, reason);
+  const GroupConfig& config = config_.groups[group];
+  if (config.essential) switch_.SafeStop();
+  calls_.push_back("The robot has given up " + config.name + ": " + reason +
+                   (switch_.safe_stop() ? ". It has stopped." : "."));
   ++revision_;
 }
 

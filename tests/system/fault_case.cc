@@ -114,6 +114,11 @@ bool FaultCase::ExpectRestartBegun(const std::string& process, double within) {
   EXPECT_TRUE(begun) << fault_ << ": " << process << " was not restarted";
   if (!begun) return false;
   EXPECT_LE(SecondsSince(begun->stamp), within) << fault_ << ": restarted late";
+  if (!detected_) {
+    detected_by_ = "end of " + process;
+    detected_ = SecondsSince(begun->stamp);
+    limit_ = within;
+  }
   return SecondsSince(begun->stamp) <= within;
 }
 

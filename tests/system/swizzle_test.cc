@@ -61,8 +61,8 @@ RigOptions Options() {
   options.variables = {{"speed", "1"}, {"seed", "3"}};
   // Here it is the test that breaks everything again and again, which nobody is to be called for.
   options.edits = {{"robot.yaml", "\"_seed:=", "\"_start:=2 0 0\", \"_seed:="},
-                   {"robot.yaml", "restart_intensity: {restarts: 3, window: 60}",
-                    "restart_intensity: {restarts: 1000, window: 60}"}};
+                   {"robot.yaml", "restarts: 3, window: 60, floor: 5, healthy_after: 60, hourly: 10",
+                    "restarts: 1000, window: 1, floor: 1, healthy_after: 1, hourly: 10000"}};
   return options;
 }
 

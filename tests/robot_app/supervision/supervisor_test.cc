@@ -5,6 +5,8 @@
 #include <csignal>
 #include <map>
 
+#include "tests/robot_app/supervision/simulated_machine.h"
+
 namespace coppice::robot {
 namespace {
 
@@ -33,30 +35,28 @@ class NotingLauncher : public ProcessLauncher {
   void Signal(int pid, int signal) override {
     log.push_back((signal == SIGKILL ? "kill " : "end ") + names.at(pid));
   }
+  std::string ClearState(const ProcessConfig& config) override {
+    log.push_back("clear " + config.name);
+    return "";
+  }
+  bool IsConnected(int) const override { return connected; }
 
   std::vector<std::string> TakeLog() { return std::exchange(log, {}); }
 
   std::vector<std::string> log;
   std::map<int, std::string> names;
   std::string broken;
+  bool connected = true;
   int last_pid = 100;
 };
-
-ProcessConfig Process(const std::string& name, std::vector<std::size_t> depends = {}) {
-  ProcessConfig process;
-  process.name = name;
-  process.command = {name};
-  process.node = "/" + name + "_node";
-  process.depends = std::move(depends);
-  return process;
-}
 
 // base <- nav <- app; base <- dock. "operating" has all, "charging" has base and dock.
 RobotConfig FourProcesses() {
   RobotConfig config;
-  config.processes = {Process("base"), Process("nav", {0}), Process("app", {1}),
-                      Process("dock", {0})};
-  config.configurations = {{"operating", {0, 1, 2, 3}}, {"charging", {0, 3}}};
+  config.processes = {MakeProcess("base"), MakeProcess("nav", {0}), MakeProcess("app", {1}),
+                      MakeProcess("dock", {0})};
+  AddOwnGroups(config);
+  config.configurations = {{"operating", {0, 1, 2, 3}, {}}, {"charging", {0, 3}, {}}};
   return config;
 }
 
@@ -82,16 +82,16 @@ class SupervisorTest : public testing::Test {
     Step();
     return verdict;
   }
-  // Ends a process as Restart asked it to, and lets it become ready again.
-  void ComeBack(std::size_t process) {
-    Ended(process, kExit0);
-    Ready(process);
+  Verdict Configure(const std::string& name) {
+    return supervisor_.SetConfiguration(name, Hand::kTree, kNoConditions);
   }
+  // Ready, and up for longer than the shortest time between two starts.
   void StartAll() {
     for (int i = 0; i < 3; ++i) {
       Step();
-      for (std::size_t process = 0; process < 4; ++process) Ready(process);
+      for (std::size_t p = 0; p < supervisor_.config().processes.size(); ++p) Ready(p);
     }
+    now_ += seconds(10);
     launcher_.TakeLog();
   }
 
@@ -107,6 +107,7 @@ TEST_F(SupervisorTest, StartsEachProcessWhenItsDependenciesAreReady) {
   EXPECT_EQ(Message(kNav), "waits for base");
   Step();
   EXPECT_THAT(launcher_.TakeLog(), ElementsAre());
+  EXPECT_TRUE(supervisor_.IsChanging());
   Ready(kBase);
   EXPECT_EQ(Phase(kBase), ProcessPhase::kReady);
   Step();
@@ -114,6 +115,9 @@ TEST_F(SupervisorTest, StartsEachProcessWhenItsDependenciesAreReady) {
   Ready(kNav);
   Step();
   EXPECT_THAT(launcher_.TakeLog(), ElementsAre("start app"));
+  Ready(kApp);
+  Ready(kDock);
+  EXPECT_FALSE(supervisor_.IsChanging());
 }
 
 TEST_F(SupervisorTest, ReadinessOfAnEarlierPidDoesNotCount) {
@@ -122,37 +126,54 @@ TEST_F(SupervisorTest, ReadinessOfAnEarlierPidDoesNotCount) {
   EXPECT_EQ(Phase(kBase), ProcessPhase::kStarting);
 }
 
-TEST_F(SupervisorTest, OnlyReportsAnUnexpectedEndWhenTheTreeDecides) {
+TEST_F(SupervisorTest, RestartsAtOnceWhatEndedByItselfAndLeavesItsDependentsUp) {
   StartAll();
   Ended(kNav, kKilled);
-  EXPECT_EQ(Phase(kNav), ProcessPhase::kStopped);
-  EXPECT_EQ(Message(kNav), "ended by signal 9");
-  EXPECT_EQ(Pid(kNav), 0);
-  now_ += seconds(100);
-  Step();
-  EXPECT_THAT(launcher_.TakeLog(), ElementsAre());
-  EXPECT_EQ(Phase(kApp), ProcessPhase::kReady);  // a dependent stays up
-}
-
-TEST_F(SupervisorTest, StartsADeadProcessOnRequestByItsNodeName) {
-  StartAll();
-  Ended(kNav, kExit3);
-  EXPECT_EQ(Message(kNav), "ended with exit status 3");
-  EXPECT_TRUE(Restart("/nav_node").ok);
   EXPECT_THAT(launcher_.TakeLog(), ElementsAre("start nav"));
   EXPECT_EQ(Phase(kNav), ProcessPhase::kStarting);
   EXPECT_EQ(supervisor_.status(kNav).restarts, 1u);
+  EXPECT_EQ(supervisor_.RestartsUsed(kNav, now_), 1);
+  EXPECT_EQ(Phase(kApp), ProcessPhase::kReady);
 }
 
-TEST_F(SupervisorTest, EndsALivingProcessBeforeItStartsItAgain) {
+TEST_F(SupervisorTest, WaitsBetweenTwoStartsAndLongerEachTime) {
   StartAll();
-  EXPECT_TRUE(Restart("nav").ok);
-  EXPECT_THAT(launcher_.TakeLog(), ElementsAre("end nav"));
-  EXPECT_EQ(Phase(kNav), ProcessPhase::kStarting);  // grace begins with the request
-  EXPECT_TRUE(Restart("nav").ok);                   // under way already: not counted
-  Ended(kNav, kExit0);
+  Ended(kNav, kKilled);
+  launcher_.TakeLog();
+  for (const Duration delay : {seconds(5), seconds(10)}) {
+    Ready(kNav);
+    now_ += seconds(20);
+    Ended(kNav, kExit3);
+    EXPECT_EQ(Phase(kNav), ProcessPhase::kBackingOff);
+    EXPECT_EQ(Message(kNav), "ended with exit status 3");
+    EXPECT_EQ(supervisor_.status(kNav).back_off_until, now_ + delay);
+    now_ += delay - milliseconds(1);
+    Step();
+    EXPECT_THAT(launcher_.TakeLog(), ElementsAre());
+    now_ += milliseconds(1);
+    Step();
+    EXPECT_THAT(launcher_.TakeLog(), ElementsAre("start nav"));
+  }
+}
+
+TEST_F(SupervisorTest, ACrashRightAfterTheStartWaitsForTheFloor) {
+  Step();
+  now_ += seconds(1);
+  Ended(kBase, kExit3);
+  EXPECT_EQ(Phase(kBase), ProcessPhase::kBackingOff);
+  EXPECT_EQ(supervisor_.status(kBase).back_off_until, seconds(1005));
+}
+
+TEST_F(SupervisorTest, WhatEndsBecauseSomethingItNeedsIsDownIsNotToBlame) {
+  StartAll();
+  supervisor_.OnExit(Pid(kBase), kKilled, now_);
+  Ended(kNav, kExit3);
+  EXPECT_THAT(launcher_.TakeLog(), ElementsAre("start base"));
+  EXPECT_EQ(Message(kNav), "waits for base");
+  EXPECT_EQ(supervisor_.RestartsUsed(kNav, now_), 0);
+  Ready(kBase);
+  Step();
   EXPECT_THAT(launcher_.TakeLog(), ElementsAre("start nav"));
-  EXPECT_EQ(supervisor_.status(kNav).restarts, 1u);
 }
 
 TEST_F(SupervisorTest, KillsWhatDoesNotEndInTimeExactlyOnce) {
@@ -169,104 +190,58 @@ TEST_F(SupervisorTest, KillsWhatDoesNotEndInTimeExactlyOnce) {
   EXPECT_THAT(launcher_.TakeLog(), ElementsAre("start nav"));
 }
 
-TEST_F(SupervisorTest, RefusesOneRestartTooManyAndGivesUp) {
-  StartAll();
-  for (int i = 0; i < 3; ++i) {
-    EXPECT_TRUE(Restart("nav").ok);
-    ComeBack(kNav);
-  }
-  launcher_.TakeLog();
-  const Verdict verdict = Restart("nav");
-  EXPECT_FALSE(verdict.ok);
-  EXPECT_EQ(verdict.message, "nav is given up: restarted 3 times within 60 s");
-  EXPECT_EQ(Phase(kNav), ProcessPhase::kGivenUp);
-  EXPECT_THAT(launcher_.TakeLog(), ElementsAre("end nav"));
-  Ended(kNav, kExit0);
-  now_ += seconds(1000);
-  Step();
-  EXPECT_FALSE(Restart("nav").ok);  // time alone does not repair it
-  EXPECT_THAT(launcher_.TakeLog(), ElementsAre());
-  EXPECT_EQ(Phase(kNav), ProcessPhase::kGivenUp);
-}
-
-TEST_F(SupervisorTest, ARestartLeavesTheWindowExactlyAtItsEnd) {
-  StartAll();
-  for (int i = 0; i < 3; ++i) {
-    EXPECT_TRUE(Restart("nav").ok);
-    ComeBack(kNav);
-  }
-  now_ += seconds(60);
-  EXPECT_TRUE(Restart("nav").ok);
-}
-
-TEST_F(SupervisorTest, ResetStartsAGivenUpProcessAndForgetsItsRestarts) {
-  StartAll();
-  for (int i = 0; i < 3; ++i) {
-    Restart("nav");
-    ComeBack(kNav);
-  }
-  Restart("nav");
-  Ended(kNav, kExit0);
-  launcher_.TakeLog();
-  EXPECT_TRUE(supervisor_.Reset("nav", now_).ok);
-  Step();
-  EXPECT_THAT(launcher_.TakeLog(), ElementsAre("start nav"));
-  Ready(kNav);
-  EXPECT_TRUE(Restart("nav").ok);
-}
-
-TEST_F(SupervisorTest, RefusesUnknownAndUnwantedProcesses) {
-  EXPECT_THAT(Restart("navv").message, HasSubstr("did you mean \"nav\"?"));
-  supervisor_.SetConfiguration("charging");
-  EXPECT_EQ(Restart("nav").message, "nav is not part of configuration charging");
-  EXPECT_THAT(supervisor_.SetConfiguration("chraging").message,
-              HasSubstr("did you mean \"charging\"?"));
-}
-
 TEST_F(SupervisorTest, AConfigurationEndsInReverseOrderBeforeItStarts) {
   StartAll();
-  EXPECT_TRUE(supervisor_.SetConfiguration("charging").ok);
+  EXPECT_TRUE(Configure("charging").ok);
   Step();
   EXPECT_THAT(launcher_.TakeLog(), ElementsAre("end app"));
   EXPECT_EQ(supervisor_.configuration(), "charging");
+  EXPECT_TRUE(supervisor_.IsChanging());
   Ended(kApp, kExit0);
   EXPECT_THAT(launcher_.TakeLog(), ElementsAre("end nav"));
   Ended(kNav, kExit0);
   EXPECT_THAT(launcher_.TakeLog(), ElementsAre());
   EXPECT_EQ(Phase(kDock), ProcessPhase::kReady);
+  EXPECT_FALSE(supervisor_.IsChanging());
 }
 
 TEST_F(SupervisorTest, AProcessThatWasEndingStartsAgainWhenItIsWantedAgain) {
   StartAll();
-  supervisor_.SetConfiguration("charging");
+  Configure("charging");
   Step();
   Ended(kApp, kExit0);
-  supervisor_.SetConfiguration("operating");
+  Configure("operating");
   Step();
   EXPECT_EQ(Message(kApp), "waits for nav");
   Ended(kNav, kExit0);
   EXPECT_EQ(Phase(kNav), ProcessPhase::kStarting);
   EXPECT_NE(Pid(kNav), 0);
+  EXPECT_EQ(supervisor_.status(kNav).restarts, 0u);  // a change of mind is no failure
 }
 
-TEST_F(SupervisorTest, AProcessThatIsNotReadyInTimeIsEndedAndReported) {
+TEST_F(SupervisorTest, AProcessThatIsNotReadyInTimeHasFailed) {
   Step();
   now_ += seconds(20);
   Step();
+  Step();
   EXPECT_THAT(launcher_.TakeLog(), ElementsAre("start base", "end base"));
-  Ended(kBase, kExit0);
-  EXPECT_EQ(Phase(kBase), ProcessPhase::kStopped);
   EXPECT_EQ(Message(kBase), "was not ready within 20 s");
-  EXPECT_THAT(launcher_.TakeLog(), ElementsAre());
+  Ended(kBase, kExit0);
+  EXPECT_THAT(launcher_.TakeLog(), ElementsAre("start base"));
+  EXPECT_EQ(supervisor_.RestartsUsed(kBase, now_), 1);
 }
 
-TEST_F(SupervisorTest, AProgramThatCannotRunIsReported) {
+TEST_F(SupervisorTest, AProgramThatCannotRunIsReportedAndTriedAgainLater) {
   launcher_.broken = "base";
   Step();
   Step();
-  EXPECT_EQ(Phase(kBase), ProcessPhase::kStopped);
+  EXPECT_EQ(Phase(kBase), ProcessPhase::kBackingOff);
   EXPECT_EQ(Message(kBase), "cannot run it");
   EXPECT_THAT(launcher_.TakeLog(), ElementsAre("start base"));
+  launcher_.broken.clear();
+  now_ += seconds(5);
+  Step();
+  EXPECT_NE(Pid(kBase), 0);
 }
 
 TEST_F(SupervisorTest, StopAllEndsInReverseOrder) {
@@ -286,6 +261,17 @@ TEST_F(SupervisorTest, StopAllEndsInReverseOrder) {
   EXPECT_EQ(Phase(kBase), ProcessPhase::kStopped);
 }
 
+TEST_F(SupervisorTest, WhatCannotEvenBeKilledDoesNotHoldUpTheOthersForEver) {
+  StartAll();
+  Configure("charging");
+  Step();
+  now_ += seconds(3);
+  Step();  // app is killed, and stays
+  Configure("operating");
+  Ended(kNav, kKilled);
+  EXPECT_NE(Pid(kNav), 0);
+}
+
 TEST_F(SupervisorTest, TheRevisionGrowsOnlyWithChanges) {
   Step();
   const auto revision = supervisor_.revision();
@@ -295,57 +281,146 @@ TEST_F(SupervisorTest, TheRevisionGrowsOnlyWithChanges) {
   EXPECT_GT(supervisor_.revision(), revision);
 }
 
-RobotConfig OneProcess(RestartRule rule) {
-  RobotConfig config;
-  config.processes = {Process("robot")};
-  config.processes[0].restart = rule;
-  config.configurations = {{"all", {0}}};
-  return config;
+TEST_F(SupervisorTest, TheEndOfTheMasterRestartsTheWholeStackOnce) {
+  StartAll();
+  supervisor_.OnMasterEnded(now_);
+  EXPECT_FALSE(supervisor_.NeedsNewStack());
+  Step();
+  Ended(kApp, kExit0);
+  Ended(kDock, kExit0);
+  Ended(kNav, kExit0);
+  Ended(kBase, kExit0);
+  EXPECT_TRUE(supervisor_.NeedsNewStack());
+  EXPECT_TRUE(supervisor_.Remember().new_stack);
+  EXPECT_EQ(supervisor_.stack_reason(), "the ROS master ended");
 }
 
-class RestartingSupervisorTest : public SupervisorTest {
+class TransientProcessTest : public SupervisorTest {
  protected:
-  RestartingSupervisorTest() : SupervisorTest(OneProcess(RestartRule::kAlways)) { Step(); }
-};
-
-TEST_F(RestartingSupervisorTest, BacksOffLongerEachTimeAndGivesUp) {
-  Ended(0, kExit3);  // the first restart is immediate
-  EXPECT_EQ(launcher_.TakeLog().size(), 2u);
-  for (const Duration delay : {seconds(1), seconds(2)}) {
-    Ended(0, kKilled);
-    EXPECT_EQ(Phase(0), ProcessPhase::kBackingOff);
-    now_ += delay - milliseconds(1);
-    Step();
-    EXPECT_THAT(launcher_.TakeLog(), ElementsAre());
-    now_ += milliseconds(1);
-    Step();
-    EXPECT_THAT(launcher_.TakeLog(), ElementsAre("start robot"));
+  static RobotConfig Config(RestartRule rule) {
+    RobotConfig config = FourProcesses();
+    config.processes[kNav].restart = rule;
+    return config;
   }
-  Ended(0, kKilled);
-  EXPECT_EQ(Phase(0), ProcessPhase::kGivenUp);
-  EXPECT_EQ(supervisor_.status(0).restarts, 3u);
-}
-
-class OnFailureSupervisorTest : public SupervisorTest {
- protected:
-  OnFailureSupervisorTest() : SupervisorTest(OneProcess(RestartRule::kOnFailure)) { Step(); }
+  explicit TransientProcessTest(RestartRule rule = RestartRule::kOnFailure)
+      : SupervisorTest(Config(rule)) {
+    StartAll();
+  }
 };
 
-TEST_F(OnFailureSupervisorTest, RestartsAfterAFailureButNotAfterAGoodEnd) {
-  Ended(0, kExit3);
-  EXPECT_NE(Pid(0), 0);
-  Ended(0, kExit0);
-  EXPECT_EQ(Phase(0), ProcessPhase::kStopped);
+TEST_F(TransientProcessTest, IsRestartedAfterAFailureButNotAfterAGoodEnd) {
+  Ended(kNav, kExit3);
+  EXPECT_NE(Pid(kNav), 0);
+  Ended(kNav, kExit0);
+  EXPECT_EQ(Phase(kNav), ProcessPhase::kStopped);
   now_ += seconds(100);
   Step();
-  EXPECT_EQ(Pid(0), 0);
+  EXPECT_EQ(Pid(kNav), 0);
+  EXPECT_FALSE(supervisor_.IsChanging());
+}
+
+TEST_F(TransientProcessTest, WhatNeedsItMayStartWhenItHasDoneItsWork) {
+  Ended(kNav, kExit0);
+  launcher_.TakeLog();
+  Ended(kApp, kKilled);
+  EXPECT_THAT(launcher_.TakeLog(), ElementsAre("start app"));
+}
+
+TEST_F(TransientProcessTest, StartsAgainOnRequestAndWithTheNextChangeOfConfiguration) {
+  Ended(kNav, kExit0);
+  EXPECT_TRUE(Restart("nav").ok);
+  EXPECT_NE(Pid(kNav), 0);
+  Ended(kNav, kExit0);
+  Configure("charging");
+  Step();
+  Ended(kApp, kExit0);
+  Configure("operating");
+  Step();
+  EXPECT_NE(Pid(kNav), 0);
+}
+
+class TemporaryProcessTest : public TransientProcessTest {
+ protected:
+  TemporaryProcessTest() : TransientProcessTest(RestartRule::kNever) {}
+};
+
+TEST_F(TemporaryProcessTest, IsNotRestartedEvenAfterAFailure) {
+  Ended(kNav, kKilled);
+  EXPECT_EQ(Phase(kNav), ProcessPhase::kStopped);
+  EXPECT_EQ(Message(kNav), "ended by signal 9");
+}
+
+// Three processes in one group: a, b, c.
+class StrategyTest : public SupervisorTest {
+ protected:
+  static RobotConfig Config(Strategy strategy) {
+    RobotConfig config;
+    config.processes = {MakeProcess("a"), MakeProcess("b"), MakeProcess("c")};
+    config.groups.resize(1);
+    config.groups[0].name = "abc";
+    config.groups[0].strategy = strategy;
+    config.groups[0].processes = {0, 1, 2};
+    if (strategy == Strategy::kRestForOne) {
+      config.processes[1].after = {0};
+      config.processes[2].after = {1};
+    }
+    config.configurations = {{"all", {0, 1, 2}, {}}};
+    return config;
+  }
+  explicit StrategyTest(Strategy strategy = Strategy::kOneForOne)
+      : SupervisorTest(Config(strategy)) {
+    StartAll();
+  }
+};
+
+TEST_F(StrategyTest, OneForOneRestartsTheFailedOneOnly) {
+  Ended(1, kKilled);
+  EXPECT_THAT(launcher_.TakeLog(), ElementsAre("start b"));
+  EXPECT_EQ(supervisor_.RestartsUsed(0, now_), 1);  // the budget is the group's
+}
+
+class RestForOneTest : public StrategyTest {
+ protected:
+  RestForOneTest() : StrategyTest(Strategy::kRestForOne) {}
+};
+
+TEST_F(RestForOneTest, RestartsTheFailedOneAndThoseAfterItInOrder) {
+  Ended(1, kKilled);
+  EXPECT_THAT(launcher_.TakeLog(), ElementsAre("end c"));
+  Ended(2, kExit0);
+  EXPECT_THAT(launcher_.TakeLog(), ElementsAre("start b"));
+  Ready(1);
+  Step();
+  EXPECT_THAT(launcher_.TakeLog(), ElementsAre("start c"));
+}
+
+class OneForAllTest : public StrategyTest {
+ protected:
+  OneForAllTest() : StrategyTest(Strategy::kOneForAll) {}
+};
+
+TEST_F(OneForAllTest, EndsAllBeforeItStartsAny) {
+  Ended(1, kKilled);
+  EXPECT_THAT(launcher_.TakeLog(), ElementsAre("end a", "end c"));
+  Ended(2, kExit0);
+  EXPECT_THAT(launcher_.TakeLog(), ElementsAre());
+  EXPECT_EQ(Message(1), "waits for others to end");
+  Ended(0, kExit0);
+  EXPECT_THAT(launcher_.TakeLog(), ElementsAre("start a", "start b", "start c"));
+}
+
+TEST_F(StrategyTest, ARestartOfTheGroupRestartsAllOfItAndCountsOnce) {
+  EXPECT_TRUE(Restart("abc").ok);
+  EXPECT_THAT(launcher_.TakeLog(), ElementsAre("end a", "end b", "end c"));
+  EXPECT_EQ(supervisor_.RestartsUsed(0, now_), 1);
 }
 
 RobotConfig Ordered() {
   RobotConfig config;
-  config.processes = {Process("nav"), Process("robot")};
+  config.processes = {MakeProcess("nav"), MakeProcess("robot")};
   config.processes[1].after = {0};
-  config.configurations = {{"operating", {0, 1}}, {"charging", {1}}};
+  AddOwnGroups(config);
+  config.configurations = {{"operating", {0, 1}, {}}, {"charging", {1}, {}}};
   return config;
 }
 
@@ -358,19 +433,72 @@ TEST_F(OrderedSupervisorTest, WaitsForWhatComesBeforeOnlyIfItIsToCome) {
   Step();
   EXPECT_THAT(launcher_.TakeLog(), ElementsAre("start nav"));
   EXPECT_EQ(Message(1), "waits for nav");
-  Ended(0, kKilled);  // it failed: no reason to wait any longer
+  Ended(0, kKilled);  // it backs off: no reason to wait any longer
   EXPECT_THAT(launcher_.TakeLog(), ElementsAre("start robot"));
 }
 
 TEST_F(OrderedSupervisorTest, StaysUpWhenWhatCameBeforeIsNoLongerNeeded) {
-  Step();
-  Ready(0);
-  Step();
-  Ready(1);
-  launcher_.TakeLog();
-  supervisor_.SetConfiguration("charging");
+  StartAll();
+  Configure("charging");
   Step();
   EXPECT_THAT(launcher_.TakeLog(), ElementsAre("end nav"));
+}
+
+class RemoteProcessTest : public SupervisorTest {
+ protected:
+  static RobotConfig Config() {
+    RobotConfig config = FourProcesses();
+    config.hosts.resize(1);
+    config.hosts[0].name = "jetson";
+    config.processes[kNav].host = 0;
+    return config;
+  }
+  RemoteProcessTest() : SupervisorTest(Config()) {}
+};
+
+TEST_F(RemoteProcessTest, IsUnreachableWhileItsHostDoesNotAnswerAndNothingElseIsDisturbed) {
+  StartAll();
+  launcher_.connected = false;
+  Ended(kNav, 255 << 8);
+  EXPECT_EQ(Phase(kNav), ProcessPhase::kUnreachable);
+  EXPECT_EQ(Message(kNav), "host jetson cannot be reached");
+  for (int i = 0; i < 300; ++i) {  // an hour
+    now_ += seconds(12);
+    Step();
+    if (Pid(kNav) != 0) supervisor_.OnExit(Pid(kNav), i % 2 ? 255 << 8 : kKilled, now_);
+    EXPECT_EQ(Phase(kNav), ProcessPhase::kUnreachable);
+  }
+  EXPECT_EQ(Phase(kApp), ProcessPhase::kReady);
+  EXPECT_EQ(Phase(kBase), ProcessPhase::kReady);
+  EXPECT_EQ(supervisor_.escalation(kNav), EscalationStep::kGroup);
+  EXPECT_EQ(supervisor_.RestartsUsed(kNav, now_), 0);
+
+  launcher_.connected = true;
+  now_ += seconds(10);
+  Step();
+  Step();
+  EXPECT_EQ(Phase(kNav), ProcessPhase::kStarting);
+  Ready(kNav);
+  EXPECT_EQ(Phase(kNav), ProcessPhase::kReady);
+}
+
+TEST_F(RemoteProcessTest, AConnectionThatHangsIsGivenUpAndTriedAgain) {
+  launcher_.connected = false;
+  Step();
+  Ready(kBase);
+  Step();
+  Ready(kDock);
+  EXPECT_EQ(Phase(kNav), ProcessPhase::kStarting);
+  now_ += seconds(20);
+  Step();
+  EXPECT_EQ(Phase(kNav), ProcessPhase::kUnreachable);
+  Step();
+  EXPECT_THAT(launcher_.TakeLog(), testing::Contains("end nav"));
+  Ended(kNav, kKilled);
+  EXPECT_EQ(Phase(kNav), ProcessPhase::kUnreachable);
+  now_ += seconds(5);
+  Step();
+  EXPECT_THAT(launcher_.TakeLog(), testing::Contains("start nav"));
 }
 
 }  // namespace
