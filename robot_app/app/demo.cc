@@ -88,7 +88,7 @@ class Demo {
     console_.Step("patrol: " + settings_.rounds + " rounds of " + settings_.stops + " stops");
     WaitOrFail("the robot to leave its station", 120,
                [](const RobotView& view) { return view.has_goal && view.distance > 5; });
-    KillNavigation();
+    HangNavigation();
     BlockCorridor();
     WaitOrFail("the application to end", 900,
                [](const RobotView& view) { return view.application != "RUNNING"; });
@@ -98,10 +98,10 @@ class Demo {
                [](const RobotView& view) { return view.errors.empty(); });
   }
 
-  void KillNavigation() {
+  void HangNavigation() {
     const int before = watch_->view().pids.at("navigation");
-    console_.Step("fault 1: kill -9 of /navigation (pid " + std::to_string(before) + ")");
-    Inject("kill_node", "/navigation", 0);
+    console_.Step("fault 1: /navigation hangs (SIGSTOP to pid " + std::to_string(before) + ")");
+    Inject("hang_node", "/navigation", 0);
     WaitOrFail("the monitor to notice", 60,
                [](const RobotView& view) { return !view.errors.empty(); });
     console_.Tell("noticed: " + watch_->view().errors.front());

@@ -1,7 +1,7 @@
 // Which configuration is wanted, and who may change that.
 //
-// Three hands reach for it, the stronger one wins: the safe stop (a group was given up; only a reset
-// ends it), a person (held until it is released), the trees.
+// Three hands reach for it, the stronger one wins: the safe stop (a group was given up; only a
+// reset ends it), a person (held until it is released), the trees.
 #ifndef COPPICE_ROBOT_APP_SUPERVISION_CONFIGURATION_SWITCH_H_
 #define COPPICE_ROBOT_APP_SUPERVISION_CONFIGURATION_SWITCH_H_
 

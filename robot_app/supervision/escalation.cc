@@ -69,8 +69,7 @@ Decision Escalation::Climb(std::size_t group, std::string reason, Time now) {
   const bool late = IsOverdue(group, now) || IsOverdue(decision.root, now);
   const int closures = std::max(root.closures, failed.closures);
   const bool stack_had_its_turn = std::max(root.step, failed.step) >= EscalationStep::kStack;
-  const bool essential =
-      config_.groups[decision.root].essential || config_.groups[group].essential;
+  const bool essential = config_.groups[decision.root].essential || config_.groups[group].essential;
   if (!late && !stack_had_its_turn && closures < config_.escalation.closure) {
     decision.step = EscalationStep::kClosure;
   } else if (!late && essential && stack_.WhyNot(now).empty()) {
@@ -121,9 +120,8 @@ void Escalation::Reset(std::size_t group) {
 }
 
 bool Escalation::AnyGivenUp() const {
-  return std::any_of(groups_.begin(), groups_.end(), [](const Group& group) {
-    return group.step == EscalationStep::kPerson;
-  });
+  return std::any_of(groups_.begin(), groups_.end(),
+                     [](const Group& group) { return group.step == EscalationStep::kPerson; });
 }
 
 GroupMemory Escalation::Remember(std::size_t group) const {

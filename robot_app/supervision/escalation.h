@@ -32,9 +32,9 @@ const char* ToString(EscalationStep step);
 
 struct Decision {
   EscalationStep step = EscalationStep::kGroup;
-  std::size_t root = 0;         ///< the group to be restarted or given up
-  Duration delay{0};            ///< before the restart
-  std::string reason;           ///< why it went beyond the group, for people
+  std::size_t root = 0;  ///< the group to be restarted or given up
+  Duration delay{0};     ///< before the restart
+  std::string reason;    ///< why it went beyond the group, for people
 };
 
 /// What is remembered of a group across restarts of the supervisor.

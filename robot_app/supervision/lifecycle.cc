@@ -27,9 +27,11 @@ const char* ToString(ProcessPhase phase) {
 Lifecycle::Lifecycle(const RobotConfig& config, ProcessLauncher& launcher)
     : config_(config), launcher_(launcher), lives_(config.processes.size()) {}
 
-bool Lifecycle::AnyUp() const {
-  return std::any_of(lives_.begin(), lives_.end(),
-                     [](const Life& life) { return life.status.pid != 0; });
+bool Lifecycle::AnyUp(Time now) const {
+  for (std::size_t i = 0; i < lives_.size(); ++i) {
+    if (IsUp(i) && !IsStuck(i, now)) return true;
+  }
+  return false;
 }
 
 bool Lifecycle::IsStuck(std::size_t process, Time now) const {

@@ -43,7 +43,8 @@ class Lifecycle {
 
   const ProcessStatus& status(std::size_t process) const { return lives_[process].status; }
   bool IsUp(std::size_t process) const { return lives_[process].status.pid != 0; }
-  bool AnyUp() const;
+  /// Any but those that are stuck.
+  bool AnyUp(Time now) const;
   /// SIGTERM was sent.
   bool IsEnding(std::size_t process) const { return lives_[process].ending; }
   /// SIGKILL was sent a while ago, and still it is there: nobody should wait for it any more.
@@ -61,8 +62,8 @@ class Lifecycle {
     bool counts = false;   ///< as a restart
     bool cleared = false;  ///< what it remembers of earlier lives is deleted first
   };
-  /// Starts it; it is STARTING then, or remains UNREACHABLE. Returns why it could not be started, or
-  /// nothing.
+  /// Starts it; it is STARTING then, or remains UNREACHABLE. Returns why it could not be started,
+  /// or nothing.
   std::string Launch(std::size_t process, const Start& start, Time now);
   /// SIGTERM, and SIGKILL after the stop timeout.
   void End(std::size_t process, ProcessPhase phase, std::string message, Time now);

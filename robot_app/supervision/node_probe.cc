@@ -106,9 +106,7 @@ bool IsOpen(XmlRpc::XmlRpcValue& service) {
 
 }  // namespace
 
-std::optional<NodeAddress> ParseUri(const std::string& uri) {
-  return ParseAddress(uri, "http://");
-}
+std::optional<NodeAddress> ParseUri(const std::string& uri) { return ParseAddress(uri, "http://"); }
 
 // The probe of one node: up to four calls, one after the other.
 struct NodeProbe::Call {

@@ -24,8 +24,8 @@ struct NodeAddress {
 std::optional<NodeAddress> ParseUri(const std::string& uri);
 
 struct ProbeRequest {
-  std::string node;   ///< with slash
-  std::string topic;  ///< if not empty: the node must also say that it publishes this
+  std::string node;          ///< with slash
+  std::string topic;         ///< if not empty: the node must also say that it publishes this
   std::string service = {};  ///< if not empty: this service must accept connections
 };
 

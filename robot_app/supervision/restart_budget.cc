@@ -50,8 +50,8 @@ std::string RestartBudget::WhyNot(Time now) {
     return "restarted " + std::to_string(counting()) + " times without being healthy for " +
            InSeconds(limits_.healthy_after) + " in between";
   }
-  const auto in_last_hour = std::count_if(times_.begin(), times_.end(),
-                                          [now](Time time) { return time > now - kHour; });
+  const auto in_last_hour =
+      std::count_if(times_.begin(), times_.end(), [now](Time time) { return time > now - kHour; });
   if (in_last_hour >= limits_.hourly) {
     return "restarted " + std::to_string(in_last_hour) + " times within an hour";
   }

@@ -1,4 +1,5 @@
-// Which programs make up the robot: the file robot.yaml as values. docs/supervision.md is its manual.
+// Which programs make up the robot: the file robot.yaml as values. docs/supervision.md is its
+// manual.
 #ifndef COPPICE_ROBOT_APP_SUPERVISION_ROBOT_CONFIG_H_
 #define COPPICE_ROBOT_APP_SUPERVISION_ROBOT_CONFIG_H_
 
@@ -38,7 +39,7 @@ struct ProcessConfig {
   std::vector<std::size_t> depends;  ///< indices of processes that must be ready before its start
   std::vector<std::size_t> after;    ///< as depends, but only if they run at all
   Readiness ready = Readiness::kNode;
-  std::string ready_name;                            ///< of the topic or service
+  std::string ready_name;                             ///< of the topic or service
   Duration start_timeout = std::chrono::seconds(20);  ///< started but not ready: it has failed
   RestartRule restart = RestartRule::kAlways;
   std::vector<std::string> state;  ///< its files and folders, deleted by a start from cleared state
@@ -100,7 +101,7 @@ struct ConditionConfig {
   std::string topic;
   /// Nothing: std_msgs/Bool. Else sensor_msgs/BatteryState with at least this current in A.
   std::optional<double> current;
-  Duration lasting{0};                              ///< so long without a pause; ROS time
+  Duration lasting{0};                           ///< so long without a pause; ROS time
   Duration staleness = std::chrono::seconds(5);  ///< older than that is not known; ROS time
 };
 

@@ -23,8 +23,8 @@ RestartLimits ReadRestartLimits(YamlFields fields, const RestartLimits& otherwis
   limits.restarts = fields.Integer("restarts", otherwise.restarts, 0, 1000);
   limits.window = fields.Seconds("window", ToSeconds(otherwise.window), 1, 3600);
   limits.floor = fields.Seconds("floor", ToSeconds(otherwise.floor), 0, 3600);
-  limits.healthy_after = fields.Seconds("healthy_after", ToSeconds(otherwise.healthy_after), 0,
-                                        86400);
+  limits.healthy_after =
+      fields.Seconds("healthy_after", ToSeconds(otherwise.healthy_after), 0, 86400);
   limits.hourly = fields.Integer("hourly", otherwise.hourly, 0, 10000);
   fields.Finish();
   return limits;
@@ -70,10 +70,10 @@ void ReadReadiness(YamlFields& fields, ProcessConfig& process) {
     process.ready = Readiness::kNode;
   } else if (!ReadNamed(ready.text, "topic", Readiness::kTopic, process) &&
              !ReadNamed(ready.text, "service", Readiness::kService, process)) {
-    fields.Error(ready.where,
-                 "\"ready\": \"" + ready.text +
-                     "\" is none of node, none, topic /NAME, service /NAME",
-                 DidYouMean(ready.text, {"node", "none"}));
+    fields.Error(
+        ready.where,
+        "\"ready\": \"" + ready.text + "\" is none of node, none, topic /NAME, service /NAME",
+        DidYouMean(ready.text, {"node", "none"}));
   }
   if (process.ready != Readiness::kNone && process.node.empty()) {
     fields.Error(ready.where, "\"ready\": " + ready.text + " needs \"node\"");

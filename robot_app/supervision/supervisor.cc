@@ -99,9 +99,9 @@ bool Supervisor::MustEnd(std::size_t process) const {
 }
 
 // Those that stay up must do without it, or they would depend on it.
-bool Supervisor::DependentsEnd(std::size_t process) const {
+bool Supervisor::DependentsEnd(std::size_t process, Time now) const {
   for (std::size_t i = 0; i < plans_.size(); ++i) {
-    if (i == process || !MustEnd(i)) continue;
+    if (i == process || !MustEnd(i) || lifecycle_.IsStuck(i, now)) continue;
     if (Contains(order_.needs(i), process)) return true;
     if (Contains(config_.processes[i].after, process)) return true;
   }
@@ -231,7 +231,7 @@ void Supervisor::StepUp(std::size_t process, Time now) {
   if (lifecycle_.IsEnding(process)) return;
   Plan& plan = plans_[process];
   if (MustEnd(process)) {
-    if (!DependentsEnd(process)) EndNow(process, now);
+    if (!DependentsEnd(process, now)) EndNow(process, now);
   } else if (!lifecycle_.AwaitsReadiness(process)) {
     return;
   } else if (!lifecycle_.IsConnected(process)) {
@@ -239,8 +239,8 @@ void Supervisor::StepUp(std::size_t process, Time now) {
     LoseHost(process, now);
     plan.end_first = true;
   } else if (lifecycle_.IsLate(process, now)) {
-    Fail(process,
-         "was not ready within " + InSeconds(config_.processes[process].start_timeout), now);
+    Fail(process, "was not ready within " + InSeconds(config_.processes[process].start_timeout),
+         now);
   } else {
     const bool ready = config_.processes[process].ready == Readiness::kNone;
     lifecycle_.SetPhase(process, ready ? ProcessPhase::kReady : ProcessPhase::kStarting, "", now);
@@ -310,8 +310,7 @@ void Supervisor::Fail(std::size_t process, const std::string& reason, Time now) 
 
   const std::size_t group = config_.processes[process].group;
   const Decision decision = escalation_.OnFailure(group, now);
-  const std::string why =
-      config_.processes[process].name + " " + reason + "; " + decision.reason;
+  const std::string why = config_.processes[process].name + " " + reason + "; " + decision.reason;
   switch (decision.step) {
     case EscalationStep::kGroup:
       return BeginWave(order_.RestartedWith(process), {reason, now + decision.delay}, now);
@@ -327,7 +326,8 @@ void Supervisor::Fail(std::size_t process, const std::string& reason, Time now) 
 // Its host does not answer: nobody's fault, so it is tried again and again, and not counted.
 void Supervisor::LoseHost(std::size_t process, Time now) {
   Plan& plan = plans_[process];
-  plan.reason = "host " + config_.hosts[*config_.processes[process].host].name + " cannot be reached";
+  plan.reason =
+      "host " + config_.hosts[*config_.processes[process].host].name + " cannot be reached";
   plan.not_before = now + kHostRetry;
   plan.as_restart = true;
   lifecycle_.SetPhase(process, ProcessPhase::kUnreachable, plan.reason, now, plan.not_before);

@@ -3,8 +3,9 @@
 // means to start a process are handed in.
 //
 // One rule says who restarts: a process that *ends* is restarted here and at once; one that lives
-// but is ill (hung, silent) is restarted on the request of who found that out, the monitor tree or a
-// person. Both count against the same budget, and what exceeds it climbs the ladder of Escalation.
+// but is ill (hung, silent) is restarted on the request of who found that out, the monitor tree or
+// a person. Both count against the same budget, and what exceeds it climbs the ladder of
+// Escalation.
 //
 // What should run is desired state, worked out anew in every step: the processes of the
 // configuration, without groups that were given up and what depends on those. What should not run
@@ -69,11 +70,13 @@ class Supervisor {
 
   /// From now on everything ends, in reverse order of dependency.
   void StopAll() { stopping_ = true; }
-  bool AllStopped() const { return !lifecycle_.AnyUp(); }
+  bool stopping() const { return stopping_; }
+  /// Nothing runs any more, except what cannot even be killed.
+  bool AllStopped(Time now) const { return !lifecycle_.AnyUp(now); }
 
   /// The whole stack is to be restarted, and everything has ended. The owner restarts the ROS
   /// master and makes a new supervisor with the memory of this one.
-  bool NeedsNewStack() const { return new_stack_ && AllStopped(); }
+  bool NeedsNewStack(Time now) const { return new_stack_ && AllStopped(now); }
 
   /// Why the whole stack is restarted.
   const std::string& stack_reason() const { return stack_reason_; }
@@ -123,7 +126,7 @@ class Supervisor {
   /// A group that it cannot do without was given up, maybe its own.
   std::optional<std::size_t> GivenUpAbove(std::size_t process) const;
   bool MustEnd(std::size_t process) const;
-  bool DependentsEnd(std::size_t process) const;
+  bool DependentsEnd(std::size_t process, Time now) const;
   bool IsSatisfied(std::size_t process) const;
   std::optional<std::size_t> MissingNeed(std::size_t process) const;
   std::optional<std::size_t> MissingDependency(std::size_t process) const;

@@ -25,9 +25,7 @@ json FromTimes(const std::vector<Time>& times) {
   return list;
 }
 
-Time ToTime(const json& value, Time now) {
-  return std::min(Time(value.get<std::int64_t>()), now);
-}
+Time ToTime(const json& value, Time now) { return std::min(Time(value.get<std::int64_t>()), now); }
 
 std::vector<Time> ToTimes(const json& list, Time now) {
   std::vector<Time> times;

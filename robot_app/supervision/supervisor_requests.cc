@@ -56,8 +56,8 @@ Verdict Supervisor::Restart(const std::string& name, Time now) {
   }
   process = *wanted;
   if (const auto given_up = GivenUpAbove(*process)) {
-    return {false, name + " needs a reset: " + config_.groups[*given_up].name + " is given up: " +
-                       escalation_.given_up(*given_up)};
+    return {false, name + " needs a reset: " + config_.groups[*given_up].name +
+                       " is given up: " + escalation_.given_up(*given_up)};
   }
   const bool is_down = !lifecycle_.IsUp(*process) && !plans_[*process].done;
   if (is_down || plans_[*process].as_restart || AwaitsReadiness(*process)) {

@@ -20,8 +20,9 @@ using testing::SizeIs;
 // base <- ekf <- localization <- navigation; base <- speech, which nobody needs.
 RobotConfig Robot() {
   RobotConfig config;
-  config.processes = {MakeProcess("base"), MakeProcess("ekf", {0}), MakeProcess("localization", {1}),
-                      MakeProcess("navigation", {2}), MakeProcess("speech", {0})};
+  config.processes = {MakeProcess("base"), MakeProcess("ekf", {0}),
+                      MakeProcess("localization", {1}), MakeProcess("navigation", {2}),
+                      MakeProcess("speech", {0})};
   AddOwnGroups(config);
   config.groups[4].essential = false;
   config.configurations = {{"operating", {0, 1, 2, 3, 4}, {}}, {"safe", {0, 4}, {}}};
@@ -146,7 +147,7 @@ TEST_P(CrashLoopTest, ASupervisorThatDiesInBetweenDoesNotPutItOff) {
     if (!robot_.calls.empty()) break;
     const SupervisorMemory memory = robot_.supervisor().Remember();
     robot_.supervisor().StopAll();  // its children end with it
-    while (!robot_.supervisor().AllStopped()) robot_.RunFor(milliseconds(20));
+    while (!robot_.supervisor().AllStopped(robot_.machine.now)) robot_.RunFor(milliseconds(20));
     robot_.Begin(memory);
   }
   EXPECT_THAT(robot_.calls, SizeIs(1));

@@ -43,8 +43,8 @@ inline const WhyNotCondition kNoConditions = [](std::size_t) { return std::strin
 
 /// How a program behaves.
 struct Program {
-  Duration loads = std::chrono::seconds(1);         ///< until it is ready
-  Duration ends = std::chrono::milliseconds(200);   ///< after SIGTERM
+  Duration loads = std::chrono::seconds(1);        ///< until it is ready
+  Duration ends = std::chrono::milliseconds(200);  ///< after SIGTERM
   bool ignores_term = false;
   /// How long after this start it crashes, or never.
   std::function<std::optional<Duration>()> crashes = [] { return std::nullopt; };
@@ -113,9 +113,8 @@ class SimulatedMachine : public ProcessLauncher {
   }
 
   int Starts(const std::string& name) const {
-    return static_cast<int>(std::count_if(starts.begin(), starts.end(), [&](const auto& start) {
-      return start.first == name;
-    }));
+    return static_cast<int>(std::count_if(starts.begin(), starts.end(),
+                                          [&](const auto& start) { return start.first == name; }));
   }
 
   Time now = std::chrono::seconds(1000);
@@ -164,7 +163,7 @@ class SimulatedRobot {
       machine.now += std::chrono::milliseconds(20);
       machine.Round();
       for (std::string& call : supervisor_->TakeCalls()) calls.push_back(std::move(call));
-      if (supervisor_->NeedsNewStack()) {
+      if (supervisor_->NeedsNewStack(machine.now)) {
         ++stacks;
         if (on_new_stack) on_new_stack();
         Begin(supervisor_->Remember());
@@ -173,7 +172,9 @@ class SimulatedRobot {
     return true;
   }
 
-  ProcessPhase Phase(const std::string& name) const { return supervisor_->status(Index(name)).phase; }
+  ProcessPhase Phase(const std::string& name) const {
+    return supervisor_->status(Index(name)).phase;
+  }
   std::size_t Index(const std::string& name) const {
     for (std::size_t i = 0; i < config_.processes.size(); ++i) {
       if (config_.processes[i].name == name) return i;
@@ -182,8 +183,8 @@ class SimulatedRobot {
     return 0;
   }
   bool AllReady() const {
-    for (const std::size_t i : config_.configurations[supervisor_->configuration_switch().current()]
-                                   .processes) {
+    for (const std::size_t i :
+         config_.configurations[supervisor_->configuration_switch().current()].processes) {
       if (supervisor_->status(i).phase != ProcessPhase::kReady) return false;
     }
     return true;

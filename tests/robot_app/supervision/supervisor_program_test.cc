@@ -9,20 +9,24 @@
 #include <map>
 #include <sstream>
 
+#include "robot_app/supervision/survivors.h"
 #include "tests/robot_app/supervision/ros_graph.h"
 
 namespace coppice::robot {
 namespace {
 
 using coppice_msgs::ProcessState;
+using testing::Contains;
 using testing::HasSubstr;
+using testing::Not;
 
 constexpr char kConfig[] = R"(
 stop_timeout: 1
 parameters: {answer: 42, use_sim_time: false}
 processes:
   - {name: first, command: ["${talker}", "__name:=first"], node: /first, ready: topic /talk}
-  - {name: second, command: ["${talker}", "__name:=second"], node: /second, depends: [first]}
+  - {name: second, command: ["${talker}", "__name:=second"], node: /second, depends: [first],
+     ready: service /second/get_loggers}
   - {name: stubborn, command: [/bin/sh, -c, "trap '' TERM; while true; do sleep 1000; done"]}
 configurations:
   operating: [first, second, stubborn]
@@ -34,7 +38,11 @@ class SupervisorProgramTest : public testing::Test {
   SupervisorProgramTest() {
     std::filesystem::remove_all(folder_);
     std::filesystem::create_directories(folder_);
-    std::ofstream(folder_ + "/robot.yaml") << kConfig;
+    WriteConfig(kConfig);
+  }
+
+  void WriteConfig(const std::string& text) const {
+    std::ofstream(folder_ + "/robot.yaml") << text;
   }
 
   std::vector<std::string> Command() const {
@@ -48,19 +56,51 @@ class SupervisorProgramTest : public testing::Test {
             "--logs",
             folder_ + "/logs",
             "--set",
-            "talker=" + kTestPrograms + "test_talker"};
+            "talker=" + kTestPrograms + "test_talker",
+            "--set",
+            "folder=" + folder_};
   }
 
-  void StartSupervisor() {
-    supervisor_ = graph_.Start("supervisor", Command());
-    int port = 0;
-    const auto port_is_known = [&] {
-      return static_cast<bool>(std::ifstream(folder_ + "/port") >> port);
-    };
-    const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(20);
-    while (!port_is_known() && ros::WallTime::now() < deadline) ros::WallDuration(0.01).sleep();
-    ASSERT_NE(port, 0);
-    graph_.Join("http://127.0.0.1:" + std::to_string(port));
+  void StartSupervisor(const std::vector<std::string>& more = {}) {
+    std::vector<std::string> command = Command();
+    command.insert(command.end(), more.begin(), more.end());
+    std::filesystem::remove(folder_ + "/port");
+    supervisor_ = graph_.Start("supervisor", command);
+    ASSERT_TRUE(
+        Eventually([&] { return static_cast<bool>(std::ifstream(folder_ + "/port") >> port_); }));
+  }
+
+  static bool Eventually(const std::function<bool()>& condition) {
+    const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(40);
+    while (!condition()) {
+      if (ros::WallTime::now() > deadline) return false;
+      ros::WallDuration(0.02).sleep();
+    }
+    return true;
+  }
+
+  // Of a program of the supervisor; 0 if there is none, -1 if there are several.
+  int PidOf(const std::string& process) const {
+    const auto pids = FindOwned(folder_ + "/logs/supervisor.json:" + process);
+    return pids.empty() ? 0 : pids.size() > 1 ? -1 : pids[0];
+  }
+
+  // What a node says about itself when it is asked over the network; 0 while it does not answer.
+  int PidOfNode(const std::string& node) const {
+    NodeProbe probe({"127.0.0.1", port_}, "/test");
+    probe.Begin({{node, ""}}, std::chrono::seconds(1));
+    probe.Work(std::chrono::seconds(2));
+    return probe.results()[0].answered ? probe.results()[0].pid : 0;
+  }
+
+  std::string Read(const std::string& file) const {
+    std::ostringstream text;
+    text << std::ifstream(folder_ + "/" + file).rdbuf();
+    return text.str();
+  }
+
+  void JoinGraph() {
+    graph_.Join("http://127.0.0.1:" + std::to_string(port_));
     subscriber_ = graph_.node().subscribe<coppice_msgs::ProcessStates>(
         "/processes", 50, [this](const coppice_msgs::ProcessStates::ConstPtr& message) {
           configuration_ = message->configuration;
@@ -84,28 +124,38 @@ class SupervisorProgramTest : public testing::Test {
   const std::string folder_ = Temporary("supervisor_program_test");
   RosGraph graph_{RosGraph::WithoutMaster{}, folder_};
   int supervisor_ = 0;
+  int port_ = 0;
   ros::Subscriber subscriber_;
   std::string configuration_;
   std::map<std::string, ProcessState> states_;
 };
 
-TEST_F(SupervisorProgramTest, RestartsOnRequestOnlyAndLeavesNothingBehind) {
+TEST_F(SupervisorProgramTest, RestartsWhatEndsOrIsAskedForAndLeavesNothingBehind) {
   StartSupervisor();
+  JoinGraph();
   double answer = 0;
   EXPECT_TRUE(ros::param::get("/answer", answer));
   EXPECT_EQ(answer, 42);
+  EXPECT_EQ(states_["second"].group, "second");
+  EXPECT_EQ(states_["second"].restarts_allowed, 3u);
+
+  const int crashed = states_["second"].pid;
+  const ros::WallTime death = ros::WallTime::now();
+  kill(crashed, SIGKILL);
+  ASSERT_TRUE(graph_.WaitFor([&] { return states_["second"].state != ProcessState::READY; }, 15));
+  EXPECT_EQ(states_["second"].restarts_in_window, 1u);
+  EXPECT_EQ(states_["first"].state, ProcessState::READY);
+  ASSERT_TRUE(WaitForState("second", ProcessState::READY));
+  RecordProperty("ms_from_death_to_ready",
+                 static_cast<int>((ros::WallTime::now() - death).toSec() * 1000));
+  EXPECT_NE(states_["second"].pid, crashed);
 
   const int killed = states_["second"].pid;
-  kill(killed, SIGKILL);
-  ASSERT_TRUE(WaitForState("second", ProcessState::STOPPED));
-  EXPECT_EQ(states_["second"].message, "ended by signal 9");
-  EXPECT_EQ(states_["first"].state, ProcessState::READY);
-
   EXPECT_TRUE(Restart("/second").ok);
-  ASSERT_TRUE(graph_.WaitFor([&] { return states_["second"].pid > 0; }, 5));
+  ASSERT_TRUE(graph_.WaitFor(
+      [&] { return states_["second"].pid > 0 && states_["second"].pid != killed; }, 20));
   ASSERT_TRUE(WaitForState("second", ProcessState::READY));
-  EXPECT_NE(states_["second"].pid, killed);
-  EXPECT_EQ(states_["second"].restarts, 1u);
+  EXPECT_EQ(states_["second"].restarts, 2u);
   EXPECT_THAT(Restart("secnd").message, HasSubstr("did you mean \"second\"?"));
 
   // A hung process is no reason not to restart it.
@@ -134,6 +184,69 @@ TEST_F(SupervisorProgramTest, RestartsOnRequestOnlyAndLeavesNothingBehind) {
   EXPECT_TRUE(WIFEXITED(wait_status) && WEXITSTATUS(wait_status) == 0) << wait_status;
   EXPECT_NE(kill(first, 0), 0);
   EXPECT_FALSE(MasterAnswers(*ParseUri(ros::master::getURI()), std::chrono::seconds(1)));
+}
+
+TEST_F(SupervisorProgramTest, TheEndOfTheMasterIsTheBeginningOfANewStack) {
+  StartSupervisor();
+  ASSERT_TRUE(Eventually([&] { return PidOfNode("/second") > 0; }));
+  const int master = PidOf("rosmaster"), first = PidOf("first");
+  kill(master, SIGKILL);
+  ASSERT_TRUE(Eventually([&] {
+    return PidOf("rosmaster") > 0 && PidOf("rosmaster") != master && PidOfNode("/second") > 0;
+  }));
+  EXPECT_GT(PidOf("first"), 0);
+  EXPECT_NE(PidOf("first"), first);
+  EXPECT_EQ(kill(supervisor_, 0), 0);  // still the same process
+  EXPECT_THAT(Read("supervisor.log"), HasSubstr("begins anew: the ROS master ended"));
+  graph_.Kill(supervisor_, SIGTERM);
+  EXPECT_EQ(PidOf(""), 0);
+}
+
+TEST_F(SupervisorProgramTest, AKilledSupervisorLeavesNoSecondInstanceAndItsCountersLiveOn) {
+  StartSupervisor();
+  ASSERT_TRUE(Eventually([&] { return PidOfNode("/second") > 0; }));
+  kill(PidOf("second"), SIGKILL);
+  ASSERT_TRUE(Eventually(
+      [&] { return Read("logs/supervisor.json").find("\"second\": 1") != std::string::npos; }));
+  const int stubborn = FindOwned(folder_ + "/logs/supervisor.json:stubborn").front();
+  graph_.Kill(supervisor_, SIGKILL);
+  ASSERT_TRUE(Eventually([&] { return PidOf("second") == 0 && PidOf("first") == 0; }));
+  EXPECT_EQ(kill(stubborn, 0), 0);  // it ignores SIGTERM
+
+  StartSupervisor();
+  ASSERT_TRUE(Eventually([&] { return PidOfNode("/second") > 0; }));
+  EXPECT_THAT(FindOwned(folder_ + "/logs/supervisor.json:stubborn"), Not(Contains(stubborn)));
+  EXPECT_THAT(Read("supervisor.log"), HasSubstr("processes of an earlier supervisor were ended"));
+  EXPECT_THAT(Read("logs/supervisor.json"), HasSubstr("\"second\": 1"));
+  graph_.Kill(supervisor_, SIGTERM);
+  EXPECT_EQ(PidOf(""), 0);
+}
+
+TEST_F(SupervisorProgramTest, ACrashLoopClimbsToThePersonInABoundedNumberOfStarts) {
+  WriteConfig(R"(
+restart_intensity: {restarts: 2, window: 5, floor: 0.1, healthy_after: 60}
+back_off: {first: 0.1, most: 0.2}
+on_given_up:
+  command: [/bin/sh, -c, 'echo "$0" >> ${folder}/calls']
+  configuration: safe
+processes:
+  - {name: root, command: [/bin/sh, -c, "echo >> ${folder}/starts; sleep 0.3; exit 3"]}
+  - {name: dependent, command: [/bin/sleep, 1000], depends: [root]}
+  - {name: daemon, command: [/bin/sh, -c, "setsid sleep 1000 & exec sleep 1000"]}
+configurations:
+  all: [root, dependent, daemon]
+  safe: [daemon]
+)");
+  StartSupervisor();
+  ASSERT_TRUE(Eventually([&] { return !Read("calls").empty(); }));
+  EXPECT_THAT(Read("calls"),
+              HasSubstr("The robot has given up root: root ended with exit status 3"));
+  EXPECT_EQ(Read("starts").size(), 5u);  // first, two restarts, closure, stack
+  EXPECT_EQ(PidOf("dependent"), 0);
+  EXPECT_NE(PidOf("daemon"), 0);
+  graph_.Kill(supervisor_, SIGTERM);
+  EXPECT_EQ(PidOf(""), 0);  // nor is there what has made a session of its own
+  EXPECT_EQ(Read("starts").size(), 5u);
 }
 
 TEST_F(SupervisorProgramTest, ReportsBadInputInOneLineEachWithStatus2) {

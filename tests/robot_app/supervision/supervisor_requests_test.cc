@@ -119,8 +119,7 @@ TEST_F(SupervisorRequestsTest, WhatAPersonSetsIsHeldUntilItIsReleased) {
 
 TEST_F(SupervisorRequestsTest, AConfigurationIsRefusedWhileItsConditionDoesNotHold) {
   const auto why_not = [](std::size_t) { return std::string("no current flows"); };
-  const Verdict verdict =
-      robot_.supervisor().SetConfiguration("charging", Hand::kPerson, why_not);
+  const Verdict verdict = robot_.supervisor().SetConfiguration("charging", Hand::kPerson, why_not);
   EXPECT_FALSE(verdict.ok);
   EXPECT_EQ(verdict.message,
             "configuration charging requires charging_confirmed: no current flows");

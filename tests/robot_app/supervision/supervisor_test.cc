@@ -254,10 +254,10 @@ TEST_F(SupervisorTest, StopAllEndsInReverseOrder) {
   EXPECT_THAT(launcher_.TakeLog(), ElementsAre("end nav"));
   Ended(kNav, kKilled);
   EXPECT_THAT(launcher_.TakeLog(), ElementsAre("end base"));
-  EXPECT_FALSE(supervisor_.AllStopped());
+  EXPECT_FALSE(supervisor_.AllStopped(now_));
   EXPECT_FALSE(Restart("base").ok);
   Ended(kBase, kExit0);
-  EXPECT_TRUE(supervisor_.AllStopped());
+  EXPECT_TRUE(supervisor_.AllStopped(now_));
   EXPECT_EQ(Phase(kBase), ProcessPhase::kStopped);
 }
 
@@ -284,13 +284,13 @@ TEST_F(SupervisorTest, TheRevisionGrowsOnlyWithChanges) {
 TEST_F(SupervisorTest, TheEndOfTheMasterRestartsTheWholeStackOnce) {
   StartAll();
   supervisor_.OnMasterEnded(now_);
-  EXPECT_FALSE(supervisor_.NeedsNewStack());
+  EXPECT_FALSE(supervisor_.NeedsNewStack(now_));
   Step();
   Ended(kApp, kExit0);
   Ended(kDock, kExit0);
   Ended(kNav, kExit0);
   Ended(kBase, kExit0);
-  EXPECT_TRUE(supervisor_.NeedsNewStack());
+  EXPECT_TRUE(supervisor_.NeedsNewStack(now_));
   EXPECT_TRUE(supervisor_.Remember().new_stack);
   EXPECT_EQ(supervisor_.stack_reason(), "the ROS master ended");
 }
