@@ -17,7 +17,7 @@ void Condition::Observe(double value, Time now) {
 std::string Condition::WhyNot(Time now) const {
   if (!heard_at_) return "nothing was heard on " + config_.topic;
   if (now - *heard_at_ > config_.staleness) {
-    return config_.topic + " is silent for " + InSeconds(now - *heard_at_);
+    return config_.topic + " is silent for " + SecondsText(now - *heard_at_);
   }
   if (!holds_since_) {
     if (!config_.current) return config_.topic + " says no";
@@ -26,8 +26,8 @@ std::string Condition::WhyNot(Time now) const {
     return text.str();
   }
   if (now - *holds_since_ >= config_.lasting) return "";
-  return "true for " + InSeconds(now - *holds_since_) + " only, it must last " +
-         InSeconds(config_.lasting);
+  return "true for " + SecondsText(now - *holds_since_) + " only, it must last " +
+         SecondsText(config_.lasting);
 }
 
 }  // namespace coppice::robot

@@ -38,7 +38,7 @@ Decision Escalation::OnFailure(std::size_t group, Time now) {
   Group& failed = groups_[group];
   if (!failed.trouble_since) failed.trouble_since = now;
   if (IsOverdue(group, now)) {
-    return Climb(group, "in trouble for " + InSeconds(now - *failed.trouble_since), now);
+    return Climb(group, "in trouble for " + SecondsText(now - *failed.trouble_since), now);
   }
   if (failed.step != EscalationStep::kGroup) {
     return Climb(group, std::string("failed again after a restart of the ") + ToString(failed.step),

@@ -10,7 +10,7 @@ constexpr Duration kHour = std::chrono::hours(1);
 
 }  // namespace
 
-std::string InSeconds(Duration duration) {
+std::string SecondsText(Duration duration) {
   const auto ms = std::chrono::duration_cast<std::chrono::milliseconds>(duration).count();
   std::string text = std::to_string(ms / 1000);
   if (ms % 1000 != 0) text += "." + std::to_string(ms % 1000 / 100);
@@ -48,7 +48,7 @@ int RestartBudget::Used(Time now) {
 std::string RestartBudget::WhyNot(Time now) {
   if (Used(now) >= limits_.restarts) {
     return "restarted " + std::to_string(counting()) + " times without being healthy for " +
-           InSeconds(limits_.healthy_after) + " in between";
+           SecondsText(limits_.healthy_after) + " in between";
   }
   const auto in_last_hour =
       std::count_if(times_.begin(), times_.end(), [now](Time time) { return time > now - kHour; });

@@ -17,7 +17,7 @@
 namespace coppice::robot {
 
 /// For people: "2 s", "0.5 s".
-std::string InSeconds(Duration duration);
+std::string SecondsText(Duration duration);
 
 /// Times are handed in and never go back. For one thread.
 class RestartBudget {

@@ -221,7 +221,7 @@ void Supervisor::StepHealth(Time now) {
     escalation_.SetReady(group, wanted && ready, now);
     if (waits && !to_blame) escalation_.Excuse(group, now);
     if (to_blame && !escalation_.IsGivenUp(group) && escalation_.IsOverdue(group, now)) {
-      GiveUp(group, "in trouble for longer than " + InSeconds(config_.escalation.ask_within));
+      GiveUp(group, "in trouble for longer than " + SecondsText(config_.escalation.ask_within));
     }
   }
   escalation_.SetAllReady(any_wanted && all_ready, now);
@@ -239,7 +239,7 @@ void Supervisor::StepUp(std::size_t process, Time now) {
     LoseHost(process, now);
     plan.end_first = true;
   } else if (lifecycle_.IsLate(process, now)) {
-    Fail(process, "was not ready within " + InSeconds(config_.processes[process].start_timeout),
+    Fail(process, "was not ready within " + SecondsText(config_.processes[process].start_timeout),
          now);
   } else {
     const bool ready = config_.processes[process].ready == Readiness::kNone;
