@@ -34,18 +34,18 @@ Escalation::Escalation(const RobotConfig& config, const GroupOrder& order)
   for (const GroupConfig& group : config.groups) groups_.emplace_back(group.limits);
 }
 
-Decision Escalation::OnFailure(std::size_t group, Time now) {
+Decision Escalation::OnFailure(std::size_t group, Cause cause, Time now) {
   Group& failed = groups_[group];
   if (!failed.trouble_since) failed.trouble_since = now;
   if (IsOverdue(group, now)) {
-    return Climb(group, "in trouble for " + SecondsText(now - *failed.trouble_since), now);
+    return Climb(group, cause, "in trouble for " + SecondsText(now - *failed.trouble_since), now);
   }
   if (failed.step != EscalationStep::kGroup) {
-    return Climb(group, std::string("failed again after a restart of the ") + ToString(failed.step),
-                 now);
+    return Climb(group, cause,
+                 std::string("failed again after a restart of the ") + ToString(failed.step), now);
   }
   std::string reason = failed.budget.WhyNot(now);
-  if (!reason.empty()) return Climb(group, std::move(reason), now);
+  if (!reason.empty()) return Climb(group, cause, std::move(reason), now);
   Decision decision;
   decision.root = group;
   decision.delay = failed.budget.Delay(config_.back_off, now);
@@ -61,7 +61,7 @@ std::size_t Escalation::RootOf(std::size_t group) const {
   return group;
 }
 
-Decision Escalation::Climb(std::size_t group, std::string reason, Time now) {
+Decision Escalation::Climb(std::size_t group, Cause cause, std::string reason, Time now) {
   Decision decision;
   decision.root = RootOf(group);
   decision.reason = std::move(reason);
@@ -72,6 +72,9 @@ Decision Escalation::Climb(std::size_t group, std::string reason, Time now) {
   const bool essential = config_.groups[decision.root].essential || config_.groups[group].essential;
   if (!late && !stack_had_its_turn && closures < config_.escalation.closure) {
     decision.step = EscalationStep::kClosure;
+  } else if (cause == Cause::kRequest) {
+    decision.refused = true;
+    return decision;
   } else if (!late && essential && stack_.WhyNot(now).empty()) {
     decision.step = EscalationStep::kStack;
     stack_.Add(now);

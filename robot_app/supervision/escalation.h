@@ -10,6 +10,10 @@
 // well, that one is the root of the trouble: restarting dependents never helps. However slow the
 // failures are, a person is asked within `ask_within` of the first.
 //
+// A request climbs no further than the closure; then it is refused. A judgement from outside must
+// not bring down the whole robot: when a computer has too much to do, all topics are slow, and
+// restarts make it worse.
+//
 // The root rule and the order of the steps: what cured the restart loop of Stuede et al., "Sobi",
 // ECMR 2021, by hand. Nested intensities: Erlang/OTP, "Supervisor Behaviour".
 #ifndef COPPICE_ROBOT_APP_SUPERVISION_ESCALATION_H_
@@ -30,7 +34,14 @@ enum class EscalationStep : std::uint8_t { kGroup = 0, kClosure = 1, kStack = 2,
 
 const char* ToString(EscalationStep step);
 
+/// Why something is restarted.
+enum class Cause {
+  kEnd,      ///< it ended, or never became ready
+  kRequest,  ///< it lives, but somebody who watches it wants it restarted
+};
+
 struct Decision {
+  bool refused = false;  ///< nothing is to be done
   EscalationStep step = EscalationStep::kGroup;
   std::size_t root = 0;  ///< the group to be restarted or given up
   Duration delay{0};     ///< before the restart
@@ -53,8 +64,8 @@ class Escalation {
   /// Both must outlive it.
   Escalation(const RobotConfig& config, const GroupOrder& order);
 
-  /// A process of the group has failed, or was asked to be restarted. Counts it and decides.
-  Decision OnFailure(std::size_t group, Time now);
+  /// A process of the group has failed, or is asked to be restarted. Counts it and decides.
+  Decision OnFailure(std::size_t group, Cause cause, Time now);
 
   /// Notes whether all processes of the group that should run are ready. Every round.
   void SetReady(std::size_t group, bool ready, Time now);
@@ -93,7 +104,7 @@ class Escalation {
   };
 
   std::size_t RootOf(std::size_t group) const;
-  Decision Climb(std::size_t group, std::string reason, Time now);
+  Decision Climb(std::size_t group, Cause cause, std::string reason, Time now);
 
   const RobotConfig& config_;
   const GroupOrder& order_;

@@ -168,7 +168,7 @@ void Supervisor::OnExit(int pid, int wait_status, Time now) {
              (config.restart == RestartRule::kOnFailure && EndedWith(wait_status, 0))) {
     plan.done = true;
   } else {
-    Fail(process, DescribeEnd(wait_status), now);
+    Fail(process, Cause::kEnd, DescribeEnd(wait_status), now);
   }
 }
 
@@ -239,8 +239,8 @@ void Supervisor::StepUp(std::size_t process, Time now) {
     LoseHost(process, now);
     plan.end_first = true;
   } else if (lifecycle_.IsLate(process, now)) {
-    Fail(process, "was not ready within " + SecondsText(config_.processes[process].start_timeout),
-         now);
+    Fail(process, Cause::kEnd,
+         "was not ready within " + SecondsText(config_.processes[process].start_timeout), now);
   } else {
     const bool ready = config_.processes[process].ready == Readiness::kNone;
     lifecycle_.SetPhase(process, ready ? ProcessPhase::kReady : ProcessPhase::kStarting, "", now);
@@ -297,30 +297,41 @@ void Supervisor::Launch(std::size_t process, Time now) {
   start.cleared = plan.cleared;
   plan = {};
   const std::string error = lifecycle_.Launch(process, start, now);
-  if (!error.empty()) return Fail(process, error, now);
+  if (!error.empty()) {
+    Fail(process, Cause::kEnd, error, now);
+    return;
+  }
   StepUp(process, now);
 }
 
 // ---- failures
 
-void Supervisor::Fail(std::size_t process, const std::string& reason, Time now) {
-  if (GivenUpAbove(process)) return;
+Decision Supervisor::Fail(std::size_t process, Cause cause, const std::string& reason, Time now) {
+  if (GivenUpAbove(process)) return {};
   // When something that it needs is down, that is the one to be counted: it will wait for it.
-  if (MissingNeed(process)) return BeginWave({process}, {reason, now}, now);
-
+  if (MissingNeed(process)) {
+    BeginWave({process}, {reason, now}, now);
+    return {};
+  }
   const std::size_t group = config_.processes[process].group;
-  const Decision decision = escalation_.OnFailure(group, now);
+  const Decision decision = escalation_.OnFailure(group, cause, now);
+  if (decision.refused) return decision;
   const std::string why = config_.processes[process].name + " " + reason + "; " + decision.reason;
   switch (decision.step) {
     case EscalationStep::kGroup:
-      return BeginWave(order_.RestartedWith(process), {reason, now + decision.delay}, now);
+      BeginWave(order_.RestartedWith(process), {reason, now + decision.delay}, now);
+      break;
     case EscalationStep::kClosure:
-      return BeginWave(order_.Members(order_.closure(decision.root)), {why, now, true}, now);
+      BeginWave(order_.Members(order_.closure(decision.root)), {why, now, true}, now);
+      break;
     case EscalationStep::kStack:
-      return RestartStack(why);
+      RestartStack(why);
+      break;
     case EscalationStep::kPerson:
-      return GiveUp(decision.root, why);
+      GiveUp(decision.root, why);
+      break;
   }
+  return decision;
 }
 
 // Its host does not answer: nobody's fault, so it is tried again and again, and not counted.

@@ -46,9 +46,10 @@ class Supervisor {
 
   /// Ends a process (SIGTERM, after stop_timeout SIGKILL to its group) and starts it again, with
   /// those that the strategy of its group says; what depends on it stays up. `name` is a process, a
-  /// ROS node or a group. Counts as a failure, so it may lead to more than was asked for. Ok when
-  /// this has begun, also if it was under way already. Refused when the name is unknown, not part
-  /// of the configuration or given up.
+  /// ROS node or a group; "all" is the whole stack with the ROS master. Counts like a crash, so it
+  /// may lead to a restart of all that depends on it. Ok when this has begun, also if it was under
+  /// way already. Refused when the name is unknown, not part of the configuration or given up, and
+  /// when all these restarts have not helped.
   Verdict Restart(const std::string& name, Time now);
 
   /// A person has repaired something: forgets the restarts of its group, and starts it if it was
@@ -121,6 +122,8 @@ class Supervisor {
   std::optional<std::size_t> Find(const std::string& name) const;
   std::optional<std::size_t> FindGroup(const std::string& name) const;
   Verdict Unknown(const std::string& name) const;
+  Verdict RestartWanted(std::size_t process, const Indices& members, const std::string& name,
+                        Time now);
 
   bool IsWanted(std::size_t process) const;
   /// A group that it cannot do without was given up, maybe its own.
@@ -138,7 +141,7 @@ class Supervisor {
   void EndNow(std::size_t process, Time now);
   void Launch(std::size_t process, Time now);
 
-  void Fail(std::size_t process, const std::string& reason, Time now);
+  Decision Fail(std::size_t process, Cause cause, const std::string& reason, Time now);
   void LoseHost(std::size_t process, Time now);
   void BeginWave(const Indices& processes, const Restarting& how, Time now);
   void RestartStack(const std::string& reason);

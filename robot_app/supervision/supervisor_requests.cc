@@ -45,35 +45,46 @@ Verdict Supervisor::Release() {
 Verdict Supervisor::Restart(const std::string& name, Time now) {
   if (stopping_) return {false, "the supervisor is stopping"};
   if (new_stack_) return {true, "the whole stack is being restarted"};
+  if (name == "all") {
+    escalation_.stack().Add(now);
+    RestartStack("restarted on request");
+    return {true, "the whole stack is restarted"};
+  }
   const auto group = FindGroup(name);
-  auto process = Find(name);
+  const auto process = Find(name);
   if (!process && !group) return Unknown(name);
-  const Indices& members = group ? config_.groups[*group].processes : Indices{*process};
+  const Indices members = process ? Indices{*process} : config_.groups[*group].processes;
   const auto wanted = std::find_if(members.begin(), members.end(),
                                    [this](std::size_t member) { return IsWanted(member); });
   if (wanted == members.end()) {
     return {false, name + " is not part of configuration " + configuration()};
   }
-  process = *wanted;
-  if (const auto given_up = GivenUpAbove(*process)) {
+  if (const auto given_up = GivenUpAbove(*wanted)) {
     return {false, name + " needs a reset: " + config_.groups[*given_up].name +
                        " is given up: " + escalation_.given_up(*given_up)};
   }
-  const bool is_down = !lifecycle_.IsUp(*process) && !plans_[*process].done;
-  if (is_down || plans_[*process].as_restart || AwaitsReadiness(*process)) {
+  return RestartWanted(*wanted, members, name, now);
+}
+
+// `process`: the one that counts. `members`: all that were asked for.
+Verdict Supervisor::RestartWanted(std::size_t process, const Indices& members,
+                                  const std::string& name, Time now) {
+  Plan& plan = plans_[process];
+  const bool is_down = !lifecycle_.IsUp(process) && !plan.done;
+  if (is_down || plan.as_restart || AwaitsReadiness(process)) {
     return {true, name + " is about to start already"};
   }
-  plans_[*process].done = false;
-  Fail(*process, "restarted on request", now);
-  if (group && !new_stack_ && escalation(*process) == EscalationStep::kGroup) {
-    BeginWave(members, {"restarted on request", plans_[*process].not_before}, now);
+  plan.done = false;
+  const Decision decision = Fail(process, Cause::kRequest, "restarted on request", now);
+  if (decision.refused) {
+    return {false, name + " needs a person: restarts have not helped, " + decision.reason};
   }
-  if (const auto given_up = GivenUpAbove(*process)) {
-    return {false, name + " is given up: " + escalation_.given_up(*given_up)};
+  if (decision.step == EscalationStep::kClosure) {
+    return {true,
+            name + " is restarted with all that depends on " + config_.groups[decision.root].name};
   }
-  const EscalationStep step = escalation(*process);
-  if (step == EscalationStep::kGroup) return {true, name + " is restarted"};
-  return {true, name + " is restarted, escalated: " + ToString(step)};
+  if (members.size() > 1) BeginWave(members, {"restarted on request", plan.not_before}, now);
+  return {true, name + " is restarted"};
 }
 
 Verdict Supervisor::Reset(const std::string& name, Time now) {

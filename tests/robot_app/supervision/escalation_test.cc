@@ -26,7 +26,7 @@ class EscalationTest : public testing::Test {
 
   EscalationStep Fail(std::size_t group) {
     now_ += seconds(10);
-    last_ = escalation_.OnFailure(group, now_);
+    last_ = escalation_.OnFailure(group, cause_, now_);
     return last_.step;
   }
   void UseUp(std::size_t group) {
@@ -42,6 +42,7 @@ class EscalationTest : public testing::Test {
   const RobotConfig config_ = FourGroups();
   const GroupOrder order_{config_};
   Escalation escalation_{config_, order_};
+  Cause cause_ = Cause::kEnd;
   Decision last_;
   Time now_ = seconds(1000);
 };
@@ -52,6 +53,19 @@ TEST_F(EscalationTest, ClimbsOneStepWithEachFailureAfterTheBudgetIsUsedUp) {
   EXPECT_EQ(Fail(kRoot), EscalationStep::kStack);
   EXPECT_EQ(Fail(kRoot), EscalationStep::kPerson);
   EXPECT_EQ(last_.reason, "failed again after a restart of the stack");
+}
+
+TEST_F(EscalationTest, ARequestNeverBringsDownTheWholeRobot) {
+  cause_ = Cause::kRequest;
+  UseUp(kRoot);
+  EXPECT_EQ(Fail(kRoot), EscalationStep::kClosure);
+  for (int i = 0; i < 10; ++i) {
+    Fail(kRoot);
+    EXPECT_TRUE(last_.refused);
+    EXPECT_EQ(escalation_.step(kRoot), EscalationStep::kClosure);
+  }
+  cause_ = Cause::kEnd;  // but when it really ends ...
+  EXPECT_EQ(Fail(kRoot), EscalationStep::kStack);
 }
 
 TEST_F(EscalationTest, TheRootOfTheTroubleIsTheFirstThatFailed) {
@@ -129,7 +143,7 @@ TEST_F(EscalationTest, AnotherOneTakesUpWhereThisOneWas) {
   Fail(kRoot);
   Escalation other(config_, order_);
   other.Restore(kRoot, escalation_.Remember(kRoot));
-  EXPECT_EQ(other.OnFailure(kRoot, now_).step, EscalationStep::kStack);
+  EXPECT_EQ(other.OnFailure(kRoot, Cause::kEnd, now_).step, EscalationStep::kStack);
 }
 
 }  // namespace

@@ -72,10 +72,34 @@ TEST_F(SupervisorRequestsTest, RestartsOnRequestCountLikeCrashes) {
   }
   const Verdict verdict = Restart("nav");
   EXPECT_TRUE(verdict.ok);
-  EXPECT_EQ(verdict.message, "nav is restarted, escalated: closure");
+  EXPECT_EQ(verdict.message, "nav is restarted with all that depends on nav");
   robot_.RunFor(seconds(20));
   EXPECT_TRUE(robot_.AllReady());
   EXPECT_EQ(robot_.machine.Starts("app"), 2);
+}
+
+TEST_F(SupervisorRequestsTest, RestartsThatDoNotHelpAreRefusedAtLastAndNothingIsTakenDown) {
+  for (int i = 0; i < 4; ++i) {
+    EXPECT_TRUE(Restart("nav").ok);
+    robot_.RunFor(seconds(20));
+  }
+  const Verdict verdict = Restart("nav");
+  EXPECT_FALSE(verdict.ok);
+  EXPECT_THAT(verdict.message, HasSubstr("nav needs a person: restarts have not helped"));
+  robot_.RunFor(seconds(20));
+  EXPECT_EQ(robot_.Phase("nav"), ProcessPhase::kReady);
+  EXPECT_EQ(robot_.machine.Starts("nav"), 5);
+  EXPECT_EQ(robot_.stacks, 0);
+  robot_.RunFor(seconds(60));
+  EXPECT_EQ(Restart("nav").message, "nav is restarted");  // healthy since
+}
+
+TEST_F(SupervisorRequestsTest, ThePersonMayRestartTheWholeStack) {
+  EXPECT_TRUE(Restart("all").ok);
+  EXPECT_EQ(Restart("nav").message, "the whole stack is being restarted");
+  EXPECT_TRUE(robot_.RunUntil([this] { return robot_.stacks == 1; }, seconds(30)));
+  EXPECT_TRUE(robot_.RunUntil([this] { return robot_.AllReady(); }, seconds(30)));
+  EXPECT_EQ(robot_.machine.Starts("base"), 2);
 }
 
 TEST_F(SupervisorRequestsTest, RefusesUnknownAndUnwantedNames) {
