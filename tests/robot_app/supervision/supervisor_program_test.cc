@@ -249,6 +249,45 @@ configurations:
   EXPECT_EQ(Read("starts").size(), 5u);
 }
 
+TEST_F(SupervisorProgramTest, TheCommandLineShowsAndAsks) {
+  StartSupervisor();
+  ASSERT_TRUE(Eventually([&] { return PidOfNode("/second") > 0; }));
+  int calls = 0;
+  std::string output;
+  const auto processes = [&](std::vector<std::string> words) {
+    words.insert(words.begin(), kPrograms + "coppice-processes");
+    words.insert(words.end(), {"--master", "http://127.0.0.1:" + std::to_string(port_)});
+    const std::string name = "call" + std::to_string(++calls);
+    int status = 0;
+    waitpid(graph_.Start(name, words), &status, 0);
+    output = Read(name + ".log");
+    return WEXITSTATUS(status);
+  };
+  EXPECT_TRUE(Eventually([&] { return processes({}) == 0; })) << output;
+  EXPECT_THAT(output, HasSubstr("configuration operating\nPROCESS "));
+  EXPECT_EQ(processes({"--json"}), 0);
+  EXPECT_THAT(output, HasSubstr("\"restarts_allowed\": 3"));
+
+  EXPECT_EQ(processes({"configuration", "charging"}), 0);
+  EXPECT_EQ(output, "changing to configuration charging\n");
+  EXPECT_TRUE(Eventually([&] { return PidOf("second") == 0 && processes({}) == 0; }));
+  EXPECT_THAT(output, HasSubstr("configuration charging, held by hand\n"));
+  EXPECT_EQ(processes({"release"}), 0);
+  EXPECT_EQ(processes({"restart", "firts"}), 1);
+  EXPECT_THAT(output, HasSubstr("did you mean \"first\"?"));
+  const int first = PidOf("first");
+  EXPECT_EQ(processes({"restart", "first"}), 0);
+  EXPECT_TRUE(Eventually([&] { return PidOf("first") > 0 && PidOf("first") != first; }));
+  EXPECT_EQ(processes({"reset", "all"}), 0);
+
+  EXPECT_EQ(processes({"explode", "first"}), 2);
+  EXPECT_EQ(processes({"restart"}), 2);
+  EXPECT_EQ(processes({"--wach"}), 2);
+  graph_.Kill(supervisor_, SIGTERM);
+  EXPECT_EQ(processes({}), 3);
+  EXPECT_THAT(output, HasSubstr("no process supervisor answers at http://127.0.0.1:"));
+}
+
 TEST_F(SupervisorProgramTest, ReportsBadInputInOneLineEachWithStatus2) {
   const auto run = [this](std::vector<std::string> command, const std::string& name) {
     int status = 0;
