@@ -17,7 +17,10 @@ class Painter {
         high = {std::max(high.x, p.x), std::max(high.y, p.y)};
       }
     }
-    map_.origin = low - Vec2{kBorder, kBorder};
+    // Half a cell more, so that walls on round coordinates lie in the middle of cells: the map is
+    // not shifted against the floor.
+    const double border = kBorder + resolution / 2;
+    map_.origin = low - Vec2{border, border};
     const Vec2 size = high + Vec2{kBorder, kBorder} - map_.origin;
     map_.width = static_cast<int>(std::ceil(size.x / resolution));
     map_.height = static_cast<int>(std::ceil(size.y / resolution));

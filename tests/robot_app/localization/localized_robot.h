@@ -1,0 +1,117 @@
+// The simulated robot with odometry filter and localization, without ROS and without delay.
+#ifndef COPPICE_TESTS_ROBOT_APP_LOCALIZATION_LOCALIZED_ROBOT_H_
+#define COPPICE_TESTS_ROBOT_APP_LOCALIZATION_LOCALIZED_ROBOT_H_
+
+#include <memory>
+#include <vector>
+
+#include "robot_app/localization/localizer.h"
+#include "robot_app/localization/odometry_filter.h"
+#include "tests/robot_app/navigation/world_robot.h"
+
+namespace coppice::robot {
+
+class LocalizedRobot {
+ public:
+  LocalizedRobot(const Floor& floor, const Pose2D& start, std::uint64_t seed,
+                 LocalizerSettings settings = {})
+      : floor_(floor), seed_(seed), localizer_(WithSeed(settings, seed)) {
+    localizer_.SetMap(MapOf(floor));
+    Carry(start);
+  }
+
+  /// Somebody carries the robot away: its wheels and its gyroscope notice nothing.
+  void Carry(const Pose2D& pose) {
+    time_before_ += world_ ? world_->time() : 0;
+    WorldOptions options;
+    options.start = Pose2{pose.x, pose.y, pose.yaw};
+    options.seed = seed_++;
+    world_ = std::make_unique<World>(floor_, options);
+    scan_time_ = wheels_time_ = -1;
+  }
+
+  void RestartOdometry() { filter_ = OdometryFilter(); }
+
+  void Step(const Velocity2D& command) {
+    world_->Step(0.02, Velocity{command.linear, command.angular});
+    const Odometry& wheels = world_->odometry();
+    filter_.AddYawRate(now(), world_->imu().yaw_rate, 0);
+    if (wheels.time() != wheels_time_) {
+      wheels_time_ = wheels.time();
+      filter_.AddWheels(now(), {wheels.pose().x, wheels.pose().y, wheels.pose().yaw},
+                        {wheels.velocity().linear, wheels.velocity().angular});
+    }
+    if (filter_.started()) localizer_.AddOdometry(filter_.stamp(), filter_.pose());
+    if (world_->scan().time == scan_time_) return;
+    scan_time_ = world_->scan().time;
+    LaserScan scan = ScanOf(*world_);
+    scan.stamp += time_before_;
+    localizer_.AddScan(std::move(scan));
+  }
+
+  /// Constant speed for a while. Returns the seconds until `done` first came true, or -1.
+  template <typename Done>
+  double DriveUntil(const Velocity2D& velocity, double seconds, Done done) {
+    const double start = now();
+    while (now() < start + seconds) {
+      Step(velocity);
+      if (done()) return now() - start;
+    }
+    return -1;
+  }
+  void Drive(const Velocity2D& velocity, double seconds) {
+    DriveUntil(velocity, seconds, [] { return false; });
+  }
+  void TurnOnce() { Drive({0, 0.4}, 2 * M_PI / 0.4); }
+
+  double now() const { return time_before_ + world_->time(); }
+  World& world() { return *world_; }
+  Localizer& localizer() { return localizer_; }
+  const OdometryFilter& filter() const { return filter_; }
+  LocalizationReport Report() const { return localizer_.Report(now()); }
+  bool IsOk() const { return Report().phase == LocalizationPhase::kOk; }
+  bool IsLost() const { return Report().phase == LocalizationPhase::kLost; }
+  Pose2D Truth() const { return PoseOf(*world_); }
+  /// base_link in the map now, as tf would tell it.
+  Pose2D Estimate() const { return Compose(localizer_.odom_in_map(), filter_.pose()); }
+  double Error() const { return Distance(Estimate(), Truth()); }
+  double YawError() const { return std::abs(NormalizeAngle(Estimate().yaw - Truth().yaw)); }
+
+ private:
+  static LocalizerSettings WithSeed(LocalizerSettings settings, std::uint64_t seed) {
+    settings.seed = seed;
+    return settings;
+  }
+
+  Floor floor_;
+  std::uint64_t seed_;
+  std::unique_ptr<World> world_;
+  double time_before_ = 0;  // of the worlds before this one
+  double scan_time_ = -1;
+  double wheels_time_ = -1;
+  OdometryFilter filter_;
+  Localizer localizer_;
+};
+
+/// Places where the robot can stand with room around it, drawn evenly from the floor.
+inline std::vector<Pose2D> RandomPoses(const OccupancyGrid& map, int count, unsigned seed) {
+  std::vector<std::uint8_t> blocked(map.cells.size());
+  for (std::size_t i = 0; i < map.cells.size(); ++i) {
+    blocked[i] = map.Blocked(static_cast<int>(i)) ? 1 : 0;
+  }
+  const std::vector<float> room = DistanceTransform(map.frame, blocked, 1);
+  std::mt19937 random(seed);
+  std::vector<Pose2D> poses;
+  while (static_cast<int>(poses.size()) < count) {
+    const int i = static_cast<int>(random() % map.frame.size());
+    const double yaw = static_cast<double>(random() % 6283) / 1000 - M_PI;
+    if (room[i] < 0.45) continue;
+    const Point2D center = map.frame.Center(map.frame.CellOf(i));
+    poses.push_back({center.x, center.y, yaw});
+  }
+  return poses;
+}
+
+}  // namespace coppice::robot
+
+#endif  // COPPICE_TESTS_ROBOT_APP_LOCALIZATION_LOCALIZED_ROBOT_H_
