@@ -10,6 +10,7 @@ namespace {
 constexpr double kMostSpeed = 20;   // no robot on a floor is faster [m/s]
 constexpr double kMostTurn = 50;    // [rad/s]
 constexpr double kLateness = 0.2;   // a message that was overtaken is still used [s]
+constexpr double kSetBack = 1;      // one so old was not overtaken: time itself was set back [s]
 constexpr double kLongestGap = 10;  // after a longer one the speeds are unknown anyway [s]
 
 bool Possible(const Velocity2D& velocity) {  // false for NaN
@@ -25,6 +26,7 @@ bool OdometryFilter::Accepts(double stamp) const {
 }
 
 bool OdometryFilter::AddWheels(double stamp, const Pose2D& pose, const Velocity2D& velocity) {
+  if (started_ && stamp < stamp_ - kSetBack) *this = OdometryFilter(settings_);
   if (!Accepts(stamp) || !Possible(velocity)) return false;
   if (!started_) {
     if (!std::isfinite(pose.x) || !std::isfinite(pose.y) || !std::isfinite(pose.yaw)) return false;
@@ -33,7 +35,7 @@ bool OdometryFilter::AddWheels(double stamp, const Pose2D& pose, const Velocity2
     state_ << pose.x, pose.y, pose.yaw, velocity.linear, velocity.angular;
   }
   Predict(stamp);
-  wheels_stamp_ = std::max(wheels_stamp_, stamp);
+  wheels_stamp_ = stamp_;
   const double moving = std::abs(velocity.linear) + std::abs(velocity.angular);
   Correct<2>({velocity.linear, velocity.angular}, 3,
              {Square(settings_.speed_noise + settings_.speed_slip * moving),

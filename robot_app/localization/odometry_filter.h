@@ -12,7 +12,6 @@
 #define COPPICE_ROBOT_APP_LOCALIZATION_ODOMETRY_FILTER_H_
 
 #include <Eigen/Core>
-#include <limits>
 
 #include "robot_app/navigation/pose2d.h"
 
@@ -39,8 +38,9 @@ class OdometryFilter {
 
   /// The wheels report their own integrated pose and the velocity. The first report starts the
   /// filter at that pose, with no uncertainty: the origin of the odometry frame is wherever the
-  /// wheels say it is, so that a restarted filter goes on near to where it was. False if the report
-  /// is not used: not finite, not possible for a robot on a floor, or older than what is known.
+  /// wheels say it is, so that a restarted filter goes on near to where it was. A report that is
+  /// more than a second older than what is known starts it anew. False if the report is not used:
+  /// not finite, not possible for a robot on a floor, or older than what is known.
   bool AddWheels(double stamp, const Pose2D& pose, const Velocity2D& velocity);
 
   /// The gyroscope's yaw rate; `variance` 0: the setting counts. False if it is not used: as above,
@@ -69,7 +69,7 @@ class OdometryFilter {
   OdometryFilterSettings settings_;
   bool started_ = false;
   double stamp_ = 0;
-  double wheels_stamp_ = -std::numeric_limits<double>::infinity();
+  double wheels_stamp_ = 0;
   Vector state_ = Vector::Zero();
   Matrix covariance_ = Matrix::Zero();
   double innovation_ = 0;

@@ -9,7 +9,7 @@
 namespace coppice::robot {
 
 struct MatchSettings {
-  int iterations = 10;
+  int iterations = 20;
   double outlier = 0.3;     ///< ends farther from every wall do not pull [m]
   double beam_noise = 0.1;  ///< of a beam's end; small against `trust`: the scan decides [m]
   double trust = 0.3;       ///< standard deviation of the given position [m]

@@ -39,8 +39,10 @@ The simulated robot and its floor as the ROS node /simulator.
   _start            docked, or "X Y YAW" in the frame map; default docked
   _state_of_charge  of the battery, 0..1; default 1
   _localization     false: do not publish map -> odom; default true
+  _odometry_tf      false: do not publish odom -> base_link; default true
 Publishes /clock /odom /scan /imu/data /battery_state /emergency_stop (std_msgs/Bool, true while
-pressed) /map /tf /tf_static and, for evaluation only, /simulation/truth. Obeys /cmd_vel. Breaks things on /simulation/inject_fault.
+pressed) /map /tf /tf_static and, for evaluation only, /simulation/truth. Obeys /cmd_vel. Breaks
+things on /simulation/inject_fault.
 )";
 
 constexpr double kStep = 0.02;         // s of simulated time
@@ -90,6 +92,7 @@ struct Settings {
   WorldOptions world;
   double speed = 1;
   bool localization = true;
+  bool odometry_tf = true;
 };
 
 // Says once for each `period` of simulated time that something is due.
@@ -206,11 +209,13 @@ class SimulatorNode {
     odom.twist.twist.angular.z = odometry.velocity().angular;
     Publish(odom_, odom);
     tf2_msgs::TFMessage tf;
-    tf.transforms.push_back(ToTransform(stamp_, "odom", "base_link", odometry.pose()));
+    if (settings_.odometry_tf) {
+      tf.transforms.push_back(ToTransform(stamp_, "odom", "base_link", odometry.pose()));
+    }
     if (settings_.localization && localization_due_.Due(world_.time())) {
       tf.transforms.push_back(ToTransform(stamp_, "map", "odom", world_.OdomInMap()));
     }
-    Publish(tf_, tf);
+    if (!tf.transforms.empty()) Publish(tf_, tf);
   }
 
   void PublishScan() {
@@ -372,6 +377,7 @@ bool ReadSettings(Settings& settings) {
   settings.world.seed = static_cast<std::uint64_t>(parameter("seed", 1));
   settings.world.state_of_charge = parameter("state_of_charge", 1.0);
   settings.localization = parameter("localization", true);
+  settings.odometry_tf = parameter("odometry_tf", true);
   settings.speed = parameter("speed", 1.0);
   if (!(settings.speed >= 0)) return Complain("~speed must be 0 or more");
   return ReadStart(parameter("start", std::string("docked")), settings.world.start);

@@ -150,6 +150,16 @@ TEST(OdometryFilter, RefusesWhatCannotBe) {
   EXPECT_TRUE(std::isfinite(filter.pose().x));
 }
 
+TEST(OdometryFilter, StartsAnewWhenTimeIsSetBack) {
+  OdometryFilter filter;
+  ASSERT_TRUE(filter.AddWheels(100, {3, 4, 1}, {0.5, 0.1}));
+  EXPECT_FALSE(filter.AddYawRate(10, 0.1, 0));
+  ASSERT_TRUE(filter.AddWheels(10, {1, 0, 0}, {}));
+  EXPECT_EQ(filter.stamp(), 10);
+  EXPECT_DOUBLE_EQ(filter.pose().x, 1);
+  EXPECT_DOUBLE_EQ(filter.velocity().linear, 0);
+}
+
 TEST(OdometryFilter, GoesOnWithoutTheGyroscope) {
   OdometryFilter filter;
   for (int i = 0; i <= 100; ++i) filter.AddWheels(i * 0.05, {}, {0.5, 0.2});

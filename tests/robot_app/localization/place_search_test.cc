@@ -2,51 +2,60 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
-#include <iostream>
-#include <random>
-
-#include "robot_app/localization/scan_matcher.h"
-#include "tests/robot_app/navigation/world_robot.h"
+#include "tests/robot_app/localization/localized_robot.h"
 
 namespace coppice::robot {
 namespace {
 
-TEST(PlaceSearch, Experiment) {
-  const Floor floor = InstituteFloor();
-  const LikelihoodField field(MapOf(floor));
-  const PlaceSearch search(field);
-  std::mt19937 random(1);
-  std::uniform_real_distribution<double> ux(-2, 51), uy(-6, 6), ua(-3.14, 3.14);
-  int tries = 0;
-  while (tries < 40) {
-    const Pose2 pose{ux(random), uy(random), ua(random)};
-    bool ok = true;
-    for (double a = 0; a < 6.28; a += 0.3)
-      ok = ok && field.Free(pose.x + 0.4 * cos(a), pose.y + 0.4 * sin(a));
-    if (!ok) continue;
-    ++tries;
-    WorldOptions o;
-    o.start = pose;
-    o.seed = tries;
-    World world(floor, o);
-    const auto beams = BeamsOf(ScanOf(world), 0.12, 180);
-    const auto t0 = std::chrono::steady_clock::now();
-    const auto places = search.Find(beams, 8);
-    const double ms =
-        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - t0).count();
-    const Pose2D truth{pose.x, pose.y, pose.yaw};
-    const Agreement at_truth = Agree(field, beams, truth);
-    printf("(%6.2f %6.2f %6.2f) beams %zu truth a%d h%d t%d %.2f  %.1f ms:", pose.x, pose.y,
-           pose.yaw, beams.size(), at_truth.agree, at_truth.hidden, at_truth.through,
-           at_truth.score(), ms);
-    for (const auto& p : places)
-      printf("  %.2f%s", p.score,
-             IsSamePlace(p.pose, truth)
-                 ? ("*[" + std::to_string(Distance(p.pose, truth)) + "]").c_str()
-                 : "");
-    printf("\n");
+class PlaceSearchTest : public testing::Test {
+ protected:
+  // What a robot that stands there sees at once.
+  std::vector<Beam> SeenFrom(const Pose2D& pose) const {
+    WorldOptions options;
+    options.start = Pose2{pose.x, pose.y, pose.yaw};
+    return BeamsOf(ScanOf(World(floor_, options)), 0.12, 180);
   }
+
+  const Floor floor_ = InstituteFloor();
+  const LikelihoodField field_{MapOf(floor_)};
+  const PlaceSearch search_{field_};
+};
+
+TEST_F(PlaceSearchTest, TheTruePlaceIsAlwaysAmongThoseThatFitBest) {
+  for (const Pose2D& pose : RandomPoses(MapOf(floor_), 60, 5)) {
+    const std::vector<FittingPlace> places = search_.Find(SeenFrom(pose), 8);
+    ASSERT_FALSE(places.empty()) << pose.x << " " << pose.y << " " << pose.yaw;
+    for (auto& p : places) if (Distance(p.pose,pose)<2) printf("%.2f %.2f: %.3f %.3f %.3f best %.3f\n", pose.x,pose.y,Distance(p.pose,pose), p.pose.yaw-pose.yaw,p.score, places[0].score);
+    bool found = false;
+    for (const FittingPlace& place : places) {
+      found =
+          found || (Distance(place.pose, pose) < 0.05 && place.score > places.front().score - 0.05);
+    }
+    EXPECT_TRUE(found) << pose.x << " " << pose.y << " " << pose.yaw;
+  }
+}
+
+TEST_F(PlaceSearchTest, NothingElseLooksLikeTheHall) {
+  const std::vector<FittingPlace> places = search_.Find(SeenFrom({46.5, -0.5, 1}), 8);
+  ASSERT_FALSE(places.empty());
+  EXPECT_GT(places[0].score, 0.9);
+  for (std::size_t i = 1; i < places.size(); ++i) {
+    EXPECT_LT(places[i].score, places[0].score - 0.2);
+    EXPECT_FALSE(IsSamePlace(places[i].pose, places[0].pose));
+  }
+}
+
+TEST_F(PlaceSearchTest, OfficesThatLookAlikeFitEquallyWell) {
+  // 101 and 104 are the same, 24 m apart.
+  const std::vector<FittingPlace> places = search_.Find(SeenFrom({8, 5, -2}), 8);
+  ASSERT_GE(places.size(), 2u);
+  EXPECT_NEAR(places[0].score, places[1].score, 0.02);
+  EXPECT_NEAR(Distance(places[0].pose, places[1].pose), 24, 0.1);
+}
+
+TEST_F(PlaceSearchTest, FindsNothingWithoutBeams) {
+  EXPECT_TRUE(search_.Find({}, 8).empty());
+  EXPECT_TRUE(search_.Find({{{0, 0}, {1, 0}, true}, {{0, 0}, {0, 20}, false}}, 8).empty());
 }
 
 }  // namespace

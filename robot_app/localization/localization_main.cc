@@ -1,0 +1,261 @@
+// coppice-localization: the localizer of this folder as the ROS node /localization.
+#include <coppice_msgs/LocalizationState.h>
+#include <geometry_msgs/PoseWithCovarianceStamped.h>
+#include <nav_msgs/Odometry.h>
+#include <ros/ros.h>
+#include <std_srvs/Empty.h>
+#include <tf2_msgs/TFMessage.h>
+
+#include <cmath>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "robot_app/localization/localizer.h"
+#include "robot_app/localization/pose_file.h"
+#include "robot_app/navigation/ros_support.h"
+
+namespace coppice::robot {
+namespace {
+
+constexpr char kHelp[] =
+    "coppice-localization: finds and follows the robot on the map, as the ROS node /localization.\n"
+    "  subscribes  /map /scan /odometry/filtered /tf_static (of the scanner)\n"
+    "              /initialpose (geometry_msgs/PoseWithCovarianceStamped: a person says where)\n"
+    "  publishes   tf map -> odom, /localization/pose with covariance, /localization/state\n"
+    "  service     /global_localization (std_srvs/Empty: forget the pose, search the whole map)\n"
+    "  parameters  with defaults, in SI units:\n"
+    "    ~start_pose \"X Y YAW\", ~last_pose_file FILE: where the robot may be at the start. Both\n"
+    "      are believed only if the first scan fits there and nowhere better. Default: none\n"
+    "    ~agree 0.65 (score from which a scan confirms the pose)\n"
+    "    ~margin 0.06 (a place that fits less worse than that is a rival)\n"
+    "    ~largest_deviation 0.3  ~uncertain_after 1.5  ~lost_after 5 (not confirmed for so long)\n"
+    "    ~check_period 3  ~fewest_particles 300  ~most_particles 3000  ~seed 1\n"
+    "    ~map_frame map  ~odom_frame odom  ~base_frame base_link\n"
+    "Ends on SIGTERM and SIGINT. Exit status 2: no ROS master answers, or a parameter is wrong.\n";
+
+constexpr double kStatePeriod = 0.5;      // ROS time [s]
+constexpr double kSavePeriod = 2;         // of the last pose, if it has changed; ROS time [s]
+constexpr double kSaveWay = 0.05;         // changed [m], [rad]
+constexpr double kPersonDeviation = 0.5;  // of /initialpose if the message does not tell [m]
+constexpr double kPersonTurn = 0.26;      // rad
+
+struct Settings {
+  LocalizerSettings localizer;
+  std::optional<Pose2D> start;
+  std::string last_pose_file;
+  std::string map_frame;
+  std::string odom_frame;
+  std::string base_frame;
+};
+
+std::optional<Settings> ReadSettings() {
+  Settings settings;
+  Parameters parameters;
+  LocalizerSettings& localizer = settings.localizer;
+  const auto read = [&](const char* name, double& value, double low, double high) {
+    value = parameters.Number(name, value, low, high);
+  };
+  read("agree", localizer.agree, 0.1, 1);
+  read("margin", localizer.margin, 0, 0.5);
+  read("largest_deviation", localizer.largest_deviation, 0.01, 10);
+  read("uncertain_after", localizer.uncertain_after, 0.3, 600);
+  read("lost_after", localizer.lost_after, 0.5, 3600);
+  read("check_period", localizer.check_period, 0.5, 3600);
+  ParticleFilterSettings& filter = localizer.filter;
+  filter.fewest = static_cast<int>(parameters.Number("fewest_particles", filter.fewest, 50, 1e5));
+  filter.most = static_cast<int>(parameters.Number("most_particles", filter.most, 100, 1e5));
+  localizer.seed = static_cast<std::uint64_t>(parameters.Number("seed", 1, 0, 1e9));
+  const std::string start = parameters.Text("start_pose", "none");
+  settings.last_pose_file = parameters.Text("last_pose_file", "none");
+  settings.map_frame = parameters.Text("map_frame", "map");
+  settings.odom_frame = parameters.Text("odom_frame", "odom");
+  settings.base_frame = parameters.Text("base_frame", "base_link");
+  if (!parameters.Finish()) return std::nullopt;
+  if (start == "none") return settings;
+  settings.start = ParsePose(start);
+  if (!settings.start) {
+    std::fprintf(stderr, "localization: ~start_pose must be \"X Y YAW\"\n");
+    return std::nullopt;
+  }
+  return settings;
+}
+
+class LocalizationNode {
+ public:
+  explicit LocalizationNode(const Settings& settings)
+      : settings_(settings),
+        localizer_(settings.localizer),
+        frames_(settings.map_frame, settings.odom_frame, settings.base_frame) {
+    std::vector<Pose2D> expected;
+    if (const auto last = LoadPose(settings.last_pose_file)) expected.push_back(*last);
+    if (settings.start) expected.push_back(*settings.start);
+    localizer_.Expect(expected);
+    pose_ = node_.advertise<geometry_msgs::PoseWithCovarianceStamped>("/localization/pose", 10);
+    state_ = node_.advertise<coppice_msgs::LocalizationState>("/localization/state", 10);
+    tf_ = node_.advertise<tf2_msgs::TFMessage>("/tf", 20);
+    Subscribe();
+    using Service = std_srvs::Empty;
+    global_ = node_.advertiseService("/global_localization",
+                                     boost::function<bool(Service::Request&, Service::Response&)>(
+                                         [this](Service::Request&, Service::Response&) {
+                                           localizer_.Relocalize();
+                                           return true;
+                                         }));
+    timer_ = node_.createTimer(ros::Duration(kStatePeriod), [this](const ros::TimerEvent&) {
+      PublishState(localizer_.Report(ros::Time::now().toSec()));
+    });
+  }
+
+ private:
+  template <typename Message, typename Handle>
+  void On(const std::string& topic, std::uint32_t queue, Handle handle) {
+    subscribers_.push_back(node_.subscribe<Message>(
+        topic, queue,
+        boost::function<void(const boost::shared_ptr<const Message>&)>(
+            [handle](const boost::shared_ptr<const Message>& message) { handle(*message); }),
+        ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay()));
+  }
+
+  void Subscribe() {
+    On<nav_msgs::OccupancyGrid>("/map", 1, [this](const nav_msgs::OccupancyGrid& message) {
+      std::string error;
+      if (const auto grid = ToGrid(message, error)) {
+        localizer_.SetMap(*grid);
+      } else {
+        ROS_ERROR("%s; it is not used", error.c_str());
+      }
+    });
+    On<nav_msgs::Odometry>("/odometry/filtered", 30, [this](const nav_msgs::Odometry& message) {
+      if (!IsValid(message.pose.pose)) return;
+      localizer_.AddOdometry(message.header.stamp.toSec(), ToPose2D(message.pose.pose));
+      PublishPose();
+    });
+    On<sensor_msgs::LaserScan>("/scan", 2, [this](const sensor_msgs::LaserScan& message) {
+      if (const auto mount = MountOf(message.header.frame_id)) {
+        localizer_.AddScan(ToLaserScan(message, *mount));
+        PublishPose();
+      }
+    });
+    On<geometry_msgs::PoseWithCovarianceStamped>(
+        "/initialpose", 1, [this](const geometry_msgs::PoseWithCovarianceStamped& message) {
+          OnInitialPose(message);
+        });
+  }
+
+  std::optional<Pose2D> MountOf(const std::string& frame) {
+    const auto known = mounts_.find(frame);
+    if (known != mounts_.end()) return known->second;
+    const auto mount = frames_.MountOf(frame);
+    if (mount) {
+      mounts_[frame] = *mount;
+    } else {
+      ROS_WARN_THROTTLE(10, "tf does not know where %s is", frame.c_str());
+    }
+    return mount;
+  }
+
+  void OnInitialPose(const geometry_msgs::PoseWithCovarianceStamped& message) {
+    if (message.header.frame_id != settings_.map_frame || !IsValid(message.pose.pose)) {
+      ROS_WARN("/initialpose is not used: no valid pose in the frame %s",
+               settings_.map_frame.c_str());
+      return;
+    }
+    const auto deviation = [&message](int i, double otherwise) {
+      const double variance = message.pose.covariance[i];
+      return variance > 0 && std::isfinite(variance) ? std::sqrt(variance) : otherwise;
+    };
+    const Pose2D pose = ToPose2D(message.pose.pose);
+    localizer_.SetPose(pose, std::max(deviation(0, kPersonDeviation), deviation(7, 0)),
+                       deviation(35, kPersonTurn));
+    ROS_INFO("set to (%.2f, %.2f, %.2f)", pose.x, pose.y, pose.yaw);
+  }
+
+  // Once for each scan that was used.
+  void PublishPose() {
+    const auto pose = localizer_.pose();
+    const double stamp = localizer_.scan_stamp();
+    if (!pose || stamp == published_) return;
+    published_ = stamp;
+    geometry_msgs::PoseWithCovarianceStamped message;
+    message.header.stamp = ros::Time(stamp);
+    message.header.frame_id = settings_.map_frame;
+    message.pose.pose = ToPoseMessage(*pose);
+    const Belief& belief = localizer_.belief();
+    message.pose.covariance[0] = belief.variance_x;
+    message.pose.covariance[1] = message.pose.covariance[6] = belief.covariance_xy;
+    message.pose.covariance[7] = belief.variance_y;
+    message.pose.covariance[35] = belief.variance_yaw;
+    pose_.publish(message);
+    tf2_msgs::TFMessage tf;
+    tf.transforms.resize(1);
+    tf.transforms[0].header = message.header;
+    tf.transforms[0].child_frame_id = settings_.odom_frame;
+    const geometry_msgs::Pose odom = ToPoseMessage(localizer_.odom_in_map());
+    tf.transforms[0].transform.translation.x = odom.position.x;
+    tf.transforms[0].transform.translation.y = odom.position.y;
+    tf.transforms[0].transform.rotation = odom.orientation;
+    tf_.publish(tf);
+    const LocalizationReport report = localizer_.Report(stamp);
+    if (report.phase != phase_) PublishState(report);
+    if (report.phase == LocalizationPhase::kOk) Save(*pose, stamp);
+  }
+
+  void PublishState(const LocalizationReport& report) {
+    coppice_msgs::LocalizationState state;
+    state.header.stamp = ros::Time::now();
+    state.phase = static_cast<std::uint8_t>(report.phase);
+    state.seconds_since_confirmed = report.seconds_since_confirmed;
+    state.score = report.score;
+    state.deviation = report.deviation;
+    state.message = report.message;
+    state_.publish(state);
+    if (report.phase != phase_) ROS_INFO("%s", report.message.c_str());
+    phase_ = report.phase;
+  }
+
+  void Save(const Pose2D& pose, double stamp) {
+    if (settings_.last_pose_file == "none" || std::abs(stamp - saved_stamp_) < kSavePeriod) return;
+    if (Distance(pose, saved_) < kSaveWay &&
+        std::abs(NormalizeAngle(pose.yaw - saved_.yaw)) < kSaveWay) {
+      return;
+    }
+    std::string error;
+    if (!SavePose(settings_.last_pose_file, pose, error))
+      ROS_WARN_THROTTLE(60, "%s", error.c_str());
+    saved_ = pose;
+    saved_stamp_ = stamp;
+  }
+
+  Settings settings_;
+  ros::NodeHandle node_;
+  Localizer localizer_;
+  RobotPose frames_;
+  std::map<std::string, Pose2D> mounts_;  // of the scanners in base_link
+  double published_ = 0;
+  LocalizationPhase phase_ = LocalizationPhase::kUncertain;  // as published
+  Pose2D saved_{HUGE_VAL, HUGE_VAL, 0};
+  double saved_stamp_ = 0;
+  ros::Publisher pose_;
+  ros::Publisher state_;
+  ros::Publisher tf_;
+  std::vector<ros::Subscriber> subscribers_;
+  ros::ServiceServer global_;
+  ros::Timer timer_;
+};
+
+}  // namespace
+}  // namespace coppice::robot
+
+int main(int argc, char** argv) {
+  namespace robot = coppice::robot;
+  if (const auto status = robot::StartNode(argc, argv, "localization", robot::kHelp)) {
+    return *status;
+  }
+  ros::NodeHandle keep_alive;
+  const auto settings = robot::ReadSettings();
+  if (!settings) return 2;
+  robot::LocalizationNode node(*settings);
+  ros::spin();
+  return 0;
+}

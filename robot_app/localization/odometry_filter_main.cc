@@ -1,0 +1,158 @@
+// coppice-odometry-filter: the filter of this folder as the ROS node /odometry_filter.
+#include <nav_msgs/Odometry.h>
+#include <ros/ros.h>
+#include <sensor_msgs/Imu.h>
+#include <tf2_msgs/TFMessage.h>
+
+#include <optional>
+#include <string>
+
+#include "robot_app/localization/odometry_filter.h"
+#include "robot_app/navigation/ros_support.h"
+
+namespace coppice::robot {
+namespace {
+
+constexpr char kHelp[] =
+    "coppice-odometry-filter: fuses wheels and gyroscope, as the ROS node /odometry_filter.\n"
+    "  subscribes  /odom (the velocities), /imu/data (the yaw rate)\n"
+    "  publishes   /odometry/filtered with covariances, tf odom -> base_link\n"
+    "  parameters  with defaults:\n"
+    "    ~frequency 30 (Hz, of what it publishes)\n"
+    "    ~acceleration 0.2  ~turn_acceleration 0.5 (change of the speeds in one second)\n"
+    "    ~speed_noise 0.004  ~speed_slip 0.01  ~turn_noise 0.01  ~turn_slip 0.03 (of the wheels)\n"
+    "    ~gyro_noise 0.002 (if /imu/data does not tell its covariance)\n"
+    "    ~odom_frame odom  ~base_frame base_link\n"
+    "Begins at the pose of the wheels. Silent without wheels; without the gyroscope the wheels do\n"
+    "alone. Ends on SIGTERM and SIGINT. Exit status 2: no ROS master answers, or a parameter is\n"
+    "wrong.\n";
+
+constexpr double kWithoutWheels = 0.5;  // an older report of the wheels says nothing [s]
+
+struct Settings {
+  OdometryFilterSettings filter;
+  double frequency = 30;
+  std::string odom_frame;
+  std::string base_frame;
+};
+
+std::optional<Settings> ReadSettings() {
+  Settings settings;
+  Parameters parameters;
+  const auto read = [&](const char* name, double& value, double low, double high) {
+    value = parameters.Number(name, value, low, high);
+  };
+  OdometryFilterSettings& filter = settings.filter;
+  read("frequency", settings.frequency, 1, 1000);
+  read("acceleration", filter.acceleration, 0.001, 100);
+  read("turn_acceleration", filter.turn_acceleration, 0.001, 100);
+  read("speed_noise", filter.speed_noise, 1e-5, 10);
+  read("speed_slip", filter.speed_slip, 0, 10);
+  read("turn_noise", filter.turn_noise, 1e-5, 10);
+  read("turn_slip", filter.turn_slip, 0, 10);
+  read("gyro_noise", filter.gyro_noise, 1e-6, 10);
+  settings.odom_frame = parameters.Text("odom_frame", "odom");
+  settings.base_frame = parameters.Text("base_frame", "base_link");
+  if (!parameters.Finish()) return std::nullopt;
+  return settings;
+}
+
+class OdometryFilterNode {
+ public:
+  explicit OdometryFilterNode(const Settings& settings)
+      : settings_(settings), filter_(settings.filter) {
+    odometry_ = node_.advertise<nav_msgs::Odometry>("/odometry/filtered", 20);
+    tf_ = node_.advertise<tf2_msgs::TFMessage>("/tf", 50);
+    const auto hints = ros::TransportHints().tcpNoDelay();
+    wheels_ = node_.subscribe<nav_msgs::Odometry>(
+        "/odom", 10,
+        boost::function<void(const nav_msgs::Odometry::ConstPtr&)>(
+            [this](const nav_msgs::Odometry::ConstPtr& message) { OnWheels(*message); }),
+        ros::VoidConstPtr(), hints);
+    imu_ = node_.subscribe<sensor_msgs::Imu>(
+        "/imu/data", 20,
+        boost::function<void(const sensor_msgs::Imu::ConstPtr&)>(
+            [this](const sensor_msgs::Imu::ConstPtr& message) { OnImu(*message); }),
+        ros::VoidConstPtr(), hints);
+  }
+
+ private:
+  void OnWheels(const nav_msgs::Odometry& message) {
+    const double stamp = message.header.stamp.toSec();
+    if (!IsValid(message.pose.pose) ||
+        !filter_.AddWheels(stamp, ToPose2D(message.pose.pose),
+                           {message.twist.twist.linear.x, message.twist.twist.angular.z})) {
+      ROS_WARN_THROTTLE(10, "a report of the wheels is not used: it cannot be");
+      return;
+    }
+    if (stamp < next_ - 2 / settings_.frequency) next_ = stamp;  // time was set back
+    Publish();
+  }
+
+  void OnImu(const sensor_msgs::Imu& message) {
+    if (filter_.AddYawRate(message.header.stamp.toSec(), message.angular_velocity.z,
+                           message.angular_velocity_covariance[8])) {
+      Publish();
+    }
+  }
+
+  // At the stamps of the measurements, so often that the frequency is held on average.
+  void Publish() {
+    const double stamp = filter_.stamp();
+    if (stamp < next_ || stamp - filter_.wheels_stamp() > kWithoutWheels) return;
+    next_ = std::max(next_ + 1 / settings_.frequency, stamp - 1 / settings_.frequency);
+    nav_msgs::Odometry message;
+    message.header.stamp = ros::Time(stamp);
+    message.header.frame_id = settings_.odom_frame;
+    message.child_frame_id = settings_.base_frame;
+    message.pose.pose = ToPoseMessage(filter_.pose());
+    message.twist.twist = ToTwist(filter_.velocity());
+    const OdometryFilter::Matrix& covariance = filter_.covariance();
+    constexpr int kPoseRows[] = {0, 1, 5};  // x, y, yaw of the six
+    for (int i = 0; i < 3; ++i) {
+      for (int j = 0; j < 3; ++j) {
+        message.pose.covariance[6 * kPoseRows[i] + kPoseRows[j]] = covariance(i, j);
+      }
+    }
+    constexpr int kTwistRows[] = {0, 5};  // forward, yaw rate
+    for (int i = 0; i < 2; ++i) {
+      for (int j = 0; j < 2; ++j) {
+        message.twist.covariance[6 * kTwistRows[i] + kTwistRows[j]] = covariance(3 + i, 3 + j);
+      }
+    }
+    odometry_.publish(message);
+    tf2_msgs::TFMessage tf;
+    tf.transforms.resize(1);
+    tf.transforms[0].header = message.header;
+    tf.transforms[0].child_frame_id = settings_.base_frame;
+    tf.transforms[0].transform.translation.x = message.pose.pose.position.x;
+    tf.transforms[0].transform.translation.y = message.pose.pose.position.y;
+    tf.transforms[0].transform.rotation = message.pose.pose.orientation;
+    tf_.publish(tf);
+  }
+
+  Settings settings_;
+  ros::NodeHandle node_;
+  OdometryFilter filter_;
+  double next_ = 0;  // stamp of what is published next
+  ros::Publisher odometry_;
+  ros::Publisher tf_;
+  ros::Subscriber wheels_;
+  ros::Subscriber imu_;
+};
+
+}  // namespace
+}  // namespace coppice::robot
+
+int main(int argc, char** argv) {
+  namespace robot = coppice::robot;
+  if (const auto status = robot::StartNode(argc, argv, "odometry_filter", robot::kHelp)) {
+    return *status;
+  }
+  ros::NodeHandle keep_alive;
+  const auto settings = robot::ReadSettings();
+  if (!settings) return 2;
+  robot::OdometryFilterNode node(*settings);
+  ros::spin();
+  return 0;
+}

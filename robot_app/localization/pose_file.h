@@ -1,0 +1,24 @@
+// The last pose that was certain, in a file: one line "x y yaw" in metres and radians.
+#ifndef COPPICE_ROBOT_APP_LOCALIZATION_POSE_FILE_H_
+#define COPPICE_ROBOT_APP_LOCALIZATION_POSE_FILE_H_
+
+#include <optional>
+#include <string>
+
+#include "robot_app/navigation/pose2d.h"
+
+namespace coppice::robot {
+
+/// "X Y YAW" with finite numbers and nothing else; nothing otherwise.
+std::optional<Pose2D> ParsePose(const std::string& text);
+
+/// Nothing if there is no such file or it does not hold a pose.
+std::optional<Pose2D> LoadPose(const std::string& file);
+
+/// Replaces the file at once: whoever reads it sees the old or the new pose, also after a power
+/// failure. False, with the reason, if it cannot be written.
+bool SavePose(const std::string& file, const Pose2D& pose, std::string& error);
+
+}  // namespace coppice::robot
+
+#endif  // COPPICE_ROBOT_APP_LOCALIZATION_POSE_FILE_H_
