@@ -1,6 +1,7 @@
 // coppice-docking: the dock controller as the ROS node /docking.
 #include <actionlib/server/simple_action_server.h>
 #include <coppice_msgs/DockingAction.h>
+#include <nav_msgs/Odometry.h>
 #include <ros/ros.h>
 #include <sensor_msgs/BatteryState.h>
 
@@ -17,14 +18,16 @@ namespace {
 constexpr char kHelp[] =
     "coppice-docking: drives onto the charging station and off it, as the ROS node /docking.\n"
     "  action      docking (coppice_msgs/Docking)\n"
-    "  subscribes  /battery_state /scan /tf /tf_static\n"
+    "  subscribes  /battery_state /scan /odom /tf /tf_static\n"
     "  publishes   /cmd_vel, only during a manoeuvre\n"
     "  parameters  with defaults, in SI units:\n"
     "    ~docked_x -2.4  ~docked_y 0  ~docked_yaw 3.14159 (base_link when docked, map frame)\n"
     "    ~staging_distance 1.6  ~farthest_start 1.5  ~approach_speed 0.12  ~attempts 3\n"
     "    ~charging_above 0.5  ~charging_for 3  ~charging_within 10  ~robot_radius 0.33\n"
     "    ~map_frame map  ~odom_frame odom  ~base_frame base_link\n"
-    "Only a charging current that lasts is success. Ends on SIGTERM and SIGINT.\n"
+    "Only a charging current that lasts is success. Undocking works without localization, which\n"
+    "does not run while the robot charges: as long as current flows the robot is where it docks.\n"
+    "Ends on SIGTERM and SIGINT.\n"
     "Exit status 2: no ROS master answers, or a parameter is wrong.\n";
 
 constexpr double kControlPeriod = 0.05;  // ROS time [s]
@@ -69,7 +72,8 @@ std::optional<Settings> ReadSettings() {
 class DockingNode {
  public:
   explicit DockingNode(const Settings& settings)
-      : controller_(settings.dock),
+      : settings_(settings.dock),
+        controller_(settings.dock),
         pose_(settings.map_frame, settings.odom_frame, settings.base_frame),
         server_(node_, "docking", false) {
     command_ = node_.advertise<geometry_msgs::Twist>("/cmd_vel", 1);
@@ -77,6 +81,11 @@ class DockingNode {
         "/battery_state", 5, [this](const sensor_msgs::BatteryState::ConstPtr& message) {
           current_ = message->current;
           battery_stamp_ = message->header.stamp.toSec();
+        }));
+    subscribers_.push_back(node_.subscribe<nav_msgs::Odometry>(
+        "/odom", 1, [this](const nav_msgs::Odometry::ConstPtr& message) {
+          wheels_ = ToPose2D(message->pose.pose);
+          wheels_stamp_ = message->header.stamp.toSec();
         }));
     subscribers_.push_back(node_.subscribe<sensor_msgs::LaserScan>(
         "/scan", 1, [this](const sensor_msgs::LaserScan::ConstPtr& message) {
@@ -96,17 +105,29 @@ class DockingNode {
   }
 
  private:
+  // From the localization; or, on the way off the station, from where it began by the wheels.
+  std::optional<Pose2D> PoseOnMap(const DockInput& input) {
+    const auto pose = pose_.Newest();
+    if (pose && input.now - pose->stamp < kPoseTimeout) return pose->pose;
+    if (goal_->dock || input.now - wheels_stamp_ > kPoseTimeout) return std::nullopt;
+    if (!is_started_ && input.battery_known && input.current > settings_.charging_above) {
+      wheels_docked_ = wheels_;
+    }
+    if (!wheels_docked_) return std::nullopt;
+    return Compose(settings_.docked, RelativeTo(*wheels_docked_, wheels_));
+  }
+
   // What is known now; nothing, with the reason, if that is not enough to drive with.
-  std::optional<DockInput> Input(std::string& missing) const {
+  std::optional<DockInput> Input(std::string& missing) {
     DockInput input;
     input.now = ros::Time::now().toSec();
-    const auto pose = pose_.Newest();
-    if (!pose || input.now - pose->stamp > kPoseTimeout) missing = "the robot's pose is not known";
-    if (input.now - scan_stamp_ > kScanTimeout) missing = "there is no laser scan";
-    if (!missing.empty()) return std::nullopt;
-    input.pose = pose->pose;
     input.current = current_;
     input.battery_known = input.now - battery_stamp_ < kBatteryTimeout;
+    const auto pose = PoseOnMap(input);
+    if (!pose) missing = "the robot's pose is not known";
+    if (input.now - scan_stamp_ > kScanTimeout) missing = "there is no laser scan";
+    if (!missing.empty()) return std::nullopt;
+    input.pose = *pose;
     input.obstacles = points_;
     return input;
   }
@@ -115,6 +136,7 @@ class DockingNode {
     goal_ = server_.acceptNewGoal();
     is_started_ = false;
     blind_for_ = 0;
+    wheels_docked_.reset();
   }
 
   void Start(const DockInput& input) {
@@ -174,11 +196,15 @@ class DockingNode {
     server_.publishFeedback(feedback);
   }
 
+  DockSettings settings_;
   ros::NodeHandle node_;
   DockController controller_;
   RobotPose pose_;
-  double current_ = 0;        // [A]
-  double battery_stamp_ = 0;  // [s]
+  double current_ = 0;                   // [A]
+  double battery_stamp_ = 0;             // [s]
+  Pose2D wheels_;                        // base_link in the frame of /odom
+  double wheels_stamp_ = 0;              // [s]
+  std::optional<Pose2D> wheels_docked_;  // wheels_ in the station, before undocking
   std::vector<Point2D> points_;
   double scan_stamp_ = 0;
   actionlib::SimpleActionServer<coppice_msgs::DockingAction> server_;

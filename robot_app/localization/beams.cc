@@ -59,6 +59,11 @@ double Agreement::score() const {
   return all > 0 ? agree / all : 0;
 }
 
+double Agreement::share() const {
+  const int all = agree + through + hidden;
+  return all > 0 ? static_cast<double>(agree) / all : 0;
+}
+
 Agreement Agree(const LikelihoodField& field, const std::vector<Beam>& beams, const Pose2D& pose) {
   Agreement sum;
   for (const Beam& beam : beams) {

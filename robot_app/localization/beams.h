@@ -31,6 +31,8 @@ struct Agreement {
   int through = 0;  ///< went through a wall of the map: that cannot be
   /// 0..1. What stands in the way says little about where the robot is; going through a wall much.
   double score() const;
+  /// The plain share of the beams that agree, 0..1: to compare two places.
+  double share() const;
 };
 Agreement Agree(const LikelihoodField& field, const std::vector<Beam>& beams, const Pose2D& pose);
 

@@ -28,7 +28,7 @@ constexpr char kHelp[] =
     "    ~start_pose \"X Y YAW\", ~last_pose_file FILE: where the robot may be at the start. Both\n"
     "      are believed only if the first scan fits there and nowhere better. Default: none\n"
     "    ~agree 0.65 (score from which a scan confirms the pose)\n"
-    "    ~margin 0.06 (a place that fits less worse than that is a rival)\n"
+    "    ~margin 0.06 (a rival: so much smaller a share of the beams agrees there)\n"
     "    ~largest_deviation 0.3  ~uncertain_after 1.5  ~lost_after 5 (not confirmed for so long)\n"
     "    ~check_period 3  ~fewest_particles 300  ~most_particles 3000  ~seed 1\n"
     "    ~map_frame map  ~odom_frame odom  ~base_frame base_link\n"

@@ -22,6 +22,8 @@ constexpr double kStillLook = 3;         // s; long enough for who has not moved
 constexpr double kExpectedWithin = 2;    // m
 constexpr double kExpectedTurn = 0.8;    // rad
 constexpr std::size_t kMostPlaces = 8;
+constexpr double kClearlyBetter = 0.04;  // share of the beams
+constexpr int kSeenThroughWalls = 3;     // beams, more than at the better place
 constexpr double kFreshAtLeast = 0.3;
 
 }  // namespace
@@ -132,13 +134,14 @@ void Localizer::Advance(const Pose2D& odometry) {
 
 void Localizer::Start(const std::vector<Beam>& beams) {
   const std::vector<FittingPlace> places = map_->search.Find(beams, kMostPlaces);
-  const double best = places.empty() ? 0 : places.front().score;
+  const double best = places.empty() ? 0 : places.front().agreement.share();
   for (const Pose2D& expected : expected_) {
     std::vector<FittingPlace> candidates = places;
     const Pose2D matched = MatchScan(map_->field, beams, expected);
-    candidates.push_back({matched, Agree(map_->field, beams, matched).score()});
+    candidates.push_back({matched, Agree(map_->field, beams, matched)});
     const auto is_it = [&](const FittingPlace& place) {
-      return place.score >= settings_.agree && place.score >= best - settings_.margin / 2 &&
+      return place.agreement.score() >= settings_.agree &&
+             place.agreement.share() > best - settings_.margin / 2 &&
              Distance(place.pose, expected) < kExpectedWithin &&
              std::abs(NormalizeAngle(place.pose.yaw - expected.yaw)) < kExpectedTurn;
     };
@@ -149,7 +152,7 @@ void Localizer::Start(const std::vector<Beam>& beams) {
     return PutAt(found->pose, true);
   }
   expected_.clear();
-  if (best < settings_.agree) return;
+  if (places.empty() || places.front().agreement.score() < settings_.agree) return;
   filter_.Inject(places, 1);
   PutAt(places.front().pose, false);
 }
@@ -195,11 +198,14 @@ void Localizer::Judge(const std::vector<Beam>& beams) {
   }
 }
 
+// That things stand where the map has none is no reason to doubt: the corridor may be blocked. But
+// nobody sees through walls.
 void Localizer::LookForBetter(const std::vector<Beam>& beams) {
   if (stamp_ < next_search_) return;
   const std::vector<FittingPlace> places = map_->search.Find(beams, 2);
   const bool better = !places.empty() && !IsSamePlace(places.front().pose, pose_) &&
-                      places.front().score > agreement_.score() + settings_.margin;
+                      places.front().agreement.share() > agreement_.share() + kClearlyBetter &&
+                      places.front().agreement.through + kSeenThroughWalls <= agreement_.through;
   contested_ = better ? contested_ + 1 : 0;
   next_search_ = stamp_ + (better ? 0.5 : settings_.check_period);
 }
@@ -216,14 +222,15 @@ void Localizer::LookAround(const std::vector<Beam>& beams) {
 
 void Localizer::Consider(const std::vector<FittingPlace>& places) {
   rivals_ = 0;
-  if (places.empty() || places.front().score < settings_.agree) {
+  if (places.empty() || places.front().agreement.score() < settings_.agree) {
     // What has been put together is not of this map: perhaps the robot was carried in between.
     if (view_.complete()) view_.Clear();
     return;
   }
   std::vector<FittingPlace> fitting;
   for (const FittingPlace& place : places) {
-    if (place.score > places.front().score - settings_.margin) fitting.push_back(place);
+    const double worse = places.front().agreement.share() - place.agreement.share();
+    if (worse < settings_.margin) fitting.push_back(place);
   }
   rivals_ = fitting.size() - 1;
   const Pose2D& best = places.front().pose;

@@ -31,7 +31,7 @@ struct LocalizerSettings {
   ParticleFilterSettings filter;
   std::uint64_t seed = 1;
   double agree = 0.65;             ///< the scan agrees with the map from this score on
-  double margin = 0.06;            ///< a place whose score is less worse than that is a rival
+  double margin = 0.06;            ///< a rival: so much smaller a share of the beams agrees there
   double largest_deviation = 0.3;  ///< of a confirmed position [m]
   double uncertain_after = 1.5;    ///< not confirmed for so long [s]
   double lost_after = 5;           ///< s

@@ -99,7 +99,9 @@ class OdometryFilterNode {
   // At the stamps of the measurements, so often that the frequency is held on average.
   void Publish() {
     const double stamp = filter_.stamp();
-    if (stamp < next_ || stamp - filter_.wheels_stamp() > kWithoutWheels) return;
+    if (stamp < next_ || stamp == published_) return;
+    if (stamp - filter_.wheels_stamp() > kWithoutWheels) return;
+    published_ = stamp;
     next_ = std::max(next_ + 1 / settings_.frequency, stamp - 1 / settings_.frequency);
     nav_msgs::Odometry message;
     message.header.stamp = ros::Time(stamp);
@@ -135,6 +137,7 @@ class OdometryFilterNode {
   ros::NodeHandle node_;
   OdometryFilter filter_;
   double next_ = 0;  // stamp of what is published next
+  double published_ = 0;
   ros::Publisher odometry_;
   ros::Publisher tf_;
   ros::Subscriber wheels_;

@@ -47,7 +47,7 @@ void ParticleFilter::Inject(const std::vector<FittingPlace>& places, double shar
   share = particles_.empty() ? 1 : std::clamp(share, 0.0, 1.0);
   for (Particle& particle : particles_) particle.weight *= 1 - share;
   std::vector<double> scores;
-  for (const FittingPlace& place : places) scores.push_back(place.score);
+  for (const FittingPlace& place : places) scores.push_back(place.agreement.share());
   std::discrete_distribution<std::size_t> pick(scores.begin(), scores.end());
   const auto count = static_cast<int>(std::ceil(share * settings_.most));
   for (int i = 0; i < count; ++i) {

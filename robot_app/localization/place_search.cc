@@ -163,10 +163,11 @@ std::vector<FittingPlace> PlaceSearch::Find(const std::vector<Beam>& beams,
     if (is_known(peaks, pose)) continue;
     peaks.push_back(pose);
     const Pose2D matched = MatchScan(field_, beams, pose);
-    places.push_back({matched, Agree(field_, beams, matched).score()});
+    places.push_back({matched, Agree(field_, beams, matched)});
   }
-  std::sort(places.begin(), places.end(),
-            [](const FittingPlace& a, const FittingPlace& b) { return a.score > b.score; });
+  std::sort(places.begin(), places.end(), [](const FittingPlace& a, const FittingPlace& b) {
+    return a.agreement.share() > b.agreement.share();
+  });
   std::vector<FittingPlace> distinct;
   for (const FittingPlace& place : places) {
     const bool known =

@@ -15,10 +15,10 @@
 
 namespace coppice::robot {
 
-/// A pose of base_link in the map frame, and how well the beams fit there, 0..1.
+/// A pose of base_link in the map frame, and how well the beams fit there.
 struct FittingPlace {
   Pose2D pose;
-  double score = 0;
+  Agreement agreement;
 };
 
 /// Two places count as the same if they are nearer than this [m], [rad].
@@ -31,8 +31,8 @@ class PlaceSearch {
   /// The field must outlive this object.
   explicit PlaceSearch(const LikelihoodField& field);
 
-  /// The places that fit best, best first, at most `most`, none of them the same. Each is matched
-  /// precisely and its score is that of Agree(). Places that fit much worse than the best may be
+  /// The places where the largest share of the beams agrees, best first, at most `most`, none of
+  /// them the same. Each is matched precisely. Places that fit much worse than the best may be
   /// missing. Some milliseconds; allocates.
   std::vector<FittingPlace> Find(const std::vector<Beam>& beams, std::size_t most) const;
 

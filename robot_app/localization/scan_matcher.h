@@ -19,7 +19,7 @@ struct MatchSettings {
 /// The pose near `pose` at which the beams that hit lie nearest to walls, by Gauss-Newton on the
 /// distance field (S. Kohlbrecher et al.: A Flexible and Scalable SLAM System with Full 3D Motion
 /// Estimation, SSRR 2011). The given pose counts as a measurement too: along a bare corridor the
-/// pose stays as it is. Finds the right place from about 0.3 m and 0.2 rad away.
+/// pose stays as it is. Finds the right place from about 0.2 m and 0.1 rad away.
 Pose2D MatchScan(const LikelihoodField& field, const std::vector<Beam>& beams, const Pose2D& pose,
                  const MatchSettings& settings = {});
 

@@ -2,7 +2,7 @@
 #ifndef COPPICE_TESTS_ROBOT_APP_LOCALIZATION_LOCALIZED_ROBOT_H_
 #define COPPICE_TESTS_ROBOT_APP_LOCALIZATION_LOCALIZED_ROBOT_H_
 
-#include <memory>
+#include <random>
 #include <vector>
 
 #include "robot_app/localization/localizer.h"
@@ -15,38 +15,31 @@ class LocalizedRobot {
  public:
   LocalizedRobot(const Floor& floor, const Pose2D& start, std::uint64_t seed,
                  LocalizerSettings settings = {})
-      : floor_(floor), seed_(seed), localizer_(WithSeed(settings, seed)) {
+      : world_(floor, Options(start, seed)), localizer_(WithSeed(settings, seed)) {
     localizer_.SetMap(MapOf(floor));
-    Carry(start);
   }
 
-  /// Somebody carries the robot away: its wheels and its gyroscope notice nothing.
+  /// Somebody carries the robot away: its wheels and its gyroscope notice nothing. Waits until
+  /// nobody stands there.
   void Carry(const Pose2D& pose) {
-    time_before_ += world_ ? world_->time() : 0;
-    WorldOptions options;
-    options.start = Pose2{pose.x, pose.y, pose.yaw};
-    options.seed = seed_++;
-    world_ = std::make_unique<World>(floor_, options);
-    scan_time_ = wheels_time_ = -1;
+    while (!world_.Kidnap({pose.x, pose.y, pose.yaw}).ok) Step({});
   }
 
   void RestartOdometry() { filter_ = OdometryFilter(); }
 
   void Step(const Velocity2D& command) {
-    world_->Step(0.02, Velocity{command.linear, command.angular});
-    const Odometry& wheels = world_->odometry();
-    filter_.AddYawRate(now(), world_->imu().yaw_rate, 0);
+    world_.Step(0.02, Velocity{command.linear, command.angular});
+    const Odometry& wheels = world_.odometry();
+    filter_.AddYawRate(now(), world_.imu().yaw_rate, 0);
     if (wheels.time() != wheels_time_) {
       wheels_time_ = wheels.time();
       filter_.AddWheels(now(), {wheels.pose().x, wheels.pose().y, wheels.pose().yaw},
                         {wheels.velocity().linear, wheels.velocity().angular});
     }
     if (filter_.started()) localizer_.AddOdometry(filter_.stamp(), filter_.pose());
-    if (world_->scan().time == scan_time_) return;
-    scan_time_ = world_->scan().time;
-    LaserScan scan = ScanOf(*world_);
-    scan.stamp += time_before_;
-    localizer_.AddScan(std::move(scan));
+    if (world_.scan().time == scan_time_) return;
+    scan_time_ = world_.scan().time;
+    localizer_.AddScan(ScanOf(world_));
   }
 
   /// Constant speed for a while. Returns the seconds until `done` first came true, or -1.
@@ -64,29 +57,32 @@ class LocalizedRobot {
   }
   void TurnOnce() { Drive({0, 0.4}, 2 * M_PI / 0.4); }
 
-  double now() const { return time_before_ + world_->time(); }
-  World& world() { return *world_; }
+  double now() const { return world_.time(); }
+  World& world() { return world_; }
   Localizer& localizer() { return localizer_; }
   const OdometryFilter& filter() const { return filter_; }
   LocalizationReport Report() const { return localizer_.Report(now()); }
   bool IsOk() const { return Report().phase == LocalizationPhase::kOk; }
   bool IsLost() const { return Report().phase == LocalizationPhase::kLost; }
-  Pose2D Truth() const { return PoseOf(*world_); }
+  Pose2D Truth() const { return PoseOf(world_); }
   /// base_link in the map now, as tf would tell it.
   Pose2D Estimate() const { return Compose(localizer_.odom_in_map(), filter_.pose()); }
   double Error() const { return Distance(Estimate(), Truth()); }
   double YawError() const { return std::abs(NormalizeAngle(Estimate().yaw - Truth().yaw)); }
 
  private:
+  static WorldOptions Options(const Pose2D& start, std::uint64_t seed) {
+    WorldOptions options;
+    options.start = Pose2{start.x, start.y, start.yaw};
+    options.seed = seed;
+    return options;
+  }
   static LocalizerSettings WithSeed(LocalizerSettings settings, std::uint64_t seed) {
     settings.seed = seed;
     return settings;
   }
 
-  Floor floor_;
-  std::uint64_t seed_;
-  std::unique_ptr<World> world_;
-  double time_before_ = 0;  // of the worlds before this one
+  World world_;
   double scan_time_ = -1;
   double wheels_time_ = -1;
   OdometryFilter filter_;

@@ -71,7 +71,7 @@ TEST_F(ParticleFilterTest, NoticesThatScansFitWorseAndFindsBackByFreshParticles)
   const Pose2D carried{10, 1.5, 2};
   DriveFrom(carried, filter);
   EXPECT_GT(filter.FreshShare(), 0.1);
-  filter.Inject({{carried, 0.9}, {{2, 4, 0}, 0.5}}, 0.3);
+  filter.Inject({{carried, {90, 10, 0}}, {{2, 4, 0}, {50, 30, 20}}}, 0.3);
   const Pose2D truth = DriveFrom(carried, filter);
   EXPECT_LT(Distance(filter.belief().pose, truth), 0.2);
   EXPECT_GT(filter.belief().share, 0.9);
@@ -95,7 +95,7 @@ TEST_F(ParticleFilterTest, IsEmptyAtFirst) {
   filter.Inject({}, 0.5);
   EXPECT_TRUE(filter.empty());
   EXPECT_EQ(filter.belief().share, 0);
-  filter.Inject({{{2, 4, 0}, 0.5}}, 0.1);
+  filter.Inject({{{2, 4, 0}, {50, 0, 50}}}, 0.1);
   EXPECT_NEAR(filter.belief().pose.x, 2, 0.1);
 }
 

@@ -25,11 +25,10 @@ TEST_F(PlaceSearchTest, TheTruePlaceIsAlwaysAmongThoseThatFitBest) {
   for (const Pose2D& pose : RandomPoses(MapOf(floor_), 60, 5)) {
     const std::vector<FittingPlace> places = search_.Find(SeenFrom(pose), 8);
     ASSERT_FALSE(places.empty()) << pose.x << " " << pose.y << " " << pose.yaw;
-    for (auto& p : places) if (Distance(p.pose,pose)<2) printf("%.2f %.2f: %.3f %.3f %.3f best %.3f\n", pose.x,pose.y,Distance(p.pose,pose), p.pose.yaw-pose.yaw,p.score, places[0].score);
     bool found = false;
     for (const FittingPlace& place : places) {
-      found =
-          found || (Distance(place.pose, pose) < 0.05 && place.score > places.front().score - 0.05);
+      found = found || (Distance(place.pose, pose) < 0.05 &&
+                        place.agreement.share() > places.front().agreement.share() - 0.05);
     }
     EXPECT_TRUE(found) << pose.x << " " << pose.y << " " << pose.yaw;
   }
@@ -38,9 +37,9 @@ TEST_F(PlaceSearchTest, TheTruePlaceIsAlwaysAmongThoseThatFitBest) {
 TEST_F(PlaceSearchTest, NothingElseLooksLikeTheHall) {
   const std::vector<FittingPlace> places = search_.Find(SeenFrom({46.5, -0.5, 1}), 8);
   ASSERT_FALSE(places.empty());
-  EXPECT_GT(places[0].score, 0.9);
+  EXPECT_GT(places[0].agreement.share(), 0.9);
   for (std::size_t i = 1; i < places.size(); ++i) {
-    EXPECT_LT(places[i].score, places[0].score - 0.2);
+    EXPECT_LT(places[i].agreement.share(), places[0].agreement.share() - 0.2);
     EXPECT_FALSE(IsSamePlace(places[i].pose, places[0].pose));
   }
 }
@@ -49,7 +48,7 @@ TEST_F(PlaceSearchTest, OfficesThatLookAlikeFitEquallyWell) {
   // 101 and 104 are the same, 24 m apart.
   const std::vector<FittingPlace> places = search_.Find(SeenFrom({8, 5, -2}), 8);
   ASSERT_GE(places.size(), 2u);
-  EXPECT_NEAR(places[0].score, places[1].score, 0.02);
+  EXPECT_NEAR(places[0].agreement.share(), places[1].agreement.share(), 0.02);
   EXPECT_NEAR(Distance(places[0].pose, places[1].pose), 24, 0.1);
 }
 

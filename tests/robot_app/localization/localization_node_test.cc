@@ -1,0 +1,221 @@
+// The programs coppice-odometry-filter and coppice-localization with the simulator over ROS.
+#include <coppice_msgs/InjectFault.h>
+#include <coppice_msgs/LocalizationState.h>
+#include <geometry_msgs/PoseWithCovarianceStamped.h>
+#include <geometry_msgs/Twist.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nav_msgs/Odometry.h>
+#include <std_srvs/Empty.h>
+
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <mutex>
+#include <optional>
+#include <sstream>
+
+#include "robot_app/navigation/ros_support.h"
+#include "tests/robot_app/ros_environment.h"
+
+namespace coppice::robot {
+namespace {
+
+using State = coppice_msgs::LocalizationState;
+using testing::HasSubstr;
+
+constexpr double kPatience = 30;  // wall time, for whatever is waited for [s]
+const std::string kPrograms = COPPICE_BINARY_DIR "/bin/";
+
+std::string Log(const std::string& name) { return testing::TempDir() + name + ".log"; }
+
+std::string TextOf(const std::string& file) {
+  std::ostringstream text;
+  text << std::ifstream(file).rdbuf();
+  return text.str();
+}
+
+// Keeps the newest message of a topic.
+template <typename Message>
+class Latest {
+ public:
+  Latest(ros::NodeHandle& node, const std::string& topic)
+      : subscriber_(node.subscribe<Message>(
+            topic, 5, [this](const boost::shared_ptr<const Message>& message) {
+              const std::lock_guard<std::mutex> lock(mutex_);
+              message_ = *message;
+            })) {}
+  ~Latest() { subscriber_.shutdown(); }
+  std::optional<Message> get() const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return message_;
+  }
+  void Forget() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    message_.reset();
+  }
+
+ private:
+  mutable std::mutex mutex_;
+  std::optional<Message> message_;
+  ros::Subscriber subscriber_;
+};
+
+class LocalizationNodeTest : public testing::Test {
+ protected:
+  LocalizationNodeTest() {
+    std::filesystem::remove(kLastPose);
+    command_ = node_.advertise<geometry_msgs::Twist>("/cmd_vel", 1);
+    set_pose_ = node_.advertise<geometry_msgs::PoseWithCovarianceStamped>("/initialpose", 1);
+    simulator_ = ChildProcess({kPrograms + "coppice-simulator", "_speed:=4", "_localization:=false",
+                               "_odometry_tf:=false"},
+                              Log("simulator"));
+    StartFilter();
+    StartLocalization();
+  }
+
+  void StartFilter() {
+    filter_ = ChildProcess({kPrograms + "coppice-odometry-filter"}, Log("odometry_filter"));
+  }
+  void StartLocalization() {
+    localization_ = ChildProcess({kPrograms + "coppice-localization", "_start_pose:=-2.4 0 3.14159",
+                                  "_last_pose_file:=" + kLastPose},
+                                 Log("localization"));
+  }
+  static void Kill(ChildProcess& process) {
+    kill(process.pid(), SIGKILL);
+    EXPECT_TRUE(Eventually([&] { return !process.IsRunning(); }));
+  }
+
+  bool WaitForPhase(int phase) {
+    return Eventually([&] { return state_.get() && state_.get()->phase == phase; }, kPatience);
+  }
+  bool TurnUntilOk() {
+    return Eventually(
+        [&] {
+          geometry_msgs::Twist twist;
+          twist.angular.z = 0.6;
+          command_.publish(twist);
+          return state_.get() && state_.get()->phase == State::OK;
+        },
+        kPatience);
+  }
+  // base_link as tf tells it, against the truth.
+  bool IsWhereItShouldBe(double within) {
+    return Eventually(
+        [&] {
+          const auto truth = truth_.get();
+          const auto pose = frames_.Newest();
+          return truth && pose && Distance(pose->pose, ToPose2D(truth->pose)) < within;
+        },
+        kPatience);
+  }
+  void Kidnap(const std::string& where) {
+    EXPECT_TRUE(Eventually(
+        [&] {  // somebody may stand there
+          coppice_msgs::InjectFault service;
+          service.request.fault = "kidnap";
+          service.request.target = where;
+          return ros::service::call("/simulation/inject_fault", service) && service.response.ok;
+        },
+        kPatience));
+  }
+
+  const std::string kLastPose = testing::TempDir() + "localization_last_pose";
+  ros::NodeHandle node_;
+  ros::Publisher command_;
+  ros::Publisher set_pose_;
+  ChildProcess simulator_;
+  ChildProcess filter_;
+  ChildProcess localization_;
+  Latest<State> state_{node_, "/localization/state"};
+  Latest<geometry_msgs::PoseStamped> truth_{node_, "/simulation/truth"};
+  Latest<nav_msgs::Odometry> filtered_{node_, "/odometry/filtered"};
+  Latest<geometry_msgs::PoseWithCovarianceStamped> pose_{node_, "/localization/pose"};
+  RobotPose frames_{"map", "odom", "base_link"};
+};
+
+TEST_F(LocalizationNodeTest, FindsTheCarriedRobotByATurnAndByAPerson) {
+  ASSERT_TRUE(WaitForPhase(State::OK)) << TextOf(Log("localization"));
+  EXPECT_TRUE(IsWhereItShouldBe(0.03));
+  ASSERT_TRUE(pose_.get());
+  EXPECT_EQ(pose_.get()->header.frame_id, "map");
+  EXPECT_GT(pose_.get()->pose.covariance[0], 0);
+  EXPECT_GT(state_.get()->score, 0.8);
+  EXPECT_LT(state_.get()->deviation, 0.3);
+
+  Kidnap("hall_centre");
+  ASSERT_TRUE(WaitForPhase(State::LOST));
+  ASSERT_TRUE(TurnUntilOk()) << state_.get()->message;
+  EXPECT_TRUE(IsWhereItShouldBe(0.1));
+
+  Kidnap("32.4 3.8 1.5");  // an office that looks like another one
+  ASSERT_TRUE(WaitForPhase(State::LOST));
+  const auto truth = truth_.get();
+  geometry_msgs::PoseWithCovarianceStamped pose;
+  pose.header.frame_id = "elsewhere";
+  pose.pose.pose = truth->pose;
+  pose.pose.pose.position.x += 0.3;
+  set_pose_.publish(pose);
+  pose.header.frame_id = "map";
+  set_pose_.publish(pose);
+  EXPECT_TRUE(WaitForPhase(State::OK)) << state_.get()->message;
+  EXPECT_TRUE(IsWhereItShouldBe(0.1));
+}
+
+TEST_F(LocalizationNodeTest, GoesOnAfterRestartsOfEither) {
+  ASSERT_TRUE(WaitForPhase(State::OK)) << TextOf(Log("localization"));
+  Kidnap("hall_centre");
+  ASSERT_TRUE(WaitForPhase(State::LOST));
+  ASSERT_TRUE(TurnUntilOk());
+  EXPECT_TRUE(Eventually([&] {
+    return TextOf(kLastPose).rfind("46", 0) == 0 || TextOf(kLastPose).rfind("45.9", 0) == 0;
+  })) << TextOf(kLastPose);
+
+  Kill(filter_);
+  filtered_.Forget();
+  StartFilter();
+  EXPECT_TRUE(Eventually([&] { return filtered_.get().has_value(); }, kPatience));
+  EXPECT_TRUE(WaitForPhase(State::OK)) << state_.get()->message;
+  EXPECT_TRUE(IsWhereItShouldBe(0.1));
+
+  // It begins anew, with the last pose as the first idea; no turn is needed.
+  Kill(localization_);
+  state_.Forget();
+  StartLocalization();
+  EXPECT_TRUE(WaitForPhase(State::OK)) << TextOf(Log("localization"));
+  EXPECT_TRUE(IsWhereItShouldBe(0.1));
+
+  // If that idea is wrong it is not believed.
+  Kill(localization_);
+  state_.Forget();
+  Kidnap("corridor_east_end");
+  StartLocalization();
+  ASSERT_TRUE(WaitForPhase(State::LOST)) << TextOf(Log("localization"));
+  ASSERT_TRUE(TurnUntilOk()) << state_.get()->message;
+  EXPECT_TRUE(IsWhereItShouldBe(0.1));
+
+  std_srvs::Empty nothing;
+  ASSERT_TRUE(ros::service::call("/global_localization", nothing));
+  EXPECT_TRUE(Eventually([&] { return state_.get()->phase != State::OK; }));
+  EXPECT_TRUE(TurnUntilOk());
+  EXPECT_EQ(localization_.Stop(std::chrono::seconds(5)), 0);
+  EXPECT_EQ(filter_.Stop(std::chrono::seconds(5)), 0);
+}
+
+TEST_F(LocalizationNodeTest, RefusesParametersThatMakeNoSense) {
+  const auto run = [](const std::vector<std::string>& command) {
+    ChildProcess process(command, Log("refused"));
+    EXPECT_TRUE(Eventually([&] { return !process.IsRunning(); }, kPatience));
+    return process.exit_status();
+  };
+  EXPECT_EQ(run({kPrograms + "coppice-localization", "__name:=a", "_start_pose:=here"}), 2);
+  EXPECT_THAT(TextOf(Log("refused")), HasSubstr("X Y YAW"));
+  EXPECT_EQ(run({kPrograms + "coppice-localization", "__name:=b", "_agree:=7"}), 2);
+  EXPECT_EQ(run({kPrograms + "coppice-odometry-filter", "__name:=c", "_frequenzy:=7"}), 2);
+  EXPECT_THAT(TextOf(Log("refused")), HasSubstr("frequency"));
+  EXPECT_EQ(run({kPrograms + "coppice-odometry-filter", "--help"}), 0);
+}
+
+}  // namespace
+}  // namespace coppice::robot
