@@ -24,11 +24,12 @@ std::string UserPath(const char* variable, const char* fallback, const char* pat
 
 }  // namespace
 
-std::unique_ptr<Editor> MakeEditor(const EditOptions& options,
-                                   EditorOptions editor_options) {
+std::unique_ptr<Editor> MakeEditor(const EditOptions& options, EditorOptions editor_options) {
   editor_options.palette = options.palette;
   if (!options.headless) {
     editor_options.recent_file = UserPath("XDG_CONFIG_HOME", "/.config", "/coppice/recent");
+    editor_options.keys_file = UserPath("XDG_CONFIG_HOME", "/.config", "/coppice/keys");
+    editor_options.marks_file = UserPath("XDG_STATE_HOME", "/.local/state", "/coppice/marks.json");
     editor_options.backup_folder = UserPath("XDG_STATE_HOME", "/.local/state", "/coppice/backup");
   }
   auto editor = std::make_unique<Editor>(std::move(editor_options));

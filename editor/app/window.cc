@@ -6,8 +6,8 @@
 #include <iostream>
 #include <limits>
 
-#include "editor/app/gl_renderer.h"
-#include "editor/app/glfw_window.h"
+#include "editor/window/gl_renderer.h"
+#include "editor/window/glfw_window.h"
 #include "editor/app/run.h"
 
 namespace coppice::editor {

@@ -23,6 +23,21 @@ Color ColorOf(const Ui& ui, const CanvasOptions& options, const Scene& scene, st
   return StatusColor(ui.palette, StateOf(options.live, shown), ui.palette.Of(shown.shape));
 }
 
+// It lies over nodes, and nothing is out of sight that it could show.
+bool IsInTheWay(const TreeView& view, const Box& canvas, const Box& frame, double now) {
+  Camera camera = view.camera;
+  camera.offset = camera.offset + canvas.min;
+  const Box all = camera.ToScreen(view.bounds());
+  if (all.min.x < canvas.min.x || all.max.x > canvas.max.x || all.min.y < canvas.min.y ||
+      all.max.y > canvas.max.y) {
+    return false;
+  }
+  for (std::uint32_t k = 0; k < view.shown().size(); ++k) {
+    if (camera.ToScreen(view.BoxAt(k, now)).Overlaps(frame)) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 void DrawMinimap(const Ui& ui, TreeView& view, const Box& box, const CanvasOptions& options) {
@@ -32,6 +47,7 @@ void DrawMinimap(const Ui& ui, TreeView& view, const Box& box, const CanvasOptio
   const Box frame = {{box.max.x - size.x - margin.x, box.min.y + margin.y},
                      {box.max.x - margin.x, box.min.y + margin.y + size.y}};
   if (frame.min.x < box.min.x + size.x || frame.max.y > box.max.y - size.y) return;
+  if (IsInTheWay(view, box, frame, ui.now)) return;
   const Box& world = view.bounds();
   const float zoom = std::min((frame.width() - 2 * kInset) / std::max(world.width(), 1.0F),
                               (frame.height() - 2 * kInset) / std::max(world.height(), 1.0F));

@@ -13,6 +13,8 @@
 namespace coppice::editor {
 namespace {
 
+constexpr float kNoteTab = 30;  // width of a note without its text, at zoom 1
+
 const char* SignOf(Change change) {
   switch (change) {
     case Change::kAdded:
@@ -53,7 +55,14 @@ void PaintNote(Pen& pen, const SceneNode& node, const NodeLook& look) {
   const Palette& colors = pen.ui.palette;
   const float zoom = look.zoom;
   const float height = NoteHeight(node) - metrics::kNoteGap;
-  const Box box = {look.box.min, {look.box.max.x, look.box.min.y + height * zoom}};
+  Box box = {look.box.min, {look.box.max.x, look.box.min.y + height * zoom}};
+  const bool has_text = DetailFor(zoom, pen.ui.scale) == Detail::kFull;
+  if (!has_text) {
+    // A tab on the node tells that there is a note.
+    box.max.x = std::min(box.max.x, box.min.x + kNoteTab * zoom);
+    box.min.y = std::max(box.min.y, box.max.y - kNoteTab / 2 * zoom);
+    box.max.y += metrics::kNoteGap * zoom;
+  }
   const float fold = std::min(9 * zoom, box.height() / 2);
   // The upper right corner is folded down.
   pen.Fill({{box.min.x, box.min.y},
@@ -66,7 +75,7 @@ void PaintNote(Pen& pen, const SceneNode& node, const NodeLook& look) {
             {box.max.x, box.min.y + fold},
             {box.max.x - fold, box.min.y + fold}},
            Mix(colors.note, 0xFF000000, 0.25F));
-  if (DetailFor(zoom, pen.ui.scale) != Detail::kFull) return;
+  if (!has_text) return;
   const TextStyle style{Face::kSans, metrics::kNoteSize * zoom / pen.ui.scale, colors.note_text};
   Point at = box.min + Point{6 * zoom, 3 * zoom};
   for (const std::string& line : NoteLines(node.note)) {

@@ -45,24 +45,6 @@ float PortWidth(const Ui& ui, const PortLine& port, float column) {
   return column + metrics::kColumnGap + value + (port.is_key ? 2 * kChipPadding : 0);
 }
 
-Point Measure(const Ui& ui, const Scene& scene, const SceneNode& node) {
-  float title = metrics::kIcon + metrics::kStatus + 2 * metrics::kPad +
-                WidthOf(ui, node.name, {Face::kBold, metrics::kTitleSize, 0});
-  const bool leaf = node.shape == Shape::kAction || node.shape == Shape::kCondition ||
-                    node.shape == Shape::kSubTree || node.shape == Shape::kUnknown;
-  if (leaf && node.uid >= 0) title += metrics::kElapsed;
-  float body = WidthOf(ui, TypeLineOf(node), {Face::kSans, metrics::kNameSize, 0});
-  const float column = NameColumn(ui, scene, node);
-  for (std::uint32_t i = 0; i < node.port_count; ++i) {
-    body = std::max(body, PortWidth(ui, scene.ports[node.first_port + i], column));
-  }
-  const std::uint32_t lines = BodyLines(node);
-  const float height = metrics::kHeader +
-                       (lines ? static_cast<float>(lines) * metrics::kLine + metrics::kBottom : 0);
-  const float least = node.note.empty() ? 0 : metrics::kNoteWidth;
-  return {std::ceil(std::max({title, body + 2 * metrics::kPad, least})), height + NoteHeight(node)};
-}
-
 }  // namespace
 
 std::string_view GlyphOf(const SceneNode& node) {
@@ -121,11 +103,22 @@ std::uint32_t BodyLines(const SceneNode& node) {
   return node.port_count + (TypeLineOf(node).empty() ? 0 : 1);
 }
 
-std::vector<Point> MeasureNodes(const Ui& ui, const Scene& scene) {
-  std::vector<Point> sizes;
-  sizes.reserve(scene.nodes.size());
-  for (const SceneNode& node : scene.nodes) sizes.push_back(Measure(ui, scene, node));
-  return sizes;
+Point MeasureNode(const Ui& ui, const Scene& scene, const SceneNode& node) {
+  float title = metrics::kIcon + metrics::kStatus + 2 * metrics::kPad +
+                WidthOf(ui, node.name, {Face::kBold, metrics::kTitleSize, 0});
+  const bool leaf = node.shape == Shape::kAction || node.shape == Shape::kCondition ||
+                    node.shape == Shape::kSubTree || node.shape == Shape::kUnknown;
+  if (leaf && node.uid >= 0) title += metrics::kElapsed;
+  float body = WidthOf(ui, TypeLineOf(node), {Face::kSans, metrics::kNameSize, 0});
+  const float column = NameColumn(ui, scene, node);
+  for (std::uint32_t i = 0; i < node.port_count; ++i) {
+    body = std::max(body, PortWidth(ui, scene.ports[node.first_port + i], column));
+  }
+  const std::uint32_t lines = BodyLines(node);
+  const float height = metrics::kHeader +
+                       (lines ? static_cast<float>(lines) * metrics::kLine + metrics::kBottom : 0);
+  const float least = node.note.empty() ? 0 : metrics::kNoteWidth;
+  return {std::ceil(std::max({title, body + 2 * metrics::kPad, least})), height + NoteHeight(node)};
 }
 
 }  // namespace coppice::editor

@@ -57,9 +57,9 @@ float NoteHeight(const SceneNode& node);
 /// Rows below the title: the type and the ports.
 std::uint32_t BodyLines(const SceneNode& node);
 
-/// Sizes of all nodes of a scene at zoom 1, without the row for collapsed children. They are the
-/// same on every screen but for the rounding of its fonts.
-std::vector<Point> MeasureNodes(const Ui& ui, const Scene& scene);
+/// The size of a node at zoom 1, without the row for collapsed children. It is the same on every
+/// screen but for the rounding of its fonts.
+Point MeasureNode(const Ui& ui, const Scene& scene, const SceneNode& node);
 
 }  // namespace coppice::editor
 

@@ -13,6 +13,8 @@ namespace {
 
 constexpr double kShimmerSeconds = 1.6;
 constexpr float kDisabledStrength = 0.4F;
+constexpr float kNameAtMiddle = 20;  // size of a name that stands alone, at zoom 1
+constexpr float kSmallestName = 8;
 
 double Seconds(Duration duration) { return std::chrono::duration<double>(duration).count(); }
 
@@ -37,14 +39,14 @@ class NodePainter {
   void PaintAll() {
     if (DetailFor(look_.zoom, ui_.scale) == Detail::kBlock) return PaintBlock();
     PaintBody();
-    PaintBorder();
-    PaintNote(pen_, node_, look_);
     if (DetailFor(look_.zoom, ui_.scale) == Detail::kName) {
       PaintName();
     } else {
       PaintTitle();
       PaintNodeLines(pen_, scene_, node_, look_, box_);
     }
+    PaintBorder();
+    PaintNote(pen_, node_, look_);
     if (node_.disabled) PaintStrike();
     if (look_.collapsed) PaintChip(pen_, look_);
     PaintHeat(pen_, look_, box_);
@@ -228,23 +230,25 @@ class NodePainter {
                  style);
   }
 
-  // The name as large as the box allows, so that it is readable far longer than the details.
+  // The name alone, in the colour of the shape: readable far longer than the details. All names are
+  // equally large, but for those that would not fit.
   void PaintName() {
-    const float room = box_.width() - 6;
-    const float largest = std::min(10.0F, box_.height() * 0.7F / ui_.scale);
-    const Color ink =
-        box_.height() > Z(metrics::kHeader + 1) ? colors().text : colors().text_on_header;
-    TextStyle style{Face::kBold, largest, ink};
+    pen_.Fill(OutlineOf(box_), HeaderColor());
+    if (node_.shape == Shape::kUnknown) pen_.Hatch(box_, Fade(colors().text, 0.10F), Z(8));
+    const std::string_view glyph = StatusGlyph(look_.state);
+    const TextStyle sign{Face::kBold, 8, colors().text_on_header};
+    const float sign_width = glyph.empty() ? 0 : ui_.Width(glyph, sign) + 2;
+    const float room = box_.width() - 6 - sign_width;
+    const float wished = std::max(Z(kNameAtMiddle) / ui_.scale, kSmallestName);
+    const float largest = std::min(wished, box_.height() * 0.8F / ui_.scale);
+    TextStyle style{Face::kBold, largest, colors().text_on_header};
     const float wanted = ui_.Width(node_.name, style);
     if (wanted > room) style.size = std::max(7.0F, largest * room / wanted);
     const float width = std::min(ui_.Width(node_.name, style), room);
-    const bool tall = box_.height() > Z(metrics::kHeader + 1);
-    const float top = tall ? box_.min.y + Z(metrics::kHeader) : box_.min.y;
-    pen_.RowText({box_.center().x - width / 2, top}, box_.max.y - top, node_.name, style, room);
-    if (!tall) return;
-    const TextStyle glyph{Face::kBold, Z(14) / ui_.scale, colors().text_on_header};
-    pen_.RowText(box_.min + Point{4, 0}, Z(metrics::kHeader), GlyphOf(node_), glyph);
-    PaintGlyph(box_.max.x - 4, Z(metrics::kHeader));
+    const float left = box_.center().x - (width + sign_width) / 2;
+    pen_.RowText({left, box_.min.y}, box_.height(), node_.name, style, room);
+    if (glyph.empty()) return;
+    pen_.RowText({left + width + 2, box_.min.y}, box_.height(), glyph, sign);
   }
 
   Pen& pen_;

@@ -1,5 +1,8 @@
 #include "editor/canvas/tree_painter.h"
 
+#include <algorithm>
+#include <unordered_set>
+
 #include "editor/canvas/canvas_looks.h"
 #include "editor/canvas/edge_painter.h"
 #include "editor/canvas/mark_painter.h"
@@ -8,6 +11,8 @@
 
 namespace coppice::editor {
 namespace {
+
+constexpr float kGroundSide = 8;  // of the ground beside the nodes of a SubTree, at zoom 1
 
 class TreePainter {
  public:
@@ -30,17 +35,35 @@ class TreePainter {
     return scene_.nodes[view_.shown()[item.k]];
   }
 
-  // What belongs to a SubTree lies on a ground of its own: around each node half the way to its
-  // neighbours. SubTrees side by side differ in shade.
+  // What belongs to a SubTree lies on a ground of its own: a band behind all children of a node,
+  // which reaches to the bands above and below. SubTrees side by side differ in shade.
   void PaintGround() {
-    const bool down = view_.orientation() == Orientation::kTopToBottom;
-    const Point reach = (down ? Point{8, 21} : Point{30, 6}) * area_.camera.zoom;
+    std::unordered_set<std::uint32_t> painted;  // parents
     for (const VisibleNode& item : area_.visible) {
       const std::uint32_t scope = NodeOf(item).scope;
-      if (scope == 0 || !item.box.Overlaps(area_.box)) continue;
+      if (scope == 0 || item.k == 0 || !painted.insert(view_.ShownParent(item.k)).second) continue;
       const Color color = Mix(colors_.canvas, colors_.text, scope % 2 == 1 ? 0.05F : 0.085F);
-      pen_.FillBox({item.box.min - reach, item.box.max + reach}, color, 8 * area_.camera.zoom);
+      const Box band = BandBelow(view_.ShownParent(item.k));
+      if (band.Overlaps(area_.box)) pen_.FillBox(band, color, 6 * area_.camera.zoom);
     }
+  }
+
+  // Around the children, from where their parent ends.
+  Box BandBelow(std::uint32_t parent) const {
+    const bool down = view_.orientation() == Orientation::kTopToBottom;
+    Box band = view_.BoxAt(parent + 1, pen_.ui.now);
+    for (std::uint32_t c = parent + 1; c < view_.shown_ends()[parent]; c = view_.shown_ends()[c]) {
+      band = Union(band, view_.BoxAt(c, pen_.ui.now));
+    }
+    const Box above = view_.BoxAt(parent, pen_.ui.now);
+    if (down) {
+      band = {{band.min.x - kGroundSide, std::min(band.min.y, above.max.y)},
+              {band.max.x + kGroundSide, band.max.y + kGroundSide}};
+    } else {
+      band = {{std::min(band.min.x, above.max.x), band.min.y - kGroundSide},
+              {band.max.x + kGroundSide, band.max.y + kGroundSide}};
+    }
+    return area_.camera.ToScreen(band);
   }
 
   void PaintLine(const VisibleNode& item) {

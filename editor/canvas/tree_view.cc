@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "editor/scene/tree_match.h"
-
 namespace coppice::editor {
 namespace {
 
@@ -21,20 +19,23 @@ float EaseOut(double t) {
 
 }  // namespace
 
-void TreeView::SetScene(std::shared_ptr<const Scene> scene, std::vector<Point> sizes, double now) {
+void TreeView::SetScene(std::shared_ptr<const Scene> scene, const SizeOf& size_of, double now) {
+  TreeHashes hashes = HashTree(*scene);
   TreeMatch match;
-  const bool another = !scene_ || scene_->nodes.empty();
-  if (another) {
-    match.before_of.assign(scene->nodes.size(), kNoNode);
+  if (scene_ && !scene_->nodes.empty()) {
+    match = MatchTrees(*scene_, hashes_, *scene, hashes);
   } else {
-    match = MatchTrees(*scene_, *scene);
+    match.before_of.assign(scene->nodes.size(), kNoNode);
   }
   const Places before = PlacesAt(now);
   Places after = {std::vector<Point>(scene->nodes.size()),
                   std::vector<bool>(scene->nodes.size(), false)};
   std::vector<bool> collapsed(scene->nodes.size(), false);
+  std::vector<Point> sizes(scene->nodes.size());
   for (std::uint32_t i = 0; i < scene->nodes.size(); ++i) {
     const std::uint32_t old = match.before_of[i];
+    const bool looks_the_same = old != kNoNode && hashes_.shown[old] == hashes.shown[i];
+    sizes[i] = looks_the_same ? sizes_[old] : size_of(*scene, scene->nodes[i]);
     if (old == kNoNode) continue;
     collapsed[i] = collapsed_[old] && scene->HasChildren(i);
     after.known[i] = before.known[old];
@@ -49,6 +50,7 @@ void TreeView::SetScene(std::shared_ptr<const Scene> scene, std::vector<Point> s
   if (selected_ == kNoNode && !selection_.empty()) selected_ = selection_.back();
 
   scene_ = std::move(scene);
+  hashes_ = std::move(hashes);
   sizes_ = std::move(sizes);
   collapsed_ = std::move(collapsed);
   keys_ = FindKeyUses(*scene_);

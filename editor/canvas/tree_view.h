@@ -6,6 +6,7 @@
 #define COPPICE_EDITOR_CANVAS_TREE_VIEW_H_
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -14,6 +15,7 @@
 #include "editor/canvas/tree_layout.h"
 #include "editor/scene/key_uses.h"
 #include "editor/scene/scene.h"
+#include "editor/scene/tree_match.h"
 
 namespace coppice::editor {
 
@@ -28,10 +30,14 @@ struct Camera {
 
 class TreeView {
  public:
-  /// Shows a tree. `sizes` are those of its nodes without the row for collapsed children. If it is
+  /// The size of a node of that scene at zoom 1.
+  using SizeOf = std::function<Point(const Scene&, const SceneNode&)>;
+
+  /// Shows a tree. `size_of` measures its nodes without the row for collapsed children. If it is
   /// another version of the one that is shown, selection and collapsed nodes stay with their nodes,
-  /// which move to their new places. `now` in seconds.
-  void SetScene(std::shared_ptr<const Scene> scene, std::vector<Point> sizes, double now);
+  /// which move to their new places, and only nodes that look different are measured. `now` in
+  /// seconds.
+  void SetScene(std::shared_ptr<const Scene> scene, const SizeOf& size_of, double now);
   const std::shared_ptr<const Scene>& scene() const { return scene_; }
 
   void SetStyle(const LayoutStyle& style, double now);
@@ -118,6 +124,7 @@ class TreeView {
   void Fit(const Box& box, Point canvas, float largest_zoom);
 
   std::shared_ptr<const Scene> scene_;
+  TreeHashes hashes_;
   std::vector<Point> sizes_;
   std::vector<bool> collapsed_;
   LayoutStyle style_;

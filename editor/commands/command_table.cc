@@ -13,7 +13,36 @@ void CommandTable::Add(Command command) {
                                   command.id);
     }
   }
+  command.own_keys = command.keys;
   commands_.push_back(std::move(command));
+}
+
+bool CommandTable::SetKeys(std::string_view id, KeyChord keys) {
+  for (Command& command : commands_) {
+    if (command.id != id) continue;
+    command.keys = keys;
+    return true;
+  }
+  return false;
+}
+
+void CommandTable::ResetKeys() {
+  for (Command& command : commands_) command.keys = command.own_keys;
+}
+
+std::vector<KeyConflict> CommandTable::FindConflicts() const {
+  std::vector<KeyConflict> conflicts;
+  for (std::size_t i = 0; i < commands_.size(); ++i) {
+    const Command& a = commands_[i];
+    for (std::size_t j = i + 1; a.keys.key != 0 && j < commands_.size(); ++j) {
+      const Command& b = commands_[j];
+      const bool at_the_same_time = !a.when == !b.when;
+      const bool from_the_start = a.keys == a.own_keys && b.keys == b.own_keys;
+      if (!(a.keys == b.keys) || !at_the_same_time || from_the_start) continue;
+      conflicts.push_back({a.keys, a.id, b.id});
+    }
+  }
+  return conflicts;
 }
 
 const Command* CommandTable::Find(std::string_view id) const {

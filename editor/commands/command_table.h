@@ -19,6 +19,14 @@ struct Command {
   std::function<void()> run;
   /// Whether its keys are its own now, before those of commands without it; null: always.
   std::function<bool()> when = nullptr;
+  KeyChord own_keys = {};  ///< those it was added with; set by Add
+};
+
+/// Two commands whose keys are their own at the same time, because the user has said so.
+struct KeyConflict {
+  KeyChord keys;
+  std::string first;  ///< IDs
+  std::string second;
 };
 
 class CommandTable {
@@ -26,6 +34,13 @@ class CommandTable {
   /// Throws std::invalid_argument if the ID is taken, or the keys by another command that has them
   /// always.
   void Add(Command command);
+
+  /// Gives the command of that ID other keys, or none (key 0). False if there is no such
+  /// command.
+  bool SetKeys(std::string_view id, KeyChord keys);
+  /// All commands have the keys again that they were added with.
+  void ResetKeys();
+  std::vector<KeyConflict> FindConflicts() const;
 
   const std::vector<Command>& all() const { return commands_; }
 

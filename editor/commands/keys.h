@@ -3,7 +3,9 @@
 #ifndef COPPICE_EDITOR_COMMANDS_KEYS_H_
 #define COPPICE_EDITOR_COMMANDS_KEYS_H_
 
+#include <optional>
 #include <string>
+#include <string_view>
 
 namespace coppice::editor {
 
@@ -47,6 +49,9 @@ inline bool operator==(KeyChord a, KeyChord b) {
 
 /// "Ctrl+O", "F4", "."; empty for none.
 std::string ToString(KeyChord chord);
+
+/// What ToString writes, in any case; an empty text is no key. Nothing if it is anything else.
+std::optional<KeyChord> KeysFromString(std::string_view text);
 
 }  // namespace coppice::editor
 

@@ -2,6 +2,8 @@
 #ifndef COPPICE_EDITOR_CORE_CANVAS_STATE_H_
 #define COPPICE_EDITOR_CORE_CANVAS_STATE_H_
 
+#include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -28,7 +30,15 @@ inline bool operator==(const CanvasTab& a, const CanvasTab& b) {
   return a.path == b.path && a.tree == b.tree;
 }
 
+/// The tree that the selected node is defined in, and how often it is used.
+struct SharedTree {
+  std::string id;
+  std::uint64_t version = 0;  ///< of the project when that was counted
+  std::size_t uses = 0;
+};
+
 struct CanvasState {
+  SharedTree shared;
   CanvasBadges badges;
   std::unique_ptr<Comparison> comparison;  ///< null: the tree itself is shown
   std::vector<CanvasTab> tabs;             ///< in the order of opening

@@ -32,7 +32,7 @@ std::unique_ptr<Comparison> Comparison::With(const std::string& path, std::strin
 }
 
 void Comparison::Follow(const std::shared_ptr<const Scene>& after, Alive alive,
-                        const LayoutStyle& style, const Measure& measure, double now) {
+                        const LayoutStyle& style, const TreeView::SizeOf& size_of, double now) {
   view_.SetStyle(style, now);
   if (after == after_) return;
   const bool another = !after_ || after_->tree_id != after->tree_id;
@@ -47,7 +47,7 @@ void Comparison::Follow(const std::shared_ptr<const Scene>& after, Alive alive,
   merged->tree = MergeTrees(*merged->before, *after);
   changes_ = ChangesOf(merged->tree);
   const std::shared_ptr<const Scene> scene(merged, &merged->tree.scene);
-  view_.SetScene(scene, measure(*scene), now);
+  view_.SetScene(scene, size_of, now);
   if (another) view_.needs_fit = true;
 }
 

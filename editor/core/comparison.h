@@ -17,8 +17,6 @@ namespace coppice::editor {
 
 class Comparison {
  public:
-  using Measure = std::function<std::vector<Point>(const Scene&)>;
-
   /// Reads the other version, the one before. Null if there is no tree in it; then `wrong` says
   /// why.
   static std::unique_ptr<Comparison> With(const std::string& path, std::string& wrong);
@@ -29,7 +27,7 @@ class Comparison {
   /// Compares with this tree, which is what it was compared with the last time or another. `alive`
   /// is kept as long as the scene.
   void Follow(const std::shared_ptr<const Scene>& after, Alive alive, const LayoutStyle& style,
-              const Measure& measure, double now);
+              const TreeView::SizeOf& size_of, double now);
 
   const std::string& path() const { return path_; }
   /// "2 added, 1 changed", or "no difference".

@@ -5,18 +5,24 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <optional>
 #include <stdexcept>
 #include <utility>
 
+#include "bt_core/model/write_file.h"
 #include "editor/canvas/canvas.h"
 #include "editor/canvas/node_metrics.h"
+#include "editor/commands/key_file.h"
 #include "editor/core/edit_commands.h"
+#include "editor/core/merge_commands.h"
 #include "editor/core/picture_commands.h"
+#include "editor/core/place_commands.h"
 #include "editor/core/project_commands.h"
 #include "editor/core/run_commands.h"
 #include "editor/core/simulation_commands.h"
 #include "editor/core/standard_commands.h"
+#include "editor/live/kept_marks.h"
 #include "editor/live/robot_source.h"
 #include "editor/look/imgui_context.h"
 #include "editor/look/imgui_style.h"
@@ -34,6 +40,12 @@ constexpr double kLiveFrame = 1.0 / 20;  // while something runs on the robot
 constexpr double kBackupSeconds = 5;     // between two backups of unsaved work
 constexpr double kWaitingFrame = 1.0;    // to count down to the next try
 
+std::optional<std::string> ReadText(const std::string& path) {
+  std::ifstream stream(path, std::ios::binary);
+  if (path.empty() || !stream) return std::nullopt;
+  return std::string(std::istreambuf_iterator<char>(stream), {});
+}
+
 }  // namespace
 
 struct Editor::Drawing {
@@ -44,29 +56,42 @@ Editor::Editor(EditorOptions options)
     : options_(std::move(options)),
       context_(ImGui::CreateContext()),
       drawing_(std::make_unique<Drawing>()),
-      state_([this](const Scene& scene) {
+      state_([this](const Scene& scene, const SceneNode& node) {
         const Ui ui{
             GetPalette(state_.palette), drawing_->fonts, items_, options_.scale, 0, Time(0)};
-        return MeasureNodes(ui, scene);
+        return MeasureNode(ui, scene, node);
       }),
-      backup_(options_.backup_folder) {
+      backup_(options_.backup_folder),
+      history_store_(options_.backup_folder) {
   const WithContext current(context_);
   SetUpImGui();
   state_.palette = options_.palette;
   state_.open_file = [this](const std::string& path) { return Open(path); };
+  state_.resume = [this](const std::string& path, const std::string& text) {
+    return history_store_.Resume(state_.workspace.project(), path, text);
+  };
   state_.connect = [this](const std::string& endpoint) { return Connect(endpoint); };
   state_.get_clipboard = [] { return std::string(ImGui::GetClipboardText()); };
   state_.set_clipboard = [](const std::string& text) { ImGui::SetClipboardText(text.c_str()); };
   AddEditCommands(state_, [this] { return now_; });
   AddProjectCommands(state_, [this] { return now_; });
+  AddMergeCommands(state_, [this] { return now_; });
   AddPictureCommands(state_, [this] { return now_; });
   AddRunCommands(state_, [this] { return now_; });
+  AddPlaceCommands(state_, [this] { return now_; });
   AddStandardCommands(state_, [this] { return now_; });
   AddSimulationCommands(state_, [this] { return now_; });  // last: see there
+  state_.git = GitHead(options_.wake);
   LoadRecent();
+  LoadKeys();
+  LoadMarks();
 }
 
-Editor::~Editor() { ImGui::DestroyContext(context_); }
+Editor::~Editor() {
+  KeepMarks();
+  history_store_.Update(state_.workspace.project());
+  ImGui::DestroyContext(context_);
+}
 
 void Editor::SetUpImGui() {
   ImGuiIO& io = ImGui::GetIO();
@@ -93,6 +118,7 @@ bool Editor::Open(const std::string& path) {
   const WithContext current(context_);
   const bool good = state_.workspace.Open(path, now_);
   if (good) Remember(path);
+  history_store_.Restore(state_.workspace.project());
   LookForBackup(path);
   settle_ = kFramesToSettle;
   return good;
@@ -112,7 +138,10 @@ void Editor::LookForBackup(const std::string& path) {
 void Editor::BackUp() {
   if (now_ - backed_up_at_ < kBackupSeconds || !state_.restorable.empty()) return;
   backed_up_at_ = now_;
+  state_.git.Look();
   backup_.Update(state_.workspace.project());
+  history_store_.Update(state_.workspace.project());
+  KeepMarks();
 }
 
 std::string Editor::Connect(const std::string& endpoint) {
@@ -279,6 +308,39 @@ CursorShape Editor::cursor() const {
     default:
       return CursorShape::kArrow;
   }
+}
+
+void Editor::LoadKeys() {
+  KeySettings& keys = state_.key_settings;
+  keys.file = options_.keys_file;
+  if (const std::optional<std::string> text = ReadText(keys.file)) {
+    ReadKeys(*text, keys.file, state_.commands, keys.problems);
+  }
+  if (keys.problems.has_errors()) {
+    state_.Notify("some keys of " + keys.file + " do not hold: F1 says why", now_, true);
+  }
+}
+
+void Editor::LoadMarks() {
+  Workspace& workspace = state_.workspace;
+  const std::optional<std::string> text = ReadText(options_.marks_file);
+  if (!text) return;
+  Diagnostics problems;
+  ReadMarks(*text, options_.marks_file, workspace.hooks, workspace.bookmarks, problems);
+  if (!problems.all().empty()) state_.Notify(ToString(problems.all().front()), now_, true);
+  kept_marks_ = WriteMarks(workspace.hooks, workspace.bookmarks);
+}
+
+void Editor::KeepMarks() {
+  if (options_.marks_file.empty()) return;
+  std::string marks = WriteMarks(state_.workspace.hooks, state_.workspace.bookmarks);
+  const bool never_any = kept_marks_.empty() && marks == WriteMarks({}, {});
+  if (marks == kept_marks_ || never_any) return;
+  std::error_code error;
+  std::filesystem::create_directories(std::filesystem::path(options_.marks_file).parent_path(),
+                                      error);
+  Diagnostics ignored;  // the next time it may succeed
+  if (WriteFile(options_.marks_file, marks, ignored)) kept_marks_ = std::move(marks);
 }
 
 void Editor::LoadRecent() {

@@ -20,6 +20,7 @@
 #include "editor/commands/input_queue.h"
 #include "editor/core/editor_state.h"
 #include "editor/document/backup.h"
+#include "editor/document/history_store.h"
 #include "editor/look/item_registry.h"
 #include "editor/render/image.h"
 
@@ -32,7 +33,9 @@ struct EditorOptions {
   PaletteName palette = PaletteName::kDark;
   float scale = 1;             ///< of the screen; 2 on a screen with tiny pixels
   std::string recent_file;     ///< where the list of recent files is kept; empty: nowhere
-  std::string backup_folder;   ///< where unsaved work is kept; empty: nowhere
+  std::string backup_folder;   ///< where unsaved work and the history are kept; empty: nowhere
+  std::string keys_file;       ///< the user's keys (commands/key_file.h); empty: none
+  std::string marks_file;      ///< where breakpoints and bookmarks are kept; empty: nowhere
   std::function<void()> wake;  ///< called by any thread when a new frame would show news
   std::function<std::string()> get_clipboard;  ///< empty: the editor's own
   std::function<void(const std::string&)> set_clipboard;
@@ -95,6 +98,9 @@ class Editor {
   void LoadRecent();
   void LookForBackup(const std::string& path);
   void BackUp();
+  void LoadKeys();
+  void LoadMarks();
+  void KeepMarks();
   void Remember(const std::string& path);
 
   const EditorOptions options_;
@@ -107,6 +113,8 @@ class Editor {
   EditorState state_;
   InputQueue queue_;
   Backup backup_;
+  HistoryStore history_store_;
+  std::string kept_marks_;  // as they are in the file
   double backed_up_at_ = 0;
   double now_ = 0;
   int settle_ = 2;  // frames that are still needed after the last event

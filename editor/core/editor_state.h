@@ -15,6 +15,8 @@
 #include "editor/commands/keys.h"
 #include "editor/core/canvas_state.h"
 #include "editor/core/workspace.h"
+#include "editor/document/git_head.h"
+#include "editor/document/line_changes.h"
 #include "editor/live/run_figures.h"
 #include "editor/live/why_answer.h"
 #include "editor/look/palette.h"
@@ -36,7 +38,7 @@ struct Tiles {
   bool problems = true;
   bool run = true;       ///< why, running, breakpoints, statistics; while a run is shown
   bool timeline = true;  ///< while a run is shown
-  bool tests = false;  ///< in the place of the problems
+  bool tests = false;    ///< in the place of the problems
   bool minimap = true;
 };
 
@@ -58,7 +60,8 @@ enum class Popup {
   kOpen,
   kConnect,
   kPalette,
-  kKeys,
+  kKeys,     ///< lists all commands
+  kNewKeys,  ///< waits for the keys of a command
   kAdd,
   kChangeType,
   kRename,
@@ -66,6 +69,14 @@ enum class Popup {
   kPasteErrors,
   kPrompt,  ///< asks for a text
   kList     ///< offers rows
+};
+
+/// The keys of commands, and the user's changes of them.
+struct KeySettings {
+  std::string file;      ///< where they are kept; empty: nowhere
+  Diagnostics problems;  ///< of that file
+  std::string command;   ///< ID of the one that gets new keys
+  KeyChord taken;        ///< what was pressed and is another command's; once more takes it
 };
 
 /// What a kPrompt asks.
@@ -111,6 +122,16 @@ struct XmlPane {
   bool follow = false;   ///< the caret has moved and must be seen
 };
 
+/// Which lines of the shown text differ, and from what that was computed.
+struct XmlGutter {
+  std::string path;
+  std::uint32_t version = 0;  ///< of the text
+  std::string saved;
+  std::shared_ptr<const std::string> head;
+  std::vector<LineMark> since_saved;  ///< by line; empty: nothing to compare with
+  std::vector<LineMark> since_head;
+};
+
 /// The last answer to "may this be dropped there?".
 struct DropAnswer {
   std::uint64_t version = 0;  ///< of the project
@@ -129,13 +150,15 @@ struct Notice {
 };
 
 struct EditorState {
-  explicit EditorState(Workspace::Measure measure) : workspace(std::move(measure)) {}
+  explicit EditorState(TreeView::SizeOf size_of) : workspace(std::move(size_of)) {}
 
   Workspace workspace;
   CanvasState canvas;
   Simulator simulator;
   ScenarioTests tests;
   CommandTable commands;
+  KeySettings key_settings;
+  GitHead git;
   PaletteName palette = PaletteName::kDark;
   Tiles tiles;
   Splits splits;
@@ -154,6 +177,7 @@ struct EditorState {
   Notice notice;
   Typing typing;
   XmlPane xml;
+  XmlGutter xml_gutter;
   std::string type_filter;       ///< typed above the node types
   std::optional<Drag> incoming;  ///< dragged out of a tile
   std::string dragged_xml;       ///< of a new node that is being dragged
@@ -175,6 +199,8 @@ struct EditorState {
   bool quit = false;
   std::function<bool(const std::string&)> open_file;
   std::function<std::string(const std::string&)> connect;  ///< returns what is wrong, or nothing
+  /// Goes on with unsaved work and its history; false: there is no history of it.
+  std::function<bool(const std::string& path, const std::string& text)> resume;
   std::function<std::string()> get_clipboard;
   std::function<void(const std::string&)> set_clipboard;
 

@@ -85,6 +85,10 @@ class ProjectCommands {
              [](ProjectEditor& edit) { return edit.GoToDefinition(); });
     AddDoing("tree.usages", "Find usages", {kKeyF1 + 11, kShift},
              [this_ = *this](ProjectEditor& edit) { return this_.ShowUsages(edit); });
+    AddDoing("tree.places", "Places that use the tree of the node", {},
+             [this_ = *this](ProjectEditor& edit) {
+               return this_.ShowUsages(edit, edit.TreeAroundSelection());
+             });
   }
 
   // Of the selected SubTree's tree, of the type of the selected node, or of the shown tree.
@@ -92,6 +96,10 @@ class ProjectCommands {
     const TreeView* view = state_.workspace.view();
     std::string id = state_.workspace.ShownTreeId();
     if (view && view->selected() != kNoNode) id = view->scene()->nodes[view->selected()].id;
+    return ShowUsages(edit, id);
+  }
+
+  std::string ShowUsages(ProjectEditor& edit, const std::string& id) const {
     if (id.empty()) return "nothing is selected";
     std::vector<Choice> rows;
     const ProjectFiles files = edit.Files();

@@ -214,6 +214,17 @@ void ProjectEditor::GoTo(const std::string& path, std::uint32_t offset) {
   if (view && view->selected() != kNoNode) view->Reveal(state_.canvas_size);
 }
 
+std::string ProjectEditor::TreeAroundSelection() const {
+  const TreeView* view = std::as_const(state_).workspace.file() ? state_.workspace.view() : nullptr;
+  if (!view || view->selected() == kNoNode) return {};
+  const auto& nodes = view->scene()->nodes;
+  std::uint32_t node = view->selected();
+  const std::uint32_t scope = nodes[node].scope;
+  if (scope == 0) return view->scene()->tree_id;
+  while (nodes[node].scope == scope) node = nodes[node].parent;
+  return std::string(nodes[node].id);
+}
+
 bool ProjectEditor::ShowTree(const std::string& id) {
   Workspace& workspace = state_.workspace;
   if (!workspace.file()) return false;

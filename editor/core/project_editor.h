@@ -51,6 +51,10 @@ class ProjectEditor {
   /// Shows the tree that the selected SubTree stands for.
   std::string GoToDefinition();
 
+  /// ID of the tree in which the selected node is defined: that of the SubTree which it was opened
+  /// in, else the shown tree. Empty if nothing is selected.
+  std::string TreeAroundSelection() const;
+
  private:
   const NodeModels& Models() const { return *state_.workspace.file()->models; }
   std::string Refused(bool done) const { return done ? std::string() : state_.notice.text; }

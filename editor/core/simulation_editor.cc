@@ -96,6 +96,27 @@ void SimulationEditor::TickUntilChange() {
   }
 }
 
+void SimulationEditor::TickUntilTicked() {
+  state_.simulator.Pause();
+  Simulation* simulation = GoOn();
+  const TreeView* view = state_.workspace.view();
+  if (!simulation || !view || view->selected() == editor::kNoNode) return;
+  const int uid = view->scene()->nodes[view->selected()].uid;
+  if (uid < 0) return;
+  RunView& run = *state_.workspace.run();
+  const Time before = simulation->now();
+  while (simulation->now() - before < kLongestWait) {
+    const std::size_t first = run.run().size();
+    state_.simulator.SetResult(simulation->Tick(state_.simulator.period()));
+    run.Update(state_.workspace.hooks, now_);
+    const std::size_t end = run.run().size();
+    if (end == first) return;
+    const Lane& lane = run.run().TracksAt(first).LaneOf(static_cast<NodeIndex>(uid));
+    if (lane.Seen(first, end) & ~SetOf(Status::kIdle)) return;
+  }
+  state_.Notify("the node was not ticked for an hour of the simulation", now_, true);
+}
+
 void SimulationEditor::Back() {
   state_.simulator.Pause();
   Simulation* simulation = GoOn();

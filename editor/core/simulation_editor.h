@@ -27,6 +27,8 @@ class SimulationEditor {
   void PlayOrPause();
   void Tick();
   void TickUntilChange();
+  /// Until the selected node is ticked.
+  void TickUntilTicked();
   void Back();
   void Halt();
   void Restart();

@@ -63,7 +63,8 @@ class Commands {
         [&s = state_] { s.workspace.ShowNextRun(); });
     Add("help.palette", "Command palette", {'P', kCtrl},
         [&s = state_] { s.OpenPopup(Popup::kPalette); });
-    Add("help.keys", "Keys", {kKeyF1}, [&s = state_] { s.OpenPopup(Popup::kKeys); });
+    Add("help.keys", "Keys of all commands", {kKeyF1},
+        [&s = state_] { s.OpenPopup(Popup::kKeys); });
   }
 
  private:

@@ -311,6 +311,7 @@ void TreeEditor::Restore() {
     return;
   }
   for (auto& [path, text] : state_.restorable) {
+    if (state_.resume && state_.resume(path, text)) continue;
     state_.workspace.project().SetText(path, "Restore unsaved work", std::move(text));
   }
   state_.restorable.clear();

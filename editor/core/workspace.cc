@@ -11,8 +11,9 @@
 namespace coppice::editor {
 namespace {
 
-constexpr double kCheckDelay = 0.05;  // seconds: a burst of changes is checked once
-constexpr double kLookDelay = 1;      // between two looks at the disk
+constexpr double kCheckDelay = 0.05;   // seconds: a burst of changes is checked once
+constexpr double kLookDelay = 1;       // between two looks at the disk
+constexpr double kRefreshDelay = 0.5;  // between two looks whether a record has grown
 
 void AddOnce(std::vector<Diagnostic>& all, const std::vector<Diagnostic>& more) {
   for (const Diagnostic& one : more) {
@@ -101,8 +102,8 @@ std::string Workspace::New(double now) {
   return path;
 }
 
-// Scenes keep what they point into alive; the others are renewed when they are shown.
-void Workspace::Renew(std::size_t at, double now) {
+// Scenes keep what they point into alive, and are renewed when they are shown.
+void Workspace::Renew(std::size_t at) {
   OpenFile loaded = Load(files_[at].path);
   if (loaded.forest->trees().empty() && !loaded.text.empty() &&
       !files_[at].forest->trees().empty()) {
@@ -113,24 +114,19 @@ void Workspace::Renew(std::size_t at, double now) {
   // What the checker said holds until it speaks again, or the list would flicker.
   if (!loaded.is_stale) AddOnce(loaded.problems, files_[at].problems);
   files_[at] = std::move(loaded);
-  if (files_[at].is_stale) return;
-  const std::string prefix = "file:" + files_[at].path + ":";
-  for (auto& [key, view] : views_) {
-    if (key.compare(0, prefix.size(), prefix) != 0) continue;
-    const int tree = files_[at].forest->Find(key.substr(prefix.size()));
-    if (tree < 0) continue;
-    ViewOf(key, *files_[at].forest, tree, *files_[at].models, now, true);
-    alive_[view.get()] = std::make_shared<OpenFile>(files_[at]);
-  }
 }
 
 void Workspace::Refresh(double now) {
   if (project_.version() == shown_version_) return;
+  LoadAll(now);
+  check_at_ = std::min(check_at_, now + kCheckDelay);
+}
+
+void Workspace::LoadAll(double now) {
   const std::string shown =
       file_ >= 0 && tree_ >= 0 ? forest()->trees()[Index(tree_)].id : std::string();
-  for (std::size_t at = 0; at < files_.size(); ++at) Renew(at, now);
+  for (std::size_t at = 0; at < files_.size(); ++at) Renew(at);
   shown_version_ = project_.version();
-  check_at_ = std::min(check_at_, now + kCheckDelay);
   if (file_ < 0) return;
   const Forest& forest = *files_[Index(file_)].forest;
   const int same = forest.Find(shown);
@@ -171,7 +167,7 @@ void Workspace::CheckAll() {
 }
 
 double Workspace::NextUpdateIn(double now) const {
-  return std::max(std::min(check_at_, look_at_) - now, 0.0);
+  return std::max(std::min({check_at_, look_at_, refresh_at_}) - now, 0.0);
 }
 
 void Workspace::AddModels(const std::string& path) {
@@ -209,6 +205,7 @@ void Workspace::Reload(double now) {
 void Workspace::AddRun(std::unique_ptr<RunSource> source) {
   runs_.push_back(
       std::make_unique<RunView>(std::move(source), std::make_shared<const NodeModels>(models_)));
+  if (runs_.back()->source().may_grow()) refresh_at_ = 0;
   if (runs_.size() == 1) ShowRun(0);
 }
 
@@ -245,11 +242,40 @@ bool Workspace::Update(double now) {
     look_at_ = now + kLookDelay;
     LookAtDisk(now);
   }
-  if (now >= check_at_) CheckAll();
+  if (now >= check_at_) {
+    CheckAll();
+    project_.ReadAhead();
+  }
+  if (now >= refresh_at_) RefreshRecords(now);
   for (const auto& run : runs_) run->Update(hooks, now);
+  RemoveReachedStops();
   LearnFromRuns(now);
   if (run_ >= 0) ShowTreeOfRun(now);
   return checked || version != shown_version_ || !news_.empty() || !runs_.empty();
+}
+
+// A record may still be written.
+void Workspace::RefreshRecords(double now) {
+  refresh_at_ = kNever;
+  for (const auto& run : runs_) {
+    if (!run->source().may_grow()) continue;
+    run->source().Refresh();
+    refresh_at_ = now + kRefreshDelay;
+  }
+}
+
+// "Run to here" stops once.
+void Workspace::RemoveReachedStops() {
+  std::vector<std::uint32_t> reached;
+  for (const WantedHook& wanted : hooks.all()) {
+    if (!IsBreakpoint(wanted.hook) || wanted.hook.times == 0) continue;
+    const bool stopped = std::any_of(runs_.begin(), runs_.end(), [&](const auto& run) {
+      const SetHookState* set = run->hooks().Find(wanted.number);
+      return set && set->hits >= wanted.hook.times;
+    });
+    if (stopped) reached.push_back(wanted.number);
+  }
+  for (const std::uint32_t number : reached) hooks.Remove(number);
 }
 
 // Robots say which node types they have: files are edited and checked with them.
@@ -273,7 +299,7 @@ void Workspace::LearnFromRuns(double now) {
 }
 
 void Workspace::RenewAll(double now) {
-  for (std::size_t at = 0; at < files_.size(); ++at) Renew(at, now);
+  LoadAll(now);
   check_at_ = std::min(check_at_, now);
 }
 
@@ -287,9 +313,9 @@ void Workspace::ShowTreeOfRun(double now) {
   tree_ = tree->forest().main_tree();
   const std::string key = "run:" + run()->name();
   const auto known = views_.find(key);
-  const bool renew = known == views_.end() || alive_[known->second.get()] != tree;
+  const bool renew = known == views_.end() || alive_[known->second.get()].trees != tree;
   view_ = ViewOf(key, tree->forest(), tree_, tree->models(), now, renew);
-  if (renew && view_) alive_[view_] = tree;
+  if (renew && view_) alive_[view_] = {tree, nullptr};
 }
 
 TreeView* Workspace::ViewOf(const std::string& key, const Forest& forest, int tree,
@@ -302,8 +328,7 @@ TreeView* Workspace::ViewOf(const std::string& key, const Forest& forest, int tr
   if (renew) {
     auto scene = std::make_shared<Scene>(BuildScene(forest, tree, models));
     if (run_ >= 0) NumberNodes(*run()->tree()->description(), *scene);
-    std::vector<Point> sizes = measure_(*scene);
-    view->SetScene(std::move(scene), std::move(sizes), now);
+    view->SetScene(std::move(scene), size_of_, now);
   }
   view->SetStyle(style_, now);
   return view->scene()->nodes.empty() ? nullptr : view.get();
@@ -317,8 +342,10 @@ void Workspace::ShowFileTree(std::size_t file, int tree, double now) {
   if (tree < 0) return;
   const OpenFile& open = files_[file];
   const std::string key = "file:" + open.path + ":" + open.forest->trees()[Index(tree)].id;
-  view_ = ViewOf(key, *open.forest, tree, *open.models, now, false);
-  if (view_ && !alive_[view_]) alive_[view_] = std::make_shared<OpenFile>(open);
+  const auto known = views_.find(key);
+  const bool renew = known == views_.end() || alive_[known->second.get()].trees != open.forest;
+  view_ = ViewOf(key, *open.forest, tree, *open.models, now, renew);
+  if (renew && view_) alive_[view_] = {open.forest, open.models};
 }
 
 void Workspace::ShowRun(std::size_t run) {

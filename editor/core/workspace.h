@@ -16,6 +16,7 @@
 #include "editor/document/open_project.h"
 #include "editor/live/run_view.h"
 #include "editor/scene/node_models.h"
+#include "editor/timeline/bookmarks.h"
 
 namespace coppice::editor {
 
@@ -37,10 +38,7 @@ struct ElementPlace {
 
 class Workspace {
  public:
-  /// Sizes of the nodes of a scene at zoom 1.
-  using Measure = std::function<std::vector<Point>(const Scene&)>;
-
-  explicit Workspace(Measure measure) : measure_(std::move(measure)) {}
+  explicit Workspace(TreeView::SizeOf size_of) : size_of_(std::move(size_of)) {}
 
   /// Opens a file of trees, or reads it again if it is open, and shows its main tree; or a record.
   /// False if there is nothing to show; the problems tell why.
@@ -93,6 +91,8 @@ class Workspace {
 
   /// Breakpoints and faults, of all robots.
   HookList hooks;
+  /// By RunView::bookmark_name.
+  Bookmarks bookmarks;
 
   /// The tree that is shown, null if there is none. Its scene is not empty.
   TreeView* view() { return view_; }
@@ -125,11 +125,18 @@ class Workspace {
 
  private:
   static constexpr double kNever = std::numeric_limits<double>::infinity();
+  struct ScenePointsInto {
+    std::shared_ptr<const void> trees;
+    std::shared_ptr<const void> models;
+  };
   static std::size_t Index(int number) { return static_cast<std::size_t>(number); }
   OpenFile Load(const std::string& path);
-  void Renew(std::size_t file, double now);
+  void Renew(std::size_t file);
+  void LoadAll(double now);
   void CheckAll();
   void LookAtDisk(double now);
+  void RefreshRecords(double now);
+  void RemoveReachedStops();
   void LearnFromRuns(double now);
   bool IsInShownTree(const Place& place) const;
   bool ShowTreeOf(const Place& place, double now);
@@ -139,12 +146,13 @@ class Workspace {
   TreeView* ViewOf(const std::string& key, const Forest& forest, int tree, const NodeModels& models,
                    double now, bool renew);
 
-  Measure measure_;
+  TreeView::SizeOf size_of_;
   OpenProject project_;
   std::uint64_t shown_version_ = 0;  // of project_
   std::string news_;
   double check_at_ = kNever;
   double look_at_ = kNever;
+  double refresh_at_ = kNever;
   std::vector<OpenFile> files_;
   std::vector<std::unique_ptr<RunView>> runs_;
   NodeModels models_;                    // known for all files
@@ -154,7 +162,7 @@ class Workspace {
   std::vector<const RunTree*> learned_from_;  // the trees that said it; never followed
   std::vector<Diagnostic> record_problems_;
   std::map<std::string, std::unique_ptr<TreeView>> views_;
-  std::map<const TreeView*, std::shared_ptr<const void>> alive_;  // what the scenes point into
+  std::map<const TreeView*, ScenePointsInto> alive_;
   LayoutStyle style_;
   TreeView* view_ = nullptr;
   int file_ = -1;

@@ -1,11 +1,12 @@
 #include "editor/document/history.h"
 
+#include <iterator>
 #include <utility>
 
 namespace coppice::editor {
 namespace {
 
-constexpr std::size_t kKeptDocuments = 16;  // of the last steps
+constexpr std::size_t kKeptDocuments = 16;  // on each side of what is shown
 
 }  // namespace
 
@@ -13,16 +14,32 @@ void History::Add(Step step) {
   steps_.resize(done_);
   steps_.push_back(std::move(step));
   ++done_;
-  ForgetDocuments();
+  if (done_ > kKeptDocuments) ForgetDocuments(done_ - kKeptDocuments - 1);
+}
+
+void History::Prepend(std::vector<Step> undo, std::vector<Step> redo) {
+  if (steps_.empty()) steps_ = std::move(redo);
+  done_ += undo.size();
+  steps_.insert(steps_.begin(), std::make_move_iterator(undo.begin()),
+                std::make_move_iterator(undo.end()));
+}
+
+void History::Keep(std::size_t step, std::size_t file, std::optional<Document> before,
+                   std::optional<Document> after) {
+  FileStep& kept = steps_[step].files[file];
+  if (before) kept.before = std::move(before);
+  if (after) kept.after = std::move(after);
 }
 
 const Step* History::TakeUndo() {
   if (done_ == 0) return nullptr;
+  if (done_ + kKeptDocuments < steps_.size()) ForgetDocuments(done_ + kKeptDocuments);
   return &steps_[--done_];
 }
 
 const Step* History::TakeRedo() {
   if (done_ == steps_.size()) return nullptr;
+  if (done_ >= kKeptDocuments) ForgetDocuments(done_ - kKeptDocuments);
   return &steps_[done_++];
 }
 
@@ -41,9 +58,8 @@ void History::Rename(const std::string& path, const std::string& new_path) {
   }
 }
 
-void History::ForgetDocuments() {
-  if (steps_.size() <= kKeptDocuments) return;
-  for (FileStep& file : steps_[steps_.size() - kKeptDocuments - 1].files) {
+void History::ForgetDocuments(std::size_t step) {
+  for (FileStep& file : steps_[step].files) {
     file.before.reset();
     file.after.reset();
   }

@@ -1,6 +1,6 @@
 // What was done, so that it can be undone and done again: without limit, and across files. A step
-// costs the bytes that it changed, in both directions. The last steps keep their documents as well,
-// so that undoing them parses nothing.
+// costs the bytes that it changed, in both directions. The steps next to what is shown keep their
+// documents as well, so that undoing them parses nothing.
 #ifndef COPPICE_EDITOR_DOCUMENT_HISTORY_H_
 #define COPPICE_EDITOR_DOCUMENT_HISTORY_H_
 
@@ -45,6 +45,14 @@ class History {
   /// The step to do again, or null. Moves over it.
   const Step* TakeRedo();
 
+  /// Puts steps of an earlier time in front: `undo` before all others. `redo` can be done again if
+  /// there is nothing else.
+  void Prepend(std::vector<Step> undo, std::vector<Step> redo);
+
+  /// Keeps the documents of a step again, which was forgotten.
+  void Keep(std::size_t step, std::size_t file, std::optional<Document> before,
+            std::optional<Document> after);
+
   /// A file has another name from now on.
   void Rename(const std::string& path, const std::string& new_path);
 
@@ -57,7 +65,7 @@ class History {
   const Step* redo() const { return done_ < steps_.size() ? &steps_[done_] : nullptr; }
 
  private:
-  void ForgetDocuments();
+  void ForgetDocuments(std::size_t step);
 
   std::vector<Step> steps_;
   std::size_t done_ = 0;

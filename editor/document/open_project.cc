@@ -161,26 +161,67 @@ void OpenProject::SetText(const std::string& path, std::string name, std::string
   history_.Add(std::move(step));
 }
 
-void OpenProject::Run(const FileStep& step, bool forward) {
-  EditedFile* file = Get(step.path);
-  if (!file) return;
-  std::string text = std::move(file->text);
-  for (const Edit& edit : forward ? step.forward : step.back) text = Apply(edit, text);
-  Replace(*file, std::move(text), forward ? step.after : step.before);
+// A document that had to be parsed is kept: the step may be taken back.
+void OpenProject::Run(std::size_t number, bool forward) {
+  const Step& step = history_.steps()[number];
+  for (std::size_t i = 0; i < step.files.size(); ++i) {
+    const FileStep& part = step.files[i];
+    EditedFile* file = Get(part.path);
+    if (!file) continue;
+    std::optional<Document> left = file->document;
+    std::string text = std::move(file->text);
+    for (const Edit& edit : forward ? part.forward : part.back) text = Apply(edit, text);
+    Replace(*file, std::move(text), forward ? part.after : part.before);
+    history_.Keep(number, i, forward ? std::move(left) : file->document,
+                  forward ? file->document : std::move(left));
+  }
 }
 
 const Step* OpenProject::Undo() {
-  const auto* step = history_.TakeUndo();
-  if (!step) return nullptr;
-  for (const FileStep& file : step->files) Run(file, false);
+  const Step* step = history_.TakeUndo();
+  if (step) Run(history_.done(), false);
   return step;
 }
 
 const Step* OpenProject::Redo() {
-  const auto* step = history_.TakeRedo();
-  if (!step) return nullptr;
-  for (const FileStep& file : step->files) Run(file, true);
+  const Step* step = history_.TakeRedo();
+  if (step) Run(history_.done() - 1, true);
   return step;
+}
+
+bool OpenProject::ReadAhead() {
+  bool parsed = history_.undo() && ReadAhead(history_.done() - 1, false);
+  if (history_.redo()) parsed = ReadAhead(history_.done(), true) || parsed;
+  return parsed;
+}
+
+bool OpenProject::ReadAhead(std::size_t number, bool forward) {
+  const Step& step = history_.steps()[number];
+  bool parsed = false;
+  for (std::size_t i = 0; i < step.files.size(); ++i) {
+    const FileStep& part = step.files[i];
+    const EditedFile* file = Find(part.path);
+    if (!file || (forward ? part.after : part.before)) continue;
+    std::string text = file->text;
+    for (const Edit& edit : forward ? part.forward : part.back) text = Apply(edit, text);
+    Diagnostics ignored;
+    std::optional<Document> document = Document::FromText(std::move(text), file->path, ignored);
+    parsed = parsed || document;
+    if (forward) {
+      history_.Keep(number, i, std::nullopt, std::move(document));
+    } else {
+      history_.Keep(number, i, std::move(document), std::nullopt);
+    }
+  }
+  return parsed;
+}
+
+void OpenProject::Remember(std::vector<Step> undo, std::vector<Step> redo) {
+  history_.Prepend(std::move(undo), std::move(redo));
+}
+
+void OpenProject::Resume(const std::string& path, std::string text) {
+  if (EditedFile* file = Get(path)) Replace(*file, std::move(text), std::nullopt);
 }
 
 bool OpenProject::Save(const std::string& path, Diagnostics& diagnostics, bool overwrite) {
@@ -256,10 +297,17 @@ void OpenProject::TakeTheirs(const std::string& path) {
   SetText(path, "Take what is on the disk", std::string(file->saved));
 }
 
-int OpenProject::MergeTheirs(const std::string& path) {
+int OpenProject::MergeTheirs(const std::string& path, const std::vector<bool>& theirs) {
   EditedFile* file = Get(path);
   if (!file || !file->other) return 0;
   MergedText merged = MergeTexts(file->saved, file->text, *file->other);
+  Edit taken;
+  for (std::size_t i = 0; i < std::min(theirs.size(), merged.conflicts.size()); ++i) {
+    const MergeConflict& conflict = merged.conflicts[i];
+    const std::size_t end = conflict.offset + conflict.mine.size();
+    if (theirs[i]) taken.push_back(Replacement(conflict.offset, end, conflict.theirs));
+  }
+  merged.text = Apply(taken, merged.text);
   Diagnostics problems;
   if (!Document::FromText(merged.text, file->path, problems)) return -1;
   file->saved = *file->other;

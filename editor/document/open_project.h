@@ -72,6 +72,15 @@ class OpenProject {
   const Step* Redo();
   const History& history() const { return history_; }
 
+  /// Parses what the next Undo and Redo would have to parse, so that they are quick. False if there
+  /// was nothing to parse.
+  bool ReadAhead();
+
+  /// Steps of an earlier time, which end with the texts as they are; they come before all others.
+  void Remember(std::vector<Step> undo, std::vector<Step> redo);
+  /// Goes on with a text that was not saved the last time, as if the editor had never ended.
+  void Resume(const std::string& path, std::string text);
+
   /// Writes the file if it is dirty. False, with the reason, if it cannot be written, or if
   /// somebody else changed it in the meantime and `overwrite` is not given; then `other` is set.
   bool Save(const std::string& path, Diagnostics& diagnostics, bool overwrite = false);
@@ -86,9 +95,10 @@ class OpenProject {
   /// Ends the disagreement with the disk: the text of the other side becomes the file's text, or
   /// what it holds becomes known and the next save overwrites it.
   void TakeTheirs(const std::string& path);
-  /// Merges; where both changed the same place, the user's stays. Returns how many these are, or -1
-  /// if the result would be malformed: then nothing has changed.
-  int MergeTheirs(const std::string& path);
+  /// Merges. Where both changed the same place the user's stays, or theirs if it says so for this
+  /// conflict of MergeTexts (merge.h). Returns how many conflicts there are, or -1 if the result
+  /// would be malformed: then nothing has changed.
+  int MergeTheirs(const std::string& path, const std::vector<bool>& theirs = {});
   void KeepMine(const std::string& path);
 
   /// Counts all changes of all files.
@@ -97,7 +107,8 @@ class OpenProject {
  private:
   EditedFile* Get(const std::string& path);
   void Replace(EditedFile& file, std::string text, std::optional<Document> document);
-  void Run(const FileStep& step, bool forward);
+  void Run(std::size_t step, bool forward);
+  bool ReadAhead(std::size_t step, bool forward);
   const Step* LastOf(const std::string& path, const std::string& name) const;
 
   std::map<std::string, EditedFile> files_;

@@ -35,7 +35,10 @@ class PictureMaker::Sheet {
       placed.view->SetStyle(painting.style, 0);
       // The scene belongs to the caller.
       const std::shared_ptr<const Scene> scene(std::shared_ptr<const void>(), tree.scene);
-      placed.view->SetScene(scene, MeasureNodes(ui_, *tree.scene), 0);
+      const auto size_of = [this](const Scene& all, const SceneNode& node) {
+        return MeasureNode(ui_, all, node);
+      };
+      placed.view->SetScene(scene, size_of, 0);
       const Box& bounds = placed.view->bounds();
       const float title = tree.title.empty() ? 0 : TitleWidth(tree.title);
       size_.x = std::max(size_.x, std::max(bounds.width(), title) + 2 * kMargin);

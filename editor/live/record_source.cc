@@ -71,6 +71,7 @@ void RecordSource::Pump(LiveListener& listener) {
     is_done_ = !Take(item, listener);
     words += 16 + (item == RecordItem::kTick ? cursor_->events().words.size : 0);
   }
+  was_done_ = was_done_ || is_done_;
 }
 
 void RecordSource::Begin(LiveListener& listener) {
@@ -82,7 +83,7 @@ void RecordSource::Begin(LiveListener& listener) {
 }
 
 void RecordSource::Refresh() {
-  if (record_ && is_done_ && record_->Refresh()) is_done_ = false;
+  if (may_grow() && is_done_ && record_->Refresh()) is_done_ = false;
 }
 
 bool RecordSource::Take(RecordItem item, LiveListener& listener) {
@@ -110,6 +111,7 @@ bool RecordSource::Take(RecordItem item, LiveListener& listener) {
       listener.OnNote(cursor_->note());
       break;
     case RecordItem::kEnd:
+      has_ended_ = true;
       listener.OnEnd(cursor_->end());
       break;
     case RecordItem::kNone:

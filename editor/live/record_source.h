@@ -25,11 +25,12 @@ class RecordSource final : public RunSource {
   bool is_robot() const override { return false; }
   void Pump(LiveListener& listener) override;
   bool has_news() const override { return !is_done_; }
+  bool is_loading() const override { return !was_done_; }
+  /// Until its recorder has closed it.
+  bool may_grow() const override { return record_ && !has_ended_; }
+  void Refresh() override;
   double progress() const override;
   void Send(LiveCommand command, LiveClient::ReplyHandler on_reply) override;
-
-  /// Looks whether the file has grown.
-  void Refresh();
 
  private:
   explicit RecordSource(std::string path) : path_(std::move(path)) {}
@@ -43,7 +44,9 @@ class RecordSource final : public RunSource {
   std::optional<RecordCursor> cursor_;
   const TreeDescription* tree_ = nullptr;
   bool has_begun_ = false;
-  bool is_done_ = false;
+  bool is_done_ = false;  // all that is there was told
+  bool was_done_ = false;
+  bool has_ended_ = false;
   bool is_lost_ = false;       // something is missing before the next state
   std::uint64_t part_of_ = 0;  // number of the tick that is not whole yet
   std::size_t known_words_ = 0;

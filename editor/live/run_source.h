@@ -23,6 +23,12 @@ class RunSource {
   virtual void Pump(LiveListener& listener) = 0;
   /// True if Pump has something to hand over.
   virtual bool has_news() const = 0;
+  /// Of a file: it is being read for the first time.
+  virtual bool is_loading() const { return false; }
+  /// Of a file: looks whether it has grown. Costs little.
+  virtual void Refresh() {}
+  /// Of a file: somebody may still be writing it.
+  virtual bool may_grow() const { return false; }
   /// Of a file: the part that was handed over, in [0, 1].
   virtual double progress() const { return 1; }
 

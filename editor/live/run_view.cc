@@ -1,6 +1,8 @@
 #include "editor/live/run_view.h"
 
 #include <algorithm>
+#include <filesystem>
+#include <system_error>
 #include <utility>
 
 namespace coppice::editor {
@@ -31,9 +33,15 @@ const char* ToString(RunPhase phase) {
 RunView::RunView(std::unique_ptr<RunSource> source, std::shared_ptr<const NodeModels> known)
     : source_(std::move(source)), known_(std::move(known)) {}
 
+std::string RunView::bookmark_name() const {
+  if (source_->is_robot() || source_->is_simulation()) return name();
+  std::error_code error;
+  return std::filesystem::absolute(name(), error).lexically_normal().string();
+}
+
 RunPhase RunView::phase() const {
   if (source_->is_simulation()) return RunPhase::kSimulation;
-  if (!source_->is_robot()) return source_->has_news() ? RunPhase::kLoading : RunPhase::kRecord;
+  if (!source_->is_robot()) return source_->is_loading() ? RunPhase::kLoading : RunPhase::kRecord;
   if (connection_.is_live) return RunPhase::kLive;
   return was_live_ ? RunPhase::kReconnecting : RunPhase::kConnecting;
 }
@@ -47,9 +55,21 @@ void RunView::Update(const HookList& hooks, double now) {
   if (!late_answer_->empty()) answer_ = std::exchange(*late_answer_, {});
   MeasureRate(now);
   if (connection_.is_live) hooks_.Sync(hooks);
+  if (was_loading_ && !source_->is_loading()) LeaveFinalHalt();
+  was_loading_ = source_->is_loading();
   playhead_.Advance(passed);
   ShowTick();
   Mark(hooks);
+}
+
+// A record that was closed ends with the halt of the tree. What was wanted is the tick before it:
+// behind the halt nothing has a status, and nothing was ticked.
+void RunView::LeaveFinalHalt() {
+  const auto& ticks = run_.recording().ticks();
+  if (source_->is_robot() || source_->may_grow() || !playhead_.is_at_now()) return;
+  std::size_t last = ticks.size();
+  while (last > 0 && ticks[last - 1].result == Status::kIdle) --last;
+  if (last > 0 && last < ticks.size()) playhead_.GoToTick(last - 1);
 }
 
 void RunView::MeasureRate(double now) {

@@ -44,6 +44,8 @@ class RunView final : private LiveListener {
   RunSource& source() { return *source_; }
   const RunSource& source() const { return *source_; }
   const std::string& name() const { return source_->name(); }
+  /// By which its bookmarks are known: of a file the whole path.
+  std::string bookmark_name() const;
   RunPhase phase() const;
   const LiveConnection& connection() const { return connection_; }
   /// Ticks per second of the editor, of late.
@@ -79,6 +81,7 @@ class RunView final : private LiveListener {
   void OnEnd(const HistoryEnd& end) override { run_.OnEnd(end); }
 
   void MeasureRate(double now);
+  void LeaveFinalHalt();
   void ShowTick();
   void Mark(const HookList& hooks);
 
@@ -87,6 +90,7 @@ class RunView final : private LiveListener {
   RunHooks hooks_{*source_};
   LiveConnection connection_;
   bool was_live_ = false;
+  bool was_loading_ = true;
   Run run_;
   RunPlace place_{run_};
   Playhead playhead_{run_};

@@ -24,14 +24,14 @@ constexpr ImWchar kIconRanges[] = {
     0xF0E7, 0xF0E8, 0xF0FE, 0xF0FE, 0xF10C, 0xF10C, 0xF111, 0xF111, 0xF121, 0xF121, 0xF132,
     0xF132, 0xF146, 0xF146, 0xF1C9, 0xF1C9, 0xF1E6, 0xF1E6, 0xF252, 0xF252, 0};
 
-void Bake(const std::string& text_file, const std::string& icon_file, float scale,
-          std::vector<ImFont*>& fonts) {
+void Bake(const std::string& text_file, const std::string& icon_file,
+          const std::vector<float>& sizes, std::vector<ImFont*>& fonts) {
   ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
-  for (const float size : kSizes) {
+  for (std::size_t i = 0; i < sizes.size(); ++i) {
+    const float pixels = sizes[i];
     ImFontConfig config;
-    config.OversampleH = size < 16 ? 2 : 1;
+    config.OversampleH = kSizes[i] < 16 ? 2 : 1;
     config.OversampleV = 1;
-    const float pixels = std::round(size * scale);
     fonts.push_back(atlas.AddFontFromFileTTF(text_file.c_str(), pixels, &config, kTextRanges));
     if (icon_file.empty()) continue;
     config.MergeMode = true;
@@ -63,13 +63,15 @@ std::string Fonts::Load(float scale) {
   } kFaces[] = {{"DejaVuSans.ttf", sans_, true},
                 {"DejaVuSans-Bold.ttf", bold_, true},
                 {"DejaVuSansMono.ttf", mono_, false}};
+  sizes_.clear();
+  for (const float size : kSizes) sizes_.push_back(std::round(size * scale));
   for (const auto& face : kFaces) {
     const std::string file = TextFontFile(face.file);
     if (file.empty()) {
       return std::string("the font ") + face.file +
              " is missing; on Debian: apt-get install fonts-dejavu-core";
     }
-    Bake(file, face.with_icons ? icons : std::string(), scale, face.fonts);
+    Bake(file, face.with_icons ? icons : std::string(), sizes_, face.fonts);
   }
   if (!atlas.Build()) return "the fonts cannot be baked into a texture";
   ImGui::GetIO().FontDefault = Pick(Face::kSans, 13 * scale);
@@ -80,11 +82,9 @@ ImFont* Fonts::Pick(Face face, float pixels) const {
   const std::vector<ImFont*>& fonts = face == Face::kSans   ? sans_
                                       : face == Face::kBold ? bold_
                                                             : mono_;
-  ImFont* best = fonts.front();
-  for (ImFont* font : fonts) {
-    if (font->ConfigData && font->ConfigData->SizePixels <= pixels + 0.01F) best = font;
-  }
-  return best;
+  const auto larger = std::upper_bound(sizes_.begin(), sizes_.end(), pixels + 0.01F);
+  return fonts[larger == sizes_.begin() ? 0
+                                        : static_cast<std::size_t>(larger - sizes_.begin()) - 1];
 }
 
 }  // namespace coppice::editor

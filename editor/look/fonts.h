@@ -24,6 +24,7 @@ class Fonts {
 
  private:
   std::vector<ImFont*> sans_, bold_, mono_;  // by rising size
+  std::vector<float> sizes_;                 // theirs, in pixels
 };
 
 }  // namespace coppice::editor

@@ -93,7 +93,10 @@ class CanvasBar {
     if (const OpenFile* file = workspace.file()) {
       name = file->path.substr(file->path.rfind('/') + 1);
     }
-    if (const RunView* run = workspace.run()) name = run->name();
+    if (const RunView* run = workspace.run()) {
+      name = run->name();
+      if (!run->source().is_robot()) name = name.substr(name.rfind('/') + 1);
+    }
     std::vector<Crumb> crumbs = {{name, kNoNode}};
     const TreeView* view = state_.workspace.view();
     if (!view) return crumbs;

@@ -4,6 +4,7 @@
 #include <tuple>
 
 #include "editor/canvas/canvas.h"
+#include "editor/canvas/node_marks.h"
 #include "editor/canvas/node_metrics.h"
 #include "editor/core/node_drop.h"
 #include "editor/core/tree_editor.h"
@@ -78,7 +79,8 @@ class CanvasTile {
     Comparison& comparison = *state_.canvas.comparison;
     comparison.Follow(
         view_.scene(), Alive(), view_.style(),
-        [this](const Scene& scene) { return MeasureNodes(ui_, scene); }, ui_.now);
+        [this](const Scene& scene, const SceneNode& node) { return MeasureNode(ui_, scene, node); },
+        ui_.now);
     const Box banner = {box_.min, {box_.max.x, box_.min.y + kBanner * ui_.scale}};
     CanvasOptions options;
     options.minimap = state_.tiles.minimap;
@@ -89,15 +91,51 @@ class CanvasTile {
     DrawBanner(comparison, banner);
   }
 
+  struct LegendEntry {
+    const char* text;
+    Change change;
+  };
+  static constexpr LegendEntry kLegend[] = {{"+ added", Change::kAdded},
+                                            {"\u2013 removed", Change::kRemoved},
+                                            {"\u2192 moved", Change::kMoved},
+                                            {"~ changed", Change::kChanged}};
+  static constexpr float kLegendGap = 12;
+
+  TextStyle LegendStyle(Change change) const {
+    return {Face::kSans, 11, Mix(ColorOf(ui_.palette, change), ui_.palette.text, 0.35F)};
+  }
+
+  float LegendWidth() const {
+    float width = 0;
+    for (const LegendEntry& entry : kLegend) {
+      width += ui_.Width(entry.text, LegendStyle(entry.change)) + kLegendGap * ui_.scale;
+    }
+    return width;
+  }
+
+  void DrawLegend(ImDrawList& list, float x, const Box& banner) const {
+    for (const LegendEntry& entry : kLegend) {
+      x += ui_.RowText(list, {x, banner.min.y}, banner.height(), entry.text,
+                       LegendStyle(entry.change)) +
+           kLegendGap * ui_.scale;
+    }
+  }
+
   void DrawBanner(const Comparison& comparison, const Box& banner) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     ui_.Fill(list, banner, Mix(ui_.palette.panel, ui_.palette.accent, 0.25F));
     const float width = 70 * ui_.scale;
     const float pad = 4 * ui_.scale;
-    const std::string text = "compared with " + comparison.path() + ": " + comparison.summary() +
-                             "   + added   " + "\u2013 removed   \u2192 moved   ~ changed";
-    ui_.RowText(list, banner.min + Point{10 * ui_.scale, 0}, banner.height(), text,
-                {Face::kSans, 12, ui_.palette.text}, banner.width() - width - 30 * ui_.scale);
+    const float legend = banner.max.x - width - 20 * ui_.scale - LegendWidth();
+    const std::string& path = comparison.path();
+    const std::string text =
+        "compared with " + path.substr(path.rfind('/') + 1) + ": " + comparison.summary();
+    const TextStyle style{Face::kSans, 12, ui_.palette.text};
+    const float left = banner.min.x + 10 * ui_.scale;
+    const bool both_fit = left + ui_.Width(text, style) + 16 * ui_.scale < legend;
+    const float right = both_fit ? legend : banner.max.x - width - 20 * ui_.scale;
+    ui_.RowText(list, {left, banner.min.y}, banner.height(), text, style, right - left);
+    if (both_fit) DrawLegend(list, legend, banner);
     const Box close = {{banner.max.x - width - pad, banner.min.y + pad},
                        {banner.max.x - pad, banner.max.y - pad}};
     if (ui_.Button("comparison/close", close, "close")) state_.canvas.comparison.reset();

@@ -25,6 +25,24 @@ std::string_view WordAtEnd(std::string_view text) {
   return text.substr(start);
 }
 
+bool IsNumber(const std::string& text) {
+  char* end = nullptr;
+  std::strtod(text.c_str(), &end);
+  return !text.empty() && *end == '\0';
+}
+
+// Empty if these are not three numbers.
+std::vector<std::string> SplitPose(const std::string& value) {
+  std::vector<std::string> parts;
+  std::size_t start = 0;
+  for (std::size_t end; (end = value.find(';', start)) != std::string::npos; start = end + 1) {
+    parts.push_back(value.substr(start, end - start));
+  }
+  parts.push_back(value.substr(start));
+  if (parts.size() != 3 || !std::all_of(parts.begin(), parts.end(), IsNumber)) return {};
+  return parts;
+}
+
 class FieldDrawer {
  public:
   FieldDrawer(const Ui& ui, EditorState& state, const std::string& path, const std::string& key,
@@ -42,7 +60,10 @@ class FieldDrawer {
         Step();
         break;
       case FieldKind::kChoice:
-        if (Button("next", ">")) result_.value = NextChoice();
+        Choose();
+        break;
+      case FieldKind::kPose:
+        if (Pose()) return std::move(result_);
         break;
       case FieldKind::kText:
         break;
@@ -67,10 +88,45 @@ class FieldDrawer {
     if (Button("less", "-")) result_.value = Stepped(value_, -1);
   }
 
-  std::string NextChoice() const {
-    const auto at = std::find(look_.choices.begin(), look_.choices.end(), value_);
-    const bool is_last = at == look_.choices.end() || at + 1 == look_.choices.end();
-    return is_last ? look_.choices.front() : *(at + 1);
+  // A list below the field.
+  void Choose() {
+    ImGui::PushID(key_.c_str());
+    if (Button("choices", "...")) ImGui::OpenPopup("choices");
+    if (ImGui::BeginPopup("choices")) {
+      for (const std::string& choice : look_.choices) {
+        if (ImGui::MenuItem(choice.c_str(), nullptr, choice == value_)) result_.value = choice;
+        ui_.items.Add(path_ + "/choice/" + choice,
+                      {FromIm(ImGui::GetItemRectMin()), FromIm(ImGui::GetItemRectMax())});
+      }
+      ImGui::EndPopup();
+    }
+    ImGui::PopID();
+  }
+
+  // A field for each of the three numbers. False if the value is no pose: then it is a text, and a
+  // button makes it one.
+  bool Pose() {
+    static constexpr const char* kParts[] = {"x", "y", "theta"};
+    std::vector<std::string> parts = SplitPose(value_);
+    if (parts.empty()) {
+      if (Button("pose", "xy")) result_.value = "0;0;0";
+      return false;
+    }
+    const float width = rest_.width() / 3;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const float left = rest_.min.x + width * static_cast<float>(i);
+      const Box box = {{left, rest_.min.y}, {left + width - 2 * ui_.scale, rest_.max.y}};
+      FieldLook look;
+      look.hint = kParts[i];
+      look.color = look_.color;
+      const std::string path = path_ + "/" + kParts[i];
+      const std::string key = key_ + "/" + kParts[i];
+      const FieldResult part = FieldDrawer(ui_, state_, path, key, box, parts[i], look).Draw();
+      if (!part.value) continue;
+      parts[i] = *part.value;
+      result_.value = parts[0] + ";" + parts[1] + ";" + parts[2];
+    }
+    return true;
   }
 
   // While the user types, the text is the state's; before and after it is the document's.
@@ -166,6 +222,7 @@ std::vector<std::string> Completions(std::string_view text, const FieldLook& loo
 }
 
 FieldKind KindOf(std::string_view type) {
+  if (type == "Pose2D") return FieldKind::kPose;
   if (type == "bool") return FieldKind::kBool;
   for (const std::string_view name :
        {"int", "unsigned", "unsigned int", "int64_t", "uint64_t", "long", "float", "double",
@@ -173,6 +230,27 @@ FieldKind KindOf(std::string_view type) {
     if (type == name) return FieldKind::kNumber;
   }
   return FieldKind::kText;
+}
+
+std::vector<std::string> ChoicesIn(std::string_view description) {
+  std::vector<std::string> choices;
+  const std::size_t colon = description.rfind(": ");
+  if (colon == std::string_view::npos) return choices;
+  std::string_view rest = description.substr(colon + 2);
+  for (bool more = true; more;) {
+    const auto end =
+        static_cast<std::size_t>(std::find_if_not(rest.begin(), rest.end(), IsWord) - rest.begin());
+    if (end == 0) return {};
+    choices.emplace_back(rest.substr(0, end));
+    rest.remove_prefix(end);
+    more = false;
+    for (const std::string_view between : {", ", " or "}) {
+      if (rest.substr(0, between.size()) != between) continue;
+      rest.remove_prefix(between.size());
+      more = true;
+    }
+  }
+  return rest.empty() && choices.size() > 1 ? choices : std::vector<std::string>();
 }
 
 std::optional<std::string> Stepped(const std::string& number, int by) {

@@ -13,7 +13,13 @@
 
 namespace coppice::editor {
 
-enum class FieldKind { kText, kBool, kNumber, kChoice };
+enum class FieldKind {
+  kText,
+  kBool,
+  kNumber,
+  kChoice,
+  kPose  ///< "x;y;theta", with a field for each
+};
 
 struct FieldLook {
   FieldKind kind = FieldKind::kText;
@@ -32,7 +38,9 @@ struct FieldResult {
 };
 
 /// `path` is for tests, `key` tells fields of different nodes apart. Registers `path`, and the
-/// buttons as "PATH/toggle", "PATH/less", "PATH/more", "PATH/next", "PATH/clear".
+/// buttons as "PATH/toggle", "PATH/less", "PATH/more", "PATH/choices", "PATH/clear", the choices as
+/// "PATH/choice/NAME", the parts of a pose as "PATH/x", "PATH/y", "PATH/theta", and for a value
+/// that is none "PATH/pose".
 FieldResult DrawField(const Ui& ui, EditorState& state, const std::string& path,
                       const std::string& key, const Box& box, const std::string& value,
                       const FieldLook& look);
@@ -43,6 +51,9 @@ FieldKind KindOf(std::string_view type);
 /// The keys that begin with the word that ends at the end of `text`; nothing where no key can
 /// stand.
 std::vector<std::string> Completions(std::string_view text, const FieldLook& look);
+
+/// The values that a description says a port takes, as manifests do: "how fast: slow, fast or mad".
+std::vector<std::string> ChoicesIn(std::string_view description);
 
 /// One step up or down from a number, with as many decimals as it has; nothing if it is none.
 std::optional<std::string> Stepped(const std::string& number, int by);

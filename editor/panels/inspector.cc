@@ -35,6 +35,12 @@ std::vector<std::string> ChoicesOf(std::string_view id, std::string_view port) {
   return names;
 }
 
+// Not one of those whose values are any text.
+bool IsOwnType(std::string_view type) {
+  return !type.empty() && type != "string" && type != "std::string" && type != "script" &&
+         type.find("Any") == std::string_view::npos;
+}
+
 class Inspector {
  public:
   Inspector(const Ui& ui, EditorState& state, std::shared_ptr<const Scene> scene,
@@ -231,6 +237,8 @@ class Inspector {
     look.can_clear = given != nullptr;
     if (KeyOf(value).empty()) look.kind = KindOf(port.type);
     look.choices = ChoicesOf(node_.id, port.name);
+    const bool may_be_enum = KindOf(port.type) == FieldKind::kText && IsOwnType(port.type);
+    if (look.choices.empty() && may_be_enum) look.choices = ChoicesIn(port.description);
     look.keys = Keys();
     look.is_script = port.type == "script";
     if (!look.choices.empty() && KeyOf(value).empty()) look.kind = FieldKind::kChoice;

@@ -4,6 +4,7 @@
 #include "editor/canvas/node_metrics.h"
 #include "editor/canvas/status_look.h"
 #include "editor/panels/drag_source.h"
+#include "editor/panels/outline_drop.h"
 #include "editor/panels/panel.h"
 #include "editor/panels/panels.h"
 
@@ -38,6 +39,7 @@ class OutlineRow {
     if (!row.visible) return;
     PaintStatus(row.box);
     PaintText(row.box);
+    DropOntoRow(ui_, state, node_number_, row.box);
   }
 
  private:

@@ -21,15 +21,16 @@ void Panel(const Ui& ui, const std::string& path, const Box& box, std::string_vi
   const float room = box.width() - 3 * pad - used;
   ui.RowText(list, {box.max.x - pad - std::min(width, room), box.min.y}, header, note, small, room);
   ImGui::SetCursorScreenPos({box.min.x + 1, box.min.y + header});
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
   const Point size = {box.width() - 2, box.height() - header - 2};
   if (size.x > 1 && size.y > 1) {
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
     ImGui::BeginChild(path.c_str(), ToIm(size), false);
+    ImGui::PopStyleVar();  // tooltips and menus of the body have theirs
     body();
     ImGui::EndChild();
   }
-  ImGui::PopStyleVar(2);
+  ImGui::PopStyleVar();
 }
 
 Row NextRow(const Ui& ui, const std::string& path, bool selected, float height) {

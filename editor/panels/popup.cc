@@ -6,6 +6,7 @@
 
 #include "editor/core/tree_editor.h"
 #include "editor/panels/choices.h"
+#include "editor/panels/key_list.h"
 #include "editor/panels/panel.h"
 #include "editor/panels/panels.h"
 #include "editor/panels/type_choices.h"
@@ -65,14 +66,15 @@ class PopupWindow {
     switch (state_.popup) {
       case Popup::kPalette:
       case Popup::kList:
+      case Popup::kKeys:
         return state_.popup_rows;
       case Popup::kPrompt:
         return state_.prompt.preview ? state_.popup_rows : 0;
       case Popup::kAdd:
       case Popup::kChangeType:
         return state_.popup_rows + 1;
-      case Popup::kKeys:
-        return (Bound().size() + 1) / 2;
+      case Popup::kNewKeys:
+        return 2;
       case Popup::kPasteErrors:
         return state_.popup_problems.size() + 1;
       default:
@@ -102,7 +104,11 @@ class PopupWindow {
         Ask();
         break;
       case Popup::kKeys:
-        Keys();
+        Input("command, its ID or its keys; Enter gives it others");
+        DrawKeyList(ui_, state_);
+        break;
+      case Popup::kNewKeys:
+        DrawNewKeys(ui_, state_);
         break;
       case Popup::kAdd:
         Input("type of the new node");
@@ -280,36 +286,6 @@ class PopupWindow {
     }
     ImGui::PopStyleVar();
     if (Confirmed(state_)) Close();
-  }
-
-  // In two columns; what has no key is in the palette.
-  void Keys() {
-    state_.popup_is_new = false;
-    const std::vector<const Command*> bound = Bound();
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
-    const std::size_t rows = (bound.size() + 1) / 2;
-    for (std::size_t i = 0; i < rows; ++i) {
-      const Row row = NextRow(ui_, "popup/keys/" + std::to_string(i), false);
-      const float middle = row.box.center().x;
-      PaintKey(*bound[i], {row.box.min, {middle - 14 * ui_.scale, row.box.max.y}});
-      if (i + rows < bound.size()) {
-        PaintKey(*bound[i + rows], {{middle + 14 * ui_.scale, row.box.min.y}, row.box.max});
-      }
-    }
-    ImGui::PopStyleVar();
-  }
-
-  std::vector<const Command*> Bound() const {
-    std::vector<const Command*> bound;
-    for (const Command& command : state_.commands.all()) {
-      if (command.keys.key != 0) bound.push_back(&command);
-    }
-    return bound;
-  }
-
-  void PaintKey(const Command& command, const Box& box) {
-    ui_.items.Add("popup/keys/" + command.id, box);
-    Paint(box, command.title, ToString(command.keys), "");
   }
 
   void Paint(const Box& box, const std::string& title, const std::string& note,

@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "editor/core/simulation_editor.h"
+#include "editor/core/tree_editor.h"
+#include "editor/panels/canvas_banners.h"
 #include "editor/panels/canvas_tile.h"
 #include "editor/panels/panel.h"
 #include "editor/panels/panels.h"
@@ -150,6 +152,7 @@ class Screen {
     DrawCanvasBar(ui_, state_, TakeTop(rest, kCanvasBar));
     const bool is_simulation = SimulationEditor(state_, ui_.now).IsShown();
     if (is_simulation) DrawSimulationBar(ui_, state_, TakeTop(rest, kBar));
+    rest = DrawCanvasBanners(ui_, state_, rest);
     state_.canvas_size = {rest.width(), rest.height()};
     ImGui::SetCursorScreenPos(ToIm(rest.min));
     if (state_.workspace.view()) {
@@ -167,6 +170,8 @@ class Screen {
       DrawNotice(rest);
       return;
     }
+    ui_.items.Add("canvas", rest);
+    DropRoot(rest);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     ui_.Fill(list, rest, ui_.palette.canvas);
     const std::string text = Invitation();
@@ -174,6 +179,15 @@ class Screen {
     ui_.RowText(list, {rest.center().x - ui_.Width(text, style) / 2, rest.center().y - 20}, 40,
                 text, style);
     DrawNotice(rest);
+  }
+
+  // A type that is dropped onto an empty tree becomes its root.
+  void DropRoot(const Box& canvas) {
+    const bool dropped = state_.incoming && ImGui::IsMouseReleased(0) &&
+                         canvas.Contains(FromIm(ImGui::GetIO().MousePos));
+    if (!dropped) return;
+    state_.after_frame = [&s = state_, xml = state_.dragged_xml, type = state_.incoming->label,
+                          now = ui_.now] { TreeEditor(s, now).Add(xml, type, AddWhere::kChild); };
   }
 
   // What was just done or refused, at the lower edge of the canvas.

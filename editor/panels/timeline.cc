@@ -41,7 +41,7 @@ class Timeline {
     f_.overview = Take(rest, kOverview);
     f_.ruler = Take(rest, kRuler);
     f_.lanes = rest;
-    f_.run_end = f_.run.TimeOf(f_.run.size() - 1);
+    f_.run_end = f_.run.TimeOf(f_.run.size() - 1) + LastPeriod();
     if (f_.head.is_at_now()) f_.run_end = std::max(f_.run_end, view.state().now);
   }
 
@@ -64,6 +64,14 @@ class Timeline {
     const Box taken = {rest.min, {rest.max.x, rest.min.y + height * f_.ui.scale}};
     rest.min.y = taken.max.y;
     return taken;
+  }
+
+  // The last tick is shown as long as the one before it.
+  Time LastPeriod() const {
+    constexpr Time kLongest = std::chrono::seconds(1);
+    const std::size_t ticks = f_.run.size();
+    if (ticks < 2) return kLongest / 10;
+    return std::min(f_.run.TimeOf(ticks - 1) - f_.run.TimeOf(ticks - 2), kLongest);
   }
 
   // It follows the end; otherwise it goes where the playhead was moved to.
@@ -126,6 +134,26 @@ class Timeline {
       }
     }
     for (const Recording::Note& note : f_.run.recording().notes()) DrawNote(note);
+    const Bookmarks& bookmarks = f_.state.workspace.bookmarks;
+    for (const auto& [tick, text] : bookmarks.Of(f_.view.bookmark_name())) {
+      if (tick < f_.run.size()) DrawBookmark(tick, text);
+    }
+  }
+
+  // A flag.
+  void DrawBookmark(std::size_t tick, const std::string& text) {
+    const float x = f_.XOf(f_.run.TimeOf(tick));
+    if (x < f_.ruler.min.x || x > f_.ruler.max.x) return;
+    const float size = 7 * f_.ui.scale;
+    const Box flag = {{x, f_.ruler.min.y}, {x + 1.4F * size, f_.ruler.min.y + size}};
+    f_.ui.Fill(list_, {{x, f_.ruler.min.y}, {x + f_.ui.scale, f_.lanes.max.y}},
+               Fade(f_.ui.palette.warning, 0.6F));
+    list_.AddTriangleFilled({x, flag.min.y}, {flag.max.x, flag.center().y}, {x, flag.max.y},
+                            f_.ui.palette.warning);
+    f_.ui.items.Add("timeline/bookmark/" + std::to_string(tick), flag);
+    if (!text.empty() && flag.Contains(FromIm(ImGui::GetIO().MousePos))) {
+      ImGui::SetTooltip("%s", text.c_str());
+    }
   }
 
   void DrawNote(const Recording::Note& note) {

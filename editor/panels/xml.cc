@@ -5,6 +5,7 @@
 #include "editor/core/project_editor.h"
 #include "editor/panels/panel.h"
 #include "editor/panels/panels.h"
+#include "editor/panels/xml_gutter.h"
 #include "editor/panels/xml_keys.h"
 #include "editor/panels/xml_line.h"
 
@@ -12,7 +13,7 @@ namespace coppice::editor {
 namespace {
 
 constexpr float kLineHeight = 18;
-constexpr float kNumberWidth = 44;
+constexpr float kNumberWidth = kXmlNumberWidth;
 
 struct Line {
   std::uint32_t begin = 0;
@@ -148,6 +149,7 @@ class XmlPanel {
   XmlPanel(const Ui& ui, EditorState& state, const Shown& shown)
       : ui_(ui),
         pane_(state.xml),
+        gutter_(state.xml_gutter),
         shown_(shown),
         lines_(SplitLines(*shown.text)),
         list_(*ImGui::GetWindowDrawList()) {
@@ -215,6 +217,7 @@ class XmlPanel {
     const float right = row.box.min.x + (kNumberWidth - 14) * ui_.scale;
     ui_.RowText(list_, {right - ui_.Width(label, style), row.box.min.y}, row.box.height(), label,
                 style);
+    if (shown_.can_edit) DrawXmlGutter(ui_, gutter_, number, row);
     MarkSelected(number, row.box);
     PaintXmlLine(ui_, TextOf(number), row.box.min + Point{kNumberWidth * ui_.scale, 0}, row.box);
     DrawCaret(number, row.box);
@@ -315,6 +318,7 @@ class XmlPanel {
 
   const Ui& ui_;
   XmlPane& pane_;
+  const XmlGutter& gutter_;
   const Shown& shown_;
   const std::vector<Line> lines_;
   ImDrawList& list_;
@@ -359,6 +363,7 @@ void DrawXml(const Ui& ui, EditorState& state, const Box& box) {
     XmlTyping(ui, state, shown).Run();
     shown = Choose(state, state.workspace.view());  // what has become of it
   }
+  if (shown.can_edit) UpdateXmlGutter(state, shown.path);
   Panel(ui, "xml", box, TitleOf(shown), NoteOf(state, shown), [&] {
     if (shown.text) {
       XmlPanel(ui, state, shown).Draw();

@@ -109,8 +109,9 @@ void NodeModels::AddFrom(const Document& document) {
   for (const Element& element : document.elements()) {
     const bool inside =
         element.parent != kNoElement && document.element(element.parent).tag == "TreeNodesModel";
+    if (!inside) continue;
     const std::optional<NodeCategory> category = CategoryFromTag(element.tag);
-    if (!inside || !category) continue;
+    if (!category) continue;
     NodeModel model = ReadModel(document, element, *category);
     const NodeModel* known = Find(model.id);
     if (model.id.empty() || (known && known->source == kBuiltIn)) continue;

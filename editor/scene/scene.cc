@@ -38,6 +38,10 @@ class Builder {
     scene_.tree_id = entry.id;
     scene_.scopes.push_back(entry.instance_path.empty() ? entry.id : entry.instance_path);
     trees_.push_back({tree, kNone});
+    const Document& document = *forest_.documents()[entry.document];
+    const Element& last = document.elements().back();
+    scene_.nodes.reserve(document.elements().size());
+    scene_.ports.reserve(last.first_attribute + last.attribute_count);
     PushChildren(entry.document, forest_.documents()[entry.document]->element(entry.element),
                  kNoNode, 0, 0);
     while (!open_.empty()) {
@@ -123,22 +127,28 @@ class Builder {
   void AddPorts(const Document& document, const Element& element) {
     SceneNode& node = scene_.nodes.back();
     node.first_port = static_cast<std::uint32_t>(scene_.ports.size());
-    if (node.model && node.shape != Shape::kSubTree) {
-      for (const PortModel& port : node.model->ports) {
-        if (const Attribute* given = document.FindAttribute(element, port.name)) {
-          scene_.ports.push_back(
-              {given->name, given->value, port.direction, !KeyOf(given->value).empty(), &port});
-        }
-      }
-    }
+    undeclared_.clear();
     for (const Attribute* a = document.attributes_begin(element);
          a != document.attributes_end(element); ++a) {
-      if (IsHidden(a->name)) continue;
-      if (node.shape != Shape::kSubTree && node.model && node.model->FindPort(a->name)) continue;
-      scene_.ports.push_back(
-          {a->name, a->value, PortDirection::kInput, !KeyOf(a->value).empty(), nullptr});
+      if (!IsHidden(a->name)) undeclared_.push_back(a);
     }
+    if (node.model && node.shape != Shape::kSubTree) {
+      for (const PortModel& port : node.model->ports) {
+        const auto given = std::find_if(undeclared_.begin(), undeclared_.end(),
+                                        [&](const Attribute* a) { return a->name == port.name; });
+        if (given == undeclared_.end()) continue;
+        AddPort(**given, &port);
+        undeclared_.erase(given);
+      }
+    }
+    for (const Attribute* a : undeclared_) AddPort(*a, nullptr);
     node.port_count = static_cast<std::uint32_t>(scene_.ports.size()) - node.first_port;
+  }
+
+  void AddPort(const Attribute& given, const PortModel* model) {
+    scene_.ports.push_back({given.name, given.value,
+                            model ? model->direction : PortDirection::kInput,
+                            !KeyOf(given.value).empty(), model});
   }
 
   void OpenSubTree(const Document& document, const Element& element, std::uint32_t index,
@@ -187,6 +197,7 @@ class Builder {
   Scene scene_;
   std::vector<Open> open_;
   std::vector<TreeInstance> trees_;
+  std::vector<const Attribute*> undeclared_;  // of the node that is being added
 };
 
 }  // namespace

@@ -14,26 +14,14 @@ Hash HashText(Hash hash, std::string_view text) {
   return Combine(hash, std::hash<std::string_view>{}(text));
 }
 
+// What is seen of a node beside its texts.
+Hash LooksOf(const SceneNode& node) {
+  return (static_cast<Hash>(node.shape) << 3U) | (Hash{node.uid >= 0} << 2U) |
+         (Hash{node.recursive} << 1U) | Hash{node.disabled};
+}
+
 // One tree with what its nodes are compared by.
 struct Side {
-  explicit Side(const Scene& tree) : scene(tree) {
-    const auto count = static_cast<std::uint32_t>(scene.nodes.size());
-    named.resize(count);
-    whole.resize(count);
-    for (std::uint32_t i = count; i-- > 0;) {
-      const SceneNode& node = scene.nodes[i];
-      named[i] = HashText(HashText(17, node.id), node.name);
-      Hash hash = named[i];
-      for (std::uint32_t p = node.first_port; p < node.first_port + node.port_count; ++p) {
-        hash = HashText(HashText(hash, scene.ports[p].name), scene.ports[p].value);
-      }
-      for (std::uint32_t c = i + 1; c < node.end; c = scene.nodes[c].end) {
-        hash = Combine(hash, whole[c]);
-      }
-      whole[i] = hash;
-    }
-  }
-
   std::vector<std::uint32_t> ChildrenOf(std::uint32_t node) const {
     std::vector<std::uint32_t> children;
     for (std::uint32_t c = node + 1; c < scene.nodes[node].end; c = scene.nodes[c].end) {
@@ -43,19 +31,20 @@ struct Side {
   }
 
   const Scene& scene;
-  std::vector<Hash> named;  // type and name
-  std::vector<Hash> whole;  // the node with its ports and everything below it
+  const std::vector<Hash>& named;
+  const std::vector<Hash>& whole;
 };
 
 class Matcher {
  public:
-  Matcher(const Scene& before, const Scene& after) : before_(before), after_(after) {
-    match_.before_of.assign(after.nodes.size(), kNoNode);
-    match_.after_of.assign(before.nodes.size(), kNoNode);
+  Matcher(const Side& before, const Side& after) : before_(before), after_(after) {
+    match_.before_of.assign(after.scene.nodes.size(), kNoNode);
+    match_.after_of.assign(before.scene.nodes.size(), kNoNode);
   }
 
   TreeMatch Run() {
     if (before_.scene.nodes.empty() || after_.scene.nodes.empty()) return match_;
+    MatchAroundOneChange();
     MatchEqual(true);
     if (IsFree(0, 0) && before_.named[0] == after_.named[0]) Join(0, 0);
     MatchChildrenOfAll();
@@ -80,6 +69,52 @@ class Matcher {
     const std::uint32_t size = before_.scene.nodes[before].end - before;
     for (std::uint32_t i = 0; i < size; ++i) {
       if (IsFree(before + i, after + i)) Join(before + i, after + i);
+    }
+  }
+
+  // Most changes are in one place: on the way down to it, all branches on both sides are equal.
+  // What is found here need not be searched for.
+  void MatchAroundOneChange() {
+    std::uint32_t before = 0;
+    std::uint32_t after = 0;
+    while (IsFree(before, after) && before_.named[before] == after_.named[after]) {
+      if (before_.whole[before] == after_.whole[after]) return JoinBranches(before, after);
+      if (IsInside(before_, before, after_, after) || IsInside(after_, after, before_, before))
+        return;
+      Join(before, after);
+      std::vector<std::uint32_t> left = before_.ChildrenOf(before);
+      std::vector<std::uint32_t> right = after_.ChildrenOf(after);
+      JoinEqualEnds(left, right);
+      if (left.size() != 1 || right.size() != 1) return;
+      before = left[0];
+      after = right[0];
+    }
+  }
+
+  // Whether the branch stands somewhere in the larger one, which is then a wrapping of it.
+  static bool IsInside(const Side& side, std::uint32_t node, const Side& larger,
+                       std::uint32_t branch) {
+    if (SizeOf(side, node) >= SizeOf(larger, branch)) return false;
+    const auto first = larger.whole.begin() + branch;
+    const auto end = larger.whole.begin() + larger.scene.nodes[branch].end;
+    return std::find(first, end, side.whole[node]) != end;
+  }
+
+  // Takes equal branches off both ends of two lists of children.
+  void JoinEqualEnds(std::vector<std::uint32_t>& before, std::vector<std::uint32_t>& after) {
+    const auto equal = [this](std::uint32_t a, std::uint32_t b) {
+      return before_.whole[a] == after_.whole[b] && SizeOf(before_, a) == SizeOf(after_, b);
+    };
+    const auto ends =
+        std::mismatch(before.begin(), before.end(), after.begin(), after.end(), equal);
+    for (auto a = before.begin(), b = after.begin(); a != ends.first; ++a, ++b)
+      JoinBranches(*a, *b);
+    before.erase(before.begin(), ends.first);
+    after.erase(after.begin(), ends.second);
+    while (!before.empty() && !after.empty() && equal(before.back(), after.back())) {
+      JoinBranches(before.back(), after.back());
+      before.pop_back();
+      after.pop_back();
     }
   }
 
@@ -181,8 +216,37 @@ class Matcher {
 
 }  // namespace
 
+TreeHashes HashTree(const Scene& scene) {
+  const auto count = static_cast<std::uint32_t>(scene.nodes.size());
+  TreeHashes hashes;
+  hashes.named.resize(count);
+  hashes.whole.resize(count);
+  hashes.shown.resize(count);
+  for (std::uint32_t i = count; i-- > 0;) {
+    const SceneNode& node = scene.nodes[i];
+    hashes.named[i] = HashText(HashText(17, node.id), node.name);
+    Hash hash = hashes.named[i];
+    for (std::uint32_t p = node.first_port; p < node.first_port + node.port_count; ++p) {
+      hash = HashText(HashText(hash, scene.ports[p].name), scene.ports[p].value);
+    }
+    hashes.shown[i] = Combine(HashText(hash, node.note), LooksOf(node));
+    for (std::uint32_t c = i + 1; c < node.end; c = scene.nodes[c].end) {
+      hash = Combine(hash, hashes.whole[c]);
+    }
+    hashes.whole[i] = hash;
+  }
+  return hashes;
+}
+
 TreeMatch MatchTrees(const Scene& before, const Scene& after) {
-  return Matcher(before, after).Run();
+  return MatchTrees(before, HashTree(before), after, HashTree(after));
+}
+
+TreeMatch MatchTrees(const Scene& before, const TreeHashes& before_hashes, const Scene& after,
+                     const TreeHashes& after_hashes) {
+  return Matcher({before, before_hashes.named, before_hashes.whole},
+                 {after, after_hashes.named, after_hashes.whole})
+      .Run();
 }
 
 }  // namespace coppice::editor

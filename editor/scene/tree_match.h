@@ -19,8 +19,22 @@ struct TreeMatch {
   std::vector<std::uint32_t> after_of;   ///< for each node before, its node after
 };
 
+/// What the nodes of a tree are compared by, by node number. Equal means the same, but for one case
+/// in 2^64.
+struct TreeHashes {
+  std::vector<std::uint64_t> named;  ///< type and name
+  std::vector<std::uint64_t> whole;  ///< type, name and ports, and everything below it
+  std::vector<std::uint64_t> shown;  ///< all that is seen of the node alone
+};
+
+TreeHashes HashTree(const Scene& scene);
+
 /// Time grows with the number of nodes.
 TreeMatch MatchTrees(const Scene& before, const Scene& after);
+
+/// The same for who has the hashes already.
+TreeMatch MatchTrees(const Scene& before, const TreeHashes& before_hashes, const Scene& after,
+                     const TreeHashes& after_hashes);
 
 }  // namespace coppice::editor
 

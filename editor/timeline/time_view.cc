@@ -16,7 +16,8 @@ Time Times(double factor, Time time) {
 }  // namespace
 
 void TimeView::Follow(Time run_end) {
-  if (is_following_) begin_ = run_end - Times(1 - kRoom, span_);
+  // A run that is shorter than the view begins at its left end.
+  if (is_following_) begin_ = std::max(run_end - Times(1 - kRoom, span_), -Times(kRoom, span_));
 }
 
 void TimeView::Pan(double part) {

@@ -10,8 +10,8 @@
 #include <memory>
 #include <string>
 
-#include "editor/app/gl_renderer.h"
-#include "editor/app/glfw_window.h"
+#include "editor/window/gl_renderer.h"
+#include "editor/window/glfw_window.h"
 #include "editor/core/editor.h"
 
 namespace coppice::editor {

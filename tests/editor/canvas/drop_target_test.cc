@@ -14,7 +14,7 @@ class DropTargetTest : public testing::Test {
   void Show(const std::string& xml, LayoutStyle style = {}) {
     scene_ = MakeScene(xml);
     view_.SetStyle(style, 0);
-    view_.SetScene(scene_, std::vector<Point>(scene_->nodes.size(), {100, 30}), 0);
+    view_.SetScene(scene_, SameSize, 0);
   }
   Box BoxOf(const char* path) { return view_.BoxAt(view_.ShownOf(scene_->FindPath(path)), kLater); }
   DropTarget At(Point point) const { return FindDropTarget(view_, point, kLater); }
@@ -101,7 +101,7 @@ TEST_F(DropTargetTest, IsTheLineAboveAChildThatItsDecoratorLiesOn) {
 
 TEST_F(DropTargetTest, AcceptsAnEmptyTree) {
   scene_ = std::make_shared<Scene>();
-  view_.SetScene(scene_, {}, 0);
+  view_.SetScene(scene_, SameSize, 0);
   EXPECT_EQ(At({0, 0}).place, DropPlace::kNowhere);
 }
 

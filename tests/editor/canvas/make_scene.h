@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "editor/canvas/geometry.h"
 #include "editor/scene/scene.h"
 #include "tests/editor/read_forest.h"
 
@@ -18,11 +19,14 @@ inline std::shared_ptr<const Scene> MakeScene(const std::string& xml) {
   };
   static const NodeModels models;
   auto kept = std::make_shared<Kept>();
-  kept->forest = ReadForest(
-      "<root BTCPP_format=\"4\"><BehaviorTree ID=\"T\">" + xml + "</BehaviorTree></root>");
+  kept->forest = ReadForest("<root BTCPP_format=\"4\"><BehaviorTree ID=\"T\">" + xml +
+                            "</BehaviorTree></root>");
   kept->scene = BuildScene(kept->forest, 0, models);
   return {kept, &kept->scene};
 }
+
+/// For a TreeView whose nodes are all equally large.
+inline Point SameSize(const Scene&, const SceneNode&) { return {100, 30}; }
 
 }  // namespace coppice::editor
 

@@ -11,7 +11,7 @@ class TreeViewTest : public testing::Test {
  protected:
   TreeViewTest() {
     auto scene = MakeScene("<A><B><C/><D/></B><E><F/></E></A>");
-    view_.SetScene(scene, std::vector<Point>(scene->nodes.size(), {100, 30}), 0);
+    view_.SetScene(scene, SameSize, 0);
   }
   TreeView view_;
 };
@@ -76,7 +76,7 @@ TEST_F(TreeViewTest, KeepsSelectionAndCollapsedNodesInAnotherVersion) {
   view_.Select(5);
   view_.SetCollapsed(1, true, 1);
   auto scene = MakeScene("<A><B><C/></B><E><F/></E></A>");
-  view_.SetScene(scene, std::vector<Point>(scene->nodes.size(), {100, 30}), 2);
+  view_.SetScene(scene, SameSize, 2);
   EXPECT_TRUE(view_.IsCollapsed(1));
   EXPECT_EQ(scene->nodes[view_.selected()].path, "1.2.1");
 }
@@ -87,7 +87,7 @@ TEST_F(TreeViewTest, MovesTheNodesOfAnotherVersionToTheirNewPlaces) {
   const Point before = view_.camera.ToScreen(view_.BoxAt(3, 5).min);
   const Point sibling = view_.camera.ToScreen(view_.BoxAt(5, 5).min);
   auto scene = MakeScene("<A><New/><B><C/><D/></B><E><F/></E></A>");
-  view_.SetScene(scene, std::vector<Point>(scene->nodes.size(), {100, 30}), 5);
+  view_.SetScene(scene, SameSize, 5);
   EXPECT_EQ(scene->nodes[view_.selected()].path, "1.2.2");
   for (const double now : {5.0, 5.1, 9.0}) {
     const Point after =
@@ -128,7 +128,7 @@ TEST_F(TreeViewTest, SelectsSiblingsUpToTheOneThatIsShiftClicked) {
 TEST_F(TreeViewTest, KeepsTheSelectedNodesThatAreStillThere) {
   view_.SelectAll({2, 3, 5});
   auto scene = MakeScene("<A><B><C/></B><E><F/></E></A>");
-  view_.SetScene(scene, std::vector<Point>(scene->nodes.size(), {100, 30}), 2);
+  view_.SetScene(scene, SameSize, 2);
   EXPECT_EQ(view_.selection(), (std::vector<std::uint32_t>{2, 4}));
 }
 

@@ -13,5 +13,19 @@ TEST(Keys, HaveNamesAsOnTheKeyboard) {
   EXPECT_EQ(ToString(KeyChord{}), "");
 }
 
+TEST(Keys, AreReadAsTheyAreWrittenInAnyCase) {
+  for (const KeyChord chord :
+       {KeyChord{'O', kCtrl}, KeyChord{kKeyF1 + 11, kCtrl | kAlt | kShift},
+        KeyChord{kKeyPageUp, kSuper}, KeyChord{'+', kCtrl}, KeyChord{kKeySpace}, KeyChord{}}) {
+    const auto read = KeysFromString(ToString(chord));
+    ASSERT_TRUE(read) << ToString(chord);
+    EXPECT_EQ(*read, chord) << ToString(chord);
+  }
+  EXPECT_EQ(KeysFromString("shift+ctrl+del"), (KeyChord{kKeyDelete, kCtrl | kShift}));
+  for (const char* wrong : {"Ctrl+", "Hyper+A", "AB", "F99", "Ctrl O", "key 400"}) {
+    EXPECT_FALSE(KeysFromString(wrong)) << wrong;
+  }
+}
+
 }  // namespace
 }  // namespace coppice::editor

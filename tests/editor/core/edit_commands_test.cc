@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include "tests/editor/driver.h"
+#include "tests/editor/reference_picture.h"
 
 namespace coppice::editor {
 namespace {
@@ -71,6 +72,8 @@ TEST(EditStory, BuildThePatrolTreeFromNothingWithTheKeyboard) {
   EXPECT_EQ(driver.Selected(), "1.3");
   driver.Press(kKeyLeft, kAlt);
   EXPECT_EQ(driver.Selected(), "1.2");
+  driver.Frames(200);
+  EXPECT_EQ(CompareWithReference(driver.editor.Picture(), "story_build"), "");
   driver.Press('S', kCtrl);
   driver.Press('A', kCtrl);
   driver.Type(folder.folder() + "/patrol.xml");

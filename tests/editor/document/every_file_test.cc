@@ -59,9 +59,7 @@ TEST(EveryFile, SavedWithoutAnEditIsTheSameBytes) {
   for (const std::string& path : Files()) {
     SCOPED_TRACE(path);
     const std::string bytes = BytesOf(path);
-    Workspace workspace([](const Scene& scene) {
-      return std::vector<Point>(scene.nodes.size(), Point{100, 30});
-    });
+    Workspace workspace([](const Scene&, const SceneNode&) { return Point{100, 30}; });
     const bool shown = workspace.Open(path, 0);
     Diagnostics diagnostics;
     ASSERT_TRUE(workspace.project().SaveAs(path, folder.path(), diagnostics));

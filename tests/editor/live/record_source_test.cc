@@ -3,10 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <iterator>
 
 #include "bt_core/record/recorder.h"
 #include "bt_core/replay/export.h"
 #include "bt_core/replay/load_recording.h"
+#include "editor/core/workspace.h"
 #include "editor/live/run_view.h"
 #include "tests/bt_core/record/temporary_folder.h"
 #include "tests/editor/timeline/executed_run.h"
@@ -118,6 +120,54 @@ TEST_F(RecordSourceTest, CannotBeChanged) {
   EXPECT_NE(error, "");
   EXPECT_TRUE(IsRecordName("a/b.btlog"));
   EXPECT_FALSE(IsRecordName("a/b.xml"));
+}
+
+TEST_F(RecordSourceTest, ARecordThatWasClosedIsShownAtItsLastTick) {
+  {
+    EventStream stream(robot_.executor);
+    Recorder recorder(stream, path_);
+    for (int i = 0; i < 20; ++i) robot_.Tick();
+    robot_.executor.Halt();
+    EXPECT_EQ(recorder.Close(), "");
+  }
+  RunView view(RecordSource::Open(path_, diagnostics_), std::make_shared<NodeModels>());
+  ReadAll(view);
+  view.Update(HookList(), 100);
+  ASSERT_GT(view.run().size(), 20U) << "the halt is something of its own";
+  EXPECT_FALSE(view.playhead().is_at_now());
+  EXPECT_NE(view.run().recording().ticks()[view.playhead().tick()].result, Status::kIdle);
+  EXPECT_NE(view.state().states[0].status, Status::kIdle);
+}
+
+TEST_F(RecordSourceTest, ARecordThatIsStillWrittenIsFollowed) {
+  Record(1000);
+  std::ifstream whole(path_, std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(whole), {}};
+  const std::string growing = folder_.Path("growing.coppice");
+  std::ofstream writer(growing, std::ios::binary);
+  std::size_t written = 0;
+  const auto write = [&](std::size_t count) {
+    writer << bytes.substr(written, count) << std::flush;
+    written += count;
+  };
+  for (Diagnostics ignored; !RecordSource::Open(growing, ignored);) write(16);
+  Workspace workspace([](const Scene&, const SceneNode&) { return Point{100, 30}; });
+  ASSERT_TRUE(workspace.Open(growing, 0));
+  double now = 0;
+  const auto read = [&] {
+    for (const double end = now + 2; now < end;) workspace.Update(now += 0.02);
+  };
+  read();
+  const std::size_t before = workspace.run()->run().size();
+  EXPECT_LT(before, 1000U);
+  EXPECT_LE(workspace.NextUpdateIn(now), 0.5) << "it looks again";
+  EXPECT_TRUE(workspace.run()->playhead().is_at_now());
+  write(bytes.size());
+  read();
+  EXPECT_EQ(workspace.run()->run().size(), 1000U);
+  EXPECT_TRUE(workspace.run()->run().breaks().empty());
+  EXPECT_EQ(workspace.run()->phase(), RunPhase::kRecord) << "not loading again";
+  EXPECT_FALSE(workspace.run()->source().may_grow()) << "it was closed";
 }
 
 }  // namespace

@@ -91,5 +91,58 @@ TEST(Field, StepsKeepTheDecimals) {
   EXPECT_EQ(Stepped("nan", 1), std::nullopt);
 }
 
+class TypedFieldTest : public testing::Test {
+ protected:
+  TypedFieldTest() {
+    driver_.editor.Open(file_.path());
+    driver_.Frames();
+    driver_.Click("canvas/Main/1");
+  }
+  const std::string& Text() {
+    return driver_.editor.state().workspace.project().Find(file_.path())->text;
+  }
+
+  TemporaryFile file_{"drive.xml", R"(<root BTCPP_format="4">
+  <BehaviorTree ID="Main"><Drive to="1.5;2;0.5" gait="trot"/></BehaviorTree>
+  <TreeNodesModel><Action ID="Drive"><input_port name="to" type="Pose2D">where to</input_port>
+    <input_port name="from" type="Pose2D">where from</input_port>
+    <input_port name="gait" type="Gait">how fast: walk, trot or gallop</input_port></Action>
+  </TreeNodesModel>
+</root>
+)"};
+  Driver driver_;
+};
+
+TEST_F(TypedFieldTest, APoseHasAFieldForEachNumber) {
+  ASSERT_TRUE(driver_.Click("inspector/port/to/y"));
+  driver_.Press('A', kCtrl);
+  driver_.Type("-7.25");
+  driver_.Press(kKeyEnter);
+  EXPECT_THAT(Text(), HasSubstr("to=\"1.5;-7.25;0.5\""));
+  EXPECT_FALSE(driver_.Has("inspector/port/from/x")) << "it has no value yet";
+  ASSERT_TRUE(driver_.Click("inspector/port/from/pose"));
+  driver_.Frames();
+  EXPECT_THAT(Text(), HasSubstr("from=\"0;0;0\""));
+  EXPECT_TRUE(driver_.Has("inspector/port/from/theta"));
+}
+
+TEST_F(TypedFieldTest, TheNamesOfAnEnumAreOffered) {
+  ASSERT_TRUE(driver_.Click("inspector/port/gait/choices"));
+  driver_.Frames();
+  ASSERT_TRUE(driver_.Has("inspector/port/gait/choice/walk"));
+  ASSERT_TRUE(driver_.Click("inspector/port/gait/choice/gallop"));
+  driver_.Frames();
+  EXPECT_THAT(Text(), HasSubstr("gait=\"gallop\""));
+}
+
+TEST(ChoicesIn, ReadsWhatManifestsSayAndNothingElse) {
+  EXPECT_THAT(ChoicesIn("how fast: slow, fast or mad"),
+              testing::ElementsAre("slow", "fast", "mad"));
+  EXPECT_THAT(ChoicesIn("which: a or b"), testing::ElementsAre("a", "b"));
+  for (const char* other : {"", "in lux", "where: here", "note: this, and more of it", "x: a, "}) {
+    EXPECT_TRUE(ChoicesIn(other).empty()) << other;
+  }
+}
+
 }  // namespace
 }  // namespace coppice::editor

@@ -87,6 +87,8 @@ TEST(Popup, ListsAllKeys) {
   Driver driver;
   driver.Frames();
   driver.Press(kKeyF1);
+  driver.Type("file.open");
+  driver.Frames();
   EXPECT_TRUE(driver.Has("popup/keys/file.open"));
   driver.Press(kKeyEscape);
   EXPECT_FALSE(driver.Has("popup"));

@@ -30,7 +30,7 @@ TEST_F(TimelineTest, HasALaneForEachNodeThatDoesSomething) {
 
 TEST_F(TimelineTest, AClickGoesThereAndAKeyGoesBackToNow) {
   AddExecuted(driver_, "robot:1", 60);
-  driver_.ClickAt(In("timeline/ruler", 0.7F));
+  driver_.ClickAt(In("timeline/ruler", 0.4F));
   EXPECT_FALSE(run().playhead().is_at_now());
   const std::size_t tick = run().playhead().tick();
   EXPECT_GT(tick, 10U);

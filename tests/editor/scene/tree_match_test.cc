@@ -53,6 +53,27 @@ TEST(TreeMatch, FindsABranchInsideANewParentOfTheSameType) {
             "1.1< 1.1.1<1.1 1.1.1.1<1.1.1 1.1.1.2<1.1.2 ");
 }
 
+TEST(TreeMatch, FindsABranchInsideTwoNewParentsOfTheSameType) {
+  EXPECT_EQ(Match("<A><S><X/></S><B/></A>", "<A><S><S><S><X/></S></S></S><B/></A>"),
+            "1.1< 1.1.1< 1.1.1.1<1.1 1.1.1.1.1<1.1.1 ");
+}
+
+TEST(TreeMatch, FindsOneChangeDeepInATreeOfEqualBranches) {
+  const std::string branch = "<S><X/><Y/></S>";
+  EXPECT_EQ(Match("<A>" + branch + "<S><X/><Y v='1'/></S>" + branch + "</A>",
+                  "<A>" + branch + "<S><X/><Y v='2'/></S>" + branch + "</A>"),
+            "");
+  EXPECT_EQ(Match("<A>" + branch + branch + "<B/></A>", "<A>" + branch + "<B/></A>"), "1.2<1.3 ");
+}
+
+TEST(TreeMatch, HashesTellWhatIsSeenOfANodeFromWhatIsBelowIt) {
+  const TreeHashes a = HashTree(*MakeScene("<A x='1'><!-- one --><B y='2'/></A>"));
+  const TreeHashes b = HashTree(*MakeScene("<A x='1'><!-- two --><B y='3'/></A>"));
+  EXPECT_EQ(a.named, b.named);
+  EXPECT_NE(a.whole[0], b.whole[0]);
+  EXPECT_NE(a.shown[1], b.shown[1]);
+}
+
 TEST(TreeMatch, KnowsANodeOfAnotherTypeByItsChildren) {
   EXPECT_EQ(Match("<A><S><X/><Y/></S></A>", "<A><F><X/><Y/></F></A>"), "");
 }

@@ -5,6 +5,7 @@
 #include "bt_core/replay/write_record.h"
 #include "editor/render/image.h"
 #include "tests/editor/executed_source.h"
+#include "tests/editor/reference_picture.h"
 
 namespace coppice::editor {
 namespace {
@@ -47,6 +48,7 @@ TEST_F(FindWhyStory, FindsWhyTheRobotStoppedInThisRecord) {
   EXPECT_NE(driver.editor.state().why.change().find("Drive"), std::string::npos)
       << driver.editor.state().why.change();
   driver.Picture("story_why_it_stopped");
+  EXPECT_EQ(CompareWithReference(driver.editor.Picture(), "story_why_it_stopped"), "");
   // And why does it not drive again? The door.
   driver.Press(kKeyRight);
   driver.Press(kKeyDown);

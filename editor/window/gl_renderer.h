@@ -1,6 +1,6 @@
 // Draws frames of the editor with OpenGL, by ImGui's renderer.
-#ifndef COPPICE_EDITOR_APP_GL_RENDERER_H_
-#define COPPICE_EDITOR_APP_GL_RENDERER_H_
+#ifndef COPPICE_EDITOR_WINDOW_GL_RENDERER_H_
+#define COPPICE_EDITOR_WINDOW_GL_RENDERER_H_
 
 struct ImDrawData;
 struct ImGuiContext;
@@ -25,4 +25,4 @@ class GlRenderer {
 
 }  // namespace coppice::editor
 
-#endif  // COPPICE_EDITOR_APP_GL_RENDERER_H_
+#endif  // COPPICE_EDITOR_WINDOW_GL_RENDERER_H_

@@ -1,4 +1,4 @@
-#include "editor/app/glfw_window.h"
+#include "editor/window/glfw_window.h"
 
 #include <algorithm>
 

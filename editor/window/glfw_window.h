@@ -1,6 +1,6 @@
 // A window of GLFW whose events are those of the editor.
-#ifndef COPPICE_EDITOR_APP_GLFW_WINDOW_H_
-#define COPPICE_EDITOR_APP_GLFW_WINDOW_H_
+#ifndef COPPICE_EDITOR_WINDOW_GLFW_WINDOW_H_
+#define COPPICE_EDITOR_WINDOW_GLFW_WINDOW_H_
 
 #include <GLFW/glfw3.h>
 
@@ -60,4 +60,4 @@ class GlfwWindow {
 
 }  // namespace coppice::editor
 
-#endif  // COPPICE_EDITOR_APP_GLFW_WINDOW_H_
+#endif  // COPPICE_EDITOR_WINDOW_GLFW_WINDOW_H_

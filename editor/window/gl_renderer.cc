@@ -1,4 +1,4 @@
-#include "editor/app/gl_renderer.h"
+#include "editor/window/gl_renderer.h"
 
 #include <GLFW/glfw3.h>
 #include <backends/imgui_impl_opengl3.h>

@@ -1,0 +1,17 @@
+// What the user must know of the tree on the canvas, in bars above it: somebody else has changed
+// its file too; the selected node belongs to a SubTree that is used in other places as well.
+// Registers "banner/dispute", "banner/resolve", "banner/shared" and "banner/uses".
+#ifndef COPPICE_EDITOR_PANELS_CANVAS_BANNERS_H_
+#define COPPICE_EDITOR_PANELS_CANVAS_BANNERS_H_
+
+#include "editor/core/editor_state.h"
+#include "editor/look/ui.h"
+
+namespace coppice::editor {
+
+/// Draws them at the top of `box` and returns what is left of it.
+Box DrawCanvasBanners(const Ui& ui, EditorState& state, const Box& box);
+
+}  // namespace coppice::editor
+
+#endif  // COPPICE_EDITOR_PANELS_CANVAS_BANNERS_H_

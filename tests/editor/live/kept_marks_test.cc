@@ -1,0 +1,58 @@
+#include "editor/live/kept_marks.h"
+
+#include <gtest/gtest.h>
+
+namespace coppice::editor {
+namespace {
+
+TEST(KeptMarks, BreakpointsAndBookmarksComeBack) {
+  HookList hooks;
+  Hook breakpoint;
+  breakpoint.path = "round/Drive";
+  breakpoint.condition = "battery < 20";
+  breakpoint.from_hit = 3;
+  breakpoint.enabled = false;
+  breakpoint.position = HookPosition::kAfter;
+  hooks.Add("robot:1667", breakpoint);
+  Hook fault;
+  fault.path = "round/Drive";
+  fault.action = HookAction::kReplace;
+  hooks.Add("", fault);
+  Hook once;
+  once.path = "round/Once";
+  once.times = 1;
+  hooks.Add("", once);
+  Bookmarks bookmarks;
+  bookmarks.Set("/runs/a.coppice", 7, "here \"it\" turns");
+  bookmarks.Set("robot:1667", 8, "gone with the run");
+
+  HookList hooks_again;
+  Bookmarks bookmarks_again;
+  Diagnostics diagnostics;
+  ReadMarks(WriteMarks(hooks, bookmarks), "marks", hooks_again, bookmarks_again, diagnostics);
+  EXPECT_TRUE(diagnostics.all().empty()) << diagnostics.ToString();
+  ASSERT_EQ(hooks_again.all().size(), 1U) << "faults and single stops are not kept";
+  const WantedHook& read = hooks_again.all()[0];
+  EXPECT_EQ(read.robot, "robot:1667");
+  EXPECT_EQ(read.hook.path, "round/Drive");
+  EXPECT_EQ(ToString(read.hook), ToString(breakpoint));
+  EXPECT_FALSE(read.hook.enabled);
+  ASSERT_EQ(bookmarks_again.all().size(), 1U);
+  EXPECT_EQ(bookmarks_again.Of("/runs/a.coppice").at(7), "here \"it\" turns");
+}
+
+TEST(KeptMarks, ATextThatIsNoneAddsNothingAndSaysWhy) {
+  for (const char* text : {"", "{", "[]", "{\"breakpoints\": [{}], \"bookmarks\": {}}",
+                           "{\"breakpoints\": [{\"path\": \"a\"}], \"bookmarks\": {\"r\": [1]}}"}) {
+    HookList hooks;
+    Bookmarks bookmarks;
+    Diagnostics diagnostics;
+    ReadMarks(text, "marks", hooks, bookmarks, diagnostics);
+    EXPECT_TRUE(hooks.all().empty()) << text;
+    EXPECT_TRUE(bookmarks.all().empty()) << text;
+    EXPECT_EQ(diagnostics.all().size(), 1U) << text;
+  }
+}
+
+}  // namespace
+}  // namespace coppice::editor

@@ -1,0 +1,96 @@
+#include "editor/panels/canvas_banners.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/editor/driver.h"
+
+namespace coppice::editor {
+namespace {
+
+constexpr char kTwice[] = R"(<root BTCPP_format="4" main_tree_to_execute="Main">
+  <BehaviorTree ID="Main">
+    <Sequence><SubTree ID="Walk"/><SubTree ID="Walk"/><SubTree ID="Sit"/></Sequence>
+  </BehaviorTree>
+  <BehaviorTree ID="Walk"><AlwaysSuccess/></BehaviorTree>
+  <BehaviorTree ID="Sit"><AlwaysSuccess/></BehaviorTree>
+</root>
+)";
+
+class CanvasBannersTest : public testing::Test {
+ protected:
+  void Show(const std::string& text) {
+    file_.Write(text);
+    driver_.editor.Open(file_.path());
+    driver_.Frames(8);
+  }
+  std::string Text() { return driver_.editor.state().workspace.project().Find(file_.path())->text; }
+
+  TemporaryFile file_{"twice.xml", ""};
+  Driver driver_;
+};
+
+TEST_F(CanvasBannersTest, TellThatATreeIsUsedInSeveralPlaces) {
+  Show(kTwice);
+  EXPECT_FALSE(driver_.Has("banner/shared"));
+  driver_.view().Select(driver_.view().scene()->FindPath("1.1"));
+  driver_.Frames();
+  EXPECT_FALSE(driver_.Has("banner/shared")) << "the SubTree itself belongs to Main";
+  driver_.view().Select(driver_.view().scene()->FindPath("1.1.1"));
+  driver_.Frames();
+  EXPECT_TRUE(driver_.Has("banner/shared"));
+  driver_.view().Select(driver_.view().scene()->FindPath("1.3.1"));
+  driver_.Frames();
+  EXPECT_FALSE(driver_.Has("banner/shared")) << "one place";
+}
+
+TEST_F(CanvasBannersTest, ListThePlaces) {
+  Show(kTwice);
+  driver_.view().Select(driver_.view().scene()->FindPath("1.2.1"));
+  driver_.Frames();
+  ASSERT_TRUE(driver_.Click("banner/uses"));
+  driver_.Frames();
+  EXPECT_TRUE(driver_.Has("popup/1"));
+  EXPECT_FALSE(driver_.Has("popup/2"));
+}
+
+TEST_F(CanvasBannersTest, AskWhoseStaysWhenBothHaveChangedTheSamePlace) {
+  Show(kSmallFile);
+  driver_.view().Select(driver_.view().scene()->FindPath("1.1.2"));
+  driver_.editor.state().commands.Run("edit.disable");
+  driver_.Frames();
+  std::string other = kSmallFile;
+  other.replace(other.find("level=\"{level}\"/>"), 17, "level=\"{level}\" _skipIf=\"late\"/>");
+  file_.Write(other);
+  driver_.Frames(60);
+  ASSERT_TRUE(driver_.Has("banner/dispute"));
+  ASSERT_TRUE(driver_.Click("banner/resolve"));
+  driver_.Frames();
+  ASSERT_TRUE(driver_.Has("popup/0"));
+  ASSERT_TRUE(driver_.Click("popup/0")) << "theirs";
+  driver_.Press(kKeyEnter);
+  driver_.Frames();
+  EXPECT_FALSE(driver_.Has("banner/dispute"));
+  EXPECT_EQ(Text(), other);
+  driver_.Press('Z', kCtrl);
+  EXPECT_NE(Text().find("_skipIf=\"true\""), std::string::npos) << "a step like any other";
+}
+
+TEST_F(CanvasBannersTest, MineStaysIfNothingElseIsSaid) {
+  Show(kSmallFile);
+  driver_.view().Select(driver_.view().scene()->FindPath("1.3"));
+  driver_.editor.state().commands.Run("edit.disable");
+  driver_.Frames();
+  std::string other = kSmallFile;
+  other.replace(other.find("<AlwaysSuccess/>"), 16, "<AlwaysSuccess _skipIf=\"late\"/>");
+  other.replace(other.find("lamp=\"hall\""), 11, "lamp=\"attic\"");
+  file_.Write(other);
+  driver_.Frames(60);
+  driver_.editor.state().commands.Run("file.resolve");
+  driver_.Frames();
+  driver_.Press(kKeyEnter);
+  EXPECT_NE(Text().find("_skipIf=\"true\""), std::string::npos);
+  EXPECT_NE(Text().find("lamp=\"attic\""), std::string::npos) << "what does not meet is merged";
+}
+
+}  // namespace
+}  // namespace coppice::editor
