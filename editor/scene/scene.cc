@@ -1,6 +1,8 @@
 #include "editor/scene/scene.h"
 
 #include <algorithm>
+#include <optional>
+#include <unordered_map>
 
 #include "editor/scene/notes.h"
 
@@ -64,6 +66,10 @@ class Builder {
     std::uint32_t scope;
     std::uint32_t tree;  // of trees_
   };
+  struct TagMeaning {
+    std::optional<NodeCategory> category;  // written instead of a type
+    const NodeModel* model = nullptr;      // of the type of that name
+  };
   struct TreeInstance {
     int tree;
     std::uint32_t outer;  // of trees_
@@ -105,13 +111,14 @@ class Builder {
                     ? std::to_string(open.number)
                     : scene_.nodes[open.parent].path + "." + std::to_string(open.number);
     const std::string_view id = document.AttributeValue(element, "ID");
-    const std::optional<NodeCategory> explicit_category = CategoryFromTag(element.tag);
+    const TagMeaning& tag = MeaningOf(element.tag);
+    const std::optional<NodeCategory> explicit_category = tag.category;
     node.id = explicit_category && !id.empty() ? id : element.tag;
     const bool is_subtree = element.tag == "SubTree" || element.tag == "SubTreePlus";
     if (element.tag == "SubTreePlus") node.id = id;
     node.name = document.AttributeValue(element, "name");
     if (node.name.empty()) node.name = node.id;
-    node.model = models_.Find(node.id);
+    node.model = node.id.data() == element.tag.data() ? tag.model : models_.Find(node.id);
     if (is_subtree) {
       node.shape = Shape::kSubTree;
     } else if (explicit_category) {
@@ -121,6 +128,13 @@ class Builder {
     }
     node.disabled = document.AttributeValue(element, "_skipIf") == "true";
     node.note = NoteOf(document, open.element);
+  }
+
+  // The same few tags come again and again.
+  const TagMeaning& MeaningOf(std::string_view tag) {
+    const auto [at, is_new] = tags_.try_emplace(tag);
+    if (is_new) at->second = {CategoryFromTag(tag), models_.Find(tag)};
+    return at->second;
   }
 
   // Declared ports first, in the declared order; then the others as they are written.
@@ -197,6 +211,7 @@ class Builder {
   Scene scene_;
   std::vector<Open> open_;
   std::vector<TreeInstance> trees_;
+  std::unordered_map<std::string_view, TagMeaning> tags_;
   std::vector<const Attribute*> undeclared_;  // of the node that is being added
 };
 

@@ -43,7 +43,8 @@ constexpr char kPatrol[] = R"(<?xml version="1.0" encoding="UTF-8"?>
       <input_port name="threshold" type="double">low below it</input_port></Condition>
     <Action ID="Charge"><input_port name="level" type="double">of charge</input_port>
       <input_port name="until" type="double">level to leave at</input_port></Action>
-    <Action ID="ChooseWaypoint"><output_port name="waypoint" type="Pose2D">next</output_port></Action>
+    <Action ID="ChooseWaypoint"><output_port name="waypoint" type="Pose2D">next</output_port>
+      </Action>
     <Action ID="NavigateTo"><input_port name="goal" type="Pose2D">where to</input_port></Action>
     <Action ID="Say"><input_port name="text" type="string">what</input_port></Action>
     <Action ID="Wait"><input_port name="seconds" type="double">how long</input_port></Action>

@@ -38,6 +38,7 @@ TEST_F(CanvasBannersTest, TellThatATreeIsUsedInSeveralPlaces) {
   driver_.view().Select(driver_.view().scene()->FindPath("1.1.1"));
   driver_.Frames();
   EXPECT_TRUE(driver_.Has("banner/shared"));
+  driver_.Picture("shared_tree");
   driver_.view().Select(driver_.view().scene()->FindPath("1.3.1"));
   driver_.Frames();
   EXPECT_FALSE(driver_.Has("banner/shared")) << "one place";
@@ -66,6 +67,7 @@ TEST_F(CanvasBannersTest, AskWhoseStaysWhenBothHaveChangedTheSamePlace) {
   ASSERT_TRUE(driver_.Click("banner/resolve"));
   driver_.Frames();
   ASSERT_TRUE(driver_.Has("popup/0"));
+  driver_.Picture("resolve");
   ASSERT_TRUE(driver_.Click("popup/0")) << "theirs";
   driver_.Press(kKeyEnter);
   driver_.Frames();

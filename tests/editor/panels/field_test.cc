@@ -124,6 +124,7 @@ TEST_F(TypedFieldTest, APoseHasAFieldForEachNumber) {
   driver_.Frames();
   EXPECT_THAT(Text(), HasSubstr("from=\"0;0;0\""));
   EXPECT_TRUE(driver_.Has("inspector/port/from/theta"));
+  driver_.Picture("pose");
 }
 
 TEST_F(TypedFieldTest, TheNamesOfAnEnumAreOffered) {

@@ -90,6 +90,7 @@ TEST_F(KeyListTest, ProblemsOfTheFileAreSaid) {
   EXPECT_NE(driver_->editor.state().notice.text.find("do not hold"), std::string::npos);
   driver_->Press(kKeyF1);
   EXPECT_TRUE(driver_->Has("popup/keys/problem"));
+  driver_->Picture("keys");
   driver_->Type("file.open");
   driver_->Frames();
   EXPECT_TRUE(driver_->Has("popup/keys/file.open"));
