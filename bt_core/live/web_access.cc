@@ -58,6 +58,8 @@ bool IsThisComputer(std::string_view host) {
   return name == "localhost" || name == "[::1]" || (name.substr(0, 4) == "127." && IsNumber(name));
 }
 
+}  // namespace
+
 // "https" if something in between adds the encryption.
 bool IsOwnPage(std::string_view origin, std::string_view host) {
   for (const std::string_view scheme : {"http://", "https://"}) {
@@ -65,8 +67,6 @@ bool IsOwnPage(std::string_view origin, std::string_view host) {
   }
   return false;
 }
-
-}  // namespace
 
 WebAccess::Verdict WebAccess::Judge(const WebVisitor& visitor) const {
   const Offer offer = ReadOffer(visitor.protocols);

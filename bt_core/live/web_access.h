@@ -31,6 +31,9 @@ struct WebVisitor {
   std::string_view protocols;  ///< Sec-WebSocket-Protocol
 };
 
+/// Whether the page that a browser asks from (header field Origin) came from where it asks (Host).
+bool IsOwnPage(std::string_view origin, std::string_view host);
+
 class WebAccess {
  public:
   explicit WebAccess(WebTokens tokens = {}) : tokens_(std::move(tokens)) {}

@@ -14,6 +14,7 @@ struct Kind {
 };
 constexpr Kind kKinds[] = {
     {".html", "text/html; charset=utf-8"},
+    {".css", "text/css; charset=utf-8"},
     {".js", "text/javascript"},
     {".wasm", "application/wasm"},
     {".data", "application/octet-stream"},

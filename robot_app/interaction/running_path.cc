@@ -1,0 +1,73 @@
+#include "robot_app/interaction/running_path.h"
+
+namespace coppice::robot {
+namespace {
+
+// What the child's path says beyond its parent's.
+std::string NameBelow(const DescribedNode& node, const DescribedNode& parent) {
+  const bool is_below =
+      &node != &parent && node.path.compare(0, parent.path.size() + 1, parent.path + "/") == 0;
+  return is_below ? node.path.substr(parent.path.size() + 1) : node.path;
+}
+
+LiveClientOptions Options() {
+  LiveClientOptions options;
+  options.name = "supervisor page";
+  options.token = TokenFromEnvironment();
+  options.with_past = false;
+  return options;
+}
+
+}  // namespace
+
+std::vector<std::string> RunningPath(const TreeDescription& tree,
+                                     const std::vector<Status>& statuses) {
+  std::vector<std::string> path;
+  NodeIndex deepest = 0;  // nodes are in preorder
+  for (NodeIndex i = 0; i < tree.nodes.size() && i < statuses.size(); ++i) {
+    const DescribedNode& node = tree.nodes[i];
+    const bool continues = path.empty() ? i == 0 : node.parent == deepest && i != 0;
+    if (!continues || statuses[i] != Status::kRunning) continue;
+    path.push_back(NameBelow(node, tree.nodes[node.parent]));
+    deepest = i;
+  }
+  return path;
+}
+
+RunningPathFollower::RunningPathFollower(const std::string& endpoint)
+    : client_(std::make_unique<LiveClient>(endpoint, *this, Options())) {}
+
+RunningPathFollower::~RunningPathFollower() = default;  // the client, being last, ends first
+
+RunningPathFollower::View RunningPathFollower::Now() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (!is_live_ || !follower_) return {};
+  return {true, RunningPath(tree_, follower_->statuses())};
+}
+
+void RunningPathFollower::OnConnection(const LiveConnection& connection) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  is_live_ = connection.is_live;
+}
+
+void RunningPathFollower::OnTree(const TreeDescription& tree) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  tree_ = tree;
+  follower_.reset();
+}
+
+void RunningPathFollower::OnState(const HistoryState& state) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (follower_) {
+    follower_->Set(state);
+  } else {
+    follower_.emplace(ShapeOf(tree_), state);
+  }
+}
+
+void RunningPathFollower::OnTick(const TickEvents& events) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (follower_) follower_->Apply(events);
+}
+
+}  // namespace coppice::robot
