@@ -202,6 +202,10 @@ class Loader {
     page.port = static_cast<std::uint16_t>(fields.Integer("port", page.port, 0, 65535));
     page.public_url = Optional(fields, "public_url", "");
     while (!page.public_url.empty() && page.public_url.back() == '/') page.public_url.pop_back();
+    page.editor_url = Optional(fields, "editor_url", "");
+    if (!page.editor_url.empty() && !BeginsWith(page.editor_url, "http")) {
+      fields.Error(fields.where(), "\"editor_url\" must begin with https:// or http://");
+    }
     page.operator_token = Secret(fields, "operator_token").value_or("");
     page.viewer_token = Secret(fields, "viewer_token").value_or("");
     page.most_linear = fields.Number("most_linear", page.most_linear, 0.01, 2);

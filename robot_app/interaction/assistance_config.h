@@ -40,6 +40,7 @@ struct PageConfig {
   std::string public_url;      ///< how supervisors reach it, without slash at its end; may be empty
   std::string operator_token;  ///< empty: only links of messages let in
   std::string viewer_token;
+  std::string editor_url;       ///< of the editor's page, for a link to it; may be empty
   double most_linear = 0.4;     ///< m/s, of a person who drives
   double most_angular = 0.8;    ///< rad/s
   double stop_distance = 0.35;  ///< m, kept from the robot's edge to what the laser sees

@@ -171,6 +171,7 @@ void PageDesk::Greet(std::uint64_t client, const PagePass& pass) {
                       {"client", client},
                       {"request", pass.request},
                       {"operator", pass.role == PageRole::kOperator},
+                      {"editor", config_.page.editor_url},
                       {"cameras", cameras},
                       {"linear", config_.page.most_linear},
                       {"angular", config_.page.most_angular}};
