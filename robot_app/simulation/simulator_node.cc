@@ -22,6 +22,7 @@
 #include <limits>
 #include <thread>
 
+#include "robot_app/simulation/camera_node.h"
 #include "robot_app/simulation/faults.h"
 #include "robot_app/simulation/grid_map.h"
 #include "robot_app/simulation/node_signals.h"
@@ -43,6 +44,7 @@ The simulated robot and its floor as the ROS node /simulator.
 Publishes /clock /odom /scan /imu/data /battery_state /emergency_stop (std_msgs/Bool, true while
 pressed) /map /tf /tf_static and, for evaluation only, /simulation/truth. Obeys /cmd_vel. Breaks
 things on /simulation/inject_fault.
+While somebody watches, also /camera/front/image/compressed and /camera/rear/image/compressed.
 )";
 
 constexpr double kStep = 0.02;         // s of simulated time
@@ -187,6 +189,7 @@ class SimulatorNode {
     if (battery_due_.Due(world_.time())) PublishBattery();
     PublishEmergencyStop();
     if (truth_due_.Due(world_.time())) PublishTruth();
+    cameras_.Publish(world_, stamp_);
   }
 
   template <typename Message>
@@ -321,6 +324,7 @@ class SimulatorNode {
   NodeSignals node_signals_;
   Faults faults_;
   ros::NodeHandle node_;
+  CameraNode cameras_{node_};
   ros::Publisher clock_, odom_, scan_, imu_, battery_, map_, tf_, tf_static_, stop_, truth_;
   ros::Subscriber command_subscriber_;
   ros::ServiceServer fault_service_;
