@@ -21,7 +21,8 @@ namespace coppice::robot {
 namespace {
 
 constexpr char kUsage[] =
-    R"(coppice-assistance --config FILE [--state FILE] [--page-port N] [--page FOLDER] [--live-port N]
+    R"(coppice-assistance --config FILE [--state FILE] [--page-port N] [--page FOLDER]
+                          [--live-port N]
        coppice-assistance --config FILE --call TEXT [--subject NAME]
        coppice-assistance --answer fixed|not_fixed [--request ID] [--by NAME]
   Asks the robot's human supervisors for help, as the ROS node /assistance, and serves their page.

@@ -29,6 +29,13 @@ bool IsLocal(const std::string& url) {
   return url.find("://127.") != std::string::npos || url.find("://localhost") != std::string::npos;
 }
 
+// As the ends of lines in mail are.
+std::string WithMailLines(const std::string& text) {
+  std::string lines;
+  for (const char c : text) lines += c == '\n' ? std::string("\r\n") : std::string(1, c);
+  return lines;
+}
+
 // The parts of a message; they belong to one transfer.
 class Mime {
  public:
@@ -69,7 +76,7 @@ std::string MailChannel::Send(const OutgoingMessage& message, const std::atomic<
   curl.AddHeader("Subject: " + MailHeader(message.headline));
   curl.AddHeader("Message-ID: <" + message.id + from.substr(from.find('@')) + ">");
   curl.AddHeader("Auto-Submitted: auto-generated");
-  const Mime mime(curl, WithLink(MessageText(message.text), OneLine(message.link)));
+  const Mime mime(curl, WithMailLines(WithLink(MessageText(message.text), OneLine(message.link))));
   return curl.Perform();
 }
 
