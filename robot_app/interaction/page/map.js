@@ -19,6 +19,7 @@ class RobotMap {
     canvas.addEventListener("pointermove", event => this.move(event));
     for (const end of ["pointerup", "pointercancel"])
       canvas.addEventListener(end, event => this.pointers.delete(event.pointerId));
+    canvas.addEventListener("touchstart", event => event.preventDefault(), {passive: false});
     canvas.addEventListener("wheel", event => {
       event.preventDefault();
       this.zoom(event.deltaY < 0 ? 1.15 : 1 / 1.15);

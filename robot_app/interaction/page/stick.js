@@ -17,6 +17,7 @@ class Stick {
       element.addEventListener(end, event => {
         if (event.pointerId === this.pointer) this.release();
       });
+    element.addEventListener("touchstart", event => event.preventDefault(), {passive: false});
     element.addEventListener("contextmenu", event => event.preventDefault());
     window.addEventListener("blur", () => this.release());
     window.addEventListener("pagehide", () => this.release());

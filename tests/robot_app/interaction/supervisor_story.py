@@ -26,7 +26,8 @@ class Person:
                           deviceScaleFactor=1, mobile=False)
 
     def sees(self, what, script):
-        return wait_for(what, lambda: self.browser.evaluate(script))
+        return wait_for(what, lambda: self.browser.evaluate(
+            "document.readyState === 'complete' && (%s)" % script))
 
     def place(self, selector):
         self.sees(selector, "Boolean(document.querySelector('%s')?.getClientRects().length)"
@@ -107,8 +108,9 @@ def set_position(person):
     x, y, _ = person.place("#map")
     person.touch("touchStart", x, y)
     person.touch("touchMove", x, y - 80)  # looks north
-    person.touch("touchEnd")
     person.sees("an arrow to the north", "Math.abs(map.arrow.yaw - Math.PI / 2) < 0.05")
+    person.touch("touchMove", x, y - 80)  # rests, as a finger does
+    person.touch("touchEnd")
     person.photograph("phone_map")
     person.tap("#pose_ok")
     person.sees("a word of thanks", "document.getElementById('told').textContent.includes('position')")
