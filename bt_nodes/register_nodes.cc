@@ -24,6 +24,7 @@ void RegisterNodes(Registry& registry, const Capabilities& capabilities) {
   registry.Register<IsNotCharging>("IsNotCharging");
   registry.Register<WaitForBattery>("WaitForBattery");
   registry.Register<Charge>("Charge");
+  registry.Register<ChargeDue>("ChargeDue");
 
   registry.Register<Say>("Say", std::ref(capabilities.interaction));
   registry.Register<SetExpression>("SetExpression", std::ref(capabilities.interaction));

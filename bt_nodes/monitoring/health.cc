@@ -45,6 +45,19 @@ const HealthEntry* Health::FirstError(std::string_view monitor) const {
   return found == entries.end() ? nullptr : &*found;
 }
 
+bool ListsKind(std::string_view kinds, std::string_view monitor) {
+  while (!kinds.empty()) {
+    if (TakeUntil(kinds, ';') == monitor) return true;
+  }
+  return false;
+}
+
+bool Health::HasError(std::string_view kinds) const {
+  return std::any_of(entries.begin(), entries.end(), [&](const HealthEntry& entry) {
+    return entry.level >= HealthLevel::kError && ListsKind(kinds, entry.monitor);
+  });
+}
+
 bool ValueTraits<Health>::Parse(std::string_view text, Health& out) {
   std::int64_t stamp = 0;
   if (!ValueTraits<std::int64_t>::Parse(TakeUntil(text, '\n'), stamp)) return false;

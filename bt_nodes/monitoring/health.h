@@ -27,12 +27,17 @@ struct HealthEntry {
   std::string message;  ///< for people
 };
 
+/// True if the list, separated by semicolons, has that kind of monitor.
+bool ListsKind(std::string_view kinds, std::string_view monitor);
+
 struct Health {
   Time stamp{0};  ///< of the tree's clock, when the report arrived; zero: never
   std::vector<HealthEntry> entries;
 
   /// The first entry of that kind of monitor that is an error or stale, or null.
   const HealthEntry* FirstError(std::string_view monitor) const;
+  /// True if there is such an entry of one of the kinds, which are separated by semicolons.
+  bool HasError(std::string_view kinds) const;
 };
 
 /// Text form: the stamp in ns, then one line per entry: level, monitor, subject, node and message,

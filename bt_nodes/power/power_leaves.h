@@ -1,9 +1,13 @@
 // Conditions on the battery. Their inputs are fed from outside: the robot writes the keys
-// battery_level and charging.
+// battery_level and charging, and battery and distance_to_station for the watchdog.
 #ifndef COPPICE_BT_NODES_POWER_POWER_LEAVES_H_
 #define COPPICE_BT_NODES_POWER_POWER_LEAVES_H_
 
+#include <memory>
+#include <string>
+
 #include "bt_core/nodes/leaf.h"
+#include "bt_nodes/power/battery_watch.h"
 
 namespace coppice {
 
@@ -54,6 +58,33 @@ class Charge : public Action {
     return *charging ? Status::kRunning : Fail("on the station, but no current flows");
   }
   void OnHalted() override {}
+};
+
+/// The decision of the battery watchdog. To be ticked all the time: it counts the current.
+class ChargeDue : public Condition {
+ public:
+  static constexpr const char* kDescription =
+      "Must the robot go and charge? Judged from the battery's raw readings alone; once it is so, "
+      "it stays so until the battery has been charged.";
+  Input<BatteryReading> battery{this, "battery", "newest reading, fed from outside", kOptional};
+  Input<double> distance{this, "distance", "of the path to the station, fed from outside [m]",
+                         kOptional};
+  Input<double> capacity{this, "capacity", "of the battery [Ah]", 75};
+  Input<double> full_voltage{this, "full_voltage", "without load, charged [V]", 25.4};
+  Input<double> empty_voltage{this, "empty_voltage", "without load, empty [V]", 23.0};
+  Input<double> driving_current{this, "driving_current", "drawn while driving [A]", 15};
+  Input<double> driving_speed{this, "driving_speed", "mean on the way home [m/s]", 0.28};
+  Input<double> longest_without_charge{this, "longest_without_charge",
+                                       "then it is due in any case [s]", 14400};
+  Input<double> longest_silence{this, "longest_silence",
+                                "of the battery; then it is due in any case [s]", 60};
+  Output<std::string> reason{this, "reason", "why it is due, for people"};
+  Output<bool> critical{this, "critical", "the robot may not reach the station without help"};
+  bool Check() override;
+
+ private:
+  std::unique_ptr<BatteryWatch> watch_;  // from the first tick on, when the ports can be read
+  BatteryVerdict told_;                  // what stands on the blackboard
 };
 
 }  // namespace coppice

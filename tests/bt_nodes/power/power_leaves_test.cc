@@ -69,5 +69,29 @@ TEST(Charge, FailsWhenTheCurrentStops) {
   EXPECT_EQ(harness.message(), "on the station, but no current flows");
 }
 
+TEST(ChargeDue, HoldsFromTheTimeTheReserveIsTouched) {
+  LeafHarness harness = LeafHarness::For<ChargeDue>();
+  Time stamp{0};
+  const auto tell = [&](double level) {
+    stamp += std::chrono::seconds(1);
+    harness.Advance(std::chrono::seconds(1));
+    harness.Set("battery", BatteryReading{stamp, 23 + 2.4 * level, 0, level});
+    return harness.Tick();
+  };
+  harness.Set("distance", 10.0);
+  EXPECT_EQ(tell(0.5), Status::kFailure);
+  EXPECT_EQ(tell(0.05), Status::kSuccess);
+  EXPECT_NE(harness.Get<std::string>("reason").find("Ah are left"), std::string::npos);
+  EXPECT_EQ(tell(0.5), Status::kSuccess);
+}
+
+TEST(ChargeDue, HoldsWhenTheBatteryNeverReports) {
+  LeafHarness harness = LeafHarness::For<ChargeDue>();
+  EXPECT_EQ(harness.Tick(), Status::kFailure);
+  harness.Advance(std::chrono::seconds(61));
+  EXPECT_EQ(harness.Tick(), Status::kSuccess);
+  EXPECT_FALSE(harness.Get<bool>("critical"));
+}
+
 }  // namespace
 }  // namespace coppice

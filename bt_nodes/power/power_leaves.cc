@@ -1,0 +1,31 @@
+#include "bt_nodes/power/power_leaves.h"
+
+namespace coppice {
+
+bool ChargeDue::Check() {
+  if (!watch_) {
+    BatteryWatchOptions options;
+    options.model.capacity = *capacity;
+    options.model.full_voltage = *full_voltage;
+    options.model.empty_voltage = *empty_voltage;
+    options.model.driving_current = *driving_current;
+    options.model.driving_speed = *driving_speed;
+    options.longest_without_charge = *longest_without_charge;
+    options.longest_silence = *longest_silence;
+    watch_ = std::make_unique<BatteryWatch>(options);
+    critical.Set(false);
+  }
+  const BatteryVerdict& verdict = watch_->Update(now(), battery.has_value() ? &*battery : nullptr,
+                                                 distance.has_value() ? *distance : -1);
+  if (verdict.critical != told_.critical) critical.Set(verdict.critical);
+  const bool is_new = verdict.due && !told_.due;
+  told_.critical = verdict.critical;
+  told_.due = verdict.due;
+  if (is_new) {
+    reason.Set(verdict.reason);
+    Say(verdict.reason);
+  }
+  return verdict.due;
+}
+
+}  // namespace coppice

@@ -1,0 +1,43 @@
+#include "bt_nodes/supervision/help_leaves.h"
+
+namespace coppice {
+namespace {
+
+Duration Seconds(double seconds) {
+  return std::chrono::duration_cast<Duration>(std::chrono::duration<double>(seconds));
+}
+
+}  // namespace
+
+Status RequestHelp::Run() {
+  const ActionResult* answer = answer_.Take();
+  // Else it is the answer to a request that has been withdrawn, or to another one.
+  const bool is_ours = asked_about_ == *subject && desk_->IsOpen(asked_about_);
+  if (answer && is_ours) return TakeAnswer(*answer);
+  if (now() < rest_until_) {
+    WakeAt(rest_until_);
+    return Status::kFailure;
+  }
+  asked_about_ = *subject;
+  const std::string text = detail->empty() ? *question : *question + " " + *detail;
+  desk_->Assert({asked_about_, text, *faults}, now(), [this] { return answer_.NewSender(); });
+  return Status::kFailure;
+}
+
+Status RequestHelp::TakeAnswer(const ActionResult& answer) {
+  desk_->Forget(asked_about_);
+  asked_about_.clear();
+  if (answer.ok) {
+    Say("a person says that it is fixed");
+    return Status::kSuccess;
+  }
+  rest_until_ = now() + Seconds(*again);
+  return Fail("nobody could help: " + answer.message);
+}
+
+Status SettleRequests::Run() {
+  desk_->Settle(now(), Seconds(*linger), health.has_value() ? &*health : nullptr);
+  return Status::kSuccess;
+}
+
+}  // namespace coppice
