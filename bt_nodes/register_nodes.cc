@@ -1,10 +1,15 @@
 #include "bt_nodes/register_nodes.h"
 
 #include <functional>
+#include <memory>
 
 #include "bt_nodes/monitoring/monitoring_leaves.h"
+#include "bt_nodes/monitoring/tell_faults.h"
 #include "bt_nodes/navigation/navigation_leaves.h"
 #include "bt_nodes/power/power_leaves.h"
+#include "bt_nodes/recovery/recovery_nodes.h"
+#include "bt_nodes/recovery/restart_faulty_nodes.h"
+#include "bt_nodes/supervision/help_leaves.h"
 #include "bt_nodes/system/wait.h"
 
 namespace coppice {
@@ -18,6 +23,7 @@ void RegisterNodes(Registry& registry, const Capabilities& capabilities) {
   registry.Register<FindWaypoint>("FindWaypoint", std::ref(capabilities.waypoints));
 
   registry.Register<Dock>("Dock", std::ref(capabilities.station));
+  registry.Register<PressOn>("PressOn", std::ref(capabilities.station));
   registry.Register<Undock>("Undock", std::ref(capabilities.station));
   registry.Register<IsBatteryLow>("IsBatteryLow");
   registry.Register<IsCharging>("IsCharging");
@@ -35,11 +41,26 @@ void RegisterNodes(Registry& registry, const Capabilities& capabilities) {
   registry.Register<TopicFault>("TopicFault");
   registry.Register<NavigationFault>("NavigationFault");
   registry.Register<LocalizationFault>("LocalizationFault");
-  registry.Register<WaitUntilHealthy>("WaitUntilHealthy");
+  registry.Register<DockingFault>("DockingFault");
+  registry.Register<ChargingFault>("ChargingFault");
+  registry.Register<EmergencyStopFault>("EmergencyStopFault");
   registry.Register<RestartNode>("RestartNode", std::ref(capabilities.processes));
   registry.Register<SwitchConfiguration>("SwitchConfiguration", std::ref(capabilities.processes));
   registry.Register<AskSupervisor>("AskSupervisor", std::ref(capabilities.supervisors));
   registry.Register<TellSupervisor>("TellSupervisor", std::ref(capabilities.supervisors));
+  registry.Register<TellFaults>("TellFaults", std::ref(capabilities.supervisors));
+  const auto requests = std::make_shared<OpenRequests>(capabilities.supervisors);
+  registry.Register<RequestHelp>("RequestHelp", requests);
+  registry.Register<SettleRequests>("SettleRequests", requests);
+
+  registry.Register<ContinueEpisode>("ContinueEpisode");
+  registry.Register<Recovery>("Recovery", std::ref(capabilities.recoveries));
+  registry.Register<RestartFaultyNodes>("RestartFaultyNodes", std::ref(capabilities.processes),
+                                        std::ref(capabilities.recoveries));
+
+  registry.Register<RequestCharge>("RequestCharge", std::ref(capabilities.application));
+  registry.Register<AnnounceGoingHome>("AnnounceGoingHome", std::ref(capabilities.application));
+  registry.Register<SuspendApplication>("SuspendApplication", std::ref(capabilities.application));
 }
 
 }  // namespace coppice

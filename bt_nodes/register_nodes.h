@@ -3,9 +3,11 @@
 #define COPPICE_BT_NODES_REGISTER_NODES_H_
 
 #include "bt_core/engine/registry.h"
+#include "bt_nodes/application/application_control.h"
 #include "bt_nodes/docking/docking_leaves.h"
 #include "bt_nodes/interaction/interaction_leaves.h"
 #include "bt_nodes/navigation/navigator.h"
+#include "bt_nodes/recovery/recovery_log.h"
 #include "bt_nodes/supervision/supervision_leaves.h"
 
 namespace coppice {
@@ -18,8 +20,11 @@ struct Capabilities {
   Interaction& interaction;
   ProcessManager& processes;
   SupervisorChannel& supervisors;
+  ApplicationControl& application;
+  RecoveryLog& recoveries;
 };
 
+/// One registry for each tree that runs: the leaves of one registry share its requests for help.
 void RegisterNodes(Registry& registry, const Capabilities& capabilities);
 
 }  // namespace coppice

@@ -29,12 +29,4 @@ bool FaultCondition::Check() {
   return true;
 }
 
-Status WaitUntilHealthy::OnRunning() {
-  const bool blamed =
-      std::any_of(health->entries.begin(), health->entries.end(), [this](const HealthEntry& entry) {
-        return entry.node == *node && entry.level >= HealthLevel::kError;
-      });
-  return blamed ? Status::kRunning : Status::kSuccess;
-}
-
 }  // namespace coppice

@@ -66,15 +66,23 @@ class LocalizationFault : public FaultCondition {
   LocalizationFault() : FaultCondition("localization") {}
 };
 
-/// Runs while a node is reported as faulty by any monitor.
-class WaitUntilHealthy : public Action {
+class DockingFault : public FaultCondition {
  public:
-  static constexpr const char* kDescription = "Waits until no monitor blames the node any more.";
-  Input<Health> health{this, "health", "from ReadHealth"};
-  Input<std::string> node{this, "node", "ROS node"};
-  Status OnStart() override { return OnRunning(); }
-  Status OnRunning() override;
-  void OnHalted() override {}
+  static constexpr const char* kDescription = "Has the robot failed to reach its station?";
+  DockingFault() : FaultCondition("docking") {}
+};
+
+class ChargingFault : public FaultCondition {
+ public:
+  static constexpr const char* kDescription =
+      "Does the robot stand on the station without current?";
+  ChargingFault() : FaultCondition("charging") {}
+};
+
+class EmergencyStopFault : public FaultCondition {
+ public:
+  static constexpr const char* kDescription = "Is the emergency stop pressed?";
+  EmergencyStopFault() : FaultCondition("emergency_stop") {}
 };
 
 }  // namespace coppice

@@ -12,7 +12,7 @@ Duration Seconds(double seconds) {
 Status RequestHelp::Run() {
   const ActionResult* answer = answer_.Take();
   // Else it is the answer to a request that has been withdrawn, or to another one.
-  const bool is_ours = asked_about_ == *subject && desk_->IsOpen(asked_about_);
+  const bool is_ours = asked_about_ == *subject && requests_->IsOpen(asked_about_);
   if (answer && is_ours) return TakeAnswer(*answer);
   if (now() < rest_until_) {
     WakeAt(rest_until_);
@@ -20,12 +20,12 @@ Status RequestHelp::Run() {
   }
   asked_about_ = *subject;
   const std::string text = detail->empty() ? *question : *question + " " + *detail;
-  desk_->Assert({asked_about_, text, *faults}, now(), [this] { return answer_.NewSender(); });
+  requests_->Assert({asked_about_, text, *faults}, now(), [this] { return answer_.NewSender(); });
   return Status::kFailure;
 }
 
 Status RequestHelp::TakeAnswer(const ActionResult& answer) {
-  desk_->Forget(asked_about_);
+  requests_->Forget(asked_about_);
   asked_about_.clear();
   if (answer.ok) {
     Say("a person says that it is fixed");
@@ -36,7 +36,7 @@ Status RequestHelp::TakeAnswer(const ActionResult& answer) {
 }
 
 Status SettleRequests::Run() {
-  desk_->Settle(now(), Seconds(*linger), health.has_value() ? &*health : nullptr);
+  requests_->Settle(now(), Seconds(*linger), health.has_value() ? &*health : nullptr);
   return Status::kSuccess;
 }
 

@@ -6,7 +6,7 @@
 #include <memory>
 #include <string>
 
-#include "bt_nodes/supervision/help_desk.h"
+#include "bt_nodes/supervision/open_requests.h"
 
 namespace coppice {
 
@@ -17,7 +17,7 @@ class RequestHelp : public SyncAction {
   static constexpr const char* kDescription =
       "Keeps a request for help open as long as it is ticked. Fails while nobody has fixed it, "
       "succeeds when a person has confirmed it. Needs SettleRequests in the same tree.";
-  explicit RequestHelp(std::shared_ptr<HelpDesk> desk) : desk_(std::move(desk)) {}
+  explicit RequestHelp(std::shared_ptr<OpenRequests> requests) : requests_(std::move(requests)) {}
   Input<std::string> subject{this, "subject", "what the request is about; one request for each"};
   Input<std::string> question{this, "question", "what is wrong and what to do"};
   Input<std::string> detail{this, "detail", "stands behind the question", ""};
@@ -31,7 +31,7 @@ class RequestHelp : public SyncAction {
  private:
   Status TakeAnswer(const ActionResult& answer);
 
-  std::shared_ptr<HelpDesk> desk_;
+  std::shared_ptr<OpenRequests> requests_;
   Mailbox<ActionResult> answer_{this, "answer"};
   std::string asked_about_;
   Time rest_until_{0};  // nobody could help: not asked before
@@ -43,13 +43,13 @@ class SettleRequests : public SyncAction {
   static constexpr const char* kDescription =
       "Withdraws the requests for help whose faults have gone: those that RequestHelp no longer "
       "asserts. Always succeeds.";
-  explicit SettleRequests(std::shared_ptr<HelpDesk> desk) : desk_(std::move(desk)) {}
+  explicit SettleRequests(std::shared_ptr<OpenRequests> requests) : requests_(std::move(requests)) {}
   Input<Health> health{this, "health", "from ReadHealth", kOptional};
   Input<double> linger{this, "linger", "a request stands so long without being asserted [s]", 1};
   Status Run() override;
 
  private:
-  std::shared_ptr<HelpDesk> desk_;
+  std::shared_ptr<OpenRequests> requests_;
 };
 
 }  // namespace coppice

@@ -25,8 +25,7 @@ TreeRunner::TreeRunner(std::shared_ptr<const Program> program, Clock& clock,
                        TreeRunnerOptions options)
     : options_(std::move(options)),
       executor_(std::move(program), clock),
-      stream_(executor_),
-      runner_(executor_, options_.run) {
+      stream_(executor_) {
   if (!options_.record_path.empty()) {
     RecorderOptions recording;
     recording.metadata = {{"tree", options_.name}};
@@ -45,15 +44,49 @@ TreeRunner::TreeRunner(std::shared_ptr<const Program> program, Clock& clock,
 TreeRunner::~TreeRunner() { Stop(); }
 
 void TreeRunner::Start(std::function<void(Status)> on_end) {
-  thread_ = std::thread([this, on_end = std::move(on_end)] {
-    const Status result = runner_.Run();
-    if (!runner_.stop_requested()) on_end(result);
-  });
+  thread_ = std::thread([this, on_end = std::move(on_end)] { RunTree(on_end); });
+}
+
+void TreeRunner::RunTree(const std::function<void(Status)>& on_end) {
+  while (BeginRun()) {
+    const Status result = runner_->Run();
+    if (runner_->stop_requested()) continue;
+    on_end(result);
+    return;
+  }
+}
+
+// Waits as long as the tree is suspended; false if it is not to run any more.
+bool TreeRunner::BeginRun() {
+  std::unique_lock<std::mutex> lock(mutex_);
+  changed_.wait(lock, [this] { return is_stopping_ || !is_suspended_; });
+  if (is_stopping_) return false;
+  runner_ = std::make_unique<Runner>(executor_, options_.run);
+  return true;
 }
 
 void TreeRunner::Stop() {
-  runner_.RequestStop();
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    is_stopping_ = true;
+    if (runner_) runner_->RequestStop();
+  }
+  changed_.notify_one();
   if (thread_.joinable()) thread_.join();
+}
+
+void TreeRunner::Suspend() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  is_suspended_ = true;
+  if (runner_) runner_->RequestStop();
+}
+
+void TreeRunner::Resume() {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    is_suspended_ = false;
+  }
+  changed_.notify_one();
 }
 
 void TreeRunner::Note(const std::string& kind, const std::string& text) {

@@ -2,9 +2,11 @@
 #ifndef COPPICE_ROBOT_APP_APP_TREE_RUNNER_H_
 #define COPPICE_ROBOT_APP_APP_TREE_RUNNER_H_
 
+#include <condition_variable>
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <thread>
 
@@ -40,16 +42,28 @@ class TreeRunner {
   void Start(std::function<void(Status)> on_end);
   void Stop();
 
+  /// Halts the tree; it rests until Resume, and then begins anew. Without effect once the tree has
+  /// completed. Return at once; any thread but the tree's own.
+  void Suspend();
+  void Resume();
+
   /// Puts a line into the record, for example an injected fault. Any thread.
   void Note(const std::string& kind, const std::string& text);
 
  private:
+  bool BeginRun();
+  void RunTree(const std::function<void(Status)>& on_end);
+
   TreeRunnerOptions options_;
   Executor executor_;
   EventStream stream_;
   std::unique_ptr<Recorder> recorder_;
   std::unique_ptr<LivePublisher> live_;
-  Runner runner_;
+  std::mutex mutex_;  // of what is below
+  std::condition_variable changed_;
+  bool is_stopping_ = false;
+  bool is_suspended_ = false;
+  std::unique_ptr<Runner> runner_;  // one for each run
   std::thread thread_;
 };
 

@@ -64,9 +64,9 @@ Pose2D DockController::staging() const {
 }
 
 double DockController::Offset() const {
-  // 0, then to the left, then to the right, and again.
-  if (attempt_ <= 1) return 0;
-  return attempt_ % 2 == 0 ? settings_.retry_offset : -settings_.retry_offset;
+  // As wanted, then to the left of it, then to the right, and again.
+  if (attempt_ <= 1) return offset_;
+  return offset_ + (attempt_ % 2 == 0 ? settings_.retry_offset : -settings_.retry_offset);
 }
 
 bool DockController::Charging(const DockInput& input) const {
@@ -90,8 +90,10 @@ Velocity2D DockController::Fail(std::string message) {
   return velocity_;
 }
 
-void DockController::StartDocking(const DockInput& input) {
+void DockController::StartDocking(const DockInput& input, double offset, int attempts) {
   *this = DockController(settings_);
+  offset_ = offset;
+  attempts_ = attempts > 0 ? attempts : settings_.attempts;
   attempt_ = 1;
   if (Distance(input.pose, settings_.docked) < kNearContact && Charging(input)) {
     Enter(Phase::kWaitForCurrent, input);
@@ -306,7 +308,7 @@ Velocity2D DockController::BackOff(const DockInput& input, double seconds) {
   if (left < 0.02) {
     if (phase_ == Phase::kUndock) {
       Enter(Phase::kCheckCurrentGone, input);
-    } else if (attempt_ >= settings_.attempts) {
+    } else if (attempt_ >= attempts_) {
       return Fail(Print("%.0f attempts failed; the last one: ", attempt_) + why_failed_);
     } else {
       ++attempt_;

@@ -69,8 +69,9 @@ class DockController {
   explicit DockController(DockSettings settings = {}) : settings_(settings) {}
 
   /// Start a manoeuvre, replacing the one before. What is wrong with the request is told by
-  /// kFailed after the next Update().
-  void StartDocking(const DockInput& input);
+  /// kFailed after the next Update(). `offset`: of the approach, positive to the left of the
+  /// station's axis [m]. `attempts`: 0 = those of the settings.
+  void StartDocking(const DockInput& input, double offset = 0, int attempts = 0);
   void StartUndocking(const DockInput& input);
   void Cancel();
 
@@ -108,6 +109,8 @@ class DockController {
   std::string message_;
   std::string why_failed_;  // the last attempt
   int attempt_ = 0;
+  int attempts_ = 0;    // at most
+  double offset_ = 0;   // of the first attempt [m]
   double entered_ = 0;  // when the phase began
   double last_update_ = -1;
   double charging_since_ = -1;  // negative: not charging

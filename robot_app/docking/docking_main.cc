@@ -5,10 +5,12 @@
 #include <ros/ros.h>
 #include <sensor_msgs/BatteryState.h>
 
+#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "robot_app/docking/contact_wiggle.h"
 #include "robot_app/docking/dock_controller.h"
 #include "robot_app/navigation/ros_support.h"
 
@@ -35,6 +37,7 @@ constexpr double kPoseTimeout = 1.0;     // an older pose is not driven with [s]
 constexpr double kScanTimeout = 1.0;     // nor is an older scan
 constexpr double kBatteryTimeout = 5.0;  // an older reading of the battery does not count [s]
 constexpr double kBlindTimeout = 10.0;   // standing still until they are back, no longer [s]
+constexpr double kLargestOffset = 0.2;   // of an approach [m]
 constexpr double kPointRange = 3.0;      // of obstacles [m]
 
 struct Settings {
@@ -74,6 +77,7 @@ class DockingNode {
   explicit DockingNode(const Settings& settings)
       : settings_(settings.dock),
         controller_(settings.dock),
+        wiggle_({}, settings.dock),
         pose_(settings.map_frame, settings.odom_frame, settings.base_frame),
         server_(node_, "docking", false) {
     command_ = node_.advertise<geometry_msgs::Twist>("/cmd_vel", 1);
@@ -137,13 +141,18 @@ class DockingNode {
     is_started_ = false;
     blind_for_ = 0;
     wheels_docked_.reset();
+    if (!(std::abs(goal_->lateral_offset) <= kLargestOffset)) {
+      Finish(false, "the lateral offset is too large");
+    }
   }
 
   void Start(const DockInput& input) {
     if (is_started_) return;
     is_started_ = true;
-    if (goal_->dock) {
-      controller_.StartDocking(input);
+    if (goal_->press_on) {
+      wiggle_.Start(input);
+    } else if (goal_->dock) {
+      controller_.StartDocking(input, goal_->lateral_offset, goal_->attempts);
     } else {
       controller_.StartUndocking(input);
     }
@@ -187,6 +196,7 @@ class DockingNode {
     if (!input) return StandStill(missing);
     blind_for_ = 0;
     Start(*input);
+    if (goal_->press_on) return PressOn(*input);
     command_.publish(ToTwist(controller_.Update(*input)));  // zero once it has ended
     if (!controller_.active()) {
       return Finish(controller_.phase() == DockController::Phase::kDone, controller_.message());
@@ -197,8 +207,17 @@ class DockingNode {
   }
 
   DockSettings settings_;
+  void PressOn(const DockInput& input) {
+    command_.publish(ToTwist(wiggle_.Update(input)));  // zero once it has ended
+    if (!wiggle_.active()) return Finish(wiggle_.succeeded(), wiggle_.message());
+    coppice_msgs::DockingFeedback feedback;
+    feedback.phase = "pressing on";
+    server_.publishFeedback(feedback);
+  }
+
   ros::NodeHandle node_;
   DockController controller_;
+  ContactWiggle wiggle_;
   RobotPose pose_;
   double current_ = 0;                   // [A]
   double battery_stamp_ = 0;             // [s]

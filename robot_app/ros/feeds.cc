@@ -4,6 +4,8 @@
 #include <coppice_msgs/ProcessStates.h>
 #include <sensor_msgs/BatteryState.h>
 
+#include <cmath>
+
 namespace coppice::robot {
 namespace {
 
@@ -17,6 +19,16 @@ Health FromMessage(const coppice_msgs::Health& message, Time stamp) {
   return health;
 }
 
+// What a driver does not measure it reports as NaN.
+BatteryReading FromMessage(const sensor_msgs::BatteryState& message, Time stamp) {
+  BatteryReading reading;
+  reading.stamp = stamp;
+  reading.voltage = std::isfinite(message.voltage) ? message.voltage : 0;
+  reading.current = std::isfinite(message.current) ? message.current : 0;
+  reading.level = std::isfinite(message.percentage) ? message.percentage : -1;
+  return reading;
+}
+
 }  // namespace
 
 std::vector<ros::Subscriber> SubscribeFeeds(ros::NodeHandle& node,
@@ -24,12 +36,14 @@ std::vector<ros::Subscriber> SubscribeFeeds(ros::NodeHandle& node,
                                             const Clock& clock) {
   std::vector<ros::Subscriber> subscribers;
   subscribers.push_back(node.subscribe<sensor_msgs::BatteryState>(
-      "/battery_state", 1, [trees](const sensor_msgs::BatteryState::ConstPtr& message) {
+      "/battery_state", 1, [trees, &clock](const sensor_msgs::BatteryState::ConstPtr& message) {
+        const BatteryReading reading = FromMessage(*message, clock.Now());
         const bool charging =
             message->power_supply_status == sensor_msgs::BatteryState::POWER_SUPPLY_STATUS_CHARGING;
         for (const FeedKeys& keys : trees) {
           keys.battery_level.Send(message->percentage);
           keys.charging.Send(charging);
+          keys.battery.Send(reading);
         }
       }));
   subscribers.push_back(node.subscribe<coppice_msgs::Health>(
@@ -39,7 +53,10 @@ std::vector<ros::Subscriber> SubscribeFeeds(ros::NodeHandle& node,
       }));
   subscribers.push_back(node.subscribe<coppice_msgs::ProcessStates>(
       "/processes", 1, [trees](const coppice_msgs::ProcessStates::ConstPtr& message) {
-        for (const FeedKeys& keys : trees) keys.configuration.Send(message->configuration);
+        for (const FeedKeys& keys : trees) {
+          keys.configuration.Send(message->configuration);
+          keys.manual.Send(message->manual);
+        }
       }));
   return subscribers;
 }

@@ -12,6 +12,7 @@
 #include "bt_core/base/clock.h"
 #include "bt_core/data/inbox.h"
 #include "bt_nodes/monitoring/health.h"
+#include "bt_nodes/power/battery_estimate.h"
 
 namespace coppice::robot {
 
@@ -21,9 +22,11 @@ struct FeedKeys {
   Sender<bool> charging;              ///< current flows into the battery, from /battery_state
   Sender<Health> monitoring;          ///< aggregated reports, from /monitoring, stamped on arrival
   Sender<std::string> configuration;  ///< in force, from /processes
+  Sender<bool> manual;                ///< it was set by hand, from /processes
+  Sender<BatteryReading> battery;     ///< raw, from /battery_state, stamped on arrival
 };
 
-/// Subscribes as long as the returned subscribers live. The clock stamps the reports on arrival.
+/// Subscribes as long as the returned subscribers live. The clock stamps what arrives.
 std::vector<ros::Subscriber> SubscribeFeeds(ros::NodeHandle& node,
                                             const std::vector<FeedKeys>& trees, const Clock& clock);
 

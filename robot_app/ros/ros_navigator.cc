@@ -4,7 +4,9 @@
 #include <coppice_msgs/MotionAction.h>
 #include <move_base_msgs/MoveBaseAction.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "robot_app/ros/action_port.h"
 
@@ -65,17 +67,24 @@ class RosChargingStation : public ChargingStation {
       : docking_(node, "docking",
                  [](const auto& state, const auto* result) { return FromResult(state, result); }) {}
 
-  void Dock(Sender<ActionResult> done) override { Start(true, done); }
-  void Undock(Sender<ActionResult> done) override { Start(false, done); }
+  void Dock(double lateral_offset, int attempts, Sender<ActionResult> done) override {
+    coppice_msgs::DockingGoal goal;
+    goal.dock = true;
+    goal.lateral_offset = lateral_offset;
+    goal.attempts = static_cast<std::uint8_t>(std::clamp(attempts, 0, 255));
+    docking_.Start(goal, done);
+  }
+  void PressOn(Sender<ActionResult> done) override {
+    coppice_msgs::DockingGoal goal;
+    goal.press_on = true;
+    docking_.Start(goal, done);
+  }
+  void Undock(Sender<ActionResult> done) override {
+    docking_.Start(coppice_msgs::DockingGoal(), done);
+  }
   void CancelDocking() override { docking_.Cancel(); }
 
  private:
-  void Start(bool dock, const Sender<ActionResult>& done) {
-    coppice_msgs::DockingGoal goal;
-    goal.dock = dock;
-    docking_.Start(goal, done);
-  }
-
   ActionPort<coppice_msgs::DockingAction> docking_;
 };
 

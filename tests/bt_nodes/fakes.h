@@ -15,9 +15,12 @@ class FakeRobot : public Navigator,
                   public ChargingStation,
                   public Interaction,
                   public ProcessManager,
-                  public SupervisorChannel {
+                  public SupervisorChannel,
+                  public ApplicationControl,
+                  public RecoveryLog {
  public:
   std::vector<std::string> calls;
+  std::vector<RecoveryEvent> events;
   Sender<ActionResult> done;  ///< of the last action
 
   void NavigateTo(const Pose2D& goal, Sender<ActionResult> sender) override {
@@ -39,7 +42,10 @@ class FakeRobot : public Navigator,
     return true;
   }
 
-  void Dock(Sender<ActionResult> sender) override { Begin("Dock", sender); }
+  void Dock(double lateral_offset, int attempts, Sender<ActionResult> sender) override {
+    Begin("Dock " + Text(lateral_offset) + " " + std::to_string(attempts), sender);
+  }
+  void PressOn(Sender<ActionResult> sender) override { Begin("PressOn", sender); }
   void Undock(Sender<ActionResult> sender) override { Begin("Undock", sender); }
   void CancelDocking() override { calls.push_back("CancelDocking"); }
 
@@ -67,7 +73,18 @@ class FakeRobot : public Navigator,
     calls.push_back("Tell " + subject + ": " + message);
   }
 
-  Capabilities capabilities() { return {*this, *this, *this, *this, *this, *this}; }
+  void SetChargeRequested(bool requested) override {
+    calls.push_back(std::string("SetChargeRequested ") + (requested ? "true" : "false"));
+  }
+  void SetGoingHome(bool going_home) override {
+    calls.push_back(std::string("SetGoingHome ") + (going_home ? "true" : "false"));
+  }
+  void Suspend() override { calls.push_back("Suspend"); }
+  void Resume() override { calls.push_back("Resume"); }
+
+  void Record(const RecoveryEvent& event) override { events.push_back(event); }
+
+  Capabilities capabilities() { return {*this, *this, *this, *this, *this, *this, *this, *this}; }
 
  private:
   static std::string Text(double number) { return ValueTraits<double>::Print(number); }

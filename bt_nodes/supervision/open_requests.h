@@ -3,8 +3,8 @@
 // waits for a person is no RUNNING node, and the tree goes on to other faults.
 //
 // For the ticking thread of one tree.
-#ifndef COPPICE_BT_NODES_SUPERVISION_HELP_DESK_H_
-#define COPPICE_BT_NODES_SUPERVISION_HELP_DESK_H_
+#ifndef COPPICE_BT_NODES_SUPERVISION_OPEN_REQUESTS_H_
+#define COPPICE_BT_NODES_SUPERVISION_OPEN_REQUESTS_H_
 
 #include <functional>
 #include <string>
@@ -26,9 +26,9 @@ struct HelpRequest {
   std::string faults;
 };
 
-class HelpDesk {
+class OpenRequests {
  public:
-  explicit HelpDesk(SupervisorChannel& channel) : channel_(channel) {}
+  explicit OpenRequests(SupervisorChannel& channel) : channel_(channel) {}
 
   bool IsOpen(const std::string& subject) const;
 
@@ -57,4 +57,4 @@ class HelpDesk {
 
 }  // namespace coppice
 
-#endif  // COPPICE_BT_NODES_SUPERVISION_HELP_DESK_H_
+#endif  // COPPICE_BT_NODES_SUPERVISION_OPEN_REQUESTS_H_

@@ -1,20 +1,20 @@
-#include "bt_nodes/supervision/help_desk.h"
+#include "bt_nodes/supervision/open_requests.h"
 
 #include <algorithm>
 
 namespace coppice {
 
-std::vector<HelpDesk::Open>::iterator HelpDesk::Find(const std::string& subject) {
+std::vector<OpenRequests::Open>::iterator OpenRequests::Find(const std::string& subject) {
   return std::find_if(open_.begin(), open_.end(),
                       [&](const Open& open) { return open.request.subject == subject; });
 }
 
-bool HelpDesk::IsOpen(const std::string& subject) const {
+bool OpenRequests::IsOpen(const std::string& subject) const {
   return std::any_of(open_.begin(), open_.end(),
                      [&](const Open& open) { return open.request.subject == subject; });
 }
 
-void HelpDesk::Assert(const HelpRequest& request, Time now,
+void OpenRequests::Assert(const HelpRequest& request, Time now,
                       const std::function<Sender<ActionResult>()>& new_sender) {
   const auto open = Find(request.subject);
   const bool is_known = open != open_.end();
@@ -30,12 +30,12 @@ void HelpDesk::Assert(const HelpRequest& request, Time now,
   channel_.Ask(request.subject, request.question, new_sender());
 }
 
-void HelpDesk::Forget(const std::string& subject) {
+void OpenRequests::Forget(const std::string& subject) {
   const auto open = Find(subject);
   if (open != open_.end()) open_.erase(open);
 }
 
-void HelpDesk::Settle(Time now, Duration linger, const Health* health) {
+void OpenRequests::Settle(Time now, Duration linger, const Health* health) {
   const auto is_over = [&](const Open& open) {
     if (now - open.asserted <= linger) return false;
     if (health && health->HasError(open.request.faults)) return false;
