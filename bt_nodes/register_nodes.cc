@@ -10,6 +10,7 @@
 #include "bt_nodes/recovery/recovery_nodes.h"
 #include "bt_nodes/recovery/restart_faulty_nodes.h"
 #include "bt_nodes/supervision/help_leaves.h"
+#include "bt_nodes/system/is_true.h"
 #include "bt_nodes/system/wait.h"
 
 namespace coppice {
@@ -35,6 +36,7 @@ void RegisterNodes(Registry& registry, const Capabilities& capabilities) {
   registry.Register<Say>("Say", std::ref(capabilities.interaction));
   registry.Register<SetExpression>("SetExpression", std::ref(capabilities.interaction));
   registry.Register<Wait>("Wait");
+  registry.Register<IsTrue>("IsTrue");
 
   registry.Register<ReadHealth>("ReadHealth");
   registry.Register<NodeFault>("NodeFault");

@@ -13,17 +13,22 @@
 
 #include "bt_core/base/command_line.h"
 #include "bt_nodes/register_nodes.h"
+#include "robot_app/app/tree_link.h"
 #include "robot_app/app/tree_runner.h"
 #include "robot_app/ros/feeds.h"
+#include "robot_app/ros/pose_feed.h"
 #include "robot_app/ros/ros_clock.h"
 #include "robot_app/ros/ros_interaction.h"
 #include "robot_app/ros/ros_navigator.h"
 #include "robot_app/ros/ros_process_manager.h"
+#include "robot_app/ros/ros_recovery_log.h"
 #include "robot_app/ros/ros_supervisors.h"
 #include "robot_app/ros/waypoint_map.h"
 
 namespace coppice::robot {
 namespace {
+
+constexpr char kStation[] = "staging";  // the waypoint in front of the charging station
 
 constexpr char kUsage[] =
     "coppice-robot --application FILE --monitor FILE --waypoints FILE\n"
@@ -40,7 +45,20 @@ constexpr char kUsage[] =
 
 FeedKeys KeysOf(Executor& executor) {
   return {executor.Writer<double>("battery_level"), executor.Writer<bool>("charging"),
-          executor.Writer<Health>("monitoring"), executor.Writer<std::string>("configuration")};
+          executor.Writer<Health>("monitoring"),    executor.Writer<std::string>("configuration"),
+          executor.Writer<bool>("manual"),          executor.Writer<BatteryReading>("battery")};
+}
+
+PoseKeys PoseKeysOf(Executor& executor) {
+  return {executor.Writer<coppice::Pose2D>("pose"), executor.Writer<double>("distance_to_station")};
+}
+
+coppice::Pose2D StationOn(const WaypointMap& map) {
+  Waypoint station;
+  if (!map.Find(kStation, station)) {
+    throw std::runtime_error(std::string("the map has no waypoint \"") + kStation + "\"");
+  }
+  return station.pose;
 }
 
 // All that a robot program needs, in the order of construction; torn down in reverse.
@@ -53,16 +71,19 @@ class Robot {
                                    static_cast<unsigned>(Number(options, "--seed", 1)))),
         station_(MakeRosChargingStation(node)),
         interaction_(node),
-        supervisors_(node) {
-    RegisterNodes(*registry_,
-                  {*navigator_, *waypoints_, *station_, interaction_, processes_, supervisors_});
+        supervisors_(node),
+        recoveries_(node, clock_) {
     const int port = static_cast<int>(Number(options, "--live-port", 1667));
     application_ = MakeRunner(options, "application", port, false);
     monitor_ = MakeRunner(options, "monitor", port > 0 ? port + 2 : 0, true);
     SetIfUsed(options, "rounds", "-1");
     SetIfUsed(options, "stops", "4");
-    subscribers_ = SubscribeFeeds(
-        node_, {KeysOf(application_->executor()), KeysOf(monitor_->executor())}, clock_);
+    link_.Connect(*application_, *monitor_);
+    Executor& application = application_->executor();
+    Executor& monitor = monitor_->executor();
+    subscribers_ = SubscribeFeeds(node_, {KeysOf(application), KeysOf(monitor)}, clock_);
+    pose_feed_.emplace(node_, StationOn(*waypoints_),
+                       std::vector{PoseKeysOf(application), PoseKeysOf(monitor)});
     subscribers_.push_back(node_.subscribe<std_msgs::String>(
         "/coppice/note", 20, [this](const std_msgs::String::ConstPtr& note) {
           application_->Note("note", note->data);
@@ -96,7 +117,10 @@ class Robot {
                                          bool forever) {
     Diagnostics diagnostics;
     const std::string tree = name == "application" ? options.Get("--tree") : "";
-    const auto program = CompileFile(options.Get("--" + name), registry_, diagnostics, tree);
+    const auto registry = std::make_shared<Registry>();
+    RegisterNodes(*registry, {*navigator_, *waypoints_, *station_, interaction_, processes_,
+                              supervisors_, link_, recoveries_});
+    const auto program = CompileFile(options.Get("--" + name), registry, diagnostics, tree);
     std::cerr << diagnostics.ToString();
     if (!program) throw std::runtime_error("the " + name + " tree cannot run");
     TreeRunnerOptions runner;
@@ -136,11 +160,13 @@ class Robot {
   RosInteraction interaction_;
   RosProcessManager processes_;
   RosSupervisors supervisors_;
-  std::shared_ptr<Registry> registry_ = std::make_shared<Registry>();
+  RosRecoveryLog recoveries_;
+  TreeLink link_;
   ros::Publisher status_;
   std::unique_ptr<TreeRunner> application_;
   std::unique_ptr<TreeRunner> monitor_;
   std::vector<ros::Subscriber> subscribers_;
+  std::optional<PoseFeed> pose_feed_;
 };
 
 int Main(int argc, char** argv) {

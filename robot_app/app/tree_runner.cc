@@ -23,9 +23,7 @@ std::string FreePath(const std::filesystem::path& wanted) {
 
 TreeRunner::TreeRunner(std::shared_ptr<const Program> program, Clock& clock,
                        TreeRunnerOptions options)
-    : options_(std::move(options)),
-      executor_(std::move(program), clock),
-      stream_(executor_) {
+    : options_(std::move(options)), executor_(std::move(program), clock), stream_(executor_) {
   if (!options_.record_path.empty()) {
     RecorderOptions recording;
     recording.metadata = {{"tree", options_.name}};

@@ -9,13 +9,15 @@ namespace {
 
 // Where to, in units of the way: on, back, on again.
 constexpr std::array<double, 3> kMoves = {1, -1, 0.5};
-constexpr double kThere = 0.004;  // m
+constexpr double kThere = 0.004;        // m
+constexpr double kLongestMove = 4.0;    // s; the station may hold the robot before it gets there
+constexpr double kFarthestStart = 0.3;  // from the docked pose [m]
 
 }  // namespace
 
 void ContactWiggle::Start(const DockInput& input) {
-  *this = ContactWiggle(settings_, station_);
-  if (Distance(input.pose, station_.docked) > settings_.farthest_start) {
+  *this = ContactWiggle(settings_);
+  if (Distance(input.pose, settings_.docked) > kFarthestStart) {
     state_ = State::kFailed;
     message_ = "the robot does not stand on the station";
     return;
@@ -28,18 +30,18 @@ void ContactWiggle::Start(const DockInput& input) {
 Velocity2D ContactWiggle::Update(const DockInput& input) {
   if (!active() || WatchCurrent(input)) return {};
   if (state_ == State::kMoving) return Move(input);
-  if (input.now - entered_ > settings_.wait) NextMove(input);
+  if (input.now - entered_ > settings_.wiggle_wait) NextMove(input);
   return {};
 }
 
 // True while current flows: then the robot stands still.
 bool ContactWiggle::WatchCurrent(const DockInput& input) {
-  if (!input.battery_known || input.current <= station_.charging_above) {
+  if (!input.battery_known || input.current <= settings_.charging_above) {
     charging_since_ = -1;
     return false;
   }
   if (charging_since_ < 0) charging_since_ = input.now;
-  if (input.now - charging_since_ >= station_.charging_for) {
+  if (input.now - charging_since_ >= settings_.charging_for) {
     state_ = State::kDone;
     message_ = "charging after move " + std::to_string(move_ + 1);
   }
@@ -47,14 +49,14 @@ bool ContactWiggle::WatchCurrent(const DockInput& input) {
 }
 
 Velocity2D ContactWiggle::Move(const DockInput& input) {
-  const double target = kMoves[static_cast<std::size_t>(move_)] * settings_.way;
+  const double target = kMoves[static_cast<std::size_t>(move_)] * settings_.wiggle_way;
   const double left = target - RelativeTo(start_, input.pose).x;
-  if (std::abs(left) < kThere || input.now - entered_ > settings_.longest_move) {
+  if (std::abs(left) < kThere || input.now - entered_ > kLongestMove) {
     state_ = State::kWaiting;
     entered_ = input.now;
     return {};
   }
-  return {std::copysign(std::min(settings_.speed, std::abs(left) + 0.01), left), 0};
+  return {std::copysign(std::min(settings_.wiggle_speed, std::abs(left) + 0.01), left), 0};
 }
 
 void ContactWiggle::NextMove(const DockInput& input) {

@@ -8,22 +8,13 @@
 
 #include <string>
 
-#include "robot_app/docking/dock_controller.h"
+#include "robot_app/docking/dock_types.h"
 
 namespace coppice::robot {
 
-struct WiggleSettings {
-  double way = 0.05;            ///< before and behind the place where it began [m]
-  double speed = 0.04;          ///< m/s
-  double longest_move = 4.0;    ///< s; the station holds the robot before it gets there
-  double wait = 4.0;            ///< for the current, after each move [s]
-  double farthest_start = 0.3;  ///< from the docked pose; else it is refused [m]
-};
-
 class ContactWiggle {
  public:
-  ContactWiggle(WiggleSettings settings, DockSettings station)
-      : settings_(settings), station_(station) {}
+  explicit ContactWiggle(DockSettings settings = {}) : settings_(settings) {}
 
   /// Starts anew. When the robot is not on the station this is told by failed after Update().
   void Start(const DockInput& input);
@@ -43,8 +34,7 @@ class ContactWiggle {
   Velocity2D Move(const DockInput& input);
   void NextMove(const DockInput& input);
 
-  WiggleSettings settings_;
-  DockSettings station_;
+  DockSettings settings_;
   State state_ = State::kIdle;
   std::string message_;
   Pose2D start_;

@@ -41,6 +41,8 @@ const char* ToString(Phase phase) {
       return "driving in";
     case Phase::kWaitForCurrent:
       return "waiting for the charging current";
+    case Phase::kPressOn:
+      return "pressing on";
     case Phase::kBackOut:
       return "backing out for another attempt";
     case Phase::kUndock:
@@ -127,6 +129,12 @@ void DockController::StartUndocking(const DockInput& input) {
   Enter(Phase::kUndock, input);
 }
 
+void DockController::StartPressingOn(const DockInput& input) {
+  *this = DockController(settings_);
+  Enter(Phase::kPressOn, input);
+  wiggle_.Start(input);
+}
+
 void DockController::Cancel() {
   phase_ = Phase::kIdle;
   message_ = "cancelled";
@@ -147,6 +155,8 @@ Velocity2D DockController::Update(const DockInput& input) {
       return Approach(input, seconds);
     case Phase::kWaitForCurrent:
       return WaitForCurrent(input);
+    case Phase::kPressOn:
+      return PressOn(input);
     case Phase::kBackOut:
     case Phase::kUndock:
       return BackOff(input, seconds);
@@ -285,8 +295,9 @@ Velocity2D DockController::WaitForCurrent(const DockInput& input) {
   if (!Charging(input)) {
     charging_since_ = -1;
     if (input.now - entered_ > settings_.charging_within) {
-      return AttemptFailed(input, input.battery_known ? "no charging current in the station"
-                                                      : "the battery does not report");
+      if (!input.battery_known) return AttemptFailed(input, "the battery does not report");
+      Enter(Phase::kPressOn, input);
+      wiggle_.Start(input);
     }
     return velocity_;
   }
@@ -294,6 +305,21 @@ Velocity2D DockController::WaitForCurrent(const DockInput& input) {
   if (input.now - charging_since_ < settings_.charging_for) return velocity_;
   phase_ = Phase::kDone;
   message_ = Print("docked and charging with %.1f A at attempt %d", input.current, attempt_);
+  return velocity_;
+}
+
+Velocity2D DockController::PressOn(const DockInput& input) {
+  velocity_ = wiggle_.Update(input);
+  if (wiggle_.active()) return velocity_;
+  velocity_ = {};
+  message_ = wiggle_.message();
+  if (wiggle_.succeeded()) {
+    phase_ = Phase::kDone;
+  } else if (attempt_ > 0) {
+    return AttemptFailed(input, message_);
+  } else {
+    phase_ = Phase::kFailed;
+  }
   return velocity_;
 }
 

@@ -3,52 +3,22 @@
 // Docking: turn to the staging pose and drive there, turn to the station, drive in slowly along the
 // station's axis by pure pursuit (R. C. Coulter: Implementation of the Pure Pursuit Path Tracking
 // Algorithm, CMU-RI-TR-92-01), stand, and watch the battery. Only a charging current that lasts is
-// success: standing in the station is not. Without it the robot backs out to the staging pose and
-// tries again, a little to one side and then to the other.
+// success: standing in the station is not. Without it the robot presses on and draws back a little
+// (contact_wiggle.h), then backs out to the staging pose and tries again, a little to one side and
+// then to the other.
 // Undocking: straight back, then see that the current has stopped.
 //
 // A deterministic state machine without a clock, a thread or ROS. All poses in the map frame.
 #ifndef COPPICE_ROBOT_APP_DOCKING_DOCK_CONTROLLER_H_
 #define COPPICE_ROBOT_APP_DOCKING_DOCK_CONTROLLER_H_
 
-#include <cmath>
 #include <cstdint>
 #include <string>
-#include <vector>
 
-#include "robot_app/navigation/pose2d.h"
+#include "robot_app/docking/contact_wiggle.h"
+#include "robot_app/docking/dock_types.h"
 
 namespace coppice::robot {
-
-struct DockSettings {
-  Pose2D docked{-2.40, 0, M_PI};   ///< base_link when docked
-  double staging_distance = 1.6;   ///< from there back to the staging pose [m]
-  double farthest_start = 1.5;     ///< from the staging pose; else docking is refused [m]
-  double approach_speed = 0.12;    ///< into the station [m/s]
-  double back_speed = 0.15;        ///< out of it [m/s]
-  double align_speed = 0.25;       ///< to the staging pose [m/s]
-  double turn_speed = 0.5;         ///< [rad/s]
-  double acceleration = 0.3;       ///< [m/s^2]
-  double turn_acceleration = 1.0;  ///< [rad/s^2]
-  double lookahead = 0.35;         ///< of the pursuit [m]
-  double charging_above = 0.5;     ///< a current into the battery counts from here on [A]
-  double charging_for = 3.0;       ///< and must last this long [s]
-  double charging_within = 10.0;   ///< beginning no later than this after contact [s]
-  int attempts = 3;
-  double retry_offset = 0.03;      ///< aside, from the second attempt on [m]
-  double phase_timeout = 40.0;     ///< no motion may take longer [s]
-  double obstacle_patience = 8.0;  ///< waits this long for an obstacle to go [s]
-  double robot_radius = 0.33;      ///< [m]
-};
-
-/// What the controller knows at one instant.
-struct DockInput {
-  double now = 0;                  ///< [s]
-  Pose2D pose;                     ///< base_link
-  double current = 0;              ///< of the battery, positive: charging [A]
-  bool battery_known = true;       ///< the reading is not too old
-  std::vector<Point2D> obstacles;  ///< laser points in base_link
-};
 
 class DockController {
  public:
@@ -59,6 +29,7 @@ class DockController {
     kTurnToStation,
     kApproach,
     kWaitForCurrent,
+    kPressOn,
     kBackOut,
     kUndock,
     kCheckCurrentGone,
@@ -66,13 +37,15 @@ class DockController {
     kFailed
   };
 
-  explicit DockController(DockSettings settings = {}) : settings_(settings) {}
+  explicit DockController(DockSettings settings = {}) : settings_(settings), wiggle_(settings) {}
 
   /// Start a manoeuvre, replacing the one before. What is wrong with the request is told by
   /// kFailed after the next Update(). `offset`: of the approach, positive to the left of the
   /// station's axis [m]. `attempts`: 0 = those of the settings.
   void StartDocking(const DockInput& input, double offset = 0, int attempts = 0);
   void StartUndocking(const DockInput& input);
+  /// Where the robot stands on the station without current; see contact_wiggle.h.
+  void StartPressingOn(const DockInput& input);
   void Cancel();
 
   /// The next command for base_link. To be called at 10 Hz or more while active().
@@ -94,6 +67,7 @@ class DockController {
   Velocity2D TurnToStation(const DockInput& input, double seconds);
   Velocity2D Approach(const DockInput& input, double seconds);
   Velocity2D WaitForCurrent(const DockInput& input);
+  Velocity2D PressOn(const DockInput& input);
   Velocity2D BackOff(const DockInput& input, double seconds);
   Velocity2D CheckCurrentGone(const DockInput& input);
   Velocity2D AttemptFailed(const DockInput& input, std::string why);
@@ -105,6 +79,7 @@ class DockController {
   double Offset() const;
 
   DockSettings settings_;
+  ContactWiggle wiggle_;
   Phase phase_ = Phase::kIdle;
   std::string message_;
   std::string why_failed_;  // the last attempt

@@ -10,7 +10,6 @@
 #include <string>
 #include <vector>
 
-#include "robot_app/docking/contact_wiggle.h"
 #include "robot_app/docking/dock_controller.h"
 #include "robot_app/navigation/ros_support.h"
 
@@ -77,7 +76,6 @@ class DockingNode {
   explicit DockingNode(const Settings& settings)
       : settings_(settings.dock),
         controller_(settings.dock),
-        wiggle_({}, settings.dock),
         pose_(settings.map_frame, settings.odom_frame, settings.base_frame),
         server_(node_, "docking", false) {
     command_ = node_.advertise<geometry_msgs::Twist>("/cmd_vel", 1);
@@ -150,7 +148,7 @@ class DockingNode {
     if (is_started_) return;
     is_started_ = true;
     if (goal_->press_on) {
-      wiggle_.Start(input);
+      controller_.StartPressingOn(input);
     } else if (goal_->dock) {
       controller_.StartDocking(input, goal_->lateral_offset, goal_->attempts);
     } else {
@@ -196,7 +194,6 @@ class DockingNode {
     if (!input) return StandStill(missing);
     blind_for_ = 0;
     Start(*input);
-    if (goal_->press_on) return PressOn(*input);
     command_.publish(ToTwist(controller_.Update(*input)));  // zero once it has ended
     if (!controller_.active()) {
       return Finish(controller_.phase() == DockController::Phase::kDone, controller_.message());
@@ -207,17 +204,8 @@ class DockingNode {
   }
 
   DockSettings settings_;
-  void PressOn(const DockInput& input) {
-    command_.publish(ToTwist(wiggle_.Update(input)));  // zero once it has ended
-    if (!wiggle_.active()) return Finish(wiggle_.succeeded(), wiggle_.message());
-    coppice_msgs::DockingFeedback feedback;
-    feedback.phase = "pressing on";
-    server_.publishFeedback(feedback);
-  }
-
   ros::NodeHandle node_;
   DockController controller_;
-  ContactWiggle wiggle_;
   RobotPose pose_;
   double current_ = 0;                   // [A]
   double battery_stamp_ = 0;             // [s]

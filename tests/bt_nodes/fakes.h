@@ -2,6 +2,7 @@
 #ifndef COPPICE_TESTS_BT_NODES_FAKES_H_
 #define COPPICE_TESTS_BT_NODES_FAKES_H_
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,13 @@ class FakeRobot : public Navigator,
  public:
   std::vector<std::string> calls;
   std::vector<RecoveryEvent> events;
+  std::map<std::string, Sender<ActionResult>> open_requests;  ///< for help, by subject
+
+  /// A person answers the request.
+  void AnswerRequest(const std::string& subject, bool fixed) {
+    open_requests.at(subject).Send({fixed, fixed ? "" : "nobody could"});
+    open_requests.erase(subject);
+  }
   Sender<ActionResult> done;  ///< of the last action
 
   void NavigateTo(const Pose2D& goal, Sender<ActionResult> sender) override {
@@ -67,8 +75,12 @@ class FakeRobot : public Navigator,
   void Ask(const std::string& subject, const std::string& question,
            Sender<ActionResult> sender) override {
     Begin("Ask " + subject + ": " + question, sender);
+    open_requests[subject] = sender;
   }
-  void Withdraw(const std::string& subject) override { calls.push_back("Withdraw " + subject); }
+  void Withdraw(const std::string& subject) override {
+    calls.push_back("Withdraw " + subject);
+    open_requests.erase(subject);
+  }
   void Tell(const std::string& subject, const std::string& message) override {
     calls.push_back("Tell " + subject + ": " + message);
   }

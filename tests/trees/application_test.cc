@@ -18,7 +18,9 @@ class Application : public testing::Test {
   // nothing happens.
   void Until(const std::string& call) {
     scenario_.Tick();
-    for (int i = 0; i < 50 && scenario_.LastCall() != call; ++i) scenario_.Answer(true);
+    for (int i = 0; i < 50 && scenario_.LastCall() != call; ++i) {
+      scenario_.Answer(scenario_.LastCall() != "PressOn");  // not on the station yet
+    }
     ASSERT_EQ(scenario_.LastCall(), call);
   }
   TreeScenario scenario_{"application/patrol.xml"};
@@ -35,7 +37,7 @@ TEST_F(Application, LeavesTheStationWhenItStandsOnIt) {
 }
 
 TEST_F(Application, GoesHomeAfterTheLastRound) {
-  Until("Dock");
+  Until("Dock 0 1");
   EXPECT_EQ(scenario_.Answer(true), Status::kSuccess);
   EXPECT_EQ(scenario_.CallsOf("Say All quiet here."), 2);
 }
@@ -50,12 +52,86 @@ TEST_F(Application, BreaksOffThePatrolWhenTheBatteryIsLow) {
 
 TEST_F(Application, StaysOnTheStationUntilTheBatteryIsFull) {
   scenario_.Set("battery_level", 0.2);
-  Until("Dock");
+  Until("Dock 0 1");
   scenario_.Set("charging", true);
   scenario_.Answer(true);
   scenario_.Set("battery_level", 0.5);
   EXPECT_EQ(scenario_.Tick(), Status::kRunning);
   EXPECT_EQ(scenario_.LastCall(), "SetExpression SLEEP");
+}
+
+TEST_F(Application, GoesOnPatrollingWhenTheBatteryIsFull) {
+  scenario_.Set("battery_level", 0.2);
+  Until("Dock 0 1");
+  scenario_.Set("charging", true);
+  scenario_.Answer(true);
+  scenario_.Set("battery_level", 0.96);
+  EXPECT_EQ(scenario_.Tick(), Status::kRunning);
+  EXPECT_EQ(scenario_.LastCall(), "Say Good morning.");
+}
+
+TEST_F(Application, ObeysTheBatteryWatchdogAndSaysSo) {
+  scenario_.Tick();
+  scenario_.Set("charge_requested", true);
+  scenario_.Tick();
+  EXPECT_EQ(scenario_.CallsOf("CancelNavigation"), 1);
+  EXPECT_EQ(scenario_.CallsOf("SetGoingHome true"), 1);
+  EXPECT_TRUE(scenario_.Runs("recharge_when_low"));
+}
+
+// The fault of 4 March: a docking that failed ended everything.
+TEST_F(Application, IsNotEndedByADockingThatFails) {
+  scenario_.Set("battery_level", 0.2);
+  Until("Dock 0 1");
+  for (int i = 0; i < 6; ++i) EXPECT_EQ(scenario_.Answer(false), Status::kRunning);
+  EXPECT_EQ(scenario_.CallsBeginning("Ask docking"), 1);
+  scenario_.robot.AnswerRequest("docking", false);
+  scenario_.Tick();
+  scenario_.Advance(30);
+  EXPECT_EQ(scenario_.Tick(), Status::kRunning);
+  EXPECT_EQ(scenario_.LastCall(), "PressOn") << "and begins anew";
+}
+
+// The fault of 12 March: docked, but not charging.
+TEST_F(Application, PressesOnWhenTheCurrentStopsBeforeTheBatteryIsFull) {
+  scenario_.Set("battery_level", 0.2);
+  Until("Dock 0 1");
+  scenario_.Set("charging", true);
+  scenario_.Answer(true);
+  scenario_.Set("charging", false);
+  EXPECT_EQ(scenario_.Tick(), Status::kRunning);
+  EXPECT_EQ(scenario_.LastCall(), "PressOn");
+}
+
+TEST_F(Application, LeavesOutAPlaceThatCannotBeReached) {
+  Status status = scenario_.Tick();
+  for (int i = 0; i < 400 && scenario_.CallsOf("NavigateTo 46;0;1") < 81; ++i) {
+    ASSERT_EQ(status, Status::kRunning);
+    scenario_.Answer(false);
+    scenario_.Advance(5);
+    status = scenario_.Tick();
+  }
+  EXPECT_EQ(scenario_.CallsBeginning("Say All quiet"), 0);
+  EXPECT_EQ(scenario_.CallsOf("SetGoingHome true"), 1) << "two places left out, then home";
+}
+
+TEST(LeaveStation, IsNotEndedByAnUndockingThatFails) {
+  TreeScenario scenario("behavior/leave_station.xml");
+  scenario.Set("charging", true);
+  scenario.Tick();
+  scenario.Answer(true);
+  for (int i = 0; i < 3; ++i) {
+    ASSERT_EQ(scenario.LastCall(), "Undock");
+    scenario.Answer(false);
+    scenario.Advance(5);
+    EXPECT_EQ(scenario.Tick(), Status::kRunning);
+  }
+  EXPECT_EQ(scenario.CallsBeginning("Ask undocking"), 1);
+  scenario.robot.AnswerRequest("undocking", true);
+  scenario.Tick();
+  scenario.Tick();
+  EXPECT_EQ(scenario.LastCall(), "Undock");
+  EXPECT_EQ(scenario.Answer(true), Status::kSuccess);
 }
 
 TEST(DriveTo, TriesAgainAfterAPause) {

@@ -6,22 +6,44 @@
 namespace coppice {
 namespace {
 
+using Names = std::vector<std::string>;
+
 class MonitorTree : public testing::Test {
  protected:
   MonitorTree() {
     scenario_.Set("charging", false);
     scenario_.Set("configuration", std::string("operating"));
+    scenario_.Set("going_home", false);
+    scenario_.Tick();  // says once that no charging is needed
+    scenario_.robot.calls.clear();
   }
+
+  // Reports and ticks every half second.
+  void Live(double seconds, const std::vector<std::pair<std::string, std::string>>& errors) {
+    for (; seconds > 0; seconds -= 0.5) {
+      scenario_.Advance(0.5);
+      scenario_.Report(errors);
+      scenario_.Tick();
+    }
+  }
+  void Report(const std::vector<std::pair<std::string, std::string>>& errors) {
+    scenario_.Report(errors);
+    scenario_.Tick();
+  }
+
   TreeScenario scenario_{"monitor/monitor.xml"};
+  FakeRobot& robot_ = scenario_.robot;
 };
 
 // Stuede et al. 2021: "The composition of the tree defines the priority of error handling."
 TEST_F(MonitorTree, HasTheStructureOfThePaper) {
-  using Names = std::vector<std::string>;
-  EXPECT_EQ(scenario_.ChildrenOf("monitor"),
-            (Names{"check_and_set_configuration", "process_monitors", "handle_errors"}));
+  EXPECT_EQ(
+      scenario_.ChildrenOf("monitor"),
+      (Names{"check_and_set_configuration", "battery_watchdog", "never_fails", "settle_requests"}));
+  EXPECT_EQ(scenario_.ChildrenOf("errors"), (Names{"process_monitors", "handle_errors"}));
   EXPECT_EQ(scenario_.ChildrenOf("handle_errors"),
-            (Names{"node_or_topic", "navigation", "localization", "all_well"}));
+            (Names{"emergency_stop", "node_or_topic", "navigation", "localization", "charging",
+                   "others"}));
   EXPECT_EQ(scenario_.ChildrenOf("node_or_topic"), (Names{"node_or_topic_error", "restart_node"}));
   EXPECT_EQ(scenario_.ChildrenOf("node_or_topic_error"), (Names{"node_error", "topic_error"}));
   EXPECT_EQ(scenario_.ChildrenOf("navigation"), (Names{"navigation_error", "recover_navigation"}));
@@ -30,89 +52,200 @@ TEST_F(MonitorTree, HasTheStructureOfThePaper) {
 }
 
 TEST_F(MonitorTree, DoesNothingWhenAllIsWell) {
-  scenario_.Report();
+  Report({});
   EXPECT_EQ(scenario_.Tick(), Status::kSuccess);
-  EXPECT_TRUE(scenario_.robot.calls.empty());
+  EXPECT_EQ(robot_.calls, Names{});
 }
 
 TEST_F(MonitorTree, RestartsANodeThatDoesNotAnswer) {
-  scenario_.Report({{"node", "/navigation"}});
-  EXPECT_EQ(scenario_.Tick(), Status::kRunning);
+  Report({{"node", "/navigation"}});
+  EXPECT_TRUE(scenario_.Runs("restart_node"));
   EXPECT_EQ(scenario_.LastCall(), "RestartNode /navigation");
 }
 
 TEST_F(MonitorTree, RestartsTheNodeThatPublishesASilentTopic) {
-  scenario_.Report({{"topic", "/simulator"}});
-  scenario_.Tick();
+  Report({{"topic", "/simulator"}});
   EXPECT_EQ(scenario_.LastCall(), "RestartNode /simulator");
 }
 
 TEST_F(MonitorTree, IsDoneWithANodeWhenNobodyBlamesItAnyMore) {
-  scenario_.Report({{"node", "/navigation"}});
-  scenario_.Tick();
-  EXPECT_EQ(scenario_.Answer(true), Status::kRunning);
-  scenario_.Report();
-  EXPECT_EQ(scenario_.Tick(), Status::kSuccess);
+  Report({{"node", "/navigation"}});
+  scenario_.Answer(true);
+  EXPECT_TRUE(scenario_.Runs("restart_node"));
+  Report({});
+  EXPECT_FALSE(scenario_.Runs("restart_node"));
   EXPECT_EQ(scenario_.CallsOf("RestartNode /navigation"), 1);
+  ASSERT_EQ(robot_.events.size(), 2u);
+  EXPECT_EQ(robot_.events.back().phase, RecoveryPhase::kSucceeded);
+  EXPECT_EQ(robot_.events.back().subject, "/navigation");
 }
 
-TEST_F(MonitorTree, AsksAPersonWhenTheRestartIsRefused) {
-  scenario_.Report({{"node", "/navigation"}});
-  scenario_.Tick();
+TEST_F(MonitorTree, RestartsSeveralFaultyNodesAtOnce) {
+  Report({{"node", "/a"}, {"node", "/b"}, {"topic", "/c"}});
+  scenario_.Answer(true);
+  scenario_.Answer(true);
+  scenario_.Answer(true);
+  EXPECT_EQ(robot_.calls, (Names{"RestartNode /a", "RestartNode /b", "RestartNode /c"}));
+}
+
+TEST_F(MonitorTree, ANodeThatWaitsForAPersonHidesNoOtherDeadNode) {
+  Report({{"node", "/a"}});
   scenario_.Answer(false);
-  EXPECT_EQ(scenario_.LastCall().rfind("Ask ", 0), 0u);
+  EXPECT_EQ(scenario_.CallsBeginning("Ask nodes: "), 1);
+  Live(5, {{"node", "/a"}, {"node", "/b"}});
+  EXPECT_EQ(scenario_.LastCall(), "RestartNode /b");
+  EXPECT_EQ(robot_.open_requests.count("nodes"), 1u) << "the request stays open meanwhile";
 }
 
-TEST_F(MonitorTree, GivesADeadNodePriorityOverARunningRecoveryOfTheNavigation) {
-  scenario_.Report({{"navigation", "path"}});
-  scenario_.Tick();
-  ASSERT_EQ(scenario_.StatusOf("wait_and_retry"), Status::kRunning);
-  scenario_.Report({{"navigation", "path"}, {"node", "/docking"}});
-  scenario_.Tick();
+TEST_F(MonitorTree, ANodeThatWaitsForAPersonHidesNoFaultOfTheNavigation) {
+  Report({{"node", "/a"}});
+  scenario_.Answer(false);
+  Live(2, {{"node", "/a"}, {"navigation", "path"}});
+  EXPECT_TRUE(scenario_.Runs("wait_and_retry"));
+  EXPECT_EQ(robot_.open_requests.count("nodes"), 1u);
+}
+
+TEST_F(MonitorTree, NamesAllNodesThatNeedAPersonInOneRequest) {
+  Report({{"node", "/a"}, {"node", "/b"}});
+  scenario_.Answer(false);
+  scenario_.Answer(false);
+  EXPECT_NE(scenario_.LastCall().find("/a, /b"), std::string::npos) << scenario_.LastCall();
+}
+
+TEST_F(MonitorTree, RestartsANodeAgainThatDoesNotComeUp) {
+  Report({{"node", "/a"}});
+  scenario_.Answer(true);
+  Live(61, {{"node", "/a"}});
+  EXPECT_EQ(scenario_.CallsOf("RestartNode /a"), 2);
+}
+
+TEST_F(MonitorTree, GivesADeadNodePriorityOverARunningRecoveryInTheSameTick) {
+  Report({{"navigation", "path"}});
+  ASSERT_TRUE(scenario_.Runs("wait_and_retry"));
+  Report({{"navigation", "path"}, {"node", "/docking"}});
   EXPECT_EQ(scenario_.LastCall(), "RestartNode /docking");
   EXPECT_EQ(scenario_.StatusOf("wait_and_retry"), Status::kIdle);
+  EXPECT_EQ(robot_.events.front().phase, RecoveryPhase::kBegun);
+  EXPECT_EQ(robot_.events[1].phase, RecoveryPhase::kInterrupted);
 }
 
-TEST_F(MonitorTree, WithdrawsAQuestionThatSettlesItselfBehindAMoreUrgentFault) {
-  scenario_.Report({{"navigation", "path"}});
-  scenario_.Tick();
-  scenario_.Advance(20);
-  scenario_.Report({{"navigation", "path"}});
-  scenario_.Tick();
-  scenario_.Answer(true);
-  scenario_.Advance(20);
-  scenario_.Report({{"navigation", "path"}});
-  scenario_.Tick();
-  ASSERT_EQ(scenario_.LastCall().rfind("Ask ", 0), 0u);
-  scenario_.Report({{"navigation", "path"}, {"node", "/docking"}});
-  scenario_.Tick();
+TEST_F(MonitorTree, GivesTheNavigationPriorityOverTheLocalization) {
+  Report({{"localization", "/localization"}});
+  ASSERT_EQ(scenario_.LastCall(), "Rotate 6.2832 0.4");
+  Report({{"localization", "/localization"}, {"navigation", "path"}});
+  EXPECT_EQ(scenario_.LastCall(), "CancelMotion");
+  EXPECT_TRUE(scenario_.Runs("wait_and_retry"));
+}
+
+TEST_F(MonitorTree, ARequestForHelpHidesNoLesserFault) {
+  Live(50, {{"navigation", "path"}});
+  robot_.done.Send({false, "blocked"});
+  Live(1, {{"navigation", "path"}});
+  ASSERT_EQ(robot_.open_requests.count("navigation"), 1u);
+  Live(10, {{"navigation", "path"}, {"localization", "/localization"}, {"cpu", "host"}});
+  EXPECT_EQ(scenario_.CallsOf("Rotate 6.2832 0.4"), 1);
+  robot_.done.Send({true, ""});
+  EXPECT_EQ(scenario_.CallsBeginning("Ask navigation"), 1) << "asked once";
+}
+
+TEST_F(MonitorTree, WithdrawsARequestWhenItsFaultHasGone) {
+  Live(25, {{"navigation", "path"}});
+  robot_.done.Send({false, "blocked"});
+  Live(1, {{"navigation", "path"}});
+  ASSERT_EQ(robot_.open_requests.count("navigation"), 1u);
+  Live(2, {});
+  EXPECT_EQ(scenario_.LastCall(), "Withdraw navigation");
+}
+
+TEST_F(MonitorTree, KeepsARequestOpenBehindAMoreUrgentFault) {
+  Live(25, {{"navigation", "path"}});
+  robot_.done.Send({false, "blocked"});
+  Live(1, {{"navigation", "path"}});
+  Live(20, {{"navigation", "path"}, {"node", "/docking"}});
+  EXPECT_EQ(scenario_.CallsOf("Withdraw navigation"), 0);
+  Live(2, {{"node", "/docking"}});
   EXPECT_EQ(scenario_.CallsOf("Withdraw navigation"), 1);
 }
 
+TEST_F(MonitorTree, TellsOfWhatItCannotRepairOnceAndWhenItHasGone) {
+  Live(60, {{"cpu", "host"}, {"clock", "base"}});
+  EXPECT_EQ(robot_.calls, (Names{"Tell cpu host: broken", "Tell clock base: broken"}));
+  Live(40, {});
+  EXPECT_EQ(scenario_.CallsOf("Tell cpu host: has gone"), 1);
+  EXPECT_EQ(scenario_.CallsOf("Tell clock base: has gone"), 1);
+}
+
+TEST_F(MonitorTree, TellsOfMonitorsThatItDoesNotKnow) {
+  Live(10, {{"humidity", "kitchen"}});
+  EXPECT_EQ(robot_.calls, Names{"Tell humidity kitchen: broken"});
+}
+
+TEST_F(MonitorTree, AsksToReleaseTheEmergencyStopAndMovesNothingMeanwhile) {
+  Live(60, {{"emergency_stop", "button"}, {"navigation", "path"}, {"localization", "/l"}});
+  EXPECT_EQ(scenario_.CallsBeginning("Ask emergency stop"), 1);
+  EXPECT_EQ(scenario_.CallsBeginning("Move"), 0);
+  EXPECT_EQ(scenario_.CallsBeginning("Rotate"), 0);
+  Live(1, {{"emergency_stop", "button"}, {"node", "/a"}});
+  EXPECT_EQ(scenario_.LastCall(), "RestartNode /a");
+}
+
+TEST_F(MonitorTree, AsksAboutChargingOnlyWhenTheFaultLasts) {
+  Live(290, {{"charging", "current"}});
+  EXPECT_EQ(scenario_.CallsBeginning("Ask"), 0);
+  Live(20, {{"charging", "current"}});
+  EXPECT_EQ(scenario_.CallsBeginning("Ask charging"), 1);
+}
+
 TEST_F(MonitorTree, RepairsNothingWithoutReports) {
-  EXPECT_EQ(scenario_.Tick(), Status::kFailure);
-  EXPECT_TRUE(scenario_.robot.calls.empty());
+  EXPECT_EQ(scenario_.Tick(), Status::kSuccess);
+  EXPECT_EQ(robot_.calls, Names{});
 }
 
 TEST_F(MonitorTree, RepairsNothingOnOldReports) {
   scenario_.Report({{"node", "/navigation"}});
   scenario_.Advance(60);
-  EXPECT_EQ(scenario_.Tick(), Status::kFailure);
-  EXPECT_TRUE(scenario_.robot.calls.empty());
+  scenario_.Tick();
+  EXPECT_EQ(scenario_.CallsBeginning("RestartNode"), 0);
 }
 
-TEST_F(MonitorTree, SwitchesToChargingWhenCurrentFlows) {
+TEST_F(MonitorTree, RevivesTheAggregatorWhenReportsStopAndAsksAtLast) {
+  Report({});
+  const auto silence = [&](double seconds) {
+    for (; seconds > 0; --seconds) {
+      scenario_.Advance(1);
+      scenario_.Tick();
+    }
+  };
+  for (int i = 0; i < 3; ++i) {
+    silence(35);
+    ASSERT_EQ(scenario_.CallsOf("RestartNode /health_aggregator"), i + 1);
+    scenario_.Answer(true);
+  }
+  silence(35);
+  EXPECT_EQ(scenario_.CallsBeginning("Ask monitoring"), 1);
+  Report({});
+  EXPECT_EQ(scenario_.CallsOf("Withdraw monitoring"), 1);
+}
+
+TEST_F(MonitorTree, SwitchesToChargingOnlyWhenTheCurrentHasLasted) {
   scenario_.Set("charging", true);
-  scenario_.Report();
-  scenario_.Tick();
+  Live(59, {});
+  EXPECT_EQ(scenario_.CallsBeginning("SetConfiguration"), 0);
+  Live(3, {});
   EXPECT_EQ(scenario_.LastCall(), "SetConfiguration charging");
 }
 
 TEST_F(MonitorTree, SwitchesBackToOperatingWhenCurrentStops) {
   scenario_.Set("configuration", std::string("charging"));
-  scenario_.Report();
-  scenario_.Tick();
-  EXPECT_EQ(scenario_.LastCall(), "SetConfiguration operating");
+  Live(4, {});
+  EXPECT_EQ(scenario_.CallsBeginning("SetConfiguration operating"), 1);
+}
+
+TEST_F(MonitorTree, LeavesAConfigurationAloneThatWasSetByHand) {
+  scenario_.Set("configuration", std::string("mapping"));
+  scenario_.Set("manual", true);
+  Live(60, {});
+  EXPECT_EQ(scenario_.CallsBeginning("SetConfiguration"), 0);
 }
 
 TEST(MonitorTreeWithoutBattery, KeepsTheConfigurationAndWatchesTheRest) {
@@ -120,15 +253,8 @@ TEST(MonitorTreeWithoutBattery, KeepsTheConfigurationAndWatchesTheRest) {
   scenario.Set("configuration", std::string("charging"));
   scenario.Report({{"node", "/docking"}});
   scenario.Tick();
-  EXPECT_EQ(scenario.robot.calls, std::vector<std::string>{"RestartNode /docking"});
-}
-
-TEST_F(MonitorTree, ChecksTheConfigurationBeforeTheMonitors) {
-  scenario_.Set("configuration", std::string("charging"));
-  scenario_.Report({{"node", "/navigation"}});
-  scenario_.Tick();
-  EXPECT_EQ(scenario_.robot.calls,
-            (std::vector<std::string>{"SetConfiguration operating", "RestartNode /navigation"}));
+  EXPECT_EQ(scenario.CallsBeginning("SetConfiguration"), 0);
+  EXPECT_EQ(scenario.LastCall(), "RestartNode /docking");
 }
 
 }  // namespace

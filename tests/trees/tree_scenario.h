@@ -7,6 +7,7 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "bt_core/engine/executor.h"
@@ -47,6 +48,8 @@ class TreeScenario {
   }
 
   Status Tick() { return executor_->Tick(); }
+  void Halt() { executor_->Halt(); }
+  Time now() const { return clock_.Now(); }
   void Advance(double seconds) {
     clock_.Advance(std::chrono::duration_cast<Duration>(std::chrono::duration<double>(seconds)));
   }
@@ -57,20 +60,15 @@ class TreeScenario {
   }
 
   /// Status of the node with that name; throws if there is none.
-  Status StatusOf(const std::string& name) const {
-    for (NodeIndex node = 0; node < program_->nodes.size(); ++node) {
-      if (program_->Name(node) == name) return executor_->status(node);
-    }
-    throw std::invalid_argument("no node \"" + name + "\"");
-  }
+  Status StatusOf(const std::string& name) const { return executor_->status(IndexOf(name)); }
+  bool Runs(const std::string& name) const { return StatusOf(name) == Status::kRunning; }
 
   /// Names of the children of the node with that name, in order.
   std::vector<std::string> ChildrenOf(const std::string& name) const {
     std::vector<std::string> children;
+    const NodeIndex parent = IndexOf(name);
     for (NodeIndex node = 1; node < program_->nodes.size(); ++node) {
-      if (program_->Name(program_->info[node].parent) == name) {
-        children.push_back(program_->Name(node));
-      }
+      if (program_->info[node].parent == parent) children.push_back(program_->Name(node));
     }
     return children;
   }
@@ -79,8 +77,22 @@ class TreeScenario {
   long CallsOf(const std::string& call) const {
     return std::count(robot.calls.begin(), robot.calls.end(), call);
   }
+  /// Number of calls that begin with the text.
+  long CallsBeginning(const std::string& text) const {
+    return std::count_if(robot.calls.begin(), robot.calls.end(),
+                         [&](const std::string& call) { return call.rfind(text, 0) == 0; });
+  }
+
+  const Executor& executor() const { return *executor_; }
 
  private:
+  NodeIndex IndexOf(const std::string& name) const {
+    for (NodeIndex node = 0; node < program_->nodes.size(); ++node) {
+      if (program_->Name(node) == name) return node;
+    }
+    throw std::invalid_argument("no node \"" + name + "\"");
+  }
+
   std::shared_ptr<const Program> program_;
   SimulatedClock clock_{std::chrono::seconds(1000)};
   std::unique_ptr<Executor> executor_;

@@ -67,13 +67,18 @@ TEST(LocalizationFault, LooksAtTheLocalization) {
   EXPECT_EQ(harness.Tick(), Status::kSuccess);
 }
 
-TEST(WaitUntilHealthy, RunsWhileTheNodeIsBlamed) {
-  LeafHarness harness = LeafHarness::For<WaitUntilHealthy>();
-  harness.Set("node", std::string("/navigation"));
-  harness.Set("health", OneError("topic"));
-  EXPECT_EQ(harness.Tick(), Status::kRunning);
-  harness.Set("health", Health());
-  EXPECT_EQ(harness.Tick(), Status::kSuccess);
+TEST(FaultConditions, AskForTheirOwnKindOfMonitor) {
+  Health health;
+  health.entries = {{"docking", "station", "", HealthLevel::kError, "missed"}};
+  LeafHarness docking = LeafHarness::For<DockingFault>();
+  docking.Set("health", health);
+  EXPECT_EQ(docking.Tick(), Status::kSuccess);
+  LeafHarness charging = LeafHarness::For<ChargingFault>();
+  charging.Set("health", health);
+  EXPECT_EQ(charging.Tick(), Status::kFailure);
+  LeafHarness stop = LeafHarness::For<EmergencyStopFault>();
+  stop.Set("health", health);
+  EXPECT_EQ(stop.Tick(), Status::kFailure);
 }
 
 }  // namespace

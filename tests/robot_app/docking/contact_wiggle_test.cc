@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace coppice::robot {
 namespace {
 
@@ -24,7 +27,7 @@ class ContactWiggleTest : public testing::Test {
   }
 
   DockSettings station_;
-  ContactWiggle wiggle_{{}, station_};
+  ContactWiggle wiggle_{station_};
   DockInput input_{0, station_.docked, -6, true, {}};
   double wall_ = 1;         // the station ends so far behind the docked pose [m]
   double dead_until_ = -1;  // no current before that time

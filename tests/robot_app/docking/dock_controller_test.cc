@@ -93,17 +93,55 @@ TEST_F(DockControllerTest, StandingInTheStationWithoutCurrentIsNoSuccess) {
   EXPECT_EQ(controller_.phase(), Phase::kFailed);
   EXPECT_THAT(controller_.message(), HasSubstr("3 attempts failed"));
   EXPECT_THAT(controller_.message(), HasSubstr("no charging current"));
-  EXPECT_EQ(contacts_, 3);
+  EXPECT_EQ(contacts_, 6) << "each attempt draws back and presses on once";
   EXPECT_LT(Distance(input_.pose, controller_.staging()), 0.1) << "out of the station's way";
 }
 
 TEST_F(DockControllerTest, TriesAgainALittleAside) {
-  current_from_contact_ = 2;
+  current_from_contact_ = 3;
   Dock({-0.8, 0, M_PI});
   EXPECT_EQ(controller_.phase(), Phase::kDone) << controller_.message();
   EXPECT_EQ(controller_.attempt(), 2);
   EXPECT_NEAR(aside_, settings_.retry_offset, 0.015);
   EXPECT_EQ(std::count(phases_.begin(), phases_.end(), Phase::kBackOut), 1);
+}
+
+TEST_F(DockControllerTest, PressesOnBeforeItBacksOut) {
+  current_from_contact_ = 2;
+  Dock({-0.8, 0, M_PI});
+  EXPECT_EQ(controller_.phase(), Phase::kDone) << controller_.message();
+  EXPECT_EQ(controller_.attempt(), 1);
+  EXPECT_EQ(std::count(phases_.begin(), phases_.end(), Phase::kPressOn), 1);
+  EXPECT_EQ(std::count(phases_.begin(), phases_.end(), Phase::kBackOut), 0);
+}
+
+TEST_F(DockControllerTest, DrivesInAsFarAsideAsItIsTold) {
+  input_.pose = {-0.8, 0, M_PI};
+  current_from_contact_ = 100;
+  controller_.StartDocking(input_, -0.08, 1);
+  Run();
+  EXPECT_EQ(controller_.phase(), Phase::kFailed);
+  EXPECT_NEAR(aside_, -0.08, 0.02);
+  EXPECT_THAT(controller_.message(), HasSubstr("1 attempts failed"));
+}
+
+TEST_F(DockControllerTest, PressesOnAloneAndStaysOnTheStation) {
+  input_.pose = settings_.docked;
+  contacts_ = 1;
+  was_contact_ = true;
+  current_from_contact_ = 2;
+  controller_.StartPressingOn(input_);
+  Run();
+  EXPECT_EQ(controller_.phase(), Phase::kDone) << controller_.message();
+  EXPECT_LT(Distance(input_.pose, settings_.docked), 0.06);
+}
+
+TEST_F(DockControllerTest, DoesNotPressOnAwayFromTheStation) {
+  input_.pose = {-0.8, 0, M_PI};
+  controller_.StartPressingOn(input_);
+  Run();
+  EXPECT_EQ(controller_.phase(), Phase::kFailed);
+  EXPECT_THAT(controller_.message(), HasSubstr("does not stand on the station"));
 }
 
 TEST_F(DockControllerTest, ACurrentThatDoesNotLastIsNoSuccess) {

@@ -64,6 +64,22 @@ TEST_F(DockingInWorld, UndocksAndDocksAgain) {
   EXPECT_TRUE(world_->docked());
 }
 
+TEST_F(DockingInWorld, FindsAStationThatHasMovedByTryingFromAside) {
+  for (const double moved : {0.06, -0.06}) {
+    Place(floor_.staging);
+    ASSERT_TRUE(world_->SetStationOffset(moved).ok);
+    bool charging = false;
+    for (const double offset : {0.0, 0.04, -0.04, 0.08, -0.08}) {
+      if (charging) break;
+      controller_.StartDocking(Input(), offset, 1);
+      Run();
+      charging = controller_.phase() == Phase::kDone;
+    }
+    EXPECT_TRUE(charging) << moved << ": " << controller_.message();
+    EXPECT_TRUE(world_->docked());
+  }
+}
+
 TEST_F(DockingInWorld, ABoxBeforeTheStationFailsWithoutATouch) {
   Place(floor_.staging);
   ASSERT_TRUE(world_->SetPlaceBlocked("dock_front", true).ok);
