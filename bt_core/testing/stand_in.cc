@@ -12,24 +12,35 @@
 #include "bt_core/engine/keys.h"
 #include "bt_core/engine/type_names.h"
 #include "bt_core/nodes/leaf.h"
+#include "bt_core/nodes/user_control.h"
 
 namespace coppice {
 namespace {
 
 using Ports = std::vector<PortDeclaration>;
 
+struct Port final : PortBase {
+  explicit Port(const PortDeclaration& declaration) : PortBase(declaration) {}
+};
+
 class StandIn : public Leaf {
  public:
   static constexpr const char* kDescription = "";
-  explicit StandIn(const Ports& ports) {
-    for (const PortDeclaration& port : ports) ports_.emplace_back(port);
-  }
+  explicit StandIn(const Ports& ports) : ports_(ports.begin(), ports.end()) {}
   Status Tick(bool) override { throw std::logic_error("only the robot's program has this leaf"); }
 
  private:
-  struct Port final : PortBase {
-    explicit Port(const PortDeclaration& declaration) : PortBase(declaration) {}
-  };
+  std::deque<Port> ports_;
+};
+
+// It looks on: what it does beside ticking its child only the robot's program knows.
+class StandInDecorator final : public UserDecorator {
+ public:
+  static constexpr const char* kDescription = "";
+  explicit StandInDecorator(const Ports& ports) : ports_(ports.begin(), ports.end()) {}
+  Status Tick(Children& child, bool) override { return child.Tick(0); }
+
+ private:
   std::deque<Port> ports_;
 };
 
@@ -45,7 +56,7 @@ class StandInCondition final : public StandIn {
   using StandIn::StandIn;
 };
 
-// What a project shows of the leaves that are not built in.
+// What a project shows of the leaves and decorators that are not built in.
 class Leaves {
  public:
   explicit Leaves(const Project& project) : project_(project) {
@@ -62,7 +73,9 @@ class Leaves {
   void RegisterAll(Registry& registry) const {
     for (const auto& [id, leaf] : leaves_) {
       try {
-        if (leaf.is_condition) {
+        if (leaf.is_decorator) {
+          registry.Register<StandInDecorator>(id, leaf.ports);
+        } else if (leaf.is_condition) {
           registry.Register<StandInCondition>(id, leaf.ports);
         } else {
           registry.Register<StandInAction>(id, leaf.ports);
@@ -76,15 +89,17 @@ class Leaves {
  private:
   struct Seen {
     bool is_condition = false;
+    bool is_decorator = false;
     Ports ports;
   };
 
   void Add(const Document& document, const Element& element) {
     const std::string id(IdOf(document, element));
-    if (id.empty() || element.child_count > 0 || built_in_.Find(id)) return;
+    if (id.empty() || element.child_count > 1 || built_in_.Find(id)) return;
     const auto model = project_.models().find(id);
     const auto [at, is_new] = leaves_.try_emplace(id);
     Seen& leaf = at->second;
+    leaf.is_decorator = element.child_count == 1;
     if (model == project_.models().end()) {
       leaf.is_condition = element.tag == "Condition";
       AddAttributes(document, element, leaf.ports);

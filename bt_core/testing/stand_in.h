@@ -1,6 +1,6 @@
-// Stand-ins for the leaves that only a robot's program knows: they have the ports that the tree
-// gives them, so keys are there and can be set and seen, but they can do nothing. Scripts play
-// them.
+// Stand-ins for the leaves and decorators that only a robot's program knows: they have the ports
+// that the tree gives them, so keys are there and can be set and seen, but leaves can do nothing:
+// scripts play them. A decorator returns what its child returns.
 //
 //   auto registry = ScenarioRegistry(*project);
 //   auto program = Compile(project, registry, diagnostics);
@@ -14,11 +14,11 @@
 
 namespace coppice {
 
-/// The built-in nodes, and a stand-in for every other leaf of the project. Its ports are those of
+/// The built-in nodes, and a stand-in for every other leaf or decorator of the project. Its ports are those of
 /// its model, or without a model the attributes that it has anywhere in the project, of any type.
 std::shared_ptr<const Registry> ScenarioRegistry(const Project& project);
 
-/// True for the type of a stand-in.
+/// True for the type of a leaf's stand-in.
 bool IsStandIn(const Registry::Entry& entry);
 
 }  // namespace coppice

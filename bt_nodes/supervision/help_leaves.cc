@@ -3,6 +3,10 @@
 namespace coppice {
 namespace {
 
+// What was not asked for so long is another occasion: that nobody could help last time says
+// nothing.
+constexpr Duration kAnotherFault = std::chrono::seconds(60);
+
 Duration Seconds(double seconds) {
   return std::chrono::duration_cast<Duration>(std::chrono::duration<double>(seconds));
 }
@@ -14,7 +18,9 @@ Status RequestHelp::Run() {
   // Else it is the answer to a request that has been withdrawn, or to another one.
   const bool is_ours = asked_about_ == *subject && requests_->IsOpen(asked_about_);
   if (answer && is_ours) return TakeAnswer(*answer);
-  if (now() < rest_until_) {
+  const bool is_another_fault = now() - last_run_ > kAnotherFault;
+  last_run_ = now();
+  if (now() < rest_until_ && !is_another_fault) {
     WakeAt(rest_until_);
     return Status::kFailure;
   }

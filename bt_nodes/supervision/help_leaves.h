@@ -35,6 +35,7 @@ class RequestHelp : public SyncAction {
   Mailbox<ActionResult> answer_{this, "answer"};
   std::string asked_about_;
   Time rest_until_{0};  // nobody could help: not asked before
+  Time last_run_{0};
 };
 
 /// To be ticked in every tick, behind everything that requests help.

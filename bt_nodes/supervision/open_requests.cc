@@ -15,7 +15,7 @@ bool OpenRequests::IsOpen(const std::string& subject) const {
 }
 
 void OpenRequests::Assert(const HelpRequest& request, Time now,
-                      const std::function<Sender<ActionResult>()>& new_sender) {
+                          const std::function<Sender<ActionResult>()>& new_sender) {
   const auto open = Find(request.subject);
   const bool is_known = open != open_.end();
   if (is_known && open->request.question == request.question) {

@@ -12,6 +12,7 @@
 
 #include "bt_core/engine/executor.h"
 #include "bt_nodes/monitoring/health.h"
+#include "bt_nodes/power/battery_estimate.h"
 #include "tests/bt_nodes/fakes.h"
 
 namespace coppice {

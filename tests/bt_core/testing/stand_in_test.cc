@@ -30,6 +30,29 @@ TEST(StandIn, HasThePortsThatTheTreeGivesIt) {
   EXPECT_EQ(player.UnplayedLeaves(), std::vector<NodeIndex>{1});
 }
 
+TEST(StandIn, ADecoratorReturnsWhatItsChildReturns) {
+  const auto program = Compiled(
+      "<BehaviorTree ID=\"Main\"><Guarded limit=\"{limit}\"><Inverter><AlwaysFailure/></Inverter>"
+      "</Guarded></BehaviorTree>");
+  ASSERT_TRUE(program);
+  std::string hint;
+  EXPECT_NE(FindKey(*program, "limit", hint), kNoSlot);
+  ScenarioPlayer player(*program, {});
+  EXPECT_TRUE(player.UnplayedLeaves().empty());
+  EXPECT_EQ(player.Play({}).status, Status::kSuccess);
+}
+
+TEST(StandIn, ADecoratorCanBePlayedWithItsChild) {
+  const auto program =
+      Compiled("<BehaviorTree ID=\"Main\"><Guarded><AlwaysSuccess/></Guarded></BehaviorTree>");
+  ASSERT_TRUE(program);
+  PlacedRule rule;
+  rule.rule.pattern = "<Guarded>";
+  rule.rule.script.results = {Status::kFailure};
+  ScenarioPlayer player(*program, {rule});
+  EXPECT_EQ(player.Play({}).status, Status::kFailure);
+}
+
 TEST(StandIn, AModelSaysMore) {
   const auto program = Compiled(
       "<BehaviorTree ID=\"Main\"><IsLow level=\"{battery}\"/></BehaviorTree>"

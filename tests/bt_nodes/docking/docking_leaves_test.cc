@@ -14,7 +14,24 @@ TEST(Dock, AsksTheStationToDock) {
   FakeRobot robot;
   LeafHarness harness = LeafHarness::For<Dock>(std::ref<ChargingStation>(robot));
   EXPECT_EQ(harness.Tick(), Status::kRunning);
-  EXPECT_EQ(robot.calls, std::vector<std::string>{"Dock"});
+  EXPECT_EQ(robot.calls, std::vector<std::string>{"Dock 0 1"});
+}
+
+TEST(Dock, SaysHowFarAsideAndHowOften) {
+  FakeRobot robot;
+  LeafHarness harness = LeafHarness::For<Dock>(std::ref<ChargingStation>(robot));
+  harness.Set("lateral_offset", -0.08);
+  harness.Set("attempts", 3);
+  harness.Tick();
+  EXPECT_EQ(robot.calls, std::vector<std::string>{"Dock -0.08 3"});
+}
+
+TEST(PressOn, AsksTheStationToPressOnAndCancelsWhenHalted) {
+  FakeRobot robot;
+  LeafHarness harness = LeafHarness::For<PressOn>(std::ref<ChargingStation>(robot));
+  EXPECT_EQ(harness.Tick(), Status::kRunning);
+  harness.Halt();
+  EXPECT_EQ(robot.calls, (std::vector<std::string>{"PressOn", "CancelDocking"}));
 }
 
 TEST(Undock, AsksTheStationToUndock) {

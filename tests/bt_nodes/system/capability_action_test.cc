@@ -42,7 +42,7 @@ TEST_F(CapabilityActionTest, CancelsNothingThatHasEnded) {
   robot_.done.Send({true, ""});
   harness_.Tick();
   harness_.Halt();
-  EXPECT_EQ(robot_.calls, std::vector<std::string>{"Dock"});
+  EXPECT_EQ(robot_.calls, std::vector<std::string>{"Dock 0 1"});
 }
 
 TEST_F(CapabilityActionTest, DoesNotSeeTheAnswerToAnEarlierActivation) {
