@@ -29,7 +29,7 @@ class FakeRobot : public Navigator,
     open_requests.at(subject).Send({fixed, fixed ? "" : "nobody could"});
     open_requests.erase(subject);
   }
-  Sender<ActionResult> done;  ///< of the last action
+  Sender<ActionResult> done;  ///< of the last action; requests for help have their own
 
   void NavigateTo(const Pose2D& goal, Sender<ActionResult> sender) override {
     Begin("NavigateTo " + ValueTraits<Pose2D>::Print(goal), sender);
@@ -74,7 +74,7 @@ class FakeRobot : public Navigator,
 
   void Ask(const std::string& subject, const std::string& question,
            Sender<ActionResult> sender) override {
-    Begin("Ask " + subject + ": " + question, sender);
+    calls.push_back("Ask " + subject + ": " + question);
     open_requests[subject] = sender;
   }
   void Withdraw(const std::string& subject) override {

@@ -71,7 +71,7 @@ TEST(AskSupervisor, SucceedsWhenSomebodyConfirms) {
   harness.Set("question", std::string("stuck"));
   harness.Tick();
   EXPECT_EQ(robot.calls, std::vector<std::string>{"Ask navigation: stuck"});
-  robot.done.Send({true, ""});
+  robot.AnswerRequest("navigation", true);
   EXPECT_EQ(harness.Tick(), Status::kSuccess);
 }
 
