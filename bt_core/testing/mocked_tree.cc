@@ -176,7 +176,9 @@ MockedTree::Parts MockedTree::MakeParts(MockedProgram& program) {
         ChooseRule(rules_, {program.Name(node), program.Path(node), program.Id(node)});
     const bool is_leaf = program.nodes[node].type == NodeType::kLeaf;
     if (!rule && !is_leaf) continue;
+    const NodeIndex end = program.nodes[node].end;
     parts.push_back(MakePart(program, node, rule ? &rules_[*rule].script : nullptr));
+    if (rule) node = end - 1;  // what is below it is never ticked
   }
   return parts;
 }
