@@ -70,10 +70,16 @@ std::vector<NodeIndex> ScenarioPlayer::UnplayedLeaves() const {
   const Program& program = tree_.program();
   for (const LeafRecord& record : program.leaves) {
     const Registry::Entry* entry = program.registry->Find(program.Id(record.node));
-    if (!entry || tree_.ScriptOf(record.node) || !IsStandIn(*entry)) continue;
+    if (!entry || IsPlayed(record.node) || !IsStandIn(*entry)) continue;
     leaves.push_back(record.node);
   }
   return leaves;
+}
+
+// By a script of its own or of a node above it.
+bool ScenarioPlayer::IsPlayed(NodeIndex node) const {
+  if (tree_.ScriptOf(node)) return true;
+  return node > 0 && IsPlayed(tree_.program().info[node].parent);
 }
 
 void ScenarioPlayer::Set(const KeyValue& given, StepOutcome& outcome) {

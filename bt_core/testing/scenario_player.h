@@ -48,6 +48,7 @@ class ScenarioPlayer {
  private:
   class KeepMessages;
 
+  bool IsPlayed(NodeIndex node) const;
   void Set(const KeyValue& given, StepOutcome& outcome);
   void ChangeScript(const PlacedRule& placed, StepOutcome& outcome);
 

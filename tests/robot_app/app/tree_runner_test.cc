@@ -106,5 +106,49 @@ TEST(SetKey, RefusesAValueOfAnotherType) {
             "\"many\" is not a value for key \"rounds\", expected int");
 }
 
+// A tree that counts its beginnings and then runs for ever.
+constexpr char kCounting[] = R"(<root BTCPP_format="4"><BehaviorTree ID="Main"><Sequence>
+  <Script code="begun += 1"/><Sleep msec="1000000000"/>
+</Sequence></BehaviorTree></root>)";
+
+TEST_F(TreeRunnerTest, RestsWhileItIsSuspendedAndThenBeginsAnew) {
+  Diagnostics diagnostics;
+  auto project = Project::FromText(kCounting, "runner", diagnostics);
+  const auto program = Compile(std::make_shared<const Project>(*std::move(project)),
+                               std::make_shared<const Registry>(), diagnostics);
+  ASSERT_TRUE(program) << diagnostics.ToString();
+  options_.record_path.clear();
+  TreeRunner runner(program, clock_, options_);
+  EXPECT_EQ(SetKey(runner.executor(), "begun", "0"), "");
+  std::mutex mutex;
+  std::condition_variable changed;
+  int begun = 0;
+  // Between two ticks, on the tree's thread.
+  const auto look = [&] {
+    const Executor& executor = runner.executor();
+    const std::lock_guard<std::mutex> lock(mutex);
+    const Value& value = executor.blackboard()[executor.program().layout.Find(0, "begun")].value;
+    begun = value.has_value() ? static_cast<int>(value.Get<std::int64_t>()) : 0;
+    changed.notify_one();
+  };
+  const auto wait_for = [&](int times) {
+    std::unique_lock<std::mutex> lock(mutex);
+    const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(10);
+    while (begun < times && std::chrono::steady_clock::now() < deadline) {
+      runner.executor().inbox()->PostCall(look);
+      changed.wait_for(lock, std::chrono::milliseconds(20));
+    }
+    return begun;
+  };
+  runner.Start([](Status) {});
+  EXPECT_EQ(wait_for(1), 1);
+  runner.Suspend();
+  runner.Resume();
+  EXPECT_EQ(wait_for(2), 2);
+  runner.Suspend();
+  runner.Stop();  // also while it rests
+  EXPECT_NE(runner.executor().status(0), Status::kRunning);
+}
+
 }  // namespace
 }  // namespace coppice::robot

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 #include <sensor_msgs/BatteryState.h>
 
+#include <limits>
+
 #include "bt_core/engine/executor.h"
 #include "bt_nodes/monitoring/monitoring_leaves.h"
 #include "bt_nodes/power/power_leaves.h"
@@ -17,6 +19,7 @@ constexpr char kTree[] = R"(<root BTCPP_format="4"><BehaviorTree ID="Main"><Sequ
   <IsCharging charging="{charging}"/>
   <IsBatteryLow level="{battery_level}" threshold="0.5"/>
   <ReadHealth monitoring="{monitoring}" health="{health}" errors="{errors}"/>
+  <ChargeDue battery="{battery}"/>
 </Sequence></BehaviorTree></root>)";
 
 class FeedsTest : public testing::Test {
@@ -26,6 +29,7 @@ class FeedsTest : public testing::Test {
     registry->Register<IsCharging>("IsCharging");
     registry->Register<IsBatteryLow>("IsBatteryLow");
     registry->Register<ReadHealth>("ReadHealth");
+    registry->Register<ChargeDue>("ChargeDue");
     Diagnostics diagnostics;
     auto project = Project::FromText(kTree, "feeds", diagnostics);
     auto program = Compile(std::make_shared<Project>(*std::move(project)), registry, diagnostics);
@@ -33,8 +37,8 @@ class FeedsTest : public testing::Test {
     subscribers_ = SubscribeFeeds(
         node_,
         {{executor_->Writer<double>("battery_level"), executor_->Writer<bool>("charging"),
-          executor_->Writer<Health>("monitoring"),
-          executor_->Writer<std::string>("configuration")}},
+          executor_->Writer<Health>("monitoring"), executor_->Writer<std::string>("configuration"),
+          executor_->Writer<bool>("manual"), executor_->Writer<BatteryReading>("battery")}},
         clock_);
   }
 
@@ -64,6 +68,20 @@ TEST_F(FeedsTest, BringTheBatteryToTheTree) {
   ASSERT_TRUE(Eventually([this] { return Key("battery_level").has_value(); }));
   EXPECT_DOUBLE_EQ(Key("battery_level").Get<double>(), 0.25);
   EXPECT_TRUE(Key("charging").Get<bool>());
+}
+
+TEST_F(FeedsTest, BringTheRawReadingAndSayWhatIsNotMeasured) {
+  sensor_msgs::BatteryState battery;
+  battery.voltage = 24.5f;
+  battery.current = -15;
+  battery.percentage = std::numeric_limits<float>::quiet_NaN();
+  Publish("/battery_state", battery);
+  ASSERT_TRUE(Eventually([this] { return Key("battery").has_value(); }));
+  const BatteryReading reading = Key("battery").Get<BatteryReading>();
+  EXPECT_EQ(reading.stamp, std::chrono::seconds(7));
+  EXPECT_DOUBLE_EQ(reading.voltage, 24.5);
+  EXPECT_DOUBLE_EQ(reading.current, -15);
+  EXPECT_LT(reading.level, 0);
 }
 
 TEST_F(FeedsTest, StampTheHealthReportOnArrival) {

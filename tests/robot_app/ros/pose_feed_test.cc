@@ -1,0 +1,56 @@
+#include "robot_app/ros/pose_feed.h"
+
+#include <gtest/gtest.h>
+#include <tf2_ros/static_transform_broadcaster.h>
+
+#include "bt_core/engine/executor.h"
+#include "bt_nodes/recovery/recovery_nodes.h"
+#include "tests/robot_app/ros_environment.h"
+
+namespace coppice::robot {
+namespace {
+
+TEST(EstimatedWay, IsLongerThanTheStraightLine) {
+  EXPECT_DOUBLE_EQ(EstimatedWay({0, 0, 0}, {3, 4, 1}), 7.5);
+}
+
+geometry_msgs::TransformStamped Transform(const char* parent, const char* child, double x) {
+  geometry_msgs::TransformStamped transform;
+  transform.header.frame_id = parent;
+  transform.header.stamp = ros::Time::now();
+  transform.child_frame_id = child;
+  transform.transform.translation.x = x;
+  transform.transform.rotation.w = 1;
+  return transform;
+}
+
+TEST(PoseFeed, BringsPoseAndDistanceFromTf) {
+  auto registry = std::make_shared<Registry>();
+  registry->Register<ContinueEpisode>("ContinueEpisode");
+  Diagnostics diagnostics;
+  auto project = Project::FromText(
+      "<root BTCPP_format=\"4\"><BehaviorTree ID=\"Main\"><ContinueEpisode pose=\"{pose}\" "
+      "seconds=\"{distance_to_station}\"/></BehaviorTree></root>",
+      "pose", diagnostics);
+  const auto program =
+      Compile(std::make_shared<const Project>(*std::move(project)), registry, diagnostics);
+  ASSERT_TRUE(program) << diagnostics.ToString();
+  SimulatedClock clock;
+  Executor executor(program, clock);
+  ros::NodeHandle node;
+  tf2_ros::StaticTransformBroadcaster tf;
+  tf.sendTransform({Transform("map", "odom", 1), Transform("odom", "base_link", 2)});
+  const PoseFeed feed(
+      node, {0, 0, 0},
+      {{executor.Writer<coppice::Pose2D>("pose"), executor.Writer<double>("distance_to_station")}});
+  const auto key = [&](const char* name) -> const Value& {
+    executor.Tick();
+    return executor.blackboard()[program->layout.Find(0, name)].value;
+  };
+  ASSERT_TRUE(Eventually([&] { return key("distance_to_station").has_value(); }));
+  EXPECT_DOUBLE_EQ(key("pose").Get<coppice::Pose2D>().x, 3);
+  EXPECT_DOUBLE_EQ(key("distance_to_station").Get<double>(), 4.5);
+}
+
+}  // namespace
+}  // namespace coppice::robot
