@@ -186,8 +186,7 @@ void Workspace::LookAtDisk(double now) {
     const std::string name = path.substr(path.rfind('/') + 1);
     if (file.other) {
       news_ = name +
-              " was changed on the disk, in the same places as here: \"Merge\", \"Take\" or "
-              "\"Save over\" what somebody else wrote (Ctrl+P)";
+              " was changed on the disk, in the same places as here: \"resolve\" asks whose stays";
     } else if (file.is_dirty()) {
       news_ = name + " was changed on the disk and merged with what is not saved here";
     } else {
