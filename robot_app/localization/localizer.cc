@@ -25,6 +25,8 @@ constexpr std::size_t kMostPlaces = 8;
 constexpr double kClearlyBetter = 0.04;  // share of the beams
 constexpr int kSeenThroughWalls = 3;     // beams, more than at the better place
 constexpr double kFreshAtLeast = 0.3;
+constexpr double kSetBack = 1;          // time itself was set back, not a scan overtaken [s]
+constexpr double kLookAroundAfter = 1;  // not confirmed for so long [s]
 
 }  // namespace
 
@@ -86,7 +88,8 @@ void Localizer::AddScan(LaserScan scan) {
   if (!std::isfinite(scan.stamp)) return;
   if (!history_.empty() && scan.stamp <= history_.newest()) {
     const auto odometry = history_.At(scan.stamp);
-    if (odometry && map_ && !(begun_ && scan.stamp == stamp_)) Process(scan, *odometry);
+    const bool overtaken = begun_ && scan.stamp <= stamp_ && scan.stamp >= stamp_ - kSetBack;
+    if (odometry && map_ && !overtaken) Process(scan, *odometry);
   } else {
     waiting_ = std::move(scan);
   }
@@ -94,18 +97,25 @@ void Localizer::AddScan(LaserScan scan) {
 
 void Localizer::Process(const LaserScan& scan, const Pose2D& odometry) {
   const std::vector<Beam> beams = BeamsOf(scan, kSpacing, kMostBeams);
-  if (!begun_ || scan.stamp < stamp_) Begin(scan.stamp);
+  if (begun_ && scan.stamp < stamp_ - kSetBack) {
+    Relocalize();
+    expected_ = starts_;
+  }
+  if (!begun_) Begin(scan.stamp);
   stamp_ = scan.stamp;
   Advance(odometry);
-  if (filter_.empty()) Start(beams);
+  if (filter_.empty() && stamp_ >= next_search_) Start(beams);
   if (!filter_.empty()) {
     Follow(beams);
     Judge(beams);
   }
-  if (stamp_ - confirmed_ > 1) {
+  if (stamp_ - confirmed_ > kLookAroundAfter) {
+    if (!looking_) view_.Clear();  // perhaps the robot was carried away since
+    looking_ = true;
     LookAround(beams);
   } else {
-    view_.Clear();
+    looking_ = false;
+    view_.Add(odometry_, beams);
     LookForBetter(beams);
   }
 }
@@ -198,16 +208,23 @@ void Localizer::Judge(const std::vector<Beam>& beams) {
   }
 }
 
-// That things stand where the map has none is no reason to doubt: the corridor may be blocked. But
-// nobody sees through walls.
 void Localizer::LookForBetter(const std::vector<Beam>& beams) {
   if (stamp_ < next_search_) return;
-  const std::vector<FittingPlace> places = map_->search.Find(beams, 2);
-  const bool better = !places.empty() && !IsSamePlace(places.front().pose, pose_) &&
-                      places.front().agreement.share() > agreement_.share() + kClearlyBetter &&
-                      places.front().agreement.through + kSeenThroughWalls <= agreement_.through;
+  // That things stand where the map has none is no reason to doubt: the corridor may be blocked.
+  // But nobody sees through walls, nor does a robot that moves see such things everywhere.
+  bool better = FitsBetterElsewhere(beams, kSeenThroughWalls);
+  if (!better && view_.complete()) better = FitsBetterElsewhere(view_.From(odometry_), 0);
   contested_ = better ? contested_ + 1 : 0;
   next_search_ = stamp_ + (better ? 0.5 : settings_.check_period);
+}
+
+// `through`: so many beams more must pass through walls here than there.
+bool Localizer::FitsBetterElsewhere(const std::vector<Beam>& beams, int through) const {
+  const std::vector<FittingPlace> places = map_->search.Find(beams, 2);
+  if (places.empty() || IsSamePlace(places.front().pose, pose_)) return false;
+  const Agreement here = Agree(map_->field, beams, pose_);
+  const Agreement there = places.front().agreement;
+  return there.share() > here.share() + kClearlyBetter && there.through + through <= here.through;
 }
 
 void Localizer::LookAround(const std::vector<Beam>& beams) {

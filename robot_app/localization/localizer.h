@@ -59,8 +59,9 @@ class Localizer {
 
   /// Where the robot may be at the start: the charging station, the last pose before the restart.
   /// Taken, in this order, only if the first scan agrees there (or up to 2 m beside it) and no
-  /// place on the map fits better. Without one that holds, the whole map is searched.
-  void Expect(const std::vector<Pose2D>& poses) { expected_ = poses; }
+  /// place on the map fits better. Without one that holds, the whole map is searched. A start is
+  /// also when time is set back by more than a second.
+  void Expect(const std::vector<Pose2D>& poses) { expected_ = starts_ = poses; }
 
   /// A person says where the robot is, at about this deviation [m], [rad]. Believed, but it still
   /// has to agree with the scan to be confirmed.
@@ -95,6 +96,7 @@ class Localizer {
   void Judge(const std::vector<Beam>& beams);
   void LookAround(const std::vector<Beam>& beams);
   void LookForBetter(const std::vector<Beam>& beams);
+  bool FitsBetterElsewhere(const std::vector<Beam>& beams, int through) const;
   void Consider(const std::vector<FittingPlace>& places);
   void PutAt(const Pose2D& pose, bool proven);
 
@@ -104,7 +106,8 @@ class Localizer {
   PoseHistory history_;
   std::optional<LaserScan> waiting_;
   LocalView view_;
-  std::vector<Pose2D> expected_;
+  std::vector<Pose2D> starts_;
+  std::vector<Pose2D> expected_;  // empty once a scan has been used
 
   bool begun_ = false;  // a scan has been used
   double stamp_ = 0;
@@ -122,6 +125,7 @@ class Localizer {
   int contested_ = 0;       // searches in a row that found a better place
   std::size_t rivals_ = 0;  // places that fit as well as the best one
   double confirmed_ = 0;
+  bool looking_ = false;  // around, for what to make of this place
   double view_since_ = 0;
   double next_search_ = 0;
 };

@@ -88,10 +88,11 @@ TEST_F(LocalizerTest, IsNotLostBehindACrowdOrBeforeABlockedCorridor) {
   floor_.people.clear();
   for (int i = 0; i < 6; ++i) {  // they walk about the robot
     const double y = -0.9 + 0.36 * i;
-    floor_.people.push_back({"p" + std::to_string(i), 0.8, {{16, y}, {22, -y}}});
+    floor_.people.push_back(
+        {"p" + std::to_string(i), 0.8, {{13 + 1.5 * i, y}, {18.0 - 0.5 * i, -y}}});
   }
-  const auto robot = Started({18.5, 0, 0});
-  ASSERT_TRUE(robot->world().SetPlaceBlocked("corridor_middle", true).ok);
+  const auto robot = Started({11, 0, 0});
+  while (!robot->world().SetPlaceBlocked("corridor_middle", true).ok) robot->Step({});
   double lowest = 1;
   EXPECT_EQ(robot->DriveUntil({0.3, 0}, 60,
                               [&] {
@@ -226,6 +227,26 @@ TEST_F(LocalizerTest, APersonMayBeWrong) {
   robot->localizer().SetPose({20, 0, 0}, 0.5, 0.2);
   robot->Drive({}, 8);
   EXPECT_TRUE(robot->IsLost());
+}
+
+TEST_F(LocalizerTest, BeginsAnewWhenTimeIsSetBack) {
+  Localizer localizer;
+  localizer.SetMap(MapOf(floor_));
+  localizer.Expect({kAtDock});
+  const auto see = [&](const Pose2D& pose, double stamp) {
+    WorldOptions options;
+    options.start = Pose2{pose.x, pose.y, pose.yaw};
+    LaserScan scan = ScanOf(World(floor_, options));
+    scan.stamp = stamp;
+    localizer.AddOdometry(stamp, {});
+    localizer.AddScan(scan);
+    return localizer.Report(stamp).phase;
+  };
+  EXPECT_EQ(see(kAtDock, 100), LocalizationPhase::kOk);
+  localizer.SetPose({46, 0, 0}, 0.1, 0.1);
+  EXPECT_EQ(see({46, 0, 0}, 101), LocalizationPhase::kOk);
+  EXPECT_EQ(see(kAtDock, 5), LocalizationPhase::kOk);
+  EXPECT_NEAR(localizer.pose()->x, kAtDock.x, 0.02);
 }
 
 TEST_F(LocalizerTest, IsLostWithoutScans) {
