@@ -182,9 +182,7 @@ void PageNode::Restart(const std::string& name,
     }
     const bool ok = service.response.ok;
     const std::string text = service.response.message;
-    return [done, ok, name, text] {
-      done(ok, name + (ok ? " is restarted. " : " was not restarted: ") + text);
-    };
+    return [done, ok, text] { done(ok, text); };
   });
   if (!is_accepted) done(false, "Too many restarts wait already.");
 }

@@ -3,11 +3,11 @@
 namespace coppice::robot {
 namespace {
 
-// What the child's path says beyond its parent's.
-std::string NameBelow(const DescribedNode& node, const DescribedNode& parent) {
-  const bool is_below =
-      &node != &parent && node.path.compare(0, parent.path.size() + 1, parent.path + "/") == 0;
-  return is_below ? node.path.substr(parent.path.size() + 1) : node.path;
+// The last part of the path, without the number that a node without a name bears.
+std::string NameOf(const DescribedNode& node) {
+  const std::size_t slash = node.path.rfind('/');
+  const std::string name = slash == std::string::npos ? node.path : node.path.substr(slash + 1);
+  return name.substr(0, name.find("::"));
 }
 
 LiveClientOptions Options() {
@@ -28,8 +28,9 @@ std::vector<std::string> RunningPath(const TreeDescription& tree,
     const DescribedNode& node = tree.nodes[i];
     const bool continues = path.empty() ? i == 0 : node.parent == deepest && i != 0;
     if (!continues || statuses[i] != Status::kRunning) continue;
-    path.push_back(NameBelow(node, tree.nodes[node.parent]));
     deepest = i;
+    const std::string name = NameOf(node);
+    if (path.empty() || path.back() != name) path.push_back(name);  // a SubTree and its root
   }
   return path;
 }

@@ -17,7 +17,7 @@ using testing::IsEmpty;
 constexpr Status kRuns = Status::kRunning;
 constexpr Status kRests = Status::kIdle;
 
-// Patrol > { Charge > Dock, Round > Drive }.
+// Patrol > { Charge > Dock, Round > Round > NavigateTo }.
 TreeDescription Sample() {
   TreeDescription tree;
   const auto add = [&](const std::string& path, NodeIndex parent) {
@@ -30,22 +30,24 @@ TreeDescription Sample() {
   add("Patrol/Charge", 0);
   add("Patrol/Charge/Dock", 1);
   add("Patrol/Round", 0);
-  add("Patrol/Round/Drive", 3);
+  add("Patrol/Round/Round", 3);
+  add("Patrol/Round/NavigateTo::39", 4);
   return tree;
 }
 
 TEST(RunningPath, LeadsFromTheRootToTheLeafThatRuns) {
-  EXPECT_THAT(RunningPath(Sample(), {kRuns, kRests, kRests, kRuns, kRuns}),
-              ElementsAre("Patrol", "Round", "Drive"));
+  EXPECT_THAT(RunningPath(Sample(), {kRuns, kRests, kRests, kRuns, kRuns, kRuns}),
+              ElementsAre("Patrol", "Round", "NavigateTo"));
 }
 
 TEST(RunningPath, TakesTheFirstOfSeveralThatRun) {
-  EXPECT_THAT(RunningPath(Sample(), {kRuns, kRuns, kRuns, kRuns, kRuns}),
+  EXPECT_THAT(RunningPath(Sample(), {kRuns, kRuns, kRuns, kRuns, kRuns, kRuns}),
               ElementsAre("Patrol", "Charge", "Dock"));
 }
 
 TEST(RunningPath, IsEmptyIfNothingRuns) {
-  EXPECT_THAT(RunningPath(Sample(), {Status::kSuccess, kRests, kRests, kRests, kRests}), IsEmpty());
+  EXPECT_THAT(RunningPath(Sample(), {Status::kSuccess, kRests, kRests, kRests, kRests, kRests}),
+              IsEmpty());
   EXPECT_THAT(RunningPath({}, {}), IsEmpty());
 }
 
