@@ -26,8 +26,9 @@ class Person:
                           deviceScaleFactor=1, mobile=False)
 
     def sees(self, what, script):
+        # What is not there yet is not seen yet.
         return wait_for(what, lambda: self.browser.evaluate(
-            "document.readyState === 'complete' && (%s)" % script))
+            "(() => { try { return Boolean(%s); } catch (error) { return false; } })()" % script))
 
     def place(self, selector):
         self.sees(selector, "Boolean(document.querySelector('%s')?.getClientRects().length)"
