@@ -14,8 +14,9 @@
 
 namespace coppice {
 
-/// The built-in nodes, and a stand-in for every other leaf or decorator of the project. Its ports are those of
-/// its model, or without a model the attributes that it has anywhere in the project, of any type.
+/// The built-in nodes, and a stand-in for every other leaf or decorator of the project. Its ports
+/// are those of its model, or without a model the attributes that it has anywhere in the project,
+/// of any type.
 std::shared_ptr<const Registry> ScenarioRegistry(const Project& project);
 
 /// True for the type of a leaf's stand-in.

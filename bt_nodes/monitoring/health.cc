@@ -40,7 +40,7 @@ const char* ToString(HealthLevel level) {
 
 const HealthEntry* Health::FirstError(std::string_view monitor) const {
   const auto found = std::find_if(entries.begin(), entries.end(), [&](const HealthEntry& entry) {
-    return entry.monitor == monitor && entry.level >= HealthLevel::kError;
+    return entry.level >= HealthLevel::kError && entry.monitor == monitor;
   });
   return found == entries.end() ? nullptr : &*found;
 }

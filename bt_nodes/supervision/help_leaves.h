@@ -44,7 +44,8 @@ class SettleRequests : public SyncAction {
   static constexpr const char* kDescription =
       "Withdraws the requests for help whose faults have gone: those that RequestHelp no longer "
       "asserts. Always succeeds.";
-  explicit SettleRequests(std::shared_ptr<OpenRequests> requests) : requests_(std::move(requests)) {}
+  explicit SettleRequests(std::shared_ptr<OpenRequests> requests)
+      : requests_(std::move(requests)) {}
   Input<Health> health{this, "health", "from ReadHealth", kOptional};
   Input<double> linger{this, "linger", "a request stands so long without being asserted [s]", 1};
   Status Run() override;
