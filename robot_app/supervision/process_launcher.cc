@@ -74,7 +74,7 @@ int ReadReason(int pipe) {
 PosixLauncher::PosixLauncher(std::string log_folder, std::string owner)
     : log_folder_(std::move(log_folder)), owner_(std::move(owner)) {
   std::error_code ignored;  // a missing folder is reported by the first start
-  std::filesystem::create_directories(log_folder_, ignored);
+  if (!log_folder_.empty()) std::filesystem::create_directories(log_folder_, ignored);
 }
 
 int PosixLauncher::Start(const ProcessConfig& config, std::string& error) {
@@ -84,11 +84,13 @@ int PosixLauncher::Start(const ProcessConfig& config, std::string& error) {
 int PosixLauncher::Start(const ProcessConfig& config, int input, std::string& error) {
   const std::vector<char*> arguments = Pointers(config.command);
   const std::vector<std::string> variables =
-      EnvironmentWith(kOwnerVariable, owner_ + ":" + config.name);
+      EnvironmentWith(kOwnerVariable, OwnedName(owner_, config.name));
   const std::vector<char*> environment = Pointers(variables);
 
   const std::string log_path = log_folder_ + "/" + config.log;
-  const int log = open(log_path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
+  const int log = config.log.empty()
+                      ? fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 0)
+                      : open(log_path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
   int report[2] = {-1, -1};
   if (log < 0 || pipe2(report, O_CLOEXEC) != 0) {
     error = "cannot write " + log_path + ": " + std::strerror(errno);
@@ -141,7 +143,7 @@ void PosixLauncher::Reap(const std::function<void(int pid, int wait_status)>& en
     const auto name = names_.find(pid);
     if (name != names_.end()) {
       if (!owner_.empty()) {
-        for (const int left : FindOwned(owner_ + ":" + name->second)) kill(left, SIGKILL);
+        for (const int left : FindOwned(OwnedName(owner_, name->second))) kill(left, SIGKILL);
       }
       names_.erase(name);
     }

@@ -24,9 +24,10 @@ class ProcessLauncher {
   virtual bool IsConnected(int pid) const = 0;
 };
 
-/// Real processes. Each has standard output and error in `<log folder>/<log>` (appended), no input,
-/// none of our open files, and gets SIGTERM when the thread that started it ends, so that nothing
-/// outlives its supervisor. Use it on the program's main thread only.
+/// Real processes. Each has standard output and error in `<log folder>/<log>` (appended; our own
+/// output if it names no log), no input, none of our open files, and gets SIGTERM when the thread
+/// that started it ends, so that nothing outlives its supervisor. Use it on the program's main
+/// thread only.
 class PosixLauncher : public ProcessLauncher {
  public:
   /// The folder is created if needed. With an `owner`, which must be unique on this computer, every

@@ -66,7 +66,7 @@ Outcome RunNode(RobotConfig config, const SupervisorSettings& settings, const Ro
   int no_arguments = 0;
   ros::init(no_arguments, nullptr, "supervisor", ros::init_options::NoSigintHandler);
   SetParameters(config);
-  SupervisorProgram program(std::move(config), launcher, master, settings.state);
+  SupervisorProgram program(std::move(config), launcher, master, settings.address, settings.state);
   const Outcome outcome = program.Run([] { return g_stop != 0 || !ros::ok(); });
   ros::shutdown();
   return outcome;
@@ -85,6 +85,16 @@ int BeginAnew(std::vector<std::string> arguments, int port) {
   }
   execv("/proc/self/exe", pointers.data());
   return Fail("cannot begin anew");
+}
+
+// Before the master starts: it listens where its address is.
+void UseAddress(const SupervisorSettings& settings) {
+  if (!settings.address.empty()) {
+    unsetenv("ROS_HOSTNAME");
+    setenv("ROS_IP", settings.address.c_str(), 1);
+  } else if (!getenv("ROS_HOSTNAME")) {
+    setenv("ROS_IP", "127.0.0.1", 0);
+  }
 }
 
 // Beginning with a configuration is a wish for the first start, not for one that goes on.
@@ -120,10 +130,10 @@ int Main(const std::vector<std::string>& arguments) {
   if (survivors > 0) {
     std::cout << survivors << " processes of an earlier supervisor were ended" << std::endl;
   }
+  UseAddress(*settings);
   const RosMaster master = FindOrStartMaster(settings->port, launcher, kMasterTimeout);
   if (!master.error.empty()) return Fail(master.error);
   setenv("ROS_MASTER_URI", master.Uri().c_str(), 1);
-  if (!getenv("ROS_HOSTNAME")) setenv("ROS_IP", settings->address.c_str(), 0);
   std::cout << "ROS master: port " << master.address.port << ", ROS_MASTER_URI=" << master.Uri()
             << ", logs in " << settings->logs << std::endl;
   if (!settings->port_file.empty()) std::ofstream(settings->port_file) << master.address.port;

@@ -45,11 +45,18 @@ SupervisorMemory Load(const std::string& path, Time now) {
 }  // namespace
 
 SupervisorProgram::SupervisorProgram(RobotConfig config, PosixLauncher& launcher,
-                                     const RosMaster& master, std::string state_file)
-    : launcher_(launcher),
+                                     const RosMaster& master, const std::string& address,
+                                     std::string state_file)
+    : local_(launcher),
+      launcher_(
+          launcher, config.hosts,
+          {state_file,
+           RosMaster{{address.empty() ? master.address.host : address, master.address.port}, 0, ""}
+               .Uri(),
+           config.stop_timeout}),
       master_(master),
       state_file_(std::move(state_file)),
-      supervisor_(std::move(config), launcher, Load(state_file_, clock_.Now())),
+      supervisor_(std::move(config), launcher_, Load(state_file_, clock_.Now())),
       calls_(supervisor_.config().given_up.command, launcher),
       probe_(master.address, "/supervisor") {
   processes_ = handle_.advertise<coppice_msgs::ProcessStates>("/processes", 10, true);
@@ -137,14 +144,16 @@ SupervisorProgram::Outcome SupervisorProgram::Run(const std::function<bool()>& s
 void SupervisorProgram::Round() {
   ros::getGlobalCallbackQueue()->callAvailable(
       ros::WallDuration(std::chrono::duration<double>(kRound).count()));
-  launcher_.Reap([this](int pid, int wait_status) {
+  local_.Reap([this](int pid, int wait_status) {
     if (pid == master_.pid) {
       master_ended_ = true;
       supervisor_.OnMasterEnded(clock_.Now());
     }
     supervisor_.OnExit(pid, wait_status, clock_.Now());
     calls_.OnExit(pid, wait_status, clock_.Now());
+    launcher_.Forget(pid);
   });
+  launcher_.KeepAlive(clock_.Now());
   supervisor_.Step(clock_.Now());
   for (std::string& call : supervisor_.TakeCalls()) {
     std::cout << call << std::endl;

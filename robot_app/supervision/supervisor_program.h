@@ -21,6 +21,7 @@
 #include "robot_app/supervision/node_probe.h"
 #include "robot_app/supervision/person_calls.h"
 #include "robot_app/supervision/process_launcher.h"
+#include "robot_app/supervision/remote_launcher.h"
 #include "robot_app/supervision/ros_master.h"
 #include "robot_app/supervision/supervisor.h"
 
@@ -37,8 +38,9 @@ class SupervisorProgram {
 
   /// ros::init was called. Launcher and master must outlive it. `state_file`: where the
   /// supervisor's memory is kept; what is in it is taken up.
+  /// `address`: of this computer for nodes on other hosts; empty: that of the master.
   SupervisorProgram(RobotConfig config, PosixLauncher& launcher, const RosMaster& master,
-                    std::string state_file);
+                    const std::string& address, std::string state_file);
 
   Supervisor& supervisor() { return supervisor_; }
 
@@ -62,7 +64,8 @@ class SupervisorProgram {
 
   ros::NodeHandle handle_;
   WallClock clock_;
-  PosixLauncher& launcher_;
+  PosixLauncher& local_;
+  RemoteLauncher launcher_;
   const RosMaster& master_;
   const std::string state_file_;
   Supervisor supervisor_;

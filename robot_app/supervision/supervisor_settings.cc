@@ -18,7 +18,7 @@ constexpr char kUsage[] =
     "  --port-file      gets the port as text when the master answers\n"
     "  --logs           default ./logs\n"
     "  --state          what it remembers across its own restart; default: in the logs folder\n"
-    "  --address        of this computer for nodes on other hosts; default 127.0.0.1\n"
+    "  --address        of this computer for nodes on other hosts; default: ROS_IP, 127.0.0.1\n"
     "  --configuration  to begin with; default: the file's\n"
     "  --set            variable of the file; bin, config and record have a value";
 
@@ -61,7 +61,7 @@ std::optional<SupervisorSettings> ReadSupervisorSettings(std::vector<std::string
     return std::nullopt;
   }
   settings.port = static_cast<int>(port);
-  settings.address = options->Get("--address", "127.0.0.1");
+  settings.address = options->Get("--address");
   settings.port_file = options->Get("--port-file");
   settings.logs = fs::absolute(options->Get("--logs", "logs"));
   settings.state = fs::absolute(options->Get("--state", settings.logs + "/supervisor.json"));

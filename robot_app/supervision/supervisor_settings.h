@@ -13,7 +13,7 @@ namespace coppice::robot {
 struct SupervisorSettings {
   std::string config;         ///< robot.yaml
   int port = 11311;           ///< of the ROS master; 0: a free one
-  std::string address;        ///< of this computer for nodes on other hosts
+  std::string address;        ///< of this computer for nodes on other hosts; empty: as in ROS_IP
   std::string port_file;      ///< gets the port as text; may be empty
   std::string logs;           ///< folder, absolute
   std::string state;          ///< file of the supervisor's memory, absolute

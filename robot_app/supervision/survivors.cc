@@ -23,8 +23,8 @@ std::string ReadFile(const fs::path& path) {
 }
 
 // A zombie has no environment any more, so it is not found.
-bool IsOwned(const std::string& environment, const std::string& owner_and_name) {
-  const std::string wanted = std::string(kOwnerVariable) + "=" + owner_and_name;
+bool IsOwned(const std::string& environment, const std::string& owned) {
+  const std::string wanted = std::string(kOwnerVariable) + "=" + owned;
   std::istringstream variables(environment);
   std::string variable;
   while (std::getline(variables, variable, '\0')) {
@@ -35,7 +35,12 @@ bool IsOwned(const std::string& environment, const std::string& owner_and_name) 
 
 }  // namespace
 
-std::vector<int> FindOwned(const std::string& owner_and_name) {
+// The end is marked, so that no name is the beginning of another one.
+std::string OwnedName(const std::string& owner, const std::string& process) {
+  return owner + ":" + process + ":";
+}
+
+std::vector<int> FindOwned(const std::string& owned) {
   std::vector<int> found;
   std::error_code error;
   for (fs::directory_iterator entry("/proc", error), end; !error && entry != end;
@@ -44,20 +49,20 @@ std::vector<int> FindOwned(const std::string& owner_and_name) {
     if (!std::isdigit(static_cast<unsigned char>(name.front()))) continue;
     const int pid = std::stoi(name);
     if (pid == getpid()) continue;
-    if (IsOwned(ReadFile(entry->path() / "environ"), owner_and_name)) found.push_back(pid);
+    if (IsOwned(ReadFile(entry->path() / "environ"), owned)) found.push_back(pid);
   }
   return found;
 }
 
-int KillOwned(const std::string& owner_and_name, Duration deadline) {
-  std::vector<int> living = FindOwned(owner_and_name);
+int KillOwned(const std::string& owned, Duration deadline) {
+  std::vector<int> living = FindOwned(owned);
   const int count = static_cast<int>(living.size());
   const auto give_up = std::chrono::steady_clock::now() + deadline;
   while (!living.empty()) {
     if (std::chrono::steady_clock::now() > give_up) return -1;
     for (const int pid : living) kill(pid, SIGKILL);
     std::this_thread::sleep_for(kPause);
-    living = FindOwned(owner_and_name);
+    living = FindOwned(owned);
   }
   return count;
 }

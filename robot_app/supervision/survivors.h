@@ -10,16 +10,18 @@
 
 namespace coppice::robot {
 
-/// The variable: "<owner>:<name of the process>".
 inline constexpr char kOwnerVariable[] = "COPPICE_SUPERVISED";
 
-/// Living processes of this computer whose variable begins with this. Not this one, and only those
-/// that may be looked into.
-std::vector<int> FindOwned(const std::string& owner_and_name);
+/// Value of the variable for one process of an owner.
+std::string OwnedName(const std::string& owner, const std::string& process);
+
+/// Living processes of this computer whose variable begins with this: an owner, or an OwnedName.
+/// Not this one, and only those that may be looked into.
+std::vector<int> FindOwned(const std::string& owned);
 
 /// Kills them (SIGKILL) and waits until they are gone. Returns how many there were, or -1 if some
 /// are still there after the deadline.
-int KillOwned(const std::string& owner_and_name, Duration deadline);
+int KillOwned(const std::string& owned, Duration deadline);
 
 }  // namespace coppice::robot
 

@@ -12,6 +12,7 @@
 #include <sstream>
 #include <thread>
 
+#include "robot_app/supervision/survivors.h"
 #include "tests/robot_app/supervision/temporary.h"
 
 namespace coppice::robot {
@@ -26,9 +27,9 @@ class PosixLauncherTest : public testing::Test {
     launcher_ = std::make_unique<PosixLauncher>(folder_);
   }
 
-  int Start(std::vector<std::string> command) {
+  int Start(std::vector<std::string> command, const std::string& name = "child") {
     ProcessConfig config;
-    config.name = "child";
+    config.name = name;
     config.command = std::move(command);
     config.log = "child.log";
     return launcher_->Start(config, error_);
@@ -109,6 +110,27 @@ TEST_F(PosixLauncherTest, WhatIsLeftOfAGroupIsKilledWhenItsLeaderEnds) {
   WaitForEnd(pid);
   const int grandchild = std::stoi(Log());
   EXPECT_TRUE(Eventually([&] { return kill(grandchild, 0) != 0; }));
+}
+
+TEST_F(PosixLauncherTest, WhatHasLeftTheGroupIsKilledTooAndOthersOfTheOwnerLiveOn) {
+  launcher_ = std::make_unique<PosixLauncher>(folder_, folder_ + "/owner");
+  const int other = Start({"/usr/bin/sleep", "1000"}, "child_monitor");
+  const int pid = Shell("setsid sleep 1000 & echo $!; exit 0");
+  ASSERT_TRUE(Eventually([&] { return !Log().empty(); }));
+  WaitForEnd(pid);
+  EXPECT_TRUE(Eventually([&] { return FindOwned(folder_ + "/owner").size() == 1; }));
+  EXPECT_EQ(kill(other, 0), 0);
+  launcher_->Signal(other, SIGKILL);
+  WaitForEnd(other);
+}
+
+TEST_F(PosixLauncherTest, DeletesTheStateOfAProcess) {
+  ProcessConfig config;
+  config.state = {folder_ + "/state/file", folder_ + "/state/folder", folder_ + "/none"};
+  std::filesystem::create_directories(folder_ + "/state/folder/deeper");
+  std::ofstream(folder_ + "/state/file") << "x";
+  EXPECT_EQ(launcher_->ClearState(config), "");
+  EXPECT_TRUE(std::filesystem::is_empty(folder_ + "/state"));
 }
 
 TEST_F(PosixLauncherTest, AStoppedProcessEndsOnRequest) {

@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "robot_app/supervision/survivors.h"
+#include "tests/robot_app/supervision/other_host.h"
 #include "tests/robot_app/supervision/ros_graph.h"
 
 namespace coppice::robot {
@@ -247,6 +248,59 @@ configurations:
   graph_.Kill(supervisor_, SIGTERM);
   EXPECT_EQ(PidOf(""), 0);  // nor is there what has made a session of its own
   EXPECT_EQ(Read("starts").size(), 5u);
+}
+
+// A node behind another network, supervised as if it were here.
+TEST_F(SupervisorProgramTest, ANodeOnAnotherHostIsStartedRestartedAndEndedLikeOneOfThisHost) {
+  const OtherHost host;
+  std::string transport;
+  for (const std::string& word : host.Transport()) transport += "'" + word + "', ";
+  WriteConfig("stop_timeout: 1\nhosts:\n  other:\n    command: [" + transport + "]\n" +
+              "    shell: no\n    bin: " + kTestPrograms +
+              "../../bin\n    address: " + host.there() + R"(
+processes:
+  - {name: here, command: ["${talker}", "__name:=here"], node: /here}
+  - {name: there, command: ["${talker}", "__name:=there"], node: /there, depends: [here],
+     host: other}
+configurations: {all: [here, there]}
+)");
+  StartSupervisor({"--address", host.here()});
+  ASSERT_TRUE(Eventually([&] { return PidOfNode("/there") > 0; })) << Read("logs/there.log");
+  const auto instances = [&] {
+    return FindOwned(OwnedName(folder_ + "/logs/supervisor.json@other", "there"));
+  };
+  ASSERT_EQ(instances().size(), 1u);
+  const int first = instances().front();
+  if (host.is_namespace()) {
+    const auto network = [](const std::string& pid) {
+      return std::filesystem::read_symlink("/proc/" + pid + "/ns/net").string();
+    };
+    EXPECT_NE(network(std::to_string(first)), network("self"));
+  }
+  kill(first, SIGKILL);
+  ASSERT_TRUE(Eventually([&] {
+    return instances().size() == 1 && instances().front() != first && PidOfNode("/there") > 0;
+  }));
+  graph_.Kill(supervisor_, SIGTERM);
+  EXPECT_TRUE(Eventually([&] { return instances().empty(); }));
+}
+
+TEST_F(SupervisorProgramTest, AHostThatCannotBeReachedDisturbsNothingElse) {
+  WriteConfig(R"(
+hosts:
+  moon: {command: [/bin/sh, -c, "exit 255", sh], bin: /nowhere, shell: no}
+processes:
+  - {name: here, command: ["${talker}", "__name:=here"], node: /here}
+  - {name: there, command: [x], host: moon}
+configurations: {all: [here, there]}
+)");
+  StartSupervisor();
+  EXPECT_TRUE(Eventually([&] {
+    return Read("supervisor.log").find("there: UNREACHABLE, host moon cannot be reached") !=
+           std::string::npos;
+  }));
+  EXPECT_TRUE(Eventually([&] { return PidOfNode("/here") > 0; }));
+  graph_.Kill(supervisor_, SIGTERM);
 }
 
 TEST_F(SupervisorProgramTest, TheCommandLineShowsAndAsks) {

@@ -10,7 +10,7 @@ TEST(SupervisorSettingsTest, KnowsDefaults) {
       ReadSupervisorSettings({"--config", "/etc/robot.yaml", "--logs", "/l"}, "/b");
   ASSERT_TRUE(settings);
   EXPECT_EQ(settings->port, 11311);
-  EXPECT_EQ(settings->address, "127.0.0.1");
+  EXPECT_EQ(settings->address, "");
   EXPECT_EQ(settings->state, "/l/supervisor.json");
   EXPECT_EQ(settings->variables, (Variables{{"bin", "/b"}, {"config", "/etc"}, {"record", "/l"}}));
 }

@@ -32,9 +32,9 @@ class SurvivorsTest : public testing::Test {
 };
 
 TEST_F(SurvivorsTest, AreFoundByOwnerAndByName) {
-  const int one = Start("one"), two = Start("two");
-  EXPECT_THAT(FindOwned(owner_ + ":"), testing::UnorderedElementsAre(one, two));
-  EXPECT_THAT(FindOwned(owner_ + ":one"), ElementsAre(one));
+  const int one = Start("one"), two = Start("one_more");
+  EXPECT_THAT(FindOwned(owner_), testing::UnorderedElementsAre(one, two));
+  EXPECT_THAT(FindOwned(OwnedName(owner_, "one")), ElementsAre(one));
   EXPECT_THAT(FindOwned("/somebody/else:"), IsEmpty());
   kill(one, SIGKILL);
   kill(two, SIGKILL);
