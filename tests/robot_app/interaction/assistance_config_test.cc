@@ -1,6 +1,7 @@
 #include "robot_app/interaction/assistance_config.h"
 
 #include <gmock/gmock.h>
+#include <unistd.h>
 
 #include <fstream>
 #include <map>
@@ -15,7 +16,8 @@ using testing::SizeIs;
 class Config : public testing::Test {
  protected:
   AssistanceConfig Load(const std::string& text) {
-    const std::string path = testing::TempDir() + "supervisors_config.yaml";
+    const std::string path =
+        testing::TempDir() + "supervisors_" + std::to_string(getpid()) + ".yaml";
     std::ofstream(path) << text;
     return LoadFile(path);
   }

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <random>
 
@@ -37,7 +38,7 @@ TEST(AssistanceStore, ReadsWhatItHasWritten) {
 }
 
 TEST(AssistanceStore, AFileIsForItsOwnerOnly) {
-  const std::string path = testing::TempDir() + "assistance_store_test.json";
+  const std::string path = testing::TempDir() + "store_" + std::to_string(getpid()) + ".json";
   unlink(path.c_str());
   Diagnostics diagnostics;
   EXPECT_TRUE(LoadState(path, diagnostics).requests.empty());

@@ -63,7 +63,8 @@ class AssistanceTest : public testing::Test {
     return message.link.substr(message.link.find('#') + 1);
   }
 
-  const std::string state_ = testing::TempDir() + "assistance_test.json";
+  const std::string state_ =
+      testing::TempDir() + "assistance_" + std::to_string(getpid()) + ".json";
   Time now_ = std::chrono::hours(10000);
   AssistanceConfig config_;
   Outbox outbox_;

@@ -8,6 +8,7 @@
 #include <geometry_msgs/PoseWithCovarianceStamped.h>
 #include <geometry_msgs/Twist.h>
 #include <gmock/gmock.h>
+#include <unistd.h>
 
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -91,7 +92,7 @@ class Story : public testing::Test {
     return Eventually([&] { return ros::service::call("/assistance/ask", service); }, 30);
   }
 
-  const std::string folder_ = testing::TempDir() + "supervisor_story_";
+  const std::string folder_ = testing::TempDir() + "story_" + std::to_string(getpid()) + "_";
   HttpServer people_;
   std::vector<ChildProcess> programs_;
   ros::NodeHandle node_;

@@ -3,6 +3,7 @@
 #include <coppice_msgs/AnswerHelp.h>
 #include <coppice_msgs/HelpRequests.h>
 #include <gmock/gmock.h>
+#include <unistd.h>
 
 #include <csignal>
 #include <fstream>
@@ -36,9 +37,10 @@ class RosSupervisorsTest : public testing::Test {
   }
 
   void StartAssistance() {
-    assistance_ = ChildProcess({std::string(COPPICE_BINARY_DIR) + "/bin/coppice-assistance",
-                                "--config", config_, "__name:=assistance"},
-                               testing::TempDir() + "assistance.log");
+    assistance_ =
+        ChildProcess({std::string(COPPICE_BINARY_DIR) + "/bin/coppice-assistance", "--config",
+                      config_, "__name:=assistance"},
+                     testing::TempDir() + "assistance_" + std::to_string(getpid()) + ".log");
   }
 
   // The newest request in that state; 0 if there is none.
@@ -62,7 +64,8 @@ class RosSupervisorsTest : public testing::Test {
     return ros::service::call("/assistance/answer", service) && service.response.ok;
   }
 
-  const std::string config_ = testing::TempDir() + "supervisors.yaml";
+  const std::string config_ =
+      testing::TempDir() + "supervisors_" + std::to_string(getpid()) + ".yaml";
   ros::NodeHandle node_;
   ros::Subscriber list_subscriber_;
   std::mutex mutex_;
