@@ -15,6 +15,30 @@ Band AtLeast(double warn, double error, int consecutive, double hysteresis) {
   return {{warn, std::nullopt}, {error, std::nullopt}, consecutive, Duration::zero(), hysteresis};
 }
 
+BatteryModel ReadModel(YamlFields& fields) {
+  BatteryModel model;
+  model.capacity = fields.Number("capacity", model.capacity, 0.1, 10000);
+  model.driving_current = fields.Number("driving_current", model.driving_current, 0.01, 1000);
+  model.driving_speed = fields.Number("driving_speed", model.driving_speed, 0.01, 10);
+  model.charging_above = fields.Number("charging_above", model.charging_above, 0.001, 1000);
+  model.docking_attempts = fields.Integer("docking_attempts", model.docking_attempts, 1, 100);
+  model.attempt_time = fields.Number("attempt_time", model.attempt_time, 0, kHour);
+  model.help_time = fields.Number("help_time", model.help_time, 0, 24 * kHour);
+  fields.Finish();
+  return model;
+}
+
+DockPlace ReadDock(YamlFields& fields) {
+  DockPlace dock;
+  dock.x = fields.Number("x", 0, -1e6, 1e6);
+  dock.y = fields.Number("y", 0, -1e6, 1e6);
+  dock.map_frame = fields.Text("map_frame", dock.map_frame).text;
+  dock.base_frame = fields.Text("base_frame", dock.base_frame).text;
+  dock.detour = fields.Number("detour", dock.detour, 1, 100);
+  fields.Finish();
+  return dock;
+}
+
 }  // namespace
 
 BatteryWatch ReadBatteryWatch(YamlFields& fields) {
@@ -29,6 +53,11 @@ BatteryWatch ReadBatteryWatch(YamlFields& fields) {
   watch.unchanged = ReadBand(fields, "unchanged", AtMost(60, 180));
   watch.since_charge = ReadBand(fields, "since_charge", AtMost(3.5 * kHour, 4 * kHour));
   watch.margin = ReadBand(fields, "margin", AtLeast(3, 0, 3, 0.1));
+  YamlFields model = fields.Map("model");
+  watch.model = ReadModel(model);
+  const bool has_dock = fields.Has("dock");
+  YamlFields dock = fields.Map("dock");
+  if (has_dock) watch.dock = ReadDock(dock);
   fields.Finish();
   return watch;
 }

@@ -2,23 +2,35 @@
 #ifndef COPPICE_ROBOT_APP_MONITORING_POWER_POWER_WATCH_H_
 #define COPPICE_ROBOT_APP_MONITORING_POWER_POWER_WATCH_H_
 
+#include <optional>
 #include <string>
 
+#include "bt_nodes/power/battery_estimate.h"
 #include "robot_app/monitoring/band.h"
 
 namespace coppice::robot {
 
+/// Where the robot charges, and how far that is.
+struct DockPlace {
+  double x = 0, y = 0;            ///< m
+  std::string map_frame = "map";  ///< of x and y
+  std::string base_frame = "base_link";
+  double detour = 1.5;  ///< way there over the straight line
+};
+
 struct BatteryWatch {
-  std::string topic;      ///< sensor_msgs/BatteryState
-  std::string node;       ///< its publisher, to be restarted when it falls silent
-  Duration staleness{0};  ///< no message for longer than this is an error
-  Band voltage;           ///< V
-  Band current;           ///< A, positive: into the battery
-  Band charge;            ///< state of charge, 0..1
-  Band coulombs;          ///< Ah, what the battery says less what its current has brought
-  Band unchanged;         ///< s that the charge has stood still although current flows
-  Band since_charge;      ///< s since the last charging current
-  Band margin;            ///< Ah that are left after the way to the dock and the reserve
+  std::string topic;              ///< sensor_msgs/BatteryState
+  std::string node;               ///< its publisher, to be restarted when it falls silent
+  Duration staleness{0};          ///< no message for longer than this is an error
+  Band voltage;                   ///< V
+  Band current;                   ///< A, positive: into the battery
+  Band charge;                    ///< state of charge, 0..1
+  Band coulombs;                  ///< Ah, what the battery says less what its current has brought
+  Band unchanged;                 ///< s that the charge has stood still although current flows
+  Band since_charge;              ///< s since the last charging current
+  Band margin;                    ///< Ah left after the way to the dock and the reserve
+  BatteryModel model;             ///< for the way and the reserve
+  std::optional<DockPlace> dock;  ///< missing: the way is not counted
 };
 
 struct ChargingWatch {

@@ -1,0 +1,84 @@
+#include "robot_app/monitoring/localization_monitor.h"
+
+#include <utility>
+
+namespace coppice::robot {
+namespace {
+
+constexpr char kMonitor[] = "localization";
+
+double InSeconds(Duration duration) { return std::chrono::duration<double>(duration).count(); }
+
+}  // namespace
+
+void LocalizationMonitor::Watch(const std::optional<LocalizationWatch>& watch) {
+  if (!watch_ || !watch || watch_->topic != watch->topic) {
+    state_.reset();
+    since_.reset();
+  }
+  watch_ = watch;
+  std::vector<GaugeWatch> gauges;
+  if (watch) {
+    gauges = {{kMonitor, "since_confirmed", watch->node, "s", watch->since_confirmed},
+              {kMonitor, "score", watch->node, "", watch->score},
+              {kMonitor, "deviation", watch->node, "m", watch->deviation}};
+  }
+  board_.Watch(gauges);
+}
+
+void LocalizationMonitor::OnState(LocalizationReport state, Time now) {
+  if (!watch_) return;
+  board_.OnValue(kMonitor, "since_confirmed", state.since_confirmed, now);
+  board_.OnValue(kMonitor, "score", state.score, now);
+  board_.OnValue(kMonitor, "deviation", state.deviation, now);
+  state_ = std::move(state);
+  since_ = now;
+}
+
+bool LocalizationMonitor::IsFresh(Time now) const {
+  return state_ && now - *since_ <= watch_->staleness;
+}
+
+std::vector<Finding> LocalizationMonitor::Report(const ProcessTable& processes, const Times& now) {
+  if (!watch_) return {};
+  if (processes.IsStarting(watch_->node)) {
+    state_.reset();
+    since_.reset();
+  }
+  if (!since_ || now.ros < *since_) since_ = now.ros;
+  if (!IsFresh(now.ros)) board_.Reset();
+  std::vector<Finding> findings = {Phase(now.ros)};
+  for (Finding& number : board_.Report(now.ros, now.ros)) findings.push_back(std::move(number));
+  Finding freshness = Freshness(now.ros);
+  freshness_.Apply(freshness, now.wall, patience_);
+  ApplyGrace(processes, watch_->node, freshness);
+  findings.push_back(std::move(freshness));
+  return findings;
+}
+
+Finding LocalizationMonitor::Phase(Time now) const {
+  Finding finding{kMonitor, "phase", watch_->node, HealthLevel::kOk, 0, "", "", now, ""};
+  if (!IsFresh(now)) {
+    finding.message = "state unknown";
+    return finding;
+  }
+  finding.value = static_cast<double>(state_->phase);
+  if (state_->phase == LocalizationPhase::kOk) return finding;
+  const bool is_lost = state_->phase != LocalizationPhase::kUncertain;
+  finding.level = is_lost ? HealthLevel::kError : HealthLevel::kWarn;
+  finding.message = is_lost ? "lost" : "uncertain";
+  if (!state_->message.empty()) finding.message += ": " + state_->message;
+  return finding;
+}
+
+Finding LocalizationMonitor::Freshness(Time now) const {
+  Finding finding{"topic", watch_->topic, watch_->node, HealthLevel::kOk, 0, "s", "", now, ""};
+  finding.value = InSeconds(now - *since_);
+  if (now - *since_ > watch_->staleness) {
+    finding.level = HealthLevel::kError;
+    finding.message = "no state for " + ToText(finding.value) + " s";
+  }
+  return finding;
+}
+
+}  // namespace coppice::robot

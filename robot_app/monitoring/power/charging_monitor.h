@@ -1,0 +1,36 @@
+// Does the battery really charge? Contact alone is no success: on the station current must flow
+// soon, and go on flowing until the battery is full.
+//
+// ROS time throughout.
+#ifndef COPPICE_ROBOT_APP_MONITORING_POWER_CHARGING_MONITOR_H_
+#define COPPICE_ROBOT_APP_MONITORING_POWER_CHARGING_MONITOR_H_
+
+#include <optional>
+#include <vector>
+
+#include "robot_app/monitoring/finding.h"
+#include "robot_app/monitoring/power/battery_monitor.h"
+#include "robot_app/monitoring/power/power_watch.h"
+
+namespace coppice::robot {
+
+class ChargingMonitor {
+ public:
+  /// Nothing: charging is not watched, and nothing is reported.
+  void Watch(const std::optional<ChargingWatch>& watch) { watch_ = watch; }
+  void OnSample(const BatterySample& sample, Time now);
+
+  /// One finding, "current"; value: A. Off the station, and with a full battery, all is well.
+  std::vector<Finding> Report(Time now) const;
+
+ private:
+  std::optional<ChargingWatch> watch_;
+  std::optional<BatterySample> sample_;  // the last one
+  Time heard_at_{0};
+  std::optional<Time> missing_since_;  // current, although there is contact
+  bool has_flowed_ = false;            // since the contact
+};
+
+}  // namespace coppice::robot
+
+#endif  // COPPICE_ROBOT_APP_MONITORING_POWER_CHARGING_MONITOR_H_

@@ -1,0 +1,77 @@
+// Does the robot get onto its station? Judges what the docking action's server says about its
+// goals (actionlib_msgs/GoalStatusArray), whoever has given them.
+//
+// ROS time throughout.
+#ifndef COPPICE_ROBOT_APP_MONITORING_POWER_DOCKING_MONITOR_H_
+#define COPPICE_ROBOT_APP_MONITORING_POWER_DOCKING_MONITOR_H_
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "robot_app/monitoring/gauge_board.h"
+#include "robot_app/monitoring/patience.h"
+#include "robot_app/monitoring/power/power_watch.h"
+#include "robot_app/monitoring/process_table.h"
+
+namespace coppice::robot {
+
+/// The numbers are those of actionlib_msgs/GoalStatus.
+enum class GoalPhase : std::uint8_t {
+  kPending = 0,
+  kActive = 1,
+  kPreempted = 2,
+  kSucceeded = 3,
+  kAborted = 4,
+  kRejected = 5,
+  kPreempting = 6,
+  kRecalling = 7,
+  kRecalled = 8,
+  kLost = 9,
+};
+
+/// One goal, as its server sees it.
+struct GoalReport {
+  std::string id;
+  GoalPhase phase = GoalPhase::kPending;
+  std::string message;
+};
+
+class DockingMonitor {
+ public:
+  explicit DockingMonitor(Duration patience = Duration::zero()) : patience_(patience) {}
+
+  /// Nothing: docking is not watched, and nothing is reported.
+  void Watch(const std::optional<DockingWatch>& watch);
+
+  /// All goals that the server knows; one that it no longer mentions is over.
+  void OnGoals(const std::vector<GoalReport>& goals, Time now);
+
+  /// "state": is the server heard; names its node. "failures": in a row; an attempt that was
+  /// cancelled counts neither way. "duration": of the attempt that is under way [s], else 0.
+  std::vector<Finding> Report(const ProcessTable& processes, const Times& now);
+
+ private:
+  struct Goal {
+    GoalPhase phase = GoalPhase::kPending;
+    Time begun{0};
+  };
+  void End(const GoalReport& goal, Time now);
+  double Longest(Time now) const;
+
+  Duration patience_;
+  Patience freshness_;
+  std::optional<DockingWatch> watch_;
+  GaugeBoard board_;
+  std::map<std::string, Goal> goals_;
+  int failures_ = 0;              // in a row
+  std::string reason_;            // of the last one
+  Time ended_at_{0};              // the last attempt
+  std::optional<Time> heard_at_;  // the last status, or the first report
+};
+
+}  // namespace coppice::robot
+
+#endif  // COPPICE_ROBOT_APP_MONITORING_POWER_DOCKING_MONITOR_H_

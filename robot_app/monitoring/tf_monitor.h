@@ -1,0 +1,64 @@
+// Are the transforms between frames there, fresh, steady, and still between the same frames?
+//
+// ROS time throughout: transforms are stamped in it.
+#ifndef COPPICE_ROBOT_APP_MONITORING_TF_MONITOR_H_
+#define COPPICE_ROBOT_APP_MONITORING_TF_MONITOR_H_
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "robot_app/monitoring/gauge_board.h"
+#include "robot_app/monitoring/patience.h"
+#include "robot_app/monitoring/process_table.h"
+#include "robot_app/monitoring/watch.h"
+
+namespace coppice::robot {
+
+/// One look at a pair of frames.
+struct TransformSample {
+  bool found = false;
+  std::string error;           ///< why not found, for people
+  Time stamp{0};               ///< of the newest common time; zero: static
+  double x = 0, y = 0, z = 0;  ///< of the child in the parent [m]
+  std::string hangs_on;        ///< frame that the child is a direct child of
+};
+
+class TfMonitor {
+ public:
+  explicit TfMonitor(Duration patience = Duration::zero()) : patience_(patience) {}
+
+  /// Watches these pairs from now on; a pair that stays the same keeps what was seen.
+  void Watch(const std::vector<TransformWatch>& pairs);
+
+  /// The pairs to look at, in the order that OnSamples expects.
+  std::vector<std::pair<std::string, std::string>> Pairs() const;
+  void OnSamples(const std::vector<TransformSample>& samples, Time now);
+
+  /// Per pair, "map -> odom age" (also an error if it is not found for the staleness), "... jump"
+  /// (m since the look before) and "... parent" (an error once the child hangs on another frame
+  /// than at first). Only the age names the node: a restart mends no tree with two owners.
+  std::vector<Finding> Report(const ProcessTable& processes, const Times& now);
+
+ private:
+  struct Pair {
+    TransformWatch watch;
+    Judge age, jump;
+    Patience patience;
+    std::optional<TransformSample> last;
+    std::string first_parent;  // of the child
+    std::string error;         // of the last look
+  };
+  static void OnSample(Pair& pair, const TransformSample& sample, Time now);
+  static Finding About(const Pair& pair, const std::string& what, Time now);
+  void Report(Pair& pair, const ProcessTable& processes, const Times& now,
+              std::vector<Finding>& findings) const;
+
+  Duration patience_;
+  std::vector<Pair> pairs_;
+};
+
+}  // namespace coppice::robot
+
+#endif  // COPPICE_ROBOT_APP_MONITORING_TF_MONITOR_H_

@@ -1,0 +1,48 @@
+#include "robot_app/monitoring/tf_tree.h"
+
+#include <tf2/exceptions.h>
+
+#include "robot_app/monitoring/health_messages.h"
+
+namespace coppice::robot {
+namespace {
+
+constexpr int kQueue = 100;
+
+}  // namespace
+
+TfTree::TfTree(ros::NodeHandle& node) {
+  const auto subscribe = [this, &node](const char* topic, bool is_static) {
+    return node.subscribe<tf2_msgs::TFMessage>(
+        topic, kQueue, [this, is_static](const tf2_msgs::TFMessage::ConstPtr& message) {
+          OnTransforms(*message, is_static);
+        });
+  };
+  moving_ = subscribe("/tf", false);
+  fixed_ = subscribe("/tf_static", true);
+}
+
+void TfTree::OnTransforms(const tf2_msgs::TFMessage& message, bool is_static) {
+  for (const auto& transform : message.transforms) {
+    // Whatever is wrong with it is refused by the buffer and then missed by the lookup.
+    buffer_.setTransform(transform, "tf", is_static);
+  }
+}
+
+TransformSample TfTree::Look(const std::string& parent, const std::string& child) const {
+  TransformSample sample;
+  try {
+    const auto transform = buffer_.lookupTransform(parent, child, ros::Time());
+    sample.found = true;
+    sample.stamp = FromRos(transform.header.stamp);
+    sample.x = transform.transform.translation.x;
+    sample.y = transform.transform.translation.y;
+    sample.z = transform.transform.translation.z;
+    buffer_._getParent(child, ros::Time(), sample.hangs_on);
+  } catch (const tf2::TransformException& problem) {
+    sample.error = problem.what();
+  }
+  return sample;
+}
+
+}  // namespace coppice::robot

@@ -1,0 +1,34 @@
+// The transforms of /tf and /tf_static, received by the thread that spins (a tf2_ros listener has
+// threads of its own, which a monitor does not need).
+#ifndef COPPICE_ROBOT_APP_MONITORING_TF_TREE_H_
+#define COPPICE_ROBOT_APP_MONITORING_TF_TREE_H_
+
+#include <ros/node_handle.h>
+#include <tf2/buffer_core.h>
+#include <tf2_msgs/TFMessage.h>
+
+#include <string>
+
+#include "robot_app/monitoring/tf_monitor.h"
+
+namespace coppice::robot {
+
+/// For the thread that spins.
+class TfTree {
+ public:
+  /// Subscribes.
+  explicit TfTree(ros::NodeHandle& node);
+
+  /// The newest transform that is known for both frames, and where the child hangs now.
+  TransformSample Look(const std::string& parent, const std::string& child) const;
+
+ private:
+  void OnTransforms(const tf2_msgs::TFMessage& message, bool is_static);
+
+  tf2::BufferCore buffer_;
+  ros::Subscriber moving_, fixed_;
+};
+
+}  // namespace coppice::robot
+
+#endif  // COPPICE_ROBOT_APP_MONITORING_TF_TREE_H_
