@@ -8,6 +8,8 @@ namespace coppice::robot {
 namespace {
 
 constexpr Duration kPeriodOfUnknownSources = std::chrono::seconds(2);
+constexpr Duration kTimeToEnd = std::chrono::seconds(10);
+constexpr Duration kUntilForgotten = std::chrono::seconds(60);
 
 bool SameSubject(const Finding& a, const Finding& b) {
   return a.monitor == b.monitor && a.subject == b.subject;
@@ -32,15 +34,20 @@ void HealthAggregator::Expect(const std::vector<SourceWatch>& sources, Time now)
     return std::any_of(sources.begin(), sources.end(),
                        [&name](const SourceWatch& watch) { return watch.source == name; });
   };
-  sources_.erase(std::remove_if(sources_.begin(), sources_.end(),
-                                [&is_expected](const Source& source) {
-                                  return source.expected && !is_expected(source.name);
-                                }),
-                 sources_.end());
+  for (Source& source : sources_) {
+    if (!source.expected || is_expected(source.name)) continue;
+    source.expected = false;
+    source.dismissed_at = now;
+    source.entries.clear();
+    source.silent = false;
+  }
   for (const SourceWatch& watch : sources) {
     Source& source = Get(watch.source, now);
+    if (!source.expected) source.last_report = now;
     source.expected = true;
+    source.dismissed_at.reset();
     source.period = watch.period;
+    source.host = watch.host;
   }
 }
 
@@ -57,6 +64,8 @@ bool HealthAggregator::Update(Entry& entry, const Finding& finding, Time now) {
 bool HealthAggregator::OnReport(const std::string& name, const std::vector<Finding>& findings,
                                 Time now) {
   Source& source = Get(name, now);
+  if (source.dismissed_at && now - *source.dismissed_at < kTimeToEnd) return false;
+  source.dismissed_at.reset();
   source.last_report = now;
   source.silent = false;
   bool changed = source.entries.size() != findings.size();
@@ -75,7 +84,9 @@ bool HealthAggregator::OnReport(const std::string& name, const std::vector<Findi
 
 bool HealthAggregator::CheckSilence(const ProcessTable& processes, Time now, Time stamp) {
   bool changed = false;
+  ForgetStrangers(now);
   for (Source& source : sources_) {
+    if (source.dismissed_at) continue;
     if (processes.IsStarting(source.name)) {
       changed = changed || source.silent;
       if (source.silent) source.entries.clear();
@@ -90,6 +101,13 @@ bool HealthAggregator::CheckSilence(const ProcessTable& processes, Time now, Tim
   return changed;
 }
 
+void HealthAggregator::ForgetStrangers(Time now) {
+  const auto is_gone = [now](const Source& source) {
+    return !source.expected && now - source.last_report > kUntilForgotten;
+  };
+  sources_.erase(std::remove_if(sources_.begin(), sources_.end(), is_gone), sources_.end());
+}
+
 void HealthAggregator::MakeStale(Source& source, Time now, Time stamp) {
   char silence[64];
   std::snprintf(silence, sizeof(silence), "no report for %.1f s",
@@ -99,12 +117,13 @@ void HealthAggregator::MakeStale(Source& source, Time now, Time stamp) {
     itself.current.monitor = "node";
     itself.current.subject = source.name;
     itself.current.unit = "s";
+    itself.current.host = source.host;
     source.entries.push_back(std::move(itself));
     source.silent = true;
   }
   for (Entry& entry : source.entries) {
     Finding stale = entry.current;
-    stale.node = source.name;
+    stale.node = source.expected ? source.name : "";
     stale.level = HealthLevel::kStale;
     stale.message = source.name + ": " + silence;
     stale.stamp = stamp;
@@ -114,7 +133,7 @@ void HealthAggregator::MakeStale(Source& source, Time now, Time stamp) {
   itself.value = std::chrono::duration<double>(now - source.last_report).count();
 }
 
-std::vector<Finding> HealthAggregator::Publish(Time now) {
+std::vector<Finding> HealthAggregator::Publish(Time now, Time stamp) {
   std::vector<Finding> findings;
   for (Source& source : sources_) {
     for (Entry& entry : source.entries) {
@@ -126,6 +145,9 @@ std::vector<Finding> HealthAggregator::Publish(Time now) {
       entry.is_published = true;
       entry.published = findings.back().level;
     }
+    if (source.expected || source.dismissed_at) continue;
+    findings.push_back({"aggregation", source.name, "", HealthLevel::kWarn, 0, "",
+                        "unknown source: not expected in this configuration", stamp, ""});
   }
   return findings;
 }

@@ -8,6 +8,7 @@
 #ifndef COPPICE_ROBOT_APP_MONITORING_HEALTH_AGGREGATOR_H_
 #define COPPICE_ROBOT_APP_MONITORING_HEALTH_AGGREGATOR_H_
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,7 +25,9 @@ class HealthAggregator {
   HealthAggregator(Duration hold, int silent_periods)
       : hold_(hold), silent_periods_(silent_periods) {}
 
-  /// These sources must report from now on. Others may; what they say is passed through.
+  /// These sources must report from now on. Others may; what they say is passed through, with an
+  /// entry of monitor "aggregation" that says so. One that was expected and no longer is has some
+  /// time to end, in which it is ignored.
   void Expect(const std::vector<SourceWatch>& sources, Time now);
 
   /// The complete report of a source: what it no longer mentions is forgotten. True if a level
@@ -36,8 +39,10 @@ class HealthAggregator {
   bool CheckSilence(const ProcessTable& processes, Time now, Time stamp);
 
   /// Everything that is known now, sources in the order of their first report. A silent source
-  /// has an entry of its own, monitor "node"; it is the node to restart for all its entries.
-  std::vector<Finding> Publish(Time now);
+  /// has an entry of its own, monitor "node"; it is the node to restart for all its entries. An
+  /// unknown source that is silent is restarted by nobody, and forgotten after a while. `stamp`:
+  /// ROS time.
+  std::vector<Finding> Publish(Time now, Time stamp);
 
  private:
   struct Entry {
@@ -54,12 +59,15 @@ class HealthAggregator {
     bool expected = false;
     bool silent = false;
     Time last_report{0};
+    std::optional<Time> dismissed_at;  // expected before, and no longer
+    std::string host;
     std::vector<Entry> entries;
   };
 
   Source& Get(const std::string& name, Time now);
   static bool Update(Entry& entry, const Finding& finding, Time now);
-  void MakeStale(Source& source, Time now, Time stamp);
+  static void MakeStale(Source& source, Time now, Time stamp);
+  void ForgetStrangers(Time now);
 
   Duration hold_;
   int silent_periods_;

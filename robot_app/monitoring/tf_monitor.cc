@@ -1,5 +1,6 @@
 #include "robot_app/monitoring/tf_monitor.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace coppice::robot {

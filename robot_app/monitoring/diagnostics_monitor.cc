@@ -1,0 +1,59 @@
+#include "robot_app/monitoring/diagnostics_monitor.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "robot_app/monitoring/band.h"
+
+namespace coppice::robot {
+namespace {
+
+constexpr std::size_t kMostStatuses = 2000;  // a limit for a program that invents names
+constexpr int kWorst = static_cast<int>(HealthLevel::kStale);
+
+}  // namespace
+
+void DiagnosticsMonitor::Watch(const std::optional<DiagnosticsWatch>& watch, Time now) {
+  const auto is_silent = [this, now](const Status& status) {
+    return now - status.heard_at > watch_->staleness;
+  };
+  if (!watch) statuses_.clear();
+  if (watch_) {
+    statuses_.erase(std::remove_if(statuses_.begin(), statuses_.end(), is_silent), statuses_.end());
+  }
+  watch_ = watch;
+}
+
+void DiagnosticsMonitor::OnStatus(const std::string& name, int level, const std::string& message,
+                                  Time now) {
+  if (!watch_ || name.rfind(kOwnDiagnostics, 0) == 0) return;
+  auto status = std::find_if(statuses_.begin(), statuses_.end(),
+                             [&name](const Status& known) { return known.name == name; });
+  if (status == statuses_.end()) {
+    if (statuses_.size() >= kMostStatuses) return;
+    status = statuses_.insert(status, {name, HealthLevel::kOk, "", now});
+  }
+  const bool is_known = level >= 0 && level <= kWorst;
+  status->level = static_cast<HealthLevel>(is_known ? level : kWorst);
+  status->message = message;
+  status->heard_at = now;
+}
+
+std::vector<Finding> DiagnosticsMonitor::Report(const Times& now) const {
+  std::vector<Finding> findings;
+  for (const Status& status : statuses_) {
+    Finding finding{
+        "diagnostics",  status.name, "", status.level, std::numeric_limits<double>::quiet_NaN(), "",
+        status.message, now.ros,     ""};
+    const Duration silence = now.wall - status.heard_at;
+    if (silence > watch_->staleness) {
+      finding.level = HealthLevel::kStale;
+      finding.message =
+          "not repeated for " + ToText(std::chrono::duration<double>(silence).count()) + " s";
+    }
+    findings.push_back(std::move(finding));
+  }
+  return findings;
+}
+
+}  // namespace coppice::robot

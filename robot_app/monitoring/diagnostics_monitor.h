@@ -1,0 +1,45 @@
+// What other programs say about themselves on /diagnostics, as entries of the robot's health
+// (http://wiki.ros.org/diagnostics, REP 107). What Coppice itself says there is not read back.
+//
+// All times are wall time: programs repeat their diagnostics in it.
+#ifndef COPPICE_ROBOT_APP_MONITORING_DIAGNOSTICS_MONITOR_H_
+#define COPPICE_ROBOT_APP_MONITORING_DIAGNOSTICS_MONITOR_H_
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "robot_app/monitoring/finding.h"
+#include "robot_app/monitoring/watch.h"
+
+namespace coppice::robot {
+
+/// Names of diagnostics that begin so are Coppice's own.
+inline constexpr char kOwnDiagnostics[] = "coppice: ";
+
+class DiagnosticsMonitor {
+ public:
+  /// Nothing: nothing is read. A change forgets who has fallen silent: the programs of the
+  /// configuration may be others.
+  void Watch(const std::optional<DiagnosticsWatch>& watch, Time now);
+
+  /// `level`: that of diagnostic_msgs/DiagnosticStatus; a number that is not known is the worst.
+  void OnStatus(const std::string& name, int level, const std::string& message, Time now);
+
+  /// One finding per name; STALE from the staleness on until it is heard again.
+  std::vector<Finding> Report(const Times& now) const;
+
+ private:
+  struct Status {
+    std::string name;
+    HealthLevel level = HealthLevel::kOk;
+    std::string message;
+    Time heard_at{0};
+  };
+  std::optional<DiagnosticsWatch> watch_;
+  std::vector<Status> statuses_;
+};
+
+}  // namespace coppice::robot
+
+#endif  // COPPICE_ROBOT_APP_MONITORING_DIAGNOSTICS_MONITOR_H_

@@ -1,0 +1,58 @@
+// Does the logger log? A file or folder must change, or a topic must report.
+//
+// All times are wall time: a disk is full, or a database gone, in the computer's time.
+#ifndef COPPICE_ROBOT_APP_MONITORING_LOGGER_MONITOR_H_
+#define COPPICE_ROBOT_APP_MONITORING_LOGGER_MONITOR_H_
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "robot_app/monitoring/finding.h"
+#include "robot_app/monitoring/process_table.h"
+#include "robot_app/monitoring/watch.h"
+
+namespace coppice::robot {
+
+/// By what one sees that something was written.
+struct Footprint {
+  std::uint64_t size = 0;       ///< bytes, of all files together
+  std::int64_t last_write = 0;  ///< of the newest file, in ticks of the file system's clock
+
+  bool operator==(const Footprint& other) const {
+    return size == other.size && last_write == other.last_write;
+  }
+};
+
+/// Of a file, or of all files in a folder and below; nothing if there is no such thing.
+std::optional<Footprint> ReadFootprint(const std::string& path);
+
+class LoggerMonitor {
+ public:
+  /// Relative paths begin in `folder`.
+  explicit LoggerMonitor(std::string folder) : folder_(std::move(folder)) {}
+
+  /// Watches these from now on; one that stays the same keeps what was seen.
+  void Watch(const std::vector<LoggerWatch>& loggers);
+  /// Looks at the files; to be called before every report.
+  void Look(Time now);
+  /// A logger's topic has reported.
+  void OnMessage(const std::string& topic, Time now);
+
+  /// One finding per logger; value: seconds since it last wrote or reported.
+  std::vector<Finding> Report(const ProcessTable& processes, const Times& now);
+
+ private:
+  struct Logger {
+    LoggerWatch watch;
+    std::optional<Footprint> footprint;
+    std::optional<Time> alive_at;  // or the first report
+  };
+  std::string folder_;
+  std::vector<Logger> loggers_;
+};
+
+}  // namespace coppice::robot
+
+#endif  // COPPICE_ROBOT_APP_MONITORING_LOGGER_MONITOR_H_

@@ -1,0 +1,94 @@
+#include "robot_app/monitoring/localization_monitor.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace coppice::robot {
+namespace {
+
+using std::chrono::seconds;
+
+class LocalizationMonitorTest : public testing::Test {
+ protected:
+  LocalizationMonitorTest() {
+    LocalizationWatch watch;
+    watch.topic = "/localization/state";
+    watch.node = "/localization";
+    watch.staleness = seconds(3);
+    watch.since_confirmed = {{std::nullopt, 10}, {std::nullopt, 20}, 1, Duration::zero(), 0};
+    watch.score = {{0.5, std::nullopt}, {0.2, std::nullopt}, 1, Duration::zero(), 0};
+    watch.deviation = {{std::nullopt, 0.3}, {std::nullopt, 1}, 1, Duration::zero(), 0};
+    monitor_.Watch(watch);
+  }
+  Finding About(const std::string& subject, Time now) {
+    for (const Finding& finding : monitor_.Report(processes_, {now, Time(0)})) {
+      if (finding.subject == subject) return finding;
+    }
+    ADD_FAILURE() << "nothing about " << subject;
+    return {};
+  }
+  LocalizationMonitor monitor_;
+  ProcessTable processes_;
+};
+
+TEST_F(LocalizationMonitorTest, ARobotThatKnowsItsPlaceIsWell) {
+  monitor_.OnState({LocalizationPhase::kOk, 0.5, 0.9, 0.05, ""}, seconds(1));
+  const auto findings = monitor_.Report(processes_, {seconds(1), Time(0)});
+  ASSERT_EQ(findings.size(), 5u);
+  for (const Finding& finding : findings) {
+    EXPECT_EQ(finding.level, HealthLevel::kOk) << finding.subject;
+    EXPECT_EQ(finding.node, "/localization");
+  }
+  EXPECT_EQ(findings[0].monitor, "localization");
+  EXPECT_EQ(findings[4].monitor, "topic");
+}
+
+TEST_F(LocalizationMonitorTest, ThePhaseIsTheServersWord) {
+  monitor_.OnState({LocalizationPhase::kUncertain, 5, 0.9, 0.05, "many places"}, seconds(1));
+  EXPECT_EQ(About("phase", seconds(1)).level, HealthLevel::kWarn);
+  EXPECT_EQ(About("phase", seconds(1)).message, "uncertain: many places");
+  monitor_.OnState({LocalizationPhase::kLost, 5, 0.9, 0.05, ""}, seconds(2));
+  EXPECT_EQ(About("phase", seconds(2)).level, HealthLevel::kError);
+  EXPECT_EQ(About("phase", seconds(2)).message, "lost");
+  monitor_.OnState({static_cast<LocalizationPhase>(9), 5, 0.9, 0.05, ""}, seconds(3));
+  EXPECT_EQ(About("phase", seconds(3)).level, HealthLevel::kError);
+}
+
+TEST_F(LocalizationMonitorTest, TheNumbersAreJudgedEach) {
+  monitor_.OnState({LocalizationPhase::kOk, 15, 0.1, 0.5, ""}, seconds(1));
+  EXPECT_EQ(About("since_confirmed", seconds(1)).level, HealthLevel::kWarn);
+  EXPECT_EQ(About("score", seconds(1)).level, HealthLevel::kError);
+  EXPECT_EQ(About("score", seconds(1)).message, "0.1, expected at least 0.2");
+  EXPECT_EQ(About("deviation", seconds(1)).level, HealthLevel::kWarn);
+  EXPECT_EQ(About("deviation", seconds(1)).unit, "m");
+}
+
+TEST_F(LocalizationMonitorTest, SilenceIsAnErrorAndTheLastStateNoLongerBelieved) {
+  monitor_.OnState({LocalizationPhase::kLost, 15, 0.1, 0.5, ""}, seconds(1));
+  EXPECT_EQ(About("/localization/state", seconds(4)).level, HealthLevel::kOk);
+  EXPECT_EQ(About("/localization/state", seconds(5)).level, HealthLevel::kError);
+  EXPECT_EQ(About("/localization/state", seconds(5)).message, "no state for 4 s");
+  EXPECT_EQ(About("phase", seconds(5)).level, HealthLevel::kOk);
+  EXPECT_EQ(About("phase", seconds(5)).message, "state unknown");
+  EXPECT_TRUE(std::isnan(About("score", seconds(5)).value));
+}
+
+TEST_F(LocalizationMonitorTest, SilenceFromTheBeginningIsNoticedAndAStartHasItsTime) {
+  About("phase", seconds(1));
+  EXPECT_EQ(About("/localization/state", seconds(5)).level, HealthLevel::kError);
+  processes_.by_node["/localization"].phase = ProcessPhase::kStarting;
+  EXPECT_EQ(About("/localization/state", seconds(50)).level, HealthLevel::kOk);
+  processes_.by_node["/localization"].phase = ProcessPhase::kReady;
+  EXPECT_EQ(About("/localization/state", seconds(53)).level, HealthLevel::kOk);
+  EXPECT_EQ(About("/localization/state", seconds(54)).level, HealthLevel::kError);
+}
+
+TEST_F(LocalizationMonitorTest, WithoutAWatchThereIsNothingToSay) {
+  monitor_.Watch(std::nullopt);
+  monitor_.OnState({LocalizationPhase::kLost, 15, 0.1, 0.5, ""}, seconds(1));
+  EXPECT_TRUE(monitor_.Report(processes_, {seconds(1), Time(0)}).empty());
+}
+
+}  // namespace
+}  // namespace coppice::robot

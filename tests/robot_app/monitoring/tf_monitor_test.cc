@@ -1,0 +1,113 @@
+#include "robot_app/monitoring/tf_monitor.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace coppice::robot {
+namespace {
+
+using std::chrono::milliseconds;
+using std::chrono::seconds;
+
+TransformWatch Watch() {
+  TransformWatch watch{"map", "base_link", "/localization", {}, {}};
+  watch.age = {{std::nullopt, 0.5}, {std::nullopt, 1}, 1, seconds(3), 0};
+  watch.jump = {{std::nullopt, 0.5}, {std::nullopt, 2}, 1, Duration::zero(), 0};
+  return watch;
+}
+
+class TfMonitorTest : public testing::Test {
+ protected:
+  TfMonitorTest() { monitor_.Watch({Watch()}); }
+  void Look(Time stamp, Time now, double x = 0, const std::string& parent = "odom") {
+    monitor_.OnSamples({{true, "", stamp, x, 0, 0, parent}}, now);
+  }
+  void LookInVain(Time now) {
+    TransformSample sample;
+    sample.error = "no such frame";
+    monitor_.OnSamples({sample}, now);
+  }
+  Finding About(const std::string& what, Time now) {
+    for (const Finding& finding : monitor_.Report(processes_, {now, Time(0)})) {
+      EXPECT_EQ(finding.monitor, "tf");
+      if (finding.subject == "map -> base_link " + what) return finding;
+    }
+    ADD_FAILURE() << "nothing about " << what;
+    return {};
+  }
+  TfMonitor monitor_;
+  ProcessTable processes_;
+};
+
+TEST_F(TfMonitorTest, SaysWhereToLook) {
+  ASSERT_EQ(monitor_.Pairs().size(), 1u);
+  EXPECT_EQ(monitor_.Pairs()[0].first, "map");
+  EXPECT_EQ(monitor_.Pairs()[0].second, "base_link");
+}
+
+TEST_F(TfMonitorTest, AFreshTransformIsWellAndAnOldOneAnError) {
+  Look(seconds(10), seconds(10) + milliseconds(100));
+  EXPECT_EQ(About("age", seconds(10)).level, HealthLevel::kOk);
+  EXPECT_NEAR(About("age", seconds(10)).value, 0.1, 1e-9);
+  Look(seconds(10), seconds(12));
+  EXPECT_EQ(About("age", seconds(12)).level, HealthLevel::kError);
+  EXPECT_EQ(About("age", seconds(12)).node, "/localization");
+  EXPECT_EQ(About("age", seconds(12)).message, "2 s, expected at most 1 s");
+}
+
+TEST_F(TfMonitorTest, AStaticTransformIsNeverOld) {
+  Look(Time::zero(), seconds(1000));
+  EXPECT_EQ(About("age", seconds(1000)).value, 0);
+}
+
+TEST_F(TfMonitorTest, ALookupThatFailsIsAnErrorAfterTheStaleness) {
+  LookInVain(seconds(1));
+  EXPECT_EQ(About("age", seconds(1)).level, HealthLevel::kOk);
+  LookInVain(seconds(5));
+  EXPECT_EQ(About("age", seconds(5)).level, HealthLevel::kError);
+  EXPECT_EQ(About("age", seconds(5)).message, "no value for 4 s: no such frame");
+}
+
+TEST_F(TfMonitorTest, AJumpIsTheWayBetweenTwoLooks) {
+  Look(seconds(1), seconds(1), 5);
+  EXPECT_TRUE(std::isnan(About("jump", seconds(1)).value));
+  Look(seconds(2), seconds(2), 5.1);
+  EXPECT_EQ(About("jump", seconds(2)).level, HealthLevel::kOk);
+  Look(seconds(3), seconds(3), 9);
+  EXPECT_EQ(About("jump", seconds(3)).level, HealthLevel::kError);
+  EXPECT_NEAR(About("jump", seconds(3)).value, 3.9, 1e-9);
+  Look(seconds(4), seconds(4), 9);
+  EXPECT_EQ(About("jump", seconds(4)).level, HealthLevel::kOk);
+}
+
+TEST_F(TfMonitorTest, AChildThatChangesItsParentIsAnError) {
+  Look(seconds(1), seconds(1), 0, "odom");
+  EXPECT_EQ(About("parent", seconds(1)).level, HealthLevel::kOk);
+  Look(seconds(2), seconds(2), 0, "odom_of_the_wheels");
+  EXPECT_EQ(About("parent", seconds(2)).level, HealthLevel::kError);
+  EXPECT_EQ(About("parent", seconds(2)).message,
+            "base_link hung on odom, now on odom_of_the_wheels");
+  Look(seconds(3), seconds(3), 0, "odom");
+  EXPECT_EQ(About("parent", seconds(3)).level, HealthLevel::kOk);
+}
+
+TEST_F(TfMonitorTest, AnOwnerThatStartsHasItsTime) {
+  Look(seconds(1), seconds(1), 0);
+  processes_.by_node["/localization"].phase = ProcessPhase::kStarting;
+  EXPECT_EQ(About("age", seconds(20)).level, HealthLevel::kOk);
+  processes_.by_node["/localization"].phase = ProcessPhase::kReady;
+  Look(seconds(21), seconds(21), 50);  // found itself elsewhere
+  EXPECT_TRUE(std::isnan(About("jump", seconds(21)).value));
+}
+
+TEST_F(TfMonitorTest, AChangeOfTheListKeepsWhatWasSeen) {
+  Look(seconds(1), seconds(1), 0, "odom");
+  TransformWatch other = Watch();
+  other.child = "laser";
+  monitor_.Watch({other, Watch()});
+  EXPECT_EQ(About("age", seconds(1)).value, 0);
+}
+
+}  // namespace
+}  // namespace coppice::robot
