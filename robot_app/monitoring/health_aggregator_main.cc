@@ -1,9 +1,10 @@
 // coppice-health-aggregator --config FILE: node /health_aggregator. Reads /monitoring/reports and
 // publishes /monitoring (coppice_msgs/Health, latched): every publish_period of wall time, and at
-// once when a level changes.
+// once when a level changes; the same on /diagnostics every diagnostics_period.
 #include <coppice_msgs/Health.h>
 #include <ros/ros.h>
 
+#include "robot_app/monitoring/diagnostics_messages.h"
 #include "robot_app/monitoring/health_aggregator.h"
 #include "robot_app/monitoring/health_messages.h"
 #include "robot_app/monitoring/monitor_node.h"
@@ -29,6 +30,12 @@ class Program {
       aggregator_.CheckSilence(node_.processes(), now.wall, now.ros);
       Publish();
     });
+    if (start.config.diagnostics_period == Duration::zero()) return;
+    diagnostics_ =
+        node_.handle().advertise<diagnostic_msgs::DiagnosticArray>("/diagnostics", kQueue);
+    diagnostics_timer_ = node_.Every(start.config.diagnostics_period, [this] {
+      if (diagnostics_.getNumSubscribers() > 0) diagnostics_.publish(ToDiagnostics(published_));
+    });
   }
 
  private:
@@ -39,15 +46,21 @@ class Program {
   }
 
   void Publish() {
-    health_.publish(
-        ToMessage(ros::this_node::getName(), aggregator_.Publish(MonitorNode::Now().wall)));
+    const Times now = MonitorNode::Now();
+    published_ = aggregator_.Publish(now.wall, now.ros);
+    for (Finding& finding : published_) {
+      if (finding.host.empty()) finding.host = node_.host();
+    }
+    health_.publish(ToMessage(ros::this_node::getName(), published_));
   }
 
   HealthAggregator aggregator_;
+  std::vector<Finding> published_;
   MonitorNode node_;
   ros::Publisher health_;
   ros::Subscriber reports_;
-  ros::WallTimer timer_;
+  ros::WallTimer timer_, diagnostics_timer_;
+  ros::Publisher diagnostics_;
 };
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "robot_app/monitoring/monitor_config.h"
@@ -43,6 +44,21 @@ class MonitorNode {
 
   /// Calls again and again, in wall time, as long as the timer lives.
   ros::WallTimer Every(Duration period, std::function<void()> call);
+
+  /// Makes `subscriber` listen to this topic; one that does already goes on. Empty: to none.
+  template <class Message>
+  void Subscribe(ros::Subscriber& subscriber, const std::string& topic, int queue,
+                 std::function<void(const Message&)> on_message) {
+    if (subscriber.getTopic() == topic) return;
+    subscriber.shutdown();
+    subscriber = ros::Subscriber();
+    if (topic.empty()) return;
+    subscriber = handle_.subscribe<Message>(
+        topic, static_cast<std::uint32_t>(queue),
+        [call = std::move(on_message)](const typename Message::ConstPtr& message) {
+          call(*message);
+        });
+  }
 
   /// To /monitoring/reports. A finding without host is about the host of its node, else this one.
   void Publish(std::vector<Finding> findings);

@@ -1,12 +1,17 @@
-// coppice-topic-monitor --config FILE: node /topic_monitor. Counts the messages of any type without
-// reading them, or takes what their subscribers say on /statistics, and reports rates and silence
-// every report_period of wall time.
+// coppice-topic-monitor --config FILE [--folder FOLDER]: node /topic_monitor. Counts the messages
+// of any type without reading them, or takes what their subscribers say on /statistics; looks
+// whether loggers log (their paths begin in FOLDER), and reads what other programs say on
+// /diagnostics. Reports every report_period of wall time.
+#include <diagnostic_msgs/DiagnosticArray.h>
 #include <ros/ros.h>
 #include <rosgraph_msgs/TopicStatistics.h>
 
-#include <algorithm>
+#include <map>
+#include <set>
 
 #include "robot_app/monitoring/any_message.h"
+#include "robot_app/monitoring/diagnostics_monitor.h"
+#include "robot_app/monitoring/logger_monitor.h"
 #include "robot_app/monitoring/monitor_node.h"
 #include "robot_app/monitoring/topic_monitor.h"
 
@@ -20,59 +25,96 @@ class Program {
  public:
   explicit Program(const MonitorStart& start)
       : monitor_(start.config.patience),
-        node_(start, [this](const WatchList& list) { Watch(list.topics); }) {
+        loggers_(start.folder),
+        node_(start, [this](const WatchList& list) { Watch(list); }) {
     Subscribe();
-    timer_ = node_.Every(start.config.report_period, [this] {
-      node_.Publish(monitor_.Report(node_.processes(), MonitorNode::Now()));
-    });
+    timer_ = node_.Every(start.config.report_period, [this] { Report(); });
   }
 
  private:
-  void Watch(const std::vector<TopicWatch>& topics) {
-    monitor_.Watch(topics);
-    topics_ = topics;
+  void Watch(const WatchList& list) {
+    monitor_.Watch(list.topics);
+    topics_ = list.topics;
+    loggers_.Watch(list.loggers);
+    logger_topics_.clear();
+    for (const LoggerWatch& watch : list.loggers) {
+      if (!watch.topic.empty()) logger_topics_.push_back(watch.topic);
+    }
+    diagnostics_.Watch(list.diagnostics, MonitorNode::Now().wall);
+    reads_diagnostics_ = list.diagnostics.has_value();
     if (timer_.isValid()) Subscribe();
   }
 
-  void Subscribe() {
-    std::map<std::string, ros::Subscriber> subscribers;
-    for (const TopicWatch& watch : topics_) {
-      if (watch.by_statistics) continue;
-      const auto known = subscribers_.find(watch.topic);
-      if (known != subscribers_.end()) {
-        subscribers.insert(*known);
-        continue;
-      }
-      subscribers[watch.topic] = node_.handle().subscribe<AnyMessage>(
-          watch.topic, kQueue,
-          [this, topic = watch.topic](const boost::shared_ptr<AnyMessage const>&) {
-            monitor_.OnMessage(topic, MonitorNode::Now());
-          });
-    }
-    subscribers_ = std::move(subscribers);
-    SubscribeStatistics();
+  void Report() {
+    const Times now = MonitorNode::Now();
+    loggers_.Look(now.wall);
+    std::vector<Finding> findings = monitor_.Report(node_.processes(), now);
+    const auto add = [&findings](std::vector<Finding> more) {
+      for (Finding& finding : more) findings.push_back(std::move(finding));
+    };
+    add(loggers_.Report(node_.processes(), now));
+    add(diagnostics_.Report(now));
+    node_.Publish(std::move(findings));
   }
 
-  void SubscribeStatistics() {
-    const bool needed = std::any_of(topics_.begin(), topics_.end(),
-                                    [](const TopicWatch& watch) { return watch.by_statistics; });
-    if (!needed) statistics_.shutdown();
-    if (!needed || !statistics_.getTopic().empty()) return;
-    statistics_ = node_.handle().subscribe<rosgraph_msgs::TopicStatistics>(
-        "/statistics", kQueue, [this](const rosgraph_msgs::TopicStatistics::ConstPtr& message) {
-          const double seconds = (message->window_stop - message->window_start).toSec();
+  void Subscribe() {
+    std::set<std::string> counted(logger_topics_.begin(), logger_topics_.end());
+    bool needs_statistics = false;
+    for (const TopicWatch& watch : topics_) {
+      needs_statistics = needs_statistics || watch.by_statistics;
+      if (!watch.by_statistics) counted.insert(watch.topic);
+    }
+    std::map<std::string, ros::Subscriber> subscribers;
+    for (const std::string& topic : counted) {
+      const auto known = subscribers_.find(topic);
+      subscribers[topic] = known == subscribers_.end() ? Count(topic) : known->second;
+    }
+    subscribers_ = std::move(subscribers);
+    SubscribeStatistics(needs_statistics);
+    SubscribeDiagnostics();
+  }
+
+  ros::Subscriber Count(const std::string& topic) {
+    return node_.handle().subscribe<AnyMessage>(
+        topic, kQueue, [this, topic](const boost::shared_ptr<AnyMessage const>&) {
+          const Times now = MonitorNode::Now();
+          monitor_.OnMessage(topic, now);
+          loggers_.OnMessage(topic, now.wall);
+        });
+  }
+
+  void SubscribeStatistics(bool is_needed) {
+    node_.Subscribe<rosgraph_msgs::TopicStatistics>(
+        statistics_, is_needed ? "/statistics" : "", kQueue,
+        [this](const rosgraph_msgs::TopicStatistics& message) {
+          const double seconds = (message.window_stop - message.window_start).toSec();
           if (seconds <= 0) return;
-          monitor_.OnStatistics({message->topic, message->node_pub, message->node_sub,
-                                 message->delivered_msgs / seconds},
-                                MonitorNode::Now());
+          monitor_.OnStatistics(
+              {message.topic, message.node_pub, message.node_sub, message.delivered_msgs / seconds},
+              MonitorNode::Now());
+        });
+  }
+
+  void SubscribeDiagnostics() {
+    node_.Subscribe<diagnostic_msgs::DiagnosticArray>(
+        diagnostics_subscriber_, reads_diagnostics_ ? "/diagnostics" : "", kQueue,
+        [this](const diagnostic_msgs::DiagnosticArray& message) {
+          const Time now = MonitorNode::Now().wall;
+          for (const diagnostic_msgs::DiagnosticStatus& status : message.status) {
+            diagnostics_.OnStatus(status.name, status.level, status.message, now);
+          }
         });
   }
 
   TopicMonitor monitor_;
+  LoggerMonitor loggers_;
+  DiagnosticsMonitor diagnostics_;
   std::vector<TopicWatch> topics_;
+  std::vector<std::string> logger_topics_;
+  bool reads_diagnostics_ = false;
   MonitorNode node_;
   std::map<std::string, ros::Subscriber> subscribers_;
-  ros::Subscriber statistics_;
+  ros::Subscriber statistics_, diagnostics_subscriber_;
   ros::WallTimer timer_;
 };
 

@@ -8,12 +8,8 @@ namespace {
 constexpr double kDay = 86400;
 constexpr double kHour = 3600;
 
-Band AtMost(double warn, double error, int consecutive = 1) {
-  return {{std::nullopt, warn}, {std::nullopt, error}, consecutive, Duration::zero(), 0};
-}
-
-Band AtLeast(double warn, double error, int consecutive = 1) {
-  return {{warn, std::nullopt}, {error, std::nullopt}, consecutive, Duration::zero(), 0};
+Band AtMost(double warn, double error) {
+  return {{std::nullopt, warn}, {std::nullopt, error}, 1, Duration::zero(), 0};
 }
 
 }  // namespace
@@ -60,8 +56,10 @@ LocalizationWatch ReadLocalizationWatch(YamlFields& fields) {
   watch.node = ReadRosName(fields, "node");
   watch.staleness = fields.Seconds("staleness", 3, 0.01, kHour);
   watch.since_confirmed = ReadBand(fields, "since_confirmed", AtMost(10, 20));
-  watch.score = ReadBand(fields, "score", AtLeast(0.5, 0.2, 3));
-  watch.deviation = ReadBand(fields, "deviation", AtMost(0.3, 1, 3));
+  // Whether the robot is lost, the localization knows best.
+  watch.score = ReadBand(fields, "score", {{0.3, std::nullopt}, {}, 3, Duration::zero(), 0});
+  watch.deviation =
+      ReadBand(fields, "deviation", {{std::nullopt, 0.5}, {}, 3, Duration::zero(), 0});
   fields.Finish();
   return watch;
 }
