@@ -1,5 +1,6 @@
 #include "robot_app/monitoring/band_fields.h"
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -41,6 +42,20 @@ bool IsWithin(const Range& inner, const Range& outer) {
          !(inner.high && outer.high && *inner.high > *outer.high);
 }
 
+// A default that does not fit what the file says gives way.
+void Fit(const YamlFields& fields, Band& band) {
+  const auto fit = [](std::optional<double>& bound, const std::optional<double>& given, bool grow) {
+    if (bound && given) bound = grow ? std::max(*bound, *given) : std::min(*bound, *given);
+  };
+  if (!fields.Has("warn")) {
+    fit(band.warn.low, band.error.low, true);
+    fit(band.warn.high, band.error.high, false);
+  } else if (!fields.Has("error")) {
+    fit(band.error.low, band.warn.low, false);
+    fit(band.error.high, band.warn.high, true);
+  }
+}
+
 bool LeavesRoom(const Range& range, double hysteresis) {
   return !(range.low && range.high) || *range.high - *range.low > 2 * hysteresis;
 }
@@ -51,6 +66,7 @@ Band ReadBandKeys(YamlFields& fields, const Band& otherwise) {
   Band band;
   band.warn = ReadRange(fields, "warn", otherwise.warn);
   band.error = ReadRange(fields, "error", otherwise.error);
+  Fit(fields, band);
   band.consecutive = fields.Integer("consecutive", otherwise.consecutive, 1, 1000);
   band.staleness =
       fields.Seconds("staleness", std::chrono::duration<double>(otherwise.staleness).count(), 0,

@@ -13,7 +13,7 @@
 namespace coppice::robot {
 
 /// The mapping `key`; what it does not say is taken from `otherwise`. `warn` must lie within
-/// `error`.
+/// `error`; if only one of them is given, the default of the other gives way.
 Band ReadBand(YamlFields& fields, const std::string& key, const Band& otherwise = {});
 
 /// The same words among other keys of `fields`.

@@ -44,10 +44,17 @@ TEST_F(BandFieldsTest, WhatIsNotSaidIsTakenFromTheDefault) {
   EXPECT_EQ(Read("load: {error: [0, none]}", otherwise), expected);
 }
 
+TEST_F(BandFieldsTest, ADefaultThatDoesNotFitGivesWay) {
+  const Band otherwise{{2, 8}, {1, 9}, 1, Duration::zero(), 0};
+  EXPECT_EQ(Read("load: {error: [3, 5]}", otherwise).warn, (Range{3, 5}));
+  EXPECT_EQ(Read("load: {error: [none, 20]}", otherwise).warn, (Range{2, 8}));
+  EXPECT_EQ(Read("load: {warn: [0, 12]}", otherwise).error, (Range{0, 12}));
+  EXPECT_EQ(Errors(), "");
+}
+
 TEST_F(BandFieldsTest, ReportsEveryProblemWithItsPlaceAndAHint) {
   Read("load:\n  warm: [1, 2]\n  warn: [3, 2]\n  error: [a, 9]\n  consecutive: 0\n");
-  EXPECT_THAT(Errors(),
-              HasSubstr(":2:3: error: unknown key \"warm\" (did you mean \"warn\"?)"));
+  EXPECT_THAT(Errors(), HasSubstr(":2:3: error: unknown key \"warm\" (did you mean \"warn\"?)"));
   EXPECT_THAT(Errors(), HasSubstr(":3:10: error: \"warn\": low is not below high"));
   EXPECT_THAT(Errors(), HasSubstr(":4:11: error: \"error\": expected a number or none, got \"a\""));
   EXPECT_THAT(Errors(), HasSubstr(":5:16: error: \"consecutive\": 0 is not within 1 and 1000"));

@@ -73,6 +73,91 @@ configurations:
   EXPECT_TRUE(config.ForConfiguration("unheard-of").nodes.empty());
 }
 
+TEST_F(MonitorConfigTest, ReadsTheSectionsOfEnergyMovementAndComputers) {
+  const MonitorConfig config = Read(R"(
+health_aggregator: {diagnostics: 2}
+configurations:
+  operating:
+    topics: [{topic: /camera, node: /driver, by: statistics, warn: [25, 35], consecutive: 3}]
+    localization: {topic: /localization/state, node: /l, since_confirmed: {error: [none, 30]}}
+    transforms: [{parent: map, child: odom, node: /l, age: {staleness: 9}}]
+    loggers: [{name: record, path: run.log, staleness: 7}]
+    diagnostics: {staleness: 6}
+    battery: {topic: /battery_state, node: /base, voltage: {error: [23, 30]}, dock: {x: 1, y: 2},
+              model: {capacity: 40}}
+    charging: {within: 4}
+    docking: {action: /docking, node: /docking, failures: {error: [none, 5]}}
+    emergency_stop: {topic: /stop}
+    system:
+      - window: 3
+        cpu: {load: {error: [none, 0.5]}}
+      - host: jetson
+        disks: [{path: /data, used: {error: [none, 0.99]}}]
+        network: [{interface: eth0, speed: 100}]
+        clocks: [{host: main}]
+        hosts: [{host: main, address: 10.0.0.1, port: 80}]
+        processes: [{node: /camera, memory: {error: [none, 900], warn: [none, 800]}}]
+    sources: [{source: /jetson_system_monitor, host: jetson}]
+)");
+  EXPECT_EQ(Errors(), "");
+  EXPECT_EQ(config.diagnostics_period, seconds(2));
+  const WatchList& list = config.ForConfiguration("operating");
+  EXPECT_TRUE(list.topics.at(0).by_statistics);
+  EXPECT_EQ(list.topics[0].band.consecutive, 3);
+  EXPECT_EQ(list.topics[0].band.staleness, seconds(10));
+  EXPECT_EQ(list.localization->since_confirmed.error.high, 30);
+  EXPECT_EQ(list.localization->since_confirmed.warn.high, 10);  // by default
+  EXPECT_EQ(list.transforms.at(0).age.staleness, seconds(9));
+  EXPECT_EQ(list.loggers.at(0).path, "run.log");
+  EXPECT_EQ(list.diagnostics->staleness, seconds(6));
+  EXPECT_EQ(list.battery->voltage.error.low, 23);
+  EXPECT_EQ(list.battery->dock->y, 2);
+  EXPECT_EQ(list.battery->model.capacity, 40);
+  EXPECT_EQ(list.charging->within, seconds(4));
+  EXPECT_EQ(list.docking->failures.error.high, 5);
+  EXPECT_EQ(list.emergency_stop->topic, "/stop");
+  EXPECT_EQ(list.sources.at(0).host, "jetson");
+  ASSERT_NE(list.ForHost("any"), nullptr);
+  EXPECT_EQ(list.ForHost("any")->cpu_load.error.high, 0.5);
+  EXPECT_EQ(list.ForHost("any")->window, seconds(3));
+  const SystemWatch* jetson = list.ForHost("jetson");
+  ASSERT_NE(jetson, nullptr);
+  EXPECT_EQ(jetson->disks.at(0).used.error.high, 0.99);
+  EXPECT_EQ(jetson->interfaces.at(0).speed, 100);
+  EXPECT_EQ(jetson->clocks.at(0).address, "main");
+  EXPECT_EQ(jetson->clocks[0].offset.error.low, -1);
+  EXPECT_EQ(jetson->hosts.at(0).port, 80);
+  EXPECT_EQ(jetson->processes.at(0).memory.error.high, 900);
+  EXPECT_EQ(WatchList().ForHost("any"), nullptr);
+}
+
+TEST_F(MonitorConfigTest, EverySectionIsStrict) {
+  Read(R"(configurations:
+  operating:
+    batery: {topic: /battery_state, node: /base}
+    charging: {within: 4}
+    transforms: [{parent: map, child: odom}, {parent: map, child: odom}]
+    loggers: [{name: a}, {name: b, path: x, topic: /y}]
+    localization: {topic: /l, node: /l, scor: {warn: [1, 2]}}
+    docking: {action: docking, node: /docking, failures: {warn: [none, 9], error: [none, 5]}}
+    system: [{cpu: {lod: {}}, disks: [{path: /, used: {consecutive: 0}}], clocks: [{port: 99}]},
+             {host: a}, {host: a}]
+)");
+  EXPECT_THAT(Errors(),
+              HasSubstr(":3:5: error: unknown key \"batery\" (did you mean \"battery\"?)"));
+  EXPECT_THAT(Errors(), HasSubstr("\"charging\" needs \"battery\""));
+  EXPECT_THAT(Errors(), HasSubstr("\"map -> odom\" is listed twice"));
+  EXPECT_THAT(Errors(), HasSubstr(":6:15: error: expected either \"path\" or \"topic\""));
+  EXPECT_THAT(Errors(), HasSubstr(":6:26: error: expected either \"path\" or \"topic\""));
+  EXPECT_THAT(Errors(), HasSubstr("unknown key \"scor\" (did you mean \"score\"?)"));
+  EXPECT_THAT(Errors(), HasSubstr("\"action\": expected a ROS name with slash"));
+  EXPECT_THAT(Errors(), HasSubstr("\"warn\" is not within \"error\""));
+  EXPECT_THAT(Errors(), HasSubstr("unknown key \"lod\" (did you mean \"load\"?)"));
+  EXPECT_THAT(Errors(), HasSubstr("\"consecutive\": 0 is not within 1 and 1000"));
+  EXPECT_THAT(Errors(), HasSubstr("\"host\" is missing"));
+  EXPECT_THAT(Errors(), HasSubstr("\"a\" is listed twice"));
+}
+
 TEST_F(MonitorConfigTest, ReportsEverythingAtOnceWithPlaceAndHint) {
   Read(R"(report_perod: 1
 initial: oprating

@@ -2,7 +2,6 @@
 // to the error on /monitoring.
 #include "robot_app/monitoring/monitor_node.h"
 
-#include <coppice_msgs/Health.h>
 #include <coppice_msgs/NavigationState.h>
 #include <coppice_msgs/ProcessStates.h>
 #include <gmock/gmock.h>
@@ -10,12 +9,11 @@
 #include <fstream>
 #include <sstream>
 
-#include "tests/robot_app/supervision/ros_graph.h"
+#include "tests/robot_app/monitoring/monitor_graph.h"
 
 namespace coppice::robot {
 namespace {
 
-using coppice_msgs::HealthEntry;
 using testing::HasSubstr;
 
 constexpr char kConfig[] = R"(
@@ -32,48 +30,9 @@ configurations:
     nodes: [{node: /absent}]
 )";
 
-class MonitorNodeTest : public testing::Test {
+class MonitorNodeTest : public MonitorGraphTest {
  protected:
-  MonitorNodeTest() {
-    std::ofstream(config_) << kConfig;
-    subscriber_ = graph_.node().subscribe<coppice_msgs::Health>(
-        "/monitoring", 100, [this](const coppice_msgs::Health::ConstPtr& message) {
-          health_ = *message;
-          ++publications_;
-        });
-    graph_.Start("aggregator", {kPrograms + "coppice-health-aggregator", "--config", config_});
-  }
-  ~MonitorNodeTest() override { graph_.EndPrograms(); }
-
-  void StartMonitor(const std::string& name) {
-    graph_.Start(name, {kPrograms + "coppice-" + name, "--config", config_});
-  }
-  int StartTalker(const std::string& name, double rate) {
-    return graph_.Start(name, {kTestPrograms + "test_talker", "__name:=" + name + "_talker",
-                               "_topic:=/" + name, "_rate:=" + std::to_string(rate)});
-  }
-
-  const HealthEntry* Find(const std::string& monitor, const std::string& subject) const {
-    for (const HealthEntry& entry : health_.entries) {
-      if (entry.monitor == monitor && entry.subject == subject) return &entry;
-    }
-    return nullptr;
-  }
-  bool WaitForLevel(const std::string& monitor, const std::string& subject, int level,
-                    double seconds) {
-    return graph_.WaitFor(
-        [&] {
-          const HealthEntry* entry = Find(monitor, subject);
-          return entry && entry->level == level;
-        },
-        seconds);
-  }
-
-  const std::string config_ = Temporary("monitor_node_test.yaml");
-  RosGraph& graph_ = RosGraph::Shared();
-  ros::Subscriber subscriber_;
-  coppice_msgs::Health health_;
-  int publications_ = 0;
+  MonitorNodeTest() : MonitorGraphTest(kConfig) {}
 };
 
 TEST_F(MonitorNodeTest, AKilledOrHungNodeIsAnErrorWithinTwoSeconds) {
