@@ -1,7 +1,9 @@
 #include "robot_app/monitoring/monitor_node.h"
 
+#include <ros/callback_queue.h>
 #include <ros/init.h>
 #include <ros/master.h>
+#include <ros/poll_manager.h>
 #include <ros/this_node.h>
 #include <unistd.h>
 
@@ -17,6 +19,7 @@ namespace coppice::robot {
 namespace {
 
 constexpr int kQueue = 20;
+const ros::WallDuration kBatch(0.05);
 constexpr char kUsage[] = "--config FILE [--host NAME] [--folder FOLDER]";
 
 std::string HostName() {
@@ -55,6 +58,15 @@ std::optional<MonitorStart> StartMonitor(int argc, char** argv, const std::strin
   std::cerr << diagnostics.ToString();
   if (diagnostics.has_errors() || !FindMaster(name)) return std::nullopt;
   return start;
+}
+
+void SpinInBatches() {
+  // The thread that reads the sockets calls this before every look.
+  ros::PollManager::instance()->addPollThreadListener([] { kBatch.sleep(); });
+  while (ros::ok()) {
+    ros::getGlobalCallbackQueue()->callAvailable();
+    kBatch.sleep();
+  }
 }
 
 MonitorNode::MonitorNode(const MonitorStart& start, std::function<void(const WatchList&)> on_list)

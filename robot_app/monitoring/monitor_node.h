@@ -31,6 +31,10 @@ struct MonitorStart {
 /// status 2. SIGTERM and SIGINT end ros::spin.
 std::optional<MonitorStart> StartMonitor(int argc, char** argv, const std::string& name);
 
+/// As ros::spin, but looks at what has come only every few hundredths of a second. For a monitor of
+/// many topics: to be woken by every message costs far more than to count it.
+void SpinInBatches();
+
 /// For the thread that spins.
 class MonitorNode {
  public:

@@ -8,8 +8,10 @@
 namespace coppice::robot {
 namespace {
 
-// How often a sweep that is under way is looked after.
-const ros::WallDuration kRound(0.01);
+// How often a sweep that is not done at once is looked after.
+constexpr Duration kRound = std::chrono::milliseconds(10);
+// Nodes that are well answer within this.
+constexpr Duration kAtOnce = std::chrono::milliseconds(50);
 
 class Program {
  public:
@@ -17,20 +19,25 @@ class Program {
       : config_(start.config),
         node_(start, [this](const WatchList& list) { monitor_.Watch(list.nodes); }),
         probe_(ParseUri(ros::master::getURI()).value(), ros::this_node::getName()) {
-    timer_ =
-        node_.handle().createWallTimer(kRound, [this](const ros::WallTimerEvent&) { Round(); });
+    sweep_timer_ = node_.Every(config_.report_period, [this] { Sweep(); });
+    round_timer_ = node_.Every(kRound, [this] { Round(Duration::zero()); });
+    round_timer_.stop();
   }
 
  private:
-  void Round() {
-    if (probe_.busy()) {
-      if (probe_.Work(Duration::zero())) Report();
-      return;
-    }
-    const Time now = MonitorNode::Now().wall;
-    if (now < next_sweep_) return;
-    next_sweep_ = now + config_.report_period;
+  void Sweep() {
+    is_due_ = probe_.busy();
+    if (is_due_) return;
     probe_.Begin(monitor_.Requests(), config_.ping_deadline);
+    Round(kAtOnce);
+    if (probe_.busy()) round_timer_.start();
+  }
+
+  void Round(Duration at_most) {
+    if (!probe_.busy() || !probe_.Work(at_most)) return;
+    round_timer_.stop();
+    Report();
+    if (is_due_) Sweep();
   }
 
   void Report() {
@@ -44,8 +51,8 @@ class Program {
   NodeMonitor monitor_;
   MonitorNode node_;
   NodeProbe probe_;
-  Time next_sweep_{0};
-  ros::WallTimer timer_;
+  bool is_due_ = false;  // the next sweep; it waits for the one that is under way
+  ros::WallTimer sweep_timer_, round_timer_;
 };
 
 }  // namespace

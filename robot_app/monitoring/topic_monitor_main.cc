@@ -11,6 +11,7 @@
 
 #include "robot_app/monitoring/any_message.h"
 #include "robot_app/monitoring/diagnostics_monitor.h"
+#include "robot_app/monitoring/health_messages.h"
 #include "robot_app/monitoring/logger_monitor.h"
 #include "robot_app/monitoring/monitor_node.h"
 #include "robot_app/monitoring/topic_monitor.h"
@@ -76,8 +77,8 @@ class Program {
 
   ros::Subscriber Count(const std::string& topic) {
     return node_.handle().subscribe<AnyMessage>(
-        topic, kQueue, [this, topic](const boost::shared_ptr<AnyMessage const>&) {
-          const Times now = MonitorNode::Now();
+        topic, kQueue, [this, topic](const ros::MessageEvent<AnyMessage const>& event) {
+          const Times now{FromRos(event.getReceiptTime()), MonitorNode::Now().wall};
           monitor_.OnMessage(topic, now);
           loggers_.OnMessage(topic, now.wall);
         });
@@ -125,6 +126,6 @@ int main(int argc, char** argv) {
   const auto start = coppice::robot::StartMonitor(argc, argv, "topic_monitor");
   if (!start) return 2;
   const coppice::robot::Program program(*start);
-  ros::spin();
+  coppice::robot::SpinInBatches();
   return 0;
 }

@@ -8,6 +8,7 @@
 #include <xmlrpcpp/XmlRpcDispatch.h>
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 namespace coppice::robot {
@@ -108,6 +109,19 @@ bool IsOpen(XmlRpc::XmlRpcValue& service) {
 
 std::optional<NodeAddress> ParseUri(const std::string& uri) { return ParseAddress(uri, "http://"); }
 
+// Open connections to nodes that have answered, by their names.
+struct NodeProbe::Connections {
+  std::map<std::string, std::unique_ptr<Client>> by_node;
+
+  std::unique_ptr<Client> Take(const std::string& node) {
+    const auto found = by_node.find(node);
+    if (found == by_node.end()) return nullptr;
+    std::unique_ptr<Client> client = std::move(found->second);
+    by_node.erase(found);
+    return client;
+  }
+};
+
 // The probe of one node: up to four calls, one after the other.
 struct NodeProbe::Call {
   enum class Step { kLookup, kPid, kPublications, kService, kDone };
@@ -115,15 +129,22 @@ struct NodeProbe::Call {
   const ProbeRequest* request = nullptr;
   ProbeResult* result = nullptr;
   Step step = Step::kLookup;
-  NodeAddress node;
-  std::unique_ptr<Client> client;
+  std::unique_ptr<Client> client;  // to whom the question is
+  std::unique_ptr<Client> kept;    // to the node, while the master is asked
+  bool trusts_kept = false;        // the master was not asked in this sweep
 
-  void Ask(const NodeAddress& to, const char* method, const XmlRpc::XmlRpcValue& arguments,
+  void Ask(const char* method, const XmlRpc::XmlRpcValue& arguments,
            XmlRpc::XmlRpcDispatch& dispatch) {
-    client = std::make_unique<Client>(to);
     if (!client->executeNonBlock(method, arguments)) return;
     using Dispatch = XmlRpc::XmlRpcDispatch;
     dispatch.addSource(client.get(), Dispatch::WritableEvent | Dispatch::Exception);
+  }
+
+  // The connection to the node at this address: the kept one if it leads there.
+  void ConnectTo(const NodeAddress& node) {
+    const bool is_known = kept && kept->getHost() == node.host && kept->getPort() == node.port;
+    client = is_known ? std::move(kept) : std::make_unique<Client>(node);
+    kept.reset();
   }
 
   void End(bool answered, std::string reason) {
@@ -146,11 +167,36 @@ struct NodeProbe::Sweep {
   Time deadline{0};
   std::string caller;
   NodeAddress master;
+  Connections* connections = nullptr;
 
   XmlRpc::XmlRpcValue Arguments() const {
     XmlRpc::XmlRpcValue arguments;
     arguments[0] = caller;
     return arguments;
+  }
+
+  void LookUp(Call& call) {
+    call.step = Call::Step::kLookup;
+    call.trusts_kept = false;
+    call.client = std::make_unique<Client>(master);
+    XmlRpc::XmlRpcValue arguments = Arguments();
+    arguments[1] = call.request->node;
+    call.Ask("lookupNode", arguments, dispatch);
+  }
+
+  void Begin(Call& call, bool ask_master) {
+    call.kept = connections->Take(call.request->node);
+    if (!call.kept || ask_master) return LookUp(call);
+    call.client = std::move(call.kept);
+    call.trusts_kept = true;
+    call.step = Call::Step::kPid;
+    call.Ask("getPid", Arguments(), dispatch);
+  }
+
+  void Succeed(Call& call) {
+    auto& connection = call.kept ? call.kept : call.client;
+    connections->by_node[call.request->node] = std::move(connection);
+    call.End(true, "");
   }
 
   bool done() const {
@@ -164,9 +210,9 @@ struct NodeProbe::Sweep {
     if (!done && !call.client->failed()) return;
     dispatch.removeSource(call.client.get());
     if (done && !IsEmpty(answer)) {
-      const auto value = Unwrap(answer);
-      call.client->close();
-      Answered(call, value);
+      Answered(call, Unwrap(answer));
+    } else if (call.trusts_kept) {  // it may be somewhere else now
+      LookUp(call);
     } else {
       const std::string where = call.step == Call::Step::kLookup ? "the ROS master " : "";
       call.End(false, where + "refuses connections");
@@ -174,11 +220,13 @@ struct NodeProbe::Sweep {
   }
 
   void AskForService(Call& call) {
-    if (call.request->service.empty()) return call.End(true, "");
+    if (call.request->service.empty()) return Succeed(call);
+    call.kept = std::move(call.client);
+    call.client = std::make_unique<Client>(master);
     XmlRpc::XmlRpcValue arguments = Arguments();
     arguments[1] = call.request->service;
     call.step = Call::Step::kService;
-    call.Ask(master, "lookupService", arguments, dispatch);
+    call.Ask("lookupService", arguments, dispatch);
   }
 
   void Answered(Call& call, std::optional<XmlRpc::XmlRpcValue> value) {
@@ -188,9 +236,9 @@ struct NodeProbe::Sweep {
                                  ? ParseUri(static_cast<std::string>(*value))
                                  : std::nullopt;
         if (!address) return call.End(false, "unknown to the ROS master");
-        call.node = *address;
+        call.ConnectTo(*address);
         call.step = Call::Step::kPid;
-        return call.Ask(call.node, "getPid", Arguments(), dispatch);
+        return call.Ask("getPid", Arguments(), dispatch);
       }
       case Call::Step::kPid:
         if (!value || value->getType() != XmlRpc::XmlRpcValue::TypeInt) {
@@ -198,14 +246,15 @@ struct NodeProbe::Sweep {
         }
         call.result->pid = static_cast<int>(*value);
         call.result->delay = SteadyNow() - begun;
+        call.trusts_kept = false;  // it is the node
         if (call.request->topic.empty()) return AskForService(call);
         call.step = Call::Step::kPublications;
-        return call.Ask(call.node, "getPublications", Arguments(), dispatch);
+        return call.Ask("getPublications", Arguments(), dispatch);
       case Call::Step::kPublications:
         if (value && Publishes(*value, call.request->topic)) return AskForService(call);
         return call.End(false, "does not publish " + call.request->topic);
       case Call::Step::kService:
-        if (value && IsOpen(*value)) return call.End(true, "");
+        if (value && IsOpen(*value)) return Succeed(call);
         return call.End(false, "does not offer " + call.request->service);
       case Call::Step::kDone:
         return;
@@ -222,7 +271,9 @@ struct NodeProbe::Sweep {
 };
 
 NodeProbe::NodeProbe(NodeAddress master, std::string caller)
-    : master_(std::move(master)), caller_(std::move(caller)) {}
+    : master_(std::move(master)),
+      caller_(std::move(caller)),
+      connections_(std::make_unique<Connections>()) {}
 
 NodeProbe::~NodeProbe() = default;
 
@@ -236,14 +287,14 @@ void NodeProbe::Begin(std::vector<ProbeRequest> requests, Duration deadline) {
   sweep_->deadline = sweep_->begun + deadline;
   sweep_->caller = caller_;
   sweep_->master = master_;
+  sweep_->connections = connections_.get();
+  ++sweeps_;
   sweep_->calls.resize(requests_.size());
   for (std::size_t i = 0; i < requests_.size(); ++i) {
     Call& call = sweep_->calls[i];
     call.request = &requests_[i];
     call.result = &results_[i];
-    XmlRpc::XmlRpcValue arguments = sweep_->Arguments();
-    arguments[1] = requests_[i].node;
-    call.Ask(master_, "lookupNode", arguments, sweep_->dispatch);
+    sweep_->Begin(call, (sweeps_ + i) % kSweepsPerLookup == 0);
   }
 }
 

@@ -2,6 +2,8 @@
 //
 // A probe asks the master where the node is (lookupNode) and then the node itself for its pid
 // (getPid of the slave API, http://wiki.ros.org/ROS/Slave_API), so a node that hangs does not pass.
+// The connection to a node that has answered is kept: the master is asked again only now and then,
+// and when the node does not answer there any more.
 // Plain XML-RPC: needs no ros::init and never blocks longer than it is told.
 #ifndef COPPICE_ROBOT_APP_SUPERVISION_NODE_PROBE_H_
 #define COPPICE_ROBOT_APP_SUPERVISION_NODE_PROBE_H_
@@ -39,6 +41,9 @@ struct ProbeResult {
 /// One sweep over several nodes at a time. For one thread.
 class NodeProbe {
  public:
+  /// With a kept connection, so many sweeps go by until the master is asked again.
+  static constexpr unsigned kSweepsPerLookup = 5;
+
   /// `caller`: our own ROS name, for the logs of those that are asked.
   NodeProbe(NodeAddress master, std::string caller);
   ~NodeProbe();
@@ -63,13 +68,16 @@ class NodeProbe {
 
  private:
   struct Call;
+  struct Connections;
   struct Sweep;
 
   NodeAddress master_;
   std::string caller_;
   std::vector<ProbeRequest> requests_;
   std::vector<ProbeResult> results_;
+  std::unique_ptr<Connections> connections_;
   std::unique_ptr<Sweep> sweep_;
+  unsigned sweeps_ = 0;
 };
 
 /// True if a ROS master answers there. Blocks until the answer or the deadline.

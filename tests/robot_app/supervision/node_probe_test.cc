@@ -78,6 +78,29 @@ TEST_F(NodeProbeTest, AKilledNodeRefusesAndManyHungNodesCostOneDeadline) {
   EXPECT_LT(took, milliseconds(1000));  // not three deadlines
 }
 
+TEST_F(NodeProbeTest, ANodeThatWasStartedAgainIsFoundAtItsNewAddressInTheSameSweep) {
+  NodeProbe probe(graph_.master(), "/test");
+  const auto sweep = [&probe] {
+    probe.Begin({{"/a", ""}}, milliseconds(2000));
+    while (!probe.Work(milliseconds(20))) {
+    }
+    return probe.results().at(0);
+  };
+  const int first = StartTalker("a");
+  for (unsigned i = 0; i < 2 * NodeProbe::kSweepsPerLookup; ++i) EXPECT_EQ(sweep().pid, first);
+  graph_.Kill(first, SIGKILL);
+  EXPECT_EQ(sweep().reason, "refuses connections");
+  EXPECT_EQ(sweep().reason, "refuses connections");
+  int before = StartTalker("a");
+  EXPECT_EQ(sweep().pid, before);
+  for (int i = 0; i < 3; ++i) {  // whenever the master would have been asked
+    graph_.Kill(before, SIGKILL);
+    before = StartTalker("a");
+    EXPECT_EQ(sweep().pid, before);
+    EXPECT_EQ(sweep().pid, before);
+  }
+}
+
 TEST(NodeProbe, SaysThatThereIsNoMaster) {
   NodeProbe::SilenceLibrary();
   NodeProbe probe({"127.0.0.1", FreePort()}, "/test");
