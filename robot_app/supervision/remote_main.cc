@@ -114,7 +114,8 @@ int Main(std::vector<std::string> arguments) {
   for (const int signal : {SIGHUP, SIGINT, SIGTERM, SIGPIPE}) std::signal(signal, SIG_IGN);
   prctl(PR_SET_CHILD_SUBREAPER, 1);
   KillOwned(OwnedName(owner, process.name), kTimeForSurvivors);
-  PosixLauncher launcher("", owner);
+  // An earlier guard cleans up after its own process only, not after ours.
+  PosixLauncher launcher("", OwnedName(owner, process.name) + std::to_string(getpid()));
   std::string error;
   const int pid = launcher.Start(process, error);
   std::cout << kRemoteStarted << process.name << std::endl;

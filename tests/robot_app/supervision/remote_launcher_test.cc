@@ -43,7 +43,7 @@ class RemoteLauncherTest : public testing::Test {
 
   // Keeps everything going until it is true.
   bool Eventually(const std::function<bool()>& condition) {
-    const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(15);
+    const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(60);
     while (!condition()) {
       if (std::chrono::steady_clock::now() > deadline) return false;
       Round();
