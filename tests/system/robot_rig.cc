@@ -118,9 +118,10 @@ bool RobotRig::Start() {
   setenv("ROS_MASTER_URI", MasterUri().c_str(), 1);
   setenv("ROS_IP", "127.0.0.1", 1);
   state_ = {};
+  const Instant begin = Now();
   supervisor_ = ChildProcess(Command(), log("supervisor"), options_.environment);
-  if (Join() && WaitUntilNominal(kStartPatience)) return true;
-  ADD_FAILURE() << "the robot did not start:\n" << TimelineSince({}) << Tail(log("supervisor"));
+  if (Join() && WaitUntilNominal(kStartPatience).has_value()) return true;
+  ADD_FAILURE() << "the robot did not start:\n" << TimelineSince(begin) << Tail(log("supervisor"));
   return false;
 }
 
@@ -220,17 +221,21 @@ bool RobotRig::WaitFor(const std::function<bool(const RobotState&)>& condition, 
   return true;
 }
 
-bool RobotRig::WaitUntilNominal(double seconds, double hold) {
-  const auto nominal = [hold](const RobotState& state) {
-    return state.nominal_since() && state.now().ros - state.nominal_since()->ros >= hold;
+std::optional<Instant> RobotRig::WaitUntilNominal(double seconds, double hold) {
+  const Instant called = Now();
+  Instant since;
+  const auto nominal = [&](const RobotState& state) {
+    if (!state.nominal_since()) return false;
+    since = state.nominal_since()->ros > called.ros ? *state.nominal_since() : called;
+    return state.now().ros - since.ros >= hold;
   };
-  if (WaitFor(nominal, seconds)) return true;
+  if (WaitFor(nominal, seconds)) return since;
   std::string problems;
   for (const std::string& problem : With([](const RobotState& s) { return s.Problems(); })) {
     problems += "\n  " + problem;
   }
   ADD_FAILURE() << "not nominal within " << seconds << " s:" << problems;
-  return false;
+  return std::nullopt;
 }
 
 bool RobotRig::Inject(const std::string& fault, const std::string& target, double value,

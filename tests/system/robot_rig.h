@@ -10,6 +10,7 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -59,8 +60,9 @@ class RobotRig {
   /// Waits until it holds, at most that long in real time; false otherwise.
   bool WaitFor(const std::function<bool(const RobotState&)>& condition, double seconds);
 
-  /// Waits until the robot has been nominal for `hold` seconds of ROS time without a break.
-  bool WaitUntilNominal(double seconds, double hold = 2);
+  /// Waits until the robot has been nominal for `hold` seconds of ROS time without a break, counted
+  /// from now at the earliest. Tells since when; a failure of the test and nothing if it does not.
+  std::optional<Instant> WaitUntilNominal(double seconds, double hold = 2);
 
   /// /simulation/inject_fault. A fault that is refused because somebody stands in the way is tried
   /// again for some seconds. False with a failure of the test if it was refused.
