@@ -141,10 +141,9 @@ bool FaultCase::ExpectAsked(const std::string& subject, double patience) {
 }
 
 bool FaultCase::ExpectNominal(double patience) {
-  if (!rig_.WaitUntilNominal(patience)) return false;
-  nominal_ =
-      SecondsSince(rig_.With([](const RobotState& state) { return state.nominal_since()->ros; }));
-  return true;
+  const std::optional<Instant> since = rig_.WaitUntilNominal(patience);
+  if (since) nominal_ = SecondsSince(since->ros);
+  return since.has_value();
 }
 
 void FaultCase::ExpectOnlyRestarted(const std::set<std::string>& processes) {

@@ -8,9 +8,10 @@
 #include <algorithm>
 #include <csignal>
 #include <cstdlib>
-#include <fstream>
 #include <iomanip>
 #include <iostream>
+#include <map>
+#include <optional>
 #include <random>
 #include <sstream>
 
@@ -66,34 +67,49 @@ RigOptions Options() {
   return options;
 }
 
+// Kills them, brings them back, and tells how long it took until all was well; nothing if it was
+// not in time.
+template <class Random>
+std::optional<double> Swizzle(RobotRig& rig, std::vector<std::string> victims, Random& random) {
+  std::map<std::string, int> pids;
+  const Instant begin = rig.Now();
+  for (const std::string& victim : victims) {
+    pids[victim] = rig.With([&](const RobotState& state) { return state.Pid(victim); });
+    if (pids[victim] != 0) kill(pids[victim], SIGKILL);
+    rig.Note("killed " + victim);
+    // The pause is a part of the fault.
+    rig.WaitFor([](const RobotState&) { return false; },
+                std::uniform_real_distribution<double>(0, 0.3)(random));
+  }
+  std::shuffle(victims.begin(), victims.end(), random);
+  for (const std::string& victim : victims) BringBack(victim);
+  const auto back = [&](const RobotState& state) {
+    for (const auto& [name, pid] : pids) {
+      if (state.ReadyPid(name) == 0 || state.ReadyPid(name) == pid) return false;
+    }
+    return true;
+  };
+  EXPECT_TRUE(rig.WaitFor(back, kBackToNominal));
+  const std::optional<Instant> nominal = rig.WaitUntilNominal(kBackToNominal, 3);
+  if (!nominal) {
+    ADD_FAILURE() << rig.TimelineSince(begin);
+    return std::nullopt;
+  }
+  return nominal->wall - begin.wall;
+}
+
 TEST(Swizzle, TheRobotComesBackFromAnySubsetOfDeadPrograms) {
   RobotRig rig(Options());
   ASSERT_TRUE(rig.Start());
   std::vector<double> times;
   for (int seed = 1; seed <= Swizzles(); ++seed) {
-    SCOPED_TRACE("swizzle " + std::to_string(seed));
     std::mt19937 random(static_cast<unsigned>(seed));
-    std::vector<std::string> victims = RandomSubset(rig.With(Programs), random);
-    const Instant begin = rig.Now();
-    for (const std::string& victim : victims) {
-      if (const int pid = rig.With([&](const auto& state) { return state.Pid(victim); })) {
-        kill(pid, SIGKILL);
-      }
-      rig.Note("killed " + victim);
-      // The pause is a part of the fault.
-      rig.WaitFor([](const RobotState&) { return false; },
-                  std::uniform_real_distribution<double>(0, 0.3)(random));
-    }
-    std::shuffle(victims.begin(), victims.end(), random);
-    for (const std::string& victim : victims) BringBack(victim);
-    const bool nominal = rig.WaitUntilNominal(kBackToNominal);
-    const double seconds = rig.With([&](const RobotState& state) {
-      return state.nominal_since() ? state.nominal_since()->wall - begin.wall : -1;
-    });
-    std::cout << "swizzle " << seed << ": " << std::fixed << std::setprecision(1) << seconds
+    const std::vector<std::string> victims = RandomSubset(rig.With(Programs), random);
+    const std::optional<double> seconds = Swizzle(rig, victims, random);
+    ASSERT_TRUE(seconds) << "swizzle " << seed << ": " << Join(victims);
+    std::cout << "swizzle " << seed << ": " << std::fixed << std::setprecision(1) << *seconds
               << " s after " << Join(victims) << std::endl;
-    ASSERT_TRUE(nominal) << rig.TimelineSince(begin);
-    times.push_back(seconds);
+    times.push_back(*seconds);
   }
   std::sort(times.begin(), times.end());
   std::ostringstream text;
