@@ -31,6 +31,7 @@ class FaultCase {
   ~FaultCase();
 
   void Begin() { begin_ = rig_.Now(); }
+  const Instant& begin() const { return begin_; }
 
   /// Waits until a monitor says ERROR or worse of a subject, and expects that it measured that no
   /// later than `within` seconds of ROS time after the injection.

@@ -4,14 +4,24 @@
 //   SIGUSR1  says nothing any more
 //   SIGUSR2  one message of four
 //   SIGRTMIN three copies of each message
+//   SIGHUP   burns a core beside its work, until the next SIGHUP
 #include <ros/ros.h>
 #include <sensor_msgs/LaserScan.h>
 
+#include <atomic>
 #include <csignal>
+#include <thread>
 
 namespace {
 
 volatile std::sig_atomic_t g_wrong = 0;  // the signal that came last
+std::atomic<bool> g_burns{false};
+
+void Burn() {
+  while (true) {
+    if (!g_burns) ros::WallDuration(0.01).sleep();
+  }
+}
 
 int Copies(unsigned count) {
   if (g_wrong == SIGUSR1) return 0;
@@ -26,6 +36,8 @@ int main(int argc, char** argv) {
   for (const int signal : {SIGUSR1, SIGUSR2, SIGRTMIN}) {
     std::signal(signal, [](int which) { g_wrong = which; });
   }
+  std::signal(SIGHUP, [](int) { g_burns = !g_burns; });
+  std::thread(Burn).detach();
   ros::NodeHandle node;
   const ros::Publisher scan = node.advertise<sensor_msgs::LaserScan>("/scan", 10);
   unsigned count = 0;

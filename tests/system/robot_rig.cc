@@ -4,6 +4,7 @@
 #include <geometry_msgs/PoseStamped.h>
 #include <gtest/gtest.h>
 #include <rosgraph_msgs/Clock.h>
+#include <sensor_msgs/BatteryState.h>
 #include <signal.h>
 #include <std_msgs/String.h>
 #include <unistd.h>
@@ -191,6 +192,9 @@ void RobotRig::Subscribe() {
   Watch<std_msgs::String>("/coppice/application", [this](const auto& message, const Instant& now) {
     state_.OnApplication(message.data, now);
   });
+  Watch<sensor_msgs::BatteryState>(
+      "/battery_state",
+      [this](const auto& message, const Instant& now) { state_.OnBattery(message.current, now); });
   Watch<geometry_msgs::PoseStamped>(
       "/simulation/truth", [this](const auto& message, const Instant&) {
         state_.OnTruth(message.pose.position.x, message.pose.position.y);

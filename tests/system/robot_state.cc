@@ -106,6 +106,14 @@ void RobotState::OnTruth(double x, double y) {
   y_ = y;
 }
 
+void RobotState::OnBattery(double current, const Instant& now) {
+  const bool charging = current > 0;
+  if (charging != charging_) {
+    Add(Event::Kind::kNote, charging ? "current flows" : "no current", 0, "", now.ros, now);
+  }
+  charging_ = charging;
+}
+
 void RobotState::Note(const std::string& text, const Instant& now) {
   Add(Event::Kind::kNote, text, 0, "", now.ros, now);
 }

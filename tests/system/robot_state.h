@@ -45,6 +45,7 @@ class RobotState {
   void OnRequests(const coppice_msgs::HelpRequests& message, const Instant& now);
   void OnApplication(const std::string& status, const Instant& now);
   void OnTruth(double x, double y);
+  void OnBattery(double current, const Instant& now);
   void Note(const std::string& text, const Instant& now);
 
   const Instant& now() const { return now_; }
@@ -52,6 +53,7 @@ class RobotState {
   const std::string& configuration() const { return configuration_; }
   double x() const { return x_; }  ///< true position, frame map [m]
   double y() const { return y_; }
+  bool charging() const { return charging_; }
   const std::map<Key, coppice_msgs::HealthEntry>& health() const { return health_; }
   const std::map<std::string, coppice_msgs::ProcessState>& processes() const { return processes_; }
   const std::vector<coppice_msgs::HelpRequest>& requests() const { return requests_; }
@@ -81,6 +83,7 @@ class RobotState {
   std::string configuration_;
   bool changing_ = false;
   double x_ = 0, y_ = 0;
+  bool charging_ = false;
   std::map<Key, coppice_msgs::HealthEntry> health_;
   std::map<std::string, coppice_msgs::ProcessState> processes_;
   std::vector<coppice_msgs::HelpRequest> requests_;

@@ -1,0 +1,227 @@
+// Faults of the computers that the programs run on: load, memory, disk, logger, the clock of a
+// second computer, the network to it.
+#include <gtest/gtest.h>
+#include <sys/mman.h>
+
+#include <csignal>
+#include <fstream>
+#include <memory>
+#include <sstream>
+
+#include "tests/system/fault_case.h"
+#include "tests/system/second_host.h"
+#include "tests/system/small_disk.h"
+
+namespace coppice::robot {
+namespace {
+
+constexpr double kMemoryHog = 0.10;  // of all memory
+constexpr int kTimePort = 1123;
+
+const std::string kTestPrograms = std::string(COPPICE_BINARY_DIR) + "/tests/bin/";
+const std::string kPrograms = std::string(COPPICE_BINARY_DIR) + "/bin/";
+
+// kB, of /proc/meminfo.
+double Memory(const std::string& field) {
+  std::ifstream file("/proc/meminfo");
+  std::string name;
+  double value = 0;
+  while (file >> name >> value) {
+    if (name == field + ":") return value;
+    file.ignore(100, '\n');
+  }
+  return 0;
+}
+
+double MemoryUsed() { return 1 - Memory("MemAvailable") / Memory("MemTotal"); }
+
+// Memory that is really taken.
+class MemoryHog {
+ public:
+  MemoryHog() : size_(static_cast<std::size_t>(kMemoryHog * Memory("MemTotal") * 1024)) {
+    memory_ = mmap(nullptr, size_, PROT_READ | PROT_WRITE,
+                   MAP_PRIVATE | MAP_ANONYMOUS | MAP_POPULATE, -1, 0);
+    EXPECT_NE(memory_, MAP_FAILED);
+  }
+  ~MemoryHog() { munmap(memory_, size_); }
+
+ private:
+  std::size_t size_;
+  void* memory_;
+};
+
+const char kProcesses[] = R"(processes:
+  - name: laser_driver
+    command: ["${bin}/laser_driver"]
+    node: /laser_driver
+    depends: [simulator]
+
+  - name: logger
+    command: [/usr/lib/rosbag/record, "--chunksize=16", -O, "${record}/log.bag",
+              /scan, /odom, "__name:=logger"]
+    node: /logger
+    depends: [laser_driver]
+
+  - name: system_monitor
+    command: ["${bin}/coppice-system-monitor", --config, "${config}/monitors.yaml"]
+    node: /system_monitor
+    depends: [health_aggregator]
+)";
+
+class ComputerFaults : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    disk_ = std::make_unique<SmallDisk>();
+    host_ = std::make_unique<SecondHost>();
+    rig_ = std::make_unique<RobotRig>(Options());
+    if (host_->error().empty()) SetClock(0);
+    ASSERT_TRUE(rig_->Start());
+  }
+  static void TearDownTestSuite() {
+    rig_.reset();
+    time_server_ = {};
+    host_.reset();
+    disk_.reset();
+  }
+
+  static std::string Watch() {
+    const double used = MemoryUsed();
+    std::ostringstream text;
+    text << "    system:\n"
+         << "      - period: 0.5\n"
+         << "        window: 2\n"
+         << "        ask_period: 1\n"
+         << "        deadline: 0.5\n"
+         // The computer that runs the tests may be busy with other things.
+         << "        cpu: {load: {warn: [none, none], error: [none, none]}}\n"
+         << "        memory: {used: {warn: [none, " << used + kMemoryHog * 0.5
+         << "], error: [none, " << used + kMemoryHog * 0.7 << "], consecutive: 2}}\n"
+         << "        disks: [{path: \"" << disk_->path().string()
+         << "\", used: {warn: [none, 0.7], error: [none, 0.95]}}]\n"
+         << "        processes: [{node: /laser_driver, cpu: {warn: [none, 0.2], error: [none, 0.3],"
+         << " consecutive: 3}}]\n";
+    if (host_->error().empty()) {
+      text << "        clocks: [{host: second, address: " << host_->address()
+           << ", port: " << kTimePort << "}]\n"
+           << "        hosts: [{host: second, address: " << host_->address() << "}]\n";
+    }
+    text << "    loggers: [{name: bag, path: \"" << LogFile()
+         << "\", node: /logger, staleness: 4}]\n"
+         << "    sources:\n      - {source: /system_monitor, period: 0.5}\n";
+    return text.str();
+  }
+
+  static std::string LogFile() {
+    return std::string(COPPICE_BINARY_DIR) + "/tests/system/computer_faults/log.bag.active";
+  }
+
+  static RigOptions Options() {
+    RigOptions options;
+    options.name = "computer_faults";
+    options.variables = {{"speed", "1"}, {"seed", "9"}};
+    options.programs = {{"laser_driver", kTestPrograms + "laser_driver"}};
+    options.edits = {
+        {"robot.yaml", "\"_seed:=", "\"_start:=2 0 0\", \"/scan:=/simulation/scan\", \"_seed:="},
+        {"robot.yaml", "processes:\n", kProcesses},
+        {"robot.yaml", "operating: [simulator,",
+         "operating: [simulator, laser_driver, logger, system_monitor,"},
+        {"monitors.yaml", "topic: /scan, node: /simulator", "topic: /scan, node: /laser_driver"},
+        {"monitors.yaml", "    sources:\n", Watch()}};
+    return options;
+  }
+
+  // The second computer's clock is that much ahead from now on.
+  static void SetClock(double offset) {
+    time_server_ = {};
+    std::vector<std::string> command = host_->prefix();
+    for (const std::string& word :
+         {kPrograms + "coppice-system-monitor", std::string("--serve-time"),
+          std::to_string(kTimePort), std::string("--address"), host_->address(),
+          std::string("--clock-offset"), std::to_string(offset)}) {
+      command.push_back(word);
+    }
+    time_server_ =
+        ChildProcess(command, std::string(COPPICE_BINARY_DIR) + "/tests/time_server.log");
+  }
+
+  static std::unique_ptr<SmallDisk> disk_;
+  static std::unique_ptr<SecondHost> host_;
+  static ChildProcess time_server_;
+  static std::unique_ptr<RobotRig> rig_;
+};
+
+std::unique_ptr<SmallDisk> ComputerFaults::disk_;
+std::unique_ptr<SecondHost> ComputerFaults::host_;
+ChildProcess ComputerFaults::time_server_;
+std::unique_ptr<RobotRig> ComputerFaults::rig_;
+
+TEST_F(ComputerFaults, AProgramThatBurnsACoreIsSeen) {
+  FaultCase fault(*rig_, "CPU hog", "the laser driver burns a core");
+  ASSERT_TRUE(rig_->Signal("laser_driver", SIGHUP));
+  fault.ExpectDetected("process", "/laser_driver cpu", 8);
+  ASSERT_TRUE(rig_->Signal("laser_driver", SIGHUP));
+  fault.ExpectNominal();
+  fault.ExpectOnlyRestarted({});
+  fault.ExpectNobodyAsked();
+  fault.set_recovery("message");
+}
+
+TEST_F(ComputerFaults, MemoryThatRunsOutIsSeen) {
+  FaultCase fault(*rig_, "RAM hog", "a program takes 10 % of the memory");
+  auto hog = std::make_unique<MemoryHog>();
+  fault.ExpectDetected("memory", "used", 5);
+  hog.reset();
+  fault.ExpectNominal();
+  fault.ExpectOnlyRestarted({});
+  fault.ExpectNobodyAsked();
+  fault.set_recovery("message");
+}
+
+TEST_F(ComputerFaults, AFullDiskIsSeen) {
+  FaultCase fault(*rig_, "disk full", "a small file system is filled to the last block");
+  disk_->Fill();
+  fault.ExpectDetected("disk", disk_->path().string(), 3);
+  disk_->Free();
+  fault.ExpectNominal();
+  fault.ExpectOnlyRestarted({});
+  fault.ExpectNobodyAsked();
+  fault.set_recovery("message");
+}
+
+TEST_F(ComputerFaults, ALoggerThatNoLongerWritesIsRestarted) {
+  FaultCase fault(*rig_, "logger down", "SIGSTOP to the program that records");
+  ASSERT_TRUE(rig_->Signal("logger", SIGSTOP));
+  fault.ExpectDetected("logger", "bag", 10);
+  fault.ExpectRestarted("logger");
+  fault.ExpectNominal();
+  fault.ExpectOnlyRestarted({"logger"});
+  fault.ExpectNobodyAsked();
+  fault.set_recovery("restart of logger");
+}
+
+TEST_F(ComputerFaults, AClockThatIsOffByThreeSecondsIsSeen) {
+  if (!host_->error().empty()) GTEST_SKIP() << "no network namespaces: " << host_->error();
+  FaultCase fault(*rig_, "clock off by 3 s", "the second computer's clock is 3 s ahead");
+  SetClock(3);
+  fault.ExpectDetected("clock", "second", 8);
+  SetClock(0);
+  fault.ExpectNominal();
+  fault.ExpectOnlyRestarted({});
+  fault.ExpectNobodyAsked();
+  fault.set_recovery("message");
+}
+
+TEST_F(ComputerFaults, ANetworkThatIsCutIsSeen) {
+  if (!host_->error().empty()) GTEST_SKIP() << "no network namespaces: " << host_->error();
+  FaultCase fault(*rig_, "network cut", "the link to the second computer is taken down");
+  host_->Cut();
+  fault.ExpectDetected("network", "host second", 8);
+  host_->Join();
+  fault.ExpectNominal();
+  fault.ExpectOnlyRestarted({});
+  fault.ExpectNobodyAsked();
+  fault.set_recovery("message");
+}
+
+}  // namespace
+}  // namespace coppice::robot

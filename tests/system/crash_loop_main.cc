@@ -1,0 +1,69 @@
+// crash_loop: stands in the place of a program of the robot (build/bin/NAME, NAME as it was called)
+// and starts it, but kills it 5 to 15 s after each start, as long as the parameter
+// /crash_loop/NAME is set on the ROS parameter server: a program that stumbles over bad state that
+// outlives it. A new ROS master knows nothing of the parameter.
+#include <ros/ros.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <random>
+#include <string>
+
+namespace {
+
+volatile std::sig_atomic_t g_stop = 0;
+
+bool IsDamaged(const std::string& parameter) {
+  XmlRpc::XmlRpcValue request, response, payload;
+  request[0] = "/crash_loop";
+  request[1] = parameter;
+  return ros::master::execute("hasParam", request, response, payload, false) &&
+         static_cast<bool>(payload);
+}
+
+pid_t Start(const std::string& program, char** argv) {
+  const pid_t parent = getpid();
+  const pid_t pid = fork();
+  if (pid != 0) return pid;
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (getppid() != parent) _exit(1);
+  execv(program.c_str(), argv);
+  _exit(127);
+}
+
+// SIGTERM is passed on; the end of the child is ours.
+int WaitFor(pid_t pid, double seconds) {
+  int status = 0;
+  bool told = false;
+  for (double waited = 0; waitpid(pid, &status, WNOHANG) == 0; waited += 0.02) {
+    if (g_stop != 0 && !told) kill(pid, SIGTERM);
+    told = told || g_stop != 0;
+    if (waited > seconds && !told) kill(pid, SIGSEGV);
+    usleep(20000);
+  }
+  return status;
+}
+
+}  // namespace
+
+int main(int, char** argv) {
+  const std::string path = argv[0];
+  const std::string name = path.substr(path.rfind('/') + 1);
+  const std::string program = std::string(COPPICE_BINARY_DIR) + "/bin/" + name;
+  int no_arguments = 0;
+  ros::init(no_arguments, nullptr, "crash_loop",
+            ros::init_options::AnonymousName | ros::init_options::NoSigintHandler);
+  std::signal(SIGTERM, [](int) { g_stop = 1; });
+  std::signal(SIGINT, [](int) { g_stop = 1; });
+  std::mt19937 random(static_cast<unsigned>(getpid()));
+  const bool damaged = IsDamaged("/crash_loop/" + name);
+  const double lifetime = damaged ? std::uniform_real_distribution<double>(5, 15)(random) : 1e9;
+  const int status = WaitFor(Start(program, argv), lifetime);
+  if (WIFEXITED(status)) return WEXITSTATUS(status);
+  std::signal(WTERMSIG(status), SIG_DFL);
+  raise(WTERMSIG(status));
+  return 1;
+}
