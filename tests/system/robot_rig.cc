@@ -107,6 +107,7 @@ std::vector<std::string> RobotRig::Command() const {
   variables.emplace_back("source", kSource.string());
   variables.emplace_back("record", folder_.string());
   variables.emplace_back("live_port", std::to_string(MasterPort() + 1));
+  variables.emplace_back("page_port", std::to_string(MasterPort() + 3));
   for (const auto& [name, value] : variables) {
     command.push_back("--set");
     command.push_back(name + "=" + value);
