@@ -29,6 +29,8 @@ RigOptions Options() {
       {"robot.yaml", "processes:\n", kDriver},
       {"robot.yaml", "operating: [simulator,", "operating: [simulator, laser_driver,"},
       {"robot.yaml", "processes: [simulator,", "processes: [simulator, laser_driver,"},
+      // The same driver is broken more often than it would be in life.
+      {"robot.yaml", "restart_intensity: {restarts: 3,", "restart_intensity: {restarts: 10,"},
       {"monitors.yaml", "topic: /scan, node: /simulator", "topic: /scan, node: /laser_driver"}};
   return options;
 }
