@@ -100,6 +100,8 @@ std::vector<std::string> RobotRig::Command() const {
                                       (config() / "robot.yaml").string(),
                                       "--port",
                                       std::to_string(MasterPort()),
+                                      "--address",
+                                      options_.address,
                                       "--logs",
                                       (folder_ / "logs").string()};
   auto variables = options_.variables;
@@ -118,7 +120,7 @@ std::vector<std::string> RobotRig::Command() const {
 bool RobotRig::Start() {
   LayOutFolder();
   setenv("ROS_MASTER_URI", MasterUri().c_str(), 1);
-  setenv("ROS_IP", "127.0.0.1", 1);
+  setenv("ROS_IP", options_.address.c_str(), 1);
   state_ = {};
   const Instant begin = Now();
   supervisor_ = ChildProcess(Command(), log("supervisor"), options_.environment);

@@ -36,6 +36,7 @@ struct RigOptions {
   /// Programs of the robot that are replaced by others: name in build/bin, path.
   std::vector<std::pair<std::string, std::string>> programs;
   std::vector<std::pair<std::string, std::string>> environment;
+  std::string address = "127.0.0.1";  ///< of this computer, for programs on another one
 };
 
 class RobotRig {
