@@ -128,10 +128,11 @@ class ComputerFaults : public testing::Test {
   static RigOptions Options() {
     RigOptions options;
     options.name = "computer_faults";
+    options.start = "2 0 0";
     options.variables = {{"speed", "1"}, {"seed", "9"}};
     options.programs = {{"laser_driver", kTestPrograms + "laser_driver"}};
     options.edits = {
-        {"robot.yaml", "\"_seed:=", "\"_start:=2 0 0\", \"/scan:=/simulation/scan\", \"_seed:="},
+        {"robot.yaml", "\"_speed:=", "\"/scan:=/simulation/scan\", \"_speed:="},
         {"robot.yaml", "processes:\n", kProcesses},
         {"robot.yaml", "operating: [simulator,",
          "operating: [simulator, laser_driver, logger, system_monitor,"},

@@ -19,10 +19,10 @@ constexpr char kDamage[] = "/crash_loop/coppice-odometry-filter";
 RigOptions Options() {
   RigOptions options;
   options.name = "crash_loop";
+  options.start = "2 0 0";
   options.variables = {{"speed", "1"}, {"seed", "2"}};
   options.programs = {
       {"coppice-odometry-filter", std::string(COPPICE_BINARY_DIR) + "/tests/bin/crash_loop"}};
-  options.edits = {{"robot.yaml", "\"_seed:=", "\"_start:=2 0 0\", \"_seed:="}};
   return options;
 }
 

@@ -14,13 +14,13 @@ using coppice_msgs::HelpRequest;
 RigOptions Options() {
   RigOptions options;
   options.name = "drive_faults";
+  options.start = "4 0 0";
   options.variables = {
       {"speed", "6"},
       {"seed", "5"},
       {"application", std::string(COPPICE_SOURCE_DIR) + "/tests/system/trees/shuttle.xml"}};
   // People who never answer, and a robot that does not wait long for them.
-  options.edits = {{"robot.yaml", "\"_seed:=", "\"_start:=4 0 0\", \"_seed:="},
-                   {"supervisors.yaml", "remind: 120", "remind: 3"},
+  options.edits = {{"supervisors.yaml", "remind: 120", "remind: 3"},
                    {"supervisors.yaml", "next: 300", "next: 6"},
                    {"supervisors.yaml", "deadline: 1800", "deadline: 15"},
                    {"supervisors.yaml", "settle: 10", "settle: 2"}};

@@ -20,12 +20,13 @@ const char kDriver[] = R"(processes:
 RigOptions Options() {
   RigOptions options;
   options.name = "node_faults";
+  options.start = "2 0 0";
   options.variables = {{"speed", "1"}, {"seed", "7"}};
   options.programs = {
       {"laser_driver", std::string(COPPICE_BINARY_DIR) + "/tests/bin/laser_driver"}};
   // On its way already, so that nothing but the fault changes anything.
   options.edits = {
-      {"robot.yaml", "\"_seed:=", "\"_start:=2 0 0\", \"/scan:=/simulation/scan\", \"_seed:="},
+      {"robot.yaml", "\"_speed:=", "\"/scan:=/simulation/scan\", \"_speed:="},
       {"robot.yaml", "processes:\n", kDriver},
       {"robot.yaml", "operating: [simulator,", "operating: [simulator, laser_driver,"},
       {"robot.yaml", "processes: [simulator,", "processes: [simulator, laser_driver,"},

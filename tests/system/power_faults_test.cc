@@ -13,8 +13,8 @@ using coppice_msgs::HealthEntry;
 RigOptions Options(const std::string& name, const std::string& charge) {
   RigOptions options;
   options.name = name;
+  options.start = "20 0 3.14159";
   options.variables = {{"speed", "6"}, {"seed", "4"}, {"state_of_charge", charge}};
-  options.edits = {{"robot.yaml", "\"_seed:=", "\"_start:=20 0 3.14159\", \"_seed:="}};
   return options;
 }
 

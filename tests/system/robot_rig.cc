@@ -79,6 +79,11 @@ void RobotRig::LayOutFolder() {
   fs::copy(kSource / "robot_app/config", config(), fs::copy_options::recursive);
   fs::create_directory_symlink(kSource / "robot_app/simulation", folder_ / "robot_app/simulation");
   fs::create_directory_symlink(kSource / "trees", folder_ / "trees");
+  if (!options_.start.empty()) {
+    Replace(config() / "robot.yaml", "\"_seed:=", "\"_start:=" + options_.start + "\", \"_seed:=");
+    Replace(config() / "robot.yaml", "\"_start_pose:=-2.4 0 3.14159\"",
+            "\"_start_pose:=" + options_.start + "\"");
+  }
   for (const ConfigEdit& edit : options_.edits) Replace(config() / edit.file, edit.from, edit.to);
   LinkPrograms();
 }

@@ -29,7 +29,8 @@ struct ConfigEdit {
 };
 
 struct RigOptions {
-  std::string name;  ///< of the folder of the run, below build/tests/system
+  std::string name;   ///< of the folder of the run, below build/tests/system
+  std::string start;  ///< "X Y YAW" where it begins, frame map; empty: on the station
   /// Variables of robot.yaml: speed, seed, stops, ...
   std::vector<std::pair<std::string, std::string>> variables;
   std::vector<ConfigEdit> edits;

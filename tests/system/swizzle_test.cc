@@ -59,10 +59,10 @@ void BringBack(const std::string& process) {
 RigOptions Options() {
   RigOptions options;
   options.name = "swizzle";
+  options.start = "2 0 0";
   options.variables = {{"speed", "1"}, {"seed", "3"}};
   // Here it is the test that breaks everything again and again, which nobody is to be called for.
   options.edits = {
-      {"robot.yaml", "\"_seed:=", "\"_start:=2 0 0\", \"_seed:="},
       {"robot.yaml", "{restarts: 3, window: 60, floor: 5, healthy_after: 60, hourly: 10}",
        "{restarts: 1000, window: 60, floor: 0, healthy_after: 1, hourly: 10000}"},
       {"robot.yaml", "back_off: {first: 5, most: 300}", "back_off: {first: 1, most: 1}"}};
