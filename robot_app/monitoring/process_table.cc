@@ -7,6 +7,11 @@ bool ProcessTable::IsStarting(const std::string& node) const {
   return found != by_node.end() && found->second.phase == ProcessPhase::kStarting;
 }
 
+int ProcessTable::PidOf(const std::string& node) const {
+  const auto found = by_node.find(node);
+  return found == by_node.end() ? 0 : found->second.pid;
+}
+
 std::string ProcessTable::HostOf(const std::string& node) const {
   const auto found = hosts.find(node);
   return found == hosts.end() ? "" : found->second;

@@ -19,6 +19,8 @@ struct ProcessTable {
 
   /// The supervisor is about to start this node, or waits for it to become ready.
   bool IsStarting(const std::string& node) const;
+  /// The process of the node; 0 if it does not run or is not known.
+  int PidOf(const std::string& node) const;
   /// The computer on which the node runs; empty: the supervisor's own, or not known.
   std::string HostOf(const std::string& node) const;
 };

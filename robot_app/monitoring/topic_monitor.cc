@@ -58,13 +58,14 @@ Finding RateWatch::Assess(Time now) {
 void TopicMonitor::Watch(const std::vector<TopicWatch>& topics) {
   std::vector<Watched> watched;
   for (const TopicWatch& topic : topics) {
-    Watched entry{RateWatch(topic), StatisticsWatch(topic), Patience()};
+    Watched entry{RateWatch(topic), StatisticsWatch(topic), Patience(), 0};
     for (const Watched& known : topics_) {
       const TopicWatch& before = known.rate.watch();
       const bool same = before.topic == topic.topic && before.window == topic.window &&
                         before.wall_time == topic.wall_time;
       if (same) entry.rate.Continue(known.rate);
       if (same) entry.statistics.Continue(known.statistics);
+      if (same) entry.pid = known.pid;
     }
     watched.push_back(std::move(entry));
   }
@@ -96,10 +97,13 @@ std::vector<Finding> TopicMonitor::Report(const ProcessTable& processes, const T
   std::vector<Finding> findings;
   for (Watched& entry : topics_) {
     const TopicWatch& watch = entry.rate.watch();
-    if (processes.IsStarting(watch.node)) {
+    // A start may be shorter than the time between two reports.
+    const int pid = processes.PidOf(watch.node);
+    if (processes.IsStarting(watch.node) || pid != entry.pid) {
       entry.rate.Reset();
       entry.statistics.Reset();
     }
+    entry.pid = pid;
     Finding finding = Assess(entry, now);
     finding.stamp = now.ros;
     entry.patience.Apply(finding, now.wall, patience_);

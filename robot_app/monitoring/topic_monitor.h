@@ -61,6 +61,7 @@ class TopicMonitor {
     RateWatch rate;
     StatisticsWatch statistics;  // used instead of `rate` if the watch says so
     Patience patience;
+    int pid = 0;  // of the publisher's process at the last report; 0: none, or not known
   };
   static Finding Assess(Watched& entry, const Times& now);
 

@@ -150,6 +150,16 @@ TEST_F(TopicMonitorTest, APublisherThatStartsHasItsTime) {
   EXPECT_EQ(Report(seconds(111) + milliseconds(1)).level, HealthLevel::kError);
 }
 
+TEST_F(TopicMonitorTest, APublisherThatWasRestartedBetweenTwoReportsIsJudgedAnew) {
+  processes_.by_node["/scanner"].phase = ProcessPhase::kReady;
+  processes_.by_node["/scanner"].pid = 7;
+  EXPECT_EQ(Report(seconds(100)).level, HealthLevel::kOk);
+  EXPECT_EQ(Report(seconds(110)).level, HealthLevel::kError);
+  processes_.by_node["/scanner"].pid = 8;
+  EXPECT_EQ(Report(seconds(110)).level, HealthLevel::kOk);
+  EXPECT_EQ(Report(seconds(115)).level, HealthLevel::kError);
+}
+
 TEST_F(TopicMonitorTest, AnErrorMustLastInWallTimeToo) {
   TopicMonitor patient(milliseconds(400));
   patient.Watch({Scan()});
