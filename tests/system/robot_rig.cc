@@ -27,8 +27,9 @@ constexpr std::chrono::seconds kStopPatience{30};
 const fs::path kSource = COPPICE_SOURCE_DIR;
 const fs::path kBinary = COPPICE_BINARY_DIR;
 
-// Below the ports that the system gives to whoever wants any; each test program has its own.
-int MasterPort() { return 20000 + getpid() % 2500 * 4; }
+// Below the ports that the system gives to whoever wants any; each test program has six of its own:
+// the ROS master's, four of the live view, the page's.
+int MasterPort() { return 20000 + getpid() % 2000 * 6; }
 std::string MasterUri() { return "http://127.0.0.1:" + std::to_string(MasterPort()); }
 
 std::string Contents(const fs::path& file) {
@@ -114,7 +115,7 @@ std::vector<std::string> RobotRig::Command() const {
   variables.emplace_back("source", kSource.string());
   variables.emplace_back("record", folder_.string());
   variables.emplace_back("live_port", std::to_string(MasterPort() + 1));
-  variables.emplace_back("page_port", std::to_string(MasterPort() + 3));
+  variables.emplace_back("page_port", std::to_string(MasterPort() + 5));
   for (const auto& [name, value] : variables) {
     command.push_back("--set");
     command.push_back(name + "=" + value);
