@@ -7,6 +7,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <csignal>
 #include <cstdlib>
 #include <random>
@@ -59,7 +60,9 @@ int main(int, char** argv) {
   std::signal(SIGTERM, [](int) { g_stop = 1; });
   std::signal(SIGINT, [](int) { g_stop = 1; });
   std::mt19937 random(static_cast<unsigned>(getpid()));
-  const bool damaged = IsDamaged("/crash_loop/" + name);
+  std::string parameter = "/crash_loop/" + name;
+  std::replace(parameter.begin(), parameter.end(), '-', '_');  // as names in ROS are
+  const bool damaged = IsDamaged(parameter);
   const double lifetime = damaged ? std::uniform_real_distribution<double>(5, 15)(random) : 1e9;
   const int status = WaitFor(Start(program, argv), lifetime);
   if (WIFEXITED(status)) return WEXITSTATUS(status);

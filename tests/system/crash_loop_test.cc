@@ -14,7 +14,7 @@ namespace {
 using coppice_msgs::ProcessState;
 
 constexpr char kVictim[] = "odometry_filter";
-constexpr char kDamage[] = "/crash_loop/coppice-odometry-filter";
+constexpr char kDamage[] = "/crash_loop/coppice_odometry_filter";
 
 RigOptions Options() {
   RigOptions options;

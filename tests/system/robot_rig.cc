@@ -67,7 +67,7 @@ RobotRig::RobotRig(RigOptions options) : options_(std::move(options)) {
 
 RobotRig::~RobotRig() {
   Stop();
-  if (!testing::Test::HasFailure()) {
+  if (!testing::UnitTest::GetInstance()->Failed()) {
     std::error_code ignored;
     fs::remove_all(folder_, ignored);
   }
