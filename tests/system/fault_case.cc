@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <exception>
 #include <fstream>
 #include <iomanip>
 #include <sstream>
@@ -48,6 +49,7 @@ FaultCase::~FaultCase() {
                   << rig_.TimelineSince(begin_) << "logs: " << rig_.folder();
     return;
   }
+  if (std::uncaught_exceptions() > 0) return;
   WriteReport({fault_, injection_, detected_by_, Seconds(detected_), Seconds(limit_), recovery_,
                asked_ ? "yes" : "no", Seconds(nominal_)});
 }

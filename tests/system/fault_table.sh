@@ -5,6 +5,7 @@ set -euo pipefail
 cd "$(dirname "$0")/../.."
 report=${1:-build/tests/system/faults.tsv}
 table=$(awk -F'\t' '
+  { gsub(/\/[^ ]*\/tests\/system\//, "", $3) }
   !($1 in line) { order[++count] = $1 }
   { line[$1] = "| " $1 " | " $2 " | " $3 " | " $4 " | " $5 " | " $6 " | " $7 " | " $8 " |" }
   END {
