@@ -289,6 +289,7 @@ class Demo {
     if (summary.Recovery("restart node").ended_well == 0) {
       problems.push_back("the record shows no successful restart of a node");
     }
+    if (!summary.docked) problems.push_back("the robot did not come home");
     if (navigation == 0) problems.push_back("the record shows no recovery of the navigation");
     if (settings_.editor && !fs::exists(Picture()))
       problems.push_back("the editor saved no picture");
