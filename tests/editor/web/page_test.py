@@ -151,7 +151,7 @@ def look(browser, address, picture):
 
 
 def main(coppice, folder, picture=None):
-    with tempfile.TemporaryDirectory() as scratch:
+    with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as scratch:
         with open(scratch + "/tree.xml", "w") as file:
             file.write(TREE)
         robot = subprocess.Popen(

@@ -160,7 +160,7 @@ def help_the_robot(person, link):
 
 def main(link, folder):
     os.makedirs(folder, exist_ok=True)
-    with tempfile.TemporaryDirectory() as scratch:
+    with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as scratch:
         browser = Browser(scratch)
         try:
             help_the_robot(Person(browser, folder), link)
