@@ -61,11 +61,6 @@ const char kProcesses[] = R"(processes:
               /scan, /odom, "__name:=logger"]
     node: /logger
     depends: [laser_driver]
-
-  - name: system_monitor
-    command: ["${bin}/coppice-system-monitor", --config, "${config}/monitors.yaml"]
-    node: /system_monitor
-    depends: [health_aggregator]
 )";
 
 const char kSecondMonitor[] = R"(
@@ -94,31 +89,34 @@ class ComputerFaults : public testing::Test {
     disk_.reset();
   }
 
-  static std::string Watch() {
+  // What the computers' monitors are to look at instead of what a robot's do.
+  static std::vector<ConfigEdit> Watches() {
     const double used = MemoryUsed();
-    std::ostringstream text;
-    text << "    system:\n"
-         << "      - period: 0.5\n"
-         << "        window: 2\n"
-         << "        ask_period: 1\n"
-         << "        deadline: 0.5\n"
-         // The computer that runs the tests may be busy with other things.
-         << "        cpu: {load: {warn: [none, none], error: [none, none]}}\n"
-         << "        memory: {used: {warn: [none, " << used + kMemoryHog * 0.5
-         << "], error: [none, " << used + kMemoryHog * 0.7 << "], consecutive: 2}}\n"
-         << "        disks: [{path: \"" << disk_->path().string()
-         << "\", used: {warn: [none, 0.7], error: [none, 0.95]}}]\n"
-         << "        processes: [{node: /laser_driver, cpu: {warn: [none, 0.2], error: [none, 0.3],"
-         << " consecutive: 3}}]\n";
-    if (host_->error().empty()) {
-      text << "        clocks: [{host: second, address: " << host_->address()
-           << ", port: " << kTimePort << "}]\n"
-           << "        hosts: [{host: second, address: " << host_->address() << "}]\n";
-    }
-    text << "    loggers: [{name: bag, path: \"" << LogFile()
-         << "\", node: /logger, staleness: 4}]\n"
-         << "    sources:\n      - {source: /system_monitor, period: 0.5}\n";
-    return text.str();
+    std::ostringstream own;
+    own << "        period: 0.5\n"
+        << "        window: 2\n"
+        << "        ask_period: 1\n"
+        << "        deadline: 0.5\n"
+        << "        memory: {used: {warn: [none, " << used + kMemoryHog * 0.5 << "], error: [none, "
+        << used + kMemoryHog * 0.7 << "], consecutive: 2}}\n"
+        << "        disks: [{path: \"" << disk_->path().string()
+        << "\", used: {warn: [none, 0.7], error: [none, 0.95]}}]";
+    std::vector<ConfigEdit> edits = {
+        {"monitors.yaml", "warn: [none, 0.95]", "warn: [none, none]"},  // others may use the cores
+        {"monitors.yaml", "        disks: [{path: /}]", own.str()},
+        {"monitors.yaml", "processes: [{node: /simulator}",
+         "processes: [{node: /laser_driver, cpu: {warn: [none, 0.2], error: [none, 0.3], "
+         "consecutive: 3}}"},
+        {"monitors.yaml", "      - {name: record,",
+         "      - {name: bag, path: \"" + LogFile() +
+             "\", node: /logger, staleness: 4}\n      - {name: record,"}};
+    if (!host_->error().empty()) return edits;
+    const std::string second = "{host: second, address: " + host_->address();
+    edits.push_back({"monitors.yaml", "# clocks: [{host: jetson, address: 10.0.0.3}]",
+                     "clocks: [" + second + ", port: " + std::to_string(kTimePort) + "}] #"});
+    edits.push_back({"monitors.yaml", "# hosts: [{host: jetson, address: 10.0.0.3}]",
+                     "hosts: [" + second + "}] #"});
+    return edits;
   }
 
   static std::string LogFile() {
@@ -134,10 +132,9 @@ class ComputerFaults : public testing::Test {
     options.edits = {
         {"robot.yaml", "\"_speed:=", "\"/scan:=/simulation/scan\", \"_speed:="},
         {"robot.yaml", "processes:\n", kProcesses},
-        {"robot.yaml", "operating: [simulator,",
-         "operating: [simulator, laser_driver, logger, system_monitor,"},
-        {"monitors.yaml", "topic: /scan, node: /simulator", "topic: /scan, node: /laser_driver"},
-        {"monitors.yaml", "    sources:\n", Watch()}};
+        {"robot.yaml", "operating: [simulator,", "operating: [simulator, laser_driver, logger,"},
+        {"monitors.yaml", "topic: /scan, node: /simulator", "topic: /scan, node: /laser_driver"}};
+    for (ConfigEdit& edit : Watches()) options.edits.push_back(std::move(edit));
     if (host_->error().empty()) AddSecondHost(options);
     return options;
   }
