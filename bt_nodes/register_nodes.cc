@@ -41,6 +41,7 @@ void RegisterNodes(Registry& registry, const Capabilities& capabilities) {
   registry.Register<ReadHealth>("ReadHealth");
   registry.Register<NodeFault>("NodeFault");
   registry.Register<TopicFault>("TopicFault");
+  registry.Register<LoggerFault>("LoggerFault");
   registry.Register<NavigationFault>("NavigationFault");
   registry.Register<LocalizationFault>("LocalizationFault");
   registry.Register<DockingFault>("DockingFault");

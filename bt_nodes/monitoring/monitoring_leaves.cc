@@ -29,4 +29,9 @@ bool FaultCondition::Check() {
   return true;
 }
 
+bool EmergencyStopFault::Check() {
+  const HealthEntry* error = health->FirstError("emergency_stop");
+  return error && error->level == HealthLevel::kError && FaultCondition::Check();
+}
+
 }  // namespace coppice

@@ -53,6 +53,12 @@ class TopicFault : public FaultCondition {
   TopicFault() : FaultCondition("topic") {}
 };
 
+class LoggerFault : public FaultCondition {
+ public:
+  static constexpr const char* kDescription = "Does something that should be recorded not grow?";
+  LoggerFault() : FaultCondition("logger") {}
+};
+
 class NavigationFault : public FaultCondition {
  public:
   static constexpr const char* kDescription =
@@ -83,6 +89,8 @@ class EmergencyStopFault : public FaultCondition {
  public:
   static constexpr const char* kDescription = "Is the emergency stop pressed?";
   EmergencyStopFault() : FaultCondition("emergency_stop") {}
+  /// A monitor that has fallen silent (STALE) does not say that it is pressed.
+  bool Check() override;
 };
 
 }  // namespace coppice

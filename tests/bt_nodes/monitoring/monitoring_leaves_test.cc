@@ -55,6 +55,12 @@ TEST(TopicFault, LooksAtTopics) {
   EXPECT_EQ(harness.Tick(), Status::kSuccess);
 }
 
+TEST(LoggerFault, LooksAtLoggers) {
+  LeafHarness harness = LeafHarness::For<LoggerFault>();
+  harness.Set("health", OneError("logger"));
+  EXPECT_EQ(harness.Tick(), Status::kSuccess);
+}
+
 TEST(NavigationFault, LooksAtTheNavigation) {
   LeafHarness harness = LeafHarness::For<NavigationFault>();
   harness.Set("health", OneError("navigation"));
@@ -64,6 +70,17 @@ TEST(NavigationFault, LooksAtTheNavigation) {
 TEST(LocalizationFault, LooksAtTheLocalization) {
   LeafHarness harness = LeafHarness::For<LocalizationFault>();
   harness.Set("health", OneError("localization"));
+  EXPECT_EQ(harness.Tick(), Status::kSuccess);
+}
+
+TEST(EmergencyStopFault, IsNotSeenWhereTheMonitorHasFallenSilent) {
+  Health health;
+  health.entries = {{"emergency_stop", "/emergency_stop", "", HealthLevel::kStale, "silent"}};
+  LeafHarness harness = LeafHarness::For<EmergencyStopFault>();
+  harness.Set("health", health);
+  EXPECT_EQ(harness.Tick(), Status::kFailure);
+  health.entries[0].level = HealthLevel::kError;
+  harness.Set("health", health);
   EXPECT_EQ(harness.Tick(), Status::kSuccess);
 }
 
