@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <sys/mman.h>
 
+#include <algorithm>
 #include <csignal>
 #include <fstream>
 #include <memory>
@@ -15,7 +16,7 @@
 namespace coppice::robot {
 namespace {
 
-constexpr double kMemoryHog = 0.10;  // of all memory
+constexpr double kMemoryHog = 0.10;  // of all memory, more than is used when the test begins
 constexpr int kTimePort = 1123;
 
 const std::string kTestPrograms = std::string(COPPICE_BINARY_DIR) + "/tests/bin/";
@@ -35,10 +36,12 @@ double Memory(const std::string& field) {
 
 double MemoryUsed() { return 1 - Memory("MemAvailable") / Memory("MemTotal"); }
 
-// Memory that is really taken.
+// Memory that is really taken, until that share of all memory is in use.
 class MemoryHog {
  public:
-  MemoryHog() : size_(static_cast<std::size_t>(kMemoryHog * Memory("MemTotal") * 1024)) {
+  explicit MemoryHog(double until)
+      : size_(static_cast<std::size_t>(std::max(0.01, until - MemoryUsed()) * Memory("MemTotal") *
+                                       1024)) {
     memory_ = mmap(nullptr, size_, PROT_READ | PROT_WRITE,
                    MAP_PRIVATE | MAP_ANONYMOUS | MAP_POPULATE, -1, 0);
     EXPECT_NE(memory_, MAP_FAILED);
@@ -91,7 +94,7 @@ class ComputerFaults : public testing::Test {
 
   // What the computers' monitors are to look at instead of what a robot's do.
   static std::vector<ConfigEdit> Watches() {
-    const double used = MemoryUsed();
+    const double used = used_at_start_;
     std::ostringstream own;
     own << "        period: 0.5\n"
         << "        window: 2\n"
@@ -168,12 +171,14 @@ class ComputerFaults : public testing::Test {
         ChildProcess(command, std::string(COPPICE_BINARY_DIR) + "/tests/time_server.log");
   }
 
+  static const double used_at_start_;
   static std::unique_ptr<SmallDisk> disk_;
   static std::unique_ptr<SecondHost> host_;
   static ChildProcess time_server_;
   static std::unique_ptr<RobotRig> rig_;
 };
 
+const double ComputerFaults::used_at_start_ = MemoryUsed();
 std::unique_ptr<SmallDisk> ComputerFaults::disk_;
 std::unique_ptr<SecondHost> ComputerFaults::host_;
 ChildProcess ComputerFaults::time_server_;
@@ -192,8 +197,8 @@ TEST_F(ComputerFaults, AProgramThatBurnsACoreIsSeen) {
 
 TEST_F(ComputerFaults, MemoryThatRunsOutIsSeen) {
   FaultCase fault(*rig_, "RAM hog", "a program takes 10 % of the memory");
-  auto hog = std::make_unique<MemoryHog>();
-  fault.ExpectDetected("memory", "used", 5);
+  auto hog = std::make_unique<MemoryHog>(used_at_start_ + kMemoryHog);
+  fault.ExpectDetected("memory", "used", 15);  // taking it takes seconds
   hog.reset();
   fault.ExpectNominal();
   fault.ExpectOnlyRestarted({});
