@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 #include <nav_msgs/Odometry.h>
 #include <std_srvs/Empty.h>
+#include <unistd.h>
 
 #include <csignal>
 #include <filesystem>
@@ -27,7 +28,12 @@ using testing::HasSubstr;
 constexpr double kPatience = 30;  // wall time, for whatever is waited for [s]
 const std::string kPrograms = COPPICE_BINARY_DIR "/bin/";
 
-std::string Log(const std::string& name) { return testing::TempDir() + name + ".log"; }
+// Tests run at the same time.
+std::string Own(const std::string& name) {
+  return testing::TempDir() + std::to_string(getpid()) + "_" + name;
+}
+
+std::string Log(const std::string& name) { return Own(name + ".log"); }
 
 std::string TextOf(const std::string& file) {
   std::ostringstream text;
@@ -121,7 +127,7 @@ class LocalizationNodeTest : public testing::Test {
         kPatience));
   }
 
-  const std::string kLastPose = testing::TempDir() + "localization_last_pose";
+  const std::string kLastPose = Own("localization_last_pose");
   ros::NodeHandle node_;
   ros::Publisher command_;
   ros::Publisher set_pose_;

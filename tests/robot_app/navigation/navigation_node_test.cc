@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 #include <move_base_msgs/MoveBaseAction.h>
 #include <nav_msgs/Path.h>
+#include <unistd.h>
 
 #include <atomic>
 #include <cstdio>
@@ -26,7 +27,9 @@ using testing::HasSubstr;
 constexpr double kPatience = 30;  // wall time, for whatever is waited for [s]
 const std::string kPrograms = COPPICE_BINARY_DIR "/bin/";
 
-std::string Log(const std::string& name) { return testing::TempDir() + name + ".log"; }
+std::string Log(const std::string& name) {
+  return testing::TempDir() + std::to_string(getpid()) + "_" + name + ".log";
+}
 
 std::string TextOf(const std::string& file) {
   std::ostringstream text;

@@ -53,7 +53,9 @@ class Latest {
   ros::Subscriber subscriber_;
 };
 
-std::string Log(const std::string& name) { return testing::TempDir() + name + ".log"; }
+std::string Log(const std::string& name) {
+  return testing::TempDir() + std::to_string(getpid()) + "_" + name + ".log";
+}
 
 std::string TextOf(const std::string& file) {
   std::ifstream stream(file);
