@@ -285,11 +285,12 @@ LocalizationReport Localizer::Report(double now) const {
     report.message = std::to_string(rivals_ + 1) + " places on the map fit what the robot sees";
   } else if (report.seconds_since_confirmed < settings_.lost_after) {
     report.message = fits_ ? "not proven yet" : "the scan does not agree with the map";
+  } else if (now - stamp_ > 1) {
+    report.message = "no scan with odometry";  // without eyes, but not lost
   } else {
     report.phase = LocalizationPhase::kLost;
-    report.message = now - stamp_ > 1 ? "no scan with odometry"
-                     : fits_          ? "a place fits; a full turn on the spot would prove it"
-                             : "no place is known that fits; a full turn on the spot would help";
+    report.message = fits_ ? "a place fits; a full turn on the spot would prove it"
+                           : "no place is known that fits; a full turn on the spot would help";
   }
   return report;
 }

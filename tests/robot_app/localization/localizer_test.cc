@@ -249,12 +249,12 @@ TEST_F(LocalizerTest, BeginsAnewWhenTimeIsSetBack) {
   EXPECT_NEAR(localizer.pose()->x, kAtDock.x, 0.02);
 }
 
-TEST_F(LocalizerTest, IsLostWithoutScans) {
+TEST_F(LocalizerTest, IsUncertainWithoutScansButNotLost) {
   const auto robot = Started({46, 0, 0});
   const double now = robot->now();
   EXPECT_EQ(robot->localizer().Report(now + 3).phase, LocalizationPhase::kUncertain);
   const LocalizationReport later = robot->localizer().Report(now + 6);
-  EXPECT_EQ(later.phase, LocalizationPhase::kLost);
+  EXPECT_EQ(later.phase, LocalizationPhase::kUncertain);
   EXPECT_NEAR(later.seconds_since_confirmed, 6, 0.2);
   EXPECT_THAT(later.message, HasSubstr("no scan"));
 }
