@@ -16,8 +16,7 @@ namespace coppice::editor {
 extern std::atomic<bool> g_stop;
 
 /// Fills an editor as the command line says. Prints what is wrong; null if it cannot run.
-std::unique_ptr<Editor> MakeEditor(const EditOptions& options,
-                                   EditorOptions editor_options);
+std::unique_ptr<Editor> MakeEditor(const EditOptions& options, EditorOptions editor_options);
 
 /// Both return the program's exit code.
 int RunWindow(const Clock& clock, const EditOptions& options);

@@ -6,9 +6,9 @@
 #include <iostream>
 #include <limits>
 
+#include "editor/app/run.h"
 #include "editor/window/gl_renderer.h"
 #include "editor/window/glfw_window.h"
-#include "editor/app/run.h"
 
 namespace coppice::editor {
 namespace {

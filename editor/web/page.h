@@ -10,9 +10,9 @@
 #include <memory>
 #include <string>
 
+#include "editor/core/editor.h"
 #include "editor/window/gl_renderer.h"
 #include "editor/window/glfw_window.h"
-#include "editor/core/editor.h"
 
 namespace coppice::editor {
 

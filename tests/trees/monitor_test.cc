@@ -55,7 +55,8 @@ TEST_F(MonitorTree, HasTheStructureOfThePaper) {
                    "others"}));
   EXPECT_EQ(scenario_.ChildrenOf("node_or_topic"),
             (Names{"node_or_topic_error", "restart_node_then_go_on"}));
-  EXPECT_EQ(scenario_.ChildrenOf("node_or_topic_error"), (Names{"node_error", "topic_error", "logger_error"}));
+  EXPECT_EQ(scenario_.ChildrenOf("node_or_topic_error"),
+            (Names{"node_error", "topic_error", "logger_error"}));
   EXPECT_EQ(scenario_.ChildrenOf("navigation"),
             (Names{"navigation_error", "recover_navigation_then_go_on"}));
   EXPECT_EQ(scenario_.ChildrenOf("localization"),

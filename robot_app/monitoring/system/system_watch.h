@@ -47,12 +47,12 @@ struct ProcessWatch {
 };
 
 struct SystemWatch {
-  std::string host;       ///< whose monitor this is for; empty: of every computer
-  Duration period{0};     ///< of the measurements
-  Duration window{0};     ///< over which loads and rates are measured
-  Band cpu_load;          ///< share of all cores, 0..1
-  Band cpu_temperature;   ///< degrees Celsius, the hottest sensor
-  Band memory_used;       ///< share, 0..1
+  std::string host;      ///< whose monitor this is for; empty: of every computer
+  Duration period{0};    ///< of the measurements
+  Duration window{0};    ///< over which loads and rates are measured
+  Band cpu_load;         ///< share of all cores, 0..1
+  Band cpu_temperature;  ///< degrees Celsius, the hottest sensor
+  Band memory_used;      ///< share, 0..1
   std::vector<DiskWatch> disks;
   std::vector<InterfaceWatch> interfaces;
   Duration ask_period{0};  ///< of the questions to other computers
