@@ -1,34 +1,8 @@
-// A steady tick allocates nothing: this program counts every call of operator new.
+// A steady tick allocates nothing.
 #include <gtest/gtest.h>
 
-#include <atomic>
-#include <cstdlib>
-#include <new>
-
+#include "tests/bt_core/counting_new.h"
 #include "tests/bt_core/engine/fixture.h"
-
-namespace {
-std::atomic<std::size_t> allocations{0};
-
-void* Allocate(std::size_t size, std::size_t alignment) {
-  ++allocations;
-  const std::size_t rounded = (size + alignment - 1) / alignment * alignment;
-  if (void* at = std::aligned_alloc(alignment, rounded ? rounded : alignment)) return at;
-  throw std::bad_alloc();
-}
-}  // namespace
-
-void* operator new(std::size_t size) { return Allocate(size, alignof(std::max_align_t)); }
-void* operator new[](std::size_t size) { return Allocate(size, alignof(std::max_align_t)); }
-void* operator new(std::size_t size, std::align_val_t alignment) {
-  return Allocate(size, static_cast<std::size_t>(alignment));
-}
-void operator delete(void* at) noexcept { std::free(at); }
-void operator delete[](void* at) noexcept { std::free(at); }
-void operator delete(void* at, std::size_t) noexcept { std::free(at); }
-void operator delete[](void* at, std::size_t) noexcept { std::free(at); }
-void operator delete(void* at, std::align_val_t) noexcept { std::free(at); }
-void operator delete(void* at, std::size_t, std::align_val_t) noexcept { std::free(at); }
 
 namespace coppice {
 namespace {
@@ -171,9 +145,9 @@ class AllocationTest : public testing::Test {
       return executor_->Tick();
     };
     for (int i = 0; i < 10; ++i) EXPECT_EQ(tick(), Status::kRunning);
-    const std::size_t before = allocations;
+    const std::size_t before = Allocations();
     for (int i = 0; i < 1000; ++i) tick();
-    return allocations - before;
+    return Allocations() - before;
   }
 
   std::shared_ptr<const Program> program_;
@@ -182,9 +156,9 @@ class AllocationTest : public testing::Test {
 };
 
 TEST(Allocations, AreCounted) {
-  const std::size_t before = allocations;
+  const std::size_t before = Allocations();
   const auto number = std::make_unique<int>(5);
-  EXPECT_EQ(allocations, before + 1) << *number;
+  EXPECT_EQ(Allocations(), before + 1) << *number;
 }
 
 TEST_F(AllocationTest, TheTreeHasAllNodeTypes) {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/bt_core/engine/fixture.h"
-#include "tests/bt_core/record/counting_new.h"
+#include "tests/bt_core/counting_new.h"
 
 namespace coppice {
 namespace {

@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "bt_core/testing/leaf_harness.h"
-#include "tests/bt_core/record/counting_new.h"
+#include "tests/bt_core/counting_new.h"
 
 namespace coppice {
 namespace {

@@ -1,49 +1,32 @@
-// Running a script allocates nothing: this program counts every call of operator new.
+// Running a script allocates nothing.
 #include <gtest/gtest.h>
 
-#include <atomic>
 #include <cstdint>
-#include <cstdlib>
-#include <new>
 #include <string>
 
 #include "bt_core/data/standard_types.h"
+#include "tests/bt_core/counting_new.h"
 #include "tests/bt_core/script/fixture.h"
-
-namespace {
-std::atomic<std::size_t> allocations{0};
-}  // namespace
-
-void* operator new(std::size_t size) {
-  ++allocations;
-  if (void* at = std::malloc(size ? size : 1)) return at;
-  throw std::bad_alloc();
-}
-void* operator new[](std::size_t size) { return operator new(size); }
-void operator delete(void* at) noexcept { std::free(at); }
-void operator delete[](void* at) noexcept { std::free(at); }
-void operator delete(void* at, std::size_t) noexcept { std::free(at); }
-void operator delete[](void* at, std::size_t) noexcept { std::free(at); }
 
 namespace coppice {
 namespace {
 
 // Allocations of 100 runs after the first.
-std::size_t Allocations(ScriptBench& bench, std::string_view text) {
+std::size_t AllocationsOf(ScriptBench& bench, std::string_view text) {
   const Script script = bench.Compile(text);
   bool value = script.Test(bench.blackboard());
-  const std::size_t before = allocations;
+  const std::size_t before = Allocations();
   for (int i = 0; i < 100; ++i) {
     script.Run(bench.blackboard());
     value = script.Test(bench.blackboard()) || value;
   }
-  return allocations - before;
+  return Allocations() - before;
 }
 
 TEST(ScriptAllocations, AreCounted) {
   ScriptBench bench;
   bench.Set("s", std::string(2000, 'x'));
-  EXPECT_GT(Allocations(bench, "(s .. s) == 'a'"), 100U) << "a long text is made in every run";
+  EXPECT_GT(AllocationsOf(bench, "(s .. s) == 'a'"), 100U) << "a long text is made in every run";
 }
 
 TEST(ScriptAllocations, ARunMakesNone) {
@@ -61,7 +44,7 @@ TEST(ScriptAllocations, ARunMakesNone) {
         "name := 'box_' .. i .. '_' .. d; 1", "status = 2; status == 3",
         "min(i, d, 7) < clamp(i, 0, 9)", "copy := (copy := t) .. ''; true",
         "long_one := 'a text that is longer than fifteen'; 0"}) {
-    EXPECT_EQ(Allocations(bench, text), 0U) << text;
+    EXPECT_EQ(AllocationsOf(bench, text), 0U) << text;
   }
 }
 

@@ -1,6 +1,6 @@
 // Counts the allocations of each thread. Linking counting_new.cc replaces operator new.
-#ifndef COPPICE_TESTS_BT_CORE_RECORD_COUNTING_NEW_H_
-#define COPPICE_TESTS_BT_CORE_RECORD_COUNTING_NEW_H_
+#ifndef COPPICE_TESTS_BT_CORE_COUNTING_NEW_H_
+#define COPPICE_TESTS_BT_CORE_COUNTING_NEW_H_
 
 #include <cstdint>
 
@@ -11,4 +11,4 @@ std::uint64_t Allocations();
 
 }  // namespace coppice
 
-#endif  // COPPICE_TESTS_BT_CORE_RECORD_COUNTING_NEW_H_
+#endif  // COPPICE_TESTS_BT_CORE_COUNTING_NEW_H_

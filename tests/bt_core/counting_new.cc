@@ -1,18 +1,20 @@
-#include "tests/bt_core/record/counting_new.h"
+#include "tests/bt_core/counting_new.h"
 
+#include <cstddef>
 #include <cstdlib>
 #include <new>
 
 namespace {
 thread_local std::uint64_t allocations = 0;
 
-void* AllocateOrNull(std::size_t size) {
+void* AllocateOrNull(std::size_t size, std::size_t alignment = alignof(std::max_align_t)) {
   ++allocations;
-  return std::malloc(size > 0 ? size : 1);
+  const std::size_t rounded = (size + alignment - 1) / alignment * alignment;
+  return std::aligned_alloc(alignment, rounded > 0 ? rounded : alignment);
 }
 
-void* Allocate(std::size_t size) {
-  if (void* memory = AllocateOrNull(size)) return memory;
+void* Allocate(std::size_t size, std::size_t alignment = alignof(std::max_align_t)) {
+  if (void* memory = AllocateOrNull(size, alignment)) return memory;
   throw std::bad_alloc();
 }
 }  // namespace
@@ -29,7 +31,12 @@ void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
 void* operator new[](std::size_t size, const std::nothrow_t&) noexcept {
   return AllocateOrNull(size);
 }
+void* operator new(std::size_t size, std::align_val_t alignment) {
+  return Allocate(size, static_cast<std::size_t>(alignment));
+}
 void operator delete(void* memory) noexcept { std::free(memory); }
 void operator delete[](void* memory) noexcept { std::free(memory); }
 void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
+void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
