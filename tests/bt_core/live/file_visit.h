@@ -1,0 +1,60 @@
+// The plainest use of a WebPort: a page of one file.
+#ifndef COPPICE_TESTS_BT_CORE_LIVE_FILE_VISIT_H_
+#define COPPICE_TESTS_BT_CORE_LIVE_FILE_VISIT_H_
+
+#include <stdlib.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "bt_core/live/web_visit.h"
+
+namespace coppice {
+
+class FileVisit : public WebVisit {
+ public:
+  using WebVisit::WebVisit;
+
+ private:
+  void OnUpgrade() override { Refuse(Status::forbidden, "not here\n"); }
+};
+
+class FilePort {
+ public:
+  explicit FilePort(const std::string& address = "127.0.0.1", std::uint16_t port = 0,
+                    std::size_t most_connections = 64)
+      : port_({address, port, "file_port", most_connections},
+              [this](WebPort::Socket socket, WebPort& web_port) {
+                return std::make_shared<FileVisit>(std::move(socket), web_port, files_, manners_);
+              }) {
+    std::ofstream(folder_ + "/index.html") << "<p>hello</p>";
+  }
+  ~FilePort() {
+    port_.Stop();
+    std::filesystem::remove_all(folder_);
+  }
+  FilePort(const FilePort&) = delete;
+  FilePort& operator=(const FilePort&) = delete;
+
+  std::uint16_t port() const { return port_.port(); }
+  void Stop() { port_.Stop(); }
+
+ private:
+  static std::string MakeFolder() {
+    std::string name = std::filesystem::temp_directory_path() / "file_port.XXXXXX";
+    return mkdtemp(name.data());
+  }
+
+  const std::string folder_ = MakeFolder();
+  const WebFiles files_{folder_};
+  const WebManners manners_{1 << 10, 16, {{"X-Test", "yes"}}, "no such thing\n"};
+  WebPort port_;
+};
+
+}  // namespace coppice
+
+#endif  // COPPICE_TESTS_BT_CORE_LIVE_FILE_VISIT_H_
