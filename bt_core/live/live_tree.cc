@@ -50,6 +50,7 @@ SlotIndex FindSlot(const Layout& layout, const std::string& scope, const std::st
 LiveTree::LiveTree(EventStream& stream, LiveTreeOptions options, std::function<void()> wake)
     : options_(std::move(options)),
       wake_(std::move(wake)),
+      stream_(stream),
       clock_(stream.executor().clock()),
       executor_(stream.executor()),
       inbox_(stream.executor().inbox()),
@@ -201,7 +202,10 @@ void LiveTree::EndHistory() {
   encoder_.End(HistoryEnd::Cause::kClosed, clock_.Now());
 }
 
+// The ticking thread. Who hears of a stop and asks how the tree stands sees it as it stands there;
+// it waits anyway.
 void LiveTree::OnDebugEvent(const DebugEvent& event) {
+  if (event.kind == DebugEvent::Kind::kStopped) stream_.Flush();
   {
     const std::lock_guard<std::mutex> lock(debug_mutex_);
     if (event.kind == DebugEvent::Kind::kReplaced && debug_events_.size() >= kMaxWaiting) return;

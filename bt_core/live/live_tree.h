@@ -104,6 +104,7 @@ class LiveTree final : public EventListener, private FrameSink {
 
   const LiveTreeOptions options_;
   const std::function<void()> wake_;
+  EventStream& stream_;
   Clock& clock_;
   Executor& executor_;  // for the calls that are posted to its inbox
   const std::shared_ptr<Inbox> inbox_;

@@ -72,7 +72,15 @@ class Groot2ClientTest(unittest.TestCase):
         listener.setsockopt(zmq.SUBSCRIBE, b"")
         listener.connect("tcp://127.0.0.1:%d" % (self.port + 1))
         self.addCleanup(listener.close)
+        self.wait_until_heard(listener)
         return listener
+
+    def wait_until_heard(self, listener):
+        """A subscription reaches the server when it does; what was published before is not heard.
+        A replaced root is published with every tick until then."""
+        self.client.ask(b"I", self.hook(1, mode=1, desired_status="SUCCESS"))
+        self.notified(listener, 1)
+        self.client.ask(b"A")
 
     def hook(self, uid, **more):
         hook = {"enabled": True, "uid": uid, "mode": 0, "once": False,

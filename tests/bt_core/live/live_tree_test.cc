@@ -1,5 +1,6 @@
 #include "bt_core/live/live_tree.h"
 
+#include "bt_core/data/value_bytes.h"
 #include "tests/bt_core/live/desk_fixture.h"
 
 namespace coppice {
@@ -26,6 +27,41 @@ TEST_F(LiveTreeTest, DescribesItself) {
   EXPECT_EQ(info.tick, 3u);
   EXPECT_EQ(info.lost_ticks, 0u);
   EXPECT_EQ(info.first_frame, 0u);
+}
+
+// Every tick stops at the leaf that follows the one that writes.
+struct StoppedTreeTest : testing::Test {
+  StoppedTreeTest() {
+    stream_.Add(tree_);
+    stream_.Flush();
+    Hook hook;
+    hook.node = 5;
+    tree_.debugger().Add(hook, LiveTree::kGroot2Owner);
+  }
+  ~StoppedTreeTest() override { stream_.Remove(tree_); }
+
+  void OnWake() {
+    for (const DebugEvent& event : tree_.TakeDebugEvents()) {
+      if (event.kind != DebugEvent::Kind::kStopped) continue;
+      std::string written;
+      AppendValueBytes(executor_.blackboard()[number_].value, written);
+      EXPECT_EQ(tree_.Values().items[number_], written) << "stop " << stops_;
+      ++stops_;
+      tree_.debugger().Continue(std::nullopt);
+    }
+  }
+
+  SimulatedClock clock_{std::chrono::seconds(1)};
+  Executor executor_{WatchedProgram(), clock_};
+  EventStream stream_{executor_};
+  const SlotIndex number_ = executor_.program().layout.Find(0, "number");
+  int stops_ = 0;
+  LiveTree tree_{stream_, {}, [this] { OnWake(); }};
+};
+
+TEST_F(StoppedTreeTest, IsSeenAsItStandsWhenTheStopIsTold) {
+  for (int i = 0; i < 100; ++i) executor_.Tick();
+  EXPECT_EQ(stops_, 100);
 }
 
 TEST_F(LiveTreeTest, CountsResults) {
