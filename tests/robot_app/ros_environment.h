@@ -11,14 +11,14 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <cstdint>
 #include <cstdlib>
-#include <functional>
 #include <memory>
 #include <stdexcept>
 #include <string>
-#include <thread>
 
 #include "robot_app/app/child_process.h"
+#include "tests/robot_app/eventually.h"
 
 namespace coppice::robot {
 
@@ -37,28 +37,16 @@ inline int FreePort() {
   return ntohs(address.sin_port);
 }
 
-/// Looks again and again, at most that long in real time, whether something has come true.
-inline bool Eventually(const std::function<bool()>& predicate, double seconds = 10) {
-  const auto deadline = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
-  while (!predicate()) {
-    if (std::chrono::steady_clock::now() > deadline) return false;
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  }
-  return true;
-}
-
 class RosEnvironment : public testing::Environment {
  public:
   void SetUp() override {
-    const std::string port = std::to_string(FreePort());
-    setenv("ROS_MASTER_URI", ("http://127.0.0.1:" + port).c_str(), 1);
     setenv("ROS_IP", "127.0.0.1", 1);
-    master_ = ChildProcess({"/usr/bin/rosmaster", "--core", "-p", port},
-                           testing::TempDir() + "rosmaster_" + port + ".log");
+    for (int i = 0; i < 5 && !StartMaster(); ++i) {
+    }
     int no_arguments = 0;
     ros::init(no_arguments, nullptr, "coppice_test",
               ros::init_options::NoSigintHandler | ros::init_options::NoRosout);
-    if (!Eventually([] { return ros::master::check(); }, 20)) {
+    if (!Eventually([] { return ros::master::check(); })) {
       throw std::runtime_error("rosmaster does not answer");
     }
     ros::start();
@@ -73,6 +61,29 @@ class RosEnvironment : public testing::Environment {
   }
 
  private:
+  // False if another program was faster to take the port.
+  bool StartMaster() {
+    const int port = FreePort();
+    const std::string number = std::to_string(port);
+    setenv("ROS_MASTER_URI", ("http://127.0.0.1:" + number).c_str(), 1);
+    master_ = ChildProcess({"/usr/bin/rosmaster", "--core", "-p", number},
+                           testing::TempDir() + "rosmaster_" + number + ".log");
+    Eventually([&] { return IsListening(port) || !master_.IsRunning(); });
+    return master_.IsRunning();
+  }
+
+  static bool IsListening(int port) {
+    const int socket_fd = socket(AF_INET, SOCK_STREAM, 0);
+    sockaddr_in address{};
+    address.sin_family = AF_INET;
+    address.sin_port = htons(static_cast<std::uint16_t>(port));
+    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    const bool connected =
+        connect(socket_fd, reinterpret_cast<sockaddr*>(&address), sizeof(address)) == 0;
+    close(socket_fd);
+    return connected;
+  }
+
   ChildProcess master_;
   std::unique_ptr<ros::AsyncSpinner> spinner_;
 };

@@ -43,14 +43,11 @@ class MonitorGraphTest : public testing::Test {
     }
     return nullptr;
   }
-  bool WaitForLevel(const std::string& monitor, const std::string& subject, int level,
-                    double seconds) {
-    return graph_.WaitFor(
-        [&] {
-          const HealthEntry* entry = Find(monitor, subject);
-          return entry && entry->level == level;
-        },
-        seconds);
+  bool WaitForLevel(const std::string& monitor, const std::string& subject, int level) {
+    return graph_.WaitFor([&] {
+      const HealthEntry* entry = Find(monitor, subject);
+      return entry && entry->level == level;
+    });
   }
 
   const std::string config_ = Temporary("monitor_graph.yaml");

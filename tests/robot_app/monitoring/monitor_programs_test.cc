@@ -68,13 +68,11 @@ class MonitorProgramsTest : public MonitorGraphTest {
   template <class Message, class Predicate>
   bool TellUntil(const ros::Publisher& publisher, const Message& message,
                  const std::string& monitor, const std::string& subject, Predicate is_right) {
-    return graph_.WaitFor(
-        [&] {
-          publisher.publish(message);
-          const HealthEntry* entry = Find(monitor, subject);
-          return entry && is_right(*entry);
-        },
-        15);
+    return graph_.WaitFor([&] {
+      publisher.publish(message);
+      const HealthEntry* entry = Find(monitor, subject);
+      return entry && is_right(*entry);
+    });
   }
   template <class Message>
   bool Tell(const ros::Publisher& publisher, const Message& message, const std::string& monitor,
@@ -94,28 +92,27 @@ TEST_F(MonitorProgramsTest, AComputerIsMeasuredAndAClockThatIsThreeSecondsOffIsA
   StartTalker("big", 20);
   graph_.Start("system",
                {kPrograms + "coppice-system-monitor", "--config", config_, "--host", "tester"});
-  ASSERT_TRUE(WaitForLevel("clock", "wrong", HealthEntry::ERROR, 15));
+  ASSERT_TRUE(WaitForLevel("clock", "wrong", HealthEntry::ERROR));
   EXPECT_NEAR(Find("clock", "wrong")->value, 3, 0.5);
   EXPECT_EQ(Find("clock", "wrong")->host, "tester");
-  EXPECT_TRUE(WaitForLevel("disk", "/nowhere", HealthEntry::ERROR, 5));
-  EXPECT_TRUE(WaitForLevel("network", "host here", HealthEntry::OK, 5));
-  EXPECT_TRUE(WaitForLevel("network", "lo load", HealthEntry::OK, 5));
+  EXPECT_TRUE(WaitForLevel("disk", "/nowhere", HealthEntry::ERROR));
+  EXPECT_TRUE(WaitForLevel("network", "host here", HealthEntry::OK));
+  EXPECT_TRUE(WaitForLevel("network", "lo load", HealthEntry::OK));
   EXPECT_GT(Find("memory", "used")->value, 0);
-  EXPECT_TRUE(
-      graph_.WaitFor([this] { return Find("process", "/big_talker memory")->value > 1; }, 15));
-  EXPECT_TRUE(graph_.WaitFor([this] { return !std::isnan(Find("cpu", "load")->value); }, 5));
+  EXPECT_TRUE(graph_.WaitFor([this] { return Find("process", "/big_talker memory")->value > 1; }));
+  EXPECT_TRUE(graph_.WaitFor([this] { return !std::isnan(Find("cpu", "load")->value); }));
 }
 
 TEST_F(MonitorProgramsTest, ASilentMonitorIsAnErrorWithinThreePeriodsAndAStrangerIsNamed) {
   const int pid = graph_.Start(
       "system", {kPrograms + "coppice-system-monitor", "--config", config_, "--host", "tester"});
-  ASSERT_TRUE(WaitForLevel("memory", "used", HealthEntry::OK, 15));
+  ASSERT_TRUE(WaitForLevel("memory", "used", HealthEntry::OK));
   EXPECT_EQ(Find("aggregation", "/system_monitor"), nullptr);
   graph_.Kill(pid, SIGKILL);
-  ASSERT_TRUE(WaitForLevel("memory", "used", HealthEntry::STALE, 2));
+  ASSERT_TRUE(WaitForLevel("memory", "used", HealthEntry::STALE));
   EXPECT_EQ(Find("memory", "used")->node, "/system_monitor");
   StartMonitor("topic-monitor");
-  ASSERT_TRUE(WaitForLevel("aggregation", "/topic_monitor", HealthEntry::WARN, 10));
+  ASSERT_TRUE(WaitForLevel("aggregation", "/topic_monitor", HealthEntry::WARN));
   EXPECT_THAT(Find("aggregation", "/topic_monitor")->message, HasSubstr("unknown source"));
 }
 
@@ -140,7 +137,7 @@ TEST_F(MonitorProgramsTest, TheBatteryIsJudgedAndItsSilenceIsAnError) {
     return entry.level == HealthEntry::ERROR &&
            entry.message.find("contact without current") != std::string::npos;
   }));
-  ASSERT_TRUE(WaitForLevel("battery", "state", HealthEntry::ERROR, 10));  // now silent
+  ASSERT_TRUE(WaitForLevel("battery", "state", HealthEntry::ERROR));  // now silent
   EXPECT_EQ(Find("battery", "state")->node, "/base");
 }
 
@@ -179,12 +176,12 @@ TEST_F(MonitorProgramsTest, ALostRobotAndASilentLocalizationAreErrors) {
   ASSERT_TRUE(Tell(states, state, "localization", "phase", HealthEntry::ERROR));
   EXPECT_EQ(Find("localization", "phase")->message, "lost: no match");
   EXPECT_EQ(Find("localization", "phase")->node, "/localization");
-  EXPECT_TRUE(WaitForLevel("topic", "/localization/state", HealthEntry::ERROR, 10));
+  EXPECT_TRUE(WaitForLevel("topic", "/localization/state", HealthEntry::ERROR));
 }
 
 TEST_F(MonitorProgramsTest, AMissingTransformAndAChildWithAnotherParentAreErrors) {
   StartMonitor("navigation-monitor");
-  ASSERT_TRUE(WaitForLevel("tf", "map -> base age", HealthEntry::ERROR, 15));
+  ASSERT_TRUE(WaitForLevel("tf", "map -> base age", HealthEntry::ERROR));
   const auto tf = Advertise<tf2_msgs::TFMessage>("/tf");
   const auto publish = [&tf](const std::vector<std::pair<std::string, std::string>>& pairs) {
     tf2_msgs::TFMessage message;
@@ -199,13 +196,11 @@ TEST_F(MonitorProgramsTest, AMissingTransformAndAChildWithAnotherParentAreErrors
     tf.publish(message);
   };
   const auto wait_for = [&](const char* what, int level, const auto& pairs) {
-    return graph_.WaitFor(
-        [&] {
-          publish(pairs);
-          const HealthEntry* entry = Find("tf", std::string("map -> base ") + what);
-          return entry && entry->level == level;
-        },
-        10);
+    return graph_.WaitFor([&] {
+      publish(pairs);
+      const HealthEntry* entry = Find("tf", std::string("map -> base ") + what);
+      return entry && entry->level == level;
+    });
   };
   using Pairs = std::vector<std::pair<std::string, std::string>>;
   const Pairs before = {{"map", "odom"}, {"odom", "base"}};
@@ -219,14 +214,12 @@ TEST_F(MonitorProgramsTest, ALoggerThatIsDownIsAnErrorUntilItWrites) {
   std::filesystem::create_directories(folder);
   graph_.Start("topic",
                {kPrograms + "coppice-topic-monitor", "--config", config_, "--folder", folder});
-  ASSERT_TRUE(WaitForLevel("logger", "record", HealthEntry::ERROR, 15));
-  ASSERT_TRUE(WaitForLevel("logger", "bag", HealthEntry::ERROR, 15));
-  EXPECT_TRUE(graph_.WaitFor(
-      [&] {
-        std::ofstream(folder + "/run.log", std::ios::app) << "line\n";
-        return Find("logger", "record")->level == HealthEntry::OK;
-      },
-      10));
+  ASSERT_TRUE(WaitForLevel("logger", "record", HealthEntry::ERROR));
+  ASSERT_TRUE(WaitForLevel("logger", "bag", HealthEntry::ERROR));
+  EXPECT_TRUE(graph_.WaitFor([&] {
+    std::ofstream(folder + "/run.log", std::ios::app) << "line\n";
+    return Find("logger", "record")->level == HealthEntry::OK;
+  }));
   const auto recorder = Advertise<std_msgs::String>("/recorder/status");
   EXPECT_TRUE(Tell(recorder, std_msgs::String(), "logger", "bag", HealthEntry::OK));
 }
@@ -238,12 +231,10 @@ TEST_F(MonitorProgramsTest, ABigTopicIsJudgedByTheStatisticsOfItsSubscribers) {
       "/big", 10, [&received](const std_msgs::String::ConstPtr&) { ++received; });
   StartTalker("big", 20);
   StartMonitor("topic-monitor");
-  ASSERT_TRUE(graph_.WaitFor(
-      [this] {
-        const HealthEntry* entry = Find("topic", "/big");
-        return entry && entry->value > 10 && entry->value < 30;
-      },
-      20));
+  ASSERT_TRUE(graph_.WaitFor([this] {
+    const HealthEntry* entry = Find("topic", "/big");
+    return entry && entry->value > 10 && entry->value < 30;
+  }));
   EXPECT_EQ(Find("topic", "/big")->level, HealthEntry::OK);
   graph_.node().deleteParam("/enable_statistics");
 }
@@ -267,8 +258,8 @@ TEST_F(MonitorProgramsTest, DiagnosticsOfOthersComeInAndOursGoOutButNotInCircles
   array.status[0].message = "stuck";
   ASSERT_TRUE(Tell(lidar, array, "diagnostics", "lidar: motor", HealthEntry::ERROR));
   EXPECT_EQ(Find("diagnostics", "lidar: motor")->message, "stuck");
-  ASSERT_TRUE(WaitForLevel("diagnostics", "lidar: motor", HealthEntry::STALE, 10));
-  ASSERT_TRUE(graph_.WaitFor([&ours] { return ours.size() > 20; }, 15));
+  ASSERT_TRUE(WaitForLevel("diagnostics", "lidar: motor", HealthEntry::STALE));
+  ASSERT_TRUE(graph_.WaitFor([&ours] { return ours.size() > 20; }));
   EXPECT_THAT(ours, testing::Contains("coppice: logger record"));
   for (const std::string& name : ours) EXPECT_THAT(name, testing::StartsWith("coppice: "));
   for (const HealthEntry& entry : health_.entries) {

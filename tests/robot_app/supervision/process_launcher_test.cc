@@ -5,14 +5,13 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <chrono>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
-#include <thread>
 
 #include "robot_app/supervision/survivors.h"
+#include "tests/robot_app/eventually.h"
 #include "tests/robot_app/supervision/temporary.h"
 
 namespace coppice::robot {
@@ -43,15 +42,6 @@ class PosixLauncherTest : public testing::Test {
   }
 
   // Polls for an event that nothing announces.
-  static bool Eventually(const std::function<bool()>& condition) {
-    const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(60);
-    while (!condition()) {
-      if (std::chrono::steady_clock::now() > deadline) return false;
-      std::this_thread::sleep_for(std::chrono::milliseconds(2));
-    }
-    return true;
-  }
-
   // The wait status of a child when it has ended.
   int WaitForEnd(int pid) {
     int status = -1;

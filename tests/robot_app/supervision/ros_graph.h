@@ -31,7 +31,7 @@ class RosGraph {
   explicit RosGraph(const std::string& log_folder = Temporary("ros_graph"))
       : launcher_(log_folder) {
     NodeProbe::SilenceLibrary();
-    master_ = FindOrStartMaster(0, launcher_, std::chrono::seconds(20));
+    master_ = FindOrStartMaster(0, launcher_, std::chrono::seconds(60));
     EXPECT_EQ(master_.error, "");
   }
 
@@ -94,8 +94,14 @@ class RosGraph {
     return wait_status;
   }
 
+  /// Stops a program of this graph as if it hung; returns when all its threads stand.
+  static void Hang(int pid) {
+    kill(pid, SIGSTOP);
+    waitpid(pid, nullptr, WUNTRACED);
+  }
+
   // Handles ROS callbacks until it is true; false when the deadline has come first.
-  bool WaitFor(const std::function<bool()>& condition, double seconds) {
+  bool WaitFor(const std::function<bool()>& condition, double seconds = 60) {
     const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(seconds);
     while (!condition()) {
       if (ros::WallTime::now() > deadline) return false;
