@@ -47,6 +47,14 @@ void Driver::Drag(Point from, Point to, int button) {
   Frames(2);
 }
 
+void Driver::Carry(Point from, Point to) {
+  MoveTo(from);
+  input.events.push_back(MouseButton{0, true});
+  Frames(1);
+  MoveTo(from + Point{20, 0});
+  MoveTo(to);
+}
+
 void Driver::Press(Key key, int modifiers) {
   input.events.push_back(KeyEvent{key, true, modifiers});
   input.events.push_back(KeyEvent{key, false, kNoModifier});

@@ -59,6 +59,8 @@ class Driver {
   /// False if there is no such item.
   bool Click(const std::string& path);
   void Drag(Point from, Point to, int button = 0);
+  /// Drags without letting go.
+  void Carry(Point from, Point to);
   void Press(Key key, int modifiers = kNoModifier);
   /// Holds the modifier keys until the next call.
   void Hold(int modifiers);

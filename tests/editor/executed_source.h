@@ -19,10 +19,9 @@ class ExecutedSource final : public RunSource {
  public:
   ExecutedSource(std::string name, const std::string& trees, bool is_robot = true)
       : tree(trees), name_(std::move(name)), is_robot_(is_robot) {
-    LiveConnection connection;
-    connection.is_live = is_robot;
-    connection.protocol = LiveConnection::Protocol::kCoppice;
-    mailbox_.OnConnection(connection);
+    connection_.is_live = is_robot;
+    connection_.protocol = LiveConnection::Protocol::kCoppice;
+    mailbox_.OnConnection(connection_);
     follow_ = std::make_unique<coppice::editor::Follow>(tree.executor, even_);
   }
 
@@ -39,6 +38,11 @@ class ExecutedSource final : public RunSource {
 
   void Ticks(int count) {
     for (int i = 0; i < count; ++i) tree.Tick();
+  }
+  void Disconnect(const std::string& why) {
+    connection_.is_live = false;
+    connection_.problem = why;
+    mailbox_.OnConnection(connection_);
   }
   /// So many ticks do not come through.
   void Lose(std::uint64_t ticks) {
@@ -80,6 +84,7 @@ class ExecutedSource final : public RunSource {
   const std::string name_;
   const bool is_robot_;
   Mailbox mailbox_{nullptr};
+  LiveConnection connection_;
   Even even_{mailbox_};
   std::unique_ptr<coppice::editor::Follow> follow_;
   HookId last_hook_ = kNoHook;

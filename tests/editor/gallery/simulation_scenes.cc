@@ -1,0 +1,118 @@
+#include "tests/editor/gallery/scenes.h"
+
+namespace coppice::editor {
+namespace {
+
+constexpr char kPatrol[] = R"(<root BTCPP_format="4" main_tree_to_execute="Patrol">
+  <BehaviorTree ID="Patrol">
+    <ReactiveFallback name="patrol">
+      <Sequence name="recharge">
+        <ScriptCondition name="low?" code="battery &lt; 0.3"/>
+        <GoTo name="to station" place="station"/>
+        <Dock name="dock"/>
+      </Sequence>
+      <KeepRunningUntilFailure name="rounds">
+        <Sequence name="round">
+          <GoTo name="to door" place="{door}"/>
+          <Say name="say" text="All quiet."/>
+        </Sequence>
+      </KeepRunningUntilFailure>
+    </ReactiveFallback>
+  </BehaviorTree>
+</root>
+)";
+
+void Answer(Stage& stage, const std::string& text) {
+  stage.driver().Type(text);
+  stage.driver().Press(kKeyEnter);
+  stage.driver().Frames(8);
+}
+
+void Begin(Stage& stage) {
+  stage.Open("patrol.xml", kPatrol);
+  stage.Run("sim.start");
+  stage.Run("view.fit_all");
+}
+
+void Ticking(Stage& stage) {
+  Begin(stage);
+  stage.Run("sim.set");
+  Answer(stage, "battery = 0.9");
+  for (int i = 0; i < 14; ++i) stage.Run("sim.tick");
+  stage.Select("1.2.1.2");
+  stage.Run("view.fit_all");
+}
+
+void LeafScript(Stage& stage) {
+  Ticking(stage);
+  stage.Run("sim.script");
+}
+
+void SetKey(Stage& stage) {
+  Ticking(stage);
+  stage.Run("sim.set");
+}
+
+void EditedWrongly(Stage& stage) {
+  Ticking(stage);
+  std::string text = kPatrol;
+  text.replace(text.find("<Dock name=\"dock\"/>"), 19, "<Inverter/>");
+  const std::string path = stage.state().workspace.project().files().begin()->first;
+  stage.state().workspace.project().SetText(path, "Type", text);
+  stage.driver().Frames(30);
+}
+
+void Finished(Stage& stage) {
+  Ticking(stage);
+  stage.Run("sim.set");
+  Answer(stage, "battery = 0.2");
+  for (int i = 0; i < 25; ++i) stage.Run("sim.tick");
+  stage.Run("view.fit_all");
+}
+
+void NoTests(Stage& stage) {
+  stage.Open("patrol.xml", kPatrol);
+  stage.Run("tile.tests");
+}
+
+void TestPassed(Stage& stage) {
+  Ticking(stage);
+  stage.Run("sim.save_test");
+  Answer(stage, "goes its round when the battery is full");
+  stage.Run("sim.tests");
+  stage.Rest();
+}
+
+void TestFailed(Stage& stage) {
+  TestPassed(stage);
+  std::string text = kPatrol;
+  text.replace(text.find("&lt; 0.3"), 8, "&gt; 0.3");
+  const std::string path = stage.state().workspace.project().files().begin()->first;
+  stage.state().workspace.project().SetText(path, "Type", text);
+  stage.Run("sim.tests");
+  stage.Rest();
+}
+
+}  // namespace
+
+std::vector<GalleryScene> SimulationScenes() {
+  return {{"simulation", Begin},
+          {"simulation_ticking", Ticking},
+          {"simulation_leaf", LeafScript},
+          {"simulation_key", SetKey},
+          {"simulation_error", EditedWrongly},
+          {"simulation_finished", Finished},
+          {"no_tests", NoTests},
+          {"test_passed", TestPassed},
+          {"test_failed", TestFailed}};
+}
+
+std::vector<GalleryScene> GalleryScenes() {
+  std::vector<GalleryScene> all;
+  for (const auto& part : {FileScenes(), PopupScenes(), RunScenes(), SimulationScenes()}) {
+    all.insert(all.end(), part.begin(), part.end());
+  }
+  return all;
+}
+
+}  // namespace coppice::editor
