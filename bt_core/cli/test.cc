@@ -4,20 +4,29 @@
 #include <memory>
 
 #include "bt_core/base/command_line.h"
+#include "bt_core/cli/plugins.h"
 #include "bt_core/cli/test_report.h"
 #include "bt_core/cli/verbs.h"
-#include "bt_core/testing/stand_in.h"
+#include "bt_core/model/project.h"
+#include "bt_core/testing/scenario.h"
 
 namespace coppice {
 namespace {
 
 constexpr char kUsage[] =
-    "coppice test FILE... [--filter PATTERN] [--json] [--junit FILE]\n"
+    "coppice test FILE... [--filter PATTERN] [--models FILE] [--plugin FILE.so]... [--json]\n"
+    "             [--junit FILE]\n"
     "  Plays the scenarios of each file with the tree that it names, on simulated time.\n"
     "  --filter PATTERN  only scenarios whose name fits; * stands for any characters\n"
+    "  --models FILE     the <TreeNodesModel> of the robot's node types, in place of the one that\n"
+    "                    the file of scenarios names\n"
+    "  --plugin FILE.so  a library with node types: they run as they are unless a script plays "
+    "them\n"
     "  --json            the result as one JSON object\n"
     "  --junit FILE      also writes the result for continuous integration\n"
-    "  Leaves that are not built in are played by scripts. The format: docs/testing.md.";
+    "  Leaves that are not built in are played by scripts; a decorator that is not built in needs "
+    "a\n"
+    "  model or a script. The format: docs/testing.md.";
 
 TestedScenario Play(const Program& program, const ScenarioSuite& suite, const Scenario& scenario) {
   const auto start = std::chrono::steady_clock::now();
@@ -26,17 +35,17 @@ TestedScenario Play(const Program& program, const ScenarioSuite& suite, const Sc
   return tested;
 }
 
-TestedFile TestFile(const std::string& path, const std::string& filter) {
+TestedFile TestFile(const std::string& path, const Options& options,
+                    std::shared_ptr<Registry> known) {
   TestedFile tested{path, "", {}};
   Diagnostics diagnostics;
-  const std::optional<ScenarioSuite> suite = LoadScenarios(path, diagnostics);
+  std::optional<ScenarioSuite> suite = LoadScenarios(path, diagnostics);
   std::shared_ptr<const Program> program;
   if (suite) {
+    suite->models_file = options.Get("--models", suite->models_file);
     std::optional<Project> project = Project::FromFile(suite->tree_file, diagnostics);
     if (project) {
-      const auto registry = ScenarioRegistry(*project);
-      program = Compile(std::make_shared<const Project>(*std::move(project)), registry, diagnostics,
-                        suite->tree_id);
+      program = CompileSuite(*suite, *std::move(project), std::move(known), diagnostics);
     }
   }
   if (!program) {
@@ -44,7 +53,7 @@ TestedFile TestFile(const std::string& path, const std::string& filter) {
     return tested;
   }
   for (const Scenario& scenario : suite->scenarios) {
-    if (!FitsWildcards(filter, scenario.name)) continue;
+    if (!FitsWildcards(options.Get("--filter", "*"), scenario.name)) continue;
     tested.scenarios.push_back(Play(*program, *suite, scenario));
   }
   return tested;
@@ -63,7 +72,7 @@ int ExitStatus(const std::vector<TestedFile>& files) {
 
 int RunTest(const Arguments& arguments) {
   const std::optional<Options> options =
-      ParseOptions(arguments, {"--filter", "--junit"}, {"--json"}, kUsage);
+      ParseOptions(arguments, {"--filter", "--junit", "--models", "--plugin"}, {"--json"}, kUsage);
   if (!options) return 2;
   if (options->files.empty()) {
     std::cerr << "no file given\nusage: " << kUsage << "\n";
@@ -72,7 +81,9 @@ int RunTest(const Arguments& arguments) {
   std::vector<TestedFile> files;
   std::size_t played = 0;
   for (const std::string& path : options->files) {
-    files.push_back(TestFile(path, options->Get("--filter", "*")));
+    std::shared_ptr<Registry> known = RegistryWithPlugins(*options);
+    if (!known) return 2;
+    files.push_back(TestFile(path, *options, std::move(known)));
     played += files.back().scenarios.size();
   }
   std::cout << (options->Has("--json") ? ReportJson(files) : ReportText(files));

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "bt_core/testing/scenario_player.h"
+#include "bt_core/testing/stand_in.h"
 
 namespace coppice {
 namespace {
@@ -22,7 +23,7 @@ class Player {
       nodes_.emplace(program.Path(node), node);
     }
     CheckRules(suite);
-    CheckUnknownLeaves();
+    CheckUnknownNodes();
   }
 
   ScenarioResult Play() {
@@ -45,12 +46,20 @@ class Player {
     }
   }
 
-  void CheckUnknownLeaves() {
-    for (const NodeIndex node : player_.UnplayedLeaves()) {
+  void CheckUnknownNodes() {
+    const std::vector<NodeIndex> unknown = player_.UnplayedNodes();
+    if (unknown.empty()) return;
+    std::vector<std::string> known;
+    for (const auto& [id, entry] : tree().program().registry->entries()) {
+      if (!NeedsScript(entry)) known.push_back(id);
+    }
+    for (const NodeIndex node : unknown) {
+      const std::string id = tree().program().Id(node);
+      const std::string hint = DidYouMean(id, known);
       Add(scenario_.where, "leaves",
-          "a rule for \"" + tree().program().Path(node) + "\", whose type <" +
-              tree().program().Id(node) + "> is not known here",
-          "none");
+          "a rule for \"" + tree().program().Path(node) + "\", whose type <" + id +
+              "> is not known here",
+          "none" + (hint.empty() ? "" : ", " + hint));
     }
   }
 

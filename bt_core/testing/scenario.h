@@ -6,7 +6,8 @@
 //
 //   Diagnostics diagnostics;
 //   auto suite = LoadScenarios("patrol.test.json", diagnostics);
-//   auto program = CompileFile(suite->tree_file, registry, diagnostics, suite->tree_id);
+//   auto project = Project::FromFile(suite->tree_file, diagnostics);
+//   auto program = CompileSuite(*suite, *std::move(project), nullptr, diagnostics);
 //   for (const Scenario& scenario : suite->scenarios) {
 //     for (const Difference& difference : RunScenario(*program, *suite, scenario).differences) ...
 #ifndef COPPICE_BT_CORE_TESTING_SCENARIO_H_
@@ -25,6 +26,9 @@
 #include "bt_core/testing/mock_rules.h"
 
 namespace coppice {
+
+class Project;
+class Registry;
 
 /// A value for a key, as text. "goal" is a key of the main tree, "patrol/goal" one of the SubTree
 /// instance with the path "patrol". A key that a SubTree shares with the tree around it goes by its
@@ -105,6 +109,7 @@ struct ScenarioSuite {
   std::string file;
   std::string tree_file;           ///< ready to open
   std::string tree_id;             ///< empty: the main tree of the file
+  std::string models_file;         ///< ready to open: the robot's node types; empty: none
   std::vector<PlacedRule> leaves;  ///< of all scenarios; theirs come first
   std::vector<Scenario> scenarios;
 };
@@ -125,6 +130,12 @@ struct ScenarioResult {
 
 /// Reads a file. Nothing is returned if there is something wrong with it.
 std::optional<ScenarioSuite> LoadScenarios(const std::string& path, Diagnostics& diagnostics);
+
+/// The tree of a suite that has been read, with stand-ins (stand_in.h) for what is not in `known`
+/// (null: the built-in nodes). Null if there are errors.
+std::shared_ptr<const Program> CompileSuite(const ScenarioSuite& suite, Project project,
+                                            std::shared_ptr<Registry> known,
+                                            Diagnostics& diagnostics);
 
 /// The same from a text; `file` is for messages, and the tree is relative to it.
 std::optional<ScenarioSuite> ParseScenarios(const std::string& text, const std::string& file,

@@ -18,6 +18,10 @@ const char* ToString(Kind kind) {
   return kNames[static_cast<int>(kind)];
 }
 
+std::string Beside(const std::filesystem::path& file, const std::filesystem::path& other) {
+  return (file.parent_path() / other).lexically_normal();
+}
+
 class SuiteReader {
  public:
   explicit SuiteReader(Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
@@ -28,8 +32,9 @@ class SuiteReader {
     if (!Require(json, Kind::kObject)) return suite;
     for (const JsonText& member : json.children) {
       if (member.key == "tree") {
-        const std::filesystem::path tree = ReadText(member);
-        suite.tree_file = (std::filesystem::path(file).parent_path() / tree).lexically_normal();
+        suite.tree_file = Beside(file, ReadText(member));
+      } else if (member.key == "models") {
+        suite.models_file = Beside(file, ReadText(member));
       } else if (member.key == "tree_id") {
         suite.tree_id = ReadText(member);
       } else if (member.key == "leaves") {
@@ -39,7 +44,7 @@ class SuiteReader {
           suite.scenarios.push_back(ReadScenario(scenario));
         }
       } else {
-        Unknown(member, {"tree", "tree_id", "leaves", "scenarios"});
+        Unknown(member, {"tree", "tree_id", "models", "leaves", "scenarios"});
       }
     }
     if (suite.tree_file.empty()) diagnostics_.Error(json.where, "\"tree\" is missing");

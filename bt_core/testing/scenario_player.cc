@@ -65,15 +65,15 @@ void ScenarioPlayer::Reload(const Program& program, const std::vector<PlacedRule
   tree_.Reload(program, WithoutPlaces(rules));
 }
 
-std::vector<NodeIndex> ScenarioPlayer::UnplayedLeaves() const {
-  std::vector<NodeIndex> leaves = tree_.UnknownLeaves();
+std::vector<NodeIndex> ScenarioPlayer::UnplayedNodes() const {
+  std::vector<NodeIndex> nodes = tree_.UnknownLeaves();
   const Program& program = tree_.program();
   for (const LeafRecord& record : program.leaves) {
     const Registry::Entry* entry = program.registry->Find(program.Id(record.node));
-    if (!entry || IsPlayed(record.node) || !IsStandIn(*entry)) continue;
-    leaves.push_back(record.node);
+    if (!entry || IsPlayed(record.node) || !NeedsScript(*entry)) continue;
+    nodes.push_back(record.node);
   }
-  return leaves;
+  return nodes;
 }
 
 // By a script of its own or of a node above it.

@@ -38,8 +38,8 @@ class ScenarioPlayer {
   /// Goes on with another program; see MockedTree::Reload.
   void Reload(const Program& program, const std::vector<PlacedRule>& rules);
 
-  /// Leaves that only the robot's program knows (stand_in.h) and that no script plays.
-  std::vector<NodeIndex> UnplayedLeaves() const;
+  /// Nodes that only a script can play (NeedsScript of stand_in.h), and none does.
+  std::vector<NodeIndex> UnplayedNodes() const;
 
   MockedTree& tree() { return tree_; }
   const MockedTree& tree() const { return tree_; }

@@ -162,6 +162,9 @@ std::string PrintScenarios(const ScenarioSuite& suite) {
   JsonText object = Object();
   Add(object, "tree", Text(RelativeTo(suite.file, suite.tree_file)));
   if (!suite.tree_id.empty()) Add(object, "tree_id", Text(suite.tree_id));
+  if (!suite.models_file.empty()) {
+    Add(object, "models", Text(RelativeTo(suite.file, suite.models_file)));
+  }
   if (!suite.leaves.empty()) Add(object, "leaves", Rules(suite.leaves));
   JsonText scenarios = Array();
   for (const Scenario& scenario : suite.scenarios) {

@@ -34,7 +34,7 @@ class StandIn : public Leaf {
 };
 
 // It looks on: what it does beside ticking its child only the robot's program knows.
-class StandInDecorator final : public UserDecorator {
+class StandInDecorator : public UserDecorator {
  public:
   static constexpr const char* kDescription = "";
   explicit StandInDecorator(const Ports& ports) : ports_(ports.begin(), ports.end()) {}
@@ -42,6 +42,12 @@ class StandInDecorator final : public UserDecorator {
 
  private:
   std::deque<Port> ports_;
+};
+
+// Without a model it may as well be a misspelt node.
+class UnknownDecorator final : public StandInDecorator {
+ public:
+  using StandInDecorator::StandInDecorator;
 };
 
 class StandInAction final : public StandIn {
@@ -59,7 +65,8 @@ class StandInCondition final : public StandIn {
 // What a project shows of the leaves and decorators that are not built in.
 class Leaves {
  public:
-  explicit Leaves(const Project& project) : project_(project) {
+  Leaves(const Project& project, const Project* models, const Registry& known)
+      : project_(project), models_(models), known_(known) {
     for (const auto& [id, tree] : project.trees()) {
       const Document& document = project.documents()[tree.document];
       const Element& root = document.element(tree.element);
@@ -73,7 +80,9 @@ class Leaves {
   void RegisterAll(Registry& registry) const {
     for (const auto& [id, leaf] : leaves_) {
       try {
-        if (leaf.is_decorator) {
+        if (leaf.is_decorator && !leaf.has_model) {
+          registry.Register<UnknownDecorator>(id, leaf.ports);
+        } else if (leaf.is_decorator) {
           registry.Register<StandInDecorator>(id, leaf.ports);
         } else if (leaf.is_condition) {
           registry.Register<StandInCondition>(id, leaf.ports);
@@ -90,26 +99,37 @@ class Leaves {
   struct Seen {
     bool is_condition = false;
     bool is_decorator = false;
+    bool has_model = false;
     Ports ports;
   };
 
   void Add(const Document& document, const Element& element) {
     const std::string id(IdOf(document, element));
-    if (id.empty() || element.child_count > 1 || built_in_.Find(id)) return;
-    const auto model = project_.models().find(id);
+    if (id.empty() || element.child_count > 1 || known_.Find(id)) return;
+    const NodeModel* const model = ModelOf(id);
     const auto [at, is_new] = leaves_.try_emplace(id);
     Seen& leaf = at->second;
     leaf.is_decorator = element.child_count == 1;
-    if (model == project_.models().end()) {
+    leaf.has_model = model != nullptr;
+    if (!model) {
       leaf.is_condition = element.tag == "Condition";
       AddAttributes(document, element, leaf.ports);
     } else if (is_new) {
-      leaf.is_condition = model->second.category == NodeCategory::kCondition;
-      for (const PortModel& port : model->second.ports) {
-        leaf.ports.push_back({port.name, port.direction, FindType(built_in_, port.type),
+      leaf.is_condition = model->category == NodeCategory::kCondition;
+      for (const PortModel& port : model->ports) {
+        leaf.ports.push_back({port.name, port.direction, FindType(known_, port.type),
                               port.description, false, port.default_text});
       }
     }
+  }
+
+  const NodeModel* ModelOf(const std::string& id) const {
+    for (const Project* const source : {&project_, models_}) {
+      if (!source) continue;
+      const auto found = source->models().find(id);
+      if (found != source->models().end()) return &found->second;
+    }
+    return nullptr;
   }
 
   static std::string_view IdOf(const Document& document, const Element& element) {
@@ -135,22 +155,32 @@ class Leaves {
   }
 
   const Project& project_;
-  const Registry built_in_;
+  const Project* const models_;
+  const Registry& known_;
   std::map<std::string, Seen> leaves_;
 };
 
 }  // namespace
 
-std::shared_ptr<const Registry> ScenarioRegistry(const Project& project) {
-  auto registry = std::make_shared<Registry>();
-  Leaves(project).RegisterAll(*registry);
-  return registry;
+std::shared_ptr<const Registry> ScenarioRegistry(const Project& project, const Project* models,
+                                                 std::shared_ptr<Registry> known) {
+  if (!known) known = std::make_shared<Registry>();
+  const Leaves leaves(project, models, *known);
+  leaves.RegisterAll(*known);
+  return known;
 }
 
 bool IsStandIn(const Registry::Entry& entry) {
   if (!entry.build) return false;
   const PortCollector unused;
   return dynamic_cast<const StandIn*>(entry.build().get()) != nullptr;
+}
+
+bool NeedsScript(const Registry::Entry& entry) {
+  if (IsStandIn(entry)) return true;
+  if (!entry.build) return false;
+  const PortCollector unused;
+  return dynamic_cast<const UnknownDecorator*>(entry.build().get()) != nullptr;
 }
 
 }  // namespace coppice

@@ -89,8 +89,10 @@ void ScenarioTests::Run(OpenProject& files, const std::string& pattern, const st
     Diagnostics diagnostics;
     result.suite = LoadScenarios(path, diagnostics);
     if (result.suite) {
-      result.program =
-          CompileOpenTree(files, result.suite->tree_file, result.suite->tree_id, diagnostics);
+      auto project = ReadOpenProject(files, result.suite->tree_file, diagnostics);
+      if (project) {
+        result.program = CompileSuite(*result.suite, *std::move(project), nullptr, diagnostics);
+      }
     }
     result.problem = diagnostics.ToString();
     return result;

@@ -2,6 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+
+#include "bt_core/engine/models.h"
 #include "tests/bt_nodes/fakes.h"
 
 namespace coppice {
@@ -30,6 +35,21 @@ TEST(RegisterNodes, BuildsEveryLeaf) {
     ++leaves;
   }
   EXPECT_EQ(leaves, 37);
+}
+
+// COPPICE_UPDATE_REFERENCE=1 bt_nodes_test --gtest_filter='*TheShippedModels*' writes the file.
+TEST(RegisterNodes, TheShippedModelsSayWhatTheLeavesAre) {
+  FakeRobot robot;
+  Registry registry;
+  RegisterNodes(registry, robot.capabilities());
+  for (const std::string& id : registry.Ids()) {
+    if (registry.HasBuiltIn(id)) registry.Remove(id);
+  }
+  const std::string path = std::string(COPPICE_SOURCE_DIR) + "/trees/models.xml";
+  if (std::getenv("COPPICE_UPDATE_REFERENCE")) std::ofstream(path) << WriteModels(registry);
+  std::ifstream file(path);
+  const std::string shipped{std::istreambuf_iterator<char>(file), {}};
+  EXPECT_EQ(shipped, WriteModels(registry)) << "trees/models.xml is older than the leaves";
 }
 
 }  // namespace

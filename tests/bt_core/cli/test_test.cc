@@ -47,6 +47,39 @@ TEST_F(TestVerb, ATreeOrFileWithErrorsIsAnError) {
   EXPECT_EQ(Run(RunTest, {}), 2);
 }
 
+TEST_F(TestVerb, AMisspeltDecoratorIsToldWithTheRightName) {
+  WriteTree("<Invertr><AlwaysFailure/></Invertr>");
+  const std::string file =
+      Write("a.test.json", R"({"tree": "tree.xml", "scenarios": [{"name": "a", "steps": [{}]}]})");
+  EXPECT_EQ(Run(RunTest, {file}), 1);
+  EXPECT_NE(out_.find("whose type <Invertr> is not known here\n"
+                      "    got      none, did you mean \"Inverter\"?"),
+            std::string::npos)
+      << out_;
+}
+
+TEST_F(TestVerb, AModelOrAScriptMakesADecoratorKnown) {
+  WriteTree("<Guarded><AlwaysFailure/></Guarded>");
+  const std::string models = Write("models.xml",
+                                   "<root BTCPP_format=\"4\"><TreeNodesModel><Decorator "
+                                   "ID=\"Guarded\"/></TreeNodesModel></root>");
+  const std::string steps =
+      R"("scenarios": [{"name": "a", "steps": [{"expect": {"status": "FAILURE"}}]}]})";
+  const std::string plain = Write("a.test.json", R"({"tree": "tree.xml", )" + steps);
+  EXPECT_EQ(Run(RunTest, {plain}), 1);
+  EXPECT_EQ(Run(RunTest, {plain, "--models", models}), 0) << out_;
+  EXPECT_EQ(Run(RunTest, {plain, "--models", "nowhere.xml"}), 2);
+  EXPECT_EQ(Run(RunTest,
+                {Write("b.test.json", R"({"tree": "tree.xml", "models": "models.xml", )" + steps)}),
+            0)
+      << out_;
+  EXPECT_EQ(Run(RunTest, {Write("c.test.json", R"({"tree": "tree.xml",
+                                "leaves": {"<Guarded>": "FAILURE"}, )" +
+                                                   steps)}),
+            0)
+      << out_;
+}
+
 TEST_F(TestVerb, WritesJsonAndJUnit) {
   const std::string file = WriteScenario("SUCCESS");
   const std::string junit = (folder_ / "out.xml").string();

@@ -38,6 +38,7 @@ TEST_F(ScenarioFile, HoldsAllThatAScenarioCanSay) {
   const auto suite = Load(R"({
     // the tree lies beside the file
     "tree": "../trees/patrol.xml", "tree_id": "Patrol",
+    "models": "../trees/models.xml",
     "leaves": {"<DriveTo>": ["RUNNING", "SUCCESS"]},
     "scenarios": [{
       "name": "drives",
@@ -55,6 +56,8 @@ TEST_F(ScenarioFile, HoldsAllThatAScenarioCanSay) {
   EXPECT_EQ(suite->tree_file,
             (path_.parent_path() / "../trees/patrol.xml").lexically_normal().string());
   EXPECT_EQ(suite->tree_id, "Patrol");
+  EXPECT_EQ(suite->models_file,
+            (path_.parent_path() / "../trees/models.xml").lexically_normal().string());
   EXPECT_EQ(suite->leaves[0].rule.pattern, "<DriveTo>");
   EXPECT_EQ(suite->leaves[0].rule.script.results,
             (std::vector<Status>{Status::kRunning, Status::kSuccess}));
@@ -96,8 +99,8 @@ TEST_F(ScenarioFile, AllErrorsAreTold) {
   Load("{\n\"trees\": 5,\n\"scenarios\": [{\"steps\": 7}]\n}");
   const std::string file = path_.string();
   EXPECT_EQ(errors_, file +
-                         ":2:10: error: unknown member \"trees\", expected tree, tree_id, leaves, "
-                         "scenarios (did you mean \"tree\"?)\n" +
+                         ":2:10: error: unknown member \"trees\", expected tree, tree_id, models, "
+                         "leaves, scenarios (did you mean \"tree\"?)\n" +
                          file + ":3:25: error: \"steps\" must be a list, not a number\n" + file +
                          ":3:15: error: \"name\" is missing\n" + file +
                          ":3:15: error: there are no \"steps\"\n" + file +

@@ -8,6 +8,7 @@ namespace {
 constexpr char kText[] = R"({
   "tree": "drive_to.xml",
   "tree_id": "DriveTo",
+  "models": "../models.xml",
   "leaves": {
     "<NavigateTo>": ["FAILURE", "RUNNING", "SUCCESS"],
     "<Wait>": {

@@ -27,19 +27,42 @@ TEST(StandIn, HasThePortsThatTheTreeGivesIt) {
   EXPECT_TRUE(IsStandIn(*program->registry->Find("Go")));
   EXPECT_FALSE(IsStandIn(*program->registry->Find("Sleep")));
   ScenarioPlayer player(*program, {{{}, {"Go", {}}}});
-  EXPECT_EQ(player.UnplayedLeaves(), std::vector<NodeIndex>{1});
+  EXPECT_EQ(player.UnplayedNodes(), std::vector<NodeIndex>{1});
 }
 
-TEST(StandIn, ADecoratorReturnsWhatItsChildReturns) {
-  const auto program = Compiled(
-      "<BehaviorTree ID=\"Main\"><Guarded limit=\"{limit}\"><Inverter><AlwaysFailure/></Inverter>"
-      "</Guarded></BehaviorTree>");
+constexpr const char* kGuarded =
+    "<BehaviorTree ID=\"Main\"><Guarded limit=\"{limit}\"><Inverter><AlwaysFailure/></Inverter>"
+    "</Guarded></BehaviorTree>";
+constexpr const char* kGuardedModel =
+    "<TreeNodesModel><Decorator ID=\"Guarded\"><input_port name=\"limit\" type=\"double\"/>"
+    "</Decorator></TreeNodesModel>";
+
+TEST(StandIn, ADecoratorWithModelReturnsWhatItsChildReturns) {
+  const auto program = Compiled(std::string(kGuarded) + kGuardedModel);
   ASSERT_TRUE(program);
   std::string hint;
   EXPECT_NE(FindKey(*program, "limit", hint), kNoSlot);
   ScenarioPlayer player(*program, {});
-  EXPECT_TRUE(player.UnplayedLeaves().empty());
+  EXPECT_TRUE(player.UnplayedNodes().empty());
   EXPECT_EQ(player.Play({}).status, Status::kSuccess);
+}
+
+TEST(StandIn, ADecoratorWithoutModelNeedsAScript) {
+  const auto program = Compiled(kGuarded);
+  ASSERT_TRUE(program);
+  EXPECT_EQ(ScenarioPlayer(*program, {}).UnplayedNodes(), std::vector<NodeIndex>{0});
+}
+
+TEST(StandIn, ModelsMayComeFromElsewhere) {
+  Diagnostics diagnostics;
+  const auto tree = Project::FromText(
+      "<root BTCPP_format=\"4\">" + std::string(kGuarded) + "</root>", "tree.xml", diagnostics);
+  const auto models =
+      Project::FromText("<root BTCPP_format=\"4\">" + std::string(kGuardedModel) + "</root>",
+                        "models.xml", diagnostics);
+  ASSERT_TRUE(tree && models) << diagnostics.ToString();
+  EXPECT_TRUE(NeedsScript(*ScenarioRegistry(*tree)->Find("Guarded")));
+  EXPECT_FALSE(NeedsScript(*ScenarioRegistry(*tree, &*models)->Find("Guarded")));
 }
 
 TEST(StandIn, ADecoratorCanBePlayedWithItsChild) {
