@@ -31,8 +31,8 @@ const BatteryVerdict& BatteryWatch::Update(Time now, const BatteryReading* readi
   farthest_ = std::max(farthest_, distance);
 
   verdict_.charge = LeastCharge();
-  verdict_.needed = ChargeToDrive(options_.model, distance < 0 ? farthest_ : distance) +
-                    ChargeReserve(options_.model);
+  const double way = ChargeToDrive(options_.model, distance < 0 ? farthest_ : distance);
+  verdict_.needed = way + ChargeReserve(options_.model);
   const bool is_charged =
       is_charging_ && verdict_.charge >= options_.charged * options_.model.capacity;
   if (is_charging_ && (is_charged || Seconds(now - charging_since_) >= options_.counts_after)) {
@@ -47,7 +47,16 @@ const BatteryVerdict& BatteryWatch::Update(Time now, const BatteryReading* readi
     verdict_.reason.clear();
   }
   verdict_.critical = !is_charging_ && verdict_.charge < options_.critical * verdict_.needed;
+  if (is_charging_) {
+    verdict_.exhausted = false;
+  } else if (!is_silent && IsExhausted(way)) {
+    verdict_.exhausted = true;
+  }
   return verdict_;
+}
+
+bool BatteryWatch::IsExhausted(double way) const {
+  return newest_ && ReadCharge() <= std::max(way, options_.last_charge);
 }
 
 void BatteryWatch::TakeReading(Time now, const BatteryReading& reading) {

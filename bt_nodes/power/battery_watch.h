@@ -25,14 +25,18 @@ struct BatteryWatchOptions {
   double counts_after = 600;  ///< so long must current flow to count as a charge [s]
   /// Below this share of the reserve plus the way the robot may not reach the station: critical.
   double critical = 0.5;
+  double last_charge = 1.5;  ///< Ah; with no more, or no more than the way takes: exhausted
 };
 
 struct BatteryVerdict {
   bool due = false;       ///< the robot must go and charge; latched
   bool critical = false;  ///< and may not make it without help
-  double charge = 0;      ///< Ah that are left
-  double needed = 0;      ///< Ah for the way to the station and the reserve there
-  std::string reason;     ///< why it is due, with numbers, for people; empty if it is not
+  /// The last readings say that it will not make it; latched until current flows. Never guessed
+  /// from the count alone or while the battery is silent.
+  bool exhausted = false;
+  double charge = 0;   ///< Ah that are left
+  double needed = 0;   ///< Ah for the way to the station and the reserve there
+  std::string reason;  ///< why it is due, with numbers, for people; empty if it is not
 };
 
 class BatteryWatch {
@@ -47,6 +51,7 @@ class BatteryWatch {
  private:
   void TakeReading(Time now, const BatteryReading& reading);
   void CountCharge(Time now, double current);
+  bool IsExhausted(double way) const;
   double ReadCharge() const;  // from level and voltage; only with a reading
   double LeastCharge() const;
   std::string Reason(Time now) const;

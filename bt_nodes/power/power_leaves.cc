@@ -12,14 +12,18 @@ bool ChargeDue::Check() {
     options.model.driving_speed = *driving_speed;
     options.longest_without_charge = *longest_without_charge;
     options.longest_silence = *longest_silence;
+    options.last_charge = *last_charge;
     watch_ = std::make_unique<BatteryWatch>(options);
     critical.Set(false);
+    exhausted.Set(false);
   }
   const BatteryVerdict& verdict = watch_->Update(now(), battery.has_value() ? &*battery : nullptr,
                                                  distance.has_value() ? *distance : -1);
   if (verdict.critical != told_.critical) critical.Set(verdict.critical);
+  if (verdict.exhausted != told_.exhausted) exhausted.Set(verdict.exhausted);
   const bool is_new = verdict.due && !told_.due;
   told_.critical = verdict.critical;
+  told_.exhausted = verdict.exhausted;
   told_.due = verdict.due;
   if (is_new) {
     reason.Set(verdict.reason);

@@ -78,8 +78,11 @@ class ChargeDue : public Condition {
                                        "then it is due in any case [s]", 14400};
   Input<double> longest_silence{this, "longest_silence",
                                 "of the battery; then it is due in any case [s]", 60};
+  Input<double> last_charge{this, "last_charge",
+                            "no more, or no more than the way takes: exhausted [Ah]", 1.5};
   Output<std::string> reason{this, "reason", "why it is due, for people"};
   Output<bool> critical{this, "critical", "the robot may not reach the station without help"};
+  Output<bool> exhausted{this, "exhausted", "the robot will not reach the station any more"};
   bool Check() override;
 
  private:

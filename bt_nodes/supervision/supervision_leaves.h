@@ -18,6 +18,9 @@ class ProcessManager {
   virtual void RestartNode(const std::string& node, Sender<ActionResult> done) = 0;
   /// Asks for a configuration: the set of programs that should run.
   virtual void SetConfiguration(const std::string& configuration) = 0;
+  /// The last step: stops everything and switches off, as far as the robot is set up for that.
+  /// `done`: ok when it has begun.
+  virtual void SwitchOff(const std::string& reason, Sender<ActionResult> done) = 0;
 };
 
 /// The people who look after the robot. Called on the ticking thread; returns at once.
@@ -48,6 +51,22 @@ class RestartNode : public CapabilityAction {
  protected:
   void Begin(Sender<ActionResult> done) override { processes_.RestartNode(*node, done); }
   void Cancel() override {}  // a restart that has begun is carried through
+
+ private:
+  ProcessManager& processes_;
+};
+
+class SwitchOff : public CapabilityAction {
+ public:
+  static constexpr const char* kDescription =
+      "Brings the robot to its safe stop, has its records written and switches it off. The last "
+      "thing to do.";
+  explicit SwitchOff(ProcessManager& processes) : processes_(processes) {}
+  Input<std::string> reason{this, "reason", "why, for people", "asked for"};
+
+ protected:
+  void Begin(Sender<ActionResult> done) override { processes_.SwitchOff(*reason, done); }
+  void Cancel() override {}  // it cannot be called back
 
  private:
   ProcessManager& processes_;

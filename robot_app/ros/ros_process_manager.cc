@@ -2,9 +2,11 @@
 
 #include <coppice_msgs/RestartProcess.h>
 #include <coppice_msgs/SetConfiguration.h>
+#include <coppice_msgs/SwitchOff.h>
 #include <ros/console.h>
 #include <ros/service.h>
 
+#include <cstdlib>
 #include <utility>
 
 namespace coppice::robot {
@@ -47,6 +49,15 @@ void RosProcessManager::SetConfiguration(const std::string& configuration) {
     if (!result.ok) {
       ROS_WARN_STREAM("configuration " << configuration << ": " << result.message);
     }
+  });
+}
+
+void RosProcessManager::SwitchOff(const std::string& reason, Sender<ActionResult> done) {
+  Enqueue([reason, done] {
+    coppice_msgs::SwitchOff service;
+    service.request.reason = reason;
+    if (const char* token = std::getenv("COPPICE_SWITCH_OFF_TOKEN")) service.request.token = token;
+    done.Send(Call("/supervisor/switch_off", service));
   });
 }
 

@@ -21,6 +21,8 @@ class RosProcessManager : public ProcessManager {
 
   void RestartNode(const std::string& node, Sender<ActionResult> done) override;
   void SetConfiguration(const std::string& configuration) override;
+  /// With COPPICE_SWITCH_OFF_TOKEN of the environment.
+  void SwitchOff(const std::string& reason, Sender<ActionResult> done) override;
 
  private:
   void Enqueue(std::function<void()> call);

@@ -44,6 +44,11 @@ class Loader {
     limits_ = ReadRestartLimits(file_.Map("restart_intensity"), {});
     config_.back_off = ReadBackOff(file_.Map("back_off"));
     config_.escalation = ReadEscalation(file_.Map("escalation"));
+    YamlFields switch_off = file_.Map("switch_off");
+    for (const LocatedText& word : switch_off.Texts("command")) {
+      config_.switch_off.push_back(Fill(word, variables_));
+    }
+    switch_off.Finish();
     config_.stop_timeout = file_.Seconds("stop_timeout", 3, 0.1, 600);
   }
 

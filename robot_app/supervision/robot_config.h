@@ -129,6 +129,7 @@ struct RobotConfig {
   BackOff back_off;
   EscalationLimits escalation;
   GivenUpConfig given_up;
+  std::vector<std::string> switch_off;              ///< command that cuts the power; empty: none
   Duration stop_timeout = std::chrono::seconds(3);  ///< between SIGTERM and SIGKILL
 };
 

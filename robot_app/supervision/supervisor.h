@@ -43,6 +43,8 @@ class Supervisor {
   Verdict SetConfiguration(const std::string& name, Hand hand, const WhyNotCondition& why_not);
   /// Ends what a person has set by hand.
   Verdict Release();
+  /// To the configuration for the safe stop, until Reset. Refused if there is none.
+  Verdict SafeStop();
 
   /// Ends a process (SIGTERM, after stop_timeout SIGKILL to its group) and starts it again, with
   /// those that the strategy of its group says; what depends on it stays up. `name` is a process, a

@@ -24,6 +24,7 @@ using Outcome = SupervisorProgram::Outcome;
 
 constexpr Duration kMasterTimeout = std::chrono::seconds(20);
 constexpr Duration kTimeToEnd = std::chrono::seconds(3);
+constexpr Duration kTimeToCut = std::chrono::seconds(60);
 
 volatile std::sig_atomic_t g_stop = 0;
 
@@ -66,10 +67,26 @@ Outcome RunNode(RobotConfig config, const SupervisorSettings& settings, const Ro
   int no_arguments = 0;
   ros::init(no_arguments, nullptr, "supervisor", ros::init_options::NoSigintHandler);
   SetParameters(config);
-  SupervisorProgram program(std::move(config), launcher, master, settings.address, settings.state);
+  const char* token = std::getenv("COPPICE_SWITCH_OFF_TOKEN");
+  SupervisorProgram program(std::move(config), launcher, master, settings.address, settings.state,
+                            token ? token : "");
   const Outcome outcome = program.Run([] { return g_stop != 0 || !ros::ok(); });
   ros::shutdown();
   return outcome;
+}
+
+// What was counted stays; for the rest the robot begins afresh when a person has switched it on.
+// If the power cannot be cut, it begins anew in its safe stop.
+bool CutPowerAndForget(const RobotConfig& config, const SupervisorSettings& settings,
+                       PosixLauncher& launcher) {
+  std::string problem;
+  const SupervisorMemory memory = LoadMemory(settings.state, WallClock().Now(), problem);
+  SupervisorMemory counters;
+  counters.restarts = memory.restarts;
+  SaveMemory(counters, settings.state);
+  if (CutPower(config.switch_off, launcher, kTimeToCut)) return true;
+  SaveMemory(memory, settings.state);
+  return false;
 }
 
 // The same program again, with the same port. Returns only if that fails.
@@ -138,9 +155,12 @@ int Main(const std::vector<std::string>& arguments) {
             << ", logs in " << settings->logs << std::endl;
   if (!settings->port_file.empty()) std::ofstream(settings->port_file) << master.address.port;
 
-  const Outcome outcome = RunNode(std::move(config), *settings, master, launcher);
+  const Outcome outcome = RunNode(config, *settings, master, launcher);
   EndMaster(master, launcher);
-  if (outcome == Outcome::kNewStack) return BeginAnew(arguments, master.address.port);
+  if (outcome == Outcome::kSwitchOff && CutPowerAndForget(config, *settings, launcher)) return 0;
+  if (outcome == Outcome::kNewStack || outcome == Outcome::kSwitchOff) {
+    return BeginAnew(arguments, master.address.port);
+  }
   if (outcome == Outcome::kStopped) return 0;
   std::cerr << "coppice-supervisor: the ROS master ended again and again; everything was stopped\n";
   return 1;

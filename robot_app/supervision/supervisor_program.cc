@@ -3,6 +3,7 @@
 #include <coppice_msgs/ProcessStates.h>
 #include <coppice_msgs/RestartProcess.h>
 #include <coppice_msgs/SetConfiguration.h>
+#include <coppice_msgs/SwitchOff.h>
 #include <ros/callback_queue.h>
 #include <sensor_msgs/BatteryState.h>
 #include <std_msgs/Bool.h>
@@ -46,7 +47,7 @@ SupervisorMemory Load(const std::string& path, Time now) {
 
 SupervisorProgram::SupervisorProgram(RobotConfig config, PosixLauncher& launcher,
                                      const RosMaster& master, const std::string& address,
-                                     std::string state_file)
+                                     std::string state_file, std::string switch_off_token)
     : local_(launcher),
       launcher_(
           launcher, config.hosts,
@@ -58,6 +59,7 @@ SupervisorProgram::SupervisorProgram(RobotConfig config, PosixLauncher& launcher
       state_file_(std::move(state_file)),
       supervisor_(std::move(config), launcher_, Load(state_file_, clock_.Now())),
       calls_(supervisor_.config().given_up.command, launcher),
+      switch_off_(!supervisor_.config().switch_off.empty(), std::move(switch_off_token)),
       probe_(master.address, "/supervisor") {
   processes_ = handle_.advertise<coppice_msgs::ProcessStates>("/processes", 10, true);
   OfferServices();
@@ -92,6 +94,14 @@ void SupervisorProgram::OfferServices() {
             say.ok = verdict.ok;
             return Reply(verdict, "set_configuration " + ask.configuration, say);
           })));
+  using Off = coppice_msgs::SwitchOff;
+  services_.push_back(handle_.advertiseService<Off::Request, Off::Response>(
+      "/supervisor/switch_off",
+      boost::function<bool(Off::Request&, Off::Response&)>([this](auto& ask, auto& say) {
+        const Verdict verdict = switch_off_.Ask(ask.reason, ask.token, supervisor_, clock_.Now());
+        say.ok = verdict.ok;
+        return Reply(verdict, "switch_off", say);
+      })));
   services_.push_back(handle_.advertiseService<Release::Request, Release::Response>(
       "/supervisor/release",
       boost::function<bool(Release::Request&, Release::Response&)>([this](auto&, auto& say) {
@@ -122,8 +132,12 @@ void SupervisorProgram::WatchConditions() {
 }
 
 SupervisorProgram::Outcome SupervisorProgram::Run(const std::function<bool()>& stop) {
-  while (!stop() && !supervisor_.stopping() && !supervisor_.NeedsNewStack(clock_.Now())) Round();
-  if (!stop() && !supervisor_.stopping()) {
+  while (!stop() && !supervisor_.stopping() && !switch_off_.may_cut() &&
+         !supervisor_.NeedsNewStack(clock_.Now())) {
+    Round();
+  }
+  const bool is_stopped = stop() || supervisor_.stopping();
+  if (!is_stopped && !switch_off_.may_cut()) {
     std::cout << "the whole stack begins anew: " << supervisor_.stack_reason() << std::endl;
     Save();
     return Outcome::kNewStack;
@@ -133,6 +147,10 @@ SupervisorProgram::Outcome SupervisorProgram::Run(const std::function<bool()>& s
   const Time give_up = clock_.Now() + kTimeForCalls;
   while (!calls_.idle() && clock_.Now() < give_up) Round();
   Publish();
+  if (!is_stopped) {
+    Save();
+    return Outcome::kSwitchOff;
+  }
   if (!stop()) return Outcome::kNoMaster;
   // Who stops a robot on purpose starts it afresh; only the counters stay.
   SupervisorMemory counters;
@@ -160,6 +178,7 @@ void SupervisorProgram::Round() {
     calls_.Add(std::move(call));
   }
   calls_.Step(clock_.Now());
+  if (switch_off_.TakeStop(supervisor_, clock_.Now())) sync();
   ProbeStarting();
   if (supervisor_.revision() != published_ || clock_.Now() - published_at_ >= kReportPeriod) {
     Publish();

@@ -5,6 +5,7 @@
 //   /supervisor/reset             coppice_msgs/RestartProcess, see Supervisor::Reset
 //   /supervisor/set_configuration coppice_msgs/SetConfiguration
 //   /supervisor/release           std_srvs/Trigger, ends what was set by hand
+//   /supervisor/switch_off        coppice_msgs/SwitchOff, see switch_off.h
 //
 // One thread does everything, every 20 ms of wall time. Times in ProcessState are wall time,
 // because processes live in the computer's time; header.stamp is ROS time as everywhere.
@@ -24,6 +25,7 @@
 #include "robot_app/supervision/remote_launcher.h"
 #include "robot_app/supervision/ros_master.h"
 #include "robot_app/supervision/supervisor.h"
+#include "robot_app/supervision/switch_off.h"
 
 namespace coppice::robot {
 
@@ -31,16 +33,19 @@ class SupervisorProgram {
  public:
   /// How a run has ended.
   enum class Outcome {
-    kStopped,   ///< as asked
-    kNewStack,  ///< everything has ended and is to begin anew, with a new ROS master
-    kNoMaster,  ///< the ROS master ended too often; everything was stopped
+    kStopped,    ///< as asked
+    kNewStack,   ///< everything has ended and is to begin anew, with a new ROS master
+    kSwitchOff,  ///< everything was stopped, and the power is to go off
+    kNoMaster,   ///< the ROS master ended too often; everything was stopped
   };
 
   /// ros::init was called. Launcher and master must outlive it. `state_file`: where the
   /// supervisor's memory is kept; what is in it is taken up.
+  /// `switch_off_token`: see SwitchOff.
   /// `address`: of this computer for nodes on other hosts; empty: that of the master.
   SupervisorProgram(RobotConfig config, PosixLauncher& launcher, const RosMaster& master,
-                    const std::string& address, std::string state_file);
+                    const std::string& address, std::string state_file,
+                    std::string switch_off_token);
 
   Supervisor& supervisor() { return supervisor_; }
 
@@ -70,6 +75,7 @@ class SupervisorProgram {
   const std::string state_file_;
   Supervisor supervisor_;
   PersonCalls calls_;
+  SwitchOff switch_off_;
   NodeProbe probe_;
   std::vector<Probed> probed_;
   std::vector<Condition> conditions_;

@@ -42,6 +42,14 @@ Verdict Supervisor::Release() {
   return switch_.Release();
 }
 
+Verdict Supervisor::SafeStop() {
+  if (stopping_) return {false, "the supervisor is stopping"};
+  if (!config_.given_up.configuration) return {false, "no configuration is for the safe stop"};
+  switch_.SafeStop();
+  ++revision_;
+  return {true, "safe stop"};
+}
+
 Verdict Supervisor::Restart(const std::string& name, Time now) {
   if (stopping_) return {false, "the supervisor is stopping"};
   if (new_stack_) return {true, "the whole stack is being restarted"};

@@ -72,6 +72,10 @@ class FakeRobot : public Navigator,
     calls.push_back("SetConfiguration " + configuration);
   }
 
+  void SwitchOff(const std::string& reason, Sender<ActionResult> sender) override {
+    Begin("SwitchOff " + reason, sender);
+  }
+
   void Ask(const std::string& subject, const std::string& question,
            Sender<ActionResult> sender) override {
     calls.push_back("Ask " + subject + ": " + question);

@@ -233,5 +233,58 @@ TEST(UnplannedStops, ACurrentThatDoesNotLastDoesNotSwitchTheNavigationOff) {
   EXPECT_EQ(scenario.CallsOf("SetConfiguration charging"), 0);
 }
 
+// The same day without luck: the station cannot be reached and nobody comes. The battery's end is
+// announced, recorded, and in order.
+TEST(UnplannedStops, ARobotThatNobodyHelpsSwitchesItselfOffBeforeItsBatteryDoes) {
+  TreeScenario scenario("monitor/monitor.xml");
+  double level = 0.1;
+  double current = -15;
+  const auto feed = [&] {
+    level += current * kStep / 3600 / 75;
+    scenario.Set("battery",
+                 BatteryReading{scenario.now(), 23 + 2.4 * level + 0.02 * current, current, level});
+    scenario.Set("battery_level", level);
+    scenario.Set("charging", current > 0);
+    scenario.Set("going_home", false);
+    scenario.Set("distance_to_station", 30.0);
+    scenario.Report();
+  };
+  Life life(scenario, [](const std::string& call) {  // all ways are blocked
+    return call.rfind("NavigateTo", 0) != 0 && call.rfind("Dock", 0) != 0;
+  });
+  const auto run_until = [&](const std::string& call, double longest) {
+    double seconds = 0;
+    for (; seconds < longest && scenario.CallsBeginning(call) == 0; seconds += kStep) {
+      life.Run(kStep, feed);
+    }
+    return seconds;
+  };
+  EXPECT_LT(run_until("Ask battery", 7200), 7200) << "first of all people are asked";
+  EXPECT_GT(level * 75, 4);
+  EXPECT_LT(run_until("Tell battery: My battery is empty", 7200), 7200);
+  EXPECT_EQ(scenario.CallsBeginning("SwitchOff"), 0);
+  EXPECT_TRUE(scenario.Runs("stands"));
+  EXPECT_EQ(scenario.CallsOf("Suspend"), scenario.CallsOf("Resume") + 1) << "it stands";
+  EXPECT_NEAR(run_until("SwitchOff", 7200), 180, 2);
+  EXPECT_GT(level * 75, 0.5) << "there is enough left to end in order";
+  EXPECT_EQ(scenario.robot.open_requests.count("battery"), 1u);
+
+  scenario.robot.done.Send({true, "safe stop"});
+  life.Run(600, feed);
+  const auto& events = scenario.robot.events;
+  EXPECT_EQ(std::count_if(events.begin(), events.end(),
+                          [](const RecoveryEvent& event) {
+                            return event.recovery == "switch off" &&
+                                   event.phase == RecoveryPhase::kSucceeded;
+                          }),
+            1);
+  EXPECT_EQ(scenario.CallsBeginning("SwitchOff"), 1);
+
+  current = 12;  // somebody has charged it
+  life.Run(5, feed);
+  EXPECT_FALSE(scenario.Runs("stands"));
+  EXPECT_EQ(scenario.CallsOf("Suspend"), scenario.CallsOf("Resume"));
+}
+
 }  // namespace
 }  // namespace coppice

@@ -130,5 +130,29 @@ TEST_F(BatteryWatchTest, IsCriticalWhenHalfOfWhatIsNeededIsGone) {
   EXPECT_FALSE(TellFor(10, Reading(0.05, 12)).critical);
 }
 
+// 1.5 Ah are 2 % of 75 Ah.
+TEST_F(BatteryWatchTest, IsExhaustedWhenTheWayHomeTakesAllThatIsLeft) {
+  EXPECT_FALSE(TellFor(60, Reading(0.03, -15), 10).exhausted);
+  EXPECT_TRUE(Tell(Reading(0.03, -15), 500).exhausted) << "7.4 Ah for the way";
+  EXPECT_TRUE(Tell(Reading(0.03, -5), 10).exhausted) << "latched";
+}
+
+TEST_F(BatteryWatchTest, IsExhaustedNearTheStationToo) {
+  EXPECT_FALSE(TellFor(60, Reading(0.025, -15), 0).exhausted);
+  EXPECT_TRUE(TellFor(120, Reading(0.015, -15), 0).exhausted);
+}
+
+TEST_F(BatteryWatchTest, IsNotExhaustedAnyMoreWhenCurrentFlows) {
+  EXPECT_TRUE(TellFor(120, Reading(0.01, -15)).exhausted);
+  EXPECT_FALSE(Tell(Reading(0.01, 12)).exhausted);
+}
+
+TEST_F(BatteryWatchTest, WhatIsOnlyCountedExhaustsNobody) {
+  Tell(Reading(0.3, -15));
+  EXPECT_TRUE(Silence(6 * 3600).critical);
+  EXPECT_FALSE(Silence(1).exhausted);
+  EXPECT_FALSE(Tell(Reading(0.3, -15)).exhausted);
+}
+
 }  // namespace
 }  // namespace coppice

@@ -28,6 +28,16 @@ TEST(RestartNode, FailsWhenTheRestartIsRefused) {
   EXPECT_EQ(harness.message(), "restarted too often");
 }
 
+TEST(SwitchOff, SaysWhyAndEndsWhenItHasBegun) {
+  FakeRobot robot;
+  LeafHarness harness = LeafHarness::For<SwitchOff>(std::ref<ProcessManager>(robot));
+  harness.Set("reason", std::string("the battery is empty"));
+  EXPECT_EQ(harness.Tick(), Status::kRunning);
+  EXPECT_EQ(robot.calls, std::vector<std::string>{"SwitchOff the battery is empty"});
+  robot.done.Send({true, ""});
+  EXPECT_EQ(harness.Tick(), Status::kSuccess);
+}
+
 class SwitchConfigurationTest : public testing::Test {
  protected:
   SwitchConfigurationTest() { harness_.Set("configuration", std::string("charging")); }

@@ -110,6 +110,7 @@ conditions:
   charging_confirmed: {topic: /battery_state, current: 0.5, lasting: 5, staleness: 3}
   allowed: {topic: /allowed}
 on_given_up: {command: ["${bin}/call", --call], configuration: safe}
+switch_off: {command: [touch, "${bin}/off"]}
 processes:
   - {name: a, command: ["${bin}/a"], host: space}
 initial: safe
@@ -133,6 +134,7 @@ configurations:
   EXPECT_THAT(config.configurations[1].requires_conditions, ElementsAre(0u, 1u));
   EXPECT_THAT(config.given_up.command, ElementsAre("/opt/call", "--call"));
   EXPECT_EQ(config.given_up.configuration, 0u);
+  EXPECT_THAT(config.switch_off, ElementsAre("touch", "/opt/off"));
 }
 
 TEST_F(RobotConfigTest, StateThatCouldBeSomethingElseIsRefused) {

@@ -12,6 +12,7 @@
 #include <cstdlib>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -91,6 +92,15 @@ class RosGraph {
     launcher_.Signal(pid, signal);
     int wait_status = 0;
     waitpid(pid, &wait_status, 0);
+    return wait_status;
+  }
+
+  /// Waits until a program of this graph ends by itself. Returns the wait status, or nothing when
+  /// the deadline has come first.
+  std::optional<int> WaitForEnd(int pid) {
+    int wait_status = 0;
+    if (!WaitFor([&] { return waitpid(pid, &wait_status, WNOHANG) == pid; })) return std::nullopt;
+    started_.erase(pid);
     return wait_status;
   }
 
