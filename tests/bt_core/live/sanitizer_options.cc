@@ -1,11 +1,12 @@
-// ZeroMQ is not compiled with the sanitizer, which therefore does not see how it hands messages
-// from thread to thread and takes that for races. Twice it gets no further than the standard
+// ZeroMQ and its encryption are not compiled with the sanitizer, which therefore does not see how
+// messages are handed from thread to thread and takes that for races. Twice it gets no further than the standard
 // library on the way from the I/O thread back to ZeroMQ; those two functions must be named
 // themselves.
 extern "C" const char* __tsan_default_suppressions();  // NOLINT(bugprone-reserved-identifier)
 extern "C" const char* __tsan_default_suppressions() {
   return "race:libzmq.so\n"
          "called_from_lib:libzmq.so\n"
+         "called_from_lib:libsodium.so\n"
          "race:std::__cxx11::basic_string<char, *>::compare(char const*) const\n"
          "race:std::basic_streambuf<char, *>::xsputn(char const*, long)\n";
 }
