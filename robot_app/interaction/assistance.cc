@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "robot_app/interaction/assistance_store.h"
+#include "robot_app/interaction/telegram_answers.h"
 
 namespace coppice::robot {
 namespace {
@@ -26,6 +27,26 @@ KindText TextOf(Letter::Kind kind) {
   return {"notice", " tells: "};
 }
 
+const HumanSupervisor* FindByAddress(const std::vector<HumanSupervisor>& supervisors,
+                                     const std::string& channel, const std::string& address) {
+  for (const HumanSupervisor& supervisor : supervisors) {
+    for (const Way& way : supervisor.ways) {
+      if (way.channel == channel && way.to == address) return &supervisor;
+    }
+  }
+  return nullptr;
+}
+
+// An answer that does not say to what was meant for a question that was open when it was written;
+// other people's clocks count whole seconds. 0: there was none.
+std::uint32_t OldestOpenAt(const std::deque<HelpRequest>& requests, Time written) {
+  for (const HelpRequest& request : requests) {
+    const bool is_older = request.opened <= written + std::chrono::seconds(2);
+    if (request.state == HelpState::kOpen && is_older) return request.id;
+  }
+  return 0;
+}
+
 }  // namespace
 
 Channels MakeChannels(const AssistanceConfig& config) {
@@ -34,6 +55,15 @@ Channels MakeChannels(const AssistanceConfig& config) {
     channels[channel.name] = MakeChannel(channel);
   }
   return channels;
+}
+
+ChatListeners MakeListeners(const AssistanceConfig& config) {
+  ChatListeners listeners;
+  for (const ChannelConfig& channel : config.channels) {
+    if (channel.kind != ChannelConfig::Kind::kTelegram || !channel.answers) continue;
+    listeners[channel.name] = std::make_unique<TelegramAnswers>(channel);
+  }
+  return listeners;
 }
 
 // Seconds as the first id: grows from run to run, even without a file.
@@ -63,11 +93,38 @@ std::vector<std::string> Assistance::Step(Time now) {
     if (delivery.error.empty()) continue;
     problems.push_back("channel " + delivery.channel + ": " + delivery.error);
   }
+  TakeAnswers(now, problems);
   desk_.Step(now);
   EndLinksOfClosed();
   SendLetters(now);
   Save(problems);
   return problems;
+}
+
+void Assistance::TakeAnswers(Time now, std::vector<std::string>& problems) {
+  for (const auto& [channel, listener] : listeners_) {
+    for (const ChatAnswer& answer : listener->TakeAnswers()) TakeAnswer(channel, answer, now);
+    for (std::string& problem : listener->TakeProblems()) problems.push_back(std::move(problem));
+  }
+}
+
+void Assistance::TakeAnswer(const std::string& channel, const ChatAnswer& answer, Time now) {
+  const HumanSupervisor* const by = FindByAddress(desk_.supervisors(), channel, answer.from);
+  if (!by) return;
+  std::uint32_t id = answer.request;
+  if (id == 0) id = OldestOpenAt(desk_.requests(), answer.written);
+  OutgoingMessage reply;
+  reply.to = answer.from;
+  reply.name = by->name;
+  reply.headline = config_.robot;
+  reply.text = id == 0 ? "Nothing is open." : desk_.Answer(id, by->name, answer.fixed, now).message;
+  reply.kind = "notice";
+  reply.id = MessageId(now);
+  courier_.Send(0, channel, std::move(reply));  // no letter of the desk: not tried again
+}
+
+std::string Assistance::MessageId(Time now) {
+  return "coppice-" + std::to_string(now.count()) + "-" + std::to_string(++messages_so_far_);
 }
 
 void Assistance::SendLetters(Time now) {
@@ -88,7 +145,7 @@ OutgoingMessage Assistance::Compose(const Letter& letter, Time now) {
   message.kind = kind.name;
   message.subject = letter.subject;
   message.request = letter.request;
-  message.id = "coppice-" + std::to_string(now.count()) + "-" + std::to_string(++messages_so_far_);
+  message.id = MessageId(now);
   const bool asks =
       letter.kind == Letter::Kind::kQuestion || letter.kind == Letter::Kind::kReminder;
   if (asks && !page_url_.empty()) {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "robot_app/interaction/assistance_config.h"
+#include "robot_app/interaction/chat_answer.h"
 #include "robot_app/interaction/courier.h"
 #include "robot_app/interaction/help_desk.h"
 #include "robot_app/interaction/page_access.h"
@@ -18,6 +19,10 @@ namespace coppice::robot {
 
 using Channels = std::map<std::string, std::unique_ptr<MessageChannel>>;
 Channels MakeChannels(const AssistanceConfig& config);
+
+/// Of the channels by which people may answer, by name.
+using ChatListeners = std::map<std::string, std::unique_ptr<ChatListener>>;
+ChatListeners MakeListeners(const AssistanceConfig& config);
 
 class Assistance {
  public:
@@ -29,6 +34,10 @@ class Assistance {
   /// Where the page is, without slash at its end; from now on questions bear a link to it.
   void set_page_url(const std::string& url) { page_url_ = url; }
 
+  /// From now on people may also answer by these channels. Whoever writes from the address of a
+  /// supervisor is that supervisor; what others write is not even answered.
+  void Listen(ChatListeners listeners) { listeners_ = std::move(listeners); }
+
   HelpDesk& desk() { return desk_; }
   const HelpDesk& desk() const { return desk_; }
   PageAccess& access() { return access_; }
@@ -39,6 +48,9 @@ class Assistance {
 
  private:
   OutgoingMessage Compose(const Letter& letter, Time now);
+  void TakeAnswers(Time now, std::vector<std::string>& problems);
+  void TakeAnswer(const std::string& channel, const ChatAnswer& answer, Time now);
+  std::string MessageId(Time now);
   void SendLetters(Time now);
   void EndLinksOfClosed();
   void Save(std::vector<std::string>& problems);
@@ -49,6 +61,7 @@ class Assistance {
   HelpDesk desk_;
   PageAccess access_;
   Courier courier_;
+  ChatListeners listeners_;
   std::set<std::uint32_t> with_links_;  // requests that links were made for
   std::uint64_t messages_so_far_ = 0;
   std::uint64_t saved_desk_ = 0;

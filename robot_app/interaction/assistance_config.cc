@@ -110,6 +110,9 @@ class Loader {
   // False if something is not set in the environment.
   bool ReadAccess(YamlFields& fields, ChannelConfig& channel) {
     if (channel.kind == Kind::kConsole) return true;
+    if (channel.kind == Kind::kTelegram) {
+      channel.answers = fields.Choice("answers", "yes", {"yes", "no"}) == "yes";
+    }
     const bool is_smtp = channel.kind == Kind::kSmtp;
     const std::optional<std::string> url =
         channel.kind == Kind::kTelegram ? Filled(fields.Text("url", "https://api.telegram.org"))

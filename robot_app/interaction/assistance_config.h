@@ -24,9 +24,10 @@ struct ChannelConfig {
   std::string name;
   Kind kind = Kind::kConsole;
   std::string url;
-  std::string user;    ///< SMTP; may be empty
-  std::string secret;  ///< password or token; may be empty for SMTP and webhook
-  std::string from;    ///< SMTP: sender's address
+  std::string user;     ///< SMTP; may be empty
+  std::string secret;   ///< password or token; may be empty for SMTP and webhook
+  std::string from;     ///< SMTP: sender's address
+  bool answers = true;  ///< Telegram: people may answer by it
 };
 
 struct CameraConfig {

@@ -112,6 +112,7 @@ void Serve(const AssistanceConfig& config, const Options& options) {
   const WallClock clock;
   ros::NodeHandle node;
   Assistance assistance(config, MakeChannels(config), options.Get("--state"), clock.Now());
+  assistance.Listen(MakeListeners(config));
   AssistanceNode services(node, assistance.desk(), clock);
   const std::unique_ptr<PageNode> page = OpenPage(node, config, options, assistance, clock);
   while (ros::ok() && !stop_requested) {

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "robot_app/interaction/message_text.h"
+#include "robot_app/interaction/telegram_answers.h"
 
 namespace coppice::robot {
 namespace {
@@ -15,10 +16,18 @@ std::string PlainText(const OutgoingMessage& message) {
 }  // namespace
 
 HttpRequest MakeTelegramRequest(const ChannelConfig& config, const OutgoingMessage& message) {
-  const nlohmann::json body = {{"chat_id", OneLine(message.to)},
-                               {"text", PlainText(message)},
-                               {"disable_web_page_preview", true},
-                               {"disable_notification", message.kind == "all-clear"}};
+  nlohmann::json body = {{"chat_id", OneLine(message.to)},
+                         {"text", PlainText(message)},
+                         {"disable_web_page_preview", true},
+                         {"disable_notification", message.kind == "all-clear"}};
+  const bool asks = message.kind == "question" || message.kind == "reminder";
+  if (config.answers && asks && message.request != 0) {
+    const auto button = [&](const char* text, bool fixed) {
+      return nlohmann::json{{"text", text},
+                            {"callback_data", TelegramButton(message.request, fixed)}};
+    };
+    body["reply_markup"]["inline_keyboard"] = {{button("Fixed", true), button("Not fixed", false)}};
+  }
   HttpRequest request;
   request.url = config.url + "/bot" + UrlPart(config.secret) + "/sendMessage";
   request.body = body.dump();

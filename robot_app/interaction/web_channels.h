@@ -11,7 +11,8 @@
 
 namespace coppice::robot {
 
-/// https://core.telegram.org/bots/api#sendmessage; `to` is the id of a chat.
+/// https://core.telegram.org/bots/api#sendmessage; `to` is the id of a chat. A question
+/// has a button for each answer (telegram_answers.h).
 HttpRequest MakeTelegramRequest(const ChannelConfig& config, const OutgoingMessage& message);
 
 /// https://spec.matrix.org/latest/client-server-api/ (PUT .../send/m.room.message/...); `to` is the

@@ -142,7 +142,13 @@ class HttpServer {
  public:
   using Request = boost::beast::http::request<boost::beast::http::string_body>;
 
-  explicit HttpServer(unsigned status = 200) : status_(status) {}
+  using Answer = std::function<std::string(const Request&)>;
+
+  explicit HttpServer(unsigned status = 200)
+      : HttpServer([](const Request&) { return "{}"; }, status) {}
+  /// `answer` says the body, on the server's thread.
+  explicit HttpServer(Answer answer, unsigned status = 200)
+      : status_(status), answer_(std::move(answer)) {}
 
   std::string url() const { return "http://127.0.0.1:" + server_.port(); }
 
@@ -169,13 +175,14 @@ class HttpServer {
     }
     changed_.notify_all();
     http::response<http::string_body> reply(static_cast<http::status>(status_), 11);
-    reply.body() = "{}";
+    reply.body() = answer_(request);
     reply.keep_alive(false);
     reply.prepare_payload();
     http::write(socket, reply);
   }
 
   const unsigned status_;
+  const Answer answer_;
   std::mutex mutex_;
   std::condition_variable changed_;
   std::vector<Request> requests_;

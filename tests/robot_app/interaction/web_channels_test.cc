@@ -53,6 +53,19 @@ TEST_F(WebChannels, TelegramGetsChatAndText) {
             "Sobi needs help: navigation\nBlocked \"here\"\xef\xbf\xbd\nhttp://robot:8090/#abc");
 }
 
+TEST_F(WebChannels, AQuestionByTelegramHasAButtonForEachAnswer) {
+  ChannelConfig config;
+  const json body = json::parse(MakeTelegramRequest(config, Message()).body);
+  const json& row = body.at("reply_markup").at("inline_keyboard").at(0);
+  EXPECT_EQ(row.at(0).at("callback_data"), "fixed:7");
+  EXPECT_EQ(row.at(1).at("callback_data"), "not_fixed:7");
+  OutgoingMessage all_clear = Message();
+  all_clear.kind = "all-clear";
+  EXPECT_FALSE(json::parse(MakeTelegramRequest(config, all_clear).body).contains("reply_markup"));
+  config.answers = false;
+  EXPECT_FALSE(json::parse(MakeTelegramRequest(config, Message()).body).contains("reply_markup"));
+}
+
 TEST_F(WebChannels, MatrixGetsAMessageOfTheRoomWithItsTokenInTheHeader) {
   HttpServer server;
   EXPECT_EQ(Send(ChannelConfig::Kind::kMatrix, server.url()), "");
