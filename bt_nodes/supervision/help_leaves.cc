@@ -7,6 +7,9 @@ namespace {
 // nothing.
 constexpr Duration kAnotherFault = std::chrono::seconds(60);
 
+// A person who says that it is fixed is believed until the monitors can have seen it.
+constexpr Duration kBelieved = std::chrono::seconds(10);
+
 Duration Seconds(double seconds) {
   return std::chrono::duration_cast<Duration>(std::chrono::duration<double>(seconds));
 }
@@ -34,6 +37,7 @@ Status RequestHelp::TakeAnswer(const ActionResult& answer) {
   requests_->Forget(asked_about_);
   asked_about_.clear();
   if (answer.ok) {
+    rest_until_ = now() + kBelieved;
     Say("a person says that it is fixed");
     return Status::kSuccess;
   }

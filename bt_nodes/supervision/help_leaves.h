@@ -11,7 +11,8 @@
 namespace coppice {
 
 /// The last rung of a ladder. Fails at once while nobody has fixed it, so that a Fallback goes on
-/// to less urgent faults; succeeds once when a person has confirmed.
+/// to less urgent faults; succeeds once when a person has confirmed, and
+/// asks nobody for the ten seconds that the monitors may need to see it.
 class RequestHelp : public SyncAction {
  public:
   static constexpr const char* kDescription =

@@ -172,6 +172,60 @@ TEST_F(MonitorTree, WithdrawsARequestWhenItsFaultHasGone) {
   EXPECT_EQ(Calls().back(), "Withdraw navigation");
 }
 
+// Nobody could help, or nobody answered until the deadline: the same answer.
+class AskingAgain : public MonitorTree, public testing::WithParamInterface<const char*> {
+ protected:
+  using Errors = std::vector<std::pair<std::string, std::string>>;
+
+  // Lets every action of the robot fail, until there are so many questions.
+  bool LiveUntilAsked(long times, double longest) {
+    for (double left = longest; left > 0; left -= 0.5) {
+      if (scenario_.CallsBeginning("Ask " + subject_) >= times) return true;
+      Live(0.5, errors_);
+      robot_.done.Send({false, "blocked"});
+    }
+    return false;
+  }
+
+  const std::string subject_ = GetParam();
+  const std::string monitor_ = subject_ == "nodes"            ? "node"
+                               : subject_ == "emergency stop" ? "emergency_stop"
+                                                              : subject_;
+  const Errors errors_ = {{monitor_, "/part"}};
+};
+
+TEST_P(AskingAgain, ComesTenMinutesAfterNobodyCouldHelpAsLongAsTheFaultLasts) {
+  ASSERT_TRUE(LiveUntilAsked(1, 900));
+  for (long times = 2; times < 5; ++times) {
+    robot_.AnswerRequest(subject_, false);
+    EXPECT_FALSE(LiveUntilAsked(times, 599)) << "not yet " << times;
+    EXPECT_TRUE(LiveUntilAsked(times, 70)) << times;
+  }
+}
+
+TEST_P(AskingAgain, ComesAlsoWhenTheAnswerCameBehindAMoreUrgentFault) {
+  ASSERT_TRUE(LiveUntilAsked(1, 900));
+  Errors both = errors_;
+  both.emplace_back("node", "/docking");
+  Live(10, both);
+  robot_.AnswerRequest(subject_, false);
+  Live(30, both);
+  robot_.done.Send({true, ""});
+  EXPECT_TRUE(LiveUntilAsked(2, 900));
+}
+
+TEST_P(AskingAgain, IsNotNeededWhenItIsFixed) {
+  ASSERT_TRUE(LiveUntilAsked(1, 900));
+  robot_.AnswerRequest(subject_, true);
+  Live(1, errors_);
+  Live(1800, {});
+  EXPECT_EQ(scenario_.CallsBeginning("Ask " + subject_), 1);
+}
+
+INSTANTIATE_TEST_SUITE_P(Subjects, AskingAgain,
+                         testing::Values("navigation", "localization", "emergency stop", "nodes",
+                                         "charging"));
+
 TEST_F(MonitorTree, KeepsARequestOpenBehindAMoreUrgentFault) {
   Live(25, {{"navigation", "path"}});
   robot_.done.Send({false, "blocked"});

@@ -74,8 +74,13 @@ class World {
   }
 
   // A person has said that it is fixed: that is taken in in one tick, and if the fault is still
-  // there the ladder begins anew in the next. True once for each confirmation.
-  bool TakeConfirmation(const std::string& request) { return confirmed_.erase(request) > 0; }
+  // there the ladder begins anew in the next; if its budgets are used up, nobody is asked for ten
+  // seconds. True once for each confirmation.
+  bool TakeConfirmation(const std::string& request) {
+    if (confirmed_.erase(request) == 0) return false;
+    rests_until_[request] = scenario_.now() + std::chrono::seconds(11);
+    return true;
+  }
 
   std::string Describe() const {
     std::string text;

@@ -29,6 +29,10 @@ TEST_F(RequestHelpTest, SucceedsOnceWhenAPersonConfirms) {
   robot_.AnswerRequest("navigation", true);
   EXPECT_EQ(help_.Tick(), Status::kSuccess);
   EXPECT_FALSE(requests_->IsOpen("navigation"));
+  help_.Advance(std::chrono::seconds(9));
+  EXPECT_EQ(help_.Tick(), Status::kFailure) << "the monitors may not have seen it yet";
+  EXPECT_EQ(robot_.calls.size(), 1u);
+  help_.Advance(std::chrono::seconds(1));
   EXPECT_EQ(help_.Tick(), Status::kFailure) << "the fault is still there: asks again";
   EXPECT_EQ(robot_.calls.size(), 2u);
 }
