@@ -13,10 +13,13 @@ constexpr int kQueue = 100;
 
 TfTree::TfTree(ros::NodeHandle& node) {
   const auto subscribe = [this, &node](const char* topic, bool is_static) {
-    return node.subscribe<tf2_msgs::TFMessage>(
-        topic, kQueue, [this, is_static](const tf2_msgs::TFMessage::ConstPtr& message) {
+    ros::SubscribeOptions options = ros::SubscribeOptions::create<tf2_msgs::TFMessage>(
+        topic, kQueue,
+        [this, is_static](const tf2_msgs::TFMessage::ConstPtr& message) {
           OnTransforms(*message, is_static);
-        });
+        },
+        nullptr, &at_once_);
+    return node.subscribe(options);
   };
   moving_ = subscribe("/tf", false);
   fixed_ = subscribe("/tf_static", true);

@@ -1,5 +1,5 @@
-// The transforms of /tf and /tf_static, received by the thread that spins (a tf2_ros listener has
-// threads of its own, which a monitor does not need).
+// The transforms of /tf and /tf_static, stored by the thread that reads the sockets: no other
+// thread is woken for them, and none is there for them alone, as a tf2_ros listener has one.
 #ifndef COPPICE_ROBOT_APP_MONITORING_TF_TREE_H_
 #define COPPICE_ROBOT_APP_MONITORING_TF_TREE_H_
 
@@ -9,6 +9,7 @@
 
 #include <string>
 
+#include "robot_app/monitoring/at_once_queue.h"
 #include "robot_app/monitoring/tf_monitor.h"
 
 namespace coppice::robot {
@@ -25,7 +26,8 @@ class TfTree {
  private:
   void OnTransforms(const tf2_msgs::TFMessage& message, bool is_static);
 
-  tf2::BufferCore buffer_;
+  tf2::BufferCore buffer_;  // has a lock of its own
+  AtOnceQueue at_once_;
   ros::Subscriber moving_, fixed_;
 };
 

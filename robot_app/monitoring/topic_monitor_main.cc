@@ -7,9 +7,11 @@
 #include <rosgraph_msgs/TopicStatistics.h>
 
 #include <map>
+#include <mutex>
 #include <set>
 
 #include "robot_app/monitoring/any_message.h"
+#include "robot_app/monitoring/at_once_queue.h"
 #include "robot_app/monitoring/diagnostics_monitor.h"
 #include "robot_app/monitoring/health_messages.h"
 #include "robot_app/monitoring/logger_monitor.h"
@@ -34,9 +36,12 @@ class Program {
 
  private:
   void Watch(const WatchList& list) {
-    monitor_.Watch(list.topics);
+    {
+      const std::lock_guard<std::mutex> lock(counting_);
+      monitor_.Watch(list.topics);
+      loggers_.Watch(list.loggers);
+    }
     topics_ = list.topics;
-    loggers_.Watch(list.loggers);
     logger_topics_.clear();
     for (const LoggerWatch& watch : list.loggers) {
       if (!watch.topic.empty()) logger_topics_.push_back(watch.topic);
@@ -48,12 +53,16 @@ class Program {
 
   void Report() {
     const Times now = MonitorNode::Now();
-    loggers_.Look(now.wall);
-    std::vector<Finding> findings = monitor_.Report(node_.processes(), now);
+    std::vector<Finding> findings;
     const auto add = [&findings](std::vector<Finding> more) {
       for (Finding& finding : more) findings.push_back(std::move(finding));
     };
-    add(loggers_.Report(node_.processes(), now));
+    {
+      const std::lock_guard<std::mutex> lock(counting_);
+      loggers_.Look(now.wall);
+      add(monitor_.Report(node_.processes(), now));
+      add(loggers_.Report(node_.processes(), now));
+    }
     add(diagnostics_.Report(now));
     node_.Publish(std::move(findings));
   }
@@ -76,12 +85,16 @@ class Program {
   }
 
   ros::Subscriber Count(const std::string& topic) {
-    return node_.handle().subscribe<AnyMessage>(
-        topic, kQueue, [this, topic](const ros::MessageEvent<AnyMessage const>& event) {
-          const Times now{FromRos(event.getReceiptTime()), MonitorNode::Now().wall};
-          monitor_.OnMessage(topic, now);
-          loggers_.OnMessage(topic, now.wall);
-        });
+    using Event = ros::MessageEvent<AnyMessage const>;
+    ros::SubscribeOptions options;
+    options.initByFullCallbackType<const Event&>(topic, kQueue, [this, topic](const Event& event) {
+      const Times now{FromRos(event.getReceiptTime()), MonitorNode::Now().wall};
+      const std::lock_guard<std::mutex> lock(counting_);
+      monitor_.OnMessage(topic, now);
+      loggers_.OnMessage(topic, now.wall);
+    });
+    options.callback_queue = &at_once_;
+    return node_.handle().subscribe(options);
   }
 
   void SubscribeStatistics(bool is_needed) {
@@ -90,6 +103,7 @@ class Program {
         [this](const rosgraph_msgs::TopicStatistics& message) {
           const double seconds = (message.window_stop - message.window_start).toSec();
           if (seconds <= 0) return;
+          const std::lock_guard<std::mutex> lock(counting_);
           monitor_.OnStatistics(
               {message.topic, message.node_pub, message.node_sub, message.delivered_msgs / seconds},
               MonitorNode::Now());
@@ -107,6 +121,8 @@ class Program {
         });
   }
 
+  AtOnceQueue at_once_;
+  std::mutex counting_;  // for the two below; never held while (un)subscribing
   TopicMonitor monitor_;
   LoggerMonitor loggers_;
   DiagnosticsMonitor diagnostics_;

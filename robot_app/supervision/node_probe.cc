@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <map>
+#include <thread>
 #include <utility>
 
 namespace coppice::robot {
@@ -300,15 +301,17 @@ void NodeProbe::Begin(std::vector<ProbeRequest> requests, Duration deadline) {
 
 bool NodeProbe::Work(Duration at_most) {
   if (!sweep_) return true;
-  // Short slices, because an answer is followed by the next question.
-  constexpr Duration kSlice = std::chrono::milliseconds(2);
+  // To be woken by every answer costs more than to read it: they are left to gather.
+  constexpr Duration kGather = std::chrono::milliseconds(3);
   const Time until = std::min(SteadyNow() + at_most, sweep_->deadline);
-  do {
-    sweep_->dispatch.work(std::chrono::duration<double>(kSlice).count());
+  while (true) {
+    sweep_->dispatch.work(0);
     for (Call& call : sweep_->calls) {
       if (call.step != Call::Step::kDone) sweep_->Advance(call);
     }
-  } while (!sweep_->done() && SteadyNow() < until);
+    if (sweep_->done() || SteadyNow() >= until) break;
+    std::this_thread::sleep_for(kGather);
+  }
   if (!sweep_->done() && SteadyNow() >= sweep_->deadline) sweep_->ExpireAll();
   if (!sweep_->done()) return false;
   sweep_.reset();
