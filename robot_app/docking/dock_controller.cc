@@ -325,6 +325,7 @@ Velocity2D DockController::PressOn(const DockInput& input) {
 
 Velocity2D DockController::AttemptFailed(const DockInput& input, std::string why) {
   why_failed_ = std::move(why);
+  ++failed_attempts_;
   Enter(Phase::kBackOut, input);
   return velocity_;
 }

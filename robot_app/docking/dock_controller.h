@@ -57,6 +57,9 @@ class DockController {
   const std::string& message() const { return message_; }
   /// The attempt under way, from 1.
   int attempt() const { return attempt_; }
+  /// Of this manoeuvre, and why the last one has.
+  int failed_attempts() const { return failed_attempts_; }
+  const std::string& why_failed() const { return why_failed_; }
   Pose2D staging() const;
 
  private:
@@ -83,6 +86,7 @@ class DockController {
   Phase phase_ = Phase::kIdle;
   std::string message_;
   std::string why_failed_;  // the last attempt
+  int failed_attempts_ = 0;
   int attempt_ = 0;
   int attempts_ = 0;    // at most
   double offset_ = 0;   // of the first attempt [m]

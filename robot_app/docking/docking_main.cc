@@ -200,6 +200,8 @@ class DockingNode {
     }
     coppice_msgs::DockingFeedback feedback;
     feedback.phase = ToString(controller_.phase());
+    feedback.failed_attempts = static_cast<std::uint8_t>(controller_.failed_attempts());
+    feedback.why_failed = controller_.why_failed();
     server_.publishFeedback(feedback);
   }
 

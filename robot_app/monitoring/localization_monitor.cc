@@ -14,7 +14,7 @@ double InSeconds(Duration duration) { return std::chrono::duration<double>(durat
 void LocalizationMonitor::Watch(const std::optional<LocalizationWatch>& watch) {
   if (!watch_ || !watch || watch_->topic != watch->topic) {
     state_.reset();
-    since_.reset();
+    silence_.Reset();
   }
   watch_ = watch;
   std::vector<GaugeWatch> gauges;
@@ -26,39 +26,36 @@ void LocalizationMonitor::Watch(const std::optional<LocalizationWatch>& watch) {
   board_.Watch(gauges);
 }
 
-void LocalizationMonitor::OnState(LocalizationReport state, Time now) {
+void LocalizationMonitor::OnState(LocalizationReport state, const Times& now) {
   if (!watch_) return;
-  board_.OnValue(kMonitor, "since_confirmed", state.since_confirmed, now);
-  board_.OnValue(kMonitor, "score", state.score, now);
-  board_.OnValue(kMonitor, "deviation", state.deviation, now);
+  board_.OnValue(kMonitor, "since_confirmed", state.since_confirmed, now.ros);
+  board_.OnValue(kMonitor, "score", state.score, now.ros);
+  board_.OnValue(kMonitor, "deviation", state.deviation, now.ros);
   state_ = std::move(state);
-  since_ = now;
-}
-
-bool LocalizationMonitor::IsFresh(Time now) const {
-  return state_ && now - *since_ <= watch_->staleness;
+  silence_.OnMessage(now);
 }
 
 std::vector<Finding> LocalizationMonitor::Report(const ProcessTable& processes, const Times& now) {
   if (!watch_) return {};
   if (processes.IsStarting(watch_->node)) {
     state_.reset();
-    since_.reset();
+    silence_.Reset();
   }
-  if (!since_ || now.ros < *since_) since_ = now.ros;
-  if (!IsFresh(now.ros)) board_.Reset();
-  std::vector<Finding> findings = {Phase(now.ros)};
+  const Duration silence = silence_.Lasted(now);
+  const bool is_fresh = state_ && silence <= watch_->staleness;
+  if (!is_fresh) board_.Reset();
+  std::vector<Finding> findings = {Phase(now.ros, is_fresh)};
   for (Finding& number : board_.Report(now.ros, now.ros)) findings.push_back(std::move(number));
-  Finding freshness = Freshness(now.ros);
+  Finding freshness = Freshness(now.ros, silence);
   freshness_.Apply(freshness, now.wall, patience_);
   ApplyGrace(processes, watch_->node, freshness);
   findings.push_back(std::move(freshness));
   return findings;
 }
 
-Finding LocalizationMonitor::Phase(Time now) const {
+Finding LocalizationMonitor::Phase(Time now, bool is_fresh) const {
   Finding finding{kMonitor, "phase", watch_->node, HealthLevel::kOk, 0, "", "", now, ""};
-  if (!IsFresh(now)) {
+  if (!is_fresh) {
     finding.message = "state unknown";
     return finding;
   }
@@ -71,10 +68,10 @@ Finding LocalizationMonitor::Phase(Time now) const {
   return finding;
 }
 
-Finding LocalizationMonitor::Freshness(Time now) const {
+Finding LocalizationMonitor::Freshness(Time now, Duration silence) const {
   Finding finding{"topic", watch_->topic, watch_->node, HealthLevel::kOk, 0, "s", "", now, ""};
-  finding.value = InSeconds(now - *since_);
-  if (now - *since_ > watch_->staleness) {
+  finding.value = InSeconds(silence);
+  if (silence > watch_->staleness) {
     finding.level = HealthLevel::kError;
     finding.message = "no state for " + ToText(finding.value) + " s";
   }

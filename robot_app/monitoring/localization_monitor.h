@@ -1,6 +1,6 @@
 // Does the robot know where it is? Judges what the localization says about itself.
 //
-// ROS time throughout.
+// ROS time, but for its silence (silence.h).
 #ifndef COPPICE_ROBOT_APP_MONITORING_LOCALIZATION_MONITOR_H_
 #define COPPICE_ROBOT_APP_MONITORING_LOCALIZATION_MONITOR_H_
 
@@ -12,6 +12,7 @@
 #include "robot_app/monitoring/gauge_board.h"
 #include "robot_app/monitoring/patience.h"
 #include "robot_app/monitoring/process_table.h"
+#include "robot_app/monitoring/silence.h"
 #include "robot_app/monitoring/watch.h"
 
 namespace coppice::robot {
@@ -34,7 +35,7 @@ class LocalizationMonitor {
 
   /// Nothing: localization is not watched, and nothing is reported.
   void Watch(const std::optional<LocalizationWatch>& watch);
-  void OnState(LocalizationReport state, Time now);
+  void OnState(LocalizationReport state, const Times& now);
 
   /// Monitor "localization", naming the localization's node: "phase" (UNCERTAIN is a warning, LOST
   /// an error), "since_confirmed", "score" and "deviation". Monitor "topic": is the state fresh.
@@ -42,16 +43,15 @@ class LocalizationMonitor {
   std::vector<Finding> Report(const ProcessTable& processes, const Times& now);
 
  private:
-  Finding Phase(Time now) const;
-  Finding Freshness(Time now) const;
-  bool IsFresh(Time now) const;
+  Finding Phase(Time now, bool is_fresh) const;
+  Finding Freshness(Time now, Duration silence) const;
 
   Duration patience_;
   Patience freshness_;
   std::optional<LocalizationWatch> watch_;
   std::optional<LocalizationReport> state_;
   GaugeBoard board_;
-  std::optional<Time> since_;  // of the last state, or of the observation
+  Silence silence_;
 };
 
 }  // namespace coppice::robot

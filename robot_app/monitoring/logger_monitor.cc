@@ -1,5 +1,7 @@
 #include "robot_app/monitoring/logger_monitor.h"
 
+#include <glob.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <limits>
@@ -27,21 +29,43 @@ void Add(const fs::directory_entry& file, Footprint& footprint) {
   }
 }
 
-}  // namespace
-
-std::optional<Footprint> ReadFootprint(const std::string& path) {
+void AddFolder(const std::string& path, Footprint& footprint) {
   std::error_code error;
-  const fs::directory_entry entry(path, error);
-  if (error || !entry.exists(error)) return std::nullopt;
-  Footprint footprint{0, std::numeric_limits<std::int64_t>::min()};
-  if (!entry.is_directory(error)) {
-    Add(entry, footprint);
-    return footprint;
-  }
   const auto options = fs::directory_options::skip_permission_denied;
   for (fs::recursive_directory_iterator file(path, options, error), end; !error && file != end;
        file.increment(error)) {
     if (file->is_regular_file(error)) Add(*file, footprint);
+  }
+}
+
+// What there is of that name, or else all that is there by that pattern.
+std::vector<std::string> PathsOf(const std::string& pattern) {
+  std::error_code error;
+  if (fs::exists(pattern, error)) return {pattern};
+  std::vector<std::string> paths;
+  glob_t found{};
+  if (glob(pattern.c_str(), 0, nullptr, &found) == 0) {
+    paths.assign(found.gl_pathv, found.gl_pathv + found.gl_pathc);
+  }
+  globfree(&found);
+  return paths;
+}
+
+}  // namespace
+
+std::optional<Footprint> ReadFootprint(const std::string& path) {
+  const std::vector<std::string> paths = PathsOf(path);
+  if (paths.empty()) return std::nullopt;
+  Footprint footprint{0, std::numeric_limits<std::int64_t>::min()};
+  for (const std::string& one : paths) {
+    std::error_code error;
+    const fs::directory_entry entry(one, error);
+    if (error) continue;
+    if (entry.is_directory(error)) {
+      AddFolder(one, footprint);
+    } else {
+      Add(entry, footprint);
+    }
   }
   return footprint;
 }

@@ -25,7 +25,8 @@ struct Footprint {
   }
 };
 
-/// Of a file, or of all files in a folder and below; nothing if there is no such thing.
+/// Of a file, or of all files in a folder and below; nothing if there is no such thing. Where
+/// nothing has that name, it is a pattern (glob(7)): of all files and folders that match.
 std::optional<Footprint> ReadFootprint(const std::string& path);
 
 class LoggerMonitor {

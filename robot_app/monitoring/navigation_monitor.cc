@@ -18,38 +18,40 @@ std::string InSeconds(Duration duration) {
 void NavigationMonitor::Watch(const std::optional<NavigationWatch>& watch) {
   if (!watch_ || !watch || watch_->topic != watch->topic) {
     state_.reset();
-    since_.reset();
+    silence_.Reset();
   }
   watch_ = watch;
 }
 
-void NavigationMonitor::OnState(NavigationReport state, Time now) {
+void NavigationMonitor::OnState(NavigationReport state, const Times& now) {
   if (!watch_) return;
   state_ = std::move(state);
-  since_ = now;
+  heard_at_ = now.ros;
+  silence_.OnMessage(now);
 }
 
 std::vector<Finding> NavigationMonitor::Report(const ProcessTable& processes, const Times& now) {
   if (!watch_) return {};
   if (processes.IsStarting(watch_->node)) {
     state_.reset();
-    since_.reset();
+    silence_.Reset();
   }
-  if (!since_ || now.ros < *since_) since_ = now.ros;
-  std::vector<Finding> findings = {Progress(now.ros), Freshness(now.ros)};
+  const Duration silence = silence_.Lasted(now);
+  // An old state says nothing about now; that it is old is the other finding.
+  const bool is_fresh = state_ && silence <= watch_->staleness;
+  std::vector<Finding> findings = {Progress(now.ros, is_fresh), Freshness(now.ros, silence)};
   freshness_.Apply(findings[1], now.wall, patience_);
   ApplyGrace(processes, watch_->node, findings[1]);
   return findings;
 }
 
-Finding NavigationMonitor::Progress(Time now) const {
+Finding NavigationMonitor::Progress(Time now, bool is_fresh) const {
   Finding finding{"navigation", "progress", "", HealthLevel::kOk, 0, "s", "", now};
-  // An old state says nothing about now; that it is old is the other finding.
-  if (!state_ || now - *since_ > watch_->staleness) {
+  if (!is_fresh) {
     finding.message = "state unknown";
     return finding;
   }
-  const Duration lasted = state_->in_phase + (now - *since_);
+  const Duration lasted = state_->in_phase + std::max(Duration::zero(), now - heard_at_);
   // Between two attempts of the application the server is idle, but the fault is still there.
   const bool idle = state_->phase == NavigationPhase::kIdle;
   if (idle && state_->consecutive_failures > 0 && lasted < watch_->after_failure) {
@@ -69,13 +71,12 @@ Finding NavigationMonitor::Progress(Time now) const {
   return finding;
 }
 
-Finding NavigationMonitor::Freshness(Time now) const {
-  const Duration age = now - *since_;
+Finding NavigationMonitor::Freshness(Time now, Duration silence) const {
   Finding finding{"topic", watch_->topic, watch_->node, HealthLevel::kOk, 0, "s", "", now};
-  finding.value = std::chrono::duration<double>(age).count();
-  if (age > watch_->staleness) {
+  finding.value = std::chrono::duration<double>(silence).count();
+  if (silence > watch_->staleness) {
     finding.level = HealthLevel::kError;
-    finding.message = "no state for " + InSeconds(age);
+    finding.message = "no state for " + InSeconds(silence);
   }
   return finding;
 }

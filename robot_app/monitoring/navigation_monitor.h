@@ -13,6 +13,7 @@
 #include "robot_app/monitoring/finding.h"
 #include "robot_app/monitoring/patience.h"
 #include "robot_app/monitoring/process_table.h"
+#include "robot_app/monitoring/silence.h"
 #include "robot_app/monitoring/watch.h"
 
 namespace coppice::robot {
@@ -34,7 +35,7 @@ class NavigationMonitor {
 
   /// Nothing: navigation is not watched, and nothing is reported.
   void Watch(const std::optional<NavigationWatch>& watch);
-  void OnState(NavigationReport state, Time now);
+  void OnState(NavigationReport state, const Times& now);
 
   /// Two findings. "navigation": does the robot get on; value: seconds in a bad state; no node is
   /// named, for a restart frees no corridor. "topic": is the state fresh; names the server's node.
@@ -45,14 +46,15 @@ class NavigationMonitor {
   std::vector<Finding> Report(const ProcessTable& processes, const Times& now);
 
  private:
-  Finding Progress(Time now) const;
-  Finding Freshness(Time now) const;
+  Finding Progress(Time now, bool is_fresh) const;
+  Finding Freshness(Time now, Duration silence) const;
 
   Duration patience_;
   Patience freshness_;
   std::optional<NavigationWatch> watch_;
   std::optional<NavigationReport> state_;
-  std::optional<Time> since_;  // of the last state, or of the observation
+  Time heard_at_{0};  // state_
+  Silence silence_;
 };
 
 }  // namespace coppice::robot

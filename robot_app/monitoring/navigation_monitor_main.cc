@@ -57,12 +57,12 @@ class Program {
     node_.Subscribe<coppice_msgs::NavigationState>(
         navigation_subscriber_, navigation_topic_, kQueue,
         [this](const coppice_msgs::NavigationState& state) {
-          navigation_.OnState(FromMessage(state), MonitorNode::Now().ros);
+          navigation_.OnState(FromMessage(state), MonitorNode::Now());
         });
     node_.Subscribe<coppice_msgs::LocalizationState>(
         localization_subscriber_, localization_topic_, kQueue,
         [this](const coppice_msgs::LocalizationState& state) {
-          localization_.OnState(FromMessage(state), MonitorNode::Now().ros);
+          localization_.OnState(FromMessage(state), MonitorNode::Now());
         });
     if (transforms_.Pairs().empty()) tf_.reset();
     if (!transforms_.Pairs().empty() && !tf_) tf_.emplace(node_.handle());
@@ -70,7 +70,7 @@ class Program {
 
   void Report() {
     const Times now = MonitorNode::Now();
-    if (tf_) Look(now.ros);
+    if (tf_) Look(now);
     std::vector<Finding> findings = navigation_.Report(node_.processes(), now);
     const auto add = [&findings](std::vector<Finding> more) {
       for (Finding& finding : more) findings.push_back(std::move(finding));
@@ -80,7 +80,7 @@ class Program {
     node_.Publish(std::move(findings));
   }
 
-  void Look(Time now) {
+  void Look(const Times& now) {
     std::vector<TransformSample> samples;
     for (const auto& [parent, child] : transforms_.Pairs()) {
       samples.push_back(tf_->Look(parent, child));

@@ -8,8 +8,10 @@ namespace {
 
 bool IsSame(const TransformWatch& a, const TransformWatch& b) {
   return a.parent == b.parent && a.child == b.child && a.node == b.node && a.age == b.age &&
-         a.jump == b.jump;
+         a.jump == b.jump && a.speed == b.speed;
 }
+
+double InSeconds(Duration duration) { return std::chrono::duration<double>(duration).count(); }
 
 double Distance(const TransformSample& a, const TransformSample& b) {
   return std::hypot(a.x - b.x, a.y - b.y, a.z - b.z);
@@ -20,7 +22,7 @@ double Distance(const TransformSample& a, const TransformSample& b) {
 void TfMonitor::Watch(const std::vector<TransformWatch>& pairs) {
   std::vector<Pair> watched;
   for (const TransformWatch& watch : pairs) {
-    Pair pair{watch, Judge(watch.age, "s"), Judge(watch.jump, "m"), {}, {}, "", ""};
+    Pair pair{watch, Judge(watch.age, "s"), Judge(watch.jump, "m"), {}, {}, {}, {}, "", ""};
     for (const Pair& known : pairs_) {
       if (IsSame(known.watch, watch)) pair = known;
     }
@@ -35,21 +37,36 @@ std::vector<std::pair<std::string, std::string>> TfMonitor::Pairs() const {
   return names;
 }
 
-void TfMonitor::OnSamples(const std::vector<TransformSample>& samples, Time now) {
+void TfMonitor::OnSamples(const std::vector<TransformSample>& samples, const Times& now) {
   for (std::size_t i = 0; i < std::min(samples.size(), pairs_.size()); ++i) {
     OnSample(pairs_[i], samples[i], now);
   }
 }
 
-void TfMonitor::OnSample(Pair& pair, const TransformSample& sample, Time now) {
+void TfMonitor::OnSample(Pair& pair, const TransformSample& sample, const Times& now) {
   pair.error = sample.error;
   if (!sample.found) return;
-  const bool is_static = sample.stamp == Time::zero();
-  const Duration age = is_static ? Duration::zero() : now - sample.stamp;
-  pair.age.OnValue(std::chrono::duration<double>(age).count(), now);
-  if (pair.last) pair.jump.OnValue(Distance(*pair.last, sample), now);
+  pair.age.OnValue(InSeconds(AgeOf(pair, sample, now)), now.ros);
+  CompareWithLast(pair, sample, now.ros);
   if (pair.first_parent.empty()) pair.first_parent = sample.hangs_on;
   pair.last = sample;
+}
+
+Duration TfMonitor::AgeOf(Pair& pair, const TransformSample& sample, const Times& now) {
+  if (sample.stamp == Time::zero()) return Duration::zero();  // static
+  const Duration age = now.ros - sample.stamp;
+  if (!pair.last || pair.last->stamp != sample.stamp) {
+    pair.renewed = now;
+    pair.age_then = age;
+  }
+  return std::min(age, pair.age_then + (now.wall - pair.renewed.wall));
+}
+
+// When time was set back nothing can be compared.
+void TfMonitor::CompareWithLast(Pair& pair, const TransformSample& sample, Time now) {
+  if (!pair.last || sample.stamp < pair.last->stamp) return;
+  const double driven = pair.watch.speed * InSeconds(sample.stamp - pair.last->stamp);
+  pair.jump.OnValue(std::max(0.0, Distance(*pair.last, sample) - driven), now);
 }
 
 Finding TfMonitor::About(const Pair& pair, const std::string& what, Time now) {

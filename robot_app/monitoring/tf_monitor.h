@@ -1,6 +1,7 @@
 // Are the transforms between frames there, fresh, steady, and still between the same frames?
 //
-// ROS time throughout: transforms are stamped in it.
+// ROS time, as transforms are stamped in it; but one that is not renewed ages in ROS time or in
+// wall time, whichever is less (silence.h).
 #ifndef COPPICE_ROBOT_APP_MONITORING_TF_MONITOR_H_
 #define COPPICE_ROBOT_APP_MONITORING_TF_MONITOR_H_
 
@@ -34,11 +35,12 @@ class TfMonitor {
 
   /// The pairs to look at, in the order that OnSamples expects.
   std::vector<std::pair<std::string, std::string>> Pairs() const;
-  void OnSamples(const std::vector<TransformSample>& samples, Time now);
+  void OnSamples(const std::vector<TransformSample>& samples, const Times& now);
 
   /// Per pair, "map -> odom age" (also an error if it is not found for the staleness), "... jump"
-  /// (m since the look before) and "... parent" (an error once the child hangs on another frame
-  /// than at first). Only the age names the node: a restart mends no tree with two owners.
+  /// (m since the look before, less what it can have driven in that time) and "... parent" (an
+  /// error once the child hangs on another frame than at first). Only the age names the node: a
+  /// restart mends no tree with two owners.
   std::vector<Finding> Report(const ProcessTable& processes, const Times& now);
 
  private:
@@ -47,10 +49,14 @@ class TfMonitor {
     Judge age, jump;
     Patience patience;
     std::optional<TransformSample> last;
+    Times renewed;             // when the last one was new
+    Duration age_then{0};      // and how old it was
     std::string first_parent;  // of the child
     std::string error;         // of the last look
   };
-  static void OnSample(Pair& pair, const TransformSample& sample, Time now);
+  static void OnSample(Pair& pair, const TransformSample& sample, const Times& now);
+  static Duration AgeOf(Pair& pair, const TransformSample& sample, const Times& now);
+  static void CompareWithLast(Pair& pair, const TransformSample& sample, Time now);
   static Finding About(const Pair& pair, const std::string& what, Time now);
   void Report(Pair& pair, const ProcessTable& processes, const Times& now,
               std::vector<Finding>& findings) const;

@@ -47,12 +47,13 @@ struct TransformWatch {
   std::string child;   ///< frame
   std::string node;    ///< to be restarted when it is too old; may be empty
   Band age;            ///< s, of the newest common time; staleness: it cannot be looked up
-  Band jump;           ///< m between two looks
+  Band jump;           ///< m between two looks, more than it can have driven
+  double speed = 0;    ///< m/s, at which the child may move in the parent
 };
 
 struct LoggerWatch {
   std::string name;
-  std::string path;       ///< a file or folder that must grow; empty: `topic` is watched
+  std::string path;       ///< file, folder or pattern that must grow; empty: `topic` is watched
   std::string topic;      ///< must report
   std::string node;       ///< to be restarted; may be empty
   Duration staleness{0};  ///< no growth or no message for longer than this is an error

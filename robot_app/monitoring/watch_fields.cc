@@ -73,6 +73,7 @@ TransformWatch ReadTransformWatch(YamlFields& fields) {
   age.staleness = std::chrono::seconds(3);
   watch.age = ReadBand(fields, "age", age);
   watch.jump = ReadBand(fields, "jump");
+  watch.speed = fields.Number("speed", 0, 0, 1000);
   fields.Finish();
   return watch;
 }

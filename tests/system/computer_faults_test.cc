@@ -188,44 +188,44 @@ TEST_F(ComputerFaults, AProgramThatBurnsACoreIsSeen) {
   FaultCase fault(*rig_, "CPU hog", "the laser driver burns a core");
   ASSERT_TRUE(rig_->Signal("laser_driver", SIGHUP));
   fault.ExpectDetected("process", "/laser_driver cpu", 8);
+  fault.ExpectTold("process", "/laser_driver cpu");
   ASSERT_TRUE(rig_->Signal("laser_driver", SIGHUP));
   fault.ExpectNominal();
   fault.ExpectOnlyRestarted({});
   fault.ExpectNobodyAsked();
-  fault.set_recovery("message");
 }
 
 TEST_F(ComputerFaults, MemoryThatRunsOutIsSeen) {
   FaultCase fault(*rig_, "RAM hog", "a program takes 10 % of the memory");
   auto hog = std::make_unique<MemoryHog>(used_at_start_ + kMemoryHog);
   fault.ExpectDetected("memory", "used", 15);  // taking it takes seconds
+  fault.ExpectTold("memory", "used");
   hog.reset();
   fault.ExpectNominal();
   fault.ExpectOnlyRestarted({});
   fault.ExpectNobodyAsked();
-  fault.set_recovery("message");
 }
 
 TEST_F(ComputerFaults, AFullDiskIsSeen) {
   FaultCase fault(*rig_, "disk full", "a small file system is filled to the last block");
   disk_->Fill();
   fault.ExpectDetected("disk", disk_->path().string(), 3);
+  fault.ExpectTold("disk", disk_->path().string());
   disk_->Free();
   fault.ExpectNominal();
   fault.ExpectOnlyRestarted({});
   fault.ExpectNobodyAsked();
-  fault.set_recovery("message");
 }
 
 TEST_F(ComputerFaults, ALoggerThatNoLongerWritesIsRestarted) {
   FaultCase fault(*rig_, "logger down", "SIGSTOP to the program that records");
   ASSERT_TRUE(rig_->Signal("logger", SIGSTOP));
   fault.ExpectDetected("logger", "bag", 10);
+  fault.ExpectRecovery("restart node", "/logger", coppice_msgs::RecoveryEvent::SUCCEEDED);
   fault.ExpectRestarted("logger");
   fault.ExpectNominal();
   fault.ExpectOnlyRestarted({"logger"});
   fault.ExpectNobodyAsked();
-  fault.set_recovery("restart of logger");
 }
 
 TEST_F(ComputerFaults, AClockThatIsOffByThreeSecondsIsSeen) {
@@ -233,11 +233,11 @@ TEST_F(ComputerFaults, AClockThatIsOffByThreeSecondsIsSeen) {
   FaultCase fault(*rig_, "clock off by 3 s", "the second computer's clock is 3 s ahead");
   SetClock(3);
   fault.ExpectDetected("clock", "second", 8);
+  fault.ExpectTold("clock", "second");
   SetClock(0);
   fault.ExpectNominal();
   fault.ExpectOnlyRestarted({});
   fault.ExpectNobodyAsked();
-  fault.set_recovery("message");
 }
 
 // Nobody knows what runs there meanwhile; here everything runs on.
@@ -246,11 +246,11 @@ TEST_F(ComputerFaults, ANetworkThatIsCutIsSeenAndHealsWithTheLink) {
   FaultCase fault(*rig_, "network cut", "the link to the second computer is taken down");
   host_->Cut();
   fault.ExpectDetected("network", "host second", 8);
+  fault.ExpectTold("network", "host second");
   fault.ExpectDetected("node", "/second_system_monitor", 8);
   host_->Join();
   fault.ExpectNominal(120);
   fault.ExpectOnlyRestarted({"second_monitor"});
-  fault.set_recovery("message; the rest runs on");
 }
 
 }  // namespace

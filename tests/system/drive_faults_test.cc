@@ -11,19 +11,22 @@ namespace {
 
 using coppice_msgs::HealthEntry;
 using coppice_msgs::HelpRequest;
+using coppice_msgs::RecoveryEvent;
 
-RigOptions Options() {
+constexpr double kFoundWithin = 0.5;  // m
+
+RigOptions Options(const std::string& name, const std::string& application) {
   RigOptions options;
-  options.name = "drive_faults";
+  options.name = name;
   options.start = "4 0 0";
   options.variables = {
       {"speed", "6"},
       {"seed", "5"},
-      {"application", std::string(COPPICE_SOURCE_DIR) + "/tests/system/trees/shuttle.xml"}};
+      {"application", std::string(COPPICE_SOURCE_DIR) + "/tests/system/trees/" + application}};
   // People who never answer, and a robot that does not wait long for them.
   options.edits = {{"supervisors.yaml", "remind: 120", "remind: 3"},
-                   {"supervisors.yaml", "next: 300", "next: 6"},
-                   {"supervisors.yaml", "deadline: 1800", "deadline: 15"},
+                   {"supervisors.yaml", "next: 300", "next: 4"},
+                   {"supervisors.yaml", "deadline: 1800", "deadline: 10"},
                    {"supervisors.yaml", "settle: 10", "settle: 2"}};
   return options;
 }
@@ -31,7 +34,7 @@ RigOptions Options() {
 class DriveFaults : public testing::Test {
  protected:
   static void SetUpTestSuite() {
-    rig_ = std::make_unique<RobotRig>(Options());
+    rig_ = std::make_unique<RobotRig>(Options("drive_faults", "shuttle.xml"));
     ASSERT_TRUE(rig_->Start());
   }
   static void TearDownTestSuite() { rig_.reset(); }
@@ -41,9 +44,10 @@ class DriveFaults : public testing::Test {
     double before = 1e9;
     return rig_->WaitFor(
         [&before](const RobotState& state) {
-          const bool eastward = state.x() > before + 0.2;
-          before = eastward ? 1e9 : std::min(before, state.x());
-          return eastward && state.x() < 20;
+          const double x = state.truth().x;
+          const bool eastward = x > before + 0.2;
+          before = eastward ? 1e9 : std::min(before, x);
+          return eastward && x < 20;
         },
         180);
   }
@@ -55,24 +59,15 @@ std::unique_ptr<RobotRig> DriveFaults::rig_;
 
 TEST_F(DriveFaults, ABlockedCorridorIsWaitedForAndDrivenOn) {
   ASSERT_TRUE(WaitUntilHeadingEast());
-  FaultCase fault(*rig_, "blocked corridor", "a box in the corridor for 55 s");
-  ASSERT_TRUE(rig_->Inject("block_corridor", "corridor_east", 0, 55));
+  FaultCase fault(*rig_, "blocked corridor", "a box in the corridor for 90 s");
+  ASSERT_TRUE(rig_->Inject("block_corridor", "corridor_east", 0, 90));
   // It has to drive there before it can stand before the box.
   fault.ExpectDetected("navigation", "progress", 90);
+  fault.ExpectRecovery("wait and retry", "navigation", RecoveryEvent::FAILED);
+  fault.ExpectRecovery("move backwards", "navigation", RecoveryEvent::SUCCEEDED);
   fault.ExpectNominal();
   fault.ExpectOnlyRestarted({});
   fault.ExpectNobodyAsked();
-  fault.set_recovery("wait and retry, move backwards");
-}
-
-// The odometry does not notice it.
-TEST_F(DriveFaults, AKidnappedRobotFindsItself) {
-  FaultCase fault(*rig_, "kidnapped robot", "it is lifted into the hall");
-  ASSERT_TRUE(rig_->Inject("kidnap", "hall_north"));
-  fault.ExpectLevel("localization", "phase", HealthEntry::WARN, 30);
-  fault.ExpectNominal(180);
-  fault.ExpectOnlyRestarted({"localization"});
-  fault.set_recovery("search of the whole map, slow turn if that is not enough");
 }
 
 TEST_F(DriveFaults, WhenAllSupervisorsAreAwayTheRobotSaysSoAndLosesNothing) {
@@ -82,19 +77,31 @@ TEST_F(DriveFaults, WhenAllSupervisorsAreAwayTheRobotSaysSoAndLosesNothing) {
   ASSERT_TRUE(rig_->Inject("block_corridor", "corridor_east"));
   fault.ExpectDetected("navigation", "progress", 90);
   ASSERT_TRUE(fault.ExpectAsked("navigation", 120));
-  EXPECT_TRUE(rig_->WaitFor(
-      [](const RobotState& state) {
-        for (const Event& event : state.events()) {
-          if (event.kind == Event::Kind::kRequest && event.value == HelpRequest::NOBODY)
-            return true;
-        }
-        return false;
-      },
-      60));
+  fault.ExpectAskedInTurn("navigation", {"First supervisor", "Second supervisor"});
+  fault.ExpectRequestEnded("navigation", HelpRequest::NOBODY);
   ASSERT_TRUE(rig_->Inject("clear_corridor", "corridor_east"));
+  fault.AddRecovery("drives on when the way is free");
+  const double x = rig_->With([](const RobotState& state) { return state.truth().x; });
+  EXPECT_TRUE(rig_->WaitFor([x](const RobotState& s) { return s.truth().x > x + 2; }, 180));
   fault.ExpectNominal(180);
   fault.ExpectOnlyRestarted({});
-  fault.set_recovery("asks one after the other; drives on when the way is free");
+}
+
+// The odometry does not notice that it is carried. It stands, and so sees nothing more by itself.
+TEST(KidnappedRobot, LooksAroundAndFindsItself) {
+  RobotRig rig(Options("kidnapped_robot", "stand.xml"));
+  ASSERT_TRUE(rig.Start());
+  FaultCase fault(rig, "kidnapped robot", "while it stands it is lifted into the hall");
+  ASSERT_TRUE(rig.Inject("kidnap", "hall_north"));
+  fault.ExpectDetected("localization", "phase", 10);
+  fault.ExpectRecovery("slow rotate", "localization", RecoveryEvent::SUCCEEDED);
+  fault.ExpectNominal(180);
+  const double nominal = rig.Now().ros;
+  ASSERT_TRUE(rig.WaitFor([&](const RobotState& s) { return s.compared_at() > nominal; }, 30));
+  EXPECT_LT(rig.With([](const RobotState& s) { return s.deviation(); }), kFoundWithin);
+  fault.AddRecovery("within 0.5 m of the truth");
+  fault.ExpectOnlyRestarted({});
+  fault.ExpectNobodyAsked();
 }
 
 }  // namespace

@@ -12,6 +12,7 @@ namespace coppice::robot {
 namespace {
 
 constexpr double kDetectionPatience = 120;  // s, wall; the measured time is judged, not this
+constexpr char kConsole[] = "assistance";   // prints what supervisors are told
 
 std::string ReportFile() {
   const char* file = std::getenv("COPPICE_FAULT_REPORT");
@@ -40,6 +41,7 @@ FaultCase::FaultCase(RobotRig& rig, std::string fault, std::string injection)
     : rig_(rig), fault_(std::move(fault)), injection_(std::move(injection)) {
   rig_.WaitUntilNominal(kDetectionPatience);
   pids_ = Pids();
+  logged_ = rig_.Logged(kConsole).size();
   begin_ = rig_.Now();
 }
 
@@ -76,7 +78,7 @@ std::optional<Event> FaultCase::WaitForEvent(const std::function<bool(const Even
   rig_.WaitFor(
       [&](const RobotState& state) {
         for (const Event& event : state.events()) {
-          if (event.at.wall < begin_.wall || !is_it(event)) continue;
+          if (!IsOfThis(event) || !is_it(event)) continue;
           found = event;
           return true;
         }
@@ -106,6 +108,13 @@ bool FaultCase::ExpectLevel(const std::string& monitor, const std::string& subje
   return after <= within;
 }
 
+void FaultCase::SetDetected(const std::string& by, double within) {
+  detected_by_ = by;
+  detected_ = SecondsSince(rig_.Now());
+  limit_ = within;
+  EXPECT_LE(*detected_, within) << fault_ << ": detected late";
+}
+
 bool FaultCase::ExpectRestartBegun(const std::string& process, double within) {
   const std::optional<Event> begun = WaitForEvent(
       [&](const Event& event) {
@@ -133,6 +142,7 @@ bool FaultCase::ExpectRestarted(const std::string& process, double patience) {
       },
       patience);
   EXPECT_TRUE(restarted) << fault_ << ": " << process << " was not restarted";
+  AddRecovery("restart of " + process);
   return restarted;
 }
 
@@ -142,9 +152,68 @@ bool FaultCase::ExpectAsked(const std::string& subject, double patience) {
   return asked_;
 }
 
+bool FaultCase::ExpectTold(const std::string& monitor, const std::string& subject,
+                           double patience) {
+  const std::string message = "tells: " + monitor + " " + subject + "\n";
+  const bool told = rig_.WaitFor(
+      [&](const RobotState&) {
+        return rig_.Logged(kConsole).find(message, logged_) != std::string::npos;
+      },
+      patience);
+  EXPECT_TRUE(told) << fault_ << ": nobody was told of " << monitor << " " << subject;
+  AddRecovery("message");
+  return told;
+}
+
+bool FaultCase::ExpectRecovery(const std::string& recovery, const std::string& subject, int phase,
+                               double patience) {
+  const std::optional<Event> seen = WaitForEvent(
+      [&](const Event& event) {
+        return event.kind == Event::Kind::kRecovery && event.value == phase &&
+               event.subject == recovery + " of " + subject;
+      },
+      patience);
+  EXPECT_TRUE(seen) << fault_ << ": no recovery \"" << recovery << "\" of " << subject
+                    << " in phase " << phase;
+  AddRecovery(recovery);
+  return seen.has_value();
+}
+
+void FaultCase::AddRecovery(const std::string& recovery) {
+  if (recovery_.find(recovery) != std::string::npos) return;
+  recovery_ += (recovery_.empty() ? "" : ", ") + recovery;
+}
+
+bool FaultCase::ExpectAskedInTurn(const std::string& subject,
+                                  const std::vector<std::string>& supervisors, double patience) {
+  std::vector<std::string> asked;
+  rig_.WaitFor(
+      [&](const RobotState& state) {
+        for (const coppice_msgs::HelpRequest& request : state.requests()) {
+          if (request.subject == subject) asked = request.asked;
+        }
+        return asked.size() >= supervisors.size();
+      },
+      patience);
+  EXPECT_EQ(asked, supervisors) << fault_;
+  AddRecovery("asks one after the other");
+  return asked == supervisors;
+}
+
+bool FaultCase::ExpectRequestEnded(const std::string& subject, int state, double patience) {
+  const std::optional<Event> ended = WaitForEvent(
+      [&](const Event& event) {
+        return event.kind == Event::Kind::kRequest && event.subject == subject &&
+               event.value == state;
+      },
+      patience);
+  EXPECT_TRUE(ended) << fault_ << ": the request about " << subject << " did not end";
+  return ended.has_value();
+}
+
 bool FaultCase::ExpectNominal(double patience) {
   const std::optional<Instant> since = rig_.WaitUntilNominal(patience);
-  if (since) nominal_ = SecondsSince(since->ros);
+  if (since) nominal_ = SecondsSince(*since);
   return since.has_value();
 }
 
@@ -161,7 +230,7 @@ void FaultCase::ExpectOnlyRestarted(const std::set<std::string>& processes) {
 void FaultCase::ExpectNobodyAsked() {
   const bool asked = rig_.With([&](const RobotState& state) {
     for (const Event& event : state.events()) {
-      if (event.kind == Event::Kind::kRequest && event.at.wall >= begin_.wall) return true;
+      if (event.kind == Event::Kind::kRequest && IsOfThis(event)) return true;
     }
     return false;
   });

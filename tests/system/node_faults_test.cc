@@ -10,6 +10,8 @@
 namespace coppice::robot {
 namespace {
 
+using coppice_msgs::RecoveryEvent;
+
 const char kDriver[] = R"(processes:
   - name: laser_driver
     command: ["${bin}/laser_driver"]
@@ -32,6 +34,7 @@ RigOptions Options() {
       {"robot.yaml", "processes: [simulator,", "processes: [simulator, laser_driver,"},
       // The same driver is broken more often than it would be in life.
       {"robot.yaml", "restart_intensity: {restarts: 3,", "restart_intensity: {restarts: 10,"},
+      {"robot.yaml", "back_off: {first: 5,", "back_off: {first: 1,"},
       {"monitors.yaml", "topic: /scan, node: /simulator", "topic: /scan, node: /laser_driver"}};
   return options;
 }
@@ -50,7 +53,11 @@ class NodeFaults : public testing::Test {
     fault.ExpectNominal();
     fault.ExpectOnlyRestarted({process});
     fault.ExpectNobodyAsked();
-    fault.set_recovery("restart of " + process);
+  }
+  // The same, by the monitor tree, which has said so.
+  void ExpectTreeRestarts(const std::string& process, FaultCase& fault) {
+    fault.ExpectRecovery("restart node", "/" + process, RecoveryEvent::SUCCEEDED);
+    ExpectRestartOf(process, fault);
   }
 
   static std::unique_ptr<RobotRig> rig_;
@@ -69,28 +76,28 @@ TEST_F(NodeFaults, AHungNodeIsRestarted) {
   FaultCase fault(*rig_, "hung node", "SIGSTOP to `/navigation`");
   ASSERT_TRUE(rig_->Inject("hang_node", "/navigation"));
   fault.ExpectDetected("node", "/navigation", 3);
-  ExpectRestartOf("navigation", fault);
+  ExpectTreeRestarts("navigation", fault);
 }
 
 TEST_F(NodeFaults, ASilentTopicRestartsItsPublisherThoughThatAnswersPings) {
   FaultCase fault(*rig_, "silent topic", "the laser driver says nothing, but answers");
   ASSERT_TRUE(rig_->Signal("laser_driver", SIGUSR1));
   fault.ExpectDetected("topic", "/scan", 3);
-  ExpectRestartOf("laser_driver", fault);
+  ExpectTreeRestarts("laser_driver", fault);
 }
 
 TEST_F(NodeFaults, ASlowTopicRestartsItsPublisher) {
   FaultCase fault(*rig_, "slow topic", "a quarter of the scans");
   ASSERT_TRUE(rig_->Signal("laser_driver", SIGUSR2));
   fault.ExpectDetected("topic", "/scan", 4);
-  ExpectRestartOf("laser_driver", fault);
+  ExpectTreeRestarts("laser_driver", fault);
 }
 
 TEST_F(NodeFaults, ATooFastTopicRestartsItsPublisher) {
   FaultCase fault(*rig_, "too fast topic", "three times the scans");
   ASSERT_TRUE(rig_->Signal("laser_driver", SIGRTMIN));
   fault.ExpectDetected("topic", "/scan", 4);
-  ExpectRestartOf("laser_driver", fault);
+  ExpectTreeRestarts("laser_driver", fault);
 }
 
 TEST_F(NodeFaults, AMonitorThatIsKilledIsRestarted) {
@@ -105,7 +112,7 @@ TEST_F(NodeFaults, TheNodeMonitorThatHangsIsRestarted) {
   FaultCase fault(*rig_, "node monitor hung", "SIGSTOP to `/node_monitor`");
   ASSERT_TRUE(rig_->Inject("hang_node", "/node_monitor"));
   fault.ExpectDetected("node", "/node_monitor", 4);
-  ExpectRestartOf("node_monitor", fault);
+  ExpectTreeRestarts("node_monitor", fault);
 }
 
 TEST_F(NodeFaults, TheAggregatorThatIsKilledIsRestarted) {

@@ -2,8 +2,9 @@
 
 #include <coppice_msgs/InjectFault.h>
 #include <geometry_msgs/PoseStamped.h>
+#include <geometry_msgs/PoseWithCovarianceStamped.h>
 #include <gtest/gtest.h>
-#include <rosgraph_msgs/Clock.h>
+#include <nav_msgs/Odometry.h>
 #include <sensor_msgs/BatteryState.h>
 #include <signal.h>
 #include <std_msgs/String.h>
@@ -49,6 +50,11 @@ void Replace(const fs::path& file, const std::string& from, const std::string& t
 std::string Tail(const fs::path& file) {
   const std::string text = Contents(file);
   return text.size() > 2000 ? text.substr(text.size() - 2000) : text;
+}
+
+template <class Message>
+Place PlaceOf(const Message& message, const geometry_msgs::Pose& pose) {
+  return {message.header.stamp.toSec(), pose.position.x, pose.position.y};
 }
 
 int PidOfMaster() {
@@ -183,8 +189,9 @@ void RobotRig::Watch(const std::string& topic,
 void RobotRig::Subscribe() {
   for (ros::Subscriber& subscriber : subscribers_) subscriber.shutdown();
   subscribers_.clear();
-  Watch<rosgraph_msgs::Clock>("/clock", [this](const auto& message, const Instant& now) {
-    state_.OnClock({now.wall, message.clock.toSec()});
+  // Not /clock: roscpp has a subscription of its own to that, so that ours would not be made anew.
+  Watch<nav_msgs::Odometry>("/odom", [this](const auto& message, const Instant& now) {
+    state_.OnClock({now.wall, message.header.stamp.toSec()});
   });
   Watch<coppice_msgs::Health>("/monitoring", [this](const auto& message, const Instant& now) {
     state_.OnHealth(message, now);
@@ -198,15 +205,22 @@ void RobotRig::Subscribe() {
   Watch<coppice_msgs::HelpRequests>(
       "/assistance/requests",
       [this](const auto& message, const Instant& now) { state_.OnRequests(message, now); });
+  Watch<coppice_msgs::RecoveryEvent>(
+      "/recovery/events",
+      [this](const auto& message, const Instant& now) { state_.OnRecovery(message, now); });
   Watch<std_msgs::String>("/coppice/application", [this](const auto& message, const Instant& now) {
     state_.OnApplication(message.data, now);
   });
   Watch<sensor_msgs::BatteryState>(
       "/battery_state",
       [this](const auto& message, const Instant& now) { state_.OnBattery(message.current, now); });
-  Watch<geometry_msgs::PoseStamped>(
-      "/simulation/truth", [this](const auto& message, const Instant&) {
-        state_.OnTruth(message.pose.position.x, message.pose.position.y);
+  Watch<geometry_msgs::PoseStamped>("/simulation/truth",
+                                    [this](const auto& message, const Instant&) {
+                                      state_.OnTruth(PlaceOf(message, message.pose));
+                                    });
+  Watch<geometry_msgs::PoseWithCovarianceStamped>(
+      "/localization/pose", [this](const auto& message, const Instant&) {
+        state_.OnBelief(PlaceOf(message, message.pose.pose));
       });
 }
 
@@ -239,7 +253,7 @@ std::optional<Instant> RobotRig::WaitUntilNominal(double seconds, double hold) {
   Instant since;
   const auto nominal = [&](const RobotState& state) {
     if (!state.nominal_since()) return false;
-    since = state.nominal_since()->ros > called.ros ? *state.nominal_since() : called;
+    since = state.nominal_since()->wall > called.wall ? *state.nominal_since() : called;
     return state.now().ros - since.ros >= hold;
   };
   if (WaitFor(nominal, seconds)) return since;
@@ -295,6 +309,8 @@ std::string RobotRig::TimelineSince(const Instant& since) const {
 fs::path RobotRig::log(const std::string& process) const {
   return folder_ / "logs" / (process + ".log");
 }
+
+std::string RobotRig::Logged(const std::string& process) const { return Contents(log(process)); }
 
 void RobotRig::Stop() {
   if (supervisor_.pid() == 0) return;

@@ -63,7 +63,8 @@ class RobotRig {
   bool WaitFor(const std::function<bool(const RobotState&)>& condition, double seconds);
 
   /// Waits until the robot has been nominal for `hold` seconds of ROS time without a break, counted
-  /// from now at the earliest. Tells since when; a failure of the test and nothing if it does not.
+  /// from now at the earliest; a new ROS master begins to count anew. Tells since when; a failure
+  /// of the test and nothing if it does not.
   std::optional<Instant> WaitUntilNominal(double seconds, double hold = 2);
 
   /// /simulation/inject_fault. A fault that is refused because somebody stands in the way is tried
@@ -83,6 +84,8 @@ class RobotRig {
   const std::filesystem::path& folder() const { return folder_; }
   std::filesystem::path config() const { return folder_ / "robot_app/config"; }
   std::filesystem::path log(const std::string& process) const;
+  /// What the programs have written into that log until now.
+  std::string Logged(const std::string& process) const;
   int supervisor_pid() const { return supervisor_.pid(); }
 
  private:

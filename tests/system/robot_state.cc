@@ -1,5 +1,6 @@
 #include "tests/system/robot_state.h"
 
+#include <cmath>
 #include <cstdio>
 
 namespace coppice::robot {
@@ -9,6 +10,9 @@ using coppice_msgs::HealthEntry;
 using coppice_msgs::HelpRequest;
 using coppice_msgs::ProcessState;
 
+constexpr double kSameMoment = 0.05;  // s
+constexpr std::size_t kBeliefs = 20;
+
 const char* NameOf(Event::Kind kind) {
   switch (kind) {
     case Event::Kind::kHealth:
@@ -17,6 +21,8 @@ const char* NameOf(Event::Kind kind) {
       return "process";
     case Event::Kind::kRequest:
       return "request";
+    case Event::Kind::kRecovery:
+      return "recovery";
     case Event::Kind::kConfiguration:
       return "configuration";
     case Event::Kind::kNote:
@@ -40,7 +46,9 @@ void RobotState::Add(Event::Kind kind, const std::string& subject, int value,
   events_.push_back({kind, subject, value, text, stamp, now});
 }
 
+// With a new ROS master time begins anew, and so does what is well.
 void RobotState::OnClock(const Instant& now) {
+  if (now.ros < now_.ros) nominal_since_.reset();
   now_ = now;
   Judge(now);
 }
@@ -101,9 +109,25 @@ void RobotState::OnApplication(const std::string& status, const Instant& now) {
   Judge(now);
 }
 
-void RobotState::OnTruth(double x, double y) {
-  x_ = x;
-  y_ = y;
+void RobotState::OnRecovery(const coppice_msgs::RecoveryEvent& message, const Instant& now) {
+  Add(Event::Kind::kRecovery, message.recovery + " of " + message.subject, message.phase,
+      message.message, message.header.stamp.toSec(), now);
+}
+
+// The localization speaks of each scan, later than the truth of the same moment or earlier.
+void RobotState::OnTruth(const Place& place) {
+  truth_ = place;
+  for (const Place& belief : beliefs_) {
+    if (std::abs(belief.stamp - truth_.stamp) > kSameMoment) continue;
+    deviation_ = std::hypot(belief.x - truth_.x, belief.y - truth_.y);
+    compared_at_ = truth_.stamp;
+  }
+}
+
+void RobotState::OnBelief(const Place& place) {
+  beliefs_.push_back(place);
+  if (beliefs_.size() > kBeliefs) beliefs_.pop_front();
+  if (std::abs(place.stamp - truth_.stamp) <= kSameMoment) OnTruth(Place(truth_));
 }
 
 void RobotState::OnBattery(double current, const Instant& now) {

@@ -6,7 +6,9 @@
 #include <coppice_msgs/HealthEntry.h>
 #include <coppice_msgs/HelpRequests.h>
 #include <coppice_msgs/ProcessStates.h>
+#include <coppice_msgs/RecoveryEvent.h>
 
+#include <deque>
 #include <map>
 #include <optional>
 #include <string>
@@ -23,10 +25,10 @@ struct Instant {
 
 /// One line of the record of a run.
 struct Event {
-  enum class Kind { kHealth, kProcess, kRequest, kConfiguration, kNote };
+  enum class Kind { kHealth, kProcess, kRequest, kRecovery, kConfiguration, kNote };
   Kind kind;
-  std::string subject;  ///< "monitor subject", process, subject of the request
-  int value = 0;        ///< level, state
+  std::string subject;  ///< "monitor subject", process, subject of the request, recovery
+  int value = 0;        ///< level, state, phase of the recovery
   std::string text;
   double stamp = 0;  ///< ROS time that the sender gave to what it tells; 0: none
   Instant at;        ///< when it was heard
@@ -34,6 +36,12 @@ struct Event {
 
 /// For people: "12.34 s health node /navigation 2: no answer".
 std::string ToString(const Event& event, const Instant& origin);
+
+/// Where the robot is, or is believed to be, frame map [m].
+struct Place {
+  double stamp = 0;  ///< ROS time
+  double x = 0, y = 0;
+};
 
 class RobotState {
  public:
@@ -43,16 +51,20 @@ class RobotState {
   void OnHealth(const coppice_msgs::Health& message, const Instant& now);
   void OnProcesses(const coppice_msgs::ProcessStates& message, const Instant& now);
   void OnRequests(const coppice_msgs::HelpRequests& message, const Instant& now);
+  void OnRecovery(const coppice_msgs::RecoveryEvent& message, const Instant& now);
   void OnApplication(const std::string& status, const Instant& now);
-  void OnTruth(double x, double y);
+  void OnTruth(const Place& place);
+  void OnBelief(const Place& place);
   void OnBattery(double current, const Instant& now);
   void Note(const std::string& text, const Instant& now);
 
   const Instant& now() const { return now_; }
   const std::string& application() const { return application_; }
   const std::string& configuration() const { return configuration_; }
-  double x() const { return x_; }  ///< true position, frame map [m]
-  double y() const { return y_; }
+  const Place& truth() const { return truth_; }
+  /// How far from the truth the localization was, and when; compared at the same time stamps.
+  double deviation() const { return deviation_; }
+  double compared_at() const { return compared_at_; }
   bool charging() const { return charging_; }
   const std::map<Key, coppice_msgs::HealthEntry>& health() const { return health_; }
   const std::map<std::string, coppice_msgs::ProcessState>& processes() const { return processes_; }
@@ -82,7 +94,9 @@ class RobotState {
   std::string application_;
   std::string configuration_;
   bool changing_ = false;
-  double x_ = 0, y_ = 0;
+  Place truth_;
+  std::deque<Place> beliefs_;  // the last ones
+  double deviation_ = 0, compared_at_ = 0;
   bool charging_ = false;
   std::map<Key, coppice_msgs::HealthEntry> health_;
   std::map<std::string, coppice_msgs::ProcessState> processes_;

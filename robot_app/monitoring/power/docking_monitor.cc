@@ -24,7 +24,7 @@ void DockingMonitor::Watch(const std::optional<DockingWatch>& watch) {
   if (!watch || !watch_ || watch->action != watch_->action) {
     goals_.clear();
     failures_ = 0;
-    heard_at_.reset();
+    silence_.Reset();
   }
   watch_ = watch;
   std::vector<GaugeWatch> gauges;
@@ -35,28 +35,42 @@ void DockingMonitor::Watch(const std::optional<DockingWatch>& watch) {
   board_.Watch(gauges);
 }
 
-void DockingMonitor::OnGoals(const std::vector<GoalReport>& goals, Time now) {
+void DockingMonitor::OnGoals(const std::vector<GoalReport>& goals, const Times& now) {
   if (!watch_) return;
-  heard_at_ = now;
+  silence_.OnMessage(now);
   std::map<std::string, Goal> known;
   for (const GoalReport& report : goals) {
     const auto before = goals_.find(report.id);
-    Goal goal = before == goals_.end() ? Goal{GoalPhase::kPending, now} : before->second;
-    if (IsOver(report.phase) && !IsOver(goal.phase)) End(report, now);
-    if (IsUnderWay(report.phase) && !IsUnderWay(goal.phase)) goal.begun = now;
+    Goal goal = before == goals_.end() ? Goal{GoalPhase::kPending, now.ros} : before->second;
+    if (IsOver(report.phase) && !IsOver(goal.phase)) End(report, goal.failed, now.ros);
+    if (IsUnderWay(report.phase) && !IsUnderWay(goal.phase)) goal.begun = now.ros;
     goal.phase = report.phase;
     known[report.id] = goal;
   }
   goals_ = std::move(known);
 }
 
-void DockingMonitor::End(const GoalReport& goal, Time now) {
-  const bool failed = goal.phase == GoalPhase::kAborted || goal.phase == GoalPhase::kRejected;
-  if (goal.phase == GoalPhase::kSucceeded) failures_ = 0;
+// Status and feedback come by different ways: either may be first to tell.
+void DockingMonitor::OnAttempts(const std::string& id, int failed, const std::string& why,
+                                Time now) {
+  const auto found = goals_.find(id);
+  if (found == goals_.end() || !IsUnderWay(found->second.phase)) return;
+  Goal& goal = found->second;
+  if (failed <= goal.failed) return;
+  failures_ += failed - goal.failed;
+  goal.failed = failed;
+  reason_ = why;
+  failed_at_ = now;
+}
+
+// A goal that failed without a failed attempt counts as one.
+void DockingMonitor::End(const GoalReport& report, int failed_before, Time now) {
+  const bool failed = report.phase == GoalPhase::kAborted || report.phase == GoalPhase::kRejected;
+  if (report.phase == GoalPhase::kSucceeded) failures_ = 0;
   if (!failed) return;
-  ++failures_;
-  reason_ = goal.message;
-  ended_at_ = now;
+  if (failed_before == 0) ++failures_;
+  reason_ = report.message;
+  failed_at_ = now;
 }
 
 double DockingMonitor::Longest(Time now) const {
@@ -69,13 +83,13 @@ double DockingMonitor::Longest(Time now) const {
 
 std::vector<Finding> DockingMonitor::Report(const ProcessTable& processes, const Times& now) {
   if (!watch_) return {};
-  if (processes.IsStarting(watch_->node)) heard_at_.reset();
-  if (!heard_at_ || now.ros < *heard_at_) heard_at_ = now.ros;
-  if (now.ros - ended_at_ > watch_->forget || now.ros < ended_at_) failures_ = 0;
+  if (processes.IsStarting(watch_->node)) silence_.Reset();
+  if (now.ros - failed_at_ > watch_->forget || now.ros < failed_at_) failures_ = 0;
 
   Finding state{kMonitor, "state", watch_->node, HealthLevel::kOk, 0, "s", "", now.ros};
-  state.value = InSeconds(now.ros - *heard_at_);
-  if (now.ros - *heard_at_ > watch_->staleness) {
+  const Duration silence = silence_.Lasted(now);
+  state.value = InSeconds(silence);
+  if (silence > watch_->staleness) {
     state.level = HealthLevel::kError;
     state.message = watch_->action + ": no status for " + ToText(state.value) + " s";
   }

@@ -1,7 +1,7 @@
 // Does the robot get onto its station? Judges what the docking action's server says about its
-// goals (actionlib_msgs/GoalStatusArray), whoever has given them.
+// goals (status and feedback of the action), whoever has given them.
 //
-// ROS time throughout.
+// ROS time, but for its silence (silence.h).
 #ifndef COPPICE_ROBOT_APP_MONITORING_POWER_DOCKING_MONITOR_H_
 #define COPPICE_ROBOT_APP_MONITORING_POWER_DOCKING_MONITOR_H_
 
@@ -15,6 +15,7 @@
 #include "robot_app/monitoring/patience.h"
 #include "robot_app/monitoring/power/power_watch.h"
 #include "robot_app/monitoring/process_table.h"
+#include "robot_app/monitoring/silence.h"
 
 namespace coppice::robot {
 
@@ -47,18 +48,23 @@ class DockingMonitor {
   void Watch(const std::optional<DockingWatch>& watch);
 
   /// All goals that the server knows; one that it no longer mentions is over.
-  void OnGoals(const std::vector<GoalReport>& goals, Time now);
+  void OnGoals(const std::vector<GoalReport>& goals, const Times& now);
 
-  /// "state": is the server heard; names its node. "failures": in a row; an attempt that was
-  /// cancelled counts neither way. "duration": of the attempt that is under way [s], else 0.
+  /// So many attempts of a goal that is under way have failed; `why`: the last of them.
+  void OnAttempts(const std::string& id, int failed, const std::string& why, Time now);
+
+  /// "state": is the server heard; names its node. "failures": attempts in a row that did not
+  /// succeed, of whichever goals; one that was cancelled counts neither way. "duration": of the
+  /// goal that is under way [s], else 0.
   std::vector<Finding> Report(const ProcessTable& processes, const Times& now);
 
  private:
   struct Goal {
     GoalPhase phase = GoalPhase::kPending;
     Time begun{0};
+    int failed = 0;  // attempts
   };
-  void End(const GoalReport& goal, Time now);
+  void End(const GoalReport& report, int failed_before, Time now);
   double Longest(Time now) const;
 
   Duration patience_;
@@ -66,10 +72,10 @@ class DockingMonitor {
   std::optional<DockingWatch> watch_;
   GaugeBoard board_;
   std::map<std::string, Goal> goals_;
-  int failures_ = 0;              // in a row
-  std::string reason_;            // of the last one
-  Time ended_at_{0};              // the last attempt
-  std::optional<Time> heard_at_;  // the last status, or the first report
+  int failures_ = 0;    // in a row
+  std::string reason_;  // of the last one
+  Time failed_at_{0};   // the last one
+  Silence silence_;
 };
 
 }  // namespace coppice::robot

@@ -1,6 +1,7 @@
 // coppice-power-monitor --config FILE: node /power_monitor. Judges battery, charging, docking and
 // the emergency stop in ROS time and reports every report_period of wall time.
 #include <actionlib_msgs/GoalStatusArray.h>
+#include <coppice_msgs/DockingActionFeedback.h>
 #include <ros/ros.h>
 #include <sensor_msgs/BatteryState.h>
 #include <std_msgs/Bool.h>
@@ -40,7 +41,7 @@ class Program {
     emergency_stop_.Watch(list.emergency_stop);
     battery_topic_ = list.battery ? list.battery->topic : "";
     dock_ = list.battery ? list.battery->dock : std::nullopt;
-    docking_topic_ = list.docking ? list.docking->action + "/status" : "";
+    docking_action_ = list.docking ? list.docking->action : "";
     stop_topic_ = list.emergency_stop ? list.emergency_stop->topic : "";
     if (timer_.isValid()) Subscribe();
   }
@@ -54,9 +55,15 @@ class Program {
                                                  charging_.OnSample(sample, now);
                                                });
     node_.Subscribe<actionlib_msgs::GoalStatusArray>(
-        docking_subscriber_, docking_topic_, kQueue,
+        docking_subscriber_, TopicOf(docking_action_, "/status"), kQueue,
         [this](const actionlib_msgs::GoalStatusArray& goals) {
-          docking_.OnGoals(FromMessage(goals), MonitorNode::Now().ros);
+          docking_.OnGoals(FromMessage(goals), MonitorNode::Now());
+        });
+    node_.Subscribe<coppice_msgs::DockingActionFeedback>(
+        attempts_subscriber_, TopicOf(docking_action_, "/feedback"), kQueue,
+        [this](const coppice_msgs::DockingActionFeedback& message) {
+          docking_.OnAttempts(message.status.goal_id.id, message.feedback.failed_attempts,
+                              message.feedback.why_failed, MonitorNode::Now().ros);
         });
     node_.Subscribe<std_msgs::Bool>(stop_subscriber_, stop_topic_, kQueue,
                                     [this](const std_msgs::Bool& pressed) {
@@ -64,6 +71,10 @@ class Program {
                                     });
     if (!dock_) tf_.reset();
     if (dock_ && !tf_) tf_.emplace(node_.handle());
+  }
+
+  static std::string TopicOf(const std::string& action, const std::string& topic) {
+    return action.empty() ? "" : action + topic;
   }
 
   void Report() {
@@ -90,10 +101,10 @@ class Program {
   ChargingMonitor charging_;
   DockingMonitor docking_;
   EmergencyStopMonitor emergency_stop_;
-  std::string battery_topic_, docking_topic_, stop_topic_;
+  std::string battery_topic_, docking_action_, stop_topic_;
   std::optional<DockPlace> dock_;
   MonitorNode node_;
-  ros::Subscriber battery_subscriber_, docking_subscriber_, stop_subscriber_;
+  ros::Subscriber battery_subscriber_, docking_subscriber_, attempts_subscriber_, stop_subscriber_;
   std::optional<TfTree> tf_;
   ros::WallTimer timer_;
 };

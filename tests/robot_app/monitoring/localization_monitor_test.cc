@@ -9,6 +9,8 @@ namespace {
 
 using std::chrono::seconds;
 
+Times At(Time now) { return {now, now}; }
+
 class LocalizationMonitorTest : public testing::Test {
  protected:
   LocalizationMonitorTest() {
@@ -22,7 +24,7 @@ class LocalizationMonitorTest : public testing::Test {
     monitor_.Watch(watch);
   }
   Finding About(const std::string& subject, Time now) {
-    for (const Finding& finding : monitor_.Report(processes_, {now, Time(0)})) {
+    for (const Finding& finding : monitor_.Report(processes_, {now, now})) {
       if (finding.subject == subject) return finding;
     }
     ADD_FAILURE() << "nothing about " << subject;
@@ -33,8 +35,8 @@ class LocalizationMonitorTest : public testing::Test {
 };
 
 TEST_F(LocalizationMonitorTest, ARobotThatKnowsItsPlaceIsWell) {
-  monitor_.OnState({LocalizationPhase::kOk, 0.5, 0.9, 0.05, ""}, seconds(1));
-  const auto findings = monitor_.Report(processes_, {seconds(1), Time(0)});
+  monitor_.OnState({LocalizationPhase::kOk, 0.5, 0.9, 0.05, ""}, At(seconds(1)));
+  const auto findings = monitor_.Report(processes_, {seconds(1), seconds(1)});
   ASSERT_EQ(findings.size(), 5u);
   for (const Finding& finding : findings) {
     EXPECT_EQ(finding.level, HealthLevel::kOk) << finding.subject;
@@ -45,18 +47,18 @@ TEST_F(LocalizationMonitorTest, ARobotThatKnowsItsPlaceIsWell) {
 }
 
 TEST_F(LocalizationMonitorTest, ThePhaseIsTheServersWord) {
-  monitor_.OnState({LocalizationPhase::kUncertain, 5, 0.9, 0.05, "many places"}, seconds(1));
+  monitor_.OnState({LocalizationPhase::kUncertain, 5, 0.9, 0.05, "many places"}, At(seconds(1)));
   EXPECT_EQ(About("phase", seconds(1)).level, HealthLevel::kWarn);
   EXPECT_EQ(About("phase", seconds(1)).message, "uncertain: many places");
-  monitor_.OnState({LocalizationPhase::kLost, 5, 0.9, 0.05, ""}, seconds(2));
+  monitor_.OnState({LocalizationPhase::kLost, 5, 0.9, 0.05, ""}, At(seconds(2)));
   EXPECT_EQ(About("phase", seconds(2)).level, HealthLevel::kError);
   EXPECT_EQ(About("phase", seconds(2)).message, "lost");
-  monitor_.OnState({static_cast<LocalizationPhase>(9), 5, 0.9, 0.05, ""}, seconds(3));
+  monitor_.OnState({static_cast<LocalizationPhase>(9), 5, 0.9, 0.05, ""}, At(seconds(3)));
   EXPECT_EQ(About("phase", seconds(3)).level, HealthLevel::kError);
 }
 
 TEST_F(LocalizationMonitorTest, TheNumbersAreJudgedEach) {
-  monitor_.OnState({LocalizationPhase::kOk, 15, 0.1, 0.5, ""}, seconds(1));
+  monitor_.OnState({LocalizationPhase::kOk, 15, 0.1, 0.5, ""}, At(seconds(1)));
   EXPECT_EQ(About("since_confirmed", seconds(1)).level, HealthLevel::kWarn);
   EXPECT_EQ(About("score", seconds(1)).level, HealthLevel::kError);
   EXPECT_EQ(About("score", seconds(1)).message, "0.1, expected at least 0.2");
@@ -65,13 +67,24 @@ TEST_F(LocalizationMonitorTest, TheNumbersAreJudgedEach) {
 }
 
 TEST_F(LocalizationMonitorTest, SilenceIsAnErrorAndTheLastStateNoLongerBelieved) {
-  monitor_.OnState({LocalizationPhase::kLost, 15, 0.1, 0.5, ""}, seconds(1));
+  monitor_.OnState({LocalizationPhase::kLost, 15, 0.1, 0.5, ""}, At(seconds(1)));
   EXPECT_EQ(About("/localization/state", seconds(4)).level, HealthLevel::kOk);
   EXPECT_EQ(About("/localization/state", seconds(5)).level, HealthLevel::kError);
   EXPECT_EQ(About("/localization/state", seconds(5)).message, "no state for 4 s");
   EXPECT_EQ(About("phase", seconds(5)).level, HealthLevel::kOk);
   EXPECT_EQ(About("phase", seconds(5)).message, "state unknown");
   EXPECT_TRUE(std::isnan(About("score", seconds(5)).value));
+}
+
+TEST_F(LocalizationMonitorTest, SilenceMustLastInWallTimeTooHoweverFastSimulatedTimeIs) {
+  const auto level = [&](Time ros, Time wall) {
+    return monitor_.Report(processes_, {ros, wall}).back().level;
+  };
+  monitor_.OnState({LocalizationPhase::kOk, 0, 0.9, 0.05, ""}, {seconds(100), seconds(10)});
+  EXPECT_EQ(level(seconds(118), seconds(13)), HealthLevel::kOk);
+  EXPECT_EQ(level(seconds(124), seconds(14)), HealthLevel::kError);
+  monitor_.OnState({LocalizationPhase::kOk, 0, 0.9, 0.05, ""}, {seconds(125), seconds(15)});
+  EXPECT_EQ(level(seconds(126), seconds(25)), HealthLevel::kOk);  // simulated time is slow
 }
 
 TEST_F(LocalizationMonitorTest, SilenceFromTheBeginningIsNoticedAndAStartHasItsTime) {
@@ -86,8 +99,8 @@ TEST_F(LocalizationMonitorTest, SilenceFromTheBeginningIsNoticedAndAStartHasItsT
 
 TEST_F(LocalizationMonitorTest, WithoutAWatchThereIsNothingToSay) {
   monitor_.Watch(std::nullopt);
-  monitor_.OnState({LocalizationPhase::kLost, 15, 0.1, 0.5, ""}, seconds(1));
-  EXPECT_TRUE(monitor_.Report(processes_, {seconds(1), Time(0)}).empty());
+  monitor_.OnState({LocalizationPhase::kLost, 15, 0.1, 0.5, ""}, At(seconds(1)));
+  EXPECT_TRUE(monitor_.Report(processes_, {seconds(1), seconds(1)}).empty());
 }
 
 }  // namespace

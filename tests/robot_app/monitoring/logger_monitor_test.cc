@@ -66,6 +66,18 @@ TEST_F(LoggerMonitorTest, ALoggerThatIsDownIsAnError) {
   EXPECT_EQ(At(seconds(63)).at(0).level, HealthLevel::kOk);
 }
 
+TEST_F(LoggerMonitorTest, OneOfTheFilesOfAPatternMustGrow) {
+  monitor_.Watch({{"runs", "run*.log", "", "", seconds(60)}});
+  EXPECT_EQ(At(seconds(1)).at(0).level, HealthLevel::kOk);
+  EXPECT_EQ(At(seconds(62)).at(0).message, "run*.log is missing");
+  Append("/run.log");
+  EXPECT_EQ(At(seconds(63)).at(0).level, HealthLevel::kOk);
+  Append("/run.2.log");  // of the program that was restarted
+  EXPECT_EQ(At(seconds(124)).at(0).level, HealthLevel::kOk);
+  EXPECT_EQ(At(seconds(184)).at(0).level, HealthLevel::kOk);
+  EXPECT_EQ(At(seconds(185)).at(0).message, "nothing written for 61 s");
+}
+
 TEST_F(LoggerMonitorTest, AFileThatIsGoneIsNamed) {
   At(seconds(1));
   EXPECT_EQ(At(seconds(62)).at(0).message, "run.log is missing");

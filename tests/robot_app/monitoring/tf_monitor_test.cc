@@ -11,7 +11,7 @@ using std::chrono::milliseconds;
 using std::chrono::seconds;
 
 TransformWatch Watch() {
-  TransformWatch watch{"map", "base_link", "/localization", {}, {}};
+  TransformWatch watch{"map", "base_link", "/localization", {}, {}, 0};
   watch.age = {{std::nullopt, 0.5}, {std::nullopt, 1}, 1, seconds(3), 0};
   watch.jump = {{std::nullopt, 0.5}, {std::nullopt, 2}, 1, Duration::zero(), 0};
   return watch;
@@ -21,15 +21,15 @@ class TfMonitorTest : public testing::Test {
  protected:
   TfMonitorTest() { monitor_.Watch({Watch()}); }
   void Look(Time stamp, Time now, double x = 0, const std::string& parent = "odom") {
-    monitor_.OnSamples({{true, "", stamp, x, 0, 0, parent}}, now);
+    monitor_.OnSamples({{true, "", stamp, x, 0, 0, parent}}, {now, now});
   }
   void LookInVain(Time now) {
     TransformSample sample;
     sample.error = "no such frame";
-    monitor_.OnSamples({sample}, now);
+    monitor_.OnSamples({sample}, {now, now});
   }
   Finding About(const std::string& what, Time now) {
-    for (const Finding& finding : monitor_.Report(processes_, {now, Time(0)})) {
+    for (const Finding& finding : monitor_.Report(processes_, {now, now})) {
       EXPECT_EQ(finding.monitor, "tf");
       if (finding.subject == "map -> base_link " + what) return finding;
     }
@@ -56,6 +56,18 @@ TEST_F(TfMonitorTest, AFreshTransformIsWellAndAnOldOneAnError) {
   EXPECT_EQ(About("age", seconds(12)).message, "2 s, expected at most 1 s");
 }
 
+TEST_F(TfMonitorTest, ATransformThatIsNotRenewedAgesInTheSlowerOfBothTimes) {
+  const auto age = [&](Time stamp, Time ros, Time wall) {
+    monitor_.OnSamples({{true, "", stamp, 0, 0, 0, "odom"}}, {ros, wall});
+    return monitor_.Report(processes_, {ros, wall}).at(0).value;
+  };
+  const Time start = seconds(100);
+  EXPECT_NEAR(age(start, start + milliseconds(200), seconds(1)), 0.2, 1e-9);
+  EXPECT_NEAR(age(start, start + seconds(8), seconds(2)), 1.2, 1e-9);  // time runs fast
+  EXPECT_NEAR(age(start, start + seconds(9), seconds(99)), 9, 1e-9);
+  EXPECT_NEAR(age(start + seconds(7), start + seconds(9), seconds(99)), 2, 1e-9);  // always late
+}
+
 TEST_F(TfMonitorTest, AStaticTransformIsNeverOld) {
   Look(Time::zero(), seconds(1000));
   EXPECT_EQ(About("age", seconds(1000)).value, 0);
@@ -79,6 +91,26 @@ TEST_F(TfMonitorTest, AJumpIsTheWayBetweenTwoLooks) {
   EXPECT_NEAR(About("jump", seconds(3)).value, 3.9, 1e-9);
   Look(seconds(4), seconds(4), 9);
   EXPECT_EQ(About("jump", seconds(4)).level, HealthLevel::kOk);
+}
+
+TEST_F(TfMonitorTest, WhatTheChildCanHaveDrivenIsNoJump) {
+  TransformWatch watch = Watch();
+  watch.speed = 1;
+  monitor_.Watch({watch});
+  Look(seconds(10), seconds(10), 0);
+  Look(seconds(13), seconds(13), 2.9);
+  EXPECT_EQ(About("jump", seconds(13)).value, 0);
+  Look(seconds(14), seconds(14), 4.5);
+  EXPECT_EQ(About("jump", seconds(14)).level, HealthLevel::kWarn);
+  EXPECT_NEAR(About("jump", seconds(14)).value, 0.6, 1e-9);
+}
+
+TEST_F(TfMonitorTest, TimeThatIsSetBackIsNoJump) {
+  Look(seconds(10), seconds(10), 5);
+  Look(seconds(1), seconds(1), 0);
+  EXPECT_TRUE(std::isnan(About("jump", seconds(1)).value));
+  Look(seconds(2), seconds(2), 3);
+  EXPECT_NEAR(About("jump", seconds(2)).value, 3, 1e-9);
 }
 
 TEST_F(TfMonitorTest, AChildThatChangesItsParentIsAnError) {

@@ -21,7 +21,8 @@ class DockingMonitorTest : public testing::Test {
     monitor_.Watch(watch);
   }
   void Tell(const std::string& id, GoalPhase phase) {
-    monitor_.OnGoals({{id, phase, "no current"}}, now_ += seconds(1));
+    now_ += seconds(1);
+    monitor_.OnGoals({{id, phase, "no current"}}, {now_, now_});
   }
   void Attempt(const std::string& id, GoalPhase end) {
     Tell(id, GoalPhase::kActive);
@@ -29,7 +30,7 @@ class DockingMonitorTest : public testing::Test {
     Tell(id, end);  // servers go on telling it for a while
   }
   Finding About(const std::string& subject) {
-    for (const Finding& finding : monitor_.Report(processes_, {now_, Time(0)})) {
+    for (const Finding& finding : monitor_.Report(processes_, {now_, now_})) {
       if (finding.subject == subject) return finding;
     }
     ADD_FAILURE() << "nothing about " << subject;
@@ -42,8 +43,8 @@ class DockingMonitorTest : public testing::Test {
 };
 
 TEST_F(DockingMonitorTest, AServerWithoutGoalsIsWell) {
-  monitor_.OnGoals({}, now_);
-  for (const Finding& finding : monitor_.Report(processes_, {now_, Time(0)})) {
+  monitor_.OnGoals({}, {now_, now_});
+  for (const Finding& finding : monitor_.Report(processes_, {now_, now_})) {
     EXPECT_EQ(finding.level, HealthLevel::kOk) << finding.subject;
     EXPECT_EQ(finding.monitor, "docking");
   }
@@ -61,6 +62,27 @@ TEST_F(DockingMonitorTest, FailuresInARowBecomeAnError) {
   Attempt("4", GoalPhase::kSucceeded);
   EXPECT_EQ(About("failures").level, HealthLevel::kOk);
   EXPECT_EQ(About("failures").message, "");
+}
+
+TEST_F(DockingMonitorTest, TheAttemptsOfOneGoalCountWhileItIsUnderWay) {
+  Attempt("0", GoalPhase::kAborted);
+  Tell("1", GoalPhase::kActive);
+  EXPECT_EQ(About("failures").value, 1);
+  monitor_.OnAttempts("1", 0, "", now_);
+  monitor_.OnAttempts("1", 1, "missed", now_);
+  monitor_.OnAttempts("1", 1, "missed", now_);
+  EXPECT_EQ(About("failures").level, HealthLevel::kWarn);
+  EXPECT_EQ(About("failures").message, "2 in a row: missed");
+  monitor_.OnAttempts("1", 2, "missed", now_);
+  EXPECT_EQ(About("failures").level, HealthLevel::kError);
+  Tell("1", GoalPhase::kAborted);
+  EXPECT_EQ(About("failures").value, 3);  // its end is no further attempt
+  monitor_.OnAttempts("1", 5, "late news", now_);
+  EXPECT_EQ(About("failures").value, 3);
+  Tell("2", GoalPhase::kActive);
+  monitor_.OnAttempts("2", 1, "missed", now_);
+  Tell("2", GoalPhase::kSucceeded);
+  EXPECT_EQ(About("failures").level, HealthLevel::kOk);
 }
 
 TEST_F(DockingMonitorTest, AnEndThatWasSeenWithoutItsBeginningCounts) {
@@ -110,7 +132,7 @@ TEST_F(DockingMonitorTest, ASilentServerIsAnErrorOfItsNode) {
 TEST_F(DockingMonitorTest, WithoutAWatchThereIsNothingToSay) {
   monitor_.Watch(std::nullopt);
   Tell("1", GoalPhase::kAborted);
-  EXPECT_TRUE(monitor_.Report(processes_, {now_, Time(0)}).empty());
+  EXPECT_TRUE(monitor_.Report(processes_, {now_, now_}).empty());
 }
 
 }  // namespace
