@@ -182,6 +182,7 @@ class DockingNode {
   void StandStill(const std::string& missing) {
     command_.publish(geometry_msgs::Twist());
     blind_for_ += kControlPeriod;
+    PublishFeedback("waiting: " + missing);
     if (blind_for_ < kBlindTimeout) return;
     controller_.Cancel();
     Finish(false, missing);
@@ -198,8 +199,12 @@ class DockingNode {
     if (!controller_.active()) {
       return Finish(controller_.phase() == DockController::Phase::kDone, controller_.message());
     }
+    PublishFeedback(ToString(controller_.phase()));
+  }
+
+  void PublishFeedback(const std::string& phase) {
     coppice_msgs::DockingFeedback feedback;
-    feedback.phase = ToString(controller_.phase());
+    feedback.phase = phase;
     feedback.failed_attempts = static_cast<std::uint8_t>(controller_.failed_attempts());
     feedback.why_failed = controller_.why_failed();
     server_.publishFeedback(feedback);

@@ -98,7 +98,9 @@ TEST(CrashLoop, IsEndedByARestartOfTheWholeStack) {
 
 // The supervisor itself asks, by a program of its own: perhaps nothing else runs any more.
 bool PersonIsCalled(const RobotRig& rig) {
-  return rig.Logged("on_given_up").find("has given up odometry_filter") != std::string::npos;
+  const std::string told = rig.Logged("on_given_up");
+  return told.find("has given up odometry_filter") != std::string::npos &&
+         told.find("failed again after a restart of the stack") != std::string::npos;
 }
 
 TEST(CrashLoop, ThatNothingEndsStopsTheRobotAndAsksAPerson) {

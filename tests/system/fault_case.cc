@@ -101,7 +101,7 @@ bool FaultCase::ExpectLevel(const std::string& monitor, const std::string& subje
   const double after = SecondsSince(seen->stamp);
   EXPECT_LE(after, within) << fault_ << ": detected late by " << what;
   if (!detected_) {
-    detected_by_ = what;
+    detected_by_ = what + (level < coppice_msgs::HealthEntry::ERROR ? " (warning)" : "");
     detected_ = after;
     limit_ = within;
   }

@@ -42,7 +42,7 @@ void DockingMonitor::OnGoals(const std::vector<GoalReport>& goals, const Times& 
   for (const GoalReport& report : goals) {
     const auto before = goals_.find(report.id);
     Goal goal = before == goals_.end() ? Goal{GoalPhase::kPending, now.ros} : before->second;
-    if (IsOver(report.phase) && !IsOver(goal.phase)) End(report, goal.failed, now.ros);
+    if (IsOver(report.phase) && !IsOver(goal.phase)) End(report, goal, now.ros);
     if (IsUnderWay(report.phase) && !IsUnderWay(goal.phase)) goal.begun = now.ros;
     goal.phase = report.phase;
     known[report.id] = goal;
@@ -51,11 +51,12 @@ void DockingMonitor::OnGoals(const std::vector<GoalReport>& goals, const Times& 
 }
 
 // Status and feedback come by different ways: either may be first to tell.
-void DockingMonitor::OnAttempts(const std::string& id, int failed, const std::string& why,
+void DockingMonitor::OnProgress(const std::string& id, int failed, const std::string& why,
                                 Time now) {
-  const auto found = goals_.find(id);
-  if (found == goals_.end() || !IsUnderWay(found->second.phase)) return;
-  Goal& goal = found->second;
+  if (!watch_) return;
+  Goal& goal = goals_.insert({id, Goal{GoalPhase::kPending, now}}).first->second;
+  if (IsOver(goal.phase)) return;
+  goal.is_tried = true;
   if (failed <= goal.failed) return;
   failures_ += failed - goal.failed;
   goal.failed = failed;
@@ -64,11 +65,12 @@ void DockingMonitor::OnAttempts(const std::string& id, int failed, const std::st
 }
 
 // A goal that failed without a failed attempt counts as one.
-void DockingMonitor::End(const GoalReport& report, int failed_before, Time now) {
-  const bool failed = report.phase == GoalPhase::kAborted || report.phase == GoalPhase::kRejected;
+void DockingMonitor::End(const GoalReport& report, const Goal& goal, Time now) {
+  const bool failed = (report.phase == GoalPhase::kAborted && goal.is_tried) ||
+                      report.phase == GoalPhase::kRejected;
   if (report.phase == GoalPhase::kSucceeded) failures_ = 0;
   if (!failed) return;
-  if (failed_before == 0) ++failures_;
+  if (goal.failed == 0) ++failures_;
   reason_ = report.message;
   failed_at_ = now;
 }

@@ -50,21 +50,23 @@ class DockingMonitor {
   /// All goals that the server knows; one that it no longer mentions is over.
   void OnGoals(const std::vector<GoalReport>& goals, const Times& now);
 
-  /// So many attempts of a goal that is under way have failed; `why`: the last of them.
-  void OnAttempts(const std::string& id, int failed, const std::string& why, Time now);
+  /// Something is done for a goal; so many of its attempts have failed, the last one for `why`.
+  void OnProgress(const std::string& id, int failed, const std::string& why, Time now);
 
   /// "state": is the server heard; names its node. "failures": attempts in a row that did not
-  /// succeed, of whichever goals; one that was cancelled counts neither way. "duration": of the
-  /// goal that is under way [s], else 0.
+  /// succeed, of whichever goals; one that was cancelled, or given up before anything was done for
+  /// it (there is no contact to press on), counts neither way. "duration": of the goal that is
+  /// under way [s], else 0.
   std::vector<Finding> Report(const ProcessTable& processes, const Times& now);
 
  private:
   struct Goal {
     GoalPhase phase = GoalPhase::kPending;
     Time begun{0};
+    bool is_tried = false;
     int failed = 0;  // attempts
   };
-  void End(const GoalReport& report, int failed_before, Time now);
+  void End(const GoalReport& report, const Goal& goal, Time now);
   double Longest(Time now) const;
 
   Duration patience_;

@@ -60,9 +60,9 @@ class Program {
           docking_.OnGoals(FromMessage(goals), MonitorNode::Now());
         });
     node_.Subscribe<coppice_msgs::DockingActionFeedback>(
-        attempts_subscriber_, TopicOf(docking_action_, "/feedback"), kQueue,
+        progress_subscriber_, TopicOf(docking_action_, "/feedback"), kQueue,
         [this](const coppice_msgs::DockingActionFeedback& message) {
-          docking_.OnAttempts(message.status.goal_id.id, message.feedback.failed_attempts,
+          docking_.OnProgress(message.status.goal_id.id, message.feedback.failed_attempts,
                               message.feedback.why_failed, MonitorNode::Now().ros);
         });
     node_.Subscribe<std_msgs::Bool>(stop_subscriber_, stop_topic_, kQueue,
@@ -104,7 +104,7 @@ class Program {
   std::string battery_topic_, docking_action_, stop_topic_;
   std::optional<DockPlace> dock_;
   MonitorNode node_;
-  ros::Subscriber battery_subscriber_, docking_subscriber_, attempts_subscriber_, stop_subscriber_;
+  ros::Subscriber battery_subscriber_, docking_subscriber_, progress_subscriber_, stop_subscriber_;
   std::optional<TfTree> tf_;
   ros::WallTimer timer_;
 };

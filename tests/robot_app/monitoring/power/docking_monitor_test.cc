@@ -26,6 +26,7 @@ class DockingMonitorTest : public testing::Test {
   }
   void Attempt(const std::string& id, GoalPhase end) {
     Tell(id, GoalPhase::kActive);
+    monitor_.OnProgress(id, 0, "", now_);
     Tell(id, end);
     Tell(id, end);  // servers go on telling it for a while
   }
@@ -68,25 +69,33 @@ TEST_F(DockingMonitorTest, TheAttemptsOfOneGoalCountWhileItIsUnderWay) {
   Attempt("0", GoalPhase::kAborted);
   Tell("1", GoalPhase::kActive);
   EXPECT_EQ(About("failures").value, 1);
-  monitor_.OnAttempts("1", 0, "", now_);
-  monitor_.OnAttempts("1", 1, "missed", now_);
-  monitor_.OnAttempts("1", 1, "missed", now_);
+  monitor_.OnProgress("1", 0, "", now_);
+  monitor_.OnProgress("1", 1, "missed", now_);
+  monitor_.OnProgress("1", 1, "missed", now_);
   EXPECT_EQ(About("failures").level, HealthLevel::kWarn);
   EXPECT_EQ(About("failures").message, "2 in a row: missed");
-  monitor_.OnAttempts("1", 2, "missed", now_);
+  monitor_.OnProgress("1", 2, "missed", now_);
   EXPECT_EQ(About("failures").level, HealthLevel::kError);
   Tell("1", GoalPhase::kAborted);
   EXPECT_EQ(About("failures").value, 3);  // its end is no further attempt
-  monitor_.OnAttempts("1", 5, "late news", now_);
+  monitor_.OnProgress("1", 5, "late news", now_);
   EXPECT_EQ(About("failures").value, 3);
   Tell("2", GoalPhase::kActive);
-  monitor_.OnAttempts("2", 1, "missed", now_);
+  monitor_.OnProgress("2", 1, "missed", now_);
   Tell("2", GoalPhase::kSucceeded);
   EXPECT_EQ(About("failures").level, HealthLevel::kOk);
 }
 
 TEST_F(DockingMonitorTest, AnEndThatWasSeenWithoutItsBeginningCounts) {
+  monitor_.OnProgress("quick", 0, "", now_);
   Tell("quick", GoalPhase::kAborted);
+  EXPECT_EQ(About("failures").value, 1);
+}
+
+TEST_F(DockingMonitorTest, AGoalForWhichNothingWasDoneCountsNeitherWay) {
+  Attempt("1", GoalPhase::kAborted);
+  Tell("2", GoalPhase::kActive);
+  Tell("2", GoalPhase::kAborted);
   EXPECT_EQ(About("failures").value, 1);
 }
 
