@@ -59,11 +59,13 @@ std::unique_ptr<RobotRig> DriveFaults::rig_;
 
 TEST_F(DriveFaults, ABlockedCorridorIsWaitedForAndDrivenOn) {
   ASSERT_TRUE(WaitUntilHeadingEast());
-  FaultCase fault(*rig_, "blocked corridor", "a box in the corridor for 90 s");
-  ASSERT_TRUE(rig_->Inject("block_corridor", "corridor_east", 0, 90));
+  FaultCase fault(*rig_, "blocked corridor",
+                  "a box in the corridor, until the robot has waited in vain");
+  ASSERT_TRUE(rig_->Inject("block_corridor", "corridor_east"));
   // It has to drive there before it can stand before the box.
   fault.ExpectDetected("navigation", "progress", 90);
   fault.ExpectRecovery("wait and retry", "navigation", RecoveryEvent::FAILED);
+  ASSERT_TRUE(rig_->Inject("clear_corridor", "corridor_east"));
   fault.ExpectRecovery("move backwards", "navigation", RecoveryEvent::SUCCEEDED);
   fault.ExpectNominal();
   fault.ExpectOnlyRestarted({});
