@@ -145,7 +145,9 @@ class ComputerFaults : public testing::Test {
   static void AddSecondHost(RigOptions& options) {
     options.address = host_->own_address();
     std::string words;
-    for (const std::string& word : host_->prefix()) words += (words.empty() ? "" : ", ") + word;
+    for (const std::string& word : host_->transport()) {
+      words += (words.empty() ? "'" : ", '") + word + "'";
+    }
     options.edits.push_back({"robot.yaml", "processes:\n",
                              "hosts:\n  second: {command: [" + words + "], shell: no, bin: \"" +
                                  kPrograms + "\", address: " + host_->address() +
@@ -248,9 +250,17 @@ TEST_F(ComputerFaults, ANetworkThatIsCutIsSeenAndHealsWithTheLink) {
   fault.ExpectDetected("network", "host second", 8);
   fault.ExpectTold("network", "host second");
   fault.ExpectDetected("node", "/second_system_monitor", 8);
+  EXPECT_TRUE(rig_->WaitFor(
+      [](const RobotState& state) {
+        const auto process = state.processes().find("second_monitor");
+        return process != state.processes().end() &&
+               process->second.state == coppice_msgs::ProcessState::UNREACHABLE;
+      },
+      60));
   host_->Join();
   fault.ExpectNominal(120);
   fault.ExpectOnlyRestarted({"second_monitor"});
+  fault.AddRecovery("start there again and again, not counted");
 }
 
 }  // namespace

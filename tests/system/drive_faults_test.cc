@@ -95,7 +95,7 @@ TEST(KidnappedRobot, LooksAroundAndFindsItself) {
   ASSERT_TRUE(rig.Start());
   FaultCase fault(rig, "kidnapped robot", "while it stands it is lifted into the hall");
   ASSERT_TRUE(rig.Inject("kidnap", "hall_north"));
-  fault.ExpectDetected("localization", "phase", 10);
+  fault.ExpectDetected("localization", "phase", 20);
   fault.ExpectRecovery("slow rotate", "localization", RecoveryEvent::SUCCEEDED);
   fault.ExpectNominal(180);
   const double nominal = rig.Now().ros;

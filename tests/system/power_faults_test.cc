@@ -84,7 +84,7 @@ TEST(MissedChargeSignal, IsMadeUpForByTheBatteryWatchdog) {
   ASSERT_TRUE(rig.Start());
   FaultCase fault(rig, "missed charge signal", "the battery is at 12 %, the application drives on");
   ASSERT_TRUE(rig.Inject("set_battery", "", 0.12));
-  fault.ExpectDetected("battery", "margin", 10);
+  fault.ExpectDetected("battery", "margin", 20);
   fault.ExpectRecovery("drive home and charge", "battery", RecoveryEvent::BEGUN);
   EXPECT_TRUE(WaitForCurrent(rig, 180));
   EXPECT_LE(rig.Now().ros - fault.begin().ros, 60 + 240) << "it took over too late";

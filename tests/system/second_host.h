@@ -22,6 +22,8 @@ class SecondHost {
   std::string address() const { return network_ + ".2"; }      ///< of it for this computer
   /// The words before a command that is to run there.
   std::vector<std::string> prefix() const { return {"/sbin/ip", "netns", "exec", name_}; }
+  /// The same over the network: without connection it ends with status 255, as ssh does.
+  std::vector<std::string> transport() const;
 
   /// Pulls the plug, or puts it in again.
   void Cut();
@@ -29,6 +31,7 @@ class SecondHost {
 
  private:
   bool Run(const std::string& command);
+  std::string far() const { return "cf" + name_.substr(7); }  // its end of the network
 
   std::string name_;
   std::string network_;
