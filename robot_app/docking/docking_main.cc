@@ -182,7 +182,6 @@ class DockingNode {
   void StandStill(const std::string& missing) {
     command_.publish(geometry_msgs::Twist());
     blind_for_ += kControlPeriod;
-    PublishFeedback("waiting: " + missing);
     if (blind_for_ < kBlindTimeout) return;
     controller_.Cancel();
     Finish(false, missing);
@@ -199,12 +198,8 @@ class DockingNode {
     if (!controller_.active()) {
       return Finish(controller_.phase() == DockController::Phase::kDone, controller_.message());
     }
-    PublishFeedback(ToString(controller_.phase()));
-  }
-
-  void PublishFeedback(const std::string& phase) {
     coppice_msgs::DockingFeedback feedback;
-    feedback.phase = phase;
+    feedback.phase = ToString(controller_.phase());
     feedback.failed_attempts = static_cast<std::uint8_t>(controller_.failed_attempts());
     feedback.why_failed = controller_.why_failed();
     server_.publishFeedback(feedback);

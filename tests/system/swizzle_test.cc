@@ -1,7 +1,7 @@
 // Random subsets of the robot's programs are killed one by one and come back in another order, some
 // restarted by hand, the others by the robot itself; each time it must come back to nominal.
 //
-// COPPICE_SWIZZLES says how many (default 10); `./dev bench swizzle` runs 50.
+// COPPICE_SWIZZLES says how many (default 6); `./dev bench swizzle` runs 50.
 #include <coppice_msgs/RestartProcess.h>
 #include <gtest/gtest.h>
 
@@ -24,7 +24,7 @@ constexpr double kBackToNominal = 60;  // s, wall; at most
 
 int Swizzles() {
   const char* text = std::getenv("COPPICE_SWIZZLES");
-  return text != nullptr ? std::max(1, std::atoi(text)) : 10;
+  return text != nullptr ? std::max(1, std::atoi(text)) : 6;
 }
 
 // All that runs, but for what stands for the robot's hardware.

@@ -94,6 +94,8 @@ TEST_F(DockControllerTest, StandingInTheStationWithoutCurrentIsNoSuccess) {
   EXPECT_THAT(controller_.message(), HasSubstr("3 attempts failed"));
   EXPECT_THAT(controller_.message(), HasSubstr("no charging current"));
   EXPECT_EQ(contacts_, 6) << "each attempt draws back and presses on once";
+  EXPECT_EQ(controller_.failed_attempts(), 3);
+  EXPECT_THAT(controller_.why_failed(), HasSubstr("no charging current"));
   EXPECT_LT(Distance(input_.pose, controller_.staging()), 0.1) << "out of the station's way";
 }
 
@@ -102,6 +104,7 @@ TEST_F(DockControllerTest, TriesAgainALittleAside) {
   Dock({-0.8, 0, M_PI});
   EXPECT_EQ(controller_.phase(), Phase::kDone) << controller_.message();
   EXPECT_EQ(controller_.attempt(), 2);
+  EXPECT_EQ(controller_.failed_attempts(), 1);
   EXPECT_NEAR(aside_, settings_.retry_offset, 0.015);
   EXPECT_EQ(std::count(phases_.begin(), phases_.end(), Phase::kBackOut), 1);
 }
