@@ -54,8 +54,8 @@ TEST_F(DockingFaults, AStationThatWasMovedIsFoundByAnotherAttempt) {
   fault.ExpectRecovery("dock from aside", "docking", RecoveryEvent::SUCCEEDED);
   WaitForCurrent(*rig_, 120);
   fault.ExpectNominal();
-  EXPECT_EQ(rig_->With([](const RobotState& s) { return s.Level("docking", "failures"); }),
-            HealthEntry::OK);
+  EXPECT_TRUE(rig_->WaitFor(
+      [](const RobotState& s) { return s.Level("docking", "failures") == HealthEntry::OK; }, 30));
   fault.ExpectOnlyRestarted(kRestWhileCharging);
   fault.ExpectNobodyAsked();
 }
