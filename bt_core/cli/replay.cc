@@ -2,7 +2,6 @@
 
 #include <unistd.h>
 
-#include <cstdlib>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -10,6 +9,7 @@
 #include "bt_core/base/command_line.h"
 #include "bt_core/cli/plugins.h"
 #include "bt_core/cli/replay_printer.h"
+#include "bt_core/cli/replay_scenario.h"
 #include "bt_core/cli/replay_tree.h"
 #include "bt_core/cli/scrubber.h"
 #include "bt_core/replay/compare.h"
@@ -25,6 +25,7 @@ constexpr char kUsage[] =
     "coppice replay FILE [--at SECONDS | --tick N] [--why NODE | --why-not NODE] [--json]\n"
     "coppice replay --verify FILE [--plugin LIBRARY] [--json]\n"
     "coppice replay --diff FILE OTHER [--json]\n"
+    "coppice replay FILE --scenario OUT [--name NAME] [--tree-file XML] [--from S] [--to S]\n"
     "  Shows what happened in a recorded run: in a terminal to go back and forth in it, else tick\n"
     "  by tick.\n"
     "  --print      tick by tick, also in a terminal\n"
@@ -35,19 +36,14 @@ constexpr char kUsage[] =
     "  --why        why that node had its status; NODE is its path or the end of it\n"
     "  --why-not    why that node was not ticked\n"
     "  --verify     runs the tree again with the recorded inputs: does it do the same?\n"
-    "  --diff       where two runs part";
+    "  --diff       where two runs part\n"
+    "  --scenario   makes a test of the run, which `coppice test OUT` plays; --tree-file: where "
+    "its\n"
+    "               tree lies, if not where it lay on the robot";
 
 int Fail(const std::string& problem) {
   std::cerr << problem << "\nusage: " << kUsage << "\n";
   return 2;
-}
-
-// Seconds since the start -> time of the record; nothing if it is no number.
-std::optional<Time> ReadTime(const std::string& text, Time start) {
-  char* end = nullptr;
-  const double seconds = std::strtod(text.c_str(), &end);
-  if (text.empty() || *end != '\0' || !(seconds > -1e9 && seconds < 1e9)) return std::nullopt;
-  return start + std::chrono::nanoseconds(static_cast<std::int64_t>(seconds * 1e9));
 }
 
 // Of one run, as the options say.
@@ -59,6 +55,7 @@ class Replay {
     if (options_.Has("--verify")) return VerifyAll();
     if (options_.Has("--why")) return Explain(options_.Get("--why"));
     if (options_.Has("--why-not")) return Explain(options_.Get("--why-not"));
+    if (options_.Has("--scenario")) return MakeScenario(options_, run_);
     if (options_.Has("--at") || options_.Has("--tick")) return ShowOne();
     const bool plain = options_.Has("--print") || is_json() || options_.Has("--node") ||
                        options_.Has("--from") || options_.Has("--to");
@@ -75,7 +72,7 @@ class Replay {
     for (const auto& [name, time] :
          {std::make_pair("--from", &filter.from), {"--to", &filter.to}}) {
       if (!options_.Has(name)) continue;
-      const std::optional<Time> given = ReadTime(options_.Get(name), run_.start());
+      const std::optional<Time> given = ReadRecordTime(options_.Get(name), run_.start());
       if (!given) return Fail(std::string(name) + " needs a number of seconds");
       *time = *given;
     }
@@ -93,7 +90,7 @@ class Replay {
     }
     std::size_t entry = run_.ticks().size() - 1;
     if (options_.Has("--at")) {
-      const std::optional<Time> time = ReadTime(options_.Get("--at"), run_.start());
+      const std::optional<Time> time = ReadRecordTime(options_.Get("--at"), run_.start());
       if (!time) {
         Fail("--at needs a number of seconds");
         return std::nullopt;
@@ -167,9 +164,11 @@ int CompareFiles(const Recording& first, const Recording& second, bool is_json) 
 }  // namespace
 
 int RunReplay(const std::vector<std::string>& arguments) {
-  const std::optional<Options> options = ParseOptions(
-      arguments, {"--node", "--from", "--to", "--at", "--tick", "--why", "--why-not", "--plugin"},
-      {"--json", "--print", "--verify", "--diff"}, kUsage);
+  const std::optional<Options> options =
+      ParseOptions(arguments,
+                   {"--node", "--from", "--to", "--at", "--tick", "--why", "--why-not", "--plugin",
+                    "--scenario", "--name", "--tree-file"},
+                   {"--json", "--print", "--verify", "--diff"}, kUsage);
   if (!options) return 2;
   const std::size_t files = options->Has("--diff") ? 2 : 1;
   if (options->files.size() != files) {

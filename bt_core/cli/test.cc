@@ -5,6 +5,7 @@
 
 #include "bt_core/base/command_line.h"
 #include "bt_core/cli/plugins.h"
+#include "bt_core/cli/random_test.h"
 #include "bt_core/cli/test_report.h"
 #include "bt_core/cli/verbs.h"
 #include "bt_core/model/project.h"
@@ -16,6 +17,8 @@ namespace {
 constexpr char kUsage[] =
     "coppice test FILE... [--filter PATTERN] [--models FILE] [--plugin FILE.so]... [--json]\n"
     "             [--junit FILE]\n"
+    "coppice test --random RUNS [--seed S] [--ticks N] [--tree ID] [--set KEY=VALUE]...\n"
+    "             [--models FILE] [--plugin FILE.so]... [--json] FILE...\n"
     "  Plays the scenarios of each file with the tree that it names, on simulated time.\n"
     "  --filter PATTERN  only scenarios whose name fits; * stands for any characters\n"
     "  --models FILE     the <TreeNodesModel> of the robot's node types, in place of the one that\n"
@@ -24,6 +27,12 @@ constexpr char kUsage[] =
     "them\n"
     "  --json            the result as one JSON object\n"
     "  --junit FILE      also writes the result for continuous integration\n"
+    "  --random RUNS     runs a tree so often with leaves that do something by chance; prints how\n"
+    "                    often each node was ticked and what it returned, and what went wrong.\n"
+    "                    FILE is a tree, or scenarios: then their tree and the scripts of their\n"
+    "                    leaves. The first run has seed S (1), the next S + 1, ...\n"
+    "  --ticks N         breaks off a run that is not done after N ticks (10000)\n"
+    "  --tree ID         which tree of the file; --set: a key before the first tick\n"
     "  Leaves that are not built in are played by scripts; a decorator that is not built in needs "
     "a\n"
     "  model or a script. The format: docs/testing.md.";
@@ -72,12 +81,16 @@ int ExitStatus(const std::vector<TestedFile>& files) {
 
 int RunTest(const Arguments& arguments) {
   const std::optional<Options> options =
-      ParseOptions(arguments, {"--filter", "--junit", "--models", "--plugin"}, {"--json"}, kUsage);
+      ParseOptions(arguments,
+                   {"--filter", "--junit", "--models", "--plugin", "--random", "--seed", "--ticks",
+                    "--tree", "--set"},
+                   {"--json"}, kUsage);
   if (!options) return 2;
   if (options->files.empty()) {
     std::cerr << "no file given\nusage: " << kUsage << "\n";
     return 2;
   }
+  if (options->Has("--random")) return RunRandomTest(*options);
   std::vector<TestedFile> files;
   std::size_t played = 0;
   for (const std::string& path : options->files) {

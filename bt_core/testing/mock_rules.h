@@ -21,6 +21,7 @@
 
 #include "bt_core/base/clock.h"
 #include "bt_core/base/status.h"
+#include "bt_core/testing/chances.h"
 
 namespace coppice {
 
@@ -32,8 +33,13 @@ struct MockScript {
   bool restart = false;
   /// In every activation RUNNING until so much time has passed; only then come the results.
   Duration duration{0};
+  /// Instead of results and duration: both by chance, anew in every activation.
+  std::optional<Chances> chances;
   /// Values for output ports, by port, as text; written in every tick that completes the node.
+  /// Where neither the port nor the key has a type, a number is a number.
   std::vector<std::pair<std::string, std::string>> outputs;
+  /// The same in every tick in which it is RUNNING.
+  std::vector<std::pair<std::string, std::string>> feedback;
   /// A message in every tick that completes the node.
   std::string says;
   /// The text of an exception that is thrown in place of a completing result.

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "bt_core/data/literal.h"
 #include "bt_core/engine/keys.h"
 
 namespace coppice {
@@ -20,6 +21,7 @@ struct MockedTree::Part {
   std::uint32_t first_port;         // of Program::ports, if there is an original
   bool played;
   MockScript script;
+  Dice dice;
   std::optional<std::size_t> next = 0;  // of the script's results; nothing: as before the reload
   bool begins = false;                  // the script is a new one, also for an activation that runs
 };
@@ -38,12 +40,15 @@ class MockedTree::MockPort final : public PortBase {
       : PortBase(declaration), name_(declaration.name), type_(declaration.type) {}
 
   const std::string& name() const { return name_; }
-  /// `key_type`: what other ports give to the key; null if none does.
+  /// Without a type of port and key, a number is a number and true a truth value. `key_type`: what
+  /// other ports give to the key; null if none does.
   void Write(const std::string& text, const Type* key_type) {
     if (!slot_) return;
     const Type* type = type_ ? type_ : key_type;
     Value value;
-    if (!value.Parse(type ? *type : TypeOf<std::string>(), text)) {
+    if (!type) {
+      value = UntypedValue(text);
+    } else if (!value.Parse(*type, text)) {
       throw std::invalid_argument("\"" + text + "\" is not a value for output \"" + name_ +
                                   "\", expected " + type->name);
     }
@@ -52,6 +57,12 @@ class MockedTree::MockPort final : public PortBase {
   }
 
  private:
+  static Value UntypedValue(const std::string& text) {
+    Value value = GuessValue(text);
+    if (text == "true" || text == "false") value.Set(text == "true");
+    return value;
+  }
+
   std::string name_;
   const Type* type_;
 };
@@ -68,15 +79,18 @@ class MockedTree::PlayedNode : public Leaf {
   Status Tick(bool starting) override {
     Part& part = Here();
     if (std::exchange(part.begins, false) || starting) {
-      done_at_ = now() + part.script.duration;
-      if (part.script.restart) part.next = 0;
+      Begin(part);
     }
-    const Status result = now() < done_at_ ? Waiting() : NextResult(part);
+    const Status result = now() < done_at_ ? Waiting() : ResultNow(part);
     const bool throws = IsCompleted(result) && !part.script.throws.empty();
     part.tree.events_.push_back(
         {part.node, false, throws ? Status::kFailure : result, part.tree.InputsOf(part)});
     if (throws) throw std::runtime_error(part.script.throws);
-    if (IsCompleted(result)) Complete(part);
+    if (result == Status::kRunning) WriteOutputs(part, part.script.feedback);
+    if (IsCompleted(result)) {
+      WriteOutputs(part, part.script.outputs);
+      if (!part.script.says.empty()) Say(part.script.says);
+    }
     return result;
   }
 
@@ -89,14 +103,28 @@ class MockedTree::PlayedNode : public Leaf {
   // After a reload the node is another part of the tree; it goes on in its script.
   Part& Here() {
     Part& part = part_->tree.PartAt(host().current_node());
-    if (!part.next) part.next = part_->next.value_or(0);
+    if (!part.next) {
+      part.next = part_->next.value_or(0);
+      part.dice = part_->dice;
+    }
     part_ = &part;
     return part;
+  }
+
+  void Begin(Part& part) {
+    if (part.script.restart) part.next = 0;
+    drawn_ = part.script.chances ? Throw(*part.script.chances, part.dice)
+                                 : Outcome{part.script.duration, Status::kIdle};
+    done_at_ = now() + drawn_.after;
   }
 
   Status Waiting() {
     WakeAt(done_at_);
     return Status::kRunning;
+  }
+
+  Status ResultNow(Part& part) const {
+    return part.script.chances ? drawn_.result : NextResult(part);
   }
 
   static Status NextResult(Part& part) {
@@ -107,9 +135,8 @@ class MockedTree::PlayedNode : public Leaf {
     return result;
   }
 
-  void Complete(const Part& part) {
-    for (const auto& [name, text] : part.script.outputs) WriteOutput(part, name, text);
-    if (!part.script.says.empty()) Say(part.script.says);
+  void WriteOutputs(const Part& part, const Inputs& values) {
+    for (const auto& [name, text] : values) WriteOutput(part, name, text);
   }
 
   void WriteOutput(const Part& part, const std::string& name, const std::string& text) {
@@ -126,6 +153,7 @@ class MockedTree::PlayedNode : public Leaf {
   Part* part_;
   std::deque<MockPort> ports_;
   Time done_at_{0};
+  Outcome drawn_;  // of this activation
 };
 
 // A leaf that is itself, but for being written down.
@@ -198,7 +226,8 @@ std::unique_ptr<MockedTree::Part> MockedTree::MakePart(MockedProgram& program, N
                                   of_user,
                                   first_port,
                                   script != nullptr,
-                                  script ? *script : MockScript()});
+                                  script ? *script : MockScript(),
+                                  Dice(options_.seed, program.Path(node))});
 
   Registry::Entry entry = info.entry ? *info.entry : Registry::Entry();
   if (!of_user) entry.declarations.clear();  // what plays a built-in node has no ports

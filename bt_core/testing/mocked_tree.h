@@ -34,7 +34,8 @@ struct LeafEvent {
 };
 
 struct MockOptions {
-  bool inputs = false;  ///< keep the inputs of every tick
+  bool inputs = false;     ///< keep the inputs of every tick
+  std::uint64_t seed = 0;  ///< of what scripts do by chance
 };
 
 class MockedTree {

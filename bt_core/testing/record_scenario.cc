@@ -29,8 +29,8 @@ KeyValue::Kind KindOf(const Value& value) {
 
 class Recorder {
  public:
-  Recorder(const Program& program, const std::vector<PlacedRule>& leaves)
-      : program_(program), player_(program, leaves), values_(ValuesOf(executor())) {}
+  Recorder(const Program& program, const std::vector<PlacedRule>& leaves, std::uint64_t seed)
+      : program_(program), player_(program, leaves, seed), values_(ValuesOf(executor())) {}
 
   ScenarioStep Record(const ScenarioStep& played) {
     StepOutcome outcome = player_.Play(played);
@@ -120,11 +120,13 @@ std::string PatternOf(const Program& program, NodeIndex node) {
 }
 
 Scenario RecordScenario(const Program& program, const std::vector<PlacedRule>& leaves,
-                        const std::vector<ScenarioStep>& steps, std::string name) {
+                        const std::vector<ScenarioStep>& steps, std::string name,
+                        std::uint64_t seed) {
   Scenario scenario;
   scenario.name = std::move(name);
+  scenario.seed = seed;
   scenario.leaves = leaves;
-  Recorder recorder(program, leaves);
+  Recorder recorder(program, leaves, seed);
   for (const ScenarioStep& step : steps) scenario.steps.push_back(recorder.Record(step));
 
   Scenario shorter = scenario;

@@ -18,7 +18,7 @@ std::vector<PlacedRule> RulesOf(const ScenarioSuite& suite, const Scenario& scen
 class Player {
  public:
   Player(const Program& program, const ScenarioSuite& suite, const Scenario& scenario)
-      : scenario_(scenario), player_(program, RulesOf(suite, scenario)) {
+      : scenario_(scenario), player_(program, RulesOf(suite, scenario), scenario.seed) {
     for (NodeIndex node = 0; node < program.nodes.size(); ++node) {
       nodes_.emplace(program.Path(node), node);
     }

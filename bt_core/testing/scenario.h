@@ -101,6 +101,7 @@ struct ScenarioStep {
 struct Scenario {
   SourceLocation where;
   std::string name;
+  std::uint64_t seed = 0;  ///< of what scripts do by chance
   std::vector<PlacedRule> leaves;
   std::vector<ScenarioStep> steps;
 };

@@ -60,12 +60,14 @@ class SuiteReader {
     for (const JsonText& member : json.children) {
       if (member.key == "name") {
         scenario.name = ReadText(member);
+      } else if (member.key == "seed") {
+        scenario.seed = ReadSeed(member);
       } else if (member.key == "leaves") {
         scenario.leaves = ReadRules(member);
       } else if (member.key == "steps") {
         for (const JsonText& step : ListOf(member)) scenario.steps.push_back(ReadStep(step));
       } else {
-        Unknown(member, {"name", "leaves", "steps"});
+        Unknown(member, {"name", "seed", "leaves", "steps"});
       }
     }
     if (scenario.name.empty()) diagnostics_.Error(json.where, "\"name\" is missing");
@@ -174,19 +176,82 @@ class SuiteReader {
         script.restart = ReadBool(member);
       } else if (member.key == "after_ms") {
         script.duration = ReadMilliseconds(member);
+      } else if (member.key == "chances") {
+        script.chances = ReadChances(member);
       } else if (member.key == "outputs") {
         for (const KeyValue& value : ReadValues(member)) {
           script.outputs.emplace_back(value.key, value.text);
+        }
+      } else if (member.key == "feedback") {
+        for (const KeyValue& value : ReadValues(member)) {
+          script.feedback.emplace_back(value.key, value.text);
         }
       } else if (member.key == "says") {
         script.says = ReadText(member);
       } else if (member.key == "throws") {
         script.throws = ReadText(member);
       } else {
-        Unknown(member, {"returns", "restart", "after_ms", "outputs", "says", "throws"});
+        Unknown(member, {"returns", "restart", "after_ms", "chances", "outputs", "feedback", "says",
+                         "throws"});
       }
     }
+    if (script.chances && (json.Find("returns") || json.Find("after_ms"))) {
+      diagnostics_.Error(json.where, "\"chances\" stands for \"returns\" and \"after_ms\"");
+    }
     return script;
+  }
+
+  // {"SUCCESS": 8, "FAILURE": 2, "after_ms": [0, 2000]}
+  Chances ReadChances(const JsonText& json) {
+    Chances chances;
+    for (const JsonText& member : MembersOf(json)) {
+      if (member.key == "SUCCESS") {
+        chances.success = ReadShare(member);
+      } else if (member.key == "FAILURE") {
+        chances.failure = ReadShare(member);
+      } else if (member.key == "SKIPPED") {
+        chances.skipped = ReadShare(member);
+      } else if (member.key == "after_ms") {
+        ReadRange(member, chances);
+      } else {
+        Unknown(member, {"SUCCESS", "FAILURE", "SKIPPED", "after_ms"});
+      }
+    }
+    if (chances.success + chances.failure + chances.skipped <= 0) {
+      diagnostics_.Error(json.where, "\"chances\" needs a share of SUCCESS, FAILURE or SKIPPED");
+    }
+    return chances;
+  }
+
+  double ReadShare(const JsonText& json) {
+    constexpr double kLimit = 1e9;
+    const double value = Require(json, Kind::kNumber) ? std::strtod(json.text.c_str(), nullptr) : 0;
+    if (value >= 0 && value <= kLimit) return value;
+    diagnostics_.Error(json.where, "expected a share, not negative");
+    return 0;
+  }
+
+  // 500 or [0, 2000]
+  void ReadRange(const JsonText& json, Chances& chances) {
+    if (!json.is(Kind::kArray)) {
+      chances.shortest = chances.longest = ReadMilliseconds(json);
+      return;
+    }
+    if (json.children.size() == 2) {
+      chances.shortest = ReadMilliseconds(json.children[0]);
+      chances.longest = ReadMilliseconds(json.children[1]);
+    }
+    if (json.children.size() != 2 || chances.longest < chances.shortest) {
+      diagnostics_.Error(json.where, "expected the shortest and the longest time");
+    }
+  }
+
+  std::uint64_t ReadSeed(const JsonText& json) {
+    const bool digits = Require(json, Kind::kNumber) && json.text.size() < 20 &&
+                        json.text.find_first_not_of("0123456789") == std::string::npos;
+    if (digits) return std::stoull(json.text);
+    diagnostics_.Error(json.where, "expected a whole number, not negative");
+    return 0;
   }
 
   std::vector<Status> ReadResults(const JsonText& json) {

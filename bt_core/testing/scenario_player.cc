@@ -35,10 +35,11 @@ class ScenarioPlayer::KeepMessages : public TickSink {
   std::vector<NodeMessage> messages;
 };
 
-ScenarioPlayer::ScenarioPlayer(const Program& program, const std::vector<PlacedRule>& rules)
+ScenarioPlayer::ScenarioPlayer(const Program& program, const std::vector<PlacedRule>& rules,
+                               std::uint64_t seed)
     : clock_(std::chrono::seconds(1)),
       sink_(std::make_unique<KeepMessages>()),
-      tree_(program, WithoutPlaces(rules), clock_, {true}) {
+      tree_(program, WithoutPlaces(rules), clock_, {true, seed}) {
   tree_.executor().AddSink(sink_.get());
 }
 
@@ -131,6 +132,23 @@ std::string KeyPathOf(const Program& program, SlotIndex slot) {
   if (definition.key.empty()) return {};
   const std::string& instance = program.trees[definition.scope].path;
   return instance.empty() ? definition.key : instance + "/" + definition.key;
+}
+
+KeyValue::Kind KindOfText(const std::string& text) {
+  if (text == "true" || text == "false") return KeyValue::Kind::kBool;
+  Value number;
+  return number.Parse(TypeOf<double>(), text) ? KeyValue::Kind::kNumber : KeyValue::Kind::kString;
+}
+
+std::string CheckKeyValue(const Program& program, const KeyValue& given) {
+  std::string hint;
+  const SlotIndex slot = FindKey(program, given.key, hint);
+  if (slot == kNoSlot) {
+    return "the tree has no key \"" + given.key + "\"" + (hint.empty() ? "" : ", " + hint);
+  }
+  const Type* type = program.layout.slots[slot].type;
+  if (ValueOf(given, type).has_value()) return {};
+  return "\"" + given.text + "\" is no value of type " + type->name;
 }
 
 Value ValueOf(const KeyValue& given, const Type* type) {

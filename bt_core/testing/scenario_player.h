@@ -7,6 +7,7 @@
 #ifndef COPPICE_BT_CORE_TESTING_SCENARIO_PLAYER_H_
 #define COPPICE_BT_CORE_TESTING_SCENARIO_PLAYER_H_
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -26,8 +27,10 @@ struct StepOutcome {
 
 class ScenarioPlayer {
  public:
-  /// A fresh tree at time 1 s. The first rule counts among those that fit equally well.
-  ScenarioPlayer(const Program& program, const std::vector<PlacedRule>& rules);
+  /// A fresh tree at time 1 s. The first rule counts among those that fit equally well. The seed is
+  /// that of what scripts do by chance.
+  ScenarioPlayer(const Program& program, const std::vector<PlacedRule>& rules,
+                 std::uint64_t seed = 0);
   ~ScenarioPlayer();
   ScenarioPlayer(const ScenarioPlayer&) = delete;
   ScenarioPlayer& operator=(const ScenarioPlayer&) = delete;
@@ -63,6 +66,12 @@ SlotIndex FindKey(const Program& program, const std::string& key, std::string& h
 
 /// How scenarios write the key of a slot; empty if it has none.
 std::string KeyPathOf(const Program& program, SlotIndex slot);
+
+/// What a text is where the key has no type: "true" is a boolean, "0.2" a number.
+KeyValue::Kind KindOfText(const std::string& text);
+
+/// Why the tree cannot be given this value, or nothing.
+std::string CheckKeyValue(const Program& program, const KeyValue& given);
 
 /// What a text is as a value of that type; without a type what its kind says. Empty if it is no
 /// such value.

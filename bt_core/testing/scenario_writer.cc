@@ -2,9 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <utility>
 
+#include "bt_core/model/write_file.h"
 #include "bt_core/testing/json_text.h"
 
 namespace coppice {
@@ -57,16 +61,39 @@ JsonText Results(const std::vector<Status>& results) {
   return list;
 }
 
+JsonText Share(double share) {
+  char text[32];
+  std::snprintf(text, sizeof(text), "%.9g", share);
+  return Make(Kind::kNumber, text);
+}
+
+JsonText ChancesText(const Chances& chances) {
+  JsonText object = Object();
+  Add(object, "SUCCESS", Share(chances.success));
+  if (chances.failure > 0) Add(object, "FAILURE", Share(chances.failure));
+  if (chances.skipped > 0) Add(object, "SKIPPED", Share(chances.skipped));
+  if (chances.longest > Duration(0)) {
+    JsonText range = Array();
+    range.children = {Milliseconds(chances.shortest), Milliseconds(chances.longest)};
+    Add(object, "after_ms", std::move(range));
+  }
+  return object;
+}
+
+JsonText Ports(const std::vector<std::pair<std::string, std::string>>& values) {
+  JsonText object = Object();
+  for (const auto& [port, text] : values) Add(object, port, Text(text));
+  return object;
+}
+
 JsonText ScriptText(const MockScript& script) {
   JsonText object = Object();
+  if (script.chances) Add(object, "chances", ChancesText(*script.chances));
   if (script.duration > Duration(0)) Add(object, "after_ms", Milliseconds(script.duration));
   if (!script.results.empty()) Add(object, "returns", Results(script.results));
   if (script.restart) Add(object, "restart", Make(Kind::kBool, "true"));
-  if (!script.outputs.empty()) {
-    JsonText outputs = Object();
-    for (const auto& [port, text] : script.outputs) Add(outputs, port, Text(text));
-    Add(object, "outputs", std::move(outputs));
-  }
+  if (!script.outputs.empty()) Add(object, "outputs", Ports(script.outputs));
+  if (!script.feedback.empty()) Add(object, "feedback", Ports(script.feedback));
   if (!script.says.empty()) Add(object, "says", Text(script.says));
   if (!script.throws.empty()) Add(object, "throws", Text(script.throws));
   const bool only_results = object.children.size() == 1 && !script.results.empty();
@@ -139,6 +166,7 @@ JsonText StepText(const ScenarioStep& step) {
 JsonText ScenarioText(const Scenario& scenario) {
   JsonText object = Object();
   Add(object, "name", Text(scenario.name));
+  if (scenario.seed != 0) Add(object, "seed", Make(Kind::kNumber, std::to_string(scenario.seed)));
   if (!scenario.leaves.empty()) Add(object, "leaves", Rules(scenario.leaves));
   JsonText steps = Array();
   for (const ScenarioStep& step : scenario.steps) steps.children.push_back(StepText(step));
@@ -151,6 +179,13 @@ std::string RelativeTo(const std::string& file, const std::string& tree) {
   if (folder.empty()) return tree;
   const std::filesystem::path relative = std::filesystem::path(tree).lexically_relative(folder);
   return relative.empty() ? tree : relative.string();
+}
+
+bool IsSameTree(const ScenarioSuite& a, const ScenarioSuite& b) {
+  std::error_code ignored;  // of a file that there is not; then the paths are compared
+  return a.tree_id == b.tree_id && (std::filesystem::path(a.tree_file).lexically_normal() ==
+                                        std::filesystem::path(b.tree_file).lexically_normal() ||
+                                    std::filesystem::equivalent(a.tree_file, b.tree_file, ignored));
 }
 
 // Comments and blanks between the last scenario and the bracket stay where they are.
@@ -188,6 +223,26 @@ std::optional<std::string> AddScenario(const std::string& text, const std::strin
   changed.insert(EndOfLast(*json->Find("scenarios")),
                  ",\n    " + PrintJsonText(ScenarioText(scenario), 4));
   return changed;
+}
+
+bool WriteScenario(const Scenario& scenario, const std::string& file, const std::string& tree_file,
+                   const std::string& tree_id, Diagnostics& diagnostics) {
+  ScenarioSuite suite;
+  suite.file = file;
+  suite.tree_file = tree_file;
+  suite.tree_id = tree_id;
+  suite.scenarios = {scenario};
+  if (!std::filesystem::exists(file)) {
+    return WriteFile(file, PrintScenarios(suite), diagnostics);
+  }
+  std::ifstream stream(file, std::ios::binary);
+  const std::string old{std::istreambuf_iterator<char>(stream), {}};
+  const std::optional<std::string> changed = AddScenario(old, file, scenario, diagnostics);
+  if (!changed) return false;
+  const auto present = ParseScenarios(old, file, diagnostics);
+  if (IsSameTree(*present, suite)) return WriteFile(file, *changed, diagnostics);
+  diagnostics.Error({file, 1, 1}, "these scenarios are about another tree");
+  return false;
 }
 
 }  // namespace coppice

@@ -18,9 +18,10 @@ namespace coppice {
 
 /// Plays the steps and expects of each what happened: the status of the tree, what the leaves did,
 /// and the values that keys got. Steps in which nothing new happens become one, if the scenario
-/// passes then too. `leaves` are the scenario's own rules.
+/// passes then too. `leaves` are the scenario's own rules, `seed` that of what they do by chance.
 Scenario RecordScenario(const Program& program, const std::vector<PlacedRule>& leaves,
-                        const std::vector<ScenarioStep>& steps, std::string name);
+                        const std::vector<ScenarioStep>& steps, std::string name,
+                        std::uint64_t seed = 0);
 
 /// The pattern by which scenarios call a node: its name, if no other has it, else its path.
 std::string PatternOf(const Program& program, NodeIndex node);
@@ -32,6 +33,11 @@ std::string PrintScenarios(const ScenarioSuite& suite);
 /// if the text is no file of scenarios or has one of that name.
 std::optional<std::string> AddScenario(const std::string& text, const std::string& file,
                                        const Scenario& scenario, Diagnostics& diagnostics);
+
+/// Adds a scenario to a file, which is made if there is none. False, with the reason, if that
+/// cannot be: the file is broken, has one of that name, or is about another tree.
+bool WriteScenario(const Scenario& scenario, const std::string& file, const std::string& tree_file,
+                   const std::string& tree_id, Diagnostics& diagnostics);
 
 }  // namespace coppice
 

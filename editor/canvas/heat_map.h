@@ -8,11 +8,12 @@
 
 namespace coppice::editor {
 
-enum class HeatMode : std::uint8_t { kTime, kFailures, kNeverTicked };
+enum class HeatMode : std::uint8_t { kTime, kTicks, kFailures, kNeverTicked };
 
-/// "time", "failures", "never ticked".
+/// "time", "ticks", "failures", "never ticked".
 inline const char* ToString(HeatMode mode) {
   return mode == HeatMode::kTime       ? "time"
+         : mode == HeatMode::kTicks    ? "ticks"
          : mode == HeatMode::kFailures ? "failures"
                                        : "never ticked";
 }

@@ -15,6 +15,7 @@
 #include "editor/canvas/node_metrics.h"
 #include "editor/commands/key_file.h"
 #include "editor/core/edit_commands.h"
+#include "editor/core/log_commands.h"
 #include "editor/core/merge_commands.h"
 #include "editor/core/picture_commands.h"
 #include "editor/core/place_commands.h"
@@ -78,6 +79,7 @@ Editor::Editor(EditorOptions options)
   AddMergeCommands(state_, [this] { return now_; });
   AddPictureCommands(state_, [this] { return now_; });
   AddRunCommands(state_, [this] { return now_; });
+  AddLogCommands(state_, [this] { return now_; });
   AddPlaceCommands(state_, [this] { return now_; });
   AddStandardCommands(state_, [this] { return now_; });
   AddSimulationCommands(state_, [this] { return now_; });  // last: see there
@@ -168,6 +170,7 @@ void Editor::Frame(const InputEvents& input) {
   const WithContext current(context_);
   now_ += input.dt;
   state_.simulator.Update(state_.workspace.project(), now_);
+  state_.coverage.Update();
   state_.workspace.Update(now_);
   for (const auto& run : state_.workspace.runs()) {
     const std::string answer = run->TakeAnswer();
@@ -273,6 +276,7 @@ double Editor::NextFrameIn() const {
   if (const TreeView* view = const_cast<Workspace&>(workspace).view()) {
     if (view->IsMoving(now_)) return 0;
   }
+  if (state_.coverage.is_running() || IsLogBehind()) return 0;
   double next = std::min(workspace.NextUpdateIn(now_), state_.simulator.NextUpdateIn(now_));
   if (state_.notice.at + kNoticeSeconds > now_) {
     next = std::min(next, state_.notice.at + kNoticeSeconds - now_);
@@ -321,20 +325,27 @@ void Editor::LoadKeys() {
   }
 }
 
+bool Editor::IsLogBehind() const {
+  const RunView* run = state_.workspace.run();
+  if (!run || state_.run_tab != RunTab::kLog) return false;
+  const auto log = state_.logs.find(run->name());
+  return log != state_.logs.end() && log->second.is_behind(run->run());
+}
+
 void Editor::LoadMarks() {
   Workspace& workspace = state_.workspace;
   const std::optional<std::string> text = ReadText(options_.marks_file);
   if (!text) return;
   Diagnostics problems;
-  ReadMarks(*text, options_.marks_file, workspace.hooks, workspace.bookmarks, problems);
+  ReadMarks(*text, options_.marks_file, workspace.marks(), problems);
   if (!problems.all().empty()) state_.Notify(ToString(problems.all().front()), now_, true);
-  kept_marks_ = WriteMarks(workspace.hooks, workspace.bookmarks);
+  kept_marks_ = WriteMarks(workspace.marks());
 }
 
 void Editor::KeepMarks() {
   if (options_.marks_file.empty()) return;
-  std::string marks = WriteMarks(state_.workspace.hooks, state_.workspace.bookmarks);
-  const bool never_any = kept_marks_.empty() && marks == WriteMarks({}, {});
+  std::string marks = WriteMarks(state_.workspace.marks());
+  const bool never_any = kept_marks_.empty() && !HasAny(state_.workspace.marks());
   if (marks == kept_marks_ || never_any) return;
   std::error_code error;
   std::filesystem::create_directories(std::filesystem::path(options_.marks_file).parent_path(),

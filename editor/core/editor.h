@@ -99,6 +99,7 @@ class Editor {
   void LookForBackup(const std::string& path);
   void BackUp();
   void LoadKeys();
+  bool IsLogBehind() const;
   void LoadMarks();
   void KeepMarks();
   void Remember(const std::string& path);

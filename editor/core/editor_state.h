@@ -18,10 +18,12 @@
 #include "editor/document/git_head.h"
 #include "editor/document/line_changes.h"
 #include "editor/live/run_figures.h"
+#include "editor/live/run_log.h"
 #include "editor/live/why_answer.h"
 #include "editor/look/palette.h"
 #include "editor/panels/follow.h"
 #include "editor/panels/timeline_state.h"
+#include "editor/simulation/coverage_job.h"
 #include "editor/simulation/scenario_tests.h"
 #include "editor/simulation/simulator.h"
 
@@ -93,7 +95,7 @@ struct List {
 };
 
 /// What the run's tile shows.
-enum class RunTab { kWhy, kRunning, kHooks, kStatistics, kComparison };
+enum class RunTab { kWhy, kRunning, kHooks, kStatistics, kComparison, kCoverage, kLog };
 
 /// Two runs that were compared, by name.
 struct ShownComparison {
@@ -155,6 +157,7 @@ struct EditorState {
   Workspace workspace;
   CanvasState canvas;
   Simulator simulator;
+  CoverageJob coverage;  ///< of the tree of the simulation
   ScenarioTests tests;
   CommandTable commands;
   KeySettings key_settings;
@@ -191,6 +194,7 @@ struct EditorState {
   FollowMode follow;
   std::optional<HeatMode> heat;
   RunFigures figures;
+  std::map<std::string, RunLog> logs;  ///< by name of the run
   WhyAnswer why;
   ShownComparison comparison;
   bool selected_keys_only = false;  ///< in the blackboard

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "bt_core/replay/write_record.h"
+#include "editor/core/run_test_maker.h"
 
 namespace coppice::editor {
 namespace {
@@ -260,13 +261,16 @@ class RunCommands {
     AddTab("run.hooks", "Breakpoints and faults", {'K'}, RunTab::kHooks);
     AddTab("run.statistics", "Statistics", {'S'}, RunTab::kStatistics);
     AddTab("run.comparison", "Comparison", {}, RunTab::kComparison);
+    AddTab("run.coverage", "Coverage by random runs", {}, RunTab::kCoverage);
     Add("run.follow", "Follow what runs", {'F'},
         [&s = state_](RunView&) { s.follow.is_on = !s.follow.is_on; });
-    Add("run.heat", "Heat: time, failures, never ticked, off", {'H'}, [&s = state_](RunView&) {
-      const int next = s.heat ? static_cast<int>(*s.heat) + 1 : 0;
-      s.heat.reset();
-      if (next <= static_cast<int>(HeatMode::kNeverTicked)) s.heat = static_cast<HeatMode>(next);
-    });
+    Add("run.heat", "Heat: time, ticks, failures, never ticked, off", {'H'},
+        [&s = state_](RunView&) {
+          const int next = s.heat ? static_cast<int>(*s.heat) + 1 : 0;
+          s.heat.reset();
+          if (next <= static_cast<int>(HeatMode::kNeverTicked))
+            s.heat = static_cast<HeatMode>(next);
+        });
     AddAlways("blackboard.selection", "Only the keys of the selection", {'B'},
               [&s = state_] { s.selected_keys_only = !s.selected_keys_only; });
     Add("blackboard.write", "Write the key", {'E', kCtrl | kAlt},
@@ -282,6 +286,12 @@ class RunCommands {
                  [&s](const std::string& path) { return SaveRun(s, path); },
                  {}},
                 "run.coppice");
+        });
+    Add("run.save_test", "Make a test of the run or of its marked stretch", {'T', kCtrl | kShift},
+        [&s = state_, now = now_](RunView&) {
+          s.Ask({"name of the test",
+                 [&s, now](const std::string& name) { return SaveRunAsTest(s, name, now()); },
+                 {}});
         });
   }
 

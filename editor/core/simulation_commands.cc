@@ -25,6 +25,7 @@ class SimulationCommands {
                            s.tiles.tests = !s.tiles.tests;
                          }});
     AddTime();
+    AddChance();
     AddLeaf();
     AddPrompts();
   }
@@ -67,6 +68,34 @@ class SimulationCommands {
     Add("sim.end", "end", {kF5, kShift}, [](SimulationEditor e) { e.End(); });
   }
 
+  void AddChance() {
+    AddAsking("sim.chance", "leaves by chance", {'X'},
+              "seed of what the leaves do by chance; nothing: always the same",
+              &SimulationEditor::SetSeed, [](const Simulation& simulation) {
+                return simulation.seed() ? std::to_string(*simulation.seed()) : std::string("1");
+              });
+    AddAsking("sim.runs", "many runs by chance, and what they reach", {'X', kShift},
+              "how many runs", &SimulationEditor::RunOften,
+              [](const Simulation&) { return std::string("1000"); });
+    AddAsking("sim.ticks", "so many ticks", {}, "how many ticks", &SimulationEditor::RunTicks,
+              [](const Simulation&) { return std::string("100"); });
+  }
+
+  void AddAsking(std::string id, std::string title, KeyChord keys, const char* hint,
+                 std::string (SimulationEditor::*what)(const std::string&),
+                 std::function<std::string(const Simulation&)> proposal) {
+    Add(std::move(id), std::move(title), keys,
+        [&s = state_, now = now_, hint, what,
+         proposal = std::move(proposal)](const SimulationEditor&) {
+          s.Ask({hint,
+                 [&s, now, what](const std::string& text) {
+                   return (SimulationEditor(s, now()).*what)(text);
+                 },
+                 {}},
+                proposal(*s.simulator.get()));
+        });
+  }
+
   void AddLeaf() {
     AddFinish("sim.success", "the leaf returns SUCCESS", '1', Status::kSuccess);
     AddFinish("sim.failure", "the leaf returns FAILURE", '2', Status::kFailure);
@@ -84,12 +113,14 @@ class SimulationCommands {
           const NodeIndex leaf = e.SelectedLeaf();
           if (leaf == editor::kNoNode) return s.Notify("Select a leaf first", now(), true);
           const std::string present = PrintScript(*s.simulator.get()->ScriptOf(leaf));
-          s.Ask({"results and times: SUCCESS, 2s FAILURE, RUNNING x3 SUCCESS, each FAILURE SUCCESS",
-                 [&s, now](const std::string& text) {
-                   return SimulationEditor(s, now()).SetScript(text);
-                 },
-                 {}},
-                present);
+          s.Ask(
+              {"results and times: SUCCESS, 2s FAILURE, RUNNING x3 SUCCESS, each FAILURE SUCCESS, "
+               "80% SUCCESS 20% FAILURE 0s..2s",
+               [&s, now](const std::string& text) {
+                 return SimulationEditor(s, now()).SetScript(text);
+               },
+               {}},
+              present);
         });
     Add("sim.set", "set a key", {'B', kCtrl}, [&s = state_, now = now_](const SimulationEditor&) {
       s.Ask({"key = value",

@@ -12,6 +12,18 @@ namespace {
 
 constexpr Duration kLongestWait = std::chrono::hours(1);  // for a change
 
+constexpr std::uint64_t kLargestSeed = 1'000'000'000'000'000;
+constexpr std::uint64_t kMostTicks = 100'000;
+constexpr std::uint64_t kMostRuns = 10'000'000;
+
+// Nothing if the text is no whole number up to that.
+std::optional<std::uint64_t> NumberIn(const std::string& text, std::uint64_t most) {
+  const bool digits = !text.empty() && text.size() < 19 &&
+                      text.find_first_not_of("0123456789") == std::string::npos;
+  if (!digits || std::stoull(text) > most) return std::nullopt;
+  return std::stoull(text);
+}
+
 std::string Trimmed(const std::string& text) {
   const std::size_t first = text.find_first_not_of(" \t");
   if (first == std::string::npos) return {};
@@ -39,6 +51,7 @@ void SimulationEditor::Start() {
   auto run = state_.simulator.Start(workspace.project(), workspace.file()->path,
                                     workspace.ShownTreeId(), diagnostics);
   if (!run) return state_.Notify(FirstProblem(diagnostics), now_, true);
+  state_.coverage.Clear();
   const int old = workspace.FindRun(Simulator::kName);
   if (old >= 0) workspace.CloseRun(static_cast<std::size_t>(old), now_);
   workspace.AddRun(std::move(run));
@@ -139,6 +152,56 @@ void SimulationEditor::PlayAgain() {
 
 void SimulationEditor::ChangeSpeed(double factor) {
   state_.simulator.SetSpeed(state_.simulator.speed() * factor);
+}
+
+std::string SimulationEditor::SetSeed(const std::string& text) {
+  state_.simulator.Pause();
+  Simulation* simulation = GoOn();
+  const std::optional<std::uint64_t> seed = NumberIn(text, kLargestSeed);
+  if (!seed && !text.empty()) return "a seed is a whole number";
+  if (simulation) simulation->SetSeed(seed);
+  return {};
+}
+
+std::string SimulationEditor::RunTicks(const std::string& text) {
+  state_.simulator.Pause();
+  Simulation* simulation = GoOn();
+  const std::optional<std::uint64_t> ticks = NumberIn(text, kMostTicks);
+  if (!ticks || *ticks == 0) return "a number from 1 to " + std::to_string(kMostTicks);
+  if (!simulation) return "there is no simulation";
+  Status status = Status::kRunning;
+  for (std::uint64_t i = 0; i < *ticks && !IsCompleted(status); ++i) {
+    status = simulation->Tick(state_.simulator.period());
+  }
+  state_.simulator.SetResult(status);
+  return {};
+}
+
+std::string SimulationEditor::RunOften(const std::string& text) {
+  const std::optional<std::uint64_t> runs = NumberIn(text, kMostRuns);
+  if (!runs || *runs == 0) return "a number from 1 to " + std::to_string(kMostRuns);
+  const Simulation* simulation = state_.simulator.get();
+  if (!simulation) return "there is no simulation";
+  const ScenarioStep told = simulation->Told();
+  RandomRunOptions options;
+  options.seed = simulation->seed().value_or(1);
+  options.leaves = told.leaves;
+  options.set = told.set;
+  options.period = state_.simulator.period();
+  state_.coverage.Start(simulation->program(), std::move(options), *runs);
+  state_.run_tab = RunTab::kCoverage;
+  state_.tiles.run = true;
+  if (!state_.heat) state_.heat = HeatMode::kTicks;
+  return {};
+}
+
+void SimulationEditor::GoToFinding(const RandomFinding& finding) {
+  state_.simulator.Pause();
+  Simulation* simulation = GoOn();
+  if (!simulation) return;
+  simulation->PlaySeed(finding.seed, finding.tick, state_.simulator.period());
+  state_.Notify("seed " + std::to_string(finding.seed) + ", tick " + std::to_string(finding.tick),
+                now_);
 }
 
 NodeIndex SimulationEditor::SelectedLeaf() const {

@@ -14,6 +14,7 @@
 
 #include "editor/canvas/tree_view.h"
 #include "editor/document/open_project.h"
+#include "editor/live/kept_marks.h"
 #include "editor/live/run_view.h"
 #include "editor/scene/node_models.h"
 #include "editor/timeline/bookmarks.h"
@@ -91,8 +92,12 @@ class Workspace {
 
   /// Breakpoints and faults, of all robots.
   HookList hooks;
+  LogPoints log_points;
   /// By RunView::bookmark_name.
   Bookmarks bookmarks;
+  LanePins pins;
+  /// All of these.
+  Marks marks() { return {hooks, log_points, bookmarks, pins}; }
 
   /// The tree that is shown, null if there is none. Its scene is not empty.
   TreeView* view() { return view_; }

@@ -1,8 +1,10 @@
 #include "editor/live/kept_marks.h"
 
 #include <exception>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <utility>
+#include <vector>
 
 #include "editor/live/record_source.h"
 
@@ -32,38 +34,89 @@ WantedHook ReadBreakpoint(const Json& json) {
   return wanted;
 }
 
+Json WriteLogPoint(const LogPoint& point) {
+  Json json = {{"path", point.path}};
+  if (!point.run.empty()) json["run"] = point.run;
+  if (!point.text.empty()) json["text"] = point.text;
+  if (!point.condition.empty()) json["condition"] = point.condition;
+  if (point.from_hit > 1) json["from_hit"] = point.from_hit;
+  if (!point.enabled) json["enabled"] = false;
+  return json;
+}
+
+LogPoint ReadLogPoint(const Json& json) {
+  LogPoint point;
+  point.run = json.value("run", "");
+  point.path = json.at("path").get<std::string>();
+  point.text = json.value("text", "");
+  point.condition = json.value("condition", "");
+  point.from_hit = json.value("from_hit", 1U);
+  point.enabled = json.value("enabled", true);
+  return point;
+}
+
+// Files of an older editor lack some.
+Json PartOf(const Json& all, const char* name, Json otherwise) {
+  return all.contains(name) ? all.at(name) : std::move(otherwise);
+}
+
 }  // namespace
 
-std::string WriteMarks(const HookList& hooks, const Bookmarks& bookmarks) {
+bool HasAny(const Marks& marks) {
+  HookList hooks;
+  LogPoints log_points;
+  Bookmarks bookmarks;
+  LanePins pins;
+  return WriteMarks(marks) != WriteMarks({hooks, log_points, bookmarks, pins});
+}
+
+std::string WriteMarks(const Marks& marks) {
   Json breakpoints = Json::array();
-  for (const WantedHook& wanted : hooks.all()) {
+  for (const WantedHook& wanted : marks.hooks.all()) {
     const bool stays = IsBreakpoint(wanted.hook) && wanted.hook.times == 0;
     if (stays) breakpoints.push_back(WriteBreakpoint(wanted));
   }
+  Json log_points = Json::array();
+  for (const LogPoint& point : marks.log_points.all()) log_points.push_back(WriteLogPoint(point));
   Json places = Json::object();
-  for (const auto& [run, ticks] : bookmarks.all()) {
+  for (const auto& [run, ticks] : marks.bookmarks.all()) {
     if (!IsRecordName(run)) continue;  // what a robot did is gone with the editor
     for (const auto& [tick, text] : ticks) places[run].push_back({{"tick", tick}, {"text", text}});
   }
-  const Json all = {{"breakpoints", std::move(breakpoints)}, {"bookmarks", std::move(places)}};
+  const Json all = {{"breakpoints", std::move(breakpoints)},
+                    {"log_points", std::move(log_points)},
+                    {"bookmarks", std::move(places)},
+                    {"pins", marks.pins.all()}};
   return all.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-void ReadMarks(const std::string& text, const std::string& file, HookList& hooks,
-               Bookmarks& bookmarks, Diagnostics& diagnostics) {
+void ReadMarks(const std::string& text, const std::string& file, const Marks& marks,
+               Diagnostics& diagnostics) {
   try {
     const Json all = Json::parse(text);
     std::vector<WantedHook> breakpoints;
     for (const Json& json : all.at("breakpoints")) breakpoints.push_back(ReadBreakpoint(json));
+    std::vector<LogPoint> log_points;
+    for (const Json& json : PartOf(all, "log_points", Json::array())) {
+      log_points.push_back(ReadLogPoint(json));
+    }
     Bookmarks read;
     for (const auto& [run, places] : all.at("bookmarks").items()) {
       for (const Json& place : places) {
         read.Set(run, place.at("tick").get<std::size_t>(), place.value("text", ""));
       }
     }
-    for (WantedHook& wanted : breakpoints) hooks.Add(wanted.robot, std::move(wanted.hook));
+    const auto pins =
+        PartOf(all, "pins", Json::object()).get<std::map<std::string, std::vector<std::string>>>();
+    for (WantedHook& wanted : breakpoints) marks.hooks.Add(wanted.robot, std::move(wanted.hook));
+    for (LogPoint& point : log_points) marks.log_points.Add(std::move(point));
     for (const auto& [run, ticks] : read.all()) {
-      for (const auto& [tick, words] : ticks) bookmarks.Set(run, tick, words);
+      for (const auto& [tick, words] : ticks) marks.bookmarks.Set(run, tick, words);
+    }
+    for (const auto& [run, paths] : pins) {
+      for (const std::string& path : paths) {
+        if (!marks.pins.Has(run, path)) marks.pins.Toggle(run, path);
+      }
     }
   } catch (const std::exception& wrong) {
     diagnostics.Warning({file, 0, 0},

@@ -66,6 +66,8 @@ HeatMap RunFigures::Heat(HeatMode mode, const TreeDescription& tree, const Scene
     if (mode == HeatMode::kTime) {
       value = static_cast<float>(node->activations.p50.count()) *
               static_cast<float>(node->activations.count);
+    } else if (mode == HeatMode::kTicks) {
+      value = static_cast<float>(node->ticks);
     } else if (mode == HeatMode::kFailures) {
       value =
           static_cast<float>(node->results_of(Status::kFailure)) / static_cast<float>(node->ticks);
@@ -73,7 +75,8 @@ HeatMap RunFigures::Heat(HeatMode mode, const TreeDescription& tree, const Scene
     map.values[i] = value;
     most = std::max(most, value);
   }
-  if (mode != HeatMode::kTime || most <= 0) return map;
+  const bool is_share = mode == HeatMode::kFailures || mode == HeatMode::kNeverTicked;
+  if (is_share || most <= 0) return map;
   for (float& value : map.values) {
     if (value > 0) value /= most;
   }

@@ -9,6 +9,7 @@ inline constexpr char kSearch[] = "\xEF\x80\x82";       // f002
 inline constexpr char kCheck[] = "\xEF\x80\x8C";        // f00c
 inline constexpr char kTimes[] = "\xEF\x80\x8D";        // f00d
 inline constexpr char kClock[] = "\xEF\x80\x97";        // f017
+inline constexpr char kPin[] = "\xEF\x82\x8D";          // f08d
 inline constexpr char kRepeat[] = "\xEF\x80\x9E";       // f01e
 inline constexpr char kRefresh[] = "\xEF\x80\xA1";      // f021
 inline constexpr char kPause[] = "\xEF\x81\x8C";        // f04c

@@ -16,11 +16,19 @@ void DrawRunning(const Ui& ui, EditorState& state, RunView& run);
 /// Breakpoints and faults of all robots. "run/hook/1", with "/on" and "/remove".
 void DrawHooks(const Ui& ui, EditorState& state, RunView& run);
 
+/// Log-points and the lines that they have written, the newest first. "run/log/0",
+/// "run/log/point/1" with "/text", "/on" and "/remove".
+void DrawLog(const Ui& ui, EditorState& state, RunView& run);
+
 /// Figures of every node, of the marked stretch or of the whole run. "run/figures/PATH".
 void DrawStatistics(const Ui& ui, EditorState& state, RunView& run);
 
 /// Where this run and another one part. "run/compare/NAME", "run/parting", "run/difference/0".
 void DrawComparison(const Ui& ui, EditorState& state, RunView& run);
+
+/// What the runs by chance have reached, and what they have not. "run/coverage/never_ticked/PATH",
+/// "run/coverage/finding/0".
+void DrawCoverage(const Ui& ui, EditorState& state, RunView& run);
 
 /// Selects a node of the run in the shown tree.
 void SelectRunNode(EditorState& state, NodeIndex node);

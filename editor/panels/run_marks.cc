@@ -4,7 +4,12 @@ namespace coppice::editor {
 
 HeatMap RunHeat(EditorState& state, const TreeView& view) {
   const RunView* run = state.workspace.run();
-  if (!run || !state.heat || run->run().size() == 0) return {};
+  if (!run || !state.heat) return {};
+  if (run->source().is_simulation() && state.run_tab == RunTab::kCoverage && run->tree() &&
+      state.coverage.coverage()) {
+    return state.coverage.Heat(*state.heat, *run->tree()->description(), *view.scene());
+  }
+  if (run->run().size() == 0) return {};
   state.figures.Update(run->run(), state.timelines[run->name()].range);
   return state.figures.Heat(*state.heat, *run->tree()->description(), *view.scene());
 }

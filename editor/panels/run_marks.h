@@ -10,7 +10,8 @@
 
 namespace coppice::editor {
 
-/// Of the statistics, if a heat map is wanted; else without values.
+/// Of the statistics, or of the coverage while that is shown, if a heat map is wanted; else without
+/// values.
 HeatMap RunHeat(EditorState& state, const TreeView& view);
 
 /// The nodes that did something else in the run that the shown one was compared with; empty if it

@@ -15,8 +15,10 @@ struct Tab {
 constexpr Tab kTabs[] = {{RunTab::kWhy, "run/why", "WHY", DrawWhy},
                          {RunTab::kRunning, "run/running", "RUNNING", DrawRunning},
                          {RunTab::kHooks, "run/hooks", "BREAKPOINTS", DrawHooks},
+                         {RunTab::kLog, "run/log", "LOG", DrawLog},
                          {RunTab::kStatistics, "run/statistics", "STATISTICS", DrawStatistics},
-                         {RunTab::kComparison, "run/comparison", "COMPARE", DrawComparison}};
+                         {RunTab::kComparison, "run/comparison", "COMPARE", DrawComparison},
+                         {RunTab::kCoverage, "run/coverage", "COVERAGE", DrawCoverage}};
 
 // Why the robot is not there.
 void DrawProblem(const Ui& ui, const std::string& problem) {
@@ -34,7 +36,8 @@ void DrawRunTile(const Ui& ui, EditorState& state, const Box& box) {
   RunView* run = state.workspace.run();
   Panel(ui, "run", box, "", "", [&] {
     if (run) DrawProblem(ui, run->connection().problem);
-    if (!run || !run->tree() || run->run().size() == 0) {
+    const bool is_empty = run && run->run().size() == 0 && state.run_tab != RunTab::kCoverage;
+    if (!run || !run->tree() || is_empty) {
       Hint(ui, "Nothing has happened yet.");
       return;
     }

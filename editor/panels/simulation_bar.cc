@@ -51,6 +51,10 @@ class Bar {
     Right("sim/save_test", "as test", "sim.save_test");
     Right("sim/again", "again", "sim.again");
     Right("sim/set", "set key", "sim.set");
+    Right("sim/runs", "many runs", "sim.runs");
+    const auto seed = state_.simulator.get()->seed();
+    Right("sim/chance", seed ? "seed " + std::to_string(*seed) : "by chance", "sim.chance",
+          seed.has_value());
   }
 
   void DrawTime() {
@@ -92,11 +96,12 @@ class Bar {
     left_ += width + 4 * ui_.scale;
   }
 
-  void Right(const std::string& path, const std::string& text, const char* command) {
+  void Right(const std::string& path, const std::string& text, const char* command,
+             bool active = false) {
     const float width = WidthOf(text);
     if (right_ - width < left_) return;
     right_ -= width;
-    Press(path, right_, width, text, command, false);
+    Press(path, right_, width, text, command, active);
     right_ -= 4 * ui_.scale;
   }
 

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "editor/look/icons.h"
 #include "editor/panels/lane_painter.h"
 #include "editor/panels/run_text.h"
 #include "editor/panels/timeline_frame.h"
@@ -14,19 +15,20 @@ class Lanes {
   explicit Lanes(TimelineFrame& frame) : f_(frame), list_(*ImGui::GetWindowDrawList()) {}
 
   void DrawLanes() {
-    ListLanes();
     const float height = kLaneHeight * f_.ui.scale;
     const float fixed = (f_.state.shown_key.empty() ? 1.0F : 2.5F) * height;
     Box box = {f_.lanes.min, {f_.lanes.max.x, std::max(f_.lanes.max.y - fixed, f_.lanes.min.y)}};
-    const float all = height * static_cast<float>(f_.shown.listed.size());
+    ListLanes(static_cast<std::size_t>(box.height() / height));
+    const std::size_t count = f_.shown.listed.size();
+    const float all = height * static_cast<float>(count);
     f_.shown.scroll = std::clamp(f_.shown.scroll, 0.0F, std::max(all - box.height(), 0.0F));
-    list_.PushClipRect({f_.labels.min.x, box.min.y}, ToIm(box.max), true);
-    for (std::size_t i = 0; i < f_.shown.listed.size(); ++i) {
-      const float top = box.min.y + height * static_cast<float>(i) - f_.shown.scroll;
-      if (top + height < box.min.y || top > box.max.y) continue;
-      DrawLane(f_.shown.listed[i], {{f_.lanes.min.x, top}, {f_.lanes.max.x, top + height}});
+    const float below = f_.lanes.min.y + height * static_cast<float>(f_.shown.pinned);
+    DrawRows(0, f_.shown.pinned, {box.min, {box.max.x, below}});
+    DrawRows(f_.shown.pinned, count, {{box.min.x, below}, box.max});
+    if (f_.shown.pinned > 0) {
+      f_.ui.Fill(list_, {{f_.labels.min.x, below - 1}, {box.max.x, below}},
+                 Fade(f_.ui.palette.text_dim, 0.5F));
     }
-    list_.PopClipRect();
     DrawDurations({{f_.lanes.min.x, box.max.y}, {f_.lanes.max.x, box.max.y + height}});
     if (!f_.state.shown_key.empty()) {
       DrawKey({{f_.lanes.min.x, box.max.y + height}, {f_.lanes.max.x, f_.lanes.max.y}});
@@ -34,9 +36,50 @@ class Lanes {
   }
 
  private:
-  // Nodes that do something in what is shown, in the order of the tree.
-  void ListLanes() {
+  void DrawRows(std::size_t first, std::size_t end, const Box& box) {
+    const float height = kLaneHeight * f_.ui.scale;
+    list_.PushClipRect({f_.labels.min.x, box.min.y}, ToIm(box.max), true);
+    for (std::size_t i = first; i < end; ++i) {
+      const float top = f_.TopOf(i);
+      if (top + height <= box.min.y || top >= box.max.y) continue;
+      DrawLane(f_.shown.listed[i], {{f_.lanes.min.x, top}, {f_.lanes.max.x, top + height}});
+      DrawPin(i, {{f_.labels.min.x, std::max(top, box.min.y)}, {f_.labels.max.x, top + height}});
+    }
+    list_.PopClipRect();
+  }
+
+  // At the end of the label: always of a pinned lane, of others while the mouse is there.
+  void DrawPin(std::size_t row, const Box& label) {
+    const std::string& path = f_.tracks.tree()->nodes[f_.shown.listed[row]].path;
+    const Box at = {{label.max.x - 18 * f_.ui.scale, label.min.y}, label.max};
+    const bool pinned = row < f_.shown.pinned;
+    bool hovered = false;
+    if (f_.ui.Hit("timeline/pin/" + path, at, &hovered)) {
+      f_.state.workspace.pins.Toggle(f_.view.bookmark_name(), path);
+    }
+    if (hovered) ImGui::SetTooltip(pinned ? "let it go" : "keep it on top");
+    if (!pinned && !label.Contains(FromIm(ImGui::GetIO().MousePos))) return;
+    const Color color = pinned || hovered ? f_.ui.palette.accent : f_.ui.palette.text_dim;
+    f_.ui.RowText(list_, at.min + Point{4 * f_.ui.scale, 0}, at.height(), icon::kPin,
+                  {Face::kSans, 11, color});
+  }
+
+  // Pinned lanes, then those of nodes that do something in what is shown, in the order of the tree.
+  // One row is left for these.
+  void ListLanes(std::size_t room) {
     f_.shown.listed.clear();
+    const LanePins& pins = f_.state.workspace.pins;
+    for (const std::string& path : pins.Of(f_.view.bookmark_name())) {
+      if (f_.shown.listed.size() + 1 >= room) break;
+      for (NodeIndex i = 0; i < f_.tracks.shape().size(); ++i) {
+        if (f_.tracks.tree()->nodes[i].path == path) f_.shown.listed.push_back(i);
+      }
+    }
+    f_.shown.pinned = f_.shown.listed.size();
+    const std::vector<NodeIndex> pinned = f_.shown.listed;
+    const auto is_pinned = [&](NodeIndex node) {
+      return std::find(pinned.begin(), pinned.end(), node) != pinned.end();
+    };
     std::size_t first = f_.run.size();
     std::size_t end = 0;
     for (const Column& column : f_.columns) {
@@ -46,14 +89,14 @@ class Lanes {
     }
     for (NodeIndex i = 0; i < f_.tracks.shape().size(); ++i) {
       const StatusSet seen = f_.tracks.LaneOf(i).Seen(first, end);
-      if (seen & ~SetOf(Status::kIdle)) f_.shown.listed.push_back(i);
+      if ((seen & ~SetOf(Status::kIdle)) && !is_pinned(i)) f_.shown.listed.push_back(i);
     }
   }
 
   void Label(const Box& lane, const std::string& text, float indent, const TextStyle& style) {
     const float left = f_.labels.min.x + (8 + indent) * f_.ui.scale;
     f_.ui.RowText(list_, {left, lane.min.y}, lane.height(), text, style,
-                  f_.labels.max.x - left - 6 * f_.ui.scale);
+                  f_.labels.max.x - left - 20 * f_.ui.scale);
   }
 
   void DrawLane(NodeIndex node, const Box& lane) {

@@ -90,8 +90,7 @@ class Mouse {
   }
 
   NodeIndex NodeAt(float y) const {
-    const float at = (y - f_.lanes.min.y + f_.shown.scroll) / (kLaneHeight * f_.ui.scale);
-    const auto row = static_cast<std::size_t>(std::max(at, 0.0F));
+    const std::size_t row = f_.RowAt(y);
     return row < f_.shown.listed.size() ? f_.shown.listed[row] : coppice::kNoNode;
   }
 

@@ -2,6 +2,7 @@
 #ifndef COPPICE_EDITOR_PANELS_TIMELINE_STATE_H_
 #define COPPICE_EDITOR_PANELS_TIMELINE_STATE_H_
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <utility>
@@ -19,6 +20,7 @@ struct TimelineState {
   TimeView view;
   float scroll = 0;               ///< of the lanes [pixels]
   std::vector<NodeIndex> listed;  ///< whose lanes are shown, from the top
+  std::size_t pinned = 0;         ///< so many of them stay on top
   Time shown{-1};                 ///< where the playhead was in the last frame
   bool was_held = false;          ///< and that it was not at now
   TimelineDrag drag = TimelineDrag::kScrub;

@@ -2,15 +2,12 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <memory>
 #include <optional>
 #include <set>
 #include <utility>
 
-#include "bt_core/model/write_file.h"
 #include "bt_core/testing/scenario_writer.h"
 #include "editor/simulation/open_tree.h"
 
@@ -131,22 +128,7 @@ std::string ScenarioFileOf(const std::string& tree_file, const std::string& tree
 std::string SaveScenario(const Scenario& scenario, const std::string& tree_file,
                          const std::string& tree_id, Diagnostics& diagnostics) {
   std::string path = ScenarioFileOf(tree_file, tree_id);
-  std::string text;
-  if (fs::exists(path)) {
-    std::ifstream stream(path, std::ios::binary);
-    const std::string old{std::istreambuf_iterator<char>(stream), {}};
-    const std::optional<std::string> changed = AddScenario(old, path, scenario, diagnostics);
-    if (!changed) return {};
-    text = *changed;
-  } else {
-    ScenarioSuite suite;
-    suite.file = path;
-    suite.tree_file = tree_file;
-    suite.tree_id = tree_id;
-    suite.scenarios = {scenario};
-    text = PrintScenarios(suite);
-  }
-  return WriteFile(path, text, diagnostics) ? path : std::string();
+  return WriteScenario(scenario, path, tree_file, tree_id, diagnostics) ? path : std::string();
 }
 
 }  // namespace coppice::editor

@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <cstdlib>
 #include <sstream>
+#include <tuple>
+#include <utility>
 
 namespace coppice::editor {
 namespace {
@@ -43,12 +45,86 @@ std::optional<std::size_t> TimesFrom(const std::string& word) {
   return digits ? std::optional<std::size_t>(std::stoul(word.substr(1))) : std::nullopt;
 }
 
+// "80%"
+std::optional<double> ShareFrom(const std::string& word) {
+  char* end = nullptr;
+  const double share = std::strtod(word.c_str(), &end);
+  const bool is_share =
+      end != word.c_str() && std::string(end) == "%" && share >= 0 && share <= 100;
+  return is_share ? std::optional(share) : std::nullopt;
+}
+
+// "0.5s..2s"
+std::optional<std::pair<Duration, Duration>> RangeFrom(const std::string& word) {
+  const std::size_t dots = word.find("..");
+  if (dots == std::string::npos) return std::nullopt;
+  const auto shortest = DurationFrom(word.substr(0, dots));
+  const auto longest = DurationFrom(word.substr(dots + 2));
+  if (!shortest || !longest || *longest < *shortest) return std::nullopt;
+  return std::pair(*shortest, *longest);
+}
+
+bool AddShare(Chances& chances, double share, const std::string& word) {
+  const std::optional<Status> status = StatusFrom(word);
+  if (!status || *status == Status::kRunning) return false;
+  (*status == Status::kSuccess   ? chances.success
+   : *status == Status::kFailure ? chances.failure
+                                 : chances.skipped) += share;
+  return true;
+}
+
+// "80% SUCCESS 20% FAILURE 0s..2s"
+std::optional<MockScript> ParseChances(std::istringstream words, std::string& why) {
+  Chances chances;
+  for (std::string word; words >> word;) {
+    if (const auto share = ShareFrom(word)) {
+      if (words >> word && AddShare(chances, *share, word)) continue;
+      why = "behind a share comes SUCCESS, FAILURE or SKIPPED";
+      return std::nullopt;
+    }
+    if (const auto range = RangeFrom(word)) {
+      std::tie(chances.shortest, chances.longest) = *range;
+    } else if (const auto duration = DurationFrom(word)) {
+      chances.shortest = chances.longest = *duration;
+    } else {
+      why = "\"" + word + "\" is no share such as 80%, no time such as 0s..2s";
+      return std::nullopt;
+    }
+  }
+  if (chances.success + chances.failure + chances.skipped <= 0) {
+    why = "say of what, for example \"80% SUCCESS 20% FAILURE 0s..2s\"";
+    return std::nullopt;
+  }
+  MockScript script;
+  script.chances = chances;
+  return script;
+}
+
 std::string PrintDuration(Duration duration) {
   char text[48];
   const double seconds = static_cast<double>(duration.count()) * 1e-9;
   std::snprintf(text, sizeof(text), seconds < 1 ? "%.6gms" : "%.9gs",
                 seconds < 1 ? seconds * 1000 : seconds);
   return text;
+}
+
+std::string PrintChances(const Chances& chances) {
+  const double all = chances.success + chances.failure + chances.skipped;
+  std::string words;
+  const auto add = [&](double share, Status status) {
+    if (share <= 0) return;
+    char text[48];
+    std::snprintf(text, sizeof(text), "%.4g%% %s ", 100 * share / all, ToString(status));
+    words += text;
+  };
+  add(chances.success, Status::kSuccess);
+  add(chances.failure, Status::kFailure);
+  add(chances.skipped, Status::kSkipped);
+  if (chances.longest > Duration(0)) {
+    words += PrintDuration(chances.shortest) + ".." + PrintDuration(chances.longest) + " ";
+  }
+  words.pop_back();
+  return words;
 }
 
 }  // namespace
@@ -58,6 +134,7 @@ std::optional<MockScript> ParseScript(const std::string& text, std::string& why)
   std::string spaced = text;
   std::replace(spaced.begin(), spaced.end(), ',', ' ');
   std::istringstream words(spaced);
+  if (text.find('%') != std::string::npos) return ParseChances(std::move(words), why);
   for (std::string word; words >> word;) {
     if (word == "each") {
       script.restart = true;
@@ -86,6 +163,7 @@ std::optional<MockScript> ParseScript(const std::string& text, std::string& why)
 }
 
 std::string PrintScript(const MockScript& script) {
+  if (script.chances) return PrintChances(*script.chances);
   std::string text = script.restart ? "each" : "";
   const auto add = [&text](const std::string& word) { text += (text.empty() ? "" : " ") + word; };
   if (script.duration > Duration(0)) add(PrintDuration(script.duration));

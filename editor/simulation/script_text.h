@@ -4,6 +4,7 @@
 //   "2s FAILURE"          RUNNING for two seconds, then FAILURE
 //   "RUNNING x3 SUCCESS"  one result per tick; the last one repeats
 //   "each FAILURE SUCCESS"  every activation begins at the first result
+//   "80% SUCCESS 20% FAILURE 0s..2s"  by chance, after a time within these
 #ifndef COPPICE_EDITOR_SIMULATION_SCRIPT_TEXT_H_
 #define COPPICE_EDITOR_SIMULATION_SCRIPT_TEXT_H_
 

@@ -1,34 +1,12 @@
 #include "editor/simulation/simulated_tree.h"
 
-#include <cctype>
-#include <set>
-#include <string>
 #include <utility>
 
 #include "bt_core/data/value_bytes.h"
-#include "bt_core/testing/stand_in.h"
+#include "bt_core/testing/default_leaves.h"
 
 namespace coppice::editor {
 namespace {
-
-constexpr Duration kActionTime = std::chrono::seconds(1);
-
-bool SoundsLikeACondition(const std::string& id) {
-  for (const std::string verb : {"Is", "Has"}) {
-    const bool fits = id.size() > verb.size() && id.compare(0, verb.size(), verb) == 0;
-    if (fits && std::isupper(static_cast<unsigned char>(id[verb.size()]))) return true;
-  }
-  return false;
-}
-
-MockScript DefaultScript(const Registry::Entry& entry) {
-  MockScript script;
-  script.results = {Status::kSuccess};
-  const bool is_condition = entry.manifest.category == NodeCategory::kCondition ||
-                            SoundsLikeACondition(entry.manifest.id);
-  if (!is_condition) script.duration = kActionTime;
-  return script;
-}
 
 // The same for all trees of this program: they are told as one run.
 const RunId& RunOfThisProgram() {
@@ -38,20 +16,15 @@ const RunId& RunOfThisProgram() {
 
 }  // namespace
 
-std::vector<PlacedRule> DefaultLeaves(const Program& program) {
-  std::set<std::string> ids;
-  for (const LeafRecord& record : program.leaves) ids.insert(program.Id(record.node));
-  std::vector<PlacedRule> rules;
-  for (const std::string& id : ids) {
-    const Registry::Entry* entry = program.registry->Find(id);
-    if (entry && IsStandIn(*entry)) rules.push_back({{}, {"<" + id + ">", DefaultScript(*entry)}});
-  }
-  return rules;
+std::vector<PlacedRule> LeavesOf(const Program& program, std::optional<std::uint64_t> seed) {
+  return seed ? RandomLeaves(program) : DefaultLeaves(program);
 }
 
-SimulatedTree::SimulatedTree(std::shared_ptr<const Program> program, HistoryHandler* handler)
+SimulatedTree::SimulatedTree(std::shared_ptr<const Program> program,
+                             std::optional<std::uint64_t> seed, HistoryHandler* handler)
     : program_(std::move(program)),
-      player_(*program_, DefaultLeaves(*program_)),
+      seed_(seed),
+      player_(*program_, LeavesOf(*program_, seed_), seed_.value_or(0)),
       handler_(handler) {
   player_.tree().executor().AddSink(this);
   const HistoryState begin = StateNow(HistoryState::Cause::kBegin);
@@ -65,7 +38,7 @@ SimulatedTree::~SimulatedTree() { player_.tree().executor().RemoveSink(this); }
 
 void SimulatedTree::Reload(std::shared_ptr<const Program> program) {
   program_ = std::move(program);
-  player_.Reload(*program_, DefaultLeaves(*program_));
+  player_.Reload(*program_, LeavesOf(*program_, seed_));
 }
 
 void SimulatedTree::TellTo(HistoryHandler& handler, bool knows_tree) {

@@ -5,6 +5,7 @@
 #ifndef COPPICE_EDITOR_SIMULATION_SIMULATED_TREE_H_
 #define COPPICE_EDITOR_SIMULATION_SIMULATED_TREE_H_
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -14,14 +15,15 @@
 
 namespace coppice::editor {
 
-/// What leaves do that nobody has told anything: a condition is true, an action takes a second and
-/// succeeds. Without a model, what is named IsSomething or HasSomething is taken for a condition.
-std::vector<PlacedRule> DefaultLeaves(const Program& program);
+/// What leaves do that nobody has told anything: by chance, if there is a seed.
+std::vector<PlacedRule> LeavesOf(const Program& program, std::optional<std::uint64_t> seed);
 
 class SimulatedTree final : private TickSink {
  public:
-  /// `handler` is told the tree and everything that happens; null: nobody is told for now.
-  SimulatedTree(std::shared_ptr<const Program> program, HistoryHandler* handler);
+  /// `handler` is told the tree and everything that happens; null: nobody is told for now. With a
+  /// seed, leaves that nobody has told anything do by chance what they do (default_leaves.h).
+  SimulatedTree(std::shared_ptr<const Program> program, std::optional<std::uint64_t> seed,
+                HistoryHandler* handler);
   ~SimulatedTree() override;
 
   StepOutcome Play(const ScenarioStep& step) { return player_.Play(step); }
@@ -33,6 +35,7 @@ class SimulatedTree final : private TickSink {
   void TellTo(HistoryHandler& handler, bool knows_tree);
 
   const std::shared_ptr<const Program>& program() const { return program_; }
+  std::optional<std::uint64_t> seed() const { return seed_; }
   const ScenarioPlayer& player() const { return player_; }
   Time now() const { return player_.clock().Now(); }
   const HistoryFollower& state() const { return *follower_; }
@@ -44,6 +47,7 @@ class SimulatedTree final : private TickSink {
   void Describe(HistoryHandler& handler) const;
 
   std::shared_ptr<const Program> program_;
+  std::optional<std::uint64_t> seed_;
   ScenarioPlayer player_;
   HistoryHandler* handler_;
   std::optional<HistoryFollower> follower_;

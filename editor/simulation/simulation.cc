@@ -1,33 +1,24 @@
 #include "editor/simulation/simulation.h"
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 #include "bt_core/replay/write_record.h"
 #include "bt_core/testing/scenario_writer.h"
 
 namespace coppice::editor {
-namespace {
-
-// What a text is where the key has no type.
-KeyValue::Kind KindOf(const std::string& text) {
-  if (text == "true" || text == "false") return KeyValue::Kind::kBool;
-  Value number;
-  return number.Parse(TypeOf<double>(), text) ? KeyValue::Kind::kNumber : KeyValue::Kind::kString;
-}
-
-}  // namespace
 
 Simulation::Simulation(std::shared_ptr<const Program> program, HistoryHandler& run) : run_(run) {
-  Begin(std::move(program));
+  Begin(std::move(program), std::nullopt);
 }
 
-void Simulation::Begin(std::shared_ptr<const Program> program) {
+void Simulation::Begin(std::shared_ptr<const Program> program, std::optional<std::uint64_t> seed) {
   next_ = {};
-  moves_.push_back({kNone, program, {}});
+  moves_.push_back({kNone, program, seed, {}});
   at_ = moves_.size() - 1;
   HistoryHandler* const teller = this;
-  tree_ = std::make_unique<SimulatedTree>(std::move(program), teller);
+  tree_ = std::make_unique<SimulatedTree>(std::move(program), seed, teller);
 }
 
 void Simulation::OnTick(const TickEvents& events) {
@@ -73,16 +64,8 @@ const MockScript* Simulation::ScriptOf(NodeIndex node) const {
 }
 
 std::string Simulation::SetKey(const std::string& key, const std::string& text) {
-  std::string hint;
-  const SlotIndex slot = FindKey(*program(), key, hint);
-  if (slot == kNoSlot) {
-    return "the tree has no key \"" + key + "\"" + (hint.empty() ? "" : ", " + hint);
-  }
-  const Type* type = program()->layout.slots[slot].type;
-  const KeyValue value{{}, key, text, KindOf(text)};
-  if (!coppice::ValueOf(value, type).has_value()) {
-    return "\"" + text + "\" is no value of type " + type->name;
-  }
+  const KeyValue value{{}, key, text, KindOfText(text)};
+  if (std::string problem = CheckKeyValue(*program(), value); !problem.empty()) return problem;
   const auto same = [&](const KeyValue& other) { return other.key == key; };
   next_.set.erase(std::remove_if(next_.set.begin(), next_.set.end(), same), next_.set.end());
   next_.set.push_back(value);
@@ -112,13 +95,13 @@ void Simulation::Halt() {
 }
 
 StepOutcome Simulation::Play(ScenarioStep step) {
-  moves_.push_back({at_, nullptr, std::move(step)});
+  moves_.push_back({at_, nullptr, std::nullopt, std::move(step)});
   at_ = moves_.size() - 1;
   return tree_->Play(moves_[at_].step);
 }
 
 void Simulation::Reload(std::shared_ptr<const Program> program) {
-  moves_.push_back({at_, program, {}});
+  moves_.push_back({at_, program, std::nullopt, {}});
   at_ = moves_.size() - 1;
   tree_->Reload(std::move(program));
 }
@@ -151,7 +134,7 @@ std::unique_ptr<SimulatedTree> Simulation::Replay(std::size_t to, HistoryHandler
   for (const std::size_t i : Way(to)) {
     const Move& move = moves_[i];
     if (!tree) {
-      tree = std::make_unique<SimulatedTree>(move.program, handler);
+      tree = std::make_unique<SimulatedTree>(move.program, move.seed, handler);
     } else if (move.program) {
       tree->Reload(move.program);
     } else {
@@ -161,7 +144,35 @@ std::unique_ptr<SimulatedTree> Simulation::Replay(std::size_t to, HistoryHandler
   return tree;
 }
 
-void Simulation::Restart() { Begin(program()); }
+void Simulation::Restart() { Begin(program(), seed()); }
+
+void Simulation::SetSeed(std::optional<std::uint64_t> seed) { Begin(program(), seed); }
+
+void Simulation::PlaySeed(std::uint64_t seed, std::uint64_t ticks, Duration period) {
+  ScenarioStep told = Told();
+  Begin(program(), seed);
+  next_ = std::move(told);
+  Duration wait{0};
+  for (std::uint64_t i = 0; i < ticks; ++i) {
+    Tick(wait);
+    wait = tree_->player().tree().executor().next_tick() > tree_->now() ? period : Duration(0);
+  }
+}
+
+ScenarioStep Simulation::Told() const {
+  std::vector<ScenarioStep> steps = Steps();
+  steps.push_back(next_);
+  std::map<std::string, PlacedRule> leaves;
+  std::map<std::string, KeyValue> keys;
+  for (const ScenarioStep& step : steps) {
+    for (const PlacedRule& placed : step.leaves) leaves[placed.rule.pattern] = placed;
+    for (const KeyValue& value : step.set) keys[value.key] = value;
+  }
+  ScenarioStep told;
+  for (const auto& [pattern, placed] : leaves) told.leaves.push_back(placed);
+  for (const auto& [key, value] : keys) told.set.push_back(value);
+  return told;
+}
 
 void Simulation::PlayAgain() {
   const std::vector<ScenarioStep> steps = Steps();
@@ -185,7 +196,8 @@ std::vector<ScenarioStep> Simulation::Steps() const {
 }
 
 Scenario Simulation::Record(std::string name) const {
-  return RecordScenario(*program(), DefaultLeaves(*program()), Steps(), std::move(name));
+  return RecordScenario(*program(), LeavesOf(*program(), seed()), Steps(), std::move(name),
+                        seed().value_or(0));
 }
 
 std::string Simulation::ToRecord() const {

@@ -15,7 +15,9 @@
 #define COPPICE_EDITOR_SIMULATION_SIMULATION_H_
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -65,6 +67,15 @@ class Simulation final : private HistoryHandler {
   bool Back();
   /// Begins anew, with the tree as it is now.
   void Restart();
+  /// Begins anew with leaves that do by chance what nobody has told them, or, without a seed,
+  /// always the same.
+  void SetSeed(std::optional<std::uint64_t> seed);
+  std::optional<std::uint64_t> seed() const { return tree_->seed(); }
+  /// The same as the run of that seed of RandomRuns, which knows what was told here, up to a tick.
+  void PlaySeed(std::uint64_t seed, std::uint64_t ticks, Duration period);
+  /// Of all that was told on this way, the last script of every node and the last value of every
+  /// key.
+  ScenarioStep Told() const;
   /// Begins anew and does the same again, with the tree as it is now.
   void PlayAgain();
 
@@ -82,6 +93,7 @@ class Simulation final : private HistoryHandler {
   struct Move {
     std::size_t before = kNone;
     std::shared_ptr<const Program> program;
+    std::optional<std::uint64_t> seed;  // of a tree that begins
     ScenarioStep step;
   };
 
@@ -91,7 +103,7 @@ class Simulation final : private HistoryHandler {
 
   std::vector<std::size_t> Way(std::size_t to) const;
   std::vector<ScenarioStep> Steps() const;
-  void Begin(std::shared_ptr<const Program> program);
+  void Begin(std::shared_ptr<const Program> program, std::optional<std::uint64_t> seed);
   StepOutcome Play(ScenarioStep step);
   void GoToMove(std::size_t move);
   std::unique_ptr<SimulatedTree> Replay(std::size_t to, HistoryHandler* handler) const;

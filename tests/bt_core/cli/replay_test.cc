@@ -3,9 +3,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "bt_core/cli/scrubber.h"
+#include "bt_core/cli/verbs.h"
 #include "bt_core/record/recorder.h"
 #include "bt_core/replay/load_recording.h"
 #include "tests/bt_core/record/temporary_folder.h"
@@ -194,6 +196,38 @@ TEST_F(ReplayTest, GoesBackAndForthByKeys) {
   EXPECT_THAT(scrubber.Render(40, 200), HasSubstr("\"x\" is no number"));
   EXPECT_NE(scrubber.Render(1, 1), "");
   EXPECT_FALSE(scrubber.Press("q"));
+}
+
+TEST_F(ReplayTest, ARecordBecomesATestThatTheTestVerbPlays) {
+  const std::string tree = folder_.Path("tree.xml");
+  std::ofstream(tree) << "<root BTCPP_format='4' main_tree_to_execute='Main'>" << kTree
+                      << "</root>";
+  const std::string test = folder_.Path("night.test.json");
+  EXPECT_EQ(Run({path(), "--scenario", test}), 2) << "the robot's path is not one here";
+  EXPECT_THAT(error_, HasSubstr("--tree-file says where"));
+  EXPECT_EQ(Run({path(), "--scenario", test, "--tree-file", tree, "--name", "night"}), 0) << error_;
+  EXPECT_THAT(out_, HasSubstr("\"night\", 3 steps from tick 1"));
+  EXPECT_EQ(Run({test}, RunTest), 0) << out_;
+  EXPECT_EQ(Run({path(), "--scenario", test, "--tree-file", tree, "--name", "night"}), 1);
+  EXPECT_THAT(error_, HasSubstr("there is a scenario \"night\" already"));
+
+  std::string changed = kTree;
+  changed.replace(changed.find("1500"), 4, "2500");
+  changed.replace(changed.find("n &lt; 3"), 8, "n &lt; 9");
+  std::ofstream(tree) << "<root BTCPP_format='4' main_tree_to_execute='Main'>" << changed
+                      << "</root>";
+  EXPECT_EQ(Run({test}, RunTest), 1);
+  EXPECT_THAT(out_, HasSubstr("expected tick ready FAILURE")) << out_;
+}
+
+TEST_F(ReplayTest, APartOfARecordBecomesATest) {
+  const std::string tree = folder_.Path("tree.xml");
+  std::ofstream(tree) << "<root BTCPP_format='4' main_tree_to_execute='Main'>" << kTree
+                      << "</root>";
+  const std::string test = folder_.Path("part.test.json");
+  EXPECT_EQ(Run({path(), "--scenario", test, "--tree-file", tree, "--to", "1"}), 0) << error_;
+  EXPECT_THAT(out_, HasSubstr("2 steps"));
+  EXPECT_EQ(Run({path(), "--scenario", test, "--tree-file", tree, "--to", "soon"}), 2);
 }
 
 }  // namespace

@@ -111,6 +111,19 @@ TEST_F(MockedTreeTest, OutputsOfAPlayedLeafReachItsReader) {
   EXPECT_EQ(Tick(), "SUCCESS: tick d SUCCESS goal=1 tries=3, tick e SUCCESS goal=2.5 tries=3,");
 }
 
+TEST_F(MockedTreeTest, FeedbackIsWrittenWhileALeafRuns) {
+  MockScript script = Returns({Status::kRunning, Status::kSuccess});
+  script.feedback = {{"distance", "2.5"}};
+  Make(Main("<ReactiveFallback><Sequence><ScriptCondition code=\"x == 2.5\"/>"
+            "<Leaf name=\"near\"/></Sequence>"
+            "<Drive name=\"d\" goal=\"1\" distance=\"{x}\" total=\"{t}\"/></ReactiveFallback>"),
+       {{"d", script}, {"near", Returns({Status::kSuccess})}});
+  tree_->executor().Tick();
+  EXPECT_NE(Events().find("tick d RUNNING"), std::string::npos);
+  tree_->executor().Tick();
+  EXPECT_NE(Events().find("tick near SUCCESS"), std::string::npos);
+}
+
 TEST_F(MockedTreeTest, AnOutputThatIsNoneIsAFailureWithAMessage) {
   KeepingSink sink;
   for (const auto& [port, text] : {std::pair("distance", "far"), std::pair("speed", "1")}) {

@@ -146,5 +146,27 @@ TEST_F(ScenarioFile, ExpectationsAreChecked) {
   EXPECT_EQ(StepErrors(R"({"expect": {"state": "SUCCESS"}})").rfind("unknown member", 0), 0U);
 }
 
+TEST_F(ScenarioFile, ChancesHaveSharesAndARange) {
+  const auto suite = Load(R"({"tree": "a.xml", "leaves": {
+    "a": {"chances": {"FAILURE": 2, "after_ms": 50}, "says": "no"}},
+    "scenarios": [{"name": "s", "seed": 18446744073709, "steps": [{}]}]})");
+  ASSERT_TRUE(suite) << errors_;
+  const Chances& chances = *suite->leaves[0].rule.script.chances;
+  EXPECT_EQ(chances.failure, 2);
+  EXPECT_EQ(chances.shortest, std::chrono::milliseconds(50));
+  EXPECT_EQ(chances.longest, std::chrono::milliseconds(50));
+  EXPECT_EQ(suite->scenarios[0].seed, 18446744073709U);
+  const auto errors = [this](const std::string& script) {
+    return StepErrors(R"({"leaves": {"a": )" + script + "}}");
+  };
+  EXPECT_NE(errors(R"({"chances": {}})").find("needs a share"), std::string::npos);
+  EXPECT_NE(errors(R"({"chances": {"SUCCESS": -1}})").find("not negative"), std::string::npos);
+  EXPECT_NE(errors(R"({"chances": {"SUCCESS": 1, "after_ms": [2, 1]}})").find("the shortest"),
+            std::string::npos);
+  EXPECT_NE(errors(R"({"chances": {"SUCCESS": 1}, "returns": "FAILURE"})").find("stands for"),
+            std::string::npos);
+  EXPECT_NE(errors(R"({"chances": {"RUNNING": 1}})").find("unknown member"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace coppice

@@ -11,11 +11,13 @@ constexpr char kText[] = R"({
   "models": "../models.xml",
   "leaves": {
     "<NavigateTo>": ["FAILURE", "RUNNING", "SUCCESS"],
+    "<Grasp>": {"chances": {"SUCCESS": 8, "FAILURE": 1.5, "SKIPPED": 1, "after_ms": [100, 2000]}},
     "<Wait>": {
       "after_ms": 5000.25,
       "returns": "FAILURE",
       "restart": true,
       "outputs": {"path": "1;2"},
+      "feedback": {"left": "3"},
       "says": "waited \"long\" enough",
       "throws": "broken"
     }
@@ -23,6 +25,7 @@ constexpr char kText[] = R"({
   "scenarios": [
     {
       "name": "tries again",
+      "seed": 7,
       "leaves": {"speak": "SKIPPED"},
       "steps": [
         {

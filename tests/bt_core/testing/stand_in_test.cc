@@ -104,5 +104,17 @@ TEST(StandIn, WhatAScriptWritesHasTheTypeOfTheKey) {
   ASSERT_EQ(outcome.messages.size(), 1U);
 }
 
+TEST(StandIn, ANumberForAKeyWithoutTypeIsANumber) {
+  const auto program = Compiled(
+      "<BehaviorTree ID=\"Main\"><Sequence><Look seen=\"{n}\" day=\"{day}\"/>"
+      "<ScriptCondition code=\"n &gt; 2 &amp;&amp; day == true\"/></Sequence></BehaviorTree>");
+  ASSERT_TRUE(program);
+  PlacedRule rule;
+  rule.rule.pattern = "<Look>";
+  rule.rule.script.outputs = {{"seen", "2.5"}, {"day", "true"}};
+  ScenarioPlayer player(*program, {rule});
+  EXPECT_EQ(player.Play({}).status, Status::kSuccess);
+}
+
 }  // namespace
 }  // namespace coppice

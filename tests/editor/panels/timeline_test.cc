@@ -104,5 +104,39 @@ TEST_F(TimelineTest, SpacePlaysARecord) {
   EXPECT_FALSE(run().playhead().is_playing());
 }
 
+TEST_F(TimelineTest, APinnedLaneStaysOnTopAlsoWhenNothingHappensInIt) {
+  AddExecuted(driver_, "robot:1", 30);
+  driver_.Frames();
+  const float before = driver_.BoxOf("timeline/pass/Drive").min.y;
+  EXPECT_GT(before, driver_.BoxOf("timeline/mission").min.y);
+  EXPECT_TRUE(driver_.Click("timeline/pin/pass/Drive"));
+  driver_.Frames();
+  EXPECT_LT(driver_.BoxOf("timeline/pass/Drive").min.y, driver_.BoxOf("timeline/mission").min.y);
+  driver_.Picture("timeline_pinned");
+  driver_.editor.state().workspace.pins.Toggle("robot:1", "OpenDoor");
+  driver_.Frames();
+  EXPECT_TRUE(driver_.Has("timeline/OpenDoor")) << "it was never ticked";
+  driver_.ClickAt(In("timeline/pass/Drive", 0.5F));
+  EXPECT_EQ(driver_.Selected(), "1.1.1") << "a click finds its row";
+  driver_.Press('T');
+  driver_.Frames();
+  EXPECT_GT(driver_.BoxOf("timeline/pass/Drive").min.y, driver_.BoxOf("timeline/OpenDoor").min.y);
+  EXPECT_FALSE(driver_.editor.state().workspace.pins.Has("robot:1", "pass/Drive"));
+}
+
+TEST_F(TimelineTest, OtherLanesScrollBelowThePinnedOnes) {
+  AddExecuted(driver_, "robot:1", 30);
+  LanePins& pins = driver_.editor.state().workspace.pins;
+  pins.Toggle("robot:1", "pass/Drive");
+  driver_.editor.state().splits.timeline = 100;
+  driver_.Frames();
+  const float pinned = driver_.BoxOf("timeline/pass/Drive").min.y;
+  const float other = driver_.BoxOf("timeline/mission").min.y;
+  driver_.editor.state().timelines["robot:1"].scroll = 17;
+  driver_.Frames();
+  EXPECT_EQ(driver_.BoxOf("timeline/pass/Drive").min.y, pinned);
+  EXPECT_LT(driver_.BoxOf("timeline/mission").min.y, other);
+}
+
 }  // namespace
 }  // namespace coppice::editor

@@ -20,6 +20,16 @@ TEST(ScriptText, SaysWhatALeafDoes) {
   EXPECT_EQ(Again("sk"), "SKIPPED");
 }
 
+TEST(ScriptText, SaysWhatALeafDoesByChance) {
+  EXPECT_EQ(Again("80% SUCCESS 20% FAILURE 0s..2s"), "80% SUCCESS 20% FAILURE 0ms..2s");
+  EXPECT_EQ(Again("1% f, 1% s, 2% sk"), "25% SUCCESS 25% FAILURE 50% SKIPPED");
+  EXPECT_EQ(Again("100% FAILURE 1s"), "100% FAILURE 1s..1s");
+  EXPECT_NE(Again("80%").find("behind a share"), std::string::npos);
+  EXPECT_NE(Again("80% RUNNING").find("behind a share"), std::string::npos);
+  EXPECT_NE(Again("0% SUCCESS").find("say of what"), std::string::npos);
+  EXPECT_NE(Again("80% SUCCESS 2s..1s").find("\"2s..1s\""), std::string::npos);
+}
+
 TEST(ScriptText, SaysWhatItDoesNotUnderstand) {
   EXPECT_NE(Again("2s FAIL quickly").find("\"quickly\" is no SUCCESS"), std::string::npos);
   EXPECT_NE(Again("").find("say what it returns"), std::string::npos);

@@ -8,27 +8,31 @@
 namespace coppice::editor {
 namespace {
 
+constexpr Duration kTick = std::chrono::milliseconds(100);
+
 ScenarioStep After(Duration time) {
   ScenarioStep step;
   step.advance = time;
   return step;
 }
 
-TEST(SimulatedTree, ConditionsAreTrueAndActionsTakeASecond) {
-  const auto program =
-      CompiledRoot("<Sequence><IsDay/><Condition ID=\"Dry\"/><Island/><AlwaysSuccess/></Sequence>");
-  const std::vector<PlacedRule> rules = DefaultLeaves(*program);
-  ASSERT_EQ(rules.size(), 3U);
-  EXPECT_EQ(rules[0].rule.pattern, "<Dry>");
-  EXPECT_EQ(rules[0].rule.script.duration, Duration(0));
-  EXPECT_EQ(rules[1].rule.pattern, "<IsDay>");
-  EXPECT_EQ(rules[1].rule.script.duration, Duration(0));
-  EXPECT_EQ(rules[2].rule.script.duration, std::chrono::seconds(1)) << "an island is no condition";
+TEST(SimulatedTree, TheSameSeedIsTheSameHistory) {
+  const auto program = CompiledRoot("<Sequence><IsDay/><Go/></Sequence>");
+  const auto statuses = [&](std::optional<std::uint64_t> seed) {
+    SimulatedTree tree(program, seed, nullptr);
+    std::string text;
+    for (int i = 0; i < 200; ++i) text += ToString(tree.Play(After(kTick)).status)[0];
+    return text;
+  };
+  EXPECT_EQ(statuses(7), statuses(7));
+  EXPECT_NE(statuses(7), statuses(8));
+  EXPECT_NE(statuses(7).find('F'), std::string::npos);
+  EXPECT_EQ(statuses(std::nullopt).find('F'), std::string::npos) << "no chance without a seed";
 }
 
 TEST(SimulatedTree, TellsItsHistoryAsARobotDoes) {
   editor::Run run;
-  SimulatedTree tree(CompiledRoot("<Sequence><IsDay/><Go/></Sequence>"), &run);
+  SimulatedTree tree(CompiledRoot("<Sequence><IsDay/><Go/></Sequence>"), std::nullopt, &run);
   EXPECT_TRUE(run.has_tree());
   tree.Play(After(Duration(0)));
   tree.Play(After(std::chrono::seconds(1)));
@@ -41,7 +45,7 @@ TEST(SimulatedTree, TellsItsHistoryAsARobotDoes) {
 
 TEST(SimulatedTree, AReloadIsAnotherTreeOfTheSameRun) {
   editor::Run run;
-  SimulatedTree tree(CompiledRoot("<Sequence><Go/></Sequence>"), &run);
+  SimulatedTree tree(CompiledRoot("<Sequence><Go/></Sequence>"), std::nullopt, &run);
   tree.Play(After(Duration(0)));
   tree.Reload(CompiledRoot("<Fallback><New/><Go/></Fallback>"));
   tree.Play(After(Duration(0)));
@@ -51,7 +55,7 @@ TEST(SimulatedTree, AReloadIsAnotherTreeOfTheSameRun) {
 }
 
 TEST(SimulatedTree, WhoIsToldLaterLearnsHowItStands) {
-  SimulatedTree tree(CompiledRoot("<Sequence><IsDay/><Go/></Sequence>"), nullptr);
+  SimulatedTree tree(CompiledRoot("<Sequence><IsDay/><Go/></Sequence>"), std::nullopt, nullptr);
   tree.Play(After(Duration(0)));
   editor::Run run;
   tree.TellTo(run, false);

@@ -1,0 +1,15 @@
+// `coppice test --random RUNS FILE`: trees with leaves that do by chance what leaves may do.
+#ifndef COPPICE_BT_CORE_CLI_RANDOM_TEST_H_
+#define COPPICE_BT_CORE_CLI_RANDOM_TEST_H_
+
+#include "bt_core/base/command_line.h"
+
+namespace coppice {
+
+/// Each file is a tree, or scenarios, of which the tree and the scripts of all leaves are taken.
+/// Exit status: 0, 1 if something was found, 2 if something cannot be run.
+int RunRandomTest(const Options& options);
+
+}  // namespace coppice
+
+#endif  // COPPICE_BT_CORE_CLI_RANDOM_TEST_H_

@@ -1,0 +1,50 @@
+// What a node does by chance: in every activation it is RUNNING for a while and then returns one of
+// its results. The same seed gives the same behaviour, on every computer.
+//
+//   Dice dice(seed, "patrol/drive");        // each node has its own
+//   const Outcome outcome = Throw(chances, dice);
+#ifndef COPPICE_BT_CORE_TESTING_CHANCES_H_
+#define COPPICE_BT_CORE_TESTING_CHANCES_H_
+
+#include <cstdint>
+#include <string_view>
+
+#include "bt_core/base/clock.h"
+#include "bt_core/base/status.h"
+
+namespace coppice {
+
+/// Of the results only the proportions count; if all are 0 it succeeds.
+struct Chances {
+  double success = 0;
+  double failure = 0;
+  double skipped = 0;    ///< a node that skips does so at once
+  Duration shortest{0};  ///< RUNNING for so long before SUCCESS or FAILURE, any time up to
+  Duration longest{0};
+};
+
+/// Random numbers: SplitMix64 (Steele, Lea and Flood: Fast splittable pseudorandom number
+/// generators, 2014).
+class Dice {
+ public:
+  Dice() = default;
+  /// `who` keeps nodes apart that have the same seed.
+  Dice(std::uint64_t seed, std::string_view who);
+  /// At least 0, less than 1.
+  double Next();
+
+ private:
+  std::uint64_t state_ = 0;
+};
+
+struct Outcome {
+  Duration after{0};  ///< in which it is RUNNING
+  Status result = Status::kSuccess;
+};
+
+/// Takes two numbers of the dice, whatever the chances are.
+Outcome Throw(const Chances& chances, Dice& dice);
+
+}  // namespace coppice
+
+#endif  // COPPICE_BT_CORE_TESTING_CHANCES_H_

@@ -1,0 +1,23 @@
+// What leaves do that only the robot's program knows (stand_in.h) and that nobody has told
+// anything, as rules by type.
+#ifndef COPPICE_BT_CORE_TESTING_DEFAULT_LEAVES_H_
+#define COPPICE_BT_CORE_TESTING_DEFAULT_LEAVES_H_
+
+#include <vector>
+
+#include "bt_core/engine/program.h"
+#include "bt_core/testing/scenario.h"
+
+namespace coppice {
+
+/// A condition is true, an action takes a second and succeeds. Without a model, what is named
+/// IsSomething or HasSomething is taken for a condition.
+std::vector<PlacedRule> DefaultLeaves(const Program& program);
+
+/// By chance: a condition is true in half of the cases; an action takes up to two seconds and
+/// succeeds in four of five.
+std::vector<PlacedRule> RandomLeaves(const Program& program);
+
+}  // namespace coppice
+
+#endif  // COPPICE_BT_CORE_TESTING_DEFAULT_LEAVES_H_

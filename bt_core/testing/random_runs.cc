@@ -1,0 +1,114 @@
+#include "bt_core/testing/random_runs.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "bt_core/testing/default_leaves.h"
+#include "bt_core/testing/mocked_tree.h"
+#include "bt_core/testing/scenario_player.h"
+
+namespace coppice {
+namespace {
+
+constexpr int kMostTicksAtOnce = 1000;
+constexpr std::size_t kMostFindings = 100;
+
+void Set(MockedTree& tree, const std::vector<KeyValue>& values) {
+  const Program& program = tree.program();
+  for (const KeyValue& given : values) {
+    std::string hint;
+    const SlotIndex slot = FindKey(program, given.key, hint);
+    if (slot == kNoSlot) continue;
+    Value value = ValueOf(given, program.layout.slots[slot].type);
+    if (value.has_value()) tree.executor().inbox()->Post(slot, 0, std::move(value));
+  }
+}
+
+}  // namespace
+
+class RandomRuns::Watcher final : public TickSink {
+ public:
+  explicit Watcher(RandomRuns& runs) : runs_(runs) {}
+
+  void OnTick(const TickEvents& events) override {
+    EventReader reader(events.words);
+    for (Event event; reader.Next(event);) {
+      if (event.is_status()) {
+        ++runs_.coverage_.nodes[event.index].results[static_cast<std::size_t>(event.status())];
+      } else if (event.code == EventCode::kText && event.text == EventText::kException) {
+        runs_.Find(runs_.program_->Path(event.index), std::string(event.bytes), events.tick);
+      }
+    }
+  }
+
+ private:
+  RandomRuns& runs_;
+};
+
+RandomRuns::RandomRuns(std::shared_ptr<const Program> program, RandomRunOptions options)
+    : program_(std::move(program)), options_(std::move(options)) {
+  for (const PlacedRule& rule : RandomLeaves(*program_)) options_.leaves.push_back(rule);
+  coverage_.first_seed = options_.seed;
+  for (NodeIndex node = 0; node < program_->nodes.size(); ++node) {
+    coverage_.nodes.push_back({program_->Path(node), {}});
+  }
+}
+
+void RandomRuns::Run() {
+  std::vector<MockRule> rules;
+  for (const PlacedRule& placed : options_.leaves) rules.push_back(placed.rule);
+  SimulatedClock clock(std::chrono::seconds(1));
+  Watcher watcher(*this);
+  MockedTree tree(*program_, std::move(rules), clock, {false, options_.seed + coverage_.runs});
+  Executor& executor = tree.executor();
+  executor.AddSink(&watcher);
+  Set(tree, options_.set);
+  Status status = Status::kRunning;
+  int at_once = 0;
+  while (!IsCompleted(status) && executor.ticks() < options_.most_ticks) {
+    status = executor.Tick();
+    tree.TakeEvents();
+    if (executor.next_tick() > clock.Now()) {
+      at_once = 0;
+    } else if (++at_once < kMostTicksAtOnce) {
+      continue;
+    } else if (at_once == kMostTicksAtOnce) {
+      Find("", "asks for the next tick at once, for ever", executor.ticks());
+    }
+    clock.Advance(options_.period);
+  }
+  executor.RemoveSink(&watcher);
+  coverage_.ticks += executor.ticks();
+  ++coverage_.results[static_cast<std::size_t>(status)];
+  ++coverage_.runs;
+}
+
+void RandomRuns::Find(std::string node, std::string text, std::uint64_t tick) {
+  std::vector<RandomFinding>& all = coverage_.findings;
+  const auto same = std::find_if(all.begin(), all.end(), [&](const RandomFinding& other) {
+    return other.node == node && other.text == text;
+  });
+  if (same != all.end()) {
+    ++same->times;
+  } else if (all.size() < kMostFindings) {
+    all.push_back({std::move(node), std::move(text), 1, options_.seed + coverage_.runs, tick});
+  }
+}
+
+std::vector<std::string> NeverTicked(const Coverage& coverage) {
+  std::vector<std::string> paths;
+  for (const NodeCoverage& node : coverage.nodes) {
+    if (node.ticks() == 0) paths.push_back(node.path);
+  }
+  return paths;
+}
+
+std::vector<std::string> NeverReturned(const Coverage& coverage, Status status) {
+  std::vector<std::string> paths;
+  for (const NodeCoverage& node : coverage.nodes) {
+    if (node.ticks() > 0 && node.results_of(status) == 0) paths.push_back(node.path);
+  }
+  return paths;
+}
+
+}  // namespace coppice

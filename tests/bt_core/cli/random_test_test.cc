@@ -1,0 +1,51 @@
+#include "tests/bt_core/cli/fixture.h"
+
+namespace coppice {
+namespace {
+
+class RandomTestVerb : public CliTest {
+ protected:
+  std::string Tree() {
+    return WriteTree("<Fallback><IsDay/><ScriptCondition code=\"battery &lt; 0.3\"/></Fallback>");
+  }
+};
+
+TEST_F(RandomTestVerb, TheSameSeedPrintsTheSame) {
+  const std::string file = Tree();
+  const Arguments arguments = {"--random", "100", "--set", "battery=0.5", "--seed", "7", file};
+  EXPECT_EQ(Run(RunTest, arguments), 0) << err_;
+  const std::string first = out_;
+  EXPECT_NE(first.find("100 runs, seeds 7 to 106, 100 ticks"), std::string::npos) << first;
+  EXPECT_EQ(Run(RunTest, arguments), 0);
+  EXPECT_EQ(out_, first);
+}
+
+TEST_F(RandomTestVerb, WhatIsFoundIsAFailure) {
+  EXPECT_EQ(Run(RunTest, {"--random", "20", Tree()}), 1);
+  EXPECT_NE(out_.find("found:\n"), std::string::npos) << out_;
+  EXPECT_EQ(Run(RunTest, {"--random", "20", "--json", Tree()}), 1);
+  EXPECT_EQ(out_.front(), '{');
+}
+
+TEST_F(RandomTestVerb, ScriptsOfAScenarioFileArePlayed) {
+  Tree();
+  const std::string file = Write("a.test.json", R"({"tree": "tree.xml",
+   "leaves": {"<IsDay>": {"chances": {"SUCCESS": 1, "after_ms": [100, 100]}}},
+   "scenarios": [{"name": "a", "steps": [{}]}]})");
+  EXPECT_EQ(Run(RunTest, {"--random", "10", file}), 0) << out_ << err_;
+  EXPECT_NE(out_.find(" 20 ticks: 10 SUCCESS"), std::string::npos) << out_;
+}
+
+TEST_F(RandomTestVerb, WrongOptionsAreSaid) {
+  EXPECT_EQ(Run(RunTest, {"--random", "0", Tree()}), 2);
+  EXPECT_EQ(err_, "--random: expected a number from 1 to 1000000000\n");
+  EXPECT_EQ(Run(RunTest, {"--random", "1", "--set", "batery=1", Tree()}), 2);
+  EXPECT_NE(err_.find("the tree has no key \"batery\""), std::string::npos) << err_;
+  EXPECT_EQ(Run(RunTest, {"--random", "1", "--set", "battery", Tree()}), 2);
+  EXPECT_NE(err_.find("expected KEY=VALUE"), std::string::npos) << err_;
+  EXPECT_EQ(Run(RunTest, {"--random", "1", "--tree", "Other", Tree()}), 2);
+  EXPECT_EQ(Run(RunTest, {"--random", "1", (folder_ / "none.xml").string()}), 2);
+}
+
+}  // namespace
+}  // namespace coppice
