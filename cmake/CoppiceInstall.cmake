@@ -9,7 +9,7 @@ set(COPPICE_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/coppice)
 
 set(libraries bt_core bt_core_history bt_core_record bt_core_replay bt_core_scenario)
 if(COPPICE_LIVE)
-  list(APPEND libraries bt_core_debugger bt_core_live bt_core_live_client)
+  list(APPEND libraries bt_core_condition bt_core_debugger bt_core_live bt_core_live_client)
 endif()
 foreach(library ${libraries})
   string(REPLACE bt_core_ "" name ${library})
@@ -19,6 +19,12 @@ install(TARGETS ${libraries} EXPORT coppice ARCHIVE DESTINATION ${CMAKE_INSTALL_
 install(TARGETS coppice RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(EXPORT coppice NAMESPACE coppice:: FILE coppice-targets.cmake
         DESTINATION ${COPPICE_PACKAGE_DIR})
+
+# The page lies where the installed program looks for it.
+if(COPPICE_WEB)
+  install(DIRECTORY ${COPPICE_WEB_FOLDER}/ DESTINATION ${CMAKE_INSTALL_DATADIR}/coppice/web
+          FILES_MATCHING PATTERN "index.*")
+endif()
 
 set(other_headers PATTERN cli EXCLUDE)
 if(NOT COPPICE_LIVE)

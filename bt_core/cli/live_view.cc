@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <filesystem>
 #include <iostream>
 #include <stdexcept>
+#include <system_error>
 
 #include "bt_core/live/live_publisher.h"
 #include "bt_core/live/token_keys.h"
@@ -27,6 +29,16 @@ std::int64_t ReadNumber(const Options& options, const std::string& name, std::in
   throw std::invalid_argument(name + ": expected a number from 0 to " + std::to_string(largest));
 }
 
+// Of an installed program ../share/coppice/web, else that of the build.
+std::string WebFolder() {
+  std::error_code error;
+  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
+  const std::filesystem::path installed =
+      program.parent_path().parent_path() / "share" / "coppice" / "web";
+  const bool is_there = !error && std::filesystem::exists(installed / "index.html", error);
+  return is_there ? installed.string() : COPPICE_WEB_FOLDER;
+}
+
 LiveOptions ReadLiveOptions(const Options& options) {
   constexpr std::int64_t kLongestWait = 86400;  // s: a day
   LiveOptions live;
@@ -38,7 +50,7 @@ LiveOptions ReadLiveOptions(const Options& options) {
   live.web = options.Has("--web") || options.Has("--web-port") || options.Has("--web-folder");
   live.web_port =
       static_cast<std::uint16_t>(ReadNumber(options, "--web-port", live.web_port, 65535));
-  live.web_folder = options.Get("--web-folder", COPPICE_WEB_FOLDER);
+  live.web_folder = options.Get("--web-folder", WebFolder());
   if (const char* token = std::getenv(kTokenVariable)) live.token = token;
   return live;
 }

@@ -54,9 +54,13 @@ void WebVisit::OnRequest() {
 }
 
 void WebVisit::OnGet() {
-  std::optional<WebFile> file = files_.Find(View(request_.target()));
+  const bool accepts_gzip = AcceptsGzip(Field(http::field::accept_encoding));
+  std::optional<WebFile> file = files_.Find(View(request_.target()), accepts_gzip);
   if (!file) return NotFound();
-  Send(Begin(Status::ok, file->type), std::move(file->bytes));
+  std::shared_ptr<Answer> answer = Begin(Status::ok, file->type);
+  answer->set(http::field::vary, "Accept-Encoding");
+  if (file->is_gzipped) answer->set(http::field::content_encoding, "gzip");
+  Send(std::move(answer), std::move(file->bytes));
 }
 
 void WebVisit::OnPost() { Reply(Status::method_not_allowed, "only GET is served here\n"); }

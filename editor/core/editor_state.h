@@ -95,7 +95,13 @@ struct List {
 };
 
 /// What the run's tile shows.
-enum class RunTab { kWhy, kRunning, kHooks, kStatistics, kComparison, kCoverage, kLog };
+enum class RunTab { kWhy, kRunning, kHooks, kStatistics, kComparison, kCoverage, kLog, kTable };
+
+/// By which column a table is sorted; empty: as it came.
+struct TableSort {
+  std::string column;
+  bool descending = false;
+};
 
 /// Two runs that were compared, by name.
 struct ShownComparison {
@@ -199,7 +205,8 @@ struct EditorState {
   ShownComparison comparison;
   bool selected_keys_only = false;  ///< in the blackboard
   std::string shown_key;            ///< "blackboard/SCOPE/KEY" with its history
-  Point canvas_size{800, 600};      ///< of the last frame
+  TableSort table_sort;
+  Point canvas_size{800, 600};  ///< of the last frame
   bool quit = false;
   std::function<bool(const std::string&)> open_file;
   std::function<std::string(const std::string&)> connect;  ///< returns what is wrong, or nothing

@@ -261,6 +261,7 @@ class RunCommands {
     AddTab("run.hooks", "Breakpoints and faults", {'K'}, RunTab::kHooks);
     AddTab("run.statistics", "Statistics", {'S'}, RunTab::kStatistics);
     AddTab("run.comparison", "Comparison", {}, RunTab::kComparison);
+    AddTab("run.table", "Table: the shown key, or the robot's processes", {'Y'}, RunTab::kTable);
     AddTab("run.coverage", "Coverage by random runs", {}, RunTab::kCoverage);
     Add("run.follow", "Follow what runs", {'F'},
         [&s = state_](RunView&) { s.follow.is_on = !s.follow.is_on; });

@@ -40,7 +40,7 @@ class RunLog {
   /// Looks at so many further ticks; begins anew if the log-points have changed. `name` is that of
   /// the run.
   void Update(const Run& run, const std::string& name, const LogPoints& points,
-              std::size_t most_ticks = 20000);
+              std::size_t most_ticks = 4000);
   /// Whether there is more to look at.
   bool is_behind(const Run& run) const { return is_wanted_ && next_ < run.size(); }
 

@@ -2,6 +2,7 @@
 
 #include "bt_core/data/value_bytes.h"
 #include "editor/canvas/node_metrics.h"
+#include "editor/live/value_table.h"
 #include "editor/panels/panel.h"
 #include "editor/panels/panels.h"
 #include "editor/panels/run_text.h"
@@ -13,6 +14,7 @@ namespace {
 constexpr double kFlashSeconds = 1.0;
 constexpr std::size_t kListedWrites = 6;
 constexpr std::size_t kSamples = 120;
+constexpr char kTableMark[] = "(table)";
 
 // Keys that the selected node's ports name.
 std::vector<std::string> KeysOfSelection(const TreeView* view) {
@@ -103,6 +105,11 @@ class Board {
     return slot < values.size() ? PrintValueBytes(values[slot]) : std::string();
   }
 
+  bool IsTable(SlotIndex slot) const {
+    const auto& values = run_.follower().values();
+    return slot < values.size() && LooksLikeTable(values[slot]);
+  }
+
   void DrawSlot(SlotIndex slot) {
     const DescribedSlot& described = slots_[slot];
     const std::string path = "blackboard/" + described.scope + "/" + described.name;
@@ -118,8 +125,10 @@ class Board {
                         value.c_str(), by.c_str());
       if (ImGui::IsMouseDoubleClicked(0)) state_.commands.Run("blackboard.write");
     }
+    const bool is_table = IsTable(slot);
     if (row.clicked) state_.shown_key = path;
-    if (row.visible) PaintSlot(row.box, described, value, write);
+    if (row.clicked && is_table) state_.run_tab = RunTab::kTable;
+    if (row.visible) PaintSlot(row.box, described, is_table ? kTableMark : value, write);
   }
 
   void PaintSlot(const Box& box, const DescribedSlot& described, const std::string& value,

@@ -30,6 +30,11 @@ void DrawComparison(const Ui& ui, EditorState& state, RunView& run);
 /// "run/coverage/finding/0".
 void DrawCoverage(const Ui& ui, EditorState& state, RunView& run);
 
+/// The value of the shown key as a table, if it is a list of objects: the processes of the robot,
+/// or whatever the application has. "run/table/0", "run/table/sort/COLUMN",
+/// "run/table/key/SCOPE/KEY".
+void DrawTable(const Ui& ui, EditorState& state, RunView& run);
+
 /// Selects a node of the run in the shown tree.
 void SelectRunNode(EditorState& state, NodeIndex node);
 

@@ -18,6 +18,7 @@ constexpr Tab kTabs[] = {{RunTab::kWhy, "run/why", "WHY", DrawWhy},
                          {RunTab::kLog, "run/log", "LOG", DrawLog},
                          {RunTab::kStatistics, "run/statistics", "STATISTICS", DrawStatistics},
                          {RunTab::kComparison, "run/comparison", "COMPARE", DrawComparison},
+                         {RunTab::kTable, "run/table", "TABLE", DrawTable},
                          {RunTab::kCoverage, "run/coverage", "COVERAGE", DrawCoverage}};
 
 // Why the robot is not there.

@@ -5,6 +5,9 @@
 #include <sensor_msgs/BatteryState.h>
 
 #include <cmath>
+#include <utility>
+
+#include "robot_app/supervision/processes_view.h"
 
 namespace coppice::robot {
 namespace {
@@ -52,11 +55,15 @@ std::vector<ros::Subscriber> SubscribeFeeds(ros::NodeHandle& node,
         for (const FeedKeys& keys : trees) keys.monitoring.Send(health);
       }));
   subscribers.push_back(node.subscribe<coppice_msgs::ProcessStates>(
-      "/processes", 1, [trees](const coppice_msgs::ProcessStates::ConstPtr& message) {
+      "/processes", 1,
+      [trees, rows = std::string()](const coppice_msgs::ProcessStates::ConstPtr& message) mutable {
+        std::string now = ToJsonRows(*message);
         for (const FeedKeys& keys : trees) {
           keys.configuration.Send(message->configuration);
           keys.manual.Send(message->manual);
+          if (now != rows) keys.processes.Send(now);
         }
+        rows = std::move(now);
       }));
   return subscribers;
 }

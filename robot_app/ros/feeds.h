@@ -23,6 +23,7 @@ struct FeedKeys {
   Sender<Health> monitoring;          ///< aggregated reports, from /monitoring, stamped on arrival
   Sender<std::string> configuration;  ///< in force, from /processes
   Sender<bool> manual;                ///< it was set by hand, from /processes
+  Sender<std::string> processes;      ///< JSON rows of /processes, sent when they have changed
   Sender<BatteryReading> battery;     ///< raw, from /battery_state, stamped on arrival
 };
 

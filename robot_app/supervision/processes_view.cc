@@ -67,6 +67,29 @@ std::string Align(const std::vector<Row>& rows) {
   return text.str();
 }
 
+using Json = nlohmann::ordered_json;
+using Handler = Json::error_handler_t;
+
+Json JsonRows(const coppice_msgs::ProcessStates& states) {
+  Json rows = Json::array();
+  for (const ProcessState& process : states.processes) {
+    rows.push_back({{"name", process.name},
+                    {"node", process.node},
+                    {"group", process.group},
+                    {"host", process.host},
+                    {"state", StateName(process)},
+                    {"pid", process.pid},
+                    {"restarts", process.restarts},
+                    {"restarts_in_window", process.restarts_in_window},
+                    {"restarts_allowed", process.restarts_allowed},
+                    {"escalation", StepName(process)},
+                    {"since", process.since.toSec()},
+                    {"back_off_until", process.back_off_until.toSec()},
+                    {"message", process.message}});
+  }
+  return rows;
+}
+
 }  // namespace
 
 std::string ToTable(const coppice_msgs::ProcessStates& states, Time now) {
@@ -80,29 +103,16 @@ std::string ToTable(const coppice_msgs::ProcessStates& states, Time now) {
 }
 
 std::string ToJson(const coppice_msgs::ProcessStates& states) {
-  nlohmann::json processes = nlohmann::json::array();
-  for (const ProcessState& process : states.processes) {
-    processes.push_back({{"name", process.name},
-                         {"node", process.node},
-                         {"group", process.group},
-                         {"host", process.host},
-                         {"state", StateName(process)},
-                         {"pid", process.pid},
-                         {"restarts", process.restarts},
-                         {"restarts_in_window", process.restarts_in_window},
-                         {"restarts_allowed", process.restarts_allowed},
-                         {"escalation", StepName(process)},
-                         {"since", process.since.toSec()},
-                         {"back_off_until", process.back_off_until.toSec()},
-                         {"message", process.message}});
-  }
-  const nlohmann::json value = {{"configuration", states.configuration},
-                                {"changing", static_cast<bool>(states.changing)},
-                                {"manual", static_cast<bool>(states.manual)},
-                                {"safe_stop", static_cast<bool>(states.safe_stop)},
-                                {"processes", processes}};
-  using Handler = nlohmann::json::error_handler_t;
+  const Json value = {{"configuration", states.configuration},
+                      {"changing", static_cast<bool>(states.changing)},
+                      {"manual", static_cast<bool>(states.manual)},
+                      {"safe_stop", static_cast<bool>(states.safe_stop)},
+                      {"processes", JsonRows(states)}};
   return value.dump(2, ' ', false, Handler::replace) + "\n";
+}
+
+std::string ToJsonRows(const coppice_msgs::ProcessStates& states) {
+  return JsonRows(states).dump(-1, ' ', false, Handler::replace);
 }
 
 bool IsAsItShouldBe(const coppice_msgs::ProcessStates& states) {

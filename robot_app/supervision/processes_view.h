@@ -17,6 +17,9 @@ std::string ToTable(const coppice_msgs::ProcessStates& states, Time now);
 /// steps by name.
 std::string ToJson(const coppice_msgs::ProcessStates& states);
 
+/// The processes alone, as a list on one line: what an editor shows as a table.
+std::string ToJsonRows(const coppice_msgs::ProcessStates& states);
+
 /// Every process of the configuration is ready or done: nothing changes, waits, backs off or was
 /// given up.
 bool IsAsItShouldBe(const coppice_msgs::ProcessStates& states);

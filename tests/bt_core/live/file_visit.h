@@ -31,7 +31,7 @@ class FilePort {
               [this](WebPort::Socket socket, WebPort& web_port) {
                 return std::make_shared<FileVisit>(std::move(socket), web_port, files_, manners_);
               }) {
-    std::ofstream(folder_ + "/index.html") << "<p>hello</p>";
+    Write("index.html", "<p>hello</p>");
   }
   ~FilePort() {
     port_.Stop();
@@ -40,6 +40,9 @@ class FilePort {
   FilePort(const FilePort&) = delete;
   FilePort& operator=(const FilePort&) = delete;
 
+  void Write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_ + "/" + name) << text;
+  }
   std::uint16_t port() const { return port_.port(); }
   void Stop() { port_.Stop(); }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <stdlib.h>
 
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 
@@ -42,6 +43,36 @@ TEST_F(WebFilesTest, GivesThePageAndItsParts) {
   ASSERT_TRUE(program);
   EXPECT_STREQ(program->type, "application/wasm");
   EXPECT_EQ(program->bytes.size(), 4u);
+}
+
+TEST_F(WebFilesTest, GivesTheCompressedFileToWhoAcceptsIt) {
+  Write("page/index.html.gz", "packed");
+  EXPECT_EQ(files_.Find("/", true)->bytes, "packed");
+  EXPECT_TRUE(files_.Find("/", true)->is_gzipped);
+  EXPECT_STREQ(files_.Find("/", true)->type, "text/html; charset=utf-8") << "that of what is in it";
+  EXPECT_EQ(files_.Find("/", false)->bytes, "<html>");
+  EXPECT_FALSE(files_.Find("/editor.wasm", true)->is_gzipped) << "there is none";
+  EXPECT_FALSE(files_.Find("/index.html.gz", true)) << "it is no part of the page itself";
+}
+
+TEST_F(WebFilesTest, ACompressedFileThatIsOlderIsOfAnotherPage) {
+  Write("page/index.html.gz", "packed");
+  const auto page = folder_ / "page/index.html";
+  std::filesystem::last_write_time(folder_ / "page/index.html.gz",
+                                   std::filesystem::last_write_time(page) -
+                                       std::chrono::seconds(10));
+  EXPECT_EQ(files_.Find("/", true)->bytes, "<html>");
+}
+
+TEST(AcceptsGzip, AsTheClientSays) {
+  for (const char* field : {"gzip", "deflate, gzip;q=0.5, br", "GZIP", "*", "br, *;q=0.1", "x-gzip",
+                            " gzip ; q=1.0"}) {
+    EXPECT_TRUE(AcceptsGzip(field)) << field;
+  }
+  for (const char* field : {"", "identity", "gzip;q=0", "gzip;q=0.000, *", "*;q=0", "br", ",;,",
+                            "gzipped", ";", "q=1"}) {
+    EXPECT_FALSE(AcceptsGzip(field)) << field;
+  }
 }
 
 TEST_F(WebFilesTest, GivesNothingElse) {

@@ -11,6 +11,7 @@ namespace {
 using testing::AllOf;
 using testing::EndsWith;
 using testing::HasSubstr;
+using testing::Not;
 using testing::StartsWith;
 
 class WebVisitTest : public testing::Test {
@@ -23,6 +24,16 @@ TEST_F(WebVisitTest, ServesTheFilesOfThePage) {
   EXPECT_THAT(caller_.Ask("GET / HTTP/1.1\r\n\r\n"),
               AllOf(StartsWith("HTTP/1.1 200"), HasSubstr("Content-Type: text/html"),
                     HasSubstr("X-Content-Type-Options: nosniff"), HasSubstr("X-Test: yes")));
+  EXPECT_EQ(caller_.Rest(), "<p>hello</p>");
+}
+
+TEST_F(WebVisitTest, SaysThatItIsCompressed) {
+  port_.Write("index.html.gz", "packed");
+  EXPECT_THAT(caller_.Ask("HEAD / HTTP/1.1\r\nAccept-Encoding: gzip, br\r\n\r\n"),
+              AllOf(HasSubstr("Content-Encoding: gzip"), HasSubstr("Content-Type: text/html"),
+                    HasSubstr("Content-Length: 6"), HasSubstr("Vary: Accept-Encoding")));
+  EXPECT_THAT(caller_.Ask("GET / HTTP/1.1\r\n\r\n"),
+              AllOf(Not(HasSubstr("Content-Encoding")), HasSubstr("Vary: Accept-Encoding")));
   EXPECT_EQ(caller_.Rest(), "<p>hello</p>");
 }
 

@@ -1,9 +1,27 @@
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "editor/core/run_commands.h"
 #include "tests/editor/gallery/scenes.h"
 
 namespace coppice::editor {
 namespace {
 
 constexpr char kDrive[] = "1.2.2.3.1.1.2";  // on the canvas, in the tree of the waypoint
+
+constexpr char kProcessTrees[] = R"(<BehaviorTree ID="Main"><Sequence name="monitor">
+  <ForceSuccess><WasEntryUpdated name="changed" entry="{processes}"/></ForceSuccess>
+  <Do as="watch" name="watch" count="{watched}"/></Sequence></BehaviorTree>)";
+constexpr char kProcessRows[] = R"([
+  {"name": "roscore", "group": "core", "state": "READY", "pid": 4211, "restarts": 0,
+   "escalation": "group", "message": ""},
+  {"name": "ekf", "group": "odometry_filter", "state": "BACKING_OFF", "pid": 0, "restarts": 4,
+   "escalation": "closure", "message": "ended by signal 11"},
+  {"name": "move_base", "group": "navigation", "state": "STARTING", "pid": 4299, "restarts": 1,
+   "escalation": "group", "message": "waits for ekf"},
+  {"name": "camera", "group": "sensors", "state": "GIVEN_UP", "pid": 0, "restarts": 12,
+   "escalation": "person", "message": "restarted 12 times in 10 minutes; a person was asked"}])";
 
 void Live(Stage& stage) {
   stage.AddRobot("robot-1:1667", 150);
@@ -69,6 +87,35 @@ void Heat(Stage& stage, int times) {
   Live(stage);
   for (int i = 0; i < times; ++i) stage.Run("run.heat");
   stage.Run("run.statistics");
+}
+
+void Log(Stage& stage) {
+  Live(stage);
+  LogPoint point;
+  point.run = "robot-1:1667";
+  point.path = SelectedRunPath(stage.state());
+  ReadLogPoint("step {count} if count > 3", point);
+  stage.state().workspace.log_points.Add(point);
+  point.path = "door";
+  ReadLogPoint("", point);
+  stage.state().workspace.log_points.Add(point);
+  stage.Run("run.log");
+}
+
+void PinnedLanes(Stage& stage) {
+  Live(stage);
+  stage.Run("run.pin");
+  stage.driver().Frames(8);
+}
+
+void Table(Stage& stage) {
+  auto source = std::make_unique<ExecutedSource>("robot-1:1669", kProcessTrees);
+  source->tree.executor.Writer<std::string>("processes").Send(kProcessRows);
+  source->tree.results["watch"] = Status::kRunning;
+  source->Ticks(30);
+  stage.driver().editor.AddRun(std::move(source));
+  stage.driver().Frames(8);
+  stage.Run("run.table");
 }
 
 void PlayedRecord(Stage& stage) {
@@ -197,8 +244,13 @@ std::vector<GalleryScene> RunScenes() {
           {"no_hooks", NoHooks},
           {"statistics", [](Stage& stage) { Tab(stage, "run.statistics"); }},
           {"heat_time", [](Stage& stage) { Heat(stage, 1); }},
-          {"heat_failures", [](Stage& stage) { Heat(stage, 2); }},
-          {"heat_never_ticked", [](Stage& stage) { Heat(stage, 3); }},
+          {"heat_ticks", [](Stage& stage) { Heat(stage, 2); }},
+          {"heat_failures", [](Stage& stage) { Heat(stage, 3); }},
+          {"heat_never_ticked", [](Stage& stage) { Heat(stage, 4); }},
+          {"log", Log},
+          {"no_log_points", [](Stage& stage) { Tab(stage, "run.log"); }},
+          {"table", Table},
+          {"pinned_lanes", PinnedLanes},
           {"record", PlayedRecord},
           {"two_runs", TwoRuns},
           {"compared", Compared},

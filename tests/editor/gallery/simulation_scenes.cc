@@ -70,6 +70,25 @@ void Finished(Stage& stage) {
   stage.Run("view.fit_all");
 }
 
+void ByChance(Stage& stage) {
+  Begin(stage);
+  stage.state().simulator.get()->SetSeed(7);
+  stage.state().simulator.get()->SetKey("battery", "0.9");
+  for (int i = 0; i < 14; ++i) stage.Run("sim.tick");
+  stage.Select("1.2.1.1");
+  stage.Run("view.fit_all");
+}
+
+void Covered(Stage& stage, const char* battery) {
+  Begin(stage);
+  if (*battery) stage.state().simulator.get()->SetKey("battery", battery);
+  stage.Run("sim.runs");
+  stage.state().popup_text = "200";
+  stage.driver().Press(kKeyEnter);
+  while (stage.state().coverage.is_running()) stage.driver().Frames(1);
+  stage.Run("view.fit_all");
+}
+
 void NoTests(Stage& stage) {
   stage.Open("patrol.xml", kPatrol);
   stage.Run("tile.tests");
@@ -102,6 +121,14 @@ std::vector<GalleryScene> SimulationScenes() {
           {"simulation_key", SetKey},
           {"simulation_error", EditedWrongly},
           {"simulation_finished", Finished},
+          {"simulation_by_chance", ByChance},
+          {"coverage", [](Stage& stage) { Covered(stage, "0.9"); }},
+          {"coverage_finding", [](Stage& stage) { Covered(stage, ""); }},
+          {"no_coverage",
+           [](Stage& stage) {
+             Begin(stage);
+             stage.Run("run.coverage");
+           }},
           {"no_tests", NoTests},
           {"test_passed", TestPassed},
           {"test_failed", TestFailed}};

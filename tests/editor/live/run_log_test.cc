@@ -9,7 +9,8 @@ namespace {
 
 // Two leaves in turn; `count` counts the ticks of "drive".
 constexpr char kTrees[] = R"(<BehaviorTree ID="Main"><Sequence name="round">
-  <Is as="open" name="door"/><SubTree ID="Pass" name="pass" steps="{all_steps}"/></Sequence></BehaviorTree>
+  <Is as="open" name="door"/><SubTree ID="Pass" name="pass" steps="{all_steps}"/>
+  </Sequence></BehaviorTree>
   <BehaviorTree ID="Pass"><Do as="drive" name="drive" count="{steps}"/></BehaviorTree>)";
 
 class RunLogTest : public testing::Test {

@@ -3,6 +3,7 @@
 usage: page_test.py COPPICE FOLDER_OF_THE_PAGE [PICTURE.png]
 """
 import base64
+import gzip
 import json
 import os
 import re
@@ -11,6 +12,7 @@ import subprocess
 import sys
 import tempfile
 import time
+import urllib.request
 
 TIMEOUT = 120
 RUNNING = (0xF0, 0xAA, 0x28)  # of the dark palette
@@ -138,6 +140,18 @@ def keeps_files(browser, address):
     assert again == TREE, again
 
 
+def is_sent_compressed(address):
+    """The program of the page, as a browser asks for it."""
+    where = address.split("#")[0] + "index.wasm"
+    plain = urllib.request.urlopen(where).read()
+    asked = urllib.request.Request(where, headers={"Accept-Encoding": "gzip"})
+    with urllib.request.urlopen(asked) as answer:
+        assert answer.headers["Content-Encoding"] == "gzip", answer.headers
+        packed = answer.read()
+    assert gzip.decompress(packed) == plain
+    print("the program: %d bytes, sent as %d" % (len(plain), len(packed)))
+
+
 def look(browser, address, picture):
     browser.call("Emulation.setDeviceMetricsOverride", width=1280, height=800,
                  deviceScaleFactor=1, mobile=False)
@@ -162,6 +176,7 @@ def main(coppice, folder, picture=None):
             address = None
             while not address:
                 address = re.search(r"in a browser: (\S+)", robot.stderr.readline())
+            is_sent_compressed(address.group(1))
             browser = Browser(scratch + "/profile")
             look(browser, address.group(1), picture)
             keeps_files(browser, address.group(1))

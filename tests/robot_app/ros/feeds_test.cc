@@ -20,6 +20,7 @@ constexpr char kTree[] = R"(<root BTCPP_format="4"><BehaviorTree ID="Main"><Sequ
   <IsBatteryLow level="{battery_level}" threshold="0.5"/>
   <ReadHealth monitoring="{monitoring}" health="{health}" errors="{errors}"/>
   <ChargeDue battery="{battery}"/>
+  <WasEntryUpdated entry="{processes}"/>
 </Sequence></BehaviorTree></root>)";
 
 class FeedsTest : public testing::Test {
@@ -38,7 +39,8 @@ class FeedsTest : public testing::Test {
         node_,
         {{executor_->Writer<double>("battery_level"), executor_->Writer<bool>("charging"),
           executor_->Writer<Health>("monitoring"), executor_->Writer<std::string>("configuration"),
-          executor_->Writer<bool>("manual"), executor_->Writer<BatteryReading>("battery")}},
+          executor_->Writer<bool>("manual"), executor_->Writer<std::string>("processes"),
+          executor_->Writer<BatteryReading>("battery")}},
         clock_);
   }
 
@@ -96,6 +98,26 @@ TEST_F(FeedsTest, StampTheHealthReportOnArrival) {
   EXPECT_EQ(health.stamp, std::chrono::seconds(7));
   ASSERT_NE(health.FirstError("node"), nullptr);
   EXPECT_EQ(health.FirstError("node")->node, "/a");
+}
+
+TEST_F(FeedsTest, BringTheProcessesAsRowsAndOnlyWhenTheyHaveChanged) {
+  coppice_msgs::ProcessStates states;
+  states.processes.resize(1);
+  states.processes[0].name = "ekf";
+  states.processes[0].state = coppice_msgs::ProcessState::BACKING_OFF;
+  Publish("/processes", states);
+  ASSERT_TRUE(Eventually([this] { return Key("processes").has_value(); }));
+  const auto rows = [this] { return Key("processes").Get<std::string>(); };
+  EXPECT_NE(rows().find("\"state\":\"BACKING_OFF\""), std::string::npos) << rows();
+
+  const SlotIndex slot = executor_->program().layout.Find(0, "processes");
+  const auto writes = [&] { return executor_->blackboard()[slot].writes; };
+  const auto before = writes();
+  publishers_.back().publish(states);  // the same again
+  states.processes[0].state = coppice_msgs::ProcessState::READY;
+  publishers_.back().publish(states);
+  ASSERT_TRUE(Eventually([&] { return rows().find("READY") != std::string::npos; }));
+  EXPECT_EQ(writes(), before + 1);
 }
 
 TEST_F(FeedsTest, TakeNoHarmFromKeysThatTheTreeDoesNotUse) {

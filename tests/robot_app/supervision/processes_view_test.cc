@@ -38,6 +38,16 @@ TEST(ProcessesViewTest, TheTableShowsEverythingInColumns) {
             "ended by signal 11; again in 10 s\n");
 }
 
+TEST(ProcessesViewTest, RowsAreTheProcessesOnOneLineTheMostImportantFirst) {
+  const std::string rows = ToJsonRows(Example());
+  EXPECT_EQ(
+      rows.rfind(R"([{"name":"ekf","node":"","group":"odometry_filter","host":"","state":)", 0), 0U)
+      << rows;
+  EXPECT_EQ(rows.find('\n'), std::string::npos);
+  EXPECT_EQ(nlohmann::json::parse(rows)[0]["restarts_allowed"], 3);
+  EXPECT_EQ(ToJsonRows({}), "[]");
+}
+
 TEST(ProcessesViewTest, JsonCanBeReadByPrograms) {
   coppice_msgs::ProcessStates states = Example();
   states.processes[0].message = "bad \xff byte";
