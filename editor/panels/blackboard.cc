@@ -115,7 +115,8 @@ class Board {
     const std::string path = "blackboard/" + described.scope + "/" + described.name;
     const bool selected = state_.shown_key == path;
     const Row row = NextRow(ui_, path, selected || IsOfSelection(slot));
-    const std::string value = Value(slot);
+    const bool is_table = IsTable(slot);
+    const std::string value = is_table ? kTableMark : Value(slot);
     const SlotWrite* write = LastWrite(slot);
     if (row.hovered) {
       const std::string by = write ? "\nwritten in " + TickText(run_.run(), write->tick) + " by " +
@@ -125,10 +126,9 @@ class Board {
                         value.c_str(), by.c_str());
       if (ImGui::IsMouseDoubleClicked(0)) state_.commands.Run("blackboard.write");
     }
-    const bool is_table = IsTable(slot);
     if (row.clicked) state_.shown_key = path;
     if (row.clicked && is_table) state_.run_tab = RunTab::kTable;
-    if (row.visible) PaintSlot(row.box, described, is_table ? kTableMark : value, write);
+    if (row.visible) PaintSlot(row.box, described, value, write);
   }
 
   void PaintSlot(const Box& box, const DescribedSlot& described, const std::string& value,

@@ -176,6 +176,7 @@ class PopupWindow {
     const std::string refusal = prompt.run(state_.popup_text);
     if (refusal.empty()) return;
     state_.popup = Popup::kPrompt;
+    state_.popup_is_new = true;  // the user goes on typing
     state_.popup_error = refusal;
   }
 

@@ -38,23 +38,33 @@ class Rows {
   void Draw() {
     const CoverageJob& job = state_.coverage;
     if (!job.coverage()) {
-      Hint(ui_, "X: leaves by chance. Shift+X: many runs by chance, and what they reach.");
+      Run("Run the tree many times, with leaves that do something by chance: what is reached?");
       return;
     }
     const Coverage& coverage = *job.coverage();
     Title("run/coverage/all", Summary(coverage, job.wanted()), ui_.palette.text);
     const Simulation* simulation = state_.simulator.get();
     if (simulation && simulation->program().get() != &job.program()) {
-      Title("run/coverage/old", "The tree was edited since. Shift+X runs it again.",
-            ui_.palette.warning);
+      Title("run/coverage/old", "The tree was edited since.", ui_.palette.warning);
     }
     for (std::size_t i = 0; i < coverage.findings.size(); ++i) Finding(i, coverage.findings[i]);
     List("never_ticked", "never ticked", NeverTicked(coverage));
     List("never_failure", "ticked, but never FAILURE", NeverReturned(coverage, Status::kFailure));
     List("never_success", "ticked, but never SUCCESS", NeverReturned(coverage, Status::kSuccess));
+    Run("Run it again");
   }
 
  private:
+  void Run(const char* words) {
+    const Row row = NextRow(ui_, "run/coverage/run", false);
+    if (row.clicked) {
+      state_.after_frame = [&s = state_] { s.commands.Run("sim.runs"); };
+    }
+    if (!row.visible) return;
+    const float x = Write(row, 8, words, {Face::kSans, 12, ui_.palette.accent});
+    Write(row, x + 10, "Shift+X", {Face::kSans, 11, ui_.palette.text_dim});
+  }
+
   void Title(const std::string& path, const std::string& text, Color color) {
     const Row row = NextRow(ui_, path, false);
     if (row.visible) Write(row, 8, text, {Face::kBold, 12, color});

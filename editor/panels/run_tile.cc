@@ -1,3 +1,5 @@
+#include <cstdint>
+
 #include "editor/panels/panel.h"
 #include "editor/panels/panels.h"
 #include "editor/panels/run_bodies.h"
@@ -10,16 +12,23 @@ struct Tab {
   const char* path;
   const char* title;
   void (*draw)(const Ui&, EditorState&, RunView&);
+  enum class Of : std::uint8_t { kAll, kRobots, kSimulations } of = Of::kAll;
+
+  bool IsFor(const RunView* run) const {
+    const bool is_simulation = run && run->source().is_simulation();
+    return of == Of::kAll || (of == Of::kSimulations) == is_simulation;
+  }
 };
 
-constexpr Tab kTabs[] = {{RunTab::kWhy, "run/why", "WHY", DrawWhy},
-                         {RunTab::kRunning, "run/running", "RUNNING", DrawRunning},
-                         {RunTab::kHooks, "run/hooks", "BREAKPOINTS", DrawHooks},
-                         {RunTab::kLog, "run/log", "LOG", DrawLog},
-                         {RunTab::kStatistics, "run/statistics", "STATISTICS", DrawStatistics},
-                         {RunTab::kComparison, "run/comparison", "COMPARE", DrawComparison},
-                         {RunTab::kTable, "run/table", "TABLE", DrawTable},
-                         {RunTab::kCoverage, "run/coverage", "COVERAGE", DrawCoverage}};
+constexpr Tab kTabs[] = {
+    {RunTab::kWhy, "run/why", "WHY", DrawWhy},
+    {RunTab::kRunning, "run/running", "RUNNING", DrawRunning},
+    {RunTab::kHooks, "run/hooks", "BREAKPOINTS", DrawHooks, Tab::Of::kRobots},
+    {RunTab::kLog, "run/log", "LOG", DrawLog},
+    {RunTab::kStatistics, "run/statistics", "STATISTICS", DrawStatistics},
+    {RunTab::kComparison, "run/comparison", "COMPARE", DrawComparison},
+    {RunTab::kTable, "run/table", "TABLE", DrawTable},
+    {RunTab::kCoverage, "run/coverage", "COVERAGE", DrawCoverage, Tab::Of::kSimulations}};
 
 // Why the robot is not there.
 void DrawProblem(const Ui& ui, const std::string& problem) {
@@ -48,6 +57,7 @@ void DrawRunTile(const Ui& ui, EditorState& state, const Box& box) {
   });
   float x = box.min.x + 4 * ui.scale;
   for (const Tab& tab : kTabs) {
+    if (!tab.IsFor(run)) continue;
     const float width = ui.Width(tab.title, {Face::kSans, 12, 0}) + 12 * ui.scale;
     const Box at = {{x, box.min.y + 2 * ui.scale},
                     {x + width, box.min.y + (kPanelHeader - 2) * ui.scale}};

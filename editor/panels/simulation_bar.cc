@@ -51,7 +51,6 @@ class Bar {
     Right("sim/save_test", "as test", "sim.save_test");
     Right("sim/again", "again", "sim.again");
     Right("sim/set", "set key", "sim.set");
-    Right("sim/runs", "many runs", "sim.runs");
     const auto seed = state_.simulator.get()->seed();
     Right("sim/chance", seed ? "seed " + std::to_string(*seed) : "by chance", "sim.chance",
           seed.has_value());

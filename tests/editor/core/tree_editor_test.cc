@@ -18,6 +18,9 @@ constexpr char kFile[] = R"(<root BTCPP_format="4" main_tree_to_execute="Main">
     </Sequence>
   </BehaviorTree>
   <BehaviorTree ID="Empty"/>
+  <TreeNodesModel>
+    <Action ID="Go"><input_port name="to"/></Action><Action ID="Say"/><Condition ID="IsDark"/>
+  </TreeNodesModel>
 </root>
 )";
 
@@ -115,11 +118,11 @@ TEST_F(TreeEditorTest, WhatWasCopiedIsXmlText) {
   state().set_clipboard = [&](const std::string& text) { clipboard = text; };
   Select("1.1");
   Edit().Cut();
-  EXPECT_EQ(clipboard, "<Go name=\"there\" to=\"{goal}\"/>");
+  EXPECT_EQ(clipboard, "<Go name=\"there\" to=\"{goal}\"/>\n");
   EXPECT_THAT(Text(), Not(HasSubstr("there")));
   Select("1");
   Edit().Paste(clipboard, AddWhere::kChild);
-  EXPECT_THAT(Text(), HasSubstr(clipboard));
+  EXPECT_THAT(Text(), HasSubstr("<Go name=\"there\" to=\"{goal}\"/>"));
 }
 
 }  // namespace

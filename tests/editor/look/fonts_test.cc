@@ -26,14 +26,14 @@ TEST_F(FontsTest, PicksTheLargestThatIsNotTooLarge) {
 TEST_F(FontsTest, HasAGlyphForEveryIcon) {
   ASSERT_EQ(fonts_.Load(1), "");
   for (const char* glyph :
-       {icon::kSearch,      icon::kCheck,       icon::kTimes,      icon::kClock,
-        icon::kRepeat,      icon::kRefresh,     icon::kPause,      icon::kStop,
-        icon::kForward,     icon::kQuestion,    icon::kWarning,    icon::kFolder,
-        icon::kFolderOpen,  icon::kCogs,        icon::kBolt,       icon::kSitemap,
-        icon::kCircle,      icon::kCircleOpen,  icon::kCode,       icon::kShield,
-        icon::kFileCode,    icon::kPlug,        icon::kHourglass,  icon::kPlusSquare,
-        icon::kMinusSquare, icon::kExclamation, icon::kRightArrow, icon::kDoubleArrows,
-        icon::kEllipsis,    icon::kMiddleDot,   icon::kTimesSign}) {
+       {icon::kSearch,       icon::kCheck,       icon::kTimes,     icon::kClock,
+        icon::kRepeat,       icon::kRefresh,     icon::kPause,     icon::kStop,
+        icon::kForward,      icon::kQuestion,    icon::kWarning,   icon::kFolder,
+        icon::kFolderOpen,   icon::kCogs,        icon::kBolt,      icon::kSitemap,
+        icon::kCircle,       icon::kCircleOpen,  icon::kCode,      icon::kShield,
+        icon::kFileCode,     icon::kPlug,        icon::kHourglass, icon::kPlusSquare,
+        icon::kMinusSquare,  icon::kExclamation, icon::kPin,       icon::kRightArrow,
+        icon::kDoubleArrows, icon::kEllipsis,    icon::kMiddleDot, icon::kTimesSign}) {
     const auto* bytes = reinterpret_cast<const unsigned char*>(glyph);
     const unsigned code =
         bytes[0] >= 0xE0 ? (bytes[0] & 0x0FU) << 12 | (bytes[1] & 0x3FU) << 6 | (bytes[2] & 0x3FU)

@@ -59,6 +59,7 @@ TEST_F(RunCoverageTest, ListsWhatWasNeverReachedAndAClickShowsIt) {
   EXPECT_TRUE(driver_.Has("run/coverage/never_failure/charged?"));
   EXPECT_FALSE(driver_.Has("run/coverage/never_failure/to door"));
   EXPECT_FALSE(driver_.Has("run/coverage/finding/0"));
+  EXPECT_FALSE(driver_.Has("run/hooks")) << "a simulation has no breakpoints";
   EXPECT_TRUE(driver_.Click("run/coverage/never_ticked/call"));
   driver_.Frames();
   EXPECT_EQ(driver_.Selected(), "1.4");

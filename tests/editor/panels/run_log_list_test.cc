@@ -10,7 +10,7 @@ class RunLogListTest : public testing::Test {
   EditorState& state() { return driver_.editor.state(); }
   void Start() {
     robot_ = AddExecuted(driver_, "robot:1", 20);
-    driver_.Click("outline/1.1.1");
+    driver_.Click("outline/1.2.1");
     driver_.Frames();
   }
   void AddLogPoint(const std::string& text) {

@@ -23,7 +23,7 @@ TEST(RunStatistics, PaintHeatOnTheCanvas) {
   EXPECT_EQ(*driver.editor.state().heat, HeatMode::kTime);
   driver.Frames(10);
   driver.Picture("heat");
-  for (int i = 0; i < 3; ++i) driver.Press('H');
+  for (int i = 0; i < 4; ++i) driver.Press('H');
   EXPECT_FALSE(driver.editor.state().heat);
 }
 

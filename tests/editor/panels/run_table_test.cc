@@ -50,6 +50,7 @@ TEST_F(RunTableTest, ShowsAListOfObjectsAndItsHistory) {
   EXPECT_TRUE(driver_.Has("run/table/0"));
   EXPECT_FALSE(driver_.Has("run/table/1"));
   state().workspace.run()->playhead().GoToTick(5);
+  driver_.MoveTo({600, 300});
   driver_.Frames();
   EXPECT_TRUE(driver_.Has("run/table/4")) << "as it was then";
   EXPECT_GT(

@@ -117,7 +117,7 @@ TEST_F(TimelineTest, APinnedLaneStaysOnTopAlsoWhenNothingHappensInIt) {
   driver_.Frames();
   EXPECT_TRUE(driver_.Has("timeline/OpenDoor")) << "it was never ticked";
   driver_.ClickAt(In("timeline/pass/Drive", 0.5F));
-  EXPECT_EQ(driver_.Selected(), "1.1.1") << "a click finds its row";
+  EXPECT_EQ(driver_.Selected(), "1.2.1") << "a click finds its row";
   driver_.Press('T');
   driver_.Frames();
   EXPECT_GT(driver_.BoxOf("timeline/pass/Drive").min.y, driver_.BoxOf("timeline/OpenDoor").min.y);
