@@ -12,7 +12,7 @@ class LogCommandsTest : public testing::Test {
   EditorState& state() { return driver_.editor.state(); }
   void Answer(const std::string& text) {
     driver_.Frames();
-    state().popup_text.clear();
+    driver_.Press('A', kCtrl);
     driver_.Type(text);
     driver_.Press(kKeyEnter);
     driver_.Frames();

@@ -102,7 +102,7 @@ TEST_F(TreeEditorTest, DeletingADecoratorAloneKeepsItsChild) {
   Edit().Undo();
   Select("1.2");
   Edit().Delete();
-  EXPECT_THAT(Text(), Not(HasSubstr("IsDark")));
+  EXPECT_THAT(Text(), Not(HasSubstr("<IsDark/>")));
 }
 
 TEST_F(TreeEditorTest, APasteWithErrorsPastesNothing) {

@@ -33,7 +33,8 @@ class RunCoverageTest : public testing::Test {
   EditorState& state() { return driver_.editor.state(); }
   Simulation& simulation() { return *state().simulator.get(); }
   void Answer(const std::string& text) {
-    state().popup_text.clear();
+    driver_.Press('A', kCtrl);
+    driver_.Press(kKeyBackspace);
     driver_.Type(text);
     driver_.Press(kKeyEnter);
     driver_.Frames();
