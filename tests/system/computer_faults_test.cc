@@ -259,7 +259,8 @@ TEST_F(ComputerFaults, ANetworkThatIsCutIsSeenAndHealsWithTheLink) {
   host_->Join();
   fault.ExpectNominal(120);
   fault.ExpectOnlyRestarted({"second_monitor"});
-  fault.AddRecovery("start there again and again, not counted");
+  fault.ExpectNobodyAsked();
+  fault.AddRecovery("its program is UNREACHABLE, and started anew with the link");
 }
 
 }  // namespace

@@ -90,6 +90,7 @@ TEST(MissedChargeSignal, IsMadeUpForByTheBatteryWatchdog) {
   EXPECT_LE(rig.Now().ros - fault.begin().ros, 60 + 240) << "it took over too late";
   ASSERT_TRUE(rig.Inject("set_battery", "", 0.5));  // it would charge for hours
   fault.ExpectNominal();
+  fault.ExpectOnlyRestarted(kRestWhileCharging);
   fault.ExpectNobodyAsked();
 }
 
