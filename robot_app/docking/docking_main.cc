@@ -41,9 +41,7 @@ constexpr double kPointRange = 3.0;      // of obstacles [m]
 
 struct Settings {
   DockSettings dock;
-  std::string map_frame;
-  std::string odom_frame;
-  std::string base_frame;
+  Frames frames;
 };
 
 std::optional<Settings> ReadSettings() {
@@ -64,9 +62,7 @@ std::optional<Settings> ReadSettings() {
   read("charging_within", dock.charging_within, 0.1, 600);
   read("robot_radius", dock.robot_radius, 0.05, 3);
   dock.attempts = static_cast<int>(parameters.Number("attempts", dock.attempts, 1, 20));
-  settings.map_frame = parameters.Text("map_frame", "map");
-  settings.odom_frame = parameters.Text("odom_frame", "odom");
-  settings.base_frame = parameters.Text("base_frame", "base_link");
+  settings.frames = ReadFrames(parameters);
   if (!parameters.Finish()) return std::nullopt;
   return settings;
 }
@@ -76,7 +72,7 @@ class DockingNode {
   explicit DockingNode(const Settings& settings)
       : settings_(settings.dock),
         controller_(settings.dock),
-        pose_(settings.map_frame, settings.odom_frame, settings.base_frame),
+        pose_(settings.frames),
         server_(node_, "docking", false) {
     command_ = node_.advertise<geometry_msgs::Twist>("/cmd_vel", 1);
     subscribers_.push_back(node_.subscribe<sensor_msgs::BatteryState>(

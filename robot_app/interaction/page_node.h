@@ -64,7 +64,7 @@ class PageNode : public PageRobot {
   const Clock& clock_;
   Teleoperation wheel_;
   PageDesk desk_;
-  RobotPose robot_pose_{"map", "odom", "base_link"};
+  RobotPose robot_pose_{{"map", "odom", "base_link"}};
   std::vector<Point2D> scan_;
   std::vector<Camera> cameras_;
   std::vector<FollowedTree> trees_;

@@ -44,9 +44,7 @@ struct Settings {
   LocalizerSettings localizer;
   std::optional<Pose2D> start;
   std::string last_pose_file;
-  std::string map_frame;
-  std::string odom_frame;
-  std::string base_frame;
+  Frames frames;
 };
 
 std::optional<Settings> ReadSettings() {
@@ -68,9 +66,7 @@ std::optional<Settings> ReadSettings() {
   localizer.seed = static_cast<std::uint64_t>(parameters.Number("seed", 1, 0, 1e9));
   const std::string start = parameters.Text("start_pose", "none");
   settings.last_pose_file = parameters.Text("last_pose_file", "none");
-  settings.map_frame = parameters.Text("map_frame", "map");
-  settings.odom_frame = parameters.Text("odom_frame", "odom");
-  settings.base_frame = parameters.Text("base_frame", "base_link");
+  settings.frames = ReadFrames(parameters);
   if (!parameters.Finish()) return std::nullopt;
   if (start == "none") return settings;
   settings.start = ParsePose(start);
@@ -84,9 +80,7 @@ std::optional<Settings> ReadSettings() {
 class LocalizationNode {
  public:
   explicit LocalizationNode(const Settings& settings)
-      : settings_(settings),
-        localizer_(settings.localizer),
-        frames_(settings.map_frame, settings.odom_frame, settings.base_frame) {
+      : settings_(settings), localizer_(settings.localizer), frames_(settings.frames) {
     std::vector<Pose2D> expected;
     if (const auto last = LoadPose(settings.last_pose_file)) expected.push_back(*last);
     if (settings.start) expected.push_back(*settings.start);
@@ -156,9 +150,9 @@ class LocalizationNode {
   }
 
   void OnInitialPose(const geometry_msgs::PoseWithCovarianceStamped& message) {
-    if (message.header.frame_id != settings_.map_frame || !IsValid(message.pose.pose)) {
+    if (message.header.frame_id != settings_.frames.map || !IsValid(message.pose.pose)) {
       ROS_WARN("/initialpose is not used: no valid pose in the frame %s",
-               settings_.map_frame.c_str());
+               settings_.frames.map.c_str());
       return;
     }
     const auto deviation = [&message](int i, double otherwise) {
@@ -179,7 +173,7 @@ class LocalizationNode {
     published_ = stamp;
     geometry_msgs::PoseWithCovarianceStamped message;
     message.header.stamp = ros::Time(stamp);
-    message.header.frame_id = settings_.map_frame;
+    message.header.frame_id = settings_.frames.map;
     message.pose.pose = ToPoseMessage(*pose);
     const Belief& belief = localizer_.belief();
     message.pose.covariance[0] = belief.variance_x;
@@ -190,7 +184,7 @@ class LocalizationNode {
     tf2_msgs::TFMessage tf;
     tf.transforms.resize(1);
     tf.transforms[0].header = message.header;
-    tf.transforms[0].child_frame_id = settings_.odom_frame;
+    tf.transforms[0].child_frame_id = settings_.frames.odom;
     const geometry_msgs::Pose odom = ToPoseMessage(localizer_.odom_in_map());
     tf.transforms[0].transform.translation.x = odom.position.x;
     tf.transforms[0].transform.translation.y = odom.position.y;

@@ -22,6 +22,14 @@ bool Range::Contains(double value) const {
   return !(low && !(value >= *low)) && !(high && !(value <= *high));
 }
 
+Band AtMost(double warn, double error, int consecutive) {
+  return {{std::nullopt, warn}, {std::nullopt, error}, consecutive, Duration::zero(), 0};
+}
+
+Band AtLeast(double warn, double error, int consecutive, double hysteresis) {
+  return {{warn, std::nullopt}, {error, std::nullopt}, consecutive, Duration::zero(), hysteresis};
+}
+
 Judge::Judge(Band band, std::string unit) : band_(std::move(band)), unit_(std::move(unit)) {}
 
 void Judge::OnValue(double value, Time now) {

@@ -37,6 +37,10 @@ struct Band {
   }
 };
 
+/// Bands with bounds on one side only, that need no news.
+Band AtMost(double warn, double error, int consecutive = 1);
+Band AtLeast(double warn, double error, int consecutive = 1, double hysteresis = 0);
+
 /// What is to be said about a number.
 struct Assessment {
   HealthLevel level = HealthLevel::kOk;

@@ -8,10 +8,6 @@ namespace {
 constexpr double kDay = 86400;
 constexpr double kHour = 3600;
 
-Band AtMost(double warn, double error) {
-  return {{std::nullopt, warn}, {std::nullopt, error}, 1, Duration::zero(), 0};
-}
-
 }  // namespace
 
 NodeWatch ReadNodeWatch(YamlFields& fields, int default_misses) {

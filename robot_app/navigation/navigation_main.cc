@@ -39,9 +39,7 @@ constexpr double kStatePeriod = 0.5;     // ROS time [s]
 struct Settings {
   NavigationSettings navigation;
   RelativeMotionSettings motion;
-  std::string map_frame;
-  std::string odom_frame;
-  std::string base_frame;
+  Frames frames;
 };
 
 std::optional<Settings> ReadSettings() {
@@ -67,9 +65,7 @@ std::optional<Settings> ReadSettings() {
   read("clearance", clearance, 0.02, 1);
   navigation.costs.lethal_radius = follower.robot_radius + clearance;
   settings.motion.robot_radius = follower.robot_radius;
-  settings.map_frame = parameters.Text("map_frame", "map");
-  settings.odom_frame = parameters.Text("odom_frame", "odom");
-  settings.base_frame = parameters.Text("base_frame", "base_link");
+  settings.frames = ReadFrames(parameters);
   if (!parameters.Finish()) return std::nullopt;
   return settings;
 }
@@ -80,7 +76,7 @@ class NavigationNode {
       : settings_(settings),
         navigation_(settings.navigation),
         motion_(settings.motion),
-        pose_(settings.map_frame, settings.odom_frame, settings.base_frame),
+        pose_(settings.frames),
         move_base_(node_, "move_base", false),
         motion_server_(node_, "motion", false) {
     command_ = node_.advertise<geometry_msgs::Twist>("/cmd_vel", 1);
@@ -230,7 +226,7 @@ class NavigationNode {
     if (!active) return velocity;
     if (pose) {
       move_base_msgs::MoveBaseFeedback feedback;
-      feedback.base_position.header.frame_id = settings_.map_frame;
+      feedback.base_position.header.frame_id = settings_.frames.map;
       feedback.base_position.header.stamp = ros::Time(pose->stamp);
       feedback.base_position.pose = ToPoseMessage(pose->pose);
       move_base_.publishFeedback(feedback);
@@ -274,7 +270,7 @@ class NavigationNode {
   void PublishPath() {
     nav_msgs::Path path;
     path.header.stamp = ros::Time::now();
-    path.header.frame_id = settings_.map_frame;
+    path.header.frame_id = settings_.frames.map;
     for (const Point2D& point : navigation_.path()) {
       geometry_msgs::PoseStamped pose;
       pose.header = path.header;

@@ -73,6 +73,11 @@ bool Parameters::Finish() {
   return problems_.empty();
 }
 
+Frames ReadFrames(Parameters& parameters) {
+  return {parameters.Text("map_frame", "map"), parameters.Text("odom_frame", "odom"),
+          parameters.Text("base_frame", "base_link")};
+}
+
 double YawOf(const geometry_msgs::Quaternion& q) {
   return std::atan2(2 * (q.w * q.z + q.x * q.y), 1 - 2 * (q.y * q.y + q.z * q.z));
 }
@@ -134,9 +139,6 @@ std::optional<OccupancyGrid> ToGrid(const nav_msgs::OccupancyGrid& message, std:
   return grid;
 }
 
-RobotPose::RobotPose(std::string map, std::string odom, std::string base)
-    : map_(std::move(map)), odom_(std::move(odom)), base_(std::move(base)) {}
-
 std::optional<RobotPose::Transform> RobotPose::Lookup(const std::string& target,
                                                       const std::string& source,
                                                       const ros::Time& stamp) const {
@@ -151,8 +153,8 @@ std::optional<RobotPose::Transform> RobotPose::Lookup(const std::string& target,
 }
 
 std::optional<RobotPose::Stamped> RobotPose::Newest() const {
-  const auto localization = Lookup(map_, odom_, ros::Time(0));
-  const auto odometry = Lookup(odom_, base_, ros::Time(0));
+  const auto localization = Lookup(frames_.map, frames_.odom, ros::Time(0));
+  const auto odometry = Lookup(frames_.odom, frames_.base, ros::Time(0));
   if (!localization || !odometry) return std::nullopt;
   return Stamped{Compose(localization->pose, odometry->pose),
                  std::min(localization->stamp, odometry->stamp)};
@@ -160,22 +162,22 @@ std::optional<RobotPose::Stamped> RobotPose::Newest() const {
 
 std::optional<Pose2D> RobotPose::At(const ros::Time& stamp) const {
   // The robot moves by odometry; localization only shifts that a little, so its newest will do.
-  const auto localization = Lookup(map_, odom_, ros::Time(0));
-  auto odometry = Lookup(odom_, base_, stamp);
-  if (!odometry) odometry = Lookup(odom_, base_, ros::Time(0));
+  const auto localization = Lookup(frames_.map, frames_.odom, ros::Time(0));
+  auto odometry = Lookup(frames_.odom, frames_.base, stamp);
+  if (!odometry) odometry = Lookup(frames_.odom, frames_.base, ros::Time(0));
   if (!localization || !odometry) return std::nullopt;
   return Compose(localization->pose, odometry->pose);
 }
 
 std::optional<Pose2D> RobotPose::MountOf(const std::string& frame) const {
-  const auto mount = Lookup(base_, frame, ros::Time(0));
+  const auto mount = Lookup(frames_.base, frame, ros::Time(0));
   if (!mount) return std::nullopt;
   return mount->pose;
 }
 
 std::optional<Pose2D> RobotPose::InMap(const geometry_msgs::PoseStamped& pose) const {
-  if (pose.header.frame_id == map_) return ToPose2D(pose.pose);
-  const auto frame = Lookup(map_, pose.header.frame_id, ros::Time(0));
+  if (pose.header.frame_id == frames_.map) return ToPose2D(pose.pose);
+  const auto frame = Lookup(frames_.map, pose.header.frame_id, ros::Time(0));
   if (!frame) return std::nullopt;
   return Compose(frame->pose, ToPose2D(pose.pose));
 }

@@ -12,6 +12,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "robot_app/navigation/laser_scan.h"
@@ -38,6 +39,15 @@ class Parameters {
   std::vector<std::string> problems_;
 };
 
+/// Names of the frames in which the robot is described.
+struct Frames {
+  std::string map;
+  std::string odom;
+  std::string base;
+};
+/// From ~map_frame (map), ~odom_frame (odom), ~base_frame (base_link).
+Frames ReadFrames(Parameters& parameters);
+
 double YawOf(const geometry_msgs::Quaternion& rotation);
 geometry_msgs::Twist ToTwist(const Velocity2D& velocity);
 Pose2D ToPose2D(const geometry_msgs::Pose& pose);
@@ -59,7 +69,7 @@ class RobotPose {
     double stamp = 0;  ///< of the older one of localization and odometry [s]
   };
 
-  RobotPose(std::string map, std::string odom, std::string base);
+  explicit RobotPose(Frames frames) : frames_(std::move(frames)) {}
 
   /// The newest pose; nothing before tf is complete. Odometry and localization are looked up each
   /// at its newest, so that a slow localization does not make the pose old.
@@ -79,9 +89,7 @@ class RobotPose {
   std::optional<Transform> Lookup(const std::string& target, const std::string& source,
                                   const ros::Time& stamp) const;
 
-  std::string map_;
-  std::string odom_;
-  std::string base_;
+  const Frames frames_;
   tf2_ros::Buffer buffer_;
   tf2_ros::TransformListener listener_{buffer_};
 };

@@ -34,7 +34,7 @@ class PoseFeed {
 
   coppice::Pose2D station_;
   std::vector<PoseKeys> trees_;
-  RobotPose pose_{"map", "odom", "base_link"};
+  RobotPose pose_{{"map", "odom", "base_link"}};
   ros::WallTimer timer_;
 };
 

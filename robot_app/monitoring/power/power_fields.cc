@@ -7,14 +7,6 @@ namespace {
 
 constexpr double kHour = 3600;
 
-Band AtMost(double warn, double error) {
-  return {{std::nullopt, warn}, {std::nullopt, error}, 1, Duration::zero(), 0};
-}
-
-Band AtLeast(double warn, double error, int consecutive, double hysteresis) {
-  return {{warn, std::nullopt}, {error, std::nullopt}, consecutive, Duration::zero(), hysteresis};
-}
-
 BatteryModel ReadModel(YamlFields& fields) {
   BatteryModel model;
   model.capacity = fields.Number("capacity", model.capacity, 0.1, 10000);

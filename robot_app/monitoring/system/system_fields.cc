@@ -5,10 +5,6 @@
 namespace coppice::robot {
 namespace {
 
-Band AtMost(double warn, double error, int consecutive) {
-  return {{std::nullopt, warn}, {std::nullopt, error}, consecutive, Duration::zero(), 0};
-}
-
 DiskWatch ReadDisk(YamlFields& fields) {
   DiskWatch watch;
   watch.path = fields.Text("path").text;

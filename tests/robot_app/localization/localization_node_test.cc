@@ -138,7 +138,7 @@ class LocalizationNodeTest : public testing::Test {
   Latest<geometry_msgs::PoseStamped> truth_{node_, "/simulation/truth"};
   Latest<nav_msgs::Odometry> filtered_{node_, "/odometry/filtered"};
   Latest<geometry_msgs::PoseWithCovarianceStamped> pose_{node_, "/localization/pose"};
-  RobotPose frames_{"map", "odom", "base_link"};
+  RobotPose frames_{{"map", "odom", "base_link"}};
 };
 
 TEST_F(LocalizationNodeTest, FindsTheCarriedRobotByATurnAndByAPerson) {

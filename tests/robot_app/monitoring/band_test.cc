@@ -135,5 +135,11 @@ TEST(Range, HasATextForEachKind) {
   EXPECT_EQ(ToText(Range{}, "V"), "any");
 }
 
+TEST(Band, ABoundOnOneSideLeavesTheOtherOpen) {
+  EXPECT_EQ(AtMost(1, 2, 3), (Band{{std::nullopt, 1}, {std::nullopt, 2}, 3, Duration::zero(), 0}));
+  EXPECT_EQ(AtLeast(2, 1, 3, 0.5),
+            (Band{{2, std::nullopt}, {1, std::nullopt}, 3, Duration::zero(), 0.5}));
+}
+
 }  // namespace
 }  // namespace coppice::robot

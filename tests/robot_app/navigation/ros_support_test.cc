@@ -101,7 +101,7 @@ TEST(RosParameters, AreCheckedAndUnknownOnesNamed) {
 }
 
 TEST(RobotPose, IsLocalizationTimesOdometryAndAsOldAsTheOlder) {
-  RobotPose robot("map", "odom", "base_link");
+  RobotPose robot({"map", "odom", "base_link"});
   EXPECT_FALSE(robot.Newest());
   tf2_ros::TransformBroadcaster broadcaster;
   tf2_ros::StaticTransformBroadcaster fixed;
