@@ -52,13 +52,9 @@ int FreePort() {
   return bound ? ntohs(address.sin_port) : 0;
 }
 
-RosMaster FindOrStartMaster(int port, ProcessLauncher& launcher, Duration timeout) {
-  if (port != 0 && SomebodyListens(port)) {
-    if (MasterAnswers({kHost, port}, kAnswerTime)) return {{kHost, port}, 0, ""};
-    return Failure("port " + std::to_string(port) +
-                   " is in use by something that is no ROS master");
-  }
-  if (port == 0) port = FreePort();
+namespace {
+
+RosMaster StartMaster(int port, ProcessLauncher& launcher, Duration timeout) {
   ProcessConfig config;
   config.name = "rosmaster";
   config.command = {"/usr/bin/rosmaster", "--core", "-p", std::to_string(port)};
@@ -78,6 +74,26 @@ RosMaster FindOrStartMaster(int port, ProcessLauncher& launcher, Duration timeou
   launcher.Signal(master.pid, SIGKILL);
   waitpid(master.pid, nullptr, 0);
   return Failure("rosmaster does not answer at port " + std::to_string(port));
+}
+
+}  // namespace
+
+RosMaster FindOrStartMaster(int port, ProcessLauncher& launcher, Duration timeout) {
+  if (port != 0 && SomebodyListens(port)) {
+    if (MasterAnswers({kHost, port}, kAnswerTime)) return {{kHost, port}, 0, ""};
+    return Failure("port " + std::to_string(port) +
+                   " is in use by something that is no ROS master");
+  }
+  if (port != 0) return StartMaster(port, launcher, timeout);
+  // A port that was free just now may be somebody else's when rosmaster, which then hangs, wants
+  // it.
+  constexpr int kPorts = 3;
+  RosMaster master;
+  for (int i = 0; i < kPorts; ++i) {
+    master = StartMaster(FreePort(), launcher, timeout / kPorts);
+    if (master.error.empty()) break;
+  }
+  return master;
 }
 
 }  // namespace coppice::robot
