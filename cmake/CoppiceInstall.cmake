@@ -22,7 +22,7 @@ install(EXPORT coppice NAMESPACE coppice:: FILE coppice-targets.cmake
 
 # The page lies where the installed program looks for it.
 if(COPPICE_WEB)
-  install(DIRECTORY ${COPPICE_WEB_FOLDER}/ DESTINATION ${CMAKE_INSTALL_DATADIR}/coppice/web
+  install(DIRECTORY ${COPPICE_WEB_FOLDER}/ DESTINATION ${CMAKE_INSTALL_DATADIR}/coppice/web COMPONENT web
           FILES_MATCHING PATTERN "index.*")
 endif()
 
