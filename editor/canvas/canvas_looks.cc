@@ -66,7 +66,7 @@ NodeLook LookOf(const TreeView& view, const CanvasOptions& options, std::uint32_
     look.heat = options.heat->values[node];
   }
   look.strength = IsLit(view, node) ? 1 : kDimmed;
-  if (look.change == Change::kRemoved) look.strength = std::min(look.strength, 0.5F);
+  if (look.change == Change::kRemoved) look.strength = std::min(look.strength, 0.45F);
   look.lit_value = LitValue(view, scene_node);
   if (look.collapsed) RollUp(view, options, node, look);
   return look;

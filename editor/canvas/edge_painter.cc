@@ -95,8 +95,7 @@ class EdgePainter {
     Point at = edge_.branch.empty() ? edge_.d : edge_.branch.back();
     const bool down = look_.orientation == Orientation::kTopToBottom && edge_.branch.empty();
     const std::string text = std::to_string(look_.number);
-    const TextStyle style{Face::kSans, 9 * look_.zoom / pen_.ui.scale,
-                          Fade(pen_.ui.palette.text_dim, 0.75F)};
+    const TextStyle style{Face::kSans, 9 * look_.zoom / pen_.ui.scale, pen_.ui.palette.text_dim};
     at = at + (down ? Point{5, -14} : Point{-12, -14}) * look_.zoom;
     // On the outer side of the bend, where the line does not come by.
     if (down && edge_.d.x < edge_.a.x) at.x -= pen_.Width(text, style) + 10 * look_.zoom;

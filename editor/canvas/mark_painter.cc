@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "editor/look/contrast.h"
 #include "editor/look/icons.h"
 
 namespace coppice::editor {
@@ -25,10 +26,11 @@ void PaintMarks(Pen& pen, const NodeLook& look) {
   if (!(marks & kFaultMark)) return;
   const Box flag = {{look.box.min.x, look.box.min.y - 17 * scale},
                     {look.box.min.x + 58 * scale, look.box.min.y - 2 * scale}};
-  pen.FillBox(flag, Mix(colors.canvas, colors.error, 0.8F), 3 * scale);
+  const Color fault = Mix(colors.canvas, colors.error, 0.8F);
+  pen.FillBox(flag, fault, 3 * scale);
   pen.RowText({flag.min.x + 4 * scale, flag.min.y}, flag.height(),
               std::string(icon::kWarning) + " fault",
-              {Face::kBold, 10 * scale / pen.ui.scale, 0xFFFFFFFF}, flag.width() - 6 * scale);
+              {Face::kBold, 10 * scale / pen.ui.scale, WritingOn(fault)}, flag.width() - 6 * scale);
 }
 
 }  // namespace coppice::editor

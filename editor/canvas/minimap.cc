@@ -9,9 +9,10 @@ namespace {
 constexpr float kWidth = 178;
 constexpr float kHeight = 104;
 constexpr float kInset = 8;
-constexpr float kPart = 4.5F;   // of the canvas' width at most one in so many,
-constexpr float kLeast = 0.6F;  // but not smaller than this part of its full size
-constexpr float kSmallest = 2;  // pixels; a smaller branch is one block
+constexpr float kPart = 4.5F;      // of the canvas' width at most one in so many,
+constexpr float kLeast = 0.6F;     // but not smaller than this part of its full size
+constexpr float kInSight = 0.85F;  // of the tree's area
+constexpr float kSmallest = 2;     // pixels; a smaller branch is one block
 
 Color ColorOf(const Ui& ui, const CanvasOptions& options, const Scene& scene, std::uint32_t node) {
   const SceneNode& shown = scene.nodes[node];
@@ -23,19 +24,15 @@ Color ColorOf(const Ui& ui, const CanvasOptions& options, const Scene& scene, st
   return StatusColor(ui.palette, StateOf(options.live, shown), ui.palette.Of(shown.shape));
 }
 
-// It lies over nodes, and nothing is out of sight that it could show.
-bool IsInTheWay(const TreeView& view, const Box& canvas, const Box& frame, double now) {
+// Almost all of the tree is in sight: there is nothing that it could show.
+bool IsAllInSight(const TreeView& view, const Box& canvas) {
   Camera camera = view.camera;
   camera.offset = camera.offset + canvas.min;
   const Box all = camera.ToScreen(view.bounds());
-  if (all.min.x < canvas.min.x || all.max.x > canvas.max.x || all.min.y < canvas.min.y ||
-      all.max.y > canvas.max.y) {
-    return false;
-  }
-  for (std::uint32_t k = 0; k < view.shown().size(); ++k) {
-    if (camera.ToScreen(view.BoxAt(k, now)).Overlaps(frame)) return true;
-  }
-  return false;
+  const Box seen = {{std::max(all.min.x, canvas.min.x), std::max(all.min.y, canvas.min.y)},
+                    {std::min(all.max.x, canvas.max.x), std::min(all.max.y, canvas.max.y)}};
+  if (seen.width() <= 0 || seen.height() <= 0) return false;
+  return seen.width() * seen.height() >= kInSight * all.width() * all.height();
 }
 
 }  // namespace
@@ -47,7 +44,7 @@ void DrawMinimap(const Ui& ui, TreeView& view, const Box& box, const CanvasOptio
   const Box frame = {{box.max.x - size.x - margin.x, box.min.y + margin.y},
                      {box.max.x - margin.x, box.min.y + margin.y + size.y}};
   if (frame.min.x < box.min.x + size.x || frame.max.y > box.max.y - size.y) return;
-  if (IsInTheWay(view, box, frame, ui.now)) return;
+  if (IsAllInSight(view, box)) return;
   const Box& world = view.bounds();
   const float zoom = std::min((frame.width() - 2 * kInset) / std::max(world.width(), 1.0F),
                               (frame.height() - 2 * kInset) / std::max(world.height(), 1.0F));
@@ -56,7 +53,7 @@ void DrawMinimap(const Ui& ui, TreeView& view, const Box& box, const CanvasOptio
   camera.offset = frame.center() - world.center() * zoom;
 
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  ui.Fill(list, frame, Fade(ui.palette.panel, 0.94F), 4);
+  ui.Fill(list, frame, ui.palette.panel, 4);
   ui.Frame(list, frame, ui.palette.border, 4);
   for (std::uint32_t k = 0; k < view.shown().size();) {
     const Box branch = camera.ToScreen(view.BranchBounds(k));

@@ -19,7 +19,7 @@ class LinesPainter {
     if (!type.empty()) {
       const Point at = body.min + Point{Z(metrics::kPad), Z(metrics::kHeader + 2)};
       pen_.RowText(at, Z(metrics::kLine), type,
-                   Style(Face::kSans, metrics::kNameSize, Fade(colors().text_dim, 0.9F)));
+                   Style(Face::kSans, metrics::kNameSize, colors().text_dim));
     }
     const float column = Z(NameColumn(pen_.ui, scene_, node_) + metrics::kColumnGap);
     for (std::uint32_t i = 0; i < node_.port_count; ++i) {

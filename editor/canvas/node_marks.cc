@@ -8,6 +8,7 @@
 #include "editor/canvas/node_metrics.h"
 #include "editor/canvas/node_painter.h"
 #include "editor/canvas/status_look.h"
+#include "editor/look/contrast.h"
 #include "editor/look/icons.h"
 
 namespace coppice::editor {
@@ -93,7 +94,7 @@ void PaintBadge(Pen& pen, const NodeLook& look, const Box& body) {
   const Point center = {body.max.x - radius * 0.3F, body.min.y - radius * 0.1F};
   pen.Disc(center, radius + std::max(1.0F, look.zoom), colors.canvas);
   pen.Disc(center, radius, color);
-  const TextStyle style{Face::kBold, radius * 1.5F / pen.ui.scale, colors.canvas};
+  const TextStyle style{Face::kBold, radius * 1.5F / pen.ui.scale, WritingOn(color)};
   const char* sign = badge == Badge::kError ? icon::kTimesSign : "!";
   const Point at = {center.x - pen.Width(sign, style) / 2, center.y - radius};
   pen.RowText(at, radius * 2, sign, style);
@@ -154,7 +155,7 @@ void PaintChange(Pen& pen, const NodeLook& look, const Box& body) {
   const Box stripe = {{body.min.x - wide - 2 * look.zoom, body.min.y},
                       {body.min.x - 2 * look.zoom, body.max.y}};
   pen.FillBox(stripe, color, 3 * look.zoom);
-  const TextStyle style{Face::kBold, 12 * look.zoom / pen.ui.scale, colors.canvas};
+  const TextStyle style{Face::kBold, 12 * look.zoom / pen.ui.scale, WritingOn(color)};
   const char* sign = SignOf(look.change);
   pen.RowText({stripe.center().x - pen.Width(sign, style) / 2, stripe.min.y},
               std::min(stripe.height(), metrics::kHeader * look.zoom), sign, style);

@@ -10,6 +10,7 @@ namespace {
 
 constexpr std::size_t kLongestValue = 34;
 constexpr float kChipPadding = 5;
+constexpr float kLongestTitle = 300;  // pixels at zoom 1; the rest is in the explanation
 
 bool Contains(std::string_view text, std::string_view part) {
   return text.find(part) != std::string_view::npos;
@@ -104,8 +105,9 @@ std::uint32_t BodyLines(const SceneNode& node) {
 }
 
 Point MeasureNode(const Ui& ui, const Scene& scene, const SceneNode& node) {
-  float title = metrics::kIcon + metrics::kStatus + 2 * metrics::kPad +
-                WidthOf(ui, node.name, {Face::kBold, metrics::kTitleSize, 0});
+  float title =
+      metrics::kIcon + metrics::kStatus + 2 * metrics::kPad +
+      std::min(WidthOf(ui, node.name, {Face::kBold, metrics::kTitleSize, 0}), kLongestTitle);
   const bool leaf = node.shape == Shape::kAction || node.shape == Shape::kCondition ||
                     node.shape == Shape::kSubTree || node.shape == Shape::kUnknown;
   if (leaf && node.uid >= 0) title += metrics::kElapsed;

@@ -139,7 +139,7 @@ class NodePainter {
 
   Color HeaderColor() const {
     Color color = colors().Of(node_.shape);
-    if (look_.has_heat) color = Mix(color, colors().chip, 0.6F);
+    if (look_.has_heat) color = Mix(color, colors().subtree, 0.6F);
     return look_.hovered ? Mix(color, 0xFFFFFFFF, 0.08F) : color;
   }
 

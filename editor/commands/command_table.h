@@ -20,6 +20,8 @@ struct Command {
   /// Whether its keys are its own now, before those of commands without it; null: always.
   std::function<bool()> when = nullptr;
   KeyChord own_keys = {};  ///< those it was added with; set by Add
+  /// Of a switch: whether it is on; null: it is none.
+  std::function<bool()> is_on = nullptr;
 };
 
 /// Two commands whose keys are their own at the same time, because the user has said so.

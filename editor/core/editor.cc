@@ -132,8 +132,6 @@ void Editor::LookForBackup(const std::string& path) {
   const std::optional<std::string> text = backup_.Find(*file);
   if (!text) return;
   state_.restorable[file->path] = *text;
-  state_.Notify("there is unsaved work on this file: \"Restore unsaved work\" in the File menu",
-                now_);
 }
 
 // Every few seconds, and not before what is there has been restored or refused.

@@ -128,6 +128,8 @@ struct XmlPane {
   bool wants_focus = false;
   bool pressed = false;  ///< the mouse button went down in it
   bool follow = false;   ///< the caret has moved and must be seen
+  float left = 0;        ///< how far the text is scrolled [pixels]
+  float widest = 0;      ///< line in sight [pixels]
 };
 
 /// Which lines of the shown text differ, and from what that was computed.

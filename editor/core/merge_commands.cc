@@ -31,7 +31,7 @@ std::vector<Choice> RowsOf(const std::vector<MergeConflict>& conflicts, const Ch
     Choice row;
     row.kind = takes_theirs ? "theirs" : "mine";
     row.title = InOneLine(stays);
-    row.note = "not " + InOneLine(goes);
+    row.note = (takes_theirs ? "mine goes: " : "theirs goes: ") + InOneLine(goes);
     row.run = [theirs, i] { (*theirs)[i] = !(*theirs)[i]; };
     rows.push_back(std::move(row));
   }
@@ -46,7 +46,8 @@ void Resolve(EditorState& state, const std::function<double()>& now) {
       MergeTexts(file.saved, file.text, *file.other).conflicts;
   const auto theirs = std::make_shared<std::vector<bool>>(conflicts.size(), false);
   const std::string name = path.substr(path.rfind('/') + 1);
-  state.Ask({name + " was changed by somebody else too: click whose stays, Enter merges",
+  state.Ask({name + " was changed by somebody else too: a click on a place changes whose stays, "
+                    "Enter merges",
              [&state, now, path, theirs](const std::string&) -> std::string {
                if (state.workspace.project().MergeTheirs(path, *theirs) < 0) {
                  return "this would give malformed XML: choose otherwise, or take theirs (Ctrl+P)";

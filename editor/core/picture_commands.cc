@@ -52,7 +52,7 @@ void AddPictureCommands(EditorState& state, std::function<double()> now) {
       {"file.export", "Export picture", {'E', kCtrl | kAlt}, [&state, now] {
          const TreeView* view = state.workspace.view();
          if (!view) return state.Notify("there is no tree to paint", now(), true);
-         state.Ask({std::string("picture that ends in ") + kPictureEndings,
+         state.Ask({std::string("Paint the shown tree into a file that ends in ") + kPictureEndings,
                     [&state, now](const std::string& path) { return Export(state, now(), path); },
                     {}},
                    SuggestedPath(state, view->scene()->tree_id));
@@ -62,7 +62,7 @@ void AddPictureCommands(EditorState& state, std::function<double()> now) {
                           return state.Notify("there is no tree to compare", now(), true);
                         }
                         state.Ask(
-                            {"file to compare with; empty: what was saved last",
+                            {"Compare with a file; empty: with what was saved last",
                              [&state](const std::string& path) { return Compare(state, path); },
                              {}});
                       }});

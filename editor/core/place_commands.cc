@@ -56,7 +56,7 @@ class PlaceCommands {
     const std::string name = run.bookmark_name();
     const Bookmarks::OfRun& there = bookmarks().Of(name);
     const auto known = there.find(tick);
-    state_.Ask({"what is to be seen here",
+    state_.Ask({"Bookmark: what is to be seen here",
                 [&s = state_, name, tick](const std::string& text) {
                   s.workspace.bookmarks.Set(name, tick, text);
                   return std::string();
@@ -90,7 +90,7 @@ class PlaceCommands {
       rows.push_back(std::move(row));
     }
     if (rows.empty()) return state_.Notify("no bookmarks: M sets one", now_(), true);
-    state_.Offer({"go to a bookmark", [rows](const std::string& typed) {
+    state_.Offer({"Go to a bookmark", [rows](const std::string& typed) {
                     std::vector<Choice> fitting;
                     for (const Choice& row : rows) {
                       if (row.title.find(typed) != std::string::npos) fitting.push_back(row);

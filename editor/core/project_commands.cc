@@ -66,20 +66,22 @@ class ProjectCommands {
 
   void AddTrees() {
     AddAsking(
-        "tree.extract", "Extract a SubTree", {'E', kCtrl}, "name of the new tree",
+        "tree.extract", "Extract a SubTree", {'E', kCtrl}, "Name of the new tree",
         [](EditorState& s) { return TreeEditor(s, 0).GivenName(); },
         [](ProjectEditor& edit, const std::string& id) { return edit.Extract(id); });
     AddDoing("tree.inline", "Inline the SubTree", {'E', kCtrl | kShift},
              [](ProjectEditor& edit) { return edit.Inline(); });
-    AddAsking("tree.new", "New tree", {'T', kCtrl}, "name of the new tree", {},
+    AddAsking("tree.new", "New tree", {'T', kCtrl}, "Name of the new tree", {},
               [](ProjectEditor& edit, const std::string& id) { return edit.NewTree(id); });
     AddAsking(
-        "tree.rename", "Rename the tree everywhere", {kKeyF1 + 1, kCtrl}, "new name of the tree",
+        "tree.rename", "Rename the tree everywhere", {kKeyF1 + 1, kCtrl},
+        "New name of the tree, wherever it is used",
         [](EditorState& s) { return s.workspace.ShownTreeId(); },
         [](ProjectEditor& edit, const std::string& id) { return edit.RenameTree(id); });
     AddDoing("tree.delete", "Delete the tree", {},
              [](ProjectEditor& edit) { return edit.DeleteTree(); });
-    AddAsking("file.include", "Include a file", {}, "path, relative to this file", {},
+    AddAsking("file.include", "Include a file", {},
+              "Include a file, or make it: its path, relative to this file", {},
               [](ProjectEditor& edit, const std::string& path) { return edit.Include(path); });
     AddDoing("tree.definition", "Go to the tree of the SubTree", {kKeyF1 + 11},
              [](ProjectEditor& edit) { return edit.GoToDefinition(); });
@@ -109,7 +111,7 @@ class ProjectCommands {
       }
     }
     if (rows.empty()) return id + " is not used";
-    Offer("usages of " + id, std::move(rows));
+    Offer("Usages of " + id, std::move(rows));
     return {};
   }
 
@@ -159,12 +161,12 @@ class ProjectCommands {
       row.run = [this_ = *this, key] { this_.AskKey(key); };
       rows.push_back(std::move(row));
     }
-    Offer("key to rename", std::move(rows));
+    Offer("Rename a key: which", std::move(rows));
     return {};
   }
 
   void AskKey(const std::string& key) const {
-    state_.Ask({"new name of the key " + key,
+    state_.Ask({"New name of the key " + key,
                 [&s = state_, now = now_, key](const std::string& to) {
                   return ProjectEditor(s, now()).RenameKey(key, to);
                 },
@@ -184,7 +186,7 @@ class ProjectCommands {
       }
       rows.push_back(this_.HistoryRow("as it was opened", 0));
       rows.back().kind = history.done() == 0 ? "now" : "done";
-      this_.Offer("go back or forth to behind a step", std::move(rows));
+      this_.Offer("History: Enter goes back or forth to the chosen step", std::move(rows));
     });
   }
 
@@ -203,21 +205,22 @@ class ProjectCommands {
 
   void AddModels() {
     Add("file.models", "Load node models", {}, [&s = state_, now = now_] {
-      s.Ask({"path of a file with <TreeNodesModel>, as \"coppice nodes\" writes it",
-             [&s, now](const std::string& path) -> std::string {
-               const std::size_t before = s.workspace.model_problems().size();
-               s.workspace.AddModels(path);
-               s.workspace.RenewAll(now());
-               const auto& problems = s.workspace.model_problems();
-               return problems.size() > before ? problems.back().message : "";
-             },
-             {}});
+      s.Ask(
+          {"Load node models: path of a file with <TreeNodesModel>, as \"coppice nodes\" writes it",
+           [&s, now](const std::string& path) -> std::string {
+             const std::size_t before = s.workspace.model_problems().size();
+             s.workspace.AddModels(path);
+             s.workspace.RenewAll(now());
+             const auto& problems = s.workspace.model_problems();
+             return problems.size() > before ? problems.back().message : "";
+           },
+           {}});
     });
   }
 
   void AddSearch() {
     Add("edit.find", "Find", {'F', kCtrl}, [this_ = *this] {
-      this_.state_.Offer({"find; type: name: port: value: key: narrow it, /.../ is a pattern",
+      this_.state_.Offer({"Find; type: name: port: value: key: narrow it, /.../ is a pattern",
                           [this_](const std::string& typed) { return this_.Find(typed); }},
                          this_.state_.last_search);
     });
@@ -249,7 +252,7 @@ class ProjectCommands {
   std::string AskWhat() const {
     const std::string refusal = TreeEditor(state_, now_()).WhyReadOnly();
     if (!refusal.empty()) return refusal;
-    state_.Ask({"replace what; type: name: port: value: narrow it, /.../ is a pattern",
+    state_.Ask({"Replace what; type: name: port: value: narrow it, /.../ is a pattern",
                 [this_ = *this](const std::string& typed) { return this_.AskWith(typed); },
                 [this_ = *this](const std::string& typed) { return this_.Find(typed); }},
                state_.last_search);
@@ -265,34 +268,34 @@ class ProjectCommands {
     const std::vector<Match> matches = Search(files, *state_.workspace.file()->models, *query);
     if (matches.empty()) return "not found";
     const auto skipped = std::make_shared<Skipped>();
-    state_.Ask(
-        {"replace it in " + std::to_string(matches.size()) + " places with; a click leaves one out",
-         [=, this_ = *this](const std::string& with) {
-           std::vector<Match> wanted = matches;
-           wanted.erase(std::remove_if(wanted.begin(), wanted.end(),
-                                       [&](const Match& m) {
-                                         return skipped->count({m.file, m.offset}) > 0;
-                                       }),
-                        wanted.end());
-           return ProjectEditor(this_.state_, this_.now_()).ReplaceAll(wanted, *query, with);
-         },
-         [=](const std::string& with) {
-           std::vector<Choice> rows;
-           for (const Match& match : matches) {
-             if (rows.size() == kRows) break;
-             const bool skip = skipped->count({match.file, match.offset}) > 0;
-             Choice row;
-             row.title = TitleOf(match, match.before) +
-                         (skip ? "" : "  ->  " + Replaced(match, *query, with));
-             row.kind = skip ? "leave" : ToString(match.role);
-             row.run = [skipped, match] {
-               const auto place = std::make_pair(match.file, match.offset);
-               if (skipped->erase(place) == 0) skipped->insert(place);
-             };
-             rows.push_back(std::move(row));
-           }
-           return rows;
-         }});
+    state_.Ask({"Replace it in " + std::to_string(matches.size()) +
+                    (matches.size() == 1 ? " place" : " places") + " with; a click leaves one out",
+                [=, this_ = *this](const std::string& with) {
+                  std::vector<Match> wanted = matches;
+                  wanted.erase(std::remove_if(wanted.begin(), wanted.end(),
+                                              [&](const Match& m) {
+                                                return skipped->count({m.file, m.offset}) > 0;
+                                              }),
+                               wanted.end());
+                  return ProjectEditor(this_.state_, this_.now_()).ReplaceAll(wanted, *query, with);
+                },
+                [=](const std::string& with) {
+                  std::vector<Choice> rows;
+                  for (const Match& match : matches) {
+                    if (rows.size() == kRows) break;
+                    const bool skip = skipped->count({match.file, match.offset}) > 0;
+                    Choice row;
+                    row.title = TitleOf(match, match.before) +
+                                (skip ? "" : "  ->  " + Replaced(match, *query, with));
+                    row.kind = skip ? "leave" : ToString(match.role);
+                    row.run = [skipped, match] {
+                      const auto place = std::make_pair(match.file, match.offset);
+                      if (skipped->erase(place) == 0) skipped->insert(place);
+                    };
+                    rows.push_back(std::move(row));
+                  }
+                  return rows;
+                }});
     return {};
   }
 

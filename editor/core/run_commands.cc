@@ -102,7 +102,7 @@ void AskForValue(EditorState& state) {
     const bool is_main = slot.scope == run->tree()->description()->main_tree;
     const std::string scope = is_main ? "" : slot.scope;
     const std::string key = slot.name;
-    state.Ask({"new value of " + key + " (" + slot.type + "), as in the XML",
+    state.Ask({"New value of " + key + " (" + slot.type + "), as in the XML",
                [&state, scope, key](const std::string& value) {
                  if (RunView* shown = state.workspace.run()) {
                    shown->Send(WriteKey(scope, key, value));
@@ -220,7 +220,7 @@ class RunCommands {
     AddAlways("run.breakpoint_condition", "Condition of the breakpoint", {kKeyF1 + 8, kCtrl},
               [&s = state_, now = now_] { AskForConditionHere(s, now()); });
     AddAlways("run.breakpoint_path", "Breakpoint at a path", {}, [&s = state_] {
-      s.Ask({"path of a node, as in sub/work or sub/Drive::7; \"if\" narrows it later",
+      s.Ask({"Breakpoint at a path, as in sub/work or sub/Drive::7; \"if\" narrows it later",
              [&s](const std::string& path) {
                Hook hook;
                hook.path = path;
@@ -283,7 +283,7 @@ class RunCommands {
         });
     Add("run.save", "Save what was received as a record", {'S', kCtrl | kAlt},
         [&s = state_](RunView&) {
-          s.Ask({"path of the record",
+          s.Ask({"Save the run as a record: its path",
                  [&s](const std::string& path) { return SaveRun(s, path); },
                  {}},
                 "run.coppice");
@@ -330,14 +330,14 @@ std::string SelectedRunPath(EditorState& state) {
 void AskForCondition(EditorState& state, std::uint32_t number) {
   const WantedHook* hook = state.workspace.hooks.Find(number);
   if (!hook) return;
-  state.Ask({"condition, such as battery < 20; \"#3\" behind it: from the third hit on",
-             [&state, number](const std::string& text) {
-               return ChangeCondition(state.workspace.hooks, number, text);
-             },
-             {}},
-            hook->hook.from_hit > 1
-                ? hook->hook.condition + " #" + std::to_string(hook->hook.from_hit)
-                : hook->hook.condition);
+  state.Ask(
+      {"Condition of the breakpoint, such as battery < 20; \"#3\" behind it: from the third hit on",
+       [&state, number](const std::string& text) {
+         return ChangeCondition(state.workspace.hooks, number, text);
+       },
+       {}},
+      hook->hook.from_hit > 1 ? hook->hook.condition + " #" + std::to_string(hook->hook.from_hit)
+                              : hook->hook.condition);
 }
 
 void ToggleFault(EditorState& state, Hook fault, double now) {

@@ -21,9 +21,13 @@ class SimulationCommands {
   void AddAll() {
     AddAlways("sim.start", "Simulate the tree", {kF5}, &SimulationEditor::Start);
     AddAlways("sim.tests", "Run the tests", {'R', kCtrl | kShift}, &SimulationEditor::RunScenarios);
-    state_.commands.Add({"tile.tests", "Tests tile", {kKeyF1 + 10, kShift}, [&s = state_] {
-                           s.tiles.tests = !s.tiles.tests;
-                         }});
+    state_.commands.Add({"tile.tests",
+                         "Tests tile",
+                         {kKeyF1 + 10, kShift},
+                         [&s = state_] { s.tiles.tests = !s.tiles.tests; },
+                         nullptr,
+                         {},
+                         [&s = state_] { return s.tiles.tests; }});
     AddTime();
     AddChance();
     AddLeaf();
@@ -114,7 +118,7 @@ class SimulationCommands {
           if (leaf == editor::kNoNode) return s.Notify("Select a leaf first", now(), true);
           const std::string present = PrintScript(*s.simulator.get()->ScriptOf(leaf));
           s.Ask(
-              {"results and times: SUCCESS, 2s FAILURE, RUNNING x3 SUCCESS, each FAILURE SUCCESS, "
+              {"What the leaf does: SUCCESS, 2s FAILURE, RUNNING x3 SUCCESS, each FAILURE SUCCESS, "
                "80% SUCCESS 20% FAILURE 0s..2s",
                [&s, now](const std::string& text) {
                  return SimulationEditor(s, now()).SetScript(text);
@@ -123,13 +127,13 @@ class SimulationCommands {
               present);
         });
     Add("sim.set", "set a key", {'B', kCtrl}, [&s = state_, now = now_](const SimulationEditor&) {
-      s.Ask({"key = value",
+      s.Ask({"Set a key: key = value",
              [&s, now](const std::string& text) { return SimulationEditor(s, now()).SetKey(text); },
              [&s](const std::string& typed) { return Keys(s, typed); }});
     });
     Add("sim.save_test", "save as a test", {'T', kCtrl | kShift},
         [&s = state_, now = now_](const SimulationEditor&) {
-          s.Ask({"name of the test: what the tree does",
+          s.Ask({"Save as a test; its name says what the tree does",
                  [&s, now](const std::string& name) {
                    return SimulationEditor(s, now()).SaveAsScenario(name);
                  },
@@ -137,7 +141,7 @@ class SimulationCommands {
         });
     Add("sim.save_record", "save as a record", {},
         [&s = state_, now = now_](const SimulationEditor&) {
-          s.Ask({"path of the record",
+          s.Ask({"Save the simulation as a record: its path",
                  [&s, now](const std::string& path) {
                    return SimulationEditor(s, now()).SaveAsRecord(path);
                  },

@@ -72,6 +72,12 @@ class Commands {
     state_.commands.Add({std::move(id), std::move(title), keys, std::move(run)});
   }
 
+  void AddSwitch(std::string id, std::string title, KeyChord keys, std::function<void()> run,
+                 std::function<bool()> is_on) {
+    state_.commands.Add(
+        {std::move(id), std::move(title), keys, std::move(run), nullptr, {}, std::move(is_on)});
+  }
+
   // A command that needs a tree.
   void AddForView(std::string id, std::string title, KeyChord keys,
                   std::function<void(TreeView&)> run) {
@@ -107,21 +113,27 @@ class Commands {
   }
 
   void AddOrientation(std::string id, std::string title, Orientation orientation) {
-    Add(std::move(id), std::move(title), {}, [&s = state_, now = now_, orientation] {
-      if (s.workspace.orientation() == orientation) return;
-      LayoutStyle style = s.workspace.style();
-      style.orientation = orientation;
-      s.workspace.SetStyle(style, now());
-      if (TreeView* view = s.workspace.view()) view->FitAll(s.canvas_size);
-    });
+    AddSwitch(
+        std::move(id), std::move(title), {},
+        [&s = state_, now = now_, orientation] {
+          if (s.workspace.orientation() == orientation) return;
+          LayoutStyle style = s.workspace.style();
+          style.orientation = orientation;
+          s.workspace.SetStyle(style, now());
+          if (TreeView* view = s.workspace.view()) view->FitAll(s.canvas_size);
+        },
+        [&s = state_, orientation] { return s.workspace.orientation() == orientation; });
   }
 
   void AddToggle(std::string id, std::string title, bool LayoutStyle::*part) {
-    Add(std::move(id), std::move(title), {}, [&s = state_, now = now_, part] {
-      LayoutStyle style = s.workspace.style();
-      style.*part = !(style.*part);
-      s.workspace.SetStyle(style, now());
-    });
+    AddSwitch(
+        std::move(id), std::move(title), {},
+        [&s = state_, now = now_, part] {
+          LayoutStyle style = s.workspace.style();
+          style.*part = !(style.*part);
+          s.workspace.SetStyle(style, now());
+        },
+        [&s = state_, part] { return s.workspace.style().*part; });
   }
 
   void AddTabs() {
@@ -137,7 +149,9 @@ class Commands {
   }
 
   void AddPalette(std::string id, std::string title, PaletteName name) {
-    Add(std::move(id), std::move(title), {}, [&s = state_, name] { s.palette = name; });
+    AddSwitch(
+        std::move(id), std::move(title), {}, [&s = state_, name] { s.palette = name; },
+        [&s = state_, name] { return s.palette == name; });
   }
 
   void AddTree() {
@@ -174,25 +188,23 @@ class Commands {
   }
 
   void AddTiles() {
-    Add("tile.project", "Project tile", {kKeyF1 + 1, kShift},
-        [&s = state_] { s.tiles.project = !s.tiles.project; });
-    Add("tile.types", "Nodes tile", {kKeyF1 + 2, kShift},
-        [&s = state_] { s.tiles.types = !s.tiles.types; });
-    AddTile("tile.outline", "Outline tile", 3, &Tiles::outline);
-    AddTile("tile.inspector", "Inspector tile", 4, &Tiles::inspector);
-    AddTile("tile.blackboard", "Blackboard tile", 6, &Tiles::blackboard);
-    AddTile("tile.xml", "XML tile", 7, &Tiles::xml);
-    AddTile("tile.problems", "Problems tile", 8, &Tiles::problems);
-    Add("tile.timeline", "Timeline tile", {kKeyF1 + 7, kCtrl},
-        [&s = state_] { s.tiles.timeline = !s.tiles.timeline; });
-    Add("tile.run", "Why, running, breakpoints tile", {kKeyF1 + 7, kShift},
-        [&s = state_] { s.tiles.run = !s.tiles.run; });
-    AddTile("tile.minimap", "Minimap", 11, &Tiles::minimap);
+    AddTile("tile.project", "Project tile", {kKeyF1 + 1, kShift}, &Tiles::project);
+    AddTile("tile.types", "Nodes tile", {kKeyF1 + 2, kShift}, &Tiles::types);
+    AddTile("tile.outline", "Outline tile", {kKeyF1 + 2}, &Tiles::outline);
+    AddTile("tile.inspector", "Inspector tile", {kKeyF1 + 3}, &Tiles::inspector);
+    AddTile("tile.blackboard", "Blackboard tile", {kKeyF1 + 5}, &Tiles::blackboard);
+    AddTile("tile.xml", "XML tile", {kKeyF1 + 6}, &Tiles::xml);
+    AddTile("tile.problems", "Problems tile", {kKeyF1 + 7}, &Tiles::problems);
+    AddTile("tile.timeline", "Timeline tile", {kKeyF1 + 7, kCtrl}, &Tiles::timeline);
+    AddTile("tile.run", "Why, running, breakpoints tile", {kKeyF1 + 7, kShift}, &Tiles::run);
+    AddTile("tile.minimap", "Minimap", {kKeyF1 + 10}, &Tiles::minimap);
   }
 
-  void AddTile(std::string id, std::string title, int function_key, bool Tiles::*tile) {
-    Add(std::move(id), std::move(title), {kKeyF1 + function_key - 1},
-        [&s = state_, tile] { s.tiles.*tile = !(s.tiles.*tile); });
+  void AddTile(std::string id, std::string title, KeyChord keys, bool Tiles::*tile) {
+    AddSwitch(
+        std::move(id), std::move(title), keys,
+        [&s = state_, tile] { s.tiles.*tile = !(s.tiles.*tile); },
+        [&s = state_, tile] { return s.tiles.*tile; });
   }
 
   EditorState& state_;

@@ -15,6 +15,7 @@ void ApplyImGuiStyle(const Palette& palette, float scale) {
   style.FramePadding = {8, 5};
   style.ItemSpacing = {8, 5};
   style.WindowPadding = {8, 8};
+  style.DisabledAlpha = 0.45F;
   style.ScaleAllSizes(scale);
   const auto set = [&](ImGuiCol slot, Color color) {
     style.Colors[slot] = ImGui::ColorConvertU32ToFloat4(color);

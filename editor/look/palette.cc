@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "editor/look/contrast.h"
+
 namespace coppice::editor {
 namespace {
 
@@ -18,21 +20,21 @@ Palette Dark() {
   p.border = Rgb(0x343A47);
   p.field = Rgb(0x181B22);
   p.row_hover = Rgb(0x272C37);
-  p.row_selected = Rgb(0x2A3A53);
+  p.row_selected = Rgb(0x26354C);
   p.text = Rgb(0xE4E7ED);
-  p.text_dim = Rgb(0x959DAC);
+  p.text_dim = Rgb(0x9FA7B6);
   p.text_on_header = Rgb(0xFFFFFF);
-  p.accent = Rgb(0x5B9DF0);
+  p.accent = Rgb(0x6AA7F5);
   p.link = Rgb(0x4FC4C0);
   p.node_body = Rgb(0x242832);
-  p.node_border = Rgb(0x4A5162);
-  p.edge = Rgb(0x5A6273);
+  p.node_border = Rgb(0x626B7E);
+  p.edge = Rgb(0x6A7386);
   p.chip = Rgb(0x2C4148);
   p.chip_text = Rgb(0x63D2C6);
   p.control = Rgb(0x60468C);
-  p.decorator = Rgb(0x22747A);
+  p.decorator = Rgb(0x1E666B);
   p.action = Rgb(0x2A548C);
-  p.condition = Rgb(0x8C6824);
+  p.condition = Rgb(0x7C5C1F);
   p.subtree = Rgb(0x464E60);
   p.unknown = Rgb(0x4A4A52);
   p.running = Rgb(0xF0AA28);
@@ -41,7 +43,7 @@ Palette Dark() {
   p.skipped = Rgb(0x8C93A0);
   p.halted = Rgb(0xA878E0);
   p.warning = Rgb(0xF0AA28);
-  p.error = Rgb(0xF0645A);
+  p.error = Rgb(0xF77F75);
   p.note = Rgb(0xC9B458);
   p.simulation = Rgb(0xB69CF5);
   p.note_text = Rgb(0x201B08);
@@ -57,26 +59,28 @@ Palette Light() {
   p.border = Rgb(0xC6CBD6);
   p.field = Rgb(0xF1F3F7);
   p.row_hover = Rgb(0xECEFF5);
-  p.row_selected = Rgb(0xCFE0F8);
+  p.row_selected = Rgb(0xDCE9FB);
   p.text = Rgb(0x1D2129);
-  p.text_dim = Rgb(0x5D6573);
-  p.accent = Rgb(0x2166C4);
-  p.link = Rgb(0x0B7A76);
+  p.text_dim = Rgb(0x565E6B);
+  p.accent = Rgb(0x1F5FB8);
+  p.link = Rgb(0x0A6E6A);
   p.node_body = Rgb(0xFFFFFF);
-  p.node_border = Rgb(0xA3ABBA);
-  p.edge = Rgb(0x8F97A6);
+  p.node_border = Rgb(0x868E9D);
+  p.edge = Rgb(0x868E9D);
   p.chip = Rgb(0xDDF0EE);
   p.chip_text = Rgb(0x0B6E6A);
   p.control = Rgb(0x6F52A3);
-  p.decorator = Rgb(0x1F7D84);
+  p.decorator = Rgb(0x196A70);
   p.action = Rgb(0x2F65AD);
-  p.condition = Rgb(0x96701F);
+  p.condition = Rgb(0x82611A);
   p.subtree = Rgb(0x5A6478);
-  p.running = Rgb(0xD98A00);
-  p.success = Rgb(0x1F9A45);
+  p.running = Rgb(0xC07800);
+  p.success = Rgb(0x1B8A3D);
   p.failure = Rgb(0xCF3A30);
-  p.warning = Rgb(0xB36B00);
-  p.error = Rgb(0xC62F26);
+  p.skipped = Rgb(0x767D8A);
+  p.halted = Rgb(0x8A50D0);
+  p.warning = Rgb(0x8A5200);
+  p.error = Rgb(0xB92A22);
   p.note = Rgb(0xFFF0A8);
   p.simulation = Rgb(0x6B46B8);
   p.note_text = Rgb(0x4A4010);
@@ -90,10 +94,24 @@ Palette ColourBlind() {
   p.success = Rgb(0x009E73);
   p.failure = Rgb(0xD55E00);
   p.halted = Rgb(0xCC79A7);
-  p.skipped = Rgb(0x999999);
+  p.skipped = Rgb(0xC9CDD6);
   p.warning = Rgb(0xF0E442);
-  p.error = Rgb(0xD55E00);
+  p.error = Rgb(0xFF8A4C);
   p.accent = Rgb(0x56B4E9);
+  return p;
+}
+
+// Colours of statuses are for areas and lines; as writing some of them need more contrast.
+Palette WithWriting(Palette p) {
+  const auto written = [&p](Color color) {
+    return Readable(
+        color, p.text,
+        {p.panel, p.header, p.canvas, p.field, p.row_hover, p.row_selected, p.node_body});
+  };
+  p.running_text = written(p.running);
+  p.success_text = written(p.success);
+  p.failure_text = written(p.failure);
+  p.skipped_text = written(p.skipped);
   return p;
 }
 
@@ -120,7 +138,8 @@ std::optional<PaletteName> PaletteFromString(std::string_view text) {
 }
 
 const Palette& GetPalette(PaletteName name) {
-  static const Palette kPalettes[] = {Dark(), Light(), ColourBlind()};
+  static const Palette kPalettes[] = {WithWriting(Dark()), WithWriting(Light()),
+                                      WithWriting(ColourBlind())};
   return kPalettes[static_cast<std::size_t>(name)];
 }
 
@@ -138,6 +157,22 @@ Color Palette::Of(Status status) const {
       return skipped;
   }
   return node_border;
+}
+
+Color Palette::TextOf(Status status) const {
+  switch (status) {
+    case Status::kIdle:
+      return text_dim;
+    case Status::kRunning:
+      return running_text;
+    case Status::kSuccess:
+      return success_text;
+    case Status::kFailure:
+      return failure_text;
+    case Status::kSkipped:
+      return skipped_text;
+  }
+  return text_dim;
 }
 
 Color Palette::Of(Shape shape) const {

@@ -27,14 +27,16 @@ struct Palette {
   Color text, text_dim, text_on_header, accent, link;                   // writing
   Color node_body, node_border, edge, chip, chip_text;                  // nodes at rest
   Color control, decorator, action, condition, subtree, unknown;        // headers by shape
-  Color running, success, failure, skipped, halted;                     // statuses
+  Color running, success, failure, skipped, halted;                     // statuses, as graphics
+  Color running_text, success_text, failure_text, skipped_text;         // the same, as writing
   Color warning, error;
   Color simulation;       ///< what is no robot
   Color note, note_text;  ///< of XML comments
   bool is_dark;
 
-  Color Of(Status status) const;  ///< kIdle: node_border
-  Color Of(Shape shape) const;    ///< of the header
+  Color Of(Status status) const;      ///< kIdle: node_border
+  Color TextOf(Status status) const;  ///< readable on every surface
+  Color Of(Shape shape) const;        ///< of the header
   /// A colour for a blackboard key: the same key always gets the same one.
   Color OfKey(std::string_view key) const;
 };

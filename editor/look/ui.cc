@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "editor/look/contrast.h"
 #include "editor/look/icons.h"
 
 namespace coppice::editor {
@@ -19,6 +20,9 @@ std::size_t FittingLength(const ImFont* font, std::string_view text, float width
   font->CalcTextSizeA(font->FontSize, width, 0, text.data(), text.data() + text.size(), &rest);
   return rest ? static_cast<std::size_t>(rest - text.data()) : text.size();
 }
+
+// Of a UTF-8 character: not its first byte.
+bool IsInner(char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; }
 
 }  // namespace
 
@@ -40,6 +44,20 @@ std::string Ui::Cut(std::string_view text, const TextStyle& style, float width) 
   if (dots > width) return {};
   const std::size_t length = FittingLength(font, text, width - dots);
   return std::string(text.substr(0, length)) + icon::kEllipsis;
+}
+
+std::string Ui::CutStart(std::string_view text, const TextStyle& style, float width) const {
+  const ImFont* font = fonts.Pick(style.face, style.size * scale);
+  const float full = WidthIn(font, text);
+  if (full <= width) return std::string(text);
+  const float dots = WidthIn(font, icon::kEllipsis);
+  if (dots > width) return {};
+  std::size_t cut = FittingLength(font, text, full + dots - width);
+  while (cut < text.size() &&
+         (IsInner(text[cut]) || WidthIn(font, text.substr(cut)) + dots > width)) {
+    ++cut;
+  }
+  return icon::kEllipsis + std::string(text.substr(cut));
 }
 
 float Ui::RowText(ImDrawList& list, Point at, float row_height, std::string_view text,
@@ -78,8 +96,10 @@ bool Ui::Button(const std::string& path, const Box& box, std::string_view text, 
                               : palette.panel;
   Fill(list, box, hovered ? Mix(base, palette.text, 0.08F) : base, 4 * scale);
   Frame(list, box, tint ? Mix(palette.border, tint, 0.7F) : palette.border, 4 * scale);
-  const TextStyle style{Face::kSans, 12,
-                        active ? palette.text : Mix(palette.text_dim, palette.text, 0.5F)};
+  const Color writing = active && tint ? WritingOn(base)
+                        : active       ? palette.text
+                                       : Mix(palette.text_dim, palette.text, 0.5F);
+  const TextStyle style{Face::kSans, 12, writing};
   const float width = Width(text, style);
   RowText(list, {box.center().x - width / 2, box.min.y}, box.height(), text, style);
   return pressed;

@@ -41,6 +41,10 @@ struct Ui {
   /// even that fits.
   std::string Cut(std::string_view text, const TextStyle& style, float width) const;
 
+  /// The end that fits into `width`, behind an ellipsis if something is cut off: of a path it says
+  /// more than the beginning.
+  std::string CutStart(std::string_view text, const TextStyle& style, float width) const;
+
   /// Draws with the top left corner at `at`.
   void Text(ImDrawList& list, Point at, std::string_view text, const TextStyle& style) const;
 

@@ -12,6 +12,7 @@ namespace coppice::editor {
 namespace {
 
 constexpr double kFlashSeconds = 1.0;
+constexpr float kPad = 8;  // pixels at scale 1
 constexpr std::size_t kListedWrites = 6;
 constexpr std::size_t kSamples = 120;
 constexpr char kTableMark[] = "(table)";
@@ -29,6 +30,13 @@ std::vector<std::string> KeysOfSelection(const TreeView* view) {
   return keys;
 }
 
+std::string ScopeOfSelection(const TreeView* view) {
+  if (!view || view->selected() == kNoNode) return {};
+  const Scene& scene = *view->scene();
+  const SceneNode& node = scene.nodes[view->selected()];
+  return node.scope < scene.scopes.size() ? scene.scopes[node.scope] : std::string();
+}
+
 class Board {
  public:
   Board(const Ui& ui, EditorState& state, RunView& run, const Box& box)
@@ -39,12 +47,15 @@ class Board {
                                                               : run.playhead().tick())),
         slots_(tracks_.tree()->slots),
         keys_(KeysOfSelection(state.workspace.view())),
+        scope_(ScopeOfSelection(state.workspace.view())),
         width_(box.width()) {}
 
   void Draw() {
     ListSlots();
     if (listed_.empty()) {
-      Hint(ui_, state_.selected_keys_only ? "The selected node has no keys." : "No values yet.");
+      Hint(ui_, state_.selected_keys_only
+                    ? "The selected node has no keys; B shows those of all nodes."
+                    : "No key has a value yet.");
       return;
     }
     MeasureColumn();
@@ -54,7 +65,6 @@ class Board {
       scope = &slots_[slot].scope;
       DrawSlot(slot);
     }
-    DrawHistory();
   }
 
   std::size_t CountKeys() const {
@@ -63,8 +73,14 @@ class Board {
   }
 
  private:
+  // In the node's own blackboard if it has such a key, else wherever it is.
   bool IsOfSelection(SlotIndex slot) const {
-    return std::find(keys_.begin(), keys_.end(), slots_[slot].name) != keys_.end();
+    const DescribedSlot& described = slots_[slot];
+    if (std::find(keys_.begin(), keys_.end(), described.name) == keys_.end()) return false;
+    if (described.scope == scope_) return true;
+    return std::none_of(slots_.begin(), slots_.end(), [&](const DescribedSlot& other) {
+      return other.has_key && other.scope == scope_ && other.name == described.name;
+    });
   }
 
   void ListSlots() {
@@ -80,7 +96,7 @@ class Board {
   void MeasureColumn() {
     column_ = 60 * ui_.scale;
     for (const SlotIndex slot : listed_) {
-      column_ = std::max(column_, ui_.Width(slots_[slot].name, {Face::kSans, 12, 0}));
+      column_ = std::max(column_, ui_.Width(slots_[slot].name, {Face::kBold, 12, 0}));
     }
     column_ = std::min(column_ + 14 * ui_.scale, width_ * 0.45F);
   }
@@ -114,7 +130,7 @@ class Board {
     const DescribedSlot& described = slots_[slot];
     const std::string path = "blackboard/" + described.scope + "/" + described.name;
     const bool selected = state_.shown_key == path;
-    const Row row = NextRow(ui_, path, selected || IsOfSelection(slot));
+    const Row row = NextRow(ui_, path, selected);
     const bool is_table = IsTable(slot);
     const std::string value = is_table ? kTableMark : Value(slot);
     const SlotWrite* write = LastWrite(slot);
@@ -122,34 +138,41 @@ class Board {
       const std::string by = write ? "\nwritten in " + TickText(run_.run(), write->tick) + " by " +
                                          WriterOf(run_.run(), *write)
                                    : "";
-      ImGui::SetTooltip("%s : %s\n%s%s", described.name.c_str(), described.type.c_str(),
-                        value.c_str(), by.c_str());
+      Tooltip(ui_, described.name + " : " + described.type + "\n" + value + by +
+                       "\nA click shows its writes, a double click writes it.");
       if (ImGui::IsMouseDoubleClicked(0)) state_.commands.Run("blackboard.write");
     }
     if (row.clicked) state_.shown_key = path;
     if (row.clicked && is_table) state_.run_tab = RunTab::kTable;
-    if (row.visible) PaintSlot(row.box, described, value, write);
+    if (row.visible) PaintSlot(row.box, slot, value, write);
+    if (selected) DrawHistory(slot);
   }
 
-  void PaintSlot(const Box& box, const DescribedSlot& described, const std::string& value,
+  void PaintSlot(const Box& box, SlotIndex slot, const std::string& value,
                  const SlotWrite* write) const {
+    const DescribedSlot& described = slots_[slot];
     ImDrawList& list = *ImGui::GetWindowDrawList();
     if (write) {
       const Time age = run_.state().now - run_.run().TimeOf(write->tick);
       const double part = static_cast<double>(age.count()) * 1e-9 / kFlashSeconds;
       if (part < 1) {
         const auto left = static_cast<float>(1 - std::max(part, 0.0));
-        ui_.Fill(list, box, Fade(ui_.palette.running, 0.35F * left * left));
+        ui_.Fill(list, box, Fade(ui_.palette.running, 0.18F * left * left));
       }
     }
     const float pad = 8 * ui_.scale;
-    ui_.RowText(list, box.min + Point{pad, 0}, box.height(), described.name,
-                {Face::kSans, 12, ui_.palette.OfKey(described.name)}, column_ - pad);
+    ui_.RowText(
+        list, box.min + Point{pad, 0}, box.height(), described.name,
+        {IsOfSelection(slot) ? Face::kBold : Face::kSans, 12, ui_.palette.OfKey(described.name)},
+        column_ - pad);
+    if (IsOfSelection(slot)) {
+      ui_.Fill(list, {box.min, {box.min.x + 3 * ui_.scale, box.max.y}}, ui_.palette.accent);
+    }
     const bool unset = value.empty();
     const float room = box.width() - column_ - 2 * pad;
     const float used =
         ui_.RowText(list, box.min + Point{pad + column_, 0}, box.height(),
-                    unset ? "(unset)" : ShownValue(value),
+                    unset ? "(unset)" : ShownValue(ShortNumber(value)),
                     {Face::kMono, 11, unset ? ui_.palette.text_dim : ui_.palette.text}, room);
     if (!write || room - used < 50 * ui_.scale) return;
     const std::string by = WriterOf(run_.run(), *write);
@@ -159,36 +182,36 @@ class Board {
     ui_.RowText(list, {box.max.x - pad - width, box.min.y}, box.height(), name, dim, width + 1);
   }
 
-  // The last writes of the key that was clicked, and its curve if it is a number.
-  void DrawHistory() {
-    for (const SlotIndex slot : listed_) {
-      if (state_.shown_key != "blackboard/" + slots_[slot].scope + "/" + slots_[slot].name)
-        continue;
-      const auto& writes = tracks_.WritesOf(slot);
-      const std::size_t count = WritesUpTo(writes, run_.playhead().tick());
-      DrawScope("writes of " + slots_[slot].name + ": " + std::to_string(count));
-      DrawCurve(slot);
-      for (std::size_t i = 0; i < std::min(count, kListedWrites); ++i) {
-        DrawWrite(writes[count - 1 - i], i);
-      }
-      return;
+  // Below the key that was clicked: its curve if it is a number, and its last writes.
+  void DrawHistory(SlotIndex slot) {
+    const auto& writes = tracks_.WritesOf(slot);
+    const std::size_t count = WritesUpTo(writes, run_.playhead().tick());
+    DrawCurve(slot);
+    for (std::size_t i = 0; i < std::min(count, kListedWrites); ++i) {
+      DrawWrite(writes[count - 1 - i], i);
+    }
+    if (count > kListedWrites) {
+      const Row row = NextRow(ui_, "blackboard/more", false);
+      ui_.RowText(*ImGui::GetWindowDrawList(), row.box.min + Point{2 * kPad * ui_.scale, 0},
+                  row.box.height(), "and " + Count(count - kListedWrites, "write") + " before",
+                  {Face::kSans, 11, ui_.palette.text_dim});
     }
   }
 
   void DrawWrite(const SlotWrite& write, std::size_t number) {
     const Row row = NextRow(ui_, "blackboard/write/" + std::to_string(number), false);
-    if (row.hovered) ImGui::SetTooltip("click: go there");
+    if (row.hovered) Tooltip(ui_, "A click goes to this tick.");
     if (row.clicked) run_.playhead().GoToTick(write.tick);
     if (!row.visible) return;
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    const float pad = 8 * ui_.scale;
+    const float pad = kPad * ui_.scale;
     const TextStyle dim{Face::kSans, 11, ui_.palette.text_dim};
-    ui_.RowText(list, row.box.min + Point{pad, 0}, row.box.height(),
-                AxisText(run_.run().TimeOf(write.tick)), dim, column_ - pad);
+    ui_.RowText(list, row.box.min + Point{2 * pad, 0}, row.box.height(),
+                AxisText(run_.run().TimeOf(write.tick)), dim, column_ - 2 * pad);
     const float room = row.box.width() - column_ - 2 * pad;
-    const float used =
-        ui_.RowText(list, row.box.min + Point{pad + column_, 0}, row.box.height(),
-                    ValueOf(run_.run(), write), {Face::kMono, 11, ui_.palette.text}, room * 0.5F);
+    const float used = ui_.RowText(list, row.box.min + Point{pad + column_, 0}, row.box.height(),
+                                   ShortNumber(ValueOf(run_.run(), write)),
+                                   {Face::kMono, 11, ui_.palette.text}, room * 0.5F);
     ui_.RowText(list, row.box.min + Point{2 * pad + column_ + used, 0}, row.box.height(),
                 WriterOf(run_.run(), write), dim, room - used - pad);
   }
@@ -212,6 +235,7 @@ class Board {
   const Tracks& tracks_;
   const std::vector<DescribedSlot>& slots_;
   const std::vector<std::string> keys_;
+  const std::string scope_;  // of the selected node
   const float width_;
   std::vector<SlotIndex> listed_;
   float column_ = 0;
@@ -222,13 +246,16 @@ class Board {
 void DrawBlackboard(const Ui& ui, EditorState& state, const Box& box) {
   RunView* run = state.workspace.run();
   if (!run || !run->tree()) {
-    Panel(ui, "blackboard", box, "BLACKBOARD", "",
-          [&] { Hint(ui, "Values are shown while connected to a robot, and of records."); });
+    Panel(ui, "blackboard", box, "BLACKBOARD", "", [&] {
+      Hint(ui,
+           "The values of a running tree. Ctrl+K connects to a robot, Ctrl+O opens a record, "
+           "F5 simulates the shown tree.");
+    });
     return;
   }
   Board board(ui, state, *run, box);
   const std::string note =
-      state.selected_keys_only ? "of the selection" : std::to_string(board.CountKeys()) + " keys";
+      state.selected_keys_only ? "of the selection" : Count(board.CountKeys(), "key");
   Panel(ui, "blackboard", box, "BLACKBOARD", note, [&] { board.Draw(); });
 }
 

@@ -1,10 +1,13 @@
 #include "editor/panels/canvas_banners.h"
 
+#include <initializer_list>
 #include <string>
 
 #include "editor/core/merge_commands.h"
 #include "editor/core/project_editor.h"
+#include "editor/core/simulation_editor.h"
 #include "editor/document/project_names.h"
+#include "editor/panels/panel.h"
 
 namespace coppice::editor {
 namespace {
@@ -17,52 +20,102 @@ class Banners {
   Banners(const Ui& ui, EditorState& state, const Box& box) : ui_(ui), state_(state), rest_(box) {}
 
   Box Draw() {
+    DrawUnsaved();
     DrawDispute();
+    DrawStale();
+    DrawSimulation();
     DrawShared();
     return rest_;
   }
 
  private:
-  struct Banner {
+  struct BannerButton {
     const char* path;
-    const char* button_path;
-    const char* button;
+    const char* text;
     const char* command;
-    Color tint;
   };
 
-  void DrawBanner(const Banner& banner, const std::string& text) {
+  void DrawBanner(const char* path, Color tint, const std::string& text,
+                  std::initializer_list<BannerButton> buttons) {
     const Box box = {rest_.min, {rest_.max.x, rest_.min.y + kHeight * ui_.scale}};
     rest_.min.y = box.max.y;
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    ui_.Fill(list, box, Mix(ui_.palette.panel, banner.tint, 0.3F));
-    ui_.items.Add(banner.path, box);
-    const TextStyle style{Face::kSans, 12, ui_.palette.text};
+    ui_.Fill(list, box, Mix(ui_.palette.panel, tint, 0.3F));
+    ui_.Fill(list, {box.min, {box.min.x + 3 * ui_.scale, box.max.y}}, tint);
+    ui_.items.Add(path, box);
     const float pad = kPad * ui_.scale;
-    const float width = ui_.Width(banner.button, style) + 20 * ui_.scale;
-    const Box button = {{box.max.x - width - pad, box.min.y + pad},
-                        {box.max.x - pad, box.max.y - pad}};
-    ui_.RowText(list, box.min + Point{10 * ui_.scale, 0}, box.height(), text, style,
-                button.min.x - box.min.x - 20 * ui_.scale);
-    if (!ui_.Button(banner.button_path, button, banner.button)) return;
-    state_.after_frame = [&s = state_, command = banner.command] { s.commands.Run(command); };
+    float right = box.max.x - pad;
+    for (const BannerButton& button : buttons) {
+      const float width = ui_.Width(button.text, {Face::kSans, 12, 0}) + 20 * ui_.scale;
+      const Box at = {{right - width, box.min.y + pad}, {right, box.max.y - pad}};
+      right = at.min.x - pad;
+      if (ui_.Button(button.path, at, button.text)) {
+        state_.after_frame = [&s = state_, run = button.command] { s.commands.Run(run); };
+      }
+    }
+    const Point at = box.min + Point{12 * ui_.scale, 0};
+    ui_.RowText(list, at, box.height(), text, {Face::kSans, 12, ui_.palette.text},
+                right - at.x - pad);
+    if (ImGui::IsMouseHoveringRect(ToIm(box.min), {right, box.max.y})) Tooltip(ui_, text);
   }
+
+  // Of the last time, after a crash.
+  void DrawUnsaved() {
+    if (state_.restorable.empty()) return;
+    const std::string& path = state_.restorable.begin()->first;
+    const std::size_t others = state_.restorable.size() - 1;
+    DrawBanner("banner/unsaved", ui_.palette.warning,
+               "The editor ended with unsaved work on " + NameOf(path) +
+                   (others > 0 ? " and " + Count(others, "other file") : ""),
+               {{"banner/forget", "forget it", "file.forget"},
+                {"banner/restore", "restore it", "file.restore"}});
+  }
+
+  // The text is malformed; what is shown is older than it.
+  void DrawStale() {
+    const OpenFile* file = state_.workspace.file();
+    if (state_.workspace.run() || !state_.workspace.view() || !file || !file->is_stale) return;
+    DrawBanner("banner/stale", ui_.palette.error,
+               NameOf(file->path) + " has an error" + LineOfError(*file) +
+                   ": the tree is shown as it was before, and cannot be edited on the canvas",
+               {});
+  }
+
+  static std::string LineOfError(const OpenFile& file) {
+    for (const Diagnostic& problem : file.problems) {
+      if (problem.severity == Severity::kError && problem.where.line > 0) {
+        return " in line " + std::to_string(problem.where.line);
+      }
+    }
+    return "";
+  }
+
+  void DrawSimulation() {
+    const std::string& problem = state_.simulator.problem();
+    if (problem.empty() || !SimulationEditor(state_, ui_.now).IsShown()) return;
+    DrawBanner("banner/simulation", ui_.palette.error,
+               "The tree of before goes on, for the text has an error: " + problem, {});
+  }
+
+  static std::string NameOf(const std::string& path) { return path.substr(path.rfind('/') + 1); }
 
   void DrawDispute() {
     const std::string path = DisputedFile(state_);
     if (path.empty()) return;
-    DrawBanner({"banner/dispute", "banner/resolve", "resolve", "file.resolve", ui_.palette.error},
-               path.substr(path.rfind('/') + 1) +
-                   " was changed on the disk in the same places as here; it is not saved until you "
-                   "say whose stays");
+    DrawBanner("banner/dispute", ui_.palette.error,
+               NameOf(path) +
+                   " was changed on the disk in the same places as here; it is not saved "
+                   "until you say whose stays",
+               {{"banner/resolve", "resolve", "file.resolve"}});
   }
 
   void DrawShared() {
     const SharedTree& shared = Shared();
     if (shared.uses < 2) return;
-    DrawBanner({"banner/shared", "banner/uses", "where", "tree.places", ui_.palette.accent},
+    DrawBanner("banner/shared", ui_.palette.accent,
                shared.id + " is used in " + std::to_string(shared.uses) +
-                   " places: what you change here changes all of them");
+                   " places: what you change here changes all of them",
+               {{"banner/uses", "where", "tree.places"}});
   }
 
   // Counted anew when something was changed or another tree was selected.

@@ -1,6 +1,8 @@
-// What the user must know of the tree on the canvas, in bars above it: somebody else has changed
-// its file too; the selected node belongs to a SubTree that is used in other places as well.
-// Registers "banner/dispute", "banner/resolve", "banner/shared" and "banner/uses".
+// What the user must know of the tree on the canvas, in bars above it: there is unsaved work of the
+// last time; somebody else has changed its file too; its text is malformed, or that of the
+// simulated tree is; the selected node belongs to a SubTree that is used in other places as well.
+// Registers "banner/unsaved", "banner/restore", "banner/forget", "banner/dispute",
+// "banner/resolve", "banner/stale", "banner/simulation", "banner/shared" and "banner/uses".
 #ifndef COPPICE_EDITOR_PANELS_CANVAS_BANNERS_H_
 #define COPPICE_EDITOR_PANELS_CANVAS_BANNERS_H_
 

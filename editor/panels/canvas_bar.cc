@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "editor/core/canvas_tabs.h"
+#include "editor/panels/panel.h"
 #include "editor/panels/panels.h"
 
 namespace coppice::editor {
@@ -46,13 +47,14 @@ class CanvasBar {
 
   void DrawButtons() {
     const TreeView* view = state_.workspace.view();
-    const int percent =
-        view ? static_cast<int>(std::lround(view->camera.zoom * 100 / view->screen_scale)) : 100;
+    if (!view) return;
+    const int percent = static_cast<int>(std::lround(view->camera.zoom * 100 / view->screen_scale));
     const LayoutStyle& style = state_.workspace.style();
     const bool sideways = style.orientation == Orientation::kLeftToRight;
     const auto button = [this](const char* path, const std::string& text, bool active,
                                const char* command) {
       if (Button(path, text, active)) state_.commands.Run(command);
+      ExplainCommand(ui_, state_.commands, command);
     };
     if (state_.workspace.run()) {
       const std::string heat =

@@ -2,6 +2,7 @@
 #include <cstdio>
 
 #include "editor/look/icons.h"
+#include "editor/panels/panel.h"
 #include "editor/panels/panels.h"
 
 namespace coppice::editor {
@@ -51,13 +52,13 @@ std::string Describe(const RunView& run) {
       std::snprintf(text, sizeof(text), "loading %.0f %%", run.source().progress() * 100);
       return text;
     case RunPhase::kSimulation:
-      std::snprintf(text, sizeof(text), "%zu ticks", ticks);
-      return text;
+      return Count(ticks, "tick");
     case RunPhase::kRecord:
-      std::snprintf(text, sizeof(text), "record, %zu ticks", ticks);
-      return text;
-    default:
-      return ToString(run.phase());
+      return "record, " + Count(ticks, "tick");
+    default: {
+      const std::string& problem = run.connection().problem;
+      return ToString(run.phase()) + (problem.empty() ? "" : ": " + problem);
+    }
   }
 }
 
@@ -82,6 +83,7 @@ class Strip {
     DrawFaults();
     if (shown) DrawControls(*shown);
     float x = box_.min.x + 8 * ui_.scale;
+    is_crowded_ = IsCrowded();
     for (std::size_t i = 0; i < state_.workspace.runs().size(); ++i) {
       if (x < right_ - 60 * ui_.scale) x = DrawTab(x, i);
     }
@@ -133,13 +135,16 @@ class Strip {
 
   void DrawControls(const RunView& run) {
     if (run.phase() == RunPhase::kLive) {
-      if (Button("strip/step_node", "node")) state_.commands.Run("run.step_node");
-      if (Button("strip/step_tick", "tick")) state_.commands.Run("run.step_tick");
+      if (Button("strip/step_node", "step node")) state_.commands.Run("run.step_node");
+      ExplainCommand(ui_, state_.commands, "run.step_node");
+      if (Button("strip/step_tick", "step tick")) state_.commands.Run("run.step_tick");
+      ExplainCommand(ui_, state_.commands, "run.step_tick");
       const bool stopped = IsStopped(run);
       const std::string text = stopped ? "continue" : std::string(icon::kPause) + "  pause";
       if (Button("strip/pause", text, stopped, stopped ? ui_.palette.running : 0)) {
         state_.commands.Run("run.pause");
       }
+      ExplainCommand(ui_, state_.commands, "run.pause");
     }
     if (!IsStopped(run)) return;
     const std::string text = StopText(run);
@@ -149,6 +154,24 @@ class Strip {
     ui_.RowText(list_, {right_, box_.min.y}, box_.height(), text, style, width);
     ui_.items.Add("strip/stopped", {{right_, box_.min.y}, {right_ + width, box_.max.y}});
     right_ -= 10 * ui_.scale;
+  }
+
+  // With all that it tells, or with the name alone.
+  float TabWidth(const RunView& run, bool whole) const {
+    const float gap = 12 * ui_.scale;
+    float width = 26 * ui_.scale + ui_.Width(ShortName(run), {Face::kBold, 12, 0}) + gap;
+    if (!whole) return width;
+    const std::string tree = run.tree() ? run.tree()->description()->main_tree : "";
+    const TextStyle plain{Face::kSans, 12, 0};
+    if (!tree.empty()) width += ui_.Width(tree, plain) + gap;
+    return width + std::max(ui_.Width(Describe(run), plain), 110 * ui_.scale) + gap;
+  }
+
+  // Whether the tabs would not fit if each told all.
+  bool IsCrowded() const {
+    float width = 0;
+    for (const auto& run : state_.workspace.runs()) width += TabWidth(*run, true) + 6 * ui_.scale;
+    return box_.min.x + width > right_ - 110 * ui_.scale;
   }
 
   // Returns the right end of the tab.
@@ -163,9 +186,7 @@ class Strip {
     const std::string name = ShortName(run);
     const std::string about = Describe(run);
     const float gap = 12 * ui_.scale;
-    const float width = 26 * ui_.scale + ui_.Width(name, bold) +
-                        (tree.empty() ? 0 : gap + ui_.Width(tree, plain)) + gap +
-                        std::max(ui_.Width(about, plain), 110 * ui_.scale) + gap;
+    const float width = TabWidth(run, shown || !is_crowded_);
     const Box tab = {{x, box_.min.y + 2 * ui_.scale},
                      {std::min(x + width, right_), box_.max.y - 2 * ui_.scale}};
     bool hovered = false;
@@ -174,7 +195,14 @@ class Strip {
       ui_.Fill(list_, tab, Mix(ui_.palette.panel, color, shown ? 0.22F : 0.10F), 4);
       if (shown) ui_.Frame(list_, tab, Mix(ui_.palette.panel, color, 0.55F), 4);
     }
-    list_.AddCircleFilled({tab.min.x + 13 * ui_.scale, tab.center().y}, 4.5F * ui_.scale, color);
+    const ImVec2 dot = {tab.min.x + 13 * ui_.scale, tab.center().y};
+    const bool is_there =
+        run.phase() != RunPhase::kReconnecting && run.phase() != RunPhase::kConnecting;
+    if (is_there) {
+      list_.AddCircleFilled(dot, 4.5F * ui_.scale, color);
+    } else {
+      list_.AddCircle(dot, 4.5F * ui_.scale, color, 0, 1.5F * ui_.scale);
+    }
     float at = tab.min.x + 26 * ui_.scale;
     const auto write = [&](const std::string& text, const TextStyle& style) {
       const float room = tab.max.x - at - 4 * ui_.scale;
@@ -183,15 +211,18 @@ class Strip {
       }
     };
     write(name, bold);
-    if (!tree.empty()) write(tree, plain);
-    write(about, plain);
-    if (hovered) Explain(run);
+    if (shown || !is_crowded_) {
+      if (!tree.empty()) write(tree, plain);
+      write(about, plain);
+    }
+    if (hovered) Explain(run, tab.width() < width);
     if (pressed) state_.workspace.ShowRun(number);
     return tab.max.x + 6 * ui_.scale;
   }
 
-  static void Explain(const RunView& run) {
-    std::string text = run.name();
+  // Nothing that the tab tells itself.
+  void Explain(const RunView& run, bool is_cut) const {
+    std::string text = is_cut || ShortName(run) != run.name() ? run.name() : "";
     const LiveConnection& connection = run.connection();
     if (!connection.problem.empty()) text += "\n" + connection.problem;
     if (!connection.refusal.empty()) text += "\nmay not be controlled: " + connection.refusal;
@@ -202,7 +233,7 @@ class Strip {
       text += "\ntrees:";
       for (const std::string& tree : connection.trees) text += " " + tree;
     }
-    ImGui::SetTooltip("%s", text.c_str());
+    if (!text.empty()) Tooltip(ui_, text[0] == '\n' ? text.substr(1) : text);
   }
 
   void DrawConnect(float x) {
@@ -220,6 +251,7 @@ class Strip {
   const Box box_;
   ImDrawList& list_;
   float right_ = 0;
+  bool is_crowded_ = false;
 };
 
 }  // namespace

@@ -9,10 +9,14 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "editor/look/icons.h"
+#include "editor/panels/panel.h"
+
 namespace coppice::editor {
 namespace {
 
 constexpr float kButton = 20;
+constexpr char kMinus[] = "\xE2\x80\x93";  // U+2013, as wide as the plus
 
 bool IsWord(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
@@ -51,11 +55,16 @@ class FieldDrawer {
 
   FieldResult Draw() {
     ui_.items.Add(path_, rest_);
-    if (look_.can_clear && Button("clear", "x")) result_.cleared = true;
+    if (look_.can_clear && Button("clear", icon::kTimes, "Take it away")) result_.cleared = true;
     switch (look_.kind) {
-      case FieldKind::kBool:
-        if (Button("toggle", "!")) result_.value = value_ == "true" ? "false" : "true";
+      case FieldKind::kBool: {
+        const bool is_true = value_ == "true";
+        const char* glyph = is_true ? icon::kCheck : "";
+        if (Button("toggle", glyph, is_true ? "Make it false" : "Make it true")) {
+          result_.value = is_true ? "false" : "true";
+        }
         break;
+      }
       case FieldKind::kNumber:
         Step();
         break;
@@ -74,24 +83,26 @@ class FieldDrawer {
 
  private:
   // At the right end of what is left.
-  bool Button(const char* name, std::string_view text) {
+  bool Button(const char* name, std::string_view text, const char* explanation) {
     const Box box = {{rest_.max.x - kButton * ui_.scale, rest_.min.y}, rest_.max};
     rest_.max.x = box.min.x - 2 * ui_.scale;
     const std::string path = path_ + "/" + name;
     const bool pressed = ui_.Button(path, box, text);
+    if (ImGui::IsItemHovered()) Tooltip(ui_, explanation);
     ui_.items.Add(path, box);
     return pressed;
   }
 
   void Step() {
-    if (Button("more", "+")) result_.value = Stepped(value_, +1);
-    if (Button("less", "-")) result_.value = Stepped(value_, -1);
+    if (Button("more", "+", "One step more")) result_.value = Stepped(value_, +1);
+    if (Button("less", kMinus, "One step less")) result_.value = Stepped(value_, -1);
   }
 
   // A list below the field.
   void Choose() {
     ImGui::PushID(key_.c_str());
-    if (Button("choices", "...")) ImGui::OpenPopup("choices");
+    if (Button("choices", icon::kCaretDown, "Choose one")) ImGui::OpenPopup("choices");
+    const MenuSpacing spacing(ui_);
     if (ImGui::BeginPopup("choices")) {
       for (const std::string& choice : look_.choices) {
         if (ImGui::MenuItem(choice.c_str(), nullptr, choice == value_)) result_.value = choice;
@@ -107,15 +118,19 @@ class FieldDrawer {
   // button makes it one.
   bool Pose() {
     static constexpr const char* kParts[] = {"x", "y", "theta"};
+    static constexpr const char* kSigns[] = {"x", "y", "\xCE\xB8"};  // a small theta
     std::vector<std::string> parts = SplitPose(value_);
     if (parts.empty()) {
-      if (Button("pose", "xy")) result_.value = "0;0;0";
+      if (Button("pose", "xy", "A field for each of x, y and theta")) result_.value = "0;0;0";
       return false;
     }
     const float width = rest_.width() / 3;
+    const float label = 9 * ui_.scale;
     for (std::size_t i = 0; i < 3; ++i) {
       const float left = rest_.min.x + width * static_cast<float>(i);
-      const Box box = {{left, rest_.min.y}, {left + width - 2 * ui_.scale, rest_.max.y}};
+      const Box box = {{left + label, rest_.min.y}, {left + width - 3 * ui_.scale, rest_.max.y}};
+      ui_.RowText(*ImGui::GetWindowDrawList(), {left, rest_.min.y}, rest_.height(), kSigns[i],
+                  {Face::kSans, 10, ui_.palette.text_dim});
       FieldLook look;
       look.hint = kParts[i];
       look.color = look_.color;
@@ -138,6 +153,9 @@ class FieldDrawer {
     ImGui::PushFont(ui_.fonts.Pick(Face::kMono, 11 * ui_.scale));
     ImGui::PushStyleColor(ImGuiCol_Text, look_.color);
     ImGui::PushStyleColor(ImGuiCol_FrameBg, ui_.palette.field);
+    ImGui::PushStyleColor(ImGuiCol_Border, ui_.palette.border);
+    ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, 1);
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {5 * ui_.scale, TextTop()});
     ImGui::PushID(key_.c_str());
     if (state_.focus_field == path_) {
       ImGui::SetKeyboardFocusHere();
@@ -156,9 +174,13 @@ class FieldDrawer {
       if (buffer != value_) result_.value = buffer;
     }
     ImGui::PopID();
-    ImGui::PopStyleColor(2);
+    ImGui::PopStyleVar(2);
+    ImGui::PopStyleColor(3);
     ImGui::PopFont();
   }
+
+  // So that the field is as high as its box.
+  float TextTop() const { return std::max((rest_.height() - ImGui::GetFontSize()) / 2, 0.0F); }
 
   // Tab takes the first.
   static int Complete(ImGuiInputTextCallbackData* data) {

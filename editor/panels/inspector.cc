@@ -9,15 +9,12 @@
 #include "editor/canvas/node_metrics.h"
 #include "editor/core/tree_editor.h"
 #include "editor/document/script_check.h"
-#include "editor/panels/field.h"
-#include "editor/panels/panel.h"
+#include "editor/panels/inspector_row.h"
 #include "editor/panels/panels.h"
+#include "editor/scene/problem_places.h"
 
 namespace coppice::editor {
 namespace {
-
-constexpr float kLabelWidth = 92;
-constexpr float kFieldRow = 26;
 
 // What the user did; it is done after the panel is drawn, for it replaces what is drawn.
 using Action = std::function<void(TreeEditor&)>;
@@ -72,7 +69,8 @@ class Inspector {
     }
     DrawPorts();
     DrawScripts();
-    if (node_.model && !node_.model->description.empty()) Hint(ui_, node_.model->description);
+    if (node_.model && !node_.model->description.empty())
+      Hint(ui_, InOneLine(node_.model->description));
     if (!node_.model && node_.shape == Shape::kUnknown) {
       Hint(ui_,
            "No model of this type is known. Give one with --models, in <TreeNodesModel>, or "
@@ -108,7 +106,7 @@ class Inspector {
     FieldLook look;
     look.hint = node_.id;
     look.color = ui_.palette.text;
-    const FieldResult result = Edit("inspector/name", "name", "name", given, look);
+    const FieldResult result = Edit("inspector/name", "name", given, look);
     if (!result.value) return;
     action_ = [name = *result.value](TreeEditor& edit) { edit.Rename(name); };
   }
@@ -125,60 +123,39 @@ class Inspector {
     }
     const double seconds = std::chrono::duration<double>(ui_.clock - state.since).count();
     Field("status", std::string(ToString(state.status)) + "  " + DurationText(seconds),
-          ui_.palette.Of(state.status));
+          ui_.palette.TextOf(state.status));
   }
 
-  void Field(std::string_view label, std::string_view value, Color color, Face face = Face::kSans) {
-    const Row row = NextRow(ui_, "inspector/" + std::string(label), false, 24);
-    if (row.visible) Paint(row, label, value, color, face);
-    if (row.hovered) ImGui::SetTooltip("%.*s", static_cast<int>(value.size()), value.data());
+  void Field(std::string_view label, std::string_view value, Color color) {
+    const Row row =
+        ValueRow(ui_, "inspector/" + std::string(label), label, value, {Face::kSans, 12, color});
+    if (row.hovered) Tooltip(ui_, value);
   }
 
-  void Paint(const Row& row, std::string_view label, std::string_view value, Color color,
-             Face face) {
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    const float pad = 8 * ui_.scale;
-    ui_.RowText(list, row.box.min + Point{pad, 0}, row.box.height(), label,
-                {Face::kSans, 11, ui_.palette.text_dim}, (kLabelWidth - 8) * ui_.scale);
-    const Box field = {row.box.min + Point{pad + kLabelWidth * ui_.scale, 2 * ui_.scale},
-                       row.box.max - Point{pad, 2 * ui_.scale}};
-    ui_.Fill(list, field, ui_.palette.field, 3);
-    ui_.RowText(list, field.min + Point{6 * ui_.scale, 0}, field.height(), value,
-                {face, face == Face::kMono ? 11.0F : 12.0F, color}, field.width() - 12 * ui_.scale);
+  FieldResult Edit(const std::string& path, const std::string& attribute, const std::string& value,
+                   const FieldLook& look) {
+    const std::string key = attribute + "@" + scene_->tree_id + "/" + node_.path;
+    return FieldRow(ui_, state_, path, key, attribute, value, look, ProblemOf(attribute));
   }
 
-  // A row with a label and a field that can be edited.
-  FieldResult Edit(const std::string& path, std::string_view label, std::string_view attribute,
-                   const std::string& value, const FieldLook& look) {
-    const Point at = FromIm(ImGui::GetCursorScreenPos());
-    const float width = ImGui::GetContentRegionAvail().x;
-    const Box row = {at, at + Point{width, kFieldRow * ui_.scale}};
-    const float pad = 8 * ui_.scale;
-    ui_.RowText(*ImGui::GetWindowDrawList(), row.min + Point{pad, 0}, row.height(), label,
-                {Face::kSans, 11, ui_.palette.text_dim}, (kLabelWidth - 8) * ui_.scale);
-    const Box field = {row.min + Point{pad + kLabelWidth * ui_.scale, 2 * ui_.scale},
-                       row.max - Point{pad, 2 * ui_.scale}};
-    const std::string key = std::string(attribute) + "@" + scene_->tree_id + "/" + node_.path;
-    const FieldResult result = DrawField(ui_, state_, path, key, field, value, look);
-    ImGui::SetCursorScreenPos(ToIm(row.min));
-    ImGui::Dummy({width, row.height()});
-    return result;
+  // What the checker says of it, or nothing.
+  std::string ProblemOf(const std::string& attribute) const {
+    const OpenFile* file = state_.workspace.file();
+    const Attribute* found =
+        TheDocument().FindAttribute(TheDocument().element(node_.element), attribute);
+    const Diagnostic* problem =
+        file && found ? ProblemOfAttribute(TheDocument(), *found, file->problems) : nullptr;
+    return problem ? problem->message : std::string();
   }
 
   void EditAttribute(const std::string& path, const std::string& name, const std::string& value,
                      const FieldLook& look) {
-    const FieldResult result = Edit(path, name, name, value, look);
+    const FieldResult result = Edit(path, name, value, look);
     if (result.cleared) {
       action_ = [name](TreeEditor& edit) { edit.ClearValue(name); };
     } else if (result.value) {
       action_ = [name, text = *result.value](TreeEditor& edit) { edit.SetValue(name, text); };
     }
-  }
-
-  void Heading(std::string_view text) {
-    const Row row = NextRow(ui_, "inspector/heading/" + std::string(text), false, 22);
-    ui_.RowText(*ImGui::GetWindowDrawList(), row.box.min + Point{8 * ui_.scale, 0},
-                row.box.height(), text, {Face::kBold, 11, ui_.palette.text_dim});
   }
 
   const PortLine* Given(std::string_view name) const {
@@ -192,7 +169,11 @@ class Inspector {
   // Declared ports in the declared order, given or not; then the other attributes.
   void DrawPorts() {
     const bool has_model = node_.model && node_.shape != Shape::kSubTree;
-    if (node_.port_count > 0 || (has_model && !node_.model->ports.empty())) Heading("ports");
+    bool any = has_model && !node_.model->ports.empty();
+    for (std::uint32_t i = 0; i < node_.port_count; ++i) {
+      any = any || !IsScriptAttribute(scene_->ports[node_.first_port + i].name);
+    }
+    if (any) HeadingRow(ui_, "ports");
     if (has_model) {
       for (const PortModel& port : node_.model->ports) DrawPort(port, Given(port.name));
     }
@@ -262,8 +243,8 @@ class Inspector {
   }
 
   void ShowPort(const std::string& name, std::string_view value, const PortModel* model) {
-    const Row row = NextRow(ui_, "inspector/port/" + name, false, 24);
-    if (row.visible) Paint(row, name, value, ColorOf(value), Face::kMono);
+    const Row row =
+        ValueRow(ui_, "inspector/port/" + name, name, value, {Face::kMono, 11, ColorOf(value)});
     if (row.hovered) PortTooltip(model, value);
   }
 
@@ -272,7 +253,7 @@ class Inspector {
     for (const std::string_view name : kScriptAttributes) {
       const PortLine* given = Given(name);
       if (!given) continue;
-      if (!headed) Heading("guards and hooks");
+      if (!headed) HeadingRow(ui_, "guards and hooks");
       headed = true;
       if (can_edit_) {
         FieldLook look;
@@ -297,7 +278,7 @@ class Inspector {
     ui_.RowText(*ImGui::GetWindowDrawList(), row.box.min + Point{8 * ui_.scale, 0},
                 row.box.height(), problem, {Face::kSans, 11, ui_.palette.error},
                 row.box.width() - 16 * ui_.scale);
-    if (row.hovered) ImGui::SetTooltip("%s", problem.c_str());
+    if (row.hovered) Tooltip(ui_, problem);
   }
 
   // A row that gives the node a guard or hook that it does not have yet.
@@ -306,6 +287,7 @@ class Inspector {
     ui_.RowText(*ImGui::GetWindowDrawList(), row.box.min + Point{8 * ui_.scale, 0},
                 row.box.height(), "+ guard or hook", {Face::kSans, 11, ui_.palette.text_dim});
     if (row.clicked) ImGui::OpenPopup("new script");
+    const MenuSpacing spacing(ui_);
     if (!ImGui::BeginPopup("new script")) return;
     for (const std::string_view name : kScriptAttributes) {
       if (Given(name)) continue;
@@ -345,9 +327,9 @@ class Inspector {
     if (model) text += UsersOf(model->name);
     if (model) {
       text += std::string("\n") + ToString(model->direction) + " " + model->type;
-      if (!model->description.empty()) text += "\n" + model->description;
+      if (!model->description.empty()) text += "\n" + InOneLine(model->description);
     }
-    ImGui::SetTooltip("%s", text.c_str());
+    Tooltip(ui_, text);
   }
 
   const Ui& ui_;
@@ -367,7 +349,8 @@ void DrawInspector(const Ui& ui, EditorState& state, const Box& box) {
   const std::string note = has ? std::string(view->scene()->nodes[view->selected()].name) : "";
   Panel(ui, "inspector", box, "INSPECTOR", note, [&] {
     if (!has) {
-      Hint(ui, "Click a node, or walk with the arrow keys.");
+      Hint(ui, view ? "Name, ports and guards of a node. Click one, or walk with the arrow keys."
+                    : "Name, ports and guards of the selected node.");
       return;
     }
     const std::shared_ptr<const Scene> scene = view->scene();

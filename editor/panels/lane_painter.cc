@@ -1,12 +1,50 @@
 #include "editor/panels/lane_painter.h"
 
 #include <algorithm>
+#include <cmath>
+
+#include "editor/look/contrast.h"
 
 namespace coppice::editor {
 namespace {
 
 constexpr Status kByWeight[] = {Status::kFailure, Status::kRunning, Status::kSuccess,
                                 Status::kSkipped};
+
+// A full bar with its name. False if that does not fit.
+bool PaintWord(const Ui& ui, ImDrawList& list, const Box& box, Status status, Color color) {
+  const TextStyle style{Face::kBold, 9, WritingOn(color)};
+  const std::string word = ToString(status);
+  if (box.width() <= ui.Width(word, style) + 8 * ui.scale) return false;
+  ui.Fill(list, box, color);
+  ui.RowText(list, box.min + Point{4 * ui.scale, 0}, box.height(), word, style);
+  return true;
+}
+
+// Whoever does not see the colours sees: RUNNING is a full bar, SUCCESS one on a line, FAILURE one
+// that is cut along its middle, SKIPPED a thin one.
+void PaintForm(const Ui& ui, ImDrawList& list, const Box& box, Status status, Color color) {
+  const float line = std::max(std::round(box.height() / 6), 1.0F);
+  const Color gap = Mix(color, ui.palette.panel, 0.75F);
+  switch (status) {
+    case Status::kSuccess:
+      ui.Fill(list, box, color);
+      ui.Fill(list, {{box.min.x, box.max.y - 2 * line}, {box.max.x, box.max.y - line}}, gap);
+      return;
+    case Status::kFailure: {
+      ui.Fill(list, box, color);
+      const float middle = std::round(box.center().y - line / 2);
+      ui.Fill(list, {{box.min.x, middle}, {box.max.x, middle + line}}, gap);
+      return;
+    }
+    case Status::kSkipped:
+      ui.Fill(list, {{box.min.x, box.center().y - line}, {box.max.x, box.center().y + line}},
+              color);
+      return;
+    default:
+      ui.Fill(list, box, color);
+  }
+}
 
 }  // namespace
 
@@ -24,21 +62,22 @@ void PaintBars(const Ui& ui, ImDrawList& list, const Box& box, const std::vector
     const float left = box.min.x + step * static_cast<float>(bar.first_column);
     const float right = box.min.x + step * static_cast<float>(bar.end_column);
     const bool also_idle = bar.statuses & SetOf(Status::kIdle);
+    const auto color_of = [&](Status status) {
+      return Mix(ui.palette.panel, ui.palette.Of(status), also_idle ? 0.45F : 1.0F);
+    };
     int kinds = 0;
     for (const Status status : kByWeight) kinds += (bar.statuses & SetOf(status)) != 0;
+    if (kinds == 1 && !also_idle) {
+      const Status status = WorstOf(bar.statuses);
+      const Box whole = {{left, box.min.y}, {right, box.max.y}};
+      if (PaintWord(ui, list, whole, status, color_of(status))) continue;
+    }
     const float height = box.height() / static_cast<float>(kinds);
     float top = box.min.y;
     for (const Status status : kByWeight) {
       if (!(bar.statuses & SetOf(status))) continue;
-      const Color color = Mix(ui.palette.panel, ui.palette.Of(status), also_idle ? 0.45F : 0.75F);
-      ui.Fill(list, {{left, top}, {right, top + height}}, color);
+      PaintForm(ui, list, {{left, top}, {right, top + height}}, status, color_of(status));
       top += height;
-    }
-    const TextStyle style{Face::kBold, 9, ui.palette.is_dark ? 0xFF101010 : 0xFFFFFFFF};
-    const std::string text = ToString(WorstOf(bar.statuses));
-    const float width = ui.Width(text, style);
-    if (kinds == 1 && !also_idle && right - left > width + 8 * ui.scale) {
-      ui.RowText(list, {left + 4 * ui.scale, box.min.y}, box.height(), text, style);
     }
   }
 }

@@ -15,7 +15,8 @@ namespace coppice::editor {
 Status WorstOf(StatusSet statuses);
 
 /// The bars of one node in `box`; one column is as wide as box.width() / `columns`. Where several
-/// statuses fall into one column, it is divided among them, so nothing vanishes.
+/// statuses fall into one column, it is divided among them, so nothing vanishes. A bar is wide
+/// enough for the name of its status, or has a form that says it without the colour.
 void PaintBars(const Ui& ui, ImDrawList& list, const Box& box, const std::vector<Bar>& bars,
                std::size_t columns);
 

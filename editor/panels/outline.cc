@@ -57,8 +57,9 @@ class OutlineRow {
     if (!active && state_.before == Status::kIdle) return;
     const Color color = StatusColor(ui_.palette, state_, 0);
     const float strength = !live_ ? 0.4F : active ? 1.0F : 0.45F;
-    if (active) ui_.Fill(list, box, Fade(color, live_ ? 0.12F : 0.05F));
-    ui_.Fill(list, {box.min, {box.min.x + 4, box.max.y}}, Fade(color, strength));
+    const bool is_selected = view_.IsSelected(node_number_);  // which must be seen
+    if (active && !is_selected) ui_.Fill(list, box, Fade(color, live_ ? 0.12F : 0.05F));
+    ui_.Fill(list, {box.min, {box.min.x + 4 * ui_.scale, box.max.y}}, Fade(color, strength));
   }
 
   void PaintText(const Box& box) {
@@ -69,7 +70,7 @@ class OutlineRow {
     const std::string note = Note();
     const bool running = state_.status == Status::kRunning;
     const TextStyle note_style{Face::kSans, 11,
-                               running && live_ ? ui_.palette.running : ui_.palette.text_dim};
+                               running && live_ ? ui_.palette.running_text : ui_.palette.text_dim};
     const float note_width = ui_.Width(note, note_style);
     ui_.RowText(list, {right - note_width, box.min.y}, box.height(), note, note_style);
 
@@ -142,12 +143,15 @@ void FollowSelection(const Ui& ui, const TreeView& view) {
 void DrawOutline(const Ui& ui, EditorState& state, const Box& box) {
   TreeView* view = state.workspace.view();
   const TreeState* live = state.workspace.tree_state();
-  const std::string note = live   ? "status, seconds"
-                           : view ? std::to_string(view->scene()->nodes.size()) + " nodes"
-                                  : "";
+  const std::string note = !view  ? ""
+                           : live ? "status, seconds"
+                                  : Count(view->scene()->nodes.size(), "node");
   Panel(ui, "outline", box, "OUTLINE", note, [&] {
     if (!view) {
-      Hint(ui, "Open a file with Ctrl+O.");
+      const bool is_file = state.workspace.file() && !state.workspace.run();
+      Hint(ui, state.workspace.run() ? "The tree of the robot, as soon as it has sent it."
+               : is_file             ? "The shown tree has no nodes. Tab adds its root."
+                                     : "The nodes of the shown tree. Ctrl+O opens a file.");
       return;
     }
     FollowSelection(ui, *view);

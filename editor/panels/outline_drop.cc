@@ -3,6 +3,7 @@
 #include <string>
 
 #include "editor/core/node_drop.h"
+#include "editor/panels/panel.h"
 
 namespace coppice::editor {
 namespace {
@@ -41,7 +42,7 @@ void DropOntoRow(const Ui& ui, EditorState& state, std::uint32_t node, const Box
   const std::string refusal = drop.handler().why_not(*state.incoming, request);
   PaintTarget(ui, request.target, part, row,
               refusal.empty() ? ui.palette.accent : ui.palette.error);
-  if (!refusal.empty()) ImGui::SetTooltip("%s", refusal.c_str());
+  if (!refusal.empty()) Tooltip(ui, refusal);
   if (ImGui::IsMouseReleased(0) && refusal.empty()) drop.handler().drop(*state.incoming, request);
 }
 

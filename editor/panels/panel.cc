@@ -1,8 +1,14 @@
 #include "editor/panels/panel.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace coppice::editor {
+namespace {
+
+constexpr float kTooltipWidth = 420;  // at most
+
+}  // namespace
 
 void Panel(const Ui& ui, const std::string& path, const Box& box, std::string_view title,
            std::string_view note, const std::function<void()>& body) {
@@ -59,6 +65,65 @@ void Hint(const Ui& ui, std::string_view text) {
   ImGui::PopFont();
   ImGui::PopTextWrapPos();
   ImGui::PopStyleColor();
+}
+
+Row TextRow(const Ui& ui, const std::string& path, std::string_view text, const TextStyle& style) {
+  const ImFont* font = ui.fonts.Pick(style.face, style.size * ui.scale);
+  const float pad = 8 * ui.scale;
+  const float width = std::max(ImGui::GetContentRegionAvail().x - 2 * pad, 1.0F);
+  const char* end = text.data() + text.size();
+  const float height = font->CalcTextSizeA(font->FontSize, 1e9F, width, text.data(), end).y;
+  const float room = std::max(height + 7 * ui.scale, kRowHeight * ui.scale);
+  const Row row = NextRow(ui, path, false, room / ui.scale);
+  if (row.visible) {
+    const Point at = {row.box.min.x + pad, std::round(row.box.center().y - height / 2)};
+    ImGui::GetWindowDrawList()->AddText(font, font->FontSize, ToIm(at), style.color, text.data(),
+                                        end, width);
+  }
+  return row;
+}
+
+void Tooltip(const Ui& ui, std::string_view text) {
+  const float pad = 8 * ui.scale;
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {pad, 0.75F * pad});
+  ImGui::BeginTooltip();
+  ImGui::PushFont(ui.fonts.Pick(Face::kSans, 12 * ui.scale));
+  ImGui::PushTextWrapPos(kTooltipWidth * ui.scale);
+  ImGui::TextUnformatted(text.data(), text.data() + text.size());
+  ImGui::PopTextWrapPos();
+  ImGui::PopFont();
+  ImGui::EndTooltip();
+  ImGui::PopStyleVar();
+}
+
+void ExplainCommand(const Ui& ui, const CommandTable& commands, std::string_view id) {
+  if (!ImGui::IsItemHovered()) return;
+  const Command* command = commands.Find(id);
+  if (!command) return;
+  const std::string keys = ToString(command->keys);
+  Tooltip(ui, keys.empty() ? command->title : command->title + "   " + keys);
+}
+
+MenuSpacing::MenuSpacing(const Ui& ui) {
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {8 * ui.scale, 6 * ui.scale});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {8 * ui.scale, 8 * ui.scale});
+}
+
+MenuSpacing::~MenuSpacing() { ImGui::PopStyleVar(2); }
+
+std::string InOneLine(std::string_view text) {
+  std::string line;
+  for (const char c : text) {
+    const bool blank = c == '\n' || c == '\r' || c == '\t' || c == ' ';
+    if (!blank) line += c;
+    if (blank && !line.empty() && line.back() != ' ') line += ' ';
+  }
+  while (!line.empty() && line.back() == ' ') line.pop_back();
+  return line;
+}
+
+std::string Count(std::size_t count, const std::string& what) {
+  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
 }
 
 float Splitter(const Ui& ui, const std::string& path, const Box& box, bool vertical) {

@@ -3,6 +3,7 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
+#include <filesystem>
 
 #include "editor/core/tree_editor.h"
 #include "editor/panels/choices.h"
@@ -16,7 +17,8 @@ namespace {
 
 constexpr float kWidth = 560;
 constexpr float kKeysWidth = 760;
-constexpr float kField = 32;
+constexpr float kField = 24;
+constexpr float kAsked = 20;  // the line above the field
 constexpr std::size_t kRows = 12;
 
 bool Pressed(const EditorState& state, Key key) {
@@ -34,7 +36,9 @@ class PopupWindow {
 
   void Draw() {
     const std::size_t rows = Rows();
-    float height = kField + 20 + static_cast<float>(rows) * kRowHeight;
+    const bool asks = state_.popup != Popup::kPasteErrors && state_.popup != Popup::kNewKeys;
+    float height = (asks ? kAsked + kField : 0) + 20 + static_cast<float>(rows) * kRowHeight;
+    if (rows > 0 && asks) height += 6;
     if (!state_.popup_error.empty()) height += 24;
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     const float width = state_.popup == Popup::kKeys ? kKeysWidth : kWidth;
@@ -74,7 +78,7 @@ class PopupWindow {
       case Popup::kChangeType:
         return state_.popup_rows + 1;
       case Popup::kNewKeys:
-        return 2;
+        return 3;
       case Popup::kPasteErrors:
         return state_.popup_problems.size() + 1;
       default:
@@ -85,45 +89,45 @@ class PopupWindow {
   void Content() {
     switch (state_.popup) {
       case Popup::kOpen:
-        Input("path of a behaviour-tree file");
+        Input("Open a file: its path (trees as XML, or a record of a run)");
         if (Confirmed(state_)) Open();
         break;
       case Popup::kConnect:
-        Input("host:port of a robot");
+        Input("Connect to a robot: HOST:PORT, or HOST:PORT/TREE for one of its trees");
         if (Confirmed(state_)) Connect();
         break;
       case Popup::kPalette:
-        Input("command, node, tree or robot");
+        Input("Search commands, nodes, trees and robots");
         Choices(FindChoices(state_, state_.popup_text, ui_.now, kRows));
         break;
       case Popup::kList:
-        Input(state_.list.hint.c_str());
+        Input(state_.list.hint);
         Choices(state_.list.rows(state_.popup_text));
         break;
       case Popup::kPrompt:
         Ask();
         break;
       case Popup::kKeys:
-        Input("command, its ID or its keys; Enter gives it others");
+        Input("Search commands by title, ID or keys; Enter gives the chosen one other keys");
         DrawKeyList(ui_, state_);
         break;
       case Popup::kNewKeys:
         DrawNewKeys(ui_, state_);
         break;
       case Popup::kAdd:
-        Input("type of the new node");
+        Input("Add a node: its type");
         Types(true);
         break;
       case Popup::kChangeType:
-        Input("new type");
+        Input("Change the type to");
         Types(false);
         break;
       case Popup::kRename:
-        Input("name; empty: that of the type");
+        Input("Rename the node; without a name it is called as its type");
         if (Confirmed(state_) && TreeEditor(state_, ui_.now).Rename(state_.popup_text)) Close();
         break;
       case Popup::kSaveAs:
-        Input("path of the file");
+        Input("Save the file under another name: its path");
         if (Confirmed(state_)) TreeEditor(state_, ui_.now).SaveAs(state_.popup_text);
         break;
       case Popup::kPasteErrors:
@@ -138,12 +142,20 @@ class PopupWindow {
     ImGui::PopStyleColor();
   }
 
-  void Input(const char* hint) {
+  // What is asked stands above the field, for what is in the field would hide it.
+  void Input(const std::string& asked) {
+    ImGui::PushFont(ui_.fonts.Pick(Face::kSans, 12 * ui_.scale));
+    ImGui::PushStyleColor(ImGuiCol_Text, ui_.palette.text_dim);
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextUnformatted(asked.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::PopStyleColor();
+    ImGui::PopFont();
     if (state_.popup_is_new) ImGui::SetKeyboardFocusHere();
     state_.popup_is_new = false;
     ImGui::SetNextItemWidth(-1);
     ImGui::PushFont(ui_.fonts.Pick(Face::kSans, 14 * ui_.scale));
-    if (ImGui::InputTextWithHint("##input", hint, &state_.popup_text)) {
+    if (ImGui::InputText("##input", &state_.popup_text)) {
       state_.popup_choice = 0;
       state_.popup_error.clear();
     }
@@ -156,7 +168,10 @@ class PopupWindow {
     if (state_.open_file(state_.popup_text)) {
       state_.popup = Popup::kNone;
     } else {
-      state_.popup_error = "nothing to show in this file; see Problems";
+      std::error_code error;
+      state_.popup_error = std::filesystem::exists(state_.popup_text, error)
+                               ? "nothing to show in this file; see Problems"
+                               : "there is no such file";
     }
   }
 
@@ -168,7 +183,7 @@ class PopupWindow {
   // What is asked may ask further.
   void Ask() {
     const Prompt prompt = state_.prompt;
-    Input(prompt.hint.c_str());
+    Input(prompt.hint);
     const bool confirmed = Confirmed(state_);
     if (prompt.preview && !confirmed) Preview(prompt.preview(state_.popup_text));
     if (!confirmed) return;
@@ -194,10 +209,11 @@ class PopupWindow {
 
   void Choices(const std::vector<Choice>& choices) {
     const int count = static_cast<int>(choices.size());
-    state_.popup_rows = choices.size();
+    state_.popup_rows = std::max<std::size_t>(choices.size(), 1);
     Choose(count);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
     ImGui::Dummy({1, 6 * ui_.scale});
+    if (choices.empty()) PaintHelp("popup/nothing", "nothing fits what was typed");
     int chosen = -1;
     for (int i = 0; i < count; ++i) {
       const Choice& choice = choices[static_cast<std::size_t>(i)];
@@ -232,8 +248,7 @@ class PopupWindow {
       Paint(row.box, types[i].type, types[i].note, types[i].kind);
       if (row.clicked) chosen = static_cast<int>(i);
     }
-    const Row help = NextRow(ui_, "popup/help", false);
-    Paint(help.box, add ? AddHelp() : ChangeHelp(types), "", "");
+    PaintHelp("popup/help", add ? AddHelp() : ChangeHelp(types));
     ImGui::PopStyleVar();
     if (Confirmed(state_) && !types.empty()) chosen = state_.popup_choice;
     if (chosen < 0) return;
@@ -287,6 +302,13 @@ class PopupWindow {
     }
     ImGui::PopStyleVar();
     if (Confirmed(state_)) Close();
+  }
+
+  void PaintHelp(const std::string& path, const std::string& text) {
+    const Row row = NextRow(ui_, path, false);
+    ui_.RowText(*ImGui::GetWindowDrawList(), row.box.min + Point{6 * ui_.scale, 0},
+                row.box.height(), text, {Face::kSans, 11, ui_.palette.text_dim},
+                row.box.width() - 12 * ui_.scale);
   }
 
   void Paint(const Box& box, const std::string& title, const std::string& note,

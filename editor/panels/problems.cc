@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "editor/core/tree_editor.h"
 #include "editor/document/fixes.h"
 #include "editor/look/icons.h"
@@ -57,51 +59,84 @@ void RunFix(EditorState& state, const Diagnostic& problem, const Fix& fix, doubl
       });
 }
 
-// A button for each fix at the right end of the row; returns the one that was pressed, or -1.
-int DrawFixes(const Ui& ui, const std::string& path, Box& rest, const std::vector<Fix>& fixes) {
+constexpr float kTwoLines = 40;  // pixels at scale 1
+
+// What a problem's row says, and how wide it is.
+struct Words {
+  std::string message;
+  std::string where;
+  std::vector<Fix> fixes;
+  float message_width = 0;
+  float rest_width = 0;  // of the place and the buttons
+
+  // They fit into one line.
+  bool Fit(const Ui& ui, float width) const {
+    return message_width + rest_width + 48 * ui.scale <= width;
+  }
+};
+
+float WidthOf(const Ui& ui, const Fix& fix) {
+  return ui.Width(fix.title, {Face::kSans, 12, 0}) + 14 * ui.scale;
+}
+
+Words WordsOf(const Ui& ui, const Diagnostic& problem, std::vector<Fix> fixes, bool names_file) {
+  Words words;
+  words.message = problem.message;
+  if (!problem.hint.empty()) words.message += " (" + problem.hint + ")";
+  const std::string file = problem.where.file.substr(problem.where.file.rfind('/') + 1);
+  const std::string place =
+      std::to_string(problem.where.line) + ":" + std::to_string(problem.where.column);
+  words.where = problem.where.line == 0 ? file : names_file ? file + ":" + place : place;
+  words.fixes = std::move(fixes);
+  words.message_width = ui.Width(words.message, {Face::kSans, 12, 0});
+  words.rest_width = ui.Width(words.where, {Face::kSans, 11, 0});
+  for (const Fix& fix : words.fixes) words.rest_width += WidthOf(ui, fix);
+  return words;
+}
+
+// A button for each fix at the right end of the line; returns the one that was pressed, or -1.
+int DrawFixes(const Ui& ui, const std::string& path, Box& line, const std::vector<Fix>& fixes) {
   int pressed = -1;
   for (std::size_t i = 0; i < fixes.size(); ++i) {
-    const float width = ui.Width(fixes[i].title, {Face::kSans, 12, 0}) + 14 * ui.scale;
-    const Box box = {{rest.max.x - width, rest.min.y + ui.scale},
-                     {rest.max.x - 2 * ui.scale, rest.max.y - ui.scale}};
+    const float width = WidthOf(ui, fixes[i]);
+    const Box box = {{line.max.x - width, line.min.y + ui.scale},
+                     {line.max.x - 2 * ui.scale, line.max.y - ui.scale}};
     const std::string item = path + "/fix/" + std::to_string(i);
     if (ui.Button(item, box, fixes[i].title)) pressed = static_cast<int>(i);
-    rest.max.x = box.min.x - 2 * ui.scale;
+    line.max.x = box.min.x - 2 * ui.scale;
   }
   return pressed;
 }
 
-Row DrawProblem(const Ui& ui, int number, const Diagnostic& problem, const std::vector<Fix>& fixes,
-                int& pressed) {
-  Row row = NextRow(ui, "problems/" + std::to_string(number), false);
+// The message, and behind it or below it the place and the buttons.
+Row DrawProblem(const Ui& ui, int number, const Diagnostic& problem, std::vector<Fix> fixes,
+                bool names_file, int& pressed) {
+  const std::string path = "problems/" + std::to_string(number);
+  const Words words = WordsOf(ui, problem, std::move(fixes), names_file);
+  const bool fits = words.Fit(ui, ImGui::GetContentRegionAvail().x);
+  const Row row = NextRow(ui, path, false, fits ? kRowHeight : kTwoLines);
   ImGui::SetItemAllowOverlap();
-  const ImVec2 behind = ImGui::GetCursorScreenPos();
-  if (row.visible) {
-    pressed = DrawFixes(ui, "problems/" + std::to_string(number), row.box, fixes);
-    ImGui::SetCursorScreenPos(behind);
-  }
-
-  const std::string text = ToString(problem);
-  if (row.hovered) ImGui::SetTooltip("%s", text.c_str());
+  if (row.hovered) Tooltip(ui, ToString(problem));
   if (!row.visible) return row;
+  const ImVec2 behind = ImGui::GetCursorScreenPos();
+  const float pad = 8 * ui.scale;
+  const float line_height = fits ? row.box.height() : row.box.height() / 2;
+  Box first = {row.box.min, {row.box.max.x, row.box.min.y + line_height}};
+  Box last = {{row.box.min.x, row.box.max.y - line_height}, row.box.max};
+  pressed = DrawFixes(ui, path, last, words.fixes);
+  ImGui::SetCursorScreenPos(behind);
+
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const bool error = problem.severity == Severity::kError;
-  const Color color = error ? ui.palette.error : ui.palette.warning;
-  const float pad = 8 * ui.scale;
-  ui.RowText(list, row.box.min + Point{pad, 0}, row.box.height(),
-             error ? icon::kExclamation : icon::kWarning, {Face::kSans, 12, color});
-  std::string where = problem.where.file.substr(problem.where.file.rfind('/') + 1);
-  if (problem.where.line) {
-    where += ":" + std::to_string(problem.where.line) + ":" + std::to_string(problem.where.column);
-  }
-  std::string message = problem.message;
-  if (!problem.hint.empty()) message += " (" + problem.hint + ")";
-  const Point at = row.box.min + Point{pad + 20 * ui.scale, 0};
-  const float room = row.box.max.x - at.x - pad;
-  const float used =
-      ui.RowText(list, at, row.box.height(), where, {Face::kSans, 11, ui.palette.text_dim}, room);
-  ui.RowText(list, at + Point{used + pad, 0}, row.box.height(), message,
-             {Face::kSans, 12, ui.palette.text}, room - used - pad);
+  ui.RowText(list, first.min + Point{pad, 0}, line_height,
+             error ? icon::kExclamation : icon::kWarning,
+             {Face::kSans, 12, error ? ui.palette.error : ui.palette.warning});
+  const float left = row.box.min.x + pad + 20 * ui.scale;
+  const float used = ui.RowText(list, {left, first.min.y}, line_height, words.message,
+                                {Face::kSans, 12, ui.palette.text}, first.max.x - left - pad);
+  const float at = fits ? left + used + pad : left;
+  ui.RowText(list, {at, last.min.y}, line_height, words.where,
+             {Face::kSans, 11, ui.palette.text_dim}, last.max.x - at - pad);
   return row;
 }
 
@@ -129,11 +164,18 @@ void DrawProblems(const Ui& ui, EditorState& state, const Box& box) {
   }
   const std::string note = all.empty() ? "none" : std::to_string(all.size());
   Panel(ui, "problems", box, "PROBLEMS", note, [&] {
-    if (all.empty()) Hint(ui, "No problems.");
+    if (all.empty()) {
+      Hint(ui, workspace.files().empty() ? "What the engine's checker says of the open files."
+                                         : "No problems. Files are checked while you edit.");
+    }
+    const bool names_files = std::any_of(all.begin(), all.end(), [&](const Entry& entry) {
+      return entry.problem.where.file != all.front().problem.where.file;
+    });
     for (std::size_t i = 0; i < all.size(); ++i) {
       const std::vector<Fix> fixes = FixesOf(state, all[i].problem);
       int pressed = -1;
-      const Row row = DrawProblem(ui, static_cast<int>(i), all[i].problem, fixes, pressed);
+      const Row row =
+          DrawProblem(ui, static_cast<int>(i), all[i].problem, fixes, names_files, pressed);
       if (pressed >= 0) {
         RunFix(state, all[i].problem, fixes[static_cast<std::size_t>(pressed)], ui.now);
         return;

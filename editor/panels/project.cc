@@ -24,6 +24,18 @@ void IconRow(const Ui& ui, const Box& box, float indent, std::string_view glyph,
   ui.RowText(list, {right, box.min.y}, box.height(), note, small);
 }
 
+// Scrolls to the shown tree when it is another one than in the last frame.
+void FollowShown(const Row& row, const std::string& tree) {
+  ImGuiStorage& storage = *ImGui::GetStateStorage();
+  const ImGuiID id = ImGui::GetID("shown");
+  const int shown = static_cast<int>(ImGui::GetID(tree.c_str()));
+  if (storage.GetInt(id, 0) == shown) return;
+  storage.SetInt(id, shown);
+  const float top = ImGui::GetWindowPos().y;
+  const bool is_in_sight = row.box.min.y >= top && row.box.max.y <= top + ImGui::GetWindowHeight();
+  if (!is_in_sight) ImGui::SetScrollHereY(1);
+}
+
 void DrawFile(const Ui& ui, EditorState& state, std::size_t number) {
   Workspace& workspace = state.workspace;
   const OpenFile& file = workspace.files()[number];
@@ -50,6 +62,7 @@ void DrawFile(const Ui& ui, EditorState& state, std::size_t number) {
       const std::string& id = forest->trees()[t].id;
       const bool shown = workspace.file() == &file && workspace.tree() == tree;
       const Row item = NextRow(ui, "project/" + document + "/" + id, shown);
+      if (shown) FollowShown(item, document + "/" + id);
       if (item.visible) {
         IconRow(ui, item.box, d == 0 ? 24 : 32, icon::kSitemap, id, ui.palette.text,
                 tree == forest->main_tree() ? "main" : "");
@@ -63,10 +76,9 @@ void DrawFile(const Ui& ui, EditorState& state, std::size_t number) {
 
 void DrawProject(const Ui& ui, EditorState& state, const Box& box) {
   const std::size_t count = state.workspace.files().size();
-  const std::string note =
-      count == 0 ? "" : std::to_string(count) + (count == 1 ? " file" : " files");
+  const std::string note = count == 0 ? "" : Count(count, "file");
   Panel(ui, "project", box, "PROJECT", note, [&] {
-    if (count == 0) Hint(ui, "No file is open. Ctrl+O opens one.");
+    if (count == 0) Hint(ui, "Files and their trees. Ctrl+O opens a file, Ctrl+N begins one.");
     for (std::size_t i = 0; i < count; ++i) DrawFile(ui, state, i);
   });
 }

@@ -25,8 +25,11 @@ void DrawHook(const Ui& ui, EditorState& state, const RunView& run, const Wanted
   Hook hook = wanted.hook;
   HookList& hooks = state.workspace.hooks;
   const bool removed = button("/remove", icon::kTimes);
+  if (ImGui::IsItemHovered()) Tooltip(ui, "Remove it");
   const bool switched = button("/on", hook.enabled ? "on" : "off");
+  if (ImGui::IsItemHovered()) Tooltip(ui, hook.enabled ? "Switch it off" : "Switch it on");
   const bool asked = button("/condition", "if");
+  if (ImGui::IsItemHovered()) Tooltip(ui, "When it counts: a condition, a number of hits");
   ImGui::SetCursorScreenPos(behind);
 
   const SetHookState* set = run.hooks().Find(wanted.number);
@@ -47,8 +50,11 @@ void DrawHook(const Ui& ui, EditorState& state, const RunView& run, const Wanted
          8 * ui.scale;
   };
   write(hook.path, Face::kBold, hook.enabled ? ui.palette.text : ui.palette.text_dim);
-  write(ToString(hook), Face::kSans, color);
-  if (set && set->hits > 0) write(std::to_string(set->hits) + " hits", Face::kSans, color);
+  const Color writing = !hook.enabled        ? ui.palette.text_dim
+                        : IsBreakpoint(hook) ? ui.palette.failure_text
+                                             : ui.palette.warning;
+  write(ToString(hook), Face::kSans, writing);
+  if (set && set->hits > 0) write(Count(set->hits, "hit"), Face::kSans, writing);
   if (!wanted.robot.empty()) write("on " + wanted.robot, Face::kSans, ui.palette.text_dim);
   if (set) write(set->remark, Face::kSans, ui.palette.warning);
 

@@ -17,7 +17,7 @@ void DrawRunning(const Ui& ui, EditorState& state, RunView& run) {
   std::stable_sort(running.begin(), running.end(), [&states](NodeIndex a, NodeIndex b) {
     return states[a].since < states[b].since;
   });
-  if (running.empty()) Hint(ui, "Nothing runs at this tick.");
+  if (running.empty()) Hint(ui, "Nothing runs at this tick. Leaves that run are listed here.");
   for (const NodeIndex node : running) {
     const Row row = NextRow(ui, "run/running/" + nodes[node].path, false);
     if (row.clicked) SelectRunNode(state, node);
@@ -26,11 +26,12 @@ void DrawRunning(const Ui& ui, EditorState& state, RunView& run) {
     const float pad = 8 * ui.scale;
     const std::string seconds =
         DurationText(std::chrono::duration<double>(run.state().now - states[node].since).count());
-    const TextStyle time{Face::kBold, 12, ui.palette.running};
+    const TextStyle time{Face::kBold, 12, ui.palette.running_text};
     const float width = ui.Width(seconds, time);
     ui.RowText(list, {row.box.max.x - pad - width, row.box.min.y}, row.box.height(), seconds, time);
-    ui.RowText(list, row.box.min + Point{pad, 0}, row.box.height(), nodes[node].path,
-               {Face::kSans, 12, ui.palette.text}, row.box.width() - width - 3 * pad);
+    const TextStyle name{Face::kSans, 12, ui.palette.text};
+    ui.RowText(list, row.box.min + Point{pad, 0}, row.box.height(),
+               ui.CutStart(nodes[node].path, name, row.box.width() - width - 3 * pad), name);
   }
 }
 

@@ -20,7 +20,7 @@ double Seconds(Duration duration) { return static_cast<double>(duration.count())
 class Table {
  public:
   Table(const Ui& ui, EditorState& state, float width) : ui_(ui), state_(state) {
-    constexpr float kWidths[] = {62, 52, 52, 60, 60, 54};
+    constexpr float kWidths[] = {46, 60, 56, 50, 50, 60};
     float x = width - 8 * ui.scale;
     for (std::size_t i = kColumns; i-- > 0;) {
       right_[i] = x;
@@ -33,13 +33,21 @@ class Table {
     const Row row = NextRow(ui_, "run/figures", false);
     if (!row.visible) return;
     ui_.Fill(*ImGui::GetWindowDrawList(), row.box, Fade(ui_.palette.header, 0.6F));
-    Write(row, "node", {"ticks", "SUCCESS", "FAILURE", "runs p50", "p95", "flips/min"},
+    if (row.hovered) {
+      Tooltip(
+          ui_,
+          "ticks: how often the node was ticked\nSUCCESS, FAILURE: part of its ticks that ended "
+          "so\np50, p95: how long it ran until it had a result, half and 95 % of the times\n"
+          "flips/min: how often its result changed");
+    }
+    Write(row, "node", {"ticks", "SUCCESS", "FAILURE", "p50", "p95", "flips/min"},
           ui_.palette.text_dim, ui_.palette.text_dim);
   }
 
   void Line(const NodeStatistics& node, NodeIndex number, bool selected) {
     const Row row = NextRow(ui_, "run/figures/" + node.path, selected);
     if (row.clicked) SelectRunNode(state_, number);
+    if (row.hovered) Tooltip(ui_, node.path);
     if (!row.visible) return;
     char flips[16];
     std::snprintf(flips, sizeof(flips), "%.1f", node.flips_per_minute);
@@ -59,8 +67,10 @@ class Table {
              Color name_color, Color color) const {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float pad = 8 * ui_.scale;
-    ui_.RowText(list, row.box.min + Point{pad, 0}, row.box.height(), name,
-                {Face::kSans, 12, name_color}, std::max(name_ - pad, 40 * ui_.scale));
+    const TextStyle name_style{Face::kSans, 12, name_color};
+    ui_.RowText(list, row.box.min + Point{pad, 0}, row.box.height(),
+                ui_.CutStart(name, name_style, std::max(name_ - 2 * pad, 40 * ui_.scale)),
+                name_style);
     for (std::size_t i = 0; i < kColumns; ++i) {
       const TextStyle style{Face::kSans, 11, color};
       const float width = ui_.Width(cells[i], style);
@@ -81,19 +91,14 @@ void DrawStatistics(const Ui& ui, EditorState& state, RunView& run) {
   const TimelineState& timeline = state.timelines[run.name()];
   state.figures.Update(run.run(), timeline.range);
   const Statistics& all = state.figures.statistics();
-  const Row head = NextRow(ui, "run/figures/all", false);
-  if (head.visible) {
-    char text[192];
-    std::snprintf(text, sizeof(text),
-                  "%s: %llu ticks, %.3f ms a tick (p95 %.3f, max %.3f), period %.1f ms, %llu lost",
-                  timeline.range ? "marked stretch" : "whole run",
-                  static_cast<unsigned long long>(all.ticks), Seconds(all.tick_durations.p50) * 1e3,
-                  Seconds(all.tick_durations.p95) * 1e3, Seconds(all.tick_durations.max) * 1e3,
-                  Seconds(all.periods.p50) * 1e3, static_cast<unsigned long long>(all.lost_ticks));
-    ui.RowText(*ImGui::GetWindowDrawList(), head.box.min + Point{8 * ui.scale, 0},
-               head.box.height(), text, {Face::kSans, 12, ui.palette.text},
-               head.box.width() - 16 * ui.scale);
-  }
+  char text[192];
+  std::snprintf(text, sizeof(text),
+                "%s: %llu ticks of %.3f ms (p95 %.3f, max %.3f), one every %.1f ms, %llu lost",
+                timeline.range ? "marked stretch" : "whole run",
+                static_cast<unsigned long long>(all.ticks), Seconds(all.tick_durations.p50) * 1e3,
+                Seconds(all.tick_durations.p95) * 1e3, Seconds(all.tick_durations.max) * 1e3,
+                Seconds(all.periods.p50) * 1e3, static_cast<unsigned long long>(all.lost_ticks));
+  TextRow(ui, "run/figures/all", text, {Face::kSans, 12, ui.palette.text});
   Table table(ui, state, ImGui::GetContentRegionAvail().x);
   table.Head();
   const auto& nodes = run.tree()->description()->nodes;

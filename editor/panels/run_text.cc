@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 
 namespace coppice::editor {
 
@@ -16,6 +17,17 @@ std::string AxisText(Time time) {
     std::snprintf(text, sizeof(text), "%lld:%02lld.%03lld", seconds / 60, seconds % 60,
                   milliseconds % 1000);
   }
+  return text;
+}
+
+std::string ShortNumber(const std::string& value) {
+  constexpr std::size_t kLong = 8;  // characters
+  char* end = nullptr;
+  const double number = std::strtod(value.c_str(), &end);
+  const bool has_fraction = value.find('.') != std::string::npos;
+  if (value.size() <= kLong || !has_fraction || *end != '\0') return value;
+  char text[32];
+  std::snprintf(text, sizeof(text), "%.6g", number);
   return text;
 }
 

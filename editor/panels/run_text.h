@@ -14,6 +14,10 @@ namespace coppice::editor {
 /// "0:04.220", "1:02:03.250": since the beginning of the run.
 std::string AxisText(Time time);
 
+/// A number with six digits at most, for tables; any other text as it is. "0.43199999999999994" is
+/// "0.432".
+std::string ShortNumber(const std::string& value);
+
 /// "tick 84 (0:04.220)", with the robot's own number of the tick.
 std::string TickText(const Run& run, std::size_t tick);
 

@@ -30,25 +30,18 @@ constexpr Tab kTabs[] = {
     {RunTab::kTable, "run/table", "TABLE", DrawTable},
     {RunTab::kCoverage, "run/coverage", "COVERAGE", DrawCoverage, Tab::Of::kSimulations}};
 
-// Why the robot is not there.
-void DrawProblem(const Ui& ui, const std::string& problem) {
-  if (problem.empty()) return;
-  const Row row = NextRow(ui, "run/problem", false);
-  if (row.hovered) ImGui::SetTooltip("%s", problem.c_str());
-  if (!row.visible) return;
-  ui.RowText(*ImGui::GetWindowDrawList(), row.box.min + Point{8 * ui.scale, 0}, row.box.height(),
-             problem, {Face::kBold, 12, ui.palette.warning}, row.box.width() - 16 * ui.scale);
-}
-
 }  // namespace
 
 void DrawRunTile(const Ui& ui, EditorState& state, const Box& box) {
   RunView* run = state.workspace.run();
   Panel(ui, "run", box, "", "", [&] {
-    if (run) DrawProblem(ui, run->connection().problem);
+    // Why the robot is not there.
+    if (run && !run->connection().problem.empty()) {
+      TextRow(ui, "run/problem", run->connection().problem, {Face::kBold, 12, ui.palette.warning});
+    }
     const bool is_empty = run && run->run().size() == 0 && state.run_tab != RunTab::kCoverage;
     if (!run || !run->tree() || is_empty) {
-      Hint(ui, "Nothing has happened yet.");
+      Hint(ui, "Nothing has happened yet: this tells of ticks as soon as there are some.");
       return;
     }
     for (const Tab& tab : kTabs) {

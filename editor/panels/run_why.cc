@@ -16,18 +16,10 @@ NodeIndex SelectedNode(EditorState& state) {
   return static_cast<NodeIndex>(std::max(view->scene()->nodes[view->selected()].uid, 0));
 }
 
-void DrawSentence(const Ui& ui, const std::string& path, const std::string& text, Color color) {
-  const Row row = NextRow(ui, path, false);
-  if (row.hovered) ImGui::SetTooltip("%s", text.c_str());
-  if (!row.visible) return;
-  ui.RowText(*ImGui::GetWindowDrawList(), row.box.min + Point{8 * ui.scale, 0}, row.box.height(),
-             text, {Face::kBold, 12, color}, row.box.width() - 16 * ui.scale);
-}
-
 void DrawLine(const Ui& ui, EditorState& state, const WhyLine& line, std::size_t number) {
   const Row row = NextRow(ui, "run/why/" + std::to_string(number), line.is_asked);
   if (row.clicked) SelectRunNode(state, line.node);
-  if (row.hovered) ImGui::SetTooltip("%s\n%s", line.name.c_str(), line.reason.c_str());
+  if (row.hovered) Tooltip(ui, line.name + "\n" + line.reason);
   if (!row.visible) return;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const Color color =
@@ -43,7 +35,8 @@ void DrawLine(const Ui& ui, EditorState& state, const WhyLine& line, std::size_t
     }
   };
   write(line.name, line.is_asked ? Face::kBold : Face::kSans, ui.palette.text);
-  write(line.status == Status::kIdle ? "made idle" : ToString(line.status), Face::kBold, color);
+  write(line.status == Status::kIdle ? "made idle" : ToString(line.status), Face::kBold,
+        ui.palette.TextOf(line.status));
   if (line.is_news) write("new", Face::kSans, ui.palette.accent);
   write(line.reason, Face::kSans, ui.palette.text_dim);
 }
@@ -64,10 +57,10 @@ void DrawWhy(const Ui& ui, EditorState& state, RunView& run) {
   const WhyAnswer& why = state.why;
   const std::string tick = TickText(run.run(), run.playhead().tick());
   if (!why.why_not().empty()) {
-    DrawSentence(ui, "run/why/not", tick + ": " + why.why_not(), ui.palette.warning);
+    TextRow(ui, "run/why/not", tick + ": " + why.why_not(), {Face::kBold, 12, ui.palette.warning});
   }
   if (!why.change().empty()) {
-    DrawSentence(ui, "run/why/change", why.change(), ui.palette.accent);
+    TextRow(ui, "run/why/change", why.change(), {Face::kBold, 12, ui.palette.accent});
   }
   if (why.lines().empty()) Hint(ui, "Nothing was ticked in " + tick + ".");
   for (std::size_t i = 0; i < why.lines().size(); ++i) DrawLine(ui, state, why.lines()[i], i);

@@ -26,7 +26,7 @@ class Bar {
     ui_.Fill(list_, box_, Mix(ui_.palette.panel, ui_.palette.simulation, 0.30F));
     left_ = box_.min.x + 10 * ui_.scale;
     right_ = box_.max.x - 6 * ui_.scale;
-    Write("SIMULATION", {Face::kBold, 13, ui_.palette.simulation}, "sim/banner");
+    Write("SIMULATION", {Face::kBold, 13, ui_.palette.text}, "sim/banner");
     DrawLeft();
     DrawRight();
     DrawTime();
@@ -66,11 +66,7 @@ class Bar {
     Color color = ui_.palette.text;
     if (const auto result = state_.simulator.result()) {
       what += std::string("  ") + icon::kRightArrow + " " + ToString(*result);
-      color = ui_.palette.Of(*result);
-    }
-    if (!state_.simulator.problem().empty()) {
-      what = std::string(icon::kWarning) + "  the text has errors: the tree before it goes on";
-      color = ui_.palette.error;
+      color = ui_.palette.TextOf(*result);
     }
     Write(what, {Face::kSans, 12, color}, "sim/time");
   }
@@ -158,11 +154,12 @@ void DrawSimulatedLeaf(const Ui& ui, EditorState& state, const Box& canvas) {
   float width = width_of(does) + pad;
   for (const Answer& answer : kAnswers) width += width_of(answer.text) + 3 * ui.scale;
   const float highest = std::max(canvas.max.y - height - pad, canvas.min.y);
+  const bool is_room_below = node.max.y + pad <= highest;
+  const float top = is_room_below ? node.max.y + pad : node.min.y - pad - height;
   const float furthest = std::max(canvas.max.x - width - pad, canvas.min.x);
-  const Point at = {
-      std::clamp(node.center().x - width / 2, canvas.min.x + pad,
-                 std::max(furthest, canvas.min.x + pad)),
-      std::clamp(node.max.y + pad, canvas.min.y + pad, std::max(highest, canvas.min.y + pad))};
+  const Point at = {std::clamp(node.center().x - width / 2, canvas.min.x + pad,
+                               std::max(furthest, canvas.min.x + pad)),
+                    std::clamp(top, canvas.min.y + pad, std::max(highest, canvas.min.y + pad))};
   const Box box = {at, at + Point{width + pad, height}};
   ui.Fill(list, box, ui.palette.panel, 5 * ui.scale);
   ui.Frame(list, box, ui.palette.simulation, 5 * ui.scale);

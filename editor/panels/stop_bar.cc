@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "editor/panels/panel.h"
 #include "editor/panels/panels.h"
 
 namespace coppice::editor {
@@ -9,13 +10,15 @@ struct StopButton {
   const char* path;
   const char* text;
   const char* command;
+  Status status;  // that the node is to have; kIdle: its own
 };
 
-constexpr StopButton kButtons[] = {{"stop/continue", "Continue", "run.continue"},
-                                   {"stop/step", "Step", "run.step_node"},
-                                   {"stop/success", "SUCCESS", "run.continue_success"},
-                                   {"stop/failure", "FAILURE", "run.continue_failure"},
-                                   {"stop/skip", "SKIP", "run.continue_skipped"}};
+constexpr StopButton kButtons[] = {
+    {"stop/continue", "Continue", "run.continue", Status::kIdle},
+    {"stop/step", "Step", "run.step_node", Status::kIdle},
+    {"stop/success", "SUCCESS", "run.continue_success", Status::kSuccess},
+    {"stop/failure", "FAILURE", "run.continue_failure", Status::kFailure},
+    {"stop/skip", "SKIP", "run.continue_skipped", Status::kSkipped}};
 
 }  // namespace
 
@@ -30,8 +33,11 @@ void DrawStopBar(const Ui& ui, EditorState& state, const Box& canvas) {
   Box node = view->camera.ToScreen(view->BoxAt(view->ShownOf(nodes[stop.node]), ui.now));
   node = {node.min + canvas.min, node.max + canvas.min};
   const float height = 22 * ui.scale;
-  const float top = std::clamp(node.max.y + 6 * ui.scale, canvas.min.y + 4 * ui.scale,
-                               std::max(canvas.max.y - height - 4 * ui.scale, canvas.min.y));
+  const float pad = 6 * ui.scale;
+  const float lowest = std::max(canvas.max.y - height - pad, canvas.min.y + pad);
+  const bool is_room_below = node.max.y + pad <= lowest;
+  const float top = std::clamp(is_room_below ? node.max.y + pad : node.min.y - pad - height,
+                               canvas.min.y + pad, lowest);
   float x = std::clamp(node.min.x, canvas.min.x + 4 * ui.scale,
                        std::max(canvas.max.x - 330 * ui.scale, canvas.min.x));
   // A window of its own: it lies above the canvas, for the mouse too.
@@ -45,9 +51,10 @@ void DrawStopBar(const Ui& ui, EditorState& state, const Box& canvas) {
     const Box at = {{x, top}, {x + width, top + height}};
     x += width + 3 * ui.scale;
     ui.Fill(*ImGui::GetWindowDrawList(), at, ui.palette.panel, 4);
-    if (ui.Button(button.path, at, button.text, false, ui.palette.running)) {
-      state.commands.Run(button.command);
-    }
+    const Color tint =
+        button.status == Status::kIdle ? ui.palette.accent : ui.palette.Of(button.status);
+    if (ui.Button(button.path, at, button.text, false, tint)) state.commands.Run(button.command);
+    ExplainCommand(ui, state.commands, button.command);
   }
   ImGui::EndChild();
 }

@@ -22,7 +22,9 @@ class Rows {
 
   void Draw() {
     if (state_.tests.all().empty()) {
-      Hint(ui_, "Ctrl+Shift+R runs the *.test.json beside the open files.");
+      Hint(ui_,
+           "Ctrl+Shift+R runs the *.test.json beside the open files. F5 simulates the tree; \"as "
+           "test\" makes a test of what was done there.");
     }
     for (std::size_t i = 0; i < state_.tests.all().size(); ++i) {
       const ScenarioTest& test = state_.tests.all()[i];
@@ -40,43 +42,41 @@ class Rows {
  private:
   bool DrawTest(std::size_t number, const ScenarioTest& test) {
     const Row row = NextRow(ui_, "tests/" + std::to_string(number), false);
-    if (row.hovered && !test.problem.empty()) ImGui::SetTooltip("%s", test.problem.c_str());
+    if (row.hovered && !test.problem.empty()) Tooltip(ui_, test.problem);
     if (!row.visible) return row.clicked;
     static const char* const kGlyphs[] = {icon::kCircleOpen, icon::kCheck, icon::kTimes,
                                           icon::kWarning};
     static const char* const kNote[] = {"not run", "passed", "FAILED", "cannot be played"};
-    const Color colors[] = {ui_.palette.text_dim, ui_.palette.success, ui_.palette.error,
+    const Color colors[] = {ui_.palette.text_dim, ui_.palette.success_text, ui_.palette.error,
                             ui_.palette.error};
     const auto state = static_cast<std::size_t>(test.state);
-    float x = Write(row, 8 * ui_.scale, kGlyphs[state], {Face::kSans, 12, colors[state]});
+    const float pad = 8 * ui_.scale;
+    const TextStyle note{Face::kSans, 12, colors[state]};
+    const float note_width = ui_.Width(kNote[state], note);
+    Write(row, row.box.width() - note_width - pad, kNote[state], note, pad);
+    const float right = note_width + 2 * pad;
+    float x = Write(row, pad, kGlyphs[state], {Face::kSans, 12, colors[state]}, right);
     x = Write(row, x, test.name.empty() ? NameOf(test.file) : test.name,
-              {Face::kSans, 12, ui_.palette.text});
-    x = Write(row, x, kNote[state], {Face::kSans, 12, colors[state]});
-    Write(row, x, PlaceOf(test.where), {Face::kSans, 11, ui_.palette.text_dim});
+              {Face::kSans, 12, ui_.palette.text}, right);
+    Write(row, x, PlaceOf(test.where), {Face::kSans, 11, ui_.palette.text_dim}, right);
     return row.clicked;
   }
 
   void DrawDifference(const std::string& path, const coppice::Difference& difference) {
-    const Row row = NextRow(ui_, path, false);
-    if (row.hovered) {
-      ImGui::SetTooltip("%s\nstep %zu: %s\nexpected %s\ngot %s", PlaceOf(difference.where).c_str(),
-                        difference.step, difference.what.c_str(), difference.expected.c_str(),
-                        difference.got.c_str());
-    }
-    if (!row.visible) return;
-    const TextStyle dim{Face::kSans, 11, ui_.palette.text_dim};
-    const TextStyle plain{Face::kSans, 12, ui_.palette.text};
-    float x = Write(row, 30 * ui_.scale, PlaceOf(difference.where), dim);
-    x = Write(row, x, "step " + std::to_string(difference.step) + ": " + difference.what, plain);
-    x = Write(row, x, "expected " + difference.expected, {Face::kSans, 12, ui_.palette.success});
-    Write(row, x, "got " + difference.got, {Face::kSans, 12, ui_.palette.error});
+    const Row row = TextRow(ui_, path,
+                            "step " + std::to_string(difference.step) + ", " + difference.what +
+                                ": expected " + difference.expected + ", got " + difference.got,
+                            {Face::kSans, 12, ui_.palette.error});
+    if (row.hovered) Tooltip(ui_, PlaceOf(difference.where));
   }
 
-  float Write(const Row& row, float x, const std::string& text, const TextStyle& style) {
-    const float room = row.box.width() - x - 6 * ui_.scale;
+  // As far as `right` from the right end of the row.
+  float Write(const Row& row, float x, const std::string& text, const TextStyle& style,
+              float right) {
+    const float room = row.box.width() - x - right;
     if (room < 10 * ui_.scale) return x;
     const float width = ui_.RowText(*ImGui::GetWindowDrawList(), row.box.min + Point{x, 0},
-                                    row.box.height(), text, style, room);
+                                    row.box.height(), text, style, room + 1);
     return x + width + 10 * ui_.scale;
   }
 

@@ -8,6 +8,7 @@
 #include "editor/panels/canvas_tile.h"
 #include "editor/panels/panel.h"
 #include "editor/panels/panels.h"
+#include "editor/panels/start_screen.h"
 
 namespace coppice::editor {
 namespace {
@@ -172,12 +173,7 @@ class Screen {
     }
     ui_.items.Add("canvas", rest);
     DropRoot(rest);
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    ui_.Fill(list, rest, ui_.palette.canvas);
-    const std::string text = Invitation();
-    const TextStyle style{Face::kSans, 14, ui_.palette.text_dim};
-    ui_.RowText(list, {rest.center().x - ui_.Width(text, style) / 2, rest.center().y - 20}, 40,
-                text, style);
+    DrawStartScreen(ui_, state_, rest);
     DrawNotice(rest);
   }
 
@@ -206,17 +202,6 @@ class Screen {
     ui_.Frame(list, box, notice.is_refusal ? ui_.palette.error : ui_.palette.border, 6 * ui_.scale);
     ui_.RowText(list, at, height, notice.text, style, width + 1);
     ui_.items.Add("notice", box);
-  }
-
-  std::string Invitation() const {
-    if (const RunView* run = state_.workspace.run()) {
-      return (run->source().is_robot() ? "waiting for " : "reading ") + run->name();
-    }
-    if (state_.workspace.ShownTree()) {
-      return state_.workspace.ShownTreeId() + " is empty: Tab adds its root node";
-    }
-    if (state_.workspace.file()) return "this file holds no tree that can be shown";
-    return "Ctrl+O opens a file, Ctrl+N begins a new one";
   }
 
   const Ui& ui_;

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "editor/look/contrast.h"
 #include "editor/look/icons.h"
 #include "editor/panels/lane_painter.h"
 #include "editor/panels/panel.h"
@@ -103,6 +104,11 @@ class Timeline {
       const float x = f_.overview.min.x + static_cast<float>(i) * f_.ui.scale;
       f_.ui.Fill(list_, {{x, f_.overview.max.y - height}, {x + f_.ui.scale, f_.overview.max.y}},
                  Fade(f_.ui.palette.Of(worst), 0.65F));
+      if (worst != Status::kFailure) continue;
+      // Seen also by those who do not see the colour.
+      f_.ui.Fill(list_,
+                 {{x, f_.overview.min.y}, {x + f_.ui.scale, f_.overview.min.y + 3 * f_.ui.scale}},
+                 f_.ui.palette.failure);
     }
     const auto x_of = [&](Time time) {
       return f_.overview.min.x +
@@ -128,7 +134,8 @@ class Timeline {
       if (x < f_.ruler.min.x) continue;
       f_.ui.Fill(list_, {{x, f_.ruler.max.y - 3 * f_.ui.scale}, {x + 1, f_.lanes.max.y}},
                  Fade(f_.ui.palette.text_dim, 0.15F));
-      if (x + 60 * f_.ui.scale < f_.ruler.max.x) {
+      const bool is_covered = std::abs(x + 25 * f_.ui.scale - CursorX()) < 55 * f_.ui.scale;
+      if (x + 60 * f_.ui.scale < f_.ruler.max.x && !is_covered) {
         f_.ui.RowText(list_, {x + 3 * f_.ui.scale, f_.ruler.min.y}, f_.ruler.height(), AxisText(at),
                       style);
       }
@@ -152,7 +159,7 @@ class Timeline {
                             f_.ui.palette.warning);
     f_.ui.items.Add("timeline/bookmark/" + std::to_string(tick), flag);
     if (!text.empty() && flag.Contains(FromIm(ImGui::GetIO().MousePos))) {
-      ImGui::SetTooltip("%s", text.c_str());
+      Tooltip(f_.ui, text);
     }
   }
 
@@ -165,7 +172,7 @@ class Timeline {
                             {x, f_.ruler.min.y + 1.6F * size}, f_.ui.palette.accent);
     const Box around = {{x - size, f_.ruler.min.y}, {x + size, f_.ruler.max.y}};
     if (around.Contains(FromIm(ImGui::GetIO().MousePos))) {
-      ImGui::SetTooltip("%s\n%s", note.note.kind.c_str(), note.note.text.c_str());
+      Tooltip(f_.ui, note.note.kind + "\n" + note.note.text);
     }
   }
 
@@ -181,7 +188,7 @@ class Timeline {
                    gap.lost_ticks > 0 ? f_.ui.palette.warning : f_.ui.palette.text_dim);
       f_.ui.items.Add("timeline/gap/" + std::to_string(gap.tick), box);
       if (box.Contains(FromIm(ImGui::GetIO().MousePos))) {
-        ImGui::SetTooltip("%s", DescribeBreak(gap).c_str());
+        Tooltip(f_.ui, DescribeBreak(gap));
       }
     }
   }
@@ -202,14 +209,16 @@ class Timeline {
     f_.ui.Frame(list_, box, Fade(f_.ui.palette.accent, 0.7F));
   }
 
+  float CursorX() const { return f_.XOf(f_.head.is_at_now() ? f_.run_end : f_.head.time()); }
+
   void DrawCursor() {
-    const float x = f_.XOf(f_.head.is_at_now() ? f_.run_end : f_.head.time());
+    const float x = CursorX();
     if (x < f_.lanes.min.x - 1 || x > f_.lanes.max.x + 1) return;
     const Color color = f_.head.is_at_now() ? f_.ui.palette.success : f_.ui.palette.text;
     f_.ui.Fill(list_, {{x - f_.ui.scale, f_.ruler.min.y}, {x + f_.ui.scale, f_.lanes.max.y}},
                color);
     f_.ui.items.Add("timeline/cursor", {{x - 2, f_.ruler.min.y}, {x + 2, f_.lanes.max.y}});
-    const TextStyle style{Face::kBold, 10, f_.ui.palette.is_dark ? 0xFF101010 : 0xFFFFFFFF};
+    const TextStyle style{Face::kBold, 10, WritingOn(color)};
     const std::string text = AxisText(f_.head.time());
     const float width = f_.ui.Width(text, style) + 8 * f_.ui.scale;
     const float left = std::clamp(x - width / 2, f_.lanes.min.x, f_.lanes.max.x - width);
@@ -231,18 +240,20 @@ void DrawControls(const Ui& ui, EditorState& state, const RunView& run, const Bo
                     {x + width, box.min.y + (kPanelHeader - 2) * ui.scale}};
     x += width + 3 * ui.scale;
     if (ui.Button(path, at, text, active, tint)) state.commands.Run(command);
+    ExplainCommand(ui, state.commands, command);
   };
   const Playhead& head = run.playhead();
-  const bool live = run.source().is_robot();
-  button("timeline/back", "<", "run.back", false, 0);
-  button("timeline/play", head.is_playing() ? icon::kPause : "play", "run.play", head.is_playing(),
-         ui.palette.accent);
-  button("timeline/forward", ">", "run.forward", false, 0);
-  button("timeline/now", live ? "LIVE" : "END", "run.now", head.is_at_now(), ui.palette.success);
+  const bool is_robot = run.source().is_robot();
+  const bool is_live = !is_robot || run.phase() == RunPhase::kLive;
+  button("timeline/back", icon::kStepBack, "run.back", false, 0);
+  button("timeline/play", head.is_playing() ? icon::kPause : icon::kPlay, "run.play",
+         head.is_playing(), ui.palette.accent);
+  button("timeline/forward", icon::kStepForward, "run.forward", false, 0);
+  button("timeline/now", is_robot ? "LIVE" : "END", "run.now", head.is_at_now(),
+         is_live ? ui.palette.success : ui.palette.text_dim);
   char speed[16];
-  std::snprintf(speed, sizeof(speed), "%gx", head.speed());
+  std::snprintf(speed, sizeof(speed), "%s%g", icon::kTimesSign, head.speed());
   button("timeline/speed", speed, "run.faster", false, 0);
-  if (run.run().size() == 0) return;
   ui.RowText(*ImGui::GetWindowDrawList(), {x + 8 * ui.scale, box.min.y}, kPanelHeader * ui.scale,
              TickText(run.run(), head.tick()), {Face::kMono, 11, ui.palette.text},
              std::max(box.max.x - x - 300 * ui.scale, 1.0F));
@@ -256,13 +267,13 @@ void DrawTimeline(const Ui& ui, EditorState& state, const Box& box) {
   Panel(ui, "timeline", box, "TIMELINE",
         is_wide ? "wheel pan   Ctrl+wheel zoom   Shift+drag range   L now" : "", [&] {
           if (!run || !run->run().has_tree() || run->run().size() == 0) {
-            Hint(ui, "Nothing has happened yet.");
+            Hint(ui, "What each node did, over time: as soon as there are ticks.");
             return;
           }
           const Box body = {box.min + Point{1, kPanelHeader * ui.scale}, box.max - Point{1, 2}};
           Timeline(ui, state, *run, body).Draw();
         });
-  if (run) DrawControls(ui, state, *run, box);
+  if (run && run->run().size() > 0) DrawControls(ui, state, *run, box);
 }
 
 }  // namespace coppice::editor

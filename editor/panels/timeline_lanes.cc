@@ -1,8 +1,10 @@
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include "editor/look/icons.h"
 #include "editor/panels/lane_painter.h"
+#include "editor/panels/panel.h"
 #include "editor/panels/run_text.h"
 #include "editor/panels/timeline_frame.h"
 #include "editor/timeline/slot_history.h"
@@ -17,11 +19,14 @@ class Lanes {
   void DrawLanes() {
     const float height = kLaneHeight * f_.ui.scale;
     const float fixed = (f_.state.shown_key.empty() ? 1.0F : 2.5F) * height;
-    Box box = {f_.lanes.min, {f_.lanes.max.x, std::max(f_.lanes.max.y - fixed, f_.lanes.min.y)}};
+    const float room = std::max(f_.lanes.height() - fixed, 0.0F);
+    const Box box = {f_.lanes.min,
+                     {f_.lanes.max.x, f_.lanes.min.y + std::floor(room / height) * height}};
     ListLanes(static_cast<std::size_t>(box.height() / height));
     const std::size_t count = f_.shown.listed.size();
     const float all = height * static_cast<float>(count);
     f_.shown.scroll = std::clamp(f_.shown.scroll, 0.0F, std::max(all - box.height(), 0.0F));
+    f_.shown.scroll = std::round(f_.shown.scroll / height) * height;  // no lane is cut
     const float below = f_.lanes.min.y + height * static_cast<float>(f_.shown.pinned);
     DrawRows(0, f_.shown.pinned, {box.min, {box.max.x, below}});
     DrawRows(f_.shown.pinned, count, {{box.min.x, below}, box.max});
@@ -29,9 +34,11 @@ class Lanes {
       f_.ui.Fill(list_, {{f_.labels.min.x, below - 1}, {box.max.x, below}},
                  Fade(f_.ui.palette.text_dim, 0.5F));
     }
-    DrawDurations({{f_.lanes.min.x, box.max.y}, {f_.lanes.max.x, box.max.y + height}});
+    DrawScroll(box, all);
+    const float top = f_.lanes.max.y - fixed;
+    DrawDurations({{f_.lanes.min.x, top}, {f_.lanes.max.x, top + height}});
     if (!f_.state.shown_key.empty()) {
-      DrawKey({{f_.lanes.min.x, box.max.y + height}, {f_.lanes.max.x, f_.lanes.max.y}});
+      DrawKey({{f_.lanes.min.x, top + height}, f_.lanes.max});
     }
   }
 
@@ -57,11 +64,22 @@ class Lanes {
     if (f_.ui.Hit("timeline/pin/" + path, at, &hovered)) {
       f_.state.workspace.pins.Toggle(f_.view.bookmark_name(), path);
     }
-    if (hovered) ImGui::SetTooltip(pinned ? "let it go" : "keep it on top");
+    if (hovered) Tooltip(f_.ui, pinned ? "Let it go" : "Keep it on top");
     if (!pinned && !label.Contains(FromIm(ImGui::GetIO().MousePos))) return;
     const Color color = pinned || hovered ? f_.ui.palette.accent : f_.ui.palette.text_dim;
     f_.ui.RowText(list_, at.min + Point{4 * f_.ui.scale, 0}, at.height(), icon::kPin,
                   {Face::kSans, 11, color});
+  }
+
+  // At the right end of the names: which part of all lanes is shown.
+  void DrawScroll(const Box& box, float all) {
+    if (all <= box.height() || box.height() <= 0) return;
+    const float part = box.height() / all;
+    const float top = box.min.y + f_.shown.scroll * part;
+    const float right = f_.labels.max.x - 2 * f_.ui.scale;
+    const Box bar = {{right - 3 * f_.ui.scale, top}, {right, top + box.height() * part}};
+    f_.ui.Fill(list_, bar, Fade(f_.ui.palette.text_dim, 0.55F), 2 * f_.ui.scale);
+    f_.ui.items.Add("timeline/scroll", bar);
   }
 
   // Pinned lanes, then those of nodes that do something in what is shown, in the order of the tree.
@@ -115,7 +133,7 @@ class Lanes {
     const bool runs = node < states.size() && states[node].status == Status::kRunning;
     Label(lane, described.path.substr(described.path.rfind('/') + 1), depth * 6,
           {selected ? Face::kBold : Face::kSans, 11,
-           runs ? f_.ui.palette.running : f_.ui.palette.text});
+           runs ? f_.ui.palette.running_text : f_.ui.palette.text});
     const Box bars = {lane.min + Point{0, 2 * f_.ui.scale}, lane.max - Point{0, 2 * f_.ui.scale}};
     PaintBars(f_.ui, list_, bars, BarsOf(f_.tracks.LaneOf(node), f_.columns), f_.columns.size());
     DrawInjections(node, bars);
@@ -137,7 +155,6 @@ class Lanes {
   }
 
   void DrawDurations(const Box& lane) {
-    Label(lane, "tick ms", 0, {Face::kSans, 11, f_.ui.palette.text_dim});
     float most = 0.001F;
     std::vector<float> durations;
     for (const Column& column : f_.columns) {
@@ -153,9 +170,8 @@ class Lanes {
                  Fade(f_.ui.palette.accent, 0.6F));
     }
     char text[32];
-    std::snprintf(text, sizeof(text), "max %.2f", static_cast<double>(most));
-    const TextStyle style{Face::kSans, 9, f_.ui.palette.text_dim};
-    f_.ui.RowText(list_, {lane.min.x + 3 * f_.ui.scale, lane.min.y}, lane.height(), text, style);
+    std::snprintf(text, sizeof(text), "a tick: up to %.3g ms", static_cast<double>(most));
+    Label(lane, text, 0, {Face::kSans, 11, f_.ui.palette.text_dim});
   }
 
   void DrawKey(const Box& lane) {

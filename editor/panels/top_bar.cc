@@ -23,9 +23,10 @@ constexpr MenuEntry kEditMenu[] = {
 constexpr MenuEntry kTreeMenu[] = {
     {"tree.new"},    {"tree.rename"},     {"tree.delete"}, {nullptr}, {"tree.extract"},
     {"tree.inline"}, {"tree.definition"}, {"tree.usages"}, {nullptr}, {"file.include"}};
-constexpr MenuEntry kTilesMenu[] = {
-    {"tile.project"}, {"tile.outline"},  {"tile.types"}, {"tile.inspector"}, {"tile.blackboard"},
-    {"tile.xml"},     {"tile.problems"}, {"tile.run"},   {"tile.timeline"},  {"tile.minimap"}};
+constexpr MenuEntry kTilesMenu[] = {{"tile.project"},   {"tile.outline"},    {"tile.types"},
+                                    {"tile.inspector"}, {"tile.blackboard"}, {"tile.xml"},
+                                    {"tile.problems"},  {"tile.tests"},      {"tile.run"},
+                                    {"tile.timeline"},  {"tile.minimap"}};
 constexpr MenuEntry kRobotMenu[] = {{"robot.connect"},
                                     {"robot.next"},
                                     {"run.close"},
@@ -66,6 +67,10 @@ constexpr MenuEntry kRunMenu[] = {{"run.back"},
                                   {"run.table"},
                                   {"run.coverage"},
                                   {nullptr},
+                                  {"run.bookmark"},
+                                  {"run.bookmark_text"},
+                                  {"run.bookmarks"},
+                                  {nullptr},
                                   {"run.follow"},
                                   {"run.heat"},
                                   {"run.pin"},
@@ -73,6 +78,12 @@ constexpr MenuEntry kRunMenu[] = {{"run.back"},
                                   {"blackboard.write"},
                                   {"run.save"},
                                   {"run.save_test"}};
+constexpr MenuEntry kSimulateMenu[] = {
+    {"sim.start"},     {"sim.end"},        {"sim.restart"}, {"sim.again"},   {nullptr},
+    {"sim.play"},      {"sim.tick"},       {"sim.change"},  {"sim.back"},    {"sim.faster"},
+    {"sim.slower"},    {nullptr},          {"sim.success"}, {"sim.failure"}, {"sim.running"},
+    {"sim.skipped"},   {"sim.script"},     {"sim.set"},     {nullptr},       {"sim.tests"},
+    {"sim.save_test"}, {"sim.save_record"}};
 constexpr MenuEntry kHelpMenu[] = {{"help.palette"}, {"help.keys"}};
 
 class TopBar {
@@ -89,8 +100,9 @@ class TopBar {
     x = Menu("Tiles", x, [this] { Entries(kTilesMenu); });
     x = Menu("Robot", x, [this] { Entries(kRobotMenu); });
     x = Menu("Run", x, [this] { Entries(kRunMenu); });
+    x = Menu("Simulate", x, [this] { Entries(kSimulateMenu); });
     x = Menu("Help", x, [this] { Entries(kHelpMenu); });
-    DrawField();
+    DrawField(x + 12 * ui_.scale);
     DrawMode();
   }
 
@@ -133,7 +145,9 @@ class TopBar {
     const Command* command = state_.commands.Find(id);
     if (!command) return;
     const std::string keys = ToString(command->keys);
-    const bool chosen = ImGui::MenuItem(command->title.c_str(), keys.c_str());
+    const bool is_on = command->is_on && command->is_on();
+    const bool applies = !command->when || command->when();
+    const bool chosen = ImGui::MenuItem(command->title.c_str(), keys.c_str(), is_on, applies);
     ui_.items.Add(std::string("menu/") + id,
                   {FromIm(ImGui::GetItemRectMin()), FromIm(ImGui::GetItemRectMax())});
     if (chosen) command->run();
@@ -168,11 +182,14 @@ class TopBar {
     Entry("file.quit");
   }
 
-  void DrawField() {
+  // In the middle if there is room right of `left`.
+  void DrawField(float left) {
     const float width = std::min(460 * ui_.scale, box_.width() * 0.36F);
     const float pad = 4 * ui_.scale;
-    const Box field = {{box_.center().x - width / 2, box_.min.y + pad},
-                       {box_.center().x + width / 2, box_.max.y - pad}};
+    const float start = std::max(box_.center().x - width / 2, left);
+    const float end = std::min(start + width, box_.max.x - 96 * ui_.scale);
+    if (end - start < 60 * ui_.scale) return;
+    const Box field = {{start, box_.min.y + pad}, {end, box_.max.y - pad}};
     bool hovered = false;
     const bool pressed = ui_.Hit("bar/palette", field, &hovered);
     ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -185,25 +202,34 @@ class TopBar {
     if (pressed) state_.OpenPopup(Popup::kPalette);
   }
 
-  // The mode follows from what is shown, and from where the playhead is.
+  struct Mode {
+    const char* text;
+    Color color;  // 0: none of its own
+  };
+
+  // It follows from what is shown, and from where the playhead is.
+  Mode ModeOf(const RunView* run) const {
+    if (!run) return {"EDIT", 0};
+    if (run->source().is_simulation()) return {"SIM", ui_.palette.simulation};
+    const bool is_now = run->playhead().is_at_now();
+    if (is_now && run->stop().where != DebugStop::Where::kNowhere) {
+      return {"PAUSED", ui_.palette.running};
+    }
+    if (is_now && run->phase() == RunPhase::kLive) return {"LIVE", ui_.palette.success};
+    const RunPhase phase = run->phase();
+    if (phase == RunPhase::kConnecting || phase == RunPhase::kReconnecting)
+      return {"OFFLINE", ui_.palette.text_dim};
+    return {"REPLAY", ui_.palette.accent};
+  }
+
   void DrawMode() {
     const RunView* run = state_.workspace.run();
-    const bool is_live = run && run->phase() == RunPhase::kLive && run->playhead().is_at_now();
-    const bool is_offline = run && run->source().is_robot() && !run->state().is_fresh;
-    const bool is_simulation = run && run->source().is_simulation();
-    const std::string text = !run            ? "EDIT"
-                             : is_simulation ? "SIM"
-                             : is_live       ? "LIVE"
-                             : is_offline    ? "OFFLINE"
-                                             : "REPLAY";
-    const Color color = is_simulation ? ui_.palette.simulation
-                        : is_live     ? ui_.palette.success
-                        : is_offline  ? ui_.palette.text_dim
-                        : run         ? ui_.palette.accent
-                                      : 0;
+    const Mode mode = ModeOf(run);
     const Box chip = {{box_.max.x - 84 * ui_.scale, box_.min.y + 4 * ui_.scale},
                       {box_.max.x - 8 * ui_.scale, box_.max.y - 4 * ui_.scale}};
-    if (ui_.Button("bar/mode", chip, text, run, color) && run) state_.commands.Run("run.now");
+    if (ui_.Button("bar/mode", chip, mode.text, run, mode.color) && run) {
+      state_.commands.Run("run.now");
+    }
   }
 
   const Ui& ui_;

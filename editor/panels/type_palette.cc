@@ -55,7 +55,7 @@ void DrawType(const Ui& ui, EditorState& state, const TypeChoice& type) {
   }
   const bool twice = row.hovered && ImGui::IsMouseDoubleClicked(0);
   if (row.hovered && !type.note.empty() && !state.incoming) {
-    ImGui::SetTooltip("%s", type.note.c_str());
+    Tooltip(ui, type.note);
   }
   if (row.visible) {
     const Kind& kind = kKinds[KindOf(type)];
@@ -82,8 +82,16 @@ void DrawTypes(const Ui& ui, EditorState& state, const Box& box) {
       return std::make_pair(KindOf(a), a.type) < std::make_pair(KindOf(b), b.type);
     });
   }
-  Panel(ui, "types", box, "NODES", "drag onto the canvas", [&] {
-    if (!state.workspace.file()) return Hint(ui, "Node types of the open file.");
+  const bool can_edit = state.workspace.file() && !state.workspace.run();
+  Panel(ui, "types", box, "NODES", can_edit ? "drag onto the canvas" : "", [&] {
+    if (!can_edit) {
+      return Hint(ui,
+                  state.workspace.run()
+                      ? "Runs are not edited. Show the tree of a file, by a click in PROJECT, to "
+                        "add nodes to it."
+                      : "The node types that can be dragged onto the canvas. Ctrl+O opens a "
+                        "file, Ctrl+N begins one.");
+    }
     DrawFilter(ui, state);
     const std::string* heading = nullptr;
     for (const TypeChoice& type : types) {

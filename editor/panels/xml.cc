@@ -3,11 +3,13 @@
 #include <utility>
 
 #include "editor/core/project_editor.h"
+#include "editor/look/icons.h"
 #include "editor/panels/panel.h"
 #include "editor/panels/panels.h"
 #include "editor/panels/xml_gutter.h"
 #include "editor/panels/xml_keys.h"
 #include "editor/panels/xml_line.h"
+#include "editor/panels/xml_shown.h"
 
 namespace coppice::editor {
 namespace {
@@ -33,49 +35,10 @@ std::vector<Line> SplitLines(const std::string& text) {
   return lines;
 }
 
-// Which text is shown, and what of it is marked.
-struct Shown {
-  std::string path;
-  const std::string* text = nullptr;
-  bool can_edit = false;
-  std::uint32_t begin = 0;  // of the start tag of the selected node
-  std::uint32_t end = 0;    // both 0: none
-};
-
-// The file of the selected node, else of the shown tree; of a malformed file its text.
-Shown Choose(const EditorState& state, const TreeView* view) {
-  const Workspace& workspace = state.workspace;
-  Shown shown;
-  const Forest* forest = workspace.forest();
-  const OpenFile* file = workspace.file();
-  if (file && (file->is_stale || !view)) {
-    shown.path = file->path;
-  } else if (forest && view) {
-    const bool selected = view->selected() != kNoNode;
-    const SceneNode& node = view->scene()->nodes[selected ? view->selected() : 0];
-    const Document& document = *forest->documents()[node.document];
-    shown.path = document.file();
-    shown.text = &document.text();
-    const auto place = workspace.PlaceOf(node);
-    const EditedFile* edited = place ? workspace.project().Find(place->path) : nullptr;
-    const Document& text = edited ? *edited->document : document;
-    if (selected) {
-      const Element& element = text.element(place ? place->element : node.element);
-      shown.begin = element.offset;
-      shown.end = element.start_tag_end;
-    }
-  }
-  if (const EditedFile* edited = file ? workspace.project().Find(shown.path) : nullptr) {
-    shown.text = &edited->text;
-    shown.can_edit = true;
-  }
-  return shown;
-}
-
 // What the keys of this frame make of the text.
 class XmlTyping {
  public:
-  XmlTyping(const Ui& ui, EditorState& state, const Shown& shown)
+  XmlTyping(const Ui& ui, EditorState& state, const ShownXml& shown)
       : ui_(ui), state_(state), pane_(state.xml), shown_(shown) {}
 
   void Run() {
@@ -141,12 +104,12 @@ class XmlTyping {
   const Ui& ui_;
   EditorState& state_;
   XmlPane& pane_;
-  const Shown& shown_;
+  const ShownXml& shown_;
 };
 
 class XmlPanel {
  public:
-  XmlPanel(const Ui& ui, EditorState& state, const Shown& shown)
+  XmlPanel(const Ui& ui, EditorState& state, const ShownXml& shown)
       : ui_(ui),
         pane_(state.xml),
         gutter_(state.xml_gutter),
@@ -162,6 +125,7 @@ class XmlPanel {
 
   void Draw() {
     Follow();
+    ScrollAcross();
     first_y_ = ImGui::GetCursorScreenPos().y;
     ImGuiListClipper clipper;
     clipper.Begin(static_cast<int>(lines_.size()), kLineHeight * ui_.scale);
@@ -170,6 +134,7 @@ class XmlPanel {
         DrawLine(static_cast<std::size_t>(i));
       }
     }
+    pane_.widest = widest_;
     if (shown_.can_edit) Mouse();
   }
 
@@ -194,6 +159,8 @@ class XmlPanel {
     const bool moved = storage.GetInt(id, -1) != line;
     storage.SetInt(id, line);
     const bool wanted = pane_.focused ? std::exchange(pane_.follow, false) : shown_.end > 0;
+    if (pane_.focused && wanted) ShowColumn(line);
+    if (!pane_.focused && moved) pane_.left = 0;
     if (!moved || !wanted) return;
     const float height = kLineHeight * ui_.scale;
     const float at = static_cast<float>(line) * height;
@@ -202,6 +169,27 @@ class XmlPanel {
     if (pane_.focused && at > top && at + 2 * height < top + room) return;
     ImGui::SetScrollY(std::max(0.0F, at - room / 2));
   }
+
+  // Long lines go to the left, so that the caret is seen.
+  void ShowColumn(int line) {
+    const auto number = static_cast<std::size_t>(line);
+    const float column = XmlColumn(ui_, TextOf(number), pane_.at - lines_[number].begin);
+    const float margin = 24 * ui_.scale;
+    pane_.left = std::min(pane_.left, column - margin);
+    pane_.left = std::max({pane_.left, column + margin - Room(), 0.0F});
+  }
+
+  void ScrollAcross() {
+    const ImGuiIO& io = ImGui::GetIO();
+    const float wheel = io.MouseWheelH + (io.KeyShift ? io.MouseWheel : 0);
+    if (wheel == 0 || !ImGui::IsWindowHovered()) return;
+    const float most = std::max(pane_.widest + 24 * ui_.scale - Room(), 0.0F);
+    pane_.left = std::clamp(pane_.left - wheel * 40 * ui_.scale, 0.0F, most);
+  }
+
+  // For the text, right of the numbers.
+  float Room() const { return ImGui::GetContentRegionAvail().x - (kNumberWidth + 4) * ui_.scale; }
+  float TextLeft(const Box& row) const { return row.min.x + kNumberWidth * ui_.scale - pane_.left; }
 
   void DrawLine(std::size_t number) {
     const std::string label = std::to_string(number + 1);
@@ -213,14 +201,30 @@ class XmlPanel {
     MarkNode(number, row.box);
     const Diagnostic* problem = ProblemOf(number);
     if (problem) MarkProblem(*problem, row);
-    const TextStyle style{Face::kMono, 11, Fade(ui_.palette.text_dim, 0.8F)};
+    const TextStyle style{Face::kMono, 11, ui_.palette.text_dim};
     const float right = row.box.min.x + (kNumberWidth - 14) * ui_.scale;
     ui_.RowText(list_, {right - ui_.Width(label, style), row.box.min.y}, row.box.height(), label,
                 style);
     if (shown_.can_edit) DrawXmlGutter(ui_, gutter_, number, row);
+    const float end = EndOf(number, row.box);
+    list_.PushClipRect({row.box.min.x + (kNumberWidth - 2) * ui_.scale, row.box.min.y},
+                       {end, row.box.max.y}, true);
+    if (problem) UnderlineProblem(*problem, row.box);
     MarkSelected(number, row.box);
-    PaintXmlLine(ui_, TextOf(number), row.box.min + Point{kNumberWidth * ui_.scale, 0}, row.box);
+    PaintXmlLine(ui_, TextOf(number), {TextLeft(row.box), row.box.min.y}, row.box);
     DrawCaret(number, row.box);
+    list_.PopClipRect();
+  }
+
+  // A line that goes on to the right of the tile ends with an ellipsis, which is drawn here.
+  float EndOf(std::size_t number, const Box& box) {
+    const float width = XmlColumn(ui_, TextOf(number), TextOf(number).size());
+    widest_ = std::max(widest_, width);
+    if (TextLeft(box) + width <= box.max.x) return box.max.x;
+    const TextStyle style{Face::kSans, 11, ui_.palette.text_dim};
+    const float end = box.max.x - ui_.Width(icon::kEllipsis, style) - 4 * ui_.scale;
+    ui_.RowText(list_, {end + 2 * ui_.scale, box.min.y}, box.height(), icon::kEllipsis, style);
+    return end;
   }
 
   void MarkNode(std::size_t number, const Box& box) {
@@ -229,7 +233,7 @@ class XmlPanel {
       return;
     }
     ui_.Fill(list_, box, Fade(ui_.palette.accent, 0.18F));
-    ui_.Fill(list_, {box.min, {box.min.x + 3, box.max.y}}, ui_.palette.accent);
+    ui_.Fill(list_, {box.min, {box.min.x + 3 * ui_.scale, box.max.y}}, ui_.palette.accent);
   }
 
   // The gravest of the line.
@@ -245,16 +249,20 @@ class XmlPanel {
   void MarkProblem(const Diagnostic& problem, const Row& row) {
     const bool error = problem.severity == Severity::kError;
     const Color color = error ? ui_.palette.error : ui_.palette.warning;
+    ui_.Fill(list_, {row.box.min, {row.box.min.x + 3 * ui_.scale, row.box.max.y}}, color);
+    ui_.items.Add("xml/problem/" + std::to_string(problem.where.line), row.box);
+    if (row.hovered) Tooltip(ui_, problem.message);
+  }
+
+  void UnderlineProblem(const Diagnostic& problem, const Box& box) {
+    const bool error = problem.severity == Severity::kError;
     const std::size_t number = problem.where.line - 1;
     const std::size_t column = problem.where.column > 0 ? problem.where.column - 1 : 0;
-    ui_.Fill(list_, {row.box.min, {row.box.min.x + 3, row.box.max.y}}, color);
-    const float left = row.box.min.x + kNumberWidth * ui_.scale;
-    const float from = left + XmlColumn(ui_, TextOf(number), column);
-    const float to = left + XmlColumn(ui_, TextOf(number), TextOf(number).size());
-    const float y = row.box.max.y - 2 * ui_.scale;
-    ui_.Fill(list_, {{from, y}, {std::max(to, from + 12 * ui_.scale), y + ui_.scale}}, color);
-    ui_.items.Add("xml/problem/" + std::to_string(problem.where.line), row.box);
-    if (row.hovered) ImGui::SetTooltip("%s", problem.message.c_str());
+    const float from = TextLeft(box) + XmlColumn(ui_, TextOf(number), column);
+    const float to = TextLeft(box) + XmlColumn(ui_, TextOf(number), TextOf(number).size());
+    const float y = box.max.y - 2 * ui_.scale;
+    ui_.Fill(list_, {{from, y}, {std::max(to, from + 12 * ui_.scale), y + ui_.scale}},
+             error ? ui_.palette.error : ui_.palette.warning);
   }
 
   void MarkSelected(std::size_t number, const Box& box) {
@@ -262,7 +270,7 @@ class XmlPanel {
     const std::size_t end = std::max(pane_.at, pane_.anchor);
     const Line& line = lines_[number];
     if (!pane_.focused || begin == end || end <= line.begin || begin > line.end) return;
-    const float left = box.min.x + kNumberWidth * ui_.scale;
+    const float left = TextLeft(box);
     const auto at = [&](std::size_t offset) {
       const std::size_t inside = std::clamp<std::size_t>(offset, line.begin, line.end);
       return left + XmlColumn(ui_, TextOf(number), inside - line.begin);
@@ -274,8 +282,7 @@ class XmlPanel {
 
   void DrawCaret(std::size_t number, const Box& box) {
     if (!pane_.focused || number != LineOf(pane_.at)) return;
-    const float x = box.min.x + kNumberWidth * ui_.scale +
-                    XmlColumn(ui_, TextOf(number), pane_.at - lines_[number].begin);
+    const float x = TextLeft(box) + XmlColumn(ui_, TextOf(number), pane_.at - lines_[number].begin);
     const Box caret = {{x, box.min.y + 1}, {x + 1.5F * ui_.scale, box.max.y - 1}};
     ui_.Fill(list_, caret, ui_.palette.text);
     ui_.items.Add("xml/caret", caret);
@@ -304,7 +311,7 @@ class XmlPanel {
     const float row = (mouse.y - first_y_) / (kLineHeight * ui_.scale);
     const auto last = static_cast<float>(lines_.size() - 1);
     const auto number = static_cast<std::size_t>(std::clamp(row, 0.0F, last));
-    const float left = ImGui::GetWindowPos().x + kNumberWidth * ui_.scale;
+    const float left = ImGui::GetWindowPos().x + kNumberWidth * ui_.scale - pane_.left;
     return lines_[number].begin + XmlByteAt(ui_, TextOf(number), mouse.x - left);
   }
 
@@ -319,24 +326,26 @@ class XmlPanel {
   const Ui& ui_;
   XmlPane& pane_;
   const XmlGutter& gutter_;
-  const Shown& shown_;
+  const ShownXml& shown_;
   const std::vector<Line> lines_;
   ImDrawList& list_;
   std::vector<const Diagnostic*> problems_;
   float first_y_ = 0;
+  float widest_ = 0;  // of the lines that are drawn
 };
 
-std::string TitleOf(const Shown& shown) {
+std::string TitleOf(const ShownXml& shown) {
   return shown.text ? "XML  " + shown.path.substr(shown.path.rfind('/') + 1) : "XML";
 }
 
-std::string NoteOf(const EditorState& state, const Shown& shown) {
+std::string NoteOf(const EditorState& state, const ShownXml& shown) {
+  if (!shown.text) return "";
   if (!shown.can_edit) return "read only";
   return state.xml.focused ? "Esc ends typing" : "click to type";
 }
 
 // A click elsewhere ends typing; a command begins it at the selected node.
-void PassFocus(EditorState& state, const Shown& shown, const Box& box) {
+void PassFocus(EditorState& state, const ShownXml& shown, const Box& box) {
   XmlPane& pane = state.xml;
   if (pane.path != shown.path) {
     const bool wanted = pane.wants_focus;
@@ -357,18 +366,18 @@ void PassFocus(EditorState& state, const Shown& shown, const Box& box) {
 }  // namespace
 
 void DrawXml(const Ui& ui, EditorState& state, const Box& box) {
-  Shown shown = Choose(state, state.workspace.view());
+  ShownXml shown = ChooseXml(state, state.workspace.view());
   if (shown.text) PassFocus(state, shown, box);
   if (shown.text && state.xml.focused) {
     XmlTyping(ui, state, shown).Run();
-    shown = Choose(state, state.workspace.view());  // what has become of it
+    shown = ChooseXml(state, state.workspace.view());  // what has become of it
   }
   if (shown.can_edit) UpdateXmlGutter(state, shown.path);
   Panel(ui, "xml", box, TitleOf(shown), NoteOf(state, shown), [&] {
     if (shown.text) {
       XmlPanel(ui, state, shown).Draw();
     } else {
-      Hint(ui, "The text of the shown tree.");
+      Hint(ui, "The text of the shown tree, to read and to type in. Ctrl+O opens a file.");
     }
   });
 }

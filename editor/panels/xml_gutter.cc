@@ -79,7 +79,7 @@ void DrawXmlGutter(const Ui& ui, const XmlGutter& gutter, std::size_t line, cons
   }
   const float mouse = ImGui::GetIO().MousePos.x;
   if (row.hovered && mouse >= bar(kUnsavedAt).min.x - ui.scale && mouse < text) {
-    ImGui::SetTooltip("%s", words.c_str());
+    Tooltip(ui, words);
   }
 }
 

@@ -46,4 +46,16 @@ std::vector<std::uint8_t> PlaceProblems(const Forest& forest, const Scene& scene
   return by_node;
 }
 
+const Diagnostic* ProblemOfAttribute(const Document& document, const Attribute& attribute,
+                                     const std::vector<Diagnostic>& problems) {
+  const SourceLocation begin = document.Location(attribute.name_offset);
+  const SourceLocation end = document.Location(attribute.value_end);
+  for (const Diagnostic& problem : problems) {
+    const bool inside = problem.where.file == document.file() && problem.where.line > 0 &&
+                        IsAtOrBefore(begin, problem.where) && IsAtOrBefore(problem.where, end);
+    if (inside) return &problem;
+  }
+  return nullptr;
+}
+
 }  // namespace coppice::editor

@@ -15,6 +15,10 @@ namespace coppice::editor {
 std::vector<std::uint8_t> PlaceProblems(const Forest& forest, const Scene& scene,
                                         const std::vector<Diagnostic>& problems);
 
+/// The first problem that lies within the attribute, or null.
+const Diagnostic* ProblemOfAttribute(const Document& document, const Attribute& attribute,
+                                     const std::vector<Diagnostic>& problems);
+
 }  // namespace coppice::editor
 
 #endif  // COPPICE_EDITOR_SCENE_PROBLEM_PLACES_H_

@@ -26,9 +26,24 @@ TEST(Minimap, CanBeHidden) {
   Driver driver;
   ASSERT_TRUE(driver.editor.Open(file.path()));
   driver.Frames();
+  driver.view().ZoomAt({0, 0}, 3);
+  driver.Frames();
   EXPECT_TRUE(driver.Has("canvas/minimap"));
   driver.Press(kKeyF1 + 10);
   EXPECT_FALSE(driver.Has("canvas/minimap"));
+}
+
+TEST(Minimap, IsNotThereWhenTheWholeTreeIsInSight) {
+  const TemporaryFile file("small.xml", kSmallFile);
+  Driver driver;
+  ASSERT_TRUE(driver.editor.Open(file.path()));
+  driver.Frames();
+  driver.Press(kKeyHome);
+  driver.Frames(12);
+  EXPECT_FALSE(driver.Has("canvas/minimap"));
+  driver.view().ZoomAt({0, 0}, 3);
+  driver.Frames();
+  EXPECT_TRUE(driver.Has("canvas/minimap"));
 }
 
 }  // namespace

@@ -170,7 +170,7 @@ void LostTicks(Stage& stage) {
 
 void KeyHistory(Stage& stage) {
   Live(stage);
-  stage.Click("blackboard/to the waypoint/steps");
+  stage.Click("blackboard/Main/battery");
 }
 
 void KeysOfSelection(Stage& stage) {

@@ -2,42 +2,83 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <set>
+#include <string>
+#include <vector>
+
+#include "editor/look/contrast.h"
 
 namespace coppice::editor {
 namespace {
 
-// WCAG 2.1, relative luminance and contrast ratio.
-double Luminance(Color color) {
-  const auto linear = [&](int shift) {
-    const double c = ((color >> shift) & 0xFF) / 255.0;
-    return c <= 0.03928 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
-  };
-  return 0.2126 * linear(0) + 0.7152 * linear(8) + 0.0722 * linear(16);
-}
-double Contrast(Color a, Color b) {
-  const double x = Luminance(a) + 0.05;
-  const double y = Luminance(b) + 0.05;
-  return x > y ? x / y : y / x;
+constexpr PaletteName kAll[] = {PaletteName::kDark, PaletteName::kLight, PaletteName::kColourBlind};
+constexpr Status kShown[] = {Status::kRunning, Status::kSuccess, Status::kFailure,
+                             Status::kSkipped};
+
+std::vector<Color> SurfacesOf(const Palette& p) {
+  return {p.panel, p.header, p.canvas, p.field, p.node_body, p.row_hover, p.row_selected};
 }
 
 TEST(Palette, KeepsTextReadableOnEverySurface) {
-  for (const PaletteName name :
-       {PaletteName::kDark, PaletteName::kLight, PaletteName::kColourBlind}) {
+  for (const PaletteName name : kAll) {
     const Palette& p = GetPalette(name);
-    for (const Color surface :
-         {p.panel, p.header, p.canvas, p.field, p.node_body, p.row_selected}) {
+    for (const Color surface : SurfacesOf(p)) {
       EXPECT_GT(Contrast(p.text, surface), 7) << ToString(name);
-      EXPECT_GT(Contrast(p.text_dim, surface), 4) << ToString(name);
+      for (const Color writing : {p.text_dim, p.accent, p.link, p.warning, p.error, p.simulation}) {
+        EXPECT_GE(Contrast(writing, surface), kReadable)
+            << ToString(name) << std::hex << " " << writing << " on " << surface;
+      }
+      for (const Status status : kShown) {
+        EXPECT_GE(Contrast(p.TextOf(status), surface), kReadable)
+            << ToString(name) << ToString(status);
+      }
     }
     for (const Shape shape : {Shape::kControl, Shape::kDecorator, Shape::kAction, Shape::kCondition,
                               Shape::kSubTree, Shape::kUnknown}) {
-      EXPECT_GT(Contrast(p.text_on_header, p.Of(shape)), 4.5) << ToString(name);
+      EXPECT_GE(Contrast(p.text_on_header, p.Of(shape)), kReadable) << ToString(name);
     }
-    for (const Status status : {Status::kRunning, Status::kSuccess, Status::kFailure}) {
-      EXPECT_GT(Contrast(p.Of(status), p.canvas), 2.5) << ToString(name) << ToString(status);
+    EXPECT_GE(Contrast(p.note_text, p.note), kReadable) << ToString(name);
+    EXPECT_GE(Contrast(p.chip_text, p.chip), kReadable) << ToString(name);
+  }
+}
+
+TEST(Palette, KeysAreReadableInPanelsAndNodes) {
+  for (const PaletteName name : kAll) {
+    const Palette& p = GetPalette(name);
+    for (char c = 'a'; c <= 'z'; ++c) {
+      const Color key = p.OfKey(std::string(1, c));
+      for (const Color surface : {p.panel, p.field, p.node_body, p.row_hover, p.row_selected}) {
+        EXPECT_GE(Contrast(key, surface), kReadable) << ToString(name) << c;
+      }
     }
+  }
+}
+
+TEST(Palette, GraphicsThatTellSomethingAreVisible) {
+  for (const PaletteName name : kAll) {
+    const Palette& p = GetPalette(name);
+    for (const Color surface : {p.canvas, p.panel, p.node_body}) {
+      for (const Status status : kShown) {
+        EXPECT_GE(Contrast(p.Of(status), surface), kVisible) << ToString(name) << ToString(status);
+      }
+      EXPECT_GE(Contrast(p.halted, surface), kVisible) << ToString(name);
+    }
+    EXPECT_GE(Contrast(p.edge, p.canvas), kVisible) << ToString(name);
+    EXPECT_GE(Contrast(p.node_border, p.canvas), kVisible) << ToString(name);
+  }
+}
+
+TEST(Palette, StatusesOfTheColourBlindPaletteAreToldApartByEverybody) {
+  const Palette& p = GetPalette(PaletteName::kColourBlind);
+  for (const Vision vision : {Vision::kNormal, Vision::kProtanopia, Vision::kDeuteranopia}) {
+    for (const Status a : kShown) {
+      for (const Status b : kShown) {
+        if (a < b) {
+          EXPECT_GE(Difference(p.Of(a), p.Of(b), vision), 15) << ToString(a) << ToString(b);
+        }
+      }
+    }
+    EXPECT_GE(Difference(p.success, p.failure, vision), 35);
   }
 }
 

@@ -34,6 +34,17 @@ TEST_F(UiTest, CutsTextThatIsTooWideAndSaysHowWideItIs) {
   EXPECT_EQ(ui_.RowText(list, {0, 0}, 20, {}, style), 0);
 }
 
+TEST_F(UiTest, CutsTheStartOfAPath) {
+  const TextStyle style{Face::kSans, 13, 0xFFFFFFFF};
+  const std::string path = "to the waypoint/through the door/Drive";
+  const float full = ui_.Width(path, style);
+  EXPECT_EQ(ui_.CutStart(path, style, full + 1), path);
+  const std::string cut = ui_.CutStart(path, style, full / 2);
+  EXPECT_LE(ui_.Width(cut, style), full / 2);
+  EXPECT_EQ(cut.substr(cut.size() - 5), "Drive");
+  EXPECT_EQ(ui_.CutStart(path, style, 1), "");
+}
+
 TEST(Ui, WritesDurationsAsPeopleReadThem) {
   EXPECT_EQ(DurationText(4.21), "4.2 s");
   EXPECT_EQ(DurationText(185), "3:05");

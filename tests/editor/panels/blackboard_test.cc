@@ -41,9 +41,24 @@ TEST(Blackboard, MarksTheKeysOfTheSelectedNode) {
   robot->Write("Main", "other", "1");
   driver.Frames(3);
   ASSERT_TRUE(driver.Click("canvas/Main/1.2"));
-  const Color marked = GetPalette(PaletteName::kDark).row_selected;
-  EXPECT_GT(driver.CountColor(driver.BoxOf("blackboard/Main/goal"), marked, 2), 1000);
+  const Color marked = GetPalette(PaletteName::kDark).accent;
+  EXPECT_GT(driver.CountColor(driver.BoxOf("blackboard/Main/goal"), marked, 2), 40);
   EXPECT_EQ(driver.CountColor(driver.BoxOf("blackboard/Main/other"), marked, 2), 0);
+}
+
+TEST(Blackboard, TheWritesOfTheClickedKeyStandBelowIt) {
+  Driver driver;
+  ScriptedRobot* const robot = driver.AddRobot("robot:1", kLiveTree);
+  robot->Write("Main", "goal", "1");
+  robot->Write("Main", "other", "1");
+  robot->Write("Main", "goal", "2");
+  driver.Frames(3);
+  ASSERT_TRUE(driver.Click("blackboard/Main/goal"));
+  driver.Frames();
+  ASSERT_TRUE(driver.Has("blackboard/write/0"));
+  const float write = driver.BoxOf("blackboard/write/0").min.y;
+  EXPECT_GT(write, driver.BoxOf("blackboard/Main/goal").min.y);
+  EXPECT_LT(write, driver.BoxOf("blackboard/Main/other").min.y);
 }
 
 }  // namespace

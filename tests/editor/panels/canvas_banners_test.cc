@@ -94,5 +94,38 @@ TEST_F(CanvasBannersTest, MineStaysIfNothingElseIsSaid) {
   EXPECT_NE(Text().find("lamp=\"attic\""), std::string::npos) << "what does not meet is merged";
 }
 
+TEST_F(CanvasBannersTest, OfferUnsavedWorkOfTheLastTime) {
+  EditorOptions options;
+  options.backup_folder = file_.folder() + "/backup";
+  file_.Write(kSmallFile);
+  {
+    Driver before(options);
+    before.editor.Open(file_.path());
+    before.Frames();
+    before.view().Select(before.view().scene()->FindPath("1.3"));
+    before.editor.state().commands.Run("edit.disable");
+    before.Frames(300);
+  }
+  Driver after(options);
+  after.editor.Open(file_.path());
+  after.Frames();
+  ASSERT_TRUE(after.Has("banner/unsaved"));
+  ASSERT_TRUE(after.Click("banner/restore"));
+  EXPECT_FALSE(after.Has("banner/unsaved"));
+  EXPECT_NE(after.editor.state().workspace.project().Find(file_.path())->text.find("_skipIf"),
+            std::string::npos);
+}
+
+TEST_F(CanvasBannersTest, TellThatTheTreeIsOlderThanItsText) {
+  Show(kSmallFile);
+  EXPECT_FALSE(driver_.Has("banner/stale"));
+  std::string text = kSmallFile;
+  text.replace(text.find("</Sequence>"), 11, "</Sequenz>");
+  driver_.editor.state().workspace.project().SetText(file_.path(), "Type", text);
+  driver_.Frames(20);
+  EXPECT_TRUE(driver_.Has("banner/stale"));
+  EXPECT_TRUE(driver_.Has("canvas/MainTree/1"));
+}
+
 }  // namespace
 }  // namespace coppice::editor

@@ -20,5 +20,33 @@ TEST(LanePainter, MarksOfAnAxisAreRoundAndNotTooMany) {
   EXPECT_GT(MarkDistance(std::chrono::hours(24 * 365), 10), std::chrono::hours(24 * 36));
 }
 
+// In grey they look the same only if their form is the same.
+TEST(LanePainter, TheFormOfANarrowBarSaysItsStatus) {
+  const auto rows = [](Status status) {
+    Driver driver;
+    auto source = std::make_unique<ExecutedSource>("a.coppice", kDoorTrees, false);
+    source->tree.results["drive"] = Status::kRunning;
+    source->Ticks(3);
+    source->tree.results["drive"] = status;
+    source->Ticks(1);
+    source->tree.results["drive"] = Status::kRunning;
+    source->Ticks(40);
+    driver.editor.AddRun(std::move(source));
+    driver.Frames(8);
+    const Box lane = driver.BoxOf("timeline/pass/Drive");
+    const Color color = GetPalette(PaletteName::kDark).Of(status);
+    std::string form;
+    for (float y = lane.min.y; y < lane.max.y; ++y) {
+      const Box row = {{lane.min.x, y}, {lane.max.x, y + 1}};
+      form += driver.CountColor(row, color, 4) > 0 ? '#' : '.';
+    }
+    return form;
+  };
+  const std::string success = rows(Status::kSuccess);
+  const std::string failure = rows(Status::kFailure);
+  EXPECT_NE(success.find('#'), std::string::npos);
+  EXPECT_NE(success, failure);
+}
+
 }  // namespace
 }  // namespace coppice::editor

@@ -25,5 +25,28 @@ TEST(Panel, RegistersVisibleRowsOnly) {
   EXPECT_LT(rows, 40);
 }
 
+TEST(Panel, CountsInWords) {
+  EXPECT_EQ(Count(0, "node"), "0 nodes");
+  EXPECT_EQ(Count(1, "node"), "1 node");
+  EXPECT_EQ(Count(2, "node"), "2 nodes");
+}
+
+TEST(Panel, WritesTextOfAnXmlInOneLine) {
+  EXPECT_EQ(InOneLine("  goes\n      there,\tslowly \n"), "goes there, slowly");
+  EXPECT_EQ(InOneLine(""), "");
+}
+
+TEST(Panel, ASentenceThatIsTooLongGetsMoreLines) {
+  Driver driver;
+  ScriptedRobot* const robot = driver.AddRobot("robot:1", kLiveTree);
+  robot->Disconnect("no answer");
+  driver.Frames();
+  const float one_line = driver.BoxOf("run/problem").height();
+  robot->Disconnect("no answer, " + std::string(40, 'x') + " and " + std::string(40, 'y') +
+                    " and then still nothing at all");
+  driver.Frames();
+  EXPECT_GT(driver.BoxOf("run/problem").height(), one_line + 8);
+}
+
 }  // namespace
 }  // namespace coppice::editor

@@ -33,5 +33,22 @@ TEST(Problems, TellWhyARobotIsNotConnected) {
   EXPECT_TRUE(driver.Has("run/problem")) << "beside what is known of the run";
 }
 
+TEST(Problems, ALongMessageHasALineForItsPlaceAndItsButtons) {
+  const TemporaryFile file("wrong.xml",
+                           "<root BTCPP_format=\"4\"><BehaviorTree ID=\"A\"><Sequence>\n<Inverter/>"
+                           "\n<SubTree ID=\"Wlak\"/>\n</Sequence></BehaviorTree>\n<BehaviorTree "
+                           "ID=\"Walk\"><AlwaysSuccess/></BehaviorTree></root>");
+  Driver driver;
+  driver.editor.Open(file.path());
+  driver.Frames();
+  const std::string walk = driver.Has("problems/0/fix/0") ? "problems/0" : "problems/1";
+  ASSERT_TRUE(driver.Has(walk + "/fix/0"));
+  const Box row = driver.BoxOf(walk);
+  EXPECT_GE(driver.BoxOf(walk + "/fix/0").min.y, row.center().y - 1) << "below the message";
+  ASSERT_TRUE(driver.Click(walk + "/fix/0"));
+  EXPECT_NE(driver.editor.state().workspace.project().Find(file.path())->text.find("ID=\"Walk\"/"),
+            std::string::npos);
+}
+
 }  // namespace
 }  // namespace coppice::editor

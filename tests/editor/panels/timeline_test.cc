@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "editor/panels/timeline_frame.h"
 #include "tests/editor/executed_source.h"
 
 namespace coppice::editor {
@@ -22,8 +23,7 @@ TEST_F(TimelineTest, HasALaneForEachNodeThatDoesSomething) {
   EXPECT_TRUE(driver_.Has("timeline/mission"));
   EXPECT_TRUE(driver_.Has("timeline/pass/Drive"));
   EXPECT_FALSE(driver_.Has("timeline/OpenDoor")) << "it was never ticked";
-  const Color bar =
-      Mix(GetPalette(PaletteName::kDark).panel, GetPalette(PaletteName::kDark).running, 0.75F);
+  const Color bar = GetPalette(PaletteName::kDark).running;
   EXPECT_GT(driver_.CountColor(driver_.BoxOf("timeline/mission"), bar, 8), 300);
   driver_.Picture("timeline");
 }
@@ -136,6 +136,20 @@ TEST_F(TimelineTest, OtherLanesScrollBelowThePinnedOnes) {
   driver_.Frames();
   EXPECT_EQ(driver_.BoxOf("timeline/pass/Drive").min.y, pinned);
   EXPECT_LT(driver_.BoxOf("timeline/mission").min.y, other);
+}
+
+TEST_F(TimelineTest, CutsNoLane) {
+  AddExecuted(driver_, "robot:1", 30);
+  driver_.editor.state().splits.timeline = 131;
+  driver_.Frames();
+  const Box timeline = driver_.BoxOf("timeline");
+  EXPECT_TRUE(driver_.Has("timeline/scroll")) << "not all fit";
+  float lowest = 0;
+  for (const char* path : {"mission", "door", "IsDoorOpen", "pass"}) {
+    const Box lane = driver_.BoxOf(std::string("timeline/") + path);
+    if (lane.height() > 0) lowest = std::max(lowest, lane.max.y);
+  }
+  EXPECT_LE(lowest, timeline.max.y - kLaneHeight);
 }
 
 }  // namespace

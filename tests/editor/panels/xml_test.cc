@@ -116,5 +116,20 @@ TEST_F(XmlTypingTest, ARobotsTreeIsReadOnly) {
   EXPECT_FALSE(driver_.Has("xml/caret"));
 }
 
+TEST_F(XmlTypingTest, TheEndOfALongLineIsScrolledTo) {
+  ClickBehind("4");
+  driver_.Press(kKeyEnd);
+  driver_.Type("<!-- " + std::string(200, 'x') + " -->");
+  driver_.Frames();
+  const Box caret = driver_.BoxOf("xml/caret");
+  const Box tile = driver_.BoxOf("xml");
+  EXPECT_LT(caret.max.x, tile.max.x);
+  EXPECT_GT(caret.min.x, tile.center().x);
+  driver_.Press(kKeyHome);
+  driver_.Frames();
+  EXPECT_GT(driver_.BoxOf("xml/caret").min.x, tile.min.x);
+  EXPECT_LT(driver_.BoxOf("xml/caret").min.x, tile.center().x);
+}
+
 }  // namespace
 }  // namespace coppice::editor

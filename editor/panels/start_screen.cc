@@ -1,0 +1,165 @@
+#include "editor/panels/start_screen.h"
+
+#include <algorithm>
+#include <string>
+
+#include "editor/panels/panel.h"
+
+namespace coppice::editor {
+namespace {
+
+constexpr float kWidth = 360;  // pixels at scale 1
+constexpr float kButton = 30;
+constexpr float kGap = 8;
+constexpr std::size_t kRecent = 6;
+
+struct StartOffer {
+  const char* path;
+  const char* title;
+  const char* command;
+};
+
+constexpr StartOffer kOffers[] = {{"start/open", "Open a file", "file.open"},
+                                  {"start/new", "New file", "file.new"},
+                                  {"start/connect", "Connect to a robot", "robot.connect"}};
+
+// A headline, and a sentence on what can be done about it.
+struct Words {
+  std::string headline;
+  std::string advice;
+};
+
+std::string NameOf(const std::string& path) { return path.substr(path.rfind('/') + 1); }
+
+Words WordsOfFile(const OpenFile& file) {
+  for (const Diagnostic& problem : file.problems) {
+    if (problem.severity != Severity::kError) continue;
+    const std::string line =
+        problem.where.line > 0 ? " in line " + std::to_string(problem.where.line) : "";
+    return {NameOf(file.path) + " has an error" + line,
+            problem.message +
+                ". Correct it in the XML tile; the tree is shown as soon as the text "
+                "can be read."};
+  }
+  return {NameOf(file.path) + " holds no tree", "Ctrl+T makes one."};
+}
+
+Words WordsOf(const EditorState& state) {
+  const Workspace& workspace = state.workspace;
+  if (const RunView* run = workspace.run()) {
+    if (!run->source().is_robot()) return {"Reading " + NameOf(run->name()), ""};
+    const std::string& problem = run->connection().problem;
+    return {"Waiting for " + run->name(), problem.empty()
+                                              ? "Its tree is shown as soon as it answers."
+                                              : problem + ". It is tried again and again."};
+  }
+  if (workspace.ShownTree()) {
+    return {workspace.ShownTreeId() + " is empty",
+            "Tab adds its root node; types can also be dragged here out of the NODES tile."};
+  }
+  return WordsOfFile(*workspace.file());
+}
+
+class StartScreen {
+ public:
+  StartScreen(const Ui& ui, EditorState& state, const Box& canvas)
+      : ui_(ui),
+        state_(state),
+        list_(*ImGui::GetWindowDrawList()),
+        width_(std::min(kWidth * ui.scale, canvas.width() - 2 * kGap * ui.scale)),
+        left_(canvas.center().x - width_ / 2),
+        y_(canvas.min.y + canvas.height() * 0.3F) {}
+
+  void Say(const Words& words) {
+    Centered(words.headline, {Face::kBold, 15, ui_.palette.text});
+    Centered(words.advice, {Face::kSans, 12, ui_.palette.text_dim});
+  }
+
+  void Offer() {
+    Centered("Coppice", {Face::kBold, 22, ui_.palette.text});
+    Centered("Behaviour trees: write them, watch them, try them out",
+             {Face::kSans, 12, ui_.palette.text_dim});
+    y_ += kGap * ui_.scale;
+    for (const auto& offer : kOffers) OfferCommand(offer);
+    OfferRecent();
+  }
+
+ private:
+  // Broken into lines, each in the middle.
+  void Centered(const std::string& text, const TextStyle& style) {
+    const ImFont* font = ui_.fonts.Pick(style.face, style.size * ui_.scale);
+    const char* at = text.data();
+    const char* const end = at + text.size();
+    while (at < end) {
+      const char* stop = font->CalcWordWrapPositionA(1, at, end, width_);
+      if (stop == at) ++stop;
+      const std::string line(at, stop);
+      ui_.Text(list_, {left_ + (width_ - ui_.Width(line, style)) / 2, y_}, line, style);
+      y_ += font->FontSize * 1.3F;
+      at = stop;
+      while (at < end && *at == ' ') ++at;
+    }
+    y_ += kGap * ui_.scale;
+  }
+
+  Box Take(float height) {
+    const Box box = {{left_, y_}, {left_ + width_, y_ + height * ui_.scale}};
+    y_ = box.max.y + kGap * ui_.scale;
+    return box;
+  }
+
+  void OfferCommand(const StartOffer& offer) {
+    const Box box = Take(kButton);
+    const bool pressed = ui_.Button(offer.path, box, "");
+    const float pad = 12 * ui_.scale;
+    ui_.RowText(list_, box.min + Point{pad, 0}, box.height(), offer.title,
+                {Face::kSans, 13, ui_.palette.text});
+    if (const Command* command = state_.commands.Find(offer.command)) {
+      const std::string keys = ToString(command->keys);
+      const TextStyle dim{Face::kSans, 12, ui_.palette.text_dim};
+      ui_.RowText(list_, {box.max.x - pad - ui_.Width(keys, dim), box.min.y}, box.height(), keys,
+                  dim);
+    }
+    if (pressed) state_.commands.Run(offer.command);
+  }
+
+  void OfferRecent() {
+    if (state_.recent.empty()) return;
+    y_ += kGap * ui_.scale;
+    const TextStyle heading{Face::kBold, 11, ui_.palette.text_dim};
+    ui_.RowText(list_, {left_, y_}, 20 * ui_.scale, "recent files", heading);
+    y_ += 22 * ui_.scale;
+    for (std::size_t i = 0; i < std::min(state_.recent.size(), kRecent); ++i) {
+      const std::string path = state_.recent[i];
+      const Box box = Take(20);
+      y_ -= kGap * ui_.scale;
+      bool hovered = false;
+      const bool pressed = ui_.Hit("start/recent/" + std::to_string(i), box, &hovered);
+      const TextStyle style{Face::kSans, 12, hovered ? ui_.palette.accent : ui_.palette.link};
+      ui_.RowText(list_, box.min, box.height(), ui_.CutStart(path, style, width_), style);
+      if (pressed) state_.after_frame = [&s = state_, path] { s.open_file(path); };
+    }
+  }
+
+  const Ui& ui_;
+  EditorState& state_;
+  ImDrawList& list_;
+  const float width_;
+  const float left_;
+  float y_;
+};
+
+}  // namespace
+
+void DrawStartScreen(const Ui& ui, EditorState& state, const Box& canvas) {
+  ui.Fill(*ImGui::GetWindowDrawList(), canvas, ui.palette.canvas);
+  StartScreen screen(ui, state, canvas);
+  const bool is_start = !state.workspace.run() && !state.workspace.file();
+  if (is_start) {
+    screen.Offer();
+  } else {
+    screen.Say(WordsOf(state));
+  }
+}
+
+}  // namespace coppice::editor
