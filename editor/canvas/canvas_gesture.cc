@@ -88,7 +88,7 @@ class GestureView {
     const float scale = pen_.ui.scale;
     switch (request.target.place) {
       case DropPlace::kNode:
-        pen_.FillBox(mark, Fade(color, 0.16F), 4 * scale);
+        pen_.FillBox(mark, Fade(color, 0.10F), 4 * scale);
         pen_.FrameBox(mark, color, 4 * scale, 2.5F * scale);
         break;
       case DropPlace::kEdge:
@@ -116,7 +116,7 @@ class GestureView {
     const Point at = mouse_ + Point{16, 10} * scale;
     const float high = (below.empty() ? 24 : 42) * scale;
     const Box box = {at, at + Point{width + 20 * scale, high}};
-    pen_.FillBox(box, Fade(colors.panel, 0.92F), 5 * scale);
+    pen_.FillBox(box, colors.panel, 5 * scale);
     pen_.FrameBox(box, reason.empty() ? colors.accent : colors.error, 5 * scale, 1.5F);
     pen_.RowText(at + Point{10 * scale, 2 * scale}, 20 * scale, drag.label, name);
     pen_.RowText(at + Point{10 * scale, 21 * scale}, 18 * scale, below, small);

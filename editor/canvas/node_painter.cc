@@ -153,7 +153,7 @@ class NodePainter {
     const float thick = std::clamp(Z(2.5F), 1.5F, 4.0F);
     if (node_.shape == Shape::kSubTree) {
       const Color outer = active ? Fade(StateColor(), 0.6F) : colors().node_border;
-      pen_.Stroke(OutlineOf(Grown(Z(3))), outer, 1);
+      pen_.Stroke(OutlineOf(Grown(Z(3))), outer, ui_.scale);
     }
     const Outline outline = OutlineOf(box_);
     if (active) {
@@ -162,13 +162,13 @@ class NodePainter {
       const Color color = Fade(StateColor(), StatusStrength(look_.state, ui_.clock));
       pen_.Dash(outline, color, thick * 0.75F, Z(5));
     } else if (node_.shape == Shape::kUnknown) {
-      pen_.Dash(outline, StateColor(), IsMarked() ? 2 : 1, Z(3));
+      pen_.Dash(outline, StateColor(), (IsMarked() ? 2 : 1) * ui_.scale, Z(3));
     } else {
-      pen_.Stroke(outline, StateColor(), IsMarked() ? 2 : 1);
+      pen_.Stroke(outline, StateColor(), (IsMarked() ? 2 : 1) * ui_.scale);
     }
     if (look_.selected) {
       const float out = Z(node_.shape == Shape::kSubTree ? 7 : 4);
-      pen_.Stroke(OutlineOf(Grown(out)), colors().accent, 2);
+      pen_.Stroke(OutlineOf(Grown(out)), colors().accent, 2 * ui_.scale);
     }
   }
 

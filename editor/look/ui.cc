@@ -111,7 +111,7 @@ void Ui::Fill(ImDrawList& list, const Box& box, Color color, float rounding) con
 
 void Ui::Frame(ImDrawList& list, const Box& box, Color color, float rounding,
                float thickness) const {
-  list.AddRect(ToIm(box.min), ToIm(box.max), color, rounding, 0, thickness);
+  list.AddRect(ToIm(box.min), ToIm(box.max), color, rounding, 0, thickness > 0 ? thickness : scale);
 }
 
 const char* GlyphOf(Status status) {

@@ -61,8 +61,9 @@ struct Ui {
               Color tint = 0) const;
 
   void Fill(ImDrawList& list, const Box& box, Color color, float rounding = 0) const;
+  /// `thickness` 0: a line of one pixel at scale 1.
   void Frame(ImDrawList& list, const Box& box, Color color, float rounding = 0,
-             float thickness = 1) const;
+             float thickness = 0) const;
 };
 
 /// The glyph of a status, empty for idle.

@@ -102,7 +102,7 @@ class CanvasTile {
   static constexpr float kLegendGap = 12;
 
   TextStyle LegendStyle(Change change) const {
-    return {Face::kSans, 11, Mix(ColorOf(ui_.palette, change), ui_.palette.text, 0.35F)};
+    return {Face::kSans, 11, Mix(ColorOf(ui_.palette, change), ui_.palette.text, 0.6F)};
   }
 
   float LegendWidth() const {

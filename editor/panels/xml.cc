@@ -196,7 +196,7 @@ class XmlPanel {
     const Row row = NextRow(ui_, "xml/" + label, false, kLineHeight);
     if (!row.visible) return;
     if (pane_.focused && number == LineOf(pane_.at)) {
-      ui_.Fill(list_, row.box, Fade(ui_.palette.text_dim, 0.10F));
+      ui_.Fill(list_, row.box, Fade(ui_.palette.text_dim, 0.06F));
     }
     MarkNode(number, row.box);
     const Diagnostic* problem = ProblemOf(number);
@@ -232,7 +232,7 @@ class XmlPanel {
         lines_[number].begin >= shown_.end) {
       return;
     }
-    ui_.Fill(list_, box, Fade(ui_.palette.accent, 0.18F));
+    ui_.Fill(list_, box, Fade(ui_.palette.accent, 0.11F));
     ui_.Fill(list_, {box.min, {box.min.x + 3 * ui_.scale, box.max.y}}, ui_.palette.accent);
   }
 

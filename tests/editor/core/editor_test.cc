@@ -14,7 +14,7 @@ TEST(Editor, BuildsAFrameWithNothingOpen) {
   ASSERT_EQ(driver.editor.error(), "");
   driver.Frames(4);
   for (const char* path : {"menu/file", "strip/connect", "project", "outline", "inspector",
-                           "blackboard", "xml", "problems", "canvasbar/fit", "bar/palette"}) {
+                           "blackboard", "xml", "problems", "start/open", "bar/palette"}) {
     EXPECT_TRUE(driver.Has(path)) << path;
   }
 }

@@ -66,6 +66,22 @@ class Copy {
   std::vector<ImDrawList*> pointers_;
 };
 
+// The colour that most of the box has: a line that passes behind a letter does not count.
+Color MostOf(const Image& image, const Box& box) {
+  std::map<Color, int> counts;
+  const auto begin_x = std::max(0, static_cast<int>(box.min.x));
+  const auto begin_y = std::max(0, static_cast<int>(box.min.y));
+  for (int y = begin_y; y < std::min<int>(image.height, static_cast<int>(box.max.y) + 1); ++y) {
+    for (int x = begin_x; x < std::min<int>(image.width, static_cast<int>(box.max.x) + 1); ++x) {
+      ++counts[image.At(x, y)];
+    }
+  }
+  const auto most =
+      std::max_element(counts.begin(), counts.end(),
+                       [](const auto& a, const auto& b) { return a.second < b.second; });
+  return most == counts.end() ? kOpaque : most->first;
+}
+
 struct Found {
   DrawnGlyph glyph;
   std::uint32_t order;
@@ -90,7 +106,7 @@ class Finder {
       const bool is_inside = found.glyph.clip.Contains(at) && x >= 0 && y >= 0 &&
                              x < background.width && y < background.height;
       if (!is_inside || (order.At(x, y) & ~kOpaque) > found.order) continue;
-      found.glyph.background = background.At(x, y);
+      found.glyph.background = MostOf(background, found.glyph.box);
       seen.push_back(found.glyph);
     }
     return seen;

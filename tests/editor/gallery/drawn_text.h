@@ -16,7 +16,7 @@ struct DrawnGlyph {
   Box box;
   Box clip;          ///< what is outside of it is not seen
   Color color;       ///< with alpha
-  Color background;  ///< in its middle
+  Color background;  ///< of most of its box
   int text;          ///< glyphs that follow each other in a line have the same
 
   bool is_icon() const { return code >= 0xE000; }

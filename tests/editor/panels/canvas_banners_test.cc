@@ -122,6 +122,7 @@ TEST_F(CanvasBannersTest, TellThatTheTreeIsOlderThanItsText) {
   std::string text = kSmallFile;
   text.replace(text.find("</Sequence>"), 11, "</Sequenz>");
   driver_.editor.state().workspace.project().SetText(file_.path(), "Type", text);
+  driver_.editor.state().workspace.Refresh(driver_.editor.now());
   driver_.Frames(20);
   EXPECT_TRUE(driver_.Has("banner/stale"));
   EXPECT_TRUE(driver_.Has("canvas/MainTree/1"));
