@@ -88,7 +88,7 @@ class GestureView {
     const float scale = pen_.ui.scale;
     switch (request.target.place) {
       case DropPlace::kNode:
-        pen_.FillBox(mark, Fade(color, 0.10F), 4 * scale);
+        pen_.FillBox(mark, Fade(color, 0.07F), 4 * scale);
         pen_.FrameBox(mark, color, 4 * scale, 2.5F * scale);
         break;
       case DropPlace::kEdge:

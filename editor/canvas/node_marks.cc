@@ -121,7 +121,7 @@ void PaintHeat(Pen& pen, const NodeLook& look, const Box& body) {
   if (!look.has_heat) return;
   const Palette& colors = pen.ui.palette;
   if (look.heat < 0) {
-    pen.Hatch(body, Fade(colors.text_on_header, 0.28F), std::max(4.0F, 9 * look.zoom));
+    pen.Hatch(body, Fade(0xFF000000, 0.25F), std::max(4.0F, 9 * look.zoom));
     return;
   }
   const float high = std::max(2.0F, 4 * look.zoom);

@@ -184,7 +184,7 @@ class NodePainter {
     const Color ink = colors().text_on_header;
     const Point at = box_.min + Point{Z(metrics::kPad), 0};
     const std::string_view glyph = GlyphOf(node_);
-    const TextStyle glyph_style = Style(Face::kBold, 12, Fade(ink, 0.92F));
+    const TextStyle glyph_style = Style(Face::kBold, 12, ink);
     const float middle = at.x + Z(7);
     pen_.RowText({middle - ui_.Width(glyph, glyph_style) / 2, at.y}, height, glyph, glyph_style);
     pen_.RowText(at + Point{Z(metrics::kIcon), 0}, height, node_.name,

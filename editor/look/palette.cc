@@ -69,7 +69,7 @@ Palette Light() {
   p.edge = Rgb(0x868E9D);
   p.chip = Rgb(0xDDF0EE);
   p.chip_text = Rgb(0x0B6E6A);
-  p.control = Rgb(0x6F52A3);
+  p.control = Rgb(0x664A99);
   p.decorator = Rgb(0x196A70);
   p.action = Rgb(0x2F65AD);
   p.condition = Rgb(0x82611A);

@@ -1,10 +1,16 @@
 // Rules for everything that the editor shows, in every palette.
 #include <gtest/gtest.h>
 
+#include <ostream>
+
 #include "tests/editor/gallery/drawn_text.h"
 #include "tests/editor/gallery/scenes.h"
 
 namespace coppice::editor {
+
+// What a failed test is called.
+void PrintTo(const GalleryScene& scene, std::ostream* stream) { *stream << scene.name; }
+
 namespace {
 
 std::string Lines(const std::vector<std::string>& lines) {
@@ -46,6 +52,17 @@ TEST_P(Gallery, CutsNoTextAndWritesNoneOverAnother) {
     EXPECT_TRUE(cut.empty()) << scale << Lines(cut);
     const std::vector<std::string> overlapping = OverlappingTexts(text);
     EXPECT_TRUE(overlapping.empty()) << scale << Lines(overlapping);
+  }
+}
+
+// The picture of docs/editor.md; kept as those of pictures_test.cc.
+TEST(GalleryPicture, ALiveRun) {
+  for (const GalleryScene& scene : RunScenes()) {
+    if (std::string(scene.name) != "live") continue;
+    Stage stage({});
+    scene.play(stage);
+    stage.driver().Picture("editor_live");
+    EXPECT_TRUE(stage.driver().Has("timeline/mission"));
   }
 }
 

@@ -47,7 +47,7 @@ TEST_F(FindWhyStory, FindsWhyTheRobotStoppedInThisRecord) {
   driver.Press('W');
   EXPECT_NE(driver.editor.state().why.change().find("Drive"), std::string::npos)
       << driver.editor.state().why.change();
-  driver.Picture("story_why_it_stopped");
+  driver.Picture("editor_why");  // of docs/editor.md
   EXPECT_EQ(CompareWithReference(driver.editor.Picture(), "story_why_it_stopped"), "");
   // And why does it not drive again? The door.
   driver.Press(kKeyRight);
