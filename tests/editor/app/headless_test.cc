@@ -13,7 +13,7 @@ class HeadlessTest : public testing::Test {
  protected:
   int Run(std::vector<std::string> arguments) {
     arguments.insert(arguments.begin(), kProgram);
-    Program program(arguments, {"DISPLAY", "WAYLAND_DISPLAY"}, errors_);
+    StartedProgram program(arguments, {"DISPLAY", "WAYLAND_DISPLAY"}, errors_);
     return program.Wait(kLongest);
   }
   TemporaryFile file_{"small.xml", kSmallFile};
@@ -54,7 +54,7 @@ TEST_F(HeadlessTest, NamesTheWayOutWhenThereIsNoDisplay) {
 
 TEST_F(HeadlessTest, RunsForTheGivenTimeAndEndsOnASignal) {
   EXPECT_EQ(Run({"--connect", "127.0.0.1:1", "--headless", "--for", "0.3"}), 0);
-  Program program(
+  StartedProgram program(
       {kProgram, "--connect", "127.0.0.1:1", "--headless", "--picture", picture_, "--every", "0.1"},
       {"DISPLAY"}, errors_);
   ASSERT_TRUE(WaitFor([&] { return std::filesystem::exists(picture_); }, kLongest));

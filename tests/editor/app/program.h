@@ -27,11 +27,11 @@ inline bool WaitFor(const std::function<bool()>& condition, std::chrono::millise
   return true;
 }
 
-class Program {
+class StartedProgram {
  public:
   /// `environment` is added to that of the test; its standard error goes to a file.
-  Program(std::vector<std::string> arguments, std::vector<std::string> environment,
-          const std::string& error_file) {
+  StartedProgram(std::vector<std::string> arguments, std::vector<std::string> environment,
+                 const std::string& error_file) {
     pid_ = ::fork();
     if (pid_ != 0) return;
     const int file = ::open(error_file.c_str(), O_CREAT | O_WRONLY | O_TRUNC, 0600);
@@ -47,14 +47,14 @@ class Program {
     ::execvp(argv[0], argv.data());
     ::_exit(127);
   }
-  ~Program() {
+  ~StartedProgram() {
     if (pid_ > 0) {
       ::kill(pid_, SIGKILL);
       ::waitpid(pid_, nullptr, 0);
     }
   }
-  Program(const Program&) = delete;
-  Program& operator=(const Program&) = delete;
+  StartedProgram(const StartedProgram&) = delete;
+  StartedProgram& operator=(const StartedProgram&) = delete;
 
   void Signal(int number) const { ::kill(pid_, number); }
 

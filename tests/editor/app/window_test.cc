@@ -36,8 +36,8 @@ TEST(Window, ShowsTheTreeAndObeysKeys) {
   const TemporaryFile file("small.xml", kSmallFile);
   const std::string display = FreeDisplay();
   const std::string x_errors = file.folder() + "/x";
-  Program server({"Xvfb", display, "-screen", "0", "1024x768x24", "-nolisten", "tcp"}, {},
-                 x_errors);
+  StartedProgram server({"Xvfb", display, "-screen", "0", "1024x768x24", "-nolisten", "tcp"}, {},
+                        x_errors);
   ASSERT_TRUE(WaitFor(
       [&] { return std::filesystem::exists("/tmp/.X11-unix/X" + display.substr(1)); }, kLongest))
       << ReadFile(x_errors);
@@ -46,9 +46,9 @@ TEST(Window, ShowsTheTreeAndObeysKeys) {
   const std::string errors = file.folder() + "/errors";
   const std::vector<std::string> environment = {"DISPLAY=" + display,
                                                 "XDG_CONFIG_HOME=" + file.folder()};
-  Program editor({std::string(COPPICE_BINARY_DIR) + "/bin/coppice-edit", file.path(), "--size",
-                  "1000x700", "--picture", picture, "--every", "0.1"},
-                 environment, errors);
+  StartedProgram editor({std::string(COPPICE_BINARY_DIR) + "/bin/coppice-edit", file.path(),
+                         "--size", "1000x700", "--picture", picture, "--every", "0.1"},
+                        environment, errors);
   const Palette& colors = GetPalette(PaletteName::kDark);
   ASSERT_TRUE(WaitFor([&] { return CountLike(ReadPng(picture), colors.action) > 300; }, kLongest))
       << ReadFile(errors);
@@ -58,7 +58,7 @@ TEST(Window, ShowsTheTreeAndObeysKeys) {
 
   // Down selects the root: its frame appears in the accent colour.
   const int before = CountLike(first, colors.accent);
-  Program key({"xdotool", "key", "Down"}, environment, x_errors);
+  StartedProgram key({"xdotool", "key", "Down"}, environment, x_errors);
   EXPECT_EQ(key.Wait(kLongest), 0);
   EXPECT_TRUE(
       WaitFor([&] { return CountLike(ReadPng(picture), colors.accent) > before + 50; }, kLongest));
@@ -67,7 +67,7 @@ TEST(Window, ShowsTheTreeAndObeysKeys) {
                                std::filesystem::copy_options::overwrite_existing);
   }
 
-  Program quit({"xdotool", "key", "ctrl+q"}, environment, x_errors);
+  StartedProgram quit({"xdotool", "key", "ctrl+q"}, environment, x_errors);
   EXPECT_EQ(quit.Wait(kLongest), 0);
   EXPECT_EQ(editor.Wait(kLongest), 0) << ReadFile(errors);
   server.Signal(SIGTERM);

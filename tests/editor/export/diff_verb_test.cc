@@ -75,8 +75,8 @@ TEST_F(DiffVerbTest, EndsWithTwoIfItCannotCompare) {
 
 TEST_F(DiffVerbTest, RunsAsAProgram) {
   const std::string program = std::string(COPPICE_BINARY_DIR) + "/bin/coppice-diff";
-  Program run({program, a_.path(), b_.path(), "-o", picture_}, {"DISPLAY", "WAYLAND_DISPLAY"},
-              b_.folder() + "/errors");
+  StartedProgram run({program, a_.path(), b_.path(), "-o", picture_},
+                     {"DISPLAY", "WAYLAND_DISPLAY"}, b_.folder() + "/errors");
   EXPECT_EQ(run.Wait(std::chrono::seconds(15)), 1);
   EXPECT_TRUE(std::filesystem::exists(picture_));
 }

@@ -96,8 +96,8 @@ TEST_F(ExportVerbTest, SaysWhatIsWrongWithAFileAndPaintsWhatCanBeRead) {
 
 TEST_F(ExportVerbTest, RunsAsAProgramWithoutADisplay) {
   const std::string program = std::string(COPPICE_BINARY_DIR) + "/bin/coppice-export";
-  Program run({program, file_.path(), "-o", picture_}, {"DISPLAY", "WAYLAND_DISPLAY"},
-              file_.folder() + "/errors");
+  StartedProgram run({program, file_.path(), "-o", picture_}, {"DISPLAY", "WAYLAND_DISPLAY"},
+                     file_.folder() + "/errors");
   EXPECT_EQ(run.Wait(std::chrono::seconds(15)), 0);
   EXPECT_EQ(CountOf(Picture(), ">round</text>"), 1U);
 }
