@@ -18,9 +18,9 @@ Color ColorOf(const Palette& palette, const std::string& word) {
     case CellLevel::kOff:
       return palette.text_dim;
     case CellLevel::kGood:
-      return palette.success;
+      return palette.success_text;
     case CellLevel::kBusy:
-      return palette.running;
+      return palette.running_text;
     case CellLevel::kWarning:
       return palette.warning;
     case CellLevel::kBad:

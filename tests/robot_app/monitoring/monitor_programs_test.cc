@@ -1,6 +1,7 @@
 // The programs that carry several monitors, with a real master: from the topic, or the computer, to
 // the entry on /monitoring and to /diagnostics.
 #include <actionlib_msgs/GoalStatusArray.h>
+#include <coppice_msgs/DockingActionFeedback.h>
 #include <coppice_msgs/LocalizationState.h>
 #include <diagnostic_msgs/DiagnosticArray.h>
 #include <gmock/gmock.h>
@@ -142,20 +143,17 @@ TEST_F(MonitorProgramsTest, TheBatteryIsJudgedAndItsSilenceIsAnError) {
 }
 
 TEST_F(MonitorProgramsTest, DockingThatFailsAgainAndTheEmergencyStopAreErrors) {
-  using Status = actionlib_msgs::GoalStatus;
   const auto docking = Advertise<actionlib_msgs::GoalStatusArray>("/docking/status");
+  const auto progress = Advertise<coppice_msgs::DockingActionFeedback>("/docking/feedback");
   const auto stop = Advertise<std_msgs::Bool>("/stop");
   StartMonitor("power-monitor");
-  actionlib_msgs::GoalStatusArray goals;
+  const actionlib_msgs::GoalStatusArray goals;
   ASSERT_TRUE(Tell(docking, goals, "docking", "failures", HealthEntry::OK));
-  for (const char* id : {"first", "second"}) {
-    Status goal;
-    goal.goal_id.id = id;
-    goal.status = Status::ABORTED;
-    goal.text = "no current";
-    goals.status_list.push_back(goal);
-  }
-  ASSERT_TRUE(Tell(docking, goals, "docking", "failures", HealthEntry::ERROR));
+  coppice_msgs::DockingActionFeedback attempt;
+  attempt.status.goal_id.id = "to the station";
+  attempt.feedback.failed_attempts = 2;
+  attempt.feedback.why_failed = "no current";
+  ASSERT_TRUE(Tell(progress, attempt, "docking", "failures", HealthEntry::ERROR));
   EXPECT_EQ(Find("docking", "failures")->message, "2 in a row: no current");
   std_msgs::Bool pressed;
   pressed.data = 1;
