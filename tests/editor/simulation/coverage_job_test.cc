@@ -40,7 +40,8 @@ TEST_F(CoverageJobTest, DoesAllRunsInPieces) {
   RunAll(200);
   EXPECT_EQ(job_.coverage()->runs, 200U);
   EXPECT_EQ(job_.Find("go")->ticks(), job_.coverage()->nodes[2].ticks());
-  EXPECT_EQ(job_.Find("Never")->ticks(), 0U);
+  ASSERT_NE(job_.Find("Never::5"), nullptr);
+  EXPECT_EQ(job_.Find("Never::5")->ticks(), 0U);
   EXPECT_EQ(job_.Find("gone"), nullptr);
   job_.Clear();
   EXPECT_EQ(job_.coverage(), nullptr);
