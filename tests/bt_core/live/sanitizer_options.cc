@@ -1,7 +1,7 @@
 // ZeroMQ and its encryption are not compiled with the sanitizer, which therefore does not see how
-// messages are handed from thread to thread and takes that for races. Twice it gets no further than the standard
-// library on the way from the I/O thread back to ZeroMQ; those two functions must be named
-// themselves.
+// messages are handed from thread to thread and takes that for races. Twice it gets no further than
+// the standard library on the way from the I/O thread back to ZeroMQ; those two functions must be
+// named themselves.
 extern "C" const char* __tsan_default_suppressions();  // NOLINT(bugprone-reserved-identifier)
 extern "C" const char* __tsan_default_suppressions() {
   return "race:libzmq.so\n"
