@@ -104,7 +104,7 @@ TEST_F(MonitorProgramsTest, AComputerIsMeasuredAndAClockThatIsThreeSecondsOffIsA
   EXPECT_TRUE(graph_.WaitFor([this] { return !std::isnan(Find("cpu", "load")->value); }));
 }
 
-TEST_F(MonitorProgramsTest, ASilentMonitorIsAnErrorWithinThreePeriodsAndAStrangerIsNamed) {
+TEST_F(MonitorProgramsTest, ASilentMonitorIsAnErrorAndAStrangerIsNamed) {
   const int pid = graph_.Start(
       "system", {kPrograms + "coppice-system-monitor", "--config", config_, "--host", "tester"});
   ASSERT_TRUE(WaitForLevel("memory", "used", HealthEntry::OK));
