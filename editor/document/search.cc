@@ -1,7 +1,6 @@
 #include "editor/document/search.h"
 
 #include <algorithm>
-#include <regex>
 #include <utility>
 
 #include "bt_core/model/attribute_edits.h"
@@ -10,11 +9,6 @@
 #include "editor/document/key_names.h"
 
 namespace coppice::editor {
-
-struct Query::Pattern {
-  std::regex regex;
-  bool is_literal;  // then $ in a replacement is itself
-};
 
 namespace {
 
@@ -32,15 +26,6 @@ std::optional<TextRole> TakeRole(std::string_view& typed) {
     return role;
   }
   return std::nullopt;
-}
-
-std::string Escaped(std::string_view text) {
-  std::string escaped;
-  for (const char c : text) {
-    if (std::string_view("\\^$.|?*+()[]{}/").find(c) != std::string_view::npos) escaped += '\\';
-    escaped += c;
-  }
-  return escaped;
 }
 
 bool HasCapitals(std::string_view text) {
@@ -74,7 +59,7 @@ class Searcher {
       for (const KeyName& name : KeyNamesIn(files_[file_], models_, i)) {
         const Attribute* attribute =
             files_[file_].FindAttribute(files_[file_].element(name.element), name.attribute);
-        if (query_.In(name.key).empty() || IsLast(name.element, name.attribute)) continue;
+        if (query_.pattern().In(name.key).empty() || IsLast(name.element, name.attribute)) continue;
         Add(name.element, TextRole::kKey, attribute->value, attribute->value_offset,
             name.attribute);
       }
@@ -104,7 +89,7 @@ class Searcher {
 
   void Try(ElementIndex element, TextRole role, std::string_view text, std::uint32_t offset,
            std::string_view attribute) {
-    if (query_.Wants(role) && !query_.In(text).empty()) {
+    if (query_.Wants(role) && !query_.pattern().In(text).empty()) {
       Add(element, role, text, offset, attribute);
     }
   }
@@ -140,36 +125,17 @@ const char* ToString(TextRole role) {
   return "";
 }
 
-std::vector<Query::Found> Query::In(std::string_view text, const std::string& with) const {
-  std::vector<Found> found;
-  const std::string whole(text);
-  using Iterator = std::sregex_iterator;
-  for (Iterator i(whole.begin(), whole.end(), pattern_->regex); i != Iterator(); ++i) {
-    const auto begin = static_cast<std::size_t>(i->position());
-    if (i->length() == 0) continue;
-    found.push_back({begin, begin + static_cast<std::size_t>(i->length()),
-                     pattern_->is_literal ? with : i->format(with)});
-  }
-  return found;
-}
-
 std::optional<Query> ParseQuery(std::string_view typed, std::string& error) {
   const std::optional<TextRole> role = TakeRole(typed);
   if (typed.empty()) return std::nullopt;
-  const bool is_literal = typed.size() < 3 || typed.front() != '/' || typed.back() != '/';
-  const std::string text =
-      is_literal ? Escaped(typed) : std::string(typed.substr(1, typed.size() - 2));
-  auto flags = std::regex::ECMAScript;
-  if (!HasCapitals(typed)) flags |= std::regex::icase;
-  try {
-    auto pattern = std::make_shared<Query::Pattern>();
-    pattern->regex = std::regex(text, flags);
-    pattern->is_literal = is_literal;
-    return Query(role, std::move(pattern));
-  } catch (const std::regex_error&) {
-    error = "this is no regular expression";
-    return std::nullopt;
+  const bool fold_case = !HasCapitals(typed);
+  if (typed.size() < 3 || typed.front() != '/' || typed.back() != '/') {
+    return Query(role, SearchPattern::Literal(typed, fold_case));
   }
+  auto pattern = SearchPattern::Regular(typed.substr(1, typed.size() - 2), fold_case);
+  if (pattern) return Query(role, *std::move(pattern));
+  error = "this is no regular expression, or one that takes too long";
+  return std::nullopt;
 }
 
 std::vector<Match> Search(const ProjectFiles& files, const NodeModels& models, const Query& query,
@@ -180,7 +146,7 @@ std::vector<Match> Search(const ProjectFiles& files, const NodeModels& models, c
 std::string Replaced(const Match& match, const Query& query, const std::string& with) {
   std::string after;
   std::size_t at = 0;
-  for (const Query::Found& found : query.In(match.before, with)) {
+  for (const SearchPattern::Found& found : query.pattern().In(match.before, with)) {
     after += match.before.substr(at, found.begin - at) + found.with;
     at = found.end;
   }

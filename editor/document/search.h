@@ -6,18 +6,18 @@
 //   const std::vector<Edit> edits = Replace(files, matches, *query, "target");   // one per file
 //
 // What is typed may begin with "type:", "name:", "port:", "value:" or "key:", which narrows it
-// down, and is a regular expression (ECMAScript) between slashes: "value:/go(al)?/". Capitals count
-// if there are any.
+// down, and is a regular expression (search_pattern.h) between slashes: "value:/go(al)?/". Capitals
+// count if there are any.
 #ifndef COPPICE_EDITOR_DOCUMENT_SEARCH_H_
 #define COPPICE_EDITOR_DOCUMENT_SEARCH_H_
 
-#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "editor/document/project_names.h"
+#include "editor/document/search_pattern.h"
 
 namespace coppice::editor {
 
@@ -30,25 +30,17 @@ const char* ToString(TextRole role);
 /// A compiled search. Immutable.
 class Query {
  public:
-  struct Pattern;
-  Query(std::optional<TextRole> role, std::shared_ptr<const Pattern> pattern)
+  Query(std::optional<TextRole> role, SearchPattern pattern)
       : role_(role), pattern_(std::move(pattern)) {}
 
   bool Wants(TextRole role) const { return !role_ || *role_ == role; }
   /// Only keys, and all that name one.
   bool is_for_keys() const { return role_ == TextRole::kKey; }
-
-  struct Found {
-    std::size_t begin = 0;
-    std::size_t end = 0;
-    std::string with;  ///< what stands there after the replacement
-  };
-  /// Where it is in the text, from left to right. `with` may name groups: $1.
-  std::vector<Found> In(std::string_view text, const std::string& with = {}) const;
+  const SearchPattern& pattern() const { return pattern_; }
 
  private:
   std::optional<TextRole> role_;
-  std::shared_ptr<const Pattern> pattern_;
+  SearchPattern pattern_;
 };
 
 /// Nothing, and a reason if something is wrong with it, for an empty or malformed text.
