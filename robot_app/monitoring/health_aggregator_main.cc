@@ -70,6 +70,6 @@ int main(int argc, char** argv) {
   const auto start = coppice::robot::StartMonitor(argc, argv, "health_aggregator");
   if (!start) return 2;
   const coppice::robot::Program program(*start);
-  ros::spin();
+  coppice::robot::SpinWhenCalled();
   return 0;
 }

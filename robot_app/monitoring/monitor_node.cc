@@ -9,6 +9,7 @@
 
 #include <csignal>
 #include <iostream>
+#include <thread>
 #include <utility>
 
 #include "bt_core/base/command_line.h"
@@ -19,7 +20,7 @@ namespace coppice::robot {
 namespace {
 
 constexpr int kQueue = 20;
-const ros::WallDuration kBatch(0.05);
+const ros::WallDuration kLongest(1);  // without looking whether the program is to end
 constexpr char kUsage[] = "--config FILE [--host NAME] [--folder FOLDER]";
 
 std::string HostName() {
@@ -39,7 +40,7 @@ bool FindMaster(const std::string& name) {
 }  // namespace
 
 std::optional<MonitorStart> StartMonitor(int argc, char** argv, const std::string& name) {
-  ros::init(argc, argv, name, ros::init_options::NoSigintHandler);
+  ros::init(argc, argv, name, ros::init_options::NoSigintHandler | ros::init_options::NoRosout);
   const auto stop = [](int) { ros::requestShutdown(); };
   std::signal(SIGINT, stop);
   std::signal(SIGTERM, stop);
@@ -60,12 +61,17 @@ std::optional<MonitorStart> StartMonitor(int argc, char** argv, const std::strin
   return start;
 }
 
-void SpinInBatches() {
+void SpinWhenCalled() {
+  while (ros::ok()) ros::getGlobalCallbackQueue()->callAvailable(kLongest);
+}
+
+void SpinInBatches(Duration batch) {
+  const auto wait = [batch] { std::this_thread::sleep_for(batch); };
   // The thread that reads the sockets calls this before every look.
-  ros::PollManager::instance()->addPollThreadListener([] { kBatch.sleep(); });
+  ros::PollManager::instance()->addPollThreadListener(wait);
   while (ros::ok()) {
     ros::getGlobalCallbackQueue()->callAvailable();
-    kBatch.sleep();
+    wait();
   }
 }
 

@@ -28,12 +28,16 @@ struct MonitorStart {
 
 /// Reads `--config FILE [--host NAME] [--folder FOLDER]` and starts a ROS node of this name (ROS
 /// remappings work). On a problem prints one line and returns nothing; the program is to end with
-/// status 2. SIGTERM and SIGINT end ros::spin.
+/// status 2. SIGTERM and SIGINT end the spinning. A monitor says what it found on its topics and
+/// nothing on /rosout, whose thread would wake it ten times per second.
 std::optional<MonitorStart> StartMonitor(int argc, char** argv, const std::string& name);
 
-/// As ros::spin, but looks at what has come only every few hundredths of a second. For a monitor of
-/// many topics: to be woken by every message costs far more than to count it.
-void SpinInBatches();
+/// As ros::spin, but sleeps as long as nothing comes; ros::spin looks ten times per second.
+void SpinWhenCalled();
+
+/// As ros::spin, but takes in what has come only once per `batch`. For a monitor of many messages:
+/// to be woken by every one costs far more than to count it.
+void SpinInBatches(Duration batch);
 
 /// For the thread that spins.
 class MonitorNode {

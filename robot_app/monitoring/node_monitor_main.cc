@@ -62,6 +62,6 @@ int main(int argc, char** argv) {
   const auto start = coppice::robot::StartMonitor(argc, argv, "node_monitor");
   if (!start) return 2;
   const coppice::robot::Program program(*start);
-  ros::spin();
+  coppice::robot::SpinWhenCalled();
   return 0;
 }

@@ -142,6 +142,6 @@ int main(int argc, char** argv) {
   const auto start = coppice::robot::StartMonitor(argc, argv, "topic_monitor");
   if (!start) return 2;
   const coppice::robot::Program program(*start);
-  coppice::robot::SpinInBatches();
+  coppice::robot::SpinInBatches(std::chrono::milliseconds(50));
   return 0;
 }

@@ -42,7 +42,7 @@ struct ProbeResult {
 class NodeProbe {
  public:
   /// With a kept connection, so many sweeps go by until the master is asked again.
-  static constexpr unsigned kSweepsPerLookup = 5;
+  static constexpr unsigned kSweepsPerLookup = 20;
 
   /// `caller`: our own ROS name, for the logs of those that are asked.
   NodeProbe(NodeAddress master, std::string caller);

@@ -116,6 +116,6 @@ int main(int argc, char** argv) {
   const auto start = coppice::robot::StartMonitor(argc, argv, "power_monitor");
   if (!start) return 2;
   const coppice::robot::Program program(*start);
-  ros::spin();
+  coppice::robot::SpinInBatches(std::chrono::milliseconds(100));
   return 0;
 }

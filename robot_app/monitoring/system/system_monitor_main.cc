@@ -132,6 +132,6 @@ int main(int argc, char** argv) {
   const auto start = StartMonitor(argc, argv, "system_monitor");
   if (!start) return 2;
   const Program program(*start);
-  ros::spin();
+  coppice::robot::SpinWhenCalled();
   return 0;
 }
