@@ -19,6 +19,9 @@ if(COPPICE_SANITIZE)
   add_compile_options(-fsanitize=${COPPICE_SANITIZE} -fno-omit-frame-pointer
                       -fno-sanitize-recover=all)
   add_link_options(-fsanitize=${COPPICE_SANITIZE})
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")  # is wrong about <regex> when it sanitizes
+    add_compile_options(-Wno-maybe-uninitialized)
+  endif()
 endif()
 # ThreadSanitizer cannot follow bare memory fences; Boost.Asio does without where there are locks.
 if(COPPICE_SANITIZE MATCHES thread)
