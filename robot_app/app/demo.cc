@@ -101,7 +101,7 @@ class Demo {
   void HangNavigation() {
     const int before = watch_->view().pids.at("navigation");
     console_.Step("fault 1: /navigation hangs (SIGSTOP to pid " + std::to_string(before) + ")");
-    Inject("hang_node", "/navigation", 0);
+    Inject("hang_node", "/navigation");
     WaitOrFail("the monitor to notice", 60,
                [](const RobotView& view) { return !view.errors.empty(); });
     console_.Tell("noticed: " + watch_->view().errors.front());
@@ -114,22 +114,23 @@ class Demo {
                   std::to_string(watch_->view().pids.at("navigation")));
   }
 
-  // Waits for a drive that still has to pass one of the places, then closes it for a while.
+  // Waits for a drive that still has to pass one of the places, then closes it until that is seen.
   void BlockCorridor() {
     std::string place;
     WaitOrFail("a drive along the corridor", 600, [&place](const RobotView& view) {
       place = PlaceAhead(view);
       return !place.empty();
     });
-    console_.Step("fault 2: " + place + " is blocked for 60 s");
-    Inject("block_corridor", place, 60);
+    console_.Step("fault 2: " + place + " is blocked");
+    Inject("block_corridor", place);
     WaitOrFail("the monitor to notice", 240, [](const RobotView& view) {
       for (const std::string& error : view.errors) {
         if (error.rfind("navigation", 0) == 0) return true;
       }
       return false;
     });
-    console_.Tell("noticed: " + watch_->view().errors.front());
+    console_.Tell("noticed: " + watch_->view().errors.front() + "; the way is cleared again");
+    CallSimulation("clear_corridor", place);
     WaitOrFail("the monitor tree to recover", 240,
                [](const RobotView& view) { return view.errors.empty(); });
     console_.Tell("recovered: the robot drives on");
@@ -147,12 +148,18 @@ class Demo {
     return {};
   }
 
+  void Inject(const std::string& fault, const std::string& target) {
+    CallSimulation(fault, target);
+    std_msgs::String note;
+    note.data = "fault injected: " + fault + " " + target;
+    note_.publish(note);
+  }
+
   // A place cannot be blocked while somebody stands in it: then it is tried again for a while.
-  void Inject(const std::string& fault, const std::string& target, double duration) {
+  void CallSimulation(const std::string& fault, const std::string& target) {
     coppice_msgs::InjectFault service;
     service.request.fault = fault;
     service.request.target = target;
-    service.request.duration = duration;
     for (int attempts = 0; attempts < 20 && !service.response.ok; ++attempts) {
       if (attempts > 0) watch_->WaitFor([](const RobotView&) { return false; }, 0.5);
       ros::service::call("/simulation/inject_fault", service);
@@ -160,9 +167,6 @@ class Demo {
     if (!service.response.ok) {
       throw DemoFailed("fault " + fault + " was not injected: " + service.response.message);
     }
-    std_msgs::String note;
-    note.data = "fault injected: " + fault + " " + target;
-    note_.publish(note);
   }
 
   void WaitOrFail(const std::string& what, double seconds,
