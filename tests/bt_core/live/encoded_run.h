@@ -21,6 +21,7 @@ class EncodedRun : private FrameSink, private EventListener {
       stream_.Flush();
       encoder_.Flush();
     }
+    stream_.Flush();  // the state comes even without a tick
     encoder_.Keyframe();
     stream_.Remove(*this);
   }
