@@ -52,15 +52,21 @@ class MappedRobot {
     if (mapper_.started()) farthest_off_ = std::max(farthest_off_, Error());
   }
 
+  void Carry(const Pose2D& pose) {
+    while (!world_.Kidnap({pose.x, pose.y, pose.yaw}).ok) Step({});
+  }
+
   void RestartOdometry() {
     filter_ = OdometryFilter();
     believed_ = {100, 50, 1};  // another frame
+    was_filtered_ = false;
   }
 
   double now() const { return world_.time(); }
   Mapper& mapper() { return mapper_; }
   Pose2D Truth() const { return PoseOf(world_); }
-  Pose2D Odometry2D() const { return believed_; }
+  /// What the odometry says.
+  Pose2D believed() const { return believed_; }
   /// Of the newest pose, and the greatest so far [m].
   double Error() const { return Distance(Compose(mapper_.odom_in_map(), believed_), Truth()); }
   double farthest_off() const { return farthest_off_; }
