@@ -25,7 +25,7 @@ struct MappingSettings {
   double drift = 0.05;       ///< how much odometry and matching may go wrong, share of the way
   double agree = 0.5;        ///< below this score a scan does not fit what was seen before
   double loop_agree = 0.7;   ///< share of the beams that must agree to close a loop
-  std::size_t window = 30;   ///< key frames that a new one is matched with
+  std::size_t window = 40;   ///< key frames that a new one is matched with
   std::size_t most_frames = 20000;
 };
 

@@ -11,11 +11,12 @@ namespace {
 
 constexpr double kSpacing = 0.1;  // of the beams that are matched [m]
 constexpr int kMostBeams = 250;
+constexpr double kBeamNoise = 0.05;  // m; the walls that were just drawn are exact
 // Odometry between two key frames: standard deviations at rest, and more for each metre and radian.
-constexpr double kSlip = 0.01;  // m
-constexpr double kSlipPerMetre = 0.03;
-constexpr double kTwist = 0.005;  // rad
-constexpr double kTwistPerMetre = 0.01;
+constexpr double kSlip = 0.003;  // m
+constexpr double kSlipPerMetre = 0.015;
+constexpr double kTwist = 0.003;  // rad
+constexpr double kTwistPerMetre = 0.005;
 constexpr double kTwistPerRadian = 0.02;
 constexpr double kAfterJump = 0.3;     // m and rad: odometry has told nothing
 constexpr std::size_t kFew = 3;        // key frames that may be missing from what was seen lately
@@ -97,6 +98,7 @@ PoseConstraint Mapper::MatchWithLast(const LaserScan& scan, const Pose2D& moved)
   const std::size_t last = frames_.size() - 1;
   const double metres = std::hypot(moved.x, moved.y);
   MatchSettings match;
+  match.beam_noise = kBeamNoise;
   match.trust = jumped_ ? kAfterJump : kSlip + kSlipPerMetre * metres;
   match.yaw_trust = jumped_ ? kAfterJump
                             : kTwist + kTwistPerMetre * metres +
@@ -115,7 +117,9 @@ PoseConstraint Mapper::MatchWithLast(const LaserScan& scan, const Pose2D& moved)
   step.information = Eigen::Vector3d(position, position, yaw).asDiagonal();
   const bool fits = score_ >= settings_.agree;
   step.relative = fits ? RelativeTo(frames_.poses[last], matched) : moved;
-  if (fits) step.information += AlongAxesOf(matched, MatchInformation(field, beams, matched));
+  if (fits) {
+    step.information += AlongAxesOf(matched, MatchInformation(field, beams, matched, match));
+  }
   return step;
 }
 

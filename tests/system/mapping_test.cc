@@ -101,7 +101,7 @@ TEST(Mapping, APersonDrivesAMapAndTheRobotWorksWithIt) {
   EXPECT_EQ(rig.With([](const RobotState& state) { return state.Pid("docking"); }), 0);
 
   Driver driver;
-  ASSERT_TRUE(driver.Drive({{7, 0}, {8.1, 2.8}, {8, 0}, {11.5, 0}, {3, 0}}, 2 * kPatience));
+  ASSERT_TRUE(driver.Drive({{8, 0}, {8, 2.8}, {8, 0}, {11.5, 0}, {3, 0}}, 2 * kPatience));
   EXPECT_TRUE(rig.With([](const RobotState& state) { return state.Problems(); }).empty());
   std_srvs::Trigger save;
   ASSERT_TRUE(ros::service::call("/mapping/save", save));
