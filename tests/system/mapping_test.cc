@@ -5,7 +5,6 @@
 #include <geometry_msgs/Twist.h>
 #include <gtest/gtest.h>
 #include <nav_msgs/OccupancyGrid.h>
-#include <std_srvs/Empty.h>
 #include <std_srvs/Trigger.h>
 
 #include <condition_variable>
@@ -115,8 +114,8 @@ TEST(Mapping, APersonDrivesAMapAndTheRobotWorksWithIt) {
   EXPECT_GT(ShareNear(floor, *map, 0.15, {-2.5, -1.4}, {12, 1.4}), 0.9);
 
   // The trees leave it as it is when the person lets go; who asked for it asks for the next one.
-  std_srvs::Empty nothing;
-  ASSERT_TRUE(ros::service::call("/supervisor/release", nothing));
+  std_srvs::Trigger release;
+  ASSERT_TRUE(ros::service::call("/supervisor/release", release));
   ASSERT_TRUE(rig.WaitUntilNominal(kPatience).has_value());
   EXPECT_EQ(rig.With([](const RobotState& state) { return state.configuration(); }), "mapping");
   ASSERT_TRUE(SetConfiguration("operating", false));

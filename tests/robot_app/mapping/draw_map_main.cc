@@ -26,7 +26,7 @@ class Picture {
   explicit Picture(const OccupancyGrid& map) : frame_(map.frame), pixels_(map.frame.size()) {
     for (int i = 0; i < frame_.size(); ++i) {
       const std::int8_t cell = map.cells[i];
-      const auto gray = static_cast<std::uint8_t>(cell < 0 ? 205 : 255 - 255 * cell / 100);
+      const std::uint8_t gray = cell < 0 ? 205 : cell >= OccupancyGrid::kOccupied ? 0 : 255;
       At(frame_.CellOf(i)) = {gray, gray, gray};
     }
   }
