@@ -46,7 +46,7 @@ TEST_F(MapOfTheInstitute, ShowsTheWallsAndNothingElse) {
   EXPECT_GT(ShareNear(map_, floor, 0.1), 0.8);
   EXPECT_GT(ShareNear(map_, floor, 0.15), 0.99);  // nobody who walked by is left
   EXPECT_GT(ShareNear(floor, map_, 0.1, {-2.9, -1.4}, {40, 1.4}), 0.95);  // corridor
-  EXPECT_GT(ShareNear(floor, map_, 0.1, {40.5, -6.1}, {49, 6.1}), 0.7);  // hall; some is hidden
+  EXPECT_GT(ShareNear(floor, map_, 0.1, {40.5, -6.1}, {49, 6.1}), 0.7);   // hall; some is hidden
 }
 
 TEST_F(MapOfTheInstitute, IsFreeWhereTheRobotWas) {
