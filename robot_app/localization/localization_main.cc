@@ -101,6 +101,12 @@ class LocalizationNode {
     });
   }
 
+  /// At the end: exactly where the robot stands, for whoever takes over.
+  void LeavePose() const {
+    const auto pose = localizer_.pose();
+    if (pose && phase_ == LocalizationPhase::kOk) Save(*pose);
+  }
+
  private:
   template <typename Message, typename Handle>
   void On(const std::string& topic, std::uint32_t queue, Handle handle) {
@@ -112,14 +118,8 @@ class LocalizationNode {
   }
 
   void Subscribe() {
-    On<nav_msgs::OccupancyGrid>("/map", 1, [this](const nav_msgs::OccupancyGrid& message) {
-      std::string error;
-      if (const auto grid = ToGrid(message, error)) {
-        localizer_.SetMap(*grid);
-      } else {
-        ROS_ERROR("%s; it is not used", error.c_str());
-      }
-    });
+    On<nav_msgs::OccupancyGrid>("/map", 1,
+                                [this](const nav_msgs::OccupancyGrid& message) { OnMap(message); });
     On<nav_msgs::Odometry>("/odometry/filtered", 30, [this](const nav_msgs::Odometry& message) {
       if (!IsValid(message.pose.pose)) return;
       localizer_.AddOdometry(message.header.stamp.toSec(), ToPose2D(message.pose.pose));
@@ -135,6 +135,24 @@ class LocalizationNode {
         "/initialpose", 1, [this](const geometry_msgs::PoseWithCovarianceStamped& message) {
           OnInitialPose(message);
         });
+  }
+
+  // Whoever shows the map may have been restarted: the same map again says nothing new.
+  void OnMap(const nav_msgs::OccupancyGrid& message) {
+    std::string error;
+    const auto grid = ToGrid(message, error);
+    if (!grid) {
+      ROS_ERROR("%s; it is not used", error.c_str());
+    } else if (!IsSame(*grid, map_)) {
+      map_ = *grid;
+      localizer_.SetMap(map_);
+    }
+  }
+
+  static bool IsSame(const OccupancyGrid& a, const OccupancyGrid& b) {
+    return a.frame.resolution == b.frame.resolution && a.frame.origin_x == b.frame.origin_x &&
+           a.frame.origin_y == b.frame.origin_y && a.frame.width == b.frame.width &&
+           a.cells == b.cells;
   }
 
   std::optional<Pose2D> MountOf(const std::string& frame) {
@@ -192,7 +210,7 @@ class LocalizationNode {
     tf_.publish(tf);
     const LocalizationReport report = localizer_.Report(stamp);
     if (report.phase != phase_) PublishState(report);
-    if (report.phase == LocalizationPhase::kOk) Save(*pose, stamp);
+    if (report.phase == LocalizationPhase::kOk) SaveNowAndThen(*pose, stamp);
   }
 
   void PublishState(const LocalizationReport& report) {
@@ -208,22 +226,28 @@ class LocalizationNode {
     phase_ = report.phase;
   }
 
-  void Save(const Pose2D& pose, double stamp) {
-    if (settings_.last_pose_file == "none" || std::abs(stamp - saved_stamp_) < kSavePeriod) return;
+  void SaveNowAndThen(const Pose2D& pose, double stamp) {
+    if (std::abs(stamp - saved_stamp_) < kSavePeriod) return;
     if (Distance(pose, saved_) < kSaveWay &&
         std::abs(NormalizeAngle(pose.yaw - saved_.yaw)) < kSaveWay) {
       return;
     }
-    std::string error;
-    if (!SavePose(settings_.last_pose_file, pose, error))
-      ROS_WARN_THROTTLE(60, "%s", error.c_str());
+    Save(pose);
     saved_ = pose;
     saved_stamp_ = stamp;
+  }
+
+  void Save(const Pose2D& pose) const {
+    std::string error;
+    if (settings_.last_pose_file != "none" && !SavePose(settings_.last_pose_file, pose, error)) {
+      ROS_WARN_THROTTLE(60, "%s", error.c_str());
+    }
   }
 
   Settings settings_;
   ros::NodeHandle node_;
   Localizer localizer_;
+  OccupancyGrid map_;
   RobotPose frames_;
   std::map<std::string, Pose2D> mounts_;  // of the scanners in base_link
   double published_ = 0;
@@ -251,5 +275,6 @@ int main(int argc, char** argv) {
   if (!settings) return 2;
   robot::LocalizationNode node(*settings);
   ros::spin();
+  node.LeavePose();
   return 0;
 }

@@ -2,6 +2,7 @@
 #ifndef COPPICE_ROBOT_APP_LOCALIZATION_SCAN_MATCHER_H_
 #define COPPICE_ROBOT_APP_LOCALIZATION_SCAN_MATCHER_H_
 
+#include <Eigen/Core>
 #include <vector>
 
 #include "robot_app/localization/beams.h"
@@ -22,6 +23,11 @@ struct MatchSettings {
 /// pose stays as it is. Finds the right place from about 0.2 m and 0.1 rad away.
 Pose2D MatchScan(const LikelihoodField& field, const std::vector<Beam>& beams, const Pose2D& pose,
                  const MatchSettings& settings = {});
+
+/// How firmly the beams alone hold a matched pose: the inverse covariance of x, y [m] (axes of the
+/// map) and yaw [rad]. Along a bare corridor there is next to nothing of it.
+Eigen::Matrix3d MatchInformation(const LikelihoodField& field, const std::vector<Beam>& beams,
+                                 const Pose2D& pose, const MatchSettings& settings = {});
 
 }  // namespace coppice::robot
 

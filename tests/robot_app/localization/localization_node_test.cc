@@ -5,6 +5,7 @@
 #include <geometry_msgs/Twist.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <nav_msgs/OccupancyGrid.h>
 #include <nav_msgs/Odometry.h>
 #include <std_srvs/Empty.h>
 #include <unistd.h>
@@ -136,6 +137,7 @@ class LocalizationNodeTest : public testing::Test {
   ChildProcess localization_;
   Latest<State> state_{node_, "/localization/state"};
   Latest<geometry_msgs::PoseStamped> truth_{node_, "/simulation/truth"};
+  Latest<nav_msgs::OccupancyGrid> map_{node_, "/map"};
   Latest<nav_msgs::Odometry> filtered_{node_, "/odometry/filtered"};
   Latest<geometry_msgs::PoseWithCovarianceStamped> pose_{node_, "/localization/pose"};
   RobotPose frames_{{"map", "odom", "base_link"}};
@@ -154,6 +156,21 @@ TEST_F(LocalizationNodeTest, FindsTheCarriedRobotByATurnAndByAPerson) {
   ASSERT_TRUE(WaitForPhase(State::LOST));
   ASSERT_TRUE(TurnUntilOk()) << state_.get()->message;
   EXPECT_TRUE(IsWhereItShouldBe(0.1));
+
+  // Whoever shows the map was restarted: the same map again does not make it begin anew.
+  const auto map = map_.get();
+  ASSERT_TRUE(map);
+  ros::Publisher other = node_.advertise<nav_msgs::OccupancyGrid>("/map", 1, true);
+  other.publish(*map);
+  const double shown = state_.get()->header.stamp.toSec();
+  ASSERT_TRUE(Eventually([&] { return other.getNumSubscribers() > 1; }, kPatience));
+  EXPECT_TRUE(Eventually(
+      [&] {
+        EXPECT_EQ(state_.get()->phase, State::OK) << state_.get()->message;
+        return state_.get()->phase != State::OK || state_.get()->header.stamp.toSec() > shown + 5;
+      },
+      kPatience));
+  other.shutdown();
 
   Kidnap("32.4 3.8 1.5");  // an office that looks like another one
   ASSERT_TRUE(WaitForPhase(State::LOST));

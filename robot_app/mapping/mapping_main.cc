@@ -1,0 +1,240 @@
+// coppice-mapping: the mapper of this folder as the ROS node /mapping.
+#include <diagnostic_msgs/DiagnosticArray.h>
+#include <nav_msgs/Odometry.h>
+#include <ros/ros.h>
+#include <std_srvs/Trigger.h>
+#include <tf2_msgs/TFMessage.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "robot_app/localization/pose_file.h"
+#include "robot_app/mapping/map_file.h"
+#include "robot_app/mapping/map_message.h"
+#include "robot_app/mapping/mapper.h"
+#include "robot_app/navigation/ros_support.h"
+
+namespace coppice::robot {
+namespace {
+
+constexpr char kHelp[] =
+    "coppice-mapping: makes a map while a person drives the robot, as the ROS node /mapping.\n"
+    "  subscribes  /scan /odometry/filtered /tf_static (of the scanner)\n"
+    "  publishes   /map (nav_msgs/OccupancyGrid, latched), tf map -> odom, /diagnostics\n"
+    "  service     /mapping/save (std_srvs/Trigger: writes the map to ~map_file)\n"
+    "  parameters  with defaults, in SI units:\n"
+    "    ~map_file FILE: the YAML file of the map. A map that nobody has saved when this program\n"
+    "      ends goes to FILE with _unsaved in its name. Default: none, and nothing is written\n"
+    "    ~start_pose \"X Y YAW\": where the robot stands at the start. Default: 0 0 0\n"
+    "    ~last_pose_file FILE: where the localization has left the robot, which counts before\n"
+    "      ~start_pose; and where this program leaves it. Default: none\n"
+    "    ~range 12 (beams are believed so far)  ~resolution 0.05  ~map_period 2\n"
+    "    ~step 0.4  ~turn 0.35 (a scan is kept after so much way, so much of a turn)\n"
+    "    ~drift 0.05 (how far off the pose may be when a loop is closed, share of the way)\n"
+    "    ~map_frame map  ~odom_frame odom  ~base_frame base_link\n"
+    "Ends on SIGTERM and SIGINT. Exit status 2: no ROS master answers, or a parameter is wrong.\n";
+
+constexpr double kStatePeriod = 1;  // wall time [s]
+
+struct Settings {
+  MappingSettings mapping;
+  double map_period = 2;
+  Pose2D start;
+  std::string map_file;
+  std::string last_pose_file;
+  Frames frames;
+};
+
+std::optional<Settings> ReadSettings() {
+  Settings settings;
+  Parameters parameters;
+  const auto read = [&](const char* name, double& value, double low, double high) {
+    value = parameters.Number(name, value, low, high);
+  };
+  read("range", settings.mapping.range, 1, 100);
+  read("resolution", settings.mapping.resolution, 0.01, 1);
+  read("step", settings.mapping.step, 0.05, 5);
+  read("turn", settings.mapping.turn, 0.05, 3);
+  read("drift", settings.mapping.drift, 0, 0.5);
+  read("map_period", settings.map_period, 0.1, 3600);
+  const std::string start = parameters.Text("start_pose", "0 0 0");
+  settings.map_file = parameters.Text("map_file", "none");
+  settings.last_pose_file = parameters.Text("last_pose_file", "none");
+  settings.frames = ReadFrames(parameters);
+  if (!parameters.Finish()) return std::nullopt;
+  const auto pose = ParsePose(start);
+  if (!pose) {
+    std::fprintf(stderr, "mapping: ~start_pose must be \"X Y YAW\"\n");
+    return std::nullopt;
+  }
+  settings.start = LoadPose(settings.last_pose_file).value_or(*pose);
+  return settings;
+}
+
+// Beside the map: what nobody has saved.
+std::string UnsavedName(const std::string& file) {
+  std::filesystem::path path = file;
+  return path.replace_filename(path.stem().string() + "_unsaved.yaml").string();
+}
+
+class MappingNode {
+ public:
+  explicit MappingNode(const Settings& settings)
+      : settings_(settings), mapper_(settings.mapping, settings.start), frames_(settings.frames) {
+    map_ = node_.advertise<nav_msgs::OccupancyGrid>("/map", 1, true);
+    tf_ = node_.advertise<tf2_msgs::TFMessage>("/tf", 20);
+    diagnostics_ = node_.advertise<diagnostic_msgs::DiagnosticArray>("/diagnostics", 5);
+    odometry_subscriber_ = node_.subscribe<nav_msgs::Odometry>(
+        "/odometry/filtered", 30,
+        [this](const nav_msgs::Odometry::ConstPtr& message) { OnOdometry(*message); });
+    scan_subscriber_ = node_.subscribe<sensor_msgs::LaserScan>(
+        "/scan", 5, [this](const sensor_msgs::LaserScan::ConstPtr& message) { OnScan(*message); });
+    using Service = std_srvs::Trigger;
+    save_ = node_.advertiseService(
+        "/mapping/save", boost::function<bool(Service::Request&, Service::Response&)>(
+                             [this](Service::Request&, Service::Response& response) {
+                               response.success = Save(settings_.map_file, response.message);
+                               return true;
+                             }));
+    map_timer_ = node_.createTimer(ros::Duration(settings.map_period),
+                                   [this](const ros::TimerEvent&) { PublishMap(); });
+    state_timer_ = node_.createWallTimer(ros::WallDuration(kStatePeriod),
+                                         [this](const ros::WallTimerEvent&) { PublishState(); });
+    ROS_INFO("begins at (%.2f, %.2f, %.2f)", settings.start.x, settings.start.y,
+             settings.start.yaw);
+  }
+
+  // Nothing that was driven for is lost because somebody forgot to save it.
+  void KeepWhatIsUnsaved() {
+    std::string message;
+    if (mapper_.started() && mapper_.revision() != saved_ && settings_.map_file != "none") {
+      Save(UnsavedName(settings_.map_file), message);
+    }
+    if (mapper_.started()) LeavePose();
+  }
+
+ private:
+  void OnOdometry(const nav_msgs::Odometry& message) {
+    if (!IsValid(message.pose.pose)) return;
+    mapper_.AddOdometry(message.header.stamp.toSec(), ToPose2D(message.pose.pose));
+    PublishTransform();
+  }
+
+  void OnScan(const sensor_msgs::LaserScan& message) {
+    const auto known = mounts_.find(message.header.frame_id);
+    const auto mount = known != mounts_.end() ? std::optional<Pose2D>(known->second)
+                                              : frames_.MountOf(message.header.frame_id);
+    if (!mount) {
+      ROS_WARN_THROTTLE(10, "tf does not know where %s is", message.header.frame_id.c_str());
+      return;
+    }
+    mounts_[message.header.frame_id] = *mount;
+    mapper_.AddScan(ToLaserScan(message, *mount));
+    PublishTransform();
+  }
+
+  // Once for each scan that was used.
+  void PublishTransform() {
+    if (!mapper_.started() || mapper_.scan_stamp() == published_) return;
+    published_ = mapper_.scan_stamp();
+    tf2_msgs::TFMessage tf;
+    tf.transforms.resize(1);
+    tf.transforms[0].header.stamp = ros::Time(published_);
+    tf.transforms[0].header.frame_id = settings_.frames.map;
+    tf.transforms[0].child_frame_id = settings_.frames.odom;
+    const geometry_msgs::Pose odom = ToPoseMessage(mapper_.odom_in_map());
+    tf.transforms[0].transform.translation.x = odom.position.x;
+    tf.transforms[0].transform.translation.y = odom.position.y;
+    tf.transforms[0].transform.rotation = odom.orientation;
+    tf_.publish(tf);
+  }
+
+  void PublishMap() {
+    if (!mapper_.started() || mapper_.revision() == shown_) return;
+    shown_ = mapper_.revision();
+    map_.publish(ToMessage(mapper_.Map(), settings_.frames.map, ros::Time::now()));
+  }
+
+  void PublishState() {
+    const MappingReport report = mapper_.Report();
+    diagnostic_msgs::DiagnosticStatus status;
+    status.name = "mapping: map";
+    status.level = mapper_.started() && report.fits ? diagnostic_msgs::DiagnosticStatus::OK
+                                                    : diagnostic_msgs::DiagnosticStatus::WARN;
+    status.message = report.message;
+    const auto add = [&status](const char* key, const std::string& value) {
+      status.values.emplace_back();
+      status.values.back().key = key;
+      status.values.back().value = value;
+    };
+    add("key frames", std::to_string(report.key_frames));
+    add("closed loops", std::to_string(report.loops));
+    add("way [m]", std::to_string(report.way));
+    add("score", std::to_string(report.score));
+    add("saved", mapper_.revision() == saved_ ? "yes" : "no");
+    diagnostic_msgs::DiagnosticArray message;
+    message.header.stamp = ros::Time::now();
+    message.status.push_back(status);
+    diagnostics_.publish(message);
+  }
+
+  bool Save(const std::string& file, std::string& message) {
+    if (file == "none") return message = "~map_file is not set", false;
+    if (!mapper_.started()) return message = "there is no map yet", false;
+    Diagnostics diagnostics;
+    if (!SaveMap(file, mapper_.Map(), diagnostics)) {
+      message = diagnostics.ToString();
+      ROS_ERROR("%s", message.c_str());
+      return false;
+    }
+    saved_ = mapper_.revision();
+    message = "saved as " + file;
+    ROS_INFO("%s", message.c_str());
+    LeavePose();
+    return true;
+  }
+
+  // For the localization, which goes on from there.
+  void LeavePose() {
+    std::string error;
+    if (settings_.last_pose_file != "none" &&
+        !SavePose(settings_.last_pose_file, mapper_.pose(), error)) {
+      ROS_WARN("%s", error.c_str());
+    }
+  }
+
+  Settings settings_;
+  ros::NodeHandle node_;
+  Mapper mapper_;
+  RobotPose frames_;
+  std::map<std::string, Pose2D> mounts_;  // of the scanners in base_link
+  double published_ = 0;
+  std::size_t shown_ = 0;  // revisions of the map
+  std::size_t saved_ = 0;
+  ros::Publisher map_;
+  ros::Publisher tf_;
+  ros::Publisher diagnostics_;
+  ros::Subscriber odometry_subscriber_;
+  ros::Subscriber scan_subscriber_;
+  ros::ServiceServer save_;
+  ros::Timer map_timer_;
+  ros::WallTimer state_timer_;
+};
+
+}  // namespace
+}  // namespace coppice::robot
+
+int main(int argc, char** argv) {
+  namespace robot = coppice::robot;
+  if (const auto status = robot::StartNode(argc, argv, "mapping", robot::kHelp)) return *status;
+  ros::NodeHandle keep_alive;
+  const auto settings = robot::ReadSettings();
+  if (!settings) return 2;
+  robot::MappingNode node(*settings);
+  ros::spin();
+  node.KeepWhatIsUnsaved();
+  return 0;
+}
