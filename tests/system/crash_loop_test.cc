@@ -6,9 +6,11 @@
 #include <gtest/gtest.h>
 #include <ros/ros.h>
 
+#include <cmath>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <memory>
 #include <string>
 
@@ -24,6 +26,7 @@ constexpr char kDamage[] = "/crash_loop/coppice_odometry_filter";
 constexpr unsigned kMostRestarts = 3;
 constexpr double kEscalatedWithin = 60;   // s
 constexpr double kAskedWithin = 10 * 60;  // s
+constexpr double kQuiet = 10;             // s, ROS time
 
 RigOptions Options() {
   RigOptions options;
@@ -66,6 +69,40 @@ bool PersonIsCalled(const RobotRig& rig) {
   const std::string told = rig.Logged("on_given_up");
   return told.find("has given up odometry_filter") != std::string::npos &&
          told.find("failed again after a restart of the stack") != std::string::npos;
+}
+
+bool IsSettled(const RobotState& state) {
+  for (const auto& [name, process] : state.processes()) {
+    const int is = process.state;
+    if (is != ProcessState::READY && is != ProcessState::STOPPED && is != ProcessState::GIVEN_UP) {
+      return false;
+    }
+  }
+  return true;
+}
+
+std::map<std::string, int> Pids(const RobotState& state) {
+  std::map<std::string, int> pids;
+  for (const auto& [name, process] : state.processes()) pids[name] = process.pid;
+  return pids;
+}
+
+// For ten seconds of ROS time no program is started or ended, and the robot stands.
+void ExpectQuiet(RobotRig& rig) {
+  ASSERT_TRUE(rig.WaitFor(IsSettled, 60));
+  const auto pids = rig.With(Pids);
+  const Place stands = rig.With([](const RobotState& state) { return state.truth(); });
+  const double until = rig.Now().ros + kQuiet;
+  std::string unrest;
+  EXPECT_TRUE(rig.WaitFor(
+      [&](const RobotState& state) {
+        if (Pids(state) != pids) unrest = "programs come and go";
+        const Place& now = state.truth();
+        if (std::hypot(now.x - stands.x, now.y - stands.y) > 0.02) unrest = "it moves";
+        return !unrest.empty() || state.now().ros >= until;
+      },
+      20 * kQuiet));
+  EXPECT_EQ(unrest, "");
 }
 
 class CrashLoop : public testing::Test {
@@ -129,6 +166,7 @@ TEST_F(CrashLoop, ThatNothingEndsStopsTheRobotAndAsksAPerson) {
       },
       60));
   fault.AddRecovery("safe stop, a person is called");
+  ExpectQuiet(*rig_);
 
   std::filesystem::remove(damage);
   coppice_msgs::RestartProcess repaired;
