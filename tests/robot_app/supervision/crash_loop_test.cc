@@ -162,7 +162,7 @@ RobotConfig ShippedRobot() {
   RobotConfig config =
       LoadRobotConfig(COPPICE_SOURCE_DIR "/robot_app/config/robot.yaml",
                       {{"bin", "/bin"}, {"config", "/config"}, {"record", "/tmp"}}, diagnostics);
-  EXPECT_FALSE(diagnostics.HasErrors()) << diagnostics.ToString();
+  EXPECT_FALSE(diagnostics.has_errors()) << diagnostics.ToString();
   return config;
 }
 
