@@ -83,8 +83,8 @@ configurations:
     transforms: [{parent: map, child: odom, node: /l, age: {staleness: 9}}]
     loggers: [{name: record, path: run.log, staleness: 7}]
     diagnostics: {staleness: 6}
-    battery: {topic: /battery_state, node: /base, voltage: {error: [23, 30]}, dock: {x: 1, y: 2, way: /way},
-              model: {capacity: 40}}
+    battery: {topic: /battery_state, node: /base, voltage: {error: [23, 30]},
+              dock: {x: 1, y: 2, way: /way}, model: {capacity: 40}}
     charging: {within: 4}
     docking: {action: /docking, node: /docking, failures: {error: [none, 5]}}
     emergency_stop: {topic: /stop}

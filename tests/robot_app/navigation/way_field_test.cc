@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "robot_app/navigation/planner.h"
 #include "tests/robot_app/navigation/test_floor.h"
 
@@ -41,6 +43,7 @@ TEST(WayField, AgreesWithThePlannerEverywhere) {
   const Costmap costs = CostsOf(TwoRooms());
   const WayField ways(costs, {1.2, 1});
   for (double x = 0.7; x < 9.5; x += 1.1) {
+    if (std::abs(x - 5) < 0.5) continue;  // the wall
     for (double y = 0.7; y < 5.5; y += 1.1) {
       const Plan plan = FindPath(costs, {x, y}, {1.2, 1});
       ASSERT_EQ(plan.status, PlanStatus::kOk) << x << " " << y;
