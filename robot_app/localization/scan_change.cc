@@ -7,7 +7,8 @@
 namespace coppice::robot {
 namespace {
 
-constexpr double kOldest = 1;          // s
+constexpr double kOldest = 0.25;       // s; in that time people do not come far
+constexpr double kFarthest = 0.15;     // m; what is near does not move aside by its own angle
 constexpr double kNeighbours = 0.018;  // rad
 constexpr double kAtLeast = 0.2;       // m
 constexpr double kPerMetre = 0.1;
@@ -26,9 +27,10 @@ bool Readable(const LaserScan& scan, std::size_t beam) {
 double ScanChange::Add(const LaserScan& scan, const Pose2D& odometry) {
   const LaserScan before = std::exchange(before_, scan);
   const double turn = NormalizeAngle(odometry.yaw - odometry_.yaw);
+  const double way = Distance(odometry, odometry_);
   odometry_ = odometry;
   if (before.ranges.size() != scan.ranges.size() || !(scan.angle_increment > 0) ||
-      std::abs(scan.stamp - before.stamp) > kOldest) {
+      std::abs(scan.stamp - before.stamp) > kOldest || way > kFarthest) {
     return 0;
   }
   const auto shift = static_cast<int>(std::lround(turn / scan.angle_increment));

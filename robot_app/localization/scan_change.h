@@ -16,7 +16,8 @@ class ScanChange {
   /// The share of the beams, 0..1, that end at least 0.2 m and a tenth of the range nearer or
   /// farther than what the scan before saw within a degree of that direction. What moves with the
   /// robot's turn since then does not count. 0 for the first scan, and if the scan before is older
-  /// than a second or of another scanner. `odometry` is base_link when the scan was taken.
+  /// than 0.25 s, more than 0.15 m away or of another scanner. `odometry` is base_link when the
+  /// scan was taken.
   double Add(const LaserScan& scan, const Pose2D& odometry);
 
  private:

@@ -50,10 +50,11 @@ TEST(ScanChange, ComparesOnlyWhatCompares) {
   const Pose2D there{5, 2.5, 0};
   ScanChange change;
   change.Add(ScanOf(room, kHere, 1), {});
-  EXPECT_EQ(change.Add(ScanOf(room, there, 2.5), {}), 0) << "people had time to go";
+  EXPECT_EQ(change.Add(ScanOf(room, there, 1.4), {}), 0) << "people had time to go";
   change.Clear();
-  EXPECT_EQ(change.Add(ScanOf(room, kHere, 2.6), {}), 0) << "another odometry";
-  LaserScan other = ScanOf(room, there, 2.7);
+  EXPECT_EQ(change.Add(ScanOf(room, kHere, 1.5), {}), 0) << "another odometry";
+  EXPECT_EQ(change.Add(ScanOf(room, there, 1.6), {0.3, 0, 0}), 0) << "it has driven on";
+  LaserScan other = ScanOf(room, there, 1.7);
   other.ranges.resize(100);
   EXPECT_EQ(change.Add(other, {}), 0) << "another scanner";
   other.ranges.assign(100, NAN);
