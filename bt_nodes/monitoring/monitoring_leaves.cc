@@ -34,4 +34,15 @@ bool EmergencyStopFault::Check() {
   return error && error->level == HealthLevel::kError && FaultCondition::Check();
 }
 
+bool NodeIsWell::Check() {
+  const auto blames = [this](const HealthEntry& entry) {
+    return entry.level >= HealthLevel::kError && entry.node == *node &&
+           ListsKind(*kinds, entry.monitor);
+  };
+  const auto blame = std::find_if(health->entries.begin(), health->entries.end(), blames);
+  if (blame == health->entries.end()) return true;
+  Say(*node + ": " + blame->message);
+  return false;
+}
+
 }  // namespace coppice

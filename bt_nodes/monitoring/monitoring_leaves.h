@@ -93,6 +93,16 @@ class EmergencyStopFault : public FaultCondition {
   bool Check() override;
 };
 
+/// For recoveries that need a program: without it they would be used up in vain.
+class NodeIsWell : public Condition {
+ public:
+  static constexpr const char* kDescription = "Does no monitor blame that ROS node?";
+  Input<Health> health{this, "health", "from ReadHealth"};
+  Input<std::string> node{this, "node", "name of the ROS node"};
+  Input<std::string> kinds{this, "kinds", "monitors that blame nodes", "node;topic"};
+  bool Check() override;
+};
+
 }  // namespace coppice
 
 #endif  // COPPICE_BT_NODES_MONITORING_MONITORING_LEAVES_H_

@@ -13,7 +13,7 @@ Duration Seconds(double seconds) {
 
 Status TellFaults::Run() {
   for (const HealthEntry& entry : health->entries) {
-    if (entry.level >= HealthLevel::kError && !ListsKind(*except, entry.monitor)) Note(entry);
+    if (IsTold(entry)) Note(entry);
   }
   for (Fault& fault : faults_) {
     Tell(fault);
@@ -25,6 +25,13 @@ Status TellFaults::Run() {
   };
   faults_.erase(std::remove_if(faults_.begin(), faults_.end(), is_over), faults_.end());
   return Status::kSuccess;
+}
+
+bool TellFaults::IsTold(const HealthEntry& entry) const {
+  const bool is_fault =
+      entry.level == HealthLevel::kError || (entry.level == HealthLevel::kStale && *stale);
+  return is_fault && (only->empty() || ListsKind(*only, entry.monitor)) &&
+         !ListsKind(*except, entry.monitor);
 }
 
 void TellFaults::Note(const HealthEntry& entry) {

@@ -19,8 +19,11 @@ class TellFaults : public SyncAction {
       "has gone. Always succeeds.";
   explicit TellFaults(SupervisorChannel& channel) : channel_(channel) {}
   Input<Health> health{this, "health", "from ReadHealth"};
+  Input<std::string> only{this, "only", "these kinds of monitors; empty: all", ""};
   Input<std::string> except{this, "except", "kinds of monitors that are no business of this node",
                             ""};
+  Input<bool> stale{this, "stale", "tells also of what nobody knows, as its monitor is silent",
+                    true};
   Input<double> lasting{this, "lasting", "told when it has lasted so long [s]", 5};
   Input<double> clear{this, "clear", "has gone when it was not there for so long [s]", 30};
   Input<double> cooldown{this, "cooldown", "no two messages about one fault within this [s]", 600};
@@ -36,6 +39,7 @@ class TellFaults : public SyncAction {
     Time rest_until{0};
     bool is_told = false;
   };
+  bool IsTold(const HealthEntry& entry) const;
   void Note(const HealthEntry& entry);
   void Tell(Fault& fault);
   void TellIfGone(Fault& fault);

@@ -22,8 +22,12 @@ constexpr double kStillLook = 3;         // s; long enough for who has not moved
 constexpr double kExpectedWithin = 2;    // m
 constexpr double kExpectedTurn = 0.8;    // rad
 constexpr std::size_t kMostPlaces = 8;
+constexpr double kSudden = 0.07;      // share of a scan that changes at once: no person does that
+constexpr double kBeyondDoors = 0.1;  // more than doors make out that stand otherwise
 constexpr double kClearlyBetter = 0.04;  // share of the beams
 constexpr int kSeenThroughWalls = 3;     // beams, more than at the better place
+constexpr int kTwice = 2;                // searches in a row that find nothing better: it holds
+constexpr double kSoon = 0.5;            // the next search, when in doubt [s]
 constexpr double kFreshAtLeast = 0.3;
 constexpr double kSetBack = 1;          // time itself was set back, not a scan overtaken [s]
 constexpr double kLookAroundAfter = 1;  // not confirmed for so long [s]
@@ -50,6 +54,7 @@ void Localizer::Relocalize() {
   belief_ = {};
   view_.Clear();
   begun_ = proven_ = fits_ = lost_ = false;
+  doubted_ = false;
   contested_ = 0;
   rivals_ = 0;
 }
@@ -68,6 +73,7 @@ void Localizer::PutAt(const Pose2D& pose, bool proven) {
   weighed_ = -std::numeric_limits<double>::infinity();
   proven_ = proven;
   jumped_ = !proven;
+  doubted_ = false;
   contested_ = 0;
   rivals_ = 0;
   view_.Clear();
@@ -104,12 +110,15 @@ void Localizer::Process(const LaserScan& scan, const Pose2D& odometry) {
   if (!begun_) Begin(scan.stamp);
   stamp_ = scan.stamp;
   Advance(odometry);
+  if (change_.Add(scan, odometry) >= kSudden) Doubt();
   if (filter_.empty() && stamp_ >= next_search_) Start(beams);
   if (!filter_.empty()) {
     Follow(beams);
     Judge(beams);
   }
-  if (stamp_ - confirmed_ > kLookAroundAfter) {
+  // Though another place fits better, nothing speaks against this one yet but that.
+  const bool holds = fits_ && proven_ && !doubted_;
+  if (stamp_ - confirmed_ > kLookAroundAfter && !holds) {
     if (!looking_) view_.Clear();  // perhaps the robot was carried away since
     looking_ = true;
     LookAround(beams);
@@ -129,6 +138,13 @@ void Localizer::Begin(double stamp) {
   next_search_ = weighed_ = stamp;
 }
 
+// Perhaps the robot was carried away: what was seen before proves nothing.
+void Localizer::Doubt() {
+  doubted_ = true;
+  view_.Clear();
+  next_search_ = stamp_;
+}
+
 void Localizer::Advance(const Pose2D& odometry) {
   if (history_.frame() == frame_) {
     const Pose2D motion = RelativeTo(odometry_, odometry);
@@ -138,6 +154,7 @@ void Localizer::Advance(const Pose2D& odometry) {
     frame_ = history_.frame();
     filter_.Spread(kJumpDeviation, kJumpDeviation);
     view_.Clear();
+    change_.Clear();
   }
   odometry_ = odometry;
 }
@@ -146,9 +163,10 @@ void Localizer::Start(const std::vector<Beam>& beams) {
   const std::vector<FittingPlace> places = map_->search.Find(beams, kMostPlaces);
   const double best = places.empty() ? 0 : places.front().agreement.share();
   for (const Pose2D& expected : expected_) {
-    std::vector<FittingPlace> candidates = places;
     const Pose2D matched = MatchScan(map_->field, beams, expected);
-    candidates.push_back({matched, Agree(map_->field, beams, matched)});
+    // First the place itself: along a corridor others may fit as well.
+    std::vector<FittingPlace> candidates = {{matched, Agree(map_->field, beams, matched)}};
+    candidates.insert(candidates.end(), places.begin(), places.end());
     const auto is_it = [&](const FittingPlace& place) {
       return place.agreement.score() >= settings_.agree &&
              place.agreement.share() > best - settings_.margin / 2 &&
@@ -210,21 +228,35 @@ void Localizer::Judge(const std::vector<Beam>& beams) {
 
 void Localizer::LookForBetter(const std::vector<Beam>& beams) {
   if (stamp_ < next_search_) return;
-  // That things stand where the map has none is no reason to doubt: the corridor may be blocked.
-  // But nobody sees through walls, nor does a robot that moves see such things everywhere.
-  bool better = FitsBetterElsewhere(beams, kSeenThroughWalls);
-  if (!better && view_.complete()) better = FitsBetterElsewhere(view_.From(odometry_), 0);
-  contested_ = better ? contested_ + 1 : 0;
-  next_search_ = stamp_ + (better ? 0.5 : settings_.check_period);
+  if (IsBetterElsewhere(beams)) {
+    ++contested_;
+    uncontested_ = 0;
+  } else if (++uncontested_ >= kTwice) {
+    contested_ = 0;
+  }
+  next_search_ = stamp_ + (doubted_ || contested_ > 0 ? kSoon : settings_.check_period);
 }
 
-// `through`: so many beams more must pass through walls here than there.
-bool Localizer::FitsBetterElsewhere(const std::vector<Beam>& beams, int through) const {
+bool Localizer::IsBetterElsewhere(const std::vector<Beam>& beams) {
+  // That things stand where the map has none is no reason to doubt: the corridor may be blocked.
+  // But nobody sees through walls, nor does a robot that moves see such things everywhere.
+  const double clearly = doubted_ ? kClearlyBetter : kBeyondDoors;
+  if (FitsBetterElsewhere(beams, doubted_ ? 0 : kSeenThroughWalls, clearly)) return true;
+  if (!view_.complete()) return false;
+  if (FitsBetterElsewhere(view_.From(odometry_), 0, clearly)) return true;
+  doubted_ = false;
+  return false;
+}
+
+// `through`: so many beams more must pass through walls here than there; `clearly`: such a larger
+// share of them must agree there.
+bool Localizer::FitsBetterElsewhere(const std::vector<Beam>& beams, int through,
+                                    double clearly) const {
   const std::vector<FittingPlace> places = map_->search.Find(beams, 2);
   if (places.empty() || IsSamePlace(places.front().pose, pose_)) return false;
   const Agreement here = Agree(map_->field, beams, pose_);
   const Agreement there = places.front().agreement;
-  return there.share() > here.share() + kClearlyBetter && there.through + through <= here.through;
+  return there.share() > here.share() + clearly && there.through + through <= here.through;
 }
 
 void Localizer::LookAround(const std::vector<Beam>& beams) {

@@ -8,7 +8,9 @@
 // A place is proven by a person who sets it, by a start where the robot was expected, or by looking
 // around (a full turn on the spot) if then exactly one place on the map fits. Every few seconds the
 // whole map is searched for a place that fits better: a corridor looks alike along its whole
-// length, and a robot that was carried along it would not notice otherwise. Not confirmed for a
+// length, and a robot that was carried along it would not notice otherwise. When much of what the
+// scanner sees changes at once while the odometry knows of no motion, that is suspicious, and less
+// is needed to doubt. Not confirmed for a
 // while: UNCERTAIN, then LOST. Where several places fit equally it says so and stays UNCERTAIN,
 // until the robot has seen more or a person helps; it never picks one.
 //
@@ -24,6 +26,7 @@
 #include "robot_app/localization/local_view.h"
 #include "robot_app/localization/particle_filter.h"
 #include "robot_app/localization/pose_history.h"
+#include "robot_app/localization/scan_change.h"
 
 namespace coppice::robot {
 
@@ -90,13 +93,15 @@ class Localizer {
   struct Map;
   void Process(const LaserScan& scan, const Pose2D& odometry);
   void Begin(double stamp);
+  void Doubt();
   void Advance(const Pose2D& odometry);
   void Start(const std::vector<Beam>& beams);
   void Follow(const std::vector<Beam>& beams);
   void Judge(const std::vector<Beam>& beams);
   void LookAround(const std::vector<Beam>& beams);
   void LookForBetter(const std::vector<Beam>& beams);
-  bool FitsBetterElsewhere(const std::vector<Beam>& beams, int through) const;
+  bool IsBetterElsewhere(const std::vector<Beam>& beams);
+  bool FitsBetterElsewhere(const std::vector<Beam>& beams, int through, double clearly) const;
   void Consider(const std::vector<FittingPlace>& places);
   void PutAt(const Pose2D& pose, bool proven);
 
@@ -106,6 +111,7 @@ class Localizer {
   PoseHistory history_;
   std::optional<LaserScan> waiting_;
   LocalView view_;
+  ScanChange change_;
   std::vector<Pose2D> starts_;
   std::vector<Pose2D> expected_;  // empty once a scan has been used
 
@@ -122,7 +128,9 @@ class Localizer {
   bool proven_ = false;
   bool jumped_ = false;  // since it was proven
   bool lost_ = false;
-  int contested_ = 0;       // searches in a row that found a better place
+  bool doubted_ = false;    // it looked as if somebody carried the robot away
+  int contested_ = 0;       // searches that found a better place, since it was settled
+  int uncontested_ = 0;     // searches in a row that found none
   std::size_t rivals_ = 0;  // places that fit as well as the best one
   double confirmed_ = 0;
   bool looking_ = false;  // around, for what to make of this place

@@ -6,15 +6,18 @@
 #include <nav_msgs/Odometry.h>
 #include <nav_msgs/Path.h>
 #include <ros/ros.h>
+#include <std_msgs/Float64.h>
 
 #include <algorithm>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <vector>
 
 #include "robot_app/navigation/navigation.h"
 #include "robot_app/navigation/relative_motion.h"
 #include "robot_app/navigation/ros_support.h"
+#include "robot_app/navigation/way_field.h"
 
 namespace coppice::robot {
 namespace {
@@ -23,12 +26,15 @@ constexpr char kHelp[] =
     "coppice-navigation: drives the robot to goals, as the ROS node /navigation.\n"
     "  actions     move_base (move_base_msgs/MoveBase), motion (coppice_msgs/Motion)\n"
     "  subscribes  /map /scan /odom /tf /tf_static\n"
-    "  publishes   /cmd_vel (only while moving), /navigation/state, /navigation/path\n"
+    "  publishes   /cmd_vel (only while moving), /navigation/state, /navigation/path,\n"
+    "              /navigation/way_to_station (with ~station, as long as there is a way on the "
+    "map)\n"
     "  parameters  with defaults, in SI units:\n"
     "    ~max_speed 0.7  ~max_turn 1.0  ~acceleration 0.5  ~turn_acceleration 1.2\n"
     "    ~robot_radius 0.33  ~clearance 0.05 (planned beyond the radius)\n"
     "    ~inflation_radius 1.0  ~goal_tolerance 0.15  ~goal_yaw_tolerance 0.15\n"
     "    ~patience 8  ~forget_obstacles_after 20  ~sensor_timeout 1\n"
+    "    ~station \"X Y\" (the charging station, map frame; none)\n"
     "    ~map_frame map  ~odom_frame odom  ~base_frame base_link\n"
     "A motion holds up a running goal, which goes on afterwards. Ends on SIGTERM and SIGINT.\n"
     "Exit status 2: no ROS master answers, or a parameter is wrong.\n";
@@ -40,7 +46,17 @@ struct Settings {
   NavigationSettings navigation;
   RelativeMotionSettings motion;
   Frames frames;
+  std::optional<Point2D> station;
 };
+
+// "X Y"
+std::optional<Point2D> ParsePlace(const std::string& text) {
+  std::istringstream stream(text);
+  Point2D place;
+  std::string rest;
+  if (!(stream >> place.x >> place.y) || stream >> rest) return std::nullopt;
+  return place;
+}
 
 std::optional<Settings> ReadSettings() {
   Settings settings;
@@ -66,7 +82,13 @@ std::optional<Settings> ReadSettings() {
   navigation.costs.lethal_radius = follower.robot_radius + clearance;
   settings.motion.robot_radius = follower.robot_radius;
   settings.frames = ReadFrames(parameters);
+  const std::string station = parameters.Text("station", "");
   if (!parameters.Finish()) return std::nullopt;
+  settings.station = ParsePlace(station);
+  if (!station.empty() && !settings.station) {
+    std::fprintf(stderr, "navigation: ~station must be \"X Y\"\n");
+    return std::nullopt;
+  }
   return settings;
 }
 
@@ -81,6 +103,7 @@ class NavigationNode {
         motion_server_(node_, "motion", false) {
     command_ = node_.advertise<geometry_msgs::Twist>("/cmd_vel", 1);
     state_ = node_.advertise<coppice_msgs::NavigationState>("/navigation/state", 10);
+    way_ = node_.advertise<std_msgs::Float64>("/navigation/way_to_station", 10);
     path_ = node_.advertise<nav_msgs::Path>("/navigation/path", 1, true);
     Subscribe();
     move_base_.registerGoalCallback([this] { OnGoal(); });
@@ -95,8 +118,10 @@ class NavigationNode {
     motion_server_.start();
     control_timer_ = node_.createTimer(ros::Duration(kControlPeriod),
                                        [this](const ros::TimerEvent&) { Control(); });
-    state_timer_ = node_.createTimer(ros::Duration(kStatePeriod),
-                                     [this](const ros::TimerEvent&) { PublishState(); });
+    state_timer_ = node_.createTimer(ros::Duration(kStatePeriod), [this](const ros::TimerEvent&) {
+      PublishState();
+      PublishWay();
+    });
   }
 
  private:
@@ -111,6 +136,7 @@ class NavigationNode {
             ROS_ERROR("%s; it is not used", error.c_str());
             return;
           }
+          MeasureWays(*grid);
           navigation_.SetMap(std::move(*grid));
         }));
     subscribers_.push_back(node_.subscribe<sensor_msgs::LaserScan>(
@@ -120,6 +146,14 @@ class NavigationNode {
           odometry_ = ToPose2D(message->pose.pose);
           odometry_stamp_ = message->header.stamp.toSec();
         }));
+  }
+
+  // On the map alone: what stands in the way today may be gone tomorrow.
+  void MeasureWays(const OccupancyGrid& map) {
+    if (!settings_.station) return;
+    Costmap costs(settings_.navigation.costs);
+    costs.Update(map, nullptr);
+    ways_.emplace(costs, *settings_.station);
   }
 
   void OnScan(const sensor_msgs::LaserScan& message) {
@@ -267,6 +301,16 @@ class NavigationNode {
     published_failures_ = state.consecutive_failures;
   }
 
+  void PublishWay() {
+    const auto pose = pose_.Newest();
+    if (!ways_ || !pose) return;
+    const auto length = ways_->Length({pose->pose.x, pose->pose.y});
+    if (!length) return;
+    std_msgs::Float64 way;
+    way.data = *length;
+    way_.publish(way);
+  }
+
   void PublishPath() {
     nav_msgs::Path path;
     path.header.stamp = ros::Time::now();
@@ -286,7 +330,8 @@ class NavigationNode {
   Navigation navigation_;
   RelativeMotion motion_;
   RobotPose pose_;
-  std::vector<Point2D> points_;  // of the newest scan, in base_link
+  std::optional<WayField> ways_;  // to the station
+  std::vector<Point2D> points_;   // of the newest scan, in base_link
   double scan_stamp_ = 0;
   Pose2D odometry_;
   double odometry_stamp_ = 0;
@@ -302,6 +347,7 @@ class NavigationNode {
   ros::Publisher command_;
   ros::Publisher state_;
   ros::Publisher path_;
+  ros::Publisher way_;
   std::vector<ros::Subscriber> subscribers_;
   ros::Timer control_timer_;
   ros::Timer state_timer_;

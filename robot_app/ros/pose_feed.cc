@@ -1,5 +1,8 @@
 #include "robot_app/ros/pose_feed.h"
 
+#include <std_msgs/Float64.h>
+
+#include <chrono>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -7,28 +10,38 @@
 namespace coppice::robot {
 namespace {
 
-constexpr double kDetour = 1.5;
 constexpr double kPeriod = 0.5;  // s, wall
 
-}  // namespace
+Time WallNow() { return std::chrono::steady_clock::now().time_since_epoch(); }
 
-double EstimatedWay(const coppice::Pose2D& from, const coppice::Pose2D& to) {
-  return kDetour * std::hypot(to.x - from.x, to.y - from.y);
-}
+}  // namespace
 
 PoseFeed::PoseFeed(ros::NodeHandle& node, const coppice::Pose2D& station,
                    std::vector<PoseKeys> trees)
     : station_(station),
+      measured_(node.subscribe<std_msgs::Float64>(
+          "/navigation/way_to_station", 1,
+          boost::function<void(const std_msgs::Float64::ConstPtr&)>(
+              [this](const std_msgs::Float64::ConstPtr& way) {
+                const std::lock_guard<std::mutex> lock(mutex_);
+                way_.OnMeasured(way->data, WallNow());
+              }))),
       trees_(std::move(trees)),
       timer_(node.createWallTimer(ros::WallDuration(kPeriod), [this](const auto&) { Send(); })) {}
+
+double PoseFeed::WayFrom(const coppice::Pose2D& pose) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return way_.Length(std::hypot(pose.x - station_.x, pose.y - station_.y), WallNow());
+}
 
 void PoseFeed::Send() {
   const std::optional<RobotPose::Stamped> newest = pose_.Newest();
   if (!newest) return;
   const coppice::Pose2D pose{newest->pose.x, newest->pose.y, newest->pose.yaw};
+  const double way = WayFrom(pose);
   for (const PoseKeys& keys : trees_) {
     keys.pose.Send(pose);
-    keys.distance_to_station.Send(EstimatedWay(pose, station_));
+    keys.distance_to_station.Send(way);
   }
 }
 

@@ -4,10 +4,12 @@
 
 #include <ros/node_handle.h>
 
+#include <mutex>
 #include <vector>
 
 #include "bt_core/data/inbox.h"
 #include "bt_nodes/navigation/pose2d.h"
+#include "bt_nodes/power/way_home.h"
 #include "robot_app/navigation/ros_support.h"
 
 namespace coppice::robot {
@@ -15,13 +17,11 @@ namespace coppice::robot {
 /// A tree that does not use a key gives an empty sender.
 struct PoseKeys {
   Sender<coppice::Pose2D> pose;  ///< in the map frame
-  /// Length of the way to the station [m], estimated: no map is asked.
+  /// Length of the way to the station [m], from the topic /navigation/way_to_station (on the map).
+  /// While that is silent it is estimated: the straight line, and half of it more for the
+  /// corridors.
   Sender<double> distance_to_station;
 };
-
-/// Estimated length of the way between two places in a building [m]: the straight line, and half
-/// of it more for the corridors.
-double EstimatedWay(const coppice::Pose2D& from, const coppice::Pose2D& to);
 
 /// Twice a second from tf, as long as it lives; without tf nothing is sent.
 class PoseFeed {
@@ -30,9 +30,13 @@ class PoseFeed {
   PoseFeed(ros::NodeHandle& node, const coppice::Pose2D& station, std::vector<PoseKeys> trees);
 
  private:
+  double WayFrom(const coppice::Pose2D& pose);
   void Send();
 
   coppice::Pose2D station_;
+  std::mutex mutex_;  // the spinner has two threads
+  WayHome way_;
+  ros::Subscriber measured_;
   std::vector<PoseKeys> trees_;
   RobotPose pose_{{"map", "odom", "base_link"}};
   ros::WallTimer timer_;

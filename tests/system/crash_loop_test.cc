@@ -6,9 +6,11 @@
 #include <gtest/gtest.h>
 #include <ros/ros.h>
 
+#include <cmath>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <memory>
 #include <string>
 
@@ -24,6 +26,7 @@ constexpr char kDamage[] = "/crash_loop/coppice_odometry_filter";
 constexpr unsigned kMostRestarts = 3;
 constexpr double kEscalatedWithin = 60;   // s
 constexpr double kAskedWithin = 10 * 60;  // s
+constexpr double kQuiet = 10;             // s, ROS time
 
 RigOptions Options() {
   RigOptions options;
@@ -66,6 +69,43 @@ bool PersonIsCalled(const RobotRig& rig) {
   const std::string told = rig.Logged("on_given_up");
   return told.find("has given up odometry_filter") != std::string::npos &&
          told.find("failed again after a restart of the stack") != std::string::npos;
+}
+
+bool IsSettled(const RobotState& state) {
+  for (const auto& [name, process] : state.processes()) {
+    const int is = process.state;
+    if (is != ProcessState::READY && is != ProcessState::STOPPED && is != ProcessState::GIVEN_UP) {
+      return false;
+    }
+  }
+  return true;
+}
+
+std::map<std::string, int> Pids(const RobotState& state) {
+  std::map<std::string, int> pids;
+  for (const auto& [name, process] : state.processes()) pids[name] = process.pid;
+  return pids;
+}
+
+// Waits until nothing changes any more; from then on no program is started or ended for ten
+// seconds of ROS time, and the robot stands.
+void ExpectQuiet(RobotRig& rig) {
+  ASSERT_TRUE(rig.WaitFor(IsSettled, 60));
+  std::map<std::string, int> pids;
+  Place stands;
+  double since = -kQuiet;
+  EXPECT_TRUE(rig.WaitFor(
+      [&](const RobotState& state) {
+        const Place& now = state.truth();
+        const bool moves = std::hypot(now.x - stands.x, now.y - stands.y) > 0.02;
+        if (since < 0 || moves || Pids(state) != pids) {
+          pids = Pids(state);
+          stands = now;
+          since = state.now().ros;
+        }
+        return state.now().ros >= since + kQuiet;
+      },
+      5 * kQuiet));
 }
 
 class CrashLoop : public testing::Test {
@@ -129,6 +169,7 @@ TEST_F(CrashLoop, ThatNothingEndsStopsTheRobotAndAsksAPerson) {
       },
       60));
   fault.AddRecovery("safe stop, a person is called");
+  ExpectQuiet(*rig_);
 
   std::filesystem::remove(damage);
   coppice_msgs::RestartProcess repaired;

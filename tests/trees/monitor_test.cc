@@ -49,7 +49,8 @@ TEST_F(MonitorTree, HasTheStructureOfThePaper) {
   EXPECT_EQ(
       scenario_.ChildrenOf("monitor"),
       (Names{"check_and_set_configuration", "battery_watchdog", "never_fails", "settle_requests"}));
-  EXPECT_EQ(scenario_.ChildrenOf("errors"), (Names{"process_monitors", "handle_errors"}));
+  EXPECT_EQ(scenario_.ChildrenOf("errors"),
+            (Names{"process_monitors", "tell_network", "handle_errors"}));
   EXPECT_EQ(scenario_.ChildrenOf("handle_errors"),
             (Names{"emergency_stop", "node_or_topic", "navigation", "localization", "charging",
                    "others"}));
@@ -242,6 +243,17 @@ TEST_F(MonitorTree, TellsOfWhatItCannotRepairOnceAndWhenItHasGone) {
   Live(40, {});
   EXPECT_EQ(scenario_.CallsOf("Tell cpu host: has gone"), 1);
   EXPECT_EQ(scenario_.CallsOf("Tell clock base: has gone"), 1);
+}
+
+// The programs on the other computer are dead to this one as well; that they cannot be restarted
+// turns out much later.
+TEST_F(MonitorTree, TellsOfABrokenNetworkWhileItStillRestartsWhatIsBehindIt) {
+  Live(6, {{"node", "/second_system_monitor"}, {"network", "host second"}});
+  EXPECT_TRUE(scenario_.Runs("restart_node"));
+  EXPECT_EQ(Calls(),
+            (Names{"RestartNode /second_system_monitor", "Tell network host second: broken"}));
+  Live(20, {{"node", "/second_system_monitor"}, {"cpu", "load"}});
+  EXPECT_EQ(Calls().size(), 2u);  // other messages wait
 }
 
 TEST_F(MonitorTree, TellsOfMonitorsThatItDoesNotKnow) {

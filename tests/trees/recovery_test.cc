@@ -202,6 +202,25 @@ TEST_F(RecoverLocalization, RestartsTheLocalizationAndLooksAroundAgain) {
   EXPECT_EQ(scenario_.CallsOf("Rotate 6.2832 0.4"), 2);
 }
 
+// Minutes without the program that turns the robot, which nobody restarts any more.
+TEST_F(RecoverLocalization, UsesUpNoRungWhileTheNavigationIsDown) {
+  scenario_.Tick();
+  EXPECT_EQ(scenario_.Answer(false), Status::kRunning);  // the server has just died
+  scenario_.Advance(3);
+  Health health = Errors("localization");
+  health.entries.push_back({"node", "/navigation", "/navigation", HealthLevel::kError, "dead"});
+  scenario_.Set("health", health);
+  scenario_.robot.calls.clear();
+  for (int i = 0; i < 300; ++i) {
+    EXPECT_EQ(scenario_.Tick(), Status::kFailure);
+    scenario_.Advance(1);
+  }
+  EXPECT_EQ(scenario_.robot.calls, std::vector<std::string>{});
+  scenario_.Set("health", Errors("localization"));
+  EXPECT_EQ(scenario_.Tick(), Status::kRunning);
+  EXPECT_EQ(scenario_.LastCall(), "Rotate 6.2832 0.4");
+}
+
 TEST_F(RecoverLocalization, AsksAPersonAtLastAndDoesNotWait) {
   scenario_.Tick();
   Turn();

@@ -26,6 +26,7 @@ DockPlace ReadDock(YamlFields& fields) {
   dock.y = fields.Number("y", 0, -1e6, 1e6);
   dock.map_frame = fields.Text("map_frame", dock.map_frame).text;
   dock.base_frame = fields.Text("base_frame", dock.base_frame).text;
+  dock.way = fields.Has("way") ? ReadRosName(fields, "way") : "";
   dock.detour = fields.Number("detour", dock.detour, 1, 100);
   fields.Finish();
   return dock;

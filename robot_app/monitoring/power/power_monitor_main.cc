@@ -5,10 +5,12 @@
 #include <ros/ros.h>
 #include <sensor_msgs/BatteryState.h>
 #include <std_msgs/Bool.h>
+#include <std_msgs/Float64.h>
 
 #include <cmath>
 #include <optional>
 
+#include "bt_nodes/power/way_home.h"
 #include "robot_app/monitoring/monitor_node.h"
 #include "robot_app/monitoring/power/battery_monitor.h"
 #include "robot_app/monitoring/power/charging_monitor.h"
@@ -41,6 +43,7 @@ class Program {
     emergency_stop_.Watch(list.emergency_stop);
     battery_topic_ = list.battery ? list.battery->topic : "";
     dock_ = list.battery ? list.battery->dock : std::nullopt;
+    if (dock_) way_ = WayHome(dock_->detour);
     docking_action_ = list.docking ? list.docking->action : "";
     stop_topic_ = list.emergency_stop ? list.emergency_stop->topic : "";
     if (timer_.isValid()) Subscribe();
@@ -69,6 +72,10 @@ class Program {
                                     [this](const std_msgs::Bool& pressed) {
                                       emergency_stop_.OnState(pressed.data, MonitorNode::Now().ros);
                                     });
+    node_.Subscribe<std_msgs::Float64>(way_subscriber_, dock_ ? dock_->way : "", kQueue,
+                                       [this](const std_msgs::Float64& way) {
+                                         way_.OnMeasured(way.data, MonitorNode::Now().wall);
+                                       });
     if (!dock_) tf_.reset();
     if (dock_ && !tf_) tf_.emplace(node_.handle());
   }
@@ -94,7 +101,8 @@ class Program {
   void LookAtDistance() {
     const TransformSample robot = tf_->Look(dock_->map_frame, dock_->base_frame);
     if (!robot.found) return;
-    battery_.OnDistance(dock_->detour * std::hypot(robot.x - dock_->x, robot.y - dock_->y));
+    const double straight = std::hypot(robot.x - dock_->x, robot.y - dock_->y);
+    battery_.OnDistance(way_.Length(straight, MonitorNode::Now().wall));
   }
 
   BatteryMonitor battery_;
@@ -103,8 +111,10 @@ class Program {
   EmergencyStopMonitor emergency_stop_;
   std::string battery_topic_, docking_action_, stop_topic_;
   std::optional<DockPlace> dock_;
+  WayHome way_;
   MonitorNode node_;
   ros::Subscriber battery_subscriber_, docking_subscriber_, progress_subscriber_, stop_subscriber_;
+  ros::Subscriber way_subscriber_;
   std::optional<TfTree> tf_;
   ros::WallTimer timer_;
 };

@@ -15,7 +15,8 @@ struct DockPlace {
   double x = 0, y = 0;            ///< m
   std::string map_frame = "map";  ///< of x and y
   std::string base_frame = "base_link";
-  double detour = 1.5;  ///< way there over the straight line
+  std::string way;      ///< std_msgs/Float64: the way as navigation measures it [m]; may be empty
+  double detour = 1.5;  ///< else: way there over the straight line
 };
 
 struct BatteryWatch {

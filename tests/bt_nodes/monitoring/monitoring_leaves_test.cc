@@ -98,5 +98,22 @@ TEST(FaultConditions, AskForTheirOwnKindOfMonitor) {
   EXPECT_EQ(stop.Tick(), Status::kFailure);
 }
 
+TEST(NodeIsWell, AsksWhetherAMonitorBlamesThatNode) {
+  LeafHarness harness = LeafHarness::For<NodeIsWell>();
+  harness.Set("node", std::string("/navigation"));
+  Health health;
+  const auto tick = [&] {
+    harness.Set("health", health);
+    return harness.Tick();
+  };
+  EXPECT_EQ(tick(), Status::kSuccess);
+  health.entries = {{"node", "/docking", "/docking", HealthLevel::kError, "dead"},
+                    {"topic", "/scan", "/navigation", HealthLevel::kWarn, "slow"},
+                    {"navigation", "progress", "/navigation", HealthLevel::kError, "blocked"}};
+  EXPECT_EQ(tick(), Status::kSuccess);
+  health.entries[1].level = HealthLevel::kStale;
+  EXPECT_EQ(tick(), Status::kFailure);
+}
+
 }  // namespace
 }  // namespace coppice

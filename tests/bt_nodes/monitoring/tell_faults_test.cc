@@ -56,6 +56,25 @@ TEST_F(TellFaultsTest, LeavesOutWhatOthersHandle) {
   EXPECT_EQ(robot_.calls, std::vector<std::string>{"Tell disk host: busy"});
 }
 
+TEST_F(TellFaultsTest, TellsOnlyOfTheKindsThatItIsFor) {
+  leaf_.Set("only", std::string("network;clock"));
+  Live(100, {"network", "disk"});
+  EXPECT_EQ(robot_.calls, std::vector<std::string>{"Tell network host: busy"});
+}
+
+TEST_F(TellFaultsTest, LeavesOutWhatNobodyKnowsIfToldSo) {
+  leaf_.Set("stale", false);
+  Health health;
+  health.entries = {{"cpu", "a", "", HealthLevel::kError, "x"},
+                    {"cpu", "b", "", HealthLevel::kStale, "y"}};
+  leaf_.Set("health", health);
+  for (int i = 0; i < 10; ++i) {
+    leaf_.Advance(std::chrono::seconds(1));
+    leaf_.Tick();
+  }
+  EXPECT_EQ(robot_.calls, std::vector<std::string>{"Tell cpu a: x"});
+}
+
 TEST_F(TellFaultsTest, KeepsSubjectsApart) {
   Health health;
   health.entries = {{"cpu", "a", "", HealthLevel::kError, "x"},

@@ -83,8 +83,8 @@ configurations:
     transforms: [{parent: map, child: odom, node: /l, age: {staleness: 9}}]
     loggers: [{name: record, path: run.log, staleness: 7}]
     diagnostics: {staleness: 6}
-    battery: {topic: /battery_state, node: /base, voltage: {error: [23, 30]}, dock: {x: 1, y: 2},
-              model: {capacity: 40}}
+    battery: {topic: /battery_state, node: /base, voltage: {error: [23, 30]},
+              dock: {x: 1, y: 2, way: /way}, model: {capacity: 40}}
     charging: {within: 4}
     docking: {action: /docking, node: /docking, failures: {error: [none, 5]}}
     emergency_stop: {topic: /stop}
@@ -112,6 +112,7 @@ configurations:
   EXPECT_EQ(list.diagnostics->staleness, seconds(6));
   EXPECT_EQ(list.battery->voltage.error.low, 23);
   EXPECT_EQ(list.battery->dock->y, 2);
+  EXPECT_EQ(list.battery->dock->way, "/way");
   EXPECT_EQ(list.battery->model.capacity, 40);
   EXPECT_EQ(list.charging->within, seconds(4));
   EXPECT_EQ(list.docking->failures.error.high, 5);

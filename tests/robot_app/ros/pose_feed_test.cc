@@ -1,6 +1,7 @@
 #include "robot_app/ros/pose_feed.h"
 
 #include <gtest/gtest.h>
+#include <std_msgs/Float64.h>
 #include <tf2_ros/static_transform_broadcaster.h>
 
 #include "bt_core/engine/executor.h"
@@ -9,10 +10,6 @@
 
 namespace coppice::robot {
 namespace {
-
-TEST(EstimatedWay, IsLongerThanTheStraightLine) {
-  EXPECT_DOUBLE_EQ(EstimatedWay({0, 0, 0}, {3, 4, 1}), 7.5);
-}
 
 geometry_msgs::TransformStamped Transform(const char* parent, const char* child, double x) {
   geometry_msgs::TransformStamped transform;
@@ -49,7 +46,16 @@ TEST(PoseFeed, BringsPoseAndDistanceFromTf) {
   };
   ASSERT_TRUE(Eventually([&] { return key("distance_to_station").has_value(); }));
   EXPECT_DOUBLE_EQ(key("pose").Get<coppice::Pose2D>().x, 3);
-  EXPECT_DOUBLE_EQ(key("distance_to_station").Get<double>(), 4.5);
+  EXPECT_DOUBLE_EQ(key("distance_to_station").Get<double>(), 4.5);  // estimated
+  auto navigation = node.advertise<std_msgs::Float64>("/navigation/way_to_station", 1);
+  std_msgs::Float64 way;
+  way.data = 12;
+  EXPECT_TRUE(Eventually([&] {
+    navigation.publish(way);
+    return key("distance_to_station").Get<double>() == 12;
+  }));
+  EXPECT_TRUE(Eventually([&] { return key("distance_to_station").Get<double>() == 4.5; }))
+      << "the navigation is silent";
 }
 
 }  // namespace

@@ -156,6 +156,48 @@ TEST_P(CrashLoopTest, ASupervisorThatDiesInBetweenDoesNotPutItOff) {
 
 INSTANTIATE_TEST_SUITE_P(Seeds, CrashLoopTest, testing::Range(1u, 51u));
 
+// The programs, groups and limits that are shipped.
+RobotConfig ShippedRobot() {
+  Diagnostics diagnostics;
+  RobotConfig config =
+      LoadRobotConfig(COPPICE_SOURCE_DIR "/robot_app/config/robot.yaml",
+                      {{"bin", "/bin"}, {"config", "/config"}, {"record", "/tmp"}}, diagnostics);
+  EXPECT_FALSE(diagnostics.has_errors()) << diagnostics.ToString();
+  return config;
+}
+
+TEST(ShippedRobotInACrashLoop, ClimbsToASafeStopAndAPersonAndStaysThereQuietly) {
+  SimulatedRobot robot{ShippedRobot()};
+  ASSERT_TRUE(robot.RunUntil([&] { return robot.AllReady(); }, seconds(60)));
+  robot.RunFor(seconds(120));
+  const int before = robot.machine.Starts("odometry_filter");
+  robot.machine.programs["odometry_filter"].crashes = [] { return milliseconds(2000); };
+  robot.machine.Crash("odometry_filter");
+  const Time begin = robot.machine.now;
+  const std::size_t victim = robot.Index("odometry_filter");
+  const auto climbs_to = [&](EscalationStep step, Duration at_most) {
+    return robot.RunUntil([&] { return robot.supervisor().escalation(victim) == step; }, at_most);
+  };
+  EXPECT_TRUE(climbs_to(EscalationStep::kClosure, seconds(60)));
+  EXPECT_LE(robot.machine.Starts("odometry_filter") - before, 4);
+  EXPECT_TRUE(climbs_to(EscalationStep::kStack, seconds(240)));
+  ASSERT_TRUE(robot.RunUntil([&] { return !robot.calls.empty(); }, seconds(600)));
+  EXPECT_EQ(robot.stacks, 1);
+  EXPECT_LT(robot.machine.now - begin, std::chrono::minutes(10));
+  EXPECT_THAT(robot.calls.front(), HasSubstr("has given up odometry_filter"));
+
+  ASSERT_TRUE(robot.RunUntil([&] { return robot.AllReady(); }, seconds(60)));
+  EXPECT_EQ(robot.supervisor().configuration(), "safe_stop");
+  const std::size_t starts = robot.machine.starts.size();
+  robot.RunFor(std::chrono::hours(3));
+  EXPECT_EQ(robot.machine.starts.size(), starts);
+  EXPECT_THAT(robot.calls, SizeIs(1));
+  EXPECT_EQ(robot.stacks, 1);
+  for (const char* moves : {"navigation", "docking", "localization", "odometry_filter"}) {
+    EXPECT_FALSE(robot.machine.Runs(moves)) << moves;
+  }
+}
+
 class SlowLoopTest : public testing::Test {
  protected:
   void CrashEach(const std::string& name, Duration after) {
