@@ -70,13 +70,8 @@ class TreePainter {
     if (item.k == 0 || item.whole_branch) return;
     const SceneNode& node = NodeOf(item);
     EdgeLook look;
-    look.parent = area_.camera.ToScreen(view_.BoxAt(view_.ShownParent(item.k), pen_.ui.now));
-    look.child = item.box;
-    look.child.min.y += NoteHeight(node) * area_.camera.zoom;
-    if (!Union(look.parent, look.child).Overlaps(area_.box)) return;
-    look.link = view_.LinkOf(item.k);
-    look.orientation = view_.orientation();
-    look.zoom = area_.camera.zoom;
+    look.ends = OnScreen(item.k, node);
+    if (!Union(look.ends.parent, look.ends.child).Overlaps(area_.box)) return;
     look.state = StateOf(area_.options.live, node);
     look.offline = area_.options.live && !area_.options.live->is_fresh;
     const bool alone = node.number == 1 && node.end == scene_.nodes[node.parent].end;
@@ -87,10 +82,28 @@ class TreePainter {
     PaintEdge(pen_, look);
   }
 
+  EdgeEnds OnScreen(std::uint32_t k, const SceneNode& node) const {
+    const float zoom = area_.camera.zoom;
+    EdgeEnds ends = view_.EdgeTo(k, pen_.ui.now);
+    ends.parent = area_.camera.ToScreen(ends.parent);
+    ends.child = area_.camera.ToScreen(ends.child);
+    ends.zoom = zoom;
+    ends.parent_note = NoteHeight(scene_.nodes[view_.shown()[view_.ShownParent(k)]]) * zoom;
+    ends.child_note = NoteHeight(node) * zoom;
+    ends.below_row *= zoom;
+    return ends;
+  }
+
   void PaintStraight(const EdgeLook& look) {
-    const Color color = StatusColor(colors_, look.state, colors_.edge);
-    pen_.Line({ToIm(look.parent.center()), ToIm(look.child.center())},
-              Fade(color, 0.7F * look.strength), 1);
+    const Color color = Fade(StatusColor(colors_, look.state, colors_.edge), 0.7F * look.strength);
+    if (look.ends.link == Link::kCurve || look.ends.link == Link::kNone) {
+      pen_.Line({ToIm(look.ends.parent.center()), ToIm(look.ends.child.center())}, color, 1);
+      return;
+    }
+    const EdgeShape edge = ShapeOfEdge(look.ends);
+    Outline line = {ToIm(edge.a), ToIm(edge.d)};
+    for (const Point point : edge.branch) line.push_back(ToIm(point));
+    pen_.Line(line, color, 1);
   }
 
   void PaintItem(const VisibleNode& item) {

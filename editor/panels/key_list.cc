@@ -80,6 +80,7 @@ void DrawKeyList(const Ui& ui, EditorState& state) {
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
   ImGui::Dummy({1, 6 * ui.scale});
   DrawProblems(ui, state.key_settings.problems);
+  ImGui::BeginChild("rows", {0, ImGui::GetContentRegionAvail().y}, false);
   const Command* chosen = nullptr;
   for (int i = 0; i < count; ++i) {
     const Command& command = *commands[static_cast<std::size_t>(i)];
@@ -88,6 +89,7 @@ void DrawKeyList(const Ui& ui, EditorState& state) {
     if (row.visible) PaintCommand(ui, command, row.box);
     if (row.clicked || (i == state.popup_choice && IsPressed(state, kKeyEnter))) chosen = &command;
   }
+  ImGui::EndChild();
   ImGui::PopStyleVar();
   if (chosen) AskForKeys(state, chosen->id);
 }
@@ -102,6 +104,7 @@ void DrawNewKeys(const Ui& ui, EditorState& state) {
     ui.RowText(*ImGui::GetWindowDrawList(), row.box.min + Point{6 * ui.scale, 0}, row.box.height(),
                text, {Face::kSans, 12, color}, row.box.width() - 12);
   };
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
   const Command* other = OtherWithKeys(state, *command, settings.taken);
   const std::string now =
       command->keys.key ? "now " + ToString(command->keys) : std::string("now without a key");
@@ -111,6 +114,7 @@ void DrawNewKeys(const Ui& ui, EditorState& state) {
   write("popup/taken",
         other ? ToString(settings.taken) + " is \"" + other->title + "\"; again takes it away" : "",
         ui.palette.warning);
+  ImGui::PopStyleVar();
   if (is_first_frame) return;
   for (const KeyEvent& event : state.keys) {
     const KeyChord pressed = {event.key, event.modifiers};

@@ -52,13 +52,13 @@ void Replace(Stage& stage) {
   stage.driver().Press(kKeyEscape);
   stage.driver().Frames(4);
   stage.Run("edit.replace");
-  Type(stage, "target");
 }
 
 void ReplacePreview(Stage& stage) {
   Replace(stage);
   stage.driver().Press(kKeyEnter);
   stage.driver().Frames(6);
+  Type(stage, "target");
 }
 
 void Steps(Stage& stage) {
