@@ -60,7 +60,8 @@ class EdgePainter {
   float Thickness() const {
     const bool running = look_.state.status == Status::kRunning;
     const float thick = running ? 3.0F : look_.state.status != Status::kIdle ? 2.0F : 1.5F;
-    return std::max(1.0F, thick * std::min(zoom_, 1.2F));
+    const float scale = pen_.ui.scale;
+    return std::max(scale, thick * std::min(zoom_, 1.2F * scale));
   }
 
   void PaintLine(Color color, float thick) {

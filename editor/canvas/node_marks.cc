@@ -90,7 +90,7 @@ void PaintBadge(Pen& pen, const NodeLook& look, const Box& body) {
   if (badge == Badge::kNone) return;
   const Palette& colors = pen.ui.palette;
   const Color color = badge == Badge::kError ? colors.error : colors.warning;
-  const float radius = std::clamp(8 * look.zoom, 4.0F, 16.0F);
+  const float radius = std::clamp(8 * look.zoom, 4 * pen.ui.scale, 8 * pen.ui.scale);
   const Point center = {body.max.x - radius * 0.3F, body.min.y - radius * 0.1F};
   pen.Disc(center, radius + std::max(1.0F, look.zoom), colors.canvas);
   pen.Disc(center, radius, color);

@@ -101,7 +101,7 @@ class NodePainter {
     }
     if (look_.change != Change::kNone) color = ColorOf(colors(), look_.change);
     pen_.FillBox(box_, color, std::min(Z(4), 3.0F));
-    if (look_.selected) pen_.FrameBox(Grown(2), colors().accent, 3, 2);
+    if (look_.selected) pen_.FrameBox(Grown(2), colors().accent, 3, 2 * ui_.scale);
     PaintBadge(pen_, look_, box_);
   }
 
@@ -156,7 +156,7 @@ class NodePainter {
 
   void PaintBorder() {
     const bool active = look_.state.status != Status::kIdle;
-    const float thick = std::clamp(Z(2.5F), 1.5F, 4.0F);
+    const float thick = std::clamp(Z(2.5F), 1.5F * ui_.scale, 4.0F * ui_.scale);
     if (node_.shape == Shape::kSubTree) {
       const Color outer = active ? Fade(StateColor(), 0.6F) : colors().node_border;
       pen_.Stroke(OutlineOf(Grown(Z(3))), outer, ui_.scale);

@@ -103,7 +103,7 @@ class TreePainter {
     const EdgeShape edge = ShapeOfEdge(look.ends);
     Outline line = {ToIm(edge.a), ToIm(edge.d)};
     for (const Point point : edge.branch) line.push_back(ToIm(point));
-    pen_.Line(line, color, 1);
+    pen_.Line(line, color, pen_.ui.scale);
   }
 
   void PaintItem(const VisibleNode& item) {

@@ -1,6 +1,7 @@
 #include "editor/panels/key_list.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "editor/commands/fuzzy.h"
@@ -80,7 +81,9 @@ void DrawKeyList(const Ui& ui, EditorState& state) {
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
   ImGui::Dummy({1, 6 * ui.scale});
   DrawProblems(ui, state.key_settings.problems);
-  ImGui::BeginChild("rows", {0, ImGui::GetContentRegionAvail().y}, false);
+  const float row_height = kRowHeight * ui.scale;
+  const float whole = std::floor(ImGui::GetContentRegionAvail().y / row_height) * row_height;
+  ImGui::BeginChild("rows", {0, std::max(whole, row_height)}, false);
   const Command* chosen = nullptr;
   for (int i = 0; i < count; ++i) {
     const Command& command = *commands[static_cast<std::size_t>(i)];
