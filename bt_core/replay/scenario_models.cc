@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <set>
 
@@ -47,7 +48,7 @@ std::vector<std::string> DecoratorsWithoutModel(const Project& project) {
 
 std::string ModelsOfRecord(const TreeDescription& tree) {
   const Registry built_in;
-  std::set<std::string> used;
+  std::set<std::string, std::less<>> used;
   for (const DescribedNode& node : tree.nodes) {
     if (!built_in.Find(node.id)) used.insert(node.id);
   }

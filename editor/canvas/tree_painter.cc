@@ -12,6 +12,7 @@
 namespace coppice::editor {
 namespace {
 
+constexpr float kTiny = 1.5F;     // pixels at scale 1
 constexpr float kGroundSide = 8;  // of the ground beside the nodes of a SubTree, at zoom 1
 
 class TreePainter {
@@ -95,9 +96,13 @@ class TreePainter {
   }
 
   void PaintStraight(const EdgeLook& look) {
+    // So many lines between so small boxes would hide these.
+    const bool tiny = look.ends.child.height() < kTiny * pen_.ui.scale;
+    if (tiny && look.state.status == Status::kIdle) return;
     const Color color = Fade(StatusColor(colors_, look.state, colors_.edge), 0.7F * look.strength);
     if (look.ends.link == Link::kCurve || look.ends.link == Link::kNone) {
-      pen_.Line({ToIm(look.ends.parent.center()), ToIm(look.ends.child.center())}, color, 1);
+      pen_.Line({ToIm(look.ends.parent.center()), ToIm(look.ends.child.center())}, color,
+                pen_.ui.scale);
       return;
     }
     const EdgeShape edge = ShapeOfEdge(look.ends);

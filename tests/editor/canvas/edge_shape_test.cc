@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 
 namespace coppice::editor {
@@ -90,14 +89,11 @@ TEST(EdgeShape, AcrossTheRowsAreColumns) {
 TEST(EdgeShape, ALeafInAColumnOfARowHangsOnItsTrunk) {
   EdgeEnds ends = Ends({{400, 380}, {480, 410}}, Link::kRowColumn);
   ends.below_row = 80;
-  const std::vector<Point> way = PointsAlong(ShapeOfEdge(ends));
-  EXPECT_EQ(way.back().x, 400);
-  EXPECT_GT(way.back().y, 380);
-  float least = 1e9F;
-  for (const Point at : way) {
-    if (at.x > 200 && at.x < 380) least = std::min(least, at.y);
-  }
-  EXPECT_LT(least, 300) << "it comes along above the row, not above the leaf";
+  const EdgeShape edge = ShapeOfEdge(ends);
+  EXPECT_EQ(PointsAlong(edge).back().x, 400);
+  EXPECT_GT(PointsAlong(edge).back().y, 380);
+  EXPECT_LT(DistanceTo(edge, {300, 282}), 1) << "it comes along above the row";
+  EXPECT_GT(DistanceTo(edge, {300, 362}), 50) << "not above the leaf";
 }
 
 TEST(EdgeShape, TheDistanceIsThatOfTheNearestPlace) {
