@@ -11,6 +11,7 @@
 #include "editor/panels/key_list.h"
 #include "editor/panels/panel.h"
 #include "editor/panels/panels.h"
+#include "editor/panels/popup_rows.h"
 #include "editor/panels/type_choices.h"
 
 namespace coppice::editor {
@@ -19,9 +20,8 @@ namespace {
 constexpr float kWidth = 560;
 constexpr float kKeysWidth = 760;
 constexpr float kField = 24;
-constexpr float kBelowAsked = 6;
-constexpr std::size_t kRows = 12;          // of a list that are in sight
-constexpr std::size_t kMostChoices = 200;  // that it offers
+constexpr float kBelowAsked = 9;
+constexpr std::size_t kMostChoices = 200;  // that a list offers
 
 bool Pressed(const EditorState& state, Key key) {
   return std::any_of(state.keys.begin(), state.keys.end(),
@@ -114,12 +114,12 @@ class PopupWindow {
         return state_.popup_rows;
       case Popup::kPalette:
       case Popup::kList:
-        return std::min(state_.popup_rows, kRows);
+        return std::min(state_.popup_rows, kPopupRows);
       case Popup::kPrompt:
-        return state_.prompt.preview ? std::min(state_.popup_rows, kRows) : 0;
+        return state_.prompt.preview ? std::min(state_.popup_rows, kPopupRows) : 0;
       case Popup::kAdd:
       case Popup::kChangeType:
-        return std::min(state_.popup_rows, kRows) + 1;
+        return std::min(state_.popup_rows, kPopupRows) + 1;
       case Popup::kNewKeys:
         return 3;
       case Popup::kPasteErrors:
@@ -242,81 +242,45 @@ class PopupWindow {
   void Preview(const std::vector<Choice>& rows) {
     state_.popup_rows = rows.size();
     const bool has_choice = !HasField();
-    if (has_choice) Choose(rows.size());
-    int chosen = -1;
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
-    BeginRows(rows.size());
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      if (NextChoice(i, rows[i].title, rows[i].note, rows[i].kind, has_choice)) {
-        chosen = static_cast<int>(i);
-      }
-    }
-    ImGui::EndChild();
-    ImGui::PopStyleVar();
+    int chosen = Chosen(rows, has_choice);
     if (has_choice && Pressed(state_, kKeySpace) && !rows.empty()) chosen = state_.popup_choice;
-    if (chosen >= 0 && rows[static_cast<std::size_t>(chosen)].run) {
-      rows[static_cast<std::size_t>(chosen)].run();
-    }
+    if (chosen < 0) return;
+    const auto& run = rows[static_cast<std::size_t>(chosen)].run;
+    if (run) run();
   }
 
   void Choices(const std::vector<Choice>& choices) {
     state_.popup_rows = std::max<std::size_t>(choices.size(), 1);
-    Choose(choices.size());
-    int chosen = -1;
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
-    BeginRows(state_.popup_rows);
-    if (choices.empty()) PaintHelp("popup/nothing", "nothing fits what was typed");
-    for (std::size_t i = 0; i < choices.size(); ++i) {
-      const Choice& choice = choices[i];
-      if (NextChoice(i, choice.title, choice.note, choice.kind)) chosen = static_cast<int>(i);
-    }
-    ImGui::EndChild();
-    ImGui::PopStyleVar();
-    const bool any = !choices.empty();
-    if (Confirmed(state_) && any) chosen = state_.popup_choice;
+    int chosen = Chosen(choices, true);
+    if (Confirmed(state_) && !choices.empty()) chosen = state_.popup_choice;
     if (chosen < 0) return;
     state_.popup = Popup::kNone;  // before running: the command may open another
     choices[static_cast<std::size_t>(chosen)].run();
   }
 
-  // Moves the highlighted row with the arrow keys.
-  void Choose(std::size_t count) {
-    const int before = state_.popup_choice;
-    if (Pressed(state_, kKeyDown)) ++state_.popup_choice;
-    if (Pressed(state_, kKeyUp)) --state_.popup_choice;
-    state_.popup_choice =
-        std::clamp(state_.popup_choice, 0, std::max(static_cast<int>(count) - 1, 0));
-    choice_has_moved_ = state_.popup_choice != before;
-  }
-
-  // The rows scroll if there are many; what is asked and typed stays above them.
-  void BeginRows(std::size_t count) const {
-    ImGui::Dummy({1, 6 * ui_.scale});
-    const float height = static_cast<float>(std::min(count, kRows)) * kRowHeight * ui_.scale;
-    ImGui::BeginChild("rows", {0, height}, false);
-  }
-
-  // True if it was clicked.
-  bool NextChoice(std::size_t number, const std::string& title, const std::string& note,
-                  const std::string& kind, bool can_be_chosen = true) {
-    const bool chosen = can_be_chosen && static_cast<int>(number) == state_.popup_choice;
-    const Row row = NextRow(ui_, "popup/" + std::to_string(number), chosen);
-    if (chosen && choice_has_moved_) ImGui::SetScrollHereY();
-    if (row.visible) Paint(row.box, title, note, kind);
-    return row.clicked;
+  // Draws the rows; the one that was clicked, or -1.
+  int Chosen(const std::vector<Choice>& choices, bool has_choice) {
+    PopupRows rows(ui_, state_, choices.size(), has_choice);
+    if (choices.empty() && has_choice) PaintHelp("popup/nothing", "nothing fits what was typed");
+    int chosen = -1;
+    for (std::size_t i = 0; i < choices.size(); ++i) {
+      const Choice& choice = choices[i];
+      if (rows.Next(choice.title, choice.note, choice.kind)) chosen = static_cast<int>(i);
+    }
+    return chosen;
   }
 
   void Types(bool add) {
     const std::vector<TypeChoice> types = FindTypes(state_, state_.popup_text, add, kMostChoices);
     state_.popup_rows = types.size();
-    Choose(types.size());
     int chosen = -1;
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
-    BeginRows(types.size());
-    for (std::size_t i = 0; i < types.size(); ++i) {
-      if (NextChoice(i, types[i].type, types[i].note, types[i].kind)) chosen = static_cast<int>(i);
+    {
+      PopupRows rows(ui_, state_, types.size());
+      for (std::size_t i = 0; i < types.size(); ++i) {
+        if (rows.Next(types[i].type, types[i].note, types[i].kind)) chosen = static_cast<int>(i);
+      }
     }
-    ImGui::EndChild();
     PaintHelp("popup/help", add ? AddHelp() : ChangeHelp(types));
     ImGui::PopStyleVar();
     if (Confirmed(state_) && !types.empty()) chosen = state_.popup_choice;
@@ -364,10 +328,10 @@ class PopupWindow {
     state_.popup_is_new = false;
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
     const Row head = NextRow(ui_, "popup/head", false);
-    Paint(head.box, "Nothing was pasted: the text has errors", "Esc", "");
+    PaintPopupRow(ui_, head.box, "Nothing was pasted: the text has errors", "Esc", "");
     for (std::size_t i = 0; i < state_.popup_problems.size(); ++i) {
       const Row row = NextRow(ui_, "popup/error/" + std::to_string(i), false);
-      Paint(row.box, ToString(state_.popup_problems[i]), "", "");
+      PaintPopupRow(ui_, row.box, ToString(state_.popup_problems[i]), "", "");
     }
     ImGui::PopStyleVar();
     if (Confirmed(state_)) Close();
@@ -380,26 +344,8 @@ class PopupWindow {
                 row.box.width() - 12 * ui_.scale);
   }
 
-  void Paint(const Box& box, const std::string& title, const std::string& note,
-             const std::string& kind) {
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    const TextStyle dim{Face::kSans, 11, ui_.palette.text_dim};
-    const float kind_width = 64 * ui_.scale;
-    const float pad = 6 * ui_.scale;
-    if (!kind.empty()) ui_.RowText(list, box.min + Point{pad, 0}, box.height(), kind, dim);
-    const float left = box.min.x + (kind.empty() ? pad : kind_width);
-    const TextStyle style{Face::kSans, 12, ui_.palette.text};
-    const float rest = box.max.x - left - ui_.Width(title, style) - 4 * pad;
-    const float note_width = std::min(ui_.Width(note, dim), std::max(box.width() * 0.4F, rest));
-    ui_.RowText(list, {left, box.min.y}, box.height(), title, style,
-                box.max.x - left - note_width - 3 * pad);
-    ui_.RowText(list, {box.max.x - note_width - pad, box.min.y}, box.height(), note, dim,
-                note_width + 1);
-  }
-
   const Ui& ui_;
   EditorState& state_;
-  bool choice_has_moved_ = false;  // in this frame
 };
 
 }  // namespace

@@ -95,7 +95,8 @@ TEST_F(ScenarioTestsTest, AScenarioIsSavedBesideItsTree) {
   scenario.steps.resize(1);
   Diagnostics diagnostics;
   EXPECT_EQ(SaveScenario(scenario, tree_, "", {}, "", diagnostics), test_);
-  EXPECT_EQ(SaveScenario(scenario, tree_, "Main", {}, "", diagnostics), folder_ + "a.Main.test.json");
+  EXPECT_EQ(SaveScenario(scenario, tree_, "Main", {}, "", diagnostics),
+            folder_ + "a.Main.test.json");
   EXPECT_FALSE(diagnostics.has_errors()) << diagnostics.ToString();
   EXPECT_EQ(SaveScenario(scenario, tree_, "", {}, "", diagnostics), "") << "the name is taken";
   EXPECT_TRUE(diagnostics.has_errors());
