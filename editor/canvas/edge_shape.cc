@@ -66,6 +66,7 @@ EdgeShape WayIntoRow(const Box& parent, float row, float x, float zoom) {
   EdgeShape edge = {
       start, start + (d - start) * (1 / 3.0F), start + (d - start) * (2 / 3.0F), d, {}, {x, row}};
   AddCorner(edge.branch, {0, -1}, {start.x, y}, {1, 0}, radius);
+  edge.branch.erase(edge.branch.begin());  // d
   AddCorner(edge.branch, {-1, 0}, {x, y}, {0, 1}, radius);
   return edge;
 }

@@ -48,10 +48,9 @@ void Find(Stage& stage) {
 }
 
 void Replace(Stage& stage) {
-  Find(stage);
-  stage.driver().Press(kKeyEscape);
-  stage.driver().Frames(4);
+  ShowPatrol(stage);
   stage.Run("edit.replace");
+  Type(stage, "goal");
 }
 
 void ReplacePreview(Stage& stage) {
