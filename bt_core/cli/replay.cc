@@ -25,7 +25,8 @@ constexpr char kUsage[] =
     "coppice replay FILE [--at SECONDS | --tick N] [--why NODE | --why-not NODE] [--json]\n"
     "coppice replay --verify FILE [--plugin LIBRARY] [--json]\n"
     "coppice replay --diff FILE OTHER [--json]\n"
-    "coppice replay FILE --scenario OUT [--name NAME] [--tree-file XML] [--from S] [--to S]\n"
+    "coppice replay FILE --scenario OUT [--name NAME] [--tree-file XML] [--models XML] [--from S]\n"
+    "               [--to S]\n"
     "  Shows what happened in a recorded run: in a terminal to go back and forth in it, else tick\n"
     "  by tick.\n"
     "  --print      tick by tick, also in a terminal\n"
@@ -39,7 +40,8 @@ constexpr char kUsage[] =
     "  --diff       where two runs part\n"
     "  --scenario   makes a test of the run, which `coppice test OUT` plays; --tree-file: where "
     "its\n"
-    "               tree lies, if not where it lay on the robot";
+    "               tree lies, if not where it lay on the robot; --models: a file that describes\n"
+    "               decorators of the robot's own, if not as the record does";
 
 int Fail(const std::string& problem) {
   std::cerr << problem << "\nusage: " << kUsage << "\n";
@@ -167,7 +169,7 @@ int RunReplay(const std::vector<std::string>& arguments) {
   const std::optional<Options> options =
       ParseOptions(arguments,
                    {"--node", "--from", "--to", "--at", "--tick", "--why", "--why-not", "--plugin",
-                    "--scenario", "--name", "--tree-file"},
+                    "--scenario", "--name", "--tree-file", "--models"},
                    {"--json", "--print", "--verify", "--diff"}, kUsage);
   if (!options) return 2;
   const std::size_t files = options->Has("--diff") ? 2 : 1;

@@ -3,8 +3,11 @@
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
+#include <string>
+#include <vector>
 
 #include "bt_core/model/project.h"
+#include "bt_core/replay/scenario_models.h"
 #include "bt_core/replay/scenario_of.h"
 #include "bt_core/testing/scenario_writer.h"
 
@@ -55,7 +58,12 @@ int MakeScenario(const Options& options, const Recording& run) {
   }
   const std::string tree_id = NeededTreeId(tree_file, recorded->tree_id, diagnostics);
   const std::string file = options.Get("--scenario");
-  const bool written = WriteScenario(recorded->scenario, file, tree_file, tree_id, diagnostics);
+  std::vector<std::string> known;
+  if (options.Has("--models")) known.push_back(options.Get("--models"));
+  const std::string models =
+      ModelsForScenario(file, tree_file, known, recorded->models, diagnostics);
+  const bool written =
+      WriteScenario(recorded->scenario, file, tree_file, tree_id, diagnostics, models);
   std::cerr << diagnostics.ToString();
   if (!written) return 1;
   std::cout << file << ": \"" << recorded->scenario.name << "\", "

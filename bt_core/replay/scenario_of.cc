@@ -9,6 +9,7 @@
 #include "bt_core/history/follower.h"
 #include "bt_core/replay/leaf_scripts.h"
 #include "bt_core/replay/recorded_tree.h"
+#include "bt_core/replay/scenario_models.h"
 #include "bt_core/testing/scenario_player.h"
 #include "bt_core/testing/scenario_writer.h"
 #include "bt_core/testing/stand_in.h"
@@ -193,7 +194,7 @@ std::optional<RecordedScenario> ScenarioOf(const Recording& run, std::size_t fir
   if (!scenario) return std::nullopt;
   const std::uint32_t document = description.nodes[0].document;
   return RecordedScenario{*std::move(scenario), description.documents[document].file,
-                          description.main_tree, *begin};
+                          description.main_tree, ModelsOfRecord(description), *begin};
 }
 
 }  // namespace coppice

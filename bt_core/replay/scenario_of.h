@@ -3,8 +3,8 @@
 // came, and what the tree did is what is expected. So a night on the robot becomes a test.
 //
 //   auto recorded = ScenarioOf(run, run.Find(120), run.Find(300), "stuck at the door",
-//   diagnostics); WriteScenario("patrol.test.json", "patrol.xml", recorded->tree_id,
-//   recorded->scenario, ...);
+//   diagnostics); WriteScenario(recorded->scenario, "patrol.test.json", "patrol.xml",
+//   recorded->tree_id, ...);
 #ifndef COPPICE_BT_CORE_REPLAY_SCENARIO_OF_H_
 #define COPPICE_BT_CORE_REPLAY_SCENARIO_OF_H_
 
@@ -22,6 +22,7 @@ struct RecordedScenario {
   Scenario scenario;
   std::string tree_file;       ///< of the main tree, as the robot calls it
   std::string tree_id;         ///< the main tree
+  std::string models;          ///< of the robot's own node types in it: scenario_models.h
   std::size_t first_tick = 0;  ///< of ticks(): where it begins
 };
 

@@ -188,6 +188,15 @@ bool IsSameTree(const ScenarioSuite& a, const ScenarioSuite& b) {
                                     std::filesystem::equivalent(a.tree_file, b.tree_file, ignored));
 }
 
+// In the text of a file that names none yet.
+void NameModels(const ScenarioSuite& suite, std::string& text) {
+  if (suite.models_file.empty()) return;
+  Diagnostics ignored;  // it was read before
+  const std::optional<JsonText> json = ParseJsonText(text, suite.file, ignored);
+  const std::string path = PrintJsonText(Text(RelativeTo(suite.file, suite.models_file)));
+  text.insert(json->Find("scenarios")->end, ",\n  \"models\": " + path);
+}
+
 // Comments and blanks between the last scenario and the bracket stay where they are.
 std::size_t EndOfLast(const JsonText& scenarios) { return scenarios.children.back().end; }
 
@@ -226,20 +235,23 @@ std::optional<std::string> AddScenario(const std::string& text, const std::strin
 }
 
 bool WriteScenario(const Scenario& scenario, const std::string& file, const std::string& tree_file,
-                   const std::string& tree_id, Diagnostics& diagnostics) {
+                   const std::string& tree_id, Diagnostics& diagnostics,
+                   const std::string& models_file) {
   ScenarioSuite suite;
   suite.file = file;
   suite.tree_file = tree_file;
   suite.tree_id = tree_id;
+  suite.models_file = models_file;
   suite.scenarios = {scenario};
   if (!std::filesystem::exists(file)) {
     return WriteFile(file, PrintScenarios(suite), diagnostics);
   }
   std::ifstream stream(file, std::ios::binary);
   const std::string old{std::istreambuf_iterator<char>(stream), {}};
-  const std::optional<std::string> changed = AddScenario(old, file, scenario, diagnostics);
+  std::optional<std::string> changed = AddScenario(old, file, scenario, diagnostics);
   if (!changed) return false;
   const auto present = ParseScenarios(old, file, diagnostics);
+  if (present->models_file.empty()) NameModels(suite, *changed);
   if (IsSameTree(*present, suite)) return WriteFile(file, *changed, diagnostics);
   diagnostics.Error({file, 1, 1}, "these scenarios are about another tree");
   return false;

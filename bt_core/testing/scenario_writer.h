@@ -34,10 +34,12 @@ std::string PrintScenarios(const ScenarioSuite& suite);
 std::optional<std::string> AddScenario(const std::string& text, const std::string& file,
                                        const Scenario& scenario, Diagnostics& diagnostics);
 
-/// Adds a scenario to a file, which is made if there is none. False, with the reason, if that
-/// cannot be: the file is broken, has one of that name, or is about another tree.
+/// Adds a scenario to a file, which is made if there is none. `models_file` is named in it,
+/// relative to it, unless it names one already; empty: none is needed. False, with the reason, if
+/// that cannot be: the file is broken, has one of that name, or is about another tree.
 bool WriteScenario(const Scenario& scenario, const std::string& file, const std::string& tree_file,
-                   const std::string& tree_id, Diagnostics& diagnostics);
+                   const std::string& tree_id, Diagnostics& diagnostics,
+                   const std::string& models_file = {});
 
 }  // namespace coppice
 

@@ -54,7 +54,14 @@ class Finder {
 
  private:
   bool IsColumn(std::uint32_t k) const {
-    return view_.orientation() == Orientation::kLeftToRight || view_.LinkOf(k) == Link::kTrunk;
+    const Link link = view_.LinkOf(k);
+    return view_.orientation() == Orientation::kLeftToRight || link == Link::kTrunk ||
+           link == Link::kRowColumn;
+  }
+
+  // Not in the next row or column.
+  static bool IsBeside(const Box& a, const Box& b, bool column) {
+    return column ? a.min.x == b.min.x : a.min.y == b.min.y;
   }
 
   // The sides of a node mean the gaps beside it, its middle the node itself.
@@ -82,8 +89,8 @@ class Finder {
     float at = column ? (behind ? box.max.y : box.min.y) : (behind ? box.max.x : box.min.x);
     const float away = behind ? 7.0F : -7.0F;
     const std::optional<std::uint32_t> next = Neighbour(k, behind);
-    if (next && IsColumn(*next) == column) {
-      const Box other = view_.BoxAt(*next, now_);
+    const Box other = next ? view_.BoxAt(*next, now_) : Box();
+    if (next && IsColumn(*next) == column && IsBeside(box, other, column)) {
       at = (at + (column ? (behind ? other.min.y : other.max.y)
                          : (behind ? other.min.x : other.max.x))) /
            2;
@@ -107,21 +114,22 @@ class Finder {
   }
 
   void LookAtChildren(std::uint32_t k) {
-    const Box parent = view_.BoxAt(k, now_);
     for (std::uint32_t c = k + 1; c < view_.shown_ends()[k]; c = view_.shown_ends()[c]) {
       const Box child = view_.BoxAt(c, now_);
       if (view_.LinkOf(c) == Link::kNone) continue;
-      LookAtEdge(c, parent, child);
+      LookAtEdge(c);
       if (!Grown(child, kReach).Contains(point_)) continue;
       for (const bool behind : {false, true}) LookAtBar(c, behind);
     }
   }
 
-  void LookAtEdge(std::uint32_t c, const Box& parent, const Box& child) {
-    if (edge_ || !Union(parent, child).Contains(point_)) return;
-    const EdgeShape edge = ShapeOfEdge(parent, child, view_.LinkOf(c), view_.orientation(), 1);
+  void LookAtEdge(std::uint32_t c) {
+    if (edge_) return;
+    const EdgeEnds ends = view_.EdgeTo(c, now_);
+    if (!Union(ends.parent, ends.child).Contains(point_)) return;
+    const EdgeShape edge = ShapeOfEdge(ends);
     if (DistanceTo(edge, point_) > kEdgeReach) return;
-    const Box mark = Grown({edge.d, edge.d}, 6);
+    const Box mark = Grown({edge.arrival, edge.arrival}, 6);
     edge_ = DropTarget{DropPlace::kEdge, view_.shown()[c], 0, mark};
   }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "editor/canvas/edge_shape.h"
 #include "editor/canvas/node_marks.h"
 #include "editor/canvas/node_painter.h"
 #include "editor/canvas/status_look.h"
@@ -35,9 +34,7 @@ void Walk(const std::vector<Point>& points, float first, float gap, Visit visit)
 class EdgePainter {
  public:
   EdgePainter(Pen& pen, const EdgeLook& look)
-      : pen_(pen),
-        look_(look),
-        edge_(ShapeOfEdge(look.parent, look.child, look.link, look.orientation, look.zoom)) {}
+      : pen_(pen), look_(look), zoom_(look.ends.zoom), edge_(ShapeOfEdge(look.ends)) {}
 
   void Paint() {
     const float before = pen_.opacity;
@@ -45,7 +42,7 @@ class EdgePainter {
     const bool running = look_.state.status == Status::kRunning;
     PaintLine(Colour(), Thickness());
     if (running && !look_.offline) PaintMotion(Mix(Colour(), 0xFFFFFFFF, 0.45F));
-    if (look_.number != 0 && DetailFor(look_.zoom, pen_.ui.scale) == Detail::kFull) PaintNumber();
+    if (look_.number != 0 && DetailFor(zoom_, pen_.ui.scale) == Detail::kFull) PaintNumber();
     pen_.opacity = before;
   }
 
@@ -63,7 +60,8 @@ class EdgePainter {
   float Thickness() const {
     const bool running = look_.state.status == Status::kRunning;
     const float thick = running ? 3.0F : look_.state.status != Status::kIdle ? 2.0F : 1.5F;
-    return std::max(1.0F, thick * std::min(look_.zoom, 1.2F));
+    const float scale = pen_.ui.scale;
+    return std::max(scale, thick * std::min(zoom_, 1.2F * scale));
   }
 
   void PaintLine(Color color, float thick) {
@@ -77,40 +75,40 @@ class EdgePainter {
   // Dots that walk in the direction of the tick; if nothing may move, dashes.
   void PaintMotion(Color color) {
     const std::vector<Point> points = PointsAlong(edge_);
-    const float gap = kDotDistance * look_.zoom;
+    const float gap = kDotDistance * zoom_;
     if (pen_.ui.reduce_motion) {
-      const float half = kDash * look_.zoom / 2;
+      const float half = kDash * zoom_ / 2;
       Walk(points, gap / 2, gap, [&](Point at) {
         pen_.FillBox({at - Point{half / 2, half / 2}, at + Point{half / 2, half / 2}}, color);
       });
       return;
     }
-    const auto phase =
-        static_cast<float>(std::fmod(pen_.ui.now * kDotSpeed, kDotDistance)) * look_.zoom;
-    Walk(points, phase, gap,
-         [&](Point at) { pen_.Disc(at, std::max(2.0F, 4 * look_.zoom), color); });
+    const auto phase = static_cast<float>(std::fmod(pen_.ui.now * kDotSpeed, kDotDistance)) * zoom_;
+    Walk(points, phase, gap, [&](Point at) { pen_.Disc(at, std::max(2.0F, 4 * zoom_), color); });
   }
 
   void PaintNumber() {
-    Point at = edge_.branch.empty() ? edge_.d : edge_.branch.back();
-    const bool down = look_.orientation == Orientation::kTopToBottom && edge_.branch.empty();
+    const Link link = look_.ends.link;
+    const bool down = look_.ends.orientation == Orientation::kTopToBottom &&
+                      (link == Link::kCurve || link == Link::kRow);
     const std::string text = std::to_string(look_.number);
-    const TextStyle style{Face::kSans, 9 * look_.zoom / pen_.ui.scale, pen_.ui.palette.text_dim};
-    at = at + (down ? Point{5, -14} : Point{-12, -14}) * look_.zoom;
+    const TextStyle style{Face::kSans, 9 * zoom_ / pen_.ui.scale, pen_.ui.palette.text_dim};
+    Point at = edge_.arrival + (down ? Point{5, -14} : Point{-12, -14}) * zoom_;
     // On the outer side of the bend, where the line does not come by.
-    if (down && edge_.d.x < edge_.a.x) at.x -= pen_.Width(text, style) + 10 * look_.zoom;
+    if (down && edge_.arrival.x < edge_.a.x) at.x -= pen_.Width(text, style) + 10 * zoom_;
     pen_.Text(at, text, style);
   }
 
   Pen& pen_;
   const EdgeLook& look_;
+  const float zoom_;
   const EdgeShape edge_;
 };
 
 }  // namespace
 
 void PaintEdge(Pen& pen, const EdgeLook& look) {
-  if (look.link != Link::kNone) EdgePainter(pen, look).Paint();
+  if (look.ends.link != Link::kNone) EdgePainter(pen, look).Paint();
 }
 
 }  // namespace coppice::editor

@@ -3,18 +3,14 @@
 #ifndef COPPICE_EDITOR_CANVAS_EDGE_PAINTER_H_
 #define COPPICE_EDITOR_CANVAS_EDGE_PAINTER_H_
 
+#include "editor/canvas/edge_shape.h"
 #include "editor/canvas/node_look.h"
 #include "editor/canvas/pen.h"
-#include "editor/canvas/tree_layout.h"
 
 namespace coppice::editor {
 
 struct EdgeLook {
-  Box parent;  ///< on the screen
-  Box child;
-  Link link = Link::kCurve;
-  Orientation orientation = Orientation::kTopToBottom;
-  float zoom = 1;
+  EdgeEnds ends;    ///< on the screen
   NodeState state;  ///< of the child
   bool offline = false;
   std::uint32_t number = 1;  ///< of the child; painted beside its end unless 0

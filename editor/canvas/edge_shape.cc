@@ -10,6 +10,10 @@ constexpr int kSamples = 24;
 constexpr float kTrunkInset = 10;    // of the trunk, left of the leaves
 constexpr float kTrunkTop = 28;      // below the parent, where the trunk begins
 constexpr float kHeaderMiddle = 12;  // where a branch meets its leaf
+constexpr float kRowTrunk = 14;      // of the line along rows, from the left side of their parent
+constexpr float kAboveRow = 18;      // where a line runs to the children of a row
+constexpr float kRadius = 8;         // of corners
+constexpr float kLeastRadius = 2;    // pixels; smaller corners are sharp
 
 Point OnCurve(const EdgeShape& edge, float t) {
   const float s = 1 - t;
@@ -27,28 +31,102 @@ float DistanceToSegment(Point from, Point to, Point point) {
   return std::hypot(point.x - nearest.x, point.y - nearest.y);
 }
 
+Point Flipped(Point p) { return {p.y, p.x}; }
+Box Flipped(const Box& box) { return {Flipped(box.min), Flipped(box.max)}; }
+
 EdgeShape Curve(Point a, Point d, Orientation orientation) {
   if (orientation == Orientation::kTopToBottom) {
     const float bend = (d.y - a.y) * 0.55F;
-    return {a, {a.x, a.y + bend}, {d.x, d.y - bend}, d, {}};
+    return {a, {a.x, a.y + bend}, {d.x, d.y - bend}, d, {}, d};
   }
   const float bend = (d.x - a.x) * 0.5F;
-  return {a, {a.x + bend, a.y}, {d.x - bend, d.y}, d, {}};
+  return {a, {a.x + bend, a.y}, {d.x - bend, d.y}, d, {}, d};
+}
+
+// Round a corner, from `radius` before it to `radius` behind it.
+void AddCorner(std::vector<Point>& line, Point from, Point corner, Point to, float radius) {
+  const Point start = corner + from * radius;
+  const Point end = corner + to * radius;
+  line.push_back(start);
+  if (radius < kLeastRadius) return;
+  for (const float t : {0.25F, 0.5F, 0.75F}) {
+    const float s = 1 - t;
+    line.push_back(start * (s * s) + corner * (2 * s * t) + end * (t * t));
+  }
+  line.push_back(end);
+}
+
+// Down along the rows, to the side above one of them, and down to `x`. Top to bottom.
+EdgeShape WayIntoRow(const Box& parent, float row, float x, float zoom) {
+  const Point start = {parent.min.x + kRowTrunk * zoom, parent.max.y};
+  const float y = row - kAboveRow * zoom;
+  const float radius =
+      std::max(0.0F, std::min({kRadius * zoom, (y - start.y) / 2, std::abs(x - start.x) / 2}));
+  const Point d = {start.x, y - radius};
+  EdgeShape edge = {
+      start, start + (d - start) * (1 / 3.0F), start + (d - start) * (2 / 3.0F), d, {}, {x, row}};
+  AddCorner(edge.branch, {0, -1}, {start.x, y}, {1, 0}, radius);
+  edge.branch.erase(edge.branch.begin());  // d
+  AddCorner(edge.branch, {-1, 0}, {x, y}, {0, 1}, radius);
+  return edge;
+}
+
+void Flip(EdgeShape& edge) {
+  for (Point* point : {&edge.a, &edge.b, &edge.c, &edge.d, &edge.arrival}) *point = Flipped(*point);
+  for (Point& point : edge.branch) point = Flipped(point);
+}
+
+// The middle of a box without the note on it.
+Point MiddleOf(const Box& box, float note) {
+  return Box{{box.min.x, box.min.y + note}, box.max}.center();
+}
+
+// From left to right, a child is met in the middle of its left side.
+EdgeShape ShapeAcross(const EdgeEnds& ends) {
+  const Point middle = MiddleOf(ends.child, ends.child_note);
+  if (ends.link != Link::kRow) {
+    return Curve({ends.parent.max.x, MiddleOf(ends.parent, ends.parent_note).y},
+                 {ends.child.min.x, middle.y}, ends.orientation);
+  }
+  EdgeShape edge = WayIntoRow(Flipped(ends.parent), ends.child.min.x, middle.y, ends.zoom);
+  edge.branch.push_back(edge.arrival);
+  Flip(edge);
+  return edge;
 }
 
 }  // namespace
 
-EdgeShape ShapeOfEdge(const Box& parent, const Box& child, Link link, Orientation orientation,
-                      float zoom) {
-  if (orientation == Orientation::kLeftToRight) {
-    return Curve({parent.max.x, parent.center().y}, {child.min.x, child.center().y}, orientation);
+EdgeShape ShapeOfEdge(const EdgeEnds& ends) {
+  if (ends.orientation == Orientation::kLeftToRight) return ShapeAcross(ends);
+  const Box& child = ends.child;
+  const float zoom = ends.zoom;
+  const Point start = {ends.parent.center().x, ends.parent.max.y};
+  const Point top = {child.center().x, child.min.y};
+  const float trunk = child.min.x - kTrunkInset * zoom;
+  const Point leaf = {child.min.x, child.min.y + ends.child_note + kHeaderMiddle * zoom};
+  EdgeShape edge;
+  switch (ends.link) {
+    case Link::kRow:
+      edge = WayIntoRow(ends.parent, top.y, top.x, zoom);
+      edge.branch.push_back(edge.arrival);
+      break;
+    case Link::kRowColumn:
+      edge = WayIntoRow(ends.parent, top.y - ends.below_row, trunk, zoom);
+      break;
+    case Link::kTrunk:
+      edge = Curve(start, {trunk, start.y + kTrunkTop * zoom}, ends.orientation);
+      break;
+    default:
+      edge = Curve(start, top, ends.orientation);
+      break;
   }
-  const Point start = {parent.center().x, parent.max.y};
-  if (link != Link::kTrunk) return Curve(start, {child.center().x, child.min.y}, orientation);
-  const Point top = {child.min.x - kTrunkInset * zoom, start.y + kTrunkTop * zoom};
-  EdgeShape edge = Curve(start, top, orientation);
-  const float y = child.min.y + kHeaderMiddle * zoom;
-  edge.branch = {{top.x, y}, {child.min.x, y}};
+  if (ends.link == Link::kTrunk || ends.link == Link::kRowColumn) {
+    edge.branch.push_back({trunk, leaf.y});
+    edge.branch.push_back(leaf);
+    edge.arrival = leaf;
+  } else if (ends.child_note > 0) {
+    edge.branch.push_back(top + Point{0, ends.child_note});  // behind the note
+  }
   return edge;
 }
 

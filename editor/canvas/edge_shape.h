@@ -1,5 +1,6 @@
-// The way of a line from a parent to its child: a cubic Bezier curve, and for a leaf in a column a
-// piece down the trunk and a branch to the leaf.
+// The way of a line from a parent to its child: a cubic Bezier curve, and for some a bent line
+// behind it. A leaf in a column hangs on the trunk left of the column; what stands in a row, on the
+// line along the left side of all rows.
 #ifndef COPPICE_EDITOR_CANVAS_EDGE_SHAPE_H_
 #define COPPICE_EDITOR_CANVAS_EDGE_SHAPE_H_
 
@@ -9,14 +10,24 @@
 
 namespace coppice::editor {
 
-struct EdgeShape {
-  Point a, b, c, d;           ///< the Bezier curve
-  std::vector<Point> branch;  ///< from d on; empty if the curve ends at the child
+struct EdgeEnds {
+  Box parent;  ///< with its note
+  Box child;
+  Link link = Link::kCurve;
+  Orientation orientation = Orientation::kTopToBottom;
+  float zoom = 1;         ///< scales the distances of trunks; 1 in the world
+  float parent_note = 0;  ///< height of the note on the parent
+  float child_note = 0;
+  float below_row = 0;  ///< how far the child begins below the row that it stands in
 };
 
-/// `zoom` scales the distances of the trunk; 1 in the world.
-EdgeShape ShapeOfEdge(const Box& parent, const Box& child, Link link, Orientation orientation,
-                      float zoom);
+struct EdgeShape {
+  Point a, b, c, d;           ///< the Bezier curve
+  std::vector<Point> branch;  ///< from d on; may be empty
+  Point arrival;              ///< where it meets the box of the child
+};
+
+EdgeShape ShapeOfEdge(const EdgeEnds& ends);
 
 /// Points along the whole edge, close enough to walk on.
 std::vector<Point> PointsAlong(const EdgeShape& edge);

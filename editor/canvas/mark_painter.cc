@@ -11,7 +11,7 @@ void PaintMarks(Pen& pen, const NodeLook& look) {
   const std::uint8_t marks = look.state.marks;
   if (marks == kNoMark) return;
   const Palette& colors = pen.ui.palette;
-  const float scale = std::max(look.zoom, 0.6F);
+  const float scale = std::max(look.zoom, 0.6F * pen.ui.scale);
   const Point at = {look.box.min.x - 11 * scale, look.box.center().y};
   if (marks & kStopMark) {
     pen.Disc(at, 9 * scale, colors.running);

@@ -90,7 +90,7 @@ void PaintBadge(Pen& pen, const NodeLook& look, const Box& body) {
   if (badge == Badge::kNone) return;
   const Palette& colors = pen.ui.palette;
   const Color color = badge == Badge::kError ? colors.error : colors.warning;
-  const float radius = std::clamp(8 * look.zoom, 4.0F, 16.0F);
+  const float radius = std::clamp(8 * look.zoom, 4 * pen.ui.scale, 8 * pen.ui.scale);
   const Point center = {body.max.x - radius * 0.3F, body.min.y - radius * 0.1F};
   pen.Disc(center, radius + std::max(1.0F, look.zoom), colors.canvas);
   pen.Disc(center, radius, color);
@@ -124,7 +124,7 @@ void PaintHeat(Pen& pen, const NodeLook& look, const Box& body) {
     pen.Hatch(body, Fade(0xFF000000, 0.25F), std::max(4.0F, 9 * look.zoom));
     return;
   }
-  const float high = std::max(2.0F, 4 * look.zoom);
+  const float high = std::max(4 * pen.ui.scale, 6 * look.zoom);
   const Box all = {{body.min.x, body.max.y + 2}, {body.max.x, body.max.y + 2 + high}};
   pen.FillBox(all, Fade(colors.node_border, 0.5F));
   const float width = all.width() * std::clamp(look.heat, 0.0F, 1.0F);
@@ -151,14 +151,16 @@ void PaintChange(Pen& pen, const NodeLook& look, const Box& body) {
   if (look.change == Change::kNone) return;
   const Palette& colors = pen.ui.palette;
   const Color color = ColorOf(colors, look.change);
-  const float wide = std::max(4.0F, 14 * look.zoom);
+  const float size = std::max(8.0F, 12 * look.zoom / pen.ui.scale);
+  const float wide = std::max(9 * pen.ui.scale, 14 * look.zoom);
   const Box stripe = {{body.min.x - wide - 2 * look.zoom, body.min.y},
                       {body.min.x - 2 * look.zoom, body.max.y}};
   pen.FillBox(stripe, color, 3 * look.zoom);
-  const TextStyle style{Face::kBold, 12 * look.zoom / pen.ui.scale, WritingOn(color)};
+  const TextStyle style{Face::kBold, size, WritingOn(color)};
   const char* sign = SignOf(look.change);
   pen.RowText({stripe.center().x - pen.Width(sign, style) / 2, stripe.min.y},
-              std::min(stripe.height(), metrics::kHeader * look.zoom), sign, style);
+              std::min(stripe.height(), std::max(metrics::kHeader * look.zoom, size * 1.4F)), sign,
+              style);
 }
 
 }  // namespace coppice::editor

@@ -48,15 +48,16 @@ float PortWidth(const Ui& ui, const PortLine& port, float column) {
 
 }  // namespace
 
-std::string_view GlyphOf(const SceneNode& node) {
-  switch (node.shape) {
+std::string_view GlyphOf(const SceneNode& node) { return GlyphOf(node.shape, node.id); }
+
+std::string_view GlyphOf(Shape shape, std::string_view id) {
+  switch (shape) {
     case Shape::kControl:
-      return ControlGlyph(node.id);
+      return ControlGlyph(id);
     case Shape::kDecorator:
-      return DecoratorGlyph(node.id);
+      return DecoratorGlyph(id);
     case Shape::kAction:
-      return Contains(node.id, "Script") || Contains(node.id, "Blackboard") ? icon::kCode
-                                                                            : icon::kBolt;
+      return Contains(id, "Script") || Contains(id, "Blackboard") ? icon::kCode : icon::kBolt;
     case Shape::kCondition:
       return icon::kQuestion;
     case Shape::kSubTree:
@@ -89,7 +90,8 @@ float NameColumn(const Ui& ui, const Scene& scene, const SceneNode& node) {
   float width = 0;
   for (std::uint32_t i = 0; i < node.port_count; ++i) {
     const PortLine& port = scene.ports[node.first_port + i];
-    width = std::max(width, WidthOf(ui, port.name, {Face::kSans, metrics::kNameSize, 0}));
+    const float arrow = port.direction == PortDirection::kOutput ? metrics::kArrow : 0;
+    width = std::max(width, WidthOf(ui, port.name, {Face::kSans, metrics::kNameSize, 0}) + arrow);
   }
   return width;
 }

@@ -23,6 +23,7 @@ inline constexpr float kElapsed = 40;    ///< for the seconds of a running leaf
 inline constexpr float kBottom = 5;      ///< below the last row
 inline constexpr float kChip = 20;       ///< height of the row that stands for collapsed children
 inline constexpr float kColumnGap = 10;  ///< between a port's name and its value
+inline constexpr float kArrow = 8;       ///< more than that, for the arrow of an output port
 
 inline constexpr std::size_t kNoteColumns = 34;   ///< characters in a line of a note
 inline constexpr std::size_t kMostNoteLines = 2;  ///< longer notes are cut
@@ -39,7 +40,8 @@ inline constexpr float kValueSize = 11;
 
 namespace coppice::editor {
 
-/// The glyph left of a node's name.
+/// The glyph left of a node's name; of a type with that ID.
+std::string_view GlyphOf(Shape shape, std::string_view id);
 std::string_view GlyphOf(const SceneNode& node);
 
 /// The node type, if the name and the glyph do not say it already; else empty.

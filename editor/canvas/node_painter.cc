@@ -12,8 +12,8 @@ namespace coppice::editor {
 namespace {
 
 constexpr double kShimmerSeconds = 1.6;
-constexpr float kDisabledStrength = 0.4F;
-constexpr float kNameAtMiddle = 20;  // size of a name that stands alone, at zoom 1
+constexpr float kDisabledPart = 0.8F;  // how much of the ground comes through a pale header
+constexpr float kNameAtMiddle = 20;    // size of a name that stands alone, at zoom 1
 constexpr float kSmallestName = 8;
 
 double Seconds(Duration duration) { return std::chrono::duration<double>(duration).count(); }
@@ -30,7 +30,7 @@ class NodePainter {
 
   void Paint() {
     const float before = pen_.opacity;
-    pen_.opacity *= look_.strength * (node_.disabled ? kDisabledStrength : 1);
+    pen_.opacity *= look_.strength;
     PaintAll();
     pen_.opacity = before;
   }
@@ -84,6 +84,7 @@ class NodePainter {
     if (look_.badge == Badge::kWarning) at_rest = colors().warning;
     if (look_.badge == Badge::kError) at_rest = colors().error;
     if (look_.change != Change::kNone) at_rest = ColorOf(colors(), look_.change);
+    if (node_.disabled && !IsMarked()) at_rest = Mix(at_rest, colors().canvas, 0.5F);
     const Color color = StatusColor(colors(), look_.state, at_rest);
     return look_.offline ? Mix(color, colors().node_border, 0.6F) : color;
   }
@@ -93,13 +94,14 @@ class NodePainter {
   void PaintBlock() {
     const Color at_rest = colors().Of(node_.shape);
     Color color = StatusColor(colors(), look_.state, at_rest);
+    if (node_.disabled) color = Mix(color, colors().node_body, kDisabledPart);
     if (IsTrail(look_.state)) color = Mix(at_rest, color, StatusStrength(look_.state, ui_.clock));
     if (look_.has_heat) {
       color = look_.heat < 0 ? colors().node_border : HeatColor(colors(), look_.heat);
     }
     if (look_.change != Change::kNone) color = ColorOf(colors(), look_.change);
     pen_.FillBox(box_, color, std::min(Z(4), 3.0F));
-    if (look_.selected) pen_.FrameBox(Grown(2), colors().accent, 3, 2);
+    if (look_.selected) pen_.FrameBox(Grown(2), colors().accent, 3, 2 * ui_.scale);
     PaintBadge(pen_, look_, box_);
   }
 
@@ -140,8 +142,12 @@ class NodePainter {
   Color HeaderColor() const {
     Color color = colors().Of(node_.shape);
     if (look_.has_heat) color = Mix(color, colors().subtree, 0.6F);
+    if (node_.disabled) color = Mix(color, colors().node_body, kDisabledPart);
     return look_.hovered ? Mix(color, 0xFFFFFFFF, 0.08F) : color;
   }
+
+  // Of the name: a pale header needs another one than a full one.
+  Color HeaderInk() const { return node_.disabled ? colors().text_dim : colors().text_on_header; }
 
   void PaintGlow() {
     const float strength = 0.09F + 0.14F * Pulse(ui_);
@@ -150,7 +156,7 @@ class NodePainter {
 
   void PaintBorder() {
     const bool active = look_.state.status != Status::kIdle;
-    const float thick = std::clamp(Z(2.5F), 1.5F, 4.0F);
+    const float thick = std::clamp(Z(2.5F), 1.5F * ui_.scale, 4.0F * ui_.scale);
     if (node_.shape == Shape::kSubTree) {
       const Color outer = active ? Fade(StateColor(), 0.6F) : colors().node_border;
       pen_.Stroke(OutlineOf(Grown(Z(3))), outer, ui_.scale);
@@ -174,14 +180,14 @@ class NodePainter {
 
   void PaintStrike() {
     const float y = box_.min.y + Z(metrics::kHeader / 2);
-    const Color ink = colors().text_on_header;
+    const Color ink = HeaderInk();
     pen_.Line({{box_.min.x + Z(metrics::kPad), y}, {box_.max.x - Z(metrics::kPad), y}}, ink,
               std::max(1.0F, Z(1.5F)));
   }
 
   void PaintTitle() {
     const float height = Z(metrics::kHeader);
-    const Color ink = colors().text_on_header;
+    const Color ink = HeaderInk();
     const Point at = box_.min + Point{Z(metrics::kPad), 0};
     const std::string_view glyph = GlyphOf(node_);
     const TextStyle glyph_style = Style(Face::kBold, 12, ink);
@@ -203,7 +209,7 @@ class NodePainter {
     const bool has_room = node_.shape != Shape::kControl && node_.shape != Shape::kDecorator;
     if (!running || !has_room || look_.state.since == Time(0)) return PaintGlyph(right, height);
     const std::string text = DurationText(Seconds(ui_.clock - look_.state.since));
-    const TextStyle style = Style(Face::kSans, 10, colors().text_on_header);
+    const TextStyle style = Style(Face::kSans, 10, HeaderInk());
     if (node_.shape != Shape::kSubTree) {
       PaintGlyph(right, height);
       right -= Z(metrics::kStatus - 3);
@@ -217,7 +223,7 @@ class NodePainter {
   void PaintGlyph(float right, float height) {
     const std::string_view glyph = StatusGlyph(look_.state);
     const float strength = look_.offline ? 0.65F : StatusStrength(look_.state, ui_.clock);
-    const TextStyle style = Style(Face::kBold, 12, Fade(colors().text_on_header, strength));
+    const TextStyle style = Style(Face::kBold, 12, Fade(HeaderInk(), strength));
     pen_.RowText({right - ui_.Width(glyph, style), box_.min.y}, height, glyph, style);
   }
 
@@ -225,7 +231,7 @@ class NodePainter {
     const std::string_view glyph =
         look_.collapsed || node_.recursive ? icon::kPlusSquare : icon::kMinusSquare;
     const Box box = ToggleBox(node_, look_);
-    const TextStyle style = Style(Face::kSans, 12, Fade(colors().text_on_header, 0.7F));
+    const TextStyle style = Style(Face::kSans, 12, Fade(HeaderInk(), 0.7F));
     pen_.RowText({box.center().x - ui_.Width(glyph, style) / 2, box.min.y}, box.height(), glyph,
                  style);
   }
@@ -236,12 +242,12 @@ class NodePainter {
     pen_.Fill(OutlineOf(box_), HeaderColor());
     if (node_.shape == Shape::kUnknown) pen_.Hatch(box_, Fade(colors().text, 0.10F), Z(8));
     const std::string_view glyph = StatusGlyph(look_.state);
-    const TextStyle sign{Face::kBold, 8, colors().text_on_header};
+    const TextStyle sign{Face::kBold, 8, HeaderInk()};
     const float sign_width = glyph.empty() ? 0 : ui_.Width(glyph, sign) + 2;
     const float room = box_.width() - 6 - sign_width;
     const float wished = std::max(Z(kNameAtMiddle) / ui_.scale, kSmallestName);
     const float largest = std::min(wished, box_.height() * 0.8F / ui_.scale);
-    TextStyle style{Face::kBold, largest, colors().text_on_header};
+    TextStyle style{Face::kBold, largest, HeaderInk()};
     const float wanted = ui_.Width(node_.name, style);
     if (wanted > room) style.size = std::max(7.0F, largest * room / wanted);
     const float width = std::min(ui_.Width(node_.name, style), room);

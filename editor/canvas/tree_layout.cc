@@ -1,14 +1,18 @@
 #include "editor/canvas/tree_layout.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
+
+#include "editor/canvas/wrapped_tree.h"
 
 namespace coppice::editor {
 namespace {
 
-constexpr float kStripGap = 2;       // between a decorator and what it lies on
-constexpr float kColumnGap = 8;      // between the leaves of a column
-constexpr float kColumnIndent = 16;  // room for the line along a column
+constexpr float kStripGap = 2;            // between a decorator and what it lies on
+constexpr float kColumnGap = 8;           // between the leaves of a column
+constexpr float kColumnIndent = 16;       // room for the line along a column
+constexpr std::uint32_t kFewLeaves = 20;  // stand in a single column
 
 // Nodes that are placed together, one below the other. They follow each other in preorder.
 struct Block {
@@ -20,6 +24,14 @@ struct Block {
   float indent() const { return is_column ? kColumnIndent : 0; }
 };
 
+// Of so many leaves; the columns together are somewhat wider than high.
+std::uint32_t LeavesInAColumn(std::uint32_t leaves) {
+  const auto wished = static_cast<std::uint32_t>(std::sqrt(3.5F * static_cast<float>(leaves)));
+  const std::uint32_t most = std::max(kFewLeaves, wished);
+  const std::uint32_t columns = (leaves + most - 1) / most;
+  return (leaves + columns - 1) / columns;
+}
+
 class Arranger {
  public:
   Arranger(const std::vector<std::uint32_t>& ends, const std::vector<Point>& sizes,
@@ -27,6 +39,7 @@ class Arranger {
       : ends_(ends), sizes_(sizes), is_decorator_(is_decorator), style_(style) {
     result_.boxes.resize(sizes.size());
     result_.links.assign(sizes.size(), Link::kCurve);
+    result_.below_row.assign(sizes.size(), 0);
     if (!sizes.empty()) result_.links[0] = Link::kNone;
   }
 
@@ -39,9 +52,15 @@ class Arranger {
       options.sibling_gap = 14;
       options.level_gap = 56;
     }
-    const TidyTree tidy = LayOut(BlockEnds(), BlockSizes(), options);
-    for (std::size_t b = 0; b < blocks_.size(); ++b) Place(blocks_[b], tidy.boxes[b]);
-    result_.bounds = tidy.bounds;
+    if (style_.wrapped && !style_.layered) {
+      const std::vector<std::uint32_t> ends = BlockEnds();
+      const WrappedTree wrapped = LayOutWrapped(ends, BlockSizes(), options);
+      PlaceAll(wrapped.boxes, wrapped.bounds);
+      LinkRows(ends, wrapped.has_rows);
+    } else {
+      const TidyTree tidy = LayOut(BlockEnds(), BlockSizes(), options);
+      PlaceAll(tidy.boxes, tidy.bounds);
+    }
     return std::move(result_);
   }
 
@@ -87,7 +106,8 @@ class Arranger {
   // The nodes from `first` to `end` are leaves of one parent.
   void MarkColumn(std::uint32_t first, std::uint32_t end) {
     if (end <= first || end - first <= kMostLeavesInARow) return;
-    starts_[first] = true;
+    const std::uint32_t high = style_.wrapped ? LeavesInAColumn(end - first) : end - first;
+    for (std::uint32_t i = first; i < end; i += high) starts_[i] = true;
     std::fill(column_.begin() + first, column_.begin() + end, true);
   }
 
@@ -113,6 +133,29 @@ class Arranger {
       sizes.push_back(size + Point{block.indent(), 0});
     }
     return sizes;
+  }
+
+  void PlaceAll(const std::vector<Box>& boxes, const Box& bounds) {
+    for (std::size_t b = 0; b < blocks_.size(); ++b) Place(blocks_[b], boxes[b]);
+    result_.bounds = bounds;
+  }
+
+  void LinkRows(const std::vector<std::uint32_t>& ends, const std::vector<bool>& has_rows) {
+    for (std::uint32_t b = 0; b < blocks_.size(); ++b) {
+      if (!has_rows[b]) continue;
+      for (std::uint32_t c = b + 1; c < ends[b]; c = ends[c]) LinkToRow(blocks_[c]);
+    }
+  }
+
+  void LinkToRow(const Block& block) {
+    if (!block.is_column) {
+      result_.links[block.first] = Link::kRow;
+      return;
+    }
+    for (std::uint32_t i = block.first; i < block.first + block.count; ++i) {
+      result_.links[i] = Link::kRowColumn;
+      result_.below_row[i] = result_.boxes[i].min.y - result_.boxes[block.first].min.y;
+    }
   }
 
   void Place(const Block& block, const Box& box) {

@@ -2,6 +2,9 @@
 //
 //   compact   a decorator lies directly on its child, as a strip of the same width
 //   stacked   more than eight leaves in a row become a column below their parent
+//   wrapped   what would be far wider than high stands in rows (wrapped_tree.h), and very many
+//   leaves
+//             in several columns
 #ifndef COPPICE_EDITOR_CANVAS_TREE_LAYOUT_H_
 #define COPPICE_EDITOR_CANVAS_TREE_LAYOUT_H_
 
@@ -17,10 +20,11 @@ struct LayoutStyle {
   bool layered = false;
   bool compact = false;
   bool stacked = true;  ///< top to bottom only: sideways, leaves stand in a column anyway
+  bool wrapped = true;  ///< not if layered
 };
 inline bool operator==(const LayoutStyle& a, const LayoutStyle& b) {
   return a.orientation == b.orientation && a.layered == b.layered && a.compact == b.compact &&
-         a.stacked == b.stacked;
+         a.stacked == b.stacked && a.wrapped == b.wrapped;
 }
 
 /// So many leaves in a row stay side by side.
@@ -28,15 +32,18 @@ inline constexpr std::uint32_t kMostLeavesInARow = 8;
 
 /// How a node hangs on its parent.
 enum class Link : std::uint8_t {
-  kNone,   ///< the root, or the child that a decorator lies on
-  kCurve,  ///< a line of its own
-  kTrunk   ///< in a column of leaves: a branch of the line along their left side
+  kNone,      ///< the root, or the child that a decorator lies on
+  kCurve,     ///< a line of its own
+  kTrunk,     ///< in a column of leaves: a branch of the line along their left side
+  kRow,       ///< in a row: a branch of the line along all rows of its parent
+  kRowColumn  ///< in a column of leaves that stands in such a row
 };
 
 struct TreeLayout {
   std::vector<Box> boxes;  ///< in the order of the nodes; the smallest x and y are 0
   std::vector<Link> links;
-  Box bounds;  ///< around all of them
+  std::vector<float> below_row;  ///< of kRowColumn: how far it begins below the row; else 0
+  Box bounds;                    ///< around all of them
 };
 
 /// Lays out a tree given in preorder: the descendants of node i are i + 1 .. ends[i] - 1. Sizes are

@@ -12,6 +12,7 @@
 namespace coppice::editor {
 namespace {
 
+constexpr float kTiny = 1.5F;     // pixels at scale 1
 constexpr float kGroundSide = 8;  // of the ground beside the nodes of a SubTree, at zoom 1
 
 class TreePainter {
@@ -70,13 +71,8 @@ class TreePainter {
     if (item.k == 0 || item.whole_branch) return;
     const SceneNode& node = NodeOf(item);
     EdgeLook look;
-    look.parent = area_.camera.ToScreen(view_.BoxAt(view_.ShownParent(item.k), pen_.ui.now));
-    look.child = item.box;
-    look.child.min.y += NoteHeight(node) * area_.camera.zoom;
-    if (!Union(look.parent, look.child).Overlaps(area_.box)) return;
-    look.link = view_.LinkOf(item.k);
-    look.orientation = view_.orientation();
-    look.zoom = area_.camera.zoom;
+    look.ends = OnScreen(item.k, node);
+    if (!Union(look.ends.parent, look.ends.child).Overlaps(area_.box)) return;
     look.state = StateOf(area_.options.live, node);
     look.offline = area_.options.live && !area_.options.live->is_fresh;
     const bool alone = node.number == 1 && node.end == scene_.nodes[node.parent].end;
@@ -87,10 +83,32 @@ class TreePainter {
     PaintEdge(pen_, look);
   }
 
+  EdgeEnds OnScreen(std::uint32_t k, const SceneNode& node) const {
+    const float zoom = area_.camera.zoom;
+    EdgeEnds ends = view_.EdgeTo(k, pen_.ui.now);
+    ends.parent = area_.camera.ToScreen(ends.parent);
+    ends.child = area_.camera.ToScreen(ends.child);
+    ends.zoom = zoom;
+    ends.parent_note = NoteHeight(scene_.nodes[view_.shown()[view_.ShownParent(k)]]) * zoom;
+    ends.child_note = NoteHeight(node) * zoom;
+    ends.below_row *= zoom;
+    return ends;
+  }
+
   void PaintStraight(const EdgeLook& look) {
-    const Color color = StatusColor(colors_, look.state, colors_.edge);
-    pen_.Line({ToIm(look.parent.center()), ToIm(look.child.center())},
-              Fade(color, 0.7F * look.strength), 1);
+    // So many lines between so small boxes would hide these.
+    const bool tiny = look.ends.child.height() < kTiny * pen_.ui.scale;
+    if (tiny && look.state.status == Status::kIdle) return;
+    const Color color = Fade(StatusColor(colors_, look.state, colors_.edge), 0.7F * look.strength);
+    if (look.ends.link == Link::kCurve || look.ends.link == Link::kNone) {
+      pen_.Line({ToIm(look.ends.parent.center()), ToIm(look.ends.child.center())}, color,
+                pen_.ui.scale);
+      return;
+    }
+    const EdgeShape edge = ShapeOfEdge(look.ends);
+    Outline line = {ToIm(edge.a), ToIm(edge.d)};
+    for (const Point point : edge.branch) line.push_back(ToIm(point));
+    pen_.Line(line, color, pen_.ui.scale);
   }
 
   void PaintItem(const VisibleNode& item) {

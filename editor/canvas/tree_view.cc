@@ -11,6 +11,8 @@ constexpr float kChipRow = 20;
 constexpr float kMargin = 24;  // around a fitted tree, on the screen
 constexpr float kLeastZoom = 0.0005F;
 constexpr float kLargestZoom = 3;
+constexpr float kWideCanvas = 1000;  // on wider ones a small tree is painted larger
+constexpr float kLargestFit = 1.6F;
 
 float EaseOut(double t) {
   const auto rest = static_cast<float>(1 - std::clamp(t, 0.0, 1.0));
@@ -197,11 +199,22 @@ Box TreeView::BoxAt(std::uint32_t k, double now) const {
   return {min, min + (rest.max - rest.min)};
 }
 
+EdgeEnds TreeView::EdgeTo(std::uint32_t k, double now) const {
+  EdgeEnds ends;
+  ends.parent = BoxAt(shown_parents_[k], now);
+  ends.child = BoxAt(k, now);
+  ends.link = layout_.links[k];
+  ends.orientation = style_.orientation;
+  ends.below_row = layout_.below_row[k];
+  return ends;
+}
+
 bool TreeView::IsMoving(double now) const { return now < moved_at_ + kMoveSeconds; }
 
 void TreeView::FitAll(Point canvas) {
   if (shown_.empty() || canvas.x < 1 || canvas.y < 1) return;
-  Fit(layout_.bounds, canvas, screen_scale);
+  const float room = canvas.x / (kWideCanvas * screen_scale);
+  Fit(layout_.bounds, canvas, screen_scale * std::clamp(room, 1.0F, kLargestFit));
   needs_fit = false;
 }
 

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "editor/canvas/edge_shape.h"
 #include "editor/canvas/gesture.h"
 #include "editor/canvas/tree_layout.h"
 #include "editor/scene/key_uses.h"
@@ -47,7 +48,7 @@ class TreeView {
 
   /// Without it, nodes jump to their places.
   bool animated = true;
-  /// Of the screen; a tree is never fitted larger than that.
+  /// Of the screen; a tree is not fitted larger than that, but on a wide canvas.
   float screen_scale = 1;
 
   bool IsCollapsed(std::uint32_t node) const { return collapsed_[node]; }
@@ -91,6 +92,9 @@ class TreeView {
   const Box& BranchBounds(std::uint32_t k) const { return branches_[k]; }
   const Box& bounds() const { return layout_.bounds; }
   Link LinkOf(std::uint32_t k) const { return layout_.links[k]; }
+  /// The line from the parent of shown()[k], k > 0, to it at that time, in the world; without
+  /// notes.
+  EdgeEnds EdgeTo(std::uint32_t k, double now) const;
   /// Number among shown() of a node, or of the collapsed node that hides it.
   std::uint32_t ShownOf(std::uint32_t node) const;
   bool IsMoving(double now) const;

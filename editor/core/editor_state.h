@@ -44,7 +44,8 @@ struct Tiles {
   bool minimap = true;
 };
 
-/// Sizes of the tiles in pixels at scale 1; parts as a fraction.
+/// Sizes of the tiles in pixels of a screen with 1280 x 800, larger on larger ones; parts as a
+/// fraction.
 struct Splits {
   float left = 236;
   float right = 296;
@@ -86,6 +87,7 @@ struct Prompt {
   std::string hint;
   std::function<std::string(const std::string&)> run;  ///< of the text; returns why not, or nothing
   ChoiceSource preview;  ///< rows below it; empty: none. A click on one runs it
+  bool asks_for_text = true;  ///< if not, Space runs the row that the arrow keys have chosen
 };
 
 /// What a kList offers.

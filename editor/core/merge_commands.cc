@@ -46,8 +46,9 @@ void Resolve(EditorState& state, const std::function<double()>& now) {
       MergeTexts(file.saved, file.text, *file.other).conflicts;
   const auto theirs = std::make_shared<std::vector<bool>>(conflicts.size(), false);
   const std::string name = path.substr(path.rfind('/') + 1);
-  state.Ask({name + " was changed by somebody else too: a click on a place changes whose stays, "
-                    "Enter merges",
+  state.Ask({name +
+                 " was changed by somebody else too: a click on a place, or Space, changes whose "
+                 "stays; Enter merges",
              [&state, now, path, theirs](const std::string&) -> std::string {
                if (state.workspace.project().MergeTheirs(path, *theirs) < 0) {
                  return "this would give malformed XML: choose otherwise, or take theirs (Ctrl+P)";
@@ -56,7 +57,7 @@ void Resolve(EditorState& state, const std::function<double()>& now) {
                state.Notify("Merged; Ctrl+S saves it", now());
                return {};
              },
-             [conflicts, theirs](const std::string&) { return RowsOf(conflicts, theirs); }});
+             [conflicts, theirs](const std::string&) { return RowsOf(conflicts, theirs); }, false});
 }
 
 }  // namespace

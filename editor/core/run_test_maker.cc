@@ -42,7 +42,8 @@ std::string SaveRunAsTest(EditorState& state, const std::string& name, double no
   const int main = file->forest->main_tree();
   const bool is_main = main >= 0 && file->forest->Find(recorded->tree_id) == main;
   const std::string path =
-      SaveScenario(recorded->scenario, file->path, is_main ? "" : recorded->tree_id, diagnostics);
+      SaveScenario(recorded->scenario, file->path, is_main ? "" : recorded->tree_id,
+                   state.workspace.model_files(), recorded->models, diagnostics);
   if (path.empty()) return diagnostics.all().back().message;
   state.Notify("\"" + name + "\" is a test in " + path.substr(path.rfind('/') + 1) +
                    ", from tick " +

@@ -259,7 +259,7 @@ std::string SimulationEditor::SaveAsScenario(const std::string& name) {
   Diagnostics diagnostics;
   const std::string path =
       SaveScenario(GoOn() ? simulation->Record(name) : Scenario(), state_.simulator.path(),
-                   state_.simulator.tree_id(), diagnostics);
+                   state_.simulator.tree_id(), state_.workspace.model_files(), "", diagnostics);
   if (path.empty()) return FirstProblem(diagnostics);
   state_.Notify("\"" + name + "\" is a test in " + NameOf(path), now_);
   state_.tiles.tests = true;

@@ -106,6 +106,7 @@ class Commands {
     AddToggle("view.compact", "Decorators lie on their children", &LayoutStyle::compact);
     AddToggle("view.layered", "All nodes of a depth on one line", &LayoutStyle::layered);
     AddToggle("view.stacked", "Many leaves stand in a column", &LayoutStyle::stacked);
+    AddToggle("view.wrapped", "Wide branches stand in rows", &LayoutStyle::wrapped);
     AddTabs();
     AddPalette("palette.dark", "Dark colours", PaletteName::kDark);
     AddPalette("palette.light", "Light colours", PaletteName::kLight);

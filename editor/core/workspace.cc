@@ -180,6 +180,14 @@ void Workspace::AddModels(const std::string& path) {
   AddOnce(model_problems_, diagnostics.all());
 }
 
+std::vector<std::string> Workspace::model_files() const {
+  std::vector<std::string> files;
+  for (const Project& project : model_projects_) {
+    files.push_back(project.documents().front().file());
+  }
+  return files;
+}
+
 void Workspace::LookAtDisk(double now) {
   for (const std::string& path : project_.LookAtDisk()) {
     const EditedFile& file = *project_.Find(path);

@@ -48,6 +48,8 @@ class Workspace {
   std::string New(double now);
   /// Adds node models from a file; what is wrong goes to the problems.
   void AddModels(const std::string& path);
+  /// The files that were added so.
+  std::vector<std::string> model_files() const;
   /// Shows all files with what is known of node types now.
   void RenewAll(double now);
   /// Looks at the disk at once; Update does it every second.

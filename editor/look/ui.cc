@@ -1,5 +1,6 @@
 #include "editor/look/ui.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -28,6 +29,19 @@ bool IsInner(char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; 
 
 float Ui::Width(std::string_view text, const TextStyle& style) const {
   return WidthIn(fonts.Pick(style.face, style.size * scale), text);
+}
+
+float Ui::ParagraphHeight(std::string_view text, const TextStyle& style, float width) const {
+  const ImFont* font = fonts.Pick(style.face, style.size * scale);
+  const char* end = text.data() + text.size();
+  return font->CalcTextSizeA(font->FontSize, 1e9F, std::max(width, 1.0F), text.data(), end).y;
+}
+
+void Ui::Paragraph(ImDrawList& list, Point at, std::string_view text, const TextStyle& style,
+                   float width) const {
+  const ImFont* font = fonts.Pick(style.face, style.size * scale);
+  list.AddText(font, font->FontSize, {std::round(at.x), std::round(at.y)}, style.color, text.data(),
+               text.data() + text.size(), std::max(width, 1.0F));
 }
 
 void Ui::Text(ImDrawList& list, Point at, std::string_view text, const TextStyle& style) const {

@@ -45,6 +45,13 @@ struct Ui {
   /// more than the beginning.
   std::string CutStart(std::string_view text, const TextStyle& style, float width) const;
 
+  /// How high a paragraph of that width is.
+  float ParagraphHeight(std::string_view text, const TextStyle& style, float width) const;
+
+  /// Draws a text that is broken into lines of that width, with the top left corner at `at`.
+  void Paragraph(ImDrawList& list, Point at, std::string_view text, const TextStyle& style,
+                 float width) const;
+
   /// Draws with the top left corner at `at`.
   void Text(ImDrawList& list, Point at, std::string_view text, const TextStyle& style) const;
 

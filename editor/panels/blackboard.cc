@@ -138,6 +138,10 @@ class Board {
       const std::string by = write ? "\nwritten in " + TickText(run_.run(), write->tick) + " by " +
                                          WriterOf(run_.run(), *write)
                                    : "";
+      if (selected) {  // above it, for below it are the curve and the writes
+        ImGui::SetNextWindowPos({row.box.min.x, row.box.min.y - 4 * ui_.scale}, ImGuiCond_Always,
+                                {0, 1});
+      }
       Tooltip(ui_, described.name + " : " + described.type + "\n" + value + by +
                        "\nA click shows its writes, a double click writes it.");
       if (ImGui::IsMouseDoubleClicked(0)) state_.commands.Run("blackboard.write");

@@ -25,9 +25,10 @@ class CanvasBar {
       : ui_(ui), state_(state), list_(*ImGui::GetWindowDrawList()), box_(box) {}
 
   void Draw() {
+    UpdateTabs(state_);
+    if (!state_.workspace.file() && !state_.workspace.run()) return;  // the start screen has no bar
     list_.AddRectFilled(ToIm(box_.min), ToIm(box_.max), ui_.palette.header, 4 * ui_.scale,
                         ImDrawFlags_RoundCornersTop);
-    UpdateTabs(state_);
     left_ = box_.min.x + 6 * ui_.scale;
     right_ = box_.max.x - 6 * ui_.scale;
     DrawButtons();

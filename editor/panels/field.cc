@@ -102,6 +102,8 @@ class FieldDrawer {
   void Choose() {
     ImGui::PushID(key_.c_str());
     if (Button("choices", icon::kCaretDown, "Choose one")) ImGui::OpenPopup("choices");
+    const ImVec2 corner = ImGui::GetItemRectMax();
+    ImGui::SetNextWindowPos({corner.x, corner.y + 2 * ui_.scale}, ImGuiCond_Always, {1, 0});
     const MenuSpacing spacing(ui_);
     if (ImGui::BeginPopup("choices")) {
       for (const std::string& choice : look_.choices) {

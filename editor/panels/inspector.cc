@@ -287,6 +287,7 @@ class Inspector {
     ui_.RowText(*ImGui::GetWindowDrawList(), row.box.min + Point{8 * ui_.scale, 0},
                 row.box.height(), "+ guard or hook", {Face::kSans, 11, ui_.palette.text_dim});
     if (row.clicked) ImGui::OpenPopup("new script");
+    ImGui::SetNextWindowPos({row.box.min.x + 8 * ui_.scale, row.box.max.y});
     const MenuSpacing spacing(ui_);
     if (!ImGui::BeginPopup("new script")) return;
     for (const std::string_view name : kScriptAttributes) {

@@ -1,6 +1,7 @@
 #include "editor/panels/key_list.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "editor/commands/fuzzy.h"
@@ -80,6 +81,9 @@ void DrawKeyList(const Ui& ui, EditorState& state) {
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
   ImGui::Dummy({1, 6 * ui.scale});
   DrawProblems(ui, state.key_settings.problems);
+  const float row_height = kRowHeight * ui.scale;
+  const float whole = std::floor(ImGui::GetContentRegionAvail().y / row_height) * row_height;
+  ImGui::BeginChild("rows", {0, std::max(whole, row_height)}, false);
   const Command* chosen = nullptr;
   for (int i = 0; i < count; ++i) {
     const Command& command = *commands[static_cast<std::size_t>(i)];
@@ -88,6 +92,7 @@ void DrawKeyList(const Ui& ui, EditorState& state) {
     if (row.visible) PaintCommand(ui, command, row.box);
     if (row.clicked || (i == state.popup_choice && IsPressed(state, kKeyEnter))) chosen = &command;
   }
+  ImGui::EndChild();
   ImGui::PopStyleVar();
   if (chosen) AskForKeys(state, chosen->id);
 }
@@ -102,6 +107,7 @@ void DrawNewKeys(const Ui& ui, EditorState& state) {
     ui.RowText(*ImGui::GetWindowDrawList(), row.box.min + Point{6 * ui.scale, 0}, row.box.height(),
                text, {Face::kSans, 12, color}, row.box.width() - 12);
   };
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
   const Command* other = OtherWithKeys(state, *command, settings.taken);
   const std::string now =
       command->keys.key ? "now " + ToString(command->keys) : std::string("now without a key");
@@ -111,6 +117,7 @@ void DrawNewKeys(const Ui& ui, EditorState& state) {
   write("popup/taken",
         other ? ToString(settings.taken) + " is \"" + other->title + "\"; again takes it away" : "",
         ui.palette.warning);
+  ImGui::PopStyleVar();
   if (is_first_frame) return;
   for (const KeyEvent& event : state.keys) {
     const KeyChord pressed = {event.key, event.modifiers};

@@ -63,7 +63,8 @@ void PaintBars(const Ui& ui, ImDrawList& list, const Box& box, const std::vector
     const float right = box.min.x + step * static_cast<float>(bar.end_column);
     const bool also_idle = bar.statuses & SetOf(Status::kIdle);
     const auto color_of = [&](Status status) {
-      return Mix(ui.palette.panel, ui.palette.Of(status), also_idle ? 0.45F : 1.0F);
+      const bool pale = also_idle || status == Status::kSkipped;  // what did nothing is not loud
+      return Mix(ui.palette.panel, ui.palette.Of(status), pale ? 0.45F : 1.0F);
     };
     int kinds = 0;
     for (const Status status : kByWeight) kinds += (bar.statuses & SetOf(status)) != 0;

@@ -101,7 +101,7 @@ class OutlineRow {
       const double seconds = std::chrono::duration<double>(ui_.clock - state_.since).count();
       return DurationText(seconds);
     }
-    return GlyphOf(state_.status == Status::kIdle ? state_.before : state_.status);
+    return StatusGlyph(state_);
   }
 
   std::string Ports() const {
@@ -138,6 +138,15 @@ void FollowSelection(const Ui& ui, const TreeView& view) {
   if (top + height > first + size) ImGui::SetScrollY(top + height - size);
 }
 
+const char* WhyEmpty(const Workspace& workspace) {
+  if (workspace.run()) return "The tree of the robot, as soon as it has sent it.";
+  const OpenFile* file = workspace.file();
+  if (!file) return "The nodes of the shown tree. Ctrl+O opens a file.";
+  if (!file->forest->trees().empty()) return "The shown tree has no nodes. Tab adds its root.";
+  return file->read_problems.empty() ? "The file holds no tree. Ctrl+T makes one."
+                                     : "The file cannot be read; PROBLEMS tells why.";
+}
+
 }  // namespace
 
 void DrawOutline(const Ui& ui, EditorState& state, const Box& box) {
@@ -148,11 +157,7 @@ void DrawOutline(const Ui& ui, EditorState& state, const Box& box) {
                                   : Count(view->scene()->nodes.size(), "node");
   Panel(ui, "outline", box, "OUTLINE", note, [&] {
     if (!view) {
-      const bool is_file = state.workspace.file() && !state.workspace.run();
-      Hint(ui, state.workspace.run() ? "The tree of the robot, as soon as it has sent it."
-               : is_file             ? "The shown tree has no nodes. Tab adds its root."
-                                     : "The nodes of the shown tree. Ctrl+O opens a file.");
-      return;
+      return Hint(ui, WhyEmpty(state.workspace));
     }
     FollowSelection(ui, *view);
     ImGuiListClipper clipper;

@@ -68,17 +68,14 @@ void Hint(const Ui& ui, std::string_view text) {
 }
 
 Row TextRow(const Ui& ui, const std::string& path, std::string_view text, const TextStyle& style) {
-  const ImFont* font = ui.fonts.Pick(style.face, style.size * ui.scale);
   const float pad = 8 * ui.scale;
-  const float width = std::max(ImGui::GetContentRegionAvail().x - 2 * pad, 1.0F);
-  const char* end = text.data() + text.size();
-  const float height = font->CalcTextSizeA(font->FontSize, 1e9F, width, text.data(), end).y;
+  const float width = ImGui::GetContentRegionAvail().x - 2 * pad;
+  const float height = ui.ParagraphHeight(text, style, width);
   const float room = std::max(height + 7 * ui.scale, kRowHeight * ui.scale);
   const Row row = NextRow(ui, path, false, room / ui.scale);
   if (row.visible) {
-    const Point at = {row.box.min.x + pad, std::round(row.box.center().y - height / 2)};
-    ImGui::GetWindowDrawList()->AddText(font, font->FontSize, ToIm(at), style.color, text.data(),
-                                        end, width);
+    const Point at = {row.box.min.x + pad, row.box.center().y - height / 2};
+    ui.Paragraph(*ImGui::GetWindowDrawList(), at, text, style, width);
   }
   return row;
 }

@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <utility>
 
 #include "editor/core/tree_editor.h"
 #include "editor/panels/choices.h"
 #include "editor/panels/key_list.h"
 #include "editor/panels/panel.h"
 #include "editor/panels/panels.h"
+#include "editor/panels/popup_rows.h"
 #include "editor/panels/type_choices.h"
 
 namespace coppice::editor {
@@ -18,8 +20,8 @@ namespace {
 constexpr float kWidth = 560;
 constexpr float kKeysWidth = 760;
 constexpr float kField = 24;
-constexpr float kAsked = 20;  // the line above the field
-constexpr std::size_t kRows = 12;
+constexpr float kBelowAsked = 9;
+constexpr std::size_t kMostChoices = 200;  // that a list offers
 
 bool Pressed(const EditorState& state, Key key) {
   return std::any_of(state.keys.begin(), state.keys.end(),
@@ -35,15 +37,10 @@ class PopupWindow {
   PopupWindow(const Ui& ui, EditorState& state) : ui_(ui), state_(state) {}
 
   void Draw() {
-    const std::size_t rows = Rows();
-    const bool asks = state_.popup != Popup::kPasteErrors && state_.popup != Popup::kNewKeys;
-    float height = (asks ? kAsked + kField : 0) + 20 + static_cast<float>(rows) * kRowHeight;
-    if (rows > 0 && asks) height += 6;
-    if (!state_.popup_error.empty()) height += 24;
     const ImVec2 display = ImGui::GetIO().DisplaySize;
-    const float width = state_.popup == Popup::kKeys ? kKeysWidth : kWidth;
-    const Point size = {std::min(width * ui_.scale, display.x - 20),
-                        std::min(height * ui_.scale, display.y - 80 * ui_.scale)};
+    const float wished = state_.popup == Popup::kKeys ? kKeysWidth : kWidth;
+    const float width = std::min(wished * ui_.scale, display.x - 20);
+    const Point size = {width, std::min(Height(width), display.y - 80 * ui_.scale)};
     const Point at = {(display.x - size.x) / 2, 56 * ui_.scale};
     ImGui::SetNextWindowPos(ToIm(at));
     ImGui::SetNextWindowSize(ToIm(size));
@@ -66,17 +63,63 @@ class PopupWindow {
   }
 
  private:
+  // For what it holds at that width.
+  float Height(float width) const {
+    const std::string asked = Asked();
+    const std::size_t rows = Rows();
+    float height = 20 + static_cast<float>(rows) * kRowHeight;
+    if (!asked.empty()) {
+      const float room = width - 20 * ui_.scale;
+      height += kBelowAsked + ui_.ParagraphHeight(asked, {Face::kSans, 12, 0}, room) / ui_.scale;
+      if (HasField()) height += kField;
+      if (rows > 0) height += 6;
+    }
+    if (!state_.popup_error.empty()) height += 24;
+    return height * ui_.scale;
+  }
+
+  // Stands above the field, for what is in the field would hide it.
+  std::string Asked() const {
+    switch (state_.popup) {
+      case Popup::kOpen:
+        return "Open a file: its path (trees as XML, or a record of a run)";
+      case Popup::kConnect:
+        return "Connect to a robot: HOST:PORT, or HOST:PORT/TREE for one of its trees";
+      case Popup::kPalette:
+        return "Search commands, nodes, trees and robots";
+      case Popup::kList:
+        return state_.list.hint;
+      case Popup::kPrompt:
+        return state_.prompt.hint;
+      case Popup::kKeys:
+        return "Search commands by title, ID or keys; Enter gives the chosen one other keys";
+      case Popup::kAdd:
+        return "Add a node: its type";
+      case Popup::kChangeType:
+        return "Change the type to";
+      case Popup::kRename:
+        return "Rename the node; without a name it is called as its type";
+      case Popup::kSaveAs:
+        return "Save the file under another name: its path";
+      default:
+        return {};
+    }
+  }
+
+  bool HasField() const { return state_.popup != Popup::kPrompt || state_.prompt.asks_for_text; }
+
   std::size_t Rows() const {
     switch (state_.popup) {
-      case Popup::kPalette:
-      case Popup::kList:
       case Popup::kKeys:
         return state_.popup_rows;
+      case Popup::kPalette:
+      case Popup::kList:
+        return std::min(state_.popup_rows, kPopupRows);
       case Popup::kPrompt:
-        return state_.prompt.preview ? state_.popup_rows : 0;
+        return state_.prompt.preview ? std::min(state_.popup_rows, kPopupRows) : 0;
       case Popup::kAdd:
       case Popup::kChangeType:
-        return state_.popup_rows + 1;
+        return std::min(state_.popup_rows, kPopupRows) + 1;
       case Popup::kNewKeys:
         return 3;
       case Popup::kPasteErrors:
@@ -89,45 +132,45 @@ class PopupWindow {
   void Content() {
     switch (state_.popup) {
       case Popup::kOpen:
-        Input("Open a file: its path (trees as XML, or a record of a run)");
+        Input();
         if (Confirmed(state_)) Open();
         break;
       case Popup::kConnect:
-        Input("Connect to a robot: HOST:PORT, or HOST:PORT/TREE for one of its trees");
+        Input();
         if (Confirmed(state_)) Connect();
         break;
       case Popup::kPalette:
-        Input("Search commands, nodes, trees and robots");
-        Choices(FindChoices(state_, state_.popup_text, ui_.now, kRows));
+        Input();
+        Choices(FindChoices(state_, state_.popup_text, ui_.now, kMostChoices));
         break;
       case Popup::kList:
-        Input(state_.list.hint);
+        Input();
         Choices(state_.list.rows(state_.popup_text));
         break;
       case Popup::kPrompt:
         Ask();
         break;
       case Popup::kKeys:
-        Input("Search commands by title, ID or keys; Enter gives the chosen one other keys");
+        Input();
         DrawKeyList(ui_, state_);
         break;
       case Popup::kNewKeys:
         DrawNewKeys(ui_, state_);
         break;
       case Popup::kAdd:
-        Input("Add a node: its type");
+        Input();
         Types(true);
         break;
       case Popup::kChangeType:
-        Input("Change the type to");
+        Input();
         Types(false);
         break;
       case Popup::kRename:
-        Input("Rename the node; without a name it is called as its type");
+        Input();
         if (Confirmed(state_) && TreeEditor(state_, ui_.now).Rename(state_.popup_text)) Close();
         break;
       case Popup::kSaveAs:
-        Input("Save the file under another name: its path");
+        Input();
         if (Confirmed(state_)) TreeEditor(state_, ui_.now).SaveAs(state_.popup_text);
         break;
       case Popup::kPasteErrors:
@@ -142,8 +185,8 @@ class PopupWindow {
     ImGui::PopStyleColor();
   }
 
-  // What is asked stands above the field, for what is in the field would hide it.
-  void Input(const std::string& asked) {
+  void Input() {
+    const std::string asked = Asked();
     ImGui::PushFont(ui_.fonts.Pick(Face::kSans, 12 * ui_.scale));
     ImGui::PushStyleColor(ImGuiCol_Text, ui_.palette.text_dim);
     ImGui::PushTextWrapPos(0);
@@ -151,8 +194,9 @@ class PopupWindow {
     ImGui::PopTextWrapPos();
     ImGui::PopStyleColor();
     ImGui::PopFont();
-    if (state_.popup_is_new) ImGui::SetKeyboardFocusHere();
-    state_.popup_is_new = false;
+    const bool is_new = std::exchange(state_.popup_is_new, false);
+    if (!HasField()) return;
+    if (is_new) ImGui::SetKeyboardFocusHere();
     ImGui::SetNextItemWidth(-1);
     ImGui::PushFont(ui_.fonts.Pick(Face::kSans, 14 * ui_.scale));
     if (ImGui::InputText("##input", &state_.popup_text)) {
@@ -165,13 +209,13 @@ class PopupWindow {
   }
 
   void Open() {
-    if (state_.open_file(state_.popup_text)) {
+    std::error_code error;
+    if (!std::filesystem::exists(state_.popup_text, error)) {
+      state_.popup_error = "there is no such file";
+    } else if (state_.open_file(state_.popup_text)) {
       state_.popup = Popup::kNone;
     } else {
-      std::error_code error;
-      state_.popup_error = std::filesystem::exists(state_.popup_text, error)
-                               ? "nothing to show in this file; see Problems"
-                               : "there is no such file";
+      state_.popup_error = "nothing to show in this file; see Problems";
     }
   }
 
@@ -183,7 +227,7 @@ class PopupWindow {
   // What is asked may ask further.
   void Ask() {
     const Prompt prompt = state_.prompt;
-    Input(prompt.hint);
+    Input();
     const bool confirmed = Confirmed(state_);
     if (prompt.preview && !confirmed) Preview(prompt.preview(state_.popup_text));
     if (!confirmed) return;
@@ -197,56 +241,45 @@ class PopupWindow {
 
   void Preview(const std::vector<Choice>& rows) {
     state_.popup_rows = rows.size();
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
-    ImGui::Dummy({1, 6 * ui_.scale});
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      const Row row = NextRow(ui_, "popup/" + std::to_string(i), false);
-      Paint(row.box, rows[i].title, rows[i].note, rows[i].kind);
-      if (row.clicked && rows[i].run) rows[i].run();
-    }
-    ImGui::PopStyleVar();
+    const bool has_choice = !HasField();
+    int chosen = Chosen(rows, has_choice);
+    if (has_choice && Pressed(state_, kKeySpace) && !rows.empty()) chosen = state_.popup_choice;
+    if (chosen < 0) return;
+    const auto& run = rows[static_cast<std::size_t>(chosen)].run;
+    if (run) run();
   }
 
   void Choices(const std::vector<Choice>& choices) {
-    const int count = static_cast<int>(choices.size());
     state_.popup_rows = std::max<std::size_t>(choices.size(), 1);
-    Choose(count);
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
-    ImGui::Dummy({1, 6 * ui_.scale});
-    if (choices.empty()) PaintHelp("popup/nothing", "nothing fits what was typed");
-    int chosen = -1;
-    for (int i = 0; i < count; ++i) {
-      const Choice& choice = choices[static_cast<std::size_t>(i)];
-      const Row row = NextRow(ui_, "popup/" + std::to_string(i), i == state_.popup_choice);
-      Paint(row.box, choice.title, choice.note, choice.kind);
-      if (row.clicked) chosen = i;
-    }
-    ImGui::PopStyleVar();
-    if (Confirmed(state_) && count > 0) chosen = state_.popup_choice;
+    int chosen = Chosen(choices, true);
+    if (Confirmed(state_) && !choices.empty()) chosen = state_.popup_choice;
     if (chosen < 0) return;
     state_.popup = Popup::kNone;  // before running: the command may open another
     choices[static_cast<std::size_t>(chosen)].run();
   }
 
-  // Moves the highlighted row with the arrow keys.
-  void Choose(int count) {
-    if (Pressed(state_, kKeyDown)) ++state_.popup_choice;
-    if (Pressed(state_, kKeyUp)) --state_.popup_choice;
-    state_.popup_choice = std::clamp(state_.popup_choice, 0, std::max(count - 1, 0));
+  // Draws the rows; the one that was clicked, or -1.
+  int Chosen(const std::vector<Choice>& choices, bool has_choice) {
+    PopupRows rows(ui_, state_, choices.size(), has_choice);
+    if (choices.empty() && has_choice) PaintHelp("popup/nothing", "nothing fits what was typed");
+    int chosen = -1;
+    for (std::size_t i = 0; i < choices.size(); ++i) {
+      const Choice& choice = choices[i];
+      if (rows.Next(choice.title, choice.note, choice.kind)) chosen = static_cast<int>(i);
+    }
+    return chosen;
   }
 
   void Types(bool add) {
-    const std::vector<TypeChoice> types = FindTypes(state_, state_.popup_text, add, kRows);
+    const std::vector<TypeChoice> types = FindTypes(state_, state_.popup_text, add, kMostChoices);
     state_.popup_rows = types.size();
-    Choose(static_cast<int>(types.size()));
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
-    ImGui::Dummy({1, 6 * ui_.scale});
     int chosen = -1;
-    for (std::size_t i = 0; i < types.size(); ++i) {
-      const Row row =
-          NextRow(ui_, "popup/" + std::to_string(i), static_cast<int>(i) == state_.popup_choice);
-      Paint(row.box, types[i].type, types[i].note, types[i].kind);
-      if (row.clicked) chosen = static_cast<int>(i);
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
+    {
+      PopupRows rows(ui_, state_, types.size());
+      for (std::size_t i = 0; i < types.size(); ++i) {
+        if (rows.Next(types[i].type, types[i].note, types[i].kind)) chosen = static_cast<int>(i);
+      }
     }
     PaintHelp("popup/help", add ? AddHelp() : ChangeHelp(types));
     ImGui::PopStyleVar();
@@ -295,10 +328,10 @@ class PopupWindow {
     state_.popup_is_new = false;
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
     const Row head = NextRow(ui_, "popup/head", false);
-    Paint(head.box, "Nothing was pasted: the text has errors", "Esc", "");
+    PaintPopupRow(ui_, head.box, "Nothing was pasted: the text has errors", "Esc", "");
     for (std::size_t i = 0; i < state_.popup_problems.size(); ++i) {
       const Row row = NextRow(ui_, "popup/error/" + std::to_string(i), false);
-      Paint(row.box, ToString(state_.popup_problems[i]), "", "");
+      PaintPopupRow(ui_, row.box, ToString(state_.popup_problems[i]), "", "");
     }
     ImGui::PopStyleVar();
     if (Confirmed(state_)) Close();
@@ -309,21 +342,6 @@ class PopupWindow {
     ui_.RowText(*ImGui::GetWindowDrawList(), row.box.min + Point{6 * ui_.scale, 0},
                 row.box.height(), text, {Face::kSans, 11, ui_.palette.text_dim},
                 row.box.width() - 12 * ui_.scale);
-  }
-
-  void Paint(const Box& box, const std::string& title, const std::string& note,
-             const std::string& kind) {
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    const TextStyle dim{Face::kSans, 11, ui_.palette.text_dim};
-    const float kind_width = 64 * ui_.scale;
-    const float pad = 6 * ui_.scale;
-    if (!kind.empty()) ui_.RowText(list, box.min + Point{pad, 0}, box.height(), kind, dim);
-    const float left = box.min.x + (kind.empty() ? pad : kind_width);
-    const float note_width = std::min(ui_.Width(note, dim), box.width() * 0.4F);
-    ui_.RowText(list, {left, box.min.y}, box.height(), title, {Face::kSans, 12, ui_.palette.text},
-                box.max.x - left - note_width - 3 * pad);
-    ui_.RowText(list, {box.max.x - note_width - pad, box.min.y}, box.height(), note, dim,
-                note_width + 1);
   }
 
   const Ui& ui_;

@@ -59,7 +59,9 @@ void RunFix(EditorState& state, const Diagnostic& problem, const Fix& fix, doubl
       });
 }
 
-constexpr float kTwoLines = 40;  // pixels at scale 1
+constexpr float kLeft = 28;       // of the message, at scale 1
+constexpr float kPad = 8;         // right of it
+constexpr float kPlaceLine = 19;  // height of the line of the place and the buttons
 
 // What a problem's row says, and how wide it is.
 struct Words {
@@ -72,6 +74,10 @@ struct Words {
   // They fit into one line.
   bool Fit(const Ui& ui, float width) const {
     return message_width + rest_width + 48 * ui.scale <= width;
+  }
+  // Of the message in lines of that width.
+  float Height(const Ui& ui, float width) const {
+    return ui.ParagraphHeight(message, {Face::kSans, 12, 0}, width - (kLeft + kPad) * ui.scale);
   }
 };
 
@@ -108,33 +114,40 @@ int DrawFixes(const Ui& ui, const std::string& path, Box& line, const std::vecto
   return pressed;
 }
 
-// The message, and behind it or below it the place and the buttons.
+// The message, broken into lines if it is long, and behind it or below it the place and the
+// buttons.
 Row DrawProblem(const Ui& ui, int number, const Diagnostic& problem, std::vector<Fix> fixes,
                 bool names_file, int& pressed) {
   const std::string path = "problems/" + std::to_string(number);
   const Words words = WordsOf(ui, problem, std::move(fixes), names_file);
-  const bool fits = words.Fit(ui, ImGui::GetContentRegionAvail().x);
-  const Row row = NextRow(ui, path, false, fits ? kRowHeight : kTwoLines);
+  const float width = ImGui::GetContentRegionAvail().x;
+  const bool fits = words.Fit(ui, width);
+  const float message = words.Height(ui, width);
+  const Row row = NextRow(ui, path, false, fits ? kRowHeight : message / ui.scale + 4 + kPlaceLine);
   ImGui::SetItemAllowOverlap();
   if (row.hovered) Tooltip(ui, ToString(problem));
   if (!row.visible) return row;
   const ImVec2 behind = ImGui::GetCursorScreenPos();
-  const float pad = 8 * ui.scale;
-  const float line_height = fits ? row.box.height() : row.box.height() / 2;
-  Box first = {row.box.min, {row.box.max.x, row.box.min.y + line_height}};
-  Box last = {{row.box.min.x, row.box.max.y - line_height}, row.box.max};
+  const float pad = kPad * ui.scale;
+  const float line_height = (fits ? kRowHeight : kPlaceLine) * ui.scale;
+  Box last = {{row.box.min.x, row.box.max.y - line_height}, row.box.max - Point{pad / 2, 0}};
   pressed = DrawFixes(ui, path, last, words.fixes);
   ImGui::SetCursorScreenPos(behind);
 
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const bool error = problem.severity == Severity::kError;
-  ui.RowText(list, first.min + Point{pad, 0}, line_height,
+  ui.RowText(list, row.box.min + Point{pad, 0}, kRowHeight * ui.scale,
              error ? icon::kExclamation : icon::kWarning,
              {Face::kSans, 12, error ? ui.palette.error : ui.palette.warning});
-  const float left = row.box.min.x + pad + 20 * ui.scale;
-  const float used = ui.RowText(list, {left, first.min.y}, line_height, words.message,
-                                {Face::kSans, 12, ui.palette.text}, first.max.x - left - pad);
-  const float at = fits ? left + used + pad : left;
+  const float left = row.box.min.x + kLeft * ui.scale;
+  const TextStyle style{Face::kSans, 12, ui.palette.text};
+  if (fits) {
+    ui.RowText(list, {left, row.box.min.y}, line_height, words.message, style);
+  } else {
+    ui.Paragraph(list, {left, row.box.min.y + 4 * ui.scale}, words.message, style,
+                 width - (kLeft + kPad) * ui.scale);
+  }
+  const float at = fits ? left + words.message_width + pad : left;
   ui.RowText(list, {at, last.min.y}, line_height, words.where,
              {Face::kSans, 11, ui.palette.text_dim}, last.max.x - at - pad);
   return row;

@@ -56,36 +56,30 @@ class Rows {
 
  private:
   void Run(const char* words) {
-    const Row row = NextRow(ui_, "run/coverage/run", false);
-    if (row.clicked) {
-      state_.after_frame = [&s = state_] { s.commands.Run("sim.runs"); };
-    }
-    if (!row.visible) return;
-    const float x = Write(row, 8, words, {Face::kSans, 12, ui_.palette.accent});
-    Write(row, x + 10, "Shift+X", {Face::kSans, 11, ui_.palette.text_dim});
+    const std::string text = std::string(words) + "   Shift+X";
+    const Row row = TextRow(ui_, "run/coverage/run", text, {Face::kSans, 12, ui_.palette.accent});
+    if (!row.clicked) return;
+    state_.after_frame = [&s = state_] { s.commands.Run("sim.runs"); };
   }
 
   void Title(const std::string& path, const std::string& text, Color color) {
-    const Row row = NextRow(ui_, path, false);
-    if (row.visible) Write(row, 8, text, {Face::kBold, 12, color});
+    TextRow(ui_, path, text, {Face::kBold, 12, color});
   }
 
   void Finding(std::size_t number, const RandomFinding& finding) {
-    const Row row = NextRow(ui_, "run/coverage/finding/" + std::to_string(number), false);
     const std::string what =
         (finding.node.empty() ? "the tree" : finding.node) + ": " + finding.text;
     const std::string when = Count(finding.times) + " times, first in tick " + Count(finding.tick) +
                              " of seed " + Count(finding.seed);
-    if (row.hovered) ImGui::SetTooltip("%s\n%s\na click goes there", what.c_str(), when.c_str());
+    const Row row = TextRow(ui_, "run/coverage/finding/" + std::to_string(number),
+                            std::string(icon::kWarning) + "  " + what + "; " + when,
+                            {Face::kSans, 12, ui_.palette.error});
+    if (row.hovered) Tooltip(ui_, "A click goes there");
     if (row.clicked) {
       state_.after_frame = [&s = state_, finding, now = ui_.now] {
         SimulationEditor(s, now).GoToFinding(finding);
       };
     }
-    if (!row.visible) return;
-    const float x = Write(row, 8, std::string(icon::kWarning) + "  " + what,
-                          {Face::kSans, 12, ui_.palette.error});
-    Write(row, x + 10, when, {Face::kSans, 11, ui_.palette.text_dim});
   }
 
   void List(const std::string& id, const char* title, const std::vector<std::string>& paths) {

@@ -37,9 +37,13 @@ class Rows {
                         {at.x, at.y + size}, color);
     x_ = row.box.min.x + 24 * ui_.scale;
     Write(row, point.path, {Face::kBold, 12, color});
+    const std::string hits = Count(log_.HitsOf(point.number), "hit");
+    const TextStyle dim{Face::kSans, 11, ui_.palette.text_dim};
+    const float end = right_;
+    right_ -= ui_.Width(hits, dim) + 8 * ui_.scale;
     Write(row, ToString(point), {Face::kSans, 12, ui_.palette.text});
-    const std::string hits = std::to_string(log_.HitsOf(point.number)) + " hits";
-    Write(row, hits, {Face::kSans, 11, ui_.palette.text_dim});
+    right_ = end;
+    Write(row, hits, dim);
     Write(row, log_.ProblemOf(point.number), {Face::kSans, 12, ui_.palette.warning});
     if (removed) return points.Remove(point.number);
     if (asked) return AskForLogPoint(state_, point.number);

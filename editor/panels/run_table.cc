@@ -72,6 +72,13 @@ class Table {
     return (is_last ? width : std::min(width, kWidest * ui_.scale)) + 2 * kCellPad * ui_.scale;
   }
 
+  // They stand at the right end of their column, and so does its name.
+  bool HoldsNumbers(std::size_t column) const {
+    return !table_.rows.empty() &&
+           std::all_of(table_.rows.begin(), table_.rows.end(),
+                       [column](const auto& row) { return row[column].number.has_value(); });
+  }
+
   void DrawHead() {
     const Row row = NextRow(ui_, "run/table/head", false);
     ImGui::SetItemAllowOverlap();
@@ -90,10 +97,12 @@ class Table {
         sort_.descending = sorted && !sort_.descending;
         sort_.column = name;
       }
-      const std::string mark = sorted ? (sort_.descending ? " v" : " ^") : "";
-      ui_.RowText(list, at.min + Point{kCellPad * ui_.scale, 0}, at.height(), name + mark,
-                  {Face::kBold, 11, sorted ? ui_.palette.text : ui_.palette.text_dim},
-                  at.width() - kCellPad * ui_.scale);
+      const std::string text = name + (sorted ? (sort_.descending ? " v" : " ^") : "");
+      const TextStyle style{Face::kBold, 11, sorted ? ui_.palette.text : ui_.palette.text_dim};
+      const float pad = kCellPad * ui_.scale;
+      const float right = at.min.x + widths_[i] - pad - ui_.Width(text, style);
+      const float left = HoldsNumbers(i) ? std::max(right, at.min.x + pad) : at.min.x + pad;
+      ui_.RowText(list, {left, at.min.y}, at.height(), text, style, at.max.x - left);
     }
     ImGui::SetCursorScreenPos(behind);
   }

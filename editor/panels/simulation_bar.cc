@@ -2,6 +2,7 @@
 #include <cstdio>
 #include <string>
 
+#include "editor/canvas/free_place.h"
 #include "editor/core/simulation_editor.h"
 #include "editor/look/icons.h"
 #include "editor/panels/panels.h"
@@ -43,6 +44,7 @@ class Bar {
     left_ += 4 * ui_.scale;
     Left("sim/slower", "-", "sim.slower");
     Write(SpeedText(state_.simulator.speed()), {Face::kSans, 12, ui_.palette.text}, "sim/speed");
+    left_ -= 6 * ui_.scale;  // as far from this button as from the other
     Left("sim/faster", "+", "sim.faster");
   }
 
@@ -58,17 +60,20 @@ class Bar {
 
   void DrawTime() {
     const Simulation& simulation = *state_.simulator.get();
-    char text[64];
-    std::snprintf(text, sizeof(text), "%.7g s   tick %llu",
-                  static_cast<double>(simulation.now().count()) * 1e-9,
-                  static_cast<unsigned long long>(simulation.ticks()));
-    std::string what = text;
-    Color color = ui_.palette.text;
-    if (const auto result = state_.simulator.result()) {
-      what += std::string("  ") + icon::kRightArrow + " " + ToString(*result);
-      color = ui_.palette.TextOf(*result);
+    char seconds[32];
+    std::snprintf(seconds, sizeof(seconds), "%.7g s",
+                  static_cast<double>(simulation.now().count()) * 1e-9);
+    std::string result;
+    TextStyle style{Face::kSans, 12, ui_.palette.text};
+    if (const auto status = state_.simulator.result()) {
+      result = std::string("  ") + icon::kRightArrow + " " + ToString(*status);
+      style.color = ui_.palette.TextOf(*status);
     }
-    Write(what, {Face::kSans, 12, color}, "sim/time");
+    left_ += 4 * ui_.scale;
+    // The number of the tick is in the timeline, too.
+    std::string what = seconds + ("   tick " + std::to_string(simulation.ticks())) + result;
+    if (ui_.Width(what, style) > right_ - left_) what = seconds + result;
+    Write(what, style, "sim/time");
   }
 
   void Write(const std::string& text, const TextStyle& style, const std::string& path) {
@@ -144,8 +149,6 @@ void DrawSimulatedLeaf(const Ui& ui, EditorState& state, const Box& canvas) {
   const MockScript& script = *state.simulator.get()->ScriptOf(leaf);
   const std::string does = PrintScript(script);
 
-  Box node = view->camera.ToScreen(view->BoxAt(view->ShownOf(view->selected()), ui.now));
-  node = {node.min + canvas.min, node.max + canvas.min};
   const float height = 24 * ui.scale;
   const float pad = 6 * ui.scale;
   const auto width_of = [&](const std::string& text) {
@@ -153,14 +156,9 @@ void DrawSimulatedLeaf(const Ui& ui, EditorState& state, const Box& canvas) {
   };
   float width = width_of(does) + pad;
   for (const Answer& answer : kAnswers) width += width_of(answer.text) + 3 * ui.scale;
-  const float highest = std::max(canvas.max.y - height - pad, canvas.min.y);
-  const bool is_room_below = node.max.y + pad <= highest;
-  const float top = is_room_below ? node.max.y + pad : node.min.y - pad - height;
-  const float furthest = std::max(canvas.max.x - width - pad, canvas.min.x);
-  const Point at = {std::clamp(node.center().x - width / 2, canvas.min.x + pad,
-                               std::max(furthest, canvas.min.x + pad)),
-                    std::clamp(top, canvas.min.y + pad, std::max(highest, canvas.min.y + pad))};
-  const Box box = {at, at + Point{width + pad, height}};
+  const Box box = FreePlaceBeside(*view, view->ShownOf(view->selected()), {width + pad, height},
+                                  pad, canvas, ui.now);
+  const Point at = box.min;
   ui.Fill(list, box, ui.palette.panel, 5 * ui.scale);
   ui.Frame(list, box, ui.palette.simulation, 5 * ui.scale);
   float x = at.x + pad / 2;

@@ -1,5 +1,4 @@
-#include <algorithm>
-
+#include "editor/canvas/free_place.h"
 #include "editor/panels/panel.h"
 #include "editor/panels/panels.h"
 
@@ -20,6 +19,23 @@ constexpr StopButton kButtons[] = {
     {"stop/failure", "FAILURE", "run.continue_failure", Status::kFailure},
     {"stop/skip", "SKIP", "run.continue_skipped", Status::kSkipped}};
 
+constexpr float kBetween = 3;  // pixels between two buttons at scale 1
+
+// Behind a node its result is there already.
+bool IsForBoth(const StopButton& button) { return button.status == Status::kIdle; }
+
+float WidthOf(const Ui& ui, const StopButton& button) {
+  return ui.Width(button.text, {Face::kSans, 12, 0}) + 16 * ui.scale;
+}
+
+float WidthOf(const Ui& ui, bool before) {
+  float width = 0;
+  for (const StopButton& button : kButtons) {
+    if (before || IsForBoth(button)) width += WidthOf(ui, button) + kBetween * ui.scale;
+  }
+  return width;
+}
+
 }  // namespace
 
 void DrawStopBar(const Ui& ui, EditorState& state, const Box& canvas) {
@@ -30,26 +46,20 @@ void DrawStopBar(const Ui& ui, EditorState& state, const Box& canvas) {
   if (stop.where != DebugStop::Where::kBefore && stop.where != DebugStop::Where::kAfter) return;
   const auto& nodes = view->scene()->node_of_uid;
   if (stop.node >= nodes.size() || nodes[stop.node] == kNoNode) return;
-  Box node = view->camera.ToScreen(view->BoxAt(view->ShownOf(nodes[stop.node]), ui.now));
-  node = {node.min + canvas.min, node.max + canvas.min};
-  const float height = 22 * ui.scale;
-  const float pad = 6 * ui.scale;
-  const float lowest = std::max(canvas.max.y - height - pad, canvas.min.y + pad);
-  const bool is_room_below = node.max.y + pad <= lowest;
-  const float top = std::clamp(is_room_below ? node.max.y + pad : node.min.y - pad - height,
-                               canvas.min.y + pad, lowest);
-  float x = std::clamp(node.min.x, canvas.min.x + 4 * ui.scale,
-                       std::max(canvas.max.x - 330 * ui.scale, canvas.min.x));
+  const bool before = stop.where == DebugStop::Where::kBefore;
+  const Point size = {WidthOf(ui, before), 22 * ui.scale};
+  const Box box =
+      FreePlaceBeside(*view, view->ShownOf(nodes[stop.node]), size, 6 * ui.scale, canvas, ui.now);
   // A window of its own: it lies above the canvas, for the mouse too.
-  ImGui::SetCursorScreenPos({x, top});
-  ImGui::BeginChild("stop", {330 * ui.scale, height}, false,
+  ImGui::SetCursorScreenPos(ToIm(box.min));
+  ImGui::BeginChild("stop", ToIm(size), false,
                     ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoBackground);
+  float x = box.min.x;
   for (const StopButton& button : kButtons) {
-    const bool can = stop.where == DebugStop::Where::kBefore || &button < kButtons + 2;
-    if (!can) continue;
-    const float width = ui.Width(button.text, {Face::kSans, 12, 0}) + 16 * ui.scale;
-    const Box at = {{x, top}, {x + width, top + height}};
-    x += width + 3 * ui.scale;
+    if (!before && !IsForBoth(button)) continue;
+    const float width = WidthOf(ui, button);
+    const Box at = {{x, box.min.y}, {x + width, box.max.y}};
+    x += width + kBetween * ui.scale;
     ui.Fill(*ImGui::GetWindowDrawList(), at, ui.palette.panel, 4);
     const Color tint =
         button.status == Status::kIdle ? ui.palette.accent : ui.palette.Of(button.status);

@@ -17,7 +17,8 @@ constexpr float kBar = 30;
 constexpr float kStrip = 28;
 constexpr float kCanvasBar = 26;
 constexpr float kGap = 4;
-constexpr float kSmallest = 80;  // of a tile
+constexpr float kSmallest = 80;        // of a tile
+constexpr Point kUsual = {1280, 800};  // the screen that the sizes of tiles are for
 
 using DrawTile = void (*)(const Ui&, EditorState&, const Box&);
 
@@ -67,37 +68,43 @@ class Screen {
     return taken;
   }
 
+  // Of the sizes of tiles: on a large screen they get a part of what is gained.
+  float GrownAcross() const {
+    return std::clamp(box_.width() / (kUsual.x * ui_.scale), 1.0F, 1.5F);
+  }
+  float GrownDown() const { return std::clamp(box_.height() / (kUsual.y * ui_.scale), 1.0F, 1.7F); }
+
   float Limit(float size, float room) const {
     return std::clamp(size * ui_.scale, kSmallest * ui_.scale,
                       std::max(kSmallest * ui_.scale, room - kSmallest * ui_.scale));
   }
 
   Box TakeLeft(Box& rest, float& size) {
-    const float width = Limit(size, rest.width() * 0.6F);
+    const float width = Limit(size * GrownAcross(), rest.width() * 0.6F);
     const float gap = kGap * ui_.scale;
     const Box taken = {rest.min, {rest.min.x + width, rest.max.y}};
     const Box bar = {{taken.max.x, rest.min.y}, {taken.max.x + gap, rest.max.y}};
-    size += Splitter(ui_, "split/left", bar, true);
+    size += Splitter(ui_, "split/left", bar, true) / GrownAcross();
     rest.min.x = bar.max.x;
     return taken;
   }
 
   Box TakeRight(Box& rest, float& size) {
-    const float width = Limit(size, rest.width() * 0.6F);
+    const float width = Limit(size * GrownAcross(), rest.width() * 0.6F);
     const float gap = kGap * ui_.scale;
     const Box taken = {{rest.max.x - width, rest.min.y}, rest.max};
     const Box bar = {{taken.min.x - gap, rest.min.y}, {taken.min.x, rest.max.y}};
-    size -= Splitter(ui_, "split/right", bar, true);
+    size -= Splitter(ui_, "split/right", bar, true) / GrownAcross();
     rest.max.x = bar.min.x;
     return taken;
   }
 
   Box TakeBottom(Box& rest, float& size, const std::string& name) {
-    const float height = Limit(size, rest.height() * 0.8F);
+    const float height = Limit(size * GrownDown(), rest.height() * 0.8F);
     const float gap = kGap * ui_.scale;
     const Box taken = {{rest.min.x, rest.max.y - height}, rest.max};
     const Box bar = {{rest.min.x, taken.min.y - gap}, {rest.max.x, taken.min.y}};
-    size -= Splitter(ui_, name, bar, false);
+    size -= Splitter(ui_, name, bar, false) / GrownDown();
     rest.max.y = bar.min.y;
     return taken;
   }
@@ -105,7 +112,9 @@ class Screen {
   void LeftColumn(Box column) {
     const Tiles& tiles = state_.tiles;
     const bool upper = tiles.project || tiles.outline;
-    if (tiles.types && upper) {
+    // Nothing can be added to a run: the outline takes the room.
+    const bool types = tiles.types && (!upper || !state_.workspace.run());
+    if (types && upper) {
       const float gap = kGap * ui_.scale;
       float& part = state_.splits.types_part;
       const float cut = column.min.y + std::clamp(part, 0.1F, 0.9F) * column.height();
@@ -113,7 +122,7 @@ class Screen {
       DrawTypes(ui_, state_, {{column.min.x, bar.max.y}, column.max});
       part += Splitter(ui_, "split/types_part", bar, false) * ui_.scale / column.height();
       column.max.y = bar.min.y;
-    } else if (tiles.types) {
+    } else if (types) {
       DrawTypes(ui_, state_, column);
     }
     if (!upper) return;

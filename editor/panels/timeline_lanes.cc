@@ -30,6 +30,11 @@ class Lanes {
     const float below = f_.lanes.min.y + height * static_cast<float>(f_.shown.pinned);
     DrawRows(0, f_.shown.pinned, {box.min, {box.max.x, below}});
     DrawRows(f_.shown.pinned, count, {{box.min.x, below}, box.max});
+    if (count == 0) {
+      f_.ui.RowText(list_, f_.labels.min + Point{8 * f_.ui.scale, 0}, height,
+                    "no node of this tree was ticked in what is shown",
+                    {Face::kSans, 11, f_.ui.palette.text_dim});
+    }
     if (f_.shown.pinned > 0) {
       f_.ui.Fill(list_, {{f_.labels.min.x, below - 1}, {box.max.x, below}},
                  Fade(f_.ui.palette.text_dim, 0.5F));

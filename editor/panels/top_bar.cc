@@ -8,12 +8,25 @@ struct MenuEntry {
   const char* command;  // null: a line between groups
 };
 
-constexpr MenuEntry kView[] = {
-    {"view.top_to_bottom"}, {"view.left_to_right"},  {nullptr}, {"view.fit_all"},
-    {"view.fit_selection"}, {"view.zoom_100"},       {nullptr}, {"view.compact"},
-    {"view.layered"},       {"view.stacked"},        {nullptr}, {"tree.collapse"},
-    {"tree.open_subtrees"}, {"tree.close_subtrees"}, {nullptr}, {"palette.dark"},
-    {"palette.light"},      {"palette.colourblind"}};
+constexpr MenuEntry kView[] = {{"view.top_to_bottom"},
+                               {"view.left_to_right"},
+                               {nullptr},
+                               {"view.fit_all"},
+                               {"view.fit_selection"},
+                               {"view.zoom_100"},
+                               {nullptr},
+                               {"view.compact"},
+                               {"view.layered"},
+                               {"view.stacked"},
+                               {"view.wrapped"},
+                               {nullptr},
+                               {"tree.collapse"},
+                               {"tree.open_subtrees"},
+                               {"tree.close_subtrees"},
+                               {nullptr},
+                               {"palette.dark"},
+                               {"palette.light"},
+                               {"palette.colourblind"}};
 constexpr MenuEntry kEditMenu[] = {
     {"edit.undo"},    {"edit.redo"},    {"edit.history"},     {nullptr},
     {"edit.cut"},     {"edit.copy"},    {"edit.paste"},       {"edit.paste_after"},

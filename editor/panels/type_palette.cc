@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <array>
 
+#include "editor/canvas/node_metrics.h"
 #include "editor/core/tree_editor.h"
-#include "editor/look/icons.h"
 #include "editor/panels/drag_source.h"
 #include "editor/panels/panel.h"
 #include "editor/panels/panels.h"
@@ -20,15 +20,14 @@ constexpr float kFilter = 26;
 
 struct Kind {
   const char* name;
-  const char* icon;
   Shape shape;
 };
-constexpr std::array<Kind, 6> kKinds = {{{"Control", icon::kSitemap, Shape::kControl},
-                                         {"Decorator", icon::kShield, Shape::kDecorator},
-                                         {"Action", icon::kBolt, Shape::kAction},
-                                         {"Condition", icon::kQuestion, Shape::kCondition},
-                                         {"SubTree", icon::kFolder, Shape::kSubTree},
-                                         {"unknown", icon::kCogs, Shape::kUnknown}}};
+constexpr std::array<Kind, 6> kKinds = {{{"Control", Shape::kControl},
+                                         {"Decorator", Shape::kDecorator},
+                                         {"Action", Shape::kAction},
+                                         {"Condition", Shape::kCondition},
+                                         {"SubTree", Shape::kSubTree},
+                                         {"unknown", Shape::kUnknown}}};
 
 std::size_t KindOf(const TypeChoice& type) {
   std::size_t i = 0;
@@ -58,10 +57,13 @@ void DrawType(const Ui& ui, EditorState& state, const TypeChoice& type) {
     Tooltip(ui, type.note);
   }
   if (row.visible) {
-    const Kind& kind = kKinds[KindOf(type)];
+    const Shape shape = kKinds[KindOf(type)].shape;
+    const std::string_view glyph = GlyphOf(shape, type.type);
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    const TextStyle glyph{Face::kSans, 12, Mix(ui.palette.Of(kind.shape), ui.palette.text, 0.6F)};
-    ui.RowText(list, row.box.min + Point{12 * ui.scale, 0}, row.box.height(), kind.icon, glyph);
+    const TextStyle style{Face::kSans, 12, Mix(ui.palette.Of(shape), ui.palette.text, 0.6F)};
+    const float middle = row.box.min.x + 19 * ui.scale;
+    ui.RowText(list, {middle - ui.Width(glyph, style) / 2, row.box.min.y}, row.box.height(), glyph,
+               style);
     ui.RowText(list, row.box.min + Point{34 * ui.scale, 0}, row.box.height(), type.type,
                {Face::kSans, 12, ui.palette.text}, row.box.width() - 40 * ui.scale);
   }

@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "bt_core/replay/scenario_models.h"
 #include "bt_core/testing/scenario_writer.h"
 #include "editor/simulation/open_tree.h"
 
@@ -126,9 +127,12 @@ std::string ScenarioFileOf(const std::string& tree_file, const std::string& tree
 }
 
 std::string SaveScenario(const Scenario& scenario, const std::string& tree_file,
-                         const std::string& tree_id, Diagnostics& diagnostics) {
+                         const std::string& tree_id, const std::vector<std::string>& known_models,
+                         const std::string& models, Diagnostics& diagnostics) {
   std::string path = ScenarioFileOf(tree_file, tree_id);
-  return WriteScenario(scenario, path, tree_file, tree_id, diagnostics) ? path : std::string();
+  const std::string named = ModelsForScenario(path, tree_file, known_models, models, diagnostics);
+  const bool written = WriteScenario(scenario, path, tree_file, tree_id, diagnostics, named);
+  return written ? path : std::string();
 }
 
 }  // namespace coppice::editor

@@ -53,10 +53,12 @@ class ScenarioTests {
 /// "a/patrol.test.json", those of "Dock" in "a/patrol.Dock.test.json".
 std::string ScenarioFileOf(const std::string& tree_file, const std::string& tree_id);
 
-/// Adds a scenario to the file of its tree, which is made if there is none. Returns the path, or
-/// empty with the reason in `diagnostics`.
+/// Adds a scenario to the file of its tree, which is made if there is none. If the tree needs
+/// models of node types, the file names one of `known_models` that has them, or one with the text
+/// `models` that is written beside it. Returns the path, or empty with the reason in `diagnostics`.
 std::string SaveScenario(const Scenario& scenario, const std::string& tree_file,
-                         const std::string& tree_id, Diagnostics& diagnostics);
+                         const std::string& tree_id, const std::vector<std::string>& known_models,
+                         const std::string& models, Diagnostics& diagnostics);
 
 }  // namespace coppice::editor
 

@@ -3,11 +3,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "bt_core/cli/scrubber.h"
 #include "bt_core/cli/verbs.h"
+#include "bt_core/nodes/user_control.h"
 #include "bt_core/record/recorder.h"
 #include "bt_core/replay/load_recording.h"
 #include "tests/bt_core/record/temporary_folder.h"
@@ -228,6 +230,45 @@ TEST_F(ReplayTest, APartOfARecordBecomesATest) {
   EXPECT_EQ(Run({path(), "--scenario", test, "--tree-file", tree, "--to", "1"}), 0) << error_;
   EXPECT_THAT(out_, HasSubstr("2 steps"));
   EXPECT_EQ(Run({path(), "--scenario", test, "--tree-file", tree, "--to", "soon"}), 2);
+}
+
+// Only the robot's program knows it; it adds nothing to what its child does.
+class Guarded final : public UserDecorator {
+ public:
+  static constexpr const char* kDescription = "Ticks its child while the robot is safe.";
+  Status Tick(Children& child, bool) override { return child.Tick(0); }
+};
+
+TEST_F(ReplayTest, ATestOfATreeWithADecoratorOfTheRobotsOwnNamesItsModel) {
+  const std::string text =
+      "<BehaviorTree ID='Main'><Guarded><Sleep name='first' msec='1500'/></Guarded></BehaviorTree>";
+  {
+    SimulatedClock clock(100s);
+    auto registry = std::make_shared<Registry>();
+    registry->Register<Guarded>("Guarded");
+    Executor executor(CompileText(text, registry), clock);
+    EventStream stream(executor);
+    Recorder recorder(stream, path(), RecorderOptions());
+    for (int i = 0; i < 3; ++i) {
+      executor.Tick();
+      clock.Advance(1s);
+    }
+    stream.Flush();
+    EXPECT_EQ(recorder.Close(), "");
+  }
+  const std::string tree = folder_.Path("tree.xml");
+  std::ofstream(tree) << "<root BTCPP_format='4' main_tree_to_execute='Main'>" << text << "</root>";
+  const std::string test = folder_.Path("night.test.json");
+  EXPECT_EQ(Run({path(), "--scenario", test, "--tree-file", tree}), 0) << error_;
+  EXPECT_THAT(ReadFile(test), HasSubstr("\"models\": \"night.models.xml\""));
+  EXPECT_EQ(Run({test}, RunTest), 0) << out_ << error_;
+
+  const std::string mine = folder_.Path("mine.xml");
+  std::filesystem::copy(folder_.Path("night.models.xml"), mine);
+  const std::string other = folder_.Path("other.test.json");
+  EXPECT_EQ(Run({path(), "--scenario", other, "--tree-file", tree, "--models", mine}), 0);
+  EXPECT_THAT(ReadFile(other), HasSubstr("\"models\": \"mine.xml\""));
+  EXPECT_EQ(Run({other}, RunTest), 0) << out_ << error_;
 }
 
 }  // namespace

@@ -90,6 +90,33 @@ TEST_F(DropTargetTest, LooksAboveAndBelowInAColumn) {
   EXPECT_EQ(Text(At(fifth.center())), "node 1.5");
 }
 
+// Sixty siblings in rows: the bar behind the last of a row stands beside it, not half way to the
+// first of the next one.
+TEST_F(DropTargetTest, StaysInItsRow) {
+  std::string xml = "<A>";
+  for (int i = 0; i < 60; ++i) xml += "<B><C/></B>";
+  Show(xml + "</A>");
+  std::uint32_t last = 1;
+  while (BoxOf(("1." + std::to_string(last + 1)).c_str()).min.y == BoxOf("1.1").min.y) ++last;
+  ASSERT_LT(last, 59U);
+  const Box end = BoxOf(("1." + std::to_string(last)).c_str());
+  const DropTarget behind = At({end.max.x - 3, end.center().y});
+  EXPECT_EQ(Text(behind), "gap 1 " + std::to_string(last));
+  EXPECT_NEAR(behind.mark.center().x, end.max.x + 7, 4);
+  const Box begin = BoxOf(("1." + std::to_string(last + 1)).c_str());
+  const DropTarget before = At({begin.min.x + 3, begin.center().y});
+  EXPECT_EQ(Text(before), "gap 1 " + std::to_string(last)) << "the same place";
+  EXPECT_NEAR(before.mark.center().y, begin.center().y, 1) << "but in the next row";
+}
+
+TEST_F(DropTargetTest, IsTheLineAlongTheRows) {
+  std::string xml = "<A>";
+  for (int i = 0; i < 60; ++i) xml += "<B><C/></B>";
+  Show(xml + "</A>");
+  const Box child = BoxOf("1.60");
+  EXPECT_EQ(Text(At({child.center().x, child.min.y - 4})), "edge 1.60");
+}
+
 TEST_F(DropTargetTest, IsTheLineAboveAChildThatItsDecoratorLiesOn) {
   LayoutStyle style;
   style.compact = true;

@@ -2,28 +2,59 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace coppice::editor {
 namespace {
 
 constexpr Box kParent{{100, 0}, {200, 30}};
 constexpr Box kChild{{0, 100}, {80, 130}};
 
+EdgeEnds Ends(const Box& child, Link link, Orientation orientation = Orientation::kTopToBottom) {
+  EdgeEnds ends;
+  ends.parent = kParent;
+  ends.child = child;
+  ends.link = link;
+  ends.orientation = orientation;
+  return ends;
+}
+
 TEST(EdgeShape, ACurveGoesFromTheMiddleOfTheParentToTheMiddleOfTheChild) {
-  const EdgeShape down = ShapeOfEdge(kParent, kChild, Link::kCurve, Orientation::kTopToBottom, 1);
+  const EdgeShape down = ShapeOfEdge(Ends(kChild, Link::kCurve));
   EXPECT_EQ(down.a.x, 150);
   EXPECT_EQ(down.a.y, 30);
   EXPECT_EQ(down.d.x, 40);
   EXPECT_EQ(down.d.y, 100);
   EXPECT_TRUE(down.branch.empty());
   const Box beside = {{300, 100}, {380, 130}};
-  const EdgeShape right = ShapeOfEdge(kParent, beside, Link::kCurve, Orientation::kLeftToRight, 1);
+  const EdgeShape right = ShapeOfEdge(Ends(beside, Link::kCurve, Orientation::kLeftToRight));
   EXPECT_EQ(right.a.x, 200);
   EXPECT_EQ(right.d.x, 300);
   EXPECT_EQ(right.d.y, 115);
 }
 
+// Its siblings without a note begin there too: the curve does not cross them.
+TEST(EdgeShape, ACurveArrivesAtTheNoteAndGoesStraightBehindIt) {
+  EdgeEnds ends = Ends(kChild, Link::kCurve);
+  ends.child_note = 12;
+  const EdgeShape edge = ShapeOfEdge(ends);
+  EXPECT_EQ(edge.d.y, kChild.min.y);
+  EXPECT_EQ(edge.arrival, edge.d);
+  ASSERT_EQ(edge.branch.size(), 1U);
+  EXPECT_EQ(edge.branch[0], edge.d + (Point{0, 12}));
+}
+
+TEST(EdgeShape, AcrossItMeetsTheMiddleOfTheNodesBelowTheirNotes) {
+  EdgeEnds ends = Ends({{300, 100}, {380, 130}}, Link::kCurve, Orientation::kLeftToRight);
+  ends.child_note = 10;
+  ends.parent_note = 6;
+  const EdgeShape edge = ShapeOfEdge(ends);
+  EXPECT_EQ(edge.a.y, 18);
+  EXPECT_EQ(edge.d.y, 120);
+}
+
 TEST(EdgeShape, ALeafInAColumnHangsOnTheTrunkLeftOfIt) {
-  const EdgeShape edge = ShapeOfEdge(kParent, kChild, Link::kTrunk, Orientation::kTopToBottom, 1);
+  const EdgeShape edge = ShapeOfEdge(Ends(kChild, Link::kTrunk));
   ASSERT_FALSE(edge.branch.empty());
   const Point end = PointsAlong(edge).back();
   EXPECT_EQ(end.x, kChild.min.x);
@@ -32,8 +63,41 @@ TEST(EdgeShape, ALeafInAColumnHangsOnTheTrunkLeftOfIt) {
   EXPECT_LT(edge.d.x, kChild.min.x);
 }
 
+// Down the side of the rows, along the top of its own, and down to it.
+TEST(EdgeShape, ANodeInARowHangsOnTheLineAlongAllRows) {
+  const Box child = {{400, 300}, {480, 330}};
+  const EdgeShape edge = ShapeOfEdge(Ends(child, Link::kRow));
+  const std::vector<Point> way = PointsAlong(edge);
+  EXPECT_EQ(way.front().y, kParent.max.y);
+  EXPECT_LT(way.front().x, kParent.min.x + 30) << "at the left side of the parent";
+  EXPECT_EQ(way.back(), (Point{440, 300}));
+  for (const Point at : way) {
+    const bool at_the_side = std::abs(at.x - way.front().x) < 10;
+    const bool above_the_row = at.y > 270;
+    EXPECT_TRUE(at_the_side || above_the_row) << at.x << " " << at.y;
+  }
+}
+
+TEST(EdgeShape, AcrossTheRowsAreColumns) {
+  const Box child = {{600, 200}, {680, 230}};
+  const std::vector<Point> way =
+      PointsAlong(ShapeOfEdge(Ends(child, Link::kRow, Orientation::kLeftToRight)));
+  EXPECT_EQ(way.front().x, kParent.max.x);
+  EXPECT_EQ(way.back(), (Point{600, 215}));
+}
+
+TEST(EdgeShape, ALeafInAColumnOfARowHangsOnItsTrunk) {
+  EdgeEnds ends = Ends({{400, 380}, {480, 410}}, Link::kRowColumn);
+  ends.below_row = 80;
+  const EdgeShape edge = ShapeOfEdge(ends);
+  EXPECT_EQ(PointsAlong(edge).back().x, 400);
+  EXPECT_GT(PointsAlong(edge).back().y, 380);
+  EXPECT_LT(DistanceTo(edge, {300, 282}), 1) << "it comes along above the row";
+  EXPECT_GT(DistanceTo(edge, {300, 362}), 50) << "not above the leaf";
+}
+
 TEST(EdgeShape, TheDistanceIsThatOfTheNearestPlace) {
-  const EdgeShape edge = ShapeOfEdge(kParent, kChild, Link::kCurve, Orientation::kTopToBottom, 1);
+  const EdgeShape edge = ShapeOfEdge(Ends(kChild, Link::kCurve));
   for (const Point at : PointsAlong(edge)) EXPECT_NEAR(DistanceTo(edge, at), 0, 0.01F);
   EXPECT_NEAR(DistanceTo(edge, edge.a - Point{0, 20}), 20, 0.5F);
   EXPECT_NEAR(DistanceTo(edge, edge.d + Point{0, 7}), 7, 0.5F);

@@ -30,6 +30,32 @@ TEST(NodeMetrics, CutLongValuesAtACharacter) {
   EXPECT_EQ(ShownValue("a\nb"), "a b");
 }
 
+TEST(NodeMetrics, GiveATypeTheSignThatItsNodesHave) {
+  SceneNode node;
+  node.shape = Shape::kControl;
+  node.id = "ReactiveFallback";
+  node.name = "patrol";
+  EXPECT_EQ(GlyphOf(Shape::kControl, "ReactiveFallback"), GlyphOf(node));
+  EXPECT_NE(GlyphOf(Shape::kControl, "ReactiveFallback"), GlyphOf(Shape::kControl, "Sequence"));
+  EXPECT_NE(GlyphOf(Shape::kDecorator, "Inverter"), GlyphOf(Shape::kDecorator, "Timeout"));
+}
+
+TEST(NodeMetrics, MakeRoomForTheArrowOfAnOutputPort) {
+  const auto width_of = [](const char* direction) {
+    const std::string port = std::string("<") + direction + " name=\"goal\" type=\"int\"/>";
+    const TemporaryFile file("ports.xml",
+                             "<root BTCPP_format=\"4\"><BehaviorTree ID=\"T\"><Plan "
+                             "goal=\"{a_long_key_of_the_robot}\"/></BehaviorTree><TreeNodesModel>"
+                             "<Action ID=\"Plan\">" +
+                                 port + "</Action></TreeNodesModel></root>");
+    Driver driver;
+    EXPECT_TRUE(driver.editor.Open(file.path()));
+    driver.Frames();
+    return driver.BoxOf("canvas/T/1").width();
+  };
+  EXPECT_NEAR(width_of("output_port"), width_of("input_port") + metrics::kArrow, 1);
+}
+
 TEST(NodeMetrics, NameTheTypeWhenTheNameDoesNot) {
   SceneNode node;
   node.id = "NavigateTo";

@@ -40,9 +40,9 @@ RandomTree MakeTree(std::uint32_t count, unsigned seed) {
 
 std::vector<LayoutStyle> AllStyles() {
   std::vector<LayoutStyle> styles;
-  for (int bits = 0; bits < 16; ++bits) {
+  for (int bits = 0; bits < 32; ++bits) {
     const auto way = bits & 1 ? Orientation::kLeftToRight : Orientation::kTopToBottom;
-    styles.push_back({way, (bits & 2) != 0, (bits & 4) != 0, (bits & 8) != 0});
+    styles.push_back({way, (bits & 2) != 0, (bits & 4) != 0, (bits & 8) != 0, (bits & 16) != 0});
   }
   return styles;
 }
@@ -70,10 +70,17 @@ TEST(TreeLayout, KeepsTheOrderOfSiblingsInAnyStyle) {
            c = tree.ends[c]) {
         const Box& a = layout.boxes[c];
         const Box& b = layout.boxes[tree.ends[c]];
-        const bool below =
-            style.orientation == Orientation::kLeftToRight ||
-            (layout.links[c] == Link::kTrunk && layout.links[tree.ends[c]] == Link::kTrunk);
-        EXPECT_TRUE(below ? a.max.y <= b.min.y : a.max.x <= b.min.x) << c;
+        const Link link = layout.links[tree.ends[c]];
+        const bool down = style.orientation == Orientation::kTopToBottom;
+        const bool right_of = a.max.x <= b.min.x;
+        const bool below = a.max.y <= b.min.y;
+        if (link == Link::kRow || link == Link::kRowColumn) {
+          EXPECT_TRUE(right_of || below) << c;  // or in the next row
+        } else if (layout.links[c] == Link::kTrunk && link == Link::kTrunk) {
+          EXPECT_TRUE(below || right_of) << c;  // or in the next column
+        } else {
+          EXPECT_TRUE(down ? right_of : below) << c;
+        }
       }
     }
   }
@@ -134,6 +141,40 @@ TEST(TreeLayout, StacksLeavesBeyondEight) {
     EXPECT_EQ(column, leaves > kMostLeavesInARow);
     EXPECT_EQ(layout.links[1], column ? Link::kTrunk : Link::kCurve);
   }
+}
+
+// A root and so many leaves.
+TreeLayout LayOutLeaves(std::uint32_t leaves, const LayoutStyle& style) {
+  std::vector<std::uint32_t> ends = {leaves + 1};
+  for (std::uint32_t i = 1; i <= leaves; ++i) ends.push_back(i + 1);
+  return Arrange(ends, std::vector<Point>(leaves + 1, {160, 30}),
+                 std::vector<bool>(leaves + 1, false), style);
+}
+
+TEST(TreeLayout, PutsVeryManyLeavesIntoSeveralColumns) {
+  LayoutStyle style;
+  const Box wrapped = LayOutLeaves(500, style).bounds;
+  EXPECT_LT(wrapped.width(), 4 * wrapped.height());
+  EXPECT_LT(wrapped.height(), 2 * wrapped.width());
+  style.wrapped = false;
+  EXPECT_GT(LayOutLeaves(500, style).bounds.height(), 15000);
+}
+
+// Twenty nodes with two children each, and twelve leaves.
+TEST(TreeLayout, PutsAColumnOfLeavesIntoARow) {
+  std::vector<std::uint32_t> ends = {73};
+  for (std::uint32_t i = 0; i < 20; ++i) {
+    const std::uint32_t at = 1 + 3 * i;
+    ends.insert(ends.end(), {at + 3, at + 2, at + 3});
+  }
+  for (std::uint32_t i = 61; i < 73; ++i) ends.push_back(i + 1);
+  const TreeLayout layout =
+      Arrange(ends, std::vector<Point>(73, {160, 30}), std::vector<bool>(73, false), {});
+  EXPECT_EQ(layout.links[1], Link::kRow);
+  EXPECT_EQ(layout.links[2], Link::kCurve);
+  EXPECT_EQ(layout.links[61], Link::kRowColumn);
+  EXPECT_EQ(layout.below_row[61], 0);
+  EXPECT_EQ(layout.below_row[62], layout.boxes[62].min.y - layout.boxes[61].min.y);
 }
 
 TEST(TreeLayout, StacksOnlyTheLeavesThatFollowEachOther) {

@@ -154,6 +154,35 @@ void Collapsed(Stage& stage) {
   stage.Run("tree.collapse");
 }
 
+// One parent, and far too many leaves for a row or a column.
+void ManyLeaves(Stage& stage) {
+  std::string text = "<root BTCPP_format=\"4\"><BehaviorTree ID=\"Many\"><Sequence name=\"all\">\n";
+  for (int i = 1; i <= 500; ++i) text += "<Sleep msec=\"" + std::to_string(i) + "00\"/>\n";
+  stage.Open("many_leaves.xml", text + "</Sequence></BehaviorTree></root>\n");
+}
+
+std::string BranchOf(int depth) {
+  if (depth == 0) return "<AlwaysSuccess/>";
+  std::string text = "<Sequence>";
+  for (int i = 0; i < 4; ++i) text += BranchOf(depth - 1);
+  return text + "</Sequence>\n";
+}
+
+// Four children each: 1365 nodes.
+void WideTree(Stage& stage) {
+  stage.Open("wide.xml", "<root BTCPP_format=\"4\"><BehaviorTree ID=\"Wide\">" + BranchOf(5) +
+                             "</BehaviorTree></root>\n");
+}
+
+void WideTreeAtFullSize(Stage& stage) {
+  WideTree(stage);
+  stage.Select("1.2");
+  stage.Run("view.zoom_100");
+  stage.driver().MoveTo(stage.driver().BoxOf("canvas").center());
+  stage.driver().Wheel(-3);
+  stage.driver().Frames(12);
+}
+
 void Large(Stage& stage) {
   stage.Open("large.xml", LargeFile());
   stage.Select("1.12.2");
@@ -249,6 +278,11 @@ void XmlWithAnError(Stage& stage) {
 
 void DropBetween(Stage& stage) {
   Patrol(stage);
+  stage.DragBehind("types/Fallback", "canvas/Patrol/1.2.1.1");
+}
+
+void DropInto(Stage& stage) {
+  Patrol(stage);
   stage.DragOnto("types/Fallback", "canvas/Patrol/1.1");
 }
 
@@ -316,6 +350,9 @@ std::vector<GalleryScene> FileScenes() {
           {"collapsed", Collapsed},
           {"large", Large},
           {"large_half_way", LargeHalfWay},
+          {"many_leaves", ManyLeaves},
+          {"wide", WideTree},
+          {"wide_close", WideTreeAtFullSize},
           {"fields", Fields},
           {"completions", CompletedKey},
           {"field_tooltip", FieldTooltip},
@@ -327,6 +364,7 @@ std::vector<GalleryScene> FileScenes() {
           {"typing_xml", TypingXml},
           {"xml_with_an_error", XmlWithAnError},
           {"drop_between", DropBetween},
+          {"drop_into", DropInto},
           {"drop_refused", DropRefused},
           {"compared_with_saved", ComparedWithSaved},
           {"dispute", Dispute},

@@ -48,17 +48,16 @@ void Find(Stage& stage) {
 }
 
 void Replace(Stage& stage) {
-  Find(stage);
-  stage.driver().Press(kKeyEscape);
-  stage.driver().Frames(4);
+  ShowPatrol(stage);
   stage.Run("edit.replace");
-  Type(stage, "target");
+  Type(stage, "goal");
 }
 
 void ReplacePreview(Stage& stage) {
   Replace(stage);
   stage.driver().Press(kKeyEnter);
   stage.driver().Frames(6);
+  Type(stage, "target");
 }
 
 void Steps(Stage& stage) {

@@ -54,7 +54,16 @@ void Stage::Hover(const std::string& path) {
 }
 
 void Stage::DragOnto(const std::string& from, const std::string& to) {
-  driver_->Carry(BoxOf(from).center(), BoxOf(to).center());
+  DragTo(from, BoxOf(to).center());
+}
+
+void Stage::DragBehind(const std::string& from, const std::string& to) {
+  const Box box = BoxOf(to);
+  DragTo(from, {box.max.x - 3, box.center().y});
+}
+
+void Stage::DragTo(const std::string& from, Point to) {
+  driver_->Carry(BoxOf(from).center(), to);
   driver_->Frames(8);
 }
 

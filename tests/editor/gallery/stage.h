@@ -41,6 +41,8 @@ class Stage {
   void Hover(const std::string& path);
   /// Presses the button there and moves to the other, without letting go.
   void DragOnto(const std::string& from, const std::string& to);
+  /// The same, to the right side of the other.
+  void DragBehind(const std::string& from, const std::string& to);
   void Select(const std::string& node_path);
   void Run(const std::string& command);
 
@@ -51,6 +53,7 @@ class Stage {
 
  private:
   Box BoxOf(const std::string& path) const;
+  void DragTo(const std::string& from, Point to);
 
   const GalleryLook look_;
   const TemporaryFile folder_{"unused", ""};

@@ -45,6 +45,16 @@ TEST_F(UiTest, CutsTheStartOfAPath) {
   EXPECT_EQ(ui_.CutStart(path, style, 1), "");
 }
 
+TEST_F(UiTest, BreaksAParagraphIntoLines) {
+  const TextStyle style{Face::kSans, 12, 0xFFFFFFFF};
+  const std::string text = "a sentence that is somewhat longer than a line";
+  const float full = ui_.Width(text, style);
+  const float one = ui_.ParagraphHeight(text, style, full + 1);
+  EXPECT_GT(one, 10);
+  EXPECT_NEAR(ui_.ParagraphHeight(text, style, full * 0.6F), 2 * one, 1);
+  EXPECT_GT(ui_.ParagraphHeight(text, style, 0), 2 * one) << "nowhere to put it, but no end either";
+}
+
 TEST(Ui, WritesDurationsAsPeopleReadThem) {
   EXPECT_EQ(DurationText(4.21), "4.2 s");
   EXPECT_EQ(DurationText(185), "3:05");

@@ -102,5 +102,29 @@ TEST(Popup, ClosesByAClickBesideIt) {
   EXPECT_FALSE(driver.Has("popup"));
 }
 
+TEST(Popup, IsHighEnoughForALongQuestion) {
+  Driver driver;
+  driver.Frames();
+  driver.editor.state().Ask({"Short?", [](const std::string&) { return std::string(); }, {}});
+  driver.Frames();
+  const float low = driver.BoxOf("popup").height();
+  std::string question;
+  for (int i = 0; i < 30; ++i) question += "a long question ";
+  driver.editor.state().Ask({question, [](const std::string&) { return std::string(); }, {}});
+  driver.Frames();
+  EXPECT_GT(driver.BoxOf("popup").height(), low + 20);
+  EXPECT_LE(driver.BoxOf("popup/input").max.y, driver.BoxOf("popup").max.y);
+}
+
+TEST(Popup, DoesNotAddAFileThatThereIsNot) {
+  Driver driver;
+  driver.Frames();
+  driver.Press('O', kCtrl);
+  driver.Type("/no/such/file.xml");
+  driver.Press(kKeyEnter);
+  EXPECT_EQ(driver.editor.state().popup_error, "there is no such file");
+  EXPECT_TRUE(driver.editor.state().workspace.files().empty());
+}
+
 }  // namespace
 }  // namespace coppice::editor

@@ -54,5 +54,38 @@ TEST(Tiles, GiveTheRoomOfHiddenOnesToTheCanvas) {
   EXPECT_GT(after.y, before.y + 100);
 }
 
+TEST(Tiles, GiveTheRoomOfTheNodesToTheOutlineWhileARunIsShown) {
+  Driver driver;
+  driver.Frames();
+  const float before = driver.BoxOf("outline").height();
+  ASSERT_TRUE(driver.Has("types"));
+  driver.AddRobot("robot:1", kLiveTree);
+  driver.Frames();
+  EXPECT_FALSE(driver.Has("types"));
+  EXPECT_GT(driver.BoxOf("outline").height(), before + 100);
+  driver.Press(kKeyF1 + 1, kShift);
+  driver.Press(kKeyF1 + 2);
+  EXPECT_TRUE(driver.Has("types")) << "it says why it is empty if it stands alone";
+}
+
+TEST(Tiles, AreLargerOnALargeScreen) {
+  Driver small;
+  small.AddRobot("robot:1", kLiveTree);
+  small.Frames();
+  Driver large;
+  large.input.width = 2560;
+  large.input.height = 1440;
+  large.AddRobot("robot:1", kLiveTree);
+  large.Frames();
+  for (const char* path : {"timeline", "xml"}) {
+    EXPECT_GT(large.BoxOf(path).height(), 1.4F * small.BoxOf(path).height()) << path;
+  }
+  EXPECT_GT(large.BoxOf("inspector").width(), 1.3F * small.BoxOf("inspector").width());
+  const float before = large.BoxOf("project").width();
+  const Point from = large.BoxOf("split/left").center();
+  large.Drag(from, from + Point{50, 0});
+  EXPECT_NEAR(large.BoxOf("project").width(), before + 50, 2) << "the splitter stays at the mouse";
+}
+
 }  // namespace
 }  // namespace coppice::editor

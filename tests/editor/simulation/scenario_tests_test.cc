@@ -94,10 +94,11 @@ TEST_F(ScenarioTestsTest, AScenarioIsSavedBesideItsTree) {
   scenario.leaves = {{{}, {"<Go>", {}}}};
   scenario.steps.resize(1);
   Diagnostics diagnostics;
-  EXPECT_EQ(SaveScenario(scenario, tree_, "", diagnostics), test_);
-  EXPECT_EQ(SaveScenario(scenario, tree_, "Main", diagnostics), folder_ + "a.Main.test.json");
+  EXPECT_EQ(SaveScenario(scenario, tree_, "", {}, "", diagnostics), test_);
+  EXPECT_EQ(SaveScenario(scenario, tree_, "Main", {}, "", diagnostics),
+            folder_ + "a.Main.test.json");
   EXPECT_FALSE(diagnostics.has_errors()) << diagnostics.ToString();
-  EXPECT_EQ(SaveScenario(scenario, tree_, "", diagnostics), "") << "the name is taken";
+  EXPECT_EQ(SaveScenario(scenario, tree_, "", {}, "", diagnostics), "") << "the name is taken";
   EXPECT_TRUE(diagnostics.has_errors());
   tests_.Look({tree_});
   tests_.Run(files_, "new");
