@@ -13,15 +13,13 @@ namespace {
 constexpr int kMostTicksAtOnce = 1000;
 constexpr std::size_t kMostFindings = 100;
 
-void Set(MockedTree& tree, const std::vector<KeyValue>& values) {
+void Set(MockedTree& tree, const KeyValue& given) {
   const Program& program = tree.program();
-  for (const KeyValue& given : values) {
-    std::string hint;
-    const SlotIndex slot = FindKey(program, given.key, hint);
-    if (slot == kNoSlot) continue;
-    Value value = ValueOf(given, program.layout.slots[slot].type);
-    if (value.has_value()) tree.executor().inbox()->Post(slot, 0, std::move(value));
-  }
+  std::string hint;
+  const SlotIndex slot = FindKey(program, given.key, hint);
+  if (slot == kNoSlot) return;
+  Value value = ValueOf(given, program.layout.slots[slot].type);
+  if (value.has_value()) tree.executor().inbox()->Post(slot, 0, std::move(value));
 }
 
 }  // namespace
@@ -59,13 +57,19 @@ void RandomRuns::Run() {
   for (const PlacedRule& placed : options_.leaves) rules.push_back(placed.rule);
   SimulatedClock clock(std::chrono::seconds(1));
   Watcher watcher(*this);
-  MockedTree tree(*program_, std::move(rules), clock, {false, options_.seed + coverage_.runs});
+  const std::uint64_t seed = options_.seed + coverage_.runs;
+  MockedTree tree(*program_, std::move(rules), clock, {false, seed});
   Executor& executor = tree.executor();
   executor.AddSink(&watcher);
-  Set(tree, options_.set);
+  for (const std::vector<KeyValue>& choice : options_.choices) {
+    Dice dice(seed, choice.front().key);
+    Set(tree, ChooseOne(choice, dice));
+  }
+  for (const KeyValue& given : options_.set) Set(tree, given);
   Status status = Status::kRunning;
+  const Time end = clock.Now() + options_.lasts;
   int at_once = 0;
-  while (!IsCompleted(status) && executor.ticks() < options_.most_ticks) {
+  while ((!IsCompleted(status) || clock.Now() < end) && executor.ticks() < options_.most_ticks) {
     status = executor.Tick();
     tree.TakeEvents();
     if (executor.next_tick() > clock.Now()) {

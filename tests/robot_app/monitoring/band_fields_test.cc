@@ -2,16 +2,14 @@
 
 #include <gmock/gmock.h>
 
-#include <fstream>
-
-#include "tests/robot_app/supervision/temporary.h"
+#include "tests/robot_app/monitoring/fields_fixture.h"
 
 namespace coppice::robot {
 namespace {
 
 using testing::HasSubstr;
 
-class BandFieldsTest : public testing::Test {
+class BandFieldsTest : public FieldsTest {
  protected:
   Band Read(const std::string& text, const Band& otherwise = {}) {
     YamlFields fields = Open(text);
@@ -19,13 +17,6 @@ class BandFieldsTest : public testing::Test {
     fields.Finish();
     return band;
   }
-  YamlFields Open(const std::string& text) {
-    const std::string path = Temporary("band_fields_test.yaml");
-    std::ofstream(path) << text;
-    return YamlFields::Load(path, diagnostics_);
-  }
-  std::string Errors() const { return diagnostics_.ToString(); }
-  Diagnostics diagnostics_;
 };
 
 TEST_F(BandFieldsTest, ReadsAllWords) {
