@@ -22,6 +22,12 @@ void Set(MockedTree& tree, const KeyValue& given) {
   if (value.has_value()) tree.executor().inbox()->Post(slot, 0, std::move(value));
 }
 
+// True for "<*Fault>" and "<DockingFault>", which is more specific and yet only what leaves do by
+// default.
+bool IsForType(const PlacedRule& rule, const PlacedRule& of_type) {
+  return FitsWildcards(rule.rule.pattern, of_type.rule.pattern);
+}
+
 }  // namespace
 
 class RandomRuns::Watcher final : public TickSink {
@@ -45,7 +51,11 @@ class RandomRuns::Watcher final : public TickSink {
 
 RandomRuns::RandomRuns(std::shared_ptr<const Program> program, RandomRunOptions options)
     : program_(std::move(program)), options_(std::move(options)) {
-  for (const PlacedRule& rule : RandomLeaves(*program_)) options_.leaves.push_back(rule);
+  const std::vector<PlacedRule> given = options_.leaves;
+  for (const PlacedRule& otherwise : RandomLeaves(*program_)) {
+    const auto fits = [&](const PlacedRule& rule) { return IsForType(rule, otherwise); };
+    if (std::none_of(given.begin(), given.end(), fits)) options_.leaves.push_back(otherwise);
+  }
   coverage_.first_seed = options_.seed;
   for (NodeIndex node = 0; node < program_->nodes.size(); ++node) {
     coverage_.nodes.push_back({program_->Path(node), {}});

@@ -23,7 +23,7 @@ class CompileSuiteTest : public testing::Test {
 TEST_F(CompileSuiteTest, NodesThatOnlyTheRobotKnowsHaveStandIns) {
   const auto program = Compiled({});
   ASSERT_TRUE(program) << diagnostics_.ToString();
-  EXPECT_EQ(program->Path(0), "Drive");
+  EXPECT_EQ(program->Id(0), "Drive");
   EXPECT_NE(program->layout.Find(0, "goal"), kNoSlot);
 }
 
@@ -32,7 +32,7 @@ TEST_F(CompileSuiteTest, TakesTheTreeThatTheSuiteNames) {
   suite.tree_id = "Other";
   const auto program = Compiled(suite);
   ASSERT_TRUE(program) << diagnostics_.ToString();
-  EXPECT_EQ(program->Path(0), "Wait");
+  EXPECT_EQ(program->Id(0), "Wait");
   suite.tree_id = "None";
   EXPECT_FALSE(Compiled(suite));
   EXPECT_TRUE(diagnostics_.has_errors());

@@ -86,7 +86,7 @@ TEST_F(JsonFieldsTest, ValuesKnowWhatTheyAreAndWhereTheyStand) {
   EXPECT_EQ(values[1].kind, KeyValue::Kind::kBool);
   EXPECT_EQ(values[2].kind, KeyValue::Kind::kString);
   EXPECT_EQ(values[2].key + values[2].text, "cx");
-  EXPECT_EQ(values[2].where.column, 30);
+  EXPECT_EQ(values[2].where.column, 35);
   fields_.ReadValues(It(R"({"a": [1]})"));
   EXPECT_EQ(Said(), "expected a text, a number or a boolean; ");
 }

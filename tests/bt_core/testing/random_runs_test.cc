@@ -114,6 +114,14 @@ TEST(RandomRuns, AConditionStaysWhatItIsForSomeTime) {
       << "halted about every five seconds, not every time";
 }
 
+TEST(RandomRuns, ARuleForManyTypesComesBeforeTheDefaultOfOne) {
+  RandomRunOptions options;
+  options.leaves = {ByChance("<Is*>", {0, 1})};
+  const Coverage coverage = After(50, RandomRuns(Compiled(kTree), options));
+  EXPECT_EQ(coverage.nodes[2].results_of(Status::kSuccess), 0U);
+  EXPECT_EQ(coverage.nodes[2].results_of(Status::kFailure), 50U);
+}
+
 TEST(RandomRuns, AnExceptionIsFoundWithTheRunThatHadIt) {
   const char* const root =
       "<Fallback><IsDay/><ScriptCondition name=\"low?\" code=\"battery &lt; 0.3\"/></Fallback>";
