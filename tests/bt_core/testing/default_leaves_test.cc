@@ -44,8 +44,9 @@ TEST_F(DefaultLeavesTest, ByChanceConditionsStayWhatTheyAreForSomeSeconds) {
 TEST(RandomLeaves, OutputsGetValuesOfTheirTypes) {
   Diagnostics diagnostics;
   const auto program = CompileWithStandIns(
-      R"(<root BTCPP_format="4"><BehaviorTree ID="Main"><Look a="{a}" b="{b}" c="{c}" d="{d}" e="{e}"
-         f="{f}"/></BehaviorTree><TreeNodesModel><Action ID="Look"><output_port name="a" type="bool"/>
+      R"(<root BTCPP_format="4"><BehaviorTree ID="Main">
+         <Look a="{a}" b="{b}" c="{c}" d="{d}" e="{e}" f="{f}"/></BehaviorTree>
+         <TreeNodesModel><Action ID="Look"><output_port name="a" type="bool"/>
          <output_port name="b" type="int" default="7"/><output_port name="c" type="double"/>
          <output_port name="d" type="string"/><output_port name="e" type="Pose"/>
          <input_port name="f" type="int"/></Action></TreeNodesModel></root>)",
