@@ -1,6 +1,6 @@
 #include "bt_core/cli/random_test.h"
 
-#include <algorithm>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <utility>
@@ -18,7 +18,7 @@ constexpr std::int64_t kMostRuns = 1'000'000'000;
 
 struct Subject {
   std::shared_ptr<const Program> program;
-  std::vector<PlacedRule> leaves;
+  RandomPlay play;
 };
 
 bool IsScenarioFile(const std::string& path) {
@@ -26,20 +26,52 @@ bool IsScenarioFile(const std::string& path) {
   return path.size() > end.size() && path.compare(path.size() - end.size(), end.size(), end) == 0;
 }
 
-Subject Load(const std::string& path, const Options& options, Diagnostics& diagnostics) {
+bool IsAbout(const ScenarioSuite& suite, const std::string& tree_file) {
+  std::error_code ignored;
+  return std::filesystem::equivalent(suite.tree_file, tree_file, ignored);
+}
+
+// Of a tree: how the file of its scenarios, which lies beside it, plays it by chance.
+std::optional<ScenarioSuite> SuiteOf(const std::string& path, Diagnostics& diagnostics) {
+  if (IsScenarioFile(path)) {
+    std::optional<ScenarioSuite> suite = LoadScenarios(path, diagnostics);
+    if (suite && !suite->random) suite->random = RandomPlay{{}, suite->leaves, Duration(0)};
+    return suite;
+  }
+  const std::string beside = std::filesystem::path(path).replace_extension(".test.json").string();
+  if (std::filesystem::exists(beside)) {
+    std::optional<ScenarioSuite> suite = LoadScenarios(beside, diagnostics);
+    if (!suite || (suite->random && IsAbout(*suite, path))) return suite;
+  }
   ScenarioSuite suite;
   suite.tree_file = path;
-  if (IsScenarioFile(path)) {
-    std::optional<ScenarioSuite> loaded = LoadScenarios(path, diagnostics);
-    if (!loaded) return {};
-    suite = *std::move(loaded);
+  suite.random.emplace();
+  return suite;
+}
+
+// False, with the reason, if the tree has not these keys.
+bool CheckChoices(const Program& program, const RandomPlay& play, Diagnostics& diagnostics) {
+  for (const std::vector<KeyValue>& choice : play.set) {
+    for (const KeyValue& value : choice) {
+      const std::string problem = CheckKeyValue(program, value);
+      if (!problem.empty()) diagnostics.Error(value.where, problem);
+    }
   }
+  return !diagnostics.has_errors();
+}
+
+Subject Load(const std::string& path, const Options& options, Diagnostics& diagnostics) {
+  std::optional<ScenarioSuite> loaded = SuiteOf(path, diagnostics);
+  if (!loaded) return {};
+  ScenarioSuite& suite = *loaded;
   suite.tree_id = options.Get("--tree", suite.tree_id);
   suite.models_file = options.Get("--models", suite.models_file);
   std::shared_ptr<Registry> known = RegistryWithPlugins(options);
   std::optional<Project> project = Project::FromFile(suite.tree_file, diagnostics);
   if (!project || !known) return {};
-  return {CompileSuite(suite, *std::move(project), std::move(known), diagnostics), suite.leaves};
+  auto program = CompileSuite(suite, *std::move(project), std::move(known), diagnostics);
+  if (!program || !CheckChoices(*program, *suite.random, diagnostics)) return {};
+  return {std::move(program), *std::move(suite.random)};
 }
 
 // "key=value"; prints what is wrong.
@@ -86,7 +118,9 @@ int RunRandomTest(const Options& options) {
     RandomRunOptions here = how;
     if (!subject.program) std::cerr << diagnostics.ToString();
     if (!subject.program || !ReadKeys(options, *subject.program, here.set)) return 2;
-    here.leaves = std::move(subject.leaves);
+    here.leaves = std::move(subject.play.leaves);
+    here.choices = std::move(subject.play.set);
+    here.lasts = subject.play.lasts;
     RandomRuns random(std::move(subject.program), std::move(here));
     for (std::uint64_t i = 0; i < *runs; ++i) random.Run();
     const Coverage& coverage = random.coverage();

@@ -6,7 +6,9 @@
 
 namespace coppice {
 
-/// Each file is a tree, or scenarios, of which the tree and the scripts of all leaves are taken.
+/// Each file is a tree, or scenarios, of which the tree is taken and what they say of chance: their
+/// "random", or without it the scripts of all leaves. Of a tree the "random" of NAME.test.json
+/// beside it is taken.
 /// Exit status: 0, 1 if something was found, 2 if something cannot be run.
 int RunRandomTest(const Options& options);
 

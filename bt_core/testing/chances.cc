@@ -27,6 +27,11 @@ Status ResultOf(const Chances& chances, double number) {
   return place < chances.failure ? Status::kFailure : Status::kSkipped;
 }
 
+Duration Between(Duration shortest, Duration longest, double part) {
+  const auto range = static_cast<double>((longest - shortest).count());
+  return shortest + Duration(std::llround(part * std::max(range, 0.0)));
+}
+
 }  // namespace
 
 Dice::Dice(std::uint64_t seed, std::string_view who) : state_(Mix(seed) ^ HashOf(who)) {}
@@ -40,9 +45,12 @@ Outcome Throw(const Chances& chances, Dice& dice) {
   Outcome outcome;
   outcome.result = ResultOf(chances, dice.Next());
   const double part = dice.Next();
-  if (outcome.result == Status::kSkipped) return outcome;
-  const auto range = static_cast<double>((chances.longest - chances.shortest).count());
-  outcome.after = chances.shortest + Duration(std::llround(part * std::max(range, 0.0)));
+  if (outcome.result != Status::kSkipped) {
+    outcome.after = Between(chances.shortest, chances.longest, part);
+  }
+  if (chances.longest_hold > Duration(0)) {
+    outcome.holds = Between(chances.shortest_hold, chances.longest_hold, dice.Next());
+  }
   return outcome;
 }
 

@@ -6,8 +6,10 @@
 #ifndef COPPICE_BT_CORE_TESTING_CHANCES_H_
 #define COPPICE_BT_CORE_TESTING_CHANCES_H_
 
+#include <cstddef>
 #include <cstdint>
 #include <string_view>
+#include <vector>
 
 #include "bt_core/base/clock.h"
 #include "bt_core/base/status.h"
@@ -21,6 +23,8 @@ struct Chances {
   double skipped = 0;    ///< a node that skips does so at once
   Duration shortest{0};  ///< RUNNING for so long before SUCCESS or FAILURE, any time up to
   Duration longest{0};
+  Duration shortest_hold{0};  ///< it does the same again for so long, any time up to
+  Duration longest_hold{0};
 };
 
 /// Random numbers: SplitMix64 (Steele, Lea and Flood: Fast splittable pseudorandom number
@@ -40,10 +44,17 @@ class Dice {
 struct Outcome {
   Duration after{0};  ///< in which it is RUNNING
   Status result = Status::kSuccess;
+  Duration holds{0};  ///< in which it does the same again
 };
 
-/// Takes two numbers of the dice, whatever the chances are.
+/// Takes two numbers of the dice, and a third if the outcome holds for some time.
 Outcome Throw(const Chances& chances, Dice& dice);
+
+/// One element of a list that is not empty, each as probable as the others; takes one number.
+template <class T>
+const T& ChooseOne(const std::vector<T>& list, Dice& dice) {
+  return list[static_cast<std::size_t>(dice.Next() * static_cast<double>(list.size()))];
+}
 
 }  // namespace coppice
 

@@ -38,6 +38,8 @@ struct MockScript {
   /// Values for output ports, by port, as text; written in every tick that completes the node.
   /// Where neither the port nor the key has a type, a number is a number.
   std::vector<std::pair<std::string, std::string>> outputs;
+  /// The same with one of these values by chance, each time.
+  std::vector<std::pair<std::string, std::vector<std::string>>> outputs_by_chance;
   /// The same in every tick in which it is RUNNING.
   std::vector<std::pair<std::string, std::string>> feedback;
   /// A message in every tick that completes the node.

@@ -78,9 +78,8 @@ class MockedTree::PlayedNode : public Leaf {
 
   Status Tick(bool starting) override {
     Part& part = Here();
-    if (std::exchange(part.begins, false) || starting) {
-      Begin(part);
-    }
+    const bool is_new = std::exchange(part.begins, false);
+    if (is_new || starting) Begin(part, is_new);
     const Status result = now() < done_at_ ? Waiting() : ResultNow(part);
     const bool throws = IsCompleted(result) && !part.script.throws.empty();
     part.tree.events_.push_back(
@@ -89,6 +88,7 @@ class MockedTree::PlayedNode : public Leaf {
     if (result == Status::kRunning) WriteOutputs(part, part.script.feedback);
     if (IsCompleted(result)) {
       WriteOutputs(part, part.script.outputs);
+      WriteOutputsByChance(part);
       if (!part.script.says.empty()) Say(part.script.says);
     }
     return result;
@@ -111,10 +111,13 @@ class MockedTree::PlayedNode : public Leaf {
     return part;
   }
 
-  void Begin(Part& part) {
+  void Begin(Part& part, bool is_new) {
     if (part.script.restart) part.next = 0;
-    drawn_ = part.script.chances ? Throw(*part.script.chances, part.dice)
-                                 : Outcome{part.script.duration, Status::kIdle};
+    if (is_new || now() >= holds_until_) {
+      drawn_ = part.script.chances ? Throw(*part.script.chances, part.dice)
+                                   : Outcome{part.script.duration, Status::kIdle};
+      holds_until_ = now() + drawn_.holds;
+    }
     done_at_ = now() + drawn_.after;
   }
 
@@ -139,6 +142,12 @@ class MockedTree::PlayedNode : public Leaf {
     for (const auto& [name, text] : values) WriteOutput(part, name, text);
   }
 
+  void WriteOutputsByChance(Part& part) {
+    for (const auto& [name, texts] : part.script.outputs_by_chance) {
+      WriteOutput(part, name, ChooseOne(texts, part.dice));
+    }
+  }
+
   void WriteOutput(const Part& part, const std::string& name, const std::string& text) {
     const Program& program = *part.tree.program_;
     for (std::size_t k = 0; k < ports_.size(); ++k) {
@@ -154,6 +163,7 @@ class MockedTree::PlayedNode : public Leaf {
   std::deque<MockPort> ports_;
   Time done_at_{0};
   Outcome drawn_;  // of this activation
+  Time holds_until_{0};
 };
 
 // A leaf that is itself, but for being written down.

@@ -13,15 +13,19 @@ namespace {
 constexpr int kMostTicksAtOnce = 1000;
 constexpr std::size_t kMostFindings = 100;
 
-void Set(MockedTree& tree, const std::vector<KeyValue>& values) {
+void Set(MockedTree& tree, const KeyValue& given) {
   const Program& program = tree.program();
-  for (const KeyValue& given : values) {
-    std::string hint;
-    const SlotIndex slot = FindKey(program, given.key, hint);
-    if (slot == kNoSlot) continue;
-    Value value = ValueOf(given, program.layout.slots[slot].type);
-    if (value.has_value()) tree.executor().inbox()->Post(slot, 0, std::move(value));
-  }
+  std::string hint;
+  const SlotIndex slot = FindKey(program, given.key, hint);
+  if (slot == kNoSlot) return;
+  Value value = ValueOf(given, program.layout.slots[slot].type);
+  if (value.has_value()) tree.executor().inbox()->Post(slot, 0, std::move(value));
+}
+
+// True for "<*Fault>" and "<DockingFault>", which is more specific and yet only what leaves do by
+// default.
+bool IsForType(const PlacedRule& rule, const PlacedRule& of_type) {
+  return FitsWildcards(rule.rule.pattern, of_type.rule.pattern);
 }
 
 }  // namespace
@@ -47,7 +51,11 @@ class RandomRuns::Watcher final : public TickSink {
 
 RandomRuns::RandomRuns(std::shared_ptr<const Program> program, RandomRunOptions options)
     : program_(std::move(program)), options_(std::move(options)) {
-  for (const PlacedRule& rule : RandomLeaves(*program_)) options_.leaves.push_back(rule);
+  const std::vector<PlacedRule> given = options_.leaves;
+  for (const PlacedRule& otherwise : RandomLeaves(*program_)) {
+    const auto fits = [&](const PlacedRule& rule) { return IsForType(rule, otherwise); };
+    if (std::none_of(given.begin(), given.end(), fits)) options_.leaves.push_back(otherwise);
+  }
   coverage_.first_seed = options_.seed;
   for (NodeIndex node = 0; node < program_->nodes.size(); ++node) {
     coverage_.nodes.push_back({program_->Path(node), {}});
@@ -59,13 +67,19 @@ void RandomRuns::Run() {
   for (const PlacedRule& placed : options_.leaves) rules.push_back(placed.rule);
   SimulatedClock clock(std::chrono::seconds(1));
   Watcher watcher(*this);
-  MockedTree tree(*program_, std::move(rules), clock, {false, options_.seed + coverage_.runs});
+  const std::uint64_t seed = options_.seed + coverage_.runs;
+  MockedTree tree(*program_, std::move(rules), clock, {false, seed});
   Executor& executor = tree.executor();
   executor.AddSink(&watcher);
-  Set(tree, options_.set);
+  for (const std::vector<KeyValue>& choice : options_.choices) {
+    Dice dice(seed, choice.front().key);
+    Set(tree, ChooseOne(choice, dice));
+  }
+  for (const KeyValue& given : options_.set) Set(tree, given);
   Status status = Status::kRunning;
+  const Time end = clock.Now() + options_.lasts;
   int at_once = 0;
-  while (!IsCompleted(status) && executor.ticks() < options_.most_ticks) {
+  while ((!IsCompleted(status) || clock.Now() < end) && executor.ticks() < options_.most_ticks) {
     status = executor.Tick();
     tree.TakeEvents();
     if (executor.next_tick() > clock.Now()) {

@@ -25,6 +25,9 @@ struct RandomRunOptions {
   /// Rules for nodes; leaves that none fits have their chances from default_leaves.h.
   std::vector<PlacedRule> leaves;
   std::vector<KeyValue> set;  ///< before the first tick; see CheckKeyValue in scenario_player.h
+  /// The same, of each list one by chance. `set` is more important.
+  std::vector<std::vector<KeyValue>> choices;
+  Duration lasts{0};  ///< a tree that is done is begun anew, until so much time has passed
   Duration period = std::chrono::milliseconds(100);  ///< from tick to tick
   std::uint64_t most_ticks = 10000;                  ///< a run that is not done then is broken off
 };

@@ -106,12 +106,20 @@ struct Scenario {
   std::vector<ScenarioStep> steps;
 };
 
+/// How the tree of a suite is run by chance (random_runs.h).
+struct RandomPlay {
+  std::vector<std::vector<KeyValue>> set;  ///< of each list, which is about one key, one by chance
+  std::vector<PlacedRule> leaves;
+  Duration lasts{0};  ///< a tree that is done is begun anew, until so much time has passed
+};
+
 struct ScenarioSuite {
   std::string file;
   std::string tree_file;           ///< ready to open
   std::string tree_id;             ///< empty: the main tree of the file
   std::string models_file;         ///< ready to open: the robot's node types; empty: none
   std::vector<PlacedRule> leaves;  ///< of all scenarios; theirs come first
+  std::optional<RandomPlay> random;
   std::vector<Scenario> scenarios;
 };
 

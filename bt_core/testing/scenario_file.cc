@@ -1,30 +1,22 @@
 // Reads files of scenarios. Every error says where it is; an unknown member is an error.
-#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 
-#include "bt_core/testing/json_text.h"
-#include "bt_core/testing/scenario.h"
+#include "bt_core/testing/script_fields.h"
 
 namespace coppice {
 namespace {
 
 using Kind = JsonText::Kind;
 
-const char* ToString(Kind kind) {
-  static const char* const kNames[] = {"null",   "a boolean", "a number",
-                                       "a text", "a list",    "an object"};
-  return kNames[static_cast<int>(kind)];
-}
-
 std::string Beside(const std::filesystem::path& file, const std::filesystem::path& other) {
   return (file.parent_path() / other).lexically_normal();
 }
 
-class SuiteReader {
+class SuiteReader : public ScriptFields {
  public:
-  explicit SuiteReader(Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
+  using ScriptFields::ScriptFields;
 
   ScenarioSuite ReadSuite(const JsonText& json, const std::string& file) {
     ScenarioSuite suite;
@@ -39,20 +31,38 @@ class SuiteReader {
         suite.tree_id = ReadText(member);
       } else if (member.key == "leaves") {
         suite.leaves = ReadRules(member);
+      } else if (member.key == "random") {
+        suite.random = ReadRandom(member);
       } else if (member.key == "scenarios") {
         for (const JsonText& scenario : ListOf(member)) {
           suite.scenarios.push_back(ReadScenario(scenario));
         }
       } else {
-        Unknown(member, {"tree", "tree_id", "models", "leaves", "scenarios"});
+        Unknown(member, {"tree", "tree_id", "models", "leaves", "random", "scenarios"});
       }
     }
-    if (suite.tree_file.empty()) diagnostics_.Error(json.where, "\"tree\" is missing");
-    if (suite.scenarios.empty()) diagnostics_.Error(json.where, "there are no \"scenarios\"");
+    if (suite.tree_file.empty()) Error(json, "\"tree\" is missing");
+    if (suite.scenarios.empty()) Error(json, "there are no \"scenarios\"");
     return suite;
   }
 
  private:
+  RandomPlay ReadRandom(const JsonText& json) {
+    RandomPlay random;
+    for (const JsonText& member : MembersOf(json)) {
+      if (member.key == "set") {
+        for (const JsonText& key : MembersOf(member)) random.set.push_back(ReadChoice(key));
+      } else if (member.key == "leaves") {
+        random.leaves = ReadRules(member);
+      } else if (member.key == "lasts_ms") {
+        random.lasts = ReadMilliseconds(member);
+      } else {
+        Unknown(member, {"set", "leaves", "lasts_ms"});
+      }
+    }
+    return random;
+  }
+
   Scenario ReadScenario(const JsonText& json) {
     Scenario scenario;
     scenario.where = json.where;
@@ -70,8 +80,8 @@ class SuiteReader {
         Unknown(member, {"name", "seed", "leaves", "steps"});
       }
     }
-    if (scenario.name.empty()) diagnostics_.Error(json.where, "\"name\" is missing");
-    if (scenario.steps.empty()) diagnostics_.Error(json.where, "there are no \"steps\"");
+    if (scenario.name.empty()) Error(json, "\"name\" is missing");
+    if (scenario.steps.empty()) Error(json, "there are no \"steps\"");
     return scenario;
   }
 
@@ -97,7 +107,7 @@ class SuiteReader {
       }
     }
     if (step.halt && json.Find("ticks")) {
-      diagnostics_.Error(json.where, "a step either ticks or halts the tree");
+      Error(json, "a step either ticks or halts the tree");
     }
     return step;
   }
@@ -144,8 +154,7 @@ class SuiteReader {
     const bool halt = kind == "halt" && parts.size() == 2;
     const bool tick = kind == "tick" && parts.size() >= 2 && parts.size() <= 4;
     if (!halt && !tick) {
-      diagnostics_.Error(json.where,
-                         "expected [\"tick\", \"leaf\", \"STATUS\"] or [\"halt\", \"leaf\"]");
+      Error(json, "expected [\"tick\", \"leaf\", \"STATUS\"] or [\"halt\", \"leaf\"]");
       return event;
     }
     event.halted = halt;
@@ -154,200 +163,6 @@ class SuiteReader {
     if (parts.size() > 3) event.inputs = ReadValues(parts[3]);
     return event;
   }
-
-  std::vector<PlacedRule> ReadRules(const JsonText& json) {
-    std::vector<PlacedRule> rules;
-    for (const JsonText& member : MembersOf(json)) {
-      rules.push_back({member.where, {member.key, ReadScript(member)}});
-    }
-    return rules;
-  }
-
-  MockScript ReadScript(const JsonText& json) {
-    MockScript script;
-    if (!json.is(Kind::kObject)) {
-      script.results = ReadResults(json);
-      return script;
-    }
-    for (const JsonText& member : json.children) {
-      if (member.key == "returns") {
-        script.results = ReadResults(member);
-      } else if (member.key == "restart") {
-        script.restart = ReadBool(member);
-      } else if (member.key == "after_ms") {
-        script.duration = ReadMilliseconds(member);
-      } else if (member.key == "chances") {
-        script.chances = ReadChances(member);
-      } else if (member.key == "outputs") {
-        for (const KeyValue& value : ReadValues(member)) {
-          script.outputs.emplace_back(value.key, value.text);
-        }
-      } else if (member.key == "feedback") {
-        for (const KeyValue& value : ReadValues(member)) {
-          script.feedback.emplace_back(value.key, value.text);
-        }
-      } else if (member.key == "says") {
-        script.says = ReadText(member);
-      } else if (member.key == "throws") {
-        script.throws = ReadText(member);
-      } else {
-        Unknown(member, {"returns", "restart", "after_ms", "chances", "outputs", "feedback", "says",
-                         "throws"});
-      }
-    }
-    if (script.chances && (json.Find("returns") || json.Find("after_ms"))) {
-      diagnostics_.Error(json.where, "\"chances\" stands for \"returns\" and \"after_ms\"");
-    }
-    return script;
-  }
-
-  // {"SUCCESS": 8, "FAILURE": 2, "after_ms": [0, 2000]}
-  Chances ReadChances(const JsonText& json) {
-    Chances chances;
-    for (const JsonText& member : MembersOf(json)) {
-      if (member.key == "SUCCESS") {
-        chances.success = ReadShare(member);
-      } else if (member.key == "FAILURE") {
-        chances.failure = ReadShare(member);
-      } else if (member.key == "SKIPPED") {
-        chances.skipped = ReadShare(member);
-      } else if (member.key == "after_ms") {
-        ReadRange(member, chances);
-      } else {
-        Unknown(member, {"SUCCESS", "FAILURE", "SKIPPED", "after_ms"});
-      }
-    }
-    if (chances.success + chances.failure + chances.skipped <= 0) {
-      diagnostics_.Error(json.where, "\"chances\" needs a share of SUCCESS, FAILURE or SKIPPED");
-    }
-    return chances;
-  }
-
-  double ReadShare(const JsonText& json) {
-    constexpr double kLimit = 1e9;
-    const double value = Require(json, Kind::kNumber) ? std::strtod(json.text.c_str(), nullptr) : 0;
-    if (value >= 0 && value <= kLimit) return value;
-    diagnostics_.Error(json.where, "expected a share, not negative");
-    return 0;
-  }
-
-  // 500 or [0, 2000]
-  void ReadRange(const JsonText& json, Chances& chances) {
-    if (!json.is(Kind::kArray)) {
-      chances.shortest = chances.longest = ReadMilliseconds(json);
-      return;
-    }
-    if (json.children.size() == 2) {
-      chances.shortest = ReadMilliseconds(json.children[0]);
-      chances.longest = ReadMilliseconds(json.children[1]);
-    }
-    if (json.children.size() != 2 || chances.longest < chances.shortest) {
-      diagnostics_.Error(json.where, "expected the shortest and the longest time");
-    }
-  }
-
-  std::uint64_t ReadSeed(const JsonText& json) {
-    const bool digits = Require(json, Kind::kNumber) && json.text.size() < 20 &&
-                        json.text.find_first_not_of("0123456789") == std::string::npos;
-    if (digits) return std::stoull(json.text);
-    diagnostics_.Error(json.where, "expected a whole number, not negative");
-    return 0;
-  }
-
-  std::vector<Status> ReadResults(const JsonText& json) {
-    std::vector<Status> results;
-    if (!json.is(Kind::kArray)) return {ReadResult(json)};
-    for (const JsonText& result : json.children) results.push_back(ReadResult(result));
-    return results;
-  }
-
-  Status ReadResult(const JsonText& json) {
-    const Status status = ReadStatus(json);
-    if (status == Status::kIdle && json.text == "IDLE") {
-      diagnostics_.Error(json.where, "IDLE is not a result that a node may return");
-    }
-    return status;
-  }
-
-  Status ReadStatus(const JsonText& json) {
-    std::vector<std::string> names;
-    for (const Status status :
-         {Status::kIdle, Status::kRunning, Status::kSuccess, Status::kFailure, Status::kSkipped}) {
-      if (json.is(Kind::kString) && json.text == coppice::ToString(status)) return status;
-      names.emplace_back(coppice::ToString(status));
-    }
-    diagnostics_.Error(json.where, "expected a status: RUNNING, SUCCESS, FAILURE, SKIPPED or IDLE",
-                       DidYouMean(json.text, names));
-    return Status::kIdle;
-  }
-
-  std::vector<KeyValue> ReadValues(const JsonText& json) {
-    std::vector<KeyValue> values;
-    for (const JsonText& member : MembersOf(json)) values.push_back(ReadValue(member));
-    return values;
-  }
-
-  KeyValue ReadValue(const JsonText& json) {
-    KeyValue value{json.where, json.key, json.text, KeyValue::Kind::kString};
-    if (json.is(Kind::kNumber)) value.kind = KeyValue::Kind::kNumber;
-    if (json.is(Kind::kBool)) value.kind = KeyValue::Kind::kBool;
-    if (json.is(Kind::kArray) || json.is(Kind::kObject)) {
-      diagnostics_.Error(json.where, "expected a text, a number or a boolean",
-                         "values of other types are given as text, as in the XML");
-    }
-    return value;
-  }
-
-  Duration ReadMilliseconds(const JsonText& json) {
-    constexpr double kLimit = 1e12;  // some thirty years
-    const double value = Require(json, Kind::kNumber) ? std::strtod(json.text.c_str(), nullptr) : 0;
-    if (!(value >= 0 && value <= kLimit)) {
-      diagnostics_.Error(json.where, "expected a time in milliseconds, not negative");
-      return Duration(0);
-    }
-    return Duration(std::llround(value * 1e6));
-  }
-
-  int ReadCount(const JsonText& json) {
-    constexpr double kLimit = 1e6;
-    const double value = Require(json, Kind::kNumber) ? std::strtod(json.text.c_str(), nullptr) : 0;
-    if (!(value >= 0 && value <= kLimit && value == std::floor(value))) {
-      diagnostics_.Error(json.where, "expected a whole number from 0 to 1000000");
-      return 0;
-    }
-    return static_cast<int>(value);
-  }
-
-  bool ReadBool(const JsonText& json) { return Require(json, Kind::kBool) && json.text == "true"; }
-
-  std::string ReadText(const JsonText& json) {
-    return Require(json, Kind::kString) ? json.text : std::string();
-  }
-
-  const std::vector<JsonText>& ListOf(const JsonText& json) {
-    return Require(json, Kind::kArray) ? json.children : none_;
-  }
-  const std::vector<JsonText>& MembersOf(const JsonText& json) {
-    return Require(json, Kind::kObject) ? json.children : none_;
-  }
-
-  bool Require(const JsonText& json, Kind kind) {
-    if (json.is(kind)) return true;
-    const std::string name = json.key.empty() ? "this" : "\"" + json.key + "\"";
-    diagnostics_.Error(json.where,
-                       name + " must be " + ToString(kind) + ", not " + ToString(json.kind));
-    return false;
-  }
-
-  void Unknown(const JsonText& member, const std::vector<std::string>& known) {
-    std::string list;
-    for (const std::string& name : known) list += (list.empty() ? "" : ", ") + name;
-    diagnostics_.Error(member.where, "unknown member \"" + member.key + "\", expected " + list,
-                       DidYouMean(member.key, known));
-  }
-
-  Diagnostics& diagnostics_;
-  const std::vector<JsonText> none_;
 };
 
 }  // namespace

@@ -77,6 +77,11 @@ JsonText ChancesText(const Chances& chances) {
     range.children = {Milliseconds(chances.shortest), Milliseconds(chances.longest)};
     Add(object, "after_ms", std::move(range));
   }
+  if (chances.longest_hold > Duration(0)) {
+    JsonText range = Array();
+    range.children = {Milliseconds(chances.shortest_hold), Milliseconds(chances.longest_hold)};
+    Add(object, "holds_ms", std::move(range));
+  }
   return object;
 }
 
@@ -86,13 +91,24 @@ JsonText Ports(const std::vector<std::pair<std::string, std::string>>& values) {
   return object;
 }
 
+JsonText Outputs(const MockScript& script) {
+  JsonText object = Ports(script.outputs);
+  for (const auto& [port, texts] : script.outputs_by_chance) {
+    JsonText list = Array();
+    for (const std::string& text : texts) list.children.push_back(Text(text));
+    Add(object, port, std::move(list));
+  }
+  return object;
+}
+
 JsonText ScriptText(const MockScript& script) {
   JsonText object = Object();
   if (script.chances) Add(object, "chances", ChancesText(*script.chances));
   if (script.duration > Duration(0)) Add(object, "after_ms", Milliseconds(script.duration));
   if (!script.results.empty()) Add(object, "returns", Results(script.results));
   if (script.restart) Add(object, "restart", Make(Kind::kBool, "true"));
-  if (!script.outputs.empty()) Add(object, "outputs", Ports(script.outputs));
+  JsonText outputs = Outputs(script);
+  if (!outputs.children.empty()) Add(object, "outputs", std::move(outputs));
   if (!script.feedback.empty()) Add(object, "feedback", Ports(script.feedback));
   if (!script.says.empty()) Add(object, "says", Text(script.says));
   if (!script.throws.empty()) Add(object, "throws", Text(script.throws));
@@ -105,6 +121,20 @@ JsonText Rules(const std::vector<PlacedRule>& rules) {
   for (const PlacedRule& placed : rules) {
     Add(object, placed.rule.pattern, ScriptText(placed.rule.script));
   }
+  return object;
+}
+
+JsonText RandomText(const RandomPlay& random) {
+  JsonText object = Object();
+  JsonText set = Object();
+  for (const std::vector<KeyValue>& choice : random.set) {
+    JsonText list = Array();
+    for (const KeyValue& value : choice) list.children.push_back(ValueText(value));
+    Add(set, choice.front().key, std::move(list));
+  }
+  if (!set.children.empty()) Add(object, "set", std::move(set));
+  if (!random.leaves.empty()) Add(object, "leaves", Rules(random.leaves));
+  if (random.lasts > Duration(0)) Add(object, "lasts_ms", Milliseconds(random.lasts));
   return object;
 }
 
@@ -210,6 +240,7 @@ std::string PrintScenarios(const ScenarioSuite& suite) {
     Add(object, "models", Text(RelativeTo(suite.file, suite.models_file)));
   }
   if (!suite.leaves.empty()) Add(object, "leaves", Rules(suite.leaves));
+  if (suite.random) Add(object, "random", RandomText(*suite.random));
   JsonText scenarios = Array();
   for (const Scenario& scenario : suite.scenarios) {
     scenarios.children.push_back(ScenarioText(scenario));

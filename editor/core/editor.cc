@@ -49,17 +49,12 @@ std::optional<std::string> ReadText(const std::string& path) {
 
 }  // namespace
 
-struct Editor::Drawing {
-  Fonts fonts;
-};
-
 Editor::Editor(EditorOptions options)
     : options_(std::move(options)),
-      context_(ImGui::CreateContext()),
-      drawing_(std::make_unique<Drawing>()),
+      fonts_(options_.fonts ? options_.fonts : std::make_shared<const Fonts>(options_.scale)),
+      context_(fonts_->MakeContext()),
       state_([this](const Scene& scene, const SceneNode& node) {
-        const Ui ui{
-            GetPalette(state_.palette), drawing_->fonts, items_, options_.scale, 0, Time(0)};
+        const Ui ui{GetPalette(state_.palette), *fonts_, items_, options_.scale, 0, Time(0)};
         return MeasureNode(ui, scene, node);
       }),
       backup_(options_.backup_folder),
@@ -95,6 +90,8 @@ Editor::~Editor() {
   ImGui::DestroyContext(context_);
 }
 
+const std::string& Editor::error() const { return fonts_->error(); }
+
 void Editor::SetUpImGui() {
   ImGuiIO& io = ImGui::GetIO();
   io.IniFilename = nullptr;
@@ -113,7 +110,6 @@ void Editor::SetUpImGui() {
     editor.clipboard_ = text;
     if (editor.options_.set_clipboard) editor.options_.set_clipboard(editor.clipboard_);
   };
-  error_ = drawing_->fonts.Load(options_.scale);
 }
 
 bool Editor::Open(const std::string& path) {
@@ -184,7 +180,7 @@ void Editor::Frame(const InputEvents& input) {
   ApplyImGuiStyle(palette, options_.scale);
   RunKeys();
   const TreeState* shown = state_.workspace.tree_state();
-  const Ui ui{GetPalette(state_.palette),  drawing_->fonts, items_, options_.scale, now_,
+  const Ui ui{GetPalette(state_.palette),  *fonts_, items_, options_.scale, now_,
               shown ? shown->now : Time(0)};
   ImGui::SetNextWindowPos({0, 0});
   ImGui::SetNextWindowSize({input.width, input.height});

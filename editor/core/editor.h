@@ -29,10 +29,13 @@ struct ImGuiContext;
 
 namespace coppice::editor {
 
+class Fonts;
+
 struct EditorOptions {
   PaletteName palette = PaletteName::kDark;
-  float scale = 1;             ///< of the screen; 2 on a screen with tiny pixels
-  std::string recent_file;     ///< where the list of recent files is kept; empty: nowhere
+  float scale = 1;                     ///< of the screen; 2 on a screen with tiny pixels
+  std::shared_ptr<const Fonts> fonts;  ///< of that scale, shared with others; null: its own
+  std::string recent_file;             ///< where the list of recent files is kept; empty: nowhere
   std::string backup_folder;   ///< where unsaved work and the history are kept; empty: nowhere
   std::string keys_file;       ///< the user's keys (commands/key_file.h); empty: none
   std::string marks_file;      ///< where breakpoints and bookmarks are kept; empty: nowhere
@@ -52,7 +55,7 @@ class Editor {
   Editor& operator=(const Editor&) = delete;
 
   /// Why the editor cannot draw (a font is missing), or empty. With an error, do not call Frame().
-  const std::string& error() const { return error_; }
+  const std::string& error() const;
 
   /// Opens a file; false if there is nothing to show. The problems are in the problems tile.
   bool Open(const std::string& path);
@@ -105,11 +108,9 @@ class Editor {
   void Remember(const std::string& path);
 
   const EditorOptions options_;
-  ImGuiContext* context_;
-  std::string error_;
+  const std::shared_ptr<const Fonts> fonts_;
+  ImGuiContext* const context_;
   std::string clipboard_;
-  struct Drawing;  // the fonts
-  std::unique_ptr<Drawing> drawing_;
   ItemRegistry items_;
   EditorState state_;
   InputQueue queue_;

@@ -90,11 +90,10 @@ class PictureMaker::Sheet {
   Point size_;
 };
 
-PictureMaker::PictureMaker(float pixels)
-    : pixels_(pixels), context_(ImGui::CreateContext()), fonts_(std::make_unique<Fonts>()) {
-  const WithContext current(context_);
-  error_ = fonts_->Load(pixels_);
-}
+PictureMaker::PictureMaker(float pixels, std::shared_ptr<const Fonts> fonts)
+    : pixels_(pixels),
+      fonts_(fonts ? std::move(fonts) : std::make_shared<const Fonts>(pixels)),
+      context_(fonts_->MakeContext()) {}
 
 PictureMaker::~PictureMaker() { ImGui::DestroyContext(context_); }
 

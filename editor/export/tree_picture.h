@@ -35,14 +35,15 @@ struct TreePainting {
 
 class PictureMaker {
  public:
-  /// Loads the fonts for pictures with so many pixels for one of the canvas at 100 %.
-  explicit PictureMaker(float pixels);
+  /// For pictures with so many pixels for one of the canvas at 100 %. `fonts`: of that scale,
+  /// shared with others; null: its own.
+  explicit PictureMaker(float pixels, std::shared_ptr<const Fonts> fonts = nullptr);
   ~PictureMaker();
   PictureMaker(const PictureMaker&) = delete;
   PictureMaker& operator=(const PictureMaker&) = delete;
 
   /// Why nothing can be drawn (a font is missing), or empty. With an error, draw nothing.
-  const std::string& error() const { return error_; }
+  const std::string& error() const { return fonts_->error(); }
 
   /// The picture as shapes and texts.
   Drawing Draw(const TreePainting& painting) const;
@@ -55,9 +56,8 @@ class PictureMaker {
   class Sheet;
 
   const float pixels_;
-  ImGuiContext* context_;
-  std::unique_ptr<Fonts> fonts_;
-  std::string error_;
+  const std::shared_ptr<const Fonts> fonts_;
+  ImGuiContext* const context_;
 };
 
 }  // namespace coppice::editor

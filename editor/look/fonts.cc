@@ -9,6 +9,7 @@
 #include <iterator>
 
 #include "editor/look/font_files.h"
+#include "editor/look/imgui_context.h"
 
 namespace coppice::editor {
 namespace {
@@ -26,8 +27,7 @@ constexpr ImWchar kIconRanges[] = {
     0xF1C9, 0xF1C9, 0xF1E6, 0xF1E6, 0xF252, 0xF252, 0};
 
 void Bake(const std::string& text_file, const std::string& icon_file,
-          const std::vector<float>& sizes, std::vector<ImFont*>& fonts) {
-  ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
+          const std::vector<float>& sizes, ImFontAtlas& atlas, std::vector<ImFont*>& fonts) {
   for (std::size_t i = 0; i < sizes.size(); ++i) {
     const float pixels = sizes[i];
     ImFontConfig config;
@@ -44,8 +44,18 @@ void Bake(const std::string& text_file, const std::string& icon_file,
 
 }  // namespace
 
+Fonts::Fonts(float scale) : atlas_(std::make_unique<ImFontAtlas>()) { error_ = Load(scale); }
+
+ImGuiContext* Fonts::MakeContext() const {
+  const WithContext unchanged(ImGui::GetCurrentContext());
+  ImGuiContext* const context = ImGui::CreateContext(atlas_.get());
+  ImGui::SetCurrentContext(context);
+  ImGui::GetIO().FontDefault = usual_;
+  return context;
+}
+
 std::string Fonts::Load(float scale) {
-  ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
+  ImFontAtlas& atlas = *atlas_;
 #ifdef COPPICE_HAS_FREETYPE
   atlas.FontBuilderIO = ImGuiFreeType::GetBuilderForFreeType();
   atlas.FontBuilderFlags = ImGuiFreeTypeBuilderFlags_LightHinting;
@@ -64,7 +74,6 @@ std::string Fonts::Load(float scale) {
   } kFaces[] = {{"DejaVuSans.ttf", sans_, true},
                 {"DejaVuSans-Bold.ttf", bold_, true},
                 {"DejaVuSansMono.ttf", mono_, false}};
-  sizes_.clear();
   for (const float size : kSizes) sizes_.push_back(std::round(size * scale));
   for (const auto& face : kFaces) {
     const std::string file = TextFontFile(face.file);
@@ -72,10 +81,10 @@ std::string Fonts::Load(float scale) {
       return std::string("the font ") + face.file +
              " is missing; on Debian: apt-get install fonts-dejavu-core";
     }
-    Bake(file, face.with_icons ? icons : std::string(), sizes_, face.fonts);
+    Bake(file, face.with_icons ? icons : std::string(), sizes_, atlas, face.fonts);
   }
   if (!atlas.Build()) return "the fonts cannot be baked into a texture";
-  ImGui::GetIO().FontDefault = Pick(Face::kSans, 13 * scale);
+  usual_ = Pick(Face::kSans, 13 * scale);
   return {};
 }
 

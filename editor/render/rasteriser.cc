@@ -100,16 +100,19 @@ class Painter {
     for (int y = top; y < bottom; ++y) {
       std::uint32_t* row = Row(y);
       std::int64_t e[3];
-      for (int k = 0; k < 3; ++k) e[k] = At(edges[k], left, y);
-      for (int x = left; x < right; ++x) {
-        if (e[0] >= 0 && e[1] >= 0 && e[2] >= 0) {
-          const float wb = static_cast<float>(e[1]) / static_cast<float>(area);
-          const float wc = static_cast<float>(e[2]) / static_cast<float>(area);
-          const std::uint32_t color = one_color ? a.col : MixColors(a.col, b.col, c.col, wb, wc);
-          const float u = a.uv.x + (b.uv.x - a.uv.x) * wb + (c.uv.x - a.uv.x) * wc;
-          const float v = a.uv.y + (b.uv.y - a.uv.y) * wb + (c.uv.y - a.uv.y) * wc;
-          Blend(row[x], color, plain ? 255 : Sample(texture_, u, v));
-        }
+      Span span{0, right - left};
+      for (int k = 0; k < 3; ++k) {
+        e[k] = At(edges[k], left, y);
+        Narrow(span, e[k], edges[k].step_x);
+      }
+      for (int k = 0; k < 3; ++k) e[k] += span.begin * edges[k].step_x;
+      for (std::int64_t x = left + span.begin; x < left + span.end; ++x) {
+        const float wb = static_cast<float>(e[1]) / static_cast<float>(area);
+        const float wc = static_cast<float>(e[2]) / static_cast<float>(area);
+        const std::uint32_t color = one_color ? a.col : MixColors(a.col, b.col, c.col, wb, wc);
+        const float u = a.uv.x + (b.uv.x - a.uv.x) * wb + (c.uv.x - a.uv.x) * wc;
+        const float v = a.uv.y + (b.uv.y - a.uv.y) * wb + (c.uv.y - a.uv.y) * wc;
+        Blend(row[x], color, plain ? 255 : Sample(texture_, u, v));
         for (int k = 0; k < 3; ++k) e[k] += edges[k].step_x;
       }
     }
@@ -145,6 +148,17 @@ class Painter {
     const std::int64_t px = static_cast<std::int64_t>(x) * kSubpixels + kSubpixels / 2;
     const std::int64_t py = static_cast<std::int64_t>(y) * kSubpixels + kSubpixels / 2;
     return edge.dx * (py - edge.from.y) - edge.dy * (px - edge.from.x) + edge.bias;
+  }
+
+  // Of a row, from its left end: at most the pixels of these that lie on the right side of an edge,
+  // whose value is `first` at pixel 0. A long thin triangle fills little of the box around it.
+  struct Span {
+    std::int64_t begin, end;
+  };
+  static void Narrow(Span& span, std::int64_t first, std::int64_t step) {
+    if (step > 0 && first < 0) span.begin = std::max(span.begin, (-first + step - 1) / step);
+    if (step < 0 && first >= 0) span.end = std::min(span.end, first / -step + 1);
+    if (step <= 0 && first < 0) span.end = 0;
   }
 
   static std::uint32_t MixColors(std::uint32_t a, std::uint32_t b, std::uint32_t c, float wb,

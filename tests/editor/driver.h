@@ -12,6 +12,7 @@
 
 #include "editor/core/editor.h"
 #include "tests/editor/scripted_robot.h"
+#include "tests/editor/shared_fonts.h"
 
 namespace coppice::editor {
 
@@ -39,7 +40,7 @@ class TemporaryFile {
 
 class Driver {
  public:
-  explicit Driver(EditorOptions options = {}) : editor(std::move(options)) {
+  explicit Driver(EditorOptions options = {}) : editor(WithSharedFonts(std::move(options))) {
     input.width = 1280;
     input.height = 800;
     input.dt = 0.02F;

@@ -13,11 +13,13 @@ namespace coppice::fuzz {
 namespace {
 
 TEST(FuzzLive, MutatedRequestsNeverCrash) {
-  const int good = FuzzLive(SomeRequests());
+  const std::string requests = SomeRequests();
+  const int good = FuzzLive(requests);
   EXPECT_GE(good, 30) << "the unchanged requests are good ones";
   int total = 0;
-  for (unsigned seed = 0; seed < 1000; ++seed)
-    total += FuzzLive(Mutator(seed).Mutate(SomeRequests()));
+  for (unsigned seed = 0; seed < 1000; ++seed) {
+    total += FuzzLive(Mutator(seed).Mutate(requests));
+  }
   EXPECT_GT(total, 5000) << "many reach the tree";
 }
 
@@ -42,15 +44,17 @@ TEST(FuzzClient, MutatedTalkInTheGroot2ProtocolNeverCrashes) {
 }
 
 TEST(FuzzWeb, MutatedVisitorsDisturbNobody) {
-  EXPECT_EQ(FuzzWeb(SomeWebRequest()), 1);
-  EXPECT_EQ(FuzzWeb(SomeWebMessages()), 3);
+  const std::string request = SomeWebRequest();
+  const std::string messages = SomeWebMessages();
+  EXPECT_EQ(FuzzWeb(request), 1);
+  EXPECT_EQ(FuzzWeb(messages), 3);
   std::array<int, 4> reached{};
   for (unsigned seed = 0; seed < 1000; ++seed) {
-    ++reached[FuzzWeb(Mutator(seed).Mutate(SomeWebRequest()))];
-    ++reached[FuzzWeb(Mutator(seed).Mutate(SomeWebMessages()))];
+    ++reached[FuzzWeb(Mutator(seed).Mutate(request))];
+    ++reached[FuzzWeb(Mutator(seed).Mutate(messages))];
   }
   for (const int count : reached) EXPECT_GT(count, 20);
-  EXPECT_EQ(FuzzWeb(SomeWebMessages()), 3) << "it still serves";
+  EXPECT_EQ(FuzzWeb(messages), 3) << "it still serves";
 }
 
 TEST(FuzzLive, EmptyInputIsFine) {

@@ -122,19 +122,21 @@ TEST(Fuzz, MutatedScenariosNeverCrash) {
 }
 
 TEST(Fuzz, MutatedRecordsNeverCrash) {
-  EXPECT_EQ(FuzzRecord(SomeRecord()), 2);
+  const std::string record = SomeRecord();
+  EXPECT_EQ(FuzzRecord(record), 2);
   int reached[3] = {};
   for (unsigned seed = 0; seed < 5000; ++seed) {
-    ++reached[FuzzRecord(Mutator(seed).Mutate(SomeRecord()))];
+    ++reached[FuzzRecord(Mutator(seed).Mutate(record))];
   }
   for (const int count : reached) EXPECT_GT(count, 50) << "every stage must be reached";
 }
 
 TEST(Fuzz, MutatedLogsOfBehaviorTreeCppNeverCrash) {
-  EXPECT_EQ(FuzzBtlog(SomeBtlog()), 2);
+  const std::string log = SomeBtlog();
+  EXPECT_EQ(FuzzBtlog(log), 2);
   int reached[3] = {};
   for (unsigned seed = 0; seed < 5000; ++seed) {
-    ++reached[FuzzBtlog(Mutator(seed).Mutate(SomeBtlog()))];
+    ++reached[FuzzBtlog(Mutator(seed).Mutate(log))];
   }
   for (const int count : reached) EXPECT_GT(count, 5) << "every stage must be reached";
 }

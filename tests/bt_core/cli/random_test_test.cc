@@ -36,6 +36,43 @@ TEST_F(RandomTestVerb, ScriptsOfAScenarioFileArePlayed) {
   EXPECT_NE(out_.find(" 20 ticks: 10 SUCCESS"), std::string::npos) << out_;
 }
 
+constexpr char kRandomSuite[] = R"({"tree": "tree.xml",
+   "leaves": {"<IsDay>": "SUCCESS"},
+   "random": {"set": {"battery": [0.1, 0.5]}, "leaves": {"<IsDay>": "FAILURE"}, "lasts_ms": 1000},
+   "scenarios": [{"name": "a", "steps": [{}]}]})";
+
+TEST_F(RandomTestVerb, ATreeIsPlayedAsTheFileBesideItSays) {
+  const std::string tree = Tree();
+  EXPECT_EQ(Run(RunTest, {"--random", "50", tree}), 1) << "nobody writes the battery";
+  const std::string file = Write("tree.test.json", kRandomSuite);
+  EXPECT_EQ(Run(RunTest, {"--random", "50", tree}), 0) << out_ << err_;
+  EXPECT_NE(out_.find("seeds 1 to 50, 500 ticks"), std::string::npos) << out_;
+  const std::string of_tree = out_.substr(out_.find(": "));
+  EXPECT_EQ(Run(RunTest, {"--random", "50", file}), 0) << out_ << err_;
+  EXPECT_EQ(out_.substr(out_.find(": ")), of_tree);
+  EXPECT_EQ(Run(RunTest, {"--random", "50", "--set", "battery=0.1", file}), 0);
+  EXPECT_NE(out_.find("50 SUCCESS"), std::string::npos) << out_;
+}
+
+TEST_F(RandomTestVerb, AFileBesideTheTreeThatIsAboutAnotherDoesNotCount) {
+  const std::string tree = Tree();
+  Write("other.xml", "<root BTCPP_format=\"4\"/>");
+  std::string suite = kRandomSuite;
+  suite.replace(suite.find("tree.xml"), 8, "other.xml");
+  Write("tree.test.json", suite);
+  EXPECT_EQ(Run(RunTest, {"--random", "20", tree}), 1) << out_ << err_;
+}
+
+TEST_F(RandomTestVerb, AKeyThatTheTreeHasNotIsAnErrorWithItsPlace) {
+  const std::string tree = Tree();
+  std::string suite = kRandomSuite;
+  suite.replace(suite.find("battery"), 7, "batery");
+  Write("tree.test.json", suite);
+  EXPECT_EQ(Run(RunTest, {"--random", "20", tree}), 2);
+  EXPECT_NE(err_.find("tree.test.json:3:"), std::string::npos) << err_;
+  EXPECT_NE(err_.find("the tree has no key \"batery\""), std::string::npos) << err_;
+}
+
 TEST_F(RandomTestVerb, WrongOptionsAreSaid) {
   EXPECT_EQ(Run(RunTest, {"--random", "0", Tree()}), 2);
   EXPECT_EQ(err_, "--random: expected a number from 1 to 1000000000\n");

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace coppice {
 namespace {
 
@@ -50,6 +52,27 @@ TEST(Chances, WhoSkipsDoesSoAtOnce) {
   const Outcome outcome = Throw({0, 0, 1, milliseconds(100), milliseconds(300)}, dice);
   EXPECT_EQ(outcome.result, Status::kSkipped);
   EXPECT_EQ(outcome.after, Duration(0));
+}
+
+TEST(Chances, AnOutcomeMayHoldForSomeTime) {
+  const Chances chances{1, 1, 0, Duration(0), Duration(0), milliseconds(100), milliseconds(300)};
+  Dice dice(1, "");
+  Duration longest{0};
+  for (int i = 0; i < 1000; ++i) {
+    const Outcome outcome = Throw(chances, dice);
+    EXPECT_GE(outcome.holds, milliseconds(100));
+    longest = std::max(longest, outcome.holds);
+  }
+  EXPECT_LE(longest, milliseconds(300));
+  EXPECT_GT(longest, milliseconds(295));
+}
+
+TEST(Chances, OneElementIsAsProbableAsAnother) {
+  Dice dice(3, "");
+  const std::vector<int> list = {0, 1, 2};
+  int counts[3] = {};
+  for (int i = 0; i < 3000; ++i) ++counts[ChooseOne(list, dice)];
+  for (const int count : counts) EXPECT_NEAR(count, 1000, 100);
 }
 
 }  // namespace

@@ -37,5 +37,29 @@ TEST_F(DefaultLeavesTest, ByChanceConditionsTakeNoTimeAndActionsMayFail) {
   EXPECT_GT(rules[2].rule.script.chances->failure, 0);
 }
 
+TEST_F(DefaultLeavesTest, ByChanceConditionsStayWhatTheyAreForSomeSeconds) {
+  EXPECT_EQ(RandomLeaves(*program_)[0].rule.script.chances->longest_hold, std::chrono::seconds(5));
+}
+
+TEST(RandomLeaves, OutputsGetValuesOfTheirTypes) {
+  Diagnostics diagnostics;
+  const auto program = CompileWithStandIns(
+      R"(<root BTCPP_format="4"><BehaviorTree ID="Main">
+         <Look a="{a}" b="{b}" c="{c}" d="{d}" e="{e}" f="{f}"/></BehaviorTree>
+         <TreeNodesModel><Action ID="Look"><output_port name="a" type="bool"/>
+         <output_port name="b" type="int" default="7"/><output_port name="c" type="double"/>
+         <output_port name="d" type="string"/><output_port name="e" type="Pose"/>
+         <input_port name="f" type="int"/></Action></TreeNodesModel></root>)",
+      diagnostics);
+  ASSERT_TRUE(program) << diagnostics.ToString();
+  using Texts = std::vector<std::string>;
+  const auto outputs = RandomLeaves(*program).at(0).rule.script.outputs_by_chance;
+  ASSERT_EQ(outputs.size(), 4U) << "nobody knows what a Pose is, and f is an input";
+  EXPECT_EQ(outputs[0], std::pair(std::string("a"), Texts({"true", "false"})));
+  EXPECT_EQ(outputs[1], std::pair(std::string("b"), Texts({"7", "0", "1", "2"})));
+  EXPECT_EQ(outputs[2], std::pair(std::string("c"), Texts({"0", "0.5", "1", "2"})));
+  EXPECT_EQ(outputs[3], std::pair(std::string("d"), Texts({"d"})));
+}
+
 }  // namespace
 }  // namespace coppice

@@ -111,6 +111,24 @@ TEST_F(MockedTreeTest, OutputsOfAPlayedLeafReachItsReader) {
   EXPECT_EQ(Tick(), "SUCCESS: tick d SUCCESS goal=1 tries=3, tick e SUCCESS goal=2.5 tries=3,");
 }
 
+TEST_F(MockedTreeTest, WhatHoldsIsDrawnAgainOnlyAfterThatTime) {
+  MockScript script;
+  script.chances = Chances{1, 1, 0, Duration(0), Duration(0), milliseconds(500), milliseconds(500)};
+  Make(Main("<Leaf name=\"a\"/>"), {{"a", script}});
+  int changes = 0;
+  Status last = tree_->executor().Tick();
+  for (int i = 1; i < 100; ++i) {
+    clock_.Advance(milliseconds(100));
+    const Status status = tree_->executor().Tick();
+    if (status != last) {
+      EXPECT_EQ(i % 5, 0);
+      ++changes;
+    }
+    last = status;
+  }
+  EXPECT_GT(changes, 3);
+}
+
 TEST_F(MockedTreeTest, FeedbackIsWrittenWhileALeafRuns) {
   MockScript script = Returns({Status::kRunning, Status::kSuccess});
   script.feedback = {{"distance", "2.5"}};

@@ -9,11 +9,12 @@
 namespace coppice {
 namespace {
 
-std::shared_ptr<const Program> Compiled(const std::string& root) {
+std::shared_ptr<const Program> Compiled(const std::string& root, const std::string& more = {}) {
   Diagnostics diagnostics;
-  auto program = CompileWithStandIns(
-      "<root BTCPP_format=\"4\"><BehaviorTree ID=\"Main\">" + root + "</BehaviorTree></root>",
-      diagnostics);
+  auto program =
+      CompileWithStandIns("<root BTCPP_format=\"4\"" + more + "><BehaviorTree ID=\"Main\">" + root +
+                              "</BehaviorTree></root>",
+                          diagnostics);
   if (!program) throw std::invalid_argument(diagnostics.ToString());
   return program;
 }
@@ -68,6 +69,57 @@ TEST(RandomRuns, RulesComeBeforeTheDefaults) {
   const Coverage coverage = After(50, RandomRuns(Compiled(kTree), options));
   EXPECT_EQ(coverage.nodes[3].results_of(Status::kSuccess), 0U);
   EXPECT_GT(coverage.nodes[3].results_of(Status::kFailure), 0U);
+}
+
+TEST(RandomRuns, LeavesWriteTheirOutputs) {
+  const char* const root =
+      "<Sequence><Count n=\"{n}\"/><ScriptCondition name=\"two?\" code=\"n == 2\"/></Sequence>"
+      "</BehaviorTree><TreeNodesModel><Action ID=\"Count\"><output_port name=\"n\" type=\"int\"/>"
+      "</Action></TreeNodesModel><BehaviorTree ID=\"Other\"><AlwaysSuccess/>";
+  const Coverage coverage =
+      After(100, RandomRuns(Compiled(root, " main_tree_to_execute=\"Main\""), {}));
+  EXPECT_TRUE(coverage.findings.empty()) << "n is written";
+  EXPECT_GT(coverage.nodes[2].results_of(Status::kSuccess), 10U);
+  EXPECT_GT(coverage.nodes[2].results_of(Status::kFailure), 10U);
+}
+
+TEST(RandomRuns, KeysGetOneOfTheirValues) {
+  const char* const root =
+      "<Repeat num_cycles=\"{stops}\"><Script name=\"stop\" code=\"n := 1\"/></Repeat>";
+  RandomRunOptions options;
+  options.choices = {
+      {{{}, "stops", "1", KeyValue::Kind::kNumber}, {{}, "stops", "3", KeyValue::Kind::kNumber}}};
+  const Coverage some = After(100, RandomRuns(Compiled(root), options));
+  EXPECT_GT(some.nodes[1].ticks(), 120U);
+  EXPECT_LT(some.nodes[1].ticks(), 280U);
+  options.set = {{{}, "stops", "2", KeyValue::Kind::kNumber}};
+  EXPECT_EQ(After(100, RandomRuns(Compiled(root), options)).nodes[1].ticks(), 200U)
+      << "what is set is more important";
+}
+
+TEST(RandomRuns, ATreeThatIsDoneIsBegunAnewUntilTheTimeHasPassed) {
+  RandomRunOptions options;
+  options.lasts = std::chrono::seconds(10);
+  const Coverage coverage = After(3, RandomRuns(Compiled("<AlwaysSuccess/>"), options));
+  EXPECT_EQ(coverage.runs, 3U);
+  EXPECT_EQ(coverage.ticks, 300U);
+}
+
+TEST(RandomRuns, AConditionStaysWhatItIsForSomeTime) {
+  RandomRunOptions options;
+  options.lasts = std::chrono::seconds(100);
+  const Coverage coverage =
+      After(1, RandomRuns(Compiled("<Fallback><IsDay/><Call name=\"call\"/></Fallback>"), options));
+  EXPECT_LT(coverage.nodes[2].results_of(Status::kIdle), 60U)
+      << "halted about every five seconds, not every time";
+}
+
+TEST(RandomRuns, ARuleForManyTypesComesBeforeTheDefaultOfOne) {
+  RandomRunOptions options;
+  options.leaves = {ByChance("<Is*>", {0, 1})};
+  const Coverage coverage = After(50, RandomRuns(Compiled(kTree), options));
+  EXPECT_EQ(coverage.nodes[2].results_of(Status::kSuccess), 0U);
+  EXPECT_EQ(coverage.nodes[2].results_of(Status::kFailure), 50U);
 }
 
 TEST(RandomRuns, AnExceptionIsFoundWithTheRunThatHadIt) {

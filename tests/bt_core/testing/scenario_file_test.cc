@@ -40,6 +40,8 @@ TEST_F(ScenarioFile, HoldsAllThatAScenarioCanSay) {
     "tree": "../trees/patrol.xml", "tree_id": "Patrol",
     "models": "../trees/models.xml",
     "leaves": {"<DriveTo>": ["RUNNING", "SUCCESS"]},
+    "random": {"set": {"stops": [1, 2], "place": "lab"}, "leaves": {"<DriveTo>": "FAILURE"},
+               "lasts_ms": 500},
     "scenarios": [{
       "name": "drives",
       "leaves": {"ask": {"returns": "FAILURE", "after_ms": 1.5, "restart": true,
@@ -61,6 +63,13 @@ TEST_F(ScenarioFile, HoldsAllThatAScenarioCanSay) {
   EXPECT_EQ(suite->leaves[0].rule.pattern, "<DriveTo>");
   EXPECT_EQ(suite->leaves[0].rule.script.results,
             (std::vector<Status>{Status::kRunning, Status::kSuccess}));
+  ASSERT_TRUE(suite->random);
+  ASSERT_EQ(suite->random->set.size(), 2U);
+  ASSERT_EQ(suite->random->set[0].size(), 2U);
+  EXPECT_EQ(suite->random->set[0][1].key + suite->random->set[0][1].text, "stops2");
+  EXPECT_EQ(suite->random->set[1].at(0).text, "lab");
+  EXPECT_EQ(suite->random->leaves.at(0).rule.pattern, "<DriveTo>");
+  EXPECT_EQ(suite->random->lasts, std::chrono::milliseconds(500));
   const Scenario& scenario = suite->scenarios.at(0);
   EXPECT_EQ(scenario.name, "drives");
   const MockScript& ask = scenario.leaves[0].rule.script;
@@ -100,7 +109,7 @@ TEST_F(ScenarioFile, AllErrorsAreTold) {
   const std::string file = path_.string();
   EXPECT_EQ(errors_, file +
                          ":2:10: error: unknown member \"trees\", expected tree, tree_id, models, "
-                         "leaves, scenarios (did you mean \"tree\"?)\n" +
+                         "leaves, random, scenarios (did you mean \"tree\"?)\n" +
                          file + ":3:25: error: \"steps\" must be a list, not a number\n" + file +
                          ":3:15: error: \"name\" is missing\n" + file +
                          ":3:15: error: there are no \"steps\"\n" + file +

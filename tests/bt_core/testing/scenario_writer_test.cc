@@ -12,6 +12,7 @@ constexpr char kText[] = R"({
   "leaves": {
     "<NavigateTo>": ["FAILURE", "RUNNING", "SUCCESS"],
     "<Grasp>": {"chances": {"SUCCESS": 8, "FAILURE": 1.5, "SKIPPED": 1, "after_ms": [100, 2000]}},
+    "<IsDay>": {"chances": {"SUCCESS": 1, "holds_ms": [0, 5000]}, "outputs": {"hour": ["8", "9"]}},
     "<Wait>": {
       "after_ms": 5000.25,
       "returns": "FAILURE",
@@ -21,6 +22,11 @@ constexpr char kText[] = R"({
       "says": "waited \"long\" enough",
       "throws": "broken"
     }
+  },
+  "random": {
+    "set": {"stops": [1, 3], "place": ["lab"]},
+    "leaves": {"<Wait>": {"chances": {"SUCCESS": 1}}},
+    "lasts_ms": 60000
   },
   "scenarios": [
     {

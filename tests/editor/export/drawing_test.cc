@@ -3,20 +3,21 @@
 #include <gtest/gtest.h>
 
 #include "editor/look/imgui_context.h"
+#include "tests/editor/shared_fonts.h"
 
 namespace coppice::editor {
 namespace {
 
 class DrawingTest : public testing::Test {
  protected:
-  DrawingTest() : current_(context_) { EXPECT_EQ(fonts_.Load(1), ""); }
+  DrawingTest() : current_(context_) {}
   ~DrawingTest() override { ImGui::DestroyContext(context_); }
 
-  ImGuiContext* context_ = ImGui::CreateContext();
+  const std::shared_ptr<const Fonts> fonts_ = SharedFonts(1);
+  ImGuiContext* const context_ = fonts_->MakeContext();
   const WithContext current_;
-  Fonts fonts_;
   ItemRegistry items_;
-  const Ui ui_{GetPalette(PaletteName::kDark), fonts_, items_, 1, 0, Time(0)};
+  const Ui ui_{GetPalette(PaletteName::kDark), *fonts_, items_, 1, 0, Time(0)};
   Drawing drawing_;
   DrawingPen pen_{ui_, drawing_};
 };

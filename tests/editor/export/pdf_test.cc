@@ -6,12 +6,13 @@
 #include <cstdlib>
 
 #include "tests/editor/export/painted.h"
+#include "tests/editor/shared_fonts.h"
 
 namespace coppice::editor {
 namespace {
 
 std::string PdfOf(const std::string& xml) {
-  const PictureMaker maker(1);
+  const PictureMaker maker(1, SharedFonts(1));
   return ToPdf(maker.Draw(Painted(xml).painting), Glyphs());
 }
 

@@ -4,12 +4,13 @@
 
 #include "bt_core/model/document.h"
 #include "tests/editor/export/painted.h"
+#include "tests/editor/shared_fonts.h"
 
 namespace coppice::editor {
 namespace {
 
 std::string SvgOf(const std::string& xml) {
-  const PictureMaker maker(1);
+  const PictureMaker maker(1, SharedFonts(1));
   return ToSvg(maker.Draw(Painted(xml).painting), Glyphs());
 }
 

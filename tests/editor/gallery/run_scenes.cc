@@ -4,24 +4,12 @@
 
 #include "editor/core/run_commands.h"
 #include "tests/editor/gallery/scenes.h"
+#include "tests/editor/sample_trees.h"
 
 namespace coppice::editor {
 namespace {
 
 constexpr char kDrive[] = "1.2.2.3.1.1.2";  // on the canvas, in the tree of the waypoint
-
-constexpr char kProcessTrees[] = R"(<BehaviorTree ID="Main"><Sequence name="monitor">
-  <ForceSuccess><WasEntryUpdated name="changed" entry="{processes}"/></ForceSuccess>
-  <Do as="watch" name="watch" count="{watched}"/></Sequence></BehaviorTree>)";
-constexpr char kProcessRows[] = R"([
-  {"name": "roscore", "group": "core", "state": "READY", "pid": 4211, "restarts": 0,
-   "escalation": "group", "message": ""},
-  {"name": "ekf", "group": "odometry_filter", "state": "BACKING_OFF", "pid": 0, "restarts": 4,
-   "escalation": "closure", "message": "ended by signal 11"},
-  {"name": "move_base", "group": "navigation", "state": "STARTING", "pid": 4299, "restarts": 1,
-   "escalation": "group", "message": "waits for ekf"},
-  {"name": "camera", "group": "sensors", "state": "GIVEN_UP", "pid": 0, "restarts": 12,
-   "escalation": "person", "message": "restarted 12 times in 10 minutes; a person was asked"}])";
 
 void Live(Stage& stage) {
   stage.AddRobot("robot-1:1667", 150);

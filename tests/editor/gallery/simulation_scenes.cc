@@ -1,26 +1,8 @@
 #include "tests/editor/gallery/scenes.h"
+#include "tests/editor/sample_trees.h"
 
 namespace coppice::editor {
 namespace {
-
-constexpr char kPatrol[] = R"(<root BTCPP_format="4" main_tree_to_execute="Patrol">
-  <BehaviorTree ID="Patrol">
-    <ReactiveFallback name="patrol">
-      <Sequence name="recharge">
-        <ScriptCondition name="low?" code="battery &lt; 0.3"/>
-        <GoTo name="to station" place="station"/>
-        <Dock name="dock"/>
-      </Sequence>
-      <KeepRunningUntilFailure name="rounds">
-        <Sequence name="round">
-          <GoTo name="to door" place="{door}"/>
-          <Say name="say" text="All quiet."/>
-        </Sequence>
-      </KeepRunningUntilFailure>
-    </ReactiveFallback>
-  </BehaviorTree>
-</root>
-)";
 
 void Answer(Stage& stage, const std::string& text) {
   stage.driver().Type(text);
@@ -29,7 +11,7 @@ void Answer(Stage& stage, const std::string& text) {
 }
 
 void Begin(Stage& stage) {
-  stage.Open("patrol.xml", kPatrol);
+  stage.Open("patrol.xml", kPatrolTree);
   stage.Run("sim.start");
   stage.Run("view.fit_all");
 }
@@ -55,7 +37,7 @@ void SetKey(Stage& stage) {
 
 void EditedWrongly(Stage& stage) {
   Ticking(stage);
-  std::string text = kPatrol;
+  std::string text = kPatrolTree;
   text.replace(text.find("<Dock name=\"dock\"/>"), 19, "<Inverter/>");
   const std::string path = stage.state().workspace.project().files().begin()->first;
   stage.state().workspace.project().SetText(path, "Type", text);
@@ -90,7 +72,7 @@ void Covered(Stage& stage, const char* battery) {
 }
 
 void NoTests(Stage& stage) {
-  stage.Open("patrol.xml", kPatrol);
+  stage.Open("patrol.xml", kPatrolTree);
   stage.Run("tile.tests");
 }
 
@@ -104,7 +86,7 @@ void TestPassed(Stage& stage) {
 
 void TestFailed(Stage& stage) {
   TestPassed(stage);
-  std::string text = kPatrol;
+  std::string text = kPatrolTree;
   text.replace(text.find("&lt; 0.3"), 8, "&gt; 0.3");
   const std::string path = stage.state().workspace.project().files().begin()->first;
   stage.state().workspace.project().SetText(path, "Type", text);

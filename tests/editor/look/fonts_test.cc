@@ -3,20 +3,18 @@
 #include <gtest/gtest.h>
 
 #include "editor/look/icons.h"
+#include "editor/look/imgui_context.h"
 
 namespace coppice::editor {
 namespace {
 
 class FontsTest : public testing::Test {
  protected:
-  FontsTest() : context_(ImGui::CreateContext()) { ImGui::SetCurrentContext(context_); }
-  ~FontsTest() override { ImGui::DestroyContext(context_); }
-  ImGuiContext* context_;
-  Fonts fonts_;
+  const Fonts fonts_{1};
 };
 
 TEST_F(FontsTest, PicksTheLargestThatIsNotTooLarge) {
-  ASSERT_EQ(fonts_.Load(1), "");
+  ASSERT_EQ(fonts_.error(), "");
   EXPECT_EQ(fonts_.Pick(Face::kSans, 13)->FontSize, 13);
   EXPECT_EQ(fonts_.Pick(Face::kBold, 18.9F)->FontSize, 17);
   EXPECT_EQ(fonts_.Pick(Face::kMono, 2)->FontSize, 7);
@@ -24,7 +22,6 @@ TEST_F(FontsTest, PicksTheLargestThatIsNotTooLarge) {
 }
 
 TEST_F(FontsTest, HasAGlyphForEveryIcon) {
-  ASSERT_EQ(fonts_.Load(1), "");
   for (const char* glyph :
        {icon::kSearch,       icon::kCheck,       icon::kTimes,     icon::kClock,
         icon::kRepeat,       icon::kRefresh,     icon::kPause,     icon::kStop,
@@ -45,9 +42,24 @@ TEST_F(FontsTest, HasAGlyphForEveryIcon) {
   }
 }
 
-TEST_F(FontsTest, IsTwiceAsLargeOnAScreenWithTinyPixels) {
-  ASSERT_EQ(fonts_.Load(2), "");
-  EXPECT_EQ(fonts_.Pick(Face::kSans, 26)->FontSize, 26);
+TEST_F(FontsTest, SeveralContextsWriteWithThem) {
+  ImGuiContext* const first = fonts_.MakeContext();
+  ImGuiContext* const second = fonts_.MakeContext();
+  {
+    const WithContext current(second);
+    EXPECT_EQ(ImGui::GetIO().FontDefault, fonts_.Pick(Face::kSans, 13));
+    EXPECT_TRUE(ImGui::GetIO().Fonts->IsBuilt());
+  }
+  ImGui::DestroyContext(second);
+  const WithContext current(first);
+  EXPECT_EQ(ImGui::GetIO().Fonts->Fonts[0], fonts_.Pick(Face::kSans, 0)) << "the fonts live on";
+  ImGui::DestroyContext(first);
+}
+
+TEST(Fonts, AreTwiceAsLargeOnAScreenWithTinyPixels) {
+  const Fonts fonts(2);
+  EXPECT_EQ(fonts.error(), "");
+  EXPECT_EQ(fonts.Pick(Face::kSans, 26)->FontSize, 26);
 }
 
 }  // namespace

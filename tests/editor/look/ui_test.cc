@@ -3,20 +3,21 @@
 #include <gtest/gtest.h>
 #include <imgui_internal.h>
 
+#include "editor/look/imgui_context.h"
+#include "tests/editor/shared_fonts.h"
+
 namespace coppice::editor {
 namespace {
 
 class UiTest : public testing::Test {
  protected:
-  UiTest() : context_(ImGui::CreateContext()) {
-    ImGui::SetCurrentContext(context_);
-    EXPECT_EQ(fonts_.Load(1), "");
-  }
+  UiTest() : current_(context_) {}
   ~UiTest() override { ImGui::DestroyContext(context_); }
-  ImGuiContext* context_;
-  Fonts fonts_;
+  const std::shared_ptr<const Fonts> fonts_ = SharedFonts(1);
+  ImGuiContext* const context_ = fonts_->MakeContext();
+  const WithContext current_;
   ItemRegistry items_;
-  Ui ui_{GetPalette(PaletteName::kDark), fonts_, items_, 1, 0, Time(0)};
+  Ui ui_{GetPalette(PaletteName::kDark), *fonts_, items_, 1, 0, Time(0)};
 };
 
 TEST_F(UiTest, CutsTextThatIsTooWideAndSaysHowWideItIs) {

@@ -1,33 +1,18 @@
 #include <gtest/gtest.h>
 
 #include "tests/editor/executed_source.h"
+#include "tests/editor/sample_trees.h"
 
 namespace coppice::editor {
 namespace {
 
-constexpr char kTrees[] = R"(<BehaviorTree ID="Main"><Sequence name="monitor">
-  <ForceSuccess><WasEntryUpdated name="changed" entry="{processes}"/></ForceSuccess>
-  <Do as="watch" name="watch" count="{watched}"/></Sequence></BehaviorTree>)";
-
-constexpr char kBefore[] = R"([
-  {"name": "roscore", "group": "core", "state": "READY", "pid": 4211, "restarts": 0,
-   "escalation": "group", "message": ""},
-  {"name": "ekf", "group": "odometry_filter", "state": "BACKING_OFF", "pid": 0, "restarts": 4,
-   "escalation": "closure", "message": "ended by signal 11"},
-  {"name": "move_base", "group": "navigation", "state": "STARTING", "pid": 4299, "restarts": 1,
-   "escalation": "group", "message": "waits for ekf"},
-  {"name": "logger", "group": "log", "state": "STOPPED", "pid": 0, "restarts": 0,
-   "escalation": "group", "message": ""},
-  {"name": "camera", "group": "sensors", "state": "GIVEN_UP", "pid": 0, "restarts": 12,
-   "escalation": "person", "message": "restarted 12 times in 10 minutes; a person was asked"}])";
-
 class RunTableTest : public testing::Test {
  protected:
   RunTableTest() {
-    auto source = std::make_unique<ExecutedSource>("robot:1", kTrees);
+    auto source = std::make_unique<ExecutedSource>("robot:1", kProcessTrees);
     robot_ = source.get();
     robot_->tree.results["watch"] = Status::kRunning;
-    Send(kBefore);
+    Send(kProcessRows);
     robot_->Ticks(10);
     Send(R"([{"name":"ekf","state":"READY"}])");
     robot_->Ticks(10);

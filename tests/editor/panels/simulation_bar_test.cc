@@ -3,32 +3,14 @@
 #include "editor/core/simulation_editor.h"
 #include "editor/simulation/script_text.h"
 #include "tests/editor/driver.h"
+#include "tests/editor/sample_trees.h"
 
 namespace coppice::editor {
 namespace {
 
-constexpr char kPatrol[] = R"(<root BTCPP_format="4" main_tree_to_execute="Patrol">
-  <BehaviorTree ID="Patrol">
-    <ReactiveFallback name="patrol">
-      <Sequence name="recharge">
-        <ScriptCondition name="low?" code="battery &lt; 0.3"/>
-        <GoTo name="to station" place="station"/>
-        <Dock name="dock"/>
-      </Sequence>
-      <KeepRunningUntilFailure name="rounds">
-        <Sequence name="round">
-          <GoTo name="to door" place="{door}"/>
-          <Say name="say" text="All quiet."/>
-        </Sequence>
-      </KeepRunningUntilFailure>
-    </ReactiveFallback>
-  </BehaviorTree>
-</root>
-)";
-
 class SimulationBarTest : public testing::Test {
  protected:
-  SimulationBarTest() : file_("patrol.xml", kPatrol) {
+  SimulationBarTest() : file_("patrol.xml", kPatrolTree) {
     driver_.editor.Open(file_.path());
     driver_.Frames();
   }
@@ -133,7 +115,7 @@ TEST_F(SimulationBarTest, TheUserAnswersForALeaf) {
 TEST_F(SimulationBarTest, AnEditIsReloadedAndErrorsAreSaid) {
   Start();
   driver_.Press(kKeyF1 + 9);
-  std::string text = kPatrol;
+  std::string text = kPatrolTree;
   text.replace(text.find("<Dock name=\"dock\"/>"), 19, "<Inverter/>");
   state().workspace.project().SetText(file_.path(), "Type", text);
   driver_.Frames(20);
@@ -189,7 +171,7 @@ TEST_F(SimulationBarTest, AStoryFromTheSimulationToTheTest) {
   driver_.Picture("simulation_test_passed");
 
   // With another threshold the tree does something else, and the test says where.
-  std::string text = kPatrol;
+  std::string text = kPatrolTree;
   text.replace(text.find("0.3"), 3, "0.1");
   state().workspace.project().SetText(file_.path(), "Type", text);
   driver_.Press('R', kCtrl | kShift);

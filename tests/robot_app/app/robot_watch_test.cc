@@ -6,6 +6,7 @@
 #include <nav_msgs/Odometry.h>
 #include <std_msgs/String.h>
 
+#include "tests/robot_app/eventually.h"
 #include "tests/robot_app/ros_environment.h"
 
 namespace coppice::robot {

@@ -2,10 +2,12 @@
 
 #include <gmock/gmock.h>
 
-#include <chrono>
+#include <iterator>
+#include <memory>
 #include <random>
-#include <thread>
+#include <vector>
 
+#include "tests/robot_app/eventually.h"
 #include "tests/robot_app/interaction/page_caller.h"
 
 namespace coppice::robot {
@@ -18,15 +20,8 @@ using testing::StartsWith;
 class Server : public testing::Test {
  protected:
   PageEvent Next() {
-    const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(30);
     PageEvent event;
-    while (!server_.Receive(event)) {
-      if (std::chrono::steady_clock::now() > deadline) {
-        ADD_FAILURE() << "nothing has happened";
-        return {};
-      }
-      std::this_thread::yield();
-    }
+    EXPECT_TRUE(Eventually([&] { return server_.Receive(event); })) << "nothing has happened";
     return event;
   }
 
@@ -121,13 +116,17 @@ TEST_F(Server, WhoSendsTooMuchIsThrownOut) {
 }
 
 TEST_F(Server, ABinaryMessageAndOneThatIsTooLongEndTheConnection) {
-  for (const std::string& frame :
-       {std::string("\x82\x81\0\0\0\0x", 7), std::string("\x81\xfe\xff\xff\0\0\0\0", 8),
-        std::string("\x81\xff\x7f\xff\xff\xff\xff\xff\xff\xff\0\0\0\0", 14)}) {
-    PageCaller caller(server_.port());
-    caller.Upgrade(Cookie(), caller.own_origin());
-    Next();
-    caller.Say(frame);
+  const std::string frames[] = {
+      std::string("\x82\x81\0\0\0\0x", 7), std::string("\x81\xfe\xff\xff\0\0\0\0", 8),
+      std::string("\x81\xff\x7f\xff\xff\xff\xff\xff\xff\xff\0\0\0\0", 14)};
+  std::vector<std::unique_ptr<PageCaller>> callers;
+  for (std::size_t i = 0; i < std::size(frames); ++i) {
+    callers.push_back(std::make_unique<PageCaller>(server_.port()));
+    callers.back()->Upgrade(Cookie(), callers.back()->own_origin());
+    EXPECT_EQ(Next().kind, PageEvent::Kind::kJoined);
+  }
+  for (std::size_t i = 0; i < std::size(frames); ++i) callers[i]->Say(frames[i]);
+  for (std::size_t i = 0; i < std::size(frames); ++i) {
     EXPECT_EQ(Next().kind, PageEvent::Kind::kLeft);
   }
 }

@@ -14,6 +14,8 @@
 #include <nlohmann/json.hpp>
 
 #include "robot_app/app/child_process.h"
+#include "robot_app/supervision/ros_master.h"
+#include "tests/robot_app/eventually.h"
 #include "tests/robot_app/interaction/local_server.h"
 #include "tests/robot_app/ros_environment.h"
 

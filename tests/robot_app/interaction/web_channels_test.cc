@@ -4,7 +4,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "robot_app/interaction/call.h"
 #include "tests/robot_app/interaction/local_server.h"
 
 namespace coppice::robot {
@@ -107,24 +106,6 @@ TEST_F(WebChannels, AnErrorIsToldWithoutTheSecret) {
   EXPECT_THAT(error, HasSubstr("403"));
   EXPECT_THAT(error, Not(HasSubstr("s3cret")));
   EXPECT_NE(Send(ChannelConfig::Kind::kTelegram, "http://127.0.0.1:1"), "");
-}
-
-TEST_F(WebChannels, ACallWithoutRosGoesToTheFirstWhoCanBeReached) {
-  HttpServer broken(500);
-  HttpServer working;
-  AssistanceConfig config;
-  config.robot = "Sobi";
-  config.channels = {{"broken", ChannelConfig::Kind::kWebhook, broken.url(), "", "", ""},
-                     {"working", ChannelConfig::Kind::kWebhook, working.url(), "", "", ""}};
-  config.supervisors = {{"Ada", {{"broken", ""}}}, {"Ben", {{"broken", ""}, {"working", ""}}}};
-  std::string problems;
-  EXPECT_TRUE(CallSupervisors(config, MakeChannels(config), "base", "It is dead.", problems));
-  EXPECT_THAT(broken.requests(), SizeIs(2));
-  ASSERT_THAT(working.requests(), SizeIs(1));
-  EXPECT_EQ(json::parse(working.requests()[0].body()).at("name"), "Ben");
-  EXPECT_THAT(problems, HasSubstr("Ada by broken"));
-  config.supervisors.pop_back();
-  EXPECT_FALSE(CallSupervisors(config, MakeChannels(config), "base", "It is dead.", problems));
 }
 
 }  // namespace

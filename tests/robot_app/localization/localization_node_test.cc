@@ -17,7 +17,9 @@
 #include <optional>
 #include <sstream>
 
+#include "robot_app/app/child_process.h"
 #include "robot_app/navigation/ros_support.h"
+#include "tests/robot_app/eventually.h"
 #include "tests/robot_app/ros_environment.h"
 
 namespace coppice::robot {

@@ -16,6 +16,9 @@
 #include <mutex>
 #include <sstream>
 
+#include "robot_app/app/child_process.h"
+#include "robot_app/supervision/ros_master.h"
+#include "tests/robot_app/eventually.h"
 #include "tests/robot_app/ros_environment.h"
 
 namespace coppice::robot {

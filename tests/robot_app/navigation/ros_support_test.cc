@@ -7,6 +7,7 @@
 
 #include <cmath>
 
+#include "tests/robot_app/eventually.h"
 #include "tests/robot_app/ros_environment.h"
 
 namespace coppice::robot {

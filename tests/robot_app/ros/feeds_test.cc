@@ -10,6 +10,7 @@
 #include "bt_core/engine/executor.h"
 #include "bt_nodes/monitoring/monitoring_leaves.h"
 #include "bt_nodes/power/power_leaves.h"
+#include "tests/robot_app/eventually.h"
 #include "tests/robot_app/ros_environment.h"
 
 namespace coppice::robot {

@@ -6,6 +6,7 @@
 
 #include "bt_core/engine/executor.h"
 #include "bt_nodes/recovery/recovery_nodes.h"
+#include "tests/robot_app/eventually.h"
 #include "tests/robot_app/ros_environment.h"
 
 namespace coppice::robot {

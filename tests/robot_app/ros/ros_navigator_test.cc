@@ -8,6 +8,7 @@
 
 #include "bt_core/testing/leaf_harness.h"
 #include "bt_nodes/navigation/navigation_leaves.h"
+#include "tests/robot_app/eventually.h"
 #include "tests/robot_app/ros_environment.h"
 
 namespace coppice::robot {

@@ -5,6 +5,7 @@
 
 #include <mutex>
 
+#include "tests/robot_app/eventually.h"
 #include "tests/robot_app/ros_environment.h"
 
 namespace coppice::robot {

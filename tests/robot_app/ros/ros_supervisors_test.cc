@@ -10,6 +10,7 @@
 
 #include "bt_core/testing/leaf_harness.h"
 #include "robot_app/app/child_process.h"
+#include "tests/robot_app/eventually.h"
 #include "tests/robot_app/ros_environment.h"
 
 namespace coppice::robot {

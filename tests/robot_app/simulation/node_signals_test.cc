@@ -6,6 +6,8 @@
 
 #include <fstream>
 
+#include "robot_app/app/child_process.h"
+#include "tests/robot_app/eventually.h"
 #include "tests/robot_app/ros_environment.h"
 
 namespace coppice::robot {

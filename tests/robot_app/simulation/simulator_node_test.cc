@@ -15,6 +15,8 @@
 #include <mutex>
 #include <sstream>
 
+#include "robot_app/app/child_process.h"
+#include "tests/robot_app/eventually.h"
 #include "tests/robot_app/ros_environment.h"
 
 namespace coppice::robot {
