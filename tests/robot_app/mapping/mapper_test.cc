@@ -154,6 +154,19 @@ TEST(Mapper, SaysThatWhatItSeesDoesNotFit) {
   EXPECT_FALSE(robot.mapper().Report().fits) << robot.mapper().Report().score;
 }
 
+TEST(Mapper, SaysThatItCanTakeInNoMore) {
+  MappingSettings settings;
+  settings.most_frames = 5;
+  Floor floor = InstituteFloor();
+  floor.people.clear();
+  MappedRobot robot(floor, kBeforeTheStation, 8, {}, settings);
+  ASSERT_TRUE(robot.Drive({{4, 0}}));
+  const MappingReport report = robot.mapper().Report();
+  EXPECT_EQ(report.key_frames, 5u);
+  EXPECT_NE(report.message.find("save it"), std::string::npos) << report.message;
+  EXPECT_LT(robot.Error(), 0.1);  // it goes on by odometry
+}
+
 TEST(Mapper, SurvivesScansWithoutSense) {
   Mapper mapper;
   for (int i = 0; i < 50; ++i) {
