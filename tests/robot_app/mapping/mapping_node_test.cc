@@ -11,8 +11,10 @@
 #include <mutex>
 #include <sstream>
 
+#include "robot_app/app/child_process.h"
 #include "robot_app/mapping/map_file.h"
 #include "robot_app/navigation/ros_support.h"
+#include "tests/robot_app/eventually.h"
 #include "tests/robot_app/ros_environment.h"
 #include "tests/robot_app/supervision/temporary.h"
 
