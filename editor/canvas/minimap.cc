@@ -13,6 +13,8 @@ constexpr float kPart = 4.5F;      // of the canvas' width at most one in so man
 constexpr float kLeast = 0.6F;     // but not smaller than this part of its full size
 constexpr float kInSight = 0.85F;  // of the tree's area
 constexpr float kSmallest = 2;     // pixels; a smaller branch is one block
+constexpr float kFarZoom = 0.01F;  // from there on nodes are far smaller than a pixel:
+constexpr float kFarBranch = 16;   // larger branches are one block
 
 Color ColorOf(const Ui& ui, const CanvasOptions& options, const Scene& scene, std::uint32_t node) {
   const SceneNode& shown = scene.nodes[node];
@@ -57,7 +59,8 @@ void DrawMinimap(const Ui& ui, TreeView& view, const Box& box, const CanvasOptio
   ui.Frame(list, frame, ui.palette.border, 4);
   for (std::uint32_t k = 0; k < view.shown().size();) {
     const Box branch = camera.ToScreen(view.BranchBounds(k));
-    const bool tiny = branch.width() < kSmallest && branch.height() < kSmallest;
+    const float small = zoom < kFarZoom ? kFarBranch : kSmallest;
+    const bool tiny = branch.width() < small && branch.height() < small;
     Box block = tiny ? branch : camera.ToScreen(view.BoxAt(k, ui.now));
     block.max = {std::max(block.max.x, block.min.x + 1), std::max(block.max.y, block.min.y + 1)};
     ui.Fill(list, block, ColorOf(ui, options, *view.scene(), view.shown()[k]));

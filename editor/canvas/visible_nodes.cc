@@ -3,8 +3,10 @@
 namespace coppice::editor {
 namespace {
 
-constexpr float kSmallBranch = 3;  // pixels
-constexpr float kMargin = 18;      // what is painted around a node at zoom 1
+constexpr float kSmallBranch = 3;   // pixels
+constexpr float kFarZoom = 0.045F;  // nodes are too small to be told apart:
+constexpr float kFarBranch = 64;    // larger branches are one block
+constexpr float kMargin = 18;       // what is painted around a node at zoom 1
 
 Box Grown(const Box& box, float pixels) {
   return {box.min - Point{pixels, pixels}, box.max + Point{pixels, pixels}};
@@ -29,7 +31,8 @@ std::vector<VisibleNode> FindVisible(const TreeView& view, const Camera& camera,
       k = view.shown_ends()[k];
       continue;
     }
-    const bool tiny = branch.width() < kSmallBranch && branch.height() < kSmallBranch;
+    const float small = camera.zoom < kFarZoom ? kFarBranch : kSmallBranch;
+    const bool tiny = branch.width() < small && branch.height() < small;
     visible.push_back({k, tiny ? branch : box_of(k), tiny});
     k = tiny ? view.shown_ends()[k] : k + 1;
   }

@@ -31,7 +31,7 @@ class Lanes {
     DrawRows(0, f_.shown.pinned, {box.min, {box.max.x, below}});
     DrawRows(f_.shown.pinned, count, {{box.min.x, below}, box.max});
     if (count == 0) {
-      f_.ui.RowText(list_, f_.labels.min + Point{8 * f_.ui.scale, 0}, height,
+      f_.ui.RowText(list_, f_.lanes.min + Point{8 * f_.ui.scale, height}, height,
                     "no node of this tree was ticked in what is shown",
                     {Face::kSans, 11, f_.ui.palette.text_dim});
     }

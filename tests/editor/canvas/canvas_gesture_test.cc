@@ -2,6 +2,8 @@
 // editor/canvas/canvas_gesture.cc.
 #include <gtest/gtest.h>
 
+#include <utility>
+
 #include "editor/canvas/canvas_mouse.h"
 #include "tests/editor/driver.h"
 
@@ -38,7 +40,7 @@ class CanvasGestureTest : public testing::Test {
 TEST_F(CanvasGestureTest, TheRectangleTakesWhatItTouchesFromAnyCorner) {
   const Box a = BoxOf("1.1.1");
   const Box b = BoxOf("1.1.2");
-  Drag({b.max.x - 4, b.min.y + 10}, {a.min.x - 12, a.min.y - 4}, kShift);
+  Drag({b.max.x + 6, b.min.y + 10}, {a.min.x - 12, a.min.y - 4}, kShift);
   EXPECT_EQ(Selection(), (std::vector<std::string>{"1.1.1", "1.1.2"}));
 }
 
@@ -94,7 +96,7 @@ TEST_F(CanvasGestureTest, WhereNothingWouldGoThereIsNoMark) {
   driver_.Carry(BoxOf("1.3").center(), {canvas.min.x + 60, canvas.max.y - 60});
   EXPECT_FALSE(driver_.Has("canvas/drop"));
   EXPECT_TRUE(driver_.Has("canvas/ghost"));
-  driver_.input.events.push_back(MouseButton{0, false});
+  driver_.input.events.emplace_back(std::in_place_type<MouseButton>, MouseButton{0, false});
   driver_.Frames();
   EXPECT_EQ(Text(), kSmallFile);
 }

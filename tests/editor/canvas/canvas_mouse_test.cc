@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+
 #include "tests/editor/driver.h"
 
 namespace coppice::editor {
@@ -99,7 +101,7 @@ TEST_F(CanvasMouseTest, EscapeEndsADragAndNothingIsDropped) {
   ASSERT_TRUE(driver_.Has("canvas/ghost"));
   driver_.Press(kKeyEscape);
   EXPECT_FALSE(driver_.Has("canvas/ghost"));
-  driver_.input.events.push_back(MouseButton{0, false});
+  driver_.input.events.emplace_back(std::in_place_type<MouseButton>, MouseButton{0, false});
   driver_.Frames();
   EXPECT_EQ(Text(), kSmallFile);
 }

@@ -10,6 +10,9 @@ namespace {
 class VisibleNodesTest : public testing::Test {
  protected:
   VisibleNodesTest() {
+    LayoutStyle style;
+    style.wrapped = false;  // one wide row
+    view_.SetStyle(style, 0);
     std::string leaves;
     for (int i = 0; i < 200; ++i) leaves += "<B><C/></B>";
     view_.SetScene(MakeScene("<A>" + leaves + "</A>"), SameSize, 0);

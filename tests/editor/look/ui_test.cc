@@ -52,7 +52,7 @@ TEST_F(UiTest, BreaksAParagraphIntoLines) {
   const float full = ui_.Width(text, style);
   const float one = ui_.ParagraphHeight(text, style, full + 1);
   EXPECT_GT(one, 10);
-  EXPECT_NEAR(ui_.ParagraphHeight(text, style, full * 0.6F), 2 * one, 1);
+  EXPECT_NEAR(ui_.ParagraphHeight(text, style, full * 0.75F), 2 * one, 1);
   EXPECT_GT(ui_.ParagraphHeight(text, style, 0), 2 * one) << "nowhere to put it, but no end either";
 }
 
