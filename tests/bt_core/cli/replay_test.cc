@@ -242,13 +242,14 @@ class Guarded final : public UserDecorator {
 TEST_F(ReplayTest, ATestOfATreeWithADecoratorOfTheRobotsOwnNamesItsModel) {
   const std::string text =
       "<BehaviorTree ID='Main'><Guarded><Sleep name='first' msec='1500'/></Guarded></BehaviorTree>";
+  const std::string guarded = folder_.Path("guarded.coppice");
   {
     SimulatedClock clock(100s);
     auto registry = std::make_shared<Registry>();
     registry->Register<Guarded>("Guarded");
     Executor executor(CompileText(text, registry), clock);
     EventStream stream(executor);
-    Recorder recorder(stream, path(), RecorderOptions());
+    Recorder recorder(stream, guarded, RecorderOptions());
     for (int i = 0; i < 3; ++i) {
       executor.Tick();
       clock.Advance(1s);
@@ -259,14 +260,14 @@ TEST_F(ReplayTest, ATestOfATreeWithADecoratorOfTheRobotsOwnNamesItsModel) {
   const std::string tree = folder_.Path("tree.xml");
   std::ofstream(tree) << "<root BTCPP_format='4' main_tree_to_execute='Main'>" << text << "</root>";
   const std::string test = folder_.Path("night.test.json");
-  EXPECT_EQ(Run({path(), "--scenario", test, "--tree-file", tree}), 0) << error_;
+  EXPECT_EQ(Run({guarded, "--scenario", test, "--tree-file", tree}), 0) << error_;
   EXPECT_THAT(ReadFile(test), HasSubstr("\"models\": \"night.models.xml\""));
   EXPECT_EQ(Run({test}, RunTest), 0) << out_ << error_;
 
   const std::string mine = folder_.Path("mine.xml");
   std::filesystem::copy(folder_.Path("night.models.xml"), mine);
   const std::string other = folder_.Path("other.test.json");
-  EXPECT_EQ(Run({path(), "--scenario", other, "--tree-file", tree, "--models", mine}), 0);
+  EXPECT_EQ(Run({guarded, "--scenario", other, "--tree-file", tree, "--models", mine}), 0);
   EXPECT_THAT(ReadFile(other), HasSubstr("\"models\": \"mine.xml\""));
   EXPECT_EQ(Run({other}, RunTest), 0) << out_ << error_;
 }
