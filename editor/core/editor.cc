@@ -67,8 +67,14 @@ Editor::Editor(EditorOptions options)
     return history_store_.Resume(state_.workspace.project(), path, text);
   };
   state_.connect = [this](const std::string& endpoint) { return Connect(endpoint); };
-  state_.get_clipboard = [] { return std::string(ImGui::GetClipboardText()); };
-  state_.set_clipboard = [](const std::string& text) { ImGui::SetClipboardText(text.c_str()); };
+  state_.get_clipboard = [this] {
+    const WithContext own(context_);
+    return std::string(ImGui::GetClipboardText());
+  };
+  state_.set_clipboard = [this](const std::string& text) {
+    const WithContext own(context_);
+    ImGui::SetClipboardText(text.c_str());
+  };
   AddEditCommands(state_, [this] { return now_; });
   AddProjectCommands(state_, [this] { return now_; });
   AddMergeCommands(state_, [this] { return now_; });
