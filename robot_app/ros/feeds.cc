@@ -37,6 +37,7 @@ BatteryReading FromMessage(const sensor_msgs::BatteryState& message, Time stamp)
 std::vector<ros::Subscriber> SubscribeFeeds(ros::NodeHandle& node,
                                             const std::vector<FeedKeys>& trees,
                                             const Clock& clock) {
+  for (const FeedKeys& keys : trees) keys.configuration.Send("");
   std::vector<ros::Subscriber> subscribers;
   subscribers.push_back(node.subscribe<sensor_msgs::BatteryState>(
       "/battery_state", 1, [trees, &clock](const sensor_msgs::BatteryState::ConstPtr& message) {

@@ -21,7 +21,7 @@ struct FeedKeys {
   Sender<double> battery_level;       ///< state of charge, 0..1, from /battery_state
   Sender<bool> charging;              ///< current flows into the battery, from /battery_state
   Sender<Health> monitoring;          ///< aggregated reports, from /monitoring, stamped on arrival
-  Sender<std::string> configuration;  ///< in force, from /processes
+  Sender<std::string> configuration;  ///< in force, from /processes; empty until it is known
   Sender<bool> manual;                ///< it was set by hand, from /processes
   Sender<std::string> processes;      ///< JSON rows of /processes, sent when they have changed
   Sender<BatteryReading> battery;     ///< raw, from /battery_state, stamped on arrival

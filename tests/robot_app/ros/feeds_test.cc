@@ -22,6 +22,7 @@ constexpr char kTree[] = R"(<root BTCPP_format="4"><BehaviorTree ID="Main"><Sequ
   <ReadHealth monitoring="{monitoring}" health="{health}" errors="{errors}"/>
   <ChargeDue battery="{battery}"/>
   <WasEntryUpdated entry="{processes}"/>
+  <WasEntryUpdated entry="{configuration}"/>
 </Sequence></BehaviorTree></root>)";
 
 class FeedsTest : public testing::Test {
@@ -119,6 +120,15 @@ TEST_F(FeedsTest, BringTheProcessesAsRowsAndOnlyWhenTheyHaveChanged) {
   publishers_.back().publish(states);
   ASSERT_TRUE(Eventually([&] { return rows().find("READY") != std::string::npos; }));
   EXPECT_EQ(writes(), before + 1);
+}
+
+TEST_F(FeedsTest, TheConfigurationIsEmptyUntilItIsKnown) {
+  ASSERT_TRUE(Key("configuration").has_value());
+  EXPECT_EQ(Key("configuration").Get<std::string>(), "");
+  coppice_msgs::ProcessStates states;
+  states.configuration = "mapping";
+  Publish("/processes", states);
+  EXPECT_TRUE(Eventually([this] { return Key("configuration").Get<std::string>() == "mapping"; }));
 }
 
 TEST_F(FeedsTest, TakeNoHarmFromKeysThatTheTreeDoesNotUse) {
