@@ -154,9 +154,10 @@ class ComputerFaults : public testing::Test {
                                  "}\n\nprocesses:\n" + kSecondMonitor});
     options.edits.push_back(
         {"robot.yaml", "operating: [simulator,", "operating: [simulator, second_monitor,"});
-    options.edits.push_back({"monitors.yaml", "    sources:\n",
-                             "    sources:\n      - {source: /second_system_monitor, period: 0.5, "
-                             "host: second}\n"});
+    options.edits.push_back(
+        {"monitors.yaml", "    sources: &all_sources\n",
+         "    sources: &all_sources\n      - {source: /second_system_monitor, period: 0.5, "
+         "host: second}\n"});
   }
 
   // The second computer's clock is that much ahead from now on.
