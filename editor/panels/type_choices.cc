@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cctype>
-#include <set>
+#include <string_view>
+#include <unordered_map>
 #include <utility>
 
 #include "bt_core/model/xml_text.h"
@@ -66,19 +67,26 @@ void OfferTrees(const Forest& forest, const std::string& shown, TypeCollector& c
   }
 }
 
-// Types that are used in the file although no model describes them.
+// Neither a part of the language nor described by a model.
+bool IsUnknown(std::string_view tag, const NodeModels& models) {
+  return tag != "BehaviorTree" && tag != "include" && tag != "TreeNodesModel" &&
+         tag != "SubTreePlus" && !CategoryFromTag(tag) && !models.Find(tag);
+}
+
+// Types that are used in the file although no model describes them. Trees are large and types are
+// few: every tag is judged once.
 void OfferUnknown(const Forest& forest, const NodeModels& models, TypeCollector& collector) {
-  std::set<std::string_view> seen;
+  std::unordered_map<std::string_view, bool> is_wanted;  // by tag: unknown, and not yet offered
   for (const Document* document : forest.documents()) {
     for (const Element& element : document->elements()) {
-      const ElementIndex parent = element.parent;
-      if (parent == kNoElement || CategoryFromTag(element.tag) || models.Find(element.tag))
+      if (element.parent == kNoElement) continue;
+      const auto [wanted, is_new] = is_wanted.try_emplace(element.tag, false);
+      if (is_new) wanted->second = IsUnknown(element.tag, models);
+      if (!wanted->second) continue;
+      const std::string_view outer = document->element(element.parent).tag;
+      if (outer == "TreeNodesModel" || outer == "MetadataFields" || CategoryFromTag(outer))
         continue;
-      const std::string_view outer = document->element(parent).tag;
-      const bool is_node = element.tag != "BehaviorTree" && element.tag != "include" &&
-                           element.tag != "TreeNodesModel" && element.tag != "SubTreePlus" &&
-                           outer != "TreeNodesModel" && !CategoryFromTag(outer);
-      if (!is_node || outer == "MetadataFields" || !seen.insert(element.tag).second) continue;
+      wanted->second = false;
       const std::string tag(element.tag);
       collector.Offer({tag, "unknown", "used in this project", "<" + tag + "/>"});
     }
