@@ -12,15 +12,13 @@
 
 #include <csignal>
 #include <filesystem>
-#include <fstream>
-#include <mutex>
-#include <optional>
-#include <sstream>
 
 #include "robot_app/app/child_process.h"
 #include "robot_app/navigation/ros_support.h"
 #include "tests/robot_app/eventually.h"
+#include "tests/robot_app/latest.h"
 #include "tests/robot_app/ros_environment.h"
+#include "tests/robot_app/text_of.h"
 
 namespace coppice::robot {
 namespace {
@@ -37,38 +35,6 @@ std::string Own(const std::string& name) {
 }
 
 std::string Log(const std::string& name) { return Own(name + ".log"); }
-
-std::string TextOf(const std::string& file) {
-  std::ostringstream text;
-  text << std::ifstream(file).rdbuf();
-  return text.str();
-}
-
-// Keeps the newest message of a topic.
-template <typename Message>
-class Latest {
- public:
-  Latest(ros::NodeHandle& node, const std::string& topic)
-      : subscriber_(node.subscribe<Message>(
-            topic, 5, [this](const boost::shared_ptr<const Message>& message) {
-              const std::lock_guard<std::mutex> lock(mutex_);
-              message_ = *message;
-            })) {}
-  ~Latest() { subscriber_.shutdown(); }
-  std::optional<Message> get() const {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    return message_;
-  }
-  void Forget() {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    message_.reset();
-  }
-
- private:
-  mutable std::mutex mutex_;
-  std::optional<Message> message_;
-  ros::Subscriber subscriber_;
-};
 
 class LocalizationNodeTest : public testing::Test {
  protected:
@@ -202,7 +168,7 @@ TEST_F(LocalizationNodeTest, GoesOnAfterRestartsOfEither) {
   Kill(filter_);
   filtered_.Forget();
   StartFilter();
-  EXPECT_TRUE(Eventually([&] { return filtered_.get().has_value(); }, kPatience));
+  EXPECT_TRUE(Eventually([&] { return filtered_.get() != nullptr; }, kPatience));
   EXPECT_TRUE(WaitForPhase(State::OK)) << state_.get()->message;
   EXPECT_TRUE(IsWhereItShouldBe(0.1));
 

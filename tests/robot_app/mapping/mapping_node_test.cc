@@ -8,15 +8,15 @@
 
 #include <filesystem>
 #include <fstream>
-#include <mutex>
-#include <sstream>
 
 #include "robot_app/app/child_process.h"
 #include "robot_app/mapping/map_file.h"
 #include "robot_app/navigation/ros_support.h"
 #include "tests/robot_app/eventually.h"
+#include "tests/robot_app/latest.h"
 #include "tests/robot_app/ros_environment.h"
 #include "tests/robot_app/supervision/temporary.h"
+#include "tests/robot_app/text_of.h"
 
 namespace coppice::robot {
 namespace {
@@ -26,34 +26,6 @@ using testing::HasSubstr;
 
 constexpr double kPatience = 30;  // wall time, for whatever is waited for [s]
 const std::string kPrograms = COPPICE_BINARY_DIR "/bin/";
-
-std::string TextOf(const std::string& file) {
-  std::ostringstream text;
-  text << std::ifstream(file).rdbuf();
-  return text.str();
-}
-
-// Keeps the newest message of a topic.
-template <typename Message>
-class Latest {
- public:
-  Latest(ros::NodeHandle& node, const std::string& topic)
-      : subscriber_(node.subscribe<Message>(
-            topic, 5, [this](const boost::shared_ptr<const Message>& message) {
-              const std::lock_guard<std::mutex> lock(mutex_);
-              message_ = message;
-            })) {}
-  ~Latest() { subscriber_.shutdown(); }
-  boost::shared_ptr<const Message> get() const {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    return message_;
-  }
-
- private:
-  mutable std::mutex mutex_;
-  boost::shared_ptr<const Message> message_;
-  ros::Subscriber subscriber_;
-};
 
 class MappingNodeTest : public testing::Test {
  protected:

@@ -12,14 +12,13 @@
 
 #include <atomic>
 #include <cstdio>
-#include <fstream>
 #include <mutex>
-#include <sstream>
 
 #include "robot_app/app/child_process.h"
 #include "robot_app/supervision/ros_master.h"
 #include "tests/robot_app/eventually.h"
 #include "tests/robot_app/ros_environment.h"
+#include "tests/robot_app/text_of.h"
 
 namespace coppice::robot {
 namespace {
@@ -32,12 +31,6 @@ const std::string kPrograms = COPPICE_BINARY_DIR "/bin/";
 
 std::string Log(const std::string& name) {
   return testing::TempDir() + std::to_string(getpid()) + "_" + name + ".log";
-}
-
-std::string TextOf(const std::string& file) {
-  std::ostringstream text;
-  text << std::ifstream(file).rdbuf();
-  return text.str();
 }
 
 template <class Action>

@@ -11,13 +11,12 @@
 #include <std_msgs/Bool.h>
 #include <tf2_msgs/TFMessage.h>
 
-#include <fstream>
 #include <mutex>
-#include <sstream>
 
 #include "robot_app/app/child_process.h"
 #include "tests/robot_app/eventually.h"
 #include "tests/robot_app/ros_environment.h"
+#include "tests/robot_app/text_of.h"
 
 namespace coppice::robot {
 namespace {
@@ -57,13 +56,6 @@ class Latest {
 
 std::string Log(const std::string& name) {
   return testing::TempDir() + std::to_string(getpid()) + "_" + name + ".log";
-}
-
-std::string TextOf(const std::string& file) {
-  std::ifstream stream(file);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
 }
 
 // Runs the program to its end; returns its exit status.
