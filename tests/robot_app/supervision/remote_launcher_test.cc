@@ -142,8 +142,8 @@ TEST_F(RemoteLauncherTest, WhatRunsThereEndsWhenTheSupervisorSaysNothingAnyMore)
 }
 
 TEST_F(RemoteLauncherTest, NeverRunsTwoInstancesEvenIfAnOldOneWasForgotten) {
-  Start("exec sleep 1000");
-  ASSERT_TRUE(Eventually([&] { return There().size() == 1; }));
+  const int first = Start("exec sleep 1000");
+  ASSERT_TRUE(Eventually([&] { return launcher_->IsConnected(first) && There().size() == 1; }));
   const int old = There().front();
   const int other = Start("exec sleep 1000", "child_monitor");
   const int pid = Start("exec sleep 1000");
