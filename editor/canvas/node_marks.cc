@@ -14,7 +14,8 @@
 namespace coppice::editor {
 namespace {
 
-constexpr float kNoteTab = 30;  // width of a note without its text, at zoom 1
+constexpr float kNoteTab = 30;       // width of a note without its text, at zoom 1
+constexpr float kChangeSquare = 11;  // side of the mark of a change, at scale 1
 
 const char* SignOf(Change change) {
   switch (change) {
@@ -30,6 +31,17 @@ const char* SignOf(Change change) {
       break;
   }
   return "";
+}
+
+Box ChangeBox(const NodeLook& look, const Box& body, float screen_scale) {
+  if (DetailFor(look.zoom, screen_scale) == Detail::kFull) {
+    const float wide = std::max(9 * screen_scale, 14 * look.zoom);
+    const float right = body.min.x - 2 * look.zoom;
+    return {{right - wide, body.min.y}, {right, body.max.y}};
+  }
+  const float side = kChangeSquare * screen_scale;
+  const Point corner = body.min - Point{side, side} * 0.6F;
+  return {corner, corner + Point{side, side}};
 }
 
 }  // namespace
@@ -151,10 +163,9 @@ void PaintChange(Pen& pen, const NodeLook& look, const Box& body) {
   if (look.change == Change::kNone) return;
   const Palette& colors = pen.ui.palette;
   const Color color = ColorOf(colors, look.change);
-  const float size = std::max(8.0F, 12 * look.zoom / pen.ui.scale);
-  const float wide = std::max(9 * pen.ui.scale, 14 * look.zoom);
-  const Box stripe = {{body.min.x - wide - 2 * look.zoom, body.min.y},
-                      {body.min.x - 2 * look.zoom, body.max.y}};
+  const bool is_square = DetailFor(look.zoom, pen.ui.scale) != Detail::kFull;
+  const float size = is_square ? kChangeSquare : std::max(8.0F, 12 * look.zoom / pen.ui.scale);
+  const Box stripe = ChangeBox(look, body, pen.ui.scale);
   pen.FillBox(stripe, color, 3 * look.zoom);
   const TextStyle style{Face::kBold, size, WritingOn(color)};
   const char* sign = SignOf(look.change);

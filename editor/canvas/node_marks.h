@@ -16,7 +16,8 @@ void PaintNote(Pen& pen, const SceneNode& node, const NodeLook& look);
 void PaintBadge(Pen& pen, const NodeLook& look, const Box& body);
 void PaintChip(Pen& pen, const NodeLook& look);
 void PaintHeat(Pen& pen, const NodeLook& look, const Box& body);
-/// A stripe beside the node with "+", "-", an arrow or "~".
+/// A stripe beside the node with "+", "-", an arrow or "~"; if only its name is shown, its
+/// neighbours are too near for that: a square on its upper left corner.
 void PaintChange(Pen& pen, const NodeLook& look, const Box& body);
 
 /// The colour of a change, of nodes at rest if there is none.

@@ -18,9 +18,9 @@ bool Contains(std::string_view text, std::string_view part) {
 
 std::string_view ControlGlyph(std::string_view id) {
   if (Contains(id, "Parallel")) return icon::kDoubleArrows;
-  if (Contains(id, "Fallback")) return "?";
+  if (Contains(id, "Fallback") || Contains(id, "Selector")) return "?";
   if (Contains(id, "Sequence")) return icon::kRightArrow;
-  return icon::kSitemap;
+  return icon::kFork;
 }
 
 std::string_view DecoratorGlyph(std::string_view id) {

@@ -38,8 +38,11 @@ class NodePainter {
  private:
   void PaintAll() {
     if (DetailFor(look_.zoom, ui_.scale) == Detail::kBlock) return PaintBlock();
+    const bool name_alone = DetailFor(look_.zoom, ui_.scale) == Detail::kName;
     PaintBody();
-    if (DetailFor(look_.zoom, ui_.scale) == Detail::kName) {
+    if (name_alone) PaintNameBody();
+    PaintHeat(pen_, look_, box_);
+    if (name_alone) {
       PaintName();
     } else {
       PaintTitle();
@@ -49,7 +52,6 @@ class NodePainter {
     PaintNote(pen_, node_, look_);
     if (node_.disabled) PaintStrike();
     if (look_.collapsed) PaintChip(pen_, look_);
-    PaintHeat(pen_, look_, box_);
     PaintChange(pen_, look_, box_);
     PaintBadge(pen_, look_, box_);
   }
@@ -193,13 +195,15 @@ class NodePainter {
     const TextStyle glyph_style = Style(Face::kBold, 12, ink);
     const float middle = at.x + Z(7);
     pen_.RowText({middle - ui_.Width(glyph, glyph_style) / 2, at.y}, height, glyph, glyph_style);
-    pen_.RowText(at + Point{Z(metrics::kIcon), 0}, height, node_.name,
-                 Style(Face::kBold, metrics::kTitleSize, ink));
-    PaintStatus(height);
+    const Point name_at = at + Point{Z(metrics::kIcon), 0};
+    const float room = PaintStatus(height) - name_at.x;
+    pen_.RowText(name_at, height, node_.name, Style(Face::kBold, metrics::kTitleSize, ink),
+                 std::max(room, 1.0F));
   }
 
-  // From the right: the toggle of a SubTree, or the glyph of the status; then the seconds.
-  void PaintStatus(float height) {
+  // From the right: the toggle of a SubTree, or the glyph of the status; then the seconds. Returns
+  // where that begins.
+  float PaintStatus(float height) {
     float right = box_.max.x - Z(metrics::kPad);
     if (node_.shape == Shape::kSubTree && HasToggle()) {
       PaintToggle();
@@ -214,17 +218,21 @@ class NodePainter {
       PaintGlyph(right, height);
       right -= Z(metrics::kStatus - 3);
     }
-    pen_.RowText({right - ui_.Width(text, style), box_.min.y}, height, text, style);
+    const float left = right - ui_.Width(text, style);
+    pen_.RowText({left, box_.min.y}, height, text, style);
+    return left;
   }
 
   bool HasToggle() const { return node_.recursive || node_.end > Index() + 1; }
   std::uint32_t Index() const { return static_cast<std::uint32_t>(&node_ - scene_.nodes.data()); }
 
-  void PaintGlyph(float right, float height) {
+  float PaintGlyph(float right, float height) {
     const std::string_view glyph = StatusGlyph(look_.state);
     const float strength = look_.offline ? 0.65F : StatusStrength(look_.state, ui_.clock);
     const TextStyle style = Style(Face::kBold, 12, Fade(HeaderInk(), strength));
-    pen_.RowText({right - ui_.Width(glyph, style), box_.min.y}, height, glyph, style);
+    const float left = right - ui_.Width(glyph, style);
+    pen_.RowText({left, box_.min.y}, height, glyph, style);
+    return left;
   }
 
   void PaintToggle() {
@@ -236,15 +244,20 @@ class NodePainter {
                  style);
   }
 
-  // The name alone, in the colour of the shape: readable far longer than the details. All names are
-  // equally large, but for those that would not fit.
-  void PaintName() {
+  // Of a node whose name stands alone: all in the colour of the shape.
+  void PaintNameBody() {
     pen_.Fill(OutlineOf(box_), HeaderColor());
     if (node_.shape == Shape::kUnknown) pen_.Hatch(box_, Fade(colors().text, 0.10F), Z(8));
+  }
+
+  // The name alone is readable far longer than the details. All names are equally large, but for
+  // those that would not fit.
+  void PaintName() {
     const std::string_view glyph = StatusGlyph(look_.state);
     const TextStyle sign{Face::kBold, 8, HeaderInk()};
     const float sign_width = glyph.empty() ? 0 : ui_.Width(glyph, sign) + 2;
-    const float room = box_.width() - 6 - sign_width;
+    const float inset = IsPill() ? std::max(3.0F, Z(metrics::kHeader / 4)) : 3;
+    const float room = box_.width() - 2 * inset - sign_width;
     const float wished = std::max(Z(kNameAtMiddle) / ui_.scale, kSmallestName);
     const float largest = std::min(wished, box_.height() * 0.8F / ui_.scale);
     TextStyle style{Face::kBold, largest, HeaderInk()};

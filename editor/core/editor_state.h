@@ -51,11 +51,13 @@ struct Splits {
   float right = 296;
   float bottom = 170;
   float timeline = 190;
-  float left_part = 0.28F;    ///< of the project in the upper part of the left column
-  float types_part = 0.62F;   ///< of what is above the node types
-  float right_part = 0.55F;   ///< of the inspector in the right column
-  float run_part = 0.42F;     ///< of the XML there, while a run is shown
-  float bottom_part = 0.62F;  ///< of the XML in the bottom row
+  float bare_project = 80;     ///< without a file it only says how to get one
+  float bare_blackboard = 90;  ///< likewise without a run
+  float left_part = 0.28F;     ///< of the project in the upper part of the left column
+  float types_part = 0.62F;    ///< of what is above the node types
+  float right_part = 0.55F;    ///< of the inspector in the right column
+  float run_part = 0.42F;      ///< of the XML there, while a run is shown
+  float bottom_part = 0.62F;   ///< of the XML in the bottom row
 };
 
 enum class Popup {
@@ -86,7 +88,7 @@ struct KeySettings {
 struct Prompt {
   std::string hint;
   std::function<std::string(const std::string&)> run;  ///< of the text; returns why not, or nothing
-  ChoiceSource preview;  ///< rows below it; empty: none. A click on one runs it
+  ChoiceSource preview;       ///< rows below it; empty: none. A click on one runs it
   bool asks_for_text = true;  ///< if not, Space runs the row that the arrow keys have chosen
 };
 

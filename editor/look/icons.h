@@ -29,6 +29,7 @@ inline constexpr char kSitemap[] = "\xEF\x83\xA8";      // f0e8
 inline constexpr char kCircle[] = "\xEF\x84\x91";       // f111
 inline constexpr char kCircleOpen[] = "\xEF\x84\x8C";   // f10c
 inline constexpr char kCode[] = "\xEF\x84\xA1";         // f121
+inline constexpr char kFork[] = "\xEF\x84\xA6";         // f126
 inline constexpr char kShield[] = "\xEF\x84\xB2";       // f132
 inline constexpr char kFileCode[] = "\xEF\x87\x89";     // f1c9
 inline constexpr char kPlug[] = "\xEF\x87\xA6";         // f1e6

@@ -1,20 +1,27 @@
 #include "editor/panels/inspector_row.h"
 
+#include <algorithm>
+
 namespace coppice::editor {
 namespace {
 
-constexpr float kLabelWidth = 92;  // pixels at scale 1
+constexpr float kLabelWidth = 92;   // pixels at scale 1, at least
+constexpr float kLabelPart = 0.3F;  // of a wide panel
 constexpr float kPad = 8;
 constexpr float kRow = 24;
 constexpr float kHeading = 22;
 
+float LabelWidth(const Ui& ui, const Box& row) {
+  return std::max(kLabelWidth * ui.scale, kLabelPart * row.width());
+}
+
 void PaintLabel(const Ui& ui, const Box& row, std::string_view label) {
   ui.RowText(*ImGui::GetWindowDrawList(), row.min + Point{kPad * ui.scale, 0}, row.height(), label,
-             {Face::kSans, 11, ui.palette.text_dim}, (kLabelWidth - 8) * ui.scale);
+             {Face::kSans, 11, ui.palette.text_dim}, LabelWidth(ui, row) - 8 * ui.scale);
 }
 
 Box FieldOf(const Ui& ui, const Box& row) {
-  return {row.min + Point{(kPad + kLabelWidth) * ui.scale, ui.scale},
+  return {row.min + Point{kPad * ui.scale + LabelWidth(ui, row), ui.scale},
           row.max - Point{kPad * ui.scale, ui.scale}};
 }
 

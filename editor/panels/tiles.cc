@@ -25,6 +25,7 @@ using DrawTile = void (*)(const Ui&, EditorState&, const Box&);
 struct Tile {
   bool shown;
   DrawTile draw;
+  float* bare = nullptr;  ///< its height if it has nothing to show but what it is for; else null
 };
 
 class Screen {
@@ -46,7 +47,8 @@ class Screen {
     }
     if (tiles.inspector || tiles.blackboard) {
       const Box column = TakeRight(rest, splits.right);
-      Column("right", column, {tiles.inspector, DrawInspector}, {tiles.blackboard, DrawBlackboard},
+      Column("right", column, {tiles.inspector, DrawInspector},
+             {tiles.blackboard, DrawBlackboard, is_run ? nullptr : &splits.bare_blackboard},
              splits.right_part);
     }
     const bool shows_run = is_run && !tiles.tests;
@@ -126,22 +128,35 @@ class Screen {
       DrawTypes(ui_, state_, column);
     }
     if (!upper) return;
-    Column("left", column, {tiles.project, DrawProject}, {tiles.outline, DrawOutline},
-           state_.splits.left_part);
+    const bool has_files = !state_.workspace.files().empty();
+    Column("left", column,
+           {tiles.project, DrawProject, has_files ? nullptr : &state_.splits.bare_project},
+           {tiles.outline, DrawOutline}, state_.splits.left_part);
   }
 
-  // Two tiles one above the other.
+  // Two tiles one above the other; the one with something to show gets the room.
   void Column(const std::string& name, const Box& box, Tile first, Tile second, float& part) {
     if (!first.shown || !second.shown) {
       (first.shown ? first : second).draw(ui_, state_, box);
       return;
     }
     const float gap = kGap * ui_.scale;
-    const float cut = box.min.y + std::clamp(part, 0.1F, 0.9F) * box.height();
+    const bool is_first_bare = first.bare && !second.bare;
+    const bool is_second_bare = second.bare && !first.bare;
+    float cut = box.min.y + std::clamp(part, 0.1F, 0.9F) * box.height();
+    if (is_first_bare) cut = box.min.y + Limit(*first.bare, box.height());
+    if (is_second_bare) cut = box.max.y - Limit(*second.bare, box.height()) - gap;
     const Box bar = {{box.min.x, cut}, {box.max.x, cut + gap}};
     first.draw(ui_, state_, {box.min, {box.max.x, bar.min.y}});
     second.draw(ui_, state_, {{box.min.x, bar.max.y}, box.max});
-    part += Splitter(ui_, "split/" + name + "_part", bar, false) * ui_.scale / box.height();
+    const float moved = Splitter(ui_, "split/" + name + "_part", bar, false);
+    if (is_first_bare) {
+      *first.bare += moved;
+    } else if (is_second_bare) {
+      *second.bare -= moved;
+    } else {
+      part += moved * ui_.scale / box.height();
+    }
   }
 
   // Two tiles side by side.

@@ -38,6 +38,8 @@ TEST(NodeMetrics, GiveATypeTheSignThatItsNodesHave) {
   EXPECT_EQ(GlyphOf(Shape::kControl, "ReactiveFallback"), GlyphOf(node));
   EXPECT_NE(GlyphOf(Shape::kControl, "ReactiveFallback"), GlyphOf(Shape::kControl, "Sequence"));
   EXPECT_NE(GlyphOf(Shape::kDecorator, "Inverter"), GlyphOf(Shape::kDecorator, "Timeout"));
+  EXPECT_NE(GlyphOf(Shape::kControl, "Switch2"), GlyphOf(Shape::kSubTree, "Switch2"))
+      << "the glyph stands alone in the outline";
 }
 
 TEST(NodeMetrics, MakeRoomForTheArrowOfAnOutputPort) {

@@ -245,6 +245,24 @@ std::vector<std::string> CutTexts(const std::vector<DrawnGlyph>& glyphs,
   return report.Take();
 }
 
+std::vector<std::string> StrayTexts(const std::vector<DrawnGlyph>& glyphs,
+                                    const std::vector<Box>& boxes) {
+  Report report(glyphs);
+  const Box* around = nullptr;  // of the first glyph of the text
+  int text = -1;
+  for (const DrawnGlyph& glyph : glyphs) {
+    const Point center = glyph.box.center();
+    if (glyph.text != text) {
+      const auto found = std::find_if(boxes.begin(), boxes.end(),
+                                      [&](const Box& box) { return box.Contains(center); });
+      around = found == boxes.end() ? nullptr : &*found;
+      text = glyph.text;
+    }
+    if (around && center.x > around->max.x) report.Add(glyph, " goes on beyond its box");
+  }
+  return report.Take();
+}
+
 std::vector<std::string> OverlappingTexts(const std::vector<DrawnGlyph>& glyphs) {
   constexpr float kTouch = 0.3F;  // of the smaller glyph
   Report report(glyphs);

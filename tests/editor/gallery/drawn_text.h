@@ -30,6 +30,9 @@ std::vector<std::string> FaintTexts(const std::vector<DrawnGlyph>& glyphs);
 /// Cut off at the side rather than ended with an ellipsis; not within the boxes of `scrolled`.
 std::vector<std::string> CutTexts(const std::vector<DrawnGlyph>& glyphs,
                                   const std::vector<Box>& scrolled);
+/// Begin in one of the boxes and end on the right of it.
+std::vector<std::string> StrayTexts(const std::vector<DrawnGlyph>& glyphs,
+                                    const std::vector<Box>& boxes);
 /// Written over each other.
 std::vector<std::string> OverlappingTexts(const std::vector<DrawnGlyph>& glyphs);
 

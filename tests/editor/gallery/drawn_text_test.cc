@@ -53,6 +53,14 @@ TEST(DrawnText, TextBeyondItsClipIsCut) {
   EXPECT_TRUE(CutTexts({Glyph(96, 1)}, {{{50, 0}, {200, 50}}}).empty()) << "it can be scrolled";
 }
 
+TEST(DrawnText, TextThatLeavesItsBoxIsReported) {
+  const std::vector<Box> boxes = {{{0, 0}, {20, 20}}};
+  EXPECT_TRUE(StrayTexts({Glyph(0, 1), Glyph(10, 1)}, boxes).empty());
+  EXPECT_EQ(StrayTexts({Glyph(0, 1), Glyph(10, 1), Glyph(20, 1)}, boxes).size(), 1U);
+  EXPECT_TRUE(StrayTexts({Glyph(30, 1), Glyph(40, 1)}, boxes).empty()) << "it is elsewhere";
+  EXPECT_TRUE(StrayTexts({Glyph(10, 1), Glyph(20, 2)}, boxes).empty()) << "another text";
+}
+
 TEST(DrawnText, TextOverTextIsReported) {
   EXPECT_TRUE(OverlappingTexts({Glyph(0, 1), Glyph(4, 1)}).empty()) << "of one text";
   EXPECT_EQ(OverlappingTexts({Glyph(0, 1), Glyph(4, 2)}).size(), 1U);

@@ -1,6 +1,8 @@
 // Rules for everything that the editor shows, in every palette.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <ostream>
 
 #include "tests/editor/gallery/drawn_text.h"
@@ -21,8 +23,34 @@ std::string Lines(const std::vector<std::string>& lines) {
 
 class Gallery : public testing::TestWithParam<GalleryScene> {};
 
+// On the canvas: "canvas/TREE/PATH". None while something is dragged over them.
+std::vector<Box> NodesOf(Editor& editor) {
+  std::vector<Box> nodes;
+  const TreeView* view = editor.state().workspace.view();
+  const bool is_drag = view && view->gesture.kind == Gesture::Kind::kDrag;
+  if (is_drag || editor.state().incoming) return nodes;
+  for (const auto& [path, box] : editor.items().all()) {
+    const bool is_node =
+        path.rfind("canvas/", 0) == 0 && std::count(path.begin(), path.end(), '/') == 2;
+    if (is_node) nodes.push_back(box);
+  }
+  return nodes;
+}
+
+// Popups, which lie over the canvas, are clipped by themselves.
+std::vector<DrawnGlyph> OnCanvas(const Editor& editor, const std::vector<DrawnGlyph>& text) {
+  const Box* const canvas = editor.items().Find("canvas");
+  std::vector<DrawnGlyph> found;
+  for (const DrawnGlyph& glyph : text) {
+    const bool is_there = canvas && std::abs(glyph.clip.min.x - canvas->min.x) < 1 &&
+                          std::abs(glyph.clip.max.x - canvas->max.x) < 1;
+    if (is_there) found.push_back(glyph);
+  }
+  return found;
+}
+
 // Where the user scrolls or moves the text, it may go on beyond the edge.
-void ExpectWholeTexts(const Editor& editor, const std::vector<DrawnGlyph>& text) {
+void ExpectWholeTexts(Editor& editor, const std::vector<DrawnGlyph>& text) {
   std::vector<Box> scrolled;
   for (const auto& [path, box] : editor.items().all()) {
     const bool is_field = path.rfind("inspector/", 0) == 0 || path == "popup/input";
@@ -30,6 +58,8 @@ void ExpectWholeTexts(const Editor& editor, const std::vector<DrawnGlyph>& text)
   }
   const std::vector<std::string> cut = CutTexts(text, scrolled);
   EXPECT_TRUE(cut.empty()) << Lines(cut);
+  const std::vector<std::string> stray = StrayTexts(OnCanvas(editor, text), NodesOf(editor));
+  EXPECT_TRUE(stray.empty()) << Lines(stray);
   const std::vector<std::string> overlapping = OverlappingTexts(text);
   EXPECT_TRUE(overlapping.empty()) << Lines(overlapping);
 }
@@ -37,7 +67,7 @@ void ExpectWholeTexts(const Editor& editor, const std::vector<DrawnGlyph>& text)
 TEST_P(Gallery, IsWholeAndReadableInEveryPalette) {
   Stage stage({});
   GetParam().play(stage);
-  const Editor& editor = stage.driver().editor;
+  Editor& editor = stage.driver().editor;
   ExpectWholeTexts(editor, DrawnText(editor));
   for (const PaletteName palette :
        {PaletteName::kDark, PaletteName::kLight, PaletteName::kColourBlind}) {
@@ -46,6 +76,15 @@ TEST_P(Gallery, IsWholeAndReadableInEveryPalette) {
     const std::vector<std::string> faint = FaintTexts(DrawnText(editor));
     EXPECT_TRUE(faint.empty()) << ToString(palette) << Lines(faint);
   }
+}
+
+TEST_P(Gallery, IsWholeOnALargeScreen) {
+  GalleryLook look;
+  look.width = 2560;
+  look.height = 1440;
+  Stage stage(look);
+  GetParam().play(stage);
+  ExpectWholeTexts(stage.driver().editor, DrawnText(stage.driver().editor));
 }
 
 TEST_P(Gallery, IsWholeOnAScreenWithTinyPixels) {

@@ -36,10 +36,28 @@ TEST(Tiles, AreResizedByTheirSplitters) {
   };
   drag("split/left", {50, 0});
   drag("split/bottom", {0, -40});
-  drag("split/right_part", {0, 30});
+  drag("split/right_part", {0, -30});
   EXPECT_NEAR(driver.BoxOf("project").width(), left + 50, 2);
   EXPECT_NEAR(driver.BoxOf("xml").height(), bottom + 40, 2);
-  EXPECT_NEAR(driver.BoxOf("inspector").height(), inspector + 30, 2);
+  EXPECT_NEAR(driver.BoxOf("inspector").height(), inspector - 30, 2);
+}
+
+TEST(Tiles, WithNothingToShowGiveTheirRoomToTheirNeighbours) {
+  Driver driver;
+  driver.Frames();
+  const float no_file = driver.BoxOf("project").height();
+  EXPECT_LT(no_file, 100) << "it only says how to open one";
+  EXPECT_LT(driver.BoxOf("blackboard").height(), 110);
+  const Point bar = driver.BoxOf("split/left_part").center();
+  driver.Drag(bar, bar + Point{0, 40});
+  EXPECT_NEAR(driver.BoxOf("project").height(), no_file + 40, 2) << "unless the user wants it";
+  const TemporaryFile file("small.xml", kSmallFile);
+  ASSERT_TRUE(driver.editor.Open(file.path()));
+  driver.Frames();
+  EXPECT_GT(driver.BoxOf("project").height(), no_file + 20);
+  driver.AddRobot("robot:1", kLiveTree);
+  driver.Frames();
+  EXPECT_GT(driver.BoxOf("blackboard").height(), 200);
 }
 
 TEST(Tiles, GiveTheRoomOfHiddenOnesToTheCanvas) {
