@@ -1,6 +1,5 @@
 #include "bt_core/cli/random_test.h"
 
-#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <utility>
@@ -9,6 +8,7 @@
 #include "bt_core/cli/random_report.h"
 #include "bt_core/model/project.h"
 #include "bt_core/testing/random_runs.h"
+#include "bt_core/testing/random_suite.h"
 #include "bt_core/testing/scenario_player.h"
 
 namespace coppice {
@@ -26,51 +26,37 @@ bool IsScenarioFile(const std::string& path) {
   return path.size() > end.size() && path.compare(path.size() - end.size(), end.size(), end) == 0;
 }
 
-bool IsAbout(const ScenarioSuite& suite, const std::string& tree_file) {
-  std::error_code ignored;
-  return std::filesystem::equivalent(suite.tree_file, tree_file, ignored);
-}
-
-// Of a tree: how the file of its scenarios, which lies beside it, plays it by chance.
-std::optional<ScenarioSuite> SuiteOf(const std::string& path, Diagnostics& diagnostics) {
-  if (IsScenarioFile(path)) {
-    std::optional<ScenarioSuite> suite = LoadScenarios(path, diagnostics);
-    if (suite && !suite->random) suite->random = RandomPlay{{}, suite->leaves, Duration(0)};
-    return suite;
-  }
-  const std::string beside = std::filesystem::path(path).replace_extension(".test.json").string();
-  if (std::filesystem::exists(beside)) {
-    std::optional<ScenarioSuite> suite = LoadScenarios(beside, diagnostics);
-    if (!suite || (suite->random && IsAbout(*suite, path))) return suite;
-  }
-  ScenarioSuite suite;
-  suite.tree_file = path;
-  suite.random.emplace();
+// Of scenarios that do not speak of chance, the scripts of all leaves.
+std::optional<ScenarioSuite> SuiteOfScenarios(const std::string& path, const Options& options,
+                                              Diagnostics& diagnostics) {
+  std::optional<ScenarioSuite> suite = LoadScenarios(path, diagnostics);
+  if (!suite) return suite;
+  if (!suite->random) suite->random = RandomPlay{{}, {}, suite->leaves, Duration(0)};
+  suite->tree_id = options.Get("--tree", suite->tree_id);
   return suite;
 }
 
-// False, with the reason, if the tree has not these keys.
-bool CheckChoices(const Program& program, const RandomPlay& play, Diagnostics& diagnostics) {
-  for (const std::vector<KeyValue>& choice : play.set) {
-    for (const KeyValue& value : choice) {
-      const std::string problem = CheckKeyValue(program, value);
-      if (!problem.empty()) diagnostics.Error(value.where, problem);
-    }
-  }
-  return !diagnostics.has_errors();
+std::optional<ScenarioSuite> SuiteOfTree(const std::string& path, const Options& options,
+                                         Diagnostics& diagnostics) {
+  const std::optional<Project> project = Project::FromFile(path, diagnostics);
+  if (!project) return std::nullopt;
+  const std::string main(project->main_tree());
+  const std::string tree_id = options.Get("--tree", main);
+  return RandomSuiteBeside(path, tree_id, tree_id == main, diagnostics);
 }
 
 Subject Load(const std::string& path, const Options& options, Diagnostics& diagnostics) {
-  std::optional<ScenarioSuite> loaded = SuiteOf(path, diagnostics);
+  std::optional<ScenarioSuite> loaded = IsScenarioFile(path)
+                                            ? SuiteOfScenarios(path, options, diagnostics)
+                                            : SuiteOfTree(path, options, diagnostics);
   if (!loaded) return {};
   ScenarioSuite& suite = *loaded;
-  suite.tree_id = options.Get("--tree", suite.tree_id);
   suite.models_file = options.Get("--models", suite.models_file);
   std::shared_ptr<Registry> known = RegistryWithPlugins(options);
   std::optional<Project> project = Project::FromFile(suite.tree_file, diagnostics);
   if (!project || !known) return {};
   auto program = CompileSuite(suite, *std::move(project), std::move(known), diagnostics);
-  if (!program || !CheckChoices(*program, *suite.random, diagnostics)) return {};
+  if (!program || !CheckPlay(*program, *suite.random, diagnostics)) return {};
   return {std::move(program), *std::move(suite.random)};
 }
 
@@ -118,9 +104,7 @@ int RunRandomTest(const Options& options) {
     RandomRunOptions here = how;
     if (!subject.program) std::cerr << diagnostics.ToString();
     if (!subject.program || !ReadKeys(options, *subject.program, here.set)) return 2;
-    here.leaves = std::move(subject.play.leaves);
-    here.choices = std::move(subject.play.set);
-    here.lasts = subject.play.lasts;
+    here.play = std::move(subject.play);
     RandomRuns random(std::move(subject.program), std::move(here));
     for (std::uint64_t i = 0; i < *runs; ++i) random.Run();
     const Coverage& coverage = random.coverage();

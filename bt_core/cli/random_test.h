@@ -8,7 +8,7 @@ namespace coppice {
 
 /// Each file is a tree, or scenarios, of which the tree is taken and what they say of chance: their
 /// "random", or without it the scripts of all leaves. Of a tree the "random" of NAME.test.json
-/// beside it is taken.
+/// beside it is taken (of a tree that is not the main one: NAME.TREE.test.json), if it is about it.
 /// Exit status: 0, 1 if something was found, 2 if something cannot be run.
 int RunRandomTest(const Options& options);
 

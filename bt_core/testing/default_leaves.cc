@@ -1,5 +1,6 @@
 #include "bt_core/testing/default_leaves.h"
 
+#include <algorithm>
 #include <cctype>
 #include <set>
 #include <string>
@@ -91,8 +92,15 @@ std::vector<PlacedRule> DefaultLeaves(const Program& program) {
   return RulesByType(program, DefaultScript);
 }
 
-std::vector<PlacedRule> RandomLeaves(const Program& program) {
-  return RulesByType(program, RandomScript);
+std::vector<PlacedRule> RandomLeaves(const Program& program, const std::vector<PlacedRule>& given) {
+  std::vector<PlacedRule> rules = given;
+  for (PlacedRule& otherwise : RulesByType(program, RandomScript)) {
+    const bool is_given = std::any_of(given.begin(), given.end(), [&](const PlacedRule& rule) {
+      return FitsWildcards(rule.rule.pattern, otherwise.rule.pattern);
+    });
+    if (!is_given) rules.push_back(std::move(otherwise));
+  }
+  return rules;
 }
 
 }  // namespace coppice

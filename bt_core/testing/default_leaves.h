@@ -14,11 +14,14 @@ namespace coppice {
 /// IsSomething or HasSomething is taken for a condition.
 std::vector<PlacedRule> DefaultLeaves(const Program& program);
 
-/// By chance: a condition is true in half of the cases and stays what it is for up to five seconds;
-/// an action takes up to two seconds and succeeds in four of five. Both write one of a few values
-/// of the port's type to each output: that of its default, true and false, small numbers, the
-/// port's name; nothing where the type is not known or another one.
-std::vector<PlacedRule> RandomLeaves(const Program& program);
+/// By chance, behind the rules that are `given`: a condition is true in half of the cases and stays
+/// what it is for up to five seconds; an action takes up to two seconds and succeeds in four of
+/// five. Both write one of a few values of the port's type to each output: that of its default,
+/// true and false, small numbers, the port's name; nothing where the type is not known or another
+/// one. A type that a given rule for types fits has that one alone, be its pattern less specific
+/// ("<*Fault>").
+std::vector<PlacedRule> RandomLeaves(const Program& program,
+                                     const std::vector<PlacedRule>& given = {});
 
 }  // namespace coppice
 

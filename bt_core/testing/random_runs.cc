@@ -22,12 +22,6 @@ void Set(MockedTree& tree, const KeyValue& given) {
   if (value.has_value()) tree.executor().inbox()->Post(slot, 0, std::move(value));
 }
 
-// True for "<*Fault>" and "<DockingFault>", which is more specific and yet only what leaves do by
-// default.
-bool IsForType(const PlacedRule& rule, const PlacedRule& of_type) {
-  return FitsWildcards(rule.rule.pattern, of_type.rule.pattern);
-}
-
 }  // namespace
 
 class RandomRuns::Watcher final : public TickSink {
@@ -51,11 +45,7 @@ class RandomRuns::Watcher final : public TickSink {
 
 RandomRuns::RandomRuns(std::shared_ptr<const Program> program, RandomRunOptions options)
     : program_(std::move(program)), options_(std::move(options)) {
-  const std::vector<PlacedRule> given = options_.leaves;
-  for (const PlacedRule& otherwise : RandomLeaves(*program_)) {
-    const auto fits = [&](const PlacedRule& rule) { return IsForType(rule, otherwise); };
-    if (std::none_of(given.begin(), given.end(), fits)) options_.leaves.push_back(otherwise);
-  }
+  options_.play.leaves = RandomLeaves(*program_, options_.play.leaves);
   coverage_.first_seed = options_.seed;
   for (NodeIndex node = 0; node < program_->nodes.size(); ++node) {
     coverage_.nodes.push_back({program_->Path(node), {}});
@@ -64,20 +54,20 @@ RandomRuns::RandomRuns(std::shared_ptr<const Program> program, RandomRunOptions 
 
 void RandomRuns::Run() {
   std::vector<MockRule> rules;
-  for (const PlacedRule& placed : options_.leaves) rules.push_back(placed.rule);
+  for (const PlacedRule& placed : options_.play.leaves) rules.push_back(placed.rule);
   SimulatedClock clock(std::chrono::seconds(1));
   Watcher watcher(*this);
   const std::uint64_t seed = options_.seed + coverage_.runs;
   MockedTree tree(*program_, std::move(rules), clock, {false, seed});
   Executor& executor = tree.executor();
   executor.AddSink(&watcher);
-  for (const std::vector<KeyValue>& choice : options_.choices) {
-    Dice dice(seed, choice.front().key);
-    Set(tree, ChooseOne(choice, dice));
+  for (const PlacedRule& told : options_.scripts) {
+    tree.ChangeScript(told.rule.pattern, told.rule.script);
   }
+  for (const KeyValue& chosen : ChosenKeys(options_.play.set, seed)) Set(tree, chosen);
   for (const KeyValue& given : options_.set) Set(tree, given);
   Status status = Status::kRunning;
-  const Time end = clock.Now() + options_.lasts;
+  const Time end = clock.Now() + options_.play.lasts;
   int at_once = 0;
   while ((!IsCompleted(status) || clock.Now() < end) && executor.ticks() < options_.most_ticks) {
     status = executor.Tick();
@@ -107,6 +97,16 @@ void RandomRuns::Find(std::string node, std::string text, std::uint64_t tick) {
   } else if (all.size() < kMostFindings) {
     all.push_back({std::move(node), std::move(text), 1, options_.seed + coverage_.runs, tick});
   }
+}
+
+std::vector<KeyValue> ChosenKeys(const std::vector<std::vector<KeyValue>>& choices,
+                                 std::uint64_t seed) {
+  std::vector<KeyValue> chosen;
+  for (const std::vector<KeyValue>& choice : choices) {
+    Dice dice(seed, choice.front().key);
+    chosen.push_back(ChooseOne(choice, dice));
+  }
+  return chosen;
 }
 
 std::vector<std::string> NeverTicked(const Coverage& coverage) {

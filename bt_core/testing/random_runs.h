@@ -22,12 +22,12 @@ namespace coppice {
 
 struct RandomRunOptions {
   std::uint64_t seed = 1;
-  /// Rules for nodes; leaves that none fits have their chances from default_leaves.h.
-  std::vector<PlacedRule> leaves;
-  std::vector<KeyValue> set;  ///< before the first tick; see CheckKeyValue in scenario_player.h
-  /// The same, of each list one by chance. `set` is more important.
-  std::vector<std::vector<KeyValue>> choices;
-  Duration lasts{0};  ///< a tree that is done is begun anew, until so much time has passed
+  /// Leaves that no rule of it fits have their chances from default_leaves.h.
+  RandomPlay play;
+  /// What is more important. Keys before the first tick (see CheckKeyValue in scenario_player.h),
+  /// and scripts for nodes that are played, as a step of a scenario gives them.
+  std::vector<KeyValue> set;
+  std::vector<PlacedRule> scripts;
   Duration period = std::chrono::milliseconds(100);  ///< from tick to tick
   std::uint64_t most_ticks = 10000;                  ///< a run that is not done then is broken off
 };
@@ -69,6 +69,8 @@ class RandomRuns {
   void Run();
   const Coverage& coverage() const { return coverage_; }
   const Program& program() const { return *program_; }
+  /// With the rules of all leaves, also by default.
+  const RandomPlay& play() const { return options_.play; }
 
  private:
   class Watcher;
@@ -79,6 +81,10 @@ class RandomRuns {
   RandomRunOptions options_;
   Coverage coverage_;
 };
+
+/// Of each list the value that the run of this seed gets.
+std::vector<KeyValue> ChosenKeys(const std::vector<std::vector<KeyValue>>& choices,
+                                 std::uint64_t seed);
 
 /// Paths of nodes that were never ticked.
 std::vector<std::string> NeverTicked(const Coverage& coverage);

@@ -108,6 +108,7 @@ struct Scenario {
 
 /// How the tree of a suite is run by chance (random_runs.h).
 struct RandomPlay {
+  SourceLocation where;                    ///< without a file: nobody has said anything
   std::vector<std::vector<KeyValue>> set;  ///< of each list, which is about one key, one by chance
   std::vector<PlacedRule> leaves;
   Duration lasts{0};  ///< a tree that is done is begun anew, until so much time has passed

@@ -49,6 +49,7 @@ class SuiteReader : public ScriptFields {
  private:
   RandomPlay ReadRandom(const JsonText& json) {
     RandomPlay random;
+    random.where = json.where;
     for (const JsonText& member : MembersOf(json)) {
       if (member.key == "set") {
         for (const JsonText& key : MembersOf(member)) random.set.push_back(ReadChoice(key));

@@ -76,7 +76,8 @@ class SimulationCommands {
     AddAsking("sim.chance", "leaves by chance", {'X'},
               "seed of what the leaves do by chance; nothing: always the same",
               &SimulationEditor::SetSeed, [](const Simulation& simulation) {
-                return simulation.seed() ? std::to_string(*simulation.seed()) : std::string("1");
+                return simulation.chance() ? std::to_string(simulation.chance()->seed)
+                                           : std::string("1");
               });
     AddAsking("sim.runs", "many runs by chance, and what they reach", {'X', kShift},
               "how many runs", &SimulationEditor::RunOften,

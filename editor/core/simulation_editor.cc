@@ -50,7 +50,10 @@ void SimulationEditor::Start() {
   Diagnostics diagnostics;
   auto run = state_.simulator.Start(workspace.project(), workspace.file()->path,
                                     workspace.ShownTreeId(), diagnostics);
-  if (!run) return state_.Notify(FirstProblem(diagnostics), now_, true);
+  if (const std::string problem = FirstProblem(diagnostics); !problem.empty()) {
+    state_.Notify(problem, now_, true);
+  }
+  if (!run) return;
   state_.coverage.Clear();
   const int old = workspace.FindRun(Simulator::kName);
   if (old >= 0) workspace.CloseRun(static_cast<std::size_t>(old), now_);
@@ -159,7 +162,15 @@ std::string SimulationEditor::SetSeed(const std::string& text) {
   Simulation* simulation = GoOn();
   const std::optional<std::uint64_t> seed = NumberIn(text, kLargestSeed);
   if (!seed && !text.empty()) return "a seed is a whole number";
-  if (simulation) simulation->SetSeed(seed);
+  if (!simulation) return {};
+  if (!seed) {
+    simulation->SetChance(std::nullopt);
+    return {};
+  }
+  Diagnostics diagnostics;
+  std::optional<RandomPlay> play = state_.simulator.ReadRandomPlay(diagnostics);
+  if (!play) return FirstProblem(diagnostics);
+  simulation->SetChance(Chance{*seed, *std::move(play)});
   return {};
 }
 
@@ -169,11 +180,10 @@ std::string SimulationEditor::RunTicks(const std::string& text) {
   const std::optional<std::uint64_t> ticks = NumberIn(text, kMostTicks);
   if (!ticks || *ticks == 0) return "a number from 1 to " + std::to_string(kMostTicks);
   if (!simulation) return "there is no simulation";
-  Status status = Status::kRunning;
-  for (std::uint64_t i = 0; i < *ticks && !IsCompleted(status); ++i) {
-    status = simulation->Tick(state_.simulator.period());
+  state_.simulator.SetResult(Status::kRunning);
+  for (std::uint64_t i = 0; i < *ticks && !state_.simulator.result(); ++i) {
+    state_.simulator.SetResult(simulation->Tick(state_.simulator.period()));
   }
-  state_.simulator.SetResult(status);
   return {};
 }
 
@@ -182,11 +192,15 @@ std::string SimulationEditor::RunOften(const std::string& text) {
   if (!runs || *runs == 0) return "a number from 1 to " + std::to_string(kMostRuns);
   const Simulation* simulation = state_.simulator.get();
   if (!simulation) return "there is no simulation";
-  const ScenarioStep told = simulation->Told();
+  Diagnostics diagnostics;
+  std::optional<RandomPlay> play = state_.simulator.ReadRandomPlay(diagnostics);
+  if (!play) return FirstProblem(diagnostics);
+  ScenarioStep told = simulation->Told();
   RandomRunOptions options;
-  options.seed = simulation->seed().value_or(1);
-  options.leaves = told.leaves;
-  options.set = told.set;
+  options.seed = simulation->chance() ? simulation->chance()->seed : 1;
+  options.play = *std::move(play);
+  options.set = std::move(told.set);
+  options.scripts = std::move(told.leaves);
   options.period = state_.simulator.period();
   state_.coverage.Start(simulation->program(), std::move(options), *runs);
   state_.run_tab = RunTab::kCoverage;
@@ -199,7 +213,8 @@ void SimulationEditor::GoToFinding(const RandomFinding& finding) {
   state_.simulator.Pause();
   Simulation* simulation = GoOn();
   if (!simulation) return;
-  simulation->PlaySeed(finding.seed, finding.tick, state_.simulator.period());
+  simulation->PlayRun({finding.seed, state_.coverage.play()}, finding.tick,
+                      state_.simulator.period());
   state_.Notify("seed " + std::to_string(finding.seed) + ", tick " + std::to_string(finding.tick),
                 now_);
 }

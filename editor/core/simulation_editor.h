@@ -35,13 +35,13 @@ class SimulationEditor {
   void PlayAgain();
   void ChangeSpeed(double factor);
 
-  /// Begins anew with leaves by chance; an empty text: always the same. Returns why not, or
-  /// nothing.
+  /// Begins anew by chance, as the scenarios beside the tree say; an empty text: always the same.
+  /// Returns why not, or nothing.
   std::string SetSeed(const std::string& text);
   /// Ticks so often, or until the tree is done. Returns why not, or nothing.
   std::string RunTicks(const std::string& text);
-  /// Runs the tree so often by chance, beside the simulation, with the scripts and keys that it was
-  /// given; shows what is reached. Returns why not, or nothing.
+  /// The same so often, beside the simulation, with the scripts and keys that it was given; shows
+  /// what is reached. Returns why not, or nothing.
   std::string RunOften(const std::string& text);
   /// Simulates the run that had it, up to that tick.
   void GoToFinding(const RandomFinding& finding);

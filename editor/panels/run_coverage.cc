@@ -7,6 +7,7 @@
 #include "editor/look/icons.h"
 #include "editor/panels/panel.h"
 #include "editor/panels/run_bodies.h"
+#include "editor/simulation/chance_text.h"
 
 namespace coppice::editor {
 namespace {
@@ -43,6 +44,7 @@ class Rows {
     }
     const Coverage& coverage = *job.coverage();
     Title("run/coverage/all", Summary(coverage, job.wanted()), ui_.palette.text);
+    DrawOrigin(job.play());
     const Simulation* simulation = state_.simulator.get();
     if (simulation && simulation->program().get() != &job.program()) {
       Title("run/coverage/old", "The tree was edited since.", ui_.palette.warning);
@@ -55,6 +57,14 @@ class Rows {
   }
 
  private:
+  // The same file may have been changed since.
+  void DrawOrigin(const RandomPlay& play) {
+    const std::string origin = OriginOf(play);
+    if (origin.empty()) return;
+    TextRow(ui_, "run/coverage/origin", "By chance as " + origin + " says",
+            {Face::kSans, 12, ui_.palette.text_dim});
+  }
+
   void Run(const char* words) {
     const std::string text = std::string(words) + "   Shift+X";
     const Row row = TextRow(ui_, "run/coverage/run", text, {Face::kSans, 12, ui_.palette.accent});

@@ -5,7 +5,9 @@
 #include "editor/canvas/free_place.h"
 #include "editor/core/simulation_editor.h"
 #include "editor/look/icons.h"
+#include "editor/panels/panel.h"
 #include "editor/panels/panels.h"
+#include "editor/simulation/chance_text.h"
 #include "editor/simulation/script_text.h"
 
 namespace coppice::editor {
@@ -31,6 +33,7 @@ class Bar {
     DrawLeft();
     DrawRight();
     DrawTime();
+    DrawOrigin();
   }
 
  private:
@@ -53,9 +56,26 @@ class Bar {
     Right("sim/save_test", "as test", "sim.save_test");
     Right("sim/again", "again", "sim.again");
     Right("sim/set", "set key", "sim.set");
-    const auto seed = state_.simulator.get()->seed();
-    Right("sim/chance", seed ? "seed " + std::to_string(*seed) : "by chance", "sim.chance",
-          seed.has_value());
+    const auto& chance = state_.simulator.get()->chance();
+    Right("sim/chance", chance ? "seed " + std::to_string(chance->seed) : "by chance", "sim.chance",
+          chance.has_value());
+  }
+
+  // Whose word counts for what happens by chance.
+  void DrawOrigin() {
+    const auto& chance = state_.simulator.get()->chance();
+    const std::string origin = chance ? OriginOf(chance->play) : std::string();
+    if (origin.empty()) return;
+    const float before = left_;
+    Write("chance: " + origin, {Face::kSans, 12, ui_.palette.text_dim}, "sim/chance_origin");
+    if (!ImGui::IsMouseHoveringRect({before, box_.min.y}, {left_, box_.max.y})) return;
+    Tooltip(ui_, JoinedLines(chance->play));
+  }
+
+  static std::string JoinedLines(const RandomPlay& play) {
+    std::string text;
+    for (const std::string& line : LinesOf(play)) text += (text.empty() ? "" : "\n") + line;
+    return text;
   }
 
   void DrawTime() {

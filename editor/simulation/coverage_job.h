@@ -37,6 +37,8 @@ class CoverageJob {
   const Coverage* coverage() const { return random_ ? &random_->coverage() : nullptr; }
   /// The tree that was run; there must be one.
   const Program& program() const { return random_->program(); }
+  /// How; something must have been started.
+  const RandomPlay& play() const { return random_->play(); }
   /// Of a node; null if it is not known.
   const NodeCoverage* Find(const std::string& path) const;
 

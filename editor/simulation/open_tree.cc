@@ -18,11 +18,11 @@ std::optional<Project> ReadOpenProject(OpenProject& files, const std::string& pa
 }
 
 std::shared_ptr<const Program> CompileOpenTree(OpenProject& files, const std::string& path,
-                                               const std::string& tree_id,
+                                               const std::string& tree_id, const Project* models,
                                                Diagnostics& diagnostics) {
   std::optional<Project> project = ReadOpenProject(files, path, diagnostics);
   if (!project) return nullptr;
-  const auto registry = ScenarioRegistry(*project);
+  const auto registry = ScenarioRegistry(*project, models);
   return Compile(std::make_shared<const Project>(*std::move(project)), registry, diagnostics,
                  tree_id);
 }

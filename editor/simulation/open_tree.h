@@ -16,9 +16,10 @@ namespace coppice::editor {
 std::optional<Project> ReadOpenProject(OpenProject& files, const std::string& path,
                                        Diagnostics& diagnostics);
 
-/// The tree of that ID (empty: the main tree) of a file and its includes. Null if there are errors.
+/// The tree of that ID (empty: the main tree) of a file and its includes; `models` (may be null)
+/// describe node types that the project does not. Null if there are errors.
 std::shared_ptr<const Program> CompileOpenTree(OpenProject& files, const std::string& path,
-                                               const std::string& tree_id,
+                                               const std::string& tree_id, const Project* models,
                                                Diagnostics& diagnostics);
 
 }  // namespace coppice::editor

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "bt_core/replay/scenario_models.h"
+#include "bt_core/testing/random_suite.h"
 #include "bt_core/testing/scenario_writer.h"
 #include "editor/simulation/open_tree.h"
 
@@ -119,11 +120,6 @@ std::size_t ScenarioTests::Count(ScenarioTest::State state) const {
   return static_cast<std::size_t>(
       std::count_if(tests_.begin(), tests_.end(),
                     [state](const ScenarioTest& test) { return test.state == state; }));
-}
-
-std::string ScenarioFileOf(const std::string& tree_file, const std::string& tree_id) {
-  return fs::path(tree_file).replace_extension("").string() +
-         (tree_id.empty() ? "" : "." + tree_id) + kEnding;
 }
 
 std::string SaveScenario(const Scenario& scenario, const std::string& tree_file,

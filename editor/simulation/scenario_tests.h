@@ -49,13 +49,10 @@ class ScenarioTests {
   std::vector<ScenarioTest> tests_;
 };
 
-/// Where the scenarios of a tree are kept: those of the main tree (without ID) of "a/patrol.xml" in
-/// "a/patrol.test.json", those of "Dock" in "a/patrol.Dock.test.json".
-std::string ScenarioFileOf(const std::string& tree_file, const std::string& tree_id);
-
-/// Adds a scenario to the file of its tree, which is made if there is none. If the tree needs
-/// models of node types, the file names one of `known_models` that has them, or one with the text
-/// `models` that is written beside it. Returns the path, or empty with the reason in `diagnostics`.
+/// Adds a scenario to the file of its tree (ScenarioFileOf in bt_core/testing/random_suite.h),
+/// which is made if there is none; what else stands in it stays as it is. If the tree needs models
+/// of node types, the file names one of `known_models` that has them, or one with the text `models`
+/// that is written beside it. Returns the path, or empty with the reason in `diagnostics`.
 std::string SaveScenario(const Scenario& scenario, const std::string& tree_file,
                          const std::string& tree_id, const std::vector<std::string>& known_models,
                          const std::string& models, Diagnostics& diagnostics);

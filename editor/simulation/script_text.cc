@@ -54,12 +54,11 @@ std::optional<double> ShareFrom(const std::string& word) {
   return is_share ? std::optional(share) : std::nullopt;
 }
 
-// "0.5s..2s"
-std::optional<std::pair<Duration, Duration>> RangeFrom(const std::string& word) {
+// "0.5s..2s"; "2s": neither less nor more
+std::optional<std::pair<Duration, Duration>> TimeFrom(const std::string& word) {
   const std::size_t dots = word.find("..");
-  if (dots == std::string::npos) return std::nullopt;
   const auto shortest = DurationFrom(word.substr(0, dots));
-  const auto longest = DurationFrom(word.substr(dots + 2));
+  const auto longest = dots == std::string::npos ? shortest : DurationFrom(word.substr(dots + 2));
   if (!shortest || !longest || *longest < *shortest) return std::nullopt;
   return std::pair(*shortest, *longest);
 }
@@ -73,7 +72,7 @@ bool AddShare(Chances& chances, double share, const std::string& word) {
   return true;
 }
 
-// "80% SUCCESS 20% FAILURE 0s..2s"
+// "80% SUCCESS 20% FAILURE 0s..2s holds 5s"
 std::optional<MockScript> ParseChances(std::istringstream words, std::string& why) {
   Chances chances;
   for (std::string word; words >> word;) {
@@ -82,10 +81,10 @@ std::optional<MockScript> ParseChances(std::istringstream words, std::string& wh
       why = "behind a share comes SUCCESS, FAILURE or SKIPPED";
       return std::nullopt;
     }
-    if (const auto range = RangeFrom(word)) {
-      std::tie(chances.shortest, chances.longest) = *range;
-    } else if (const auto duration = DurationFrom(word)) {
-      chances.shortest = chances.longest = *duration;
+    const bool holds = word == "holds" && words >> word;
+    if (const auto range = TimeFrom(word)) {
+      (holds ? std::tie(chances.shortest_hold, chances.longest_hold)
+             : std::tie(chances.shortest, chances.longest)) = *range;
     } else {
       why = "\"" + word + "\" is no share such as 80%, no time such as 0s..2s";
       return std::nullopt;
@@ -100,14 +99,6 @@ std::optional<MockScript> ParseChances(std::istringstream words, std::string& wh
   return script;
 }
 
-std::string PrintDuration(Duration duration) {
-  char text[48];
-  const double seconds = static_cast<double>(duration.count()) * 1e-9;
-  std::snprintf(text, sizeof(text), seconds < 1 ? "%.6gms" : "%.9gs",
-                seconds < 1 ? seconds * 1000 : seconds);
-  return text;
-}
-
 std::string PrintChances(const Chances& chances) {
   const double all = chances.success + chances.failure + chances.skipped;
   std::string words;
@@ -120,9 +111,12 @@ std::string PrintChances(const Chances& chances) {
   add(chances.success, Status::kSuccess);
   add(chances.failure, Status::kFailure);
   add(chances.skipped, Status::kSkipped);
-  if (chances.longest > Duration(0)) {
-    words += PrintDuration(chances.shortest) + ".." + PrintDuration(chances.longest) + " ";
-  }
+  const auto add_time = [&](const char* before, Duration shortest, Duration longest) {
+    if (longest <= Duration(0)) return;
+    words += before + PrintDuration(shortest) + ".." + PrintDuration(longest) + " ";
+  };
+  add_time("", chances.shortest, chances.longest);
+  add_time("holds ", chances.shortest_hold, chances.longest_hold);
   words.pop_back();
   return words;
 }
@@ -160,6 +154,14 @@ std::optional<MockScript> ParseScript(const std::string& text, std::string& why)
     return std::nullopt;
   }
   return script;
+}
+
+std::string PrintDuration(Duration duration) {
+  char text[48];
+  const double seconds = static_cast<double>(duration.count()) * 1e-9;
+  std::snprintf(text, sizeof(text), seconds < 1 ? "%.6gms" : "%.9gs",
+                seconds < 1 ? seconds * 1000 : seconds);
+  return text;
 }
 
 std::string PrintScript(const MockScript& script) {

@@ -4,6 +4,7 @@
 
 #include "bt_core/data/value_bytes.h"
 #include "bt_core/testing/default_leaves.h"
+#include "bt_core/testing/random_runs.h"
 
 namespace coppice::editor {
 namespace {
@@ -16,16 +17,17 @@ const RunId& RunOfThisProgram() {
 
 }  // namespace
 
-std::vector<PlacedRule> LeavesOf(const Program& program, std::optional<std::uint64_t> seed) {
-  return seed ? RandomLeaves(program) : DefaultLeaves(program);
+std::vector<PlacedRule> LeavesOf(const Program& program, const std::optional<Chance>& chance) {
+  return chance ? RandomLeaves(program, chance->play.leaves) : DefaultLeaves(program);
 }
 
-SimulatedTree::SimulatedTree(std::shared_ptr<const Program> program,
-                             std::optional<std::uint64_t> seed, HistoryHandler* handler)
+SimulatedTree::SimulatedTree(std::shared_ptr<const Program> program, std::optional<Chance> chance,
+                             HistoryHandler* handler)
     : program_(std::move(program)),
-      seed_(seed),
-      player_(*program_, LeavesOf(*program_, seed_), seed_.value_or(0)),
+      chance_(std::move(chance)),
+      player_(*program_, LeavesOf(*program_, chance_), chance_ ? chance_->seed : 0),
       handler_(handler) {
+  SetKeysByChance();
   player_.tree().executor().AddSink(this);
   const HistoryState begin = StateNow(HistoryState::Cause::kBegin);
   follower_.emplace(ShapeOf(DescribeTree(*program_, {})), begin);
@@ -36,9 +38,17 @@ SimulatedTree::SimulatedTree(std::shared_ptr<const Program> program,
 
 SimulatedTree::~SimulatedTree() { player_.tree().executor().RemoveSink(this); }
 
+void SimulatedTree::SetKeysByChance() {
+  if (!chance_) return;
+  ScenarioStep before_the_first_tick;
+  before_the_first_tick.ticks = 0;
+  before_the_first_tick.set = ChosenKeys(chance_->play.set, chance_->seed);
+  player_.Play(before_the_first_tick);
+}
+
 void SimulatedTree::Reload(std::shared_ptr<const Program> program) {
   program_ = std::move(program);
-  player_.Reload(*program_, LeavesOf(*program_, seed_));
+  player_.Reload(*program_, LeavesOf(*program_, chance_));
 }
 
 void SimulatedTree::TellTo(HistoryHandler& handler, bool knows_tree) {

@@ -15,14 +15,21 @@
 
 namespace coppice::editor {
 
-/// What leaves do that nobody has told anything: by chance, if there is a seed.
-std::vector<PlacedRule> LeavesOf(const Program& program, std::optional<std::uint64_t> seed);
+/// How a tree is run by chance.
+struct Chance {
+  std::uint64_t seed = 0;
+  RandomPlay play;  ///< what the file of its scenarios says (bt_core/testing/random_suite.h)
+};
+
+/// What leaves do that nobody has told anything, in a tree that is run by chance or not.
+std::vector<PlacedRule> LeavesOf(const Program& program, const std::optional<Chance>& chance);
 
 class SimulatedTree final : private TickSink {
  public:
-  /// `handler` is told the tree and everything that happens; null: nobody is told for now. With a
-  /// seed, leaves that nobody has told anything do by chance what they do (default_leaves.h).
-  SimulatedTree(std::shared_ptr<const Program> program, std::optional<std::uint64_t> seed,
+  /// `handler` is told the tree and everything that happens; null: nobody is told for now. By
+  /// chance, keys get their values before the first tick, and leaves that nobody has told anything
+  /// do what they do (default_leaves.h).
+  SimulatedTree(std::shared_ptr<const Program> program, std::optional<Chance> chance,
                 HistoryHandler* handler);
   ~SimulatedTree() override;
 
@@ -35,7 +42,7 @@ class SimulatedTree final : private TickSink {
   void TellTo(HistoryHandler& handler, bool knows_tree);
 
   const std::shared_ptr<const Program>& program() const { return program_; }
-  std::optional<std::uint64_t> seed() const { return seed_; }
+  const std::optional<Chance>& chance() const { return chance_; }
   const ScenarioPlayer& player() const { return player_; }
   Time now() const { return player_.clock().Now(); }
   const HistoryFollower& state() const { return *follower_; }
@@ -45,9 +52,10 @@ class SimulatedTree final : private TickSink {
   void OnJump(const Executor& executor) override;
   HistoryState StateNow(HistoryState::Cause cause) const;
   void Describe(HistoryHandler& handler) const;
+  void SetKeysByChance();
 
   std::shared_ptr<const Program> program_;
-  std::optional<std::uint64_t> seed_;
+  std::optional<Chance> chance_;
   ScenarioPlayer player_;
   HistoryHandler* handler_;
   std::optional<HistoryFollower> follower_;

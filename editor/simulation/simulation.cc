@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "bt_core/replay/write_record.h"
+#include "bt_core/testing/random_runs.h"
 #include "bt_core/testing/scenario_writer.h"
 
 namespace coppice::editor {
@@ -13,12 +14,12 @@ Simulation::Simulation(std::shared_ptr<const Program> program, HistoryHandler& r
   Begin(std::move(program), std::nullopt);
 }
 
-void Simulation::Begin(std::shared_ptr<const Program> program, std::optional<std::uint64_t> seed) {
+void Simulation::Begin(std::shared_ptr<const Program> program, std::optional<Chance> chance) {
   next_ = {};
-  moves_.push_back({kNone, program, seed, {}});
+  moves_.push_back({kNone, program, chance, {}});
   at_ = moves_.size() - 1;
   HistoryHandler* const teller = this;
-  tree_ = std::make_unique<SimulatedTree>(std::move(program), seed, teller);
+  tree_ = std::make_unique<SimulatedTree>(std::move(program), std::move(chance), teller);
 }
 
 void Simulation::OnTick(const TickEvents& events) {
@@ -134,7 +135,7 @@ std::unique_ptr<SimulatedTree> Simulation::Replay(std::size_t to, HistoryHandler
   for (const std::size_t i : Way(to)) {
     const Move& move = moves_[i];
     if (!tree) {
-      tree = std::make_unique<SimulatedTree>(move.program, move.seed, handler);
+      tree = std::make_unique<SimulatedTree>(move.program, move.chance, handler);
     } else if (move.program) {
       tree->Reload(move.program);
     } else {
@@ -144,13 +145,13 @@ std::unique_ptr<SimulatedTree> Simulation::Replay(std::size_t to, HistoryHandler
   return tree;
 }
 
-void Simulation::Restart() { Begin(program(), seed()); }
+void Simulation::Restart() { Begin(program(), chance()); }
 
-void Simulation::SetSeed(std::optional<std::uint64_t> seed) { Begin(program(), seed); }
+void Simulation::SetChance(std::optional<Chance> chance) { Begin(program(), std::move(chance)); }
 
-void Simulation::PlaySeed(std::uint64_t seed, std::uint64_t ticks, Duration period) {
+void Simulation::PlayRun(Chance chance, std::uint64_t ticks, Duration period) {
   ScenarioStep told = Told();
-  Begin(program(), seed);
+  Begin(program(), std::move(chance));
   next_ = std::move(told);
   Duration wait{0};
   for (std::uint64_t i = 0; i < ticks; ++i) {
@@ -195,9 +196,28 @@ std::vector<ScenarioStep> Simulation::Steps() const {
   return steps;
 }
 
+// A test has no other chance than that of its leaves.
+std::vector<ScenarioStep> Simulation::StepsWithChosenKeys() const {
+  std::vector<ScenarioStep> steps = Steps();
+  if (!chance() || steps.empty()) return steps;
+  std::vector<KeyValue>& set = steps.front().set;
+  for (KeyValue& chosen : ChosenKeys(chance()->play.set, chance()->seed)) {
+    const bool is_told = std::any_of(set.begin(), set.end(),
+                                     [&](const KeyValue& told) { return told.key == chosen.key; });
+    if (!is_told) set.push_back(std::move(chosen));
+  }
+  return steps;
+}
+
 Scenario Simulation::Record(std::string name) const {
-  return RecordScenario(*program(), LeavesOf(*program(), seed()), Steps(), std::move(name),
-                        seed().value_or(0));
+  std::vector<PlacedRule> leaves = LeavesOf(*program(), chance());
+  const std::vector<std::string> unused = tree_->player().tree().UnusedPatterns();
+  const auto fits_none = [&](const PlacedRule& placed) {
+    return std::find(unused.begin(), unused.end(), placed.rule.pattern) != unused.end();
+  };
+  leaves.erase(std::remove_if(leaves.begin(), leaves.end(), fits_none), leaves.end());
+  return RecordScenario(*program(), leaves, StepsWithChosenKeys(), std::move(name),
+                        chance() ? chance()->seed : 0);
 }
 
 std::string Simulation::ToRecord() const {

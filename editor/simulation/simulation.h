@@ -67,12 +67,13 @@ class Simulation final : private HistoryHandler {
   bool Back();
   /// Begins anew, with the tree as it is now.
   void Restart();
-  /// Begins anew with leaves that do by chance what nobody has told them, or, without a seed,
-  /// always the same.
-  void SetSeed(std::optional<std::uint64_t> seed);
-  std::optional<std::uint64_t> seed() const { return tree_->seed(); }
-  /// The same as the run of that seed of RandomRuns, which knows what was told here, up to a tick.
-  void PlaySeed(std::uint64_t seed, std::uint64_t ticks, Duration period);
+  /// Begins anew by chance, or, with nothing, with leaves that always do the same.
+  void SetChance(std::optional<Chance> chance);
+  const std::optional<Chance>& chance() const { return tree_->chance(); }
+  /// True if the tree is begun anew when it is done, as random runs do for some time.
+  bool is_begun_anew() const { return chance() && now() < chance()->play.lasts; }
+  /// The same as this run of RandomRuns, which knows what was told here, up to a tick.
+  void PlayRun(Chance chance, std::uint64_t ticks, Duration period);
   /// Of all that was told on this way, the last script of every node and the last value of every
   /// key.
   ScenarioStep Told() const;
@@ -93,7 +94,7 @@ class Simulation final : private HistoryHandler {
   struct Move {
     std::size_t before = kNone;
     std::shared_ptr<const Program> program;
-    std::optional<std::uint64_t> seed;  // of a tree that begins
+    std::optional<Chance> chance;  // of a tree that begins
     ScenarioStep step;
   };
 
@@ -103,7 +104,8 @@ class Simulation final : private HistoryHandler {
 
   std::vector<std::size_t> Way(std::size_t to) const;
   std::vector<ScenarioStep> Steps() const;
-  void Begin(std::shared_ptr<const Program> program, std::optional<std::uint64_t> seed);
+  std::vector<ScenarioStep> StepsWithChosenKeys() const;
+  void Begin(std::shared_ptr<const Program> program, std::optional<Chance> chance);
   StepOutcome Play(ScenarioStep step);
   void GoToMove(std::size_t move);
   std::unique_ptr<SimulatedTree> Replay(std::size_t to, HistoryHandler* handler) const;

@@ -4,6 +4,7 @@
 #include <limits>
 #include <utility>
 
+#include "bt_core/testing/random_suite.h"
 #include "editor/live/mailbox.h"
 #include "editor/simulation/open_tree.h"
 
@@ -12,6 +13,19 @@ namespace {
 
 constexpr double kCompileDelay = 0.15;  // seconds behind the last edit
 constexpr int kMostTicksPerUpdate = 500;
+
+// Of the scenarios that lie beside the tree; nothing if they name none.
+std::optional<Project> ReadModels(OpenProject& files, const std::string& path,
+                                  const std::string& tree_id, Diagnostics& diagnostics) {
+  Diagnostics unsaid;  // the tree is compiled afterwards, and says it
+  const std::optional<Project> project = ReadOpenProject(files, path, unsaid);
+  if (!project) return std::nullopt;
+  const bool is_main = tree_id.empty() || tree_id == project->main_tree();
+  const auto suite =
+      RandomSuiteBeside(path, is_main ? project->main_tree() : tree_id, is_main, diagnostics);
+  if (!suite || suite->models_file.empty()) return std::nullopt;
+  return Project::FromFile(suite->models_file, diagnostics);
+}
 
 double Seconds(Duration duration) { return static_cast<double>(duration.count()) * 1e-9; }
 
@@ -51,9 +65,13 @@ class Simulator::Source final : public RunSource {
 
 std::unique_ptr<RunSource> Simulator::Start(OpenProject& files, const std::string& path,
                                             const std::string& tree_id, Diagnostics& diagnostics) {
-  auto program = CompileOpenTree(files, path, tree_id, diagnostics);
+  Diagnostics of_scenarios;
+  std::optional<Project> models = ReadModels(files, path, tree_id, of_scenarios);
+  auto program = CompileOpenTree(files, path, tree_id, models ? &*models : nullptr, diagnostics);
   if (!program) return nullptr;
+  diagnostics.Append(of_scenarios);
   path_ = path;
+  models_ = std::move(models);
   tree_id_ = program->trees[0].id == program->project->main_tree() ? "" : program->trees[0].id;
   is_playing_ = false;
   result_.reset();
@@ -63,6 +81,13 @@ std::unique_ptr<RunSource> Simulator::Start(OpenProject& files, const std::strin
   stage_ = std::make_shared<Stage>();
   stage_->simulation.emplace(std::move(program), stage_->mailbox);
   return std::make_unique<Source>(stage_);
+}
+
+std::optional<RandomPlay> Simulator::ReadRandomPlay(Diagnostics& diagnostics) const {
+  const Program& program = *get()->program();
+  auto suite = RandomSuiteBeside(path_, program.trees[0].id, tree_id_.empty(), diagnostics);
+  if (!suite || !CheckPlay(program, *suite->random, diagnostics)) return std::nullopt;
+  return std::move(suite->random);
 }
 
 Simulation* Simulator::get() const {
@@ -81,7 +106,8 @@ void Simulator::SetPeriod(Duration period) {
 }
 
 void Simulator::SetResult(Status status) {
-  result_ = IsCompleted(status) ? std::optional(status) : std::nullopt;
+  const bool is_done = IsCompleted(status) && !get()->is_begun_anew();
+  result_ = is_done ? std::optional(status) : std::nullopt;
   if (result_) is_playing_ = false;
 }
 
@@ -116,7 +142,8 @@ void Simulator::ReloadIfEdited(OpenProject& files, double now) {
   if (!compile_at_ || now < *compile_at_) return;
   compile_at_.reset();
   Diagnostics diagnostics;
-  auto program = CompileOpenTree(files, path_, tree_id_, diagnostics);
+  auto program =
+      CompileOpenTree(files, path_, tree_id_, models_ ? &*models_ : nullptr, diagnostics);
   problem_ = program ? "" : diagnostics.ToString();
   if (program && !IsSameText(*program)) get()->Reload(std::move(program));
 }

@@ -25,12 +25,17 @@ class Simulator {
   static constexpr char kName[] = "simulation";  ///< of the run
 
   /// Begins a simulation of a tree (empty ID: the main tree) of a file and returns its run, which
-  /// ends the simulation when it goes. Null, with the reasons, if the tree has errors.
+  /// ends the simulation when it goes. The scenarios beside it (random_suite.h) name the models of
+  /// its node types. Null, with the reasons, if the tree has errors; what is wrong with the
+  /// scenarios is only said.
   std::unique_ptr<RunSource> Start(OpenProject& files, const std::string& path,
                                    const std::string& tree_id, Diagnostics& diagnostics);
 
   /// Null if there is none.
   Simulation* get() const;
+  /// What the scenarios beside the tree say of running it by chance, read anew. Nothing, with the
+  /// reasons, if that has errors. There must be a simulation.
+  std::optional<RandomPlay> ReadRandomPlay(Diagnostics& diagnostics) const;
   const std::string& path() const { return path_; }
   /// Empty for the main tree of the file.
   const std::string& tree_id() const { return tree_id_; }
@@ -51,7 +56,8 @@ class Simulator {
   /// Seconds until there is something to do; infinity: nothing.
   double NextUpdateIn(double now) const;
 
-  /// What the tree returned when it was done last and has not been ticked since.
+  /// What the tree returned when it was done last and has not been ticked since; nothing while it
+  /// is begun anew (Simulation::is_begun_anew).
   std::optional<Status> result() const { return get() ? result_ : std::nullopt; }
   void SetResult(Status status);
   /// Why the text as it is now cannot be simulated; meanwhile the tree before it goes on.
@@ -67,6 +73,7 @@ class Simulator {
   std::shared_ptr<Stage> stage_;
   std::string path_;
   std::string tree_id_;
+  std::optional<Project> models_;
   bool is_playing_ = false;
   double speed_ = 1;
   Duration period_ = std::chrono::milliseconds(100);

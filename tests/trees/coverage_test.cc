@@ -88,9 +88,7 @@ class TreeCoverage : public testing::TestWithParam<TreeFile> {
     ASSERT_TRUE(project) << diagnostics.ToString();
     program_ = CompileSuite(*suite, *std::move(project), nullptr, diagnostics);
     ASSERT_TRUE(program_) << diagnostics.ToString();
-    options_.leaves = suite->random->leaves;
-    options_.choices = suite->random->set;
-    options_.lasts = suite->random->lasts;
+    options_.play = *suite->random;
   }
 
   std::shared_ptr<const Program> program_;

@@ -54,6 +54,21 @@ TEST_F(RandomTestVerb, ATreeIsPlayedAsTheFileBesideItSays) {
   EXPECT_NE(out_.find("50 SUCCESS"), std::string::npos) << out_;
 }
 
+TEST_F(RandomTestVerb, ATreeThatIsNotTheMainOneIsPlayedAsItsOwnFileSays) {
+  const std::string tree = Write("tree.xml", R"(<root BTCPP_format="4" main_tree_to_execute="A">
+   <BehaviorTree ID="A"><AlwaysSuccess/></BehaviorTree>
+   <BehaviorTree ID="B"><ScriptCondition code="battery &lt; 0.3"/></BehaviorTree></root>)");
+  Write("tree.test.json", R"({"tree": "tree.xml", "random": {"lasts_ms": 1000},
+   "scenarios": [{"name": "a", "steps": [{}]}]})");
+  EXPECT_EQ(Run(RunTest, {"--random", "20", "--tree", "B", tree}), 1) << out_ << err_;
+  EXPECT_NE(out_.find("20 runs, seeds 1 to 20, 20 ticks"), std::string::npos) << out_;
+  Write("tree.B.test.json", R"({"tree": "tree.xml", "tree_id": "B",
+   "random": {"set": {"battery": 0.1}}, "scenarios": [{"name": "a", "steps": [{}]}]})");
+  EXPECT_EQ(Run(RunTest, {"--random", "20", "--tree", "B", tree}), 0) << out_ << err_;
+  EXPECT_EQ(Run(RunTest, {"--random", "20", tree}), 0) << out_ << err_;
+  EXPECT_NE(out_.find("200 ticks"), std::string::npos) << out_;
+}
+
 TEST_F(RandomTestVerb, AFileBesideTheTreeThatIsAboutAnotherDoesNotCount) {
   const std::string tree = Tree();
   Write("other.xml", "<root BTCPP_format=\"4\"/>");

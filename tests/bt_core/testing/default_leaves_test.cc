@@ -41,6 +41,14 @@ TEST_F(DefaultLeavesTest, ByChanceConditionsStayWhatTheyAreForSomeSeconds) {
   EXPECT_EQ(RandomLeaves(*program_)[0].rule.script.chances->longest_hold, std::chrono::seconds(5));
 }
 
+TEST_F(DefaultLeavesTest, WhatIsGivenComesFirstAndAloneForItsTypes) {
+  const std::vector<PlacedRule> rules =
+      RandomLeaves(*program_, {{{}, {"dry", {}}}, {{}, {"<Is*>", {}}}});
+  std::string patterns;
+  for (const PlacedRule& rule : rules) patterns += rule.rule.pattern + " ";
+  EXPECT_EQ(patterns, "dry <Is*> <Dry> ") << "IsDay and Island are <Is*>";
+}
+
 TEST(RandomLeaves, OutputsGetValuesOfTheirTypes) {
   Diagnostics diagnostics;
   const auto program = CompileWithStandIns(

@@ -65,7 +65,7 @@ TEST(RandomRuns, ARunCanBeHadAgainBySeed) {
 
 TEST(RandomRuns, RulesComeBeforeTheDefaults) {
   RandomRunOptions options;
-  options.leaves = {ByChance("go", {0, 1, 0, Duration(0), Duration(0)})};
+  options.play.leaves = {ByChance("go", {0, 1, 0, Duration(0), Duration(0)})};
   const Coverage coverage = After(50, RandomRuns(Compiled(kTree), options));
   EXPECT_EQ(coverage.nodes[3].results_of(Status::kSuccess), 0U);
   EXPECT_GT(coverage.nodes[3].results_of(Status::kFailure), 0U);
@@ -87,7 +87,7 @@ TEST(RandomRuns, KeysGetOneOfTheirValues) {
   const char* const root =
       "<Repeat num_cycles=\"{stops}\"><Script name=\"stop\" code=\"n := 1\"/></Repeat>";
   RandomRunOptions options;
-  options.choices = {
+  options.play.set = {
       {{{}, "stops", "1", KeyValue::Kind::kNumber}, {{}, "stops", "3", KeyValue::Kind::kNumber}}};
   const Coverage some = After(100, RandomRuns(Compiled(root), options));
   EXPECT_GT(some.nodes[1].ticks(), 120U);
@@ -97,9 +97,36 @@ TEST(RandomRuns, KeysGetOneOfTheirValues) {
       << "what is set is more important";
 }
 
+TEST(RandomRuns, WhatOneRunGetsCanBeAsked) {
+  const KeyValue one{{}, "stops", "1", KeyValue::Kind::kNumber};
+  const KeyValue two{{}, "stops", "2", KeyValue::Kind::kNumber};
+  const KeyValue lab{{}, "place", "lab", KeyValue::Kind::kString};
+  std::string texts;
+  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+    const std::vector<KeyValue> chosen = ChosenKeys({{one, two}, {lab}}, seed);
+    ASSERT_EQ(chosen.size(), 2U);
+    EXPECT_EQ(chosen[0].text, ChosenKeys({{lab}, {one, two}}, seed)[1].text) << "by key";
+    EXPECT_EQ(chosen[1].text, "lab");
+    texts += chosen[0].text;
+  }
+  EXPECT_NE(texts.find('1'), std::string::npos);
+  EXPECT_NE(texts.find('2'), std::string::npos);
+}
+
+TEST(RandomRuns, WhatANodeIsToldIsMoreImportantThanAnyRule) {
+  RandomRunOptions options;
+  options.play.leaves = {ByChance("/go", {0, 1})};
+  MockScript succeeds;
+  succeeds.results = {Status::kSuccess};
+  options.scripts = {{{}, {"go", succeeds}}};
+  const Coverage coverage =
+      After(20, RandomRuns(Compiled("<Fallback><Go name=\"go\"/><Call/></Fallback>"), options));
+  EXPECT_EQ(coverage.nodes[1].results_of(Status::kSuccess), 20U) << "a path comes before a name";
+}
+
 TEST(RandomRuns, ATreeThatIsDoneIsBegunAnewUntilTheTimeHasPassed) {
   RandomRunOptions options;
-  options.lasts = std::chrono::seconds(10);
+  options.play.lasts = std::chrono::seconds(10);
   const Coverage coverage = After(3, RandomRuns(Compiled("<AlwaysSuccess/>"), options));
   EXPECT_EQ(coverage.runs, 3U);
   EXPECT_EQ(coverage.ticks, 300U);
@@ -107,7 +134,7 @@ TEST(RandomRuns, ATreeThatIsDoneIsBegunAnewUntilTheTimeHasPassed) {
 
 TEST(RandomRuns, AConditionStaysWhatItIsForSomeTime) {
   RandomRunOptions options;
-  options.lasts = std::chrono::seconds(100);
+  options.play.lasts = std::chrono::seconds(100);
   const Coverage coverage =
       After(1, RandomRuns(Compiled("<Fallback><IsDay/><Call name=\"call\"/></Fallback>"), options));
   EXPECT_LT(coverage.nodes[2].results_of(Status::kIdle), 60U)
@@ -116,7 +143,7 @@ TEST(RandomRuns, AConditionStaysWhatItIsForSomeTime) {
 
 TEST(RandomRuns, ARuleForManyTypesComesBeforeTheDefaultOfOne) {
   RandomRunOptions options;
-  options.leaves = {ByChance("<Is*>", {0, 1})};
+  options.play.leaves = {ByChance("<Is*>", {0, 1})};
   const Coverage coverage = After(50, RandomRuns(Compiled(kTree), options));
   EXPECT_EQ(coverage.nodes[2].results_of(Status::kSuccess), 0U);
   EXPECT_EQ(coverage.nodes[2].results_of(Status::kFailure), 50U);

@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <fstream>
+
 #include "tests/editor/driver.h"
 
 namespace coppice::editor {
@@ -51,9 +53,9 @@ TEST_F(SimulationEditorTest, NumbersAreNumbers) {
   }
   EXPECT_EQ(Simulate().SetSeed("x"), "a seed is a whole number");
   EXPECT_EQ(Simulate().SetSeed("12"), "");
-  EXPECT_EQ(simulation().seed(), 12U);
+  EXPECT_EQ(simulation().chance()->seed, 12U);
   EXPECT_EQ(Simulate().SetSeed(""), "");
-  EXPECT_EQ(simulation().seed(), std::nullopt);
+  EXPECT_FALSE(simulation().chance());
 }
 
 TEST_F(SimulationEditorTest, SoManyTicksOrUntilTheTreeIsDone) {
@@ -95,6 +97,75 @@ TEST_F(SimulationEditorTest, AnotherSimulationForgetsWhatTheLastOneReached) {
   driver_.Frames();
   Start();
   EXPECT_EQ(state().coverage.coverage(), nullptr);
+}
+
+constexpr char kScenarios[] = R"({"tree": "main.xml",
+  "random": {"set": {"goal": ["lab", "hall"]}, "leaves": {"<Go>": "FAILURE"}, "lasts_ms": 2000},
+  "scenarios": [{"name": "a", "leaves": {"<*>": "SUCCESS"}, "steps": [{}]}]}
+)";
+
+class SimulationEditorByChance : public SimulationEditorTest {
+ protected:
+  SimulationEditorByChance() { WriteScenarios(kScenarios); }
+  void WriteScenarios(const std::string& text) const {
+    std::ofstream(file_.folder() + "/main.test.json") << text;
+  }
+  std::string Scenarios() const {
+    std::ifstream stream(file_.folder() + "/main.test.json");
+    return {std::istreambuf_iterator<char>(stream), {}};
+  }
+};
+
+TEST_F(SimulationEditorByChance, ASeedPlaysAsTheScenariosBesideTheTreeSay) {
+  Start();
+  EXPECT_EQ(Simulate().SetSeed("7"), "");
+  EXPECT_EQ(Simulate().RunTicks("100"), "");
+  EXPECT_GE(simulation().now(), std::chrono::seconds(2)) << "it was begun anew";
+  EXPECT_THAT(simulation().ValueOf("goal"), testing::AnyOf("lab", "hall"));
+  EXPECT_EQ(state().simulator.result(), Status::kFailure);
+  EXPECT_EQ(simulation().chance()->play.where.line, 2U);
+}
+
+TEST_F(SimulationEditorByChance, SoDoManyRuns) {
+  Start();
+  EXPECT_EQ(Simulate().RunOften("50"), "");
+  while (state().coverage.is_running()) state().coverage.Update();
+  EXPECT_EQ(state().coverage.Find("go")->results_of(Status::kSuccess), 0U);
+  EXPECT_GT(state().coverage.coverage()->ticks, 50U * 20);
+  driver_.view().Select(driver_.view().scene()->FindPath("1.2"));
+  EXPECT_EQ(Simulate().SetScript("SUCCESS"), "");
+  EXPECT_EQ(Simulate().RunOften("50"), "");
+  while (state().coverage.is_running()) state().coverage.Update();
+  EXPECT_EQ(state().coverage.Find("go")->results_of(Status::kFailure), 0U)
+      << "what the user says is more important";
+}
+
+TEST_F(SimulationEditorByChance, AnErrorInTheScenariosIsSaidWithItsPlace) {
+  std::string wrong = kScenarios;
+  wrong.replace(wrong.find("\"goal\""), 6, "\"gaol\"");
+  Start();
+  WriteScenarios(wrong);
+  const std::string said = "main.test.json:2:31: error: the tree has no key \"gaol\"";
+  EXPECT_THAT(Simulate().SetSeed("7"), HasSubstr(said));
+  EXPECT_FALSE(simulation().chance());
+  EXPECT_THAT(Simulate().RunOften("7"), HasSubstr(said));
+  EXPECT_EQ(state().coverage.coverage(), nullptr);
+  WriteScenarios("{\"tree\": 1}");
+  Start();
+  ASSERT_TRUE(Simulate().IsShown()) << "the tree itself is good";
+  EXPECT_THAT(state().notice.text, HasSubstr("main.test.json:1:"));
+}
+
+TEST_F(SimulationEditorByChance, WhatIsSavedAsATestPassesAndTheRestOfTheFileStays) {
+  Start();
+  EXPECT_EQ(Simulate().SetSeed("7"), "");
+  EXPECT_EQ(Simulate().RunTicks("25"), "");
+  EXPECT_EQ(Simulate().SaveAsScenario("by chance"), "");
+  const std::string old = kScenarios;
+  const std::size_t end_of_last = old.rfind(']');
+  EXPECT_EQ(Scenarios().substr(0, end_of_last), old.substr(0, end_of_last));
+  Simulate().RunScenarios();
+  EXPECT_EQ(state().notice.text, "2 of 2 tests passed");
 }
 
 }  // namespace

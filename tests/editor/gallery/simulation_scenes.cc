@@ -54,7 +54,7 @@ void Finished(Stage& stage) {
 
 void ByChance(Stage& stage) {
   Begin(stage);
-  stage.state().simulator.get()->SetSeed(7);
+  stage.state().simulator.get()->SetChance(Chance{7, {}});
   stage.state().simulator.get()->SetKey("battery", "0.9");
   for (int i = 0; i < 14; ++i) stage.Run("sim.tick");
   stage.Select("1.2.1.1");

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <fstream>
+
 #include "editor/core/simulation_editor.h"
 #include "tests/editor/driver.h"
 
@@ -78,7 +80,7 @@ TEST_F(RunCoverageTest, AClickOnAFindingSimulatesTheRunThatHadIt) {
   driver_.Picture("coverage_finding");
   EXPECT_TRUE(driver_.Click("run/coverage/finding/0"));
   driver_.Frames();
-  EXPECT_EQ(simulation().seed(), 1U);
+  EXPECT_EQ(simulation().chance()->seed, 1U);
   EXPECT_EQ(simulation().ticks(), state().coverage.coverage()->findings[0].tick);
 }
 
@@ -86,7 +88,7 @@ TEST_F(RunCoverageTest, TheSimulationIsTheSameAsTheRunOfItsSeed) {
   simulation().SetKey("battery", "0.8");
   RunOften("1");
   const Coverage coverage = *state().coverage.coverage();
-  simulation().PlaySeed(1, coverage.ticks, state().simulator.period());
+  simulation().PlayRun({1, state().coverage.play()}, coverage.ticks, state().simulator.period());
   EXPECT_EQ(simulation().ticks(), coverage.ticks);
   const Status result = simulation().state().last(0);
   EXPECT_EQ(coverage.results[static_cast<std::size_t>(result)], 1U);
@@ -98,7 +100,7 @@ TEST_F(RunCoverageTest, LeavesByChanceAreShownAndSwitchedOff) {
   Answer("no");
   EXPECT_FALSE(state().popup_error.empty());
   Answer("7");
-  EXPECT_EQ(simulation().seed(), 7U);
+  EXPECT_EQ(simulation().chance()->seed, 7U);
   state().commands.Run("sim.ticks");
   driver_.Frames();
   Answer("300");
@@ -115,7 +117,26 @@ TEST_F(RunCoverageTest, LeavesByChanceAreShownAndSwitchedOff) {
   driver_.Press('X');
   driver_.Frames();
   Answer("");
-  EXPECT_EQ(simulation().seed(), std::nullopt);
+  EXPECT_FALSE(simulation().chance());
+}
+
+TEST_F(RunCoverageTest, SaysWhoseWordCountsAndAFindingIsFoundAgainWithIt) {
+  RunOften("5");
+  EXPECT_FALSE(driver_.Has("run/coverage/origin"));
+  std::ofstream(file_.folder() + "/patrol.test.json")
+      << R"({"tree": "patrol.xml", "random": {"set": {"battery": [0.8, 0.9]},
+             "leaves": {"say": {"throws": "no voice"}}},
+             "scenarios": [{"name": "a", "steps": [{}]}]})";
+  RunOften("200");
+  EXPECT_TRUE(driver_.Has("run/coverage/origin"));
+  ASSERT_EQ(state().coverage.coverage()->findings.size(), 1U) << "somebody writes the battery";
+  const RandomFinding finding = state().coverage.coverage()->findings[0];
+  EXPECT_TRUE(driver_.Click("run/coverage/finding/0"));
+  driver_.Frames();
+  EXPECT_EQ(simulation().ticks(), finding.tick);
+  EXPECT_EQ(simulation().state().last(5), Status::kFailure) << "say threw";
+  EXPECT_TRUE(driver_.Has("sim/chance_origin"));
+  driver_.Picture("coverage_origin");
 }
 
 TEST_F(RunCoverageTest, SaysThatTheTreeWasEditedSince) {

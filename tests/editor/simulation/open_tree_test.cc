@@ -20,17 +20,17 @@ TEST(OpenTree, TheTextInMemoryCountsAlsoOfAnIncludedFile) {
                                   "<BehaviorTree ID=\"Main\"><SubTree ID=\"In\"/></BehaviorTree>");
   OpenProject files;
   Diagnostics diagnostics;
-  ASSERT_TRUE(CompileOpenTree(files, path, "Main", diagnostics)) << diagnostics.ToString();
+  ASSERT_TRUE(CompileOpenTree(files, path, "Main", nullptr, diagnostics)) << diagnostics.ToString();
   for (const auto& [name, file] : files.files()) {
     if (name.find("_in.xml") == std::string::npos) continue;
     files.SetText(name, "Type",
                   "<root BTCPP_format=\"4\"><BehaviorTree ID=\"In\"><B/></BehaviorTree></root>");
     break;
   }
-  const auto program = CompileOpenTree(files, path, "Main", diagnostics);
+  const auto program = CompileOpenTree(files, path, "Main", nullptr, diagnostics);
   ASSERT_TRUE(program) << diagnostics.ToString();
   EXPECT_EQ(program->Id(1), "B");
-  EXPECT_EQ(CompileOpenTree(files, path, "In", diagnostics)->nodes.size(), 1U);
+  EXPECT_EQ(CompileOpenTree(files, path, "In", nullptr, diagnostics)->nodes.size(), 1U);
 }
 
 TEST(OpenTree, ErrorsAreSaid) {
@@ -39,7 +39,7 @@ TEST(OpenTree, ErrorsAreSaid) {
                "<root BTCPP_format=\"4\"><BehaviorTree ID=\"Main\"><Inverter/></BehaviorTree>"
                "</root>");
   Diagnostics diagnostics;
-  EXPECT_FALSE(CompileOpenTree(files, "wrong.xml", "", diagnostics));
+  EXPECT_FALSE(CompileOpenTree(files, "wrong.xml", "", nullptr, diagnostics));
   EXPECT_NE(diagnostics.ToString().find("wrong.xml:1:"), std::string::npos);
 }
 

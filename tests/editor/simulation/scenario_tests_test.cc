@@ -87,8 +87,6 @@ TEST_F(ScenarioTestsTest, AFileThatCannotBeReadIsListedToo) {
 }
 
 TEST_F(ScenarioTestsTest, AScenarioIsSavedBesideItsTree) {
-  EXPECT_EQ(ScenarioFileOf("a/patrol.xml", ""), "a/patrol.test.json");
-  EXPECT_EQ(ScenarioFileOf("a/patrol.xml", "Dock"), "a/patrol.Dock.test.json");
   Scenario scenario;
   scenario.name = "new";
   scenario.leaves = {{{}, {"<Go>", {}}}};
@@ -103,6 +101,42 @@ TEST_F(ScenarioTestsTest, AScenarioIsSavedBesideItsTree) {
   tests_.Look({tree_});
   tests_.Run(files_, "new");
   EXPECT_EQ(States(), "new: passed\ngood: not run\nbad: not run\nnew: passed\n");
+}
+
+// Everything that a file may have besides, in somebody's own hand.
+constexpr char kOwnHand[] = R"(// how it goes
+{
+  "random" : { "set": {"stops": [1,2 , 3]},   // outputs
+     "leaves": {"<Go>": {"chances": {"SUCCESS": 3, "FAILURE": 1, "holds_ms": [0, 500]},
+                         "outputs": {"rung": [0, 1]}}},
+     "lasts_ms": 60000.5 },
+  "tree": "./a.xml",
+  "leaves": {"<Go>": "SUCCESS"},
+  "scenarios": [
+    { "name": "good", "steps": [{}] } /* the last */
+  ] }
+
+)";
+
+TEST_F(ScenarioTestsTest, SavingAScenarioLeavesAllElseOfTheFileAsItIs) {
+  Write("a.test.json", kOwnHand);
+  Scenario scenario;
+  scenario.name = "new";
+  scenario.steps.resize(1);
+  Diagnostics diagnostics;
+  ASSERT_EQ(SaveScenario(scenario, tree_, "", {}, "", diagnostics), test_)
+      << diagnostics.ToString();
+  std::ifstream stream(test_, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  const std::string old = kOwnHand;
+  const std::size_t at = old.find(" /* the last */");
+  ASSERT_GT(text.size(), old.size());
+  EXPECT_EQ(text.substr(0, at), old.substr(0, at));
+  EXPECT_EQ(text.substr(text.size() - (old.size() - at)), old.substr(at));
+  const auto suite = LoadScenarios(test_, diagnostics);
+  ASSERT_TRUE(suite) << diagnostics.ToString();
+  EXPECT_EQ(suite->scenarios.size(), 2U);
+  EXPECT_EQ(suite->random->lasts, std::chrono::microseconds(60000500));
 }
 
 }  // namespace

@@ -24,6 +24,10 @@ TEST(ScriptText, SaysWhatALeafDoesByChance) {
   EXPECT_EQ(Again("80% SUCCESS 20% FAILURE 0s..2s"), "80% SUCCESS 20% FAILURE 0ms..2s");
   EXPECT_EQ(Again("1% f, 1% s, 2% sk"), "25% SUCCESS 25% FAILURE 50% SKIPPED");
   EXPECT_EQ(Again("100% FAILURE 1s"), "100% FAILURE 1s..1s");
+  EXPECT_EQ(Again("100% f 0s..1s holds 5s"), "100% FAILURE 0ms..1s holds 5s..5s");
+  EXPECT_EQ(Again("100% f holds 0s..5s"), "100% FAILURE holds 0ms..5s");
+  EXPECT_NE(Again("100% f holds").find("\"holds\""), std::string::npos);
+  EXPECT_NE(Again("100% f holds long").find("\"long\""), std::string::npos);
   EXPECT_NE(Again("80%").find("behind a share"), std::string::npos);
   EXPECT_NE(Again("80% RUNNING").find("behind a share"), std::string::npos);
   EXPECT_NE(Again("0% SUCCESS").find("say of what"), std::string::npos);

@@ -16,7 +16,7 @@ inline std::shared_ptr<const Program> Compiled(const std::string& trees) {
   files.Create("test.xml",
                "<root BTCPP_format=\"4\" main_tree_to_execute=\"Main\">" + trees + "</root>");
   Diagnostics diagnostics;
-  auto program = CompileOpenTree(files, "test.xml", "", diagnostics);
+  auto program = CompileOpenTree(files, "test.xml", "", nullptr, diagnostics);
   if (!program) throw std::invalid_argument(diagnostics.ToString());
   return program;
 }

@@ -19,7 +19,9 @@ ScenarioStep After(Duration time) {
 TEST(SimulatedTree, TheSameSeedIsTheSameHistory) {
   const auto program = CompiledRoot("<Sequence><IsDay/><Go/></Sequence>");
   const auto statuses = [&](std::optional<std::uint64_t> seed) {
-    SimulatedTree tree(program, seed, nullptr);
+    std::optional<Chance> chance;
+    if (seed) chance = Chance{*seed, {}};
+    SimulatedTree tree(program, chance, nullptr);
     std::string text;
     for (int i = 0; i < 200; ++i) text += ToString(tree.Play(After(kTick)).status)[0];
     return text;
@@ -28,6 +30,20 @@ TEST(SimulatedTree, TheSameSeedIsTheSameHistory) {
   EXPECT_NE(statuses(7), statuses(8));
   EXPECT_NE(statuses(7).find('F'), std::string::npos);
   EXPECT_EQ(statuses(std::nullopt).find('F'), std::string::npos) << "no chance without a seed";
+}
+
+TEST(SimulatedTree, KeysAndLeavesFollowWhatTheFileSaysOfChance) {
+  const auto program = CompiledRoot("<Fallback><Go to=\"{goal}\"/><Call/></Fallback>");
+  Chance chance{3, {}};
+  MockScript fails;
+  fails.results = {Status::kFailure};
+  chance.play.leaves = {{{}, {"<G*>", fails}}};
+  chance.play.set = {{{{}, "goal", "lab", KeyValue::Kind::kString}}};
+  SimulatedTree tree(program, chance, nullptr);
+  EXPECT_EQ(tree.player().tree().executor().ticks(), 0U);
+  tree.Play(After(Duration(0)));
+  EXPECT_EQ(tree.state().last(1), Status::kFailure);
+  EXPECT_EQ(tree.player().tree().executor().blackboard()[0].value.Print(), "lab");
 }
 
 TEST(SimulatedTree, TellsItsHistoryAsARobotDoes) {

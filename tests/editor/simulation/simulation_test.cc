@@ -177,6 +177,68 @@ TEST_F(SimulationTest, BecomesAScenarioThatPasses) {
   EXPECT_TRUE(RunScenario(*simulation_.program(), suite, scenario).differences.empty());
 }
 
+Chance OfTheFile(std::uint64_t seed) {
+  Chance chance{seed, {}};
+  chance.play.leaves = {{{}, {"<Do*>", Returns({Status::kSuccess})}},
+                        {{}, {"<Elsewhere>", Returns({Status::kSuccess})}}};
+  chance.play.set = {{{{"a.test.json", 1, 1}, "battery", "0.1", KeyValue::Kind::kNumber},
+                      {{"a.test.json", 1, 1}, "battery", "0.2", KeyValue::Kind::kNumber}}};
+  chance.play.lasts = seconds(2);
+  return chance;
+}
+
+TEST_F(SimulationTest, ByChanceItIsATestThatPassesWithoutTheFile) {
+  simulation_.SetChance(OfTheFile(4));
+  for (int i = 0; i < 3; ++i) simulation_.Tick(milliseconds(100));
+  EXPECT_EQ(simulation_.state().last(kDock), Status::kSuccess) << "the battery is low";
+  const Scenario scenario = simulation_.Record("by chance");
+  EXPECT_EQ(scenario.seed, 4U);
+  ASSERT_EQ(scenario.steps[0].set.size(), 1U);
+  EXPECT_EQ(scenario.steps[0].set[0].text, simulation_.ValueOf("battery"));
+  const ScenarioResult again = RunScenario(*simulation_.program(), {}, scenario);
+  EXPECT_TRUE(again.differences.empty()) << again.differences[0].what;
+}
+
+TEST_F(SimulationTest, WhatTheUserSetsComesBeforeWhatTheFileSets) {
+  simulation_.SetChance(OfTheFile(4));
+  EXPECT_EQ(simulation_.SetKey("battery", "0.9"), "");
+  simulation_.Tick(milliseconds(100));
+  EXPECT_EQ(simulation_.ValueOf("battery"), "0.9");
+  const Scenario scenario = simulation_.Record("full");
+  ASSERT_EQ(scenario.steps[0].set.size(), 1U);
+  EXPECT_EQ(scenario.steps[0].set[0].text, "0.9");
+}
+
+TEST_F(SimulationTest, WhatTheFileSetsWasNotToldByTheUser) {
+  simulation_.SetChance(OfTheFile(4));
+  simulation_.Tick(milliseconds(100));
+  EXPECT_TRUE(simulation_.Told().set.empty()) << "the next run chooses for itself";
+  EXPECT_TRUE(simulation_.Told().leaves.empty());
+}
+
+TEST_F(SimulationTest, ByChanceATreeIsBegunAnewForAsLongAsTheFileSays) {
+  EXPECT_FALSE(simulation_.is_begun_anew());
+  simulation_.SetChance(OfTheFile(4));
+  EXPECT_TRUE(simulation_.is_begun_anew());
+  simulation_.Tick(milliseconds(1900));
+  EXPECT_TRUE(simulation_.is_begun_anew());
+  simulation_.Tick(milliseconds(100));
+  EXPECT_FALSE(simulation_.is_begun_anew());
+}
+
+TEST_F(SimulationTest, GoingBackKeepsTheChance) {
+  simulation_.SetChance(OfTheFile(4));
+  for (int i = 0; i < 3; ++i) simulation_.Tick(milliseconds(100));
+  const std::string battery = simulation_.ValueOf("battery");
+  EXPECT_TRUE(simulation_.Back());
+  EXPECT_EQ(simulation_.chance()->seed, 4U);
+  EXPECT_EQ(simulation_.ValueOf("battery"), battery);
+  simulation_.Restart();
+  EXPECT_EQ(simulation_.ticks(), 0U);
+  simulation_.Tick(milliseconds(100));
+  EXPECT_EQ(simulation_.ValueOf("battery"), battery);
+}
+
 TEST_F(SimulationTest, BecomesARecord) {
   Start();
   simulation_.Tick(seconds(1));

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 
 #include "editor/live/run_view.h"
 
@@ -103,6 +105,90 @@ TEST_F(SimulatorTest, ATreeWithErrorsIsNotBegun) {
   EXPECT_FALSE(simulator_.Start(files_, "b.xml", "", diagnostics));
   EXPECT_TRUE(diagnostics.has_errors());
   EXPECT_NE(simulator_.get(), nullptr) << "the other one goes on";
+}
+
+// A tree on the disk, with scenarios and models beside it.
+class SimulatorBesideScenarios : public testing::Test {
+ protected:
+  SimulatorBesideScenarios() {
+    folder_ = testing::TempDir() + "simulator_" +
+              testing::UnitTest::GetInstance()->current_test_info()->name() + "/";
+    std::filesystem::create_directories(folder_);
+    tree_ = Write("a.xml", Text("<Repeat num_cycles=\"{stops}\"><Dry/></Repeat>"));
+    Write(
+        "models.xml",
+        "<root BTCPP_format=\"4\"><TreeNodesModel><Condition ID=\"Dry\"/></TreeNodesModel></root>");
+    WriteScenarios("\"stops\": 3");
+  }
+  ~SimulatorBesideScenarios() override { std::filesystem::remove_all(folder_); }
+
+  std::string Write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_ + name) << text;
+    return folder_ + name;
+  }
+  void WriteScenarios(const std::string& set) const {
+    Write("a.test.json",
+          "{\"tree\": \"a.xml\", \"models\": \"models.xml\",\n\"random\": {\"set\": {" + set +
+              "}, \"lasts_ms\": 1000},\n"
+              "\"scenarios\": [{\"name\": \"a\", \"steps\": [{}]}]}");
+  }
+  void Start() { run_ = simulator_.Start(files_, tree_, "", diagnostics_); }
+
+  std::string folder_;
+  std::string tree_;
+  OpenProject files_;
+  Simulator simulator_;
+  std::unique_ptr<RunSource> run_;
+  Diagnostics diagnostics_;
+};
+
+TEST_F(SimulatorBesideScenarios, TheirModelsSayWhatLeavesAre) {
+  Start();
+  ASSERT_TRUE(run_) << diagnostics_.ToString();
+  EXPECT_EQ(simulator_.get()->ScriptOf(1)->duration, Duration(0)) << "a condition";
+  EXPECT_FALSE(diagnostics_.has_errors()) << diagnostics_.ToString();
+}
+
+TEST_F(SimulatorBesideScenarios, WhatIsWrongWithThemDoesNotKeepTheTreeFromBeingSimulated) {
+  Write("a.test.json", "{\n\"random\": 3}");
+  Start();
+  ASSERT_TRUE(run_);
+  EXPECT_NE(diagnostics_.ToString().find("a.test.json:2:11: error: "), std::string::npos)
+      << diagnostics_.ToString();
+  Diagnostics again;
+  EXPECT_FALSE(simulator_.ReadRandomPlay(again));
+  EXPECT_TRUE(again.has_errors());
+}
+
+TEST_F(SimulatorBesideScenarios, WhatTheySayOfChanceIsReadAnewEveryTime) {
+  Start();
+  auto play = simulator_.ReadRandomPlay(diagnostics_);
+  ASSERT_TRUE(play) << diagnostics_.ToString();
+  EXPECT_EQ(play->set[0][0].text, "3");
+  EXPECT_EQ(play->where.line, 2U);
+  WriteScenarios("\"stop\": 3");
+  EXPECT_FALSE(simulator_.ReadRandomPlay(diagnostics_));
+  EXPECT_NE(diagnostics_.ToString().find("a.test.json:2:28: error: the tree has no key \"stop\""),
+            std::string::npos)
+      << diagnostics_.ToString();
+  std::filesystem::remove(folder_ + "a.test.json");
+  play = simulator_.ReadRandomPlay(diagnostics_);
+  ASSERT_TRUE(play);
+  EXPECT_EQ(play->where.file, "");
+}
+
+TEST_F(SimulatorBesideScenarios, ATreeThatIsBegunAnewPlaysOn) {
+  Start();
+  Diagnostics diagnostics;
+  simulator_.get()->SetChance(Chance{1, *simulator_.ReadRandomPlay(diagnostics)});
+  simulator_.SetResult(Status::kSuccess);
+  EXPECT_FALSE(simulator_.result()) << "for a second it is begun anew";
+  simulator_.Play();
+  simulator_.Update(files_, 0);
+  simulator_.Update(files_, 30);
+  EXPECT_FALSE(simulator_.is_playing());
+  EXPECT_TRUE(simulator_.result());
+  EXPECT_GE(simulator_.get()->now(), std::chrono::seconds(1));
 }
 
 }  // namespace
