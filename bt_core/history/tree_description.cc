@@ -83,6 +83,12 @@ std::string ToString(const RunId& id) {
   return text;
 }
 
+bool TellsChangesOnly(const RunInfo& info) {
+  return std::any_of(info.metadata.begin(), info.metadata.end(), [](const auto& entry) {
+    return entry.first == kChangesOnly.first && entry.second == kChangesOnly.second;
+  });
+}
+
 RunInfo BeginRun(const Clock& clock) {
   return {MakeRunId(),
           ClockName(clock),

@@ -37,6 +37,12 @@ struct RunInfo {
   Time wall_start{0};  ///< the same moment, since 1970
 };
 
+/// In the metadata of a run of which only changes of status were told, as by the Groot2 protocol
+/// and the logs of BehaviorTree.CPP: a node of which nothing is told may have been ticked all the
+/// same.
+inline constexpr std::pair<const char*, const char*> kChangesOnly = {"told", "changes of status"};
+bool TellsChangesOnly(const RunInfo& info);
+
 /// A new run that begins now, with a random number. The clock is "wall", "simulated" or "own".
 RunInfo BeginRun(const Clock& clock);
 

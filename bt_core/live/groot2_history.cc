@@ -65,6 +65,7 @@ std::string Groot2History::SetTree(const RunId& id, std::string xml) {
   tree_ = std::move(tree);
   tree_.description.info.run = id;
   tree_.description.info.clock = "wall";
+  tree_.description.info.metadata.emplace_back(kChangesOnly);
   id_ = id;
   follower_.reset();
   recording_.reset();

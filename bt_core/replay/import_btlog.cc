@@ -173,6 +173,7 @@ std::optional<Recording> FromBtlog(const std::string& bytes, const std::string& 
   tree.models = log->xml;
   tree.info.run = MakeRunId();
   tree.info.clock = "wall";
+  tree.info.metadata.emplace_back(kChangesOnly);
   tree.info.start = Time(log->transitions.empty() ? 0 : log->transitions.front().time * 1000);
   tree.info.wall_start = tree.info.start;
   TreeReader reader(*document, tree);

@@ -18,7 +18,9 @@ WhyStep TickStory::Explain(StepIndex index) const {
   why.node = step.node;
   why.depth = DepthOf(index);
   why.result = step.result;
-  if (before_) {
+  if (tells_changes_only()) {
+    why.before = view_.statuses[step.node];
+  } else if (before_) {
     const StepIndex last = before_->walk_.LastStepOf(step.node);
     if (last != kNoStep) why.before = before_->walk_.steps[last].result;
   }
@@ -102,11 +104,13 @@ std::vector<WhyValue> TickStory::Read(const std::vector<Reading>& readings, Node
 }
 
 std::optional<WhyChange> TickStory::FirstChange(StepIndex last) const {
-  if (!before_) return std::nullopt;
-  const StepIndex first = FirstDifference(walk_, before_->walk_);
-  if (first == kNoStep || walk_.steps[first].event > walk_.steps[last].event) return std::nullopt;
-  const bool was_ticked = before_->walk_.LastStepOf(walk_.steps[first].node) != kNoStep;
-  return WhyChange{Explain(first), was_ticked};
+  const bool changes_only = tells_changes_only();
+  if (!before_ && !changes_only) return std::nullopt;
+  const StepIndex first = FirstDifference(walk_, changes_only ? Walk() : before_->walk_);
+  if (first == kNoStep) return std::nullopt;
+  if (last != kNoStep && walk_.steps[first].event > walk_.steps[last].event) return std::nullopt;
+  const WhyStep step = Explain(first);
+  return WhyChange{step, step.before.has_value()};
 }
 
 std::uint32_t TickStory::DepthOf(StepIndex step) const {

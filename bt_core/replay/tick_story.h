@@ -24,8 +24,11 @@ class TickStory {
 
   WhyStep Explain(StepIndex step) const;
 
-  /// The first step, at the latest `last` in order of completion, that differs from the tick
-  /// before.
+  /// True if nodes without a step may have been ticked all the same (tree_description.h).
+  bool tells_changes_only() const { return TellsChangesOnly(tree_.description->info); }
+
+  /// The first step, at the latest `last` (kNoStep: any) in order of completion, that differs from
+  /// the tick before.
   std::optional<WhyChange> FirstChange(StepIndex last) const;
 
  private:

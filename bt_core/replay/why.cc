@@ -85,7 +85,8 @@ Why WhyOf(const RecordedTree& tree, const TickView& now, const TickView* before,
     why.why_not = WhyNotOf(story, node);
     step = story.walk().LastStepOf(why.why_not->by);
   }
-  if (step == kNoStep) return why;
+  if (why.is_untold()) why.change = story.FirstChange(kNoStep);
+  if (step == kNoStep || why.is_untold()) return why;
   Teller(story, node, why.steps).TellWayTo(step);
   why.change = story.FirstChange(step);
   return why;

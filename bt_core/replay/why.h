@@ -53,7 +53,8 @@ struct WhyStep {
   NodeIndex node;
   std::uint32_t depth;  ///< below the root of the walk
   Status result;
-  std::optional<Status> before;  ///< its result in the tick before; nothing: it was not ticked then
+  std::optional<Status> before;  ///< its result in the tick before; nothing: it was not ticked
+                                 ///< then. Where only changes are told, the status that it had
   WhyCause cause = WhyCause::kOwn;
   NodeIndex decisive = kNoNode;
   std::optional<WhyScript> script;
@@ -79,7 +80,8 @@ struct WhyNot {
     kOwn,         ///< `by` ticked no child: a guard, a script or itself; see its step
     kInjected,    ///< somebody outside decided for `by`
     kNotWhole,    ///< the tick stands at a breakpoint, before or in `by`
-    kAborted,     ///< the tick was ended by an exception
+    kAborted,     ///< the tick was ended by an exception of `by`
+    kNotTold,     ///< nobody knows: of this run only changes were told, and none of it
   };
   Cause cause;
   NodeIndex by = 0;           ///< the nearest ancestor that was ticked
@@ -93,12 +95,15 @@ struct Why {
   Time time;
   NodeIndex node;
   Status status;    ///< after the tick
-  bool was_ticked;  ///< in this tick
+  bool was_ticked;  ///< in this tick, as far as told
   /// The walk from the root to the node in question or to what kept it from being ticked: its
   /// ancestors, what they ticked before, and what is below it; in the order of entering.
   std::vector<WhyStep> steps;
   std::optional<WhyChange> change;  ///< nothing: everything on the way was as in the tick before
   std::optional<WhyNot> why_not;
+
+  /// Whether it was ticked is not told.
+  bool is_untold() const { return why_not && why_not->cause == WhyNot::Cause::kNotTold; }
 };
 
 /// `before` may be null: then nothing is said of changes.

@@ -62,6 +62,8 @@ const char* ToString(WhyNot::Cause cause) {
       return "not_whole";
     case WhyNot::Cause::kAborted:
       return "aborted";
+    case WhyNot::Cause::kNotTold:
+      return "not_told";
   }
   return "";
 }
@@ -95,7 +97,7 @@ std::string WhyToJson(const RecordedTree& tree, const Why& why, Time start) {
   JsonObject object;
   object.Add("tick", why.tick).Add("time", JsonSeconds(why.time - start));
   object.AddText("node", tree.PathOf(why.node)).AddText("status", ToString(why.status));
-  object.AddBool("ticked", why.was_ticked);
+  if (!why.is_untold()) object.AddBool("ticked", why.was_ticked);
   if (why.why_not) object.Add("why_not", ToJson(tree, *why.why_not));
   object.Add("steps",
              JsonArray(why.steps, [&](const WhyStep& step) { return ToJson(tree, step); }));

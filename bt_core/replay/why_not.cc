@@ -1,5 +1,7 @@
 #include "bt_core/replay/why_not.h"
 
+#include <algorithm>
+
 namespace coppice {
 namespace {
 
@@ -10,18 +12,27 @@ bool IsChosenByFirstChild(const RecordedTree& tree, NodeIndex node) {
   return type == NodeType::kIfThenElse || type == NodeType::kWhileDoElse;
 }
 
+WhyNot NotTold(const TickStory& story, NodeIndex node) {
+  return {WhyNot::Cause::kNotTold, node, node, kNoNode, story.statuses_after()[node]};
+}
+
+bool HasStatusEvents(const Walk& walk) {
+  return std::any_of(walk.events.begin(), walk.events.end(),
+                     [](const Event& event) { return event.is_status(); });
+}
+
 // A tick of the root that has no result of the root.
 WhyNot WithoutRoot(const TickStory& story, NodeIndex node) {
   using Cause = WhyNot::Cause;
   const TickEvents& events = story.view().events;
+  if (story.tells_changes_only() && HasStatusEvents(story.walk())) return NotTold(story, node);
   if (!events.is_whole) return {Cause::kNotWhole, node, node, kNoNode, Status::kIdle};
   if (events.result == Status::kIdle) return {Cause::kNoTick, node, node, kNoNode, Status::kIdle};
-  WhyNot why{Cause::kAborted, node, node, kNoNode, events.result};
   for (const Event& event : story.walk().events) {
     const bool is_exception = event.code == EventCode::kText && event.text == EventText::kException;
-    if (is_exception) why.by = event.index;
+    if (is_exception) return {Cause::kAborted, event.index, node, kNoNode, events.result};
   }
-  return why;
+  return NotTold(story, node);
 }
 
 // The children of a step that were ticked, in order.
@@ -47,9 +58,13 @@ WhyNot WhyNotOf(const TickStory& story, NodeIndex node) {
     if (by == towards) return WithoutRoot(story, node);
     step = walk.LastStepOf(by);
   }
+  // A node that was ticked while it was idle has changed.
+  const bool changes_only = story.tells_changes_only();
+  if (changes_only && story.view().statuses[towards] != Status::kIdle) return NotTold(story, node);
   WhyNot why{Cause::kOwn, by, towards, kNoNode, walk.steps[step].result};
   const std::vector<const WalkStep*> ticked = TickedChildren(walk, step);
   if (ticked.empty()) {
+    if (changes_only) return NotTold(story, node);
     if (walk.steps[step].is_injected) why.cause = Cause::kInjected;
     return why;
   }

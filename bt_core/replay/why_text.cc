@@ -112,6 +112,9 @@ std::string SentenceOf(const RecordedTree& tree, const WhyNot& why_not) {
       return "the tick stands at a breakpoint";
     case WhyNot::Cause::kAborted:
       return "the tick was ended by an exception of " + by;
+    case WhyNot::Cause::kNotTold:
+      return "of this run only changes of status are told, and none of " + towards +
+             ": it may have been ticked";
   }
   return "";
 }
@@ -127,8 +130,10 @@ std::string SentenceOf(const RecordedTree& tree, const WhyChange& change) {
 std::string PrintWhy(const RecordedTree& tree, const Why& why, Time start) {
   std::string text = tree.PathOf(why.node) + " is " + ToString(why.status) + " after tick " +
                      std::to_string(why.tick) + " (" + Seconds(why.time - start) + " s)";
-  text += why.was_ticked ? "\n" : " and was not ticked\n";
-  if (why.why_not) text += "why not: " + SentenceOf(tree, *why.why_not) + "\n";
+  text += why.was_ticked || why.is_untold() ? "\n" : " and was not ticked\n";
+  if (why.why_not) {
+    text += (why.is_untold() ? "" : "why not: ") + SentenceOf(tree, *why.why_not) + "\n";
+  }
   for (const WhyStep& step : why.steps) AppendStep(tree, step, text);
   if (why.change) {
     text += "first change: " + SentenceOf(tree, *why.change) + "\n";

@@ -18,6 +18,7 @@ void WhyAnswer::Ask(const RunView& view, NodeIndex node) {
   asked_ = question;
   lines_.clear();
   why_not_.clear();
+  is_untold_ = false;
   change_.clear();
   const RecordedTree& tree = view.tree()->recorded();
   // Behind the last tick the robot may have got another tree, of which nothing has happened yet.
@@ -32,6 +33,7 @@ void WhyAnswer::Ask(const RunView& view, NodeIndex node) {
     lines_.push_back({step.node, step.depth, step.result, tree.NameOf(step.node),
                       ReasonOf(tree, step), step.is_asked, is_news});
   }
+  is_untold_ = why.is_untold();
   if (why.why_not) why_not_ = SentenceOf(tree, *why.why_not);
   if (why.change) {
     change_ = SentenceOf(tree, *why.change);

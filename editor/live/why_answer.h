@@ -28,8 +28,10 @@ class WhyAnswer {
   void Ask(const RunView& view, NodeIndex node);
 
   const std::vector<WhyLine>& lines() const { return lines_; }
-  /// What kept the node from being ticked; empty if it was.
+  /// What kept the node from being ticked, or why that is not known; empty if it was.
   const std::string& why_not() const { return why_not_; }
+  /// Whether it was ticked is not told.
+  bool is_untold() const { return is_untold_; }
   /// The first thing that went another way than in the tick before, and at which node; empty:
   /// nothing did.
   const std::string& change() const { return change_; }
@@ -47,6 +49,7 @@ class WhyAnswer {
   Question asked_;
   std::vector<WhyLine> lines_;
   std::string why_not_;
+  bool is_untold_ = false;
   std::string change_;
   NodeIndex changed_node_ = 0;
 };

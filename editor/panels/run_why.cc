@@ -88,7 +88,7 @@ void DrawWhy(const Ui& ui, EditorState& state, RunView& run) {
   if (!why.change().empty()) {
     TextRow(ui, "run/why/change", why.change(), {Face::kBold, 12, ui.palette.accent});
   }
-  if (why.lines().empty()) Hint(ui, "Nothing was ticked in " + tick + ".");
+  if (why.lines().empty() && !why.is_untold()) Hint(ui, "Nothing was ticked in " + tick + ".");
   for (std::size_t i = 0; i < why.lines().size(); ++i) DrawLine(ui, state, why.lines()[i], i);
 }
 

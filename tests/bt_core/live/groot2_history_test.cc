@@ -71,6 +71,12 @@ TEST_F(Groot2HistoryTest, BeginsWhenTheStatusesAreKnown) {
   EXPECT_THAT(statuses(), ElementsAre(kRunning, kSuccess, kRunning));
 }
 
+TEST_F(Groot2HistoryTest, SaysThatOnlyChangesAreTold) {
+  Begin();
+  EXPECT_TRUE(TellsChangesOnly(watcher_.watched().trees[0].info));
+  EXPECT_FALSE(TellsChangesOnly(RunInfo()));
+}
+
 TEST_F(Groot2HistoryTest, MakesTicksOfTransitionsThatFollowEachOther) {
   Begin();
   EXPECT_EQ(history_.AddTransitions(Transition(0, 20, kRunning) + Transition(500, 30, kFailure) +

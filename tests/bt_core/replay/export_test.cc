@@ -69,6 +69,7 @@ TEST(Btlog, GoesThereAndBack) {
 
   const std::optional<Recording> back = FromBtlog(*bytes, "x.btlog", diagnostics);
   ASSERT_TRUE(back) << diagnostics.ToString();
+  EXPECT_TRUE(TellsChangesOnly(back->trees()[0].info));
   ASSERT_EQ(back->trees()[0].nodes.size(), 4u);
   for (std::size_t i = 0; i < 4; ++i) {
     EXPECT_EQ(back->trees()[0].nodes[i].path, run.recording().trees()[0].nodes[i].path);

@@ -73,8 +73,9 @@ inline std::shared_ptr<const Program> CompileText(const std::string& trees,
 struct RecordedRun {
   /// `trees`: <BehaviorTree> elements, the first one with the ID Main.
   explicit RecordedRun(const std::string& trees,
-                       std::shared_ptr<Registry> registry = std::make_shared<Registry>())
-      : program(CompileText(trees, std::move(registry))), executor(program, clock) {}
+                       std::shared_ptr<Registry> registry = std::make_shared<Registry>(),
+                       ExecutorOptions options = {})
+      : program(CompileText(trees, std::move(registry))), executor(program, clock, options) {}
 
   void Tick(Duration step = std::chrono::milliseconds(100)) {
     executor.Tick();

@@ -36,6 +36,7 @@ class Asked {
     const Why why = Ask(path);
     return why.why_not ? SentenceOf(tree_, *why.why_not) : "it was ticked";
   }
+  std::string Json(const std::string& path) { return WhyToJson(tree_, Ask(path), run_.start()); }
   const RecordedTree& tree() const { return tree_; }
 
  private:
@@ -149,6 +150,130 @@ TEST(WhyNot, KnowsTicksThatWereNone) {
   run.Tick();
   run.executor.Halt();
   EXPECT_EQ(Asked(run.keeper.run).WhyNotText("a"), "this was no tick of the tree");
+}
+
+TEST(WhyNot, NamesTheNodeThatThrewTheTickAway) {
+  ExecutorOptions options;
+  options.on_exception = ExceptionPolicy::kHaltTree;
+  RecordedRun run(
+      "<BehaviorTree ID='Main'><Sequence name='s'><ScriptCondition name='c' code='nobody &lt; 1'/>"
+      "<AlwaysSuccess name='a'/></Sequence></BehaviorTree>",
+      std::make_shared<Registry>(), options);
+  run.Tick();
+  Asked asked(run.keeper.run);
+  EXPECT_EQ(asked.Ask("a").why_not->cause, WhyNot::Cause::kAborted);
+  EXPECT_EQ(asked.WhyNotText("a"), "the tick was ended by an exception of c");
+  EXPECT_THAT(asked.Print("a"), HasSubstr("and was not ticked\nwhy not: the tick was ended"));
+}
+
+// What a robot with the Groot2 protocol tells: changes of status, in groups that are taken for
+// ticks.
+class ChangesOnly {
+ public:
+  using Change = std::pair<NodeIndex, Status>;
+
+  explicit ChangesOnly(bool says_so = true) : run_(kPatrol, Lamps()) {
+    TreeDescription tree = run_.keeper.run.trees()[0];
+    if (says_so) tree.info.metadata.emplace_back(kChangesOnly);
+    told_.OnTree(tree);
+    HistoryState state;
+    state.statuses.assign(tree.nodes.size(), Status::kIdle);
+    state.values.resize(tree.slots.size());
+    told_.OnState(state);
+  }
+  void Tell(const std::vector<Change>& changes, Status root = Status::kRunning) {
+    EventWriter words;
+    for (const auto& [node, status] : changes) {
+      if (status == Status::kIdle) {
+        words.Reset(node);
+      } else {
+        words.Status(node, status);
+      }
+    }
+    told_.OnTick({++tick_, Time(0), Duration(0), root, true, words.words()});
+  }
+  const Recording& run() const { return told_; }
+
+  static constexpr NodeIndex kRoot = 0, kSafety = 1, kLow = 2, kWork = 4, kDark = 5, kDrive = 6;
+
+ private:
+  RecordedRun run_;
+  Recording told_;
+  std::uint64_t tick_ = 0;
+};
+
+using Told = ChangesOnly;
+
+void BeginToDrive(ChangesOnly& robot) {
+  robot.Tell({{Told::kLow, Status::kFailure},
+              {Told::kSafety, Status::kFailure},
+              {Told::kDark, Status::kSuccess},
+              {Told::kDrive, Status::kRunning},
+              {Told::kWork, Status::kRunning},
+              {Told::kRoot, Status::kRunning}});
+}
+
+TEST(WhyOfChanges, WhatDidNotChangeIsNotTold) {
+  ChangesOnly robot;
+  BeginToDrive(robot);
+  robot.Tell({{Told::kDark, Status::kFailure}});
+  Asked asked(robot.run());
+  for (const char* node : {"root", "work", "drive", "dock"}) {
+    const Why why = asked.Ask(node);
+    EXPECT_TRUE(why.is_untold()) << node;
+    EXPECT_FALSE(why.was_ticked) << node;
+    EXPECT_TRUE(why.steps.empty()) << node;
+    const std::string text = asked.Print(node);
+    EXPECT_THAT(text, HasSubstr(std::string("only changes of status are told, and none of ") +
+                                node + ": it may have been ticked"));
+    EXPECT_THAT(text, Not(HasSubstr("exception"))) << node;
+    EXPECT_THAT(text, Not(HasSubstr("not ticked"))) << node;
+    EXPECT_THAT(text, HasSubstr("first change: dark is FAILURE, was SUCCESS")) << text;
+  }
+  EXPECT_THAT(asked.Json("drive"), HasSubstr("\"cause\":\"not_told\""));
+  EXPECT_THAT(asked.Json("drive"), Not(HasSubstr("\"ticked\"")));
+}
+
+TEST(WhyOfChanges, WhatChangedIsTold) {
+  ChangesOnly robot;
+  BeginToDrive(robot);
+  robot.Tell({{Told::kDrive, Status::kSuccess},
+              {Told::kWork, Status::kSuccess},
+              {Told::kRoot, Status::kSuccess}},
+             Status::kSuccess);
+  Asked asked(robot.run());
+  const Why why = asked.Ask("root");
+  EXPECT_TRUE(why.was_ticked);
+  ASSERT_EQ(why.steps.size(), 3U);
+  EXPECT_EQ(why.steps[1].decisive, Told::kDrive);
+  EXPECT_EQ(why.steps[2].before, Status::kRunning) << "what it was, told or not";
+  EXPECT_TRUE(asked.Ask("dark").is_untold()) << "a reactive node ticks again what has succeeded";
+}
+
+TEST(WhyOfChanges, AnIdleNodeBehindTheOneThatDecidedWasNotTicked) {
+  ChangesOnly robot;
+  robot.Tell({{Told::kLow, Status::kFailure},
+              {Told::kSafety, Status::kFailure},
+              {Told::kDark, Status::kFailure},
+              {Told::kWork, Status::kFailure},
+              {Told::kRoot, Status::kFailure}},
+             Status::kFailure);
+  EXPECT_EQ(Asked(robot.run()).WhyNotText("drive"),
+            "work did not come to drive: dark before it is FAILURE");
+}
+
+TEST(WhyOfChanges, PolledValuesAreNoTick) {
+  ChangesOnly robot;
+  BeginToDrive(robot);
+  robot.Tell({}, Status::kIdle);
+  EXPECT_EQ(Asked(robot.run()).WhyNotText("drive"), "this was no tick of the tree");
+}
+
+TEST(WhyOfChanges, WithoutThatBeingSaidNoExceptionIsInvented) {
+  ChangesOnly robot(false);
+  BeginToDrive(robot);
+  robot.Tell({{Told::kDark, Status::kFailure}});
+  EXPECT_TRUE(Asked(robot.run()).Ask("drive").is_untold());
 }
 
 // Every built-in node with children: what it did not tick has a reason, what it ticked has steps.

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "bt_core/live/groot2_history.h"
 #include "tests/editor/executed_source.h"
 
 namespace coppice::editor {
@@ -55,6 +56,56 @@ TEST_F(WhyAnswerTest, FollowsThePlayhead) {
   why_.Ask(*view_, 0);
   EXPECT_EQ(why_.lines()[0].status, Status::kRunning);
   EXPECT_EQ(why_.change(), "") << "as in the tick before";
+}
+
+// A robot with the Groot2 protocol: what its answers to polls hold is told.
+class ForeignRobot final : public RunSource {
+ public:
+  ForeignRobot() {
+    EXPECT_EQ(history_.SetTree(RunId{1}, R"(<root BTCPP_format="4">
+      <BehaviorTree ID="Main" _fullpath=""><Parallel name="both" _uid="1">
+      <Wait name="wait" _uid="2"/><Look name="look" _uid="3"/></Parallel></BehaviorTree></root>)"),
+              "");
+    EXPECT_EQ(history_.SetRecording("1000000"), "");
+    EXPECT_EQ(history_.AddStatuses(std::string("\1\0\0\2\0\0\3\0\0", 9), Time(0)), "");
+  }
+  void Change(std::uint64_t microseconds, std::uint16_t uid, Status status) {
+    std::string bytes;
+    for (int i = 0; i < 6; ++i) bytes += static_cast<char>(microseconds >> (8 * i));
+    bytes += {static_cast<char>(uid), 0, static_cast<char>(status)};
+    EXPECT_EQ(history_.AddTransitions(bytes), "");
+  }
+
+  const std::string& name() const override { return name_; }
+  bool is_robot() const override { return true; }
+  void Pump(LiveListener& listener) override { mailbox_.Deliver(listener); }
+  bool has_news() const override { return !mailbox_.empty(); }
+  void Send(LiveCommand, LiveClient::ReplyHandler) override {}
+
+ private:
+  const std::string name_ = "robot:1667";
+  Mailbox mailbox_{nullptr};
+  Groot2History history_{mailbox_, name_};
+};
+
+TEST(WhyAnswer, ARobotThatTellsChangesOnlyHasThrownNothing) {
+  auto source = std::make_unique<ForeignRobot>();
+  source->Change(1000, 2, Status::kRunning);
+  source->Change(1000, 1, Status::kRunning);
+  source->Change(9000, 3, Status::kFailure);
+  RunView view(std::move(source), std::make_shared<NodeModels>());
+  view.Update(HookList(), 1);
+  WhyAnswer why;
+  why.Ask(view, 1);
+  EXPECT_TRUE(why.is_untold());
+  EXPECT_EQ(why.why_not(),
+            "of this run only changes of status are told, and none of wait: it may have been "
+            "ticked");
+  EXPECT_EQ(why.changed_node(), 2U);
+  EXPECT_NE(why.change().find("look is FAILURE, was IDLE"), std::string::npos) << why.change();
+  why.Ask(view, 2);
+  EXPECT_FALSE(why.is_untold());
+  EXPECT_EQ(why.why_not(), "");
 }
 
 }  // namespace
