@@ -45,7 +45,9 @@ class RandomRuns::Watcher final : public TickSink {
 
 RandomRuns::RandomRuns(std::shared_ptr<const Program> program, RandomRunOptions options)
     : program_(std::move(program)), options_(std::move(options)) {
-  options_.play.leaves = RandomLeaves(*program_, options_.play.leaves);
+  for (PlacedRule& placed : RandomLeaves(*program_, options_.play.leaves)) {
+    rules_.push_back(std::move(placed.rule));
+  }
   coverage_.first_seed = options_.seed;
   for (NodeIndex node = 0; node < program_->nodes.size(); ++node) {
     coverage_.nodes.push_back({program_->Path(node), {}});
@@ -53,12 +55,10 @@ RandomRuns::RandomRuns(std::shared_ptr<const Program> program, RandomRunOptions 
 }
 
 void RandomRuns::Run() {
-  std::vector<MockRule> rules;
-  for (const PlacedRule& placed : options_.play.leaves) rules.push_back(placed.rule);
   SimulatedClock clock(std::chrono::seconds(1));
   Watcher watcher(*this);
   const std::uint64_t seed = options_.seed + coverage_.runs;
-  MockedTree tree(*program_, std::move(rules), clock, {false, seed});
+  MockedTree tree(*program_, rules_, clock, {false, seed});
   Executor& executor = tree.executor();
   executor.AddSink(&watcher);
   for (const PlacedRule& told : options_.scripts) {

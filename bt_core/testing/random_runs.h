@@ -69,7 +69,6 @@ class RandomRuns {
   void Run();
   const Coverage& coverage() const { return coverage_; }
   const Program& program() const { return *program_; }
-  /// With the rules of all leaves, also by default.
   const RandomPlay& play() const { return options_.play; }
 
  private:
@@ -79,6 +78,7 @@ class RandomRuns {
 
   std::shared_ptr<const Program> program_;
   RandomRunOptions options_;
+  std::vector<MockRule> rules_;  // of all leaves
   Coverage coverage_;
 };
 

@@ -274,10 +274,15 @@ std::vector<std::string> OpenProject::LookAtDisk() {
     if (file.is_new || HasOldStamp(file)) continue;
     std::optional<std::string> text = ReadText(path);
     NoteStamp(file);
-    if (!text || *text == file.saved) continue;
+    if (!text) continue;
+    if (*text == file.saved) {
+      file.other.reset();  // they took it back
+      continue;
+    }
     changed.push_back(path);
     if (*text == file.text) {
       file.saved = *std::move(text);
+      file.other.reset();
     } else if (file.is_dirty()) {
       file.other = std::move(text);
       if (MergeTexts(file.saved, file.text, *file.other).conflicts.empty()) MergeTheirs(path);

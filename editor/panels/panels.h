@@ -49,8 +49,9 @@ void DrawStopBar(const Ui& ui, EditorState& state, const Box& canvas);
 /// The banner over a simulation and what can be done with it. "sim/banner", "sim/tick".
 void DrawSimulationBar(const Ui& ui, EditorState& state, const Box& box);
 
-/// A frame around the canvas of a simulation, and below the selected leaf what it returns.
-/// "sim/success", "sim/script".
+/// A frame around the canvas of a simulation, in its corner the file that says what happens by
+/// chance, and below the selected leaf what it returns. "sim/chance_origin", "sim/success",
+/// "sim/script".
 void DrawSimulatedLeaf(const Ui& ui, EditorState& state, const Box& canvas);
 
 /// Scenarios and how they went. "tests/0", with its first difference "tests/0/0", "tests/run".

@@ -33,7 +33,6 @@ class Bar {
     DrawLeft();
     DrawRight();
     DrawTime();
-    DrawOrigin();
   }
 
  private:
@@ -59,23 +58,6 @@ class Bar {
     const auto& chance = state_.simulator.get()->chance();
     Right("sim/chance", chance ? "seed " + std::to_string(chance->seed) : "by chance", "sim.chance",
           chance.has_value());
-  }
-
-  // Whose word counts for what happens by chance.
-  void DrawOrigin() {
-    const auto& chance = state_.simulator.get()->chance();
-    const std::string origin = chance ? OriginOf(chance->play) : std::string();
-    if (origin.empty()) return;
-    const float before = left_;
-    Write("chance: " + origin, {Face::kSans, 12, ui_.palette.text_dim}, "sim/chance_origin");
-    if (!ImGui::IsMouseHoveringRect({before, box_.min.y}, {left_, box_.max.y})) return;
-    Tooltip(ui_, JoinedLines(chance->play));
-  }
-
-  static std::string JoinedLines(const RandomPlay& play) {
-    std::string text;
-    for (const std::string& line : LinesOf(play)) text += (text.empty() ? "" : "\n") + line;
-    return text;
   }
 
   void DrawTime() {
@@ -154,6 +136,32 @@ constexpr Answer kAnswers[] = {{"sim/success", "SUCCESS", "sim.success", Status:
                                {"sim/running", "RUNNING", "sim.running", Status::kRunning},
                                {"sim/skipped", "SKIPPED", "sim.skipped", Status::kSkipped}};
 
+std::string JoinedLines(const RandomPlay& play) {
+  std::string text;
+  for (const std::string& line : LinesOf(play)) text += (text.empty() ? "" : "\n") + line;
+  return text;
+}
+
+// Whose word counts for what happens by chance, in the corner of the canvas.
+void DrawOrigin(const Ui& ui, const EditorState& state, const Box& canvas) {
+  const auto& chance = state.simulator.get()->chance();
+  const std::string origin = chance ? OriginOf(chance->play) : std::string();
+  if (origin.empty()) return;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const std::string text = "by chance as " + origin + " says";
+  const TextStyle style{Face::kSans, 12, ui.palette.text_dim};
+  const float pad = 8 * ui.scale;
+  const float height = 22 * ui.scale;
+  const Point corner = {canvas.min.x + pad, canvas.max.y - pad - height};
+  const Box box = {corner, {corner.x + ui.Width(text, style) + 2 * pad, corner.y + height}};
+  ui.Fill(list, box, ui.palette.panel, 5 * ui.scale);
+  ui.RowText(list, {corner.x + pad, corner.y}, height, text, style, box.width());
+  ui.items.Add("sim/chance_origin", box);
+  if (ImGui::IsMouseHoveringRect({box.min.x, box.min.y}, {box.max.x, box.max.y})) {
+    Tooltip(ui, JoinedLines(chance->play));
+  }
+}
+
 }  // namespace
 
 void DrawSimulationBar(const Ui& ui, EditorState& state, const Box& box) {
@@ -163,6 +171,7 @@ void DrawSimulationBar(const Ui& ui, EditorState& state, const Box& box) {
 void DrawSimulatedLeaf(const Ui& ui, EditorState& state, const Box& canvas) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   ui.Frame(list, canvas, ui.palette.simulation, 0, 2 * ui.scale);
+  DrawOrigin(ui, state, canvas);
   const TreeView* view = state.workspace.view();
   const NodeIndex leaf = SimulationEditor(state, ui.now).SelectedLeaf();
   if (!view || leaf == editor::kNoNode) return;

@@ -131,7 +131,7 @@ TEST_F(SimulationEditorByChance, SoDoManyRuns) {
   EXPECT_EQ(Simulate().RunOften("50"), "");
   while (state().coverage.is_running()) state().coverage.Update();
   EXPECT_EQ(state().coverage.Find("go")->results_of(Status::kSuccess), 0U);
-  EXPECT_GT(state().coverage.coverage()->ticks, 50U * 20);
+  EXPECT_EQ(state().coverage.coverage()->ticks, 50U * 20) << "two seconds each";
   driver_.view().Select(driver_.view().scene()->FindPath("1.2"));
   EXPECT_EQ(Simulate().SetScript("SUCCESS"), "");
   EXPECT_EQ(Simulate().RunOften("50"), "");
@@ -151,6 +151,8 @@ TEST_F(SimulationEditorByChance, AnErrorInTheScenariosIsSaidWithItsPlace) {
   EXPECT_THAT(Simulate().RunOften("7"), HasSubstr(said));
   EXPECT_EQ(state().coverage.coverage(), nullptr);
   WriteScenarios("{\"tree\": 1}");
+  Simulate().End();
+  driver_.Frames();
   Start();
   ASSERT_TRUE(Simulate().IsShown()) << "the tree itself is good";
   EXPECT_THAT(state().notice.text, HasSubstr("main.test.json:1:"));

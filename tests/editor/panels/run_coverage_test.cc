@@ -134,7 +134,7 @@ TEST_F(RunCoverageTest, SaysWhoseWordCountsAndAFindingIsFoundAgainWithIt) {
   EXPECT_TRUE(driver_.Click("run/coverage/finding/0"));
   driver_.Frames();
   EXPECT_EQ(simulation().ticks(), finding.tick);
-  EXPECT_EQ(simulation().state().last(5), Status::kFailure) << "say threw";
+  EXPECT_EQ(simulation().state().last(4), Status::kFailure) << "say threw";
   EXPECT_TRUE(driver_.Has("sim/chance_origin"));
   driver_.Picture("coverage_origin");
 }
