@@ -8,15 +8,19 @@
 #include <gtest/gtest.h>
 #include <move_base_msgs/MoveBaseAction.h>
 #include <nav_msgs/Path.h>
+#include <std_msgs/Float64.h>
 #include <unistd.h>
 
 #include <atomic>
+#include <cmath>
 #include <cstdio>
 #include <mutex>
+#include <vector>
 
 #include "robot_app/app/child_process.h"
 #include "robot_app/supervision/ros_master.h"
 #include "tests/robot_app/eventually.h"
+#include "tests/robot_app/latest.h"
 #include "tests/robot_app/ros_environment.h"
 #include "tests/robot_app/text_of.h"
 
@@ -105,13 +109,18 @@ struct Listener {
 
 class NavigationNode : public testing::Test {
  protected:
-  // Starts the robot where it is told: "docked" or "X Y YAW".
-  void StartRobot(const std::string& start) {
+  // A node's parameters outlive it.
+  ~NavigationNode() override { ros::param::del("/navigation/station"); }
+
+  // Starts the robot where it is told: "docked" or "X Y YAW". `navigation`: parameters.
+  void StartRobot(const std::string& start, const std::vector<std::string>& navigation = {}) {
     ros::param::set("/use_sim_time", true);
     simulator_ = ChildProcess(
         {kPrograms + "coppice-simulator", "_speed:=6", "_start:=" + start, "_state_of_charge:=0.5"},
         Log("simulator"));
-    navigation_ = ChildProcess({kPrograms + "coppice-navigation"}, Log("navigation"));
+    std::vector<std::string> command = {kPrograms + "coppice-navigation"};
+    command.insert(command.end(), navigation.begin(), navigation.end());
+    navigation_ = ChildProcess(command, Log("navigation"));
   }
 
   ChildProcess simulator_;
@@ -214,6 +223,63 @@ TEST_F(NavigationNode, AnswersLikeMoveBase) {
   const int commands = listener.commands;
   ASSERT_TRUE(let_pass(3));
   EXPECT_EQ(listener.commands, commands);
+}
+
+using Way = Latest<std_msgs::Float64>;
+
+double LengthOf(const Way& way) {
+  EXPECT_TRUE(Eventually([&] { return way.get() != nullptr; }, kPatience));
+  return way.get() ? way.get()->data : NAN;
+}
+
+TEST_F(NavigationNode, TellsHowFarItIsToTheStationWhileItDrivesThere) {
+  StartRobot("4 0 0", {"_station:=-2.4 0"});
+  ros::NodeHandle node;
+  const Way way(node, "/navigation/way_to_station");
+  EXPECT_NEAR(LengthOf(way), 6.4, 0.5);
+  Client<move_base_msgs::MoveBaseAction> move_base("move_base");
+  move_base.Send(Goal(0, 0));
+  EXPECT_EQ(move_base.Wait(), SimpleClientGoalState::SUCCEEDED) << move_base->getState().getText();
+  EXPECT_TRUE(Eventually([&] { return std::abs(way.get()->data - 2.4) < 0.4; }, kPatience))
+      << way.get()->data;
+}
+
+TEST_F(NavigationNode, TheWayToTheStationLeadsAroundWalls) {
+  StartRobot("24 3.6 0", {"_station:=32 3.6"});  // two offices side by side
+  ros::NodeHandle node;
+  const Way way(node, "/navigation/way_to_station");
+  const double length = LengthOf(way);
+  EXPECT_GT(length, 11) << "the straight line is 8 m";
+  EXPECT_LT(length, 16);
+}
+
+TEST_F(NavigationNode, SaysNothingOfAWayWhereNoneLeadsToTheStation) {
+  for (const std::vector<std::string>& station :
+       {std::vector<std::string>(), {"_station:=500 500"}}) {
+    StartRobot("4 0 0", station);
+    ros::NodeHandle node;
+    const Way way(node, "/navigation/way_to_station");
+    Client<move_base_msgs::MoveBaseAction> move_base("move_base");
+    move_base.Send(Goal(5, 0));
+    EXPECT_EQ(move_base.Wait(), SimpleClientGoalState::SUCCEEDED)
+        << "it knows the map and where it is";
+    Listener listener;
+    ASSERT_TRUE(Eventually([&] { return listener.State().header.stamp.toSec() > 1; }, kPatience));
+    const ros::Time stamp = listener.State().header.stamp;
+    ASSERT_TRUE(Eventually([&] { return listener.State().header.stamp > stamp + ros::Duration(2); },
+                           kPatience));
+    EXPECT_EQ(way.get(), nullptr) << (station.empty() ? "without a station" : station[0]);
+    navigation_.Stop(std::chrono::seconds(5));
+    simulator_.Stop(std::chrono::seconds(5));
+  }
+}
+
+TEST(NavigationPrograms, RefuseAStationThatIsNoPlace) {
+  ChildProcess wrong({kPrograms + "coppice-navigation", "_station:=the lab"}, Log("no_place"));
+  ASSERT_TRUE(Eventually([&] { return !wrong.IsRunning(); }, kPatience));
+  EXPECT_EQ(wrong.exit_status(), 2);
+  EXPECT_THAT(TextOf(Log("no_place")), HasSubstr("~station must be \"X Y\""));
+  ros::param::del("/navigation/station");
 }
 
 TEST(NavigationPrograms, SayInOneLineThatThereIsNoMaster) {
