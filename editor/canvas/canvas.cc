@@ -37,7 +37,7 @@ class CanvasPass {
     if (detail_ == Detail::kBlock) DrawLabels();
     PaintDataLinks(pen_, view_, camera_);
     pen_.PopClip();
-    if (options_.minimap) DrawMinimap(ui_, view_, box_, options_);
+    if (options_.minimap) DrawMinimap(ui_, view_, box_, visible_, options_);
     HandleCanvasMouse(ui_, view_, box_, options_, hovered_);
     pen_.PushClip(box_);
     DrawGesture(pen_, view_, box_, options_);
@@ -126,9 +126,8 @@ class CanvasPass {
 }  // namespace
 
 void DrawCanvas(const Ui& ui, TreeView& view, const Box& box, const CanvasOptions& options) {
-  const Point size = {box.width(), box.height()};
   view.screen_scale = ui.scale;
-  if (view.needs_fit) view.FitAll(size);
+  view.PlaceIn(box);
   CanvasPass(ui, view, box, options).Run();
 }
 

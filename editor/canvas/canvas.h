@@ -1,6 +1,7 @@
 // The canvas: paints a TreeView with the statuses of a robot, and lets the user walk in it with the
 // mouse. Registers "canvas/TREE/PATH" for nodes, "canvas/TREE/PATH/toggle" for what opens and
-// closes them, "canvas/TREE/PATH/port/NAME" for the chips of keys, and "canvas/minimap".
+// closes them, "canvas/TREE/PATH/port/NAME" for the chips of keys, and "canvas/minimap"
+// or "canvas/minimap/folded".
 //
 // The wheel zooms. The left button drags the canvas, or a node if there is a DropHandler; with
 // Shift or Ctrl it draws a rectangle that selects. The other buttons always drag the canvas.
@@ -14,6 +15,7 @@
 #include "editor/canvas/heat_map.h"
 #include "editor/canvas/node_look.h"
 #include "editor/canvas/tree_view.h"
+#include "editor/canvas/visible_nodes.h"
 #include "editor/look/ui.h"
 
 namespace coppice::editor {
@@ -34,9 +36,10 @@ NodeState StateOf(const TreeState* live, const SceneNode& node);
 /// Draws into `box` of the current ImGui window and handles the mouse there.
 void DrawCanvas(const Ui& ui, TreeView& view, const Box& box, const CanvasOptions& options);
 
-/// The small picture of the whole tree in the upper right corner of `box`; a click moves the
-/// camera.
-void DrawMinimap(const Ui& ui, TreeView& view, const Box& box, const CanvasOptions& options);
+/// The small picture of the whole tree, in a corner of `box` where it hides none of the nodes; a
+/// click moves the camera. If there is no such corner it is folded, until the mouse is on it.
+void DrawMinimap(const Ui& ui, TreeView& view, const Box& box,
+                 const std::vector<VisibleNode>& nodes, const CanvasOptions& options);
 
 }  // namespace coppice::editor
 

@@ -10,12 +10,6 @@ namespace {
 // In pixels of area. What the buttons are about must stay in sight more than the rest.
 constexpr float kWeightOfNode = 4;
 
-float Common(const Box& a, const Box& b) {
-  const float width = std::min(a.max.x, b.max.x) - std::max(a.min.x, b.min.x);
-  const float height = std::min(a.max.y, b.max.y) - std::max(a.min.y, b.min.y);
-  return width > 0 && height > 0 ? width * height : 0;
-}
-
 Box Within(const Box& canvas, Point at, Point size, float gap) {
   const auto inside = [gap](float wished, float low, float high, float wide) {
     return std::clamp(wished, low + gap, std::max(high - wide - gap, low + gap));
@@ -38,8 +32,8 @@ Box FreePlaceBeside(const Box& node, Point size, float gap, const Box& canvas,
   float least = -1;
   for (const Point at : wished) {
     const Box box = Within(canvas, at, size, gap);
-    float hidden = kWeightOfNode * Common(box, node);
-    for (const Box& other : others) hidden += Common(box, other);
+    float hidden = kWeightOfNode * CommonArea(box, node);
+    for (const Box& other : others) hidden += CommonArea(box, other);
     if (least >= 0 && hidden >= least) continue;
     least = hidden;
     best = box;

@@ -31,10 +31,19 @@ struct Box {
   }
 };
 
+inline bool operator==(const Box& a, const Box& b) { return a.min == b.min && a.max == b.max; }
+
 /// The smallest box around both.
 inline Box Union(const Box& a, const Box& b) {
   return {{std::min(a.min.x, b.min.x), std::min(a.min.y, b.min.y)},
           {std::max(a.max.x, b.max.x), std::max(a.max.y, b.max.y)}};
+}
+
+/// Of what lies in both; 0 if they do not overlap.
+inline float CommonArea(const Box& a, const Box& b) {
+  const float width = std::min(a.max.x, b.max.x) - std::max(a.min.x, b.min.x);
+  const float height = std::min(a.max.y, b.max.y) - std::max(a.min.y, b.min.y);
+  return width > 0 && height > 0 ? width * height : 0;
 }
 
 }  // namespace coppice::editor

@@ -9,6 +9,10 @@ namespace {
 constexpr float kWidth = 178;
 constexpr float kHeight = 104;
 constexpr float kInset = 8;
+constexpr float kMargin = 10;    // from the edges of the canvas
+constexpr float kClearance = 6;  // from nodes: their badges and frames stand out
+constexpr float kFoldedWidth = 28;
+constexpr float kFoldedHeight = 20;
 constexpr float kPart = 4.5F;      // of the canvas' width at most one in so many,
 constexpr float kLeast = 0.6F;     // but not smaller than this part of its full size
 constexpr float kInSight = 0.85F;  // of the tree's area
@@ -37,48 +41,109 @@ bool IsAllInSight(const TreeView& view, const Box& canvas) {
   return seen.width() * seen.height() >= kInSight * all.width() * all.height();
 }
 
+class Minimap {
+ public:
+  Minimap(const Ui& ui, TreeView& view, const Box& box, const std::vector<VisibleNode>& nodes,
+          const CanvasOptions& options)
+      : ui_(ui),
+        view_(view),
+        box_(box),
+        options_(options),
+        list_(*ImGui::GetWindowDrawList()),
+        margin_(kMargin * ui.scale) {
+    for (const VisibleNode& node : nodes) nodes_.push_back(Grown(node.box, kClearance * ui.scale));
+  }
+
+  void Draw() {
+    const float shrink = std::clamp(box_.width() / (kWidth * ui_.scale * kPart), kLeast, 1.0F);
+    const Point size = Point{kWidth, kHeight} * (ui_.scale * shrink);
+    MinimapState& state = view_.minimap;
+    const bool has_room =
+        box_.width() > 2 * size.x + margin_ && box_.height() > 2 * size.y + margin_;
+    if (!has_room || IsAllInSight(view_, box_)) {
+      state.holds_mouse = false;
+      return;
+    }
+    if (state.holds_mouse) return DrawMap(InCorner(state.corner, box_, size, margin_));
+    const CornerChoice choice = FreestCorner(box_, size, margin_, nodes_, state.corner);
+    if (!choice.is_free) return DrawFolded();
+    state.corner = choice.corner;
+    DrawMap(InCorner(state.corner, box_, size, margin_));
+  }
+
+ private:
+  static Box Grown(const Box& box, float pixels) {
+    return {box.min - Point{pixels, pixels}, box.max + Point{pixels, pixels}};
+  }
+
+  void DrawFolded() {
+    const Point size = Point{kFoldedWidth, kFoldedHeight} * ui_.scale;
+    MinimapState& state = view_.minimap;
+    state.corner = FreestCorner(box_, size, margin_, nodes_, state.corner).corner;
+    const Box frame = InCorner(state.corner, box_, size, margin_);
+    ui_.Fill(list_, frame, ui_.palette.panel, 3 * ui_.scale);
+    ui_.Frame(list_, frame, ui_.palette.text_dim, 3 * ui_.scale);
+    const Point inset = size * 0.3F;
+    ui_.Frame(list_, {frame.min + inset, frame.max - inset}, ui_.palette.text, 1 * ui_.scale);
+    ui_.Hit("canvas/minimap/folded", frame, &state.holds_mouse);
+  }
+
+  void DrawMap(const Box& frame) {
+    const Box& world = view_.bounds();
+    Camera camera;
+    camera.zoom = std::min((frame.width() - 2 * kInset) / std::max(world.width(), 1.0F),
+                           (frame.height() - 2 * kInset) / std::max(world.height(), 1.0F));
+    camera.offset = frame.center() - world.center() * camera.zoom;
+    ui_.Fill(list_, frame, ui_.palette.panel, 4 * ui_.scale);
+    ui_.Frame(list_, frame, ui_.palette.border, 4 * ui_.scale);
+    DrawNodes(camera);
+    DrawSeen(camera, frame);
+    bool hovered = false;
+    ui_.Hit("canvas/minimap", frame, &hovered);
+    view_.minimap.holds_mouse = hovered || ImGui::IsItemActive();
+    if (ImGui::IsItemActive()) {
+      const Point at = camera.ToWorld(FromIm(ImGui::GetIO().MousePos));
+      view_.camera.offset = Canvas() * 0.5F - at * view_.camera.zoom;
+    }
+  }
+
+  void DrawNodes(const Camera& camera) {
+    const float small = camera.zoom < kFarZoom ? kFarBranch : kSmallest;
+    for (std::uint32_t k = 0; k < view_.shown().size();) {
+      const Box branch = camera.ToScreen(view_.BranchBounds(k));
+      const bool tiny = branch.width() < small && branch.height() < small;
+      Box block = tiny ? branch : camera.ToScreen(view_.BoxAt(k, ui_.now));
+      block.max = {std::max(block.max.x, block.min.x + 1), std::max(block.max.y, block.min.y + 1)};
+      ui_.Fill(list_, block, ColorOf(ui_, options_, *view_.scene(), view_.shown()[k]));
+      k = tiny ? view_.shown_ends()[k] : k + 1;
+    }
+  }
+
+  // The part of the tree that is in sight.
+  void DrawSeen(const Camera& camera, const Box& frame) {
+    Box seen = {camera.ToScreen(view_.camera.ToWorld({0, 0})),
+                camera.ToScreen(view_.camera.ToWorld(Canvas()))};
+    seen.min = {std::max(seen.min.x, frame.min.x + 2), std::max(seen.min.y, frame.min.y + 2)};
+    seen.max = {std::min(seen.max.x, frame.max.x - 2), std::min(seen.max.y, frame.max.y - 2)};
+    if (seen.width() > 0 && seen.height() > 0) ui_.Frame(list_, seen, ui_.palette.text, 2);
+  }
+
+  Point Canvas() const { return {box_.width(), box_.height()}; }
+
+  const Ui& ui_;
+  TreeView& view_;
+  const Box box_;
+  const CanvasOptions& options_;
+  ImDrawList& list_;
+  const float margin_;
+  std::vector<Box> nodes_;
+};
+
 }  // namespace
 
-void DrawMinimap(const Ui& ui, TreeView& view, const Box& box, const CanvasOptions& options) {
-  const float shrink = std::clamp(box.width() / (kWidth * ui.scale * kPart), kLeast, 1.0F);
-  const Point size = Point{kWidth, kHeight} * (ui.scale * shrink);
-  const Point margin = Point{10, 10} * ui.scale;
-  const Box frame = {{box.max.x - size.x - margin.x, box.min.y + margin.y},
-                     {box.max.x - margin.x, box.min.y + margin.y + size.y}};
-  if (frame.min.x < box.min.x + size.x || frame.max.y > box.max.y - size.y) return;
-  if (IsAllInSight(view, box)) return;
-  const Box& world = view.bounds();
-  const float zoom = std::min((frame.width() - 2 * kInset) / std::max(world.width(), 1.0F),
-                              (frame.height() - 2 * kInset) / std::max(world.height(), 1.0F));
-  Camera camera;
-  camera.zoom = zoom;
-  camera.offset = frame.center() - world.center() * zoom;
-
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  ui.Fill(list, frame, ui.palette.panel, 4);
-  ui.Frame(list, frame, ui.palette.border, 4);
-  for (std::uint32_t k = 0; k < view.shown().size();) {
-    const Box branch = camera.ToScreen(view.BranchBounds(k));
-    const float small = zoom < kFarZoom ? kFarBranch : kSmallest;
-    const bool tiny = branch.width() < small && branch.height() < small;
-    Box block = tiny ? branch : camera.ToScreen(view.BoxAt(k, ui.now));
-    block.max = {std::max(block.max.x, block.min.x + 1), std::max(block.max.y, block.min.y + 1)};
-    ui.Fill(list, block, ColorOf(ui, options, *view.scene(), view.shown()[k]));
-    k = tiny ? view.shown_ends()[k] : k + 1;
-  }
-
-  const Point canvas = {box.width(), box.height()};
-  Box seen = {camera.ToScreen(view.camera.ToWorld({0, 0})),
-              camera.ToScreen(view.camera.ToWorld(canvas))};
-  seen.min = {std::max(seen.min.x, frame.min.x + 2), std::max(seen.min.y, frame.min.y + 2)};
-  seen.max = {std::min(seen.max.x, frame.max.x - 2), std::min(seen.max.y, frame.max.y - 2)};
-  if (seen.width() > 0 && seen.height() > 0) ui.Frame(list, seen, ui.palette.text, 2);
-
-  ui.Hit("canvas/minimap", frame);
-  if (ImGui::IsItemActive()) {
-    const Point at = camera.ToWorld(FromIm(ImGui::GetIO().MousePos));
-    view.camera.offset = canvas * 0.5F - at * view.camera.zoom;
-  }
+void DrawMinimap(const Ui& ui, TreeView& view, const Box& box,
+                 const std::vector<VisibleNode>& nodes, const CanvasOptions& options) {
+  Minimap(ui, view, box, nodes, options).Draw();
 }
 
 }  // namespace coppice::editor

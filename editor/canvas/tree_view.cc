@@ -8,7 +8,8 @@ namespace {
 
 constexpr double kMoveSeconds = 0.15;
 constexpr float kChipRow = 20;
-constexpr float kMargin = 24;  // around a fitted tree, on the screen
+constexpr float kMargin = 24;      // around a fitted tree, on the screen
+constexpr float kLeastMargin = 8;  // if a bar above the canvas has taken the rest
 constexpr float kLeastZoom = 0.0005F;
 constexpr float kLargestZoom = 3;
 constexpr float kWideCanvas = 1000;  // on wider ones a small tree is painted larger
@@ -17,6 +18,12 @@ constexpr float kLargestFit = 1.6F;
 float EaseOut(double t) {
   const auto rest = static_cast<float>(1 - std::clamp(t, 0.0, 1.0));
   return 1 - rest * rest * rest;
+}
+
+float ZoomToFit(const Box& box, Point canvas, float largest_zoom) {
+  const float across = std::max(canvas.x - 2 * kMargin, 1.0F) / std::max(box.width(), 1.0F);
+  const float down = std::max(canvas.y - 2 * kMargin, 1.0F) / std::max(box.height(), 1.0F);
+  return std::clamp(std::min(across, down), kLeastZoom, largest_zoom);
 }
 
 }  // namespace
@@ -177,7 +184,9 @@ void TreeView::Move(const Places& before, std::uint32_t anchor, double now) {
   moved_at_ = -1e9;
   if (anchor == kNoNode) return;
   const Point shift = layout_.boxes[ShownOf(anchor)].min - before.at[anchor];
+  const bool was_fitted = camera == fitted_;
   camera.offset = camera.offset - shift * camera.zoom;
+  if (was_fitted) fitted_ = camera;  // it was not the user who moved it
   if (!animated) return;
   for (std::uint32_t k = 0; k < shown_.size(); ++k) {
     const std::uint32_t node = shown_[k];
@@ -211,10 +220,47 @@ EdgeEnds TreeView::EdgeTo(std::uint32_t k, double now) const {
 
 bool TreeView::IsMoving(double now) const { return now < moved_at_ + kMoveSeconds; }
 
+void TreeView::PlaceIn(const Box& canvas) {
+  const Box before = std::exchange(canvas_, canvas);
+  const Point size = {canvas.width(), canvas.height()};
+  if (needs_fit) return FitAll(size);
+  if (before == canvas || before.width() < 1) return;
+  const bool was_fitted = camera == fitted_;
+  const bool was_in_sight = IsInSight({before.width(), before.height()});
+  camera.offset = camera.offset + before.min - canvas.min;
+  if (!was_fitted) return;
+  const bool upper_edge_moved = before.min.x == canvas.min.x && before.max == canvas.max;
+  const bool stays = upper_edge_moved && (!was_in_sight || MoveIntoSight(size));
+  if (!stays) FitAll(size);
+  fitted_ = camera;
+}
+
+// Up or down, as little as needed. False if the tree would be cut there, or smaller than it can be.
+bool TreeView::MoveIntoSight(Point canvas) {
+  const float zoom = ZoomToFit(layout_.bounds, canvas, LargestFit(canvas));
+  if (camera.zoom < zoom * 0.999F) return false;
+  const Box box = camera.ToScreen(layout_.bounds);
+  const float down = kLeastMargin - box.min.y;
+  const float up = canvas.y - kLeastMargin - box.max.y;
+  if (down > up) return false;
+  camera.offset.y += std::clamp(0.0F, down, up);
+  return true;
+}
+
+bool TreeView::IsInSight(Point canvas) const {
+  const Box box = camera.ToScreen(layout_.bounds);
+  return box.min.x >= 0 && box.min.y >= 0 && box.max.x <= canvas.x && box.max.y <= canvas.y;
+}
+
+float TreeView::LargestFit(Point canvas) const {
+  const float room = canvas.x / (kWideCanvas * screen_scale);
+  return screen_scale * std::clamp(room, 1.0F, kLargestFit);
+}
+
 void TreeView::FitAll(Point canvas) {
   if (shown_.empty() || canvas.x < 1 || canvas.y < 1) return;
-  const float room = canvas.x / (kWideCanvas * screen_scale);
-  Fit(layout_.bounds, canvas, screen_scale * std::clamp(room, 1.0F, kLargestFit));
+  Fit(layout_.bounds, canvas, LargestFit(canvas));
+  fitted_ = camera;
   needs_fit = false;
 }
 
@@ -226,9 +272,7 @@ void TreeView::FitSelection(Point canvas) {
 }
 
 void TreeView::Fit(const Box& box, Point canvas, float largest_zoom) {
-  const float across = std::max(canvas.x - 2 * kMargin, 1.0F) / std::max(box.width(), 1.0F);
-  const float down = std::max(canvas.y - 2 * kMargin, 1.0F) / std::max(box.height(), 1.0F);
-  camera.zoom = std::clamp(std::min(across, down), kLeastZoom, largest_zoom);
+  camera.zoom = ZoomToFit(box, canvas, largest_zoom);
   camera.offset = canvas * 0.5F - box.center() * camera.zoom;
 }
 

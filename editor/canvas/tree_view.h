@@ -13,6 +13,7 @@
 
 #include "editor/canvas/edge_shape.h"
 #include "editor/canvas/gesture.h"
+#include "editor/canvas/minimap_place.h"
 #include "editor/canvas/tree_layout.h"
 #include "editor/scene/key_uses.h"
 #include "editor/scene/scene.h"
@@ -28,6 +29,9 @@ struct Camera {
   Point ToWorld(Point screen) const { return (screen - offset) * (1 / zoom); }
   Box ToScreen(const Box& box) const { return {ToScreen(box.min), ToScreen(box.max)}; }
 };
+inline bool operator==(const Camera& a, const Camera& b) {
+  return a.offset == b.offset && a.zoom == b.zoom;
+}
 
 class TreeView {
  public:
@@ -99,6 +103,11 @@ class TreeView {
   std::uint32_t ShownOf(std::uint32_t node) const;
   bool IsMoving(double now) const;
 
+  /// Where on the screen the view is painted; before each frame. Fits a view that was never fitted.
+  /// When the place changes, one that was fitted and not moved since stays fitted; any other keeps
+  /// its nodes where they are on the screen. A fitted one does so too, as far as they fit, when
+  /// only the upper edge moves: bars that come and go above the canvas do not make the tree jump.
+  void PlaceIn(const Box& canvas);
   /// The whole tree, or the selection (with its descendants), in a canvas of that size.
   void FitAll(Point canvas);
   void FitSelection(Point canvas);
@@ -108,7 +117,8 @@ class TreeView {
   void Reveal(Point canvas);
 
   Camera camera;
-  Gesture gesture;        ///< of the mouse on the canvas
+  Gesture gesture;  ///< of the mouse on the canvas
+  MinimapState minimap;
   bool needs_fit = true;  ///< the camera was never set; cleared by FitAll
 
  private:
@@ -126,6 +136,9 @@ class TreeView {
   void LayOutShown();
   void OpenAround(std::uint32_t node);
   void Fit(const Box& box, Point canvas, float largest_zoom);
+  float LargestFit(Point canvas) const;
+  bool IsInSight(Point canvas) const;
+  bool MoveIntoSight(Point canvas);
 
   std::shared_ptr<const Scene> scene_;
   TreeHashes hashes_;
@@ -141,6 +154,8 @@ class TreeView {
   std::vector<Point> from_;  // upper left corners when the boxes began to move
   std::vector<Box> branches_;
   double moved_at_ = -1e9;
+  Box canvas_;     // of the last frame
+  Camera fitted_;  // if that is the camera, the whole tree was fitted and not moved since
 };
 
 }  // namespace coppice::editor

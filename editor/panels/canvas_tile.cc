@@ -47,9 +47,9 @@ class CanvasTile {
     if (!heat.values.empty()) options.heat = &heat;
     const std::vector<Change> changes = RunDifferences(state_, view_);
     if (!changes.empty()) options.changes = &changes;
-    if (options.live)
-      FollowRunning(state_.follow, view_, *options.live, {box_.width(), box_.height()}, ui_.now);
     DrawCanvas(ui_, view_, box_, options);
+    if (!options.live) return;
+    FollowRunning(state_.follow, view_, *options.live, {box_.width(), box_.height()}, ui_.now);
   }
 
  private:

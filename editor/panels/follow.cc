@@ -36,7 +36,9 @@ std::uint32_t DeepestRunning(const Scene& scene, const TreeState& state) {
 
 void FollowRunning(FollowMode& follow, TreeView& view, const TreeState& state, Point canvas,
                    double now) {
-  const Point moved = view.camera.offset - follow.offset;
+  const bool is_resized = !(follow.canvas == canvas);
+  const Point moved = is_resized ? Point{} : view.camera.offset - follow.offset;
+  follow.canvas = canvas;
   if (std::abs(moved.x) + std::abs(moved.y) > 0.5F) follow.rests_until = now + kRest;
   follow.offset = view.camera.offset;
   if (!follow.is_on || now < follow.rests_until || canvas.x <= 0) return;

@@ -9,6 +9,7 @@ namespace coppice::editor {
 
 struct FollowMode {
   bool is_on = false;
+  Point canvas;            ///< its size in the last frame: with it the camera changes, too
   Point offset;            ///< of the camera when it was moved here last
   double rests_until = 0;  ///< the user has moved the camera himself
 };

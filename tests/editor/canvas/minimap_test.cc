@@ -21,6 +21,98 @@ TEST(Minimap, MovesTheCameraToWhereItIsClicked) {
   EXPECT_LT(driver.view().camera.offset.x, left - 50);
 }
 
+constexpr char kMany[] = R"(<root BTCPP_format="4"><BehaviorTree ID="Many"><Sequence>)";
+
+// Three levels of many leaves.
+std::string DenseFile() {
+  std::string text = kMany;
+  for (int i = 0; i < 12; ++i) {
+    text += "<Sequence>";
+    for (int k = 0; k < 6; ++k) text += "<AlwaysSuccess/><AlwaysFailure/>";
+    text += "</Sequence>";
+  }
+  return text + "</Sequence></BehaviorTree></root>";
+}
+
+class MinimapOfADenseTree : public testing::Test {
+ protected:
+  MinimapOfADenseTree() {
+    driver_.editor.Open(file_.path());
+    driver_.Frames();
+  }
+
+  // Looks at that point of the tree, the mouse elsewhere.
+  void LookAt(Point world, float zoom) {
+    driver_.MoveTo({5, 5});
+    driver_.view().camera.zoom = zoom;
+    driver_.view().camera.offset = driver_.editor.state().canvas_size * 0.5F - world * zoom;
+    driver_.Frames(3);
+  }
+
+  int NodesUnder(const Box& box) {
+    int count = 0;
+    for (const auto& [path, node] : driver_.editor.items().all()) {
+      count += path.rfind("canvas/Many/", 0) == 0 && node.Overlaps(box);
+    }
+    return count;
+  }
+
+  TemporaryFile file_{"dense.xml", DenseFile()};
+  Driver driver_;
+};
+
+TEST_F(MinimapOfADenseTree, HidesNoNodeWhereverOneLooks) {
+  const Box all = driver_.view().bounds();
+  int open = 0;
+  int folded = 0;
+  for (int i = 0; i <= 10; ++i) {
+    for (int k = 0; k <= 10; ++k) {
+      const auto part = [](int n) { return static_cast<float>(n) / 10; };
+      LookAt(all.min + Point{part(i) * all.width(), part(k) * all.height()}, 0.8F);
+      folded += driver_.Has("canvas/minimap/folded");
+      if (!driver_.Has("canvas/minimap")) continue;
+      ++open;
+      EXPECT_EQ(NodesUnder(driver_.BoxOf("canvas/minimap")), 0) << i << " " << k;
+    }
+  }
+  EXPECT_GT(open, 20) << "there is often room";
+  EXPECT_GT(folded, 0) << "and sometimes none";
+}
+
+TEST_F(MinimapOfADenseTree, IsFoldedWhereNoCornerIsFreeAndOpensUnderTheMouse) {
+  const Box all = driver_.view().bounds();
+  for (int i = 0; i <= 40 && !driver_.Has("canvas/minimap/folded"); ++i) {
+    const float down = all.height() * static_cast<float>(i) / 40;
+    LookAt({all.center().x, all.min.y + down}, 0.8F);
+  }
+  ASSERT_TRUE(driver_.Has("canvas/minimap/folded"));
+  EXPECT_FALSE(driver_.Has("canvas/minimap"));
+  driver_.MoveTo(driver_.BoxOf("canvas/minimap/folded").center());
+  driver_.Frames();
+  ASSERT_TRUE(driver_.Has("canvas/minimap"));
+  const Point before = driver_.view().camera.offset;
+  driver_.ClickAt(driver_.BoxOf("canvas/minimap").center());
+  EXPECT_FALSE(driver_.view().camera.offset == before);
+  EXPECT_TRUE(driver_.Has("canvas/minimap")) << "as long as the mouse is there";
+  driver_.MoveTo({5, 5});
+  driver_.Frames();
+  EXPECT_EQ(NodesUnder(driver_.BoxOf("canvas/minimap")), 0);
+}
+
+TEST_F(MinimapOfADenseTree, StaysWhereItIsWhileItIsDragged) {
+  LookAt(driver_.view().bounds().min, 0.8F);
+  ASSERT_TRUE(driver_.Has("canvas/minimap"));
+  const Box map = driver_.BoxOf("canvas/minimap");
+  driver_.MoveTo(map.center());
+  driver_.Frames();
+  driver_.Carry(map.center(), map.min + Point{20, 20});
+  for (int i = 0; i < 8; ++i) {
+    driver_.MoveTo(map.min + Point{20 + static_cast<float>(i) * 16, 40});
+    driver_.Frames(1);
+    EXPECT_EQ(driver_.BoxOf("canvas/minimap"), map);
+  }
+}
+
 TEST(Minimap, CanBeHidden) {
   const TemporaryFile file("small.xml", kSmallFile);
   Driver driver;

@@ -150,6 +150,58 @@ TEST_F(TreeViewTest, FitsAllIntoTheCanvas) {
   EXPECT_FALSE(view_.needs_fit);
 }
 
+TEST_F(TreeViewTest, StaysFittedWhenTheCanvasChangesItsSize) {
+  view_.PlaceIn({{100, 50}, {900, 650}});
+  view_.PlaceIn({{300, 50}, {700, 300}});
+  TreeView fitted = view_;
+  fitted.FitAll({400, 250});
+  EXPECT_EQ(view_.camera, fitted.camera);
+  view_.PlaceIn({{100, 50}, {900, 650}});
+  fitted.FitAll({800, 600});
+  EXPECT_EQ(view_.camera, fitted.camera);
+}
+
+TEST_F(TreeViewTest, LeavesTheNodesWhereTheyAreOnTheScreenOnceTheUserHasMovedThem) {
+  view_.PlaceIn({{100, 50}, {900, 650}});
+  view_.ZoomAt({10, 10}, 1.2F);
+  const Camera before = view_.camera;
+  view_.PlaceIn({{300, 80}, {700, 300}});
+  EXPECT_EQ(view_.camera.zoom, before.zoom);
+  EXPECT_EQ(view_.camera.offset + Point({300, 80}), before.offset + Point({100, 50}));
+  view_.FitAll({400, 220});
+  view_.PlaceIn({{300, 80}, {800, 600}});
+  TreeView fitted = view_;
+  fitted.FitAll({500, 520});
+  EXPECT_EQ(view_.camera, fitted.camera) << "fitted again";
+}
+
+TEST_F(TreeViewTest, GivesWayToABarAboveTheCanvasWithoutAJump) {
+  view_.PlaceIn({{0, 0}, {800, 300}});
+  const Camera before = view_.camera;
+  const auto is_whole = [&](float top) {
+    const Box tree = view_.camera.ToScreen(view_.bounds());
+    return tree.min.y >= 0 && tree.max.y <= 300 - top;
+  };
+  view_.PlaceIn({{0, 26}, {800, 300}});
+  EXPECT_TRUE(is_whole(26));
+  EXPECT_EQ(view_.camera.zoom, before.zoom);
+  EXPECT_NEAR(view_.camera.offset.y + 26, before.offset.y, 12) << "a few pixels on the screen";
+  view_.PlaceIn({{0, 150}, {800, 300}});
+  EXPECT_TRUE(is_whole(150)) << "there it must be smaller";
+  EXPECT_LT(view_.camera.zoom, before.zoom);
+  view_.PlaceIn({{0, 0}, {800, 300}});
+  EXPECT_EQ(view_.camera, before);
+}
+
+TEST_F(TreeViewTest, StaysFittedWhenTheTreeChanges) {
+  view_.PlaceIn({{0, 0}, {800, 300}});
+  view_.SetCollapsed(4, true, 1);
+  view_.PlaceIn({{0, 0}, {600, 200}});
+  const Box tree = view_.camera.ToScreen(view_.bounds());
+  EXPECT_TRUE((Box{{0, 0}, {600, 200}}).Contains(tree.min));
+  EXPECT_TRUE((Box{{0, 0}, {600, 200}}).Contains(tree.max));
+}
+
 TEST_F(TreeViewTest, ZoomsAroundThePointUnderTheMouse) {
   view_.FitAll({800, 600});
   const Point world = view_.camera.ToWorld({200, 100});

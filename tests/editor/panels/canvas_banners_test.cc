@@ -44,6 +44,40 @@ TEST_F(CanvasBannersTest, TellThatATreeIsUsedInSeveralPlaces) {
   EXPECT_FALSE(driver_.Has("banner/shared")) << "one place";
 }
 
+// A tree that was fitted into a canvas as high as it.
+TEST_F(CanvasBannersTest, CutNothingOfATreeThatWasFitted) {
+  driver_.input.height = 480;
+  Show(kSmallFile);
+  driver_.Press(kKeyHome);
+  driver_.Frames(12);
+  const auto on_screen = [&](const char* path) {
+    return driver_.BoxOf(std::string("canvas/MainTree/") + path);
+  };
+  const char* const all[] = {"1", "1.1.1.1", "1.2.1.1", "1.3"};
+  const float before = on_screen("1").center().y;
+  std::string broken = kSmallFile;
+  broken.erase(broken.find("</Fallback>"), 11);
+  file_.Write(broken);
+  driver_.Frames(60);
+  ASSERT_TRUE(driver_.Has("banner/stale"));
+  const Box canvas = driver_.BoxOf("canvas");
+  for (const char* path : all) {
+    EXPECT_TRUE(canvas.Contains(on_screen(path).min)) << path;
+    EXPECT_TRUE(canvas.Contains(on_screen(path).max)) << path;
+  }
+  EXPECT_NEAR(on_screen("1").center().y, before, 16) << "it hardly moves";
+}
+
+TEST_F(CanvasBannersTest, LeaveTheNodeUnderTheMouseWhereItIs) {
+  Show(kTwice);
+  const Box before = driver_.BoxOf("canvas/Main/1.1.1");
+  driver_.ClickAt(before.center());
+  driver_.Frames();
+  ASSERT_TRUE(driver_.Has("banner/shared"));
+  EXPECT_NEAR(driver_.BoxOf("canvas/Main/1.1.1").min.y, before.min.y, 1)
+      << "else a double click would miss it";
+}
+
 TEST_F(CanvasBannersTest, ListThePlaces) {
   Show(kTwice);
   driver_.view().Select(driver_.view().scene()->FindPath("1.2.1"));

@@ -42,6 +42,32 @@ TEST(Tiles, AreResizedByTheirSplitters) {
   EXPECT_NEAR(driver.BoxOf("inspector").height(), inspector - 30, 2);
 }
 
+TEST(Tiles, KeepATreeFittedThatTheUserHasNotMoved) {
+  const TemporaryFile file("small.xml", kSmallFile);
+  Driver driver;
+  ASSERT_TRUE(driver.editor.Open(file.path()));
+  driver.Frames(12);
+  const auto is_fitted = [&] {
+    TreeView fitted = driver.view();
+    fitted.FitAll(driver.editor.state().canvas_size);
+    return fitted.camera == driver.view().camera;
+  };
+  ASSERT_TRUE(is_fitted());
+  driver.input.width = 1000;
+  driver.input.height = 640;
+  driver.Frames();
+  EXPECT_TRUE(is_fitted()) << "the window is smaller";
+  const Point bar = driver.BoxOf("split/left").center();
+  driver.Drag(bar, bar + Point{80, 0});
+  driver.Press(kKeyF1 + 6);
+  driver.Press(kKeyF1 + 7);
+  EXPECT_TRUE(is_fitted()) << "other tiles";
+  driver.view().ZoomAt({100, 100}, 1.3F);
+  driver.input.width = 1200;
+  driver.Frames();
+  EXPECT_FALSE(is_fitted()) << "the user has his own view";
+}
+
 TEST(Tiles, WithNothingToShowGiveTheirRoomToTheirNeighbours) {
   Driver driver;
   driver.Frames();
