@@ -37,7 +37,7 @@ NodeState StateOf(const TreeState* live, const SceneNode& node);
 void DrawCanvas(const Ui& ui, TreeView& view, const Box& box, const CanvasOptions& options);
 
 /// The small picture of the whole tree, in a corner of `box` where it hides none of the nodes; a
-/// click moves the camera. If there is no such corner it is folded, until the mouse is on it.
+/// click moves the camera. Without such a corner it is folded till the mouse is on it, or gone.
 void DrawMinimap(const Ui& ui, TreeView& view, const Box& box,
                  const std::vector<VisibleNode>& nodes, const CanvasOptions& options);
 

@@ -48,11 +48,10 @@ class Minimap {
       : ui_(ui),
         view_(view),
         box_(box),
+        nodes_(nodes),
         options_(options),
         list_(*ImGui::GetWindowDrawList()),
-        margin_(kMargin * ui.scale) {
-    for (const VisibleNode& node : nodes) nodes_.push_back(Grown(node.box, kClearance * ui.scale));
-  }
+        margin_(kMargin * ui.scale) {}
 
   void Draw() {
     const float shrink = std::clamp(box_.width() / (kWidth * ui_.scale * kPart), kLeast, 1.0F);
@@ -65,8 +64,9 @@ class Minimap {
       return;
     }
     if (state.holds_mouse) return DrawMap(InCorner(state.corner, box_, size, margin_));
-    const CornerChoice choice = FreestCorner(box_, size, margin_, nodes_, state.corner);
-    if (!choice.is_free) return DrawFolded();
+    const std::vector<Box> keep_clear = KeepClear();
+    const CornerChoice choice = FreestCorner(box_, size, margin_, keep_clear, state.corner);
+    if (!choice.is_free) return DrawFolded(keep_clear);
     state.corner = choice.corner;
     DrawMap(InCorner(state.corner, box_, size, margin_));
   }
@@ -76,10 +76,22 @@ class Minimap {
     return {box.min - Point{pixels, pixels}, box.max + Point{pixels, pixels}};
   }
 
-  void DrawFolded() {
+  // The nodes that are seen, with what stands out of them.
+  std::vector<Box> KeepClear() const {
+    std::vector<Box> boxes;
+    for (const VisibleNode& node : nodes_) {
+      const Box box = Grown(node.box, kClearance * ui_.scale);
+      if (box.Overlaps(box_)) boxes.push_back(box);
+    }
+    return boxes;
+  }
+
+  void DrawFolded(const std::vector<Box>& keep_clear) {
     const Point size = Point{kFoldedWidth, kFoldedHeight} * ui_.scale;
     MinimapState& state = view_.minimap;
-    state.corner = FreestCorner(box_, size, margin_, nodes_, state.corner).corner;
+    const CornerChoice choice = FreestCorner(box_, size, margin_, keep_clear, state.corner);
+    if (!choice.is_free) return;
+    state.corner = choice.corner;
     const Box frame = InCorner(state.corner, box_, size, margin_);
     ui_.Fill(list_, frame, ui_.palette.panel, 3 * ui_.scale);
     ui_.Frame(list_, frame, ui_.palette.text_dim, 3 * ui_.scale);
@@ -100,9 +112,11 @@ class Minimap {
     DrawSeen(camera, frame);
     bool hovered = false;
     ui_.Hit("canvas/minimap", frame, &hovered);
-    view_.minimap.holds_mouse = hovered || ImGui::IsItemActive();
+    const Point mouse = FromIm(ImGui::GetIO().MousePos);
+    bool& holds_mouse = view_.minimap.holds_mouse;
+    holds_mouse = hovered || ImGui::IsItemActive() || (holds_mouse && frame.Contains(mouse));
     if (ImGui::IsItemActive()) {
-      const Point at = camera.ToWorld(FromIm(ImGui::GetIO().MousePos));
+      const Point at = camera.ToWorld(mouse);
       view_.camera.offset = Canvas() * 0.5F - at * view_.camera.zoom;
     }
   }
@@ -133,10 +147,10 @@ class Minimap {
   const Ui& ui_;
   TreeView& view_;
   const Box box_;
+  const std::vector<VisibleNode>& nodes_;
   const CanvasOptions& options_;
   ImDrawList& list_;
   const float margin_;
-  std::vector<Box> nodes_;
 };
 
 }  // namespace

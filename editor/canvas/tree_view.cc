@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kMoveSeconds = 0.15;
 constexpr float kChipRow = 20;
-constexpr float kMargin = 24;      // around a fitted tree, on the screen
+constexpr float kMargin = 24;      // around a fitted tree, on a screen of scale 1
 constexpr float kLeastMargin = 8;  // if a bar above the canvas has taken the rest
 constexpr float kLeastZoom = 0.0005F;
 constexpr float kLargestZoom = 3;
@@ -20,9 +20,9 @@ float EaseOut(double t) {
   return 1 - rest * rest * rest;
 }
 
-float ZoomToFit(const Box& box, Point canvas, float largest_zoom) {
-  const float across = std::max(canvas.x - 2 * kMargin, 1.0F) / std::max(box.width(), 1.0F);
-  const float down = std::max(canvas.y - 2 * kMargin, 1.0F) / std::max(box.height(), 1.0F);
+float ZoomToFit(const Box& box, Point canvas, float margin, float largest_zoom) {
+  const float across = std::max(canvas.x - 2 * margin, 1.0F) / std::max(box.width(), 1.0F);
+  const float down = std::max(canvas.y - 2 * margin, 1.0F) / std::max(box.height(), 1.0F);
   return std::clamp(std::min(across, down), kLeastZoom, largest_zoom);
 }
 
@@ -237,19 +237,23 @@ void TreeView::PlaceIn(const Box& canvas) {
 
 // Up or down, as little as needed. False if the tree would be cut there, or smaller than it can be.
 bool TreeView::MoveIntoSight(Point canvas) {
-  const float zoom = ZoomToFit(layout_.bounds, canvas, LargestFit(canvas));
+  const float zoom = ZoomToFit(layout_.bounds, canvas, kMargin * screen_scale, LargestFit(canvas));
   if (camera.zoom < zoom * 0.999F) return false;
   const Box box = camera.ToScreen(layout_.bounds);
-  const float down = kLeastMargin - box.min.y;
-  const float up = canvas.y - kLeastMargin - box.max.y;
+  const float margin = kLeastMargin * screen_scale;
+  const float down = margin - box.min.y;
+  const float up = canvas.y - margin - box.max.y;
   if (down > up) return false;
   camera.offset.y += std::clamp(0.0F, down, up);
   return true;
 }
 
+// But for a little, such as the row by which a node has just grown.
 bool TreeView::IsInSight(Point canvas) const {
   const Box box = camera.ToScreen(layout_.bounds);
-  return box.min.x >= 0 && box.min.y >= 0 && box.max.x <= canvas.x && box.max.y <= canvas.y;
+  const float out = kMargin * screen_scale;
+  return box.min.x >= -out && box.min.y >= -out && box.max.x <= canvas.x + out &&
+         box.max.y <= canvas.y + out;
 }
 
 float TreeView::LargestFit(Point canvas) const {
@@ -272,7 +276,7 @@ void TreeView::FitSelection(Point canvas) {
 }
 
 void TreeView::Fit(const Box& box, Point canvas, float largest_zoom) {
-  camera.zoom = ZoomToFit(box, canvas, largest_zoom);
+  camera.zoom = ZoomToFit(box, canvas, kMargin * screen_scale, largest_zoom);
   camera.offset = canvas * 0.5F - box.center() * camera.zoom;
 }
 
@@ -285,9 +289,9 @@ void TreeView::ZoomAt(Point screen, float factor) {
 void TreeView::Reveal(Point canvas) {
   if (selected_ == kNoNode) return;
   const Box box = camera.ToScreen(layout_.boxes[ShownOf(selected_)]);
-  const auto correction = [](float low, float high, float size) {
-    if (low < kMargin) return kMargin - low;
-    return high > size - kMargin ? std::max(size - kMargin - high, kMargin - low) : 0.0F;
+  const auto correction = [margin = kMargin * screen_scale](float low, float high, float size) {
+    if (low < margin) return margin - low;
+    return high > size - margin ? std::max(size - margin - high, margin - low) : 0.0F;
   };
   camera.offset = camera.offset + Point{correction(box.min.x, box.max.x, canvas.x),
                                         correction(box.min.y, box.max.y, canvas.y)};

@@ -193,6 +193,16 @@ TEST_F(TreeViewTest, GivesWayToABarAboveTheCanvasWithoutAJump) {
   EXPECT_EQ(view_.camera, before);
 }
 
+TEST_F(TreeViewTest, LeavesABigTreeAloneThatWasOpenedBeyondTheCanvas) {
+  view_.SetCollapsed(0, true, 1);
+  view_.PlaceIn({{0, 0}, {200, 120}});
+  view_.SetCollapsed(0, false, 2);
+  const Camera before = view_.camera;
+  view_.PlaceIn({{0, 26}, {200, 120}});
+  EXPECT_EQ(view_.camera.zoom, before.zoom) << "a bar that a click has brought does not zoom";
+  EXPECT_EQ(view_.camera.offset.y + 26, before.offset.y);
+}
+
 TEST_F(TreeViewTest, StaysFittedWhenTheTreeChanges) {
   view_.PlaceIn({{0, 0}, {800, 300}});
   view_.SetCollapsed(4, true, 1);
