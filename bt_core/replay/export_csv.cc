@@ -54,16 +54,25 @@ class CsvWriter final : public RunVisitor {
     Add(events.start, events.tick, kind, tree_->nodes[event.index].path, "", text, "");
   }
 
+  // Gaps and notes, in the order of their times.
   void AddAsides(Time until) {
-    for (; gap_ < run_.gaps().size() && run_.gaps()[gap_].gap.time <= until; ++gap_) {
-      const HistoryGap& gap = run_.gaps()[gap_].gap;
-      Add(gap.time, gap.last_tick, "gap", "", "", std::to_string(gap.lost_ticks) + " ticks", "");
-    }
-    for (; note_ < run_.notes().size() && run_.notes()[note_].note.time <= until; ++note_) {
-      const HistoryNote& note = run_.notes()[note_].note;
-      Add(note.time, 0, "note", note.kind, "", note.text, "");
+    while (true) {
+      const bool has_gap = gap_ < run_.gaps().size() && run_.gaps()[gap_].gap.time <= until;
+      const bool has_note = note_ < run_.notes().size() && run_.notes()[note_].note.time <= until;
+      if (!has_gap && !has_note) return;
+      if (has_gap && (!has_note || run_.gaps()[gap_].gap.time < run_.notes()[note_].note.time)) {
+        AddGap(run_.gaps()[gap_++].gap);
+      } else {
+        AddNote(run_.notes()[note_++].note);
+      }
     }
   }
+
+  void AddGap(const HistoryGap& gap) {
+    Add(gap.time, gap.last_tick, "gap", "", "", std::to_string(gap.lost_ticks) + " ticks", "");
+  }
+
+  void AddNote(const HistoryNote& note) { Add(note.time, 0, "note", note.kind, "", note.text, ""); }
 
   void Add(Time time, std::uint64_t tick, const char* kind, std::string_view subject,
            std::string_view from, std::string_view to, std::string_view by) {
