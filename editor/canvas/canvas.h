@@ -22,6 +22,7 @@ namespace coppice::editor {
 
 struct CanvasOptions {
   bool minimap = true;
+  Box occupied;  ///< by what lies over the canvas, on the screen; the minimap keeps clear of it
   const TreeState* live = nullptr;               ///< null: no statuses
   const std::vector<Badge>* badges = nullptr;    ///< by node of the scene; null or empty: none
   const HeatMap* heat = nullptr;                 ///< null: headers in the colours of the shapes

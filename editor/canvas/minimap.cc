@@ -76,9 +76,9 @@ class Minimap {
     return {box.min - Point{pixels, pixels}, box.max + Point{pixels, pixels}};
   }
 
-  // The nodes that are seen, with what stands out of them.
+  // What lies over the canvas, and the nodes that are seen with what stands out of them.
   std::vector<Box> KeepClear() const {
-    std::vector<Box> boxes;
+    std::vector<Box> boxes = {options_.occupied};
     for (const VisibleNode& node : nodes_) {
       const Box box = Grown(node.box, kClearance * ui_.scale);
       if (box.Overlaps(box_)) boxes.push_back(box);

@@ -34,6 +34,7 @@ class CanvasTile {
     UpdateBadges();
     CanvasOptions options;
     options.minimap = state_.tiles.minimap;
+    if (const Box* label = ui_.items.Find("sim/chance_origin")) options.occupied = *label;
     options.live = state_.workspace.tree_state();
     options.badges = &state_.canvas.badges.by_node;
     const NodeDrop drop(state_, ui_.now);

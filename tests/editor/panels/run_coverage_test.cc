@@ -136,6 +136,12 @@ TEST_F(RunCoverageTest, SaysWhoseWordCountsAndAFindingIsFoundAgainWithIt) {
   EXPECT_EQ(simulation().ticks(), finding.tick);
   EXPECT_EQ(simulation().state().last(4), Status::kFailure) << "say threw";
   EXPECT_TRUE(driver_.Has("sim/chance_origin"));
+  driver_.view().ZoomAt({0, 0}, 2);
+  driver_.view().camera.offset = {-3000, -3000};  // no node is in sight
+  driver_.view().minimap.corner = Corner::kLowerLeft;
+  driver_.Frames();
+  ASSERT_TRUE(driver_.Has("canvas/minimap"));
+  EXPECT_FALSE(driver_.BoxOf("canvas/minimap").Overlaps(driver_.BoxOf("sim/chance_origin")));
   driver_.Picture("coverage_origin");
 }
 
