@@ -11,7 +11,9 @@ namespace {
 
 std::vector<PlacedRule> RulesOf(const ScenarioSuite& suite, const Scenario& scenario) {
   std::vector<PlacedRule> rules = scenario.leaves;
-  rules.insert(rules.end(), suite.leaves.begin(), suite.leaves.end());
+  if (!scenario.own_leaves) {
+    rules.insert(rules.end(), suite.leaves.begin(), suite.leaves.end());
+  }
   return rules;
 }
 

@@ -103,6 +103,7 @@ struct Scenario {
   std::string name;
   std::uint64_t seed = 0;  ///< of what scripts do by chance
   std::vector<PlacedRule> leaves;
+  bool own_leaves = false;  ///< the rules of the suite do not count here
   std::vector<ScenarioStep> steps;
 };
 

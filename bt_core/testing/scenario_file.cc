@@ -75,10 +75,12 @@ class SuiteReader : public ScriptFields {
         scenario.seed = ReadSeed(member);
       } else if (member.key == "leaves") {
         scenario.leaves = ReadRules(member);
+      } else if (member.key == "own_leaves") {
+        scenario.own_leaves = ReadBool(member);
       } else if (member.key == "steps") {
         for (const JsonText& step : ListOf(member)) scenario.steps.push_back(ReadStep(step));
       } else {
-        Unknown(member, {"name", "seed", "leaves", "steps"});
+        Unknown(member, {"name", "seed", "leaves", "own_leaves", "steps"});
       }
     }
     if (scenario.name.empty()) Error(json, "\"name\" is missing");

@@ -198,6 +198,7 @@ JsonText ScenarioText(const Scenario& scenario) {
   Add(object, "name", Text(scenario.name));
   if (scenario.seed != 0) Add(object, "seed", Make(Kind::kNumber, std::to_string(scenario.seed)));
   if (!scenario.leaves.empty()) Add(object, "leaves", Rules(scenario.leaves));
+  if (scenario.own_leaves) Add(object, "own_leaves", Make(Kind::kBool, "true"));
   JsonText steps = Array();
   for (const ScenarioStep& step : scenario.steps) steps.children.push_back(StepText(step));
   Add(object, "steps", std::move(steps));
@@ -259,9 +260,11 @@ std::optional<std::string> AddScenario(const std::string& text, const std::strin
     return std::nullopt;
   }
   const std::optional<JsonText> json = ParseJsonText(text, file, diagnostics);
+  Scenario added = scenario;
+  added.own_leaves = added.own_leaves || !suite->leaves.empty();
   std::string changed = text;
   changed.insert(EndOfLast(*json->Find("scenarios")),
-                 ",\n    " + PrintJsonText(ScenarioText(scenario), 4));
+                 ",\n    " + PrintJsonText(ScenarioText(added), 4));
   return changed;
 }
 

@@ -29,8 +29,9 @@ std::string PatternOf(const Program& program, NodeIndex node);
 /// The text of a file; the tree is written relative to it.
 std::string PrintScenarios(const ScenarioSuite& suite);
 
-/// The text of a file with one scenario more, behind the others; nothing else of it changes. Null
-/// if the text is no file of scenarios or has one of that name.
+/// The text of a file with one scenario more, behind the others; nothing else of it changes. What
+/// was played without the rules of that file does not get them (own_leaves). Null if the text is no
+/// file of scenarios or has one of that name.
 std::optional<std::string> AddScenario(const std::string& text, const std::string& file,
                                        const Scenario& scenario, Diagnostics& diagnostics);
 

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/bt_core/testing/with_stand_ins.h"
+
 namespace coppice {
 namespace {
 
@@ -33,6 +35,7 @@ constexpr char kText[] = R"({
       "name": "tries again",
       "seed": 7,
       "leaves": {"speak": "SKIPPED"},
+      "own_leaves": true,
       "steps": [
         {
           "set": {"goal": "1;2", "n": -2.50, "patrol/done": false},
@@ -85,6 +88,31 @@ TEST(ScenarioWriter, AScenarioIsAddedBehindTheOthersAndNothingElseChanges) {
   EXPECT_NE(diagnostics.ToString().find("a.test.json:4:5: error: there is a scenario \"two\""),
             std::string::npos)
       << diagnostics.ToString();
+}
+
+// A rule by name of the file would decide before the scenario's rule by type.
+TEST(ScenarioWriter, RulesOfTheFileDoNotChangeWhatAnAddedScenarioDoes) {
+  Diagnostics diagnostics;
+  const auto program = CompileWithStandIns(
+      "<root BTCPP_format=\"4\"><BehaviorTree ID=\"M\"><Go name=\"go\"/></BehaviorTree></root>",
+      diagnostics);
+  const std::string text =
+      "{\"tree\": \"a.xml\", \"leaves\": {\"go\": \"FAILURE\"}, \"scenarios\": "
+      "[{\"name\": \"one\", \"steps\": [{\"expect\": {\"status\": \"FAILURE\"}}]}]}";
+  PlacedRule goes;
+  goes.rule.pattern = "<Go>";
+  const Scenario played = RecordScenario(*program, {goes}, std::vector<ScenarioStep>(1), "two");
+  const auto changed = AddScenario(text, "a.test.json", played, diagnostics);
+  ASSERT_TRUE(changed) << diagnostics.ToString();
+  const ScenarioSuite suite = Parsed(*changed);
+  ASSERT_EQ(suite.scenarios.size(), 2U);
+  EXPECT_EQ(PrintScenarios(Parsed(PrintScenarios(suite))), PrintScenarios(suite));
+  for (const Scenario& scenario : suite.scenarios) {
+    for (const Difference& difference : RunScenario(*program, suite, scenario).differences) {
+      ADD_FAILURE() << scenario.name << ": " << difference.what << ": " << difference.expected
+                    << ", got " << difference.got;
+    }
+  }
 }
 
 TEST(ScenarioWriter, AFileThatIsWrongStaysAsItIs) {
