@@ -13,6 +13,7 @@ namespace {
 constexpr float kDotDistance = 30;  // pixels at zoom 1
 constexpr float kDotSpeed = 150;    // pixels per second at zoom 1
 constexpr float kDash = 9;
+constexpr float kTiny = 1.5F;  // height of a block; pixels at scale 1
 
 float Distance(Point a, Point b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
@@ -29,6 +30,13 @@ void Walk(const std::vector<Point>& points, float first, float gap, Visit visit)
     }
     walked += length;
   }
+}
+
+Outline OutlineOf(const std::vector<Point>& points) {
+  Outline outline;
+  outline.reserve(points.size());
+  for (const Point point : points) outline.push_back(ToIm(point));
+  return outline;
 }
 
 class EdgePainter {
@@ -65,11 +73,12 @@ class EdgePainter {
   }
 
   void PaintLine(Color color, float thick) {
+    if (!look_.stem) return pen_.Line(OutlineOf(PartBehindStem(edge_, look_.ends)), color, thick);
     pen_.Curve(edge_.a, edge_.b, edge_.c, edge_.d, color, thick);
     if (edge_.branch.empty()) return;
-    Outline line = {ToIm(edge_.d)};
-    for (const Point point : edge_.branch) line.push_back(ToIm(point));
-    pen_.Line(line, color, thick);
+    std::vector<Point> line = {edge_.d};
+    line.insert(line.end(), edge_.branch.begin(), edge_.branch.end());
+    pen_.Line(OutlineOf(line), color, thick);
   }
 
   // Dots that walk in the direction of the tick; if nothing may move, dashes.
@@ -109,6 +118,24 @@ class EdgePainter {
 
 void PaintEdge(Pen& pen, const EdgeLook& look) {
   if (look.ends.link != Link::kNone) EdgePainter(pen, look).Paint();
+}
+
+void PaintFarEdge(Pen& pen, const EdgeLook& look) {
+  // So many lines between so small boxes would hide these.
+  const bool tiny = look.ends.child.height() < kTiny * pen.ui.scale;
+  if (tiny && look.state.status == Status::kIdle) return;
+  const Color color =
+      Fade(StatusColor(pen.ui.palette, look.state, pen.ui.palette.edge), 0.7F * look.strength);
+  std::vector<Point> line;
+  if (!HasStem(look.ends)) {
+    line = {look.ends.parent.center(), look.ends.child.center()};
+  } else if (const EdgeShape edge = ShapeOfEdge(look.ends); look.stem) {
+    line = {edge.a, edge.d};
+    line.insert(line.end(), edge.branch.begin(), edge.branch.end());
+  } else {
+    line = PartBehindStem(edge, look.ends);
+  }
+  pen.Line(OutlineOf(line), color, pen.ui.scale);
 }
 
 }  // namespace coppice::editor

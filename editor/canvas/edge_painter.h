@@ -16,9 +16,13 @@ struct EdgeLook {
   std::uint32_t number = 1;  ///< of the child; painted beside its end unless 0
   Change change = Change::kNone;
   float strength = 1;
+  bool stem = true;  ///< false: the stem is left out, because a sibling's line covers it
 };
 
 void PaintEdge(Pen& pen, const EdgeLook& look);
+
+/// From afar, where nodes are blocks: a thin line without corners, numbers and motion.
+void PaintFarEdge(Pen& pen, const EdgeLook& look);
 
 }  // namespace coppice::editor
 

@@ -14,6 +14,8 @@ constexpr float kRowTrunk = 14;      // of the line along rows, from the left si
 constexpr float kAboveRow = 18;      // where a line runs to the children of a row
 constexpr float kRadius = 8;         // of corners
 constexpr float kLeastRadius = 2;    // pixels; smaller corners are sharp
+constexpr std::size_t kMostPoints = 12;  // of a branch
+constexpr float kThickest = 4;           // half of a line [pixels]
 
 Point OnCurve(const EdgeShape& edge, float t) {
   const float s = 1 - t;
@@ -65,6 +67,7 @@ EdgeShape WayIntoRow(const Box& parent, float row, float x, float zoom) {
   const Point d = {start.x, y - radius};
   EdgeShape edge = {
       start, start + (d - start) * (1 / 3.0F), start + (d - start) * (2 / 3.0F), d, {}, {x, row}};
+  edge.branch.reserve(kMostPoints);
   AddCorner(edge.branch, {0, -1}, {start.x, y}, {1, 0}, radius);
   edge.branch.erase(edge.branch.begin());  // d
   AddCorner(edge.branch, {-1, 0}, {x, y}, {0, 1}, radius);
@@ -94,7 +97,55 @@ EdgeShape ShapeAcross(const EdgeEnds& ends) {
   return edge;
 }
 
+// From left to right, nothing stands in columns.
+bool IsInRow(const EdgeEnds& ends) {
+  return ends.link == Link::kRow ||
+         (ends.link == Link::kRowColumn && ends.orientation == Orientation::kTopToBottom);
+}
+
+bool IsOnTrunk(const EdgeEnds& ends) {
+  return ends.link == Link::kTrunk && ends.orientation == Orientation::kTopToBottom;
+}
+
+Box Thick(Point a, Point b) {
+  const Box box = Union({a, a}, {b, b});
+  return {box.min - Point{kThickest, kThickest}, box.max + Point{kThickest, kThickest}};
+}
+
+// Top to bottom.
+EdgeBounds BoundsInRow(const Box& parent, const Box& child, const EdgeEnds& ends) {
+  const float x = parent.min.x + kRowTrunk * ends.zoom;
+  const float y = child.min.y - ends.below_row - kAboveRow * ends.zoom;
+  const Box child_and_trunk = {child.min - Point{kTrunkInset * ends.zoom, 0}, child.max};
+  return {Thick({x, parent.max.y}, {x, y}), Union(Thick({x, y}, {x, y}), child_and_trunk)};
+}
+
 }  // namespace
+
+bool HasStem(const EdgeEnds& ends) { return IsInRow(ends) || IsOnTrunk(ends); }
+
+std::vector<Point> PartBehindStem(const EdgeShape& edge, const EdgeEnds& ends) {
+  std::vector<Point> part;
+  part.reserve(kMostPoints);
+  if (!IsOnTrunk(ends)) part.push_back(edge.d);
+  part.insert(part.end(), edge.branch.begin(), edge.branch.end());
+  return part;
+}
+
+EdgeBounds BoundsOf(const EdgeEnds& ends) {
+  if (IsInRow(ends) && ends.orientation == Orientation::kLeftToRight) {
+    const EdgeBounds flipped = BoundsInRow(Flipped(ends.parent), Flipped(ends.child), ends);
+    return {Flipped(flipped.stem), Flipped(flipped.rest)};
+  }
+  if (IsInRow(ends)) return BoundsInRow(ends.parent, ends.child, ends);
+  if (!IsOnTrunk(ends)) {
+    const Box all = Union(ends.parent, ends.child);
+    return {all, all};
+  }
+  const Point trunk = {ends.child.min.x - kTrunkInset * ends.zoom, ends.child.max.y};
+  const Point start = {ends.parent.center().x, ends.parent.max.y};
+  return {Thick(start, trunk), Union(Thick(trunk, trunk), ends.child)};
+}
 
 EdgeShape ShapeOfEdge(const EdgeEnds& ends) {
   if (ends.orientation == Orientation::kLeftToRight) return ShapeAcross(ends);

@@ -29,6 +29,21 @@ struct EdgeShape {
 
 EdgeShape ShapeOfEdge(const EdgeEnds& ends);
 
+/// The stem is the beginning of a line that siblings share: that of a sibling covers those of all
+/// before it. Curves have none.
+bool HasStem(const EdgeEnds& ends);
+
+/// What comes behind the stem; the whole branch if there is none.
+std::vector<Point> PartBehindStem(const EdgeShape& edge, const EdgeEnds& ends);
+
+/// Around the stem and around what comes behind it, with the thickness of a line. Without a stem
+/// both are around all.
+struct EdgeBounds {
+  Box stem;
+  Box rest;
+};
+EdgeBounds BoundsOf(const EdgeEnds& ends);
+
 /// Points along the whole edge, close enough to walk on.
 std::vector<Point> PointsAlong(const EdgeShape& edge);
 

@@ -4,15 +4,13 @@
 #include <unordered_set>
 
 #include "editor/canvas/canvas_looks.h"
-#include "editor/canvas/edge_painter.h"
 #include "editor/canvas/mark_painter.h"
 #include "editor/canvas/node_painter.h"
-#include "editor/canvas/status_look.h"
+#include "editor/canvas/tree_lines.h"
 
 namespace coppice::editor {
 namespace {
 
-constexpr float kTiny = 1.5F;     // pixels at scale 1
 constexpr float kGroundSide = 8;  // of the ground beside the nodes of a SubTree, at zoom 1
 
 class TreePainter {
@@ -27,7 +25,7 @@ class TreePainter {
 
   void Paint() {
     if (detail_ != Detail::kBlock) PaintGround();
-    for (const VisibleNode& item : area_.visible) PaintLine(item);
+    PaintLines(pen_, area_);
     for (const VisibleNode& item : area_.visible) PaintItem(item);
   }
 
@@ -65,50 +63,6 @@ class TreePainter {
               {band.max.x + kGroundSide, band.max.y + kGroundSide}};
     }
     return area_.camera.ToScreen(band);
-  }
-
-  void PaintLine(const VisibleNode& item) {
-    if (item.k == 0 || item.whole_branch) return;
-    const SceneNode& node = NodeOf(item);
-    EdgeLook look;
-    look.ends = OnScreen(item.k, node);
-    if (!Union(look.ends.parent, look.ends.child).Overlaps(area_.box)) return;
-    look.state = StateOf(area_.options.live, node);
-    look.offline = area_.options.live && !area_.options.live->is_fresh;
-    const bool alone = node.number == 1 && node.end == scene_.nodes[node.parent].end;
-    look.number = alone ? 0 : node.number;
-    look.change = ChangeOf(area_.options, view_.shown()[item.k]);
-    if (view_.lit_key() != kNoKey) look.strength = kDimmed;
-    if (detail_ == Detail::kBlock) return PaintStraight(look);
-    PaintEdge(pen_, look);
-  }
-
-  EdgeEnds OnScreen(std::uint32_t k, const SceneNode& node) const {
-    const float zoom = area_.camera.zoom;
-    EdgeEnds ends = view_.EdgeTo(k, pen_.ui.now);
-    ends.parent = area_.camera.ToScreen(ends.parent);
-    ends.child = area_.camera.ToScreen(ends.child);
-    ends.zoom = zoom;
-    ends.parent_note = NoteHeight(scene_.nodes[view_.shown()[view_.ShownParent(k)]]) * zoom;
-    ends.child_note = NoteHeight(node) * zoom;
-    ends.below_row *= zoom;
-    return ends;
-  }
-
-  void PaintStraight(const EdgeLook& look) {
-    // So many lines between so small boxes would hide these.
-    const bool tiny = look.ends.child.height() < kTiny * pen_.ui.scale;
-    if (tiny && look.state.status == Status::kIdle) return;
-    const Color color = Fade(StatusColor(colors_, look.state, colors_.edge), 0.7F * look.strength);
-    if (look.ends.link == Link::kCurve || look.ends.link == Link::kNone) {
-      pen_.Line({ToIm(look.ends.parent.center()), ToIm(look.ends.child.center())}, color,
-                pen_.ui.scale);
-      return;
-    }
-    const EdgeShape edge = ShapeOfEdge(look.ends);
-    Outline line = {ToIm(edge.a), ToIm(edge.d)};
-    for (const Point point : edge.branch) line.push_back(ToIm(point));
-    pen_.Line(line, color, pen_.ui.scale);
   }
 
   void PaintItem(const VisibleNode& item) {

@@ -28,6 +28,15 @@ float ZoomToFit(const Box& box, Point canvas, float margin, float largest_zoom) 
 
 }  // namespace
 
+EdgeEnds Camera::ToScreen(EdgeEnds world) const {
+  world.parent = ToScreen(world.parent);
+  world.child = ToScreen(world.child);
+  for (float* length : {&world.zoom, &world.parent_note, &world.child_note, &world.below_row}) {
+    *length *= zoom;
+  }
+  return world;
+}
+
 void TreeView::SetScene(std::shared_ptr<const Scene> scene, const SizeOf& size_of, double now) {
   TreeHashes hashes = HashTree(*scene);
   TreeMatch match;

@@ -28,6 +28,7 @@ struct Camera {
   Point ToScreen(Point world) const { return offset + world * zoom; }
   Point ToWorld(Point screen) const { return (screen - offset) * (1 / zoom); }
   Box ToScreen(const Box& box) const { return {ToScreen(box.min), ToScreen(box.max)}; }
+  EdgeEnds ToScreen(EdgeEnds world) const;
 };
 inline bool operator==(const Camera& a, const Camera& b) {
   return a.offset == b.offset && a.zoom == b.zoom;

@@ -25,9 +25,13 @@ std::vector<VisibleNode> FindVisible(const TreeView& view, const Camera& camera,
     const Box branch = camera.ToScreen(view.BranchBounds(k));
     if (!moving && !Grown(branch, margin).Overlaps(canvas)) {
       // The line from the parent to a branch that is out of sight may cross the canvas.
-      const Box box = box_of(k);
-      const bool line = k > 0 && Union(box, box_of(view.ShownParent(k))).Overlaps(canvas);
-      if (line) visible.push_back({k, box, false});
+      if (k > 0) {
+        const EdgeEnds ends = camera.ToScreen(view.EdgeTo(k, now));
+        const EdgeBounds line = BoundsOf(ends);
+        if (line.stem.Overlaps(canvas) || line.rest.Overlaps(canvas)) {
+          visible.push_back({k, ends.child, false});
+        }
+      }
       k = view.shown_ends()[k];
       continue;
     }
