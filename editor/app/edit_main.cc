@@ -26,6 +26,7 @@ std::string UserPath(const char* variable, const char* fallback, const char* pat
 
 std::unique_ptr<Editor> MakeEditor(const EditOptions& options, EditorOptions editor_options) {
   editor_options.palette = options.palette;
+  editor_options.reduce_motion = options.reduce_motion;
   if (!options.headless) {
     editor_options.recent_file = UserPath("XDG_CONFIG_HOME", "/.config", "/coppice/recent");
     editor_options.keys_file = UserPath("XDG_CONFIG_HOME", "/.config", "/coppice/keys");

@@ -62,6 +62,7 @@ const char* const kEditUsage =
     "  --connect HOST:PORT  follow a robot; may be given several times\n"
     "  --models FILE        XML file with a <TreeNodesModel>; may be given several times\n"
     "  --palette NAME       dark, light or colourblind\n"
+    "  --reduce-motion      nothing pulses, walks or glides\n"
     "  --size WxH           of the window (1280x800)\n"
     "  --picture FILE.png   save what the window shows, at the end\n"
     "  --every SECONDS      save the picture again and again\n"
@@ -77,6 +78,8 @@ std::optional<EditOptions> ParseEditOptions(const std::vector<std::string>& argu
     if (argument == "--help" || argument == "-h") return std::nullopt;
     if (argument == "--headless") {
       options.headless = true;
+    } else if (argument == "--reduce-motion") {
+      options.reduce_motion = true;
     } else if (TakesValue(argument)) {
       if (i + 1 == arguments.size()) {
         error = argument + " needs a value";

@@ -19,6 +19,7 @@ struct EditOptions {
   int width = 1280;
   int height = 800;
   PaletteName palette = PaletteName::kDark;
+  bool reduce_motion = false;
   bool headless = false;
   double run_for = 0;  ///< seconds; 0: until told to end
 };

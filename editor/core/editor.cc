@@ -62,6 +62,7 @@ Editor::Editor(EditorOptions options)
   const WithContext current(context_);
   SetUpImGui();
   state_.palette = options_.palette;
+  state_.reduce_motion = options_.reduce_motion;
   state_.open_file = [this](const std::string& path) { return Open(path); };
   state_.resume = [this](const std::string& path, const std::string& text) {
     return history_store_.Resume(state_.workspace.project(), path, text);
@@ -184,10 +185,16 @@ void Editor::Frame(const InputEvents& input) {
   items_.Clear();
   const Palette& palette = GetPalette(state_.palette);
   ApplyImGuiStyle(palette, options_.scale);
+  if (TreeView* view = state_.workspace.view()) view->animated = !state_.reduce_motion;
   RunKeys();
   const TreeState* shown = state_.workspace.tree_state();
-  const Ui ui{GetPalette(state_.palette),  *fonts_, items_, options_.scale, now_,
-              shown ? shown->now : Time(0)};
+  const Ui ui{GetPalette(state_.palette),
+              *fonts_,
+              items_,
+              options_.scale,
+              now_,
+              shown ? shown->now : Time(0),
+              state_.reduce_motion};
   ImGui::SetNextWindowPos({0, 0});
   ImGui::SetNextWindowSize({input.width, input.height});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});

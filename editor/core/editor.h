@@ -33,6 +33,7 @@ class Fonts;
 
 struct EditorOptions {
   PaletteName palette = PaletteName::kDark;
+  bool reduce_motion = false;          ///< nothing pulses, walks or glides
   float scale = 1;                     ///< of the screen; 2 on a screen with tiny pixels
   std::shared_ptr<const Fonts> fonts;  ///< of that scale, shared with others; null: its own
   std::string recent_file;             ///< where the list of recent files is kept; empty: nowhere

@@ -136,11 +136,21 @@ struct XmlPane {
   float widest = 0;      ///< line in sight [pixels]
 };
 
+/// Where the lines of a text begin and end (before the line end), and of which text.
+struct XmlLines {
+  struct Line {
+    std::uint32_t begin = 0;
+    std::uint32_t end = 0;
+  };
+  std::optional<Document> of;
+  std::vector<Line> lines;
+};
+
 /// Which lines of the shown text differ, and from what that was computed.
 struct XmlGutter {
   std::string path;
   std::uint32_t version = 0;  ///< of the text
-  std::string saved;
+  std::uint32_t saved_version = 0;
   std::shared_ptr<const std::string> head;
   std::vector<LineMark> since_saved;  ///< by line; empty: nothing to compare with
   std::vector<LineMark> since_head;
@@ -175,6 +185,7 @@ struct EditorState {
   KeySettings key_settings;
   GitHead git;
   PaletteName palette = PaletteName::kDark;
+  bool reduce_motion = false;  ///< nothing pulses, walks or glides
   Tiles tiles;
   Splits splits;
   Popup popup = Popup::kNone;
@@ -192,6 +203,7 @@ struct EditorState {
   Notice notice;
   Typing typing;
   XmlPane xml;
+  XmlLines xml_lines;
   XmlGutter xml_gutter;
   std::string type_filter;       ///< typed above the node types
   std::optional<Drag> incoming;  ///< dragged out of a tile

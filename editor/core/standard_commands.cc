@@ -111,6 +111,10 @@ class Commands {
     AddPalette("palette.dark", "Dark colours", PaletteName::kDark);
     AddPalette("palette.light", "Light colours", PaletteName::kLight);
     AddPalette("palette.colourblind", "Colour-blind colours", PaletteName::kColourBlind);
+    AddSwitch(
+        "view.reduce_motion", "Reduce motion", {},
+        [&s = state_] { s.reduce_motion = !s.reduce_motion; },
+        [&s = state_] { return s.reduce_motion; });
   }
 
   void AddOrientation(std::string id, std::string title, Orientation orientation) {

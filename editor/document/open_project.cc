@@ -72,7 +72,7 @@ const EditedFile* OpenProject::Open(const std::string& path, Diagnostics& diagno
   }
   EditedFile& file = files_[path];
   file.path = path;
-  file.saved = *text;
+  Know(file, *text);
   NoteStamp(file);
   Replace(file, *std::move(text), std::nullopt);
   return &file;
@@ -84,6 +84,12 @@ const EditedFile& OpenProject::Create(const std::string& path, std::string text)
   file.is_new = true;
   Replace(file, std::move(text), std::nullopt);
   return file;
+}
+
+// What is on the disk.
+void OpenProject::Know(EditedFile& file, std::string saved) {
+  file.saved = std::move(saved);
+  ++file.saved_version;
 }
 
 void OpenProject::Replace(EditedFile& file, std::string text, std::optional<Document> document) {
@@ -238,7 +244,7 @@ bool OpenProject::Save(const std::string& path, Diagnostics& diagnostics, bool o
     return false;
   }
   if (!WriteFile(file->path, file->text, diagnostics)) return false;
-  file->saved = file->text;
+  Know(*file, file->text);
   file->other.reset();
   file->is_new = false;
   NoteStamp(*file);
@@ -260,7 +266,7 @@ bool OpenProject::SaveAs(const std::string& path, const std::string& new_path,
   node.key() = new_path;
   EditedFile& moved = files_.insert(std::move(node)).position->second;
   moved.path = new_path;
-  moved.saved = moved.text;
+  Know(moved, moved.text);
   moved.is_new = false;
   moved.other.reset();
   NoteStamp(moved);
@@ -281,13 +287,13 @@ std::vector<std::string> OpenProject::LookAtDisk() {
     }
     changed.push_back(path);
     if (*text == file.text) {
-      file.saved = *std::move(text);
+      Know(file, *std::move(text));
       file.other.reset();
     } else if (file.is_dirty()) {
       file.other = std::move(text);
       if (MergeTexts(file.saved, file.text, *file.other).conflicts.empty()) MergeTheirs(path);
     } else {
-      file.saved = *text;
+      Know(file, *text);
       SetText(path, "Changed on the disk", *std::move(text));
     }
   }
@@ -297,8 +303,7 @@ std::vector<std::string> OpenProject::LookAtDisk() {
 void OpenProject::TakeTheirs(const std::string& path) {
   EditedFile* file = Get(path);
   if (!file || !file->other) return;
-  file->saved = *file->other;
-  file->other.reset();
+  Know(*file, *std::exchange(file->other, std::nullopt));
   SetText(path, "Take what is on the disk", std::string(file->saved));
 }
 
@@ -315,8 +320,7 @@ int OpenProject::MergeTheirs(const std::string& path, const std::vector<bool>& t
   merged.text = Apply(taken, merged.text);
   Diagnostics problems;
   if (!Document::FromText(merged.text, file->path, problems)) return -1;
-  file->saved = *file->other;
-  file->other.reset();
+  Know(*file, *std::exchange(file->other, std::nullopt));
   SetText(path, "Merge with what is on the disk", std::move(merged.text));
   return static_cast<int>(merged.conflicts.size());
 }
@@ -324,8 +328,7 @@ int OpenProject::MergeTheirs(const std::string& path, const std::vector<bool>& t
 void OpenProject::KeepMine(const std::string& path) {
   EditedFile* file = Get(path);
   if (!file || !file->other) return;
-  file->saved = *file->other;
-  file->other.reset();
+  Know(*file, *std::exchange(file->other, std::nullopt));
 }
 
 }  // namespace coppice::editor

@@ -37,6 +37,7 @@ struct EditedFile {
   std::optional<std::string> other;  ///< what somebody else wrote there while the user edited
   bool is_new = false;               ///< it was never on the disk
   std::uint32_t version = 0;         ///< counts the changes of the text
+  std::uint32_t saved_version = 0;   ///< and of what is saved
 
   bool is_dirty() const { return is_new || text != saved; }
 
@@ -106,6 +107,7 @@ class OpenProject {
 
  private:
   EditedFile* Get(const std::string& path);
+  static void Know(EditedFile& file, std::string saved);
   void Replace(EditedFile& file, std::string text, std::optional<Document> document);
   void Run(std::size_t step, bool forward);
   bool ReadAhead(std::size_t step, bool forward);

@@ -26,7 +26,8 @@ constexpr MenuEntry kView[] = {{"view.top_to_bottom"},
                                {nullptr},
                                {"palette.dark"},
                                {"palette.light"},
-                               {"palette.colourblind"}};
+                               {"palette.colourblind"},
+                               {"view.reduce_motion"}};
 constexpr MenuEntry kEditMenu[] = {
     {"edit.undo"},    {"edit.redo"},    {"edit.history"},     {nullptr},
     {"edit.cut"},     {"edit.copy"},    {"edit.paste"},       {"edit.paste_after"},

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cctype>
 #include <string_view>
-#include <unordered_map>
 #include <utility>
 
 #include "bt_core/model/xml_text.h"
@@ -73,23 +72,12 @@ bool IsUnknown(std::string_view tag, const NodeModels& models) {
          tag != "SubTreePlus" && !CategoryFromTag(tag) && !models.Find(tag);
 }
 
-// Types that are used in the file although no model describes them. Trees are large and types are
-// few: every tag is judged once.
+// Types that are used in the files although no model describes them.
 void OfferUnknown(const Forest& forest, const NodeModels& models, TypeCollector& collector) {
-  std::unordered_map<std::string_view, bool> is_wanted;  // by tag: unknown, and not yet offered
-  for (const Document* document : forest.documents()) {
-    for (const Element& element : document->elements()) {
-      if (element.parent == kNoElement) continue;
-      const auto [wanted, is_new] = is_wanted.try_emplace(element.tag, false);
-      if (is_new) wanted->second = IsUnknown(element.tag, models);
-      if (!wanted->second) continue;
-      const std::string_view outer = document->element(element.parent).tag;
-      if (outer == "TreeNodesModel" || outer == "MetadataFields" || CategoryFromTag(outer))
-        continue;
-      wanted->second = false;
-      const std::string tag(element.tag);
-      collector.Offer({tag, "unknown", "used in this project", "<" + tag + "/>"});
-    }
+  for (const std::string_view used : forest.used_tags()) {
+    if (!IsUnknown(used, models)) continue;
+    const std::string tag(used);
+    collector.Offer({tag, "unknown", "used in this project", "<" + tag + "/>"});
   }
 }
 

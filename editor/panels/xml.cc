@@ -17,10 +17,7 @@ namespace {
 constexpr float kLineHeight = 18;
 constexpr float kNumberWidth = kXmlNumberWidth;
 
-struct Line {
-  std::uint32_t begin = 0;
-  std::uint32_t end = 0;  // before the line end
-};
+using Line = XmlLines::Line;
 
 std::vector<Line> SplitLines(const std::string& text) {
   std::vector<Line> lines;
@@ -33,6 +30,16 @@ std::vector<Line> SplitLines(const std::string& text) {
     start = end + 1;
   }
   return lines;
+}
+
+// Documents never change, so their lines are looked for once.
+const std::vector<Line>& LinesOf(const ShownXml& shown, XmlLines& known) {
+  const bool is_known = known.of && shown.document && &known.of->text() == &shown.document->text();
+  if (is_known) return known.lines;
+  known.of.reset();
+  if (shown.document) known.of = *shown.document;
+  known.lines = SplitLines(*shown.text);
+  return known.lines;
 }
 
 // What the keys of this frame make of the text.
@@ -114,7 +121,7 @@ class XmlPanel {
         pane_(state.xml),
         gutter_(state.xml_gutter),
         shown_(shown),
-        lines_(SplitLines(*shown.text)),
+        lines_(LinesOf(shown, state.xml_lines)),
         list_(*ImGui::GetWindowDrawList()) {
     for (const OpenFile& file : state.workspace.files()) {
       for (const Diagnostic& problem : file.problems) {
@@ -327,7 +334,7 @@ class XmlPanel {
   XmlPane& pane_;
   const XmlGutter& gutter_;
   const ShownXml& shown_;
-  const std::vector<Line> lines_;
+  const std::vector<Line>& lines_;
   ImDrawList& list_;
   std::vector<const Diagnostic*> problems_;
   float first_y_ = 0;

@@ -48,9 +48,9 @@ void UpdateXmlGutter(EditorState& state, const std::string& path) {
   if (!file) return;
   const std::shared_ptr<const std::string> head = file->is_new ? nullptr : state.git.TextOf(path);
   const bool is_known = gutter.path == path && gutter.version == file->version &&
-                        gutter.head == head && gutter.saved == file->saved;
+                        gutter.head == head && gutter.saved_version == file->saved_version;
   if (is_known) return;
-  gutter = {path, file->version, file->saved, head, {}, {}};
+  gutter = {path, file->version, file->saved_version, head, {}, {}};
   if (!file->is_new) gutter.since_saved = MarkLines(file->saved, file->text);
   if (head) gutter.since_head = MarkLines(*head, file->text);
 }

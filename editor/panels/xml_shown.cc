@@ -15,6 +15,7 @@ ShownXml ChooseXml(const EditorState& state, const TreeView* view) {
     const Document& document = *forest->documents()[node.document];
     shown.path = document.file();
     shown.text = &document.text();
+    shown.document = &document;
     const auto place = workspace.PlaceOf(node);
     const EditedFile* edited = place ? workspace.project().Find(place->path) : nullptr;
     const Document& text = edited ? *edited->document : document;
@@ -26,6 +27,7 @@ ShownXml ChooseXml(const EditorState& state, const TreeView* view) {
   }
   if (const EditedFile* edited = file ? workspace.project().Find(shown.path) : nullptr) {
     shown.text = &edited->text;
+    shown.document = edited->document ? &*edited->document : nullptr;
     shown.can_edit = true;
   }
   return shown;

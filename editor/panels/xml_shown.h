@@ -11,7 +11,8 @@ namespace coppice::editor {
 
 struct ShownXml {
   std::string path;
-  const std::string* text = nullptr;  ///< null: none
+  const std::string* text = nullptr;   ///< null: none
+  const Document* document = nullptr;  ///< of the text; null if that is malformed
   bool can_edit = false;
   std::uint32_t begin = 0;  ///< of the start tag of the selected node
   std::uint32_t end = 0;    ///< both 0: none

@@ -1,7 +1,10 @@
 #include "editor/scene/forest.h"
 
 #include <optional>
+#include <unordered_set>
 #include <utility>
+
+#include "bt_core/model/manifest.h"
 
 namespace coppice::editor {
 
@@ -14,7 +17,7 @@ Forest Forest::FromFile(const std::string& path, Diagnostics& diagnostics,
   for (const Document& document : forest.project_->documents()) {
     forest.documents_.push_back(&document);
   }
-  for (std::uint32_t i = 0; i < forest.documents_.size(); ++i) forest.AddTreesOf(i);
+  forest.AddAll();
   forest.ChooseMain(forest.project_->main_tree());
   return forest;
 }
@@ -23,9 +26,14 @@ Forest Forest::FromDocuments(std::vector<Document> documents, std::string_view m
   Forest forest;
   forest.texts_ = std::make_shared<const std::vector<Document>>(std::move(documents));
   for (const Document& document : *forest.texts_) forest.documents_.push_back(&document);
-  for (std::uint32_t i = 0; i < forest.documents_.size(); ++i) forest.AddTreesOf(i);
+  forest.AddAll();
   forest.ChooseMain(main_tree);
   return forest;
+}
+
+void Forest::AddAll() {
+  for (std::uint32_t i = 0; i < documents_.size(); ++i) AddTreesOf(i);
+  for (const Document* document : documents_) AddTagsOf(*document);
 }
 
 void Forest::AddTreesOf(std::uint32_t number) {
@@ -36,6 +44,19 @@ void Forest::AddTreesOf(std::uint32_t number) {
     if (element.tag != "BehaviorTree") continue;
     trees_.push_back({std::string(document.AttributeValue(element, "ID")),
                       std::string(document.AttributeValue(element, "_fullpath")), number, i});
+  }
+}
+
+// Trees are large and tags are few: most elements have the tag of the one before.
+void Forest::AddTagsOf(const Document& document) {
+  std::unordered_set<std::string_view> known(used_tags_.begin(), used_tags_.end());
+  std::string_view last;
+  for (const Element& element : document.elements()) {
+    if (element.tag == last || element.parent == kNoElement) continue;
+    const std::string_view outer = document.element(element.parent).tag;
+    if (outer == "TreeNodesModel" || outer == "MetadataFields" || CategoryFromTag(outer)) continue;
+    last = element.tag;
+    if (known.insert(last).second) used_tags_.push_back(last);
   }
 }
 

@@ -37,6 +37,9 @@ class Forest {
   const std::vector<const Document*>& documents() const { return documents_; }
   const std::vector<TreeEntry>& trees() const { return trees_; }
 
+  /// The tags that nodes of these files have, each once.
+  const std::vector<std::string_view>& used_tags() const { return used_tags_; }
+
   /// The tree to show first: the main tree, else the first. -1 if there is none.
   int main_tree() const { return main_tree_; }
 
@@ -50,13 +53,16 @@ class Forest {
   const std::shared_ptr<const Project>& project() const { return project_; }
 
  private:
+  void AddAll();
   void AddTreesOf(std::uint32_t document);
+  void AddTagsOf(const Document& document);
   void ChooseMain(std::string_view id);
 
   std::shared_ptr<const Project> project_;
   std::shared_ptr<const std::vector<Document>> texts_;  // if there is no project
   std::vector<const Document*> documents_;
   std::vector<TreeEntry> trees_;
+  std::vector<std::string_view> used_tags_;
   int main_tree_ = -1;
 };
 

@@ -7,11 +7,11 @@ namespace {
 
 TEST(EditOptions, ReadsEverythingInAnyOrder) {
   std::string error;
-  const auto options =
-      ParseEditOptions({"a.xml", "--connect", "h:1", "--size", "640x480", "b.xml", "--connect",
-                        "h:2", "--palette", "light", "--picture", "p.png", "--every", "0.5",
-                        "--headless", "--for", "3", "--models", "m.xml"},
-                       error);
+  const auto options = ParseEditOptions(
+      {"a.xml",      "--connect",       "h:1",   "--size",    "640x480",  "b.xml",   "--connect",
+       "h:2",        "--palette",       "light", "--picture", "p.png",    "--every", "0.5",
+       "--headless", "--reduce-motion", "--for", "3",         "--models", "m.xml"},
+      error);
   ASSERT_TRUE(options) << error;
   EXPECT_EQ(options->files, (std::vector<std::string>{"a.xml", "b.xml"}));
   EXPECT_EQ(options->robots, (std::vector<std::string>{"h:1", "h:2"}));
@@ -22,6 +22,7 @@ TEST(EditOptions, ReadsEverythingInAnyOrder) {
   EXPECT_EQ(options->picture_every, 0.5);
   EXPECT_EQ(options->run_for, 3);
   EXPECT_TRUE(options->headless);
+  EXPECT_TRUE(options->reduce_motion);
 }
 
 TEST(EditOptions, SaysWhatIsWrong) {

@@ -96,6 +96,51 @@ TEST(EdgeShape, ALeafInAColumnOfARowHangsOnItsTrunk) {
   EXPECT_GT(DistanceTo(edge, {300, 362}), 50) << "not above the leaf";
 }
 
+bool Contains(const Box& box, Point at) { return Box{at, at}.Overlaps(box); }
+
+TEST(EdgeShape, TheWholeLineIsInItsBounds) {
+  for (const Orientation orientation : {Orientation::kTopToBottom, Orientation::kLeftToRight}) {
+    for (const Link link : {Link::kCurve, Link::kTrunk, Link::kRow, Link::kRowColumn}) {
+      EdgeEnds ends = Ends({{400, 380}, {480, 410}}, link, orientation);
+      ends.zoom = 0.5F;
+      ends.below_row = link == Link::kRowColumn ? 80 : 0;
+      const EdgeBounds bounds = BoundsOf(ends);
+      for (const Point at : PointsAlong(ShapeOfEdge(ends))) {
+        EXPECT_TRUE(Contains(bounds.stem, at) || Contains(bounds.rest, at))
+            << at.x << " " << at.y << " link " << static_cast<int>(link);
+      }
+      for (const Point at : PartBehindStem(ShapeOfEdge(ends), ends)) {
+        EXPECT_TRUE(Contains(bounds.rest, at)) << at.x << " " << at.y;
+      }
+    }
+  }
+}
+
+// So what lies in the corner between them needs no line.
+TEST(EdgeShape, TheBoundsOfALineToARowLeaveTheCornerFree) {
+  const EdgeBounds bounds = BoundsOf(Ends({{900, 800}, {980, 830}}, Link::kRow));
+  EXPECT_FALSE(Contains(bounds.stem, {500, 400}));
+  EXPECT_FALSE(Contains(bounds.rest, {500, 400}));
+}
+
+TEST(EdgeShape, TheStemOfALaterSiblingCoversThoseBeforeIt) {
+  for (const Link link : {Link::kTrunk, Link::kRow}) {
+    const EdgeEnds before = Ends({{120, 100}, {200, 130}}, link);
+    const EdgeEnds behind = Ends({{120, 200}, {200, 230}}, link);
+    ASSERT_TRUE(HasStem(before));
+    const EdgeShape covering = ShapeOfEdge(behind);
+    for (const Point at : PointsAlong(ShapeOfEdge(before))) {
+      const bool in_rest = Contains(BoundsOf(before).rest, at);
+      EXPECT_TRUE(in_rest || DistanceTo(covering, at) < 1) << at.x << " " << at.y;
+    }
+  }
+}
+
+TEST(EdgeShape, CurvesHaveNoStem) {
+  EXPECT_FALSE(HasStem(Ends(kChild, Link::kCurve)));
+  EXPECT_FALSE(HasStem(Ends(kChild, Link::kTrunk, Orientation::kLeftToRight)));
+}
+
 TEST(EdgeShape, TheDistanceIsThatOfTheNearestPlace) {
   const EdgeShape edge = ShapeOfEdge(Ends(kChild, Link::kCurve));
   for (const Point at : PointsAlong(edge)) EXPECT_NEAR(DistanceTo(edge, at), 0, 0.01F);

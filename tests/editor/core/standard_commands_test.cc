@@ -55,6 +55,17 @@ TEST_F(StandardCommandsTest, CollapseTheSelectionWithC) {
   EXPECT_TRUE(driver_.Has("canvas/MainTree/1.1.1"));
 }
 
+TEST_F(StandardCommandsTest, NodesJumpInsteadOfGlidingWithReducedMotion) {
+  driver_.view().SetCollapsed(1, true, driver_.editor.now());
+  EXPECT_TRUE(driver_.view().IsMoving(driver_.editor.now()));
+  driver_.Frames(20);
+  ASSERT_TRUE(driver_.Click("menu/view"));
+  ASSERT_TRUE(driver_.Click("menu/view.reduce_motion"));
+  EXPECT_TRUE(driver_.editor.state().reduce_motion);
+  driver_.view().SetCollapsed(1, false, driver_.editor.now());
+  EXPECT_FALSE(driver_.view().IsMoving(driver_.editor.now()));
+}
+
 TEST_F(StandardCommandsTest, CloseAndOpenAllSubTrees) {
   driver_.Press('E', kShift);
   driver_.Frames(15);

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/editor/driver.h"
 #include "tests/editor/read_forest.h"
 
@@ -36,6 +38,20 @@ TEST(Forest, IsEmptyWhenTheFileIsMalformedOrMissing) {
   ASSERT_TRUE(diagnostics.has_errors());
   EXPECT_GT(diagnostics.all()[0].where.line, 0U);
   EXPECT_EQ(Forest::FromFile("/nowhere.xml", diagnostics).main_tree(), -1);
+}
+
+TEST(Forest, NamesTheTagsOfItsNodesOnce) {
+  const Forest forest = ReadForest(
+      "<root><BehaviorTree ID=\"M\"><Sequence><A/><A/><B/><A/><Action ID=\"C\"/></Sequence>"
+      "</BehaviorTree><TreeNodesModel><Action ID=\"D\"><input_port name=\"p\"/></Action>"
+      "<Condition ID=\"E\"/></TreeNodesModel></root>");
+  const std::vector<std::string_view> tags = forest.used_tags();
+  for (const std::string_view used : {"Sequence", "A", "B", "Action"}) {
+    EXPECT_EQ(std::count(tags.begin(), tags.end(), used), 1) << used;
+  }
+  for (const std::string_view model : {"Condition", "input_port"}) {
+    EXPECT_EQ(std::count(tags.begin(), tags.end(), model), 0) << model;
+  }
 }
 
 TEST(Forest, FindsTheInstanceOfASubTreeByItsPath) {

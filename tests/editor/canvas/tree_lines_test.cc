@@ -1,0 +1,71 @@
+#include "editor/canvas/tree_lines.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/editor/driver.h"
+
+namespace coppice::editor {
+namespace {
+
+constexpr int kLeaves = 30;  // they stand in columns on one line
+
+std::string WideTree() {
+  std::string xml =
+      "<root BTCPP_format=\"4\"><BehaviorTree ID=\"Main\" _fullpath=\"\">"
+      "<Sequence name=\"top\" _uid=\"1\">";
+  for (int i = 0; i < kLeaves; ++i) {
+    xml += "<Step name=\"s\" _uid=\"" + std::to_string(i + 2) + "\"/>";
+  }
+  return xml + "</Sequence></BehaviorTree></root>";
+}
+
+class TreeLines : public testing::Test {
+ protected:
+  TreeLines() {
+    driver_.editor.state().reduce_motion = true;
+    robot_ = driver_.AddRobot("robot:1", WideTree());
+    driver_.Frames(20);
+  }
+
+  // Where nothing but the lines to all leaves begins.
+  Box BelowTheParent() const {
+    const Box parent = driver_.BoxOf("canvas/Main/1");
+    const Box first = driver_.BoxOf("canvas/Main/1.1");
+    return {{first.min.x - 40, parent.max.y + 2}, {parent.max.x, first.min.y - 4}};
+  }
+
+  int PixelsBelowTheParent(Color color) { return driver_.CountColor(BelowTheParent(), color, 12); }
+
+  // From kIdle on, so that no trail of another leaf is there.
+  int RunningPixelsWith(std::uint16_t leaf) {
+    robot_->Set(leaf, Status::kRunning);
+    driver_.Frames(200);
+    const int pixels = PixelsBelowTheParent(GetPalette(PaletteName::kDark).running);
+    return pixels;
+  }
+
+  Driver driver_;
+  ScriptedRobot* robot_ = nullptr;
+};
+
+TEST_F(TreeLines, TheRunningPathLiesOnTheLinesOfItsSiblings) {
+  EXPECT_GT(RunningPixelsWith(2), 10) << "the siblings at rest come later and share this stem";
+}
+
+TEST_F(TreeLines, AResultDoesNotHideTheRunningPath) {
+  const int before = RunningPixelsWith(2);
+  robot_->Set(kLeaves + 1, Status::kFailure);
+  driver_.Frames(20);
+  EXPECT_EQ(PixelsBelowTheParent(GetPalette(PaletteName::kDark).running), before);
+}
+
+TEST_F(TreeLines, SiblingsAtRestAreALineAsThinAsThatOfOne) {
+  const Color edge = GetPalette(PaletteName::kDark).edge;
+  const Box gap = BelowTheParent();
+  EXPECT_GT(driver_.CountColor(gap, edge, 60), 4);
+  EXPECT_LT(driver_.CountColor(gap, edge, 60), 3 * static_cast<int>(gap.height() + gap.width()))
+      << "one line, at most two pixels thick with its smooth sides";
+}
+
+}  // namespace
+}  // namespace coppice::editor
