@@ -117,7 +117,8 @@ EdgeBounds BoundsInRow(const Box& parent, const Box& child, const EdgeEnds& ends
   const float x = parent.min.x + kRowTrunk * ends.zoom;
   const float y = child.min.y - ends.below_row - kAboveRow * ends.zoom;
   const Box child_and_trunk = {child.min - Point{kTrunkInset * ends.zoom, 0}, child.max};
-  return {Thick({x, parent.max.y}, {x, y}), Union(Thick({x, y}, {x, y}), child_and_trunk)};
+  return {Thick({x, parent.max.y}, {x, y}),
+          Union(Thick({x, y - kRadius * ends.zoom}, {x, y}), child_and_trunk), x};
 }
 
 }  // namespace
@@ -135,16 +136,16 @@ std::vector<Point> PartBehindStem(const EdgeShape& edge, const EdgeEnds& ends) {
 EdgeBounds BoundsOf(const EdgeEnds& ends) {
   if (IsInRow(ends) && ends.orientation == Orientation::kLeftToRight) {
     const EdgeBounds flipped = BoundsInRow(Flipped(ends.parent), Flipped(ends.child), ends);
-    return {Flipped(flipped.stem), Flipped(flipped.rest)};
+    return {Flipped(flipped.stem), Flipped(flipped.rest), flipped.lane};
   }
   if (IsInRow(ends)) return BoundsInRow(ends.parent, ends.child, ends);
   if (!IsOnTrunk(ends)) {
     const Box all = Union(ends.parent, ends.child);
-    return {all, all};
+    return {all, all, 0};
   }
   const Point trunk = {ends.child.min.x - kTrunkInset * ends.zoom, ends.child.max.y};
   const Point start = {ends.parent.center().x, ends.parent.max.y};
-  return {Thick(start, trunk), Union(Thick(trunk, trunk), ends.child)};
+  return {Thick(start, trunk), Union(Thick(trunk, trunk), ends.child), trunk.x};
 }
 
 EdgeShape ShapeOfEdge(const EdgeEnds& ends) {

@@ -29,8 +29,8 @@ struct EdgeShape {
 
 EdgeShape ShapeOfEdge(const EdgeEnds& ends);
 
-/// The stem is the beginning of a line that siblings share: that of a sibling covers those of all
-/// before it. Curves have none.
+/// The stem is the beginning of a line that siblings in the same rows or the same column share:
+/// that of a sibling covers those of all before it. Curves have none.
 bool HasStem(const EdgeEnds& ends);
 
 /// What comes behind the stem; the whole branch if there is none.
@@ -41,6 +41,7 @@ std::vector<Point> PartBehindStem(const EdgeShape& edge, const EdgeEnds& ends);
 struct EdgeBounds {
   Box stem;
   Box rest;
+  float lane = 0;  ///< where the stem runs; siblings of the same lane share it
 };
 EdgeBounds BoundsOf(const EdgeEnds& ends);
 

@@ -1,7 +1,8 @@
 #include "editor/canvas/tree_lines.h"
 
 #include <algorithm>
-#include <unordered_set>
+#include <set>
+#include <utility>
 #include <vector>
 
 #include "editor/canvas/canvas_looks.h"
@@ -49,7 +50,7 @@ class LinesPainter {
     look.change = ChangeOf(area_.options, view_.shown()[item.k]);
     const bool at_rest = IsAtRest(look);
     if (at_rest && HasStem(look.ends)) {
-      look.stem = has_stem_.insert(view_.ShownParent(item.k)).second;
+      look.stem = has_stem_.insert({view_.ShownParent(item.k), bounds.lane}).second;
       if (!look.stem && !with_rest) return;
     }
     look.offline = area_.options.live && !area_.options.live->is_fresh;
@@ -82,7 +83,7 @@ class LinesPainter {
   const TreeView& view_;
   const Scene& scene_;
   const bool far_;
-  std::unordered_set<std::uint32_t> has_stem_;  // parents, by number among view_.shown()
+  std::set<std::pair<std::uint32_t, float>> has_stem_;  // shown parents, and lanes
   std::vector<EdgeLook> busy_;
 };
 

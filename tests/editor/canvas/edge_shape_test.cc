@@ -136,6 +136,14 @@ TEST(EdgeShape, TheStemOfALaterSiblingCoversThoseBeforeIt) {
   }
 }
 
+TEST(EdgeShape, ColumnsSideBySideHaveStemsOfTheirOwn) {
+  const EdgeEnds left = Ends({{20, 100}, {100, 130}}, Link::kTrunk);
+  const EdgeEnds below = Ends({{20, 200}, {60, 230}}, Link::kTrunk);
+  const EdgeEnds right = Ends({{220, 200}, {300, 230}}, Link::kTrunk);
+  EXPECT_EQ(BoundsOf(left).lane, BoundsOf(below).lane);
+  EXPECT_NE(BoundsOf(left).lane, BoundsOf(right).lane);
+}
+
 TEST(EdgeShape, CurvesHaveNoStem) {
   EXPECT_FALSE(HasStem(Ends(kChild, Link::kCurve)));
   EXPECT_FALSE(HasStem(Ends(kChild, Link::kTrunk, Orientation::kLeftToRight)));
