@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/bt_core/engine/fixture.h"
 #include "tests/bt_core/counting_new.h"
+#include "tests/bt_core/engine/fixture.h"
 
 namespace coppice {
 namespace {

@@ -58,15 +58,15 @@ TEST_F(WebFilesTest, GivesTheCompressedFileToWhoAcceptsIt) {
 TEST_F(WebFilesTest, ACompressedFileThatIsOlderIsOfAnotherPage) {
   Write("page/index.html.gz", "packed");
   const auto page = folder_ / "page/index.html";
-  std::filesystem::last_write_time(folder_ / "page/index.html.gz",
-                                   std::filesystem::last_write_time(page) -
-                                       std::chrono::seconds(10));
+  std::filesystem::last_write_time(
+      folder_ / "page/index.html.gz",
+      std::filesystem::last_write_time(page) - std::chrono::seconds(10));
   EXPECT_EQ(files_.Find("/", true)->bytes, "<html>");
 }
 
 TEST(AcceptsGzip, AsTheClientSays) {
-  for (const char* field : {"gzip", "deflate, gzip;q=0.5, br", "GZIP", "*", "br, *;q=0.1", "x-gzip",
-                            " gzip ; q=1.0"}) {
+  for (const char* field :
+       {"gzip", "deflate, gzip;q=0.5, br", "GZIP", "*", "br, *;q=0.1", "x-gzip", " gzip ; q=1.0"}) {
     EXPECT_TRUE(AcceptsGzip(field)) << field;
   }
   for (const char* field : {"", "identity", "gzip;q=0", "gzip;q=0.000, *", "*;q=0", "br", ",;,",
