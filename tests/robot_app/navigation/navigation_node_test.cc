@@ -260,9 +260,13 @@ TEST_F(NavigationNode, SaysNothingOfAWayWhereNoneLeadsToTheStation) {
     ros::NodeHandle node;
     const Way way(node, "/navigation/way_to_station");
     Client<move_base_msgs::MoveBaseAction> move_base("move_base");
-    move_base.Send(Goal(5, 0));
-    EXPECT_EQ(move_base.Wait(), SimpleClientGoalState::SUCCEEDED)
-        << "it knows the map and where it is";
+    // Goals are refused until it knows the map and where it is.
+    ASSERT_TRUE(Eventually(
+        [&] {
+          move_base.Send(Goal(5, 0));
+          return move_base.Wait() == SimpleClientGoalState::SUCCEEDED;
+        },
+        kPatience));
     Listener listener;
     ASSERT_TRUE(Eventually([&] { return listener.State().header.stamp.toSec() > 1; }, kPatience));
     const ros::Time stamp = listener.State().header.stamp;
