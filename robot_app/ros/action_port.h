@@ -3,6 +3,9 @@
 // Unlike a bare SimpleActionClient it never leaves the caller without an answer: a server that is
 // not there within kConnectTimeout, or that dies while it works, is reported as a failure that says
 // so. Times are real time, because programs start and die in real time.
+//
+// A status that the server sent before it had the goal may arrive after it took it. actionlib then
+// calls the goal lost, though the server works on it: such a goal is sent again, once.
 #ifndef COPPICE_ROBOT_APP_ROS_ACTION_PORT_H_
 #define COPPICE_ROBOT_APP_ROS_ACTION_PORT_H_
 
@@ -41,6 +44,7 @@ class ActionPort {
     ++number_;
     goal_ = goal;
     done_ = done;
+    was_sent_again_ = false;
     state_ = State::kConnecting;
     since_ = ros::WallTime::now();
   }
@@ -58,8 +62,9 @@ class ActionPort {
 
  private:
   enum class State { kNone, kConnecting, kSent };
-  static constexpr double kConnectTimeout = 5.0;  // s
-  static constexpr double kLostTimeout = 1.0;     // s
+  static constexpr double kConnectTimeout = 5.0;   // s
+  static constexpr double kLostTimeout = 1.0;      // s
+  static constexpr double kOvertakeTimeout = 1.0;  // s
 
   // Runs on the spinner: sends a goal as soon as the server is there, and notices when it goes
   // away.
@@ -75,7 +80,9 @@ class ActionPort {
         const Goal goal = goal_;
         const int number = number_;
         lock.unlock();
-        client_.sendGoal(goal, [this, number](const auto& end, const auto& result) {
+        client_.sendGoal(goal, [this, number, now](const auto& end, const auto& result) {
+          const bool lost = end == actionlib::SimpleClientGoalState::LOST;
+          if (lost && SendAgain(number, now)) return;
           Finish(number, evaluate_(end, result.get()));
         });
       } else if ((now - since_).toSec() > kConnectTimeout) {
@@ -92,6 +99,18 @@ class ActionPort {
       client_.stopTrackingGoal();
       Finish(number, {false, "action server \"" + name_ + "\" is gone"});
     }
+  }
+
+  // False if it was sent too long ago for a status to have overtaken it, or twice already.
+  bool SendAgain(int number, ros::WallTime sent) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    const ros::WallTime now = ros::WallTime::now();
+    if (number != number_ || state_ != State::kSent) return false;
+    if (was_sent_again_ || (now - sent).toSec() > kOvertakeTimeout) return false;
+    was_sent_again_ = true;
+    state_ = State::kConnecting;
+    since_ = now;
+    return true;
   }
 
   void Finish(int number, const ActionResult& result) {
@@ -115,6 +134,7 @@ class ActionPort {
   int number_ = 0;  // of the goal; answers to earlier ones are dropped
   Goal goal_;
   Sender<ActionResult> done_;
+  bool was_sent_again_ = false;
   ros::WallTime since_;  // of the state; in kSent the last time the server was seen
 };
 
