@@ -3,15 +3,15 @@
 #include <functional>
 #include <memory>
 
+#include "bt_nodes/basics/is_true.h"
+#include "bt_nodes/basics/wait.h"
 #include "bt_nodes/monitoring/monitoring_leaves.h"
 #include "bt_nodes/monitoring/tell_faults.h"
 #include "bt_nodes/navigation/navigation_leaves.h"
+#include "bt_nodes/operators/help_leaves.h"
 #include "bt_nodes/power/power_leaves.h"
 #include "bt_nodes/recovery/recovery_nodes.h"
 #include "bt_nodes/recovery/restart_faulty_nodes.h"
-#include "bt_nodes/supervision/help_leaves.h"
-#include "bt_nodes/system/is_true.h"
-#include "bt_nodes/system/wait.h"
 
 namespace coppice {
 

@@ -7,8 +7,8 @@
 #include "bt_nodes/docking/docking_leaves.h"
 #include "bt_nodes/interaction/interaction_leaves.h"
 #include "bt_nodes/navigation/navigator.h"
+#include "bt_nodes/processes/supervision_leaves.h"
 #include "bt_nodes/recovery/recovery_log.h"
-#include "bt_nodes/supervision/supervision_leaves.h"
 
 namespace coppice {
 

@@ -7,7 +7,7 @@ include(CMakePackageConfigHelpers)
 include(GNUInstallDirs)
 set(COPPICE_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/coppice)
 
-set(libraries bt_core bt_core_history bt_core_record bt_core_replay bt_core_scenario)
+set(libraries bt_core bt_core_frames bt_core_record bt_core_analysis bt_core_scenario)
 if(COPPICE_LIVE)
   list(APPEND libraries bt_core_condition bt_core_debugger bt_core_live bt_core_live_client)
 endif()

@@ -4,12 +4,12 @@
 #include <memory>
 #include <utility>
 
+#include "bt_core/analysis/json_writer.h"
 #include "bt_core/base/command_line.h"
 #include "bt_core/cli/plugins.h"
 #include "bt_core/cli/verbs.h"
-#include "bt_core/engine/check_project.h"
-#include "bt_core/engine/model_registry.h"
-#include "bt_core/replay/json_writer.h"
+#include "bt_core/engine/compile/check_project.h"
+#include "bt_core/engine/compile/model_registry.h"
 
 namespace coppice {
 namespace {
@@ -19,7 +19,7 @@ constexpr char kUsage[] =
     "  Checks every tree in the files, which are taken as one project, and in what they include:\n"
     "  structure, names, ports, types, scripts. All problems are printed; 1 if one is an error.\n"
     "  --models  a file with the <TreeNodesModel> of the robot's node types, as WriteModels of\n"
-    "            bt_core/engine/models.h writes it. Without it, node types that are not built in\n"
+    "            bt_core/engine/compile/models.h writes it. Without it, node types that are not built in\n"
     "            are not checked.\n"
     "  --plugin  a library with node types\n"
     "  --json    problems as an array of {file, line, column, severity, message, hint} on the\n"

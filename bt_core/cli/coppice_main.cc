@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "bt_core/base/diagnostic.h"
-#include "bt_core/cli/replay.h"
+#include "bt_core/cli/replay/replay.h"
 #include "bt_core/cli/verbs.h"
 
 namespace {

@@ -3,8 +3,8 @@
 #include "bt_core/base/command_line.h"
 #include "bt_core/cli/plugins.h"
 #include "bt_core/cli/verbs.h"
-#include "bt_core/engine/models.h"
-#include "bt_core/engine/schema.h"
+#include "bt_core/engine/compile/models.h"
+#include "bt_core/engine/compile/schema.h"
 
 namespace coppice {
 namespace {

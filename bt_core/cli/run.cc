@@ -4,11 +4,11 @@
 #include <memory>
 
 #include "bt_core/base/command_line.h"
-#include "bt_core/cli/live_view.h"
+#include "bt_core/cli/live/live_view.h"
 #include "bt_core/cli/plugins.h"
 #include "bt_core/cli/verbs.h"
+#include "bt_core/engine/events/status_follower.h"
 #include "bt_core/engine/runner.h"
-#include "bt_core/engine/status_follower.h"
 #include "bt_core/record/recorder.h"
 
 namespace coppice {

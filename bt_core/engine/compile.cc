@@ -3,9 +3,9 @@
 #include <string>
 #include <utility>
 
-#include "bt_core/engine/compiler.h"
+#include "bt_core/engine/compile/compiler.h"
+#include "bt_core/engine/compile/project_problems.h"
 #include "bt_core/engine/program.h"
-#include "bt_core/engine/project_problems.h"
 
 namespace coppice {
 

@@ -7,7 +7,7 @@
 
 #include "bt_core/base/clock.h"
 #include "bt_core/base/status.h"
-#include "bt_core/engine/event_words.h"
+#include "bt_core/engine/events/event_words.h"
 
 namespace coppice {
 

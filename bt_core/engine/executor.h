@@ -26,10 +26,10 @@
 
 #include "bt_core/data/inbox.h"
 #include "bt_core/engine/events.h"
+#include "bt_core/engine/events/written_slots.h"
 #include "bt_core/engine/node_hooks.h"
 #include "bt_core/engine/program.h"
 #include "bt_core/engine/tree_state.h"
-#include "bt_core/engine/written_slots.h"
 
 namespace coppice {
 

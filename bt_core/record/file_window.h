@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-#include "bt_core/history/coding.h"
+#include "bt_core/frames/coding.h"
 
 namespace coppice {
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-#include "bt_core/history/frame.h"
+#include "bt_core/frames/frame.h"
 #include "bt_core/record/file_window.h"
 
 namespace coppice {

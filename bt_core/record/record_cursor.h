@@ -22,8 +22,8 @@
 #include <string>
 #include <vector>
 
-#include "bt_core/history/follower.h"
-#include "bt_core/history/history_decoder.h"
+#include "bt_core/frames/follower.h"
+#include "bt_core/frames/history_decoder.h"
 #include "bt_core/record/record_reader.h"
 
 namespace coppice {

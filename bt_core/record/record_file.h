@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "bt_core/history/coding.h"
+#include "bt_core/frames/coding.h"
 
 namespace coppice {
 

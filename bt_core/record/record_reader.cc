@@ -4,8 +4,8 @@
 #include <optional>
 #include <utility>
 
-#include "bt_core/history/history_decoder.h"
-#include "bt_core/history/payload_coding.h"
+#include "bt_core/frames/history_decoder.h"
+#include "bt_core/frames/payload_coding.h"
 #include "bt_core/record/record_cursor.h"
 #include "bt_core/record/record_names.h"
 

@@ -20,7 +20,7 @@
 #include <vector>
 
 #include "bt_core/base/diagnostic.h"
-#include "bt_core/history/history.h"
+#include "bt_core/frames/history.h"
 #include "bt_core/record/frame_file.h"
 
 namespace coppice {

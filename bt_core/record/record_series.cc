@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "bt_core/history/frame.h"
+#include "bt_core/frames/frame.h"
 #include "bt_core/record/record_names.h"
 
 namespace coppice {

@@ -11,7 +11,7 @@
 #include <string>
 #include <thread>
 
-#include "bt_core/history/history_encoder.h"
+#include "bt_core/frames/history_encoder.h"
 #include "bt_core/record/record_series.h"
 
 namespace coppice {

@@ -19,8 +19,8 @@
 #include <memory>
 #include <string>
 
-#include "bt_core/engine/event_stream.h"
-#include "bt_core/history/history_encoder.h"
+#include "bt_core/engine/events/event_stream.h"
+#include "bt_core/frames/history_encoder.h"
 
 namespace coppice {
 

@@ -2,7 +2,7 @@
 #ifndef COPPICE_BT_NODES_DOCKING_DOCKING_LEAVES_H_
 #define COPPICE_BT_NODES_DOCKING_DOCKING_LEAVES_H_
 
-#include "bt_nodes/system/capability_action.h"
+#include "bt_nodes/basics/capability_action.h"
 
 namespace coppice {
 

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "bt_nodes/system/capability_action.h"
+#include "bt_nodes/basics/capability_action.h"
 
 namespace coppice {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "bt_nodes/monitoring/health.h"
-#include "bt_nodes/supervision/supervision_leaves.h"
+#include "bt_nodes/processes/supervision_leaves.h"
 
 namespace coppice {
 

@@ -4,8 +4,8 @@
 
 #include <string>
 
+#include "bt_nodes/basics/capability_action.h"
 #include "bt_nodes/navigation/navigator.h"
-#include "bt_nodes/system/capability_action.h"
 
 namespace coppice {
 

@@ -5,9 +5,9 @@
 #include <optional>
 #include <string>
 
+#include "bt_nodes/processes/supervision_leaves.h"
 #include "bt_nodes/recovery/node_repairs.h"
 #include "bt_nodes/recovery/recovery_log.h"
-#include "bt_nodes/supervision/supervision_leaves.h"
 
 namespace coppice {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "editor/look/palette.h"
+#include "editor/theme/palette.h"
 
 namespace coppice::editor {
 

@@ -8,7 +8,7 @@
 
 #include "bt_core/base/clock.h"
 #include "editor/app/edit_options.h"
-#include "editor/core/editor.h"
+#include "editor/shell/editor.h"
 
 namespace coppice::editor {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "editor/canvas/node_painter.h"
+#include "editor/canvas/paint/node_painter.h"
 
 namespace coppice::editor {
 namespace {

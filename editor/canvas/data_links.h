@@ -2,7 +2,7 @@
 #ifndef COPPICE_EDITOR_CANVAS_DATA_LINKS_H_
 #define COPPICE_EDITOR_CANVAS_DATA_LINKS_H_
 
-#include "editor/canvas/pen.h"
+#include "editor/canvas/paint/pen.h"
 #include "editor/canvas/tree_view.h"
 
 namespace coppice::editor {

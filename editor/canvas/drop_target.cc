@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "editor/canvas/edge_shape.h"
+#include "editor/canvas/paint/edge_shape.h"
 
 namespace coppice::editor {
 namespace {

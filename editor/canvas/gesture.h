@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "editor/canvas/geometry.h"
 #include "editor/scene/scene.h"
+#include "editor/theme/geometry.h"
 
 namespace coppice::editor {
 

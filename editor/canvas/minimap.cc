@@ -1,7 +1,7 @@
 #include <algorithm>
 
-#include "editor/canvas/canvas_looks.h"
-#include "editor/canvas/status_look.h"
+#include "editor/canvas/paint/canvas_looks.h"
+#include "editor/canvas/paint/status_look.h"
 
 namespace coppice::editor {
 namespace {

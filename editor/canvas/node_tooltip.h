@@ -3,8 +3,8 @@
 #define COPPICE_EDITOR_CANVAS_NODE_TOOLTIP_H_
 
 #include "editor/live/tree_state.h"
-#include "editor/look/ui.h"
 #include "editor/scene/scene.h"
+#include "editor/theme/ui.h"
 
 namespace coppice::editor {
 

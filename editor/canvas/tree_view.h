@@ -11,13 +11,13 @@
 #include <string>
 #include <vector>
 
-#include "editor/canvas/edge_shape.h"
 #include "editor/canvas/gesture.h"
-#include "editor/canvas/minimap_place.h"
-#include "editor/canvas/tree_layout.h"
+#include "editor/canvas/layout/minimap_place.h"
+#include "editor/canvas/layout/tree_layout.h"
+#include "editor/canvas/paint/edge_shape.h"
+#include "editor/diff/tree_match.h"
 #include "editor/scene/key_uses.h"
 #include "editor/scene/scene.h"
-#include "editor/scene/tree_match.h"
 
 namespace coppice::editor {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "bt_core/history/coding.h"
-#include "bt_core/history/crc32c.h"
+#include "bt_core/frames/coding.h"
+#include "bt_core/frames/crc32c.h"
 
 namespace coppice::editor {
 namespace {

@@ -3,7 +3,7 @@
 //
 //   for (const KeyName& name : KeyNamesIn(document, models, tree)) { /* name.key, name.begin */ }
 //
-// What counts as a key is the engine's rule (bt_core/engine/keys.h, docs/scripts.md).
+// What counts as a key is the engine's rule (bt_core/engine/compile/keys.h, docs/scripts.md).
 #ifndef COPPICE_EDITOR_DOCUMENT_KEY_NAMES_H_
 #define COPPICE_EDITOR_DOCUMENT_KEY_NAMES_H_
 

@@ -5,9 +5,9 @@
 #include <memory>
 #include <vector>
 
-#include "editor/canvas/node_look.h"
+#include "editor/canvas/paint/node_look.h"
+#include "editor/diff/forest_diff.h"
 #include "editor/export/tree_picture.h"
-#include "editor/scene/forest_diff.h"
 
 namespace coppice::editor {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "editor/canvas/pen.h"
+#include "editor/canvas/paint/pen.h"
 
 namespace coppice::editor {
 

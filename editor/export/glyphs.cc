@@ -8,7 +8,7 @@
 #include <iterator>
 #include <string>
 
-#include "editor/look/font_files.h"
+#include "editor/theme/font_files.h"
 
 namespace coppice::editor {
 namespace {

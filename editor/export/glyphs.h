@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "editor/canvas/geometry.h"
-#include "editor/look/fonts.h"
+#include "editor/theme/fonts.h"
+#include "editor/theme/geometry.h"
 
 namespace coppice::editor {
 

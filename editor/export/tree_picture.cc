@@ -4,11 +4,11 @@
 #include <cmath>
 #include <utility>
 
-#include "editor/canvas/node_metrics.h"
-#include "editor/canvas/tree_painter.h"
-#include "editor/look/imgui_context.h"
-#include "editor/look/item_registry.h"
+#include "editor/canvas/layout/node_metrics.h"
+#include "editor/canvas/paint/tree_painter.h"
 #include "editor/render/rasteriser.h"
+#include "editor/theme/imgui_context.h"
+#include "editor/theme/item_registry.h"
 
 namespace coppice::editor {
 namespace {

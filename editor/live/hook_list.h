@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "bt_core/live/debugger_hooks.h"
+#include "bt_core/live/debug/debugger_hooks.h"
 
 namespace coppice::editor {
 

@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-#include "bt_core/live/client.h"
+#include "bt_core/live/client/client.h"
 
 namespace coppice::editor {
 

@@ -5,7 +5,7 @@
 #include <sstream>
 #include <utility>
 
-#include "bt_core/replay/import_btlog.h"
+#include "bt_core/analysis/formats/import_btlog.h"
 
 namespace coppice::editor {
 namespace {

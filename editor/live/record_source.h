@@ -7,8 +7,8 @@
 #include <optional>
 #include <string>
 
+#include "bt_core/analysis/recording.h"
 #include "bt_core/record/record_cursor.h"
-#include "bt_core/replay/recording.h"
 #include "editor/live/run_source.h"
 
 namespace coppice::editor {

@@ -8,8 +8,8 @@
 #include <unordered_map>
 #include <utility>
 
-#include "bt_core/replay/statistics.h"
-#include "editor/canvas/heat_map.h"
+#include "bt_core/analysis/statistics.h"
+#include "editor/live/heat_map.h"
 #include "editor/scene/scene.h"
 #include "editor/timeline/run.h"
 

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "bt_core/analysis/play/played_value.h"
 #include "bt_core/data/value_bytes.h"
-#include "bt_core/live/hook_condition.h"
-#include "bt_core/live/scope_keys.h"
-#include "bt_core/replay/played_value.h"
+#include "bt_core/live/debug/hook_condition.h"
+#include "bt_core/live/debug/scope_keys.h"
 
 namespace coppice::editor {
 namespace {

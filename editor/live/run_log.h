@@ -13,8 +13,8 @@
 #include <string>
 #include <vector>
 
-#include "bt_core/history/follower.h"
-#include "bt_core/replay/recorded_tree.h"
+#include "bt_core/analysis/recorded_tree.h"
+#include "bt_core/frames/follower.h"
 #include "editor/live/log_points.h"
 #include "editor/timeline/run.h"
 

@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "bt_core/live/client.h"
+#include "bt_core/live/client/client.h"
 
 namespace coppice::editor {
 

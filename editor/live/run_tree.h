@@ -6,8 +6,8 @@
 #include <memory>
 #include <optional>
 
-#include "bt_core/history/tree_description.h"
-#include "bt_core/replay/recorded_tree.h"
+#include "bt_core/analysis/recorded_tree.h"
+#include "bt_core/frames/tree_description.h"
 #include "editor/scene/forest.h"
 #include "editor/scene/node_models.h"
 #include "editor/scene/scene.h"

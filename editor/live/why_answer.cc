@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "bt_core/replay/why_text.h"
+#include "bt_core/analysis/why/why_text.h"
 
 namespace coppice::editor {
 

@@ -3,11 +3,11 @@
 #include <initializer_list>
 #include <string>
 
-#include "editor/core/merge_commands.h"
-#include "editor/core/project_editor.h"
-#include "editor/core/simulation_editor.h"
+#include "editor/commands/merge_commands.h"
 #include "editor/document/project_names.h"
 #include "editor/panels/panel.h"
+#include "editor/workspace/project_editor.h"
+#include "editor/workspace/simulation_editor.h"
 
 namespace coppice::editor {
 namespace {

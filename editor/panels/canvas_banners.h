@@ -6,8 +6,8 @@
 #ifndef COPPICE_EDITOR_PANELS_CANVAS_BANNERS_H_
 #define COPPICE_EDITOR_PANELS_CANVAS_BANNERS_H_
 
-#include "editor/core/editor_state.h"
-#include "editor/look/ui.h"
+#include "editor/theme/ui.h"
+#include "editor/workspace/editor_state.h"
 
 namespace coppice::editor {
 

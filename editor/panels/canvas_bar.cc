@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "editor/core/canvas_tabs.h"
 #include "editor/panels/panel.h"
 #include "editor/panels/panels.h"
+#include "editor/workspace/canvas_tabs.h"
 
 namespace coppice::editor {
 namespace {

@@ -4,12 +4,12 @@
 #include <tuple>
 
 #include "editor/canvas/canvas.h"
-#include "editor/canvas/node_marks.h"
-#include "editor/canvas/node_metrics.h"
-#include "editor/core/node_drop.h"
-#include "editor/core/tree_editor.h"
-#include "editor/panels/run_marks.h"
+#include "editor/canvas/layout/node_metrics.h"
+#include "editor/canvas/paint/node_marks.h"
+#include "editor/panels/run/run_marks.h"
 #include "editor/scene/problem_places.h"
+#include "editor/workspace/node_drop.h"
+#include "editor/workspace/tree_editor.h"
 
 namespace coppice::editor {
 namespace {

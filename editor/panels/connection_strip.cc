@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "editor/look/icons.h"
 #include "editor/panels/panel.h"
 #include "editor/panels/panels.h"
+#include "editor/theme/icons.h"
 
 namespace coppice::editor {
 namespace {

@@ -9,8 +9,8 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "editor/look/icons.h"
 #include "editor/panels/panel.h"
+#include "editor/theme/icons.h"
 
 namespace coppice::editor {
 namespace {

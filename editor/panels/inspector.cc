@@ -6,12 +6,12 @@
 
 #include "bt_core/nodes/node_type.h"
 #include "editor/canvas/canvas.h"
-#include "editor/canvas/node_metrics.h"
-#include "editor/core/tree_editor.h"
+#include "editor/canvas/layout/node_metrics.h"
 #include "editor/document/script_check.h"
 #include "editor/panels/inspector_row.h"
 #include "editor/panels/panels.h"
 #include "editor/scene/problem_places.h"
+#include "editor/workspace/tree_editor.h"
 
 namespace coppice::editor {
 namespace {

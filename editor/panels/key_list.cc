@@ -4,9 +4,9 @@
 #include <cmath>
 #include <utility>
 
-#include "editor/commands/fuzzy.h"
-#include "editor/core/key_settings.h"
+#include "editor/keys/fuzzy.h"
 #include "editor/panels/panel.h"
+#include "editor/workspace/key_settings.h"
 
 namespace coppice::editor {
 namespace {

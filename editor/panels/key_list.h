@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "editor/core/editor_state.h"
-#include "editor/look/ui.h"
+#include "editor/theme/ui.h"
+#include "editor/workspace/editor_state.h"
 
 namespace coppice::editor {
 

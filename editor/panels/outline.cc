@@ -1,8 +1,8 @@
 #include <algorithm>
 
 #include "editor/canvas/canvas.h"
-#include "editor/canvas/node_metrics.h"
-#include "editor/canvas/status_look.h"
+#include "editor/canvas/layout/node_metrics.h"
+#include "editor/canvas/paint/status_look.h"
 #include "editor/panels/drag_source.h"
 #include "editor/panels/outline_drop.h"
 #include "editor/panels/panel.h"

@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "editor/core/node_drop.h"
 #include "editor/panels/panel.h"
+#include "editor/workspace/node_drop.h"
 
 namespace coppice::editor {
 namespace {

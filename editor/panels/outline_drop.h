@@ -5,8 +5,8 @@
 
 #include <cstdint>
 
-#include "editor/core/editor_state.h"
-#include "editor/look/ui.h"
+#include "editor/theme/ui.h"
+#include "editor/workspace/editor_state.h"
 
 namespace coppice::editor {
 

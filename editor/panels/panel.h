@@ -6,8 +6,8 @@
 #include <string>
 #include <string_view>
 
-#include "editor/commands/command_table.h"
-#include "editor/look/ui.h"
+#include "editor/keys/command_table.h"
+#include "editor/theme/ui.h"
 
 namespace coppice::editor {
 

@@ -1,10 +1,10 @@
 #include <algorithm>
 
-#include "editor/core/tree_editor.h"
 #include "editor/document/fixes.h"
-#include "editor/look/icons.h"
 #include "editor/panels/panel.h"
 #include "editor/panels/panels.h"
+#include "editor/theme/icons.h"
+#include "editor/workspace/tree_editor.h"
 
 namespace coppice::editor {
 namespace {

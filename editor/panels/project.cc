@@ -1,8 +1,8 @@
 #include <filesystem>
 
-#include "editor/look/icons.h"
 #include "editor/panels/panel.h"
 #include "editor/panels/panels.h"
+#include "editor/theme/icons.h"
 
 namespace coppice::editor {
 namespace {

@@ -2,13 +2,13 @@
 #include <cstdio>
 #include <string>
 
-#include "editor/canvas/free_place.h"
-#include "editor/core/simulation_editor.h"
-#include "editor/look/icons.h"
+#include "editor/canvas/layout/free_place.h"
 #include "editor/panels/panel.h"
 #include "editor/panels/panels.h"
 #include "editor/simulation/chance_text.h"
 #include "editor/simulation/script_text.h"
+#include "editor/theme/icons.h"
+#include "editor/workspace/simulation_editor.h"
 
 namespace coppice::editor {
 namespace {

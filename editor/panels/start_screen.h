@@ -4,8 +4,8 @@
 #ifndef COPPICE_EDITOR_PANELS_START_SCREEN_H_
 #define COPPICE_EDITOR_PANELS_START_SCREEN_H_
 
-#include "editor/core/editor_state.h"
-#include "editor/look/ui.h"
+#include "editor/theme/ui.h"
+#include "editor/workspace/editor_state.h"
 
 namespace coppice::editor {
 

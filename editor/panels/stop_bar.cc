@@ -1,4 +1,4 @@
-#include "editor/canvas/free_place.h"
+#include "editor/canvas/layout/free_place.h"
 #include "editor/panels/panel.h"
 #include "editor/panels/panels.h"
 

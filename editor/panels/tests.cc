@@ -1,9 +1,9 @@
 #include <string>
 
-#include "editor/core/simulation_editor.h"
-#include "editor/look/icons.h"
 #include "editor/panels/panel.h"
 #include "editor/panels/panels.h"
+#include "editor/theme/icons.h"
+#include "editor/workspace/simulation_editor.h"
 
 namespace coppice::editor {
 namespace {

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 
-#include "editor/core/simulation_editor.h"
-#include "editor/core/tree_editor.h"
 #include "editor/panels/canvas_banners.h"
 #include "editor/panels/canvas_tile.h"
 #include "editor/panels/panel.h"
 #include "editor/panels/panels.h"
 #include "editor/panels/start_screen.h"
+#include "editor/workspace/simulation_editor.h"
+#include "editor/workspace/tree_editor.h"
 
 namespace coppice::editor {
 namespace {

@@ -1,5 +1,5 @@
-#include "editor/look/icons.h"
 #include "editor/panels/panels.h"
+#include "editor/theme/icons.h"
 
 namespace coppice::editor {
 namespace {

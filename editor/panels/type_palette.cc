@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <array>
 
-#include "editor/canvas/node_metrics.h"
-#include "editor/core/tree_editor.h"
+#include "editor/canvas/layout/node_metrics.h"
 #include "editor/panels/drag_source.h"
 #include "editor/panels/panel.h"
 #include "editor/panels/panels.h"
-#include "editor/panels/type_choices.h"
+#include "editor/panels/popup/type_choices.h"
+#include "editor/workspace/tree_editor.h"
 
 namespace coppice::editor {
 namespace {

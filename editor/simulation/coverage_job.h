@@ -15,9 +15,9 @@
 #include <string>
 #include <unordered_map>
 
-#include "bt_core/history/tree_description.h"
+#include "bt_core/frames/tree_description.h"
 #include "bt_core/testing/random_runs.h"
-#include "editor/canvas/heat_map.h"
+#include "editor/live/heat_map.h"
 #include "editor/scene/scene.h"
 
 namespace coppice::editor {

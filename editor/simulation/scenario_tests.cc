@@ -8,7 +8,7 @@
 #include <set>
 #include <utility>
 
-#include "bt_core/replay/scenario_models.h"
+#include "bt_core/analysis/play/scenario_models.h"
 #include "bt_core/testing/random_suite.h"
 #include "bt_core/testing/scenario_writer.h"
 #include "editor/simulation/open_tree.h"

@@ -10,7 +10,7 @@
 #include <optional>
 #include <vector>
 
-#include "bt_core/history/follower.h"
+#include "bt_core/frames/follower.h"
 #include "bt_core/testing/scenario_player.h"
 
 namespace coppice::editor {

@@ -4,7 +4,7 @@
 #include <map>
 #include <utility>
 
-#include "bt_core/replay/write_record.h"
+#include "bt_core/analysis/formats/write_record.h"
 #include "bt_core/testing/random_runs.h"
 #include "bt_core/testing/scenario_writer.h"
 

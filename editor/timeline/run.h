@@ -16,7 +16,7 @@
 #include <optional>
 #include <vector>
 
-#include "bt_core/replay/recording.h"
+#include "bt_core/analysis/recording.h"
 #include "editor/timeline/peaks.h"
 #include "editor/timeline/tracks.h"
 

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "bt_core/history/follower.h"
+#include "bt_core/frames/follower.h"
 #include "editor/timeline/lane.h"
 
 namespace coppice::editor {

@@ -10,7 +10,7 @@
 #include <memory>
 #include <string>
 
-#include "editor/core/editor.h"
+#include "editor/shell/editor.h"
 #include "editor/window/gl_renderer.h"
 #include "editor/window/glfw_window.h"
 

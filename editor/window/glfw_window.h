@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "editor/core/editor.h"
+#include "editor/shell/editor.h"
 
 namespace coppice::editor {
 

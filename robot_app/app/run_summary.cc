@@ -7,7 +7,7 @@
 #include <sstream>
 #include <utility>
 
-#include "bt_core/engine/status_follower.h"
+#include "bt_core/engine/events/status_follower.h"
 #include "bt_core/record/record_cursor.h"
 
 namespace coppice::robot {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "bt_core/history/history.h"
+#include "bt_core/frames/history.h"
 
 namespace coppice::robot {
 

@@ -10,9 +10,9 @@
 #include <string>
 #include <thread>
 
-#include "bt_core/engine/event_stream.h"
+#include "bt_core/engine/events/event_stream.h"
 #include "bt_core/engine/runner.h"
-#include "bt_core/live/live_publisher.h"
+#include "bt_core/live/server/live_publisher.h"
 #include "bt_core/record/recorder.h"
 
 namespace coppice::robot {

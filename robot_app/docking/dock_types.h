@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "robot_app/navigation/pose2d.h"
+#include "robot_app/common/pose2d.h"
 
 namespace coppice::robot {
 

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "robot_app/common/ros_support.h"
 #include "robot_app/docking/dock_controller.h"
-#include "robot_app/navigation/ros_support.h"
 
 namespace coppice::robot {
 namespace {

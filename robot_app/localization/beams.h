@@ -4,8 +4,8 @@
 
 #include <vector>
 
+#include "robot_app/common/laser_scan.h"
 #include "robot_app/localization/likelihood_field.h"
-#include "robot_app/navigation/laser_scan.h"
 
 namespace coppice::robot {
 

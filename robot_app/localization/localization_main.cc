@@ -11,9 +11,9 @@
 #include <optional>
 #include <string>
 
+#include "robot_app/common/ros_support.h"
 #include "robot_app/localization/localizer.h"
 #include "robot_app/localization/pose_file.h"
-#include "robot_app/navigation/ros_support.h"
 
 namespace coppice::robot {
 namespace {

@@ -13,7 +13,7 @@
 
 #include <Eigen/Core>
 
-#include "robot_app/navigation/pose2d.h"
+#include "robot_app/common/pose2d.h"
 
 namespace coppice::robot {
 

@@ -7,8 +7,8 @@
 #include <optional>
 #include <string>
 
+#include "robot_app/common/ros_support.h"
 #include "robot_app/localization/odometry_filter.h"
-#include "robot_app/navigation/ros_support.h"
 
 namespace coppice::robot {
 namespace {

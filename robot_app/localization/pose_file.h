@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "robot_app/navigation/pose2d.h"
+#include "robot_app/common/pose2d.h"
 
 namespace coppice::robot {
 

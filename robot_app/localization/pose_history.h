@@ -5,7 +5,7 @@
 #include <deque>
 #include <optional>
 
-#include "robot_app/navigation/pose2d.h"
+#include "robot_app/common/pose2d.h"
 
 namespace coppice::robot {
 

@@ -4,7 +4,7 @@
 #ifndef COPPICE_ROBOT_APP_LOCALIZATION_SCAN_CHANGE_H_
 #define COPPICE_ROBOT_APP_LOCALIZATION_SCAN_CHANGE_H_
 
-#include "robot_app/navigation/laser_scan.h"
+#include "robot_app/common/laser_scan.h"
 
 namespace coppice::robot {
 

@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "robot_app/common/laser_scan.h"
 #include "robot_app/localization/beams.h"
-#include "robot_app/navigation/laser_scan.h"
 
 namespace coppice::robot {
 

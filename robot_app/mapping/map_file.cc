@@ -7,8 +7,8 @@
 #include <iterator>
 
 #include "bt_core/model/write_file.h"
+#include "robot_app/common/yaml_fields.h"
 #include "robot_app/mapping/gray_picture.h"
-#include "robot_app/supervision/yaml_fields.h"
 
 namespace coppice::robot {
 namespace {

@@ -11,7 +11,7 @@
 #include <string>
 
 #include "bt_core/base/diagnostic.h"
-#include "robot_app/navigation/occupancy_grid.h"
+#include "robot_app/common/occupancy_grid.h"
 
 namespace coppice::robot {
 

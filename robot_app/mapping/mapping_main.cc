@@ -11,11 +11,11 @@
 #include <optional>
 #include <string>
 
+#include "robot_app/common/ros_support.h"
 #include "robot_app/localization/pose_file.h"
 #include "robot_app/mapping/map_file.h"
 #include "robot_app/mapping/map_message.h"
 #include "robot_app/mapping/mapper.h"
-#include "robot_app/navigation/ros_support.h"
 
 namespace coppice::robot {
 namespace {

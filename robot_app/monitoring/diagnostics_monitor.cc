@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "robot_app/monitoring/band.h"
+#include "robot_app/monitoring/gauges/band.h"
 
 namespace coppice::robot {
 namespace {

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "robot_app/monitoring/finding.h"
-#include "robot_app/monitoring/watch.h"
+#include "robot_app/monitoring/gauges/finding.h"
+#include "robot_app/monitoring/gauges/watch.h"
 
 namespace coppice::robot {
 

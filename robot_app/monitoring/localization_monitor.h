@@ -9,11 +9,11 @@
 #include <string>
 #include <vector>
 
-#include "robot_app/monitoring/gauge_board.h"
-#include "robot_app/monitoring/patience.h"
+#include "robot_app/monitoring/gauges/gauge_board.h"
+#include "robot_app/monitoring/gauges/patience.h"
+#include "robot_app/monitoring/gauges/silence.h"
+#include "robot_app/monitoring/gauges/watch.h"
 #include "robot_app/monitoring/process_table.h"
-#include "robot_app/monitoring/silence.h"
-#include "robot_app/monitoring/watch.h"
 
 namespace coppice::robot {
 

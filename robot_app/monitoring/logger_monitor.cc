@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <limits>
 
-#include "robot_app/monitoring/band.h"
+#include "robot_app/monitoring/gauges/band.h"
 
 namespace coppice::robot {
 namespace {

@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "robot_app/monitoring/finding.h"
+#include "robot_app/monitoring/gauges/finding.h"
+#include "robot_app/monitoring/gauges/watch.h"
 #include "robot_app/monitoring/process_table.h"
-#include "robot_app/monitoring/watch.h"
 
 namespace coppice::robot {
 

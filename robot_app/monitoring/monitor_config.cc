@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "robot_app/monitoring/band_fields.h"
+#include "robot_app/monitoring/gauges/band_fields.h"
+#include "robot_app/monitoring/gauges/watch_fields.h"
 #include "robot_app/monitoring/power/power_fields.h"
 #include "robot_app/monitoring/system/system_fields.h"
-#include "robot_app/monitoring/watch_fields.h"
 
 namespace coppice::robot {
 namespace {

@@ -8,9 +8,9 @@
 
 #include "bt_core/base/clock.h"
 #include "bt_core/base/diagnostic.h"
+#include "robot_app/monitoring/gauges/watch.h"
 #include "robot_app/monitoring/power/power_watch.h"
 #include "robot_app/monitoring/system/system_watch.h"
-#include "robot_app/monitoring/watch.h"
 
 namespace coppice::robot {
 

@@ -13,8 +13,8 @@
 #include <utility>
 
 #include "bt_core/base/command_line.h"
-#include "robot_app/monitoring/health_messages.h"
-#include "robot_app/supervision/node_probe.h"
+#include "robot_app/common/node_probe.h"
+#include "robot_app/monitoring/aggregator/health_messages.h"
 
 namespace coppice::robot {
 namespace {

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "robot_app/monitoring/finding.h"
+#include "robot_app/common/node_probe.h"
+#include "robot_app/monitoring/gauges/finding.h"
+#include "robot_app/monitoring/gauges/watch.h"
 #include "robot_app/monitoring/process_table.h"
-#include "robot_app/monitoring/watch.h"
-#include "robot_app/supervision/node_probe.h"
 
 namespace coppice::robot {
 

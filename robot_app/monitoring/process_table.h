@@ -6,8 +6,8 @@
 #include <map>
 #include <string>
 
-#include "robot_app/monitoring/finding.h"
-#include "robot_app/supervision/supervisor.h"
+#include "robot_app/monitoring/gauges/finding.h"
+#include "robot_app/processes/supervisor.h"
 
 namespace coppice::robot {
 

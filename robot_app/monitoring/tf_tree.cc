@@ -2,7 +2,7 @@
 
 #include <tf2/exceptions.h>
 
-#include "robot_app/monitoring/health_messages.h"
+#include "robot_app/monitoring/aggregator/health_messages.h"
 
 namespace coppice::robot {
 namespace {

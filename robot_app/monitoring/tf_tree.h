@@ -9,7 +9,7 @@
 
 #include <string>
 
-#include "robot_app/monitoring/at_once_queue.h"
+#include "robot_app/monitoring/aggregator/at_once_queue.h"
 #include "robot_app/monitoring/tf_monitor.h"
 
 namespace coppice::robot {

@@ -9,8 +9,8 @@
 #include <limits>
 #include <vector>
 
+#include "robot_app/common/occupancy_grid.h"
 #include "robot_app/navigation/obstacle_layer.h"
-#include "robot_app/navigation/occupancy_grid.h"
 
 namespace coppice::robot {
 

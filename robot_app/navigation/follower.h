@@ -10,7 +10,7 @@
 
 #include <vector>
 
-#include "robot_app/navigation/pose2d.h"
+#include "robot_app/common/pose2d.h"
 
 namespace coppice::robot {
 

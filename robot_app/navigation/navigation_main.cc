@@ -14,9 +14,9 @@
 #include <string>
 #include <vector>
 
+#include "robot_app/common/ros_support.h"
 #include "robot_app/navigation/navigation.h"
 #include "robot_app/navigation/relative_motion.h"
-#include "robot_app/navigation/ros_support.h"
 #include "robot_app/navigation/way_field.h"
 
 namespace coppice::robot {

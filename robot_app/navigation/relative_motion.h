@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "robot_app/navigation/pose2d.h"
+#include "robot_app/common/pose2d.h"
 
 namespace coppice::robot {
 

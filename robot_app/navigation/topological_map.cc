@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "robot_app/supervision/yaml_fields.h"
+#include "robot_app/common/yaml_fields.h"
 
 namespace coppice::robot {
 namespace {

@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "bt_core/base/diagnostic.h"
-#include "robot_app/navigation/pose2d.h"
+#include "robot_app/common/pose2d.h"
 
 namespace coppice::robot {
 

@@ -18,7 +18,7 @@
 #include <string>
 
 #include "bt_core/data/inbox.h"
-#include "bt_nodes/system/action_result.h"
+#include "bt_nodes/basics/action_result.h"
 
 namespace coppice::robot {
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <utility>
 
-#include "robot_app/supervision/processes_view.h"
+#include "robot_app/processes/processes_view.h"
 
 namespace coppice::robot {
 namespace {

@@ -10,7 +10,7 @@
 #include "bt_core/data/inbox.h"
 #include "bt_nodes/navigation/pose2d.h"
 #include "bt_nodes/power/way_home.h"
-#include "robot_app/navigation/ros_support.h"
+#include "robot_app/common/ros_support.h"
 
 namespace coppice::robot {
 

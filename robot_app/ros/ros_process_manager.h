@@ -10,7 +10,7 @@
 #include <string>
 #include <thread>
 
-#include "bt_nodes/supervision/supervision_leaves.h"
+#include "bt_nodes/processes/supervision_leaves.h"
 
 namespace coppice::robot {
 

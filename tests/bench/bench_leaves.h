@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "bt_core/engine/event_stream.h"
+#include "bt_core/engine/events/event_stream.h"
 #include "bt_core/engine/executor.h"
 
 namespace coppice::bench {

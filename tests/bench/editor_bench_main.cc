@@ -13,8 +13,8 @@
 #include <string>
 #include <vector>
 
-#include "editor/canvas/tree_layout.h"
-#include "editor/core/tree_editor.h"
+#include "editor/canvas/layout/tree_layout.h"
+#include "editor/workspace/tree_editor.h"
 #include "tests/editor/driver.h"
 
 namespace coppice::editor {

@@ -4,7 +4,7 @@
 #include <cstring>
 #include <memory>
 
-#include "bt_core/engine/event_stream.h"
+#include "bt_core/engine/events/event_stream.h"
 #include "tests/bench/bench_leaves.h"
 #include "tests/bench/tree_texts.h"
 #include "tests/bench/workloads.h"

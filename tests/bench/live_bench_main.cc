@@ -13,9 +13,9 @@
 #include <thread>
 #include <vector>
 
-#include "bt_core/engine/event_stream.h"
-#include "bt_core/live/client.h"
-#include "bt_core/live/live_publisher.h"
+#include "bt_core/engine/events/event_stream.h"
+#include "bt_core/live/client/client.h"
+#include "bt_core/live/server/live_publisher.h"
 #include "bt_core/nodes/leaf.h"
 #include "tests/bench/tree_texts.h"
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "bt_core/engine/models.h"
+#include "bt_core/engine/compile/models.h"
 
 namespace coppice::bench {
 namespace {

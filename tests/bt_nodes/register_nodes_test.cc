@@ -6,7 +6,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "bt_core/engine/models.h"
+#include "bt_core/engine/compile/models.h"
 #include "tests/bt_nodes/fakes.h"
 
 namespace coppice {

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "bt_core/engine/events/status_follower.h"
 #include "bt_core/engine/executor.h"
-#include "bt_core/engine/status_follower.h"
 #include "tests/conformance/oracle.h"
 
 namespace coppice::conformance {

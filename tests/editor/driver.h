@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "editor/core/editor.h"
+#include "editor/shell/editor.h"
 #include "tests/editor/scripted_robot.h"
 #include "tests/editor/shared_fonts.h"
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "bt_core/data/value_bytes.h"
-#include "bt_core/live/client_robot_tree.h"
+#include "bt_core/live/groot2/client_robot_tree.h"
 #include "editor/live/mailbox.h"
 #include "editor/live/run_source.h"
 

@@ -4,8 +4,8 @@
 
 #include <memory>
 
-#include "editor/core/editor.h"
-#include "editor/look/fonts.h"
+#include "editor/shell/editor.h"
+#include "editor/theme/fonts.h"
 
 namespace coppice::editor {
 

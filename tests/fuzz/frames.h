@@ -6,8 +6,8 @@
 #include <string>
 #include <string_view>
 
-#include "bt_core/history/frame.h"
-#include "bt_core/history/packer.h"
+#include "bt_core/frames/frame.h"
+#include "bt_core/frames/packer.h"
 
 namespace coppice::fuzz {
 

@@ -1,9 +1,9 @@
 #include <algorithm>
 
-#include "bt_core/history/history_decoder.h"
-#include "bt_core/replay/export.h"
-#include "bt_core/replay/import_btlog.h"
-#include "bt_core/replay/write_record.h"
+#include "bt_core/analysis/formats/export.h"
+#include "bt_core/analysis/formats/import_btlog.h"
+#include "bt_core/analysis/formats/write_record.h"
+#include "bt_core/frames/history_decoder.h"
 #include "tests/fuzz/fuzz_targets.h"
 #include "tests/fuzz/history_check.h"
 

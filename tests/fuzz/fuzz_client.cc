@@ -3,8 +3,8 @@
 #include <deque>
 #include <memory>
 
-#include "bt_core/live/client_extension.h"
-#include "bt_core/live/client_groot2.h"
+#include "bt_core/live/client/client_extension.h"
+#include "bt_core/live/groot2/client_groot2.h"
 #include "tests/fuzz/frames.h"
 #include "tests/fuzz/fuzz_targets.h"
 #include "tests/fuzz/history_check.h"

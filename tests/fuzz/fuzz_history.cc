@@ -1,4 +1,4 @@
-#include "bt_core/history/history_decoder.h"
+#include "bt_core/frames/history_decoder.h"
 #include "tests/fuzz/frames.h"
 #include "tests/fuzz/fuzz_targets.h"
 #include "tests/fuzz/history_check.h"

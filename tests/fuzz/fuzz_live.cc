@@ -2,7 +2,7 @@
 #include <memory>
 #include <string>
 
-#include "bt_core/live/live_desk.h"
+#include "bt_core/live/server/live_desk.h"
 #include "bt_core/nodes/leaf.h"
 #include "tests/fuzz/fuzz_targets.h"
 

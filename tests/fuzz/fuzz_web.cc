@@ -1,7 +1,7 @@
 #include <atomic>
 #include <memory>
 
-#include "bt_core/live/web_gateway.h"
+#include "bt_core/live/web/web_gateway.h"
 #include "tests/bt_core/live/web_caller.h"
 #include "tests/fuzz/fuzz_targets.h"
 

@@ -5,7 +5,7 @@
 
 #include <optional>
 
-#include "bt_core/history/follower.h"
+#include "bt_core/frames/follower.h"
 
 namespace coppice::fuzz {
 

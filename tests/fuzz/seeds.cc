@@ -1,7 +1,7 @@
 #include "tests/fuzz/seeds.h"
 
-#include "bt_core/history/payload_coding.h"
-#include "bt_core/history/tick_coding.h"
+#include "bt_core/frames/payload_coding.h"
+#include "bt_core/frames/tick_coding.h"
 #include "tests/fuzz/frames.h"
 
 namespace coppice::fuzz {

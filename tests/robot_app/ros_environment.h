@@ -15,8 +15,8 @@
 #include <optional>
 #include <stdexcept>
 
-#include "robot_app/supervision/ros_master.h"
-#include "tests/robot_app/supervision/temporary.h"
+#include "robot_app/processes/launch/ros_master.h"
+#include "tests/robot_app/processes/temporary.h"
 
 namespace coppice::robot {
 

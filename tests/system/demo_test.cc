@@ -10,8 +10,8 @@
 #include <sstream>
 #include <thread>
 
-#include "bt_core/replay/load_recording.h"
-#include "bt_core/replay/verify.h"
+#include "bt_core/analysis/load_recording.h"
+#include "bt_core/analysis/verify.h"
 #include "robot_app/app/child_process.h"
 #include "robot_app/app/run_summary.h"
 

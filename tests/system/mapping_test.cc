@@ -10,8 +10,8 @@
 #include <condition_variable>
 #include <mutex>
 
+#include "robot_app/common/ros_support.h"
 #include "robot_app/mapping/map_file.h"
-#include "robot_app/navigation/ros_support.h"
 #include "tests/robot_app/mapping/map_quality.h"
 #include "tests/robot_app/mapping/tour.h"
 #include "tests/robot_app/navigation/world_robot.h"

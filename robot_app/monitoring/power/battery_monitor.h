@@ -8,8 +8,8 @@
 #include <optional>
 #include <vector>
 
-#include "robot_app/monitoring/gauge_board.h"
-#include "robot_app/monitoring/patience.h"
+#include "robot_app/monitoring/gauges/gauge_board.h"
+#include "robot_app/monitoring/gauges/patience.h"
 #include "robot_app/monitoring/power/power_watch.h"
 #include "robot_app/monitoring/process_table.h"
 

@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "robot_app/monitoring/finding.h"
+#include "robot_app/monitoring/gauges/finding.h"
 #include "robot_app/monitoring/power/battery_monitor.h"
 #include "robot_app/monitoring/power/power_watch.h"
 

@@ -11,11 +11,11 @@
 #include <string>
 #include <vector>
 
-#include "robot_app/monitoring/gauge_board.h"
-#include "robot_app/monitoring/patience.h"
+#include "robot_app/monitoring/gauges/gauge_board.h"
+#include "robot_app/monitoring/gauges/patience.h"
+#include "robot_app/monitoring/gauges/silence.h"
 #include "robot_app/monitoring/power/power_watch.h"
 #include "robot_app/monitoring/process_table.h"
-#include "robot_app/monitoring/silence.h"
 
 namespace coppice::robot {
 

@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
-#include "robot_app/monitoring/finding.h"
-#include "robot_app/monitoring/patience.h"
+#include "robot_app/monitoring/gauges/finding.h"
+#include "robot_app/monitoring/gauges/patience.h"
 #include "robot_app/monitoring/power/power_watch.h"
 
 namespace coppice::robot {

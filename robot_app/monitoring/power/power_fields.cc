@@ -1,6 +1,6 @@
 #include "robot_app/monitoring/power/power_fields.h"
 
-#include "robot_app/monitoring/band_fields.h"
+#include "robot_app/monitoring/gauges/band_fields.h"
 
 namespace coppice::robot {
 namespace {

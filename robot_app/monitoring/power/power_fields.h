@@ -3,8 +3,8 @@
 #ifndef COPPICE_ROBOT_APP_MONITORING_POWER_POWER_FIELDS_H_
 #define COPPICE_ROBOT_APP_MONITORING_POWER_POWER_FIELDS_H_
 
+#include "robot_app/common/yaml_fields.h"
 #include "robot_app/monitoring/power/power_watch.h"
-#include "robot_app/supervision/yaml_fields.h"
 
 namespace coppice::robot {
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "bt_nodes/power/battery_estimate.h"
-#include "robot_app/monitoring/band.h"
+#include "robot_app/monitoring/gauges/band.h"
 
 namespace coppice::robot {
 

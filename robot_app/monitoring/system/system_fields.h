@@ -2,9 +2,9 @@
 #ifndef COPPICE_ROBOT_APP_MONITORING_SYSTEM_SYSTEM_FIELDS_H_
 #define COPPICE_ROBOT_APP_MONITORING_SYSTEM_SYSTEM_FIELDS_H_
 
-#include "robot_app/monitoring/gauge_board.h"
+#include "robot_app/common/yaml_fields.h"
+#include "robot_app/monitoring/gauges/gauge_board.h"
 #include "robot_app/monitoring/system/system_watch.h"
-#include "robot_app/supervision/yaml_fields.h"
 
 namespace coppice::robot {
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "robot_app/monitoring/gauge_board.h"
+#include "robot_app/monitoring/gauges/gauge_board.h"
 #include "robot_app/monitoring/system/counter_rate.h"
 #include "robot_app/monitoring/system/reach.h"
 #include "robot_app/monitoring/system/sntp.h"

@@ -13,11 +13,11 @@
 #include <cstring>
 
 #include "bt_core/base/command_line.h"
+#include "robot_app/common/node_probe.h"
 #include "robot_app/monitoring/monitor_node.h"
 #include "robot_app/monitoring/system/remote_watch.h"
 #include "robot_app/monitoring/system/system_monitor.h"
 #include "robot_app/monitoring/system/time_server.h"
-#include "robot_app/supervision/node_probe.h"
 
 namespace coppice::robot {
 namespace {

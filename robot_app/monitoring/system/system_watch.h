@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "robot_app/monitoring/band.h"
+#include "robot_app/monitoring/gauges/band.h"
 
 namespace coppice::robot {
 

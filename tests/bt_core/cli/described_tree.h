@@ -5,7 +5,7 @@
 #include <string>
 
 #include "bt_core/data/value_bytes.h"
-#include "bt_core/history/history.h"
+#include "bt_core/frames/history.h"
 
 namespace coppice {
 

@@ -1,6 +1,6 @@
 #include <cstdlib>
 
-#include "bt_core/engine/models.h"
+#include "bt_core/engine/compile/models.h"
 #include "tests/bt_core/cli/fixture.h"
 
 namespace coppice {

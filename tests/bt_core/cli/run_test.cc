@@ -1,4 +1,4 @@
-#include "bt_core/cli/replay.h"
+#include "bt_core/cli/replay/replay.h"
 #include "tests/bt_core/cli/fixture.h"
 
 namespace coppice {

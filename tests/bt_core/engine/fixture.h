@@ -12,9 +12,9 @@
 #include <string>
 #include <vector>
 
+#include "bt_core/engine/events/status_follower.h"
 #include "bt_core/engine/executor.h"
 #include "bt_core/engine/program.h"
-#include "bt_core/engine/status_follower.h"
 
 namespace coppice {
 

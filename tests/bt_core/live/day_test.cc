@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "bt_core/live/live_publisher.h"
+#include "bt_core/live/server/live_publisher.h"
 #include "bt_core/record/record_reader.h"
 #include "bt_core/record/recorder.h"
 #include "tests/bt_core/live/watched_tree.h"

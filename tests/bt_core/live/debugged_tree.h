@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "bt_core/live/debugger.h"
+#include "bt_core/live/debug/debugger.h"
 #include "tests/bt_core/engine/fixture.h"
 
 namespace coppice {

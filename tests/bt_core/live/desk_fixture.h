@@ -13,8 +13,8 @@
 #include <utility>
 #include <vector>
 
-#include "bt_core/live/live_outbox.h"
-#include "bt_core/live/live_tree.h"
+#include "bt_core/live/server/live_outbox.h"
+#include "bt_core/live/server/live_tree.h"
 #include "tests/bt_core/live/watched_tree.h"
 
 namespace coppice {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "bt_core/engine/event_stream.h"
-#include "bt_core/history/history_encoder.h"
+#include "bt_core/engine/events/event_stream.h"
+#include "bt_core/frames/history_encoder.h"
 #include "tests/bt_core/live/watched_tree.h"
 
 namespace coppice {

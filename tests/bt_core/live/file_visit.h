@@ -11,7 +11,7 @@
 #include <string>
 #include <utility>
 
-#include "bt_core/live/web_visit.h"
+#include "bt_core/live/web/web_visit.h"
 
 namespace coppice {
 

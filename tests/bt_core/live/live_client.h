@@ -9,8 +9,8 @@
 #include <vector>
 #include <zmq.hpp>
 
-#include "bt_core/live/live_options.h"
-#include "bt_core/live/token_keys.h"
+#include "bt_core/live/server/live_options.h"
+#include "bt_core/live/server/token_keys.h"
 
 namespace coppice {
 

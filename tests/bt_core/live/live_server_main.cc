@@ -13,8 +13,8 @@
 #include <thread>
 
 #include "bt_core/engine/runner.h"
-#include "bt_core/live/live_publisher.h"
-#include "bt_core/live/token_keys.h"
+#include "bt_core/live/server/live_publisher.h"
+#include "bt_core/live/server/token_keys.h"
 #include "tests/bt_core/live/watched_tree.h"
 
 namespace {

@@ -9,9 +9,9 @@
 #include <random>
 #include <thread>
 
-#include "bt_core/history/history_decoder.h"
-#include "bt_core/live/debugger.h"
-#include "bt_core/live/live_publisher.h"
+#include "bt_core/frames/history_decoder.h"
+#include "bt_core/live/debug/debugger.h"
+#include "bt_core/live/server/live_publisher.h"
 #include "tests/bt_core/live/live_client.h"
 #include "tests/bt_core/live/watched_tree.h"
 

@@ -9,9 +9,9 @@
 #include <string>
 #include <thread>
 
-#include "bt_core/engine/event_stream.h"
-#include "bt_core/live/debugger.h"
-#include "bt_core/live/live_publisher.h"
+#include "bt_core/engine/events/event_stream.h"
+#include "bt_core/live/debug/debugger.h"
+#include "bt_core/live/server/live_publisher.h"
 #include "tests/bt_core/live/watched_tree.h"
 
 namespace coppice {

@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
-#include "bt_core/engine/status_follower.h"
-#include "bt_core/live/client.h"
+#include "bt_core/engine/events/status_follower.h"
+#include "bt_core/live/client/client.h"
 
 namespace coppice {
 

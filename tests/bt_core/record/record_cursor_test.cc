@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "bt_core/record/record_series.h"
-#include "tests/bt_core/history/scripted_tree.h"
+#include "tests/bt_core/frames/scripted_tree.h"
 #include "tests/bt_core/record/temporary_folder.h"
 #include "tests/bt_core/record/whole_record.h"
 

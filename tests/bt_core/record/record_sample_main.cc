@@ -8,7 +8,7 @@
 
 #include "bt_core/data/value_bytes.h"
 #include "bt_core/record/recorder.h"
-#include "tests/bt_core/history/scripted_tree.h"
+#include "tests/bt_core/frames/scripted_tree.h"
 
 namespace coppice {
 namespace {

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "bt_core/history/frame.h"
+#include "bt_core/frames/frame.h"
 #include "tests/bt_core/record/temporary_folder.h"
 
 namespace coppice {

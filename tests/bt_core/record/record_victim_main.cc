@@ -7,7 +7,7 @@
 #include <thread>
 
 #include "bt_core/record/recorder.h"
-#include "tests/bt_core/history/scripted_tree.h"
+#include "tests/bt_core/frames/scripted_tree.h"
 
 int main(int argc, char** argv) {
   if (argc != 2) return 2;

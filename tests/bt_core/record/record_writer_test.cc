@@ -7,7 +7,7 @@
 #include <thread>
 
 #include "bt_core/record/recorder.h"
-#include "tests/bt_core/history/scripted_tree.h"
+#include "tests/bt_core/frames/scripted_tree.h"
 #include "tests/bt_core/record/temporary_folder.h"
 #include "tests/bt_core/record/whole_record.h"
 

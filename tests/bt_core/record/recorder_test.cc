@@ -12,7 +12,7 @@
 #include <random>
 #include <thread>
 
-#include "tests/bt_core/history/scripted_tree.h"
+#include "tests/bt_core/frames/scripted_tree.h"
 #include "tests/bt_core/record/temporary_folder.h"
 #include "tests/bt_core/record/whole_record.h"
 

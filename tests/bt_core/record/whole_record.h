@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "bt_core/record/record_cursor.h"
-#include "tests/bt_core/history/kept_history.h"
+#include "tests/bt_core/frames/kept_history.h"
 
 namespace coppice {
 

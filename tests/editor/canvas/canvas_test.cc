@@ -4,7 +4,7 @@
 
 #include <chrono>
 
-#include "editor/canvas/node_painter.h"
+#include "editor/canvas/paint/node_painter.h"
 #include "tests/editor/driver.h"
 
 namespace coppice::editor {

@@ -5,8 +5,8 @@
 #include <memory>
 #include <string>
 
-#include "editor/canvas/geometry.h"
 #include "editor/scene/scene.h"
+#include "editor/theme/geometry.h"
 #include "tests/editor/read_forest.h"
 
 namespace coppice::editor {

@@ -6,8 +6,8 @@
 #include <cstdlib>
 #include <ctime>
 
-#include "editor/core/workspace.h"
 #include "editor/document/tree_edits.h"
+#include "editor/workspace/workspace.h"
 #include "tests/editor/driver.h"
 
 namespace coppice::editor {

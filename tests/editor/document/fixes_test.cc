@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "bt_core/engine/check_project.h"
-#include "bt_core/engine/model_registry.h"
+#include "bt_core/engine/compile/check_project.h"
+#include "bt_core/engine/compile/model_registry.h"
 #include "bt_core/model/project.h"
 
 namespace coppice::editor {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "editor/look/imgui_context.h"
+#include "editor/theme/imgui_context.h"
 #include "tests/editor/shared_fonts.h"
 
 namespace coppice::editor {

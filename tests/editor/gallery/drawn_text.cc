@@ -10,9 +10,9 @@
 #include <set>
 #include <utility>
 
-#include "editor/look/contrast.h"
-#include "editor/look/imgui_context.h"
 #include "editor/render/rasteriser.h"
+#include "editor/theme/contrast.h"
+#include "editor/theme/imgui_context.h"
 
 namespace coppice::editor {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "editor/core/editor.h"
+#include "editor/shell/editor.h"
 
 namespace coppice::editor {
 

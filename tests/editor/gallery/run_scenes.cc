@@ -2,7 +2,7 @@
 #include <string>
 #include <utility>
 
-#include "editor/core/run_commands.h"
+#include "editor/commands/run_commands.h"
 #include "tests/editor/gallery/scenes.h"
 #include "tests/editor/sample_trees.h"
 

@@ -7,9 +7,9 @@
 #include <string>
 #include <thread>
 
-#include "bt_core/engine/event_stream.h"
-#include "bt_core/live/debugger.h"
-#include "bt_core/live/live_publisher.h"
+#include "bt_core/engine/events/event_stream.h"
+#include "bt_core/live/debug/debugger.h"
+#include "bt_core/live/server/live_publisher.h"
 #include "tests/editor/timeline/executed_run.h"
 
 namespace coppice::editor {

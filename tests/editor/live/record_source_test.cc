@@ -5,11 +5,11 @@
 #include <fstream>
 #include <iterator>
 
+#include "bt_core/analysis/formats/export.h"
+#include "bt_core/analysis/load_recording.h"
 #include "bt_core/record/recorder.h"
-#include "bt_core/replay/export.h"
-#include "bt_core/replay/load_recording.h"
-#include "editor/core/workspace.h"
 #include "editor/live/run_view.h"
+#include "editor/workspace/workspace.h"
 #include "tests/bt_core/record/temporary_folder.h"
 #include "tests/editor/timeline/executed_run.h"
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "bt_core/live/client_robot_tree.h"
+#include "bt_core/live/groot2/client_robot_tree.h"
 #include "tests/editor/driver.h"
 #include "tests/editor/timeline/executed_run.h"
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "bt_core/live/groot2_history.h"
+#include "bt_core/live/groot2/groot2_history.h"
 #include "tests/editor/executed_source.h"
 
 namespace coppice::editor {

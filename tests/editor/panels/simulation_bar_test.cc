@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "editor/core/simulation_editor.h"
 #include "editor/simulation/script_text.h"
+#include "editor/workspace/simulation_editor.h"
 #include "tests/editor/driver.h"
 #include "tests/editor/sample_trees.h"
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "bt_core/history/tree_description.h"
+#include "bt_core/frames/tree_description.h"
 #include "tests/editor/simulation/simulated_text.h"
 
 namespace coppice::editor {

@@ -4,7 +4,7 @@
 
 #include <fstream>
 
-#include "bt_core/replay/load_recording.h"
+#include "bt_core/analysis/load_recording.h"
 #include "editor/timeline/run.h"
 #include "tests/editor/simulation/simulated_text.h"
 

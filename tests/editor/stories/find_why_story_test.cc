@@ -2,7 +2,7 @@
 
 #include <fstream>
 
-#include "bt_core/replay/write_record.h"
+#include "bt_core/analysis/formats/write_record.h"
 #include "editor/render/image.h"
 #include "tests/editor/executed_source.h"
 #include "tests/editor/reference_picture.h"

@@ -11,7 +11,7 @@
 
 #include "bt_core/data/value_bytes.h"
 #include "bt_core/engine/executor.h"
-#include "bt_core/history/history.h"
+#include "bt_core/frames/history.h"
 
 namespace coppice::editor {
 

@@ -1,8 +1,8 @@
 // recorded FILE: records a run, and asks the record what came of it.
 #include <cstdio>
 
+#include "bt_core/analysis/load_recording.h"
 #include "bt_core/record/recorder.h"
-#include "bt_core/replay/load_recording.h"
 #include "tree.h"
 
 namespace {

@@ -3,8 +3,8 @@
 #include <cstdio>
 #include <mutex>
 
-#include "bt_core/live/client.h"
-#include "bt_core/live/live_publisher.h"
+#include "bt_core/live/client/client.h"
+#include "bt_core/live/server/live_publisher.h"
 #include "tree.h"
 
 namespace {

@@ -14,7 +14,7 @@
 #include <filesystem>
 
 #include "robot_app/app/child_process.h"
-#include "robot_app/navigation/ros_support.h"
+#include "robot_app/common/ros_support.h"
 #include "tests/robot_app/eventually.h"
 #include "tests/robot_app/latest.h"
 #include "tests/robot_app/ros_environment.h"

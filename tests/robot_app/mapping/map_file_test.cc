@@ -7,7 +7,7 @@
 #include <fstream>
 
 #include "tests/robot_app/navigation/test_floor.h"
-#include "tests/robot_app/supervision/temporary.h"
+#include "tests/robot_app/processes/temporary.h"
 
 namespace coppice::robot {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "robot_app/navigation/occupancy_grid.h"
+#include "robot_app/common/occupancy_grid.h"
 
 namespace coppice::robot {
 

@@ -10,12 +10,12 @@
 #include <fstream>
 
 #include "robot_app/app/child_process.h"
+#include "robot_app/common/ros_support.h"
 #include "robot_app/mapping/map_file.h"
-#include "robot_app/navigation/ros_support.h"
 #include "tests/robot_app/eventually.h"
 #include "tests/robot_app/latest.h"
+#include "tests/robot_app/processes/temporary.h"
 #include "tests/robot_app/ros_environment.h"
-#include "tests/robot_app/supervision/temporary.h"
 #include "tests/robot_app/text_of.h"
 
 namespace coppice::robot {

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "robot_app/navigation/pose2d.h"
+#include "robot_app/common/pose2d.h"
 
 namespace coppice::robot {
 

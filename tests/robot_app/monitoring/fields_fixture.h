@@ -7,8 +7,8 @@
 #include <fstream>
 #include <string>
 
-#include "robot_app/supervision/yaml_fields.h"
-#include "tests/robot_app/supervision/temporary.h"
+#include "robot_app/common/yaml_fields.h"
+#include "tests/robot_app/processes/temporary.h"
 
 namespace coppice::robot {
 

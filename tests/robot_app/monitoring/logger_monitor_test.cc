@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "tests/robot_app/supervision/temporary.h"
+#include "tests/robot_app/processes/temporary.h"
 
 namespace coppice::robot {
 namespace {

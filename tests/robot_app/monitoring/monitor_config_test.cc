@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <fstream>
 
-#include "robot_app/supervision/robot_config.h"
-#include "tests/robot_app/supervision/temporary.h"
+#include "robot_app/processes/config/robot_config.h"
+#include "tests/robot_app/processes/temporary.h"
 
 namespace coppice::robot {
 namespace {

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/robot_app/supervision/ros_graph.h"
+#include "tests/robot_app/processes/ros_graph.h"
 
 namespace coppice::robot {
 

@@ -29,10 +29,10 @@
 #include <string>
 #include <vector>
 
+#include "robot_app/common/node_probe.h"
 #include "robot_app/monitoring/system/proc_files.h"
-#include "robot_app/supervision/node_probe.h"
-#include "robot_app/supervision/process_launcher.h"
-#include "robot_app/supervision/ros_master.h"
+#include "robot_app/processes/launch/process_launcher.h"
+#include "robot_app/processes/launch/ros_master.h"
 
 namespace coppice::robot {
 namespace {

@@ -18,7 +18,7 @@
 #include <vector>
 
 #include "robot_app/app/child_process.h"
-#include "robot_app/supervision/ros_master.h"
+#include "robot_app/processes/launch/ros_master.h"
 #include "tests/robot_app/eventually.h"
 #include "tests/robot_app/latest.h"
 #include "tests/robot_app/ros_environment.h"

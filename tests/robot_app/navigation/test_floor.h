@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "robot_app/navigation/laser_scan.h"
-#include "robot_app/navigation/occupancy_grid.h"
+#include "robot_app/common/laser_scan.h"
+#include "robot_app/common/occupancy_grid.h"
 
 namespace coppice::robot {
 

@@ -4,8 +4,8 @@
 
 #include <stdexcept>
 
-#include "robot_app/navigation/laser_scan.h"
-#include "robot_app/navigation/occupancy_grid.h"
+#include "robot_app/common/laser_scan.h"
+#include "robot_app/common/occupancy_grid.h"
 #include "robot_app/simulation/grid_map.h"
 #include "robot_app/simulation/world.h"
 

@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "robot_app/monitoring/band_fields.h"
+#include "robot_app/monitoring/gauges/band_fields.h"
 #include "tests/robot_app/monitoring/fields_fixture.h"
 
 namespace coppice::robot {

@@ -6,7 +6,7 @@
 #include <fstream>
 #include <string>
 
-#include "tests/robot_app/supervision/temporary.h"
+#include "tests/robot_app/processes/temporary.h"
 
 namespace coppice::robot {
 

@@ -1,0 +1,37 @@
+// `coppice live --json`: what a robot does as one JSON object per line, for scripts.
+#ifndef COPPICE_BT_CORE_CLI_LIVE_LIVE_JSON_H_
+#define COPPICE_BT_CORE_CLI_LIVE_LIVE_JSON_H_
+
+#include <optional>
+#include <ostream>
+
+#include "bt_core/frames/follower.h"
+#include "bt_core/live/client/client.h"
+
+namespace coppice {
+
+/// Each object has a "type": connection, tree, state, tick, gap, note, end, stopped, resumed,
+/// replaced, refused.
+class LiveJsonPrinter {
+ public:
+  explicit LiveJsonPrinter(std::ostream& out) : out_(out) {}
+
+  void Print(const LiveConnection& connection);
+  void Print(const TreeDescription& tree);
+  void Print(const HistoryState& state);
+  void Print(const TickEvents& events);
+  void Print(const HistoryGap& gap);
+  void Print(const HistoryNote& note);
+  void Print(const HistoryEnd& end);
+  void Print(const LiveNotice& notice);
+
+ private:
+  std::ostream& out_;
+  TreeDescription tree_;
+  std::optional<HistoryFollower> follower_;
+  bool has_state_ = false;  // of this tree; keyframes say nothing new
+};
+
+}  // namespace coppice
+
+#endif  // COPPICE_BT_CORE_CLI_LIVE_LIVE_JSON_H_

@@ -1,0 +1,87 @@
+#include "bt_core/cli/live/live_view.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <iostream>
+#include <stdexcept>
+#include <system_error>
+
+#include "bt_core/live/server/live_publisher.h"
+#include "bt_core/live/server/token_keys.h"
+
+namespace coppice {
+namespace {
+
+bool IsWanted(const Options& options) {
+  const auto given = [&](const std::string& name) { return options.Has(name); };
+  const std::vector<std::string> values = LiveView::WithValue();
+  const std::vector<std::string> flags = LiveView::Flags();
+  return std::any_of(values.begin(), values.end(), given) ||
+         std::any_of(flags.begin(), flags.end(), given);
+}
+
+std::int64_t ReadNumber(const Options& options, const std::string& name, std::int64_t otherwise,
+                        std::int64_t largest) {
+  if (!options.Has(name)) return otherwise;
+  const std::optional<std::int64_t> number = options.GetNumber(name);
+  if (number && *number >= 0 && *number <= largest) return *number;
+  throw std::invalid_argument(name + ": expected a number from 0 to " + std::to_string(largest));
+}
+
+// Of an installed program ../share/coppice/web, else that of the build.
+std::string WebFolder() {
+  std::error_code error;
+  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
+  const std::filesystem::path installed =
+      program.parent_path().parent_path() / "share" / "coppice" / "web";
+  const bool is_there = !error && std::filesystem::exists(installed / "index.html", error);
+  return is_there ? installed.string() : COPPICE_WEB_FOLDER;
+}
+
+LiveOptions ReadLiveOptions(const Options& options) {
+  constexpr std::int64_t kLongestWait = 86400;  // s: a day
+  LiveOptions live;
+  live.port = static_cast<std::uint16_t>(ReadNumber(options, "--live-port", live.port, 65534));
+  live.address = options.Get("--live-address", live.address);
+  live.read_only = options.Has("--live-read-only");
+  live.wait_for_client =
+      std::chrono::seconds(ReadNumber(options, "--wait-for-client", 0, kLongestWait));
+  live.web = options.Has("--web") || options.Has("--web-port") || options.Has("--web-folder");
+  live.web_port =
+      static_cast<std::uint16_t>(ReadNumber(options, "--web-port", live.web_port, 65535));
+  live.web_folder = options.Get("--web-folder", WebFolder());
+  if (const char* token = std::getenv(kTokenVariable)) live.token = token;
+  return live;
+}
+
+// Behind the '#' nothing is sent to the robot but by the page itself.
+std::string Link(const LiveOptions& live, std::uint16_t port, const std::string& token) {
+  const std::string host = live.address == "*" || live.address == "lo" ? "localhost" : live.address;
+  return "http://" + host + ":" + std::to_string(port) + "/" + (token.empty() ? "" : "#" + token);
+}
+
+void PrintWeb(const LiveOptions& live, const LiveWeb& web) {
+  if (web.port == 0) return;
+  std::cerr << "in a browser: " << Link(live, web.port, web.control_token) << "\n";
+  if (web.read_token.empty()) return;
+  std::cerr << "for those who only watch: " << Link(live, web.port, web.read_token) << "\n";
+}
+
+}  // namespace
+
+LiveView::LiveView(EventStream& stream, const Options& options) {
+  if (!IsWanted(options)) return;
+  const LiveOptions live = ReadLiveOptions(options);
+  publisher_ = std::make_unique<LivePublisher>(stream, live);
+  std::cerr << "live view on " << live.address << ":" << publisher_->port();
+  if (live.wait_for_client > Duration::zero()) std::cerr << ", waiting for a client to continue";
+  std::cerr << "\n";
+  const std::string& read_token = publisher_->read_token();
+  if (!read_token.empty()) std::cerr << "token for those who only watch: " << read_token << "\n";
+  PrintWeb(live, publisher_->web());
+}
+
+LiveView::~LiveView() = default;
+
+}  // namespace coppice

@@ -1,0 +1,73 @@
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <optional>
+#include <string_view>
+
+#include "bt_core/analysis/formats/export.h"
+#include "bt_core/analysis/formats/import_btlog.h"
+#include "bt_core/analysis/formats/write_record.h"
+#include "bt_core/analysis/load_recording.h"
+#include "bt_core/base/command_line.h"
+#include "bt_core/cli/replay/replay.h"
+#include "bt_core/model/write_file.h"
+
+namespace coppice {
+namespace {
+
+constexpr char kUsage[] =
+    "coppice convert IN OUT\n"
+    "  Between formats, which the endings of the names say.\n"
+    "  IN:   .coppice   a record\n"
+    "        .btlog     a log of BehaviorTree.CPP's FileLogger2\n"
+    "  OUT:  .coppice, .btlog\n"
+    "        .json      trace of Chrome; opens in ui.perfetto.dev\n"
+    "        .csv       changes, writes and messages, one per line\n"
+    "        .bag       bag of ROS 1";
+
+bool EndsIn(std::string_view name, std::string_view ending) {
+  return name.size() > ending.size() && name.substr(name.size() - ending.size()) == ending;
+}
+
+std::optional<Recording> Read(const std::string& path, Diagnostics& diagnostics) {
+  if (!EndsIn(path, ".btlog")) return LoadRecording(path, diagnostics);
+  std::ifstream file(path, std::ios::binary);
+  if (!file) {
+    diagnostics.Error({path}, "cannot be read");
+    return std::nullopt;
+  }
+  const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+  return FromBtlog(bytes, path, diagnostics);
+}
+
+std::optional<std::string> Convert(const Recording& run, const std::string& out,
+                                   Diagnostics& diagnostics) {
+  if (EndsIn(out, ".coppice")) return ToRecord(run);
+  if (EndsIn(out, ".btlog")) return ToBtlog(run, diagnostics);
+  if (EndsIn(out, ".json")) return ToChromeTrace(run);
+  if (EndsIn(out, ".csv")) return ToCsv(run);
+  if (EndsIn(out, ".bag")) return ToRosbag(run, diagnostics);
+  diagnostics.Error({out}, "is of no known format",
+                    "expected .coppice, .btlog, .json, .csv or .bag");
+  return std::nullopt;
+}
+
+}  // namespace
+
+int RunConvert(const std::vector<std::string>& arguments) {
+  const std::optional<Options> options = ParseOptions(arguments, {}, {}, kUsage);
+  if (!options) return 2;
+  if (options->files.size() != 2) {
+    std::cerr << "expected two files\nusage: " << kUsage << "\n";
+    return 2;
+  }
+  Diagnostics diagnostics;
+  const std::optional<Recording> run = Read(options->files[0], diagnostics);
+  std::optional<std::string> bytes;
+  if (run) bytes = Convert(*run, options->files[1], diagnostics);
+  const bool written = bytes && WriteFile(options->files[1], *bytes, diagnostics);
+  std::cerr << diagnostics.ToString();
+  return written ? 0 : 2;
+}
+
+}  // namespace coppice

@@ -1,0 +1,75 @@
+#include "bt_core/cli/replay/replay_scenario.h"
+
+#include <cstdlib>
+#include <filesystem>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include "bt_core/analysis/play/scenario_models.h"
+#include "bt_core/analysis/play/scenario_of.h"
+#include "bt_core/model/project.h"
+#include "bt_core/testing/scenario_writer.h"
+
+namespace coppice {
+namespace {
+
+// The end of the part that --from or --to names; nothing, with a message, if it is no number.
+std::optional<std::size_t> PlaceOf(const Options& options, const std::string& name,
+                                   const Recording& run, std::size_t otherwise) {
+  if (!options.Has(name)) return otherwise;
+  const std::optional<Time> time = ReadRecordTime(options.Get(name), run.start());
+  if (time) return run.FindTime(*time);
+  std::cerr << name << " needs a number of seconds\n";
+  return std::nullopt;
+}
+
+// Empty if the file has this main tree anyway.
+std::string NeededTreeId(const std::string& tree_file, const std::string& main_tree,
+                         Diagnostics& diagnostics) {
+  const std::optional<Project> project = Project::FromFile(tree_file, diagnostics);
+  return project && project->main_tree() == main_tree ? "" : main_tree;
+}
+
+}  // namespace
+
+std::optional<Time> ReadRecordTime(const std::string& text, Time start) {
+  char* end = nullptr;
+  const double seconds = std::strtod(text.c_str(), &end);
+  if (text.empty() || *end != '\0' || !(seconds > -1e9 && seconds < 1e9)) return std::nullopt;
+  return start + std::chrono::nanoseconds(static_cast<std::int64_t>(seconds * 1e9));
+}
+
+int MakeScenario(const Options& options, const Recording& run) {
+  const auto first = PlaceOf(options, "--from", run, 0);
+  const auto last = PlaceOf(options, "--to", run, run.ticks().size());
+  if (!first || !last) return 2;
+  Diagnostics diagnostics;
+  const auto recorded =
+      ScenarioOf(run, *first, *last + 1, options.Get("--name", "as recorded"), diagnostics);
+  if (!recorded) {
+    std::cerr << diagnostics.ToString();
+    return 1;
+  }
+  const std::string tree_file = options.Get("--tree-file", recorded->tree_file);
+  if (!std::filesystem::exists(tree_file)) {
+    std::cerr << tree_file << ": there is no such file; --tree-file says where the tree lies\n";
+    return 2;
+  }
+  const std::string tree_id = NeededTreeId(tree_file, recorded->tree_id, diagnostics);
+  const std::string file = options.Get("--scenario");
+  std::vector<std::string> known;
+  if (options.Has("--models")) known.push_back(options.Get("--models"));
+  const std::string models =
+      ModelsForScenario(file, tree_file, known, recorded->models, diagnostics);
+  const bool written =
+      WriteScenario(recorded->scenario, file, tree_file, tree_id, diagnostics, models);
+  std::cerr << diagnostics.ToString();
+  if (!written) return 1;
+  std::cout << file << ": \"" << recorded->scenario.name << "\", "
+            << recorded->scenario.steps.size() << " steps from tick "
+            << run.ticks()[recorded->first_tick].number << "\n";
+  return 0;
+}
+
+}  // namespace coppice

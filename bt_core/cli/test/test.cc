@@ -1,0 +1,120 @@
+#include <chrono>
+#include <fstream>
+#include <iostream>
+#include <memory>
+
+#include "bt_core/base/command_line.h"
+#include "bt_core/cli/plugins.h"
+#include "bt_core/cli/test/random_test.h"
+#include "bt_core/cli/test/test_report.h"
+#include "bt_core/cli/verbs.h"
+#include "bt_core/model/project.h"
+#include "bt_core/testing/scenario.h"
+
+namespace coppice {
+namespace {
+
+constexpr char kUsage[] =
+    "coppice test FILE... [--filter PATTERN] [--models FILE] [--plugin FILE.so]... [--json]\n"
+    "             [--junit FILE]\n"
+    "coppice test --random RUNS [--seed S] [--ticks N] [--tree ID] [--set KEY=VALUE]...\n"
+    "             [--models FILE] [--plugin FILE.so]... [--json] FILE...\n"
+    "  Plays the scenarios of each file with the tree that it names, on simulated time.\n"
+    "  --filter PATTERN  only scenarios whose name fits; * stands for any characters\n"
+    "  --models FILE     the <TreeNodesModel> of the robot's node types, in place of the one that\n"
+    "                    the file of scenarios names\n"
+    "  --plugin FILE.so  a library with node types: they run as they are unless a script plays "
+    "them\n"
+    "  --json            the result as one JSON object\n"
+    "  --junit FILE      also writes the result for continuous integration\n"
+    "  --random RUNS     runs a tree so often with leaves that do something by chance; prints how\n"
+    "                    often each node was ticked and what it returned, and what went wrong.\n"
+    "                    FILE is a tree, or scenarios: then their tree and their\n"
+    "                    \"random\", or the scripts of their leaves. Of NAME.xml the \"random\"\n"
+    "                    of NAME.test.json is taken. The first run has seed S (1), the next S + 1\n"
+    "  --ticks N         breaks off a run that is not done after N ticks (10000)\n"
+    "  --tree ID         which tree of the file; --set: a key before the first tick\n"
+    "  Leaves that are not built in are played by scripts; a decorator that is not built in needs "
+    "a\n"
+    "  model or a script. The format: docs/testing.md.";
+
+TestedScenario Play(const Program& program, const ScenarioSuite& suite, const Scenario& scenario) {
+  const auto start = std::chrono::steady_clock::now();
+  TestedScenario tested{scenario.name, RunScenario(program, suite, scenario), 0};
+  tested.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return tested;
+}
+
+TestedFile TestFile(const std::string& path, const Options& options,
+                    std::shared_ptr<Registry> known) {
+  TestedFile tested{path, "", {}};
+  Diagnostics diagnostics;
+  std::optional<ScenarioSuite> suite = LoadScenarios(path, diagnostics);
+  std::shared_ptr<const Program> program;
+  if (suite) {
+    suite->models_file = options.Get("--models", suite->models_file);
+    std::optional<Project> project = Project::FromFile(suite->tree_file, diagnostics);
+    if (project) {
+      program = CompileSuite(*suite, *std::move(project), std::move(known), diagnostics);
+    }
+  }
+  if (!program) {
+    tested.errors = diagnostics.ToString();
+    return tested;
+  }
+  for (const Scenario& scenario : suite->scenarios) {
+    if (!FitsWildcards(options.Get("--filter", "*"), scenario.name)) continue;
+    tested.scenarios.push_back(Play(*program, *suite, scenario));
+  }
+  return tested;
+}
+
+int ExitStatus(const std::vector<TestedFile>& files) {
+  int status = 0;
+  for (const TestedFile& file : files) {
+    if (!file.errors.empty()) return 2;
+    if (!Passed(file)) status = 1;
+  }
+  return status;
+}
+
+}  // namespace
+
+int RunTest(const Arguments& arguments) {
+  const std::optional<Options> options =
+      ParseOptions(arguments,
+                   {"--filter", "--junit", "--models", "--plugin", "--random", "--seed", "--ticks",
+                    "--tree", "--set"},
+                   {"--json"}, kUsage);
+  if (!options) return 2;
+  if (options->files.empty()) {
+    std::cerr << "no file given\nusage: " << kUsage << "\n";
+    return 2;
+  }
+  if (options->Has("--random")) return RunRandomTest(*options);
+  std::vector<TestedFile> files;
+  std::size_t played = 0;
+  for (const std::string& path : options->files) {
+    std::shared_ptr<Registry> known = RegistryWithPlugins(*options);
+    if (!known) return 2;
+    files.push_back(TestFile(path, *options, std::move(known)));
+    played += files.back().scenarios.size();
+  }
+  std::cout << (options->Has("--json") ? ReportJson(files) : ReportText(files));
+  if (options->Has("--junit")) {
+    std::ofstream out(options->Get("--junit"));
+    out << ReportJUnit(files);
+    if (!out.flush()) {
+      std::cerr << options->Get("--junit") << ": cannot be written\n";
+      return 2;
+    }
+  }
+  const int status = ExitStatus(files);
+  if (status == 0 && played == 0) {
+    std::cerr << "no scenario fits \"" << options->Get("--filter") << "\"\n";
+    return 2;
+  }
+  return status;
+}
+
+}  // namespace coppice

@@ -1,0 +1,156 @@
+#include "bt_core/engine/compile/compiler.h"
+
+#include <utility>
+
+namespace coppice {
+namespace {
+
+// SubTrees within SubTrees multiply: a few lines of XML can ask for more than any computer has.
+constexpr std::size_t kMostNodes = 1'000'000;
+constexpr std::size_t kDeepest = 10'000;
+constexpr std::size_t kMostPathBytes = std::size_t{64} << 20;
+
+std::shared_ptr<Program> EmptyProgram(std::shared_ptr<const Project> project,
+                                      std::shared_ptr<const Registry> registry) {
+  auto program = std::make_shared<Program>();
+  program->project = std::move(project);
+  program->registry = std::move(registry);
+  return program;
+}
+
+}  // namespace
+
+TreeCompiler::TreeCompiler(std::shared_ptr<const Project> project,
+                           std::shared_ptr<const Registry> registry, Tolerance tolerance,
+                           Problems& problems)
+    : program_(EmptyProgram(std::move(project), std::move(registry))),
+      problems_(problems),
+      keys_(program_->layout),
+      types_(program_->layout, problems),
+      scripts_(keys_, types_, problems),
+      ports_(keys_, types_, scripts_, problems),
+      guards_(scripts_, problems),
+      lookup_(*program_->project, *program_->registry, tolerance, problems),
+      subtrees_(*program_, keys_, types_, tolerance, problems) {}
+
+std::shared_ptr<const Program> TreeCompiler::Run(const std::string& tree_id,
+                                                 const TreeDefinition& tree) {
+  subtrees_.OpenMain(tree_id);
+  // More than one root is an error of the project; what is wrong in them is said nevertheless.
+  const Document& document = program_->project->documents()[tree.document];
+  for (ElementIndex root = document.element(tree.element).first_child; root != kNoElement;
+       root = document.element(root).next_sibling) {
+    Walk(Site(*program_->project, tree.document, root, 0));
+  }
+  types_.Settle();
+  scripts_.Compile(program_->registry->script_constants(), program_->scripts);
+  GiveBackSpareMemory();
+  return std::move(program_);
+}
+
+void TreeCompiler::Walk(const Site& root) {
+  AddElement(root, 0);
+  while (!levels_.empty()) {
+    if (levels_.back().next == kNoElement) {
+      EndLevel();
+    } else {
+      AddChild();
+    }
+  }
+}
+
+void TreeCompiler::AddChild() {
+  Level& level = levels_.back();
+  const Site site(*program_->project, level.document, level.next, level.scope);
+  level.next = site.element.next_sibling;
+  AddElement(site, level.node);  // may add a level
+}
+
+void TreeCompiler::EndLevel() {
+  const Level& level = levels_.back();
+  program_->nodes[level.node].end = static_cast<NodeIndex>(program_->nodes.size());
+  if (level.is_subtree) subtrees_.Close();
+  levels_.pop_back();
+}
+
+void TreeCompiler::AddElement(const Site& site, NodeIndex parent) {
+  if (IsTooBig(site)) return;
+  const std::optional<FoundNode> found = lookup_.Find(site);
+  if (!found) return;
+  if (found->is_subtree) {
+    AddSubTree(site, *found, parent);
+  } else {
+    AddNode(site, *found, parent);
+  }
+}
+
+void TreeCompiler::AddNode(const Site& site, const FoundNode& found, NodeIndex parent) {
+  const Registry::Entry* entry = found.entry;
+  const NodeType type = entry ? entry->type : NodeType::kLeaf;
+  const NodeIndex node = AddRecord(type, site, entry, parent);
+  if (entry) ports_.Bind(*entry, site, program_->ports);
+  if (type == NodeType::kLeaf || type == NodeType::kUser) AddLeaf(node);
+  const ElementIndex child = site.element.first_child;
+  if (child != kNoElement) {
+    levels_.push_back({node, site.document_number, child, site.scope, false});
+  }
+}
+
+void TreeCompiler::AddSubTree(const Site& site, const FoundNode& found, NodeIndex parent) {
+  const TreeDefinition* tree = subtrees_.Find(site, found.id);
+  if (!tree) return;
+  const NodeIndex node = AddRecord(NodeType::kSubTree, site, found.entry, parent);
+  const ScopeIndex inner = subtrees_.Open(site, found.id, node);
+  const Document& document = program_->project->documents()[tree->document];
+  const ElementIndex root = document.element(tree->element).first_child;
+  levels_.push_back({node, tree->document, root, inner, true});
+}
+
+NodeIndex TreeCompiler::AddRecord(NodeType type, const Site& site, const Registry::Entry* entry,
+                                  NodeIndex parent) {
+  const auto node = static_cast<NodeIndex>(program_->nodes.size());
+  const auto first_port = static_cast<std::uint32_t>(program_->ports.size());
+  const bool guarded = guards_.Read(site, node, program_->guards);
+  program_->nodes.push_back({type, guarded ? NodeType::kGuarded : type, node + 1, first_port});
+  program_->info.push_back({entry, parent, site.scope, site.document_number, site.index});
+  return node;
+}
+
+void TreeCompiler::AddLeaf(NodeIndex node) {
+  NodeRecord& record = program_->nodes[node];
+  const LeafRecord leaf{node, record.first_port};
+  record.first_port = static_cast<std::uint32_t>(program_->leaves.size());
+  program_->leaves.push_back(leaf);
+}
+
+// True from the first node on that is too much; says so once.
+bool TreeCompiler::IsTooBig(const Site& site) {
+  std::string reason;
+  if (program_->nodes.size() >= kMostNodes) {
+    reason = "the tree has more than " + std::to_string(kMostNodes) + " nodes";
+  } else if (levels_.size() >= kDeepest) {
+    reason = "nodes are nested more than " + std::to_string(kDeepest) + " deep";
+  } else if (subtrees_.path_bytes() > kMostPathBytes) {
+    reason =
+        "the paths of the SubTrees take more than " + std::to_string(kMostPathBytes >> 20) + " MiB";
+  } else {
+    return false;
+  }
+  if (!too_big_) {
+    problems_.Error(site.document, site.element.offset, std::move(reason),
+                    "counted with all SubTrees");
+  }
+  too_big_ = true;
+  return true;
+}
+
+void TreeCompiler::GiveBackSpareMemory() {
+  program_->nodes.shrink_to_fit();
+  program_->ports.shrink_to_fit();
+  program_->leaves.shrink_to_fit();
+  program_->guards.shrink_to_fit();
+  program_->info.shrink_to_fit();
+  program_->layout.slots.shrink_to_fit();
+}
+
+}  // namespace coppice

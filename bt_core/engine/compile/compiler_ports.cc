@@ -1,0 +1,143 @@
+#include "bt_core/engine/compile/compiler_ports.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+namespace coppice {
+namespace {
+
+bool IsScript(const PortDeclaration& port) { return port.type == &TypeOf<ScriptCode>(); }
+
+// A port that is about a key and not about its value takes the plain name, too, as in
+// BehaviorTree.CPP: output_key="x" is output_key="{x}".
+bool IsAboutKey(const PortDeclaration& port) {
+  return !port.type && (port.direction == PortDirection::kOutput || port.name == "entry");
+}
+
+ScriptUse UseOf(NodeType type) {
+  const bool asks = type == NodeType::kScriptCondition || type == NodeType::kPrecondition;
+  return asks ? ScriptUse::kCondition : ScriptUse::kAction;
+}
+
+bool HasBraces(std::string_view text) {
+  const std::size_t open = text.find('{');
+  return open != std::string_view::npos && text.find('}', open) != std::string_view::npos;
+}
+
+}  // namespace
+
+void PortBinder::Bind(const Registry::Entry& entry, const Site& site,
+                      std::vector<PortBinding>& ports) {
+  CheckNames(entry, site);
+  for (const PortDeclaration& port : entry.declarations) {
+    ports.push_back({BindPort(entry, port, site)});
+  }
+  BindCopies(entry, site, ports.data() + ports.size() - entry.declarations.size());
+}
+
+void PortBinder::BindCopies(const Registry::Entry& entry, const Site& site,
+                            const PortBinding* ports) {
+  SlotIndex from = kNoSlot;
+  SlotIndex to = kNoSlot;
+  for (std::size_t k = 0; k < entry.declarations.size(); ++k) {
+    const PortDeclaration& port = entry.declarations[k];
+    if (port.type || port.direction == PortDirection::kMailbox) continue;
+    (port.direction == PortDirection::kInput ? from : to) = ports[k].slot;
+  }
+  if (from != kNoSlot && to != kNoSlot) {
+    types_.AddCopy(from, to, entry.manifest.id, {&site.document, site.element.offset});
+  }
+}
+
+void PortBinder::CheckNames(const Registry::Entry& entry, const Site& site) {
+  const std::vector<PortDeclaration>& ports = entry.manifest.ports;
+  for (const Attribute& attribute : site) {
+    if (IsReservedAttribute(attribute.name)) continue;
+    const auto is_meant = [&](const PortDeclaration& port) { return port.name == attribute.name; };
+    if (std::any_of(ports.begin(), ports.end(), is_meant)) continue;
+    std::vector<std::string> names;
+    for (const PortDeclaration& port : ports) names.push_back(port.name);
+    problems_.Error(site.document, attribute.name_offset,
+                    entry.manifest.id + " has no port " + Quoted(attribute.name),
+                    DidYouMean(attribute.name, names));
+  }
+}
+
+std::uint32_t PortBinder::BindPort(const Registry::Entry& entry, const PortDeclaration& port,
+                                   const Site& site) {
+  if (port.direction == PortDirection::kMailbox) return keys_.AddSlot("", site.scope, port.type);
+  const Attribute* attribute = site.document.FindAttribute(site.element, port.name);
+  if (!attribute && !port.default_text) {
+    if (port.required) {
+      problems_.Error(site.document, site.element.offset,
+                      entry.manifest.id + " needs its port " + Quoted(port.name), port.description);
+    }
+    return kNoSlot;
+  }
+  const Given given{entry,
+                    port,
+                    site,
+                    attribute,
+                    attribute ? attribute->value : std::string_view(*port.default_text),
+                    attribute ? attribute->value_offset : site.element.offset};
+  if (IsScript(port)) return BindScript(given);
+  const std::string_view key = KeyOf(given.text, port.name);
+  if (!key.empty()) return BindKey(given, key);
+  if (IsAboutKey(port) && !given.text.empty() && !HasBraces(given.text) && given.text != "@") {
+    return BindKey(given, given.text);
+  }
+  return BindLiteral(given);
+}
+
+std::uint32_t PortBinder::BindScript(const Given& given) {
+  const ScriptUse use = UseOf(given.entry.type);
+  return given.attribute ? scripts_.Add(given.site, *given.attribute, use)
+                         : scripts_.AddDefault(given.site, given.text, use);
+}
+
+std::uint32_t PortBinder::BindKey(const Given& given, std::string_view key) {
+  const SlotIndex slot = keys_.Resolve(key, given.site.scope);
+  types_.Set(slot, given.entry.manifest.id, given.port, {&given.site.document, given.offset});
+  return slot;
+}
+
+std::uint32_t PortBinder::BindLiteral(const Given& given) {
+  const PortDeclaration& port = given.port;
+  if (port.direction != PortDirection::kInput) {
+    problems_.Error(
+        given.site.document, given.offset,
+        std::string(ToString(port.direction)) + " " + Quoted(port.name) + " needs a key",
+        "write {key}");
+    return kNoSlot;
+  }
+  if (port.type != &TypeOf<std::string>() && HasBraces(given.text)) {
+    problems_.Warning(given.site.document, given.offset,
+                      Quoted(given.text) + " is taken as it stands",
+                      "a key is the whole text, as in \"{key}\", or none of it");
+  }
+  if (!port.type) return BindUntypedLiteral(given);
+  Value value;
+  if (!value.Parse(*port.type, given.text)) ReportLiteral(given);
+  return keys_.AddSlot("", given.site.scope, port.type, std::move(value));
+}
+
+std::uint32_t PortBinder::BindUntypedLiteral(const Given& given) {
+  const SlotIndex slot = keys_.AddSlot("", given.site.scope, nullptr);
+  types_.AddLiteral(slot, given.text, "port " + Quoted(given.port.name),
+                    {&given.site.document, given.offset});
+  return slot;
+}
+
+void PortBinder::ReportLiteral(const Given& given) {
+  std::string hint = Expected(*given.port.type);
+  if (given.text.empty() && given.port.default_text) {
+    hint += "; without the attribute it is " + *given.port.default_text;
+  }
+  problems_.Error(given.site.document, given.offset,
+                  Quoted(given.text) + " is not a value for port " + Quoted(given.port.name) +
+                      " of " + given.entry.manifest.id,
+                  std::move(hint));
+}
+
+}  // namespace coppice

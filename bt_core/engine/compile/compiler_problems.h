@@ -1,0 +1,45 @@
+// Where the parts of the compiler report to. A tree that is used as a SubTree in fifty places is
+// compiled fifty times; what is wrong with it is said once.
+#ifndef COPPICE_BT_CORE_ENGINE_COMPILE_COMPILER_PROBLEMS_H_
+#define COPPICE_BT_CORE_ENGINE_COMPILE_COMPILER_PROBLEMS_H_
+
+#include <cstdint>
+#include <set>
+#include <string>
+#include <string_view>
+#include <tuple>
+
+#include "bt_core/base/diagnostic.h"
+#include "bt_core/model/document.h"
+
+namespace coppice {
+
+class Problems {
+ public:
+  explicit Problems(Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
+
+  /// `offset` is in bytes from the start of the document's text.
+  void Error(const Document& document, std::uint32_t offset, std::string message,
+             std::string hint = {});
+  void Warning(const Document& document, std::uint32_t offset, std::string message,
+               std::string hint = {});
+
+  /// True the first time: for what is said once and not in every place.
+  bool IsFirst(const std::string& topic) { return topics_.insert(topic).second; }
+
+  bool has_errors() const { return diagnostics_.has_errors(); }
+
+ private:
+  bool IsNew(const Document& document, std::uint32_t offset, const std::string& message);
+
+  Diagnostics& diagnostics_;
+  std::set<std::tuple<const Document*, std::uint32_t, std::string>> known_;
+  std::set<std::string> topics_;
+};
+
+/// The text in double quotes.
+std::string Quoted(std::string_view text);
+
+}  // namespace coppice
+
+#endif  // COPPICE_BT_CORE_ENGINE_COMPILE_COMPILER_PROBLEMS_H_

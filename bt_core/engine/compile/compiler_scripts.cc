@@ -1,0 +1,69 @@
+#include "bt_core/engine/compile/compiler_scripts.h"
+
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace coppice {
+namespace {
+
+// The names of a script are keys of the scope of its node.
+class NamesInScope : public ScriptNames {
+ public:
+  NamesInScope(KeyTable& keys, const SlotTypes& types, ScopeIndex scope)
+      : keys_(keys), types_(types), scope_(scope) {}
+  SlotIndex Slot(std::string_view name) override { return keys_.ResolveCopy(name, scope_); }
+  const Type* TypeOf(SlotIndex slot) const override { return types_.Of(slot); }
+  bool IsKey(std::string_view name) const override { return keys_.Has(name, scope_); }
+
+ private:
+  KeyTable& keys_;
+  const SlotTypes& types_;
+  ScopeIndex scope_;
+};
+
+}  // namespace
+
+std::uint32_t ScriptTable::Add(const Site& site, const Attribute& attribute, ScriptUse use) {
+  if (!KeyOf(attribute.value, attribute.name).empty()) {
+    problems_.Error(site.document, attribute.value_offset,
+                    "a script cannot come from the blackboard: " + Quoted(attribute.value),
+                    "it is compiled when the tree is loaded; write the script itself, in which a "
+                    "key stands without braces");
+    return kNoScript;
+  }
+  return Add({&site.document, &attribute, site.element.offset, attribute.value, site.scope, use});
+}
+
+std::uint32_t ScriptTable::AddDefault(const Site& site, std::string_view text, ScriptUse use) {
+  return Add({&site.document, nullptr, site.element.offset, text, site.scope, use});
+}
+
+std::uint32_t ScriptTable::Add(const Pending& pending) {
+  pending_.push_back(pending);
+  return static_cast<std::uint32_t>(pending_.size() - 1);
+}
+
+void ScriptTable::Compile(const ScriptConstants& constants, std::vector<Script>& scripts) {
+  scripts.reserve(pending_.size());
+  std::vector<ScriptProblem> found;
+  for (const Pending& pending : pending_) {
+    NamesInScope names(keys_, types_, pending.scope);
+    found.clear();
+    std::optional<Script> script =
+        Script::Compile(pending.text, names, constants, found, pending.use);
+    if (script) scripts.push_back(*std::move(script));
+    for (ScriptProblem& problem : found) Report(pending, std::move(problem));
+  }
+}
+
+void ScriptTable::Report(const Pending& pending, ScriptProblem problem) {
+  const std::uint32_t offset =
+      pending.attribute ? pending.document->OffsetInValue(*pending.attribute, problem.offset)
+                        : pending.offset;
+  const auto report = problem.is_warning ? &Problems::Warning : &Problems::Error;
+  (problems_.*report)(*pending.document, offset, std::move(problem.message),
+                      std::move(problem.hint));
+}
+
+}  // namespace coppice

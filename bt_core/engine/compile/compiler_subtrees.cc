@@ -1,0 +1,146 @@
+#include "bt_core/engine/compile/compiler_subtrees.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "bt_core/engine/compile/sibling_files.h"
+#include "bt_core/engine/compile/type_names.h"
+
+namespace coppice {
+namespace {
+
+bool IsTrue(const Site& site, std::string_view attribute) {
+  bool value = false;
+  const std::string_view text = site.document.AttributeValue(site.element, attribute);
+  return ValueTraits<bool>::Parse(text, value) && value;
+}
+
+}  // namespace
+
+void SubTreeBinder::OpenMain(const std::string& id) {
+  keys_.AddScope(0, false);
+  program_.layout.scopes.push_back(id);
+  program_.trees.push_back({id, "", 0, 0});
+  const std::string_view main = program_.project->trees().find(id)->first;
+  open_.push_back(main);
+  is_open_.insert(main);
+}
+
+const TreeDefinition* SubTreeBinder::Find(const Site& site, std::string_view id) {
+  const TreeDefinition* tree = program_.project->Find(id);
+  if (!tree) {
+    ReportMissing(site, id);
+  } else if (is_open_.count(id) > 0) {
+    ReportLoop(site, id);
+    tree = nullptr;
+  }
+  return tree;
+}
+
+void SubTreeBinder::ReportMissing(const Site& site, std::string_view id) {
+  std::vector<std::string> ids;
+  for (const auto& [known, definition] : program_.project->trees()) ids.push_back(known);
+  const std::string file = FindTreeInFolder(site.document.file(), id);
+  std::string advice = file.empty() ? DidYouMean(id, ids) : file + " has it; include that file";
+  if (!tolerance_.unknown_trees) {
+    problems_.Error(site.document, site.element.offset, "no tree " + Quoted(id), advice);
+  } else {
+    problems_.Warning(site.document, site.element.offset,
+                      "tree " + Quoted(id) + " is not among these files", advice);
+  }
+}
+
+void SubTreeBinder::ReportLoop(const Site& site, std::string_view id) {
+  std::string chain;
+  for (auto at = std::find(open_.begin(), open_.end(), id); at != open_.end(); ++at) {
+    chain += std::string(*at) + " -> ";
+  }
+  problems_.Error(site.document, site.element.offset, "tree " + Quoted(id) + " contains itself",
+                  chain + std::string(id));
+}
+
+ScopeIndex SubTreeBinder::Open(const Site& site, std::string_view id, NodeIndex node) {
+  if (site.element.child_count > 0) {
+    problems_.Error(site.document, site.element.offset, "<SubTree> must not have children");
+  }
+  const bool autoremap = IsTrue(site, "_autoremap");
+  const ScopeIndex inner = AddInstance(site, id, node, autoremap);
+  Remap(site, inner);
+  if (const NodeModel* model = program_.project->SubTreeModel(id)) {
+    ApplyModel(site, *model, inner, autoremap);
+    CheckNames(site, *model);
+  }
+  open_.push_back(id);
+  is_open_.insert(id);
+  return inner;
+}
+
+ScopeIndex SubTreeBinder::AddInstance(const Site& site, std::string_view id, NodeIndex node,
+                                      bool autoremap) {
+  std::string path = program_.Path(node);
+  path_bytes_ += path.size();
+  if (!paths_.insert(path).second) {
+    problems_.Error(site.document, site.element.offset,
+                    "two SubTrees in the same tree have the name " + Quoted(program_.Name(node)),
+                    "give each a name of its own");
+  }
+  program_.layout.scopes.push_back(path);
+  program_.trees.push_back({std::string(id), std::move(path), node + 1, node});
+  return keys_.AddScope(site.scope, autoremap);
+}
+
+void SubTreeBinder::Close() {
+  is_open_.erase(open_.back());
+  open_.pop_back();
+}
+
+void SubTreeBinder::Remap(const Site& site, ScopeIndex inner) {
+  for (const Attribute& attribute : site) {
+    if (IsReservedAttribute(attribute.name)) continue;
+    RemapOne(site, inner, attribute.name, attribute.value, attribute.value_offset);
+  }
+}
+
+void SubTreeBinder::RemapOne(const Site& site, ScopeIndex inner, std::string_view name,
+                             std::string_view text, std::uint32_t offset) {
+  const std::string_view key = KeyOf(text, name);
+  if (!key.empty()) {
+    keys_.Bind(name, inner, keys_.Resolve(key, site.scope));
+    return;
+  }
+  const SlotIndex slot = keys_.AddSlot(std::string(name), inner, nullptr);
+  keys_.Bind(name, inner, slot);
+  types_.AddLiteral(slot, text, "key " + Quoted(name) + " inside", {&site.document, offset});
+}
+
+void SubTreeBinder::ApplyModel(const Site& site, const NodeModel& model, ScopeIndex inner,
+                               bool autoremap) {
+  const Document& document = program_.project->documents()[model.document];
+  const std::uint32_t offset = document.element(model.element).offset;
+  for (const PortModel& port : model.ports) {
+    const bool given = site.document.FindAttribute(site.element, port.name) != nullptr;
+    if (!given && !autoremap && port.default_text) {
+      RemapOne(site, inner, port.name, *port.default_text, site.element.offset);
+    } else if (!given && !autoremap) {
+      problems_.Error(site.document, site.element.offset,
+                      "SubTree " + Quoted(model.id) + " needs its port " + Quoted(port.name),
+                      port.description);
+    }
+    const Type* type = FindType(*program_.registry, port.type);
+    if (type) types_.Suggest(keys_.Resolve(port.name, inner), *type, {&document, offset});
+  }
+}
+
+void SubTreeBinder::CheckNames(const Site& site, const NodeModel& model) {
+  for (const Attribute& attribute : site) {
+    if (IsReservedAttribute(attribute.name) || model.FindPort(attribute.name)) continue;
+    std::vector<std::string> names;
+    for (const PortModel& port : model.ports) names.push_back(port.name);
+    problems_.Warning(
+        site.document, attribute.name_offset,
+        "the model of SubTree " + Quoted(model.id) + " has no port " + Quoted(attribute.name),
+        DidYouMean(attribute.name, names));
+  }
+}
+
+}  // namespace coppice

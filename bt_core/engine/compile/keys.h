@@ -1,0 +1,63 @@
+// While a tree is compiled: which slot a key names in which scope.
+//
+// Each SubTree instance is a scope. A key of a scope is a slot of its own, unless an attribute of
+// the SubTree or _autoremap makes it the slot of a key outside. "@key" is a key of the main tree.
+#ifndef COPPICE_BT_CORE_ENGINE_COMPILE_KEYS_H_
+#define COPPICE_BT_CORE_ENGINE_COMPILE_KEYS_H_
+
+#include <deque>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "bt_core/data/blackboard.h"
+
+namespace coppice {
+
+/// The key that the text of an attribute names: "{goal}" is "goal", "=" and "{=}" are `own_name`.
+/// Empty for a literal, such as "goal_{x}": a key is the whole text or none of it.
+std::string_view KeyOf(std::string_view text, std::string_view own_name);
+
+class KeyTable {
+ public:
+  /// Slots go to the layout. The texts given to the functions below must outlive the table.
+  explicit KeyTable(Layout& layout) : layout_(layout) {}
+
+  /// Scope 0 is that of the main tree. With `autoremap` it has the keys of its parent, but for
+  /// those that begin with an underscore.
+  ScopeIndex AddScope(ScopeIndex parent, bool autoremap);
+
+  /// A slot with or without a key; the literals of ports and mailboxes have none.
+  SlotIndex AddSlot(std::string key, ScopeIndex scope, const Type* type, Value initial = {});
+
+  /// The slot of a key, made if this is its first use.
+  SlotIndex Resolve(std::string_view key, ScopeIndex scope);
+
+  /// The same for a key whose text does not outlive the table.
+  SlotIndex ResolveCopy(std::string_view key, ScopeIndex scope);
+
+  /// True if that is the name of a key already, in this scope or where the scope has it from.
+  bool Has(std::string_view key, ScopeIndex scope) const;
+
+  /// Makes the key of a scope that slot. Without effect if the scope has that key already.
+  void Bind(std::string_view key, ScopeIndex scope, SlotIndex slot);
+
+ private:
+  struct Scope {
+    std::unordered_map<std::string_view, SlotIndex> keys;
+    ScopeIndex parent;
+    bool autoremap;
+  };
+
+  // The scope whose own key it is.
+  ScopeIndex Home(std::string_view key, ScopeIndex scope) const;
+
+  Layout& layout_;
+  std::vector<Scope> scopes_;
+  std::deque<std::string> names_;  // what ResolveCopy has kept
+};
+
+}  // namespace coppice
+
+#endif  // COPPICE_BT_CORE_ENGINE_COMPILE_KEYS_H_

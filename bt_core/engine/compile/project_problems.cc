@@ -1,0 +1,54 @@
+#include "bt_core/engine/compile/project_problems.h"
+
+#include <vector>
+
+namespace coppice {
+namespace {
+
+std::vector<std::string> TreeIds(const Project& project) {
+  std::vector<std::string> ids;
+  for (const auto& [id, definition] : project.trees()) ids.push_back(id);
+  return ids;
+}
+
+void AskForMainTree(const Project& project, Problems& problems) {
+  const Document& first = project.documents().front();
+  std::string list;
+  for (const std::string& id : TreeIds(project)) list += (list.empty() ? "" : ", ") + id;
+  problems.Error(first, first.element(0).offset, "which tree is the main one?",
+                 "give main_tree_to_execute; there are: " + list);
+}
+
+// Points at main_tree_to_execute if that is what asks for it.
+void ReportMissingTree(const Project& project, const std::string& id, Problems& problems) {
+  const std::string hint = DidYouMean(id, TreeIds(project));
+  for (const Document& document : project.documents()) {
+    const Attribute* asked = document.FindAttribute(document.element(0), "main_tree_to_execute");
+    if (!asked || asked->value != id) continue;
+    problems.Error(document, asked->value_offset, "no tree " + Quoted(id), hint);
+    return;
+  }
+  const Document& first = project.documents().front();
+  problems.Error(first, first.element(0).offset, "no tree " + Quoted(id), hint);
+}
+
+}  // namespace
+
+const TreeDefinition* FindMainTree(const Project& project, const std::string& id,
+                                   Problems& problems) {
+  const TreeDefinition* tree = project.Find(id);
+  if (!tree && id.empty()) AskForMainTree(project, problems);
+  if (!tree && !id.empty()) ReportMissingTree(project, id, problems);
+  return tree;
+}
+
+void CheckTreeNames(const Project& project, const Registry& registry, Problems& problems) {
+  for (const auto& [id, definition] : project.trees()) {
+    if (!registry.Find(id)) continue;
+    const Document& document = project.documents()[definition.document];
+    problems.Error(document, document.element(definition.element).offset,
+                   "tree " + Quoted(id) + " has the name of a node type");
+  }
+}
+
+}  // namespace coppice

@@ -1,0 +1,29 @@
+#include "bt_core/engine/events/status_follower.h"
+
+#include <utility>
+
+#include "bt_core/engine/program.h"
+
+namespace coppice {
+
+TreeShape ShapeOf(const Program& program) {
+  TreeShape shape;
+  shape.reserve(program.nodes.size());
+  for (NodeIndex node = 0; node < program.nodes.size(); ++node) {
+    const NodeRecord& record = program.nodes[node];
+    shape.push_back({program.info[node].parent, record.end, RunsOneChild(record.type)});
+  }
+  return shape;
+}
+
+StatusFollower::StatusFollower(TreeShape shape, std::vector<Status> statuses,
+                               std::vector<Status> last)
+    : shape_(std::move(shape)),
+      statuses_(std::move(statuses)),
+      last_(last.empty() ? statuses_ : std::move(last)),
+      ticked_child_(shape_.size(), 0) {
+  statuses_.resize(shape_.size(), Status::kIdle);
+  last_.resize(shape_.size(), Status::kIdle);
+}
+
+}  // namespace coppice

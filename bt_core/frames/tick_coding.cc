@@ -1,0 +1,216 @@
+#include "bt_core/frames/tick_coding.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "bt_core/data/value_bytes.h"
+
+namespace coppice {
+namespace {
+
+// The first byte of a tick: result, whether it is a part, and the step of its number.
+constexpr std::uint8_t kResultBits = 7;
+constexpr std::uint8_t kIsPart = 8;
+constexpr int kStepShift = 4;
+constexpr std::uint8_t kOtherStep = 2;  // written behind; 0 and 1 stand for themselves
+
+constexpr unsigned kCodeBits = 3;
+constexpr std::uint64_t kCodeMask = 7;
+
+// Where a frame holds more than this, values are cut shorter.
+constexpr std::size_t kMuch = 8 << 20;
+
+std::uint64_t ZigZag(std::int64_t number) {
+  return static_cast<std::uint64_t>(number) << 1 ^ (number < 0 ? ~std::uint64_t{0} : 0);
+}
+std::int64_t UnZigZag(std::uint64_t number) {
+  return static_cast<std::int64_t>(number >> 1 ^ (number & 1 ? ~std::uint64_t{0} : 0));
+}
+
+// Nodes and slots are told from those before them in the tick.
+struct Names {
+  std::uint32_t node = 0;
+  std::uint32_t slot = 0;
+};
+
+// Times of damaged bytes may be anything, so what is too large wraps around.
+Duration Sum(Duration a, Duration b) {
+  return Duration(static_cast<std::int64_t>(static_cast<std::uint64_t>(a.count()) +
+                                            static_cast<std::uint64_t>(b.count())));
+}
+Duration Difference(Duration a, Duration b) {
+  return Duration(static_cast<std::int64_t>(static_cast<std::uint64_t>(a.count()) -
+                                            static_cast<std::uint64_t>(b.count())));
+}
+
+std::int64_t Step(std::uint32_t from, std::uint32_t to) {
+  return std::int64_t{to} - std::int64_t{from};
+}
+
+bool NamesSlot(EventCode code) { return code == EventCode::kWrite || code == EventCode::kDelivery; }
+
+class EventsEncoder {
+ public:
+  EventsEncoder(Bytes& out, std::size_t much) : bytes_(out), out_(out), much_(much) {}
+
+  void Add(const Event& event) {
+    std::uint32_t& before = NamesSlot(event.code) ? names_.slot : names_.node;
+    out_.Unsigned(ZigZag(Step(before, event.index)) << kCodeBits |
+                  static_cast<std::uint64_t>(event.code));
+    before = event.index;
+    if (event.is_status()) return;
+    const std::size_t limit = bytes_.size() > much_ ? kShortValueBytes : kMaxValueBytes;
+    if (event.code == EventCode::kText) {
+      out_.Unsigned(static_cast<std::uint64_t>(event.text));
+      Put(event.bytes, limit, CutText);
+      return;
+    }
+    if (event.code == EventCode::kWrite) Writer(event.writer);
+    Put(event.bytes, limit, CutValue);
+  }
+
+ private:
+  void Writer(NodeIndex writer) {
+    if (writer == kNoNode) return out_.Unsigned(0);
+    out_.Unsigned(ZigZag(Step(names_.node, writer)) + 1);
+    names_.node = writer;
+  }
+
+  void Put(std::string_view bytes, std::size_t limit,
+           std::string (*cut)(std::string_view, std::size_t)) {
+    if (bytes.size() <= limit) return out_.Text(bytes);
+    out_.Text(cut(bytes, limit));
+  }
+
+  Bytes& bytes_;
+  Encoder out_;
+  const std::size_t much_;
+  Names names_;
+};
+
+class EventsDecoder {
+ public:
+  EventsDecoder(Decoder in, const TreeSize& size, EventWriter& out)
+      : in_(in), size_(size), out_(out) {}
+
+  bool DecodeAll() {
+    while (in_.ok() && !in_.at_end()) {
+      const std::uint64_t token = in_.Unsigned();
+      if (!One(static_cast<EventCode>(token & kCodeMask), UnZigZag(token >> kCodeBits))) {
+        return false;
+      }
+    }
+    return in_.ok();
+  }
+
+ private:
+  bool One(EventCode code, std::int64_t step) {
+    const bool is_slot = NamesSlot(code);
+    std::uint32_t& named = is_slot ? names_.slot : names_.node;
+    if (!Move(named, step, is_slot ? size_.slots : size_.nodes)) return false;
+    const std::uint32_t index = named;
+    if (code <= EventCode::kSkipped) {
+      out_.Status(index, static_cast<Status>(code));
+      return true;
+    }
+    std::uint32_t second = kNoNode;
+    if (code == EventCode::kWrite && !Writer(second)) return false;
+    if (code == EventCode::kText) second = in_.Index(kTextKinds);
+    const std::string_view bytes = in_.View();
+    if (in_.ok()) out_.Add(code, index, second, bytes);
+    return in_.ok();
+  }
+
+  bool Writer(std::uint32_t& writer) {
+    const std::uint64_t step = in_.Unsigned();
+    if (step == 0) return true;
+    if (!Move(names_.node, UnZigZag(step - 1), size_.nodes)) return false;
+    writer = names_.node;
+    return true;
+  }
+
+  static bool Move(std::uint32_t& index, std::int64_t step, std::size_t limit) {
+    const std::uint64_t moved = index + static_cast<std::uint64_t>(step);
+    if (moved >= limit) return false;
+    index = static_cast<std::uint32_t>(moved);
+    return true;
+  }
+
+  static constexpr std::size_t kTextKinds = 3;
+
+  Decoder in_;
+  const TreeSize& size_;
+  EventWriter& out_;
+  Names names_;
+};
+
+// The beginning of a text, at most so many bytes of it, no character cut into pieces.
+std::string_view Beginning(std::string_view text, std::size_t size) {
+  if (size >= text.size()) return text;
+  std::size_t end = size;
+  while (end > 0 && end + 4 > size && (static_cast<unsigned char>(text[end]) & 0xc0) == 0x80) --end;
+  return text.substr(0, end);
+}
+
+}  // namespace
+
+std::string CutText(std::string_view text, std::size_t limit) {
+  if (text.size() <= limit) return std::string(text);
+  const std::string note = "... (cut: " + std::to_string(text.size()) + " bytes)";
+  return std::string(Beginning(text, limit > note.size() ? limit - note.size() : 0)) + note;
+}
+
+std::string CutValue(std::string_view bytes, std::size_t limit) {
+  if (bytes.size() <= limit) return std::string(bytes);
+  return static_cast<char>(ValueForm::kText) + CutText(bytes.substr(1), limit - 1);
+}
+
+void TickEncoder::Encode(const TickEvents& events, Bytes& out) {
+  EncodeEvents(events.words, out.size());
+  const std::uint64_t number_step = events.tick - place_.tick;
+  const Duration step = Difference(events.start, place_.time);
+  Encoder encoder(out);
+  encoder.Byte(static_cast<std::uint8_t>(
+      static_cast<unsigned>(events.result) | (events.is_whole ? 0u : kIsPart) |
+      static_cast<unsigned>(number_step < kOtherStep ? number_step : kOtherStep) << kStepShift));
+  if (number_step >= kOtherStep) encoder.Signed(static_cast<std::int64_t>(number_step));
+  encoder.Signed(Difference(step, place_.step).count());
+  // A clock that is set back while the tree ticks makes no ticks of less than no time.
+  const Duration duration = std::max(events.duration, Duration(0));
+  encoder.Unsigned(
+      static_cast<std::uint64_t>(std::chrono::round<std::chrono::microseconds>(duration).count()));
+  encoder.Unsigned(events_.size());
+  out.insert(out.end(), events_.begin(), events_.end());
+  place_ = {events.tick, events.start, step};
+}
+
+void TickEncoder::EncodeEvents(EventWords words, std::size_t before) {
+  events_.clear();
+  EventsEncoder encoder(events_, before < kMuch ? kMuch - before : 0);
+  EventReader reader(words);
+  for (Event event; reader.Next(event);) encoder.Add(event);
+}
+
+std::optional<TickEvents> TickDecoder::Decode(Decoder& in, const TreeSize& size) {
+  const std::uint8_t head = in.Byte();
+  const unsigned result = head & kResultBits;
+  const unsigned step_code = head >> kStepShift;
+  if (result > static_cast<unsigned>(Status::kSkipped) || step_code > kOtherStep) return {};
+  const std::uint64_t number_step =
+      step_code < kOtherStep ? step_code : static_cast<std::uint64_t>(in.Signed());
+  const Duration step = Sum(place_.step, Duration(in.Signed()));
+  const std::uint64_t duration = in.Unsigned();
+  words_.Clear();
+  const Decoder events = in.Part();
+  if (!in.ok() || duration > kMaxMicroseconds) return {};
+  if (!EventsDecoder(events, size, words_).DecodeAll()) return {};
+  place_ = {place_.tick + number_step, Sum(place_.time, step), step};
+  return TickEvents{place_.tick,
+                    place_.time,
+                    std::chrono::microseconds(duration),
+                    static_cast<Status>(result),
+                    (head & kIsPart) == 0,
+                    words_.words()};
+}
+
+}  // namespace coppice

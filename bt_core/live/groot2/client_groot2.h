@@ -1,0 +1,83 @@
+// A client of a robot that knows the Groot2 protocol only, such as one with BehaviorTree.CPP 4. It
+// polls, one request at a time, as the protocol wants it.
+#ifndef COPPICE_BT_CORE_LIVE_GROOT2_CLIENT_GROOT2_H_
+#define COPPICE_BT_CORE_LIVE_GROOT2_CLIENT_GROOT2_H_
+
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "bt_core/live/client/client_session.h"
+#include "bt_core/live/groot2/groot2_history.h"
+
+namespace coppice {
+
+class ClientGroot2 final : public ClientSession {
+ public:
+  /// The history outlives the session and goes on in the next one, if it is the same run.
+  ClientGroot2(const LiveClientOptions& options, LiveListener& listener, Groot2History& history,
+               Sender sender);
+
+  Duration OnTime(Duration now) override;
+  void OnMessage(const Parts& parts, Duration now) override;
+  void Send(const LiveCommand& command, LiveClient::ReplyHandler on_reply) override;
+  void Abandon(const std::string& why) override;
+  bool has_answered() const override { return heard_; }
+  bool is_live() const override { return is_live_; }
+
+ private:
+  /// The robot's answer: an error, or the bytes that came.
+  struct Answer {
+    std::string error;
+    std::string payload;
+  };
+  struct Request {
+    char type;
+    std::string body;
+    std::function<void(const Answer&)> on_answer;
+  };
+  /// One that this client has set.
+  struct SetHook {
+    HookId id;
+    std::uint16_t uid;
+    Hook hook;
+    NodeIndex node;
+    bool stands;  ///< the tree stopped here and was not continued since
+  };
+
+  void Ask(char type, std::string body, std::function<void(const Answer&)> on_answer);
+  void SendNext(Duration now);
+  void Greet();
+  void AskForTree();
+  void AskForStart();
+  void BeginLive();
+  void Poll(Duration now);
+  void AskForBoards();
+  void Check(const std::string& problem);
+  void OnNotification(const std::string& uid_text);
+  void AddHook(const Hook& hook, LiveClient::ReplyHandler on_reply);
+  void RemoveHooks(HookId id, const LiveClient::ReplyHandler& on_reply);
+  void Continue(std::optional<Status> result, const LiveClient::ReplyHandler& on_reply);
+
+  const LiveClientOptions& options_;
+  LiveListener& listener_;
+  Groot2History& history_;
+  const Sender sender_;
+  bool is_live_ = false;
+  std::uint32_t number_ = 0;
+  std::deque<Request> requests_;  // the first one may be under way
+  bool is_waiting_ = false;
+  Duration asked_{0};
+  bool heard_ = false;
+  RunId id_{};  // of the answer that came last
+  Duration next_poll_{0};
+  Duration next_boards_{0};
+  std::vector<SetHook> hooks_;
+  HookId last_hook_ = kNoHook;
+};
+
+}  // namespace coppice
+
+#endif  // COPPICE_BT_CORE_LIVE_GROOT2_CLIENT_GROOT2_H_

@@ -1,0 +1,72 @@
+#include "bt_core/live/groot2/groot2_hook_json.h"
+
+#include <nlohmann/json.hpp>
+
+namespace coppice::groot2 {
+namespace {
+
+using Json = nlohmann::json;
+
+int Number(HookPosition position) { return position == HookPosition::kBefore ? 0 : 1; }
+
+// "instance/ID" of a node whose path is "instance/own".
+std::string PathOfType(const DescribedNode& node) {
+  const std::size_t slash = node.path.rfind('/');
+  return slash == std::string::npos ? node.id : node.path.substr(0, slash + 1) + node.id;
+}
+
+std::vector<NodeIndex> FindExactly(const TreeDescription& tree, std::string_view path) {
+  std::vector<NodeIndex> nodes;
+  for (NodeIndex i = 0; i < tree.nodes.size(); ++i) {
+    if (tree.nodes[i].path == path) nodes.push_back(i);
+  }
+  if (!nodes.empty()) return nodes;
+  for (NodeIndex i = 0; i < tree.nodes.size(); ++i) {
+    if (PathOfType(tree.nodes[i]) == path) nodes.push_back(i);
+  }
+  return nodes;
+}
+
+}  // namespace
+
+std::string WhatIsTooMuch(const Hook& hook) {
+  if (!hook.condition.empty()) return "this robot knows no conditions";
+  if (hook.from_hit != 1 || hook.times > 1) return "this robot does not count hits; it knows once";
+  if (hook.action == HookAction::kDelay) return "this robot cannot delay a node";
+  if (hook.action == HookAction::kReplace && !IsCompleted(hook.status)) {
+    return "on this robot only SUCCESS and FAILURE can be forced";
+  }
+  return {};
+}
+
+std::string WriteHookInsert(const Hook& hook, std::uint16_t uid) {
+  const bool replaces = hook.action == HookAction::kReplace;
+  return Json{{"enabled", hook.enabled},
+              {"uid", uid},
+              {"mode", replaces ? 1 : 0},
+              {"once", hook.times == 1},
+              {"desired_status", replaces ? ToString(hook.status) : "SKIPPED"},
+              {"position", Number(hook.position)}}
+      .dump();
+}
+
+std::string WriteHookRemove(std::uint16_t uid, HookPosition position) {
+  return Json{{"uid", uid}, {"position", Number(position)}}.dump();
+}
+
+std::string WriteUnlock(std::uint16_t uid, HookPosition position, std::optional<Status> result) {
+  return Json{{"uid", uid},
+              {"position", Number(position)},
+              {"desired_status", ToString(result.value_or(Status::kSkipped))},
+              {"remove_when_done", false}}
+      .dump();
+}
+
+std::vector<NodeIndex> FindNodes(const TreeDescription& tree, std::string_view path) {
+  std::vector<NodeIndex> nodes = FindExactly(tree, path);
+  const std::string main = tree.main_tree + "/";
+  if (!nodes.empty() || path.substr(0, main.size()) != main) return nodes;
+  return FindExactly(tree, path.substr(main.size()));
+}
+
+}  // namespace coppice::groot2

@@ -1,0 +1,28 @@
+// Hooks as the Groot2 protocol wants them from a client.
+#ifndef COPPICE_BT_CORE_LIVE_GROOT2_GROOT2_HOOK_JSON_H_
+#define COPPICE_BT_CORE_LIVE_GROOT2_GROOT2_HOOK_JSON_H_
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bt_core/frames/tree_description.h"
+#include "bt_core/live/debug/debugger_hooks.h"
+
+namespace coppice::groot2 {
+
+/// What the protocol cannot say of this hook, for people; empty: nothing.
+std::string WhatIsTooMuch(const Hook& hook);
+
+std::string WriteHookInsert(const Hook& hook, std::uint16_t uid);
+std::string WriteHookRemove(std::uint16_t uid, HookPosition position);
+std::string WriteUnlock(std::uint16_t uid, HookPosition position, std::optional<Status> result);
+
+/// The nodes of a path (Hook::path).
+std::vector<NodeIndex> FindNodes(const TreeDescription& tree, std::string_view path);
+
+}  // namespace coppice::groot2
+
+#endif  // COPPICE_BT_CORE_LIVE_GROOT2_GROOT2_HOOK_JSON_H_

@@ -1,0 +1,64 @@
+// The past of a tree as frames (bt_core/history), for clients that come later or come back:
+// numbered from 0, as many as a limit of bytes allows. It always begins where reading can begin.
+#ifndef COPPICE_BT_CORE_LIVE_SERVER_FRAME_STORE_H_
+#define COPPICE_BT_CORE_LIVE_SERVER_FRAME_STORE_H_
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <string>
+
+#include "bt_core/base/clock.h"
+#include "bt_core/frames/frame.h"
+
+namespace coppice {
+
+struct StoredFrame {
+  FrameType type = FrameType::kTree;
+  std::uint64_t tick = 0;  ///< number of the last tick that is in it or before it
+  Time time{0};            ///< and its start, in the tree's clock
+  std::string bytes;
+};
+
+class FrameStore {
+ public:
+  explicit FrameStore(std::size_t limit) : limit_(limit) {}
+
+  /// Appends a frame. What is too old goes, up to a state; the youngest state stays, whatever the
+  /// limit.
+  void Add(StoredFrame frame);
+
+  /// The numbers that are kept: first() .. next() - 1.
+  std::uint64_t first() const { return first_; }
+  std::uint64_t next() const { return first_ + frames_.size(); }
+  const StoredFrame& operator[](std::uint64_t number) const { return frames_[number - first_]; }
+
+  /// Where somebody begins who knows nothing: a frame with the description of the tree, then from
+  /// `start` on, which is a state.
+  struct Entry {
+    const StoredFrame* tree;
+    std::uint64_t start;
+  };
+  /// Only if there is a state (has_entry).
+  Entry OldestEntry() const { return {&tree_, first_state_}; }
+  Entry YoungestEntry() const { return {&last_tree_, last_state_}; }
+  bool has_entry() const { return has_entry_; }
+
+ private:
+  void Trim();
+  void DropFirst();
+
+  const std::size_t limit_;
+  std::deque<StoredFrame> frames_;
+  std::uint64_t first_ = 0;
+  std::size_t size_ = 0;
+  bool has_entry_ = false;
+  std::uint64_t first_state_ = 0;
+  std::uint64_t last_state_ = 0;
+  StoredFrame tree_;       // that of the first state
+  StoredFrame last_tree_;  // that of the last one
+};
+
+}  // namespace coppice
+
+#endif  // COPPICE_BT_CORE_LIVE_SERVER_FRAME_STORE_H_

@@ -1,0 +1,182 @@
+#include "bt_core/live/server/live_desk.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace coppice {
+namespace {
+
+using groot2::Parts;
+using groot2::Request;
+
+constexpr char kFrames = 'F';
+constexpr char kNotice = 'E';
+constexpr int kPushesAtOnce = 4;  // to one subscription, before others have their turn
+constexpr Duration kLongWait = std::chrono::milliseconds(100);
+constexpr Duration kShortWait = std::chrono::milliseconds(5);
+
+void AppendNumber(std::string& out, std::uint64_t number) {
+  for (int shift = 0; shift < 64; shift += 8) out += static_cast<char>(number >> shift & 0xff);
+}
+
+Parts MakePush(std::uint32_t subscription, const RunId& run, const Push& push) {
+  std::string header = groot2::MakeHeader(kFrames, subscription);
+  header.append(reinterpret_cast<const char*>(run.data()), run.size());
+  std::string body;
+  body.reserve(16 + push.frames.size());
+  AppendNumber(body, push.first);
+  AppendNumber(body, push.next);
+  body += push.frames;
+  return {std::move(header), std::move(body)};
+}
+
+}  // namespace
+
+LiveDesk::LiveDesk(LiveOutbox& outbox, Duration deadline)
+    : outbox_(outbox), deadline_(deadline), extension_(trees_, sessions_, deadline) {}
+
+LiveDesk::~LiveDesk() = default;
+
+void LiveDesk::Add(std::shared_ptr<LiveTree> tree, Duration now) {
+  const std::uint32_t number = next_tree_++;
+  const Duration wait = tree->options().wait_for_client;
+  entries_[number] = {std::make_unique<Groot2Service>(tree, deadline_),
+                      wait > Duration::zero() ? now + wait : Duration::zero()};
+  trees_[number] = std::move(tree);
+  Notify(extension_.DescribeTrees());
+}
+
+void LiveDesk::Remove(const LiveTree& tree) {
+  const auto at = std::find_if(trees_.begin(), trees_.end(),
+                               [&](const auto& entry) { return entry.second.get() == &tree; });
+  if (at == trees_.end()) return;
+  at->second->EndHistory();
+  TellDebugEvents();
+  while (PushAll() == Progress::kMore) {
+  }
+  sessions_.Forget(tree);
+  entries_.erase(at->first);
+  trees_.erase(at);
+  Notify(extension_.DescribeTrees());
+}
+
+void LiveDesk::Serve(const std::string& client, bool may_control, const Parts& request,
+                     Duration now) {
+  const Parts reply = Answer(client, may_control, request, now);
+  if (reply.empty()) return;
+  if (outbox_.Send(client, reply) == SendResult::kGone) sessions_.Close(client);
+}
+
+// Empty: no reply is wanted.
+Parts LiveDesk::Answer(const std::string& client, bool may_control, const Parts& parts,
+                       Duration now) {
+  const auto parsed = groot2::ParseRequest(parts);
+  if (const std::string* problem = std::get_if<std::string>(&parsed)) {
+    return groot2::MakeError(*problem);
+  }
+  const Request& request = std::get<Request>(parsed);
+  if (request.type == groot2::RequestType::kExtension) {
+    ExtensionService::Answer answer = extension_.Serve(client, may_control, request.argument, now);
+    if (request.number == 0 && !answer.failed) return {};
+    return groot2::MakeReply(request, server_id_, std::move(answer.json));
+  }
+  if (entries_.empty()) return groot2::MakeError("no tree is running here now");
+  return entries_.begin()->second.groot2->Answer(request, may_control, now);
+}
+
+Duration LiveDesk::Attend(Duration now) {
+  TellDebugEvents();
+  TellChangedTrees();
+  ReleaseWaiting(now);
+  Expire(now);
+  const Progress progress = PushAll();
+  if (progress == Progress::kMore) return now;
+  return now + (progress == Progress::kBlocked ? kShortWait : std::min(kLongWait, deadline_ / 4));
+}
+
+void LiveDesk::TellDebugEvents() {
+  for (const auto& [number, tree] : trees_) {
+    for (const DebugEvent& event : tree->TakeDebugEvents()) {
+      Notify(extension_.Describe(number, event));
+      const Parts notification = entries_.at(number).groot2->Notification(event);
+      if (!notification.empty()) outbox_.Publish(notification);
+    }
+  }
+}
+
+void LiveDesk::TellChangedTrees() {
+  bool changed = false;
+  for (const auto& [number, tree] : trees_) changed = tree->TakeProgramChange() || changed;
+  if (changed) Notify(extension_.DescribeTrees());
+}
+
+void LiveDesk::Notify(const std::string& notice) {
+  const Parts parts =
+      groot2::MakeReply({static_cast<groot2::RequestType>(kNotice), 0, {}}, server_id_, notice);
+  std::vector<std::string> gone;
+  for (const auto& [client, session] : sessions_.all()) {
+    if (outbox_.Send(client, parts) == SendResult::kGone) gone.push_back(client);
+  }
+  for (const std::string& client : gone) sessions_.Close(client);
+}
+
+void LiveDesk::ReleaseWaiting(Duration now) {
+  for (auto& [number, entry] : entries_) {
+    if (entry.wait_until == Duration::zero() || now < entry.wait_until) continue;
+    entry.wait_until = Duration::zero();
+    trees_.at(number)->debugger().Release(LiveTree::kWaitOwner);
+  }
+}
+
+void LiveDesk::Expire(Duration now) {
+  for (auto& [number, entry] : entries_) entry.groot2->Expire(now);
+  std::vector<std::string> dead;
+  for (const auto& [client, session] : sessions_.all()) {
+    if (now - session.last_request >= deadline_) dead.push_back(client);
+  }
+  for (const std::string& client : dead) {
+    sessions_.Close(client);
+    outbox_.Send(client, groot2::MakeReply({static_cast<groot2::RequestType>(kNotice), 0, {}},
+                                           server_id_, extension_.DescribeRelease()));
+  }
+}
+
+LiveDesk::Progress LiveDesk::PushAll() {
+  Progress result = Progress::kDone;
+  std::vector<std::string> gone;
+  for (auto& [client, session] : sessions_.all()) {
+    for (auto& [id, subscription] : session.subscriptions) {
+      const Progress progress = PushTo(client, id, subscription);
+      if (progress == Progress::kGone) {
+        gone.push_back(client);
+        break;
+      }
+      if (result != Progress::kMore && progress != Progress::kDone) result = progress;
+    }
+  }
+  for (const std::string& client : gone) sessions_.Close(client);
+  return result;
+}
+
+LiveDesk::Progress LiveDesk::PushTo(const std::string& client, std::uint32_t id,
+                                    ActiveSubscription& subscription) {
+  const RunId& run = subscription.tree->run();
+  for (int pushed = 0; pushed < kPushesAtOnce; ++pushed) {
+    std::optional<Push> push = std::exchange(subscription.held, std::nullopt);
+    if (!push) {
+      push = subscription.tree->UseFrames(
+          [&](const FrameStore& store) { return subscription.frames.Next(store); });
+    }
+    if (!push) return Progress::kDone;
+    const SendResult result = outbox_.Send(client, MakePush(id, run, *push));
+    if (result == SendResult::kGone) return Progress::kGone;
+    if (result == SendResult::kFull) {
+      subscription.held = std::move(push);
+      return Progress::kBlocked;
+    }
+  }
+  return Progress::kMore;
+}
+
+}  // namespace coppice

@@ -1,0 +1,65 @@
+// The part of a live server that knows what to answer, to push and to release, and neither sockets
+// nor threads. One thread at a time.
+#ifndef COPPICE_BT_CORE_LIVE_SERVER_LIVE_DESK_H_
+#define COPPICE_BT_CORE_LIVE_SERVER_LIVE_DESK_H_
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
+
+#include "bt_core/live/groot2/groot2_service.h"
+#include "bt_core/live/server/extension_service.h"
+#include "bt_core/live/server/live_outbox.h"
+#include "bt_core/live/server/live_sessions.h"
+
+namespace coppice {
+
+class LiveDesk {
+ public:
+  /// A client that was silent for `deadline` is taken for dead.
+  LiveDesk(LiveOutbox& outbox, Duration deadline);
+  ~LiveDesk();
+
+  void Add(std::shared_ptr<LiveTree> tree, Duration now);
+  /// After what has happened in it was sent as far as its clients take it.
+  void Remove(const LiveTree& tree);
+
+  /// Answers a request. Any bytes may be handed in. `now` is real time here and below.
+  void Serve(const std::string& client, bool may_control, const groot2::Parts& request,
+             Duration now);
+
+  /// What is due without a request: notices, pushes, what dead clients leave behind. Returns when
+  /// it wants to be called again at the latest, if nobody wakes it.
+  Duration Attend(Duration now);
+
+ private:
+  struct TreeEntry {
+    std::unique_ptr<Groot2Service> groot2;
+    Duration wait_until{0};  // for the first client; 0: no longer
+  };
+  enum class Progress : std::uint8_t { kDone, kMore, kBlocked, kGone };
+
+  groot2::Parts Answer(const std::string& client, bool may_control, const groot2::Parts& request,
+                       Duration now);
+  void TellDebugEvents();
+  void Notify(const std::string& notice);
+  void TellChangedTrees();
+  void ReleaseWaiting(Duration now);
+  void Expire(Duration now);
+  Progress PushAll();
+  Progress PushTo(const std::string& client, std::uint32_t id, ActiveSubscription& subscription);
+
+  LiveOutbox& outbox_;
+  const Duration deadline_;
+  const groot2::TreeId server_id_ = groot2::RandomTreeId();
+  LiveTrees trees_;
+  std::map<std::uint32_t, TreeEntry> entries_;
+  std::uint32_t next_tree_ = 0;
+  LiveSessions sessions_{trees_};
+  ExtensionService extension_;
+};
+
+}  // namespace coppice
+
+#endif  // COPPICE_BT_CORE_LIVE_SERVER_LIVE_DESK_H_

@@ -1,0 +1,59 @@
+// What can be chosen about a live view. docs/live.md explains it.
+#ifndef COPPICE_BT_CORE_LIVE_SERVER_LIVE_OPTIONS_H_
+#define COPPICE_BT_CORE_LIVE_SERVER_LIVE_OPTIONS_H_
+
+#include <array>
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <string>
+
+#include "bt_core/base/clock.h"
+
+namespace coppice {
+
+/// About one tree.
+struct LiveTreeOptions {
+  /// What clients see; empty: the ID of the main tree.
+  std::string name;
+  /// Nobody may stop or change the tree.
+  bool read_only = false;
+  /// Says why the tree may be neither stopped nor changed now ("the robot moves"); an empty text or
+  /// no function: it may. Called on threads of the live view and on the ticking thread; must be
+  /// quick and must not throw.
+  std::function<std::string()> refusal;
+  /// The first tick waits so long for a client that says `continue`, so that breakpoints can be set
+  /// before. 0: it does not wait.
+  Duration wait_for_client{0};
+  /// The number of the run, if it is to be the same as that of a record (RecorderOptions::run);
+  /// zeros: a random one.
+  std::array<std::uint8_t, 16> run{};
+  /// How much of the past is kept for clients that come later or come back.
+  std::size_t history_bytes = 32 << 20;
+};
+
+/// About the endpoint, and about the tree if it is the only one.
+struct LiveOptions : LiveTreeOptions {
+  /// Requests and pushes; notifications of the Groot2 protocol leave at port + 1. 0 takes a free
+  /// pair.
+  std::uint16_t port = 1667;
+  /// Where to listen: a local address, an interface ("eth0"), or "*" for every network. All but
+  /// this computer ("127.0.0.1", "lo") need a token.
+  std::string address = "127.0.0.1";
+  /// For those who may control the tree, at least 16 characters; see LiveServer::read_token. With
+  /// it, connections are encrypted and nobody else is let in.
+  std::string token;
+  /// Also serve the editor for browsers, and the live protocol over WebSocket.
+  bool web = false;
+  /// Where; 0 takes a free port.
+  std::uint16_t web_port = 8667;
+  /// Where the files of the page lie (docs/editor.md).
+  std::string web_folder;
+  /// A client that was silent for so long is taken for dead: what it holds is released.
+  Duration deadline = std::chrono::seconds(5);
+};
+
+}  // namespace coppice
+
+#endif  // COPPICE_BT_CORE_LIVE_SERVER_LIVE_OPTIONS_H_

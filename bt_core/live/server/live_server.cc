@@ -1,0 +1,191 @@
+#include "bt_core/live/server/live_server.h"
+
+#include <pthread.h>
+
+#include <algorithm>
+#include <condition_variable>
+#include <csignal>
+#include <mutex>
+#include <optional>
+#include <stdexcept>
+#include <thread>
+#include <utility>
+
+#include "bt_core/live/server/live_desk.h"
+#include "bt_core/live/server/live_sockets.h"
+#include "bt_core/live/web/web_gateway.h"
+
+namespace coppice {
+namespace {
+
+constexpr int kRequestsAtOnce = 64;                        // before pushes have their turn
+constexpr Duration kPause = std::chrono::milliseconds(1);  // between pushes: many ticks in each
+
+Duration RealTime() { return std::chrono::steady_clock::now().time_since_epoch(); }
+
+bool IsThisComputer(const std::string& address) {
+  return address.substr(0, 4) == "127." || address == "lo";
+}
+
+std::optional<RobotKeys> KeysFor(const LiveOptions& options) {
+  if (!options.token.empty()) return KeysOfRobot(options.token);
+  if (IsThisComputer(options.address)) return std::nullopt;
+  throw std::invalid_argument(
+      "live view: whoever reaches " + options.address +
+      " could stop the robot. Listening there needs a token: make one with \"openssl rand -hex "
+      "16\" and put it into the variable " +
+      kTokenVariable + "; or listen on 127.0.0.1 and let others come through SSH");
+}
+
+WebGatewayOptions WebOptions(const LiveOptions& options, const std::optional<RobotKeys>& keys) {
+  WebGatewayOptions web;
+  web.address = options.address;
+  web.port = options.web_port;
+  web.folder = options.web_folder;
+  if (keys) web.tokens = {keys->web_control_token, keys->web_read_token};
+  return web;
+}
+
+// To each client by the way that it came.
+class Doors final : public LiveOutbox {
+ public:
+  Doors(const LiveOptions& options, const std::optional<RobotKeys>& keys)
+      : read_token_(keys ? keys->read_token : std::string()),
+        sockets_(options.address, options.port, keys) {
+    if (!options.web) return;
+    const WebGatewayOptions web = WebOptions(options, keys);
+    gateway_.emplace(web, [this] { sockets_.Wake(); });
+    web_ = {gateway_->port(), web.tokens.control, web.tokens.read};
+  }
+
+  LiveSockets& sockets() { return sockets_; }
+  const LiveSockets& sockets() const { return sockets_; }
+  const std::string& read_token() const { return read_token_; }
+  const LiveWeb& web() const { return web_; }
+
+  bool Receive(ReceivedRequest& request) {
+    return sockets_.Receive(request) || (gateway_ && gateway_->Receive(request));
+  }
+  SendResult Send(const std::string& client, const groot2::Parts& parts) override {
+    const bool is_web = gateway_ && WebGateway::IsWebClient(client);
+    return is_web ? gateway_->Send(client, parts) : sockets_.Send(client, parts);
+  }
+  void Publish(const groot2::Parts& parts) override { sockets_.Publish(parts); }
+
+ private:
+  const std::string read_token_;
+  LiveSockets sockets_;
+  std::optional<WebGateway> gateway_;
+  LiveWeb web_;
+};
+
+}  // namespace
+
+class LiveServer::Loop {
+ public:
+  Loop(const LiveOptions& options, const std::optional<RobotKeys>& keys)
+      : doors_(options, keys), desk_(doors_, options.deadline), thread_([this] { Run(); }) {}
+
+  ~Loop() {
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      stops_ = true;
+    }
+    Wake();
+    thread_.join();
+  }
+  Loop(const Loop&) = delete;
+  Loop& operator=(const Loop&) = delete;
+
+  std::uint16_t port() const { return doors_.sockets().port(); }
+  const std::string& read_token() const { return doors_.read_token(); }
+  const LiveWeb& web() const { return doors_.web(); }
+  void Wake() { doors_.sockets().Wake(); }
+
+  void Add(std::shared_ptr<LiveTree> tree) {
+    InLoop([this, tree = std::move(tree)] { desk_.Add(tree, RealTime()); });
+  }
+  void Remove(const std::shared_ptr<LiveTree>& tree) {
+    InLoop([this, tree] { desk_.Remove(*tree); });
+  }
+
+ private:
+  // Sockets belong to the thread of the loop; returns when it has done the task.
+  void InLoop(std::function<void()> task) {
+    std::unique_lock<std::mutex> lock(mutex_);
+    done_.wait(lock, [this] { return !task_; });
+    task_ = std::move(task);
+    const std::uint64_t number = ++tasks_;
+    Wake();
+    done_.wait(lock, [this, number] { return tasks_done_ >= number; });
+  }
+
+  void Run() {
+    pthread_setname_np(pthread_self(), "coppice_live");
+    sigset_t all;
+    sigfillset(&all);
+    pthread_sigmask(SIG_BLOCK, &all, nullptr);
+    Duration attend_at{0};
+    while (RunTask()) {
+      const Duration left = std::max(attend_at - RealTime(), Duration::zero());
+      // Rounded up, so that it does not spin for the rest of a millisecond.
+      doors_.sockets().Wait(std::chrono::duration_cast<std::chrono::milliseconds>(
+          left + std::chrono::microseconds(999)));
+      ServeRequests();
+      attend_at = Attend();
+    }
+  }
+
+  // False when the loop is to end.
+  bool RunTask() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (task_) {
+      task_();
+      task_ = nullptr;
+      ++tasks_done_;
+      done_.notify_all();
+    }
+    return !stops_;
+  }
+
+  void ServeRequests() {
+    ReceivedRequest request;
+    for (int served = 0; served < kRequestsAtOnce && doors_.Receive(request); ++served) {
+      desk_.Serve(request.client, request.may_control, request.parts, RealTime());
+    }
+  }
+
+  // A wake that comes too soon after the last push is put off.
+  Duration Attend() {
+    const Duration now = RealTime();
+    if (now < last_push_ + kPause) return last_push_ + kPause;
+    last_push_ = now;
+    return desk_.Attend(now);
+  }
+
+  Doors doors_;
+  LiveDesk desk_;
+  Duration last_push_{0};
+
+  std::mutex mutex_;
+  std::condition_variable done_;
+  std::function<void()> task_;
+  std::uint64_t tasks_ = 0;
+  std::uint64_t tasks_done_ = 0;
+  bool stops_ = false;
+  std::thread thread_;  // last: starts when the rest is there
+};
+
+LiveServer::LiveServer(const LiveOptions& options)
+    : loop_(std::make_unique<Loop>(options, KeysFor(options))) {}
+
+LiveServer::~LiveServer() = default;
+
+std::uint16_t LiveServer::port() const { return loop_->port(); }
+const std::string& LiveServer::read_token() const { return loop_->read_token(); }
+const LiveWeb& LiveServer::web() const { return loop_->web(); }
+void LiveServer::Add(std::shared_ptr<LiveTree> tree) { loop_->Add(std::move(tree)); }
+void LiveServer::Remove(const std::shared_ptr<LiveTree>& tree) { loop_->Remove(tree); }
+void LiveServer::Wake() { loop_->Wake(); }
+
+}  // namespace coppice

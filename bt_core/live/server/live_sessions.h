@@ -1,0 +1,66 @@
+// Who is connected by the extension of the protocol: trees, clients, and what each client follows.
+#ifndef COPPICE_BT_CORE_LIVE_SERVER_LIVE_SESSIONS_H_
+#define COPPICE_BT_CORE_LIVE_SERVER_LIVE_SESSIONS_H_
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "bt_core/live/server/live_tree.h"
+#include "bt_core/live/server/subscription.h"
+
+namespace coppice {
+
+/// The trees of an endpoint by their number.
+using LiveTrees = std::map<std::uint32_t, std::shared_ptr<LiveTree>>;
+
+struct ActiveSubscription {
+  ActiveSubscription(std::shared_ptr<LiveTree> followed, Subscription::From from,
+                     std::uint64_t number, std::size_t window);
+  ~ActiveSubscription();
+  ActiveSubscription(const ActiveSubscription&) = delete;
+  ActiveSubscription& operator=(const ActiveSubscription&) = delete;
+
+  std::shared_ptr<LiveTree> tree;
+  Subscription frames;
+  std::optional<Push> held;  // could not be sent yet
+};
+
+struct Session {
+  OwnerId owner = 0;
+  bool may_control = false;
+  std::string name;          ///< what it calls itself
+  Duration last_request{0};  ///< in real time
+  std::uint32_t last_subscription = 0;
+  std::map<std::uint32_t, ActiveSubscription> subscriptions;
+};
+
+class LiveSessions {
+ public:
+  static constexpr std::size_t kMaxSessions = 64;
+
+  explicit LiveSessions(const LiveTrees& trees) : trees_(trees) {}
+
+  /// Null if the client has not said hello.
+  Session* Find(const std::string& client);
+  /// A new session in place of the one that it may have. Null if there are too many.
+  Session* Open(const std::string& client, bool may_control, Duration now);
+  /// What it holds is released.
+  void Close(const std::string& client);
+  /// Nobody follows the tree any more.
+  void Forget(const LiveTree& tree);
+
+  using Map = std::map<std::string, Session>;
+  Map& all() { return sessions_; }
+
+ private:
+  const LiveTrees& trees_;
+  Map sessions_;  // by the client
+  OwnerId last_owner_ = LiveTree::kFirstClientOwner;
+};
+
+}  // namespace coppice
+
+#endif  // COPPICE_BT_CORE_LIVE_SERVER_LIVE_SESSIONS_H_

@@ -1,0 +1,222 @@
+#include "bt_core/live/server/live_tree.h"
+
+#include <algorithm>
+#include <chrono>
+#include <exception>
+#include <utility>
+
+namespace coppice {
+namespace {
+
+constexpr std::size_t kMaxWaiting = 4096;  // notices of replaced results
+
+// What is kept is thrown away from state to state, so there must be some.
+HistoryOptions OptionsOfHistory(const RunInfo& info, std::size_t kept_bytes) {
+  constexpr std::size_t kStatesKept = 8;
+  HistoryOptions options;
+  options.info = info;
+  options.keyframe_bytes = std::min(options.keyframe_bytes, kept_bytes / kStatesKept);
+  return options;
+}
+
+RunInfo Begin(const Clock& clock, const RunId& run) {
+  RunInfo info = BeginRun(clock);
+  if (run != RunId()) info.run = run;
+  return info;
+}
+
+// Why a value cannot be written, or nothing.
+std::string ReadValue(const SlotDefinition& slot, const std::string& text, bool is_text,
+                      Value& out) {
+  const Type* const type = slot.type ? slot.type : slot.initial.type();
+  if (!type) return "the tree never says which type the key has";
+  try {
+    if (is_text ? out.Parse(*type, text) : out.FromJson(*type, text)) return {};
+  } catch (const std::exception& error) {  // from the conversion of a type of the application
+    return std::string("this is no ") + type->name + ": " + error.what();
+  }
+  return text.substr(0, 200) + " is no " + type->name;
+}
+
+SlotIndex FindSlot(const Layout& layout, const std::string& scope, const std::string& key) {
+  for (ScopeIndex i = 0; i < layout.scopes.size(); ++i) {
+    if (layout.scopes[i] == scope || (i == 0 && scope.empty())) return layout.Find(i, key);
+  }
+  return kNoSlot;
+}
+
+}  // namespace
+
+LiveTree::LiveTree(EventStream& stream, LiveTreeOptions options, std::function<void()> wake)
+    : options_(std::move(options)),
+      wake_(std::move(wake)),
+      stream_(stream),
+      clock_(stream.executor().clock()),
+      executor_(stream.executor()),
+      inbox_(stream.executor().inbox()),
+      run_(Begin(clock_, options_.run)),
+      frames_(options_.history_bytes),
+      encoder_(OptionsOfHistory(run_, options_.history_bytes), *this),
+      debugger_(stream.executor(), {[this] { return Refusal(); },
+                                    [this](const DebugEvent& event) { OnDebugEvent(event); }}) {}
+
+std::string LiveTree::Refusal() const {
+  if (options_.read_only) return "this robot can be watched, not controlled (read-only)";
+  try {
+    return options_.refusal ? options_.refusal() : std::string();
+  } catch (const std::exception& error) {  // it should not; but the tree must not suffer from it
+    return std::string("it is not known whether this is allowed now: ") + error.what();
+  }
+}
+
+void LiveTree::OnState(const StreamState& state) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  encoder_.Add(state);
+  lost_ticks_ += state.lost_ticks;
+  if (state.program != program_) SetProgram(state.program);
+  if (transitions_.is_recording()) {
+    transitions_.Jump(StatusFollower(ShapeOf(*program_), state.statuses));
+  }
+  wake_();
+}
+
+void LiveTree::SetProgram(std::shared_ptr<const Program> program) {
+  if (program_) {
+    id_ = groot2::RandomTreeId();
+    program_changed_ = true;
+  }
+  program_ = std::move(program);
+  counts_.assign(program_->nodes.size(), {});
+}
+
+void LiveTree::OnTick(const TickEvents& events) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  encoder_.Add(events);
+  transitions_.Add(events);
+  Count(events);
+  if (subscribers_ > 0) wake_();
+}
+
+void LiveTree::Count(const TickEvents& events) {
+  EventReader reader(events.words);
+  for (Event event; reader.Next(event);) {
+    if (event.is_result() && event.index < counts_.size()) {
+      ++counts_[event.index][static_cast<std::size_t>(event.code) - 1];
+    }
+  }
+}
+
+void LiveTree::OnFrame(const Frame& frame) {
+  frames_.Add({frame.type, frame.tick, frame.time,
+               std::string(reinterpret_cast<const char*>(frame.data), frame.size)});
+}
+
+LiveTreeInfo LiveTree::Info() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  LiveTreeInfo info;
+  info.name = options_.name.empty() ? program_->trees[0].id : options_.name;
+  info.run = run_.run;
+  info.nodes = program_->nodes.size();
+  info.tick = encoder_.follower()->tick();
+  info.first_frame = frames_.first();
+  info.next_frame = frames_.next();
+  info.lost_ticks = lost_ticks_;
+  info.recording_dropped = transitions_.dropped();
+  return info;
+}
+
+std::shared_ptr<const Program> LiveTree::program() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return program_;
+}
+
+groot2::TreeId LiveTree::id() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return id_;
+}
+
+OfProgram<std::uint8_t> LiveTree::ShownStatuses() const {
+  constexpr std::uint8_t kWasReset = 10;
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const HistoryFollower& tree = *encoder_.follower();
+  std::vector<std::uint8_t> shown;
+  shown.reserve(program_->nodes.size());
+  for (NodeIndex node = 0; node < program_->nodes.size(); ++node) {
+    const bool was_reset = tree.status(node) == Status::kIdle && tree.last(node) != Status::kIdle;
+    const Status status = was_reset ? tree.last(node) : tree.status(node);
+    shown.push_back(
+        static_cast<std::uint8_t>(static_cast<std::uint8_t>(status) + (was_reset ? kWasReset : 0)));
+  }
+  return {program_, std::move(shown)};
+}
+
+OfProgram<std::string> LiveTree::Values() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return {program_, encoder_.follower()->values()};
+}
+
+OfProgram<ResultCounts> LiveTree::Counts() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return {program_, counts_};
+}
+
+std::uint64_t LiveTree::StartRecording() {
+  const auto wall = std::chrono::system_clock::now().time_since_epoch();
+  const std::lock_guard<std::mutex> lock(mutex_);
+  transitions_.Start(StatusFollower(ShapeOf(*program_), encoder_.follower()->statuses()),
+                     clock_.Now());
+  return static_cast<std::uint64_t>(
+      std::chrono::duration_cast<std::chrono::microseconds>(wall).count());
+}
+
+void LiveTree::StopRecording() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  transitions_.Stop();
+}
+
+std::string LiveTree::TakeTransitions() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return transitions_.Take();
+}
+
+std::string LiveTree::Write(const std::string& scope, const std::string& key,
+                            const std::string& value, bool is_text) {
+  const std::shared_ptr<const Program> tree = program();
+  const SlotIndex slot = FindSlot(tree->layout, scope, key);
+  if (slot == kNoSlot) {
+    return "\"" + scope + "\" has no key \"" + key + "\" of its own; see where it is remapped from";
+  }
+  Value parsed;
+  const std::string problem = ReadValue(tree->layout.slots[slot], value, is_text, parsed);
+  if (!problem.empty()) return "key \"" + key + "\": " + problem;
+  inbox_->PostCall([tree, slot, parsed = std::move(parsed), &executor = executor_] {
+    if (&executor.program() == tree.get()) executor.inbox()->Post(slot, 0, parsed);
+  });
+  inbox_->RequestTick();
+  return {};
+}
+
+void LiveTree::EndHistory() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (std::exchange(ended_, true)) return;
+  encoder_.End(HistoryEnd::Cause::kClosed, clock_.Now());
+}
+
+// The ticking thread. Who hears of a stop and asks how the tree stands sees it as it stands there;
+// it waits anyway.
+void LiveTree::OnDebugEvent(const DebugEvent& event) {
+  if (event.kind == DebugEvent::Kind::kStopped) stream_.Flush();
+  {
+    const std::lock_guard<std::mutex> lock(debug_mutex_);
+    if (event.kind == DebugEvent::Kind::kReplaced && debug_events_.size() >= kMaxWaiting) return;
+    debug_events_.push_back(event);
+  }
+  wake_();
+}
+
+std::vector<DebugEvent> LiveTree::TakeDebugEvents() {
+  const std::lock_guard<std::mutex> lock(debug_mutex_);
+  return std::exchange(debug_events_, {});
+}
+
+}  // namespace coppice

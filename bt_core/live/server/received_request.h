@@ -1,0 +1,19 @@
+// A request as it arrives, by whatever way.
+#ifndef COPPICE_BT_CORE_LIVE_SERVER_RECEIVED_REQUEST_H_
+#define COPPICE_BT_CORE_LIVE_SERVER_RECEIVED_REQUEST_H_
+
+#include <string>
+
+#include "bt_core/live/groot2/groot2_protocol.h"
+
+namespace coppice {
+
+struct ReceivedRequest {
+  std::string client;  ///< whom to answer
+  bool may_control = true;
+  groot2::Parts parts;
+};
+
+}  // namespace coppice
+
+#endif  // COPPICE_BT_CORE_LIVE_SERVER_RECEIVED_REQUEST_H_

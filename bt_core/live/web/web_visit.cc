@@ -1,0 +1,99 @@
+#include "bt_core/live/web/web_visit.h"
+
+#include <boost/beast/websocket/rfc6455.hpp>
+
+namespace coppice {
+namespace {
+
+namespace beast = boost::beast;
+namespace http = beast::http;
+using beast::error_code;
+
+constexpr auto kPatience = std::chrono::seconds(20);
+constexpr const char* kText = "text/plain; charset=utf-8";
+
+std::string_view View(beast::string_view text) { return {text.data(), text.size()}; }
+
+}  // namespace
+
+WebVisit::WebVisit(WebPort::Socket socket, WebPort& port, const WebFiles& files,
+                   const WebManners& manners)
+    : stream_(std::move(socket)), port_(port), files_(files), manners_(manners) {
+  port_.visits_.insert(this);
+  error_code error;
+  stream_.socket().set_option(boost::asio::ip::tcp::no_delay(true), error);
+}
+
+WebVisit::~WebVisit() { port_.Forget(this); }
+
+void WebVisit::ReadRequest() {
+  parser_.emplace();
+  parser_->header_limit(manners_.header_bytes);
+  parser_->body_limit(manners_.body_bytes);
+  stream_.expires_after(kPatience);
+  http::async_read(stream_, buffer_, *parser_,
+                   [self = shared_from_this()](error_code error, std::size_t) {
+                     if (!error) self->OnRequest();
+                   });
+}
+
+std::string_view WebVisit::Field(http::field field) const { return View(request_[field]); }
+
+void WebVisit::OnRequest() {
+  request_ = parser_->release();
+  if (beast::websocket::is_upgrade(request_)) return OnUpgrade();
+  switch (request_.method()) {
+    case http::verb::get:
+    case http::verb::head:
+      return OnGet();
+    case http::verb::post:
+      return OnPost();
+    default:
+      Reply(Status::method_not_allowed, "this method is not served here\n");
+  }
+}
+
+void WebVisit::OnGet() {
+  const bool accepts_gzip = AcceptsGzip(Field(http::field::accept_encoding));
+  std::optional<WebFile> file = files_.Find(View(request_.target()), accepts_gzip);
+  if (!file) return NotFound();
+  std::shared_ptr<Answer> answer = Begin(Status::ok, file->type);
+  answer->set(http::field::vary, "Accept-Encoding");
+  if (file->is_gzipped) answer->set(http::field::content_encoding, "gzip");
+  Send(std::move(answer), std::move(file->bytes));
+}
+
+void WebVisit::OnPost() { Reply(Status::method_not_allowed, "only GET is served here\n"); }
+
+void WebVisit::Reply(Status status, std::string body, const Fields& fields) {
+  std::shared_ptr<Answer> answer = Begin(status, kText);
+  for (const auto& [name, value] : fields) answer->set(name, value);
+  Send(std::move(answer), std::move(body));
+}
+
+void WebVisit::Refuse(Status status, std::string body) {
+  request_.keep_alive(false);
+  Reply(status, std::move(body));
+}
+
+std::shared_ptr<WebVisit::Answer> WebVisit::Begin(Status status, const char* type) const {
+  auto answer = std::make_shared<Answer>(status, request_.version());
+  if (status != Status::no_content) answer->set(http::field::content_type, type);
+  answer->set(http::field::x_frame_options, "DENY");
+  answer->set("X-Content-Type-Options", "nosniff");
+  for (const auto& [name, value] : manners_.fields) answer->set(name, value);
+  answer->keep_alive(request_.keep_alive());
+  return answer;
+}
+
+void WebVisit::Send(std::shared_ptr<Answer> answer, std::string body) {
+  if (answer->result() != Status::no_content) answer->content_length(body.size());
+  if (request_.method() != http::verb::head) answer->body() = std::move(body);
+  stream_.expires_after(kPatience);
+  http::async_write(stream_, *answer,
+                    [self = shared_from_this(), answer](error_code error, std::size_t) {
+                      if (!error && answer->keep_alive()) self->ReadRequest();
+                    });
+}
+
+}  // namespace coppice

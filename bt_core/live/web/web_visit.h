@@ -1,0 +1,84 @@
+// One connection of a browser: HTTP until it asks for a WebSocket. Serves the files of a page;
+// heirs say what else they take. Included by .cc files only; the port's thread only. Alive while
+// something is awaited.
+#ifndef COPPICE_BT_CORE_LIVE_WEB_WEB_VISIT_H_
+#define COPPICE_BT_CORE_LIVE_WEB_WEB_VISIT_H_
+
+#include <boost/beast/core.hpp>
+#include <boost/beast/http.hpp>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "bt_core/live/web/web_files.h"
+#include "bt_core/live/web/web_port.h"
+
+namespace coppice {
+
+/// Of all visits of a port.
+struct WebManners {
+  std::size_t header_bytes = 8 << 10;                       ///< who sends more is hung up on
+  std::size_t body_bytes = 0;                               ///< the same
+  std::vector<std::pair<std::string, std::string>> fields;  ///< of the header of every answer
+  std::string not_found;                                    ///< for people; ends with a new line
+};
+
+class WebVisit : public std::enable_shared_from_this<WebVisit> {
+ public:
+  /// `files` and `manners` must live longer.
+  WebVisit(WebPort::Socket socket, WebPort& port, const WebFiles& files, const WebManners& manners);
+  virtual ~WebVisit();
+  WebVisit(const WebVisit&) = delete;
+  WebVisit& operator=(const WebVisit&) = delete;
+
+  void ReadRequest();
+
+  /// Ends when everything is sent. Called by the port; a visit that has not asked for a WebSocket
+  /// is closed at once.
+  virtual void Finish() { stream_.close(); }
+
+ protected:
+  using Status = boost::beast::http::status;
+  using Fields = std::vector<std::pair<std::string, std::string>>;
+
+  /// request() asks for a WebSocket; who does not take it answers.
+  virtual void OnUpgrade() = 0;
+  /// request() is a POST.
+  virtual void OnPost();
+
+  const boost::beast::http::request<boost::beast::http::string_body>& request() const {
+    return request_;
+  }
+  /// Of the request's header; empty if it is not there.
+  std::string_view Field(boost::beast::http::field field) const;
+
+  /// Answers the request, and reads the next one. `fields` are added to the header.
+  void Reply(Status status, std::string body, const Fields& fields = {});
+  /// The same; the connection ends with the answer.
+  void Refuse(Status status, std::string body);
+  void NotFound() { Reply(Status::not_found, manners_.not_found); }
+
+  boost::beast::flat_buffer buffer_;
+  boost::beast::tcp_stream stream_;  ///< until it is moved into the WebSocket
+
+ private:
+  using Answer = boost::beast::http::response<boost::beast::http::string_body>;
+
+  void OnRequest();
+  void OnGet();
+  std::shared_ptr<Answer> Begin(Status status, const char* type) const;
+  void Send(std::shared_ptr<Answer> answer, std::string body);
+
+  WebPort& port_;
+  const WebFiles& files_;
+  const WebManners& manners_;
+  std::optional<boost::beast::http::request_parser<boost::beast::http::string_body>> parser_;
+  boost::beast::http::request<boost::beast::http::string_body> request_;
+};
+
+}  // namespace coppice
+
+#endif  // COPPICE_BT_CORE_LIVE_WEB_WEB_VISIT_H_

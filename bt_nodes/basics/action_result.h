@@ -1,0 +1,27 @@
+// How an action of the robot ended, as a capability reports it to the leaf that started it.
+#ifndef COPPICE_BT_NODES_BASICS_ACTION_RESULT_H_
+#define COPPICE_BT_NODES_BASICS_ACTION_RESULT_H_
+
+#include <string>
+#include <string_view>
+
+#include "bt_core/data/value.h"
+
+namespace coppice {
+
+struct ActionResult {
+  bool ok = false;
+  std::string message;  ///< why it failed; for people
+};
+
+/// Text form: "ok" or "failed", then a blank and the message.
+template <>
+struct ValueTraits<ActionResult> {
+  static constexpr const char* kName = "ActionResult";
+  static bool Parse(std::string_view text, ActionResult& out);
+  static std::string Print(const ActionResult& value);
+};
+
+}  // namespace coppice
+
+#endif  // COPPICE_BT_NODES_BASICS_ACTION_RESULT_H_

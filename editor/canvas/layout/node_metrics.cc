@@ -1,0 +1,128 @@
+#include "editor/canvas/layout/node_metrics.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "editor/theme/icons.h"
+
+namespace coppice::editor {
+namespace {
+
+constexpr std::size_t kLongestValue = 34;
+constexpr float kChipPadding = 5;
+constexpr float kLongestTitle = 300;  // pixels at zoom 1; the rest is in the explanation
+
+bool Contains(std::string_view text, std::string_view part) {
+  return text.find(part) != std::string_view::npos;
+}
+
+std::string_view ControlGlyph(std::string_view id) {
+  if (Contains(id, "Parallel")) return icon::kDoubleArrows;
+  if (Contains(id, "Fallback") || Contains(id, "Selector")) return "?";
+  if (Contains(id, "Sequence")) return icon::kRightArrow;
+  return icon::kFork;
+}
+
+std::string_view DecoratorGlyph(std::string_view id) {
+  if (id == "Inverter") return "!";
+  if (Contains(id, "Retry")) return icon::kRefresh;
+  if (Contains(id, "Repeat") || Contains(id, "Loop") || Contains(id, "KeepRunning")) {
+    return icon::kRepeat;
+  }
+  if (id == "Timeout") return icon::kClock;
+  if (Contains(id, "Delay")) return icon::kHourglass;
+  if (Contains(id, "Success")) return icon::kCheck;
+  if (Contains(id, "Failure")) return icon::kTimes;
+  return icon::kShield;
+}
+
+// Width at zoom 1.
+float WidthOf(const Ui& ui, std::string_view text, const TextStyle& style) {
+  return ui.Width(text, style) / ui.scale;
+}
+
+float PortWidth(const Ui& ui, const PortLine& port, float column) {
+  const float value = WidthOf(ui, ShownValue(port.value), {Face::kMono, metrics::kValueSize, 0});
+  return column + metrics::kColumnGap + value + (port.is_key ? 2 * kChipPadding : 0);
+}
+
+}  // namespace
+
+std::string_view GlyphOf(const SceneNode& node) { return GlyphOf(node.shape, node.id); }
+
+std::string_view GlyphOf(Shape shape, std::string_view id) {
+  switch (shape) {
+    case Shape::kControl:
+      return ControlGlyph(id);
+    case Shape::kDecorator:
+      return DecoratorGlyph(id);
+    case Shape::kAction:
+      return Contains(id, "Script") || Contains(id, "Blackboard") ? icon::kCode : icon::kBolt;
+    case Shape::kCondition:
+      return icon::kQuestion;
+    case Shape::kSubTree:
+      return icon::kSitemap;
+    case Shape::kUnknown:
+      return icon::kCogs;
+  }
+  return {};
+}
+
+std::string_view TypeLineOf(const SceneNode& node) {
+  if (node.name == node.id) return {};
+  if (node.id == "Sequence" || node.id == "Fallback" || node.id == "Parallel") return {};
+  return node.id;
+}
+
+std::string ShownValue(std::string_view value) {
+  std::string shown;
+  std::size_t characters = 0;
+  for (const char c : value) {
+    if ((static_cast<unsigned char>(c) & 0xC0U) != 0x80U && ++characters > kLongestValue) {
+      return shown + icon::kEllipsis;
+    }
+    shown += c == '\n' || c == '\t' || c == '\r' ? ' ' : c;
+  }
+  return shown;
+}
+
+float NameColumn(const Ui& ui, const Scene& scene, const SceneNode& node) {
+  float width = 0;
+  for (std::uint32_t i = 0; i < node.port_count; ++i) {
+    const PortLine& port = scene.ports[node.first_port + i];
+    const float arrow = port.direction == PortDirection::kOutput ? metrics::kArrow : 0;
+    width = std::max(width, WidthOf(ui, port.name, {Face::kSans, metrics::kNameSize, 0}) + arrow);
+  }
+  return width;
+}
+
+float NoteHeight(const SceneNode& node) {
+  if (node.note.empty()) return 0;
+  const bool two = node.note.size() > metrics::kNoteColumns;
+  return metrics::kNoteLine * (two ? 2.0F : 1.0F) + 6 + metrics::kNoteGap;
+}
+
+std::uint32_t BodyLines(const SceneNode& node) {
+  return node.port_count + (TypeLineOf(node).empty() ? 0 : 1);
+}
+
+Point MeasureNode(const Ui& ui, const Scene& scene, const SceneNode& node) {
+  float title =
+      metrics::kIcon + metrics::kStatus + 2 * metrics::kPad +
+      std::min(WidthOf(ui, node.name, {Face::kBold, metrics::kTitleSize, 0}), kLongestTitle);
+  const bool leaf = node.shape == Shape::kAction || node.shape == Shape::kCondition ||
+                    node.shape == Shape::kSubTree || node.shape == Shape::kUnknown;
+  if (leaf && node.uid >= 0) title += metrics::kElapsed;
+  float body = WidthOf(ui, TypeLineOf(node), {Face::kSans, metrics::kNameSize, 0});
+  const float column = NameColumn(ui, scene, node);
+  for (std::uint32_t i = 0; i < node.port_count; ++i) {
+    body = std::max(body, PortWidth(ui, scene.ports[node.first_port + i], column));
+  }
+  const std::uint32_t lines = BodyLines(node);
+  const float height = metrics::kHeader +
+                       (lines ? static_cast<float>(lines) * metrics::kLine + metrics::kBottom : 0);
+  const float least = node.note.empty() ? 0 : metrics::kNoteWidth;
+  return {std::ceil(std::max({title, body + 2 * metrics::kPad, least})), height + NoteHeight(node)};
+}
+
+}  // namespace coppice::editor

@@ -1,0 +1,165 @@
+#include "editor/commands/edit_commands.h"
+
+#include <utility>
+
+#include "editor/workspace/tree_editor.h"
+
+namespace coppice::editor {
+namespace {
+
+enum class Way { kBack, kForth, kOut, kIn };
+
+class EditCommands {
+ public:
+  EditCommands(EditorState& state, std::function<double()> now)
+      : state_(state), now_(std::move(now)) {}
+
+  void AddAll() {
+    AddFiles();
+    AddRestore();
+    AddNodes();
+    AddMoves();
+    AddClipboard();
+    Add("edit.undo", "Undo", {'Z', kCtrl}, &TreeEditor::Undo);
+    Add("edit.redo", "Redo", {'Z', kCtrl | kShift}, &TreeEditor::Redo);
+    AddTyping();
+  }
+
+ private:
+  using Member = void (TreeEditor::*)();
+
+  void AddFunction(std::string id, std::string title, KeyChord keys,
+                   std::function<void(TreeEditor)> run) {
+    state_.commands.Add(
+        {std::move(id), std::move(title), keys,
+         [&s = state_, now = now_, run = std::move(run)] { run(TreeEditor(s, now())); }});
+  }
+
+  void Add(std::string id, std::string title, KeyChord keys, Member run) {
+    AddFunction(std::move(id), std::move(title), keys, [run](TreeEditor edit) { (edit.*run)(); });
+  }
+
+  // A popup that only makes sense where something can be changed.
+  void AddPopup(std::string id, std::string title, KeyChord keys, Popup popup,
+                bool needs_selection) {
+    AddFunction(std::move(id), std::move(title), keys,
+                [&s = state_, now = now_, popup, needs_selection](const TreeEditor& edit) {
+                  std::string refusal = edit.WhyReadOnly();
+                  const TreeView* view = s.workspace.view();
+                  const bool selected = view && view->selected() != kNoNode;
+                  if (refusal.empty() && needs_selection && !selected) {
+                    refusal = "nothing is selected";
+                  }
+                  if (!refusal.empty()) {
+                    s.Notify(refusal, now(), true);
+                    return;
+                  }
+                  s.OpenPopup(popup, popup == Popup::kRename ? edit.GivenName() : "");
+                });
+  }
+
+  // Places to type in.
+  void AddTyping() {
+    AddFunction("edit.xml", "Edit the XML", {kKeyEnter, kCtrl}, [&s = state_](const TreeEditor&) {
+      s.tiles.xml = true;
+      s.xml.wants_focus = true;
+    });
+    AddFunction("edit.first_port", "Edit the first port", {kKeyEnter},
+                [&s = state_](const TreeEditor&) {
+                  const TreeView* view = s.workspace.view();
+                  if (!view || view->selected() == kNoNode) return;
+                  s.tiles.inspector = true;
+                  s.focus_field = FirstField(*view);
+                });
+  }
+
+  static std::string FirstField(const TreeView& view) {
+    const Scene& scene = *view.scene();
+    const SceneNode& node = scene.nodes[view.selected()];
+    const bool declared = node.model && node.shape != Shape::kSubTree && !node.model->ports.empty();
+    if (declared) return "inspector/port/" + node.model->ports[0].name;
+    if (node.port_count == 0) return "inspector/name";
+    return "inspector/port/" + std::string(scene.ports[node.first_port].name);
+  }
+
+  void AddFiles() {
+    AddFunction("file.new", "New file", {'N', kCtrl},
+                [&s = state_, now = now_](const TreeEditor&) { s.workspace.New(now()); });
+    AddFunction("file.save", "Save", {'S', kCtrl}, [](TreeEditor edit) { edit.Save(); });
+    AddFunction("file.save_as", "Save as", {'S', kCtrl | kShift}, [&s = state_](const TreeEditor&) {
+      const OpenFile* file = s.workspace.file();
+      s.OpenPopup(Popup::kSaveAs, file ? file->path : "");
+    });
+    AddFunction("file.save_over", "Save over what somebody else wrote", {},
+                [](TreeEditor edit) { edit.Save(true); });
+    AddFunction("file.merge", "Merge what somebody else wrote, keeping mine where both changed", {},
+                [](TreeEditor edit) { edit.MergeTheirs(); });
+    AddFunction("file.take_theirs", "Take what somebody else wrote", {},
+                [](TreeEditor edit) { edit.TakeTheirs(); });
+  }
+
+  void AddRestore() {
+    AddFunction("file.restore", "Restore unsaved work", {},
+                [](TreeEditor edit) { edit.Restore(); });
+    AddFunction("file.forget", "Forget unsaved work of the last time", {},
+                [&s = state_](const TreeEditor&) { s.restorable.clear(); });
+  }
+
+  void AddNodes() {
+    AddPopup("edit.add", "Add node", {kKeyTab}, Popup::kAdd, false);
+    AddPopup("edit.add_here", "Add node", {kKeySpace}, Popup::kAdd, false);
+    AddPopup("edit.rename", "Rename", {kKeyF1 + 1}, Popup::kRename, true);
+    AddPopup("edit.change_type", "Change type", {'R'}, Popup::kChangeType, true);
+    Add("edit.delete", "Delete", {kKeyDelete}, &TreeEditor::Delete);
+    Add("edit.delete_only", "Delete, but keep the children", {kKeyDelete, kCtrl},
+        &TreeEditor::DeleteKeepingChildren);
+    Add("edit.disable", "Disable or enable", {'D'}, &TreeEditor::ToggleDisabled);
+  }
+
+  void AddMoves() {
+    AddMove("edit.move_up", "Move up", kKeyUp, Way::kOut, Way::kBack);
+    AddMove("edit.move_down", "Move down", kKeyDown, Way::kIn, Way::kForth);
+    AddMove("edit.move_left", "Move left", kKeyLeft, Way::kBack, Way::kOut);
+    AddMove("edit.move_right", "Move right", kKeyRight, Way::kForth, Way::kIn);
+  }
+
+  // Nodes go where the arrows point to on the screen.
+  void AddMove(std::string id, std::string title, Key key, Way top_to_bottom, Way left_to_right) {
+    AddFunction(std::move(id), std::move(title), {key, kAlt}, [=, &s = state_](TreeEditor edit) {
+      const bool sideways = s.workspace.orientation() == Orientation::kLeftToRight;
+      switch (sideways ? left_to_right : top_to_bottom) {
+        case Way::kBack:
+          return edit.MoveAmongSiblings(-1);
+        case Way::kForth:
+          return edit.MoveAmongSiblings(+1);
+        case Way::kOut:
+          return edit.Promote();
+        case Way::kIn:
+          return edit.Demote();
+      }
+    });
+  }
+
+  void AddClipboard() {
+    Add("edit.copy", "Copy as XML", {'C', kCtrl}, &TreeEditor::Copy);
+    Add("edit.cut", "Cut", {'X', kCtrl}, &TreeEditor::Cut);
+    AddPaste("edit.paste", "Paste as child", {'V', kCtrl}, AddWhere::kChild);
+    AddPaste("edit.paste_after", "Paste behind", {'V', kCtrl | kShift}, AddWhere::kAfter);
+  }
+
+  void AddPaste(std::string id, std::string title, KeyChord keys, AddWhere where) {
+    AddFunction(std::move(id), std::move(title), keys,
+                [&s = state_, where](TreeEditor edit) { edit.Paste(s.get_clipboard(), where); });
+  }
+
+  EditorState& state_;
+  const std::function<double()> now_;
+};
+
+}  // namespace
+
+void AddEditCommands(EditorState& state, std::function<double()> now) {
+  EditCommands(state, std::move(now)).AddAll();
+}
+
+}  // namespace coppice::editor

@@ -1,0 +1,77 @@
+#include "editor/commands/log_commands.h"
+
+#include <string>
+#include <utility>
+
+#include "editor/commands/run_commands.h"
+
+namespace coppice::editor {
+namespace {
+
+constexpr char kHint[] =
+    "words with {port} or {key}, and if you like: if battery < 20 #3  (from the third hit on)";
+
+void AskForNewLogPoint(EditorState& state, double now) {
+  const RunView* run = state.workspace.run();
+  LogPoint point;
+  point.path = SelectedRunPath(state);
+  if (run && run->source().is_robot()) point.run = run->name();
+  if (point.path.empty()) return state.Notify("Select a node first", now, true);
+  if (const LogPoint* there = state.workspace.log_points.FindAt(point.run, point.path)) {
+    return AskForLogPoint(state, there->number);
+  }
+  state.Ask({kHint,
+             [&state, point](const std::string& typed) {
+               LogPoint read = point;
+               std::string problem = ReadLogPoint(typed, read);
+               if (!problem.empty()) return problem;
+               state.workspace.log_points.Add(std::move(read));
+               state.run_tab = RunTab::kLog;
+               return problem;
+             },
+             {}});
+}
+
+void PinSelected(EditorState& state, double now) {
+  const RunView* run = state.workspace.run();
+  const std::string path = SelectedRunPath(state);
+  if (!run || path.empty()) return state.Notify("Select a node of a run first", now, true);
+  state.workspace.pins.Toggle(run->bookmark_name(), path);
+}
+
+}  // namespace
+
+void AskForLogPoint(EditorState& state, std::uint32_t number) {
+  for (const LogPoint& point : state.workspace.log_points.all()) {
+    if (point.number != number) continue;
+    state.Ask({kHint,
+               [&state, point](const std::string& typed) {
+                 LogPoint read = point;
+                 std::string problem = ReadLogPoint(typed, read);
+                 if (problem.empty()) {
+                   state.workspace.log_points.Change(point.number, std::move(read));
+                 }
+                 return problem;
+               },
+               {}},
+              ToString(point));
+    return;
+  }
+}
+
+void AddLogCommands(EditorState& state, std::function<double()> now) {
+  state.commands.Add(
+      {"run.log_point", "Log-point at the node", {kKeyF1 + 8, kCtrl | kShift}, [&state, now] {
+         AskForNewLogPoint(state, now());
+       }});
+  const auto has_run = [&state] { return state.workspace.run() != nullptr; };
+  state.commands.Add(
+      {"run.log", "Log", {'J'}, [&state] { state.run_tab = RunTab::kLog; }, has_run});
+  state.commands.Add({"run.pin",
+                      "Pin the lane of the node, or not",
+                      {'T'},
+                      [&state, now] { PinSelected(state, now()); },
+                      has_run});
+}
+
+}  // namespace coppice::editor

@@ -1,0 +1,74 @@
+#include "editor/commands/picture_commands.h"
+
+#include <filesystem>
+#include <utility>
+
+#include "editor/export/write_picture.h"
+
+namespace coppice::editor {
+namespace {
+
+constexpr float kPixels = 2;
+
+// Beside the file, with the name of the tree.
+std::string SuggestedPath(const EditorState& state, const std::string& tree) {
+  const OpenFile* file = state.workspace.file();
+  const auto folder = std::filesystem::path(file ? file->path : "").parent_path();
+  return (folder / (tree + ".svg")).string();
+}
+
+// The tree as it is shown, or the comparison that stands in its place.
+std::string Export(EditorState& state, double now, const std::string& path) {
+  TreeView* view = state.workspace.view();
+  if (!view) return "there is no tree to paint";
+  TreePainting painting;
+  painting.style = view->style();
+  painting.palette = state.palette;
+  PaintedTree tree = {view->scene().get(), view->scene()->tree_id, nullptr};
+  if (const auto& comparison = state.canvas.comparison) {
+    tree.scene = comparison->view().scene().get();
+    tree.title += ": " + comparison->summary();
+    tree.changes = &comparison->changes();
+  }
+  painting.trees.push_back(std::move(tree));
+  std::string wrong = WritePicture(painting, path, kPixels);
+  if (wrong.empty()) state.Notify("Painted " + path, now);
+  return wrong;
+}
+
+// An empty path means the file as it was saved last.
+std::string Compare(EditorState& state, std::string path) {
+  if (path.empty() && state.workspace.file()) path = state.workspace.file()->path;
+  std::string wrong;
+  auto comparison = Comparison::With(path, wrong);
+  if (comparison) state.canvas.comparison = std::move(comparison);
+  return wrong;
+}
+
+}  // namespace
+
+void AddPictureCommands(EditorState& state, std::function<double()> now) {
+  state.commands.Add(
+      {"file.export", "Export picture", {'E', kCtrl | kAlt}, [&state, now] {
+         const TreeView* view = state.workspace.view();
+         if (!view) return state.Notify("there is no tree to paint", now(), true);
+         state.Ask({std::string("Paint the shown tree into a file that ends in ") + kPictureEndings,
+                    [&state, now](const std::string& path) { return Export(state, now(), path); },
+                    {}},
+                   SuggestedPath(state, view->scene()->tree_id));
+       }});
+  state.commands.Add({"file.compare", "Compare with another version", {'D', kCtrl}, [&state, now] {
+                        if (!state.workspace.view()) {
+                          return state.Notify("there is no tree to compare", now(), true);
+                        }
+                        state.Ask(
+                            {"Compare with a file; empty: with what was saved last",
+                             [&state](const std::string& path) { return Compare(state, path); },
+                             {}});
+                      }});
+  state.commands.Add({"file.stop_comparing", "Stop comparing", {'D', kCtrl | kShift}, [&state] {
+                        state.canvas.comparison.reset();
+                      }});
+}
+
+}  // namespace coppice::editor

@@ -1,0 +1,16 @@
+// The commands about places in runs: bookmarks, and "run to here".
+#ifndef COPPICE_EDITOR_COMMANDS_PLACE_COMMANDS_H_
+#define COPPICE_EDITOR_COMMANDS_PLACE_COMMANDS_H_
+
+#include <functional>
+
+#include "editor/workspace/editor_state.h"
+
+namespace coppice::editor {
+
+/// `now` gives the time of the editor in seconds.
+void AddPlaceCommands(EditorState& state, std::function<double()> now);
+
+}  // namespace coppice::editor
+
+#endif  // COPPICE_EDITOR_COMMANDS_PLACE_COMMANDS_H_

@@ -1,0 +1,312 @@
+#include "editor/commands/project_commands.h"
+
+#include <algorithm>
+#include <memory>
+#include <set>
+#include <utility>
+
+#include "editor/document/key_names.h"
+#include "editor/keys/fuzzy.h"
+#include "editor/workspace/project_editor.h"
+
+namespace coppice::editor {
+namespace {
+
+constexpr std::size_t kRows = 18;
+
+// Matches that are not to be replaced, by place.
+using Skipped = std::set<std::pair<std::size_t, std::uint32_t>>;
+
+class ProjectCommands {
+ public:
+  ProjectCommands(EditorState& state, std::function<double()> now)
+      : state_(state), now_(std::move(now)) {}
+
+  void AddAll() {
+    AddTrees();
+    AddKeys();
+    AddSearch();
+    AddHistory();
+    AddModels();
+  }
+
+ private:
+  using Run = std::function<std::string(ProjectEditor&)>;
+
+  void Add(std::string id, std::string title, KeyChord keys, std::function<void()> run) {
+    state_.commands.Add({std::move(id), std::move(title), keys, std::move(run)});
+  }
+
+  // What it returns is why it was refused.
+  void AddDoing(std::string id, std::string title, KeyChord keys, Run run) {
+    Add(std::move(id), std::move(title), keys, [&s = state_, now = now_, run = std::move(run)] {
+      ProjectEditor edit(s, now());
+      const std::string refusal = run(edit);
+      if (!refusal.empty()) s.Notify(refusal, now(), true);
+    });
+  }
+
+  void AddAsking(std::string id, std::string title, KeyChord keys, std::string hint,
+                 std::function<std::string(EditorState&)> first,
+                 std::function<std::string(ProjectEditor&, const std::string&)> run) {
+    AddDoing(std::move(id), std::move(title), keys,
+             [&s = state_, now = now_, hint, first, run](ProjectEditor&) {
+               std::string refusal = TreeEditor(s, now()).WhyReadOnly();
+               if (!refusal.empty()) return refusal;
+               s.Ask({hint,
+                      [&s, now, run](const std::string& text) {
+                        ProjectEditor edit(s, now());
+                        return run(edit, text);
+                      },
+                      {}},
+                     first ? first(s) : "");
+               return refusal;
+             });
+  }
+
+  void AddTrees() {
+    AddAsking(
+        "tree.extract", "Extract a SubTree", {'E', kCtrl}, "Name of the new tree",
+        [](EditorState& s) { return TreeEditor(s, 0).GivenName(); },
+        [](ProjectEditor& edit, const std::string& id) { return edit.Extract(id); });
+    AddDoing("tree.inline", "Inline the SubTree", {'E', kCtrl | kShift},
+             [](ProjectEditor& edit) { return edit.Inline(); });
+    AddAsking("tree.new", "New tree", {'T', kCtrl}, "Name of the new tree", {},
+              [](ProjectEditor& edit, const std::string& id) { return edit.NewTree(id); });
+    AddAsking(
+        "tree.rename", "Rename the tree everywhere", {kKeyF1 + 1, kCtrl},
+        "New name of the tree, wherever it is used",
+        [](EditorState& s) { return s.workspace.ShownTreeId(); },
+        [](ProjectEditor& edit, const std::string& id) { return edit.RenameTree(id); });
+    AddDoing("tree.delete", "Delete the tree", {},
+             [](ProjectEditor& edit) { return edit.DeleteTree(); });
+    AddAsking("file.include", "Include a file", {},
+              "Include a file, or make it: its path, relative to this file", {},
+              [](ProjectEditor& edit, const std::string& path) { return edit.Include(path); });
+    AddDoing("tree.definition", "Go to the tree of the SubTree", {kKeyF1 + 11},
+             [](ProjectEditor& edit) { return edit.GoToDefinition(); });
+    AddDoing("tree.usages", "Find usages", {kKeyF1 + 11, kShift},
+             [this_ = *this](ProjectEditor& edit) { return this_.ShowUsages(edit); });
+    AddDoing("tree.places", "Places that use the tree of the node", {},
+             [this_ = *this](ProjectEditor& edit) {
+               return this_.ShowUsages(edit, edit.TreeAroundSelection());
+             });
+  }
+
+  // Of the selected SubTree's tree, of the type of the selected node, or of the shown tree.
+  std::string ShowUsages(ProjectEditor& edit) const {
+    const TreeView* view = state_.workspace.view();
+    std::string id = state_.workspace.ShownTreeId();
+    if (view && view->selected() != kNoNode) id = view->scene()->nodes[view->selected()].id;
+    return ShowUsages(edit, id);
+  }
+
+  std::string ShowUsages(ProjectEditor& edit, const std::string& id) const {
+    if (id.empty()) return "nothing is selected";
+    std::vector<Choice> rows;
+    const ProjectFiles files = edit.Files();
+    for (std::size_t f = 0; f < files.size(); ++f) {
+      for (ElementIndex i = 0; i < files[f].elements().size(); ++i) {
+        if (IsNode(files[f], i) && TypeOf(files[f], i) == id) rows.push_back(RowOf(files[f], i));
+      }
+    }
+    if (rows.empty()) return id + " is not used";
+    Offer("Usages of " + id, std::move(rows));
+    return {};
+  }
+
+  Choice RowOf(const Document& document, ElementIndex element) const {
+    const std::uint32_t offset = document.element(element).offset;
+    const SourceLocation where = document.Location(offset);
+    const ElementIndex tree = TreeOf(document, element);
+    Choice row;
+    row.title = std::string(NameOf(document, element));
+    row.note = std::string(document.AttributeValue(document.element(tree), "ID")) + "   " +
+               where.file.substr(where.file.rfind('/') + 1) + ":" + std::to_string(where.line);
+    row.run = [&s = state_, now = now_, path = document.file(), offset] {
+      ProjectEditor(s, now()).GoTo(path, offset);
+    };
+    return row;
+  }
+
+  void Offer(std::string hint, std::vector<Choice> rows) const {
+    state_.Offer({std::move(hint), [rows = std::move(rows)](const std::string& typed) {
+                    std::vector<Choice> fitting;
+                    for (const Choice& row : rows) {
+                      if (FuzzyScore(typed, row.title) > 0) fitting.push_back(row);
+                      if (fitting.size() == kRows) break;
+                    }
+                    return fitting;
+                  }});
+  }
+
+  void AddKeys() {
+    AddDoing("key.rename", "Rename a key everywhere", {'K', kCtrl | kShift},
+             [this_ = *this](ProjectEditor& edit) { return this_.ChooseKey(edit); });
+  }
+
+  std::string ChooseKey(ProjectEditor& edit) const {
+    const std::string refusal = TreeEditor(state_, now_()).WhyReadOnly();
+    if (!refusal.empty()) return refusal;
+    const std::vector<std::string> keys = edit.SelectedKeys();
+    if (keys.empty()) return "select a node that uses a key";
+    if (keys.size() == 1) {
+      AskKey(keys[0]);
+      return {};
+    }
+    std::vector<Choice> rows;
+    for (const std::string& key : keys) {
+      Choice row;
+      row.title = key;
+      row.run = [this_ = *this, key] { this_.AskKey(key); };
+      rows.push_back(std::move(row));
+    }
+    Offer("Rename a key: which", std::move(rows));
+    return {};
+  }
+
+  void AskKey(const std::string& key) const {
+    state_.Ask({"New name of the key " + key,
+                [&s = state_, now = now_, key](const std::string& to) {
+                  return ProjectEditor(s, now()).RenameKey(key, to);
+                },
+                {}},
+               key);
+  }
+
+  // The newest step first; choosing one goes back or forth to behind it.
+  void AddHistory() {
+    Add("edit.history", "History", {'H', kCtrl | kShift}, [this_ = *this] {
+      const History& history = this_.state_.workspace.project().history();
+      std::vector<Choice> rows;
+      for (std::size_t i = history.steps().size(); i > 0; --i) {
+        Choice row = this_.HistoryRow(history.steps()[i - 1].name, i);
+        row.kind = i == history.done() ? "now" : i > history.done() ? "undone" : "done";
+        rows.push_back(std::move(row));
+      }
+      rows.push_back(this_.HistoryRow("as it was opened", 0));
+      rows.back().kind = history.done() == 0 ? "now" : "done";
+      this_.Offer("History: Enter goes back or forth to the chosen step", std::move(rows));
+    });
+  }
+
+  Choice HistoryRow(const std::string& title, std::size_t step) const {
+    Choice row;
+    row.title = title;
+    row.note = std::to_string(step);
+    row.run = [&s = state_, now = now_, step] {
+      const History& history = s.workspace.project().history();
+      TreeEditor edit(s, now());
+      while (history.done() > step) edit.Undo();
+      while (history.done() < step) edit.Redo();
+    };
+    return row;
+  }
+
+  void AddModels() {
+    Add("file.models", "Load node models", {}, [&s = state_, now = now_] {
+      s.Ask(
+          {"Load node models: path of a file with <TreeNodesModel>, as \"coppice nodes\" writes it",
+           [&s, now](const std::string& path) -> std::string {
+             const std::size_t before = s.workspace.model_problems().size();
+             s.workspace.AddModels(path);
+             s.workspace.RenewAll(now());
+             const auto& problems = s.workspace.model_problems();
+             return problems.size() > before ? problems.back().message : "";
+           },
+           {}});
+    });
+  }
+
+  void AddSearch() {
+    Add("edit.find", "Find", {'F', kCtrl}, [this_ = *this] {
+      this_.state_.Offer({"Find; type: name: port: value: key: narrow it, /.../ is a pattern",
+                          [this_](const std::string& typed) { return this_.Find(typed); }},
+                         this_.state_.last_search);
+    });
+    AddDoing("edit.replace", "Replace", {'H', kCtrl},
+             [this_ = *this](ProjectEditor&) { return this_.AskWhat(); });
+  }
+
+  std::vector<Choice> Find(const std::string& typed) const {
+    state_.last_search = typed;
+    std::string error;
+    const std::optional<Query> query = ParseQuery(typed, error);
+    std::vector<Choice> rows;
+    if (!query || !state_.workspace.file()) return rows;
+    const ProjectFiles files = ProjectEditor(state_, now_()).Files();
+    for (const Match& match : Search(files, *state_.workspace.file()->models, *query, kRows)) {
+      Choice row = RowOf(files[match.file], match.element);
+      row.kind = ToString(match.role);
+      row.title = TitleOf(match, match.before);
+      rows.push_back(std::move(row));
+    }
+    return rows;
+  }
+
+  static std::string TitleOf(const Match& match, const std::string& text) {
+    const bool is_value = match.role == TextRole::kValue || match.role == TextRole::kKey;
+    return is_value ? match.attribute + "=\"" + text + "\"" : text;
+  }
+
+  std::string AskWhat() const {
+    const std::string refusal = TreeEditor(state_, now_()).WhyReadOnly();
+    if (!refusal.empty()) return refusal;
+    state_.Ask({"Replace what; type: name: port: value: narrow it, /.../ is a pattern",
+                [this_ = *this](const std::string& typed) { return this_.AskWith(typed); },
+                [this_ = *this](const std::string& typed) { return this_.Find(typed); }},
+               state_.last_search);
+    return {};
+  }
+
+  std::string AskWith(const std::string& typed) const {
+    std::string error = "type something";
+    const std::optional<Query> query = ParseQuery(typed, error);
+    if (!query) return error;
+    if (query->is_for_keys()) return "\"Rename a key everywhere\" does that";
+    const ProjectFiles files = ProjectEditor(state_, now_()).Files();
+    const std::vector<Match> matches = Search(files, *state_.workspace.file()->models, *query);
+    if (matches.empty()) return "not found";
+    const auto skipped = std::make_shared<Skipped>();
+    state_.Ask({"Replace it in " + std::to_string(matches.size()) +
+                    (matches.size() == 1 ? " place" : " places") + " with; a click leaves one out",
+                [=, this_ = *this](const std::string& with) {
+                  std::vector<Match> wanted = matches;
+                  wanted.erase(std::remove_if(wanted.begin(), wanted.end(),
+                                              [&](const Match& m) {
+                                                return skipped->count({m.file, m.offset}) > 0;
+                                              }),
+                               wanted.end());
+                  return ProjectEditor(this_.state_, this_.now_()).ReplaceAll(wanted, *query, with);
+                },
+                [=](const std::string& with) {
+                  std::vector<Choice> rows;
+                  for (const Match& match : matches) {
+                    if (rows.size() == kRows) break;
+                    const bool skip = skipped->count({match.file, match.offset}) > 0;
+                    Choice row;
+                    row.title = TitleOf(match, match.before) +
+                                (skip ? "" : "  ->  " + Replaced(match, *query, with));
+                    row.kind = skip ? "leave" : ToString(match.role);
+                    row.run = [skipped, match] {
+                      const auto place = std::make_pair(match.file, match.offset);
+                      if (skipped->erase(place) == 0) skipped->insert(place);
+                    };
+                    rows.push_back(std::move(row));
+                  }
+                  return rows;
+                }});
+    return {};
+  }
+
+  EditorState& state_;
+  std::function<double()> now_;
+};
+
+}  // namespace
+
+void AddProjectCommands(EditorState& state, std::function<double()> now) {
+  ProjectCommands(state, std::move(now)).AddAll();
+}
+
+}  // namespace coppice::editor

@@ -1,0 +1,355 @@
+#include "editor/commands/run_commands.h"
+
+#include <charconv>
+#include <fstream>
+#include <utility>
+
+#include "bt_core/analysis/formats/write_record.h"
+#include "editor/workspace/run_test_maker.h"
+
+namespace coppice::editor {
+namespace {
+
+using Kind = LiveCommand::Kind;
+
+constexpr double kFaster = 2;
+
+std::string RobotOf(const EditorState& state) {
+  const RunView* run = state.workspace.run();
+  return run && run->source().is_robot() ? run->name() : "";
+}
+
+bool IsStopped(const RunView& run) { return run.stop().where != DebugStop::Where::kNowhere; }
+
+void Play(RunView& run) {
+  Playhead& head = run.playhead();
+  if (head.is_playing()) {
+    head.Stop();
+  } else {
+    head.Play();
+  }
+}
+
+void ChangeSpeed(RunView& run, double factor) {
+  Playhead& head = run.playhead();
+  const bool wraps = factor > 1 && head.speed() >= 32;
+  head.SetSpeed(wraps ? 0.125 : head.speed() * factor);
+}
+
+void StepToChange(EditorState& state, RunView& run, bool forward) {
+  const TreeView* view = state.workspace.view();
+  const bool selected = view && view->selected() != kNoNode;
+  const int uid = selected ? view->scene()->nodes[view->selected()].uid : 0;
+  if (uid >= 0) run.playhead().StepToChange(static_cast<NodeIndex>(uid), forward);
+}
+
+const WantedHook* BreakpointOf(EditorState& state) {
+  const std::string path = SelectedRunPath(state);
+  return path.empty() ? nullptr : state.workspace.hooks.FindAt(RobotOf(state), path, true);
+}
+
+// "battery < 20 #3": the condition, and the hit from which on the hook acts.
+std::string ChangeCondition(HookList& hooks, std::uint32_t number, const std::string& text) {
+  const WantedHook* wanted = hooks.Find(number);
+  if (!wanted) return "the breakpoint is gone";
+  Hook hook = wanted->hook;
+  const std::size_t hash = text.rfind('#');
+  hook.condition = text.substr(0, hash);
+  while (!hook.condition.empty() && hook.condition.back() == ' ') hook.condition.pop_back();
+  hook.from_hit = 1;
+  if (hash != std::string::npos) {
+    const char* const end = text.data() + text.size();
+    const auto [at, error] = std::from_chars(text.data() + hash + 1, end, hook.from_hit);
+    if (error != std::errc() || at != end || hook.from_hit == 0)
+      return "expected a number behind #";
+  }
+  hooks.Change(number, hook);
+  return "";
+}
+
+void ToggleBreakpoint(EditorState& state, double now) {
+  HookList& hooks = state.workspace.hooks;
+  const std::string path = SelectedRunPath(state);
+  if (path.empty()) return state.Notify("Select a node first", now, true);
+  if (const WantedHook* there = BreakpointOf(state)) return hooks.Remove(there->number);
+  Hook hook;
+  hook.path = path;
+  hooks.Add(RobotOf(state), hook);
+  state.run_tab = RunTab::kHooks;
+}
+
+void SwitchBreakpoint(EditorState& state, double now) {
+  const WantedHook* there = BreakpointOf(state);
+  if (!there) return state.Notify("The node has no breakpoint: F9 sets one", now, true);
+  Hook hook = there->hook;
+  hook.enabled = !hook.enabled;
+  state.workspace.hooks.Change(there->number, hook);
+}
+
+void AskForConditionHere(EditorState& state, double now) {
+  if (!BreakpointOf(state)) ToggleBreakpoint(state, now);
+  const WantedHook* there = BreakpointOf(state);
+  if (!there) return;
+  AskForCondition(state, there->number);
+}
+
+// The key whose history is shown.
+void AskForValue(EditorState& state) {
+  RunView* run = state.workspace.run();
+  if (!run || !run->tree()) return;
+  for (const DescribedSlot& slot : run->tree()->description()->slots) {
+    if (state.shown_key != "blackboard/" + slot.scope + "/" + slot.name) continue;
+    const bool is_main = slot.scope == run->tree()->description()->main_tree;
+    const std::string scope = is_main ? "" : slot.scope;
+    const std::string key = slot.name;
+    state.Ask({"New value of " + key + " (" + slot.type + "), as in the XML",
+               [&state, scope, key](const std::string& value) {
+                 if (RunView* shown = state.workspace.run()) {
+                   shown->Send(WriteKey(scope, key, value));
+                 }
+                 return std::string();
+               },
+               {}});
+  }
+}
+
+std::string SaveRun(const EditorState& state, const std::string& path) {
+  const RunView* run = state.workspace.run();
+  if (!run || !run->run().has_tree()) return "nothing was received yet";
+  if (std::ifstream(path)) return path + " is there already; a record is never overwritten";
+  std::ofstream stream(path, std::ios::binary);
+  stream << ToRecord(run->run().recording());
+  return stream.flush() ? "" : path + " cannot be written";
+}
+
+class RunCommands {
+ public:
+  RunCommands(EditorState& state, std::function<double()> now)
+      : state_(state), now_(std::move(now)) {}
+
+  void AddAll() {
+    AddPlayhead();
+    AddDebugger();
+    AddBreakpoints();
+    AddFaults();
+    AddViews();
+  }
+
+ private:
+  // A command that needs a run; its keys are its own while one is shown.
+  void Add(std::string id, std::string title, KeyChord keys, std::function<void(RunView&)> run) {
+    Command command{std::move(id), std::move(title), keys, {}, {}};
+    command.run = [&s = state_, run = std::move(run)] {
+      if (RunView* view = s.workspace.run()) run(*view);
+    };
+    command.when = [&s = state_] { return s.workspace.run() != nullptr; };
+    state_.commands.Add(std::move(command));
+  }
+  // The same for robots only; a simulation has keys of its own for it.
+  void AddForRobot(std::string id, std::string title, KeyChord keys,
+                   std::function<void(RunView&)> run) {
+    Command command{std::move(id), std::move(title), keys, {}, {}};
+    command.run = [&s = state_, run = std::move(run)] {
+      if (!RobotOf(s).empty()) run(*s.workspace.run());
+    };
+    command.when = [&s = state_] { return !RobotOf(s).empty(); };
+    state_.commands.Add(std::move(command));
+  }
+  void AddAlways(std::string id, std::string title, KeyChord keys, std::function<void()> run) {
+    state_.commands.Add({std::move(id), std::move(title), keys, std::move(run)});
+  }
+
+  void AddPlayhead() {
+    Add("run.back", "One tick back", {kKeyLeft}, [](RunView& run) { run.playhead().Step(-1); });
+    Add("run.forward", "One tick forward", {kKeyRight},
+        [](RunView& run) { run.playhead().Step(1); });
+    Add("run.change_before", "To the change of the node before", {kKeyLeft, kShift},
+        [&s = state_](RunView& run) { StepToChange(s, run, false); });
+    Add("run.next_change", "To the next change of the node", {kKeyRight, kShift},
+        [&s = state_](RunView& run) { StepToChange(s, run, true); });
+    Add("run.begin", "To the beginning of the run", {kKeyHome, kCtrl},
+        [](RunView& run) { run.playhead().GoToTick(0); });
+    Add("run.now", "Back to now", {'L'}, [](RunView& run) { run.playhead().GoToNow(); });
+    Add("run.play", "Play or hold", {'P'}, [](RunView& run) { Play(run); });
+    Add("run.faster", "Play faster", {']'}, [](RunView& run) { ChangeSpeed(run, kFaster); });
+    Add("run.slower", "Play slower", {'['}, [](RunView& run) { ChangeSpeed(run, 1 / kFaster); });
+    AddWalk("run.walk_left", "walk.left", "Walk left", kKeyLeft);
+    AddWalk("run.walk_right", "walk.right", "Walk right", kKeyRight);
+  }
+
+  // The arrows alone move the playhead.
+  void AddWalk(std::string id, std::string walk, std::string title, Key key) {
+    Add(std::move(id), std::move(title), {key, kCtrl},
+        [&s = state_, walk = std::move(walk)](RunView&) { s.commands.Run(walk); });
+  }
+
+  void AddDebugger() {
+    Add("run.pause", "Pause or continue the robot; play a record", {kKeySpace}, [](RunView& run) {
+      if (!run.source().is_robot()) return Play(run);
+      run.Send(MakeCommand(IsStopped(run) ? Kind::kContinue : Kind::kPause));
+    });
+    AddSend("run.continue", "Continue the robot", {kKeyF1 + 4}, Kind::kContinue);
+    AddSend("run.step_tick", "One tick of the robot", {kKeyF1 + 9}, Kind::kStepTick);
+    AddSend("run.step_node", "To the next node of the robot", {kKeyF1 + 9, kShift},
+            Kind::kStepNode);
+    AddContinue("run.continue_success", "Continue: the node has succeeded", Status::kSuccess);
+    AddContinue("run.continue_failure", "Continue: the node has failed", Status::kFailure);
+    AddContinue("run.continue_skipped", "Continue: the node is skipped", Status::kSkipped);
+  }
+
+  void AddSend(std::string id, std::string title, KeyChord keys, Kind kind) {
+    AddForRobot(std::move(id), std::move(title), keys, [kind](RunView& run) {
+      run.playhead().GoToNow();
+      run.Send(MakeCommand(kind));
+    });
+  }
+
+  void AddContinue(std::string id, std::string title, Status result) {
+    AddForRobot(std::move(id), std::move(title), {}, [result](RunView& run) {
+      LiveCommand command = MakeCommand(Kind::kContinue);
+      command.result = result;
+      run.Send(std::move(command));
+    });
+  }
+
+  void AddBreakpoints() {
+    AddAlways("run.breakpoint", "Breakpoint at the node", {kKeyF1 + 8},
+              [&s = state_, now = now_] { ToggleBreakpoint(s, now()); });
+    AddAlways("run.breakpoint_enable", "Switch the breakpoint on or off", {kKeyF1 + 8, kShift},
+              [&s = state_, now = now_] { SwitchBreakpoint(s, now()); });
+    AddAlways("run.breakpoint_condition", "Condition of the breakpoint", {kKeyF1 + 8, kCtrl},
+              [&s = state_, now = now_] { AskForConditionHere(s, now()); });
+    AddAlways("run.breakpoint_path", "Breakpoint at a path", {}, [&s = state_] {
+      s.Ask({"Breakpoint at a path, as in sub/work or sub/Drive::7; \"if\" narrows it later",
+             [&s](const std::string& path) {
+               Hook hook;
+               hook.path = path;
+               if (!path.empty()) s.workspace.hooks.Add(RobotOf(s), hook);
+               return path.empty() ? "a path is needed" : "";
+             },
+             {}});
+    });
+  }
+
+  void AddFaults() {
+    AddForce("run.force_success", "Force SUCCESS on the node", Status::kSuccess);
+    AddForce("run.force_failure", "Force FAILURE on the node", Status::kFailure);
+    AddForce("run.force_running", "Force RUNNING on the node", Status::kRunning);
+    AddForce("run.force_skipped", "Force SKIPPED on the node", Status::kSkipped);
+    AddAlways("run.delay", "Delay the node by a second", {}, [&s = state_, now = now_] {
+      Hook fault;
+      fault.action = HookAction::kDelay;
+      fault.delay = std::chrono::seconds(1);
+      ToggleFault(s, fault, now());
+    });
+    AddAlways("run.clear_faults", "Clear all faults", {'F', kCtrl | kAlt},
+              [&s = state_] { s.workspace.hooks.RemoveFaults(); });
+  }
+
+  void AddForce(std::string id, std::string title, Status status) {
+    AddAlways(std::move(id), std::move(title), {}, [&s = state_, now = now_, status] {
+      Hook fault;
+      fault.action = HookAction::kReplace;
+      fault.status = status;
+      ToggleFault(s, fault, now());
+    });
+  }
+
+  void AddViews() {
+    AddTab("run.why", "Why", {'W'}, RunTab::kWhy);
+    AddTab("run.running", "Running now", {'N'}, RunTab::kRunning);
+    AddTab("run.hooks", "Breakpoints and faults", {'K'}, RunTab::kHooks);
+    AddTab("run.statistics", "Statistics", {'S'}, RunTab::kStatistics);
+    AddTab("run.comparison", "Comparison", {}, RunTab::kComparison);
+    AddTab("run.table", "Table: the shown key, or the robot's processes", {'Y'}, RunTab::kTable);
+    AddTab("run.coverage", "Coverage by random runs", {}, RunTab::kCoverage);
+    Add("run.follow", "Follow what runs", {'F'},
+        [&s = state_](RunView&) { s.follow.is_on = !s.follow.is_on; });
+    Add("run.heat", "Heat: time, ticks, failures, never ticked, off", {'H'},
+        [&s = state_](RunView&) {
+          const int next = s.heat ? static_cast<int>(*s.heat) + 1 : 0;
+          s.heat.reset();
+          if (next <= static_cast<int>(HeatMode::kNeverTicked))
+            s.heat = static_cast<HeatMode>(next);
+        });
+    AddAlways("blackboard.selection", "Only the keys of the selection", {'B'},
+              [&s = state_] { s.selected_keys_only = !s.selected_keys_only; });
+    Add("blackboard.write", "Write the key", {'E', kCtrl | kAlt},
+        [&s = state_](RunView&) { AskForValue(s); });
+    Add("run.close", "Close the robot or record", {'W', kCtrl},
+        [&s = state_, now = now_](RunView& run) {
+          const int at = s.workspace.FindRun(run.name());
+          s.workspace.CloseRun(static_cast<std::size_t>(at), now());
+        });
+    Add("run.save", "Save what was received as a record", {'S', kCtrl | kAlt},
+        [&s = state_](RunView&) {
+          s.Ask({"Save the run as a record: its path",
+                 [&s](const std::string& path) { return SaveRun(s, path); },
+                 {}},
+                "run.coppice");
+        });
+    Add("run.save_test", "Make a test of the run or of its marked stretch", {'T', kCtrl | kShift},
+        [&s = state_, now = now_](RunView&) {
+          s.Ask({"name of the test",
+                 [&s, now](const std::string& name) { return SaveRunAsTest(s, name, now()); },
+                 {}});
+        });
+  }
+
+  void AddTab(std::string id, std::string title, KeyChord keys, RunTab tab) {
+    Add(std::move(id), std::move(title), keys, [&s = state_, tab](RunView&) { s.run_tab = tab; });
+  }
+
+  EditorState& state_;
+  const std::function<double()> now_;
+};
+
+}  // namespace
+
+void AddRunCommands(EditorState& state, std::function<double()> now) {
+  RunCommands(state, std::move(now)).AddAll();
+}
+
+std::string SelectedRunPath(EditorState& state) {
+  const TreeView* view = state.workspace.view();
+  if (!view || view->selected() == kNoNode) return {};
+  const SceneNode& node = view->scene()->nodes[view->selected()];
+  if (const RunView* run = state.workspace.run()) {
+    return node.uid < 0 || !run->tree()
+               ? ""
+               : run->tree()->description()->nodes[static_cast<std::size_t>(node.uid)].path;
+  }
+  const Document& document = *state.workspace.forest()->documents()[node.document];
+  const std::string_view name = document.AttributeValue(document.element(node.element), "name");
+  const std::string own = name.empty()
+                              ? std::string(node.id) + "::" + std::to_string(view->selected() + 1)
+                              : std::string(name);
+  return node.scope == 0 ? own : view->scene()->scopes[node.scope] + "/" + own;
+}
+
+void AskForCondition(EditorState& state, std::uint32_t number) {
+  const WantedHook* hook = state.workspace.hooks.Find(number);
+  if (!hook) return;
+  state.Ask(
+      {"Condition of the breakpoint, such as battery < 20; \"#3\" behind it: from the third hit on",
+       [&state, number](const std::string& text) {
+         return ChangeCondition(state.workspace.hooks, number, text);
+       },
+       {}},
+      hook->hook.from_hit > 1 ? hook->hook.condition + " #" + std::to_string(hook->hook.from_hit)
+                              : hook->hook.condition);
+}
+
+void ToggleFault(EditorState& state, Hook fault, double now) {
+  HookList& hooks = state.workspace.hooks;
+  fault.path = SelectedRunPath(state);
+  if (fault.path.empty()) return state.Notify("Select a node first", now, true);
+  const WantedHook* there = hooks.FindAt(RobotOf(state), fault.path, false);
+  const bool same =
+      there && there->hook.action == fault.action && there->hook.status == fault.status;
+  if (there) hooks.Remove(there->number);
+  if (!same) hooks.Add(RobotOf(state), std::move(fault));
+  state.run_tab = RunTab::kHooks;
+}
+
+}  // namespace coppice::editor

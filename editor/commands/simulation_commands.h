@@ -1,0 +1,17 @@
+// The commands about simulations and tests.
+#ifndef COPPICE_EDITOR_COMMANDS_SIMULATION_COMMANDS_H_
+#define COPPICE_EDITOR_COMMANDS_SIMULATION_COMMANDS_H_
+
+#include <functional>
+
+#include "editor/workspace/editor_state.h"
+
+namespace coppice::editor {
+
+/// Adds them to state.commands, behind all others: while a simulation is shown their keys count.
+/// `now` gives the seconds of the editor. `state` must outlive them.
+void AddSimulationCommands(EditorState& state, std::function<double()> now);
+
+}  // namespace coppice::editor
+
+#endif  // COPPICE_EDITOR_COMMANDS_SIMULATION_COMMANDS_H_

@@ -1,0 +1,225 @@
+#include "editor/commands/standard_commands.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "editor/workspace/canvas_tabs.h"
+
+namespace coppice::editor {
+namespace {
+
+enum class Way { kParent, kChild, kNext, kPrevious };
+
+std::uint32_t Neighbour(const Scene& scene, const TreeView& view, std::uint32_t node, Way way) {
+  const auto& nodes = scene.nodes;
+  const std::uint32_t parent = nodes[node].parent;
+  switch (way) {
+    case Way::kParent:
+      return parent;
+    case Way::kChild:
+      return scene.HasChildren(node) && !view.IsCollapsed(node) ? node + 1 : kNoNode;
+    case Way::kNext:
+      return parent != kNoNode && nodes[node].end < nodes[parent].end ? nodes[node].end : kNoNode;
+    case Way::kPrevious: {
+      if (parent == kNoNode || node == parent + 1) return kNoNode;
+      std::uint32_t before = parent + 1;
+      while (nodes[before].end != node) before = nodes[before].end;
+      return before;
+    }
+  }
+  return kNoNode;
+}
+
+// Unsaved work is not lost by one key: the second time within some seconds counts.
+void Quit(EditorState& state, double now) {
+  constexpr double kSecondTime = 5;
+  const auto& files = state.workspace.project().files();
+  const auto dirty = std::find_if(files.begin(), files.end(),
+                                  [](const auto& file) { return file.second.is_dirty(); });
+  const std::string warning =
+      dirty == files.end()
+          ? ""
+          : dirty->first + " is not saved: Ctrl+S saves, Ctrl+Q again quits without saving";
+  const bool warned = state.notice.text == warning && now - state.notice.at < kSecondTime;
+  if (warning.empty() || warned) {
+    state.quit = true;
+  } else {
+    state.Notify(warning, now, true);
+  }
+}
+
+class Commands {
+ public:
+  Commands(EditorState& state, std::function<double()> now) : state_(state), now_(std::move(now)) {}
+
+  void AddAll() {
+    AddFile();
+    AddView();
+    AddTree();
+    AddTiles();
+    Add("robot.connect", "Connect to a robot", {'K', kCtrl},
+        [&s = state_] { s.OpenPopup(Popup::kConnect, "127.0.0.1:1667"); });
+    Add("robot.next", "Next robot or record", {kKeyTab, kCtrl},
+        [&s = state_] { s.workspace.ShowNextRun(); });
+    Add("help.palette", "Command palette", {'P', kCtrl},
+        [&s = state_] { s.OpenPopup(Popup::kPalette); });
+    Add("help.keys", "Keys of all commands", {kKeyF1},
+        [&s = state_] { s.OpenPopup(Popup::kKeys); });
+  }
+
+ private:
+  void Add(std::string id, std::string title, KeyChord keys, std::function<void()> run) {
+    state_.commands.Add({std::move(id), std::move(title), keys, std::move(run)});
+  }
+
+  void AddSwitch(std::string id, std::string title, KeyChord keys, std::function<void()> run,
+                 std::function<bool()> is_on) {
+    state_.commands.Add(
+        {std::move(id), std::move(title), keys, std::move(run), nullptr, {}, std::move(is_on)});
+  }
+
+  // A command that needs a tree.
+  void AddForView(std::string id, std::string title, KeyChord keys,
+                  std::function<void(TreeView&)> run) {
+    Add(std::move(id), std::move(title), keys, [&s = state_, run = std::move(run)] {
+      if (TreeView* view = s.workspace.view()) run(*view);
+    });
+  }
+
+  void AddFile() {
+    Add("file.open", "Open file", {'O', kCtrl}, [&s = state_] { s.OpenPopup(Popup::kOpen); });
+    Add("file.reload", "Reload file", {'R', kCtrl},
+        [&s = state_, now = now_] { s.workspace.Reload(now()); });
+    Add("file.quit", "Quit", {'Q', kCtrl}, [&s = state_, now = now_] { Quit(s, now()); });
+  }
+
+  void AddView() {
+    AddForView("view.fit_all", "Fit all", {kKeyHome},
+               [&s = state_](TreeView& view) { view.FitAll(s.canvas_size); });
+    AddForView("view.fit_selection", "Fit selection", {kKeyPeriod},
+               [&s = state_](TreeView& view) { view.FitSelection(s.canvas_size); });
+    AddForView("view.zoom_100", "Zoom to 100 %", {'Z'}, [&s = state_](TreeView& view) {
+      view.ZoomAt(s.canvas_size * 0.5F, view.screen_scale / view.camera.zoom);
+    });
+    AddOrientation("view.top_to_bottom", "Top to bottom", Orientation::kTopToBottom);
+    AddOrientation("view.left_to_right", "Left to right", Orientation::kLeftToRight);
+    AddToggle("view.compact", "Decorators lie on their children", &LayoutStyle::compact);
+    AddToggle("view.layered", "All nodes of a depth on one line", &LayoutStyle::layered);
+    AddToggle("view.stacked", "Many leaves stand in a column", &LayoutStyle::stacked);
+    AddToggle("view.wrapped", "Wide branches stand in rows", &LayoutStyle::wrapped);
+    AddTabs();
+    AddPalette("palette.dark", "Dark colours", PaletteName::kDark);
+    AddPalette("palette.light", "Light colours", PaletteName::kLight);
+    AddPalette("palette.colourblind", "Colour-blind colours", PaletteName::kColourBlind);
+    AddSwitch(
+        "view.reduce_motion", "Reduce motion", {},
+        [&s = state_] { s.reduce_motion = !s.reduce_motion; },
+        [&s = state_] { return s.reduce_motion; });
+  }
+
+  void AddOrientation(std::string id, std::string title, Orientation orientation) {
+    AddSwitch(
+        std::move(id), std::move(title), {},
+        [&s = state_, now = now_, orientation] {
+          if (s.workspace.orientation() == orientation) return;
+          LayoutStyle style = s.workspace.style();
+          style.orientation = orientation;
+          s.workspace.SetStyle(style, now());
+          if (TreeView* view = s.workspace.view()) view->FitAll(s.canvas_size);
+        },
+        [&s = state_, orientation] { return s.workspace.orientation() == orientation; });
+  }
+
+  void AddToggle(std::string id, std::string title, bool LayoutStyle::*part) {
+    AddSwitch(
+        std::move(id), std::move(title), {},
+        [&s = state_, now = now_, part] {
+          LayoutStyle style = s.workspace.style();
+          style.*part = !(style.*part);
+          s.workspace.SetStyle(style, now());
+        },
+        [&s = state_, part] { return s.workspace.style().*part; });
+  }
+
+  void AddTabs() {
+    const auto step = [&s = state_, now = now_](std::size_t by) {
+      const std::size_t count = s.canvas.tabs.size();
+      if (count > 0) ShowTab(s, (ShownTab(s) + by) % count, now());
+    };
+    Add("tab.next", "Next tab", {kKeyPageDown, kCtrl}, [step] { step(1); });
+    Add("tab.previous", "Previous tab", {kKeyPageUp, kCtrl},
+        [step, &s = state_] { step(s.canvas.tabs.size() - 1); });
+    Add("tab.close", "Close tab", {'W', kCtrl},
+        [&s = state_, now = now_] { CloseTab(s, ShownTab(s), now()); });
+  }
+
+  void AddPalette(std::string id, std::string title, PaletteName name) {
+    AddSwitch(
+        std::move(id), std::move(title), {}, [&s = state_, name] { s.palette = name; },
+        [&s = state_, name] { return s.palette == name; });
+  }
+
+  void AddTree() {
+    AddForView("tree.collapse", "Collapse or open", {'C'}, [now = now_](TreeView& view) {
+      const std::uint32_t node = view.selected();
+      if (node != kNoNode) view.SetCollapsed(node, !view.IsCollapsed(node), now());
+    });
+    AddForView("tree.collapse_others", "Collapse all others", {'C', kShift},
+               [now = now_](TreeView& view) { view.CollapseOthers(now()); });
+    AddForView("tree.open_subtrees", "Open all SubTrees", {'E'},
+               [now = now_](TreeView& view) { view.CollapseSubTrees(false, now()); });
+    AddForView("tree.close_subtrees", "Close all SubTrees", {'E', kShift},
+               [now = now_](TreeView& view) { view.CollapseSubTrees(true, now()); });
+    AddForView("tree.unselect", "Select nothing", {kKeyEscape},
+               [](TreeView& view) { view.Select(kNoNode); });
+    AddWalk("walk.up", "Walk up", kKeyUp, Way::kParent, Way::kPrevious);
+    AddWalk("walk.down", "Walk down", kKeyDown, Way::kChild, Way::kNext);
+    AddWalk("walk.left", "Walk left", kKeyLeft, Way::kPrevious, Way::kParent);
+    AddWalk("walk.right", "Walk right", kKeyRight, Way::kNext, Way::kChild);
+  }
+
+  // The arrow keys go where they point to on the screen.
+  void AddWalk(std::string id, std::string title, Key key, Way top_to_bottom, Way left_to_right) {
+    AddForView(std::move(id), std::move(title), {key}, [=, &s = state_](TreeView& view) {
+      const bool sideways = view.orientation() == Orientation::kLeftToRight;
+      const std::uint32_t to = view.selected() == kNoNode
+                                   ? 0
+                                   : Neighbour(*view.scene(), view, view.selected(),
+                                               sideways ? left_to_right : top_to_bottom);
+      if (to == kNoNode) return;
+      view.Select(to);
+      view.Reveal(s.canvas_size);
+    });
+  }
+
+  void AddTiles() {
+    AddTile("tile.project", "Project tile", {kKeyF1 + 1, kShift}, &Tiles::project);
+    AddTile("tile.types", "Nodes tile", {kKeyF1 + 2, kShift}, &Tiles::types);
+    AddTile("tile.outline", "Outline tile", {kKeyF1 + 2}, &Tiles::outline);
+    AddTile("tile.inspector", "Inspector tile", {kKeyF1 + 3}, &Tiles::inspector);
+    AddTile("tile.blackboard", "Blackboard tile", {kKeyF1 + 5}, &Tiles::blackboard);
+    AddTile("tile.xml", "XML tile", {kKeyF1 + 6}, &Tiles::xml);
+    AddTile("tile.problems", "Problems tile", {kKeyF1 + 7}, &Tiles::problems);
+    AddTile("tile.timeline", "Timeline tile", {kKeyF1 + 7, kCtrl}, &Tiles::timeline);
+    AddTile("tile.run", "Why, running, breakpoints tile", {kKeyF1 + 7, kShift}, &Tiles::run);
+    AddTile("tile.minimap", "Minimap", {kKeyF1 + 10}, &Tiles::minimap);
+  }
+
+  void AddTile(std::string id, std::string title, KeyChord keys, bool Tiles::*tile) {
+    AddSwitch(
+        std::move(id), std::move(title), keys,
+        [&s = state_, tile] { s.tiles.*tile = !(s.tiles.*tile); },
+        [&s = state_, tile] { return s.tiles.*tile; });
+  }
+
+  EditorState& state_;
+  const std::function<double()> now_;
+};
+
+}  // namespace
+
+void AddStandardCommands(EditorState& state, std::function<double()> now) {
+  Commands(state, std::move(now)).AddAll();
+}
+
+}  // namespace coppice::editor

@@ -1,0 +1,73 @@
+#include "editor/keys/command_table.h"
+
+#include <stdexcept>
+#include <utility>
+
+namespace coppice::editor {
+
+void CommandTable::Add(Command command) {
+  for (const Command& other : commands_) {
+    if (other.id == command.id) throw std::invalid_argument("command twice: " + command.id);
+    if (command.keys.key != 0 && other.keys == command.keys && !command.when && !other.when) {
+      throw std::invalid_argument(ToString(command.keys) + " is bound to " + other.id + " and " +
+                                  command.id);
+    }
+  }
+  command.own_keys = command.keys;
+  commands_.push_back(std::move(command));
+}
+
+bool CommandTable::SetKeys(std::string_view id, KeyChord keys) {
+  for (Command& command : commands_) {
+    if (command.id != id) continue;
+    command.keys = keys;
+    return true;
+  }
+  return false;
+}
+
+void CommandTable::ResetKeys() {
+  for (Command& command : commands_) command.keys = command.own_keys;
+}
+
+std::vector<KeyConflict> CommandTable::FindConflicts() const {
+  std::vector<KeyConflict> conflicts;
+  for (std::size_t i = 0; i < commands_.size(); ++i) {
+    const Command& a = commands_[i];
+    for (std::size_t j = i + 1; a.keys.key != 0 && j < commands_.size(); ++j) {
+      const Command& b = commands_[j];
+      const bool at_the_same_time = !a.when == !b.when;
+      const bool from_the_start = a.keys == a.own_keys && b.keys == b.own_keys;
+      if (!(a.keys == b.keys) || !at_the_same_time || from_the_start) continue;
+      conflicts.push_back({a.keys, a.id, b.id});
+    }
+  }
+  return conflicts;
+}
+
+const Command* CommandTable::Find(std::string_view id) const {
+  for (const Command& command : commands_) {
+    if (command.id == id) return &command;
+  }
+  return nullptr;
+}
+
+bool CommandTable::Run(std::string_view id) const {
+  const Command* command = Find(id);
+  if (!command) return false;
+  command->run();
+  return true;
+}
+
+bool CommandTable::Press(KeyChord chord) const {
+  if (chord.key == 0) return false;
+  const Command* found = nullptr;
+  for (const Command& command : commands_) {
+    if (!(command.keys == chord)) continue;
+    if (command.when ? command.when() : !found) found = &command;
+  }
+  if (found) found->run();
+  return found;
+}
+
+}  // namespace coppice::editor

@@ -1,0 +1,357 @@
+#include <imgui.h>
+// After imgui.h, which it needs.
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+
+#include "editor/panels/key_list.h"
+#include "editor/panels/panel.h"
+#include "editor/panels/panels.h"
+#include "editor/panels/popup/choices.h"
+#include "editor/panels/popup/popup_rows.h"
+#include "editor/panels/popup/type_choices.h"
+#include "editor/workspace/tree_editor.h"
+
+namespace coppice::editor {
+namespace {
+
+constexpr float kWidth = 560;
+constexpr float kKeysWidth = 760;
+constexpr float kField = 24;
+constexpr float kBelowAsked = 9;
+constexpr std::size_t kMostChoices = 200;  // that a list offers
+
+bool Pressed(const EditorState& state, Key key) {
+  return std::any_of(state.keys.begin(), state.keys.end(),
+                     [&](const KeyEvent& event) { return event.key == key; });
+}
+
+bool Confirmed(const EditorState& state) {
+  return Pressed(state, kKeyEnter) || Pressed(state, kKeyKeypadEnter);
+}
+
+class PopupWindow {
+ public:
+  PopupWindow(const Ui& ui, EditorState& state) : ui_(ui), state_(state) {}
+
+  void Draw() {
+    const ImVec2 display = ImGui::GetIO().DisplaySize;
+    const float wished = state_.popup == Popup::kKeys ? kKeysWidth : kWidth;
+    const float width = std::min(wished * ui_.scale, display.x - 20);
+    const Point size = {width, std::min(Height(width), display.y - 80 * ui_.scale)};
+    const Point at = {(display.x - size.x) / 2, 56 * ui_.scale};
+    ImGui::SetNextWindowPos(ToIm(at));
+    ImGui::SetNextWindowSize(ToIm(size));
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, ui_.palette.panel);
+    ImGui::PushStyleColor(ImGuiCol_Border, ui_.palette.accent);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {10 * ui_.scale, 10 * ui_.scale});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
+    ImGui::SetNextWindowFocus();
+    ImGui::Begin(
+        "popup", nullptr,
+        ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
+    ui_.items.Add("popup", {at, at + size});
+    const bool outside = ImGui::IsMouseClicked(0) && !state_.popup_is_new &&
+                         !Box{at, at + size}.Contains(FromIm(ImGui::GetIO().MousePos));
+    Content();
+    ImGui::End();
+    ImGui::PopStyleVar(2);
+    ImGui::PopStyleColor(2);
+    if (Pressed(state_, kKeyEscape) || outside) state_.popup = Popup::kNone;
+  }
+
+ private:
+  // For what it holds at that width.
+  float Height(float width) const {
+    const std::string asked = Asked();
+    const std::size_t rows = Rows();
+    float height = 20 + static_cast<float>(rows) * kRowHeight;
+    if (!asked.empty()) {
+      const float room = width - 20 * ui_.scale;
+      height += kBelowAsked + ui_.ParagraphHeight(asked, {Face::kSans, 12, 0}, room) / ui_.scale;
+      if (HasField()) height += kField;
+      if (rows > 0) height += 6;
+    }
+    if (!state_.popup_error.empty()) height += 24;
+    return height * ui_.scale;
+  }
+
+  // Stands above the field, for what is in the field would hide it.
+  std::string Asked() const {
+    switch (state_.popup) {
+      case Popup::kOpen:
+        return "Open a file: its path (trees as XML, or a record of a run)";
+      case Popup::kConnect:
+        return "Connect to a robot: HOST:PORT, or HOST:PORT/TREE for one of its trees";
+      case Popup::kPalette:
+        return "Search commands, nodes, trees and robots";
+      case Popup::kList:
+        return state_.list.hint;
+      case Popup::kPrompt:
+        return state_.prompt.hint;
+      case Popup::kKeys:
+        return "Search commands by title, ID or keys; Enter gives the chosen one other keys";
+      case Popup::kAdd:
+        return "Add a node: its type";
+      case Popup::kChangeType:
+        return "Change the type to";
+      case Popup::kRename:
+        return "Rename the node; without a name it is called as its type";
+      case Popup::kSaveAs:
+        return "Save the file under another name: its path";
+      default:
+        return {};
+    }
+  }
+
+  bool HasField() const { return state_.popup != Popup::kPrompt || state_.prompt.asks_for_text; }
+
+  std::size_t Rows() const {
+    switch (state_.popup) {
+      case Popup::kKeys:
+        return state_.popup_rows;
+      case Popup::kPalette:
+      case Popup::kList:
+        return std::min(state_.popup_rows, kPopupRows);
+      case Popup::kPrompt:
+        return state_.prompt.preview ? std::min(state_.popup_rows, kPopupRows) : 0;
+      case Popup::kAdd:
+      case Popup::kChangeType:
+        return std::min(state_.popup_rows, kPopupRows) + 1;
+      case Popup::kNewKeys:
+        return 3;
+      case Popup::kPasteErrors:
+        return state_.popup_problems.size() + 1;
+      default:
+        return 0;
+    }
+  }
+
+  void Content() {
+    switch (state_.popup) {
+      case Popup::kOpen:
+        Input();
+        if (Confirmed(state_)) Open();
+        break;
+      case Popup::kConnect:
+        Input();
+        if (Confirmed(state_)) Connect();
+        break;
+      case Popup::kPalette:
+        Input();
+        Choices(FindChoices(state_, state_.popup_text, ui_.now, kMostChoices));
+        break;
+      case Popup::kList:
+        Input();
+        Choices(state_.list.rows(state_.popup_text));
+        break;
+      case Popup::kPrompt:
+        Ask();
+        break;
+      case Popup::kKeys:
+        Input();
+        DrawKeyList(ui_, state_);
+        break;
+      case Popup::kNewKeys:
+        DrawNewKeys(ui_, state_);
+        break;
+      case Popup::kAdd:
+        Input();
+        Types(true);
+        break;
+      case Popup::kChangeType:
+        Input();
+        Types(false);
+        break;
+      case Popup::kRename:
+        Input();
+        if (Confirmed(state_) && TreeEditor(state_, ui_.now).Rename(state_.popup_text)) Close();
+        break;
+      case Popup::kSaveAs:
+        Input();
+        if (Confirmed(state_)) TreeEditor(state_, ui_.now).SaveAs(state_.popup_text);
+        break;
+      case Popup::kPasteErrors:
+        PasteErrors();
+        break;
+      case Popup::kNone:
+        break;
+    }
+    if (state_.popup_error.empty()) return;
+    ImGui::PushStyleColor(ImGuiCol_Text, ui_.palette.error);
+    ImGui::TextUnformatted(state_.popup_error.c_str());
+    ImGui::PopStyleColor();
+  }
+
+  void Input() {
+    const std::string asked = Asked();
+    ImGui::PushFont(ui_.fonts.Pick(Face::kSans, 12 * ui_.scale));
+    ImGui::PushStyleColor(ImGuiCol_Text, ui_.palette.text_dim);
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextUnformatted(asked.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::PopStyleColor();
+    ImGui::PopFont();
+    const bool is_new = std::exchange(state_.popup_is_new, false);
+    if (!HasField()) return;
+    if (is_new) ImGui::SetKeyboardFocusHere();
+    ImGui::SetNextItemWidth(-1);
+    ImGui::PushFont(ui_.fonts.Pick(Face::kSans, 14 * ui_.scale));
+    if (ImGui::InputText("##input", &state_.popup_text)) {
+      state_.popup_choice = 0;
+      state_.popup_error.clear();
+    }
+    ImGui::PopFont();
+    ui_.items.Add("popup/input",
+                  {FromIm(ImGui::GetItemRectMin()), FromIm(ImGui::GetItemRectMax())});
+  }
+
+  void Open() {
+    std::error_code error;
+    if (!std::filesystem::exists(state_.popup_text, error)) {
+      state_.popup_error = "there is no such file";
+    } else if (state_.open_file(state_.popup_text)) {
+      state_.popup = Popup::kNone;
+    } else {
+      state_.popup_error = "nothing to show in this file; see Problems";
+    }
+  }
+
+  void Connect() {
+    state_.popup_error = state_.connect(state_.popup_text);
+    if (state_.popup_error.empty()) state_.popup = Popup::kNone;
+  }
+
+  // What is asked may ask further.
+  void Ask() {
+    const Prompt prompt = state_.prompt;
+    Input();
+    const bool confirmed = Confirmed(state_);
+    if (prompt.preview && !confirmed) Preview(prompt.preview(state_.popup_text));
+    if (!confirmed) return;
+    Close();
+    const std::string refusal = prompt.run(state_.popup_text);
+    if (refusal.empty()) return;
+    state_.popup = Popup::kPrompt;
+    state_.popup_is_new = true;  // the user goes on typing
+    state_.popup_error = refusal;
+  }
+
+  void Preview(const std::vector<Choice>& rows) {
+    state_.popup_rows = rows.size();
+    const bool has_choice = !HasField();
+    int chosen = Chosen(rows, has_choice);
+    if (has_choice && Pressed(state_, kKeySpace) && !rows.empty()) chosen = state_.popup_choice;
+    if (chosen < 0) return;
+    const auto& run = rows[static_cast<std::size_t>(chosen)].run;
+    if (run) run();
+  }
+
+  void Choices(const std::vector<Choice>& choices) {
+    state_.popup_rows = std::max<std::size_t>(choices.size(), 1);
+    int chosen = Chosen(choices, true);
+    if (Confirmed(state_) && !choices.empty()) chosen = state_.popup_choice;
+    if (chosen < 0) return;
+    state_.popup = Popup::kNone;  // before running: the command may open another
+    choices[static_cast<std::size_t>(chosen)].run();
+  }
+
+  // Draws the rows; the one that was clicked, or -1.
+  int Chosen(const std::vector<Choice>& choices, bool has_choice) {
+    PopupRows rows(ui_, state_, choices.size(), has_choice);
+    if (choices.empty() && has_choice) PaintHelp("popup/nothing", "nothing fits what was typed");
+    int chosen = -1;
+    for (std::size_t i = 0; i < choices.size(); ++i) {
+      const Choice& choice = choices[i];
+      if (rows.Next(choice.title, choice.note, choice.kind)) chosen = static_cast<int>(i);
+    }
+    return chosen;
+  }
+
+  void Types(bool add) {
+    const std::vector<TypeChoice> types = FindTypes(state_, state_.popup_text, add, kMostChoices);
+    state_.popup_rows = types.size();
+    int chosen = -1;
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
+    {
+      PopupRows rows(ui_, state_, types.size());
+      for (std::size_t i = 0; i < types.size(); ++i) {
+        if (rows.Next(types[i].type, types[i].note, types[i].kind)) chosen = static_cast<int>(i);
+      }
+    }
+    PaintHelp("popup/help", add ? AddHelp() : ChangeHelp(types));
+    ImGui::PopStyleVar();
+    if (Confirmed(state_) && !types.empty()) chosen = state_.popup_choice;
+    if (chosen < 0) return;
+    Take(types[static_cast<std::size_t>(chosen)], add);
+  }
+
+  std::string AddHelp() const {
+    return "Enter " + TreeEditor(state_, ui_.now).PlaceOfNew() +
+           "     Shift+Enter behind     Ctrl+Enter around";
+  }
+
+  std::string ChangeHelp(const std::vector<TypeChoice>& types) const {
+    if (types.empty()) return {};
+    const std::string lost =
+        TreeEditor(state_, ui_.now)
+            .LostByChange(types[static_cast<std::size_t>(state_.popup_choice)].type);
+    return lost.empty() ? "all ports stay" : "this loses " + lost;
+  }
+
+  void Take(const TypeChoice& choice, bool add) {
+    TreeEditor edit(state_, ui_.now);
+    const bool done =
+        add ? edit.Add(choice.xml, choice.type, ChosenPlace()) : edit.ChangeType(choice.type);
+    if (done) {
+      RememberType(state_, choice.type);
+      Close();
+    } else {
+      state_.popup_error = state_.notice.text;
+    }
+  }
+
+  AddWhere ChosenPlace() const {
+    for (const KeyEvent& event : state_.keys) {
+      if (event.key != kKeyEnter && event.key != kKeyKeypadEnter) continue;
+      if (event.modifiers & kCtrl) return AddWhere::kAround;
+      if (event.modifiers & kShift) return AddWhere::kAfter;
+    }
+    return AddWhere::kChild;
+  }
+
+  void Close() { state_.popup = Popup::kNone; }
+
+  void PasteErrors() {
+    state_.popup_is_new = false;
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
+    const Row head = NextRow(ui_, "popup/head", false);
+    PaintPopupRow(ui_, head.box, "Nothing was pasted: the text has errors", "Esc", "");
+    for (std::size_t i = 0; i < state_.popup_problems.size(); ++i) {
+      const Row row = NextRow(ui_, "popup/error/" + std::to_string(i), false);
+      PaintPopupRow(ui_, row.box, ToString(state_.popup_problems[i]), "", "");
+    }
+    ImGui::PopStyleVar();
+    if (Confirmed(state_)) Close();
+  }
+
+  void PaintHelp(const std::string& path, const std::string& text) {
+    const Row row = NextRow(ui_, path, false);
+    ui_.RowText(*ImGui::GetWindowDrawList(), row.box.min + Point{6 * ui_.scale, 0},
+                row.box.height(), text, {Face::kSans, 11, ui_.palette.text_dim},
+                row.box.width() - 12 * ui_.scale);
+  }
+
+  const Ui& ui_;
+  EditorState& state_;
+};
+
+}  // namespace
+
+void DrawPopup(const Ui& ui, EditorState& state) {
+  if (state.popup != Popup::kNone) PopupWindow(ui, state).Draw();
+}
+
+}  // namespace coppice::editor

@@ -1,0 +1,63 @@
+#include <cstdint>
+
+#include "editor/panels/panel.h"
+#include "editor/panels/panels.h"
+#include "editor/panels/run/run_bodies.h"
+
+namespace coppice::editor {
+namespace {
+
+struct Tab {
+  RunTab tab;
+  const char* path;
+  const char* title;
+  void (*draw)(const Ui&, EditorState&, RunView&);
+  enum class Of : std::uint8_t { kAll, kRobots, kSimulations } of = Of::kAll;
+
+  bool IsFor(const RunView* run) const {
+    const bool is_simulation = run && run->source().is_simulation();
+    return of == Of::kAll || (of == Of::kSimulations) == is_simulation;
+  }
+};
+
+constexpr Tab kTabs[] = {
+    {RunTab::kWhy, "run/why", "WHY", DrawWhy},
+    {RunTab::kRunning, "run/running", "RUNNING", DrawRunning},
+    {RunTab::kHooks, "run/hooks", "BREAKPOINTS", DrawHooks, Tab::Of::kRobots},
+    {RunTab::kLog, "run/log", "LOG", DrawLog},
+    {RunTab::kStatistics, "run/statistics", "STATISTICS", DrawStatistics},
+    {RunTab::kComparison, "run/comparison", "COMPARE", DrawComparison},
+    {RunTab::kTable, "run/table", "TABLE", DrawTable},
+    {RunTab::kCoverage, "run/coverage", "COVERAGE", DrawCoverage, Tab::Of::kSimulations}};
+
+}  // namespace
+
+void DrawRunTile(const Ui& ui, EditorState& state, const Box& box) {
+  RunView* run = state.workspace.run();
+  Panel(ui, "run", box, "", "", [&] {
+    // Why the robot is not there.
+    if (run && !run->connection().problem.empty()) {
+      TextRow(ui, "run/problem", run->connection().problem, {Face::kBold, 12, ui.palette.warning});
+    }
+    const bool is_empty = run && run->run().size() == 0 && state.run_tab != RunTab::kCoverage;
+    if (!run || !run->tree() || is_empty) {
+      Hint(ui, "Nothing has happened yet: this tells of ticks as soon as there are some.");
+      return;
+    }
+    for (const Tab& tab : kTabs) {
+      if (tab.tab == state.run_tab) tab.draw(ui, state, *run);
+    }
+  });
+  float x = box.min.x + 4 * ui.scale;
+  for (const Tab& tab : kTabs) {
+    if (!tab.IsFor(run)) continue;
+    const float width = ui.Width(tab.title, {Face::kSans, 12, 0}) + 12 * ui.scale;
+    const Box at = {{x, box.min.y + 2 * ui.scale},
+                    {x + width, box.min.y + (kPanelHeader - 2) * ui.scale}};
+    if (at.max.x > box.max.x) break;
+    if (ui.Button(tab.path, at, tab.title, state.run_tab == tab.tab)) state.run_tab = tab.tab;
+    x += width + 2 * ui.scale;
+  }
+}
+
+}  // namespace coppice::editor

@@ -1,0 +1,125 @@
+#include <algorithm>
+#include <cmath>
+
+#include "editor/panels/timeline/timeline_frame.h"
+
+namespace coppice::editor {
+namespace {
+
+constexpr double kWheelPan = 0.08;
+constexpr double kWheelZoom = 1.25;
+
+class Mouse {
+ public:
+  explicit Mouse(TimelineFrame& frame) : f_(frame) {}
+
+  void HandleMouse() {
+    const Box all = {{f_.lanes.min.x, f_.overview.min.y}, f_.lanes.max};
+    ImGui::SetCursorScreenPos(ToIm(all.min));
+    ImGui::InvisibleButton("timeline", {all.width(), std::max(all.height(), 1.0F)},
+                           ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle |
+                               ImGuiButtonFlags_MouseButtonRight);
+    f_.ui.items.Add("timeline/overview", f_.overview);
+    f_.ui.items.Add("timeline/ruler", f_.ruler);
+    f_.ui.items.Add("timeline/lanes", f_.lanes);
+    const ImGuiIO& io = ImGui::GetIO();
+    const Point mouse = FromIm(io.MousePos);
+    if (ImGui::IsItemHovered()) Wheel(io);
+    if (ImGui::IsItemActivated()) {
+      f_.shown.drag = !io.MouseDown[0]              ? TimelineDrag::kPan
+                      : f_.overview.Contains(mouse) ? TimelineDrag::kOverview
+                      : io.KeyShift                 ? TimelineDrag::kRange
+                                                    : TimelineDrag::kScrub;
+      f_.shown.drag_from = f_.TimeAtX(mouse.x);
+      if (f_.shown.drag == TimelineDrag::kScrub && f_.lanes.Contains(mouse)) SelectLane(mouse.y);
+    }
+    if (ImGui::IsItemActive()) Drag(mouse, io);
+    if (f_.labels.Contains(mouse) && io.MouseWheel != 0) {
+      f_.shown.scroll -= io.MouseWheel * 3 * kLaneHeight * f_.ui.scale;
+    }
+    if (ImGui::IsItemHovered() && io.MouseClicked[2] && f_.lanes.Contains(mouse)) FitBar(mouse);
+  }
+
+ private:
+  void Wheel(const ImGuiIO& io) {
+    if (io.MouseWheel == 0) return;
+    if (io.KeyCtrl) {
+      const double part = static_cast<double>((io.MousePos.x - f_.lanes.min.x) / f_.lanes.width());
+      f_.shown.view.Zoom(std::pow(kWheelZoom, -io.MouseWheel), part);
+    } else if (io.KeyShift) {
+      f_.shown.scroll -= io.MouseWheel * 3 * kLaneHeight * f_.ui.scale;
+    } else {
+      f_.shown.view.Pan(-io.MouseWheel * kWheelPan);
+    }
+  }
+
+  void Drag(Point mouse, const ImGuiIO& io) {
+    switch (f_.shown.drag) {
+      case TimelineDrag::kPan:
+        if (io.MouseDelta.x != 0) {
+          f_.shown.view.Pan(static_cast<double>(-io.MouseDelta.x / f_.lanes.width()));
+        }
+        break;
+      case TimelineDrag::kScrub:
+        GoTo(f_.TimeAtX(mouse.x));
+        break;
+      case TimelineDrag::kOverview: {
+        const float part = (mouse.x - f_.overview.min.x) / f_.overview.width();
+        GoTo(Time(static_cast<Time::rep>(std::clamp(part, 0.0F, 1.0F) *
+                                         static_cast<double>(f_.run_end.count()))));
+        f_.shown.view.Reveal(f_.head.time());
+        break;
+      }
+      case TimelineDrag::kRange: {
+        const Time to = f_.TimeAtX(mouse.x);
+        const auto range = std::minmax(f_.shown.drag_from, to);
+        f_.shown.range.reset();
+        if (range.first != range.second) f_.shown.range = range;
+        break;
+      }
+    }
+  }
+
+  // Beyond the end lies now.
+  void GoTo(Time time) {
+    if (time > f_.run_end) return f_.head.GoToNow();
+    f_.head.GoToTime(time);
+    f_.shown.shown = f_.head.time();  // the user sees it already
+    f_.shown.was_held = true;
+    f_.shown.view.Pan(0);
+  }
+
+  NodeIndex NodeAt(float y) const {
+    const std::size_t row = f_.RowAt(y);
+    return row < f_.shown.listed.size() ? f_.shown.listed[row] : coppice::kNoNode;
+  }
+
+  void SelectLane(float y) {
+    const NodeIndex node = NodeAt(y);
+    TreeView* tree = f_.state.workspace.view();
+    if (!tree || node >= tree->scene()->node_of_uid.size()) return;
+    const std::uint32_t in_scene = tree->scene()->node_of_uid[node];
+    if (in_scene == kNoNode) return;
+    tree->Select(in_scene);
+    tree->Reveal(f_.state.canvas_size);
+  }
+
+  // A click of the middle button on a bar shows it whole.
+  void FitBar(Point mouse) {
+    const NodeIndex node = NodeAt(mouse.y);
+    if (node == coppice::kNoNode) return;
+    const Lane& lane = f_.tracks.LaneOf(node);
+    const std::size_t tick = f_.run.TickAt(f_.TimeAtX(mouse.x));
+    const std::size_t first = lane.Since(tick);
+    const std::size_t end = lane.NextChange(tick);
+    f_.shown.view.Fit(f_.run.TimeOf(first), end > tick ? f_.run.TimeOf(end) : f_.run_end);
+  }
+
+  TimelineFrame& f_;
+};
+
+}  // namespace
+
+void HandleTimelineMouse(TimelineFrame& frame) { Mouse(frame).HandleMouse(); }
+
+}  // namespace coppice::editor

@@ -1,0 +1,36 @@
+#include "editor/panels/xml/xml_shown.h"
+
+namespace coppice::editor {
+
+ShownXml ChooseXml(const EditorState& state, const TreeView* view) {
+  const Workspace& workspace = state.workspace;
+  ShownXml shown;
+  const Forest* forest = workspace.forest();
+  const OpenFile* file = workspace.file();
+  if (file && (file->is_stale || !view)) {
+    shown.path = file->path;
+  } else if (forest && view) {
+    const bool selected = view->selected() != kNoNode;
+    const SceneNode& node = view->scene()->nodes[selected ? view->selected() : 0];
+    const Document& document = *forest->documents()[node.document];
+    shown.path = document.file();
+    shown.text = &document.text();
+    shown.document = &document;
+    const auto place = workspace.PlaceOf(node);
+    const EditedFile* edited = place ? workspace.project().Find(place->path) : nullptr;
+    const Document& text = edited ? *edited->document : document;
+    if (selected) {
+      const Element& element = text.element(place ? place->element : node.element);
+      shown.begin = element.offset;
+      shown.end = element.start_tag_end;
+    }
+  }
+  if (const EditedFile* edited = file ? workspace.project().Find(shown.path) : nullptr) {
+    shown.text = &edited->text;
+    shown.document = edited->document ? &*edited->document : nullptr;
+    shown.can_edit = true;
+  }
+  return shown;
+}
+
+}  // namespace coppice::editor

@@ -1,0 +1,386 @@
+#include "editor/shell/editor.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+
+#include "bt_core/model/write_file.h"
+#include "editor/canvas/canvas.h"
+#include "editor/canvas/layout/node_metrics.h"
+#include "editor/commands/edit_commands.h"
+#include "editor/commands/log_commands.h"
+#include "editor/commands/merge_commands.h"
+#include "editor/commands/picture_commands.h"
+#include "editor/commands/place_commands.h"
+#include "editor/commands/project_commands.h"
+#include "editor/commands/run_commands.h"
+#include "editor/commands/simulation_commands.h"
+#include "editor/commands/standard_commands.h"
+#include "editor/keys/key_file.h"
+#include "editor/live/kept_marks.h"
+#include "editor/live/robot_source.h"
+#include "editor/panels/panels.h"
+#include "editor/panels/tiles.h"
+#include "editor/panels/xml/xml_keys.h"
+#include "editor/render/rasteriser.h"
+#include "editor/theme/imgui_context.h"
+#include "editor/theme/imgui_style.h"
+
+namespace coppice::editor {
+namespace {
+
+constexpr std::size_t kMostRecent = 10;
+constexpr int kFramesToSettle = 2;       // Dear ImGui shows some reactions a frame later
+constexpr double kLiveFrame = 1.0 / 20;  // while something runs on the robot
+constexpr double kBackupSeconds = 5;     // between two backups of unsaved work
+constexpr double kWaitingFrame = 1.0;    // to count down to the next try
+
+std::optional<std::string> ReadText(const std::string& path) {
+  std::ifstream stream(path, std::ios::binary);
+  if (path.empty() || !stream) return std::nullopt;
+  return std::string(std::istreambuf_iterator<char>(stream), {});
+}
+
+}  // namespace
+
+Editor::Editor(EditorOptions options)
+    : options_(std::move(options)),
+      fonts_(options_.fonts ? options_.fonts : std::make_shared<const Fonts>(options_.scale)),
+      context_(fonts_->MakeContext()),
+      state_([this](const Scene& scene, const SceneNode& node) {
+        const Ui ui{GetPalette(state_.palette), *fonts_, items_, options_.scale, 0, Time(0)};
+        return MeasureNode(ui, scene, node);
+      }),
+      backup_(options_.backup_folder),
+      history_store_(options_.backup_folder) {
+  const WithContext current(context_);
+  SetUpImGui();
+  state_.palette = options_.palette;
+  state_.reduce_motion = options_.reduce_motion;
+  state_.open_file = [this](const std::string& path) { return Open(path); };
+  state_.resume = [this](const std::string& path, const std::string& text) {
+    return history_store_.Resume(state_.workspace.project(), path, text);
+  };
+  state_.connect = [this](const std::string& endpoint) { return Connect(endpoint); };
+  state_.get_clipboard = [this] {
+    const WithContext own(context_);
+    return std::string(ImGui::GetClipboardText());
+  };
+  state_.set_clipboard = [this](const std::string& text) {
+    const WithContext own(context_);
+    ImGui::SetClipboardText(text.c_str());
+  };
+  AddEditCommands(state_, [this] { return now_; });
+  AddProjectCommands(state_, [this] { return now_; });
+  AddMergeCommands(state_, [this] { return now_; });
+  AddPictureCommands(state_, [this] { return now_; });
+  AddRunCommands(state_, [this] { return now_; });
+  AddLogCommands(state_, [this] { return now_; });
+  AddPlaceCommands(state_, [this] { return now_; });
+  AddStandardCommands(state_, [this] { return now_; });
+  AddSimulationCommands(state_, [this] { return now_; });  // last: see there
+  state_.git = GitHead(options_.wake);
+  LoadRecent();
+  LoadKeys();
+  LoadMarks();
+}
+
+Editor::~Editor() {
+  KeepMarks();
+  history_store_.Update(state_.workspace.project());
+  ImGui::DestroyContext(context_);
+}
+
+const std::string& Editor::error() const { return fonts_->error(); }
+
+void Editor::SetUpImGui() {
+  ImGuiIO& io = ImGui::GetIO();
+  io.IniFilename = nullptr;
+  io.LogFilename = nullptr;
+  io.ConfigInputTextCursorBlink = false;  // the same events give the same picture
+  io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
+  MapKeys(io);
+  io.ClipboardUserData = this;
+  io.GetClipboardTextFn = [](void* self) {
+    auto& editor = *static_cast<Editor*>(self);
+    if (editor.options_.get_clipboard) editor.clipboard_ = editor.options_.get_clipboard();
+    return editor.clipboard_.c_str();
+  };
+  io.SetClipboardTextFn = [](void* self, const char* text) {
+    auto& editor = *static_cast<Editor*>(self);
+    editor.clipboard_ = text;
+    if (editor.options_.set_clipboard) editor.options_.set_clipboard(editor.clipboard_);
+  };
+}
+
+bool Editor::Open(const std::string& path) {
+  const WithContext current(context_);
+  const bool good = state_.workspace.Open(path, now_);
+  if (good) Remember(path);
+  history_store_.Restore(state_.workspace.project());
+  LookForBackup(path);
+  settle_ = kFramesToSettle;
+  return good;
+}
+
+void Editor::LookForBackup(const std::string& path) {
+  const EditedFile* file = state_.workspace.project().Find(path);
+  if (!file || file->is_dirty()) return;
+  const std::optional<std::string> text = backup_.Find(*file);
+  if (!text) return;
+  state_.restorable[file->path] = *text;
+}
+
+// Every few seconds, and not before what is there has been restored or refused.
+void Editor::BackUp() {
+  if (now_ - backed_up_at_ < kBackupSeconds || !state_.restorable.empty()) return;
+  backed_up_at_ = now_;
+  state_.git.Look();
+  backup_.Update(state_.workspace.project());
+  history_store_.Update(state_.workspace.project());
+  KeepMarks();
+}
+
+std::string Editor::Connect(const std::string& endpoint) {
+  const int known = state_.workspace.FindRun(endpoint);
+  if (known >= 0) {
+    state_.workspace.ShowRun(static_cast<std::size_t>(known));
+    return {};
+  }
+  try {
+    AddRun(std::make_unique<RobotSource>(endpoint, options_.wake));
+  } catch (const std::invalid_argument& wrong) {
+    return wrong.what();
+  }
+  return {};
+}
+
+void Editor::AddRun(std::unique_ptr<RunSource> source) {
+  state_.workspace.AddRun(std::move(source));
+  state_.workspace.ShowRun(state_.workspace.runs().size() - 1);
+  settle_ = kFramesToSettle;
+}
+
+void Editor::Frame(const InputEvents& input) {
+  const WithContext current(context_);
+  now_ += input.dt;
+  state_.simulator.Update(state_.workspace.project(), now_);
+  state_.coverage.Update();
+  state_.workspace.Update(now_);
+  for (const auto& run : state_.workspace.runs()) {
+    const std::string answer = run->TakeAnswer();
+    if (!answer.empty()) state_.Notify(run->name() + ": " + answer, now_, true);
+  }
+  BackUp();
+  const std::string news = state_.workspace.TakeNews();
+  if (!news.empty()) state_.Notify(news, now_);
+  Apply(input);
+  ImGui::NewFrame();
+  items_.Clear();
+  const Palette& palette = GetPalette(state_.palette);
+  ApplyImGuiStyle(palette, options_.scale);
+  if (TreeView* view = state_.workspace.view()) view->animated = !state_.reduce_motion;
+  RunKeys();
+  const TreeState* shown = state_.workspace.tree_state();
+  const Ui ui{GetPalette(state_.palette),
+              *fonts_,
+              items_,
+              options_.scale,
+              now_,
+              shown ? shown->now : Time(0),
+              state_.reduce_motion};
+  ImGui::SetNextWindowPos({0, 0});
+  ImGui::SetNextWindowSize({input.width, input.height});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
+  ImGui::Begin("editor", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus |
+                   ImGuiWindowFlags_NoScrollWithMouse);
+  ImGui::PopStyleVar();
+  DrawTiles(ui, state_, {{0, 0}, {input.width, input.height}});
+  ImGui::End();
+  DrawPopup(ui, state_);
+  ImGui::Render();
+  if (!ImGui::IsMouseDown(0)) state_.incoming.reset();
+  if (state_.after_frame) std::exchange(state_.after_frame, {})();
+}
+
+bool Editor::Rest(double seconds) {
+  const WithContext current(context_);
+  const double notice_end = state_.notice.at + kNoticeSeconds;
+  const bool showed_notice = notice_end > now_;
+  now_ += seconds;
+  const bool changed = state_.workspace.Update(now_);
+  BackUp();
+  return changed || (showed_notice && notice_end <= now_) || NextFrameIn() == 0;
+}
+
+void Editor::Apply(const InputEvents& input) {
+  ImGuiIO& io = ImGui::GetIO();
+  io.DisplaySize = {std::max(input.width, 1.0F), std::max(input.height, 1.0F)};
+  io.DeltaTime = std::max(input.dt, 1e-6F);
+  io.MouseDoubleClickMaxDist = 6;
+  settle_ = input.events.empty() ? std::max(settle_ - 1, 0) : kFramesToSettle;
+  queue_.Add(input.events);
+  state_.keys.clear();
+  for (const InputEvent& event : queue_.TakeFrame()) {
+    if (const auto* move = std::get_if<MouseMove>(&event)) io.MousePos = {move->x, move->y};
+    if (const auto* button = std::get_if<MouseButton>(&event)) {
+      if (button->button >= 0 && button->button < 5) io.MouseDown[button->button] = button->down;
+    }
+    if (const auto* wheel = std::get_if<MouseWheel>(&event)) {
+      io.MouseWheel += wheel->y;
+      io.MouseWheelH += wheel->x;
+    }
+    if (const auto* text = std::get_if<TypedText>(&event)) {
+      io.AddInputCharactersUTF8(text->utf8.c_str());
+    }
+    if (const auto* key = std::get_if<KeyEvent>(&event)) {
+      ApplyKey(io, *key);
+      if (key->down) state_.keys.push_back(*key);
+    }
+  }
+}
+
+// While a text is being typed, its keys are its own.
+void Editor::RunKeys() {
+  if (state_.popup != Popup::kNone || ImGui::GetIO().WantTextInput) return;
+  const std::vector<KeyEvent> keys = state_.keys;
+  for (const KeyEvent& event : keys) {
+    if (state_.xml.focused && IsTextKey({event.key, event.modifiers})) continue;
+    if (state_.commands.Press({event.key, event.modifiers})) state_.keys.clear();
+    if (state_.popup != Popup::kNone) return;
+  }
+}
+
+ImDrawData* Editor::draw_data() const {
+  const WithContext current(context_);
+  return ImGui::GetDrawData();
+}
+
+Image Editor::Picture() const {
+  const WithContext current(context_);
+  const ImGuiIO& io = ImGui::GetIO();
+  Texture texture;
+  unsigned char* alpha = nullptr;
+  io.Fonts->GetTexDataAsAlpha8(&alpha, &texture.width, &texture.height);
+  texture.alpha = alpha;
+  Image image = MakeImage(static_cast<int>(io.DisplaySize.x), static_cast<int>(io.DisplaySize.y),
+                          GetPalette(state_.palette).canvas);
+  if (const ImDrawData* data = ImGui::GetDrawData()) Rasterise(*data, texture, image);
+  return image;
+}
+
+double Editor::NextFrameIn() const {
+  if (queue_.pending() || settle_ > 0) return 0;
+  const Workspace& workspace = state_.workspace;
+  if (const TreeView* view = const_cast<Workspace&>(workspace).view()) {
+    if (view->IsMoving(now_)) return 0;
+  }
+  if (state_.coverage.is_running() || IsLogBehind()) return 0;
+  double next = std::min(workspace.NextUpdateIn(now_), state_.simulator.NextUpdateIn(now_));
+  if (state_.notice.at + kNoticeSeconds > now_) {
+    next = std::min(next, state_.notice.at + kNoticeSeconds - now_);
+  }
+  for (const auto& run : workspace.runs()) {
+    if (run->source().has_news() || run->playhead().is_playing()) return 0;
+    const RunPhase phase = run->phase();
+    const bool waits = phase == RunPhase::kConnecting || phase == RunPhase::kReconnecting;
+    if (waits) next = std::min(next, kWaitingFrame);
+  }
+  const RunView* shown = workspace.run();
+  if (shown && shown->phase() == RunPhase::kLive) next = std::min(next, kLiveFrame);
+  return next;
+}
+
+bool Editor::IsUpToDate() const {
+  const auto& runs = state_.workspace.runs();
+  return std::none_of(runs.begin(), runs.end(),
+                      [](const auto& run) { return run->source().has_news(); });
+}
+
+CursorShape Editor::cursor() const {
+  const WithContext current(context_);
+  switch (ImGui::GetMouseCursor()) {
+    case ImGuiMouseCursor_TextInput:
+      return CursorShape::kText;
+    case ImGuiMouseCursor_ResizeEW:
+      return CursorShape::kResizeAcross;
+    case ImGuiMouseCursor_ResizeNS:
+      return CursorShape::kResizeDown;
+    case ImGuiMouseCursor_Hand:
+      return CursorShape::kHand;
+    default:
+      return CursorShape::kArrow;
+  }
+}
+
+void Editor::LoadKeys() {
+  KeySettings& keys = state_.key_settings;
+  keys.file = options_.keys_file;
+  if (const std::optional<std::string> text = ReadText(keys.file)) {
+    ReadKeys(*text, keys.file, state_.commands, keys.problems);
+  }
+  if (keys.problems.has_errors()) {
+    state_.Notify("some keys of " + keys.file + " do not hold: F1 says why", now_, true);
+  }
+}
+
+bool Editor::IsLogBehind() const {
+  const RunView* run = state_.workspace.run();
+  if (!run || state_.run_tab != RunTab::kLog) return false;
+  const auto log = state_.logs.find(run->name());
+  return log != state_.logs.end() && log->second.is_behind(run->run());
+}
+
+void Editor::LoadMarks() {
+  Workspace& workspace = state_.workspace;
+  const std::optional<std::string> text = ReadText(options_.marks_file);
+  if (!text) return;
+  Diagnostics problems;
+  ReadMarks(*text, options_.marks_file, workspace.marks(), problems);
+  if (!problems.all().empty()) state_.Notify(ToString(problems.all().front()), now_, true);
+  kept_marks_ = WriteMarks(workspace.marks());
+}
+
+void Editor::KeepMarks() {
+  if (options_.marks_file.empty()) return;
+  std::string marks = WriteMarks(state_.workspace.marks());
+  const bool never_any = kept_marks_.empty() && !HasAny(state_.workspace.marks());
+  if (marks == kept_marks_ || never_any) return;
+  std::error_code error;
+  std::filesystem::create_directories(std::filesystem::path(options_.marks_file).parent_path(),
+                                      error);
+  Diagnostics ignored;  // the next time it may succeed
+  if (WriteFile(options_.marks_file, marks, ignored)) kept_marks_ = std::move(marks);
+}
+
+void Editor::LoadRecent() {
+  if (options_.recent_file.empty()) return;
+  std::ifstream stream(options_.recent_file);
+  for (std::string line; std::getline(stream, line) && state_.recent.size() < kMostRecent;) {
+    if (!line.empty()) state_.recent.push_back(line);
+  }
+}
+
+void Editor::Remember(const std::string& path) {
+  std::error_code error;
+  const std::string full = std::filesystem::absolute(path, error).lexically_normal().string();
+  auto& recent = state_.recent;
+  recent.erase(std::remove(recent.begin(), recent.end(), full), recent.end());
+  recent.insert(recent.begin(), full);
+  if (recent.size() > kMostRecent) recent.resize(kMostRecent);
+  if (options_.recent_file.empty()) return;
+  std::filesystem::create_directories(std::filesystem::path(options_.recent_file).parent_path(),
+                                      error);
+  std::ofstream stream(options_.recent_file);
+  for (const std::string& line : recent) stream << line << "\n";
+}
+
+}  // namespace coppice::editor

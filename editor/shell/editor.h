@@ -1,0 +1,128 @@
+// The editor as a function of events: Frame() takes what the user did and how much time passed, and
+// leaves draw data behind. It knows no window, no display and no clock, so it
+// runs the same in a window, in a test and in a program without a display.
+//
+//   Editor editor({});
+//   editor.Open("patrol.xml");
+//   InputEvents events;                       // size, dt, mouse, keys
+//   editor.Frame(events);
+//   Image picture = editor.Picture();         // the software rasteriser; or draw_data() for OpenGL
+//   const Box* box = editor.items().Find("canvas/MainTree/1.2");
+//
+// All calls from one thread. Several editors may exist at the same time.
+#ifndef COPPICE_EDITOR_SHELL_EDITOR_H_
+#define COPPICE_EDITOR_SHELL_EDITOR_H_
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "editor/document/backup.h"
+#include "editor/document/history_store.h"
+#include "editor/keys/input_queue.h"
+#include "editor/render/image.h"
+#include "editor/theme/item_registry.h"
+#include "editor/workspace/editor_state.h"
+
+struct ImDrawData;
+struct ImGuiContext;
+
+namespace coppice::editor {
+
+class Fonts;
+
+struct EditorOptions {
+  PaletteName palette = PaletteName::kDark;
+  bool reduce_motion = false;          ///< nothing pulses, walks or glides
+  float scale = 1;                     ///< of the screen; 2 on a screen with tiny pixels
+  std::shared_ptr<const Fonts> fonts;  ///< of that scale, shared with others; null: its own
+  std::string recent_file;             ///< where the list of recent files is kept; empty: nowhere
+  std::string backup_folder;   ///< where unsaved work and the history are kept; empty: nowhere
+  std::string keys_file;       ///< the user's keys (commands/key_file.h); empty: none
+  std::string marks_file;      ///< where breakpoints and bookmarks are kept; empty: nowhere
+  std::function<void()> wake;  ///< called by any thread when a new frame would show news
+  std::function<std::string()> get_clipboard;  ///< empty: the editor's own
+  std::function<void(const std::string&)> set_clipboard;
+};
+
+/// Shape of the mouse cursor that the window should show.
+enum class CursorShape { kArrow, kText, kResizeAcross, kResizeDown, kHand };
+
+class Editor {
+ public:
+  explicit Editor(EditorOptions options);
+  ~Editor();
+  Editor(const Editor&) = delete;
+  Editor& operator=(const Editor&) = delete;
+
+  /// Why the editor cannot draw (a font is missing), or empty. With an error, do not call Frame().
+  const std::string& error() const;
+
+  /// Opens a file; false if there is nothing to show. The problems are in the problems tile.
+  bool Open(const std::string& path);
+  /// Adds a file of node models.
+  void AddModels(const std::string& path) { state_.workspace.AddModels(path); }
+  /// Follows a robot at "host:port", or one of its trees at "host:port/TREE". Returns what is wrong
+  /// with the text, or nothing.
+  std::string Connect(const std::string& endpoint);
+  /// Shows any other run.
+  void AddRun(std::unique_ptr<RunSource> source);
+
+  /// Builds one frame. Events that a frame cannot see together are kept for the next.
+  void Frame(const InputEvents& input);
+
+  /// Lets time pass without a frame, for a program that only waits: looks at the disk. True if a
+  /// frame is worth drawing now.
+  bool Rest(double seconds);
+
+  /// Of the last frame; valid until the next.
+  ImDrawData* draw_data() const;
+  /// Paints the last frame without a display.
+  Image Picture() const;
+
+  /// Where everything was in the last frame.
+  const ItemRegistry& items() const { return items_; }
+  EditorState& state() { return state_; }
+  double now() const { return now_; }
+
+  /// Seconds until the next frame is worth drawing: 0 at once, infinity when nothing moves.
+  double NextFrameIn() const;
+  /// False if a robot has news that the last frame does not show.
+  bool IsUpToDate() const;
+  bool wants_quit() const { return state_.quit; }
+  CursorShape cursor() const;
+
+  /// For a renderer that sets itself up in the editor's context.
+  ImGuiContext* context() const { return context_; }
+
+ private:
+  void SetUpImGui();
+  void Apply(const InputEvents& input);
+  void RunKeys();
+  void LoadRecent();
+  void LookForBackup(const std::string& path);
+  void BackUp();
+  void LoadKeys();
+  bool IsLogBehind() const;
+  void LoadMarks();
+  void KeepMarks();
+  void Remember(const std::string& path);
+
+  const EditorOptions options_;
+  const std::shared_ptr<const Fonts> fonts_;
+  ImGuiContext* const context_;
+  std::string clipboard_;
+  ItemRegistry items_;
+  EditorState state_;
+  InputQueue queue_;
+  Backup backup_;
+  HistoryStore history_store_;
+  std::string kept_marks_;  // as they are in the file
+  double backed_up_at_ = 0;
+  double now_ = 0;
+  int settle_ = 2;  // frames that are still needed after the last event
+};
+
+}  // namespace coppice::editor
+
+#endif  // COPPICE_EDITOR_SHELL_EDITOR_H_

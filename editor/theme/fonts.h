@@ -1,0 +1,48 @@
+// The fonts of the editor, baked at a ladder of sizes so that text is crisp at every zoom.
+//
+// DejaVu Sans, Sans Bold and Sans Mono, with the icons of Font Awesome merged into the first two.
+// Baking takes a tenth of a second, so editors of one process may share them.
+//
+//   const auto fonts = std::make_shared<const Fonts>(1);
+//   ImGuiContext* const context = fonts->MakeContext();
+#ifndef COPPICE_EDITOR_THEME_FONTS_H_
+#define COPPICE_EDITOR_THEME_FONTS_H_
+
+#include <imgui.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace coppice::editor {
+
+enum class Face { kSans, kBold, kMono };
+
+class Fonts {
+ public:
+  /// Bakes them for a screen of that scale (1 is an ordinary one).
+  explicit Fonts(float scale);
+
+  /// Which file is missing, or empty. With an error, do not use them.
+  const std::string& error() const { return error_; }
+
+  /// A context of Dear ImGui that writes with these fonts; the current one stays what it is. The
+  /// caller destroys it, before the fonts and on the thread of other contexts with these fonts.
+  ImGuiContext* MakeContext() const;
+
+  /// The largest baked font that is not larger than `pixels`; the smallest if all are larger.
+  ImFont* Pick(Face face, float pixels) const;
+
+ private:
+  std::string Load(float scale);
+
+  std::unique_ptr<ImFontAtlas> atlas_;
+  std::string error_;
+  ImFont* usual_ = nullptr;
+  std::vector<ImFont*> sans_, bold_, mono_;  // by rising size
+  std::vector<float> sizes_;                 // theirs, in pixels
+};
+
+}  // namespace coppice::editor
+
+#endif  // COPPICE_EDITOR_THEME_FONTS_H_

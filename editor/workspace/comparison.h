@@ -1,0 +1,50 @@
+// The shown tree against another version of its file: both merged into one tree, with the changes
+// by node. The other version is read once; the merged tree follows what is being edited.
+#ifndef COPPICE_EDITOR_WORKSPACE_COMPARISON_H_
+#define COPPICE_EDITOR_WORKSPACE_COMPARISON_H_
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "editor/canvas/paint/node_look.h"
+#include "editor/canvas/tree_view.h"
+#include "editor/scene/forest.h"
+#include "editor/scene/node_models.h"
+
+namespace coppice::editor {
+
+class Comparison {
+ public:
+  /// Reads the other version, the one before. Null if there is no tree in it; then `wrong` says
+  /// why.
+  static std::unique_ptr<Comparison> With(const std::string& path, std::string& wrong);
+
+  /// What a scene points into.
+  using Alive = std::vector<std::shared_ptr<const void>>;
+
+  /// Compares with this tree, which is what it was compared with the last time or another. `alive`
+  /// is kept as long as the scene.
+  void Follow(const std::shared_ptr<const Scene>& after, Alive alive, const LayoutStyle& style,
+              const TreeView::SizeOf& size_of, double now);
+
+  const std::string& path() const { return path_; }
+  /// "2 added, 1 changed", or "no difference".
+  const std::string& summary() const { return summary_; }
+  TreeView& view() { return view_; }
+  const std::vector<Change>& changes() const { return changes_; }
+
+ private:
+  std::string path_;
+  Forest forest_;
+  NodeModels models_;
+  std::shared_ptr<const Scene> after_;
+  std::string summary_;
+  std::vector<Change> changes_;
+  TreeView view_;
+};
+
+}  // namespace coppice::editor
+
+#endif  // COPPICE_EDITOR_WORKSPACE_COMPARISON_H_

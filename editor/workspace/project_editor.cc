@@ -1,0 +1,248 @@
+#include "editor/workspace/project_editor.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+
+#include "bt_core/model/element_edits.h"
+#include "bt_core/model/write_file.h"
+#include "bt_core/model/xml_text.h"
+#include "editor/document/key_names.h"
+
+namespace coppice::editor {
+namespace {
+
+constexpr char kNotASubTree[] = "select one SubTree";
+constexpr char kEmptyFile[] =
+    "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<root BTCPP_format=\"4\">\n</root>\n";
+
+// The last <BehaviorTree> of the file, or kNoElement.
+ElementIndex LastTreeOf(const Document& document) {
+  ElementIndex last = kNoElement;
+  for (ElementIndex i = document.element(0).first_child; i != kNoElement;
+       i = document.element(i).next_sibling) {
+    if (document.element(i).tag == "BehaviorTree") last = i;
+  }
+  return last;
+}
+
+}  // namespace
+
+ProjectFiles ProjectEditor::Files() const {
+  ProjectFiles files;
+  const Forest* forest = state_.workspace.forest();
+  if (!forest || !state_.workspace.file()) return files;
+  for (const Document* document : forest->documents()) {
+    const EditedFile* file = state_.workspace.project().Find(document->file());
+    if (file && file->document) files.push_back(*file->document);
+  }
+  return files;
+}
+
+std::string ProjectEditor::Do(const std::string& name, const ProjectFiles& files,
+                              const std::vector<Edit>& edits) {
+  std::string refusal = edit_.WhyReadOnly();
+  if (!refusal.empty()) return refusal;
+  NamedChange change;
+  change.name = name;
+  std::vector<Place> before = edit_.SelectedPlaces();
+  std::vector<Place> after = before;
+  for (std::size_t i = 0; i < edits.size(); ++i) {
+    if (edits[i].empty()) continue;
+    FileChange part;
+    part.path = files[i].file();
+    part.steps = {edits[i]};
+    for (Place& place : after) {
+      if (place.path != part.path) continue;
+      place.offset = MapOffset(edits[i], place.offset);
+      part.selected.push_back(place.offset);
+    }
+    change.files.push_back(std::move(part));
+  }
+  Diagnostics diagnostics;
+  if (!state_.workspace.project().Do(std::move(change), std::move(before), diagnostics)) {
+    return diagnostics.all().empty() ? "not possible" : diagnostics.all()[0].message;
+  }
+  state_.workspace.Refresh(now_);
+  state_.workspace.SelectPlaces(after, now_);
+  state_.Notify(name, now_);
+  return {};
+}
+
+std::string ProjectEditor::IdRefused(const std::string& id) const {
+  if (id.empty()) return "a tree needs a name";
+  if (!TreesCalled(Files(), id).empty()) return "there is a tree " + id + " already";
+  return {};
+}
+
+std::string ProjectEditor::Extract(const std::string& id) {
+  std::string refusal = IdRefused(id);
+  if (!refusal.empty()) return refusal;
+  const ProjectFiles files = Files();
+  const bool done =
+      edit_.Run("Extract " + id, [&](Draft& draft, const NodeRules& rules) -> std::string {
+        if (draft.selection().empty()) return "nothing is selected";
+        const ElementIndex tree = TreeOf(draft.document(), draft.selection().front());
+        if (tree == kNoElement) return "nothing is selected";
+        const std::string_view own =
+            draft.document().AttributeValue(draft.document().element(tree), "ID");
+        return ExtractSubTree(draft, rules, id, CallersOf(files, own));
+      });
+  return Refused(done);
+}
+
+std::string ProjectEditor::Inline() {
+  const ProjectFiles files = Files();
+  const bool done = edit_.Run("Inline", [&](Draft& draft, const NodeRules& rules) -> std::string {
+    const std::vector<ElementIndex> selection = draft.selection();
+    if (selection.size() != 1) return kNotASubTree;
+    const std::string_view id = TypeOf(draft.document(), selection[0]);
+    const std::vector<ElementIn> trees = TreesCalled(files, id);
+    if (draft.document().element(selection[0]).tag != "SubTree") return kNotASubTree;
+    if (trees.empty()) return "there is no tree " + std::string(id);
+    return InlineSubTree(draft, rules, files[trees[0].file], trees[0].element);
+  });
+  return Refused(done);
+}
+
+std::string ProjectEditor::NewTree(const std::string& id) {
+  std::string refusal = IdRefused(id);
+  const std::optional<ElementPlace> shown = state_.workspace.ShownTree();
+  if (refusal.empty() && !shown) refusal = edit_.WhyReadOnly();
+  if (!refusal.empty()) return refusal;
+  const ProjectFiles files = Files();
+  std::vector<Edit> edits(files.size());
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    if (files[i].file() != shown->path) continue;
+    const ElementIndex last = LastTreeOf(files[i]);
+    const std::uint32_t position = last == kNoElement ? 0 : PositionOf(files[i], last) + 1;
+    edits[i] = InsertElement(files[i], 0, position,
+                             "<BehaviorTree ID=\"" + EscapeXmlValue(id, '"') + "\"/>");
+  }
+  refusal = Do("New tree " + id, files, edits);
+  if (refusal.empty()) ShowTree(id);
+  return refusal;
+}
+
+std::string ProjectEditor::DeleteTree() {
+  const std::optional<ElementPlace> shown = state_.workspace.ShownTree();
+  if (!shown) return edit_.WhyReadOnly();
+  const std::string id = state_.workspace.ShownTreeId();
+  const ProjectFiles files = Files();
+  const std::size_t uses = SubTreesOf(files, id).size();
+  if (uses > 0) {
+    return id + " is used in " + std::to_string(uses) + (uses == 1 ? " place" : " places");
+  }
+  std::vector<Edit> edits(files.size());
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    if (files[i].file() == shown->path) edits[i] = RemoveElement(files[i], shown->element);
+  }
+  return Do("Delete tree " + id, files, edits);
+}
+
+std::string ProjectEditor::RenameTree(const std::string& id) {
+  const std::string old = state_.workspace.ShownTreeId();
+  if (old.empty()) return edit_.WhyReadOnly();
+  std::string refusal = id == old ? "" : IdRefused(id);
+  if (!refusal.empty()) return refusal;
+  const ProjectFiles files = Files();
+  refusal = Do("Rename " + old + " to " + id, files, editor::RenameTree(files, old, id));
+  if (refusal.empty()) ShowTree(id);
+  return refusal;
+}
+
+std::string ProjectEditor::Include(const std::string& path) {
+  const std::optional<ElementPlace> shown = state_.workspace.ShownTree();
+  if (!shown) return edit_.WhyReadOnly();
+  namespace fs = std::filesystem;
+  const fs::path whole =
+      fs::path(path).is_absolute() ? fs::path(path) : fs::path(shown->path).parent_path() / path;
+  std::error_code error;
+  if (path.empty()) return "a file needs a name";
+  if (!fs::exists(whole, error)) {
+    Diagnostics diagnostics;
+    if (!WriteFile(whole.string(), kEmptyFile, diagnostics)) return diagnostics.all()[0].message;
+  }
+  const ProjectFiles files = Files();
+  std::vector<Edit> edits(files.size());
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    if (files[i].file() != shown->path) continue;
+    edits[i] =
+        InsertElement(files[i], 0, 0, "<include path=\"" + EscapeXmlValue(path, '"') + "\"/>");
+  }
+  return Do("Include " + path, files, edits);
+}
+
+std::vector<std::string> ProjectEditor::SelectedKeys() const {
+  std::vector<std::string> keys;
+  for (const Place& place : edit_.SelectedPlaces()) {
+    const Document& document = *state_.workspace.project().Find(place.path)->document;
+    const ElementIndex element = document.ElementAt(place.offset);
+    for (const KeyName& name : KeyNamesIn(document, Models(), element)) {
+      const bool known = std::find(keys.begin(), keys.end(), name.key) != keys.end();
+      if (name.element == element && !name.is_global && !known) keys.push_back(name.key);
+    }
+  }
+  return keys;
+}
+
+std::string ProjectEditor::RenameKey(const std::string& key, const std::string& to) {
+  const std::vector<Place> places = edit_.SelectedPlaces();
+  if (places.empty()) return "nothing is selected";
+  if (key == to) return {};
+  const ProjectFiles files = Files();
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    if (files[i].file() != places[0].path) continue;
+    const ElementIndex tree = TreeOf(files[i], files[i].ElementAt(places[0].offset));
+    std::string refusal;
+    const std::vector<Edit> edits = editor::RenameKey(files, Models(), {i, tree}, key, to, refusal);
+    return refusal.empty() ? Do("Rename key " + key + " to " + to, files, edits) : refusal;
+  }
+  return "nothing is selected";
+}
+
+std::string ProjectEditor::ReplaceAll(const std::vector<Match>& matches, const Query& query,
+                                      const std::string& with) {
+  const ProjectFiles files = Files();
+  return Do("Replace in " + std::to_string(matches.size()) + " places", files,
+            editor::Replace(files, matches, query, with));
+}
+
+void ProjectEditor::GoTo(const std::string& path, std::uint32_t offset) {
+  state_.workspace.SelectPlaces({{path, offset}}, now_);
+  TreeView* view = state_.workspace.view();
+  if (view && view->selected() != kNoNode) view->Reveal(state_.canvas_size);
+}
+
+std::string ProjectEditor::TreeAroundSelection() const {
+  const TreeView* view = std::as_const(state_).workspace.file() ? state_.workspace.view() : nullptr;
+  if (!view || view->selected() == kNoNode) return {};
+  const auto& nodes = view->scene()->nodes;
+  std::uint32_t node = view->selected();
+  const std::uint32_t scope = nodes[node].scope;
+  if (scope == 0) return view->scene()->tree_id;
+  while (nodes[node].scope == scope) node = nodes[node].parent;
+  return std::string(nodes[node].id);
+}
+
+bool ProjectEditor::ShowTree(const std::string& id) {
+  Workspace& workspace = state_.workspace;
+  if (!workspace.file()) return false;
+  const auto number = static_cast<std::size_t>(workspace.file() - workspace.files().data());
+  const int tree = workspace.forest()->Find(id);
+  if (tree < 0) return false;
+  workspace.ShowFileTree(number, tree, now_);
+  return true;
+}
+
+std::string ProjectEditor::GoToDefinition() {
+  const std::vector<Place> places = edit_.SelectedPlaces();
+  if (places.size() != 1) return kNotASubTree;
+  const Document& document = *state_.workspace.project().Find(places[0].path)->document;
+  const ElementIndex element = document.ElementAt(places[0].offset);
+  const std::string id(TypeOf(document, element));
+  if (document.element(element).tag.substr(0, 7) != "SubTree") return kNotASubTree;
+  return ShowTree(id) ? "" : "there is no tree " + id;
+}
+
+}  // namespace coppice::editor

@@ -1,0 +1,362 @@
+#include "editor/workspace/tree_editor.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "editor/document/fragment.h"
+#include "editor/document/tree_edits.h"
+
+namespace coppice::editor {
+bool TreeEditor::Refuse(std::string why) {
+  state_.Notify(std::move(why), now_, true);
+  return false;
+}
+
+std::string TreeEditor::WhyReadOnly() const {
+  const Workspace& workspace = state_.workspace;
+  if (workspace.run()) return "this is what the robot runs; open its file to change it";
+  if (!workspace.file()) return "no file is open";
+  if (workspace.file()->is_stale || !workspace.ShownTree()) {
+    return "the text of this file is malformed: correct it first";
+  }
+  return {};
+}
+
+const Document& TreeEditor::DocumentOf(const std::string& path) const {
+  return *state_.workspace.project().Find(path)->document;
+}
+
+NodeRules TreeEditor::Rules() const { return NodeRules(*state_.workspace.file()->models); }
+
+std::vector<TreeEditor::Selected> TreeEditor::Selection() const {
+  std::vector<Selected> selection;
+  const TreeView* view = state_.workspace.view();
+  if (!view) return selection;
+  for (const std::uint32_t node : view->selection()) {
+    const auto place = state_.workspace.PlaceOf(view->scene()->nodes[node]);
+    if (!place) continue;
+    auto at = std::find_if(selection.begin(), selection.end(),
+                           [&](const Selected& one) { return one.path == place->path; });
+    if (at == selection.end()) at = selection.insert(at, {place->path, {}});
+    at->elements.push_back(place->element);
+  }
+  return selection;
+}
+
+std::vector<Place> TreeEditor::SelectedPlaces() const {
+  std::vector<Place> places;
+  for (const Selected& selected : Selection()) {
+    for (const ElementIndex element : selected.elements) {
+      places.push_back({selected.path, DocumentOf(selected.path).element(element).offset});
+    }
+  }
+  return places;
+}
+
+// "Beep", or "3 nodes".
+std::string TreeEditor::What() const {
+  std::size_t count = 0;
+  std::string name;
+  for (const Selected& selected : Selection()) {
+    const Document& document = DocumentOf(selected.path);
+    const std::vector<ElementIndex> top = Topmost(document, selected.elements);
+    if (count == 0) name = NameOf(document, top.front());
+    count += top.size();
+  }
+  return count > 1 ? std::to_string(count) + " nodes" : name;
+}
+
+void TreeEditor::Show(const std::vector<Place>& places) {
+  state_.workspace.Refresh(now_);
+  state_.workspace.SelectPlaces(places, now_);
+  TreeView* view = state_.workspace.view();
+  if (view && view->selected() != kNoNode) view->Reveal(state_.canvas_size);
+}
+
+bool TreeEditor::RunAll(const std::string& name, const std::vector<Selected>& selection,
+                        const Edit& edit) {
+  const std::string read_only = WhyReadOnly();
+  if (!read_only.empty()) return Refuse(read_only);
+  if (selection.empty()) return Refuse("nothing is selected");
+  const NodeRules rules = Rules();
+  NamedChange change;
+  change.name = name;
+  std::vector<Place> after;
+  for (const Selected& selected : selection) {
+    Draft draft(DocumentOf(selected.path), selected.elements);
+    std::string refusal = edit(draft, rules);
+    if (!refusal.empty()) return Refuse(std::move(refusal));
+    change.files.push_back(std::move(draft).Finish(selected.path));
+    for (const std::uint32_t offset : change.files.back().selected) {
+      after.push_back({selected.path, offset});
+    }
+  }
+  Diagnostics diagnostics;
+  if (!state_.workspace.project().Do(std::move(change), SelectedPlaces(), diagnostics)) {
+    return Refuse(diagnostics.all().empty() ? "not possible" : diagnostics.all()[0].message);
+  }
+  Show(after);
+  return true;
+}
+
+bool TreeEditor::Run(const std::string& name, const Edit& edit) {
+  return RunAll(name, Selection(), edit);
+}
+
+bool TreeEditor::RunOn(const std::string& name, const std::string& path,
+                       const std::vector<ElementIndex>& elements, const Edit& edit) {
+  return RunAll(name, {{path, elements}}, edit);
+}
+
+std::string TreeEditor::PlaceOfNew() const {
+  if (!WhyReadOnly().empty()) return {};
+  const std::vector<Selected> selection = Selection();
+  if (selection.empty()) return "as the root of " + state_.workspace.ShownTreeId();
+  const Document& document = DocumentOf(selection[0].path);
+  const ElementIndex element = selection[0].elements.back();
+  const std::string name(NameOf(document, element));
+  return (Rules().MaxChildren(document, element) == 0 ? "behind " : "into ") + name;
+}
+
+bool TreeEditor::InsertAll(const std::string& name, const std::vector<std::string>& fragments,
+                           AddWhere where) {
+  const std::string read_only = WhyReadOnly();
+  if (!read_only.empty()) return Refuse(read_only);
+  const std::vector<Selected> selection = Selection();
+  if (selection.empty()) {
+    const ElementPlace tree = *state_.workspace.ShownTree();
+    return RunOn(name, tree.path, {tree.element}, [&](Draft& draft, const NodeRules& rules) {
+      return InsertNodes(draft, rules, tree.element, 0, fragments);
+    });
+  }
+  const std::string path = selection.back().path;
+  const ElementIndex element = selection.back().elements.back();
+  const Document& document = DocumentOf(path);
+  const bool behind = where == AddWhere::kAfter || Rules().MaxChildren(document, element) == 0;
+  const ElementIndex parent = behind ? document.element(element).parent : element;
+  const std::uint32_t position = behind ? PositionOf(document, element) + 1 : UINT32_MAX;
+  return RunOn(name, path, {element}, [&](Draft& draft, const NodeRules& rules) {
+    return InsertNodes(draft, rules, parent, position, fragments);
+  });
+}
+
+bool TreeEditor::Add(const std::string& xml, const std::string& type, AddWhere where) {
+  if (where != AddWhere::kAround) return InsertAll("Add " + type, {xml}, where);
+  return Run("Wrap " + What() + " in " + type,
+             [&](Draft& draft, const NodeRules& rules) { return Wrap(draft, rules, xml); });
+}
+
+std::string TreeEditor::GivenName() const {
+  const std::vector<Selected> selection = Selection();
+  if (selection.empty()) return {};
+  const Document& document = DocumentOf(selection[0].path);
+  return std::string(document.AttributeValue(document.element(selection[0].elements[0]), "name"));
+}
+
+void TreeEditor::Delete() {
+  Run("Delete " + What(), [](Draft& draft, const NodeRules&) { return DeleteNodes(draft); });
+}
+
+void TreeEditor::DeleteKeepingChildren() {
+  Run("Delete only " + What(), editor::DeleteKeepingChildren);
+}
+
+void TreeEditor::MoveAmongSiblings(int by) {
+  Run("Move " + What(),
+      [by](Draft& draft, const NodeRules&) { return editor::MoveAmongSiblings(draft, by); });
+}
+
+void TreeEditor::Promote() { Run("Move " + What() + " out", editor::Promote); }
+
+void TreeEditor::Demote() { Run("Move " + What() + " in", editor::Demote); }
+
+void TreeEditor::ToggleDisabled() {
+  bool enable = true;
+  for (const Selected& selected : Selection()) {
+    for (const ElementIndex element : selected.elements) {
+      enable = enable && IsDisabled(DocumentOf(selected.path), element);
+    }
+  }
+  Run((enable ? "Enable " : "Disable ") + What(),
+      [](Draft& draft, const NodeRules&) { return editor::ToggleDisabled(draft); });
+}
+
+std::string TreeEditor::LostByChange(const std::string& type) const {
+  std::string lost;
+  if (!WhyReadOnly().empty()) return lost;
+  const NodeRules rules = Rules();
+  for (const Selected& selected : Selection()) {
+    for (const ElementIndex element : selected.elements) {
+      for (const std::string& name :
+           editor::LostByChange(DocumentOf(selected.path), rules, element, type)) {
+        lost += (lost.empty() ? "" : ", ") + name;
+      }
+    }
+  }
+  return lost;
+}
+
+bool TreeEditor::ChangeType(const std::string& type) {
+  return Run("Change " + What() + " to " + type, [&](Draft& draft, const NodeRules& rules) {
+    return editor::ChangeType(draft, rules, type);
+  });
+}
+
+bool TreeEditor::Rename(const std::string& name) {
+  return Run(name.empty() ? "Take the name from " + What() : "Rename " + What() + " to " + name,
+             [&](Draft& draft, const NodeRules&) { return editor::SetValue(draft, "name", name); });
+}
+
+bool TreeEditor::SetValue(const std::string& attribute, const std::string& value) {
+  return Run("Set " + attribute + " of " + What(), [&](Draft& draft, const NodeRules&) {
+    return editor::SetValue(draft, attribute, value);
+  });
+}
+
+bool TreeEditor::ClearValue(const std::string& attribute) {
+  return Run("Clear " + attribute + " of " + What(),
+             [&](Draft& draft, const NodeRules&) { return editor::ClearValue(draft, attribute); });
+}
+
+void TreeEditor::Copy() {
+  std::string text;
+  for (const Selected& selected : Selection()) {
+    text += CopyText(DocumentOf(selected.path), selected.elements);
+  }
+  if (text.empty()) {
+    Refuse("nothing is selected");
+    return;
+  }
+  state_.set_clipboard(text);
+  state_.Notify("Copied " + What(), now_);
+}
+
+void TreeEditor::Cut() {
+  if (!WhyReadOnly().empty()) {
+    Refuse(WhyReadOnly());
+    return;
+  }
+  Copy();
+  Run("Cut " + What(), [](Draft& draft, const NodeRules&) { return DeleteNodes(draft); });
+}
+
+void TreeEditor::Paste(const std::string& text, AddWhere where) {
+  Diagnostics diagnostics;
+  const std::vector<std::string> fragments = ReadFragments(text, diagnostics);
+  if (diagnostics.has_errors()) {
+    state_.OpenPopup(Popup::kPasteErrors);
+    state_.popup_problems = diagnostics.all();
+    return;
+  }
+  const std::string what =
+      fragments.size() == 1 ? "a node" : std::to_string(fragments.size()) + " nodes";
+  InsertAll("Paste " + what, fragments, where);
+}
+
+bool TreeEditor::MoveInto(const ElementPlace& parent, std::uint32_t position) {
+  const std::vector<Selected> selection = Selection();
+  for (const Selected& selected : selection) {
+    if (selected.path != parent.path) return Refuse("nodes of another file: cut and paste them");
+  }
+  const std::string name =
+      "Move " + What() + " into " + std::string(NameOf(DocumentOf(parent.path), parent.element));
+  return Run(name, [&](Draft& draft, const NodeRules& rules) {
+    return editor::MoveInto(draft, rules, parent.element, position);
+  });
+}
+
+void TreeEditor::Undo() {
+  if (const Step* step = state_.workspace.project().Undo()) {
+    Show(step->selected_before);
+    state_.Notify("Undone: " + step->name, now_);
+  } else {
+    Refuse("there is nothing to undo");
+  }
+}
+
+void TreeEditor::Redo() {
+  if (const Step* step = state_.workspace.project().Redo()) {
+    Show(step->selected_after);
+    state_.Notify("Done again: " + step->name, now_);
+  } else {
+    Refuse("there is nothing to do again");
+  }
+}
+
+void TreeEditor::Save(bool overwrite) {
+  OpenProject& project = state_.workspace.project();
+  int saved = 0;
+  for (const auto& [path, file] : project.files()) {
+    if (!file.is_dirty()) continue;
+    if (file.is_new) {
+      state_.OpenPopup(Popup::kSaveAs, path);
+      return;
+    }
+    Diagnostics diagnostics;
+    if (!project.Save(path, diagnostics, overwrite)) {
+      Refuse(path + ": " + diagnostics.all().back().message);
+      return;
+    }
+    ++saved;
+  }
+  state_.Notify(saved == 0   ? "Everything is saved already"
+                : saved == 1 ? "Saved"
+                             : "Saved " + std::to_string(saved) + " files",
+                now_);
+}
+
+void TreeEditor::Restore() {
+  if (state_.restorable.empty()) {
+    Refuse("everything was saved the last time");
+    return;
+  }
+  for (auto& [path, text] : state_.restorable) {
+    if (state_.resume && state_.resume(path, text)) continue;
+    state_.workspace.project().SetText(path, "Restore unsaved work", std::move(text));
+  }
+  state_.restorable.clear();
+  Show({});
+}
+
+std::vector<std::string> TreeEditor::Disputed() const {
+  std::vector<std::string> paths;
+  for (const auto& [path, file] : state_.workspace.project().files()) {
+    if (file.other) paths.push_back(path);
+  }
+  return paths;
+}
+
+void TreeEditor::TakeTheirs() {
+  for (const std::string& path : Disputed()) state_.workspace.project().TakeTheirs(path);
+  Show({});
+}
+
+void TreeEditor::MergeTheirs() {
+  for (const std::string& path : Disputed()) {
+    const int kept = state_.workspace.project().MergeTheirs(path);
+    if (kept < 0) {
+      Refuse("merging would give malformed XML: take theirs, or save over it");
+      return;
+    }
+    state_.Notify("Merged; mine stayed in " + std::to_string(kept) + " places", now_);
+  }
+  Show({});
+}
+
+void TreeEditor::SaveAs(const std::string& path) {
+  Workspace& workspace = state_.workspace;
+  const std::optional<ElementPlace> tree = workspace.ShownTree();
+  const std::string old = tree ? tree->path : workspace.file() ? workspace.file()->path : "";
+  Diagnostics diagnostics;
+  if (!workspace.project().SaveAs(old, path, diagnostics)) {
+    state_.popup_error =
+        diagnostics.all().empty() ? "no file is open" : diagnostics.all().back().message;
+    return;
+  }
+  state_.popup = Popup::kNone;
+  workspace.Rename(old, path);
+  workspace.Refresh(now_);
+  state_.Notify("Saved " + path, now_);
+}
+
+}  // namespace coppice::editor

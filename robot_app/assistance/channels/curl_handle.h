@@ -1,0 +1,83 @@
+// One transfer of libcurl. Included by .cc files only.
+#ifndef COPPICE_ROBOT_APP_ASSISTANCE_CHANNELS_CURL_HANDLE_H_
+#define COPPICE_ROBOT_APP_ASSISTANCE_CHANNELS_CURL_HANDLE_H_
+
+#include <curl/curl.h>
+
+#include <atomic>
+#include <chrono>
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+namespace coppice::robot {
+
+class CurlHandle {
+ public:
+  /// `protocols`: those that may be spoken, as "http,https".
+  CurlHandle(const std::string& url, const char* protocols, std::chrono::seconds timeout,
+             const std::atomic<bool>& cancelled)
+      : handle_((Initialize(), curl_easy_init())) {
+    if (!handle_) throw std::bad_alloc();
+    Set(CURLOPT_URL, url.c_str());
+    Set(CURLOPT_PROTOCOLS_STR, protocols);
+    Set(CURLOPT_NOSIGNAL, 1L);
+    Set(CURLOPT_NOPROXY, "127.0.0.1,localhost,[::1]");
+    Set(CURLOPT_CONNECTTIMEOUT, 5L);
+    Set(CURLOPT_TIMEOUT, static_cast<long>(timeout.count()));
+    Set(CURLOPT_NOPROGRESS, 0L);
+    Set(CURLOPT_XFERINFODATA, const_cast<std::atomic<bool>*>(&cancelled));
+    Set(CURLOPT_XFERINFOFUNCTION, &IsCancelled);
+    Set(CURLOPT_ERRORBUFFER, error_);
+  }
+  ~CurlHandle() {
+    curl_slist_free_all(headers_);
+    curl_slist_free_all(recipients_);
+    curl_easy_cleanup(handle_);
+  }
+  CurlHandle(const CurlHandle&) = delete;
+  CurlHandle& operator=(const CurlHandle&) = delete;
+
+  template <class Value>
+  void Set(CURLoption option, Value value) {
+    curl_easy_setopt(handle_, option, value);
+  }
+
+  /// `line` has no end of line in it.
+  void AddHeader(const std::string& line) {
+    headers_ = curl_slist_append(headers_, line.c_str());
+    Set(CURLOPT_HTTPHEADER, headers_);
+  }
+
+  void AddRecipient(const std::string& address) {
+    recipients_ = curl_slist_append(recipients_, address.c_str());
+    Set(CURLOPT_MAIL_RCPT, recipients_);
+  }
+
+  /// Empty, or why it failed.
+  std::string Perform() {
+    const CURLcode code = curl_easy_perform(handle_);
+    if (code == CURLE_OK) return "";
+    return error_[0] ? error_ : curl_easy_strerror(code);
+  }
+
+  CURL* get() { return handle_; }
+
+ private:
+  static void Initialize() {
+    static const CURLcode code = curl_global_init(CURL_GLOBAL_DEFAULT);
+    if (code != CURLE_OK) throw std::runtime_error("libcurl cannot be used");
+  }
+  static int IsCancelled(void* flag, curl_off_t, curl_off_t, curl_off_t, curl_off_t) {
+    return *static_cast<const std::atomic<bool>*>(flag) ? 1 : 0;
+  }
+
+  CURL* const handle_;
+  curl_slist* headers_ = nullptr;
+  curl_slist* recipients_ = nullptr;
+  char error_[CURL_ERROR_SIZE] = {};
+};
+
+}  // namespace coppice::robot
+
+#endif  // COPPICE_ROBOT_APP_ASSISTANCE_CHANNELS_CURL_HANDLE_H_

@@ -1,0 +1,37 @@
+#include "robot_app/assistance/channels/environment_text.h"
+
+namespace coppice::robot {
+
+bool IsVariable(const std::string& text) {
+  return text.size() > 3 && text.compare(0, 2, "${") == 0 && text.find('}') == text.size() - 1 &&
+         text.find(":-") == std::string::npos;
+}
+
+std::optional<std::string> FillVariables(
+    const std::string& text,
+    const std::function<std::optional<std::string>(const std::string& name)>& value_of,
+    std::string& missing) {
+  std::string filled;
+  std::size_t position = 0;
+  while (true) {
+    const std::size_t begin = text.find("${", position);
+    const std::size_t end = begin == std::string::npos ? begin : text.find('}', begin);
+    if (end == std::string::npos) return filled + text.substr(position);
+    filled += text.substr(position, begin - position);
+    const std::string expression = text.substr(begin + 2, end - begin - 2);
+    const std::size_t separator = expression.find(":-");
+    const std::string name = expression.substr(0, separator);
+    const std::optional<std::string> value = value_of(name);
+    if (value && !value->empty()) {
+      filled += *value;
+    } else if (separator != std::string::npos) {
+      filled += expression.substr(separator + 2);
+    } else {
+      missing = name;
+      return std::nullopt;
+    }
+    position = end + 1;
+  }
+}
+
+}  // namespace coppice::robot

@@ -1,0 +1,24 @@
+// Texts of a configuration with variables of the environment in them: "${NAME}",
+// "${NAME:-otherwise}".
+#ifndef COPPICE_ROBOT_APP_ASSISTANCE_CHANNELS_ENVIRONMENT_TEXT_H_
+#define COPPICE_ROBOT_APP_ASSISTANCE_CHANNELS_ENVIRONMENT_TEXT_H_
+
+#include <functional>
+#include <optional>
+#include <string>
+
+namespace coppice::robot {
+
+/// Whether the text is one variable without a default and nothing else, as secrets must be.
+bool IsVariable(const std::string& text);
+
+/// Nothing, with the name of the variable in `missing`, if one has neither value nor default. An
+/// empty value counts as none. A "${" that is not closed is a text like any other.
+std::optional<std::string> FillVariables(
+    const std::string& text,
+    const std::function<std::optional<std::string>(const std::string& name)>& value_of,
+    std::string& missing);
+
+}  // namespace coppice::robot
+
+#endif  // COPPICE_ROBOT_APP_ASSISTANCE_CHANNELS_ENVIRONMENT_TEXT_H_

@@ -1,0 +1,34 @@
+// HTTP requests to services of others, by libcurl.
+#ifndef COPPICE_ROBOT_APP_ASSISTANCE_CHANNELS_HTTP_REQUEST_H_
+#define COPPICE_ROBOT_APP_ASSISTANCE_CHANNELS_HTTP_REQUEST_H_
+
+#include <atomic>
+#include <chrono>
+#include <string>
+
+namespace coppice::robot {
+
+struct HttpRequest {
+  std::string method = "POST";
+  std::string url;     ///< http:// or https://
+  std::string body;    ///< JSON; none for GET
+  std::string bearer;  ///< goes into the header Authorization; may be empty
+  std::chrono::seconds timeout{15};
+};
+
+struct HttpReply {
+  std::string
+      error;  ///< why there is no good reply (also: a status other than 2xx); without the URL
+  std::string body;  ///< at most 1 MiB
+};
+
+/// Follows no redirections and checks certificates. Returns early once `cancelled`. Blocks; any
+/// thread.
+HttpReply Exchange(const HttpRequest& request, const std::atomic<bool>& cancelled);
+
+/// A text as a part of a path or query.
+std::string UrlPart(const std::string& text);
+
+}  // namespace coppice::robot
+
+#endif  // COPPICE_ROBOT_APP_ASSISTANCE_CHANNELS_HTTP_REQUEST_H_

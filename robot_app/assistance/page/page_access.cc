@@ -1,0 +1,146 @@
+#include "robot_app/assistance/page/page_access.h"
+
+#include <sodium.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+namespace coppice::robot {
+namespace {
+
+constexpr std::size_t kTokenBytes = 24;
+constexpr std::size_t kMostTokenLength = 512;
+
+std::string Hex(const unsigned char* bytes, std::size_t size) {
+  std::string text(2 * size + 1, '\0');
+  sodium_bin2hex(text.data(), text.size(), bytes, size);
+  text.pop_back();
+  return text;
+}
+
+std::string NewSecret() {
+  unsigned char bytes[kTokenBytes];
+  randombytes_buf(bytes, sizeof(bytes));
+  return Hex(bytes, sizeof(bytes));
+}
+
+// Texts are compared by their hashes, so the time that it takes tells nothing about them.
+std::string Hash(std::string_view secret) {
+  unsigned char hash[32];
+  crypto_generichash(hash, sizeof(hash), reinterpret_cast<const unsigned char*>(secret.data()),
+                     secret.size(), nullptr, 0);
+  return Hex(hash, sizeof(hash));
+}
+
+std::string HashIfAny(const std::string& token) {
+  if (sodium_init() < 0) throw std::runtime_error("libsodium cannot be used");
+  return token.empty() ? "" : Hash(token);
+}
+
+void DropOld(PageAccess::Passes& passes, Time now) {
+  for (auto it = passes.begin(); it != passes.end();) {
+    it = it->second.until <= now ? passes.erase(it) : std::next(it);
+  }
+}
+
+}  // namespace
+
+PageAccess::PageAccess(const std::string& operator_token, const std::string& viewer_token)
+    : operator_hash_(HashIfAny(operator_token)), viewer_hash_(HashIfAny(viewer_token)) {}
+
+std::string PageAccess::MakeLinkToken(const std::string& name, std::uint32_t request, Time now) {
+  std::string token = NewSecret();
+  const std::lock_guard<std::mutex> lock(mutex_);
+  DropOld(state_.links, now);
+  state_.links[Hash(token)] = {PageRole::kOperator, name, request, now + kLinkLifetime};
+  ++version_;
+  return token;
+}
+
+PageAccess::Entry PageAccess::LogIn(std::string_view token, Time now) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  Entry entry;
+  if (!MayTry(now)) {
+    entry.refusal = "Too many wrong tokens were tried. Wait a minute.";
+    return entry;
+  }
+  const std::string hash = Hash(token.substr(0, kMostTokenLength));
+  const auto link = state_.links.find(hash);
+  if (link != state_.links.end() && link->second.until > now) {
+    entry.pass = link->second;
+    state_.links.erase(link);
+  } else if (hash == operator_hash_) {
+    entry.pass = {PageRole::kOperator, "operator", 0, now};
+  } else if (hash == viewer_hash_) {
+    entry.pass = {PageRole::kViewer, "viewer", 0, now};
+  } else {
+    failures_.push_back(now);
+    entry.refusal =
+        "This token is not valid. A link of a message works once, until its request is "
+        "closed.";
+    return entry;
+  }
+  entry.session = AddSession(entry.pass, now);
+  return entry;
+}
+
+std::optional<PagePass> PageAccess::Find(std::string_view session, Time now) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const auto found = state_.sessions.find(Hash(session.substr(0, kMostTokenLength)));
+  if (found == state_.sessions.end() || found->second.until <= now) return std::nullopt;
+  return found->second;
+}
+
+void PageAccess::LogOut(std::string_view session) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  version_ += state_.sessions.erase(Hash(session.substr(0, kMostTokenLength)));
+}
+
+void PageAccess::EndLinks(std::uint32_t request) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  for (auto it = state_.links.begin(); it != state_.links.end();) {
+    const bool ends = it->second.request == request;
+    version_ += ends;
+    it = ends ? state_.links.erase(it) : std::next(it);
+  }
+}
+
+PageAccess::State PageAccess::state() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return state_;
+}
+
+void PageAccess::Restore(State state) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  state_ = std::move(state);
+}
+
+std::uint64_t PageAccess::version() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return version_;
+}
+
+std::string PageAccess::AddSession(PagePass& pass, Time now) {
+  Passes& sessions = state_.sessions;
+  DropOld(sessions, now);
+  if (sessions.size() >= kMostSessions) {
+    sessions.erase(std::min_element(
+        sessions.begin(), sessions.end(),
+        [](const auto& a, const auto& b) { return a.second.until < b.second.until; }));
+  }
+  pass.until = now + kSessionLifetime;
+  std::string session = NewSecret();
+  sessions[Hash(session)] = pass;
+  ++version_;
+  return session;
+}
+
+bool PageAccess::MayTry(Time now) {
+  while (!failures_.empty() && failures_.front() + std::chrono::minutes(1) <= now) {
+    failures_.pop_front();
+  }
+  return failures_.size() < kMostFailures;
+}
+
+}  // namespace coppice::robot

@@ -1,0 +1,85 @@
+// Who may see the supervisor page, and who may drive: tokens, links that work once, sessions.
+//
+// A link of a message bears a token that works once and ends with its request; whoever comes with
+// it gets a session, which the browser keeps in a cookie. The tokens of the configuration may be
+// used again and again. Of what was given out only hashes (BLAKE2b) are kept. Time is handed in.
+// Any thread.
+#ifndef COPPICE_ROBOT_APP_ASSISTANCE_PAGE_PAGE_ACCESS_H_
+#define COPPICE_ROBOT_APP_ASSISTANCE_PAGE_PAGE_ACCESS_H_
+
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "bt_core/base/clock.h"
+
+namespace coppice::robot {
+
+enum class PageRole : std::uint8_t { kViewer, kOperator };
+
+/// What somebody is let in as.
+struct PagePass {
+  PageRole role = PageRole::kViewer;
+  std::string name;           ///< of the person; "operator" or "viewer" with a token for several
+  std::uint32_t request = 0;  ///< the request whose link brought them; 0: none
+  Time until{0};
+};
+
+class PageAccess {
+ public:
+  static constexpr Duration kLinkLifetime = std::chrono::hours(24);
+  static constexpr Duration kSessionLifetime = std::chrono::hours(8);
+  static constexpr std::size_t kMostSessions = 64;  ///< then the one that ends first ends now
+  /// Wrong tokens within a minute; then nobody can log in until it is over.
+  static constexpr std::size_t kMostFailures = 20;
+
+  /// Tokens that can be used again; empty: there is none.
+  explicit PageAccess(const std::string& operator_token = {}, const std::string& viewer_token = {});
+
+  /// A token for one person and one request.
+  std::string MakeLinkToken(const std::string& name, std::uint32_t request, Time now);
+
+  struct Entry {
+    std::string session;  ///< a secret; empty if refused
+    std::string refusal;  ///< for people
+    PagePass pass;
+  };
+  Entry LogIn(std::string_view token, Time now);
+
+  /// Nothing if there is no such session (any more).
+  std::optional<PagePass> Find(std::string_view session, Time now) const;
+  void LogOut(std::string_view session);
+
+  /// The links of a closed request end.
+  void EndLinks(std::uint32_t request);
+
+  /// By hash; what outlives the program.
+  using Passes = std::map<std::string, PagePass>;
+  struct State {
+    Passes links;
+    Passes sessions;
+  };
+  State state() const;
+  void Restore(State state);
+  /// Grows with every change of the state.
+  std::uint64_t version() const;
+
+ private:
+  std::string AddSession(PagePass& pass, Time now);
+  bool MayTry(Time now);
+
+  const std::string operator_hash_;
+  const std::string viewer_hash_;
+  mutable std::mutex mutex_;  // for the rest
+  State state_;
+  std::deque<Time> failures_;
+  std::uint64_t version_ = 0;
+};
+
+}  // namespace coppice::robot
+
+#endif  // COPPICE_ROBOT_APP_ASSISTANCE_PAGE_PAGE_ACCESS_H_

@@ -1,0 +1,45 @@
+#include "robot_app/assistance/page/page_http.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "bt_core/live/server/limited_json.h"
+
+namespace coppice::robot {
+
+std::string_view SessionOf(std::string_view cookies) {
+  while (!cookies.empty()) {
+    const std::size_t end = std::min(cookies.find(';'), cookies.size());
+    std::string_view pair = cookies.substr(0, end);
+    cookies.remove_prefix(std::min(end + 1, cookies.size()));
+    while (!pair.empty() && pair.front() == ' ') pair.remove_prefix(1);
+    const std::size_t equals = pair.find('=');
+    if (equals != std::string_view::npos && pair.substr(0, equals) == kSessionCookie) {
+      return pair.substr(equals + 1);
+    }
+  }
+  return {};
+}
+
+std::string SetSessionCookie(const std::string& session, bool is_https) {
+  return std::string(kSessionCookie) + "=" + session + "; Path=/; HttpOnly; SameSite=Strict" +
+         (is_https ? "; Secure" : "") + (session.empty() ? "; Max-Age=0" : "");
+}
+
+std::string TokenOf(std::string_view body) {
+  try {
+    return ParseLimitedJson(body).at("token").get<std::string>();
+  } catch (const std::exception&) {
+    return "";
+  }
+}
+
+bool RateLimit::MayPass(double now) {
+  left_ = std::min(per_second_, left_ + (now - last_) * per_second_);
+  last_ = now;
+  if (left_ < 1) return false;
+  left_ -= 1;
+  return true;
+}
+
+}  // namespace coppice::robot

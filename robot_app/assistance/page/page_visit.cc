@@ -1,0 +1,145 @@
+#include "robot_app/assistance/page/page_visit.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "bt_core/live/web/web_access.h"
+
+namespace coppice::robot {
+namespace {
+
+namespace asio = boost::asio;
+namespace beast = boost::beast;
+namespace http = beast::http;
+namespace websocket = beast::websocket;
+using beast::error_code;
+
+WebManners Manners() {
+  WebManners manners;
+  manners.header_bytes = PageServer::kMostHeaderBytes;
+  manners.body_bytes = PageServer::kMostBodyBytes;
+  manners.fields = {{"Cache-Control", "no-store"},
+                    {"Referrer-Policy", "no-referrer"},
+                    {"Content-Security-Policy", kContentSecurityPolicy}};
+  manners.not_found = "Nothing is here.\n";
+  return manners;
+}
+
+}  // namespace
+
+PageHall::PageHall(const PageServerOptions& options, PageAccess& page_access,
+                   const Clock& page_clock)
+    : access(page_access),
+      clock(page_clock),
+      files(options.folder),
+      manners(Manners()),
+      is_https(options.is_https) {}
+
+bool PageVisit::IsFromOwnPage() const {
+  return IsOwnPage(Field(http::field::origin), Field(http::field::host));
+}
+
+void PageVisit::OnPost() {
+  if (!IsFromOwnPage()) {
+    return Reply(Status::forbidden, "This page is of another origin.\n");
+  }
+  if (request().target() == "/login") return LogIn();
+  if (request().target() == "/logout") {
+    hall_.access.LogOut(SessionOf(Field(http::field::cookie)));
+    return GiveSession("");
+  }
+  NotFound();
+}
+
+void PageVisit::LogIn() {
+  const PageAccess::Entry entry = hall_.access.LogIn(TokenOf(request().body()), hall_.clock.Now());
+  if (!entry.refusal.empty()) return Reply(Status::forbidden, entry.refusal + "\n");
+  GiveSession(entry.session);
+}
+
+void PageVisit::GiveSession(const std::string& session) {
+  Reply(Status::no_content, "", {{"Set-Cookie", SetSessionCookie(session, hall_.is_https)}});
+}
+
+void PageVisit::OnUpgrade() {
+  session_ = std::string(SessionOf(Field(http::field::cookie)));
+  const std::optional<PagePass> pass = hall_.access.Find(session_, hall_.clock.Now());
+  const bool is_welcome = pass && IsFromOwnPage() && request().target() == "/live";
+  if (!is_welcome) return Refuse(Status::forbidden, "Log in with the link of a message.\n");
+  pass_ = *pass;
+  stream_.expires_never();  // the WebSocket has its own
+  socket_.emplace(std::move(stream_));
+  // A page that has gone without a word is missed within seconds.
+  websocket::stream_base::timeout timeout{};
+  timeout.handshake_timeout = std::chrono::seconds(10);
+  timeout.idle_timeout = std::chrono::seconds(10);
+  timeout.keep_alive_pings = true;
+  socket_->set_option(timeout);
+  socket_->read_message_max(PageServer::kMostMessageBytes);
+  socket_->async_accept(request(), [self = Self()](error_code error) {
+    if (!error) self->Begin();
+  });
+}
+
+void PageVisit::Begin() {
+  client_ = ++hall_.clients_so_far;
+  hall_.clients[client_] = Self();
+  hall_.Put({PageEvent::Kind::kJoined, client_, pass_, ""});
+  ReadMessage();
+}
+
+void PageVisit::ReadMessage() {
+  buffer_.clear();
+  socket_->async_read(buffer_, [self = Self()](error_code error, std::size_t) {
+    error ? self->End() : self->OnMessage();
+  });
+}
+
+void PageVisit::OnMessage() {
+  const Time now = hall_.clock.Now();
+  const bool may = socket_->got_text() &&
+                   limit_.MayPass(std::chrono::duration<double>(now).count()) &&
+                   hall_.access.Find(session_, now);  // not logged out, not over
+  if (!may) return End();
+  hall_.Put({PageEvent::Kind::kText, client_, pass_, beast::buffers_to_string(buffer_.data())});
+  ReadMessage();
+}
+
+void PageVisit::Send(const std::string& key, std::shared_ptr<const std::string> message,
+                     bool is_binary) {
+  const auto same = std::find_if(waiting_.begin(), waiting_.end(), [&](const Message& one) {
+    return !key.empty() && one.key == key;
+  });
+  if (same != waiting_.end()) {
+    same->bytes = std::move(message);
+    return;
+  }
+  if (waiting_.size() >= PageServer::kMostWaiting) return End();
+  waiting_.push_back({key, std::move(message), is_binary});
+  WriteNext();
+}
+
+void PageVisit::WriteNext() {
+  if (on_the_way_ || waiting_.empty() || client_ == 0) return;
+  on_the_way_ = std::move(waiting_.front());
+  waiting_.pop_front();
+  socket_->binary(on_the_way_->is_binary);
+  socket_->async_write(asio::buffer(*on_the_way_->bytes),
+                       [self = Self()](error_code error, std::size_t) {
+                         self->on_the_way_.reset();
+                         error ? self->End() : self->WriteNext();
+                       });
+}
+
+void PageVisit::End() {
+  const std::uint64_t client = std::exchange(client_, 0);
+  if (client != 0) hall_.Put({PageEvent::Kind::kLeft, client, pass_, ""});
+  if (socket_) {
+    beast::get_lowest_layer(*socket_).close();
+  } else {
+    stream_.close();
+  }
+  hall_.clients.erase(client);
+}
+
+}  // namespace coppice::robot

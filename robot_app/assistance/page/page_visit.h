@@ -1,0 +1,86 @@
+// One connection of the supervisor page: its files, the log-in, and the WebSocket. Included by .cc
+// files only; for the thread of the server.
+#ifndef COPPICE_ROBOT_APP_ASSISTANCE_PAGE_PAGE_VISIT_H_
+#define COPPICE_ROBOT_APP_ASSISTANCE_PAGE_PAGE_VISIT_H_
+
+#include <boost/beast/websocket.hpp>
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+
+#include "bt_core/live/web/web_visit.h"
+#include "robot_app/assistance/page/page_http.h"
+#include "robot_app/assistance/page/page_server.h"
+
+namespace coppice::robot {
+
+class PageVisit;
+
+/// What the connections have in common.
+struct PageHall {
+  PageHall(const PageServerOptions& options, PageAccess& page_access, const Clock& page_clock);
+
+  void Put(PageEvent event) {
+    const std::lock_guard<std::mutex> lock(mutex);
+    events.push_back(std::move(event));
+  }
+
+  PageAccess& access;
+  const Clock& clock;
+  const WebFiles files;
+  const WebManners manners;
+  const bool is_https;
+  std::map<std::uint64_t, std::shared_ptr<PageVisit>> clients;  // the server's thread only
+  std::uint64_t clients_so_far = 0;                             // the same
+
+  std::mutex mutex;  // for the rest
+  std::deque<PageEvent> events;
+};
+
+class PageVisit : public WebVisit {
+ public:
+  PageVisit(WebPort::Socket socket, WebPort& port, PageHall& hall)
+      : WebVisit(std::move(socket), port, hall.files, hall.manners), hall_(hall) {}
+
+  void Send(const std::string& key, std::shared_ptr<const std::string> message, bool is_binary);
+  /// Ends at once.
+  void End();
+  void Finish() override { End(); }
+
+ private:
+  struct Message {
+    std::string key;
+    std::shared_ptr<const std::string> bytes;
+    bool is_binary = false;
+  };
+
+  std::shared_ptr<PageVisit> Self() {
+    return std::static_pointer_cast<PageVisit>(shared_from_this());
+  }
+  bool IsFromOwnPage() const;
+  void OnPost() override;
+  void LogIn();
+  void GiveSession(const std::string& session);
+  void OnUpgrade() override;
+  void Begin();
+  void ReadMessage();
+  void OnMessage();
+  void WriteNext();
+
+  PageHall& hall_;
+  std::optional<boost::beast::websocket::stream<boost::beast::tcp_stream>> socket_;
+  std::uint64_t client_ = 0;
+  std::string session_;
+  PagePass pass_;
+  RateLimit limit_{PageServer::kMostMessagesPerSecond};
+  std::deque<Message> waiting_;
+  std::optional<Message> on_the_way_;
+};
+
+}  // namespace coppice::robot
+
+#endif  // COPPICE_ROBOT_APP_ASSISTANCE_PAGE_PAGE_VISIT_H_

@@ -1,0 +1,19 @@
+#include "robot_app/common/laser_scan.h"
+
+#include <cmath>
+
+namespace coppice::robot {
+
+std::vector<Point2D> PointsInBase(const LaserScan& scan, double limit) {
+  std::vector<Point2D> points;
+  points.reserve(scan.ranges.size());
+  for (std::size_t i = 0; i < scan.ranges.size(); ++i) {
+    if (!scan.Hit(i) || scan.ranges[i] > limit) continue;
+    const double angle = scan.angle_min + static_cast<double>(i) * scan.angle_increment;
+    points.push_back(Compose(
+        scan.mount, Point2D{scan.ranges[i] * std::cos(angle), scan.ranges[i] * std::sin(angle)}));
+  }
+  return points;
+}
+
+}  // namespace coppice::robot

@@ -1,0 +1,46 @@
+// Plane geometry of poses. The type itself is that of the leaves, coppice::Pose2D.
+// SI units, angles in rad counter-clockwise (REP-103). All functions are pure.
+#ifndef COPPICE_ROBOT_APP_COMMON_POSE2D_H_
+#define COPPICE_ROBOT_APP_COMMON_POSE2D_H_
+
+#include "bt_nodes/navigation/pose2d.h"
+
+namespace coppice::robot {
+
+using coppice::Pose2D;
+
+struct Point2D {
+  double x = 0;
+  double y = 0;
+};
+
+/// What a differential drive can do: forwards [m/s] and turn [rad/s].
+struct Velocity2D {
+  double linear = 0;
+  double angular = 0;
+};
+
+/// The same angle in (-pi, pi].
+double NormalizeAngle(double angle);
+
+/// Distance of the two origins [m].
+double Distance(const Pose2D& a, const Pose2D& b);
+double Distance(const Point2D& a, const Point2D& b);
+
+/// `local`, given in the frame `frame`, in the frame that `frame` is given in.
+Pose2D Compose(const Pose2D& frame, const Pose2D& local);
+Point2D Compose(const Pose2D& frame, const Point2D& local);
+
+/// The reverse: `pose` as seen from `frame`, both given in the same frame.
+Pose2D RelativeTo(const Pose2D& frame, const Pose2D& pose);
+Point2D RelativeTo(const Pose2D& frame, const Point2D& point);
+
+/// Where a unicycle at `pose` is after driving `velocity` for `seconds`: an exact arc.
+Pose2D Advance(const Pose2D& pose, const Velocity2D& velocity, double seconds);
+
+/// `target`, but at most `acceleration` * `seconds` away from `current`.
+double LimitChange(double current, double target, double acceleration, double seconds);
+
+}  // namespace coppice::robot
+
+#endif  // COPPICE_ROBOT_APP_COMMON_POSE2D_H_

@@ -1,0 +1,21 @@
+// ROS time as a Clock: the computer's time, or /clock when use_sim_time is set.
+#ifndef COPPICE_ROBOT_APP_COMMON_ROS_CLOCK_H_
+#define COPPICE_ROBOT_APP_COMMON_ROS_CLOCK_H_
+
+#include "bt_core/base/clock.h"
+
+namespace coppice::robot {
+
+/// Needs ros::init and a NodeHandle. Any thread.
+class RosClock : public Clock {
+ public:
+  Time Now() const override;
+
+  /// With simulated time nobody says when the next /clock comes, so a wait looks every 5 ms of real
+  /// time.
+  void WaitUntil(Time deadline, WakeUp& wake_up) override;
+};
+
+}  // namespace coppice::robot
+
+#endif  // COPPICE_ROBOT_APP_COMMON_ROS_CLOCK_H_

@@ -1,0 +1,185 @@
+#include "robot_app/common/ros_support.h"
+
+#include <ros/init.h>
+#include <ros/master.h>
+#include <ros/param.h>
+#include <ros/this_node.h>
+
+#include <algorithm>
+#include <cmath>
+#include <csignal>
+#include <iostream>
+
+#include "bt_core/base/diagnostic.h"
+#include "robot_app/common/node_probe.h"
+
+namespace coppice::robot {
+
+std::optional<int> StartNode(int argc, char** argv, const std::string& name,
+                             const std::string& help) {
+  ros::init(argc, argv, name, ros::init_options::NoSigintHandler);  // takes out remappings
+  if (argc > 1) {
+    if (std::string(argv[1]) == "--help") {
+      std::cout << help;
+      return 0;
+    }
+    std::cerr << "coppice-" << name << ": unknown argument " << argv[1] << "; see --help\n";
+    return 2;
+  }
+  const auto stop = [](int) { ros::requestShutdown(); };
+  std::signal(SIGINT, stop);
+  std::signal(SIGTERM, stop);
+  NodeProbe::SilenceLibrary();
+  const std::string uri = ros::master::getURI();
+  const auto master = ParseUri(uri);
+  if (master && MasterAnswers(*master, std::chrono::seconds(2))) return std::nullopt;
+  std::cerr << "coppice-" << name << ": no ROS master at " << uri << " (ROS_MASTER_URI)\n";
+  return 2;
+}
+
+double Parameters::Number(const std::string& name, double otherwise, double low, double high) {
+  asked_.push_back(name);
+  if (!ros::param::has("~" + name)) return otherwise;
+  double value = 0;
+  if (ros::param::get("~" + name, value) && value >= low && value <= high) return value;
+  problems_.push_back("~" + name + " must be a number from " + std::to_string(low) + " to " +
+                      std::to_string(high));
+  return otherwise;
+}
+
+std::string Parameters::Text(const std::string& name, const std::string& otherwise) {
+  asked_.push_back(name);
+  if (!ros::param::has("~" + name)) return otherwise;
+  std::string value;
+  if (ros::param::get("~" + name, value) && !value.empty()) return value;
+  problems_.push_back("~" + name + " must be a text");
+  return otherwise;
+}
+
+bool Parameters::Finish() {
+  XmlRpc::XmlRpcValue all;
+  if (ros::param::get(ros::this_node::getName(), all) &&
+      all.getType() == XmlRpc::XmlRpcValue::TypeStruct) {
+    for (const auto& entry : all) {
+      if (std::find(asked_.begin(), asked_.end(), entry.first) != asked_.end()) continue;
+      const std::string hint = DidYouMean(entry.first, asked_);
+      problems_.push_back("unknown parameter ~" + entry.first +
+                          (hint.empty() ? "" : " (" + hint + ")"));
+    }
+  }
+  for (const std::string& problem : problems_) {
+    std::cerr << ros::this_node::getName().substr(1) << ": " << problem << '\n';
+  }
+  return problems_.empty();
+}
+
+Frames ReadFrames(Parameters& parameters) {
+  return {parameters.Text("map_frame", "map"), parameters.Text("odom_frame", "odom"),
+          parameters.Text("base_frame", "base_link")};
+}
+
+double YawOf(const geometry_msgs::Quaternion& q) {
+  return std::atan2(2 * (q.w * q.z + q.x * q.y), 1 - 2 * (q.y * q.y + q.z * q.z));
+}
+
+geometry_msgs::Twist ToTwist(const Velocity2D& velocity) {
+  geometry_msgs::Twist twist;
+  twist.linear.x = velocity.linear;
+  twist.angular.z = velocity.angular;
+  return twist;
+}
+
+Pose2D ToPose2D(const geometry_msgs::Pose& pose) {
+  return {pose.position.x, pose.position.y, YawOf(pose.orientation)};
+}
+
+geometry_msgs::Pose ToPoseMessage(const Pose2D& pose) {
+  geometry_msgs::Pose message;
+  message.position.x = pose.x;
+  message.position.y = pose.y;
+  message.orientation.z = std::sin(pose.yaw / 2);
+  message.orientation.w = std::cos(pose.yaw / 2);
+  return message;
+}
+
+bool IsValid(const geometry_msgs::Pose& pose) {
+  const geometry_msgs::Quaternion& q = pose.orientation;
+  const double norm = q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w;
+  return std::isfinite(pose.position.x) && std::isfinite(pose.position.y) &&
+         std::abs(norm - 1) < 0.01;  // false for NaN
+}
+
+LaserScan ToLaserScan(const sensor_msgs::LaserScan& message, const Pose2D& mount) {
+  LaserScan scan;
+  scan.stamp = message.header.stamp.toSec();
+  scan.mount = mount;
+  scan.angle_min = message.angle_min;
+  scan.angle_increment = message.angle_increment;
+  scan.range_min = message.range_min;
+  scan.range_max = message.range_max;
+  scan.ranges = message.ranges;
+  return scan;
+}
+
+std::optional<OccupancyGrid> ToGrid(const nav_msgs::OccupancyGrid& message, std::string& error) {
+  OccupancyGrid grid;
+  const auto& info = message.info;
+  grid.frame = {info.resolution, info.origin.position.x, info.origin.position.y,
+                static_cast<int>(info.width), static_cast<int>(info.height)};
+  if (!(info.resolution > 0) || message.data.empty() ||
+      message.data.size() != static_cast<std::size_t>(info.width) * info.height) {
+    error = "the map has not width * height cells";
+    return std::nullopt;
+  }
+  if (std::abs(YawOf(info.origin.orientation)) > 1e-6) {
+    error = "the map is rotated against its frame";
+    return std::nullopt;
+  }
+  grid.cells = message.data;
+  return grid;
+}
+
+std::optional<RobotPose::Transform> RobotPose::Lookup(const std::string& target,
+                                                      const std::string& source,
+                                                      const ros::Time& stamp) const {
+  try {
+    const auto found = buffer_.lookupTransform(target, source, stamp);
+    const auto& t = found.transform;
+    return Transform{{t.translation.x, t.translation.y, YawOf(t.rotation)},
+                     found.header.stamp.toSec()};
+  } catch (const tf2::TransformException&) {
+    return std::nullopt;  // not there yet, or not at that time
+  }
+}
+
+std::optional<RobotPose::Stamped> RobotPose::Newest() const {
+  const auto localization = Lookup(frames_.map, frames_.odom, ros::Time(0));
+  const auto odometry = Lookup(frames_.odom, frames_.base, ros::Time(0));
+  if (!localization || !odometry) return std::nullopt;
+  return Stamped{Compose(localization->pose, odometry->pose),
+                 std::min(localization->stamp, odometry->stamp)};
+}
+
+std::optional<Pose2D> RobotPose::At(const ros::Time& stamp) const {
+  // The robot moves by odometry; localization only shifts that a little, so its newest will do.
+  const auto localization = Lookup(frames_.map, frames_.odom, ros::Time(0));
+  auto odometry = Lookup(frames_.odom, frames_.base, stamp);
+  if (!odometry) odometry = Lookup(frames_.odom, frames_.base, ros::Time(0));
+  if (!localization || !odometry) return std::nullopt;
+  return Compose(localization->pose, odometry->pose);
+}
+
+std::optional<Pose2D> RobotPose::MountOf(const std::string& frame) const {
+  const auto mount = Lookup(frames_.base, frame, ros::Time(0));
+  if (!mount) return std::nullopt;
+  return mount->pose;
+}
+
+std::optional<Pose2D> RobotPose::InMap(const geometry_msgs::PoseStamped& pose) const {
+  if (pose.header.frame_id == frames_.map) return ToPose2D(pose.pose);
+  const auto frame = Lookup(frames_.map, pose.header.frame_id, ros::Time(0));
+  if (!frame) return std::nullopt;
+  return Compose(frame->pose, ToPose2D(pose.pose));
+}
+
+}  // namespace coppice::robot

@@ -1,0 +1,34 @@
+// How long nothing has been heard of something, in ROS time or in wall time, whichever is less.
+//
+// A program does not get more of the processor when simulated time runs fast: at six times real
+// time a hiccup of half a second looks like a silence of three. When simulated time is slow, all
+// that it stamps is slow as well. In real time both are the same.
+#ifndef COPPICE_ROBOT_APP_MONITORING_GAUGES_SILENCE_H_
+#define COPPICE_ROBOT_APP_MONITORING_GAUGES_SILENCE_H_
+
+#include <algorithm>
+#include <optional>
+
+#include "robot_app/monitoring/gauges/finding.h"
+
+namespace coppice::robot {
+
+class Silence {
+ public:
+  void OnMessage(const Times& now) { heard_ = now; }
+  void Reset() { heard_.reset(); }
+
+  /// Counts from the first call if nothing was heard before. ROS time that was set back begins
+  /// anew.
+  Duration Lasted(const Times& now) {
+    if (!heard_ || now.ros < heard_->ros) heard_ = now;
+    return std::min(now.ros - heard_->ros, now.wall - heard_->wall);
+  }
+
+ private:
+  std::optional<Times> heard_;
+};
+
+}  // namespace coppice::robot
+
+#endif  // COPPICE_ROBOT_APP_MONITORING_GAUGES_SILENCE_H_

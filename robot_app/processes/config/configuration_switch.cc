@@ -1,0 +1,61 @@
+#include "robot_app/processes/config/configuration_switch.h"
+
+#include <vector>
+
+namespace coppice::robot {
+
+Verdict ConfigurationSwitch::Request(const std::string& name, Hand hand,
+                                     const WhyNotCondition& why_not) {
+  std::vector<std::string> names;
+  std::size_t wanted = config_.configurations.size();
+  for (std::size_t i = 0; i < config_.configurations.size(); ++i) {
+    names.push_back(config_.configurations[i].name);
+    if (names.back() == name) wanted = i;
+  }
+  if (wanted == names.size()) {
+    return {false, "no configuration \"" + name + "\" " + DidYouMean(name, names)};
+  }
+  if (safe_stop_) return {false, "the robot is in a safe stop until what was given up is reset"};
+  if (manual_ && hand == Hand::kTree && wanted != current_) {
+    return {false, "configuration " + names[current_] + " is held by hand until it is released"};
+  }
+  if (wanted != current_) {
+    for (const std::size_t condition : config_.configurations[wanted].requires_conditions) {
+      const std::string reason = why_not(condition);
+      if (reason.empty()) continue;
+      return {false, "configuration " + name + " requires " + config_.conditions[condition].name +
+                         ": " + reason};
+    }
+  }
+  if (hand == Hand::kPerson) manual_ = true;
+  if (wanted == current_) return {true, "configuration " + name + " is already in force"};
+  current_ = wanted;
+  return {true, "changing to configuration " + name};
+}
+
+Verdict ConfigurationSwitch::Release() {
+  if (!manual_) return {true, "no configuration is held by hand"};
+  manual_ = false;
+  return {true, "the trees decide about the configuration again"};
+}
+
+void ConfigurationSwitch::SafeStop() {
+  if (safe_stop_ || !config_.given_up.configuration) return;
+  safe_stop_ = true;
+  before_ = current_;
+  current_ = *config_.given_up.configuration;
+}
+
+void ConfigurationSwitch::EndSafeStop() {
+  if (!safe_stop_) return;
+  safe_stop_ = false;
+  current_ = before_;
+}
+
+void ConfigurationSwitch::Restore(std::size_t configuration, bool manual, bool safe_stop) {
+  current_ = configuration;
+  manual_ = manual;
+  if (safe_stop) SafeStop();
+}
+
+}  // namespace coppice::robot

@@ -1,0 +1,319 @@
+#include "robot_app/processes/config/robot_config.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <iterator>
+#include <optional>
+#include <set>
+
+#include "robot_app/common/yaml_fields.h"
+#include "robot_app/processes/config/group_order.h"
+#include "robot_app/processes/config/robot_config_fields.h"
+
+namespace coppice::robot {
+namespace {
+
+class Loader {
+ public:
+  Loader(const std::string& path, const Variables& variables, Diagnostics& diagnostics)
+      : file_(YamlFields::Load(path, diagnostics)), variables_(variables) {
+    if (diagnostics.has_errors()) return;
+    readable_ = true;
+  }
+
+  RobotConfig Load() {
+    if (!readable_) return {};
+    for (auto& [name, value] : file_.Pairs("parameters")) {
+      if (!value.IsScalar()) file_.Error(name.where, "\"" + name.text + "\": expected one value");
+      if (value.IsScalar()) config_.parameters[name.text] = value.Scalar();
+    }
+    ReadLimits();
+    ReadHostsAndConditions();
+    ReadGroups();
+    ReadProcesses();
+    ResolveDependencies();
+    FindCycles();
+    FindGroupCycles();
+    ReadConfigurations();
+    file_.Finish();
+    return std::move(config_);
+  }
+
+ private:
+  void ReadLimits() {
+    limits_ = ReadRestartLimits(file_.Map("restart_intensity"), {});
+    config_.back_off = ReadBackOff(file_.Map("back_off"));
+    config_.escalation = ReadEscalation(file_.Map("escalation"));
+    YamlFields switch_off = file_.Map("switch_off");
+    for (const LocatedText& word : switch_off.Texts("command")) {
+      config_.switch_off.push_back(Fill(word, variables_));
+    }
+    switch_off.Finish();
+    config_.stop_timeout = file_.Seconds("stop_timeout", 3, 0.1, 600);
+  }
+
+  void ReadHostsAndConditions() {
+    for (auto& [name, value] : file_.Pairs("hosts")) {
+      config_.hosts.push_back(ReadHost(name, file_.MapOf(value)));
+    }
+    for (auto& [name, value] : file_.Pairs("conditions")) {
+      config_.conditions.push_back(ReadCondition(name, file_.MapOf(value)));
+    }
+  }
+
+  void ReadGroups() {
+    for (YamlFields& fields : file_.Maps("groups")) {
+      GroupConfig group;
+      const LocatedText name = fields.Text("name");
+      group.name = name.text;
+      if (IndexOf(config_.groups, name.text)) {
+        fields.Error(name.where, "duplicate group \"" + name.text + "\"");
+      }
+      group.strategy = ReadStrategy(fields);
+      group.essential = fields.Choice("essential", "yes", {"yes", "no"}) == "yes";
+      group.limits = ReadRestartLimits(fields.Map("restart_intensity"), limits_);
+      group_depends_.push_back(fields.Texts("depends"));
+      group_where_.push_back(fields.where());
+      fields.Finish();
+      config_.groups.push_back(std::move(group));
+    }
+  }
+
+  void ReadProcesses() {
+    for (YamlFields& fields : file_.Maps("processes")) ReadProcess(fields);
+    if (config_.processes.empty()) file_.Error(file_.where(), "\"processes\" names no process");
+  }
+
+  void ReadProcess(YamlFields& fields) {
+    ProcessConfig process;
+    const LocatedText name = fields.Text("name");
+    process.name = name.text;
+    if (IndexOf(config_.processes, name.text)) {
+      fields.Error(name.where, "duplicate process \"" + name.text + "\"");
+    }
+    process.group = GroupOf(fields, process.name);
+    if (fields.Has("host")) process.host = Resolve("host", config_.hosts, fields.Text("host"));
+
+    const LocatedText node = fields.Text("node", "");
+    process.node = node.text;
+    if (!node.text.empty() && node.text.front() != '/') {
+      fields.Error(node.where,
+                   "\"node\": expected a ROS name with slash, got \"" + node.text + "\"");
+    }
+    ReadReadiness(fields, process);
+    process.start_timeout = fields.Seconds("start_timeout", 20, 0.1, 3600);
+    process.restart = ReadRestartRule(fields);
+    process.log = fields.Text("log", process.name + ".log").text;
+    ReadCommand(fields, process);
+    ReadState(fields, process);
+    depends_.push_back(fields.Texts("depends"));
+    after_.push_back(fields.Texts("after"));
+    where_.push_back(fields.where());
+    fields.Finish();
+    config_.groups[process.group].processes.push_back(config_.processes.size());
+    config_.processes.push_back(std::move(process));
+  }
+
+  // A process that names no group is one of its own.
+  std::size_t GroupOf(YamlFields& fields, const std::string& process) {
+    if (fields.Has("group")) {
+      if (const auto group = Resolve("group", config_.groups, fields.Text("group"))) return *group;
+    }
+    if (const auto group = IndexOf(config_.groups, process)) return *group;
+    GroupConfig group;
+    group.name = process;
+    group.limits = limits_;
+    config_.groups.push_back(std::move(group));
+    group_depends_.emplace_back();
+    group_where_.push_back(fields.where());
+    return config_.groups.size() - 1;
+  }
+
+  void ReadCommand(YamlFields& fields, ProcessConfig& process) {
+    const std::vector<LocatedText> command = fields.Texts("command");
+    if (command.empty()) fields.Error(fields.where(), "\"command\" is missing");
+    Variables variables = variables_;
+    if (process.host) variables["bin"] = config_.hosts[*process.host].bin;
+    for (const LocatedText& word : command) process.command.push_back(Fill(word, variables));
+  }
+
+  // What is deleted must be named so that nothing else can be meant.
+  void ReadState(YamlFields& fields, ProcessConfig& process) {
+    for (const LocatedText& text : fields.Texts("state")) {
+      const std::filesystem::path path = Fill(text, variables_);
+      const bool deep = std::distance(path.begin(), path.end()) > 3;
+      if (!path.is_absolute() || !deep || path.lexically_normal() != path) {
+        file_.Error(text.where, "\"state\": \"" + path.string() +
+                                    "\" must be an absolute path without \"..\" at least three "
+                                    "folders deep");
+      }
+      if (process.host) file_.Error(text.where, "\"state\" is only for processes of this host");
+      process.state.push_back(path);
+    }
+  }
+
+  void ResolveDependencies() {
+    for (std::size_t i = 0; i < config_.processes.size(); ++i) {
+      ProcessConfig& process = config_.processes[i];
+      process.depends = ResolveAll("process", config_.processes, depends_[i]);
+      process.after = ResolveAll("process", config_.processes, after_[i]);
+    }
+    for (std::size_t i = 0; i < config_.groups.size(); ++i) {
+      GroupConfig& group = config_.groups[i];
+      group.depends = ResolveAll("group", config_.groups, group_depends_[i]);
+      if (group.strategy != Strategy::kRestForOne) continue;
+      for (std::size_t k = 1; k < group.processes.size(); ++k) {
+        config_.processes[group.processes[k]].after.push_back(group.processes[k - 1]);
+      }
+    }
+  }
+
+  // A process that waits for itself, directly or through others.
+  void FindCycles() {
+    const GroupOrder order(config_);
+    for (std::size_t start = 0; start < config_.processes.size(); ++start) {
+      std::set<std::size_t> seen;
+      std::vector<std::size_t> pending = {start};
+      while (!pending.empty()) {
+        const std::size_t process = pending.back();
+        pending.pop_back();
+        const Indices* const lists[] = {&order.needs(process), &config_.processes[process].after};
+        for (const Indices* list : lists) {
+          for (const std::size_t next : *list) {
+            if (seen.insert(next).second) pending.push_back(next);
+          }
+        }
+      }
+      if (seen.count(start) == 0) continue;
+      file_.Error(where_[start], "process \"" + config_.processes[start].name +
+                                     "\" waits for itself (depends, after)");
+    }
+  }
+
+  // Groups that wait for each other, by `depends` of theirs or of their processes.
+  void FindGroupCycles() {
+    const GroupOrder order(config_);
+    for (const std::size_t group : order.circular()) {
+      file_.Error(group_where_[group],
+                  "group \"" + config_.groups[group].name + "\" waits for itself (depends)");
+    }
+  }
+
+  void ReadConfigurations() {
+    for (auto& [name, value] : file_.Pairs("configurations")) {
+      Configuration configuration;
+      configuration.name = name.text;
+      std::vector<LocatedText> processes, conditions;
+      if (value.IsMap()) {
+        YamlFields fields = file_.MapOf(value);
+        processes = fields.Texts("processes");
+        conditions = fields.Texts("requires");
+        fields.Finish();
+      } else {
+        processes = file_.TextsOf(value);
+      }
+      configuration.processes = ResolveAll("process", config_.processes, processes);
+      configuration.requires_conditions = ResolveAll("condition", config_.conditions, conditions);
+      CheckComplete(name, configuration);
+      config_.configurations.push_back(std::move(configuration));
+    }
+    if (config_.configurations.empty()) {
+      file_.Error(file_.where(), "\"configurations\" names no configuration");
+      return;
+    }
+    ReadInitial();
+    ReadGivenUp();
+  }
+
+  void ReadGivenUp() {
+    YamlFields fields = file_.Map("on_given_up");
+    for (const LocatedText& word : fields.Texts("command")) {
+      config_.given_up.command.push_back(Fill(word, variables_));
+    }
+    if (fields.Has("configuration")) {
+      const LocatedText name = fields.Text("configuration");
+      config_.given_up.configuration = Resolve("configuration", config_.configurations, name);
+    }
+    fields.Finish();
+  }
+
+  void ReadInitial() {
+    const LocatedText name = file_.Text("initial", config_.configurations.front().name);
+    const auto initial = Resolve("configuration", config_.configurations, name);
+    if (!initial) return;
+    config_.initial = *initial;
+    if (!config_.configurations[*initial].requires_conditions.empty()) {
+      file_.Error(name.where, "configuration \"" + name.text +
+                                  "\" requires a condition, so nothing can begin with it");
+    }
+  }
+
+  // A process would wait for ever for a dependency that is not part of its configuration.
+  void CheckComplete(const LocatedText& name, const Configuration& configuration) {
+    const auto& members = configuration.processes;
+    for (const std::size_t member : members) {
+      for (const std::size_t needed : config_.processes[member].depends) {
+        if (std::find(members.begin(), members.end(), needed) != members.end()) continue;
+        file_.Error(name.where, "configuration \"" + name.text + "\" has \"" +
+                                    config_.processes[member].name + "\" but not \"" +
+                                    config_.processes[needed].name + "\", which it depends on");
+      }
+    }
+  }
+
+  template <class Named>
+  static std::optional<std::size_t> IndexOf(const std::vector<Named>& list,
+                                            const std::string& name) {
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      if (list[i].name == name) return i;
+    }
+    return std::nullopt;
+  }
+
+  template <class Named>
+  std::optional<std::size_t> Resolve(const std::string& kind, const std::vector<Named>& list,
+                                     const LocatedText& name) const {
+    const auto index = IndexOf(list, name.text);
+    if (index) return index;
+    std::vector<std::string> names;
+    for (const Named& item : list) names.push_back(item.name);
+    file_.Error(name.where, "unknown " + kind + " \"" + name.text + "\"",
+                DidYouMean(name.text, names));
+    return std::nullopt;
+  }
+
+  template <class Named>
+  Indices ResolveAll(const std::string& kind, const std::vector<Named>& list,
+                     const std::vector<LocatedText>& names) const {
+    Indices indices;
+    for (const LocatedText& name : names) {
+      if (const auto index = Resolve(kind, list, name)) indices.push_back(*index);
+    }
+    return indices;
+  }
+
+  std::string Fill(const LocatedText& word, const Variables& variables) const {
+    return FillVariables(word.text, variables,
+                         [&](const std::string& message, const std::string& hint) {
+                           file_.Error(word.where, message, hint);
+                         });
+  }
+
+  YamlFields file_;
+  const Variables& variables_;
+  bool readable_ = false;
+  RobotConfig config_;
+  RestartLimits limits_;  // of groups that do not say
+  // Per process and per group, as written.
+  std::vector<std::vector<LocatedText>> depends_, after_, group_depends_;
+  std::vector<SourceLocation> where_, group_where_;
+};
+
+}  // namespace
+
+RobotConfig LoadRobotConfig(const std::string& path, const Variables& variables,
+                            Diagnostics& diagnostics) {
+  return Loader(path, variables, diagnostics).Load();
+}
+
+}  // namespace coppice::robot

@@ -1,0 +1,23 @@
+// Variables in the texts of a configuration file: "${bin}/coppice-robot", "${speed:-1}".
+#ifndef COPPICE_ROBOT_APP_PROCESSES_CONFIG_VARIABLES_H_
+#define COPPICE_ROBOT_APP_PROCESSES_CONFIG_VARIABLES_H_
+
+#include <functional>
+#include <map>
+#include <string>
+
+namespace coppice::robot {
+
+/// Values of `${name}`. `${name:-default}` stands for the default if there is none; the default may
+/// contain variables.
+using Variables = std::map<std::string, std::string>;
+
+/// The text with all variables filled in. What is wrong is reported with a hint (may be empty), and
+/// stands for nothing.
+std::string FillVariables(
+    const std::string& text, const Variables& variables,
+    const std::function<void(const std::string& message, const std::string& hint)>& report);
+
+}  // namespace coppice::robot
+
+#endif  // COPPICE_ROBOT_APP_PROCESSES_CONFIG_VARIABLES_H_

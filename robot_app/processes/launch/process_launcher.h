@@ -1,0 +1,59 @@
+// Starting and signalling processes of the operating system.
+#ifndef COPPICE_ROBOT_APP_PROCESSES_LAUNCH_PROCESS_LAUNCHER_H_
+#define COPPICE_ROBOT_APP_PROCESSES_LAUNCH_PROCESS_LAUNCHER_H_
+
+#include <functional>
+#include <map>
+#include <string>
+
+#include "robot_app/processes/config/robot_config.h"
+
+namespace coppice::robot {
+
+class ProcessLauncher {
+ public:
+  virtual ~ProcessLauncher() = default;
+  /// Starts a process as the leader of a process group of its own. Returns its pid, or 0 and why.
+  virtual int Start(const ProcessConfig& config, std::string& error) = 0;
+  /// Sends a signal to the whole group of a started process.
+  virtual void Signal(int pid, int signal) = 0;
+  /// Deletes what the process remembers (ProcessConfig::state). Returns why it could not, or
+  /// nothing.
+  virtual std::string ClearState(const ProcessConfig& config) = 0;
+  /// For a process on another host: it is known to have been started there.
+  virtual bool IsConnected(int pid) const = 0;
+};
+
+/// Real processes. Each has standard output and error in `<log folder>/<log>` (appended; our own
+/// output if it names no log), no input, none of our open files, and gets SIGTERM when the thread
+/// that started it ends, so that nothing outlives its supervisor. Use it on the program's main
+/// thread only.
+class PosixLauncher : public ProcessLauncher {
+ public:
+  /// The folder is created if needed. With an `owner`, which must be unique on this computer, every
+  /// process carries it in its environment (survivors.h), and what a process leaves behind when it
+  /// ends is found even if it has left its process group.
+  explicit PosixLauncher(std::string log_folder, std::string owner = "");
+
+  int Start(const ProcessConfig& config, std::string& error) override;
+  /// The same with a file as standard input, or none if it is negative. The caller closes it.
+  int Start(const ProcessConfig& config, int input, std::string& error);
+  void Signal(int pid, int signal) override;
+  std::string ClearState(const ProcessConfig& config) override;
+  bool IsConnected(int) const override { return true; }
+
+  /// Reports every child that has ended since the last call, also those that it did not start.
+  /// What is left of an ended process is killed. Does not wait.
+  void Reap(const std::function<void(int pid, int wait_status)>& ended);
+
+  const std::string& log_folder() const { return log_folder_; }
+
+ private:
+  std::string log_folder_;
+  std::string owner_;
+  std::map<int, std::string> names_;  // of what was started, by pid
+};
+
+}  // namespace coppice::robot
+
+#endif  // COPPICE_ROBOT_APP_PROCESSES_LAUNCH_PROCESS_LAUNCHER_H_

@@ -1,0 +1,134 @@
+// coppice-remote: guards one process on this host for a process supervisor on another one, which
+// talks to it over its standard input. See remote_launcher.h. Not to be called by people.
+#include <poll.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <iostream>
+#include <optional>
+
+#include "bt_core/base/clock.h"
+#include "bt_core/base/command_line.h"
+#include "robot_app/processes/launch/process_launcher.h"
+#include "robot_app/processes/launch/remote_launcher.h"
+#include "robot_app/processes/launch/survivors.h"
+
+namespace coppice::robot {
+namespace {
+
+constexpr char kUsage[] =
+    "coppice-remote --owner NAME --name NAME --stop-timeout MS --silence MS\n"
+    "               [--env NAME=VALUE]... -- PROGRAM [ARGUMENT]...";
+
+constexpr int kRoundMs = 20;
+constexpr int kCannotRun = 127;     // as a shell says it
+constexpr int kNoConnection = 255;  // is what the transport says, so we do not
+constexpr Duration kTimeForSurvivors = std::chrono::seconds(3);
+
+class Guard {
+ public:
+  Guard(PosixLauncher& launcher, int pid, Duration stop_timeout, Duration silence)
+      : launcher_(launcher),
+        pid_(pid),
+        stop_timeout_(stop_timeout),
+        silence_(silence),
+        heard_at_(clock_.Now()) {}
+
+  /// Until the process has ended. Returns its wait status.
+  int Run() {
+    while (!status_) {
+      Listen();
+      if (clock_.Now() - heard_at_ >= silence_) connected_ = false;
+      if (!connected_ && !kill_at_) End();
+      if (kill_at_ && clock_.Now() >= *kill_at_) launcher_.Signal(pid_, SIGKILL);
+      launcher_.Reap([this](int pid, int status) {
+        if (pid == pid_) status_ = status;
+      });
+    }
+    return *status_;
+  }
+
+ private:
+  void Listen() {
+    pollfd input{connected_ ? STDIN_FILENO : -1, POLLIN, 0};
+    if (poll(&input, 1, kRoundMs) <= 0) return;
+    char signs[64];
+    const ssize_t count = read(STDIN_FILENO, signs, sizeof(signs));
+    connected_ = count > 0;
+    heard_at_ = clock_.Now();
+    for (ssize_t i = 0; i < count; ++i) {
+      if (signs[i] == 't') launcher_.Signal(pid_, SIGTERM);
+      if (signs[i] == 'k') launcher_.Signal(pid_, SIGKILL);
+    }
+  }
+
+  void End() {
+    launcher_.Signal(pid_, SIGTERM);
+    kill_at_ = clock_.Now() + stop_timeout_;
+  }
+
+  WallClock clock_;
+  PosixLauncher& launcher_;
+  const int pid_;
+  const Duration stop_timeout_, silence_;
+  Time heard_at_;
+  bool connected_ = true;
+  std::optional<Time> kill_at_;
+  std::optional<int> status_;
+};
+
+int ExitStatus(int wait_status) {
+  if (WIFSIGNALED(wait_status)) return 128 + WTERMSIG(wait_status);
+  return WEXITSTATUS(wait_status) == kNoConnection ? kNoConnection - 1 : WEXITSTATUS(wait_status);
+}
+
+bool SetEnvironment(const std::vector<std::string>& variables) {
+  for (const std::string& variable : variables) {
+    const std::size_t equals = variable.find('=');
+    if (equals == std::string::npos) return false;
+    setenv(variable.substr(0, equals).c_str(), variable.substr(equals + 1).c_str(), 1);
+  }
+  return true;
+}
+
+int Main(std::vector<std::string> arguments) {
+  ProcessConfig process;
+  const auto separator = std::find(arguments.begin(), arguments.end(), "--");
+  if (separator != arguments.end()) process.command.assign(separator + 1, arguments.end());
+  arguments.erase(separator, arguments.end());
+  const auto options = ParseOptions(
+      arguments, {"--owner", "--name", "--stop-timeout", "--silence", "--env"}, {}, kUsage);
+  if (!options) return 2;
+  const auto stop_timeout = options->GetNumber("--stop-timeout");
+  const auto silence = options->GetNumber("--silence");
+  const std::string owner = options->Get("--owner");
+  process.name = options->Get("--name");
+  if (process.command.empty() || owner.empty() || process.name.empty() || !stop_timeout ||
+      !silence || !SetEnvironment(options->GetAll("--env"))) {
+    std::cerr << "usage: " << kUsage << "\n";
+    return 2;
+  }
+  for (const int signal : {SIGHUP, SIGINT, SIGTERM, SIGPIPE}) std::signal(signal, SIG_IGN);
+  prctl(PR_SET_CHILD_SUBREAPER, 1);
+  KillOwned(OwnedName(owner, process.name), kTimeForSurvivors);
+  // An earlier guard cleans up after its own process only, not after ours.
+  PosixLauncher launcher("", OwnedName(owner, process.name) + std::to_string(getpid()));
+  std::string error;
+  const int pid = launcher.Start(process, error);
+  std::cout << kRemoteStarted << process.name << std::endl;
+  if (pid == 0) {
+    std::cerr << "coppice-remote: " << error << std::endl;
+    return kCannotRun;
+  }
+  return ExitStatus(Guard(launcher, pid, std::chrono::milliseconds(*stop_timeout),
+                          std::chrono::milliseconds(*silence))
+                        .Run());
+}
+
+}  // namespace
+}  // namespace coppice::robot
+
+int main(int argc, char** argv) { return coppice::robot::Main({argv + 1, argv + argc}); }

@@ -1,0 +1,99 @@
+#include "robot_app/processes/launch/ros_master.h"
+
+#include <arpa/inet.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <thread>
+
+namespace coppice::robot {
+namespace {
+
+constexpr char kHost[] = "127.0.0.1";
+constexpr Duration kAnswerTime = std::chrono::seconds(1);
+constexpr Duration kPause = std::chrono::milliseconds(20);
+
+sockaddr_in Local(int port) {
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  address.sin_port = htons(static_cast<std::uint16_t>(port));
+  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  return address;
+}
+
+bool SomebodyListens(int port) {
+  const int connection = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
+  const sockaddr_in address = Local(port);
+  const bool connected =
+      connect(connection, reinterpret_cast<const sockaddr*>(&address), sizeof(address)) == 0;
+  close(connection);
+  return connected;
+}
+
+RosMaster Failure(std::string error) { return {{}, 0, std::move(error)}; }
+
+}  // namespace
+
+std::string RosMaster::Uri() const {
+  return "http://" + address.host + ":" + std::to_string(address.port);
+}
+
+int FreePort() {
+  const int listener = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
+  sockaddr_in address = Local(0);
+  socklen_t size = sizeof(address);
+  const bool bound =
+      bind(listener, reinterpret_cast<const sockaddr*>(&address), sizeof(address)) == 0 &&
+      getsockname(listener, reinterpret_cast<sockaddr*>(&address), &size) == 0;
+  close(listener);
+  return bound ? ntohs(address.sin_port) : 0;
+}
+
+namespace {
+
+RosMaster StartMaster(int port, ProcessLauncher& launcher, Duration timeout) {
+  ProcessConfig config;
+  config.name = "rosmaster";
+  config.command = {"/usr/bin/rosmaster", "--core", "-p", std::to_string(port)};
+  config.log = "rosmaster.log";
+  RosMaster master{{kHost, port}, 0, ""};
+  master.pid = launcher.Start(config, master.error);
+  if (master.pid == 0) return master;
+
+  const Time give_up = std::chrono::steady_clock::now().time_since_epoch() + timeout;
+  while (std::chrono::steady_clock::now().time_since_epoch() < give_up) {
+    if (waitpid(master.pid, nullptr, WNOHANG) == master.pid) {
+      return Failure("rosmaster ended at once; see rosmaster.log");
+    }
+    if (MasterAnswers(master.address, kAnswerTime)) return master;
+    std::this_thread::sleep_for(kPause);
+  }
+  launcher.Signal(master.pid, SIGKILL);
+  waitpid(master.pid, nullptr, 0);
+  return Failure("rosmaster does not answer at port " + std::to_string(port));
+}
+
+}  // namespace
+
+RosMaster FindOrStartMaster(int port, ProcessLauncher& launcher, Duration timeout) {
+  if (port != 0 && SomebodyListens(port)) {
+    if (MasterAnswers({kHost, port}, kAnswerTime)) return {{kHost, port}, 0, ""};
+    return Failure("port " + std::to_string(port) +
+                   " is in use by something that is no ROS master");
+  }
+  if (port != 0) return StartMaster(port, launcher, timeout);
+  // A port that was free just now may be somebody else's when rosmaster, which then hangs, wants
+  // it.
+  constexpr int kPorts = 3;
+  RosMaster master;
+  for (int i = 0; i < kPorts; ++i) {
+    master = StartMaster(FreePort(), launcher, timeout / kPorts);
+    if (master.error.empty()) break;
+  }
+  return master;
+}
+
+}  // namespace coppice::robot

@@ -1,0 +1,30 @@
+// The ROS master that the robot needs: found or started.
+#ifndef COPPICE_ROBOT_APP_PROCESSES_LAUNCH_ROS_MASTER_H_
+#define COPPICE_ROBOT_APP_PROCESSES_LAUNCH_ROS_MASTER_H_
+
+#include <string>
+
+#include "robot_app/common/node_probe.h"
+#include "robot_app/processes/launch/process_launcher.h"
+
+namespace coppice::robot {
+
+/// A master on this computer.
+struct RosMaster {
+  NodeAddress address;
+  int pid = 0;        ///< 0: it was there before us and is not ours to end
+  std::string error;  ///< not empty: there is none, and why
+
+  std::string Uri() const;
+};
+
+/// A TCP port of this computer that nobody listens on. 0 if there is none.
+int FreePort();
+
+/// Uses the master that answers at `port`, else starts one there; port 0 takes a free one. Fails if
+/// something else has the port, or if no master answers in time. Blocks until then.
+RosMaster FindOrStartMaster(int port, ProcessLauncher& launcher, Duration timeout);
+
+}  // namespace coppice::robot
+
+#endif  // COPPICE_ROBOT_APP_PROCESSES_LAUNCH_ROS_MASTER_H_

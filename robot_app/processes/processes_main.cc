@@ -1,0 +1,127 @@
+// coppice-processes: what the process supervisor says, and what a person may ask of it.
+#include <coppice_msgs/RestartProcess.h>
+#include <coppice_msgs/SetConfiguration.h>
+#include <ros/callback_queue.h>
+#include <ros/ros.h>
+#include <std_srvs/Trigger.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <iostream>
+#include <optional>
+
+#include "bt_core/base/command_line.h"
+#include "robot_app/processes/processes_view.h"
+
+namespace coppice::robot {
+namespace {
+
+constexpr char kUsage[] =
+    "coppice processes [--watch] [--json]    the robot's programs\n"
+    "       coppice processes restart NAME          a program, node or group; all: the whole "
+    "stack\n"
+    "       coppice processes reset NAME            it is repaired: forget its restarts; or all\n"
+    "       coppice processes configuration NAME    change it, and hold it by hand\n"
+    "       coppice processes release               let the trees decide about it again\n"
+    "  --master   ROS_MASTER_URI of the robot\n"
+    "  --timeout  s, for an answer of the supervisor; default 5\n"
+    "Ends with 0 if all is well or the request was granted, 1 if not, 2 for wrong usage, 3 if\n"
+    "nobody answers.";
+
+enum Exit { kWell = 0, kNotWell = 1, kWrongUsage = 2, kNobody = 3 };
+
+volatile std::sig_atomic_t g_stop = 0;
+
+int Usage() {
+  std::cerr << "usage: " << kUsage << "\n";
+  return kWrongUsage;
+}
+
+int Nobody() {
+  std::cerr << "coppice processes: no process supervisor answers at " << ros::master::getURI()
+            << "\n";
+  return kNobody;
+}
+
+int Report(bool ok, const std::string& message) {
+  (ok ? std::cout : std::cerr) << message << std::endl;
+  return ok ? kWell : kNotWell;
+}
+
+template <class Service>
+bool Call(const std::string& name, Service& service, double timeout) {
+  return ros::service::waitForService(name, ros::Duration(timeout)) &&
+         ros::service::call(name, service);
+}
+
+int Request(const std::vector<std::string>& words, double timeout) {
+  const std::string& verb = words[0];
+  if (verb == "release" && words.size() == 1) {
+    std_srvs::Trigger release;
+    if (!Call("/supervisor/release", release, timeout)) return Nobody();
+    return Report(release.response.success, release.response.message);
+  }
+  if (words.size() != 2) return Usage();
+  if (verb == "configuration") {
+    coppice_msgs::SetConfiguration configure;
+    configure.request.configuration = words[1];
+    configure.request.manual = true;
+    if (!Call("/supervisor/set_configuration", configure, timeout)) return Nobody();
+    return Report(configure.response.ok, configure.response.message);
+  }
+  if (verb != "restart" && verb != "reset") return Usage();
+  coppice_msgs::RestartProcess restart;
+  restart.request.name = words[1];
+  if (!Call("/supervisor/" + verb, restart, timeout)) return Nobody();
+  return Report(restart.response.ok, restart.response.message);
+}
+
+// Shows what comes: once, or until it is interrupted.
+int Show(bool watch, bool as_json, double timeout) {
+  WallClock clock;
+  ros::NodeHandle handle;
+  std::optional<coppice_msgs::ProcessStates> states;
+  const ros::Subscriber subscriber = handle.subscribe<coppice_msgs::ProcessStates>(
+      "/processes", 1, [&](const coppice_msgs::ProcessStates::ConstPtr& message) {
+        states = *message;
+        if (watch && !as_json && isatty(STDOUT_FILENO)) std::cout << "\033[H\033[2J";
+        std::cout << (as_json ? ToJson(*states) : ToTable(*states, clock.Now())) << std::flush;
+      });
+  const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(timeout);
+  while (!g_stop && (watch || !states)) {
+    if (!states && ros::WallTime::now() > deadline) return Nobody();
+    ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.05));
+  }
+  return states && IsAsItShouldBe(*states) ? kWell : kNotWell;
+}
+
+int Main(const std::vector<std::string>& arguments) {
+  const auto options =
+      ParseOptions(arguments, {"--master", "--timeout"}, {"--watch", "--json"}, kUsage);
+  if (!options) return kWrongUsage;
+  const double timeout = std::strtod(options->Get("--timeout", "5").c_str(), nullptr);
+  if (timeout <= 0) return Usage();
+  if (options->Has("--master")) setenv("ROS_MASTER_URI", options->Get("--master").c_str(), 1);
+  setenv("ROS_MASTER_URI", "http://127.0.0.1:11311", 0);
+
+  for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, [](int) { g_stop = 1; });
+  int no_arguments = 0;
+  ros::init(no_arguments, nullptr, "processes",
+            ros::init_options::AnonymousName | ros::init_options::NoSigintHandler |
+                ros::init_options::NoRosout);
+  if (!ros::master::check()) return Nobody();
+  ros::Time::init();
+  const bool asks = !options->files.empty();
+  if (asks && (options->Has("--watch") || options->Has("--json"))) return Usage();
+  ros::start();
+  const int status = asks ? Request(options->files, timeout)
+                          : Show(options->Has("--watch"), options->Has("--json"), timeout);
+  ros::shutdown();
+  return status;
+}
+
+}  // namespace
+}  // namespace coppice::robot
+
+int main(int argc, char** argv) { return coppice::robot::Main({argv + 1, argv + argc}); }

@@ -1,0 +1,172 @@
+// coppice-supervisor: starts a ROS master and the robot's programs, keeps track of them, and leaves
+// nothing behind. See supervisor_program.h for its topics and services.
+//
+// When the whole stack has to begin anew, the program replaces itself: a ROS node cannot move to
+// another master in its lifetime.
+#include <ros/ros.h>
+#include <sys/prctl.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+
+#include "robot_app/processes/config/supervisor_settings.h"
+#include "robot_app/processes/launch/survivors.h"
+#include "robot_app/processes/supervisor_program.h"
+
+namespace coppice::robot {
+namespace {
+
+using Outcome = SupervisorProgram::Outcome;
+
+constexpr Duration kMasterTimeout = std::chrono::seconds(20);
+constexpr Duration kTimeToEnd = std::chrono::seconds(3);
+constexpr Duration kTimeToCut = std::chrono::seconds(60);
+
+volatile std::sig_atomic_t g_stop = 0;
+
+int Fail(const std::string& message) {
+  std::cerr << "coppice-supervisor: " << message << "\n";
+  return 2;
+}
+
+// Ends our master, if it is ours. The last one to go.
+void EndMaster(const RosMaster& master, PosixLauncher& launcher) {
+  if (master.pid == 0) return;
+  WallClock clock;
+  const Time kill_at = clock.Now() + kTimeToEnd;
+  launcher.Signal(master.pid, SIGTERM);
+  bool ended = kill(master.pid, 0) != 0, killed = false;
+  while (!ended) {
+    launcher.Reap([&](int pid, int) { ended = ended || pid == master.pid; });
+    if (!killed && clock.Now() >= kill_at) {
+      launcher.Signal(master.pid, SIGKILL);
+      killed = true;
+    }
+    ros::WallDuration(0.01).sleep();
+  }
+}
+
+void SetParameters(const RobotConfig& config) {
+  for (const auto& [name, value] : config.parameters) {
+    if (value == "true" || value == "false") {
+      ros::param::set("/" + name, value == "true");
+    } else if (char* end = nullptr; std::strtod(value.c_str(), &end), end && *end == '\0') {
+      ros::param::set("/" + name, std::strtod(value.c_str(), nullptr));
+    } else {
+      ros::param::set("/" + name, value);
+    }
+  }
+}
+
+Outcome RunNode(RobotConfig config, const SupervisorSettings& settings, const RosMaster& master,
+                PosixLauncher& launcher) {
+  int no_arguments = 0;
+  ros::init(no_arguments, nullptr, "supervisor", ros::init_options::NoSigintHandler);
+  SetParameters(config);
+  const char* token = std::getenv("COPPICE_SWITCH_OFF_TOKEN");
+  SupervisorProgram program(std::move(config), launcher, master, settings.address, settings.state,
+                            token ? token : "");
+  const Outcome outcome = program.Run([] { return g_stop != 0 || !ros::ok(); });
+  ros::shutdown();
+  return outcome;
+}
+
+// What was counted stays; for the rest the robot begins afresh when a person has switched it on.
+// If the power cannot be cut, it begins anew in its safe stop.
+bool CutPowerAndForget(const RobotConfig& config, const SupervisorSettings& settings,
+                       PosixLauncher& launcher) {
+  std::string problem;
+  const SupervisorMemory memory = LoadMemory(settings.state, WallClock().Now(), problem);
+  SupervisorMemory counters;
+  counters.restarts = memory.restarts;
+  SaveMemory(counters, settings.state);
+  if (CutPower(config.switch_off, launcher, kTimeToCut)) return true;
+  SaveMemory(memory, settings.state);
+  return false;
+}
+
+// The same program again, with the same port. Returns only if that fails.
+int BeginAnew(std::vector<std::string> arguments, int port) {
+  arguments.insert(arguments.begin(), "coppice-supervisor");
+  arguments.insert(arguments.end(), {"--port", std::to_string(port)});
+  std::vector<char*> pointers;
+  for (std::string& argument : arguments) pointers.push_back(argument.data());
+  pointers.push_back(nullptr);
+  for (int file = STDERR_FILENO + 1; file < static_cast<int>(sysconf(_SC_OPEN_MAX)); ++file) {
+    if (file > 4096) break;
+    close(file);
+  }
+  execv("/proc/self/exe", pointers.data());
+  return Fail("cannot begin anew");
+}
+
+// Before the master starts: it listens where its address is.
+void UseAddress(const SupervisorSettings& settings) {
+  if (!settings.address.empty()) {
+    unsetenv("ROS_HOSTNAME");
+    setenv("ROS_IP", settings.address.c_str(), 1);
+  } else if (!getenv("ROS_HOSTNAME")) {
+    setenv("ROS_IP", "127.0.0.1", 0);
+  }
+}
+
+// Beginning with a configuration is a wish for the first start, not for one that goes on.
+bool ChooseConfiguration(const SupervisorSettings& settings, RobotConfig& config) {
+  if (settings.configuration.empty()) return true;
+  ConfigurationSwitch chosen(config);
+  const Verdict verdict = chosen.Request(settings.configuration, Hand::kTree, [](std::size_t) {
+    return std::string("nothing is known at the start");
+  });
+  if (!verdict.ok) std::cerr << "coppice-supervisor: " << verdict.message << "\n";
+  config.initial = chosen.current();
+  return verdict.ok;
+}
+
+int Main(const std::vector<std::string>& arguments) {
+  const auto settings = ReadSupervisorSettings(
+      arguments, std::filesystem::read_symlink("/proc/self/exe").parent_path());
+  if (!settings) return 2;
+  Diagnostics diagnostics;
+  RobotConfig config = LoadRobotConfig(settings->config, settings->variables, diagnostics);
+  std::cerr << diagnostics.ToString();
+  if (diagnostics.has_errors() || !ChooseConfiguration(*settings, config)) return 2;
+
+  struct sigaction stop {};
+  stop.sa_handler = [](int) { g_stop = 1; };
+  sigaction(SIGTERM, &stop, nullptr);
+  sigaction(SIGINT, &stop, nullptr);
+  prctl(PR_SET_CHILD_SUBREAPER, 1);  // what our children leave behind comes to us
+  NodeProbe::SilenceLibrary();
+  PosixLauncher launcher(settings->logs, settings->state);
+  const int survivors = KillOwned(settings->state, kTimeToEnd);
+  if (survivors < 0) return Fail("programs of an earlier supervisor cannot be ended");
+  if (survivors > 0) {
+    std::cout << survivors << " processes of an earlier supervisor were ended" << std::endl;
+  }
+  UseAddress(*settings);
+  const RosMaster master = FindOrStartMaster(settings->port, launcher, kMasterTimeout);
+  if (!master.error.empty()) return Fail(master.error);
+  setenv("ROS_MASTER_URI", master.Uri().c_str(), 1);
+  std::cout << "ROS master: port " << master.address.port << ", ROS_MASTER_URI=" << master.Uri()
+            << ", logs in " << settings->logs << std::endl;
+  if (!settings->port_file.empty()) std::ofstream(settings->port_file) << master.address.port;
+
+  const Outcome outcome = RunNode(config, *settings, master, launcher);
+  EndMaster(master, launcher);
+  if (outcome == Outcome::kSwitchOff && CutPowerAndForget(config, *settings, launcher)) return 0;
+  if (outcome == Outcome::kNewStack || outcome == Outcome::kSwitchOff) {
+    return BeginAnew(arguments, master.address.port);
+  }
+  if (outcome == Outcome::kStopped) return 0;
+  std::cerr << "coppice-supervisor: the ROS master ended again and again; everything was stopped\n";
+  return 1;
+}
+
+}  // namespace
+}  // namespace coppice::robot
+
+int main(int argc, char** argv) { return coppice::robot::Main({argv + 1, argv + argc}); }

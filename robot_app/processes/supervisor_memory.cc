@@ -1,0 +1,134 @@
+#include "robot_app/processes/supervisor_memory.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+namespace coppice::robot {
+namespace {
+
+using nlohmann::json;
+
+constexpr int kVersion = 1;
+constexpr std::size_t kMostTimes = 1000;
+
+json FromTimes(const std::vector<Time>& times) {
+  json list = json::array();
+  for (const Time time : times) list.push_back(time.count());
+  return list;
+}
+
+Time ToTime(const json& value, Time now) { return std::min(Time(value.get<std::int64_t>()), now); }
+
+std::vector<Time> ToTimes(const json& list, Time now) {
+  std::vector<Time> times;
+  for (const json& value : list) times.push_back(ToTime(value, now));
+  std::sort(times.begin(), times.end());
+  if (times.size() > kMostTimes) times.erase(times.begin(), times.end() - kMostTimes);
+  return times;
+}
+
+json FromGroup(const GroupMemory& group) {
+  json value = {{"restarts", FromTimes(group.restarts)},
+                {"counting", group.counting},
+                {"step", static_cast<int>(group.step)},
+                {"closures", group.closures},
+                {"given_up", group.given_up}};
+  if (group.trouble_since) value["trouble_since"] = group.trouble_since->count();
+  return value;
+}
+
+GroupMemory ToGroup(const json& value, Time now) {
+  GroupMemory group;
+  group.restarts = ToTimes(value.at("restarts"), now);
+  group.counting = value.at("counting").get<std::size_t>();
+  const int step = value.at("step").get<int>();
+  group.step = static_cast<EscalationStep>(std::clamp(step, 0, 3));
+  group.closures = std::max(0, value.at("closures").get<int>());
+  group.given_up = value.at("given_up").get<std::string>();
+  if (value.contains("trouble_since")) group.trouble_since = ToTime(value["trouble_since"], now);
+  return group;
+}
+
+SupervisorMemory FromJson(const json& value, Time now) {
+  SupervisorMemory memory;
+  memory.configuration = value.at("configuration").get<std::string>();
+  memory.manual = value.at("manual").get<bool>();
+  memory.safe_stop = value.at("safe_stop").get<bool>();
+  memory.new_stack = value.at("new_stack").get<bool>();
+  for (const auto& [name, group] : value.at("groups").items()) {
+    memory.groups[name] = ToGroup(group, now);
+  }
+  for (const auto& [name, restarts] : value.at("restarts").items()) {
+    memory.restarts[name] = restarts.get<std::uint32_t>();
+  }
+  memory.stack_restarts = ToTimes(value.at("stack_restarts"), now);
+  memory.stack_counting = value.at("stack_counting").get<std::size_t>();
+  return memory;
+}
+
+bool WriteAll(int file, const std::string& text) {
+  std::size_t written = 0;
+  while (written < text.size()) {
+    const ssize_t count = write(file, text.data() + written, text.size() - written);
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) return false;
+    written += static_cast<std::size_t>(count);
+  }
+  return true;
+}
+
+}  // namespace
+
+std::string ToText(const SupervisorMemory& memory) {
+  json value = {{"version", kVersion},
+                {"configuration", memory.configuration},
+                {"manual", memory.manual},
+                {"safe_stop", memory.safe_stop},
+                {"new_stack", memory.new_stack},
+                {"groups", json::object()},
+                {"restarts", memory.restarts},
+                {"stack_restarts", FromTimes(memory.stack_restarts)},
+                {"stack_counting", memory.stack_counting}};
+  for (const auto& [name, group] : memory.groups) value["groups"][name] = FromGroup(group);
+  return value.dump(1) + "\n";
+}
+
+SupervisorMemory MemoryFromText(const std::string& text, Time now, std::string& problem) {
+  try {
+    const json value = json::parse(text);
+    if (value.at("version") == kVersion) return FromJson(value, now);
+    problem = "is of another version";
+  } catch (const json::exception&) {
+    problem = "is damaged";
+  }
+  return {};
+}
+
+SupervisorMemory LoadMemory(const std::string& path, Time now, std::string& problem) {
+  std::ifstream file(path);
+  if (!file) return {};
+  std::ostringstream text;
+  text << file.rdbuf();
+  return MemoryFromText(text.str(), now, problem);
+}
+
+std::string SaveMemory(const SupervisorMemory& memory, const std::string& path) {
+  const std::string temporary = path + ".new";
+  const int file = open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+  const bool written = file >= 0 && WriteAll(file, ToText(memory)) && fsync(file) == 0;
+  int reason = written ? 0 : errno;
+  if (file >= 0) close(file);
+  if (written && std::rename(temporary.c_str(), path.c_str()) != 0) reason = errno;
+  if (reason == 0) return "";
+  return "cannot write " + path + ": " + std::strerror(reason);
+}
+
+}  // namespace coppice::robot

@@ -1,0 +1,45 @@
+// What a process supervisor leaves to the one after it, in a file: otherwise a supervisor that
+// crashes in a loop, or restarts the whole stack, would reset its own limits.
+//
+// The file is JSON with a version, replaced as a whole (temporary file, fsync, rename). One that is
+// damaged or of another version counts as empty, with a warning: a robot must be able to start.
+#ifndef COPPICE_ROBOT_APP_PROCESSES_SUPERVISOR_MEMORY_H_
+#define COPPICE_ROBOT_APP_PROCESSES_SUPERVISOR_MEMORY_H_
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "robot_app/processes/escalation.h"
+
+namespace coppice::robot {
+
+/// By name, because the configuration file may have changed in between. Times are nanoseconds since
+/// 1970.
+struct SupervisorMemory {
+  std::string configuration;  ///< empty: as the file says
+  bool manual = false;
+  bool safe_stop = false;
+  bool new_stack = false;  ///< the whole stack was on its way to be restarted
+  std::map<std::string, GroupMemory> groups;
+  std::map<std::string, std::uint32_t> restarts;  ///< ever, by process
+  std::vector<Time> stack_restarts;
+  std::size_t stack_counting = 0;
+};
+
+std::string ToText(const SupervisorMemory& memory);
+
+/// Empty, and `problem` says why, if the text is not what ToText makes. Times after `now` count as
+/// now: the computer's clock may have been set back.
+SupervisorMemory MemoryFromText(const std::string& text, Time now, std::string& problem);
+
+/// A file that is missing is no problem.
+SupervisorMemory LoadMemory(const std::string& path, Time now, std::string& problem);
+
+/// Returns why it could not be written, or nothing; then the old file is as it was.
+std::string SaveMemory(const SupervisorMemory& memory, const std::string& path);
+
+}  // namespace coppice::robot
+
+#endif  // COPPICE_ROBOT_APP_PROCESSES_SUPERVISOR_MEMORY_H_

@@ -1,0 +1,279 @@
+#include "robot_app/processes/supervisor_program.h"
+
+#include <coppice_msgs/ProcessStates.h>
+#include <coppice_msgs/RestartProcess.h>
+#include <coppice_msgs/SetConfiguration.h>
+#include <coppice_msgs/SwitchOff.h>
+#include <ros/callback_queue.h>
+#include <sensor_msgs/BatteryState.h>
+#include <std_msgs/Bool.h>
+#include <std_srvs/Trigger.h>
+#include <unistd.h>
+
+#include <iostream>
+#include <utility>
+
+namespace coppice::robot {
+namespace {
+
+constexpr Duration kRound = std::chrono::milliseconds(20);
+constexpr Duration kProbeDeadline = std::chrono::milliseconds(300);
+constexpr Duration kReportPeriod = std::chrono::seconds(1);
+constexpr Duration kTimeForCalls = std::chrono::seconds(20);
+
+Time RosNow() { return Time(static_cast<std::int64_t>(ros::Time::now().toNSec())); }
+
+ros::Time ToRos(Time time) {
+  return ros::Time().fromNSec(static_cast<std::uint64_t>(time.count()));
+}
+
+template <class Response>
+bool Reply(const Verdict& verdict, const std::string& request, Response& response) {
+  response.message = verdict.message;
+  std::cout << request << ": " << (verdict.ok ? "" : "refused: ") << verdict.message << std::endl;
+  return true;
+}
+
+SupervisorMemory Load(const std::string& path, Time now) {
+  std::string problem;
+  SupervisorMemory memory = LoadMemory(path, now, problem);
+  if (!problem.empty()) {
+    std::cerr << "coppice-supervisor: " << path << " " << problem << "; it begins anew\n";
+  }
+  return memory;
+}
+
+}  // namespace
+
+SupervisorProgram::SupervisorProgram(RobotConfig config, PosixLauncher& launcher,
+                                     const RosMaster& master, const std::string& address,
+                                     std::string state_file, std::string switch_off_token)
+    : local_(launcher),
+      launcher_(
+          launcher, config.hosts,
+          {state_file,
+           RosMaster{{address.empty() ? master.address.host : address, master.address.port}, 0, ""}
+               .Uri(),
+           config.stop_timeout}),
+      master_(master),
+      state_file_(std::move(state_file)),
+      supervisor_(std::move(config), launcher_, Load(state_file_, clock_.Now())),
+      calls_(supervisor_.config().given_up.command, launcher),
+      switch_off_(!supervisor_.config().switch_off.empty(), std::move(switch_off_token)),
+      probe_(master.address, "/supervisor") {
+  processes_ = handle_.advertise<coppice_msgs::ProcessStates>("/processes", 10, true);
+  OfferServices();
+  WatchConditions();
+}
+
+void SupervisorProgram::OfferServices() {
+  using Restart = coppice_msgs::RestartProcess;
+  using Configure = coppice_msgs::SetConfiguration;
+  using Release = std_srvs::Trigger;
+  services_.push_back(handle_.advertiseService<Restart::Request, Restart::Response>(
+      "/supervisor/restart",
+      boost::function<bool(Restart::Request&, Restart::Response&)>([this](auto& ask, auto& say) {
+        const Verdict verdict = supervisor_.Restart(ask.name, clock_.Now());
+        say.ok = verdict.ok;
+        return Reply(verdict, "restart " + ask.name, say);
+      })));
+  services_.push_back(handle_.advertiseService<Restart::Request, Restart::Response>(
+      "/supervisor/reset",
+      boost::function<bool(Restart::Request&, Restart::Response&)>([this](auto& ask, auto& say) {
+        const Verdict verdict = supervisor_.Reset(ask.name, clock_.Now());
+        say.ok = verdict.ok;
+        return Reply(verdict, "reset " + ask.name, say);
+      })));
+  services_.push_back(handle_.advertiseService<Configure::Request, Configure::Response>(
+      "/supervisor/set_configuration",
+      boost::function<bool(Configure::Request&, Configure::Response&)>(
+          [this](auto& ask, auto& say) {
+            const Verdict verdict = supervisor_.SetConfiguration(
+                ask.configuration, ask.manual ? Hand::kPerson : Hand::kTree,
+                [this](std::size_t condition) { return conditions_[condition].WhyNot(RosNow()); });
+            say.ok = verdict.ok;
+            return Reply(verdict, "set_configuration " + ask.configuration, say);
+          })));
+  using Off = coppice_msgs::SwitchOff;
+  services_.push_back(handle_.advertiseService<Off::Request, Off::Response>(
+      "/supervisor/switch_off",
+      boost::function<bool(Off::Request&, Off::Response&)>([this](auto& ask, auto& say) {
+        const Verdict verdict = switch_off_.Ask(ask.reason, ask.token, supervisor_, clock_.Now());
+        say.ok = verdict.ok;
+        return Reply(verdict, "switch_off", say);
+      })));
+  services_.push_back(handle_.advertiseService<Release::Request, Release::Response>(
+      "/supervisor/release",
+      boost::function<bool(Release::Request&, Release::Response&)>([this](auto&, auto& say) {
+        const Verdict verdict = supervisor_.Release();
+        say.success = verdict.ok;
+        return Reply(verdict, "release", say);
+      })));
+}
+
+void SupervisorProgram::WatchConditions() {
+  for (const ConditionConfig& config : supervisor_.config().conditions) {
+    conditions_.emplace_back(config);
+  }
+  for (Condition& condition : conditions_) {
+    const std::string& topic = condition.config().topic;
+    if (condition.config().current) {
+      subscribers_.push_back(handle_.subscribe<sensor_msgs::BatteryState>(
+          topic, 5, [&condition](const sensor_msgs::BatteryState::ConstPtr& message) {
+            condition.Observe(message->current, RosNow());
+          }));
+    } else {
+      subscribers_.push_back(handle_.subscribe<std_msgs::Bool>(
+          topic, 5, [&condition](const std_msgs::Bool::ConstPtr& message) {
+            condition.Observe(message->data ? 1 : 0, RosNow());
+          }));
+    }
+  }
+}
+
+SupervisorProgram::Outcome SupervisorProgram::Run(const std::function<bool()>& stop) {
+  while (!stop() && !supervisor_.stopping() && !switch_off_.may_cut() &&
+         !supervisor_.NeedsNewStack(clock_.Now())) {
+    Round();
+  }
+  const bool is_stopped = stop() || supervisor_.stopping();
+  if (!is_stopped && !switch_off_.may_cut()) {
+    std::cout << "the whole stack begins anew: " << supervisor_.stack_reason() << std::endl;
+    Save();
+    return Outcome::kNewStack;
+  }
+  supervisor_.StopAll();
+  while (!supervisor_.AllStopped(clock_.Now())) Round();
+  const Time give_up = clock_.Now() + kTimeForCalls;
+  while (!calls_.idle() && clock_.Now() < give_up) Round();
+  Publish();
+  if (!is_stopped) {
+    Save();
+    return Outcome::kSwitchOff;
+  }
+  if (!stop()) return Outcome::kNoMaster;
+  // Who stops a robot on purpose starts it afresh; only the counters stay.
+  SupervisorMemory counters;
+  counters.restarts = supervisor_.Remember().restarts;
+  SaveMemory(counters, state_file_);
+  return Outcome::kStopped;
+}
+
+void SupervisorProgram::Round() {
+  ros::getGlobalCallbackQueue()->callAvailable(
+      ros::WallDuration(std::chrono::duration<double>(kRound).count()));
+  local_.Reap([this](int pid, int wait_status) {
+    if (pid == master_.pid) {
+      master_ended_ = true;
+      supervisor_.OnMasterEnded(clock_.Now());
+    }
+    supervisor_.OnExit(pid, wait_status, clock_.Now());
+    calls_.OnExit(pid, wait_status, clock_.Now());
+    launcher_.Forget(pid);
+  });
+  launcher_.KeepAlive(clock_.Now());
+  supervisor_.Step(clock_.Now());
+  for (std::string& call : supervisor_.TakeCalls()) {
+    std::cout << call << std::endl;
+    calls_.Add(std::move(call));
+  }
+  calls_.Step(clock_.Now());
+  if (switch_off_.TakeStop(supervisor_, clock_.Now())) sync();
+  ProbeStarting();
+  if (supervisor_.revision() != published_ || clock_.Now() - published_at_ >= kReportPeriod) {
+    Publish();
+    Save();
+  }
+}
+
+// Asks those that were started whether they are ready.
+void SupervisorProgram::ProbeStarting() {
+  if (master_ended_) return;
+  if (probe_.busy()) {
+    if (!probe_.Work(Duration::zero())) return;
+    for (std::size_t i = 0; i < probed_.size(); ++i) TakeResult(i);
+    return;
+  }
+  std::vector<ProbeRequest> requests;
+  probed_.clear();
+  for (std::size_t i = 0; i < supervisor_.config().processes.size(); ++i) {
+    if (!supervisor_.AwaitsReadiness(i)) continue;
+    const ProcessConfig& process = supervisor_.config().processes[i];
+    probed_.push_back({i, supervisor_.status(i).pid});
+    ProbeRequest request;
+    request.node = process.node;
+    if (process.ready == Readiness::kTopic) request.topic = process.ready_name;
+    if (process.ready == Readiness::kService) request.service = process.ready_name;
+    requests.push_back(std::move(request));
+  }
+  if (!requests.empty()) probe_.Begin(std::move(requests), kProbeDeadline);
+}
+
+// The answer counts only if it comes from the process that we started: another one may have
+// registered under the same name. What runs on another host has other numbers.
+void SupervisorProgram::TakeResult(std::size_t index) {
+  const ProbeResult& result = probe_.results()[index];
+  const auto [process, pid] = probed_[index];
+  const bool is_remote = supervisor_.config().processes[process].host.has_value();
+  if (!result.answered || (!is_remote && getpgid(result.pid) != pid)) return;
+  supervisor_.OnReady(process, pid, clock_.Now());
+}
+
+void SupervisorProgram::Publish() {
+  const RobotConfig& config = supervisor_.config();
+  coppice_msgs::ProcessStates message;
+  message.header.stamp = ros::Time::now();
+  message.configuration = supervisor_.configuration();
+  message.changing = supervisor_.IsChanging();
+  message.manual = supervisor_.configuration_switch().manual();
+  message.safe_stop = supervisor_.configuration_switch().safe_stop();
+  for (std::size_t i = 0; i < config.processes.size(); ++i) {
+    const ProcessConfig& process = config.processes[i];
+    const ProcessStatus& status = supervisor_.status(i);
+    coppice_msgs::ProcessState state;
+    state.name = process.name;
+    state.node = process.node;
+    state.group = config.groups[process.group].name;
+    if (process.host) state.host = config.hosts[*process.host].name;
+    state.state = static_cast<std::uint8_t>(status.phase);
+    state.pid = status.pid;
+    state.restarts = status.restarts;
+    state.restarts_in_window =
+        static_cast<std::uint32_t>(supervisor_.RestartsUsed(i, clock_.Now()));
+    state.restarts_allowed =
+        static_cast<std::uint32_t>(config.groups[process.group].limits.restarts);
+    state.escalation = static_cast<std::uint8_t>(supervisor_.escalation(i));
+    state.since = ToRos(status.since);
+    state.back_off_until = ToRos(status.back_off_until);
+    state.message = status.message;
+    message.processes.push_back(state);
+    Tell(i);
+  }
+  processes_.publish(message);
+  published_ = supervisor_.revision();
+  published_at_ = clock_.Now();
+}
+
+// One line per change on the console.
+void SupervisorProgram::Tell(std::size_t process) {
+  const ProcessStatus& status = supervisor_.status(process);
+  told_.resize(supervisor_.config().processes.size());
+  const std::string line = supervisor_.config().processes[process].name + ": " +
+                           ToString(status.phase) +
+                           (status.pid == 0 ? "" : " (pid " + std::to_string(status.pid) + ")") +
+                           (status.message.empty() ? "" : ", " + status.message);
+  if (told_[process] == line) return;
+  told_[process] = line;
+  std::cout << line << std::endl;
+}
+
+void SupervisorProgram::Save() {
+  const SupervisorMemory memory = supervisor_.Remember();
+  std::string text = ToText(memory);
+  if (text == saved_) return;
+  const std::string problem = SaveMemory(memory, state_file_);
+  if (!problem.empty()) std::cerr << "coppice-supervisor: " << problem << "\n";
+  saved_ = std::move(text);
+}
+
+}  // namespace coppice::robot

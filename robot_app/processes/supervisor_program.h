@@ -1,0 +1,94 @@
+// The node of coppice-supervisor: connects the supervisor's core to ROS and to real processes.
+//
+//   /processes                    coppice_msgs/ProcessStates, latched, on change and at 1 Hz
+//   /supervisor/restart           coppice_msgs/RestartProcess
+//   /supervisor/reset             coppice_msgs/RestartProcess, see Supervisor::Reset
+//   /supervisor/set_configuration coppice_msgs/SetConfiguration
+//   /supervisor/release           std_srvs/Trigger, ends what was set by hand
+//   /supervisor/switch_off        coppice_msgs/SwitchOff, see switch_off.h
+//
+// One thread does everything, every 20 ms of wall time. Times in ProcessState are wall time,
+// because processes live in the computer's time; header.stamp is ROS time as everywhere.
+#ifndef COPPICE_ROBOT_APP_PROCESSES_SUPERVISOR_PROGRAM_H_
+#define COPPICE_ROBOT_APP_PROCESSES_SUPERVISOR_PROGRAM_H_
+
+#include <ros/ros.h>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "robot_app/common/node_probe.h"
+#include "robot_app/processes/config/conditions.h"
+#include "robot_app/processes/launch/process_launcher.h"
+#include "robot_app/processes/launch/remote_launcher.h"
+#include "robot_app/processes/launch/ros_master.h"
+#include "robot_app/processes/person_calls.h"
+#include "robot_app/processes/supervisor.h"
+#include "robot_app/processes/switch_off.h"
+
+namespace coppice::robot {
+
+class SupervisorProgram {
+ public:
+  /// How a run has ended.
+  enum class Outcome {
+    kStopped,    ///< as asked
+    kNewStack,   ///< everything has ended and is to begin anew, with a new ROS master
+    kSwitchOff,  ///< everything was stopped, and the power is to go off
+    kNoMaster,   ///< the ROS master ended too often; everything was stopped
+  };
+
+  /// ros::init was called. Launcher and master must outlive it. `state_file`: where the
+  /// supervisor's memory is kept; what is in it is taken up.
+  /// `switch_off_token`: see SwitchOff.
+  /// `address`: of this computer for nodes on other hosts; empty: that of the master.
+  SupervisorProgram(RobotConfig config, PosixLauncher& launcher, const RosMaster& master,
+                    const std::string& address, std::string state_file,
+                    std::string switch_off_token);
+
+  Supervisor& supervisor() { return supervisor_; }
+
+  /// Until `stop` says so or the stack is to begin anew; everything has stopped then.
+  Outcome Run(const std::function<bool()>& stop);
+
+ private:
+  struct Probed {
+    std::size_t process;
+    int pid;
+  };
+
+  void OfferServices();
+  void WatchConditions();
+  void Round();
+  void ProbeStarting();
+  void TakeResult(std::size_t index);
+  void Publish();
+  void Tell(std::size_t process);
+  void Save();
+
+  ros::NodeHandle handle_;
+  WallClock clock_;
+  PosixLauncher& local_;
+  RemoteLauncher launcher_;
+  const RosMaster& master_;
+  const std::string state_file_;
+  Supervisor supervisor_;
+  PersonCalls calls_;
+  SwitchOff switch_off_;
+  NodeProbe probe_;
+  std::vector<Probed> probed_;
+  std::vector<Condition> conditions_;
+  bool master_ended_ = false;
+  std::uint64_t published_ = 0;
+  Time published_at_{0};
+  std::string saved_;
+  std::vector<std::string> told_;
+  std::vector<ros::Subscriber> subscribers_;
+  std::vector<ros::ServiceServer> services_;
+  ros::Publisher processes_;
+};
+
+}  // namespace coppice::robot
+
+#endif  // COPPICE_ROBOT_APP_PROCESSES_SUPERVISOR_PROGRAM_H_

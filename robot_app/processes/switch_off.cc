@@ -1,0 +1,66 @@
+#include "robot_app/processes/switch_off.h"
+
+#include <signal.h>
+#include <unistd.h>
+
+#include <iostream>
+#include <optional>
+#include <thread>
+
+namespace coppice::robot {
+
+Verdict SwitchOff::Ask(const std::string& reason, const std::string& token, Supervisor& supervisor,
+                       Time now) {
+  const Verdict stop = supervisor.SafeStop();
+  if (!stop.ok) return stop;
+  if (!is_asked_ || !supervisor.configuration_switch().safe_stop()) asked_at_ = now;
+  is_asked_ = true;
+  const bool is_right = !token_.empty() && token == token_;
+  is_allowed_ = is_allowed_ || (has_command_ && is_right);
+  if (is_allowed_) return {true, "safe stop, then the power goes off: " + reason};
+  return {true, "safe stop, and the power stays on, because " +
+                    std::string(has_command_ ? "the token is not COPPICE_SWITCH_OFF_TOKEN"
+                                             : "robot.yaml names no command for switch_off") +
+                    ": " + reason};
+}
+
+bool SwitchOff::TakeStop(const Supervisor& supervisor, Time now) {
+  if (!is_asked_) return false;
+  if (!supervisor.configuration_switch().safe_stop()) {  // a person has ended it
+    is_asked_ = is_allowed_ = stands_ = false;
+    return false;
+  }
+  if (stands_ || (supervisor.IsChanging() && now - asked_at_ < kPatience)) return false;
+  stands_ = true;
+  return true;
+}
+
+bool CutPower(const std::vector<std::string>& command, PosixLauncher& launcher, Duration patience) {
+  sync();
+  ProcessConfig config;
+  config.name = "switch_off";
+  config.log = "switch_off.log";
+  config.command = command;
+  std::string error;
+  const int pid = launcher.Start(config, error);
+  if (pid == 0) {
+    std::cerr << "switch off: " << error << "\n";
+    return false;
+  }
+  const WallClock clock;
+  const Time give_up = clock.Now() + patience;
+  std::optional<int> status;
+  while (!status && clock.Now() < give_up) {
+    launcher.Reap([&](int ended, int wait_status) {
+      if (ended == pid) status = wait_status;
+    });
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  if (status == 0) return true;
+  if (!status) launcher.Signal(pid, SIGKILL);
+  std::cerr << "switch off: " << command.front()
+            << (status ? " failed\n" : " has not ended, and was killed\n");
+  return false;
+}
+
+}  // namespace coppice::robot

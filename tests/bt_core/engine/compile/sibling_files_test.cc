@@ -1,0 +1,44 @@
+#include "bt_core/engine/compile/sibling_files.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+namespace coppice {
+namespace {
+
+class SiblingFilesTest : public testing::Test {
+ protected:
+  SiblingFilesTest() { std::filesystem::create_directories(folder_); }
+  ~SiblingFilesTest() override { std::filesystem::remove_all(folder_); }
+  std::string Write(const std::string& name, const std::string& text) {
+    std::ofstream(folder_ / name) << text;
+    return (folder_ / name).string();
+  }
+  const std::filesystem::path folder_ =
+      std::filesystem::path(testing::TempDir()) /
+      testing::UnitTest::GetInstance()->current_test_info()->name();
+};
+
+TEST_F(SiblingFilesTest, NamesTheFileThatDefinesTheTree) {
+  const std::string main = Write("main.xml", "<root/>");
+  Write("dock.xml", "<root><BehaviorTree ID=\"Dock\"><A/></BehaviorTree></root>");
+  EXPECT_EQ(FindTreeInFolder(main, "Dock"), "dock.xml");
+}
+
+TEST_F(SiblingFilesTest, AMereMentionIsNoDefinition) {
+  const std::string main = Write("main.xml", "<root/>");
+  Write("user.xml", "<root><BehaviorTree ID=\"X\"><SubTree ID=\"Dock\"/></BehaviorTree></root>");
+  Write("broken.xml", "<root><BehaviorTree ID=\"Dock\">");
+  Write("dock.txt", "<root><BehaviorTree ID=\"Dock\"><A/></BehaviorTree></root>");
+  EXPECT_EQ(FindTreeInFolder(main, "Dock"), "");
+}
+
+TEST_F(SiblingFilesTest, ATextThatIsNoFileHasNoFolder) {
+  Write("dock.xml", "<root><BehaviorTree ID=\"Dock\"><A/></BehaviorTree></root>");
+  EXPECT_EQ(FindTreeInFolder((folder_ / "none.xml").string(), "Dock"), "");
+}
+
+}  // namespace
+}  // namespace coppice

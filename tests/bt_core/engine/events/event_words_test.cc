@@ -1,0 +1,77 @@
+#include "bt_core/engine/events/event_words.h"
+
+#include <gtest/gtest.h>
+
+#include "bt_core/data/value_bytes.h"
+
+namespace coppice {
+namespace {
+
+TEST(EventWords, ComeBackInTheirOrder) {
+  EventWriter writer;
+  writer.Delivery(3, Value(7));
+  writer.Write(4, 2, Value(std::string("door")));
+  writer.Status(2, Status::kFailure);
+  writer.Text(1, EventText::kException, "no map");
+  writer.Reset(5);
+  EventReader reader(writer.words());
+  Event event;
+  ASSERT_TRUE(reader.Next(event));
+  EXPECT_EQ(event.code, EventCode::kDelivery);
+  EXPECT_EQ(event.index, 3U);
+  EXPECT_EQ(PrintValueBytes(event.bytes), "7");
+  ASSERT_TRUE(reader.Next(event));
+  EXPECT_EQ(event.code, EventCode::kWrite);
+  EXPECT_EQ(event.writer, 2U);
+  EXPECT_EQ(PrintValueBytes(event.bytes), "door");
+  ASSERT_TRUE(reader.Next(event));
+  EXPECT_TRUE(event.is_result());
+  EXPECT_EQ(event.index, 2U);
+  EXPECT_EQ(event.status(), Status::kFailure);
+  ASSERT_TRUE(reader.Next(event));
+  EXPECT_EQ(event.text, EventText::kException);
+  EXPECT_EQ(event.bytes, "no map");
+  ASSERT_TRUE(reader.Next(event));
+  EXPECT_EQ(event.code, EventCode::kReset);
+  EXPECT_FALSE(event.is_result());
+  EXPECT_FALSE(reader.Next(event));
+}
+
+TEST(EventWords, TextsOfAnyLengthFit) {
+  for (std::size_t size = 0; size < 9; ++size) {
+    EventWriter writer;
+    writer.Text(1, EventText::kMessage, std::string(size, 'x'));
+    writer.Status(1, Status::kSuccess);
+    EventReader reader(writer.words());
+    Event event;
+    ASSERT_TRUE(reader.Next(event));
+    EXPECT_EQ(event.bytes, std::string(size, 'x'));
+    ASSERT_TRUE(reader.Next(event));
+    EXPECT_EQ(event.status(), Status::kSuccess);
+  }
+}
+
+TEST(EventWords, ThatAreCutOffEndTheReading) {
+  EventWriter writer;
+  writer.Text(1, EventText::kMessage, "a long text");
+  for (std::size_t size = 1; size < writer.words().size; ++size) {
+    EventReader reader({writer.words().data, size});
+    Event event;
+    EXPECT_FALSE(reader.Next(event)) << size;
+    EXPECT_FALSE(reader.Next(event)) << size;
+  }
+}
+
+TEST(EventWords, MessagesAndExceptionsAreMessages) {
+  EventWriter writer;
+  writer.Text(1, EventText::kMessage, "blocked");
+  writer.Text(2, EventText::kInjected, "x");
+  writer.Text(3, EventText::kException, "no map");
+  const std::vector<NodeMessage> messages = MessagesOf(writer.words());
+  ASSERT_EQ(messages.size(), 2U);
+  EXPECT_EQ(messages[0].node, 1U);
+  EXPECT_EQ(messages[1].text, "no map");
+}
+
+}  // namespace
+}  // namespace coppice

@@ -1,0 +1,92 @@
+#include "bt_core/engine/events/status_follower.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/bt_core/engine/fixture.h"
+
+namespace coppice {
+namespace {
+
+constexpr Status kIdle = Status::kIdle;
+constexpr Status kRunning = Status::kRunning;
+constexpr Status kSuccess = Status::kSuccess;
+using Statuses = std::vector<Status>;
+
+Event Of(NodeIndex node, Status status) {
+  Event event;
+  event.code = static_cast<EventCode>(status);
+  event.index = node;
+  return event;
+}
+
+// 0 sequence (1 a, 2 parallel (3 b, 4 c), 5 d)
+StatusFollower Follower() {
+  return StatusFollower(
+      {{0, 6, true}, {0, 2, false}, {0, 5, false}, {2, 4, false}, {2, 5, false}, {0, 6, false}},
+      Statuses(6, kIdle));
+}
+
+TEST(StatusFollower, WhenANodeEndsItsChildrenAreIdle) {
+  StatusFollower follower = Follower();
+  follower.Apply(Of(3, kSuccess));
+  follower.Apply(Of(4, kSuccess));
+  EXPECT_EQ(follower.status(4), kSuccess);
+  follower.Apply(Of(2, kSuccess));
+  EXPECT_EQ(follower.statuses(), (Statuses{kIdle, kIdle, kSuccess, kIdle, kIdle, kIdle}));
+  EXPECT_EQ(follower.last(4), kSuccess);
+}
+
+TEST(StatusFollower, BehindTheRunningChildOfASequenceAllAreIdle) {
+  StatusFollower follower = Follower();
+  follower.Apply(Of(1, kSuccess));
+  follower.Apply(Of(2, kSuccess));
+  follower.Apply(Of(5, kRunning));
+  follower.Apply(Of(0, kRunning));
+  EXPECT_EQ(follower.statuses(), (Statuses{kRunning, kSuccess, kSuccess, kIdle, kIdle, kRunning}));
+  follower.Apply(Of(1, kRunning));
+  follower.Apply(Of(5, kIdle));
+  follower.Apply(Of(0, kRunning));
+  EXPECT_EQ(follower.statuses(), (Statuses{kRunning, kRunning, kIdle, kIdle, kIdle, kIdle}));
+}
+
+TEST(StatusFollower, ChangesComeInTheOrderOfHappening) {
+  StatusFollower follower = Follower();
+  std::vector<NodeIndex> nodes;
+  for (const Event& event :
+       {Of(3, kSuccess), Of(4, kRunning), Of(2, kRunning), Of(4, kSuccess), Of(2, kSuccess)}) {
+    follower.Apply(event, [&](const StatusChange& change) { nodes.push_back(change.node); });
+  }
+  EXPECT_EQ(nodes, (std::vector<NodeIndex>{3, 4, 2, 4, 3, 4, 2}));
+}
+
+TEST(StatusFollower, AnEventOfANodeThatThereIsNotChangesNothing) {
+  StatusFollower follower = Follower();
+  follower.Apply(Of(6, kRunning));
+  EXPECT_EQ(follower.statuses(), Statuses(6, kIdle));
+}
+
+TEST(StatusFollower, KnowsWhatTheExecutorKnows) {
+  LeafScript script;
+  script.results = {{"a", {kSuccess, kRunning, kSuccess, Status::kFailure}},
+                    {"b", {kRunning, Status::kFailure, kSuccess, Status::kSkipped}},
+                    {"c", {Status::kFailure, kRunning, kRunning, kSuccess}}};
+  for (const std::string outer : {"Sequence", "Fallback", "ReactiveSequence", "ReactiveFallback"}) {
+    for (const std::string inner : {"Sequence", "SequenceWithMemory", "ReactiveFallback",
+                                    "Parallel", "WorstOf", "PipelineSequence"}) {
+      Stage stage(Main("<" + outer + "><" + inner + "><Leaf name=\"a\"/><Leaf name=\"b\"/></" +
+                       inner + "><Inverter><Leaf name=\"c\"/></Inverter></" + outer + ">"),
+                  script);
+      const KeepingSink& sink = stage.Listen();
+      for (std::size_t i = 0; i < 12; ++i) {
+        stage.executor->Tick();
+        for (const StatusChange& change : sink.ticks[i].changes) {
+          EXPECT_NE(change.from, change.to);
+        }
+        EXPECT_EQ(sink.statuses(), stage.executor->statuses()) << outer << " " << inner << i;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace coppice

@@ -1,0 +1,82 @@
+#include "bt_core/frames/follower.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/bt_core/frames/kept_history.h"
+#include "tests/bt_core/frames/scripted_tree.h"
+
+namespace coppice {
+namespace {
+
+using ::testing::ElementsAre;
+
+class FollowingListener : public EventListener {
+ public:
+  explicit FollowingListener(const Program& program) : shape_(ShapeOf(program)) {}
+  void OnState(const StreamState& s) override {
+    follower.emplace(shape_, HistoryState{{}, s.tick, s.time, s.statuses, {}, s.values});
+  }
+  void OnTick(const TickEvents& events) override { follower->Apply(events); }
+  std::optional<HistoryFollower> follower;
+
+ private:
+  TreeShape shape_;
+};
+
+TEST(HistoryFollower, KnowsStatusesAndValues) {
+  LeafScript script;
+  SimulatedClock clock;
+  Executor executor(ScriptedProgram(script), clock);
+  EventStream stream(executor);
+  FollowingListener listener(executor.program());
+  stream.Add(listener);
+  std::mt19937 random(12);
+  for (int i = 0; i < 1000; ++i) {
+    TickAtRandom(random, script, clock, executor);
+    stream.Flush();
+    ASSERT_EQ(listener.follower->statuses(), executor.statuses());
+    ASSERT_EQ(listener.follower->tick(), executor.ticks());
+    ASSERT_EQ(listener.follower->time(), clock.Now());
+    for (SlotIndex slot = 0; slot < executor.blackboard().size(); ++slot) {
+      ASSERT_EQ(PrintValueBytes(listener.follower->values()[slot]),
+                executor.blackboard()[slot].value.has_value()
+                    ? executor.blackboard()[slot].value.Print()
+                    : "");
+    }
+  }
+  stream.Remove(listener);
+}
+
+TEST(HistoryFollower, RemembersTheLastStatusOfIdleNodes) {
+  const TreeShape shape{{0, 2, false}, {0, 2, false}};
+  HistoryFollower follower(shape, {{}, 0, Time(0), {Status::kIdle, Status::kIdle}, {}, {}});
+  EventWriter words;
+  words.Status(1, Status::kFailure);
+  words.Status(0, Status::kSuccess);
+  follower.Apply({1, Time(1), Duration(0), Status::kSuccess, true, words.words()});
+  EXPECT_EQ(follower.status(1), Status::kIdle);
+  EXPECT_EQ(follower.last(1), Status::kFailure);
+  const HistoryState state = follower.State(HistoryState::Cause::kKeyframe);
+  EXPECT_THAT(state.last, ElementsAre(Status::kSuccess, Status::kFailure));
+  EXPECT_EQ(HistoryFollower(shape, state).last(1), Status::kFailure);
+  EXPECT_THAT(follower.LastsWith({Status::kIdle, Status::kRunning}),
+              ElementsAre(Status::kSuccess, Status::kRunning));
+}
+
+TEST(HistoryFollower, TellsChangesAndEvents) {
+  HistoryFollower follower({{0, 1, false}}, {{}, 0, Time(0), {Status::kIdle}, {}, {}});
+  EventWriter words;
+  words.Text(0, EventText::kMessage, "hello");
+  words.Status(0, Status::kSuccess);
+  int changes = 0;
+  int events = 0;
+  follower.Apply(
+      {1, Time(1), Duration(0), Status::kSuccess, true, words.words()},
+      [&](const StatusChange&) { ++changes; }, [&](const Event&) { ++events; });
+  EXPECT_EQ(changes, 1);
+  EXPECT_EQ(events, 2);
+}
+
+}  // namespace
+}  // namespace coppice

@@ -1,0 +1,175 @@
+#include "bt_core/live/client/client_extension.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <random>
+
+#include "tests/bt_core/live/encoded_run.h"
+#include "tests/bt_core/live/watcher.h"
+
+namespace coppice {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::SizeIs;
+using namespace std::chrono_literals;  // NOLINT(google-build-using-namespace)
+using Json = nlohmann::json;
+using Parts = ClientSession::Parts;
+
+// The robot's side is the test.
+class ClientExtensionTest : public ::testing::Test {
+ protected:
+  // The last request.
+  Json Asked() const { return Json::parse(sent_.back()[1]); }
+
+  // Answers it.
+  void Answer(const Json& reply, Duration now = 1s) {
+    session_.OnMessage({sent_.back()[0] + std::string(16, 'i'), reply.dump()}, now);
+  }
+  void Push(char type, const std::string& body) {
+    session_.OnMessage({std::string("\x02") + type + std::string(20, '\0'), body}, 1s);
+  }
+  void Connect() {
+    Answer({{"protocol", 1}, {"control", true}, {"trees", {{{"tree", 0}, {"name", "Main"}}}}});
+    Answer({{"subscription", 0}, {"run", std::string(32, '1')}, {"next", 5}, {"missed", 0}});
+  }
+
+  // Tree and state, the frames 5 and 6.
+  void PushTree() {
+    const EncodedRun run(0);
+    Push('F', Number(5) + Number(7) + run[0] + run[1]);
+  }
+  static std::string Number(char number) { return std::string(1, number) + std::string(7, '\0'); }
+
+  LiveClientOptions options_;
+  Watcher watcher_;
+  ClientHistory history_{watcher_};
+  std::vector<Parts> sent_;
+  ClientExtension session_{options_, watcher_, history_,
+                           [this](const Parts& parts) { sent_.push_back(parts); }};
+};
+
+TEST_F(ClientExtensionTest, SaysHelloThenSubscribes) {
+  EXPECT_EQ(Asked()["do"], "hello");
+  EXPECT_EQ(Asked()["protocol"], 1);
+  EXPECT_FALSE(session_.is_live());
+  Answer({{"protocol", 1}, {"trees", {{{"tree", 0}, {"name", "Main"}}}}});
+  EXPECT_EQ(Asked()["do"], "subscribe");
+  Answer({{"subscription", 7}, {"run", std::string(32, '1')}, {"next", 5}, {"missed", 0}});
+  EXPECT_TRUE(session_.is_live());
+  EXPECT_TRUE(watcher_.watched().is_live());
+  EXPECT_EQ(watcher_.watched().connections.back().run[0], 0x11);
+}
+
+TEST_F(ClientExtensionTest, WaitsForItsTree) {
+  EXPECT_FALSE(session_.has_answered());
+  Answer({{"protocol", 1}, {"trees", Json::array()}});
+  EXPECT_TRUE(session_.has_answered()) << "nobody says that there is no robot";
+  EXPECT_THAT(watcher_.watched().connections.back().problem, HasSubstr("no tree yet"));
+  Push('E', R"({"event":"trees","trees":[{"tree":0,"name":"Main"}]})");
+  EXPECT_EQ(Asked()["do"], "subscribe");
+}
+
+TEST_F(ClientExtensionTest, SubscribesOnceAlthoughTreesComeMeanwhile) {
+  Answer({{"protocol", 1}, {"trees", {{{"tree", 0}, {"name", "Main"}}}}});
+  const std::size_t sent = sent_.size();
+  Push('E', R"({"event":"trees","trees":[{"tree":0,"name":"Main"},{"tree":1,"name":"B"}]})");
+  EXPECT_THAT(sent_, SizeIs(sent));
+}
+
+TEST_F(ClientExtensionTest, ATreeThatIsGoneHasNoName) {
+  Connect();
+  Push('E', R"({"event":"trees","trees":[]})");
+  const LiveConnection connection = watcher_.watched().connections.back();
+  EXPECT_TRUE(connection.is_live);
+  ASSERT_LT(connection.tree, connection.trees.size());
+  EXPECT_EQ(connection.trees[connection.tree], "");
+}
+
+TEST_F(ClientExtensionTest, ANodeThatTheTreeDoesNotHaveIsNotHandedOn) {
+  Connect();
+  PushTree();
+  Push('E', R"({"event":"stopped","tree":0,"stop":{"where":"before","node":99,"path":"x"}})");
+  ASSERT_THAT(watcher_.watched().notices, SizeIs(1));
+  EXPECT_EQ(watcher_.watched().notices[0].event.stop.node, kNoNode);
+  EXPECT_EQ(watcher_.watched().notices[0].path, "x");
+}
+
+TEST_F(ClientExtensionTest, AStopBeforeTheTreeIsKnownIsToldBehindTheTree) {
+  Connect();
+  Push('E', R"({"event":"stopped","tree":0,"stop":{"where":"before","node":1,"path":"x"}})");
+  EXPECT_THAT(watcher_.watched().notices, SizeIs(0));
+  PushTree();
+  ASSERT_THAT(watcher_.watched().notices, SizeIs(1));
+  EXPECT_EQ(watcher_.watched().notices[0].event.stop.node, 1u);
+}
+
+TEST_F(ClientExtensionTest, GivesUpARobotThatDoesNotKnowTheExtension) {
+  session_.OnMessage({"error", "Request not recognized"}, 1s);
+  EXPECT_TRUE(session_.is_wrong_protocol());
+}
+
+TEST_F(ClientExtensionTest, GivesUpARobotOfAnotherVersion) {
+  Answer({{"protocol", 9}});
+  EXPECT_THAT(session_.failure(), HasSubstr("version 9"));
+  EXPECT_FALSE(session_.is_wrong_protocol());
+}
+
+TEST_F(ClientExtensionTest, GivesUpARobotThatDoesNotAnswerAnyMore) {
+  Connect();
+  EXPECT_EQ(session_.OnTime(1500ms), 2500ms);
+  EXPECT_EQ(Asked()["do"], "ping");
+  session_.OnTime(2500ms);
+  session_.OnTime(3500ms);
+  EXPECT_EQ(session_.failure(), "");
+  session_.OnTime(4500ms);
+  EXPECT_NE(session_.failure(), "");
+}
+
+TEST_F(ClientExtensionTest, HandsRepliesToThoseWhoAsked) {
+  Connect();
+  LiveReply got = FailedReply("none yet");
+  session_.Send(MakeCommand(LiveCommand::Kind::kPause), [&](const LiveReply& r) { got = r; });
+  EXPECT_EQ(Asked()["do"], "pause");
+  Answer(Json::object());
+  EXPECT_EQ(got.error, "");
+  session_.Send(MakeCommand(LiveCommand::Kind::kPause), [&](const LiveReply& r) { got = r; });
+  Answer({{"error", "the robot moves"}, {"reason", "refused"}});
+  EXPECT_EQ(got.error, "the robot moves");
+  session_.Send(MakeCommand(LiveCommand::Kind::kPause), [&](const LiveReply& r) { got = r; });
+  session_.Abandon("gone");
+  EXPECT_EQ(got.error, "gone");
+}
+
+TEST_F(ClientExtensionTest, BeginsAnewWhenTheRobotHasGivenItUp) {
+  Connect();
+  Push('E', R"({"event":"released","text":"nothing was heard"})");
+  EXPECT_NE(session_.failure(), "");
+}
+
+TEST_F(ClientExtensionTest, TakesLeave) {
+  Connect();
+  session_.Leave();
+  EXPECT_EQ(Asked()["do"], "bye");
+}
+
+TEST_F(ClientExtensionTest, IsNotDisturbedByNonsense) {
+  Connect();
+  std::mt19937 random(5);
+  for (int i = 0; i < 5000; ++i) {
+    Parts parts(1 + random() % 3);
+    for (std::string& part : parts) {
+      part.resize(random() % 3 ? 22 : random() % 60);
+      for (char& c : part) c = static_cast<char>(random());
+    }
+    if (parts[0].size() > 1)
+      parts[0].replace(0, 2, random() % 2 ? std::string{2, 'F'} : std::string{2, 'E'});
+    session_.OnMessage(parts, 1s);
+  }
+  EXPECT_THAT(watcher_.watched().ticks, SizeIs(0));
+}
+
+}  // namespace
+}  // namespace coppice

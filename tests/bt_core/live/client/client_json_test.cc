@@ -1,0 +1,109 @@
+#include "bt_core/live/client/client_json.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+namespace coppice {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using Json = nlohmann::json;
+
+TEST(ClientJson, WritesCommandsAsTheRobotWantsThem) {
+  Hook hook;
+  hook.path = "a/b";
+  hook.position = HookPosition::kAfter;
+  hook.action = HookAction::kReplace;
+  hook.status = Status::kFailure;
+  hook.condition = "x > \"1\"";
+  hook.times = 3;
+  const Json json = Json::parse(WriteCommand(SetHook(hook), 2));
+  EXPECT_EQ(json, Json({{"do", "hook"},
+                        {"tree", 2},
+                        {"node", "a/b"},
+                        {"position", "after"},
+                        {"action", "replace"},
+                        {"status", "FAILURE"},
+                        {"condition", "x > \"1\""},
+                        {"from_hit", 1},
+                        {"times", 3},
+                        {"enabled", true}}));
+  hook = Hook();
+  hook.node = 7;
+  hook.action = HookAction::kDelay;
+  hook.delay = std::chrono::milliseconds(1500);
+  const Json delay = Json::parse(WriteCommand(SetHook(hook), 0));
+  EXPECT_EQ(delay["node"], 7);
+  EXPECT_EQ(delay["delay_ms"], 1500.0);
+  LiveCommand go_on = MakeCommand(LiveCommand::Kind::kContinue);
+  go_on.result = Status::kSuccess;
+  EXPECT_EQ(Json::parse(WriteCommand(go_on, 0)),
+            Json({{"do", "continue"}, {"tree", 0}, {"result", "SUCCESS"}}));
+  EXPECT_EQ(Json::parse(WriteCommand(MakeCommand(LiveCommand::Kind::kStepNode), 0)),
+            Json({{"do", "step"}, {"tree", 0}, {"to", "node"}}));
+}
+
+TEST(ClientJson, SubscribesFromAFrameOfARunOrFromNow) {
+  SubscribeRequest request;
+  EXPECT_EQ(Json::parse(WriteSubscribe(request)), Json({{"do", "subscribe"}, {"tree", 0}}));
+  request.with_past = false;
+  EXPECT_EQ(Json::parse(WriteSubscribe(request))["from"], "now");
+  request.run[0] = 0xab;
+  request.from = 17;
+  const Json json = Json::parse(WriteSubscribe(request));
+  EXPECT_EQ(json["from"], 17);
+  EXPECT_EQ(json["run"], "ab000000000000000000000000000000");
+  EXPECT_EQ(ReadRunId("ab000000000000000000000000000000"), request.run);
+  EXPECT_EQ(ReadRunId("xb000000000000000000000000000000"), RunId());
+}
+
+TEST(ClientJson, ReadsWhatARobotSaysOfItself) {
+  const HelloReply reply = ReadHello(R"({"protocol":1,"control":"the robot moves",)"
+                                     R"("trees":[{"tree":1,"name":"b"},{"tree":0,"name":"a"}]})");
+  EXPECT_EQ(reply.error, "");
+  EXPECT_EQ(reply.refusal, "the robot moves");
+  EXPECT_THAT(reply.trees, ElementsAre("a", "b"));
+  EXPECT_EQ(ReadHello(R"({"protocol":1,"control":true,"trees":[]})").refusal, "");
+  EXPECT_THAT(ReadHello(R"({"protocol":2})").error, HasSubstr("version 2"));
+}
+
+TEST(ClientJson, ReadsNotices) {
+  const NoticeMessage message = ReadNotice(
+      R"({"event":"refused","tree":3,"text":"it moves","stop":{"where":"after","node":4,)"
+      R"("path":"x","result":"FAILURE","hook":5,"tick":6}})");
+  EXPECT_EQ(message.tree, 3u);
+  EXPECT_EQ(message.notice.path, "x");
+  const DebugEvent& event = message.notice.event;
+  EXPECT_EQ(event.kind, DebugEvent::Kind::kRefused);
+  EXPECT_EQ(event.reason, "it moves");
+  EXPECT_EQ(event.stop.where, DebugStop::Where::kAfter);
+  EXPECT_EQ(event.stop.node, 4u);
+  EXPECT_EQ(event.stop.result, Status::kFailure);
+  EXPECT_EQ(event.stop.hook, 5u);
+  EXPECT_EQ(event.stop.tick, 6u);
+}
+
+TEST(ClientJson, IsNotDisturbedByNonsense) {
+  for (const char* text :
+       {"", "[]", "{", "17", "{\"error\":5}", "{\"trees\":[1,{\"tree\":99999999999}]}",
+        "{\"stop\":7,\"tree\":\"x\",\"event\":[]}", "\xff\xfe"}) {
+    ReadHello(text);
+    ReadSubscribe(text);
+    ReadReply(text);
+    ReadNotice(text);
+  }
+  ReadReply("{\"a\":" + std::string(10 << 20, '['));
+  EXPECT_EQ(ReadReply("{\"error\":\"x\",\"a\":" + std::string(100000, '[') +
+                      std::string(100000, ']') + "}")
+                .error,
+            "")
+      << "it is nested too deep";
+  EXPECT_NE(ReadReply("{\"error\":5}").error, "");
+  EXPECT_EQ(ReadReply(WriteAbandoned("gone")).error, "gone");
+}
+
+}  // namespace
+}  // namespace coppice

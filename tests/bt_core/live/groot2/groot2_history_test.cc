@@ -1,0 +1,158 @@
+#include "bt_core/live/groot2/groot2_history.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <random>
+
+#include "bt_core/data/value_bytes.h"
+#include "tests/bt_core/live/watcher.h"
+
+namespace coppice {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+using namespace std::chrono_literals;  // NOLINT(google-build-using-namespace)
+
+constexpr Status kIdle = Status::kIdle;
+constexpr Status kRunning = Status::kRunning;
+constexpr Status kSuccess = Status::kSuccess;
+constexpr Status kFailure = Status::kFailure;
+
+constexpr char kXml[] = R"(<root BTCPP_format="4"><BehaviorTree ID="Main" _fullpath="">
+  <Parallel name="p" _uid="10"><A name="a" _uid="20"/><B name="b" _uid="30"/></Parallel>
+  </BehaviorTree></root>)";
+
+std::string Transition(std::uint64_t microseconds, std::uint16_t uid, Status status) {
+  std::string bytes;
+  for (int i = 0; i < 6; ++i) bytes += static_cast<char>(microseconds >> (8 * i));
+  bytes += static_cast<char>(uid);
+  bytes += static_cast<char>(uid >> 8);
+  bytes += static_cast<char>(status);
+  return bytes;
+}
+
+std::string Statuses(int p, int a, int b) {
+  std::string bytes;
+  int uid = 10;
+  for (const int status : {p, a, b}) {
+    bytes += {static_cast<char>(uid), 0, static_cast<char>(status)};
+    uid += 10;
+  }
+  return bytes;
+}
+
+class Groot2HistoryTest : public ::testing::Test {
+ protected:
+  void Begin(bool records = true) {
+    ASSERT_EQ(history_.SetTree(RunId{1}, kXml), "");
+    if (records) {
+      ASSERT_EQ(history_.SetRecording("1000000"), "");
+    }
+    ASSERT_EQ(history_.AddStatuses(Statuses(0, 12, 0), 1s), "");
+  }
+  std::vector<Status> statuses() { return watcher_.watched().follower->statuses(); }
+
+  Watcher watcher_;
+  Groot2History history_{watcher_, "robot:1667"};
+};
+
+TEST_F(Groot2HistoryTest, BeginsWhenTheStatusesAreKnown) {
+  ASSERT_EQ(history_.SetTree(RunId{1}, kXml), "");
+  EXPECT_FALSE(history_.has_begun());
+  EXPECT_THAT(watcher_.watched().trees, IsEmpty());
+  ASSERT_EQ(history_.AddStatuses(Statuses(1, 2, 1), 1s), "");
+  EXPECT_TRUE(history_.has_begun());
+  EXPECT_THAT(watcher_.watched().trees, SizeIs(1));
+  EXPECT_THAT(statuses(), ElementsAre(kRunning, kSuccess, kRunning));
+}
+
+TEST_F(Groot2HistoryTest, SaysThatOnlyChangesAreTold) {
+  Begin();
+  EXPECT_TRUE(TellsChangesOnly(watcher_.watched().trees[0].info));
+  EXPECT_FALSE(TellsChangesOnly(RunInfo()));
+}
+
+TEST_F(Groot2HistoryTest, MakesTicksOfTransitionsThatFollowEachOther) {
+  Begin();
+  EXPECT_EQ(history_.AddTransitions(Transition(0, 20, kRunning) + Transition(500, 30, kFailure) +
+                                    Transition(900, 10, kRunning) + Transition(9000, 20, kSuccess)),
+            "");
+  EXPECT_THAT(watcher_.watched().ticks, ElementsAre(1, 2));
+  EXPECT_THAT(statuses(), ElementsAre(kRunning, kSuccess, kFailure));
+}
+
+TEST_F(Groot2HistoryTest, StatusesCorrectOnlyWhatStaysDifferent) {
+  Begin();
+  EXPECT_EQ(history_.AddStatuses(Statuses(1, 1, 0), 2s), "");
+  EXPECT_THAT(statuses(), ElementsAre(kIdle, kIdle, kIdle));  // the transitions will come
+  EXPECT_EQ(history_.AddStatuses(Statuses(1, 1, 0), 3s), "");
+  EXPECT_THAT(statuses(), ElementsAre(kRunning, kRunning, kIdle));
+}
+
+TEST_F(Groot2HistoryTest, WithoutARecordingStatusesAreAllThereIs) {
+  Begin(false);
+  EXPECT_EQ(history_.AddStatuses(Statuses(1, 1, 0), 2s), "");
+  EXPECT_THAT(statuses(), ElementsAre(kRunning, kRunning, kIdle));
+}
+
+TEST_F(Groot2HistoryTest, ReportsAGapWhenTheRobotMayHaveDroppedTransitions) {
+  Begin();
+  std::string bytes;
+  for (int i = 0; i < 1000; ++i) bytes += Transition(static_cast<std::uint64_t>(i), 20, kRunning);
+  EXPECT_EQ(history_.AddTransitions(bytes), "");
+  EXPECT_EQ(history_.AddStatuses(Statuses(3, 12, 13), 2s), "");
+  EXPECT_THAT(watcher_.watched().gaps, SizeIs(1));
+  EXPECT_THAT(statuses(), ElementsAre(kFailure, kIdle, kIdle));
+}
+
+TEST_F(Groot2HistoryTest, ValuesAreWritesAndNewKeysAreAnotherDescription) {
+  Begin();
+  const auto pack = [](const nlohmann::json& json) {
+    const auto bytes = nlohmann::json::to_msgpack(json);
+    return std::string(bytes.begin(), bytes.end());
+  };
+  EXPECT_EQ(history_.AddBoards(pack({{"Main", {{"n", 1}, {"x", 0.5}}}}), 2s), "");
+  EXPECT_THAT(watcher_.watched().trees, SizeIs(2));
+  EXPECT_EQ(history_.AddBoards(pack({{"Main", {{"n", 2}, {"x", 0.5}}}}), 3s), "");
+  const Watched watched = watcher_.watched();
+  EXPECT_THAT(watched.trees, SizeIs(2));
+  ASSERT_THAT(watched.values, SizeIs(2));
+  EXPECT_EQ(PrintValueBytes(watched.values[0]), "2");
+  EXPECT_EQ(PrintValueBytes(watched.values[1]), "0.5");
+  EXPECT_EQ(history_.AddBoards(pack(nullptr), 3s), "");
+}
+
+TEST_F(Groot2HistoryTest, RefusesWhatCannotBeRead) {
+  EXPECT_THAT(history_.SetTree(RunId{1}, "<root>"), HasSubstr("cannot be read"));
+  Begin();
+  EXPECT_NE(history_.SetRecording("soon"), "");
+  EXPECT_NE(history_.SetRecording("-5"), "");
+  EXPECT_NE(history_.SetRecording("99999999999999999999"), "");
+  EXPECT_NE(history_.AddTransitions("12345678"), "");
+  EXPECT_NE(history_.AddTransitions(Transition(0, 99, kRunning)), "");
+  EXPECT_NE(history_.AddStatuses("1234", 1s), "");
+  EXPECT_NE(history_.AddStatuses(Statuses(1, 200, 1), 1s), "");
+  EXPECT_NE(history_.AddBoards("\xc1", 1s), "");
+}
+
+TEST_F(Groot2HistoryTest, IsNotDisturbedByRandomAnswers) {
+  Begin();
+  std::mt19937 random(3);
+  for (int i = 0; i < 5000; ++i) {
+    std::string bytes(random() % 40 * (random() % 2 ? 9 : 3), '\0');
+    for (char& c : bytes) c = static_cast<char>(random());
+    history_.AddTransitions(bytes);
+    history_.AddStatuses(bytes, 1s);
+    history_.AddBoards(bytes, 1s);
+    history_.SetRecording(bytes);
+  }
+  EXPECT_EQ(history_.AddStatuses(Statuses(1, 1, 1), 1s), "");
+}
+
+}  // namespace
+}  // namespace coppice

@@ -1,0 +1,75 @@
+#include "bt_core/live/groot2/groot2_hook_json.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+namespace coppice::groot2 {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using Json = nlohmann::json;
+
+TEST(Groot2HookJson, IsWhatTheProtocolWants) {
+  Hook hook;
+  EXPECT_EQ(Json::parse(WriteHookInsert(hook, 5)), Json({{"enabled", true},
+                                                         {"uid", 5},
+                                                         {"mode", 0},
+                                                         {"once", false},
+                                                         {"desired_status", "SKIPPED"},
+                                                         {"position", 0}}));
+  hook.action = HookAction::kReplace;
+  hook.status = Status::kFailure;
+  hook.position = HookPosition::kAfter;
+  hook.times = 1;
+  EXPECT_EQ(Json::parse(WriteHookInsert(hook, 5)), Json({{"enabled", true},
+                                                         {"uid", 5},
+                                                         {"mode", 1},
+                                                         {"once", true},
+                                                         {"desired_status", "FAILURE"},
+                                                         {"position", 1}}));
+  EXPECT_EQ(Json::parse(WriteHookRemove(5, HookPosition::kAfter)),
+            Json({{"uid", 5}, {"position", 1}}));
+  EXPECT_EQ(Json::parse(WriteUnlock(5, HookPosition::kBefore, Status::kSuccess)),
+            Json({{"uid", 5},
+                  {"position", 0},
+                  {"desired_status", "SUCCESS"},
+                  {"remove_when_done", false}}));
+}
+
+TEST(Groot2HookJson, SaysWhatIsTooMuchForTheProtocol) {
+  Hook hook;
+  EXPECT_EQ(WhatIsTooMuch(hook), "");
+  hook.condition = "x";
+  EXPECT_THAT(WhatIsTooMuch(hook), HasSubstr("conditions"));
+  hook = Hook();
+  hook.times = 2;
+  EXPECT_THAT(WhatIsTooMuch(hook), HasSubstr("count"));
+  hook = Hook();
+  hook.action = HookAction::kDelay;
+  EXPECT_THAT(WhatIsTooMuch(hook), HasSubstr("delay"));
+  hook.action = HookAction::kReplace;
+  hook.status = Status::kRunning;
+  EXPECT_THAT(WhatIsTooMuch(hook), HasSubstr("only SUCCESS and FAILURE"));
+}
+
+TEST(Groot2HookJson, FindsNodesByPathAndType) {
+  TreeDescription tree;
+  tree.main_tree = "Main";
+  for (const auto& [path, id] : std::vector<std::pair<std::string, std::string>>{
+           {"top", "Sequence"}, {"dock", "Dock"}, {"dock/Drive::3", "Drive"}}) {
+    tree.nodes.emplace_back();
+    tree.nodes.back().path = path;
+    tree.nodes.back().id = id;
+  }
+  EXPECT_THAT(FindNodes(tree, "top"), ElementsAre(0u));
+  EXPECT_THAT(FindNodes(tree, "Main/dock/Drive::3"), ElementsAre(2u));
+  EXPECT_THAT(FindNodes(tree, "dock/Drive"), ElementsAre(2u));
+  EXPECT_THAT(FindNodes(tree, "Drive"), IsEmpty());
+}
+
+}  // namespace
+}  // namespace coppice::groot2

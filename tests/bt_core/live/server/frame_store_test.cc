@@ -1,0 +1,66 @@
+#include "bt_core/live/server/frame_store.h"
+
+#include <gtest/gtest.h>
+
+namespace coppice {
+namespace {
+
+StoredFrame Make(FrameType type, std::uint64_t tick, const std::string& bytes = "0123456789") {
+  return {type, tick, Time(0), bytes};
+}
+
+TEST(FrameStore, NumbersFramesAndKnowsWhereReadingCanBegin) {
+  FrameStore store(1000);
+  store.Add(Make(FrameType::kTree, 0, "tree"));
+  EXPECT_FALSE(store.has_entry());
+  store.Add(Make(FrameType::kState, 0));
+  store.Add(Make(FrameType::kEvents, 5));
+  store.Add(Make(FrameType::kState, 5));
+  EXPECT_TRUE(store.has_entry());
+  EXPECT_EQ(store.first(), 0u);
+  EXPECT_EQ(store.next(), 4u);
+  EXPECT_EQ(store.OldestEntry().start, 1u);
+  EXPECT_EQ(store.YoungestEntry().start, 3u);
+  EXPECT_EQ(store.YoungestEntry().tree->bytes, "tree");
+  EXPECT_EQ(store[2].tick, 5u);
+}
+
+TEST(FrameStore, DropsTheOldestUpToAState) {
+  FrameStore store(60);
+  store.Add(Make(FrameType::kTree, 0));
+  store.Add(Make(FrameType::kState, 0));
+  for (std::uint64_t tick = 1; tick <= 3; ++tick) store.Add(Make(FrameType::kEvents, tick));
+  store.Add(Make(FrameType::kState, 3));  // number 5
+  EXPECT_EQ(store.first(), 0u);
+  store.Add(Make(FrameType::kEvents, 4));
+  EXPECT_EQ(store.first(), 5u);
+  EXPECT_EQ(store.OldestEntry().start, 5u);
+  EXPECT_EQ(store.next(), 7u);
+}
+
+TEST(FrameStore, KeepsTheYoungestStateWhateverTheLimit) {
+  FrameStore store(0);
+  store.Add(Make(FrameType::kTree, 0));
+  store.Add(Make(FrameType::kState, 0));
+  for (std::uint64_t tick = 1; tick <= 100; ++tick) store.Add(Make(FrameType::kEvents, tick));
+  EXPECT_EQ(store.OldestEntry().start, 1u);
+  store.Add(Make(FrameType::kState, 100));
+  EXPECT_EQ(store.first(), 102u);
+}
+
+TEST(FrameStore, RemembersTheTreeOfTheOldestState) {
+  FrameStore store(50);
+  store.Add(Make(FrameType::kTree, 0, "first"));
+  store.Add(Make(FrameType::kState, 0));
+  store.Add(Make(FrameType::kTree, 1, "second"));
+  store.Add(Make(FrameType::kState, 1));
+  EXPECT_EQ(store.OldestEntry().tree->bytes, "first");
+  EXPECT_EQ(store.YoungestEntry().tree->bytes, "second");
+  store.Add(Make(FrameType::kEvents, 2, std::string(40, 'x')));
+  EXPECT_EQ(store.OldestEntry().tree->bytes, "second");
+  store.Add(Make(FrameType::kTree, 2, "third"));
+  EXPECT_EQ(store.OldestEntry().tree->bytes, "second");
+}
+
+}  // namespace
+}  // namespace coppice

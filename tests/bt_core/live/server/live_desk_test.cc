@@ -1,0 +1,165 @@
+#include "bt_core/live/server/live_desk.h"
+
+#include "tests/bt_core/live/desk_fixture.h"
+
+namespace coppice {
+namespace {
+
+using groot2::Parts;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+using Json = nlohmann::json;
+using namespace std::chrono_literals;  // NOLINT(google-build-using-namespace)
+
+class LiveDeskTest : public LiveTreeFixture {
+ protected:
+  LiveDeskTest() { desk_.Add(tree_, now_); }
+  ~LiveDeskTest() override { desk_.Remove(*tree_); }
+
+  Parts Ask(const std::string& client, const Parts& request) {
+    desk_.Serve(client, true, request, now_);
+    const std::vector<Parts> sent = outbox_.Take(client);
+    return sent.empty() ? Parts{} : sent.back();
+  }
+  Json Extension(const std::string& client, const std::string& request) {
+    const Parts reply = Ask(client, {groot2::MakeHeader('C', 9), request});
+    return reply.size() == 2 ? Json::parse(reply[1]) : Json("no reply");
+  }
+  // The notices and pushes that Attend sends: "E stopped", "F 1-3".
+  std::vector<std::string> Attend(const std::string& client) {
+    desk_.Attend(now_);
+    std::vector<std::string> result;
+    for (const Parts& parts : outbox_.Take(client)) {
+      const char kind = parts[0][1];
+      if (kind == 'E') result.push_back("E " + Json::parse(parts[1])["event"].get<std::string>());
+      if (kind == 'F') {
+        result.push_back("F " + std::to_string(parts[1][0]) + "-" + std::to_string(parts[1][8]));
+      }
+    }
+    return result;
+  }
+
+  Duration now_ = 1s;
+  KeepingOutbox outbox_;
+  LiveDesk desk_{outbox_, 5s};
+};
+
+TEST_F(LiveDeskTest, AnswersBothProtocols) {
+  EXPECT_EQ(Ask("a", {groot2::MakeHeader('S', 3)}).at(0).substr(0, 6), groot2::MakeHeader('S', 3));
+  EXPECT_EQ(Extension("a", R"({"do": "hello"})")["protocol"], 1);
+  EXPECT_THAT(Ask("a", {"x"}), ElementsAre("error", "wrong request header"));
+}
+
+TEST_F(LiveDeskTest, DoesNotReplyToNumber0UnlessItFails) {
+  Extension("a", R"({"do": "hello"})");
+  EXPECT_THAT(Ask("a", {groot2::MakeHeader('C', 0), R"({"do": "ping"})"}), IsEmpty());
+  EXPECT_THAT(Ask("a", {groot2::MakeHeader('C', 0), R"({"do": "dance"})"}), SizeIs(2));
+}
+
+TEST_F(LiveDeskTest, PushesFramesAsTheyCome) {
+  Extension("a", R"({"do": "hello"})");
+  Extension("a", R"({"do": "subscribe"})");
+  EXPECT_THAT(Attend("a"), ElementsAre("F 1-2"));
+  EXPECT_THAT(Attend("a"), IsEmpty());
+  Tick(3);
+  EXPECT_THAT(Attend("a"), ElementsAre("F 2-3"));
+}
+
+TEST_F(LiveDeskTest, HoldsWhatAClientDoesNotTake) {
+  Extension("a", R"({"do": "hello"})");
+  Extension("a", R"({"do": "subscribe"})");
+  outbox_.results["a"] = SendResult::kFull;
+  EXPECT_LE(desk_.Attend(now_), now_ + 10ms) << "tries again soon";
+  Tick();
+  outbox_.results["a"] = SendResult::kSent;
+  EXPECT_THAT(Attend("a"), ElementsAre("F 1-2", "F 2-3"));
+}
+
+TEST_F(LiveDeskTest, ReleasesAClientThatHasGoneOrIsSilent) {
+  for (const char* client : {"gone", "silent", "awake"}) {
+    Extension(client, R"({"do": "hello"})");
+    Extension(client, R"({"do": "subscribe"})");
+    Extension(client, R"({"do": "hook", "node": 1})");
+  }
+  EXPECT_THAT(tree_->debugger().hooks(), SizeIs(3));
+  outbox_.results["gone"] = SendResult::kGone;
+  desk_.Attend(now_);
+  EXPECT_THAT(tree_->debugger().hooks(), SizeIs(2));
+  now_ += 4s;
+  Extension("awake", R"({"do": "ping"})");
+  now_ += 1s;
+  EXPECT_THAT(Attend("silent"), ElementsAre("F 1-2", "E released"));
+  EXPECT_THAT(tree_->debugger().hooks(), SizeIs(1));
+}
+
+TEST_F(LiveDeskTest, TellsEveryClientWhatTheDebuggerTells) {
+  Extension("a", R"({"do": "hello"})");
+  Extension("b", R"({"do": "hello"})");
+  Extension("b", R"({"do": "hook", "node": 1, "action": "replace", "status": "FAILURE"})");
+  Tick();
+  EXPECT_THAT(Attend("a"), ElementsAre("E replaced"));
+  EXPECT_THAT(outbox_.Take("b"), SizeIs(1));
+  EXPECT_THAT(outbox_.published, IsEmpty()) << "it is no hook of Groot2";
+}
+
+TEST_F(LiveDeskTest, PublishesHooksOfGroot2) {
+  Ask("a", {groot2::MakeHeader('I', 1),
+            R"({"enabled": true, "uid": 2, "mode": 1, "once": false, "desired_status": "FAILURE",
+                "position": 0})"});
+  Tick();
+  desk_.Attend(now_);
+  ASSERT_THAT(outbox_.published, SizeIs(1));
+  EXPECT_EQ(outbox_.published[0][1], "2");
+}
+
+TEST_F(LiveDeskTest, TellsThatATreeCameWentOrHasAnotherProgram) {
+  Extension("a", R"({"do": "hello"})");
+  executor_.Reload(WatchedProgram());
+  stream_.Flush();
+  EXPECT_THAT(Attend("a"), ElementsAre("E trees"));
+  desk_.Remove(*tree_);
+  EXPECT_THAT(outbox_.Take("a"), SizeIs(1));
+  EXPECT_THAT(Ask("a", {groot2::MakeHeader('S', 3)}), ElementsAre("error", HasSubstr("no tree")));
+  desk_.Add(tree_, now_);
+  EXPECT_THAT(outbox_.Take("a"), SizeIs(1));
+  EXPECT_THAT(Extension("a", R"({"do": "statistics", "tree": 0})")["error"].get<std::string>(),
+              HasSubstr("no tree 0"))
+      << "numbers are not used again";
+}
+
+TEST_F(LiveDeskTest, SendsTheEndOfATreeThatGoes) {
+  Extension("a", R"({"do": "hello"})");
+  Extension("a", R"({"do": "subscribe"})");
+  Attend("a");
+  Tick();
+  desk_.Remove(*tree_);
+  const std::vector<Parts> sent = outbox_.Take("a");
+  ASSERT_THAT(sent, SizeIs(2));  // events and end; the list of trees
+  const std::string& frames = sent[0][1];
+  EXPECT_EQ(frames[8] - frames[0], 2);
+}
+
+TEST(LiveDesk, LetsATreeThatWaitsForAClientGoOnAfterAWhile) {
+  LiveTreeOptions options;
+  options.wait_for_client = 10s;
+  struct Tree : LiveTreeFixture {
+    explicit Tree(const LiveTreeOptions& options) : LiveTreeFixture(options) {}
+    void TestBody() override {}
+    using LiveTreeFixture::tree_;
+  };
+  const Tree tree(options);
+  KeepingOutbox outbox;
+  LiveDesk desk(outbox, 5s);
+  tree.tree_->debugger().Pause(LiveTree::kWaitOwner);
+  desk.Add(tree.tree_, 1s);
+  desk.Attend(10s);
+  EXPECT_TRUE(tree.tree_->debugger().is_pausing());
+  desk.Attend(11s);
+  EXPECT_FALSE(tree.tree_->debugger().is_pausing());
+  desk.Remove(*tree.tree_);
+}
+
+}  // namespace
+}  // namespace coppice

@@ -1,0 +1,163 @@
+#include "bt_core/live/server/live_tree.h"
+
+#include "bt_core/data/value_bytes.h"
+#include "tests/bt_core/live/desk_fixture.h"
+
+namespace coppice {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+class LiveTreeTest : public LiveTreeFixture {};
+
+TEST_F(LiveTreeTest, KnowsStatusesAsTheGroot2ProtocolShowsThem) {
+  EXPECT_THAT(tree_->ShownStatuses().items, ElementsAre(0, 0, 0, 0, 0, 0));
+  Tick();
+  EXPECT_THAT(tree_->ShownStatuses().items, ElementsAre(1, 2, 2, 12, 12, 1));
+  Tick();
+  EXPECT_THAT(tree_->ShownStatuses().items, ElementsAre(1, 2, 2, 13, 13, 1));
+}
+
+TEST_F(LiveTreeTest, DescribesItself) {
+  Tick(3);
+  const LiveTreeInfo info = tree_->Info();
+  EXPECT_EQ(info.name, "Main");
+  EXPECT_EQ(info.nodes, 6u);
+  EXPECT_EQ(info.tick, 3u);
+  EXPECT_EQ(info.lost_ticks, 0u);
+  EXPECT_EQ(info.first_frame, 0u);
+}
+
+// Every tick stops at the leaf that follows the one that writes.
+struct StoppedTreeTest : testing::Test {
+  StoppedTreeTest() {
+    stream_.Add(tree_);
+    stream_.Flush();
+    Hook hook;
+    hook.node = 5;
+    tree_.debugger().Add(hook, LiveTree::kGroot2Owner);
+  }
+  ~StoppedTreeTest() override { stream_.Remove(tree_); }
+
+  void OnWake() {
+    for (const DebugEvent& event : tree_.TakeDebugEvents()) {
+      if (event.kind != DebugEvent::Kind::kStopped) continue;
+      std::string written;
+      AppendValueBytes(executor_.blackboard()[number_].value, written);
+      EXPECT_EQ(tree_.Values().items[number_], written) << "stop " << stops_;
+      ++stops_;
+      tree_.debugger().Continue(std::nullopt);
+    }
+  }
+
+  SimulatedClock clock_{std::chrono::seconds(1)};
+  Executor executor_{WatchedProgram(), clock_};
+  EventStream stream_{executor_};
+  const SlotIndex number_ = executor_.program().layout.Find(0, "number");
+  int stops_ = 0;
+  LiveTree tree_{stream_, {}, [this] { OnWake(); }};
+};
+
+TEST_F(StoppedTreeTest, IsSeenAsItStandsWhenTheStopIsTold) {
+  for (int i = 0; i < 100; ++i) executor_.Tick();
+  EXPECT_EQ(stops_, 100);
+}
+
+TEST_F(LiveTreeTest, CountsResults) {
+  Tick(4);
+  const auto counts = tree_->Counts().items;
+  EXPECT_THAT(counts[0], ElementsAre(4, 0, 0, 0));
+  EXPECT_THAT(counts[4], ElementsAre(0, 2, 2, 0));
+}
+
+TEST_F(LiveTreeTest, WritesValuesOfTheRightTypeOnly) {
+  Tick();
+  const auto value_of = [&](const char* key) {
+    return executor_.blackboard()[executor_.program().layout.Find(0, key)].value.Print();
+  };
+  EXPECT_EQ(tree_->Write("", "text", "\"a \\\"b\"", false), "");
+  EXPECT_EQ(tree_->Write("Main", "number", "12", true), "");
+  executor_.RunCalls();
+  executor_.inbox()->RequestTick();
+  Tick();
+  EXPECT_EQ(value_of("number"), "2") << "the leaf has written since";
+  EXPECT_THAT(tree_->Write("", "number", "\"x\"", false), HasSubstr("key \"number\""));
+  EXPECT_THAT(tree_->Write("", "number", "x", true), HasSubstr("x is no int"));
+  EXPECT_THAT(tree_->Write("", "spot", "1;2", true), HasSubstr("is no Spot"));
+  EXPECT_THAT(tree_->Write("inner", "said", "\"x\"", false),
+              HasSubstr("no key \"said\" of its own"));
+  EXPECT_THAT(tree_->Write("nobody", "text", "\"x\"", false), HasSubstr("nobody"));
+}
+
+TEST_F(LiveTreeTest, AWrittenValueIsThereBeforeTheNodesAreTicked) {
+  EXPECT_EQ(tree_->Write("inner", "literal", "9", false), "");
+  Tick();
+  const auto& layout = executor_.program().layout;
+  EXPECT_EQ(executor_.blackboard()[layout.Find(1, "literal")].value.Print(), "9");
+}
+
+TEST_F(LiveTreeTest, FollowsAnotherProgram) {
+  const groot2::TreeId id = tree_->id();
+  EXPECT_FALSE(tree_->TakeProgramChange());
+  executor_.Reload(
+      CompileText("<root BTCPP_format=\"4\"><BehaviorTree ID=\"Other\">"
+                  "<AlwaysSuccess/></BehaviorTree></root>"));
+  Tick();
+  EXPECT_TRUE(tree_->TakeProgramChange());
+  EXPECT_FALSE(tree_->TakeProgramChange());
+  EXPECT_NE(tree_->id(), id);
+  EXPECT_EQ(tree_->ShownStatuses().items.size(), 1u);
+  EXPECT_EQ(tree_->ShownStatuses().program.get(), &executor_.program());
+}
+
+TEST_F(LiveTreeTest, EndsItsHistoryOnce) {
+  tree_->EndHistory();
+  const std::uint64_t frames = tree_->Info().next_frame;
+  tree_->EndHistory();
+  EXPECT_EQ(tree_->Info().next_frame, frames);
+  tree_->UseFrames(
+      [&](const FrameStore& store) { EXPECT_EQ(store[store.next() - 1].type, FrameType::kEnd); });
+}
+
+TEST_F(LiveTreeTest, RecordsTransitionsForGroot2) {
+  const std::uint64_t start = tree_->StartRecording();
+  EXPECT_GT(start, 1'600'000'000'000'000u);
+  Tick();
+  tree_->StopRecording();
+  EXPECT_GT(tree_->TakeTransitions().size(), 9u * 5);
+}
+
+TEST_F(LiveTreeTest, WakesTheServerForSubscribersOnly) {
+  wakes_ = 0;
+  Tick();
+  EXPECT_EQ(wakes_, 0);
+  tree_->CountSubscribers(1);
+  Tick();
+  EXPECT_GT(wakes_, 0);
+}
+
+struct Tree : LiveTreeFixture {
+  explicit Tree(const LiveTreeOptions& options) : LiveTreeFixture(options) {}
+  void TestBody() override {}
+  using LiveTreeFixture::tree_;
+};
+
+TEST(LiveTree, BearsTheRunThatItIsGiven) {
+  LiveTreeOptions options;
+  options.run.fill(7);
+  EXPECT_EQ(Tree(options).tree_->run(), options.run);
+  EXPECT_NE(Tree({}).tree_->run(), Tree({}).tree_->run());
+}
+
+TEST(LiveTree, RefusesWithTheReason) {
+  EXPECT_EQ(Tree(Moving()).tree_->Refusal(), "the robot moves");
+  EXPECT_THAT(Tree(ReadOnly()).tree_->Refusal(), HasSubstr("read-only"));
+  EXPECT_EQ(Tree({}).tree_->Refusal(), "");
+  LiveTreeOptions broken;
+  broken.refusal = []() -> std::string { throw std::runtime_error("no odometry"); };
+  EXPECT_THAT(Tree(broken).tree_->Refusal(), HasSubstr("no odometry"));
+}
+
+}  // namespace
+}  // namespace coppice

@@ -1,0 +1,26 @@
+#include "editor/panels/run/run_text.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/editor/executed_source.h"
+
+namespace coppice::editor {
+namespace {
+
+TEST(RunText, WritesTimesOfARun) {
+  EXPECT_EQ(AxisText(std::chrono::milliseconds(4220)), "0:04.220");
+  EXPECT_EQ(AxisText(std::chrono::milliseconds(3723250)), "1:02:03.250");
+  EXPECT_EQ(AxisText(Time(-5)), "0:00.000");
+}
+
+TEST(RunText, RoundsNumbersThatAreTooLongForATable) {
+  EXPECT_EQ(ShortNumber("0.43199999999999994"), "0.432");
+  EXPECT_EQ(ShortNumber("-12345.678901"), "-12345.7");
+  EXPECT_EQ(ShortNumber("0.25"), "0.25");
+  EXPECT_EQ(ShortNumber("12345678901"), "12345678901") << "a whole number stays whole";
+  EXPECT_EQ(ShortNumber("0.5;0.25;0.125"), "0.5;0.25;0.125");
+  EXPECT_EQ(ShortNumber("kitchen.north"), "kitchen.north");
+}
+
+}  // namespace
+}  // namespace coppice::editor

@@ -1,0 +1,42 @@
+#include "robot_app/assistance/channels/environment_text.h"
+
+#include <gtest/gtest.h>
+
+namespace coppice::robot {
+namespace {
+
+std::optional<std::string> ValueOf(const std::string& name) {
+  if (name == "HOST") return "example.org";
+  if (name == "EMPTY") return "";
+  return std::nullopt;
+}
+
+std::optional<std::string> Fill(const std::string& text) {
+  std::string missing;
+  return FillVariables(text, ValueOf, missing);
+}
+
+TEST(FillVariables, PutsValuesAndDefaultsInTheirPlaces) {
+  EXPECT_EQ(Fill("https://${HOST}/x"), "https://example.org/x");
+  EXPECT_EQ(Fill("${PORT:-25}${HOST}"), "25example.org");
+  EXPECT_EQ(Fill("${EMPTY:-none}"), "none");
+  EXPECT_EQ(Fill("no variable, ${ not closed"), "no variable, ${ not closed");
+}
+
+TEST(FillVariables, NamesTheVariableThatIsMissing) {
+  std::string missing;
+  EXPECT_FALSE(FillVariables("${HOST}${TOKEN}", ValueOf, missing));
+  EXPECT_EQ(missing, "TOKEN");
+  EXPECT_FALSE(Fill("${EMPTY}"));
+}
+
+TEST(IsVariable, IsTrueForOneVariableAlone) {
+  EXPECT_TRUE(IsVariable("${COPPICE_TOKEN}"));
+  for (const char* const other :
+       {"", "secret", "${A}b", "a${B}", "${A}${B}", "${A:-secret}", "${}"}) {
+    EXPECT_FALSE(IsVariable(other)) << other;
+  }
+}
+
+}  // namespace
+}  // namespace coppice::robot

@@ -1,0 +1,90 @@
+#include "robot_app/assistance/channels/http_request.h"
+
+#include <gmock/gmock.h>
+
+#include "tests/robot_app/assistance/local_server.h"
+
+namespace coppice::robot {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+using testing::SizeIs;
+namespace http = boost::beast::http;
+
+class HttpRequestTest : public testing::Test {
+ protected:
+  HttpReply Get(const std::string& url) const {
+    HttpRequest request;
+    request.method = "GET";
+    request.url = url;
+    return Exchange(request, never_);
+  }
+  const std::atomic<bool> never_{false};
+};
+
+TEST_F(HttpRequestTest, SendsItsBodyAsJsonWithTheToken) {
+  HttpServer server([](const HttpServer::Request&) { return "{\"ok\":true}"; });
+  HttpRequest request;
+  request.url = server.url() + "/path?a=1";
+  request.body = "{\"text\":\"hello\"}";
+  request.bearer = "s3cret";
+  const HttpReply reply = Exchange(request, never_);
+  EXPECT_EQ(reply.error, "");
+  EXPECT_EQ(reply.body, "{\"ok\":true}");
+  ASSERT_THAT(server.requests(), SizeIs(1));
+  const HttpServer::Request got = server.requests()[0];
+  EXPECT_EQ(got.method(), http::verb::post);
+  EXPECT_EQ(got.target(), "/path?a=1");
+  EXPECT_EQ(got.body(), request.body);
+  EXPECT_EQ(got[http::field::content_type], "application/json");
+  EXPECT_EQ(got[http::field::authorization], "Bearer s3cret");
+}
+
+TEST_F(HttpRequestTest, AGetHasNoBody) {
+  HttpServer server;
+  EXPECT_EQ(Get(server.url()).error, "");
+  ASSERT_THAT(server.requests(), SizeIs(1));
+  EXPECT_EQ(server.requests()[0].method(), http::verb::get);
+  EXPECT_EQ(server.requests()[0].count(http::field::content_type), 0U);
+  EXPECT_EQ(server.requests()[0].count(http::field::authorization), 0U);
+}
+
+TEST_F(HttpRequestTest, AnotherStatusIsAnErrorWithoutTheUrl) {
+  HttpServer server(404);
+  const std::string error = Get(server.url() + "/s3cret").error;
+  EXPECT_THAT(error, HasSubstr("404"));
+  EXPECT_THAT(error, Not(HasSubstr("s3cret")));
+}
+
+TEST_F(HttpRequestTest, NobodyThereIsAnError) { EXPECT_NE(Get("http://127.0.0.1:1").error, ""); }
+
+TEST_F(HttpRequestTest, OnlyHttpIsSpoken) { EXPECT_NE(Get("file:///etc/hostname").error, ""); }
+
+TEST_F(HttpRequestTest, AReplyThatIsTooLongIsCutOffWithAnError) {
+  HttpServer server(
+      [](const HttpServer::Request&) { return std::string((std::size_t{1} << 20) + 1, 'x'); });
+  const HttpReply reply = Get(server.url());
+  EXPECT_NE(reply.error, "");
+  EXPECT_LE(reply.body.size(), std::size_t{1} << 20);
+}
+
+TEST_F(HttpRequestTest, WhoHasCancelledDoesNotWait) {
+  LocalServer silent([](LocalServer::Socket& socket) {
+    boost::asio::streambuf buffer;
+    boost::asio::read_until(socket, buffer, "never");
+  });
+  const std::atomic<bool> cancelled{true};
+  HttpRequest request;
+  request.url = "http://127.0.0.1:" + silent.port();
+  EXPECT_NE(Exchange(request, cancelled).error, "");
+}
+
+TEST(UrlPart, KeepsLettersAndDigitsOnly) {
+  EXPECT_EQ(UrlPart("!room:example.org"), "%21room%3Aexample.org");
+  EXPECT_EQ(UrlPart("a b/c?d=\xc3\xa4~_-"), "a%20b%2Fc%3Fd%3D%C3%A4~_-");
+  EXPECT_EQ(UrlPart(""), "");
+}
+
+}  // namespace
+}  // namespace coppice::robot

@@ -1,0 +1,133 @@
+#include "robot_app/common/ros_support.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <tf2_ros/static_transform_broadcaster.h>
+#include <tf2_ros/transform_broadcaster.h>
+
+#include <cmath>
+
+#include "tests/robot_app/eventually.h"
+#include "tests/robot_app/ros_environment.h"
+
+namespace coppice::robot {
+namespace {
+
+using testing::HasSubstr;
+
+geometry_msgs::TransformStamped Transform(const std::string& parent, const std::string& child,
+                                          const Pose2D& pose, const ros::Time& stamp) {
+  geometry_msgs::TransformStamped message;
+  message.header.stamp = stamp;
+  message.header.frame_id = parent;
+  message.child_frame_id = child;
+  const geometry_msgs::Pose place = ToPoseMessage(pose);
+  message.transform.translation.x = place.position.x;
+  message.transform.translation.y = place.position.y;
+  message.transform.rotation = place.orientation;
+  return message;
+}
+
+TEST(RosMessages, PosesSurviveTheWayThere) {
+  const Pose2D pose = ToPose2D(ToPoseMessage({1, -2, 2.5}));
+  EXPECT_DOUBLE_EQ(pose.x, 1);
+  EXPECT_DOUBLE_EQ(pose.y, -2);
+  EXPECT_NEAR(pose.yaw, 2.5, 1e-12);
+}
+
+TEST(RosMessages, APoseWithoutARotationIsNotValid) {
+  geometry_msgs::Pose pose;
+  EXPECT_FALSE(IsValid(pose));
+  pose.orientation.w = 1;
+  EXPECT_TRUE(IsValid(pose));
+  pose.position.x = NAN;
+  EXPECT_FALSE(IsValid(pose));
+}
+
+TEST(RosMessages, AGridMustHaveItsCellsAndNoRotation) {
+  nav_msgs::OccupancyGrid message;
+  message.info.resolution = 0.05F;
+  message.info.width = 3;
+  message.info.height = 2;
+  message.info.origin.orientation.w = 1;
+  message.info.origin.position.x = -3;
+  message.data.assign(6, 100);
+  std::string error;
+  const auto grid = ToGrid(message, error);
+  ASSERT_TRUE(grid) << error;
+  EXPECT_DOUBLE_EQ(grid->frame.origin_x, -3);
+  EXPECT_EQ(grid->frame.size(), 6);
+  message.info.origin.orientation = ToPoseMessage({0, 0, 0.1}).orientation;
+  EXPECT_FALSE(ToGrid(message, error));
+  EXPECT_THAT(error, HasSubstr("rotated"));
+  message.info.origin.orientation = ToPoseMessage({0, 0, 0}).orientation;
+  message.data.pop_back();
+  EXPECT_FALSE(ToGrid(message, error));
+  EXPECT_THAT(error, HasSubstr("cells"));
+}
+
+TEST(RosMessages, ScansKeepTheirTimeAndBeams) {
+  sensor_msgs::LaserScan message;
+  message.header.stamp = ros::Time(12.5);
+  message.angle_min = -1;
+  message.angle_increment = 0.5;
+  message.range_max = 20;
+  message.ranges = {1, 2};
+  const LaserScan scan = ToLaserScan(message, {0.25, 0, 0});
+  EXPECT_DOUBLE_EQ(scan.stamp, 12.5);
+  EXPECT_DOUBLE_EQ(scan.mount.x, 0.25);
+  EXPECT_EQ(scan.ranges.size(), 2u);
+  EXPECT_DOUBLE_EQ(scan.range_max, 20);
+}
+
+TEST(RosParameters, AreCheckedAndUnknownOnesNamed) {
+  ros::param::set("~max_speed", 0.4);
+  ros::param::set("~max_turn", 50.0);
+  ros::param::set("~patience", "long");
+  ros::param::set("~patiense", 3.0);
+  Parameters parameters;
+  EXPECT_DOUBLE_EQ(parameters.Number("max_speed", 0.7, 0, 1), 0.4);
+  EXPECT_DOUBLE_EQ(parameters.Number("max_turn", 1, 0, 6), 1);
+  EXPECT_DOUBLE_EQ(parameters.Number("patience", 8, 0, 60), 8);
+  EXPECT_EQ(parameters.Text("map_frame", "map"), "map");
+  testing::internal::CaptureStderr();
+  EXPECT_FALSE(parameters.Finish());
+  const std::string text = testing::internal::GetCapturedStderr();
+  EXPECT_THAT(text, HasSubstr("~max_turn must be a number"));
+  EXPECT_THAT(text, HasSubstr("~patience must be a number"));
+  EXPECT_THAT(text, HasSubstr("unknown parameter ~patiense (did you mean \"patience\"?)"));
+  for (const char* name : {"~max_speed", "~max_turn", "~patience", "~patiense"}) {
+    ros::param::del(name);
+  }
+}
+
+TEST(RobotPose, IsLocalizationTimesOdometryAndAsOldAsTheOlder) {
+  RobotPose robot({"map", "odom", "base_link"});
+  EXPECT_FALSE(robot.Newest());
+  tf2_ros::TransformBroadcaster broadcaster;
+  tf2_ros::StaticTransformBroadcaster fixed;
+  fixed.sendTransform(Transform("base_link", "laser", {0.25, 0, 0}, ros::Time(1)));
+  ASSERT_TRUE(Eventually([&] {
+    broadcaster.sendTransform(Transform("map", "odom", {1, 0, M_PI / 2}, ros::Time(10)));
+    broadcaster.sendTransform(Transform("odom", "base_link", {2, 0, 0}, ros::Time(10.5)));
+    broadcaster.sendTransform(Transform("odom", "base_link", {3, 0, 0}, ros::Time(11)));
+    return robot.Newest() && robot.MountOf("laser") && robot.At(ros::Time(10.5))->x != 0 &&
+           std::abs(robot.Newest()->pose.y - 3) < 1e-9;
+  }));
+  EXPECT_NEAR(robot.Newest()->pose.x, 1, 1e-9);
+  EXPECT_DOUBLE_EQ(robot.Newest()->stamp, 10);
+  EXPECT_NEAR(robot.At(ros::Time(10.5))->y, 2, 1e-9);
+  EXPECT_NEAR(robot.At(ros::Time(99))->y, 3, 1e-9) << "the newest when tf has not that time";
+  EXPECT_NEAR(robot.MountOf("laser")->x, 0.25, 1e-9);
+  EXPECT_FALSE(robot.MountOf("camera"));
+  geometry_msgs::PoseStamped goal;
+  goal.header.frame_id = "odom";
+  goal.pose = ToPoseMessage({1, 0, 0});
+  ASSERT_TRUE(robot.InMap(goal));
+  EXPECT_NEAR(robot.InMap(goal)->y, 1, 1e-9);
+  goal.header.frame_id = "moon";
+  EXPECT_FALSE(robot.InMap(goal));
+}
+
+}  // namespace
+}  // namespace coppice::robot

@@ -1,0 +1,68 @@
+#include "robot_app/monitoring/gauges/gauge_board.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace coppice::robot {
+namespace {
+
+using std::chrono::seconds;
+
+GaugeWatch AtMost(const std::string& subject, double bound) {
+  GaugeWatch watch{"memory", subject, "/hog", "%", {}};
+  watch.band.error.high = bound;
+  return watch;
+}
+
+TEST(GaugeBoard, JudgesEachNumberByItsBand) {
+  GaugeBoard board;
+  board.Watch({AtMost("used", 90), AtMost("swap", 10)});
+  board.OnValue("memory", "used", 20, seconds(1));
+  board.OnValue("memory", "swap", 20, seconds(1));
+  const auto findings = board.Report(seconds(1), seconds(7));
+  ASSERT_EQ(findings.size(), 2u);
+  EXPECT_EQ(findings[0].subject, "used");
+  EXPECT_EQ(findings[0].level, HealthLevel::kOk);
+  EXPECT_EQ(findings[0].value, 20);
+  EXPECT_EQ(findings[1].level, HealthLevel::kError);
+  EXPECT_EQ(findings[1].message, "20 %, expected at most 10 %");
+  EXPECT_EQ(findings[1].node, "/hog");
+  EXPECT_EQ(findings[1].stamp, seconds(7));
+}
+
+TEST(GaugeBoard, ANumberWithoutValueIsNotANumber) {
+  GaugeBoard board;
+  board.Watch({AtMost("used", 90)});
+  const Finding finding = board.Report(seconds(1), Time(0)).at(0);
+  EXPECT_TRUE(std::isnan(finding.value));
+  EXPECT_EQ(finding.level, HealthLevel::kOk);
+}
+
+TEST(GaugeBoard, AFailureAndAnUnknownNumberHarmNoOther) {
+  GaugeBoard board;
+  board.Watch({AtMost("used", 90), AtMost("swap", 10)});
+  board.OnValue("cpu", "used", 99, seconds(1));
+  board.OnFailure("memory", "nothing", "lost", seconds(1));
+  board.OnFailure("memory", "swap", "cannot read", seconds(1));
+  const auto findings = board.Report(seconds(1), Time(0));
+  EXPECT_EQ(findings[0].level, HealthLevel::kOk);
+  EXPECT_EQ(findings[1].level, HealthLevel::kError);
+  EXPECT_EQ(findings[1].message, "cannot read");
+}
+
+TEST(GaugeBoard, ANewListKeepsWhatIsKnownOfTheSameBand) {
+  GaugeBoard board;
+  board.Watch({AtMost("used", 90), AtMost("swap", 10)});
+  board.OnValue("memory", "used", 20, seconds(1));
+  board.OnValue("memory", "swap", 5, seconds(1));
+  board.Watch({AtMost("swap", 20), AtMost("used", 90)});
+  const auto findings = board.Report(seconds(1), Time(0));
+  EXPECT_TRUE(std::isnan(findings.at(0).value));
+  EXPECT_EQ(findings.at(1).value, 20);
+  board.Reset();
+  EXPECT_TRUE(std::isnan(board.Report(seconds(1), Time(0)).at(1).value));
+}
+
+}  // namespace
+}  // namespace coppice::robot

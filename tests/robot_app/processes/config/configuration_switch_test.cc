@@ -1,0 +1,82 @@
+#include "robot_app/processes/config/configuration_switch.h"
+
+#include <gtest/gtest.h>
+
+namespace coppice::robot {
+namespace {
+
+class ConfigurationSwitchTest : public testing::Test {
+ protected:
+  static RobotConfig Config() {
+    RobotConfig config;
+    config.configurations = {{"operating", {}, {}}, {"charging", {}, {0}}, {"safe", {}, {}}};
+    config.conditions.resize(1);
+    config.conditions[0].name = "confirmed";
+    config.given_up.configuration = 2;
+    return config;
+  }
+  Verdict Ask(const std::string& name, Hand hand = Hand::kTree) {
+    return switch_.Request(name, hand, [this](std::size_t) { return why_not_; });
+  }
+
+  const RobotConfig config_ = Config();
+  ConfigurationSwitch switch_{config_};
+  std::string why_not_;
+};
+
+TEST_F(ConfigurationSwitchTest, TheTreesMayChangeWhatNobodyHolds) {
+  EXPECT_EQ(switch_.current(), 0u);
+  EXPECT_EQ(Ask("charging").message, "changing to configuration charging");
+  EXPECT_EQ(switch_.current(), 1u);
+  EXPECT_EQ(Ask("charging").message, "configuration charging is already in force");
+}
+
+TEST_F(ConfigurationSwitchTest, AConditionThatDoesNotHoldRefusesEveryHand) {
+  why_not_ = "no current";
+  for (const Hand hand : {Hand::kTree, Hand::kPerson}) {
+    const Verdict verdict = Ask("charging", hand);
+    EXPECT_FALSE(verdict.ok);
+    EXPECT_EQ(verdict.message, "configuration charging requires confirmed: no current");
+  }
+  EXPECT_FALSE(switch_.manual());
+}
+
+TEST_F(ConfigurationSwitchTest, AConditionCountsWhenItIsEnteredNotWhileItIsInForce) {
+  Ask("charging");
+  why_not_ = "no current";
+  EXPECT_TRUE(Ask("charging").ok);
+}
+
+TEST_F(ConfigurationSwitchTest, AConfigurationThatIsHeldByHandIsLeftByHandOnly) {
+  Ask("operating", Hand::kPerson);
+  EXPECT_TRUE(switch_.manual());
+  EXPECT_FALSE(Ask("charging").ok);
+  EXPECT_TRUE(Ask("charging", Hand::kPerson).ok);
+  EXPECT_TRUE(switch_.Release().ok);
+  EXPECT_TRUE(Ask("operating").ok);
+  EXPECT_EQ(switch_.Release().message, "no configuration is held by hand");
+}
+
+TEST_F(ConfigurationSwitchTest, ASafeStopIsStrongerThanAnyHandAndEndsWhereItBegan) {
+  Ask("charging");
+  switch_.SafeStop();
+  switch_.SafeStop();
+  EXPECT_EQ(switch_.current(), 2u);
+  EXPECT_FALSE(Ask("operating", Hand::kPerson).ok);
+  EXPECT_EQ(switch_.before_safe_stop(), 1u);
+  switch_.EndSafeStop();
+  EXPECT_EQ(switch_.current(), 1u);
+  switch_.EndSafeStop();
+  EXPECT_EQ(switch_.current(), 1u);
+}
+
+TEST_F(ConfigurationSwitchTest, TakesUpWhatWasLeft) {
+  switch_.Restore(1, true, true);
+  EXPECT_EQ(switch_.current(), 2u);
+  EXPECT_TRUE(switch_.manual());
+  switch_.EndSafeStop();
+  EXPECT_EQ(switch_.current(), 1u);
+}
+
+}  // namespace
+}  // namespace coppice::robot

@@ -1,0 +1,42 @@
+#include "robot_app/processes/config/variables.h"
+
+#include <gmock/gmock.h>
+
+#include <vector>
+
+namespace coppice::robot {
+namespace {
+
+using testing::ElementsAre;
+
+class VariablesTest : public testing::Test {
+ protected:
+  std::string Fill(const std::string& text) {
+    return FillVariables(text, {{"bin", "/b"}, {"empty", ""}},
+                         [this](const std::string& message, const std::string& hint) {
+                           problems_.push_back(message + "|" + hint);
+                         });
+  }
+  std::vector<std::string> problems_;
+};
+
+TEST_F(VariablesTest, AreFilledInWithDefaultsThatMayHoldVariables) {
+  EXPECT_EQ(Fill("${bin}/x ${bin}"), "/b/x /b");
+  EXPECT_EQ(Fill("a${empty}b"), "ab");
+  EXPECT_EQ(Fill("${none:-${bin}/${other:-7}}"), "/b/7");
+  EXPECT_EQ(Fill("$bin {bin}"), "$bin {bin}");
+  EXPECT_TRUE(problems_.empty());
+}
+
+TEST_F(VariablesTest, ThatHaveNoValueAreReportedWithTheNearestName) {
+  EXPECT_EQ(Fill("x${bim}y"), "xy");
+  EXPECT_EQ(Fill("${speed}"), "");
+  EXPECT_EQ(Fill("a${bin"), "a");
+  EXPECT_THAT(problems_, ElementsAre("variable \"bim\" has no value|did you mean \"bin\"?",
+                                     "variable \"speed\" has no value|give it with --set "
+                                     "speed=VALUE",
+                                     "\"${\" without \"}\" in \"a${bin\"|"));
+}
+
+}  // namespace
+}  // namespace coppice::robot

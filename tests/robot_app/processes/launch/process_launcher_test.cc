@@ -1,0 +1,166 @@
+#include "robot_app/processes/launch/process_launcher.h"
+
+#include <fcntl.h>
+#include <gmock/gmock.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "robot_app/processes/launch/survivors.h"
+#include "tests/robot_app/eventually.h"
+#include "tests/robot_app/processes/temporary.h"
+
+namespace coppice::robot {
+namespace {
+
+using testing::HasSubstr;
+
+class PosixLauncherTest : public testing::Test {
+ protected:
+  PosixLauncherTest() {
+    std::filesystem::remove_all(folder_);
+    launcher_ = std::make_unique<PosixLauncher>(folder_);
+  }
+
+  int Start(std::vector<std::string> command, const std::string& name = "child") {
+    ProcessConfig config;
+    config.name = name;
+    config.command = std::move(command);
+    config.log = "child.log";
+    return launcher_->Start(config, error_);
+  }
+  int Shell(const std::string& script) { return Start({"/bin/sh", "-c", script}); }
+
+  std::string Log() const {
+    std::ostringstream text;
+    text << std::ifstream(folder_ + "/child.log").rdbuf();
+    return text.str();
+  }
+
+  // Polls for an event that nothing announces.
+  // The wait status of a child when it has ended.
+  int WaitForEnd(int pid) {
+    int status = -1;
+    EXPECT_TRUE(Eventually([&] {
+      launcher_->Reap([&](int ended, int wait_status) {
+        if (ended == pid) status = wait_status;
+      });
+      return status != -1;
+    }));
+    return status;
+  }
+
+  const std::string folder_ = Temporary("process_launcher_test");
+  std::unique_ptr<PosixLauncher> launcher_;
+  std::string error_;
+};
+
+TEST_F(PosixLauncherTest, WritesWhatAProcessSaysIntoItsLog) {
+  WaitForEnd(Shell("echo hello; echo trouble >&2; exit 3"));
+  const int status = WaitForEnd(Shell("exit 3"));
+  EXPECT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 3);
+  EXPECT_EQ(Log(), "hello\ntrouble\n");
+}
+
+TEST_F(PosixLauncherTest, SaysWhyAProgramCannotRun) {
+  EXPECT_EQ(Start({"/nowhere/program"}), 0);
+  EXPECT_EQ(error_, "cannot run /nowhere/program: No such file or directory");
+  EXPECT_EQ(waitpid(-1, nullptr, WNOHANG), -1);  // no zombie is left
+}
+
+TEST_F(PosixLauncherTest, SaysThatTheLogCannotBeWritten) {
+  launcher_ = std::make_unique<PosixLauncher>("/proc/nowhere");
+  EXPECT_EQ(Shell("true"), 0);
+  EXPECT_THAT(error_, HasSubstr("cannot write /proc/nowhere/child.log"));
+}
+
+TEST_F(PosixLauncherTest, EachProcessLeadsItsOwnGroup) {
+  const int pid = Start({"/usr/bin/sleep", "1000"});
+  EXPECT_EQ(getpgid(pid), pid);
+  launcher_->Signal(pid, SIGTERM);
+  EXPECT_EQ(WTERMSIG(WaitForEnd(pid)), SIGTERM);
+}
+
+TEST_F(PosixLauncherTest, ASignalReachesTheWholeGroup) {
+  const int pid = Shell("sleep 1000 & echo $!; wait");
+  ASSERT_TRUE(Eventually([&] { return !Log().empty(); }));
+  const int grandchild = std::stoi(Log());
+  launcher_->Signal(pid, SIGKILL);
+  WaitForEnd(pid);
+  EXPECT_TRUE(Eventually([&] { return kill(grandchild, 0) != 0; }));
+}
+
+TEST_F(PosixLauncherTest, WhatIsLeftOfAGroupIsKilledWhenItsLeaderEnds) {
+  const int pid = Shell("sleep 1000 & echo $!; exit 0");
+  WaitForEnd(pid);
+  const int grandchild = std::stoi(Log());
+  EXPECT_TRUE(Eventually([&] { return kill(grandchild, 0) != 0; }));
+}
+
+TEST_F(PosixLauncherTest, WhatHasLeftTheGroupIsKilledTooAndOthersOfTheOwnerLiveOn) {
+  launcher_ = std::make_unique<PosixLauncher>(folder_, folder_ + "/owner");
+  const int other = Start({"/usr/bin/sleep", "1000"}, "child_monitor");
+  const int pid = Shell("setsid sleep 1000 & echo $!; exit 0");
+  ASSERT_TRUE(Eventually([&] { return !Log().empty(); }));
+  WaitForEnd(pid);
+  EXPECT_TRUE(Eventually([&] { return FindOwned(folder_ + "/owner").size() == 1; }));
+  EXPECT_EQ(kill(other, 0), 0);
+  launcher_->Signal(other, SIGKILL);
+  WaitForEnd(other);
+}
+
+TEST_F(PosixLauncherTest, DeletesTheStateOfAProcess) {
+  ProcessConfig config;
+  config.state = {folder_ + "/state/file", folder_ + "/state/folder", folder_ + "/none"};
+  std::filesystem::create_directories(folder_ + "/state/folder/deeper");
+  std::ofstream(folder_ + "/state/file") << "x";
+  EXPECT_EQ(launcher_->ClearState(config), "");
+  EXPECT_TRUE(std::filesystem::is_empty(folder_ + "/state"));
+}
+
+TEST_F(PosixLauncherTest, AStoppedProcessEndsOnRequest) {
+  const int pid = Start({"/usr/bin/sleep", "1000"});
+  kill(pid, SIGSTOP);
+  launcher_->Signal(pid, SIGTERM);
+  EXPECT_EQ(WTERMSIG(WaitForEnd(pid)), SIGTERM);
+}
+
+TEST_F(PosixLauncherTest, AProcessInheritsNoOpenFileAndNoBlockedSignal) {
+  const int file = open("/dev/zero", O_RDONLY);
+  sigset_t blocked, before;
+  sigfillset(&blocked);
+  sigprocmask(SIG_BLOCK, &blocked, &before);
+  const int pid = Shell("ls /proc/self/fd | tr '\\n' ' '; grep SigBlk /proc/self/status");
+  sigprocmask(SIG_SETMASK, &before, nullptr);
+  WaitForEnd(pid);
+  close(file);
+  EXPECT_THAT(Log(), testing::StartsWith("0 1 2 3 "));  // 3 is the folder that ls reads
+  EXPECT_THAT(Log(), HasSubstr("0000000000000000"));
+}
+
+TEST_F(PosixLauncherTest, AChildGetsSigtermWhenItsParentDies) {
+  const pid_t parent = fork();
+  if (parent == 0) {
+    const int pid = Shell("echo $$; exec sleep 1000");
+    while (kill(pid, 0) == 0) pause();
+    _exit(0);
+  }
+  ASSERT_TRUE(Eventually([&] { return !Log().empty(); }));
+  const int orphan = std::stoi(Log());
+  kill(parent, SIGKILL);
+  waitpid(parent, nullptr, 0);
+  EXPECT_TRUE(Eventually([&] {
+    // Ended: gone, or a zombie if nobody collects orphans here.
+    std::ifstream stat("/proc/" + std::to_string(orphan) + "/stat");
+    std::string pid, name, state;
+    return !(stat >> pid >> name >> state) || state == "Z";
+  }));
+}
+
+}  // namespace
+}  // namespace coppice::robot

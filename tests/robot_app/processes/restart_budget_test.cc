@@ -1,0 +1,111 @@
+#include "robot_app/processes/restart_budget.h"
+
+#include <gmock/gmock.h>
+
+namespace coppice::robot {
+namespace {
+
+using std::chrono::minutes;
+using std::chrono::seconds;
+using testing::HasSubstr;
+
+TEST(RestartBudgetTest, AllowsSoManyRestartsAndSaysWhyNotOneMore) {
+  RestartBudget budget({});
+  Time now = seconds(1000);
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_EQ(budget.WhyNot(now), "");
+    budget.Add(now += seconds(10));
+  }
+  EXPECT_EQ(budget.WhyNot(now), "restarted 3 times without being healthy for 60 s in between");
+}
+
+TEST(RestartBudgetTest, TimeAloneForgetsNothing) {
+  RestartBudget budget({});
+  budget.Add(seconds(1000));
+  EXPECT_EQ(budget.Used(seconds(3000)), 1);
+}
+
+TEST(RestartBudgetTest, HealthForgetsWhatIsOlderThanTheWindow) {
+  RestartBudget budget({});
+  budget.Add(seconds(1000));
+  budget.SetReady(true, seconds(1002));
+  EXPECT_FALSE(budget.IsHealthy(seconds(1061)));
+  EXPECT_EQ(budget.Used(seconds(1061)), 1);
+  EXPECT_TRUE(budget.IsHealthy(seconds(1062)));
+  EXPECT_EQ(budget.Used(seconds(1062)), 0);
+}
+
+TEST(RestartBudgetTest, AShortHealthDoesNotForgetTheWindow) {
+  RestartLimits limits;
+  limits.healthy_after = seconds(5);
+  RestartBudget budget(limits);
+  budget.Add(seconds(1000));
+  budget.SetReady(true, seconds(1002));
+  EXPECT_TRUE(budget.IsHealthy(seconds(1010)));
+  EXPECT_EQ(budget.Used(seconds(1059)), 1);
+  EXPECT_EQ(budget.Used(seconds(1060)), 0);
+}
+
+TEST(RestartBudgetTest, APauseInReadinessBeginsTheTimeOfHealthAnew) {
+  RestartBudget budget({});
+  budget.Add(seconds(1000));
+  budget.SetReady(true, seconds(1002));
+  budget.SetReady(false, seconds(1050));
+  budget.SetReady(true, seconds(1051));
+  EXPECT_EQ(budget.Used(seconds(1100)), 1);
+  EXPECT_EQ(budget.Used(seconds(1111)), 0);
+}
+
+TEST(RestartBudgetTest, HealthUntilTheNextFailureCounts) {
+  RestartBudget budget({});
+  budget.Add(seconds(1000));
+  budget.SetReady(true, seconds(1002));
+  budget.SetReady(false, seconds(1100));
+  EXPECT_EQ(budget.Used(seconds(1100)), 0);
+}
+
+TEST(RestartBudgetTest, WaitsLongerEachTime) {
+  RestartLimits limits;
+  limits.restarts = 100;
+  RestartBudget budget(limits);
+  const BackOff back_off;
+  Time now = seconds(1000);
+  for (const int expected : {0, 5, 10, 20, 40, 80, 160, 300, 300}) {
+    EXPECT_EQ(budget.Delay(back_off, now), seconds(expected));
+    budget.Add(now);
+  }
+}
+
+TEST(RestartBudgetTest, TheHourlyLimitHoldsInGoodHealthToo) {
+  RestartBudget budget({});
+  Time now = seconds(10000);
+  for (int i = 0; i < 10; ++i) {
+    EXPECT_EQ(budget.WhyNot(now), "");
+    budget.Add(now);
+    budget.SetReady(true, now);
+    now += minutes(2);
+    budget.SetReady(false, now);
+  }
+  EXPECT_EQ(budget.Used(now), 0);
+  EXPECT_THAT(budget.WhyNot(now), HasSubstr("restarted 10 times within an hour"));
+  EXPECT_EQ(budget.WhyNot(seconds(10000) + minutes(60)), "");
+}
+
+TEST(RestartBudgetTest, WhatIsRestoredCountsAsBefore) {
+  RestartBudget budget({});
+  Time now = seconds(1000);
+  budget.Add(now);
+  budget.SetReady(true, now);
+  now += seconds(100);
+  budget.SetReady(false, now);
+  budget.Add(now);
+  RestartBudget restored({});
+  restored.Restore(budget.times(), budget.counting());
+  EXPECT_EQ(restored.Used(now), 1);
+  EXPECT_EQ(restored.times().size(), 2u);
+  restored.Clear();
+  EXPECT_EQ(restored.Used(now), 0);
+}
+
+}  // namespace
+}  // namespace coppice::robot

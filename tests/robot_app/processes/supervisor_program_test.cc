@@ -1,0 +1,402 @@
+// The program coppice-supervisor, with a real master and real processes.
+#include <coppice_msgs/ProcessStates.h>
+#include <coppice_msgs/RestartProcess.h>
+#include <coppice_msgs/SetConfiguration.h>
+#include <coppice_msgs/SwitchOff.h>
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <sstream>
+
+#include "robot_app/processes/launch/survivors.h"
+#include "tests/robot_app/eventually.h"
+#include "tests/robot_app/processes/other_host.h"
+#include "tests/robot_app/processes/ros_graph.h"
+
+namespace coppice::robot {
+namespace {
+
+using coppice_msgs::ProcessState;
+using testing::Contains;
+using testing::HasSubstr;
+using testing::Not;
+
+constexpr char kConfig[] = R"(
+stop_timeout: 1
+parameters: {answer: 42, use_sim_time: false}
+processes:
+  - {name: first, command: ["${talker}", "__name:=first"], node: /first, ready: topic /talk}
+  - {name: second, command: ["${talker}", "__name:=second"], node: /second, depends: [first],
+     ready: service /second/get_loggers}
+  - {name: stubborn, command: [/bin/sh, -c, "trap '' TERM; while true; do sleep 1000; done"]}
+configurations:
+  operating: [first, second, stubborn]
+  charging: [first]
+)";
+
+class SupervisorProgramTest : public testing::Test {
+ protected:
+  SupervisorProgramTest() {
+    std::filesystem::remove_all(folder_);
+    std::filesystem::create_directories(folder_);
+    WriteConfig(kConfig);
+  }
+
+  void WriteConfig(const std::string& text) const {
+    std::ofstream(folder_ + "/robot.yaml") << text;
+  }
+
+  std::vector<std::string> Command() const {
+    return {kPrograms + "coppice-supervisor",
+            "--config",
+            folder_ + "/robot.yaml",
+            "--port",
+            "0",
+            "--port-file",
+            folder_ + "/port",
+            "--logs",
+            folder_ + "/logs",
+            "--set",
+            "talker=" + kTestPrograms + "test_talker",
+            "--set",
+            "folder=" + folder_};
+  }
+
+  void StartSupervisor(const std::vector<std::string>& more = {}) {
+    std::vector<std::string> command = Command();
+    command.insert(command.end(), more.begin(), more.end());
+    std::filesystem::remove(folder_ + "/port");
+    supervisor_ = graph_.Start("supervisor", command);
+    ASSERT_TRUE(
+        Eventually([&] { return static_cast<bool>(std::ifstream(folder_ + "/port") >> port_); }));
+  }
+
+  // Of a program of the supervisor; 0 if there is none, -1 if there are several.
+  int PidOf(const std::string& process) const {
+    const auto pids = FindOwned(folder_ + "/logs/supervisor.json:" + process);
+    return pids.empty() ? 0 : pids.size() > 1 ? -1 : pids[0];
+  }
+
+  // What a node says about itself when it is asked over the network; 0 while it does not answer.
+  int PidOfNode(const std::string& node) const {
+    NodeProbe probe({"127.0.0.1", port_}, "/test");
+    probe.Begin({{node, ""}}, std::chrono::seconds(1));
+    probe.Work(std::chrono::seconds(2));
+    return probe.results()[0].answered ? probe.results()[0].pid : 0;
+  }
+
+  std::string Read(const std::string& file) const {
+    std::ostringstream text;
+    text << std::ifstream(folder_ + "/" + file).rdbuf();
+    return text.str();
+  }
+
+  void JoinGraph() {
+    graph_.Join("http://127.0.0.1:" + std::to_string(port_));
+    subscriber_ = graph_.node().subscribe<coppice_msgs::ProcessStates>(
+        "/processes", 50, [this](const coppice_msgs::ProcessStates::ConstPtr& message) {
+          configuration_ = message->configuration;
+          for (const ProcessState& state : message->processes) states_[state.name] = state;
+        });
+    ASSERT_TRUE(WaitForState("second", ProcessState::READY));
+    ASSERT_TRUE(WaitForState("stubborn", ProcessState::READY));
+  }
+
+  bool WaitForState(const std::string& name, int state) {
+    return graph_.WaitFor([&] { return states_.count(name) && states_[name].state == state; });
+  }
+
+  coppice_msgs::RestartProcess::Response Restart(const std::string& name) {
+    coppice_msgs::RestartProcess service;
+    service.request.name = name;
+    EXPECT_TRUE(ros::service::call("/supervisor/restart", service));
+    return service.response;
+  }
+
+  const std::string folder_ = Temporary("supervisor_program_test");
+  RosGraph graph_{RosGraph::WithoutMaster{}, folder_};
+  int supervisor_ = 0;
+  int port_ = 0;
+  ros::Subscriber subscriber_;
+  std::string configuration_;
+  std::map<std::string, ProcessState> states_;
+};
+
+TEST_F(SupervisorProgramTest, RestartsWhatEndsOrIsAskedForAndLeavesNothingBehind) {
+  StartSupervisor();
+  JoinGraph();
+  double answer = 0;
+  EXPECT_TRUE(ros::param::get("/answer", answer));
+  EXPECT_EQ(answer, 42);
+  EXPECT_EQ(states_["second"].group, "second");
+  EXPECT_EQ(states_["second"].restarts_allowed, 3u);
+
+  const int crashed = states_["second"].pid;
+  const ros::WallTime death = ros::WallTime::now();
+  kill(crashed, SIGKILL);
+  ASSERT_TRUE(graph_.WaitFor([&] { return states_["second"].state != ProcessState::READY; }));
+  EXPECT_EQ(states_["second"].restarts_in_window, 1u);
+  EXPECT_EQ(states_["first"].state, ProcessState::READY);
+  ASSERT_TRUE(WaitForState("second", ProcessState::READY));
+  RecordProperty("ms_from_death_to_ready",
+                 static_cast<int>((ros::WallTime::now() - death).toSec() * 1000));
+  EXPECT_NE(states_["second"].pid, crashed);
+
+  const int killed = states_["second"].pid;
+  EXPECT_TRUE(Restart("/second").ok);
+  ASSERT_TRUE(
+      graph_.WaitFor([&] { return states_["second"].pid > 0 && states_["second"].pid != killed; }));
+  ASSERT_TRUE(WaitForState("second", ProcessState::READY));
+  EXPECT_EQ(states_["second"].restarts, 2u);
+  EXPECT_THAT(Restart("secnd").message, HasSubstr("did you mean \"second\"?"));
+
+  // A hung process is no reason not to restart it.
+  const int hung = states_["first"].pid;
+  kill(hung, SIGSTOP);
+  EXPECT_TRUE(Restart("first").ok);
+  ASSERT_TRUE(
+      graph_.WaitFor([&] { return states_["first"].pid > 0 && states_["first"].pid != hung; }));
+  ASSERT_TRUE(WaitForState("first", ProcessState::READY));
+
+  // One that ignores SIGTERM is killed; all of its group is gone.
+  coppice_msgs::SetConfiguration charging;
+  charging.request.configuration = "charging";
+  ASSERT_TRUE(ros::service::call("/supervisor/set_configuration", charging));
+  EXPECT_TRUE(charging.response.ok);
+  const int stubborn = states_["stubborn"].pid;
+  ASSERT_TRUE(graph_.WaitFor([&] { return states_["stubborn"].pid == 0; }));
+  EXPECT_EQ(configuration_, "charging");
+  EXPECT_TRUE(graph_.WaitFor([&] { return kill(-stubborn, 0) != 0; }));
+  ASSERT_TRUE(graph_.WaitFor([&] { return states_["second"].pid == 0; }));
+
+  const int first = states_["first"].pid;
+  ASSERT_GT(first, 0);
+  subscriber_.shutdown();
+  const int wait_status = graph_.Kill(supervisor_, SIGTERM);
+  EXPECT_TRUE(WIFEXITED(wait_status) && WEXITSTATUS(wait_status) == 0) << wait_status;
+  EXPECT_NE(kill(first, 0), 0);
+  EXPECT_FALSE(MasterAnswers(*ParseUri(ros::master::getURI()), std::chrono::seconds(1)));
+}
+
+TEST_F(SupervisorProgramTest, TheEndOfTheMasterIsTheBeginningOfANewStack) {
+  StartSupervisor();
+  ASSERT_TRUE(Eventually([&] { return PidOfNode("/second") > 0; }));
+  const int master = PidOf("rosmaster"), first = PidOf("first");
+  kill(master, SIGKILL);
+  ASSERT_TRUE(Eventually([&] {
+    return PidOf("rosmaster") > 0 && PidOf("rosmaster") != master && PidOfNode("/second") > 0;
+  }));
+  EXPECT_GT(PidOf("first"), 0);
+  EXPECT_NE(PidOf("first"), first);
+  EXPECT_EQ(kill(supervisor_, 0), 0);  // still the same process
+  EXPECT_THAT(Read("supervisor.log"), HasSubstr("begins anew: the ROS master ended"));
+  graph_.Kill(supervisor_, SIGTERM);
+  EXPECT_EQ(PidOf(""), 0);
+}
+
+TEST_F(SupervisorProgramTest, AKilledSupervisorLeavesNoSecondInstanceAndItsCountersLiveOn) {
+  StartSupervisor();
+  ASSERT_TRUE(Eventually([&] { return PidOfNode("/second") > 0; }));
+  kill(PidOf("second"), SIGKILL);
+  ASSERT_TRUE(Eventually(
+      [&] { return Read("logs/supervisor.json").find("\"second\": 1") != std::string::npos; }));
+  const int stubborn = FindOwned(folder_ + "/logs/supervisor.json:stubborn").front();
+  graph_.Kill(supervisor_, SIGKILL);
+  ASSERT_TRUE(Eventually([&] { return PidOf("second") == 0 && PidOf("first") == 0; }));
+  EXPECT_EQ(kill(stubborn, 0), 0);  // it ignores SIGTERM
+
+  StartSupervisor();
+  ASSERT_TRUE(Eventually([&] { return PidOfNode("/second") > 0; }));
+  EXPECT_THAT(FindOwned(folder_ + "/logs/supervisor.json:stubborn"), Not(Contains(stubborn)));
+  EXPECT_THAT(Read("supervisor.log"), HasSubstr("processes of an earlier supervisor were ended"));
+  EXPECT_THAT(Read("logs/supervisor.json"), HasSubstr("\"second\": 1"));
+  graph_.Kill(supervisor_, SIGTERM);
+  EXPECT_EQ(PidOf(""), 0);
+}
+
+TEST_F(SupervisorProgramTest, ACrashLoopClimbsToThePersonInABoundedNumberOfStarts) {
+  WriteConfig(R"(
+restart_intensity: {restarts: 2, window: 5, floor: 0.1, healthy_after: 60}
+back_off: {first: 0.1, most: 0.2}
+on_given_up:
+  command: [/bin/sh, -c, 'echo "$0" >> ${folder}/calls']
+  configuration: safe
+processes:
+  - {name: root, command: [/bin/sh, -c, "echo >> ${folder}/starts; sleep 0.3; exit 3"]}
+  - {name: dependent, command: [/bin/sleep, 1000], depends: [root]}
+  - {name: daemon, command: [/bin/sh, -c, "setsid sleep 1000 & exec sleep 1000"]}
+configurations:
+  all: [root, dependent, daemon]
+  safe: [daemon]
+)");
+  StartSupervisor();
+  ASSERT_TRUE(Eventually([&] { return !Read("calls").empty(); }));
+  EXPECT_THAT(Read("calls"),
+              HasSubstr("The robot has given up root: root ended with exit status 3"));
+  EXPECT_EQ(Read("starts").size(), 5u);  // first, two restarts, closure, stack
+  EXPECT_TRUE(Eventually([&] { return PidOf("dependent") == 0 && PidOf("daemon") != 0; }));
+  graph_.Kill(supervisor_, SIGTERM);
+  EXPECT_EQ(PidOf(""), 0);  // nor is there what has made a session of its own
+  EXPECT_EQ(Read("starts").size(), 5u);
+}
+
+// A node behind another network, supervised as if it were here.
+TEST_F(SupervisorProgramTest, ANodeOnAnotherHostIsStartedRestartedAndEndedLikeOneOfThisHost) {
+  const OtherHost host;
+  std::string transport;
+  for (const std::string& word : host.Transport()) transport += "'" + word + "', ";
+  WriteConfig("stop_timeout: 1\nhosts:\n  other:\n    command: [" + transport + "]\n" +
+              "    shell: no\n    bin: " + kTestPrograms +
+              "../../bin\n    address: " + host.there() + R"(
+processes:
+  - {name: here, command: ["${talker}", "__name:=here"], node: /here}
+  - {name: there, command: ["${talker}", "__name:=there"], node: /there, depends: [here],
+     host: other}
+configurations: {all: [here, there]}
+)");
+  StartSupervisor({"--address", host.here()});
+  ASSERT_TRUE(Eventually([&] { return PidOfNode("/there") > 0; })) << Read("logs/there.log");
+  // 0 if there is none, -1 if there are several.
+  const auto instance = [&] {
+    const auto pids = FindOwned(OwnedName(folder_ + "/logs/supervisor.json@other", "there"));
+    return pids.empty() ? 0 : pids.size() > 1 ? -1 : pids[0];
+  };
+  ASSERT_TRUE(Eventually([&] { return instance() > 0; }));
+  const int first = instance();
+  ASSERT_GT(first, 0);
+  if (host.is_namespace()) {
+    const auto network = [](const std::string& pid) {
+      return std::filesystem::read_symlink("/proc/" + pid + "/ns/net").string();
+    };
+    EXPECT_NE(network(std::to_string(first)), network("self"));
+  }
+  kill(first, SIGKILL);
+  ASSERT_TRUE(Eventually([&] {
+    const int second = instance();
+    return second > 0 && second != first && PidOfNode("/there") > 0;
+  }));
+  graph_.Kill(supervisor_, SIGTERM);
+  EXPECT_TRUE(Eventually([&] { return instance() == 0; }));
+}
+
+TEST_F(SupervisorProgramTest, AHostThatCannotBeReachedDisturbsNothingElse) {
+  WriteConfig(R"(
+hosts:
+  moon: {command: [/bin/sh, -c, "exit 255", sh], bin: /nowhere, shell: no}
+processes:
+  - {name: here, command: ["${talker}", "__name:=here"], node: /here}
+  - {name: there, command: [x], host: moon}
+configurations: {all: [here, there]}
+)");
+  StartSupervisor();
+  EXPECT_TRUE(Eventually([&] {
+    return Read("supervisor.log").find("there: UNREACHABLE, host moon cannot be reached") !=
+           std::string::npos;
+  }));
+  EXPECT_TRUE(Eventually([&] { return PidOfNode("/here") > 0; }));
+  graph_.Kill(supervisor_, SIGTERM);
+}
+
+TEST_F(SupervisorProgramTest, TheCommandLineShowsAndAsks) {
+  StartSupervisor();
+  ASSERT_TRUE(Eventually([&] { return PidOfNode("/second") > 0; }));
+  int calls = 0;
+  std::string output;
+  const auto processes = [&](std::vector<std::string> words) {
+    words.insert(words.begin(), kPrograms + "coppice-processes");
+    words.insert(words.end(), {"--master", "http://127.0.0.1:" + std::to_string(port_)});
+    const std::string name = "call" + std::to_string(++calls);
+    int status = 0;
+    waitpid(graph_.Start(name, words), &status, 0);
+    output = Read(name + ".log");
+    return WEXITSTATUS(status);
+  };
+  EXPECT_TRUE(Eventually([&] { return processes({}) == 0; })) << output;
+  EXPECT_THAT(output, HasSubstr("configuration operating\nPROCESS "));
+  EXPECT_EQ(processes({"--json"}), 0);
+  EXPECT_THAT(output, HasSubstr("\"restarts_allowed\": 3"));
+
+  EXPECT_EQ(processes({"configuration", "charging"}), 0);
+  EXPECT_EQ(output, "changing to configuration charging\n");
+  EXPECT_TRUE(Eventually([&] { return PidOf("second") == 0 && processes({}) == 0; }));
+  EXPECT_THAT(output, HasSubstr("configuration charging, held by hand\n"));
+  EXPECT_EQ(processes({"release"}), 0);
+  EXPECT_EQ(processes({"restart", "firts"}), 1);
+  EXPECT_THAT(output, HasSubstr("did you mean \"first\"?"));
+  const int first = PidOf("first");
+  EXPECT_EQ(processes({"restart", "first"}), 0);
+  EXPECT_TRUE(Eventually([&] { return PidOf("first") > 0 && PidOf("first") != first; }));
+  EXPECT_EQ(processes({"reset", "all"}), 0);
+
+  EXPECT_EQ(processes({"explode", "first"}), 2);
+  EXPECT_EQ(processes({"restart"}), 2);
+  EXPECT_EQ(processes({"--wach"}), 2);
+  graph_.Kill(supervisor_, SIGTERM);
+  EXPECT_EQ(processes({}), 3);
+  EXPECT_THAT(output, HasSubstr("no process supervisor answers at http://127.0.0.1:"));
+}
+
+TEST_F(SupervisorProgramTest, ReportsBadInputInOneLineEachWithStatus2) {
+  const auto run = [this](std::vector<std::string> command, const std::string& name) {
+    int status = 0;
+    waitpid(graph_.Start(name, std::move(command)), &status, 0);
+    EXPECT_EQ(WEXITSTATUS(status), 2);
+    std::ostringstream text;
+    text << std::ifstream(folder_ + "/" + name + ".log").rdbuf();
+    return text.str();
+  };
+  const std::string program = kPrograms + "coppice-supervisor";
+  EXPECT_THAT(run({program}, "usage"), HasSubstr("usage: coppice-supervisor --config FILE"));
+  EXPECT_THAT(run({program, "--config", "/nowhere"}, "missing"),
+              HasSubstr("/nowhere: error: cannot read the file"));
+  EXPECT_THAT(run({program, "--config", folder_ + "/robot.yaml"}, "variable"),
+              HasSubstr("robot.yaml:5:"));
+  EXPECT_THAT(run({program, "--set", "x"}, "set"), HasSubstr("--set needs NAME=VALUE"));
+}
+
+class SwitchOffProgramTest : public SupervisorProgramTest {
+ protected:
+  SwitchOffProgramTest() {
+    WriteConfig(std::string(kConfig) +
+                "  safe_stop: [first]\n"
+                "on_given_up: {configuration: safe_stop}\n"
+                "switch_off: {command: [touch, \"${folder}/off\"]}\n");
+    setenv("COPPICE_SWITCH_OFF_TOKEN", "secret", 1);
+    StartSupervisor();
+    unsetenv("COPPICE_SWITCH_OFF_TOKEN");
+    JoinGraph();
+  }
+
+  static std::string SwitchOff(const std::string& token) {
+    coppice_msgs::SwitchOff service;
+    service.request.reason = "the battery is empty";
+    service.request.token = token;
+    EXPECT_TRUE(ros::service::call("/supervisor/switch_off", service));
+    EXPECT_TRUE(service.response.ok);
+    return service.response.message;
+  }
+};
+
+TEST_F(SwitchOffProgramTest, WithoutTheTokenItStaysInTheSafeStop) {
+  EXPECT_THAT(SwitchOff("guess"), HasSubstr("the power stays on"));
+  ASSERT_TRUE(graph_.WaitFor([&] { return configuration_ == "safe_stop"; }));
+  ASSERT_TRUE(WaitForState("second", ProcessState::STOPPED));
+  coppice_msgs::RestartProcess reset;
+  reset.request.name = "all";
+  EXPECT_TRUE(ros::service::call("/supervisor/reset", reset));
+  ASSERT_TRUE(WaitForState("second", ProcessState::READY));
+  EXPECT_FALSE(std::filesystem::exists(folder_ + "/off"));
+}
+
+TEST_F(SwitchOffProgramTest, WithTheTokenEverythingEndsAndTheCommandRuns) {
+  EXPECT_THAT(SwitchOff("secret"), HasSubstr("then the power goes off"));
+  EXPECT_EQ(graph_.WaitForEnd(supervisor_), 0);
+  EXPECT_TRUE(std::filesystem::exists(folder_ + "/off"));
+  EXPECT_EQ(PidOf("first"), 0);
+  EXPECT_THAT(Read("logs/supervisor.json"), Not(HasSubstr("\"safe_stop\":true")));
+}
+
+}  // namespace
+}  // namespace coppice::robot

@@ -1,0 +1,155 @@
+// What may be asked of the supervisor (supervisor_requests.cc).
+#include <gmock/gmock.h>
+
+#include "tests/robot_app/processes/simulated_machine.h"
+
+namespace coppice::robot {
+namespace {
+
+using std::chrono::milliseconds;
+using std::chrono::seconds;
+using testing::HasSubstr;
+using testing::SizeIs;
+
+// base <- nav <- app; mapper. In "safe" only base runs.
+RobotConfig Robot() {
+  RobotConfig config;
+  config.processes = {MakeProcess("base"), MakeProcess("nav", {0}), MakeProcess("app", {1}),
+                      MakeProcess("mapper")};
+  AddOwnGroups(config);
+  config.conditions.resize(1);
+  config.conditions[0].name = "charging_confirmed";
+  config.configurations = {{"operating", {0, 1, 2}, {}},
+                           {"safe", {0}, {}},
+                           {"charging", {0}, {0}},
+                           {"mapping", {0, 3}, {}}};
+  config.given_up.configuration = 1;
+  return config;
+}
+
+class SupervisorRequestsTest : public testing::Test {
+ protected:
+  SupervisorRequestsTest() {
+    EXPECT_TRUE(robot_.RunUntil([this] { return robot_.AllReady(); }, seconds(30)));
+    robot_.RunFor(seconds(100));
+  }
+  Verdict Restart(const std::string& name) {
+    return robot_.supervisor().Restart(name, robot_.machine.now);
+  }
+  Verdict Reset(const std::string& name) {
+    return robot_.supervisor().Reset(name, robot_.machine.now);
+  }
+  Verdict Configure(const std::string& name, Hand hand = Hand::kTree) {
+    return robot_.supervisor().SetConfiguration(name, hand, kNoConditions);
+  }
+  void GiveUpNav() {
+    robot_.machine.programs["nav"].crashes = [] { return std::optional<Duration>(seconds(2)); };
+    robot_.machine.Crash("nav");
+    ASSERT_TRUE(robot_.RunUntil([this] { return !robot_.calls.empty(); }, seconds(600)));
+    robot_.RunFor(seconds(10));
+    robot_.machine.programs["nav"] = {};
+  }
+
+  SimulatedRobot robot_{Robot()};
+};
+
+TEST_F(SupervisorRequestsTest, RestartsALivingProcessByTheNameOfItsNode) {
+  EXPECT_EQ(Restart("/nav_node").message, "/nav_node is restarted");
+  robot_.RunFor(milliseconds(100));
+  EXPECT_EQ(robot_.Phase("nav"), ProcessPhase::kStarting);  // grace begins with the request
+  EXPECT_EQ(Restart("nav").message, "nav is about to start already");
+  robot_.RunFor(seconds(10));
+  EXPECT_EQ(robot_.Phase("nav"), ProcessPhase::kReady);
+  EXPECT_EQ(robot_.machine.Starts("nav"), 2);
+  EXPECT_EQ(robot_.machine.Starts("app"), 1);  // what depends on it stays up
+}
+
+TEST_F(SupervisorRequestsTest, RestartsOnRequestCountLikeCrashes) {
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_EQ(Restart("nav").message, "nav is restarted");
+    robot_.RunFor(seconds(1));
+    ASSERT_TRUE(robot_.RunUntil([this] { return robot_.AllReady(); }, seconds(30)));
+  }
+  const Verdict verdict = Restart("nav");
+  EXPECT_TRUE(verdict.ok);
+  EXPECT_EQ(verdict.message, "nav is restarted with all that depends on nav");
+  robot_.RunFor(seconds(20));
+  EXPECT_TRUE(robot_.AllReady());
+  EXPECT_EQ(robot_.machine.Starts("app"), 2);
+}
+
+TEST_F(SupervisorRequestsTest, RestartsThatDoNotHelpAreRefusedAtLastAndNothingIsTakenDown) {
+  for (int i = 0; i < 4; ++i) {
+    EXPECT_TRUE(Restart("nav").ok);
+    robot_.RunFor(seconds(20));
+  }
+  const Verdict verdict = Restart("nav");
+  EXPECT_FALSE(verdict.ok);
+  EXPECT_THAT(verdict.message, HasSubstr("nav needs a person: restarts have not helped"));
+  robot_.RunFor(seconds(20));
+  EXPECT_EQ(robot_.Phase("nav"), ProcessPhase::kReady);
+  EXPECT_EQ(robot_.machine.Starts("nav"), 5);
+  EXPECT_EQ(robot_.stacks, 0);
+  robot_.RunFor(seconds(60));
+  EXPECT_EQ(Restart("nav").message, "nav is restarted");  // healthy since
+}
+
+TEST_F(SupervisorRequestsTest, ThePersonMayRestartTheWholeStack) {
+  EXPECT_TRUE(Restart("all").ok);
+  EXPECT_EQ(Restart("nav").message, "the whole stack is being restarted");
+  EXPECT_TRUE(robot_.RunUntil([this] { return robot_.stacks == 1; }, seconds(30)));
+  EXPECT_TRUE(robot_.RunUntil([this] { return robot_.AllReady(); }, seconds(30)));
+  EXPECT_EQ(robot_.machine.Starts("base"), 2);
+}
+
+TEST_F(SupervisorRequestsTest, RefusesUnknownAndUnwantedNames) {
+  EXPECT_THAT(Restart("navv").message, HasSubstr("did you mean \"nav\"?"));
+  EXPECT_THAT(Reset("navv").message, HasSubstr("did you mean \"nav\"?"));
+  EXPECT_EQ(Restart("mapper").message, "mapper is not part of configuration operating");
+  EXPECT_THAT(Configure("opperating").message, HasSubstr("did you mean \"operating\"?"));
+}
+
+TEST_F(SupervisorRequestsTest, RefusesARestartOfWhatIsGivenUpUntilItIsReset) {
+  GiveUpNav();
+  EXPECT_EQ(robot_.Phase("nav"), ProcessPhase::kGivenUp);
+  EXPECT_EQ(Restart("nav").message, "nav is not part of configuration safe");
+  EXPECT_THAT(Configure("operating", Hand::kPerson).message, HasSubstr("safe stop"));
+  robot_.RunFor(seconds(4000));
+  EXPECT_FALSE(robot_.machine.Runs("nav"));  // time alone does not repair it
+  EXPECT_TRUE(Reset("/nav_node").ok);
+  EXPECT_TRUE(robot_.RunUntil([this] { return robot_.AllReady(); }, seconds(30)));
+  EXPECT_EQ(robot_.supervisor().configuration(), "operating");
+  EXPECT_EQ(Restart("nav").message, "nav is restarted");
+}
+
+TEST_F(SupervisorRequestsTest, ResetAllForgetsEverything) {
+  GiveUpNav();
+  EXPECT_TRUE(Reset("all").ok);
+  EXPECT_TRUE(robot_.RunUntil([this] { return robot_.AllReady(); }, seconds(30)));
+  EXPECT_EQ(robot_.supervisor().RestartsUsed(robot_.Index("nav"), robot_.machine.now), 0);
+}
+
+TEST_F(SupervisorRequestsTest, WhatAPersonSetsIsHeldUntilItIsReleased) {
+  EXPECT_TRUE(Configure("mapping", Hand::kPerson).ok);
+  EXPECT_EQ(Configure("operating").message,
+            "configuration mapping is held by hand until it is released");
+  EXPECT_TRUE(Configure("mapping").ok);  // no conflict
+  robot_.RunFor(seconds(10));
+  EXPECT_TRUE(robot_.machine.Runs("mapper"));
+  EXPECT_FALSE(robot_.machine.Runs("nav"));
+  robot_.supervisor().Release();
+  EXPECT_TRUE(Configure("operating").ok);
+}
+
+TEST_F(SupervisorRequestsTest, AConfigurationIsRefusedWhileItsConditionDoesNotHold) {
+  const auto why_not = [](std::size_t) { return std::string("no current flows"); };
+  const Verdict verdict = robot_.supervisor().SetConfiguration("charging", Hand::kPerson, why_not);
+  EXPECT_FALSE(verdict.ok);
+  EXPECT_EQ(verdict.message,
+            "configuration charging requires charging_confirmed: no current flows");
+  EXPECT_FALSE(robot_.supervisor().configuration_switch().manual());
+  EXPECT_TRUE(Configure("charging").ok);
+}
+
+}  // namespace
+}  // namespace coppice::robot
