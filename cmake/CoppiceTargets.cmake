@@ -12,6 +12,7 @@ function(coppice_library name)
   target_link_libraries(${name} PUBLIC ${ARG_LINK} PRIVATE $<BUILD_INTERFACE:coppice_warnings>)
   if(NOT EMSCRIPTEN)  # there a program has no plugins
     set_target_properties(${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+    coppice_precompile(${name} library)
   endif()
 endfunction()
 
@@ -28,7 +29,7 @@ endfunction()
 #   start a process (a ROS master, the fonts) for each case takes longer than most cases.
 #   Which case failed is said in the output; `build/tests/bin/NAME --gtest_filter=SUITE.CASE` runs it.
 #   SERIAL: no other test runs at the same time. EACH: every case is a test and a process of its own.
-#   COPPICE_SOURCE_DIR and COPPICE_BINARY_DIR are defined as strings for finding data and programs.
+#   tests/support/folders.h tells where data and programs are.
 function(coppice_test name)
   cmake_parse_arguments(ARG "SERIAL;EACH" "TIMEOUT" "LINK" ${ARGN})
   if(NOT ARG_TIMEOUT)
@@ -39,9 +40,10 @@ function(coppice_test name)
   endif()
   add_executable(${name} ${ARG_UNPARSED_ARGUMENTS})
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR})
-  target_compile_definitions(${name} PRIVATE COPPICE_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
-                                             COPPICE_BINARY_DIR="${PROJECT_BINARY_DIR}")
-  target_link_libraries(${name} PRIVATE ${ARG_LINK} GTest::gmock GTest::gtest_main coppice_warnings)
+  target_compile_options(${name} PRIVATE ${COPPICE_TEST_OPTIONS})
+  target_link_libraries(${name} PRIVATE
+    ${ARG_LINK} test_support GTest::gmock GTest::gtest_main coppice_warnings)
+  coppice_precompile(${name} test)
   set_target_properties(${name} PROPERTIES
     RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests/bin)
   coppice_list_suites(${name} "${ARG_EACH}" TIMEOUT,${ARG_TIMEOUT},RUN_SERIAL,${ARG_SERIAL})

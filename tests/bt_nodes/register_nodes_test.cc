@@ -8,6 +8,7 @@
 
 #include "bt_core/engine/compile/models.h"
 #include "tests/bt_nodes/fakes.h"
+#include "tests/support/folders.h"
 
 namespace coppice {
 namespace {
@@ -45,7 +46,7 @@ TEST(RegisterNodes, TheShippedModelsSayWhatTheLeavesAre) {
   for (const std::string& id : registry.Ids()) {
     if (registry.HasBuiltIn(id)) registry.Remove(id);
   }
-  const std::string path = std::string(COPPICE_SOURCE_DIR) + "/trees/models.xml";
+  const std::string path = SourceFolder() + "/trees/models.xml";
   if (std::getenv("COPPICE_UPDATE_REFERENCE")) std::ofstream(path) << WriteModels(registry);
   std::ifstream file(path);
   const std::string shipped{std::istreambuf_iterator<char>(file), {}};

@@ -1,4 +1,5 @@
 #include "tests/editor/reference_picture.h"
+#include "tests/support/folders.h"
 
 #include <png.h>
 
@@ -63,7 +64,7 @@ std::optional<Image> ReadPng(const std::string& path) {
 
 std::string CompareWithReference(const Image& shown, const std::string& name) {
   const std::string path =
-      std::string(COPPICE_SOURCE_DIR) + "/tests/editor/reference/" + name + ".png";
+      SourceFolder() + "/tests/editor/reference/" + name + ".png";
   const Image half = HalfSize(shown);
   if (std::getenv("COPPICE_UPDATE_REFERENCE")) return WritePng(half, path);
   const std::optional<Image> reference = ReadPng(path);

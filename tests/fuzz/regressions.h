@@ -10,10 +10,12 @@
 #include <string>
 #include <string_view>
 
+#include "tests/support/folders.h"
+
 namespace coppice::fuzz {
 
 inline void RunRegressions(const std::string& name, int (*harness)(std::string_view)) {
-  const auto folder = std::filesystem::path(COPPICE_SOURCE_DIR "/tests/fuzz/regressions") / name;
+  const auto folder = std::filesystem::path(SourceFolder() + "/tests/fuzz/regressions") / name;
   if (!std::filesystem::exists(folder)) return;  // nothing has crashed yet
   for (const auto& input : std::filesystem::directory_iterator(folder)) {
     SCOPED_TRACE(input.path());

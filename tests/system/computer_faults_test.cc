@@ -12,6 +12,7 @@
 #include "tests/system/fault_case.h"
 #include "tests/system/second_host.h"
 #include "tests/system/small_disk.h"
+#include "tests/support/folders.h"
 
 namespace coppice::robot {
 namespace {
@@ -19,8 +20,8 @@ namespace {
 constexpr double kMemoryHog = 0.10;  // of all memory, more than is used when the test begins
 constexpr int kTimePort = 1123;
 
-const std::string kTestPrograms = std::string(COPPICE_BINARY_DIR) + "/tests/bin/";
-const std::string kPrograms = std::string(COPPICE_BINARY_DIR) + "/bin/";
+const std::string kTestPrograms = BinaryFolder() + "/tests/bin/";
+const std::string kPrograms = BinaryFolder() + "/bin/";
 
 // kB, of /proc/meminfo.
 double Memory(const std::string& field) {
@@ -123,7 +124,7 @@ class ComputerFaults : public testing::Test {
   }
 
   static std::string LogFile() {
-    return std::string(COPPICE_BINARY_DIR) + "/tests/system/computer_faults/log.bag.active";
+    return BinaryFolder() + "/tests/system/computer_faults/log.bag.active";
   }
 
   static RigOptions Options() {
@@ -171,7 +172,7 @@ class ComputerFaults : public testing::Test {
       command.push_back(word);
     }
     time_server_ =
-        ChildProcess(command, std::string(COPPICE_BINARY_DIR) + "/tests/time_server.log");
+        ChildProcess(command, BinaryFolder() + "/tests/time_server.log");
   }
 
   static const double used_at_start_;

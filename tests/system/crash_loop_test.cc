@@ -15,6 +15,7 @@
 #include <string>
 
 #include "tests/system/fault_case.h"
+#include "tests/support/folders.h"
 
 namespace coppice::robot {
 namespace {
@@ -34,7 +35,7 @@ RigOptions Options() {
   options.start = "2 0 0";
   options.variables = {{"speed", "1"}, {"seed", "2"}};
   options.programs = {
-      {"coppice-odometry-filter", std::string(COPPICE_BINARY_DIR) + "/tests/bin/crash_loop"}};
+      {"coppice-odometry-filter", BinaryFolder() + "/tests/bin/crash_loop"}};
   return options;
 }
 

@@ -14,6 +14,7 @@
 #include "bt_core/analysis/verify.h"
 #include "robot_app/app/child_process.h"
 #include "robot_app/app/run_summary.h"
+#include "tests/support/folders.h"
 
 namespace coppice::robot {
 namespace {
@@ -40,13 +41,13 @@ void ExpectSameWhenRunAgain(const fs::path& record) {
 }
 
 TEST(Robot, RecoversFromADeadNodeAndABlockedCorridorOnItsPatrol) {
-  const fs::path folder = fs::path(COPPICE_BINARY_DIR) / "tests" / "system_run";
+  const fs::path folder = fs::path(BinaryFolder()) / "tests" / "system_run";
   fs::remove_all(folder);
   fs::create_directories(folder);
   // Below the ports that the system gives to whoever wants any.
   const std::string live_port = std::to_string(20000 + getpid() % 3000 * 4);
   ChildProcess demo(
-      {std::string(COPPICE_BINARY_DIR) + "/bin/coppice-demo", "--no-editor", "--run",
+      {BinaryFolder() + "/bin/coppice-demo", "--no-editor", "--run",
        folder.string(), "--rounds", "1", "--stops", "4", "--speed", "6", "--live-port", live_port},
       (folder / "demo.log").string());
   const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(540);

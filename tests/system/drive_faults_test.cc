@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "tests/system/fault_case.h"
+#include "tests/support/folders.h"
 
 namespace coppice::robot {
 namespace {
@@ -22,7 +23,7 @@ RigOptions Options(const std::string& name, const std::string& application) {
   options.variables = {
       {"speed", "6"},
       {"seed", "5"},
-      {"application", std::string(COPPICE_SOURCE_DIR) + "/tests/system/trees/" + application}};
+      {"application", SourceFolder() + "/tests/system/trees/" + application}};
   // People who never answer, and a robot that does not wait long for them.
   options.edits = {{"supervisors.yaml", "remind: 120", "remind: 3"},
                    {"supervisors.yaml", "next: 300", "next: 4"},

@@ -1,4 +1,5 @@
 #include "tests/system/fault_case.h"
+#include "tests/support/folders.h"
 
 #include <gtest/gtest.h>
 
@@ -16,7 +17,7 @@ constexpr char kConsole[] = "assistance";   // prints what supervisors are told
 
 std::string ReportFile() {
   const char* file = std::getenv("COPPICE_FAULT_REPORT");
-  return file != nullptr ? file : std::string(COPPICE_BINARY_DIR) + "/tests/system/faults.tsv";
+  return file != nullptr ? file : BinaryFolder() + "/tests/system/faults.tsv";
 }
 
 std::string Seconds(const std::optional<double>& seconds) {

@@ -16,6 +16,7 @@
 #include "tests/robot_app/mapping/tour.h"
 #include "tests/robot_app/navigation/world_robot.h"
 #include "tests/system/robot_rig.h"
+#include "tests/support/folders.h"
 
 namespace coppice::robot {
 namespace {
@@ -29,7 +30,7 @@ RigOptions Options() {
   options.variables = {
       {"speed", "6"},
       {"seed", "5"},
-      {"application", std::string(COPPICE_SOURCE_DIR) + "/tests/system/trees/stand.xml"}};
+      {"application", SourceFolder() + "/tests/system/trees/stand.xml"}};
   return options;
 }
 

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "tests/system/fault_case.h"
+#include "tests/support/folders.h"
 
 namespace coppice::robot {
 namespace {
@@ -25,7 +26,7 @@ RigOptions Options() {
   options.start = "2 0 0";
   options.variables = {{"speed", "1"}, {"seed", "7"}};
   options.programs = {
-      {"laser_driver", std::string(COPPICE_BINARY_DIR) + "/tests/bin/laser_driver"}};
+      {"laser_driver", BinaryFolder() + "/tests/bin/laser_driver"}};
   // On its way already, so that nothing but the fault changes anything.
   options.edits = {
       {"robot.yaml", "\"_speed:=", "\"/scan:=/simulation/scan\", \"_speed:="},

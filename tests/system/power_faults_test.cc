@@ -6,6 +6,7 @@
 #include <string>
 
 #include "tests/system/fault_case.h"
+#include "tests/support/folders.h"
 
 namespace coppice::robot {
 namespace {
@@ -79,7 +80,7 @@ TEST_F(DockingFaults, ContactWithoutCurrentIsNoCharging) {
 TEST(MissedChargeSignal, IsMadeUpForByTheBatteryWatchdog) {
   RigOptions options = Options("missed_charge", "0.9");
   options.variables.emplace_back(
-      "application", std::string(COPPICE_SOURCE_DIR) + "/tests/system/trees/shuttle.xml");
+      "application", SourceFolder() + "/tests/system/trees/shuttle.xml");
   RobotRig rig(options);
   ASSERT_TRUE(rig.Start());
   FaultCase fault(rig, "missed charge signal", "the battery is at 12 %, the application drives on");

@@ -1,4 +1,5 @@
 #include "tests/system/robot_rig.h"
+#include "tests/support/folders.h"
 
 #include <coppice_msgs/InjectFault.h>
 #include <geometry_msgs/PoseStamped.h>
@@ -25,8 +26,8 @@ namespace fs = std::filesystem;
 constexpr double kStartPatience = 120;  // s, wall
 constexpr std::chrono::seconds kStopPatience{30};
 
-const fs::path kSource = COPPICE_SOURCE_DIR;
-const fs::path kBinary = COPPICE_BINARY_DIR;
+const fs::path kSource = SourceFolder();
+const fs::path kBinary = BinaryFolder();
 
 // Below the ports that the system gives to whoever wants any; each test program has six of its own:
 // the ROS master's, four of the live view, the page's.

@@ -1,4 +1,5 @@
 #include "tests/system/small_disk.h"
+#include "tests/support/folders.h"
 
 #include <gtest/gtest.h>
 #include <sys/mount.h>
@@ -13,7 +14,7 @@ namespace coppice::robot {
 namespace fs = std::filesystem;
 
 SmallDisk::SmallDisk() {
-  path_ = fs::path(COPPICE_BINARY_DIR) / "tests/system" / ("disk_" + std::to_string(getpid()));
+  path_ = fs::path(BinaryFolder()) / "tests/system" / ("disk_" + std::to_string(getpid()));
   fs::create_directories(path_);
   mounted_ = mount("coppice_test", path_.c_str(), "tmpfs", 0, "size=8m") == 0;
   if (mounted_) return;

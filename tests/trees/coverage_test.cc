@@ -7,6 +7,7 @@
 
 #include "bt_core/model/project.h"
 #include "bt_core/testing/random_runs.h"
+#include "tests/support/folders.h"
 
 namespace coppice {
 namespace {
@@ -69,7 +70,7 @@ void PrintTo(const TreeFile& file, std::ostream* stream) { *stream << file.path.
 
 std::vector<TreeFile> TreeFiles() {
   std::vector<TreeFile> files;
-  const std::filesystem::path trees = std::filesystem::path(COPPICE_SOURCE_DIR) / "trees";
+  const std::filesystem::path trees = std::filesystem::path(SourceFolder()) / "trees";
   for (const auto& entry : std::filesystem::recursive_directory_iterator(trees)) {
     const bool is_tree = entry.path().extension() == ".xml" && entry.path().parent_path() != trees;
     if (is_tree) files.push_back({entry.path()});

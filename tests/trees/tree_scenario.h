@@ -14,6 +14,7 @@
 #include "bt_nodes/monitoring/health.h"
 #include "bt_nodes/power/battery_estimate.h"
 #include "tests/bt_nodes/fakes.h"
+#include "tests/support/folders.h"
 
 namespace coppice {
 
@@ -24,7 +25,7 @@ class TreeScenario {
     auto registry = std::make_shared<Registry>();
     RegisterNodes(*registry, robot.capabilities());
     Diagnostics diagnostics;
-    program_ = CompileFile(std::string(COPPICE_SOURCE_DIR) + "/trees/" + file, registry,
+    program_ = CompileFile(SourceFolder() + "/trees/" + file, registry,
                            diagnostics, tree);
     if (!program_) throw std::runtime_error(diagnostics.ToString());
     executor_ = std::make_unique<Executor>(program_, clock_);

@@ -7,13 +7,15 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/folders.h"
+
 namespace coppice {
 namespace {
 
 using Lines = std::vector<std::string>;
 
 Lines LinesOf(const std::string& path) {
-  std::ifstream file(std::string(COPPICE_SOURCE_DIR "/") + path);
+  std::ifstream file(SourceFolder() + "/" + path);
   EXPECT_TRUE(file) << path << " cannot be read";
   Lines lines;
   for (std::string line; std::getline(file, line);) lines.push_back(line);
@@ -90,7 +92,7 @@ TEST(Tutorial, EveryLinkLeadsToAFile) {
   for (const std::string& line : LinesOf("docs/tutorial.md")) {
     for (std::sregex_iterator it(line.begin(), line.end(), link), end; it != end; ++it, ++links) {
       const std::string target = (*it)[1];
-      EXPECT_TRUE(std::ifstream(COPPICE_SOURCE_DIR "/docs/" + target)) << target;
+      EXPECT_TRUE(std::ifstream(SourceFolder() + "/docs/" + target)) << target;
     }
   }
   EXPECT_GT(links, 0);

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "tests/bt_core/cli/fixture.h"
+#include "tests/support/folders.h"
 
 namespace coppice {
 namespace {
@@ -15,7 +16,7 @@ class CoppiceTest : public CliTest {
   void SetUp() override {
     CliTest::SetUp();
     program_ = (folder_ / "coppice").string();
-    std::filesystem::copy_file(COPPICE_BINARY_DIR "/bin/coppice", program_);
+    std::filesystem::copy_file(BinaryFolder() + "/bin/coppice", program_);
   }
 
   int Call(const std::string& arguments) {

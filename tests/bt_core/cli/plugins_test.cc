@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "tests/bt_core/cli/fixture.h"
+#include "tests/support/folders.h"
 
 namespace coppice {
 namespace {
@@ -14,7 +15,7 @@ class PluginsTest : public CliTest {
  protected:
   int Call(const std::string& arguments) {
     const std::string command =
-        "cd " COPPICE_BINARY_DIR "/tests/bt_core; ../../bin/coppice " + arguments + " 2>&1";
+        "cd " + BinaryFolder() + "/tests/bt_core; ../../bin/coppice " + arguments + " 2>&1";
     FILE* pipe = popen(command.c_str(), "r");
     out_.clear();
     char buffer[256];
@@ -49,7 +50,7 @@ TEST_F(PluginsTest, OneThatCannotBeLoadedIsNamed) {
 
 // This test program is linked without coppice_load_plugins.
 TEST_F(PluginsTest, AProgramThatHidesTheEngineIsToldSo) {
-  const std::string plugin = COPPICE_BINARY_DIR "/tests/bt_core/plugin_good.so";
+  const std::string plugin = BinaryFolder() + "/tests/bt_core/plugin_good.so";
   EXPECT_EQ(CliTest::Run(RunNodes, {"--plugin", plugin}), 2);
   EXPECT_NE(err_.find("must be linked with coppice_load_plugins"), std::string::npos) << err_;
 }

@@ -9,6 +9,7 @@
 #include "tests/bt_core/record/temporary_folder.h"
 #include "tests/bt_core/record/victim.h"
 #include "tests/bt_core/record/whole_record.h"
+#include "tests/support/folders.h"
 
 namespace coppice {
 namespace {
@@ -29,7 +30,7 @@ TEST(RecordVerb, LosesNothingThatWasInTheFileWhenItIsKilled) {
   for (int round = 0; round < 20; ++round) {
     const TemporaryFolder folder;
     const std::string path = folder.Path("run.coppice");
-    Victim victim({COPPICE_BINARY_DIR "/bin/coppice", "record", robot.endpoint(), "-o", path},
+    Victim victim({BinaryFolder() + "/bin/coppice", "record", robot.endpoint(), "-o", path},
                   STDERR_FILENO);
     const bool is_young = round % 4 == 0;  // it is killed while it begins
     const auto deadline = Clock::now() + std::chrono::seconds(30);

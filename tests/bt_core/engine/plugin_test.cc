@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "bt_core/testing/leaf_harness.h"
+#include "tests/support/folders.h"
 
 namespace coppice {
 namespace {
@@ -14,7 +15,7 @@ using testing::HasSubstr;
 using testing::StartsWith;
 
 std::string PathOf(const std::string& plugin) {
-  return std::string(COPPICE_BINARY_DIR) + "/tests/bt_core/plugin_" + plugin + ".so";
+  return BinaryFolder() + "/tests/bt_core/plugin_" + plugin + ".so";
 }
 
 std::string ErrorOf(Registry& registry, const std::string& path) {
@@ -64,7 +65,7 @@ TEST(Plugin, AMissingFileIsNamed) {
 
 TEST(Plugin, AFileThatIsNoLibraryIsRefused) {
   Registry registry;
-  EXPECT_THAT(ErrorOf(registry, COPPICE_SOURCE_DIR "/README.md"),
+  EXPECT_THAT(ErrorOf(registry, SourceFolder() + "/README.md"),
               HasSubstr("README.md: invalid ELF header"));
 }
 

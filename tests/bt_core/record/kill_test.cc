@@ -8,6 +8,7 @@
 #include "tests/bt_core/record/temporary_folder.h"
 #include "tests/bt_core/record/victim.h"
 #include "tests/bt_core/record/whole_record.h"
+#include "tests/support/folders.h"
 
 namespace coppice {
 namespace {
@@ -33,7 +34,7 @@ TEST(Recorder, LosesNothingThatItCalledSafeWhenItIsKilled) {
   for (int round = 0; round < 20; ++round) {
     const TemporaryFolder folder;
     const std::string path = folder.Path("run.coppice");
-    Victim victim({COPPICE_BINARY_DIR "/tests/bin/bt_core_record_victim", path}, STDOUT_FILENO);
+    Victim victim({BinaryFolder() + "/tests/bin/bt_core_record_victim", path}, STDOUT_FILENO);
     const bool is_young = round % 4 == 0;  // it is killed while it begins
     if (!is_young) {
       ASSERT_TRUE(victim.Listen(Victim::Clock::now() + std::chrono::seconds(30)));

@@ -2,12 +2,13 @@
 
 #include "tests/editor/app/program.h"
 #include "tests/editor/driver.h"
+#include "tests/support/folders.h"
 
 namespace coppice::editor {
 namespace {
 
 constexpr std::chrono::seconds kLongest{15};
-const std::string kProgram = std::string(COPPICE_BINARY_DIR) + "/bin/coppice-edit";
+const std::string kProgram = BinaryFolder() + "/bin/coppice-edit";
 
 class HeadlessTest : public testing::Test {
  protected:

@@ -3,6 +3,7 @@
 
 #include "tests/editor/app/program.h"
 #include "tests/editor/driver.h"
+#include "tests/support/folders.h"
 
 namespace coppice::editor {
 namespace {
@@ -46,7 +47,7 @@ TEST(Window, ShowsTheTreeAndObeysKeys) {
   const std::string errors = file.folder() + "/errors";
   const std::vector<std::string> environment = {"DISPLAY=" + display,
                                                 "XDG_CONFIG_HOME=" + file.folder()};
-  StartedProgram editor({std::string(COPPICE_BINARY_DIR) + "/bin/coppice-edit", file.path(),
+  StartedProgram editor({BinaryFolder() + "/bin/coppice-edit", file.path(),
                          "--size", "1000x700", "--picture", picture, "--every", "0.1"},
                         environment, errors);
   const Palette& colors = GetPalette(PaletteName::kDark);

@@ -9,6 +9,7 @@
 #include "editor/document/tree_edits.h"
 #include "editor/workspace/workspace.h"
 #include "tests/editor/driver.h"
+#include "tests/support/folders.h"
 
 namespace coppice::editor {
 namespace {
@@ -20,7 +21,7 @@ std::string BytesOf(const std::string& path) {
 
 std::vector<std::string> Files() {
   std::vector<std::string> files;
-  std::vector<std::string> folders = {COPPICE_SOURCE_DIR "/trees", COPPICE_SOURCE_DIR "/tests"};
+  std::vector<std::string> folders = {SourceFolder() + "/trees", SourceFolder() + "/tests"};
   if (const char* more = std::getenv("COPPICE_TREES")) folders.emplace_back(more);
   for (const std::string& folder : folders) {
     for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {

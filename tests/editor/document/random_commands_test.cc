@@ -12,6 +12,7 @@
 #include "editor/document/tree_edits.h"
 #include "tests/editor/document/drafts.h"
 #include "tests/editor/driver.h"
+#include "tests/support/folders.h"
 
 namespace coppice::editor {
 namespace {
@@ -233,7 +234,7 @@ TEST(RandomCommands, OnRealFilesAreUndoneByteForByte) {
   const char* folder = std::getenv("COPPICE_TREES");
   int sessions = 0;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(
-           folder ? folder : COPPICE_SOURCE_DIR "/trees")) {
+           folder ? folder : SourceFolder() + "/trees")) {
     if (entry.path().extension() != ".xml") continue;
     SCOPED_TRACE(entry.path().string());
     std::ifstream stream(entry.path(), std::ios::binary);

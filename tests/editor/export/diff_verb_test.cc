@@ -7,6 +7,7 @@
 #include "tests/editor/app/program.h"
 #include "tests/editor/driver.h"
 #include "tests/editor/export/painted.h"
+#include "tests/support/folders.h"
 
 namespace coppice::editor {
 namespace {
@@ -74,7 +75,7 @@ TEST_F(DiffVerbTest, EndsWithTwoIfItCannotCompare) {
 }
 
 TEST_F(DiffVerbTest, RunsAsAProgram) {
-  const std::string program = std::string(COPPICE_BINARY_DIR) + "/bin/coppice-diff";
+  const std::string program = BinaryFolder() + "/bin/coppice-diff";
   StartedProgram run({program, a_.path(), b_.path(), "-o", picture_},
                      {"DISPLAY", "WAYLAND_DISPLAY"}, b_.folder() + "/errors");
   EXPECT_EQ(run.Wait(std::chrono::seconds(15)), 1);

@@ -7,6 +7,7 @@
 #include "tests/editor/app/program.h"
 #include "tests/editor/driver.h"
 #include "tests/editor/export/painted.h"
+#include "tests/support/folders.h"
 
 namespace coppice::editor {
 namespace {
@@ -95,7 +96,7 @@ TEST_F(ExportVerbTest, SaysWhatIsWrongWithAFileAndPaintsWhatCanBeRead) {
 }
 
 TEST_F(ExportVerbTest, RunsAsAProgramWithoutADisplay) {
-  const std::string program = std::string(COPPICE_BINARY_DIR) + "/bin/coppice-export";
+  const std::string program = BinaryFolder() + "/bin/coppice-export";
   StartedProgram run({program, file_.path(), "-o", picture_}, {"DISPLAY", "WAYLAND_DISPLAY"},
                      file_.folder() + "/errors");
   EXPECT_EQ(run.Wait(std::chrono::seconds(15)), 0);

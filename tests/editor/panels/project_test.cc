@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/editor/driver.h"
+#include "tests/support/folders.h"
 
 namespace coppice::editor {
 namespace {
@@ -18,7 +19,7 @@ TEST(Project, ListsFilesWithTheirTreesAndShowsTheOneThatIsClicked) {
 
 TEST(Project, ListsIncludedFiles) {
   Driver driver;
-  driver.editor.Open(std::string(COPPICE_SOURCE_DIR) + "/trees/application/patrol.xml");
+  driver.editor.Open(SourceFolder() + "/trees/application/patrol.xml");
   driver.Frames();
   EXPECT_TRUE(driver.Has("project/patrol.xml/Application"));
   EXPECT_TRUE(driver.Has("project/patrol_round.xml/PatrolRound"));

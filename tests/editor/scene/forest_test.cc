@@ -6,6 +6,7 @@
 
 #include "tests/editor/driver.h"
 #include "tests/editor/read_forest.h"
+#include "tests/support/folders.h"
 
 namespace coppice::editor {
 namespace {
@@ -13,7 +14,7 @@ namespace {
 TEST(Forest, HoldsTheTreesOfAFileAndItsIncludes) {
   Diagnostics diagnostics;
   const Forest forest = Forest::FromFile(
-      std::string(COPPICE_SOURCE_DIR) + "/trees/application/patrol.xml", diagnostics);
+      SourceFolder() + "/trees/application/patrol.xml", diagnostics);
   EXPECT_FALSE(diagnostics.has_errors()) << diagnostics.ToString();
   EXPECT_GT(forest.documents().size(), 1U);
   EXPECT_GE(forest.Find("PatrolRound"), 0);

@@ -1,4 +1,5 @@
 #include "robot_app/assistance/assistance_config.h"
+#include "tests/support/folders.h"
 
 #include <gmock/gmock.h>
 #include <unistd.h>
@@ -40,7 +41,7 @@ class Config : public testing::Test {
 TEST_F(Config, TheShippedFileWorksWithoutAnyVariable) {
   environment_.clear();
   const AssistanceConfig config =
-      LoadFile(std::string(COPPICE_SOURCE_DIR) + "/robot_app/config/supervisors.yaml");
+      LoadFile(SourceFolder() + "/robot_app/config/supervisors.yaml");
   EXPECT_FALSE(diagnostics_.has_errors()) << Problems();
   ASSERT_THAT(config.supervisors, SizeIs(2));
   EXPECT_EQ(config.supervisors[0].ways[0].channel, "console");

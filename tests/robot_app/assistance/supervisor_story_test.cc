@@ -18,6 +18,7 @@
 #include "tests/robot_app/assistance/local_server.h"
 #include "tests/robot_app/eventually.h"
 #include "tests/robot_app/ros_environment.h"
+#include "tests/support/folders.h"
 
 namespace coppice::robot {
 namespace {
@@ -52,7 +53,7 @@ class Story : public testing::Test {
   }
 
   void Start(const std::string& program, std::vector<std::string> arguments) {
-    arguments.insert(arguments.begin(), std::string(COPPICE_BINARY_DIR) + "/bin/" + program);
+    arguments.insert(arguments.begin(), BinaryFolder() + "/bin/" + program);
     programs_.emplace_back(arguments, folder_ + program + ".log");
   }
 
@@ -135,8 +136,8 @@ TEST_F(Story, APersonHelpsTheRobotFromTheMessageToTheAllClear) {
 
   ChildProcess browser(
       {"/usr/bin/python3",
-       std::string(COPPICE_SOURCE_DIR) + "/tests/robot_app/assistance/supervisor_story.py",
-       questions[0].at("link"), std::string(COPPICE_BINARY_DIR) + "/tests/supervisor_story"},
+       SourceFolder() + "/tests/robot_app/assistance/supervisor_story.py",
+       questions[0].at("link"), BinaryFolder() + "/tests/supervisor_story"},
       folder_ + "browser.log");
   ASSERT_TRUE(Eventually([&] { return !browser.IsRunning(); }, 500));
   std::ifstream log(folder_ + "browser.log");

@@ -19,6 +19,7 @@
 #include "tests/robot_app/latest.h"
 #include "tests/robot_app/ros_environment.h"
 #include "tests/robot_app/text_of.h"
+#include "tests/support/folders.h"
 
 namespace coppice::robot {
 namespace {
@@ -27,7 +28,7 @@ using State = coppice_msgs::LocalizationState;
 using testing::HasSubstr;
 
 constexpr double kPatience = 30;  // wall time, for whatever is waited for [s]
-const std::string kPrograms = COPPICE_BINARY_DIR "/bin/";
+const std::string kPrograms = BinaryFolder() + "/bin/";
 
 // Tests run at the same time.
 std::string Own(const std::string& name) {

@@ -9,6 +9,7 @@
 #include "robot_app/navigation/navigation.h"
 #include "robot_app/navigation/topological_map.h"
 #include "tests/robot_app/localization/localized_robot.h"
+#include "tests/support/folders.h"
 
 namespace coppice::robot {
 namespace {
@@ -43,7 +44,7 @@ struct Errors {
 Errors Patrol(LocalizedRobot& robot, const Floor& floor, double seconds, unsigned seed) {
   Diagnostics diagnostics;
   const auto map =
-      TopologicalMap::Load(COPPICE_SOURCE_DIR "/robot_app/config/waypoints.yaml", diagnostics);
+      TopologicalMap::Load(SourceFolder() + "/robot_app/config/waypoints.yaml", diagnostics);
   Navigation navigation;
   navigation.SetMap(MapOf(floor));
   std::mt19937 random(seed);

@@ -17,6 +17,7 @@
 #include "tests/robot_app/processes/temporary.h"
 #include "tests/robot_app/ros_environment.h"
 #include "tests/robot_app/text_of.h"
+#include "tests/support/folders.h"
 
 namespace coppice::robot {
 namespace {
@@ -25,7 +26,7 @@ namespace fs = std::filesystem;
 using testing::HasSubstr;
 
 constexpr double kPatience = 30;  // wall time, for whatever is waited for [s]
-const std::string kPrograms = COPPICE_BINARY_DIR "/bin/";
+const std::string kPrograms = BinaryFolder() + "/bin/";
 
 class MappingNodeTest : public testing::Test {
  protected:

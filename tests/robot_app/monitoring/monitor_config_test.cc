@@ -7,6 +7,7 @@
 
 #include "robot_app/processes/config/robot_config.h"
 #include "tests/robot_app/processes/temporary.h"
+#include "tests/support/folders.h"
 
 namespace coppice::robot {
 namespace {
@@ -188,7 +189,7 @@ configurations:
 
 // Both files must speak of the same robot.
 TEST_F(MonitorConfigTest, TheShippedFileIsRightAndFitsTheShippedProcesses) {
-  const std::string folder = std::string(COPPICE_SOURCE_DIR) + "/robot_app/config/";
+  const std::string folder = SourceFolder() + "/robot_app/config/";
   const MonitorConfig monitors = LoadMonitorConfig(folder + "monitors.yaml", diagnostics_);
   const RobotConfig robot = LoadRobotConfig(
       folder + "robot.yaml", {{"bin", "b"}, {"config", "c"}, {"record", "r"}}, diagnostics_);

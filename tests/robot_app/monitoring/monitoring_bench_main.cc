@@ -33,6 +33,7 @@
 #include "robot_app/monitoring/system/proc_files.h"
 #include "robot_app/processes/launch/process_launcher.h"
 #include "robot_app/processes/launch/ros_master.h"
+#include "tests/support/folders.h"
 
 namespace coppice::robot {
 namespace {
@@ -138,10 +139,10 @@ class Bench {
   bool Start() {
     for (int i = 0; i < kNodes; ++i) StartNode(i);
     Launch("health-aggregator",
-           {COPPICE_BINARY_DIR "/bin/coppice-health-aggregator", "--config", config_});
+           {BinaryFolder() + "/bin/coppice-health-aggregator", "--config", config_});
     for (const char* name : {"node", "topic", "navigation", "power", "system"}) {
       const std::string monitor = std::string(name) + "-monitor";
-      Launch(monitor, {COPPICE_BINARY_DIR "/bin/coppice-" + monitor, "--config", config_});
+      Launch(monitor, {BinaryFolder() + "/bin/coppice-" + monitor, "--config", config_});
     }
     int no_arguments = 0;
     ros::init(no_arguments, nullptr, "bench", ros::init_options::NoSigintHandler);
@@ -210,7 +211,7 @@ class Bench {
   void StartNode(int i) {
     const bool talks = i < kTopics;
     Launch(NodeName(i),
-           {COPPICE_BINARY_DIR "/tests/bin/test_talker", "__name:=" + NodeName(i).substr(1),
+           {BinaryFolder() + "/tests/bin/test_talker", "__name:=" + NodeName(i).substr(1),
             "_topic:=" + (talks ? TopicName(i) : "/quiet_" + std::to_string(i)),
             "_rate:=" + std::to_string(talks ? kRate : 0.1)});
   }

@@ -23,6 +23,7 @@
 #include "tests/robot_app/latest.h"
 #include "tests/robot_app/ros_environment.h"
 #include "tests/robot_app/text_of.h"
+#include "tests/support/folders.h"
 
 namespace coppice::robot {
 namespace {
@@ -31,7 +32,7 @@ using actionlib::SimpleClientGoalState;
 using testing::HasSubstr;
 
 constexpr double kPatience = 30;  // wall time, for whatever is waited for [s]
-const std::string kPrograms = COPPICE_BINARY_DIR "/bin/";
+const std::string kPrograms = BinaryFolder() + "/bin/";
 
 std::string Log(const std::string& name) {
   return testing::TempDir() + std::to_string(getpid()) + "_" + name + ".log";

@@ -9,6 +9,7 @@
 #include "robot_app/navigation/navigation.h"
 #include "robot_app/navigation/topological_map.h"
 #include "tests/robot_app/navigation/world_robot.h"
+#include "tests/support/folders.h"
 
 namespace coppice::robot {
 namespace {
@@ -23,7 +24,7 @@ class NavigationInWorld : public testing::Test {
     world_.emplace(floor_, At({0, 0, 0}));
     Diagnostics diagnostics;
     places_ =
-        *TopologicalMap::Load(COPPICE_SOURCE_DIR "/robot_app/config/waypoints.yaml", diagnostics);
+        *TopologicalMap::Load(SourceFolder() + "/robot_app/config/waypoints.yaml", diagnostics);
     navigation_.SetMap(MapOf(floor_));
   }
 

@@ -1,4 +1,5 @@
 #include "robot_app/navigation/topological_map.h"
+#include "tests/support/folders.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -27,7 +28,7 @@ std::string ErrorsOf(const std::string& text) {
 TopologicalMap Shipped() {
   Diagnostics diagnostics;
   auto map =
-      TopologicalMap::Load(COPPICE_SOURCE_DIR "/robot_app/config/waypoints.yaml", diagnostics);
+      TopologicalMap::Load(SourceFolder() + "/robot_app/config/waypoints.yaml", diagnostics);
   EXPECT_TRUE(map) << diagnostics.ToString();
   return map.value_or(TopologicalMap());
 }

@@ -8,13 +8,14 @@
 #include "robot_app/common/occupancy_grid.h"
 #include "robot_app/simulation/grid_map.h"
 #include "robot_app/simulation/world.h"
+#include "tests/support/folders.h"
 
 namespace coppice::robot {
 
 inline Floor InstituteFloor() {
   Diagnostics diagnostics;
   auto floor =
-      LoadFloor(COPPICE_SOURCE_DIR "/robot_app/simulation/floors/institute.yaml", diagnostics);
+      LoadFloor(SourceFolder() + "/robot_app/simulation/floors/institute.yaml", diagnostics);
   if (!floor) throw std::runtime_error(diagnostics.ToString());
   return *floor;
 }

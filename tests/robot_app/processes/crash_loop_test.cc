@@ -6,6 +6,7 @@
 #include <random>
 
 #include "tests/robot_app/processes/simulated_machine.h"
+#include "tests/support/folders.h"
 
 namespace coppice::robot {
 namespace {
@@ -160,7 +161,7 @@ INSTANTIATE_TEST_SUITE_P(Seeds, CrashLoopTest, testing::Range(1u, 51u));
 RobotConfig ShippedRobot() {
   Diagnostics diagnostics;
   RobotConfig config =
-      LoadRobotConfig(COPPICE_SOURCE_DIR "/robot_app/config/robot.yaml",
+      LoadRobotConfig(SourceFolder() + "/robot_app/config/robot.yaml",
                       {{"bin", "/bin"}, {"config", "/config"}, {"record", "/tmp"}}, diagnostics);
   EXPECT_FALSE(diagnostics.has_errors()) << diagnostics.ToString();
   return config;

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "robot_app/processes/config/robot_config.h"
+#include "tests/support/folders.h"
 
 namespace coppice::robot {
 
@@ -51,7 +52,7 @@ class OtherHost {
     config.name = "other";
     config.command = Transport();
     config.shell = false;
-    config.bin = std::string(COPPICE_BINARY_DIR) + "/bin";
+    config.bin = BinaryFolder() + "/bin";
     config.address = there_;
     return config;
   }

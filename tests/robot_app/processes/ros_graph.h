@@ -20,11 +20,12 @@
 #include "robot_app/common/node_probe.h"
 #include "robot_app/processes/launch/ros_master.h"
 #include "tests/robot_app/processes/temporary.h"
+#include "tests/support/folders.h"
 
 namespace coppice::robot {
 
-inline const std::string kPrograms = std::string(COPPICE_BINARY_DIR) + "/bin/";
-inline const std::string kTestPrograms = std::string(COPPICE_BINARY_DIR) + "/tests/bin/";
+inline const std::string kPrograms = BinaryFolder() + "/bin/";
+inline const std::string kTestPrograms = BinaryFolder() + "/tests/bin/";
 
 class RosGraph {
  public:

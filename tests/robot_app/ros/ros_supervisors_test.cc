@@ -12,6 +12,7 @@
 #include "robot_app/app/child_process.h"
 #include "tests/robot_app/eventually.h"
 #include "tests/robot_app/ros_environment.h"
+#include "tests/support/folders.h"
 
 namespace coppice::robot {
 namespace {
@@ -39,7 +40,7 @@ class RosSupervisorsTest : public testing::Test {
 
   void StartAssistance() {
     assistance_ =
-        ChildProcess({std::string(COPPICE_BINARY_DIR) + "/bin/coppice-assistance", "--config",
+        ChildProcess({BinaryFolder() + "/bin/coppice-assistance", "--config",
                       config_, "__name:=assistance"},
                      testing::TempDir() + "assistance_" + std::to_string(getpid()) + ".log");
   }

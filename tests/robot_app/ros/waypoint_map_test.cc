@@ -1,4 +1,5 @@
 #include "robot_app/ros/waypoint_map.h"
+#include "tests/support/folders.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +10,7 @@
 namespace coppice::robot {
 namespace {
 
-const std::string kShipped = std::string(COPPICE_SOURCE_DIR) + "/robot_app/config/waypoints.yaml";
+const std::string kShipped = SourceFolder() + "/robot_app/config/waypoints.yaml";
 
 TEST(WaypointMap, FindsThePlaceInFrontOfTheStation) {
   Waypoint waypoint;

@@ -9,13 +9,14 @@
 #include "robot_app/app/child_process.h"
 #include "tests/robot_app/eventually.h"
 #include "tests/robot_app/ros_environment.h"
+#include "tests/support/folders.h"
 
 namespace coppice::robot {
 namespace {
 
 using testing::HasSubstr;
 
-constexpr char kSimulator[] = COPPICE_BINARY_DIR "/bin/coppice-simulator";
+const std::string kSimulator = BinaryFolder() + "/bin/coppice-simulator";
 
 // The third field of /proc/PID/stat: R running, S sleeping, T stopped ...
 char StateOf(pid_t pid) {

@@ -17,13 +17,14 @@
 #include "tests/robot_app/eventually.h"
 #include "tests/robot_app/ros_environment.h"
 #include "tests/robot_app/text_of.h"
+#include "tests/support/folders.h"
 
 namespace coppice::robot {
 namespace {
 
 using testing::HasSubstr;
 
-constexpr char kSimulator[] = COPPICE_BINARY_DIR "/bin/coppice-simulator";
+const std::string kSimulator = BinaryFolder() + "/bin/coppice-simulator";
 
 // Keeps the newest message of a topic.
 template <typename Message>

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "robot_app/simulation/floor.h"
+#include "tests/support/folders.h"
 
 namespace coppice::robot {
 
@@ -20,7 +21,7 @@ inline Floor MakeRoom() {
 }
 
 inline std::string InstituteFile() {
-  return std::string(COPPICE_SOURCE_DIR) + "/robot_app/simulation/floors/institute.yaml";
+  return SourceFolder() + "/robot_app/simulation/floors/institute.yaml";
 }
 
 inline Floor LoadInstitute() {

@@ -9,6 +9,7 @@
 
 #include "tests/robot_app/assistance/page_caller.h"
 #include "tests/robot_app/eventually.h"
+#include "tests/support/folders.h"
 
 namespace coppice::robot {
 namespace {
@@ -33,7 +34,7 @@ class Server : public testing::Test {
 
   static PageServerOptions Options() {
     PageServerOptions options;
-    options.folder = std::string(COPPICE_SOURCE_DIR) + "/robot_app/interaction/page";
+    options.folder = SourceFolder() + "/robot_app/assistance/page/www";
     return options;
   }
 

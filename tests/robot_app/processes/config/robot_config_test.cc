@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "tests/robot_app/processes/temporary.h"
+#include "tests/support/folders.h"
 
 namespace coppice::robot {
 namespace {
@@ -226,7 +227,7 @@ TEST_F(RobotConfigTest, AConfigurationMustHoldWhatItsProcessesDependOn) {
 
 TEST_F(RobotConfigTest, TheShippedFileIsRight) {
   const RobotConfig config =
-      LoadRobotConfig(std::string(COPPICE_SOURCE_DIR) + "/robot_app/config/robot.yaml",
+      LoadRobotConfig(SourceFolder() + "/robot_app/config/robot.yaml",
                       {{"bin", "/b"}, {"config", "/c"}, {"record", "/r"}}, diagnostics_);
   EXPECT_EQ(Errors(), "");
   EXPECT_EQ(config.configurations[config.initial].name, "operating");

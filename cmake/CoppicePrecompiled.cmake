@@ -1,0 +1,51 @@
+# Precompiled headers: what nearly every source of a kind includes of the standard library and of
+# other heavy libraries, parsed once instead of a thousand times. Only headers of others: ours change.
+# A source still includes all that it uses; a build with -DCOPPICE_PRECOMPILED=OFF shows whether.
+#
+# A folder says which kind its targets are: set(COPPICE_HEADERS engine | editor | robot).
+option(COPPICE_PRECOMPILED "Parse the headers of other libraries once" ON)
+set(COPPICE_HEADERS engine)
+
+set(COPPICE_STANDARD_HEADERS
+  <algorithm> <array> <atomic> <chrono> <cmath> <condition_variable> <cstdint> <cstring> <deque>
+  <filesystem> <fstream> <functional> <iomanip> <iostream> <limits> <map> <memory> <mutex> <numeric>
+  <optional> <random> <set> <sstream> <stdexcept> <string> <string_view> <thread> <tuple>
+  <type_traits> <unordered_map> <unordered_set> <utility> <variant> <vector>)
+
+set(COPPICE_engine_HEADERS)
+set(COPPICE_editor_HEADERS <imgui.h>)
+set(COPPICE_robot_HEADERS <ros/ros.h> <std_msgs/String.h> <geometry_msgs/Twist.h>
+                          <sensor_msgs/LaserScan.h> <nav_msgs/OccupancyGrid.h>)
+
+# coppice_precompile(TARGET library | test)   the target uses what is parsed for its kind
+function(coppice_precompile target use)
+  if(NOT COPPICE_PRECOMPILED OR EMSCRIPTEN)
+    return()
+  endif()
+  set(shared coppice_${COPPICE_HEADERS}_headers_of_${use})
+  if(NOT TARGET ${shared})
+    set(source ${PROJECT_BINARY_DIR}/${shared}.cc)
+    if(NOT EXISTS ${source})
+      file(WRITE ${source} "")
+    endif()
+    add_library(${shared} OBJECT ${source})
+    target_compile_features(${shared} PRIVATE cxx_std_17)
+    find_package(Threads REQUIRED)
+    target_link_libraries(${shared} PRIVATE Threads::Threads coppice_warnings)
+    if(COPPICE_HEADERS STREQUAL editor)
+      find_path(COPPICE_IMGUI_FOLDER imgui.h PATH_SUFFIXES imgui REQUIRED)
+      target_include_directories(${shared} PRIVATE ${COPPICE_IMGUI_FOLDER})
+    endif()
+    set(headers ${COPPICE_STANDARD_HEADERS} ${COPPICE_${COPPICE_HEADERS}_HEADERS})
+    if(use STREQUAL test)
+      find_package(GTest CONFIG REQUIRED)
+      target_link_libraries(${shared} PRIVATE GTest::gmock)
+      target_compile_options(${shared} PRIVATE ${COPPICE_TEST_OPTIONS})
+      list(APPEND headers <gmock/gmock.h> <gtest/gtest.h>)
+    else()
+      set_target_properties(${shared} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+    endif()
+    target_precompile_headers(${shared} PRIVATE ${headers})
+  endif()
+  target_precompile_headers(${target} REUSE_FROM ${shared})
+endfunction()
