@@ -11,13 +11,6 @@
 namespace coppice {
 namespace {
 
-constexpr char kUsage[] =
-    "coppice cat FILE [--set PATH@ATTRIBUTE=VALUE ...]\n"
-    "  Prints the file, byte for byte, with attributes set; nothing else changes. PATH is the ID "
-    "of\n"
-    "  a tree and the steps below it: Main/Sequence/Timeout[2]@msec=500. A step is the name, the\n"
-    "  ID or the tag of a node; [n] takes the n-th that fits.";
-
 struct Assignment {
   std::string path;
   std::string attribute;
@@ -38,7 +31,7 @@ std::optional<Assignment> ParseAssignment(const std::string& text) {
 std::optional<Document> Assign(const Document& document, const std::string& text) {
   const std::optional<Assignment> assignment = ParseAssignment(text);
   if (!assignment) {
-    std::cerr << "expected PATH@ATTRIBUTE=VALUE, not \"" << text << "\"\nusage: " << kUsage << "\n";
+    RefuseOptions(CatCommand(), "expected PATH@ATTRIBUTE=VALUE, not \"" + text + "\"");
     return std::nullopt;
   }
   Diagnostics diagnostics;
@@ -54,22 +47,30 @@ std::optional<Document> Assign(const Document& document, const std::string& text
 
 }  // namespace
 
+const Command& CatCommand() {
+  static const Command command{
+      "coppice cat",
+      "print a file, with attributes set",
+      {"FILE", 1, 1},
+      R"(Prints the file, byte for byte, with attributes set; nothing else changes. PATH is the ID of a
+tree and the steps below it: Main/Sequence/Timeout[2]@msec=500. A step is the name, the ID or the
+tag of a node; [n] takes the n-th that fits.)",
+      {CommandOption::Text("--set", "PATH@ATTRIBUTE=VALUE", "what to set; may be several").List()}};
+  return command;
+}
+
 int RunCat(const Arguments& arguments) {
-  const std::optional<Options> options = ParseOptions(arguments, {}, {"--set"}, kUsage);
-  if (!options) return 2;
-  if (options->files.empty() || (options->files.size() > 1) != options->Has("--set")) {
-    std::cerr << "expected one file and, behind --set, what to set\nusage: " << kUsage << "\n";
-    return 2;
-  }
+  const Options options = ParseOptions(CatCommand(), arguments);
+  if (options.exit) return *options.exit;
   Diagnostics diagnostics;
-  std::optional<Document> document = Document::FromFile(options->files[0], diagnostics);
+  std::optional<Document> document = Document::FromFile(options.files[0], diagnostics);
   std::cerr << diagnostics.ToString();
-  for (std::size_t i = 1; document && i < options->files.size(); ++i) {
-    document = Assign(*document, options->files[i]);
+  for (const std::string& assignment : options.GetAll("--set")) {
+    if (document) document = Assign(*document, assignment);
   }
   if (!document) return 2;
-  std::cout << document->text() << std::flush;
-  return std::cout ? 0 : 2;
+  std::cout << document->text();
+  return 0;
 }
 
 }  // namespace coppice

@@ -14,17 +14,6 @@
 namespace coppice {
 namespace {
 
-constexpr char kUsage[] =
-    "coppice check FILE... [--json] [--models FILE] [--plugin FILE.so]...\n"
-    "  Checks every tree in the files, which are taken as one project, and in what they include:\n"
-    "  structure, names, ports, types, scripts. All problems are printed; 1 if one is an error.\n"
-    "  --models  a file with the <TreeNodesModel> of the robot's node types, as WriteModels of\n"
-    "            bt_core/engine/compile/models.h writes it. Without it, node types that are not built in\n"
-    "            are not checked.\n"
-    "  --plugin  a library with node types\n"
-    "  --json    problems as an array of {file, line, column, severity, message, hint} on the\n"
-    "            standard output";
-
 Diagnostics Check(const Options& options, const std::shared_ptr<Registry>& registry) {
   Diagnostics diagnostics;
   if (options.Has("--models")) {
@@ -77,19 +66,32 @@ void PrintJson(const std::vector<Diagnostic>& diagnostics) {
 
 }  // namespace
 
+const Command& CheckCommand() {
+  static const Command command{
+      "coppice check",
+      "find what is wrong in tree files",
+      {"FILE...", 1, kAnyNumber},
+      R"(Checks every tree in the files, which are taken as one project, and in what they include:
+structure, names, ports, types, scripts. All problems are printed; 1 if one is an error.)",
+      {CommandOption::Text("--models", "FILE",
+                           "a file with the <TreeNodesModel> of the robot's node types, as "
+                           "WriteModels of bt_core/engine/compile/models.h writes it. Without it, "
+                           "node types that are not built in are not checked"),
+       PluginOption(),
+       CommandOption::Flag("--json",
+                           "problems as an array of {file, line, column, severity, message, hint} "
+                           "on the standard output")}};
+  return command;
+}
+
 int RunCheck(const Arguments& arguments) {
-  const std::optional<Options> options =
-      ParseOptions(arguments, {"--models", "--plugin"}, {"--json"}, kUsage);
-  if (!options) return 2;
-  if (options->files.empty()) {
-    std::cerr << "no file given\nusage: " << kUsage << "\n";
-    return 2;
-  }
-  const std::shared_ptr<Registry> registry = RegistryWithPlugins(*options);
+  const Options options = ParseOptions(CheckCommand(), arguments);
+  if (options.exit) return *options.exit;
+  const std::shared_ptr<Registry> registry = RegistryWithPlugins(options);
   if (!registry) return 2;
-  const Diagnostics diagnostics = Check(*options, registry);
+  const Diagnostics diagnostics = Check(options, registry);
   const std::vector<Diagnostic> sorted = Sorted(diagnostics);
-  if (options->Has("--json")) {
+  if (options.Has("--json")) {
     PrintJson(sorted);
   } else {
     for (const Diagnostic& diagnostic : sorted) std::cerr << ToString(diagnostic) << "\n";

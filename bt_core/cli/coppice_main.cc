@@ -5,35 +5,16 @@
 #include <algorithm>
 #include <cstring>
 #include <filesystem>
+#include <iomanip>
 #include <iostream>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "bt_core/base/diagnostic.h"
-#include "bt_core/cli/replay/replay.h"
 #include "bt_core/cli/verbs.h"
 
 namespace {
-
-struct Verb {
-  const char* name;
-  const char* summary;
-  int (*run)(const coppice::Arguments&);
-};
-
-constexpr Verb kVerbs[] = {
-    {"cat", "print a file, with attributes set", coppice::RunCat},
-    {"check", "find what is wrong in tree files", coppice::RunCheck},
-    {"convert", "turn a recorded run into another format", coppice::RunConvert},
-    {"live", "watch and debug a robot", coppice::RunLive},
-    {"nodes", "list the node types and their ports", coppice::RunNodes},
-    {"record", "record a robot over the network", coppice::RunRecord},
-    {"replay", "go back and forth in a recorded run; why, verify, compare", coppice::RunReplay},
-    {"run", "run a tree of built-in nodes", coppice::RunTree},
-    {"stats", "figures of a recorded run, per node", coppice::RunStats},
-    {"test", "play scenarios with whole trees", coppice::RunTest},
-    {"trace", "run a tree with scripted leaves", coppice::RunTrace},
-    {"upgrade", "make trees of format 3 trees of format 4", coppice::RunUpgrade},
-};
 
 // Programs of their own, which are there if the editor is.
 constexpr std::pair<const char*, const char*> kEditorVerbs[] = {
@@ -56,34 +37,39 @@ std::vector<std::string> OtherPrograms() {
   return verbs;
 }
 
-int Usage() {
+void PrintVerb(const std::string& name, const std::string& summary) {
+  std::cout << "  " << std::left << std::setw(12) << name << summary << "\n";
+}
+
+void PrintUsage() {
   std::cout << "usage: coppice VERB ...\n\n";
-  for (const Verb& verb : kVerbs) {
-    std::cout << "  " << verb.name << std::string(10 - std::strlen(verb.name), ' ') << verb.summary
-              << "\n";
+  for (const coppice::Verb& verb : coppice::Verbs()) {
+    PrintVerb(verb.name(), verb.command().summary);
   }
   const std::vector<std::string> others = OtherPrograms();
   for (const auto& [verb, summary] : kEditorVerbs) {
-    if (std::find(others.begin(), others.end(), verb) == others.end()) continue;
-    std::cout << "  " << verb << std::string(10 - std::strlen(verb), ' ') << summary << "\n";
+    if (std::find(others.begin(), others.end(), verb) != others.end()) PrintVerb(verb, summary);
   }
+  std::cout << "\nOf each: coppice VERB --help\n";
+}
+
+int Run(const coppice::Arguments& arguments, char** argv) {
+  if (arguments.empty()) return PrintUsage(), 2;
+  if (arguments[0] == "--help" || arguments[0] == "help") return PrintUsage(), 0;
+  std::vector<std::string> names = OtherPrograms();
+  for (const coppice::Verb& verb : coppice::Verbs()) {
+    if (arguments[0] == verb.name()) return verb.run({arguments.begin() + 1, arguments.end()});
+    names.push_back(verb.name());
+  }
+  const std::string program = FolderOfThisProgram() / ("coppice-" + arguments[0]);
+  if (access(program.c_str(), X_OK) == 0) execv(program.c_str(), argv + 1);
+  std::cerr << "coppice: no verb \"" << arguments[0] << "\" "
+            << coppice::DidYouMean(arguments[0], names) << "\n";
   return 2;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  const coppice::Arguments arguments(argv + 1, argv + argc);
-  if (arguments.empty() || arguments[0] == "--help" || arguments[0] == "help") return Usage();
-  for (const Verb& verb : kVerbs) {
-    if (arguments[0] == verb.name) return verb.run({arguments.begin() + 1, arguments.end()});
-  }
-  const std::string program = FolderOfThisProgram() / ("coppice-" + arguments[0]);
-  if (access(program.c_str(), X_OK) == 0) execv(program.c_str(), argv + 1);
-
-  std::vector<std::string> names = OtherPrograms();
-  for (const Verb& verb : kVerbs) names.emplace_back(verb.name);
-  std::cerr << "coppice: no verb \"" << arguments[0] << "\" "
-            << coppice::DidYouMean(arguments[0], names) << "\n";
-  return 2;
+  return coppice::FinishOutput(Run({argv + 1, argv + argc}, argv));
 }

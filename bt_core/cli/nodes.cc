@@ -7,24 +7,27 @@
 #include "bt_core/engine/compile/schema.h"
 
 namespace coppice {
-namespace {
 
-constexpr char kUsage[] =
-    "coppice nodes [--xml | --xsd] [--plugin FILE.so]...\n"
-    "  The node types of the engine and of plugins, and their ports; as <TreeNodesModel> for\n"
-    "  editors, or as an XML schema that text editors complete and check with.";
-
-}  // namespace
+const Command& NodesCommand() {
+  static const Command command{
+      "coppice nodes",
+      "list the node types and their ports",
+      {},
+      "Prints the node types of the engine and of plugins, and their ports.",
+      {CommandOption::Flag("--xml", "as <TreeNodesModel>, for editors"),
+       CommandOption::Flag("--xsd", "as an XML schema that text editors complete and check with"),
+       PluginOption()}};
+  return command;
+}
 
 int RunNodes(const Arguments& arguments) {
-  const std::optional<Options> options =
-      ParseOptions(arguments, {"--plugin"}, {"--xml", "--xsd"}, kUsage);
-  if (!options) return 2;
-  const std::shared_ptr<const Registry> registry = RegistryWithPlugins(*options);
+  const Options options = ParseOptions(NodesCommand(), arguments);
+  if (options.exit) return *options.exit;
+  const std::shared_ptr<const Registry> registry = RegistryWithPlugins(options);
   if (!registry) return 2;
-  std::cout << (options->Has("--xsd")   ? WriteSchema(*registry)
-                : options->Has("--xml") ? WriteModels(*registry)
-                                        : DescribeNodes(*registry));
+  std::cout << (options.Has("--xsd")   ? WriteSchema(*registry)
+                : options.Has("--xml") ? WriteModels(*registry)
+                                       : DescribeNodes(*registry));
   return 0;
 }
 

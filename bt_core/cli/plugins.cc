@@ -5,6 +5,11 @@
 
 namespace coppice {
 
+CommandOption PluginOption() {
+  return CommandOption::Text("--plugin", "FILE.so",
+                             "a library with node types; may be given several times");
+}
+
 std::shared_ptr<Registry> RegistryWithPlugins(const Options& options) {
   auto registry = std::make_shared<Registry>();
   for (const std::string& path : options.GetAll("--plugin")) {

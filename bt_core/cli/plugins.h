@@ -10,6 +10,8 @@
 
 namespace coppice {
 
+CommandOption PluginOption();
+
 /// The built-in node types and those of the plugins. Null, with a message to stderr, if a plugin
 /// cannot be loaded.
 std::shared_ptr<Registry> RegistryWithPlugins(const Options& options);

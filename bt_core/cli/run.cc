@@ -14,16 +14,6 @@
 namespace coppice {
 namespace {
 
-constexpr char kUsage[] =
-    "coppice run FILE [--tree ID] [--plugin FILE.so]... [--forever] [--quiet] [--record OUT] "
-    "[--live]\n"
-    "  Runs a tree of built-in nodes and those of plugins until its root completes; Ctrl+C halts "
-    "it.\n"
-    "  Trees with the robot's leaves are run by coppice-robot.\n"
-    "  --forever                 starts again when the root has completed\n"
-    "  --quiet                   prints the result only\n"
-    "  --record OUT.coppice      writes every tick into a file for coppice replay";
-
 std::atomic<Runner*> running{nullptr};
 
 void StopRunning(int) {
@@ -83,27 +73,34 @@ int RunProgram(const std::shared_ptr<const Program>& program, const Options& opt
 
 }  // namespace
 
+const Command& RunCommand() {
+  static const Command command{
+      "coppice run",
+      "run a tree of built-in nodes",
+      {"FILE", 1, 1},
+      R"(Runs a tree of built-in nodes and those of plugins until its root completes; Ctrl+C halts it.
+Trees with the robot's leaves are run by coppice-robot.)",
+      Together({CommandOption::Text("--tree", "ID", "which tree of the file; else the main one"),
+                PluginOption(),
+                CommandOption::Flag("--forever", "starts again when the root has completed"),
+                CommandOption::Flag("--quiet", "prints the result only"),
+                CommandOption::Text("--record", "OUT.coppice",
+                                    "writes every tick into a file for coppice replay")},
+               LiveViewOptions())};
+  return command;
+}
+
 int RunTree(const Arguments& arguments) {
-  const std::string usage = std::string(kUsage) + "\n" + LiveView::kUsage;
-  std::vector<std::string> with_value = LiveView::WithValue();
-  with_value.insert(with_value.end(), {"--plugin", "--record", "--tree"});
-  std::vector<std::string> flags = LiveView::Flags();
-  flags.insert(flags.end(), {"--forever", "--quiet"});
-  const std::optional<Options> options = ParseOptions(arguments, with_value, flags, usage);
-  if (!options) return 2;
-  if (options->files.size() != 1) {
-    std::cerr << "expected one file\nusage: " << usage << "\n";
-    return 2;
-  }
-  const std::shared_ptr<const Registry> registry = RegistryWithPlugins(*options);
+  const Options options = ParseOptions(RunCommand(), arguments);
+  if (options.exit) return *options.exit;
+  const std::shared_ptr<const Registry> registry = RegistryWithPlugins(options);
   if (!registry) return 2;
   Diagnostics diagnostics;
-  const auto program =
-      CompileFile(options->files[0], registry, diagnostics, options->Get("--tree"));
+  const auto program = CompileFile(options.files[0], registry, diagnostics, options.Get("--tree"));
   std::cerr << diagnostics.ToString();
   if (!program) return 2;
   try {
-    return RunProgram(program, *options);
+    return RunProgram(program, options);
   } catch (const std::exception& error) {  // no such address, the record is there already
     std::cerr << error.what() << "\n";
     return 2;

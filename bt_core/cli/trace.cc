@@ -18,15 +18,8 @@ using Json = nlohmann::ordered_json;
 // Real time hardly passes between ticks that follow each other at once, but it does pass.
 constexpr Duration kDefaultStep = std::chrono::microseconds(1);
 
-constexpr char kUsage[] =
-    "coppice trace FILE --leaves SCRIPT.json [--ticks N] [--tree ID] [--step MS]\n"
-    "  Runs a tree whose leaves are scripted and prints what each tick did, one JSON line per "
-    "tick.\n"
-    "  SCRIPT: {\"leaves\": {\"name\": [\"RUNNING\", \"SUCCESS\"]}}, one entry per tick of the "
-    "leaf, the last\n"
-    "  one repeats; a leaf without script succeeds. Leaves are all nodes that are not built in.\n"
-    "  --ticks N   how many ticks; 1 without it\n"
-    "  --step MS   time that passes from tick to tick, for Timeout and the like; 0.001 without it";
+constexpr double kMostTicks = 1e15;
+constexpr double kLongestStep = 1e9;  // ms: twelve days
 
 // What the scripted leaves have in common: their scripts, and the list of what happened in this
 // tick.
@@ -113,33 +106,42 @@ void PrintTicks(std::shared_ptr<const Program> program, Stage& stage, std::int64
 
 }  // namespace
 
+const Command& TraceCommand() {
+  static const Command command{
+      "coppice trace",
+      "run a tree with scripted leaves",
+      {"FILE", 1, 1},
+      R"(Runs a tree whose leaves are scripted and prints what each tick did, one JSON line per tick.
+SCRIPT: {"leaves": {"name": ["RUNNING", "SUCCESS"]}}, one entry per tick of the leaf, the last one
+repeats; a leaf without script succeeds. Leaves are all nodes that are not built in.)",
+      {CommandOption::Text("--leaves", "SCRIPT.json", "what the leaves do"),
+       CommandOption::Whole("--ticks", "N", 0, kMostTicks, "how many; else 1"),
+       CommandOption::Text("--tree", "ID", "which tree of the file; else the main one"),
+       CommandOption::Whole(
+           "--step", "MS", 0, kLongestStep,
+           "time that passes from tick to tick, for Timeout and the like; else 0.001")}};
+  return command;
+}
+
 int RunTrace(const Arguments& arguments) {
-  const std::optional<Options> options =
-      ParseOptions(arguments, {"--leaves", "--ticks", "--tree", "--step"}, {}, kUsage);
-  if (!options) return 2;
-  const std::int64_t ticks =
-      options->Has("--ticks") ? options->GetNumber("--ticks").value_or(-1) : 1;
-  const std::int64_t step = options->Has("--step") ? options->GetNumber("--step").value_or(-1) : 0;
-  constexpr std::int64_t kLongestStep = 1'000'000'000;  // ms: twelve days
-  if (options->files.size() != 1 || ticks < 0 || step < 0 || step > kLongestStep) {
-    std::cerr << "usage: " << kUsage << "\n";
-    return 2;
-  }
+  const Options options = ParseOptions(TraceCommand(), arguments);
+  if (options.exit) return *options.exit;
   Stage stage;
-  if (options->Has("--leaves") && !ReadScripts(options->Get("--leaves"), stage)) return 2;
+  if (options.Has("--leaves") && !ReadScripts(options.Get("--leaves"), stage)) return 2;
 
   auto registry = std::make_shared<Registry>();
   registry->SetFallback(
       [&stage](const std::string& name) { return std::make_unique<ScriptedLeaf>(stage, name); });
   Diagnostics diagnostics;
-  auto program = CompileFile(options->files[0], registry, diagnostics, options->Get("--tree"));
+  auto program = CompileFile(options.files[0], registry, diagnostics, options.Get("--tree"));
   std::cerr << diagnostics.ToString();
   if (!program) {
     Print({{"load_error", true}});
     return 2;
   }
-  PrintTicks(std::move(program), stage, ticks,
-             options->Has("--step") ? std::chrono::milliseconds(step) : kDefaultStep);
+  PrintTicks(
+      std::move(program), stage, options.Whole("--ticks", 1),
+      options.Has("--step") ? std::chrono::milliseconds(options.Whole("--step", 0)) : kDefaultStep);
   return 0;
 }
 

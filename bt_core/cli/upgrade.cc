@@ -12,12 +12,6 @@
 namespace coppice {
 namespace {
 
-constexpr char kUsage[] =
-    "coppice upgrade FILE... [-i | -o OUTPUT]\n"
-    "  Makes trees of format 3 trees of format 4, and mends what only lax XML parsers accept.\n"
-    "  Comments and layout stay. Prints the new file; -i writes it in its place, -o to OUTPUT.\n"
-    "  What it cannot upgrade is a warning.";
-
 // The whole new text, or nothing if the file cannot be read.
 std::optional<std::string> Upgraded(const std::string& path) {
   Diagnostics reading;
@@ -44,24 +38,34 @@ bool Put(const std::string& text, const std::string& path) {
 
 }  // namespace
 
+const Command& UpgradeCommand() {
+  static const Command command{
+      "coppice upgrade",
+      "make trees of format 3 trees of format 4",
+      {"FILE...", 1, kAnyNumber},
+      R"(Makes trees of format 3 trees of format 4, and mends what only lax XML parsers accept. Comments
+and layout stay. What it cannot upgrade is a warning. Prints the new file.)",
+      {CommandOption::Flag("-i", "writes it in its place instead"),
+       CommandOption::Text("-o", "OUTPUT", "writes it there instead; of one file")}};
+  return command;
+}
+
 int RunUpgrade(const Arguments& arguments) {
-  const std::optional<Options> options = ParseOptions(arguments, {"-o"}, {"-i"}, kUsage);
-  if (!options) return 2;
-  const bool in_place = options->Has("-i");
-  if (options->files.empty() || (in_place && options->Has("-o")) ||
-      (options->Has("-o") && options->files.size() > 1)) {
-    std::cerr << "expected files, and either -i or -o with one file\nusage: " << kUsage << "\n";
-    return 2;
+  const Options options = ParseOptions(UpgradeCommand(), arguments);
+  if (options.exit) return *options.exit;
+  const bool in_place = options.Has("-i");
+  if (options.Has("-o") && (in_place || options.files.size() > 1)) {
+    return RefuseOptions(UpgradeCommand(), "expected either -i, or -o with one file");
   }
   bool good = true;
-  for (const std::string& file : options->files) {
+  for (const std::string& file : options.files) {
     const std::optional<std::string> text = Upgraded(file);
     if (!text) {
       good = false;
-    } else if (in_place || options->Has("-o")) {
-      good = Put(*text, in_place ? file : options->Get("-o")) && good;
+    } else if (in_place || options.Has("-o")) {
+      good = Put(*text, in_place ? file : options.Get("-o")) && good;
     } else {
-      std::cout << *text << std::flush;
+      std::cout << *text;
     }
   }
   return good ? 0 : 2;

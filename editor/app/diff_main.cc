@@ -2,5 +2,5 @@
 #include "editor/export/diff_verb.h"
 
 int main(int argc, char** argv) {
-  return coppice::editor::RunDiff(std::vector<std::string>(argv + 1, argv + argc));
+  return coppice::FinishOutput(coppice::editor::RunDiff({argv + 1, argv + argc}));
 }

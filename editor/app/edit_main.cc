@@ -52,21 +52,16 @@ std::unique_ptr<Editor> MakeEditor(const EditOptions& options, EditorOptions edi
 }
 
 int Main(const std::vector<std::string>& arguments) {
-  std::string error;
-  const std::optional<EditOptions> options = ParseEditOptions(arguments, error);
-  if (!options) {
-    (error.empty() ? std::cout : std::cerr)
-        << (error.empty() ? "" : "coppice-edit: " + error + "\n") << kEditUsage;
-    return error.empty() ? 0 : 2;
-  }
+  const EditOptions options = ParseEditOptions(arguments);
+  if (options.exit) return *options.exit;
   std::signal(SIGTERM, [](int) { g_stop = true; });
   std::signal(SIGINT, [](int) { g_stop = true; });
   WallClock clock;
-  return options->headless ? RunHeadless(clock, *options) : RunWindow(clock, *options);
+  return options.headless ? RunHeadless(clock, options) : RunWindow(clock, options);
 }
 
 }  // namespace coppice::editor
 
 int main(int argc, char** argv) {
-  return coppice::editor::Main(std::vector<std::string>(argv + 1, argv + argc));
+  return coppice::FinishOutput(coppice::editor::Main({argv + 1, argv + argc}));
 }

@@ -6,11 +6,13 @@
 #include <string>
 #include <vector>
 
+#include "bt_core/base/command_line.h"
 #include "editor/theme/palette.h"
 
 namespace coppice::editor {
 
 struct EditOptions {
+  std::optional<int> exit;  ///< as in Options
   std::vector<std::string> files;
   std::vector<std::string> robots;  ///< host:port
   std::vector<std::string> models;
@@ -24,11 +26,9 @@ struct EditOptions {
   double run_for = 0;  ///< seconds; 0: until told to end
 };
 
-extern const char* const kEditUsage;
+const Command& EditCommand();
 
-/// Nothing if the arguments are wrong; then `error` says what, or is empty if help was asked for.
-std::optional<EditOptions> ParseEditOptions(const std::vector<std::string>& arguments,
-                                            std::string& error);
+EditOptions ParseEditOptions(const std::vector<std::string>& arguments);
 
 }  // namespace coppice::editor
 

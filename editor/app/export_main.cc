@@ -2,5 +2,5 @@
 #include "editor/export/export_verb.h"
 
 int main(int argc, char** argv) {
-  return coppice::editor::RunExport(std::vector<std::string>(argv + 1, argv + argc));
+  return coppice::FinishOutput(coppice::editor::RunExport({argv + 1, argv + argc}));
 }

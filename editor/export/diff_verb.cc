@@ -16,14 +16,6 @@ constexpr int kSame = 0;
 constexpr int kDifferent = 1;
 constexpr int kTrouble = 2;
 
-std::string Usage() {
-  return "coppice diff A.xml B.xml [-o PICTURE] [options]\n"
-         "  Says which nodes were added (+), removed (-), moved (>) and changed (~) from A to B.\n"
-         "  Ends with 0 if the trees are the same, 1 if they differ.\n"
-         "  -o PICTURE        ends in .svg, .pdf, .png, .dot or .md\n" +
-         std::string(kPictureUsage);
-}
-
 // Green, red, blue, yellow; nothing if the output is no terminal.
 const char* ColorOf(DiffKind kind) {
   constexpr const char* kColors[] = {"\x1b[32m", "\x1b[31m", "\x1b[34m", "\x1b[33m"};
@@ -61,18 +53,26 @@ class Printer {
 
 }  // namespace
 
+const Command& DiffCommand() {
+  static const Command command{
+      "coppice diff",
+      "say and paint what became of the trees of a file",
+      {"A.xml B.xml", 2, 2},
+      R"(Says which nodes were added (+), removed (-), moved (>) and changed (~) from A to B.
+Ends with 0 if the trees are the same, 1 if they differ.)",
+      PictureOptions()};
+  return command;
+}
+
 int RunDiff(const std::vector<std::string>& arguments) {
-  const auto options = ParseOptions(arguments, PictureOptions(), PictureFlags(), Usage());
-  if (!options) return kTrouble;
+  const Options options = ParseOptions(DiffCommand(), arguments);
+  if (options.exit) return *options.exit;
   std::string wrong;
-  const auto order = ReadPictureOrder(*options, wrong);
-  if (!order || options->files.size() != 2) {
-    std::cerr << "coppice diff: " << (order ? "needs two files\nusage: " + Usage() : wrong) << "\n";
-    return kTrouble;
-  }
+  const auto order = ReadPictureOrder(options, wrong);
+  if (!order) return RefuseOptions(DiffCommand(), wrong);
   Diagnostics diagnostics;
-  const Forest before = Forest::FromFile(options->files[0], diagnostics);
-  const Forest after = Forest::FromFile(options->files[1], diagnostics);
+  const Forest before = Forest::FromFile(options.files[0], diagnostics);
+  const Forest after = Forest::FromFile(options.files[1], diagnostics);
   const NodeModels models_before = ModelsFor(before, order->models, diagnostics);
   const NodeModels models_after = ModelsFor(after, order->models, diagnostics);
   std::cerr << diagnostics.ToString();

@@ -9,16 +9,6 @@
 namespace coppice::editor {
 namespace {
 
-std::string Usage() {
-  return "coppice export FILE.xml -o PICTURE [options]\n"
-         "  Writes a picture of a whole tree, its SubTrees written out in place.\n"
-         "  -o PICTURE        ends in .svg, .pdf, .png, .dot or .md\n"
-         "  --tree ID         this tree; else the main tree. May be given several times\n"
-         "  --all             every tree of the files, SubTrees closed\n"
-         "  --closed          SubTrees closed\n" +
-         std::string(kPictureUsage);
-}
-
 struct ExportOrder {
   PictureOrder picture;
   std::string file;
@@ -33,26 +23,15 @@ std::nullopt_t Refuse(const std::string& what) {
   return std::nullopt;
 }
 
-std::optional<ExportOrder> ReadOrder(const std::vector<std::string>& arguments) {
-  std::vector<std::string> with_value = PictureOptions();
-  with_value.emplace_back("--tree");
-  std::vector<std::string> flags = PictureFlags();
-  flags.insert(flags.end(), {"--all", "--closed"});
-  const std::optional<Options> options = ParseOptions(arguments, with_value, flags, Usage());
-  if (!options) return std::nullopt;
-  if (options->files.size() != 1) return Refuse("needs one file\nusage: " + Usage());
-  std::string wrong;
-  const auto picture = ReadPictureOrder(*options, wrong);
-  if (!picture) return Refuse(wrong);
-  if (picture->path.empty()) {
-    return Refuse("needs -o and a name that ends in " + std::string(kPictureEndings));
-  }
+std::optional<ExportOrder> ReadOrder(const Options& options, std::string& wrong) {
+  const auto picture = ReadPictureOrder(options, wrong);
+  if (!picture) return std::nullopt;
   ExportOrder order;
   order.picture = *picture;
-  order.file = options->files.front();
-  order.trees = options->GetAll("--tree");
-  order.all = options->Has("--all");
-  order.closed = order.all || options->Has("--closed");
+  order.file = options.files.front();
+  order.trees = options.GetAll("--tree");
+  order.all = options.Has("--all");
+  order.closed = order.all || options.Has("--closed");
   return order;
 }
 
@@ -78,9 +57,30 @@ std::optional<std::vector<int>> ChooseTrees(const Forest& forest, const ExportOr
 
 }  // namespace
 
+const Command& ExportCommand() {
+  static const Command command{
+      "coppice export",
+      "paint trees as SVG, PDF, PNG, DOT or Markdown",
+      {"FILE.xml", 1, 1},
+      "Writes a picture of a whole tree, its SubTrees written out in place.",
+      Together({CommandOption::Text("--tree", "ID",
+                                    "this tree; else the main one. May be given several times"),
+                CommandOption::Flag("--all", "every tree of the files, SubTrees closed"),
+                CommandOption::Flag("--closed", "SubTrees closed")},
+               PictureOptions())};
+  return command;
+}
+
 int RunExport(const std::vector<std::string>& arguments) {
-  const std::optional<ExportOrder> order = ReadOrder(arguments);
-  if (!order) return 2;
+  const Options options = ParseOptions(ExportCommand(), arguments);
+  if (options.exit) return *options.exit;
+  std::string wrong;
+  const std::optional<ExportOrder> order = ReadOrder(options, wrong);
+  if (!order) return RefuseOptions(ExportCommand(), wrong);
+  if (order->picture.path.empty()) {
+    return RefuseOptions(ExportCommand(),
+                         "needs -o and a name that ends in " + std::string(kPictureEndings));
+  }
   Diagnostics diagnostics;
   const Forest forest = Forest::FromFile(order->file, diagnostics);
   const NodeModels models = ModelsFor(forest, order->picture.models, diagnostics);
@@ -100,7 +100,7 @@ int RunExport(const std::vector<std::string>& arguments) {
     std::cerr << "coppice export: " << order->file << " has no tree to paint\n";
     return 1;
   }
-  const std::string wrong = WritePicture(painting, order->picture.path, order->picture.pixels);
+  wrong = WritePicture(painting, order->picture.path, order->picture.pixels);
   if (!wrong.empty()) std::cerr << "coppice export: " << wrong << "\n";
   return wrong.empty() ? 0 : 1;
 }

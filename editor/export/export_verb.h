@@ -5,7 +5,11 @@
 #include <string>
 #include <vector>
 
+#include "bt_core/base/command_line.h"
+
 namespace coppice::editor {
+
+const Command& ExportCommand();
 
 /// Runs it with the arguments behind the verb. What is wrong goes to standard error. Returns 0, 1
 /// if no picture was written, or 2 for a wrong command line.

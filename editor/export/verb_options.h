@@ -19,11 +19,7 @@ struct PictureOrder {
   TreePainting painting;            ///< without trees
 };
 
-/// Their names, for ParseOptions.
-std::vector<std::string> PictureOptions();
-std::vector<std::string> PictureFlags();
-/// What they mean, for the usage.
-extern const char* const kPictureUsage;
+std::vector<CommandOption> PictureOptions();
 
 /// Nothing if a value is not what was expected; then `wrong` says what was.
 std::optional<PictureOrder> ReadPictureOrder(const Options& options, std::string& wrong);

@@ -13,11 +13,11 @@ volatile int interrupted = 0;
 
 int main(int argc, char** argv) {
   const auto settings = coppice::robot::ReadDemoSettings({argv + 1, argv + argc});
-  if (!settings) return 2;
+  if (settings.exit) return *settings.exit;
   std::signal(SIGINT, [](int) { interrupted = 1; });
   std::signal(SIGTERM, [](int) { interrupted = 1; });
   try {
-    return coppice::robot::RunDemo(*settings, interrupted);
+    return coppice::robot::RunDemo(settings, interrupted);
   } catch (const std::exception& error) {
     std::cerr << "coppice-demo: " << error.what() << "\n";
     return 2;

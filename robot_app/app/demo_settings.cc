@@ -4,17 +4,8 @@
 #include <iomanip>
 #include <sstream>
 
-#include "bt_core/base/command_line.h"
-
 namespace coppice::robot {
 namespace {
-
-constexpr char kUsage[] =
-    "coppice-demo [--rounds N] [--stops N] [--speed FACTOR] [--seed N] [--run FOLDER] [--live-port "
-    "N]\n"
-    "             [--no-editor]\n"
-    "  Defaults: 2 rounds of 3 stops, 5 times real time, runs/<date and time>, live sockets from "
-    "1667 on.";
 
 std::string Timestamp() {
   const std::time_t now = std::time(nullptr);
@@ -25,21 +16,36 @@ std::string Timestamp() {
 
 }  // namespace
 
-std::optional<DemoSettings> ReadDemoSettings(const std::vector<std::string>& arguments) {
-  const auto options =
-      ParseOptions(arguments, {"--rounds", "--stops", "--speed", "--seed", "--run", "--live-port"},
-                   {"--no-editor"}, kUsage);
-  if (!options) return std::nullopt;
+const Command& DemoCommand() {
+  static const Command command{
+      "coppice-demo",
+      "the simulated robot with all that belongs to it",
+      {},
+      "",
+      {CommandOption::Whole("--rounds", "N", -1, 1e9, "patrol rounds; else 2"),
+       CommandOption::Whole("--stops", "N", 0, 1e9, "places per round; else 3"),
+       CommandOption::Real("--speed", "FACTOR", 0.01, 1e6, "times real time; else 5"),
+       CommandOption::Whole("--seed", "N", 0, UINT32_MAX, "chooses the places; else 1"),
+       CommandOption::Text("--run", "FOLDER", "for logs and records; else runs/<date and time>"),
+       CommandOption::Whole("--live-port", "N", 0, 65533, "live sockets from there on; else 1667"),
+       CommandOption::Flag("--no-editor", "does not attach the editor")}};
+  return command;
+}
+
+DemoSettings ReadDemoSettings(const std::vector<std::string>& arguments) {
+  const Options options = ParseOptions(DemoCommand(), arguments);
   DemoSettings settings;
-  settings.rounds = options->Get("--rounds", "2");
-  settings.stops = options->Get("--stops", "3");
-  settings.speed = options->Get("--speed", "5");
-  settings.seed = options->Get("--seed", "1");
-  settings.live_port = options->Get("--live-port", "1667");
-  settings.editor = !options->Has("--no-editor");
+  settings.exit = options.exit;
+  if (options.exit) return settings;
+  settings.rounds = options.Get("--rounds", "2");
+  settings.stops = options.Get("--stops", "3");
+  settings.speed = options.Get("--speed", "5");
+  settings.seed = options.Get("--seed", "1");
+  settings.live_port = options.Get("--live-port", "1667");
+  settings.editor = !options.Has("--no-editor");
   settings.programs = std::filesystem::read_symlink("/proc/self/exe").parent_path();
   settings.source = COPPICE_SOURCE_DIR;
-  settings.folder = std::filesystem::absolute(options->Get("--run", "runs/" + Timestamp()));
+  settings.folder = std::filesystem::absolute(options.Get("--run", "runs/" + Timestamp()));
   return settings;
 }
 

@@ -7,9 +7,12 @@
 #include <string>
 #include <vector>
 
+#include "bt_core/base/command_line.h"
+
 namespace coppice::robot {
 
 struct DemoSettings {
+  std::optional<int> exit;  ///< as in Options
   std::string rounds, stops, speed, seed;
   std::string live_port;           ///< of the application; the monitor's is two higher
   bool editor = true;              ///< attach the editor
@@ -18,8 +21,9 @@ struct DemoSettings {
   std::filesystem::path source;    ///< the project
 };
 
-/// Nothing, after a message, if the arguments make no sense.
-std::optional<DemoSettings> ReadDemoSettings(const std::vector<std::string>& arguments);
+const Command& DemoCommand();
+
+DemoSettings ReadDemoSettings(const std::vector<std::string>& arguments);
 
 }  // namespace coppice::robot
 

@@ -30,18 +30,27 @@ namespace {
 
 constexpr char kStation[] = "staging";  // the waypoint in front of the charging station
 
-constexpr char kUsage[] =
-    "coppice-robot --application FILE --monitor FILE --waypoints FILE\n"
-    "              [--tree ID] [--record FOLDER] [--live-port N] [--rounds N] [--stops N] [--seed "
-    "N]\n"
-    "  The application may be any tree, for example trees/behavior/leave_station.xml; --tree names "
-    "one that is not\n"
-    "  the main tree of its file.\n"
-    "  Runs both trees until the application ends, then goes on monitoring until it is stopped. "
-    "The live socket of\n"
-    "  the application is at N (default 1667), that of the monitor at N + 2; 0 = none. rounds: "
-    "patrol rounds\n"
-    "  (default -1 = for ever); stops: places per round (default 4).";
+const Command& RobotCommand() {
+  static const Command command{
+      "coppice robot",
+      "run the trees of a robot",
+      {},
+      R"(Runs both trees until the application ends, then goes on monitoring until it is stopped. The
+application may be any tree, for example trees/behavior/leave_station.xml.)",
+      {CommandOption::Text("--application", "FILE", "the application tree").Needed(),
+       CommandOption::Text("--monitor", "FILE", "the monitor tree").Needed(),
+       CommandOption::Text("--waypoints", "FILE", "the places that the trees speak of").Needed(),
+       CommandOption::Text("--tree", "ID",
+                           "of the application one that is not the main tree of its file"),
+       CommandOption::Text("--record", "FOLDER", "records both trees there"),
+       CommandOption::Whole("--live-port", "N", 0, 65533,
+                            "live socket of the application, the monitor's is at N + 2; else 1667; "
+                            "0 = none"),
+       CommandOption::Whole("--rounds", "N", -1, 1e9, "patrol rounds; else -1 = for ever"),
+       CommandOption::Whole("--stops", "N", 0, 1e9, "places per round; else 4"),
+       CommandOption::Whole("--seed", "N", 0, UINT32_MAX, "chooses the places; else 1")}};
+  return command;
+}
 
 FeedKeys KeysOf(Executor& executor) {
   return {executor.Writer<double>("battery_level"),  executor.Writer<bool>("charging"),
@@ -69,12 +78,12 @@ class Robot {
       : node_(node),
         navigator_(MakeRosNavigator(node)),
         waypoints_(LoadWaypointMap(options.Get("--waypoints"),
-                                   static_cast<unsigned>(Number(options, "--seed", 1)))),
+                                   static_cast<unsigned>(options.Whole("--seed", 1)))),
         station_(MakeRosChargingStation(node)),
         interaction_(node),
         supervisors_(node),
         recoveries_(node, clock_) {
-    const int port = static_cast<int>(Number(options, "--live-port", 1667));
+    const int port = static_cast<int>(options.Whole("--live-port", 1667));
     application_ = MakeRunner(options, "application", port, false);
     monitor_ = MakeRunner(options, "monitor", port > 0 ? port + 2 : 0, true);
     SetIfUsed(options, "rounds", "-1");
@@ -106,14 +115,6 @@ class Robot {
   }
 
  private:
-  static std::int64_t Number(const Options& options, const std::string& name,
-                             std::int64_t otherwise) {
-    if (!options.Has(name)) return otherwise;
-    const std::optional<std::int64_t> number = options.GetNumber(name);
-    if (!number) throw std::runtime_error(name + " needs a whole number");
-    return *number;
-  }
-
   std::unique_ptr<TreeRunner> MakeRunner(const Options& options, const std::string& name, int port,
                                          bool forever) {
     Diagnostics diagnostics;
@@ -172,17 +173,8 @@ class Robot {
 
 int Main(int argc, char** argv) {
   ros::init(argc, argv, "coppice_robot", ros::init_options::NoSigintHandler);
-  const std::optional<Options> options =
-      ParseOptions({argv + 1, argv + argc},
-                   {"--application", "--monitor", "--waypoints", "--record", "--live-port",
-                    "--rounds", "--stops", "--seed"},
-                   {}, kUsage);
-  if (!options) return 2;
-  for (const char* needed : {"--application", "--monitor", "--waypoints"}) {
-    if (options->Has(needed)) continue;
-    std::cerr << needed << " is missing\nusage: " << kUsage << "\n";
-    return 2;
-  }
+  const Options options = ParseOptions(RobotCommand(), {argv + 1, argv + argc});
+  if (options.exit) return *options.exit;
   if (!ros::master::check()) {
     std::cerr << "coppice-robot: no ROS master at " << ros::master::getURI()
               << "; start one with `roscore` or set ROS_MASTER_URI\n";
@@ -197,7 +189,7 @@ int Main(int argc, char** argv) {
   ros::NodeHandle node;
   ros::AsyncSpinner spinner(2);
   try {
-    Robot robot(node, *options);
+    Robot robot(node, options);
     spinner.start();
     robot.Start();
     int signal = 0;

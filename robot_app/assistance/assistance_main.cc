@@ -20,18 +20,31 @@
 namespace coppice::robot {
 namespace {
 
-constexpr char kUsage[] =
-    R"(coppice-assistance --config FILE [--state FILE] [--page-port N] [--page FOLDER]
-                          [--live-port N]
-       coppice-assistance --config FILE --call TEXT [--subject NAME]
-       coppice-assistance --answer fixed|not_fixed [--request ID] [--by NAME]
-  Asks the robot's human supervisors for help, as the ROS node /assistance, and serves their page.
-  --state      where open requests outlive a restart of the program
-  --page-port  of the page, 0 = none; default: as the configuration says
-  --page       folder of its files; default: that of the sources
-  --live-port  of the application tree, as of coppice-robot; default 1667, 0 = none
-  --call       sends one message to the first supervisor who can be reached, without ROS, and ends
-  --answer     answers a request of the running node (default: the oldest that is open), and ends)";
+const Command& AssistanceCommand() {
+  static const Command command{
+      "coppice-assistance",
+      "ask the robot's human supervisors for help",
+      {},
+      R"(Asks the robot's human supervisors for help, as the ROS node /assistance, and serves their page.)",
+      {CommandOption::Text("--config", "FILE",
+                           "who the supervisors are, and by what they are asked"),
+       CommandOption::Text("--state", "FILE",
+                           "where open requests outlive a restart of the program"),
+       CommandOption::Whole("--page-port", "N", 0, 65535,
+                            "of the page, 0 = none; else as the configuration says"),
+       CommandOption::Text("--page", "FOLDER", "of its files; else that of the sources"),
+       CommandOption::Whole("--live-port", "N", 0, 65533,
+                            "of the application tree, as of coppice-robot; else 1667, 0 = none"),
+       CommandOption::Text("--call", "TEXT",
+                           "sends one message to the first supervisor who can be reached, without "
+                           "ROS, and ends"),
+       CommandOption::Text("--subject", "NAME", "of that message; else robot"),
+       CommandOption::OneOf("--answer", {"fixed", "not_fixed"},
+                            "answers a request of the running node, and ends"),
+       CommandOption::Whole("--request", "ID", 0, UINT32_MAX, "which; else the oldest open one"),
+       CommandOption::Text("--by", "NAME", "who answers; else console")}};
+  return command;
+}
 
 std::atomic<bool> stop_requested{false};
 void RequestStop(int) { stop_requested = true; }
@@ -39,7 +52,7 @@ void RequestStop(int) { stop_requested = true; }
 // Warnings are printed; nothing, if there are errors.
 std::optional<AssistanceConfig> Load(const Options& options) {
   if (!options.Has("--config")) {
-    std::cerr << "--config is missing\nusage: " << kUsage << "\n";
+    RefuseOptions(AssistanceCommand(), "--config is required");
     return std::nullopt;
   }
   Diagnostics diagnostics;
@@ -47,9 +60,7 @@ std::optional<AssistanceConfig> Load(const Options& options) {
       LoadAssistanceConfig(options.Get("--config"), ProcessEnvironment, diagnostics);
   std::cerr << diagnostics.ToString();
   if (diagnostics.has_errors()) return std::nullopt;
-  if (const auto port = options.GetNumber("--page-port")) {
-    config.page.port = static_cast<std::uint16_t>(*port);
-  }
+  config.page.port = static_cast<std::uint16_t>(options.Whole("--page-port", config.page.port));
   return config;
 }
 
@@ -64,15 +75,10 @@ int Call(const Options& options) {
 }
 
 int Answer(const Options& options) {
-  const std::string answer = options.Get("--answer");
-  if (answer != "fixed" && answer != "not_fixed") {
-    std::cerr << "--answer must be fixed or not_fixed\n";
-    return 2;
-  }
   coppice_msgs::AnswerHelp service;
-  service.request.id = static_cast<std::uint32_t>(options.GetNumber("--request").value_or(0));
+  service.request.id = static_cast<std::uint32_t>(options.Whole("--request", 0));
   service.request.by = options.Get("--by", "console");
-  service.request.fixed = answer == "fixed";
+  service.request.fixed = options.Get("--answer") == "fixed";
   if (!ros::service::call("/assistance/answer", service)) {
     std::cerr << "coppice-assistance: the node /assistance does not answer\n";
     return 1;
@@ -82,7 +88,7 @@ int Answer(const Options& options) {
 }
 
 std::vector<PageNode::Tree> TreesOf(const Options& options) {
-  const std::int64_t port = options.GetNumber("--live-port").value_or(1667);
+  const std::int64_t port = options.Whole("--live-port", 1667);
   if (port <= 0) return {};
   return {{"application", "127.0.0.1:" + std::to_string(port)},
           {"monitor", "127.0.0.1:" + std::to_string(port + 2)}};
@@ -137,20 +143,16 @@ int Main(int argc, char** argv) {
   ros::init(
       argc, argv, "assistance",
       ros::init_options::NoSigintHandler | (is_answer ? ros::init_options::AnonymousName : 0));
-  const std::optional<Options> options =
-      ParseOptions({argv + 1, argv + argc},
-                   {"--config", "--state", "--page-port", "--page", "--live-port", "--call",
-                    "--subject", "--answer", "--request", "--by"},
-                   {}, kUsage);
-  if (!options) return 2;
-  if (options->Has("--call")) return Call(*options);
-  if (options->Has("--answer")) return FindMaster() ? Answer(*options) : 2;
-  const std::optional<AssistanceConfig> config = Load(*options);
+  const Options options = ParseOptions(AssistanceCommand(), {argv + 1, argv + argc});
+  if (options.exit) return *options.exit;
+  if (options.Has("--call")) return Call(options);
+  if (options.Has("--answer")) return FindMaster() ? Answer(options) : 2;
+  const std::optional<AssistanceConfig> config = Load(options);
   if (!config || !FindMaster()) return 2;
   std::signal(SIGINT, RequestStop);
   std::signal(SIGTERM, RequestStop);
   try {
-    Serve(*config, *options);
+    Serve(*config, options);
   } catch (const std::exception& error) {
     std::cerr << "coppice-assistance: " << error.what() << "\n";
     return 2;

@@ -7,7 +7,9 @@
 #include <ros/this_node.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <csignal>
+#include <cstdlib>
 #include <iostream>
 #include <thread>
 #include <utility>
@@ -21,7 +23,18 @@ namespace {
 
 constexpr int kQueue = 20;
 const ros::WallDuration kLongest(1);  // without looking whether the program is to end
-constexpr char kUsage[] = "--config FILE [--host NAME] [--folder FOLDER]";
+
+Command MonitorCommand(std::string program) {
+  std::replace(program.begin(), program.end(), '_', '-');
+  return {"coppice-" + program,
+          "a monitor of the robot",
+          {},
+          "",
+          {CommandOption::Text("--config", "FILE", "what is watched").Needed(),
+           CommandOption::Text("--host", "NAME", "of this computer; else that of the system"),
+           CommandOption::Text("--folder", "FOLDER",
+                               "where relative paths in the configuration begin; else here")}};
+}
 
 std::string HostName() {
   char name[256] = {};
@@ -46,16 +59,12 @@ std::optional<MonitorStart> StartMonitor(int argc, char** argv, const std::strin
   std::signal(SIGTERM, stop);
   NodeProbe::SilenceLibrary();
 
-  const auto options =
-      ParseOptions({argv + 1, argv + argc}, {"--config", "--host", "--folder"}, {}, kUsage);
-  if (!options) return std::nullopt;
-  if (!options->Has("--config") || !options->files.empty()) {
-    std::cerr << "usage: " << argv[0] << " " << kUsage << "\n";
-    return std::nullopt;
-  }
+  const Options options = ParseOptions(MonitorCommand(name), {argv + 1, argv + argc});
+  if (options.exit == 0) std::exit(0);
+  if (options.exit) return std::nullopt;
   Diagnostics diagnostics;
-  MonitorStart start{LoadMonitorConfig(options->Get("--config"), diagnostics),
-                     options->Get("--host", HostName()), options->Get("--folder", ".")};
+  MonitorStart start{LoadMonitorConfig(options.Get("--config"), diagnostics),
+                     options.Get("--host", HostName()), options.Get("--folder", ".")};
   std::cerr << diagnostics.ToString();
   if (diagnostics.has_errors() || !FindMaster(name)) return std::nullopt;
   return start;

@@ -17,26 +17,31 @@
 namespace coppice::robot {
 namespace {
 
-constexpr char kUsage[] =
-    "coppice processes [--watch] [--json]    the robot's programs\n"
-    "       coppice processes restart NAME          a program, node or group; all: the whole "
-    "stack\n"
-    "       coppice processes reset NAME            it is repaired: forget its restarts; or all\n"
-    "       coppice processes configuration NAME    change it, and hold it by hand\n"
-    "       coppice processes release               let the trees decide about it again\n"
-    "  --master   ROS_MASTER_URI of the robot\n"
-    "  --timeout  s, for an answer of the supervisor; default 5\n"
-    "Ends with 0 if all is well or the request was granted, 1 if not, 2 for wrong usage, 3 if\n"
-    "nobody answers.";
+const Command& ProcessesCommand() {
+  static const Command command{
+      "coppice processes",
+      "what the process supervisor says, and may be asked",
+      {"[REQUEST]", 0, 2},
+      R"(Without a request: the robot's programs.
+  restart NAME        a program, node or group; all: the whole stack
+  reset NAME          it is repaired: forget its restarts; or all
+  configuration NAME  change it, and hold it by hand
+  release             let the trees decide about it again
+Ends with 0 if all is well or the request was granted, 1 if not, 2 for wrong usage, 3 if nobody
+answers.)",
+      {CommandOption::Flag("--watch", "until it is interrupted"),
+       CommandOption::Flag("--json", "as JSON"),
+       CommandOption::Text("--master", "URI", "ROS_MASTER_URI of the robot"),
+       CommandOption::Real("--timeout", "SECONDS", 0.001, 1e6,
+                           "for an answer of the supervisor; else 5")}};
+  return command;
+}
 
-enum Exit { kWell = 0, kNotWell = 1, kWrongUsage = 2, kNobody = 3 };
+enum Exit { kWell = 0, kNotWell = 1, kNobody = 3 };
 
 volatile std::sig_atomic_t g_stop = 0;
 
-int Usage() {
-  std::cerr << "usage: " << kUsage << "\n";
-  return kWrongUsage;
-}
+int Usage() { return RefuseOptions(ProcessesCommand(), "there is no such request"); }
 
 int Nobody() {
   std::cerr << "coppice processes: no process supervisor answers at " << ros::master::getURI()
@@ -97,12 +102,10 @@ int Show(bool watch, bool as_json, double timeout) {
 }
 
 int Main(const std::vector<std::string>& arguments) {
-  const auto options =
-      ParseOptions(arguments, {"--master", "--timeout"}, {"--watch", "--json"}, kUsage);
-  if (!options) return kWrongUsage;
-  const double timeout = std::strtod(options->Get("--timeout", "5").c_str(), nullptr);
-  if (timeout <= 0) return Usage();
-  if (options->Has("--master")) setenv("ROS_MASTER_URI", options->Get("--master").c_str(), 1);
+  const Options options = ParseOptions(ProcessesCommand(), arguments);
+  if (options.exit) return *options.exit;
+  const double timeout = options.Real("--timeout", 5);
+  if (options.Has("--master")) setenv("ROS_MASTER_URI", options.Get("--master").c_str(), 1);
   setenv("ROS_MASTER_URI", "http://127.0.0.1:11311", 0);
 
   for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, [](int) { g_stop = 1; });
@@ -112,11 +115,11 @@ int Main(const std::vector<std::string>& arguments) {
                 ros::init_options::NoRosout);
   if (!ros::master::check()) return Nobody();
   ros::Time::init();
-  const bool asks = !options->files.empty();
-  if (asks && (options->Has("--watch") || options->Has("--json"))) return Usage();
+  const bool asks = !options.files.empty();
+  if (asks && (options.Has("--watch") || options.Has("--json"))) return Usage();
   ros::start();
-  const int status = asks ? Request(options->files, timeout)
-                          : Show(options->Has("--watch"), options->Has("--json"), timeout);
+  const int status = asks ? Request(options.files, timeout)
+                          : Show(options.Has("--watch"), options.Has("--json"), timeout);
   ros::shutdown();
   return status;
 }
@@ -124,4 +127,6 @@ int Main(const std::vector<std::string>& arguments) {
 }  // namespace
 }  // namespace coppice::robot
 
-int main(int argc, char** argv) { return coppice::robot::Main({argv + 1, argv + argc}); }
+int main(int argc, char** argv) {
+  return coppice::FinishOutput(coppice::robot::Main({argv + 1, argv + argc}));
+}

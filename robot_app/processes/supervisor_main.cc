@@ -129,11 +129,11 @@ bool ChooseConfiguration(const SupervisorSettings& settings, RobotConfig& config
 int Main(const std::vector<std::string>& arguments) {
   const auto settings = ReadSupervisorSettings(
       arguments, std::filesystem::read_symlink("/proc/self/exe").parent_path());
-  if (!settings) return 2;
+  if (settings.exit) return *settings.exit;
   Diagnostics diagnostics;
-  RobotConfig config = LoadRobotConfig(settings->config, settings->variables, diagnostics);
+  RobotConfig config = LoadRobotConfig(settings.config, settings.variables, diagnostics);
   std::cerr << diagnostics.ToString();
-  if (diagnostics.has_errors() || !ChooseConfiguration(*settings, config)) return 2;
+  if (diagnostics.has_errors() || !ChooseConfiguration(settings, config)) return 2;
 
   struct sigaction stop {};
   stop.sa_handler = [](int) { g_stop = 1; };
@@ -141,23 +141,23 @@ int Main(const std::vector<std::string>& arguments) {
   sigaction(SIGINT, &stop, nullptr);
   prctl(PR_SET_CHILD_SUBREAPER, 1);  // what our children leave behind comes to us
   NodeProbe::SilenceLibrary();
-  PosixLauncher launcher(settings->logs, settings->state);
-  const int survivors = KillOwned(settings->state, kTimeToEnd);
+  PosixLauncher launcher(settings.logs, settings.state);
+  const int survivors = KillOwned(settings.state, kTimeToEnd);
   if (survivors < 0) return Fail("programs of an earlier supervisor cannot be ended");
   if (survivors > 0) {
     std::cout << survivors << " processes of an earlier supervisor were ended" << std::endl;
   }
-  UseAddress(*settings);
-  const RosMaster master = FindOrStartMaster(settings->port, launcher, kMasterTimeout);
+  UseAddress(settings);
+  const RosMaster master = FindOrStartMaster(settings.port, launcher, kMasterTimeout);
   if (!master.error.empty()) return Fail(master.error);
   setenv("ROS_MASTER_URI", master.Uri().c_str(), 1);
   std::cout << "ROS master: port " << master.address.port << ", ROS_MASTER_URI=" << master.Uri()
-            << ", logs in " << settings->logs << std::endl;
-  if (!settings->port_file.empty()) std::ofstream(settings->port_file) << master.address.port;
+            << ", logs in " << settings.logs << std::endl;
+  if (!settings.port_file.empty()) std::ofstream(settings.port_file) << master.address.port;
 
-  const Outcome outcome = RunNode(config, *settings, master, launcher);
+  const Outcome outcome = RunNode(config, settings, master, launcher);
   EndMaster(master, launcher);
-  if (outcome == Outcome::kSwitchOff && CutPowerAndForget(config, *settings, launcher)) return 0;
+  if (outcome == Outcome::kSwitchOff && CutPowerAndForget(config, settings, launcher)) return 0;
   if (outcome == Outcome::kNewStack || outcome == Outcome::kSwitchOff) {
     return BeginAnew(arguments, master.address.port);
   }

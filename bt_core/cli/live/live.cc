@@ -20,25 +20,6 @@ namespace {
 using namespace std::chrono_literals;  // NOLINT(google-build-using-namespace)
 using Kind = LiveCommand::Kind;
 
-constexpr char kUsage[] =
-    "coppice live HOST:PORT [--tree NAME] [--board] [--once | --json [--past]] [COMMAND...]\n"
-    "  Shows what a robot does: its tree with statuses, the running path and what nodes say, "
-    "until\n"
-    "  Ctrl+C. In a terminal: space pauses and continues, n steps a node, t a tick, q ends.\n"
-    "  --tree NAME  of several trees, by name or number\n"
-    "  --board      also the blackboard\n"
-    "  --once       prints how things stand and ends\n"
-    "  --json       one JSON object per line for all that happens; --past: from the beginning\n"
-    "  Commands; what they hold is let go when this program ends:\n"
-    "  --pause --step --step-node --continue\n"
-    "  --break PATH [--if SCRIPT]   stops before a node, if the script is true\n"
-    "  --inject PATH=STATUS[xN]     forces a result on a node, N times or always\n"
-    "  --delay PATH=MILLISECONDS    the node is RUNNING for so long before it begins\n"
-    "  --set [SUBTREE/]KEY=VALUE    writes a value\n"
-    "  PATH is that of `coppice replay`: patrol/DriveTo::7; patrol/DriveTo is every DriveTo "
-    "there.\n"
-    "  A robot that asks for a token finds it in COPPICE_LIVE_TOKEN.";
-
 constexpr Duration kLookPeriod = 33ms;
 constexpr Duration kPatience = 5s;  // with --once and commands
 constexpr Duration kQuiet = 100ms;  // after which --once takes a scene for the present one
@@ -237,21 +218,43 @@ class LiveVerb {
 
 }  // namespace
 
+const Command& LiveVerbCommand() {
+  static const Command command{
+      "coppice live",
+      "watch and debug a robot",
+      {"HOST:PORT", 1, 1},
+      R"(Shows what a robot does: its tree with statuses, the running path and what nodes say, until
+Ctrl+C. In a terminal: space pauses and continues, n steps a node, t a tick, q ends.
+What the options from --pause on hold is let go when this program ends. PATH is that of
+`coppice replay`: patrol/DriveTo::7; patrol/DriveTo is every DriveTo there.
+A robot that asks for a token finds it in COPPICE_LIVE_TOKEN.)",
+      {CommandOption::Text("--tree", "NAME", "of several trees, by name or number"),
+       CommandOption::Flag("--board", "also the blackboard"),
+       CommandOption::Flag("--once", "prints how things stand and ends"),
+       CommandOption::Flag("--json", "one JSON object per line for all that happens"),
+       CommandOption::Flag("--past", "from the beginning, with --json"),
+       CommandOption::Flag("--pause", "stops before the next tick"),
+       CommandOption::Flag("--step", "does one tick"),
+       CommandOption::Flag("--step-node", "does one node"),
+       CommandOption::Flag("--continue", "lets it go on"),
+       CommandOption::Text("--break", "PATH", "stops before a node"),
+       CommandOption::Text("--if", "SCRIPT", "the --break before it only if the script is true"),
+       CommandOption::Text("--inject", "PATH=STATUS[xN]",
+                           "forces a result on a node, N times or always"),
+       CommandOption::Text("--delay", "PATH=MILLISECONDS",
+                           "the node is RUNNING for so long before it begins"),
+       CommandOption::Text("--set", "[SUBTREE/]KEY=VALUE", "writes a value")}};
+  return command;
+}
+
 int RunLive(const Arguments& arguments) {
-  const auto options = ParseOptions(
-      arguments, {"--tree", "--break", "--if", "--inject", "--delay", "--set"},
-      {"--board", "--once", "--json", "--past", "--pause", "--step", "--step-node", "--continue"},
-      kUsage);
-  if (!options) return 2;
+  const Options options = ParseOptions(LiveVerbCommand(), arguments);
+  if (options.exit) return *options.exit;
   std::string problem;
-  std::vector<NamedCommand> commands = ReadCommands(*options, problem);
-  if (problem.empty() && options->files.size() != 1) problem = "expected one robot";
-  if (!problem.empty()) {
-    std::cerr << problem << "\nusage: " << kUsage << "\n";
-    return 2;
-  }
+  std::vector<NamedCommand> commands = ReadCommands(options, problem);
+  if (!problem.empty()) return RefuseOptions(LiveVerbCommand(), problem);
   try {
-    return LiveVerb(*options, std::move(commands)).Run();
+    return LiveVerb(options, std::move(commands)).Run();
   } catch (const std::invalid_argument& error) {  // no such address, no such token
     std::cerr << error.what() << "\n";
     return 2;

@@ -1,10 +1,8 @@
 #include "bt_core/cli/live/live_view.h"
 
-#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
-#include <stdexcept>
 #include <system_error>
 
 #include "bt_core/live/server/live_publisher.h"
@@ -12,22 +10,6 @@
 
 namespace coppice {
 namespace {
-
-bool IsWanted(const Options& options) {
-  const auto given = [&](const std::string& name) { return options.Has(name); };
-  const std::vector<std::string> values = LiveView::WithValue();
-  const std::vector<std::string> flags = LiveView::Flags();
-  return std::any_of(values.begin(), values.end(), given) ||
-         std::any_of(flags.begin(), flags.end(), given);
-}
-
-std::int64_t ReadNumber(const Options& options, const std::string& name, std::int64_t otherwise,
-                        std::int64_t largest) {
-  if (!options.Has(name)) return otherwise;
-  const std::optional<std::int64_t> number = options.GetNumber(name);
-  if (number && *number >= 0 && *number <= largest) return *number;
-  throw std::invalid_argument(name + ": expected a number from 0 to " + std::to_string(largest));
-}
 
 // Of an installed program ../share/coppice/web, else that of the build.
 std::string WebFolder() {
@@ -40,16 +22,13 @@ std::string WebFolder() {
 }
 
 LiveOptions ReadLiveOptions(const Options& options) {
-  constexpr std::int64_t kLongestWait = 86400;  // s: a day
   LiveOptions live;
-  live.port = static_cast<std::uint16_t>(ReadNumber(options, "--live-port", live.port, 65534));
+  live.port = static_cast<std::uint16_t>(options.Whole("--live-port", live.port));
   live.address = options.Get("--live-address", live.address);
   live.read_only = options.Has("--live-read-only");
-  live.wait_for_client =
-      std::chrono::seconds(ReadNumber(options, "--wait-for-client", 0, kLongestWait));
+  live.wait_for_client = std::chrono::seconds(options.Whole("--wait-for-client", 0));
   live.web = options.Has("--web") || options.Has("--web-port") || options.Has("--web-folder");
-  live.web_port =
-      static_cast<std::uint16_t>(ReadNumber(options, "--web-port", live.web_port, 65535));
+  live.web_port = static_cast<std::uint16_t>(options.Whole("--web-port", live.web_port));
   live.web_folder = options.Get("--web-folder", WebFolder());
   if (const char* token = std::getenv(kTokenVariable)) live.token = token;
   return live;
@@ -71,7 +50,7 @@ void PrintWeb(const LiveOptions& live, const LiveWeb& web) {
 }  // namespace
 
 LiveView::LiveView(EventStream& stream, const Options& options) {
-  if (!IsWanted(options)) return;
+  if (!WantsLiveView(options)) return;
   const LiveOptions live = ReadLiveOptions(options);
   publisher_ = std::make_unique<LivePublisher>(stream, live);
   std::cerr << "live view on " << live.address << ":" << publisher_->port();

@@ -3,7 +3,6 @@
 #define COPPICE_BT_CORE_CLI_LIVE_LIVE_VIEW_H_
 
 #include <memory>
-#include <string>
 #include <vector>
 
 #include "bt_core/base/command_line.h"
@@ -13,25 +12,13 @@ namespace coppice {
 
 class LivePublisher;
 
+/// Shared by the programs that run a tree.
+std::vector<CommandOption> LiveViewOptions();
+/// One of them is given.
+bool WantsLiveView(const Options& options);
+
 class LiveView {
  public:
-  static constexpr const char* kUsage =
-      "  --live                    others may watch and debug it: coppice live, the editor, "
-      "Groot2\n"
-      "  --live-port N             where; 1667 without it, 0 takes a free one\n"
-      "  --live-address A          not only on this computer; needs a token in COPPICE_LIVE_TOKEN\n"
-      "  --live-read-only          they may watch, not control\n"
-      "  --web                     also in a browser, with the editor\n"
-      "  --web-port N              where; 8667 without it, 0 takes a free one\n"
-      "  --web-folder FOLDER       where the files of the editor's page lie\n"
-      "  --wait-for-client SECONDS how long the first tick waits for one that says continue";
-
-  /// Options for ParseOptions.
-  static std::vector<std::string> WithValue() {
-    return {"--live-port", "--live-address", "--wait-for-client", "--web-port", "--web-folder"};
-  }
-  static std::vector<std::string> Flags() { return {"--live", "--live-read-only", "--web"}; }
-
   /// Opens the view if one of the options is given, and prints where it is. The stream must live
   /// longer. Throws std::exception with a text for people if that cannot be.
   LiveView(EventStream& stream, const Options& options);

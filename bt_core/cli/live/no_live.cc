@@ -6,14 +6,26 @@
 namespace coppice {
 namespace {
 
-int Refuse(const char* verb) {
-  std::cerr << "coppice " << verb << ": this coppice was built without the live view\n";
-  return 2;
+int Refuse(const Command& command, const Arguments& arguments) {
+  const Options options = ParseOptions(command, arguments);
+  return options.exit ? *options.exit : RefuseOptions(command, "built without the live view");
 }
 
 }  // namespace
 
-int RunLive(const Arguments&) { return Refuse("live"); }
-int RunRecord(const Arguments&) { return Refuse("record"); }
+const Command& LiveVerbCommand() {
+  static const Command command{
+      "coppice live", "watch and debug a robot (not in this build)", {"", 0, kAnyNumber}, "", {}};
+  return command;
+}
+
+const Command& RecordCommand() {
+  static const Command command{
+      "coppice record", "record a robot (not in this build)", {"", 0, kAnyNumber}, "", {}};
+  return command;
+}
+
+int RunLive(const Arguments& arguments) { return Refuse(LiveVerbCommand(), arguments); }
+int RunRecord(const Arguments& arguments) { return Refuse(RecordCommand(), arguments); }
 
 }  // namespace coppice

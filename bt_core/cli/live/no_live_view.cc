@@ -8,12 +8,8 @@ namespace coppice {
 class LivePublisher {};
 
 LiveView::LiveView(EventStream&, const Options& options) {
-  for (const std::vector<std::string>& names : {WithValue(), Flags()}) {
-    for (const std::string& name : names) {
-      if (!options.Has(name)) continue;
-      throw std::runtime_error(name + ": this coppice was built without the live view");
-    }
-  }
+  if (!WantsLiveView(options)) return;
+  throw std::runtime_error("this coppice was built without the live view");
 }
 
 LiveView::~LiveView() = default;

@@ -11,30 +11,9 @@
 namespace coppice {
 namespace {
 
-constexpr char kUsage[] =
-    "coppice record HOST:PORT -o FILE [--tree NAME] [--from-now] [--max-file-mb N [--keep N]]\n"
-    "               [--seconds N]\n"
-    "  Records a robot into a file for `coppice replay`, until Ctrl+C. Goes on when the "
-    "connection\n"
-    "  breaks; a run that begins anew becomes another file. Prints what is missing, if anything.\n"
-    "  --tree NAME      of several trees, by name or number\n"
-    "  --from-now       without the past that the robot has kept\n"
-    "  --max-file-mb N  a file that is so long is followed by another: FILE.2, ...\n"
-    "  --keep N         of so many files the oldest is removed\n"
-    "  --seconds N      ends by itself\n"
-    "  A robot that asks for a token finds it in COPPICE_LIVE_TOKEN.";
-
 constexpr auto kLookPeriod = std::chrono::milliseconds(50);
-constexpr std::int64_t kMostMegabytes = 1 << 20;
+constexpr double kMostMegabytes = 1 << 20;
 constexpr std::int64_t kLongest = 365 * 86400;  // s
-
-// At most `most`; `otherwise` if the option is not given; -1 if it is no such number.
-std::int64_t NumberOf(const Options& options, const char* name, std::int64_t otherwise,
-                      std::int64_t most) {
-  if (!options.Has(name)) return otherwise;
-  const std::int64_t number = options.GetNumber(name).value_or(-1);
-  return number > most ? -1 : number;
-}
 
 // Says it once when the connection comes or goes.
 class ConnectionPrinter {
@@ -62,7 +41,7 @@ int Report(const RemoteRecorder& recorder, const std::string& path) {
   return error.empty() && counts.lost_ticks == 0 && counts.runs > 0 ? 0 : 1;
 }
 
-int Record(const Options& options, const RemoteRecorderOptions& record, std::int64_t seconds) {
+int Record(const Options& options, const RemoteRecorderOptions& record) {
   const std::string path = options.Get("-o");
   LiveClientOptions live;
   live.name = "coppice record";
@@ -74,7 +53,8 @@ int Record(const Options& options, const RemoteRecorderOptions& record, std::int
   {
     const LiveClient client(options.files[0], recorder, live);
     ConnectionPrinter printer;
-    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(seconds);
+    const auto end = std::chrono::steady_clock::now() +
+                     std::chrono::seconds(options.Whole("--seconds", kLongest));
     while (!interrupt.came() && std::chrono::steady_clock::now() < end) {
       std::this_thread::sleep_for(kLookPeriod);
       printer.Look(recorder.connection());
@@ -86,23 +66,33 @@ int Record(const Options& options, const RemoteRecorderOptions& record, std::int
 
 }  // namespace
 
+const Command& RecordCommand() {
+  static const Command command{
+      "coppice record",
+      "record a robot over the network",
+      {"HOST:PORT", 1, 1},
+      R"(Records a robot into a file for `coppice replay`, until Ctrl+C. Goes on when the connection
+breaks; a run that begins anew becomes another file. Prints what is missing, if anything.
+A robot that asks for a token finds it in COPPICE_LIVE_TOKEN.)",
+      {CommandOption::Text("-o", "FILE", "into that file").Needed(),
+       CommandOption::Text("--tree", "NAME", "of several trees, by name or number"),
+       CommandOption::Flag("--from-now", "without the past that the robot has kept"),
+       CommandOption::Whole("--max-file-mb", "N", 0, kMostMegabytes,
+                            "a file that is so long is followed by another: FILE.2, ..."),
+       CommandOption::Whole("--keep", "N", 0, kMostMegabytes,
+                            "of so many files the oldest is removed"),
+       CommandOption::Whole("--seconds", "N", 0, kLongest, "ends by itself")}};
+  return command;
+}
+
 int RunRecord(const Arguments& arguments) {
-  const auto options = ParseOptions(
-      arguments, {"-o", "--tree", "--max-file-mb", "--keep", "--seconds"}, {"--from-now"}, kUsage);
-  if (!options) return 2;
-  const std::int64_t megabytes = NumberOf(*options, "--max-file-mb", 0, kMostMegabytes);
-  const std::int64_t keep = NumberOf(*options, "--keep", 0, kMostMegabytes);
-  const std::int64_t seconds = NumberOf(*options, "--seconds", kLongest, kLongest);
-  if (options->files.size() != 1 || !options->Has("-o") || megabytes < 0 || keep < 0 ||
-      seconds < 0) {
-    std::cerr << "usage: " << kUsage << "\n";
-    return 2;
-  }
+  const Options options = ParseOptions(RecordCommand(), arguments);
+  if (options.exit) return *options.exit;
   try {
     RemoteRecorderOptions record;
-    record.max_file_bytes = static_cast<std::uint64_t>(megabytes) << 20;
-    record.keep_files = static_cast<std::uint32_t>(keep);
-    return Record(*options, record, seconds);
+    record.max_file_bytes = static_cast<std::uint64_t>(options.Whole("--max-file-mb", 0)) << 20;
+    record.keep_files = static_cast<std::uint32_t>(options.Whole("--keep", 0));
+    return Record(options, record);
   } catch (const std::exception& error) {  // no such address, no file
     std::cerr << error.what() << "\n";
     return 2;

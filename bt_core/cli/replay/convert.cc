@@ -15,16 +15,6 @@
 namespace coppice {
 namespace {
 
-constexpr char kUsage[] =
-    "coppice convert IN OUT\n"
-    "  Between formats, which the endings of the names say.\n"
-    "  IN:   .coppice   a record\n"
-    "        .btlog     a log of BehaviorTree.CPP's FileLogger2\n"
-    "  OUT:  .coppice, .btlog\n"
-    "        .json      trace of Chrome; opens in ui.perfetto.dev\n"
-    "        .csv       changes, writes and messages, one per line\n"
-    "        .bag       bag of ROS 1";
-
 bool EndsIn(std::string_view name, std::string_view ending) {
   return name.size() > ending.size() && name.substr(name.size() - ending.size()) == ending;
 }
@@ -54,18 +44,29 @@ std::optional<std::string> Convert(const Recording& run, const std::string& out,
 
 }  // namespace
 
+const Command& ConvertCommand() {
+  static const Command command{"coppice convert",
+                               "turn a recorded run into another format",
+                               {"IN OUT", 2, 2},
+                               R"(Between formats, which the endings of the names say.
+IN:   .coppice   a record
+      .btlog     a log of BehaviorTree.CPP's FileLogger2
+OUT:  .coppice, .btlog
+      .json      trace of Chrome; opens in ui.perfetto.dev
+      .csv       changes, writes and messages, one per line
+      .bag       bag of ROS 1)",
+                               {}};
+  return command;
+}
+
 int RunConvert(const std::vector<std::string>& arguments) {
-  const std::optional<Options> options = ParseOptions(arguments, {}, {}, kUsage);
-  if (!options) return 2;
-  if (options->files.size() != 2) {
-    std::cerr << "expected two files\nusage: " << kUsage << "\n";
-    return 2;
-  }
+  const Options options = ParseOptions(ConvertCommand(), arguments);
+  if (options.exit) return *options.exit;
   Diagnostics diagnostics;
-  const std::optional<Recording> run = Read(options->files[0], diagnostics);
+  const std::optional<Recording> run = Read(options.files[0], diagnostics);
   std::optional<std::string> bytes;
-  if (run) bytes = Convert(*run, options->files[1], diagnostics);
-  const bool written = bytes && WriteFile(options->files[1], *bytes, diagnostics);
+  if (run) bytes = Convert(*run, options.files[1], diagnostics);
+  const bool written = bytes && WriteFile(options.files[1], *bytes, diagnostics);
   std::cerr << diagnostics.ToString();
   return written ? 0 : 2;
 }

@@ -20,34 +20,6 @@
 namespace coppice {
 namespace {
 
-constexpr char kUsage[] =
-    "coppice replay FILE [--print] [--json] [--node PATTERN] [--from SECONDS] [--to SECONDS]\n"
-    "coppice replay FILE [--at SECONDS | --tick N] [--why NODE | --why-not NODE] [--json]\n"
-    "coppice replay --verify FILE [--plugin LIBRARY] [--json]\n"
-    "coppice replay --diff FILE OTHER [--json]\n"
-    "coppice replay FILE --scenario OUT [--name NAME] [--tree-file XML] [--models XML] [--from S]\n"
-    "               [--to S]\n"
-    "  Shows what happened in a recorded run: in a terminal to go back and forth in it, else tick\n"
-    "  by tick.\n"
-    "  --print      tick by tick, also in a terminal\n"
-    "  --json       one JSON object per line\n"
-    "  --node       only nodes whose path fits, for example 'patrol/*'\n"
-    "  --from/to    only that part, in seconds since the start of the record\n"
-    "  --at, --tick how the tree stood then; without them the last tick\n"
-    "  --why        why that node had its status; NODE is its path or the end of it\n"
-    "  --why-not    why that node was not ticked\n"
-    "  --verify     runs the tree again with the recorded inputs: does it do the same?\n"
-    "  --diff       where two runs part\n"
-    "  --scenario   makes a test of the run, which `coppice test OUT` plays; --tree-file: where "
-    "its\n"
-    "               tree lies, if not where it lay on the robot; --models: a file that describes\n"
-    "               decorators of the robot's own, if not as the record does";
-
-int Fail(const std::string& problem) {
-  std::cerr << problem << "\nusage: " << kUsage << "\n";
-  return 2;
-}
-
 // Of one run, as the options say.
 class Replay {
  public:
@@ -73,10 +45,7 @@ class Replay {
     filter.pattern = options_.Get("--node");
     for (const auto& [name, time] :
          {std::make_pair("--from", &filter.from), {"--to", &filter.to}}) {
-      if (!options_.Has(name)) continue;
-      const std::optional<Time> given = ReadRecordTime(options_.Get(name), run_.start());
-      if (!given) return Fail(std::string(name) + " needs a number of seconds");
-      *time = *given;
+      if (options_.Has(name)) *time = RecordTime(options_, name, run_.start());
     }
     const auto printer = is_json() ? MakeJsonPrinter(std::cout, run_.start())
                                    : MakeTextPrinter(std::cout, run_.start());
@@ -92,19 +61,9 @@ class Replay {
     }
     std::size_t entry = run_.ticks().size() - 1;
     if (options_.Has("--at")) {
-      const std::optional<Time> time = ReadRecordTime(options_.Get("--at"), run_.start());
-      if (!time) {
-        Fail("--at needs a number of seconds");
-        return std::nullopt;
-      }
-      entry = run_.FindTime(*time);
+      entry = run_.FindTime(RecordTime(options_, "--at", run_.start()));
     } else if (options_.Has("--tick")) {
-      const std::optional<std::int64_t> tick = options_.GetNumber("--tick");
-      if (!tick || *tick < 0) {
-        Fail("--tick needs the number of a tick");
-        return std::nullopt;
-      }
-      entry = run_.Find(static_cast<std::uint64_t>(*tick));
+      entry = run_.Find(static_cast<std::uint64_t>(options_.Whole("--tick", 0)));
     } else {
       while (entry > 0 && run_.ticks()[entry].result == Status::kIdle) --entry;
     }
@@ -165,27 +124,58 @@ int CompareFiles(const Recording& first, const Recording& second, bool is_json) 
 
 }  // namespace
 
+const Command& ReplayCommand() {
+  const auto seconds = [](const char* name, const char* help) {
+    return CommandOption::Real(name, "SECONDS", -1e9, 1e9, help);
+  };
+  static const Command command{
+      "coppice replay",
+      "go back and forth in a recorded run; why, verify, compare",
+      {"FILE [OTHER]", 1, 2},
+      R"(Shows what happened in a recorded run: in a terminal to go back and forth in it, else tick by
+tick. Times are in seconds since the start of the record.)",
+      {CommandOption::Flag("--print", "tick by tick, also in a terminal"),
+       CommandOption::Flag("--json", "one JSON object per line"),
+       CommandOption::Text("--node", "PATTERN",
+                           "only nodes whose path fits, for example 'patrol/*'"),
+       seconds("--from", "only what comes then and later"),
+       seconds("--to", "only what came until then"), seconds("--at", "how the tree stood then"),
+       CommandOption::Whole("--tick", "N", 0, 1e15,
+                            "how it stood at that tick; without it and --at: at the last one"),
+       CommandOption::Text("--why", "NODE",
+                           "why that node had its status; NODE is its path or the end of it"),
+       CommandOption::Text("--why-not", "NODE", "why that node was not ticked"),
+       CommandOption::Flag("--verify",
+                           "runs the tree again with the recorded inputs: does it do the same?"),
+       PluginOption(), CommandOption::Flag("--diff", "where FILE and OTHER part"),
+       CommandOption::Text("--scenario", "OUT",
+                           "makes a test of the run, which `coppice test OUT` plays"),
+       CommandOption::Text("--name", "NAME", "of that test"),
+       CommandOption::Text("--tree-file", "XML",
+                           "where its tree lies, if not where it lay on the robot"),
+       CommandOption::Text("--models", "XML",
+                           "a file that describes decorators of the robot's own, if not as the "
+                           "record does")}};
+  return command;
+}
+
 int RunReplay(const std::vector<std::string>& arguments) {
-  const std::optional<Options> options =
-      ParseOptions(arguments,
-                   {"--node", "--from", "--to", "--at", "--tick", "--why", "--why-not", "--plugin",
-                    "--scenario", "--name", "--tree-file", "--models"},
-                   {"--json", "--print", "--verify", "--diff"}, kUsage);
-  if (!options) return 2;
-  const std::size_t files = options->Has("--diff") ? 2 : 1;
-  if (options->files.size() != files) {
-    return Fail(files == 1 ? "expected one file" : "expected two files");
+  const Options options = ParseOptions(ReplayCommand(), arguments);
+  if (options.exit) return *options.exit;
+  const std::size_t files = options.Has("--diff") ? 2 : 1;
+  if (options.files.size() != files) {
+    return RefuseOptions(ReplayCommand(), files == 1 ? "expected one file" : "expected two files");
   }
   std::vector<Recording> runs;
-  for (const std::string& file : options->files) {
+  for (const std::string& file : options.files) {
     Diagnostics diagnostics;
     std::optional<Recording> run = LoadRecording(file, diagnostics);
     std::cerr << diagnostics.ToString();
     if (!run) return 2;
     runs.push_back(*std::move(run));
   }
-  if (files == 2) return CompareFiles(runs[0], runs[1], options->Has("--json"));
-  return Replay(*options, runs[0]).Run();
+  if (files == 2) return CompareFiles(runs[0], runs[1], options.Has("--json"));
+  return Replay(options, runs[0]).Run();
 }
 
 }  // namespace coppice

@@ -5,7 +5,13 @@
 #include <string>
 #include <vector>
 
+#include "bt_core/base/command_line.h"
+
 namespace coppice {
+
+const Command& ReplayCommand();
+const Command& StatsCommand();
+const Command& ConvertCommand();
 
 /// `coppice replay FILE`: in a terminal, a view to go back and forth in the run; else everything
 /// that happened, tick by tick. With --at, --tick, --why, --why-not, --verify or --diff the answer

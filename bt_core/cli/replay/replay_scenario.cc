@@ -1,6 +1,5 @@
 #include "bt_core/cli/replay/replay_scenario.h"
 
-#include <cstdlib>
 #include <filesystem>
 #include <iostream>
 #include <string>
@@ -14,14 +13,11 @@
 namespace coppice {
 namespace {
 
-// The end of the part that --from or --to names; nothing, with a message, if it is no number.
-std::optional<std::size_t> PlaceOf(const Options& options, const std::string& name,
-                                   const Recording& run, std::size_t otherwise) {
+// The end of the part that --from or --to names.
+std::size_t PlaceOf(const Options& options, const std::string& name, const Recording& run,
+                    std::size_t otherwise) {
   if (!options.Has(name)) return otherwise;
-  const std::optional<Time> time = ReadRecordTime(options.Get(name), run.start());
-  if (time) return run.FindTime(*time);
-  std::cerr << name << " needs a number of seconds\n";
-  return std::nullopt;
+  return run.FindTime(RecordTime(options, name, run.start()));
 }
 
 // Empty if the file has this main tree anyway.
@@ -33,20 +29,16 @@ std::string NeededTreeId(const std::string& tree_file, const std::string& main_t
 
 }  // namespace
 
-std::optional<Time> ReadRecordTime(const std::string& text, Time start) {
-  char* end = nullptr;
-  const double seconds = std::strtod(text.c_str(), &end);
-  if (text.empty() || *end != '\0' || !(seconds > -1e9 && seconds < 1e9)) return std::nullopt;
-  return start + std::chrono::nanoseconds(static_cast<std::int64_t>(seconds * 1e9));
+Time RecordTime(const Options& options, const std::string& name, Time start) {
+  return start + std::chrono::nanoseconds(static_cast<std::int64_t>(options.Real(name, 0) * 1e9));
 }
 
 int MakeScenario(const Options& options, const Recording& run) {
-  const auto first = PlaceOf(options, "--from", run, 0);
-  const auto last = PlaceOf(options, "--to", run, run.ticks().size());
-  if (!first || !last) return 2;
+  const std::size_t first = PlaceOf(options, "--from", run, 0);
+  const std::size_t last = PlaceOf(options, "--to", run, run.ticks().size());
   Diagnostics diagnostics;
   const auto recorded =
-      ScenarioOf(run, *first, *last + 1, options.Get("--name", "as recorded"), diagnostics);
+      ScenarioOf(run, first, last + 1, options.Get("--name", "as recorded"), diagnostics);
   if (!recorded) {
     std::cerr << diagnostics.ToString();
     return 1;

@@ -2,7 +2,6 @@
 #ifndef COPPICE_BT_CORE_CLI_REPLAY_REPLAY_SCENARIO_H_
 #define COPPICE_BT_CORE_CLI_REPLAY_REPLAY_SCENARIO_H_
 
-#include <optional>
 #include <string>
 
 #include "bt_core/analysis/recording.h"
@@ -10,8 +9,8 @@
 
 namespace coppice {
 
-/// Seconds since the start as a time of the record; nothing if the text is no number.
-std::optional<Time> ReadRecordTime(const std::string& text, Time start);
+/// An option in seconds since the start as a time of the record.
+Time RecordTime(const Options& options, const std::string& name, Time start);
 
 /// Exit status: 0, 1 if the run cannot be made a test, 2 for wrong options.
 int MakeScenario(const Options& options, const Recording& run);

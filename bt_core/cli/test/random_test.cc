@@ -14,8 +14,6 @@
 namespace coppice {
 namespace {
 
-constexpr std::int64_t kMostRuns = 1'000'000'000;
-
 struct Subject {
   std::shared_ptr<const Program> program;
   RandomPlay play;
@@ -77,26 +75,13 @@ bool ReadKeys(const Options& options, const Program& program, std::vector<KeyVal
   return true;
 }
 
-// A number of this option from 1 to `most`; nothing, with a message, if it is none.
-std::optional<std::uint64_t> CountOf(const Options& options, const std::string& name,
-                                     std::int64_t otherwise, std::int64_t most) {
-  if (!options.Has(name)) return otherwise;
-  const std::optional<std::int64_t> number = options.GetNumber(name);
-  if (number && *number >= 1 && *number <= most) return *number;
-  std::cerr << name << ": expected a number from 1 to " << most << "\n";
-  return std::nullopt;
-}
-
 }  // namespace
 
 int RunRandomTest(const Options& options) {
   RandomRunOptions how;
-  const auto runs = CountOf(options, "--random", 0, kMostRuns);
-  const auto seed = CountOf(options, "--seed", 1, INT64_MAX / 2);
-  const auto ticks = CountOf(options, "--ticks", 10000, kMostRuns);
-  if (!runs || !seed || !ticks) return 2;
-  how.seed = *seed;
-  how.most_ticks = *ticks;
+  const std::int64_t runs = options.Whole("--random", 0);
+  how.seed = static_cast<std::uint64_t>(options.Whole("--seed", 1));
+  how.most_ticks = static_cast<std::uint64_t>(options.Whole("--ticks", 10000));
   int status = 0;
   for (const std::string& path : options.files) {
     Diagnostics diagnostics;
@@ -106,7 +91,7 @@ int RunRandomTest(const Options& options) {
     if (!subject.program || !ReadKeys(options, *subject.program, here.set)) return 2;
     here.play = std::move(subject.play);
     RandomRuns random(std::move(subject.program), std::move(here));
-    for (std::uint64_t i = 0; i < *runs; ++i) random.Run();
+    for (std::int64_t i = 0; i < runs; ++i) random.Run();
     const Coverage& coverage = random.coverage();
     std::cout << (options.Has("--json") ? CoverageJson(coverage)
                                         : path + ": " + CoverageText(coverage));

@@ -14,29 +14,7 @@
 namespace coppice {
 namespace {
 
-constexpr char kUsage[] =
-    "coppice test FILE... [--filter PATTERN] [--models FILE] [--plugin FILE.so]... [--json]\n"
-    "             [--junit FILE]\n"
-    "coppice test --random RUNS [--seed S] [--ticks N] [--tree ID] [--set KEY=VALUE]...\n"
-    "             [--models FILE] [--plugin FILE.so]... [--json] FILE...\n"
-    "  Plays the scenarios of each file with the tree that it names, on simulated time.\n"
-    "  --filter PATTERN  only scenarios whose name fits; * stands for any characters\n"
-    "  --models FILE     the <TreeNodesModel> of the robot's node types, in place of the one that\n"
-    "                    the file of scenarios names\n"
-    "  --plugin FILE.so  a library with node types: they run as they are unless a script plays "
-    "them\n"
-    "  --json            the result as one JSON object\n"
-    "  --junit FILE      also writes the result for continuous integration\n"
-    "  --random RUNS     runs a tree so often with leaves that do something by chance; prints how\n"
-    "                    often each node was ticked and what it returned, and what went wrong.\n"
-    "                    FILE is a tree, or scenarios: then their tree and their\n"
-    "                    \"random\", or the scripts of their leaves. Of NAME.xml the \"random\"\n"
-    "                    of NAME.test.json is taken. The first run has seed S (1), the next S + 1\n"
-    "  --ticks N         breaks off a run that is not done after N ticks (10000)\n"
-    "  --tree ID         which tree of the file; --set: a key before the first tick\n"
-    "  Leaves that are not built in are played by scripts; a decorator that is not built in needs "
-    "a\n"
-    "  model or a script. The format: docs/testing.md.";
+constexpr double kMostRuns = 1e9;
 
 TestedScenario Play(const Program& program, const ScenarioSuite& suite, const Scenario& scenario) {
   const auto start = std::chrono::steady_clock::now();
@@ -80,38 +58,63 @@ int ExitStatus(const std::vector<TestedFile>& files) {
 
 }  // namespace
 
+const Command& TestCommand() {
+  static const Command command{
+      "coppice test",
+      "play scenarios with whole trees",
+      {"FILE...", 1, kAnyNumber},
+      R"(Plays the scenarios of each file with the tree that it names, on simulated time.
+With --random, FILE is a tree, or scenarios: then their tree and their "random", or the scripts of
+their leaves. Of NAME.xml the "random" of NAME.test.json is taken.
+Leaves that are not built in are played by scripts; a decorator that is not built in needs a model
+or a script. The format: docs/testing.md.)",
+      {CommandOption::Text("--filter", "PATTERN",
+                           "only scenarios whose name fits; * stands for any characters"),
+       CommandOption::Text("--models", "FILE",
+                           "the <TreeNodesModel> of the robot's node types, in place of the one "
+                           "that the file of scenarios names"),
+       CommandOption::Text("--plugin", "FILE.so",
+                           "a library with node types: they run as they are unless a script plays "
+                           "them; may be given several times"),
+       CommandOption::Flag("--json", "the result as one JSON object"),
+       CommandOption::Text("--junit", "FILE", "also writes the result for continuous integration"),
+       CommandOption::Whole("--random", "RUNS", 1, kMostRuns,
+                            "runs a tree so often with leaves that do something by chance; prints "
+                            "how often each node was ticked and what it returned, and what went "
+                            "wrong"),
+       CommandOption::Whole("--seed", "S", 1, INT64_MAX / 2,
+                            "of the first random run, the next has S + 1; else 1"),
+       CommandOption::Whole("--ticks", "N", 1, kMostRuns,
+                            "breaks off a random run that is not done after so many; else 10000"),
+       CommandOption::Text("--tree", "ID", "which tree of the file, with --random"),
+       CommandOption::Text("--set", "KEY=VALUE", "a key before the first tick, with --random")}};
+  return command;
+}
+
 int RunTest(const Arguments& arguments) {
-  const std::optional<Options> options =
-      ParseOptions(arguments,
-                   {"--filter", "--junit", "--models", "--plugin", "--random", "--seed", "--ticks",
-                    "--tree", "--set"},
-                   {"--json"}, kUsage);
-  if (!options) return 2;
-  if (options->files.empty()) {
-    std::cerr << "no file given\nusage: " << kUsage << "\n";
-    return 2;
-  }
-  if (options->Has("--random")) return RunRandomTest(*options);
+  const Options options = ParseOptions(TestCommand(), arguments);
+  if (options.exit) return *options.exit;
+  if (options.Has("--random")) return RunRandomTest(options);
   std::vector<TestedFile> files;
   std::size_t played = 0;
-  for (const std::string& path : options->files) {
-    std::shared_ptr<Registry> known = RegistryWithPlugins(*options);
+  for (const std::string& path : options.files) {
+    std::shared_ptr<Registry> known = RegistryWithPlugins(options);
     if (!known) return 2;
-    files.push_back(TestFile(path, *options, std::move(known)));
+    files.push_back(TestFile(path, options, std::move(known)));
     played += files.back().scenarios.size();
   }
-  std::cout << (options->Has("--json") ? ReportJson(files) : ReportText(files));
-  if (options->Has("--junit")) {
-    std::ofstream out(options->Get("--junit"));
+  std::cout << (options.Has("--json") ? ReportJson(files) : ReportText(files));
+  if (options.Has("--junit")) {
+    std::ofstream out(options.Get("--junit"));
     out << ReportJUnit(files);
     if (!out.flush()) {
-      std::cerr << options->Get("--junit") << ": cannot be written\n";
+      std::cerr << options.Get("--junit") << ": cannot be written\n";
       return 2;
     }
   }
   const int status = ExitStatus(files);
   if (status == 0 && played == 0) {
-    std::cerr << "no scenario fits \"" << options->Get("--filter") << "\"\n";
+    std::cerr << "no scenario fits \"" << options.Get("--filter") << "\"\n";
     return 2;
   }
   return status;

@@ -91,21 +91,25 @@ class Program {
 
 std::atomic<bool> stop_requested{false};
 
+const Command& TimeCommand() {
+  static const Command command{
+      "coppice-system-monitor",
+      "serve this computer's time",
+      {},
+      "",
+      {CommandOption::Whole("--serve-time", "PORT", 0, 65535, "answers SNTP there"),
+       CommandOption::Text("--address", "ADDRESS", "listens there; else on loopback"),
+       CommandOption::Real("--clock-offset", "SECONDS", -1e9, 1e9, "added to the time; else 0")}};
+  return command;
+}
+
 int ServeTime(const Options& options) {
-  const auto port = options.GetNumber("--serve-time");
-  double offset = 0;
-  char rest = 0;
-  const std::string text = options.Get("--clock-offset", "0");
-  if (!port || *port < 0 || *port > 65535 ||
-      std::sscanf(text.c_str(), "%lf%c", &offset, &rest) != 1) {
-    std::fprintf(stderr, "coppice-system-monitor: bad port or offset\n");
-    return 2;
-  }
-  TimeServer server(options.Get("--address", "127.0.0.1"), static_cast<int>(*port),
-                    std::chrono::duration_cast<Duration>(std::chrono::duration<double>(offset)));
+  const int port = static_cast<int>(options.Whole("--serve-time", 0));
+  const std::chrono::duration<double> offset(options.Real("--clock-offset", 0));
+  TimeServer server(options.Get("--address", "127.0.0.1"), port,
+                    std::chrono::duration_cast<Duration>(offset));
   if (!server.error().empty()) {
-    std::fprintf(stderr, "coppice-system-monitor: port %lld: %s\n", static_cast<long long>(*port),
-                 server.error().c_str());
+    std::fprintf(stderr, "coppice-system-monitor: port %d: %s\n", port, server.error().c_str());
     return 2;
   }
   std::printf("serving time on port %d\n", server.port());
@@ -124,10 +128,8 @@ int main(int argc, char** argv) {
   using namespace coppice::robot;  // NOLINT: the whole program
   for (int i = 1; i < argc; ++i) {
     if (std::strcmp(argv[i], "--serve-time") != 0) continue;
-    const auto options = coppice::ParseOptions(
-        {argv + 1, argv + argc}, {"--serve-time", "--address", "--clock-offset"}, {},
-        "--serve-time PORT [--address ADDRESS] [--clock-offset SECONDS]");
-    return options ? ServeTime(*options) : 2;
+    const auto options = coppice::ParseOptions(TimeCommand(), {argv + 1, argv + argc});
+    return options.exit ? *options.exit : ServeTime(options);
   }
   const auto start = StartMonitor(argc, argv, "system_monitor");
   if (!start) return 2;

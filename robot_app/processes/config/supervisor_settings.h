@@ -6,11 +6,13 @@
 #include <string>
 #include <vector>
 
+#include "bt_core/base/command_line.h"
 #include "robot_app/processes/config/variables.h"
 
 namespace coppice::robot {
 
 struct SupervisorSettings {
+  std::optional<int> exit;    ///< as in Options
   std::string config;         ///< robot.yaml
   int port = 11311;           ///< of the ROS master; 0: a free one
   std::string address;        ///< of this computer for nodes on other hosts; empty: as in ROS_IP
@@ -21,9 +23,11 @@ struct SupervisorSettings {
   Variables variables;        ///< bin, config and record among them
 };
 
-/// Prints what is wrong, or the usage, and returns nothing. `bin`: folder of this program.
-std::optional<SupervisorSettings> ReadSupervisorSettings(std::vector<std::string> arguments,
-                                                         const std::string& bin);
+const Command& SupervisorCommand();
+
+/// `bin`: folder of this program.
+SupervisorSettings ReadSupervisorSettings(const std::vector<std::string>& arguments,
+                                          const std::string& bin);
 
 }  // namespace coppice::robot
 

@@ -19,9 +19,19 @@
 namespace coppice::robot {
 namespace {
 
-constexpr char kUsage[] =
-    "coppice-remote --owner NAME --name NAME --stop-timeout MS --silence MS\n"
-    "               [--env NAME=VALUE]... -- PROGRAM [ARGUMENT]...";
+const Command& RemoteCommand() {
+  static const Command command{
+      "coppice-remote",
+      "guard one process for a supervisor on another computer",
+      {"-- PROGRAM [ARGUMENT]...", 1, kAnyNumber},
+      "",
+      {CommandOption::Text("--owner", "NAME", "the supervisor").Needed(),
+       CommandOption::Text("--name", "NAME", "of the process").Needed(),
+       CommandOption::Whole("--stop-timeout", "MS", 0, 1e9, "from SIGTERM to SIGKILL").Needed(),
+       CommandOption::Whole("--silence", "MS", 0, 1e9, "of the supervisor, that ends it").Needed(),
+       CommandOption::Text("--env", "NAME=VALUE", "for it; may be given several times")}};
+  return command;
+}
 
 constexpr int kRoundMs = 20;
 constexpr int kCannotRun = 127;     // as a shell says it
@@ -94,22 +104,15 @@ bool SetEnvironment(const std::vector<std::string>& variables) {
   return true;
 }
 
-int Main(std::vector<std::string> arguments) {
+int Main(const std::vector<std::string>& arguments) {
+  const Options options = ParseOptions(RemoteCommand(), arguments);
+  if (options.exit) return *options.exit;
   ProcessConfig process;
-  const auto separator = std::find(arguments.begin(), arguments.end(), "--");
-  if (separator != arguments.end()) process.command.assign(separator + 1, arguments.end());
-  arguments.erase(separator, arguments.end());
-  const auto options = ParseOptions(
-      arguments, {"--owner", "--name", "--stop-timeout", "--silence", "--env"}, {}, kUsage);
-  if (!options) return 2;
-  const auto stop_timeout = options->GetNumber("--stop-timeout");
-  const auto silence = options->GetNumber("--silence");
-  const std::string owner = options->Get("--owner");
-  process.name = options->Get("--name");
-  if (process.command.empty() || owner.empty() || process.name.empty() || !stop_timeout ||
-      !silence || !SetEnvironment(options->GetAll("--env"))) {
-    std::cerr << "usage: " << kUsage << "\n";
-    return 2;
+  process.command = options.files;
+  process.name = options.Get("--name");
+  const std::string owner = options.Get("--owner");
+  if (!SetEnvironment(options.GetAll("--env"))) {
+    return RefuseOptions(RemoteCommand(), "--env: expected NAME=VALUE");
   }
   for (const int signal : {SIGHUP, SIGINT, SIGTERM, SIGPIPE}) std::signal(signal, SIG_IGN);
   prctl(PR_SET_CHILD_SUBREAPER, 1);
@@ -123,8 +126,9 @@ int Main(std::vector<std::string> arguments) {
     std::cerr << "coppice-remote: " << error << std::endl;
     return kCannotRun;
   }
-  return ExitStatus(Guard(launcher, pid, std::chrono::milliseconds(*stop_timeout),
-                          std::chrono::milliseconds(*silence))
+  return ExitStatus(Guard(launcher, pid,
+                          std::chrono::milliseconds(options.Whole("--stop-timeout", 0)),
+                          std::chrono::milliseconds(options.Whole("--silence", 0)))
                         .Run());
 }
 

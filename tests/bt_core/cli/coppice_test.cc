@@ -39,6 +39,41 @@ TEST_F(CoppiceTest, WithoutVerbItListsTheVerbs) {
   }
 }
 
+TEST_F(CoppiceTest, HelpIsNoError) {
+  EXPECT_EQ(Call("--help"), 0);
+  EXPECT_EQ(Call("run --help"), 0);
+  EXPECT_EQ(out_.find("usage: coppice run FILE [options]"), 0u) << out_;
+}
+
+TEST_F(CoppiceTest, CompletesInBash) {
+  const std::string script =
+      Write("complete.sh", "eval \"$(" + program_ +
+                               " completion bash)\"\n"
+                               "COMP_WORDS=(coppice stats --sort t) COMP_CWORD=3\n"
+                               "_coppice\necho \"${COMPREPLY[@]}\"\n"
+                               "COMP_WORDS=(coppice live --st) COMP_CWORD=2\n"
+                               "_coppice\necho \"${COMPREPLY[@]}\"\n");
+  program_ = "bash " + script;
+  EXPECT_EQ(Call(""), 0);
+  EXPECT_EQ(out_, "tree ticks time\n--step --step-node\n");
+}
+
+// A full disk, as far as a program can see.
+TEST_F(CoppiceTest, SaysWhenTheOutputCannotBeWritten) {
+  const std::string tree = WriteTree("<AlwaysSuccess/>");
+  const std::string record = (folder_ / "run.coppice").string();
+  const std::string test =
+      Write("a.test.json", R"({"tree": "tree.xml", "scenarios": [{"name": "a", "steps": []}]})");
+  ASSERT_EQ(Call("run " + tree + " --record " + record), 0) << out_;
+  for (const std::string& call :
+       {"cat " + tree, "check --json " + tree, std::string("completion bash"), std::string("nodes"),
+        "replay --print " + record, "replay --tick 1 " + record, "replay --verify " + record,
+        "replay --json " + record, "run " + tree, "stats " + record, "test " + test,
+        "trace " + tree, "upgrade " + tree, std::string("stats --help")}) {
+    EXPECT_EQ(Call(call + " > /dev/full"), 2) << call << ": " << out_;
+  }
+}
+
 TEST_F(CoppiceTest, RunsAVerb) {
   EXPECT_EQ(Call("check " + WriteTree("<AlwaysSuccess/>")), 0) << out_;
   EXPECT_EQ(Call("check " + WriteTree("<Sequence/>")), 1) << out_;

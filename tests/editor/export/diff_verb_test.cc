@@ -67,7 +67,7 @@ TEST_F(DiffVerbTest, PaintsTheDifference) {
 
 TEST_F(DiffVerbTest, EndsWithTwoIfItCannotCompare) {
   EXPECT_EQ(Run({a_.path()}), 2);
-  EXPECT_NE(errors_.find("two files"), std::string::npos);
+  EXPECT_NE(errors_.find("expected A.xml B.xml"), std::string::npos);
   EXPECT_EQ(Run({a_.path(), "/nowhere.xml"}), 2);
   EXPECT_NE(errors_.find("/nowhere.xml"), std::string::npos);
   EXPECT_EQ(Run({a_.path(), b_.path(), "-o", "x.gif"}), 2);

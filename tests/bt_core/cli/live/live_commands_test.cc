@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "bt_core/cli/verbs.h"
+
 namespace coppice {
 namespace {
 
@@ -10,9 +12,9 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using Kind = LiveCommand::Kind;
 
-Options Given(std::map<std::string, std::vector<std::string>> values) {
-  Options options;
-  options.values = std::move(values);
+Options Given(const std::map<std::string, std::vector<std::string>>& values) {
+  Options options = ParseOptions(LiveVerbCommand(), {"robot"});
+  for (const auto& [name, given] : values) options.values.at(name) = given;
   return options;
 }
 

@@ -41,7 +41,7 @@ TEST_F(LiveViewTest, RefusesOtherAddressesWithoutAToken) {
 
 TEST_F(LiveViewTest, RefusesWhatIsNoNumber) {
   EXPECT_EQ(RunTreeWith({"--live-port", "70000"}), 2);
-  EXPECT_NE(err_.find("--live-port: expected a number from 0 to 65534"), std::string::npos);
+  EXPECT_NE(err_.find("--live-port: expected a whole number from 0 to 65534"), std::string::npos);
   EXPECT_EQ(RunTreeWith({"--live", "--wait-for-client", "soon"}), 2);
 }
 

@@ -141,7 +141,7 @@ TEST_F(ReplayTest, SaysWhereARecordIsCutOff) {
 
 TEST_F(ReplayTest, RefusesWrongUsageAndOtherFiles) {
   EXPECT_EQ(Run({}), 2);
-  EXPECT_THAT(error_, HasSubstr("expected one file"));
+  EXPECT_THAT(error_, HasSubstr("expected FILE"));
   EXPECT_EQ(Run({path(), path()}), 2);
   EXPECT_EQ(Run({path(), "--form", "1"}), 2);
   EXPECT_EQ(Run({path(), "--from", "noon"}), 2);
