@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 
-#include "bt_core/analysis/json_writer.h"
+#include "bt_core/base/json.h"
 #include "bt_core/data/value_bytes.h"
 
 namespace coppice {
@@ -268,8 +268,8 @@ std::string ComparisonToJson(const RunComparison& comparison) {
                               .Finish());
   }
   object.Add("differences", JsonArray(comparison.differences, difference));
-  object.Add("only_first", JsonArray(comparison.only_first, JsonText));
-  object.Add("only_second", JsonArray(comparison.only_second, JsonText));
+  object.Add("only_first", JsonArray(comparison.only_first, JsonString));
+  object.Add("only_second", JsonArray(comparison.only_second, JsonString));
   return object.Finish();
 }
 

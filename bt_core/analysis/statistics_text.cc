@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "bt_core/analysis/json_writer.h"
 #include "bt_core/analysis/statistics.h"
+#include "bt_core/base/json.h"
 
 namespace coppice {
 namespace {

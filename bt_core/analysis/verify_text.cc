@@ -1,7 +1,7 @@
 #include <cstdio>
 
-#include "bt_core/analysis/json_writer.h"
 #include "bt_core/analysis/verify.h"
+#include "bt_core/base/json.h"
 
 namespace coppice {
 namespace {
@@ -36,7 +36,7 @@ std::string VerificationToJson(const Verification& verification, Time start) {
   JsonObject object;
   object.AddBool("same", verification.is_the_same()).Add("ticks", verification.ticks);
   object.Add("events", verification.events).Add("skipped_ticks", verification.skipped_ticks);
-  object.Add("remarks", JsonArray(verification.remarks, JsonText));
+  object.Add("remarks", JsonArray(verification.remarks, JsonString));
   if (const auto& parted = verification.divergence) {
     object.Add("divergence", JsonObject()
                                  .Add("tick", parted->tick)

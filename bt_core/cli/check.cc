@@ -4,8 +4,8 @@
 #include <memory>
 #include <utility>
 
-#include "bt_core/analysis/json_writer.h"
 #include "bt_core/base/command_line.h"
+#include "bt_core/base/json.h"
 #include "bt_core/cli/plugins.h"
 #include "bt_core/cli/verbs.h"
 #include "bt_core/engine/compile/check_project.h"
@@ -47,11 +47,11 @@ std::vector<Diagnostic> Sorted(const Diagnostics& diagnostics) {
 
 std::string ToJson(const Diagnostic& diagnostic) {
   const SourceLocation& where = diagnostic.where;
-  return "{\"file\":" + JsonText(where.file) + ",\"line\":" + std::to_string(where.line) +
+  return "{\"file\":" + JsonString(where.file) + ",\"line\":" + std::to_string(where.line) +
          ",\"column\":" + std::to_string(where.column) + ",\"severity\":" +
          (diagnostic.severity == Severity::kError ? "\"error\"" : "\"warning\"") +
-         ",\"message\":" + JsonText(diagnostic.message) + ",\"hint\":" + JsonText(diagnostic.hint) +
-         "}";
+         ",\"message\":" + JsonString(diagnostic.message) +
+         ",\"hint\":" + JsonString(diagnostic.hint) + "}";
 }
 
 void PrintJson(const std::vector<Diagnostic>& diagnostics) {

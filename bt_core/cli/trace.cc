@@ -1,19 +1,17 @@
 #include <algorithm>
-#include <fstream>
 #include <iostream>
 #include <map>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "bt_core/base/command_line.h"
+#include "bt_core/base/json.h"
+#include "bt_core/base/read_file.h"
 #include "bt_core/cli/verbs.h"
 #include "bt_core/engine/executor.h"
 
 namespace coppice {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 // Real time hardly passes between ticks that follow each other at once, but it does pass.
 constexpr Duration kDefaultStep = std::chrono::microseconds(1);
@@ -22,10 +20,14 @@ constexpr double kMostTicks = 1e15;
 constexpr double kLongestStep = 1e9;  // ms: twelve days
 
 // What the scripted leaves have in common: their scripts, and the list of what happened in this
-// tick.
+// tick, as JSON.
 struct Stage {
   std::map<std::string, std::vector<Status>> scripts;
-  Json events = Json::array();
+  std::vector<std::string> events;
+
+  void Add(const std::vector<std::string>& event) {
+    events.push_back(JsonArray(event, JsonString));
+  }
 };
 
 class ScriptedLeaf : public Leaf {
@@ -39,10 +41,10 @@ class ScriptedLeaf : public Leaf {
       const std::size_t last = script->second.size() - 1;
       result = script->second[std::min(next_++, last)];
     }
-    stage_.events.push_back({"tick", name_, ToString(result)});
+    stage_.Add({"tick", name_, ToString(result)});
     return result;
   }
-  void Halt() override { stage_.events.push_back({"halt", name_}); }
+  void Halt() override { stage_.Add({"halt", name_}); }
 
  private:
   Stage& stage_;
@@ -50,41 +52,33 @@ class ScriptedLeaf : public Leaf {
   std::size_t next_ = 0;
 };
 
-bool ReadStatus(const Json& text, Status& status) {
+std::optional<Status> ReadStatus(const JsonValue& json) {
   for (const Status known :
        {Status::kRunning, Status::kSuccess, Status::kFailure, Status::kSkipped}) {
-    if (text.is_string() && text.get<std::string>() == ToString(known)) {
-      status = known;
-      return true;
-    }
+    if (json.is(JsonValue::Kind::kString) && json.text == ToString(known)) return known;
   }
-  return false;
+  return std::nullopt;
 }
 
-bool ReadScripts(const std::string& path, Stage& stage) {
-  std::ifstream file(path);
-  const Json json = Json::parse(file, nullptr, false);
-  if (!json.is_object() || !json.contains("leaves") || !json["leaves"].is_object()) {
-    std::cerr << path << ": error: expected {\"leaves\": {\"name\": [\"SUCCESS\", ...]}}\n";
-    return false;
+void ReadScripts(const std::string& path, Stage& stage, Diagnostics& diagnostics) {
+  const std::optional<std::string> text = ReadFile(path, diagnostics);
+  const auto json = text ? ParseJson(*text, path, diagnostics) : std::nullopt;
+  if (!json) return;
+  const JsonValue* const leaves = json->Find("leaves");
+  if (!leaves || !leaves->is(JsonValue::Kind::kObject)) {
+    diagnostics.Error(json->where, "expected {\"leaves\": {\"name\": [\"SUCCESS\", ...]}}");
+    return;
   }
-  for (const auto& [name, entries] : json["leaves"].items()) {
-    for (const Json& entry : entries) {
-      Status status;
-      if (!ReadStatus(entry, status)) {
-        std::cerr << path << ": error: leaf \"" << name << "\": " << entry
-                  << " is not RUNNING, SUCCESS, FAILURE or SKIPPED\n";
-        return false;
+  for (const JsonValue& leaf : leaves->children) {
+    for (const JsonValue& entry : leaf.children) {
+      if (const auto status = ReadStatus(entry)) {
+        stage.scripts[leaf.key].push_back(*status);
+      } else {
+        diagnostics.Error(entry.where, "leaf \"" + leaf.key + "\": " + PrintJson(entry) +
+                                           " is not RUNNING, SUCCESS, FAILURE or SKIPPED");
       }
-      stage.scripts[name].push_back(status);
     }
   }
-  return true;
-}
-
-// In one line, whatever bytes the names are made of.
-void Print(const Json& json) {
-  std::cout << json.dump(-1, ' ', false, Json::error_handler_t::replace) << "\n";
 }
 
 void PrintTicks(std::shared_ptr<const Program> program, Stage& stage, std::int64_t ticks,
@@ -92,14 +86,18 @@ void PrintTicks(std::shared_ptr<const Program> program, Stage& stage, std::int64
   SimulatedClock clock(std::chrono::seconds(1));
   Executor executor(std::move(program), clock, {ExceptionPolicy::kRethrow});
   for (std::int64_t tick = 1; tick <= ticks; ++tick) {
-    stage.events = Json::array();
+    stage.events.clear();
+    JsonObject line;
+    line.Add("tick", static_cast<std::uint64_t>(tick));
     try {
-      const Status status = executor.Tick();
-      Print({{"tick", tick}, {"status", ToString(status)}, {"events", stage.events}});
+      line.AddText("status", ToString(executor.Tick()));
     } catch (const TickError& error) {
       std::cerr << "tick " << tick << ": " << error.what() << "\n";
-      return Print({{"tick", tick}, {"error", true}});
+      std::cout << line.AddBool("error", true).Finish() << "\n";
+      return;
     }
+    line.Add("events", JsonArray(stage.events, [](const std::string& event) { return event; }));
+    std::cout << line.Finish() << "\n";
     clock.Advance(step);
   }
 }
@@ -127,16 +125,16 @@ int RunTrace(const Arguments& arguments) {
   const Options options = ParseOptions(TraceCommand(), arguments);
   if (options.exit) return *options.exit;
   Stage stage;
-  if (options.Has("--leaves") && !ReadScripts(options.Get("--leaves"), stage)) return 2;
-
+  Diagnostics diagnostics;
+  if (options.Has("--leaves")) ReadScripts(options.Get("--leaves"), stage, diagnostics);
+  if (diagnostics.has_errors()) return std::cerr << diagnostics.ToString(), 2;
   auto registry = std::make_shared<Registry>();
   registry->SetFallback(
       [&stage](const std::string& name) { return std::make_unique<ScriptedLeaf>(stage, name); });
-  Diagnostics diagnostics;
   auto program = CompileFile(options.files[0], registry, diagnostics, options.Get("--tree"));
   std::cerr << diagnostics.ToString();
   if (!program) {
-    Print({{"load_error", true}});
+    std::cout << JsonObject().AddBool("load_error", true).Finish() << "\n";
     return 2;
   }
   PrintTicks(

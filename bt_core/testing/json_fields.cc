@@ -6,7 +6,7 @@
 namespace coppice {
 namespace {
 
-using Kind = JsonText::Kind;
+using Kind = JsonValue::Kind;
 
 const char* NameOf(Kind kind) {
   static const char* const kNames[] = {"null",   "a boolean", "a number",
@@ -16,51 +16,51 @@ const char* NameOf(Kind kind) {
 
 }  // namespace
 
-bool JsonFields::Require(const JsonText& json, Kind kind) {
+bool JsonFields::Require(const JsonValue& json, Kind kind) {
   if (json.is(kind)) return true;
   const std::string name = json.key.empty() ? "this" : "\"" + json.key + "\"";
   Error(json, name + " must be " + NameOf(kind) + ", not " + NameOf(json.kind));
   return false;
 }
 
-void JsonFields::Unknown(const JsonText& member, const std::vector<std::string>& known) {
+void JsonFields::Unknown(const JsonValue& member, const std::vector<std::string>& known) {
   std::string list;
   for (const std::string& name : known) list += (list.empty() ? "" : ", ") + name;
   Error(member, "unknown member \"" + member.key + "\", expected " + list,
         DidYouMean(member.key, known));
 }
 
-const std::vector<JsonText>& JsonFields::ListOf(const JsonText& json) {
+const std::vector<JsonValue>& JsonFields::ListOf(const JsonValue& json) {
   return Require(json, Kind::kArray) ? json.children : none_;
 }
 
-const std::vector<JsonText>& JsonFields::MembersOf(const JsonText& json) {
+const std::vector<JsonValue>& JsonFields::MembersOf(const JsonValue& json) {
   return Require(json, Kind::kObject) ? json.children : none_;
 }
 
-bool JsonFields::ReadBool(const JsonText& json) {
+bool JsonFields::ReadBool(const JsonValue& json) {
   return Require(json, Kind::kBool) && json.text == "true";
 }
 
-std::string JsonFields::ReadText(const JsonText& json) {
+std::string JsonFields::ReadText(const JsonValue& json) {
   return Require(json, Kind::kString) ? json.text : std::string();
 }
 
-double JsonFields::ReadNumber(const JsonText& json, double most, const char* expected) {
+double JsonFields::ReadNumber(const JsonValue& json, double most, const char* expected) {
   const double value = Require(json, Kind::kNumber) ? std::strtod(json.text.c_str(), nullptr) : 0;
   if (value >= 0 && value <= most) return value;
   Error(json, expected);
   return 0;
 }
 
-int JsonFields::ReadCount(const JsonText& json) {
+int JsonFields::ReadCount(const JsonValue& json) {
   constexpr const char* kExpected = "expected a whole number from 0 to 1000000";
   const double value = ReadNumber(json, 1e6, kExpected);
   if (value != std::floor(value)) Error(json, kExpected);
   return static_cast<int>(value);
 }
 
-std::uint64_t JsonFields::ReadSeed(const JsonText& json) {
+std::uint64_t JsonFields::ReadSeed(const JsonValue& json) {
   const bool digits = Require(json, Kind::kNumber) && json.text.size() < 20 &&
                       json.text.find_first_not_of("0123456789") == std::string::npos;
   if (digits) return std::stoull(json.text);
@@ -68,13 +68,13 @@ std::uint64_t JsonFields::ReadSeed(const JsonText& json) {
   return 0;
 }
 
-Duration JsonFields::ReadMilliseconds(const JsonText& json) {
+Duration JsonFields::ReadMilliseconds(const JsonValue& json) {
   constexpr double kLimit = 1e12;  // some thirty years
   const double value = ReadNumber(json, kLimit, "expected a time in milliseconds, not negative");
   return Duration(std::llround(value * 1e6));
 }
 
-Status JsonFields::ReadStatus(const JsonText& json) {
+Status JsonFields::ReadStatus(const JsonValue& json) {
   std::vector<std::string> names;
   for (const Status status :
        {Status::kIdle, Status::kRunning, Status::kSuccess, Status::kFailure, Status::kSkipped}) {
@@ -86,7 +86,7 @@ Status JsonFields::ReadStatus(const JsonText& json) {
   return Status::kIdle;
 }
 
-KeyValue JsonFields::ReadValue(const JsonText& json) {
+KeyValue JsonFields::ReadValue(const JsonValue& json) {
   KeyValue value{json.where, json.key, json.text, KeyValue::Kind::kString};
   if (json.is(Kind::kNumber)) value.kind = KeyValue::Kind::kNumber;
   if (json.is(Kind::kBool)) value.kind = KeyValue::Kind::kBool;
@@ -97,16 +97,16 @@ KeyValue JsonFields::ReadValue(const JsonText& json) {
   return value;
 }
 
-std::vector<KeyValue> JsonFields::ReadValues(const JsonText& json) {
+std::vector<KeyValue> JsonFields::ReadValues(const JsonValue& json) {
   std::vector<KeyValue> values;
-  for (const JsonText& member : MembersOf(json)) values.push_back(ReadValue(member));
+  for (const JsonValue& member : MembersOf(json)) values.push_back(ReadValue(member));
   return values;
 }
 
-std::vector<KeyValue> JsonFields::ReadChoice(const JsonText& json) {
+std::vector<KeyValue> JsonFields::ReadChoice(const JsonValue& json) {
   if (!json.is(Kind::kArray)) return {ReadValue(json)};
   std::vector<KeyValue> values;
-  for (const JsonText& element : json.children) {
+  for (const JsonValue& element : json.children) {
     values.push_back(ReadValue(element));
     values.back().key = json.key;
   }

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "bt_core/base/clock.h"
+#include "bt_core/base/json.h"
 #include "bt_core/base/status.h"
-#include "bt_core/testing/json_text.h"
 #include "bt_core/testing/scenario.h"
 
 namespace coppice {
@@ -21,31 +21,31 @@ class JsonFields {
 
  protected:
   /// True if it is of that kind.
-  bool Require(const JsonText& json, JsonText::Kind kind);
-  void Unknown(const JsonText& member, const std::vector<std::string>& known);
-  void Error(const JsonText& json, const std::string& message, const std::string& hint = {}) {
+  bool Require(const JsonValue& json, JsonValue::Kind kind);
+  void Unknown(const JsonValue& member, const std::vector<std::string>& known);
+  void Error(const JsonValue& json, const std::string& message, const std::string& hint = {}) {
     diagnostics_.Error(json.where, message, hint);
   }
 
-  const std::vector<JsonText>& ListOf(const JsonText& json);
-  const std::vector<JsonText>& MembersOf(const JsonText& json);
+  const std::vector<JsonValue>& ListOf(const JsonValue& json);
+  const std::vector<JsonValue>& MembersOf(const JsonValue& json);
 
-  bool ReadBool(const JsonText& json);
-  std::string ReadText(const JsonText& json);
-  int ReadCount(const JsonText& json);
+  bool ReadBool(const JsonValue& json);
+  std::string ReadText(const JsonValue& json);
+  int ReadCount(const JsonValue& json);
   /// Not negative.
-  double ReadNumber(const JsonText& json, double most, const char* expected);
-  std::uint64_t ReadSeed(const JsonText& json);
-  Duration ReadMilliseconds(const JsonText& json);
-  Status ReadStatus(const JsonText& json);
-  KeyValue ReadValue(const JsonText& json);
-  std::vector<KeyValue> ReadValues(const JsonText& json);
+  double ReadNumber(const JsonValue& json, double most, const char* expected);
+  std::uint64_t ReadSeed(const JsonValue& json);
+  Duration ReadMilliseconds(const JsonValue& json);
+  Status ReadStatus(const JsonValue& json);
+  KeyValue ReadValue(const JsonValue& json);
+  std::vector<KeyValue> ReadValues(const JsonValue& json);
   /// A value, or a list of them: all with the key of `json`.
-  std::vector<KeyValue> ReadChoice(const JsonText& json);
+  std::vector<KeyValue> ReadChoice(const JsonValue& json);
 
  private:
   Diagnostics& diagnostics_;
-  const std::vector<JsonText> none_;
+  const std::vector<JsonValue> none_;
 };
 
 }  // namespace coppice

@@ -1,14 +1,13 @@
 // Reads files of scenarios. Every error says where it is; an unknown member is an error.
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
+#include "bt_core/base/read_file.h"
 #include "bt_core/testing/script_fields.h"
 
 namespace coppice {
 namespace {
 
-using Kind = JsonText::Kind;
+using Kind = JsonValue::Kind;
 
 std::string Beside(const std::filesystem::path& file, const std::filesystem::path& other) {
   return (file.parent_path() / other).lexically_normal();
@@ -18,11 +17,11 @@ class SuiteReader : public ScriptFields {
  public:
   using ScriptFields::ScriptFields;
 
-  ScenarioSuite ReadSuite(const JsonText& json, const std::string& file) {
+  ScenarioSuite ReadSuite(const JsonValue& json, const std::string& file) {
     ScenarioSuite suite;
     suite.file = file;
     if (!Require(json, Kind::kObject)) return suite;
-    for (const JsonText& member : json.children) {
+    for (const JsonValue& member : json.children) {
       if (member.key == "tree") {
         suite.tree_file = Beside(file, ReadText(member));
       } else if (member.key == "models") {
@@ -34,7 +33,7 @@ class SuiteReader : public ScriptFields {
       } else if (member.key == "random") {
         suite.random = ReadRandom(member);
       } else if (member.key == "scenarios") {
-        for (const JsonText& scenario : ListOf(member)) {
+        for (const JsonValue& scenario : ListOf(member)) {
           suite.scenarios.push_back(ReadScenario(scenario));
         }
       } else {
@@ -47,12 +46,12 @@ class SuiteReader : public ScriptFields {
   }
 
  private:
-  RandomPlay ReadRandom(const JsonText& json) {
+  RandomPlay ReadRandom(const JsonValue& json) {
     RandomPlay random;
     random.where = json.where;
-    for (const JsonText& member : MembersOf(json)) {
+    for (const JsonValue& member : MembersOf(json)) {
       if (member.key == "set") {
-        for (const JsonText& key : MembersOf(member)) random.set.push_back(ReadChoice(key));
+        for (const JsonValue& key : MembersOf(member)) random.set.push_back(ReadChoice(key));
       } else if (member.key == "leaves") {
         random.leaves = ReadRules(member);
       } else if (member.key == "lasts_ms") {
@@ -64,11 +63,11 @@ class SuiteReader : public ScriptFields {
     return random;
   }
 
-  Scenario ReadScenario(const JsonText& json) {
+  Scenario ReadScenario(const JsonValue& json) {
     Scenario scenario;
     scenario.where = json.where;
     if (!Require(json, Kind::kObject)) return scenario;
-    for (const JsonText& member : json.children) {
+    for (const JsonValue& member : json.children) {
       if (member.key == "name") {
         scenario.name = ReadText(member);
       } else if (member.key == "seed") {
@@ -78,7 +77,7 @@ class SuiteReader : public ScriptFields {
       } else if (member.key == "own_leaves") {
         scenario.own_leaves = ReadBool(member);
       } else if (member.key == "steps") {
-        for (const JsonText& step : ListOf(member)) scenario.steps.push_back(ReadStep(step));
+        for (const JsonValue& step : ListOf(member)) scenario.steps.push_back(ReadStep(step));
       } else {
         Unknown(member, {"name", "seed", "leaves", "own_leaves", "steps"});
       }
@@ -88,11 +87,11 @@ class SuiteReader : public ScriptFields {
     return scenario;
   }
 
-  ScenarioStep ReadStep(const JsonText& json) {
+  ScenarioStep ReadStep(const JsonValue& json) {
     ScenarioStep step;
     step.where = json.where;
     if (!Require(json, Kind::kObject)) return step;
-    for (const JsonText& member : json.children) {
+    for (const JsonValue& member : json.children) {
       if (member.key == "set") {
         step.set = ReadValues(member);
       } else if (member.key == "leaves") {
@@ -115,24 +114,24 @@ class SuiteReader : public ScriptFields {
     return step;
   }
 
-  Expectations ReadExpectations(const JsonText& json) {
+  Expectations ReadExpectations(const JsonValue& json) {
     Expectations expect;
     if (!Require(json, Kind::kObject)) return expect;
-    for (const JsonText& member : json.children) {
+    for (const JsonValue& member : json.children) {
       if (member.key == "status") {
         expect.status = ExpectedStatus{member.where, "", ReadStatus(member)};
       } else if (member.key == "nodes") {
-        for (const JsonText& node : MembersOf(member)) {
+        for (const JsonValue& node : MembersOf(member)) {
           expect.nodes.push_back({node.where, node.key, ReadStatus(node)});
         }
       } else if (member.key == "events") {
         expect.events = ReadEvents(member);
       } else if (member.key == "blackboard") {
-        for (const JsonText& value : MembersOf(member)) {
+        for (const JsonValue& value : MembersOf(member)) {
           expect.blackboard.push_back({ReadValue(value), value.is(Kind::kNull)});
         }
       } else if (member.key == "messages") {
-        for (const JsonText& part : ListOf(member)) {
+        for (const JsonValue& part : ListOf(member)) {
           expect.messages.push_back({part.where, ReadText(part)});
         }
       } else {
@@ -142,17 +141,17 @@ class SuiteReader : public ScriptFields {
     return expect;
   }
 
-  ExpectedEvents ReadEvents(const JsonText& json) {
+  ExpectedEvents ReadEvents(const JsonValue& json) {
     ExpectedEvents events{json.where, {}};
-    for (const JsonText& event : ListOf(json)) events.events.push_back(ReadEvent(event));
+    for (const JsonValue& event : ListOf(json)) events.events.push_back(ReadEvent(event));
     return events;
   }
 
   // ["tick", "name", "STATUS", {inputs}] or ["halt", "name"]
-  ExpectedEvent ReadEvent(const JsonText& json) {
+  ExpectedEvent ReadEvent(const JsonValue& json) {
     ExpectedEvent event;
     event.where = json.where;
-    const std::vector<JsonText>& parts = ListOf(json);
+    const std::vector<JsonValue>& parts = ListOf(json);
     const std::string kind = parts.empty() ? "" : parts[0].text;
     const bool halt = kind == "halt" && parts.size() == 2;
     const bool tick = kind == "tick" && parts.size() >= 2 && parts.size() <= 4;
@@ -173,7 +172,7 @@ class SuiteReader : public ScriptFields {
 std::optional<ScenarioSuite> ParseScenarios(const std::string& text, const std::string& file,
                                             Diagnostics& diagnostics) {
   Diagnostics problems;
-  const std::optional<JsonText> json = ParseJsonText(text, file, problems);
+  const std::optional<JsonValue> json = ParseJson(text, file, problems);
   std::optional<ScenarioSuite> suite;
   if (json) suite = SuiteReader(problems).ReadSuite(*json, file);
   for (const Diagnostic& problem : problems.all()) {
@@ -184,13 +183,8 @@ std::optional<ScenarioSuite> ParseScenarios(const std::string& text, const std::
 }
 
 std::optional<ScenarioSuite> LoadScenarios(const std::string& path, Diagnostics& diagnostics) {
-  std::ifstream file(path, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
-  if (!file) {
-    diagnostics.Error({path, 0, 0}, "cannot be read");
-    return std::nullopt;
-  }
-  return ParseScenarios(text, path, diagnostics);
+  const std::optional<std::string> text = ReadFile(path, diagnostics);
+  return text ? ParseScenarios(*text, path, diagnostics) : std::nullopt;
 }
 
 }  // namespace coppice

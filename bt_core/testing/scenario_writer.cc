@@ -4,35 +4,34 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <utility>
 
+#include "bt_core/base/json.h"
+#include "bt_core/base/read_file.h"
 #include "bt_core/model/write_file.h"
-#include "bt_core/testing/json_text.h"
 
 namespace coppice {
 namespace {
 
-using Kind = JsonText::Kind;
+using Kind = JsonValue::Kind;
 
-JsonText Make(Kind kind, std::string text = {}) {
-  JsonText json;
+JsonValue Make(Kind kind, std::string text = {}) {
+  JsonValue json;
   json.kind = kind;
   json.text = std::move(text);
   return json;
 }
-JsonText Text(std::string text) { return Make(Kind::kString, std::move(text)); }
-JsonText Object() { return Make(Kind::kObject); }
-JsonText Array() { return Make(Kind::kArray); }
-JsonText StatusText(Status status) { return Text(ToString(status)); }
+JsonValue Text(std::string text) { return Make(Kind::kString, std::move(text)); }
+JsonValue Object() { return Make(Kind::kObject); }
+JsonValue Array() { return Make(Kind::kArray); }
+JsonValue StatusText(Status status) { return Text(ToString(status)); }
 
-void Add(JsonText& object, std::string key, JsonText value) {
+void Add(JsonValue& object, std::string key, JsonValue value) {
   value.key = std::move(key);
   object.children.push_back(std::move(value));
 }
 
-JsonText Milliseconds(Duration duration) {
+JsonValue Milliseconds(Duration duration) {
   const auto count = duration.count();
   std::string text = std::to_string(count / 1'000'000);
   if (std::string rest = std::to_string(count % 1'000'000); rest != "0") {
@@ -43,71 +42,71 @@ JsonText Milliseconds(Duration duration) {
   return Make(Kind::kNumber, text);
 }
 
-JsonText ValueText(const KeyValue& value) {
+JsonValue ValueText(const KeyValue& value) {
   static constexpr Kind kKinds[] = {Kind::kString, Kind::kNumber, Kind::kBool};
   return Make(kKinds[static_cast<int>(value.kind)], value.text);
 }
 
-JsonText Values(const std::vector<KeyValue>& values) {
-  JsonText object = Object();
+JsonValue Values(const std::vector<KeyValue>& values) {
+  JsonValue object = Object();
   for (const KeyValue& value : values) Add(object, value.key, ValueText(value));
   return object;
 }
 
-JsonText Results(const std::vector<Status>& results) {
+JsonValue Results(const std::vector<Status>& results) {
   if (results.size() == 1) return StatusText(results[0]);
-  JsonText list = Array();
+  JsonValue list = Array();
   for (const Status result : results) list.children.push_back(StatusText(result));
   return list;
 }
 
-JsonText Share(double share) {
+JsonValue Share(double share) {
   char text[32];
   std::snprintf(text, sizeof(text), "%.9g", share);
   return Make(Kind::kNumber, text);
 }
 
-JsonText ChancesText(const Chances& chances) {
-  JsonText object = Object();
+JsonValue ChancesText(const Chances& chances) {
+  JsonValue object = Object();
   Add(object, "SUCCESS", Share(chances.success));
   if (chances.failure > 0) Add(object, "FAILURE", Share(chances.failure));
   if (chances.skipped > 0) Add(object, "SKIPPED", Share(chances.skipped));
   if (chances.longest > Duration(0)) {
-    JsonText range = Array();
+    JsonValue range = Array();
     range.children = {Milliseconds(chances.shortest), Milliseconds(chances.longest)};
     Add(object, "after_ms", std::move(range));
   }
   if (chances.longest_hold > Duration(0)) {
-    JsonText range = Array();
+    JsonValue range = Array();
     range.children = {Milliseconds(chances.shortest_hold), Milliseconds(chances.longest_hold)};
     Add(object, "holds_ms", std::move(range));
   }
   return object;
 }
 
-JsonText Ports(const std::vector<std::pair<std::string, std::string>>& values) {
-  JsonText object = Object();
+JsonValue Ports(const std::vector<std::pair<std::string, std::string>>& values) {
+  JsonValue object = Object();
   for (const auto& [port, text] : values) Add(object, port, Text(text));
   return object;
 }
 
-JsonText Outputs(const MockScript& script) {
-  JsonText object = Ports(script.outputs);
+JsonValue Outputs(const MockScript& script) {
+  JsonValue object = Ports(script.outputs);
   for (const auto& [port, texts] : script.outputs_by_chance) {
-    JsonText list = Array();
+    JsonValue list = Array();
     for (const std::string& text : texts) list.children.push_back(Text(text));
     Add(object, port, std::move(list));
   }
   return object;
 }
 
-JsonText ScriptText(const MockScript& script) {
-  JsonText object = Object();
+JsonValue ScriptText(const MockScript& script) {
+  JsonValue object = Object();
   if (script.chances) Add(object, "chances", ChancesText(*script.chances));
   if (script.duration > Duration(0)) Add(object, "after_ms", Milliseconds(script.duration));
   if (!script.results.empty()) Add(object, "returns", Results(script.results));
   if (script.restart) Add(object, "restart", Make(Kind::kBool, "true"));
-  JsonText outputs = Outputs(script);
+  JsonValue outputs = Outputs(script);
   if (!outputs.children.empty()) Add(object, "outputs", std::move(outputs));
   if (!script.feedback.empty()) Add(object, "feedback", Ports(script.feedback));
   if (!script.says.empty()) Add(object, "says", Text(script.says));
@@ -116,19 +115,19 @@ JsonText ScriptText(const MockScript& script) {
   return only_results ? Results(script.results) : object;
 }
 
-JsonText Rules(const std::vector<PlacedRule>& rules) {
-  JsonText object = Object();
+JsonValue Rules(const std::vector<PlacedRule>& rules) {
+  JsonValue object = Object();
   for (const PlacedRule& placed : rules) {
     Add(object, placed.rule.pattern, ScriptText(placed.rule.script));
   }
   return object;
 }
 
-JsonText RandomText(const RandomPlay& random) {
-  JsonText object = Object();
-  JsonText set = Object();
+JsonValue RandomText(const RandomPlay& random) {
+  JsonValue object = Object();
+  JsonValue set = Object();
   for (const std::vector<KeyValue>& choice : random.set) {
-    JsonText list = Array();
+    JsonValue list = Array();
     for (const KeyValue& value : choice) list.children.push_back(ValueText(value));
     Add(set, choice.front().key, std::move(list));
   }
@@ -138,8 +137,8 @@ JsonText RandomText(const RandomPlay& random) {
   return object;
 }
 
-JsonText EventText(const ExpectedEvent& event) {
-  JsonText list = Array();
+JsonValue EventText(const ExpectedEvent& event) {
+  JsonValue list = Array();
   list.children.push_back(Text(event.halted ? "halt" : "tick"));
   list.children.push_back(Text(event.leaf));
   if (event.status) list.children.push_back(StatusText(*event.status));
@@ -147,30 +146,30 @@ JsonText EventText(const ExpectedEvent& event) {
   return list;
 }
 
-JsonText ExpectationsText(const Expectations& expect) {
-  JsonText object = Object();
+JsonValue ExpectationsText(const Expectations& expect) {
+  JsonValue object = Object();
   if (expect.status) Add(object, "status", StatusText(expect.status->status));
   if (!expect.nodes.empty()) {
-    JsonText nodes = Object();
+    JsonValue nodes = Object();
     for (const ExpectedStatus& node : expect.nodes) Add(nodes, node.node, StatusText(node.status));
     Add(object, "nodes", std::move(nodes));
   }
   if (expect.events) {
-    JsonText events = Array();
+    JsonValue events = Array();
     for (const ExpectedEvent& event : expect.events->events) {
       events.children.push_back(EventText(event));
     }
     Add(object, "events", std::move(events));
   }
   if (!expect.blackboard.empty()) {
-    JsonText board = Object();
+    JsonValue board = Object();
     for (const ExpectedValue& value : expect.blackboard) {
       Add(board, value.value.key, value.unset ? Make(Kind::kNull, "null") : ValueText(value.value));
     }
     Add(object, "blackboard", std::move(board));
   }
   if (!expect.messages.empty()) {
-    JsonText messages = Array();
+    JsonValue messages = Array();
     for (const ExpectedMessage& message : expect.messages) {
       messages.children.push_back(Text(message.part));
     }
@@ -179,8 +178,8 @@ JsonText ExpectationsText(const Expectations& expect) {
   return object;
 }
 
-JsonText StepText(const ScenarioStep& step) {
-  JsonText object = Object();
+JsonValue StepText(const ScenarioStep& step) {
+  JsonValue object = Object();
   if (!step.set.empty()) Add(object, "set", Values(step.set));
   if (!step.leaves.empty()) Add(object, "leaves", Rules(step.leaves));
   if (step.advance > Duration(0)) Add(object, "advance_ms", Milliseconds(step.advance));
@@ -188,18 +187,18 @@ JsonText StepText(const ScenarioStep& step) {
   if (!step.halt && step.ticks != 1) {
     Add(object, "ticks", Make(Kind::kNumber, std::to_string(step.ticks)));
   }
-  JsonText expect = ExpectationsText(step.expect);
+  JsonValue expect = ExpectationsText(step.expect);
   if (!expect.children.empty()) Add(object, "expect", std::move(expect));
   return object;
 }
 
-JsonText ScenarioText(const Scenario& scenario) {
-  JsonText object = Object();
+JsonValue ScenarioText(const Scenario& scenario) {
+  JsonValue object = Object();
   Add(object, "name", Text(scenario.name));
   if (scenario.seed != 0) Add(object, "seed", Make(Kind::kNumber, std::to_string(scenario.seed)));
   if (!scenario.leaves.empty()) Add(object, "leaves", Rules(scenario.leaves));
   if (scenario.own_leaves) Add(object, "own_leaves", Make(Kind::kBool, "true"));
-  JsonText steps = Array();
+  JsonValue steps = Array();
   for (const ScenarioStep& step : scenario.steps) steps.children.push_back(StepText(step));
   Add(object, "steps", std::move(steps));
   return object;
@@ -223,18 +222,18 @@ bool IsSameTree(const ScenarioSuite& a, const ScenarioSuite& b) {
 void NameModels(const ScenarioSuite& suite, std::string& text) {
   if (suite.models_file.empty()) return;
   Diagnostics ignored;  // it was read before
-  const std::optional<JsonText> json = ParseJsonText(text, suite.file, ignored);
-  const std::string path = PrintJsonText(Text(RelativeTo(suite.file, suite.models_file)));
+  const std::optional<JsonValue> json = ParseJson(text, suite.file, ignored);
+  const std::string path = PrintJson(Text(RelativeTo(suite.file, suite.models_file)));
   text.insert(json->Find("scenarios")->end, ",\n  \"models\": " + path);
 }
 
 // Comments and blanks between the last scenario and the bracket stay where they are.
-std::size_t EndOfLast(const JsonText& scenarios) { return scenarios.children.back().end; }
+std::size_t EndOfLast(const JsonValue& scenarios) { return scenarios.children.back().end; }
 
 }  // namespace
 
 std::string PrintScenarios(const ScenarioSuite& suite) {
-  JsonText object = Object();
+  JsonValue object = Object();
   Add(object, "tree", Text(RelativeTo(suite.file, suite.tree_file)));
   if (!suite.tree_id.empty()) Add(object, "tree_id", Text(suite.tree_id));
   if (!suite.models_file.empty()) {
@@ -242,12 +241,12 @@ std::string PrintScenarios(const ScenarioSuite& suite) {
   }
   if (!suite.leaves.empty()) Add(object, "leaves", Rules(suite.leaves));
   if (suite.random) Add(object, "random", RandomText(*suite.random));
-  JsonText scenarios = Array();
+  JsonValue scenarios = Array();
   for (const Scenario& scenario : suite.scenarios) {
     scenarios.children.push_back(ScenarioText(scenario));
   }
   Add(object, "scenarios", std::move(scenarios));
-  return PrintJsonText(object) + "\n";
+  return PrintJson(object) + "\n";
 }
 
 std::optional<std::string> AddScenario(const std::string& text, const std::string& file,
@@ -259,12 +258,12 @@ std::optional<std::string> AddScenario(const std::string& text, const std::strin
     diagnostics.Error(other.where, "there is a scenario \"" + scenario.name + "\" already");
     return std::nullopt;
   }
-  const std::optional<JsonText> json = ParseJsonText(text, file, diagnostics);
+  const std::optional<JsonValue> json = ParseJson(text, file, diagnostics);
   Scenario added = scenario;
   added.own_leaves = added.own_leaves || !suite->leaves.empty();
   std::string changed = text;
   changed.insert(EndOfLast(*json->Find("scenarios")),
-                 ",\n    " + PrintJsonText(ScenarioText(added), 4));
+                 ",\n    " + PrintJson(ScenarioText(added), 4));
   return changed;
 }
 
@@ -280,11 +279,11 @@ bool WriteScenario(const Scenario& scenario, const std::string& file, const std:
   if (!std::filesystem::exists(file)) {
     return WriteFile(file, PrintScenarios(suite), diagnostics);
   }
-  std::ifstream stream(file, std::ios::binary);
-  const std::string old{std::istreambuf_iterator<char>(stream), {}};
-  std::optional<std::string> changed = AddScenario(old, file, scenario, diagnostics);
+  const std::optional<std::string> old = ReadFile(file, diagnostics);
+  if (!old) return false;
+  std::optional<std::string> changed = AddScenario(*old, file, scenario, diagnostics);
   if (!changed) return false;
-  const auto present = ParseScenarios(old, file, diagnostics);
+  const auto present = ParseScenarios(*old, file, diagnostics);
   if (present->models_file.empty()) NameModels(suite, *changed);
   if (IsSameTree(*present, suite)) return WriteFile(file, *changed, diagnostics);
   diagnostics.Error({file, 1, 1}, "these scenarios are about another tree");

@@ -2,23 +2,23 @@
 
 namespace coppice {
 
-using Kind = JsonText::Kind;
+using Kind = JsonValue::Kind;
 
-std::vector<PlacedRule> ScriptFields::ReadRules(const JsonText& json) {
+std::vector<PlacedRule> ScriptFields::ReadRules(const JsonValue& json) {
   std::vector<PlacedRule> rules;
-  for (const JsonText& member : MembersOf(json)) {
+  for (const JsonValue& member : MembersOf(json)) {
     rules.push_back({member.where, {member.key, ReadScript(member)}});
   }
   return rules;
 }
 
-MockScript ScriptFields::ReadScript(const JsonText& json) {
+MockScript ScriptFields::ReadScript(const JsonValue& json) {
   MockScript script;
   if (!json.is(Kind::kObject)) {
     script.results = ReadResults(json);
     return script;
   }
-  for (const JsonText& member : json.children) {
+  for (const JsonValue& member : json.children) {
     if (member.key == "returns") {
       script.results = ReadResults(member);
     } else if (member.key == "restart") {
@@ -49,8 +49,8 @@ MockScript ScriptFields::ReadScript(const JsonText& json) {
 }
 
 // {"goal": "1;2;0", "rung": [0, 1, 2]}
-void ScriptFields::ReadOutputs(const JsonText& json, MockScript& script) {
-  for (const JsonText& member : MembersOf(json)) {
+void ScriptFields::ReadOutputs(const JsonValue& json, MockScript& script) {
+  for (const JsonValue& member : MembersOf(json)) {
     std::vector<std::string> texts;
     for (const KeyValue& value : ReadChoice(member)) texts.push_back(value.text);
     if (member.is(Kind::kArray)) {
@@ -62,9 +62,9 @@ void ScriptFields::ReadOutputs(const JsonText& json, MockScript& script) {
 }
 
 // {"SUCCESS": 8, "FAILURE": 2, "after_ms": [0, 2000], "holds_ms": 500}
-Chances ScriptFields::ReadChances(const JsonText& json) {
+Chances ScriptFields::ReadChances(const JsonValue& json) {
   Chances chances;
-  for (const JsonText& member : MembersOf(json)) {
+  for (const JsonValue& member : MembersOf(json)) {
     if (member.key == "SUCCESS") {
       chances.success = ReadShare(member);
     } else if (member.key == "FAILURE") {
@@ -85,13 +85,13 @@ Chances ScriptFields::ReadChances(const JsonText& json) {
   return chances;
 }
 
-double ScriptFields::ReadShare(const JsonText& json) {
+double ScriptFields::ReadShare(const JsonValue& json) {
   constexpr double kLimit = 1e9;
   return ReadNumber(json, kLimit, "expected a share, not negative");
 }
 
 // 500 or [0, 2000]
-void ScriptFields::ReadRange(const JsonText& json, Duration& shortest, Duration& longest) {
+void ScriptFields::ReadRange(const JsonValue& json, Duration& shortest, Duration& longest) {
   if (!json.is(Kind::kArray)) {
     shortest = longest = ReadMilliseconds(json);
     return;
@@ -105,14 +105,14 @@ void ScriptFields::ReadRange(const JsonText& json, Duration& shortest, Duration&
   }
 }
 
-std::vector<Status> ScriptFields::ReadResults(const JsonText& json) {
+std::vector<Status> ScriptFields::ReadResults(const JsonValue& json) {
   std::vector<Status> results;
   if (!json.is(Kind::kArray)) return {ReadResult(json)};
-  for (const JsonText& result : json.children) results.push_back(ReadResult(result));
+  for (const JsonValue& result : json.children) results.push_back(ReadResult(result));
   return results;
 }
 
-Status ScriptFields::ReadResult(const JsonText& json) {
+Status ScriptFields::ReadResult(const JsonValue& json) {
   const Status status = ReadStatus(json);
   if (status == Status::kIdle && json.text == "IDLE") {
     Error(json, "IDLE is not a result that a node may return");

@@ -14,16 +14,16 @@ class ScriptFields : public JsonFields {
 
  protected:
   /// "leaves": scripts by pattern.
-  std::vector<PlacedRule> ReadRules(const JsonText& json);
+  std::vector<PlacedRule> ReadRules(const JsonValue& json);
 
  private:
-  MockScript ReadScript(const JsonText& json);
-  void ReadOutputs(const JsonText& json, MockScript& script);
-  Chances ReadChances(const JsonText& json);
-  double ReadShare(const JsonText& json);
-  void ReadRange(const JsonText& json, Duration& shortest, Duration& longest);
-  std::vector<Status> ReadResults(const JsonText& json);
-  Status ReadResult(const JsonText& json);
+  MockScript ReadScript(const JsonValue& json);
+  void ReadOutputs(const JsonValue& json, MockScript& script);
+  Chances ReadChances(const JsonValue& json);
+  double ReadShare(const JsonValue& json);
+  void ReadRange(const JsonValue& json, Duration& shortest, Duration& longest);
+  std::vector<Status> ReadResults(const JsonValue& json);
+  Status ReadResult(const JsonValue& json);
 };
 
 }  // namespace coppice

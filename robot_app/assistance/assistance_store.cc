@@ -8,7 +8,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
-#include "bt_core/live/server/limited_json.h"
+#include "bt_core/base/json_library.h"
 #include "bt_core/model/write_file.h"
 
 namespace coppice::robot {

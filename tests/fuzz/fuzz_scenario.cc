@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "bt_core/testing/json_text.h"
+#include "bt_core/base/json.h"
 #include "bt_core/testing/scenario.h"
 #include "tests/fuzz/fuzz_targets.h"
 

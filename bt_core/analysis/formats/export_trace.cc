@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "bt_core/analysis/formats/export.h"
-#include "bt_core/analysis/json_writer.h"
 #include "bt_core/analysis/why/run_walk.h"
+#include "bt_core/base/json.h"
 #include "bt_core/data/value_bytes.h"
 
 namespace coppice {

@@ -1,5 +1,5 @@
-#include "bt_core/analysis/json_writer.h"
 #include "bt_core/analysis/why/why_text.h"
+#include "bt_core/base/json.h"
 #include "bt_core/data/value_bytes.h"
 
 namespace coppice {
@@ -77,7 +77,7 @@ std::string ToJson(const RecordedTree& tree, const WhyStep& step) {
   if (step.decisive != kNoNode) object.AddText("child", tree.PathOf(step.decisive));
   if (step.script) object.Add("script", ToJson(*step.script));
   if (!step.values.empty()) object.Add("values", ToJson(step.values));
-  if (!step.messages.empty()) object.Add("messages", JsonArray(step.messages, JsonText));
+  if (!step.messages.empty()) object.Add("messages", JsonArray(step.messages, JsonString));
   if (!step.text.empty()) object.AddText("exception", step.text);
   return object.Finish();
 }

@@ -102,7 +102,7 @@ class LiveVerb {
     const Duration end = Now() + kPatience;
     while (!interrupt_.came() && Now() < end) {
       const auto [has_state, changes] = watch_.Look([](const LiveScene& scene) {
-        return std::make_pair(scene.connection.is_live && scene.follower.has_value(),
+        return std::make_pair(scene.connection.is_live && scene.run.state() != nullptr,
                               scene.changes);
       });
       if (has_state) return true;

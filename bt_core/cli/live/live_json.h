@@ -2,16 +2,16 @@
 #ifndef COPPICE_BT_CORE_CLI_LIVE_LIVE_JSON_H_
 #define COPPICE_BT_CORE_CLI_LIVE_LIVE_JSON_H_
 
-#include <optional>
 #include <ostream>
+#include <string>
 
-#include "bt_core/frames/follower.h"
+#include "bt_core/frames/run_follower.h"
 #include "bt_core/live/client/client.h"
 
 namespace coppice {
 
-/// Each object has a "type": connection, tree, state, tick, gap, note, end, stopped, resumed,
-/// replaced, refused.
+/// The history as in event_json.h; and objects of the types connection, stopped, resumed, replaced,
+/// refused.
 class LiveJsonPrinter {
  public:
   explicit LiveJsonPrinter(std::ostream& out) : out_(out) {}
@@ -26,9 +26,10 @@ class LiveJsonPrinter {
   void Print(const LiveNotice& notice);
 
  private:
+  void PrintLine(const std::string& json) { out_ << json << std::endl; }
+
   std::ostream& out_;
-  TreeDescription tree_;
-  std::optional<HistoryFollower> follower_;
+  RunFollower run_;
   bool has_state_ = false;  // of this tree; keyframes say nothing new
 };
 

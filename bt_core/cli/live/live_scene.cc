@@ -67,28 +67,23 @@ void LiveSceneKeeper::OnConnection(const LiveConnection& connection) {
 
 void LiveSceneKeeper::OnTree(const TreeDescription& tree) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  scene_.tree = tree;
-  scene_.follower.reset();
+  scene_.run.Set(tree);
   Changed();
 }
 
 void LiveSceneKeeper::OnState(const HistoryState& state) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (scene_.follower) {
-    scene_.follower->Set(state);
-  } else {
-    scene_.follower.emplace(ShapeOf(scene_.tree), state);
-  }
+  scene_.run.Set(state);
   scene_.result = state.statuses.empty() ? Status::kIdle : state.statuses[0];
   Changed();
 }
 
 void LiveSceneKeeper::OnTick(const TickEvents& events) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  scene_.follower->Apply(
+  scene_.run.Apply(
       events, [](const StatusChange&) {},
       [this](const Event& event) {
-        if (event.code == EventCode::kText) AddText(DescribeText(event, scene_.tree));
+        if (event.code == EventCode::kText) AddText(DescribeText(event, scene_.run.tree()));
       });
   scene_.result = events.result;
   scene_.duration = events.duration;

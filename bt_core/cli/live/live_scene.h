@@ -9,17 +9,16 @@
 #include <optional>
 #include <string>
 
-#include "bt_core/frames/follower.h"
+#include "bt_core/frames/run_follower.h"
 #include "bt_core/live/client/client.h"
 
 namespace coppice {
 
 struct LiveScene {
   LiveConnection connection;
-  TreeDescription tree;
-  std::optional<HistoryFollower> follower;  ///< nothing before the first state
-  Status result = Status::kIdle;            ///< of the last tick
-  Duration duration{0};                     ///< that it took
+  RunFollower run;
+  Status result = Status::kIdle;  ///< of the last tick
+  Duration duration{0};           ///< that it took
   std::uint64_t lost_ticks = 0;
   std::string stop;               ///< where the tree stands, for people; empty: it goes on
   std::deque<std::string> texts;  ///< what nodes and debugger said last

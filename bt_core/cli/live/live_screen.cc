@@ -57,7 +57,7 @@ class Screen {
     Add(Title(), kBold);
     if (!scene_.connection.problem.empty()) Add(scene_.connection.problem, "\x1b[31m");
     if (!scene_.stop.empty()) Add(scene_.stop, "\x1b[35m");
-    if (scene_.follower) {
+    if (scene_.run.state()) {
       AddNodes(scene_.texts.size() + (options_.shows_board ? BoardSize() + 1 : 0));
       if (options_.shows_board) AddBoard();
       for (const std::string& text : scene_.texts) Add("  " + text, kDim);
@@ -75,9 +75,10 @@ class Screen {
 
   std::string Title() const {
     std::string title = options_.endpoint;
-    if (!scene_.follower) return title;
-    title += "  " + scene_.tree.main_tree + "  tick " + std::to_string(scene_.follower->tick()) +
-             "  " + ToString(scene_.result) + "  " + Seconds(scene_.follower->time());
+    if (!scene_.run.state()) return title;
+    title += "  " + scene_.run.tree().main_tree + "  tick " +
+             std::to_string(scene_.run.state()->tick()) + "  " + ToString(scene_.result) + "  " +
+             Seconds(scene_.run.state()->time());
     if (scene_.duration > Duration::zero()) {
       title += "  " + std::to_string(scene_.duration / std::chrono::microseconds(1)) + " us";
     }
@@ -88,13 +89,13 @@ class Screen {
 
   std::size_t BoardSize() const {
     return static_cast<std::size_t>(
-        std::count_if(scene_.tree.slots.begin(), scene_.tree.slots.end(),
+        std::count_if(scene_.run.tree().slots.begin(), scene_.run.tree().slots.end(),
                       [](const DescribedSlot& s) { return s.has_key; }));
   }
 
   // `reserved` rows are left for what comes below.
   void AddNodes(std::size_t reserved) {
-    const std::size_t count = scene_.tree.nodes.size();
+    const std::size_t count = scene_.run.tree().nodes.size();
     const std::size_t used = lines_.size() + reserved;
     const std::size_t room =
         options_.rows == 0 ? count : std::max<std::size_t>(options_.rows, used + 5) - used;
@@ -113,15 +114,15 @@ class Screen {
   }
 
   bool IsNear(NodeIndex node) const {
-    const NodeIndex parent = scene_.tree.nodes[node].parent;
+    const NodeIndex parent = scene_.run.tree().nodes[node].parent;
     return Of(node) != Status::kIdle || Of(parent) == Status::kRunning;
   }
-  Status Of(NodeIndex node) const { return scene_.follower->status(node); }
+  Status Of(NodeIndex node) const { return scene_.run.state()->status(node); }
 
   void AddNode(NodeIndex node) {
-    const DescribedNode& described = scene_.tree.nodes[node];
+    const DescribedNode& described = scene_.run.tree().nodes[node];
     const Status status = Of(node);
-    const Status last = scene_.follower->last(node);
+    const Status last = scene_.run.state()->last(node);
     std::string line = status == Status::kRunning ? "> " : "  ";
     line.append(2 * Depth(node), ' ');
     line += OwnName(described);
@@ -137,7 +138,9 @@ class Screen {
 
   std::size_t Depth(NodeIndex node) const {
     std::size_t depth = 0;
-    for (; scene_.tree.nodes[node].parent != node; node = scene_.tree.nodes[node].parent) ++depth;
+    for (; scene_.run.tree().nodes[node].parent != node;
+         node = scene_.run.tree().nodes[node].parent)
+      ++depth;
     return depth;
   }
 
@@ -150,10 +153,10 @@ class Screen {
 
   void AddBoard() {
     Add("");
-    for (SlotIndex slot = 0; slot < scene_.tree.slots.size(); ++slot) {
-      const DescribedSlot& described = scene_.tree.slots[slot];
+    for (SlotIndex slot = 0; slot < scene_.run.tree().slots.size(); ++slot) {
+      const DescribedSlot& described = scene_.run.tree().slots[slot];
       if (!described.has_key) continue;
-      const std::string& bytes = scene_.follower->values()[slot];
+      const std::string& bytes = scene_.run.state()->values()[slot];
       const bool is_empty = FormOfValue(bytes) == ValueForm::kEmpty;
       Add("  " + described.scope + "/" + described.name + " = " +
               (is_empty ? "(no value)" : PrintValueBytes(bytes)),

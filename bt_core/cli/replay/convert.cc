@@ -1,6 +1,4 @@
-#include <fstream>
 #include <iostream>
-#include <iterator>
 #include <optional>
 #include <string_view>
 
@@ -9,6 +7,7 @@
 #include "bt_core/analysis/formats/write_record.h"
 #include "bt_core/analysis/load_recording.h"
 #include "bt_core/base/command_line.h"
+#include "bt_core/base/read_file.h"
 #include "bt_core/cli/replay/replay.h"
 #include "bt_core/model/write_file.h"
 
@@ -21,13 +20,8 @@ bool EndsIn(std::string_view name, std::string_view ending) {
 
 std::optional<Recording> Read(const std::string& path, Diagnostics& diagnostics) {
   if (!EndsIn(path, ".btlog")) return LoadRecording(path, diagnostics);
-  std::ifstream file(path, std::ios::binary);
-  if (!file) {
-    diagnostics.Error({path}, "cannot be read");
-    return std::nullopt;
-  }
-  const std::string bytes{std::istreambuf_iterator<char>(file), {}};
-  return FromBtlog(bytes, path, diagnostics);
+  const std::optional<std::string> bytes = ReadFile(path, diagnostics);
+  return bytes ? FromBtlog(*bytes, path, diagnostics) : std::nullopt;
 }
 
 std::optional<std::string> Convert(const Recording& run, const std::string& out,

@@ -47,8 +47,8 @@ class Replay {
          {std::make_pair("--from", &filter.from), {"--to", &filter.to}}) {
       if (options_.Has(name)) *time = RecordTime(options_, name, run_.start());
     }
-    const auto printer = is_json() ? MakeJsonPrinter(std::cout, run_.start())
-                                   : MakeTextPrinter(std::cout, run_.start());
+    const auto printer =
+        is_json() ? MakeJsonPrinter(std::cout) : MakeTextPrinter(std::cout, run_.start());
     return PrintRun(run_, filter, *printer).complete() ? 0 : 1;
   }
 

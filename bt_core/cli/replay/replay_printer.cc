@@ -17,6 +17,11 @@ std::string Printed(const std::string& value) {
   return FormOfValue(value) == ValueForm::kEmpty ? "(no value)" : PrintValueBytes(value);
 }
 
+const char* PrefixOf(EventText kind) {
+  if (kind == EventText::kException) return "threw: ";
+  return kind == EventText::kInjected ? "injected " : "";
+}
+
 class TextPrinter final : public ReplayPrinter {
  public:
   TextPrinter(std::ostream& out, Time start) : out_(out), start_(start) {}
@@ -33,18 +38,18 @@ class TextPrinter final : public ReplayPrinter {
     out_ << "\n";
   }
 
-  void Tick(const PrintedTick& tick) override {
+  void Tick(const ToldTick& tick) override {
     const std::string when = At(tick.time) + "tick " + std::to_string(tick.number) + "  ";
-    for (const PrintedTick::Write& write : tick.writes) {
+    for (const ToldTick::Write& write : tick.writes) {
       out_ << when << write.scope << "{" << write.key << "} = " << Printed(write.value)
            << (write.writer.empty() ? "" : "  by " + write.writer) << "\n";
     }
-    for (const PrintedTick::Change& change : tick.changes) {
+    for (const ToldTick::Change& change : tick.changes) {
       out_ << when << change.node << "  " << ToString(change.from) << " -> " << ToString(change.to)
            << "\n";
     }
-    for (const PrintedTick::Message& message : tick.messages) {
-      out_ << when << message.node << ": " << message.text << "\n";
+    for (const ToldTick::Message& message : tick.messages) {
+      out_ << when << message.node << ": " << PrefixOf(message.kind) << message.text << "\n";
     }
   }
 

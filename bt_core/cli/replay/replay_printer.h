@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "bt_core/analysis/json_writer.h"
 #include "bt_core/analysis/recording.h"
+#include "bt_core/cli/event_json.h"
 
 namespace coppice {
 
@@ -22,34 +22,6 @@ struct ReplayFilter {
   Time to = kNever;
 
   bool Has(Time time) const { return from <= time && time <= to; }
-};
-
-/// What happened in a tick, by name.
-struct PrintedTick {
-  struct Change {
-    std::string node;
-    Status from;
-    Status to;
-  };
-  struct Write {
-    std::string scope;
-    std::string key;
-    std::string value;   ///< bytes as in data/value_bytes.h
-    std::string writer;  ///< path; empty: not known, or from outside
-  };
-  struct Message {
-    std::string node;
-    std::string text;
-  };
-  std::uint64_t number;
-  Time time;
-  Duration duration;
-  Status result;
-  std::vector<Change> changes;
-  std::vector<Write> writes;
-  std::vector<Message> messages;
-
-  bool is_empty() const { return changes.empty() && writes.empty() && messages.empty(); }
 };
 
 /// Counted while the run goes by.
@@ -79,7 +51,8 @@ class ReplayPrinter {
  public:
   virtual ~ReplayPrinter() = default;
   virtual void Tree(const TreeDescription& tree) = 0;
-  virtual void Tick(const PrintedTick& tick) = 0;
+  virtual void State(const TreeDescription&, const HistoryState&) {}
+  virtual void Tick(const ToldTick& tick) = 0;
   virtual void Note(const HistoryNote& note) = 0;
   virtual void Gap(const HistoryGap& gap) = 0;
   virtual void End(const HistoryEnd& end) = 0;
@@ -88,7 +61,8 @@ class ReplayPrinter {
 
 /// Times are shown in seconds since `start`.
 std::unique_ptr<ReplayPrinter> MakeTextPrinter(std::ostream& out, Time start);
-std::unique_ptr<ReplayPrinter> MakeJsonPrinter(std::ostream& out, Time start);
+/// See event_json.h.
+std::unique_ptr<ReplayPrinter> MakeJsonPrinter(std::ostream& out);
 
 /// Prints a run from its first entry to its last.
 ReplaySummary PrintRun(const Recording& run, const ReplayFilter& filter, ReplayPrinter& printer);

@@ -34,7 +34,9 @@ class Walker {
   void PrintSection(const Recording::Section& section, std::size_t end) {
     UseTree(section.tree);
     if (!follower_ || !FollowsOn(section)) {
-      follower_.emplace(ShapeOf(run_.trees()[section.tree]), section.state);
+      PrintAsides(section.first_tick);
+      follower_.emplace(ShapeOf(*tree_), section.state);
+      if (filter_.Has(section.state.time)) printer_.State(*tree_, section.state);
     }
     for (std::size_t i = section.first_tick; i < end; ++i) {
       PrintAsides(i);
@@ -49,8 +51,9 @@ class Walker {
     printer_.Tree(*tree_);
     wanted_.clear();
     for (const DescribedNode& node : tree_->nodes) {
-      wanted_.push_back(filter_.pattern.empty() ||
-                        fnmatch(filter_.pattern.c_str(), node.path.c_str(), 0) == 0);
+      if (!filter_.pattern.empty()) {
+        wanted_.push_back(fnmatch(filter_.pattern.c_str(), node.path.c_str(), 0) == 0);
+      }
       if (counted_.emplace(node.path, summary_.nodes.size()).second) {
         summary_.nodes.push_back({node.path});
       }
@@ -76,44 +79,18 @@ class Walker {
   }
 
   void PrintTick(const TickEvents& events) {
-    PrintedTick tick{events.tick, events.start, events.duration, events.result, {}, {}, {}};
-    follower_->Apply(
-        events, [&](const StatusChange& change) { Add(change, tick); },
-        [&](const Event& event) { Add(event, tick); });
+    const ToldTick tick = TellTick(*tree_, *follower_, events, wanted_);
     if (tick.is_empty() || !filter_.Has(events.start)) return;
     last_ = std::max(last_, events.start);
     Count(tick);
     printer_.Tick(tick);
   }
 
-  void Add(const StatusChange& change, PrintedTick& tick) {
-    if (!wanted_[change.node]) return;
-    tick.changes.push_back({tree_->nodes[change.node].path, change.from, change.to});
-  }
-
-  void Add(const Event& event, PrintedTick& tick) {
-    const bool writes = event.code == EventCode::kWrite || event.code == EventCode::kDelivery;
-    if (writes && filter_.pattern.empty() && event.index < tree_->slots.size()) {
-      const DescribedSlot& slot = tree_->slots[event.index];
-      const bool is_known = event.writer < tree_->nodes.size();
-      tick.writes.push_back({slot.scope, slot.name, std::string(event.bytes),
-                             is_known ? tree_->nodes[event.writer].path : ""});
-    } else if (event.code == EventCode::kText && wanted_[event.index]) {
-      tick.messages.push_back({tree_->nodes[event.index].path, TextOf(event)});
-    }
-  }
-
-  static std::string TextOf(const Event& event) {
-    if (event.text == EventText::kException) return "threw: " + std::string(event.bytes);
-    if (event.text == EventText::kMessage || event.bytes.empty()) return std::string(event.bytes);
-    return std::string("injected ") + ToString(static_cast<Status>(event.bytes[0]));
-  }
-
-  void Count(const PrintedTick& tick) {
+  void Count(const ToldTick& tick) {
     ++summary_.ticks;
     summary_.changes += tick.changes.size();
     summary_.writes += tick.writes.size();
-    for (const PrintedTick::Change& change : tick.changes) {
+    for (const ToldTick::Change& change : tick.changes) {
       ReplaySummary::Node& node = summary_.nodes[counted_[change.node]];
       node.successes += change.to == Status::kSuccess;
       node.failures += change.to == Status::kFailure;

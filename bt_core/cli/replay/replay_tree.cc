@@ -2,7 +2,7 @@
 
 #include <cstdio>
 
-#include "bt_core/analysis/json_writer.h"
+#include "bt_core/base/json.h"
 #include "bt_core/data/value_bytes.h"
 
 namespace coppice {
@@ -105,7 +105,7 @@ std::string PictureToJson(const TreeDescription& tree, const TreePicture& pictur
     }
   }
   return JsonObject()
-      .AddText("type", "state")
+      .AddText("type", "picture")
       .Add("tick", picture.tick)
       .Add("time", JsonSeconds(picture.time - start))
       .AddText("result", ToString(picture.result))

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "bt_core/analysis/json_writer.h"
 #include "bt_core/analysis/why/why_text.h"
+#include "bt_core/base/json.h"
 #include "bt_core/cli/replay/replay_tree.h"
 
 namespace coppice {

@@ -4,7 +4,7 @@
 #include <chrono>
 #include <nlohmann/json.hpp>
 
-#include "bt_core/live/server/limited_json.h"
+#include "bt_core/base/json_library.h"
 
 namespace coppice {
 namespace {

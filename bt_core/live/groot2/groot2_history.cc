@@ -5,9 +5,9 @@
 #include <chrono>
 #include <nlohmann/json.hpp>
 
+#include "bt_core/base/json_library.h"
 #include "bt_core/data/value.h"
 #include "bt_core/data/value_bytes.h"
-#include "bt_core/live/server/limited_json.h"
 
 namespace coppice {
 namespace {

@@ -4,8 +4,8 @@
 #include <stdexcept>
 #include <vector>
 
+#include "bt_core/base/json_library.h"
 #include "bt_core/live/groot2/groot2_protocol.h"
-#include "bt_core/live/server/limited_json.h"
 
 namespace coppice {
 namespace {

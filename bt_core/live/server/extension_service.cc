@@ -4,10 +4,10 @@
 #include <exception>
 #include <nlohmann/json.hpp>
 
+#include "bt_core/base/json_library.h"
 #include "bt_core/base/version.h"
 #include "bt_core/live/debug/hook_json.h"
 #include "bt_core/live/server/extension_request.h"
-#include "bt_core/live/server/limited_json.h"
 
 namespace coppice {
 namespace {

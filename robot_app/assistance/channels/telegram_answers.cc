@@ -6,7 +6,7 @@
 #include <sstream>
 #include <utility>
 
-#include "bt_core/live/server/limited_json.h"
+#include "bt_core/base/json_library.h"
 #include "robot_app/assistance/channels/http_request.h"
 
 namespace coppice::robot {

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "bt_core/live/server/limited_json.h"
+#include "bt_core/base/json_library.h"
 
 namespace coppice::robot {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "bt_core/live/server/limited_json.h"
+#include "bt_core/base/json_library.h"
 
 namespace coppice::robot {
 

@@ -42,8 +42,8 @@ RunningPathFollower::~RunningPathFollower() = default;  // the client, being las
 
 RunningPathFollower::View RunningPathFollower::Now() const {
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (!is_live_ || !follower_) return {};
-  return {true, RunningPath(tree_, follower_->statuses())};
+  if (!is_live_ || !run_.state()) return {};
+  return {true, RunningPath(run_.tree(), run_.state()->statuses())};
 }
 
 void RunningPathFollower::OnConnection(const LiveConnection& connection) {
@@ -53,22 +53,17 @@ void RunningPathFollower::OnConnection(const LiveConnection& connection) {
 
 void RunningPathFollower::OnTree(const TreeDescription& tree) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  tree_ = tree;
-  follower_.reset();
+  run_.Set(tree);
 }
 
 void RunningPathFollower::OnState(const HistoryState& state) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (follower_) {
-    follower_->Set(state);
-  } else {
-    follower_.emplace(ShapeOf(tree_), state);
-  }
+  run_.Set(state);
 }
 
 void RunningPathFollower::OnTick(const TickEvents& events) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (follower_) follower_->Apply(events);
+  run_.Apply(events);
 }
 
 }  // namespace coppice::robot

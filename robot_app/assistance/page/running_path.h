@@ -5,11 +5,10 @@
 
 #include <memory>
 #include <mutex>
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "bt_core/frames/follower.h"
+#include "bt_core/frames/run_follower.h"
 #include "bt_core/live/client/client.h"
 
 namespace coppice::robot {
@@ -40,8 +39,7 @@ class RunningPathFollower : public LiveListener {
  private:
   mutable std::mutex mutex_;  // for all but the client
   bool is_live_ = false;
-  TreeDescription tree_;
-  std::optional<HistoryFollower> follower_;
+  RunFollower run_;
   std::unique_ptr<LiveClient> client_;
 };
 

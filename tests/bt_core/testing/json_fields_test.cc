@@ -5,7 +5,7 @@
 namespace coppice {
 namespace {
 
-using Kind = JsonText::Kind;
+using Kind = JsonValue::Kind;
 
 class Fields : public JsonFields {
  public:
@@ -26,10 +26,10 @@ class Fields : public JsonFields {
 class JsonFieldsTest : public testing::Test {
  protected:
   // The value of the member "it".
-  JsonText It(const std::string& value) {
-    const auto json = ParseJsonText("{\"it\": " + value + "}", "a.json", diagnostics_);
+  JsonValue It(const std::string& value) {
+    const auto json = ParseJson("{\"it\": " + value + "}", "a.json", diagnostics_);
     EXPECT_TRUE(json) << diagnostics_.ToString();
-    return json ? json->children.at(0) : JsonText();
+    return json ? json->children.at(0) : JsonValue();
   }
   // What has been said since the last call, without the place.
   std::string Said() {

@@ -16,7 +16,7 @@ class Fields : public ScriptFields {
 class ScriptFieldsTest : public testing::Test {
  protected:
   MockScript Read(const std::string& script) {
-    const auto json = ParseJsonText("{\"a\": " + script + "}", "a.json", diagnostics_);
+    const auto json = ParseJson("{\"a\": " + script + "}", "a.json", diagnostics_);
     if (!json) return {};
     const std::vector<PlacedRule> rules = Fields(diagnostics_).ReadRules(*json);
     return rules.empty() ? MockScript() : rules[0].rule.script;

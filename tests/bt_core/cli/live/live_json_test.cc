@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "bt_core/cli/replay/replay_printer.h"
 #include "tests/bt_core/cli/described_tree.h"
 
 namespace coppice {
@@ -28,9 +29,7 @@ class LiveJsonTest : public ::testing::Test {
 
 TEST_F(LiveJsonTest, ATickIsOneLineWithAllThatHappened) {
   printer_.Print(SmallTree());
-  EXPECT_EQ(
-      Last(),
-      Json({{"type", "tree"}, {"tree", "Main"}, {"nodes", {"top", "check", "dock/Drive::3"}}}));
+  EXPECT_EQ(Last()["nodes"], Json({"top", "check", "dock/Drive::3"}));
   printer_.Print(SmallState());
   EXPECT_EQ(Last()["statuses"], Json::object());
   printer_.Print(SmallTick().events());
@@ -74,6 +73,30 @@ TEST_F(LiveJsonTest, GapsNoticesAndConnectionsHaveATypeEach) {
   EXPECT_EQ(Last()["kind"], "a");
   printer_.Print(HistoryEnd());
   EXPECT_EQ(Last()["type"], "end");
+}
+
+// Two programs, one dialect.
+TEST_F(LiveJsonTest, IsThatOfAReplay) {
+  const TreeDescription tree = SmallTree();
+  const HistoryGap gap{HistoryGap::Cause::kOutput, std::chrono::seconds(3), 5, 8, 12, 1};
+  printer_.Print(tree);
+  printer_.Print(SmallState());
+  printer_.Print(SmallTick().events());
+  printer_.Print(gap);
+  printer_.Print(HistoryNote{Time(4), "kind", "text"});
+  printer_.Print(HistoryEnd{{}, Time(5), 7});
+
+  Recording run;
+  run.OnTree(tree);
+  run.OnState(SmallState());
+  run.OnTick(SmallTick().events());
+  run.OnGap(gap);
+  run.OnNote(HistoryNote{Time(4), "kind", "text"});
+  run.OnEnd(HistoryEnd{{}, Time(5), 7});
+  std::ostringstream replayed;
+  PrintRun(run, {}, *MakeJsonPrinter(replayed));
+  const std::string lines = replayed.str();
+  EXPECT_EQ(lines.substr(0, lines.find("{\"type\":\"summary\"")), out_.str());
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "bt_core/cli/replay/replay_printer.h"
+#include "tests/bt_core/cli/described_tree.h"
 
 namespace coppice {
 namespace {
@@ -17,13 +18,13 @@ TEST(ReplayJson, WritesOneObjectPerLine) {
   tree.nodes.resize(1);
   tree.nodes[0].path = "a";
   std::ostringstream out;
-  const auto printer = MakeJsonPrinter(out, std::chrono::seconds(1));
+  const auto printer = MakeJsonPrinter(out);
   printer->Tree(tree);
-  PrintedTick tick{7, std::chrono::milliseconds(2500), Duration(1000), Status::kRunning, {}, {},
-                   {}};
+  ToldTick tick{7, std::chrono::milliseconds(2500), Duration(1000), Status::kRunning, true, {}, {},
+                {}};
   tick.changes = {{"a", Status::kIdle, Status::kRunning}};
   tick.writes = {{"Main", "key", std::string("\x01text"), "a"}, {"Main", "key", "", ""}};
-  tick.messages = {{"a", "says \"so\""}};
+  tick.messages = {{"a", EventText::kMessage, "says \"so\""}};
   printer->Tick(tick);
   printer->Gap({HistoryGap::Cause::kOutput, std::chrono::seconds(3), 5, 8, 12, 1});
   std::istringstream lines(out.str());
@@ -32,12 +33,27 @@ TEST(ReplayJson, WritesOneObjectPerLine) {
   while (std::getline(lines, line)) objects.push_back(json::parse(line));
   ASSERT_EQ(objects.size(), 3u);
   EXPECT_EQ(objects[0]["nodes"], json({"a"}));
-  EXPECT_EQ(objects[1]["time"], 1.5);
+  EXPECT_EQ(objects[1]["time_ns"], 2'500'000'000);
   EXPECT_EQ(objects[1]["changes"][0]["to"], "RUNNING");
   EXPECT_EQ(objects[1]["writes"][0]["value"], "text");
+  EXPECT_EQ(objects[1]["writes"][0]["writer"], "a");
   EXPECT_TRUE(objects[1]["writes"][1]["value"].is_null());
   EXPECT_EQ(objects[1]["messages"][0]["text"], "says \"so\"");
   EXPECT_EQ(objects[2]["lost_ticks"], 5);
+}
+
+TEST(ReplayJson, TellsWhatIsNoMessageOfTheNode) {
+  EventWriter words;
+  words.Text(1, EventText::kException, "no way");
+  words.Text(1, EventText::kInjected, std::string(1, static_cast<char>(Status::kFailure)));
+  const TreeDescription tree = SmallTree();
+  HistoryFollower follower(ShapeOf(tree), SmallState());
+  const json tick = json::parse(EventJson(
+      TellTick(tree, follower, {1, Time(0), Duration(0), Status::kFailure, true, words.words()})));
+  EXPECT_EQ(tick["messages"][0],
+            json({{"node", "check"}, {"kind", "exception"}, {"text", "no way"}}));
+  EXPECT_EQ(tick["messages"][1],
+            json({{"node", "check"}, {"kind", "injected"}, {"text", "FAILURE"}}));
 }
 
 }  // namespace

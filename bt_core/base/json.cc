@@ -1,15 +1,19 @@
-#include "bt_core/testing/json_text.h"
+#include "bt_core/base/json.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <stdexcept>
 #include <string_view>
 #include <utility>
+
+#include "bt_core/base/json_library.h"
 
 namespace coppice {
 namespace {
 
-using Kind = JsonText::Kind;
+using Kind = JsonValue::Kind;
 
 // nlohmann's parser does not say where it is, so it reads through an iterator that counts.
 class CountingIterator {
@@ -35,18 +39,16 @@ class CountingIterator {
   const char** furthest_;
 };
 
-constexpr std::size_t kMaxDepth = 100;
-
 class Reader : public nlohmann::json_sax<nlohmann::json> {
  public:
-  Reader(const std::string& text, const std::string& file, Diagnostics& diagnostics)
+  Reader(std::string_view text, const std::string& file, Diagnostics& diagnostics)
       : text_(text), file_(file), diagnostics_(diagnostics), at_(text.data()) {}
 
-  std::optional<JsonText> Read() {
+  std::optional<JsonValue> Read(bool allows_comments) {
     const char* end = text_.data() + text_.size();
-    const bool good = nlohmann::json::sax_parse(CountingIterator(text_.data(), &at_),
-                                                CountingIterator(end, nullptr), this,
-                                                nlohmann::json::input_format_t::json, true, true);
+    const bool good = nlohmann::json::sax_parse(
+        CountingIterator(text_.data(), &at_), CountingIterator(end, nullptr), this,
+        nlohmann::json::input_format_t::json, true, allows_comments);
     if (!good || diagnostics_.has_errors()) return std::nullopt;
     return std::move(root_);
   }
@@ -101,12 +103,12 @@ class Reader : public nlohmann::json_sax<nlohmann::json> {
     if (kCharacters.find(text_[end - 1]) == std::string_view::npos) --end;
     std::size_t start = end;
     while (start > 0 && kCharacters.find(text_[start - 1]) != std::string_view::npos) --start;
-    return Add(Kind::kNumber, text_.substr(start, end - start), consumed() - start);
+    return Add(Kind::kNumber, std::string(text_.substr(start, end - start)), consumed() - start);
   }
 
   bool Open(Kind kind) {
     Add(kind, "", 1);
-    if (open_.size() == kMaxDepth) {
+    if (open_.size() == static_cast<std::size_t>(kMaxJsonDepth)) {
       diagnostics_.Error(Locate(consumed() - 1), "nested more than 100 levels deep");
       return false;
     }
@@ -121,18 +123,18 @@ class Reader : public nlohmann::json_sax<nlohmann::json> {
     return true;
   }
 
-  void RefuseTwins(const JsonText& object) {
+  void RefuseTwins(const JsonValue& object) {
     if (!object.is(Kind::kObject)) return;
     std::set<std::string_view> names;
-    for (const JsonText& member : object.children) {
+    for (const JsonValue& member : object.children) {
       if (names.insert(member.key).second) continue;
       diagnostics_.Error(member.where, "\"" + member.key + "\" is given twice");
     }
   }
 
   bool Add(Kind kind, std::string text, std::size_t length) {
-    JsonText value{kind, std::exchange(key_, {}), std::move(text), Locate(consumed() - length), {},
-                   0};
+    JsonValue value{kind, std::exchange(key_, {}), std::move(text), Locate(consumed() - length), {},
+                    0};
     if (open_.empty()) {
       root_ = std::move(value);
     } else {
@@ -142,50 +144,46 @@ class Reader : public nlohmann::json_sax<nlohmann::json> {
   }
 
   SourceLocation Locate(std::size_t offset) const {
-    const auto until = text_.begin() + static_cast<std::ptrdiff_t>(std::min(offset, text_.size()));
-    const auto lines = std::count(text_.begin(), until, '\n');
+    const std::string_view before = text_.substr(0, std::min(offset, text_.size()));
+    const auto lines = std::count(before.begin(), before.end(), '\n');
     const std::size_t line_start = text_.rfind('\n', offset ? offset - 1 : 0);
     const bool first = offset == 0 || line_start == std::string::npos;
     return {file_, static_cast<std::uint32_t>(lines + 1),
             static_cast<std::uint32_t>(first ? offset + 1 : offset - line_start)};
   }
 
-  const std::string& text_;
+  const std::string_view text_;
   const std::string& file_;
   Diagnostics& diagnostics_;
   const char* at_;  // behind what the parser has read
   std::string key_;
-  JsonText root_;
-  std::vector<JsonText*> open_;  // an array or object does not grow while a child is open
+  JsonValue root_;
+  std::vector<JsonValue*> open_;  // an array or object does not grow while a child is open
 };
 
 constexpr std::size_t kLineLength = 100;
 
-std::string Quoted(const std::string& text) {
-  return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+std::string Label(const JsonValue& member, const JsonValue& parent) {
+  return parent.is(Kind::kObject) ? JsonString(member.key) + ": " : std::string();
 }
 
-std::string Label(const JsonText& member, const JsonText& parent) {
-  return parent.is(Kind::kObject) ? Quoted(member.key) + ": " : std::string();
-}
-
-std::string PrintInOneLine(const JsonText& json) {
-  if (json.is(Kind::kString)) return Quoted(json.text);
+std::string PrintInOneLine(const JsonValue& json) {
+  if (json.is(Kind::kString)) return JsonString(json.text);
   if (!json.is(Kind::kArray) && !json.is(Kind::kObject)) return json.text;
   std::string inside;
-  for (const JsonText& child : json.children) {
+  for (const JsonValue& child : json.children) {
     inside += (inside.empty() ? "" : ", ") + Label(child, json) + PrintInOneLine(child);
   }
   return json.is(Kind::kArray) ? "[" + inside + "]" : "{" + inside + "}";
 }
 
 // `column`: where its first line begins.
-std::string PrintInLines(const JsonText& json, std::size_t indent, std::size_t column) {
+std::string PrintInLines(const JsonValue& json, std::size_t indent, std::size_t column) {
   std::string line = PrintInOneLine(json);
   if (column + line.size() < kLineLength || json.children.empty()) return line;
   const std::string inner(indent + 2, ' ');
   std::string text(1, line.front());
-  for (const JsonText& child : json.children) {
+  for (const JsonValue& child : json.children) {
     const std::string label = Label(child, json);
     text += (&child == json.children.data() ? "\n" : ",\n") + inner + label +
             PrintInLines(child, indent + 2, indent + 2 + label.size());
@@ -193,22 +191,89 @@ std::string PrintInLines(const JsonText& json, std::size_t indent, std::size_t c
   return text + "\n" + std::string(indent, ' ') + line.back();
 }
 
+// Reads on until something is nested too deep.
+class DepthCheck final : public nlohmann::json_sax<nlohmann::json> {
+ public:
+  bool null() override { return true; }
+  bool boolean(bool) override { return true; }
+  bool number_integer(number_integer_t) override { return true; }
+  bool number_unsigned(number_unsigned_t) override { return true; }
+  bool number_float(number_float_t, const string_t&) override { return true; }
+  bool string(string_t&) override { return true; }
+  bool binary(binary_t&) override { return true; }
+  bool key(string_t&) override { return true; }
+  bool start_object(std::size_t) override { return ++depth_ <= kMaxJsonDepth; }
+  bool end_object() override { return --depth_ >= 0; }
+  bool start_array(std::size_t) override { return ++depth_ <= kMaxJsonDepth; }
+  bool end_array() override { return --depth_ >= 0; }
+  bool parse_error(std::size_t, const std::string&, const nlohmann::json::exception&) override {
+    return false;
+  }
+
+ private:
+  int depth_ = 0;
+};
+
 }  // namespace
 
-const JsonText* JsonText::Find(std::string_view name) const {
-  for (const JsonText& child : children) {
+const JsonValue* JsonValue::Find(std::string_view name) const {
+  for (const JsonValue& child : children) {
     if (child.key == name) return &child;
   }
   return nullptr;
 }
 
-std::optional<JsonText> ParseJsonText(const std::string& text, const std::string& file,
-                                      Diagnostics& diagnostics) {
-  return Reader(text, file, diagnostics).Read();
+std::optional<JsonValue> ParseJson(const std::string& text, const std::string& file,
+                                   Diagnostics& diagnostics) {
+  return Reader(text, file, diagnostics).Read(/*allows_comments=*/true);
 }
 
-std::string PrintJsonText(const JsonText& json, std::size_t indent) {
+std::optional<JsonValue> ParseJson(std::string_view text) {
+  Diagnostics diagnostics;
+  const std::string file;
+  return Reader(text, file, diagnostics).Read(/*allows_comments=*/false);
+}
+
+std::string PrintJson(const JsonValue& json, std::size_t indent) {
   return PrintInLines(json, indent, indent);
+}
+
+std::string JsonString(std::string_view text) {
+  return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+std::string JsonSeconds(Duration time) {
+  char text[40];
+  std::snprintf(text, sizeof(text), "%.9f", static_cast<double>(time.count()) * 1e-9);
+  return text;
+}
+
+JsonObject& JsonObject::Add(std::string_view key, const std::string& json) {
+  text_ += (text_.size() > 1 ? "," : "") + JsonString(key) + ":" + json;
+  return *this;
+}
+
+JsonObject& JsonObject::Add(std::string_view key, std::uint64_t number) {
+  return Add(key, std::to_string(number));
+}
+
+JsonObject& JsonObject::AddText(std::string_view key, std::string_view text) {
+  return Add(key, JsonString(text));
+}
+
+nlohmann::json ParseLimitedJson(std::string_view text) {
+  return nlohmann::json::parse(text, [](int depth, nlohmann::json::parse_event_t, auto&) {
+    if (depth > kMaxJsonDepth) throw std::invalid_argument("the JSON is nested too deep");
+    return true;
+  });
+}
+
+nlohmann::json ReadLimitedMessagePack(std::string_view bytes) {
+  DepthCheck check;
+  if (!nlohmann::json::sax_parse(bytes, &check, nlohmann::json::input_format_t::msgpack)) {
+    return nlohmann::json(nlohmann::json::value_t::discarded);
+  }
+  return nlohmann::json::from_msgpack(bytes, true, false);
 }
 
 }  // namespace coppice

@@ -1,8 +1,10 @@
-#include "bt_core/live/server/limited_json.h"
+#include "bt_core/base/json_library.h"
 
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
+
+#include "bt_core/base/json.h"
 
 namespace coppice {
 namespace {
