@@ -48,4 +48,8 @@ function(coppice_precompile target use)
     target_precompile_headers(${shared} PRIVATE ${headers})
   endif()
   target_precompile_headers(${target} REUSE_FROM ${shared})
+  if(COPPICE_HEADERS STREQUAL robot)
+    # GCC forgets which of the parsed headers are the system's, and warns of those of Boost.
+    target_compile_options(${target} PRIVATE -Wno-maybe-uninitialized)
+  endif()
 endfunction()
