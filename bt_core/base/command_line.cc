@@ -4,9 +4,10 @@
 #include <algorithm>
 #include <charconv>
 #include <cstdio>
+#include <cstdlib>
 #include <iostream>
-#include <limits>
 #include <memory>
+#include <sstream>
 #include <utility>
 
 #include "bt_core/base/diagnostic.h"
@@ -19,12 +20,18 @@ using Kind = CommandOption::Kind;
 constexpr std::size_t kLineLength = 100;
 constexpr std::size_t kWidestNames = 32;
 
-template <class Number>
-std::optional<Number> Read(const std::string& text) {
-  Number number{};
+std::optional<std::int64_t> ReadWhole(const std::string& text) {
+  std::int64_t number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
   return number;
+}
+
+// strtod, because GCC 9 has no from_chars for it.
+std::optional<double> ReadReal(const std::string& text) {
+  char* end = nullptr;
+  const double number = std::strtod(text.c_str(), &end);
+  return text.empty() || *end != '\0' ? std::nullopt : std::optional(number);
 }
 
 std::string Joined(const std::vector<std::string>& words, const std::string& separator) {
@@ -50,12 +57,12 @@ bool IsWithin(const CommandOption& option, double number) {
 // What was expected; empty if this is it.
 std::string ExpectedBy(const CommandOption& option, const std::string& text) {
   if (option.kind == Kind::kWhole) {
-    const auto number = Read<std::int64_t>(text);
+    const auto number = ReadWhole(text);
     if (!number || !IsWithin(option, static_cast<double>(*number))) {
       return "expected a whole number from " + Limits(option);
     }
   } else if (option.kind == Kind::kReal) {
-    const auto number = Read<double>(text);
+    const auto number = ReadReal(text);
     if (!number || !IsWithin(option, *number)) return "expected a number from " + Limits(option);
   } else if (option.kind == Kind::kChoice) {
     const auto& choices = option.choices;
@@ -92,7 +99,7 @@ class HelpFormatter : public CLI::Formatter {
 
   std::string make_usage(const CLI::App*, std::string) const override {
     const std::string& files = command_.files.text;
-    return "usage: " + command_.name + (files.empty() ? "" : " " + files) + " [options]\n" +
+    return "usage: " + command_.name + " [options]" + (files.empty() ? "" : " " + files) + "\n" +
            (command_.text.empty() ? "" : "\n" + command_.text + "\n");
   }
   std::string make_positionals(const CLI::App*) const override { return ""; }
@@ -255,11 +262,11 @@ std::string Options::Get(const std::string& name, const std::string& otherwise) 
 }
 
 std::int64_t Options::Whole(const std::string& name, std::int64_t otherwise) const {
-  return Read<std::int64_t>(Get(name)).value_or(otherwise);
+  return ReadWhole(Get(name)).value_or(otherwise);
 }
 
 double Options::Real(const std::string& name, double otherwise) const {
-  return Read<double>(Get(name)).value_or(otherwise);
+  return ReadReal(Get(name)).value_or(otherwise);
 }
 
 std::vector<CommandOption> Together(std::vector<CommandOption> options,

@@ -123,7 +123,7 @@ TEST(CommandLine, HelpGoesToTheStandardOutputAndIsNoError) {
 
 TEST(CommandLine, HelpNamesEveryOptionAndItsValue) {
   const std::string help = HelpText(Sample());
-  EXPECT_THAT(help, StartsWith("usage: coppice sample [FILE...] [options]\n\nShows what"));
+  EXPECT_THAT(help, StartsWith("usage: coppice sample [options] [FILE...]\n\nShows what"));
   EXPECT_THAT(help, HasSubstr("\n  --ticks N         how many\n"));
   EXPECT_THAT(help, HasSubstr("\n  --sort time|name  by what\n"));
 }

@@ -42,7 +42,7 @@ TEST_F(CoppiceTest, WithoutVerbItListsTheVerbs) {
 TEST_F(CoppiceTest, HelpIsNoError) {
   EXPECT_EQ(Call("--help"), 0);
   EXPECT_EQ(Call("run --help"), 0);
-  EXPECT_EQ(out_.find("usage: coppice run FILE [options]"), 0u) << out_;
+  EXPECT_EQ(out_.find("usage: coppice run [options] FILE"), 0u) << out_;
 }
 
 TEST_F(CoppiceTest, CompletesInBash) {
