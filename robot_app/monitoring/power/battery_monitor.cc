@@ -63,6 +63,7 @@ void BatteryMonitor::Watch(const std::optional<BatteryWatch>& watch) {
 void BatteryMonitor::OnReading(const BatteryReading& reading, Time now) {
   if (!watch_) return;
   heard_at_ = now;
+  if (!since_ || now < *since_) since_ = now;
   knows_station_ = knows_station_ || StandsOnStation(reading, watch_->model.charging_above);
   Tell("voltage", watch_->voltage, reading.voltage, now);
   Tell("current", watch_->current, reading.current, now);
@@ -88,7 +89,6 @@ std::vector<Finding> BatteryMonitor::Report(const ProcessTable& processes, const
   if (!watch_) return {};
   if (processes.IsStarting(watch_->node)) heard_at_.reset();
   if (!heard_at_ || now.ros < *heard_at_) heard_at_ = now.ros;
-  if (!since_ || now.ros < *since_) since_ = now.ros;
   std::vector<Finding> findings = board_.Report(now.ros, now.ros);
   Finding state = State(now.ros);
   freshness_.Apply(state, now.wall, patience_);
@@ -103,7 +103,7 @@ Finding BatteryMonitor::State(Time now) const {
   if (now - *heard_at_ > watch_->staleness) {
     finding.level = HealthLevel::kError;
     finding.message = watch_->topic + ": no message for " + ToText(silence) + " s";
-  } else if (!knows_station_ && now - *since_ > watch_->staleness) {
+  } else if (since_ && !knows_station_ && now - *since_ > watch_->staleness) {
     finding.level = HealthLevel::kError;
     finding.message = watch_->topic + " has never told whether the robot stands on its station";
   }

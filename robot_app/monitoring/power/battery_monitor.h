@@ -67,7 +67,7 @@ class BatteryMonitor {
   CoulombCount count_{std::chrono::seconds(10)};
   double distance_ = 0;
   std::optional<Time> heard_at_;  // the last reading, or the first report
-  std::optional<Time> since_;     // the first report
+  std::optional<Time> since_;     // the first reading
   bool knows_station_ = false;    // it has told whether the robot stands on its station
 };
 
