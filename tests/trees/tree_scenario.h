@@ -14,7 +14,7 @@
 #include "bt_core/engine/executor.h"
 #include "bt_core/engine/node_hooks.h"
 #include "bt_nodes/monitoring/health.h"
-#include "bt_nodes/power/battery_estimate.h"
+#include "bt_nodes/power/battery_reading.h"
 #include "tests/bt_nodes/fakes.h"
 #include "tests/support/folders.h"
 
