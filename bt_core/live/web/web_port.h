@@ -107,16 +107,16 @@ class PortConnection {
   /// Whether it may be hung up on for somebody else.
   virtual bool GivesWay() const = 0;
 
-  using Time = std::chrono::steady_clock::time_point;
+  using Moment = std::chrono::steady_clock::time_point;
   /// When it last said something that made sense.
-  Time last_heard() const { return last_heard_; }
+  Moment last_heard() const { return last_heard_; }
 
  protected:
   void Hear() { last_heard_ = std::chrono::steady_clock::now(); }
 
  private:
   WebPort& port_;
-  Time last_heard_ = std::chrono::steady_clock::now();
+  Moment last_heard_ = std::chrono::steady_clock::now();
 };
 
 }  // namespace coppice
