@@ -53,9 +53,13 @@ application may be any tree, for example trees/behavior/leave_station.xml.)",
 }
 
 FeedKeys KeysOf(Executor& executor) {
-  return {executor.Writer<double>("battery_level"),  executor.Writer<bool>("charging"),
-          executor.Writer<Health>("monitoring"),     executor.Writer<std::string>("configuration"),
-          executor.Writer<bool>("manual"),           executor.Writer<std::string>("processes"),
+  return {executor.Writer<double>("battery_level"),
+          executor.Writer<bool>("charging"),
+          executor.Writer<bool>("docked"),
+          executor.Writer<Health>("monitoring"),
+          executor.Writer<std::string>("configuration"),
+          executor.Writer<bool>("manual"),
+          executor.Writer<std::string>("processes"),
           executor.Writer<BatteryReading>("battery")};
 }
 
