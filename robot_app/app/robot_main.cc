@@ -32,7 +32,7 @@ constexpr char kStation[] = "staging";  // the waypoint in front of the charging
 
 const Command& RobotCommand() {
   static const Command command{
-      "coppice robot",
+      "coppice-robot",
       "run the trees of a robot",
       {},
       R"(Runs both trees until the application ends, then goes on monitoring until it is stopped. The
