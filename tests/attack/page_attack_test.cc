@@ -168,6 +168,13 @@ TEST_F(PageAttack, WrongTokensKeepNobodyOut) {
   EXPECT_THAT(LogIn(kToken), StartsWith("HTTP/1.1 204"));
 }
 
+TEST_F(PageAttack, SilentConnectionsKeepNobodyOut) {
+  Open();
+  std::vector<std::unique_ptr<PageCaller>> silent;
+  for (int i = 0; i < 80; ++i) silent.push_back(std::make_unique<PageCaller>(port_));
+  EXPECT_THAT(LogIn(kToken), StartsWith("HTTP/1.1 204"));
+}
+
 TEST_F(PageAttack, ATokenThatCanBeGuessedIsNone) {
   ChildProcess program = Start("1234");
   ASSERT_TRUE(Eventually([&] { return !program.IsRunning(); }));
