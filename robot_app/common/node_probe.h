@@ -34,6 +34,7 @@ struct ProbeRequest {
 struct ProbeResult {
   bool answered = false;
   int pid = 0;         ///< as the node says
+  std::string host;    ///< where the node is, as it is registered
   Duration delay{0};   ///< until the answer
   std::string reason;  ///< why not answered, for people
 };

@@ -28,23 +28,23 @@ struct WatchList {
   std::optional<ChargingWatch> charging;  ///< judged by the battery's messages
   std::optional<DockingWatch> docking;
   std::optional<EmergencyStopWatch> emergency_stop;
-  std::vector<SystemWatch> system;
   std::vector<SourceWatch> sources;
-
-  /// The computer of that name, else the one that stands for every computer, else null.
-  const SystemWatch* ForHost(const std::string& host) const;
 };
 
 struct MonitorConfig {
-  Duration report_period{0};       ///< of every monitor, wall time
-  Duration patience{0};            ///< how long an error in ROS time is only a warning, wall time
-  Duration ping_deadline{0};       ///< wall time
-  Duration publish_period{0};      ///< of the aggregate, wall time
-  Duration hold{0};                ///< how long the aggregate shows the worst level at least
-  int silent_periods = 3;          ///< a source that misses so many is silent
-  Duration diagnostics_period{0};  ///< of /diagnostics, wall time; zero: it is not published
-  std::string initial;             ///< configuration that counts while the supervisor is not heard
+  Duration report_period{0};        ///< of every monitor, wall time
+  Duration patience{0};             ///< how long an error in ROS time is only a warning, wall time
+  Duration ping_deadline{0};        ///< wall time
+  Duration publish_period{0};       ///< of the aggregate, wall time
+  Duration hold{0};                 ///< how long the aggregate shows the worst level at least
+  int silent_periods = 3;           ///< a source that misses so many is silent
+  Duration diagnostics_period{0};   ///< of /diagnostics, wall time; zero: it is not published
+  std::string initial;              ///< configuration that counts while the supervisor is not heard
+  std::vector<SystemWatch> system;  ///< of the computers, whatever the configuration
   std::vector<WatchList> lists;
+
+  /// The computer of that name, else the one that stands for every computer, else null.
+  const SystemWatch* ForHost(const std::string& host) const;
 
   /// An unknown configuration has an empty list.
   const WatchList& ForConfiguration(const std::string& name) const;

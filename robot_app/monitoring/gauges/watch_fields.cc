@@ -38,8 +38,8 @@ NavigationWatch ReadNavigationWatch(YamlFields& fields) {
   NavigationWatch watch;
   watch.topic = ReadRosName(fields, "topic");
   watch.node = ReadRosName(fields, "node");
-  watch.blocked = fields.Seconds("blocked", 20, 0, kHour);
-  watch.no_path = fields.Seconds("no_path", 5, 0, kHour);
+  watch.blocked = fields.Seconds("blocked", 60, 0, kHour);
+  watch.no_path = fields.Seconds("no_path", 60, 0, kHour);
   watch.staleness = fields.Seconds("staleness", 3, 0.01, kHour);
   watch.after_failure = fields.Seconds("after_failure", 15, 0, kHour);
   fields.Finish();

@@ -6,6 +6,7 @@
 #define COPPICE_ROBOT_APP_MONITORING_SYSTEM_SYSTEM_MONITOR_H_
 
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -24,12 +25,17 @@ class SystemMonitor {
 
   /// Null: nothing is watched. What is known of numbers that stay is kept.
   void Watch(const SystemWatch* watch);
+  /// The others on which nodes of the robot run: they take the place of "*". True: others than
+  /// before, so whoever asks them is to ask anew.
+  bool OnComputers(const std::vector<Computer>& others);
+  /// What is watched now: each link and each computer by its name.
+  const SystemWatch& watched() const { return watched_; }
 
   /// Reads everything once; to be called every period. `pids`: of the ROS nodes; a node that is
   /// missing or 0 does not run, which is for others to judge.
   void Measure(const std::map<std::string, int>& pids, Time now);
 
-  /// The answers of other computers, in the order of the watch.
+  /// The answers of other computers, in the order of watched().
   void OnClocks(const std::vector<ClockReading>& readings, Time now);
   void OnHosts(const std::vector<ReachResult>& results, Time now);
 
@@ -37,6 +43,7 @@ class SystemMonitor {
   std::vector<Finding> Report(const Times& now);
 
  private:
+  void Expand();
   void MeasureCpu(Time now);
   void MeasureNetwork(const InterfaceWatch& link, Time now);
   void MeasureProcess(const ProcessWatch& process, int pid, Time now);
@@ -44,7 +51,12 @@ class SystemMonitor {
   std::optional<double> Rate(const std::string& counter, double reading, Time now);
 
   std::string root_;
-  SystemWatch watch_;
+  bool is_on_ = false;
+  SystemWatch watch_;    // as it is written
+  SystemWatch watched_;  // with names instead of patterns
+  std::vector<Computer> others_;
+  std::vector<std::string> links_;
+  std::set<std::string> serving_;  // hosts whose time server has answered
   GaugeBoard board_;
   std::map<std::string, CounterRate> rates_;
 };
