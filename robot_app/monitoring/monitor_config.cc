@@ -89,6 +89,9 @@ class Loader {
     for (YamlFields& item : fields.Maps("topics")) {
       list.topics.push_back(ReadTopicWatch(item, window_));
     }
+    for (YamlFields& item : fields.Maps("publishers")) {
+      list.publishers.push_back(ReadPublisherWatch(item));
+    }
     ReadMovement(fields, list);
     ReadPower(fields, list);
     for (YamlFields& item : fields.Maps("loggers")) list.loggers.push_back(ReadLoggerWatch(item));
@@ -97,6 +100,7 @@ class Loader {
     fields.Finish();
     CheckNames(fields, list.nodes, &NodeWatch::node);
     CheckNames(fields, list.topics, &TopicWatch::topic);
+    CheckNames(fields, list.publishers, &PublisherWatch::topic);
     CheckNames(fields, list.loggers, &LoggerWatch::name);
     CheckNames(fields, list.sources, &SourceWatch::source);
     config_.lists.push_back(std::move(list));

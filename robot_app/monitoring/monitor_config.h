@@ -2,34 +2,15 @@
 #ifndef COPPICE_ROBOT_APP_MONITORING_MONITOR_CONFIG_H_
 #define COPPICE_ROBOT_APP_MONITORING_MONITOR_CONFIG_H_
 
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "bt_core/base/clock.h"
 #include "bt_core/base/diagnostic.h"
-#include "robot_app/monitoring/gauges/watch.h"
-#include "robot_app/monitoring/power/power_watch.h"
 #include "robot_app/monitoring/system/system_watch.h"
+#include "robot_app/monitoring/watch_list.h"
 
 namespace coppice::robot {
-
-/// What is watched in one configuration of the robot.
-struct WatchList {
-  std::string configuration;
-  std::vector<NodeWatch> nodes;
-  std::vector<TopicWatch> topics;
-  std::optional<NavigationWatch> navigation;
-  std::optional<LocalizationWatch> localization;
-  std::vector<TransformWatch> transforms;
-  std::vector<LoggerWatch> loggers;
-  std::optional<DiagnosticsWatch> diagnostics;
-  std::optional<BatteryWatch> battery;
-  std::optional<ChargingWatch> charging;  ///< judged by the battery's messages
-  std::optional<DockingWatch> docking;
-  std::optional<EmergencyStopWatch> emergency_stop;
-  std::vector<SourceWatch> sources;
-};
 
 struct MonitorConfig {
   Duration report_period{0};        ///< of every monitor, wall time

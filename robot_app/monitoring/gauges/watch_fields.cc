@@ -34,6 +34,21 @@ TopicWatch ReadTopicWatch(YamlFields& fields, double default_window) {
   return watch;
 }
 
+PublisherWatch ReadPublisherWatch(YamlFields& fields) {
+  PublisherWatch watch;
+  watch.topic = ReadRosName(fields, "topic");
+  const std::vector<LocatedText> nodes = fields.Texts("nodes");
+  if (nodes.empty()) fields.Error(fields.where(), "\"nodes\" names nobody");
+  for (const LocatedText& node : nodes) {
+    if (node.text.rfind('/', 0) != 0) {
+      fields.Error(node.where, "\"nodes\": expected a ROS name with slash, got \"" + node.text + "\"");
+    }
+    watch.nodes.push_back(node.text);
+  }
+  fields.Finish();
+  return watch;
+}
+
 NavigationWatch ReadNavigationWatch(YamlFields& fields) {
   NavigationWatch watch;
   watch.topic = ReadRosName(fields, "topic");

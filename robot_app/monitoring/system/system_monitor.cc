@@ -130,7 +130,7 @@ void SystemMonitor::OnHosts(const std::vector<ReachResult>& results, Time now) {
   }
 }
 
-std::vector<Finding> SystemMonitor::Report(const Times& now) {
+std::vector<Finding> SystemMonitor::Report(const ProcessTable&, const Times& now) {
   return board_.Report(now.wall, now.ros);
 }
 

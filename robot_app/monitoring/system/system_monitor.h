@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "robot_app/monitoring/gauges/gauge_board.h"
+#include "robot_app/monitoring/monitor.h"
 #include "robot_app/monitoring/system/counter_rate.h"
 #include "robot_app/monitoring/system/reach.h"
 #include "robot_app/monitoring/system/sntp.h"
@@ -18,11 +19,13 @@
 
 namespace coppice::robot {
 
-class SystemMonitor {
+class SystemMonitor : public Monitor {
  public:
   /// `root`: the folder that stands for "/", for /proc and /sys.
   explicit SystemMonitor(std::string root = {}) : root_(std::move(root)) {}
 
+  /// A computer is no matter of the configuration.
+  void Watch(const WatchList&, const Times&) override {}
   /// Null: nothing is watched. What is known of numbers that stay is kept.
   void Watch(const SystemWatch* watch);
   /// The others on which nodes of the robot run: they take the place of "*". True: others than
@@ -40,7 +43,7 @@ class SystemMonitor {
   void OnHosts(const std::vector<ReachResult>& results, Time now);
 
   /// One finding per number that can be measured on this computer.
-  std::vector<Finding> Report(const Times& now);
+  std::vector<Finding> Report(const ProcessTable& processes, const Times& now) override;
 
  private:
   void Expand();

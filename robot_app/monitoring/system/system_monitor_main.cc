@@ -14,7 +14,7 @@
 
 #include "bt_core/base/command_line.h"
 #include "robot_app/common/node_probe.h"
-#include "robot_app/monitoring/monitor_node.h"
+#include "robot_app/monitoring/monitor_program.h"
 #include "robot_app/monitoring/system/other_computers.h"
 #include "robot_app/monitoring/system/remote_watch.h"
 #include "robot_app/monitoring/system/system_monitor.h"
@@ -29,18 +29,17 @@ class Program {
  public:
   explicit Program(const MonitorStart& start)
       : computers_(start.host, ParseUri(ros::master::getURI()).value().host),
-        node_(start, [](const WatchList&) {}),  // what it watches is no matter of the configuration
+        program_(start, {&monitor_}),
         probe_(ParseUri(ros::master::getURI()).value(), ros::this_node::getName()) {
     const SystemWatch* watch = start.config.ForHost(start.host);
     monitor_.Watch(watch);
     if (watch) period_ = watch->period;
     Ask();
-    timer_ = node_.Every(start.config.report_period, [this] { Round(); });
+    program_.ReportRegularly([this](const Times& now) { Look(now); });
   }
 
  private:
-  void Round() {
-    const Times now = MonitorNode::Now();
+  void Look(const Times& now) {
     if (now.wall >= next_measurement_) {
       next_measurement_ = now.wall + period_;
       monitor_.Measure(pids_, now.wall);
@@ -50,7 +49,6 @@ class Program {
       monitor_.OnClocks(answers->clocks, now.wall);
       monitor_.OnHosts(answers->hosts, now.wall);
     }
-    node_.Publish(monitor_.Report(now));
   }
 
   // The nodes themselves say which processes they are and where; whoever does not answer has none.
@@ -62,9 +60,9 @@ class Program {
       const std::string& node = probe_.requests()[i].node;
       const ProbeResult& result = probe_.results()[i];
       pids_[node] = result.pid;
-      if (result.answered) computers_.OnAddress(node_.processes(), node, result.host);
+      if (result.answered) computers_.OnAddress(program_.node().processes(), node, result.host);
     }
-    if (monitor_.OnComputers(computers_.List(node_.processes()))) Ask();
+    if (monitor_.OnComputers(computers_.List(program_.node().processes()))) Ask();
   }
 
   std::vector<ProbeRequest> NodesToAsk() const {
@@ -72,7 +70,7 @@ class Program {
     for (const ProcessWatch& process : monitor_.watched().processes) {
       requests.push_back({process.node, ""});
     }
-    for (const std::string& node : computers_.NodesToAsk(node_.processes())) {
+    for (const std::string& node : computers_.NodesToAsk(program_.node().processes())) {
       requests.push_back({node, ""});
     }
     return requests;
@@ -98,9 +96,8 @@ class Program {
   Duration period_{0};
   Time next_measurement_{0};
   std::map<std::string, int> pids_;
-  MonitorNode node_;
+  MonitorProgram program_;
   NodeProbe probe_;
-  ros::WallTimer timer_;
 };
 
 std::atomic<bool> stop_requested{false};
@@ -143,9 +140,5 @@ int main(int argc, char** argv) {
         "--serve-time PORT [--address ADDRESS] [--clock-offset SECONDS]");
     return options ? ServeTime(*options) : 2;
   }
-  const auto start = StartMonitor(argc, argv, "system_monitor");
-  if (!start) return 2;
-  const Program program(*start);
-  coppice::robot::SpinWhenCalled();
-  return 0;
+  return RunMonitor<Program>(argc, argv, "system_monitor");
 }

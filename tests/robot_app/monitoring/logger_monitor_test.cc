@@ -24,7 +24,6 @@ class LoggerMonitorTest : public testing::Test {
   }
   void Append(const std::string& file) { std::ofstream(folder_ + file, std::ios::app) << "line\n"; }
   std::vector<Finding> At(Time now) {
-    monitor_.Look(now);
     return monitor_.Report(processes_, {seconds(9), now});
   }
 

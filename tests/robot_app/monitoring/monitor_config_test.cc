@@ -140,6 +140,7 @@ TEST_F(MonitorConfigTest, EverySectionIsStrict) {
     charging: {within: 4}
     transforms: [{parent: map, child: odom}, {parent: map, child: odom}]
     loggers: [{name: a}, {name: b, path: x, topic: /y}]
+    publishers: [{topic: /a, nodes: [a]}, {topic: /b}]
     localization: {topic: /l, node: /l, scor: {warn: [1, 2]}}
     docking: {action: docking, node: /docking, failures: {warn: [none, 9], error: [none, 5]}}
 system: [{cpu: {lod: {}}, disks: [{path: /, used: {consecutive: 0}}], clocks: [{port: 99}]},
@@ -151,6 +152,8 @@ system: [{cpu: {lod: {}}, disks: [{path: /, used: {consecutive: 0}}], clocks: [{
   EXPECT_THAT(Errors(), HasSubstr("\"map -> odom\" is listed twice"));
   EXPECT_THAT(Errors(), HasSubstr(":6:15: error: expected either \"path\" or \"topic\""));
   EXPECT_THAT(Errors(), HasSubstr(":6:26: error: expected either \"path\" or \"topic\""));
+  EXPECT_THAT(Errors(), HasSubstr("expected a ROS name with slash, got \"a\""));
+  EXPECT_THAT(Errors(), HasSubstr("\"nodes\" names nobody"));
   EXPECT_THAT(Errors(), HasSubstr("unknown key \"scor\" (did you mean \"score\"?)"));
   EXPECT_THAT(Errors(), HasSubstr("\"action\": expected a ROS name with slash"));
   EXPECT_THAT(Errors(), HasSubstr("\"warn\" is not within \"error\""));

@@ -39,6 +39,7 @@ configurations:
   operating:
     topics:
       - {topic: /big, node: /big_talker, by: statistics, error: [5, 50], staleness: 10}
+    publishers: [{topic: /cmd_vel, nodes: [/velocity_mux]}]
     localization: {topic: /localization/state, node: /localization, staleness: 2}
     transforms: [{parent: map, child: base, age: {error: [none, 1], staleness: 1}}]
     loggers: [{name: record, path: run.log, staleness: 1},
@@ -119,6 +120,15 @@ TEST_F(MonitorProgramsTest, AComputerIsMeasuredInAConfigurationThatNobodyKnows) 
     const HealthEntry* entry = Find("memory", "used");
     return entry && entry->stamp > then && entry->level == HealthEntry::OK;
   }));
+}
+
+TEST_F(MonitorProgramsTest, AStrangerOnTheTopicOfTheDriveIsAnError) {
+  StartMonitor("topic-monitor");
+  ASSERT_TRUE(WaitForLevel("publisher", "/cmd_vel", HealthEntry::OK));
+  EXPECT_TRUE(Tell(Advertise<std_msgs::Bool>("/cmd_vel"), std_msgs::Bool(), "publisher",
+                   "/cmd_vel", HealthEntry::ERROR));
+  EXPECT_THAT(Find("publisher", "/cmd_vel")->message,
+              HasSubstr(ros::this_node::getName() + " publishes here"));
 }
 
 TEST_F(MonitorProgramsTest, ASilentMonitorIsAnErrorAndAStrangerIsNamed) {

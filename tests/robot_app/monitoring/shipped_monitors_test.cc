@@ -9,6 +9,7 @@
 #include "robot_app/monitoring/navigation_monitor.h"
 #include "robot_app/monitoring/node_monitor.h"
 #include "robot_app/monitoring/power/battery_monitor.h"
+#include "robot_app/monitoring/publisher_monitor.h"
 #include "robot_app/monitoring/system/system_gauges.h"
 #include "robot_app/monitoring/system/system_monitor.h"
 #include "robot_app/monitoring/topic_monitor.h"
@@ -81,7 +82,7 @@ class ShippedComputerTest : public ShippedMonitorsTest {
   // Without disks, which are this computer's own.
   std::vector<Finding> Report() {
     std::vector<Finding> findings;
-    for (const Finding& finding : monitor_.Report({now_, now_})) {
+    for (const Finding& finding : monitor_.Report({}, {now_, now_})) {
       if (finding.monitor != "disk") findings.push_back(finding);
     }
     return findings;
@@ -210,10 +211,24 @@ TEST_F(ShippedTopicsTest, ARateBetweenTheBandsIsAWarning) {
   }
 }
 
+TEST_F(ShippedMonitorsTest, AStrangerWhoMovesTheRobotIsAnErrorInEveryConfiguration) {
+  for (const WatchList& list : config_.lists) {
+    PublisherMonitor monitor;
+    monitor.Watch(list.publishers);
+    for (const char* topic : {"/cmd_vel", "/cmd_vel/autonomous", "/cmd_vel/supervisor"}) {
+      monitor.OnMessage(topic, "/stranger", {seconds(1), seconds(1)});
+    }
+    EXPECT_THAT(SubjectsAt(HealthLevel::kError, monitor.Report({}, {seconds(1), seconds(1)})),
+                ElementsAre("publisher /cmd_vel", "publisher /cmd_vel/autonomous",
+                            "publisher /cmd_vel/supervisor"))
+        << list.configuration;
+  }
+}
+
 TEST_F(ShippedMonitorsTest, ALocalizationThatIsNotConfirmedIsAnError) {
   LocalizationMonitor monitor;
   monitor.Watch(Operating().localization);
-  LocalizationReport report;
+  LocalizationReading report;
   report.since_confirmed = 15;
   monitor.OnState(report, {seconds(1), seconds(1)});
   const auto level = [&] { return monitor.Report(processes_, {seconds(1), seconds(1)})[1].level; };
@@ -230,7 +245,7 @@ TEST_F(ShippedMonitorsTest, ABatteryOutsideItsBandsOrWithoutNumbersIsAnError) {
     BatteryMonitor monitor;
     monitor.Watch(Operating().battery);
     if (is_measured) bad.voltage = 20, bad.current = -80, bad.level = 0.05, bad.charge = 3;
-    for (int i = 0; i < 5; ++i) monitor.OnReading(bad, seconds(i));
+    for (int i = 0; i < 5; ++i) monitor.OnReading(bad, {seconds(i), {}});
     EXPECT_THAT(
         SubjectsAt(HealthLevel::kError, monitor.Report(processes_, {seconds(4), {}})),
         ElementsAre("battery voltage", "battery current", "battery charge", "battery margin"));

@@ -39,7 +39,7 @@ class SystemMonitorTest : public testing::Test {
     monitor_.Measure(pids_, now_ += seconds(1));
   }
   Finding About(const std::string& monitor, const std::string& subject) {
-    for (const Finding& finding : monitor_.Report({seconds(9), now_})) {
+    for (const Finding& finding : monitor_.Report({}, {seconds(9), now_})) {
       if (finding.monitor == monitor && finding.subject == subject) return finding;
     }
     ADD_FAILURE() << "nothing about " << monitor << " " << subject;
@@ -163,7 +163,7 @@ TEST_F(SystemMonitorTest, WithoutAWatchThereIsNothingToSay) {
   monitor_.Watch(nullptr);
   Second(0, 100);
   monitor_.OnClocks({{}}, now_);
-  EXPECT_TRUE(monitor_.Report({seconds(9), now_}).empty());
+  EXPECT_TRUE(monitor_.Report({}, {seconds(9), now_}).empty());
 }
 
 TEST_F(SystemMonitorTest, ALinkThatIsNamedAndDownIsAnError) {
@@ -186,7 +186,7 @@ TEST_F(SystemMonitorTest, LinksThatComeAndGoAreWatchedWhileTheyAreThere) {
   watch_.interfaces[0].interface = "wl*";
   monitor_.Watch(&watch_);
   const auto is_told = [this] {
-    for (const Finding& finding : monitor_.Report({seconds(9), now_})) {
+    for (const Finding& finding : monitor_.Report({}, {seconds(9), now_})) {
       if (finding.subject == "wlan0 load") return true;
     }
     return false;
