@@ -212,8 +212,7 @@ TEST_F(BatteryMonitorTest, CountingTheCurrentBeginsAnewAfterAReadingWithoutIt) {
 TEST_F(BatteryMonitorTest, ABatteryThatNeverTellsWhetherItStandsOnTheStationIsAnError) {
   reading_.charger = ChargerState::kUnknown;
   reading_.current = 0;
-  About("state");
-  Drive(seconds(6));
+  Drive(seconds(7));
   EXPECT_EQ(About("state").level, HealthLevel::kError);
   reading_.current = -6;  // it drives
   Drive(seconds(1));
