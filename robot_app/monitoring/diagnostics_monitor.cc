@@ -48,8 +48,7 @@ std::vector<Finding> DiagnosticsMonitor::Report(const ProcessTable&, const Times
     const Duration silence = now.wall - status.heard_at;
     if (silence > watch_->staleness) {
       finding.level = HealthLevel::kStale;
-      finding.message =
-          "not repeated for " + SecondsText(silence);
+      finding.message = "not repeated for " + SecondsText(silence);
     }
     findings.push_back(std::move(finding));
   }

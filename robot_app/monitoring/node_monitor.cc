@@ -38,7 +38,8 @@ std::vector<Finding> NodeMonitor::Report(const ProcessTable& processes, const Ti
   std::vector<Finding> findings;
   for (Watched& node : nodes_) {
     if (processes.IsStarting(node.watch.node)) node.misses = 0;
-    Finding finding{"node", node.watch.node, node.watch.node, HealthLevel::kOk, 0, "s", "", now.ros};
+    Finding finding{"node", node.watch.node, node.watch.node, HealthLevel::kOk, 0, "s",
+                    "",     now.ros};
     finding.value = InSeconds(node.last.delay);
     if (node.misses > 0) {
       finding.level = node.misses >= node.watch.misses ? HealthLevel::kError : HealthLevel::kWarn;

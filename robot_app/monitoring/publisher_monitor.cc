@@ -47,8 +47,8 @@ std::vector<Finding> PublisherMonitor::Report(const ProcessTable&, const Times& 
     finding.stamp = now.ros;
     if (!entry.stranger.empty() && now.wall - entry.heard_at < kHolds) {
       finding.level = HealthLevel::kError;
-      finding.message = entry.stranger + " publishes here, where only " +
-                        Join(entry.watch.nodes) + " may";
+      finding.message =
+          entry.stranger + " publishes here, where only " + Join(entry.watch.nodes) + " may";
     }
     findings.push_back(std::move(finding));
   }

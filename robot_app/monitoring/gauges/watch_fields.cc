@@ -41,7 +41,8 @@ PublisherWatch ReadPublisherWatch(YamlFields& fields) {
   if (nodes.empty()) fields.Error(fields.where(), "\"nodes\" names nobody");
   for (const LocatedText& node : nodes) {
     if (node.text.rfind('/', 0) != 0) {
-      fields.Error(node.where, "\"nodes\": expected a ROS name with slash, got \"" + node.text + "\"");
+      fields.Error(node.where,
+                   "\"nodes\": expected a ROS name with slash, got \"" + node.text + "\"");
     }
     watch.nodes.push_back(node.text);
   }

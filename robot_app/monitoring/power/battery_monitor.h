@@ -42,7 +42,7 @@ class CoulombCount {
 
 class BatteryMonitor : public Monitor {
  public:
-  explicit BatteryMonitor(Duration patience = Duration::zero()) 
+  explicit BatteryMonitor(Duration patience = Duration::zero())
       : freshness_(patience, SilenceIn::kRosTime) {}
 
   void Watch(const WatchList& list, const Times&) override { Watch(list.battery); }
@@ -66,8 +66,8 @@ class BatteryMonitor : public Monitor {
   GaugeBoard board_;
   CoulombCount count_{std::chrono::seconds(10)};
   double distance_ = 0;
-  std::optional<Time> since_;     // the first reading
-  bool knows_station_ = false;    // it has told whether the robot stands on its station
+  std::optional<Time> since_;   // the first reading
+  bool knows_station_ = false;  // it has told whether the robot stands on its station
 };
 
 }  // namespace coppice::robot

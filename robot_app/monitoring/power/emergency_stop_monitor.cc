@@ -18,14 +18,12 @@ void EmergencyStopMonitor::OnState(bool is_pressed, const Times& now) {
   if (is_pressed && !pressed_at_) pressed_at_ = now.ros;
 }
 
-std::vector<Finding> EmergencyStopMonitor::Report(const ProcessTable& processes,
-                                                  const Times& now) {
+std::vector<Finding> EmergencyStopMonitor::Report(const ProcessTable& processes, const Times& now) {
   if (!watch_) return {};
   const bool may_be_silent = watch_->staleness == Duration::zero();
-  Finding button =
-      freshness_.Assess({"emergency_stop", "button", ""},
-                        may_be_silent ? Duration::max() : watch_->staleness,
-                        watch_->topic + ": no message", processes, now);
+  Finding button = freshness_.Assess({"emergency_stop", "button", ""},
+                                     may_be_silent ? Duration::max() : watch_->staleness,
+                                     watch_->topic + ": no message", processes, now);
   button.value = 0;
   if (pressed_at_) {
     button.level = HealthLevel::kError;

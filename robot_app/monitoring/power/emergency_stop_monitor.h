@@ -13,7 +13,7 @@ namespace coppice::robot {
 
 class EmergencyStopMonitor : public Monitor {
  public:
-  explicit EmergencyStopMonitor(Duration patience = Duration::zero()) 
+  explicit EmergencyStopMonitor(Duration patience = Duration::zero())
       : freshness_(patience, SilenceIn::kRosTime) {}
 
   void Watch(const WatchList& list, const Times&) override { Watch(list.emergency_stop); }

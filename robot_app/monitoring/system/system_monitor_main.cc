@@ -65,7 +65,7 @@ class Program {
     if (monitor_.OnComputers(computers_.List(program_.node().processes()))) Ask();
   }
 
-  std::vector<ProbeRequest> NodesToAsk() const {
+  std::vector<ProbeRequest> NodesToAsk() {
     std::vector<ProbeRequest> requests;
     for (const ProcessWatch& process : monitor_.watched().processes) {
       requests.push_back({process.node, ""});

@@ -47,7 +47,8 @@ TEST_F(LocalizationMonitorTest, ARobotThatKnowsItsPlaceIsWell) {
 }
 
 TEST_F(LocalizationMonitorTest, ThePhaseIsTheServersWord) {
-  monitor_.OnState({LocalizationReading::Phase::kUncertain, 5, 0.9, 0.05, "many places"}, At(seconds(1)));
+  monitor_.OnState({LocalizationReading::Phase::kUncertain, 5, 0.9, 0.05, "many places"},
+                   At(seconds(1)));
   EXPECT_EQ(About("phase", seconds(1)).level, HealthLevel::kWarn);
   EXPECT_EQ(About("phase", seconds(1)).message, "uncertain: many places");
   monitor_.OnState({LocalizationReading::Phase::kLost, 5, 0.9, 0.05, ""}, At(seconds(2)));
@@ -80,10 +81,12 @@ TEST_F(LocalizationMonitorTest, SilenceMustLastInWallTimeTooHoweverFastSimulated
   const auto level = [&](Time ros, Time wall) {
     return monitor_.Report(processes_, {ros, wall}).back().level;
   };
-  monitor_.OnState({LocalizationReading::Phase::kOk, 0, 0.9, 0.05, ""}, {seconds(100), seconds(10)});
+  monitor_.OnState({LocalizationReading::Phase::kOk, 0, 0.9, 0.05, ""},
+                   {seconds(100), seconds(10)});
   EXPECT_EQ(level(seconds(118), seconds(13)), HealthLevel::kOk);
   EXPECT_EQ(level(seconds(124), seconds(14)), HealthLevel::kError);
-  monitor_.OnState({LocalizationReading::Phase::kOk, 0, 0.9, 0.05, ""}, {seconds(125), seconds(15)});
+  monitor_.OnState({LocalizationReading::Phase::kOk, 0, 0.9, 0.05, ""},
+                   {seconds(125), seconds(15)});
   EXPECT_EQ(level(seconds(126), seconds(25)), HealthLevel::kOk);  // simulated time is slow
 }
 

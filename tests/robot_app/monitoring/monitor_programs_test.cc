@@ -125,8 +125,8 @@ TEST_F(MonitorProgramsTest, AComputerIsMeasuredInAConfigurationThatNobodyKnows) 
 TEST_F(MonitorProgramsTest, AStrangerOnTheTopicOfTheDriveIsAnError) {
   StartMonitor("topic-monitor");
   ASSERT_TRUE(WaitForLevel("publisher", "/cmd_vel", HealthEntry::OK));
-  EXPECT_TRUE(Tell(Advertise<std_msgs::Bool>("/cmd_vel"), std_msgs::Bool(), "publisher",
-                   "/cmd_vel", HealthEntry::ERROR));
+  EXPECT_TRUE(Tell(Advertise<std_msgs::Bool>("/cmd_vel"), std_msgs::Bool(), "publisher", "/cmd_vel",
+                   HealthEntry::ERROR));
   EXPECT_THAT(Find("publisher", "/cmd_vel")->message,
               HasSubstr(ros::this_node::getName() + " publishes here"));
 }

@@ -50,19 +50,21 @@ class ShippedMonitorsTest : public testing::Test {
   ProcessTable processes_;
 };
 
+// What a computer does in one second.
+struct Second {
+  int busy = 10;              // of 100
+  int available = 60;         // of 100
+  long sent = 1000;           // bytes
+  int errors = 0, drops = 0;  // packets
+  ClockReading clock{true, 0, 0, ""};
+  ReachResult host{true, 0.001, ""};
+};
+
 // A computer with a link of any name, beside one other.
 class ShippedComputerTest : public ShippedMonitorsTest {
  protected:
   ShippedComputerTest() { monitor_.Watch(config_.ForHost("any name")); }
 
-  struct Second {
-    int busy = 10;              // of 100
-    int available = 60;         // of 100
-    long sent = 1000;           // bytes
-    int errors = 0, drops = 0;  // packets
-    ClockReading clock{true, 0, ""};
-    ReachResult host{true, 0.001, ""};
-  };
   void Run(int count, const Second& second) {
     for (int i = 0; i < count; ++i) {
       busy_ += second.busy;
@@ -135,7 +137,7 @@ TEST_F(ShippedComputerTest, AComputerOnItsOwnWithoutSensorsIsWell) {
 TEST_F(ShippedComputerTest, AnotherComputerWithoutTimeServerIsNotBlamedForIt) {
   monitor_.OnComputers({{"jetson", "10.0.0.3"}});
   Second second;
-  second.clock = {false, 0, "no answer"};
+  second.clock = {false, 0, 0, "no answer"};
   Run(10, second);
   EXPECT_THAT(SubjectsAt(HealthLevel::kError, Report()), IsEmpty());
   Run(1, {});
