@@ -167,7 +167,7 @@ void ClientGroot2::Abandon(const std::string& why) {
   for (const Request& request : std::exchange(requests_, {})) {
     const bool is_command =
         request.type == kHookInsert || request.type == kHookRemove || request.type == kUnlock;
-    if (is_command) request.on_answer({why, {}});
+    if (is_command) request.on_answer({why, {}, false});
   }
 }
 
@@ -242,7 +242,7 @@ void ClientGroot2::AddHook(const Hook& hook, LiveClient::ReplyHandler on_reply) 
   const SetHook set = {++last_hook_, uid, hook, nodes[0], false};
   hooks_.push_back(set);
   Ask(kHookInsert, groot2::WriteHookInsert(hook, uid), [this, set, on_reply](const Answer& answer) {
-    if (!answer.error.empty()) Forget(set.id);
+    if (answer.is_of_robot && !answer.error.empty()) Forget(set.id);
     Reply(on_reply, answer.error, answer.error.empty() ? set.id : kNoHook);
   });
 }

@@ -33,6 +33,7 @@ class ClientGroot2 final : public ClientSession {
   struct Answer {
     std::string error;
     std::string payload;
+    bool is_of_robot = true;  ///< else the error says why nobody waits for one any more
   };
   struct Request {
     char type;
