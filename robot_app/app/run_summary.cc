@@ -9,6 +9,7 @@
 #include <sstream>
 #include <utility>
 
+#include "bt_core/data/value_bytes.h"
 #include "bt_core/engine/events/status_follower.h"
 #include "bt_core/record/record_cursor.h"
 
@@ -134,9 +135,10 @@ std::optional<std::size_t> PoseSlot(const TreeDescription& tree) {
   return std::nullopt;
 }
 
-void AddStay(const std::string& text, Time now, std::vector<Recording::Stay>& stays) {
-  coppice::Pose2D pose;
-  if (ValueTraits<coppice::Pose2D>::Parse(text, pose)) stays.push_back({now, pose});
+void AddStay(const std::string& bytes, Time now, std::vector<Recording::Stay>& stays) {
+  Value pose;
+  const bool is_pose = ReadValueBytes(bytes, TypeOf<coppice::Pose2D>(), pose);
+  if (is_pose) stays.push_back({now, pose.Get<coppice::Pose2D>()});
 }
 
 Recording ReadAll(const RecordReader& record) {
