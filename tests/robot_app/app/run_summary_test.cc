@@ -42,14 +42,14 @@ class Script {
   void Note(int second, const std::string& text) {
     recording_.notes.push_back({seconds(second), "note", text});
   }
-  const Recording& recording() const { return recording_; }
+  const RecordedEvents& recording() const { return recording_; }
 
  private:
   void Tick(int second) {
     recording_.end = seconds(second);
     ++recording_.ticks;
   }
-  Recording recording_;
+  RecordedEvents recording_;
 };
 
 class RunSummaryTest : public testing::Test {
