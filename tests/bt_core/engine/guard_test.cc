@@ -150,6 +150,43 @@ TEST(Guard, HaltHooksComeFromTheInsideOut) {
   EXPECT_EQ(stage.executor->blackboard()[log].value.Get<std::string>(), "inner outer");
 }
 
+std::string HooksOf(const Stage& stage) {
+  const SlotIndex log = stage.program->layout.Find(0, "log");
+  return stage.executor->blackboard()[log].value.Get<std::string>();
+}
+
+TEST(Guard, ASkippedLeafThatHadBegunIsToldOfItsHaltByTheHook) {
+  Stage stage(Main("<Sequence _onStart=\"log := ''\">"
+                   "<Leaf name=\"a\" _onStart=\"log += 's'\" _onHalted=\"log += 'h'\"/>"
+                   "<Leaf name=\"b\"/></Sequence>"),
+              Results({{"a", {kRunning, kSkipped}}, {"b", {kFailure}}}));
+  stage.executor->Tick();
+  EXPECT_EQ(stage.executor->Tick(), kFailure);
+  EXPECT_EQ(stage.TakeEvents(), (Names{"start a", "tick a", "start b", "halt a"}));
+  EXPECT_EQ(HooksOf(stage), "sh");
+}
+
+TEST(Guard, HooksOfSkippedNodesComeFromTheInsideOut) {
+  Stage stage(Main("<Sequence _onStart=\"log := ''\">"
+                   "<Delay delay_msec=\"0\" _onHalted=\"log += 'outer'\">"
+                   "<Leaf name=\"a\" _onHalted=\"log += 'inner '\"/></Delay>"
+                   "<Leaf name=\"b\"/></Sequence>"),
+              Results({{"a", {kRunning, kSkipped}}, {"b", {kFailure}}}));
+  stage.executor->Tick();
+  EXPECT_EQ(stage.executor->Tick(), kFailure);
+  EXPECT_EQ(HooksOf(stage), "inner outer");
+}
+
+TEST_F(Guards, WhileHaltsWhatASkippedNodeHasBegun) {
+  Load("_while=\"x == 0\" _onHalted=\"log += 'h'\"", {kRunning, kSkipped});
+  Tick();
+  EXPECT_EQ(Tick(), kSkipped);
+  SetX(1);
+  EXPECT_EQ(Tick(), kSkipped);
+  EXPECT_EQ(stage_->TakeEvents(), (Names{"start a", "tick a", "halt a"}));
+  EXPECT_EQ(Log(), "h");
+}
+
 TEST(Guard, AScriptThatCannotRunFailsTheNodeWithAMessage) {
   Stage stage(Main("<Leaf name=\"a\" _skipIf=\"nobody > 3\"/>"));
   const KeepingSink& sink = stage.Listen();
