@@ -251,7 +251,6 @@ class Executor final : public LeafHost, public ChildHost {
   }
   [[gnu::cold]] void Resume(NodeIndex node);
   [[gnu::cold]] void LetGo(NodeIndex node);
-  void LetGoBelow(NodeIndex node);
   void Forget(NodeIndex node);
   void KeepSomeMemory(NodeIndex node);  // dispatch_others.cc
 

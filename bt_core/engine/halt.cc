@@ -69,15 +69,12 @@ void Executor::Resume(NodeIndex node) {
 void Executor::LetGo(NodeIndex node) {
   const bool has_kept = Keeps(node);
   if (has_kept) Forget(node);
-  if (nodes_[node].type != NodeType::kSequenceWithMemory) LetGoBelow(node);
-  if (has_kept && IsGuarded(node)) RunHaltedHook(node);
-}
-
-void Executor::LetGoBelow(NodeIndex node) {
-  const NodeIndex end = nodes_[node].end;
+  const bool keeps_place = nodes_[node].type == NodeType::kSequenceWithMemory;
+  const NodeIndex end = keeps_place ? node + 1 : nodes_[node].end;
   for (NodeIndex child = node + 1; kept_ != 0 && child != end; child = nodes_[child].end) {
     LetGo(child);
   }
+  if (has_kept && IsGuarded(node)) RunHaltedHook(node);
 }
 
 void Executor::Forget(NodeIndex node) {

@@ -1,4 +1,4 @@
-// Files and everything that they include, as one set of trees by ID.
+// Files and all that they include, as trees by ID (a sole one without ID is BehaviorTree_0).
 //
 //   Diagnostics diagnostics;
 //   std::optional<Project> project = Project::FromFile("robot.xml", diagnostics);
@@ -62,8 +62,6 @@ class Project {
   bool has_errors() const { return has_errors_; }
 
   const std::vector<Document>& documents() const { return documents_; }
-  /// By ID. The sole tree of a file may have none: it is called BehaviorTree_0, that of another file
-  /// BehaviorTree_1 and so on.
   const std::map<std::string, TreeDefinition, std::less<>>& trees() const { return trees_; }
 
   /// The tree of that ID, or null.
