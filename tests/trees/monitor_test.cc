@@ -12,6 +12,7 @@ class MonitorTree : public testing::Test {
  protected:
   MonitorTree() {
     scenario_.Set("charging", false);
+    scenario_.Set("docked", false);
     scenario_.Set("configuration", std::string("operating"));
     scenario_.Set("going_home", false);
     scenario_.Tick();  // says once that no charging is needed
@@ -22,7 +23,7 @@ class MonitorTree : public testing::Test {
   void Live(double seconds, const std::vector<std::pair<std::string, std::string>>& errors) {
     for (; seconds > 0; seconds -= 0.5) {
       scenario_.Advance(0.5);
-      scenario_.Set("battery", BatteryReading{scenario_.now(), 25, -6, 0.8});
+      scenario_.Set("battery", BatteryReading{scenario_.now(), 25, -6, 0.8, kNotMeasured, {}});
       scenario_.Report(errors);
       scenario_.Tick();
     }
@@ -311,16 +312,33 @@ TEST_F(MonitorTree, RevivesTheAggregatorWhenReportsStopAndAsksAtLast) {
 
 TEST_F(MonitorTree, SwitchesToChargingOnlyWhenTheCurrentHasLasted) {
   scenario_.Set("charging", true);
+  scenario_.Set("docked", true);
   Live(59, {});
   EXPECT_EQ(scenario_.CallsBeginning("SetConfiguration"), 0);
   Live(3, {});
   EXPECT_EQ(Calls().back(), "SetConfiguration charging");
 }
 
-TEST_F(MonitorTree, SwitchesBackToOperatingWhenCurrentStops) {
+TEST_F(MonitorTree, SwitchesBackToOperatingOffTheStation) {
   scenario_.Set("configuration", std::string("charging"));
   Live(4, {});
   EXPECT_EQ(scenario_.CallsBeginning("SetConfiguration operating"), 1);
+}
+
+TEST_F(MonitorTree, SwitchesBackToOperatingWhenTheCurrentStopsBeforeTheBatteryIsFull) {
+  scenario_.Set("configuration", std::string("charging"));
+  scenario_.Set("docked", true);
+  scenario_.Set("battery_level", 0.6);
+  Live(4, {});
+  EXPECT_EQ(scenario_.CallsBeginning("SetConfiguration operating"), 1);
+}
+
+TEST_F(MonitorTree, StaysInChargingWithAFullBatteryOnTheStation) {
+  scenario_.Set("configuration", std::string("charging"));
+  scenario_.Set("docked", true);
+  scenario_.Set("battery_level", 1.0);
+  Live(600, {});
+  EXPECT_EQ(scenario_.CallsBeginning("SetConfiguration"), 0);
 }
 
 TEST_F(MonitorTree, LeavesAConfigurationAloneThatWasSetByHand) {

@@ -27,6 +27,7 @@ class World {
  public:
   explicit World(std::uint32_t seed) : random_(seed) {
     scenario_.Set("charging", false);
+    scenario_.Set("docked", false);
     scenario_.Set("going_home", false);
   }
 
@@ -45,7 +46,7 @@ class World {
       if (!is_fixed) rests_until_[subject] = scenario_.now() + std::chrono::seconds(900);
     }
     scenario_.Advance(0.5);
-    scenario_.Set("battery", BatteryReading{scenario_.now(), 25, 12, 0.95});
+    scenario_.Set("battery", BatteryReading{scenario_.now(), 25, 12, 0.95, kNotMeasured, {}});
     Report();
     scenario_.Tick();
   }

@@ -12,7 +12,7 @@
 
 #include "bt_core/engine/executor.h"
 #include "bt_nodes/monitoring/health.h"
-#include "bt_nodes/power/battery_estimate.h"
+#include "bt_nodes/power/battery_reading.h"
 #include "tests/bt_nodes/fakes.h"
 #include "tests/support/folders.h"
 
@@ -25,8 +25,7 @@ class TreeScenario {
     auto registry = std::make_shared<Registry>();
     RegisterNodes(*registry, robot.capabilities());
     Diagnostics diagnostics;
-    program_ = CompileFile(SourceFolder() + "/trees/" + file, registry,
-                           diagnostics, tree);
+    program_ = CompileFile(SourceFolder() + "/trees/" + file, registry, diagnostics, tree);
     if (!program_) throw std::runtime_error(diagnostics.ToString());
     executor_ = std::make_unique<Executor>(program_, clock_);
   }

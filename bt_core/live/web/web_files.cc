@@ -81,10 +81,10 @@ bool AcceptsGzip(std::string_view accept_encoding) {
     const std::size_t end = std::min(accept_encoding.find(','), accept_encoding.size());
     const std::string_view item = accept_encoding.substr(0, end);
     accept_encoding.remove_prefix(std::min(end + 1, accept_encoding.size()));
-    const std::size_t semicolon = std::min(item.find(';'), item.size());
-    const std::string_view name = Trimmed(item.substr(0, semicolon));
-    const bool refused =
-        semicolon < item.size() && IsRefused(item.substr(std::min(semicolon + 1, item.size())));
+    const auto semicolon = std::find(item.begin(), item.end(), ';');
+    const std::size_t length = semicolon - item.begin();
+    const std::string_view name = Trimmed(item.substr(0, length));
+    const bool refused = length < item.size() && IsRefused(item.substr(length + 1));
     if (EqualsIgnoringCase(name, "gzip") || EqualsIgnoringCase(name, "x-gzip")) return !refused;
     if (name == "*") accepts_any = !refused;
   }
