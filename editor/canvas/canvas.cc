@@ -81,7 +81,7 @@ class CanvasPass {
     if (!node.note.empty()) ui_.items.Add(path + "/note", look.box);
     for (std::uint32_t i = 0; i < node.port_count; ++i) {
       const PortLine& port = scene_.ports[node.first_port + i];
-      if (!port.is_key) continue;
+      if (port.key.empty()) continue;
       ui_.items.Add(path + "/port/" + std::string(port.name), PortBox(node, look, i));
     }
   }

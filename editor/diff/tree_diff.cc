@@ -210,10 +210,10 @@ class Merger {
     for (std::size_t p = node.first_port; p < node.first_port + node.port_count; ++p) {
       if (ports[p].name != change.name) continue;
       ports[p].value = value;
-      ports[p].is_key = false;
+      ports[p].key = {};
       return;
     }
-    ports.push_back({Keep(change.name), value, PortDirection::kInput, false, nullptr});
+    ports.push_back({Keep(change.name), value, PortDirection::kInput, {}, nullptr});
     ++node.port_count;
   }
 

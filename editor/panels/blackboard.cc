@@ -25,7 +25,7 @@ std::vector<std::string> KeysOfSelection(const TreeView* view) {
   const SceneNode& node = scene.nodes[view->selected()];
   for (std::uint32_t i = 0; i < node.port_count; ++i) {
     const PortLine& port = scene.ports[node.first_port + i];
-    if (port.is_key) keys.emplace_back(KeyOf(port.value));
+    if (!port.key.empty()) keys.emplace_back(port.key);
   }
   return keys;
 }

@@ -7,17 +7,17 @@
 namespace coppice::editor {
 namespace {
 
+using testing::AnyOf;
 using testing::ElementsAre;
+using testing::HasSubstr;
 
 std::vector<std::string> Keys(const std::string& nodes) {
   const Document document = Parsed("<root BTCPP_format=\"4\"><BehaviorTree ID=\"Main\">" + nodes +
                                    "</BehaviorTree></root>");
   std::vector<std::string> keys;
   for (const KeyName& name : KeyNamesIn(document, NodeModels(), 1)) {
-    EXPECT_NE(document.text()
-                  .substr(name.begin, name.end - name.begin)
-                  .find(name.form == KeyForm::kPort ? "=" : name.key),
-              std::string::npos);
+    const std::string place = document.text().substr(name.begin, name.end - name.begin);
+    EXPECT_THAT(place, AnyOf(HasSubstr(name.key), HasSubstr("=")));
     keys.push_back((name.is_global ? "@" : "") + name.key + (name.reads ? " r" : "") +
                    (name.writes ? " w" : ""));
   }
@@ -30,6 +30,11 @@ TEST(KeyNames, AreFoundInPortsAndScripts) {
   EXPECT_THAT(Keys("<Script code=\"a := b + 1; c += 2; d = true\"/>"),
               ElementsAre("a w", "b r", "c r w", "d w"));
   EXPECT_THAT(Keys("<Go _skipIf=\"battery &lt; 20\"/>"), ElementsAre("battery r"));
+}
+
+TEST(KeyNames, AreWhatTheEngineTakesForKeys) {
+  EXPECT_THAT(Keys("<Go goal=' {goal} ' speed='{ fast }' where='=' text='{a}_{b}'/>"),
+              ElementsAre("goal r", "fast r", "where r"));
 }
 
 TEST(KeyNames, KnowTheDirectionOfAPort) {

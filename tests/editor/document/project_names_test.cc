@@ -13,7 +13,7 @@ constexpr char kMain[] = R"(<root BTCPP_format="4" main_tree_to_execute="Main">
 <BehaviorTree ID="Main"><Sequence>
   <SubTree ID="Walk" goal="{place}"/>
   <SubTree ID="Walk" goal="{=}" name="Walk"/>
-  <SubTree ID="Rest" _autoremap="true"/>
+  <SubTree ID="Rest" _autoremap="True"/>
   <Beep goal="{goal}"/>
 </Sequence></BehaviorTree></root>)";
 constexpr char kWalk[] = R"(<root BTCPP_format="4">

@@ -40,6 +40,15 @@ TEST(NodeModels, ReadPortsInTheDeclaredOrderWithTheirMeaning) {
   EXPECT_EQ(go->source, "m.xml:2");
 }
 
+TEST(NodeModels, ReadDescriptionsAsTheParserOfTheEngineDoes) {
+  const NodeModels models = With(
+      "<Action ID='Go'><input_port name='a' default='a > b'>after &#65; <![CDATA[<b>]]></input_port>"
+      "</Action>");
+  const PortModel& port = models.Find("Go")->ports[0];
+  EXPECT_EQ(port.default_text, "a > b");
+  EXPECT_EQ(port.description, "after A <b>");
+}
+
 TEST(NodeModels, DoNotLetAFileChangeABuiltInType) {
   const NodeModels models = With("<Action ID=\"Sequence\"/>");
   EXPECT_EQ(models.Find("Sequence")->category, NodeCategory::kControl);

@@ -49,7 +49,7 @@ TEST_F(SceneTest, OrdersPortsAsDeclared) {
   const SceneNode& lamp = scene.nodes[4];
   ASSERT_EQ(lamp.port_count, 2U);
   EXPECT_EQ(scene.ports[lamp.first_port].name, "level");
-  EXPECT_TRUE(scene.ports[lamp.first_port].is_key);
+  EXPECT_FALSE(scene.ports[lamp.first_port].key.empty());
   EXPECT_EQ(scene.ports[lamp.first_port + 1].name, "lamp");
 }
 
@@ -86,12 +86,6 @@ TEST_F(SceneTest, StopsGrowingAtTheLimit) {
 TEST_F(SceneTest, IsEmptyWithoutATree) {
   EXPECT_TRUE(Build("<root/>").nodes.empty());
   EXPECT_TRUE(Build("<root><BehaviorTree ID=\"E\"/></root>").nodes.empty());
-}
-
-TEST(Scene, TakesTheKeyOutOfItsBraces) {
-  EXPECT_EQ(KeyOf("{goal}"), "goal");
-  EXPECT_EQ(KeyOf("goal"), "");
-  EXPECT_EQ(KeyOf("{}"), "");
 }
 
 }  // namespace
