@@ -5,9 +5,9 @@
 
 #include "editor/canvas/canvas_mouse.h"
 #include "editor/canvas/data_links.h"
-#include "editor/canvas/layout/visible_nodes.h"
 #include "editor/canvas/paint/node_painter.h"
-#include "editor/canvas/paint/tree_painter.h"
+#include "editor/canvas/tree_painter.h"
+#include "editor/canvas/visible_nodes.h"
 
 namespace coppice::editor {
 namespace {

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "editor/document/merge.h"
+#include "editor/files/merge.h"
 
 namespace coppice::editor {
 namespace {

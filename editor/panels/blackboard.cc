@@ -3,9 +3,9 @@
 #include "bt_core/data/value_bytes.h"
 #include "editor/canvas/layout/node_metrics.h"
 #include "editor/live/value_table.h"
-#include "editor/panels/panel.h"
 #include "editor/panels/panels.h"
 #include "editor/panels/run/run_text.h"
+#include "editor/panels/widgets/panel.h"
 #include "editor/timeline/slot_history.h"
 
 namespace coppice::editor {

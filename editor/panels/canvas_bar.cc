@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "editor/panels/panel.h"
 #include "editor/panels/panels.h"
+#include "editor/panels/widgets/panel.h"
 #include "editor/workspace/canvas_tabs.h"
 
 namespace coppice::editor {

@@ -10,8 +10,8 @@
 #include "editor/canvas/canvas.h"
 #include "editor/canvas/layout/node_metrics.h"
 #include "editor/document/script_check.h"
-#include "editor/panels/inspector_row.h"
 #include "editor/panels/panels.h"
+#include "editor/panels/widgets/inspector_row.h"
 #include "editor/scene/problem_places.h"
 #include "editor/workspace/tree_editor.h"
 

@@ -5,8 +5,8 @@
 #include "editor/canvas/paint/status_look.h"
 #include "editor/panels/drag_source.h"
 #include "editor/panels/outline_drop.h"
-#include "editor/panels/panel.h"
 #include "editor/panels/panels.h"
+#include "editor/panels/widgets/panel.h"
 
 namespace coppice::editor {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "editor/panels/panel.h"
+#include "editor/panels/widgets/panel.h"
 #include "editor/workspace/node_drop.h"
 
 namespace coppice::editor {

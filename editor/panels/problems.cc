@@ -1,8 +1,8 @@
 #include <algorithm>
 
 #include "editor/document/fixes.h"
-#include "editor/panels/panel.h"
 #include "editor/panels/panels.h"
+#include "editor/panels/widgets/panel.h"
 #include "editor/theme/icons.h"
 #include "editor/workspace/tree_editor.h"
 

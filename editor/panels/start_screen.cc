@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string>
 
-#include "editor/panels/panel.h"
+#include "editor/panels/widgets/panel.h"
 
 namespace coppice::editor {
 namespace {

@@ -4,9 +4,12 @@
 
 #include "editor/panels/canvas_banners.h"
 #include "editor/panels/canvas_tile.h"
-#include "editor/panels/panel.h"
 #include "editor/panels/panels.h"
+#include "editor/panels/run/run_tile.h"
 #include "editor/panels/start_screen.h"
+#include "editor/panels/timeline/timeline.h"
+#include "editor/panels/widgets/panel.h"
+#include "editor/panels/xml/xml.h"
 #include "editor/workspace/simulation_editor.h"
 #include "editor/workspace/tree_editor.h"
 

@@ -25,7 +25,7 @@
 #include "editor/keys/key_file.h"
 #include "editor/live/kept_marks.h"
 #include "editor/live/robot_source.h"
-#include "editor/panels/panels.h"
+#include "editor/panels/popup/popup.h"
 #include "editor/panels/tiles.h"
 #include "editor/panels/xml/xml_keys.h"
 #include "editor/render/rasteriser.h"

@@ -17,8 +17,8 @@
 #include <memory>
 #include <string>
 
-#include "editor/document/backup.h"
-#include "editor/document/history_store.h"
+#include "editor/files/backup.h"
+#include "editor/files/history_store.h"
 #include "editor/keys/input_queue.h"
 #include "editor/render/image.h"
 #include "editor/theme/item_registry.h"
@@ -44,9 +44,6 @@ struct EditorOptions {
   std::function<std::string()> get_clipboard;  ///< empty: the editor's own
   std::function<void(const std::string&)> set_clipboard;
 };
-
-/// Shape of the mouse cursor that the window should show.
-enum class CursorShape { kArrow, kText, kResizeAcross, kResizeDown, kHand };
 
 class Editor {
  public:

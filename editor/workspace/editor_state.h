@@ -10,8 +10,8 @@
 
 #include "bt_core/analysis/compare.h"
 #include "editor/canvas/drop_target.h"
-#include "editor/document/git_head.h"
-#include "editor/document/line_changes.h"
+#include "editor/files/git_head.h"
+#include "editor/files/line_changes.h"
 #include "editor/keys/choice.h"
 #include "editor/keys/command_table.h"
 #include "editor/keys/keys.h"

@@ -1,3 +1,5 @@
+#include "editor/panels/popup/popup.h"
+
 #include <imgui.h>
 // After imgui.h, which it needs.
 #include <imgui_stdlib.h>
@@ -6,12 +8,11 @@
 #include <filesystem>
 #include <utility>
 
-#include "editor/panels/key_list.h"
-#include "editor/panels/panel.h"
-#include "editor/panels/panels.h"
 #include "editor/panels/popup/choices.h"
+#include "editor/panels/popup/key_list.h"
 #include "editor/panels/popup/popup_rows.h"
 #include "editor/panels/popup/type_choices.h"
+#include "editor/panels/widgets/panel.h"
 #include "editor/workspace/tree_editor.h"
 
 namespace coppice::editor {

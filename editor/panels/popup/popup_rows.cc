@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "editor/panels/panel.h"
+#include "editor/panels/widgets/panel.h"
 
 namespace coppice::editor {
 namespace {

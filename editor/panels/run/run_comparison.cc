@@ -1,8 +1,8 @@
 #include <utility>
 
-#include "editor/panels/panel.h"
 #include "editor/panels/run/run_bodies.h"
 #include "editor/panels/run/run_text.h"
+#include "editor/panels/widgets/panel.h"
 
 namespace coppice::editor {
 namespace {

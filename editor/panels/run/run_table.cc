@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "editor/live/value_table.h"
-#include "editor/panels/panel.h"
 #include "editor/panels/run/run_bodies.h"
+#include "editor/panels/widgets/panel.h"
 
 namespace coppice::editor {
 namespace {

@@ -1,8 +1,9 @@
+#include "editor/panels/run/run_tile.h"
+
 #include <cstdint>
 
-#include "editor/panels/panel.h"
-#include "editor/panels/panels.h"
 #include "editor/panels/run/run_bodies.h"
+#include "editor/panels/widgets/panel.h"
 
 namespace coppice::editor {
 namespace {

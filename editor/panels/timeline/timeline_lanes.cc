@@ -2,10 +2,10 @@
 #include <cmath>
 #include <cstdio>
 
-#include "editor/panels/panel.h"
 #include "editor/panels/run/run_text.h"
 #include "editor/panels/timeline/lane_painter.h"
 #include "editor/panels/timeline/timeline_frame.h"
+#include "editor/panels/widgets/panel.h"
 #include "editor/theme/icons.h"
 #include "editor/timeline/slot_history.h"
 

@@ -1,9 +1,10 @@
+#include "editor/panels/xml/xml.h"
+
 #include <algorithm>
 #include <optional>
 #include <utility>
 
-#include "editor/panels/panel.h"
-#include "editor/panels/panels.h"
+#include "editor/panels/widgets/panel.h"
 #include "editor/panels/xml/xml_gutter.h"
 #include "editor/panels/xml/xml_keys.h"
 #include "editor/panels/xml/xml_line.h"

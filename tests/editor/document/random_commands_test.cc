@@ -6,10 +6,10 @@
 
 #include "editor/document/drop_edits.h"
 #include "editor/document/fragment.h"
-#include "editor/document/open_project.h"
 #include "editor/document/project_names.h"
 #include "editor/document/subtree_edits.h"
 #include "editor/document/tree_edits.h"
+#include "editor/files/open_project.h"
 #include "tests/editor/document/drafts.h"
 #include "tests/editor/driver.h"
 #include "tests/support/folders.h"
@@ -233,8 +233,8 @@ TEST(RandomCommands, OnRealFilesAreUndoneByteForByte) {
   const NodeRules rules(models);
   const char* folder = std::getenv("COPPICE_TREES");
   int sessions = 0;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(
-           folder ? folder : SourceFolder() + "/trees")) {
+  for (const auto& entry :
+       std::filesystem::recursive_directory_iterator(folder ? folder : SourceFolder() + "/trees")) {
     if (entry.path().extension() != ".xml") continue;
     SCOPED_TRACE(entry.path().string());
     std::ifstream stream(entry.path(), std::ios::binary);

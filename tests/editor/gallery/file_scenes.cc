@@ -1,4 +1,4 @@
-#include "editor/document/git_head.h"
+#include "editor/files/git_head.h"
 #include "tests/editor/gallery/scenes.h"
 #include "tests/editor/patrol_file.h"
 
