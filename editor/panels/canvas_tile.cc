@@ -32,7 +32,7 @@ class CanvasTile {
     if (state_.canvas.comparison) return DrawComparison();
     UpdateBadges();
     CanvasOptions options;
-    options.minimap = state_.tiles.minimap;
+    options.minimap = state_.screen.tiles.minimap;
     if (const Box* label = ui_.items.Find("sim/chance_origin")) options.occupied = *label;
     options.live = state_.workspace.tree_state();
     options.badges = &state_.canvas.badges.by_node;
@@ -49,7 +49,7 @@ class CanvasTile {
     if (!changes.empty()) options.changes = &changes;
     DrawCanvas(ui_, view_, box_, options);
     if (!options.live) return;
-    FollowRunning(state_.follow, view_, *options.live, {box_.width(), box_.height()}, ui_.now);
+    FollowRunning(state_.run.follow, view_, *options.live, {box_.width(), box_.height()}, ui_.now);
   }
 
  private:
@@ -83,7 +83,7 @@ class CanvasTile {
         ui_.now);
     const Box banner = {box_.min, {box_.max.x, box_.min.y + kBanner * ui_.scale}};
     CanvasOptions options;
-    options.minimap = state_.tiles.minimap;
+    options.minimap = state_.screen.tiles.minimap;
     options.changes = &comparison.changes();
     if (!comparison.view().scene()->nodes.empty()) {
       DrawCanvas(ui_, comparison.view(), {{box_.min.x, banner.max.y}, box_.max}, options);
@@ -151,19 +151,19 @@ class CanvasTile {
 
 HeatMap RunHeat(EditorState& state, const TreeView& view) {
   const RunView* run = state.workspace.run();
-  if (!run || !state.heat) return {};
-  if (run->source().is_simulation() && state.run_tab == RunTab::kCoverage && run->tree() &&
+  if (!run || !state.run.heat) return {};
+  if (run->source().is_simulation() && state.run.tab == RunTab::kCoverage && run->tree() &&
       state.coverage.coverage()) {
-    return state.coverage.Heat(*state.heat, *run->tree()->description(), *view.scene());
+    return state.coverage.Heat(*state.run.heat, *run->tree()->description(), *view.scene());
   }
   if (run->run().size() == 0) return {};
-  state.figures.Update(run->run(), state.timelines[run->name()].range);
-  return state.figures.Heat(*state.heat, *run->tree()->description(), *view.scene());
+  state.run.figures.Update(run->run(), state.run.timelines[run->name()].range);
+  return state.run.figures.Heat(*state.run.heat, *run->tree()->description(), *view.scene());
 }
 
 std::vector<Change> RunDifferences(const EditorState& state, const TreeView& view) {
   const RunView* run = state.workspace.run();
-  const ShownComparison& shown = state.comparison;
+  const ShownComparison& shown = state.run.comparison;
   if (!run || !shown.result || shown.first != run->name()) return {};
   std::vector<Change> changes(view.scene()->nodes.size(), Change::kNone);
   const auto& nodes = run->tree()->description()->nodes;

@@ -227,7 +227,7 @@ class Inspector {
     look.is_script = port.type == "script";
     if (!look.choices.empty() && is_literal) look.kind = FieldKind::kChoice;
     EditAttribute(path, port.name, value, look);
-    if (ImGui::IsItemHovered() && state_.typing.key.empty())
+    if (ImGui::IsItemHovered() && state_.input.typing.key.empty())
       PortTooltip(&port, given ? value : std::string(look.hint));
     if (port.type == "script" && !value.empty()) DrawScriptProblem(value);
   }
@@ -301,7 +301,7 @@ class Inspector {
                     {FromIm(ImGui::GetItemRectMin()), FromIm(ImGui::GetItemRectMax())});
       if (!chosen) continue;
       action_ = [text, &state = state_](TreeEditor& edit) {
-        if (edit.SetValue(text, "true")) state.focus_field = "inspector/script/" + text;
+        if (edit.SetValue(text, "true")) state.input.focus_field = "inspector/script/" + text;
       };
     }
     ImGui::EndPopup();

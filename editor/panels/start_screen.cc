@@ -124,13 +124,13 @@ class StartScreen {
   }
 
   void OfferRecent() {
-    if (state_.recent.empty()) return;
+    if (state_.recent.files.empty()) return;
     y_ += kGap * ui_.scale;
     const TextStyle heading{Face::kBold, 11, ui_.palette.text_dim};
     ui_.RowText(list_, {left_, y_}, 20 * ui_.scale, "recent files", heading);
     y_ += 22 * ui_.scale;
-    for (std::size_t i = 0; i < std::min(state_.recent.size(), kRecent); ++i) {
-      const std::string path = state_.recent[i];
+    for (std::size_t i = 0; i < std::min(state_.recent.files.size(), kRecent); ++i) {
+      const std::string path = state_.recent.files[i];
       const Box box = Take(20);
       y_ -= kGap * ui_.scale;
       bool hovered = false;

@@ -80,7 +80,7 @@ class Editor {
   /// Where everything was in the last frame.
   const ItemRegistry& items() const { return items_; }
   EditorState& state() { return state_; }
-  double now() const { return now_; }
+  double now() const { return state_.now; }
 
   /// Seconds until the next frame is worth drawing: 0 at once, infinity when nothing moves.
   double NextFrameIn() const;
@@ -116,7 +116,6 @@ class Editor {
   HistoryStore history_store_;
   std::string kept_marks_;  // as they are in the file
   double backed_up_at_ = 0;
-  double now_ = 0;
   int settle_ = 2;  // frames that are still needed after the last event
 };
 

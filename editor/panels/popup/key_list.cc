@@ -15,7 +15,7 @@ constexpr Key kFirstModifierKey = 340;  // GLFW_KEY_LEFT_SHIFT and those behind 
 constexpr float kKeysWidth = 150;
 
 bool IsPressed(const EditorState& state, Key key) {
-  return std::any_of(state.keys.begin(), state.keys.end(),
+  return std::any_of(state.input.keys.begin(), state.input.keys.end(),
                      [key](const KeyEvent& event) { return event.key == key; });
 }
 
@@ -71,13 +71,13 @@ std::vector<const Command*> FindCommands(const CommandTable& commands, const std
 }
 
 void DrawKeyList(const Ui& ui, EditorState& state) {
-  const std::vector<const Command*> commands = FindCommands(state.commands, state.popup_text);
+  const std::vector<const Command*> commands = FindCommands(state.commands, state.popup.text);
   const int count = static_cast<int>(commands.size());
-  const int before = state.popup_choice;
-  if (IsPressed(state, kKeyDown)) ++state.popup_choice;
-  if (IsPressed(state, kKeyUp)) --state.popup_choice;
-  state.popup_choice = std::clamp(state.popup_choice, 0, std::max(count - 1, 0));
-  state.popup_rows = commands.size() + state.key_settings.problems.all().size();
+  const int before = state.popup.choice;
+  if (IsPressed(state, kKeyDown)) ++state.popup.choice;
+  if (IsPressed(state, kKeyUp)) --state.popup.choice;
+  state.popup.choice = std::clamp(state.popup.choice, 0, std::max(count - 1, 0));
+  state.popup.rows = commands.size() + state.key_settings.problems.all().size();
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
   ImGui::Dummy({1, 6 * ui.scale});
   DrawProblems(ui, state.key_settings.problems);
@@ -87,10 +87,10 @@ void DrawKeyList(const Ui& ui, EditorState& state) {
   const Command* chosen = nullptr;
   for (int i = 0; i < count; ++i) {
     const Command& command = *commands[static_cast<std::size_t>(i)];
-    const Row row = NextRow(ui, "popup/keys/" + command.id, i == state.popup_choice);
-    if (i == state.popup_choice && before != i) ImGui::SetScrollHereY();
+    const Row row = NextRow(ui, "popup/keys/" + command.id, i == state.popup.choice);
+    if (i == state.popup.choice && before != i) ImGui::SetScrollHereY();
     if (row.visible) PaintCommand(ui, command, row.box);
-    if (row.clicked || (i == state.popup_choice && IsPressed(state, kKeyEnter))) chosen = &command;
+    if (row.clicked || (i == state.popup.choice && IsPressed(state, kKeyEnter))) chosen = &command;
   }
   ImGui::EndChild();
   ImGui::PopStyleVar();
@@ -101,7 +101,7 @@ void DrawNewKeys(const Ui& ui, EditorState& state) {
   KeySettings& settings = state.key_settings;
   const Command* command = state.commands.Find(settings.command);
   if (!command) return;
-  const bool is_first_frame = std::exchange(state.popup_is_new, false);
+  const bool is_first_frame = std::exchange(state.popup.is_new, false);
   const auto write = [&](const char* path, const std::string& text, Color color) {
     const Row row = NextRow(ui, path, false);
     ui.RowText(*ImGui::GetWindowDrawList(), row.box.min + Point{6 * ui.scale, 0}, row.box.height(),
@@ -119,7 +119,7 @@ void DrawNewKeys(const Ui& ui, EditorState& state) {
         ui.palette.warning);
   ImGui::PopStyleVar();
   if (is_first_frame) return;
-  for (const KeyEvent& event : state.keys) {
+  for (const KeyEvent& event : state.input.keys) {
     const KeyChord pressed = {event.key, event.modifiers};
     if (event.key >= kFirstModifierKey || event.key == kKeyEscape) continue;
     if (pressed == KeyChord{kKeyBackspace}) {

@@ -26,7 +26,7 @@ class Timeline {
            view,
            view.run(),
            view.playhead(),
-           state.timelines[view.name()],
+           state.run.timelines[view.name()],
            view.run().TracksAt(view.playhead().is_at_now() ? view.run().size()
                                                            : view.playhead().tick()),
            {},

@@ -148,8 +148,8 @@ class FieldDrawer {
 
   // While the user types, the text is the state's; before and after it is the document's.
   void Text() {
-    const bool is_typing = state_.typing.key == key_;
-    std::string buffer = is_typing ? state_.typing.text : value_;
+    const bool is_typing = state_.input.typing.key == key_;
+    std::string buffer = is_typing ? state_.input.typing.text : value_;
     ImGui::SetCursorScreenPos(ToIm(rest_.min));
     ImGui::SetNextItemWidth(rest_.width());
     ImGui::PushFont(ui_.fonts.Pick(Face::kMono, 11 * ui_.scale));
@@ -159,9 +159,9 @@ class FieldDrawer {
     ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, 1);
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {5 * ui_.scale, TextTop()});
     ImGui::PushID(key_.c_str());
-    if (state_.focus_field == path_) {
+    if (state_.input.focus_field == path_) {
       ImGui::SetKeyboardFocusHere();
-      state_.focus_field.clear();
+      state_.input.focus_field.clear();
     }
     const std::string hint(look_.hint);
     const ImGuiInputTextFlags flags =
@@ -170,9 +170,9 @@ class FieldDrawer {
                              const_cast<FieldLook*>(&look_));
     if (ImGui::IsItemActive()) ShowCompletions(buffer);
     if (ImGui::IsItemActive()) {
-      state_.typing = {key_, buffer};
+      state_.input.typing = {key_, buffer};
     } else if (is_typing) {
-      state_.typing = {};
+      state_.input.typing = {};
       if (buffer != value_) result_.value = buffer;
     }
     ImGui::PopID();

@@ -68,7 +68,7 @@ TEST_F(CanvasTest, PaintsStatusesOnBordersInThreePalettes) {
   robot->Set(5, Status::kIdle, Status::kFailure);
   for (const PaletteName name :
        {PaletteName::kDark, PaletteName::kLight, PaletteName::kColourBlind}) {
-    driver_.editor.state().palette = name;
+    driver_.editor.state().screen.palette = name;
     driver_.Frames(30);
     const Palette& colors = GetPalette(name);
     EXPECT_GT(driver_.CountColor(driver_.BoxOf("canvas/Main/1"), colors.running), 60);
@@ -212,7 +212,7 @@ TEST_F(CanvasTest, ShowsTwentyThousandNodes) {
     if (close) {
       driver_.view().Select(driver_.view().scene()->FindPath("1.100.30"));
       driver_.Press('Z');
-      driver_.view().Reveal(driver_.editor.state().canvas_size);
+      driver_.view().Reveal(driver_.editor.state().screen.canvas_size);
       driver_.Frames();
       EXPECT_GT(driver_.CountColor(driver_.BoxOf("canvas"), GetPalette(PaletteName::kDark).unknown),
                 500);

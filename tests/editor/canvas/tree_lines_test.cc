@@ -24,7 +24,7 @@ std::string WideTree() {
 class TreeLines : public testing::Test {
  protected:
   TreeLines() {
-    driver_.editor.state().reduce_motion = true;
+    driver_.editor.state().screen.reduce_motion = true;
     robot_ = driver_.AddRobot("robot:1", WideTree());
     driver_.Frames(20);
   }

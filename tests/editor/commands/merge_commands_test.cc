@@ -50,8 +50,8 @@ class MergeCommandsTest : public testing::Test {
     project().LookAtDisk();
   }
   void Ask() { state().commands.Run("file.resolve"); }
-  std::vector<Choice> Rows() { return state().prompt.preview(""); }
-  std::string Answer() { return state().prompt.run(""); }
+  std::vector<Choice> Rows() { return state().popup.prompt.preview(""); }
+  std::string Answer() { return state().popup.prompt.run(""); }
 
   TemporaryFile file_{"main.xml", kFile};
   std::filesystem::file_time_type stamp_ = std::filesystem::last_write_time(file_.path());
@@ -61,7 +61,7 @@ class MergeCommandsTest : public testing::Test {
 TEST_F(MergeCommandsTest, WithoutADisputeThereIsNothingToAsk) {
   EXPECT_EQ(DisputedFile(state()), "");
   Ask();
-  EXPECT_EQ(state().popup, Popup::kNone);
+  EXPECT_EQ(state().popup.kind, Popup::kNone);
   EXPECT_THAT(state().notice.text, HasSubstr("nobody else"));
   IWrite(With(kFile, "hello", "good evening"));
   TheyWrite(With(kFile, "door", "hall"));
@@ -77,8 +77,8 @@ TEST_F(MergeCommandsTest, OneAttributeThatBothChangedIsOnePlace) {
   EXPECT_EQ(DisputedFile(state()), file_.path());
   EXPECT_EQ(Text(), mine) << "nothing changes before the user has answered";
   Ask();
-  ASSERT_EQ(state().popup, Popup::kPrompt);
-  EXPECT_THAT(state().prompt.hint, HasSubstr("main.xml"));
+  ASSERT_EQ(state().popup.kind, Popup::kPrompt);
+  EXPECT_THAT(state().popup.prompt.hint, HasSubstr("main.xml"));
   ASSERT_EQ(Rows().size(), 1U);
   EXPECT_EQ(Rows()[0].kind, "mine");
   EXPECT_THAT(Rows()[0].title, HasSubstr("speed=\"2\""));
@@ -130,7 +130,7 @@ TEST_F(MergeCommandsTest, WhoGivesUpHalfWayHasDecidedNothing) {
   Rows()[0].run();
   driver_.Press(kKeyEscape);
   driver_.Frames();
-  EXPECT_EQ(state().popup, Popup::kNone);
+  EXPECT_EQ(state().popup.kind, Popup::kNone);
   EXPECT_EQ(Text(), mine);
   EXPECT_EQ(DisputedFile(state()), file_.path()) << "the question stays";
   Ask();

@@ -50,7 +50,7 @@ TEST_F(ProjectCommandsTest, ANameThatIsTakenIsRefusedInThePrompt) {
   driver_.Press('E', kCtrl);
   Answer("Walk");
   EXPECT_TRUE(driver_.Has("popup"));
-  EXPECT_THAT(driver_.editor.state().popup_error, HasSubstr("already"));
+  EXPECT_THAT(driver_.editor.state().popup.error, HasSubstr("already"));
   EXPECT_EQ(Text(), kSmallFile);
   driver_.Press(kKeyEscape);
   EXPECT_FALSE(driver_.Has("popup"));

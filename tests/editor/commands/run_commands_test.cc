@@ -64,7 +64,7 @@ TEST_F(RunCommandsTest, ABreakpointOfAFileIsForEveryRobotToCome) {
 
 TEST_F(RunCommandsTest, WritesAKey) {
   ExecutedSource* robot = AddExecuted(driver_, "robot:1", 5);
-  state().shown_key = "blackboard/pass/steps";
+  state().blackboard.shown_key = "blackboard/pass/steps";
   state().commands.Run("blackboard.write");
   driver_.Frames();
   driver_.Type("42");

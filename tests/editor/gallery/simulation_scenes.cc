@@ -65,7 +65,7 @@ void Covered(Stage& stage, const char* battery) {
   Begin(stage);
   if (*battery) stage.state().simulator.get()->SetKey("battery", battery);
   stage.Run("sim.runs");
-  stage.state().popup_text = "200";
+  stage.state().popup.text = "200";
   stage.driver().Press(kKeyEnter);
   while (stage.state().coverage.is_running()) stage.driver().Frames(1);
   stage.Run("view.fit_all");

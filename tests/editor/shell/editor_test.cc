@@ -105,8 +105,8 @@ TEST(Editor, RemembersRecentFiles) {
     driver.editor.Open(file.path());
   }
   Driver driver(options);
-  ASSERT_EQ(driver.editor.state().recent.size(), 1U);
-  EXPECT_EQ(driver.editor.state().recent[0], file.path());
+  ASSERT_EQ(driver.editor.state().recent.files.size(), 1U);
+  EXPECT_EQ(driver.editor.state().recent.files[0], file.path());
   driver.Frames();
   driver.Click("menu/file");
   ASSERT_TRUE(driver.Click("menu/recent/0"));

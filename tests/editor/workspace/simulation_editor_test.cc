@@ -86,7 +86,7 @@ TEST_F(SimulationEditorTest, ManyRunsKnowWhatTheSimulationWasTold) {
   const NodeCoverage& go = *state().coverage.Find("go");
   EXPECT_GT(go.results_of(Status::kFailure), 0U);
   EXPECT_EQ(go.results_of(Status::kSuccess), 0U) << "its script is what the user has said";
-  EXPECT_EQ(state().run_tab, RunTab::kCoverage);
+  EXPECT_EQ(state().run.tab, RunTab::kCoverage);
 }
 
 TEST_F(SimulationEditorTest, AnotherSimulationForgetsWhatTheLastOneReached) {

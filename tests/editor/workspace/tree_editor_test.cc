@@ -109,13 +109,13 @@ TEST_F(TreeEditorTest, APasteWithErrorsPastesNothing) {
   Select("1");
   Edit().Paste("<Say", AddWhere::kChild);
   EXPECT_EQ(Text(), kFile);
-  EXPECT_EQ(state().popup, Popup::kPasteErrors);
-  EXPECT_FALSE(state().popup_problems.empty());
+  EXPECT_EQ(state().popup.kind, Popup::kPasteErrors);
+  EXPECT_FALSE(state().popup.problems.empty());
 }
 
 TEST_F(TreeEditorTest, WhatWasCopiedIsXmlText) {
   std::string clipboard;
-  state().set_clipboard = [&](const std::string& text) { clipboard = text; };
+  state().services.set_clipboard = [&](const std::string& text) { clipboard = text; };
   Select("1.1");
   Edit().Cut();
   EXPECT_EQ(clipboard, "<Go name=\"there\" to=\"{goal}\"/>\n");

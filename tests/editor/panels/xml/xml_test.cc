@@ -94,7 +94,7 @@ TEST_F(XmlTypingTest, ACommandGoesToTheTextOfTheNode) {
   driver_.view().Select(driver_.view().scene()->FindPath("1.3"));
   driver_.Press(kKeyEnter, kCtrl);
   EXPECT_TRUE(driver_.Has("xml/caret"));
-  EXPECT_EQ(driver_.editor.state().xml.at, Text().find("<AlwaysSuccess"));
+  EXPECT_EQ(driver_.editor.state().xml.pane.at, Text().find("<AlwaysSuccess"));
   driver_.Press(kKeyEnd, kShift);
   driver_.Press('X', kCtrl);
   EXPECT_EQ(driver_.editor.state().get_clipboard(), "<AlwaysSuccess/>");
