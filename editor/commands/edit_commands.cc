@@ -146,8 +146,9 @@ class EditCommands {
   }
 
   void AddPaste(std::string id, std::string title, KeyChord keys, AddWhere where) {
-    AddFunction(std::move(id), std::move(title), keys,
-                [&s = state_, where](TreeEditor edit) { edit.Paste(s.get_clipboard(), where); });
+    AddFunction(std::move(id), std::move(title), keys, [&s = state_, where](TreeEditor edit) {
+      edit.Paste(s.services.get_clipboard(), where);
+    });
   }
 
   EditorState& state_;

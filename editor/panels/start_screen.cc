@@ -137,7 +137,7 @@ class StartScreen {
       const bool pressed = ui_.Hit("start/recent/" + std::to_string(i), box, &hovered);
       const TextStyle style{Face::kSans, 12, hovered ? ui_.palette.accent : ui_.palette.link};
       ui_.RowText(list_, box.min, box.height(), ui_.CutStart(path, style, width_), style);
-      if (pressed) state_.after_frame = [&s = state_, path] { s.open_file(path); };
+      if (pressed) state_.after_frame = [&s = state_, path] { s.services.open_file(path); };
     }
   }
 

@@ -188,7 +188,7 @@ class TopBar {
       ui_.items.Add("menu/recent/" + std::to_string(i),
                     {FromIm(ImGui::GetItemRectMin()), FromIm(ImGui::GetItemRectMax())});
       if (chosen) {
-        state_.open_file(path);
+        state_.services.open_file(path);
         break;
       }
     }

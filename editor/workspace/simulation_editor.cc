@@ -305,7 +305,7 @@ void SimulationEditor::RunScenarios() {
 }
 
 void SimulationEditor::ShowTest(const ScenarioTest& test) {
-  if (!test.tree_file.empty()) state_.open_file(test.tree_file);
+  if (!test.tree_file.empty()) state_.services.open_file(test.tree_file);
 }
 
 }  // namespace coppice::editor

@@ -227,7 +227,7 @@ void TreeEditor::Copy() {
     Refuse("nothing is selected");
     return;
   }
-  state_.set_clipboard(text);
+  state_.services.set_clipboard(text);
   state_.Notify("Copied " + What(), now_);
 }
 
@@ -311,7 +311,7 @@ void TreeEditor::Restore() {
     return;
   }
   for (auto& [path, text] : state_.restorable) {
-    if (state_.services.resume && state_.resume(path, text)) continue;
+    if (state_.services.resume && state_.services.resume(path, text)) continue;
     state_.workspace.project().SetText(path, "Restore unsaved work", std::move(text));
   }
   state_.restorable.clear();

@@ -215,7 +215,7 @@ class PopupWindow {
     std::error_code error;
     if (!std::filesystem::exists(state_.popup.text, error)) {
       state_.popup.error = "there is no such file";
-    } else if (state_.open_file(state_.popup.text)) {
+    } else if (state_.services.open_file(state_.popup.text)) {
       state_.popup.kind = Popup::kNone;
     } else {
       state_.popup.error = "nothing to show in this file; see Problems";
@@ -223,7 +223,7 @@ class PopupWindow {
   }
 
   void Connect() {
-    state_.popup.error = state_.connect(state_.popup.text);
+    state_.popup.error = state_.services.connect(state_.popup.text);
     if (state_.popup.error.empty()) state_.popup.kind = Popup::kNone;
   }
 

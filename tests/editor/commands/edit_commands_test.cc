@@ -128,7 +128,7 @@ TEST_F(EditCommandsTest, UndoEverythingGivesTheSameBytes) {
 
 TEST_F(EditCommandsTest, APasteWithErrorsShowsThemAndPastesNothing) {
   Select("1.1");
-  driver_.editor.state().set_clipboard("<Beep>\n<Beep/>");
+  driver_.editor.state().services.set_clipboard("<Beep>\n<Beep/>");
   driver_.Press('V', kCtrl);
   EXPECT_EQ(Text(), kSmallFile);
   EXPECT_TRUE(driver_.Has("popup/error/0"));
@@ -139,7 +139,7 @@ TEST_F(EditCommandsTest, APasteWithErrorsShowsThemAndPastesNothing) {
 
 TEST_F(EditCommandsTest, PasteTakesXmlOfAnyTextEditor) {
   Select("1.1");
-  driver_.editor.state().set_clipboard("  <Beep tone=\"a\"/>\n  <Beep/>\n");
+  driver_.editor.state().services.set_clipboard("  <Beep tone=\"a\"/>\n  <Beep/>\n");
   driver_.Press('V', kCtrl);
   EXPECT_THAT(Text(), HasSubstr("level=\"{level}\"/>\n        <Beep tone=\"a\"/>\n"
                                 "        <Beep/>\n      </Fallback>"));

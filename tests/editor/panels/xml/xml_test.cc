@@ -97,7 +97,7 @@ TEST_F(XmlTypingTest, ACommandGoesToTheTextOfTheNode) {
   EXPECT_EQ(driver_.editor.state().xml.pane.at, Text().find("<AlwaysSuccess"));
   driver_.Press(kKeyEnd, kShift);
   driver_.Press('X', kCtrl);
-  EXPECT_EQ(driver_.editor.state().get_clipboard(), "<AlwaysSuccess/>");
+  EXPECT_EQ(driver_.editor.state().services.get_clipboard(), "<AlwaysSuccess/>");
   EXPECT_EQ(Text().find("<AlwaysSuccess"), std::string::npos);
 }
 
