@@ -8,7 +8,7 @@
 
 #include "bt_core/testing/scenario.h"
 #include "bt_core/testing/scenario_writer.h"
-#include "tests/bt_core/record/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace coppice {
 namespace {

@@ -1,6 +1,6 @@
 // A folder of a test's own, gone when the test ends.
-#ifndef COPPICE_TESTS_BT_CORE_RECORD_TEMPORARY_FOLDER_H_
-#define COPPICE_TESTS_BT_CORE_RECORD_TEMPORARY_FOLDER_H_
+#ifndef COPPICE_TESTS_SUPPORT_TEMPORARY_FOLDER_H_
+#define COPPICE_TESTS_SUPPORT_TEMPORARY_FOLDER_H_
 
 #include <stdlib.h>
 
@@ -9,21 +9,26 @@
 #include <iterator>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 
 namespace coppice {
 
 class TemporaryFolder {
  public:
   TemporaryFolder() {
-    std::string name = std::filesystem::temp_directory_path() / "coppice_test_XXXXXX";
+    std::string name = std::filesystem::temp_directory_path() / "coppice-XXXXXX";
     if (!mkdtemp(name.data())) throw std::runtime_error("no temporary folder");
     folder_ = name;
   }
-  ~TemporaryFolder() { std::filesystem::remove_all(folder_); }
+  ~TemporaryFolder() {
+    std::error_code error;
+    std::filesystem::remove_all(folder_, error);
+  }
   TemporaryFolder(const TemporaryFolder&) = delete;
   TemporaryFolder& operator=(const TemporaryFolder&) = delete;
 
   std::string Path(const std::string& name) const { return folder_ / name; }
+  std::string path() const { return folder_; }
 
  private:
   std::filesystem::path folder_;
@@ -40,4 +45,4 @@ inline void WriteFile(const std::string& path, const std::string& bytes) {
 
 }  // namespace coppice
 
-#endif  // COPPICE_TESTS_BT_CORE_RECORD_TEMPORARY_FOLDER_H_
+#endif  // COPPICE_TESTS_SUPPORT_TEMPORARY_FOLDER_H_
