@@ -1,3 +1,6 @@
+// A node that another number has only because a sibling came or went has not moved, and to say so
+// would bury what the user did. So the order of siblings is compared as a whole: those that do not
+// fit the heaviest rising part of it have moved, as few as possible.
 #include "editor/diff/tree_diff.h"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// Lines are the wrong pieces for XML: two people who each give a node another attribute would be in
+// conflict. The pieces are tags without their attributes, attributes, and texts between tags, each
+// with the blanks before it, so that what is put together again is the user's text byte for byte.
 #include "editor/files/merge.h"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// Everything that can be undone passes through here, and a change of several files is one step. So
+// a change is worked out completely on copies of the texts first: a file that is not open or a text
+// that would be malformed refuses all of it, and nothing has to be taken back.
 #include "editor/files/open_project.h"
 
 #include <algorithm>

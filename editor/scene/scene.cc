@@ -1,3 +1,7 @@
+// A SubTree is written out wherever it stands, so a scene can be far larger than its files, and a
+// small file can ask for an endless one. Hence a list of what is still to do in the place of
+// recursion, a limit, and for each instance of a tree the instances around it, by which a tree
+// inside itself is recognized.
 #include "editor/scene/scene.h"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// The order of a frame matters: first what comes from outside (disk, robots, simulation), then the
+// keys, then the tiles, then what lies over them. So commands of keys meet a state at rest. What
+// would pull something from under the tile that is being drawn goes into `after_frame`.
 #include "editor/shell/editor.h"
 
 #include <imgui.h>

@@ -51,7 +51,7 @@ struct Splits {
 };
 
 /// How the screen is divided and coloured.
-struct Screen {
+struct ScreenState {
   PaletteName palette = PaletteName::kDark;
   bool reduce_motion = false;  ///< nothing pulses, walks or glides
   Tiles tiles;
@@ -89,7 +89,7 @@ struct EditorState {
   KeySettings key_settings;
   GitHead git;
   std::map<std::string, std::string> restorable;  ///< unsaved texts of the last time, by path
-  Screen screen;
+  ScreenState screen;
   CanvasState canvas;
   XmlTile xml;
   RunTile run;

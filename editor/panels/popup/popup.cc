@@ -1,3 +1,6 @@
+// One window for all questions: it is as high as its content, the field has the keys at once, the
+// arrow keys walk in the rows below it. So a new question is a `Prompt` or a `List`, and needs no
+// window of its own.
 #include "editor/panels/popup/popup.h"
 
 #include <imgui.h>

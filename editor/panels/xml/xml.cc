@@ -1,3 +1,7 @@
+// The field is our own, not Dear ImGui's for text of many lines: what is typed must be a step of
+// the project's one history, so that it is undone in one order with what is done on the canvas; the
+// caret selects the node that it stands in; and of a file with many thousand lines only those in
+// sight may cost anything.
 #include "editor/panels/xml/xml.h"
 
 #include <algorithm>
