@@ -1,6 +1,6 @@
 // A message of any type whose content is not read: for counting what comes on a topic.
-#ifndef COPPICE_ROBOT_APP_MONITORING_ANY_MESSAGE_H_
-#define COPPICE_ROBOT_APP_MONITORING_ANY_MESSAGE_H_
+#ifndef COPPICE_ROBOT_APP_COMMON_ANY_MESSAGE_H_
+#define COPPICE_ROBOT_APP_COMMON_ANY_MESSAGE_H_
 
 #include <ros/message_traits.h>
 #include <ros/serialization.h>
@@ -51,4 +51,4 @@ struct Serializer<coppice::robot::AnyMessage> {
 }  // namespace serialization
 }  // namespace ros
 
-#endif  // COPPICE_ROBOT_APP_MONITORING_ANY_MESSAGE_H_
+#endif  // COPPICE_ROBOT_APP_COMMON_ANY_MESSAGE_H_
