@@ -78,6 +78,8 @@ class FloorsTest(unittest.TestCase):
             return True  # said by the test above
         if here == there or (here, there) in rooms.ARROWS:
             return True
+        if there in rooms.PROGRAMS:
+            return False
         wing, other = here.split("/")[0], there.split("/")[0]
         if wing != other:
             return other in rooms.WINGS[wing]

@@ -42,8 +42,6 @@ FLOORS = {
          "bt_core/record": "the recorder and the reader of its files ([format](record_format.md))"},
         {"bt_core/analysis": "what can be asked of a record: why, the same run again, statistics, "
                              "other formats ([replay](replay.md))"},
-        {"bt_core/cli": "`coppice cat, check, convert, live, nodes, record, replay, run, stats, "
-                        "test, trace, upgrade`; `diff` and `export` are programs of the editor"},
     ],
     "bt_nodes": [
         {"bt_nodes/basics": "`Wait`, `IsTrue`; the base of leaves that call a capability",
@@ -79,7 +77,6 @@ FLOORS = {
                                  "([supervisors](supervisors.md))"},
         {"robot_app/ros": "the interfaces of `bt_nodes` implemented on ROS; feeds from topics to "
                           "blackboards"},
-        {"robot_app/app": "`coppice-robot` (runs the trees) and `coppice-demo`"},
     ],
     "editor": [
         {"editor/keys": "keys and mouse as a queue, chords, the table of commands, fuzzy search",
@@ -101,9 +98,16 @@ FLOORS = {
         {"editor/commands": "what keys, menus and the palette can run"},
         {"editor/panels": "the tiles and bars around the canvas, popups"},
         {"editor/shell": "the editor as a function of events, without a window"},
-        {"editor/app": "`coppice-edit`, `coppice-diff`, `coppice-export`",
-         "editor/web": "the editor as a web page"},
     ],
+}
+
+# On the roof of its wing: wires things and runs; nobody includes it.
+PROGRAMS = {
+    "bt_core/cli": "`coppice cat, check, convert, live, nodes, record, replay, run, stats, test, "
+                   "trace, upgrade`; `diff` and `export` are programs of the editor",
+    "robot_app/app": "`coppice-robot` (runs the trees) and `coppice-demo`",
+    "editor/app": "`coppice-edit`, `coppice-diff`, `coppice-export`",
+    "editor/web": "the editor as a web page",
 }
 
 # Arrows beside the floors, each with its reason.
@@ -140,8 +144,9 @@ BEGIN, END = "<!-- rooms: tests/architecture/rooms.py --write -->\n", "<!-- end 
 
 def floor_of_rooms():
     """Room -> its floor in its wing."""
-    return {room: number for floors in FLOORS.values()
-            for number, floor in enumerate(floors) for room in floor}
+    roof = {room: len(FLOORS[room.split("/")[0]]) for room in PROGRAMS}
+    return {**roof, **{room: number for floors in FLOORS.values()
+                       for number, floor in enumerate(floors) for room in floor}}
 
 
 def room_of(path, rooms):
@@ -153,8 +158,10 @@ def room_of(path, rooms):
 
 def table():
     lines = ["| room | what lives there |", "|---|---|"]
-    for floors in FLOORS.values():
-        lines += [f"| `{room}` | {what} |" for floor in floors for room, what in floor.items()]
+    for wing, floors in FLOORS.items():
+        roof = {room: what for room, what in PROGRAMS.items() if room.startswith(wing + "/")}
+        lines += [f"| `{room}` | {what} |" for floor in floors + [roof]
+                  for room, what in floor.items()]
     return "\n".join(lines + ["| `trees` | `application`, `behavior`, `monitor`, `recovery`; each "
                               "file can be checked and run alone |", ""])
 
@@ -165,25 +172,27 @@ def page(text):
     return before + BEGIN + table() + END + rest.split(END)[1]
 
 
-WIDTH, ROW, GAP, LEFT = 960, 30, 6, 14
+WIDTH, ROW, GAP, LEFT, MOST = 960, 30, 6, 14, 5
 COLORS = {"bt_core": "#8a5a2a", "bt_nodes": "#3c7a3c", "robot_app": "#22696b", "editor": "#2b5797"}
 
 
 def picture():
     """bt_core below; on it the robot and, beside it, the editor, which do not know each other."""
-    half = (WIDTH - 2 * LEFT - GAP) / 2
-    robot = FLOORS["bt_nodes"] + FLOORS["robot_app"]
+    whole = WIDTH - 2 * LEFT
+    half = (whole - GAP) / 2
+    core = rows(FLOORS["bt_core"])
+    robot = rows(FLOORS["bt_nodes"] + FLOORS["robot_app"])
+    editor = rows(FLOORS["editor"])
     height = ROW + GAP
-    top = LEFT + 24
-    storeys = max(len(robot), len(FLOORS["editor"]))
-    ground = top + storeys * height
-    shapes = []
-    for number, floor in enumerate(FLOORS["bt_core"][::-1]):
-        shapes += row(floor, LEFT, ground + number * height, WIDTH - 2 * LEFT)
-    for floors, left in ((robot, LEFT), (FLOORS["editor"], LEFT + half + GAP)):
-        for number, floor in enumerate(floors):
-            shapes += row(floor, left, ground - (number + 1) * height, half)
-    bottom = ground + len(FLOORS["bt_core"]) * height + LEFT
+    roof = LEFT + 24
+    ground = roof + (1 + max(len(robot), len(editor))) * height
+    shapes = row(list(PROGRAMS), LEFT, roof, whole)
+    for names, left, width, bottom in ((core, LEFT, whole, ground + len(core) * height),
+                                       (robot, LEFT, half, ground),
+                                       (editor, LEFT + half + GAP, half, ground)):
+        for number, floor in enumerate(names):
+            shapes += row(floor, left, bottom - (number + 1) * height, width)
+    bottom = ground + len(core) * height + LEFT
     title = "A room includes rooms below it, never one beside it, but for the arrows that are named"
     return "\n".join([
         f'<svg xmlns="http://www.w3.org/2000/svg" width="{WIDTH}" height="{bottom}" '
@@ -192,8 +201,18 @@ def picture():
         f'<text x="{LEFT}" y="24" fill="#c9d1d9">{title}</text>'] + shapes + ["</svg>", ""])
 
 
+def rows(floors):
+    """The rooms of the floors from the ground up; a full floor takes more than one row."""
+    split = []
+    for floor in map(list, floors):
+        count = -(-len(floor) // MOST)
+        size = -(-len(floor) // count)
+        split += [floor[i:i + size] for i in range(0, len(floor), size)]
+    return split
+
+
 def row(floor, left, y, width):
-    """The boxes of a floor, as wide as their names need."""
+    """The boxes of these rooms, as wide as their names need."""
     names = [short_name(room, len(floor)) for room in floor]
     room_for_names = width - GAP * (len(names) - 1)
     total = sum(len(name) + 3 for name in names)
@@ -212,7 +231,8 @@ def row(floor, left, y, width):
 
 def short_name(room, neighbours):
     """Without its wing where the floor is full."""
-    return room if neighbours < 4 else room.partition("/")[2] or room
+    is_crowded = neighbours >= 4 and room not in PROGRAMS
+    return room.partition("/")[2] if is_crowded else room
 
 
 def write():
