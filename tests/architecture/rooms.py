@@ -119,7 +119,7 @@ ARROWS = {
 
 # Rooms whose inner folders still include each other in a circle.
 INNER_CIRCLES = (
-    "bt_core/analysis", "bt_core/cli", "bt_core/engine", "bt_core/live",
+    "bt_core/cli", "bt_core/engine", "bt_core/live",
     "robot_app/assistance", "robot_app/monitoring", "robot_app/processes")
 
 # Folders of headers of others, and where they may be included. For bt_core, whose headers are read

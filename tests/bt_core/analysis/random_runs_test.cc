@@ -3,7 +3,7 @@
 
 #include <random>
 
-#include "bt_core/analysis/verify.h"
+#include "bt_core/analysis/play/verify.h"
 #include "tests/bt_core/analysis/recorded_run.h"
 
 namespace coppice {

@@ -12,7 +12,7 @@
 #include "bt_core/analysis/formats/import_btlog.h"
 #include "bt_core/analysis/formats/write_record.h"
 #include "bt_core/analysis/load_recording.h"
-#include "bt_core/analysis/verify.h"
+#include "bt_core/analysis/play/verify.h"
 #include "tests/bt_core/analysis/recorded_run.h"
 #include "tests/support/temporary_folder.h"
 

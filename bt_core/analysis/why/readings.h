@@ -1,7 +1,7 @@
 // What a node could read when it was ticked: the values of its ports and of the keys in its
 // scripts, at that moment of the tick.
-#ifndef COPPICE_BT_CORE_ANALYSIS_READINGS_H_
-#define COPPICE_BT_CORE_ANALYSIS_READINGS_H_
+#ifndef COPPICE_BT_CORE_ANALYSIS_WHY_READINGS_H_
+#define COPPICE_BT_CORE_ANALYSIS_WHY_READINGS_H_
 
 #include <optional>
 #include <string>
@@ -58,4 +58,4 @@ std::optional<GuardDecision> DecideGuards(const RecordedTree& tree, NodeIndex no
 
 }  // namespace coppice
 
-#endif  // COPPICE_BT_CORE_ANALYSIS_READINGS_H_
+#endif  // COPPICE_BT_CORE_ANALYSIS_WHY_READINGS_H_

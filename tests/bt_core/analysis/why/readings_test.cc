@@ -1,4 +1,4 @@
-#include "bt_core/analysis/readings.h"
+#include "bt_core/analysis/why/readings.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "bt_core/analysis/verify.h"
+#include "bt_core/analysis/play/verify.h"
 
 #include <gtest/gtest.h>
 

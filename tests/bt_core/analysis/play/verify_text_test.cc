@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "bt_core/analysis/verify.h"
+#include "bt_core/analysis/play/verify.h"
 
 namespace coppice {
 namespace {

@@ -11,8 +11,8 @@
 // goes on while the tree runs says nothing of what its nodes remember, so there the verification
 // waits until no node runs. Values of types that are only known to the application (without its
 // plugin) are taken as they are.
-#ifndef COPPICE_BT_CORE_ANALYSIS_VERIFY_H_
-#define COPPICE_BT_CORE_ANALYSIS_VERIFY_H_
+#ifndef COPPICE_BT_CORE_ANALYSIS_PLAY_VERIFY_H_
+#define COPPICE_BT_CORE_ANALYSIS_PLAY_VERIFY_H_
 
 #include <cstdint>
 #include <functional>
@@ -48,4 +48,4 @@ std::string VerificationToJson(const Verification& verification, Time start);
 
 }  // namespace coppice
 
-#endif  // COPPICE_BT_CORE_ANALYSIS_VERIFY_H_
+#endif  // COPPICE_BT_CORE_ANALYSIS_PLAY_VERIFY_H_

@@ -1,7 +1,7 @@
 #include <cstdio>
 
 #include "bt_core/analysis/json_writer.h"
-#include "bt_core/analysis/verify.h"
+#include "bt_core/analysis/play/verify.h"
 
 namespace coppice {
 namespace {
