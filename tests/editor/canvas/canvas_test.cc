@@ -192,11 +192,11 @@ TEST_F(CanvasTest, ShowsCommentsAsNotes) {
 
 // A tree of 20 000 nodes whose frame is built from what can be seen alone.
 std::string LargeTree() {
-  std::string xml = "<root BTCPP_format=\"4\"><BehaviorTree ID=\"Large\"><Sequence>";
+  std::string xml = R"(<root BTCPP_format="4"><BehaviorTree ID="Large"><Sequence>)";
   for (int i = 0; i < 200; ++i) {
     xml += "<Fallback>";
     for (int j = 0; j < 33; ++j) {
-      xml += "<Inverter><Go to=\"{place}\" speed=\"0.4\"/></Inverter><Wait seconds=\"2\"/>";
+      xml += R"(<Inverter><Go to="{place}" speed="0.4"/></Inverter><Wait seconds="2"/>)";
     }
     xml += "</Fallback>";
   }

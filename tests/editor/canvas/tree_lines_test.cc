@@ -12,11 +12,10 @@ constexpr int kFirst = 2;    // uid of the first leaf
 constexpr int kMiddle = 10;
 
 std::string WideTree() {
-  std::string xml =
-      "<root BTCPP_format=\"4\"><BehaviorTree ID=\"Main\" _fullpath=\"\">"
-      "<Sequence name=\"top\" _uid=\"1\">";
+  std::string xml = R"(<root BTCPP_format="4"><BehaviorTree ID="Main" _fullpath="">)"
+                    R"(<Sequence name="top" _uid="1">)";
   for (int i = 0; i < kLeaves; ++i) {
-    xml += "<Step name=\"s\" _uid=\"" + std::to_string(i + 2) + "\"/>";
+    xml += R"(<Step name="s" _uid=")" + std::to_string(i + 2) + "\"/>";
   }
   return xml + "</Sequence></BehaviorTree></root>";
 }

@@ -12,7 +12,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 
 std::vector<std::string> Keys(const std::string& nodes) {
-  const Document document = Parsed("<root BTCPP_format=\"4\"><BehaviorTree ID=\"Main\">" + nodes +
+  const Document document = Parsed(R"(<root BTCPP_format="4"><BehaviorTree ID="Main">)" + nodes +
                                    "</BehaviorTree></root>");
   std::vector<std::string> keys;
   for (const KeyName& name : KeyNamesIn(document, NodeModels(), 1)) {
@@ -25,11 +25,11 @@ std::vector<std::string> Keys(const std::string& nodes) {
 }
 
 TEST(KeyNames, AreFoundInPortsAndScripts) {
-  EXPECT_THAT(Keys("<Go goal=\"{goal}\" speed=\"{@speed}\" text=\"in {braces} somewhere\"/>"),
+  EXPECT_THAT(Keys(R"(<Go goal="{goal}" speed="{@speed}" text="in {braces} somewhere"/>)"),
               ElementsAre("goal r", "@speed r"));
-  EXPECT_THAT(Keys("<Script code=\"a := b + 1; c += 2; d = true\"/>"),
+  EXPECT_THAT(Keys(R"(<Script code="a := b + 1; c += 2; d = true"/>)"),
               ElementsAre("a w", "b r", "c r w", "d w"));
-  EXPECT_THAT(Keys("<Go _skipIf=\"battery &lt; 20\"/>"), ElementsAre("battery r"));
+  EXPECT_THAT(Keys(R"(<Go _skipIf="battery &lt; 20"/>)"), ElementsAre("battery r"));
 }
 
 TEST(KeyNames, AreWhatTheEngineTakesForKeys) {
@@ -38,31 +38,31 @@ TEST(KeyNames, AreWhatTheEngineTakesForKeys) {
 }
 
 TEST(KeyNames, KnowTheDirectionOfAPort) {
-  EXPECT_THAT(Keys("<SetBlackboard value=\"{from}\" output_key=\"to\"/>"),
+  EXPECT_THAT(Keys(R"(<SetBlackboard value="{from}" output_key="to"/>)"),
               ElementsAre("from r", "to w"));
 }
 
 TEST(KeyNames, OfASubTreeAreHandedOn) {
-  EXPECT_THAT(Keys("<SubTree ID=\"Walk\" goal=\"{place}\" speed=\"{=}\" loud=\"true\"/>"),
+  EXPECT_THAT(Keys(R"(<SubTree ID="Walk" goal="{place}" speed="{=}" loud="true"/>)"),
               ElementsAre("place", "speed"));
 }
 
 TEST(KeyNames, WordsInCapitalsThatNobodyAssignsAreNoKeys) {
-  EXPECT_THAT(Keys("<Script code=\"color := RED\"/>"), ElementsAre("color w"));
-  EXPECT_THAT(Keys("<Script code=\"RED := 1; color := RED\"/>"),
+  EXPECT_THAT(Keys(R"(<Script code="color := RED"/>)"), ElementsAre("color w"));
+  EXPECT_THAT(Keys(R"(<Script code="RED := 1; color := RED"/>)"),
               ElementsAre("RED w", "color w", "RED r"));
 }
 
 TEST(KeyNames, AnotherKeyTakesTheirPlace) {
-  const Document document = Parsed(
-      "<root><BehaviorTree ID=\"M\"><A x=\"{k}\" y=\"{=}\" _post=\"k &lt; k\"/></BehaviorTree>"
-      "</root>");
+  const Document document =
+      Parsed(R"(<root><BehaviorTree ID="M"><A x="{k}" y="{=}" _post="k &lt; k"/></BehaviorTree>)"
+             "</root>");
   Edit edit;
   for (const KeyName& name : KeyNamesIn(document, NodeModels(), 0)) {
     edit = Merge(std::move(edit), {WithKey(name, "new")});
   }
   EXPECT_EQ(Apply(edit, document.text()),
-            "<root><BehaviorTree ID=\"M\"><A x=\"{new}\" y=\"{new}\" _post=\"new &lt; new\"/>"
+            R"(<root><BehaviorTree ID="M"><A x="{new}" y="{new}" _post="new &lt; new"/>)"
             "</BehaviorTree></root>");
 }
 

@@ -25,18 +25,18 @@ TEST_F(BackupTest, AnEditorThatWasKilledLeavesItsWork) {
   {
     OpenProject project;
     Open(project);
-    Edit(project, "<root a=\"1\"/>");
+    Edit(project, R"(<root a="1"/>)");
     Backup(folder_).Update(project);
   }
   OpenProject project;
-  EXPECT_EQ(Backup(folder_).Find(Open(project)), "<root a=\"1\"/>");
+  EXPECT_EQ(Backup(folder_).Find(Open(project)), R"(<root a="1"/>)");
 }
 
 TEST_F(BackupTest, WhatWasSavedIsForgotten) {
   OpenProject project;
   Open(project);
   Backup backup(folder_);
-  Edit(project, "<root a=\"1\"/>");
+  Edit(project, R"(<root a="1"/>)");
   backup.Update(project);
   Diagnostics diagnostics;
   ASSERT_TRUE(project.Save(file_.path(), diagnostics));
@@ -48,7 +48,7 @@ TEST_F(BackupTest, WhatWasSavedIsForgotten) {
 TEST_F(BackupTest, WithoutAFolderNothingIsKept) {
   OpenProject project;
   Open(project);
-  Edit(project, "<root a=\"1\"/>");
+  Edit(project, R"(<root a="1"/>)");
   Backup backup("");
   backup.Update(project);
   EXPECT_EQ(backup.Find(Open(project)), std::nullopt);
@@ -71,7 +71,7 @@ TEST_F(BackupTest, AStoryOfACrash) {
   driver.Frames();
   EXPECT_TRUE(driver.Click("banner/restore")) << "a bar above the tree offers it";
   const EditedFile& file = *driver.editor.state().workspace.project().Find(file_.path());
-  EXPECT_NE(file.text.find("<AlwaysSuccess _skipIf=\"true\"/>"), std::string::npos);
+  EXPECT_NE(file.text.find(R"(<AlwaysSuccess _skipIf="true"/>)"), std::string::npos);
   driver.Press('Z', kCtrl);
   EXPECT_EQ(file.text, kSmallFile);
 }

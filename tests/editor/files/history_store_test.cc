@@ -18,8 +18,8 @@ class HistoryStoreTest : public testing::Test {
     Open(project, path);
     HistoryStore store(folder_);
     store.Restore(project);
-    project.SetText(path, "Type", "<root a=\"1\"/>");
-    project.SetText(path, "Type more", "<root a=\"12\"/>");
+    project.SetText(path, "Type", R"(<root a="1"/>)");
+    project.SetText(path, "Type more", R"(<root a="12"/>)");
     EXPECT_TRUE(project.Save(path, diagnostics_));
     store.Update(project);
   }
@@ -37,7 +37,7 @@ TEST_F(HistoryStoreTest, UndoGoesOnAfterARestart) {
   HistoryStore store(folder_);
   EXPECT_EQ(store.Restore(project), 2U);
   ASSERT_NE(project.Undo(), nullptr);
-  EXPECT_EQ(file.text, "<root a=\"1\"/>");
+  EXPECT_EQ(file.text, R"(<root a="1"/>)");
   EXPECT_EQ(project.Undo()->name, "Type");
   EXPECT_EQ(file.text, "<root/>");
   EXPECT_EQ(project.Undo(), nullptr);
@@ -52,7 +52,7 @@ TEST_F(HistoryStoreTest, WhatWasUndoneCanBeDoneAgainAfterARestart) {
   {
     OpenProject project;
     Open(project, file_.path());
-    project.SetText(file_.path(), "Type", "<root a=\"1\"/>");
+    project.SetText(file_.path(), "Type", R"(<root a="1"/>)");
     project.Undo();
     HistoryStore(folder_).Update(project);
   }
@@ -61,12 +61,12 @@ TEST_F(HistoryStoreTest, WhatWasUndoneCanBeDoneAgainAfterARestart) {
   HistoryStore(folder_).Restore(project);
   EXPECT_EQ(project.history().undo(), nullptr);
   ASSERT_NE(project.Redo(), nullptr);
-  EXPECT_EQ(file.text, "<root a=\"1\"/>");
+  EXPECT_EQ(file.text, R"(<root a="1"/>)");
 }
 
 TEST_F(HistoryStoreTest, AFileThatSomebodyElseHasChangedHasNoHistory) {
   EditAndSave(file_.path());
-  file_.Write("<root b=\"2\"/>");
+  file_.Write(R"(<root b="2"/>)");
   OpenProject project;
   Open(project, file_.path());
   EXPECT_EQ(HistoryStore(folder_).Restore(project), 0U);
@@ -79,7 +79,7 @@ TEST_F(HistoryStoreTest, AFileThatIsOpenedLaterBringsItsHistoryAlong) {
   Open(project, file_.path());
   HistoryStore store(folder_);
   EXPECT_EQ(store.Restore(project), 2U);
-  project.SetText(file_.path(), "Now", "<root now=\"1\"/>");
+  project.SetText(file_.path(), "Now", R"(<root now="1"/>)");
   Open(project, other_.path());
   EXPECT_EQ(store.Restore(project), 2U);
   EXPECT_EQ(store.Restore(project), 0U) << "once is enough";
@@ -94,13 +94,13 @@ TEST_F(HistoryStoreTest, AStepOfTwoFilesNeedsBoth) {
     OpenProject project;
     Open(project, file_.path());
     Open(project, other_.path());
-    project.SetText(file_.path(), "Before", "<root a=\"1\"/>");
+    project.SetText(file_.path(), "Before", R"(<root a="1"/>)");
     NamedChange both;
     both.name = "Rename";
-    both.files = {{file_.path(), {{{6, 0, "b=\"2\" "}}}, {}, {}},
-                  {other_.path(), {{{5, 0, " b=\"2\""}}}, {}, {}}};
+    both.files = {{file_.path(), {{{6, 0, R"(b="2" )"}}}, {}, {}},
+                  {other_.path(), {{{5, 0, R"( b="2")"}}}, {}, {}}};
     ASSERT_TRUE(project.Do(both, {}, diagnostics_)) << diagnostics_.ToString();
-    project.SetText(file_.path(), "After", "<root c=\"3\"/>");
+    project.SetText(file_.path(), "After", R"(<root c="3"/>)");
     ASSERT_TRUE(project.Save(file_.path(), diagnostics_));
     ASSERT_TRUE(project.Save(other_.path(), diagnostics_));
     HistoryStore(folder_).Update(project);
@@ -120,16 +120,16 @@ TEST_F(HistoryStoreTest, UnsavedWorkComesBackWithItsHistory) {
   {
     OpenProject project;
     Open(project, file_.path());
-    project.SetText(file_.path(), "Type", "<root a=\"1\"/>");
+    project.SetText(file_.path(), "Type", R"(<root a="1"/>)");
     HistoryStore(folder_).Update(project);
   }
   OpenProject project;
   const EditedFile& file = Open(project, file_.path());
   HistoryStore store(folder_);
   EXPECT_EQ(store.Restore(project), 0U);
-  EXPECT_FALSE(store.Resume(project, file_.path(), "<root other=\"\"/>"));
+  EXPECT_FALSE(store.Resume(project, file_.path(), R"(<root other=""/>)"));
   EXPECT_EQ(file.text, "<root/>");
-  EXPECT_TRUE(store.Resume(project, file_.path(), "<root a=\"1\"/>"));
+  EXPECT_TRUE(store.Resume(project, file_.path(), R"(<root a="1"/>)"));
   EXPECT_TRUE(file.is_dirty());
   ASSERT_NE(project.Undo(), nullptr);
   EXPECT_EQ(file.text, "<root/>");

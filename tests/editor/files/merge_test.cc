@@ -27,17 +27,17 @@ TEST(Merge, ChangesOfDifferentAttributesOfANodeAreBothThere) {
   const MergedText merged =
       MergeTexts(kBefore, With(kBefore, "x=\"1\"", "x=\"7\""), With(kBefore, "y=\"2\"", "y=\"8\""));
   EXPECT_TRUE(merged.conflicts.empty());
-  EXPECT_THAT(merged.text, testing::HasSubstr("<A x=\"7\" y=\"8\"/>"));
+  EXPECT_THAT(merged.text, testing::HasSubstr(R"(<A x="7" y="8"/>)"));
 }
 
 TEST(Merge, WhereBothChangedTheSameMineStays) {
   const MergedText merged =
       MergeTexts(kBefore, With(kBefore, "x=\"1\"", "x=\"7\""), With(kBefore, "x=\"1\"", "x=\"8\""));
-  EXPECT_THAT(merged.text, testing::HasSubstr("<A x=\"7\" y=\"2\"/>"));
+  EXPECT_THAT(merged.text, testing::HasSubstr(R"(<A x="7" y="2"/>)"));
   ASSERT_EQ(merged.conflicts.size(), 1U);
-  EXPECT_EQ(merged.conflicts[0].mine, " x=\"7\"");
-  EXPECT_EQ(merged.conflicts[0].theirs, " x=\"8\"");
-  EXPECT_EQ(merged.text.substr(merged.conflicts[0].offset, 6), " x=\"7\"");
+  EXPECT_EQ(merged.conflicts[0].mine, R"( x="7")");
+  EXPECT_EQ(merged.conflicts[0].theirs, R"( x="8")");
+  EXPECT_EQ(merged.text.substr(merged.conflicts[0].offset, 6), R"( x="7")");
 }
 
 TEST(Merge, TheSameChangeOfBothIsNoConflict) {
@@ -58,7 +58,7 @@ TEST(Merge, WithoutChangesOfOneSideItIsTheOther) {
 TEST(Merge, CutsATextIntoTagsAndAttributes) {
   EXPECT_THAT(
       XmlPieces("<?x?>\n<A b='>' c = \"/>\" /><!-- < -->t</A>"),
-      ElementsAre("<?x?>", "\n", "<A", " b='>'", " c = \"/>\"", " />", "<!-- < -->", "t", "</A>"));
+      ElementsAre("<?x?>", "\n", "<A", " b='>'", R"( c = "/>")", " />", "<!-- < -->", "t", "</A>"));
 }
 
 TEST(Merge, ThePiecesOfAnyTextAreTheText) {

@@ -38,7 +38,7 @@ void SetKey(Stage& stage) {
 void EditedWrongly(Stage& stage) {
   Ticking(stage);
   std::string text = kPatrolTree;
-  text.replace(text.find("<Dock name=\"dock\"/>"), 19, "<Inverter/>");
+  text.replace(text.find(R"(<Dock name="dock"/>)"), 19, "<Inverter/>");
   const std::string path = stage.state().workspace.project().files().begin()->first;
   stage.state().workspace.project().SetText(path, "Type", text);
   stage.driver().Frames(30);

@@ -116,12 +116,12 @@ TEST_F(SimulationBarTest, AnEditIsReloadedAndErrorsAreSaid) {
   Start();
   driver_.Press(kKeyF1 + 9);
   std::string text = kPatrolTree;
-  text.replace(text.find("<Dock name=\"dock\"/>"), 19, "<Inverter/>");
+  text.replace(text.find(R"(<Dock name="dock"/>)"), 19, "<Inverter/>");
   state().workspace.project().SetText(file_.path(), "Type", text);
   driver_.Frames(20);
   EXPECT_FALSE(state().simulator.problem().empty());
   EXPECT_EQ(StatusOf("to door"), Status::kRunning);
-  text.replace(text.find("<Inverter/>"), 11, "<Park name=\"park\"/>");
+  text.replace(text.find("<Inverter/>"), 11, R"(<Park name="park"/>)");
   state().workspace.project().SetText(file_.path(), "Type", text);
   driver_.Frames(20);
   EXPECT_TRUE(state().simulator.problem().empty());

@@ -29,7 +29,7 @@ TEST(StartScreen, OpensARecentFileWithAClick) {
 }
 
 TEST(StartScreen, OffersNothingWhereAFileHasNoTree) {
-  const TemporaryFile file("none.xml", "<root BTCPP_format=\"4\"/>");
+  const TemporaryFile file("none.xml", R"(<root BTCPP_format="4"/>)");
   Driver driver;
   driver.editor.Open(file.path());
   driver.Frames();

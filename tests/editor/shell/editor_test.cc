@@ -120,7 +120,7 @@ TEST(Editor, ReloadsAFileAndKeepsTheSelection) {
   driver.Frames();
   driver.Click("canvas/MainTree/1.1.2");
   std::string text = kSmallFile;
-  text.replace(text.find("name=\"round\""), 12, "name=\"other\"");
+  text.replace(text.find(R"(name="round")"), 12, R"(name="other")");
   file.Write(text);
   driver.Press('R', kCtrl);
   EXPECT_EQ(driver.view().scene()->nodes[0].name, "other");

@@ -10,7 +10,7 @@ namespace {
 class RunTestMakerTest : public testing::Test {
  protected:
   RunTestMakerTest()
-      : file_("door.xml", "<root BTCPP_format=\"4\" main_tree_to_execute=\"Main\">" +
+      : file_("door.xml", R"(<root BTCPP_format="4" main_tree_to_execute="Main">)" +
                               std::string(kDoorTrees) + "</root>") {}
   EditorState& state() { return driver_.editor.state(); }
   void ShowTheRun() {

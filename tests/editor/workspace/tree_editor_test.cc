@@ -60,7 +60,7 @@ TEST_F(TreeEditorTest, AnEmptyTreeGetsItsRoot) {
   state().workspace.ShowFileTree(0, 1, 0);
   EXPECT_EQ(Edit().PlaceOfNew(), "as the root of Empty");
   EXPECT_TRUE(Edit().Add("<Say/>", "Say", AddWhere::kChild));
-  EXPECT_THAT(Text(), HasSubstr("<BehaviorTree ID=\"Empty\">"));
+  EXPECT_THAT(Text(), HasSubstr(R"(<BehaviorTree ID="Empty">)"));
 }
 
 TEST_F(TreeEditorTest, RefusalsChangeNothingAndSayWhy) {
@@ -81,7 +81,7 @@ TEST_F(TreeEditorTest, ValuesAndNamesAreSetAndCleared) {
   Select("1.1");
   EXPECT_EQ(Edit().GivenName(), "there");
   EXPECT_TRUE(Edit().SetValue("to", "kitchen"));
-  EXPECT_THAT(Text(), HasSubstr("to=\"kitchen\""));
+  EXPECT_THAT(Text(), HasSubstr(R"(to="kitchen")"));
   EXPECT_TRUE(Edit().ClearValue("to"));
   EXPECT_THAT(Text(), Not(HasSubstr("to=")));
   EXPECT_TRUE(Edit().Rename("here"));
@@ -91,7 +91,7 @@ TEST_F(TreeEditorTest, ValuesAndNamesAreSetAndCleared) {
   Edit().Undo();
   EXPECT_EQ(Text(), kFile);
   Edit().Redo();
-  EXPECT_THAT(Text(), HasSubstr("to=\"kitchen\""));
+  EXPECT_THAT(Text(), HasSubstr(R"(to="kitchen")"));
 }
 
 TEST_F(TreeEditorTest, DeletingADecoratorAloneKeepsItsChild) {
@@ -122,7 +122,7 @@ TEST_F(TreeEditorTest, WhatWasCopiedIsXmlText) {
   EXPECT_THAT(Text(), Not(HasSubstr("there")));
   Select("1");
   Edit().Paste(clipboard, AddWhere::kChild);
-  EXPECT_THAT(Text(), HasSubstr("<Go name=\"there\" to=\"{goal}\"/>"));
+  EXPECT_THAT(Text(), HasSubstr(R"(<Go name="there" to="{goal}"/>)"));
 }
 
 }  // namespace

@@ -64,7 +64,7 @@ TEST(Btlog, GoesThereAndBack) {
   EXPECT_EQ(bytes->substr(0, 18), "BTCPP4-FileLogger2");
   const std::optional<Btlog> log = ReadBtlog(*bytes, "x.btlog", diagnostics);
   ASSERT_TRUE(log) << diagnostics.ToString();
-  EXPECT_THAT(log->xml, HasSubstr("_uid=\"4\""));
+  EXPECT_THAT(log->xml, HasSubstr(R"(_uid="4")"));
   ASSERT_FALSE(log->transitions.empty());
 
   const std::optional<Recording> back = FromBtlog(*bytes, "x.btlog", diagnostics);

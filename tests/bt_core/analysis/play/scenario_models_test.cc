@@ -69,9 +69,8 @@ TEST_F(ScenarioModelsTest, WithoutSuchAFileOneIsWrittenBesideTheScenario) {
 }
 
 TEST_F(ScenarioModelsTest, WhatTheScenariosNameAlreadyStays) {
-  Write("a.test.json",
-        "{\"tree\": \"tree.xml\", \"models\": \"mine.xml\", \"scenarios\": [{\"name\": \"a\", "
-        "\"steps\": [{\"ticks\": 1}]}]}");
+  Write("a.test.json", R"({"tree": "tree.xml", "models": "mine.xml", "scenarios": [{"name": "a", )"
+                       R"("steps": [{"ticks": 1}]}]})");
   EXPECT_EQ(ModelsFor({Write("models.xml", ModelsWith(kModel))}, ""), folder_.Path("mine.xml"));
 }
 

@@ -28,9 +28,9 @@ TEST_F(FieldTest, WhatIsTypedBecomesTheValueWithEnter) {
   ASSERT_TRUE(driver_.Click("inspector/port/lamp"));
   driver_.Press('A', kCtrl);
   driver_.Type("kitchen");
-  EXPECT_THAT(Text(), HasSubstr("lamp=\"hall\""));
+  EXPECT_THAT(Text(), HasSubstr(R"(lamp="hall")"));
   driver_.Press(kKeyEnter);
-  EXPECT_THAT(Text(), HasSubstr("lamp=\"kitchen\""));
+  EXPECT_THAT(Text(), HasSubstr(R"(lamp="kitchen")"));
   driver_.Picture("fields");
 }
 
@@ -44,13 +44,13 @@ TEST_F(FieldTest, EscapeLeavesTheValueAlone) {
 
 TEST_F(FieldTest, ButtonsFlipABoolAndStepANumber) {
   ASSERT_TRUE(driver_.Click("inspector/port/slowly/toggle"));
-  EXPECT_THAT(Text(), HasSubstr("slowly=\"true\""));
+  EXPECT_THAT(Text(), HasSubstr(R"(slowly="true")"));
   ASSERT_TRUE(driver_.Click("inspector/port/slowly/clear"));
   EXPECT_EQ(Text(), kSmallFile);
   driver_.view().Select(driver_.view().scene()->FindPath("1.2.1"));
   driver_.Frames();
   ASSERT_TRUE(driver_.Click("inspector/port/num_attempts/more"));
-  EXPECT_THAT(Text(), HasSubstr("num_attempts=\"4\""));
+  EXPECT_THAT(Text(), HasSubstr(R"(num_attempts="4")"));
 }
 
 TEST_F(FieldTest, TabCompletesAKey) {
@@ -61,7 +61,7 @@ TEST_F(FieldTest, TabCompletesAKey) {
   driver_.Picture("completion");
   driver_.Press(kKeyTab);
   driver_.Press(kKeyEnter);
-  EXPECT_THAT(Text(), HasSubstr("lamp=\"{level}\""));
+  EXPECT_THAT(Text(), HasSubstr(R"(lamp="{level}")"));
 }
 
 TEST(Field, CompletesKeysOnlyWhereTheyCanStand) {
@@ -118,11 +118,11 @@ TEST_F(TypedFieldTest, APoseHasAFieldForEachNumber) {
   driver_.Press('A', kCtrl);
   driver_.Type("-7.25");
   driver_.Press(kKeyEnter);
-  EXPECT_THAT(Text(), HasSubstr("to=\"1.5;-7.25;0.5\""));
+  EXPECT_THAT(Text(), HasSubstr(R"(to="1.5;-7.25;0.5")"));
   EXPECT_FALSE(driver_.Has("inspector/port/from/x")) << "it has no value yet";
   ASSERT_TRUE(driver_.Click("inspector/port/from/pose"));
   driver_.Frames();
-  EXPECT_THAT(Text(), HasSubstr("from=\"0;0;0\""));
+  EXPECT_THAT(Text(), HasSubstr(R"(from="0;0;0")"));
   EXPECT_TRUE(driver_.Has("inspector/port/from/theta"));
   driver_.Picture("pose");
 }
@@ -133,7 +133,7 @@ TEST_F(TypedFieldTest, TheNamesOfAnEnumAreOffered) {
   ASSERT_TRUE(driver_.Has("inspector/port/gait/choice/walk"));
   ASSERT_TRUE(driver_.Click("inspector/port/gait/choice/gallop"));
   driver_.Frames();
-  EXPECT_THAT(Text(), HasSubstr("gait=\"gallop\""));
+  EXPECT_THAT(Text(), HasSubstr(R"(gait="gallop")"));
 }
 
 TEST(ChoicesIn, ReadsWhatManifestsSayAndNothingElse) {

@@ -47,7 +47,7 @@ TEST_F(XmlTypingTest, WhatIsTypedChangesTheTree) {
   ClickBehind("4");
   EXPECT_EQ(driver_.Selected(), "");
   driver_.Press(kKeyEnter);
-  driver_.Type("  <Beep tone=\"high\"/>");
+  driver_.Type(R"(  <Beep tone="high"/>)");
   EXPECT_NE(Text().find("round\">\n      <Beep tone=\"high\"/>\n"), std::string::npos) << Text();
   EXPECT_TRUE(driver_.Has("canvas/MainTree/1.4"));
   EXPECT_EQ(driver_.Selected(), "1");
