@@ -20,14 +20,14 @@ struct Kind {
   const char* path;  // of the node in trees/monitor/monitor.xml
 };
 constexpr Kind kKinds[] = {
-    {"restart node", "restart_node/restart"},
-    {"restart node: ask", "restart_node/ask"},
-    {"wait and retry", "recover_navigation/wait_and_retry"},
-    {"move backwards", "recover_navigation/move_backwards"},
-    {"navigation: ask", "recover_navigation/ask"},
-    {"slow rotate", "recover_localization/rotate"},
-    {"restart and rotate", "recover_localization/restart_and_rotate"},
-    {"localization: ask", "recover_localization/ask"},
+    {"restart node", "as_published/restart_node/restart_nodes/restart"},
+    {"restart node: ask", "as_published/restart_node/restart_nodes/ask"},
+    {"wait and retry", "as_published/recover_navigation/free_navigation/wait_and_retry"},
+    {"move backwards", "as_published/recover_navigation/free_navigation/move_backwards"},
+    {"navigation: ask", "as_published/recover_navigation/free_navigation/ask"},
+    {"slow rotate", "as_published/recover_localization/find_position/rotate"},
+    {"restart and rotate", "as_published/recover_localization/find_position/restart_and_rotate"},
+    {"localization: ask", "as_published/recover_localization/find_position/ask"},
 };
 
 // One activation of a recovery.

@@ -69,7 +69,8 @@ TEST_F(RunSummaryTest, SeesThatTheRobotCameHome) {
 }
 
 TEST_F(RunSummaryTest, CountsARecoveryThatEndedWell) {
-  monitor_.Activation(1, 5, monitor_.Node("restart_node/restart"), Status::kSuccess);
+  monitor_.Activation(1, 5, monitor_.Node("as_published/restart_node/restart_nodes/restart"),
+                      Status::kSuccess);
   const RecoveryCount count = Summary().Recovery("restart node");
   EXPECT_EQ(count.started, 1);
   EXPECT_EQ(count.ended_well, 1);
@@ -77,7 +78,8 @@ TEST_F(RunSummaryTest, CountsARecoveryThatEndedWell) {
 }
 
 TEST_F(RunSummaryTest, CountsARecoveryThatFailedOrWasPreEmpted) {
-  const NodeIndex wait = monitor_.Node("recover_navigation/wait_and_retry");
+  const NodeIndex wait =
+      monitor_.Node("as_published/recover_navigation/free_navigation/wait_and_retry");
   monitor_.Activation(1, 5, wait, Status::kFailure);
   monitor_.Activation(6, 8, wait, Status::kIdle);
   const RecoveryCount count = Summary().Recovery("wait and retry");
@@ -86,8 +88,9 @@ TEST_F(RunSummaryTest, CountsARecoveryThatFailedOrWasPreEmpted) {
 }
 
 TEST_F(RunSummaryTest, CallsARecoverySuccessfulOnlyIfNoOtherFollowsWithinAMinute) {
-  const NodeIndex restart = monitor_.Node("restart_node/restart");
-  const NodeIndex wait = monitor_.Node("recover_navigation/wait_and_retry");
+  const NodeIndex restart = monitor_.Node("as_published/restart_node/restart_nodes/restart");
+  const NodeIndex wait =
+      monitor_.Node("as_published/recover_navigation/free_navigation/wait_and_retry");
   monitor_.Activation(0, 10, restart, Status::kSuccess);
   monitor_.Activation(70, 80, wait, Status::kSuccess);  // 60 s after the end: within the minute
   monitor_.Activation(141, 150, restart, Status::kSuccess);
@@ -121,7 +124,8 @@ TEST_F(RunSummaryTest, CountsTicksAndTime) {
 }
 
 TEST_F(RunSummaryTest, PrintsOnlyTheRecoveriesThatHappened) {
-  monitor_.Activation(1, 5, monitor_.Node("restart_node/restart"), Status::kSuccess);
+  monitor_.Activation(1, 5, monitor_.Node("as_published/restart_node/restart_nodes/restart"),
+                      Status::kSuccess);
   const std::string table = ToTable(Summary(), 12.3);
   EXPECT_NE(table.find("restart node"), std::string::npos);
   EXPECT_EQ(table.find("slow rotate"), std::string::npos);
