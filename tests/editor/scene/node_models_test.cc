@@ -30,7 +30,7 @@ TEST(NodeModels, ReadPortsInTheDeclaredOrderWithTheirMeaning) {
       With(R"(<Action ID="Go"><output_port name="z" type="int"/>)"
            R"(<input_port name="a" type="double" default="0.5">limit [m/s] &lt; 1</input_port>)"
            R"(<MetadataFields><Metadata description="Goes there."/></MetadataFields></Action>)");
-  const NodeModel* go = models.Find("Go");
+  const KnownModel* go = models.Find("Go");
   ASSERT_NE(go, nullptr);
   ASSERT_EQ(go->ports.size(), 2U);
   EXPECT_EQ(go->ports[0].direction, PortDirection::kOutput);
