@@ -113,7 +113,6 @@ PROGRAMS = {
 # Arrows beside the floors, each with its reason.
 ARROWS = {
     ("robot_app/mapping", "robot_app/localization"): "a map is made with the same scan matching",
-    ("robot_app/monitoring", "robot_app/processes"): "node monitors know which programs should run",
     ("robot_app/assistance", "robot_app/teleoperation"): "the page drives",
 }
 
