@@ -55,7 +55,7 @@ TEST(JsonValue, KeepsTextAndPlaceOfEveryValue) {
 
 TEST(JsonValue, AValueMayBeTheWholeText) {
   EXPECT_EQ(Parsed("42").text, "42");
-  EXPECT_EQ(Parsed("\"\"").text, "");
+  EXPECT_EQ(Parsed(R"("")").text, "");
   EXPECT_EQ(At(Parsed("\n\n  \"\"")), "3:3");
 }
 
@@ -68,7 +68,7 @@ TEST(JsonValue, SaysWhereATextIsNoJson) {
       << Errors("{\n  \"a\": 1,\n  \"b\" 2\n}");
   EXPECT_NE(Errors("").find("a.json:1:1: error:"), std::string::npos) << Errors("");
   EXPECT_FALSE(Errors("[1, 2").empty());
-  EXPECT_FALSE(Errors("{\"a\": tru}").empty());
+  EXPECT_FALSE(Errors(R"({"a": tru})").empty());
   EXPECT_FALSE(Errors("\"\xFF\"").empty());
 }
 

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "tests/bt_core/record/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace coppice {
 namespace {

@@ -126,7 +126,7 @@ TEST(ClientGroot2, SaysWhatTheProtocolCannotDo) {
   EXPECT_THAT(Ask(client, SetHook(hook)).error, HasSubstr("no conditions"));
   hook = Hook();
   hook.path = "Missing";
-  EXPECT_THAT(Ask(client, SetHook(hook)).error, HasSubstr("no node is called \"Missing\""));
+  EXPECT_THAT(Ask(client, SetHook(hook)).error, HasSubstr(R"(no node is called "Missing")"));
   LiveCommand remove = MakeCommand(Kind::kRemoveHook);
   remove.id = 99;
   EXPECT_THAT(Ask(client, remove).error, HasSubstr("no hook 99"));
