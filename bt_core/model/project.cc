@@ -1,3 +1,6 @@
+// Files are read in the order in which they are named, each once, however often it is included; a
+// circle of includes ends there. All problems of all files are collected before anything is
+// refused: who mends a file wants to see them together.
 #include "bt_core/model/project.h"
 
 #include <algorithm>

@@ -33,6 +33,14 @@ inline constexpr std::array<std::string_view, kGuardCount> kGuardAttributes = {
     "_failureIf", "_successIf", "_skipIf",    "_onlyIf", "_while",
     "_onStart",   "_onSuccess", "_onFailure", "_post",   "_onHalted"};
 
+/// True for the attributes whose value is a script: guards and hooks.
+constexpr bool IsGuardAttribute(std::string_view name) {
+  for (const std::string_view guard : kGuardAttributes) {
+    if (guard == name) return true;
+  }
+  return false;
+}
+
 }  // namespace coppice
 
 #endif  // COPPICE_BT_CORE_NODES_GUARDS_H_

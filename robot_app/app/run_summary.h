@@ -7,14 +7,20 @@
 #include <vector>
 
 #include "bt_core/frames/history.h"
+#include "bt_nodes/navigation/pose2d.h"
+#include "bt_nodes/recovery/recovery_count.h"
 
 namespace coppice::robot {
 
 /// What counts in one record.
-struct Recording {
+struct RecordedEvents {
   struct Change {
     Time time;
     StatusChange change;
+  };
+  struct Stay {
+    Time since;
+    coppice::Pose2D pose;
   };
   TreeDescription tree;
   Time begin{0};
@@ -23,15 +29,7 @@ struct Recording {
   std::vector<Change> changes;
   std::vector<NodeMessage> messages;
   std::vector<HistoryNote> notes;
-};
-
-/// One kind of recovery: a node of the monitor tree.
-struct RecoveryCount {
-  std::string kind;  ///< for people: "wait and retry"
-  int started = 0;
-  int ended_well = 0;  ///< the tree saw the fault disappear
-  int successful =
-      0;  ///< and no further recovery began within 60 s (Hawes et al. 2016, as Sobi counts)
+  std::vector<Stay> stays;  ///< of the robot, in the order of time, as the tree knew it
 };
 
 struct TickStatistics {
@@ -46,7 +44,7 @@ struct RunSummary {
   bool docked = false;                    ///< the robot came home at the end
   std::vector<std::string> injected;      ///< notes about injected faults
   std::vector<std::string> faults;        ///< what the monitor tree saw, each text once
-  std::vector<RecoveryCount> recoveries;  ///< every kind that the monitor tree has
+  std::vector<RecoveryCount> recoveries;  ///< those that happened
   TickStatistics application;
   TickStatistics monitor;
   std::vector<std::string> problems;  ///< a record that is missing or damaged
@@ -56,7 +54,7 @@ struct RunSummary {
 };
 
 /// Counts what two recordings say.
-RunSummary Summarize(const Recording& application, const Recording& monitor);
+RunSummary Summarize(const RecordedEvents& application, const RecordedEvents& monitor);
 
 /// Reads both records and counts. Never throws: what is wrong is in `problems`.
 RunSummary SummarizeFiles(const std::string& application_record, const std::string& monitor_record);

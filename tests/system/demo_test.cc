@@ -11,7 +11,7 @@
 #include <thread>
 
 #include "bt_core/analysis/load_recording.h"
-#include "bt_core/analysis/verify.h"
+#include "bt_core/analysis/play/verify.h"
 #include "robot_app/app/child_process.h"
 #include "robot_app/app/run_summary.h"
 #include "tests/support/folders.h"
@@ -46,10 +46,9 @@ TEST(Robot, RecoversFromADeadNodeAndABlockedCorridorOnItsPatrol) {
   fs::create_directories(folder);
   // Below the ports that the system gives to whoever wants any.
   const std::string live_port = std::to_string(20000 + getpid() % 3000 * 4);
-  ChildProcess demo(
-      {BinaryFolder() + "/bin/coppice-demo", "--no-editor", "--run",
-       folder.string(), "--rounds", "1", "--stops", "4", "--speed", "6", "--live-port", live_port},
-      (folder / "demo.log").string());
+  ChildProcess demo({BinaryFolder() + "/bin/coppice-demo", "--no-editor", "--run", folder.string(),
+                     "--rounds", "1", "--stops", "4", "--speed", "6", "--live-port", live_port},
+                    (folder / "demo.log").string());
   const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(540);
   while (demo.IsRunning() && std::chrono::steady_clock::now() < deadline) {
     std::this_thread::sleep_for(std::chrono::milliseconds(100));
@@ -63,10 +62,9 @@ TEST(Robot, RecoversFromADeadNodeAndABlockedCorridorOnItsPatrol) {
   EXPECT_EQ(run.stops, 4);
   EXPECT_TRUE(run.docked);
   EXPECT_EQ(run.injected.size(), 2u);
-  EXPECT_GE(run.Recovery("restart node").ended_well, 1);
-  EXPECT_GE(run.Recovery("wait and retry").ended_well + run.Recovery("move backwards").ended_well,
-            1);
-  EXPECT_EQ(run.Recovery("navigation: ask").started, 0);
+  EXPECT_GE(run.Recovery("restart node").succeeded, 1);
+  EXPECT_GE(run.Recovery("wait and retry").succeeded + run.Recovery("move backwards").succeeded, 1);
+  EXPECT_EQ(run.Recovery("navigation: ask").begun, 0);
   EXPECT_GT(run.application.ticks, 100u);
   EXPECT_GT(run.monitor.ticks, 100u);
   ExpectSameWhenRunAgain(folder / "application.coppice");

@@ -14,7 +14,8 @@ void FrameStore::Add(StoredFrame frame) {
       tree_ = last_tree_;
     }
   }
-  size_ += frame.bytes.size();
+  frame.bytes.shrink_to_fit();
+  size_ += kFrameCost + frame.bytes.size();
   frames_.push_back(std::move(frame));
   Trim();
 }
@@ -29,7 +30,7 @@ void FrameStore::Trim() {
 
 void FrameStore::DropFirst() {
   if (frames_.front().type == FrameType::kTree) tree_ = frames_.front();
-  size_ -= frames_.front().bytes.size();
+  size_ -= kFrameCost + frames_.front().bytes.size();
   frames_.pop_front();
   ++first_;
 }

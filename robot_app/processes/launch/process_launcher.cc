@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <sys/prctl.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -69,6 +70,13 @@ int ReadReason(int pipe) {
   return count == sizeof(reason) ? reason : 0;
 }
 
+// For its owner alone: what a program prints may be secret.
+int OpenLog(const char* path) {
+  const int log = open(path, O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0600);
+  if (log >= 0) fchmod(log, 0600);
+  return log;
+}
+
 }  // namespace
 
 PosixLauncher::PosixLauncher(std::string log_folder, std::string owner)
@@ -88,9 +96,8 @@ int PosixLauncher::Start(const ProcessConfig& config, int input, std::string& er
   const std::vector<char*> environment = Pointers(variables);
 
   const std::string log_path = log_folder_ + "/" + config.log;
-  const int log = config.log.empty()
-                      ? fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 0)
-                      : open(log_path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
+  const int log =
+      config.log.empty() ? fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 0) : OpenLog(log_path.c_str());
   int report[2] = {-1, -1};
   if (log < 0 || pipe2(report, O_CLOEXEC) != 0) {
     error = "cannot write " + log_path + ": " + std::strerror(errno);

@@ -135,8 +135,7 @@ TEST_F(Story, APersonHelpsTheRobotFromTheMessageToTheAllClear) {
   EXPECT_EQ(questions[0].at("to"), "ada");
 
   ChildProcess browser(
-      {"/usr/bin/python3",
-       SourceFolder() + "/tests/robot_app/assistance/supervisor_story.py",
+      {"/usr/bin/python3", SourceFolder() + "/tests/robot_app/assistance/supervisor_story.py",
        questions[0].at("link"), BinaryFolder() + "/tests/supervisor_story"},
       folder_ + "browser.log");
   ASSERT_TRUE(Eventually([&] { return !browser.IsRunning(); }, 500));
