@@ -14,8 +14,7 @@ void FrameStore::Add(StoredFrame frame) {
       tree_ = last_tree_;
     }
   }
-  frame.bytes.shrink_to_fit();
-  size_ += kFrameCost + frame.bytes.size();
+  size_ += frame.bytes.size();
   frames_.push_back(std::move(frame));
   Trim();
 }
@@ -30,7 +29,7 @@ void FrameStore::Trim() {
 
 void FrameStore::DropFirst() {
   if (frames_.front().type == FrameType::kTree) tree_ = frames_.front();
-  size_ -= kFrameCost + frames_.front().bytes.size();
+  size_ -= frames_.front().bytes.size();
   frames_.pop_front();
   ++first_;
 }

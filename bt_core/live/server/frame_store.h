@@ -1,5 +1,5 @@
 // The past of a tree as frames (bt_core/frames), for clients that come later or come back:
-// numbered from 0, as many as a limit of bytes allows, with what keeping each of them costs. It always begins where reading can begin.
+// numbered from 0, as many as a limit of bytes allows. It always begins where reading can begin.
 #ifndef COPPICE_BT_CORE_LIVE_SERVER_FRAME_STORE_H_
 #define COPPICE_BT_CORE_LIVE_SERVER_FRAME_STORE_H_
 
@@ -22,9 +22,6 @@ struct StoredFrame {
 
 class FrameStore {
  public:
-  /// What a frame costs beside its bytes, about: small ones are most of what is kept.
-  static constexpr std::size_t kFrameCost = sizeof(StoredFrame) + 16;
-
   explicit FrameStore(std::size_t limit) : limit_(limit) {}
 
   /// Appends a frame. What is too old goes, up to a state; the youngest state stays, whatever the

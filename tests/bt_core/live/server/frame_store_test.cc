@@ -26,7 +26,7 @@ TEST(FrameStore, NumbersFramesAndKnowsWhereReadingCanBegin) {
 }
 
 TEST(FrameStore, DropsTheOldestUpToAState) {
-  FrameStore store(60 + 6 * FrameStore::kFrameCost);
+  FrameStore store(60);
   store.Add(Make(FrameType::kTree, 0));
   store.Add(Make(FrameType::kState, 0));
   for (std::uint64_t tick = 1; tick <= 3; ++tick) store.Add(Make(FrameType::kEvents, tick));
@@ -49,7 +49,7 @@ TEST(FrameStore, KeepsTheYoungestStateWhateverTheLimit) {
 }
 
 TEST(FrameStore, RemembersTheTreeOfTheOldestState) {
-  FrameStore store(50 + 4 * FrameStore::kFrameCost);
+  FrameStore store(50);
   store.Add(Make(FrameType::kTree, 0, "first"));
   store.Add(Make(FrameType::kState, 0));
   store.Add(Make(FrameType::kTree, 1, "second"));

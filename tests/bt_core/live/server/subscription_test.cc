@@ -26,7 +26,7 @@ class SubscriptionTest : public ::testing::Test {
   }
 
   std::uint64_t tick_ = 0;
-  FrameStore store_{100 * (1 + FrameStore::kFrameCost)};
+  FrameStore store_{100};
 };
 
 TEST_F(SubscriptionTest, BeginsWithTreeAndStateAndGoesOn) {
