@@ -2,10 +2,10 @@
 // ends the robot's programs; two restart mechanisms that do not know each other fight. Time and the
 // means to start a process are handed in.
 //
-// One rule says who restarts: a process that *ends* is restarted here and at once; one that lives
-// but is ill (hung, silent) is restarted on the request of who found that out, the monitor tree or
-// a person. Both count against the same budget, and what exceeds it climbs the ladder of
-// Escalation.
+// One rule says who restarts: a process that *ends*, or whose heartbeat falls silent, is restarted
+// here and at once; one that lives but is ill (hung, silent) is restarted on the request of who
+// found that out, the monitor tree or a person. All count against the same budget, and what exceeds
+// it climbs the ladder of Escalation.
 //
 // What should run is desired state, worked out anew in every step: the processes of the
 // configuration, without groups that were given up and what depends on those. What should not run
@@ -65,8 +65,12 @@ class Supervisor {
   /// A started process has become ready. Ignored if it is not STARTING with this pid.
   void OnReady(std::size_t process, int pid, Time now);
 
-  /// The ROS master has ended: everything has to begin anew.
-  void OnMasterEnded(Time now);
+  /// A process has shown that it works. Only those with a heartbeat in their configuration must.
+  void OnHeartbeat(std::size_t process, Time now) { lifecycle_.OnHeartbeat(process, now); }
+
+  /// The ROS master has ended, or our place in its graph is lost: everything has to begin anew.
+  /// `what`: for people.
+  void OnMasterEnded(Time now, const std::string& what = "the ROS master ended");
 
   /// Does what is due: starts, ends, kills. To be called every few tens of milliseconds.
   void Step(Time now);
@@ -137,6 +141,7 @@ class Supervisor {
   std::optional<std::size_t> MissingDependency(std::size_t process) const;
   bool IsEndingFirst(std::size_t process, Time now) const;
 
+  void NoticeOwnPause(Time now);
   void StepHealth(Time now);
   void StepUp(std::size_t process, Time now);
   void StepDown(std::size_t process, Time now);
@@ -157,6 +162,7 @@ class Supervisor {
   std::vector<Plan> plans_;
   std::vector<std::string> calls_;
   std::uint32_t last_wave_ = 0;
+  Time last_step_{0};
   bool stopping_ = false;
   bool new_stack_ = false;
   std::string stack_reason_;

@@ -12,8 +12,8 @@
 
 #include "bt_core/analysis/load_recording.h"
 #include "bt_core/analysis/verify.h"
-#include "robot_app/app/child_process.h"
 #include "robot_app/app/run_summary.h"
+#include "robot_app/common/child_process.h"
 #include "tests/support/folders.h"
 
 namespace coppice::robot {
@@ -46,10 +46,9 @@ TEST(Robot, RecoversFromADeadNodeAndABlockedCorridorOnItsPatrol) {
   fs::create_directories(folder);
   // Below the ports that the system gives to whoever wants any.
   const std::string live_port = std::to_string(20000 + getpid() % 3000 * 4);
-  ChildProcess demo(
-      {BinaryFolder() + "/bin/coppice-demo", "--no-editor", "--run",
-       folder.string(), "--rounds", "1", "--stops", "4", "--speed", "6", "--live-port", live_port},
-      (folder / "demo.log").string());
+  ChildProcess demo({BinaryFolder() + "/bin/coppice-demo", "--no-editor", "--run", folder.string(),
+                     "--rounds", "1", "--stops", "4", "--speed", "6", "--live-port", live_port},
+                    (folder / "demo.log").string());
   const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(540);
   while (demo.IsRunning() && std::chrono::steady_clock::now() < deadline) {
     std::this_thread::sleep_for(std::chrono::milliseconds(100));

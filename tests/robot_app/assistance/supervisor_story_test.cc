@@ -13,7 +13,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "robot_app/app/child_process.h"
+#include "robot_app/common/child_process.h"
 #include "robot_app/processes/launch/ros_master.h"
 #include "tests/robot_app/assistance/local_server.h"
 #include "tests/robot_app/eventually.h"
@@ -135,8 +135,7 @@ TEST_F(Story, APersonHelpsTheRobotFromTheMessageToTheAllClear) {
   EXPECT_EQ(questions[0].at("to"), "ada");
 
   ChildProcess browser(
-      {"/usr/bin/python3",
-       SourceFolder() + "/tests/robot_app/assistance/supervisor_story.py",
+      {"/usr/bin/python3", SourceFolder() + "/tests/robot_app/assistance/supervisor_story.py",
        questions[0].at("link"), BinaryFolder() + "/tests/supervisor_story"},
       folder_ + "browser.log");
   ASSERT_TRUE(Eventually([&] { return !browser.IsRunning(); }, 500));
