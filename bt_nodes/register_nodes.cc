@@ -3,13 +3,18 @@
 #include <functional>
 #include <memory>
 
+#include "bt_nodes/application/application_leaves.h"
 #include "bt_nodes/basics/is_true.h"
 #include "bt_nodes/basics/wait.h"
+#include "bt_nodes/docking/docking_leaves.h"
+#include "bt_nodes/interaction/interaction_leaves.h"
 #include "bt_nodes/monitoring/monitoring_leaves.h"
-#include "bt_nodes/monitoring/tell_faults.h"
 #include "bt_nodes/navigation/navigation_leaves.h"
 #include "bt_nodes/operators/help_leaves.h"
+#include "bt_nodes/operators/supervisor_leaves.h"
+#include "bt_nodes/operators/tell_faults.h"
 #include "bt_nodes/power/power_leaves.h"
+#include "bt_nodes/processes/process_leaves.h"
 #include "bt_nodes/recovery/recovery_nodes.h"
 #include "bt_nodes/recovery/restart_faulty_nodes.h"
 

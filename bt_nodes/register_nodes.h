@@ -4,10 +4,12 @@
 
 #include "bt_core/engine/registry.h"
 #include "bt_nodes/application/application_control.h"
-#include "bt_nodes/docking/docking_leaves.h"
-#include "bt_nodes/interaction/interaction_leaves.h"
+#include "bt_nodes/docking/charging_station.h"
+#include "bt_nodes/interaction/interaction.h"
 #include "bt_nodes/navigation/navigator.h"
-#include "bt_nodes/processes/supervision_leaves.h"
+#include "bt_nodes/navigation/waypoint_map.h"
+#include "bt_nodes/operators/supervisor_channel.h"
+#include "bt_nodes/processes/process_manager.h"
 #include "bt_nodes/recovery/recovery_log.h"
 
 namespace coppice {

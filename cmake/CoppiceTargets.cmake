@@ -22,6 +22,10 @@ function(coppice_program name)
   add_executable(${name} ${ARG_UNPARSED_ARGUMENTS})
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR})
   target_link_libraries(${name} PRIVATE ${ARG_LINK} coppice_warnings)
+  if(NOT EMSCRIPTEN)
+    target_compile_options(${name} PRIVATE -fPIC)  # as the libraries, whose headers it shares
+    coppice_precompile(${name} library)
+  endif()
 endfunction()
 
 # coppice_test(NAME SOURCES... [LINK libraries...] [TIMEOUT seconds] [SERIAL] [EACH])

@@ -1,25 +1,11 @@
-// Leaves for the charging station, and the interface that they need of a robot.
+// Leaves for the charging station: Dock, PressOn, Undock.
 #ifndef COPPICE_BT_NODES_DOCKING_DOCKING_LEAVES_H_
 #define COPPICE_BT_NODES_DOCKING_DOCKING_LEAVES_H_
 
 #include "bt_nodes/basics/capability_action.h"
+#include "bt_nodes/docking/charging_station.h"
 
 namespace coppice {
-
-/// Called on the ticking thread; returns at once. The end is reported through the sender, from any
-/// thread.
-class ChargingStation {
- public:
-  virtual ~ChargingStation() = default;
-  /// Drives onto the station from the pose in front of it, `lateral_offset` [m] to the left of its
-  /// axis. Succeeds only when current flows; fails after so many `attempts`.
-  virtual void Dock(double lateral_offset, int attempts, Sender<ActionResult> done) = 0;
-  /// Stands on the station without current: presses on and draws back a little until it flows.
-  virtual void PressOn(Sender<ActionResult> done) = 0;
-  /// Drives off the station backwards.
-  virtual void Undock(Sender<ActionResult> done) = 0;
-  virtual void CancelDocking() = 0;
-};
 
 class Dock : public CapabilityAction {
  public:

@@ -1,23 +1,13 @@
-// Leaves that address people, and the interface that they need of a robot.
+// Leaves that address people: Say, SetExpression.
 #ifndef COPPICE_BT_NODES_INTERACTION_INTERACTION_LEAVES_H_
 #define COPPICE_BT_NODES_INTERACTION_INTERACTION_LEAVES_H_
 
 #include <string>
 
 #include "bt_nodes/basics/capability_action.h"
+#include "bt_nodes/interaction/interaction.h"
 
 namespace coppice {
-
-/// Called on the ticking thread; returns at once.
-class Interaction {
- public:
-  virtual ~Interaction() = default;
-  /// Speaks a text. Reported as done when it has been spoken.
-  virtual void Say(const std::string& text, Sender<ActionResult> done) = 0;
-  virtual void CancelSpeech() = 0;
-  /// Shows a facial expression until the next one: NEUTRAL, SAD, SLEEP, LAUGHING, ...
-  virtual void SetExpression(const std::string& expression) = 0;
-};
 
 class Say : public CapabilityAction {
  public:

@@ -6,6 +6,7 @@
 
 #include "bt_nodes/basics/capability_action.h"
 #include "bt_nodes/navigation/navigator.h"
+#include "bt_nodes/navigation/waypoint_map.h"
 
 namespace coppice {
 

@@ -7,8 +7,6 @@
 #ifndef COPPICE_BT_NODES_NAVIGATION_NAVIGATOR_H_
 #define COPPICE_BT_NODES_NAVIGATION_NAVIGATOR_H_
 
-#include <string>
-
 #include "bt_core/data/inbox.h"
 #include "bt_nodes/basics/action_result.h"
 #include "bt_nodes/navigation/pose2d.h"
@@ -29,22 +27,6 @@ class Navigator {
   /// Turns on the spot by `angle` [rad], counter-clockwise, at `speed` [rad/s].
   virtual void Rotate(double angle, double speed, Sender<ActionResult> done) = 0;
   virtual void CancelMotion() = 0;
-};
-
-/// A named place of the topological map.
-struct Waypoint {
-  std::string name;
-  Pose2D pose;
-};
-
-/// The topological map, as far as leaves need it.
-class WaypointMap {
- public:
-  virtual ~WaypointMap() = default;
-  /// A random waypoint of the patrol, another one than the last time.
-  virtual Waypoint ChooseForPatrol() = 0;
-  /// False if there is no waypoint of that name.
-  virtual bool Find(const std::string& name, Waypoint& waypoint) const = 0;
 };
 
 }  // namespace coppice

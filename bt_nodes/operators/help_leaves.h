@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 
+#include "bt_core/nodes/leaf.h"
 #include "bt_nodes/operators/open_requests.h"
 
 namespace coppice {

@@ -13,7 +13,7 @@
 #include "bt_core/base/clock.h"
 #include "bt_core/data/inbox.h"
 #include "bt_nodes/monitoring/health.h"
-#include "bt_nodes/processes/supervision_leaves.h"
+#include "bt_nodes/operators/supervisor_channel.h"
 
 namespace coppice {
 

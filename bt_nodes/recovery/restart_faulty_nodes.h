@@ -5,7 +5,8 @@
 #include <optional>
 #include <string>
 
-#include "bt_nodes/processes/supervision_leaves.h"
+#include "bt_core/nodes/leaf.h"
+#include "bt_nodes/processes/process_manager.h"
 #include "bt_nodes/recovery/node_repairs.h"
 #include "bt_nodes/recovery/recovery_log.h"
 

@@ -1,5 +1,5 @@
 // The tree of a run, made showable: its texts as a Forest, its node types as models, and compiled
-// again for questions about it (bt_core/replay).
+// again for questions about it (bt_core/analysis).
 #ifndef COPPICE_EDITOR_LIVE_RUN_TREE_H_
 #define COPPICE_EDITOR_LIVE_RUN_TREE_H_
 

@@ -59,6 +59,7 @@ class Demo {
  private:
   void StartEverything() {
     console_.Step("starting ROS, the simulated robot, monitors and trees");
+    if (settings_.editor) StartEditor();
     const fs::path port_file = settings_.folder / "ros_port";
     supervisor_ = ChildProcess(SupervisorCommand(port_file), Log("supervisor"));
     const std::string port = WaitForPort(port_file);
@@ -81,7 +82,6 @@ class Demo {
     });
     console_.Tell("live sockets: application 127.0.0.1:" + settings_.live_port +
                   ", monitor 127.0.0.1:" + MonitorPort());
-    if (settings_.editor) StartEditor();
   }
 
   void Patrol() {
@@ -230,6 +230,7 @@ class Demo {
     throw DemoFailed("the process supervisor did not start:\n" + text.str());
   }
 
+  // Waits by itself for the trees to come up, so that there is something to see from the beginning.
   void StartEditor() {
     const bool window = std::getenv("DISPLAY") || std::getenv("WAYLAND_DISPLAY");
     std::vector<std::string> command = {(settings_.programs / "coppice-edit").string(),
@@ -240,15 +241,15 @@ class Demo {
                                         "--picture",
                                         Picture().string(),
                                         "--every",
-                                        "5"};
+                                        "2"};
     if (!window) {
       command.insert(command.begin(), {"xvfb-run", "-a", "-s", "-screen 0 1920x1200x24"});
       command.insert(command.end(), {"--size", "1920x1200"});
     }
     editor_ = ChildProcess(command, Log("editor"));
-    console_.Tell(window
-                      ? "the editor shows both trees"
-                      : "no display: the editor runs under Xvfb and saves " + Picture().string());
+    console_.Tell(window ? "the editor opens and shows both trees as soon as they run"
+                         : "no display: what the editor shows is painted every 2 s into " +
+                               Picture().string());
   }
 
   // True if nothing is left behind.

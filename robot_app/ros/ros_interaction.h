@@ -7,7 +7,7 @@
 
 #include <string>
 
-#include "bt_nodes/interaction/interaction_leaves.h"
+#include "bt_nodes/interaction/interaction.h"
 
 namespace coppice::robot {
 

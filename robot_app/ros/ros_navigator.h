@@ -5,7 +5,7 @@
 
 #include <memory>
 
-#include "bt_nodes/docking/docking_leaves.h"
+#include "bt_nodes/docking/charging_station.h"
 #include "bt_nodes/navigation/navigator.h"
 
 namespace ros {

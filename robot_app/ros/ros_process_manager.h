@@ -10,7 +10,7 @@
 #include <string>
 #include <thread>
 
-#include "bt_nodes/processes/supervision_leaves.h"
+#include "bt_nodes/processes/process_manager.h"
 
 namespace coppice::robot {
 

@@ -16,7 +16,7 @@
 #include <string>
 #include <thread>
 
-#include "bt_nodes/processes/supervision_leaves.h"
+#include "bt_nodes/operators/supervisor_channel.h"
 
 namespace coppice::robot {
 

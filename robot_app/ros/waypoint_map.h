@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "bt_nodes/navigation/navigator.h"
+#include "bt_nodes/navigation/waypoint_map.h"
 
 namespace coppice::robot {
 

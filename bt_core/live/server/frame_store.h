@@ -1,4 +1,4 @@
-// The past of a tree as frames (bt_core/history), for clients that come later or come back:
+// The past of a tree as frames (bt_core/frames), for clients that come later or come back:
 // numbered from 0, as many as a limit of bytes allows. It always begins where reading can begin.
 #ifndef COPPICE_BT_CORE_LIVE_SERVER_FRAME_STORE_H_
 #define COPPICE_BT_CORE_LIVE_SERVER_FRAME_STORE_H_

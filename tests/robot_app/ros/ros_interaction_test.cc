@@ -4,6 +4,7 @@
 #include <std_msgs/String.h>
 
 #include "bt_core/testing/leaf_harness.h"
+#include "bt_nodes/interaction/interaction_leaves.h"
 #include "tests/robot_app/eventually.h"
 #include "tests/robot_app/ros_environment.h"
 

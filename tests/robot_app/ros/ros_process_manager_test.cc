@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "bt_core/testing/leaf_harness.h"
+#include "bt_nodes/processes/process_leaves.h"
 #include "tests/robot_app/eventually.h"
 #include "tests/robot_app/ros_environment.h"
 

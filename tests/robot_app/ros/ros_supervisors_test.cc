@@ -9,6 +9,7 @@
 #include <fstream>
 
 #include "bt_core/testing/leaf_harness.h"
+#include "bt_nodes/operators/supervisor_leaves.h"
 #include "robot_app/common/child_process.h"
 #include "tests/robot_app/eventually.h"
 #include "tests/robot_app/ros_environment.h"

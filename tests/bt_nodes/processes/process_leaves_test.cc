@@ -1,4 +1,4 @@
-#include "bt_nodes/processes/supervision_leaves.h"
+#include "bt_nodes/processes/process_leaves.h"
 
 #include <gtest/gtest.h>
 
@@ -72,36 +72,6 @@ TEST_F(SwitchConfigurationTest, AsksAtOnceForAnotherConfiguration) {
   harness_.Set("configuration", std::string("mapping"));
   harness_.Tick();
   EXPECT_EQ(robot_.calls.back(), "SetConfiguration mapping");
-}
-
-TEST(AskSupervisor, SucceedsWhenSomebodyConfirms) {
-  FakeRobot robot;
-  LeafHarness harness = LeafHarness::For<AskSupervisor>(std::ref<SupervisorChannel>(robot));
-  harness.Set("subject", std::string("navigation"));
-  harness.Set("question", std::string("stuck"));
-  harness.Tick();
-  EXPECT_EQ(robot.calls, std::vector<std::string>{"Ask navigation: stuck"});
-  robot.AnswerRequest("navigation", true);
-  EXPECT_EQ(harness.Tick(), Status::kSuccess);
-}
-
-TEST(AskSupervisor, WithdrawsTheQuestionWhenHalted) {
-  FakeRobot robot;
-  LeafHarness harness = LeafHarness::For<AskSupervisor>(std::ref<SupervisorChannel>(robot));
-  harness.Set("subject", std::string("navigation"));
-  harness.Set("question", std::string("stuck"));
-  harness.Tick();
-  harness.Halt();
-  EXPECT_EQ(robot.calls.back(), "Withdraw navigation");
-}
-
-TEST(TellSupervisor, SendsAMessageAndIsDone) {
-  FakeRobot robot;
-  LeafHarness harness = LeafHarness::For<TellSupervisor>(std::ref<SupervisorChannel>(robot));
-  harness.Set("subject", std::string("cpu"));
-  harness.Set("message", std::string("busy"));
-  EXPECT_EQ(harness.Tick(), Status::kSuccess);
-  EXPECT_EQ(robot.calls, std::vector<std::string>{"Tell cpu: busy"});
 }
 
 }  // namespace

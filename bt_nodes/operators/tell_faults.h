@@ -1,12 +1,13 @@
 // TellFaults: messages about faults that the robot itself can do nothing about.
-#ifndef COPPICE_BT_NODES_MONITORING_TELL_FAULTS_H_
-#define COPPICE_BT_NODES_MONITORING_TELL_FAULTS_H_
+#ifndef COPPICE_BT_NODES_OPERATORS_TELL_FAULTS_H_
+#define COPPICE_BT_NODES_OPERATORS_TELL_FAULTS_H_
 
 #include <string>
 #include <vector>
 
+#include "bt_core/nodes/leaf.h"
 #include "bt_nodes/monitoring/health.h"
-#include "bt_nodes/processes/supervision_leaves.h"
+#include "bt_nodes/operators/supervisor_channel.h"
 
 namespace coppice {
 
@@ -51,4 +52,4 @@ class TellFaults : public SyncAction {
 
 }  // namespace coppice
 
-#endif  // COPPICE_BT_NODES_MONITORING_TELL_FAULTS_H_
+#endif  // COPPICE_BT_NODES_OPERATORS_TELL_FAULTS_H_

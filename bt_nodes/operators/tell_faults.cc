@@ -1,4 +1,4 @@
-#include "bt_nodes/monitoring/tell_faults.h"
+#include "bt_nodes/operators/tell_faults.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "bt_nodes/application/application_control.h"
+#include "bt_nodes/application/application_leaves.h"
 
 namespace coppice {
 

@@ -1,4 +1,4 @@
-#include "bt_nodes/processes/supervision_leaves.h"
+#include "bt_nodes/processes/process_leaves.h"
 
 namespace coppice {
 

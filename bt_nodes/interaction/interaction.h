@@ -1,0 +1,27 @@
+// What leaves that address people need of a robot. Implemented on ROS topics in robot_app/ros, and
+// on test doubles.
+//
+// All functions are called on the ticking thread and return at once.
+#ifndef COPPICE_BT_NODES_INTERACTION_INTERACTION_H_
+#define COPPICE_BT_NODES_INTERACTION_INTERACTION_H_
+
+#include <string>
+
+#include "bt_core/data/inbox.h"
+#include "bt_nodes/basics/action_result.h"
+
+namespace coppice {
+
+class Interaction {
+ public:
+  virtual ~Interaction() = default;
+  /// Speaks a text. Reported as done when it has been spoken.
+  virtual void Say(const std::string& text, Sender<ActionResult> done) = 0;
+  virtual void CancelSpeech() = 0;
+  /// Shows a facial expression until the next one: NEUTRAL, SAD, SLEEP, LAUGHING, ...
+  virtual void SetExpression(const std::string& expression) = 0;
+};
+
+}  // namespace coppice
+
+#endif  // COPPICE_BT_NODES_INTERACTION_INTERACTION_H_
