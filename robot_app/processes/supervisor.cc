@@ -51,7 +51,8 @@ Supervisor::Supervisor(RobotConfig config, ProcessLauncher& launcher,
   for (std::size_t i = 0; i < config_.processes.size(); ++i) {
     const auto found = memory.restarts.find(config_.processes[i].name);
     if (found != memory.restarts.end()) lifecycle_.SetRestarts(i, found->second);
-    plans_[i].as_restart = plans_[i].cleared = memory.new_stack;
+    plans_[i].as_restart = memory.new_stack;
+    plans_[i].cleared = memory.clear_stack;
   }
   escalation_.stack().Restore(memory.stack_restarts, memory.stack_counting);
 }
@@ -62,6 +63,7 @@ SupervisorMemory Supervisor::Remember() const {
   memory.manual = switch_.manual();
   memory.safe_stop = switch_.safe_stop();
   memory.new_stack = new_stack_;
+  memory.clear_stack = clear_stack_;
   for (std::size_t i = 0; i < config_.groups.size(); ++i) {
     memory.groups[config_.groups[i].name] = escalation_.Remember(i);
   }
@@ -186,7 +188,7 @@ void Supervisor::OnMasterEnded(Time now, const std::string& what) {
   const std::string why_not = escalation_.stack().WhyNot(now);
   if (why_not.empty()) {
     escalation_.stack().Add(now);
-    RestartStack(what);
+    RestartStack(what, false);  // it is nothing that a program remembers
   } else {
     calls_.push_back("Again " + what + "; everything is stopped.");
     StopAll();
@@ -339,7 +341,7 @@ Decision Supervisor::Fail(std::size_t process, Cause cause, const std::string& r
       BeginWave(order_.Members(order_.closure(decision.root)), {why, now, true}, now);
       break;
     case EscalationStep::kStack:
-      RestartStack(why);
+      RestartStack(why, true);
       break;
     case EscalationStep::kPerson:
       GiveUp(decision.root, why);
@@ -379,8 +381,9 @@ void Supervisor::BeginWave(const Indices& processes, const Restarting& how, Time
   }
 }
 
-void Supervisor::RestartStack(const std::string& reason) {
+void Supervisor::RestartStack(const std::string& reason, bool cleared) {
   new_stack_ = true;
+  clear_stack_ = cleared;
   stack_reason_ = reason;
   ++revision_;
 }

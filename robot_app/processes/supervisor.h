@@ -51,8 +51,9 @@ class Supervisor {
   /// ROS node or a group; "all" is the whole stack with the ROS master. Counts like a crash, so it
   /// may lead to a restart of all that depends on it. Ok when this has begun, also if it was under
   /// way already. Refused when the name is unknown, not part of the configuration or given up, and
-  /// when all these restarts have not helped.
-  Verdict Restart(const std::string& name, Time now);
+  /// when all these restarts have not helped. `cleared`: what was asked for starts from a cleared
+  /// state; of the whole stack, everything.
+  Verdict Restart(const std::string& name, Time now, bool cleared = false);
 
   /// A person has repaired something: forgets the restarts of its group, and starts it if it was
   /// given up. `name` is a process, a ROS node, a group or "all".
@@ -129,7 +130,7 @@ class Supervisor {
   std::optional<std::size_t> FindGroup(const std::string& name) const;
   Verdict Unknown(const std::string& name) const;
   Verdict RestartWanted(std::size_t process, const Indices& members, const std::string& name,
-                        Time now);
+                        Time now, bool cleared);
 
   bool IsWanted(std::size_t process) const;
   /// A group that it cannot do without was given up, maybe its own.
@@ -151,7 +152,7 @@ class Supervisor {
   Decision Fail(std::size_t process, Cause cause, const std::string& reason, Time now);
   void LoseHost(std::size_t process, Time now);
   void BeginWave(const Indices& processes, const Restarting& how, Time now);
-  void RestartStack(const std::string& reason);
+  void RestartStack(const std::string& reason, bool cleared);
   void GiveUp(std::size_t group, const std::string& reason);
 
   const RobotConfig config_;
@@ -165,6 +166,7 @@ class Supervisor {
   Time last_step_{0};
   bool stopping_ = false;
   bool new_stack_ = false;
+  bool clear_stack_ = false;
   std::string stack_reason_;
   std::uint64_t revision_ = 0;
 };

@@ -78,7 +78,7 @@ void SupervisorProgram::OfferServices() {
   services_.push_back(handle_.advertiseService<Restart::Request, Restart::Response>(
       "/supervisor/restart",
       boost::function<bool(Restart::Request&, Restart::Response&)>([this](auto& ask, auto& say) {
-        const Verdict verdict = supervisor_.Restart(ask.name, clock_.Now());
+        const Verdict verdict = supervisor_.Restart(ask.name, clock_.Now(), ask.cleared);
         say.ok = verdict.ok;
         return Reply(verdict, "restart " + ask.name, say);
       })));

@@ -34,10 +34,12 @@ RosProcessManager::~RosProcessManager() {
   worker_.join();
 }
 
-void RosProcessManager::RestartNode(const std::string& node, Sender<ActionResult> done) {
-  Enqueue([node, done] {
+void RosProcessManager::RestartNode(const std::string& node, bool cleared,
+                                    Sender<ActionResult> done) {
+  Enqueue([node, cleared, done] {
     coppice_msgs::RestartProcess service;
     service.request.name = node;
+    service.request.cleared = cleared;
     done.Send(Call("/supervisor/restart", service));
   });
 }

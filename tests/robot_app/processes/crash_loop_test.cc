@@ -161,9 +161,9 @@ INSTANTIATE_TEST_SUITE_P(Seeds, CrashLoopTest, testing::Range(1u, 51u));
 // The programs, groups and limits that are shipped.
 RobotConfig ShippedRobot() {
   Diagnostics diagnostics;
-  RobotConfig config =
-      LoadRobotConfig(SourceFolder() + "/robot_app/config/robot.yaml",
-                      {{"bin", "/bin"}, {"config", "/config"}, {"record", "/tmp"}}, diagnostics);
+  RobotConfig config = LoadRobotConfig(
+      SourceFolder() + "/robot_app/config/robot.yaml",
+      {{"bin", "/bin"}, {"config", "/config"}, {"record", "/tmp/run"}}, diagnostics);
   EXPECT_FALSE(diagnostics.has_errors()) << diagnostics.ToString();
   return config;
 }

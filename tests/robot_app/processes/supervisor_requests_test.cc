@@ -8,6 +8,7 @@ namespace {
 
 using std::chrono::milliseconds;
 using std::chrono::seconds;
+using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::SizeIs;
 
@@ -149,6 +150,28 @@ TEST_F(SupervisorRequestsTest, AConfigurationIsRefusedWhileItsConditionDoesNotHo
             "configuration charging requires charging_confirmed: no current flows");
   EXPECT_FALSE(robot_.supervisor().configuration_switch().manual());
   EXPECT_TRUE(Configure("charging").ok);
+}
+
+TEST_F(SupervisorTest, ARestartFromAClearedStateForgetsWhatTheProcessRemembers) {
+  StartAll();
+  EXPECT_TRUE(supervisor_.Restart("nav", now_, true).ok);
+  Step();
+  Ended(kNav, kExit0);
+  EXPECT_THAT(launcher_.TakeLog(), ElementsAre("end nav", "clear nav", "start nav"));
+}
+
+TEST_F(SupervisorTest, TheRestartAfterThatKeepsItsState) {
+  StartAll();
+  supervisor_.Restart("nav", now_, true);
+  Step();
+  Ended(kNav, kExit0);
+  Ready(kNav);
+  now_ += std::chrono::seconds(20);
+  launcher_.TakeLog();
+  Ended(kNav, kKilled);
+  now_ += std::chrono::seconds(20);
+  Step();
+  EXPECT_THAT(launcher_.TakeLog(), ElementsAre("start nav"));
 }
 
 }  // namespace

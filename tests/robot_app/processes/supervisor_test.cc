@@ -201,6 +201,7 @@ TEST_F(SupervisorTest, TheEndOfTheMasterRestartsTheWholeStackOnce) {
   Ended(kBase, kExit0);
   EXPECT_TRUE(supervisor_.NeedsNewStack(now_));
   EXPECT_TRUE(supervisor_.Remember().new_stack);
+  EXPECT_FALSE(supervisor_.Remember().clear_stack) << "no program has failed";
   EXPECT_EQ(supervisor_.stack_reason(), "the ROS master ended");
 }
 
