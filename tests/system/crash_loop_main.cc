@@ -57,7 +57,7 @@ int WaitFor(pid_t pid, double seconds) {
 int main(int, char** argv) {
   const std::string path = argv[0];
   const std::string name = path.substr(path.rfind('/') + 1);
-  const std::string program = BinaryFolder() + "/bin/" + name;
+  const std::string program = coppice::BinaryFolder() + "/bin/" + name;
   int no_arguments = 0;
   ros::init(no_arguments, nullptr, "crash_loop",
             ros::init_options::AnonymousName | ros::init_options::NoSigintHandler);
