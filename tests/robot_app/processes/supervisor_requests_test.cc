@@ -152,26 +152,22 @@ TEST_F(SupervisorRequestsTest, AConfigurationIsRefusedWhileItsConditionDoesNotHo
   EXPECT_TRUE(Configure("charging").ok);
 }
 
-TEST_F(SupervisorTest, ARestartFromAClearedStateForgetsWhatTheProcessRemembers) {
-  StartAll();
-  EXPECT_TRUE(supervisor_.Restart("nav", now_, true).ok);
-  Step();
-  Ended(kNav, kExit0);
-  EXPECT_THAT(launcher_.TakeLog(), ElementsAre("end nav", "clear nav", "start nav"));
+TEST_F(SupervisorRequestsTest, ARestartFromAClearedStateForgetsWhatTheProcessRemembers) {
+  robot_.machine.log.clear();
+  EXPECT_TRUE(robot_.supervisor().Restart("nav", robot_.machine.now, true).ok);
+  robot_.RunFor(seconds(10));
+  EXPECT_THAT(robot_.machine.log, ElementsAre("end nav", "clear nav"));
+  EXPECT_TRUE(robot_.AllReady());
 }
 
-TEST_F(SupervisorTest, TheRestartAfterThatKeepsItsState) {
-  StartAll();
-  supervisor_.Restart("nav", now_, true);
-  Step();
-  Ended(kNav, kExit0);
-  Ready(kNav);
-  now_ += std::chrono::seconds(20);
-  launcher_.TakeLog();
-  Ended(kNav, kKilled);
-  now_ += std::chrono::seconds(20);
-  Step();
-  EXPECT_THAT(launcher_.TakeLog(), ElementsAre("start nav"));
+TEST_F(SupervisorRequestsTest, TheRestartAfterThatKeepsItsState) {
+  robot_.supervisor().Restart("nav", robot_.machine.now, true);
+  robot_.RunFor(seconds(100));
+  robot_.machine.log.clear();
+  robot_.machine.Crash("nav");
+  robot_.RunFor(seconds(100));
+  EXPECT_TRUE(robot_.AllReady());
+  EXPECT_THAT(robot_.machine.log, ElementsAre());
 }
 
 }  // namespace
