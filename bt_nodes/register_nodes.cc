@@ -34,6 +34,8 @@ void RegisterNodes(Registry& registry, const Capabilities& capabilities) {
   registry.Register<IsBatteryLow>("IsBatteryLow");
   registry.Register<IsCharging>("IsCharging");
   registry.Register<IsNotCharging>("IsNotCharging");
+  registry.Register<IsDocked>("IsDocked");
+  registry.Register<IsNotDocked>("IsNotDocked");
   registry.Register<WaitForBattery>("WaitForBattery");
   registry.Register<Charge>("Charge");
   registry.Register<ChargeDue>("ChargeDue");

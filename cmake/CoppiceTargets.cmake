@@ -28,14 +28,14 @@ function(coppice_program name)
   endif()
 endfunction()
 
-# coppice_test(NAME SOURCES... [LINK libraries...] [TIMEOUT seconds] [SERIAL])
+# coppice_test(NAME SOURCES... [LINK libraries...] [TIMEOUT seconds] [SERIAL] [OPTIMIZED])
 #   A GoogleTest program in build/tests/bin whose suites become tests of ctest, "NAME.SUITE": to
 #   start a process (a ROS master, the fonts) for each case takes longer than most cases.
 #   Which case failed is said in the output; `build/tests/bin/NAME --gtest_filter=SUITE.CASE` runs it.
-#   SERIAL: no other test runs at the same time.
+#   SERIAL: no other test runs at the same time. OPTIMIZED: it calculates for long itself.
 #   tests/support/folders.h tells where data and programs are.
 function(coppice_test name)
-  cmake_parse_arguments(ARG "SERIAL" "TIMEOUT" "LINK" ${ARGN})
+  cmake_parse_arguments(ARG "SERIAL;OPTIMIZED" "TIMEOUT" "LINK" ${ARGN})
   if(NOT ARG_TIMEOUT)
     set(ARG_TIMEOUT 300)  # for what hangs; a case that waits gives up by itself after 60 s
   endif()
@@ -44,10 +44,12 @@ function(coppice_test name)
   endif()
   add_executable(${name} ${ARG_UNPARSED_ARGUMENTS})
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR})
-  target_compile_options(${name} PRIVATE ${COPPICE_TEST_OPTIONS})
   target_link_libraries(${name} PRIVATE
     ${ARG_LINK} test_support GTest::gmock GTest::gtest_main coppice_warnings)
-  coppice_precompile(${name} test)
+  if(NOT ARG_OPTIMIZED)
+    target_compile_options(${name} PRIVATE ${COPPICE_TEST_OPTIONS})
+    coppice_precompile(${name} test)
+  endif()
   set_target_properties(${name} PROPERTIES
     RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests/bin)
   coppice_list_suites(${name} TIMEOUT,${ARG_TIMEOUT},RUN_SERIAL,${ARG_SERIAL})

@@ -7,12 +7,6 @@
 #ifndef COPPICE_BT_NODES_POWER_BATTERY_ESTIMATE_H_
 #define COPPICE_BT_NODES_POWER_BATTERY_ESTIMATE_H_
 
-#include <string>
-#include <string_view>
-
-#include "bt_core/base/clock.h"
-#include "bt_core/data/value.h"
-
 namespace coppice {
 
 /// The battery and what the robot draws from it. The defaults are Sobi's: 24 V AGM, 75 Ah
@@ -30,14 +24,6 @@ struct BatteryModel {
   double help_time = 1800;      ///< s, until a person who was asked is there
 };
 
-/// What the battery's electronics report.
-struct BatteryReading {
-  Time stamp{0};       ///< of the tree's clock, when it arrived; zero: never
-  double voltage = 0;  ///< V, at the terminals
-  double current = 0;  ///< A, negative: discharging
-  double level = -1;   ///< state of charge as reported, 0..1; negative: not reported
-};
-
 /// State of charge 0..1 from the voltage at the terminals, with the current's share taken out.
 /// Linear between empty and full; a battery that has just been charged or loaded hard reads up to
 /// a tenth too much or too little.
@@ -52,14 +38,6 @@ double ChargeReserve(const BatteryModel& model);
 
 /// How long the charge lasts at the driving current [s]; 0 if there is none.
 double TimeLeft(const BatteryModel& model, double charge);
-
-/// Text form: "stamp;voltage;current;level", the stamp in ns.
-template <>
-struct ValueTraits<BatteryReading> {
-  static constexpr const char* kName = "BatteryReading";
-  static bool Parse(std::string_view text, BatteryReading& out);
-  static std::string Print(const BatteryReading& value);
-};
 
 }  // namespace coppice
 

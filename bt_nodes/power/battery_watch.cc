@@ -26,15 +26,15 @@ const BatteryVerdict& BatteryWatch::Update(Time now, const BatteryReading* readi
   if (reading && (!newest_ || reading->stamp != newest_->stamp)) TakeReading(now, *reading);
   const bool is_silent = Seconds(now - heard_) > options_.longest_silence;
   if (is_silent) is_charging_ = false;
-  const double assumed = -options_.model.driving_current;
-  CountCharge(now, is_silent || !newest_ ? assumed : newest_->current);
+  CountCharge(now, Current(is_silent));
   farthest_ = std::max(farthest_, distance);
 
   verdict_.charge = LeastCharge();
   const double way = ChargeToDrive(options_.model, distance < 0 ? farthest_ : distance);
   verdict_.needed = way + ChargeReserve(options_.model);
+  const bool is_full = is_charging_ && newest_->charger == ChargerState::kFull;
   const bool is_charged =
-      is_charging_ && verdict_.charge >= options_.charged * options_.model.capacity;
+      is_full || (is_charging_ && verdict_.charge >= options_.charged * options_.model.capacity);
   if (is_charging_ && (is_charged || Seconds(now - charging_since_) >= options_.counts_after)) {
     last_charge_ = now;
   }
@@ -56,41 +56,56 @@ const BatteryVerdict& BatteryWatch::Update(Time now, const BatteryReading* readi
 }
 
 bool BatteryWatch::IsExhausted(double way) const {
-  return newest_ && ReadCharge() <= std::max(way, options_.last_charge);
+  const std::optional<double> charge = ReadCharge();
+  return charge && *charge <= std::max(way, options_.last_charge);
 }
 
 void BatteryWatch::TakeReading(Time now, const BatteryReading& reading) {
-  const double level = LevelFromVoltage(options_.model, reading.voltage, reading.current);
-  if (!newest_) {
-    voltage_level_ = level;
-    counted_ = (reading.level >= 0 ? reading.level : level) * options_.model.capacity;
-  } else {
-    const double share = 1 - std::exp(-Seconds(now - heard_) / options_.smoothing);
-    voltage_level_ += share * (level - voltage_level_);
-  }
   const bool was_charging = is_charging_;
-  is_charging_ = reading.current > options_.model.charging_above;
+  is_charging_ = reading.charger == ChargerState::kFull ||
+                 reading.current > options_.model.charging_above ||
+                 (std::isnan(reading.current) && reading.charger == ChargerState::kCharging);
   if (is_charging_ && !was_charging) charging_since_ = now;
   newest_ = reading;
+  if (!std::isnan(reading.level) || !std::isnan(reading.voltage)) TakeLevels(now, reading);
+}
+
+void BatteryWatch::TakeLevels(Time now, const BatteryReading& reading) {
+  const bool is_first = !ReadCharge();
+  level_ = std::isnan(reading.level) ? std::nullopt : std::optional(reading.level);
+  if (std::isnan(reading.voltage)) {
+    voltage_level_.reset();
+  } else {
+    const double current = std::isnan(reading.current) ? 0 : reading.current;
+    const double level = LevelFromVoltage(options_.model, reading.voltage, current);
+    const double share = 1 - std::exp(-Seconds(now - heard_) / options_.smoothing);
+    const double before = voltage_level_.value_or(level);
+    voltage_level_ = before + share * (level - before);
+  }
+  if (is_first) counted_ = level_.value_or(voltage_level_.value_or(0)) * options_.model.capacity;
   heard_ = now;
+}
+
+double BatteryWatch::Current(bool is_silent) const {
+  if (!is_silent && newest_ && !std::isnan(newest_->current)) return newest_->current;
+  return is_charging_ ? 0 : -options_.model.driving_current;
 }
 
 void BatteryWatch::CountCharge(Time now, double current) {
   counted_ += current * Seconds(now - updated_) / 3600;
   // What was counted too much, as while the battery was silent, is forgotten on the station.
-  if (is_charging_) counted_ = std::max(counted_, ReadCharge());
+  if (is_charging_) counted_ = std::max(counted_, ReadCharge().value_or(0));
   counted_ = std::clamp(counted_, 0.0, options_.model.capacity);
   updated_ = now;
 }
 
-double BatteryWatch::ReadCharge() const {
-  double level = voltage_level_;
-  if (newest_->level >= 0) level = std::min(level, newest_->level);
-  return level * options_.model.capacity;
+std::optional<double> BatteryWatch::ReadCharge() const {
+  if (!level_ && !voltage_level_) return std::nullopt;
+  return std::min(level_.value_or(1), voltage_level_.value_or(1)) * options_.model.capacity;
 }
 
 double BatteryWatch::LeastCharge() const {
-  return newest_ ? std::min(counted_, ReadCharge()) : counted_;
+  return std::min(counted_, ReadCharge().value_or(counted_));
 }
 
 std::string BatteryWatch::Reason(Time now) const {

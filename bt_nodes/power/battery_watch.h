@@ -2,8 +2,10 @@
 // of the application's own decision, so a mistake there cannot silence it.
 //
 // The charge is the least of three estimates: what the battery reports, what the voltage says
-// (smoothed), and what is left by counting the current. As long as the battery is silent the count
-// goes on at the driving current. A request, once made, stands until the battery has been charged.
+// (smoothed), and what is left by counting the current. What is not measured is left out; a battery
+// that reports neither its level nor its voltage counts as silent. As long as it is silent, or its
+// current is not measured, the count goes on at the driving current. A request, once made, stands
+// until the battery has been charged, or its charger says that it is full.
 //
 // Time is that of the caller and never goes back. Not thread-safe.
 #ifndef COPPICE_BT_NODES_POWER_BATTERY_WATCH_H_
@@ -13,6 +15,7 @@
 #include <string>
 
 #include "bt_nodes/power/battery_estimate.h"
+#include "bt_nodes/power/battery_reading.h"
 
 namespace coppice {
 
@@ -50,9 +53,11 @@ class BatteryWatch {
 
  private:
   void TakeReading(Time now, const BatteryReading& reading);
+  void TakeLevels(Time now, const BatteryReading& reading);
   void CountCharge(Time now, double current);
   bool IsExhausted(double way) const;
-  double ReadCharge() const;  // from level and voltage; only with a reading
+  double Current(bool is_silent) const;
+  std::optional<double> ReadCharge() const;  // from level and voltage
   double LeastCharge() const;
   std::string Reason(Time now) const;
 
@@ -60,14 +65,15 @@ class BatteryWatch {
   BatteryVerdict verdict_;
   std::optional<Time> started_;
   Time updated_{0};
-  Time last_charge_{0};     // end of the last one, or the start
-  Time heard_{0};           // the newest reading
-  Time charging_since_{0};  // while is_charging_
-  bool is_charging_ = false;
+  Time last_charge_{0};       // end of the last one, or the start
+  Time heard_{0};             // the newest reading of level or voltage
+  Time charging_since_{0};    // while is_charging_
+  bool is_charging_ = false;  // or full, on the charger
   std::optional<BatteryReading> newest_;
-  double voltage_level_ = 1;  // 0..1, smoothed
-  double counted_ = 0;        // Ah
-  double farthest_ = 0;       // m
+  std::optional<double> level_;          // 0..1, as reported
+  std::optional<double> voltage_level_;  // 0..1, smoothed
+  double counted_ = 0;                   // Ah
+  double farthest_ = 0;                  // m
 };
 
 }  // namespace coppice

@@ -1,5 +1,9 @@
 // Conditions on the battery. Their inputs are fed from outside: the robot writes the keys
-// battery_level and charging, and battery and distance_to_station for the watchdog.
+// battery_level, charging and docked, and battery and distance_to_station for the watchdog.
+//
+// A level that is not known is negative, and counts as low: a robot that cannot read its battery
+// goes home, and stays on its station until the charger says that the battery is full. Whether it
+// stands there is a fact of its own: a full battery draws no current.
 #ifndef COPPICE_BT_NODES_POWER_POWER_LEAVES_H_
 #define COPPICE_BT_NODES_POWER_POWER_LEAVES_H_
 
@@ -14,9 +18,9 @@ namespace coppice {
 class IsBatteryLow : public Condition {
  public:
   static constexpr const char* kDescription = "Is the battery's state of charge below a threshold?";
-  Input<double> level{this, "level", "state of charge, 0..1"};
+  Input<double> level{this, "level", "state of charge, 0..1; negative: not known, counts as low"};
   Input<double> threshold{this, "threshold", "low below this, 0..1", 0.3};
-  bool Check() override { return *level < *threshold; }
+  bool Check() override { return !(*level >= *threshold); }  // NaN, too, is low
 };
 
 class IsCharging : public Condition {
@@ -34,21 +38,40 @@ class IsNotCharging : public Condition {
   bool Check() override { return !*charging; }
 };
 
+class IsDocked : public Condition {
+ public:
+  static constexpr const char* kDescription =
+      "Does the robot stand on its charging station, with or without current?";
+  Input<bool> docked{this, "docked", "true while the station's contacts touch"};
+  bool Check() override { return *docked; }
+};
+
+/// Not the inverse of IsDocked: as long as nothing is known, both fail.
+class IsNotDocked : public Condition {
+ public:
+  static constexpr const char* kDescription =
+      "Is it known that the robot does not stand on its charging station?";
+  Input<bool> docked{this, "docked", "true while the station's contacts touch"};
+  bool Check() override { return !*docked; }
+};
+
 class WaitForBattery : public Action {
  public:
-  static constexpr const char* kDescription = "Waits until the state of the battery is known.";
-  Input<bool> charging{this, "charging", "true while current flows", kOptional};
+  static constexpr const char* kDescription =
+      "Waits until it is known whether the robot stands on its charging station.";
+  Input<bool> docked{this, "docked", "true while the station's contacts touch", kOptional};
   Status OnStart() override { return OnRunning(); }
-  Status OnRunning() override { return charging.has_value() ? Status::kSuccess : Status::kRunning; }
+  Status OnRunning() override { return docked.has_value() ? Status::kSuccess : Status::kRunning; }
   void OnHalted() override {}
 };
 
-/// Runs until the battery is charged. Fails when the current stops before that.
+/// Runs until the battery is charged. Fails when the current stops before that. A level that is not
+/// known is not charged; what a charger calls full has the level 1.
 class Charge : public Action {
  public:
   static constexpr const char* kDescription =
       "Waits until the battery is charged; fails if the current stops flowing.";
-  Input<double> level{this, "level", "state of charge, 0..1"};
+  Input<double> level{this, "level", "state of charge, 0..1; negative: not known"};
   Input<bool> charging{this, "charging", "true while current flows"};
   Input<double> until{this, "until", "charged at this level, 0..1", 0.95};
 

@@ -5,6 +5,12 @@
 #include <iterator>
 
 namespace coppice {
+namespace {
+
+// Else a program that is restarted while the robot drives would help whatever comes after.
+constexpr const char* kPlaceCounts = "navigation";
+
+}  // namespace
 
 std::vector<RecoveryVerdict> RecoveryJudge::Take(const RecoveryEvent& event) {
   std::vector<RecoveryVerdict> verdicts = Advance(event.time);
@@ -37,7 +43,7 @@ std::vector<RecoveryVerdict> RecoveryJudge::Take(const RecoveryEvent& event) {
 
 bool RecoveryJudge::SpeaksAgainst(const RecoveryEvent& event, const Open& open) const {
   const bool is_soon = !IsLate(event.time, open);
-  if (!event.pose || !open.pose) return is_soon;
+  if (event.subject != kPlaceCounts || !event.pose || !open.pose) return is_soon;
   const double away = std::hypot(event.pose->x - open.pose->x, event.pose->y - open.pose->y);
   const bool is_near = away <= options_.radius;
   return options_.is_strict ? is_soon || is_near : is_soon && is_near;

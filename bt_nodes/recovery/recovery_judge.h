@@ -1,7 +1,9 @@
-// Did a recovery help? The criterion of Stuede et al., ECMR 2021: it did if no further one was
-// needed for the same subject within 60 s and 1 m. "Within" both: what comes later, or elsewhere,
-// is a fault of its own. The published evaluation counts more strictly: a further one within 60 s
-// or within 1 m.
+// Did a recovery help? The one definition, in both readings of Stuede et al., ECMR 2021: it did if
+// no further one was needed for the same subject within 60 s, and for the navigation "within a
+// circle of radius 1 m within this time". The paper's words: a further one speaks against it if it
+// is within the time and, for the navigation, within the circle; what comes later, or elsewhere, is
+// a fault of its own. Strictly, as the published evaluation counts: within the time or, for the
+// navigation, within the circle.
 //
 // Time and places are those of the events. Not thread-safe.
 #ifndef COPPICE_BT_NODES_RECOVERY_RECOVERY_JUDGE_H_
@@ -16,7 +18,7 @@ namespace coppice {
 
 struct JudgeOptions {
   double seconds = 60;
-  double radius = 1;       ///< m; without a pose only the time counts
+  double radius = 1;       ///< m, of the navigation; without a pose only the time counts
   bool is_strict = false;  ///< a further one within the time or the radius speaks against it
 };
 

@@ -288,10 +288,10 @@ class Demo {
     std::vector<std::string> problems = summary.problems;
     if (!failure.empty()) problems.push_back(failure);
     if (!clean) problems.push_back("not everything ended as it should");
-    const int navigation = summary.Recovery("wait and retry").ended_well +
-                           summary.Recovery("move backwards").ended_well +
-                           summary.Recovery("navigation: ask").ended_well;
-    if (summary.Recovery("restart node").ended_well == 0) {
+    const int navigation = summary.Recovery("wait and retry").succeeded +
+                           summary.Recovery("move backwards").succeeded +
+                           summary.Recovery("navigation: ask").succeeded;
+    if (summary.Recovery("restart node").succeeded == 0) {
       problems.push_back("the record shows no successful restart of a node");
     }
     if (!summary.docked) problems.push_back("the robot did not come home");

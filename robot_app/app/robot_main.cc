@@ -47,9 +47,13 @@ constexpr char kUsage[] =
     "  (default -1 = for ever); stops: places per round (default 4).";
 
 FeedKeys KeysOf(Executor& executor) {
-  return {executor.Writer<double>("battery_level"),  executor.Writer<bool>("charging"),
-          executor.Writer<Health>("monitoring"),     executor.Writer<std::string>("configuration"),
-          executor.Writer<bool>("manual"),           executor.Writer<std::string>("processes"),
+  return {executor.Writer<double>("battery_level"),
+          executor.Writer<bool>("charging"),
+          executor.Writer<bool>("docked"),
+          executor.Writer<Health>("monitoring"),
+          executor.Writer<std::string>("configuration"),
+          executor.Writer<bool>("manual"),
+          executor.Writer<std::string>("processes"),
           executor.Writer<BatteryReading>("battery")};
 }
 

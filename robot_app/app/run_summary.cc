@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <iomanip>
+#include <iterator>
+#include <map>
 #include <memory>
 #include <optional>
 #include <sstream>
@@ -13,29 +15,23 @@
 namespace coppice::robot {
 namespace {
 
-constexpr Duration kSuccessWindow = std::chrono::seconds(60);
-
 struct Kind {
   const char* name;
+  const char* subject;
   const char* path;  // of the node in trees/monitor/monitor.xml
 };
 constexpr Kind kKinds[] = {
-    {"restart node", "restart_node/restart"},
-    {"restart node: ask", "restart_node/ask"},
-    {"wait and retry", "recover_navigation/wait_and_retry"},
-    {"move backwards", "recover_navigation/move_backwards"},
-    {"navigation: ask", "recover_navigation/ask"},
-    {"slow rotate", "recover_localization/rotate"},
-    {"restart and rotate", "recover_localization/restart_and_rotate"},
-    {"localization: ask", "recover_localization/ask"},
-};
-
-// One activation of a recovery.
-struct Activation {
-  std::size_t kind;
-  Time start;
-  std::optional<Time> end;
-  bool ended_well = false;
+    {"restart node", "nodes", "as_published/restart_node/restart_nodes/restart"},
+    {"restart node: ask", "nodes", "as_published/restart_node/restart_nodes/ask"},
+    {"wait and retry", "navigation",
+     "as_published/recover_navigation/free_navigation/wait_and_retry"},
+    {"move backwards", "navigation",
+     "as_published/recover_navigation/free_navigation/move_backwards"},
+    {"navigation: ask", "navigation", "as_published/recover_navigation/free_navigation/ask"},
+    {"slow rotate", "localization", "as_published/recover_localization/find_position/rotate"},
+    {"restart and rotate", "localization",
+     "as_published/recover_localization/find_position/restart_and_rotate"},
+    {"localization: ask", "localization", "as_published/recover_localization/find_position/ask"},
 };
 
 std::optional<NodeIndex> FindNode(const Recording& recording, const std::string& path) {
@@ -75,40 +71,46 @@ std::vector<std::string> FaultsSeen(const Recording& monitor) {
   return faults;
 }
 
-std::vector<Activation> Activations(const Recording& monitor) {
-  std::vector<std::optional<NodeIndex>> nodes;
-  for (const Kind& kind : kKinds) nodes.push_back(FindNode(monitor, kind.path));
-  std::vector<Activation> activations;
-  const auto apply = [&](Time time, const StatusChange& change) {
-    for (std::size_t kind = 0; kind < nodes.size(); ++kind) {
-      if (nodes[kind] != change.node) continue;
-      const bool was_active = change.from == Status::kRunning;
-      if (!was_active && change.to != Status::kIdle) activations.push_back({kind, time, {}, false});
-      if (change.to == Status::kRunning || activations.empty()) continue;
-      if (!was_active && change.to == Status::kIdle) continue;
-      activations.back().end = time;
-      activations.back().ended_well = change.to == Status::kSuccess;
-    }
-  };
-  for (const auto& [time, change] : monitor.changes) apply(time, change);
-  return activations;
+std::optional<coppice::Pose2D> PoseAt(const Recording& recording, Time time) {
+  const auto after =
+      std::upper_bound(recording.stays.begin(), recording.stays.end(), time,
+                       [](Time one, const Recording::Stay& stay) { return one < stay.since; });
+  if (after == recording.stays.begin()) return std::nullopt;
+  return std::prev(after)->pose;
 }
 
-std::vector<RecoveryCount> CountRecoveries(const Recording& monitor) {
-  std::vector<RecoveryCount> counts;
-  for (const Kind& kind : kKinds) counts.push_back({kind.name, 0, 0, 0});
-  const std::vector<Activation> activations = Activations(monitor);
-  for (std::size_t i = 0; i < activations.size(); ++i) {
-    const Activation& one = activations[i];
-    RecoveryCount& count = counts[one.kind];
-    ++count.started;
-    count.ended_well += one.ended_well;
-    const bool last = i + 1 == activations.size();
-    const bool quiet =
-        last || activations[i + 1].start - one.end.value_or(one.start) > kSuccessWindow;
-    count.successful += one.ended_well && quiet;
+std::optional<RecoveryPhase> PhaseOf(const StatusChange& change) {
+  if (change.to == Status::kRunning) return RecoveryPhase::kBegun;
+  if (change.to == Status::kSuccess) return RecoveryPhase::kSucceeded;
+  if (change.to == Status::kFailure) return RecoveryPhase::kFailed;
+  if (change.from == Status::kRunning) return RecoveryPhase::kInterrupted;
+  return std::nullopt;  // it has ended before
+}
+
+// What the nodes of the recoveries did, as they would have reported it.
+std::vector<RecoveryEvent> RecoveryEvents(const Recording& monitor) {
+  std::map<NodeIndex, const Kind*> kinds;
+  for (const Kind& kind : kKinds) {
+    if (const auto node = FindNode(monitor, kind.path)) kinds[*node] = &kind;
   }
-  return counts;
+  std::vector<RecoveryEvent> events;
+  for (const auto& [time, change] : monitor.changes) {
+    const auto kind = kinds.find(change.node);
+    const std::optional<RecoveryPhase> phase = PhaseOf(change);
+    if (kind == kinds.end() || !phase) continue;
+    RecoveryEvent event{kind->second->name,
+                        kind->second->subject,
+                        RecoveryPhase::kBegun,
+                        1,
+                        time,
+                        PoseAt(monitor, time),
+                        ""};
+    const bool ends_at_once = *phase != RecoveryPhase::kBegun && change.from != Status::kRunning;
+    if (ends_at_once) events.push_back(event);
+    event.phase = *phase;
+    events.push_back(event);
+  }
+  return events;
 }
 
 void AddTick(const TickEvents& events, StatusFollower& follower, Recording& recording) {
@@ -123,6 +125,20 @@ void AddTick(const TickEvents& events, StatusFollower& follower, Recording& reco
   }
 }
 
+// The slot that the robot's pose is fed into.
+std::optional<std::size_t> PoseSlot(const TreeDescription& tree) {
+  for (std::size_t slot = 0; slot < tree.slots.size(); ++slot) {
+    const DescribedSlot& one = tree.slots[slot];
+    if (one.has_key && one.name == "pose" && one.scope == tree.main_tree) return slot;
+  }
+  return std::nullopt;
+}
+
+void AddStay(const std::string& text, Time now, std::vector<Recording::Stay>& stays) {
+  coppice::Pose2D pose;
+  if (ValueTraits<coppice::Pose2D>::Parse(text, pose)) stays.push_back({now, pose});
+}
+
 Recording ReadAll(const RecordReader& record) {
   Recording recording;
   recording.tree = record.tree();
@@ -130,12 +146,19 @@ Recording ReadAll(const RecordReader& record) {
   recording.end = record.end();
   recording.ticks = record.last_tick();
   RecordCursor cursor(record);
+  const std::optional<std::size_t> pose = PoseSlot(record.tree());
+  std::string last_pose;
   StatusFollower follower(ShapeOf(record.tree()), cursor.state().statuses());
   for (RecordItem item = cursor.Next(); item != RecordItem::kNone; item = cursor.Next()) {
     if (item == RecordItem::kState) {  // behind a gap
       follower = StatusFollower(ShapeOf(cursor.tree()), cursor.state().statuses());
     }
-    if (item == RecordItem::kTick) AddTick(cursor.events(), follower, recording);
+    if (item == RecordItem::kTick) {
+      const std::string now = pose ? cursor.state().values()[*pose] : "";
+      if (now != last_pose) AddStay(now, cursor.events().start, recording.stays);
+      last_pose = now;
+      AddTick(cursor.events(), follower, recording);
+    }
     if (item == RecordItem::kNote) recording.notes.push_back(cursor.note());
   }
   return recording;
@@ -164,9 +187,9 @@ std::string Line(const std::string& label, const TickStatistics& statistics) {
 
 RecoveryCount RunSummary::Recovery(const std::string& kind) const {
   for (const RecoveryCount& count : recoveries) {
-    if (count.kind == kind) return count;
+    if (count.recovery == kind) return count;
   }
-  return {kind, 0, 0, 0};
+  return {kind};
 }
 
 RunSummary Summarize(const Recording& application, const Recording& monitor) {
@@ -178,7 +201,7 @@ RunSummary Summarize(const Recording& application, const Recording& monitor) {
     if (note.text.rfind("fault injected", 0) == 0) AddOnce(summary.injected, note.text);
   }
   summary.faults = FaultsSeen(monitor);
-  summary.recoveries = CountRecoveries(monitor);
+  summary.recoveries = CountRecoveries(RecoveryEvents(monitor));
   summary.application = CountTicks(application);
   summary.monitor = CountTicks(monitor);
   return summary;
@@ -203,12 +226,13 @@ std::string ToTable(const RunSummary& summary, double distance) {
         << "distance        " << std::fixed << std::setprecision(1) << distance << " m\n";
   for (const std::string& fault : summary.injected) table << "injected        " << fault << "\n";
   for (const std::string& fault : summary.faults) table << "monitors saw    " << fault << "\n";
-  table << "\nrecovery              started   ended well   no other within 60 s\n";
+  table << "\nrecovery              begun   succeeded   helped   helped strictly\n";
   for (const RecoveryCount& count : summary.recoveries) {
-    if (count.started == 0) continue;
-    table << std::left << std::setw(22) << count.kind << std::right << std::setw(7) << count.started
-          << std::setw(13) << count.ended_well << std::setw(23) << count.successful << "\n";
+    table << std::left << std::setw(20) << count.recovery << std::right << std::setw(7)
+          << count.begun << std::setw(12) << count.succeeded << std::setw(9) << count.helped
+          << std::setw(18) << count.helped_strictly << "\n";
   }
+  table << "helped: no other for it within 60 s (navigation: and 1 m); strictly: nor within 1 m\n";
   table << "\n"
         << Line("application     ", summary.application)
         << Line("monitor         ", summary.monitor);

@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "bt_core/frames/history.h"
+#include "bt_nodes/navigation/pose2d.h"
+#include "bt_nodes/recovery/recovery_count.h"
 
 namespace coppice::robot {
 
@@ -16,6 +18,10 @@ struct Recording {
     Time time;
     StatusChange change;
   };
+  struct Stay {
+    Time since;
+    coppice::Pose2D pose;
+  };
   TreeDescription tree;
   Time begin{0};
   Time end{0};  ///< of the last entry
@@ -23,15 +29,7 @@ struct Recording {
   std::vector<Change> changes;
   std::vector<NodeMessage> messages;
   std::vector<HistoryNote> notes;
-};
-
-/// One kind of recovery: a node of the monitor tree.
-struct RecoveryCount {
-  std::string kind;  ///< for people: "wait and retry"
-  int started = 0;
-  int ended_well = 0;  ///< the tree saw the fault disappear
-  int successful =
-      0;  ///< and no further recovery began within 60 s (Hawes et al. 2016, as Sobi counts)
+  std::vector<Stay> stays;  ///< of the robot, in the order of time, as the tree knew it
 };
 
 struct TickStatistics {
@@ -46,7 +44,7 @@ struct RunSummary {
   bool docked = false;                    ///< the robot came home at the end
   std::vector<std::string> injected;      ///< notes about injected faults
   std::vector<std::string> faults;        ///< what the monitor tree saw, each text once
-  std::vector<RecoveryCount> recoveries;  ///< every kind that the monitor tree has
+  std::vector<RecoveryCount> recoveries;  ///< those that happened
   TickStatistics application;
   TickStatistics monitor;
   std::vector<std::string> problems;  ///< a record that is missing or damaged

@@ -34,9 +34,9 @@ Velocity2D ContactWiggle::Update(const DockInput& input) {
   return {};
 }
 
-// True while current flows: then the robot stands still.
+// True while the station serves the battery: then the robot stands still.
 bool ContactWiggle::WatchCurrent(const DockInput& input) {
-  if (!input.battery_known || input.current <= settings_.charging_above) {
+  if (!IsServed(input, settings_)) {
     charging_since_ = -1;
     return false;
   }

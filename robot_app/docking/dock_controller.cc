@@ -71,9 +71,7 @@ double DockController::Offset() const {
   return offset_ + (attempt_ % 2 == 0 ? settings_.retry_offset : -settings_.retry_offset);
 }
 
-bool DockController::Charging(const DockInput& input) const {
-  return input.battery_known && input.current > settings_.charging_above;
-}
+bool DockController::Charging(const DockInput& input) const { return IsServed(input, settings_); }
 
 void DockController::Enter(Phase phase, const DockInput& input) {
   phase_ = phase;
@@ -304,7 +302,9 @@ Velocity2D DockController::WaitForCurrent(const DockInput& input) {
   if (charging_since_ < 0) charging_since_ = input.now;
   if (input.now - charging_since_ < settings_.charging_for) return velocity_;
   phase_ = Phase::kDone;
-  message_ = Print("docked and charging with %.1f A at attempt %d", input.current, attempt_);
+  message_ = input.full
+                 ? Print("docked with a full battery at attempt %.0f", attempt_)
+                 : Print("docked and charging with %.1f A at attempt %d", input.current, attempt_);
   return velocity_;
 }
 

@@ -40,8 +40,15 @@ struct DockInput {
   Pose2D pose;                     ///< base_link
   double current = 0;              ///< of the battery, positive: charging [A]
   bool battery_known = true;       ///< the reading is not too old
+  bool docked = false;             ///< the charger says that the contacts touch
+  bool full = false;               ///< the charger says that it needs no more current
   std::vector<Point2D> obstacles;  ///< laser points in base_link
 };
+
+/// Charging current flows, or the charger says that none is needed.
+inline bool IsServed(const DockInput& input, const DockSettings& settings) {
+  return input.battery_known && (input.full || input.current > settings.charging_above);
+}
 
 }  // namespace coppice::robot
 

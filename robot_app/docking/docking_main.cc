@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "robot_app/common/battery_message.h"
 #include "robot_app/common/ros_support.h"
 #include "robot_app/docking/dock_controller.h"
 
@@ -26,8 +27,9 @@ constexpr char kHelp[] =
     "    ~staging_distance 1.6  ~farthest_start 1.5  ~approach_speed 0.12  ~attempts 3\n"
     "    ~charging_above 0.5  ~charging_for 3  ~charging_within 10  ~robot_radius 0.33\n"
     "    ~map_frame map  ~odom_frame odom  ~base_frame base_link\n"
-    "Only a charging current that lasts is success. Undocking works without localization, which\n"
-    "does not run while the robot charges: as long as current flows the robot is where it docks.\n"
+    "Only a charging current that lasts, or a charger that says the battery is full, is success.\n"
+    "Undocking works without localization, which does not run while the robot charges: as long as\n"
+    "the contacts touch the robot is where it docks.\n"
     "Ends on SIGTERM and SIGINT.\n"
     "Exit status 2: no ROS master answers, or a parameter is wrong.\n";
 
@@ -77,7 +79,7 @@ class DockingNode {
     command_ = node_.advertise<geometry_msgs::Twist>("/cmd_vel", 1);
     subscribers_.push_back(node_.subscribe<sensor_msgs::BatteryState>(
         "/battery_state", 5, [this](const sensor_msgs::BatteryState::ConstPtr& message) {
-          current_ = message->current;
+          battery_ = ToBatteryReading(*message, {});
           battery_stamp_ = message->header.stamp.toSec();
         }));
     subscribers_.push_back(node_.subscribe<nav_msgs::Odometry>(
@@ -108,9 +110,7 @@ class DockingNode {
     const auto pose = pose_.Newest();
     if (pose && input.now - pose->stamp < kPoseTimeout) return pose->pose;
     if (goal_->dock || input.now - wheels_stamp_ > kPoseTimeout) return std::nullopt;
-    if (!is_started_ && input.battery_known && input.current > settings_.charging_above) {
-      wheels_docked_ = wheels_;
-    }
+    if (!is_started_ && input.battery_known && input.docked) wheels_docked_ = wheels_;
     if (!wheels_docked_) return std::nullopt;
     return Compose(settings_.docked, RelativeTo(*wheels_docked_, wheels_));
   }
@@ -119,7 +119,9 @@ class DockingNode {
   std::optional<DockInput> Input(std::string& missing) {
     DockInput input;
     input.now = ros::Time::now().toSec();
-    input.current = current_;
+    input.current = battery_.current;
+    input.docked = StandsOnStation(battery_, settings_.charging_above).value_or(false);
+    input.full = battery_.charger == ChargerState::kFull;
     input.battery_known = input.now - battery_stamp_ < kBatteryTimeout;
     const auto pose = PoseOnMap(input);
     if (!pose) missing = "the robot's pose is not known";
@@ -205,7 +207,7 @@ class DockingNode {
   ros::NodeHandle node_;
   DockController controller_;
   RobotPose pose_;
-  double current_ = 0;                   // [A]
+  BatteryReading battery_;               // the newest
   double battery_stamp_ = 0;             // [s]
   Pose2D wheels_;                        // base_link in the frame of /odom
   double wheels_stamp_ = 0;              // [s]

@@ -5,8 +5,10 @@
 #include <sensor_msgs/BatteryState.h>
 
 #include <cmath>
+#include <optional>
 #include <utility>
 
+#include "robot_app/common/battery_message.h"
 #include "robot_app/processes/processes_view.h"
 
 namespace coppice::robot {
@@ -22,15 +24,40 @@ Health FromMessage(const coppice_msgs::Health& message, Time stamp) {
   return health;
 }
 
-// What a driver does not measure it reports as NaN.
-BatteryReading FromMessage(const sensor_msgs::BatteryState& message, Time stamp) {
-  BatteryReading reading;
-  reading.stamp = stamp;
-  reading.voltage = std::isfinite(message.voltage) ? message.voltage : 0;
-  reading.current = std::isfinite(message.current) ? message.current : 0;
-  reading.level = std::isfinite(message.percentage) ? message.percentage : -1;
-  return reading;
-}
+// Readings without a level are no news for so long, then the level is unknown.
+constexpr Duration kLevelHolds = std::chrono::seconds(10);
+constexpr double kUnknownLevel = -1;
+
+// Hands on what the battery says.
+class BatteryFeed {
+ public:
+  explicit BatteryFeed(std::vector<FeedKeys> trees) : trees_(std::move(trees)) {}
+
+  void OnReading(const BatteryReading& reading) {
+    const std::optional<double> level = Level(reading);
+    const std::optional<bool> charging = CurrentFlows(reading);
+    const std::optional<bool> docked = StandsOnStation(reading);
+    for (const FeedKeys& keys : trees_) {
+      if (level) keys.battery_level.Send(*level);
+      if (charging) keys.charging.Send(*charging);
+      if (docked) keys.docked.Send(*docked);
+      keys.battery.Send(reading);
+    }
+  }
+
+ private:
+  // Nothing: what was known last holds.
+  std::optional<double> Level(const BatteryReading& reading) {
+    const bool is_measured = !std::isnan(reading.level);
+    if (is_measured || !measured_at_) measured_at_ = reading.stamp;
+    if (is_measured) return reading.level;
+    return reading.stamp - *measured_at_ < kLevelHolds ? std::nullopt
+                                                       : std::optional(kUnknownLevel);
+  }
+
+  std::vector<FeedKeys> trees_;
+  std::optional<Time> measured_at_;  // the level, or the first reading
+};
 
 }  // namespace
 
@@ -40,15 +67,10 @@ std::vector<ros::Subscriber> SubscribeFeeds(ros::NodeHandle& node,
   for (const FeedKeys& keys : trees) keys.configuration.Send("");
   std::vector<ros::Subscriber> subscribers;
   subscribers.push_back(node.subscribe<sensor_msgs::BatteryState>(
-      "/battery_state", 1, [trees, &clock](const sensor_msgs::BatteryState::ConstPtr& message) {
-        const BatteryReading reading = FromMessage(*message, clock.Now());
-        const bool charging =
-            message->power_supply_status == sensor_msgs::BatteryState::POWER_SUPPLY_STATUS_CHARGING;
-        for (const FeedKeys& keys : trees) {
-          keys.battery_level.Send(message->percentage);
-          keys.charging.Send(charging);
-          keys.battery.Send(reading);
-        }
+      "/battery_state", 1,
+      [feed = BatteryFeed(trees),
+       &clock](const sensor_msgs::BatteryState::ConstPtr& message) mutable {
+        feed.OnReading(ToBatteryReading(*message, clock.Now()));
       }));
   subscribers.push_back(node.subscribe<coppice_msgs::Health>(
       "/monitoring", 1, [trees, &clock](const coppice_msgs::Health::ConstPtr& message) {

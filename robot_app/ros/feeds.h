@@ -12,14 +12,16 @@
 #include "bt_core/base/clock.h"
 #include "bt_core/data/inbox.h"
 #include "bt_nodes/monitoring/health.h"
-#include "bt_nodes/power/battery_estimate.h"
+#include "bt_nodes/power/battery_reading.h"
 
 namespace coppice::robot {
 
 /// The keys that the feeds write. A tree that does not use a key gives an empty sender.
 struct FeedKeys {
-  Sender<double> battery_level;       ///< state of charge, 0..1, from /battery_state
+  /// State of charge, 0..1, from /battery_state; -1 when it has not been measured for ten seconds.
+  Sender<double> battery_level;
   Sender<bool> charging;              ///< current flows into the battery, from /battery_state
+  Sender<bool> docked;                ///< the station's contacts touch, from /battery_state
   Sender<Health> monitoring;          ///< aggregated reports, from /monitoring, stamped on arrival
   Sender<std::string> configuration;  ///< in force, from /processes; empty until it is known
   Sender<bool> manual;                ///< it was set by hand, from /processes
@@ -27,7 +29,8 @@ struct FeedKeys {
   Sender<BatteryReading> battery;     ///< raw, from /battery_state, stamped on arrival
 };
 
-/// Subscribes as long as the returned subscribers live. The clock stamps what arrives.
+/// Subscribes as long as the returned subscribers live. The clock stamps what arrives. What the
+/// battery does not tell about `charging` and `docked` is not sent: what was known last holds.
 std::vector<ros::Subscriber> SubscribeFeeds(ros::NodeHandle& node,
                                             const std::vector<FeedKeys>& trees, const Clock& clock);
 

@@ -54,6 +54,7 @@ class Bench {
  public:
   explicit Bench(const Case& what) : what_(what), health_(HealthOf(what.faulty)) {
     scenario_.Set("charging", false);
+    scenario_.Set("docked", false);
     scenario_.Set("configuration", std::string("operating"));
     scenario_.Set("going_home", false);
     scenario_.Set("distance_to_station", 20.0);
@@ -63,7 +64,7 @@ class Bench {
   double Tick() {
     scenario_.Advance(0.1);
     if (what_.new_report || first_) {
-      scenario_.Set("battery", BatteryReading{scenario_.now(), 25, -6, 0.8});
+      scenario_.Set("battery", BatteryReading{scenario_.now(), 25, -6, 0.8, kNotMeasured, {}});
     }
     if (what_.new_report || first_ || scenario_.now() - health_.stamp > std::chrono::seconds(5)) {
       health_.stamp = scenario_.now();

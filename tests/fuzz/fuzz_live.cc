@@ -31,7 +31,10 @@ std::shared_ptr<const Program> CompileTree() {
 // Reads along: every answer must be one of the three forms.
 class CheckingOutbox : public LiveOutbox {
  public:
-  SendResult Send(const std::string&, const groot2::Parts& parts) override {
+  SendResult Reply(ClientId client, const groot2::Parts& parts) override {
+    return Send(client, parts);
+  }
+  SendResult Send(ClientId, const groot2::Parts& parts) override {
     const bool is_error = parts.size() == 2 && parts[0] == "error" && !parts[1].empty();
     const bool is_reply = !parts.empty() && parts.size() <= 2 && parts[0].size() == 22;
     if (!is_error && !is_reply) std::abort();
@@ -79,8 +82,7 @@ int FuzzLive(std::string_view bytes) {
     if (line.empty()) continue;
     const auto who = static_cast<unsigned char>(line[0]);
     if (who % 16 == 0) now += kDeadline;
-    desk.Serve(std::string(1, static_cast<char>('a' + who % 4)), who % 8 != 0,
-               MakeRequest(line.substr(1)), now);
+    desk.Serve(ClientId(who % 4), who % 8 != 0, MakeRequest(line.substr(1)), now);
     executor.Tick();
     clock.Advance(std::chrono::milliseconds(1));
     desk.Attend(now);

@@ -1,5 +1,4 @@
 #include <atomic>
-#include <memory>
 
 #include "bt_core/live/web/web_gateway.h"
 #include "tests/bt_core/live/web_caller.h"
@@ -11,9 +10,7 @@ namespace {
 // A gateway that says back what it was told.
 class Echo {
  public:
-  Echo() : gateway_(std::make_unique<WebGateway>(Options(), [this] { Answer(); })) {}
-
-  std::uint16_t port() const { return gateway_->port(); }
+  std::uint16_t port() const { return gateway_.port(); }
   int heard() const { return heard_; }
 
  private:
@@ -25,13 +22,14 @@ class Echo {
   }
   void Answer() {
     ReceivedRequest request;
-    while (gateway_->Receive(request)) {
-      if (gateway_->Send(request.client, request.parts) != SendResult::kGone) ++heard_;
+    while (clients_.Receive(request)) {
+      if (clients_.Send(request.client, request.parts) != SendResult::kGone) ++heard_;
     }
   }
 
   std::atomic<int> heard_{0};
-  std::unique_ptr<WebGateway> gateway_;
+  LiveClients clients_{[this] { Answer(); }};
+  WebGateway gateway_{Options(), clients_};
 };
 
 }  // namespace

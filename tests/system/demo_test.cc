@@ -62,10 +62,9 @@ TEST(Robot, RecoversFromADeadNodeAndABlockedCorridorOnItsPatrol) {
   EXPECT_EQ(run.stops, 4);
   EXPECT_TRUE(run.docked);
   EXPECT_EQ(run.injected.size(), 2u);
-  EXPECT_GE(run.Recovery("restart node").ended_well, 1);
-  EXPECT_GE(run.Recovery("wait and retry").ended_well + run.Recovery("move backwards").ended_well,
-            1);
-  EXPECT_EQ(run.Recovery("navigation: ask").started, 0);
+  EXPECT_GE(run.Recovery("restart node").succeeded, 1);
+  EXPECT_GE(run.Recovery("wait and retry").succeeded + run.Recovery("move backwards").succeeded, 1);
+  EXPECT_EQ(run.Recovery("navigation: ask").begun, 0);
   EXPECT_GT(run.application.ticks, 100u);
   EXPECT_GT(run.monitor.ticks, 100u);
   ExpectSameWhenRunAgain(folder / "application.coppice");

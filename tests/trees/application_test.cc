@@ -13,6 +13,7 @@ class Application : public testing::Test {
     scenario_.Set("stops", 2);
     scenario_.Set("battery_level", 0.9);
     scenario_.Set("charging", false);
+    scenario_.Set("docked", false);
   }
   // Answers whatever the robot was asked with success, until the tree has asked for `call` or
   // nothing happens.
@@ -33,7 +34,30 @@ TEST_F(Application, DrivesToAPlaceFirst) {
 
 TEST_F(Application, LeavesTheStationWhenItStandsOnIt) {
   scenario_.Set("charging", true);
+  scenario_.Set("docked", true);
   Until("Undock");
+}
+
+TEST_F(Application, LeavesTheStationWhenItStandsOnItWithAFullBattery) {
+  scenario_.Set("docked", true);  // and no current flows
+  Until("Undock");
+}
+
+TEST_F(Application, DoesNotNavigateOutOfTheStationThatGivesNoCurrent) {
+  scenario_.Set("docked", true);
+  scenario_.Set("battery_level", 0.2);
+  Until("PressOn");
+  scenario_.Answer(false);
+  EXPECT_EQ(scenario_.LastCall(), "Undock");
+  scenario_.Answer(true);
+  EXPECT_EQ(scenario_.CallsBeginning("NavigateTo"), 1);
+}
+
+TEST_F(Application, GoesHomeWhenTheLevelOfTheBatteryIsNotKnown) {
+  scenario_.Tick();
+  scenario_.Set("battery_level", -1.0);
+  scenario_.Tick();
+  EXPECT_EQ(scenario_.StatusOf("recharge_when_low"), Status::kRunning);
 }
 
 TEST_F(Application, GoesHomeAfterTheLastRound) {
@@ -54,6 +78,7 @@ TEST_F(Application, StaysOnTheStationUntilTheBatteryIsFull) {
   scenario_.Set("battery_level", 0.2);
   Until("Dock 0 1");
   scenario_.Set("charging", true);
+  scenario_.Set("docked", true);
   scenario_.Answer(true);
   scenario_.Set("battery_level", 0.5);
   EXPECT_EQ(scenario_.Tick(), Status::kRunning);
@@ -64,6 +89,7 @@ TEST_F(Application, GoesOnPatrollingWhenTheBatteryIsFull) {
   scenario_.Set("battery_level", 0.2);
   Until("Dock 0 1");
   scenario_.Set("charging", true);
+  scenario_.Set("docked", true);
   scenario_.Answer(true);
   scenario_.Set("battery_level", 0.96);
   EXPECT_EQ(scenario_.Tick(), Status::kRunning);
@@ -97,8 +123,10 @@ TEST_F(Application, PressesOnWhenTheCurrentStopsBeforeTheBatteryIsFull) {
   scenario_.Set("battery_level", 0.2);
   Until("Dock 0 1");
   scenario_.Set("charging", true);
+  scenario_.Set("docked", true);
   scenario_.Answer(true);
   scenario_.Set("charging", false);
+  scenario_.Set("docked", false);
   EXPECT_EQ(scenario_.Tick(), Status::kRunning);
   EXPECT_EQ(scenario_.LastCall(), "PressOn");
 }
@@ -118,6 +146,7 @@ TEST_F(Application, LeavesOutAPlaceThatCannotBeReached) {
 TEST(LeaveStation, IsNotEndedByAnUndockingThatFails) {
   TreeScenario scenario("behavior/leave_station.xml");
   scenario.Set("charging", true);
+  scenario.Set("docked", true);
   scenario.Tick();
   scenario.Answer(true);
   for (int i = 0; i < 3; ++i) {
@@ -162,6 +191,7 @@ TEST(LeaveStation, WaitsUntilTheBatteryHasReported) {
   TreeScenario scenario("behavior/leave_station.xml");
   EXPECT_EQ(scenario.Tick(), Status::kRunning);
   scenario.Set("charging", true);
+  scenario.Set("docked", true);
   scenario.Tick();
   EXPECT_EQ(scenario.LastCall(), "Say Good morning.");
 }
@@ -169,6 +199,7 @@ TEST(LeaveStation, WaitsUntilTheBatteryHasReported) {
 TEST(LeaveStation, DoesNothingAwayFromTheStation) {
   TreeScenario scenario("behavior/leave_station.xml");
   scenario.Set("charging", false);
+  scenario.Set("docked", false);
   EXPECT_EQ(scenario.Tick(), Status::kSuccess);
   EXPECT_TRUE(scenario.robot.calls.empty());
 }

@@ -5,14 +5,16 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "bt_core/engine/executor.h"
+#include "bt_core/engine/node_hooks.h"
 #include "bt_nodes/monitoring/health.h"
-#include "bt_nodes/power/battery_estimate.h"
+#include "bt_nodes/power/battery_reading.h"
 #include "tests/bt_nodes/fakes.h"
 #include "tests/support/folders.h"
 
@@ -25,8 +27,7 @@ class TreeScenario {
     auto registry = std::make_shared<Registry>();
     RegisterNodes(*registry, robot.capabilities());
     Diagnostics diagnostics;
-    program_ = CompileFile(SourceFolder() + "/trees/" + file, registry,
-                           diagnostics, tree);
+    program_ = CompileFile(SourceFolder() + "/trees/" + file, registry, diagnostics, tree);
     if (!program_) throw std::runtime_error(diagnostics.ToString());
     executor_ = std::make_unique<Executor>(program_, clock_);
   }
@@ -65,16 +66,6 @@ class TreeScenario {
   Status StatusOf(const std::string& name) const { return executor_->status(IndexOf(name)); }
   bool Runs(const std::string& name) const { return StatusOf(name) == Status::kRunning; }
 
-  /// Names of the children of the node with that name, in order.
-  std::vector<std::string> ChildrenOf(const std::string& name) const {
-    std::vector<std::string> children;
-    const NodeIndex parent = IndexOf(name);
-    for (NodeIndex node = 1; node < program_->nodes.size(); ++node) {
-      if (program_->info[node].parent == parent) children.push_back(program_->Name(node));
-    }
-    return children;
-  }
-
   std::string LastCall() const { return robot.calls.empty() ? "" : robot.calls.back(); }
   long CallsOf(const std::string& call) const {
     return std::count(robot.calls.begin(), robot.calls.end(), call);
@@ -85,9 +76,32 @@ class TreeScenario {
                          [&](const std::string& call) { return call.rfind(text, 0) == 0; });
   }
 
+  /// From the next tick on, the names of these nodes in the order in which a tick looks at them.
+  void Follow(const std::vector<std::string>& names) {
+    std::vector<NodeIndex> nodes;
+    for (const std::string& name : names) nodes.push_back(IndexOf(name));
+    executor_->SetHooks(&order_, nodes);
+  }
+  /// Of the last tick.
+  std::vector<std::string> Followed() const {
+    std::vector<std::string> names;
+    for (const NodeIndex node : order_.nodes) names.push_back(program_->Name(node));
+    return names;
+  }
+
   const Executor& executor() const { return *executor_; }
 
  private:
+  struct Order : NodeHooks {
+    void BeforeTick() override { nodes.clear(); }
+    std::optional<Status> Before(NodeIndex node) override {
+      nodes.push_back(node);
+      return std::nullopt;
+    }
+    std::optional<Status> After(NodeIndex, Status) override { return std::nullopt; }
+    std::vector<NodeIndex> nodes;
+  };
+
   NodeIndex IndexOf(const std::string& name) const {
     for (NodeIndex node = 0; node < program_->nodes.size(); ++node) {
       if (program_->Name(node) == name) return node;
@@ -96,6 +110,7 @@ class TreeScenario {
   }
 
   std::shared_ptr<const Program> program_;
+  Order order_;
   SimulatedClock clock_{std::chrono::seconds(1000)};
   std::unique_ptr<Executor> executor_;
 };

@@ -57,12 +57,14 @@ TEST(UnplannedStops, AFailedDockingIsTriedFromAllSidesThenAPersonIsAskedThenItIs
   scenario.Set("rounds", -1);
   scenario.Set("stops", 4);
   scenario.Set("charging", false);
+  scenario.Set("docked", false);
   scenario.Set("battery_level", 0.25);
   bool station_is_fixed = false;
   Life life(scenario, [&](const std::string& call) {
     if (call.rfind("PressOn", 0) == 0) return false;
     if (call.rfind("Dock", 0) != 0) return true;
     scenario.Set("charging", station_is_fixed);
+    scenario.Set("docked", station_is_fixed);
     return station_is_fixed;
   });
   life.Run(120, [] {});
@@ -87,10 +89,13 @@ TEST(UnplannedStops, WithoutAChargeSignalTheWatchdogTakesOverAfterAMinute) {
   const auto feed = [&] {
     level += is_docked ? 0.0001 : -0.0001;
     const double current = is_docked ? 12 : -15;
-    scenario.Set("battery",
-                 BatteryReading{scenario.now(), 23 + 2.4 * level + 0.02 * current, current, level});
+    scenario.Set(
+        "battery",
+        BatteryReading{
+            scenario.now(), 23 + 2.4 * level + 0.02 * current, current, level, kNotMeasured, {}});
     scenario.Set("battery_level", level);
     scenario.Set("charging", is_docked);
+    scenario.Set("docked", is_docked);
     scenario.Set("going_home", false);  // the application hears nothing
     scenario.Set("distance_to_station", 30.0);
     scenario.Report();
@@ -127,7 +132,7 @@ TEST(UnplannedStops, WithoutAChargeSignalTheWatchdogTakesOverAfterAMinute) {
 TEST(UnplannedStops, TheWatchdogLeavesAnApplicationAloneThatIsOnItsWay) {
   TreeScenario scenario("monitor/monitor.xml");
   const auto feed = [&] {
-    scenario.Set("battery", BatteryReading{scenario.now(), 23.2, -15, 0.11});
+    scenario.Set("battery", BatteryReading{scenario.now(), 23.2, -15, 0.11, kNotMeasured, {}});
     scenario.Set("going_home", scenario.CallsOf("SetChargeRequested true") > 0);
     scenario.Report();
   };
@@ -141,7 +146,7 @@ TEST(UnplannedStops, TheWatchdogWorksWithoutAnyHealthReport) {
   TreeScenario scenario("monitor/monitor.xml");
   Life life(scenario, [](const std::string& call) { return call.rfind("PressOn", 0) != 0; });
   life.Run(90, [&] {
-    scenario.Set("battery", BatteryReading{scenario.now(), 23.1, -15, 0.05});
+    scenario.Set("battery", BatteryReading{scenario.now(), 23.1, -15, 0.05, kNotMeasured, {}});
     scenario.Set("going_home", false);
   });
   EXPECT_EQ(scenario.CallsOf("Suspend"), 1);
@@ -152,7 +157,7 @@ TEST(UnplannedStops, ARobotThatMayNotReachItsStationCallsForHelpAtOnce) {
   TreeScenario scenario("monitor/monitor.xml");
   Life life(scenario, [](const std::string&) { return false; });
   life.Run(90, [&] {
-    scenario.Set("battery", BatteryReading{scenario.now(), 23.0, -15, 0.02});
+    scenario.Set("battery", BatteryReading{scenario.now(), 23.0, -15, 0.02, kNotMeasured, {}});
     scenario.Set("going_home", true);
     scenario.Report();
   });
@@ -180,7 +185,7 @@ TEST(UnplannedStops, ACrashLoopIsBoundedAndEndsWithAPersonWhileOtherNodesAreStil
       std::vector<std::pair<std::string, std::string>> errors;
       if (ekf_is_dead) errors.push_back({"node", "/ekf"});
       if (other_fault) errors.push_back({"node", "/camera"});
-      scenario.Set("battery", BatteryReading{scenario.now(), 25, -6, 0.9});
+      scenario.Set("battery", BatteryReading{scenario.now(), 25, -6, 0.9, kNotMeasured, {}});
       scenario.Report(errors);
       if (asked_at < 0 && scenario.CallsBeginning("Ask nodes") > 0) asked_at = time;
     };
@@ -210,6 +215,7 @@ TEST(UnplannedStops, DockedWithoutCurrentIsNoSuccessAndEndsWithAPerson) {
   life.Run(200, [&] {
     if (has_contact && seconds_charging > 0) --seconds_charging;
     scenario.Set("charging", has_contact && seconds_charging > 0);
+    scenario.Set("docked", has_contact && seconds_charging > 0);
   });
   EXPECT_GE(scenario.CallsOf("PressOn"), 2)
       << "before it drove there, and when the current stopped";
@@ -227,7 +233,9 @@ TEST(UnplannedStops, ACurrentThatDoesNotLastDoesNotSwitchTheNavigationOff) {
     time += kStep;
     const bool charging = static_cast<int>(time) % 50 < 40;  // breaks off again and again
     scenario.Set("charging", charging);
-    scenario.Set("battery", BatteryReading{scenario.now(), 25, charging ? 12.0 : -6.0, 0.5});
+    scenario.Set("docked", charging);
+    scenario.Set("battery",
+                 BatteryReading{scenario.now(), 25, charging ? 12.0 : -6.0, 0.5, kNotMeasured, {}});
     scenario.Report();
   });
   EXPECT_EQ(scenario.CallsOf("SetConfiguration charging"), 0);
@@ -241,10 +249,13 @@ TEST(UnplannedStops, ARobotThatNobodyHelpsSwitchesItselfOffBeforeItsBatteryDoes)
   double current = -15;
   const auto feed = [&] {
     level += current * kStep / 3600 / 75;
-    scenario.Set("battery",
-                 BatteryReading{scenario.now(), 23 + 2.4 * level + 0.02 * current, current, level});
+    scenario.Set(
+        "battery",
+        BatteryReading{
+            scenario.now(), 23 + 2.4 * level + 0.02 * current, current, level, kNotMeasured, {}});
     scenario.Set("battery_level", level);
     scenario.Set("charging", current > 0);
+    scenario.Set("docked", current > 0);
     scenario.Set("going_home", false);
     scenario.Set("distance_to_station", 30.0);
     scenario.Report();

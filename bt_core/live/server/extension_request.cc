@@ -79,7 +79,7 @@ const ExtensionRequest::Kind& ExtensionRequest::KindOf(const std::string& what) 
 
 void ExtensionRequest::CheckAllowed(const Kind& kind) const {
   if (!kind.controls) return;
-  if (!session_.may_control) {
+  if (!may_control_) {
     throw RequestError("this client may watch, not control: its token is for readers",
                        RequestError::Kind::kRole);
   }

@@ -23,8 +23,10 @@ nlohmann::json ListTrees(const LiveTrees& trees);
 
 class ExtensionRequest {
  public:
-  ExtensionRequest(const nlohmann::json& json, const LiveTrees& trees, Session& session)
-      : json_(json), trees_(trees), session_(session) {}
+  /// `may_control`: the one who sends this request has the role for it.
+  ExtensionRequest(const nlohmann::json& json, const LiveTrees& trees, Session& session,
+                   bool may_control)
+      : json_(json), trees_(trees), session_(session), may_control_(may_control) {}
 
   /// Everything but "hello" and "bye". Throws RequestError and what the JSON library throws.
   nlohmann::json Run(const std::string& what);
@@ -65,6 +67,7 @@ class ExtensionRequest {
   const Json& json_;
   const LiveTrees& trees_;
   Session& session_;
+  const bool may_control_;
 };
 
 }  // namespace coppice

@@ -29,13 +29,13 @@ std::int64_t Milliseconds(Duration duration) {
   return std::chrono::duration_cast<std::chrono::milliseconds>(duration).count();
 }
 
-Json Greet(const LiveTrees& trees, const Session& session, Duration deadline) {
+Json Greet(const LiveTrees& trees, bool may_control, Duration deadline) {
   std::string refusal;
   if (!trees.empty()) refusal = trees.begin()->second->Refusal();
-  if (!session.may_control) refusal = "this client may watch, not control";
+  if (!may_control) refusal = "this client may watch, not control";
   Json json = {{"protocol", kExtensionVersion},
                {"coppice", kVersion},
-               {"role", session.may_control ? "control" : "read"},
+               {"role", may_control ? "control" : "read"},
                {"deadline_ms", Milliseconds(deadline)},
                {"trees", ListTrees(trees)}};
   if (refusal.empty()) {
@@ -48,16 +48,16 @@ Json Greet(const LiveTrees& trees, const Session& session, Duration deadline) {
 
 }  // namespace
 
-ExtensionService::Answer ExtensionService::Serve(const std::string& client, bool may_control,
+ExtensionService::Answer ExtensionService::Serve(ClientId client, bool may_control,
                                                  std::string_view request, Duration now) {
   try {
     const Json json = ParseLimitedJson(request);
     const std::string what = json.at("do").get<std::string>();
     if (what == "hello") {
-      Session* const session = sessions_.Open(client, may_control, now);
+      Session* const session = sessions_.Open(client, now);
       if (!session) throw RequestError("too many clients");
       session->name = json.value("name", "");
-      return {Print(Greet(trees_, *session, deadline_))};
+      return {Print(Greet(trees_, may_control, deadline_))};
     }
     Session* const session = sessions_.Find(client);
     if (!session) throw RequestError("say hello first");
@@ -66,7 +66,7 @@ ExtensionService::Answer ExtensionService::Serve(const std::string& client, bool
       sessions_.Close(client);
       return {"{}"};
     }
-    return {Print(ExtensionRequest(json, trees_, *session).Run(what))};
+    return {Print(ExtensionRequest(json, trees_, *session, may_control).Run(what))};
   } catch (const RequestError& error) {
     return {Print(WriteError(error)), true};
   } catch (const std::exception& error) {

@@ -61,16 +61,14 @@ void LiveDesk::Remove(const LiveTree& tree) {
   Notify(extension_.DescribeTrees());
 }
 
-void LiveDesk::Serve(const std::string& client, bool may_control, const Parts& request,
-                     Duration now) {
+void LiveDesk::Serve(ClientId client, bool may_control, const Parts& request, Duration now) {
   const Parts reply = Answer(client, may_control, request, now);
   if (reply.empty()) return;
-  if (outbox_.Send(client, reply) == SendResult::kGone) sessions_.Close(client);
+  if (outbox_.Reply(client, reply) == SendResult::kGone) sessions_.Close(client);
 }
 
 // Empty: no reply is wanted.
-Parts LiveDesk::Answer(const std::string& client, bool may_control, const Parts& parts,
-                       Duration now) {
+Parts LiveDesk::Answer(ClientId client, bool may_control, const Parts& parts, Duration now) {
   const auto parsed = groot2::ParseRequest(parts);
   if (const std::string* problem = std::get_if<std::string>(&parsed)) {
     return groot2::MakeError(*problem);
@@ -114,11 +112,11 @@ void LiveDesk::TellChangedTrees() {
 void LiveDesk::Notify(const std::string& notice) {
   const Parts parts =
       groot2::MakeReply({static_cast<groot2::RequestType>(kNotice), 0, {}}, server_id_, notice);
-  std::vector<std::string> gone;
+  std::vector<ClientId> gone;
   for (const auto& [client, session] : sessions_.all()) {
     if (outbox_.Send(client, parts) == SendResult::kGone) gone.push_back(client);
   }
-  for (const std::string& client : gone) sessions_.Close(client);
+  for (const ClientId client : gone) sessions_.Close(client);
 }
 
 void LiveDesk::ReleaseWaiting(Duration now) {
@@ -131,11 +129,11 @@ void LiveDesk::ReleaseWaiting(Duration now) {
 
 void LiveDesk::Expire(Duration now) {
   for (auto& [number, entry] : entries_) entry.groot2->Expire(now);
-  std::vector<std::string> dead;
+  std::vector<ClientId> dead;
   for (const auto& [client, session] : sessions_.all()) {
     if (now - session.last_request >= deadline_) dead.push_back(client);
   }
-  for (const std::string& client : dead) {
+  for (const ClientId client : dead) {
     sessions_.Close(client);
     outbox_.Send(client, groot2::MakeReply({static_cast<groot2::RequestType>(kNotice), 0, {}},
                                            server_id_, extension_.DescribeRelease()));
@@ -144,7 +142,7 @@ void LiveDesk::Expire(Duration now) {
 
 LiveDesk::Progress LiveDesk::PushAll() {
   Progress result = Progress::kDone;
-  std::vector<std::string> gone;
+  std::vector<ClientId> gone;
   for (auto& [client, session] : sessions_.all()) {
     for (auto& [id, subscription] : session.subscriptions) {
       const Progress progress = PushTo(client, id, subscription);
@@ -155,11 +153,11 @@ LiveDesk::Progress LiveDesk::PushAll() {
       if (result != Progress::kMore && progress != Progress::kDone) result = progress;
     }
   }
-  for (const std::string& client : gone) sessions_.Close(client);
+  for (const ClientId client : gone) sessions_.Close(client);
   return result;
 }
 
-LiveDesk::Progress LiveDesk::PushTo(const std::string& client, std::uint32_t id,
+LiveDesk::Progress LiveDesk::PushTo(ClientId client, std::uint32_t id,
                                     ActiveSubscription& subscription) {
   const RunId& run = subscription.tree->run();
   for (int pushed = 0; pushed < kPushesAtOnce; ++pushed) {

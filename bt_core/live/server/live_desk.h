@@ -26,8 +26,7 @@ class LiveDesk {
   void Remove(const LiveTree& tree);
 
   /// Answers a request. Any bytes may be handed in. `now` is real time here and below.
-  void Serve(const std::string& client, bool may_control, const groot2::Parts& request,
-             Duration now);
+  void Serve(ClientId client, bool may_control, const groot2::Parts& request, Duration now);
 
   /// What is due without a request: notices, pushes, what dead clients leave behind. Returns when
   /// it wants to be called again at the latest, if nobody wakes it.
@@ -40,7 +39,7 @@ class LiveDesk {
   };
   enum class Progress : std::uint8_t { kDone, kMore, kBlocked, kGone };
 
-  groot2::Parts Answer(const std::string& client, bool may_control, const groot2::Parts& request,
+  groot2::Parts Answer(ClientId client, bool may_control, const groot2::Parts& request,
                        Duration now);
   void TellDebugEvents();
   void Notify(const std::string& notice);
@@ -48,7 +47,7 @@ class LiveDesk {
   void ReleaseWaiting(Duration now);
   void Expire(Duration now);
   Progress PushAll();
-  Progress PushTo(const std::string& client, std::uint32_t id, ActiveSubscription& subscription);
+  Progress PushTo(ClientId client, std::uint32_t id, ActiveSubscription& subscription);
 
   LiveOutbox& outbox_;
   const Duration deadline_;

@@ -3,11 +3,13 @@
 #define COPPICE_BT_CORE_LIVE_SERVER_LIVE_OUTBOX_H_
 
 #include <cstdint>
-#include <string>
 
 #include "bt_core/live/groot2/groot2_protocol.h"
 
 namespace coppice {
+
+/// Numbers a connection. The robot gives it, once; no client can choose it or learn it.
+enum class ClientId : std::uint64_t {};
 
 enum class SendResult : std::uint8_t {
   kSent,
@@ -19,7 +21,10 @@ class LiveOutbox {
  public:
   virtual ~LiveOutbox() = default;
   /// To one client. Never waits.
-  virtual SendResult Send(const std::string& client, const groot2::Parts& parts) = 0;
+  virtual SendResult Send(ClientId client, const groot2::Parts& parts) = 0;
+  /// The same for the answer to a request, which has room where there is none for what nobody asked
+  /// for. Who asks on and on and does not read is hung up on.
+  virtual SendResult Reply(ClientId client, const groot2::Parts& parts) = 0;
   /// To everybody who listens to notifications.
   virtual void Publish(const groot2::Parts& parts) = 0;
 };

@@ -11,9 +11,11 @@
 #include <thread>
 #include <utility>
 
+#include "bt_core/base/wake_up.h"
+#include "bt_core/live/server/live_clients.h"
 #include "bt_core/live/server/live_desk.h"
-#include "bt_core/live/server/live_sockets.h"
 #include "bt_core/live/web/web_gateway.h"
+#include "bt_core/live/zmtp/zmtp_gateway.h"
 
 namespace coppice {
 namespace {
@@ -46,35 +48,32 @@ WebGatewayOptions WebOptions(const LiveOptions& options, const std::optional<Rob
   return web;
 }
 
-// To each client by the way that it came.
-class Doors final : public LiveOutbox {
+// The ways in.
+class Doors {
  public:
-  Doors(const LiveOptions& options, const std::optional<RobotKeys>& keys)
+  Doors(const LiveOptions& options, const std::optional<RobotKeys>& keys, LiveClients& clients)
       : read_token_(keys ? keys->read_token : std::string()),
-        sockets_(options.address, options.port, keys) {
+        zmtp_(options.address, options.port, keys, clients) {
     if (!options.web) return;
     const WebGatewayOptions web = WebOptions(options, keys);
-    gateway_.emplace(web, [this] { sockets_.Wake(); });
+    gateway_.emplace(web, clients);
     web_ = {gateway_->port(), web.tokens.control, web.tokens.read};
   }
+  // Both, before the clients are cleared.
+  ~Doors() {
+    zmtp_.Stop();
+    if (gateway_) gateway_->Stop();
+  }
+  Doors(const Doors&) = delete;
+  Doors& operator=(const Doors&) = delete;
 
-  LiveSockets& sockets() { return sockets_; }
-  const LiveSockets& sockets() const { return sockets_; }
+  std::uint16_t port() const { return zmtp_.port(); }
   const std::string& read_token() const { return read_token_; }
   const LiveWeb& web() const { return web_; }
 
-  bool Receive(ReceivedRequest& request) {
-    return sockets_.Receive(request) || (gateway_ && gateway_->Receive(request));
-  }
-  SendResult Send(const std::string& client, const groot2::Parts& parts) override {
-    const bool is_web = gateway_ && WebGateway::IsWebClient(client);
-    return is_web ? gateway_->Send(client, parts) : sockets_.Send(client, parts);
-  }
-  void Publish(const groot2::Parts& parts) override { sockets_.Publish(parts); }
-
  private:
   const std::string read_token_;
-  LiveSockets sockets_;
+  ZmtpGateway zmtp_;
   std::optional<WebGateway> gateway_;
   LiveWeb web_;
 };
@@ -84,7 +83,9 @@ class Doors final : public LiveOutbox {
 class LiveServer::Loop {
  public:
   Loop(const LiveOptions& options, const std::optional<RobotKeys>& keys)
-      : doors_(options, keys), desk_(doors_, options.deadline), thread_([this] { Run(); }) {}
+      : doors_(options, keys, clients_),
+        desk_(clients_, options.deadline),
+        thread_([this] { Run(); }) {}
 
   ~Loop() {
     {
@@ -97,10 +98,10 @@ class LiveServer::Loop {
   Loop(const Loop&) = delete;
   Loop& operator=(const Loop&) = delete;
 
-  std::uint16_t port() const { return doors_.sockets().port(); }
+  std::uint16_t port() const { return doors_.port(); }
   const std::string& read_token() const { return doors_.read_token(); }
   const LiveWeb& web() const { return doors_.web(); }
-  void Wake() { doors_.sockets().Wake(); }
+  void Wake() { wake_up_.Notify(); }
 
   void Add(std::shared_ptr<LiveTree> tree) {
     InLoop([this, tree = std::move(tree)] { desk_.Add(tree, RealTime()); });
@@ -110,7 +111,7 @@ class LiveServer::Loop {
   }
 
  private:
-  // Sockets belong to the thread of the loop; returns when it has done the task.
+  // The desk belongs to the thread of the loop; returns when it has done the task.
   void InLoop(std::function<void()> task) {
     std::unique_lock<std::mutex> lock(mutex_);
     done_.wait(lock, [this] { return !task_; });
@@ -127,11 +128,7 @@ class LiveServer::Loop {
     pthread_sigmask(SIG_BLOCK, &all, nullptr);
     Duration attend_at{0};
     while (RunTask()) {
-      const Duration left = std::max(attend_at - RealTime(), Duration::zero());
-      // Rounded up, so that it does not spin for the rest of a millisecond.
-      doors_.sockets().Wait(std::chrono::duration_cast<std::chrono::milliseconds>(
-          left + std::chrono::microseconds(999)));
-      ServeRequests();
+      if (!ServeRequests()) wake_up_.WaitFor(attend_at - RealTime());
       attend_at = Attend();
     }
   }
@@ -148,11 +145,14 @@ class LiveServer::Loop {
     return !stops_;
   }
 
-  void ServeRequests() {
+  // True if there may be more.
+  bool ServeRequests() {
     ReceivedRequest request;
-    for (int served = 0; served < kRequestsAtOnce && doors_.Receive(request); ++served) {
+    for (int served = 0; served < kRequestsAtOnce; ++served) {
+      if (!clients_.Receive(request)) return false;
       desk_.Serve(request.client, request.may_control, request.parts, RealTime());
     }
+    return true;
   }
 
   // A wake that comes too soon after the last push is put off.
@@ -163,6 +163,8 @@ class LiveServer::Loop {
     return desk_.Attend(now);
   }
 
+  WakeUp wake_up_;
+  LiveClients clients_{[this] { Wake(); }};
   Doors doors_;
   LiveDesk desk_;
   Duration last_push_{0};

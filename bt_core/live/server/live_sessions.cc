@@ -14,22 +14,21 @@ ActiveSubscription::ActiveSubscription(std::shared_ptr<LiveTree> followed, Subsc
 
 ActiveSubscription::~ActiveSubscription() { tree->CountSubscribers(-1); }
 
-Session* LiveSessions::Find(const std::string& client) {
+Session* LiveSessions::Find(ClientId client) {
   const auto session = sessions_.find(client);
   return session == sessions_.end() ? nullptr : &session->second;
 }
 
-Session* LiveSessions::Open(const std::string& client, bool may_control, Duration now) {
+Session* LiveSessions::Open(ClientId client, Duration now) {
   Close(client);
   if (sessions_.size() >= kMaxSessions) return nullptr;
   Session& session = sessions_[client];
   session.owner = ++last_owner_;
-  session.may_control = may_control;
   session.last_request = now;
   return &session;
 }
 
-void LiveSessions::Close(const std::string& client) {
+void LiveSessions::Close(ClientId client) {
   const auto session = sessions_.find(client);
   if (session == sessions_.end()) return;
   for (const auto& [number, tree] : trees_) tree->debugger().Release(session->second.owner);

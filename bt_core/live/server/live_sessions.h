@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 
+#include "bt_core/live/server/live_outbox.h"
 #include "bt_core/live/server/live_tree.h"
 #include "bt_core/live/server/subscription.h"
 
@@ -30,7 +31,6 @@ struct ActiveSubscription {
 
 struct Session {
   OwnerId owner = 0;
-  bool may_control = false;
   std::string name;          ///< what it calls itself
   Duration last_request{0};  ///< in real time
   std::uint32_t last_subscription = 0;
@@ -44,20 +44,20 @@ class LiveSessions {
   explicit LiveSessions(const LiveTrees& trees) : trees_(trees) {}
 
   /// Null if the client has not said hello.
-  Session* Find(const std::string& client);
+  Session* Find(ClientId client);
   /// A new session in place of the one that it may have. Null if there are too many.
-  Session* Open(const std::string& client, bool may_control, Duration now);
+  Session* Open(ClientId client, Duration now);
   /// What it holds is released.
-  void Close(const std::string& client);
+  void Close(ClientId client);
   /// Nobody follows the tree any more.
   void Forget(const LiveTree& tree);
 
-  using Map = std::map<std::string, Session>;
+  using Map = std::map<ClientId, Session>;
   Map& all() { return sessions_; }
 
  private:
   const LiveTrees& trees_;
-  Map sessions_;  // by the client
+  Map sessions_;
   OwnerId last_owner_ = LiveTree::kFirstClientOwner;
 };
 

@@ -2,15 +2,14 @@
 #ifndef COPPICE_BT_CORE_LIVE_SERVER_RECEIVED_REQUEST_H_
 #define COPPICE_BT_CORE_LIVE_SERVER_RECEIVED_REQUEST_H_
 
-#include <string>
-
 #include "bt_core/live/groot2/groot2_protocol.h"
+#include "bt_core/live/server/live_outbox.h"
 
 namespace coppice {
 
 struct ReceivedRequest {
-  std::string client;  ///< whom to answer
-  bool may_control = true;
+  ClientId client{};  ///< whom to answer
+  bool may_control = false;
   groot2::Parts parts;
 };
 

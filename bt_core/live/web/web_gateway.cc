@@ -1,11 +1,9 @@
 #include "bt_core/live/web/web_gateway.h"
 
-#include <atomic>
 #include <boost/asio/post.hpp>
 #include <boost/beast/websocket.hpp>
 #include <deque>
-#include <map>
-#include <mutex>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -21,9 +19,6 @@ namespace http = beast::http;
 namespace websocket = beast::websocket;
 using beast::error_code;
 
-// ZeroMQ numbers its clients with a zero and four bytes; other names cannot begin with a zero.
-constexpr std::string_view kClientPrefix("\0web", 4);
-
 WebManners Manners() {
   WebManners manners;
   manners.header_bytes = WebGateway::kMaxHeaderBytes;
@@ -33,66 +28,50 @@ WebManners Manners() {
   return manners;
 }
 
-class Visit;
-
 // What the connections have in common.
 struct Hall {
-  explicit Hall(const WebGatewayOptions& options, std::function<void()> callback)
-      : access(options.tokens), files(options.folder), on_request(std::move(callback)) {}
-
-  void Put(ReceivedRequest request) {
-    {
-      const std::lock_guard<std::mutex> lock(mutex);
-      requests.push_back(std::move(request));
-    }
-    on_request();
-  }
+  Hall(const WebGatewayOptions& options, LiveClients& all)
+      : access(options.tokens), files(options.folder), clients(all) {}
 
   const WebAccess access;
   const WebFiles files;
   const WebManners manners = Manners();
-  const std::function<void()> on_request;
-  std::uint64_t clients_so_far = 0;  // the gateway's thread only
-
-  std::mutex mutex;  // for the rest
-  std::map<std::string, std::shared_ptr<Visit>> clients;
-  std::deque<ReceivedRequest> requests;
+  LiveClients& clients;
 };
 
-// The gateway's thread only, but for what says otherwise.
-class Visit : public WebVisit {
+// The gateway's thread only, but for what LiveConnection promises.
+class Visit final : public WebVisit, public LiveConnection {
  public:
   Visit(WebPort::Socket socket, WebPort& port, Hall& hall)
-      : WebVisit(std::move(socket), port, hall.files, hall.manners), hall_(hall) {}
+      : WebVisit(std::move(socket), port, hall.files, hall.manners),
+        hall_(hall),
+        port_context_(port.context()) {}
 
-  void ReadMessage() {
-    buffer_.clear();
-    socket_->async_read(buffer_, [self = Self()](error_code error, std::size_t) {
-      error ? self->End() : self->OnMessage();
+  void Post(groot2::Parts message, std::size_t bytes) override {
+    asio::post(port_context_, [self = Self(), message = std::move(message), bytes] {
+      self->Write({PackParts(message), bytes});
     });
   }
-
-  /// Any thread: takes room for a message, if there is some.
-  bool Reserve(std::size_t bytes) {
-    const std::size_t before = unread_.load();
-    if (before > 0 && before + bytes > WebGateway::kMaxUnreadBytes) return false;
-    unread_ += bytes;
-    return true;
+  void ReadOn() override {
+    asio::post(port_context_, [self = Self()] { self->ReadMessage(); });
   }
-  /// Room was taken for it.
-  void Write(std::string message) {
-    unsent_.push_back(std::move(message));
-    if (unsent_.size() == 1) WriteNext();
+  void CutOff() override {
+    asio::post(port_context_, [self = Self()] { self->End(); });
   }
 
   void Finish() override {
     is_finishing_ = true;
     if (!socket_) return WebVisit::Finish();
-    if (client_.empty()) return beast::get_lowest_layer(*socket_).close();
+    if (client_ == ClientId()) return beast::get_lowest_layer(*socket_).close();
     if (unsent_.empty()) Close();
   }
 
  private:
+  struct Output {
+    std::string bytes;
+    std::size_t room = 0;  // that was taken for it
+  };
+
   std::shared_ptr<Visit> Self() { return std::static_pointer_cast<Visit>(shared_from_this()); }
 
   void OnUpgrade() override {
@@ -107,7 +86,7 @@ class Visit : public WebVisit {
     socket_->set_option(websocket::stream_base::decorator([](websocket::response_type& response) {
       response.set(http::field::sec_websocket_protocol, kWebProtocol);
     }));
-    socket_->read_message_max(WebGateway::kMaxRequestBytes);
+    socket_->read_message_max(LiveClients::kMaxRequestBytes);
     socket_->binary(true);
     socket_->async_accept(request(), [self = Self()](error_code error) {
       if (!error) self->Begin();
@@ -115,32 +94,40 @@ class Visit : public WebVisit {
   }
 
   void Begin() {
-    client_ = std::string(kClientPrefix) + std::to_string(++hall_.clients_so_far);
-    {
-      const std::lock_guard<std::mutex> lock(hall_.mutex);
-      hall_.clients[client_] = Self();
-    }
+    client_ = hall_.clients.Enter(Self(), may_control_);
     ReadMessage();
+  }
+
+  void ReadMessage() {
+    buffer_.clear();
+    socket_->async_read(buffer_, [self = Self()](error_code error, std::size_t) {
+      error ? self->End() : self->OnMessage();
+    });
   }
 
   // The next one is read when this one was taken.
   void OnMessage() {
     const std::string message = beast::buffers_to_string(buffer_.data());
     groot2::Parts parts = socket_->got_binary() ? UnpackParts(message) : groot2::Parts();
-    if (!parts.empty()) return hall_.Put({client_, may_control_, std::move(parts)});
-    Leave();
+    if (!parts.empty()) return hall_.clients.Put(client_, std::move(parts));
+    hall_.clients.Leave(client_);
     Close(websocket::close_code::bad_payload);
   }
 
+  void Write(Output output) {
+    unsent_.push_back(std::move(output));
+    if (unsent_.size() == 1) WriteNext();
+  }
+
   void WriteNext() {
-    socket_->async_write(asio::buffer(unsent_.front()),
+    socket_->async_write(asio::buffer(unsent_.front().bytes),
                          [self = Self()](error_code error, std::size_t) {
                            error ? self->End() : self->OnWritten();
                          });
   }
 
   void OnWritten() {
-    unread_ -= unsent_.front().size();
+    hall_.clients.GiveRoom(client_, unsent_.front().room);
     unsent_.pop_front();
     if (!unsent_.empty()) {
       WriteNext();
@@ -154,82 +141,50 @@ class Visit : public WebVisit {
     socket_->async_close(code, [self = Self()](error_code) { self->End(); });
   }
 
-  // Nobody can send any more, and what the client holds is released.
-  void Leave() {
-    {
-      const std::lock_guard<std::mutex> lock(hall_.mutex);
-      if (hall_.clients.erase(client_) == 0) return;
-    }
-    const char type = static_cast<char>(groot2::RequestType::kExtension);
-    hall_.Put({client_, may_control_, {groot2::MakeHeader(type, 0), R"({"do":"bye"})"}});
-  }
-
+  // What the client holds is released.
   void End() {
-    Leave();
+    hall_.clients.Leave(client_);
     beast::get_lowest_layer(*socket_).cancel();
   }
 
   Hall& hall_;
+  asio::io_context& port_context_;
   std::optional<websocket::stream<beast::tcp_stream>> socket_;
-  std::string client_;
+  ClientId client_{};
   bool may_control_ = false;
   bool is_finishing_ = false;
   bool is_closing_ = false;
-  std::deque<std::string> unsent_;
-  std::atomic<std::size_t> unread_{0};  // bytes; also those on the way to unsent_
+  std::deque<Output> unsent_;
 };
 
 }  // namespace
 
 class WebGateway::Loop {
  public:
-  Loop(const WebGatewayOptions& options, std::function<void()> on_request)
-      : hall_(options, std::move(on_request)),
+  Loop(const WebGatewayOptions& options, LiveClients& clients)
+      : hall_(options, clients),
         port_({options.address, options.port, "coppice_web", kMaxConnections},
               [this](WebPort::Socket socket, WebPort& port) {
                 return std::make_shared<Visit>(std::move(socket), port, hall_);
               }) {}
 
   ~Loop() {
-    port_.Stop();
-    hall_.clients.clear();
+    Stop();
+    hall_.clients.Clear();
   }
   Loop(const Loop&) = delete;
   Loop& operator=(const Loop&) = delete;
 
+  void Stop() { port_.Stop(); }
   std::uint16_t port() const { return port_.port(); }
-
-  bool Receive(ReceivedRequest& request) {
-    const std::lock_guard<std::mutex> lock(hall_.mutex);
-    if (hall_.requests.empty()) return false;
-    request = std::move(hall_.requests.front());
-    hall_.requests.pop_front();
-    const auto client = hall_.clients.find(request.client);
-    if (client != hall_.clients.end()) {
-      asio::post(port_.context(), [visit = client->second] { visit->ReadMessage(); });
-    }
-    return true;
-  }
-
-  SendResult Send(const std::string& client, const groot2::Parts& parts) {
-    std::string message = PackParts(parts);
-    const std::lock_guard<std::mutex> lock(hall_.mutex);
-    const auto at = hall_.clients.find(client);
-    if (at == hall_.clients.end()) return SendResult::kGone;
-    if (!at->second->Reserve(message.size())) return SendResult::kFull;
-    asio::post(port_.context(), [visit = at->second, message = std::move(message)]() mutable {
-      visit->Write(std::move(message));
-    });
-    return SendResult::kSent;
-  }
 
  private:
   Hall hall_;
   WebPort port_;
 };
 
-WebGateway::WebGateway(const WebGatewayOptions& options, std::function<void()> on_request) try
-    : loop_(std::make_unique<Loop>(options, std::move(on_request))) {
+WebGateway::WebGateway(const WebGatewayOptions& options, LiveClients& clients) try
+    : loop_(std::make_unique<Loop>(options, clients)) {
 } catch (const std::runtime_error& error) {
   throw std::runtime_error("live view: the web page cannot be served on " + options.address + ":" +
                            std::to_string(options.port) + " (" + error.what() +
@@ -239,13 +194,6 @@ WebGateway::WebGateway(const WebGatewayOptions& options, std::function<void()> o
 WebGateway::~WebGateway() = default;
 
 std::uint16_t WebGateway::port() const { return loop_->port(); }
-bool WebGateway::Receive(ReceivedRequest& request) { return loop_->Receive(request); }
-SendResult WebGateway::Send(const std::string& client, const groot2::Parts& parts) {
-  return loop_->Send(client, parts);
-}
-
-bool WebGateway::IsWebClient(const std::string& client) {
-  return std::string_view(client).substr(0, kClientPrefix.size()) == kClientPrefix;
-}
+void WebGateway::Stop() { loop_->Stop(); }
 
 }  // namespace coppice

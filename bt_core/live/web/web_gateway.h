@@ -1,22 +1,16 @@
 // The web side of a live view: one port that serves the page of the editor over HTTP and carries
 // the messages of the live protocol over WebSocket (RFC 6455).
 //
-//   WebGateway gateway(options, [&] { loop.Wake(); });
-//   while (gateway.Receive(request)) desk.Serve(request.client, ...);
-//
 // It has a thread of its own, in which it reads what strangers send; what is no request of the
-// protocol ends there. A client that does not read is told from one that has gone, as at the live
-// socket, and one whose next request was not taken yet is not listened to.
+// protocol ends there.
 #ifndef COPPICE_BT_CORE_LIVE_WEB_WEB_GATEWAY_H_
 #define COPPICE_BT_CORE_LIVE_WEB_WEB_GATEWAY_H_
 
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <string>
 
-#include "bt_core/live/server/live_outbox.h"
-#include "bt_core/live/server/received_request.h"
+#include "bt_core/live/server/live_clients.h"
 #include "bt_core/live/web/web_access.h"
 
 namespace coppice {
@@ -32,28 +26,19 @@ class WebGateway {
  public:
   static constexpr std::size_t kMaxConnections = 64;
   static constexpr std::size_t kMaxHeaderBytes = 8 << 10;
-  static constexpr std::size_t kMaxRequestBytes = 1 << 20;
-  /// What may wait for a client that does not read: one message, and as many as fit into this.
-  static constexpr std::size_t kMaxUnreadBytes = 4 << 20;
 
-  /// Listens when it returns. `on_request` is called on the gateway's thread when Receive has
-  /// something new. Throws std::runtime_error, with a text for people, if the port cannot be had.
-  WebGateway(const WebGatewayOptions& options, std::function<void()> on_request);
-  /// What was sent still goes out, for at most 200 ms.
+  /// Listens when it returns. Throws std::runtime_error, with a text for people, if the port cannot
+  /// be had. `clients` must live longer.
+  WebGateway(const WebGatewayOptions& options, LiveClients& clients);
+  /// Stops, and clears `clients`: those of other gateways must be stopped too.
   ~WebGateway();
   WebGateway(const WebGateway&) = delete;
   WebGateway& operator=(const WebGateway&) = delete;
 
+  /// What was sent still goes out, for at most 200 ms; then nobody is served any more.
+  void Stop();
+
   std::uint16_t port() const;
-
-  /// Any thread. False if there is no request now. The end of a connection is a request to say bye.
-  bool Receive(ReceivedRequest& request);
-
-  /// Any thread. Never waits.
-  SendResult Send(const std::string& client, const groot2::Parts& parts);
-
-  /// Whether the name is of a client that came through a gateway.
-  static bool IsWebClient(const std::string& client);
 
  private:
   class Loop;

@@ -2,13 +2,13 @@
 
 #include <pthread.h>
 
+#include <algorithm>
 #include <boost/asio/post.hpp>
 #include <csignal>
 #include <stdexcept>
 #include <utility>
 
 #include "bt_core/live/web/local_address.h"
-#include "bt_core/live/web/web_visit.h"
 
 namespace coppice {
 namespace {
@@ -21,46 +21,74 @@ constexpr auto kPause = std::chrono::milliseconds(200);
 }  // namespace
 
 WebPort::WebPort(const WebPortOptions& options, Welcome welcome)
-    : welcome_(std::move(welcome)), most_connections_(options.most_connections) {
-  Listen(options);
-  Accept();
+    : port_(AlsoListen(options, std::move(welcome))) {
   thread_ = std::thread([this, name = options.thread] { Run(name); });
+}
+
+std::uint16_t WebPort::AlsoListen(const WebPortOptions& options, Welcome welcome) {
+  const auto door = std::make_shared<Door>(context_, options.most_connections, std::move(welcome));
+  Bind(*door, options);
+  const std::uint16_t port = door->acceptor.local_endpoint().port();
+  asio::post(context_, [this, door] {
+    doors_.push_back(door);
+    Accept(*door);
+  });
+  return port;
 }
 
 void WebPort::Stop() {
   if (!thread_.joinable()) return;
   asio::post(context_, [this] { Finish(); });
   thread_.join();
+  doors_.clear();
   is_finishing_ = false;
 }
 
-void WebPort::Listen(const WebPortOptions& options) {
+void WebPort::Bind(Door& door, const WebPortOptions& options) {
   try {
     const asio::ip::tcp::endpoint endpoint(asio::ip::make_address(LocalAddress(options.address)),
                                            options.port);
-    acceptor_.open(endpoint.protocol());
-    acceptor_.set_option(asio::socket_base::reuse_address(true));
-    acceptor_.bind(endpoint);
-    acceptor_.listen();
-    port_ = acceptor_.local_endpoint().port();
+    door.acceptor.open(endpoint.protocol());
+    door.acceptor.set_option(asio::socket_base::reuse_address(true));
+    door.acceptor.bind(endpoint);
+    door.acceptor.listen();
   } catch (const boost::system::system_error& error) {
     throw std::runtime_error(error.code().message());
   }
 }
 
-void WebPort::Accept() {
-  acceptor_.async_accept([this](error_code error, Socket socket) {
+void WebPort::Accept(Door& door) {
+  door.acceptor.async_accept([this, &door](error_code error, Socket socket) {
     if (error == asio::error::operation_aborted) return;
-    if (!error && visits_.size() < most_connections_) {
-      welcome_(std::move(socket), *this)->ReadRequest();
+    if (!error) {
+      Accept(door);
+      return Admit(door, std::move(socket));
     }
-    if (!error) return Accept();
     // No descriptors left, for example: not at once again.
-    pause_.expires_after(kPause);
-    pause_.async_wait([this](error_code cancelled) {
-      if (!cancelled) Accept();
+    door.pause.expires_after(kPause);
+    door.pause.async_wait([this, &door](error_code cancelled) {
+      if (!cancelled) Accept(door);
     });
   });
+}
+
+void WebPort::Admit(Door& door, Socket socket) {
+  if (door.connections.size() >= door.most_connections && !MakeRoom(door)) return;
+  const std::shared_ptr<PortConnection> connection = door.welcome(std::move(socket), *this);
+  door.connections.insert(connection.get());
+  connection->Start();
+}
+
+bool WebPort::MakeRoom(Door& door) {
+  PortConnection* silent = nullptr;
+  for (PortConnection* const connection : door.connections) {
+    if (!connection->GivesWay()) continue;
+    if (!silent || connection->last_heard() < silent->last_heard()) silent = connection;
+  }
+  if (!silent) return false;
+  door.connections.erase(silent);
+  silent->HangUp();
+  return true;
 }
 
 void WebPort::Run(const char* name) {
@@ -78,20 +106,28 @@ void WebPort::Run(const char* name) {
 }
 
 void WebPort::Finish() {
-  acceptor_.close();
-  const std::set<WebVisit*> visits = visits_;
-  for (WebVisit* const visit : visits) {
-    if (visits_.count(visit) > 0) visit->Finish();
+  for (const std::shared_ptr<Door>& door : doors_) {
+    door->acceptor.close();
+    door->pause.cancel();
+    const std::set<PortConnection*> connections = door->connections;
+    for (PortConnection* const connection : connections) {
+      if (door->connections.count(connection) > 0) connection->Finish();
+    }
   }
-  if (visits_.empty()) return context_.stop();
-  pause_.expires_after(kPause);
-  pause_.async_wait([this](error_code) { context_.stop(); });
+  if (IsEmpty()) return context_.stop();
+  end_.expires_after(kPause);
+  end_.async_wait([this](error_code) { context_.stop(); });
   is_finishing_ = true;
 }
 
-void WebPort::Forget(WebVisit* visit) {
-  visits_.erase(visit);
-  if (visits_.empty() && is_finishing_) pause_.cancel();
+bool WebPort::IsEmpty() const {
+  return std::all_of(doors_.begin(), doors_.end(),
+                     [](const auto& door) { return door->connections.empty(); });
+}
+
+void WebPort::Forget(PortConnection* connection) {
+  for (const std::shared_ptr<Door>& door : doors_) door->connections.erase(connection);
+  if (is_finishing_ && IsEmpty()) end_.cancel();
 }
 
 }  // namespace coppice

@@ -1,40 +1,46 @@
-// A port for browsers: listens, and serves its connections on a thread of its own. Included by .cc
-// files only; what a connection says is the business of WebVisit's heirs.
+// Ports of the robot: listens, and serves the connections of all its ports on one thread. Included
+// by .cc files only; what a connection says is the business of PortConnection's heirs.
 //
 //   struct Hall {...};                      // what the visits share; lives longer than the port
 //   WebPort port_({"127.0.0.1", 0, "coppice_web"}, [this](auto socket, WebPort& port) {
 //     return std::make_shared<Visit>(std::move(socket), port, hall_);
 //   });
 //   ~Loop() { port_.Stop(); }               // before the hall forgets its clients
+//
+// Strangers can fill a port with connections. When it is full, who was silent longest and has no
+// claim to stay gives way to who comes.
 #ifndef COPPICE_BT_CORE_LIVE_WEB_WEB_PORT_H_
 #define COPPICE_BT_CORE_LIVE_WEB_WEB_PORT_H_
 
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/steady_timer.hpp>
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <memory>
 #include <set>
 #include <string>
 #include <thread>
+#include <utility>
+#include <vector>
 
 namespace coppice {
 
-class WebVisit;
+class PortConnection;
 
 struct WebPortOptions {
   std::string address;                ///< as LocalAddress (bt_core/live/web/local_address.h)
   std::uint16_t port = 0;             ///< 0 takes a free one
   const char* thread = "";            ///< its name, at most 15 characters
-  std::size_t most_connections = 64;  ///< who comes when there are so many is hung up on
+  std::size_t most_connections = 64;  ///< who comes when none of so many gives way is hung up on
 };
 
 class WebPort {
  public:
   using Socket = boost::asio::ip::tcp::socket;
   /// Called on the port's thread for each connection.
-  using Welcome = std::function<std::shared_ptr<WebVisit>(Socket socket, WebPort& port)>;
+  using Welcome = std::function<std::shared_ptr<PortConnection>(Socket socket, WebPort& port)>;
 
   /// Listens when it returns. Throws std::runtime_error with the reason ("Address already in use")
   /// if the port cannot be had.
@@ -43,31 +49,74 @@ class WebPort {
   WebPort(const WebPort&) = delete;
   WebPort& operator=(const WebPort&) = delete;
 
+  /// Listens on one more port, whose number it returns; throws as the constructor does.
+  std::uint16_t AlsoListen(const WebPortOptions& options, Welcome welcome);
+
   std::uint16_t port() const { return port_; }
   boost::asio::io_context& context() { return context_; }
 
-  /// Takes leave of all visits (WebVisit::Finish), waits 200 ms at most until they have gone, and
-  /// ends the thread. Nothing is served afterwards; a second call does nothing.
+  /// Takes leave of all connections (PortConnection::Finish), waits 200 ms at most until they have
+  /// gone, and ends the thread. Nothing is served afterwards; a second call does nothing.
   void Stop();
 
  private:
-  friend class WebVisit;
+  friend class PortConnection;
 
-  void Listen(const WebPortOptions& options);
-  void Accept();
+  // One of the ports, with its connections.
+  struct Door {
+    Door(boost::asio::io_context& context, std::size_t most, Welcome who)
+        : most_connections(most), welcome(std::move(who)), acceptor(context), pause(context) {}
+    const std::size_t most_connections;
+    const Welcome welcome;
+    std::set<PortConnection*> connections;
+    boost::asio::ip::tcp::acceptor acceptor;
+    boost::asio::steady_timer pause;
+  };
+
+  static void Bind(Door& door, const WebPortOptions& options);
+  void Accept(Door& door);
+  void Admit(Door& door, Socket socket);
+  static bool MakeRoom(Door& door);
   void Run(const char* name);
   void Finish();
-  void Forget(WebVisit* visit);
+  bool IsEmpty() const;
+  void Forget(PortConnection* connection);
 
-  const Welcome welcome_;
-  const std::size_t most_connections_;
-  std::set<WebVisit*> visits_;  // before the context, in which the last ones end
   bool is_finishing_ = false;
+  std::vector<std::shared_ptr<Door>> doors_;  // before the context, in which the last visits end
   boost::asio::io_context context_{1};
-  boost::asio::ip::tcp::acceptor acceptor_{context_};
-  boost::asio::steady_timer pause_{context_};
+  boost::asio::steady_timer end_{context_};
   std::uint16_t port_ = 0;
   std::thread thread_;
+};
+
+/// One connection of a port. Its thread only.
+class PortConnection {
+ public:
+  explicit PortConnection(WebPort& port) : port_(port) {}
+  virtual ~PortConnection() { port_.Forget(this); }
+  PortConnection(const PortConnection&) = delete;
+  PortConnection& operator=(const PortConnection&) = delete;
+
+  /// Begins to listen to it.
+  virtual void Start() = 0;
+  /// Ends when everything is sent.
+  virtual void Finish() = 0;
+  /// Ends now.
+  virtual void HangUp() = 0;
+  /// Whether it may be hung up on for somebody else.
+  virtual bool GivesWay() const = 0;
+
+  using Moment = std::chrono::steady_clock::time_point;
+  /// When it last said something that made sense.
+  Moment last_heard() const { return last_heard_; }
+
+ protected:
+  void Hear() { last_heard_ = std::chrono::steady_clock::now(); }
+
+ private:
+  WebPort& port_;
+  Moment last_heard_ = std::chrono::steady_clock::now();
 };
 
 }  // namespace coppice

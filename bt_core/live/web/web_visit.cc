@@ -18,13 +18,10 @@ std::string_view View(beast::string_view text) { return {text.data(), text.size(
 
 WebVisit::WebVisit(WebPort::Socket socket, WebPort& port, const WebFiles& files,
                    const WebManners& manners)
-    : stream_(std::move(socket)), port_(port), files_(files), manners_(manners) {
-  port_.visits_.insert(this);
+    : PortConnection(port), stream_(std::move(socket)), files_(files), manners_(manners) {
   error_code error;
   stream_.socket().set_option(boost::asio::ip::tcp::no_delay(true), error);
 }
-
-WebVisit::~WebVisit() { port_.Forget(this); }
 
 void WebVisit::ReadRequest() {
   parser_.emplace();
@@ -40,8 +37,12 @@ void WebVisit::ReadRequest() {
 std::string_view WebVisit::Field(http::field field) const { return View(request_[field]); }
 
 void WebVisit::OnRequest() {
+  Hear();
   request_ = parser_->release();
-  if (beast::websocket::is_upgrade(request_)) return OnUpgrade();
+  if (beast::websocket::is_upgrade(request_)) {
+    has_upgraded_ = true;
+    return OnUpgrade();
+  }
   switch (request_.method()) {
     case http::verb::get:
     case http::verb::head:

@@ -26,19 +26,17 @@ struct WebManners {
   std::string not_found;                                    ///< for people; ends with a new line
 };
 
-class WebVisit : public std::enable_shared_from_this<WebVisit> {
+class WebVisit : public PortConnection, public std::enable_shared_from_this<WebVisit> {
  public:
   /// `files` and `manners` must live longer.
   WebVisit(WebPort::Socket socket, WebPort& port, const WebFiles& files, const WebManners& manners);
-  virtual ~WebVisit();
-  WebVisit(const WebVisit&) = delete;
-  WebVisit& operator=(const WebVisit&) = delete;
 
-  void ReadRequest();
-
-  /// Ends when everything is sent. Called by the port; a visit that has not asked for a WebSocket
-  /// is closed at once.
-  virtual void Finish() { stream_.close(); }
+  void Start() override { ReadRequest(); }
+  /// A visit that has not asked for a WebSocket is closed at once.
+  void Finish() override { stream_.close(); }
+  void HangUp() override { stream_.close(); }
+  /// Until it asks for a WebSocket; heirs say who gets one.
+  bool GivesWay() const override { return !has_upgraded_; }
 
  protected:
   using Status = boost::beast::http::status;
@@ -67,12 +65,13 @@ class WebVisit : public std::enable_shared_from_this<WebVisit> {
  private:
   using Answer = boost::beast::http::response<boost::beast::http::string_body>;
 
+  void ReadRequest();
   void OnRequest();
   void OnGet();
   std::shared_ptr<Answer> Begin(Status status, const char* type) const;
   void Send(std::shared_ptr<Answer> answer, std::string body);
 
-  WebPort& port_;
+  bool has_upgraded_ = false;
   const WebFiles& files_;
   const WebManners& manners_;
   std::optional<boost::beast::http::request_parser<boost::beast::http::string_body>> parser_;

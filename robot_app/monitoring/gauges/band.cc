@@ -22,6 +22,8 @@ bool Range::Contains(double value) const {
   return !(low && !(value >= *low)) && !(high && !(value <= *high));
 }
 
+bool HasBounds(const Band& band) { return !(band.warn == Range()) || !(band.error == Range()); }
+
 Band AtMost(double warn, double error, int consecutive) {
   return {{std::nullopt, warn}, {std::nullopt, error}, consecutive, Duration::zero(), 0};
 }

@@ -41,6 +41,9 @@ struct Band {
 Band AtMost(double warn, double error, int consecutive = 1);
 Band AtLeast(double warn, double error, int consecutive = 1, double hysteresis = 0);
 
+/// Does it judge values at all?
+bool HasBounds(const Band& band);
+
 /// What is to be said about a number.
 struct Assessment {
   HealthLevel level = HealthLevel::kOk;

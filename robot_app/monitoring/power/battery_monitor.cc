@@ -22,55 +22,67 @@ std::vector<GaugeWatch> GaugesOf(const BatteryWatch& watch) {
 
 }  // namespace
 
-void CoulombCount::Begin(const BatterySample& sample, Time now) {
-  counted_ = sample.charge;
+void CoulombCount::Begin(const BatteryReading& reading, Time now) {
+  counted_ = reading.charge;
   changed_at_ = now;
 }
 
-void CoulombCount::OnSample(const BatterySample& sample, double charging_above, Time now) {
-  const bool charges = sample.current > charging_above;
+void CoulombCount::OnReading(const BatteryReading& reading, double charging_above, Time now) {
+  const bool charges = reading.current > charging_above;
   const bool jumped_back = last_ && now < last_at_;
-  if (!charged_at_ || charges || jumped_back) charged_at_ = now;
-  const bool goes_on = last_ && !jumped_back && now - last_at_ <= longest_gap_ &&
+  const bool is_full = reading.charger == ChargerState::kFull;
+  if (!charged_at_ || charges || is_full || jumped_back) charged_at_ = now;
+  const bool is_counted = !std::isnan(reading.current) && !std::isnan(counted_);
+  const bool goes_on = last_ && is_counted && !jumped_back && now - last_at_ <= longest_gap_ &&
                        charges == (last_->current > charging_above);
   if (goes_on) {
-    counted_ += (last_->current + sample.current) / 2 * InSeconds(now - last_at_) / kHour;
-    const bool stands = sample.charge == last_->charge && std::abs(sample.current) > charging_above;
+    counted_ += (last_->current + reading.current) / 2 * InSeconds(now - last_at_) / kHour;
+    const bool stands =
+        reading.charge == last_->charge && std::abs(reading.current) > charging_above;
     if (!stands) changed_at_ = now;
   } else {
-    Begin(sample, now);
+    Begin(reading, now);
   }
-  deviation_ = sample.charge - counted_;
+  deviation_ = reading.charge - counted_;
   unchanged_ = InSeconds(now - changed_at_);
   since_charge_ = InSeconds(now - *charged_at_);
-  last_ = sample;
+  last_ = reading;
   last_at_ = now;
 }
 
 void BatteryMonitor::Watch(const std::optional<BatteryWatch>& watch) {
-  if (!watch || !watch_ || watch->topic != watch_->topic) heard_at_.reset();
+  if (!watch || !watch_ || watch->topic != watch_->topic) {
+    heard_at_.reset();
+    since_.reset();
+    knows_station_ = false;
+  }
   watch_ = watch;
   board_.Watch(watch ? GaugesOf(*watch) : std::vector<GaugeWatch>());
 }
 
-void BatteryMonitor::OnSample(const BatterySample& sample, Time now) {
+void BatteryMonitor::OnReading(const BatteryReading& reading, Time now) {
   if (!watch_) return;
   heard_at_ = now;
-  const auto tell = [&](const char* subject, double value) {
-    if (!std::isnan(value)) board_.OnValue(kMonitor, subject, value, now);
-  };
-  tell("voltage", sample.voltage);
-  tell("current", sample.current);
-  tell("charge", sample.level);
-  count_.OnSample(sample, watch_->model.charging_above, now);
-  tell("since_charge", count_.since_charge());
-  if (!std::isnan(sample.charge)) {
-    tell("coulombs", count_.deviation());
-    tell("unchanged", count_.unchanged());
+  if (!since_ || now < *since_) since_ = now;
+  knows_station_ = knows_station_ || StandsOnStation(reading, watch_->model.charging_above);
+  Tell("voltage", watch_->voltage, reading.voltage, now);
+  Tell("current", watch_->current, reading.current, now);
+  Tell("charge", watch_->charge, reading.level, now);
+  count_.OnReading(reading, watch_->model.charging_above, now);
+  board_.OnValue(kMonitor, "since_charge", count_.since_charge(), now);
+  if (!std::isnan(count_.deviation())) {
+    board_.OnValue(kMonitor, "coulombs", count_.deviation(), now);
+    board_.OnValue(kMonitor, "unchanged", count_.unchanged(), now);
   }
   const double charge =
-      std::isnan(sample.charge) ? sample.level * watch_->model.capacity : sample.charge;
-  tell("margin", charge - ChargeToDrive(watch_->model, distance_) - ChargeReserve(watch_->model));
+      std::isnan(reading.charge) ? reading.level * watch_->model.capacity : reading.charge;
+  const double needed = ChargeToDrive(watch_->model, distance_) + ChargeReserve(watch_->model);
+  Tell("margin", watch_->margin, charge - needed, now);
+}
+
+void BatteryMonitor::Tell(const char* subject, const Band& band, double value, Time now) {
+  if (!std::isnan(value)) return board_.OnValue(kMonitor, subject, value, now);
+  if (HasBounds(band)) board_.OnFailure(kMonitor, subject, "not measured", now);
 }
 
 std::vector<Finding> BatteryMonitor::Report(const ProcessTable& processes, const Times& now) {
@@ -91,6 +103,9 @@ Finding BatteryMonitor::State(Time now) const {
   if (now - *heard_at_ > watch_->staleness) {
     finding.level = HealthLevel::kError;
     finding.message = watch_->topic + ": no message for " + ToText(silence) + " s";
+  } else if (since_ && !knows_station_ && now - *since_ > watch_->staleness) {
+    finding.level = HealthLevel::kError;
+    finding.message = watch_->topic + " has never told whether the robot stands on its station";
   }
   return finding;
 }

@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "bt_nodes/power/battery_reading.h"
 #include "robot_app/monitoring/gauges/gauge_board.h"
 #include "robot_app/monitoring/gauges/patience.h"
 #include "robot_app/monitoring/power/power_watch.h"
@@ -15,34 +16,25 @@
 
 namespace coppice::robot {
 
-/// A sensor_msgs/BatteryState as a plain value. NaN: not measured.
-struct BatterySample {
-  double voltage = 0;       ///< V
-  double current = 0;       ///< A, positive: into the battery
-  double charge = 0;        ///< Ah
-  double level = 0;         ///< state of charge, 0..1
-  bool on_charger = false;  ///< the contacts touch, whether or not current flows
-  bool is_full = false;     ///< the charger says so
-};
-
 /// What the current says about the charge, and for how long something has not happened.
 class CoulombCount {
  public:
   /// Readings further apart than `longest_gap` begin anew.
   explicit CoulombCount(Duration longest_gap) : longest_gap_(longest_gap) {}
 
-  /// The start or end of charging begins anew: then gauges correct themselves.
-  void OnSample(const BatterySample& sample, double charging_above, Time now);
+  /// The start or end of charging begins anew: then gauges correct themselves. So does a reading
+  /// without current or charge.
+  void OnReading(const BatteryReading& reading, double charging_above, Time now);
 
   double deviation() const { return deviation_; }  ///< Ah, reported less counted
   double unchanged() const { return unchanged_; }  ///< s, the charge stands although current flows
-  double since_charge() const { return since_charge_; }  ///< s, since the last charging current
+  double since_charge() const { return since_charge_; }  ///< s, since it charged, or was full
 
  private:
-  void Begin(const BatterySample& sample, Time now);
+  void Begin(const BatteryReading& reading, Time now);
 
   Duration longest_gap_;
-  std::optional<BatterySample> last_;
+  std::optional<BatteryReading> last_;
   Time last_at_{0}, changed_at_{0};
   std::optional<Time> charged_at_;  // or the first sample
   double counted_ = 0;              // Ah
@@ -55,14 +47,17 @@ class BatteryMonitor {
 
   /// Nothing: the battery is not watched, and nothing is reported.
   void Watch(const std::optional<BatteryWatch>& watch);
-  void OnSample(const BatterySample& sample, Time now);
+  /// A number that has bounds but is not measured counts as one outside them.
+  void OnReading(const BatteryReading& reading, Time now);
   /// Length of the way to the station [m]; 0 until it is known.
   void OnDistance(double distance) { distance_ = distance; }
 
-  /// "state": is the battery heard; names the node that publishes it. Then one finding per number.
+  /// "state": is the battery heard, and has it ever told whether the robot stands on its station;
+  /// names the node that publishes it. Then one finding per number.
   std::vector<Finding> Report(const ProcessTable& processes, const Times& now);
 
  private:
+  void Tell(const char* subject, const Band& band, double value, Time now);
   Finding State(Time now) const;
 
   Duration patience_;
@@ -71,7 +66,9 @@ class BatteryMonitor {
   GaugeBoard board_;
   CoulombCount count_{std::chrono::seconds(10)};
   double distance_ = 0;
-  std::optional<Time> heard_at_;  // the last sample, or the first report
+  std::optional<Time> heard_at_;  // the last reading, or the first report
+  std::optional<Time> since_;     // the first reading
+  bool knows_station_ = false;    // it has told whether the robot stands on its station
 };
 
 }  // namespace coppice::robot

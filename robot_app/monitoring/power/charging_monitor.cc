@@ -1,29 +1,34 @@
 #include "robot_app/monitoring/power/charging_monitor.h"
 
+#include <cmath>
+
 namespace coppice::robot {
 
-void ChargingMonitor::OnSample(const BatterySample& sample, Time now) {
+void ChargingMonitor::OnReading(const BatteryReading& reading, Time now) {
   if (!watch_) return;
-  if (sample_ && now < heard_at_) missing_since_.reset();  // time jumped back
-  sample_ = sample;
+  if (reading_ && now < heard_at_) missing_since_.reset();  // time jumped back
+  reading_ = reading;
   heard_at_ = now;
-  const bool flows = sample.current >= watch_->current;
-  const bool needs_none = !sample.on_charger || sample.is_full || sample.level >= watch_->full;
+  const bool has_contact = StandsOnStation(reading, watch_->current).value_or(false);
+  const bool is_full = reading.charger == ChargerState::kFull || reading.level >= watch_->full;
+  const bool flows = std::isnan(reading.current) ? reading.charger == ChargerState::kCharging
+                                                 : reading.current >= watch_->current;
+  const bool needs_none = !has_contact || is_full;
   if (flows || needs_none) missing_since_.reset();
   if (!flows && !needs_none && !missing_since_) missing_since_ = now;
-  has_flowed_ = sample.on_charger && (has_flowed_ || flows);
+  has_flowed_ = has_contact && (has_flowed_ || flows);
 }
 
 std::vector<Finding> ChargingMonitor::Report(Time now) const {
   if (!watch_) return {};
   Finding finding{"charging", "current", "", HealthLevel::kOk, 0, "A", "", now};
-  if (!sample_) {
+  if (!reading_) {
     finding.message = "state unknown";
     return {finding};
   }
-  finding.value = sample_->current;
+  finding.value = reading_->current;
   if (!missing_since_) return {finding};
-  // By the last sample: what came after it is not known, and a silent battery is an error itself.
+  // By the last reading: what came after it is not known, and a silent battery is an error itself.
   const Duration missing = heard_at_ - *missing_since_;
   const bool is_late = missing > (has_flowed_ ? watch_->interruption : watch_->within);
   finding.level = is_late ? HealthLevel::kError : HealthLevel::kWarn;

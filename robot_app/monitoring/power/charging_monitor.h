@@ -18,14 +18,14 @@ class ChargingMonitor {
  public:
   /// Nothing: charging is not watched, and nothing is reported.
   void Watch(const std::optional<ChargingWatch>& watch) { watch_ = watch; }
-  void OnSample(const BatterySample& sample, Time now);
+  void OnReading(const BatteryReading& reading, Time now);
 
   /// One finding, "current"; value: A. Off the station, and with a full battery, all is well.
   std::vector<Finding> Report(Time now) const;
 
  private:
   std::optional<ChargingWatch> watch_;
-  std::optional<BatterySample> sample_;  // the last one
+  std::optional<BatteryReading> reading_;  // the last one
   Time heard_at_{0};
   std::optional<Time> missing_since_;  // current, although there is contact
   bool has_flowed_ = false;            // since the contact

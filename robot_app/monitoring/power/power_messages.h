@@ -3,17 +3,12 @@
 #define COPPICE_ROBOT_APP_MONITORING_POWER_POWER_MESSAGES_H_
 
 #include <actionlib_msgs/GoalStatusArray.h>
-#include <sensor_msgs/BatteryState.h>
 
 #include <vector>
 
-#include "robot_app/monitoring/power/battery_monitor.h"
 #include "robot_app/monitoring/power/docking_monitor.h"
 
 namespace coppice::robot {
-
-/// CHARGING, NOT_CHARGING and FULL are said on the charger, DISCHARGING off it.
-BatterySample FromMessage(const sensor_msgs::BatteryState& message);
 
 std::vector<GoalReport> FromMessage(const actionlib_msgs::GoalStatusArray& message);
 

@@ -11,6 +11,7 @@
 #include <optional>
 
 #include "bt_nodes/power/way_home.h"
+#include "robot_app/common/battery_message.h"
 #include "robot_app/monitoring/monitor_node.h"
 #include "robot_app/monitoring/power/battery_monitor.h"
 #include "robot_app/monitoring/power/charging_monitor.h"
@@ -53,9 +54,10 @@ class Program {
     node_.Subscribe<sensor_msgs::BatteryState>(battery_subscriber_, battery_topic_, kQueue,
                                                [this](const sensor_msgs::BatteryState& state) {
                                                  const Time now = MonitorNode::Now().ros;
-                                                 const BatterySample sample = FromMessage(state);
-                                                 battery_.OnSample(sample, now);
-                                                 charging_.OnSample(sample, now);
+                                                 const BatteryReading reading =
+                                                     ToBatteryReading(state, now);
+                                                 battery_.OnReading(reading, now);
+                                                 charging_.OnReading(reading, now);
                                                });
     node_.Subscribe<actionlib_msgs::GoalStatusArray>(
         docking_subscriber_, TopicOf(docking_action_, "/status"), kQueue,

@@ -21,23 +21,31 @@ namespace coppice {
 
 class KeepingOutbox : public LiveOutbox {
  public:
-  SendResult Send(const std::string& client, const groot2::Parts& parts) override {
+  SendResult Send(ClientId client, const groot2::Parts& parts) override {
     const auto result = results.find(client);
     if (result != results.end() && result->second != SendResult::kSent) return result->second;
+    sent[client].push_back(parts);
+    return SendResult::kSent;
+  }
+  SendResult Reply(ClientId client, const groot2::Parts& parts) override {
+    const auto result = results.find(client);
+    if (result != results.end() && result->second == SendResult::kGone) return SendResult::kGone;
     sent[client].push_back(parts);
     return SendResult::kSent;
   }
   void Publish(const groot2::Parts& parts) override { published.push_back(parts); }
 
   /// What was sent since the last call.
-  std::vector<groot2::Parts> Take(const std::string& client) {
-    return std::exchange(sent[client], {});
-  }
+  std::vector<groot2::Parts> Take(ClientId client) { return std::exchange(sent[client], {}); }
 
-  std::map<std::string, SendResult> results;  // by client; kSent otherwise
-  std::map<std::string, std::vector<groot2::Parts>> sent;
+  std::map<ClientId, SendResult> results;  // by client; kSent otherwise
+  std::map<ClientId, std::vector<groot2::Parts>> sent;
   std::vector<groot2::Parts> published;
 };
+
+inline constexpr ClientId kAnn{1};
+inline constexpr ClientId kBen{2};
+inline constexpr ClientId kCem{3};
 
 class LiveTreeFixture : public ::testing::Test {
  protected:

@@ -24,8 +24,10 @@ inline LiveOptions FreePort() {
 
 class SocketClient {
  public:
-  SocketClient(zmq::socket_type type, std::uint16_t port, const std::string& token = {})
+  SocketClient(zmq::socket_type type, std::uint16_t port, const std::string& token = {},
+               const std::string& identity = {})
       : socket_(context_, type) {
+    if (!identity.empty()) socket_.set(zmq::sockopt::routing_id, identity);
     socket_.set(zmq::sockopt::linger, 0);
     socket_.set(zmq::sockopt::rcvtimeo, 30000);
     if (!token.empty()) {
@@ -54,6 +56,8 @@ class SocketClient {
     } while (part.more());
     return parts;
   }
+
+  void Subscribe(const std::string& topic) { socket_.set(zmq::sockopt::subscribe, topic); }
 
   void set_patience(int milliseconds) { socket_.set(zmq::sockopt::rcvtimeo, milliseconds); }
 

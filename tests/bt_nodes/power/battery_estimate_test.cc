@@ -41,24 +41,5 @@ TEST(BatteryEstimate, SaysHowLongTheChargeLasts) {
   EXPECT_EQ(TimeLeft({}, -1), 0);
 }
 
-TEST(BatteryReading, IsTheSameAfterPrintingAndParsing) {
-  const BatteryReading reading{Time(5000000000), 24.25, -15.5, 0.5};
-  BatteryReading parsed;
-  ASSERT_TRUE(
-      ValueTraits<BatteryReading>::Parse(ValueTraits<BatteryReading>::Print(reading), parsed));
-  EXPECT_EQ(parsed.stamp, reading.stamp);
-  EXPECT_EQ(parsed.voltage, reading.voltage);
-  EXPECT_EQ(parsed.current, reading.current);
-  EXPECT_EQ(parsed.level, reading.level);
-}
-
-TEST(BatteryReading, IsNotReadFromTextThatIsNone) {
-  BatteryReading parsed;
-  for (const char* text :
-       {"", "1", "1;2", "1;2;3", "1;2;3;4;5", "x;2;3;4", "1;nan;3;4", "1;2;3;"}) {
-    EXPECT_FALSE(ValueTraits<BatteryReading>::Parse(text, parsed)) << text;
-  }
-}
-
 }  // namespace
 }  // namespace coppice

@@ -14,7 +14,11 @@ class BatteryWatchTest : public testing::Test {
   static BatteryReading Reading(double level, double current) {
     const BatteryModel model;
     const double open = model.empty_voltage + level * (model.full_voltage - model.empty_voltage);
-    return {Time(0), open + current * model.resistance, current, level};
+    BatteryReading reading;
+    reading.voltage = open + current * model.resistance;
+    reading.current = current;
+    reading.level = level;
+    return reading;
   }
 
   const BatteryVerdict& Tell(BatteryReading reading, double distance = 10) {
@@ -152,6 +156,44 @@ TEST_F(BatteryWatchTest, WhatIsOnlyCountedExhaustsNobody) {
   EXPECT_TRUE(Silence(6 * 3600).critical);
   EXPECT_FALSE(Silence(1).exhausted);
   EXPECT_FALSE(Tell(Reading(0.3, -15)).exhausted);
+}
+
+TEST_F(BatteryWatchTest, ReadingsWithoutLevelAndVoltageCountAsSilence) {
+  Tell(Reading(0.9, -6));
+  BatteryReading blind;
+  blind.current = -6;
+  EXPECT_FALSE(TellFor(55, blind).due);
+  EXPECT_TRUE(TellFor(10, blind).due);
+  EXPECT_NE(Tell(blind).reason.find("silent"), std::string::npos);
+}
+
+TEST_F(BatteryWatchTest, AVoltageThatIsNotMeasuredIsNotZero) {
+  BatteryReading reading = Reading(0.9, -6);
+  reading.voltage = kNotMeasured;
+  const BatteryVerdict& verdict = TellFor(100, reading);
+  EXPECT_FALSE(verdict.due) << verdict.reason;
+  EXPECT_FALSE(verdict.exhausted);
+}
+
+TEST_F(BatteryWatchTest, ACurrentThatIsNotMeasuredCountsAsThatOfDriving) {
+  BatteryReading reading = Reading(0.9, 0);
+  reading.current = kNotMeasured;
+  Tell(reading);
+  EXPECT_NEAR(TellFor(3600, reading).charge, 0.9 * 75 - 15, 0.1);
+}
+
+TEST_F(BatteryWatchTest, AFullBatteryOnItsStationIsNeverDueHoweverLongItStands) {
+  BatteryReading full = Reading(1, 0);
+  full.charger = ChargerState::kFull;
+  EXPECT_FALSE(TellFor(5 * 3600, full).due);
+}
+
+TEST_F(BatteryWatchTest, AChargerThatSaysFullSettlesTheRequest) {
+  EXPECT_TRUE(Tell(Reading(0.05, -15)).due);
+  BatteryReading full = Reading(0.8, 0);  // the voltage has sunk already
+  full.level = 1;
+  full.charger = ChargerState::kFull;
+  EXPECT_FALSE(Tell(full).due);
 }
 
 }  // namespace

@@ -22,6 +22,29 @@ TEST(IsBatteryLow, SaysNothingBeforeTheLevelIsKnown) {
   EXPECT_FALSE(harness.message().empty());
 }
 
+TEST(IsBatteryLow, HoldsForALevelThatIsNotKnown) {
+  LeafHarness harness = LeafHarness::For<IsBatteryLow>();
+  for (const double unknown : {-1.0, kNotMeasured}) {
+    harness.Set("level", unknown);
+    EXPECT_EQ(harness.Tick(), Status::kSuccess) << unknown;
+  }
+}
+
+TEST(IsDocked, AndItsOppositeFollowTheirInput) {
+  LeafHarness docked = LeafHarness::For<IsDocked>(), away = LeafHarness::For<IsNotDocked>();
+  for (LeafHarness* harness : {&docked, &away}) harness->Set("docked", true);
+  EXPECT_EQ(docked.Tick(), Status::kSuccess);
+  EXPECT_EQ(away.Tick(), Status::kFailure);
+  for (LeafHarness* harness : {&docked, &away}) harness->Set("docked", false);
+  EXPECT_EQ(docked.Tick(), Status::kFailure);
+  EXPECT_EQ(away.Tick(), Status::kSuccess);
+}
+
+TEST(IsDocked, AndItsOppositeFailBeforeAnythingIsKnown) {
+  EXPECT_EQ(LeafHarness::For<IsDocked>().Tick(), Status::kFailure);
+  EXPECT_EQ(LeafHarness::For<IsNotDocked>().Tick(), Status::kFailure);
+}
+
 TEST(IsCharging, FollowsItsInput) {
   LeafHarness harness = LeafHarness::For<IsCharging>();
   harness.Set("charging", true);
@@ -46,8 +69,15 @@ TEST(IsNotCharging, FailsBeforeTheStateIsKnown) {
 TEST(WaitForBattery, RunsUntilTheStateIsKnown) {
   LeafHarness harness = LeafHarness::For<WaitForBattery>();
   EXPECT_EQ(harness.Tick(), Status::kRunning);
-  harness.Set("charging", false);
+  harness.Set("docked", false);
   EXPECT_EQ(harness.Tick(), Status::kSuccess);
+}
+
+TEST(Charge, GoesOnWhileTheLevelIsNotKnown) {
+  LeafHarness harness = LeafHarness::For<Charge>();
+  harness.Set("charging", true);
+  harness.Set("level", -1.0);
+  EXPECT_EQ(harness.Tick(), Status::kRunning);
 }
 
 TEST(Charge, RunsWhileCurrentFlowsAndEndsWhenFull) {
@@ -75,7 +105,7 @@ TEST(ChargeDue, HoldsFromTheTimeTheReserveIsTouched) {
   const auto tell = [&](double level) {
     stamp += std::chrono::seconds(1);
     harness.Advance(std::chrono::seconds(1));
-    harness.Set("battery", BatteryReading{stamp, 23 + 2.4 * level, 0, level});
+    harness.Set("battery", BatteryReading{stamp, 23 + 2.4 * level, 0, level, kNotMeasured, {}});
     return harness.Tick();
   };
   harness.Set("distance", 10.0);

@@ -66,6 +66,17 @@ TEST_F(RecoveryJudgeTest, LooksAtTheTimeAloneWithoutAPose) {
   EXPECT_FALSE(verdicts[0].helped);
 }
 
+TEST_F(RecoveryJudgeTest, LooksAtTheTimeAloneButForTheNavigation) {
+  Succeed(judge_, 100, 0, "/camera");
+  const Verdicts soon = Succeed(judge_, 150, 5, "/camera");
+  ASSERT_EQ(soon.size(), 1u);
+  EXPECT_FALSE(soon[0].helped) << "the robot drives on meanwhile";
+  Succeed(strict_, 100, 0, "localization");
+  const Verdicts late = Succeed(strict_, 500, 0, "localization");
+  ASSERT_EQ(late.size(), 1u);
+  EXPECT_TRUE(late[0].helped) << "at the same place";
+}
+
 TEST_F(RecoveryJudgeTest, KeepsSubjectsApart) {
   Succeed(judge_, 100, 0, "/a");
   EXPECT_TRUE(Succeed(judge_, 110, 0, "/b").empty());

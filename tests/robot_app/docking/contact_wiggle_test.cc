@@ -28,7 +28,7 @@ class ContactWiggleTest : public testing::Test {
 
   DockSettings station_;
   ContactWiggle wiggle_{station_};
-  DockInput input_{0, station_.docked, -6, true, {}};
+  DockInput input_{0, station_.docked, -6, true, false, false, {}};
   double wall_ = 1;         // the station ends so far behind the docked pose [m]
   double dead_until_ = -1;  // no current before that time
   double farthest_ = 0;

@@ -192,6 +192,14 @@ TEST_F(DockControllerTest, IsDoneAtOnceWhenItIsChargingAlready) {
   EXPECT_LT(input_.now, 4);
 }
 
+TEST_F(DockControllerTest, AFullBatteryNeedsNoCurrentToBeDocked) {
+  current_from_contact_ = 100;
+  input_.full = true;
+  Dock({-0.8, 0, M_PI});
+  EXPECT_EQ(controller_.phase(), Phase::kDone) << controller_.message();
+  EXPECT_EQ(controller_.message(), "docked with a full battery at attempt 1");
+}
+
 TEST_F(DockControllerTest, FailsWhenTheWheelsDoNotMoveIt) {
   wheels_turn_ = 0;
   Dock({-0.8, 0, M_PI});

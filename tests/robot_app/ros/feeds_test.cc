@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <sensor_msgs/BatteryState.h>
 
+#include <cmath>
 #include <limits>
 
 #include "bt_core/engine/executor.h"
@@ -18,6 +19,7 @@ namespace {
 
 constexpr char kTree[] = R"(<root BTCPP_format="4"><BehaviorTree ID="Main"><Sequence>
   <IsCharging charging="{charging}"/>
+  <IsDocked docked="{docked}"/>
   <IsBatteryLow level="{battery_level}" threshold="0.5"/>
   <ReadHealth monitoring="{monitoring}" health="{health}" errors="{errors}"/>
   <ChargeDue battery="{battery}"/>
@@ -30,6 +32,7 @@ class FeedsTest : public testing::Test {
   FeedsTest() {
     auto registry = std::make_shared<Registry>();
     registry->Register<IsCharging>("IsCharging");
+    registry->Register<IsDocked>("IsDocked");
     registry->Register<IsBatteryLow>("IsBatteryLow");
     registry->Register<ReadHealth>("ReadHealth");
     registry->Register<ChargeDue>("ChargeDue");
@@ -40,8 +43,9 @@ class FeedsTest : public testing::Test {
     subscribers_ = SubscribeFeeds(
         node_,
         {{executor_->Writer<double>("battery_level"), executor_->Writer<bool>("charging"),
-          executor_->Writer<Health>("monitoring"), executor_->Writer<std::string>("configuration"),
-          executor_->Writer<bool>("manual"), executor_->Writer<std::string>("processes"),
+          executor_->Writer<bool>("docked"), executor_->Writer<Health>("monitoring"),
+          executor_->Writer<std::string>("configuration"), executor_->Writer<bool>("manual"),
+          executor_->Writer<std::string>("processes"),
           executor_->Writer<BatteryReading>("battery")}},
         clock_);
   }
@@ -85,7 +89,46 @@ TEST_F(FeedsTest, BringTheRawReadingAndSayWhatIsNotMeasured) {
   EXPECT_EQ(reading.stamp, std::chrono::seconds(7));
   EXPECT_DOUBLE_EQ(reading.voltage, 24.5);
   EXPECT_DOUBLE_EQ(reading.current, -15);
-  EXPECT_LT(reading.level, 0);
+  EXPECT_TRUE(std::isnan(reading.level));
+}
+
+TEST_F(FeedsTest, AFullBatteryOnTheStationIsDockedAlthoughNoCurrentFlows) {
+  sensor_msgs::BatteryState battery;
+  battery.percentage = 0.97f;
+  battery.power_supply_status = sensor_msgs::BatteryState::POWER_SUPPLY_STATUS_FULL;
+  Publish("/battery_state", battery);
+  ASSERT_TRUE(Eventually([this] { return Key("docked").has_value(); }));
+  EXPECT_TRUE(Key("docked").Get<bool>());
+  EXPECT_FALSE(Key("charging").Get<bool>());
+  EXPECT_EQ(Key("battery_level").Get<double>(), 1);
+}
+
+TEST_F(FeedsTest, ALevelThatIsNotMeasuredHoldsForTenSecondsAndThenIsUnknown) {
+  sensor_msgs::BatteryState battery;
+  battery.percentage = 0.75f;
+  Publish("/battery_state", battery);
+  ASSERT_TRUE(Eventually([this] { return Key("battery_level").has_value(); }));
+  battery.percentage = std::numeric_limits<float>::quiet_NaN();
+  const auto is_heard = [this] {
+    return Key("battery").Get<BatteryReading>().stamp == clock_.Now();
+  };
+  clock_.Advance(std::chrono::milliseconds(9900));
+  publishers_.back().publish(battery);
+  ASSERT_TRUE(Eventually(is_heard));
+  EXPECT_EQ(Key("battery_level").Get<double>(), 0.75);
+  clock_.Advance(std::chrono::milliseconds(100));
+  publishers_.back().publish(battery);
+  ASSERT_TRUE(Eventually(is_heard));
+  EXPECT_LT(Key("battery_level").Get<double>(), 0);
+}
+
+TEST_F(FeedsTest, WhatTheBatteryDoesNotTellIsNotMadeUp) {
+  sensor_msgs::BatteryState battery;
+  battery.current = std::numeric_limits<float>::quiet_NaN();
+  Publish("/battery_state", battery);
+  ASSERT_TRUE(Eventually([this] { return Key("battery").has_value(); }));
+  EXPECT_FALSE(Key("docked").has_value());
+  EXPECT_FALSE(Key("charging").has_value());
 }
 
 TEST_F(FeedsTest, StampTheHealthReportOnArrival) {

@@ -13,12 +13,11 @@ class ExtensionRequestTest : public LiveTreeFixture {
  protected:
   explicit ExtensionRequestTest(const LiveTreeOptions& options = {}) : LiveTreeFixture(options) {
     session_.owner = 50;
-    session_.may_control = true;
   }
 
   Json Run(const std::string& what, const Json& members = Json::object()) {
     const Json as_on_the_wire = Json::parse(members.dump());
-    return ExtensionRequest(as_on_the_wire, trees_, session_).Run(what);
+    return ExtensionRequest(as_on_the_wire, trees_, session_, may_control_).Run(what);
   }
   std::string WhyNot(const std::string& what, const Json& members = Json::object()) {
     try {
@@ -31,6 +30,7 @@ class ExtensionRequestTest : public LiveTreeFixture {
 
   LiveTrees trees_{{0, tree_}};
   Session session_;
+  bool may_control_ = true;
 };
 
 TEST_F(ExtensionRequestTest, ListsTheTrees) {
@@ -118,7 +118,7 @@ TEST_F(ExtensionRequestTest, PausesForTheClientThatAsked) {
 }
 
 TEST_F(ExtensionRequestTest, NeedsTheRoleToControl) {
-  session_.may_control = false;
+  may_control_ = false;
   for (const char* what : {"pause", "step", "continue", "hook", "unhook", "enable", "write"}) {
     try {
       Run(what);

@@ -12,7 +12,7 @@ using namespace std::chrono_literals;  // NOLINT(google-build-using-namespace)
 class ExtensionServiceTest : public LiveTreeFixture {
  protected:
   Json Ask(const std::string& request, bool may_control = true) {
-    last_ = service_.Serve("client", may_control, request, 1s);
+    last_ = service_.Serve(kAnn, may_control, request, 1s);
     return Json::parse(last_.json);
   }
 
@@ -29,7 +29,7 @@ TEST_F(ExtensionServiceTest, GreetsWithWhatTheClientMayDo) {
   EXPECT_EQ(hello["control"], true);
   EXPECT_EQ(hello["deadline_ms"], 5000);
   EXPECT_EQ(hello["trees"].size(), 1u);
-  EXPECT_EQ(sessions_.Find("client")->name, "me");
+  EXPECT_EQ(sessions_.Find(kAnn)->name, "me");
   hello = Ask(R"({"do": "hello"})", false);
   EXPECT_EQ(hello["role"], "read");
   EXPECT_THAT(hello["control"].get<std::string>(), HasSubstr("not control"));
@@ -51,7 +51,7 @@ TEST_F(ExtensionServiceTest, SaysWhatIsWrongAndWhy) {
   EXPECT_THAT(Ask("{\"do\": 5}")["error"].get<std::string>(), HasSubstr("must be string"));
   EXPECT_THAT(Ask("\"\xff\"")["error"].get<std::string>(), HasSubstr("UTF-8"));
   Ask(R"({"do": "hello"})", false);
-  EXPECT_EQ(Ask(R"({"do": "pause"})")["role"], "control");
+  EXPECT_EQ(Ask(R"({"do": "pause"})", false)["role"], "control");
 }
 
 TEST_F(ExtensionServiceTest, DescribesWhatTheDebuggerTells) {

@@ -18,17 +18,17 @@ class LiveDeskTest : public LiveTreeFixture {
   LiveDeskTest() { desk_.Add(tree_, now_); }
   ~LiveDeskTest() override { desk_.Remove(*tree_); }
 
-  Parts Ask(const std::string& client, const Parts& request) {
+  Parts Ask(ClientId client, const Parts& request) {
     desk_.Serve(client, true, request, now_);
     const std::vector<Parts> sent = outbox_.Take(client);
     return sent.empty() ? Parts{} : sent.back();
   }
-  Json Extension(const std::string& client, const std::string& request) {
+  Json Extension(ClientId client, const std::string& request) {
     const Parts reply = Ask(client, {groot2::MakeHeader('C', 9), request});
     return reply.size() == 2 ? Json::parse(reply[1]) : Json("no reply");
   }
   // The notices and pushes that Attend sends: "E stopped", "F 1-3".
-  std::vector<std::string> Attend(const std::string& client) {
+  std::vector<std::string> Attend(ClientId client) {
     desk_.Attend(now_);
     std::vector<std::string> result;
     for (const Parts& parts : outbox_.Take(client)) {
@@ -47,66 +47,79 @@ class LiveDeskTest : public LiveTreeFixture {
 };
 
 TEST_F(LiveDeskTest, AnswersBothProtocols) {
-  EXPECT_EQ(Ask("a", {groot2::MakeHeader('S', 3)}).at(0).substr(0, 6), groot2::MakeHeader('S', 3));
-  EXPECT_EQ(Extension("a", R"({"do": "hello"})")["protocol"], 1);
-  EXPECT_THAT(Ask("a", {"x"}), ElementsAre("error", "wrong request header"));
+  EXPECT_EQ(Ask(kAnn, {groot2::MakeHeader('S', 3)}).at(0).substr(0, 6), groot2::MakeHeader('S', 3));
+  EXPECT_EQ(Extension(kAnn, R"({"do": "hello"})")["protocol"], 1);
+  EXPECT_THAT(Ask(kAnn, {"x"}), ElementsAre("error", "wrong request header"));
 }
 
 TEST_F(LiveDeskTest, DoesNotReplyToNumber0UnlessItFails) {
-  Extension("a", R"({"do": "hello"})");
-  EXPECT_THAT(Ask("a", {groot2::MakeHeader('C', 0), R"({"do": "ping"})"}), IsEmpty());
-  EXPECT_THAT(Ask("a", {groot2::MakeHeader('C', 0), R"({"do": "dance"})"}), SizeIs(2));
+  Extension(kAnn, R"({"do": "hello"})");
+  EXPECT_THAT(Ask(kAnn, {groot2::MakeHeader('C', 0), R"({"do": "ping"})"}), IsEmpty());
+  EXPECT_THAT(Ask(kAnn, {groot2::MakeHeader('C', 0), R"({"do": "dance"})"}), SizeIs(2));
 }
 
 TEST_F(LiveDeskTest, PushesFramesAsTheyCome) {
-  Extension("a", R"({"do": "hello"})");
-  Extension("a", R"({"do": "subscribe"})");
-  EXPECT_THAT(Attend("a"), ElementsAre("F 1-2"));
-  EXPECT_THAT(Attend("a"), IsEmpty());
+  Extension(kAnn, R"({"do": "hello"})");
+  Extension(kAnn, R"({"do": "subscribe"})");
+  EXPECT_THAT(Attend(kAnn), ElementsAre("F 1-2"));
+  EXPECT_THAT(Attend(kAnn), IsEmpty());
   Tick(3);
-  EXPECT_THAT(Attend("a"), ElementsAre("F 2-3"));
+  EXPECT_THAT(Attend(kAnn), ElementsAre("F 2-3"));
 }
 
 TEST_F(LiveDeskTest, HoldsWhatAClientDoesNotTake) {
-  Extension("a", R"({"do": "hello"})");
-  Extension("a", R"({"do": "subscribe"})");
-  outbox_.results["a"] = SendResult::kFull;
+  Extension(kAnn, R"({"do": "hello"})");
+  Extension(kAnn, R"({"do": "subscribe"})");
+  outbox_.results[kAnn] = SendResult::kFull;
   EXPECT_LE(desk_.Attend(now_), now_ + 10ms) << "tries again soon";
   Tick();
-  outbox_.results["a"] = SendResult::kSent;
-  EXPECT_THAT(Attend("a"), ElementsAre("F 1-2", "F 2-3"));
+  outbox_.results[kAnn] = SendResult::kSent;
+  EXPECT_THAT(Attend(kAnn), ElementsAre("F 1-2", "F 2-3"));
+}
+
+TEST_F(LiveDeskTest, AnswersAClientThatHasNotYetReadWhatNobodyAskedFor) {
+  Extension(kAnn, R"({"do": "hello"})");
+  outbox_.results[kAnn] = SendResult::kFull;
+  EXPECT_EQ(Extension(kAnn, R"({"do": "ping"})"), Json::object());
+}
+
+TEST_F(LiveDeskTest, AsksForTheRoleWithEveryRequest) {
+  Extension(kAnn, R"({"do": "hello"})");
+  desk_.Serve(kAnn, false, {groot2::MakeHeader('C', 9), R"({"do": "pause"})"}, now_);
+  EXPECT_EQ(Json::parse(outbox_.Take(kAnn).at(0).at(1))["role"], "control");
+  EXPECT_FALSE(tree_->debugger().is_pausing());
 }
 
 TEST_F(LiveDeskTest, ReleasesAClientThatHasGoneOrIsSilent) {
-  for (const char* client : {"gone", "silent", "awake"}) {
+  for (const ClientId client : {kAnn, kBen, kCem}) {
     Extension(client, R"({"do": "hello"})");
     Extension(client, R"({"do": "subscribe"})");
     Extension(client, R"({"do": "hook", "node": 1})");
   }
   EXPECT_THAT(tree_->debugger().hooks(), SizeIs(3));
-  outbox_.results["gone"] = SendResult::kGone;
+  outbox_.results[kAnn] = SendResult::kGone;
   desk_.Attend(now_);
   EXPECT_THAT(tree_->debugger().hooks(), SizeIs(2));
   now_ += 4s;
-  Extension("awake", R"({"do": "ping"})");
+  Extension(kCem, R"({"do": "ping"})");
   now_ += 1s;
-  EXPECT_THAT(Attend("silent"), ElementsAre("F 1-2", "E released"));
+  EXPECT_THAT(Attend(kBen), ElementsAre("F 1-2", "E released"));
   EXPECT_THAT(tree_->debugger().hooks(), SizeIs(1));
 }
 
 TEST_F(LiveDeskTest, TellsEveryClientWhatTheDebuggerTells) {
-  Extension("a", R"({"do": "hello"})");
-  Extension("b", R"({"do": "hello"})");
-  Extension("b", R"({"do": "hook", "node": 1, "action": "replace", "status": "FAILURE"})");
+  Extension(kAnn, R"({"do": "hello"})");
+  Extension(kBen, R"({"do": "hello"})");
+  Extension(kBen, R"({"do": "hook", "node": 1, "action": "replace", "status": "FAILURE"})");
   Tick();
-  EXPECT_THAT(Attend("a"), ElementsAre("E replaced"));
-  EXPECT_THAT(outbox_.Take("b"), SizeIs(1));
+  EXPECT_THAT(Attend(kAnn), ElementsAre("E replaced"));
+  EXPECT_THAT(outbox_.Take(kBen), SizeIs(1));
   EXPECT_THAT(outbox_.published, IsEmpty()) << "it is no hook of Groot2";
 }
 
 TEST_F(LiveDeskTest, PublishesHooksOfGroot2) {
-  Ask("a", {groot2::MakeHeader('I', 1),
-            R"({"enabled": true, "uid": 2, "mode": 1, "once": false, "desired_status": "FAILURE",
+  Ask(kAnn, {groot2::MakeHeader('I', 1),
+             R"({"enabled": true, "uid": 2, "mode": 1, "once": false, "desired_status": "FAILURE",
                 "position": 0})"});
   Tick();
   desk_.Attend(now_);
@@ -115,27 +128,27 @@ TEST_F(LiveDeskTest, PublishesHooksOfGroot2) {
 }
 
 TEST_F(LiveDeskTest, TellsThatATreeCameWentOrHasAnotherProgram) {
-  Extension("a", R"({"do": "hello"})");
+  Extension(kAnn, R"({"do": "hello"})");
   executor_.Reload(WatchedProgram());
   stream_.Flush();
-  EXPECT_THAT(Attend("a"), ElementsAre("E trees"));
+  EXPECT_THAT(Attend(kAnn), ElementsAre("E trees"));
   desk_.Remove(*tree_);
-  EXPECT_THAT(outbox_.Take("a"), SizeIs(1));
-  EXPECT_THAT(Ask("a", {groot2::MakeHeader('S', 3)}), ElementsAre("error", HasSubstr("no tree")));
+  EXPECT_THAT(outbox_.Take(kAnn), SizeIs(1));
+  EXPECT_THAT(Ask(kAnn, {groot2::MakeHeader('S', 3)}), ElementsAre("error", HasSubstr("no tree")));
   desk_.Add(tree_, now_);
-  EXPECT_THAT(outbox_.Take("a"), SizeIs(1));
-  EXPECT_THAT(Extension("a", R"({"do": "statistics", "tree": 0})")["error"].get<std::string>(),
+  EXPECT_THAT(outbox_.Take(kAnn), SizeIs(1));
+  EXPECT_THAT(Extension(kAnn, R"({"do": "statistics", "tree": 0})")["error"].get<std::string>(),
               HasSubstr("no tree 0"))
       << "numbers are not used again";
 }
 
 TEST_F(LiveDeskTest, SendsTheEndOfATreeThatGoes) {
-  Extension("a", R"({"do": "hello"})");
-  Extension("a", R"({"do": "subscribe"})");
-  Attend("a");
+  Extension(kAnn, R"({"do": "hello"})");
+  Extension(kAnn, R"({"do": "subscribe"})");
+  Attend(kAnn);
   Tick();
   desk_.Remove(*tree_);
-  const std::vector<Parts> sent = outbox_.Take("a");
+  const std::vector<Parts> sent = outbox_.Take(kAnn);
   ASSERT_THAT(sent, SizeIs(2));  // events and end; the list of trees
   const std::string& frames = sent[0][1];
   EXPECT_EQ(frames[8] - frames[0], 2);

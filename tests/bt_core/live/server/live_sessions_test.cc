@@ -14,43 +14,43 @@ class LiveSessionsTest : public LiveTreeFixture {
 };
 
 TEST_F(LiveSessionsTest, GivesEachClientAnOwnerOfItsOwn) {
-  const OwnerId first = sessions_.Open("a", true, Time(1))->owner;
-  EXPECT_NE(sessions_.Open("b", false, Time(1))->owner, first);
-  EXPECT_EQ(sessions_.Find("a")->owner, first);
+  const OwnerId first = sessions_.Open(kAnn, Time(1))->owner;
+  EXPECT_NE(sessions_.Open(kBen, Time(1))->owner, first);
+  EXPECT_EQ(sessions_.Find(kAnn)->owner, first);
   EXPECT_GT(first, LiveTree::kGroot2Owner);
-  EXPECT_EQ(sessions_.Find("c"), nullptr);
+  EXPECT_EQ(sessions_.Find(kCem), nullptr);
 }
 
 TEST_F(LiveSessionsTest, ReleasesWhatAClientHoldsWhenItIsClosed) {
-  Session* const session = sessions_.Open("a", true, Time(1));
+  Session* const session = sessions_.Open(kAnn, Time(1));
   Hook hook;
   hook.node = 1;
   tree_->debugger().Add(hook, session->owner);
   tree_->debugger().Add(hook, session->owner + 100);
-  sessions_.Close("a");
-  sessions_.Close("a");
+  sessions_.Close(kAnn);
+  sessions_.Close(kAnn);
   EXPECT_THAT(tree_->debugger().hooks(), SizeIs(1));
-  EXPECT_EQ(sessions_.Find("a"), nullptr);
+  EXPECT_EQ(sessions_.Find(kAnn), nullptr);
 }
 
 TEST_F(LiveSessionsTest, OpeningAgainReleasesToo) {
   Hook hook;
   hook.node = 1;
-  tree_->debugger().Add(hook, sessions_.Open("a", true, Time(1))->owner);
-  sessions_.Open("a", true, Time(2));
+  tree_->debugger().Add(hook, sessions_.Open(kAnn, Time(1))->owner);
+  sessions_.Open(kAnn, Time(2));
   EXPECT_THAT(tree_->debugger().hooks(), SizeIs(0));
 }
 
 TEST_F(LiveSessionsTest, AreNotEndlesslyMany) {
   for (std::size_t i = 0; i < LiveSessions::kMaxSessions; ++i) {
-    EXPECT_NE(sessions_.Open(std::to_string(i), true, Time(1)), nullptr);
+    EXPECT_NE(sessions_.Open(ClientId(i), Time(1)), nullptr);
   }
-  EXPECT_EQ(sessions_.Open("one more", true, Time(1)), nullptr);
-  EXPECT_NE(sessions_.Open("0", true, Time(1)), nullptr) << "in place of its own";
+  EXPECT_EQ(sessions_.Open(ClientId(LiveSessions::kMaxSessions), Time(1)), nullptr);
+  EXPECT_NE(sessions_.Open(ClientId(0), Time(1)), nullptr) << "in place of its own";
 }
 
 TEST_F(LiveSessionsTest, ForgetsSubscriptionsOfATreeThatGoes) {
-  Session* const session = sessions_.Open("a", true, Time(1));
+  Session* const session = sessions_.Open(kAnn, Time(1));
   session->subscriptions.try_emplace(1, tree_, Subscription::From::kOldest, 0, 1000);
   sessions_.Forget(*tree_);
   EXPECT_THAT(session->subscriptions, SizeIs(0));

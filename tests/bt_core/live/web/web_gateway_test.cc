@@ -33,16 +33,17 @@ class WebGatewayTest : public ::testing::Test {
   ReceivedRequest Receive() {
     ReceivedRequest request;
     std::unique_lock<std::mutex> lock(mutex_);
-    EXPECT_TRUE(news_.wait_for(lock, kPatience, [&] { return gateway_.Receive(request); }));
+    EXPECT_TRUE(news_.wait_for(lock, kPatience, [&] { return clients_.Receive(request); }));
     return request;
   }
 
   std::mutex mutex_;
   std::condition_variable news_;
-  WebGateway gateway_{Options(), [this] {
-                        const std::lock_guard<std::mutex> lock(mutex_);
-                        news_.notify_all();
-                      }};
+  LiveClients clients_{[this] {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    news_.notify_all();
+  }};
+  WebGateway gateway_{Options(), clients_};
 };
 
 TEST_F(WebGatewayTest, CarriesMessagesBothWays) {
@@ -52,8 +53,7 @@ TEST_F(WebGatewayTest, CarriesMessagesBothWays) {
   const ReceivedRequest request = Receive();
   EXPECT_THAT(request.parts, ElementsAre("header", "body"));
   EXPECT_TRUE(request.may_control);
-  EXPECT_TRUE(WebGateway::IsWebClient(request.client));
-  EXPECT_EQ(gateway_.Send(request.client, {"answer", ""}), SendResult::kSent);
+  EXPECT_EQ(clients_.Send(request.client, {"answer", ""}), SendResult::kSent);
   EXPECT_THAT(UnpackParts(caller.Read()), ElementsAre("answer", ""));
 }
 
@@ -75,7 +75,7 @@ TEST_F(WebGatewayTest, TakesTheNextRequestWhenThisOneWasTaken) {
 }
 
 TEST_F(WebGatewayTest, SaysByeForAClientThatHasGone) {
-  std::string client;
+  ClientId client{};
   {
     WebCaller caller(gateway_.port());
     caller.Upgrade("secret");
@@ -86,18 +86,18 @@ TEST_F(WebGatewayTest, SaysByeForAClientThatHasGone) {
   EXPECT_EQ(bye.client, client);
   ASSERT_EQ(bye.parts.size(), 2u);
   EXPECT_THAT(bye.parts[1], HasSubstr("bye"));
-  EXPECT_EQ(gateway_.Send(client, {"y"}), SendResult::kGone);
+  EXPECT_EQ(clients_.Send(client, {"y"}), SendResult::kGone);
 }
 
 TEST_F(WebGatewayTest, SaysWhenAClientDoesNotRead) {
   WebCaller caller(gateway_.port());
   caller.Upgrade("secret");
   caller.Send(PackParts({"x"}));
-  const std::string client = Receive().client;
+  const ClientId client = Receive().client;
   SendResult result = SendResult::kSent;
   const std::string large(1 << 20, 'z');
   for (int i = 0; i < 1000 && result == SendResult::kSent; ++i) {
-    result = gateway_.Send(client, {large});
+    result = clients_.Send(client, {large});
   }
   EXPECT_EQ(result, SendResult::kFull);
 }
@@ -123,14 +123,15 @@ TEST(WebGateway, SendsWhatIsLeftBeforeItEnds) {
   WebGatewayOptions options;
   options.address = "lo";
   std::promise<void> arrived;
-  auto gateway = std::make_unique<WebGateway>(options, [&] { arrived.set_value(); });
+  LiveClients clients([&] { arrived.set_value(); });
+  auto gateway = std::make_unique<WebGateway>(options, clients);
   WebCaller caller(gateway->port());
   caller.Upgrade("");
   caller.Send(PackParts({"x"}));
   ASSERT_EQ(arrived.get_future().wait_for(kPatience), std::future_status::ready);
   ReceivedRequest request;
-  ASSERT_TRUE(gateway->Receive(request));
-  gateway->Send(request.client, {"the last"});
+  ASSERT_TRUE(clients.Receive(request));
+  clients.Send(request.client, {"the last"});
   gateway.reset();
   EXPECT_THAT(UnpackParts(caller.Read()), ElementsAre("the last"));
 }
@@ -138,10 +139,11 @@ TEST(WebGateway, SendsWhatIsLeftBeforeItEnds) {
 TEST(WebGateway, SaysThatAPortIsInUse) {
   WebGatewayOptions options;
   options.address = "127.0.0.1";
-  const WebGateway first(options, [] {});
+  LiveClients clients([] {});
+  const WebGateway first(options, clients);
   options.port = first.port();
   try {
-    const WebGateway second(options, [] {});
+    const WebGateway second(options, clients);
     FAIL() << "two have one port";
   } catch (const std::runtime_error& error) {
     EXPECT_THAT(error.what(), HasSubstr("127.0.0.1:" + std::to_string(first.port())));

@@ -32,14 +32,16 @@ TEST(WebPortTest, SaysWhyAPortCannotBeHad) {
   EXPECT_THROW(FilePort("192.0.2.1", 0), std::runtime_error);
 }
 
-TEST(WebPortTest, HangsUpOnWhoComesWhenThereAreTooMany) {
+TEST(WebPortTest, WhoWasSilentLongestGivesWayWhenThereAreTooMany) {
   FilePort port("127.0.0.1", 0, 2);
   WebCaller first(port.port());
   WebCaller second(port.port());
   EXPECT_THAT(first.Ask(kAsk), StartsWith("HTTP/1.1 404"));
   EXPECT_THAT(second.Ask(kAsk), StartsWith("HTTP/1.1 404"));
-  EXPECT_EQ(WebCaller(port.port()).Ask(kAsk), "");
   EXPECT_THAT(first.Ask(kAsk), StartsWith("HTTP/1.1 404"));
+  EXPECT_THAT(WebCaller(port.port()).Ask(kAsk), StartsWith("HTTP/1.1 404"));
+  EXPECT_THAT(first.Ask(kAsk), StartsWith("HTTP/1.1 404"));
+  EXPECT_EQ(second.Ask(kAsk), "");
 }
 
 TEST(WebPortTest, WhoHasStoppedServesNobodyAndHoldsNobody) {

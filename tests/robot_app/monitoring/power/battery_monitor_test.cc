@@ -48,9 +48,9 @@ class BatteryMonitorTest : public testing::Test {
   void Drive(Time time) {
     for (const Time end = now_ + time; now_ < end;) {
       now_ += seconds(1);
-      sample_.charge += sample_.current / 3600;
-      sample_.level = sample_.charge / 75;
-      monitor_.OnSample(sample_, now_);
+      reading_.charge += reading_.current / 3600;
+      reading_.level = reading_.charge / 75;
+      monitor_.OnReading(reading_, now_);
     }
   }
   Finding About(const std::string& subject) {
@@ -64,7 +64,7 @@ class BatteryMonitorTest : public testing::Test {
 
   BatteryMonitor monitor_;
   ProcessTable processes_;
-  BatterySample sample_{25, -6, 60, 0.8, false, false};
+  BatteryReading reading_{{}, 25, -6, 0.8, 60, ChargerState::kDischarging};
   Time now_ = seconds(1000), wall_{0};
 };
 
@@ -79,17 +79,17 @@ TEST_F(BatteryMonitorTest, AHealthyBatteryIsWellInEveryNumber) {
 }
 
 TEST_F(BatteryMonitorTest, VoltageIsJudgedOnBothSides) {
-  sample_.voltage = 22.9;
+  reading_.voltage = 22.9;
   Drive(seconds(1));
   EXPECT_EQ(About("voltage").level, HealthLevel::kError);
   EXPECT_EQ(About("voltage").message, "22.9 V, expected 23 to 30 V");
-  sample_.voltage = 29.5;
+  reading_.voltage = 29.5;
   Drive(seconds(1));
   EXPECT_EQ(About("voltage").level, HealthLevel::kWarn);
 }
 
 TEST_F(BatteryMonitorTest, ALowChargeIsAnError) {
-  sample_.charge = 0.1 * 75;
+  reading_.charge = 0.1 * 75;
   Drive(seconds(1));
   EXPECT_EQ(About("charge").level, HealthLevel::kError);
 }
@@ -121,18 +121,18 @@ TEST_F(BatteryMonitorTest, SilenceMustLastInWallTimeToo) {
 
 TEST_F(BatteryMonitorTest, AChargeThatDoesNotFollowTheCurrentIsNoticed) {
   Drive(seconds(10));
-  sample_.charge -= 3;
+  reading_.charge -= 3;
   Drive(seconds(1));
   EXPECT_EQ(About("coulombs").level, HealthLevel::kWarn);
   EXPECT_NEAR(About("coulombs").value, -3, 0.01);
-  sample_.current = 12;  // the gauge begins anew with the charge
+  reading_.current = 12;  // the gauge begins anew with the charge
   Drive(seconds(2));
   EXPECT_EQ(About("coulombs").level, HealthLevel::kOk);
 }
 
 TEST_F(BatteryMonitorTest, AFrozenGaugeIsNoticed) {
   Drive(seconds(10));
-  for (int i = 0; i < 200; ++i) monitor_.OnSample(sample_, now_ += seconds(1));
+  for (int i = 0; i < 200; ++i) monitor_.OnReading(reading_, now_ += seconds(1));
   EXPECT_EQ(About("unchanged").level, HealthLevel::kError);
   EXPECT_EQ(About("unchanged").value, 200);
   Drive(seconds(1));
@@ -140,8 +140,8 @@ TEST_F(BatteryMonitorTest, AFrozenGaugeIsNoticed) {
 }
 
 TEST_F(BatteryMonitorTest, AFullBatteryMayStandStill) {
-  sample_.current = 0;
-  sample_.charge = 75;
+  reading_.current = 0;
+  reading_.charge = 75;
   Drive(seconds(1000));
   EXPECT_EQ(About("unchanged").level, HealthLevel::kOk);
 }
@@ -151,14 +151,14 @@ TEST_F(BatteryMonitorTest, TheTimeSinceTheLastChargeHasABound) {
   EXPECT_EQ(About("since_charge").level, HealthLevel::kOk);
   Drive(seconds(10));
   EXPECT_EQ(About("since_charge").level, HealthLevel::kWarn);
-  sample_.current = 12;
+  reading_.current = 12;
   Drive(seconds(1));
   EXPECT_EQ(About("since_charge").value, 0);
 }
 
 TEST_F(BatteryMonitorTest, TheWayToTheStationAndTheReserveMustFitIntoTheCharge) {
-  sample_.charge = 5;
-  sample_.current = 0;
+  reading_.charge = 5;
+  reading_.current = 0;
   monitor_.OnDistance(100);  // 1 Ah
   Drive(seconds(1));
   EXPECT_NEAR(About("margin").value, 4, 1e-9);
@@ -172,19 +172,65 @@ TEST_F(BatteryMonitorTest, TheWayToTheStationAndTheReserveMustFitIntoTheCharge) 
 }
 
 TEST_F(BatteryMonitorTest, ABatteryWithoutCoulombCounterIsJudgedByItsLevel) {
-  sample_.charge = kNan;
-  sample_.level = 0.5;
-  monitor_.OnSample(sample_, now_);
-  monitor_.OnSample(sample_, now_ += seconds(1000));
+  reading_.charge = kNan;
+  reading_.level = 0.5;
+  monitor_.OnReading(reading_, now_);
+  monitor_.OnReading(reading_, now_ += seconds(1000));
   EXPECT_TRUE(std::isnan(About("coulombs").value));
   EXPECT_EQ(About("unchanged").level, HealthLevel::kOk);
   EXPECT_NEAR(About("margin").value, 37.5, 1e-9);
 }
 
+TEST_F(BatteryMonitorTest, WhatHasBoundsAndIsNotMeasuredIsAnError) {
+  Drive(seconds(10));
+  reading_.level = reading_.charge = reading_.voltage = reading_.current = kNan;
+  monitor_.OnReading(reading_, now_ += seconds(1));
+  for (const char* subject : {"voltage", "current", "charge", "margin"}) {
+    EXPECT_EQ(About(subject).level, HealthLevel::kError) << subject;
+    EXPECT_EQ(About(subject).message, "not measured") << subject;
+  }
+}
+
+TEST_F(BatteryMonitorTest, WhatHasNoBoundsNeedNotBeMeasured) {
+  BatteryWatch watch = Watch();
+  watch.voltage = Band();
+  monitor_.Watch(watch);
+  reading_.voltage = kNan;
+  Drive(seconds(10));
+  EXPECT_EQ(About("voltage").level, HealthLevel::kOk);
+}
+
+TEST_F(BatteryMonitorTest, CountingTheCurrentBeginsAnewAfterAReadingWithoutIt) {
+  Drive(seconds(10));
+  reading_.current = kNan;
+  monitor_.OnReading(reading_, now_ += seconds(1));
+  reading_.current = -6;
+  Drive(seconds(10));
+  EXPECT_NEAR(About("coulombs").value, 0, 0.01);
+}
+
+TEST_F(BatteryMonitorTest, ABatteryThatNeverTellsWhetherItStandsOnTheStationIsAnError) {
+  reading_.charger = ChargerState::kUnknown;
+  reading_.current = 0;
+  Drive(seconds(7));
+  EXPECT_EQ(About("state").level, HealthLevel::kError);
+  reading_.current = -6;  // it drives
+  Drive(seconds(1));
+  EXPECT_EQ(About("state").level, HealthLevel::kOk);
+}
+
+TEST_F(BatteryMonitorTest, AFullBatteryOnTheStationIsCharged) {
+  Drive(seconds(7300));
+  reading_.charger = ChargerState::kFull;
+  reading_.current = 0;
+  Drive(seconds(1));
+  EXPECT_EQ(About("since_charge").level, HealthLevel::kOk);
+}
+
 TEST_F(BatteryMonitorTest, AGapInTheReadingsIsNotCounted) {
   Drive(seconds(5));
   now_ += seconds(3600);
-  sample_.charge -= 6;
+  reading_.charge -= 6;
   Drive(seconds(1));
   EXPECT_EQ(About("coulombs").value, 0);
 }

@@ -21,7 +21,11 @@ class ChargingMonitorTest : public testing::Test {
   Finding After(Time time, bool on_charger, double current, double level = 0.5,
                 bool is_full = false) {
     now_ += time;
-    monitor_.OnSample({24, current, 0, level, on_charger, is_full}, now_);
+    const ChargerState charger = !on_charger     ? ChargerState::kDischarging
+                                 : is_full       ? ChargerState::kFull
+                                 : current > 0.5 ? ChargerState::kCharging
+                                                 : ChargerState::kNotCharging;
+    monitor_.OnReading({now_, 24, current, level, 0, charger}, now_);
     return monitor_.Report(now_).at(0);
   }
 

@@ -1,0 +1,150 @@
+#include "bt_core/live/server/live_clients.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace coppice {
+namespace {
+
+using groot2::Parts;
+
+// What it costs to keep it, about.
+std::size_t SizeOf(const Parts& parts) {
+  constexpr std::size_t kPart = 64;
+  std::size_t size = 0;
+  for (const std::string& part : parts) size += kPart + part.size();
+  return size;
+}
+
+bool IsAbout(const Parts& parts, const std::vector<std::string>& topics) {
+  return std::any_of(topics.begin(), topics.end(), [&](const std::string& topic) {
+    return parts.front().compare(0, topic.size(), topic) == 0;
+  });
+}
+
+}  // namespace
+
+ClientId LiveClients::Enter(std::shared_ptr<LiveConnection> connection, bool may_control) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const ClientId id{++clients_so_far_};
+  clients_[id] = {std::move(connection), may_control, 0, {}};
+  return id;
+}
+
+ClientId LiveClients::EnterListener(std::shared_ptr<LiveConnection> connection) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const ClientId id{++clients_so_far_};
+  listeners_[id] = {std::move(connection), false, 0, {}};
+  return id;
+}
+
+void LiveClients::SetTopics(ClientId listener, std::vector<std::string> topics) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const auto at = listeners_.find(listener);
+  if (at != listeners_.end()) at->second.topics = std::move(topics);
+}
+
+void LiveClients::Leave(ClientId id) {
+  std::shared_ptr<LiveConnection> connection;  // ends without the lock
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    for (std::map<ClientId, Client>* all : {&clients_, &listeners_}) {
+      const auto at = all->find(id);
+      if (at == all->end()) continue;
+      unread_ -= at->second.unread;
+      connection = std::move(at->second.connection);
+      all->erase(at);
+      if (all == &listeners_) return;
+      const char type = static_cast<char>(groot2::RequestType::kExtension);
+      requests_.push_back({id, false, {groot2::MakeHeader(type, 0), R"({"do":"bye"})"}});
+    }
+  }
+  if (connection) on_request_();
+}
+
+void LiveClients::Clear() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  clients_.clear();
+  listeners_.clear();
+  requests_.clear();
+}
+
+void LiveClients::Put(ClientId id, Parts request) {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    const auto at = clients_.find(id);
+    if (at == clients_.end()) return;
+    requests_.push_back({id, at->second.may_control, std::move(request)});
+  }
+  on_request_();
+}
+
+void LiveClients::GiveRoom(ClientId id, std::size_t bytes) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  for (std::map<ClientId, Client>* all : {&clients_, &listeners_}) {
+    const auto at = all->find(id);
+    if (at == all->end()) continue;
+    at->second.unread -= bytes;
+    unread_ -= bytes;
+  }
+}
+
+bool LiveClients::Receive(ReceivedRequest& request) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (requests_.empty()) return false;
+  request = std::move(requests_.front());
+  requests_.pop_front();
+  const auto at = clients_.find(request.client);
+  if (at != clients_.end()) at->second.connection->ReadOn();
+  return true;
+}
+
+bool LiveClients::HasRoom(const Client& client, std::size_t bytes) const {
+  return client.unread == 0 ||
+         (client.unread + bytes <= kMaxUnreadBytes && unread_ + bytes <= kMaxUnreadInAll);
+}
+
+// However long the answer is: nobody can be asked to read a part of it first.
+bool LiveClients::HasRoomForReply(const Client& client) const {
+  return client.unread == 0 ||
+         (client.unread <= 2 * kMaxUnreadBytes && unread_ <= 2 * kMaxUnreadInAll);
+}
+
+void LiveClients::Post(Client& client, const Parts& parts, std::size_t bytes) {
+  client.unread += bytes;
+  unread_ += bytes;
+  client.connection->Post(parts, bytes);
+}
+
+SendResult LiveClients::Send(ClientId id, const Parts& parts) {
+  const std::size_t bytes = SizeOf(parts);
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const auto at = clients_.find(id);
+  if (at == clients_.end()) return SendResult::kGone;
+  if (!HasRoom(at->second, bytes)) return SendResult::kFull;
+  Post(at->second, parts, bytes);
+  return SendResult::kSent;
+}
+
+SendResult LiveClients::Reply(ClientId id, const Parts& parts) {
+  const std::size_t bytes = SizeOf(parts);
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const auto at = clients_.find(id);
+  if (at == clients_.end()) return SendResult::kGone;
+  if (HasRoomForReply(at->second)) {
+    Post(at->second, parts, bytes);
+    return SendResult::kSent;
+  }
+  at->second.connection->CutOff();
+  return SendResult::kGone;
+}
+
+void LiveClients::Publish(const Parts& parts) {
+  const std::size_t bytes = SizeOf(parts);
+  const std::lock_guard<std::mutex> lock(mutex_);
+  for (auto& [id, listener] : listeners_) {
+    if (IsAbout(parts, listener.topics) && HasRoom(listener, bytes)) Post(listener, parts, bytes);
+  }
+}
+
+}  // namespace coppice
