@@ -23,8 +23,18 @@ namespace coppice {
 namespace {
 
 bool KeepsMemoryWhenSkipped(NodeType type) {
-  return type == NodeType::kRepeat || type == NodeType::kRetryUntilSuccessful ||
-         type == NodeType::kDelay;
+  switch (type) {
+    case NodeType::kRepeat:
+    case NodeType::kRetryUntilSuccessful:
+    case NodeType::kLoopInt:
+    case NodeType::kLoopBool:
+    case NodeType::kLoopDouble:
+    case NodeType::kLoopString:
+    case NodeType::kDelay:
+      return true;
+    default:
+      return false;
+  }
 }
 
 }  // namespace

@@ -33,11 +33,11 @@ void Executor::AddExceptionMessage(NodeIndex node) {
 // The tick was left in the midst of it: a node may run whose parent does not.
 Status Executor::EndAborted() {
   for (NodeIndex i = 0; i < statuses_.size(); ++i) {
-    const bool running = statuses_[i] == Status::kRunning;
-    if ((running || Keeps(i)) && IsUserNode(nodes_[i].type)) HaltUser(i);
+    const bool has_begun = statuses_[i] == Status::kRunning || Keeps(i);
+    if (has_begun && IsUserNode(nodes_[i].type)) HaltUser(i);
     memory_[i] = 0;
     if (statuses_[i] != Status::kIdle) MakeIdle(i);
-    if (running && IsGuarded(i)) RunHaltedHook(i);
+    if (has_begun && IsGuarded(i)) RunHaltedHook(i);
   }
   CountKept();
   wake_at_ = kNever;

@@ -28,10 +28,14 @@ Status Executor::AskGuards(const GuardRecord& guards, NodeIndex node, bool runni
     if (!test(Guard::kOnlyIf, true)) return Status::kSkipped;
   }
   if (test(Guard::kWhile, true)) {
-    if (!running) RunHook(guards, Guard::kOnStart);
+    if (!running && !Keeps(node)) RunHook(guards, Guard::kOnStart);
     return Status::kIdle;
   }
-  if (running) HaltRunning(node);
+  if (running) {
+    HaltRunning(node);
+  } else if (kept_ != 0) {
+    LetGo(node);
+  }
   return Status::kSkipped;
 }
 

@@ -23,7 +23,9 @@ void Executor::Halt() {
 
 void Executor::HaltAll() {
   Halt(0);
-  for (NodeIndex i = 0; kept_ != 0 && i < statuses_.size(); ++i) Forget(i);
+  for (NodeIndex i = 0; kept_ != 0 && i < statuses_.size(); ++i) {
+    if (Keeps(i)) LetGo(i);
+  }
 }
 
 void Executor::ResetChildren(NodeIndex node) {
@@ -65,14 +67,17 @@ void Executor::Resume(NodeIndex node) {
 // A skipped node, and what was skipped below it, forgets what it keeps. A SequenceWithMemory that
 // is not RUNNING keeps its place, and with it what the children in front of that have begun.
 void Executor::LetGo(NodeIndex node) {
-  for (NodeIndex i = node; kept_ != 0 && i < nodes_[node].end;) {
-    Forget(i);
-    i = nodes_[i].type == NodeType::kSequenceWithMemory ? nodes_[i].end : i + 1;
+  const bool has_kept = Keeps(node);
+  if (has_kept) Forget(node);
+  const bool keeps_place = nodes_[node].type == NodeType::kSequenceWithMemory;
+  const NodeIndex end = keeps_place ? node + 1 : nodes_[node].end;
+  for (NodeIndex child = node + 1; kept_ != 0 && child != end; child = nodes_[child].end) {
+    LetGo(child);
   }
+  if (has_kept && IsGuarded(node)) RunHaltedHook(node);
 }
 
 void Executor::Forget(NodeIndex node) {
-  if (!Keeps(node)) return;
   if (IsUserNode(nodes_[node].type)) HaltUser(node);
   memory_[node] = 0;
   ChangeKept(-1);

@@ -33,6 +33,9 @@ inline constexpr std::size_t kFrameHeaderSize = 9;
 inline constexpr std::size_t kMaxPayloadSize = 64 << 20;
 /// What a payload unpacks to has at most so many bytes.
 inline constexpr std::size_t kMaxRawSize = 64 << 20;
+/// Of one frame of events; those that are written have a tenth of that. Some kilobytes of zeros
+/// could else unpack to gigabytes of ticks.
+inline constexpr std::size_t kMaxTicksInFrame = 256 << 10;
 
 /// Appends magic bytes and version.
 void AppendPreamble(Bytes& out);

@@ -91,7 +91,8 @@ std::string HistoryDecoder::TakeEvents(Decoder payload, HistoryHandler& handler)
   if (!follows_) return "events without the state before them";
   if (!Unpack(payload)) return "events cannot be unpacked";
   Decoder in(raw_.data(), raw_.data() + raw_.size());
-  while (!in.at_end()) {
+  for (std::size_t ticks = 0; !in.at_end(); ++ticks) {
+    if (ticks == kMaxTicksInFrame) return "more ticks than a frame can have";
     const std::optional<TickEvents> tick = ticks_.Decode(in, size_);
     if (!tick) return "a tick does not make sense";
     handler.OnTick(*tick);

@@ -1,3 +1,7 @@
+// tinyxml2 decides what is XML, because it does so on the robots whose files are read here; but it
+// keeps no positions and resolves entities in place. So it only gives the structure: each of its
+// pointers is turned into an offset of the user's text, and values, line numbers and the ends of
+// elements are read from that text. Nothing of tinyxml2 outlives FromText.
 #include "bt_core/model/document.h"
 
 #include <tinyxml2.h>

@@ -1,3 +1,6 @@
+// People read the difference of two versions. So an edit takes and gives whole lines where elements
+// stand on lines of their own, follows the indentation around it, and leaves every other byte
+// alone, comments and odd blanks too.
 #include "bt_core/model/element_edits.h"
 
 #include <algorithm>

@@ -1,3 +1,6 @@
+// Files are read in the order in which they are named, each once, however often it is included; a
+// circle of includes ends there. All problems of all files are collected before anything is
+// refused: who mends a file wants to see them together.
 #include "bt_core/model/project.h"
 
 #include <algorithm>
@@ -136,11 +139,12 @@ class ProjectReader {
 
   void AddTree(std::uint32_t number, ElementIndex index) {
     const Element element = At(number).element(index);
-    const std::string id(At(number).AttributeValue(element, "ID"));
-    if (id.empty()) {
-      Error(number, element, "<BehaviorTree> without ID");
+    std::string id(At(number).AttributeValue(element, "ID"));
+    if (id.empty() && !IsOnlyTree(number, index)) {
+      Error(number, element, "<BehaviorTree> without ID", "only a file's sole tree needs none");
       return;
     }
+    if (id.empty()) id = "BehaviorTree_" + std::to_string(trees_without_id_++);
     if (element.child_count != 1) {
       Error(number, element,
             "tree \"" + id + "\" has " + std::to_string(element.child_count) +
@@ -151,6 +155,15 @@ class ProjectReader {
     if (inserted) return;
     Error(number, element, "tree \"" + id + "\" is defined twice",
           "first defined at " + LineOf(At(at->second.document), at->second.element));
+  }
+
+  bool IsOnlyTree(std::uint32_t number, ElementIndex tree) const {
+    const Document& document = At(number);
+    for (ElementIndex i = document.element(0).first_child; i != kNoElement;
+         i = document.element(i).next_sibling) {
+      if (i != tree && document.element(i).tag == "BehaviorTree") return false;
+    }
+    return true;
   }
 
   void AddModels(std::uint32_t number, const Element& element) {
@@ -192,6 +205,7 @@ class ProjectReader {
   PackageFinder find_package_;
   DocumentReader read_;
   std::vector<std::uint32_t> given_;
+  int trees_without_id_ = 0;
 };
 
 std::optional<Project> Project::FromFile(const std::string& path, Diagnostics& diagnostics,

@@ -1,4 +1,4 @@
-// Files and everything that they include, as one set of trees by ID.
+// Files and all that they include, as trees by ID (a sole one without ID is BehaviorTree_0).
 //
 //   Diagnostics diagnostics;
 //   std::optional<Project> project = Project::FromFile("robot.xml", diagnostics);

@@ -1,3 +1,6 @@
+// Upgrading is an Edit, not a second writer of XML: what format 4 calls the same stays byte for
+// byte, and the user sees in the difference what was changed. A file without a declared format may
+// be of either; what it uses tells.
 #include "bt_core/model/upgrade.h"
 
 #include <algorithm>

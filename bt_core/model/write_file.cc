@@ -77,6 +77,11 @@ bool WriteFile(const std::string& path, std::string_view text, Diagnostics& diag
   std::error_code error;
   const fs::path real = fs::is_symlink(path, error) ? fs::canonical(path, error) : fs::path(path);
   const std::string target = error ? path : real.string();
+  if (fs::exists(target, error) && !fs::is_regular_file(target, error)) {
+    diagnostics.Error({path, 0, 0}, "cannot write this file",
+                      "it is a folder, a device or a pipe, and nothing else is replaced by a file");
+    return false;
+  }
   TemporaryFile file(target);
   if (!file.is_open() || !file.Write(text) || !file.SetMode(ModeOf(target)) ||
       !file.Become(target)) {

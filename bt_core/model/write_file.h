@@ -12,6 +12,7 @@ namespace coppice {
 
 /// Writes a temporary file beside `path`, waits until it is on the disk, and renames it.
 /// Permissions of an existing file are kept; a symbolic link stays one, and its target is replaced.
+/// What is no file (a device, a pipe, a folder) is not.
 /// False, with the reason in `diagnostics`, if that fails; then the old file is as it was.
 bool WriteFile(const std::string& path, std::string_view text, Diagnostics& diagnostics);
 

@@ -1,3 +1,6 @@
+// tinyxml2 names the line of an error, often one far behind the mistake, such as the end of the
+// file. This reads a text that was refused once more, slowly, and with one aim: to name the place
+// that a person would mend.
 #include "bt_core/model/xml_error.h"
 
 #include <tinyxml2.h>

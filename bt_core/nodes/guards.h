@@ -19,12 +19,12 @@ enum class Guard : std::uint8_t {
   kSuccessIf,  ///< true: SUCCESS
   kSkipIf,     ///< true: SKIPPED
   kOnlyIf,     ///< false: SKIPPED
-  kWhile,      ///< false: halts the node if it is RUNNING; SKIPPED
-  kOnStart,    ///< before the first tick of an activation
+  kWhile,      ///< false: halts what the node has begun; SKIPPED
+  kOnStart,    ///< before the first tick of an activation, unless it goes on after SKIPPED
   kOnSuccess,
   kOnFailure,
   kPost,      ///< after SUCCESS or FAILURE, behind the hook of that result
-  kOnHalted,  ///< after a RUNNING node was halted
+  kOnHalted,  ///< after a node was halted that was RUNNING or kept something while SKIPPED
 };
 inline constexpr std::size_t kGuardCount = 10;
 
@@ -32,6 +32,14 @@ inline constexpr std::size_t kGuardCount = 10;
 inline constexpr std::array<std::string_view, kGuardCount> kGuardAttributes = {
     "_failureIf", "_successIf", "_skipIf",    "_onlyIf", "_while",
     "_onStart",   "_onSuccess", "_onFailure", "_post",   "_onHalted"};
+
+/// True for the attributes whose value is a script: guards and hooks.
+constexpr bool IsGuardAttribute(std::string_view name) {
+  for (const std::string_view guard : kGuardAttributes) {
+    if (guard == name) return true;
+  }
+  return false;
+}
 
 }  // namespace coppice
 

@@ -6,7 +6,9 @@
 // Before each round the next element is written to the port `value`. To yield is to return RUNNING
 // and ask for the next tick at once. The list, a literal such as 1;2;3 or a key, is only read, in
 // the round in which the element is wanted, so it may grow meanwhile. Every activation begins with
-// the first element. Source: BehaviorTree.CPP 4, which copies the list of a key once and for all.
+// the first element. `if_empty="SKIPPED"` ends no activation: the elements stay taken until the
+// parent resets the loop. Source: BehaviorTree.CPP 4, which copies the list of a key once and for
+// all.
 #ifndef COPPICE_BT_CORE_NODES_LOOP_H_
 #define COPPICE_BT_CORE_NODES_LOOP_H_
 

@@ -219,11 +219,10 @@ class Checker {
     }
     if (!key.type) return;
     CheckText(value, key);
-    const bool refused = (value.family == Family::kNumber && key.family != Family::kNumber) ||
+    const bool refused = (value.family == Family::kNumber && key.family == Family::kOther) ||
                          (value.family == Family::kOther && value.type != key.type);
     if (refused) {
-      Problem(node, "a key of type " + std::string(key.type->name) + " cannot take this value",
-              key.family == Family::kText ? "'' .. value makes a text of it" : "");
+      Problem(node, "a key of type " + std::string(key.type->name) + " cannot take this value");
     } else if (value.op == Operator::kLiteral && value.family == Family::kNumber) {
       Slot slot;
       Store(value.value, key.type, slot, Time(0));

@@ -127,6 +127,12 @@ void StoreFirst(const Operand& operand, Value& value) {
   }
 }
 
+bool HasText(const Operand& operand) { return IsNumeric(operand) || IsEnumerator(operand); }
+
+std::string TextOf(const Operand& operand) {
+  return operand.kind == Kind::kOther ? operand.other->Print() : Describe(operand);
+}
+
 bool Widens(const Operand& operand, const Type& type) {
   const bool from_number = type.kind < TypeKind::kString;
   return from_number && IsNumeric(operand);
@@ -135,7 +141,9 @@ bool Widens(const Operand& operand, const Type& type) {
 }  // namespace
 
 void Store(const Operand& operand, const Type* type, Slot& slot, Time now) {
-  if (type) {
+  if (type && type->kind == TypeKind::kString && HasText(operand)) {
+    StoreText(TextOf(operand), slot.value);
+  } else if (type) {
     StoreAs(*type, operand, slot.value);
   } else if (!slot.value.has_value()) {
     StoreFirst(operand, slot.value);

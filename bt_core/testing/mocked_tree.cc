@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "bt_core/data/literal.h"
-#include "bt_core/engine/compile/keys.h"
+#include "bt_core/model/keys.h"
 
 namespace coppice {
 

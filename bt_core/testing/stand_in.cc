@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "bt_core/engine/compile/keys.h"
 #include "bt_core/engine/compile/type_names.h"
+#include "bt_core/model/keys.h"
 #include "bt_core/nodes/leaf.h"
 #include "bt_core/nodes/user_control.h"
 

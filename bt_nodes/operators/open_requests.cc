@@ -14,7 +14,7 @@ bool OpenRequests::IsOpen(const std::string& subject) const {
                      [&](const Open& open) { return open.request.subject == subject; });
 }
 
-void OpenRequests::Assert(const HelpRequest& request, Time now,
+void OpenRequests::Assert(const WantedHelp& request, Time now,
                           const std::function<Sender<ActionResult>()>& new_sender) {
   const auto open = Find(request.subject);
   const bool is_known = open != open_.end();

@@ -18,7 +18,7 @@
 namespace coppice {
 
 /// What is asked of people.
-struct HelpRequest {
+struct WantedHelp {
   std::string subject;   ///< one open request for each
   std::string question;  ///< what is wrong and what to do
   /// Kinds of monitors, separated by semicolons: while one of them reports an error the request
@@ -34,7 +34,7 @@ class OpenRequests {
 
   /// The request is wanted at `now`. Asks if it is not open or its question is another than before;
   /// only then a sender for the answer is made.
-  void Assert(const HelpRequest& request, Time now,
+  void Assert(const WantedHelp& request, Time now,
               const std::function<Sender<ActionResult>()>& new_sender);
 
   /// The request was answered: the channel has closed it.
@@ -46,7 +46,7 @@ class OpenRequests {
 
  private:
   struct Open {
-    HelpRequest request;
+    WantedHelp request;
     Time asserted;
   };
   std::vector<Open>::iterator Find(const std::string& subject);

@@ -5,9 +5,9 @@
 
 #include "editor/canvas/canvas_mouse.h"
 #include "editor/canvas/data_links.h"
-#include "editor/canvas/layout/visible_nodes.h"
 #include "editor/canvas/paint/node_painter.h"
-#include "editor/canvas/paint/tree_painter.h"
+#include "editor/canvas/tree_painter.h"
+#include "editor/canvas/visible_nodes.h"
 
 namespace coppice::editor {
 namespace {
@@ -81,7 +81,7 @@ class CanvasPass {
     if (!node.note.empty()) ui_.items.Add(path + "/note", look.box);
     for (std::uint32_t i = 0; i < node.port_count; ++i) {
       const PortLine& port = scene_.ports[node.first_port + i];
-      if (!port.is_key) continue;
+      if (port.key.empty()) continue;
       ui_.items.Add(path + "/port/" + std::string(port.name), PortBox(node, look, i));
     }
   }

@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "editor/canvas/drop_target.h"
-#include "editor/canvas/layout/visible_nodes.h"
 #include "editor/canvas/paint/node_look.h"
 #include "editor/canvas/tree_view.h"
+#include "editor/canvas/visible_nodes.h"
 #include "editor/live/heat_map.h"
 #include "editor/theme/ui.h"
 

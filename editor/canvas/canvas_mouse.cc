@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "editor/canvas/canvas_looks.h"
 #include "editor/canvas/node_tooltip.h"
-#include "editor/canvas/paint/canvas_looks.h"
 #include "editor/canvas/paint/node_painter.h"
 
 namespace coppice::editor {

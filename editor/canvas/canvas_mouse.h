@@ -3,8 +3,8 @@
 #define COPPICE_EDITOR_CANVAS_CANVAS_MOUSE_H_
 
 #include "editor/canvas/canvas.h"
-#include "editor/canvas/layout/visible_nodes.h"
 #include "editor/canvas/paint/pen.h"
+#include "editor/canvas/visible_nodes.h"
 
 namespace coppice::editor {
 

@@ -17,8 +17,7 @@ class LinkPainter {
 
   void Paint() {
     const std::vector<KeyUse>& uses = view_.keys().uses[view_.lit_key()];
-    const PortLine& port = scene_.ports[uses.front().port];
-    color_ = pen_.ui.palette.OfKey(KeyOf(port.value));
+    color_ = pen_.ui.palette.OfKey(scene_.ports[uses.front().port].key);
     std::size_t count = 0;
     for (const KeyUse& writer : uses) {
       for (const KeyUse& reader : uses) {

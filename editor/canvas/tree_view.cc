@@ -1,3 +1,7 @@
+// A view outlives the versions of its tree: nodes of a new scene are matched with the old ones, and
+// keep whether they are selected or collapsed and where they were. Nothing is animated step by
+// step: the view knows where boxes came from and since when, so that what a frame shows depends on
+// its time alone, however many frames there are.
 #include "editor/canvas/tree_view.h"
 
 #include <algorithm>

@@ -11,9 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "editor/canvas/gesture.h"
-#include "editor/canvas/layout/minimap_place.h"
 #include "editor/canvas/layout/tree_layout.h"
+#include "editor/canvas/minimap.h"
 #include "editor/canvas/paint/edge_shape.h"
 #include "editor/diff/tree_match.h"
 #include "editor/scene/key_uses.h"
@@ -33,6 +32,28 @@ struct Camera {
 inline bool operator==(const Camera& a, const Camera& b) {
   return a.offset == b.offset && a.zoom == b.zoom;
 }
+
+/// What is being dragged.
+struct Drag {
+  std::vector<std::uint32_t> nodes;  ///< of this scene, rising; empty: something new
+  std::string label;                 ///< painted beside the mouse
+};
+
+/// What the mouse is doing on the canvas, from one frame to the next.
+struct Gesture {
+  enum class Kind : std::uint8_t {
+    kNone,
+    kPressed,    ///< a button is down; it may become one of the others
+    kPan,        ///< the canvas follows the mouse
+    kRectangle,  ///< what is inside becomes selected
+    kDrag,       ///< nodes are being carried
+    kCancelled   ///< until the button is let go
+  };
+  Kind kind = Kind::kNone;
+  Point start;                   ///< in the world
+  std::uint32_t node = kNoNode;  ///< that was below the mouse when the button went down
+  Drag drag;                     ///< of kDrag
+};
 
 class TreeView {
  public:

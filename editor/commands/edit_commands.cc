@@ -11,8 +11,7 @@ enum class Way { kBack, kForth, kOut, kIn };
 
 class EditCommands {
  public:
-  EditCommands(EditorState& state, std::function<double()> now)
-      : state_(state), now_(std::move(now)) {}
+  explicit EditCommands(EditorState& state) : state_(state) {}
 
   void AddAll() {
     AddFiles();
@@ -30,9 +29,8 @@ class EditCommands {
 
   void AddFunction(std::string id, std::string title, KeyChord keys,
                    std::function<void(TreeEditor)> run) {
-    state_.commands.Add(
-        {std::move(id), std::move(title), keys,
-         [&s = state_, now = now_, run = std::move(run)] { run(TreeEditor(s, now())); }});
+    state_.commands.Add({std::move(id), std::move(title), keys,
+                         [&s = state_, run = std::move(run)] { run(TreeEditor(s, s.now)); }});
   }
 
   void Add(std::string id, std::string title, KeyChord keys, Member run) {
@@ -43,7 +41,7 @@ class EditCommands {
   void AddPopup(std::string id, std::string title, KeyChord keys, Popup popup,
                 bool needs_selection) {
     AddFunction(std::move(id), std::move(title), keys,
-                [&s = state_, now = now_, popup, needs_selection](const TreeEditor& edit) {
+                [&s = state_, popup, needs_selection](const TreeEditor& edit) {
                   std::string refusal = edit.WhyReadOnly();
                   const TreeView* view = s.workspace.view();
                   const bool selected = view && view->selected() != kNoNode;
@@ -51,7 +49,7 @@ class EditCommands {
                     refusal = "nothing is selected";
                   }
                   if (!refusal.empty()) {
-                    s.Notify(refusal, now(), true);
+                    s.Notify(refusal, s.now, true);
                     return;
                   }
                   s.OpenPopup(popup, popup == Popup::kRename ? edit.GivenName() : "");
@@ -61,15 +59,15 @@ class EditCommands {
   // Places to type in.
   void AddTyping() {
     AddFunction("edit.xml", "Edit the XML", {kKeyEnter, kCtrl}, [&s = state_](const TreeEditor&) {
-      s.tiles.xml = true;
-      s.xml.wants_focus = true;
+      s.screen.tiles.xml = true;
+      s.xml.pane.wants_focus = true;
     });
     AddFunction("edit.first_port", "Edit the first port", {kKeyEnter},
                 [&s = state_](const TreeEditor&) {
                   const TreeView* view = s.workspace.view();
                   if (!view || view->selected() == kNoNode) return;
-                  s.tiles.inspector = true;
-                  s.focus_field = FirstField(*view);
+                  s.screen.tiles.inspector = true;
+                  s.input.focus_field = FirstField(*view);
                 });
   }
 
@@ -84,7 +82,7 @@ class EditCommands {
 
   void AddFiles() {
     AddFunction("file.new", "New file", {'N', kCtrl},
-                [&s = state_, now = now_](const TreeEditor&) { s.workspace.New(now()); });
+                [&s = state_](const TreeEditor&) { s.workspace.New(s.now); });
     AddFunction("file.save", "Save", {'S', kCtrl}, [](TreeEditor edit) { edit.Save(); });
     AddFunction("file.save_as", "Save as", {'S', kCtrl | kShift}, [&s = state_](const TreeEditor&) {
       const OpenFile* file = s.workspace.file();
@@ -148,18 +146,16 @@ class EditCommands {
   }
 
   void AddPaste(std::string id, std::string title, KeyChord keys, AddWhere where) {
-    AddFunction(std::move(id), std::move(title), keys,
-                [&s = state_, where](TreeEditor edit) { edit.Paste(s.get_clipboard(), where); });
+    AddFunction(std::move(id), std::move(title), keys, [&s = state_, where](TreeEditor edit) {
+      edit.Paste(s.services.get_clipboard(), where);
+    });
   }
 
   EditorState& state_;
-  const std::function<double()> now_;
 };
 
 }  // namespace
 
-void AddEditCommands(EditorState& state, std::function<double()> now) {
-  EditCommands(state, std::move(now)).AddAll();
-}
+void AddEditCommands(EditorState& state) { EditCommands(state).AddAll(); }
 
 }  // namespace coppice::editor

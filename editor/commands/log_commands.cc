@@ -26,7 +26,7 @@ void AskForNewLogPoint(EditorState& state, double now) {
                std::string problem = ReadLogPoint(typed, read);
                if (!problem.empty()) return problem;
                state.workspace.log_points.Add(std::move(read));
-               state.run_tab = RunTab::kLog;
+               state.run.tab = RunTab::kLog;
                return problem;
              },
              {}});
@@ -59,18 +59,18 @@ void AskForLogPoint(EditorState& state, std::uint32_t number) {
   }
 }
 
-void AddLogCommands(EditorState& state, std::function<double()> now) {
+void AddLogCommands(EditorState& state) {
   state.commands.Add(
-      {"run.log_point", "Log-point at the node", {kKeyF1 + 8, kCtrl | kShift}, [&state, now] {
-         AskForNewLogPoint(state, now());
+      {"run.log_point", "Log-point at the node", {kKeyF1 + 8, kCtrl | kShift}, [&state] {
+         AskForNewLogPoint(state, state.now);
        }});
   const auto has_run = [&state] { return state.workspace.run() != nullptr; };
   state.commands.Add(
-      {"run.log", "Log", {'J'}, [&state] { state.run_tab = RunTab::kLog; }, has_run});
+      {"run.log", "Log", {'J'}, [&state] { state.run.tab = RunTab::kLog; }, has_run});
   state.commands.Add({"run.pin",
                       "Pin the lane of the node, or not",
                       {'T'},
-                      [&state, now] { PinSelected(state, now()); },
+                      [&state] { PinSelected(state, state.now); },
                       has_run});
 }
 

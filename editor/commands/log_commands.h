@@ -9,8 +9,8 @@
 
 namespace coppice::editor {
 
-/// "run.log", "run.log_point", "run.pin". `now` gives the time of the editor in seconds.
-void AddLogCommands(EditorState& state, std::function<double()> now);
+/// "run.log", "run.log_point", "run.pin".
+void AddLogCommands(EditorState& state);
 
 /// Asks for the text, the condition and the hit count of a log-point.
 void AskForLogPoint(EditorState& state, std::uint32_t number);

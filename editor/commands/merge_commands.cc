@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "editor/document/merge.h"
+#include "editor/files/merge.h"
 
 namespace coppice::editor {
 namespace {
@@ -78,18 +78,18 @@ std::string Merge(EditorState& state, Dispute& dispute, double now) {
   return {};
 }
 
-void Resolve(EditorState& state, const std::function<double()>& now) {
+void Resolve(EditorState& state) {
   const auto dispute = std::make_shared<Dispute>();
   dispute->path = DisputedFile(state);
   if (dispute->path.empty()) {
-    return state.Notify("nobody else has changed what you have", now(), true);
+    return state.Notify("nobody else has changed what you have", state.now, true);
   }
   HasNewPlaces(*Disputed(state, dispute->path), *dispute);
   const std::string name = dispute->path.substr(dispute->path.rfind('/') + 1);
   state.Ask({name +
                  " was changed by somebody else too: a click on a place, or Space, changes whose "
                  "stays; Enter merges",
-             [&state, now, dispute](const std::string&) { return Merge(state, *dispute, now()); },
+             [&state, dispute](const std::string&) { return Merge(state, *dispute, state.now); },
              [dispute](const std::string&) { return RowsOf(dispute); }, false});
 }
 
@@ -102,11 +102,10 @@ std::string DisputedFile(const EditorState& state) {
   return {};
 }
 
-void AddMergeCommands(EditorState& state, std::function<double()> now) {
-  state.commands.Add({"file.resolve",
-                      "Resolve what somebody else has changed too",
-                      {},
-                      [&state, now = std::move(now)] { Resolve(state, now); }});
+void AddMergeCommands(EditorState& state) {
+  state.commands.Add({"file.resolve", "Resolve what somebody else has changed too", {}, [&state] {
+                        Resolve(state);
+                      }});
 }
 
 }  // namespace coppice::editor

@@ -9,8 +9,8 @@
 
 namespace coppice::editor {
 
-/// "file.resolve". `now` gives the time of the editor in seconds.
-void AddMergeCommands(EditorState& state, std::function<double()> now);
+/// "file.resolve".
+void AddMergeCommands(EditorState& state);
 
 /// The file that waits for the user's word, or empty.
 std::string DisputedFile(const EditorState& state);

@@ -23,7 +23,7 @@ std::string Export(EditorState& state, double now, const std::string& path) {
   if (!view) return "there is no tree to paint";
   TreePainting painting;
   painting.style = view->style();
-  painting.palette = state.palette;
+  painting.palette = state.screen.palette;
   PaintedTree tree = {view->scene().get(), view->scene()->tree_id, nullptr};
   if (const auto& comparison = state.canvas.comparison) {
     tree.scene = comparison->view().scene().get();
@@ -47,19 +47,19 @@ std::string Compare(EditorState& state, std::string path) {
 
 }  // namespace
 
-void AddPictureCommands(EditorState& state, std::function<double()> now) {
+void AddPictureCommands(EditorState& state) {
   state.commands.Add(
-      {"file.export", "Export picture", {'E', kCtrl | kAlt}, [&state, now] {
+      {"file.export", "Export picture", {'E', kCtrl | kAlt}, [&state] {
          const TreeView* view = state.workspace.view();
-         if (!view) return state.Notify("there is no tree to paint", now(), true);
+         if (!view) return state.Notify("there is no tree to paint", state.now, true);
          state.Ask({std::string("Paint the shown tree into a file that ends in ") + kPictureEndings,
-                    [&state, now](const std::string& path) { return Export(state, now(), path); },
+                    [&state](const std::string& path) { return Export(state, state.now, path); },
                     {}},
                    SuggestedPath(state, view->scene()->tree_id));
        }});
-  state.commands.Add({"file.compare", "Compare with another version", {'D', kCtrl}, [&state, now] {
+  state.commands.Add({"file.compare", "Compare with another version", {'D', kCtrl}, [&state] {
                         if (!state.workspace.view()) {
-                          return state.Notify("there is no tree to compare", now(), true);
+                          return state.Notify("there is no tree to compare", state.now, true);
                         }
                         state.Ask(
                             {"Compare with a file; empty: with what was saved last",

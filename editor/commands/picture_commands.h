@@ -8,8 +8,7 @@
 
 namespace coppice::editor {
 
-/// `now` gives the seconds of the editor.
-void AddPictureCommands(EditorState& state, std::function<double()> now);
+void AddPictureCommands(EditorState& state);
 
 }  // namespace coppice::editor
 

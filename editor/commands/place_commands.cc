@@ -11,8 +11,7 @@ namespace {
 
 class PlaceCommands {
  public:
-  PlaceCommands(EditorState& state, std::function<double()> now)
-      : state_(state), now_(std::move(now)) {}
+  explicit PlaceCommands(EditorState& state) : state_(state) {}
 
   void AddAll() {
     Add("run.bookmark", "Bookmark at the shown tick, or none", {'M'},
@@ -47,7 +46,7 @@ class PlaceCommands {
     const std::string name = run.bookmark_name();
     if (bookmarks().Of(name).count(tick) > 0) return bookmarks().Remove(name, tick);
     bookmarks().Set(name, tick, "");
-    state_.Notify("Bookmark; Shift+M gives it words", now_());
+    state_.Notify("Bookmark; Shift+M gives it words", state_.now);
   }
 
   void AskForWords(RunView& run) const {
@@ -71,10 +70,11 @@ class PlaceCommands {
     const auto* mark = forward ? bookmarks().Next(name, tick) : bookmarks().Before(name, tick);
     if (!mark) {
       return state_.Notify(
-          forward ? "no bookmark behind this tick" : "no bookmark before this tick", now_(), true);
+          forward ? "no bookmark behind this tick" : "no bookmark before this tick", state_.now,
+          true);
     }
     run.playhead().GoToTick(mark->first);
-    if (!mark->second.empty()) state_.Notify(mark->second, now_());
+    if (!mark->second.empty()) state_.Notify(mark->second, state_.now);
   }
 
   void OfferBookmarks(RunView& run) const {
@@ -89,7 +89,7 @@ class PlaceCommands {
       };
       rows.push_back(std::move(row));
     }
-    if (rows.empty()) return state_.Notify("no bookmarks: M sets one", now_(), true);
+    if (rows.empty()) return state_.Notify("no bookmarks: M sets one", state_.now, true);
     state_.Offer({"Go to a bookmark", [rows](const std::string& typed) {
                     std::vector<Choice> fitting;
                     for (const Choice& row : rows) {
@@ -101,8 +101,8 @@ class PlaceCommands {
 
   void RunToHere(RunView& run) const {
     const std::string path = SelectedRunPath(state_);
-    if (path.empty()) return state_.Notify("Select a node first", now_(), true);
-    if (run.source().is_simulation()) return SimulationEditor(state_, now_()).TickUntilTicked();
+    if (path.empty()) return state_.Notify("Select a node first", state_.now, true);
+    if (run.source().is_simulation()) return SimulationEditor(state_, state_.now).TickUntilTicked();
     if (!run.source().is_robot()) {
       state_.commands.Run("run.next_change");
       return;
@@ -111,7 +111,7 @@ class PlaceCommands {
     stop.path = path;
     stop.times = 1;
     state_.workspace.hooks.Add(run.name(), stop);
-    run.Update(state_.workspace.hooks, now_());  // it is set before the robot goes on
+    run.Update(state_.workspace.hooks, state_.now);  // it is set before the robot goes on
     run.playhead().GoToNow();
     if (run.stop().where != DebugStop::Where::kNowhere) {
       run.Send(MakeCommand(LiveCommand::Kind::kContinue));
@@ -119,13 +119,10 @@ class PlaceCommands {
   }
 
   EditorState& state_;
-  const std::function<double()> now_;
 };
 
 }  // namespace
 
-void AddPlaceCommands(EditorState& state, std::function<double()> now) {
-  PlaceCommands(state, std::move(now)).AddAll();
-}
+void AddPlaceCommands(EditorState& state) { PlaceCommands(state).AddAll(); }
 
 }  // namespace coppice::editor

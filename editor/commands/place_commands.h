@@ -8,8 +8,7 @@
 
 namespace coppice::editor {
 
-/// `now` gives the time of the editor in seconds.
-void AddPlaceCommands(EditorState& state, std::function<double()> now);
+void AddPlaceCommands(EditorState& state);
 
 }  // namespace coppice::editor
 

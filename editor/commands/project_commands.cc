@@ -19,8 +19,7 @@ using Skipped = std::set<std::pair<std::size_t, std::uint32_t>>;
 
 class ProjectCommands {
  public:
-  ProjectCommands(EditorState& state, std::function<double()> now)
-      : state_(state), now_(std::move(now)) {}
+  explicit ProjectCommands(EditorState& state) : state_(state) {}
 
   void AddAll() {
     AddTrees();
@@ -39,10 +38,10 @@ class ProjectCommands {
 
   // What it returns is why it was refused.
   void AddDoing(std::string id, std::string title, KeyChord keys, Run run) {
-    Add(std::move(id), std::move(title), keys, [&s = state_, now = now_, run = std::move(run)] {
-      ProjectEditor edit(s, now());
+    Add(std::move(id), std::move(title), keys, [&s = state_, run = std::move(run)] {
+      ProjectEditor edit(s, s.now);
       const std::string refusal = run(edit);
-      if (!refusal.empty()) s.Notify(refusal, now(), true);
+      if (!refusal.empty()) s.Notify(refusal, s.now, true);
     });
   }
 
@@ -50,12 +49,12 @@ class ProjectCommands {
                  std::function<std::string(EditorState&)> first,
                  std::function<std::string(ProjectEditor&, const std::string&)> run) {
     AddDoing(std::move(id), std::move(title), keys,
-             [&s = state_, now = now_, hint, first, run](ProjectEditor&) {
-               std::string refusal = TreeEditor(s, now()).WhyReadOnly();
+             [&s = state_, hint, first, run](ProjectEditor&) {
+               std::string refusal = TreeEditor(s, s.now).WhyReadOnly();
                if (!refusal.empty()) return refusal;
                s.Ask({hint,
-                      [&s, now, run](const std::string& text) {
-                        ProjectEditor edit(s, now());
+                      [&s, run](const std::string& text) {
+                        ProjectEditor edit(s, s.now);
                         return run(edit, text);
                       },
                       {}},
@@ -123,8 +122,8 @@ class ProjectCommands {
     row.title = std::string(NameOf(document, element));
     row.note = std::string(document.AttributeValue(document.element(tree), "ID")) + "   " +
                where.file.substr(where.file.rfind('/') + 1) + ":" + std::to_string(where.line);
-    row.run = [&s = state_, now = now_, path = document.file(), offset] {
-      ProjectEditor(s, now()).GoTo(path, offset);
+    row.run = [&s = state_, path = document.file(), offset] {
+      ProjectEditor(s, s.now).GoTo(path, offset);
     };
     return row;
   }
@@ -146,7 +145,7 @@ class ProjectCommands {
   }
 
   std::string ChooseKey(ProjectEditor& edit) const {
-    const std::string refusal = TreeEditor(state_, now_()).WhyReadOnly();
+    const std::string refusal = TreeEditor(state_, state_.now).WhyReadOnly();
     if (!refusal.empty()) return refusal;
     const std::vector<std::string> keys = edit.SelectedKeys();
     if (keys.empty()) return "select a node that uses a key";
@@ -167,8 +166,8 @@ class ProjectCommands {
 
   void AskKey(const std::string& key) const {
     state_.Ask({"New name of the key " + key,
-                [&s = state_, now = now_, key](const std::string& to) {
-                  return ProjectEditor(s, now()).RenameKey(key, to);
+                [&s = state_, key](const std::string& to) {
+                  return ProjectEditor(s, s.now).RenameKey(key, to);
                 },
                 {}},
                key);
@@ -194,9 +193,9 @@ class ProjectCommands {
     Choice row;
     row.title = title;
     row.note = std::to_string(step);
-    row.run = [&s = state_, now = now_, step] {
+    row.run = [&s = state_, step] {
       const History& history = s.workspace.project().history();
-      TreeEditor edit(s, now());
+      TreeEditor edit(s, s.now);
       while (history.done() > step) edit.Undo();
       while (history.done() < step) edit.Redo();
     };
@@ -204,13 +203,13 @@ class ProjectCommands {
   }
 
   void AddModels() {
-    Add("file.models", "Load node models", {}, [&s = state_, now = now_] {
+    Add("file.models", "Load node models", {}, [&s = state_] {
       s.Ask(
           {"Load node models: path of a file with <TreeNodesModel>, as \"coppice nodes\" writes it",
-           [&s, now](const std::string& path) -> std::string {
+           [&s](const std::string& path) -> std::string {
              const std::size_t before = s.workspace.model_problems().size();
              s.workspace.AddModels(path);
-             s.workspace.RenewAll(now());
+             s.workspace.RenewAll(s.now);
              const auto& problems = s.workspace.model_problems();
              return problems.size() > before ? problems.back().message : "";
            },
@@ -222,19 +221,19 @@ class ProjectCommands {
     Add("edit.find", "Find", {'F', kCtrl}, [this_ = *this] {
       this_.state_.Offer({"Find; type: name: port: value: key: narrow it, /.../ is a pattern",
                           [this_](const std::string& typed) { return this_.Find(typed); }},
-                         this_.state_.last_search);
+                         this_.state_.recent.search);
     });
     AddDoing("edit.replace", "Replace", {'H', kCtrl},
              [this_ = *this](ProjectEditor&) { return this_.AskWhat(); });
   }
 
   std::vector<Choice> Find(const std::string& typed) const {
-    state_.last_search = typed;
+    state_.recent.search = typed;
     std::string error;
     const std::optional<Query> query = ParseQuery(typed, error);
     std::vector<Choice> rows;
     if (!query || !state_.workspace.file()) return rows;
-    const ProjectFiles files = ProjectEditor(state_, now_()).Files();
+    const ProjectFiles files = ProjectEditor(state_, state_.now).Files();
     for (const Match& match : Search(files, *state_.workspace.file()->models, *query, kRows)) {
       Choice row = RowOf(files[match.file], match.element);
       row.kind = ToString(match.role);
@@ -250,12 +249,12 @@ class ProjectCommands {
   }
 
   std::string AskWhat() const {
-    const std::string refusal = TreeEditor(state_, now_()).WhyReadOnly();
+    const std::string refusal = TreeEditor(state_, state_.now).WhyReadOnly();
     if (!refusal.empty()) return refusal;
     state_.Ask({"Replace what; type: name: port: value: narrow it, /.../ is a pattern",
                 [this_ = *this](const std::string& typed) { return this_.AskWith(typed); },
                 [this_ = *this](const std::string& typed) { return this_.Find(typed); }},
-               state_.last_search);
+               state_.recent.search);
     return {};
   }
 
@@ -264,49 +263,47 @@ class ProjectCommands {
     const std::optional<Query> query = ParseQuery(typed, error);
     if (!query) return error;
     if (query->is_for_keys()) return "\"Rename a key everywhere\" does that";
-    const ProjectFiles files = ProjectEditor(state_, now_()).Files();
+    const ProjectFiles files = ProjectEditor(state_, state_.now).Files();
     const std::vector<Match> matches = Search(files, *state_.workspace.file()->models, *query);
     if (matches.empty()) return "not found";
     const auto skipped = std::make_shared<Skipped>();
-    state_.Ask({"Replace it in " + std::to_string(matches.size()) +
-                    (matches.size() == 1 ? " place" : " places") + " with; a click leaves one out",
-                [=, this_ = *this](const std::string& with) {
-                  std::vector<Match> wanted = matches;
-                  wanted.erase(std::remove_if(wanted.begin(), wanted.end(),
-                                              [&](const Match& m) {
-                                                return skipped->count({m.file, m.offset}) > 0;
-                                              }),
-                               wanted.end());
-                  return ProjectEditor(this_.state_, this_.now_()).ReplaceAll(wanted, *query, with);
-                },
-                [=](const std::string& with) {
-                  std::vector<Choice> rows;
-                  for (const Match& match : matches) {
-                    if (rows.size() == kRows) break;
-                    const bool skip = skipped->count({match.file, match.offset}) > 0;
-                    Choice row;
-                    row.title = TitleOf(match, match.before) +
-                                (skip ? "" : "  ->  " + Replaced(match, *query, with));
-                    row.kind = skip ? "leave" : ToString(match.role);
-                    row.run = [skipped, match] {
-                      const auto place = std::make_pair(match.file, match.offset);
-                      if (skipped->erase(place) == 0) skipped->insert(place);
-                    };
-                    rows.push_back(std::move(row));
-                  }
-                  return rows;
-                }});
+    state_.Ask(
+        {"Replace it in " + std::to_string(matches.size()) +
+             (matches.size() == 1 ? " place" : " places") + " with; a click leaves one out",
+         [=, this_ = *this](const std::string& with) {
+           std::vector<Match> wanted = matches;
+           wanted.erase(std::remove_if(wanted.begin(), wanted.end(),
+                                       [&](const Match& m) {
+                                         return skipped->count({m.file, m.offset}) > 0;
+                                       }),
+                        wanted.end());
+           return ProjectEditor(this_.state_, this_.state_.now).ReplaceAll(wanted, *query, with);
+         },
+         [=](const std::string& with) {
+           std::vector<Choice> rows;
+           for (const Match& match : matches) {
+             if (rows.size() == kRows) break;
+             const bool skip = skipped->count({match.file, match.offset}) > 0;
+             Choice row;
+             row.title = TitleOf(match, match.before) +
+                         (skip ? "" : "  ->  " + Replaced(match, *query, with));
+             row.kind = skip ? "leave" : ToString(match.role);
+             row.run = [skipped, match] {
+               const auto place = std::make_pair(match.file, match.offset);
+               if (skipped->erase(place) == 0) skipped->insert(place);
+             };
+             rows.push_back(std::move(row));
+           }
+           return rows;
+         }});
     return {};
   }
 
   EditorState& state_;
-  std::function<double()> now_;
 };
 
 }  // namespace
 
-void AddProjectCommands(EditorState& state, std::function<double()> now) {
-  ProjectCommands(state, std::move(now)).AddAll();
-}
+void AddProjectCommands(EditorState& state) { ProjectCommands(state).AddAll(); }
 
 }  // namespace coppice::editor

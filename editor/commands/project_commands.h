@@ -9,8 +9,8 @@
 
 namespace coppice::editor {
 
-/// Adds them to state.commands; `now` gives the seconds of the editor. `state` must outlive them.
-void AddProjectCommands(EditorState& state, std::function<double()> now);
+/// Adds them to state.commands; `state` must outlive them.
+void AddProjectCommands(EditorState& state);
 
 }  // namespace coppice::editor
 

@@ -75,7 +75,7 @@ void ToggleBreakpoint(EditorState& state, double now) {
   Hook hook;
   hook.path = path;
   hooks.Add(RobotOf(state), hook);
-  state.run_tab = RunTab::kHooks;
+  state.run.tab = RunTab::kHooks;
 }
 
 void SwitchBreakpoint(EditorState& state, double now) {
@@ -98,7 +98,7 @@ void AskForValue(EditorState& state) {
   RunView* run = state.workspace.run();
   if (!run || !run->tree()) return;
   for (const DescribedSlot& slot : run->tree()->description()->slots) {
-    if (state.shown_key != "blackboard/" + slot.scope + "/" + slot.name) continue;
+    if (state.blackboard.shown_key != "blackboard/" + slot.scope + "/" + slot.name) continue;
     const bool is_main = slot.scope == run->tree()->description()->main_tree;
     const std::string scope = is_main ? "" : slot.scope;
     const std::string key = slot.name;
@@ -124,8 +124,7 @@ std::string SaveRun(const EditorState& state, const std::string& path) {
 
 class RunCommands {
  public:
-  RunCommands(EditorState& state, std::function<double()> now)
-      : state_(state), now_(std::move(now)) {}
+  explicit RunCommands(EditorState& state) : state_(state) {}
 
   void AddAll() {
     AddPlayhead();
@@ -214,11 +213,11 @@ class RunCommands {
 
   void AddBreakpoints() {
     AddAlways("run.breakpoint", "Breakpoint at the node", {kKeyF1 + 8},
-              [&s = state_, now = now_] { ToggleBreakpoint(s, now()); });
+              [&s = state_] { ToggleBreakpoint(s, s.now); });
     AddAlways("run.breakpoint_enable", "Switch the breakpoint on or off", {kKeyF1 + 8, kShift},
-              [&s = state_, now = now_] { SwitchBreakpoint(s, now()); });
+              [&s = state_] { SwitchBreakpoint(s, s.now); });
     AddAlways("run.breakpoint_condition", "Condition of the breakpoint", {kKeyF1 + 8, kCtrl},
-              [&s = state_, now = now_] { AskForConditionHere(s, now()); });
+              [&s = state_] { AskForConditionHere(s, s.now); });
     AddAlways("run.breakpoint_path", "Breakpoint at a path", {}, [&s = state_] {
       s.Ask({"Breakpoint at a path, as in sub/work or sub/Drive::7; \"if\" narrows it later",
              [&s](const std::string& path) {
@@ -236,22 +235,22 @@ class RunCommands {
     AddForce("run.force_failure", "Force FAILURE on the node", Status::kFailure);
     AddForce("run.force_running", "Force RUNNING on the node", Status::kRunning);
     AddForce("run.force_skipped", "Force SKIPPED on the node", Status::kSkipped);
-    AddAlways("run.delay", "Delay the node by a second", {}, [&s = state_, now = now_] {
+    AddAlways("run.delay", "Delay the node by a second", {}, [&s = state_] {
       Hook fault;
       fault.action = HookAction::kDelay;
       fault.delay = std::chrono::seconds(1);
-      ToggleFault(s, fault, now());
+      ToggleFault(s, fault, s.now);
     });
     AddAlways("run.clear_faults", "Clear all faults", {'F', kCtrl | kAlt},
               [&s = state_] { s.workspace.hooks.RemoveFaults(); });
   }
 
   void AddForce(std::string id, std::string title, Status status) {
-    AddAlways(std::move(id), std::move(title), {}, [&s = state_, now = now_, status] {
+    AddAlways(std::move(id), std::move(title), {}, [&s = state_, status] {
       Hook fault;
       fault.action = HookAction::kReplace;
       fault.status = status;
-      ToggleFault(s, fault, now());
+      ToggleFault(s, fault, s.now);
     });
   }
 
@@ -264,23 +263,23 @@ class RunCommands {
     AddTab("run.table", "Table: the shown key, or the robot's processes", {'Y'}, RunTab::kTable);
     AddTab("run.coverage", "Coverage by random runs", {}, RunTab::kCoverage);
     Add("run.follow", "Follow what runs", {'F'},
-        [&s = state_](RunView&) { s.follow.is_on = !s.follow.is_on; });
+        [&s = state_](RunView&) { s.run.follow.is_on = !s.run.follow.is_on; });
     Add("run.heat", "Heat: time, ticks, failures, never ticked, off", {'H'},
         [&s = state_](RunView&) {
-          const int next = s.heat ? static_cast<int>(*s.heat) + 1 : 0;
-          s.heat.reset();
+          const int next = s.run.heat ? static_cast<int>(*s.run.heat) + 1 : 0;
+          s.run.heat.reset();
           if (next <= static_cast<int>(HeatMode::kNeverTicked))
-            s.heat = static_cast<HeatMode>(next);
+            s.run.heat = static_cast<HeatMode>(next);
         });
-    AddAlways("blackboard.selection", "Only the keys of the selection", {'B'},
-              [&s = state_] { s.selected_keys_only = !s.selected_keys_only; });
+    AddAlways("blackboard.selection", "Only the keys of the selection", {'B'}, [&s = state_] {
+      s.blackboard.selected_keys_only = !s.blackboard.selected_keys_only;
+    });
     Add("blackboard.write", "Write the key", {'E', kCtrl | kAlt},
         [&s = state_](RunView&) { AskForValue(s); });
-    Add("run.close", "Close the robot or record", {'W', kCtrl},
-        [&s = state_, now = now_](RunView& run) {
-          const int at = s.workspace.FindRun(run.name());
-          s.workspace.CloseRun(static_cast<std::size_t>(at), now());
-        });
+    Add("run.close", "Close the robot or record", {'W', kCtrl}, [&s = state_](RunView& run) {
+      const int at = s.workspace.FindRun(run.name());
+      s.workspace.CloseRun(static_cast<std::size_t>(at), s.now);
+    });
     Add("run.save", "Save what was received as a record", {'S', kCtrl | kAlt},
         [&s = state_](RunView&) {
           s.Ask({"Save the run as a record: its path",
@@ -289,26 +288,23 @@ class RunCommands {
                 "run.coppice");
         });
     Add("run.save_test", "Make a test of the run or of its marked stretch", {'T', kCtrl | kShift},
-        [&s = state_, now = now_](RunView&) {
+        [&s = state_](RunView&) {
           s.Ask({"name of the test",
-                 [&s, now](const std::string& name) { return SaveRunAsTest(s, name, now()); },
+                 [&s](const std::string& name) { return SaveRunAsTest(s, name, s.now); },
                  {}});
         });
   }
 
   void AddTab(std::string id, std::string title, KeyChord keys, RunTab tab) {
-    Add(std::move(id), std::move(title), keys, [&s = state_, tab](RunView&) { s.run_tab = tab; });
+    Add(std::move(id), std::move(title), keys, [&s = state_, tab](RunView&) { s.run.tab = tab; });
   }
 
   EditorState& state_;
-  const std::function<double()> now_;
 };
 
 }  // namespace
 
-void AddRunCommands(EditorState& state, std::function<double()> now) {
-  RunCommands(state, std::move(now)).AddAll();
-}
+void AddRunCommands(EditorState& state) { RunCommands(state).AddAll(); }
 
 std::string SelectedRunPath(EditorState& state) {
   const TreeView* view = state.workspace.view();
@@ -349,7 +345,7 @@ void ToggleFault(EditorState& state, Hook fault, double now) {
       there && there->hook.action == fault.action && there->hook.status == fault.status;
   if (there) hooks.Remove(there->number);
   if (!same) hooks.Add(RobotOf(state), std::move(fault));
-  state.run_tab = RunTab::kHooks;
+  state.run.tab = RunTab::kHooks;
 }
 
 }  // namespace coppice::editor

@@ -11,8 +11,8 @@
 
 namespace coppice::editor {
 
-/// "run.back", "run.pause", "run.breakpoint", ... `now` gives the time of the editor in seconds.
-void AddRunCommands(EditorState& state, std::function<double()> now);
+/// "run.back", "run.pause", "run.breakpoint", ...
+void AddRunCommands(EditorState& state);
 
 /// Path of the selected node as robots write it (Program::Path), in a run or in a file; empty if
 /// nothing is selected.

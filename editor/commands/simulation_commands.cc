@@ -15,8 +15,7 @@ constexpr Key kF10 = kKeyF1 + 9;
 
 class SimulationCommands {
  public:
-  SimulationCommands(EditorState& state, std::function<double()> now)
-      : state_(state), now_(std::move(now)) {}
+  explicit SimulationCommands(EditorState& state) : state_(state) {}
 
   void AddAll() {
     AddAlways("sim.start", "Simulate the tree", {kF5}, &SimulationEditor::Start);
@@ -24,10 +23,10 @@ class SimulationCommands {
     state_.commands.Add({"tile.tests",
                          "Tests tile",
                          {kKeyF1 + 10, kShift},
-                         [&s = state_] { s.tiles.tests = !s.tiles.tests; },
+                         [&s = state_] { s.screen.tiles.tests = !s.screen.tiles.tests; },
                          nullptr,
                          {},
-                         [&s = state_] { return s.tiles.tests; }});
+                         [&s = state_] { return s.screen.tiles.tests; }});
     AddTime();
     AddChance();
     AddLeaf();
@@ -38,22 +37,20 @@ class SimulationCommands {
   using Do = void (SimulationEditor::*)();
 
   void AddAlways(std::string id, std::string title, KeyChord keys, Do what) {
-    state_.commands.Add({std::move(id), std::move(title), keys, [&s = state_, now = now_, what] {
-                           (SimulationEditor(s, now()).*what)();
-                         }});
+    state_.commands.Add({std::move(id), std::move(title), keys,
+                         [&s = state_, what] { (SimulationEditor(s, s.now).*what)(); }});
   }
 
   // What counts while the simulation is shown.
   void Add(std::string id, std::string title, KeyChord keys,
            std::function<void(SimulationEditor)> run) {
-    state_.commands.Add(
-        {std::move(id), "Simulation: " + std::move(title), keys,
-         [&s = state_, now = now_, run = std::move(run)] {
-           const SimulationEditor editor(s, now());
-           if (editor.IsShown()) return run(editor);
-           s.Notify("no simulation is shown: F5 begins one", now(), true);
-         },
-         [&s = state_, now = now_] { return SimulationEditor(s, now()).IsShown(); }});
+    state_.commands.Add({std::move(id), "Simulation: " + std::move(title), keys,
+                         [&s = state_, run = std::move(run)] {
+                           const SimulationEditor editor(s, s.now);
+                           if (editor.IsShown()) return run(editor);
+                           s.Notify("no simulation is shown: F5 begins one", s.now, true);
+                         },
+                         [&s = state_] { return SimulationEditor(s, s.now).IsShown(); }});
   }
 
   void AddTime() {
@@ -90,11 +87,10 @@ class SimulationCommands {
                  std::string (SimulationEditor::*what)(const std::string&),
                  std::function<std::string(const Simulation&)> proposal) {
     Add(std::move(id), std::move(title), keys,
-        [&s = state_, now = now_, hint, what,
-         proposal = std::move(proposal)](const SimulationEditor&) {
+        [&s = state_, hint, what, proposal = std::move(proposal)](const SimulationEditor&) {
           s.Ask({hint,
-                 [&s, now, what](const std::string& text) {
-                   return (SimulationEditor(s, now()).*what)(text);
+                 [&s, what](const std::string& text) {
+                   return (SimulationEditor(s, s.now).*what)(text);
                  },
                  {}},
                 proposal(*s.simulator.get()));
@@ -113,42 +109,36 @@ class SimulationCommands {
   }
 
   void AddPrompts() {
-    Add("sim.script", "what the leaf does", {kKeyEnter},
-        [&s = state_, now = now_](const SimulationEditor& e) {
-          const NodeIndex leaf = e.SelectedLeaf();
-          if (leaf == editor::kNoNode) return s.Notify("Select a leaf first", now(), true);
-          const std::string present = PrintScript(*s.simulator.get()->ScriptOf(leaf));
-          s.Ask(
-              {"What the leaf does: SUCCESS, 2s FAILURE, RUNNING x3 SUCCESS, each FAILURE SUCCESS, "
-               "80% SUCCESS 20% FAILURE 0s..2s",
-               [&s, now](const std::string& text) {
-                 return SimulationEditor(s, now()).SetScript(text);
-               },
-               {}},
-              present);
-        });
-    Add("sim.set", "set a key", {'B', kCtrl}, [&s = state_, now = now_](const SimulationEditor&) {
+    Add("sim.script", "what the leaf does", {kKeyEnter}, [&s = state_](const SimulationEditor& e) {
+      const NodeIndex leaf = e.SelectedLeaf();
+      if (leaf == editor::kNoNode) return s.Notify("Select a leaf first", s.now, true);
+      const std::string present = PrintScript(*s.simulator.get()->ScriptOf(leaf));
+      s.Ask({"What the leaf does: SUCCESS, 2s FAILURE, RUNNING x3 SUCCESS, each FAILURE SUCCESS, "
+             "80% SUCCESS 20% FAILURE 0s..2s",
+             [&s](const std::string& text) { return SimulationEditor(s, s.now).SetScript(text); },
+             {}},
+            present);
+    });
+    Add("sim.set", "set a key", {'B', kCtrl}, [&s = state_](const SimulationEditor&) {
       s.Ask({"Set a key: key = value",
-             [&s, now](const std::string& text) { return SimulationEditor(s, now()).SetKey(text); },
+             [&s](const std::string& text) { return SimulationEditor(s, s.now).SetKey(text); },
              [&s](const std::string& typed) { return Keys(s, typed); }});
     });
     Add("sim.save_test", "save as a test", {'T', kCtrl | kShift},
-        [&s = state_, now = now_](const SimulationEditor&) {
+        [&s = state_](const SimulationEditor&) {
           s.Ask({"Save as a test; its name says what the tree does",
-                 [&s, now](const std::string& name) {
-                   return SimulationEditor(s, now()).SaveAsScenario(name);
+                 [&s](const std::string& name) {
+                   return SimulationEditor(s, s.now).SaveAsScenario(name);
                  },
                  {}});
         });
-    Add("sim.save_record", "save as a record", {},
-        [&s = state_, now = now_](const SimulationEditor&) {
-          s.Ask({"Save the simulation as a record: its path",
-                 [&s, now](const std::string& path) {
-                   return SimulationEditor(s, now()).SaveAsRecord(path);
-                 },
-                 {}},
-                "simulation.coppice");
-        });
+    Add("sim.save_record", "save as a record", {}, [&s = state_](const SimulationEditor&) {
+      s.Ask(
+          {"Save the simulation as a record: its path",
+           [&s](const std::string& path) { return SimulationEditor(s, s.now).SaveAsRecord(path); },
+           {}},
+          "simulation.coppice");
+    });
   }
 
   // The keys that begin so, with their values.
@@ -164,20 +154,17 @@ class SimulationCommands {
       row.title = key;
       row.note = simulation->ValueOf(key);
       row.kind = "key";
-      row.run = [&state, key] { state.commands.Run("sim.set"), state.popup_text = key + " = "; };
+      row.run = [&state, key] { state.commands.Run("sim.set"), state.popup.text = key + " = "; };
       rows.push_back(std::move(row));
     }
     return rows;
   }
 
   EditorState& state_;
-  const std::function<double()> now_;
 };
 
 }  // namespace
 
-void AddSimulationCommands(EditorState& state, std::function<double()> now) {
-  SimulationCommands(state, std::move(now)).AddAll();
-}
+void AddSimulationCommands(EditorState& state) { SimulationCommands(state).AddAll(); }
 
 }  // namespace coppice::editor

@@ -9,8 +9,8 @@
 namespace coppice::editor {
 
 /// Adds them to state.commands, behind all others: while a simulation is shown their keys count.
-/// `now` gives the seconds of the editor. `state` must outlive them.
-void AddSimulationCommands(EditorState& state, std::function<double()> now);
+/// `state` must outlive them.
+void AddSimulationCommands(EditorState& state);
 
 }  // namespace coppice::editor
 

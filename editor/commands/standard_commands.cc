@@ -50,7 +50,7 @@ void Quit(EditorState& state, double now) {
 
 class Commands {
  public:
-  Commands(EditorState& state, std::function<double()> now) : state_(state), now_(std::move(now)) {}
+  explicit Commands(EditorState& state) : state_(state) {}
 
   void AddAll() {
     AddFile();
@@ -88,18 +88,17 @@ class Commands {
 
   void AddFile() {
     Add("file.open", "Open file", {'O', kCtrl}, [&s = state_] { s.OpenPopup(Popup::kOpen); });
-    Add("file.reload", "Reload file", {'R', kCtrl},
-        [&s = state_, now = now_] { s.workspace.Reload(now()); });
-    Add("file.quit", "Quit", {'Q', kCtrl}, [&s = state_, now = now_] { Quit(s, now()); });
+    Add("file.reload", "Reload file", {'R', kCtrl}, [&s = state_] { s.workspace.Reload(s.now); });
+    Add("file.quit", "Quit", {'Q', kCtrl}, [&s = state_] { Quit(s, s.now); });
   }
 
   void AddView() {
     AddForView("view.fit_all", "Fit all", {kKeyHome},
-               [&s = state_](TreeView& view) { view.FitAll(s.canvas_size); });
+               [&s = state_](TreeView& view) { view.FitAll(s.screen.canvas_size); });
     AddForView("view.fit_selection", "Fit selection", {kKeyPeriod},
-               [&s = state_](TreeView& view) { view.FitSelection(s.canvas_size); });
+               [&s = state_](TreeView& view) { view.FitSelection(s.screen.canvas_size); });
     AddForView("view.zoom_100", "Zoom to 100 %", {'Z'}, [&s = state_](TreeView& view) {
-      view.ZoomAt(s.canvas_size * 0.5F, view.screen_scale / view.camera.zoom);
+      view.ZoomAt(s.screen.canvas_size * 0.5F, view.screen_scale / view.camera.zoom);
     });
     AddOrientation("view.top_to_bottom", "Top to bottom", Orientation::kTopToBottom);
     AddOrientation("view.left_to_right", "Left to right", Orientation::kLeftToRight);
@@ -113,19 +112,19 @@ class Commands {
     AddPalette("palette.colourblind", "Colour-blind colours", PaletteName::kColourBlind);
     AddSwitch(
         "view.reduce_motion", "Reduce motion", {},
-        [&s = state_] { s.reduce_motion = !s.reduce_motion; },
-        [&s = state_] { return s.reduce_motion; });
+        [&s = state_] { s.screen.reduce_motion = !s.screen.reduce_motion; },
+        [&s = state_] { return s.screen.reduce_motion; });
   }
 
   void AddOrientation(std::string id, std::string title, Orientation orientation) {
     AddSwitch(
         std::move(id), std::move(title), {},
-        [&s = state_, now = now_, orientation] {
+        [&s = state_, orientation] {
           if (s.workspace.orientation() == orientation) return;
           LayoutStyle style = s.workspace.style();
           style.orientation = orientation;
-          s.workspace.SetStyle(style, now());
-          if (TreeView* view = s.workspace.view()) view->FitAll(s.canvas_size);
+          s.workspace.SetStyle(style, s.now);
+          if (TreeView* view = s.workspace.view()) view->FitAll(s.screen.canvas_size);
         },
         [&s = state_, orientation] { return s.workspace.orientation() == orientation; });
   }
@@ -133,43 +132,42 @@ class Commands {
   void AddToggle(std::string id, std::string title, bool LayoutStyle::*part) {
     AddSwitch(
         std::move(id), std::move(title), {},
-        [&s = state_, now = now_, part] {
+        [&s = state_, part] {
           LayoutStyle style = s.workspace.style();
           style.*part = !(style.*part);
-          s.workspace.SetStyle(style, now());
+          s.workspace.SetStyle(style, s.now);
         },
         [&s = state_, part] { return s.workspace.style().*part; });
   }
 
   void AddTabs() {
-    const auto step = [&s = state_, now = now_](std::size_t by) {
+    const auto step = [&s = state_](std::size_t by) {
       const std::size_t count = s.canvas.tabs.size();
-      if (count > 0) ShowTab(s, (ShownTab(s) + by) % count, now());
+      if (count > 0) ShowTab(s, (ShownTab(s) + by) % count, s.now);
     };
     Add("tab.next", "Next tab", {kKeyPageDown, kCtrl}, [step] { step(1); });
     Add("tab.previous", "Previous tab", {kKeyPageUp, kCtrl},
         [step, &s = state_] { step(s.canvas.tabs.size() - 1); });
-    Add("tab.close", "Close tab", {'W', kCtrl},
-        [&s = state_, now = now_] { CloseTab(s, ShownTab(s), now()); });
+    Add("tab.close", "Close tab", {'W', kCtrl}, [&s = state_] { CloseTab(s, ShownTab(s), s.now); });
   }
 
   void AddPalette(std::string id, std::string title, PaletteName name) {
     AddSwitch(
-        std::move(id), std::move(title), {}, [&s = state_, name] { s.palette = name; },
-        [&s = state_, name] { return s.palette == name; });
+        std::move(id), std::move(title), {}, [&s = state_, name] { s.screen.palette = name; },
+        [&s = state_, name] { return s.screen.palette == name; });
   }
 
   void AddTree() {
-    AddForView("tree.collapse", "Collapse or open", {'C'}, [now = now_](TreeView& view) {
+    AddForView("tree.collapse", "Collapse or open", {'C'}, [&s = state_](TreeView& view) {
       const std::uint32_t node = view.selected();
-      if (node != kNoNode) view.SetCollapsed(node, !view.IsCollapsed(node), now());
+      if (node != kNoNode) view.SetCollapsed(node, !view.IsCollapsed(node), s.now);
     });
     AddForView("tree.collapse_others", "Collapse all others", {'C', kShift},
-               [now = now_](TreeView& view) { view.CollapseOthers(now()); });
+               [&s = state_](TreeView& view) { view.CollapseOthers(s.now); });
     AddForView("tree.open_subtrees", "Open all SubTrees", {'E'},
-               [now = now_](TreeView& view) { view.CollapseSubTrees(false, now()); });
+               [&s = state_](TreeView& view) { view.CollapseSubTrees(false, s.now); });
     AddForView("tree.close_subtrees", "Close all SubTrees", {'E', kShift},
-               [now = now_](TreeView& view) { view.CollapseSubTrees(true, now()); });
+               [&s = state_](TreeView& view) { view.CollapseSubTrees(true, s.now); });
     AddForView("tree.unselect", "Select nothing", {kKeyEscape},
                [](TreeView& view) { view.Select(kNoNode); });
     AddWalk("walk.up", "Walk up", kKeyUp, Way::kParent, Way::kPrevious);
@@ -188,7 +186,7 @@ class Commands {
                                                sideways ? left_to_right : top_to_bottom);
       if (to == kNoNode) return;
       view.Select(to);
-      view.Reveal(s.canvas_size);
+      view.Reveal(s.screen.canvas_size);
     });
   }
 
@@ -208,18 +206,15 @@ class Commands {
   void AddTile(std::string id, std::string title, KeyChord keys, bool Tiles::*tile) {
     AddSwitch(
         std::move(id), std::move(title), keys,
-        [&s = state_, tile] { s.tiles.*tile = !(s.tiles.*tile); },
-        [&s = state_, tile] { return s.tiles.*tile; });
+        [&s = state_, tile] { s.screen.tiles.*tile = !(s.screen.tiles.*tile); },
+        [&s = state_, tile] { return s.screen.tiles.*tile; });
   }
 
   EditorState& state_;
-  const std::function<double()> now_;
 };
 
 }  // namespace
 
-void AddStandardCommands(EditorState& state, std::function<double()> now) {
-  Commands(state, std::move(now)).AddAll();
-}
+void AddStandardCommands(EditorState& state) { Commands(state).AddAll(); }
 
 }  // namespace coppice::editor

@@ -8,9 +8,8 @@
 
 namespace coppice::editor {
 
-/// Adds them to state.commands. `now` gives the editor's time in seconds; both must outlive the
-/// commands.
-void AddStandardCommands(EditorState& state, std::function<double()> now);
+/// Adds them to state.commands; `state` must outlive them.
+void AddStandardCommands(EditorState& state);
 
 }  // namespace coppice::editor
 

@@ -1,3 +1,6 @@
+// A node that another number has only because a sibling came or went has not moved, and to say so
+// would bury what the user did. So the order of siblings is compared as a whole: those that do not
+// fit the heaviest rising part of it have moved, as few as possible.
 #include "editor/diff/tree_diff.h"
 
 #include <algorithm>
@@ -210,10 +213,10 @@ class Merger {
     for (std::size_t p = node.first_port; p < node.first_port + node.port_count; ++p) {
       if (ports[p].name != change.name) continue;
       ports[p].value = value;
-      ports[p].is_key = false;
+      ports[p].key = {};
       return;
     }
-    ports.push_back({Keep(change.name), value, PortDirection::kInput, false, nullptr});
+    ports.push_back({Keep(change.name), value, PortDirection::kInput, {}, nullptr});
     ++node.port_count;
   }
 

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "bt_core/model/document.h"
-#include "editor/document/change.h"
+#include "editor/files/change.h"
 
 namespace coppice::editor {
 

@@ -3,12 +3,12 @@
 
 #include "bt_core/model/attribute_edits.h"
 #include "bt_core/model/element_edits.h"
+#include "bt_core/model/keys.h"
 #include "bt_core/model/layout.h"
 #include "bt_core/model/xml_text.h"
+#include "bt_core/nodes/guards.h"
 #include "editor/document/key_names.h"
-#include "editor/document/script_check.h"
 #include "editor/document/subtree_edits.h"
-#include "editor/scene/scene.h"
 
 namespace coppice::editor {
 namespace {
@@ -43,7 +43,7 @@ class Inliner {
   static std::string Malformed() { return "the result would not be well-formed XML"; }
 
   static bool HasScript(const Document& document, ElementIndex element) {
-    for (const std::string_view name : kScriptAttributes) {
+    for (const std::string_view name : kGuardAttributes) {
       if (document.FindAttribute(document.element(element), name)) return true;
     }
     return false;
@@ -61,12 +61,13 @@ class Inliner {
       if (name.is_global) continue;
       const Attribute* given =
           draft_.document().FindAttribute(draft_.document().element(subtree_), name.key);
-      if (given && KeyOf(given->value).empty() && given->value != "=") {
+      if (given && KeyOf(given->value, name.key).empty()) {
         std::string refusal = PutLiteral(name, given->value);
         if (!refusal.empty()) return refusal;
         continue;
       }
-      const std::string key = given ? KeyGiven(name.key, given->value) : PrivateKey(name.key);
+      const std::string key =
+          given ? std::string(KeyOf(given->value, name.key)) : PrivateKey(name.key);
       if (key == name.key) continue;
       renamed = true;
       edit_ = Merge(std::move(edit_), {WithKey(name, key)});
@@ -74,13 +75,11 @@ class Inliner {
     return renamed ? AutoremapInside() : std::string();
   }
 
-  static std::string KeyGiven(const std::string& port, std::string_view value) {
-    const std::string_view key = KeyOf(value);
-    return std::string(key.empty() || key == "=" ? port : key);
-  }
-
   std::string PrivateKey(const std::string& key) {
-    if (HasAutoremap(draft_.document(), subtree_) && key.front() != '_') return key;
+    if (IsAutoremapped(draft_.document(), draft_.document().element(subtree_)) &&
+        !IsPrivateKey(key)) {
+      return key;
+    }
     const auto known = private_.find(key);
     if (known != private_.end()) return known->second;
     std::string fresh = key;
@@ -110,7 +109,7 @@ class Inliner {
   // It has the keys by their names.
   std::string AutoremapInside() const {
     for (ElementIndex i = root_; i < EndOfBranch(from_, root_); ++i) {
-      if (from_.element(i).tag == "SubTree" && HasAutoremap(from_, i)) {
+      if (from_.element(i).tag == "SubTree" && IsAutoremapped(from_, from_.element(i))) {
         return "keys would change their names, and " + std::string(NameOf(from_, i)) +
                " inside has _autoremap";
       }
@@ -125,7 +124,7 @@ class Inliner {
     const Element& element = document.element(subtree_);
     for (const Attribute* a = document.attributes_begin(element);
          a != document.attributes_end(element); ++a) {
-      if (a->name != "name" && !IsScriptAttribute(a->name)) continue;
+      if (a->name != "name" && !IsGuardAttribute(a->name)) continue;
       carried.emplace_back(a->name, a->value);
     }
     return carried;

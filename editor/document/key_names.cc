@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <set>
 
+#include "bt_core/model/keys.h"
 #include "bt_core/model/xml_text.h"
+#include "bt_core/nodes/guards.h"
 #include "bt_core/script/token.h"
 #include "editor/document/draft.h"
 #include "editor/document/node_rules.h"
-#include "editor/document/script_check.h"
-#include "editor/scene/scene.h"
 
 namespace coppice::editor {
 namespace {
@@ -44,7 +44,7 @@ class Collector {
     for (const Attribute* a = document_.attributes_begin(element);
          a != document_.attributes_end(element); ++a) {
       const PortModel* port = model && !is_subtree ? model->FindPort(a->name) : nullptr;
-      if (IsScriptAttribute(a->name) || (port && port->type == "script")) {
+      if (IsGuardAttribute(a->name) || (port && port->type == "script")) {
         AddScript(index, *a);
       } else {
         AddPort(index, *a, port, is_subtree);
@@ -56,12 +56,8 @@ class Collector {
                bool is_subtree) {
     if (IsReservedAttribute(attribute.name)) return;
     KeyName name;
-    std::string_view key = KeyOf(attribute.value);
-    const bool is_plain = port && port->name == "output_key";
-    if (key == "=" || attribute.value == "=") {
-      name.form = KeyForm::kPort;
-      key = attribute.name;
-    } else if (key.empty() && is_plain) {
+    std::string_view key = KeyOf(attribute.value, attribute.name);
+    if (key.empty() && port && port->name == "output_key") {
       name.form = KeyForm::kPlain;
       key = attribute.value;
     }
@@ -134,9 +130,8 @@ std::vector<KeyName> KeyNamesIn(const Document& document, const NodeModels& mode
 }
 
 Splice WithKey(const KeyName& name, std::string_view key) {
-  const bool braces = name.form == KeyForm::kBraces || name.form == KeyForm::kPort;
   const std::string text(key);
-  return Replacement(name.begin, name.end, braces ? "{" + text + "}" : text);
+  return Replacement(name.begin, name.end, name.form == KeyForm::kBraces ? "{" + text + "}" : text);
 }
 
 bool IsKeyName(std::string_view text) {
@@ -144,11 +139,6 @@ bool IsKeyName(std::string_view text) {
   const std::vector<Token> tokens = script::Tokenize(text, problems);
   return problems.empty() && tokens.size() == 2 && tokens[0].kind == TokenKind::kName &&
          tokens[0].text.size() == text.size();
-}
-
-bool HasAutoremap(const Document& document, ElementIndex subtree) {
-  const std::string_view value = document.AttributeValue(document.element(subtree), "_autoremap");
-  return value == "true" || value == "1";
 }
 
 }  // namespace coppice::editor

@@ -3,7 +3,7 @@
 //
 //   for (const KeyName& name : KeyNamesIn(document, models, tree)) { /* name.key, name.begin */ }
 //
-// What counts as a key is the engine's rule (bt_core/engine/compile/keys.h, docs/scripts.md).
+// What counts as a key is the engine's rule (bt_core/model/keys.h, docs/scripts.md).
 #ifndef COPPICE_EDITOR_DOCUMENT_KEY_NAMES_H_
 #define COPPICE_EDITOR_DOCUMENT_KEY_NAMES_H_
 
@@ -18,8 +18,7 @@
 namespace coppice::editor {
 
 enum class KeyForm : std::uint8_t {
-  kBraces,  ///< goal="{key}"
-  kPort,    ///< goal="{=}": the key has the name of the port
+  kBraces,  ///< goal="{key}", or goal="{=}": the key has the name of the port
   kPlain,   ///< output_key="key"
   kScript   ///< a word of a script
 };
@@ -47,9 +46,6 @@ Splice WithKey(const KeyName& name, std::string_view key);
 
 /// True for what the engine takes for a key: letters, digits, '_' and some more, not empty.
 bool IsKeyName(std::string_view text);
-
-/// True if a <SubTree> hands on all keys of the same name.
-bool HasAutoremap(const Document& document, ElementIndex subtree);
 
 /// One past the last element that lies in it.
 ElementIndex EndOfBranch(const Document& document, ElementIndex element);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "bt_core/model/attribute_edits.h"
+#include "bt_core/model/keys.h"
 #include "bt_core/model/manifest.h"
 #include "bt_core/model/xml_text.h"
 #include "editor/document/key_names.h"
@@ -69,7 +70,7 @@ class KeyRenaming {
   }
 
   bool SharesKey(const Document& document, ElementIndex subtree) const {
-    return HasAutoremap(document, subtree) && key_.front() != '_' &&
+    return IsAutoremapped(document, document.element(subtree)) && !IsPrivateKey(key_) &&
            !document.FindAttribute(document.element(subtree), key_);
   }
 
@@ -141,7 +142,7 @@ CallersOfTree CallersOf(const ProjectFiles& files, std::string_view id) {
   for (const ElementIn use : SubTreesOf(files, id)) {
     const Document& document = files[use.file];
     const Element& element = document.element(use.element);
-    callers.autoremap = callers.autoremap || HasAutoremap(document, use.element);
+    callers.autoremap = callers.autoremap || IsAutoremapped(document, element);
     for (const Attribute* a = document.attributes_begin(element);
          a != document.attributes_end(element); ++a) {
       if (!IsReservedAttribute(a->name)) callers.ports.emplace(a->name);

@@ -1,6 +1,5 @@
 #include "editor/document/script_check.h"
 
-#include <algorithm>
 #include <vector>
 
 #include "bt_core/script/script.h"
@@ -16,15 +15,6 @@ class AnyNames : public ScriptNames {
 };
 
 }  // namespace
-
-const std::string_view kScriptAttributes[10] = {
-    "_skipIf",  "_successIf", "_failureIf", "_onlyIf",   "_while",
-    "_onStart", "_onSuccess", "_onFailure", "_onHalted", "_post"};
-
-bool IsScriptAttribute(std::string_view name) {
-  return std::find(std::begin(kScriptAttributes), std::end(kScriptAttributes), name) !=
-         std::end(kScriptAttributes);
-}
 
 std::string ScriptProblemOf(std::string_view script) {
   AnyNames names;

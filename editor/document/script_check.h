@@ -8,12 +8,6 @@
 
 namespace coppice::editor {
 
-/// True for the attributes whose value is a script: guards and hooks.
-bool IsScriptAttribute(std::string_view name);
-
-/// The names of all guards and hooks.
-extern const std::string_view kScriptAttributes[10];
-
 /// "column 5: message (hint)", or empty.
 std::string ScriptProblemOf(std::string_view script);
 

@@ -1,3 +1,6 @@
+// A command on several nodes is one edit of many splices, or several edits one after another. In
+// the second case element numbers must stay good between them: each function goes from the last
+// node to the first, or takes out everything before it puts anything in.
 #include "editor/document/tree_edits.h"
 
 #include <algorithm>

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "editor/canvas/layout/node_metrics.h"
-#include "editor/canvas/paint/tree_painter.h"
+#include "editor/canvas/tree_painter.h"
 #include "editor/render/rasteriser.h"
 #include "editor/theme/imgui_context.h"
 #include "editor/theme/item_registry.h"

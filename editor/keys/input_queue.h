@@ -41,6 +41,9 @@ struct InputEvents {
   float dt = 1.0F / 60;  ///< since the last frame [s]
 };
 
+/// Shape of the mouse cursor that the window should show.
+enum class CursorShape { kArrow, kText, kResizeAcross, kResizeDown, kHand };
+
 class InputQueue {
  public:
   void Add(const std::vector<InputEvent>& events);

@@ -3,9 +3,9 @@
 #include "bt_core/data/value_bytes.h"
 #include "editor/canvas/layout/node_metrics.h"
 #include "editor/live/value_table.h"
-#include "editor/panels/panel.h"
 #include "editor/panels/panels.h"
 #include "editor/panels/run/run_text.h"
+#include "editor/panels/widgets/panel.h"
 #include "editor/timeline/slot_history.h"
 
 namespace coppice::editor {
@@ -25,7 +25,7 @@ std::vector<std::string> KeysOfSelection(const TreeView* view) {
   const SceneNode& node = scene.nodes[view->selected()];
   for (std::uint32_t i = 0; i < node.port_count; ++i) {
     const PortLine& port = scene.ports[node.first_port + i];
-    if (port.is_key) keys.emplace_back(KeyOf(port.value));
+    if (!port.key.empty()) keys.emplace_back(port.key);
   }
   return keys;
 }
@@ -53,7 +53,7 @@ class Board {
   void Draw() {
     ListSlots();
     if (listed_.empty()) {
-      Hint(ui_, state_.selected_keys_only
+      Hint(ui_, state_.blackboard.selected_keys_only
                     ? "The selected node has no keys; B shows those of all nodes."
                     : "No key has a value yet.");
       return;
@@ -86,7 +86,7 @@ class Board {
   void ListSlots() {
     for (SlotIndex i = 0; i < slots_.size(); ++i) {
       if (!slots_[i].has_key) continue;
-      if (!state_.selected_keys_only || IsOfSelection(i)) listed_.push_back(i);
+      if (!state_.blackboard.selected_keys_only || IsOfSelection(i)) listed_.push_back(i);
     }
     std::stable_sort(listed_.begin(), listed_.end(), [this](SlotIndex a, SlotIndex b) {
       return slots_[a].scope < slots_[b].scope;
@@ -129,7 +129,7 @@ class Board {
   void DrawSlot(SlotIndex slot) {
     const DescribedSlot& described = slots_[slot];
     const std::string path = "blackboard/" + described.scope + "/" + described.name;
-    const bool selected = state_.shown_key == path;
+    const bool selected = state_.blackboard.shown_key == path;
     const Row row = NextRow(ui_, path, selected);
     const bool is_table = IsTable(slot);
     const std::string value = is_table ? kTableMark : Value(slot);
@@ -146,8 +146,8 @@ class Board {
                        "\nA click shows its writes, a double click writes it.");
       if (ImGui::IsMouseDoubleClicked(0)) state_.commands.Run("blackboard.write");
     }
-    if (row.clicked) state_.shown_key = path;
-    if (row.clicked && is_table) state_.run_tab = RunTab::kTable;
+    if (row.clicked) state_.blackboard.shown_key = path;
+    if (row.clicked && is_table) state_.run.tab = RunTab::kTable;
     if (row.visible) PaintSlot(row.box, slot, value, write);
     if (selected) DrawHistory(slot);
   }
@@ -259,7 +259,7 @@ void DrawBlackboard(const Ui& ui, EditorState& state, const Box& box) {
   }
   Board board(ui, state, *run, box);
   const std::string note =
-      state.selected_keys_only ? "of the selection" : Count(board.CountKeys(), "key");
+      state.blackboard.selected_keys_only ? "of the selection" : Count(board.CountKeys(), "key");
   Panel(ui, "blackboard", box, "BLACKBOARD", note, [&] { board.Draw(); });
 }
 

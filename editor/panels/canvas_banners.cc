@@ -5,7 +5,7 @@
 
 #include "editor/commands/merge_commands.h"
 #include "editor/document/project_names.h"
-#include "editor/panels/panel.h"
+#include "editor/panels/widgets/panel.h"
 #include "editor/workspace/project_editor.h"
 #include "editor/workspace/simulation_editor.h"
 

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "editor/panels/panel.h"
 #include "editor/panels/panels.h"
+#include "editor/panels/widgets/panel.h"
 #include "editor/workspace/canvas_tabs.h"
 
 namespace coppice::editor {
@@ -59,9 +59,9 @@ class CanvasBar {
     };
     if (state_.workspace.run()) {
       const std::string heat =
-          std::string("heat: ") + (state_.heat ? ToString(*state_.heat) : "off");
-      button("canvasbar/heat", heat, state_.heat.has_value(), "run.heat");
-      button("canvasbar/follow", "follow", state_.follow.is_on, "run.follow");
+          std::string("heat: ") + (state_.run.heat ? ToString(*state_.run.heat) : "off");
+      button("canvasbar/heat", heat, state_.run.heat.has_value(), "run.heat");
+      button("canvasbar/follow", "follow", state_.run.follow.is_on, "run.follow");
     }
     button("canvasbar/zoom", std::to_string(percent) + " %", false, "view.zoom_100");
     button("canvasbar/fit", "fit", false, "view.fit_all");
@@ -137,7 +137,7 @@ class CanvasBar {
     if (can && ui_.Hit(path, at, &hovered)) {
       TreeView& view = *state_.workspace.view();
       view.Select(crumb.node);
-      view.Reveal(state_.canvas_size);
+      view.Reveal(state_.screen.canvas_size);
     }
     const TextStyle style{Face::kSans, 12, hovered ? ui_.palette.accent : ui_.palette.text};
     ui_.RowText(list_, at.min, at.height(), crumb.text, style, at.width() + 1);

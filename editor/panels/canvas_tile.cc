@@ -6,7 +6,6 @@
 #include "editor/canvas/canvas.h"
 #include "editor/canvas/layout/node_metrics.h"
 #include "editor/canvas/paint/node_marks.h"
-#include "editor/panels/run/run_marks.h"
 #include "editor/scene/problem_places.h"
 #include "editor/workspace/node_drop.h"
 #include "editor/workspace/tree_editor.h"
@@ -33,7 +32,7 @@ class CanvasTile {
     if (state_.canvas.comparison) return DrawComparison();
     UpdateBadges();
     CanvasOptions options;
-    options.minimap = state_.tiles.minimap;
+    options.minimap = state_.screen.tiles.minimap;
     if (const Box* label = ui_.items.Find("sim/chance_origin")) options.occupied = *label;
     options.live = state_.workspace.tree_state();
     options.badges = &state_.canvas.badges.by_node;
@@ -50,7 +49,7 @@ class CanvasTile {
     if (!changes.empty()) options.changes = &changes;
     DrawCanvas(ui_, view_, box_, options);
     if (!options.live) return;
-    FollowRunning(state_.follow, view_, *options.live, {box_.width(), box_.height()}, ui_.now);
+    FollowRunning(state_.run.follow, view_, *options.live, {box_.width(), box_.height()}, ui_.now);
   }
 
  private:
@@ -84,7 +83,7 @@ class CanvasTile {
         ui_.now);
     const Box banner = {box_.min, {box_.max.x, box_.min.y + kBanner * ui_.scale}};
     CanvasOptions options;
-    options.minimap = state_.tiles.minimap;
+    options.minimap = state_.screen.tiles.minimap;
     options.changes = &comparison.changes();
     if (!comparison.view().scene()->nodes.empty()) {
       DrawCanvas(ui_, comparison.view(), {{box_.min.x, banner.max.y}, box_.max}, options);
@@ -149,6 +148,35 @@ class CanvasTile {
 };
 
 }  // namespace
+
+HeatMap RunHeat(EditorState& state, const TreeView& view) {
+  const RunView* run = state.workspace.run();
+  if (!run || !state.run.heat) return {};
+  if (run->source().is_simulation() && state.run.tab == RunTab::kCoverage && run->tree() &&
+      state.coverage.coverage()) {
+    return state.coverage.Heat(*state.run.heat, *run->tree()->description(), *view.scene());
+  }
+  if (run->run().size() == 0) return {};
+  state.run.figures.Update(run->run(), state.run.timelines[run->name()].range);
+  return state.run.figures.Heat(*state.run.heat, *run->tree()->description(), *view.scene());
+}
+
+std::vector<Change> RunDifferences(const EditorState& state, const TreeView& view) {
+  const RunView* run = state.workspace.run();
+  const ShownComparison& shown = state.run.comparison;
+  if (!run || !shown.result || shown.first != run->name()) return {};
+  std::vector<Change> changes(view.scene()->nodes.size(), Change::kNone);
+  const auto& nodes = run->tree()->description()->nodes;
+  const auto& in_scene = view.scene()->node_of_uid;
+  for (const RunDifference& difference : shown.result->differences) {
+    for (std::size_t i = 0; i < nodes.size() && i < in_scene.size(); ++i) {
+      if (in_scene[i] != kNoNode && nodes[i].path == difference.what) {
+        changes[in_scene[i]] = Change::kChanged;
+      }
+    }
+  }
+  return changes;
+}
 
 void DrawCanvasTile(const Ui& ui, EditorState& state, const Box& box) {
   CanvasTile(ui, state, box).Draw();

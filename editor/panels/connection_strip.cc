@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "editor/panels/panel.h"
 #include "editor/panels/panels.h"
+#include "editor/panels/widgets/panel.h"
 #include "editor/theme/icons.h"
 
 namespace coppice::editor {

@@ -4,12 +4,14 @@
 #include <memory>
 #include <utility>
 
+#include "bt_core/model/keys.h"
+#include "bt_core/nodes/guards.h"
 #include "bt_core/nodes/node_type.h"
 #include "editor/canvas/canvas.h"
 #include "editor/canvas/layout/node_metrics.h"
 #include "editor/document/script_check.h"
-#include "editor/panels/inspector_row.h"
 #include "editor/panels/panels.h"
+#include "editor/panels/widgets/inspector_row.h"
 #include "editor/scene/problem_places.h"
 #include "editor/workspace/tree_editor.h"
 
@@ -171,7 +173,7 @@ class Inspector {
     const bool has_model = node_.model && node_.shape != Shape::kSubTree;
     bool any = has_model && !node_.model->ports.empty();
     for (std::uint32_t i = 0; i < node_.port_count; ++i) {
-      any = any || !IsScriptAttribute(scene_->ports[node_.first_port + i].name);
+      any = any || !IsGuardAttribute(scene_->ports[node_.first_port + i].name);
     }
     if (any) HeadingRow(ui_, "ports");
     if (has_model) {
@@ -179,7 +181,7 @@ class Inspector {
     }
     for (std::uint32_t i = 0; i < node_.port_count; ++i) {
       const PortLine& port = scene_->ports[node_.first_port + i];
-      if (!port.model && !IsScriptAttribute(port.name)) DrawOther(port);
+      if (!port.model && !IsGuardAttribute(port.name)) DrawOther(port);
     }
   }
 
@@ -190,8 +192,8 @@ class Inspector {
     for (const SceneNode& node : scene_->nodes) {
       if (node.scope != node_.scope) continue;
       for (std::uint32_t i = 0; i < node.port_count; ++i) {
-        const std::string_view key = KeyOf(scene_->ports[node.first_port + i].value);
-        if (!key.empty() && key != "=") ++uses[std::string(key)];
+        const std::string_view key = scene_->ports[node.first_port + i].key;
+        if (!key.empty()) ++uses[std::string(key)];
       }
     }
     for (const auto& [key, count] : uses) keys_.push_back(key);
@@ -200,8 +202,8 @@ class Inspector {
     return keys_;
   }
 
-  Color ColorOf(std::string_view value) const {
-    const std::string_view key = KeyOf(value);
+  Color ColorOf(std::string_view port, std::string_view value) const {
+    const std::string_view key = KeyOf(value, port);
     return key.empty() ? ui_.palette.text : ui_.palette.OfKey(key);
   }
 
@@ -214,17 +216,18 @@ class Inspector {
     }
     FieldLook look;
     look.hint = port.default_text ? std::string_view(*port.default_text) : "not given";
-    look.color = ColorOf(value);
+    look.color = ColorOf(port.name, value);
     look.can_clear = given != nullptr;
-    if (KeyOf(value).empty()) look.kind = KindOf(port.type);
+    const bool is_literal = KeyOf(value, port.name).empty();
+    if (is_literal) look.kind = KindOf(port.type);
     look.choices = ChoicesOf(node_.id, port.name);
     const bool may_be_enum = KindOf(port.type) == FieldKind::kText && IsOwnType(port.type);
     if (look.choices.empty() && may_be_enum) look.choices = ChoicesIn(port.description);
     look.keys = Keys();
     look.is_script = port.type == "script";
-    if (!look.choices.empty() && KeyOf(value).empty()) look.kind = FieldKind::kChoice;
+    if (!look.choices.empty() && is_literal) look.kind = FieldKind::kChoice;
     EditAttribute(path, port.name, value, look);
-    if (ImGui::IsItemHovered() && state_.typing.key.empty())
+    if (ImGui::IsItemHovered() && state_.input.typing.key.empty())
       PortTooltip(&port, given ? value : std::string(look.hint));
     if (port.type == "script" && !value.empty()) DrawScriptProblem(value);
   }
@@ -235,7 +238,7 @@ class Inspector {
       return;
     }
     FieldLook look;
-    look.color = ColorOf(port.value);
+    look.color = ColorOf(port.name, port.value);
     look.can_clear = true;
     look.keys = Keys();
     EditAttribute("inspector/port/" + std::string(port.name), std::string(port.name),
@@ -243,14 +246,14 @@ class Inspector {
   }
 
   void ShowPort(const std::string& name, std::string_view value, const PortModel* model) {
-    const Row row =
-        ValueRow(ui_, "inspector/port/" + name, name, value, {Face::kMono, 11, ColorOf(value)});
+    const Row row = ValueRow(ui_, "inspector/port/" + name, name, value,
+                             {Face::kMono, 11, ColorOf(name, value)});
     if (row.hovered) PortTooltip(model, value);
   }
 
   void DrawScripts() {
     bool headed = false;
-    for (const std::string_view name : kScriptAttributes) {
+    for (const std::string_view name : kGuardAttributes) {
       const PortLine* given = Given(name);
       if (!given) continue;
       if (!headed) HeadingRow(ui_, "guards and hooks");
@@ -290,7 +293,7 @@ class Inspector {
     ImGui::SetNextWindowPos({row.box.min.x + 8 * ui_.scale, row.box.max.y});
     const MenuSpacing spacing(ui_);
     if (!ImGui::BeginPopup("new script")) return;
-    for (const std::string_view name : kScriptAttributes) {
+    for (const std::string_view name : kGuardAttributes) {
       if (Given(name)) continue;
       const std::string text(name);
       const bool chosen = ImGui::MenuItem(text.c_str());
@@ -298,7 +301,7 @@ class Inspector {
                     {FromIm(ImGui::GetItemRectMin()), FromIm(ImGui::GetItemRectMax())});
       if (!chosen) continue;
       action_ = [text, &state = state_](TreeEditor& edit) {
-        if (edit.SetValue(text, "true")) state.focus_field = "inspector/script/" + text;
+        if (edit.SetValue(text, "true")) state.input.focus_field = "inspector/script/" + text;
       };
     }
     ImGui::EndPopup();

@@ -5,8 +5,8 @@
 #include "editor/canvas/paint/status_look.h"
 #include "editor/panels/drag_source.h"
 #include "editor/panels/outline_drop.h"
-#include "editor/panels/panel.h"
 #include "editor/panels/panels.h"
+#include "editor/panels/widgets/panel.h"
 
 namespace coppice::editor {
 namespace {
@@ -31,10 +31,10 @@ class OutlineRow {
   void Draw(EditorState& state) {
     const Row row = NextRow(ui_, "outline/" + node_.path, view_.IsSelected(node_number_));
     if (!live_ && StartsDrag()) {
-      state.incoming = Drag{{node_number_}, std::string(node_.name)};
-      state.drop_answer = {};
-    } else if (row.clicked && !state.incoming) {
-      Select(state.canvas_size);
+      state.drag.carried = Drag{{node_number_}, std::string(node_.name)};
+      state.drag.answer = {};
+    } else if (row.clicked && !state.drag.carried) {
+      Select(state.screen.canvas_size);
     }
     if (!row.visible) return;
     PaintStatus(row.box);

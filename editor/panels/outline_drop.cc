@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "editor/panels/panel.h"
+#include "editor/panels/widgets/panel.h"
 #include "editor/workspace/node_drop.h"
 
 namespace coppice::editor {
@@ -32,18 +32,19 @@ DropTarget OutlineTarget(const Scene& scene, std::uint32_t node, float part) {
 void DropOntoRow(const Ui& ui, EditorState& state, std::uint32_t node, const Box& row) {
   const ImGuiIO& io = ImGui::GetIO();
   const Point mouse = FromIm(io.MousePos);
-  const bool is_over = state.incoming && row.Contains(mouse) &&
+  const bool is_over = state.drag.carried && row.Contains(mouse) &&
                        ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
   if (!is_over || !state.workspace.view()) return;
   const Scene& scene = *state.workspace.view()->scene();
   const float part = (mouse.y - row.min.y) / row.height();
   const DropRequest request = {OutlineTarget(scene, node, part), io.KeyShift, io.KeyAlt};
   const NodeDrop drop(state, ui.now);
-  const std::string refusal = drop.handler().why_not(*state.incoming, request);
+  const std::string refusal = drop.handler().why_not(*state.drag.carried, request);
   PaintTarget(ui, request.target, part, row,
               refusal.empty() ? ui.palette.accent : ui.palette.error);
   if (!refusal.empty()) Tooltip(ui, refusal);
-  if (ImGui::IsMouseReleased(0) && refusal.empty()) drop.handler().drop(*state.incoming, request);
+  if (ImGui::IsMouseReleased(0) && refusal.empty())
+    drop.handler().drop(*state.drag.carried, request);
 }
 
 }  // namespace coppice::editor

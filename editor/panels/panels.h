@@ -32,17 +32,8 @@ void DrawInspector(const Ui& ui, EditorState& state, const Box& box);
 /// Values on the robot, by blackboard. "blackboard/SCOPE/KEY".
 void DrawBlackboard(const Ui& ui, EditorState& state, const Box& box);
 
-/// The text of the file, with the line of the selected node. "xml/LINE".
-void DrawXml(const Ui& ui, EditorState& state, const Box& box);
-
 /// What is wrong with the files and with the connection. "problems/0".
 void DrawProblems(const Ui& ui, EditorState& state, const Box& box);
-
-/// Time: lanes of nodes, ticks and a key. "timeline/PATH", "timeline/overview", "timeline/now".
-void DrawTimeline(const Ui& ui, EditorState& state, const Box& box);
-
-/// Why, what runs, breakpoints, statistics and comparison of the shown run. "run/why".
-void DrawRunTile(const Ui& ui, EditorState& state, const Box& box);
 
 /// Where the robot stands: how to go on, below the node. "stop/continue".
 void DrawStopBar(const Ui& ui, EditorState& state, const Box& canvas);
@@ -56,10 +47,6 @@ void DrawSimulatedLeaf(const Ui& ui, EditorState& state, const Box& canvas);
 
 /// Scenarios and how they went. "tests/0", with its first difference "tests/0/0", "tests/run".
 void DrawTests(const Ui& ui, EditorState& state, const Box& box);
-
-/// The open popup, if any: prompts, the command palette, the list of keys. "popup/input",
-/// "popup/0".
-void DrawPopup(const Ui& ui, EditorState& state);
 
 }  // namespace coppice::editor
 

@@ -1,8 +1,8 @@
 #include <algorithm>
 
 #include "editor/document/fixes.h"
-#include "editor/panels/panel.h"
 #include "editor/panels/panels.h"
+#include "editor/panels/widgets/panel.h"
 #include "editor/theme/icons.h"
 #include "editor/workspace/tree_editor.h"
 
@@ -36,7 +36,7 @@ void JumpTo(EditorState& state, std::size_t number, const Diagnostic& problem, d
       if (!inside) continue;
       workspace.ShowFileTree(number, static_cast<int>(t), now);
       if (workspace.SelectElement(document, element)) {
-        workspace.view()->Reveal(state.canvas_size);
+        workspace.view()->Reveal(state.screen.canvas_size);
       }
       return;
     }

@@ -1,7 +1,7 @@
 #include <filesystem>
 
-#include "editor/panels/panel.h"
 #include "editor/panels/panels.h"
+#include "editor/panels/widgets/panel.h"
 #include "editor/theme/icons.h"
 
 namespace coppice::editor {

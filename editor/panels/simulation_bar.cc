@@ -2,9 +2,9 @@
 #include <cstdio>
 #include <string>
 
-#include "editor/canvas/layout/free_place.h"
-#include "editor/panels/panel.h"
+#include "editor/canvas/free_place.h"
 #include "editor/panels/panels.h"
+#include "editor/panels/widgets/panel.h"
 #include "editor/simulation/chance_text.h"
 #include "editor/simulation/script_text.h"
 #include "editor/theme/icons.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string>
 
-#include "editor/panels/panel.h"
+#include "editor/panels/widgets/panel.h"
 
 namespace coppice::editor {
 namespace {
@@ -124,20 +124,20 @@ class StartScreen {
   }
 
   void OfferRecent() {
-    if (state_.recent.empty()) return;
+    if (state_.recent.files.empty()) return;
     y_ += kGap * ui_.scale;
     const TextStyle heading{Face::kBold, 11, ui_.palette.text_dim};
     ui_.RowText(list_, {left_, y_}, 20 * ui_.scale, "recent files", heading);
     y_ += 22 * ui_.scale;
-    for (std::size_t i = 0; i < std::min(state_.recent.size(), kRecent); ++i) {
-      const std::string path = state_.recent[i];
+    for (std::size_t i = 0; i < std::min(state_.recent.files.size(), kRecent); ++i) {
+      const std::string path = state_.recent.files[i];
       const Box box = Take(20);
       y_ -= kGap * ui_.scale;
       bool hovered = false;
       const bool pressed = ui_.Hit("start/recent/" + std::to_string(i), box, &hovered);
       const TextStyle style{Face::kSans, 12, hovered ? ui_.palette.accent : ui_.palette.link};
       ui_.RowText(list_, box.min, box.height(), ui_.CutStart(path, style, width_), style);
-      if (pressed) state_.after_frame = [&s = state_, path] { s.open_file(path); };
+      if (pressed) state_.after_frame = [&s = state_, path] { s.services.open_file(path); };
     }
   }
 

@@ -1,6 +1,6 @@
-#include "editor/canvas/layout/free_place.h"
-#include "editor/panels/panel.h"
+#include "editor/canvas/free_place.h"
 #include "editor/panels/panels.h"
+#include "editor/panels/widgets/panel.h"
 
 namespace coppice::editor {
 namespace {

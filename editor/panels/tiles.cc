@@ -4,9 +4,12 @@
 
 #include "editor/panels/canvas_banners.h"
 #include "editor/panels/canvas_tile.h"
-#include "editor/panels/panel.h"
 #include "editor/panels/panels.h"
+#include "editor/panels/run/run_tile.h"
 #include "editor/panels/start_screen.h"
+#include "editor/panels/timeline/timeline.h"
+#include "editor/panels/widgets/panel.h"
+#include "editor/panels/xml/xml.h"
 #include "editor/workspace/simulation_editor.h"
 #include "editor/workspace/tree_editor.h"
 
@@ -38,8 +41,8 @@ class Screen {
     DrawConnectionStrip(ui_, state_, TakeTop(rest, kStrip));
     const float gap = kGap * ui_.scale;
     rest = {rest.min + Point{gap, gap}, rest.max - Point{gap, gap}};
-    Tiles& tiles = state_.tiles;
-    Splits& splits = state_.splits;
+    Tiles& tiles = state_.screen.tiles;
+    Splits& splits = state_.screen.splits;
     if (tiles.project || tiles.outline || tiles.types) LeftColumn(TakeLeft(rest, splits.left));
     const bool is_run = state_.workspace.run() != nullptr;
     if (is_run && tiles.timeline) {
@@ -112,13 +115,13 @@ class Screen {
   }
 
   void LeftColumn(Box column) {
-    const Tiles& tiles = state_.tiles;
+    const Tiles& tiles = state_.screen.tiles;
     const bool upper = tiles.project || tiles.outline;
     // Nothing can be added to a run: the outline takes the room.
     const bool types = tiles.types && (!upper || !state_.workspace.run());
     if (types && upper) {
       const float gap = kGap * ui_.scale;
-      float& part = state_.splits.types_part;
+      float& part = state_.screen.splits.types_part;
       const float cut = column.min.y + std::clamp(part, 0.1F, 0.9F) * column.height();
       const Box bar = {{column.min.x, cut}, {column.max.x, cut + gap}};
       DrawTypes(ui_, state_, {{column.min.x, bar.max.y}, column.max});
@@ -130,8 +133,8 @@ class Screen {
     if (!upper) return;
     const bool has_files = !state_.workspace.files().empty();
     Column("left", column,
-           {tiles.project, DrawProject, has_files ? nullptr : &state_.splits.bare_project},
-           {tiles.outline, DrawOutline}, state_.splits.left_part);
+           {tiles.project, DrawProject, has_files ? nullptr : &state_.screen.splits.bare_project},
+           {tiles.outline, DrawOutline}, state_.screen.splits.left_part);
   }
 
   // Two tiles one above the other; the one with something to show gets the room.
@@ -178,7 +181,7 @@ class Screen {
     const bool is_simulation = SimulationEditor(state_, ui_.now).IsShown();
     if (is_simulation) DrawSimulationBar(ui_, state_, TakeTop(rest, kBar));
     rest = DrawCanvasBanners(ui_, state_, rest);
-    state_.canvas_size = {rest.width(), rest.height()};
+    state_.screen.canvas_size = {rest.width(), rest.height()};
     ImGui::SetCursorScreenPos(ToIm(rest.min));
     if (state_.workspace.view()) {
       // What lies over the canvas takes clicks before it, and is painted over it.
@@ -203,10 +206,10 @@ class Screen {
 
   // A type that is dropped onto an empty tree becomes its root.
   void DropRoot(const Box& canvas) {
-    const bool dropped = state_.incoming && ImGui::IsMouseReleased(0) &&
+    const bool dropped = state_.drag.carried && ImGui::IsMouseReleased(0) &&
                          canvas.Contains(FromIm(ImGui::GetIO().MousePos));
     if (!dropped) return;
-    state_.after_frame = [&s = state_, xml = state_.dragged_xml, type = state_.incoming->label,
+    state_.after_frame = [&s = state_, xml = state_.drag.xml, type = state_.drag.carried->label,
                           now = ui_.now] { TreeEditor(s, now).Add(xml, type, AddWhere::kChild); };
   }
 

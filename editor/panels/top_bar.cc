@@ -181,14 +181,14 @@ class TopBar {
       Entry("file.restore");
       Entry("file.forget");
     }
-    if (!state_.recent.empty()) ImGui::Separator();
-    for (std::size_t i = 0; i < state_.recent.size(); ++i) {
-      const std::string path = state_.recent[i];
+    if (!state_.recent.files.empty()) ImGui::Separator();
+    for (std::size_t i = 0; i < state_.recent.files.size(); ++i) {
+      const std::string path = state_.recent.files[i];
       const bool chosen = ImGui::MenuItem(path.c_str());
       ui_.items.Add("menu/recent/" + std::to_string(i),
                     {FromIm(ImGui::GetItemRectMin()), FromIm(ImGui::GetItemRectMax())});
       if (chosen) {
-        state_.open_file(path);
+        state_.services.open_file(path);
         break;
       }
     }

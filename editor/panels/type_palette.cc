@@ -8,9 +8,9 @@
 
 #include "editor/canvas/layout/node_metrics.h"
 #include "editor/panels/drag_source.h"
-#include "editor/panels/panel.h"
 #include "editor/panels/panels.h"
 #include "editor/panels/popup/type_choices.h"
+#include "editor/panels/widgets/panel.h"
 #include "editor/workspace/tree_editor.h"
 
 namespace coppice::editor {
@@ -39,7 +39,7 @@ void DrawFilter(const Ui& ui, EditorState& state) {
   ImGui::SetCursorPos({6 * ui.scale, 4 * ui.scale});
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - 6 * ui.scale);
   ImGui::PushFont(ui.fonts.Pick(Face::kSans, 12 * ui.scale));
-  ImGui::InputTextWithHint("##filter", "filter", &state.type_filter);
+  ImGui::InputTextWithHint("##filter", "filter", &state.input.type_filter);
   ui.items.Add("types/filter", {FromIm(ImGui::GetItemRectMin()), FromIm(ImGui::GetItemRectMax())});
   ImGui::PopFont();
   ImGui::SetCursorPos({0, kFilter * ui.scale + 2 * ui.scale});
@@ -48,12 +48,12 @@ void DrawFilter(const Ui& ui, EditorState& state) {
 void DrawType(const Ui& ui, EditorState& state, const TypeChoice& type) {
   const Row row = NextRow(ui, "types/" + type.type, false);
   if (StartsDrag()) {
-    state.incoming = Drag{{}, type.type};
-    state.dragged_xml = type.xml;
-    state.drop_answer = {};
+    state.drag.carried = Drag{{}, type.type};
+    state.drag.xml = type.xml;
+    state.drag.answer = {};
   }
   const bool twice = row.hovered && ImGui::IsMouseDoubleClicked(0);
-  if (row.hovered && !type.note.empty() && !state.incoming) {
+  if (row.hovered && !type.note.empty() && !state.drag.carried) {
     Tooltip(ui, type.note);
   }
   if (row.visible) {
@@ -78,8 +78,8 @@ void DrawType(const Ui& ui, EditorState& state, const TypeChoice& type) {
 }  // namespace
 
 void DrawTypes(const Ui& ui, EditorState& state, const Box& box) {
-  std::vector<TypeChoice> types = FindTypes(state, state.type_filter, true, SIZE_MAX);
-  if (state.type_filter.empty()) {
+  std::vector<TypeChoice> types = FindTypes(state, state.input.type_filter, true, SIZE_MAX);
+  if (state.input.type_filter.empty()) {
     std::stable_sort(types.begin(), types.end(), [](const auto& a, const auto& b) {
       return std::make_pair(KindOf(a), a.type) < std::make_pair(KindOf(b), b.type);
     });
@@ -97,7 +97,7 @@ void DrawTypes(const Ui& ui, EditorState& state, const Box& box) {
     DrawFilter(ui, state);
     const std::string* heading = nullptr;
     for (const TypeChoice& type : types) {
-      if (state.type_filter.empty() && (!heading || *heading != type.kind)) {
+      if (state.input.type_filter.empty() && (!heading || *heading != type.kind)) {
         const Row row = NextRow(ui, "types/heading/" + type.kind, false, 19);
         ui.RowText(*ImGui::GetWindowDrawList(), row.box.min + Point{8 * ui.scale, 0},
                    row.box.height(), type.kind, {Face::kBold, 11, ui.palette.text_dim});

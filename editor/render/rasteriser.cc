@@ -1,3 +1,6 @@
+// Pictures of tests and of programs without a display come from here, hundreds of them, and are
+// compared bit by bit. So everything is whole numbers, no edge of two triangles is painted twice,
+// and what Dear ImGui draws most, boxes and glyphs along the axes, has a short way of its own.
 #include "editor/render/rasteriser.h"
 
 #include <algorithm>

@@ -5,6 +5,8 @@
 #include <string_view>
 #include <utility>
 
+#include "bt_core/model/keys.h"
+
 namespace coppice::editor {
 namespace {
 
@@ -36,36 +38,40 @@ class Collector {
     if (node.parent == kNoNode || scopes_[node.scope].opened) return;
     const SceneNode& subtree = scene_.nodes[node.parent];
     if (subtree.scope == node.scope) return;
-    Scope& scope = scopes_[node.scope];
-    scope.opened = true;
-    scope.parent = subtree.scope;
+    scopes_[node.scope].opened = true;
+    scopes_[node.scope].parent = subtree.scope;
+    scopes_[node.scope].autoremap = subtree.autoremap;
     for (std::uint32_t p = subtree.first_port; p < subtree.first_port + subtree.port_count; ++p) {
       const PortLine& port = scene_.ports[p];
-      if (port.name == "_autoremap") scope.autoremap = port.value == "true" || port.value == "1";
-      if (port.is_key) scope.keys.emplace(port.name, Resolve(NameOf(port), subtree.scope));
+      if (!IsReservedAttribute(port.name)) Remap(node.scope, port.name, port.key);
+    }
+    if (subtree.autoremap || !subtree.model) return;
+    for (const PortModel& port : subtree.model->ports) {
+      if (port.default_text) Remap(node.scope, port.name, KeyOf(*port.default_text, port.name));
     }
   }
 
-  // "{=}" is the key with the name of the port.
-  static std::string_view NameOf(const PortLine& port) {
-    const std::string_view key = KeyOf(port.value);
-    return key == "=" ? port.name : key;
+  // Inside, `name` is that key of the tree outside, or holds a literal. The first who says it wins.
+  void Remap(std::uint32_t scope, std::string_view name, std::string_view key) {
+    if (scopes_[scope].keys.count(name) > 0) return;
+    const std::uint32_t number = key.empty() ? NewKey() : Resolve(key, scopes_[scope].parent);
+    scopes_[scope].keys.emplace(name, number);
+  }
+
+  std::uint32_t NewKey() {
+    result_.uses.emplace_back();
+    return static_cast<std::uint32_t>(result_.uses.size() - 1);
   }
 
   std::uint32_t Resolve(std::string_view key, std::uint32_t scope) {
-    if (!key.empty() && key.front() == '@') {
+    if (key.front() == '@') {
       key.remove_prefix(1);
       scope = 0;
     }
     Scope& here = scopes_[scope];
     if (const auto known = here.keys.find(key); known != here.keys.end()) return known->second;
-    std::uint32_t number = 0;
-    if (here.autoremap && key.substr(0, 1) != "_") {
-      number = Resolve(key, here.parent);
-    } else {
-      number = static_cast<std::uint32_t>(result_.uses.size());
-      result_.uses.emplace_back();
-    }
+    const bool is_outside = here.autoremap && !IsPrivateKey(key);
+    const std::uint32_t number = is_outside ? Resolve(key, here.parent) : NewKey();
     here.keys.emplace(key, number);
     return number;
   }
@@ -74,8 +80,8 @@ class Collector {
     const SceneNode& node = scene_.nodes[index];
     for (std::uint32_t p = node.first_port; p < node.first_port + node.port_count; ++p) {
       const PortLine& port = scene_.ports[p];
-      if (!port.is_key) continue;
-      const std::uint32_t key = Resolve(NameOf(port), node.scope);
+      if (port.key.empty()) continue;
+      const std::uint32_t key = Resolve(port.key, node.scope);
       result_.key_of_port[p] = key;
       const bool hands_on = node.shape == Shape::kSubTree;
       result_.uses[key].push_back({index, p, !hands_on && port.direction != PortDirection::kOutput,

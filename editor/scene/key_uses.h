@@ -1,7 +1,7 @@
 // Who reads and who writes each blackboard key of a scene.
 //
 // A key of a SubTree that an attribute or _autoremap makes a key of the tree outside is that key:
-// the engine's own rule (bt_core/engine/compile/keys.h). "@key" is a key of the main tree.
+// the engine's own rule (bt_core/model/keys.h). "@key" is a key of the main tree.
 #ifndef COPPICE_EDITOR_SCENE_KEY_USES_H_
 #define COPPICE_EDITOR_SCENE_KEY_USES_H_
 

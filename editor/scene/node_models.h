@@ -6,33 +6,17 @@
 #define COPPICE_EDITOR_SCENE_NODE_MODELS_H_
 
 #include <map>
-#include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
 
-#include "bt_core/data/port.h"
 #include "bt_core/model/document.h"
-#include "bt_core/model/manifest.h"
+#include "bt_core/model/node_model.h"
 
 namespace coppice::editor {
 
-struct PortModel {
-  std::string name;
-  PortDirection direction = PortDirection::kInput;
-  std::string type;  ///< may be empty
-  std::string description;
-  std::optional<std::string> default_text;
-};
-
-struct NodeModel {
-  std::string id;
-  NodeCategory category = NodeCategory::kAction;
-  std::string description;
-  std::vector<PortModel> ports;  ///< in the declared order
-  std::string source;            ///< "built-in", or "file:line" of the model
-
-  const PortModel* FindPort(std::string_view name) const;
+/// `document` is not used: models come from several projects and robots.
+struct KnownModel : NodeModel {
+  std::string source;  ///< "built-in", or "file:line" of the model
 };
 
 class NodeModels {
@@ -41,16 +25,17 @@ class NodeModels {
   NodeModels();
 
   /// Adds the models of every <TreeNodesModel> in the document; a type that is known already is
-  /// replaced, but for the built-in ones.
+  /// replaced, but for the built-in ones. What is no model is left out: the check of the file
+  /// reports it.
   void AddFrom(const Document& document);
 
   /// The model of that ID, or null.
-  const NodeModel* Find(std::string_view id) const;
+  const KnownModel* Find(std::string_view id) const;
 
-  const std::map<std::string, NodeModel, std::less<>>& all() const { return models_; }
+  const std::map<std::string, KnownModel, std::less<>>& all() const { return models_; }
 
  private:
-  std::map<std::string, NodeModel, std::less<>> models_;
+  std::map<std::string, KnownModel, std::less<>> models_;
 };
 
 }  // namespace coppice::editor

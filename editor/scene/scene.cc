@@ -1,9 +1,14 @@
+// A SubTree is written out wherever it stands, so a scene can be far larger than its files, and a
+// small file can ask for an endless one. Hence a list of what is still to do in the place of
+// recursion, a limit, and for each instance of a tree the instances around it, by which a tree
+// inside itself is recognized.
 #include "editor/scene/scene.h"
 
 #include <algorithm>
 #include <optional>
 #include <unordered_map>
 
+#include "bt_core/model/keys.h"
 #include "editor/scene/notes.h"
 
 namespace coppice::editor {
@@ -68,7 +73,7 @@ class Builder {
   };
   struct TagMeaning {
     std::optional<NodeCategory> category;  // written instead of a type
-    const NodeModel* model = nullptr;      // of the type of that name
+    const KnownModel* model = nullptr;     // of the type of that name
   };
   struct TreeInstance {
     int tree;
@@ -121,6 +126,7 @@ class Builder {
     node.model = node.id.data() == element.tag.data() ? tag.model : models_.Find(node.id);
     if (is_subtree) {
       node.shape = Shape::kSubTree;
+      node.autoremap = IsAutoremapped(document, element);
     } else if (explicit_category) {
       node.shape = ShapeOf(*explicit_category);
     } else if (node.model) {
@@ -160,9 +166,10 @@ class Builder {
   }
 
   void AddPort(const Attribute& given, const PortModel* model) {
-    scene_.ports.push_back({given.name, given.value,
-                            model ? model->direction : PortDirection::kInput,
-                            !KeyOf(given.value).empty(), model});
+    scene_.ports.push_back(
+        {given.name, given.value, model ? model->direction : PortDirection::kInput,
+         IsReservedAttribute(given.name) ? std::string_view() : KeyOf(given.value, given.name),
+         model});
   }
 
   void OpenSubTree(const Document& document, const Element& element, std::uint32_t index,
@@ -234,11 +241,6 @@ std::uint32_t Scene::FindElement(std::uint32_t document, ElementIndex element) c
 Scene BuildScene(const Forest& forest, int tree, const NodeModels& models, std::size_t limit) {
   if (tree < 0 || static_cast<std::size_t>(tree) >= forest.trees().size()) return {};
   return Builder(forest, models, limit).Build(tree);
-}
-
-std::string_view KeyOf(std::string_view value) {
-  if (value.size() < 3 || value.front() != '{' || value.back() != '}') return {};
-  return value.substr(1, value.size() - 2);
 }
 
 }  // namespace coppice::editor

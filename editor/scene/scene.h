@@ -24,7 +24,7 @@ struct PortLine {
   std::string_view name;
   std::string_view value;
   PortDirection direction = PortDirection::kInput;
-  bool is_key = false;               ///< value is {key}
+  std::string_view key;              ///< that the value names; empty: a literal
   const PortModel* model = nullptr;  ///< null if not declared
 };
 
@@ -32,8 +32,9 @@ struct SceneNode {
   std::string_view id;    ///< node type; for a SubTree the ID of its tree
   std::string_view name;  ///< given in the XML, or else the ID
   std::string path;       ///< "1.2.1"
-  const NodeModel* model = nullptr;
+  const KnownModel* model = nullptr;
   Shape shape = Shape::kUnknown;
+  bool autoremap = false;  ///< a SubTree whose keys are those outside
   bool recursive = false;  ///< a SubTree inside itself, or beyond the limit: not written out
   std::uint32_t parent = kNoNode;
   std::uint32_t end = 0;     ///< one past the last descendant
@@ -64,10 +65,6 @@ struct Scene {
 /// closed, with limit 0 all of them.
 Scene BuildScene(const Forest& forest, int tree, const NodeModels& models,
                  std::size_t limit = 50000);
-
-/// "{key}" without braces, or empty if the value is no key.
-std::string_view KeyOf(std::string_view value);
-
 }  // namespace coppice::editor
 
 #endif  // COPPICE_EDITOR_SCENE_SCENE_H_

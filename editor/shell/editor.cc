@@ -1,3 +1,6 @@
+// The order of a frame matters: first what comes from outside (disk, robots, simulation), then the
+// keys, then the tiles, then what lies over them. So commands of keys meet a state at rest. What
+// would pull something from under the tile that is being drawn goes into `after_frame`.
 #include "editor/shell/editor.h"
 
 #include <imgui.h>
@@ -25,7 +28,7 @@
 #include "editor/keys/key_file.h"
 #include "editor/live/kept_marks.h"
 #include "editor/live/robot_source.h"
-#include "editor/panels/panels.h"
+#include "editor/panels/popup/popup.h"
 #include "editor/panels/tiles.h"
 #include "editor/panels/xml/xml_keys.h"
 #include "editor/render/rasteriser.h"
@@ -54,37 +57,37 @@ Editor::Editor(EditorOptions options)
       fonts_(options_.fonts ? options_.fonts : std::make_shared<const Fonts>(options_.scale)),
       context_(fonts_->MakeContext()),
       state_([this](const Scene& scene, const SceneNode& node) {
-        const Ui ui{GetPalette(state_.palette), *fonts_, items_, options_.scale, 0, Time(0)};
+        const Ui ui{GetPalette(state_.screen.palette), *fonts_, items_, options_.scale, 0, Time(0)};
         return MeasureNode(ui, scene, node);
       }),
       backup_(options_.backup_folder),
       history_store_(options_.backup_folder) {
   const WithContext current(context_);
   SetUpImGui();
-  state_.palette = options_.palette;
-  state_.reduce_motion = options_.reduce_motion;
-  state_.open_file = [this](const std::string& path) { return Open(path); };
-  state_.resume = [this](const std::string& path, const std::string& text) {
+  state_.screen.palette = options_.palette;
+  state_.screen.reduce_motion = options_.reduce_motion;
+  state_.services.open_file = [this](const std::string& path) { return Open(path); };
+  state_.services.resume = [this](const std::string& path, const std::string& text) {
     return history_store_.Resume(state_.workspace.project(), path, text);
   };
-  state_.connect = [this](const std::string& endpoint) { return Connect(endpoint); };
-  state_.get_clipboard = [this] {
+  state_.services.connect = [this](const std::string& endpoint) { return Connect(endpoint); };
+  state_.services.get_clipboard = [this] {
     const WithContext own(context_);
     return std::string(ImGui::GetClipboardText());
   };
-  state_.set_clipboard = [this](const std::string& text) {
+  state_.services.set_clipboard = [this](const std::string& text) {
     const WithContext own(context_);
     ImGui::SetClipboardText(text.c_str());
   };
-  AddEditCommands(state_, [this] { return now_; });
-  AddProjectCommands(state_, [this] { return now_; });
-  AddMergeCommands(state_, [this] { return now_; });
-  AddPictureCommands(state_, [this] { return now_; });
-  AddRunCommands(state_, [this] { return now_; });
-  AddLogCommands(state_, [this] { return now_; });
-  AddPlaceCommands(state_, [this] { return now_; });
-  AddStandardCommands(state_, [this] { return now_; });
-  AddSimulationCommands(state_, [this] { return now_; });  // last: see there
+  AddEditCommands(state_);
+  AddProjectCommands(state_);
+  AddMergeCommands(state_);
+  AddPictureCommands(state_);
+  AddRunCommands(state_);
+  AddLogCommands(state_);
+  AddPlaceCommands(state_);
+  AddStandardCommands(state_);
+  AddSimulationCommands(state_);  // last: see there
   state_.git = GitHead(options_.wake);
   LoadRecent();
   LoadKeys();
@@ -121,7 +124,7 @@ void Editor::SetUpImGui() {
 
 bool Editor::Open(const std::string& path) {
   const WithContext current(context_);
-  const bool good = state_.workspace.Open(path, now_);
+  const bool good = state_.workspace.Open(path, state_.now);
   if (good) Remember(path);
   history_store_.Restore(state_.workspace.project());
   LookForBackup(path);
@@ -139,8 +142,8 @@ void Editor::LookForBackup(const std::string& path) {
 
 // Every few seconds, and not before what is there has been restored or refused.
 void Editor::BackUp() {
-  if (now_ - backed_up_at_ < kBackupSeconds || !state_.restorable.empty()) return;
-  backed_up_at_ = now_;
+  if (state_.now - backed_up_at_ < kBackupSeconds || !state_.restorable.empty()) return;
+  backed_up_at_ = state_.now;
   state_.git.Look();
   backup_.Update(state_.workspace.project());
   history_store_.Update(state_.workspace.project());
@@ -169,32 +172,32 @@ void Editor::AddRun(std::unique_ptr<RunSource> source) {
 
 void Editor::Frame(const InputEvents& input) {
   const WithContext current(context_);
-  now_ += input.dt;
-  state_.simulator.Update(state_.workspace.project(), now_);
+  state_.now += input.dt;
+  state_.simulator.Update(state_.workspace.project(), state_.now);
   state_.coverage.Update();
-  state_.workspace.Update(now_);
+  state_.workspace.Update(state_.now);
   for (const auto& run : state_.workspace.runs()) {
     const std::string answer = run->TakeAnswer();
-    if (!answer.empty()) state_.Notify(run->name() + ": " + answer, now_, true);
+    if (!answer.empty()) state_.Notify(run->name() + ": " + answer, state_.now, true);
   }
   BackUp();
   const std::string news = state_.workspace.TakeNews();
-  if (!news.empty()) state_.Notify(news, now_);
+  if (!news.empty()) state_.Notify(news, state_.now);
   Apply(input);
   ImGui::NewFrame();
   items_.Clear();
-  const Palette& palette = GetPalette(state_.palette);
+  const Palette& palette = GetPalette(state_.screen.palette);
   ApplyImGuiStyle(palette, options_.scale);
-  if (TreeView* view = state_.workspace.view()) view->animated = !state_.reduce_motion;
+  if (TreeView* view = state_.workspace.view()) view->animated = !state_.screen.reduce_motion;
   RunKeys();
   const TreeState* shown = state_.workspace.tree_state();
-  const Ui ui{GetPalette(state_.palette),
+  const Ui ui{GetPalette(state_.screen.palette),
               *fonts_,
               items_,
               options_.scale,
-              now_,
+              state_.now,
               shown ? shown->now : Time(0),
-              state_.reduce_motion};
+              state_.screen.reduce_motion};
   ImGui::SetNextWindowPos({0, 0});
   ImGui::SetNextWindowSize({input.width, input.height});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
@@ -207,18 +210,18 @@ void Editor::Frame(const InputEvents& input) {
   ImGui::End();
   DrawPopup(ui, state_);
   ImGui::Render();
-  if (!ImGui::IsMouseDown(0)) state_.incoming.reset();
+  if (!ImGui::IsMouseDown(0)) state_.drag.carried.reset();
   if (state_.after_frame) std::exchange(state_.after_frame, {})();
 }
 
 bool Editor::Rest(double seconds) {
   const WithContext current(context_);
   const double notice_end = state_.notice.at + kNoticeSeconds;
-  const bool showed_notice = notice_end > now_;
-  now_ += seconds;
-  const bool changed = state_.workspace.Update(now_);
+  const bool showed_notice = notice_end > state_.now;
+  state_.now += seconds;
+  const bool changed = state_.workspace.Update(state_.now);
   BackUp();
-  return changed || (showed_notice && notice_end <= now_) || NextFrameIn() == 0;
+  return changed || (showed_notice && notice_end <= state_.now) || NextFrameIn() == 0;
 }
 
 void Editor::Apply(const InputEvents& input) {
@@ -228,7 +231,7 @@ void Editor::Apply(const InputEvents& input) {
   io.MouseDoubleClickMaxDist = 6;
   settle_ = input.events.empty() ? std::max(settle_ - 1, 0) : kFramesToSettle;
   queue_.Add(input.events);
-  state_.keys.clear();
+  state_.input.keys.clear();
   for (const InputEvent& event : queue_.TakeFrame()) {
     if (const auto* move = std::get_if<MouseMove>(&event)) io.MousePos = {move->x, move->y};
     if (const auto* button = std::get_if<MouseButton>(&event)) {
@@ -243,19 +246,19 @@ void Editor::Apply(const InputEvents& input) {
     }
     if (const auto* key = std::get_if<KeyEvent>(&event)) {
       ApplyKey(io, *key);
-      if (key->down) state_.keys.push_back(*key);
+      if (key->down) state_.input.keys.push_back(*key);
     }
   }
 }
 
 // While a text is being typed, its keys are its own.
 void Editor::RunKeys() {
-  if (state_.popup != Popup::kNone || ImGui::GetIO().WantTextInput) return;
-  const std::vector<KeyEvent> keys = state_.keys;
+  if (state_.popup.kind != Popup::kNone || ImGui::GetIO().WantTextInput) return;
+  const std::vector<KeyEvent> keys = state_.input.keys;
   for (const KeyEvent& event : keys) {
-    if (state_.xml.focused && IsTextKey({event.key, event.modifiers})) continue;
-    if (state_.commands.Press({event.key, event.modifiers})) state_.keys.clear();
-    if (state_.popup != Popup::kNone) return;
+    if (state_.xml.pane.focused && IsTextKey({event.key, event.modifiers})) continue;
+    if (state_.commands.Press({event.key, event.modifiers})) state_.input.keys.clear();
+    if (state_.popup.kind != Popup::kNone) return;
   }
 }
 
@@ -272,7 +275,7 @@ Image Editor::Picture() const {
   io.Fonts->GetTexDataAsAlpha8(&alpha, &texture.width, &texture.height);
   texture.alpha = alpha;
   Image image = MakeImage(static_cast<int>(io.DisplaySize.x), static_cast<int>(io.DisplaySize.y),
-                          GetPalette(state_.palette).canvas);
+                          GetPalette(state_.screen.palette).canvas);
   if (const ImDrawData* data = ImGui::GetDrawData()) Rasterise(*data, texture, image);
   return image;
 }
@@ -281,12 +284,13 @@ double Editor::NextFrameIn() const {
   if (queue_.pending() || settle_ > 0) return 0;
   const Workspace& workspace = state_.workspace;
   if (const TreeView* view = const_cast<Workspace&>(workspace).view()) {
-    if (view->IsMoving(now_)) return 0;
+    if (view->IsMoving(state_.now)) return 0;
   }
   if (state_.coverage.is_running() || IsLogBehind()) return 0;
-  double next = std::min(workspace.NextUpdateIn(now_), state_.simulator.NextUpdateIn(now_));
-  if (state_.notice.at + kNoticeSeconds > now_) {
-    next = std::min(next, state_.notice.at + kNoticeSeconds - now_);
+  double next =
+      std::min(workspace.NextUpdateIn(state_.now), state_.simulator.NextUpdateIn(state_.now));
+  if (state_.notice.at + kNoticeSeconds > state_.now) {
+    next = std::min(next, state_.notice.at + kNoticeSeconds - state_.now);
   }
   for (const auto& run : workspace.runs()) {
     if (run->source().has_news() || run->playhead().is_playing()) return 0;
@@ -328,15 +332,15 @@ void Editor::LoadKeys() {
     ReadKeys(*text, keys.file, state_.commands, keys.problems);
   }
   if (keys.problems.has_errors()) {
-    state_.Notify("some keys of " + keys.file + " do not hold: F1 says why", now_, true);
+    state_.Notify("some keys of " + keys.file + " do not hold: F1 says why", state_.now, true);
   }
 }
 
 bool Editor::IsLogBehind() const {
   const RunView* run = state_.workspace.run();
-  if (!run || state_.run_tab != RunTab::kLog) return false;
-  const auto log = state_.logs.find(run->name());
-  return log != state_.logs.end() && log->second.is_behind(run->run());
+  if (!run || state_.run.tab != RunTab::kLog) return false;
+  const auto log = state_.run.logs.find(run->name());
+  return log != state_.run.logs.end() && log->second.is_behind(run->run());
 }
 
 void Editor::LoadMarks() {
@@ -345,7 +349,7 @@ void Editor::LoadMarks() {
   if (!text) return;
   Diagnostics problems;
   ReadMarks(*text, options_.marks_file, workspace.marks(), problems);
-  if (!problems.all().empty()) state_.Notify(ToString(problems.all().front()), now_, true);
+  if (!problems.all().empty()) state_.Notify(ToString(problems.all().front()), state_.now, true);
   kept_marks_ = WriteMarks(workspace.marks());
 }
 
@@ -364,15 +368,15 @@ void Editor::KeepMarks() {
 void Editor::LoadRecent() {
   if (options_.recent_file.empty()) return;
   std::ifstream stream(options_.recent_file);
-  for (std::string line; std::getline(stream, line) && state_.recent.size() < kMostRecent;) {
-    if (!line.empty()) state_.recent.push_back(line);
+  for (std::string line; std::getline(stream, line) && state_.recent.files.size() < kMostRecent;) {
+    if (!line.empty()) state_.recent.files.push_back(line);
   }
 }
 
 void Editor::Remember(const std::string& path) {
   std::error_code error;
   const std::string full = std::filesystem::absolute(path, error).lexically_normal().string();
-  auto& recent = state_.recent;
+  auto& recent = state_.recent.files;
   recent.erase(std::remove(recent.begin(), recent.end(), full), recent.end());
   recent.insert(recent.begin(), full);
   if (recent.size() > kMostRecent) recent.resize(kMostRecent);

@@ -17,8 +17,8 @@
 #include <memory>
 #include <string>
 
-#include "editor/document/backup.h"
-#include "editor/document/history_store.h"
+#include "editor/files/backup.h"
+#include "editor/files/history_store.h"
 #include "editor/keys/input_queue.h"
 #include "editor/render/image.h"
 #include "editor/theme/item_registry.h"
@@ -44,9 +44,6 @@ struct EditorOptions {
   std::function<std::string()> get_clipboard;  ///< empty: the editor's own
   std::function<void(const std::string&)> set_clipboard;
 };
-
-/// Shape of the mouse cursor that the window should show.
-enum class CursorShape { kArrow, kText, kResizeAcross, kResizeDown, kHand };
 
 class Editor {
  public:
@@ -83,7 +80,7 @@ class Editor {
   /// Where everything was in the last frame.
   const ItemRegistry& items() const { return items_; }
   EditorState& state() { return state_; }
-  double now() const { return now_; }
+  double now() const { return state_.now; }
 
   /// Seconds until the next frame is worth drawing: 0 at once, infinity when nothing moves.
   double NextFrameIn() const;
@@ -119,7 +116,6 @@ class Editor {
   HistoryStore history_store_;
   std::string kept_marks_;  // as they are in the file
   double backed_up_at_ = 0;
-  double now_ = 0;
   int settle_ = 2;  // frames that are still needed after the last event
 };
 

@@ -8,7 +8,7 @@
 
 #include "bt_core/engine/program.h"
 #include "bt_core/model/project.h"
-#include "editor/document/open_project.h"
+#include "editor/files/open_project.h"
 
 namespace coppice::editor {
 

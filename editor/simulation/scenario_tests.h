@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "bt_core/testing/scenario.h"
-#include "editor/document/open_project.h"
+#include "editor/files/open_project.h"
 
 namespace coppice::editor {
 

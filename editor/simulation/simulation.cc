@@ -1,3 +1,7 @@
+// What was done is a tree of moves, each of which knows the one before it: going back and doing
+// something else begins another branch. No state of the engine is kept with them; to go back is to
+// play the moves on the way from the first one again. So whatever can be simulated can be gone back
+// over, and saved as a test that does the same.
 #include "editor/simulation/simulation.h"
 
 #include <algorithm>

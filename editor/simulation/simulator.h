@@ -14,7 +14,7 @@
 #include <optional>
 #include <string>
 
-#include "editor/document/open_project.h"
+#include "editor/files/open_project.h"
 #include "editor/live/run_source.h"
 #include "editor/simulation/simulation.h"
 

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "editor/shell/editor.h"
+#include "editor/keys/input_queue.h"
 
 namespace coppice::editor {
 

@@ -71,7 +71,7 @@ class Translation {
 // New nodes as XML: those of the tile of types, or copies.
 std::vector<std::string> Fragments(const EditorState& state, const Document& document,
                                    const std::vector<ElementIndex>& elements) {
-  if (elements.empty()) return {state.dragged_xml};
+  if (elements.empty()) return {state.drag.xml};
   Diagnostics diagnostics;
   return ReadFragments(CopyText(document, elements), diagnostics);
 }
@@ -85,7 +85,7 @@ std::string Apply(const EditorState& state, const Drag& drag, const DropRequest&
 
 // Tries it on a copy. Asked in every frame, so the last answer is kept.
 std::string WhyNot(EditorState& state, const Drag& drag, const DropRequest& request, double now) {
-  DropAnswer& last = state.drop_answer;
+  DropAnswer& last = state.drag.answer;
   const std::uint64_t version = state.workspace.project().version();
   if (last.version == version && last.label == drag.label && last.target == request.target &&
       last.copy == request.copy && last.replace == request.replace) {
@@ -128,7 +128,7 @@ NodeDrop::NodeDrop(EditorState& state, double now) {
   handler_.drop = [&state, now](const Drag& drag, const DropRequest& request) {
     state.after_frame = [&state, drag, request, now] { Drop(state, drag, request, now); };
   };
-  handler_.incoming = state.incoming ? &*state.incoming : nullptr;
+  handler_.incoming = state.drag.carried ? &*state.drag.carried : nullptr;
 }
 
 }  // namespace coppice::editor

@@ -211,7 +211,7 @@ std::string ProjectEditor::ReplaceAll(const std::vector<Match>& matches, const Q
 void ProjectEditor::GoTo(const std::string& path, std::uint32_t offset) {
   state_.workspace.SelectPlaces({{path, offset}}, now_);
   TreeView* view = state_.workspace.view();
-  if (view && view->selected() != kNoNode) view->Reveal(state_.canvas_size);
+  if (view && view->selected() != kNoNode) view->Reveal(state_.screen.canvas_size);
 }
 
 std::string ProjectEditor::TreeAroundSelection() const {

@@ -20,7 +20,7 @@ const OpenFile* FileOf(const Workspace& workspace, const RecordedScenario& recor
 }
 
 std::pair<std::size_t, std::size_t> ShownTicks(EditorState& state, const RunView& run) {
-  const auto& range = state.timelines[run.name()].range;
+  const auto& range = state.run.timelines[run.name()].range;
   if (!range) return {0, run.run().size()};
   return {run.run().TickAt(range->first), run.run().TickAt(range->second) + 1};
 }
@@ -49,7 +49,7 @@ std::string SaveRunAsTest(EditorState& state, const std::string& name, double no
                    ", from tick " +
                    std::to_string(run->run().recording().ticks()[recorded->first_tick].number),
                now);
-  state.tiles.tests = true;
+  state.screen.tiles.tests = true;
   state.tests.Look({file->path});
   return {};
 }

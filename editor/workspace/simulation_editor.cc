@@ -203,9 +203,9 @@ std::string SimulationEditor::RunOften(const std::string& text) {
   options.scripts = std::move(told.leaves);
   options.period = state_.simulator.period();
   state_.coverage.Start(simulation->program(), std::move(options), *runs);
-  state_.run_tab = RunTab::kCoverage;
-  state_.tiles.run = true;
-  if (!state_.heat) state_.heat = HeatMode::kTicks;
+  state_.run.tab = RunTab::kCoverage;
+  state_.screen.tiles.run = true;
+  if (!state_.run.heat) state_.run.heat = HeatMode::kTicks;
   return {};
 }
 
@@ -277,7 +277,7 @@ std::string SimulationEditor::SaveAsScenario(const std::string& name) {
                    state_.simulator.tree_id(), state_.workspace.model_files(), "", diagnostics);
   if (path.empty()) return FirstProblem(diagnostics);
   state_.Notify("\"" + name + "\" is a test in " + NameOf(path), now_);
-  state_.tiles.tests = true;
+  state_.screen.tiles.tests = true;
   state_.tests.Look({state_.simulator.path()});
   return {};
 }
@@ -292,7 +292,7 @@ std::string SimulationEditor::SaveAsRecord(const std::string& path) {
 }
 
 void SimulationEditor::RunScenarios() {
-  state_.tiles.tests = true;
+  state_.screen.tiles.tests = true;
   std::vector<std::string> paths;
   for (const OpenFile& file : state_.workspace.files()) paths.push_back(file.path);
   state_.tests.Look(paths);
@@ -305,7 +305,7 @@ void SimulationEditor::RunScenarios() {
 }
 
 void SimulationEditor::ShowTest(const ScenarioTest& test) {
-  if (!test.tree_file.empty()) state_.open_file(test.tree_file);
+  if (!test.tree_file.empty()) state_.services.open_file(test.tree_file);
 }
 
 }  // namespace coppice::editor

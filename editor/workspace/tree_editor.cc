@@ -70,7 +70,7 @@ void TreeEditor::Show(const std::vector<Place>& places) {
   state_.workspace.Refresh(now_);
   state_.workspace.SelectPlaces(places, now_);
   TreeView* view = state_.workspace.view();
-  if (view && view->selected() != kNoNode) view->Reveal(state_.canvas_size);
+  if (view && view->selected() != kNoNode) view->Reveal(state_.screen.canvas_size);
 }
 
 bool TreeEditor::RunAll(const std::string& name, const std::vector<Selected>& selection,
@@ -227,7 +227,7 @@ void TreeEditor::Copy() {
     Refuse("nothing is selected");
     return;
   }
-  state_.set_clipboard(text);
+  state_.services.set_clipboard(text);
   state_.Notify("Copied " + What(), now_);
 }
 
@@ -245,7 +245,7 @@ void TreeEditor::Paste(const std::string& text, AddWhere where) {
   const std::vector<std::string> fragments = ReadFragments(text, diagnostics);
   if (diagnostics.has_errors()) {
     state_.OpenPopup(Popup::kPasteErrors);
-    state_.popup_problems = diagnostics.all();
+    state_.popup.problems = diagnostics.all();
     return;
   }
   const std::string what =
@@ -311,7 +311,7 @@ void TreeEditor::Restore() {
     return;
   }
   for (auto& [path, text] : state_.restorable) {
-    if (state_.resume && state_.resume(path, text)) continue;
+    if (state_.services.resume && state_.services.resume(path, text)) continue;
     state_.workspace.project().SetText(path, "Restore unsaved work", std::move(text));
   }
   state_.restorable.clear();
@@ -349,11 +349,11 @@ void TreeEditor::SaveAs(const std::string& path) {
   const std::string old = tree ? tree->path : workspace.file() ? workspace.file()->path : "";
   Diagnostics diagnostics;
   if (!workspace.project().SaveAs(old, path, diagnostics)) {
-    state_.popup_error =
+    state_.popup.error =
         diagnostics.all().empty() ? "no file is open" : diagnostics.all().back().message;
     return;
   }
-  state_.popup = Popup::kNone;
+  state_.popup.kind = Popup::kNone;
   workspace.Rename(old, path);
   workspace.Refresh(now_);
   state_.Notify("Saved " + path, now_);

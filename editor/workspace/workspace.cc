@@ -1,3 +1,6 @@
+// What is slow waits: a scene is built for the shown tree alone, and the engine's checker, which
+// compiles whole files, speaks a moment after the last change. Until then its last words stand, and
+// a file that is malformed while the user types keeps the tree that it had.
 #include "editor/workspace/workspace.h"
 
 #include <algorithm>

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "editor/canvas/tree_view.h"
-#include "editor/document/open_project.h"
+#include "editor/files/open_project.h"
 #include "editor/live/kept_marks.h"
 #include "editor/live/run_view.h"
 #include "editor/scene/node_models.h"

@@ -9,6 +9,7 @@
 #include <sstream>
 #include <utility>
 
+#include "bt_core/data/value_bytes.h"
 #include "bt_core/engine/events/status_follower.h"
 #include "bt_core/record/record_cursor.h"
 
@@ -34,7 +35,7 @@ constexpr Kind kKinds[] = {
     {"localization: ask", "localization", "as_published/recover_localization/find_position/ask"},
 };
 
-std::optional<NodeIndex> FindNode(const Recording& recording, const std::string& path) {
+std::optional<NodeIndex> FindNode(const RecordedEvents& recording, const std::string& path) {
   const auto& nodes = recording.tree.nodes;
   const auto found = std::find_if(nodes.begin(), nodes.end(),
                                   [&](const DescribedNode& node) { return node.path == path; });
@@ -42,7 +43,7 @@ std::optional<NodeIndex> FindNode(const Recording& recording, const std::string&
   return static_cast<NodeIndex>(found - nodes.begin());
 }
 
-int CountSuccesses(const Recording& recording, const std::string& path) {
+int CountSuccesses(const RecordedEvents& recording, const std::string& path) {
   const std::optional<NodeIndex> node = FindNode(recording, path);
   int count = 0;
   for (const auto& [time, change] : recording.changes) {
@@ -51,7 +52,7 @@ int CountSuccesses(const Recording& recording, const std::string& path) {
   return count;
 }
 
-TickStatistics CountTicks(const Recording& recording) {
+TickStatistics CountTicks(const RecordedEvents& recording) {
   const std::chrono::duration<double> time = recording.end - recording.begin;
   return {recording.ticks, recording.changes.size(), time.count()};
 }
@@ -61,7 +62,7 @@ void AddOnce(std::vector<std::string>& texts, const std::string& text) {
 }
 
 // The text of the messages of all fault conditions.
-std::vector<std::string> FaultsSeen(const Recording& monitor) {
+std::vector<std::string> FaultsSeen(const RecordedEvents& monitor) {
   std::vector<std::string> faults;
   for (const NodeMessage& message : monitor.messages) {
     const std::string& id = monitor.tree.nodes[message.node].id;
@@ -71,10 +72,10 @@ std::vector<std::string> FaultsSeen(const Recording& monitor) {
   return faults;
 }
 
-std::optional<coppice::Pose2D> PoseAt(const Recording& recording, Time time) {
+std::optional<coppice::Pose2D> PoseAt(const RecordedEvents& recording, Time time) {
   const auto after =
       std::upper_bound(recording.stays.begin(), recording.stays.end(), time,
-                       [](Time one, const Recording::Stay& stay) { return one < stay.since; });
+                       [](Time one, const RecordedEvents::Stay& stay) { return one < stay.since; });
   if (after == recording.stays.begin()) return std::nullopt;
   return std::prev(after)->pose;
 }
@@ -88,7 +89,7 @@ std::optional<RecoveryPhase> PhaseOf(const StatusChange& change) {
 }
 
 // What the nodes of the recoveries did, as they would have reported it.
-std::vector<RecoveryEvent> RecoveryEvents(const Recording& monitor) {
+std::vector<RecoveryEvent> RecoveryEvents(const RecordedEvents& monitor) {
   std::map<NodeIndex, const Kind*> kinds;
   for (const Kind& kind : kKinds) {
     if (const auto node = FindNode(monitor, kind.path)) kinds[*node] = &kind;
@@ -113,7 +114,7 @@ std::vector<RecoveryEvent> RecoveryEvents(const Recording& monitor) {
   return events;
 }
 
-void AddTick(const TickEvents& events, StatusFollower& follower, Recording& recording) {
+void AddTick(const TickEvents& events, StatusFollower& follower, RecordedEvents& recording) {
   EventReader reader(events.words);
   for (Event event; reader.Next(event);) {
     follower.Apply(event, [&](const StatusChange& change) {
@@ -134,13 +135,14 @@ std::optional<std::size_t> PoseSlot(const TreeDescription& tree) {
   return std::nullopt;
 }
 
-void AddStay(const std::string& text, Time now, std::vector<Recording::Stay>& stays) {
-  coppice::Pose2D pose;
-  if (ValueTraits<coppice::Pose2D>::Parse(text, pose)) stays.push_back({now, pose});
+void AddStay(const std::string& bytes, Time now, std::vector<RecordedEvents::Stay>& stays) {
+  Value pose;
+  const bool is_pose = ReadValueBytes(bytes, TypeOf<coppice::Pose2D>(), pose);
+  if (is_pose) stays.push_back({now, pose.Get<coppice::Pose2D>()});
 }
 
-Recording ReadAll(const RecordReader& record) {
-  Recording recording;
+RecordedEvents ReadAll(const RecordReader& record) {
+  RecordedEvents recording;
   recording.tree = record.tree();
   recording.begin = record.begin();
   recording.end = record.end();
@@ -164,7 +166,7 @@ Recording ReadAll(const RecordReader& record) {
   return recording;
 }
 
-std::optional<Recording> Read(const std::string& path, std::vector<std::string>& problems) {
+std::optional<RecordedEvents> Read(const std::string& path, std::vector<std::string>& problems) {
   Diagnostics diagnostics;
   const std::unique_ptr<RecordReader> record = RecordReader::Open(path, diagnostics);
   for (const Diagnostic& diagnostic : diagnostics.all()) problems.push_back(ToString(diagnostic));
@@ -192,7 +194,7 @@ RecoveryCount RunSummary::Recovery(const std::string& kind) const {
   return {kind};
 }
 
-RunSummary Summarize(const Recording& application, const Recording& monitor) {
+RunSummary Summarize(const RecordedEvents& application, const RecordedEvents& monitor) {
   RunSummary summary;
   summary.rounds = CountSuccesses(application, "round");
   summary.stops = CountSuccesses(application, "patrol_round/stop");
@@ -210,8 +212,8 @@ RunSummary Summarize(const Recording& application, const Recording& monitor) {
 RunSummary SummarizeFiles(const std::string& application_record,
                           const std::string& monitor_record) {
   std::vector<std::string> problems;
-  const std::optional<Recording> application = Read(application_record, problems);
-  const std::optional<Recording> monitor = Read(monitor_record, problems);
+  const std::optional<RecordedEvents> application = Read(application_record, problems);
+  const std::optional<RecordedEvents> monitor = Read(monitor_record, problems);
   RunSummary summary;
   if (application && monitor) summary = Summarize(*application, *monitor);
   summary.problems = problems;

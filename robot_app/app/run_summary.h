@@ -13,7 +13,7 @@
 namespace coppice::robot {
 
 /// What counts in one record.
-struct Recording {
+struct RecordedEvents {
   struct Change {
     Time time;
     StatusChange change;
@@ -54,7 +54,7 @@ struct RunSummary {
 };
 
 /// Counts what two recordings say.
-RunSummary Summarize(const Recording& application, const Recording& monitor);
+RunSummary Summarize(const RecordedEvents& application, const RecordedEvents& monitor);
 
 /// Reads both records and counts. Never throws: what is wrong is in `problems`.
 RunSummary SummarizeFiles(const std::string& application_record, const std::string& monitor_record);

@@ -92,6 +92,18 @@ class Loader {
     return Filled(text);
   }
 
+  // Of those that can be used again and again, and so be guessed again and again.
+  std::string PageToken(YamlFields& fields, const std::string& key) {
+    std::string token = Secret(fields, key).value_or("");
+    if (token.empty() || token.size() >= PageConfig::kLeastTokenLength) return token;
+    fields.Error(fields.Text(key, "").where,
+                 "\"" + key + "\": the token has " + std::to_string(token.size()) +
+                     " characters, at least " + std::to_string(PageConfig::kLeastTokenLength) +
+                     " are needed",
+                 "make one with openssl rand -hex 24");
+    return "";
+  }
+
   void ReadChannel(YamlFields& fields) {
     ChannelConfig channel;
     const SourceLocation where = fields.where();
@@ -209,8 +221,8 @@ class Loader {
     if (!page.editor_url.empty() && !BeginsWith(page.editor_url, "http")) {
       fields.Error(fields.where(), "\"editor_url\" must begin with https:// or http://");
     }
-    page.operator_token = Secret(fields, "operator_token").value_or("");
-    page.viewer_token = Secret(fields, "viewer_token").value_or("");
+    page.operator_token = PageToken(fields, "operator_token");
+    page.viewer_token = PageToken(fields, "viewer_token");
     page.most_linear = fields.Number("most_linear", page.most_linear, 0.01, 2);
     page.most_angular = fields.Number("most_angular", page.most_angular, 0.01, 3);
     page.stop_distance = fields.Number("stop_distance", page.stop_distance, 0.05, 5);

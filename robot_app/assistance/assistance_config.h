@@ -36,10 +36,13 @@ struct CameraConfig {
 };
 
 struct PageConfig {
+  static constexpr std::size_t kLeastTokenLength = 16;
+
   std::string address = "127.0.0.1";  ///< as LocalAddress (bt_core/live/web/local_address.h)
   std::uint16_t port = 8090;          ///< 0: no page
-  std::string public_url;      ///< how supervisors reach it, without slash at its end; may be empty
-  std::string operator_token;  ///< empty: only links of messages let in
+  std::string public_url;  ///< how supervisors reach it, without slash at its end; may be empty
+  std::string
+      operator_token;  ///< empty: only links of messages let in; else at least 16 characters
   std::string viewer_token;
   std::string editor_url;       ///< of the editor's page, for a link to it; may be empty
   double most_linear = 0.4;     ///< m/s, of a person who drives

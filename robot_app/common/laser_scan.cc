@@ -4,6 +4,16 @@
 
 namespace coppice::robot {
 
+bool IsUsable(const LaserScan& scan) {
+  if (!std::isfinite(scan.angle_min) || !std::isfinite(scan.angle_increment)) return false;
+  std::size_t telling = 0;
+  for (std::size_t i = 0; i < scan.ranges.size(); ++i) {
+    if (scan.Hit(i) || scan.MetNothing(i)) ++telling;
+  }
+  return telling > 0 && static_cast<double>(telling) >=
+                            kLeastTellingShare * static_cast<double>(scan.ranges.size());
+}
+
 std::vector<Point2D> PointsInBase(const LaserScan& scan, double limit) {
   std::vector<Point2D> points;
   points.reserve(scan.ranges.size());

@@ -18,7 +18,16 @@ struct LaserScan {
   std::vector<float> ranges;
 
   bool Hit(std::size_t beam) const { return ranges[beam] >= range_min && ranges[beam] < range_max; }
+  bool MetNothing(std::size_t beam) const { return ranges[beam] >= range_max; }
 };
+
+/// At least this share of the beams must tell something.
+inline constexpr double kLeastTellingShare = 0.5;
+
+/// Whether the robot may move by this scan. A beam tells something if it hit, or if it met nothing
+/// within range (infinity, REP-117); NaN, minus infinity (too near to measure) and zero do not. A
+/// scan in which too few tell something is no free way: it counts as none at all.
+bool IsUsable(const LaserScan& scan);
 
 /// The points that the scan hit, in base_link, nearer than `limit` [m] to the scanner.
 std::vector<Point2D> PointsInBase(const LaserScan& scan, double limit);

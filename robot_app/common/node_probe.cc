@@ -246,6 +246,7 @@ struct NodeProbe::Sweep {
           return call.End(false, "answers nonsense");
         }
         call.result->pid = static_cast<int>(*value);
+        call.result->host = call.client->getHost();
         call.result->delay = SteadyNow() - begun;
         call.trusts_kept = false;  // it is the node
         if (call.request->topic.empty()) return AskForService(call);

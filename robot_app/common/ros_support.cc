@@ -1,5 +1,6 @@
 #include "robot_app/common/ros_support.h"
 
+#include <ros/console.h>
 #include <ros/init.h>
 #include <ros/master.h>
 #include <ros/param.h>
@@ -173,6 +174,19 @@ std::optional<Pose2D> RobotPose::MountOf(const std::string& frame) const {
   const auto mount = Lookup(frames_.base, frame, ros::Time(0));
   if (!mount) return std::nullopt;
   return mount->pose;
+}
+
+std::optional<LaserScan> RobotPose::UsableScan(const sensor_msgs::LaserScan& message) const {
+  const auto mount = MountOf(message.header.frame_id);
+  if (!mount) {
+    ROS_WARN_THROTTLE(10, "tf does not know where %s is", message.header.frame_id.c_str());
+    return std::nullopt;
+  }
+  LaserScan scan = ToLaserScan(message, *mount);
+  if (IsUsable(scan)) return scan;
+  ROS_WARN_THROTTLE(10, "a scan in which too few of the %zu beams tell something is not used",
+                    scan.ranges.size());
+  return std::nullopt;
 }
 
 std::optional<Pose2D> RobotPose::InMap(const geometry_msgs::PoseStamped& pose) const {

@@ -89,11 +89,10 @@ class DockingNode {
         }));
     subscribers_.push_back(node_.subscribe<sensor_msgs::LaserScan>(
         "/scan", 1, [this](const sensor_msgs::LaserScan::ConstPtr& message) {
-          const auto mount = pose_.MountOf(message->header.frame_id);
-          if (!mount) return;
-          const LaserScan scan = ToLaserScan(*message, *mount);
-          points_ = PointsInBase(scan, kPointRange);
-          scan_stamp_ = scan.stamp;
+          const auto scan = pose_.UsableScan(*message);
+          if (!scan) return;
+          points_ = PointsInBase(*scan, kPointRange);
+          scan_stamp_ = scan->stamp;
         }));
     server_.registerGoalCallback([this] { OnGoal(); });
     server_.registerPreemptCallback([this] {

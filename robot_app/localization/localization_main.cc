@@ -7,7 +7,6 @@
 #include <tf2_msgs/TFMessage.h>
 
 #include <cmath>
-#include <map>
 #include <optional>
 #include <string>
 
@@ -126,8 +125,8 @@ class LocalizationNode {
       PublishPose();
     });
     On<sensor_msgs::LaserScan>("/scan", 2, [this](const sensor_msgs::LaserScan& message) {
-      if (const auto mount = MountOf(message.header.frame_id)) {
-        localizer_.AddScan(ToLaserScan(message, *mount));
+      if (auto scan = frames_.UsableScan(message)) {
+        localizer_.AddScan(*std::move(scan));
         PublishPose();
       }
     });
@@ -153,18 +152,6 @@ class LocalizationNode {
     return a.frame.resolution == b.frame.resolution && a.frame.origin_x == b.frame.origin_x &&
            a.frame.origin_y == b.frame.origin_y && a.frame.width == b.frame.width &&
            a.cells == b.cells;
-  }
-
-  std::optional<Pose2D> MountOf(const std::string& frame) {
-    const auto known = mounts_.find(frame);
-    if (known != mounts_.end()) return known->second;
-    const auto mount = frames_.MountOf(frame);
-    if (mount) {
-      mounts_[frame] = *mount;
-    } else {
-      ROS_WARN_THROTTLE(10, "tf does not know where %s is", frame.c_str());
-    }
-    return mount;
   }
 
   void OnInitialPose(const geometry_msgs::PoseWithCovarianceStamped& message) {
@@ -249,7 +236,6 @@ class LocalizationNode {
   Localizer localizer_;
   OccupancyGrid map_;
   RobotPose frames_;
-  std::map<std::string, Pose2D> mounts_;  // of the scanners in base_link
   double published_ = 0;
   LocalizationPhase phase_ = LocalizationPhase::kUncertain;  // as published
   Pose2D saved_{HUGE_VAL, HUGE_VAL, 0};

@@ -7,7 +7,6 @@
 
 #include <cstdio>
 #include <filesystem>
-#include <map>
 #include <optional>
 #include <string>
 
@@ -124,15 +123,9 @@ class MappingNode {
   }
 
   void OnScan(const sensor_msgs::LaserScan& message) {
-    const auto known = mounts_.find(message.header.frame_id);
-    const auto mount = known != mounts_.end() ? std::optional<Pose2D>(known->second)
-                                              : frames_.MountOf(message.header.frame_id);
-    if (!mount) {
-      ROS_WARN_THROTTLE(10, "tf does not know where %s is", message.header.frame_id.c_str());
-      return;
-    }
-    mounts_[message.header.frame_id] = *mount;
-    mapper_.AddScan(ToLaserScan(message, *mount));
+    auto scan = frames_.UsableScan(message);
+    if (!scan) return;
+    mapper_.AddScan(*std::move(scan));
     PublishTransform();
   }
 
@@ -210,7 +203,6 @@ class MappingNode {
   ros::NodeHandle node_;
   Mapper mapper_;
   RobotPose frames_;
-  std::map<std::string, Pose2D> mounts_;  // of the scanners in base_link
   double published_ = 0;
   std::size_t shown_ = 0;  // revisions of the map
   std::size_t saved_ = 0;

@@ -39,7 +39,7 @@ void DiagnosticsMonitor::OnStatus(const std::string& name, int level, const std:
   status->heard_at = now;
 }
 
-std::vector<Finding> DiagnosticsMonitor::Report(const Times& now) const {
+std::vector<Finding> DiagnosticsMonitor::Report(const ProcessTable&, const Times& now) {
   std::vector<Finding> findings;
   for (const Status& status : statuses_) {
     Finding finding{
@@ -48,8 +48,7 @@ std::vector<Finding> DiagnosticsMonitor::Report(const Times& now) const {
     const Duration silence = now.wall - status.heard_at;
     if (silence > watch_->staleness) {
       finding.level = HealthLevel::kStale;
-      finding.message =
-          "not repeated for " + ToText(std::chrono::duration<double>(silence).count()) + " s";
+      finding.message = "not repeated for " + SecondsText(silence);
     }
     findings.push_back(std::move(finding));
   }

@@ -9,16 +9,18 @@
 #include <string>
 #include <vector>
 
-#include "robot_app/monitoring/gauges/finding.h"
-#include "robot_app/monitoring/gauges/watch.h"
+#include "robot_app/monitoring/monitor.h"
 
 namespace coppice::robot {
 
 /// Names of diagnostics that begin so are Coppice's own.
 inline constexpr char kOwnDiagnostics[] = "coppice: ";
 
-class DiagnosticsMonitor {
+class DiagnosticsMonitor : public Monitor {
  public:
+  void Watch(const WatchList& list, const Times& now) override {
+    Watch(list.diagnostics, now.wall);
+  }
   /// Nothing: nothing is read. A change forgets who has fallen silent: the programs of the
   /// configuration may be others.
   void Watch(const std::optional<DiagnosticsWatch>& watch, Time now);
@@ -27,7 +29,7 @@ class DiagnosticsMonitor {
   void OnStatus(const std::string& name, int level, const std::string& message, Time now);
 
   /// One finding per name; STALE from the staleness on until it is heard again.
-  std::vector<Finding> Report(const Times& now) const;
+  std::vector<Finding> Report(const ProcessTable& processes, const Times& now) override;
 
  private:
   struct Status {

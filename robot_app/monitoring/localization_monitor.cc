@@ -7,14 +7,12 @@ namespace {
 
 constexpr char kMonitor[] = "localization";
 
-double InSeconds(Duration duration) { return std::chrono::duration<double>(duration).count(); }
-
 }  // namespace
 
 void LocalizationMonitor::Watch(const std::optional<LocalizationWatch>& watch) {
   if (!watch_ || !watch || watch_->topic != watch->topic) {
     state_.reset();
-    silence_.Reset();
+    freshness_.Reset();
   }
   watch_ = watch;
   std::vector<GaugeWatch> gauges;
@@ -26,30 +24,27 @@ void LocalizationMonitor::Watch(const std::optional<LocalizationWatch>& watch) {
   board_.Watch(gauges);
 }
 
-void LocalizationMonitor::OnState(LocalizationReport state, const Times& now) {
+void LocalizationMonitor::OnState(LocalizationReading state, const Times& now) {
   if (!watch_) return;
   board_.OnValue(kMonitor, "since_confirmed", state.since_confirmed, now.ros);
   board_.OnValue(kMonitor, "score", state.score, now.ros);
   board_.OnValue(kMonitor, "deviation", state.deviation, now.ros);
   state_ = std::move(state);
-  silence_.OnMessage(now);
+  freshness_.OnMessage(now);
 }
 
 std::vector<Finding> LocalizationMonitor::Report(const ProcessTable& processes, const Times& now) {
   if (!watch_) return {};
   if (processes.IsStarting(watch_->node)) {
     state_.reset();
-    silence_.Reset();
+    freshness_.Reset();
   }
-  const Duration silence = silence_.Lasted(now);
-  const bool is_fresh = state_ && silence <= watch_->staleness;
+  const bool is_fresh = state_ && freshness_.Lasted(now) <= watch_->staleness;
   if (!is_fresh) board_.Reset();
   std::vector<Finding> findings = {Phase(now.ros, is_fresh)};
   for (Finding& number : board_.Report(now.ros, now.ros)) findings.push_back(std::move(number));
-  Finding freshness = Freshness(now.ros, silence);
-  freshness_.Apply(freshness, now.wall, patience_);
-  ApplyGrace(processes, watch_->node, freshness);
-  findings.push_back(std::move(freshness));
+  findings.push_back(freshness_.Assess({"topic", watch_->topic, watch_->node}, watch_->staleness,
+                                       "no state", processes, now));
   return findings;
 }
 
@@ -60,21 +55,11 @@ Finding LocalizationMonitor::Phase(Time now, bool is_fresh) const {
     return finding;
   }
   finding.value = static_cast<double>(state_->phase);
-  if (state_->phase == LocalizationPhase::kOk) return finding;
-  const bool is_lost = state_->phase != LocalizationPhase::kUncertain;
+  if (state_->phase == LocalizationReading::Phase::kOk) return finding;
+  const bool is_lost = state_->phase != LocalizationReading::Phase::kUncertain;
   finding.level = is_lost ? HealthLevel::kError : HealthLevel::kWarn;
   finding.message = is_lost ? "lost" : "uncertain";
   if (!state_->message.empty()) finding.message += ": " + state_->message;
-  return finding;
-}
-
-Finding LocalizationMonitor::Freshness(Time now, Duration silence) const {
-  Finding finding{"topic", watch_->topic, watch_->node, HealthLevel::kOk, 0, "s", "", now, ""};
-  finding.value = InSeconds(silence);
-  if (silence > watch_->staleness) {
-    finding.level = HealthLevel::kError;
-    finding.message = "no state for " + ToText(finding.value) + " s";
-  }
   return finding;
 }
 

@@ -99,12 +99,13 @@ void LoggerMonitor::OnMessage(const std::string& topic, Time now) {
 }
 
 std::vector<Finding> LoggerMonitor::Report(const ProcessTable& processes, const Times& now) {
+  Look(now.wall);
   std::vector<Finding> findings;
   for (Logger& logger : loggers_) {
     const LoggerWatch& watch = logger.watch;
     if (processes.IsStarting(watch.node)) logger.alive_at.reset();
     if (!logger.alive_at) logger.alive_at = now.wall;
-    const double silence = std::chrono::duration<double>(now.wall - *logger.alive_at).count();
+    const double silence = InSeconds(now.wall - *logger.alive_at);
     Finding finding{"logger", watch.name, watch.node, HealthLevel::kOk, silence, "s",
                     "",       now.ros,    ""};
     if (now.wall - *logger.alive_at > watch.staleness) {

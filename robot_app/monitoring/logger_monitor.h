@@ -9,9 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "robot_app/monitoring/gauges/finding.h"
-#include "robot_app/monitoring/gauges/watch.h"
-#include "robot_app/monitoring/process_table.h"
+#include "robot_app/monitoring/monitor.h"
 
 namespace coppice::robot {
 
@@ -29,22 +27,23 @@ struct Footprint {
 /// nothing has that name, it is a pattern (glob(7)): of all files and folders that match.
 std::optional<Footprint> ReadFootprint(const std::string& path);
 
-class LoggerMonitor {
+class LoggerMonitor : public Monitor {
  public:
   /// Relative paths begin in `folder`.
   explicit LoggerMonitor(std::string folder) : folder_(std::move(folder)) {}
 
+  void Watch(const WatchList& list, const Times&) override { Watch(list.loggers); }
   /// Watches these from now on; one that stays the same keeps what was seen.
   void Watch(const std::vector<LoggerWatch>& loggers);
-  /// Looks at the files; to be called before every report.
-  void Look(Time now);
   /// A logger's topic has reported.
   void OnMessage(const std::string& topic, Time now);
 
-  /// One finding per logger; value: seconds since it last wrote or reported.
-  std::vector<Finding> Report(const ProcessTable& processes, const Times& now);
+  /// Looks at the files. One finding per logger; value: seconds since it last wrote or reported.
+  std::vector<Finding> Report(const ProcessTable& processes, const Times& now) override;
 
  private:
+  void Look(Time now);
+
   struct Logger {
     LoggerWatch watch;
     std::optional<Footprint> footprint;

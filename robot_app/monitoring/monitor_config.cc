@@ -44,6 +44,8 @@ class Loader {
     window_ = topics.Number("window", 2, 0.1, 600);
     topics.Finish();
     ReadAggregator();
+    for (YamlFields& item : file_.Maps("system")) config_.system.push_back(ReadSystemWatch(item));
+    CheckNames(file_, config_.system, &SystemWatch::host);
     for (auto& [name, node] : file_.Pairs("configurations")) {
       YamlFields fields = file_.MapOf(node);
       ReadList(name.text, fields);
@@ -87,17 +89,19 @@ class Loader {
     for (YamlFields& item : fields.Maps("topics")) {
       list.topics.push_back(ReadTopicWatch(item, window_));
     }
+    for (YamlFields& item : fields.Maps("publishers")) {
+      list.publishers.push_back(ReadPublisherWatch(item));
+    }
     ReadMovement(fields, list);
     ReadPower(fields, list);
     for (YamlFields& item : fields.Maps("loggers")) list.loggers.push_back(ReadLoggerWatch(item));
     list.diagnostics = Section(fields, "diagnostics", &ReadDiagnosticsWatch);
-    for (YamlFields& item : fields.Maps("system")) list.system.push_back(ReadSystemWatch(item));
     for (YamlFields& item : fields.Maps("sources")) list.sources.push_back(ReadSourceWatch(item));
     fields.Finish();
     CheckNames(fields, list.nodes, &NodeWatch::node);
     CheckNames(fields, list.topics, &TopicWatch::topic);
+    CheckNames(fields, list.publishers, &PublisherWatch::topic);
     CheckNames(fields, list.loggers, &LoggerWatch::name);
-    CheckNames(fields, list.system, &SystemWatch::host);
     CheckNames(fields, list.sources, &SourceWatch::source);
     config_.lists.push_back(std::move(list));
   }
@@ -132,7 +136,7 @@ class Loader {
 
 }  // namespace
 
-const SystemWatch* WatchList::ForHost(const std::string& host) const {
+const SystemWatch* MonitorConfig::ForHost(const std::string& host) const {
   const SystemWatch* found = nullptr;
   for (const SystemWatch& watch : system) {
     if (watch.host == host) return &watch;

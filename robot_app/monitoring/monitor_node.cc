@@ -77,7 +77,7 @@ void SpinInBatches(Duration batch) {
 
 MonitorNode::MonitorNode(const MonitorStart& start, std::function<void(const WatchList&)> on_list)
     : start_(start), on_list_(std::move(on_list)), configuration_(start.config.initial) {
-  on_list_(start_.config.ForConfiguration(configuration_));
+  on_list_(list());
   reports_ = handle_.advertise<coppice_msgs::Health>("/monitoring/reports", kQueue);
   subscriber_ = handle_.subscribe<coppice_msgs::ProcessStates>(
       "/processes", kQueue, [this](const coppice_msgs::ProcessStates::ConstPtr& message) {
@@ -106,7 +106,7 @@ void MonitorNode::OnProcesses(const ProcessTable& processes) {
   processes_ = processes;
   if (processes_.configuration == configuration_) return;
   configuration_ = processes_.configuration;
-  on_list_(start_.config.ForConfiguration(configuration_));
+  on_list_(list());
 }
 
 }  // namespace coppice::robot

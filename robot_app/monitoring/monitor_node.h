@@ -48,6 +48,8 @@ class MonitorNode {
   ros::NodeHandle& handle() { return handle_; }
   const std::string& host() const { return start_.host; }
   const ProcessTable& processes() const { return processes_; }
+  /// What is watched in the configuration that is in force.
+  const WatchList& list() const { return start_.config.ForConfiguration(configuration_); }
   static Times Now();
 
   /// Calls again and again, in wall time, as long as the timer lives.

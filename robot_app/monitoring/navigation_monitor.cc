@@ -1,24 +1,16 @@
 #include "robot_app/monitoring/navigation_monitor.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <utility>
 
+#include "robot_app/monitoring/gauges/band.h"
+
 namespace coppice::robot {
-namespace {
-
-std::string InSeconds(Duration duration) {
-  char text[32];
-  std::snprintf(text, sizeof(text), "%.1f s", std::chrono::duration<double>(duration).count());
-  return text;
-}
-
-}  // namespace
 
 void NavigationMonitor::Watch(const std::optional<NavigationWatch>& watch) {
   if (!watch_ || !watch || watch_->topic != watch->topic) {
     state_.reset();
-    silence_.Reset();
+    freshness_.Reset();
   }
   watch_ = watch;
 }
@@ -27,22 +19,20 @@ void NavigationMonitor::OnState(NavigationReport state, const Times& now) {
   if (!watch_) return;
   state_ = std::move(state);
   heard_at_ = now.ros;
-  silence_.OnMessage(now);
+  freshness_.OnMessage(now);
 }
 
 std::vector<Finding> NavigationMonitor::Report(const ProcessTable& processes, const Times& now) {
   if (!watch_) return {};
   if (processes.IsStarting(watch_->node)) {
     state_.reset();
-    silence_.Reset();
+    freshness_.Reset();
   }
-  const Duration silence = silence_.Lasted(now);
   // An old state says nothing about now; that it is old is the other finding.
-  const bool is_fresh = state_ && silence <= watch_->staleness;
-  std::vector<Finding> findings = {Progress(now.ros, is_fresh), Freshness(now.ros, silence)};
-  freshness_.Apply(findings[1], now.wall, patience_);
-  ApplyGrace(processes, watch_->node, findings[1]);
-  return findings;
+  const bool is_fresh = state_ && freshness_.Lasted(now) <= watch_->staleness;
+  return {Progress(now.ros, is_fresh),
+          freshness_.Assess({"topic", watch_->topic, watch_->node}, watch_->staleness, "no state",
+                            processes, now)};
 }
 
 Finding NavigationMonitor::Progress(Time now, bool is_fresh) const {
@@ -65,19 +55,9 @@ Finding NavigationMonitor::Progress(Time now, bool is_fresh) const {
   const Duration bound = no_path ? watch_->no_path : watch_->blocked;
   const bool failed = no_path && state_->consecutive_failures > 0;
   finding.level = failed || lasted > bound ? HealthLevel::kError : HealthLevel::kWarn;
-  finding.value = std::chrono::duration<double>(lasted).count();
-  finding.message = (no_path ? "no path for " : "blocked for ") + InSeconds(lasted);
+  finding.value = InSeconds(lasted);
+  finding.message = (no_path ? "no path for " : "blocked for ") + SecondsText(lasted);
   if (!state_->message.empty()) finding.message += ": " + state_->message;
-  return finding;
-}
-
-Finding NavigationMonitor::Freshness(Time now, Duration silence) const {
-  Finding finding{"topic", watch_->topic, watch_->node, HealthLevel::kOk, 0, "s", "", now};
-  finding.value = std::chrono::duration<double>(silence).count();
-  if (silence > watch_->staleness) {
-    finding.level = HealthLevel::kError;
-    finding.message = "no state for " + InSeconds(silence);
-  }
   return finding;
 }
 

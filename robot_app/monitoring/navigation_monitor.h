@@ -10,11 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "robot_app/monitoring/gauges/finding.h"
-#include "robot_app/monitoring/gauges/patience.h"
-#include "robot_app/monitoring/gauges/silence.h"
-#include "robot_app/monitoring/gauges/watch.h"
-#include "robot_app/monitoring/process_table.h"
+#include "robot_app/monitoring/freshness.h"
+#include "robot_app/monitoring/monitor.h"
 
 namespace coppice::robot {
 
@@ -29,10 +26,11 @@ struct NavigationReport {
   std::string message;
 };
 
-class NavigationMonitor {
+class NavigationMonitor : public Monitor {
  public:
-  explicit NavigationMonitor(Duration patience = Duration::zero()) : patience_(patience) {}
+  explicit NavigationMonitor(Duration patience = Duration::zero()) : freshness_(patience) {}
 
+  void Watch(const WatchList& list, const Times&) override { Watch(list.navigation); }
   /// Nothing: navigation is not watched, and nothing is reported.
   void Watch(const std::optional<NavigationWatch>& watch);
   void OnState(NavigationReport state, const Times& now);
@@ -43,18 +41,15 @@ class NavigationMonitor {
   /// NO_PATH is an error at once if a goal has failed for it, else after its bound, and a warning
   /// before; so is BLOCKED after its bound. A goal that has failed remains an error for some time:
   /// whoever wants to get there will try again soon.
-  std::vector<Finding> Report(const ProcessTable& processes, const Times& now);
+  std::vector<Finding> Report(const ProcessTable& processes, const Times& now) override;
 
  private:
   Finding Progress(Time now, bool is_fresh) const;
-  Finding Freshness(Time now, Duration silence) const;
 
-  Duration patience_;
-  Patience freshness_;
+  Freshness freshness_;
   std::optional<NavigationWatch> watch_;
   std::optional<NavigationReport> state_;
   Time heard_at_{0};  // state_
-  Silence silence_;
 };
 
 }  // namespace coppice::robot

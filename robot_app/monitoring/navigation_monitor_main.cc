@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "robot_app/monitoring/localization_monitor.h"
-#include "robot_app/monitoring/monitor_node.h"
+#include "robot_app/monitoring/monitor_program.h"
 #include "robot_app/monitoring/navigation_monitor.h"
 #include "robot_app/monitoring/tf_monitor.h"
 #include "robot_app/monitoring/tf_tree.h"
@@ -27,8 +27,8 @@ NavigationReport FromMessage(const coppice_msgs::NavigationState& message) {
   return report;
 }
 
-LocalizationReport FromMessage(const coppice_msgs::LocalizationState& message) {
-  return {static_cast<LocalizationPhase>(message.phase), message.seconds_since_confirmed,
+LocalizationReading FromMessage(const coppice_msgs::LocalizationState& message) {
+  return {static_cast<LocalizationReading::Phase>(message.phase), message.seconds_since_confirmed,
           message.score, message.deviation, message.message};
 }
 
@@ -38,49 +38,29 @@ class Program {
       : navigation_(start.config.patience),
         localization_(start.config.patience),
         transforms_(start.config.patience),
-        node_(start, [this](const WatchList& list) { Watch(list); }) {
-    Subscribe();
-    timer_ = node_.Every(start.config.report_period, [this] { Report(); });
+        program_(start, {&navigation_, &localization_, &transforms_}) {
+    program_.OnList([this](const WatchList& list) { Subscribe(list); });
+    program_.ReportRegularly([this](const Times& now) { Look(now); });
   }
 
  private:
-  void Watch(const WatchList& list) {
-    navigation_.Watch(list.navigation);
-    localization_.Watch(list.localization);
-    transforms_.Watch(list.transforms);
-    navigation_topic_ = list.navigation ? list.navigation->topic : "";
-    localization_topic_ = list.localization ? list.localization->topic : "";
-    if (timer_.isValid()) Subscribe();
-  }
-
-  void Subscribe() {
-    node_.Subscribe<coppice_msgs::NavigationState>(
-        navigation_subscriber_, navigation_topic_, kQueue,
+  void Subscribe(const WatchList& list) {
+    program_.node().Subscribe<coppice_msgs::NavigationState>(
+        navigation_subscriber_, list.navigation ? list.navigation->topic : "", kQueue,
         [this](const coppice_msgs::NavigationState& state) {
           navigation_.OnState(FromMessage(state), MonitorNode::Now());
         });
-    node_.Subscribe<coppice_msgs::LocalizationState>(
-        localization_subscriber_, localization_topic_, kQueue,
+    program_.node().Subscribe<coppice_msgs::LocalizationState>(
+        localization_subscriber_, list.localization ? list.localization->topic : "", kQueue,
         [this](const coppice_msgs::LocalizationState& state) {
           localization_.OnState(FromMessage(state), MonitorNode::Now());
         });
-    if (transforms_.Pairs().empty()) tf_.reset();
-    if (!transforms_.Pairs().empty() && !tf_) tf_.emplace(node_.handle());
-  }
-
-  void Report() {
-    const Times now = MonitorNode::Now();
-    if (tf_) Look(now);
-    std::vector<Finding> findings = navigation_.Report(node_.processes(), now);
-    const auto add = [&findings](std::vector<Finding> more) {
-      for (Finding& finding : more) findings.push_back(std::move(finding));
-    };
-    add(localization_.Report(node_.processes(), now));
-    add(transforms_.Report(node_.processes(), now));
-    node_.Publish(std::move(findings));
+    if (list.transforms.empty()) tf_.reset();
+    if (!list.transforms.empty() && !tf_) tf_.emplace(program_.node().handle());
   }
 
   void Look(const Times& now) {
+    if (!tf_) return;
     std::vector<TransformSample> samples;
     for (const auto& [parent, child] : transforms_.Pairs()) {
       samples.push_back(tf_->Look(parent, child));
@@ -91,20 +71,16 @@ class Program {
   NavigationMonitor navigation_;
   LocalizationMonitor localization_;
   TfMonitor transforms_;
-  std::string navigation_topic_, localization_topic_;
-  MonitorNode node_;
+  MonitorProgram program_;
   ros::Subscriber navigation_subscriber_, localization_subscriber_;
   std::optional<TfTree> tf_;
-  ros::WallTimer timer_;
 };
 
 }  // namespace
 }  // namespace coppice::robot
 
 int main(int argc, char** argv) {
-  const auto start = coppice::robot::StartMonitor(argc, argv, "navigation_monitor");
-  if (!start) return 2;
-  const coppice::robot::Program program(*start);
-  coppice::robot::SpinInBatches(std::chrono::milliseconds(100));
-  return 0;
+  namespace robot = coppice::robot;
+  return robot::RunMonitor<robot::Program>(argc, argv, "navigation_monitor",
+                                           std::chrono::milliseconds(100));
 }

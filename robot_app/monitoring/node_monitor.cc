@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "robot_app/monitoring/gauges/band.h"
+
 namespace coppice::robot {
 
 void NodeMonitor::Watch(const std::vector<NodeWatch>& nodes) {
@@ -32,12 +34,13 @@ void NodeMonitor::Observe(const std::string& name, const ProbeResult& result) {
   }
 }
 
-std::vector<Finding> NodeMonitor::Report(const ProcessTable& processes, Time stamp) {
+std::vector<Finding> NodeMonitor::Report(const ProcessTable& processes, const Times& now) {
   std::vector<Finding> findings;
   for (Watched& node : nodes_) {
     if (processes.IsStarting(node.watch.node)) node.misses = 0;
-    Finding finding{"node", node.watch.node, node.watch.node, HealthLevel::kOk, 0, "s", "", stamp};
-    finding.value = std::chrono::duration<double>(node.last.delay).count();
+    Finding finding{"node", node.watch.node, node.watch.node, HealthLevel::kOk, 0, "s",
+                    "",     now.ros};
+    finding.value = InSeconds(node.last.delay);
     if (node.misses > 0) {
       finding.level = node.misses >= node.watch.misses ? HealthLevel::kError : HealthLevel::kWarn;
       finding.message = node.last.reason + " (" + std::to_string(node.misses) + " pings in a row)";

@@ -7,14 +7,13 @@
 #include <vector>
 
 #include "robot_app/common/node_probe.h"
-#include "robot_app/monitoring/gauges/finding.h"
-#include "robot_app/monitoring/gauges/watch.h"
-#include "robot_app/monitoring/process_table.h"
+#include "robot_app/monitoring/monitor.h"
 
 namespace coppice::robot {
 
-class NodeMonitor {
+class NodeMonitor : public Monitor {
  public:
+  void Watch(const WatchList& list, const Times&) override { Watch(list.nodes); }
   /// Watches these nodes from now on; what is known about those that were watched before is kept.
   void Watch(const std::vector<NodeWatch>& nodes);
 
@@ -25,8 +24,8 @@ class NodeMonitor {
   void Observe(const std::string& node, const ProbeResult& result);
 
   /// One finding per node, value: seconds until the answer. Misses of a node that is being started
-  /// are forgotten. `stamp`: ROS time.
-  std::vector<Finding> Report(const ProcessTable& processes, Time stamp);
+  /// are forgotten.
+  std::vector<Finding> Report(const ProcessTable& processes, const Times& now) override;
 
  private:
   struct Watched {

@@ -2,7 +2,7 @@
 // report_period of wall time, and reports after every sweep.
 #include <ros/ros.h>
 
-#include "robot_app/monitoring/monitor_node.h"
+#include "robot_app/monitoring/monitor_program.h"
 #include "robot_app/monitoring/node_monitor.h"
 
 namespace coppice::robot {
@@ -17,10 +17,10 @@ class Program {
  public:
   explicit Program(const MonitorStart& start)
       : config_(start.config),
-        node_(start, [this](const WatchList& list) { monitor_.Watch(list.nodes); }),
+        program_(start, {&monitor_}),
         probe_(ParseUri(ros::master::getURI()).value(), ros::this_node::getName()) {
-    sweep_timer_ = node_.Every(config_.report_period, [this] { Sweep(); });
-    round_timer_ = node_.Every(kRound, [this] { Round(Duration::zero()); });
+    sweep_timer_ = program_.node().Every(config_.report_period, [this] { Sweep(); });
+    round_timer_ = program_.node().Every(kRound, [this] { Round(Duration::zero()); });
     round_timer_.stop();
   }
 
@@ -36,20 +36,16 @@ class Program {
   void Round(Duration at_most) {
     if (!probe_.busy() || !probe_.Work(at_most)) return;
     round_timer_.stop();
-    Report();
-    if (is_due_) Sweep();
-  }
-
-  void Report() {
     for (std::size_t i = 0; i < probe_.requests().size(); ++i) {
       monitor_.Observe(probe_.requests()[i].node, probe_.results()[i]);
     }
-    node_.Publish(monitor_.Report(node_.processes(), MonitorNode::Now().ros));
+    program_.Report(MonitorNode::Now());
+    if (is_due_) Sweep();
   }
 
   const MonitorConfig& config_;
   NodeMonitor monitor_;
-  MonitorNode node_;
+  MonitorProgram program_;
   NodeProbe probe_;
   bool is_due_ = false;  // the next sweep; it waits for the one that is under way
   ros::WallTimer sweep_timer_, round_timer_;
@@ -59,9 +55,6 @@ class Program {
 }  // namespace coppice::robot
 
 int main(int argc, char** argv) {
-  const auto start = coppice::robot::StartMonitor(argc, argv, "node_monitor");
-  if (!start) return 2;
-  const coppice::robot::Program program(*start);
-  coppice::robot::SpinWhenCalled();
-  return 0;
+  namespace robot = coppice::robot;
+  return robot::RunMonitor<robot::Program>(argc, argv, "node_monitor");
 }

@@ -20,7 +20,7 @@ std::string ProcessTable::HostOf(const std::string& node) const {
 void ApplyGrace(const ProcessTable& processes, const std::string& node, Finding& finding) {
   const auto found = processes.by_node.find(node);
   if (found == processes.by_node.end()) return;
-  const ProcessStatus& status = found->second;
+  const NodeProcess& status = found->second;
   if (status.phase == ProcessPhase::kStarting) {
     finding.level = HealthLevel::kOk;
     finding.message = "starting";

@@ -6,15 +6,22 @@
 #include <map>
 #include <string>
 
+#include "robot_app/common/process_phase.h"
 #include "robot_app/monitoring/gauges/finding.h"
-#include "robot_app/processes/supervisor.h"
 
 namespace coppice::robot {
+
+/// The process behind a node.
+struct NodeProcess {
+  ProcessPhase phase = ProcessPhase::kStopped;
+  int pid = 0;          ///< 0: not running
+  std::string message;  ///< why it is in that phase, for people; may be empty
+};
 
 /// /processes as a value. Empty while there is no supervisor: then nothing has a grace.
 struct ProcessTable {
   std::string configuration;
-  std::map<std::string, ProcessStatus> by_node;
+  std::map<std::string, NodeProcess> by_node;
   std::map<std::string, std::string> hosts;  ///< of the nodes that run on other computers
 
   /// The supervisor is about to start this node, or waits for it to become ready.

@@ -11,8 +11,6 @@ bool IsSame(const TransformWatch& a, const TransformWatch& b) {
          a.jump == b.jump && a.speed == b.speed;
 }
 
-double InSeconds(Duration duration) { return std::chrono::duration<double>(duration).count(); }
-
 double Distance(const TransformSample& a, const TransformSample& b) {
   return std::hypot(a.x - b.x, a.y - b.y, a.z - b.z);
 }

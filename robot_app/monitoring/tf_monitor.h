@@ -12,8 +12,7 @@
 
 #include "robot_app/monitoring/gauges/gauge_board.h"
 #include "robot_app/monitoring/gauges/patience.h"
-#include "robot_app/monitoring/gauges/watch.h"
-#include "robot_app/monitoring/process_table.h"
+#include "robot_app/monitoring/monitor.h"
 
 namespace coppice::robot {
 
@@ -26,10 +25,11 @@ struct TransformSample {
   std::string hangs_on;        ///< frame that the child is a direct child of
 };
 
-class TfMonitor {
+class TfMonitor : public Monitor {
  public:
   explicit TfMonitor(Duration patience = Duration::zero()) : patience_(patience) {}
 
+  void Watch(const WatchList& list, const Times&) override { Watch(list.transforms); }
   /// Watches these pairs from now on; a pair that stays the same keeps what was seen.
   void Watch(const std::vector<TransformWatch>& pairs);
 
@@ -41,7 +41,7 @@ class TfMonitor {
   /// (m since the look before, less what it can have driven in that time) and "... parent" (an
   /// error once the child hangs on another frame than at first). Only the age names the node: a
   /// restart mends no tree with two owners.
-  std::vector<Finding> Report(const ProcessTable& processes, const Times& now);
+  std::vector<Finding> Report(const ProcessTable& processes, const Times& now) override;
 
  private:
   struct Pair {

@@ -9,8 +9,6 @@ namespace {
 
 constexpr std::size_t kMostMessages = 20000;  // a limit for a publisher gone wild
 
-double InSeconds(Duration duration) { return std::chrono::duration<double>(duration).count(); }
-
 }  // namespace
 
 void RateWatch::Reset() {

@@ -12,11 +12,9 @@
 #include <string>
 #include <vector>
 
-#include "robot_app/monitoring/gauges/finding.h"
 #include "robot_app/monitoring/gauges/patience.h"
 #include "robot_app/monitoring/gauges/statistics_watch.h"
-#include "robot_app/monitoring/gauges/watch.h"
-#include "robot_app/monitoring/process_table.h"
+#include "robot_app/monitoring/monitor.h"
 
 namespace coppice::robot {
 
@@ -43,10 +41,11 @@ class RateWatch {
   std::deque<Time> messages_;  // the last one, and all within the window
 };
 
-class TopicMonitor {
+class TopicMonitor : public Monitor {
  public:
   explicit TopicMonitor(Duration patience = Duration::zero()) : patience_(patience) {}
 
+  void Watch(const WatchList& list, const Times&) override { Watch(list.topics); }
   /// Watches these topics from now on; a watch that stays the same keeps what it has seen.
   void Watch(const std::vector<TopicWatch>& topics);
   /// Topics that are not watched are ignored.
@@ -54,7 +53,7 @@ class TopicMonitor {
   /// For the topics that are watched by statistics.
   void OnStatistics(const SubscriberStatistics& statistics, const Times& now);
   /// One finding per topic, value: rate in Hz. A topic whose publisher is being started is reset.
-  std::vector<Finding> Report(const ProcessTable& processes, const Times& now);
+  std::vector<Finding> Report(const ProcessTable& processes, const Times& now) override;
 
  private:
   struct Watched {

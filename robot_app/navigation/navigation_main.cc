@@ -157,16 +157,11 @@ class NavigationNode {
   }
 
   void OnScan(const sensor_msgs::LaserScan& message) {
-    const auto mount = pose_.MountOf(message.header.frame_id);
-    const auto pose = pose_.At(message.header.stamp);
-    if (!mount) {
-      ROS_WARN_THROTTLE(10, "tf does not know where %s is", message.header.frame_id.c_str());
-      return;
-    }
-    const LaserScan scan = ToLaserScan(message, *mount);
-    scan_stamp_ = scan.stamp;
-    points_ = PointsInBase(scan, 3);
-    if (pose) navigation_.AddScan(*pose, scan);
+    const auto scan = pose_.UsableScan(message);
+    if (!scan) return;
+    scan_stamp_ = scan->stamp;
+    points_ = PointsInBase(*scan, 3);
+    if (const auto pose = pose_.At(message.header.stamp)) navigation_.AddScan(*pose, *scan);
   }
 
   void OnGoal() {

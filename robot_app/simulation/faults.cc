@@ -152,7 +152,7 @@ Outcome Faults::ThawBattery(const Fault&) {
 
 Outcome Faults::Kidnap(const Fault& f) {
   std::vector<std::string> names;
-  for (const Waypoint& waypoint : world_.floor().waypoints) {
+  for (const FloorWaypoint& waypoint : world_.floor().waypoints) {
     if (waypoint.name == f.target) return world_.Kidnap(waypoint.pose);
     names.push_back(waypoint.name);
   }

@@ -190,8 +190,8 @@ Walker ReadWalker(Reader& reader, const YAML::Node& node) {
   return walker;
 }
 
-Waypoint ReadWaypoint(Reader& reader, const YAML::Node& node) {
-  Waypoint waypoint;
+FloorWaypoint ReadWaypoint(Reader& reader, const YAML::Node& node) {
+  FloorWaypoint waypoint;
   if (!reader.CheckMap(node, "waypoint", {"name", "pose"})) return waypoint;
   waypoint.name = reader.Text(node, "waypoint", "name");
   waypoint.pose = reader.Pose(node, "waypoint", "pose");

@@ -41,7 +41,7 @@ struct Walker {
   std::vector<Vec2> path;
 };
 
-struct Waypoint {
+struct FloorWaypoint {
   std::string name;
   Pose2 pose;
 };
@@ -54,9 +54,9 @@ struct Floor {
   std::vector<Door> doors;
   std::vector<Box> places;  ///< that can be blocked; empty at the start
   std::vector<Walker> people;
-  std::vector<Waypoint> waypoints;  ///< good goals for the robot
-  Pose2 docked;                     ///< base_link when the charging contacts touch
-  Pose2 staging;                    ///< base_link in front of the station, ready to dock
+  std::vector<FloorWaypoint> waypoints;  ///< good goals for the robot
+  Pose2 docked;                          ///< base_link when the charging contacts touch
+  Pose2 staging;                         ///< base_link in front of the station, ready to dock
 };
 
 /// Reads a floor. Adds every problem found, with file and line, and then returns nothing. Never

@@ -8,7 +8,7 @@ import unittest
 import rooms
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
-MOST_FILES = 46  # in one folder: more cannot be taken in at a glance
+MOST_FILES = 40  # in one folder: more cannot be taken in at a glance
 
 
 def sources():

@@ -81,20 +81,23 @@ FLOORS = {
     "editor": [
         {"editor/keys": "keys and mouse as a queue, chords, the table of commands, fuzzy search",
          "editor/render": "pictures, and triangles to pixels without a display",
+         "editor/files": "open files: text and undo, backup, merging, what git has of them",
          "editor/scene": "a tree written out as a flat scene; the uses of its keys, its notes",
          "editor/timeline": "a run in memory: time, lanes, figures of a key"},
         {"editor/theme": "colours, fonts, geometry, the `Ui` that all draw with",
-         "editor/document": "changes of files: drafts, undo, subtrees, search, merge, backups",
+         "editor/window": "a window of GLFW and its OpenGL",
+         "editor/document": "changes of trees: drafts, subtrees, keys, search, fixes",
          "editor/diff": "what became of a node from one version of a tree to another",
          "editor/live": "runs of robots, records and simulations as the editor follows them"},
-        {"editor/simulation": "a tree without a robot: scripts for its leaves, chance, scenarios"},
+        {"editor/simulation": "a tree without a robot: scripts for its leaves, chance, scenarios",
+         "editor/canvas/layout": "where the boxes of a tree go"},
+        {"editor/canvas/paint": "how a node, a line and a mark are painted"},
         {"editor/canvas": "a tree on the screen, and the mouse on it"},
         {"editor/export": "pictures of trees and their differences in files"},
         {"editor/workspace": "what is open, what is shown, what the user is doing"},
         {"editor/commands": "what keys, menus and the palette can run"},
         {"editor/panels": "the tiles and bars around the canvas, popups"},
         {"editor/shell": "the editor as a function of events, without a window"},
-        {"editor/window": "a window of GLFW and its OpenGL"},
     ],
 }
 
@@ -110,15 +113,13 @@ PROGRAMS = {
 # Arrows beside the floors, each with its reason.
 ARROWS = {
     ("robot_app/mapping", "robot_app/localization"): "a map is made with the same scan matching",
-    ("robot_app/monitoring", "robot_app/processes"): "node monitors know which programs should run",
     ("robot_app/assistance", "robot_app/teleoperation"): "the page drives",
 }
 
 # Rooms whose inner folders still include each other in a circle.
 INNER_CIRCLES = (
-    "bt_core/analysis", "bt_core/cli", "bt_core/engine", "bt_core/live",
-    "editor/canvas", "editor/panels", "robot_app/assistance", "robot_app/monitoring",
-    "robot_app/processes")
+    "bt_core/cli", "bt_core/engine", "bt_core/live",
+    "robot_app/assistance", "robot_app/monitoring", "robot_app/processes")
 
 # Folders of headers of others, and where they may be included. For bt_core, whose headers are read
 # by all, its headers are a case of their own: everything heavy stays in .cc files, but for headers

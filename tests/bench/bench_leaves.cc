@@ -118,12 +118,12 @@ Tree::Tree(const std::string& text, int sinks)
 }
 
 std::string ReadLoop(int count) {
-  return "<root BTCPP_format=\"4\"><BehaviorTree ID=\"Main\"><Reader value=\"{battery}\" count=\"" +
+  return R"(<root BTCPP_format="4"><BehaviorTree ID="Main"><Reader value="{battery}" count=")" +
          std::to_string(count) + "\"/></BehaviorTree></root>";
 }
 
 std::string WriteLoop(int count) {
-  return "<root BTCPP_format=\"4\"><BehaviorTree ID=\"Main\"><Writer value=\"{battery}\" count=\"" +
+  return R"(<root BTCPP_format="4"><BehaviorTree ID="Main"><Writer value="{battery}" count=")" +
          std::to_string(count) + "\"/></BehaviorTree></root>";
 }
 

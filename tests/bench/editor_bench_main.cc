@@ -33,16 +33,16 @@ std::string LargeFile(int nodes) {
       if (i > 1) text += "  </Fallback>\n";
       text += "  <Fallback name=\"choice " + number + "\">\n";
     } else {
-      text += "    <DriveTo name=\"to place " + number + "\" goal=\"{goal_" +
-              std::to_string(i % 50) + "}\" speed=\"0." + std::to_string(i % 9) +
-              "\" timeout_ms=\"" + number + "\" frame=\"map\" retries=\"3\"/>\n";
+      text += "    <DriveTo name=\"to place " + number + R"(" goal="{goal_)" +
+              std::to_string(i % 50) + R"(}" speed="0.)" + std::to_string(i % 9) +
+              R"(" timeout_ms=")" + number + "\" frame=\"map\" retries=\"3\"/>\n";
     }
   }
   return text +
          "  </Fallback>\n</Sequence>\n</BehaviorTree>\n<TreeNodesModel>\n"
-         "<Action ID=\"DriveTo\"><input_port name=\"goal\" type=\"string\"/>"
-         "<input_port name=\"speed\" type=\"double\"/><input_port name=\"timeout_ms\" "
-         "type=\"int\"/><input_port name=\"frame\" type=\"string\"/>"
+         R"(<Action ID="DriveTo"><input_port name="goal" type="string"/>)"
+         R"(<input_port name="speed" type="double"/><input_port name="timeout_ms" )"
+         R"(type="int"/><input_port name="frame" type="string"/>)"
          "<input_port name=\"retries\" type=\"int\"/></Action>\n</TreeNodesModel>\n</root>\n";
 }
 

@@ -201,7 +201,7 @@ std::string Monitor() {
 
 void Main(const std::string& folder) {
   const std::string full = FullTree(4, 1000);
-  std::string writing = "<root BTCPP_format=\"4\"><BehaviorTree ID=\"T\"><Sequence>";
+  std::string writing = R"(<root BTCPP_format="4"><BehaviorTree ID="T"><Sequence>)";
   for (int i = 0; i < 100; ++i) {
     writing += "<Measure value=\"{v" + std::to_string(i) + "}\"/>";
   }

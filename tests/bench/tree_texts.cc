@@ -77,7 +77,7 @@ std::string GuardedArbiter() {
 
 std::string PortArbiter() {
   return Arbiter(
-      [](int) { return std::string("<CondPort value=\"{battery}\" threshold=\"20\"/>"); });
+      [](int) { return std::string(R"(<CondPort value="{battery}" threshold="20"/>)"); });
 }
 
 std::string ScriptArbiter() {

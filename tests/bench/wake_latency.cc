@@ -15,8 +15,8 @@ namespace {
 Time SteadyNow() { return std::chrono::steady_clock::now().time_since_epoch(); }
 
 constexpr char kSleepingTree[] =
-    "<root BTCPP_format=\"4\"><BehaviorTree ID=\"Main\"><ReactiveFallback>"
-    "<CondPort value=\"{battery}\" threshold=\"-1\"/><RunForever/>"
+    R"(<root BTCPP_format="4"><BehaviorTree ID="Main"><ReactiveFallback>)"
+    R"(<CondPort value="{battery}" threshold="-1"/><RunForever/>)"
     "</ReactiveFallback></BehaviorTree></root>";
 
 // Sees every tick from within: when it began, and how often the key was written so far.

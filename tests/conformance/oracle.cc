@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <optional>
+#include <sstream>
 #include <stdexcept>
 
 namespace coppice::conformance {
@@ -39,13 +40,55 @@ void World::Write(const std::string& text, std::optional<std::string> value) {
   if (value) blackboard[text] = *value;
 }
 
+bool OracleNode::Guard(const char* name, bool otherwise) const {
+  std::istringstream script(shape_.Text(name, ""));
+  std::string key;
+  std::string relation;
+  std::string number;
+  if (!(script >> key >> relation >> number)) return otherwise;
+  return (world_.Read("{" + key + "}") == number) == (relation == "==");
+}
+
+void OracleNode::Hook(const char* name) {
+  const std::string script = shape_.Text(name, "");
+  if (script.empty()) return;
+  const std::string key = "{" + script.substr(0, script.find(' ')) + "}";
+  const std::size_t text = script.find('\'') + 1;
+  world_.Write(key, *world_.Read(key) + script.substr(text, script.size() - 1 - text));
+}
+
 Status OracleNode::Tick() {
+  const Status decided = AskGuards();
+  const Status result = decided == Status::kIdle ? TickUnguarded() : decided;
+  status_ = result;
+  if (result == Status::kSuccess) Hook("_onSuccess");
+  if (result == Status::kFailure) Hook("_onFailure");
+  if (IsCompleted(result)) Hook("_post");
+  return result;
+}
+
+Status OracleNode::AskGuards() {
+  if (!was_running()) {
+    if (Guard("_failureIf", false)) return Status::kFailure;
+    if (Guard("_successIf", false)) return Status::kSuccess;
+    if (Guard("_skipIf", false)) return Status::kSkipped;
+    if (!Guard("_onlyIf", true)) return Status::kSkipped;
+  }
+  if (!Guard("_while", true)) {
+    Halt();
+    return Status::kSkipped;
+  }
+  if (!is_told_) Hook("_onStart");
+  return Status::kIdle;
+}
+
+Status OracleNode::TickUnguarded() {
   const Status result = Run();
   if (result == Status::kRunning) has_begun_ = true;
   if (result == Status::kSkipped) has_begun_ |= !children.empty();
   if (IsCompleted(result)) has_begun_ = false;
-  if (IsCompleted(result) || (result == Status::kSkipped && !RemembersWhenSkipped())) Forget();
-  status_ = result;
+  is_told_ = result == Status::kRunning || (result == Status::kSkipped && RemembersWhenSkipped());
+  if (result != Status::kRunning && !is_told_) Forget();
   return result;
 }
 
@@ -55,7 +98,8 @@ void OracleNode::Halt() {
     ResetChildren();
     Forget();
   }
-  has_begun_ = false;
+  if (is_told_) Hook("_onHalted");
+  is_told_ = has_begun_ = false;
   status_ = Status::kIdle;
 }
 
@@ -93,6 +137,7 @@ class Leaf : public OracleNode {
  private:
   Status Run() override { return world_.tick_leaf(number_, !has_begun()); }
   void OnHalt() override { world_.halt_leaf(number_); }
+  bool RemembersWhenSkipped() const override { return has_begun(); }
 
   int number_;
 };

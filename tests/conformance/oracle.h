@@ -63,6 +63,11 @@ class OracleNode {
   void Halt();
   void LetGo();  // as Halt, but the status stays
 
+  /// What a guard or hook of this name would be: scripts are key == number, key != number and
+  /// key += 'text'.
+  bool Guard(const char* name, bool otherwise) const;
+  void Hook(const char* name);
+
   Status status() const { return status_; }
   std::vector<std::unique_ptr<OracleNode>> children;
 
@@ -70,7 +75,7 @@ class OracleNode {
   virtual Status Run() = 0;
   virtual void Forget() {}  // an activation has ended
   virtual void OnHalt() {}
-  virtual bool RemembersWhenSkipped() const { return false; }
+  virtual bool RemembersWhenSkipped() const { return false; }  // if it is SKIPPED now
   void ResetChildren();
   void LeaveChildren();          // makes them idle without ending what they have begun
   Status End(Status result);     // makes the children idle
@@ -84,8 +89,12 @@ class OracleNode {
   const Shape& shape_;
 
  private:
+  Status AskGuards();  // IDLE: is to be ticked
+  Status TickUnguarded();
+
   Status status_ = Status::kIdle;
   bool has_begun_ = false;  // and was not ended since: SKIPPED does not end it
+  bool is_told_ = false;    // a halt would run the hook
 };
 
 /// Builds the tree of a shape, which must outlive it. Leaves are numbered in document order from 0.

@@ -181,6 +181,7 @@ class LoopOver : public OracleNode {
     return kRunning;
   }
   void Forget() override { taken_ = 0; }
+  bool RemembersWhenSkipped() const override { return taken_ > 0; }
 
   std::size_t taken_ = 0;
 };

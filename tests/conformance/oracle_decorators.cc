@@ -56,7 +56,7 @@ class Loop : public OracleNode {
     return again_;
   }
   void Forget() override { done_ = 0; }
-  bool RemembersWhenSkipped() const override { return true; }
+  bool RemembersWhenSkipped() const override { return done_ > 0; }
 
   const Status again_;
   const int limit_;

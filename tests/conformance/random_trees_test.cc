@@ -1,4 +1,5 @@
-// Random trees of all node types, run for some dozen ticks with random results, halts and time.
+// Random trees of all node types with random guards and hooks, run for some dozen ticks with random
+// results, halts, time and writes from outside.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -23,6 +24,7 @@ class Generator {
       if (Uniform(0, 3) == 0 && !port.required) continue;
       shape.attributes.emplace_back(port.name, Value(port, children));
     }
+    AddScripts(shape);
     for (int i = 0; i < children; ++i) shape.children.push_back(Tree(depth - 1));
     return shape;
   }
@@ -58,12 +60,27 @@ class Generator {
   }
 
   Shape LeafOfTree() {
-    if (Uniform(0, 9) < 7) return {"Leaf", {}, {}};
-    const NodeKind& kind = Pick(kLeaves);
-    Shape shape{kind.type, {}, {}};
-    for (const PortKind& port : kind.ports)
-      shape.attributes.emplace_back(port.name, Value(port, 0));
+    Shape shape{"Leaf", {}, {}};
+    if (Uniform(0, 9) >= 7) {
+      const NodeKind& kind = Pick(kLeaves);
+      shape.type = kind.type;
+      for (const PortKind& port : kind.ports)
+        shape.attributes.emplace_back(port.name, Value(port, 0));
+    }
+    AddScripts(shape);
     return shape;
+  }
+
+  // Guards ask a key that is written from outside; each hook writes a character of its own.
+  void AddScripts(Shape& shape) {
+    for (const char* hook : {"_onStart", "_onSuccess", "_onFailure", "_post", "_onHalted"}) {
+      if (Uniform(0, 7) != 0) continue;
+      const char name = static_cast<char>('A' + next_hook_++ % 26);
+      shape.attributes.emplace_back(hook, std::string("@hooks += '") + name + "'");
+    }
+    if (Uniform(0, 3) != 0) return;
+    const NodeScript& guard = Pick(kGuards);
+    shape.attributes.emplace_back(guard.first, guard.second);
   }
 
   std::string Value(const PortKind& port, int children) {
@@ -73,7 +90,16 @@ class Generator {
     return std::to_string(Uniform(from, to) * port.factor);
   }
 
+  using NodeScript = std::pair<const char*, const char*>;
+  static const std::vector<NodeScript> kGuards;
+
   std::mt19937 random_;
+  int next_hook_ = 0;
+};
+
+const std::vector<Generator::NodeScript> Generator::kGuards = {
+    {"_failureIf", "@g == 1"}, {"_successIf", "@g == 2"}, {"_skipIf", "@g == 3"},
+    {"_onlyIf", "@g != 4"},    {"_while", "@g != 5"},
 };
 
 // Keys of the main tree, so that all SubTrees share them.
@@ -185,6 +211,15 @@ const std::vector<Generator::NodeKind> Generator::kLeaves = {
       {"async_delay", false, 0, 3, 70}}},
 };
 
+void WriteFromOutside(SideBySide& both, Generator& generator, bool first) {
+  const std::int64_t g = generator.Uniform(0, 9);
+  if (first || generator.Uniform(0, 1) == 0) both.Write("g", g, std::to_string(g));
+  const std::string text(1, static_cast<char>('a' + generator.Uniform(0, 5)));
+  if (text <= "c") both.Write(generator.Uniform(0, 1) == 0 ? "k" : "j", text, text);
+  const int number = generator.Uniform(0, 9);
+  if (number <= 4) both.Write<double>("x", number, std::to_string(number));
+}
+
 TEST(RandomTrees, DoWhatTheOracleDoes) {
   constexpr unsigned kTrees = 3000;
   constexpr int kTicks = 30;
@@ -197,7 +232,9 @@ TEST(RandomTrees, DoWhatTheOracleDoes) {
       return choice == 20 ? SideBySide::kThrow : 1 + choice % 4;
     });
     if (seed % 2 == 1) both.Listen();
+    both.Write<std::string>("hooks", "", "");
     for (int tick = 0; tick < kTicks; ++tick) {
+      WriteFromOutside(both, generator, tick == 0);
       both.Tick();
       if (generator.Uniform(0, 9) == 0) both.Halt();
       both.Advance(std::chrono::milliseconds(generator.Uniform(0, 100)));

@@ -9,23 +9,30 @@ namespace coppice::conformance {
 namespace {
 
 // Kinds of log entries.
-enum : std::int64_t { kStart = 1000, kTicked = 2000, kHalted = 3000, kResult = 4000, kNode = 5000 };
+enum : std::int64_t {
+  kStart = 1000,
+  kTicked = 2000,
+  kHalted = 3000,
+  kResult = 4000,
+  kNode = 5000,
+  kHook = 6000
+};
 
 void AppendXml(const Shape& shape, int& leaf, int& tree, std::string& xml, std::string& trees) {
+  xml += "<" + shape.type;
+  for (const auto& [name, text] : shape.attributes) xml += " " + name + "=\"" + text + "\"";
   if (shape.type == "Leaf") {
-    xml += "<Leaf name=\"" + std::to_string(leaf++) + "\"/>";
+    xml += " name=\"" + std::to_string(leaf++) + "\"/>";
     return;
   }
   if (shape.type == "SubTree") {
     const std::string id = "T" + std::to_string(tree++);
-    xml += "<SubTree ID=\"" + id + "\"/>";
+    xml += " ID=\"" + id + "\"/>";
     std::string body;
     AppendXml(shape.children.front(), leaf, tree, body, trees);
     trees += "<BehaviorTree ID=\"" + id + "\">" + body + "</BehaviorTree>\n";
     return;
   }
-  xml += "<" + shape.type;
-  for (const auto& [name, text] : shape.attributes) xml += " " + name + "=\"" + text + "\"";
   xml += ">";
   for (const Shape& child : shape.children) AppendXml(child, leaf, tree, xml, trees);
   xml += "</" + shape.type + ">";
@@ -125,6 +132,18 @@ void SideBySide::LogStatuses() {
   for (const Status status : watcher ? watcher->statuses() : executor_->statuses()) {
     actual_.push_back(kNode + static_cast<int>(status));
   }
+  LogHooks();
+}
+
+void SideBySide::LogHooks() {
+  const auto append = [](Log& log, std::size_t& done, const std::string& hooks) {
+    for (; done < hooks.size(); ++done) log.push_back(kHook + hooks[done]);
+  };
+  const SlotIndex slot = executor_->program().layout.Find(0, "hooks");
+  if (slot == kNoSlot) return;
+  append(expected_, expected_hooks_, world_.Read("{@hooks}").value_or(""));
+  const Value& value = executor_->blackboard()[slot].value;
+  append(actual_, actual_hooks_, value.has_value() ? value.Get<std::string>() : "");
 }
 
 void SideBySide::Advance(Duration duration) {
@@ -152,7 +171,8 @@ std::string SideBySide::Print(const Log& log) const {
     if (kind == kHalted) text += " halt " + number;
     if (kind == kResult) text += std::string(" -> ") + status + ";";
     if (kind == kNode) text += std::string(" ") + status[0] + status[1];
-    if (kind < kStart || kind > kNode) text += " next " + std::to_string(entry) + " |";
+    if (kind == kHook) text += std::string(" hook ") + static_cast<char>(entry - kind);
+    if (kind < kStart || kind > kHook) text += " next " + std::to_string(entry) + " |";
   }
   return text;
 }

@@ -1,6 +1,6 @@
 // Runs one tree in the oracle and in the engine and compares, after every tick or halt: which
 // leaves were ticked and halted in which order, the result of the root, the status of every node,
-// and when the next tick is wanted.
+// what hooks have added to the key "hooks" (one character each), and when the next tick is wanted.
 #ifndef COPPICE_TESTS_CONFORMANCE_SIDE_BY_SIDE_H_
 #define COPPICE_TESTS_CONFORMANCE_SIDE_BY_SIDE_H_
 
@@ -32,6 +32,13 @@ class SideBySide {
   void Tick();
   void Halt();
 
+  /// Writes to a key of the main tree from outside; the next call is Tick.
+  template <class T>
+  void Write(const std::string& key, const T& value, const std::string& text) {
+    world_.Write("{@" + key + "}", text);
+    executor_->Writer<T>(key).Send(value);
+  }
+
   /// From now on the statuses are those that somebody sees who is told of every change.
   void Listen();
   void Advance(Duration duration);
@@ -42,6 +49,7 @@ class SideBySide {
  private:
   class ScriptedLeaf;
   void LogStatuses();
+  void LogHooks();
   std::string Print(const Log& log) const;
 
   const Shape shape_;
@@ -51,6 +59,8 @@ class SideBySide {
   std::size_t next_choice_ = 0;  // of the engine
   Log expected_;
   Log actual_;
+  std::size_t expected_hooks_ = 0;  // bytes of the key "hooks" that are in the log
+  std::size_t actual_hooks_ = 0;
   World world_;
   std::unique_ptr<OracleNode> oracle_;
   std::vector<OracleNode*> oracle_nodes_;  // in preorder, as the program's

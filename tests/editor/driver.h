@@ -3,9 +3,6 @@
 #ifndef COPPICE_TESTS_EDITOR_DRIVER_H_
 #define COPPICE_TESTS_EDITOR_DRIVER_H_
 
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <memory>
 #include <string>
 #include <vector>
@@ -13,29 +10,23 @@
 #include "editor/shell/editor.h"
 #include "tests/editor/scripted_robot.h"
 #include "tests/editor/shared_fonts.h"
+#include "tests/support/temporary_folder.h"
 
 namespace coppice::editor {
 
 /// A file in a folder of its own that is gone afterwards.
 class TemporaryFile {
  public:
-  TemporaryFile(const std::string& name, const std::string& text) {
-    std::string pattern = (std::filesystem::temp_directory_path() / "coppice-XXXXXX").string();
-    folder_ = ::mkdtemp(pattern.data());
-    path_ = folder_ + "/" + name;
+  TemporaryFile(const std::string& name, const std::string& text) : path_(folder_.Path(name)) {
     Write(text);
   }
-  ~TemporaryFile() {
-    std::error_code error;
-    std::filesystem::remove_all(folder_, error);
-  }
-  void Write(const std::string& text) const { std::ofstream(path_) << text; }
+  void Write(const std::string& text) const { WriteFile(path_, text); }
   const std::string& path() const { return path_; }
-  const std::string& folder() const { return folder_; }
+  std::string folder() const { return folder_.path(); }
 
  private:
-  std::string folder_;
-  std::string path_;
+  const TemporaryFolder folder_;
+  const std::string path_;
 };
 
 class Driver {

@@ -6,43 +6,22 @@
 #include <memory>
 #include <string>
 #include <utility>
-#include <vector>
 
-#include "editor/live/mailbox.h"
-#include "editor/live/run_source.h"
 #include "tests/editor/driver.h"
 #include "tests/editor/timeline/executed_run.h"
+#include "tests/editor/told_source.h"
 
 namespace coppice::editor {
 
-class ExecutedSource final : public RunSource {
+class ExecutedSource final : public ToldSource {
  public:
   ExecutedSource(std::string name, const std::string& trees, bool is_robot = true)
-      : tree(trees), name_(std::move(name)), is_robot_(is_robot) {
-    connection_.is_live = is_robot;
-    connection_.protocol = LiveConnection::Protocol::kCoppice;
-    mailbox_.OnConnection(connection_);
+      : ToldSource(std::move(name), is_robot), tree(trees) {
     follow_ = std::make_unique<coppice::editor::Follow>(tree.executor, even_);
-  }
-
-  const std::string& name() const override { return name_; }
-  bool is_robot() const override { return is_robot_; }
-  void Pump(LiveListener& listener) override { mailbox_.Deliver(listener); }
-  bool has_news() const override { return !mailbox_.empty(); }
-  void Send(LiveCommand command, LiveClient::ReplyHandler on_reply) override {
-    commands.push_back(command);
-    LiveReply reply;
-    if (command.kind == LiveCommand::Kind::kAddHook) reply.hook = ++last_hook_;
-    mailbox_.PutReply(std::move(on_reply), reply);
   }
 
   void Ticks(int count) {
     for (int i = 0; i < count; ++i) tree.Tick();
-  }
-  void Disconnect(const std::string& why) {
-    connection_.is_live = false;
-    connection_.problem = why;
-    mailbox_.OnConnection(connection_);
   }
   /// So many ticks do not come through.
   void Lose(std::uint64_t ticks) {
@@ -52,16 +31,9 @@ class ExecutedSource final : public RunSource {
     follow_->Begin(HistoryState::Cause::kLost);
   }
   void Tell(const LiveNotice& notice) { mailbox_.OnNotice(notice); }
-  void StopBefore(NodeIndex node) {
-    LiveNotice notice;
-    notice.event.kind = DebugEvent::Kind::kStopped;
-    notice.event.stop = {DebugStop::Where::kBefore, node, Status::kIdle, last_hook_, 1};
-    notice.path = tree.executor.shared_program()->Path(node);
-    Tell(notice);
-  }
+  void StopBefore(NodeIndex node) { TellStop(node, tree.executor.shared_program()->Path(node), 1); }
 
   ExecutedTree tree;
-  std::vector<LiveCommand> commands;  ///< that it was sent
 
  private:
   class Even final : public HistoryHandler {
@@ -81,13 +53,8 @@ class ExecutedSource final : public RunSource {
     HistoryHandler& handler_;
   };
 
-  const std::string name_;
-  const bool is_robot_;
-  Mailbox mailbox_{nullptr};
-  LiveConnection connection_;
   Even even_{mailbox_};
   std::unique_ptr<coppice::editor::Follow> follow_;
-  HookId last_hook_ = kNoHook;
 };
 
 /// A door that must be open before the robot passes.

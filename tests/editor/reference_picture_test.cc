@@ -25,7 +25,7 @@ TEST(ReferencePicture, ATileThatIsMissingIsSeen) {
   driver.Frames(10);
   const Image before = HalfSize(driver.editor.Picture());
   EXPECT_EQ(DifferentPart(before, HalfSize(driver.editor.Picture())), 0);
-  driver.editor.state().tiles.types = false;
+  driver.editor.state().screen.tiles.types = false;
   driver.Frames();
   EXPECT_GT(DifferentPart(before, HalfSize(driver.editor.Picture())), 0.005);
   EXPECT_EQ(DifferentPart(before, MakeImage(1, 1, 0)), 1) << "another size";

@@ -4,49 +4,24 @@
 
 #include <cstdint>
 #include <string>
-#include <vector>
 
 #include "bt_core/data/value_bytes.h"
 #include "bt_core/live/groot2/client_robot_tree.h"
-#include "editor/live/mailbox.h"
-#include "editor/live/run_source.h"
+#include "tests/editor/told_source.h"
 
 namespace coppice::editor {
 
-class ScriptedRobot final : public RunSource {
+class ScriptedRobot final : public ToldSource {
  public:
   /// `xml`: as robots send it in the Groot2 protocol.
-  ScriptedRobot(std::string endpoint, const std::string& xml) : endpoint_(std::move(endpoint)) {
-    Connect();
+  ScriptedRobot(std::string endpoint, const std::string& xml)
+      : ToldSource(std::move(endpoint), true) {
     SetTree(xml);
-  }
-
-  const std::string& name() const override { return endpoint_; }
-  bool is_robot() const override { return true; }
-  void Pump(LiveListener& listener) override { mailbox_.Deliver(listener); }
-  bool has_news() const override { return !mailbox_.empty(); }
-  void Send(LiveCommand command, LiveClient::ReplyHandler on_reply) override {
-    commands.push_back(command);
-    LiveReply reply;
-    if (command.kind == LiveCommand::Kind::kAddHook) reply.hook = ++last_hook_;
-    mailbox_.PutReply(std::move(on_reply), reply);
-  }
-
-  void Connect() {
-    connection_.is_live = true;
-    connection_.problem.clear();
-    connection_.protocol = LiveConnection::Protocol::kCoppice;
-    mailbox_.OnConnection(connection_);
-  }
-  void Disconnect(const std::string& why) {
-    connection_.is_live = false;
-    connection_.problem = why;
-    mailbox_.OnConnection(connection_);
   }
 
   void SetTree(const std::string& xml) {
     Diagnostics diagnostics;
-    tree_ = ReadRobotTree(xml, endpoint_, diagnostics);
+    tree_ = ReadRobotTree(xml, name(), diagnostics);
     state_.statuses.assign(tree_.uids.size(), Status::kIdle);
     state_.last = state_.statuses;
     state_.values.clear();
@@ -90,15 +65,7 @@ class ScriptedRobot final : public RunSource {
     mailbox_.OnTick({state_.tick, state_.time, Duration(0), state_.statuses[0], true, words});
   }
 
-  void Stop(NodeIndex node) {
-    LiveNotice notice;
-    notice.event.kind = DebugEvent::Kind::kStopped;
-    notice.event.stop = {DebugStop::Where::kBefore, node, Status::kIdle, last_hook_, state_.tick};
-    notice.path = tree_.description.nodes[node].path;
-    mailbox_.OnNotice(notice);
-  }
-
-  std::vector<LiveCommand> commands;  ///< that it was sent
+  void Stop(NodeIndex node) { TellStop(node, tree_.description.nodes[node].path, state_.tick); }
 
  private:
   std::vector<DescribedSlot>& slots() { return tree_.description.slots; }
@@ -107,12 +74,8 @@ class ScriptedRobot final : public RunSource {
     mailbox_.OnState(state_);
   }
 
-  const std::string endpoint_;
-  Mailbox mailbox_{nullptr};
-  LiveConnection connection_;
   RobotTree tree_;
   HistoryState state_;
-  HookId last_hook_ = kNoHook;
 };
 
 }  // namespace coppice::editor

@@ -2,10 +2,10 @@
 #include <vector>
 
 #include "bt_core/record/record_cursor.h"
-#include "tests/bt_core/record/temporary_folder.h"
 #include "tests/fuzz/frames.h"
 #include "tests/fuzz/fuzz_targets.h"
 #include "tests/fuzz/history_check.h"
+#include "tests/support/temporary_folder.h"
 
 namespace coppice::fuzz {
 namespace {

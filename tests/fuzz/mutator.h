@@ -46,14 +46,14 @@ class Mutator {
                                                      "1e999",
                                                      "nan",
                                                      "\xFF",
-                                                     "ID=\"Main\"",
-                                                     "<SubTree ID=\"Main\"/>",
-                                                     "<include path=\".\"/>",
+                                                     R"(ID="Main")",
+                                                     R"(<SubTree ID="Main"/>)",
+                                                     R"(<include path="."/>)",
                                                      "<![CDATA[",
                                                      "</Sequence>",
                                                      "4294967296",
                                                      "<root>",
-                                                     "_autoremap=\"1\""};
+                                                     R"(_autoremap="1")"};
     const std::size_t at = Uniform(0, text.size() - 1);
     switch (Uniform(0, 4)) {
       case 0:

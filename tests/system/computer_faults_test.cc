@@ -9,10 +9,10 @@
 #include <memory>
 #include <sstream>
 
+#include "tests/support/folders.h"
 #include "tests/system/fault_case.h"
 #include "tests/system/second_host.h"
 #include "tests/system/small_disk.h"
-#include "tests/support/folders.h"
 
 namespace coppice::robot {
 namespace {
@@ -97,17 +97,19 @@ class ComputerFaults : public testing::Test {
   static std::vector<ConfigEdit> Watches() {
     const double used = used_at_start_;
     std::ostringstream own;
-    own << "        period: 0.5\n"
-        << "        window: 2\n"
-        << "        ask_period: 1\n"
-        << "        deadline: 0.5\n"
-        << "        memory: {used: {warn: [none, " << used + kMemoryHog * 0.5 << "], error: [none, "
+    own << "    period: 0.5\n"
+        << "    window: 2\n"
+        << "    ask_period: 1\n"
+        << "    deadline: 0.5\n"
+        << "    memory: {used: {warn: [none, " << used + kMemoryHog * 0.5 << "], error: [none, "
         << used + kMemoryHog * 0.7 << "], consecutive: 2}}\n"
-        << "        disks: [{path: \"" << disk_->path().string()
+        << "    disks: [{path: \"" << disk_->path().string()
         << "\", used: {warn: [none, 0.7], error: [none, 0.95]}}]";
     std::vector<ConfigEdit> edits = {
-        {"monitors.yaml", "warn: [none, 0.95]", "warn: [none, none]"},  // others may use the cores
-        {"monitors.yaml", "        disks: [{path: /}]", own.str()},
+        {"monitors.yaml",
+         "    memory: {used: {warn: [none, 0.85], error: [none, 0.95], consecutive: 3}}\n"
+         "    disks: [{path: /, used: {warn: [none, 0.9], error: [none, 0.97]}}]",
+         own.str()},
         {"monitors.yaml", "processes: [{node: /simulator}",
          "processes: [{node: /laser_driver, cpu: {warn: [none, 0.2], error: [none, 0.3], "
          "consecutive: 3}}"},
@@ -115,11 +117,9 @@ class ComputerFaults : public testing::Test {
          "      - {name: bag, path: \"" + LogFile() +
              "\", node: /logger, staleness: 4}\n      - {name: record,"}};
     if (!host_->error().empty()) return edits;
-    const std::string second = "{host: second, address: " + host_->address();
-    edits.push_back({"monitors.yaml", "# clocks: [{host: jetson, address: 10.0.0.3}]",
-                     "clocks: [" + second + ", port: " + std::to_string(kTimePort) + "}] #"});
-    edits.push_back({"monitors.yaml", "# hosts: [{host: jetson, address: 10.0.0.3}]",
-                     "hosts: [" + second + "}] #"});
+    // The second computer itself is found by the programs on it.
+    edits.push_back({"monitors.yaml", "clocks: [{host: \"*\",",
+                     "clocks: [{host: \"*\", port: " + std::to_string(kTimePort) + ","});
     return edits;
   }
 
@@ -171,8 +171,7 @@ class ComputerFaults : public testing::Test {
           std::string("--clock-offset"), std::to_string(offset)}) {
       command.push_back(word);
     }
-    time_server_ =
-        ChildProcess(command, BinaryFolder() + "/tests/time_server.log");
+    time_server_ = ChildProcess(command, BinaryFolder() + "/tests/time_server.log");
   }
 
   static const double used_at_start_;

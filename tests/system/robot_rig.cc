@@ -1,5 +1,4 @@
 #include "tests/system/robot_rig.h"
-#include "tests/support/folders.h"
 
 #include <coppice_msgs/InjectFault.h>
 #include <geometry_msgs/PoseStamped.h>
@@ -17,6 +16,8 @@
 #include <sstream>
 #include <stdexcept>
 #include <thread>
+
+#include "tests/support/folders.h"
 
 namespace coppice::robot {
 namespace {
@@ -92,6 +93,9 @@ void RobotRig::LayOutFolder() {
     Replace(config() / "robot.yaml", "\"_start_pose:=-2.4 0 3.14159\"",
             "\"_start_pose:=" + options_.start + "\"");
   }
+  // Others may use the cores.
+  Replace(config() / "monitors.yaml", "load: {warn: [none, 0.9], error: [none, 0.97]",
+          "load: {warn: [none, none], error: [none, none]");
   for (const ConfigEdit& edit : options_.edits) Replace(config() / edit.file, edit.from, edit.to);
   LinkPrograms();
 }

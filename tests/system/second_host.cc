@@ -29,7 +29,7 @@ SecondHost::~SecondHost() {
 std::vector<std::string> SecondHost::transport() const {
   const std::string is_up = "/sbin/ip -n " + name_ + " link show dev " + far() + " up";
   return {"/bin/sh", "-c",
-          is_up + " | grep -q UP || exit 255; exec /sbin/ip netns exec " + name_ + " \"$@\"",
+          is_up + " | grep -q UP || exit 255; exec /sbin/ip netns exec " + name_ + R"( "$@")",
           "transport"};
 }
 

@@ -89,7 +89,7 @@ class TreeScenario {
     return names;
   }
 
-  const Executor& executor() const { return *executor_; }
+  Executor& executor() { return *executor_; }
 
  private:
   struct Order : NodeHooks {

@@ -18,7 +18,7 @@ TEST(IsDark, ComparesTheBrightnessWithItsLimit) {
 TEST(IsDark, SaysWhichValueIsMissing) {
   LeafHarness harness = LeafHarness::For<IsDark>();
   EXPECT_EQ(harness.Tick(), Status::kFailure);
-  EXPECT_NE(harness.message().find("\"lux\""), std::string::npos);
+  EXPECT_NE(harness.message().find(R"("lux")"), std::string::npos);
 }
 // [test end]
 

@@ -44,7 +44,7 @@ TEST(Evening, AMistakeIsFoundWhenTheTreeIsLoaded) {
   auto registry = std::make_shared<Registry>();
   registry->Register<IsDark>("IsDark");
   try {
-    Load("<root BTCPP_format=\"4\"><BehaviorTree ID=\"A\"><IsDrak/></BehaviorTree></root>",
+    Load(R"(<root BTCPP_format="4"><BehaviorTree ID="A"><IsDrak/></BehaviorTree></root>)",
          registry);
     FAIL() << "it was loaded";
   } catch (const std::runtime_error& error) {

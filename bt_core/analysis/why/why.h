@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-#include "bt_core/analysis/readings.h"
+#include "bt_core/analysis/why/readings.h"
 
 namespace coppice {
 

@@ -8,7 +8,7 @@
 
 #include "bt_core/analysis/compare.h"
 #include "bt_core/analysis/load_recording.h"
-#include "bt_core/analysis/verify.h"
+#include "bt_core/analysis/play/verify.h"
 #include "bt_core/analysis/why/why_text.h"
 #include "bt_core/base/command_line.h"
 #include "bt_core/cli/plugins.h"

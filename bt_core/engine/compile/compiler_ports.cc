@@ -4,6 +4,8 @@
 #include <string>
 #include <utility>
 
+#include "bt_core/model/keys.h"
+
 namespace coppice {
 namespace {
 

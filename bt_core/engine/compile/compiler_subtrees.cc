@@ -5,17 +5,9 @@
 
 #include "bt_core/engine/compile/sibling_files.h"
 #include "bt_core/engine/compile/type_names.h"
+#include "bt_core/model/keys.h"
 
 namespace coppice {
-namespace {
-
-bool IsTrue(const Site& site, std::string_view attribute) {
-  bool value = false;
-  const std::string_view text = site.document.AttributeValue(site.element, attribute);
-  return ValueTraits<bool>::Parse(text, value) && value;
-}
-
-}  // namespace
 
 void SubTreeBinder::OpenMain(const std::string& id) {
   keys_.AddScope(0, false);
@@ -63,7 +55,7 @@ ScopeIndex SubTreeBinder::Open(const Site& site, std::string_view id, NodeIndex 
   if (site.element.child_count > 0) {
     problems_.Error(site.document, site.element.offset, "<SubTree> must not have children");
   }
-  const bool autoremap = IsTrue(site, "_autoremap");
+  const bool autoremap = IsAutoremapped(site.document, site.element);
   const ScopeIndex inner = AddInstance(site, id, node, autoremap);
   Remap(site, inner);
   if (const NodeModel* model = program_.project->SubTreeModel(id)) {

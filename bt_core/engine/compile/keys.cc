@@ -2,27 +2,9 @@
 
 #include <utility>
 
+#include "bt_core/model/keys.h"
+
 namespace coppice {
-
-namespace {
-
-std::string_view Trim(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(' ');
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(' ') - first + 1);
-}
-
-}  // namespace
-
-std::string_view KeyOf(std::string_view text, std::string_view own_name) {
-  text = Trim(text);
-  if (text == "=") return own_name;
-  if (text.size() < 2 || text.front() != '{' || text.back() != '}') return {};
-  const std::string_view key = Trim(text.substr(1, text.size() - 2));
-  if (key == "=") return own_name;
-  if (key == "@" || key.find_first_of("{}") != std::string_view::npos) return {};
-  return key;
-}
 
 ScopeIndex KeyTable::AddScope(ScopeIndex parent, bool autoremap) {
   scopes_.push_back({{}, parent, autoremap});
@@ -35,7 +17,7 @@ SlotIndex KeyTable::AddSlot(std::string key, ScopeIndex scope, const Type* type,
 }
 
 ScopeIndex KeyTable::Home(std::string_view key, ScopeIndex scope) const {
-  while (scope != 0 && scopes_[scope].autoremap && key.front() != '_' &&
+  while (scope != 0 && scopes_[scope].autoremap && !IsPrivateKey(key) &&
          scopes_[scope].keys.count(key) == 0) {
     scope = scopes_[scope].parent;
   }

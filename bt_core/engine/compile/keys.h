@@ -2,6 +2,7 @@
 //
 // Each SubTree instance is a scope. A key of a scope is a slot of its own, unless an attribute of
 // the SubTree or _autoremap makes it the slot of a key outside. "@key" is a key of the main tree.
+// What counts as a key: bt_core/model/keys.h.
 #ifndef COPPICE_BT_CORE_ENGINE_COMPILE_KEYS_H_
 #define COPPICE_BT_CORE_ENGINE_COMPILE_KEYS_H_
 
@@ -14,10 +15,6 @@
 #include "bt_core/data/blackboard.h"
 
 namespace coppice {
-
-/// The key that the text of an attribute names: "{goal}" is "goal", "=" and "{=}" are `own_name`.
-/// Empty for a literal, such as "goal_{x}": a key is the whole text or none of it.
-std::string_view KeyOf(std::string_view text, std::string_view own_name);
 
 class KeyTable {
  public:

@@ -2,32 +2,30 @@
 
 #include <optional>
 
-#include "bt_core/engine/compile/keys.h"
+#include "bt_core/model/keys.h"
 #include "bt_core/model/manifest.h"
 
 namespace coppice {
 namespace {
 
-// What the SubTree node, or the model of its tree, gives for a name inside; nothing if it gives
-// none.
+bool IsAutoremapped(const Program& program, ScopeIndex scope) {
+  const NodeIndex node = program.trees[scope].node;
+  return IsAutoremapped(program.DocumentOf(node), program.ElementOf(node));
+}
+
+// What the SubTree node, or else the model of its tree, gives for a name inside; nothing if it
+// gives none. With _autoremap no default of the model counts.
 std::optional<std::string_view> GivenText(const Program& program, ScopeIndex scope,
                                           std::string_view name) {
   const TreeInstance& instance = program.trees[scope];
   const Document& document = program.DocumentOf(instance.node);
   const Attribute* given = document.FindAttribute(program.ElementOf(instance.node), name);
   if (given) return given->value;
+  if (IsAutoremapped(program, scope)) return std::nullopt;
   const NodeModel* model = program.project->SubTreeModel(instance.id);
   const PortModel* port = model ? model->FindPort(name) : nullptr;
   if (port && port->default_text) return *port->default_text;
   return std::nullopt;
-}
-
-bool IsAutoremapped(const Program& program, ScopeIndex scope) {
-  const NodeIndex node = program.trees[scope].node;
-  bool value = false;
-  const std::string_view text =
-      program.DocumentOf(node).AttributeValue(program.ElementOf(node), "_autoremap");
-  return ValueTraits<bool>::Parse(text, value) && value;
 }
 
 ScopeIndex ScopeAround(const Program& program, ScopeIndex scope) {
@@ -44,7 +42,9 @@ SlotIndex FindKey(const Program& program, ScopeIndex scope, std::string_view key
     if (slot != kNoSlot || scope == 0) return slot;
     const std::optional<std::string_view> text = GivenText(program, scope, key);
     const std::string_view outside = text ? KeyOf(*text, key) : std::string_view();
-    if (outside.empty() && (!IsAutoremapped(program, scope) || key.front() == '_')) return kNoSlot;
+    if (outside.empty() && (!IsAutoremapped(program, scope) || IsPrivateKey(key))) {
+      return kNoSlot;
+    }
     scope = ScopeAround(program, scope);
     if (!outside.empty()) key = outside;
     if (key.front() == '@') return FindKey(program, 0, key.substr(1));

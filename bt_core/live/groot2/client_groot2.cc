@@ -167,8 +167,23 @@ void ClientGroot2::Abandon(const std::string& why) {
   for (const Request& request : std::exchange(requests_, {})) {
     const bool is_command =
         request.type == kHookInsert || request.type == kHookRemove || request.type == kUnlock;
-    if (is_command) request.on_answer({why, {}});
+    if (is_command) request.on_answer({why, {}, false});
   }
+}
+
+// The protocol knows no clients: what is left in the robot would hold it up for everybody. Nobody
+// waits for the answers.
+void ClientGroot2::Leave() {
+  for (const SetHook& set : hooks_) {
+    sender_({Header(kHookRemove, ++number_), groot2::WriteHookRemove(set.uid, set.hook.position)});
+  }
+  hooks_.clear();
+}
+
+void ClientGroot2::Forget(HookId id) {
+  hooks_.erase(std::remove_if(hooks_.begin(), hooks_.end(),
+                              [id](const SetHook& set) { return set.id == id; }),
+               hooks_.end());
 }
 
 void ClientGroot2::OnNotification(const std::string& text) {
@@ -225,8 +240,9 @@ void ClientGroot2::AddHook(const Hook& hook, LiveClient::ReplyHandler on_reply) 
   }
   const std::uint16_t uid = tree.uids[nodes[0]];
   const SetHook set = {++last_hook_, uid, hook, nodes[0], false};
+  hooks_.push_back(set);
   Ask(kHookInsert, groot2::WriteHookInsert(hook, uid), [this, set, on_reply](const Answer& answer) {
-    if (answer.error.empty()) hooks_.push_back(set);
+    if (answer.is_of_robot && !answer.error.empty()) Forget(set.id);
     Reply(on_reply, answer.error, answer.error.empty() ? set.id : kNoHook);
   });
 }

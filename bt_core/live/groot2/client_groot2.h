@@ -24,6 +24,7 @@ class ClientGroot2 final : public ClientSession {
   void OnMessage(const Parts& parts, Duration now) override;
   void Send(const LiveCommand& command, LiveClient::ReplyHandler on_reply) override;
   void Abandon(const std::string& why) override;
+  void Leave() override;
   bool has_answered() const override { return heard_; }
   bool is_live() const override { return is_live_; }
 
@@ -32,13 +33,14 @@ class ClientGroot2 final : public ClientSession {
   struct Answer {
     std::string error;
     std::string payload;
+    bool is_of_robot = true;  ///< else the error says why nobody waits for one any more
   };
   struct Request {
     char type;
     std::string body;
     std::function<void(const Answer&)> on_answer;
   };
-  /// One that this client has set.
+  /// One that this client has set, or is about to.
   struct SetHook {
     HookId id;
     std::uint16_t uid;
@@ -58,6 +60,7 @@ class ClientGroot2 final : public ClientSession {
   void Check(const std::string& problem);
   void OnNotification(const std::string& uid_text);
   void AddHook(const Hook& hook, LiveClient::ReplyHandler on_reply);
+  void Forget(HookId id);
   void RemoveHooks(HookId id, const LiveClient::ReplyHandler& on_reply);
   void Continue(std::optional<Status> result, const LiveClient::ReplyHandler& on_reply);
 

@@ -11,12 +11,6 @@
 namespace coppice {
 namespace {
 
-// The attributes with an underscore that belong to the behaviour and are shown.
-bool IsGuard(std::string_view name) {
-  return std::find(kGuardAttributes.begin(), kGuardAttributes.end(), name) !=
-         kGuardAttributes.end();
-}
-
 class TreeWriter {
  public:
   explicit TreeWriter(const Program& program) : program_(program) {
@@ -77,7 +71,7 @@ class TreeWriter {
     const Element& element = program_.ElementOf(node);
     for (const coppice::Attribute* a = document.attributes_begin(element);
          a != document.attributes_end(element); ++a) {
-      if (!IsReservedAttribute(a->name) || IsGuard(a->name)) Attribute(a->name, a->value);
+      if (!IsReservedAttribute(a->name) || IsGuardAttribute(a->name)) Attribute(a->name, a->value);
     }
   }
 

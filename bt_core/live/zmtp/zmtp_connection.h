@@ -4,8 +4,6 @@
 #define COPPICE_BT_CORE_LIVE_ZMTP_ZMTP_CONNECTION_H_
 
 #include <array>
-#include <boost/asio/ip/tcp.hpp>
-#include <boost/asio/steady_timer.hpp>
 #include <cstddef>
 #include <deque>
 #include <memory>

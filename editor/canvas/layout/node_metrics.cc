@@ -43,7 +43,7 @@ float WidthOf(const Ui& ui, std::string_view text, const TextStyle& style) {
 
 float PortWidth(const Ui& ui, const PortLine& port, float column) {
   const float value = WidthOf(ui, ShownValue(port.value), {Face::kMono, metrics::kValueSize, 0});
-  return column + metrics::kColumnGap + value + (port.is_key ? 2 * kChipPadding : 0);
+  return column + metrics::kColumnGap + value + (port.key.empty() ? 0 : 2 * kChipPadding);
 }
 
 }  // namespace

@@ -3,8 +3,7 @@
 //   compact   a decorator lies directly on its child, as a strip of the same width
 //   stacked   more than eight leaves in a row become a column below their parent
 //   wrapped   what would be far wider than high stands in rows (wrapped_tree.h), and very many
-//   leaves
-//             in several columns
+//             leaves in several columns
 #ifndef COPPICE_EDITOR_CANVAS_LAYOUT_TREE_LAYOUT_H_
 #define COPPICE_EDITOR_CANVAS_LAYOUT_TREE_LAYOUT_H_
 

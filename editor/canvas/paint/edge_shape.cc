@@ -1,3 +1,6 @@
+// A line is painted, pointed at, exported and tested; all of them ask here, so that none of them
+// has an idea of its own of where it runs. From left to right is the same geometry with x and y
+// exchanged, where it can be.
 #include "editor/canvas/paint/edge_shape.h"
 
 #include <algorithm>

@@ -44,7 +44,7 @@ class LinesPainter {
       pen_.RowText(value_at - Point{Z(12), 0}, Z(metrics::kLine), icon::kRightArrow, arrow);
     }
     const std::string value = ShownValue(port.value);
-    if (!port.is_key) {
+    if (port.key.empty()) {
       pen_.RowText(value_at, Z(metrics::kLine), value,
                    Style(Face::kMono, metrics::kValueSize, colors().text));
       return;
@@ -54,7 +54,7 @@ class LinesPainter {
 
   void PaintChip(const PortLine& port, const std::string& value, Point at) {
     const bool lit = !look_.lit_value.empty() && look_.lit_value == port.value;
-    const Color key = colors().OfKey(KeyOf(port.value));
+    const Color key = colors().OfKey(port.key);
     const TextStyle style = Style(Face::kMono, metrics::kValueSize, lit ? colors().node_body : key);
     const Box chip = {at + Point{0, Z(2)},
                       at + Point{pen_.Width(value, style) + Z(10), Z(metrics::kLine - 2)}};

@@ -1,3 +1,6 @@
+// A node is painted in three degrees of detail, by the zoom: with its ports, with its name alone,
+// as a block. What matters most from afar (status, heat, problems, changes) is painted in all
+// three, in the same colours.
 #include "editor/canvas/paint/node_painter.h"
 
 #include <algorithm>

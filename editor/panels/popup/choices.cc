@@ -42,7 +42,7 @@ void OfferNodes(EditorState& state, Collector& collector) {
                       TreeView* shown = state.workspace.view();
                       if (!shown || i >= shown->scene()->nodes.size()) return;
                       shown->Select(i);
-                      shown->Reveal(state.canvas_size);
+                      shown->Reveal(state.screen.canvas_size);
                     });
   }
 }

@@ -1,3 +1,8 @@
+// One window for all questions: it is as high as its content, the field has the keys at once, the
+// arrow keys walk in the rows below it. So a new question is a `Prompt` or a `List`, and needs no
+// window of its own.
+#include "editor/panels/popup/popup.h"
+
 #include <imgui.h>
 // After imgui.h, which it needs.
 #include <imgui_stdlib.h>
@@ -6,12 +11,11 @@
 #include <filesystem>
 #include <utility>
 
-#include "editor/panels/key_list.h"
-#include "editor/panels/panel.h"
-#include "editor/panels/panels.h"
 #include "editor/panels/popup/choices.h"
+#include "editor/panels/popup/key_list.h"
 #include "editor/panels/popup/popup_rows.h"
 #include "editor/panels/popup/type_choices.h"
+#include "editor/panels/widgets/panel.h"
 #include "editor/workspace/tree_editor.h"
 
 namespace coppice::editor {
@@ -24,7 +28,7 @@ constexpr float kBelowAsked = 9;
 constexpr std::size_t kMostChoices = 200;  // that a list offers
 
 bool Pressed(const EditorState& state, Key key) {
-  return std::any_of(state.keys.begin(), state.keys.end(),
+  return std::any_of(state.input.keys.begin(), state.input.keys.end(),
                      [&](const KeyEvent& event) { return event.key == key; });
 }
 
@@ -38,7 +42,7 @@ class PopupWindow {
 
   void Draw() {
     const ImVec2 display = ImGui::GetIO().DisplaySize;
-    const float wished = state_.popup == Popup::kKeys ? kKeysWidth : kWidth;
+    const float wished = state_.popup.kind == Popup::kKeys ? kKeysWidth : kWidth;
     const float width = std::min(wished * ui_.scale, display.x - 20);
     const Point size = {width, std::min(Height(width), display.y - 80 * ui_.scale)};
     const Point at = {(display.x - size.x) / 2, 56 * ui_.scale};
@@ -53,13 +57,13 @@ class PopupWindow {
         "popup", nullptr,
         ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
     ui_.items.Add("popup", {at, at + size});
-    const bool outside = ImGui::IsMouseClicked(0) && !state_.popup_is_new &&
+    const bool outside = ImGui::IsMouseClicked(0) && !state_.popup.is_new &&
                          !Box{at, at + size}.Contains(FromIm(ImGui::GetIO().MousePos));
     Content();
     ImGui::End();
     ImGui::PopStyleVar(2);
     ImGui::PopStyleColor(2);
-    if (Pressed(state_, kKeyEscape) || outside) state_.popup = Popup::kNone;
+    if (Pressed(state_, kKeyEscape) || outside) state_.popup.kind = Popup::kNone;
   }
 
  private:
@@ -74,13 +78,13 @@ class PopupWindow {
       if (HasField()) height += kField;
       if (rows > 0) height += 6;
     }
-    if (!state_.popup_error.empty()) height += 24;
+    if (!state_.popup.error.empty()) height += 24;
     return height * ui_.scale;
   }
 
   // Stands above the field, for what is in the field would hide it.
   std::string Asked() const {
-    switch (state_.popup) {
+    switch (state_.popup.kind) {
       case Popup::kOpen:
         return "Open a file: its path (trees as XML, or a record of a run)";
       case Popup::kConnect:
@@ -88,9 +92,9 @@ class PopupWindow {
       case Popup::kPalette:
         return "Search commands, nodes, trees and robots";
       case Popup::kList:
-        return state_.list.hint;
+        return state_.popup.list.hint;
       case Popup::kPrompt:
-        return state_.prompt.hint;
+        return state_.popup.prompt.hint;
       case Popup::kKeys:
         return "Search commands by title, ID or keys; Enter gives the chosen one other keys";
       case Popup::kAdd:
@@ -106,31 +110,33 @@ class PopupWindow {
     }
   }
 
-  bool HasField() const { return state_.popup != Popup::kPrompt || state_.prompt.asks_for_text; }
+  bool HasField() const {
+    return state_.popup.kind != Popup::kPrompt || state_.popup.prompt.asks_for_text;
+  }
 
   std::size_t Rows() const {
-    switch (state_.popup) {
+    switch (state_.popup.kind) {
       case Popup::kKeys:
-        return state_.popup_rows;
+        return state_.popup.rows;
       case Popup::kPalette:
       case Popup::kList:
-        return std::min(state_.popup_rows, kPopupRows);
+        return std::min(state_.popup.rows, kPopupRows);
       case Popup::kPrompt:
-        return state_.prompt.preview ? std::min(state_.popup_rows, kPopupRows) : 0;
+        return state_.popup.prompt.preview ? std::min(state_.popup.rows, kPopupRows) : 0;
       case Popup::kAdd:
       case Popup::kChangeType:
-        return std::min(state_.popup_rows, kPopupRows) + 1;
+        return std::min(state_.popup.rows, kPopupRows) + 1;
       case Popup::kNewKeys:
         return 3;
       case Popup::kPasteErrors:
-        return state_.popup_problems.size() + 1;
+        return state_.popup.problems.size() + 1;
       default:
         return 0;
     }
   }
 
   void Content() {
-    switch (state_.popup) {
+    switch (state_.popup.kind) {
       case Popup::kOpen:
         Input();
         if (Confirmed(state_)) Open();
@@ -141,11 +147,11 @@ class PopupWindow {
         break;
       case Popup::kPalette:
         Input();
-        Choices(FindChoices(state_, state_.popup_text, ui_.now, kMostChoices));
+        Choices(FindChoices(state_, state_.popup.text, ui_.now, kMostChoices));
         break;
       case Popup::kList:
         Input();
-        Choices(state_.list.rows(state_.popup_text));
+        Choices(state_.popup.list.rows(state_.popup.text));
         break;
       case Popup::kPrompt:
         Ask();
@@ -167,11 +173,11 @@ class PopupWindow {
         break;
       case Popup::kRename:
         Input();
-        if (Confirmed(state_) && TreeEditor(state_, ui_.now).Rename(state_.popup_text)) Close();
+        if (Confirmed(state_) && TreeEditor(state_, ui_.now).Rename(state_.popup.text)) Close();
         break;
       case Popup::kSaveAs:
         Input();
-        if (Confirmed(state_)) TreeEditor(state_, ui_.now).SaveAs(state_.popup_text);
+        if (Confirmed(state_)) TreeEditor(state_, ui_.now).SaveAs(state_.popup.text);
         break;
       case Popup::kPasteErrors:
         PasteErrors();
@@ -179,9 +185,9 @@ class PopupWindow {
       case Popup::kNone:
         break;
     }
-    if (state_.popup_error.empty()) return;
+    if (state_.popup.error.empty()) return;
     ImGui::PushStyleColor(ImGuiCol_Text, ui_.palette.error);
-    ImGui::TextUnformatted(state_.popup_error.c_str());
+    ImGui::TextUnformatted(state_.popup.error.c_str());
     ImGui::PopStyleColor();
   }
 
@@ -194,14 +200,14 @@ class PopupWindow {
     ImGui::PopTextWrapPos();
     ImGui::PopStyleColor();
     ImGui::PopFont();
-    const bool is_new = std::exchange(state_.popup_is_new, false);
+    const bool is_new = std::exchange(state_.popup.is_new, false);
     if (!HasField()) return;
     if (is_new) ImGui::SetKeyboardFocusHere();
     ImGui::SetNextItemWidth(-1);
     ImGui::PushFont(ui_.fonts.Pick(Face::kSans, 14 * ui_.scale));
-    if (ImGui::InputText("##input", &state_.popup_text)) {
-      state_.popup_choice = 0;
-      state_.popup_error.clear();
+    if (ImGui::InputText("##input", &state_.popup.text)) {
+      state_.popup.choice = 0;
+      state_.popup.error.clear();
     }
     ImGui::PopFont();
     ui_.items.Add("popup/input",
@@ -210,51 +216,51 @@ class PopupWindow {
 
   void Open() {
     std::error_code error;
-    if (!std::filesystem::exists(state_.popup_text, error)) {
-      state_.popup_error = "there is no such file";
-    } else if (state_.open_file(state_.popup_text)) {
-      state_.popup = Popup::kNone;
+    if (!std::filesystem::exists(state_.popup.text, error)) {
+      state_.popup.error = "there is no such file";
+    } else if (state_.services.open_file(state_.popup.text)) {
+      state_.popup.kind = Popup::kNone;
     } else {
-      state_.popup_error = "nothing to show in this file; see Problems";
+      state_.popup.error = "nothing to show in this file; see Problems";
     }
   }
 
   void Connect() {
-    state_.popup_error = state_.connect(state_.popup_text);
-    if (state_.popup_error.empty()) state_.popup = Popup::kNone;
+    state_.popup.error = state_.services.connect(state_.popup.text);
+    if (state_.popup.error.empty()) state_.popup.kind = Popup::kNone;
   }
 
   // What is asked may ask further.
   void Ask() {
-    const Prompt prompt = state_.prompt;
+    const Prompt prompt = state_.popup.prompt;
     Input();
     const bool confirmed = Confirmed(state_);
-    if (prompt.preview && !confirmed) Preview(prompt.preview(state_.popup_text));
+    if (prompt.preview && !confirmed) Preview(prompt.preview(state_.popup.text));
     if (!confirmed) return;
     Close();
-    const std::string refusal = prompt.run(state_.popup_text);
+    const std::string refusal = prompt.run(state_.popup.text);
     if (refusal.empty()) return;
-    state_.popup = Popup::kPrompt;
-    state_.popup_is_new = true;  // the user goes on typing
-    state_.popup_error = refusal;
+    state_.popup.kind = Popup::kPrompt;
+    state_.popup.is_new = true;  // the user goes on typing
+    state_.popup.error = refusal;
   }
 
   void Preview(const std::vector<Choice>& rows) {
-    state_.popup_rows = rows.size();
+    state_.popup.rows = rows.size();
     const bool has_choice = !HasField();
     int chosen = Chosen(rows, has_choice);
-    if (has_choice && Pressed(state_, kKeySpace) && !rows.empty()) chosen = state_.popup_choice;
+    if (has_choice && Pressed(state_, kKeySpace) && !rows.empty()) chosen = state_.popup.choice;
     if (chosen < 0) return;
     const auto& run = rows[static_cast<std::size_t>(chosen)].run;
     if (run) run();
   }
 
   void Choices(const std::vector<Choice>& choices) {
-    state_.popup_rows = std::max<std::size_t>(choices.size(), 1);
+    state_.popup.rows = std::max<std::size_t>(choices.size(), 1);
     int chosen = Chosen(choices, true);
-    if (Confirmed(state_) && !choices.empty()) chosen = state_.popup_choice;
+    if (Confirmed(state_) && !choices.empty()) chosen = state_.popup.choice;
     if (chosen < 0) return;
-    state_.popup = Popup::kNone;  // before running: the command may open another
+    state_.popup.kind = Popup::kNone;  // before running: the command may open another
     choices[static_cast<std::size_t>(chosen)].run();
   }
 
@@ -271,8 +277,8 @@ class PopupWindow {
   }
 
   void Types(bool add) {
-    const std::vector<TypeChoice> types = FindTypes(state_, state_.popup_text, add, kMostChoices);
-    state_.popup_rows = types.size();
+    const std::vector<TypeChoice> types = FindTypes(state_, state_.popup.text, add, kMostChoices);
+    state_.popup.rows = types.size();
     int chosen = -1;
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
     {
@@ -283,7 +289,7 @@ class PopupWindow {
     }
     PaintHelp("popup/help", add ? AddHelp() : ChangeHelp(types));
     ImGui::PopStyleVar();
-    if (Confirmed(state_) && !types.empty()) chosen = state_.popup_choice;
+    if (Confirmed(state_) && !types.empty()) chosen = state_.popup.choice;
     if (chosen < 0) return;
     Take(types[static_cast<std::size_t>(chosen)], add);
   }
@@ -297,7 +303,7 @@ class PopupWindow {
     if (types.empty()) return {};
     const std::string lost =
         TreeEditor(state_, ui_.now)
-            .LostByChange(types[static_cast<std::size_t>(state_.popup_choice)].type);
+            .LostByChange(types[static_cast<std::size_t>(state_.popup.choice)].type);
     return lost.empty() ? "all ports stay" : "this loses " + lost;
   }
 
@@ -309,12 +315,12 @@ class PopupWindow {
       RememberType(state_, choice.type);
       Close();
     } else {
-      state_.popup_error = state_.notice.text;
+      state_.popup.error = state_.notice.text;
     }
   }
 
   AddWhere ChosenPlace() const {
-    for (const KeyEvent& event : state_.keys) {
+    for (const KeyEvent& event : state_.input.keys) {
       if (event.key != kKeyEnter && event.key != kKeyKeypadEnter) continue;
       if (event.modifiers & kCtrl) return AddWhere::kAround;
       if (event.modifiers & kShift) return AddWhere::kAfter;
@@ -322,16 +328,16 @@ class PopupWindow {
     return AddWhere::kChild;
   }
 
-  void Close() { state_.popup = Popup::kNone; }
+  void Close() { state_.popup.kind = Popup::kNone; }
 
   void PasteErrors() {
-    state_.popup_is_new = false;
+    state_.popup.is_new = false;
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
     const Row head = NextRow(ui_, "popup/head", false);
     PaintPopupRow(ui_, head.box, "Nothing was pasted: the text has errors", "Esc", "");
-    for (std::size_t i = 0; i < state_.popup_problems.size(); ++i) {
+    for (std::size_t i = 0; i < state_.popup.problems.size(); ++i) {
       const Row row = NextRow(ui_, "popup/error/" + std::to_string(i), false);
-      PaintPopupRow(ui_, row.box, ToString(state_.popup_problems[i]), "", "");
+      PaintPopupRow(ui_, row.box, ToString(state_.popup.problems[i]), "", "");
     }
     ImGui::PopStyleVar();
     if (Confirmed(state_)) Close();
@@ -351,7 +357,7 @@ class PopupWindow {
 }  // namespace
 
 void DrawPopup(const Ui& ui, EditorState& state) {
-  if (state.popup != Popup::kNone) PopupWindow(ui, state).Draw();
+  if (state.popup.kind != Popup::kNone) PopupWindow(ui, state).Draw();
 }
 
 }  // namespace coppice::editor

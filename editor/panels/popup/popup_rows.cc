@@ -2,13 +2,13 @@
 
 #include <algorithm>
 
-#include "editor/panels/panel.h"
+#include "editor/panels/widgets/panel.h"
 
 namespace coppice::editor {
 namespace {
 
 bool IsPressed(const EditorState& state, Key key) {
-  return std::any_of(state.keys.begin(), state.keys.end(),
+  return std::any_of(state.input.keys.begin(), state.input.keys.end(),
                      [key](const KeyEvent& event) { return event.key == key; });
 }
 
@@ -16,12 +16,12 @@ bool IsPressed(const EditorState& state, Key key) {
 
 PopupRows::PopupRows(const Ui& ui, EditorState& state, std::size_t count, bool has_choice)
     : ui_(ui), state_(state), has_choice_(has_choice) {
-  const int before = state.popup_choice;
-  if (IsPressed(state, kKeyDown)) ++state.popup_choice;
-  if (IsPressed(state, kKeyUp)) --state.popup_choice;
+  const int before = state.popup.choice;
+  if (IsPressed(state, kKeyDown)) ++state.popup.choice;
+  if (IsPressed(state, kKeyUp)) --state.popup.choice;
   const int last = std::max(static_cast<int>(count) - 1, 0);
-  state.popup_choice = std::clamp(state.popup_choice, 0, last);
-  choice_has_moved_ = state.popup_choice != before;
+  state.popup.choice = std::clamp(state.popup.choice, 0, last);
+  choice_has_moved_ = state.popup.choice != before;
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
   ImGui::Dummy({1, 6 * ui.scale});
   const std::size_t in_sight = std::clamp<std::size_t>(count, 1, kPopupRows);
@@ -35,7 +35,7 @@ PopupRows::~PopupRows() {
 }
 
 bool PopupRows::Next(const std::string& title, const std::string& note, const std::string& kind) {
-  const bool chosen = has_choice_ && next_ == state_.popup_choice;
+  const bool chosen = has_choice_ && next_ == state_.popup.choice;
   const Row row = NextRow(ui_, "popup/" + std::to_string(next_++), chosen);
   if (chosen && choice_has_moved_) ImGui::SetScrollHereY();
   if (row.visible) PaintPopupRow(ui_, row.box, title, note, kind);

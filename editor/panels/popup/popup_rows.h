@@ -18,7 +18,7 @@ inline constexpr std::size_t kPopupRows = 12;  ///< so many are in sight at most
 
 class PopupRows {
  public:
-  /// Begins a list of so many rows in the current ImGui window. Moves state.popup_choice if an
+  /// Begins a list of so many rows in the current ImGui window. Moves state.popup.choice if an
   /// arrow key was pressed; with `has_choice` that row is highlighted and kept in sight.
   PopupRows(const Ui& ui, EditorState& state, std::size_t count, bool has_choice = true);
   ~PopupRows();

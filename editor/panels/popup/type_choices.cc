@@ -18,7 +18,7 @@ constexpr std::size_t kMostRecent = 8;
 class TypeCollector {
  public:
   TypeCollector(const EditorState& state, const std::string& typed)
-      : recent_(state.recent_types), typed_(typed) {}
+      : recent_(state.recent.types), typed_(typed) {}
 
   void Offer(TypeChoice choice) {
     choice.score = Score(choice);
@@ -104,7 +104,7 @@ std::vector<TypeChoice> FindTypes(const EditorState& state, const std::string& t
 }
 
 void RememberType(EditorState& state, const std::string& type) {
-  auto& recent = state.recent_types;
+  auto& recent = state.recent.types;
   recent.erase(std::remove(recent.begin(), recent.end(), type), recent.end());
   recent.insert(recent.begin(), type);
   if (recent.size() > kMostRecent) recent.resize(kMostRecent);

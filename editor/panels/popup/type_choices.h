@@ -22,7 +22,7 @@ struct TypeChoice {
 std::vector<TypeChoice> FindTypes(const EditorState& state, const std::string& typed,
                                   bool with_trees, std::size_t limit);
 
-/// Puts the type in front of state.recent_types.
+/// Puts the type in front of state.recent.types.
 void RememberType(EditorState& state, const std::string& type);
 
 }  // namespace coppice::editor

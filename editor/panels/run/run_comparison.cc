@@ -1,8 +1,8 @@
 #include <utility>
 
-#include "editor/panels/panel.h"
 #include "editor/panels/run/run_bodies.h"
 #include "editor/panels/run/run_text.h"
+#include "editor/panels/widgets/panel.h"
 
 namespace coppice::editor {
 namespace {
@@ -24,9 +24,9 @@ void OfferRuns(const Ui& ui, EditorState& state, const RunView& run) {
     const Row row = TextRow(ui, "run/compare/" + other->name(), other->name(),
                             {Face::kSans, 12, ui.palette.link});
     if (!row.clicked) continue;
-    state.comparison.first = run.name();
-    state.comparison.second = other->name();
-    state.comparison.result = CompareRuns(run.run().recording(), other->run().recording());
+    state.run.comparison.first = run.name();
+    state.run.comparison.second = other->name();
+    state.run.comparison.result = CompareRuns(run.run().recording(), other->run().recording());
   }
   if (!any) Hint(ui, "Open another record, or connect to another robot, to compare with.");
 }
@@ -34,7 +34,7 @@ void OfferRuns(const Ui& ui, EditorState& state, const RunView& run) {
 }  // namespace
 
 void DrawComparison(const Ui& ui, EditorState& state, RunView& run) {
-  const ShownComparison& shown = state.comparison;
+  const ShownComparison& shown = state.run.comparison;
   if (!shown.result || shown.first != run.name()) return OfferRuns(ui, state, run);
   const RunComparison result = *shown.result;
   const TextStyle bold{Face::kBold, 12, ui.palette.text};
@@ -44,7 +44,7 @@ void DrawComparison(const Ui& ui, EditorState& state, RunView& run) {
                   " of " + Count(result.ticks, "tick") + " differ (click: compare with another)",
               bold);
   if (head.clicked) {
-    state.comparison = ShownComparison();
+    state.run.comparison = ShownComparison();
     return;
   }
   if (result.parting) {

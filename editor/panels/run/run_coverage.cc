@@ -3,8 +3,8 @@
 #include <unordered_map>
 #include <vector>
 
-#include "editor/panels/panel.h"
 #include "editor/panels/run/run_bodies.h"
+#include "editor/panels/widgets/panel.h"
 #include "editor/simulation/chance_text.h"
 #include "editor/theme/icons.h"
 #include "editor/workspace/simulation_editor.h"

@@ -1,8 +1,8 @@
 #include <vector>
 
 #include "editor/commands/run_commands.h"
-#include "editor/panels/panel.h"
 #include "editor/panels/run/run_bodies.h"
+#include "editor/panels/widgets/panel.h"
 #include "editor/theme/icons.h"
 
 namespace coppice::editor {

@@ -1,9 +1,9 @@
 #include <string>
 
 #include "editor/commands/log_commands.h"
-#include "editor/panels/panel.h"
 #include "editor/panels/run/run_bodies.h"
 #include "editor/panels/run/run_text.h"
+#include "editor/panels/widgets/panel.h"
 #include "editor/theme/icons.h"
 
 namespace coppice::editor {
@@ -109,7 +109,7 @@ class Rows {
 }  // namespace
 
 void DrawLog(const Ui& ui, EditorState& state, RunView& run) {
-  RunLog& log = state.logs[run.name()];
+  RunLog& log = state.run.logs[run.name()];
   log.Update(run.run(), run.name(), state.workspace.log_points);
   const std::vector<LogPoint> points = state.workspace.log_points.all();  // rows may change it
   if (points.empty()) {

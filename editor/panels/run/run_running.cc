@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "editor/panels/panel.h"
 #include "editor/panels/run/run_bodies.h"
+#include "editor/panels/widgets/panel.h"
 
 namespace coppice::editor {
 

@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "editor/panels/panel.h"
 #include "editor/panels/run/run_bodies.h"
 #include "editor/panels/run/run_text.h"
+#include "editor/panels/widgets/panel.h"
 
 namespace coppice::editor {
 namespace {
@@ -88,9 +88,9 @@ class Table {
 }  // namespace
 
 void DrawStatistics(const Ui& ui, EditorState& state, RunView& run) {
-  const TimelineState& timeline = state.timelines[run.name()];
-  state.figures.Update(run.run(), timeline.range);
-  const Statistics& all = state.figures.statistics();
+  const TimelineState& timeline = state.run.timelines[run.name()];
+  state.run.figures.Update(run.run(), timeline.range);
+  const Statistics& all = state.run.figures.statistics();
   char text[192];
   std::snprintf(text, sizeof(text),
                 "%s: %llu ticks of %.3f ms (p95 %.3f, max %.3f), one every %.1f ms, %llu lost",
@@ -106,7 +106,7 @@ void DrawStatistics(const Ui& ui, EditorState& state, RunView& run) {
   const int selected =
       view && view->selected() != kNoNode ? view->scene()->nodes[view->selected()].uid : -1;
   for (NodeIndex i = 0; i < nodes.size(); ++i) {
-    const NodeStatistics* node = state.figures.Find(nodes[i].path);
+    const NodeStatistics* node = state.run.figures.Find(nodes[i].path);
     if (node) table.Line(*node, i, selected == static_cast<int>(i));
   }
 }

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "editor/live/value_table.h"
-#include "editor/panels/panel.h"
 #include "editor/panels/run/run_bodies.h"
+#include "editor/panels/widgets/panel.h"
 
 namespace coppice::editor {
 namespace {
@@ -49,7 +49,7 @@ std::vector<SlotIndex> TablesOf(const RunView& run) {
 class Table {
  public:
   Table(const Ui& ui, EditorState& state, ValueTable table)
-      : ui_(ui), sort_(state.table_sort), table_(std::move(table)) {
+      : ui_(ui), sort_(state.run.table_sort), table_(std::move(table)) {
     const auto column = std::find(table_.columns.begin(), table_.columns.end(), sort_.column);
     if (column != table_.columns.end()) {
       table_.Sort(static_cast<std::size_t>(column - table_.columns.begin()), sort_.descending);
@@ -151,7 +151,7 @@ void DrawTable(const Ui& ui, EditorState& state, RunView& run) {
     return Hint(ui, "No key holds a table (a list of objects) at this moment.");
   }
   const auto shown = std::find_if(tables.begin(), tables.end(), [&](SlotIndex slot) {
-    return PathOf(slots[slot]) == state.shown_key;
+    return PathOf(slots[slot]) == state.blackboard.shown_key;
   });
   const SlotIndex slot = shown == tables.end() ? tables.front() : *shown;
   if (tables.size() > 1) {
@@ -165,7 +165,7 @@ void DrawTable(const Ui& ui, EditorState& state, RunView& run) {
       if (at.max.x > row.box.max.x) break;
       if (row.visible && ui.Button("run/table/key/" + slots[other].scope + "/" + slots[other].name,
                                    at, slots[other].name, other == slot)) {
-        state.shown_key = PathOf(slots[other]);
+        state.blackboard.shown_key = PathOf(slots[other]);
       }
       x += width + 3 * ui.scale;
     }

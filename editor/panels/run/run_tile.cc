@@ -1,8 +1,9 @@
+#include "editor/panels/run/run_tile.h"
+
 #include <cstdint>
 
-#include "editor/panels/panel.h"
-#include "editor/panels/panels.h"
 #include "editor/panels/run/run_bodies.h"
+#include "editor/panels/widgets/panel.h"
 
 namespace coppice::editor {
 namespace {
@@ -39,13 +40,13 @@ void DrawRunTile(const Ui& ui, EditorState& state, const Box& box) {
     if (run && !run->connection().problem.empty()) {
       TextRow(ui, "run/problem", run->connection().problem, {Face::kBold, 12, ui.palette.warning});
     }
-    const bool is_empty = run && run->run().size() == 0 && state.run_tab != RunTab::kCoverage;
+    const bool is_empty = run && run->run().size() == 0 && state.run.tab != RunTab::kCoverage;
     if (!run || !run->tree() || is_empty) {
       Hint(ui, "Nothing has happened yet: this tells of ticks as soon as there are some.");
       return;
     }
     for (const Tab& tab : kTabs) {
-      if (tab.tab == state.run_tab) tab.draw(ui, state, *run);
+      if (tab.tab == state.run.tab) tab.draw(ui, state, *run);
     }
   });
   float x = box.min.x + 4 * ui.scale;
@@ -55,7 +56,7 @@ void DrawRunTile(const Ui& ui, EditorState& state, const Box& box) {
     const Box at = {{x, box.min.y + 2 * ui.scale},
                     {x + width, box.min.y + (kPanelHeader - 2) * ui.scale}};
     if (at.max.x > box.max.x) break;
-    if (ui.Button(tab.path, at, tab.title, state.run_tab == tab.tab)) state.run_tab = tab.tab;
+    if (ui.Button(tab.path, at, tab.title, state.run.tab == tab.tab)) state.run.tab = tab.tab;
     x += width + 2 * ui.scale;
   }
 }

@@ -1,8 +1,8 @@
 #include <algorithm>
 
-#include "editor/panels/panel.h"
 #include "editor/panels/run/run_bodies.h"
 #include "editor/panels/run/run_text.h"
+#include "editor/panels/widgets/panel.h"
 #include "editor/theme/icons.h"
 
 namespace coppice::editor {
@@ -75,12 +75,12 @@ void SelectRunNode(EditorState& state, NodeIndex node) {
   const std::uint32_t in_scene = view->scene()->node_of_uid[node];
   if (in_scene == kNoNode) return;
   view->Select(in_scene);
-  view->Reveal(state.canvas_size);
+  view->Reveal(state.screen.canvas_size);
 }
 
 void DrawWhy(const Ui& ui, EditorState& state, RunView& run) {
-  state.why.Ask(run, SelectedNode(state));
-  const WhyAnswer& why = state.why;
+  state.run.why.Ask(run, SelectedNode(state));
+  const WhyAnswer& why = state.run.why;
   const std::string tick = TickText(run.run(), run.playhead().tick());
   if (!why.why_not().empty()) {
     TextRow(ui, "run/why/not", tick + ": " + why.why_not(), {Face::kBold, 12, ui.palette.warning});

@@ -1,12 +1,13 @@
+#include "editor/panels/timeline/timeline.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 
-#include "editor/panels/panel.h"
-#include "editor/panels/panels.h"
 #include "editor/panels/run/run_text.h"
 #include "editor/panels/timeline/lane_painter.h"
 #include "editor/panels/timeline/timeline_frame.h"
+#include "editor/panels/widgets/panel.h"
 #include "editor/theme/contrast.h"
 #include "editor/theme/icons.h"
 
@@ -25,7 +26,7 @@ class Timeline {
            view,
            view.run(),
            view.playhead(),
-           state.timelines[view.name()],
+           state.run.timelines[view.name()],
            view.run().TracksAt(view.playhead().is_at_now() ? view.run().size()
                                                            : view.playhead().tick()),
            {},

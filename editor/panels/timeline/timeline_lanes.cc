@@ -2,10 +2,10 @@
 #include <cmath>
 #include <cstdio>
 
-#include "editor/panels/panel.h"
 #include "editor/panels/run/run_text.h"
 #include "editor/panels/timeline/lane_painter.h"
 #include "editor/panels/timeline/timeline_frame.h"
+#include "editor/panels/widgets/panel.h"
 #include "editor/theme/icons.h"
 #include "editor/timeline/slot_history.h"
 
@@ -18,7 +18,7 @@ class Lanes {
 
   void DrawLanes() {
     const float height = kLaneHeight * f_.ui.scale;
-    const float fixed = (f_.state.shown_key.empty() ? 1.0F : 2.5F) * height;
+    const float fixed = (f_.state.blackboard.shown_key.empty() ? 1.0F : 2.5F) * height;
     const float room = std::max(f_.lanes.height() - fixed, 0.0F);
     const Box box = {f_.lanes.min,
                      {f_.lanes.max.x, f_.lanes.min.y + std::floor(room / height) * height}};
@@ -42,7 +42,7 @@ class Lanes {
     DrawScroll(box, all);
     const float top = f_.lanes.max.y - fixed;
     DrawDurations({{f_.lanes.min.x, top}, {f_.lanes.max.x, top + height}});
-    if (!f_.state.shown_key.empty()) {
+    if (!f_.state.blackboard.shown_key.empty()) {
       DrawKey({{f_.lanes.min.x, top + height}, f_.lanes.max});
     }
   }
@@ -182,7 +182,8 @@ class Lanes {
   void DrawKey(const Box& lane) {
     const auto& slots = f_.tracks.tree()->slots;
     for (SlotIndex slot = 0; slot < slots.size(); ++slot) {
-      if (f_.state.shown_key != "blackboard/" + slots[slot].scope + "/" + slots[slot].name)
+      if (f_.state.blackboard.shown_key !=
+          "blackboard/" + slots[slot].scope + "/" + slots[slot].name)
         continue;
       Label(lane, "{" + slots[slot].name + "}", 0,
             {Face::kSans, 11, f_.ui.palette.OfKey(slots[slot].name)});

@@ -101,7 +101,7 @@ class Mouse {
     const std::uint32_t in_scene = tree->scene()->node_of_uid[node];
     if (in_scene == kNoNode) return;
     tree->Select(in_scene);
-    tree->Reveal(f_.state.canvas_size);
+    tree->Reveal(f_.state.screen.canvas_size);
   }
 
   // A click of the middle button on a bar shows it whole.

@@ -1,9 +1,14 @@
+// The field is our own, not Dear ImGui's for text of many lines: what is typed must be a step of
+// the project's one history, so that it is undone in one order with what is done on the canvas; the
+// caret selects the node that it stands in; and of a file with many thousand lines only those in
+// sight may cost anything.
+#include "editor/panels/xml/xml.h"
+
 #include <algorithm>
 #include <optional>
 #include <utility>
 
-#include "editor/panels/panel.h"
-#include "editor/panels/panels.h"
+#include "editor/panels/widgets/panel.h"
 #include "editor/panels/xml/xml_gutter.h"
 #include "editor/panels/xml/xml_keys.h"
 #include "editor/panels/xml/xml_line.h"
@@ -46,12 +51,12 @@ const std::vector<Line>& LinesOf(const ShownXml& shown, XmlLines& known) {
 class XmlTyping {
  public:
   XmlTyping(const Ui& ui, EditorState& state, const ShownXml& shown)
-      : ui_(ui), state_(state), pane_(state.xml), shown_(shown) {}
+      : ui_(ui), state_(state), pane_(state.xml.pane), shown_(shown) {}
 
   void Run() {
     TextEdit edit{*shown_.text, pane_.at, pane_.anchor};
-    const TextClipboard clipboard = {state_.get_clipboard, state_.set_clipboard};
-    for (const KeyEvent& event : state_.keys) {
+    const TextClipboard clipboard = {state_.services.get_clipboard, state_.services.set_clipboard};
+    for (const KeyEvent& event : state_.input.keys) {
       const KeyChord chord = {event.key, event.modifiers};
       if (event.key == kKeyEscape) pane_.focused = false;
       if (IsTextKey(chord)) PressTextKey(chord, clipboard, edit);
@@ -118,10 +123,10 @@ class XmlPanel {
  public:
   XmlPanel(const Ui& ui, EditorState& state, const ShownXml& shown)
       : ui_(ui),
-        pane_(state.xml),
-        gutter_(state.xml_gutter),
+        pane_(state.xml.pane),
+        gutter_(state.xml.gutter),
         shown_(shown),
-        lines_(LinesOf(shown, state.xml_lines)),
+        lines_(LinesOf(shown, state.xml.lines)),
         list_(*ImGui::GetWindowDrawList()) {
     for (const OpenFile& file : state.workspace.files()) {
       for (const Diagnostic& problem : file.problems) {
@@ -348,12 +353,12 @@ std::string TitleOf(const ShownXml& shown) {
 std::string NoteOf(const EditorState& state, const ShownXml& shown) {
   if (!shown.text) return "";
   if (!shown.can_edit) return "read only";
-  return state.xml.focused ? "Esc ends typing" : "click to type";
+  return state.xml.pane.focused ? "Esc ends typing" : "click to type";
 }
 
 // A click elsewhere ends typing; a command begins it at the selected node.
 void PassFocus(EditorState& state, const ShownXml& shown, const Box& box) {
-  XmlPane& pane = state.xml;
+  XmlPane& pane = state.xml.pane;
   if (pane.path != shown.path) {
     const bool wanted = pane.wants_focus;
     pane = {};
@@ -365,7 +370,7 @@ void PassFocus(EditorState& state, const ShownXml& shown, const Box& box) {
     pane.at = pane.anchor = shown.begin;
   }
   const bool elsewhere = ImGui::IsMouseClicked(0) && !box.Contains(FromIm(ImGui::GetIO().MousePos));
-  if (elsewhere || !shown.can_edit || state.popup != Popup::kNone) pane.focused = false;
+  if (elsewhere || !shown.can_edit || state.popup.kind != Popup::kNone) pane.focused = false;
   pane.at = std::min(pane.at, shown.text->size());
   pane.anchor = std::min(pane.anchor, shown.text->size());
 }
@@ -375,7 +380,7 @@ void PassFocus(EditorState& state, const ShownXml& shown, const Box& box) {
 void DrawXml(const Ui& ui, EditorState& state, const Box& box) {
   ShownXml shown = ChooseXml(state, state.workspace.view());
   if (shown.text) PassFocus(state, shown, box);
-  if (shown.text && state.xml.focused) {
+  if (shown.text && state.xml.pane.focused) {
     XmlTyping(ui, state, shown).Run();
     shown = ChooseXml(state, state.workspace.view());  // what has become of it
   }

@@ -43,7 +43,7 @@ void PaintMark(const Ui& ui, ImDrawList& list, const Box& bar, LineMark mark, Co
 }  // namespace
 
 void UpdateXmlGutter(EditorState& state, const std::string& path) {
-  XmlGutter& gutter = state.xml_gutter;
+  XmlGutter& gutter = state.xml.gutter;
   const EditedFile* file = state.workspace.project().Find(path);
   if (!file) return;
   const std::shared_ptr<const std::string> head = file->is_new ? nullptr : state.git.TextOf(path);

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <string>
 
-#include "editor/panels/panel.h"
+#include "editor/panels/widgets/panel.h"
 #include "editor/theme/ui.h"
 #include "editor/workspace/editor_state.h"
 

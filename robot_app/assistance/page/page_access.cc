@@ -58,31 +58,42 @@ std::string PageAccess::MakeLinkToken(const std::string& name, std::uint32_t req
   return token;
 }
 
-PageAccess::Entry PageAccess::LogIn(std::string_view token, Time now) {
+PageAccess::Entry PageAccess::LogIn(std::string_view token, const std::string& address, Time now) {
   const std::lock_guard<std::mutex> lock(mutex_);
+  const std::optional<PagePass> pass = Redeem(Hash(token.substr(0, kMostTokenLength)), now);
+  if (!pass) return {"", Refuse(address, now), {}};
   Entry entry;
-  if (!MayTry(now)) {
-    entry.refusal = "Too many wrong tokens were tried. Wait a minute.";
-    return entry;
-  }
-  const std::string hash = Hash(token.substr(0, kMostTokenLength));
-  const auto link = state_.links.find(hash);
-  if (link != state_.links.end() && link->second.until > now) {
-    entry.pass = link->second;
-    state_.links.erase(link);
-  } else if (hash == operator_hash_) {
-    entry.pass = {PageRole::kOperator, "operator", 0, now};
-  } else if (hash == viewer_hash_) {
-    entry.pass = {PageRole::kViewer, "viewer", 0, now};
-  } else {
-    failures_.push_back(now);
-    entry.refusal =
-        "This token is not valid. A link of a message works once, until its request is "
-        "closed.";
-    return entry;
-  }
+  entry.pass = *pass;
   entry.session = AddSession(entry.pass, now);
   return entry;
+}
+
+// What the token of that hash stands for; a link's is used up.
+std::optional<PagePass> PageAccess::Redeem(const std::string& hash, Time now) {
+  const auto link = state_.links.find(hash);
+  if (link != state_.links.end() && link->second.until > now) {
+    const PagePass pass = link->second;
+    state_.links.erase(link);
+    return pass;
+  }
+  if (hash == operator_hash_) return PagePass{PageRole::kOperator, "operator", 0, now};
+  if (hash == viewer_hash_) return PagePass{PageRole::kViewer, "viewer", 0, now};
+  return std::nullopt;
+}
+
+// Why a wrong token is refused, for people; counts it.
+std::string PageAccess::Refuse(const std::string& address, Time now) {
+  while (!failures_.empty() && failures_.front().when + std::chrono::minutes(1) <= now) {
+    failures_.pop_front();
+  }
+  const auto count = std::count_if(failures_.begin(), failures_.end(),
+                                   [&](const Failure& one) { return one.address == address; });
+  if (static_cast<std::size_t>(count) >= kMostFailures) {
+    return "Too many wrong tokens were tried. Wait a minute.";
+  }
+  if (failures_.size() >= kMostKeptFailures) failures_.pop_front();
+  failures_.push_back({now, address});
+  return "This token is not valid. A link of a message works once, until its request is closed.";
 }
 
 std::optional<PagePass> PageAccess::Find(std::string_view session, Time now) const {
@@ -134,13 +145,6 @@ std::string PageAccess::AddSession(PagePass& pass, Time now) {
   sessions[Hash(session)] = pass;
   ++version_;
   return session;
-}
-
-bool PageAccess::MayTry(Time now) {
-  while (!failures_.empty() && failures_.front() + std::chrono::minutes(1) <= now) {
-    failures_.pop_front();
-  }
-  return failures_.size() < kMostFailures;
 }
 
 }  // namespace coppice::robot

@@ -34,8 +34,10 @@ class PageAccess {
   static constexpr Duration kLinkLifetime = std::chrono::hours(24);
   static constexpr Duration kSessionLifetime = std::chrono::hours(8);
   static constexpr std::size_t kMostSessions = 64;  ///< then the one that ends first ends now
-  /// Wrong tokens within a minute; then nobody can log in until it is over.
+  /// Wrong tokens from one address within a minute; then more of them are not looked at until it is
+  /// over. A right one is, so nobody can be kept out by the mistakes of others.
   static constexpr std::size_t kMostFailures = 20;
+  static constexpr std::size_t kMostKeptFailures = 1000;  ///< of all addresses
 
   /// Tokens that can be used again; empty: there is none.
   explicit PageAccess(const std::string& operator_token = {}, const std::string& viewer_token = {});
@@ -48,7 +50,8 @@ class PageAccess {
     std::string refusal;  ///< for people
     PagePass pass;
   };
-  Entry LogIn(std::string_view token, Time now);
+  /// `address`: from where; any text that tells callers apart.
+  Entry LogIn(std::string_view token, const std::string& address, Time now);
 
   /// Nothing if there is no such session (any more).
   std::optional<PagePass> Find(std::string_view session, Time now) const;
@@ -69,14 +72,20 @@ class PageAccess {
   std::uint64_t version() const;
 
  private:
+  struct Failure {
+    Time when{0};
+    std::string address;
+  };
+
+  std::optional<PagePass> Redeem(const std::string& hash, Time now);
   std::string AddSession(PagePass& pass, Time now);
-  bool MayTry(Time now);
+  std::string Refuse(const std::string& address, Time now);
 
   const std::string operator_hash_;
   const std::string viewer_hash_;
   mutable std::mutex mutex_;  // for the rest
   State state_;
-  std::deque<Time> failures_;
+  std::deque<Failure> failures_;
   std::uint64_t version_ = 0;
 };
 

@@ -14,6 +14,7 @@ using Kind = PageCommand::Kind;
 using nlohmann::json;
 
 constexpr double kMostNumber = 1e6;
+constexpr std::uint64_t kMostMilliseconds = 4'000'000'000'000;  // since 1970: in the year 2096
 constexpr std::size_t kMostNames = 8;
 
 const std::map<std::string, Kind> kKinds = {{"cameras", Kind::kCameras},  {"take", Kind::kTake},
@@ -28,9 +29,15 @@ double Number(const json& object, const char* key) {
   return number;
 }
 
-std::uint32_t Id(const json& object, const char* key) {
+std::uint64_t Count(const json& object, const char* key) {
   if (!object.at(key).is_number_unsigned()) throw std::invalid_argument(key);
   return object.at(key);
+}
+
+Time Milliseconds(const json& object, const char* key) {
+  const std::uint64_t count = Count(object, key);
+  if (count > kMostMilliseconds) throw std::out_of_range(key);
+  return std::chrono::milliseconds(count);
 }
 
 bool Flag(const json& object, const char* key) { return object.at(key).get<bool>(); }
@@ -50,12 +57,13 @@ PageCommand Read(const json& object) {
       break;
     case Kind::kDrive:
       command.velocity = {Number(object, "linear"), Number(object, "angular")};
+      command.beat = Milliseconds(object, "beat");
       break;
     case Kind::kSetPose:
       command.pose = {Number(object, "x"), Number(object, "y"), Number(object, "yaw")};
       break;
     case Kind::kAnswer:
-      command.request = Id(object, "request");
+      command.request = static_cast<std::uint32_t>(Count(object, "request"));
       command.fixed = Flag(object, "fixed");
       break;
     case Kind::kRestart:

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "bt_core/base/clock.h"
 #include "robot_app/common/pose2d.h"
 
 namespace coppice::robot {
@@ -17,7 +18,7 @@ struct PageCommand {
     kCameras,  ///< {"do": "cameras", "names": ["front"]}: which pictures to send
     kTake,     ///< {"do": "take", "over": false}: the wheel
     kLeave,    ///< {"do": "leave"}
-    kDrive,    ///< {"do": "drive", "linear": 0.2, "angular": 0}; m/s, rad/s
+    kDrive,    ///< {"do": "drive", "linear": 0.2, "angular": 0, "beat": 1000}; m/s, rad/s, ms
     kSetPose,  ///< {"do": "set_pose", "x": 1, "y": 2, "yaw": 0}; in the map, m and rad
     kAnswer,   ///< {"do": "answer", "request": 7, "fixed": true}
     kRestart,  ///< {"do": "restart", "name": "navigation"}
@@ -26,6 +27,7 @@ struct PageCommand {
   std::vector<std::string> names;
   bool take_over = false;
   Velocity2D velocity;
+  Time beat{0};  ///< when the robot sent the newest beat that the page has got
   Pose2D pose;
   std::uint32_t request = 0;
   bool fixed = false;

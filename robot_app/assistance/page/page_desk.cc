@@ -9,6 +9,7 @@ namespace {
 using nlohmann::json;
 using Kind = PageCommand::Kind;
 
+constexpr Duration kBeatPeriod = std::chrono::milliseconds(100);
 constexpr Duration kRequestsPeriod = std::chrono::seconds(1);
 constexpr char kPicture = 1;  // first byte of a binary message
 
@@ -102,7 +103,7 @@ std::string PageDesk::Do(std::uint64_t client, Client& who, const PageCommand& c
       wheel_.Leave(client);
       return name + " leaves the wheel";
     case Kind::kDrive:
-      wheel_.Drive(client, command.velocity, now);
+      wheel_.Drive(client, command.velocity, command.beat, now);
       return "";
     case Kind::kSetPose:
       robot_.SetPose(command.pose);
@@ -151,6 +152,7 @@ void PageDesk::ShowPicture(std::size_t camera, const void* jpeg, std::size_t siz
 }
 
 void PageDesk::Step(Time now) {
+  SendBeat(now);
   ShowRequests(now);
   ShowWheel();
 }
@@ -182,6 +184,14 @@ void PageDesk::Greet(std::uint64_t client, const PagePass& pass) {
 void PageDesk::Tell(std::uint64_t client, bool ok, const std::string& text) {
   const json message = {{"type", "told"}, {"ok", ok}, {"text", text}};
   send_(client, "told", std::make_shared<const std::string>(Dump(message)), false);
+}
+
+// Comes back with the commands of who drives: so the robot knows how old they are.
+void PageDesk::SendBeat(Time now) {
+  if (now - beat_at_ < kBeatPeriod) return;
+  beat_at_ = now;
+  const auto beat = std::chrono::duration_cast<std::chrono::milliseconds>(now).count();
+  Show("beat", Dump({{"type", "beat"}, {"beat", beat}}));
 }
 
 void PageDesk::ShowRequests(Time now) {

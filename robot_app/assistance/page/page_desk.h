@@ -50,7 +50,7 @@ class PageDesk {
   /// A picture of a camera, to those who watch it.
   void ShowPicture(std::size_t camera, const void* jpeg, std::size_t size);
 
-  /// The requests and the wheel, if they have changed. Call it several times a second.
+  /// A beat, and the requests and the wheel if they have changed. Call it 20 times a second.
   void Step(Time now);
 
   bool is_watched() const { return !clients_.empty(); }
@@ -71,6 +71,7 @@ class PageDesk {
   std::string Do(std::uint64_t client, Client& who, const PageCommand& command, Time now);
   void Take(std::uint64_t client, const Client& who, bool take_over, Time now);
   void ShowAll(const std::string& key, Shown shown);
+  void SendBeat(Time now);
   void ShowRequests(Time now);
   void ShowWheel();
 
@@ -82,6 +83,7 @@ class PageDesk {
   std::map<std::uint64_t, Client> clients_;
   std::map<std::string, Shown> shown_;
   std::uint64_t shown_version_ = ~std::uint64_t{0};
+  Time beat_at_{0};
   Time requests_shown_at_{0};
   std::string shown_wheel_;
 };

@@ -86,10 +86,10 @@ void PageNode::OnMap(const nav_msgs::OccupancyGrid& map) {
   }
 }
 
-void PageNode::OnScan(const sensor_msgs::LaserScan& scan) {
-  const std::optional<Pose2D> mount = robot_pose_.MountOf(scan.header.frame_id);
-  if (!mount) return;
-  scan_ = PointsInBase(ToLaserScan(scan, *mount), kScanLimit);
+void PageNode::OnScan(const sensor_msgs::LaserScan& message) {
+  const std::optional<LaserScan> scan = robot_pose_.UsableScan(message);
+  if (!scan) return;
+  scan_ = PointsInBase(*scan, kScanLimit);
   wheel_.SetObstacles(scan_, clock_.Now());
 }
 

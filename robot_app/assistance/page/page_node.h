@@ -52,7 +52,7 @@ class PageNode : public PageRobot {
 
   void Subscribe();
   void OnMap(const nav_msgs::OccupancyGrid& map);
-  void OnScan(const sensor_msgs::LaserScan& scan);
+  void OnScan(const sensor_msgs::LaserScan& message);
   void WatchCameras();
   void OnPicture(std::size_t camera, const sensor_msgs::CompressedImage& picture);
   void Drive(Time now);

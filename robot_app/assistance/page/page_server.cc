@@ -1,6 +1,7 @@
 #include "robot_app/assistance/page/page_server.h"
 
 #include <boost/asio/post.hpp>
+#include <boost/asio/steady_timer.hpp>
 #include <stdexcept>
 #include <utility>
 
@@ -17,7 +18,9 @@ class PageServer::Loop {
         port_({options.address, options.port, "page_server", kMostConnections},
               [this](WebPort::Socket socket, WebPort& port) {
                 return std::make_shared<PageVisit>(std::move(socket), port, hall_);
-              }) {}
+              }) {
+    asio::post(port_.context(), [this] { LookAtSessions(); });
+  }
   ~Loop() {
     port_.Stop();
     hall_.clients.clear();
@@ -46,8 +49,17 @@ class PageServer::Loop {
   }
 
  private:
+  void LookAtSessions() {
+    hall_.EndWithoutSession();
+    look_.expires_after(std::chrono::seconds(1));
+    look_.async_wait([this](boost::system::error_code cancelled) {
+      if (!cancelled) LookAtSessions();
+    });
+  }
+
   PageHall hall_;
   WebPort port_;
+  asio::steady_timer look_{port_.context()};
 };
 
 PageServer::PageServer(const PageServerOptions& options, PageAccess& access, const Clock& clock) try

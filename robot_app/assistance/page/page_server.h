@@ -6,7 +6,8 @@
 //   server.Send(client, text);
 //
 // It has a thread of its own, in which it reads what strangers send. A page is let in with the
-// session cookie of its log-in and only from its own origin; who sends too much is thrown out. A
+// session cookie of its log-in and only from its own origin; who sends too much is thrown out, and
+// who logs out or whose session is over within a second. A
 // client that reads too slowly gets the newest of each kind of message and no past ones.
 #ifndef COPPICE_ROBOT_APP_ASSISTANCE_PAGE_PAGE_SERVER_H_
 #define COPPICE_ROBOT_APP_ASSISTANCE_PAGE_PAGE_SERVER_H_

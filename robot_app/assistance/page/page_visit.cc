@@ -35,6 +35,14 @@ PageHall::PageHall(const PageServerOptions& options, PageAccess& page_access,
       manners(Manners()),
       is_https(options.is_https) {}
 
+void PageHall::EndWithoutSession() {
+  const Time now = clock.Now();
+  const auto open = clients;  // who ends is taken out
+  for (const auto& [client, visit] : open) {
+    if (!access.Find(visit->session(), now)) visit->End();
+  }
+}
+
 bool PageVisit::IsFromOwnPage() const {
   return IsOwnPage(Field(http::field::origin), Field(http::field::host));
 }
@@ -46,13 +54,17 @@ void PageVisit::OnPost() {
   if (request().target() == "/login") return LogIn();
   if (request().target() == "/logout") {
     hall_.access.LogOut(SessionOf(Field(http::field::cookie)));
+    hall_.EndWithoutSession();
     return GiveSession("");
   }
   NotFound();
 }
 
 void PageVisit::LogIn() {
-  const PageAccess::Entry entry = hall_.access.LogIn(TokenOf(request().body()), hall_.clock.Now());
+  error_code unknown;
+  const std::string address = stream_.socket().remote_endpoint(unknown).address().to_string();
+  const PageAccess::Entry entry =
+      hall_.access.LogIn(TokenOf(request().body()), address, hall_.clock.Now());
   if (!entry.refusal.empty()) return Reply(Status::forbidden, entry.refusal + "\n");
   GiveSession(entry.session);
 }

@@ -29,6 +29,9 @@ struct PageHall {
     events.push_back(std::move(event));
   }
 
+  /// Ends the WebSockets of those who have logged out or whose time is over. The server's thread.
+  void EndWithoutSession();
+
   PageAccess& access;
   const Clock& clock;
   const WebFiles files;
@@ -47,6 +50,8 @@ class PageVisit : public WebVisit {
       : WebVisit(std::move(socket), port, hall.files, hall.manners), hall_(hall) {}
 
   void Send(const std::string& key, std::shared_ptr<const std::string> message, bool is_binary);
+  /// The secret with which it came.
+  const std::string& session() const { return session_; }
   /// Ends at once.
   void End();
   void Finish() override { End(); }

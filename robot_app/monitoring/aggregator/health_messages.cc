@@ -51,11 +51,9 @@ ProcessTable FromMessage(const coppice_msgs::ProcessStates& message) {
   for (const coppice_msgs::ProcessState& state : message.processes) {
     if (state.node.empty()) continue;
     if (!state.host.empty()) table.hosts[state.node] = state.host;
-    ProcessStatus& status = table.by_node[state.node];
+    NodeProcess& status = table.by_node[state.node];
     status.phase = static_cast<ProcessPhase>(state.state);
     status.pid = state.pid;
-    status.restarts = state.restarts;
-    status.since = FromRos(state.since);
     status.message = state.message;
   }
   return table;

@@ -87,4 +87,8 @@ std::string ToText(double number) {
   return text;
 }
 
+double InSeconds(Duration duration) { return std::chrono::duration<double>(duration).count(); }
+
+std::string SecondsText(Duration duration) { return ToText(InSeconds(duration)) + " s"; }
+
 }  // namespace coppice::robot

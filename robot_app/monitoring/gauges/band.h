@@ -83,6 +83,10 @@ std::string ToText(const Range& range, const std::string& unit);
 /// Three significant digits.
 std::string ToText(double number);
 
+double InSeconds(Duration duration);
+/// "2.5 s".
+std::string SecondsText(Duration duration);
+
 }  // namespace coppice::robot
 
 #endif  // COPPICE_ROBOT_APP_MONITORING_GAUGES_BAND_H_

@@ -15,11 +15,11 @@ struct Finding {
   std::string subject;  ///< what is watched
   std::string node;     ///< ROS node to restart if the level is ERROR or STALE; empty if none
   HealthLevel level = HealthLevel::kOk;
-  double value = 0;       ///< measured
-  std::string unit;       ///< of value
-  std::string message;    ///< for people
-  Time stamp{0};          ///< of the measurement, ROS time
-  std::string host = {};  ///< computer that it is about; empty: the one of the monitor
+  double value = 0;          ///< measured
+  std::string unit = {};     ///< of value
+  std::string message = {};  ///< for people
+  Time stamp{0};             ///< of the measurement, ROS time
+  std::string host = {};     ///< computer that it is about; empty: the one of the monitor
 };
 
 /// Now, on both time lines.

@@ -13,8 +13,15 @@
 
 namespace coppice::robot {
 
+enum class SilenceIn {
+  kEitherTime,  ///< whichever is less
+  kRosTime,
+};
+
 class Silence {
  public:
+  explicit Silence(SilenceIn time = SilenceIn::kEitherTime) : time_(time) {}
+
   void OnMessage(const Times& now) { heard_ = now; }
   void Reset() { heard_.reset(); }
 
@@ -22,10 +29,13 @@ class Silence {
   /// anew.
   Duration Lasted(const Times& now) {
     if (!heard_ || now.ros < heard_->ros) heard_ = now;
-    return std::min(now.ros - heard_->ros, now.wall - heard_->wall);
+    const Duration in_ros_time = now.ros - heard_->ros;
+    return time_ == SilenceIn::kRosTime ? in_ros_time
+                                        : std::min(in_ros_time, now.wall - heard_->wall);
   }
 
  private:
+  SilenceIn time_;
   std::optional<Times> heard_;
 };
 

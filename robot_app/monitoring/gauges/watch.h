@@ -3,6 +3,7 @@
 #define COPPICE_ROBOT_APP_MONITORING_GAUGES_WATCH_H_
 
 #include <string>
+#include <vector>
 
 #include "robot_app/monitoring/gauges/band.h"
 
@@ -22,6 +23,16 @@ struct TopicWatch {
   bool wall_time = false;      ///< rate, window and staleness in wall time instead of ROS time
   /// Not subscribed: the rate is taken from what the subscribers report on /statistics.
   bool by_statistics = false;
+};
+
+/// Who may speak on a topic.
+struct PublisherWatch {
+  std::string topic;
+  std::vector<std::string> nodes;
+
+  bool operator==(const PublisherWatch& other) const {
+    return topic == other.topic && nodes == other.nodes;
+  }
 };
 
 struct NavigationWatch {

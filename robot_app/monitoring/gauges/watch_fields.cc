@@ -35,12 +35,28 @@ TopicWatch ReadTopicWatch(YamlFields& fields, double default_window) {
   return watch;
 }
 
+PublisherWatch ReadPublisherWatch(YamlFields& fields) {
+  PublisherWatch watch;
+  watch.topic = ReadRosName(fields, "topic");
+  const std::vector<LocatedText> nodes = fields.Texts("nodes");
+  if (nodes.empty()) fields.Error(fields.where(), "\"nodes\" names nobody");
+  for (const LocatedText& node : nodes) {
+    if (node.text.rfind('/', 0) != 0) {
+      fields.Error(node.where,
+                   "\"nodes\": expected a ROS name with slash, got \"" + node.text + "\"");
+    }
+    watch.nodes.push_back(node.text);
+  }
+  fields.Finish();
+  return watch;
+}
+
 NavigationWatch ReadNavigationWatch(YamlFields& fields) {
   NavigationWatch watch;
   watch.topic = ReadRosName(fields, "topic");
   watch.node = ReadRosName(fields, "node");
-  watch.blocked = fields.Seconds("blocked", 20, 0, kHour);
-  watch.no_path = fields.Seconds("no_path", 5, 0, kHour);
+  watch.blocked = fields.Seconds("blocked", 60, 0, kHour);
+  watch.no_path = fields.Seconds("no_path", 60, 0, kHour);
   watch.staleness = fields.Seconds("staleness", 3, 0.01, kHour);
   watch.after_failure = fields.Seconds("after_failure", 15, 0, kHour);
   fields.Finish();

@@ -9,6 +9,7 @@
 namespace coppice::robot {
 
 NodeWatch ReadNodeWatch(YamlFields& fields, int default_misses);
+PublisherWatch ReadPublisherWatch(YamlFields& fields);
 TopicWatch ReadTopicWatch(YamlFields& fields, double default_window);
 NavigationWatch ReadNavigationWatch(YamlFields& fields);
 LocalizationWatch ReadLocalizationWatch(YamlFields& fields);

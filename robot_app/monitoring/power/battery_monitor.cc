@@ -8,8 +8,6 @@ namespace {
 constexpr char kMonitor[] = "battery";
 constexpr double kHour = 3600;
 
-double InSeconds(Duration duration) { return std::chrono::duration<double>(duration).count(); }
-
 std::vector<GaugeWatch> GaugesOf(const BatteryWatch& watch) {
   return {{kMonitor, "voltage", "", "V", watch.voltage},
           {kMonitor, "current", "", "A", watch.current},
@@ -52,7 +50,7 @@ void CoulombCount::OnReading(const BatteryReading& reading, double charging_abov
 
 void BatteryMonitor::Watch(const std::optional<BatteryWatch>& watch) {
   if (!watch || !watch_ || watch->topic != watch_->topic) {
-    heard_at_.reset();
+    freshness_.Reset();
     since_.reset();
     knows_station_ = false;
   }
@@ -60,9 +58,10 @@ void BatteryMonitor::Watch(const std::optional<BatteryWatch>& watch) {
   board_.Watch(watch ? GaugesOf(*watch) : std::vector<GaugeWatch>());
 }
 
-void BatteryMonitor::OnReading(const BatteryReading& reading, Time now) {
+void BatteryMonitor::OnReading(const BatteryReading& reading, const Times& times) {
   if (!watch_) return;
-  heard_at_ = now;
+  freshness_.OnMessage(times);
+  const Time now = times.ros;
   if (!since_ || now < *since_) since_ = now;
   knows_station_ = knows_station_ || StandsOnStation(reading, watch_->model.charging_above);
   Tell("voltage", watch_->voltage, reading.voltage, now);
@@ -87,27 +86,21 @@ void BatteryMonitor::Tell(const char* subject, const Band& band, double value, T
 
 std::vector<Finding> BatteryMonitor::Report(const ProcessTable& processes, const Times& now) {
   if (!watch_) return {};
-  if (processes.IsStarting(watch_->node)) heard_at_.reset();
-  if (!heard_at_ || now.ros < *heard_at_) heard_at_ = now.ros;
+  if (processes.IsStarting(watch_->node)) freshness_.Reset();
   std::vector<Finding> findings = board_.Report(now.ros, now.ros);
-  Finding state = State(now.ros);
-  freshness_.Apply(state, now.wall, patience_);
-  ApplyGrace(processes, watch_->node, state);
-  findings.insert(findings.begin(), std::move(state));
+  findings.insert(findings.begin(), State(processes, now));
   return findings;
 }
 
-Finding BatteryMonitor::State(Time now) const {
-  const double silence = InSeconds(now - *heard_at_);
-  Finding finding{kMonitor, "state", watch_->node, HealthLevel::kOk, silence, "s", "", now};
-  if (now - *heard_at_ > watch_->staleness) {
-    finding.level = HealthLevel::kError;
-    finding.message = watch_->topic + ": no message for " + ToText(silence) + " s";
-  } else if (since_ && !knows_station_ && now - *since_ > watch_->staleness) {
-    finding.level = HealthLevel::kError;
-    finding.message = watch_->topic + " has never told whether the robot stands on its station";
+Finding BatteryMonitor::State(const ProcessTable& processes, const Times& now) {
+  Finding state = freshness_.Assess({kMonitor, "state", watch_->node}, watch_->staleness,
+                                    watch_->topic + ": no message", processes, now);
+  const bool is_heard = state.message.empty();
+  if (is_heard && since_ && !knows_station_ && now.ros - *since_ > watch_->staleness) {
+    state.level = HealthLevel::kError;
+    state.message = watch_->topic + " has never told whether the robot stands on its station";
   }
-  return finding;
+  return state;
 }
 
 }  // namespace coppice::robot

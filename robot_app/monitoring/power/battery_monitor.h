@@ -9,10 +9,9 @@
 #include <vector>
 
 #include "bt_nodes/power/battery_reading.h"
+#include "robot_app/monitoring/freshness.h"
 #include "robot_app/monitoring/gauges/gauge_board.h"
-#include "robot_app/monitoring/gauges/patience.h"
-#include "robot_app/monitoring/power/power_watch.h"
-#include "robot_app/monitoring/process_table.h"
+#include "robot_app/monitoring/monitor.h"
 
 namespace coppice::robot {
 
@@ -41,34 +40,34 @@ class CoulombCount {
   double deviation_ = 0, unchanged_ = 0, since_charge_ = 0;
 };
 
-class BatteryMonitor {
+class BatteryMonitor : public Monitor {
  public:
-  explicit BatteryMonitor(Duration patience = Duration::zero()) : patience_(patience) {}
+  explicit BatteryMonitor(Duration patience = Duration::zero())
+      : freshness_(patience, SilenceIn::kRosTime) {}
 
+  void Watch(const WatchList& list, const Times&) override { Watch(list.battery); }
   /// Nothing: the battery is not watched, and nothing is reported.
   void Watch(const std::optional<BatteryWatch>& watch);
   /// A number that has bounds but is not measured counts as one outside them.
-  void OnReading(const BatteryReading& reading, Time now);
+  void OnReading(const BatteryReading& reading, const Times& now);
   /// Length of the way to the station [m]; 0 until it is known.
   void OnDistance(double distance) { distance_ = distance; }
 
   /// "state": is the battery heard, and has it ever told whether the robot stands on its station;
   /// names the node that publishes it. Then one finding per number.
-  std::vector<Finding> Report(const ProcessTable& processes, const Times& now);
+  std::vector<Finding> Report(const ProcessTable& processes, const Times& now) override;
 
  private:
   void Tell(const char* subject, const Band& band, double value, Time now);
-  Finding State(Time now) const;
+  Finding State(const ProcessTable& processes, const Times& now);
 
-  Duration patience_;
-  Patience freshness_;
+  Freshness freshness_;
   std::optional<BatteryWatch> watch_;
   GaugeBoard board_;
   CoulombCount count_{std::chrono::seconds(10)};
   double distance_ = 0;
-  std::optional<Time> heard_at_;  // the last reading, or the first report
-  std::optional<Time> since_;     // the first reading
-  bool knows_station_ = false;    // it has told whether the robot stands on its station
+  std::optional<Time> since_;   // the first reading
+  bool knows_station_ = false;  // it has told whether the robot stands on its station
 };
 
 }  // namespace coppice::robot

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "robot_app/monitoring/gauges/band.h"
+
 namespace coppice::robot {
 
 void ChargingMonitor::OnReading(const BatteryReading& reading, Time now) {
@@ -19,9 +21,9 @@ void ChargingMonitor::OnReading(const BatteryReading& reading, Time now) {
   has_flowed_ = has_contact && (has_flowed_ || flows);
 }
 
-std::vector<Finding> ChargingMonitor::Report(Time now) const {
+std::vector<Finding> ChargingMonitor::Report(const ProcessTable&, const Times& now) {
   if (!watch_) return {};
-  Finding finding{"charging", "current", "", HealthLevel::kOk, 0, "A", "", now};
+  Finding finding{"charging", "current", "", HealthLevel::kOk, 0, "A", "", now.ros};
   if (!reading_) {
     finding.message = "state unknown";
     return {finding};
@@ -34,7 +36,7 @@ std::vector<Finding> ChargingMonitor::Report(Time now) const {
   finding.level = is_late ? HealthLevel::kError : HealthLevel::kWarn;
   finding.message =
       (has_flowed_ ? "the charging current stopped " : "contact without current for ") +
-      ToText(std::chrono::duration<double>(missing).count()) + (has_flowed_ ? " s ago" : " s");
+      SecondsText(missing) + (has_flowed_ ? " ago" : "");
   return {finding};
 }
 

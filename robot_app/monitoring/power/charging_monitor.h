@@ -8,20 +8,20 @@
 #include <optional>
 #include <vector>
 
-#include "robot_app/monitoring/gauges/finding.h"
-#include "robot_app/monitoring/power/battery_monitor.h"
-#include "robot_app/monitoring/power/power_watch.h"
+#include "bt_nodes/power/battery_reading.h"
+#include "robot_app/monitoring/monitor.h"
 
 namespace coppice::robot {
 
-class ChargingMonitor {
+class ChargingMonitor : public Monitor {
  public:
+  void Watch(const WatchList& list, const Times&) override { Watch(list.charging); }
   /// Nothing: charging is not watched, and nothing is reported.
   void Watch(const std::optional<ChargingWatch>& watch) { watch_ = watch; }
   void OnReading(const BatteryReading& reading, Time now);
 
   /// One finding, "current"; value: A. Off the station, and with a full battery, all is well.
-  std::vector<Finding> Report(Time now) const;
+  std::vector<Finding> Report(const ProcessTable& processes, const Times& now) override;
 
  private:
   std::optional<ChargingWatch> watch_;

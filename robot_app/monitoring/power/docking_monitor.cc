@@ -8,8 +8,6 @@ namespace {
 
 constexpr char kMonitor[] = "docking";
 
-double InSeconds(Duration duration) { return std::chrono::duration<double>(duration).count(); }
-
 bool IsUnderWay(GoalPhase phase) {
   return phase == GoalPhase::kActive || phase == GoalPhase::kPreempting;
 }
@@ -24,7 +22,7 @@ void DockingMonitor::Watch(const std::optional<DockingWatch>& watch) {
   if (!watch || !watch_ || watch->action != watch_->action) {
     goals_.clear();
     failures_ = 0;
-    silence_.Reset();
+    freshness_.Reset();
   }
   watch_ = watch;
   std::vector<GaugeWatch> gauges;
@@ -37,7 +35,7 @@ void DockingMonitor::Watch(const std::optional<DockingWatch>& watch) {
 
 void DockingMonitor::OnGoals(const std::vector<GoalReport>& goals, const Times& now) {
   if (!watch_) return;
-  silence_.OnMessage(now);
+  freshness_.OnMessage(now);
   std::map<std::string, Goal> known;
   for (const GoalReport& report : goals) {
     const auto before = goals_.find(report.id);
@@ -85,19 +83,11 @@ double DockingMonitor::Longest(Time now) const {
 
 std::vector<Finding> DockingMonitor::Report(const ProcessTable& processes, const Times& now) {
   if (!watch_) return {};
-  if (processes.IsStarting(watch_->node)) silence_.Reset();
+  if (processes.IsStarting(watch_->node)) freshness_.Reset();
   if (now.ros - failed_at_ > watch_->forget || now.ros < failed_at_) failures_ = 0;
 
-  Finding state{kMonitor, "state", watch_->node, HealthLevel::kOk, 0, "s", "", now.ros};
-  const Duration silence = silence_.Lasted(now);
-  state.value = InSeconds(silence);
-  if (silence > watch_->staleness) {
-    state.level = HealthLevel::kError;
-    state.message = watch_->action + ": no status for " + ToText(state.value) + " s";
-  }
-  freshness_.Apply(state, now.wall, patience_);
-  ApplyGrace(processes, watch_->node, state);
-
+  Finding state = freshness_.Assess({kMonitor, "state", watch_->node}, watch_->staleness,
+                                    watch_->action + ": no status", processes, now);
   board_.OnValue(kMonitor, "failures", failures_, now.ros);
   board_.OnValue(kMonitor, "duration", Longest(now.ros), now.ros);
   std::vector<Finding> findings = board_.Report(now.ros, now.ros);

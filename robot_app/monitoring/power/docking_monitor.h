@@ -11,11 +11,9 @@
 #include <string>
 #include <vector>
 
+#include "robot_app/monitoring/freshness.h"
 #include "robot_app/monitoring/gauges/gauge_board.h"
-#include "robot_app/monitoring/gauges/patience.h"
-#include "robot_app/monitoring/gauges/silence.h"
-#include "robot_app/monitoring/power/power_watch.h"
-#include "robot_app/monitoring/process_table.h"
+#include "robot_app/monitoring/monitor.h"
 
 namespace coppice::robot {
 
@@ -40,10 +38,11 @@ struct GoalReport {
   std::string message;
 };
 
-class DockingMonitor {
+class DockingMonitor : public Monitor {
  public:
-  explicit DockingMonitor(Duration patience = Duration::zero()) : patience_(patience) {}
+  explicit DockingMonitor(Duration patience = Duration::zero()) : freshness_(patience) {}
 
+  void Watch(const WatchList& list, const Times&) override { Watch(list.docking); }
   /// Nothing: docking is not watched, and nothing is reported.
   void Watch(const std::optional<DockingWatch>& watch);
 
@@ -57,7 +56,7 @@ class DockingMonitor {
   /// succeed, of whichever goals; one that was cancelled, or given up before anything was done for
   /// it (there is no contact to press on), counts neither way. "duration": of the goal that is
   /// under way [s], else 0.
-  std::vector<Finding> Report(const ProcessTable& processes, const Times& now);
+  std::vector<Finding> Report(const ProcessTable& processes, const Times& now) override;
 
  private:
   struct Goal {
@@ -69,15 +68,13 @@ class DockingMonitor {
   void End(const GoalReport& report, const Goal& goal, Time now);
   double Longest(Time now) const;
 
-  Duration patience_;
-  Patience freshness_;
+  Freshness freshness_;
   std::optional<DockingWatch> watch_;
   GaugeBoard board_;
   std::map<std::string, Goal> goals_;
   int failures_ = 0;    // in a row
   std::string reason_;  // of the last one
   Time failed_at_{0};   // the last one
-  Silence silence_;
 };
 
 }  // namespace coppice::robot

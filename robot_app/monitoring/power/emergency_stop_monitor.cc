@@ -1,43 +1,36 @@
 #include "robot_app/monitoring/power/emergency_stop_monitor.h"
 
+#include "robot_app/monitoring/gauges/band.h"
+
 namespace coppice::robot {
-namespace {
-
-double InSeconds(Duration duration) { return std::chrono::duration<double>(duration).count(); }
-
-}  // namespace
 
 void EmergencyStopMonitor::Watch(const std::optional<EmergencyStopWatch>& watch) {
   if (!watch || !watch_ || watch->topic != watch_->topic) {
     pressed_at_.reset();
-    heard_at_.reset();
+    freshness_.Reset();
   }
   watch_ = watch;
 }
 
-void EmergencyStopMonitor::OnState(bool is_pressed, Time now) {
-  heard_at_ = now;
+void EmergencyStopMonitor::OnState(bool is_pressed, const Times& now) {
+  freshness_.OnMessage(now);
   if (!is_pressed) pressed_at_.reset();
-  if (is_pressed && !pressed_at_) pressed_at_ = now;
+  if (is_pressed && !pressed_at_) pressed_at_ = now.ros;
 }
 
-std::vector<Finding> EmergencyStopMonitor::Report(const Times& now) {
+std::vector<Finding> EmergencyStopMonitor::Report(const ProcessTable& processes, const Times& now) {
   if (!watch_) return {};
-  if (!heard_at_ || now.ros < *heard_at_) heard_at_ = now.ros;
-  Finding finding{"emergency_stop", "button", "", HealthLevel::kOk, 0, "s", "", now.ros};
+  const bool may_be_silent = watch_->staleness == Duration::zero();
+  Finding button = freshness_.Assess({"emergency_stop", "button", ""},
+                                     may_be_silent ? Duration::max() : watch_->staleness,
+                                     watch_->topic + ": no message", processes, now);
+  button.value = 0;
   if (pressed_at_) {
-    finding.level = HealthLevel::kError;
-    finding.value = InSeconds(now.ros - *pressed_at_);
-    finding.message = "pressed for " + ToText(finding.value) + " s";
-    return {finding};
+    button.level = HealthLevel::kError;
+    button.value = InSeconds(now.ros - *pressed_at_);
+    button.message = "pressed for " + ToText(button.value) + " s";
   }
-  const Duration silence = now.ros - *heard_at_;
-  if (watch_->staleness > Duration::zero() && silence > watch_->staleness) {
-    finding.level = HealthLevel::kError;
-    finding.message = watch_->topic + ": no message for " + ToText(InSeconds(silence)) + " s";
-  }
-  freshness_.Apply(finding, now.wall, patience_);
-  return {finding};
+  return {button};
 }
 
 }  // namespace coppice::robot

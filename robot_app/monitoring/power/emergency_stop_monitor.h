@@ -6,29 +6,28 @@
 #include <optional>
 #include <vector>
 
-#include "robot_app/monitoring/gauges/finding.h"
-#include "robot_app/monitoring/gauges/patience.h"
-#include "robot_app/monitoring/power/power_watch.h"
+#include "robot_app/monitoring/freshness.h"
+#include "robot_app/monitoring/monitor.h"
 
 namespace coppice::robot {
 
-class EmergencyStopMonitor {
+class EmergencyStopMonitor : public Monitor {
  public:
-  explicit EmergencyStopMonitor(Duration patience = Duration::zero()) : patience_(patience) {}
+  explicit EmergencyStopMonitor(Duration patience = Duration::zero())
+      : freshness_(patience, SilenceIn::kRosTime) {}
 
+  void Watch(const WatchList& list, const Times&) override { Watch(list.emergency_stop); }
   /// Nothing: it is not watched, and nothing is reported.
   void Watch(const std::optional<EmergencyStopWatch>& watch);
-  void OnState(bool is_pressed, Time now);
+  void OnState(bool is_pressed, const Times& now);
 
   /// One finding, subject "button"; an error while it is pressed, at once. Value: for how long [s].
-  std::vector<Finding> Report(const Times& now);
+  std::vector<Finding> Report(const ProcessTable& processes, const Times& now) override;
 
  private:
-  Duration patience_;
-  Patience freshness_;
+  Freshness freshness_;
   std::optional<EmergencyStopWatch> watch_;
   std::optional<Time> pressed_at_;
-  std::optional<Time> heard_at_;  // the last message, or the first report
 };
 
 }  // namespace coppice::robot

@@ -111,6 +111,32 @@ std::optional<InterfaceCounters> ReadInterface(const std::string& root, const st
   return std::nullopt;
 }
 
+std::vector<std::string> ReadLinks(const std::string& root) {
+  std::ifstream file(root + "/proc/net/dev");
+  std::vector<std::string> links;
+  std::string line;
+  while (std::getline(file, line)) {
+    const std::size_t colon = line.find(':');
+    if (colon == std::string::npos) continue;
+    const std::size_t begin = line.find_first_not_of(' ');
+    const std::string name = line.substr(begin, colon - begin);
+    if (name != "lo" && !IsLinkDown(root, name)) links.push_back(name);
+  }
+  return links;
+}
+
+bool IsLinkDown(const std::string& root, const std::string& name) {
+  std::string state;
+  std::ifstream(root + "/sys/class/net/" + name + "/operstate") >> state;
+  return state == "down" || state == "lowerlayerdown";
+}
+
+std::optional<double> ReadLinkSpeed(const std::string& root, const std::string& name) {
+  double speed = 0;
+  std::ifstream(root + "/sys/class/net/" + name + "/speed") >> speed;
+  return speed > 0 ? std::optional(speed) : std::nullopt;  // -1: not known
+}
+
 std::optional<ProcessUsage> ReadProcessUsage(const std::string& root, int pid) {
   const std::string folder = root + "/proc/" + std::to_string(pid);
   std::ifstream file(folder + "/stat");

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace coppice::robot {
 
@@ -29,6 +30,13 @@ struct InterfaceCounters {
   std::uint64_t errors = 0, drops = 0;   ///< packets
 };
 std::optional<InterfaceCounters> ReadInterface(const std::string& root, const std::string& name);
+
+/// The links of this computer to others that are up, by name; loopback is none.
+std::vector<std::string> ReadLinks(const std::string& root);
+/// The interface is there, but down: no cable, no access point.
+bool IsLinkDown(const std::string& root, const std::string& name);
+/// Mbit/s; nothing for links that have no fixed speed, as Wi-Fi.
+std::optional<double> ReadLinkSpeed(const std::string& root, const std::string& name);
 
 struct ProcessUsage {
   double cpu_time = 0;  ///< s, user and system, of all threads

@@ -24,10 +24,16 @@ InterfaceWatch ReadInterface(YamlFields& fields) {
   return watch;
 }
 
+// Every host has an address of its own.
+std::string ReadAddress(YamlFields& fields, const std::string& host) {
+  return host == kEveryHost ? "" : fields.Text("address", host).text;
+}
+
 ClockWatch ReadClock(YamlFields& fields) {
   ClockWatch watch;
   watch.host = fields.Text("host").text;
-  watch.address = fields.Text("address", watch.host).text;
+  watch.address = ReadAddress(fields, watch.host);
+  watch.must_serve = watch.host != kEveryHost;
   watch.port = fields.Integer("port", watch.port, 1, 65535);
   watch.offset = ReadBand(fields, "offset", {{-0.1, 0.1}, {-1, 1}, 2, Duration::zero(), 0});
   fields.Finish();
@@ -37,7 +43,7 @@ ClockWatch ReadClock(YamlFields& fields) {
 ReachWatch ReadReach(YamlFields& fields) {
   ReachWatch watch;
   watch.host = fields.Text("host").text;
-  watch.address = fields.Text("address", watch.host).text;
+  watch.address = ReadAddress(fields, watch.host);
   watch.port = fields.Integer("port", watch.port, 1, 65535);
   watch.delay = ReadBand(fields, "delay", AtMost(0.2, 1, 2));
   fields.Finish();
@@ -97,35 +103,6 @@ SystemWatch ReadSystemWatch(YamlFields& fields) {
   ReadLists(fields, watch);
   fields.Finish();
   return watch;
-}
-
-std::vector<GaugeWatch> GaugesOf(const SystemWatch& watch) {
-  std::vector<GaugeWatch> gauges = {
-      {"cpu", "load", "", "", watch.cpu_load},
-      {"cpu", "temperature", "", "°C", watch.cpu_temperature},
-      {"memory", "used", "", "", watch.memory_used},
-  };
-  for (const DiskWatch& disk : watch.disks) {
-    gauges.push_back({"disk", disk.path, "", "", disk.used});
-  }
-  for (const InterfaceWatch& link : watch.interfaces) {
-    gauges.push_back({"network", link.interface + " load", "", "", link.load});
-    gauges.push_back({"network", link.interface + " errors", "", "1/s", link.errors});
-    gauges.push_back({"network", link.interface + " drops", "", "1/s", link.drops});
-  }
-  for (const ClockWatch& clock : watch.clocks) {
-    gauges.push_back({"clock", clock.host, "", "s", clock.offset});
-  }
-  for (const ReachWatch& host : watch.hosts) {
-    gauges.push_back({"network", "host " + host.host, "", "s", host.delay});
-  }
-  for (const ProcessWatch& process : watch.processes) {
-    gauges.push_back({"process", process.node + " cpu", "", "", process.cpu});
-    gauges.push_back({"process", process.node + " memory", "", "MB", process.memory});
-    gauges.push_back({"process", process.node + " threads", "", "", process.threads});
-    gauges.push_back({"process", process.node + " files", "", "", process.files});
-  }
-  return gauges;
 }
 
 }  // namespace coppice::robot

@@ -3,16 +3,12 @@
 #define COPPICE_ROBOT_APP_MONITORING_SYSTEM_SYSTEM_FIELDS_H_
 
 #include "robot_app/common/yaml_fields.h"
-#include "robot_app/monitoring/gauges/gauge_board.h"
 #include "robot_app/monitoring/system/system_watch.h"
 
 namespace coppice::robot {
 
 /// Takes the mapping of one computer and finishes it.
 SystemWatch ReadSystemWatch(YamlFields& fields);
-
-/// The numbers that a watch asks for, each with its band.
-std::vector<GaugeWatch> GaugesOf(const SystemWatch& watch);
 
 }  // namespace coppice::robot
 

@@ -1,9 +1,10 @@
 #include "robot_app/monitoring/system/system_monitor.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "robot_app/monitoring/system/proc_files.h"
-#include "robot_app/monitoring/system/system_fields.h"
+#include "robot_app/monitoring/system/system_gauges.h"
 
 namespace coppice::robot {
 namespace {
@@ -14,9 +15,23 @@ constexpr double kMega = 1e6;
 }  // namespace
 
 void SystemMonitor::Watch(const SystemWatch* watch) {
-  board_.Watch(watch ? GaugesOf(*watch) : std::vector<GaugeWatch>());
   if (!watch || watch->window != watch_.window) rates_.clear();
+  is_on_ = watch != nullptr;
   watch_ = watch ? *watch : SystemWatch();
+  links_ = ReadLinks(root_);
+  Expand();
+}
+
+bool SystemMonitor::OnComputers(const std::vector<Computer>& others) {
+  if (others == others_) return false;
+  others_ = others;
+  Expand();
+  return true;
+}
+
+void SystemMonitor::Expand() {
+  watched_ = WithNames(watch_, links_, others_);
+  board_.Watch(is_on_ ? GaugesOf(watched_) : std::vector<GaugeWatch>());
 }
 
 std::optional<double> SystemMonitor::Rate(const std::string& counter, double reading, Time now) {
@@ -26,15 +41,19 @@ std::optional<double> SystemMonitor::Rate(const std::string& counter, double rea
 void SystemMonitor::Measure(const std::map<std::string, int>& pids, Time now) {
   MeasureCpu(now);
   if (const auto used = ReadMemoryUsed(root_)) board_.OnValue("memory", "used", *used, now);
-  for (const DiskWatch& disk : watch_.disks) {
+  for (const DiskWatch& disk : watched_.disks) {
     if (const auto used = ReadDiskUsed(disk.path)) {
       board_.OnValue("disk", disk.path, *used, now);
     } else {
       board_.OnFailure("disk", disk.path, "no such disk", now);
     }
   }
-  for (const InterfaceWatch& link : watch_.interfaces) MeasureNetwork(link, now);
-  for (const ProcessWatch& process : watch_.processes) {
+  if (std::vector<std::string> links = ReadLinks(root_); links != links_) {
+    links_ = std::move(links);
+    Expand();
+  }
+  for (const InterfaceWatch& link : watched_.interfaces) MeasureNetwork(link, now);
+  for (const ProcessWatch& process : watched_.processes) {
     const auto found = pids.find(process.node);
     if (found != pids.end() && found->second > 0) MeasureProcess(process, found->second, now);
   }
@@ -58,11 +77,16 @@ void SystemMonitor::MeasureNetwork(const InterfaceWatch& link, Time now) {
     board_.OnFailure("network", name + "load", "no such interface", now);
     return;
   }
+  if (IsLinkDown(root_, link.interface)) {
+    board_.OnFailure("network", name + "load", "the link is down", now);
+    return;
+  }
   const auto received = Rate(name + "received", static_cast<double>(counters->received), now);
   const auto sent = Rate(name + "sent", static_cast<double>(counters->sent), now);
   if (received && sent) {
     const double bits = std::max(*received, *sent) * kBitsPerByte;
-    board_.OnValue("network", name + "load", bits / (link.speed * kMega), now);
+    const double speed = ReadLinkSpeed(root_, link.interface).value_or(link.speed);
+    board_.OnValue("network", name + "load", bits / (speed * kMega), now);
   }
   const auto errors = Rate(name + "errors", static_cast<double>(counters->errors), now);
   if (errors) board_.OnValue("network", name + "errors", *errors, now);
@@ -83,19 +107,21 @@ void SystemMonitor::MeasureProcess(const ProcessWatch& process, int pid, Time no
 }
 
 void SystemMonitor::OnClocks(const std::vector<ClockReading>& readings, Time now) {
-  for (std::size_t i = 0; i < std::min(readings.size(), watch_.clocks.size()); ++i) {
-    const std::string& host = watch_.clocks[i].host;
+  for (std::size_t i = 0; i < std::min(readings.size(), watched_.clocks.size()); ++i) {
+    const ClockWatch& clock = watched_.clocks[i];
+    const std::string& host = clock.host;
     if (readings[i].ok) {
+      serving_.insert(host);
       board_.OnValue("clock", host, readings[i].offset, now);
-    } else {
+    } else if (clock.must_serve || serving_.count(host) > 0) {
       board_.OnFailure("clock", host, readings[i].error, now);
     }
   }
 }
 
 void SystemMonitor::OnHosts(const std::vector<ReachResult>& results, Time now) {
-  for (std::size_t i = 0; i < std::min(results.size(), watch_.hosts.size()); ++i) {
-    const std::string subject = "host " + watch_.hosts[i].host;
+  for (std::size_t i = 0; i < std::min(results.size(), watched_.hosts.size()); ++i) {
+    const std::string subject = "host " + watched_.hosts[i].host;
     if (results[i].ok) {
       board_.OnValue("network", subject, results[i].delay, now);
     } else {
@@ -104,7 +130,7 @@ void SystemMonitor::OnHosts(const std::vector<ReachResult>& results, Time now) {
   }
 }
 
-std::vector<Finding> SystemMonitor::Report(const Times& now) {
+std::vector<Finding> SystemMonitor::Report(const ProcessTable&, const Times& now) {
   return board_.Report(now.wall, now.ros);
 }
 

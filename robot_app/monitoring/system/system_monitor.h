@@ -6,10 +6,12 @@
 #define COPPICE_ROBOT_APP_MONITORING_SYSTEM_SYSTEM_MONITOR_H_
 
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "robot_app/monitoring/gauges/gauge_board.h"
+#include "robot_app/monitoring/monitor.h"
 #include "robot_app/monitoring/system/counter_rate.h"
 #include "robot_app/monitoring/system/reach.h"
 #include "robot_app/monitoring/system/sntp.h"
@@ -17,26 +19,34 @@
 
 namespace coppice::robot {
 
-class SystemMonitor {
+class SystemMonitor : public Monitor {
  public:
   /// `root`: the folder that stands for "/", for /proc and /sys.
   explicit SystemMonitor(std::string root = {}) : root_(std::move(root)) {}
 
+  /// A computer is no matter of the configuration.
+  void Watch(const WatchList&, const Times&) override {}
   /// Null: nothing is watched. What is known of numbers that stay is kept.
   void Watch(const SystemWatch* watch);
+  /// The others on which nodes of the robot run: they take the place of "*". True: others than
+  /// before, so whoever asks them is to ask anew.
+  bool OnComputers(const std::vector<Computer>& others);
+  /// What is watched now: each link and each computer by its name.
+  const SystemWatch& watched() const { return watched_; }
 
   /// Reads everything once; to be called every period. `pids`: of the ROS nodes; a node that is
   /// missing or 0 does not run, which is for others to judge.
   void Measure(const std::map<std::string, int>& pids, Time now);
 
-  /// The answers of other computers, in the order of the watch.
+  /// The answers of other computers, in the order of watched().
   void OnClocks(const std::vector<ClockReading>& readings, Time now);
   void OnHosts(const std::vector<ReachResult>& results, Time now);
 
   /// One finding per number that can be measured on this computer.
-  std::vector<Finding> Report(const Times& now);
+  std::vector<Finding> Report(const ProcessTable& processes, const Times& now) override;
 
  private:
+  void Expand();
   void MeasureCpu(Time now);
   void MeasureNetwork(const InterfaceWatch& link, Time now);
   void MeasureProcess(const ProcessWatch& process, int pid, Time now);
@@ -44,7 +54,12 @@ class SystemMonitor {
   std::optional<double> Rate(const std::string& counter, double reading, Time now);
 
   std::string root_;
-  SystemWatch watch_;
+  bool is_on_ = false;
+  SystemWatch watch_;    // as it is written
+  SystemWatch watched_;  // with names instead of patterns
+  std::vector<Computer> others_;
+  std::vector<std::string> links_;
+  std::set<std::string> serving_;  // hosts whose time server has answered
   GaugeBoard board_;
   std::map<std::string, CounterRate> rates_;
 };

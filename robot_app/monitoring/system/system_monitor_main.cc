@@ -14,7 +14,8 @@
 
 #include "bt_core/base/command_line.h"
 #include "robot_app/common/node_probe.h"
-#include "robot_app/monitoring/monitor_node.h"
+#include "robot_app/monitoring/monitor_program.h"
+#include "robot_app/monitoring/system/other_computers.h"
 #include "robot_app/monitoring/system/remote_watch.h"
 #include "robot_app/monitoring/system/system_monitor.h"
 #include "robot_app/monitoring/system/time_server.h"
@@ -27,66 +28,76 @@ constexpr Duration kPidDeadline = std::chrono::seconds(5);
 class Program {
  public:
   explicit Program(const MonitorStart& start)
-      : node_(start, [this](const WatchList& list) { Watch(list); }),
+      : computers_(start.host, ParseUri(ros::master::getURI()).value().host),
+        program_(start, {&monitor_}),
         probe_(ParseUri(ros::master::getURI()).value(), ros::this_node::getName()) {
-    timer_ = node_.Every(start.config.report_period, [this] { Round(); });
+    const SystemWatch* watch = start.config.ForHost(start.host);
+    monitor_.Watch(watch);
+    if (watch) period_ = watch->period;
+    Ask();
+    program_.ReportRegularly([this](const Times& now) { Look(now); });
   }
 
  private:
-  void Watch(const WatchList& list) {
-    const SystemWatch* watch = list.ForHost(node_.host());
-    monitor_.Watch(watch);
-    period_ = watch ? watch->period : Duration::zero();
-    RemoteQuestions questions;
-    if (watch) {
-      for (const ClockWatch& clock : watch->clocks) {
-        questions.clocks.push_back({clock.address, clock.port});
-      }
-      for (const ReachWatch& host : watch->hosts) {
-        questions.hosts.push_back({host.address, host.port});
-      }
-      questions.period = watch->ask_period;
-      questions.deadline = watch->deadline;
-    }
-    remote_.Ask(std::move(questions));
-    nodes_.clear();
-    if (!watch) return;
-    for (const ProcessWatch& process : watch->processes) nodes_.push_back({process.node, ""});
-  }
-
-  void Round() {
-    const Times now = MonitorNode::Now();
+  void Look(const Times& now) {
     if (now.wall >= next_measurement_) {
       next_measurement_ = now.wall + period_;
       monitor_.Measure(pids_, now.wall);
     }
-    LookForPids();
+    LookForNodes();
     if (const auto answers = remote_.Take()) {
       monitor_.OnClocks(answers->clocks, now.wall);
       monitor_.OnHosts(answers->hosts, now.wall);
     }
-    node_.Publish(monitor_.Report(now));
   }
 
-  // The nodes themselves say which processes they are; whoever does not answer has none. A sweep
-  // goes on from round to round.
-  void LookForPids() {
-    if (!probe_.busy()) return probe_.Begin(nodes_, kPidDeadline);
+  // The nodes themselves say which processes they are and where; whoever does not answer has none.
+  // A sweep goes on from round to round.
+  void LookForNodes() {
+    if (!probe_.busy()) return probe_.Begin(NodesToAsk(), kPidDeadline);
     if (!probe_.Work(Duration::zero())) return;
     for (std::size_t i = 0; i < probe_.requests().size(); ++i) {
-      pids_[probe_.requests()[i].node] = probe_.results()[i].pid;
+      const std::string& node = probe_.requests()[i].node;
+      const ProbeResult& result = probe_.results()[i];
+      pids_[node] = result.pid;
+      if (result.answered) computers_.OnAddress(program_.node().processes(), node, result.host);
     }
+    if (monitor_.OnComputers(computers_.List(program_.node().processes()))) Ask();
+  }
+
+  std::vector<ProbeRequest> NodesToAsk() {
+    std::vector<ProbeRequest> requests;
+    for (const ProcessWatch& process : monitor_.watched().processes) {
+      requests.push_back({process.node, ""});
+    }
+    for (const std::string& node : computers_.NodesToAsk(program_.node().processes())) {
+      requests.push_back({node, ""});
+    }
+    return requests;
+  }
+
+  void Ask() {
+    const SystemWatch& watch = monitor_.watched();
+    RemoteQuestions questions;
+    for (const ClockWatch& clock : watch.clocks) {
+      questions.clocks.push_back({clock.address, clock.port});
+    }
+    for (const ReachWatch& host : watch.hosts) {
+      questions.hosts.push_back({host.address, host.port});
+    }
+    questions.period = watch.ask_period;
+    questions.deadline = watch.deadline;
+    remote_.Ask(std::move(questions));
   }
 
   SystemMonitor monitor_;
   RemoteWatch remote_;
+  OtherComputers computers_;
   Duration period_{0};
   Time next_measurement_{0};
-  std::vector<ProbeRequest> nodes_;
   std::map<std::string, int> pids_;
-  MonitorNode node_;
+  MonitorProgram program_;
   NodeProbe probe_;
-  ros::WallTimer timer_;
 };
 
 std::atomic<bool> stop_requested{false};
@@ -129,9 +140,5 @@ int main(int argc, char** argv) {
         "--serve-time PORT [--address ADDRESS] [--clock-offset SECONDS]");
     return options ? ServeTime(*options) : 2;
   }
-  const auto start = StartMonitor(argc, argv, "system_monitor");
-  if (!start) return 2;
-  const Program program(*start);
-  coppice::robot::SpinWhenCalled();
-  return 0;
+  return RunMonitor<Program>(argc, argv, "system_monitor");
 }

@@ -15,23 +15,40 @@ struct DiskWatch {
 };
 
 struct InterfaceWatch {
-  std::string interface;  ///< eth0, ...
-  double speed = 1000;    ///< of the link [Mbit/s]
-  Band load;              ///< share of the speed, the busier direction, 0..1
-  Band errors, drops;     ///< packets per second
+  /// eth0, ...; or a pattern (fnmatch(3)) for all links of this computer that are up, but for
+  /// loopback: "*", "wl*". A link that a pattern does not match any more is no longer watched; one
+  /// that is named must be there.
+  std::string interface;
+  double speed = 1000;  ///< of the link [Mbit/s], where the system does not tell it
+  Band load;            ///< share of the speed, the busier direction, 0..1
+  Band errors, drops;   ///< packets per second
 };
+
+/// Another computer of the robot.
+struct Computer {
+  std::string name;
+  std::string address;
+
+  bool operator==(const Computer& other) const {
+    return name == other.name && address == other.address;
+  }
+};
+
+/// The name of `host` that stands for every other computer on which nodes of the robot run.
+inline constexpr char kEveryHost[] = "*";
 
 /// Another computer's clock, asked by SNTP.
 struct ClockWatch {
-  std::string host;     ///< name, for people
+  std::string host;     ///< name, for people; or kEveryHost
   std::string address;  ///< where its time server answers
   int port = 123;
-  Band offset;  ///< s, its clock less ours
+  Band offset;             ///< s, its clock less ours
+  bool must_serve = true;  ///< silence is an error even if it has never answered
 };
 
 /// Another computer, asked for a TCP connection; a refusal is an answer too.
 struct ReachWatch {
-  std::string host;
+  std::string host;  ///< or kEveryHost
   std::string address;
   int port = 22;
   Band delay;  ///< s until the answer

@@ -9,20 +9,11 @@
 #include <vector>
 
 #include "bt_core/base/clock.h"
+#include "robot_app/common/process_phase.h"
 #include "robot_app/processes/config/robot_config.h"
 #include "robot_app/processes/launch/process_launcher.h"
 
 namespace coppice::robot {
-
-/// The numbers are those of coppice_msgs/ProcessState.
-enum class ProcessPhase : std::uint8_t {
-  kStopped = 0,
-  kStarting = 1,  ///< waits for its dependencies, is started but not ready, or ends for a restart
-  kReady = 2,
-  kBackingOff = 3,
-  kGivenUp = 4,
-  kUnreachable = 5,  ///< its host does not answer
-};
 
 const char* ToString(ProcessPhase phase);
 

@@ -1,6 +1,7 @@
 #include "robot_app/processes/launch/process_launcher.h"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -14,6 +15,16 @@
 #include "robot_app/processes/launch/survivors.h"
 
 namespace coppice::robot {
+namespace {
+
+// For its owner alone: what a program prints may be secret.
+int OpenLog(const char* path) {
+  const int log = open(path, O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0600);
+  if (log >= 0) fchmod(log, 0600);
+  return log;
+}
+
+}  // namespace
 
 PosixLauncher::PosixLauncher(std::string log_folder, std::string owner)
     : log_folder_(std::move(log_folder)), owner_(std::move(owner)) {
@@ -27,9 +38,8 @@ int PosixLauncher::Start(const ProcessConfig& config, std::string& error) {
 
 int PosixLauncher::Start(const ProcessConfig& config, int input, std::string& error) {
   const std::string log_path = log_folder_ + "/" + config.log;
-  const int log = config.log.empty()
-                      ? fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 0)
-                      : open(log_path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
+  const int log =
+      config.log.empty() ? fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 0) : OpenLog(log_path.c_str());
   if (log < 0) {
     error = "cannot write " + log_path + ": " + std::strerror(errno);
     return 0;

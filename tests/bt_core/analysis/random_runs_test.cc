@@ -3,7 +3,7 @@
 
 #include <random>
 
-#include "bt_core/analysis/verify.h"
+#include "bt_core/analysis/play/verify.h"
 #include "tests/bt_core/analysis/recorded_run.h"
 
 namespace coppice {
@@ -148,26 +148,26 @@ const std::vector<Kind> kLeaves = {
 };
 
 const std::vector<std::string> kGuards = {
-    "_skipIf=\"@k == 'a'\"",    "_failureIf=\"@j == 'c'\"",
-    "_successIf=\"@k == 'c'\"", "_onlyIf=\"@k != 'b'\"",
-    "_while=\"@j != 'b'\"",     "_onStart=\"starts += 1\"",
-    "_onHalted=\"@k := 'b'\"",  "_post=\"@j := 'c'\"",
-    "_onSuccess=\"@j := 'a'\"", "_onFailure=\"fails += 1\"",
-    "_onStart=\"@k := 'a'\"",   "_while=\"@k != 'c'\" _skipIf=\"@j == 'a'\""};
+    R"(_skipIf="@k == 'a'")",    R"(_failureIf="@j == 'c'")",
+    R"(_successIf="@k == 'c'")", R"(_onlyIf="@k != 'b'")",
+    R"(_while="@j != 'b'")",     R"(_onStart="starts += 1")",
+    R"(_onHalted="@k := 'b'")",  R"(_post="@j := 'c'")",
+    R"(_onSuccess="@j := 'a'")", R"(_onFailure="fails += 1")",
+    R"(_onStart="@k := 'a'")",   R"(_while="@k != 'c'" _skipIf="@j == 'a'")"};
 
 class Generator {
  public:
   explicit Generator(Dice& dice) : dice_(dice) {}
 
   std::string Tree() {
-    return "<BehaviorTree ID=\"Main\">" + Node(4) + "</BehaviorTree><BehaviorTree ID=\"Sub\">" +
+    return R"(<BehaviorTree ID="Main">)" + Node(4) + R"(</BehaviorTree><BehaviorTree ID="Sub">)" +
            Node(2) + "</BehaviorTree>";
   }
 
  private:
   std::string Node(int depth) {
     if (depth == 0 || dice_.OneIn(10)) return LeafNode();
-    if (depth > 2 && dice_.OneIn(15)) return "<SubTree ID=\"Sub\"" + Guards() + "/>";
+    if (depth > 2 && dice_.OneIn(15)) return R"(<SubTree ID="Sub")" + Guards() + "/>";
     const Kind& kind =
         kKinds[static_cast<std::size_t>(dice_.Uniform(0, static_cast<int>(kKinds.size()) - 1))];
     std::string xml = Begin(kind) + ">";
@@ -179,7 +179,7 @@ class Generator {
 
   std::string LeafNode() {
     if (dice_.Uniform(0, 9) < 7) {
-      return "<RandomLeaf word=\"" + dice_.Pick(kKeys) + "\" number=\"{number}\"" + Guards() + "/>";
+      return "<RandomLeaf word=\"" + dice_.Pick(kKeys) + R"(" number="{number}")" + Guards() + "/>";
     }
     return Begin(kLeaves[static_cast<std::size_t>(
                dice_.Uniform(0, static_cast<int>(kLeaves.size()) - 1))]) +

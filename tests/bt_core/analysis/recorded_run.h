@@ -58,7 +58,7 @@ inline std::shared_ptr<const Program> CompileText(const std::string& trees,
                                                   std::shared_ptr<Registry> registry) {
   Diagnostics diagnostics;
   const std::string xml =
-      "<root BTCPP_format=\"4\" main_tree_to_execute=\"Main\">" + trees + "</root>";
+      R"(<root BTCPP_format="4" main_tree_to_execute="Main">)" + trees + "</root>";
   std::optional<Project> project = Project::FromText(xml, "test.xml", diagnostics);
   std::shared_ptr<const Program> program;
   if (project) {

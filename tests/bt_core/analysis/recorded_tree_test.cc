@@ -48,7 +48,7 @@ TEST(RecordedTree, FindsNodesByTheEndOfTheirPath) {
   EXPECT_EQ(tree.Find("c", diagnostics), kNoNode);
   EXPECT_THAT(diagnostics.ToString(), HasSubstr("it may be one/c two/c"));
   EXPECT_EQ(tree.Find("ona/c", diagnostics), kNoNode);
-  EXPECT_THAT(diagnostics.ToString(), HasSubstr("did you mean \"one/c\"?"));
+  EXPECT_THAT(diagnostics.ToString(), HasSubstr(R"(did you mean "one/c"?)"));
 }
 
 TEST(RecordedTree, HasNoProgramIfTheDocumentsAreOthers) {

@@ -7,8 +7,8 @@ namespace {
 
 TEST(Diagnostic, PrintsPlaceSeverityMessageAndHint) {
   const Diagnostic diagnostic{
-      Severity::kError, {"patrol.xml", 12, 9}, "unknown node", "did you mean \"X\"?"};
-  EXPECT_EQ(ToString(diagnostic), "patrol.xml:12:9: error: unknown node (did you mean \"X\"?)");
+      Severity::kError, {"patrol.xml", 12, 9}, "unknown node", R"(did you mean "X"?)"};
+  EXPECT_EQ(ToString(diagnostic), R"(patrol.xml:12:9: error: unknown node (did you mean "X"?))");
 }
 
 TEST(Diagnostic, LeavesOutWhatIsUnknown) {
@@ -58,7 +58,7 @@ TEST(NearestName, AllowsAThirdOfTheLengthAndAtLeastOne) {
 }
 
 TEST(DidYouMean, IsAQuestionOrNothing) {
-  EXPECT_EQ(DidYouMean("Invertor", {"Inverter"}), "did you mean \"Inverter\"?");
+  EXPECT_EQ(DidYouMean("Invertor", {"Inverter"}), R"(did you mean "Inverter"?)");
   EXPECT_EQ(DidYouMean("Zzz", {"Inverter"}), "");
 }
 

@@ -25,14 +25,14 @@ TEST_F(CatTest, SetsAttributes) {
       << err_;
   std::string expected = kTree;
   expected.replace(expected.find("'5'"), 3, "'10'");
-  expected.replace(expected.find("<A/>"), 4, "<A text=\"a@b='&lt;'\"/>");
+  expected.replace(expected.find("<A/>"), 4, R"(<A text="a@b='&lt;'"/>)");
   EXPECT_EQ(out_, expected);
 }
 
 TEST_F(CatTest, SaysWhatIsWrongWithAnAssignment) {
   const std::string file = Write("t.xml", kTree);
   EXPECT_EQ(Run(RunCat, {file, "--set", "Main/Timout@msec=10"}), 2);
-  EXPECT_NE(err_.find("did you mean \"Timeout\"?"), std::string::npos) << err_;
+  EXPECT_NE(err_.find(R"(did you mean "Timeout"?)"), std::string::npos) << err_;
   EXPECT_EQ(out_, "");
   for (const char* wrong : {"Main/Timeout", "Main@msec", "Main=5", "Main@=5", "Main@a b=5"}) {
     EXPECT_EQ(Run(RunCat, {file, "--set", wrong}), 2) << wrong;

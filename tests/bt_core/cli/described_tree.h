@@ -40,7 +40,7 @@ class SmallTick {
     std::string bytes;
     AppendValueBytes(Value(0.5), bytes);
     words_.Add(EventCode::kWrite, 0, 1, bytes);
-    words_.Text(1, EventText::kMessage, "all is \"well\"");
+    words_.Text(1, EventText::kMessage, R"(all is "well")");
     words_.Status(1, Status::kSuccess);
     words_.Status(2, Status::kRunning);
     words_.Status(0, Status::kRunning);

@@ -27,17 +27,16 @@ TEST_F(NodesTest, WritesASchemaThatTellsRightFromWrong) {
         "xmllint --noout --schema " + schema + " " + WriteTree(body) + " > /dev/null 2>&1";
     return std::system(command.c_str()) == 0;
   };
-  EXPECT_TRUE(
-      is_valid("<Sequence name=\"s\" _skipIf=\"a\"><Sleep msec=\"100\"/>"
-               "<Sleep msec=\"{time}\"/><SubTree ID=\"Other\" goal=\"{g}\"/>"
-               "<Action ID=\"Drive\" speed=\"1\"/></Sequence>"));
-  EXPECT_TRUE(is_valid("<Precondition if=\"a\" else=\"SUCCESS\"><AlwaysSuccess/></Precondition>"));
-  EXPECT_FALSE(is_valid("<Precondition if=\"a\" else=\"GOOD\"><AlwaysSuccess/></Precondition>"));
-  EXPECT_FALSE(is_valid("<Sleep msec=\"soon\"/>"));
+  EXPECT_TRUE(is_valid(R"(<Sequence name="s" _skipIf="a"><Sleep msec="100"/>)"
+                       R"(<Sleep msec="{time}"/><SubTree ID="Other" goal="{g}"/>)"
+                       R"(<Action ID="Drive" speed="1"/></Sequence>)"));
+  EXPECT_TRUE(is_valid(R"(<Precondition if="a" else="SUCCESS"><AlwaysSuccess/></Precondition>)"));
+  EXPECT_FALSE(is_valid(R"(<Precondition if="a" else="GOOD"><AlwaysSuccess/></Precondition>)"));
+  EXPECT_FALSE(is_valid(R"(<Sleep msec="soon"/>)"));
   EXPECT_FALSE(is_valid("<Sleep/>"));
   EXPECT_FALSE(is_valid("<Sequense><AlwaysSuccess/></Sequense>"));
   EXPECT_FALSE(is_valid("<Inverter/>"));
-  EXPECT_FALSE(is_valid("<AlwaysSuccess _skipif=\"a\"/>"));
+  EXPECT_FALSE(is_valid(R"(<AlwaysSuccess _skipif="a"/>)"));
 }
 
 TEST_F(NodesTest, RefusesOtherOptions) { EXPECT_EQ(Run(RunNodes, {"--json"}), 2); }

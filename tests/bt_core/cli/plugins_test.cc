@@ -26,16 +26,16 @@ class PluginsTest : public CliTest {
 };
 
 TEST_F(PluginsTest, RunTicksTheirNodes) {
-  const std::string tree = WriteTree("<Sequence><Half number=\"3\" half=\"{h}\"/></Sequence>");
+  const std::string tree = WriteTree(R"(<Sequence><Half number="3" half="{h}"/></Sequence>)");
   EXPECT_EQ(Call("run --plugin plugin_good.so " + tree), 0) << out_;
   EXPECT_NE(out_.find("Half::2  IDLE -> SUCCESS"), std::string::npos) << out_;
 }
 
 TEST_F(PluginsTest, CheckKnowsTheirPorts) {
-  const std::string tree = WriteTree("<Half numbr=\"3\"/>");
+  const std::string tree = WriteTree(R"(<Half numbr="3"/>)");
   EXPECT_EQ(Call("check " + tree), 0) << out_;
   EXPECT_EQ(Call("check --plugin plugin_good.so " + tree), 1);
-  EXPECT_NE(out_.find("did you mean \"number\"?"), std::string::npos) << out_;
+  EXPECT_NE(out_.find(R"(did you mean "number"?)"), std::string::npos) << out_;
 }
 
 TEST_F(PluginsTest, NodesListsThem) {

@@ -6,10 +6,10 @@
 #include <thread>
 
 #include "tests/bt_core/live/robot.h"
-#include "tests/bt_core/record/temporary_folder.h"
 #include "tests/bt_core/record/victim.h"
 #include "tests/bt_core/record/whole_record.h"
 #include "tests/support/folders.h"
+#include "tests/support/temporary_folder.h"
 
 namespace coppice {
 namespace {

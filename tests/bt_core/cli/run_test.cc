@@ -17,10 +17,10 @@ TEST_F(RunTest, AFailedTreeIsExitStatus1) {
 }
 
 TEST_F(RunTest, RunsTheTreeThatIsAskedFor) {
-  const std::string file = Write("two.xml",
-                                 "<root BTCPP_format=\"4\">"
-                                 "<BehaviorTree ID=\"A\"><AlwaysFailure/></BehaviorTree>"
-                                 "<BehaviorTree ID=\"B\"><AlwaysSuccess/></BehaviorTree></root>");
+  const std::string file =
+      Write("two.xml", R"(<root BTCPP_format="4">)"
+                       R"(<BehaviorTree ID="A"><AlwaysFailure/></BehaviorTree>)"
+                       R"(<BehaviorTree ID="B"><AlwaysSuccess/></BehaviorTree></root>)");
   EXPECT_EQ(CliTest::Run(RunTree, {file, "--tree", "B"}), 0);
   EXPECT_EQ(CliTest::Run(RunTree, {file}), 2);
   EXPECT_NE(err_.find("which tree is the main one?"), std::string::npos);
@@ -28,7 +28,7 @@ TEST_F(RunTest, RunsTheTreeThatIsAskedFor) {
 
 TEST_F(RunTest, LeavesOfTheRobotAreUnknown) {
   EXPECT_EQ(CliTest::Run(RunTree, {WriteTree("<DriveTo/>")}), 2);
-  EXPECT_NE(err_.find("unknown node type \"DriveTo\""), std::string::npos);
+  EXPECT_NE(err_.find(R"(unknown node type "DriveTo")"), std::string::npos);
 }
 
 TEST_F(RunTest, QuietPrintsTheResultOnly) {

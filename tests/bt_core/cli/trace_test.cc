@@ -7,7 +7,7 @@ class TraceTest : public CliTest {};
 
 TEST_F(TraceTest, PrintsTicksAndHaltsOfTheLeaves) {
   const std::string tree =
-      WriteTree("<ReactiveSequence><Door name=\"open\"/><Drive name=\"go\"/></ReactiveSequence>");
+      WriteTree(R"(<ReactiveSequence><Door name="open"/><Drive name="go"/></ReactiveSequence>)");
   const std::string script =
       Write("s.json", R"({"leaves": {"open": ["SUCCESS", "FAILURE"], "go": ["RUNNING"]}})");
   EXPECT_EQ(Run(RunTrace, {tree, "--leaves", script, "--ticks", "2"}), 0);
@@ -46,7 +46,7 @@ TEST_F(TraceTest, TicksAreANumber) {
 
 TEST_F(TraceTest, ATickThatThrowsEndsTheTrace) {
   const std::string tree = WriteTree(
-      "<Sequence><Go name=\"a\"/><Parallel success_count=\"2\"><Go/></Parallel></Sequence>");
+      R"(<Sequence><Go name="a"/><Parallel success_count="2"><Go/></Parallel></Sequence>)");
   const std::string script = Write("s.json", R"({"leaves": {"a": ["RUNNING", "SUCCESS"]}})");
   EXPECT_EQ(Run(RunTrace, {tree, "--leaves", script, "--ticks", "5"}), 0);
   EXPECT_EQ(out_, R"({"tick":1,"status":"RUNNING","events":[["tick","a","RUNNING"]]})"
@@ -56,7 +56,7 @@ TEST_F(TraceTest, ATickThatThrowsEndsTheTrace) {
 
 TEST_F(TraceTest, ASkippedLeafIsTickedAgainAndNotHalted) {
   const std::string tree = WriteTree(
-      "<ReactiveFallback><Go name=\"a\"/><Sequence><Go name=\"b\"/><Go name=\"c\"/></Sequence>"
+      R"(<ReactiveFallback><Go name="a"/><Sequence><Go name="b"/><Go name="c"/></Sequence>)"
       "</ReactiveFallback>");
   const std::string script =
       Write("s.json", R"({"leaves": {"a": ["SKIPPED", "SKIPPED", "SUCCESS"], "b": ["SKIPPED"],
@@ -93,14 +93,14 @@ TEST_F(TraceTest, LeavesInSubTreesGoByTheirOwnName) {
 }
 
 TEST_F(TraceTest, TimeStandsAlmostStillWithoutAStep) {
-  const std::string tree = WriteTree("<Timeout msec=\"10\"><Go name=\"a\"/></Timeout>");
+  const std::string tree = WriteTree(R"(<Timeout msec="10"><Go name="a"/></Timeout>)");
   const std::string script = Write("s.json", R"({"leaves": {"a": ["RUNNING"]}})");
   EXPECT_EQ(Run(RunTrace, {tree, "--leaves", script, "--ticks", "50"}), 0);
   EXPECT_EQ(out_.find("FAILURE"), std::string::npos);
 }
 
 TEST_F(TraceTest, AStepLetsTimePass) {
-  const std::string tree = WriteTree("<Timeout msec=\"10\"><Go name=\"a\"/></Timeout>");
+  const std::string tree = WriteTree(R"(<Timeout msec="10"><Go name="a"/></Timeout>)");
   const std::string script = Write("s.json", R"({"leaves": {"a": ["RUNNING"]}})");
   EXPECT_EQ(Run(RunTrace, {tree, "--leaves", script, "--ticks", "3", "--step", "5"}), 0);
   EXPECT_NE(out_.find(R"({"tick":3,"status":"FAILURE","events":[["halt","a"]]})"),

@@ -15,14 +15,14 @@ std::string Problems(const std::string& text, const std::string& tree = {}) {
 
 TEST(Compile, TheMainTreeMustExist) {
   EXPECT_EQ(Problems("<root BTCPP_format=\"4\" main_tree_to_execute=\"Mian\">\n"
-                     "<BehaviorTree ID=\"Main\"><AlwaysSuccess/></BehaviorTree></root>"),
+                     R"(<BehaviorTree ID="Main"><AlwaysSuccess/></BehaviorTree></root>)"),
             "t.xml:1:46: error: no tree \"Mian\" (did you mean \"Main\"?)\n");
   EXPECT_EQ(Problems(Main("<AlwaysSuccess/>"), "Other"), "t.xml:1:1: error: no tree \"Other\"\n");
 }
 
 TEST(Compile, NothingComesOfAProjectThatIsNotWhole) {
   EXPECT_EQ(Problems(Root("<BehaviorTree ID=\"Main\"><Inverter/></BehaviorTree>\n"
-                          "<BehaviorTree ID=\"Two\"><AlwaysSuccess/><AlwaysSuccess/>"
+                          R"(<BehaviorTree ID="Two"><AlwaysSuccess/><AlwaysSuccess/>)"
                           "</BehaviorTree>")),
             "t.xml:3:1: error: tree \"Two\" has 2 root nodes, expected exactly 1\n"
             "t.xml:2:25: error: Inverter has 0 children, expected exactly 1\n");

@@ -46,5 +46,40 @@ std::vector<std::string> AllButSubTree() {
 INSTANTIATE_TEST_SUITE_P(Nodes, EachBuiltIn, ::testing::ValuesIn(AllButSubTree()),
                          [](const auto& info) { return info.param; });
 
+// SKIPPED ends nothing: the elements stay taken until the parent resets the loop.
+class LoopThatIsSkippedInTheEnd : public ::testing::Test {
+ protected:
+  std::vector<std::string> EventsOf(int ticks, const std::string& before,
+                                    const std::string& behind) {
+    LeafScript script;
+    script.results["long"] = {Status::kRunning};
+    Stage stage(Main(before + "<LoopInt queue=\"1;2\" if_empty=\"SKIPPED\"><Leaf name=\"a\"/>" +
+                     "</LoopInt>" + behind),
+                script);
+    for (int i = 0; i < ticks; ++i) stage.executor->Tick();
+    return stage.TakeEvents();
+  }
+  const std::vector<std::string> once_ = {"start a", "start a"};
+};
+
+TEST_F(LoopThatIsSkippedInTheEnd, RunsOnceAsTheRoot) { EXPECT_EQ(EventsOf(9, "", ""), once_); }
+
+TEST_F(LoopThatIsSkippedInTheEnd, RunsOnceInKeepRunningUntilFailure) {
+  EXPECT_EQ(EventsOf(9, "<KeepRunningUntilFailure>", "</KeepRunningUntilFailure>"), once_);
+}
+
+TEST_F(LoopThatIsSkippedInTheEnd, RunsOnceBesideALongChild) {
+  const std::vector<std::string> events = {"start a", "start long", "start a", "tick long",
+                                           "tick long"};
+  for (const std::string node : {"Parallel", "ParallelAll"}) {
+    EXPECT_EQ(EventsOf(3, "<" + node + ">", "<Leaf name=\"long\"/></" + node + ">"), events);
+  }
+}
+
+TEST_F(LoopThatIsSkippedInTheEnd, BeginsAgainWhenItsParentResetsIt) {
+  EXPECT_EQ(EventsOf(6, "<ForceSuccess><Sequence>", "<AlwaysFailure/></Sequence></ForceSuccess>"),
+            (std::vector<std::string>{"start a", "start a", "start a", "start a"}));
+}
+
 }  // namespace
 }  // namespace coppice

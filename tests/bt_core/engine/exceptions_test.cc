@@ -25,9 +25,8 @@ struct Throwing {
     executor = std::make_unique<Executor>(stage.program, stage.clock, ExecutorOptions{policy});
   }
   static std::string Text() {
-    return Main(
-        "<Parallel name=\"all\" failure_count=\"2\"><Leaf name=\"runs\"/>"
-        "<ForceSuccess><Leaf name=\"throws\"/></ForceSuccess></Parallel>");
+    return Main(R"(<Parallel name="all" failure_count="2"><Leaf name="runs"/>)"
+                R"(<ForceSuccess><Leaf name="throws"/></ForceSuccess></Parallel>)");
   }
   static LeafScript Script() {
     LeafScript script;

@@ -25,7 +25,7 @@ LeafScript WithResults(std::map<std::string, std::vector<Status>> results) {
 }
 
 TEST(Executor, StatusesAreVisibleAfterATick) {
-  Stage stage(Main("<Sequence><Leaf name=\"a\"/><Leaf name=\"b\"/><Leaf name=\"c\"/></Sequence>"),
+  Stage stage(Main(R"(<Sequence><Leaf name="a"/><Leaf name="b"/><Leaf name="c"/></Sequence>)"),
               WithResults({{"b", {kRunning}}}));
   EXPECT_EQ(stage.executor->Tick(), kRunning);
   EXPECT_EQ(stage.executor->statuses(),
@@ -33,15 +33,15 @@ TEST(Executor, StatusesAreVisibleAfterATick) {
 }
 
 TEST(Executor, SkippedIsVisibleToo) {
-  Stage stage(Main("<Sequence><Leaf name=\"a\"/><Leaf name=\"b\"/></Sequence>"),
+  Stage stage(Main(R"(<Sequence><Leaf name="a"/><Leaf name="b"/></Sequence>)"),
               WithResults({{"a", {Status::kSkipped}}, {"b", {kRunning}}}));
   stage.executor->Tick();
   EXPECT_EQ(stage.executor->statuses()[1], Status::kSkipped);
 }
 
 TEST(Executor, HaltsRunningLeavesInDocumentOrder) {
-  Stage stage(Main("<Parallel><Leaf name=\"a\"/><Sequence><Leaf name=\"b\"/></Sequence>"
-                   "<Leaf name=\"c\"/></Parallel>"),
+  Stage stage(Main(R"(<Parallel><Leaf name="a"/><Sequence><Leaf name="b"/></Sequence>)"
+                   R"(<Leaf name="c"/></Parallel>)"),
               WithResults({{"a", {kRunning}}, {"b", {kRunning}}}));
   stage.executor->Tick();
   stage.TakeEvents();
@@ -51,7 +51,7 @@ TEST(Executor, HaltsRunningLeavesInDocumentOrder) {
 }
 
 TEST(Executor, HaltsWhatRunsWhenItIsDestroyed) {
-  Stage stage(Main("<Leaf name=\"a\"/>"), WithResults({{"a", {kRunning}}}));
+  Stage stage(Main(R"(<Leaf name="a"/>)"), WithResults({{"a", {kRunning}}}));
   stage.executor->Tick();
   stage.TakeEvents();
   stage.executor.reset();
@@ -59,7 +59,7 @@ TEST(Executor, HaltsWhatRunsWhenItIsDestroyed) {
 }
 
 TEST(Executor, StartsAgainAfterAHalt) {
-  Stage stage(Main("<Leaf name=\"a\"/>"), WithResults({{"a", {kRunning}}}));
+  Stage stage(Main(R"(<Leaf name="a"/>)"), WithResults({{"a", {kRunning}}}));
   stage.executor->Tick();
   stage.executor->Tick();
   stage.executor->Halt();
@@ -68,9 +68,8 @@ TEST(Executor, StartsAgainAfterAHalt) {
 }
 
 TEST(Executor, AppliesTheInboxAtTheStartOfATickOnly) {
-  Stage stage(
-      Main("<Sequence><Leaf name=\"post\"/><Drive goal=\"{g}\" total=\"{t}\" "
-           "distance=\"{d}\"/></Sequence>"));
+  Stage stage(Main(R"(<Sequence><Leaf name="post"/><Drive goal="{g}" total="{t}" )"
+                   R"(distance="{d}"/></Sequence>)"));
   const Sender<double> goal = stage.executor->Writer<double>("g");
   const auto distance = [&] {
     return stage.executor->blackboard()[stage.program->layout.Find(0, "d")].value.Get<double>();
@@ -84,7 +83,7 @@ TEST(Executor, AppliesTheInboxAtTheStartOfATickOnly) {
 }
 
 TEST(Executor, TheNewestMessageWinsAndAllCount) {
-  Stage stage(Main("<Drive goal=\"{g}\" total=\"{t}\"/>"));
+  Stage stage(Main(R"(<Drive goal="{g}" total="{t}"/>)"));
   const Sender<double> goal = stage.executor->Writer<double>("g");
   goal.Send(1);
   goal.Send(2);
@@ -95,7 +94,7 @@ TEST(Executor, TheNewestMessageWinsAndAllCount) {
 }
 
 TEST(Executor, MessagesFromAnotherThreadWakeAndArrive) {
-  Stage stage(Main("<Drive goal=\"{g}\" total=\"{t}\"/>"));
+  Stage stage(Main(R"(<Drive goal="{g}" total="{t}"/>)"));
   std::thread sensor([goal = stage.executor->Writer<double>("g")] { goal.Send(3); });
   EXPECT_TRUE(stage.executor->wake_up().WaitFor(seconds(10)));
   sensor.join();
@@ -108,17 +107,17 @@ TEST(Executor, WriterOfAnUnusedKeyDrops) {
 }
 
 TEST(Executor, WriterOfAnotherTypeThrows) {
-  Stage stage(Main("<Drive goal=\"{g}\" total=\"{t}\"/>"));
+  Stage stage(Main(R"(<Drive goal="{g}" total="{t}"/>)"));
   try {
     stage.executor->Writer<int>("g");
     FAIL() << "did not throw";
   } catch (const std::invalid_argument& error) {
-    EXPECT_STREQ(error.what(), "key \"g\" is double in the tree, not int");
+    EXPECT_STREQ(error.what(), R"(key "g" is double in the tree, not int)");
   }
 }
 
 TEST(Executor, ExceptionsBecomeFailuresWithTheirText) {
-  Stage stage(Main("<Fallback><Leaf name=\"a\"/><Leaf name=\"b\"/></Fallback>"));
+  Stage stage(Main(R"(<Fallback><Leaf name="a"/><Leaf name="b"/></Fallback>)"));
   stage.script.on_tick["a"] = [] { throw std::runtime_error("no map"); };
   stage.script.on_tick["b"] = [] { throw 5; };
   const KeepingSink& sink = stage.Listen();
@@ -132,7 +131,7 @@ TEST(Executor, ExceptionsBecomeFailuresWithTheirText) {
 }
 
 TEST(Executor, ExceptionsWhileHaltingAreReportedAndTheRestIsHalted) {
-  Stage stage(Main("<Parallel><Leaf name=\"a\"/><Leaf name=\"b\"/><Leaf name=\"c\"/></Parallel>"),
+  Stage stage(Main(R"(<Parallel><Leaf name="a"/><Leaf name="b"/><Leaf name="c"/></Parallel>)"),
               WithResults({{"a", {kRunning}}, {"b", {kRunning}}, {"c", {kRunning}}}));
   stage.script.on_halt["a"] = [] { throw std::runtime_error("stuck"); };
   stage.script.on_halt["b"] = [] { throw 5; };
@@ -146,14 +145,14 @@ TEST(Executor, ExceptionsWhileHaltingAreReportedAndTheRestIsHalted) {
 }
 
 TEST(Executor, IdleIsNoResult) {
-  Stage stage(Main("<Leaf name=\"a\"/>"), WithResults({{"a", {Status::kIdle}}}));
+  Stage stage(Main(R"(<Leaf name="a"/>)"), WithResults({{"a", {Status::kIdle}}}));
   const KeepingSink& sink = stage.Listen();
   EXPECT_EQ(stage.executor->Tick(), kFailure);
   EXPECT_EQ(sink.ticks[0].messages[0].text, "returned IDLE, which no node may");
 }
 
 TEST(Executor, TimeoutIsExact) {
-  Stage stage(Main("<Timeout msec=\"100\"><Leaf name=\"a\"/></Timeout>"),
+  Stage stage(Main(R"(<Timeout msec="100"><Leaf name="a"/></Timeout>)"),
               WithResults({{"a", {kRunning}}}));
   EXPECT_EQ(stage.executor->Tick(), kRunning);
   EXPECT_EQ(stage.executor->next_tick(), seconds(1) + milliseconds(100));
@@ -166,7 +165,7 @@ TEST(Executor, TimeoutIsExact) {
 }
 
 TEST(Executor, DelayIsExact) {
-  Stage stage(Main("<Delay delay_msec=\"100\"><AlwaysSuccess/></Delay>"));
+  Stage stage(Main(R"(<Delay delay_msec="100"><AlwaysSuccess/></Delay>)"));
   stage.clock.Advance(Duration(1));  // an odd start
   EXPECT_EQ(stage.executor->Tick(), kRunning);
   EXPECT_EQ(stage.executor->next_tick(), seconds(1) + milliseconds(100) + Duration(1));
@@ -177,21 +176,20 @@ TEST(Executor, DelayIsExact) {
 }
 
 TEST(Executor, TheNearestTimerDecidesTheNextTick) {
-  Stage stage(
-      Main("<Parallel><Delay delay_msec=\"300\"><AlwaysSuccess/></Delay>"
-           "<Delay delay_msec=\"200\"><AlwaysSuccess/></Delay></Parallel>"));
+  Stage stage(Main(R"(<Parallel><Delay delay_msec="300"><AlwaysSuccess/></Delay>)"
+                   R"(<Delay delay_msec="200"><AlwaysSuccess/></Delay></Parallel>)"));
   stage.executor->Tick();
   EXPECT_EQ(stage.executor->next_tick(), seconds(1) + milliseconds(200));
 }
 
 TEST(Executor, WithoutTimersNothingIsDue) {
-  Stage stage(Main("<Leaf name=\"a\"/>"), WithResults({{"a", {kRunning}}}));
+  Stage stage(Main(R"(<Leaf name="a"/>)"), WithResults({{"a", {kRunning}}}));
   stage.executor->Tick();
   EXPECT_EQ(stage.executor->next_tick(), kNever);
 }
 
 TEST(Executor, AYieldingLoopIsDueAtOnce) {
-  Stage stage(Main("<Repeat num_cycles=\"2\"><AlwaysSuccess/></Repeat>"));
+  Stage stage(Main(R"(<Repeat num_cycles="2"><AlwaysSuccess/></Repeat>)"));
   EXPECT_EQ(stage.executor->Tick(), kRunning);
   EXPECT_EQ(stage.executor->next_tick(), Time(0));
   EXPECT_EQ(stage.executor->Tick(), kSuccess);
@@ -199,7 +197,7 @@ TEST(Executor, AYieldingLoopIsDueAtOnce) {
 }
 
 TEST(Executor, CallsRunOnTheTickingThreadBetweenTicks) {
-  Stage stage(Main("<Leaf name=\"a\"/>"), WithResults({{"a", {kRunning}}}));
+  Stage stage(Main(R"(<Leaf name="a"/>)"), WithResults({{"a", {kRunning}}}));
   stage.executor->Tick();
   std::thread::id ran_on;
   std::thread client([&] {
@@ -214,7 +212,7 @@ TEST(Executor, CallsRunOnTheTickingThreadBetweenTicks) {
 }
 
 TEST(Executor, SinksGetChangesInTheOrderOfHappening) {
-  Stage stage(Main("<Inverter><Leaf name=\"a\"/></Inverter>"),
+  Stage stage(Main(R"(<Inverter><Leaf name="a"/></Inverter>)"),
               WithResults({{"a", {kRunning, kFailure}}}));
   const KeepingSink& sink = stage.Listen();
   stage.executor->Tick();
@@ -238,7 +236,7 @@ TEST(Executor, SinksGetChangesInTheOrderOfHappening) {
 }
 
 TEST(Executor, AHaltIsReportedWithTheTickBefore) {
-  Stage stage(Main("<Leaf name=\"a\"/>"), WithResults({{"a", {kRunning}}}));
+  Stage stage(Main(R"(<Leaf name="a"/>)"), WithResults({{"a", {kRunning}}}));
   const KeepingSink& sink = stage.Listen();
   stage.executor->Tick();
   stage.executor->Halt();
@@ -249,8 +247,7 @@ TEST(Executor, AHaltIsReportedWithTheTickBefore) {
 }
 
 TEST(Executor, SinksGetEveryWriteOfASlot) {
-  Stage stage(
-      Main("<Sequence><Tell text=\"1\" to=\"{k}\"/><Tell text=\"2\" to=\"{k}\"/></Sequence>"));
+  Stage stage(Main(R"(<Sequence><Tell text="1" to="{k}"/><Tell text="2" to="{k}"/></Sequence>)"));
   const KeepingSink& sink = stage.Listen();
   stage.executor->Tick();
   const SlotIndex k = stage.program->layout.Find(0, "k");

@@ -150,6 +150,48 @@ TEST(Guard, HaltHooksComeFromTheInsideOut) {
   EXPECT_EQ(stage.executor->blackboard()[log].value.Get<std::string>(), "inner outer");
 }
 
+std::string HooksOf(const Stage& stage) {
+  const SlotIndex log = stage.program->layout.Find(0, "log");
+  return stage.executor->blackboard()[log].value.Get<std::string>();
+}
+
+TEST(Guard, ASkippedLeafThatHadBegunIsToldOfItsHaltByTheHook) {
+  Stage stage(Main("<Sequence _onStart=\"log := ''\">"
+                   "<Leaf name=\"a\" _onStart=\"log += 's'\" _onHalted=\"log += 'h'\"/>"
+                   "<Leaf name=\"b\"/></Sequence>"),
+              Results({{"a", {kRunning, kSkipped}}, {"b", {kFailure}}}));
+  stage.executor->Tick();
+  EXPECT_EQ(stage.executor->Tick(), kFailure);
+  EXPECT_EQ(stage.TakeEvents(), (Names{"start a", "tick a", "start b", "halt a"}));
+  EXPECT_EQ(HooksOf(stage), "sh");
+}
+
+TEST(Guard, HooksOfSkippedNodesComeFromTheInsideOut) {
+  Stage stage(Main("<Sequence _onStart=\"log := ''\">"
+                   "<Delay delay_msec=\"0\" _onHalted=\"log += 'outer'\">"
+                   "<Leaf name=\"a\" _onHalted=\"log += 'inner '\"/></Delay>"
+                   "<Leaf name=\"b\"/></Sequence>"),
+              Results({{"a", {kRunning, kSkipped}}, {"b", {kFailure}}}));
+  stage.executor->Tick();
+  EXPECT_EQ(stage.executor->Tick(), kFailure);
+  EXPECT_EQ(HooksOf(stage), "inner outer");
+}
+
+TEST(Guard, WhileHaltsWhatASkippedNodeHasBegun) {
+  Stage stage(Main("<Leaf name=\"a\" _while=\"go\" _onHalted=\"log += 'h'\"/>"),
+              Results({{"a", {kRunning, kSkipped}}}));
+  stage.executor->Writer<std::string>("log").Send("");
+  const Sender<bool> go = stage.executor->Writer<bool>("go");
+  go.Send(true);
+  stage.executor->Tick();
+  stage.executor->Tick();
+  EXPECT_EQ(HooksOf(stage), "");
+  go.Send(false);
+  EXPECT_EQ(stage.executor->Tick(), kSkipped);
+  EXPECT_EQ(stage.TakeEvents(), (Names{"start a", "tick a", "halt a"}));
+  EXPECT_EQ(HooksOf(stage), "h");
+}
+
 TEST(Guard, AScriptThatCannotRunFailsTheNodeWithAMessage) {
   Stage stage(Main("<Leaf name=\"a\" _skipIf=\"nobody > 3\"/>"));
   const KeepingSink& sink = stage.Listen();

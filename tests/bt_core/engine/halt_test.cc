@@ -125,8 +125,8 @@ TEST_F(Draining, CanBeServedWithoutATick) {
 class InFrontOfThePlace : public ::testing::Test {
  protected:
   InFrontOfThePlace()
-      : stage_(Main("<Fallback><SequenceWithMemory><Inverter><Leaf name=\"a\"/></Inverter>"
-                    "<Leaf name=\"b\"/></SequenceWithMemory><AlwaysSuccess/></Fallback>"),
+      : stage_(Main(R"(<Fallback><SequenceWithMemory><Inverter><Leaf name="a"/></Inverter>)"
+                    R"(<Leaf name="b"/></SequenceWithMemory><AlwaysSuccess/></Fallback>)"),
                MakeScript()) {
     stage_.executor->Tick();
     EXPECT_EQ(stage_.executor->Tick(), Status::kSuccess);

@@ -35,7 +35,7 @@ LeafScript Results(std::map<std::string, std::vector<Status>> results) {
 }
 
 TEST(NodeHooks, AreAskedBeforeAndAfterAChosenNodeOnly) {
-  Stage stage(Main("<Sequence><Leaf name=\"a\"/><Leaf name=\"b\"/></Sequence>"));
+  Stage stage(Main(R"(<Sequence><Leaf name="a"/><Leaf name="b"/></Sequence>)"));
   Hooks hooks;
   stage.executor->SetHooks(&hooks, {2});
   EXPECT_EQ(stage.executor->Tick(), kSuccess);
@@ -44,7 +44,7 @@ TEST(NodeHooks, AreAskedBeforeAndAfterAChosenNodeOnly) {
 }
 
 TEST(NodeHooks, AResultBeforeTakesThePlaceOfTheTick) {
-  Stage stage(Main("<Fallback><Leaf name=\"a\"/><Leaf name=\"b\"/></Fallback>"));
+  Stage stage(Main(R"(<Fallback><Leaf name="a"/><Leaf name="b"/></Fallback>)"));
   Hooks hooks;
   hooks.before = kFailure;
   stage.executor->SetHooks(&hooks, {1});
@@ -53,7 +53,7 @@ TEST(NodeHooks, AResultBeforeTakesThePlaceOfTheTick) {
 }
 
 TEST(NodeHooks, AResultBeforeHaltsWhatRan) {
-  Stage stage(Main("<Leaf name=\"a\"/>"), Results({{"a", {kRunning}}}));
+  Stage stage(Main(R"(<Leaf name="a"/>)"), Results({{"a", {kRunning}}}));
   stage.executor->Tick();
   Hooks hooks;
   hooks.before = kSuccess;
@@ -63,7 +63,7 @@ TEST(NodeHooks, AResultBeforeHaltsWhatRan) {
 }
 
 TEST(NodeHooks, AResultAfterTakesThePlaceOfTheNodesOwn) {
-  Stage stage(Main("<Inverter><Leaf name=\"a\"/></Inverter>"), Results({{"a", {kRunning}}}));
+  Stage stage(Main(R"(<Inverter><Leaf name="a"/></Inverter>)"), Results({{"a", {kRunning}}}));
   Hooks hooks;
   hooks.after = kFailure;
   stage.executor->SetHooks(&hooks, {1});
@@ -72,7 +72,7 @@ TEST(NodeHooks, AResultAfterTakesThePlaceOfTheNodesOwn) {
 }
 
 TEST(NodeHooks, AGuardThatDecidesIsBeforeTheHook) {
-  Stage stage(Main("<Leaf name=\"a\" _failureIf=\"true\"/>"));
+  Stage stage(Main(R"(<Leaf name="a" _failureIf="true"/>)"));
   Hooks hooks;
   hooks.before = kSuccess;
   stage.executor->SetHooks(&hooks, {0});
@@ -81,7 +81,7 @@ TEST(NodeHooks, AGuardThatDecidesIsBeforeTheHook) {
 }
 
 TEST(NodeHooks, AHookedNodeKeepsItsGuardsAndHooks) {
-  Stage stage(Main("<Leaf name=\"a\" _onHalted=\"halted:=1\"/>"), Results({{"a", {kRunning}}}));
+  Stage stage(Main(R"(<Leaf name="a" _onHalted="halted:=1"/>)"), Results({{"a", {kRunning}}}));
   Hooks hooks;
   stage.executor->SetHooks(&hooks, {0});
   stage.executor->Tick();
@@ -91,7 +91,7 @@ TEST(NodeHooks, AHookedNodeKeepsItsGuardsAndHooks) {
 }
 
 TEST(NodeHooks, TakenAwayAreNotAsked) {
-  Stage stage(Main("<Leaf name=\"a\"/>"));
+  Stage stage(Main(R"(<Leaf name="a"/>)"));
   Hooks hooks;
   stage.executor->SetHooks(&hooks, {0});
   stage.executor->SetHooks(nullptr);
@@ -101,7 +101,7 @@ TEST(NodeHooks, TakenAwayAreNotAsked) {
 }
 
 TEST(NodeHooks, AnInjectedResultIsReportedBeforeIt) {
-  Stage stage(Main("<Leaf name=\"a\"/>"));
+  Stage stage(Main(R"(<Leaf name="a"/>)"));
   struct Watch : TickSink {
     void OnTick(const TickEvents& events) override {
       EventReader reader(events.words);
@@ -132,7 +132,7 @@ TEST(NodeHooks, WatchersCanSeeHowFarATickCame) {
     }
     std::vector<std::pair<bool, std::size_t>> parts;
   } watch;
-  Stage stage(Main("<Sequence><Leaf name=\"a\"/><Leaf name=\"b\"/></Sequence>"));
+  Stage stage(Main(R"(<Sequence><Leaf name="a"/><Leaf name="b"/></Sequence>)"));
   hooks.executor = stage.executor.get();
   stage.executor->SetHooks(&hooks, {2});
   stage.executor->AddSink(&watch);
@@ -142,7 +142,7 @@ TEST(NodeHooks, WatchersCanSeeHowFarATickCame) {
 }
 
 TEST(NodeHooks, ANodeThatAHookMadeRunningBeginsWhenItIsTicked) {
-  Stage stage(Main("<Sequence><Leaf name=\"a\"/></Sequence>"), Results({{"a", {kRunning}}}));
+  Stage stage(Main(R"(<Sequence><Leaf name="a"/></Sequence>)"), Results({{"a", {kRunning}}}));
   Hooks hooks;
   hooks.before = kRunning;
   stage.executor->SetHooks(&hooks, {1});
@@ -156,7 +156,7 @@ TEST(NodeHooks, ANodeThatAHookMadeRunningBeginsWhenItIsTicked) {
 }
 
 TEST(NodeHooks, ANodeThatAHookMadeRunningIsNotToldOfAHalt) {
-  Stage stage(Main("<Sequence><Inverter><Leaf name=\"a\"/></Inverter></Sequence>"));
+  Stage stage(Main(R"(<Sequence><Inverter><Leaf name="a"/></Inverter></Sequence>)"));
   Hooks hooks;
   hooks.before = kRunning;
   stage.executor->SetHooks(&hooks, {2});
@@ -168,7 +168,7 @@ TEST(NodeHooks, ANodeThatAHookMadeRunningIsNotToldOfAHalt) {
 }
 
 TEST(NodeHooks, ANodeThatAHookMadeRunningBeginsWhenTheHooksAreTakenAway) {
-  Stage stage(Main("<Leaf name=\"a\"/>"), Results({{"a", {kRunning}}}));
+  Stage stage(Main(R"(<Leaf name="a"/>)"), Results({{"a", {kRunning}}}));
   Hooks hooks;
   hooks.before = kRunning;
   stage.executor->SetHooks(&hooks, {0});
@@ -183,8 +183,8 @@ TEST(NodeHooks, AreToldThatTheTreeWasSwapped) {
     void OnReload() override { ++reloads; }
     int reloads = 0;
   } hooks;
-  Stage stage(Main("<Leaf name=\"a\"/>"));
-  const Stage other(Main("<Leaf name=\"b\"/>"));
+  Stage stage(Main(R"(<Leaf name="a"/>)"));
+  const Stage other(Main(R"(<Leaf name="b"/>)"));
   stage.executor->SetHooks(&hooks, {0});
   stage.executor->Reload(other.program);
   EXPECT_EQ(hooks.reloads, 1);

@@ -44,7 +44,7 @@ TEST(Plugin, ItsExceptionsAreThoseOfTheEngine) {
   registry->LoadPlugin(PathOf("good"));
   LeafHarness half(registry, "Half");
   EXPECT_EQ(half.Tick(), Status::kFailure);
-  EXPECT_THAT(half.message(), HasSubstr("\"number\""));
+  EXPECT_THAT(half.message(), HasSubstr(R"("number")"));
 }
 
 TEST(Plugin, OutlivesTheRegistry) {
@@ -93,7 +93,7 @@ TEST(Plugin, AnEngineOfItsOwnIsRefused) {
 TEST(Plugin, IsNotLoadedByHalves) {
   Registry registry;
   EXPECT_THAT(ErrorOf(registry, PathOf("taken_id")),
-              EndsWith("node ID \"Sequence\" is already registered"));
+              EndsWith(R"(node ID "Sequence" is already registered)"));
   EXPECT_EQ(registry.Find("New"), nullptr);
 }
 

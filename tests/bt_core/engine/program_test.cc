@@ -9,10 +9,10 @@ namespace {
 
 class ProgramTest : public testing::Test {
  protected:
-  Stage stage_{Root(
-      "<BehaviorTree ID=\"Main\">\n<Sequence>\n <Tell text=\"x\"/>\n"
-      " <SubTree ID=\"S\" name=\"patrol\"/>\n <SubTree ID=\"S\"/></Sequence></BehaviorTree>\n"
-      "<BehaviorTree ID=\"S\"><Action ID=\"Tell\" name=\"speak\" text=\"y\"/></BehaviorTree>")};
+  Stage stage_{
+      Root("<BehaviorTree ID=\"Main\">\n<Sequence>\n <Tell text=\"x\"/>\n"
+           " <SubTree ID=\"S\" name=\"patrol\"/>\n <SubTree ID=\"S\"/></Sequence></BehaviorTree>\n"
+           R"(<BehaviorTree ID="S"><Action ID="Tell" name="speak" text="y"/></BehaviorTree>)")};
   const Program& program_ = *stage_.program;
 };
 

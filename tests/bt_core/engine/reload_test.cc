@@ -68,8 +68,8 @@ class Reload : public ::testing::Test {
   std::unique_ptr<Executor> executor_;
 };
 
-constexpr char kCallAnn[] = "<Call name=\"ann\" who=\"Ann\" heard=\"{a}\"/>";
-constexpr char kCallBob[] = "<Call name=\"bob\" who=\"Bob\" heard=\"{b}\"/>";
+constexpr char kCallAnn[] = R"(<Call name="ann" who="Ann" heard="{a}"/>)";
+constexpr char kCallBob[] = R"(<Call name="bob" who="Bob" heard="{b}"/>)";
 
 std::string Sequence(const std::string& children) {
   return "<Sequence>" + children + "</Sequence>";
@@ -87,7 +87,7 @@ TEST_F(Reload, WhatIsWrittenTheSameGoesOnUndisturbed) {
 TEST_F(Reload, AnAnswerToAQuestionFromBeforeArrives) {
   Start(Sequence(std::string("<AlwaysSuccess/>") + kCallAnn));
   executor_->Reload(Load(
-      Main(Sequence("<Sequence><AlwaysSuccess/><Drive goal=\"{new}\" total=\"{t}\"/></Sequence>" +
+      Main(Sequence(R"(<Sequence><AlwaysSuccess/><Drive goal="{new}" total="{t}"/></Sequence>)" +
                     std::string(kCallAnn)))));
   phone_.answer.Send(7);
   EXPECT_EQ(executor_->Tick(), kSuccess);
@@ -130,21 +130,21 @@ TEST_F(Reload, AnAnswerToAHaltedNodeIsDropped) {
 }
 
 TEST_F(Reload, KeepsTheBlackboard) {
-  Start(Sequence(std::string("<Drive goal=\"2\" total=\"{total}\"/>") + kCallAnn));
+  Start(Sequence(std::string(R"(<Drive goal="2" total="{total}"/>)") + kCallAnn));
   executor_->Reload(
-      Load(Main(Sequence(std::string(kCallBob) + "<Drive goal=\"3\" total=\"{total}\"/>"
-                                                 "<Drive goal=\"3\" total=\"{other}\"/>"))));
+      Load(Main(Sequence(std::string(kCallBob) + R"(<Drive goal="3" total="{total}"/>)"
+                                                 R"(<Drive goal="3" total="{other}"/>)"))));
   const Program& program = executor_->program();
   EXPECT_EQ(executor_->blackboard()[program.layout.Find(0, "total")].value.Get<int>(), 3);
   EXPECT_FALSE(executor_->blackboard()[program.layout.Find(0, "other")].value.has_value());
 }
 
 TEST_F(Reload, SendersStayValid) {
-  Start("<Drive goal=\"{way}\" total=\"{total}\"/>");
+  Start(R"(<Drive goal="{way}" total="{total}"/>)");
   const Sender<double> way = executor_->Writer<double>("way");
-  executor_->Reload(Load(Main(
-      Sequence("<Drive goal=\"1\" total=\"{x}\"/><Drive goal=\"{way}\" total=\"{total}\"/>"))));
-  executor_->Reload(Load(Main("<Drive goal=\"{way}\" total=\"{total}\"/>")));
+  executor_->Reload(Load(
+      Main(Sequence(R"(<Drive goal="1" total="{x}"/><Drive goal="{way}" total="{total}"/>)"))));
+  executor_->Reload(Load(Main(R"(<Drive goal="{way}" total="{total}"/>)")));
   way.Send(4.5);
   executor_->Tick();
   const SlotIndex slot = executor_->program().layout.Find(0, "way");
@@ -152,7 +152,7 @@ TEST_F(Reload, SendersStayValid) {
 }
 
 TEST_F(Reload, ASenderOfAKeyThatIsGoneDrops) {
-  Start("<Drive goal=\"{way}\" total=\"{total}\"/>");
+  Start(R"(<Drive goal="{way}" total="{total}"/>)");
   const Sender<double> way = executor_->Writer<double>("way");
   executor_->Reload(Load(Main("<AlwaysSuccess/>")));
   way.Send(4.5);
@@ -166,16 +166,16 @@ TEST_F(Reload, ANodeWithMoreChildrenBeginsAnew) {
 }
 
 TEST_F(Reload, ASubTreeIsSwappedAloneWithTheRestRunning) {
-  const std::string main = "<BehaviorTree ID=\"Main\"><Parallel failure_count=\"2\">" +
+  const std::string main = R"(<BehaviorTree ID="Main"><Parallel failure_count="2">)" +
                            std::string(kCallAnn) +
-                           "<SubTree ID=\"Part\" name=\"part\"/></Parallel></BehaviorTree>";
+                           R"(<SubTree ID="Part" name="part"/></Parallel></BehaviorTree>)";
   const auto part = [](const std::string& body) {
-    return "<BehaviorTree ID=\"Part\">" + body + "</BehaviorTree>";
+    return R"(<BehaviorTree ID="Part">)" + body + "</BehaviorTree>";
   };
   executor_ = std::make_unique<Executor>(Load(Root(main + part(kCallBob))), clock_);
   executor_->Tick();
   Events();
-  executor_->Reload(Load(Root(main + part("<Call name=\"eve\" who=\"Eve\" heard=\"{b}\"/>"))));
+  executor_->Reload(Load(Root(main + part(R"(<Call name="eve" who="Eve" heard="{b}"/>)"))));
   EXPECT_EQ(executor_->Tick(), kRunning);
   EXPECT_EQ(Events(), (Names{"hang up Bob", "call Eve"}));
 }
@@ -228,7 +228,7 @@ class Skipping : public ::testing::Test {
 
 TEST_F(Skipping, ALeafThatLivesOnGoesOnWithWhatItHasBegun) {
   const std::string until_failure =
-      "<KeepRunningUntilFailure><Inverter><Leaf name=\"a\"/></Inverter></KeepRunningUntilFailure>";
+      R"(<KeepRunningUntilFailure><Inverter><Leaf name="a"/></Inverter></KeepRunningUntilFailure>)";
   Load(Sequence("<AlwaysSuccess/>" + until_failure));
   SkipA();
   Load(Sequence("<Inverter><AlwaysFailure/></Inverter>" + until_failure));  // other numbers
@@ -238,26 +238,26 @@ TEST_F(Skipping, ALeafThatLivesOnGoesOnWithWhatItHasBegun) {
 }
 
 TEST_F(Skipping, ALeafThatLivesOnIsHaltedWithItsParent) {
-  Load("<ForceSuccess><Inverter><Leaf name=\"a\"/></Inverter></ForceSuccess>");
+  Load(R"(<ForceSuccess><Inverter><Leaf name="a"/></Inverter></ForceSuccess>)");
   SkipA();
-  Load("<ForceSuccess><Inverter><Leaf name=\"a\"/></Inverter></ForceSuccess>");
+  Load(R"(<ForceSuccess><Inverter><Leaf name="a"/></Inverter></ForceSuccess>)");
   executor_->Halt();
   EXPECT_EQ(Events(), (Names{"halt a"}));
 }
 
 TEST_F(Skipping, ALeafThatEndsIsHalted) {
-  Load("<Inverter><Leaf name=\"a\"/></Inverter>");
+  Load(R"(<Inverter><Leaf name="a"/></Inverter>)");
   SkipA();
-  Load("<Inverter><Leaf name=\"b\"/></Inverter>");
+  Load(R"(<Inverter><Leaf name="b"/></Inverter>)");
   EXPECT_EQ(Events(), (Names{"halt a"}));
   executor_->Tick();
   EXPECT_EQ(Events(), (Names{"start b"}));
 }
 
 TEST_F(Skipping, ALeafEndsWithItsParent) {
-  Load("<Inverter><Leaf name=\"a\"/></Inverter>");
+  Load(R"(<Inverter><Leaf name="a"/></Inverter>)");
   SkipA();
-  Load("<ForceFailure><Leaf name=\"a\"/></ForceFailure>");
+  Load(R"(<ForceFailure><Leaf name="a"/></ForceFailure>)");
   EXPECT_EQ(Events(), (Names{"halt a"}));
   executor_->Tick();
   EXPECT_EQ(Events(), (Names{"start a"}));
@@ -265,7 +265,7 @@ TEST_F(Skipping, ALeafEndsWithItsParent) {
 
 TEST_F(Skipping, ALoopThatLivesOnKeepsItsRounds) {
   script_.results["a"] = {kSuccess, kSkipped, kSuccess};
-  const std::string loop = "<Repeat num_cycles=\"2\"><Leaf name=\"a\"/></Repeat>";
+  const std::string loop = R"(<Repeat num_cycles="2"><Leaf name="a"/></Repeat>)";
   Load(loop);
   EXPECT_EQ(executor_->Tick(), kRunning);
   EXPECT_EQ(executor_->Tick(), kSkipped);
@@ -275,10 +275,10 @@ TEST_F(Skipping, ALoopThatLivesOnKeepsItsRounds) {
 
 TEST_F(Skipping, ALoopThatIsWrittenOtherwiseBeginsAnew) {
   script_.results["a"] = {kSuccess, kSkipped, kSuccess};
-  Load("<Repeat num_cycles=\"2\"><Leaf name=\"a\"/></Repeat>");
+  Load(R"(<Repeat num_cycles="2"><Leaf name="a"/></Repeat>)");
   EXPECT_EQ(executor_->Tick(), kRunning);
   EXPECT_EQ(executor_->Tick(), kSkipped);
-  Load("<Repeat num_cycles=\"2\" name=\"again\"><Leaf name=\"a\"/></Repeat>");
+  Load(R"(<Repeat num_cycles="2" name="again"><Leaf name="a"/></Repeat>)");
   EXPECT_EQ(executor_->Tick(), kRunning);
 }
 

@@ -62,7 +62,7 @@ LeafScript Results(std::map<std::string, std::vector<Status>> results) {
 }
 
 TEST(Reporting, NamesEveryNodeThatWasTickedInTheOrderOfTheResults) {
-  Reported tree("<Sequence name=\"s\"><Leaf name=\"a\"/><Leaf name=\"b\"/></Sequence>",
+  Reported tree(R"(<Sequence name="s"><Leaf name="a"/><Leaf name="b"/></Sequence>)",
                 Results({{"b", {Status::kRunning}}}));
   const Lines expected{"a SUCCESS", "b RUNNING", "s RUNNING"};
   EXPECT_EQ(tree.Tick(), expected);
@@ -70,26 +70,25 @@ TEST(Reporting, NamesEveryNodeThatWasTickedInTheOrderOfTheResults) {
 }
 
 TEST(Reporting, AWriteComesBeforeTheResultOfItsWriter) {
-  Reported tree(
-      "<Sequence name=\"s\"><Tell name=\"t\" text=\"hello\" to=\"{k}\"/>"
-      "<Script name=\"c\" code=\"n:=1\"/></Sequence>");
+  Reported tree(R"(<Sequence name="s"><Tell name="t" text="hello" to="{k}"/>)"
+                R"(<Script name="c" code="n:=1"/></Sequence>)");
   EXPECT_EQ(tree.Tick(),
             (Lines{"t writes k=hello", "t SUCCESS", "c writes n=1", "c SUCCESS", "s SUCCESS"}));
 }
 
 TEST(Reporting, WhatAHookWritesIsWrittenByItsNode) {
-  Reported tree("<Leaf name=\"a\" _onSuccess=\"done:=true\"/>");
+  Reported tree(R"(<Leaf name="a" _onSuccess="done:=true"/>)");
   EXPECT_EQ(tree.Tick(), (Lines{"a SUCCESS", "a writes done=true"}));
 }
 
 TEST(Reporting, ADeliveryComesBeforeTheTick) {
-  Reported tree("<Tell name=\"t\" text=\"{in}\" to=\"{out}\"/>");
+  Reported tree(R"(<Tell name="t" text="{in}" to="{out}"/>)");
   tree.executor->Writer<std::string>("in").Send("news");
   EXPECT_EQ(tree.Tick(), (Lines{"inbox writes in=news", "t writes out=news", "t SUCCESS"}));
 }
 
 TEST(Reporting, AHaltResetsWhatRanFromTheTopDown) {
-  Reported tree("<Sequence name=\"s\"><Leaf name=\"a\"/></Sequence>",
+  Reported tree(R"(<Sequence name="s"><Leaf name="a"/></Sequence>)",
                 Results({{"a", {Status::kRunning}}}));
   tree.Tick();
   tree.executor->Halt();
@@ -97,7 +96,7 @@ TEST(Reporting, AHaltResetsWhatRanFromTheTopDown) {
 }
 
 TEST(Reporting, NothingIsLeftOverForASinkThatComesLater) {
-  Stage stage(Main("<Leaf name=\"a\"/>"));
+  Stage stage(Main(R"(<Leaf name="a"/>)"));
   Scribe first(*stage.program);
   Scribe second(*stage.program);
   stage.executor->AddSink(&first);

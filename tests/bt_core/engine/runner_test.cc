@@ -23,25 +23,25 @@ LeafScript Running(const std::string& leaf) {
 }
 
 TEST(Runner, RunsUntilTheRootCompletes) {
-  Stage stage(Main("<Delay delay_msec=\"250\"><AlwaysFailure/></Delay>"));
+  Stage stage(Main(R"(<Delay delay_msec="250"><AlwaysFailure/></Delay>)"));
   EXPECT_EQ(coppice::Run(*stage.executor), Status::kFailure);
   EXPECT_EQ(stage.clock.Now(), seconds(1) + milliseconds(250));
 }
 
 TEST(Runner, SleepsUntilTheNextTimerOnly) {
-  Stage stage(Main("<Delay delay_msec=\"250\"><AlwaysSuccess/></Delay>"));
+  Stage stage(Main(R"(<Delay delay_msec="250"><AlwaysSuccess/></Delay>)"));
   coppice::Run(*stage.executor, {Pace::kEvents, kNever});
   EXPECT_EQ(stage.executor->ticks(), 2U);
 }
 
 TEST(Runner, TicksAtLeastOncePerPeriod) {
-  Stage stage(Main("<Delay delay_msec=\"250\"><AlwaysSuccess/></Delay>"));
+  Stage stage(Main(R"(<Delay delay_msec="250"><AlwaysSuccess/></Delay>)"));
   coppice::Run(*stage.executor, {Pace::kEvents, milliseconds(100)});
   EXPECT_EQ(stage.executor->ticks(), 4U) << "at 0, 100, 200 and 250 ms";
 }
 
 TEST(Runner, ForEverStartsAgain) {
-  Stage stage(Main("<Leaf name=\"a\"/>"));
+  Stage stage(Main(R"(<Leaf name="a"/>)"));
   Runner runner(*stage.executor, {Pace::kEvents, milliseconds(10), true});
   int ticks = 0;
   stage.script.on_tick["a"] = [&] {
@@ -68,7 +68,7 @@ class RunnerThread : public testing::Test {
     if (thread_.joinable()) thread_.join();
   }
 
-  Stage stage_{Main("<ReactiveFallback><Drive goal=\"{g}\" total=\"{t}\"/><Leaf name=\"a\"/>"
+  Stage stage_{Main(R"(<ReactiveFallback><Drive goal="{g}" total="{t}"/><Leaf name="a"/>)"
                     "</ReactiveFallback>"),
                Running("a")};
   std::unique_ptr<Runner> runner_;
@@ -198,7 +198,7 @@ TEST_F(SlowLeaf, IsGivenUpAfterItsLimit) {
 }
 
 TEST(Runner, StopHaltsTheTree) {
-  Stage stage(Main("<Leaf name=\"a\"/>"), Running("a"));
+  Stage stage(Main(R"(<Leaf name="a"/>)"), Running("a"));
   Runner runner(*stage.executor);
   int ticks = 0;
   stage.script.on_tick["a"] = [&] {
@@ -210,7 +210,7 @@ TEST(Runner, StopHaltsTheTree) {
 }
 
 TEST(Runner, StoppedBeforeItRunsItDoesNotTick) {
-  Stage stage(Main("<Leaf name=\"a\"/>"));
+  Stage stage(Main(R"(<Leaf name="a"/>)"));
   Runner runner(*stage.executor);
   runner.Stop();
   EXPECT_EQ(runner.Run(), Status::kIdle);
@@ -218,7 +218,7 @@ TEST(Runner, StoppedBeforeItRunsItDoesNotTick) {
 }
 
 TEST(Runner, TheScheduleOfAFixedRateIsAnchoredAtTheFirstTick) {
-  Stage stage(Main("<Leaf name=\"a\"/>"), Running("a"));
+  Stage stage(Main(R"(<Leaf name="a"/>)"), Running("a"));
   Runner runner(*stage.executor, {Pace::kFixedRate, milliseconds(100)});
   std::vector<Time> starts;
   stage.script.on_tick["a"] = [&] {
@@ -233,7 +233,7 @@ TEST(Runner, TheScheduleOfAFixedRateIsAnchoredAtTheFirstTick) {
 }
 
 TEST(Runner, AFixedRateLeavesOutThePeriodsThatATickMisses) {
-  Stage stage(Main("<Leaf name=\"a\"/>"), Running("a"));
+  Stage stage(Main(R"(<Leaf name="a"/>)"), Running("a"));
   Runner runner(*stage.executor, {Pace::kFixedRate, milliseconds(100)});
   std::vector<Time> starts;
   stage.script.on_tick["a"] = [&] {
@@ -248,14 +248,14 @@ TEST(Runner, AFixedRateLeavesOutThePeriodsThatATickMisses) {
 }
 
 TEST(Runner, AFixedRateDoesNotListenToTimers) {
-  Stage stage(Main("<Delay delay_msec=\"250\"><AlwaysSuccess/></Delay>"));
+  Stage stage(Main(R"(<Delay delay_msec="250"><AlwaysSuccess/></Delay>)"));
   coppice::Run(*stage.executor, {Pace::kFixedRate, milliseconds(100)});
   EXPECT_EQ(stage.clock.Now(), seconds(1) + milliseconds(300));
   EXPECT_EQ(stage.executor->ticks(), 4U);
 }
 
 TEST(Runner, AFixedRateNeedsAPeriod) {
-  Stage stage(Main("<Leaf name=\"a\"/>"));
+  Stage stage(Main(R"(<Leaf name="a"/>)"));
   for (const Duration period : {Duration(0), Duration(-1), Duration(kNever)}) {
     EXPECT_THROW(Runner(*stage.executor, {Pace::kFixedRate, period}), std::invalid_argument);
   }

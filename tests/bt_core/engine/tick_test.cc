@@ -20,13 +20,13 @@ LeafScript Results(std::map<std::string, std::vector<Status>> results) {
 
 TEST(Tick, ChildrenOfAnEndedNodeAreIdle) {
   Stage stage(
-      Main("<Sequence><Leaf name=\"a\"/><Fallback><Leaf name=\"b\"/></Fallback></Sequence>"));
+      Main(R"(<Sequence><Leaf name="a"/><Fallback><Leaf name="b"/></Fallback></Sequence>)"));
   EXPECT_EQ(stage.executor->Tick(), kSuccess);
   EXPECT_EQ(stage.executor->statuses(), (Statuses{kSuccess, kIdle, kIdle, kIdle}));
 }
 
 TEST(Tick, ChildrenBehindTheRunningOneAreIdleAlsoInALaterActivation) {
-  Stage stage(Main("<Sequence><Leaf name=\"a\"/><Leaf name=\"b\"/></Sequence>"),
+  Stage stage(Main(R"(<Sequence><Leaf name="a"/><Leaf name="b"/></Sequence>)"),
               Results({{"a", {kSuccess, kRunning}}, {"b", {kSuccess}}}));
   EXPECT_EQ(stage.executor->Tick(), kSuccess);
   EXPECT_EQ(stage.executor->Tick(), kRunning);
@@ -34,7 +34,7 @@ TEST(Tick, ChildrenBehindTheRunningOneAreIdleAlsoInALaterActivation) {
 }
 
 TEST(Tick, ASinkThatComesLateSeesTheRightStatuses) {
-  Stage stage(Main("<Sequence><Leaf name=\"a\"/><Leaf name=\"b\"/></Sequence>"),
+  Stage stage(Main(R"(<Sequence><Leaf name="a"/><Leaf name="b"/></Sequence>)"),
               Results({{"a", {kSuccess, kRunning, kSuccess}}, {"b", {kSuccess, kRunning}}}));
   stage.executor->Tick();
   stage.executor->Tick();

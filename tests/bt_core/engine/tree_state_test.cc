@@ -39,7 +39,7 @@ LeafScript Results(std::map<std::string, std::vector<Status>> results) {
 }
 
 TEST(TreeState, BringsBackStatusesAndMemory) {
-  Stage stage(Main("<Repeat num_cycles=\"3\"><Sequence><AlwaysSuccess/><Leaf name=\"a\"/>"
+  Stage stage(Main(R"(<Repeat num_cycles="3"><Sequence><AlwaysSuccess/><Leaf name="a"/>)"
                    "</Sequence></Repeat>"),
               Results({{"a", {kRunning, kSuccess, kRunning, kRunning}}}));
   stage.executor->Tick();
@@ -51,7 +51,7 @@ TEST(TreeState, BringsBackStatusesAndMemory) {
 }
 
 TEST(TreeState, BringsBackTheBlackboard) {
-  Stage stage(Main("<Drive goal=\"2\" total=\"{total}\" distance=\"{way}\"/>"));
+  Stage stage(Main(R"(<Drive goal="2" total="{total}" distance="{way}"/>)"));
   stage.executor->Tick();
   const TreeState state = stage.executor->Save();
   stage.executor->Tick();
@@ -62,7 +62,7 @@ TEST(TreeState, BringsBackTheBlackboard) {
 }
 
 TEST(TreeState, HaltsWhatDidNotRunThen) {
-  Stage stage(Main("<Leaf name=\"a\"/>"), Results({{"a", {kRunning}}}));
+  Stage stage(Main(R"(<Leaf name="a"/>)"), Results({{"a", {kRunning}}}));
   const TreeState state = stage.executor->Save();
   stage.executor->Tick();
   stage.TakeEvents();
@@ -71,7 +71,7 @@ TEST(TreeState, HaltsWhatDidNotRunThen) {
 }
 
 TEST(TreeState, StartsWhatRanThenInTheNextTick) {
-  Stage stage(Main("<Sequence><Leaf name=\"a\"/><Leaf name=\"b\"/></Sequence>"),
+  Stage stage(Main(R"(<Sequence><Leaf name="a"/><Leaf name="b"/></Sequence>)"),
               Results({{"a", {kSuccess}}, {"b", {kRunning, kSuccess, kRunning}}}));
   stage.executor->Tick();
   const TreeState state = stage.executor->Save();
@@ -85,7 +85,7 @@ TEST(TreeState, StartsWhatRanThenInTheNextTick) {
 
 // A leaf that is RUNNING and then SKIPPED keeps what it has begun (docs/semantics.md).
 TEST(TreeState, WhatASkippedLeafHasBegunGoesOn) {
-  Stage stage(Main("<Leaf name=\"a\"/>"), Results({{"a", {kRunning, kSkipped, kRunning}}}));
+  Stage stage(Main(R"(<Leaf name="a"/>)"), Results({{"a", {kRunning, kSkipped, kRunning}}}));
   stage.executor->Tick();
   stage.executor->Tick();
   const TreeState skipped = stage.executor->Save();
@@ -97,7 +97,7 @@ TEST(TreeState, WhatASkippedLeafHasBegunGoesOn) {
 }
 
 TEST(TreeState, ALeafThatRunsGoesOnAsTheSkippedOneItWas) {
-  Stage stage(Main("<Leaf name=\"a\"/>"), Results({{"a", {kRunning, kSkipped, kRunning}}}));
+  Stage stage(Main(R"(<Leaf name="a"/>)"), Results({{"a", {kRunning, kSkipped, kRunning}}}));
   stage.executor->Tick();
   stage.executor->Tick();
   const TreeState skipped = stage.executor->Save();
@@ -113,7 +113,7 @@ TEST(TreeState, ALeafThatRunsGoesOnAsTheSkippedOneItWas) {
 }
 
 TEST(TreeState, ASkippedLeafGoesOnAsTheRunningOneItWas) {
-  Stage stage(Main("<Leaf name=\"a\"/>"), Results({{"a", {kRunning, kSkipped, kSuccess}}}));
+  Stage stage(Main(R"(<Leaf name="a"/>)"), Results({{"a", {kRunning, kSkipped, kSuccess}}}));
   stage.executor->Tick();
   const TreeState running = stage.executor->Save();
   stage.executor->Tick();
@@ -126,7 +126,7 @@ TEST(TreeState, ASkippedLeafGoesOnAsTheRunningOneItWas) {
 }
 
 TEST(TreeState, HaltsASkippedLeafThatHadNotBegunThen) {
-  Stage stage(Main("<Leaf name=\"a\"/>"), Results({{"a", {kRunning, kSkipped, kRunning}}}));
+  Stage stage(Main(R"(<Leaf name="a"/>)"), Results({{"a", {kRunning, kSkipped, kRunning}}}));
   const TreeState fresh = stage.executor->Save();
   stage.executor->Tick();
   stage.executor->Tick();
@@ -138,7 +138,7 @@ TEST(TreeState, HaltsASkippedLeafThatHadNotBegunThen) {
 }
 
 TEST(TreeState, WhatIsGoneOfASkippedLeafStartsAgain) {
-  Stage stage(Main("<Leaf name=\"a\"/>"), Results({{"a", {kRunning, kSkipped, kRunning}}}));
+  Stage stage(Main(R"(<Leaf name="a"/>)"), Results({{"a", {kRunning, kSkipped, kRunning}}}));
   stage.executor->Tick();
   stage.executor->Tick();
   const TreeState skipped = stage.executor->Save();
@@ -154,7 +154,7 @@ TEST(TreeState, WhatIsGoneOfASkippedLeafStartsAgain) {
 }
 
 TEST(TreeState, BringsBackTheRoundsOfASkippedLoop) {
-  Stage stage(Main("<Repeat num_cycles=\"2\"><Leaf name=\"a\"/></Repeat>"),
+  Stage stage(Main(R"(<Repeat num_cycles="2"><Leaf name="a"/></Repeat>)"),
               Results({{"a", {kSuccess, kSkipped, kSuccess}}}));
   EXPECT_EQ(stage.executor->Tick(), kRunning);
   EXPECT_EQ(stage.executor->Tick(), kSkipped);
@@ -187,7 +187,7 @@ TEST(TreeState, ALeafThatWaitsUntilItHasStoppedHasBegunNothing) {
 }
 
 TEST(TreeState, AsksForATickIfTheTreeRan) {
-  Stage stage(Main("<Sleep msec=\"50\"/>"));
+  Stage stage(Main(R"(<Sleep msec="50"/>)"));
   stage.executor->Tick();
   const TreeState state = stage.executor->Save();
   stage.clock.Advance(std::chrono::milliseconds(50));
@@ -203,7 +203,7 @@ TEST(TreeState, SinksAreToldOfARestore) {
     void OnJump(const Executor& executor) override { statuses = executor.statuses(); }
     std::vector<Status> statuses;
   } watch;
-  Stage stage(Main("<Leaf name=\"a\"/>"), Results({{"a", {kSuccess}}}));
+  Stage stage(Main(R"(<Leaf name="a"/>)"), Results({{"a", {kSuccess}}}));
   const TreeState state = stage.executor->Save();
   stage.executor->Tick();
   stage.executor->AddSink(&watch);
@@ -213,8 +213,8 @@ TEST(TreeState, SinksAreToldOfARestore) {
 }
 
 TEST(TreeState, OfAnotherTreeIsRefused) {
-  Stage stage(Main("<Leaf name=\"a\"/>"));
-  Stage other(Main("<Inverter><Leaf name=\"a\"/></Inverter>"));
+  Stage stage(Main(R"(<Leaf name="a"/>)"));
+  Stage other(Main(R"(<Inverter><Leaf name="a"/></Inverter>)"));
   EXPECT_THROW(stage.executor->Restore(other.executor->Save()), std::invalid_argument);
 }
 

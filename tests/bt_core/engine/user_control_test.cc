@@ -152,7 +152,7 @@ TEST(UserControl, AnInputWithoutValueIsNamed) {
   harness.SetChild(0, {Status::kRunning});
   harness.Tick();
   EXPECT_EQ(harness.Tick(), Status::kFailure);
-  EXPECT_NE(harness.message().find("\"number\""), std::string::npos) << harness.message();
+  EXPECT_NE(harness.message().find(R"("number")"), std::string::npos) << harness.message();
 }
 
 TEST(UserControl, WritesItsPorts) {

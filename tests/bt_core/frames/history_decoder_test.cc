@@ -108,5 +108,39 @@ TEST_F(HistoryDecoderTest, NeverCrashesOnFramesOfNonsense) {
   EXPECT_GT(taken, 10000);
 }
 
+TEST(HistoryDecoder, RefusesAFrameOfMoreTicksThanAreWritten) {
+  LeafScript script;
+  SimulatedClock clock;
+  Executor executor(ScriptedProgram(script), clock);
+  EventStream stream(executor);
+  KeptFrames frames;
+  HistoryOptions options;
+  options.frame_bytes = kMaxRawSize;
+  options.keyframe_bytes = kMaxRawSize;
+  HistoryEncoder encoder(options, frames);
+  EncodingListener listener(encoder);
+  stream.Add(listener);
+  stream.Flush();
+  stream.Remove(listener);
+  TickEvents tick;
+  tick.is_whole = true;
+  tick.result = Status::kRunning;
+  for (std::size_t i = 0; i <= kMaxTicksInFrame; ++i) {
+    ++tick.tick;
+    encoder.Add(tick);
+  }
+  encoder.Flush();
+  HistoryDecoder decoder;
+  KeptHistory history;
+  std::string problem;
+  std::size_t packed = 0;
+  for (const Bytes& frame : frames.frames) {
+    problem += decoder.Decode(frame.data(), frame.size(), history);
+    packed += frame.size();
+  }
+  EXPECT_EQ(problem, "more ticks than a frame can have");
+  EXPECT_LT(packed, 10000u);
+}
+
 }  // namespace
 }  // namespace coppice

@@ -21,7 +21,7 @@ TEST(TreeDescription, SaysWhatTheProgramIs) {
   ASSERT_THAT(tree.documents, SizeIs(1));
   EXPECT_EQ(tree.documents[0].file, "recorded.xml");
   EXPECT_EQ(tree.documents[0].text, program->project->documents()[0].text());
-  EXPECT_THAT(tree.models, HasSubstr("<Action ID=\"Scripted\">"));
+  EXPECT_THAT(tree.models, HasSubstr(R"(<Action ID="Scripted">)"));
   ASSERT_THAT(tree.nodes, SizeIs(5));
   EXPECT_EQ(tree.nodes[0].id, "Sequence");
   EXPECT_EQ(tree.nodes[0].category, NodeCategory::kControl);

@@ -9,7 +9,7 @@
 #include "bt_core/record/record_reader.h"
 #include "bt_core/record/recorder.h"
 #include "tests/bt_core/live/watched_tree.h"
-#include "tests/bt_core/record/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace coppice {
 namespace {

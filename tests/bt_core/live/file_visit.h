@@ -2,16 +2,13 @@
 #ifndef COPPICE_TESTS_BT_CORE_LIVE_FILE_VISIT_H_
 #define COPPICE_TESTS_BT_CORE_LIVE_FILE_VISIT_H_
 
-#include <stdlib.h>
-
 #include <cstdint>
-#include <filesystem>
-#include <fstream>
 #include <memory>
 #include <string>
 #include <utility>
 
 #include "bt_core/live/web/web_visit.h"
+#include "tests/support/temporary_folder.h"
 
 namespace coppice {
 
@@ -33,27 +30,19 @@ class FilePort {
               }) {
     Write("index.html", "<p>hello</p>");
   }
-  ~FilePort() {
-    port_.Stop();
-    std::filesystem::remove_all(folder_);
-  }
+  ~FilePort() { port_.Stop(); }
   FilePort(const FilePort&) = delete;
   FilePort& operator=(const FilePort&) = delete;
 
   void Write(const std::string& name, const std::string& text) const {
-    std::ofstream(folder_ + "/" + name) << text;
+    WriteFile(folder_.Path(name), text);
   }
   std::uint16_t port() const { return port_.port(); }
   void Stop() { port_.Stop(); }
 
  private:
-  static std::string MakeFolder() {
-    std::string name = std::filesystem::temp_directory_path() / "file_port.XXXXXX";
-    return mkdtemp(name.data());
-  }
-
-  const std::string folder_ = MakeFolder();
-  const WebFiles files_{folder_};
+  const TemporaryFolder folder_;
+  const WebFiles files_{folder_.path()};
   const WebManners manners_{1 << 10, 16, {{"X-Test", "yes"}}, "no such thing\n"};
   WebPort port_;
 };

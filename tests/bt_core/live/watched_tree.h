@@ -36,7 +36,7 @@ class Fill : public SyncAction {
   Output<unsigned long> large{this, "large", "more than 32 bits"};
   Output<double> ratio{this, "ratio", "a half [1]"};
   Output<double> third{this, "third", "no short binary number"};
-  Output<std::string> text{this, "text", "a \"quoted\" text"};
+  Output<std::string> text{this, "text", R"(a "quoted" text)"};
   Output<Spot> spot{this, "spot", "a place [m]"};
   Status Run() override {
     flag.Set(true);

@@ -59,10 +59,16 @@ class WebCaller {
         message);
   }
 
-  /// The payload of the next frame, which must be shorter than 126 bytes.
+  /// The payload of the next frame; empty if the connection is closed instead.
   std::string Read() {
     const std::string head = Take(2);
-    return head.empty() ? "" : Take(static_cast<unsigned char>(head[1]));
+    if (head.size() < 2) return "";
+    std::size_t size = static_cast<unsigned char>(head[1]);
+    if (size < 126) return Take(size);
+    const std::string bytes = Take(size == 126 ? 2 : 8);
+    size = 0;
+    for (const unsigned char byte : bytes) size = size << 8 | byte;
+    return Take(size);
   }
 
   /// Says nothing more; what comes until the other end says nothing more either.

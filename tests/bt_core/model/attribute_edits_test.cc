@@ -27,15 +27,15 @@ TEST(SetAttribute, TheSameValueIsNoEdit) {
 }
 
 TEST(SetAttribute, EscapesForTheQuoteInUse) {
-  EXPECT_EQ(Set("<a x='1'/>", "x", "\"a\" < 'b' && c"),
-            "<a x='\"a\" &lt; &apos;b&apos; &amp;&amp; c'/>");
-  EXPECT_EQ(Set("<a x=\"1\"/>", "x", "\"a\" 'b'"), "<a x=\"&quot;a&quot; 'b'\"/>");
+  EXPECT_EQ(Set("<a x='1'/>", "x", R"("a" < 'b' && c)"),
+            R"(<a x='"a" &lt; &apos;b&apos; &amp;&amp; c'/>)");
+  EXPECT_EQ(Set(R"(<a x="1"/>)", "x", R"("a" 'b')"), R"(<a x="&quot;a&quot; 'b'"/>)");
 }
 
 TEST(SetAttribute, ANewAttributeComesLastInTheStyleOfTheOthers) {
-  EXPECT_EQ(Set("<a/>", "x", "1"), "<a x=\"1\"/>");
-  EXPECT_EQ(Set("<a />", "x", "1"), "<a x=\"1\" />");
-  EXPECT_EQ(Set("<a></a>", "x", "1"), "<a x=\"1\"></a>");
+  EXPECT_EQ(Set("<a/>", "x", "1"), R"(<a x="1"/>)");
+  EXPECT_EQ(Set("<a />", "x", "1"), R"(<a x="1" />)");
+  EXPECT_EQ(Set("<a></a>", "x", "1"), R"(<a x="1"></a>)");
   EXPECT_EQ(Set("<a y='2'/>", "x", "it's"), "<a y='2' x='it&apos;s'/>");
 }
 

@@ -240,11 +240,11 @@ TEST(Document, MalformedXmlIsReportedWithItsPlace) {
   EXPECT_EQ(FirstError("<a>\n  <b>\n</a>"),
             "t.xml:3:1: error: <b> of line 2 is not closed before </a> (</b> is missing)");
   EXPECT_EQ(FirstError("<a>\n <b x=1/></a>"),
-            "t.xml:2:7: error: the value of \"x\" must stand in quotes (write x=\"1\")");
+            R"(t.xml:2:7: error: the value of "x" must stand in quotes (write x="1"))");
 }
 
 TEST(Document, WithoutElementThereIsNoDocument) {
-  const std::string expected = "t.xml:1:1: error: no element (expected <root BTCPP_format=\"4\">)";
+  const std::string expected = R"(t.xml:1:1: error: no element (expected <root BTCPP_format="4">))";
   for (const char* text : {"", " \n", "<!-- only -->", "<?xml version='1.0'?>"}) {
     EXPECT_EQ(FirstError(text), expected) << text;
   }

@@ -55,7 +55,7 @@ TEST_F(IncludePathTest, APackageThatHasNoEffectIsAWarning) {
 TEST_F(IncludePathTest, AMissingFileComesWithTheNearestName) {
   EXPECT_EQ(Resolve("<include path='parts/doking.xml'/>"), "");
   EXPECT_NE(Problem().find("main.xml:1:16: error: included file "), std::string::npos) << Problem();
-  EXPECT_NE(Problem().find("(did you mean \"docking.xml\"?)"), std::string::npos) << Problem();
+  EXPECT_NE(Problem().find(R"((did you mean "docking.xml"?))"), std::string::npos) << Problem();
 }
 
 TEST_F(IncludePathTest, AMissingFolderIsNamed) {
@@ -71,7 +71,7 @@ TEST_F(IncludePathTest, AFolderIsNoFile) {
 
 TEST_F(IncludePathTest, AnUnknownPackageIsReportedAtItsName) {
   EXPECT_EQ(Resolve("<include ros_pkg='other' path='parts/docking.xml'/>"), "");
-  EXPECT_NE(Problem().find(":1:19: error: ROS package \"other\" was not found"), std::string::npos)
+  EXPECT_NE(Problem().find(R"(:1:19: error: ROS package "other" was not found)"), std::string::npos)
       << Problem();
 }
 

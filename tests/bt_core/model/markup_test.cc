@@ -25,7 +25,7 @@ TEST(Markup, CutsATextIntoItsPieces) {
   const Pieces expected = {{MarkupKind::kInstruction, "<?xml v='>'?>"},
                            {MarkupKind::kText, "\n"},
                            {MarkupKind::kComment, "<!-- <a> -->"},
-                           {MarkupKind::kTag, "<a x='>' y=\"'>\">"},
+                           {MarkupKind::kTag, R"(<a x='>' y="'>">)"},
                            {MarkupKind::kText, "b > c"},
                            {MarkupKind::kCharacterData, "<![CDATA[<x>]]>"},
                            {MarkupKind::kDocumentType, "<!DOCTYPE a>"},

@@ -187,9 +187,18 @@ TEST(Project, ReportsAllProblemsAtOnce) {
                           Tree("A") + "\n  " + Tree("A"))),
             "t.xml:2:1: error: unexpected <BehaviourTree> below <root> "
             "(did you mean \"BehaviorTree\"?)\n"
-            "t.xml:3:1: error: <BehaviorTree> without ID\n"
+            "t.xml:3:1: error: <BehaviorTree> without ID (only a file's sole tree needs none)\n"
             "t.xml:4:1: error: tree \"E\" has 0 root nodes, expected exactly 1\n"
             "t.xml:6:3: error: tree \"A\" is defined twice (first defined at t.xml:5)\n");
+}
+
+TEST(Project, TheSoleTreeNeedsNoId) {
+  Diagnostics diagnostics;
+  const auto project =
+      Project::FromText(Root("<BehaviorTree><AlwaysSuccess/></BehaviorTree>\n<TreeNodesModel/>"),
+                        "t.xml", diagnostics);
+  EXPECT_EQ(diagnostics.ToString(), "");
+  EXPECT_EQ(project->main_tree(), "BehaviorTree_0");
 }
 
 TEST(Project, ModelsAreNoTrees) {

@@ -38,8 +38,8 @@ TEST(Strictness, StrictXmlIsLeftAlone) {
 }
 
 TEST(Strictness, MendsAmpersandsAndLessThanInValues) {
-  EXPECT_EQ(Strict("<a x='a &lt; 3 && b' y=\"<;0.5\">b & c</a>"),
-            "<a x='a &lt; 3 &amp;&amp; b' y=\"&lt;;0.5\">b &amp; c</a>");
+  EXPECT_EQ(Strict(R"(<a x='a &lt; 3 && b' y="<;0.5">b & c</a>)"),
+            R"(<a x='a &lt; 3 &amp;&amp; b' y="&lt;;0.5">b &amp; c</a>)");
 }
 
 TEST(Strictness, MendsDashesInComments) {

@@ -20,20 +20,20 @@ std::string Upgrade(const std::string& kind, const std::string& attributes) {
 
 TEST(UpgradeBlackboardCheck, BecomesAConditionThatIsTestedOnEveryTick) {
   EXPECT_EQ(Upgrade("Int", "value_A='{x}' value_B='3' return_on_mismatch='FAILURE'"),
-            "<ReactiveSequence><ScriptCondition code=\"x == 3\"/><A/></ReactiveSequence>");
+            R"(<ReactiveSequence><ScriptCondition code="x == 3"/><A/></ReactiveSequence>)");
   EXPECT_EQ(Upgrade("Double", "name='n' value_A='{x}' value_B='{y}'"),
-            "<ReactiveSequence name='n'><ScriptCondition code=\"x == y\"/><A/>"
+            R"(<ReactiveSequence name='n'><ScriptCondition code="x == y"/><A/>)"
             "</ReactiveSequence>");
 }
 
 TEST(UpgradeBlackboardCheck, SuccessOnMismatchIsAFallbackOfTheOpposite) {
   EXPECT_EQ(Upgrade("Bool", "value_A='{x}' value_B='1' return_on_mismatch='success'"),
-            "<ReactiveFallback><ScriptCondition code=\"x != true\"/><A/></ReactiveFallback>");
+            R"(<ReactiveFallback><ScriptCondition code="x != true"/><A/></ReactiveFallback>)");
 }
 
 TEST(UpgradeBlackboardCheck, TextIsQuotedForTheScript) {
-  EXPECT_EQ(Upgrade("String", "value_A='{x}' value_B='a &lt; \"b\"'"),
-            "<ReactiveSequence><ScriptCondition code=\"x == 'a &lt; &quot;b&quot;'\"/><A/>"
+  EXPECT_EQ(Upgrade("String", R"(value_A='{x}' value_B='a &lt; "b"')"),
+            R"(<ReactiveSequence><ScriptCondition code="x == 'a &lt; &quot;b&quot;'"/><A/>)"
             "</ReactiveSequence>");
 }
 

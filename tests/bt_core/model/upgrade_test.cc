@@ -24,10 +24,10 @@ Upgraded Upgrade(const std::string& text) {
 }
 
 std::string Root3(const std::string& tree) {
-  return "<root BTCPP_format=\"3\"><BehaviorTree ID=\"M\">" + tree + "</BehaviorTree></root>";
+  return R"(<root BTCPP_format="3"><BehaviorTree ID="M">)" + tree + "</BehaviorTree></root>";
 }
 std::string Root4(const std::string& tree) {
-  return "<root BTCPP_format=\"4\"><BehaviorTree ID=\"M\">" + tree + "</BehaviorTree></root>";
+  return R"(<root BTCPP_format="4"><BehaviorTree ID="M">)" + tree + "</BehaviorTree></root>";
 }
 
 // One node of format 3, without problems.
@@ -84,7 +84,7 @@ TEST(Upgrade, WhatCannotBeAKeyIsLeftWithAWarning) {
   const Upgraded upgraded = Upgrade(Root3("<SubTree ID='T' a='0.5'/>"));
   EXPECT_EQ(upgraded.text, Root4("<SubTree ID='T' a='0.5'/>"));
   EXPECT_EQ(upgraded.problems,
-            "t.xml:1:64: warning: \"0.5\" cannot be a key; it is left as a value "
+            R"(t.xml:1:64: warning: "0.5" cannot be a key; it is left as a value )"
             "(in format 3, the attributes of a SubTree name keys)\n");
 }
 

@@ -48,6 +48,17 @@ TEST_F(WriteFileTest, WritesEveryByteAndLeavesNoOtherFile) {
   EXPECT_EQ(CountFiles(), 1U);
 }
 
+TEST_F(WriteFileTest, LeavesPipesAndDevicesWhatTheyAre) {
+  ASSERT_EQ(mkfifo(Path("pipe").c_str(), 0600), 0);
+  fs::create_symlink(Path("pipe"), Path("link"));
+  for (const char* name : {"pipe", "link"}) {
+    EXPECT_FALSE(WriteFile(Path(name), "text", diagnostics_));
+    EXPECT_TRUE(fs::is_fifo(Path(name)));
+  }
+  EXPECT_NE(diagnostics_.ToString().find("a device or a pipe"), std::string::npos);
+  EXPECT_EQ(CountFiles(), 2U);
+}
+
 TEST_F(WriteFileTest, KeepsThePermissions) {
   std::ofstream(Path("t.xml")) << "old";
   chmod(Path("t.xml").c_str(), 0640);

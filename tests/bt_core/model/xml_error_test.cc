@@ -31,17 +31,17 @@ TEST(XmlError, AWrongEndTagNamesWhatItShouldClose) {
 
 TEST(XmlError, AttributesAreNamed) {
   EXPECT_EQ(Error("<a><b x=1 y='2'/></a>"),
-            "8: the value of \"x\" must stand in quotes (write x=\"1\")");
-  EXPECT_EQ(Error("<a><b x y='2'/></a>"), "6: attribute \"x\" has no value (write x=\"...\")");
+            R"(8: the value of "x" must stand in quotes (write x="1"))");
+  EXPECT_EQ(Error("<a><b x y='2'/></a>"), R"(6: attribute "x" has no value (write x="..."))");
   EXPECT_EQ(Error("<a x='1' x='2'/>"),
-            "9: second attribute \"x\" in the same element (remove one)");
+            R"(9: second attribute "x" in the same element (remove one))");
   EXPECT_EQ(Error("<Move, target = {x}/>"),
-            "5: unexpected ',' in <Move> (expected attribute=\"value\" or '>')");
+            R"(5: unexpected ',' in <Move> (expected attribute="value" or '>'))");
 }
 
 TEST(XmlError, AMissingQuoteIsFoundAtItsBeginning) {
   EXPECT_EQ(Error("<a>\n<b x=\"1/>\n<b y=\"2\"/>\n</a>"), "9: this value has no closing quote");
-  EXPECT_EQ(Error("<a x='1/></a>"), "5: the value of \"x\" has no closing quote");
+  EXPECT_EQ(Error("<a x='1/></a>"), R"(5: the value of "x" has no closing quote)");
 }
 
 TEST(XmlError, AMissingBracketIsFound) {
@@ -68,7 +68,7 @@ TEST(XmlError, AZeroByteIsNamed) {
 
 TEST(XmlError, WhatIsNoMistakeIsNotReported) {
   for (const char* text :
-       {"", "<!-- -->", "<a x='>' y=\"<\"/>", "<?xml?>\n<!-- <a> --><a><b></b></a >",
+       {"", "<!-- -->", R"(<a x='>' y="<"/>)", "<?xml?>\n<!-- <a> --><a><b></b></a >",
         "<a><![CDATA[<]]>words &amp; words</a>", "words <a/>"}) {
     EXPECT_FALSE(FindXmlError(text)) << text;
   }

@@ -74,8 +74,8 @@ TEST(XmlText, EscapedValuesDecodeToThemselves) {
     EXPECT_EQ(raw.find_first_of(std::string("<\n\r\t") + quote), std::string::npos) << raw;
     EXPECT_EQ(DecodeXml(raw), value);
   }
-  EXPECT_EQ(EscapeXmlValue("'a' > \"b\"", '"'), "'a' > &quot;b&quot;");
-  EXPECT_EQ(EscapeXmlValue("'a' > \"b\"", '\''), "&apos;a&apos; > \"b\"");
+  EXPECT_EQ(EscapeXmlValue(R"('a' > "b")", '"'), "'a' > &quot;b&quot;");
+  EXPECT_EQ(EscapeXmlValue(R"('a' > "b")", '\''), R"(&apos;a&apos; > "b")");
 }
 
 TEST(XmlText, KnowsTheLengthOfAReference) {

@@ -153,7 +153,7 @@ TEST(CoroutineAction, AWaitThatIsOverAtOnceDoesNotWait) {
 TEST(CoroutineAction, AnExceptionOfThePredicateFailsTheAction) {
   LeafHarness harness = LeafHarness::For<Waits>();
   EXPECT_EQ(harness.Tick(), Status::kFailure);
-  EXPECT_NE(harness.message().find("\"level\""), std::string::npos) << harness.message();
+  EXPECT_NE(harness.message().find(R"("level")"), std::string::npos) << harness.message();
 }
 
 // Throws when it is told to, at once or later.

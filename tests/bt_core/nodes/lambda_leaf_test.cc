@@ -59,7 +59,7 @@ TEST(LambdaAction, AnInputWithoutValueFailsAndSaysWhichOne) {
   registry->Action("Use", {"number"}, [](int) { return Status::kSuccess; });
   LeafHarness harness(registry, "Use");
   EXPECT_EQ(harness.Tick(), Status::kFailure);
-  EXPECT_NE(harness.message().find("\"number\""), std::string::npos) << harness.message();
+  EXPECT_NE(harness.message().find(R"("number")"), std::string::npos) << harness.message();
 }
 
 TEST(LambdaAction, AnInputMayBeLeftOut) {

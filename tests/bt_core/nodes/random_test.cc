@@ -15,7 +15,7 @@ namespace {
 // The leaves that a RandomSequence of a, b, c ticks in each activation.
 std::vector<std::string> Orders(const std::string& seed, int activations) {
   Stage stage(Main("<RandomSequence seed=\"" + seed +
-                   "\"><Leaf name=\"a\"/><Leaf name=\"b\"/><Leaf name=\"c\"/></RandomSequence>"));
+                   R"("><Leaf name="a"/><Leaf name="b"/><Leaf name="c"/></RandomSequence>)"));
   std::vector<std::string> orders;
   for (int i = 0; i < activations; ++i) {
     stage.executor->Tick();
@@ -45,7 +45,7 @@ TEST(RandomSelector, ResumesAtTheRunningChildAndStopsAtSuccess) {
   const Status r = Status::kRunning;
   const Status f = Status::kFailure;
   const Status s = Status::kSuccess;
-  Stage stage(Main("<RandomSelector><Leaf name=\"a\"/><Leaf name=\"b\"/></RandomSelector>"),
+  Stage stage(Main(R"(<RandomSelector><Leaf name="a"/><Leaf name="b"/></RandomSelector>)"),
               {{{"a", {r, f, f}}, {"b", {r, f, s}}}, {}, {}, {}});
   EXPECT_EQ(stage.executor->Tick(), r);
   EXPECT_EQ(stage.executor->Tick(), r);
@@ -60,7 +60,7 @@ TEST(RandomSelector, ResumesAtTheRunningChildAndStopsAtSuccess) {
 
 TEST(RandomSelector, IsSkippedIfAllChildrenAre) {
   const Status k = Status::kSkipped;
-  Stage stage(Main("<RandomSelector><Leaf name=\"a\"/><Leaf name=\"b\"/></RandomSelector>"),
+  Stage stage(Main(R"(<RandomSelector><Leaf name="a"/><Leaf name="b"/></RandomSelector>)"),
               {{{"a", {k}}, {"b", {k}}}, {}, {}, {}});
   EXPECT_EQ(stage.executor->Tick(), k);
   EXPECT_EQ(stage.TakeEvents().size(), 2U);

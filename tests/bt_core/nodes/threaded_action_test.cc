@@ -66,7 +66,7 @@ TEST(ThreadedAction, WorksAgainInTheNextActivation) {
 TEST(ThreadedAction, APreparationThatFailsStartsNoWork) {
   LeafHarness harness = LeafHarness::For<Square>();
   EXPECT_EQ(harness.Tick(), Status::kFailure);
-  EXPECT_NE(harness.message().find("\"number\""), std::string::npos) << harness.message();
+  EXPECT_NE(harness.message().find(R"("number")"), std::string::npos) << harness.message();
 }
 
 using Job = std::function<Status(const StopToken&)>;

@@ -5,7 +5,7 @@
 
 #include <random>
 
-#include "tests/bt_core/record/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace coppice {
 namespace {

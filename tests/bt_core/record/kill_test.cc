@@ -5,10 +5,10 @@
 #include <cstring>
 #include <random>
 
-#include "tests/bt_core/record/temporary_folder.h"
 #include "tests/bt_core/record/victim.h"
 #include "tests/bt_core/record/whole_record.h"
 #include "tests/support/folders.h"
+#include "tests/support/temporary_folder.h"
 
 namespace coppice {
 namespace {

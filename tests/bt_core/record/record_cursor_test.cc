@@ -5,8 +5,8 @@
 
 #include "bt_core/record/record_series.h"
 #include "tests/bt_core/frames/scripted_tree.h"
-#include "tests/bt_core/record/temporary_folder.h"
 #include "tests/bt_core/record/whole_record.h"
+#include "tests/support/temporary_folder.h"
 
 namespace coppice {
 namespace {

@@ -3,9 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <stdexcept>
 
-#include "tests/bt_core/record/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace coppice {
 namespace {
@@ -44,6 +45,14 @@ TEST(RecordFile, OverwritesNothing) {
 
 TEST(RecordFile, SaysWhyItCannotBeMade) {
   EXPECT_THAT(WhyNot("/nowhere/a"), HasSubstr("/nowhere/a: cannot make this record: No such file"));
+}
+
+TEST(RecordFile, NoticesThatItWasDeleted) {
+  const TemporaryFolder folder;
+  RecordFile file(folder.Path("a"));
+  EXPECT_EQ(file.Sync(), "");
+  std::filesystem::remove(folder.Path("a"));
+  EXPECT_THAT(file.Sync(), HasSubstr("deleted this record"));
 }
 
 TEST(RecordFile, SaysThatTheDiskIsFullAndKeepsTheRest) {

@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "bt_core/frames/frame.h"
-#include "tests/bt_core/record/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace coppice {
 namespace {

@@ -43,7 +43,7 @@ TEST(Grammar, KnowsItsFunctions) {
 
 TEST(Grammar, OperatorsOfOtherLanguagesGetAHint) {
   EXPECT_EQ(HintForForeignOperator(Word("a"), Word("and")), "write &&");
-  EXPECT_EQ(HintForForeignOperator(Word("not"), Word("a")), "write ! for \"not\"");
+  EXPECT_EQ(HintForForeignOperator(Word("not"), Word("a")), R"(write ! for "not")");
   EXPECT_EQ(HintForForeignOperator(Symbol("<"), Symbol(">")), "write !=");
   EXPECT_EQ(HintForForeignOperator(Symbol("<"), Symbol("<")), "");
   EXPECT_EQ(HintForForeignOperator(Word("a"), Word("b")), "");

@@ -68,22 +68,20 @@ TEST(Interpreter, ErrorsNameThePlace) {
   ScriptBench bench;
   bench.Set("s", std::string("ab"));
   EXPECT_EQ(ErrorOf(bench, "s + missing"),
-            "script \"s + missing\", at character 5, key \"missing\": it has no value yet");
+            R"(script "s + missing", at character 5, key "missing": it has no value yet)");
   EXPECT_EQ(ErrorOf(bench, "1; s * 2"),
-            "script \"1; s * 2\", at character 6: 'ab' is not a number");
+            R"(script "1; s * 2", at character 6: 'ab' is not a number)");
   EXPECT_EQ(ErrorOf(bench, "s + 1 * 2"),
             "script \"s + 1 * 2\", at character 3: + adds two numbers or joins two texts; .. joins "
             "'ab' and 2");
-  EXPECT_EQ(
-      ErrorOf(bench, "@fresh = 1"),
-      "script \"@fresh = 1\", at character 1, key \"@fresh\": it has no value yet; := creates "
-      "it");
+  EXPECT_EQ(ErrorOf(bench, "@fresh = 1"),
+            R"(script "@fresh = 1", at character 1, key "@fresh": it has no value yet; := creates )"
+            "it");
   EXPECT_EQ(ErrorOf(bench, "s := 5 + 1"),
-            "script \"s := 5 + 1\", at character 1, key \"s\": 6 is no value of type string");
-  EXPECT_EQ(
-      ErrorOf(bench, "x := s < 5"),
-      "script \"x := s < 5\", at character 6, key \"s\": \"<\" has no meaning between 'ab' and "
-      "5");
+            R"(script "s := 5 + 1", at character 1, key "s": 6 is no value of type string)");
+  EXPECT_EQ(ErrorOf(bench, "x := s < 5"),
+            R"(script "x := s < 5", at character 6, key "s": "<" has no meaning between 'ab' and )"
+            "5");
 }
 
 TEST(Interpreter, LongTextsAreJoinedToo) {

@@ -83,28 +83,27 @@ TEST(Parse, SemicolonsMayBeLeftOutBetweenAssignments) {
   EXPECT_EQ(Parsed("a := 1 b := 2\n c += 3"), "(:= a 1)(:= b 2)(+= c 3)");
   EXPECT_EQ(Parsed(";; a ;;"), "a");
   EXPECT_EQ(Parsed("a b := 2"),
-            "2: expected an operator or \";\" before \"b\" (statements are separated by \";\")");
+            R"(2: expected an operator or ";" before "b" (statements are separated by ";"))");
 }
 
 TEST(Parse, SaysWhatWasExpected) {
   EXPECT_EQ(Parsed(""), "0: the script is empty");
   EXPECT_EQ(Parsed(" ; "), "3: the script is empty");
-  EXPECT_EQ(Parsed("a and b"), "2: expected an operator or \";\" before \"and\" (write &&)");
-  EXPECT_EQ(Parsed("a == = b"),
-            "5: expected a value after \"==\", not \"=\" (write == to compare)");
-  EXPECT_EQ(Parsed("a +"), "3: expected a value after \"+\"");
+  EXPECT_EQ(Parsed("a and b"), R"(2: expected an operator or ";" before "and" (write &&))");
+  EXPECT_EQ(Parsed("a == = b"), R"(5: expected a value after "==", not "=" (write == to compare))");
+  EXPECT_EQ(Parsed("a +"), R"(3: expected a value after "+")");
   EXPECT_EQ(Parsed("(a + b"), "6: expected \")\"");
   EXPECT_EQ(Parsed("(a b)"), "3: expected an operator or \")\" before \"b\"");
-  EXPECT_EQ(Parsed("a ? b"), "5: expected \":\" and the other choice (condition ? a : b)");
+  EXPECT_EQ(Parsed("a ? b"), R"(5: expected ":" and the other choice (condition ? a : b))");
   EXPECT_EQ(Parsed("a + b = 5"), "6: only a key can be assigned to (write == to compare)");
   EXPECT_EQ(Parsed("5 := a"),
-            "2: only a key can be assigned to (on the left of \":=\" stands the name of a key)");
-  EXPECT_EQ(Parsed("mni(1, 2)"), "0: unknown function \"mni\" (did you mean \"min\"?)");
+            R"(2: only a key can be assigned to (on the left of ":=" stands the name of a key))");
+  EXPECT_EQ(Parsed("mni(1, 2)"), R"(0: unknown function "mni" (did you mean "min"?))");
   EXPECT_EQ(Parsed("sqrt(2)"),
-            "0: unknown function \"sqrt\" (the functions are abs, clamp, max and min)");
-  EXPECT_EQ(Parsed("1 + min(1)"), "4: \"min\" takes 2 or more values, not 1");
-  EXPECT_EQ(Parsed("clamp(1, 2, 3, 4)"), "0: \"clamp\" takes 3 values, not 4");
-  EXPECT_EQ(Parsed("abs()"), "0: \"abs\" takes 1 values, not 0");
+            R"(0: unknown function "sqrt" (the functions are abs, clamp, max and min))");
+  EXPECT_EQ(Parsed("1 + min(1)"), R"(4: "min" takes 2 or more values, not 1)");
+  EXPECT_EQ(Parsed("clamp(1, 2, 3, 4)"), R"(0: "clamp" takes 3 values, not 4)");
+  EXPECT_EQ(Parsed("abs()"), R"(0: "abs" takes 1 values, not 0)");
 }
 
 TEST(Parse, GoesOnBehindTheSemicolon) {

@@ -12,8 +12,8 @@ class DefaultLeavesTest : public testing::Test {
   DefaultLeavesTest() {
     Diagnostics diagnostics;
     program_ = CompileWithStandIns(
-        "<root BTCPP_format=\"4\"><BehaviorTree ID=\"Main\"><Sequence><IsDay/>"
-        "<Condition ID=\"Dry\"/><Island/><AlwaysSuccess/></Sequence></BehaviorTree></root>",
+        R"(<root BTCPP_format="4"><BehaviorTree ID="Main"><Sequence><IsDay/>)"
+        R"(<Condition ID="Dry"/><Island/><AlwaysSuccess/></Sequence></BehaviorTree></root>)",
         diagnostics);
   }
   std::shared_ptr<const Program> program_;

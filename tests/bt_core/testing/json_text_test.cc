@@ -52,7 +52,7 @@ TEST(JsonText, KeepsTextAndPlaceOfEveryValue) {
 
 TEST(JsonText, AValueMayBeTheWholeText) {
   EXPECT_EQ(Parsed("42").text, "42");
-  EXPECT_EQ(Parsed("\"\"").text, "");
+  EXPECT_EQ(Parsed(R"("")").text, "");
   EXPECT_EQ(At(Parsed("\n\n  \"\"")), "3:3");
 }
 
@@ -65,7 +65,7 @@ TEST(JsonText, SaysWhereATextIsNoJson) {
       << Errors("{\n  \"a\": 1,\n  \"b\" 2\n}");
   EXPECT_NE(Errors("").find("a.json:1:1: error:"), std::string::npos) << Errors("");
   EXPECT_FALSE(Errors("[1, 2").empty());
-  EXPECT_FALSE(Errors("{\"a\": tru}").empty());
+  EXPECT_FALSE(Errors(R"({"a": tru})").empty());
   EXPECT_FALSE(Errors("\"\xFF\"").empty());
 }
 

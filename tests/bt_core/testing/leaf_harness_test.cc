@@ -46,7 +46,7 @@ TEST(LeafHarness, RunsALeafOnSimulatedTime) {
 TEST(LeafHarness, AnInputThatIsNotSetFailsTheLeaf) {
   LeafHarness harness = LeafHarness::For<Wait>();
   EXPECT_EQ(harness.Tick(), Status::kFailure);
-  EXPECT_NE(harness.message().find("\"seconds\""), std::string::npos) << harness.message();
+  EXPECT_NE(harness.message().find(R"("seconds")"), std::string::npos) << harness.message();
 }
 
 TEST(LeafHarness, KeepsTheMessagesOfTheLastTick) {

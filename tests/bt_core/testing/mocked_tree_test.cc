@@ -58,7 +58,7 @@ class MockedTreeTest : public testing::Test {
 };
 
 TEST_F(MockedTreeTest, AScriptPlaysALeaf) {
-  Make(Main("<Sequence><Leaf name=\"a\"/><Leaf name=\"b\"/></Sequence>"),
+  Make(Main(R"(<Sequence><Leaf name="a"/><Leaf name="b"/></Sequence>)"),
        {{"b", Returns({Status::kRunning, Status::kSuccess})}});
   EXPECT_EQ(Tick(), "RUNNING: tick a SUCCESS, tick b RUNNING,");
   EXPECT_EQ(Tick(), "SUCCESS: tick b SUCCESS,");
@@ -66,7 +66,7 @@ TEST_F(MockedTreeTest, AScriptPlaysALeaf) {
 }
 
 TEST_F(MockedTreeTest, TheLastResultRepeats) {
-  Make(Main("<Leaf name=\"a\"/>"), {{"a", Returns({Status::kFailure, Status::kSkipped})}});
+  Make(Main(R"(<Leaf name="a"/>)"), {{"a", Returns({Status::kFailure, Status::kSkipped})}});
   EXPECT_EQ(Tick(), "FAILURE: tick a FAILURE,");
   EXPECT_EQ(Tick(), "SKIPPED: tick a SKIPPED,");
   EXPECT_EQ(Tick(), "SKIPPED: tick a SKIPPED,");
@@ -75,7 +75,7 @@ TEST_F(MockedTreeTest, TheLastResultRepeats) {
 TEST_F(MockedTreeTest, AScriptMayRestartWithEveryActivation) {
   MockScript script = Returns({Status::kRunning, Status::kSuccess});
   script.restart = true;
-  Make(Main("<Leaf name=\"a\"/>"), {{"a", script}});
+  Make(Main(R"(<Leaf name="a"/>)"), {{"a", script}});
   for (int i = 0; i < 3; ++i) {
     EXPECT_EQ(Tick(), "RUNNING: tick a RUNNING,");
     EXPECT_EQ(Tick(), "SUCCESS: tick a SUCCESS,");
@@ -83,7 +83,7 @@ TEST_F(MockedTreeTest, AScriptMayRestartWithEveryActivation) {
 }
 
 TEST_F(MockedTreeTest, HaltsAreWrittenDown) {
-  Make(Main("<ReactiveSequence><Leaf name=\"a\"/><Leaf name=\"b\"/></ReactiveSequence>"),
+  Make(Main(R"(<ReactiveSequence><Leaf name="a"/><Leaf name="b"/></ReactiveSequence>)"),
        {{"<Leaf>", Returns({Status::kSuccess, Status::kFailure})},
         {"b", Returns({Status::kRunning})}});
   Tick();
@@ -93,7 +93,7 @@ TEST_F(MockedTreeTest, HaltsAreWrittenDown) {
 TEST_F(MockedTreeTest, ALeafThatTakesTimeAsksForATickAtItsEnd) {
   MockScript script;
   script.duration = milliseconds(300);
-  Make(Main("<Leaf name=\"a\"/>"), {{"a", script}});
+  Make(Main(R"(<Leaf name="a"/>)"), {{"a", script}});
   EXPECT_EQ(Tick(), "RUNNING: tick a RUNNING,");
   EXPECT_EQ(tree_->executor().next_tick(), clock_.Now() + milliseconds(300));
   clock_.Advance(milliseconds(299));
@@ -105,8 +105,8 @@ TEST_F(MockedTreeTest, ALeafThatTakesTimeAsksForATickAtItsEnd) {
 TEST_F(MockedTreeTest, OutputsOfAPlayedLeafReachItsReader) {
   MockScript script;
   script.outputs = {{"distance", "2.5"}};
-  Make(Main("<Sequence><Drive name=\"d\" goal=\"1\" distance=\"{x}\" total=\"{t}\"/>"
-            "<Drive name=\"e\" goal=\"{x}\" total=\"{t}\"/></Sequence>"),
+  Make(Main(R"(<Sequence><Drive name="d" goal="1" distance="{x}" total="{t}"/>)"
+            R"(<Drive name="e" goal="{x}" total="{t}"/></Sequence>)"),
        {{"d", script}});
   EXPECT_EQ(Tick(), "SUCCESS: tick d SUCCESS goal=1 tries=3, tick e SUCCESS goal=2.5 tries=3,");
 }
@@ -114,7 +114,7 @@ TEST_F(MockedTreeTest, OutputsOfAPlayedLeafReachItsReader) {
 TEST_F(MockedTreeTest, WhatHoldsIsDrawnAgainOnlyAfterThatTime) {
   MockScript script;
   script.chances = Chances{1, 1, 0, Duration(0), Duration(0), milliseconds(500), milliseconds(500)};
-  Make(Main("<Leaf name=\"a\"/>"), {{"a", script}});
+  Make(Main(R"(<Leaf name="a"/>)"), {{"a", script}});
   int changes = 0;
   Status last = tree_->executor().Tick();
   for (int i = 1; i < 100; ++i) {
@@ -132,9 +132,9 @@ TEST_F(MockedTreeTest, WhatHoldsIsDrawnAgainOnlyAfterThatTime) {
 TEST_F(MockedTreeTest, FeedbackIsWrittenWhileALeafRuns) {
   MockScript script = Returns({Status::kRunning, Status::kSuccess});
   script.feedback = {{"distance", "2.5"}};
-  Make(Main("<ReactiveFallback><Sequence><ScriptCondition code=\"x == 2.5\"/>"
-            "<Leaf name=\"near\"/></Sequence>"
-            "<Drive name=\"d\" goal=\"1\" distance=\"{x}\" total=\"{t}\"/></ReactiveFallback>"),
+  Make(Main(R"(<ReactiveFallback><Sequence><ScriptCondition code="x == 2.5"/>)"
+            R"(<Leaf name="near"/></Sequence>)"
+            R"(<Drive name="d" goal="1" distance="{x}" total="{t}"/></ReactiveFallback>)"),
        {{"d", script}, {"near", Returns({Status::kSuccess})}});
   tree_->executor().Tick();
   EXPECT_NE(Events().find("tick d RUNNING"), std::string::npos);
@@ -147,15 +147,15 @@ TEST_F(MockedTreeTest, AnOutputThatIsNoneIsAFailureWithAMessage) {
   for (const auto& [port, text] : {std::pair("distance", "far"), std::pair("speed", "1")}) {
     MockScript script;
     script.outputs = {{port, text}};
-    Make(Main("<Drive name=\"d\" goal=\"1\" distance=\"{x}\" total=\"{t}\"/>"), {{"d", script}});
+    Make(Main(R"(<Drive name="d" goal="1" distance="{x}" total="{t}"/>)"), {{"d", script}});
     tree_->executor().AddSink(&sink);
     EXPECT_EQ(tree_->executor().Tick(), Status::kFailure);
     tree_->executor().RemoveSink(&sink);
   }
   ASSERT_EQ(sink.ticks.size(), 2U);
   EXPECT_EQ(sink.ticks[0].messages[0].text,
-            "\"far\" is not a value for output \"distance\", expected double");
-  EXPECT_EQ(sink.ticks[1].messages[0].text, "the scripted node has no port \"speed\"");
+            R"("far" is not a value for output "distance", expected double)");
+  EXPECT_EQ(sink.ticks[1].messages[0].text, R"(the scripted node has no port "speed")");
 }
 
 TEST_F(MockedTreeTest, AScriptMaySpeakAndThrow) {
@@ -164,7 +164,7 @@ TEST_F(MockedTreeTest, AScriptMaySpeakAndThrow) {
   speaks.says = "no way";
   MockScript throws;
   throws.throws = "broken";
-  Make(Main("<Fallback><Leaf name=\"a\"/><Leaf name=\"b\"/></Fallback>"),
+  Make(Main(R"(<Fallback><Leaf name="a"/><Leaf name="b"/></Fallback>)"),
        {{"a", speaks}, {"b", throws}});
   tree_->executor().AddSink(&sink);
   EXPECT_EQ(Tick(), "FAILURE: tick a FAILURE, tick b FAILURE,");
@@ -193,8 +193,8 @@ TEST_F(MockedTreeTest, ControlNodesAndSubTreesCanBePlayedWithAllBelowThem) {
 }
 
 TEST_F(MockedTreeTest, RealLeavesKeepTheirPortsAndAreWatched) {
-  Make(Main("<Sequence><Drive name=\"d\" goal=\"4\" distance=\"{x}\" total=\"{t}\"/>"
-            "<Drive name=\"e\" goal=\"{x}\" total=\"{t}\"/></Sequence>"),
+  Make(Main(R"(<Sequence><Drive name="d" goal="4" distance="{x}" total="{t}"/>)"
+            R"(<Drive name="e" goal="{x}" total="{t}"/></Sequence>)"),
        {});
   EXPECT_EQ(Tick(),
             "SUCCESS: tick d SUCCESS goal=4 tries=3, tick e SUCCESS goal=8 tries=3 "
@@ -203,12 +203,12 @@ TEST_F(MockedTreeTest, RealLeavesKeepTheirPortsAndAreWatched) {
 
 TEST_F(MockedTreeTest, ARealLeafThatThrowsIsWatchedToo) {
   real_.on_tick["a"] = [] { throw std::runtime_error("broken"); };
-  Make(Main("<Leaf name=\"a\"/>"), {});
+  Make(Main(R"(<Leaf name="a"/>)"), {});
   EXPECT_EQ(Tick(), "FAILURE: tick a FAILURE,");
 }
 
 TEST_F(MockedTreeTest, AScriptCanBeExchanged) {
-  Make(Main("<Sequence><Leaf name=\"a\"/><Leaf name=\"b\"/></Sequence>"),
+  Make(Main(R"(<Sequence><Leaf name="a"/><Leaf name="b"/></Sequence>)"),
        {{"a", Returns({Status::kRunning})}});
   EXPECT_EQ(Tick(), "RUNNING: tick a RUNNING,");
   EXPECT_EQ(tree_->ChangeScript("a", Returns({Status::kFailure})), 1);
@@ -217,7 +217,7 @@ TEST_F(MockedTreeTest, AScriptCanBeExchanged) {
 }
 
 TEST_F(MockedTreeTest, NamesRulesThatFitNothingAndLeavesThatNobodyKnows) {
-  Make(Main("<Sequence><Leaf name=\"a\"/><Leaf name=\"b\"/><AlwaysSuccess/></Sequence>"),
+  Make(Main(R"(<Sequence><Leaf name="a"/><Leaf name="b"/><AlwaysSuccess/></Sequence>)"),
        {{"a", {}}, {"c", {}}, {"<Drive>", {}}});
   EXPECT_EQ(tree_->UnusedPatterns(), (std::vector<std::string>{"c", "<Drive>"}));
   ASSERT_EQ(tree_->UnknownLeaves().size(), 1U);
@@ -227,7 +227,7 @@ TEST_F(MockedTreeTest, NamesRulesThatFitNothingAndLeavesThatNobodyKnows) {
 TEST_F(MockedTreeTest, AnExchangedScriptEndsWhatTheOldOneHadBegun) {
   MockScript slow = Returns({Status::kSuccess});
   slow.duration = milliseconds(500);
-  Make(Main("<Leaf name=\"a\"/>"), {{"a", slow}});
+  Make(Main(R"(<Leaf name="a"/>)"), {{"a", slow}});
   EXPECT_EQ(Tick(), "RUNNING: tick a RUNNING,");
   tree_->ChangeScript("a", Returns({Status::kFailure}));
   EXPECT_EQ(Tick(), "FAILURE: tick a FAILURE,");
@@ -240,25 +240,25 @@ TEST_F(MockedTreeTest, AnExchangedScriptEndsWhatTheOldOneHadBegun) {
 
 TEST_F(MockedTreeTest, AfterAReloadWhatLivesOnGoesOnInItsScript) {
   const std::vector<MockRule> rules = {{"<Leaf>", Returns({Status::kSuccess})}};
-  Make(Main("<Sequence><Leaf name=\"a\"/><Parallel><Leaf name=\"b\"/></Parallel></Sequence>"),
+  Make(Main(R"(<Sequence><Leaf name="a"/><Parallel><Leaf name="b"/></Parallel></Sequence>)"),
        rules);
   tree_->ChangeScript("b", Returns({Status::kRunning, Status::kRunning, Status::kFailure}));
   EXPECT_EQ(Tick(), "RUNNING: tick a SUCCESS, tick b RUNNING,");
-  tree_->Reload(*Compiled("<Sequence><Sequence><Leaf name=\"c\"/><Leaf name=\"d\"/></Sequence>"
-                          "<Parallel><Leaf name=\"b\"/></Parallel></Sequence>"),
+  tree_->Reload(*Compiled(R"(<Sequence><Sequence><Leaf name="c"/><Leaf name="d"/></Sequence>)"
+                          R"(<Parallel><Leaf name="b"/></Parallel></Sequence>)"),
                 rules);
   EXPECT_EQ(Tick(), "RUNNING: tick b RUNNING,");
   EXPECT_EQ(Tick(), "FAILURE: tick b FAILURE,");
-  tree_->Reload(*Compiled("<Fallback><Leaf name=\"b\"/><Leaf name=\"c\"/></Fallback>"), rules);
+  tree_->Reload(*Compiled(R"(<Fallback><Leaf name="b"/><Leaf name="c"/></Fallback>)"), rules);
   EXPECT_EQ(Tick(), "RUNNING: tick b RUNNING,") << "another b begins, with the script of all b";
   EXPECT_EQ(tree_->ScriptOf(1)->results.size(), 3U);
   EXPECT_EQ(tree_->ScriptOf(0), nullptr);
 }
 
 TEST_F(MockedTreeTest, AReloadHaltsWhatIsGone) {
-  Make(Main("<Sequence><Leaf name=\"a\"/></Sequence>"), {{"<Leaf>", Returns({Status::kRunning})}});
+  Make(Main(R"(<Sequence><Leaf name="a"/></Sequence>)"), {{"<Leaf>", Returns({Status::kRunning})}});
   Tick();
-  tree_->Reload(*Compiled("<Sequence><Leaf name=\"b\"/></Sequence>"),
+  tree_->Reload(*Compiled(R"(<Sequence><Leaf name="b"/></Sequence>)"),
                 {{"<Leaf>", Returns({Status::kRunning})}});
   const std::vector<LeafEvent> events = tree_->TakeEvents();
   ASSERT_EQ(events.size(), 1U);

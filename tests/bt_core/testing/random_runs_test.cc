@@ -32,8 +32,8 @@ Coverage After(int runs, RandomRuns random) {
 }
 
 constexpr char kTree[] =
-    "<Fallback><Sequence><IsDay/><Go name=\"go\"/></Sequence><Sleep name=\"rest\" msec=\"50\"/>"
-    "<Call name=\"call\"/></Fallback>";
+    R"(<Fallback><Sequence><IsDay/><Go name="go"/></Sequence><Sleep name="rest" msec="50"/>)"
+    R"(<Call name="call"/></Fallback>)";
 
 TEST(RandomRuns, CountsWhatEveryNodeDid) {
   const Coverage coverage = After(1000, RandomRuns(Compiled(kTree), {}));
@@ -73,11 +73,11 @@ TEST(RandomRuns, RulesComeBeforeTheDefaults) {
 
 TEST(RandomRuns, LeavesWriteTheirOutputs) {
   const char* const root =
-      "<Sequence><Count n=\"{n}\"/><ScriptCondition name=\"two?\" code=\"n == 2\"/></Sequence>"
-      "</BehaviorTree><TreeNodesModel><Action ID=\"Count\"><output_port name=\"n\" type=\"int\"/>"
-      "</Action></TreeNodesModel><BehaviorTree ID=\"Other\"><AlwaysSuccess/>";
+      R"(<Sequence><Count n="{n}"/><ScriptCondition name="two?" code="n == 2"/></Sequence>)"
+      R"(</BehaviorTree><TreeNodesModel><Action ID="Count"><output_port name="n" type="int"/>)"
+      R"(</Action></TreeNodesModel><BehaviorTree ID="Other"><AlwaysSuccess/>)";
   const Coverage coverage =
-      After(100, RandomRuns(Compiled(root, " main_tree_to_execute=\"Main\""), {}));
+      After(100, RandomRuns(Compiled(root, R"( main_tree_to_execute="Main")"), {}));
   EXPECT_TRUE(coverage.findings.empty()) << "n is written";
   EXPECT_GT(coverage.nodes[2].results_of(Status::kSuccess), 10U);
   EXPECT_GT(coverage.nodes[2].results_of(Status::kFailure), 10U);
@@ -85,7 +85,7 @@ TEST(RandomRuns, LeavesWriteTheirOutputs) {
 
 TEST(RandomRuns, KeysGetOneOfTheirValues) {
   const char* const root =
-      "<Repeat num_cycles=\"{stops}\"><Script name=\"stop\" code=\"n := 1\"/></Repeat>";
+      R"(<Repeat num_cycles="{stops}"><Script name="stop" code="n := 1"/></Repeat>)";
   RandomRunOptions options;
   options.play.set = {
       {{{}, "stops", "1", KeyValue::Kind::kNumber}, {{}, "stops", "3", KeyValue::Kind::kNumber}}};
@@ -120,7 +120,7 @@ TEST(RandomRuns, WhatANodeIsToldIsMoreImportantThanAnyRule) {
   succeeds.results = {Status::kSuccess};
   options.scripts = {{{}, {"go", succeeds}}};
   const Coverage coverage =
-      After(20, RandomRuns(Compiled("<Fallback><Go name=\"go\"/><Call/></Fallback>"), options));
+      After(20, RandomRuns(Compiled(R"(<Fallback><Go name="go"/><Call/></Fallback>)"), options));
   EXPECT_EQ(coverage.nodes[1].results_of(Status::kSuccess), 20U) << "a path comes before a name";
 }
 
@@ -151,7 +151,7 @@ TEST(RandomRuns, ARuleForManyTypesComesBeforeTheDefaultOfOne) {
 
 TEST(RandomRuns, AnExceptionIsFoundWithTheRunThatHadIt) {
   const char* const root =
-      "<Fallback><IsDay/><ScriptCondition name=\"low?\" code=\"battery &lt; 0.3\"/></Fallback>";
+      R"(<Fallback><IsDay/><ScriptCondition name="low?" code="battery &lt; 0.3"/></Fallback>)";
   RandomRunOptions options;
   options.seed = 100;
   const Coverage coverage = After(50, RandomRuns(Compiled(root), options));
@@ -171,7 +171,7 @@ TEST(RandomRuns, ATreeThatTakesAllOfAProcessorIsFoundAndBrokenOff) {
   RandomRunOptions options;
   options.most_ticks = 3000;
   const Coverage coverage = After(
-      2, RandomRuns(Compiled("<Repeat num_cycles=\"-1\"><AlwaysSuccess/></Repeat>"), options));
+      2, RandomRuns(Compiled(R"(<Repeat num_cycles="-1"><AlwaysSuccess/></Repeat>)"), options));
   ASSERT_EQ(coverage.findings.size(), 1U);
   EXPECT_EQ(coverage.findings[0].times, 2U);
   EXPECT_EQ(coverage.ticks, 6000U);

@@ -17,7 +17,7 @@ class RandomSuiteTest : public testing::Test {
               testing::UnitTest::GetInstance()->current_test_info()->name() + "/";
     std::filesystem::remove_all(folder_);
     std::filesystem::create_directories(folder_);
-    tree_ = Write("patrol.xml", "<root BTCPP_format=\"4\"/>");
+    tree_ = Write("patrol.xml", R"(<root BTCPP_format="4"/>)");
   }
   ~RandomSuiteTest() override { std::filesystem::remove_all(folder_); }
 
@@ -29,7 +29,7 @@ class RandomSuiteTest : public testing::Test {
   std::string WriteSuite(const std::string& name, const std::string& about,
                          const std::string& random) const {
     return Write(name, "{" + about + ",\n" +
-                           (random.empty() ? "" : " \"random\": " + random + ",") +
+                           (random.empty() ? "" : R"( "random": )" + random + ",") +
                            "\n\"scenarios\": [{\"name\": \"a\", \"steps\": [{}]}]}");
   }
   std::optional<ScenarioSuite> Beside(const std::string& id, bool is_main) {
@@ -57,7 +57,7 @@ TEST_F(RandomSuiteTest, WithoutAFileNothingIsSaid) {
 
 TEST_F(RandomSuiteTest, TheFileOfTheMainTreeIsThatOfTheTreeFile) {
   const std::string file =
-      WriteSuite("patrol.test.json", "\"tree\": \"patrol.xml\"", "{\"lasts_ms\": 5}");
+      WriteSuite("patrol.test.json", R"("tree": "patrol.xml")", R"({"lasts_ms": 5})");
   const auto suite = Beside("Patrol", true);
   ASSERT_TRUE(suite);
   EXPECT_EQ(suite->file, file);
@@ -69,7 +69,7 @@ TEST_F(RandomSuiteTest, TheFileOfTheMainTreeIsThatOfTheTreeFile) {
 }
 
 TEST_F(RandomSuiteTest, ATreeThatIsNotTheMainOneHasAFileOfItsOwn) {
-  const std::string about = "\"tree\": \"patrol.xml\", \"tree_id\": \"Dock\"";
+  const std::string about = R"("tree": "patrol.xml", "tree_id": "Dock")";
   const std::string of_all = WriteSuite("patrol.test.json", about, "{}");
   EXPECT_EQ(Beside("Dock", false)->file, of_all);
   EXPECT_EQ(Beside("Patrol", true)->file, "");
@@ -78,16 +78,16 @@ TEST_F(RandomSuiteTest, ATreeThatIsNotTheMainOneHasAFileOfItsOwn) {
 }
 
 TEST_F(RandomSuiteTest, ScenariosOfAnotherFileOrWithoutChanceDoNotCount) {
-  Write("other.xml", "<root BTCPP_format=\"4\"/>");
-  WriteSuite("patrol.test.json", "\"tree\": \"other.xml\"", "{}");
+  Write("other.xml", R"(<root BTCPP_format="4"/>)");
+  WriteSuite("patrol.test.json", R"("tree": "other.xml")", "{}");
   EXPECT_EQ(Beside("Patrol", true)->file, "");
-  WriteSuite("patrol.test.json", "\"tree\": \"patrol.xml\"", "");
+  WriteSuite("patrol.test.json", R"("tree": "patrol.xml")", "");
   EXPECT_EQ(Beside("Patrol", true)->file, "");
   EXPECT_FALSE(diagnostics_.has_errors());
 }
 
 TEST_F(RandomSuiteTest, AnErrorIsSaidWithItsPlace) {
-  WriteSuite("patrol.test.json", "\"tree\": \"patrol.xml\"", "{\"last_ms\": 5}");
+  WriteSuite("patrol.test.json", R"("tree": "patrol.xml")", R"({"last_ms": 5})");
   EXPECT_FALSE(Beside("Patrol", true));
   EXPECT_NE(diagnostics_.ToString().find("patrol.test.json:2:24: error: "), std::string::npos)
       << diagnostics_.ToString();
@@ -95,7 +95,7 @@ TEST_F(RandomSuiteTest, AnErrorIsSaidWithItsPlace) {
 
 TEST_F(RandomSuiteTest, KeysAreHeldAgainstTheTree) {
   const auto program = CompileWithStandIns(
-      "<root BTCPP_format=\"4\"><BehaviorTree ID=\"M\"><Repeat num_cycles=\"{stops}\"><Go/>"
+      R"(<root BTCPP_format="4"><BehaviorTree ID="M"><Repeat num_cycles="{stops}"><Go/>)"
       "</Repeat></BehaviorTree></root>",
       diagnostics_);
   ASSERT_TRUE(program) << diagnostics_.ToString();
@@ -108,9 +108,9 @@ TEST_F(RandomSuiteTest, KeysAreHeldAgainstTheTree) {
   play.set = {{number("stop", "1")}, {number("stops", "1"), number("stops", "many")}};
   EXPECT_FALSE(CheckPlay(*program, play, diagnostics_));
   const std::string said = diagnostics_.ToString();
-  EXPECT_NE(said.find("a.test.json:3:7: error: the tree has no key \"stop\""), std::string::npos)
+  EXPECT_NE(said.find(R"(a.test.json:3:7: error: the tree has no key "stop")"), std::string::npos)
       << said;
-  EXPECT_NE(said.find("\"many\" is no value of type"), std::string::npos) << said;
+  EXPECT_NE(said.find(R"("many" is no value of type)"), std::string::npos) << said;
 }
 
 }  // namespace

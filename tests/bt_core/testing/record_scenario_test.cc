@@ -35,7 +35,7 @@ class RecordScenarioTest : public testing::Test {
 };
 
 TEST_F(RecordScenarioTest, WhatHappenedIsExpected) {
-  Make("<Sequence><Script code=\"n := 3\"/><Go/><Stay name=\"s\"/></Sequence>");
+  Make(R"(<Sequence><Script code="n := 3"/><Go/><Stay name="s"/></Sequence>)");
   const Scenario scenario = RecordScenario(
       *program_,
       {Rule("<Go>", {Status::kSuccess}), Rule("s", {Status::kRunning, Status::kFailure})},
@@ -75,7 +75,7 @@ TEST_F(RecordScenarioTest, StepsThatCountStay) {
 }
 
 TEST_F(RecordScenarioTest, ANodeGoesByItsNameIfNoOtherHasIt) {
-  Make("<Sequence><Go name=\"a\"/><Go name=\"b\"/><Go name=\"b\"/><Go name=\"c/d\"/></Sequence>");
+  Make(R"(<Sequence><Go name="a"/><Go name="b"/><Go name="b"/><Go name="c/d"/></Sequence>)");
   EXPECT_EQ(PatternOf(*program_, 1), "a");
   EXPECT_EQ(PatternOf(*program_, 2), "/b");
   EXPECT_EQ(PatternOf(*program_, 4), "c/d");

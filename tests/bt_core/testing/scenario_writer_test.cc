@@ -85,7 +85,7 @@ TEST(ScenarioWriter, AScenarioIsAddedBehindTheOthersAndNothingElseChanges) {
   EXPECT_EQ(suite.scenarios[1].name, "two");
 
   EXPECT_FALSE(AddScenario(*changed, "a.test.json", scenario, diagnostics));
-  EXPECT_NE(diagnostics.ToString().find("a.test.json:4:5: error: there is a scenario \"two\""),
+  EXPECT_NE(diagnostics.ToString().find(R"(a.test.json:4:5: error: there is a scenario "two")"),
             std::string::npos)
       << diagnostics.ToString();
 }
@@ -94,11 +94,10 @@ TEST(ScenarioWriter, AScenarioIsAddedBehindTheOthersAndNothingElseChanges) {
 TEST(ScenarioWriter, RulesOfTheFileDoNotChangeWhatAnAddedScenarioDoes) {
   Diagnostics diagnostics;
   const auto program = CompileWithStandIns(
-      "<root BTCPP_format=\"4\"><BehaviorTree ID=\"M\"><Go name=\"go\"/></BehaviorTree></root>",
+      R"(<root BTCPP_format="4"><BehaviorTree ID="M"><Go name="go"/></BehaviorTree></root>)",
       diagnostics);
-  const std::string text =
-      "{\"tree\": \"a.xml\", \"leaves\": {\"go\": \"FAILURE\"}, \"scenarios\": "
-      "[{\"name\": \"one\", \"steps\": [{\"expect\": {\"status\": \"FAILURE\"}}]}]}";
+  const std::string text = R"({"tree": "a.xml", "leaves": {"go": "FAILURE"}, "scenarios": )"
+                           R"([{"name": "one", "steps": [{"expect": {"status": "FAILURE"}}]}]})";
   PlacedRule goes;
   goes.rule.pattern = "<Go>";
   const Scenario played = RecordScenario(*program, {goes}, std::vector<ScenarioStep>(1), "two");
@@ -117,7 +116,7 @@ TEST(ScenarioWriter, RulesOfTheFileDoNotChangeWhatAnAddedScenarioDoes) {
 
 TEST(ScenarioWriter, AFileThatIsWrongStaysAsItIs) {
   Diagnostics diagnostics;
-  EXPECT_FALSE(AddScenario("{\"tree\": 3}", "a.test.json", {}, diagnostics));
+  EXPECT_FALSE(AddScenario(R"({"tree": 3})", "a.test.json", {}, diagnostics));
   EXPECT_TRUE(diagnostics.has_errors());
 }
 

@@ -11,15 +11,15 @@ namespace {
 std::shared_ptr<const Program> Compiled(const std::string& inside) {
   Diagnostics diagnostics;
   auto program = CompileWithStandIns(
-      "<root BTCPP_format=\"4\" main_tree_to_execute=\"Main\">" + inside + "</root>", diagnostics);
+      R"(<root BTCPP_format="4" main_tree_to_execute="Main">)" + inside + "</root>", diagnostics);
   EXPECT_TRUE(program) << diagnostics.ToString();
   return program;
 }
 
 TEST(StandIn, HasThePortsThatTheTreeGivesIt) {
-  const auto program = Compiled(
-      "<BehaviorTree ID=\"Main\"><Sequence><IsLow level=\"{battery}\" limit=\"0.3\"/>"
-      "<Action ID=\"Go\" to=\"{goal}\"/></Sequence></BehaviorTree>");
+  const auto program =
+      Compiled(R"(<BehaviorTree ID="Main"><Sequence><IsLow level="{battery}" limit="0.3"/>)"
+               R"(<Action ID="Go" to="{goal}"/></Sequence></BehaviorTree>)");
   ASSERT_TRUE(program);
   std::string hint;
   EXPECT_NE(FindKey(*program, "battery", hint), kNoSlot);
@@ -31,10 +31,10 @@ TEST(StandIn, HasThePortsThatTheTreeGivesIt) {
 }
 
 constexpr const char* kGuarded =
-    "<BehaviorTree ID=\"Main\"><Guarded limit=\"{limit}\"><Inverter><AlwaysFailure/></Inverter>"
+    R"(<BehaviorTree ID="Main"><Guarded limit="{limit}"><Inverter><AlwaysFailure/></Inverter>)"
     "</Guarded></BehaviorTree>";
 constexpr const char* kGuardedModel =
-    "<TreeNodesModel><Decorator ID=\"Guarded\"><input_port name=\"limit\" type=\"double\"/>"
+    R"(<TreeNodesModel><Decorator ID="Guarded"><input_port name="limit" type="double"/>)"
     "</Decorator></TreeNodesModel>";
 
 TEST(StandIn, ADecoratorWithModelReturnsWhatItsChildReturns) {
@@ -56,9 +56,9 @@ TEST(StandIn, ADecoratorWithoutModelNeedsAScript) {
 TEST(StandIn, ModelsMayComeFromElsewhere) {
   Diagnostics diagnostics;
   const auto tree = Project::FromText(
-      "<root BTCPP_format=\"4\">" + std::string(kGuarded) + "</root>", "tree.xml", diagnostics);
+      R"(<root BTCPP_format="4">)" + std::string(kGuarded) + "</root>", "tree.xml", diagnostics);
   const auto models =
-      Project::FromText("<root BTCPP_format=\"4\">" + std::string(kGuardedModel) + "</root>",
+      Project::FromText(R"(<root BTCPP_format="4">)" + std::string(kGuardedModel) + "</root>",
                         "models.xml", diagnostics);
   ASSERT_TRUE(tree && models) << diagnostics.ToString();
   EXPECT_TRUE(NeedsScript(*ScenarioRegistry(*tree)->Find("Guarded")));
@@ -67,7 +67,7 @@ TEST(StandIn, ModelsMayComeFromElsewhere) {
 
 TEST(StandIn, ADecoratorCanBePlayedWithItsChild) {
   const auto program =
-      Compiled("<BehaviorTree ID=\"Main\"><Guarded><AlwaysSuccess/></Guarded></BehaviorTree>");
+      Compiled(R"(<BehaviorTree ID="Main"><Guarded><AlwaysSuccess/></Guarded></BehaviorTree>)");
   ASSERT_TRUE(program);
   PlacedRule rule;
   rule.rule.pattern = "<Guarded>";
@@ -77,10 +77,10 @@ TEST(StandIn, ADecoratorCanBePlayedWithItsChild) {
 }
 
 TEST(StandIn, AModelSaysMore) {
-  const auto program = Compiled(
-      "<BehaviorTree ID=\"Main\"><IsLow level=\"{battery}\"/></BehaviorTree>"
-      "<TreeNodesModel><Condition ID=\"IsLow\"><input_port name=\"level\" type=\"double\"/>"
-      "</Condition></TreeNodesModel>");
+  const auto program =
+      Compiled(R"(<BehaviorTree ID="Main"><IsLow level="{battery}"/></BehaviorTree>)"
+               R"(<TreeNodesModel><Condition ID="IsLow"><input_port name="level" type="double"/>)"
+               "</Condition></TreeNodesModel>");
   ASSERT_TRUE(program);
   const Registry::Entry& entry = *program->registry->Find("IsLow");
   EXPECT_EQ(entry.manifest.category, NodeCategory::kCondition);
@@ -88,9 +88,9 @@ TEST(StandIn, AModelSaysMore) {
 }
 
 TEST(StandIn, WhatAScriptWritesHasTheTypeOfTheKey) {
-  const auto program = Compiled(
-      "<BehaviorTree ID=\"Main\"><Sequence><Look seen=\"{n}\"/><Repeat num_cycles=\"{n}\">"
-      "<AlwaysSuccess/></Repeat></Sequence></BehaviorTree>");
+  const auto program =
+      Compiled(R"(<BehaviorTree ID="Main"><Sequence><Look seen="{n}"/><Repeat num_cycles="{n}">)"
+               "<AlwaysSuccess/></Repeat></Sequence></BehaviorTree>");
   ASSERT_TRUE(program);
   PlacedRule rule;
   rule.rule.pattern = "<Look>";
@@ -106,8 +106,8 @@ TEST(StandIn, WhatAScriptWritesHasTheTypeOfTheKey) {
 
 TEST(StandIn, ANumberForAKeyWithoutTypeIsANumber) {
   const auto program = Compiled(
-      "<BehaviorTree ID=\"Main\"><Sequence><Look seen=\"{n}\" day=\"{day}\"/>"
-      "<ScriptCondition code=\"n &gt; 2 &amp;&amp; day == true\"/></Sequence></BehaviorTree>");
+      R"(<BehaviorTree ID="Main"><Sequence><Look seen="{n}" day="{day}"/>)"
+      R"(<ScriptCondition code="n &gt; 2 &amp;&amp; day == true"/></Sequence></BehaviorTree>)");
   ASSERT_TRUE(program);
   PlacedRule rule;
   rule.rule.pattern = "<Look>";

@@ -87,7 +87,7 @@ TEST(FindWaypoint, SaysWhichPlaceThereIsNot) {
   LeafHarness harness = LeafHarness::For<FindWaypoint>(std::ref<WaypointMap>(robot));
   harness.Set("waypoint", std::string("cellar"));
   EXPECT_EQ(harness.Tick(), Status::kFailure);
-  EXPECT_EQ(harness.message(), "no waypoint \"cellar\" on the map");
+  EXPECT_EQ(harness.message(), R"(no waypoint "cellar" on the map)");
 }
 
 }  // namespace

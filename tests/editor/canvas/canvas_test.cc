@@ -68,7 +68,7 @@ TEST_F(CanvasTest, PaintsStatusesOnBordersInThreePalettes) {
   robot->Set(5, Status::kIdle, Status::kFailure);
   for (const PaletteName name :
        {PaletteName::kDark, PaletteName::kLight, PaletteName::kColourBlind}) {
-    driver_.editor.state().palette = name;
+    driver_.editor.state().screen.palette = name;
     driver_.Frames(30);
     const Palette& colors = GetPalette(name);
     EXPECT_GT(driver_.CountColor(driver_.BoxOf("canvas/Main/1"), colors.running), 60);
@@ -192,11 +192,11 @@ TEST_F(CanvasTest, ShowsCommentsAsNotes) {
 
 // A tree of 20 000 nodes whose frame is built from what can be seen alone.
 std::string LargeTree() {
-  std::string xml = "<root BTCPP_format=\"4\"><BehaviorTree ID=\"Large\"><Sequence>";
+  std::string xml = R"(<root BTCPP_format="4"><BehaviorTree ID="Large"><Sequence>)";
   for (int i = 0; i < 200; ++i) {
     xml += "<Fallback>";
     for (int j = 0; j < 33; ++j) {
-      xml += "<Inverter><Go to=\"{place}\" speed=\"0.4\"/></Inverter><Wait seconds=\"2\"/>";
+      xml += R"(<Inverter><Go to="{place}" speed="0.4"/></Inverter><Wait seconds="2"/>)";
     }
     xml += "</Fallback>";
   }
@@ -212,7 +212,7 @@ TEST_F(CanvasTest, ShowsTwentyThousandNodes) {
     if (close) {
       driver_.view().Select(driver_.view().scene()->FindPath("1.100.30"));
       driver_.Press('Z');
-      driver_.view().Reveal(driver_.editor.state().canvas_size);
+      driver_.view().Reveal(driver_.editor.state().screen.canvas_size);
       driver_.Frames();
       EXPECT_GT(driver_.CountColor(driver_.BoxOf("canvas"), GetPalette(PaletteName::kDark).unknown),
                 500);

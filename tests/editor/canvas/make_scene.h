@@ -19,7 +19,7 @@ inline std::shared_ptr<const Scene> MakeScene(const std::string& xml) {
   };
   static const NodeModels models;
   auto kept = std::make_shared<Kept>();
-  kept->forest = ReadForest("<root BTCPP_format=\"4\"><BehaviorTree ID=\"T\">" + xml +
+  kept->forest = ReadForest(R"(<root BTCPP_format="4"><BehaviorTree ID="T">)" + xml +
                             "</BehaviorTree></root>");
   kept->scene = BuildScene(kept->forest, 0, models);
   return {kept, &kept->scene};

@@ -45,7 +45,7 @@ class MinimapOfADenseTree : public testing::Test {
   void LookAt(Point world, float zoom) {
     driver_.MoveTo({5, 5});
     driver_.view().camera.zoom = zoom;
-    driver_.view().camera.offset = driver_.editor.state().canvas_size * 0.5F - world * zoom;
+    driver_.view().camera.offset = driver_.editor.state().screen.canvas_size * 0.5F - world * zoom;
     driver_.Frames(3);
   }
 

@@ -128,7 +128,7 @@ TEST_F(EditCommandsTest, UndoEverythingGivesTheSameBytes) {
 
 TEST_F(EditCommandsTest, APasteWithErrorsShowsThemAndPastesNothing) {
   Select("1.1");
-  driver_.editor.state().set_clipboard("<Beep>\n<Beep/>");
+  driver_.editor.state().services.set_clipboard("<Beep>\n<Beep/>");
   driver_.Press('V', kCtrl);
   EXPECT_EQ(Text(), kSmallFile);
   EXPECT_TRUE(driver_.Has("popup/error/0"));
@@ -139,7 +139,7 @@ TEST_F(EditCommandsTest, APasteWithErrorsShowsThemAndPastesNothing) {
 
 TEST_F(EditCommandsTest, PasteTakesXmlOfAnyTextEditor) {
   Select("1.1");
-  driver_.editor.state().set_clipboard("  <Beep tone=\"a\"/>\n  <Beep/>\n");
+  driver_.editor.state().services.set_clipboard("  <Beep tone=\"a\"/>\n  <Beep/>\n");
   driver_.Press('V', kCtrl);
   EXPECT_THAT(Text(), HasSubstr("level=\"{level}\"/>\n        <Beep tone=\"a\"/>\n"
                                 "        <Beep/>\n      </Fallback>"));
@@ -189,7 +189,7 @@ TEST_F(EditCommandsTest, NodesOfASubTreeAreEditedWhereItIsDefined) {
   driver_.Press(kKeyF1 + 1);
   driver_.Type("again");
   driver_.Press(kKeyEnter);
-  EXPECT_THAT(Text(), HasSubstr("<RetryUntilSuccessful num_attempts=\"3\" name=\"again\">"));
+  EXPECT_THAT(Text(), HasSubstr(R"(<RetryUntilSuccessful num_attempts="3" name="again">)"));
   EXPECT_EQ(driver_.Selected(), "1.2.1");
 }
 
@@ -213,7 +213,7 @@ TEST_F(EditCommandsTest, SaveWritesOnlyWhatWasTouched) {
   EXPECT_FALSE(File().is_dirty());
   std::string expected = kSmallFile;
   const std::string node = "<AlwaysSuccess";
-  expected.insert(expected.find(node) + node.size(), " _skipIf=\"true\"");
+  expected.insert(expected.find(node) + node.size(), R"( _skipIf="true")");
   EXPECT_EQ(Disk(), expected);
 }
 
@@ -244,7 +244,7 @@ TEST_F(EditCommandsTest, AChangedFileIsReadAgainAndADirtyOneIsKept) {
   Select("1.3");
   driver_.Press('D');
   const std::string mine = Text();
-  other.replace(other.find("AlwaysFailure/>"), 15, "AlwaysFailure _skipIf=\"late\"/>");
+  other.replace(other.find("AlwaysFailure/>"), 15, R"(AlwaysFailure _skipIf="late"/>)");
   file_.Write(other);
   driver_.Frames(60);
   EXPECT_EQ(Text(), mine);
@@ -259,12 +259,12 @@ TEST_F(EditCommandsTest, ChangesOfOthersInOtherPlacesAreMerged) {
   Select("1.3");
   driver_.Press('D');
   std::string other = kSmallFile;
-  other.replace(other.find("lamp=\"hall\""), 11, "lamp=\"attic\"");
+  other.replace(other.find(R"(lamp="hall")"), 11, R"(lamp="attic")");
   file_.Write(other);
   driver_.Frames(60);
   EXPECT_THAT(Notice(), HasSubstr("merged"));
-  EXPECT_THAT(Text(), HasSubstr("lamp=\"attic\""));
-  EXPECT_THAT(Text(), HasSubstr("<AlwaysSuccess _skipIf=\"true\"/>"));
+  EXPECT_THAT(Text(), HasSubstr(R"(lamp="attic")"));
+  EXPECT_THAT(Text(), HasSubstr(R"(<AlwaysSuccess _skipIf="true"/>)"));
   driver_.Press('S', kCtrl);
   EXPECT_EQ(Disk(), Text());
 }
@@ -273,14 +273,14 @@ TEST_F(EditCommandsTest, MergingKeepsMineWhereBothChanged) {
   Select("1.3");
   driver_.Press('D');
   std::string other = kSmallFile;
-  other.replace(other.find("lamp=\"hall\""), 11, "lamp=\"attic\"");
-  other.replace(other.find("<AlwaysSuccess/>"), 16, "<AlwaysSuccess _skipIf=\"late\"/>");
+  other.replace(other.find(R"(lamp="hall")"), 11, R"(lamp="attic")");
+  other.replace(other.find("<AlwaysSuccess/>"), 16, R"(<AlwaysSuccess _skipIf="late"/>)");
   file_.Write(other);
   driver_.Frames(60);
   driver_.editor.state().commands.Run("file.merge");
   EXPECT_THAT(Notice(), HasSubstr("1 places"));
-  EXPECT_THAT(Text(), HasSubstr("lamp=\"attic\""));
-  EXPECT_THAT(Text(), HasSubstr("<AlwaysSuccess _skipIf=\"true\"/>"));
+  EXPECT_THAT(Text(), HasSubstr(R"(lamp="attic")"));
+  EXPECT_THAT(Text(), HasSubstr(R"(<AlwaysSuccess _skipIf="true"/>)"));
 }
 
 TEST_F(EditCommandsTest, ARobotsTreeIsNotChanged) {

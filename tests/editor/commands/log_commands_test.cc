@@ -27,14 +27,14 @@ TEST_F(LogCommandsTest, ALogPointIsAskedForOnceAndThenChanged) {
   driver_.Frames();
   state().commands.Run("run.log_point");
   Answer("a #x");
-  EXPECT_EQ(state().popup, Popup::kPrompt) << "a mistake can be corrected";
-  EXPECT_FALSE(state().popup_error.empty());
+  EXPECT_EQ(state().popup.kind, Popup::kPrompt) << "a mistake can be corrected";
+  EXPECT_FALSE(state().popup.error.empty());
   Answer("a");
   ASSERT_EQ(state().workspace.log_points.all().size(), 1U);
   EXPECT_EQ(state().workspace.log_points.all()[0].run, "robot:1");
   state().commands.Run("run.log_point");
   driver_.Frames();
-  EXPECT_EQ(state().popup_text, "a") << "there is one at this node";
+  EXPECT_EQ(state().popup.text, "a") << "there is one at this node";
   Answer("b");
   ASSERT_EQ(state().workspace.log_points.all().size(), 1U);
   EXPECT_EQ(state().workspace.log_points.all()[0].text, "b");

@@ -50,8 +50,8 @@ class MergeCommandsTest : public testing::Test {
     project().LookAtDisk();
   }
   void Ask() { state().commands.Run("file.resolve"); }
-  std::vector<Choice> Rows() { return state().prompt.preview(""); }
-  std::string Answer() { return state().prompt.run(""); }
+  std::vector<Choice> Rows() { return state().popup.prompt.preview(""); }
+  std::string Answer() { return state().popup.prompt.run(""); }
 
   TemporaryFile file_{"main.xml", kFile};
   std::filesystem::file_time_type stamp_ = std::filesystem::last_write_time(file_.path());
@@ -61,7 +61,7 @@ class MergeCommandsTest : public testing::Test {
 TEST_F(MergeCommandsTest, WithoutADisputeThereIsNothingToAsk) {
   EXPECT_EQ(DisputedFile(state()), "");
   Ask();
-  EXPECT_EQ(state().popup, Popup::kNone);
+  EXPECT_EQ(state().popup.kind, Popup::kNone);
   EXPECT_THAT(state().notice.text, HasSubstr("nobody else"));
   IWrite(With(kFile, "hello", "good evening"));
   TheyWrite(With(kFile, "door", "hall"));
@@ -70,35 +70,35 @@ TEST_F(MergeCommandsTest, WithoutADisputeThereIsNothingToAsk) {
 }
 
 TEST_F(MergeCommandsTest, OneAttributeThatBothChangedIsOnePlace) {
-  const std::string mine = With(With(kFile, "speed=\"1\"", "speed=\"2\""), "hello", "hi");
-  const std::string theirs = With(With(kFile, "speed=\"1\"", "speed=\"3\""), "door", "hall");
+  const std::string mine = With(With(kFile, R"(speed="1")", R"(speed="2")"), "hello", "hi");
+  const std::string theirs = With(With(kFile, R"(speed="1")", R"(speed="3")"), "door", "hall");
   IWrite(mine);
   TheyWrite(theirs);
   EXPECT_EQ(DisputedFile(state()), file_.path());
   EXPECT_EQ(Text(), mine) << "nothing changes before the user has answered";
   Ask();
-  ASSERT_EQ(state().popup, Popup::kPrompt);
-  EXPECT_THAT(state().prompt.hint, HasSubstr("main.xml"));
+  ASSERT_EQ(state().popup.kind, Popup::kPrompt);
+  EXPECT_THAT(state().popup.prompt.hint, HasSubstr("main.xml"));
   ASSERT_EQ(Rows().size(), 1U);
   EXPECT_EQ(Rows()[0].kind, "mine");
-  EXPECT_THAT(Rows()[0].title, HasSubstr("speed=\"2\""));
-  EXPECT_THAT(Rows()[0].note, HasSubstr("theirs goes: speed=\"3\""));
+  EXPECT_THAT(Rows()[0].title, HasSubstr(R"(speed="2")"));
+  EXPECT_THAT(Rows()[0].note, HasSubstr(R"(theirs goes: speed="3")"));
   Rows()[0].run();
   EXPECT_EQ(Rows()[0].kind, "theirs");
-  EXPECT_THAT(Rows()[0].title, HasSubstr("speed=\"3\""));
+  EXPECT_THAT(Rows()[0].title, HasSubstr(R"(speed="3")"));
   EXPECT_EQ(Answer(), "");
   EXPECT_EQ(Text(),
-            With(With(With(kFile, "speed=\"1\"", "speed=\"3\""), "hello", "hi"), "door", "hall"));
+            With(With(With(kFile, R"(speed="1")", R"(speed="3")"), "hello", "hi"), "door", "hall"));
   EXPECT_EQ(DisputedFile(state()), "");
 }
 
 TEST_F(MergeCommandsTest, UndoBringsBackEveryByteOfMine) {
   const std::string mine = With(kFile, "hello", "one");
   IWrite(mine);
-  TheyWrite(With(With(kFile, "hello", "two"), "msec=\"5\"", "msec='6'"));
+  TheyWrite(With(With(kFile, "hello", "two"), R"(msec="5")", "msec='6'"));
   Ask();
   EXPECT_EQ(Answer(), "");
-  const std::string merged = With(mine, "msec=\"5\"", "msec='6'");
+  const std::string merged = With(mine, R"(msec="5")", "msec='6'");
   EXPECT_EQ(Text(), merged);
   ASSERT_NE(project().Undo(), nullptr);
   EXPECT_EQ(Text(), mine);
@@ -130,7 +130,7 @@ TEST_F(MergeCommandsTest, WhoGivesUpHalfWayHasDecidedNothing) {
   Rows()[0].run();
   driver_.Press(kKeyEscape);
   driver_.Frames();
-  EXPECT_EQ(state().popup, Popup::kNone);
+  EXPECT_EQ(state().popup.kind, Popup::kNone);
   EXPECT_EQ(Text(), mine);
   EXPECT_EQ(DisputedFile(state()), file_.path()) << "the question stays";
   Ask();
@@ -142,7 +142,7 @@ TEST_F(MergeCommandsTest, ANodeThatIsGoneThereAndChangedHereIsAPlace) {
   TheyWrite(With(kFile, "\n      <Say text=\"hello\"/>", ""));
   Ask();
   ASSERT_EQ(Rows().size(), 1U);
-  EXPECT_THAT(Rows()[0].title, HasSubstr("<Say text=\"good evening\""));
+  EXPECT_THAT(Rows()[0].title, HasSubstr(R"(<Say text="good evening")"));
   EXPECT_THAT(Rows()[0].note, HasSubstr("(nothing)"));
   EXPECT_EQ(Answer(), "") << "mine stays";
   EXPECT_EQ(Text(), With(kFile, "hello", "good evening"));
@@ -164,7 +164,7 @@ TEST_F(MergeCommandsTest, ANodeThatOneMovedAndTheOtherChangedIsAPlace) {
   const std::string wait = "\n      <Wait msec=\"5\"/>";
   const std::string go = "\n      <Go ";
   IWrite(With(With(kFile, wait, ""), go, wait + go));
-  TheyWrite(With(kFile, "msec=\"5\"", "msec=\"9\""));
+  TheyWrite(With(kFile, R"(msec="5")", R"(msec="9")"));
   Ask();
   ASSERT_EQ(Rows().size(), 1U);
   EXPECT_EQ(Answer(), "");
@@ -174,15 +174,15 @@ TEST_F(MergeCommandsTest, ANodeThatOneMovedAndTheOtherChangedIsAPlace) {
 }
 
 TEST_F(MergeCommandsTest, ChildrenThatBothOrderedAnewStandAsOneOfThemSays) {
-  const std::string say = "<Say text=\"hello\"/>";
-  const std::string wait = "<Wait msec=\"5\"/>";
+  const std::string say = R"(<Say text="hello"/>)";
+  const std::string wait = R"(<Wait msec="5"/>)";
   const auto reordered = [&](const std::string& first, const std::string& second) {
     std::string text = With(kFile, say, "@1");
     text = With(text, wait, "@2");
     return With(With(text, "@1", first), "@2", second);
   };
   const std::string mine = reordered(wait, say);
-  const std::string theirs = reordered(wait, "<Say text=\"bye\"/>");
+  const std::string theirs = reordered(wait, R"(<Say text="bye"/>)");
   IWrite(mine);
   TheyWrite(theirs);
   Ask();
@@ -206,9 +206,9 @@ TEST_F(MergeCommandsTest, ChildrenThatBothAddedInOnePlaceAreAChoice) {
 
 TEST_F(MergeCommandsTest, WhatWouldBeMalformedIsRefusedAndNothingHasChanged) {
   const std::string mine =
-      With(With(kFile, "<Say", "<Inverter><Say"), "\"hello\"/>", "\"hello\"/></Inverter>");
-  const std::string theirs = With(With(kFile, "<Say", "<Repeat num_cycles=\"2\"><Say"),
-                                  "\"hello\"/>", "\"hello\"/></Repeat>");
+      With(With(kFile, "<Say", "<Inverter><Say"), R"("hello"/>)", R"("hello"/></Inverter>)");
+  const std::string theirs = With(With(kFile, "<Say", R"(<Repeat num_cycles="2"><Say)"),
+                                  R"("hello"/>)", R"("hello"/></Repeat>)");
   IWrite(mine);
   TheyWrite(theirs);
   Ask();
@@ -269,7 +269,7 @@ TEST_F(MergeCommandsTest, AFileThatTheyEmptiedIsAPlaceAsWell) {
   Ask();
   ASSERT_FALSE(Rows().empty());
   EXPECT_EQ(Answer(), "") << "mine";
-  EXPECT_THAT(Text(), HasSubstr("text=\"one\""));
+  EXPECT_THAT(Text(), HasSubstr(R"(text="one")"));
 }
 
 TEST_F(MergeCommandsTest, OfSeveralFilesOneIsAskedAfterTheOther) {

@@ -15,7 +15,7 @@ class PictureCommandsTest : public testing::Test {
     driver_.Frames();
   }
   void Answer(const std::string& text) {
-    driver_.editor.state().popup_text = text;
+    driver_.editor.state().popup.text = text;
     driver_.Frames();
     driver_.Press(kKeyEnter);
   }
@@ -27,17 +27,17 @@ class PictureCommandsTest : public testing::Test {
 TEST_F(PictureCommandsTest, ExportsTheShownTreeBesideItsFile) {
   driver_.editor.state().commands.Run("file.export");
   driver_.Frames();
-  EXPECT_EQ(driver_.editor.state().popup_text, file_.folder() + "/MainTree.svg");
+  EXPECT_EQ(driver_.editor.state().popup.text, file_.folder() + "/MainTree.svg");
   driver_.Press(kKeyEnter);
-  EXPECT_EQ(driver_.editor.state().popup, Popup::kNone);
+  EXPECT_EQ(driver_.editor.state().popup.kind, Popup::kNone);
   EXPECT_NE(ReadFile(file_.folder() + "/MainTree.svg").find(">round</text>"), std::string::npos);
 }
 
 TEST_F(PictureCommandsTest, SaysWhyAPictureCannotBeWrittenAndAsksAgain) {
   driver_.editor.state().commands.Run("file.export");
   Answer("/nowhere/t.svg");
-  EXPECT_EQ(driver_.editor.state().popup, Popup::kPrompt);
-  EXPECT_NE(driver_.editor.state().popup_error.find("/nowhere/t.svg"), std::string::npos);
+  EXPECT_EQ(driver_.editor.state().popup.kind, Popup::kPrompt);
+  EXPECT_NE(driver_.editor.state().popup.error.find("/nowhere/t.svg"), std::string::npos);
 }
 
 TEST_F(PictureCommandsTest, ComparesWithWhatWasSavedLast) {
@@ -73,7 +73,7 @@ TEST_F(PictureCommandsTest, AFileWithoutATreeIsRefused) {
   driver_.editor.state().commands.Run("file.compare");
   Answer("/nowhere.xml");
   EXPECT_FALSE(driver_.editor.state().canvas.comparison);
-  EXPECT_NE(driver_.editor.state().popup_error, "");
+  EXPECT_NE(driver_.editor.state().popup.error, "");
 }
 
 }  // namespace

@@ -59,9 +59,8 @@ TEST_F(PlaceCommandsTest, RunToHereStopsTheRobotOnceAndLetsItGoOn) {
 
 TEST_F(PlaceCommandsTest, RunToHereTicksASimulationUntilTheNodeIsTicked) {
   const TemporaryFile file(
-      "wait.xml",
-      "<root BTCPP_format=\"4\"><BehaviorTree ID=\"Main\"><Sequence>"
-      "<Sleep msec=\"2000\"/><AlwaysSuccess/></Sequence></BehaviorTree></root>");
+      "wait.xml", R"(<root BTCPP_format="4"><BehaviorTree ID="Main"><Sequence>)"
+                  R"(<Sleep msec="2000"/><AlwaysSuccess/></Sequence></BehaviorTree></root>)");
   driver_.editor.Open(file.path());
   driver_.Frames();
   driver_.Press(kKeyF1 + 4);

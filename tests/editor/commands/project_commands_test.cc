@@ -50,7 +50,7 @@ TEST_F(ProjectCommandsTest, ANameThatIsTakenIsRefusedInThePrompt) {
   driver_.Press('E', kCtrl);
   Answer("Walk");
   EXPECT_TRUE(driver_.Has("popup"));
-  EXPECT_THAT(driver_.editor.state().popup_error, HasSubstr("already"));
+  EXPECT_THAT(driver_.editor.state().popup.error, HasSubstr("already"));
   EXPECT_EQ(Text(), kSmallFile);
   driver_.Press(kKeyEscape);
   EXPECT_FALSE(driver_.Has("popup"));
@@ -74,8 +74,8 @@ TEST_F(ProjectCommandsTest, ReplaceLeavesOutWhatWasClicked) {
   driver_.Picture("replace");
   ASSERT_TRUE(driver_.Click("popup/1"));
   driver_.Press(kKeyEnter);
-  EXPECT_THAT(Text(), HasSubstr("goal=\"{place}\""));
-  EXPECT_THAT(Text(), HasSubstr("<Step to=\"{goal}\"/>"));
+  EXPECT_THAT(Text(), HasSubstr(R"(goal="{place}")"));
+  EXPECT_THAT(Text(), HasSubstr(R"(<Step to="{goal}"/>)"));
 }
 
 TEST_F(ProjectCommandsTest, TheHistoryGoesToAnyStep) {
@@ -99,8 +99,8 @@ TEST_F(ProjectCommandsTest, TheHistoryGoesToAnyStep) {
 
 TEST_F(ProjectCommandsTest, NodeModelsAreLoadedFromAFile) {
   const TemporaryFile models("models.xml",
-                             "<root BTCPP_format=\"4\"><TreeNodesModel><Action ID=\"Step\">"
-                             "<input_port name=\"to\"/></Action></TreeNodesModel></root>");
+                             R"(<root BTCPP_format="4"><TreeNodesModel><Action ID="Step">)"
+                             R"(<input_port name="to"/></Action></TreeNodesModel></root>)");
   driver_.editor.state().commands.Run("file.models");
   driver_.Frames();
   Answer(models.path());
@@ -122,7 +122,7 @@ TEST_F(ProjectCommandsTest, AKeyIsRenamedEverywhere) {
   Select("1.1.2");
   driver_.Press('K', kCtrl | kShift);
   Answer("brightness");
-  EXPECT_THAT(Text(), HasSubstr("level=\"{brightness}\""));
+  EXPECT_THAT(Text(), HasSubstr(R"(level="{brightness}")"));
   driver_.Press('Z', kCtrl);
   EXPECT_EQ(Text(), kSmallFile);
 }
@@ -141,8 +141,8 @@ TEST_F(ProjectCommandsTest, ATreeIsRenamedWhereItIsUsed) {
   driver_.Press(kKeyF1 + 11);
   driver_.Press(kKeyF1 + 1, kCtrl);
   Answer("Stroll");
-  EXPECT_THAT(Text(), HasSubstr("<SubTree ID=\"Stroll\""));
-  EXPECT_THAT(Text(), HasSubstr("<BehaviorTree ID=\"Stroll\">"));
+  EXPECT_THAT(Text(), HasSubstr(R"(<SubTree ID="Stroll")"));
+  EXPECT_THAT(Text(), HasSubstr(R"(<BehaviorTree ID="Stroll">)"));
   EXPECT_THAT(Text(), Not(HasSubstr("Walk")));
 }
 

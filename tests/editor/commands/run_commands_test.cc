@@ -49,7 +49,7 @@ TEST_F(RunCommandsTest, AFaultIsForcedShownEverywhereAndClearedByOneClick) {
 
 TEST_F(RunCommandsTest, ABreakpointOfAFileIsForEveryRobotToCome) {
   const TemporaryFile file("door.xml",
-                           "<root BTCPP_format=\"4\">" + std::string(kDoorTrees) + "</root>");
+                           R"(<root BTCPP_format="4">)" + std::string(kDoorTrees) + "</root>");
   driver_.editor.Open(file.path());
   driver_.Frames();
   ASSERT_TRUE(driver_.Click("canvas/Main/1.2.1"));
@@ -64,7 +64,7 @@ TEST_F(RunCommandsTest, ABreakpointOfAFileIsForEveryRobotToCome) {
 
 TEST_F(RunCommandsTest, WritesAKey) {
   ExecutedSource* robot = AddExecuted(driver_, "robot:1", 5);
-  state().shown_key = "blackboard/pass/steps";
+  state().blackboard.shown_key = "blackboard/pass/steps";
   state().commands.Run("blackboard.write");
   driver_.Frames();
   driver_.Type("42");

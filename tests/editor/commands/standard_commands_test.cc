@@ -61,7 +61,7 @@ TEST_F(StandardCommandsTest, NodesJumpInsteadOfGlidingWithReducedMotion) {
   driver_.Frames(20);
   ASSERT_TRUE(driver_.Click("menu/view"));
   ASSERT_TRUE(driver_.Click("menu/view.reduce_motion"));
-  EXPECT_TRUE(driver_.editor.state().reduce_motion);
+  EXPECT_TRUE(driver_.editor.state().screen.reduce_motion);
   driver_.view().SetCollapsed(1, false, driver_.editor.now());
   EXPECT_FALSE(driver_.view().IsMoving(driver_.editor.now()));
 }

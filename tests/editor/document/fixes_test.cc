@@ -18,7 +18,7 @@ std::string Fixed(const std::string& nodes) {
       "<BehaviorTree ID=\"A\">\n" +
       nodes +
       "\n</BehaviorTree>\n<TreeNodesModel>"
-      "<Action ID=\"Say\"><input_port name=\"text\" type=\"std::string\"/>"
+      R"(<Action ID="Say"><input_port name="text" type="std::string"/>)"
       "</Action></TreeNodesModel></root>";
   Diagnostics diagnostics;
   auto project = std::make_shared<const Project>(*Project::FromText(text, kFile, diagnostics));
@@ -37,21 +37,21 @@ std::string Fixed(const std::string& nodes) {
 }
 
 TEST(Fixes, PutTheNearestNodeInThePlaceOfAnUnknownOne) {
-  EXPECT_EQ(Fixed("<Sequense><Say text=\"a\"/></Sequense>"),
-            "<Sequence><Say text=\"a\"/></Sequence>");
+  EXPECT_EQ(Fixed(R"(<Sequense><Say text="a"/></Sequense>)"),
+            R"(<Sequence><Say text="a"/></Sequence>)");
 }
 
 TEST(Fixes, RenameAPortThatNobodyKnows) {
-  EXPECT_EQ(Fixed("<Say texd=\"a\"/>"), "<Say text=\"a\"/>");
+  EXPECT_EQ(Fixed(R"(<Say texd="a"/>)"), R"(<Say text="a"/>)");
 }
 
 TEST(Fixes, GiveAPortThatIsMissing) {
-  EXPECT_EQ(Fixed("<Repeat><Say text=\"a\"/></Repeat>"),
-            "<Repeat num_cycles=\"{num_cycles}\"><Say text=\"a\"/></Repeat>");
+  EXPECT_EQ(Fixed(R"(<Repeat><Say text="a"/></Repeat>)"),
+            R"(<Repeat num_cycles="{num_cycles}"><Say text="a"/></Repeat>)");
 }
 
 TEST(Fixes, AreNotOfferedWhereNoNameIsNear) {
-  EXPECT_EQ(Fixed("<SubTree ID=\"Wander\"/>").substr(0, 6), "no fix");
+  EXPECT_EQ(Fixed(R"(<SubTree ID="Wander"/>)").substr(0, 6), "no fix");
 }
 
 TEST(Fixes, TheOffsetOfALineAndColumnStaysInTheText) {

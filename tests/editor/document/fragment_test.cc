@@ -33,7 +33,7 @@ TEST(CopyText, MovesNodesToTheLeftEdge) {
 TEST(ReadFragments, GivesBackWhatWasCopied) {
   const Document document = Parsed(kRound);
   EXPECT_THAT(Read(CopyText(document, {Find(document, "A"), Find(document, "B")})),
-              ElementsAre("<A/>", "<B goal=\"{goal}\"/>"));
+              ElementsAre("<A/>", R"(<B goal="{goal}"/>)"));
 }
 
 TEST(ReadFragments, TakesTheNodesOutOfAFile) {

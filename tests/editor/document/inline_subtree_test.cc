@@ -53,45 +53,47 @@ class InlineSubTreeTest : public testing::Test {
 };
 
 TEST_F(InlineSubTreeTest, KeysGetTheNamesThatTheyHaveOutside) {
-  EXPECT_EQ(Inlined(" goal=\"{place}\"",
+  EXPECT_EQ(Inlined(R"( goal="{place}")",
                     "<Sequence>\n      <Go to=\"{goal}\" _skipIf=\"goal == 1\"/>\n    </Sequence>"),
             "      <A x=\"{count}\"/>\n      <Sequence>\n"
             "        <Go to=\"{place}\" _skipIf=\"place == 1\"/>\n      </Sequence>\n");
 }
 
 TEST_F(InlineSubTreeTest, AKeyOfItsOwnStaysApartFromOneOfTheSameName) {
-  EXPECT_THAT(Inlined("", "<B x=\"{count}\" y=\"{count}\" z=\"{other}\"/>"),
-              HasSubstr("<B x=\"{count_inner}\" y=\"{count_inner}\" z=\"{other}\"/>"));
-  EXPECT_THAT(Inlined(" _autoremap=\"true\"", "<B x=\"{count}\"/>"),
-              HasSubstr("<B x=\"{count}\"/>"));
+  EXPECT_THAT(Inlined("", R"(<B x="{count}" y="{count}" z="{other}"/>)"),
+              HasSubstr(R"(<B x="{count_inner}" y="{count_inner}" z="{other}"/>)"));
+  for (const char* yes : {"true", "True", "1"}) {
+    EXPECT_THAT(Inlined(" _autoremap='" + std::string(yes) + "'", "<B x='{count}'/>"),
+                HasSubstr("<B x='{count}'/>"));
+  }
 }
 
 TEST_F(InlineSubTreeTest, ALiteralTakesThePlaceOfItsKey) {
-  EXPECT_THAT(Inlined(" goal=\"a &lt; &quot;b&quot;\"", "<B x='{goal}'/>"),
-              HasSubstr("<B x='a &lt; \"b\"'/>"));
-  EXPECT_THAT(Inlined(" goal=\"7\"", "<B _onStart=\"x := goal\"/>"), HasSubstr("literal"));
+  EXPECT_THAT(Inlined(R"( goal="a &lt; &quot;b&quot;")", "<B x='{goal}'/>"),
+              HasSubstr(R"(<B x='a &lt; "b"'/>)"));
+  EXPECT_THAT(Inlined(R"( goal="7")", R"(<B _onStart="x := goal"/>)"), HasSubstr("literal"));
 }
 
 TEST_F(InlineSubTreeTest, NameAndGuardsOfTheSubTreeGoOn) {
-  EXPECT_THAT(Inlined(" name=\"walk\" _skipIf=\"ill\"", "<B/>"),
-              HasSubstr("<B name=\"walk\" _skipIf=\"ill\"/>"));
-  EXPECT_THAT(Inlined(" _skipIf=\"ill\"", "<B _failureIf=\"late\"/>"), HasSubstr("both"));
+  EXPECT_THAT(Inlined(R"( name="walk" _skipIf="ill")", "<B/>"),
+              HasSubstr(R"(<B name="walk" _skipIf="ill"/>)"));
+  EXPECT_THAT(Inlined(R"( _skipIf="ill")", R"(<B _failureIf="late"/>)"), HasSubstr("both"));
 }
 
 TEST_F(InlineSubTreeTest, WhatWouldChangeItsMeaningIsRefused) {
-  EXPECT_THAT(Inlined(" goal=\"{place}\"",
-                      "<C x=\"{goal}\"><SubTree ID=\"Deep\" _autoremap=\"true\"/></C>"),
-              HasSubstr("_autoremap"));
+  EXPECT_THAT(
+      Inlined(R"( goal="{place}")", R"(<C x="{goal}"><SubTree ID="Deep" _autoremap="true"/></C>)"),
+      HasSubstr("_autoremap"));
   EXPECT_EQ(Inlined("", ""), "that tree is empty");
 }
 
 TEST_F(InlineSubTreeTest, UndoesAnExtraction) {
-  const std::string before = Trees(" goal=\"{goal}\"", "<Go to=\"{goal}\"/>");
+  const std::string before = Trees(R"( goal="{goal}")", R"(<Go to="{goal}"/>)");
   const Document document = Parsed(before);
   Draft draft(document, {Find(document, "SubTree")});
   ASSERT_EQ(InlineSubTree(draft, rules_, document, Tree(document)), "");
   ASSERT_EQ(ExtractSubTree(draft, rules_, "Walk2", {}), "");
-  EXPECT_THAT(draft.document().text(), HasSubstr("<SubTree ID=\"Walk2\" goal=\"{goal}\"/>"));
+  EXPECT_THAT(draft.document().text(), HasSubstr(R"(<SubTree ID="Walk2" goal="{goal}"/>)"));
 }
 
 }  // namespace

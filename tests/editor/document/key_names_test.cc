@@ -7,17 +7,17 @@
 namespace coppice::editor {
 namespace {
 
+using testing::AnyOf;
 using testing::ElementsAre;
+using testing::HasSubstr;
 
 std::vector<std::string> Keys(const std::string& nodes) {
-  const Document document = Parsed("<root BTCPP_format=\"4\"><BehaviorTree ID=\"Main\">" + nodes +
+  const Document document = Parsed(R"(<root BTCPP_format="4"><BehaviorTree ID="Main">)" + nodes +
                                    "</BehaviorTree></root>");
   std::vector<std::string> keys;
   for (const KeyName& name : KeyNamesIn(document, NodeModels(), 1)) {
-    EXPECT_NE(document.text()
-                  .substr(name.begin, name.end - name.begin)
-                  .find(name.form == KeyForm::kPort ? "=" : name.key),
-              std::string::npos);
+    const std::string place = document.text().substr(name.begin, name.end - name.begin);
+    EXPECT_THAT(place, AnyOf(HasSubstr(name.key), HasSubstr("=")));
     keys.push_back((name.is_global ? "@" : "") + name.key + (name.reads ? " r" : "") +
                    (name.writes ? " w" : ""));
   }
@@ -25,39 +25,44 @@ std::vector<std::string> Keys(const std::string& nodes) {
 }
 
 TEST(KeyNames, AreFoundInPortsAndScripts) {
-  EXPECT_THAT(Keys("<Go goal=\"{goal}\" speed=\"{@speed}\" text=\"in {braces} somewhere\"/>"),
+  EXPECT_THAT(Keys(R"(<Go goal="{goal}" speed="{@speed}" text="in {braces} somewhere"/>)"),
               ElementsAre("goal r", "@speed r"));
-  EXPECT_THAT(Keys("<Script code=\"a := b + 1; c += 2; d = true\"/>"),
+  EXPECT_THAT(Keys(R"(<Script code="a := b + 1; c += 2; d = true"/>)"),
               ElementsAre("a w", "b r", "c r w", "d w"));
-  EXPECT_THAT(Keys("<Go _skipIf=\"battery &lt; 20\"/>"), ElementsAre("battery r"));
+  EXPECT_THAT(Keys(R"(<Go _skipIf="battery &lt; 20"/>)"), ElementsAre("battery r"));
+}
+
+TEST(KeyNames, AreWhatTheEngineTakesForKeys) {
+  EXPECT_THAT(Keys("<Go goal=' {goal} ' speed='{ fast }' where='=' text='{a}_{b}'/>"),
+              ElementsAre("goal r", "fast r", "where r"));
 }
 
 TEST(KeyNames, KnowTheDirectionOfAPort) {
-  EXPECT_THAT(Keys("<SetBlackboard value=\"{from}\" output_key=\"to\"/>"),
+  EXPECT_THAT(Keys(R"(<SetBlackboard value="{from}" output_key="to"/>)"),
               ElementsAre("from r", "to w"));
 }
 
 TEST(KeyNames, OfASubTreeAreHandedOn) {
-  EXPECT_THAT(Keys("<SubTree ID=\"Walk\" goal=\"{place}\" speed=\"{=}\" loud=\"true\"/>"),
+  EXPECT_THAT(Keys(R"(<SubTree ID="Walk" goal="{place}" speed="{=}" loud="true"/>)"),
               ElementsAre("place", "speed"));
 }
 
 TEST(KeyNames, WordsInCapitalsThatNobodyAssignsAreNoKeys) {
-  EXPECT_THAT(Keys("<Script code=\"color := RED\"/>"), ElementsAre("color w"));
-  EXPECT_THAT(Keys("<Script code=\"RED := 1; color := RED\"/>"),
+  EXPECT_THAT(Keys(R"(<Script code="color := RED"/>)"), ElementsAre("color w"));
+  EXPECT_THAT(Keys(R"(<Script code="RED := 1; color := RED"/>)"),
               ElementsAre("RED w", "color w", "RED r"));
 }
 
 TEST(KeyNames, AnotherKeyTakesTheirPlace) {
-  const Document document = Parsed(
-      "<root><BehaviorTree ID=\"M\"><A x=\"{k}\" y=\"{=}\" _post=\"k &lt; k\"/></BehaviorTree>"
-      "</root>");
+  const Document document =
+      Parsed(R"(<root><BehaviorTree ID="M"><A x="{k}" y="{=}" _post="k &lt; k"/></BehaviorTree>)"
+             "</root>");
   Edit edit;
   for (const KeyName& name : KeyNamesIn(document, NodeModels(), 0)) {
     edit = Merge(std::move(edit), {WithKey(name, "new")});
   }
   EXPECT_EQ(Apply(edit, document.text()),
-            "<root><BehaviorTree ID=\"M\"><A x=\"{new}\" y=\"{new}\" _post=\"new &lt; new\"/>"
+            R"(<root><BehaviorTree ID="M"><A x="{new}" y="{new}" _post="new &lt; new"/>)"
             "</BehaviorTree></root>");
 }
 

@@ -13,7 +13,7 @@ constexpr char kMain[] = R"(<root BTCPP_format="4" main_tree_to_execute="Main">
 <BehaviorTree ID="Main"><Sequence>
   <SubTree ID="Walk" goal="{place}"/>
   <SubTree ID="Walk" goal="{=}" name="Walk"/>
-  <SubTree ID="Rest" _autoremap="true"/>
+  <SubTree ID="Rest" _autoremap="True"/>
   <Beep goal="{goal}"/>
 </Sequence></BehaviorTree></root>)";
 constexpr char kWalk[] = R"(<root BTCPP_format="4">
@@ -41,10 +41,10 @@ TEST_F(ProjectNamesTest, FindTreesAndTheirUses) {
 
 TEST_F(ProjectNamesTest, ATreeIsRenamedInAllFiles) {
   const auto edits = RenameTree(files_, "Walk", "Stroll");
-  EXPECT_THAT(After(edits, 0), HasSubstr("<SubTree ID=\"Stroll\" goal=\"{=}\" name=\"Walk\"/>"));
-  EXPECT_THAT(After(edits, 1), HasSubstr("<BehaviorTree ID=\"Stroll\">"));
-  EXPECT_THAT(After(edits, 1), HasSubstr("<TreeNodesModel><SubTree ID=\"Stroll\"/>"));
-  EXPECT_THAT(After(RenameTree(files_, "Main", "M"), 0), HasSubstr("main_tree_to_execute=\"M\""));
+  EXPECT_THAT(After(edits, 0), HasSubstr(R"(<SubTree ID="Stroll" goal="{=}" name="Walk"/>)"));
+  EXPECT_THAT(After(edits, 1), HasSubstr(R"(<BehaviorTree ID="Stroll">)"));
+  EXPECT_THAT(After(edits, 1), HasSubstr(R"(<TreeNodesModel><SubTree ID="Stroll"/>)"));
+  EXPECT_THAT(After(RenameTree(files_, "Main", "M"), 0), HasSubstr(R"(main_tree_to_execute="M")"));
 }
 
 TEST_F(ProjectNamesTest, AKeyOfATreeIsRenamedWithThePortsOfItsSubTrees) {
@@ -52,21 +52,21 @@ TEST_F(ProjectNamesTest, AKeyOfATreeIsRenamedWithThePortsOfItsSubTrees) {
   const auto edits =
       RenameKey(files_, models_, TreesCalled(files_, "Walk")[0], "goal", "target", refusal);
   EXPECT_EQ(refusal, "");
-  EXPECT_THAT(After(edits, 1), HasSubstr("<Go to=\"{target}\" _skipIf=\"target == @goal\"/>"));
-  EXPECT_THAT(After(edits, 1), HasSubstr("<Sit goal=\"{goal}\"/>"));
-  EXPECT_THAT(After(edits, 0), HasSubstr("<SubTree ID=\"Walk\" target=\"{place}\"/>"));
-  EXPECT_THAT(After(edits, 0), HasSubstr("target=\"{goal}\" name"));
+  EXPECT_THAT(After(edits, 1), HasSubstr(R"(<Go to="{target}" _skipIf="target == @goal"/>)"));
+  EXPECT_THAT(After(edits, 1), HasSubstr(R"(<Sit goal="{goal}"/>)"));
+  EXPECT_THAT(After(edits, 0), HasSubstr(R"(<SubTree ID="Walk" target="{place}"/>)"));
+  EXPECT_THAT(After(edits, 0), HasSubstr(R"(target="{goal}" name)"));
 }
 
 TEST_F(ProjectNamesTest, TreesThatShareTheKeyByAutoremapAreRenamedToo) {
   std::string refusal;
   const auto edits = RenameKey(files_, models_, {0, 1}, "goal", "target", refusal);
   EXPECT_EQ(refusal, "");
-  EXPECT_THAT(After(edits, 0), HasSubstr("<SubTree ID=\"Walk\" goal=\"{place}\"/>"));
-  EXPECT_THAT(After(edits, 0), HasSubstr("<SubTree ID=\"Walk\" goal=\"{target}\" name"));
-  EXPECT_THAT(After(edits, 0), HasSubstr("<Beep goal=\"{target}\"/>"));
-  EXPECT_THAT(After(edits, 1), HasSubstr("<Sit goal=\"{target}\"/>"));
-  EXPECT_THAT(After(edits, 1), HasSubstr("<Go to=\"{goal}\""));
+  EXPECT_THAT(After(edits, 0), HasSubstr(R"(<SubTree ID="Walk" goal="{place}"/>)"));
+  EXPECT_THAT(After(edits, 0), HasSubstr(R"(<SubTree ID="Walk" goal="{target}" name)"));
+  EXPECT_THAT(After(edits, 0), HasSubstr(R"(<Beep goal="{target}"/>)"));
+  EXPECT_THAT(After(edits, 1), HasSubstr(R"(<Sit goal="{target}"/>)"));
+  EXPECT_THAT(After(edits, 1), HasSubstr(R"(<Go to="{goal}")"));
 }
 
 TEST_F(ProjectNamesTest, ANameThatIsTakenOrNoneIsRefused) {

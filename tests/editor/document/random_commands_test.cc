@@ -6,10 +6,10 @@
 
 #include "editor/document/drop_edits.h"
 #include "editor/document/fragment.h"
-#include "editor/document/open_project.h"
 #include "editor/document/project_names.h"
 #include "editor/document/subtree_edits.h"
 #include "editor/document/tree_edits.h"
+#include "editor/files/open_project.h"
 #include "tests/editor/document/drafts.h"
 #include "tests/editor/driver.h"
 #include "tests/support/folders.h"
@@ -36,8 +36,8 @@ std::string RandomTree(Dice& dice, int depth, const std::string& indentation) {
   const std::string tag = depth == 0 ? dice.Pick({"A", "B", "Wait"})
                                      : dice.Pick({"Sequence", "Fallback", "Inverter", "X"});
   std::string text = indentation + "<" + tag;
-  if (dice.OneIn(2)) text += dice.Pick({" name='n'", " goal=\"{goal}\"", "\n   msec = \"5\""});
-  if (dice.OneIn(6)) text += dice.Pick({" _skipIf=\"a &lt; 3\"", " _skipIf='true'"});
+  if (dice.OneIn(2)) text += dice.Pick({" name='n'", R"( goal="{goal}")", "\n   msec = \"5\""});
+  if (dice.OneIn(6)) text += dice.Pick({R"( _skipIf="a &lt; 3")", " _skipIf='true'"});
   const std::size_t children = tag == "Inverter" ? 1 : dice.Below(4);
   if (depth == 0 || children == 0) return text + dice.Pick({"/>", " />"});
   text += ">";
@@ -153,7 +153,7 @@ class Session {
       case 6:
         return MoveInto(draft, rules_, element, position);
       case 7:
-        return Wrap(draft, rules_, dice_.Pick({"<Fallback/>", "<Repeat num_cycles=\"3\"/>"}));
+        return Wrap(draft, rules_, dice_.Pick({"<Fallback/>", R"(<Repeat num_cycles="3"/>)"}));
       case 8:
         return ChangeType(draft, rules_, dice_.Pick({"Fallback", "Unheard", "Wait", "Inverter"}));
       case 9:
@@ -233,8 +233,8 @@ TEST(RandomCommands, OnRealFilesAreUndoneByteForByte) {
   const NodeRules rules(models);
   const char* folder = std::getenv("COPPICE_TREES");
   int sessions = 0;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(
-           folder ? folder : SourceFolder() + "/trees")) {
+  for (const auto& entry :
+       std::filesystem::recursive_directory_iterator(folder ? folder : SourceFolder() + "/trees")) {
     if (entry.path().extension() != ".xml") continue;
     SCOPED_TRACE(entry.path().string());
     std::ifstream stream(entry.path(), std::ios::binary);

@@ -5,13 +5,6 @@
 namespace coppice::editor {
 namespace {
 
-TEST(ScriptCheck, KnowsTheAttributesThatHoldScripts) {
-  EXPECT_TRUE(IsScriptAttribute("_skipIf"));
-  EXPECT_TRUE(IsScriptAttribute("_post"));
-  EXPECT_FALSE(IsScriptAttribute("code"));
-  EXPECT_FALSE(IsScriptAttribute("name"));
-}
-
 TEST(ScriptCheck, IsSilentAboutAGoodScript) {
   EXPECT_EQ(ScriptProblemOf("battery < 20 && !docked"), "");
   EXPECT_EQ(ScriptProblemOf("count := count + 1; done := true"), "");

@@ -31,9 +31,9 @@ class SearchTest : public testing::Test {
   }
 
   const ProjectFiles files_ = {
-      Parsed("<root><BehaviorTree ID=\"Main\"><Seq name=\"go on\">"
-             "<Go goal=\"{goal}\" say=\"a &lt; go\"/><Action ID=\"Gone\" _post=\"goal := 1\"/>"
-             "</Seq></BehaviorTree><TreeNodesModel><Action ID=\"Go\"/></TreeNodesModel></root>")};
+      Parsed(R"(<root><BehaviorTree ID="Main"><Seq name="go on">)"
+             R"(<Go goal="{goal}" say="a &lt; go"/><Action ID="Gone" _post="goal := 1"/>)"
+             R"(</Seq></BehaviorTree><TreeNodesModel><Action ID="Go"/></TreeNodesModel></root>)")};
   const NodeModels models_;
   std::optional<Query> query_;
 };
@@ -68,12 +68,12 @@ TEST_F(SearchTest, SpecialCharactersStandForThemselves) {
 }
 
 TEST_F(SearchTest, ReplacesInTheTextOfTheFile) {
-  EXPECT_THAT(Replaced("type:Go", "Run"), HasSubstr("<Run goal=\"{goal}\""));
-  EXPECT_THAT(Replaced("type:Gone", "<"), HasSubstr("<Action ID=\"&lt;\""));
-  EXPECT_THAT(Replaced("value:a <", "b &"), HasSubstr("say=\"b &amp; go\""));
-  EXPECT_THAT(Replaced("port:goal", "to"), HasSubstr("<Go to=\"{goal}\""));
-  EXPECT_THAT(Replaced("value:/(go)al/", "$1ld"), HasSubstr("goal=\"{gold}\""));
-  EXPECT_THAT(Replaced("value:go", "$1"), HasSubstr("goal=\"{$1al}\""));
+  EXPECT_THAT(Replaced("type:Go", "Run"), HasSubstr(R"(<Run goal="{goal}")"));
+  EXPECT_THAT(Replaced("type:Gone", "<"), HasSubstr(R"(<Action ID="&lt;")"));
+  EXPECT_THAT(Replaced("value:a <", "b &"), HasSubstr(R"(say="b &amp; go")"));
+  EXPECT_THAT(Replaced("port:goal", "to"), HasSubstr(R"(<Go to="{goal}")"));
+  EXPECT_THAT(Replaced("value:/(go)al/", "$1ld"), HasSubstr(R"(goal="{gold}")"));
+  EXPECT_THAT(Replaced("value:go", "$1"), HasSubstr(R"(goal="{$1al}")"));
 }
 
 }  // namespace

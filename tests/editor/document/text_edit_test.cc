@@ -59,7 +59,7 @@ TEST(TextEdit, GoesToTheFirstCharacterThenToTheStartOfTheLine) {
 }
 
 TEST(TextEdit, StepsOverWords) {
-  TextEdit edit{"<a goal=\"x\"/>", 0, 0};
+  TextEdit edit{R"(<a goal="x"/>)", 0, 0};
   edit.Move(TextStep::kWordRight, false);
   EXPECT_EQ(edit.at, 2U);
   edit.Move(TextStep::kWordRight, false);

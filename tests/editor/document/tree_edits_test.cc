@@ -128,7 +128,7 @@ TEST_F(TreeEditsTest, SeveralNodesMoveInTheirOrder) {
 
 TEST_F(TreeEditsTest, WrapPutsAnElementAroundNeighbours) {
   Draft draft = Select({"C", "D"});
-  EXPECT_EQ(Wrap(draft, rules_, "<Parallel success_count=\"1\"/>"), "");
+  EXPECT_EQ(Wrap(draft, rules_, R"(<Parallel success_count="1"/>)"), "");
   EXPECT_THAT(draft.document().text(),
               HasSubstr("        <Parallel success_count=\"1\">\n          <C msec='5'/>\n"));
   EXPECT_THAT(Selected(draft), ElementsAre("Parallel"));
@@ -158,12 +158,11 @@ TEST_F(TreeEditsTest, DisableComesBackByteForByte) {
 }
 
 TEST_F(TreeEditsTest, ADisabledNodeKeepsItsOwnGuard) {
-  const std::string text =
-      "<root><BehaviorTree ID='M'><A _skipIf='a &lt; 3 && \"x\" == b' "
-      "x='1'/></BehaviorTree></root>";
+  const std::string text = R"(<root><BehaviorTree ID='M'><A _skipIf='a &lt; 3 && "x" == b' )"
+                           "x='1'/></BehaviorTree></root>";
   Draft draft = DraftOf(Parsed(text), {"A"});
   EXPECT_EQ(ToggleDisabled(draft), "");
-  EXPECT_THAT(draft.document().text(), HasSubstr("_skipIf='true || (a &lt; 3 && \"x\" == b)'"));
+  EXPECT_THAT(draft.document().text(), HasSubstr(R"(_skipIf='true || (a &lt; 3 && "x" == b)')"));
   EXPECT_EQ(ToggleDisabled(draft), "");
   EXPECT_EQ(draft.document().text(), text);
 }
@@ -171,9 +170,9 @@ TEST_F(TreeEditsTest, ADisabledNodeKeepsItsOwnGuard) {
 TEST_F(TreeEditsTest, AnEmptyNameIsNoName) {
   Draft draft = Select({"inner"});
   EXPECT_EQ(SetValue(draft, "name", ""), "");
-  EXPECT_EQ(draft.document().text(), With(" name=\"inner\"", ""));
+  EXPECT_EQ(draft.document().text(), With(R"( name="inner")", ""));
   EXPECT_EQ(SetValue(draft, "name", "a < b"), "");
-  EXPECT_EQ(draft.document().text(), With("name=\"inner\"", "name=\"a &lt; b\""));
+  EXPECT_EQ(draft.document().text(), With(R"(name="inner")", R"(name="a &lt; b")"));
   EXPECT_NE(SetValue(draft, "no name", "x"), "");
 }
 

@@ -80,7 +80,7 @@ TEST_F(ExportVerbTest, RefusesWhatItDoesNotUnderstand) {
     EXPECT_EQ(Run({file_.path(), "-o", picture_, "--scale", scale}), 2) << scale;
   }
   EXPECT_EQ(Run({file_.path(), "-o", picture_, "--tree", "Wolk"}), 2);
-  EXPECT_NE(errors_.find("did you mean \"Walk\""), std::string::npos) << errors_;
+  EXPECT_NE(errors_.find(R"(did you mean "Walk")"), std::string::npos) << errors_;
 }
 
 TEST_F(ExportVerbTest, SaysWhatIsWrongWithAFileAndPaintsWhatCanBeRead) {

@@ -23,7 +23,7 @@ TEST(OutlineTexts, MarkdownSaysNotesAndWhatIsDisabled) {
 }
 
 TEST(OutlineTexts, DotJoinsEachNodeToItsParent) {
-  const auto scene = MakeScene("<A><B x='say \"hi\"'/><C/></A>");
+  const auto scene = MakeScene(R"(<A><B x='say "hi"'/><C/></A>)");
   const std::string dot = ToDot({scene.get(), scene.get()});
   EXPECT_NE(dot.find("t0n0 -> t0n1;"), std::string::npos);
   EXPECT_NE(dot.find("t1n0 -> t1n2;"), std::string::npos);

@@ -49,12 +49,11 @@ TEST(Svg, WritesEachKindOfShape) {
   item(DrawnItem::Kind::kDisc, {{5, 6}}, 0xFF00FF00, 3);
   item(DrawnItem::Kind::kBox, {{1, 2}, {11, 22}}, 0xFFFFFFFF, 4);
   const std::string svg = ToSvg(drawing, Glyphs());
-  EXPECT_NE(svg.find("viewBox=\"0 0 100 50\""), std::string::npos);
-  EXPECT_NE(svg.find("<polygon points=\"0 0 1 0 0 1\" fill=\"#ff0000\"/>"), std::string::npos);
-  EXPECT_NE(svg.find("stroke=\"#0000ff\" stroke-opacity=\"0.5\""), std::string::npos);
-  EXPECT_NE(svg.find("<circle cx=\"5\" cy=\"6\" r=\"3\""), std::string::npos);
-  EXPECT_NE(svg.find("<rect x=\"1\" y=\"2\" width=\"10\" height=\"20\" rx=\"4\""),
-            std::string::npos);
+  EXPECT_NE(svg.find(R"(viewBox="0 0 100 50")"), std::string::npos);
+  EXPECT_NE(svg.find(R"(<polygon points="0 0 1 0 0 1" fill="#ff0000"/>)"), std::string::npos);
+  EXPECT_NE(svg.find(R"(stroke="#0000ff" stroke-opacity="0.5")"), std::string::npos);
+  EXPECT_NE(svg.find(R"(<circle cx="5" cy="6" r="3")"), std::string::npos);
+  EXPECT_NE(svg.find(R"(<rect x="1" y="2" width="10" height="20" rx="4")"), std::string::npos);
 }
 
 }  // namespace

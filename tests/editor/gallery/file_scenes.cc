@@ -1,4 +1,4 @@
-#include "editor/document/git_head.h"
+#include "editor/files/git_head.h"
 #include "tests/editor/gallery/scenes.h"
 #include "tests/editor/patrol_file.h"
 
@@ -101,8 +101,8 @@ std::string LargeFile() {
     const std::string number = std::to_string(room);
     text += "<Fallback name=\"room " + number + "\">\n";
     for (int try_ = 1; try_ <= 3; ++try_) {
-      text += "<Sequence><Script code=\"room := " + number + "\"/><Sleep msec=\"" + number +
-              "00\"/><SetBlackboard output_key=\"done_" + number +
+      text += "<Sequence><Script code=\"room := " + number + R"("/><Sleep msec=")" + number +
+              R"(00"/><SetBlackboard output_key="done_)" + number +
               "\" value=\"true\"/></Sequence>\n";
     }
     text += "</Fallback>\n";
@@ -170,7 +170,7 @@ std::string BranchOf(int depth) {
 
 // Four children each: 1365 nodes.
 void WideTree(Stage& stage) {
-  stage.Open("wide.xml", "<root BTCPP_format=\"4\"><BehaviorTree ID=\"Wide\">" + BranchOf(5) +
+  stage.Open("wide.xml", R"(<root BTCPP_format="4"><BehaviorTree ID="Wide">)" + BranchOf(5) +
                              "</BehaviorTree></root>\n");
 }
 
@@ -265,7 +265,7 @@ void TypingXml(Stage& stage) {
   stage.Select("1.2.1");
   stage.Run("edit.xml");
   stage.driver().Press(kKeyEnd);
-  stage.driver().Type("<Say txt=\"new\"/>");
+  stage.driver().Type(R"(<Say txt="new"/>)");
   stage.Rest();
 }
 
@@ -312,7 +312,7 @@ void Dispute(Stage& stage) {
   stage.Select("1.2.1.3");
   stage.Run("edit.disable");
   std::string other = kPatrolFile;
-  other.replace(other.find("All quiet.\"/>"), 13, "All quiet.\" _skipIf=\"night\"/>");
+  other.replace(other.find("All quiet.\"/>"), 13, R"(All quiet." _skipIf="night"/>)");
   stage.Write("patrol.xml", other);
   stage.Rest();
 }

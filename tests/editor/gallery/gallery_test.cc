@@ -28,7 +28,7 @@ std::vector<Box> NodesOf(Editor& editor) {
   std::vector<Box> nodes;
   const TreeView* view = editor.state().workspace.view();
   const bool is_drag = view && view->gesture.kind == Gesture::Kind::kDrag;
-  if (is_drag || editor.state().incoming) return nodes;
+  if (is_drag || editor.state().drag.carried) return nodes;
   for (const auto& [path, box] : editor.items().all()) {
     const bool is_node =
         path.rfind("canvas/", 0) == 0 && std::count(path.begin(), path.end(), '/') == 2;
@@ -71,7 +71,7 @@ TEST_P(Gallery, IsWholeAndReadableInEveryPalette) {
   ExpectWholeTexts(editor, DrawnText(editor));
   for (const PaletteName palette :
        {PaletteName::kDark, PaletteName::kLight, PaletteName::kColourBlind}) {
-    stage.state().palette = palette;
+    stage.state().screen.palette = palette;
     stage.driver().Frames(2);
     const std::vector<std::string> faint = FaintTexts(DrawnText(editor));
     EXPECT_TRUE(faint.empty()) << ToString(palette) << Lines(faint);

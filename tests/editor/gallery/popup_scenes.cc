@@ -155,7 +155,7 @@ void ConnectFails(Stage& stage) {
 
 void PasteErrors(Stage& stage) {
   ShowPatrol(stage);
-  stage.state().set_clipboard("<Sequence><Say text=\"a\"></Sequence>");
+  stage.state().services.set_clipboard(R"(<Sequence><Say text="a"></Sequence>)");
   stage.Run("edit.paste");
 }
 

@@ -139,7 +139,7 @@ void Lost(Stage& stage) {
 }
 
 void Connecting(Stage& stage) {
-  stage.state().connect("127.0.0.1:9");  // where nobody listens
+  stage.state().services.connect("127.0.0.1:9");  // where nobody listens
   stage.driver().Frames(12);
 }
 

@@ -38,7 +38,7 @@ void SetKey(Stage& stage) {
 void EditedWrongly(Stage& stage) {
   Ticking(stage);
   std::string text = kPatrolTree;
-  text.replace(text.find("<Dock name=\"dock\"/>"), 19, "<Inverter/>");
+  text.replace(text.find(R"(<Dock name="dock"/>)"), 19, "<Inverter/>");
   const std::string path = stage.state().workspace.project().files().begin()->first;
   stage.state().workspace.project().SetText(path, "Type", text);
   stage.driver().Frames(30);
@@ -65,7 +65,7 @@ void Covered(Stage& stage, const char* battery) {
   Begin(stage);
   if (*battery) stage.state().simulator.get()->SetKey("battery", battery);
   stage.Run("sim.runs");
-  stage.state().popup_text = "200";
+  stage.state().popup.text = "200";
   stage.driver().Press(kKeyEnter);
   while (stage.state().coverage.is_running()) stage.driver().Frames(1);
   stage.Run("view.fit_all");

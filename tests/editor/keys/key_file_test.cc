@@ -37,7 +37,7 @@ TEST_F(KeyFileTest, SaysWhatIsWrongWithItsLineAndKeepsTheRest) {
       Read("view.fit_al = F2\nfile.save\nfile.save = Ctrl+Nothing\n= F3\ntree.collapse = F4\n");
   EXPECT_NE(problems.find("keys:1:1: error: there is no command view.fit_al"), std::string::npos)
       << problems;
-  EXPECT_NE(problems.find("did you mean \"view.fit_all\"?"), std::string::npos) << problems;
+  EXPECT_NE(problems.find(R"(did you mean "view.fit_all"?)"), std::string::npos) << problems;
   EXPECT_NE(problems.find("keys:2:1"), std::string::npos) << problems;
   EXPECT_NE(problems.find("Ctrl+Nothing is no key"), std::string::npos) << problems;
   EXPECT_NE(problems.find("keys:4:1"), std::string::npos) << problems;

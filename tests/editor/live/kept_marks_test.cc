@@ -23,7 +23,7 @@ TEST(KeptMarks, BreakpointsAndBookmarksComeBack) {
   once.times = 1;
   hooks.Add("", once);
   Bookmarks bookmarks;
-  bookmarks.Set("/runs/a.coppice", 7, "here \"it\" turns");
+  bookmarks.Set("/runs/a.coppice", 7, R"(here "it" turns)");
   bookmarks.Set("robot:1667", 8, "gone with the run");
 
   LogPoints log_points;
@@ -51,7 +51,7 @@ TEST(KeptMarks, BreakpointsAndBookmarksComeBack) {
   EXPECT_EQ(ToString(read.hook), ToString(breakpoint));
   EXPECT_FALSE(read.hook.enabled);
   ASSERT_EQ(bookmarks_again.all().size(), 1U);
-  EXPECT_EQ(bookmarks_again.Of("/runs/a.coppice").at(7), "here \"it\" turns");
+  EXPECT_EQ(bookmarks_again.Of("/runs/a.coppice").at(7), R"(here "it" turns)");
   ASSERT_EQ(points_again.all().size(), 1U);
   EXPECT_EQ(points_again.all()[0].run, "robot:1667");
   EXPECT_EQ(ToString(points_again.all()[0]), "to {goal} if battery < 20 #3");
@@ -64,17 +64,17 @@ TEST(KeptMarks, AFileOfAnOlderEditorIsRead) {
   Bookmarks bookmarks;
   LanePins pins;
   Diagnostics diagnostics;
-  ReadMarks("{\"breakpoints\": [{\"path\": \"a\"}], \"bookmarks\": {}}", "marks",
+  ReadMarks(R"({"breakpoints": [{"path": "a"}], "bookmarks": {}})", "marks",
             {hooks, log_points, bookmarks, pins}, diagnostics);
   EXPECT_TRUE(diagnostics.all().empty()) << diagnostics.ToString();
   EXPECT_EQ(hooks.all().size(), 1U);
 }
 
 TEST(KeptMarks, ATextThatIsNoneAddsNothingAndSaysWhy) {
-  for (const char* text : {"", "{", "[]", "{\"breakpoints\": [{}], \"bookmarks\": {}}",
-                           "{\"breakpoints\": [{\"path\": \"a\"}], \"bookmarks\": {\"r\": [1]}}",
-                           "{\"breakpoints\": [{\"path\": \"a\"}], \"bookmarks\": {}, "
-                           "\"pins\": [7]}"}) {
+  for (const char* text : {"", "{", "[]", R"({"breakpoints": [{}], "bookmarks": {}})",
+                           R"({"breakpoints": [{"path": "a"}], "bookmarks": {"r": [1]}})",
+                           R"({"breakpoints": [{"path": "a"}], "bookmarks": {}, )"
+                           R"("pins": [7]})"}) {
     HookList hooks;
     LogPoints log_points;
     Bookmarks bookmarks;

@@ -10,8 +10,8 @@
 #include "bt_core/record/recorder.h"
 #include "editor/live/run_view.h"
 #include "editor/workspace/workspace.h"
-#include "tests/bt_core/record/temporary_folder.h"
 #include "tests/editor/timeline/executed_run.h"
+#include "tests/support/temporary_folder.h"
 
 namespace coppice::editor {
 namespace {

@@ -36,11 +36,11 @@ TEST(ValueTable, AListOfObjectsIsATable) {
 }
 
 TEST(ValueTable, EverythingElseIsNone) {
-  for (const char* text : {"", "[]", "[1,2]", "[{\"a\":1},2]", "[{\"a\":", "{}", "hello",
-                           "{\"a\":1}", R"({"a":[{"x":1}],"b":[{"y":1}]})"}) {
+  for (const char* text : {"", "[]", "[1,2]", R"([{"a":1},2])", R"([{"a":)", "{}", "hello",
+                           R"({"a":1})", R"({"a":[{"x":1}],"b":[{"y":1}]})"}) {
     EXPECT_EQ(Print(text), "none") << text;
   }
-  for (const char* text : {"", "hello", "[1,2]", "{\"a\":1}"}) {
+  for (const char* text : {"", "hello", "[1,2]", R"({"a":1})"}) {
     EXPECT_FALSE(LooksLikeTable(Bytes(text))) << text;
   }
   EXPECT_FALSE(LooksLikeTable(""));
@@ -48,7 +48,7 @@ TEST(ValueTable, EverythingElseIsNone) {
 
 TEST(ValueTable, NestedValuesAreTheirJson) {
   EXPECT_EQ(Print(R"([{"pose":{"x":1},"tags":["a"],"none":null}])"),
-            "pose tags none | {\"x\":1}; [\"a\"]; ;");
+            R"(pose tags none | {"x":1}; ["a"]; ;)");
 }
 
 TEST(ValueTable, IsSortedByNumbersOrWords) {
@@ -64,7 +64,7 @@ TEST(ValueTable, IsSortedByNumbersOrWords) {
 
 TEST(ValueTable, AHugeListIsCutOff) {
   std::string text = "[";
-  for (int i = 0; i < 3000; ++i) text += (i ? ",{\"i\":" : "{\"i\":") + std::to_string(i) + "}";
+  for (int i = 0; i < 3000; ++i) text += (i ? R"(,{"i":)" : R"({"i":)") + std::to_string(i) + "}";
   EXPECT_EQ(ReadTable(Bytes(text + "]"))->rows.size(), ValueTable::kMostRows);
 }
 

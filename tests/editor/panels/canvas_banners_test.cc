@@ -94,7 +94,7 @@ TEST_F(CanvasBannersTest, AskWhoseStaysWhenBothHaveChangedTheSamePlace) {
   driver_.editor.state().commands.Run("edit.disable");
   driver_.Frames();
   std::string other = kSmallFile;
-  other.replace(other.find("level=\"{level}\"/>"), 17, "level=\"{level}\" _skipIf=\"late\"/>");
+  other.replace(other.find(R"(level="{level}"/>)"), 17, R"(level="{level}" _skipIf="late"/>)");
   file_.Write(other);
   driver_.Frames(60);
   ASSERT_TRUE(driver_.Has("banner/dispute"));
@@ -108,7 +108,7 @@ TEST_F(CanvasBannersTest, AskWhoseStaysWhenBothHaveChangedTheSamePlace) {
   EXPECT_FALSE(driver_.Has("banner/dispute"));
   EXPECT_EQ(Text(), other);
   driver_.Press('Z', kCtrl);
-  EXPECT_NE(Text().find("_skipIf=\"true\""), std::string::npos) << "a step like any other";
+  EXPECT_NE(Text().find(R"(_skipIf="true")"), std::string::npos) << "a step like any other";
 }
 
 TEST_F(CanvasBannersTest, MineStaysIfNothingElseIsSaid) {
@@ -117,15 +117,15 @@ TEST_F(CanvasBannersTest, MineStaysIfNothingElseIsSaid) {
   driver_.editor.state().commands.Run("edit.disable");
   driver_.Frames();
   std::string other = kSmallFile;
-  other.replace(other.find("<AlwaysSuccess/>"), 16, "<AlwaysSuccess _skipIf=\"late\"/>");
-  other.replace(other.find("lamp=\"hall\""), 11, "lamp=\"attic\"");
+  other.replace(other.find("<AlwaysSuccess/>"), 16, R"(<AlwaysSuccess _skipIf="late"/>)");
+  other.replace(other.find(R"(lamp="hall")"), 11, R"(lamp="attic")");
   file_.Write(other);
   driver_.Frames(60);
   driver_.editor.state().commands.Run("file.resolve");
   driver_.Frames();
   driver_.Press(kKeyEnter);
-  EXPECT_NE(Text().find("_skipIf=\"true\""), std::string::npos);
-  EXPECT_NE(Text().find("lamp=\"attic\""), std::string::npos) << "what does not meet is merged";
+  EXPECT_NE(Text().find(R"(_skipIf="true")"), std::string::npos);
+  EXPECT_NE(Text().find(R"(lamp="attic")"), std::string::npos) << "what does not meet is merged";
 }
 
 TEST_F(CanvasBannersTest, OfferUnsavedWorkOfTheLastTime) {

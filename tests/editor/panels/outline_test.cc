@@ -43,7 +43,7 @@ TEST(Outline, TintsRowsByStatus) {
 }
 
 TEST(Outline, ScrollsToTheSelection) {
-  std::string xml = "<root BTCPP_format=\"4\"><BehaviorTree ID=\"T\"><Sequence>";
+  std::string xml = R"(<root BTCPP_format="4"><BehaviorTree ID="T"><Sequence>)";
   for (int i = 0; i < 300; ++i) xml += "<AlwaysSuccess/>";
   const TemporaryFile file("long.xml", xml + "</Sequence></BehaviorTree></root>");
   Driver driver;

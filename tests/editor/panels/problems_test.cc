@@ -9,7 +9,7 @@ TEST(Problems, LeadToTheNode) {
   const TemporaryFile file("wrong.xml",
                            "<root BTCPP_format=\"4\">\n<BehaviorTree ID=\"A\"><AlwaysSuccess/>"
                            "</BehaviorTree>\n<BehaviorTree ID=\"B\">\n<Sequence>\n"
-                           "<RetryUntilSuccessful num_attempts=\"many\"><Go/>"
+                           R"(<RetryUntilSuccessful num_attempts="many"><Go/>)"
                            "</RetryUntilSuccessful>\n</Sequence>\n</BehaviorTree></root>");
   Driver driver;
   driver.editor.Open(file.path());
@@ -37,7 +37,7 @@ TEST(Problems, ALongMessageHasALineForItsPlaceAndItsButtons) {
   const TemporaryFile file("wrong.xml",
                            "<root BTCPP_format=\"4\"><BehaviorTree ID=\"A\"><Sequence>\n<Inverter/>"
                            "\n<SubTree ID=\"Wlak\"/>\n</Sequence></BehaviorTree>\n<BehaviorTree "
-                           "ID=\"Walk\"><AlwaysSuccess/></BehaviorTree></root>");
+                           R"(ID="Walk"><AlwaysSuccess/></BehaviorTree></root>)");
   Driver driver;
   driver.editor.Open(file.path());
   driver.Frames();
@@ -46,7 +46,7 @@ TEST(Problems, ALongMessageHasALineForItsPlaceAndItsButtons) {
   const Box row = driver.BoxOf(walk);
   EXPECT_GE(driver.BoxOf(walk + "/fix/0").min.y, row.center().y - 1) << "below the message";
   ASSERT_TRUE(driver.Click(walk + "/fix/0"));
-  EXPECT_NE(driver.editor.state().workspace.project().Find(file.path())->text.find("ID=\"Walk\"/"),
+  EXPECT_NE(driver.editor.state().workspace.project().Find(file.path())->text.find(R"(ID="Walk"/)"),
             std::string::npos);
 }
 

@@ -104,9 +104,9 @@ TEST_F(SimulationBarTest, TheUserAnswersForALeaf) {
   EXPECT_EQ(simulation().ticks(), 2U);
   driver_.Press(kKeyEnter);
   driver_.Frames();
-  state().popup_text.clear();
+  state().popup.text.clear();
   Answer("300ms FAILURE");
-  EXPECT_EQ(state().popup, Popup::kNone);
+  EXPECT_EQ(state().popup.kind, Popup::kNone);
   const NodeIndex leaf = SimulationEditor(state(), 0).SelectedLeaf();
   ASSERT_NE(leaf, kNoNode) << "it is still selected";
   EXPECT_EQ(PrintScript(*simulation().ScriptOf(leaf)), "300ms FAILURE");
@@ -116,12 +116,12 @@ TEST_F(SimulationBarTest, AnEditIsReloadedAndErrorsAreSaid) {
   Start();
   driver_.Press(kKeyF1 + 9);
   std::string text = kPatrolTree;
-  text.replace(text.find("<Dock name=\"dock\"/>"), 19, "<Inverter/>");
+  text.replace(text.find(R"(<Dock name="dock"/>)"), 19, "<Inverter/>");
   state().workspace.project().SetText(file_.path(), "Type", text);
   driver_.Frames(20);
   EXPECT_FALSE(state().simulator.problem().empty());
   EXPECT_EQ(StatusOf("to door"), Status::kRunning);
-  text.replace(text.find("<Inverter/>"), 11, "<Park name=\"park\"/>");
+  text.replace(text.find("<Inverter/>"), 11, R"(<Park name="park"/>)");
   state().workspace.project().SetText(file_.path(), "Type", text);
   driver_.Frames(20);
   EXPECT_TRUE(state().simulator.problem().empty());
@@ -162,7 +162,7 @@ TEST_F(SimulationBarTest, AStoryFromTheSimulationToTheTest) {
   EXPECT_TRUE(driver_.Click("sim/save_test"));
   driver_.Frames();
   Answer("recharges when the battery is low");
-  ASSERT_EQ(state().popup, Popup::kNone) << state().popup_error;
+  ASSERT_EQ(state().popup.kind, Popup::kNone) << state().popup.error;
   ASSERT_EQ(state().tests.all().size(), 1U);
   driver_.Press('R', kCtrl | kShift);
   driver_.Frames(30);

@@ -11,16 +11,16 @@ TEST(StartScreen, OffersToOpenAndToConnect) {
   Driver driver;
   driver.Frames();
   ASSERT_TRUE(driver.Click("start/open"));
-  EXPECT_EQ(driver.editor.state().popup, Popup::kOpen);
+  EXPECT_EQ(driver.editor.state().popup.kind, Popup::kOpen);
   driver.Press(kKeyEscape);
   ASSERT_TRUE(driver.Click("start/connect"));
-  EXPECT_EQ(driver.editor.state().popup, Popup::kConnect);
+  EXPECT_EQ(driver.editor.state().popup.kind, Popup::kConnect);
 }
 
 TEST(StartScreen, OpensARecentFileWithAClick) {
   const TemporaryFile file("small.xml", kSmallFile);
   Driver driver;
-  driver.editor.state().recent = {file.path()};
+  driver.editor.state().recent.files = {file.path()};
   driver.Frames();
   ASSERT_TRUE(driver.Click("start/recent/0"));
   driver.Frames();
@@ -29,7 +29,7 @@ TEST(StartScreen, OpensARecentFileWithAClick) {
 }
 
 TEST(StartScreen, OffersNothingWhereAFileHasNoTree) {
-  const TemporaryFile file("none.xml", "<root BTCPP_format=\"4\"/>");
+  const TemporaryFile file("none.xml", R"(<root BTCPP_format="4"/>)");
   Driver driver;
   driver.editor.Open(file.path());
   driver.Frames();

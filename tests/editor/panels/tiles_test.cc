@@ -20,7 +20,7 @@ TEST(Tiles, CoverTheWindowWithoutOverlap) {
     area += boxes[i].width() * boxes[i].height();
     for (std::size_t j = i + 1; j < boxes.size(); ++j) EXPECT_FALSE(boxes[i].Overlaps(boxes[j]));
   }
-  const Point canvas = driver.editor.state().canvas_size;
+  const Point canvas = driver.editor.state().screen.canvas_size;
   EXPECT_GT(area + canvas.x * canvas.y, 0.88F * 1280 * 800);
 }
 
@@ -49,7 +49,7 @@ TEST(Tiles, KeepATreeFittedThatTheUserHasNotMoved) {
   driver.Frames(12);
   const auto is_fitted = [&] {
     TreeView fitted = driver.view();
-    fitted.FitAll(driver.editor.state().canvas_size);
+    fitted.FitAll(driver.editor.state().screen.canvas_size);
     return fitted.camera == driver.view().camera;
   };
   ASSERT_TRUE(is_fitted());
@@ -89,11 +89,11 @@ TEST(Tiles, WithNothingToShowGiveTheirRoomToTheirNeighbours) {
 TEST(Tiles, GiveTheRoomOfHiddenOnesToTheCanvas) {
   Driver driver;
   driver.Frames();
-  const Point before = driver.editor.state().canvas_size;
+  const Point before = driver.editor.state().screen.canvas_size;
   driver.Press(kKeyF1 + 1, kShift);
   driver.Press(kKeyF1 + 2, kShift);
   for (const int key : {3, 4, 6, 7, 8}) driver.Press(kKeyF1 + key - 1);
-  const Point after = driver.editor.state().canvas_size;
+  const Point after = driver.editor.state().screen.canvas_size;
   EXPECT_GT(after.x, before.x + 400);
   EXPECT_GT(after.y, before.y + 100);
 }

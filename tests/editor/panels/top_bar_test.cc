@@ -10,7 +10,7 @@ TEST(TopBar, RunsCommandsFromItsMenus) {
   driver.Frames();
   ASSERT_TRUE(driver.Click("menu/view"));
   ASSERT_TRUE(driver.Click("menu/palette.light"));
-  EXPECT_EQ(driver.editor.state().palette, PaletteName::kLight);
+  EXPECT_EQ(driver.editor.state().screen.palette, PaletteName::kLight);
   ASSERT_TRUE(driver.Click("menu/tiles"));
   ASSERT_TRUE(driver.Click("menu/tile.outline"));
   EXPECT_FALSE(driver.Has("outline"));

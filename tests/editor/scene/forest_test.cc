@@ -13,8 +13,8 @@ namespace {
 
 TEST(Forest, HoldsTheTreesOfAFileAndItsIncludes) {
   Diagnostics diagnostics;
-  const Forest forest = Forest::FromFile(
-      SourceFolder() + "/trees/application/patrol.xml", diagnostics);
+  const Forest forest =
+      Forest::FromFile(SourceFolder() + "/trees/application/patrol.xml", diagnostics);
   EXPECT_FALSE(diagnostics.has_errors()) << diagnostics.ToString();
   EXPECT_GT(forest.documents().size(), 1U);
   EXPECT_GE(forest.Find("PatrolRound"), 0);
@@ -23,8 +23,8 @@ TEST(Forest, HoldsTheTreesOfAFileAndItsIncludes) {
 
 TEST(Forest, ShowsWhatCanBeReadOfAWrongFile) {
   const TemporaryFile file("wrong.xml",
-                           "<root BTCPP_format=\"4\"><include path=\"missing.xml\"/>"
-                           "<BehaviorTree ID=\"A\"><AlwaysSuccess/></BehaviorTree></root>");
+                           R"(<root BTCPP_format="4"><include path="missing.xml"/>)"
+                           R"(<BehaviorTree ID="A"><AlwaysSuccess/></BehaviorTree></root>)");
   Diagnostics diagnostics;
   const Forest forest = Forest::FromFile(file.path(), diagnostics);
   EXPECT_TRUE(diagnostics.has_errors());
@@ -43,9 +43,9 @@ TEST(Forest, IsEmptyWhenTheFileIsMalformedOrMissing) {
 
 TEST(Forest, NamesTheTagsOfItsNodesOnce) {
   const Forest forest = ReadForest(
-      "<root><BehaviorTree ID=\"M\"><Sequence><A/><A/><B/><A/><Action ID=\"C\"/></Sequence>"
-      "</BehaviorTree><TreeNodesModel><Action ID=\"D\"><input_port name=\"p\"/></Action>"
-      "<Condition ID=\"E\"/></TreeNodesModel></root>");
+      R"(<root><BehaviorTree ID="M"><Sequence><A/><A/><B/><A/><Action ID="C"/></Sequence>)"
+      R"(</BehaviorTree><TreeNodesModel><Action ID="D"><input_port name="p"/></Action>)"
+      R"(<Condition ID="E"/></TreeNodesModel></root>)");
   const std::vector<std::string_view> tags = forest.used_tags();
   for (const std::string_view used : {"Sequence", "A", "B", "Action"}) {
     EXPECT_EQ(std::count(tags.begin(), tags.end(), used), 1) << used;
@@ -56,11 +56,11 @@ TEST(Forest, NamesTheTagsOfItsNodesOnce) {
 }
 
 TEST(Forest, FindsTheInstanceOfASubTreeByItsPath) {
-  const Forest forest = ReadForest(
-      "<root><BehaviorTree ID=\"M\" _fullpath=\"\"><Sequence>"
-      "<SubTree ID=\"S\" _fullpath=\"a\"/><SubTree ID=\"S\" _fullpath=\"b\"/></Sequence>"
-      "</BehaviorTree><BehaviorTree ID=\"S\" _fullpath=\"a\"><A/></BehaviorTree>"
-      "<BehaviorTree ID=\"S\" _fullpath=\"b\"><A/></BehaviorTree></root>");
+  const Forest forest =
+      ReadForest(R"(<root><BehaviorTree ID="M" _fullpath=""><Sequence>)"
+                 R"(<SubTree ID="S" _fullpath="a"/><SubTree ID="S" _fullpath="b"/></Sequence>)"
+                 R"(</BehaviorTree><BehaviorTree ID="S" _fullpath="a"><A/></BehaviorTree>)"
+                 R"(<BehaviorTree ID="S" _fullpath="b"><A/></BehaviorTree></root>)");
   const Document& document = *forest.documents()[0];
   std::vector<int> found;
   for (const Element& element : document.elements()) {

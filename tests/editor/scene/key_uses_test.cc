@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
+#include "tests/bt_core/engine/fixture.h"
 #include "tests/editor/read_forest.h"
 
 namespace coppice::editor {
@@ -66,6 +69,64 @@ TEST_F(KeyUsesTest, CountsASubTreeAsNeitherReaderNorWriter) {
 
 TEST_F(KeyUsesTest, LeavesLiteralsOut) {
   EXPECT_EQ(uses_.key_of_port[scene_.nodes[scene_.FindPath("1.2")].first_port + 1], kNoKey);
+}
+
+// How many keys there are: what the engine compiles, beside what the editor shows.
+class EngineAndEditorTest : public testing::Test {
+ protected:
+  static std::size_t KeysOfEngine(const std::string& xml) {
+    const coppice::Stage stage(xml);
+    const auto& slots = stage.program->layout.slots;
+    return static_cast<std::size_t>(std::count_if(
+        slots.begin(), slots.end(), [](const auto& slot) { return !slot.key.empty(); }));
+  }
+  static std::size_t KeysOfEditor(const std::string& xml) {
+    const Forest forest = ReadForest(xml);
+    NodeModels models;
+    models.AddFrom(*forest.documents()[0]);
+    return FindKeyUses(BuildScene(forest, 0, models)).uses.size();
+  }
+  // Main uses the key t and has a SubTree with these attributes, in which a port is given `text`.
+  static std::string Trees(const std::string& attributes, const std::string& text) {
+    return "<root BTCPP_format='4' main_tree_to_execute='Main'><BehaviorTree ID='Main'><Sequence>"
+           "<Repeat num_cycles='{t}'><AlwaysSuccess/></Repeat><SubTree ID='S' " +
+           attributes + "/></Sequence></BehaviorTree><BehaviorTree ID='S'><Repeat num_cycles='" +
+           text +
+           "'><AlwaysSuccess/></Repeat></BehaviorTree><TreeNodesModel><SubTree ID='S'>"
+           "<input_port name='p' default='{t}'/></SubTree></TreeNodesModel></root>";
+  }
+  static void ExpectKeys(std::size_t count, const std::string& attributes,
+                         const std::string& text) {
+    const std::string xml = Trees(attributes, text);
+    EXPECT_EQ(KeysOfEngine(xml), count) << xml;
+    EXPECT_EQ(KeysOfEditor(xml), count) << xml;
+  }
+};
+
+TEST_F(EngineAndEditorTest, AgreeOnTheSpellingsOfAutoremap) {
+  ExpectKeys(1, "_autoremap='True'", "{t}");
+  ExpectKeys(2, "_autoremap='False'", "{t}");
+  ExpectKeys(2, "_autoremap='true'", "{_t}");
+}
+
+TEST_F(EngineAndEditorTest, AgreeOnBlanksAroundAKey) {
+  ExpectKeys(1, "_autoremap='1'", " { t } ");
+  ExpectKeys(1, "a=' {t} '", "{a}");
+}
+
+TEST_F(EngineAndEditorTest, AgreeOnTheKeyWithTheNameOfThePort) {
+  ExpectKeys(1, "t='='", "{t}");
+  ExpectKeys(2, "num_cycles='{=}'", "=");
+}
+
+TEST_F(EngineAndEditorTest, AgreeOnALiteralGivenToASubTree) {
+  ExpectKeys(2, "_autoremap='true' t='3'", "{t}");
+}
+
+TEST_F(EngineAndEditorTest, AgreeOnTheDefaultsOfASubTreesModel) {
+  ExpectKeys(1, "", "{p}");
+  ExpectKeys(2, "_autoremap='true'", "{p}");
+  ExpectKeys(2, "p='3'", "{p}");
 }
 
 }  // namespace

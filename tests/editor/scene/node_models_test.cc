@@ -26,11 +26,11 @@ TEST(NodeModels, KnowTheBuiltInTypes) {
 }
 
 TEST(NodeModels, ReadPortsInTheDeclaredOrderWithTheirMeaning) {
-  const NodeModels models = With(
-      "<Action ID=\"Go\"><output_port name=\"z\" type=\"int\"/>"
-      "<input_port name=\"a\" type=\"double\" default=\"0.5\">limit [m/s] &lt; 1</input_port>"
-      "<MetadataFields><Metadata description=\"Goes there.\"/></MetadataFields></Action>");
-  const NodeModel* go = models.Find("Go");
+  const NodeModels models =
+      With(R"(<Action ID="Go"><output_port name="z" type="int"/>)"
+           R"(<input_port name="a" type="double" default="0.5">limit [m/s] &lt; 1</input_port>)"
+           R"(<MetadataFields><Metadata description="Goes there."/></MetadataFields></Action>)");
+  const KnownModel* go = models.Find("Go");
   ASSERT_NE(go, nullptr);
   ASSERT_EQ(go->ports.size(), 2U);
   EXPECT_EQ(go->ports[0].direction, PortDirection::kOutput);
@@ -40,14 +40,23 @@ TEST(NodeModels, ReadPortsInTheDeclaredOrderWithTheirMeaning) {
   EXPECT_EQ(go->source, "m.xml:2");
 }
 
+TEST(NodeModels, ReadDescriptionsAsTheParserOfTheEngineDoes) {
+  const NodeModels models = With(
+      "<Action ID='Go'><input_port name='a' default='a > b'>after &#65; <![CDATA[<b>]]>"
+      "</input_port></Action>");
+  const PortModel& port = models.Find("Go")->ports[0];
+  EXPECT_EQ(port.default_text, "a > b");
+  EXPECT_EQ(port.description, "after A <b>");
+}
+
 TEST(NodeModels, DoNotLetAFileChangeABuiltInType) {
-  const NodeModels models = With("<Action ID=\"Sequence\"/>");
+  const NodeModels models = With(R"(<Action ID="Sequence"/>)");
   EXPECT_EQ(models.Find("Sequence")->category, NodeCategory::kControl);
 }
 
 TEST(NodeModels, SkipModelsWithoutAnIdAndElementsThatAreNone) {
   const std::size_t before = NodeModels().all().size();
-  EXPECT_EQ(With("<Action/><Thing ID=\"X\"/>").all().size(), before);
+  EXPECT_EQ(With(R"(<Action/><Thing ID="X"/>)").all().size(), before);
 }
 
 }  // namespace

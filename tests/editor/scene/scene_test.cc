@@ -49,23 +49,23 @@ TEST_F(SceneTest, OrdersPortsAsDeclared) {
   const SceneNode& lamp = scene.nodes[4];
   ASSERT_EQ(lamp.port_count, 2U);
   EXPECT_EQ(scene.ports[lamp.first_port].name, "level");
-  EXPECT_TRUE(scene.ports[lamp.first_port].is_key);
+  EXPECT_FALSE(scene.ports[lamp.first_port].key.empty());
   EXPECT_EQ(scene.ports[lamp.first_port + 1].name, "lamp");
 }
 
 TEST_F(SceneTest, ReadsTheExplicitForm) {
-  const Scene& scene = Build(
-      "<root><BehaviorTree ID=\"T\"><Control ID=\"Sequence\"><Condition ID=\"Mine\"/>"
-      "</Control></BehaviorTree></root>");
+  const Scene& scene =
+      Build(R"(<root><BehaviorTree ID="T"><Control ID="Sequence"><Condition ID="Mine"/>)"
+            "</Control></BehaviorTree></root>");
   EXPECT_EQ(scene.nodes[0].id, "Sequence");
   EXPECT_EQ(scene.nodes[1].id, "Mine");
   EXPECT_EQ(scene.nodes[1].shape, Shape::kCondition);
 }
 
 TEST_F(SceneTest, StopsAtATreeInsideItself) {
-  const Scene& scene = Build(
-      "<root><BehaviorTree ID=\"A\"><Sequence><SubTree ID=\"B\"/></Sequence></BehaviorTree>"
-      "<BehaviorTree ID=\"B\"><Sequence><SubTree ID=\"A\"/></Sequence></BehaviorTree></root>");
+  const Scene& scene =
+      Build(R"(<root><BehaviorTree ID="A"><Sequence><SubTree ID="B"/></Sequence></BehaviorTree>)"
+            R"(<BehaviorTree ID="B"><Sequence><SubTree ID="A"/></Sequence></BehaviorTree></root>)");
   ASSERT_EQ(scene.nodes.size(), 4U);
   EXPECT_TRUE(scene.nodes[3].recursive);
 }
@@ -85,13 +85,7 @@ TEST_F(SceneTest, StopsGrowingAtTheLimit) {
 
 TEST_F(SceneTest, IsEmptyWithoutATree) {
   EXPECT_TRUE(Build("<root/>").nodes.empty());
-  EXPECT_TRUE(Build("<root><BehaviorTree ID=\"E\"/></root>").nodes.empty());
-}
-
-TEST(Scene, TakesTheKeyOutOfItsBraces) {
-  EXPECT_EQ(KeyOf("{goal}"), "goal");
-  EXPECT_EQ(KeyOf("goal"), "");
-  EXPECT_EQ(KeyOf("{}"), "");
+  EXPECT_TRUE(Build(R"(<root><BehaviorTree ID="E"/></root>)").nodes.empty());
 }
 
 }  // namespace

@@ -105,8 +105,8 @@ TEST(Editor, RemembersRecentFiles) {
     driver.editor.Open(file.path());
   }
   Driver driver(options);
-  ASSERT_EQ(driver.editor.state().recent.size(), 1U);
-  EXPECT_EQ(driver.editor.state().recent[0], file.path());
+  ASSERT_EQ(driver.editor.state().recent.files.size(), 1U);
+  EXPECT_EQ(driver.editor.state().recent.files[0], file.path());
   driver.Frames();
   driver.Click("menu/file");
   ASSERT_TRUE(driver.Click("menu/recent/0"));
@@ -120,7 +120,7 @@ TEST(Editor, ReloadsAFileAndKeepsTheSelection) {
   driver.Frames();
   driver.Click("canvas/MainTree/1.1.2");
   std::string text = kSmallFile;
-  text.replace(text.find("name=\"round\""), 12, "name=\"other\"");
+  text.replace(text.find(R"(name="round")"), 12, R"(name="other")");
   file.Write(text);
   driver.Press('R', kCtrl);
   EXPECT_EQ(driver.view().scene()->nodes[0].name, "other");

@@ -8,7 +8,7 @@ namespace {
 RandomPlay Parsed(const std::string& random) {
   Diagnostics diagnostics;
   auto suite = ParseScenarios("{\"tree\": \"a.xml\",\n\"random\": " + random +
-                                  ", \"scenarios\": [{\"name\": \"a\", \"steps\": [{}]}]}",
+                                  R"(, "scenarios": [{"name": "a", "steps": [{}]}]})",
                               "trees/a.test.json", diagnostics);
   EXPECT_TRUE(suite) << diagnostics.ToString();
   return suite ? *suite->random : RandomPlay();

@@ -8,7 +8,7 @@
 namespace coppice::editor {
 namespace {
 
-constexpr char kTree[] = "<Fallback><IsDay/><Go name=\"go\"/><AlwaysSuccess/><Never/></Fallback>";
+constexpr char kTree[] = R"(<Fallback><IsDay/><Go name="go"/><AlwaysSuccess/><Never/></Fallback>)";
 
 class CoverageJobTest : public testing::Test {
  protected:

@@ -9,22 +9,22 @@ namespace {
 
 std::string InTemp(const std::string& name, const std::string& trees) {
   const std::string path = testing::TempDir() + name;
-  std::ofstream(path) << "<root BTCPP_format=\"4\">" << trees << "</root>";
+  std::ofstream(path) << R"(<root BTCPP_format="4">)" << trees << "</root>";
   return path;
 }
 
 TEST(OpenTree, TheTextInMemoryCountsAlsoOfAnIncludedFile) {
-  InTemp("open_tree_in.xml", "<BehaviorTree ID=\"In\"><A/></BehaviorTree>");
-  const std::string path = InTemp("open_tree.xml",
-                                  "<include path=\"open_tree_in.xml\"/>"
-                                  "<BehaviorTree ID=\"Main\"><SubTree ID=\"In\"/></BehaviorTree>");
+  InTemp("open_tree_in.xml", R"(<BehaviorTree ID="In"><A/></BehaviorTree>)");
+  const std::string path =
+      InTemp("open_tree.xml", R"(<include path="open_tree_in.xml"/>)"
+                              R"(<BehaviorTree ID="Main"><SubTree ID="In"/></BehaviorTree>)");
   OpenProject files;
   Diagnostics diagnostics;
   ASSERT_TRUE(CompileOpenTree(files, path, "Main", nullptr, diagnostics)) << diagnostics.ToString();
   for (const auto& [name, file] : files.files()) {
     if (name.find("_in.xml") == std::string::npos) continue;
     files.SetText(name, "Type",
-                  "<root BTCPP_format=\"4\"><BehaviorTree ID=\"In\"><B/></BehaviorTree></root>");
+                  R"(<root BTCPP_format="4"><BehaviorTree ID="In"><B/></BehaviorTree></root>)");
     break;
   }
   const auto program = CompileOpenTree(files, path, "Main", nullptr, diagnostics);
@@ -36,7 +36,7 @@ TEST(OpenTree, TheTextInMemoryCountsAlsoOfAnIncludedFile) {
 TEST(OpenTree, ErrorsAreSaid) {
   OpenProject files;
   files.Create("wrong.xml",
-               "<root BTCPP_format=\"4\"><BehaviorTree ID=\"Main\"><Inverter/></BehaviorTree>"
+               R"(<root BTCPP_format="4"><BehaviorTree ID="Main"><Inverter/></BehaviorTree>)"
                "</root>");
   Diagnostics diagnostics;
   EXPECT_FALSE(CompileOpenTree(files, "wrong.xml", "", nullptr, diagnostics));

@@ -18,11 +18,11 @@ class ScenarioTestsTest : public testing::Test {
     std::filesystem::remove_all(folder_);
     std::filesystem::create_directories(folder_);
     tree_ = Write("a.xml",
-                  "<root BTCPP_format=\"4\"><BehaviorTree ID=\"Main\"><Go/></BehaviorTree></root>");
+                  R"(<root BTCPP_format="4"><BehaviorTree ID="Main"><Go/></BehaviorTree></root>)");
     test_ = Write("a.test.json",
                   "{\"tree\": \"a.xml\", \"leaves\": {\"<Go>\": \"SUCCESS\"}, \"scenarios\": [\n"
                   " {\"name\": \"good\", \"steps\": [{\"expect\": {\"status\": \"SUCCESS\"}}]},\n"
-                  " {\"name\": \"bad\", \"steps\": [{\"expect\": {\"status\": \"FAILURE\"}}]}]}");
+                  R"( {"name": "bad", "steps": [{"expect": {"status": "FAILURE"}}]}]})");
   }
   ~ScenarioTestsTest() override { std::filesystem::remove_all(folder_); }
 
@@ -69,7 +69,7 @@ TEST_F(ScenarioTestsTest, ArePlayedOnTheTextInMemory) {
   Diagnostics diagnostics;
   files_.Open(tree_, diagnostics);
   files_.SetText(tree_, "Type",
-                 "<root BTCPP_format=\"4\"><BehaviorTree ID=\"Main\"><Inverter><Go/></Inverter>"
+                 R"(<root BTCPP_format="4"><BehaviorTree ID="Main"><Inverter><Go/></Inverter>)"
                  "</BehaviorTree></root>");
   tests_.Run(files_, "*");
   EXPECT_EQ(States(), "good: failed\nbad: passed\n");

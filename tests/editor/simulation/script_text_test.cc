@@ -26,19 +26,19 @@ TEST(ScriptText, SaysWhatALeafDoesByChance) {
   EXPECT_EQ(Again("100% FAILURE 1s"), "100% FAILURE 1s..1s");
   EXPECT_EQ(Again("100% f 0s..1s holds 5s"), "100% FAILURE 0ms..1s holds 5s..5s");
   EXPECT_EQ(Again("100% f holds 0s..5s"), "100% FAILURE holds 0ms..5s");
-  EXPECT_NE(Again("100% f holds").find("\"holds\""), std::string::npos);
-  EXPECT_NE(Again("100% f holds long").find("\"long\""), std::string::npos);
+  EXPECT_NE(Again("100% f holds").find(R"("holds")"), std::string::npos);
+  EXPECT_NE(Again("100% f holds long").find(R"("long")"), std::string::npos);
   EXPECT_NE(Again("80%").find("behind a share"), std::string::npos);
   EXPECT_NE(Again("80% RUNNING").find("behind a share"), std::string::npos);
   EXPECT_NE(Again("0% SUCCESS").find("say of what"), std::string::npos);
-  EXPECT_NE(Again("80% SUCCESS 2s..1s").find("\"2s..1s\""), std::string::npos);
+  EXPECT_NE(Again("80% SUCCESS 2s..1s").find(R"("2s..1s")"), std::string::npos);
 }
 
 TEST(ScriptText, SaysWhatItDoesNotUnderstand) {
-  EXPECT_NE(Again("2s FAIL quickly").find("\"quickly\" is no SUCCESS"), std::string::npos);
+  EXPECT_NE(Again("2s FAIL quickly").find(R"("quickly" is no SUCCESS)"), std::string::npos);
   EXPECT_NE(Again("").find("say what it returns"), std::string::npos);
-  EXPECT_NE(Again("x3").find("\"x3\""), std::string::npos);
-  EXPECT_NE(Again("1e99s").find("\"1e99s\""), std::string::npos);
+  EXPECT_NE(Again("x3").find(R"("x3")"), std::string::npos);
+  EXPECT_NE(Again("1e99s").find(R"("1e99s")"), std::string::npos);
   EXPECT_NE(Again("RUNNING x9999 RUNNING x9999").find("more than"), std::string::npos);
 }
 

@@ -14,7 +14,7 @@ namespace coppice::editor {
 inline std::shared_ptr<const Program> Compiled(const std::string& trees) {
   OpenProject files;
   files.Create("test.xml",
-               "<root BTCPP_format=\"4\" main_tree_to_execute=\"Main\">" + trees + "</root>");
+               R"(<root BTCPP_format="4" main_tree_to_execute="Main">)" + trees + "</root>");
   Diagnostics diagnostics;
   auto program = CompileOpenTree(files, "test.xml", "", nullptr, diagnostics);
   if (!program) throw std::invalid_argument(diagnostics.ToString());
@@ -22,7 +22,7 @@ inline std::shared_ptr<const Program> Compiled(const std::string& trees) {
 }
 
 inline std::shared_ptr<const Program> CompiledRoot(const std::string& root) {
-  return Compiled("<BehaviorTree ID=\"Main\">" + root + "</BehaviorTree>");
+  return Compiled(R"(<BehaviorTree ID="Main">)" + root + "</BehaviorTree>");
 }
 
 }  // namespace coppice::editor

@@ -33,7 +33,7 @@ TEST(SimulatedTree, TheSameSeedIsTheSameHistory) {
 }
 
 TEST(SimulatedTree, KeysAndLeavesFollowWhatTheFileSaysOfChance) {
-  const auto program = CompiledRoot("<Fallback><Go to=\"{goal}\"/><Call/></Fallback>");
+  const auto program = CompiledRoot(R"(<Fallback><Go to="{goal}"/><Call/></Fallback>)");
   Chance chance{3, {}};
   MockScript fails;
   fails.results = {Status::kFailure};

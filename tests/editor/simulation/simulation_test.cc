@@ -15,10 +15,10 @@ using std::chrono::milliseconds;
 using std::chrono::seconds;
 
 constexpr char kPatrol[] =
-    "<ReactiveFallback name=\"top\">"
-    "<Sequence name=\"low\"><ScriptCondition code=\"battery &lt; 0.3\"/><Dock name=\"dock\"/>"
+    R"(<ReactiveFallback name="top">)"
+    R"(<Sequence name="low"><ScriptCondition code="battery &lt; 0.3"/><Dock name="dock"/>)"
     "</Sequence>"
-    "<Sequence name=\"round\"><Go name=\"go\" to=\"{goal}\"/><Say name=\"say\"/></Sequence>"
+    R"(<Sequence name="round"><Go name="go" to="{goal}"/><Say name="say"/></Sequence>)"
     "</ReactiveFallback>";
 constexpr NodeIndex kDock = 3, kGo = 5;
 
@@ -64,7 +64,7 @@ TEST_F(SimulationTest, AKeyTurnsTheTreeElsewhere) {
 
 TEST_F(SimulationTest, AKeyThatIsNotThereIsRefused) {
   EXPECT_EQ(simulation_.SetKey("batery", "1"),
-            "the tree has no key \"batery\", did you mean \"battery\"?");
+            R"(the tree has no key "batery", did you mean "battery"?)");
   EXPECT_EQ(simulation_.Keys(), (std::vector<std::string>{"goal", "battery"}));
 }
 
@@ -134,7 +134,7 @@ TEST_F(SimulationTest, AnEditIsReloadedAndWhatRunsGoesOn) {
   simulation_.Tick(milliseconds(900));
   const std::string text = kPatrol;
   simulation_.Reload(CompiledRoot(text.substr(0, text.rfind("<Say")) +
-                                  "<Wave name=\"say\"/></Sequence>"
+                                  R"(<Wave name="say"/></Sequence>)"
                                   "</ReactiveFallback>"));
   EXPECT_EQ(StatusOf(kGo), Status::kRunning);
   simulation_.Tick(milliseconds(100));

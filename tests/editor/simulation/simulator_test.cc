@@ -12,13 +12,13 @@ namespace coppice::editor {
 namespace {
 
 std::string Text(const std::string& root) {
-  return "<root BTCPP_format=\"4\"><BehaviorTree ID=\"Main\">" + root + "</BehaviorTree></root>";
+  return R"(<root BTCPP_format="4"><BehaviorTree ID="Main">)" + root + "</BehaviorTree></root>";
 }
 
 class SimulatorTest : public testing::Test {
  protected:
   SimulatorTest() {
-    files_.Create("a.xml", Text("<Sequence><Go to=\"{goal}\"/><Say/></Sequence>"));
+    files_.Create("a.xml", Text(R"(<Sequence><Go to="{goal}"/><Say/></Sequence>)"));
     Diagnostics diagnostics;
     view_ = std::make_unique<RunView>(simulator_.Start(files_, "a.xml", "", diagnostics),
                                       std::make_shared<NodeModels>());
@@ -59,7 +59,7 @@ TEST_F(SimulatorTest, RunsAtASpeedUntilTheTreeIsDone) {
 
 TEST_F(SimulatorTest, AnEditIsReloadedALittleLater) {
   simulator_.get()->Tick(Duration(0));
-  files_.SetText("a.xml", "Type", Text("<Sequence><Go to=\"{goal}\"/><Wave/></Sequence>"));
+  files_.SetText("a.xml", "Type", Text(R"(<Sequence><Go to="{goal}"/><Wave/></Sequence>)"));
   Update(0.01);
   EXPECT_EQ(simulator_.get()->program()->Id(2), "Say");
   EXPECT_GT(simulator_.NextUpdateIn(now_), 0);
@@ -114,11 +114,11 @@ class SimulatorBesideScenarios : public testing::Test {
     folder_ = testing::TempDir() + "simulator_" +
               testing::UnitTest::GetInstance()->current_test_info()->name() + "/";
     std::filesystem::create_directories(folder_);
-    tree_ = Write("a.xml", Text("<Repeat num_cycles=\"{stops}\"><Dry/></Repeat>"));
+    tree_ = Write("a.xml", Text(R"(<Repeat num_cycles="{stops}"><Dry/></Repeat>)"));
     Write(
         "models.xml",
-        "<root BTCPP_format=\"4\"><TreeNodesModel><Condition ID=\"Dry\"/></TreeNodesModel></root>");
-    WriteScenarios("\"stops\": 3");
+        R"(<root BTCPP_format="4"><TreeNodesModel><Condition ID="Dry"/></TreeNodesModel></root>)");
+    WriteScenarios(R"("stops": 3)");
   }
   ~SimulatorBesideScenarios() override { std::filesystem::remove_all(folder_); }
 
@@ -130,7 +130,7 @@ class SimulatorBesideScenarios : public testing::Test {
     Write("a.test.json",
           "{\"tree\": \"a.xml\", \"models\": \"models.xml\",\n\"random\": {\"set\": {" + set +
               "}, \"lasts_ms\": 1000},\n"
-              "\"scenarios\": [{\"name\": \"a\", \"steps\": [{}]}]}");
+              R"("scenarios": [{"name": "a", "steps": [{}]}]})");
   }
   void Start() { run_ = simulator_.Start(files_, tree_, "", diagnostics_); }
 
@@ -166,9 +166,9 @@ TEST_F(SimulatorBesideScenarios, WhatTheySayOfChanceIsReadAnewEveryTime) {
   ASSERT_TRUE(play) << diagnostics_.ToString();
   EXPECT_EQ(play->set[0][0].text, "3");
   EXPECT_EQ(play->where.line, 2U);
-  WriteScenarios("\"stop\": 3");
+  WriteScenarios(R"("stop": 3)");
   EXPECT_FALSE(simulator_.ReadRandomPlay(diagnostics_));
-  EXPECT_NE(diagnostics_.ToString().find("a.test.json:2:28: error: the tree has no key \"stop\""),
+  EXPECT_NE(diagnostics_.ToString().find(R"(a.test.json:2:28: error: the tree has no key "stop")"),
             std::string::npos)
       << diagnostics_.ToString();
   std::filesystem::remove(folder_ + "a.test.json");

@@ -52,7 +52,7 @@ TEST(ExtractStory, ExtractsASubTreeAndSeesItsPorts) {
   const auto text = [&] {
     return driver.editor.state().workspace.project().Find(file.path())->text;
   };
-  EXPECT_NE(text().find("<SubTree ID=\"GoThere\""), std::string::npos) << text();
+  EXPECT_NE(text().find(R"(<SubTree ID="GoThere")"), std::string::npos) << text();
   driver.Press('Z', kCtrl);
   EXPECT_EQ(text(), kFile);
 }

@@ -45,8 +45,8 @@ TEST_F(FindWhyStory, FindsWhyTheRobotStoppedInThisRecord) {
   driver.Press(kKeyLeft, kShift);
   EXPECT_EQ(run.playhead().tick(), 40U);
   driver.Press('W');
-  EXPECT_NE(driver.editor.state().why.change().find("Drive"), std::string::npos)
-      << driver.editor.state().why.change();
+  EXPECT_NE(driver.editor.state().run.why.change().find("Drive"), std::string::npos)
+      << driver.editor.state().run.why.change();
   driver.Picture("editor_why");  // of docs/editor.md
   EXPECT_EQ(CompareWithReference(driver.editor.Picture(), "story_why_it_stopped"), "");
   // And why does it not drive again? The door.
@@ -55,8 +55,8 @@ TEST_F(FindWhyStory, FindsWhyTheRobotStoppedInThisRecord) {
   driver.Press(kKeyRight, kCtrl);
   driver.Press(kKeyDown);
   EXPECT_EQ(driver.Selected(), "1.2.1");
-  EXPECT_NE(driver.editor.state().why.why_not().find("door"), std::string::npos)
-      << driver.editor.state().why.why_not();
+  EXPECT_NE(driver.editor.state().run.why.why_not().find("door"), std::string::npos)
+      << driver.editor.state().run.why.why_not();
   driver.Picture("story_why_not");
 }
 

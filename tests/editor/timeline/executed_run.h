@@ -74,7 +74,7 @@ class ExecutedTree {
     registry->Register<Is>("Is", &results);
     Diagnostics diagnostics;
     std::optional<Project> project = Project::FromText(
-        "<root BTCPP_format=\"4\" main_tree_to_execute=\"Main\">" + trees + "</root>", "test.xml",
+        R"(<root BTCPP_format="4" main_tree_to_execute="Main">)" + trees + "</root>", "test.xml",
         diagnostics);
     std::shared_ptr<const Program> program;
     if (project) {

@@ -35,7 +35,8 @@ class Browser:
         self.process = subprocess.Popen(
             [shutil.which("chromium"), "--headless", "--no-sandbox", "--disable-gpu",
              "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--no-first-run",
-             "--user-data-dir=" + folder, "--remote-debugging-pipe", "about:blank"],
+             "--disable-quic", "--disable-background-networking", "--disable-component-update",
+             "--disable-sync", "--user-data-dir=" + folder, "--remote-debugging-pipe", "about:blank"],
             preexec_fn=connect, close_fds=False, stderr=subprocess.DEVNULL)
         os.close(read_there)
         os.close(write_there)

@@ -59,7 +59,7 @@ TEST_F(NodeDropTest, WhatIsNotPossibleIsSaidBesideTheMouse) {
   driver_.MoveTo({from.x + 20, from.y});
   driver_.MoveTo(to);
   EXPECT_TRUE(driver_.Has("canvas/ghost"));
-  EXPECT_THAT(driver_.editor.state().drop_answer.refusal, HasSubstr("itself"));
+  EXPECT_THAT(driver_.editor.state().drag.answer.refusal, HasSubstr("itself"));
   driver_.Picture("drop_refused");
   driver_.input.events.push_back(MouseButton{0, false});
   driver_.Frames();

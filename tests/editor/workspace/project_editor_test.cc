@@ -48,7 +48,7 @@ TEST_F(ProjectEditorTest, ATreeThatIsUsedIsNotDeleted) {
 TEST_F(ProjectEditorTest, ExtractAndInlineAreOneStepEach) {
   Select("1.1");
   EXPECT_EQ(Edit().Extract("Light"), "");
-  EXPECT_THAT(Text(), HasSubstr("<SubTree ID=\"Light\" light=\"{light}\" level=\"{level}\"/>"));
+  EXPECT_THAT(Text(), HasSubstr(R"(<SubTree ID="Light" light="{light}" level="{level}"/>)"));
   EXPECT_EQ(driver_.Selected(), "1.1");
   EXPECT_EQ(Edit().Inline(), "");
   EXPECT_EQ(driver_.editor.state().workspace.project().history().done(), 2U);
@@ -61,14 +61,14 @@ TEST_F(ProjectEditorTest, TheKeysOfTheSelectionAreRenamedEverywhere) {
   Select("1.2.1.1");
   EXPECT_THAT(Edit().SelectedKeys(), ElementsAre("goal"));
   EXPECT_EQ(Edit().RenameKey("goal", "place"), "");
-  EXPECT_THAT(Text(), HasSubstr("<Step to=\"{place}\"/>"));
-  EXPECT_THAT(Text(), HasSubstr("name=\"walk\" place=\"{goal}\"/>"));
+  EXPECT_THAT(Text(), HasSubstr(R"(<Step to="{place}"/>)"));
+  EXPECT_THAT(Text(), HasSubstr(R"(name="walk" place="{goal}"/>)"));
   EXPECT_EQ(driver_.Selected(), "1.2.1.1");
 }
 
 TEST_F(ProjectEditorTest, AFileIsIncludedAndMadeIfItIsNotThere) {
   EXPECT_EQ(Edit().Include("more.xml"), "");
-  EXPECT_THAT(Text(), HasSubstr("<include path=\"more.xml\"/>"));
+  EXPECT_THAT(Text(), HasSubstr(R"(<include path="more.xml"/>)"));
   EXPECT_EQ(Edit().Files().size(), 2U);
   EXPECT_TRUE(std::filesystem::exists(file_.folder() + "/more.xml"));
   driver_.Press('Z', kCtrl);

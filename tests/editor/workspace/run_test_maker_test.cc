@@ -10,7 +10,7 @@ namespace {
 class RunTestMakerTest : public testing::Test {
  protected:
   RunTestMakerTest()
-      : file_("door.xml", "<root BTCPP_format=\"4\" main_tree_to_execute=\"Main\">" +
+      : file_("door.xml", R"(<root BTCPP_format="4" main_tree_to_execute="Main">)" +
                               std::string(kDoorTrees) + "</root>") {}
   EditorState& state() { return driver_.editor.state(); }
   void ShowTheRun() {
@@ -38,7 +38,7 @@ TEST_F(RunTestMakerTest, WhatARobotDidBecomesATestThatPasses) {
   driver_.Frames();
   ShowTheRun();
   SaveAs("through the door");
-  ASSERT_EQ(state().popup, Popup::kNone) << state().popup_error;
+  ASSERT_EQ(state().popup.kind, Popup::kNone) << state().popup.error;
   ASSERT_EQ(state().tests.all().size(), 1U);
   state().tests.Run(state().workspace.project(), "*");
   const ScenarioTest& test = state().tests.all()[0];
@@ -58,7 +58,7 @@ TEST_F(RunTestMakerTest, OfAMarkedStretchItTakesThat) {
   AddExecuted(driver_, "robot:1", 20);
   ShowTheRun();
   const auto& run = state().workspace.run()->run();
-  state().timelines["robot:1"].range = {run.TimeOf(0), run.TimeOf(4)};
+  state().run.timelines["robot:1"].range = {run.TimeOf(0), run.TimeOf(4)};
   EXPECT_EQ(SaveRunAsTest(state(), "begins", 0), "");
   Diagnostics diagnostics;
   const auto suite = LoadScenarios(state().tests.all()[0].file, diagnostics);

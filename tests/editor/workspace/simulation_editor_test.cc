@@ -71,7 +71,7 @@ TEST_F(SimulationEditorTest, KeysAreSetByAssignment) {
   Start();
   EXPECT_EQ(Simulate().SetKey("goal = kitchen"), "");
   EXPECT_THAT(Simulate().SetKey("goal"), HasSubstr("battery_level = 0.2"));
-  EXPECT_THAT(Simulate().SetKey("gaol = 1"), HasSubstr("no key \"gaol\""));
+  EXPECT_THAT(Simulate().SetKey("gaol = 1"), HasSubstr(R"(no key "gaol")"));
   Simulate().Tick();
   EXPECT_EQ(simulation().ValueOf("goal"), "kitchen");
 }
@@ -86,7 +86,7 @@ TEST_F(SimulationEditorTest, ManyRunsKnowWhatTheSimulationWasTold) {
   const NodeCoverage& go = *state().coverage.Find("go");
   EXPECT_GT(go.results_of(Status::kFailure), 0U);
   EXPECT_EQ(go.results_of(Status::kSuccess), 0U) << "its script is what the user has said";
-  EXPECT_EQ(state().run_tab, RunTab::kCoverage);
+  EXPECT_EQ(state().run.tab, RunTab::kCoverage);
 }
 
 TEST_F(SimulationEditorTest, AnotherSimulationForgetsWhatTheLastOneReached) {
@@ -142,15 +142,15 @@ TEST_F(SimulationEditorByChance, SoDoManyRuns) {
 
 TEST_F(SimulationEditorByChance, AnErrorInTheScenariosIsSaidWithItsPlace) {
   std::string wrong = kScenarios;
-  wrong.replace(wrong.find("\"goal\""), 6, "\"gaol\"");
+  wrong.replace(wrong.find(R"("goal")"), 6, R"("gaol")");
   Start();
   WriteScenarios(wrong);
-  const std::string said = "main.test.json:2:31: error: the tree has no key \"gaol\"";
+  const std::string said = R"(main.test.json:2:31: error: the tree has no key "gaol")";
   EXPECT_THAT(Simulate().SetSeed("7"), HasSubstr(said));
   EXPECT_FALSE(simulation().chance());
   EXPECT_THAT(Simulate().RunOften("7"), HasSubstr(said));
   EXPECT_EQ(state().coverage.coverage(), nullptr);
-  WriteScenarios("{\"tree\": 1}");
+  WriteScenarios(R"({"tree": 1})");
   Simulate().End();
   driver_.Frames();
   Start();

@@ -60,7 +60,7 @@ TEST_F(TreeEditorTest, AnEmptyTreeGetsItsRoot) {
   state().workspace.ShowFileTree(0, 1, 0);
   EXPECT_EQ(Edit().PlaceOfNew(), "as the root of Empty");
   EXPECT_TRUE(Edit().Add("<Say/>", "Say", AddWhere::kChild));
-  EXPECT_THAT(Text(), HasSubstr("<BehaviorTree ID=\"Empty\">"));
+  EXPECT_THAT(Text(), HasSubstr(R"(<BehaviorTree ID="Empty">)"));
 }
 
 TEST_F(TreeEditorTest, RefusalsChangeNothingAndSayWhy) {
@@ -81,7 +81,7 @@ TEST_F(TreeEditorTest, ValuesAndNamesAreSetAndCleared) {
   Select("1.1");
   EXPECT_EQ(Edit().GivenName(), "there");
   EXPECT_TRUE(Edit().SetValue("to", "kitchen"));
-  EXPECT_THAT(Text(), HasSubstr("to=\"kitchen\""));
+  EXPECT_THAT(Text(), HasSubstr(R"(to="kitchen")"));
   EXPECT_TRUE(Edit().ClearValue("to"));
   EXPECT_THAT(Text(), Not(HasSubstr("to=")));
   EXPECT_TRUE(Edit().Rename("here"));
@@ -91,7 +91,7 @@ TEST_F(TreeEditorTest, ValuesAndNamesAreSetAndCleared) {
   Edit().Undo();
   EXPECT_EQ(Text(), kFile);
   Edit().Redo();
-  EXPECT_THAT(Text(), HasSubstr("to=\"kitchen\""));
+  EXPECT_THAT(Text(), HasSubstr(R"(to="kitchen")"));
 }
 
 TEST_F(TreeEditorTest, DeletingADecoratorAloneKeepsItsChild) {
@@ -109,20 +109,20 @@ TEST_F(TreeEditorTest, APasteWithErrorsPastesNothing) {
   Select("1");
   Edit().Paste("<Say", AddWhere::kChild);
   EXPECT_EQ(Text(), kFile);
-  EXPECT_EQ(state().popup, Popup::kPasteErrors);
-  EXPECT_FALSE(state().popup_problems.empty());
+  EXPECT_EQ(state().popup.kind, Popup::kPasteErrors);
+  EXPECT_FALSE(state().popup.problems.empty());
 }
 
 TEST_F(TreeEditorTest, WhatWasCopiedIsXmlText) {
   std::string clipboard;
-  state().set_clipboard = [&](const std::string& text) { clipboard = text; };
+  state().services.set_clipboard = [&](const std::string& text) { clipboard = text; };
   Select("1.1");
   Edit().Cut();
   EXPECT_EQ(clipboard, "<Go name=\"there\" to=\"{goal}\"/>\n");
   EXPECT_THAT(Text(), Not(HasSubstr("there")));
   Select("1");
   Edit().Paste(clipboard, AddWhere::kChild);
-  EXPECT_THAT(Text(), HasSubstr("<Go name=\"there\" to=\"{goal}\"/>"));
+  EXPECT_THAT(Text(), HasSubstr(R"(<Go name="there" to="{goal}"/>)"));
 }
 
 }  // namespace

@@ -23,9 +23,9 @@ TEST(WorkspacePlaces, LeadFromNodesToElementsAndBack) {
 
 TEST(WorkspacePlaces, OfAnotherTreeShowIt) {
   const TemporaryFile file("small.xml",
-                           "<root BTCPP_format=\"4\" main_tree_to_execute=\"A\">"
-                           "<BehaviorTree ID=\"A\"><AlwaysSuccess/></BehaviorTree>"
-                           "<BehaviorTree ID=\"B\"><AlwaysFailure/></BehaviorTree></root>");
+                           R"(<root BTCPP_format="4" main_tree_to_execute="A">)"
+                           R"(<BehaviorTree ID="A"><AlwaysSuccess/></BehaviorTree>)"
+                           R"(<BehaviorTree ID="B"><AlwaysFailure/></BehaviorTree></root>)");
   Driver driver;
   driver.editor.Open(file.path());
   driver.Frames();

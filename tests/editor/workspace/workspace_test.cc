@@ -11,9 +11,8 @@ TEST(Workspace, ShowsTheNewTreeWhenARobotSwapsIt) {
   Driver driver;
   ScriptedRobot* const robot = driver.AddRobot("robot:1", kLiveTree);
   EXPECT_TRUE(driver.Has("canvas/Main/1"));
-  robot->SetTree(
-      "<root><BehaviorTree ID=\"Other\" _fullpath=\"\"><Sequence "
-      "_uid=\"1\"/></BehaviorTree></root>");
+  robot->SetTree(R"(<root><BehaviorTree ID="Other" _fullpath=""><Sequence )"
+                 R"(_uid="1"/></BehaviorTree></root>)");
   driver.Frames();
   EXPECT_TRUE(driver.Has("canvas/Other/1"));
   EXPECT_FALSE(driver.Has("canvas/Main/1"));
@@ -43,7 +42,7 @@ TEST(Workspace, ReportsAMissingFileOfModels) {
 
 TEST(Workspace, KnowsTheModelsOfAFileInEveryTree) {
   const TemporaryFile models(
-      "models.xml", "<root><TreeNodesModel><Condition ID=\"Step\"/></TreeNodesModel></root>");
+      "models.xml", R"(<root><TreeNodesModel><Condition ID="Step"/></TreeNodesModel></root>)");
   const TemporaryFile file("small.xml", kSmallFile);
   Driver driver;
   driver.editor.AddModels(models.path());

@@ -1,6 +1,13 @@
 #include "robot_app/app/run_summary.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <string>
+
+#include "bt_core/record/recorder.h"
+#include "tests/trees/tree_scenario.h"
 
 namespace coppice::robot {
 namespace {
@@ -35,14 +42,14 @@ class Script {
   void Note(int second, const std::string& text) {
     recording_.notes.push_back({seconds(second), "note", text});
   }
-  const Recording& recording() const { return recording_; }
+  const RecordedEvents& recording() const { return recording_; }
 
  private:
   void Tick(int second) {
     recording_.end = seconds(second);
     ++recording_.ticks;
   }
-  Recording recording_;
+  RecordedEvents recording_;
 };
 
 class RunSummaryTest : public testing::Test {
@@ -143,6 +150,38 @@ TEST_F(RunSummaryTest, PrintsOnlyTheRecoveriesThatHappened) {
   EXPECT_NE(table.find("restart node"), std::string::npos);
   EXPECT_EQ(table.find("slow rotate"), std::string::npos);
   EXPECT_NE(table.find("12.3 m"), std::string::npos);
+}
+
+// The way is blocked for 19 s at that place [m], then it is free.
+void BlockTheWay(TreeScenario& scenario, double x) {
+  scenario.Set("pose", coppice::Pose2D{x, 0, 0});
+  for (int i = 0; i < 44; ++i) {
+    scenario.Advance(0.5);
+    if (i < 38) scenario.Report({{"navigation", "path"}});
+    if (i >= 38) scenario.Report();
+    scenario.Tick();
+  }
+}
+
+TEST(SummarizeFiles, FindsRecoveriesAndPlacesInARecordOfTheShippedMonitorTree) {
+  const std::string file =
+      testing::TempDir() + "run_summary_" + std::to_string(getpid()) + ".coppice";
+  {
+    TreeScenario scenario("monitor/monitor.xml");
+    EventStream stream(scenario.executor());
+    Recorder recorder(stream, file);
+    BlockTheWay(scenario, 0);
+    BlockTheWay(scenario, 5);
+    EXPECT_EQ(recorder.Close(), "");
+  }
+  const RunSummary summary = SummarizeFiles(file, file);
+  std::remove(file.c_str());
+  EXPECT_EQ(summary.problems, std::vector<std::string>{});
+  const RecoveryCount count = summary.Recovery("wait and retry");
+  EXPECT_EQ(count.begun, 2);
+  EXPECT_EQ(count.succeeded, 2);
+  EXPECT_EQ(count.helped, 2) << "the second was elsewhere";
+  EXPECT_EQ(count.helped_strictly, 1) << "but soon";
 }
 
 TEST(SummarizeFiles, SaysWhichRecordIsMissing) {

@@ -8,7 +8,7 @@ namespace {
 std::unique_ptr<TreeRunner> MakeRunner(const std::string& key, Clock& clock) {
   Diagnostics diagnostics;
   auto project = Project::FromText(
-      "<root BTCPP_format=\"4\"><BehaviorTree ID=\"Main\"><ScriptCondition code=\"" + key +
+      R"(<root BTCPP_format="4"><BehaviorTree ID="Main"><ScriptCondition code=")" + key +
           " == true\"/></BehaviorTree></root>",
       "link", diagnostics);
   auto program = Compile(std::make_shared<const Project>(*std::move(project)),

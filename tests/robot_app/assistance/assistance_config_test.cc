@@ -1,11 +1,12 @@
 #include "robot_app/assistance/assistance_config.h"
-#include "tests/support/folders.h"
 
 #include <gmock/gmock.h>
 #include <unistd.h>
 
 #include <fstream>
 #include <map>
+
+#include "tests/support/folders.h"
 
 namespace coppice::robot {
 namespace {
@@ -40,8 +41,7 @@ class Config : public testing::Test {
 
 TEST_F(Config, TheShippedFileWorksWithoutAnyVariable) {
   environment_.clear();
-  const AssistanceConfig config =
-      LoadFile(SourceFolder() + "/robot_app/config/supervisors.yaml");
+  const AssistanceConfig config = LoadFile(SourceFolder() + "/robot_app/config/supervisors.yaml");
   EXPECT_FALSE(diagnostics_.has_errors()) << Problems();
   ASSERT_THAT(config.supervisors, SizeIs(2));
   EXPECT_EQ(config.supervisors[0].ways[0].channel, "console");
@@ -75,6 +75,17 @@ TEST_F(Config, ASecretInTheFileIsAnError) {
   EXPECT_THAT(Problems(), HasSubstr("a secret must not stand in a file"));
   Load("page: {operator_token: hunter2}\n");
   EXPECT_THAT(Problems(), HasSubstr("a secret must not stand in a file"));
+}
+
+TEST_F(Config, ATokenOfThePageThatCanBeGuessedIsAnError) {
+  environment_["SHORT"] = "123456789012345";
+  environment_["LONG"] = "1234567890123456";
+  for (const std::string key : {"operator_token", "viewer_token"}) {
+    Load("page: {" + key + ": \"${SHORT}\"}\n");
+    EXPECT_THAT(Problems(), HasSubstr("the token has 15 characters, at least 16 are needed"));
+    Load("page: {" + key + ": \"${LONG}\"}\n");
+    EXPECT_EQ(Problems(), "");
+  }
 }
 
 TEST_F(Config, ATokenDoesNotGoOverHttpToAnotherComputer) {

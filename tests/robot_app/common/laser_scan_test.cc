@@ -28,5 +28,34 @@ TEST(LaserScan, ReadingsThatAreNoEchoGiveNoPoints) {
   EXPECT_EQ(PointsInBase(scan, 5).size(), 1u);
 }
 
+LaserScan ScanOf(std::vector<float> ranges) {
+  LaserScan scan;
+  scan.ranges = std::move(ranges);
+  return scan;
+}
+
+TEST(LaserScan, AHitAndNothingWithinRangeAreAnswersOfWhichHalfTheBeamsMustGiveOne) {
+  EXPECT_TRUE(IsUsable(ScanOf({1, 2, INFINITY, 25})));
+  EXPECT_TRUE(IsUsable(ScanOf({INFINITY, INFINITY})));
+  EXPECT_TRUE(IsUsable(ScanOf({1, INFINITY, NAN, NAN})));
+  EXPECT_FALSE(IsUsable(ScanOf({1, NAN, NAN, NAN})));
+}
+
+TEST(LaserScan, WithoutAnAnswerItIsNoFreeWay) {
+  EXPECT_FALSE(IsUsable(ScanOf({})));
+  for (const float nothing : {NAN, -INFINITY, 0.0F, -1.0F}) {
+    EXPECT_FALSE(IsUsable(ScanOf({nothing, nothing, nothing}))) << nothing;
+  }
+}
+
+TEST(LaserScan, WithoutDirectionsOrARangeItsBeamsSayNothing) {
+  for (double LaserScan::*const field :
+       {&LaserScan::angle_min, &LaserScan::angle_increment, &LaserScan::range_max}) {
+    LaserScan scan = ScanOf({1, 2, 3});
+    scan.*field = NAN;
+    EXPECT_FALSE(IsUsable(scan));
+  }
+}
+
 }  // namespace
 }  // namespace coppice::robot

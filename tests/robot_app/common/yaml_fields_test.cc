@@ -44,8 +44,8 @@ TEST_F(YamlFieldsTest, NamesThePlaceAndTheNearestKeyOfAnUnknownOne) {
   file.Text("node");
   file.Finish();
   EXPECT_THAT(diagnostics_.ToString(),
-              HasSubstr("yaml_fields_test.yaml:3:1: error: unknown key \"noed\" (did you mean "
-                        "\"node\"?)"));
+              HasSubstr(R"(yaml_fields_test.yaml:3:1: error: unknown key "noed" (did you mean )"
+                        R"("node"?))"));
 }
 
 TEST_F(YamlFieldsTest, ReportsAllProblemsAtOnce) {
@@ -59,8 +59,8 @@ TEST_F(YamlFieldsTest, ReportsAllProblemsAtOnce) {
   file.Texts("g");
   file.Text("h");
   EXPECT_EQ(diagnostics_.all().size(), 8u) << diagnostics_.ToString();
-  EXPECT_THAT(diagnostics_.ToString(), HasSubstr("6:1: error: duplicate key \"e\""));
-  EXPECT_THAT(diagnostics_.ToString(), HasSubstr("\"h\" is missing"));
+  EXPECT_THAT(diagnostics_.ToString(), HasSubstr(R"(6:1: error: duplicate key "e")"));
+  EXPECT_THAT(diagnostics_.ToString(), HasSubstr(R"("h" is missing)"));
 }
 
 TEST_F(YamlFieldsTest, SaysWhereTheFileIsNoYaml) {

@@ -22,8 +22,8 @@ class DockingInWorld : public testing::Test {
     world_->Step(0.02);
   }
   DockInput Input() const {
-    return {world_->time(), PoseOf(*world_), world_->battery().current(), true,
-            PointsInBase(ScanOf(*world_), 3)};
+    return {world_->time(),   PoseOf(*world_),          world_->battery().current(),     true,
+            world_->docked(), world_->battery().full(), PointsInBase(ScanOf(*world_), 3)};
   }
   void Run() {
     const double stop = world_->time() + 300;

@@ -10,7 +10,7 @@ using std::chrono::seconds;
 class DiagnosticsMonitorTest : public testing::Test {
  protected:
   DiagnosticsMonitorTest() { monitor_.Watch(DiagnosticsWatch{seconds(5)}, seconds(1)); }
-  std::vector<Finding> At(Time wall) { return monitor_.Report({seconds(9), wall}); }
+  std::vector<Finding> At(Time wall) { return monitor_.Report({}, {seconds(9), wall}); }
   DiagnosticsMonitor monitor_;
 };
 

@@ -35,7 +35,7 @@ class LocalizationMonitorTest : public testing::Test {
 };
 
 TEST_F(LocalizationMonitorTest, ARobotThatKnowsItsPlaceIsWell) {
-  monitor_.OnState({LocalizationPhase::kOk, 0.5, 0.9, 0.05, ""}, At(seconds(1)));
+  monitor_.OnState({LocalizationReading::Phase::kOk, 0.5, 0.9, 0.05, ""}, At(seconds(1)));
   const auto findings = monitor_.Report(processes_, {seconds(1), seconds(1)});
   ASSERT_EQ(findings.size(), 5u);
   for (const Finding& finding : findings) {
@@ -47,18 +47,19 @@ TEST_F(LocalizationMonitorTest, ARobotThatKnowsItsPlaceIsWell) {
 }
 
 TEST_F(LocalizationMonitorTest, ThePhaseIsTheServersWord) {
-  monitor_.OnState({LocalizationPhase::kUncertain, 5, 0.9, 0.05, "many places"}, At(seconds(1)));
+  monitor_.OnState({LocalizationReading::Phase::kUncertain, 5, 0.9, 0.05, "many places"},
+                   At(seconds(1)));
   EXPECT_EQ(About("phase", seconds(1)).level, HealthLevel::kWarn);
   EXPECT_EQ(About("phase", seconds(1)).message, "uncertain: many places");
-  monitor_.OnState({LocalizationPhase::kLost, 5, 0.9, 0.05, ""}, At(seconds(2)));
+  monitor_.OnState({LocalizationReading::Phase::kLost, 5, 0.9, 0.05, ""}, At(seconds(2)));
   EXPECT_EQ(About("phase", seconds(2)).level, HealthLevel::kError);
   EXPECT_EQ(About("phase", seconds(2)).message, "lost");
-  monitor_.OnState({static_cast<LocalizationPhase>(9), 5, 0.9, 0.05, ""}, At(seconds(3)));
+  monitor_.OnState({static_cast<LocalizationReading::Phase>(9), 5, 0.9, 0.05, ""}, At(seconds(3)));
   EXPECT_EQ(About("phase", seconds(3)).level, HealthLevel::kError);
 }
 
 TEST_F(LocalizationMonitorTest, TheNumbersAreJudgedEach) {
-  monitor_.OnState({LocalizationPhase::kOk, 15, 0.1, 0.5, ""}, At(seconds(1)));
+  monitor_.OnState({LocalizationReading::Phase::kOk, 15, 0.1, 0.5, ""}, At(seconds(1)));
   EXPECT_EQ(About("since_confirmed", seconds(1)).level, HealthLevel::kWarn);
   EXPECT_EQ(About("score", seconds(1)).level, HealthLevel::kError);
   EXPECT_EQ(About("score", seconds(1)).message, "0.1, expected at least 0.2");
@@ -67,7 +68,7 @@ TEST_F(LocalizationMonitorTest, TheNumbersAreJudgedEach) {
 }
 
 TEST_F(LocalizationMonitorTest, SilenceIsAnErrorAndTheLastStateNoLongerBelieved) {
-  monitor_.OnState({LocalizationPhase::kLost, 15, 0.1, 0.5, ""}, At(seconds(1)));
+  monitor_.OnState({LocalizationReading::Phase::kLost, 15, 0.1, 0.5, ""}, At(seconds(1)));
   EXPECT_EQ(About("/localization/state", seconds(4)).level, HealthLevel::kOk);
   EXPECT_EQ(About("/localization/state", seconds(5)).level, HealthLevel::kError);
   EXPECT_EQ(About("/localization/state", seconds(5)).message, "no state for 4 s");
@@ -80,10 +81,12 @@ TEST_F(LocalizationMonitorTest, SilenceMustLastInWallTimeTooHoweverFastSimulated
   const auto level = [&](Time ros, Time wall) {
     return monitor_.Report(processes_, {ros, wall}).back().level;
   };
-  monitor_.OnState({LocalizationPhase::kOk, 0, 0.9, 0.05, ""}, {seconds(100), seconds(10)});
+  monitor_.OnState({LocalizationReading::Phase::kOk, 0, 0.9, 0.05, ""},
+                   {seconds(100), seconds(10)});
   EXPECT_EQ(level(seconds(118), seconds(13)), HealthLevel::kOk);
   EXPECT_EQ(level(seconds(124), seconds(14)), HealthLevel::kError);
-  monitor_.OnState({LocalizationPhase::kOk, 0, 0.9, 0.05, ""}, {seconds(125), seconds(15)});
+  monitor_.OnState({LocalizationReading::Phase::kOk, 0, 0.9, 0.05, ""},
+                   {seconds(125), seconds(15)});
   EXPECT_EQ(level(seconds(126), seconds(25)), HealthLevel::kOk);  // simulated time is slow
 }
 
@@ -99,7 +102,7 @@ TEST_F(LocalizationMonitorTest, SilenceFromTheBeginningIsNoticedAndAStartHasItsT
 
 TEST_F(LocalizationMonitorTest, WithoutAWatchThereIsNothingToSay) {
   monitor_.Watch(std::nullopt);
-  monitor_.OnState({LocalizationPhase::kLost, 15, 0.1, 0.5, ""}, At(seconds(1)));
+  monitor_.OnState({LocalizationReading::Phase::kLost, 15, 0.1, 0.5, ""}, At(seconds(1)));
   EXPECT_TRUE(monitor_.Report(processes_, {seconds(1), seconds(1)}).empty());
 }
 

@@ -23,10 +23,7 @@ class LoggerMonitorTest : public testing::Test {
     monitor_.Watch({file, folder, topic});
   }
   void Append(const std::string& file) { std::ofstream(folder_ + file, std::ios::app) << "line\n"; }
-  std::vector<Finding> At(Time now) {
-    monitor_.Look(now);
-    return monitor_.Report(processes_, {seconds(9), now});
-  }
+  std::vector<Finding> At(Time now) { return monitor_.Report(processes_, {seconds(9), now}); }
 
   const std::string folder_ = Temporary("logger_monitor_test");
   LoggerMonitor monitor_{folder_};

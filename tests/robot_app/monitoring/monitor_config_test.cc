@@ -77,6 +77,15 @@ configurations:
 TEST_F(MonitorConfigTest, ReadsTheSectionsOfEnergyMovementAndComputers) {
   const MonitorConfig config = Read(R"(
 health_aggregator: {diagnostics: 2}
+system:
+  - window: 3
+    cpu: {load: {error: [none, 0.5]}}
+  - host: jetson
+    disks: [{path: /data, used: {error: [none, 0.99]}}]
+    network: [{interface: eth0, speed: 100}]
+    clocks: [{host: main}]
+    hosts: [{host: main, address: 10.0.0.1, port: 80}]
+    processes: [{node: /camera, memory: {error: [none, 900], warn: [none, 800]}}]
 configurations:
   operating:
     topics: [{topic: /camera, node: /driver, by: statistics, warn: [25, 35], consecutive: 3}]
@@ -89,15 +98,6 @@ configurations:
     charging: {within: 4}
     docking: {action: /docking, node: /docking, failures: {error: [none, 5]}}
     emergency_stop: {topic: /stop}
-    system:
-      - window: 3
-        cpu: {load: {error: [none, 0.5]}}
-      - host: jetson
-        disks: [{path: /data, used: {error: [none, 0.99]}}]
-        network: [{interface: eth0, speed: 100}]
-        clocks: [{host: main}]
-        hosts: [{host: main, address: 10.0.0.1, port: 80}]
-        processes: [{node: /camera, memory: {error: [none, 900], warn: [none, 800]}}]
     sources: [{source: /jetson_system_monitor, host: jetson}]
 )");
   EXPECT_EQ(Errors(), "");
@@ -119,10 +119,10 @@ configurations:
   EXPECT_EQ(list.docking->failures.error.high, 5);
   EXPECT_EQ(list.emergency_stop->topic, "/stop");
   EXPECT_EQ(list.sources.at(0).host, "jetson");
-  ASSERT_NE(list.ForHost("any"), nullptr);
-  EXPECT_EQ(list.ForHost("any")->cpu_load.error.high, 0.5);
-  EXPECT_EQ(list.ForHost("any")->window, seconds(3));
-  const SystemWatch* jetson = list.ForHost("jetson");
+  ASSERT_NE(config.ForHost("any"), nullptr);
+  EXPECT_EQ(config.ForHost("any")->cpu_load.error.high, 0.5);
+  EXPECT_EQ(config.ForHost("any")->window, seconds(3));
+  const SystemWatch* jetson = config.ForHost("jetson");
   ASSERT_NE(jetson, nullptr);
   EXPECT_EQ(jetson->disks.at(0).used.error.high, 0.99);
   EXPECT_EQ(jetson->interfaces.at(0).speed, 100);
@@ -130,7 +130,7 @@ configurations:
   EXPECT_EQ(jetson->clocks[0].offset.error.low, -1);
   EXPECT_EQ(jetson->hosts.at(0).port, 80);
   EXPECT_EQ(jetson->processes.at(0).memory.error.high, 900);
-  EXPECT_EQ(WatchList().ForHost("any"), nullptr);
+  EXPECT_EQ(MonitorConfig().ForHost("any"), nullptr);
 }
 
 TEST_F(MonitorConfigTest, EverySectionIsStrict) {
@@ -140,10 +140,11 @@ TEST_F(MonitorConfigTest, EverySectionIsStrict) {
     charging: {within: 4}
     transforms: [{parent: map, child: odom}, {parent: map, child: odom}]
     loggers: [{name: a}, {name: b, path: x, topic: /y}]
+    publishers: [{topic: /a, nodes: [a]}, {topic: /b}]
     localization: {topic: /l, node: /l, scor: {warn: [1, 2]}}
     docking: {action: docking, node: /docking, failures: {warn: [none, 9], error: [none, 5]}}
-    system: [{cpu: {lod: {}}, disks: [{path: /, used: {consecutive: 0}}], clocks: [{port: 99}]},
-             {host: a}, {host: a}]
+system: [{cpu: {lod: {}}, disks: [{path: /, used: {consecutive: 0}}], clocks: [{port: 99}]},
+         {host: a}, {host: a}]
 )");
   EXPECT_THAT(Errors(),
               HasSubstr(":3:5: error: unknown key \"batery\" (did you mean \"battery\"?)"));
@@ -151,6 +152,8 @@ TEST_F(MonitorConfigTest, EverySectionIsStrict) {
   EXPECT_THAT(Errors(), HasSubstr("\"map -> odom\" is listed twice"));
   EXPECT_THAT(Errors(), HasSubstr(":6:15: error: expected either \"path\" or \"topic\""));
   EXPECT_THAT(Errors(), HasSubstr(":6:26: error: expected either \"path\" or \"topic\""));
+  EXPECT_THAT(Errors(), HasSubstr("expected a ROS name with slash, got \"a\""));
+  EXPECT_THAT(Errors(), HasSubstr("\"nodes\" names nobody"));
   EXPECT_THAT(Errors(), HasSubstr("unknown key \"scor\" (did you mean \"score\"?)"));
   EXPECT_THAT(Errors(), HasSubstr("\"action\": expected a ROS name with slash"));
   EXPECT_THAT(Errors(), HasSubstr("\"warn\" is not within \"error\""));
@@ -158,6 +161,12 @@ TEST_F(MonitorConfigTest, EverySectionIsStrict) {
   EXPECT_THAT(Errors(), HasSubstr("\"consecutive\": 0 is not within 1 and 1000"));
   EXPECT_THAT(Errors(), HasSubstr("\"host\" is missing"));
   EXPECT_THAT(Errors(), HasSubstr("\"a\" is listed twice"));
+}
+
+// A configuration that nobody has thought of has a computer, too.
+TEST_F(MonitorConfigTest, ComputersAreNoMatterOfTheConfiguration) {
+  Read("configurations: {operating: {system: [{}]}}");
+  EXPECT_THAT(Errors(), HasSubstr("unknown key \"system\""));
 }
 
 TEST_F(MonitorConfigTest, ReportsEverythingAtOnceWithPlaceAndHint) {

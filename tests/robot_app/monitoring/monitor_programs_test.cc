@@ -3,6 +3,7 @@
 #include <actionlib_msgs/GoalStatusArray.h>
 #include <coppice_msgs/DockingActionFeedback.h>
 #include <coppice_msgs/LocalizationState.h>
+#include <coppice_msgs/ProcessStates.h>
 #include <diagnostic_msgs/DiagnosticArray.h>
 #include <gmock/gmock.h>
 #include <sensor_msgs/BatteryState.h>
@@ -22,10 +23,23 @@ using testing::HasSubstr;
 constexpr char kConfig[] = R"(
 report_period: 0.2
 patience: 0
+system:
+  - host: tester
+    period: 0.2
+    ask_period: 0.2
+    window: 1
+    memory: {used: {warn: [none, 2], error: [none, 2]}}
+    disks: [{path: /}, {path: /nowhere}]
+    network: [{interface: lo}]
+    clocks: [{host: wrong, address: 127.0.0.1, port: $PORT}]
+    hosts: [{host: here, address: 127.0.0.1, port: 1}]
+    processes: [{node: /big_talker}]
+  - host: another
 configurations:
   operating:
     topics:
       - {topic: /big, node: /big_talker, by: statistics, error: [5, 50], staleness: 10}
+    publishers: [{topic: /cmd_vel, nodes: [/velocity_mux]}]
     localization: {topic: /localization/state, node: /localization, staleness: 2}
     transforms: [{parent: map, child: base, age: {error: [none, 1], staleness: 1}}]
     loggers: [{name: record, path: run.log, staleness: 1},
@@ -36,18 +50,6 @@ configurations:
     charging: {within: 1, interruption: 1}
     docking: {action: /docking, node: /docking, staleness: 2, failures: {error: [none, 1]}}
     emergency_stop: {topic: /stop}
-    system:
-      - host: tester
-        period: 0.2
-        ask_period: 0.2
-        window: 1
-        memory: {used: {warn: [none, 2], error: [none, 2]}}
-        disks: [{path: /}, {path: /nowhere}]
-        network: [{interface: lo}]
-        clocks: [{host: wrong, address: 127.0.0.1, port: $PORT}]
-        hosts: [{host: here, address: 127.0.0.1, port: 1}]
-        processes: [{node: /big_talker}]
-      - host: another
     sources: [{source: /system_monitor, period: 0.2}]
 )";
 
@@ -102,6 +104,31 @@ TEST_F(MonitorProgramsTest, AComputerIsMeasuredAndAClockThatIsThreeSecondsOffIsA
   EXPECT_GT(Find("memory", "used")->value, 0);
   EXPECT_TRUE(graph_.WaitFor([this] { return Find("process", "/big_talker memory")->value > 1; }));
   EXPECT_TRUE(graph_.WaitFor([this] { return !std::isnan(Find("cpu", "load")->value); }));
+}
+
+TEST_F(MonitorProgramsTest, AComputerIsMeasuredInAConfigurationThatNobodyKnows) {
+  graph_.Start("system",
+               {kPrograms + "coppice-system-monitor", "--config", config_, "--host", "tester"});
+  ASSERT_TRUE(WaitForLevel("memory", "used", HealthEntry::OK));
+  const ros::Publisher publisher = Advertise<coppice_msgs::ProcessStates>("/processes");
+  coppice_msgs::ProcessStates states;
+  states.configuration = "unheard-of";
+  publisher.publish(states);
+  ASSERT_TRUE(WaitForLevel("aggregation", "/system_monitor", HealthEntry::WARN));
+  const ros::Time then = ros::Time::now();
+  EXPECT_TRUE(graph_.WaitFor([&] {
+    const HealthEntry* entry = Find("memory", "used");
+    return entry && entry->stamp > then && entry->level == HealthEntry::OK;
+  }));
+}
+
+TEST_F(MonitorProgramsTest, AStrangerOnTheTopicOfTheDriveIsAnError) {
+  StartMonitor("topic-monitor");
+  ASSERT_TRUE(WaitForLevel("publisher", "/cmd_vel", HealthEntry::OK));
+  EXPECT_TRUE(Tell(Advertise<std_msgs::Bool>("/cmd_vel"), std_msgs::Bool(), "publisher", "/cmd_vel",
+                   HealthEntry::ERROR));
+  EXPECT_THAT(Find("publisher", "/cmd_vel")->message,
+              HasSubstr(ros::this_node::getName() + " publishes here"));
 }
 
 TEST_F(MonitorProgramsTest, ASilentMonitorIsAnErrorAndAStrangerIsNamed) {

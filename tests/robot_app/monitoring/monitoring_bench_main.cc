@@ -64,14 +64,14 @@ std::string Config() {
     charging: {}
     docking: {action: /docking, node: /bench}
     emergency_stop: {topic: /emergency_stop, staleness: 5}
-    system:
-      - cpu: {load: {warn: [none, none], error: [none, none]}}
-        disks: [{path: /}]
-        network: [{interface: lo}]
-        hosts: [{host: here, address: 127.0.0.1}]
-        processes: [{node: /bench_node_0}, {node: /bench_node_1}]
     sources: [{source: /node_monitor}, {source: /topic_monitor}, {source: /navigation_monitor},
               {source: /power_monitor}, {source: /system_monitor}]
+system:
+  - cpu: {load: {warn: [none, none], error: [none, none]}}
+    disks: [{path: /}]
+    network: [{interface: lo}]
+    hosts: [{host: here, address: 127.0.0.1}]
+    processes: [{node: /bench_node_0}, {node: /bench_node_1}]
 )";
 }
 

@@ -47,7 +47,7 @@ TEST_F(NavigationMonitorTest, BlockedIsAWarningUpToItsBound) {
   EXPECT_EQ(Progress().monitor, "navigation");
   EXPECT_EQ(Progress().node, "");  // a restart frees no corridor
   EXPECT_EQ(Progress().value, 20);
-  EXPECT_EQ(Progress().message, "blocked for 20.0 s");
+  EXPECT_EQ(Progress().message, "blocked for 20 s");
 }
 
 TEST_F(NavigationMonitorTest, NoPathIsAWarningUntilItLastsOrAGoalFails) {

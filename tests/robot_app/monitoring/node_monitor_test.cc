@@ -11,7 +11,7 @@ ProbeResult Silence() { return {false, 0, Duration::zero(), "does not answer"}; 
 class NodeMonitorTest : public testing::Test {
  protected:
   NodeMonitorTest() { monitor_.Watch({{"/a", 2}, {"/b", 1}}); }
-  Finding Of(std::size_t index) { return monitor_.Report(processes_, Time(5)).at(index); }
+  Finding Of(std::size_t index) { return monitor_.Report(processes_, {Time(5), {}}).at(index); }
 
   NodeMonitor monitor_;
   ProcessTable processes_;
@@ -65,7 +65,7 @@ TEST_F(NodeMonitorTest, AChangeOfTheListKeepsWhatIsKnownAndIgnoresOthers) {
   monitor_.Observe("/b", Silence());
   EXPECT_EQ(Of(0).level, HealthLevel::kOk);
   EXPECT_EQ(Of(1).level, HealthLevel::kError);
-  EXPECT_EQ(monitor_.Report(processes_, Time(0)).size(), 2u);
+  EXPECT_EQ(monitor_.Report(processes_, {}).size(), 2u);
 }
 
 }  // namespace

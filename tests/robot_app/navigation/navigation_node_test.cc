@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 #include <move_base_msgs/MoveBaseAction.h>
 #include <nav_msgs/Path.h>
+#include <sensor_msgs/LaserScan.h>
 #include <std_msgs/Float64.h>
 #include <unistd.h>
 
@@ -113,13 +114,15 @@ class NavigationNode : public testing::Test {
   // A node's parameters outlive it.
   ~NavigationNode() override { ros::param::del("/navigation/station"); }
 
-  // Starts the robot where it is told: "docked" or "X Y YAW". `navigation`: parameters.
-  void StartRobot(const std::string& start, const std::vector<std::string>& navigation = {}) {
+  // Starts the robot where it is told: "docked" or "X Y YAW". The rest: arguments of the programs.
+  void StartRobot(const std::string& start, const std::vector<std::string>& navigation = {},
+                  const std::vector<std::string>& simulator = {}) {
     ros::param::set("/use_sim_time", true);
-    simulator_ = ChildProcess(
-        {kPrograms + "coppice-simulator", "_speed:=6", "_start:=" + start, "_state_of_charge:=0.5"},
-        Log("simulator"));
-    std::vector<std::string> command = {kPrograms + "coppice-navigation"};
+    std::vector<std::string> command = {kPrograms + "coppice-simulator", "_speed:=6",
+                                        "_start:=" + start, "_state_of_charge:=0.5"};
+    command.insert(command.end(), simulator.begin(), simulator.end());
+    simulator_ = ChildProcess(command, Log("simulator"));
+    command = {kPrograms + "coppice-navigation"};
     command.insert(command.end(), navigation.begin(), navigation.end());
     navigation_ = ChildProcess(command, Log("navigation"));
   }
@@ -224,6 +227,48 @@ TEST_F(NavigationNode, AnswersLikeMoveBase) {
   const int commands = listener.commands;
   ASSERT_TRUE(let_pass(3));
   EXPECT_EQ(listener.commands, commands);
+}
+
+// Stands between the scanner and the programs; blinded, it passes on scans that tell nothing.
+class BlindableScanner {
+ public:
+  explicit BlindableScanner(ros::NodeHandle& node)
+      : publisher_(node.advertise<sensor_msgs::LaserScan>("/scan", 5)),
+        subscriber_(node.subscribe<sensor_msgs::LaserScan>(
+            "/scan_seen", 5, [this](const sensor_msgs::LaserScan::ConstPtr& seen) {
+              sensor_msgs::LaserScan scan = *seen;
+              if (is_blind) scan.ranges.assign(scan.ranges.size(), NAN);
+              publisher_.publish(scan);
+            })) {}
+  ~BlindableScanner() { subscriber_.shutdown(); }
+
+  std::atomic<bool> is_blind{false};
+
+ private:
+  ros::Publisher publisher_;
+  ros::Subscriber subscriber_;
+};
+
+TEST_F(NavigationNode, AScanThatTellsNothingIsNoFreeWay) {
+  ros::NodeHandle node;
+  BlindableScanner scanner(node);
+  StartRobot("4 0 0", {}, {"/scan:=/scan_seen"});
+  Listener listener;
+  Client<move_base_msgs::MoveBaseAction> move_base("move_base");
+  ASSERT_TRUE(Eventually([&] { return listener.State().header.stamp.toSec() > 1; }, kPatience));
+  ASSERT_TRUE(Eventually(
+      [&] {
+        if (move_base->getState().isDone()) move_base.Send(Goal(30, 0));
+        return listener.speed > 0.3;
+      },
+      kPatience));
+  scanner.is_blind = true;
+  EXPECT_TRUE(Eventually([&] { return listener.speed == 0; }, kPatience));
+  EXPECT_TRUE(
+      Eventually([&] { return listener.State().message.find("no laser scan") == 0; }, kPatience))
+      << listener.State().message;
+  scanner.is_blind = false;
+  EXPECT_TRUE(Eventually([&] { return listener.speed > 0.3; }, kPatience));
 }
 
 using Way = Latest<std_msgs::Float64>;

@@ -44,7 +44,7 @@ class OtherHost {
   /// The words before a command that is to run there.
   std::vector<std::string> Transport() const {
     if (is_namespace_) return {"ip", "netns", "exec", name_};
-    return {"/bin/sh", "-c", "\"$@\"; exit $?", "sh"};
+    return {"/bin/sh", "-c", R"("$@"; exit $?)", "sh"};
   }
 
   HostConfig Config() const {

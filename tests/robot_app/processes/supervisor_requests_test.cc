@@ -104,10 +104,10 @@ TEST_F(SupervisorRequestsTest, ThePersonMayRestartTheWholeStack) {
 }
 
 TEST_F(SupervisorRequestsTest, RefusesUnknownAndUnwantedNames) {
-  EXPECT_THAT(Restart("navv").message, HasSubstr("did you mean \"nav\"?"));
-  EXPECT_THAT(Reset("navv").message, HasSubstr("did you mean \"nav\"?"));
+  EXPECT_THAT(Restart("navv").message, HasSubstr(R"(did you mean "nav"?)"));
+  EXPECT_THAT(Reset("navv").message, HasSubstr(R"(did you mean "nav"?)"));
   EXPECT_EQ(Restart("mapper").message, "mapper is not part of configuration operating");
-  EXPECT_THAT(Configure("opperating").message, HasSubstr("did you mean \"operating\"?"));
+  EXPECT_THAT(Configure("opperating").message, HasSubstr(R"(did you mean "operating"?)"));
 }
 
 TEST_F(SupervisorRequestsTest, RefusesARestartOfWhatIsGivenUpUntilItIsReset) {

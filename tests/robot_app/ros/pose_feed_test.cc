@@ -27,8 +27,8 @@ TEST(PoseFeed, BringsPoseAndDistanceFromTf) {
   registry->Register<ContinueEpisode>("ContinueEpisode");
   Diagnostics diagnostics;
   auto project = Project::FromText(
-      "<root BTCPP_format=\"4\"><BehaviorTree ID=\"Main\"><ContinueEpisode pose=\"{pose}\" "
-      "seconds=\"{distance_to_station}\"/></BehaviorTree></root>",
+      R"(<root BTCPP_format="4"><BehaviorTree ID="Main"><ContinueEpisode pose="{pose}" )"
+      R"(seconds="{distance_to_station}"/></BehaviorTree></root>)",
       "pose", diagnostics);
   const auto program =
       Compile(std::make_shared<const Project>(*std::move(project)), registry, diagnostics);

@@ -131,12 +131,12 @@ TEST_F(RosNavigatorTest, SaysThatTheServerDiedWhileDriving) {
   ASSERT_TRUE(Eventually([&] { return accepted.load(); }));
   server.reset();
   EXPECT_TRUE(EndsWith(Status::kFailure));
-  EXPECT_EQ(harness_.message(), "action server \"move_base\" is gone");
+  EXPECT_EQ(harness_.message(), R"(action server "move_base" is gone)");
 }
 
 TEST_F(RosNavigatorTest, SaysThatThereIsNoServer) {
   EXPECT_TRUE(EndsWith(Status::kFailure, 20));
-  EXPECT_EQ(harness_.message(), "no action server \"move_base\"");
+  EXPECT_EQ(harness_.message(), R"(no action server "move_base")");
 }
 
 }  // namespace

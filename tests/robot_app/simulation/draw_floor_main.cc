@@ -61,7 +61,8 @@ int Draw(const Floor& floor, const Pose2& start, double seconds) {
   while (world.time() < seconds) world.Step(0.02);
   const GridMap map = MakeGridMap(floor);
   Picture picture(map);
-  for (const Waypoint& w : floor.waypoints) picture.Disc(w.pose.position(), 0.1, {255, 0, 255});
+  for (const FloorWaypoint& w : floor.waypoints)
+    picture.Disc(w.pose.position(), 0.1, {255, 0, 255});
   for (const Disc& person : world.people()) {
     picture.Disc(person.center, person.radius, {0, 160, 0});
   }

@@ -173,7 +173,7 @@ TEST_F(FaultsTest, KidnapsTheRobotToAPoseOrAWaypoint) {
   EXPECT_TRUE(faults_.Inject({"kidnap", "10 0.2 1.5", 0, 0}).ok);
   EXPECT_NEAR(world_.robot().x, 10, 1e-6);
   EXPECT_NEAR(world_.robot().yaw, 1.5, 1e-6);
-  const Waypoint& waypoint = world_.floor().waypoints.back();
+  const FloorWaypoint& waypoint = world_.floor().waypoints.back();
   EXPECT_TRUE(faults_.Inject({"kidnap", waypoint.name, 0, 0}).ok);
   EXPECT_NEAR(world_.robot().x, waypoint.pose.x, 1e-5);
   EXPECT_FALSE(faults_.Inject({"kidnap", "10 0", 0, 0}).ok);

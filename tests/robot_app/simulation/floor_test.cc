@@ -59,23 +59,23 @@ TEST(Floor, TellsTheLineOfAMistake) {
 }
 
 TEST(Floor, SuggestsTheRightWordForAMisspeltKey) {
-  EXPECT_THAT(ErrorsOf("dors: []"), HasSubstr("unknown key \"dors\" (did you mean \"doors\"?)"));
+  EXPECT_THAT(ErrorsOf("dors: []"), HasSubstr(R"(unknown key "dors" (did you mean "doors"?))"));
   EXPECT_THAT(ErrorsOf("doors: [{name: d, kind: hinged, hinge: [0, 0], end: [1, 0], swing: up, "
                        "state: open}]"),
-              HasSubstr("swing must be left or right, not \"up\""));
+              HasSubstr(R"(swing must be left or right, not "up")"));
 }
 
 TEST(Floor, TellsWhatIsMissing) {
   EXPECT_THAT(ErrorsOf("places: [{name: p, at: [1, 1], height: 1}]"),
-              HasSubstr("f.yaml:4:10: error: place: \"size\" is missing"));
+              HasSubstr(R"(f.yaml:4:10: error: place: "size" is missing)"));
   Diagnostics diagnostics;
   EXPECT_FALSE(ParseFloor("name: x\n", "f.yaml", diagnostics));
-  EXPECT_THAT(diagnostics.ToString(), HasSubstr("\"charging_station\" is missing"));
+  EXPECT_THAT(diagnostics.ToString(), HasSubstr(R"("charging_station" is missing)"));
 }
 
 TEST(Floor, RefusesTheSameNameTwice) {
   EXPECT_THAT(ErrorsOf("waypoints: [{name: w, pose: [1, 2, 3]}, {name: w, pose: [1, 2, 3]}]"),
-              HasSubstr("the name \"w\" is used twice"));
+              HasSubstr(R"(the name "w" is used twice)"));
   EXPECT_THAT(ErrorsOf("name: again"), HasSubstr("appears twice"));
 }
 

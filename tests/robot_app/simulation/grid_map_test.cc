@@ -86,7 +86,7 @@ TEST(GridMap, TheRobotReachesEveryWaypointOfTheInstituteWithRoomToSpare) {
   const Floor floor = LoadInstitute();
   const GridMap map = MakeGridMap(floor);
   const auto reached = Reachable(map, floor.staging.position(), kRobotRadius + 0.08);
-  for (const Waypoint& w : floor.waypoints) {
+  for (const FloorWaypoint& w : floor.waypoints) {
     const int row = static_cast<int>((w.pose.y - map.origin.y) / map.resolution);
     const int column = static_cast<int>((w.pose.x - map.origin.x) / map.resolution);
     EXPECT_TRUE(reached[row * map.width + column]) << w.name;

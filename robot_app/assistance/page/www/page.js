@@ -6,6 +6,7 @@ const kPicture = 1, kMap = 2;  // first byte of what is binary
 
 let hello = null;
 let wheel = {driver: 0, name: "", held: ""};
+let beat = null;  // the robot's newest: what is older when it comes back is not obeyed
 let isLive = false;
 const watched = new Set();
 const pictures = new Map();
@@ -36,7 +37,8 @@ const stick = new Stick(at("stick"), at("knob"), (ahead, left, isHeld) => {
   if (isHeld && wheel.driver !== hello.client) connection.send({do: "take", over: false});
   if (isHeld || wheel.driver === hello.client) {
     const turn = ahead < 0 ? -left : left;  // backwards, the stick shows where the tail goes
-    connection.send({do: "drive", linear: ahead * hello.linear, angular: turn * hello.angular});
+    const command = {linear: ahead * hello.linear, angular: turn * hello.angular};
+    if (beat !== null) connection.send({do: "drive", ...command, beat});
   }
 });
 
@@ -76,6 +78,9 @@ const handlers = {
                name => connection.send({do: "restart", name}));
   },
   trees: message => showTrees(at("trees"), message.trees),
+  beat: message => {
+    beat = message.beat;
+  },
   wheel: message => {
     wheel = message;
     showWheel();

@@ -13,7 +13,7 @@ using ::testing::HasSubstr;
 TEST(ExportCsv, TextsWithCommasQuotesAndLinesAreQuoted) {
   RecordedRun run(
       "<BehaviorTree ID='Main'><Sequence name='a,&quot;b&quot;'>"
-      "<Script name='s' code=\"text := 'x,y'\"/><Sleep name='z' msec='500'/></Sequence>"
+      R"(<Script name='s' code="text := 'x,y'"/><Sleep name='z' msec='500'/></Sequence>)"
       "</BehaviorTree>");
   run.Tick();
   const std::string csv = ToCsv(run.keeper.run);

@@ -12,9 +12,9 @@
 #include "bt_core/analysis/formats/import_btlog.h"
 #include "bt_core/analysis/formats/write_record.h"
 #include "bt_core/analysis/load_recording.h"
-#include "bt_core/analysis/verify.h"
+#include "bt_core/analysis/play/verify.h"
 #include "tests/bt_core/analysis/recorded_run.h"
-#include "tests/bt_core/record/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace coppice {
 namespace {
@@ -64,7 +64,7 @@ TEST(Btlog, GoesThereAndBack) {
   EXPECT_EQ(bytes->substr(0, 18), "BTCPP4-FileLogger2");
   const std::optional<Btlog> log = ReadBtlog(*bytes, "x.btlog", diagnostics);
   ASSERT_TRUE(log) << diagnostics.ToString();
-  EXPECT_THAT(log->xml, HasSubstr("_uid=\"4\""));
+  EXPECT_THAT(log->xml, HasSubstr(R"(_uid="4")"));
   ASSERT_FALSE(log->transitions.empty());
 
   const std::optional<Recording> back = FromBtlog(*bytes, "x.btlog", diagnostics);

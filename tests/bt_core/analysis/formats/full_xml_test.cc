@@ -22,7 +22,7 @@ TEST(FullXml, HasATreeForEachInstanceAndNumbersNodesFromOne) {
       "<BehaviorTree ID='Sub'><Sleep name='z' msec='5'/></BehaviorTree>");
   EXPECT_THAT(xml, HasSubstr("<BehaviorTree ID=\"Main\" _fullpath=\"\">\n"
                              "    <Sequence name=\"s\" _uid=\"1\">\n"
-                             "      <SubTree ID=\"Sub\" name=\"a\" speed=\"2\" _uid=\"2\" "
+                             R"(      <SubTree ID="Sub" name="a" speed="2" _uid="2" )"
                              "_fullpath=\"a\"/>\n"));
   EXPECT_THAT(xml, HasSubstr("<BehaviorTree ID=\"Sub\" _fullpath=\"a\">\n"
                              "    <Sleep name=\"z\" msec=\"5\" _uid=\"3\"/>\n"));
@@ -42,7 +42,7 @@ TEST(FullXml, IsReadAsXmlWhateverTheTextsAre) {
       document->element(document->element(document->element(0).first_child).first_child);
   EXPECT_EQ(document->AttributeValue(node, "name"), "<\"&'>");
   EXPECT_EQ(document->AttributeValue(node, "code"), "a < 1 && b");
-  EXPECT_EQ(document->AttributeValue(node, "_skipIf"), "a == \"x\"");
+  EXPECT_EQ(document->AttributeValue(node, "_skipIf"), R"(a == "x")");
   EXPECT_EQ(document->AttributeValue(node, "_uid"), "1") << "the number, not what was there";
 }
 
@@ -54,7 +54,7 @@ TEST(FullXml, OfADescriptionWithoutDocumentsAndModelsHasTheNodesAlone) {
   tree.documents.clear();
   tree.models = "<TreeNodesModel>";
   const std::string xml = FullXml(tree);
-  EXPECT_THAT(xml, HasSubstr("<AlwaysSuccess _uid=\"1\"/>"));
+  EXPECT_THAT(xml, HasSubstr(R"(<AlwaysSuccess _uid="1"/>)"));
   EXPECT_THAT(xml, Not(HasSubstr("TreeNodesModel")));
 }
 

@@ -4,7 +4,7 @@
 
 #include "bt_core/analysis/load_recording.h"
 #include "tests/bt_core/analysis/recorded_run.h"
-#include "tests/bt_core/record/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace coppice {
 namespace {

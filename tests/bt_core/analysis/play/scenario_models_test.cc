@@ -8,7 +8,7 @@
 
 #include "bt_core/testing/scenario.h"
 #include "bt_core/testing/scenario_writer.h"
-#include "tests/bt_core/record/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace coppice {
 namespace {
@@ -69,9 +69,8 @@ TEST_F(ScenarioModelsTest, WithoutSuchAFileOneIsWrittenBesideTheScenario) {
 }
 
 TEST_F(ScenarioModelsTest, WhatTheScenariosNameAlreadyStays) {
-  Write("a.test.json",
-        "{\"tree\": \"tree.xml\", \"models\": \"mine.xml\", \"scenarios\": [{\"name\": \"a\", "
-        "\"steps\": [{\"ticks\": 1}]}]}");
+  Write("a.test.json", R"({"tree": "tree.xml", "models": "mine.xml", "scenarios": [{"name": "a", )"
+                       R"("steps": [{"ticks": 1}]}]})");
   EXPECT_EQ(ModelsFor({Write("models.xml", ModelsWith(kModel))}, ""), folder_.Path("mine.xml"));
 }
 

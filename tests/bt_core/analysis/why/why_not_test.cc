@@ -21,7 +21,7 @@ TEST(WhyNot, NamesGuardsWithTheirScriptsAndValues) {
   EXPECT_EQ(why.why_not->cause, WhyNot::Cause::kOwn);
   ASSERT_EQ(why.steps.size(), 1u);
   EXPECT_EQ(why.steps[0].cause, WhyCause::kGuard);
-  EXPECT_THAT(asked.Print("a"), HasSubstr("s  SKIPPED  not ticked, _skipIf=\"mode == 2\" is true: "
+  EXPECT_THAT(asked.Print("a"), HasSubstr(R"(s  SKIPPED  not ticked, _skipIf="mode == 2" is true: )"
                                           "mode = 2"));
 }
 
@@ -130,8 +130,8 @@ TEST(WhyOfChanges, WhatDidNotChangeIsNotTold) {
     EXPECT_THAT(text, testing::Not(HasSubstr("not ticked"))) << node;
     EXPECT_THAT(text, HasSubstr("first change: dark is FAILURE, was SUCCESS")) << text;
   }
-  EXPECT_THAT(asked.Json("drive"), HasSubstr("\"cause\":\"not_told\""));
-  EXPECT_THAT(asked.Json("drive"), testing::Not(HasSubstr("\"ticked\"")));
+  EXPECT_THAT(asked.Json("drive"), HasSubstr(R"("cause":"not_told")"));
+  EXPECT_THAT(asked.Json("drive"), testing::Not(HasSubstr(R"("ticked")")));
 }
 
 TEST(WhyOfChanges, WhatChangedIsTold) {

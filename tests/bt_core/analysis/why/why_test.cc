@@ -27,7 +27,7 @@ TEST(Why, TellsTheWalkAndWhatWasRead) {
   EXPECT_TRUE(why.steps[5].is_asked);
   const std::string text = asked.Print("drive");
   EXPECT_THAT(text,
-              HasSubstr("battery_low  FAILURE  code=\"battery < 20\" is false: battery = 50"));
+              HasSubstr(R"(battery_low  FAILURE  code="battery < 20" is false: battery = 50)"));
   EXPECT_THAT(text, HasSubstr("dark  SUCCESS  lux = 3"));
   EXPECT_THAT(text, HasSubstr("safety  FAILURE  because of battery_low"));
 }
@@ -45,7 +45,7 @@ TEST(Why, NamesWhatChangedSinceTheTickBefore) {
   ASSERT_TRUE(why.change);
   EXPECT_EQ(asked.tree().NameOf(why.change->step.node), "battery_low");
   EXPECT_THAT(asked.Print("root"),
-              HasSubstr("first change: battery_low is SUCCESS, was FAILURE; code=\"battery < 20\" "
+              HasSubstr(R"(first change: battery_low is SUCCESS, was FAILURE; code="battery < 20" )"
                         "is true: battery = 12 (was 50)"));
   EXPECT_EQ(asked.WhyNotText("drive"), "root did not come to work: safety before it is SUCCESS");
 }

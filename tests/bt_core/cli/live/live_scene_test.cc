@@ -28,7 +28,7 @@ TEST_F(LiveSceneTest, FollowsTheTree) {
   const LiveScene scene = Scene();
   EXPECT_EQ(scene.follower->status(2), Status::kRunning);
   EXPECT_EQ(scene.result, Status::kRunning);
-  EXPECT_THAT(scene.texts, ElementsAre("check: all is \"well\""));
+  EXPECT_THAT(scene.texts, ElementsAre(R"(check: all is "well")"));
 }
 
 TEST_F(LiveSceneTest, KnowsWhetherTheTreeStands) {

@@ -34,7 +34,7 @@ TEST_F(LiveScreenTest, ShowsTheTreeWithTheRunningPath) {
                                   "> top [Sequence]  RUNNING",   //
                                   "    check [Check]  SUCCESS",  //
                                   ">   Drive::3  RUNNING",       //
-                                  "  check: all is \"well\""));
+                                  R"(  check: all is "well")"));
 }
 
 TEST_F(LiveScreenTest, ShowsTheBlackboardIfItIsWanted) {

@@ -33,9 +33,9 @@ TEST_F(LiveTest, SendsCommandsAndSaysWhatIsWrongWithThem) {
   EXPECT_EQ(Run(RunLive, {robot.endpoint(), "--once", "--set", "number=17"}), 0);
   EXPECT_EQ(Run(RunLive, {robot.endpoint(), "--once", "--break", "Fill", "--if", "numbr > 1"}), 1);
   EXPECT_THAT(err_, HasSubstr("--break Fill: "));
-  EXPECT_THAT(err_, HasSubstr("did you mean \"number\"?"));
+  EXPECT_THAT(err_, HasSubstr(R"(did you mean "number"?)"));
   EXPECT_EQ(Run(RunLive, {robot.endpoint(), "--once", "--break", "Fil::2"}), 0);
-  EXPECT_THAT(err_, HasSubstr("did you mean \"Fill::2\"?"));  // a remark: it may come
+  EXPECT_THAT(err_, HasSubstr(R"(did you mean "Fill::2"?)"));  // a remark: it may come
 }
 
 TEST_F(LiveTest, PrintsEveryTickAsJsonUntilItIsInterrupted) {
@@ -45,7 +45,7 @@ TEST_F(LiveTest, PrintsEveryTickAsJsonUntilItIsInterrupted) {
   auto verb = std::async(std::launch::async, [&] {
     return RunLive({robot.endpoint(), "--json", "--past"});
   });
-  EXPECT_TRUE(output.Await("\"tick\":5,"));
+  EXPECT_TRUE(output.Await(R"("tick":5,)"));
   std::raise(SIGINT);
   EXPECT_EQ(verb.get(), 0);
   std::istringstream lines(output.text());

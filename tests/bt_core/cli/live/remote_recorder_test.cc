@@ -6,7 +6,7 @@
 #include "bt_core/record/record_reader.h"
 #include "tests/bt_core/live/cut_line.h"
 #include "tests/bt_core/live/robot.h"
-#include "tests/bt_core/record/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace coppice {
 namespace {

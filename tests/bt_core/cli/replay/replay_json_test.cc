@@ -23,7 +23,7 @@ TEST(ReplayJson, WritesOneObjectPerLine) {
                    {}};
   tick.changes = {{"a", Status::kIdle, Status::kRunning}};
   tick.writes = {{"Main", "key", std::string("\x01text"), "a"}, {"Main", "key", "", ""}};
-  tick.messages = {{"a", "says \"so\""}};
+  tick.messages = {{"a", R"(says "so")"}};
   printer->Tick(tick);
   printer->Gap({HistoryGap::Cause::kOutput, std::chrono::seconds(3), 5, 8, 12, 1});
   std::istringstream lines(out.str());
@@ -36,7 +36,7 @@ TEST(ReplayJson, WritesOneObjectPerLine) {
   EXPECT_EQ(objects[1]["changes"][0]["to"], "RUNNING");
   EXPECT_EQ(objects[1]["writes"][0]["value"], "text");
   EXPECT_TRUE(objects[1]["writes"][1]["value"].is_null());
-  EXPECT_EQ(objects[1]["messages"][0]["text"], "says \"so\"");
+  EXPECT_EQ(objects[1]["messages"][0]["text"], R"(says "so")");
   EXPECT_EQ(objects[2]["lost_ticks"], 5);
 }
 

@@ -13,7 +13,7 @@
 #include "bt_core/nodes/user_control.h"
 #include "bt_core/record/recorder.h"
 #include "tests/bt_core/analysis/recorded_run.h"
-#include "tests/bt_core/record/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace coppice {
 namespace {

@@ -58,7 +58,7 @@ TEST(TestReport, IsJUnitForContinuousIntegration) {
             "    </testcase>\n"
             "  </testsuite>\n"
             "  <testsuite name=\"b.json\" tests=\"1\" failures=\"0\" errors=\"1\">\n"
-            "    <testcase name=\"load\"><error message=\"b.json:1:1: error: no&#10;\"/>"
+            R"(    <testcase name="load"><error message="b.json:1:1: error: no&#10;"/>)"
             "</testcase>\n"
             "  </testsuite>\n"
             "</testsuites>\n");

@@ -6,7 +6,7 @@ namespace {
 class TestVerb : public CliTest {
  protected:
   std::string WriteScenario(const std::string& status) {
-    WriteTree("<Sequence><Go name=\"a\"/><AlwaysSuccess/></Sequence>");
+    WriteTree(R"(<Sequence><Go name="a"/><AlwaysSuccess/></Sequence>)");
     return Write("a.test.json", R"({"tree": "tree.xml", "leaves": {"a": ["RUNNING", "SUCCESS"]},
  "scenarios": [
   {"name": "ends", "steps": [{}, {"expect": {"status": ")" +
@@ -53,16 +53,16 @@ TEST_F(TestVerb, AMisspeltDecoratorIsToldWithTheRightName) {
       Write("a.test.json", R"({"tree": "tree.xml", "scenarios": [{"name": "a", "steps": [{}]}]})");
   EXPECT_EQ(Run(RunTest, {file}), 1);
   EXPECT_NE(out_.find("whose type <Invertr> is not known here\n"
-                      "    got      none, did you mean \"Inverter\"?"),
+                      R"(    got      none, did you mean "Inverter"?)"),
             std::string::npos)
       << out_;
 }
 
 TEST_F(TestVerb, AModelOrAScriptMakesADecoratorKnown) {
   WriteTree("<Guarded><AlwaysFailure/></Guarded>");
-  const std::string models = Write("models.xml",
-                                   "<root BTCPP_format=\"4\"><TreeNodesModel><Decorator "
-                                   "ID=\"Guarded\"/></TreeNodesModel></root>");
+  const std::string models =
+      Write("models.xml", R"(<root BTCPP_format="4"><TreeNodesModel><Decorator )"
+                          R"(ID="Guarded"/></TreeNodesModel></root>)");
   const std::string steps =
       R"("scenarios": [{"name": "a", "steps": [{"expect": {"status": "FAILURE"}}]}]})";
   const std::string plain = Write("a.test.json", R"({"tree": "tree.xml", )" + steps);
@@ -84,7 +84,7 @@ TEST_F(TestVerb, WritesJsonAndJUnit) {
   const std::string file = WriteScenario("SUCCESS");
   const std::string junit = (folder_ / "out.xml").string();
   EXPECT_EQ(Run(RunTest, {file, "--json", "--junit", junit}), 0);
-  EXPECT_EQ(out_.rfind("{\"passed\":true,", 0), 0U);
+  EXPECT_EQ(out_.rfind(R"({"passed":true,)", 0), 0U);
   EXPECT_TRUE(std::filesystem::file_size(junit) > 100);
   EXPECT_EQ(Run(RunTest, {file, "--junit", "/nowhere/out.xml"}), 2);
 }

@@ -21,27 +21,27 @@ std::string Check(const std::string& trees, const CheckOptions& options = {}) {
 }
 
 TEST(CheckProject, ChecksEveryTreeAndSaysEachProblemOnce) {
-  EXPECT_EQ(Check(Tree("A", "<Sequence><SubTree ID=\"B\"/><SubTree ID=\"B\"/></Sequence>") +
+  EXPECT_EQ(Check(Tree("A", R"(<Sequence><SubTree ID="B"/><SubTree ID="B"/></Sequence>)") +
                   Tree("B", "<Inverter/>") + Tree("C", "<Sequence/>")),
             "t.xml:3:22: error: Inverter has 0 children, expected exactly 1\n"
             "t.xml:4:22: error: Sequence has 0 children, expected at least 1\n");
 }
 
 TEST(CheckProject, TreesThatUseEachOtherInACircleAreChecked) {
-  EXPECT_EQ(Check(Tree("A", "<SubTree ID=\"B\"/>") + Tree("B", "<SubTree ID=\"A\"/>")),
+  EXPECT_EQ(Check(Tree("A", R"(<SubTree ID="B"/>)") + Tree("B", R"(<SubTree ID="A"/>)")),
             "t.xml:3:22: error: tree \"A\" contains itself (A -> B -> A)\n");
 }
 
 TEST(CheckProject, AnUnknownLeafIsOneWarningForItsType) {
-  EXPECT_EQ(Check(Tree("A", "<Sequence><Say text=\"a\"/><Say text=\"b\"/></Sequence>")),
-            "t.xml:2:32: warning: node type \"Say\" is not built in: its ports are "
+  EXPECT_EQ(Check(Tree("A", R"(<Sequence><Say text="a"/><Say text="b"/></Sequence>)")),
+            R"(t.xml:2:32: warning: node type "Say" is not built in: its ports are )"
             "not checked\n");
 }
 
 TEST(CheckProject, WhatIsInsideOfAnUnknownControlNodeIsChecked) {
   EXPECT_EQ(
       Check(Tree("A", "<Elsewhere><Inverter/></Elsewhere>")),
-      "t.xml:2:22: warning: node type \"Elsewhere\" is not built in: its ports are not checked, "
+      R"(t.xml:2:22: warning: node type "Elsewhere" is not built in: its ports are not checked, )"
       "nor how many children it may have\n"
       "t.xml:2:33: error: Inverter has 0 children, expected exactly 1\n");
 }
@@ -49,9 +49,9 @@ TEST(CheckProject, WhatIsInsideOfAnUnknownControlNodeIsChecked) {
 TEST(CheckProject, ABuiltInNodeThatWouldFitIsSuggested) {
   EXPECT_EQ(
       Check(Tree("A", "<Sequense><Inverterr/></Sequense>")),
-      "t.xml:2:22: warning: node type \"Sequense\" is not built in: its ports are not checked, "
+      R"(t.xml:2:22: warning: node type "Sequense" is not built in: its ports are not checked, )"
       "nor how many children it may have (did you mean \"Sequence\"?)\n"
-      "t.xml:2:32: warning: node type \"Inverterr\" is not built in: its ports are not "
+      R"(t.xml:2:32: warning: node type "Inverterr" is not built in: its ports are not )"
       "checked\n");
 }
 
@@ -61,23 +61,23 @@ TEST(CheckProject, ABuiltInNodeInTheWrongCaseIsAnError) {
 }
 
 TEST(CheckProject, UnknownTypesAreErrorsIfAllAreKnown) {
-  EXPECT_EQ(Check(Tree("A", "<Drvie goal=\"1\"/>"), {true}),
+  EXPECT_EQ(Check(Tree("A", R"(<Drvie goal="1"/>)"), {true}),
             "t.xml:2:22: error: unknown node type \"Drvie\" (did you mean \"Drive\"?)\n");
 }
 
 TEST(CheckProject, AMissingSubTreeIsAWarning) {
-  EXPECT_EQ(Check(Tree("A", "<SubTree ID=\"Elsewhere\"/>")),
+  EXPECT_EQ(Check(Tree("A", R"(<SubTree ID="Elsewhere"/>)")),
             "t.xml:2:22: warning: tree \"Elsewhere\" is not among these files\n");
 }
 
 TEST(CheckProject, TheModelOfALeafTellsItsPorts) {
   const std::string model =
-      "<TreeNodesModel><Condition ID=\"IsDark\"><input_port name=\"limit\"/></Condition>"
+      R"(<TreeNodesModel><Condition ID="IsDark"><input_port name="limit"/></Condition>)"
       "</TreeNodesModel>";
-  EXPECT_EQ(Check(Tree("A", "<IsDark limit=\"3\"/>") + model), "");
-  EXPECT_EQ(Check(Tree("A", "<Action ID=\"IsDark\" limt=\"3\"/>") + model),
+  EXPECT_EQ(Check(Tree("A", R"(<IsDark limit="3"/>)") + model), "");
+  EXPECT_EQ(Check(Tree("A", R"(<Action ID="IsDark" limt="3"/>)") + model),
             "t.xml:2:22: warning: \"IsDark\" is written as <Action> (it is a Condition)\n"
-            "t.xml:2:42: warning: the model of IsDark has no port \"limt\" "
+            R"(t.xml:2:42: warning: the model of IsDark has no port "limt" )"
             "(did you mean \"limit\"?)\n");
   EXPECT_EQ(Check(Tree("A", "<IsDark><AlwaysSuccess/></IsDark>") + model),
             "t.xml:2:22: warning: IsDark has 1 child, expected none "
@@ -86,32 +86,32 @@ TEST(CheckProject, TheModelOfALeafTellsItsPorts) {
 
 TEST(CheckProject, AModelThatContradictsABuiltInNodeCounts) {
   const std::string model =
-      "<TreeNodesModel><Condition ID=\"Cooldown\"><input_port name=\"motor\"/></Condition>"
+      R"(<TreeNodesModel><Condition ID="Cooldown"><input_port name="motor"/></Condition>)"
       "</TreeNodesModel>";
   EXPECT_EQ(
-      Check(Tree("A", "<Cooldown motor=\"left\"/>") + model),
-      "t.xml:3:17: warning: \"Cooldown\" of this model is of category Condition, but the built-in "
+      Check(Tree("A", R"(<Cooldown motor="left"/>)") + model),
+      R"(t.xml:3:17: warning: "Cooldown" of this model is of category Condition, but the built-in )"
       "Decorator of that name is not (trees are checked against the model)\n");
   EXPECT_EQ(
-      Check(Tree("A", "<Cooldown moter=\"left\"/>") + model),
-      "t.xml:3:17: warning: \"Cooldown\" of this model is of category Condition, but the built-in "
+      Check(Tree("A", R"(<Cooldown moter="left"/>)") + model),
+      R"(t.xml:3:17: warning: "Cooldown" of this model is of category Condition, but the built-in )"
       "Decorator of that name is not (trees are checked against the model)\n"
-      "t.xml:2:32: warning: the model of Cooldown has no port \"moter\" "
+      R"(t.xml:2:32: warning: the model of Cooldown has no port "moter" )"
       "(did you mean \"motor\"?)\n");
 }
 
 TEST(CheckProject, AModelThatAgreesWithABuiltInNodeChangesNothing) {
   const std::string model =
-      "<TreeNodesModel><Decorator ID=\"Cooldown\"><input_port name=\"msec\"/></Decorator>"
+      R"(<TreeNodesModel><Decorator ID="Cooldown"><input_port name="msec"/></Decorator>)"
       "</TreeNodesModel>";
   EXPECT_EQ(Check(Tree("A", "<Cooldown><AlwaysSuccess/></Cooldown>") + model),
-            "t.xml:2:22: error: Cooldown needs its port \"msec\" "
+            R"(t.xml:2:22: error: Cooldown needs its port "msec" )"
             "(how long [ms])\n");
 }
 
 TEST(CheckProject, TheBuiltInNodeCountsIfAllTypesAreKnown) {
-  const std::string model = "<TreeNodesModel><Condition ID=\"Cooldown\"/></TreeNodesModel>";
-  EXPECT_EQ(Check(Tree("A", "<Cooldown msec=\"1\"/>") + model, {true}),
+  const std::string model = R"(<TreeNodesModel><Condition ID="Cooldown"/></TreeNodesModel>)";
+  EXPECT_EQ(Check(Tree("A", R"(<Cooldown msec="1"/>)") + model, {true}),
             "t.xml:2:22: error: Cooldown has 0 children, expected exactly 1\n");
 }
 

@@ -28,13 +28,13 @@ struct GuardReaderTest : testing::Test {
 };
 
 TEST_F(GuardReaderTest, ANodeWithoutGuardsHasNoRecord) {
-  EXPECT_FALSE(Read("name=\"x\" port=\"1\" _description=\"d\" _collapsed=\"true\" _uid=\"3\""));
+  EXPECT_FALSE(Read(R"(name="x" port="1" _description="d" _collapsed="true" _uid="3")"));
   EXPECT_TRUE(guards.empty());
   EXPECT_EQ(diagnostics.ToString(), "");
 }
 
 TEST_F(GuardReaderTest, EachGuardGetsAScriptInItsPlace) {
-  EXPECT_TRUE(Read("_onHalted=\"a\" port=\"{x}\" _failureIf=\"b\" _while=\"c\""));
+  EXPECT_TRUE(Read(R"(_onHalted="a" port="{x}" _failureIf="b" _while="c")"));
   ASSERT_EQ(guards.size(), 1U);
   EXPECT_EQ(guards[0].node, 5U);
   const auto of = [this](Guard guard) {
@@ -48,13 +48,13 @@ TEST_F(GuardReaderTest, EachGuardGetsAScriptInItsPlace) {
 
 TEST_F(GuardReaderTest, AllGuardsAreKnown) {
   for (const std::string_view name : kGuardAttributes) {
-    EXPECT_TRUE(Read(std::string(name) + "=\"x\"")) << name;
+    EXPECT_TRUE(Read(std::string(name) + R"(="x")")) << name;
   }
   EXPECT_EQ(diagnostics.ToString(), "");
 }
 
 TEST_F(GuardReaderTest, AMisspeltGuardIsAnErrorWithTheNearestName) {
-  EXPECT_FALSE(Read("_skipif=\"a\" _onSucess=\"b\" _no_such_thing=\"c\""));
+  EXPECT_FALSE(Read(R"(_skipif="a" _onSucess="b" _no_such_thing="c")"));
   EXPECT_EQ(diagnostics.ToString(),
             "t.xml:2:7: error: unknown attribute \"_skipif\" (did you mean \"_skipIf\"?)\n"
             "t.xml:2:19: error: unknown attribute \"_onSucess\" (did you mean \"_onSuccess\"?)\n"
@@ -62,16 +62,15 @@ TEST_F(GuardReaderTest, AMisspeltGuardIsAnErrorWithTheNearestName) {
 }
 
 TEST_F(GuardReaderTest, TheSharedBlackboardOfFormat3IsExplained) {
-  EXPECT_FALSE(Read("__shared_blackboard=\"true\""));
-  EXPECT_EQ(diagnostics.ToString(),
-            "t.xml:2:7: error: unknown attribute \"__shared_blackboard\" "
-            "(in format 4 it is _autoremap=\"true\")\n");
+  EXPECT_FALSE(Read(R"(__shared_blackboard="true")"));
+  EXPECT_EQ(diagnostics.ToString(), R"(t.xml:2:7: error: unknown attribute "__shared_blackboard" )"
+                                    "(in format 4 it is _autoremap=\"true\")\n");
 }
 
 TEST_F(GuardReaderTest, AScriptCannotComeFromTheBlackboard) {
-  EXPECT_TRUE(Read("_skipIf=\"{condition}\""));
+  EXPECT_TRUE(Read(R"(_skipIf="{condition}")"));
   EXPECT_NE(diagnostics.ToString().find(
-                "t.xml:2:16: error: a script cannot come from the blackboard: \"{condition}\""),
+                R"(t.xml:2:16: error: a script cannot come from the blackboard: "{condition}")"),
             std::string::npos)
       << diagnostics.ToString();
 }

@@ -14,8 +14,8 @@ std::string Problems(const std::string& text, const std::string& tree = {}) {
 }
 
 TEST(NodeLookup, ReadsTheGenericForm) {
-  EXPECT_EQ(Problems(Main("<Control ID=\"ReactiveSequence\"><Decorator ID=\"Inverter\">"
-                          "<Action ID=\"AlwaysFailure\"/></Decorator></Control>")),
+  EXPECT_EQ(Problems(Main(R"(<Control ID="ReactiveSequence"><Decorator ID="Inverter">)"
+                          R"(<Action ID="AlwaysFailure"/></Decorator></Control>)")),
             "");
 }
 
@@ -24,7 +24,7 @@ TEST(NodeLookup, GenericFormNeedsAnId) {
 }
 
 TEST(NodeLookup, WarnsOfTheWrongGenericForm) {
-  EXPECT_EQ(Problems(Main("<Action ID=\"Sequence\"><AlwaysSuccess/></Action>")),
+  EXPECT_EQ(Problems(Main(R"(<Action ID="Sequence"><AlwaysSuccess/></Action>)")),
             "t.xml:3:1: warning: \"Sequence\" is written as <Action> (it is a Control)\n");
 }
 
@@ -35,8 +35,8 @@ TEST(NodeLookup, UnknownNodeGetsTheNearestName) {
 
 TEST(NodeLookup, ATreeIsNotANodeType) {
   EXPECT_EQ(Problems(Root("<BehaviorTree ID=\"Main\"><Other/></BehaviorTree>\n"
-                          "<BehaviorTree ID=\"Other\"><AlwaysSuccess/></BehaviorTree>")),
-            "t.xml:2:25: error: unknown node type \"Other\" (a tree is used as <SubTree "
+                          R"(<BehaviorTree ID="Other"><AlwaysSuccess/></BehaviorTree>)")),
+            R"(t.xml:2:25: error: unknown node type "Other" (a tree is used as <SubTree )"
             "ID=\"Other\"/>)\n");
 }
 
@@ -44,7 +44,7 @@ TEST(NodeLookup, TheFallbackStandsForUnknownLeaves) {
   auto registry = std::make_shared<Registry>();
   registry->SetFallback([](const std::string&) { return std::make_unique<Tell>(); });
   Diagnostics diagnostics;
-  const auto program = CompileText(Main("<Anything port=\"1\"/>"), diagnostics, registry);
+  const auto program = CompileText(Main(R"(<Anything port="1"/>)"), diagnostics, registry);
   ASSERT_TRUE(program) << diagnostics.ToString();
   EXPECT_EQ(program->nodes[0].type, NodeType::kLeaf);
   EXPECT_EQ(program->info[0].entry, nullptr);

@@ -13,8 +13,8 @@ std::string Problems(const std::string& body) {
 }
 
 TEST(Ports, LiteralsAndKeysAreAccepted) {
-  EXPECT_EQ(Problems("<Drive goal=\"1.5\" tries=\"{n}\" label=\"hall\" distance=\"{d}\" "
-                     "total=\" {t} \"/>"),
+  EXPECT_EQ(Problems(R"(<Drive goal="1.5" tries="{n}" label="hall" distance="{d}" )"
+                     R"(total=" {t} "/>)"),
             "");
 }
 
@@ -24,51 +24,51 @@ TEST(Ports, MisspeltPortGetsTheNearestName) {
 }
 
 TEST(Ports, RequiredInputsMustBeGiven) {
-  EXPECT_EQ(Problems(" <Drive total=\"{t}\"/>"),
+  EXPECT_EQ(Problems(R"( <Drive total="{t}"/>)"),
             "t.xml:3:2: error: Drive needs its port \"goal\" (where to [m])\n");
 }
 
 TEST(Ports, InOutMustBeGiven) {
-  EXPECT_EQ(Problems("<Drive goal=\"1\"/>"),
+  EXPECT_EQ(Problems(R"(<Drive goal="1"/>)"),
             "t.xml:3:1: error: Drive needs its port \"total\" (sum of all drives)\n");
 }
 
 TEST(Ports, LiteralsMustBeOfTheType) {
-  EXPECT_EQ(Problems("<Drive goal=\"far\" total=\"{t}\"/>"),
-            "t.xml:3:14: error: \"far\" is not a value for port \"goal\" of Drive "
+  EXPECT_EQ(Problems(R"(<Drive goal="far" total="{t}"/>)"),
+            R"(t.xml:3:14: error: "far" is not a value for port "goal" of Drive )"
             "(expected double)\n");
   EXPECT_EQ(
-      Problems("<Drive goal=\"\" total=\"{t}\"/>"),
+      Problems(R"(<Drive goal="" total="{t}"/>)"),
       "t.xml:3:14: error: \"\" is not a value for port \"goal\" of Drive (expected double)\n");
 }
 
 TEST(Ports, AnEmptyLiteralIsToldOfTheDefault) {
-  EXPECT_EQ(Problems("<Drive goal=\"1\" total=\"{t}\" tries=\"\"/>"),
-            "t.xml:3:36: error: \"\" is not a value for port \"tries\" of Drive "
+  EXPECT_EQ(Problems(R"(<Drive goal="1" total="{t}" tries=""/>)"),
+            R"(t.xml:3:36: error: "" is not a value for port "tries" of Drive )"
             "(expected int; without the attribute it is 3)\n");
 }
 
 TEST(Ports, OutputsNeedAKey) {
-  EXPECT_EQ(Problems("<Drive goal=\"1\" total=\"{t}\" distance=\"d\"/>"),
+  EXPECT_EQ(Problems(R"(<Drive goal="1" total="{t}" distance="d"/>)"),
             "t.xml:3:39: error: output \"distance\" needs a key (write {key})\n");
-  EXPECT_EQ(Problems("<Drive goal=\"1\" total=\"5\"/>"),
+  EXPECT_EQ(Problems(R"(<Drive goal="1" total="5"/>)"),
             "t.xml:3:24: error: inout \"total\" needs a key (write {key})\n");
 }
 
 TEST(Ports, EmptyBracesAreNoKey) {
-  EXPECT_NE(Problems("<Drive goal=\"{}\" total=\"{t}\"/>"), "");
-  EXPECT_NE(Problems("<Drive goal=\"{@}\" total=\"{t}\"/>"), "");
+  EXPECT_NE(Problems(R"(<Drive goal="{}" total="{t}"/>)"), "");
+  EXPECT_NE(Problems(R"(<Drive goal="{@}" total="{t}"/>)"), "");
 }
 
 TEST(Ports, AllUsersOfAKeyAgreeOnItsType) {
   EXPECT_EQ(Problems("<Sequence>\n<Tell text=\"x\" to=\"{k}\"/>\n"
-                     "<Drive goal=\"{k}\" total=\"{t}\"/></Sequence>"),
-            "t.xml:5:14: error: key \"k\" is string (from Tell.to), but port \"goal\" of Drive is "
+                     R"(<Drive goal="{k}" total="{t}"/></Sequence>)"),
+            R"(t.xml:5:14: error: key "k" is string (from Tell.to), but port "goal" of Drive is )"
             "double\n");
 }
 
 TEST(Ports, TheDefaultIsUsedWhenThePortIsLeftOut) {
-  Stage stage(Main("<Drive goal=\"1\" total=\"{t}\"/>"));
+  Stage stage(Main(R"(<Drive goal="1" total="{t}"/>)"));
   EXPECT_EQ(stage.executor->Tick(), Status::kSuccess);
   const SlotIndex total = stage.program->layout.Find(0, "t");
   EXPECT_EQ(stage.executor->blackboard()[total].value.Get<int>(), 3);
@@ -76,15 +76,14 @@ TEST(Ports, TheDefaultIsUsedWhenThePortIsLeftOut) {
 
 TEST(Ports, EqualsSignMeansTheKeyOfTheSameName) {
   for (const char* text : {"=", "{=}", " {=} "}) {
-    Stage stage(Main(std::string("<Drive goal=\"1\" total=\"") + text + "\"/>"));
+    Stage stage(Main(std::string(R"(<Drive goal="1" total=")") + text + "\"/>"));
     EXPECT_NE(stage.program->layout.Find(0, "total"), kNoSlot) << text;
   }
 }
 
 TEST(Ports, OneNodeReadsWhatAnotherWrote) {
-  Stage stage(
-      Main("<Sequence><Tell text=\"hello\" to=\"{a}\"/><Tell text=\"{a}\" to=\"{b}\"/>"
-           "</Sequence>"));
+  Stage stage(Main(R"(<Sequence><Tell text="hello" to="{a}"/><Tell text="{a}" to="{b}"/>)"
+                   "</Sequence>"));
   EXPECT_EQ(stage.executor->Tick(), Status::kSuccess);
   const SlotIndex b = stage.program->layout.Find(0, "b");
   EXPECT_EQ(stage.executor->blackboard()[b].value.Get<std::string>(), "hello");
@@ -92,10 +91,10 @@ TEST(Ports, OneNodeReadsWhatAnotherWrote) {
 
 TEST(Ports, OneThatIsAboutAKeyTakesItsPlainName) {
   Stage stage(
-      Root("<BehaviorTree ID=\"Main\"><SubTree ID=\"Sub\" inner=\"{outer}\"/></BehaviorTree>"
-           "<BehaviorTree ID=\"Sub\"><Sequence><SetBlackboard value=\"7\" output_key=\"inner\"/>"
-           "<WasEntryUpdated entry=\"inner\"/><SetBlackboard value=\"8\" output_key=\"@own\"/>"
-           "<UnsetBlackboard key=\"@own\"/></Sequence></BehaviorTree>"));
+      Root(R"(<BehaviorTree ID="Main"><SubTree ID="Sub" inner="{outer}"/></BehaviorTree>)"
+           R"(<BehaviorTree ID="Sub"><Sequence><SetBlackboard value="7" output_key="inner"/>)"
+           R"(<WasEntryUpdated entry="inner"/><SetBlackboard value="8" output_key="@own"/>)"
+           R"(<UnsetBlackboard key="@own"/></Sequence></BehaviorTree>)"));
   EXPECT_EQ(stage.executor->Tick(), Status::kSuccess);
   const auto at = [&stage](const char* key) -> const Slot& {
     return stage.executor->blackboard()[stage.program->layout.Find(0, key)];
@@ -106,25 +105,25 @@ TEST(Ports, OneThatIsAboutAKeyTakesItsPlainName) {
 }
 
 TEST(Ports, AnUnsetInputFailsTheLeafAndNamesPortAndKey) {
-  Stage stage(Main("<Drive goal=\"{target}\" total=\"{t}\"/>"));
+  Stage stage(Main(R"(<Drive goal="{target}" total="{t}"/>)"));
   const KeepingSink& sink = stage.Listen();
   EXPECT_EQ(stage.executor->Tick(), Status::kFailure);
   ASSERT_EQ(sink.ticks[0].messages.size(), 1U);
   EXPECT_EQ(sink.ticks[0].messages[0].text,
-            "input \"goal\" has no value: nobody has written key \"target\" yet");
+            R"(input "goal" has no value: nobody has written key "target" yet)");
 }
 
 TEST(Ports, AnUnsetInputOfABuiltInNodeFailsIt) {
-  Stage stage(Main("<Repeat num_cycles=\"{n}\"><AlwaysSuccess/></Repeat>"));
+  Stage stage(Main(R"(<Repeat num_cycles="{n}"><AlwaysSuccess/></Repeat>)"));
   const KeepingSink& sink = stage.Listen();
   EXPECT_EQ(stage.executor->Tick(), Status::kFailure);
   ASSERT_EQ(sink.ticks[0].messages.size(), 1U);
   EXPECT_EQ(sink.ticks[0].messages[0].text,
-            "input \"num_cycles\" has no value: nobody has written key \"n\" yet");
+            R"(input "num_cycles" has no value: nobody has written key "n" yet)");
 }
 
 TEST(Ports, ParallelSaysWhenAThresholdIsTooHigh) {
-  Stage stage(Main("<Parallel success_count=\"3\"><AlwaysSuccess/><AlwaysSuccess/></Parallel>"));
+  Stage stage(Main(R"(<Parallel success_count="3"><AlwaysSuccess/><AlwaysSuccess/></Parallel>)"));
   const KeepingSink& sink = stage.Listen();
   EXPECT_EQ(stage.executor->Tick(), Status::kFailure);
   ASSERT_EQ(sink.ticks[0].messages.size(), 1U);

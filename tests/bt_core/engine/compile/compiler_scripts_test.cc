@@ -82,6 +82,15 @@ TEST(Scripts, KeysGetTheTypesThatPortsGiveThemAnywhereInTheTree) {
   EXPECT_TRUE(blackboard[program->layout.Find(0, "distance")].value.Is<double>());
 }
 
+TEST(Scripts, ANumberIsWrittenToAKeyOfTextsAsItsText) {
+  Stage stage(
+      Main("<Sequence><Script code=\"k := 3\"/><Tell text=\"{k}\" to=\"{told}\"/>"
+           "<ScriptCondition code=\"k == 3\"/></Sequence>"));
+  EXPECT_EQ(stage.executor->Tick(), Status::kSuccess);
+  const SlotIndex told = stage.program->layout.Find(0, "told");
+  EXPECT_EQ(stage.executor->blackboard()[told].value.Get<std::string>(), "3");
+}
+
 TEST(Scripts, NamesResolveLikeKeysThroughRemapping) {
   Diagnostics diagnostics;
   const auto program = CompileText(

@@ -47,7 +47,7 @@ TEST(Compiler, ReportsEverythingInOneRun) {
             "t.xml:4:1: error: unknown node type \"Nope\"\n"
             "t.xml:5:8: error: Drive has no port \"gaol\" (did you mean \"goal\"?)\n"
             "t.xml:5:1: error: Drive needs its port \"goal\" (where to [m])\n"
-            "t.xml:6:21: error: \"x\" is not a value for port \"num_cycles\" of Repeat "
+            R"(t.xml:6:21: error: "x" is not a value for port "num_cycles" of Repeat )"
             "(expected int)\n"
             "t.xml:7:1: error: no tree \"Gone\"\n"
             "t.xml:8:1: error: Inverter has 0 children, expected exactly 1\n");

@@ -58,18 +58,17 @@ TEST_F(SlotTypesTest, ALiteralGetsTheTypeOfItsSlotOrElseThatOfItsText) {
 }
 
 TEST_F(SlotTypesTest, AWrongLiteralSaysWhatWasExpected) {
-  types.AddLiteral(Slot("k", &TypeOf<int>()), "far", "key \"k\" inside", place);
+  types.AddLiteral(Slot("k", &TypeOf<int>()), "far", R"(key "k" inside)", place);
   types.Settle();
   EXPECT_EQ(diagnostics.ToString(),
             "t.xml:1:1: error: \"far\" is not a value for key \"k\" inside (expected int)\n");
 }
 
 TEST_F(SlotTypesTest, AWrongLiteralOfAnEnumListsTheChoices) {
-  types.AddLiteral(Slot("k", &TypeOf<Status>()), "GOOD", "port \"else\"", place);
+  types.AddLiteral(Slot("k", &TypeOf<Status>()), "GOOD", R"(port "else")", place);
   types.Settle();
-  EXPECT_EQ(diagnostics.ToString(),
-            "t.xml:1:1: error: \"GOOD\" is not a value for port \"else\" "
-            "(expected IDLE, RUNNING, SUCCESS, FAILURE or SKIPPED)\n");
+  EXPECT_EQ(diagnostics.ToString(), R"(t.xml:1:1: error: "GOOD" is not a value for port "else" )"
+                                    "(expected IDLE, RUNNING, SUCCESS, FAILURE or SKIPPED)\n");
 }
 
 TEST_F(SlotTypesTest, AModelsTypeCountsWherePortsGiveNone) {
@@ -104,10 +103,9 @@ TEST_F(SlotTypesTest, ACopyToAnotherTypeIsAnError) {
   types.AddCopy(Slot("a", &TypeOf<int>()), Slot("b", &TypeOf<double>()), "SetBlackboard", place);
   types.AddCopy(Slot("c", &TypeOf<int>()), Slot("d"), "SetBlackboard", place);
   types.Settle();
-  EXPECT_EQ(
-      diagnostics.ToString(),
-      "t.xml:1:1: error: SetBlackboard copies key \"a\", which is int, to key \"b\", which is "
-      "double\n");
+  EXPECT_EQ(diagnostics.ToString(),
+            R"(t.xml:1:1: error: SetBlackboard copies key "a", which is int, to key "b", which is )"
+            "double\n");
 }
 
 }  // namespace

@@ -6,22 +6,6 @@
 namespace coppice {
 namespace {
 
-TEST(KeyOf, TellsKeysFromLiterals) {
-  EXPECT_EQ(KeyOf("{goal}", "port"), "goal");
-  EXPECT_EQ(KeyOf("  {goal} ", "port"), "goal");
-  EXPECT_EQ(KeyOf("{@goal}", "port"), "@goal");
-  EXPECT_EQ(KeyOf("{ goal }", "port"), "goal");
-  for (const char* literal :
-       {"", " ", "goal", "{goal", "goal}", "{", "{}", "{@}", "a{b}", "{a}_{b}"}) {
-    EXPECT_EQ(KeyOf(literal, "port"), "") << literal;
-  }
-}
-
-TEST(KeyOf, EqualsSignIsTheOwnName) {
-  EXPECT_EQ(KeyOf("=", "port"), "port");
-  EXPECT_EQ(KeyOf("{=}", "port"), "port");
-}
-
 struct KeyTableTest : testing::Test {
   Layout layout;
   KeyTable keys{layout};

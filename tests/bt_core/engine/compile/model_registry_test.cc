@@ -9,13 +9,12 @@
 namespace coppice {
 namespace {
 
-constexpr char kModels[] =
-    "<root BTCPP_format=\"4\"><TreeNodesModel>"
-    "<Action ID=\"Go\"><input_port name=\"goal\" type=\"Pose\"/>"
-    "<input_port name=\"speed\" type=\"double\" default=\"0.5\"/></Action>"
-    "<Action ID=\"Look\"><output_port name=\"seen\" type=\"Picture\"/></Action>"
-    "<Decorator ID=\"Twice\"/>"
-    "</TreeNodesModel></root>";
+constexpr char kModels[] = R"(<root BTCPP_format="4"><TreeNodesModel>)"
+                           R"(<Action ID="Go"><input_port name="goal" type="Pose"/>)"
+                           R"(<input_port name="speed" type="double" default="0.5"/></Action>)"
+                           R"(<Action ID="Look"><output_port name="seen" type="Picture"/></Action>)"
+                           R"(<Decorator ID="Twice"/>)"
+                           "</TreeNodesModel></root>";
 
 std::shared_ptr<Registry> ModelRegistry(const std::string& models) {
   Diagnostics diagnostics;
@@ -45,11 +44,11 @@ TEST(ModelRegistry, TreesAreCheckedAgainstModels) {
 
 TEST(ModelRegistry, TypesThatOnlyHaveANameMustFitTogether) {
   EXPECT_EQ(
-      Check("<Sequence><Go goal=\"{x}\"/><Go goal=\"{x}\"/></Sequence>", ModelRegistry(kModels)),
+      Check(R"(<Sequence><Go goal="{x}"/><Go goal="{x}"/></Sequence>)", ModelRegistry(kModels)),
       "");
   EXPECT_EQ(
-      Check("<Sequence><Look seen=\"{x}\"/><Go goal=\"{x}\"/></Sequence>", ModelRegistry(kModels)),
-      "t.xml:3:39: error: key \"x\" is Picture (from Look.seen), but port \"goal\" of Go is "
+      Check(R"(<Sequence><Look seen="{x}"/><Go goal="{x}"/></Sequence>)", ModelRegistry(kModels)),
+      R"(t.xml:3:39: error: key "x" is Picture (from Look.seen), but port "goal" of Go is )"
       "Pose\n");
 }
 
@@ -84,22 +83,22 @@ std::string Removed(const std::string& models) {
 }
 
 TEST(ModelRegistry, SaysHowAModelContradictsABuiltInNode) {
-  EXPECT_EQ(Removed("<Decorator ID=\"Sleep\"><input_port name=\"msec\"/></Decorator>"),
-            "m.xml:3:1: warning: \"Sleep\" of this model is of category Decorator, but the "
+  EXPECT_EQ(Removed(R"(<Decorator ID="Sleep"><input_port name="msec"/></Decorator>)"),
+            R"(m.xml:3:1: warning: "Sleep" of this model is of category Decorator, but the )"
             "built-in Action of "
             "that name is not (trees are checked against the model)\n");
-  EXPECT_EQ(Removed("<Action ID=\"Sleep\"><input_port name=\"msec\"/>"
-                    "<input_port name=\"why\"/></Action>"),
-            "m.xml:3:1: warning: \"Sleep\" of this model has port \"why\", but the built-in Action "
+  EXPECT_EQ(Removed(R"(<Action ID="Sleep"><input_port name="msec"/>)"
+                    R"(<input_port name="why"/></Action>)"),
+            R"(m.xml:3:1: warning: "Sleep" of this model has port "why", but the built-in Action )"
             "of that name has not (trees are checked against the model)\n");
-  EXPECT_EQ(Removed("<Action ID=\"Sleep\"/>"),
-            "m.xml:3:1: warning: \"Sleep\" of this model has no port \"msec\", but the built-in "
+  EXPECT_EQ(Removed(R"(<Action ID="Sleep"/>)"),
+            R"(m.xml:3:1: warning: "Sleep" of this model has no port "msec", but the built-in )"
             "Action of that name needs it (trees are checked against the model)\n");
 }
 
 TEST(ModelRegistry, ABuiltInNodeThatAModelDescribesStays) {
-  EXPECT_EQ(Removed("<Action ID=\"Sleep\"><input_port name=\"msec\" type=\"int\"/></Action>"
-                    "<Control ID=\"Parallel\"/><Action ID=\"Say\"/>"),
+  EXPECT_EQ(Removed(R"(<Action ID="Sleep"><input_port name="msec" type="int"/></Action>)"
+                    R"(<Control ID="Parallel"/><Action ID="Say"/>)"),
             "");
 }
 

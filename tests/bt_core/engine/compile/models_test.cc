@@ -28,12 +28,11 @@ TEST(WriteModels, IsAProjectWithAModelForEveryNode) {
 
 TEST(WriteModels, DescribesThePorts) {
   const std::string xml = WriteModels(*TestRegistry());
-  EXPECT_NE(xml.find("<Action ID=\"Drive\">"), std::string::npos);
-  EXPECT_NE(
-      xml.find("<input_port name=\"tries\" type=\"int\" default=\"3\">how often</input_port>"),
-      std::string::npos);
-  EXPECT_NE(xml.find("<output_port name=\"distance\" type=\"double\">"), std::string::npos);
-  EXPECT_NE(xml.find("<inout_port name=\"total\" type=\"int\">"), std::string::npos);
+  EXPECT_NE(xml.find(R"(<Action ID="Drive">)"), std::string::npos);
+  EXPECT_NE(xml.find(R"(<input_port name="tries" type="int" default="3">how often</input_port>)"),
+            std::string::npos);
+  EXPECT_NE(xml.find(R"(<output_port name="distance" type="double">)"), std::string::npos);
+  EXPECT_NE(xml.find(R"(<inout_port name="total" type="int">)"), std::string::npos);
 }
 
 TEST(WriteModels, ListsTheChoicesOfAnEnum) {
@@ -42,7 +41,7 @@ TEST(WriteModels, ListsTheChoicesOfAnEnum) {
 }
 
 TEST(WriteModels, APortOfAnyTypeSaysSo) {
-  EXPECT_NE(WriteModels(Registry()).find("<input_port name=\"value\" type=\"BT::AnyTypeAllowed\">"),
+  EXPECT_NE(WriteModels(Registry()).find(R"(<input_port name="value" type="BT::AnyTypeAllowed">)"),
             std::string::npos);
 }
 

@@ -9,8 +9,8 @@ namespace {
 
 struct ProjectProblemsTest : testing::Test {
   const TreeDefinition* Find(const std::string& attributes, const std::string& id) {
-    project = Project::FromText("<root BTCPP_format=\"4\"" + attributes +
-                                    "><BehaviorTree ID=\"A\"><AlwaysSuccess/></BehaviorTree>"
+    project = Project::FromText(R"(<root BTCPP_format="4")" + attributes +
+                                    R"(><BehaviorTree ID="A"><AlwaysSuccess/></BehaviorTree>)"
                                     "<BehaviorTree ID=\"B\"><AlwaysSuccess/></BehaviorTree></root>",
                                 "t.xml", diagnostics);
     return FindMainTree(*project, id, problems);
@@ -34,7 +34,7 @@ TEST_F(ProjectProblemsTest, AsksForAMainTreeIfThereAreSeveral) {
 }
 
 TEST_F(ProjectProblemsTest, PointsAtTheAttributeThatNamesAMissingTree) {
-  EXPECT_EQ(Find(" main_tree_to_execute=\"b\"", "b"), nullptr);
+  EXPECT_EQ(Find(R"( main_tree_to_execute="b")", "b"), nullptr);
   EXPECT_EQ(diagnostics.ToString(), "t.xml:1:46: error: no tree \"b\" (did you mean \"B\"?)\n");
 }
 

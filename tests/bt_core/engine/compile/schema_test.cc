@@ -28,26 +28,25 @@ TEST_F(SchemaTest, HasAnElementForEveryNode) {
 }
 
 TEST_F(SchemaTest, PortsHaveTypesAndTellWhetherTheyAreNeeded) {
-  EXPECT_TRUE(
-      Has("<xs:attribute name=\"goal\" type=\"number_or_key\" use=\"required\">"
-          "<xs:annotation><xs:documentation>where to [m]<"));
-  EXPECT_TRUE(Has("<xs:attribute name=\"tries\" type=\"whole_number_or_key\">"));
-  EXPECT_TRUE(Has("<xs:attribute name=\"distance\" type=\"key\">"));
+  EXPECT_TRUE(Has(R"(<xs:attribute name="goal" type="number_or_key" use="required">)"
+                  "<xs:annotation><xs:documentation>where to [m]<"));
+  EXPECT_TRUE(Has(R"(<xs:attribute name="tries" type="whole_number_or_key">)"));
+  EXPECT_TRUE(Has(R"(<xs:attribute name="distance" type="key">)"));
 }
 
 TEST_F(SchemaTest, EnumsListTheirChoices) {
-  EXPECT_TRUE(Has("<xs:enumeration value=\"SUCCESS\"/><xs:enumeration value=\"FAILURE\"/>"));
+  EXPECT_TRUE(Has(R"(<xs:enumeration value="SUCCESS"/><xs:enumeration value="FAILURE"/>)"));
 }
 
 TEST_F(SchemaTest, TheNumberOfChildrenIsThere) {
-  EXPECT_TRUE(Has("<xs:group ref=\"node\" minOccurs=\"1\" maxOccurs=\"unbounded\"/>"));
-  EXPECT_TRUE(Has("<xs:group ref=\"node\" minOccurs=\"1\" maxOccurs=\"1\"/>"));
-  EXPECT_TRUE(Has("<xs:group ref=\"node\" minOccurs=\"2\" maxOccurs=\"3\"/>"));
+  EXPECT_TRUE(Has(R"(<xs:group ref="node" minOccurs="1" maxOccurs="unbounded"/>)"));
+  EXPECT_TRUE(Has(R"(<xs:group ref="node" minOccurs="1" maxOccurs="1"/>)"));
+  EXPECT_TRUE(Has(R"(<xs:group ref="node" minOccurs="2" maxOccurs="3"/>)"));
 }
 
 TEST_F(SchemaTest, EveryNodeMayHaveGuards) {
   for (const std::string_view guard : kGuardAttributes) {
-    EXPECT_TRUE(Has("<xs:attribute name=\"" + std::string(guard) + "\" type=\"xs:string\"/>"));
+    EXPECT_TRUE(Has("<xs:attribute name=\"" + std::string(guard) + R"(" type="xs:string"/>)"));
   }
 }
 

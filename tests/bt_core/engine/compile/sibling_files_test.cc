@@ -23,20 +23,20 @@ class SiblingFilesTest : public testing::Test {
 
 TEST_F(SiblingFilesTest, NamesTheFileThatDefinesTheTree) {
   const std::string main = Write("main.xml", "<root/>");
-  Write("dock.xml", "<root><BehaviorTree ID=\"Dock\"><A/></BehaviorTree></root>");
+  Write("dock.xml", R"(<root><BehaviorTree ID="Dock"><A/></BehaviorTree></root>)");
   EXPECT_EQ(FindTreeInFolder(main, "Dock"), "dock.xml");
 }
 
 TEST_F(SiblingFilesTest, AMereMentionIsNoDefinition) {
   const std::string main = Write("main.xml", "<root/>");
-  Write("user.xml", "<root><BehaviorTree ID=\"X\"><SubTree ID=\"Dock\"/></BehaviorTree></root>");
-  Write("broken.xml", "<root><BehaviorTree ID=\"Dock\">");
-  Write("dock.txt", "<root><BehaviorTree ID=\"Dock\"><A/></BehaviorTree></root>");
+  Write("user.xml", R"(<root><BehaviorTree ID="X"><SubTree ID="Dock"/></BehaviorTree></root>)");
+  Write("broken.xml", R"(<root><BehaviorTree ID="Dock">)");
+  Write("dock.txt", R"(<root><BehaviorTree ID="Dock"><A/></BehaviorTree></root>)");
   EXPECT_EQ(FindTreeInFolder(main, "Dock"), "");
 }
 
 TEST_F(SiblingFilesTest, ATextThatIsNoFileHasNoFolder) {
-  Write("dock.xml", "<root><BehaviorTree ID=\"Dock\"><A/></BehaviorTree></root>");
+  Write("dock.xml", R"(<root><BehaviorTree ID="Dock"><A/></BehaviorTree></root>)");
   EXPECT_EQ(FindTreeInFolder((folder_ / "none.xml").string(), "Dock"), "");
 }
 

@@ -36,7 +36,7 @@ LeafScript Running() {
 }
 
 TEST(EventStream, AListenerGetsTheStateAndThenEveryTick) {
-  Stage stage(Main("<Sequence><Tell text=\"hi\" to=\"{k}\"/><Leaf name=\"a\"/></Sequence>"),
+  Stage stage(Main(R"(<Sequence><Tell text="hi" to="{k}"/><Leaf name="a"/></Sequence>)"),
               Running());
   stage.executor->Tick();
   EventStream stream(*stage.executor);
@@ -56,7 +56,7 @@ TEST(EventStream, AListenerGetsTheStateAndThenEveryTick) {
 }
 
 TEST(EventStream, WithoutListenersNothingIsCollected) {
-  Stage stage(Main("<Leaf name=\"a\"/>"));
+  Stage stage(Main(R"(<Leaf name="a"/>)"));
   EventStream stream(*stage.executor);
   Keeper keeper;
   stream.Add(keeper);
@@ -68,7 +68,7 @@ TEST(EventStream, WithoutListenersNothingIsCollected) {
 }
 
 TEST(EventStream, AListenerThatComesLaterDoesNotDisturbTheFirst) {
-  Stage stage(Main("<Leaf name=\"a\"/>"));
+  Stage stage(Main(R"(<Leaf name="a"/>)"));
   EventStream stream(*stage.executor);
   Keeper first;
   Keeper second;
@@ -86,7 +86,7 @@ TEST(EventStream, AListenerThatComesLaterDoesNotDisturbTheFirst) {
 }
 
 TEST(EventStream, WhatASlowListenerLosesIsCountedAndTheStateBehindItGiven) {
-  Stage stage(Main("<Leaf name=\"a\"/>"), Running());
+  Stage stage(Main(R"(<Leaf name="a"/>)"), Running());
   EventStream stream(*stage.executor, 4096);
   Keeper keeper;
   std::promise<void> entered;
@@ -115,7 +115,7 @@ TEST(EventStream, WhatASlowListenerLosesIsCountedAndTheStateBehindItGiven) {
 }
 
 TEST(EventStream, ASwapOfTheTreeIsAStateBetweenItsTicks) {
-  Stage stage(Main("<Leaf name=\"a\"/>"));
+  Stage stage(Main(R"(<Leaf name="a"/>)"));
   EventStream stream(*stage.executor);
   Keeper keeper;
   stream.Add(keeper);

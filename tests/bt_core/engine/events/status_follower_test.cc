@@ -73,8 +73,8 @@ TEST(StatusFollower, KnowsWhatTheExecutorKnows) {
   for (const std::string outer : {"Sequence", "Fallback", "ReactiveSequence", "ReactiveFallback"}) {
     for (const std::string inner : {"Sequence", "SequenceWithMemory", "ReactiveFallback",
                                     "Parallel", "WorstOf", "PipelineSequence"}) {
-      Stage stage(Main("<" + outer + "><" + inner + "><Leaf name=\"a\"/><Leaf name=\"b\"/></" +
-                       inner + "><Inverter><Leaf name=\"c\"/></Inverter></" + outer + ">"),
+      Stage stage(Main("<" + outer + "><" + inner + R"(><Leaf name="a"/><Leaf name="b"/></)" +
+                       inner + R"(><Inverter><Leaf name="c"/></Inverter></)" + outer + ">"),
                   script);
       const KeepingSink& sink = stage.Listen();
       for (std::size_t i = 0; i < 12; ++i) {

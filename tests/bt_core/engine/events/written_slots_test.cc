@@ -18,14 +18,13 @@ std::vector<std::string> KeysOf(const Stage& stage, NodeIndex node) {
 using Keys = std::vector<std::string>;
 
 TEST(WrittenSlots, AreThoseOfOutputs) {
-  const Stage stage(Main("<Tell text=\"{a}\" to=\"{b}\"/>"));
+  const Stage stage(Main(R"(<Tell text="{a}" to="{b}"/>)"));
   EXPECT_EQ(KeysOf(stage, 0), Keys{"b"});
 }
 
 TEST(WrittenSlots, AreThoseThatScriptsAssign) {
-  const Stage stage(
-      Main("<Sequence _onSuccess=\"done:=x\"><Script code=\"n:=1; m:=n\"/>"
-           "<AlwaysSuccess/></Sequence>"));
+  const Stage stage(Main(R"(<Sequence _onSuccess="done:=x"><Script code="n:=1; m:=n"/>)"
+                         "<AlwaysSuccess/></Sequence>"));
   EXPECT_EQ(KeysOf(stage, 0), Keys{"done"});
   EXPECT_EQ(KeysOf(stage, 1), (Keys{"n", "m"}));
   EXPECT_EQ(KeysOf(stage, 2), Keys());

@@ -18,7 +18,7 @@ TEST(ClientJson, WritesCommandsAsTheRobotWantsThem) {
   hook.position = HookPosition::kAfter;
   hook.action = HookAction::kReplace;
   hook.status = Status::kFailure;
-  hook.condition = "x > \"1\"";
+  hook.condition = R"(x > "1")";
   hook.times = 3;
   const Json json = Json::parse(WriteCommand(SetHook(hook), 2));
   EXPECT_EQ(json, Json({{"do", "hook"},
@@ -27,7 +27,7 @@ TEST(ClientJson, WritesCommandsAsTheRobotWantsThem) {
                         {"position", "after"},
                         {"action", "replace"},
                         {"status", "FAILURE"},
-                        {"condition", "x > \"1\""},
+                        {"condition", R"(x > "1")"},
                         {"from_hit", 1},
                         {"times", 3},
                         {"enabled", true}}));
@@ -88,20 +88,20 @@ TEST(ClientJson, ReadsNotices) {
 
 TEST(ClientJson, IsNotDisturbedByNonsense) {
   for (const char* text :
-       {"", "[]", "{", "17", "{\"error\":5}", "{\"trees\":[1,{\"tree\":99999999999}]}",
-        "{\"stop\":7,\"tree\":\"x\",\"event\":[]}", "\xff\xfe"}) {
+       {"", "[]", "{", "17", R"({"error":5})", R"({"trees":[1,{"tree":99999999999}]})",
+        R"({"stop":7,"tree":"x","event":[]})", "\xff\xfe"}) {
     ReadHello(text);
     ReadSubscribe(text);
     ReadReply(text);
     ReadNotice(text);
   }
-  ReadReply("{\"a\":" + std::string(10 << 20, '['));
-  EXPECT_EQ(ReadReply("{\"error\":\"x\",\"a\":" + std::string(100000, '[') +
-                      std::string(100000, ']') + "}")
-                .error,
-            "")
+  ReadReply(R"({"a":)" + std::string(10 << 20, '['));
+  EXPECT_EQ(
+      ReadReply(R"({"error":"x","a":)" + std::string(100000, '[') + std::string(100000, ']') + "}")
+          .error,
+      "")
       << "it is nested too deep";
-  EXPECT_NE(ReadReply("{\"error\":5}").error, "");
+  EXPECT_NE(ReadReply(R"({"error":5})").error, "");
   EXPECT_EQ(ReadReply(WriteAbandoned("gone")).error, "gone");
 }
 

@@ -174,8 +174,8 @@ TEST(LiveClient, StopsAtABreakpointWithAConditionAndSaysWhatIsWrongWithOne) {
   ASSERT_TRUE(watcher.Await(IsLive));
   Hook hook = At("inner/Alternate");
   hook.condition = "sayd == 'x'";
-  EXPECT_THAT(Ask(client, SetHook(hook)).error, HasSubstr("did you mean \"said\"?"));
-  EXPECT_THAT(Ask(client, SetHook(At("nowhere"))).remark, HasSubstr("no node \"nowhere\""));
+  EXPECT_THAT(Ask(client, SetHook(hook)).error, HasSubstr(R"(did you mean "said"?)"));
+  EXPECT_THAT(Ask(client, SetHook(At("nowhere"))).remark, HasSubstr(R"(no node "nowhere")"));
   hook.condition = "@number > 5";
   const LiveReply reply = Ask(client, SetHook(hook));
   EXPECT_EQ(reply.error, "");
@@ -281,7 +281,7 @@ TEST(LiveClient, FollowsTheTreeOfThatNameOfSeveral) {
   LiveOptions options = Robot::WithPort(0);
   SimulatedClock clock;
   Executor one(WatchedProgram(), clock);
-  Executor two(CompileText("<root BTCPP_format=\"4\"><BehaviorTree ID=\"Second\"><RunForEver/>"
+  Executor two(CompileText(R"(<root BTCPP_format="4"><BehaviorTree ID="Second"><RunForEver/>)"
                            "</BehaviorTree></root>"),
                clock);
   EventStream first_stream(one);

@@ -18,7 +18,7 @@ TEST(DebuggerCore, CostsNothingWhileNothingIsSet) {
 }
 
 TEST(DebuggerCore, TakesTheHooksFromTheExecutorWhenTheDebuggerIsGone) {
-  Stage stage(Main("<Sequence><Leaf name=\"a\"/></Sequence>"));
+  Stage stage(Main(R"(<Sequence><Leaf name="a"/></Sequence>)"));
   {
     Debugger debugger(*stage.executor);
     Hook hook;

@@ -20,7 +20,7 @@ constexpr Status kIdle = Status::kIdle;
 using Where = DebugStop::Where;
 
 // Nodes: Sequence 0, a 1, b 2.
-const char kTwo[] = "<Sequence><Leaf name=\"a\"/><Leaf name=\"b\"/></Sequence>";
+const char kTwo[] = R"(<Sequence><Leaf name="a"/><Leaf name="b"/></Sequence>)";
 
 TEST(Debugger, StopsBeforeANodeUntilItIsContinued) {
   DebuggedTree tree(Main(kTwo));
@@ -83,7 +83,7 @@ class DebuggerHook : public ::testing::TestWithParam<HookCase> {};
 TEST_P(DebuggerHook, ActsWhenItShould) {
   // Node 2 is the one with hooks; k is 1 in the first tick.
   DebuggedTree tree(
-      Main("<Sequence><Script code=\"k := n + 1; n := k\"/><Leaf name=\"b\"/></Sequence>"));
+      Main(R"(<Sequence><Script code="k := n + 1; n := k"/><Leaf name="b"/></Sequence>)"));
   tree.stage.executor->Writer<double>("n").Send(0);
   Hook hook;
   hook.node = 2;
@@ -209,8 +209,8 @@ TEST(Debugger, StepsFromNodeToNodeAndToTheEndOfTheTick) {
 }
 
 TEST(Debugger, StepsIntoNodesFromABreakpointInTheMiddleOfATick) {
-  DebuggedTree tree(Main("<Sequence><Leaf name=\"a\"/><Inverter><Leaf name=\"b\"/></Inverter>"
-                         "<Leaf name=\"c\"/></Sequence>"),
+  DebuggedTree tree(Main(R"(<Sequence><Leaf name="a"/><Inverter><Leaf name="b"/></Inverter>)"
+                         R"(<Leaf name="c"/></Sequence>)"),
                     {});
   tree.Set(1);
   std::future<Status> tick = tree.Tick();
@@ -249,7 +249,7 @@ TEST(Debugger, StepsWholeTicks) {
 TEST(Debugger, StopsATreeThatSleepsUntilSomethingHappens) {
   LeafScript script;
   script.results["a"] = {kRunning};
-  DebuggedTree tree(Main("<Leaf name=\"a\"/>"), script);
+  DebuggedTree tree(Main(R"(<Leaf name="a"/>)"), script);
   Runner runner(*tree.stage.executor);
   std::thread thread([&] { runner.Run(); });
   tree.debugger->Pause();
@@ -328,11 +328,10 @@ TEST(Debugger, FindsItsNodesAgainInATreeThatIsSwappedIn) {
   hook.path = "late";
   const HookAnswer answer = tree.debugger->Add(hook);
   EXPECT_TRUE(answer.ok());
-  EXPECT_THAT(answer.problem, HasSubstr("no node \"late\""));
+  EXPECT_THAT(answer.problem, HasSubstr(R"(no node "late")"));
   const HookId by_number = tree.Set(2);  // "b"
   EXPECT_TRUE(tree.debugger->Find(answer.id)->nodes.empty());
-  Stage next(
-      Main("<Sequence><Leaf name=\"late\"/><Leaf name=\"a\"/><Leaf name=\"b\"/></Sequence>"));
+  Stage next(Main(R"(<Sequence><Leaf name="late"/><Leaf name="a"/><Leaf name="b"/></Sequence>)"));
   tree.stage.executor->inbox()->PostCall([&] { tree.stage.executor->Reload(next.program); });
   std::future<Status> tick = tree.Tick();
   EXPECT_EQ(tree.NextText(), "before 1");
@@ -378,7 +377,7 @@ TEST(Debugger, MayBeFollowedByAnother) {
 TEST(Debugger, DoesNotKeepARunnerFromStopping) {
   LeafScript script;
   script.results["a"] = {kRunning};
-  DebuggedTree tree(Main("<Leaf name=\"a\"/>"), script);
+  DebuggedTree tree(Main(R"(<Leaf name="a"/>)"), script);
   tree.Set(0);
   Runner runner(*tree.stage.executor);
   std::thread thread([&] { runner.Run(); });

@@ -12,7 +12,7 @@ using ::testing::HasSubstr;
 
 class HookConditionTest : public ::testing::Test {
  protected:
-  Stage stage_{Main("<Script code=\"battery := 17; word := 'go'\"/>")};
+  Stage stage_{Main(R"(<Script code="battery := 17; word := 'go'"/>)")};
 };
 
 TEST_F(HookConditionTest, IsComputedOnTheBlackboardOfTheTree) {
@@ -38,7 +38,7 @@ TEST_F(HookConditionTest, NamesTheNearestKey) {
   ConditionProblem problem;
   EXPECT_FALSE(CompileCondition("1 < batery", *stage_.program, 0, problem));
   EXPECT_THAT(problem.text, HasSubstr("condition:1:5: "));
-  EXPECT_THAT(problem.text, HasSubstr("did you mean \"battery\"?"));
+  EXPECT_THAT(problem.text, HasSubstr(R"(did you mean "battery"?)"));
   EXPECT_EQ(problem.offset, 4u);
 }
 

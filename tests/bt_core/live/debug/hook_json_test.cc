@@ -57,10 +57,10 @@ TEST(HookJson, SaysWhatIsWrong) {
   EXPECT_THAT(WhyNot(R"({"node": 4294967295})"), HasSubstr("node: expected"));
   EXPECT_THAT(WhyNot(R"({"node": ""})"), HasSubstr("node: expected"));
   EXPECT_THAT(WhyNot(R"({"node": 1, "position": "behind"})"),
-              HasSubstr("position \"behind\": expected one of \"before\", \"after\""));
+              HasSubstr(R"(position "behind": expected one of "before", "after")"));
   EXPECT_THAT(WhyNot(R"({"node": 1, "action": "replace"})"), HasSubstr("'status' not found"));
   EXPECT_THAT(WhyNot(R"({"node": 1, "action": "replace", "status": "IDLE"})"),
-              HasSubstr("expected one of \"RUNNING\""));
+              HasSubstr(R"(expected one of "RUNNING")"));
   EXPECT_THAT(WhyNot(R"({"node": 1, "action": "delay", "delay_ms": -1})"), HasSubstr("delay_ms"));
   EXPECT_THAT(WhyNot(R"({"node": 1, "action": "delay", "delay_ms": 1e300})"), HasSubstr("a day"));
   EXPECT_THAT(WhyNot(R"({"node": 1, "times": 4294967296})"), HasSubstr("times: expected"));

@@ -43,7 +43,7 @@ TEST_F(HookNodesTest, ATypeStandsForAllItsNodesInTheInstance) {
 TEST_F(HookNodesTest, AMissingNodeIsDescribedWithTheNearestPath) {
   EXPECT_THAT(FindNodes(program_, "dok"), IsEmpty());
   EXPECT_THAT(FindNodes(program_, "Main/"), IsEmpty());
-  EXPECT_THAT(DescribeMissingNode(program_, "dok"), HasSubstr("did you mean \"dock\"?"));
+  EXPECT_THAT(DescribeMissingNode(program_, "dok"), HasSubstr(R"(did you mean "dock"?)"));
 }
 
 }  // namespace

@@ -25,9 +25,8 @@ class HookTableTest : public ::testing::Test {
     return hook;
   }
 
-  Stage stage_{
-      Main("<Sequence><Leaf name=\"a\"/><Leaf name=\"b\" _skipIf=\"level &lt; 5\"/>"
-           "<Leaf name=\"a\"/></Sequence>")};
+  Stage stage_{Main(R"(<Sequence><Leaf name="a"/><Leaf name="b" _skipIf="level &lt; 5"/>)"
+                    R"(<Leaf name="a"/></Sequence>)")};
   HookTable table_{stage_.program};
 };
 
@@ -109,7 +108,7 @@ INSTANTIATE_TEST_SUITE_P(
         WrongHook{"ConditionThatCannotBeRead", [](Hook& h) { h.condition = "level >"; },
                   "condition:1:"},
         WrongHook{"ConditionWithAnUnknownKey", [](Hook& h) { h.condition = "levle > 2"; },
-                  "did you mean \"level\"?"},
+                  R"(did you mean "level"?)"},
         WrongHook{"UnreadableConditionOfANodeThatIsNotThereYet",
                   [](Hook& h) {
                     h.path = "later";
@@ -133,13 +132,13 @@ TEST_F(HookTableTest, FollowsASwapOfTheTree) {
   lost.condition = "level > 1";
   const HookId no_longer_fits = table_.Add(lost, 0).id;
   Stage next(
-      Main("<Sequence><Leaf name=\"b\"/><Leaf name=\"c\" _skipIf=\"fuel &lt; 1\"/></Sequence>"));
+      Main(R"(<Sequence><Leaf name="b"/><Leaf name="c" _skipIf="fuel &lt; 1"/></Sequence>)"));
   table_.SetProgram(next.program);
   EXPECT_THAT(table_.Find(waits)->info.nodes, ElementsAre(2u));
   EXPECT_TRUE(table_.Find(waits)->condition);
   EXPECT_THAT(table_.Find(numbered)->info.nodes, ElementsAre(1u));
   EXPECT_THAT(table_.Find(no_longer_fits)->info.nodes, IsEmpty());
-  EXPECT_THAT(table_.Find(no_longer_fits)->info.problem, HasSubstr("\"level\""));
+  EXPECT_THAT(table_.Find(no_longer_fits)->info.problem, HasSubstr(R"("level")"));
 }
 
 }  // namespace

@@ -61,6 +61,19 @@ TEST_F(ScopeKeysTest, AutoremappedKeysAreThoseOfTheParentButForPrivateOnes) {
   EXPECT_EQ(Slot(3, "_mine"), "two _mine");
 }
 
+TEST(ScopeKeys, DefaultsOfAModelDoNotCountBesideAutoremap) {
+  const Stage stage(Root(R"(
+      <BehaviorTree ID="Main"><Sequence>
+        <Script code="level := 1; speed := 2"/><SubTree ID="S" _autoremap="true"/>
+      </Sequence></BehaviorTree>
+      <BehaviorTree ID="S"><AlwaysSuccess/></BehaviorTree>
+      <TreeNodesModel><SubTree ID="S"><input_port name="speed" default="{level}"/></SubTree>
+      </TreeNodesModel>)"));
+  const SlotIndex slot = FindKey(*stage.program, 1, "speed");
+  ASSERT_NE(slot, kNoSlot);
+  EXPECT_EQ(stage.program->layout.slots[slot].key, "speed");
+}
+
 TEST_F(ScopeKeysTest, HintsNameWhatIsVisible) {
   EXPECT_THAT(KeysAround(program_, 1), ::testing::IsSupersetOf({"speed", "own", "_mine", "level"}));
 }

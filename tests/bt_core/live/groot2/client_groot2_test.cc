@@ -15,6 +15,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::SizeIs;
 using namespace std::chrono_literals;  // NOLINT(google-build-using-namespace)
 using Kind = LiveCommand::Kind;
 
@@ -125,7 +126,7 @@ TEST(ClientGroot2, SaysWhatTheProtocolCannotDo) {
   EXPECT_THAT(Ask(client, SetHook(hook)).error, HasSubstr("no conditions"));
   hook = Hook();
   hook.path = "Missing";
-  EXPECT_THAT(Ask(client, SetHook(hook)).error, HasSubstr("no node is called \"Missing\""));
+  EXPECT_THAT(Ask(client, SetHook(hook)).error, HasSubstr(R"(no node is called "Missing")"));
   LiveCommand remove = MakeCommand(Kind::kRemoveHook);
   remove.id = 99;
   EXPECT_THAT(Ask(client, remove).error, HasSubstr("no hook 99"));
@@ -189,6 +190,28 @@ TEST_F(ClientGroot2SessionTest, ACommandIsAnsweredAlsoWhenTheRobotIsAnotherOne) 
   EXPECT_THAT(errors, ElementsAre("the robot runs another tree"));
   session_.OnTime(1s);
   EXPECT_EQ(sent_.back()[0][1], 'T');
+}
+
+TEST_F(ClientGroot2SessionTest, TakesItsHooksAwayWhenItLeavesAlsoOneThatIsUnderWay) {
+  Connect();
+  Answer("");                      // transitions
+  Answer(std::string({1, 0, 0}));  // statuses
+  Answer("\x80");                  // values
+  Hook hook;
+  hook.path = "a";
+  session_.Send(SetHook(hook), {});
+  session_.OnTime(1s);
+  Answer("");
+  hook.position = HookPosition::kAfter;
+  session_.Send(SetHook(hook), {});
+  session_.OnTime(1s);
+  sent_.clear();
+  session_.Abandon("the client ends");
+  session_.Leave();
+  ASSERT_THAT(sent_, SizeIs(2));
+  EXPECT_EQ(sent_[0][0][1], 'R');
+  EXPECT_THAT(sent_[0][1], HasSubstr("\"position\":0"));
+  EXPECT_THAT(sent_[1][1], HasSubstr("\"position\":1"));
 }
 
 TEST_F(ClientGroot2SessionTest, HandsOnNoNoticeBeforeTheTree) {

@@ -33,7 +33,7 @@ TEST(ClientRobotTree, IsTheTreeThatTheRobotRuns) {
   }
   EXPECT_EQ(tree.description.main_tree, "Main");
   EXPECT_THAT(tree.boards, ElementsAre("Main", "inner"));
-  EXPECT_THAT(tree.description.models, HasSubstr("<Action ID=\"Fill\""));
+  EXPECT_THAT(tree.description.models, HasSubstr(R"(<Action ID="Fill")"));
   EXPECT_EQ(tree.Find(999), kNoNode);
 }
 
@@ -65,18 +65,16 @@ TEST(ClientRobotTree, TakesWhatOthersWrite) {
 TEST(ClientRobotTree, RefusesNonsense) {
   for (const std::string& xml :
        {std::string("<root"), std::string("<root/>"),
-        std::string("<root><BehaviorTree ID=\"A\"/></root>"),
-        std::string("<root><BehaviorTree ID=\"A\"><X/></BehaviorTree></root>"),
-        std::string("<root><BehaviorTree ID=\"A\"><X _uid=\"70000\"/></BehaviorTree></root>"),
+        std::string(R"(<root><BehaviorTree ID="A"/></root>)"),
+        std::string(R"(<root><BehaviorTree ID="A"><X/></BehaviorTree></root>)"),
+        std::string(R"(<root><BehaviorTree ID="A"><X _uid="70000"/></BehaviorTree></root>)"),
         std::string(
-            "<root><BehaviorTree ID=\"A\"><X _uid=\"1\"/><X _uid=\"1\"/></BehaviorTree></root>"),
-        std::string(
-            "<root><BehaviorTree ID=\"A\"><SubTree _uid=\"1\" _fullpath=\"b\"/></BehaviorTree>"
-            "</root>"),
-        std::string(
-            "<root><BehaviorTree ID=\"A\"><SubTree _uid=\"1\" _fullpath=\"b\"/></BehaviorTree>"
-            "<BehaviorTree ID=\"B\" _fullpath=\"b\"><SubTree _uid=\"2\" _fullpath=\"b\"/>"
-            "</BehaviorTree></root>")}) {
+            R"(<root><BehaviorTree ID="A"><X _uid="1"/><X _uid="1"/></BehaviorTree></root>)"),
+        std::string(R"(<root><BehaviorTree ID="A"><SubTree _uid="1" _fullpath="b"/></BehaviorTree>)"
+                    "</root>"),
+        std::string(R"(<root><BehaviorTree ID="A"><SubTree _uid="1" _fullpath="b"/></BehaviorTree>)"
+                    R"(<BehaviorTree ID="B" _fullpath="b"><SubTree _uid="2" _fullpath="b"/>)"
+                    "</BehaviorTree></root>")}) {
     Diagnostics diagnostics;
     EXPECT_TRUE(Read(xml, diagnostics).uids.empty()) << xml;
     EXPECT_TRUE(diagnostics.has_errors()) << xml;

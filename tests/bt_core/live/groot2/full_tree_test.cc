@@ -89,7 +89,7 @@ TEST(FullTree, TakesASubTreeAtTheRoot) {
     <BehaviorTree ID="B"><AlwaysSuccess/></BehaviorTree></root>)");
   EXPECT_THAT(NodesByInstance(*program), ElementsAre(0, 1));
   EXPECT_THAT(WriteFullTree(*program),
-              ::testing::HasSubstr("<SubTree ID=\"B\" _fullpath=\"B::1\" _uid=\"1\"/>"));
+              ::testing::HasSubstr(R"(<SubTree ID="B" _fullpath="B::1" _uid="1"/>)"));
 }
 
 }  // namespace

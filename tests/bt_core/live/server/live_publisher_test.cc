@@ -46,7 +46,7 @@ TEST_F(LivePublisherTest, ServesTheTree) {
   ASSERT_EQ(reply.size(), 2u);
   EXPECT_EQ(reply[0].size(), 22u);
   EXPECT_EQ(reply[0].substr(0, 6), PlainClient::Header('T'));
-  EXPECT_THAT(reply[1], HasSubstr("<BehaviorTree ID=\"Inner\" _fullpath=\"inner\">"));
+  EXPECT_THAT(reply[1], HasSubstr(R"(<BehaviorTree ID="Inner" _fullpath="inner">)"));
 }
 
 TEST_F(LivePublisherTest, ServesTheStatusOfEveryNode) {
@@ -73,9 +73,8 @@ TEST_F(LivePublisherTest, ServesTheBlackboardWithoutTheTickingThread) {
 
 TEST_F(LivePublisherTest, ServesAnotherTreeWhenAnotherProgramIsSwappedIn) {
   const std::string id = client_.Ask('S').at(0).substr(6);
-  executor_.Reload(
-      CompileText("<root BTCPP_format=\"4\"><BehaviorTree ID=\"Other\">"
-                  "<AlwaysSuccess name=\"alone\"/></BehaviorTree></root>"));
+  executor_.Reload(CompileText(R"(<root BTCPP_format="4"><BehaviorTree ID="Other">)"
+                               R"(<AlwaysSuccess name="alone"/></BehaviorTree></root>)"));
   stream_.Flush();
   EXPECT_THAT(client_.Ask('T').at(1), HasSubstr("alone"));
   const Parts reply = client_.Ask('S');

@@ -1,11 +1,11 @@
 #include "bt_core/live/web/web_files.h"
 
 #include <gtest/gtest.h>
-#include <stdlib.h>
 
 #include <chrono>
 #include <filesystem>
-#include <fstream>
+
+#include "tests/support/temporary_folder.h"
 
 namespace coppice {
 namespace {
@@ -13,26 +13,18 @@ namespace {
 class WebFilesTest : public ::testing::Test {
  protected:
   WebFilesTest() {
-    std::filesystem::create_directory(folder_ / "page");
+    std::filesystem::create_directory(folder_.Path("page"));
     Write("page/index.html", "<html>");
     Write("page/editor.wasm", std::string("\0asm", 4));
     Write("page/.hidden.html", "no");
     Write("page/notes.txt", "no");
     Write("secret.html", "no");
-    std::filesystem::create_directory(folder_ / "page/folder.html");
+    std::filesystem::create_directory(folder_.Path("page/folder.html"));
   }
-  ~WebFilesTest() override { std::filesystem::remove_all(folder_); }
+  void Write(const char* name, const std::string& text) { WriteFile(folder_.Path(name), text); }
 
-  static std::filesystem::path MakeFolder() {
-    std::string name = ::testing::TempDir() + "web_files_XXXXXX";
-    return mkdtemp(name.data());
-  }
-  void Write(const char* name, const std::string& text) {
-    std::ofstream(folder_ / name, std::ios::binary) << text;
-  }
-
-  const std::filesystem::path folder_ = MakeFolder();
-  const WebFiles files_{(folder_ / "page").string()};
+  const TemporaryFolder folder_;
+  const WebFiles files_{folder_.Path("page")};
 };
 
 TEST_F(WebFilesTest, GivesThePageAndItsParts) {
@@ -57,9 +49,9 @@ TEST_F(WebFilesTest, GivesTheCompressedFileToWhoAcceptsIt) {
 
 TEST_F(WebFilesTest, ACompressedFileThatIsOlderIsOfAnotherPage) {
   Write("page/index.html.gz", "packed");
-  const auto page = folder_ / "page/index.html";
+  const std::string page = folder_.Path("page/index.html");
   std::filesystem::last_write_time(
-      folder_ / "page/index.html.gz",
+      folder_.Path("page/index.html.gz"),
       std::filesystem::last_write_time(page) - std::chrono::seconds(10));
   EXPECT_EQ(files_.Find("/", true)->bytes, "<html>");
 }

@@ -11,8 +11,8 @@ namespace {
 TEST(NodeMetrics, MakeRoomForTheWidestLine) {
   const TemporaryFile file(
       "wide.xml",
-      "<root BTCPP_format=\"4\"><BehaviorTree ID=\"T\"><Sequence><A/>"
-      "<A x=\"12345678901234567890\"/><A x=\"1\" y=\"2\"/></Sequence></BehaviorTree></root>");
+      R"(<root BTCPP_format="4"><BehaviorTree ID="T"><Sequence><A/>)"
+      R"(<A x="12345678901234567890"/><A x="1" y="2"/></Sequence></BehaviorTree></root>)");
   Driver driver;
   ASSERT_TRUE(driver.editor.Open(file.path()));
   driver.Frames();
@@ -44,11 +44,11 @@ TEST(NodeMetrics, GiveATypeTheSignThatItsNodesHave) {
 
 TEST(NodeMetrics, MakeRoomForTheArrowOfAnOutputPort) {
   const auto width_of = [](const char* direction) {
-    const std::string port = std::string("<") + direction + " name=\"goal\" type=\"int\"/>";
+    const std::string port = std::string("<") + direction + R"( name="goal" type="int"/>)";
     const TemporaryFile file("ports.xml",
-                             "<root BTCPP_format=\"4\"><BehaviorTree ID=\"T\"><Plan "
-                             "goal=\"{a_long_key_of_the_robot}\"/></BehaviorTree><TreeNodesModel>"
-                             "<Action ID=\"Plan\">" +
+                             R"(<root BTCPP_format="4"><BehaviorTree ID="T"><Plan )"
+                             R"(goal="{a_long_key_of_the_robot}"/></BehaviorTree><TreeNodesModel>)"
+                             R"(<Action ID="Plan">)" +
                                  port + "</Action></TreeNodesModel></root>");
     Driver driver;
     EXPECT_TRUE(driver.editor.Open(file.path()));

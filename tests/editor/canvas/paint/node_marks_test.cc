@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "editor/canvas/layout/node_metrics.h"
+#include "tests/editor/executed_source.h"
 
 namespace coppice::editor {
 namespace {
@@ -46,6 +47,24 @@ TEST(NodeMarks, EveryChangeHasAColourOfItsOwn) {
   for (std::size_t i = 0; i < all.size(); ++i) {
     for (std::size_t j = i + 1; j < all.size(); ++j) EXPECT_NE(all[i], all[j]) << i << j;
   }
+}
+
+TEST(NodeMarks, ShowBreakpointsFaultsAndWhereTheTreeStands) {
+  Driver driver;
+  ExecutedSource* robot = AddExecuted(driver, "robot:1", 10);
+  const Palette& colors = GetPalette(PaletteName::kDark);
+  ASSERT_TRUE(driver.Click("canvas/Main/1.1"));
+  const Box node = driver.BoxOf("canvas/Main/1.1");
+  const Box beside = {{node.min.x - 24, node.min.y}, {node.min.x - 2, node.max.y}};
+  EXPECT_EQ(driver.CountColor(beside, colors.failure), 0);
+  driver.Press(kKeyF1 + 8);
+  const int full = driver.CountColor(beside, colors.failure);
+  EXPECT_GT(full, 30);
+  driver.Press(kKeyF1 + 8, kShift);
+  EXPECT_LT(driver.CountColor(beside, colors.failure), full) << "hollow when it is off";
+  robot->StopBefore(1);
+  driver.Frames();
+  EXPECT_GT(driver.CountColor(beside, colors.running), 20);
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ TEST(PopupRows, ScrollsALongListToTheChosenRow) {
   driver.Press(kKeyTab);
   driver.Frames();
   const Box input = driver.BoxOf("popup/input");
-  ASSERT_GT(driver.editor.state().popup_rows, 20U) << "all types are offered";
+  ASSERT_GT(driver.editor.state().popup.rows, 20U) << "all types are offered";
   for (int i = 0; i < 20; ++i) driver.Press(kKeyDown);
   driver.Frames();
   ASSERT_TRUE(driver.Has("popup/20"));

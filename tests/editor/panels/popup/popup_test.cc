@@ -23,7 +23,7 @@ TEST(Popup, StaysAndSaysWhyAFileCannotBeOpened) {
   driver.Type("/nowhere.xml");
   driver.Press(kKeyEnter);
   EXPECT_TRUE(driver.Has("popup/input"));
-  EXPECT_NE(driver.editor.state().popup_error, "");
+  EXPECT_NE(driver.editor.state().popup.error, "");
 }
 
 TEST(Popup, RunsTheChosenCommandOfThePalette) {
@@ -35,7 +35,7 @@ TEST(Popup, RunsTheChosenCommandOfThePalette) {
   driver.Type("light col");
   driver.Picture("palette");
   driver.Press(kKeyEnter);
-  EXPECT_EQ(driver.editor.state().palette, PaletteName::kLight);
+  EXPECT_EQ(driver.editor.state().screen.palette, PaletteName::kLight);
 }
 
 TEST(Popup, JumpsToANodeByTyping) {
@@ -56,7 +56,7 @@ TEST(Popup, MovesTheChoiceWithTheArrowKeys) {
   driver.Press(kKeyDown);
   driver.Press(kKeyDown);
   driver.Press(kKeyUp);
-  EXPECT_EQ(driver.editor.state().popup_choice, 1);
+  EXPECT_EQ(driver.editor.state().popup.choice, 1);
 }
 
 TEST(Popup, KeepsKeysToItselfWhileTextIsTyped) {
@@ -122,7 +122,7 @@ TEST(Popup, DoesNotAddAFileThatThereIsNot) {
   driver.Press('O', kCtrl);
   driver.Type("/no/such/file.xml");
   driver.Press(kKeyEnter);
-  EXPECT_EQ(driver.editor.state().popup_error, "there is no such file");
+  EXPECT_EQ(driver.editor.state().popup.error, "there is no such file");
   EXPECT_TRUE(driver.editor.state().workspace.files().empty());
 }
 

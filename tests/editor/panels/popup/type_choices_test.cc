@@ -31,7 +31,7 @@ TEST_F(TypeChoicesTest, FindByAWordOfTheDescriptionOrTheCategory) {
 }
 
 TEST_F(TypeChoicesTest, OfferTheOtherTreesAsSubTrees) {
-  EXPECT_EQ(Find("Walk").front().xml, "<SubTree ID=\"Walk\"/>");
+  EXPECT_EQ(Find("Walk").front().xml, R"(<SubTree ID="Walk"/>)");
   EXPECT_THAT(Find("MainTree"), Not(Contains(Field(&TypeChoice::kind, "SubTree"))));
   EXPECT_THAT(Find("Walk", false), Not(Contains(Field(&TypeChoice::kind, "SubTree"))));
 }

@@ -15,7 +15,7 @@ TEST(RunComparison, ShowsWhereTwoRunsPartAndGoesThere) {
   other->Ticks(8);
   driver.editor.AddRun(std::move(other));
   driver.Frames();
-  driver.editor.state().run_tab = RunTab::kComparison;
+  driver.editor.state().run.tab = RunTab::kComparison;
   driver.Frames();
   ASSERT_TRUE(driver.Click("run/compare/a.coppice"));
   driver.Frames();

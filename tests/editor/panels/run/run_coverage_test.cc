@@ -56,7 +56,7 @@ class RunCoverageTest : public testing::Test {
 TEST_F(RunCoverageTest, ListsWhatWasNeverReachedAndAClickShowsIt) {
   simulation().SetKey("battery", "0.8");
   RunOften("400");
-  EXPECT_EQ(state().popup, Popup::kNone) << state().popup_error;
+  EXPECT_EQ(state().popup.kind, Popup::kNone) << state().popup.error;
   EXPECT_EQ(state().coverage.coverage()->runs, 400U);
   EXPECT_TRUE(driver_.Has("run/coverage/never_ticked/call"));
   EXPECT_TRUE(driver_.Has("run/coverage/never_failure/charged?"));
@@ -66,10 +66,10 @@ TEST_F(RunCoverageTest, ListsWhatWasNeverReachedAndAClickShowsIt) {
   EXPECT_TRUE(driver_.Click("run/coverage/never_ticked/call"));
   driver_.Frames();
   EXPECT_EQ(driver_.Selected(), "1.4");
-  EXPECT_EQ(state().heat, HeatMode::kTicks) << "the canvas shows it";
+  EXPECT_EQ(state().run.heat, HeatMode::kTicks) << "the canvas shows it";
   driver_.Frames(30);
   driver_.Picture("coverage_dark");
-  state().palette = PaletteName::kLight;
+  state().screen.palette = PaletteName::kLight;
   driver_.Frames();
   driver_.Picture("coverage_light");
 }
@@ -98,7 +98,7 @@ TEST_F(RunCoverageTest, LeavesByChanceAreShownAndSwitchedOff) {
   driver_.Press('X');
   driver_.Frames();
   Answer("no");
-  EXPECT_FALSE(state().popup_error.empty());
+  EXPECT_FALSE(state().popup.error.empty());
   Answer("7");
   EXPECT_EQ(simulation().chance()->seed, 7U);
   state().commands.Run("sim.ticks");

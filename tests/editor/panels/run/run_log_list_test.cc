@@ -16,7 +16,7 @@ class RunLogListTest : public testing::Test {
   void AddLogPoint(const std::string& text) {
     driver_.Press(kKeyF1 + 8, kCtrl | kShift);
     driver_.Frames();
-    state().popup_text.clear();
+    state().popup.text.clear();
     driver_.Type(text);
     driver_.Press(kKeyEnter);
     driver_.Frames();
@@ -30,7 +30,7 @@ TEST_F(RunLogListTest, ALogPointWritesLinesAndDoesNotStopTheRobot) {
   Start();
   AddLogPoint("at {steps}");
   ASSERT_EQ(state().workspace.log_points.all().size(), 1U) << driver_.Selected();
-  EXPECT_EQ(state().run_tab, RunTab::kLog);
+  EXPECT_EQ(state().run.tab, RunTab::kLog);
   driver_.Frames();
   EXPECT_TRUE(driver_.Has("run/log/0"));
   robot_->tree.results["drive"] = Status::kSuccess;
@@ -39,12 +39,13 @@ TEST_F(RunLogListTest, ALogPointWritesLinesAndDoesNotStopTheRobot) {
   EXPECT_TRUE(driver_.Has("run/log/2"));
   EXPECT_TRUE(robot_->commands.empty()) << "the robot does not know";
   driver_.Picture("log_dark");
-  state().palette = PaletteName::kLight;
+  state().screen.palette = PaletteName::kLight;
   driver_.Frames();
   driver_.Picture("log_light");
   EXPECT_TRUE(driver_.Click("run/log/0"));
   driver_.Frames();
-  EXPECT_EQ(state().workspace.run()->playhead().tick(), state().logs["robot:1"].lines()[0].tick);
+  EXPECT_EQ(state().workspace.run()->playhead().tick(),
+            state().run.logs["robot:1"].lines()[0].tick);
 }
 
 TEST_F(RunLogListTest, IsChangedSwitchedOffAndRemoved) {
@@ -56,7 +57,7 @@ TEST_F(RunLogListTest, IsChangedSwitchedOffAndRemoved) {
   driver_.Frames();
   EXPECT_TRUE(driver_.Click(path() + "/text"));
   driver_.Frames();
-  EXPECT_EQ(state().popup_text, "one");
+  EXPECT_EQ(state().popup.text, "one");
   driver_.Type(" #2");
   driver_.Press(kKeyEnter);
   driver_.Frames();
@@ -73,7 +74,7 @@ TEST_F(RunLogListTest, IsChangedSwitchedOffAndRemoved) {
 TEST_F(RunLogListTest, WithoutASelectedNodeItSaysWhatIsMissing) {
   driver_.Press(kKeyF1 + 8, kCtrl | kShift);
   driver_.Frames();
-  EXPECT_EQ(state().popup, Popup::kNone);
+  EXPECT_EQ(state().popup.kind, Popup::kNone);
   EXPECT_TRUE(state().notice.is_refusal);
 }
 

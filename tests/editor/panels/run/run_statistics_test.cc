@@ -19,12 +19,12 @@ TEST(RunStatistics, PaintHeatOnTheCanvas) {
   Driver driver;
   AddExecuted(driver, "robot:1", 20);
   driver.Press('H');
-  ASSERT_TRUE(driver.editor.state().heat);
-  EXPECT_EQ(*driver.editor.state().heat, HeatMode::kTime);
+  ASSERT_TRUE(driver.editor.state().run.heat);
+  EXPECT_EQ(*driver.editor.state().run.heat, HeatMode::kTime);
   driver.Frames(10);
   driver.Picture("heat");
   for (int i = 0; i < 4; ++i) driver.Press('H');
-  EXPECT_FALSE(driver.editor.state().heat);
+  EXPECT_FALSE(driver.editor.state().run.heat);
 }
 
 }  // namespace

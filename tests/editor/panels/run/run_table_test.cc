@@ -31,7 +31,7 @@ class RunTableTest : public testing::Test {
 TEST_F(RunTableTest, ShowsAListOfObjectsAndItsHistory) {
   EXPECT_TRUE(driver_.Click("blackboard/Main/processes"));
   driver_.Frames();
-  EXPECT_EQ(state().run_tab, RunTab::kTable);
+  EXPECT_EQ(state().run.tab, RunTab::kTable);
   EXPECT_TRUE(driver_.Has("run/table/0"));
   EXPECT_FALSE(driver_.Has("run/table/1"));
   state().workspace.run()->playhead().GoToTick(5);
@@ -43,7 +43,7 @@ TEST_F(RunTableTest, ShowsAListOfObjectsAndItsHistory) {
       5)
       << "READY is green";
   driver_.Picture("table_dark");
-  state().palette = PaletteName::kLight;
+  state().screen.palette = PaletteName::kLight;
   driver_.Frames();
   driver_.Picture("table_light");
 }
@@ -54,11 +54,11 @@ TEST_F(RunTableTest, AClickOnAColumnSorts) {
   driver_.Frames();
   EXPECT_TRUE(driver_.Click("run/table/sort/state"));
   driver_.Frames();
-  EXPECT_EQ(state().table_sort.column, "state");
-  EXPECT_FALSE(state().table_sort.descending);
+  EXPECT_EQ(state().run.table_sort.column, "state");
+  EXPECT_FALSE(state().run.table_sort.descending);
   EXPECT_TRUE(driver_.Click("run/table/sort/state"));
   driver_.Frames();
-  EXPECT_TRUE(state().table_sort.descending);
+  EXPECT_TRUE(state().run.table_sort.descending);
   EXPECT_GT(
       driver_.CountColor(driver_.BoxOf("run/table/2"), GetPalette(PaletteName::kDark).success, 40),
       5)

@@ -12,7 +12,7 @@ TEST(RunTile, ChangesItsTabByClickAndByKey) {
   ASSERT_TRUE(driver.Click("run/running"));
   EXPECT_TRUE(driver.Has("run/running/pass/Drive"));
   driver.Press('W');
-  EXPECT_EQ(driver.editor.state().run_tab, RunTab::kWhy);
+  EXPECT_EQ(driver.editor.state().run.tab, RunTab::kWhy);
   driver.Press(kKeyF1 + 7, kShift);
   EXPECT_FALSE(driver.Has("run"));
 }

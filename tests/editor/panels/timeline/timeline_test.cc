@@ -50,7 +50,7 @@ TEST_F(TimelineTest, TheOverviewScrubsTheWholeRun) {
   driver_.Drag({box.min.x + 20, box.center().y}, {box.min.x + box.width() * 0.5F, box.center().y});
   EXPECT_NEAR(static_cast<double>(run().playhead().tick()), 250, 15);
   driver_.Frames();
-  const TimeView& view = driver_.editor.state().timelines["robot:1"].view;
+  const TimeView& view = driver_.editor.state().run.timelines["robot:1"].view;
   EXPECT_GE(view.PartOf(run().playhead().time()), 0) << "the playhead is in view";
   EXPECT_LE(view.PartOf(run().playhead().time()), 1);
 }
@@ -63,14 +63,14 @@ TEST_F(TimelineTest, ShiftMarksAStretch) {
   const Point from = In("timeline/lanes", 0.3F);
   const Point to = In("timeline/lanes", 0.6F);
   driver_.Drag(from, to);
-  const auto& range = driver_.editor.state().timelines["robot:1"].range;
+  const auto& range = driver_.editor.state().run.timelines["robot:1"].range;
   ASSERT_TRUE(range);
   EXPECT_LT(range->first, range->second);
 }
 
 TEST_F(TimelineTest, TheWheelPansAndZoomsWithCtrl) {
   AddExecuted(driver_, "robot:1", 100);
-  TimeView& view = driver_.editor.state().timelines["robot:1"].view;
+  TimeView& view = driver_.editor.state().run.timelines["robot:1"].view;
   EXPECT_TRUE(view.is_following());
   driver_.MoveTo(In("timeline/lanes", 0.5F));
   driver_.Wheel(1);
@@ -128,11 +128,11 @@ TEST_F(TimelineTest, OtherLanesScrollBelowThePinnedOnes) {
   AddExecuted(driver_, "robot:1", 30);
   LanePins& pins = driver_.editor.state().workspace.pins;
   pins.Toggle("robot:1", "pass/Drive");
-  driver_.editor.state().splits.timeline = 100;
+  driver_.editor.state().screen.splits.timeline = 100;
   driver_.Frames();
   const float pinned = driver_.BoxOf("timeline/pass/Drive").min.y;
   const float other = driver_.BoxOf("timeline/mission").min.y;
-  driver_.editor.state().timelines["robot:1"].scroll = 17;
+  driver_.editor.state().run.timelines["robot:1"].scroll = 17;
   driver_.Frames();
   EXPECT_EQ(driver_.BoxOf("timeline/pass/Drive").min.y, pinned);
   EXPECT_LT(driver_.BoxOf("timeline/mission").min.y, other);
@@ -140,7 +140,7 @@ TEST_F(TimelineTest, OtherLanesScrollBelowThePinnedOnes) {
 
 TEST_F(TimelineTest, CutsNoLane) {
   AddExecuted(driver_, "robot:1", 30);
-  driver_.editor.state().splits.timeline = 131;
+  driver_.editor.state().screen.splits.timeline = 131;
   driver_.Frames();
   const Box timeline = driver_.BoxOf("timeline");
   EXPECT_TRUE(driver_.Has("timeline/scroll")) << "not all fit";

@@ -25,9 +25,9 @@ TEST(XmlLine, AClickSetsTheCaretBetweenTwoCharacters) {
   driver.Frames();
   const Box line = driver.BoxOf("xml/2");
   driver.ClickAt({line.min.x + 44 + 1, line.center().y});
-  EXPECT_EQ(driver.editor.state().xml.at, std::string(kSmallFile).find("<root"));
+  EXPECT_EQ(driver.editor.state().xml.pane.at, std::string(kSmallFile).find("<root"));
   driver.ClickAt({line.max.x - 30, line.center().y});
-  EXPECT_EQ(driver.editor.state().xml.at, std::string(kSmallFile).find("\n  <Behavior"));
+  EXPECT_EQ(driver.editor.state().xml.pane.at, std::string(kSmallFile).find("\n  <Behavior"));
 }
 
 }  // namespace

@@ -47,7 +47,7 @@ TEST_F(XmlTypingTest, WhatIsTypedChangesTheTree) {
   ClickBehind("4");
   EXPECT_EQ(driver_.Selected(), "");
   driver_.Press(kKeyEnter);
-  driver_.Type("  <Beep tone=\"high\"/>");
+  driver_.Type(R"(  <Beep tone="high"/>)");
   EXPECT_NE(Text().find("round\">\n      <Beep tone=\"high\"/>\n"), std::string::npos) << Text();
   EXPECT_TRUE(driver_.Has("canvas/MainTree/1.4"));
   EXPECT_EQ(driver_.Selected(), "1");
@@ -94,10 +94,10 @@ TEST_F(XmlTypingTest, ACommandGoesToTheTextOfTheNode) {
   driver_.view().Select(driver_.view().scene()->FindPath("1.3"));
   driver_.Press(kKeyEnter, kCtrl);
   EXPECT_TRUE(driver_.Has("xml/caret"));
-  EXPECT_EQ(driver_.editor.state().xml.at, Text().find("<AlwaysSuccess"));
+  EXPECT_EQ(driver_.editor.state().xml.pane.at, Text().find("<AlwaysSuccess"));
   driver_.Press(kKeyEnd, kShift);
   driver_.Press('X', kCtrl);
-  EXPECT_EQ(driver_.editor.state().get_clipboard(), "<AlwaysSuccess/>");
+  EXPECT_EQ(driver_.editor.state().services.get_clipboard(), "<AlwaysSuccess/>");
   EXPECT_EQ(Text().find("<AlwaysSuccess"), std::string::npos);
 }
 

@@ -24,14 +24,14 @@ class HttpRequestTest : public testing::Test {
 };
 
 TEST_F(HttpRequestTest, SendsItsBodyAsJsonWithTheToken) {
-  HttpServer server([](const HttpServer::Request&) { return "{\"ok\":true}"; });
+  HttpServer server([](const HttpServer::Request&) { return R"({"ok":true})"; });
   HttpRequest request;
   request.url = server.url() + "/path?a=1";
-  request.body = "{\"text\":\"hello\"}";
+  request.body = R"({"text":"hello"})";
   request.bearer = "s3cret";
   const HttpReply reply = Exchange(request, never_);
   EXPECT_EQ(reply.error, "");
-  EXPECT_EQ(reply.body, "{\"ok\":true}");
+  EXPECT_EQ(reply.body, R"({"ok":true})");
   ASSERT_THAT(server.requests(), SizeIs(1));
   const HttpServer::Request got = server.requests()[0];
   EXPECT_EQ(got.method(), http::verb::post);

@@ -10,11 +10,13 @@ namespace {
 using Kind = PageCommand::Kind;
 
 TEST(PageCommand, IsReadFromAnObject) {
-  const auto drive = ReadPageCommand(R"({"do": "drive", "linear": 0.2, "angular": -1})");
+  const auto drive =
+      ReadPageCommand(R"({"do": "drive", "linear": 0.2, "angular": -1, "beat": 1500})");
   ASSERT_TRUE(drive);
   EXPECT_EQ(drive->kind, Kind::kDrive);
   EXPECT_EQ(drive->velocity.linear, 0.2);
   EXPECT_EQ(drive->velocity.angular, -1);
+  EXPECT_EQ(drive->beat, std::chrono::milliseconds(1500));
   const auto answer = ReadPageCommand(R"({"do": "answer", "request": 7, "fixed": true})");
   ASSERT_TRUE(answer);
   EXPECT_EQ(answer->request, 7u);
@@ -27,14 +29,26 @@ TEST(PageCommand, IsReadFromAnObject) {
 
 TEST(PageCommand, WhatIsNoneIsRefused) {
   for (const char* const text :
-       {"", "null", "[]", "{}", "{\"do\": 1}", R"({"do": "explode"})", R"({"do": "drive"})",
-        R"({"do": "drive", "linear": "1", "angular": 0})",
-        R"({"do": "drive", "linear": 1e308, "angular": 0})",
-        R"({"do": "drive", "linear": null, "angular": 0})", R"({"do": "set_pose", "x": 1, "y": 2})",
+       {"",
+        "null",
+        "[]",
+        "{}",
+        "{\"do\": 1}",
+        R"({"do": "explode"})",
+        R"({"do": "drive"})",
+        R"({"do": "drive", "linear": "1", "angular": 0, "beat": 1})",
+        R"({"do": "drive", "linear": 1e308, "angular": 0, "beat": 1})",
+        R"({"do": "drive", "linear": null, "angular": 0, "beat": 1})",
+        R"({"do": "drive", "linear": 1, "angular": 0})",
+        R"({"do": "drive", "linear": 1, "angular": 0, "beat": -1})",
+        R"({"do": "drive", "linear": 1, "angular": 0, "beat": 0.5})",
+        R"({"do": "drive", "linear": 1, "angular": 0, "beat": 18446744073709551615})",
+        R"({"do": "set_pose", "x": 1, "y": 2})",
         R"({"do": "answer", "request": -1, "fixed": true})",
         R"({"do": "answer", "request": 1, "fixed": "yes"})",
         R"({"do": "cameras", "names": ["","","","","","","","",""]})",
-        R"({"do": "cameras", "names": [1]})", "\xff\xfe"}) {
+        R"({"do": "cameras", "names": [1]})",
+        "\xff\xfe"}) {
     EXPECT_FALSE(ReadPageCommand(text)) << text;
   }
   EXPECT_FALSE(ReadPageCommand(std::string(100000, '[')));

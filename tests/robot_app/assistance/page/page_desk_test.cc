@@ -104,7 +104,8 @@ TEST_F(Page, AnAnswerClosesTheRequestAndIsThanked) {
 TEST_F(Page, AViewerMayOnlyWatch) {
   Join(1, "viewer", PageRole::kViewer);
   for (const char* const text :
-       {R"({"do": "take", "over": true})", R"({"do": "drive", "linear": 1, "angular": 0})",
+       {R"({"do": "take", "over": true})",
+        R"({"do": "drive", "linear": 1, "angular": 0, "beat": 1000000})",
         R"({"do": "set_pose", "x": 1, "y": 2, "yaw": 0})", R"({"do": "restart", "name": "a"})",
         R"({"do": "answer", "request": 1, "fixed": true})"}) {
     Say(1, text);
@@ -122,13 +123,28 @@ TEST_F(Page, OnePersonDrivesAndAnotherHearsWhoItIs) {
   Join(1, "Ada");
   Join(2, "Ben");
   Say(1, R"({"do": "take", "over": false})");
-  Say(1, R"({"do": "drive", "linear": 0.2, "angular": 0})");
+  Say(1, R"({"do": "drive", "linear": 0.2, "angular": 0, "beat": 1000000})");
   Say(2, R"({"do": "take", "over": false})");
   EXPECT_THAT(Last(2, "wheel_taken"), HasSubstr("Ada"));
-  Say(2, R"({"do": "drive", "linear": -0.2, "angular": 0})");
+  Say(2, R"({"do": "drive", "linear": -0.2, "angular": 0, "beat": 1000000})");
   EXPECT_EQ(wheel_.Command(now_)->linear, 0.2);
   Say(2, R"({"do": "take", "over": true})");
   EXPECT_EQ(wheel_.driver_name(), "Ben");
+}
+
+TEST_F(Page, ACommandBearsTheBeatThatThePageHasGotAndCountsUntilThatIsOld) {
+  wheel_.SetObstacles({}, now_ + std::chrono::milliseconds(600));
+  desk_.Step(now_);
+  Join(1, "Ada");
+  const std::string beat = json::parse(Last(1, "beat")).at("beat").dump();
+  const std::string drive = R"({"do": "drive", "linear": 0.2, "angular": 0, "beat": )" + beat + "}";
+  Say(1, R"({"do": "take", "over": false})");
+  now_ += std::chrono::milliseconds(500);
+  Say(1, drive);
+  EXPECT_EQ(wheel_.Command(now_)->linear, 0.2);
+  now_ += std::chrono::milliseconds(1);
+  Say(1, drive);
+  EXPECT_EQ(wheel_.Command(now_)->linear, 0);
 }
 
 TEST_F(Page, WhoClosesThePageLeavesTheWheel) {

@@ -7,6 +7,7 @@
 #include <random>
 #include <vector>
 
+#include "robot_app/assistance/page/page_http.h"
 #include "tests/robot_app/assistance/page_caller.h"
 #include "tests/robot_app/eventually.h"
 #include "tests/support/folders.h"
@@ -93,15 +94,33 @@ TEST_F(Server, ALinkLogsInOnce) {
   EXPECT_THAT(LogIn(token), StartsWith("HTTP/1.1 403"));
 }
 
-TEST_F(Server, WhoLogsOutIsThrownOutWithTheNextWord) {
+TEST_F(Server, WhoLogsOutHearsNothingMore) {
   const std::string cookie = Cookie();
   PageCaller caller(server_.port());
   caller.Upgrade(cookie, caller.own_origin());
   Next();
   PageCaller leaver(server_.port());
   EXPECT_THAT(leaver.Post("/logout", "", leaver.own_origin(), cookie), HasSubstr("Max-Age=0"));
-  caller.SendText("still here?");
   EXPECT_EQ(Next().kind, PageEvent::Kind::kLeft);
+  EXPECT_EQ(caller.Read(), "");
+}
+
+TEST_F(Server, WhoseSessionIsOverHearsNothingMore) {
+  const std::string cookie = Cookie();
+  PageCaller caller(server_.port());
+  caller.Upgrade(cookie, caller.own_origin());
+  Next();
+  access_.LogOut(SessionOf(cookie));  // by nobody whom the server has heard
+  EXPECT_EQ(Next().kind, PageEvent::Kind::kLeft);
+  EXPECT_EQ(caller.Read(), "");
+}
+
+TEST_F(Server, WrongTokensOfAllTheWorldLetARightOneIn) {
+  for (std::size_t i = 0; i <= PageAccess::kMostFailures; ++i) {
+    EXPECT_THAT(LogIn("guess"), StartsWith("HTTP/1.1 403"));
+  }
+  EXPECT_THAT(LogIn("guess"), HasSubstr("Too many"));
+  EXPECT_THAT(LogIn("an operator's token"), StartsWith("HTTP/1.1 204"));
 }
 
 TEST_F(Server, WhoSendsTooMuchIsThrownOut) {

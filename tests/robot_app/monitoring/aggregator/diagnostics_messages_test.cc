@@ -55,10 +55,10 @@ TEST_F(DiagnosticsMessagesTest, NothingGoesInCircles) {
   for (const Status& status : ToDiagnostics({own}).status) {
     monitor.OnStatus(status.name, status.level, status.message, Time(0));
   }
-  EXPECT_TRUE(monitor.Report({}).empty());
+  EXPECT_TRUE(monitor.Report({}, {}).empty());
   monitor.OnStatus("lidar", Status::WARN, "dirty", Time(0));
-  ASSERT_EQ(monitor.Report({}).size(), 1u);
-  EXPECT_TRUE(ToDiagnostics(monitor.Report({})).status.empty());
+  ASSERT_EQ(monitor.Report({}, {}).size(), 1u);
+  EXPECT_TRUE(ToDiagnostics(monitor.Report({}, {})).status.empty());
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ TEST_F(BandFieldsTest, ReadsAllWords) {
 TEST_F(BandFieldsTest, WhatIsNotSaidIsTakenFromTheDefault) {
   const Band otherwise{{2, 8}, {1, 9}, 3, std::chrono::seconds(4), 0.5};
   EXPECT_EQ(Read("other: 1", otherwise), otherwise);
-  EXPECT_THAT(Errors(), HasSubstr("unknown key \"other\""));
+  EXPECT_THAT(Errors(), HasSubstr(R"(unknown key "other")"));
   Band expected = otherwise;
   expected.error = {0, std::nullopt};
   EXPECT_EQ(Read("load: {error: [0, none]}", otherwise), expected);
@@ -45,21 +45,21 @@ TEST_F(BandFieldsTest, ADefaultThatDoesNotFitGivesWay) {
 
 TEST_F(BandFieldsTest, ReportsEveryProblemWithItsPlaceAndAHint) {
   Read("load:\n  warm: [1, 2]\n  warn: [3, 2]\n  error: [a, 9]\n  consecutive: 0\n");
-  EXPECT_THAT(Errors(), HasSubstr(":2:3: error: unknown key \"warm\" (did you mean \"warn\"?)"));
-  EXPECT_THAT(Errors(), HasSubstr(":3:10: error: \"warn\": low is not below high"));
-  EXPECT_THAT(Errors(), HasSubstr(":4:11: error: \"error\": expected a number or none, got \"a\""));
-  EXPECT_THAT(Errors(), HasSubstr(":5:16: error: \"consecutive\": 0 is not within 1 and 1000"));
+  EXPECT_THAT(Errors(), HasSubstr(R"(:2:3: error: unknown key "warm" (did you mean "warn"?))"));
+  EXPECT_THAT(Errors(), HasSubstr(R"(:3:10: error: "warn": low is not below high)"));
+  EXPECT_THAT(Errors(), HasSubstr(R"(:4:11: error: "error": expected a number or none, got "a")"));
+  EXPECT_THAT(Errors(), HasSubstr(R"(:5:16: error: "consecutive": 0 is not within 1 and 1000)"));
 }
 
 TEST_F(BandFieldsTest, BoundsMustFitTogether) {
   Read("load: {warn: [1, 9], error: [2, 8]}");
-  EXPECT_THAT(Errors(), HasSubstr(":1:7: error: \"warn\" is not within \"error\""));
+  EXPECT_THAT(Errors(), HasSubstr(R"(:1:7: error: "warn" is not within "error")"));
   Read("load: {warn: [1, 2], hysteresis: 0.5}");
-  EXPECT_THAT(Errors(), HasSubstr("\"hysteresis\" leaves no room between low and high"));
+  EXPECT_THAT(Errors(), HasSubstr(R"("hysteresis" leaves no room between low and high)"));
   Read("load: {warn: [1]}");
   EXPECT_THAT(Errors(), HasSubstr("expected [low, high]"));
   Read("load: {warn: [nan, 3]}");
-  EXPECT_THAT(Errors(), HasSubstr("expected a number or none, got \"nan\""));
+  EXPECT_THAT(Errors(), HasSubstr(R"(expected a number or none, got "nan")"));
 }
 
 TEST_F(BandFieldsTest, RosNamesBeginWithASlash) {
@@ -68,14 +68,14 @@ TEST_F(BandFieldsTest, RosNamesBeginWithASlash) {
   EXPECT_EQ(ReadRosName(fields, "missing", "/default"), "/default");
   EXPECT_EQ(Errors(), "");
   ReadRosName(fields, "b", "/default");
-  EXPECT_THAT(Errors(), HasSubstr("\"b\": expected a ROS name with slash, got \"bad\""));
+  EXPECT_THAT(Errors(), HasSubstr(R"("b": expected a ROS name with slash, got "bad")"));
 }
 
 TEST_F(BandFieldsTest, ANameListedTwiceIsAnError) {
   CheckUnique(Open("a: 1"), {"x", "y"});
   EXPECT_EQ(Errors(), "");
   CheckUnique(Open("a: 1"), {"x", "y", "x"});
-  EXPECT_THAT(Errors(), HasSubstr("\"x\" is listed twice"));
+  EXPECT_THAT(Errors(), HasSubstr(R"("x" is listed twice)"));
 }
 
 }  // namespace

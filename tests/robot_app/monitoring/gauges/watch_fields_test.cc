@@ -41,7 +41,7 @@ TEST_F(WatchFieldsTest, ATopicThatIsTakenFromStatisticsMayBeSilentForLonger) {
 TEST_F(WatchFieldsTest, NavigationAndLocalizationHaveDefaultsForAllTheirTimes) {
   YamlFields navigation = Open("{topic: /navigation/state, node: /move_base, no_path: 2.5}");
   const NavigationWatch moves = ReadNavigationWatch(navigation);
-  EXPECT_EQ(moves.blocked, seconds(20));
+  EXPECT_EQ(moves.blocked, seconds(60));
   EXPECT_EQ(moves.no_path, milliseconds(2500));
   EXPECT_EQ(moves.after_failure, seconds(15));
   YamlFields localization = Open("{topic: /localization/state, node: /localization}");

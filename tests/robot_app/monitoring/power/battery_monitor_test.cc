@@ -50,7 +50,7 @@ class BatteryMonitorTest : public testing::Test {
       now_ += seconds(1);
       reading_.charge += reading_.current / 3600;
       reading_.level = reading_.charge / 75;
-      monitor_.OnReading(reading_, now_);
+      monitor_.OnReading(reading_, {now_, wall_});
     }
   }
   Finding About(const std::string& subject) {
@@ -132,7 +132,7 @@ TEST_F(BatteryMonitorTest, AChargeThatDoesNotFollowTheCurrentIsNoticed) {
 
 TEST_F(BatteryMonitorTest, AFrozenGaugeIsNoticed) {
   Drive(seconds(10));
-  for (int i = 0; i < 200; ++i) monitor_.OnReading(reading_, now_ += seconds(1));
+  for (int i = 0; i < 200; ++i) monitor_.OnReading(reading_, {now_ += seconds(1), wall_});
   EXPECT_EQ(About("unchanged").level, HealthLevel::kError);
   EXPECT_EQ(About("unchanged").value, 200);
   Drive(seconds(1));
@@ -174,8 +174,8 @@ TEST_F(BatteryMonitorTest, TheWayToTheStationAndTheReserveMustFitIntoTheCharge) 
 TEST_F(BatteryMonitorTest, ABatteryWithoutCoulombCounterIsJudgedByItsLevel) {
   reading_.charge = kNan;
   reading_.level = 0.5;
-  monitor_.OnReading(reading_, now_);
-  monitor_.OnReading(reading_, now_ += seconds(1000));
+  monitor_.OnReading(reading_, {now_, wall_});
+  monitor_.OnReading(reading_, {now_ += seconds(1000), wall_});
   EXPECT_TRUE(std::isnan(About("coulombs").value));
   EXPECT_EQ(About("unchanged").level, HealthLevel::kOk);
   EXPECT_NEAR(About("margin").value, 37.5, 1e-9);
@@ -184,7 +184,7 @@ TEST_F(BatteryMonitorTest, ABatteryWithoutCoulombCounterIsJudgedByItsLevel) {
 TEST_F(BatteryMonitorTest, WhatHasBoundsAndIsNotMeasuredIsAnError) {
   Drive(seconds(10));
   reading_.level = reading_.charge = reading_.voltage = reading_.current = kNan;
-  monitor_.OnReading(reading_, now_ += seconds(1));
+  monitor_.OnReading(reading_, {now_ += seconds(1), wall_});
   for (const char* subject : {"voltage", "current", "charge", "margin"}) {
     EXPECT_EQ(About(subject).level, HealthLevel::kError) << subject;
     EXPECT_EQ(About(subject).message, "not measured") << subject;
@@ -203,7 +203,7 @@ TEST_F(BatteryMonitorTest, WhatHasNoBoundsNeedNotBeMeasured) {
 TEST_F(BatteryMonitorTest, CountingTheCurrentBeginsAnewAfterAReadingWithoutIt) {
   Drive(seconds(10));
   reading_.current = kNan;
-  monitor_.OnReading(reading_, now_ += seconds(1));
+  monitor_.OnReading(reading_, {now_ += seconds(1), wall_});
   reading_.current = -6;
   Drive(seconds(10));
   EXPECT_NEAR(About("coulombs").value, 0, 0.01);

@@ -26,7 +26,7 @@ class ChargingMonitorTest : public testing::Test {
                                  : current > 0.5 ? ChargerState::kCharging
                                                  : ChargerState::kNotCharging;
     monitor_.OnReading({now_, 24, current, level, 0, charger}, now_);
-    return monitor_.Report(now_).at(0);
+    return monitor_.Report({}, {now_, now_}).at(0);
   }
 
   ChargingMonitor monitor_;
@@ -34,7 +34,7 @@ class ChargingMonitorTest : public testing::Test {
 };
 
 TEST_F(ChargingMonitorTest, OffTheStationAllIsWell) {
-  EXPECT_EQ(monitor_.Report(now_).at(0).message, "state unknown");
+  EXPECT_EQ(monitor_.Report({}, {now_, now_}).at(0).message, "state unknown");
   EXPECT_EQ(After(seconds(0), false, -6).level, HealthLevel::kOk);
   EXPECT_EQ(After(seconds(3600), false, -18).level, HealthLevel::kOk);
 }
@@ -83,12 +83,12 @@ TEST_F(ChargingMonitorTest, AFullBatteryNeedsNoCurrent) {
 
 TEST_F(ChargingMonitorTest, SilenceOfTheBatteryIsNoLackOfCurrent) {
   After(seconds(0), true, -6);
-  EXPECT_EQ(monitor_.Report(now_ + seconds(100)).at(0).level, HealthLevel::kWarn);
+  EXPECT_EQ(monitor_.Report({}, {now_ + seconds(100), now_}).at(0).level, HealthLevel::kWarn);
 }
 
 TEST_F(ChargingMonitorTest, WithoutAWatchThereIsNothingToSay) {
   monitor_.Watch(std::nullopt);
-  EXPECT_TRUE(monitor_.Report(now_).empty());
+  EXPECT_TRUE(monitor_.Report({}, {now_, now_}).empty());
 }
 
 }  // namespace

@@ -11,20 +11,20 @@ class EmergencyStopMonitorTest : public testing::Test {
  protected:
   explicit EmergencyStopMonitorTest() { Watch(Duration::zero()); }
   void Watch(Duration staleness) { monitor_.Watch(EmergencyStopWatch{"/stop", staleness}); }
-  Finding At(Time now) { return monitor_.Report({now, now}).at(0); }
+  Finding At(Time now) { return monitor_.Report({}, {now, now}).at(0); }
   EmergencyStopMonitor monitor_;
 };
 
 TEST_F(EmergencyStopMonitorTest, IsAnErrorAtOnceAndAsLongAsItIsPressed) {
-  monitor_.OnState(false, seconds(1));
+  monitor_.OnState(false, {seconds(1), seconds(1)});
   EXPECT_EQ(At(seconds(1)).level, HealthLevel::kOk);
-  monitor_.OnState(true, seconds(2));
+  monitor_.OnState(true, {seconds(2), seconds(2)});
   EXPECT_EQ(At(seconds(2)).level, HealthLevel::kError);
-  monitor_.OnState(true, seconds(3));
+  monitor_.OnState(true, {seconds(3), seconds(3)});
   EXPECT_EQ(At(seconds(60)).level, HealthLevel::kError);
   EXPECT_EQ(At(seconds(60)).message, "pressed for 58 s");
   EXPECT_EQ(At(seconds(60)).monitor, "emergency_stop");
-  monitor_.OnState(false, seconds(61));
+  monitor_.OnState(false, {seconds(61), seconds(61)});
   EXPECT_EQ(At(seconds(61)).level, HealthLevel::kOk);
 }
 
@@ -39,7 +39,7 @@ TEST_F(EmergencyStopMonitorTest, SilenceIsAllowedUnlessSaidOtherwise) {
 
 TEST_F(EmergencyStopMonitorTest, WithoutAWatchThereIsNothingToSay) {
   monitor_.Watch(std::nullopt);
-  EXPECT_TRUE(monitor_.Report({seconds(1), seconds(1)}).empty());
+  EXPECT_TRUE(monitor_.Report({}, {seconds(1), seconds(1)}).empty());
 }
 
 }  // namespace

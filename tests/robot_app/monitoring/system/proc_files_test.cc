@@ -94,5 +94,23 @@ TEST_F(ProcFilesTest, ThisComputerIsUnderstood) {
   EXPECT_FALSE(ReadDiskUsed("/nowhere").has_value());
 }
 
+TEST(ProcFiles, TheLinksAreThoseThatAreUpButForLoopback) {
+  const ProcRoot root("proc_files_links");
+  root.WriteInterface("wlp3s0", 1, 2, 0, 0);
+  EXPECT_EQ(ReadLinks(root.path()), std::vector<std::string>{"wlp3s0"});
+  root.Write("/sys/class/net/wlp3s0/operstate", "down\n");
+  EXPECT_TRUE(IsLinkDown(root.path(), "wlp3s0"));
+  EXPECT_TRUE(ReadLinks(root.path()).empty());
+}
+
+TEST(ProcFiles, ALinkWithoutAFixedSpeedHasNone) {
+  const ProcRoot root("proc_files_speed");
+  EXPECT_FALSE(ReadLinkSpeed(root.path(), "eth0"));
+  root.Write("/sys/class/net/eth0/speed", "-1\n");
+  EXPECT_FALSE(ReadLinkSpeed(root.path(), "eth0"));
+  root.Write("/sys/class/net/eth0/speed", "100\n");
+  EXPECT_EQ(ReadLinkSpeed(root.path(), "eth0"), 100);
+}
+
 }  // namespace
 }  // namespace coppice::robot

@@ -24,7 +24,7 @@ TEST(Socket, OneOwnsTheDescriptor) {
 TEST(Socket, ABadAddressIsAnErrorWithItsName) {
   std::string error;
   EXPECT_FALSE(Connect("not an address", 80, SOCK_STREAM, error).is_open());
-  EXPECT_EQ(error.rfind("\"not an address\": ", 0), 0u) << error;
+  EXPECT_EQ(error.rfind(R"("not an address": )", 0), 0u) << error;
 }
 
 TEST(Socket, NumericAddressesOfBothKindsWork) {

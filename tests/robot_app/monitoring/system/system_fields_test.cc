@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "robot_app/monitoring/gauges/band_fields.h"
+#include "robot_app/monitoring/system/system_gauges.h"
 #include "tests/robot_app/monitoring/fields_fixture.h"
 
 namespace coppice::robot {
@@ -58,6 +59,20 @@ TEST_F(SystemFieldsTest, AComputerIsAskedByItsNameUnlessItHasAnAddress) {
   EXPECT_EQ(watch.clocks[1].address, "10.0.0.2");
   EXPECT_EQ(watch.clocks[1].port, 1123);
   EXPECT_EQ(Errors(), "");
+}
+
+TEST_F(SystemFieldsTest, OnlyAClockThatIsNamedMustServeTime) {
+  YamlFields fields = Open("clocks: [{host: arm}, {host: '*', port: 1123}]");
+  const SystemWatch watch = ReadSystemWatch(fields);
+  EXPECT_TRUE(watch.clocks.at(0).must_serve);
+  EXPECT_FALSE(watch.clocks.at(1).must_serve);
+  EXPECT_EQ(watch.clocks[1].port, 1123);
+  EXPECT_EQ(Errors(), "");
+}
+
+TEST_F(SystemFieldsTest, EveryHostHasAnAddressOfItsOwn) {
+  SubjectsOf("hosts: [{host: '*', address: 10.0.0.2}]");
+  EXPECT_THAT(Errors(), HasSubstr("unknown key \"address\""));
 }
 
 TEST_F(SystemFieldsTest, TheSameThingTwiceIsAnError) {

@@ -39,7 +39,7 @@ class SystemMonitorTest : public testing::Test {
     monitor_.Measure(pids_, now_ += seconds(1));
   }
   Finding About(const std::string& monitor, const std::string& subject) {
-    for (const Finding& finding : monitor_.Report({seconds(9), now_})) {
+    for (const Finding& finding : monitor_.Report({}, {seconds(9), now_})) {
       if (finding.monitor == monitor && finding.subject == subject) return finding;
     }
     ADD_FAILURE() << "nothing about " << monitor << " " << subject;
@@ -163,7 +163,41 @@ TEST_F(SystemMonitorTest, WithoutAWatchThereIsNothingToSay) {
   monitor_.Watch(nullptr);
   Second(0, 100);
   monitor_.OnClocks({{}}, now_);
-  EXPECT_TRUE(monitor_.Report({seconds(9), now_}).empty());
+  EXPECT_TRUE(monitor_.Report({}, {seconds(9), now_}).empty());
+}
+
+TEST_F(SystemMonitorTest, ALinkThatIsNamedAndDownIsAnError) {
+  root_.WriteInterface("eth0", 0, 0, 0, 0);
+  root_.Write("/sys/class/net/eth0/operstate", "down\n");
+  Second(0, 100);
+  EXPECT_EQ(About("network", "eth0 load").message, "the link is down");
+}
+
+TEST_F(SystemMonitorTest, TheLoadIsAShareOfTheSpeedThatTheLinkTells) {
+  root_.Write("/sys/class/net/eth0/speed", "10\n");  // not 100
+  for (int i = 0; i < 3; ++i) {
+    root_.WriteInterface("eth0", 1250000L * i, 0, 0, 0);
+    Second(0, 100);
+  }
+  EXPECT_NEAR(About("network", "eth0 load").value, 1, 1e-9);
+}
+
+TEST_F(SystemMonitorTest, LinksThatComeAndGoAreWatchedWhileTheyAreThere) {
+  watch_.interfaces[0].interface = "wl*";
+  monitor_.Watch(&watch_);
+  const auto is_told = [this] {
+    for (const Finding& finding : monitor_.Report({}, {seconds(9), now_})) {
+      if (finding.subject == "wlan0 load") return true;
+    }
+    return false;
+  };
+  EXPECT_FALSE(is_told());
+  root_.WriteInterface("wlan0", 0, 0, 0, 0);
+  Second(0, 100);
+  EXPECT_TRUE(is_told());
+  root_.WriteInterface("eth0", 0, 0, 0, 0);
+  Second(0, 100);
+  EXPECT_FALSE(is_told());
 }
 
 }  // namespace

@@ -145,7 +145,7 @@ processes:
 configurations: {all: [a]}
 )");
   EXPECT_EQ(diagnostics_.all().size(), 4u) << Errors();
-  EXPECT_THAT(Errors(), HasSubstr("\"/etc\" must be an absolute path"));
+  EXPECT_THAT(Errors(), HasSubstr(R"("/etc" must be an absolute path)"));
 }
 
 TEST_F(RobotConfigTest, NothingCanBeginWithAConfigurationThatRequiresSomething) {
@@ -168,8 +168,8 @@ processes:
   - {name: c, command: [x], group: two}
 configurations: {all: [a, b, c]}
 )");
-  EXPECT_THAT(Errors(), HasSubstr("group \"one\" waits for itself (depends)"));
-  EXPECT_THAT(Errors(), HasSubstr("group \"two\" waits for itself (depends)"));
+  EXPECT_THAT(Errors(), HasSubstr(R"(group "one" waits for itself (depends))"));
+  EXPECT_THAT(Errors(), HasSubstr(R"(group "two" waits for itself (depends))"));
 }
 
 TEST_F(RobotConfigTest, VariablesMayStandInDefaults) {
@@ -190,16 +190,16 @@ TEST_F(RobotConfigTest, ReportsEverythingAtOnceWithPlaceAndHint) {
       "configurations: {all: [planner, maper]}\n"
       "initial: al\n",
       {{"speed", "1"}});
-  EXPECT_THAT(Errors(), HasSubstr("test.yaml:2:31: error: variable \"speeed\" has no value (did "
-                                  "you mean \"speed\"?)"));
-  EXPECT_THAT(Errors(), HasSubstr("unknown key \"nod\" (did you mean \"node\"?)"));
-  EXPECT_THAT(Errors(), HasSubstr("test.yaml:3:12: error: duplicate process \"planner\""));
-  EXPECT_THAT(Errors(), HasSubstr("unknown process \"planer\" (did you mean \"planner\"?)"));
-  EXPECT_THAT(Errors(), HasSubstr("\"command\" is missing"));
-  EXPECT_THAT(Errors(), HasSubstr("expected a ROS name with slash, got \"mapper\""));
-  EXPECT_THAT(Errors(), HasSubstr("\"nodes\" is none of node, none, topic /NAME, service /NAME"));
-  EXPECT_THAT(Errors(), HasSubstr("unknown process \"maper\" (did you mean \"mapper\"?)"));
-  EXPECT_THAT(Errors(), HasSubstr("unknown configuration \"al\" (did you mean \"all\"?)"));
+  EXPECT_THAT(Errors(), HasSubstr(R"(test.yaml:2:31: error: variable "speeed" has no value (did )"
+                                  R"(you mean "speed"?))"));
+  EXPECT_THAT(Errors(), HasSubstr(R"(unknown key "nod" (did you mean "node"?))"));
+  EXPECT_THAT(Errors(), HasSubstr(R"(test.yaml:3:12: error: duplicate process "planner")"));
+  EXPECT_THAT(Errors(), HasSubstr(R"(unknown process "planer" (did you mean "planner"?))"));
+  EXPECT_THAT(Errors(), HasSubstr(R"("command" is missing)"));
+  EXPECT_THAT(Errors(), HasSubstr(R"(expected a ROS name with slash, got "mapper")"));
+  EXPECT_THAT(Errors(), HasSubstr(R"("nodes" is none of node, none, topic /NAME, service /NAME)"));
+  EXPECT_THAT(Errors(), HasSubstr(R"(unknown process "maper" (did you mean "mapper"?))"));
+  EXPECT_THAT(Errors(), HasSubstr(R"(unknown configuration "al" (did you mean "all"?))"));
 }
 
 TEST_F(RobotConfigTest, FindsProcessesThatWaitForThemselves) {
@@ -210,7 +210,7 @@ TEST_F(RobotConfigTest, FindsProcessesThatWaitForThemselves) {
       "  - {name: c, command: [x], depends: [a]}\n"
       "  - {name: d, command: [x], depends: [a]}\n"
       "configurations: {all: [a, b, c, d]}\n");
-  EXPECT_THAT(Errors(), HasSubstr(":2:5: error: process \"a\" waits for itself"));
+  EXPECT_THAT(Errors(), HasSubstr(R"(:2:5: error: process "a" waits for itself)"));
   EXPECT_EQ(diagnostics_.all().size(), 3u);  // d waits for them, but not for itself
 }
 
@@ -221,7 +221,7 @@ TEST_F(RobotConfigTest, AConfigurationMustHoldWhatItsProcessesDependOn) {
       "  - {name: b, command: [x], depends: [a]}\n"
       "  - {name: c, command: [x], after: [a]}\n"
       "configurations: {all: [b, c]}\n");
-  EXPECT_THAT(Errors(), HasSubstr("has \"b\" but not \"a\", which it depends on"));
+  EXPECT_THAT(Errors(), HasSubstr(R"(has "b" but not "a", which it depends on)"));
   EXPECT_EQ(diagnostics_.all().size(), 1u);
 }
 

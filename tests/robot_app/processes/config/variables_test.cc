@@ -32,10 +32,10 @@ TEST_F(VariablesTest, ThatHaveNoValueAreReportedWithTheNearestName) {
   EXPECT_EQ(Fill("x${bim}y"), "xy");
   EXPECT_EQ(Fill("${speed}"), "");
   EXPECT_EQ(Fill("a${bin"), "a");
-  EXPECT_THAT(problems_, ElementsAre("variable \"bim\" has no value|did you mean \"bin\"?",
-                                     "variable \"speed\" has no value|give it with --set "
+  EXPECT_THAT(problems_, ElementsAre(R"(variable "bim" has no value|did you mean "bin"?)",
+                                     R"(variable "speed" has no value|give it with --set )"
                                      "speed=VALUE",
-                                     "\"${\" without \"}\" in \"a${bin\"|"));
+                                     R"("${" without "}" in "a${bin"|)"));
 }
 
 }  // namespace

@@ -41,7 +41,6 @@ class PosixLauncherTest : public testing::Test {
     return text.str();
   }
 
-  // Polls for an event that nothing announces.
   // The wait status of a child when it has ended.
   int WaitForEnd(int pid) {
     int status = -1;
@@ -58,6 +57,18 @@ class PosixLauncherTest : public testing::Test {
   std::unique_ptr<PosixLauncher> launcher_;
   std::string error_;
 };
+
+// What programs print may be secret, as the link with which a person logs in to the page.
+TEST_F(PosixLauncherTest, ALogIsReadByItsOwnerAloneAlsoOneThatWasThereBefore) {
+  using std::filesystem::perms;
+  const std::string log = folder_ + "/child.log";
+  std::filesystem::create_directories(folder_);
+  std::ofstream(log) << "before\n";
+  std::filesystem::permissions(log, perms::owner_all | perms::group_read | perms::others_read);
+  WaitForEnd(Shell("echo link"));
+  EXPECT_EQ(std::filesystem::status(log).permissions(), perms::owner_read | perms::owner_write);
+  EXPECT_THAT(Log(), HasSubstr("before\nlink"));
+}
 
 TEST_F(PosixLauncherTest, WritesWhatAProcessSaysIntoItsLog) {
   WaitForEnd(Shell("echo hello; echo trouble >&2; exit 3"));

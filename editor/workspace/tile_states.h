@@ -1,0 +1,198 @@
+// What single tiles keep from frame to frame: their choices, and what they worked out.
+#ifndef COPPICE_EDITOR_WORKSPACE_TILE_STATES_H_
+#define COPPICE_EDITOR_WORKSPACE_TILE_STATES_H_
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bt_core/analysis/compare.h"
+#include "editor/canvas/drop_target.h"
+#include "editor/files/line_changes.h"
+#include "editor/keys/choice.h"
+#include "editor/keys/keys.h"
+#include "editor/live/run_figures.h"
+#include "editor/live/run_log.h"
+#include "editor/live/why_answer.h"
+#include "editor/workspace/follow.h"
+#include "editor/workspace/timeline_state.h"
+
+namespace coppice::editor {
+
+enum class Popup {
+  kNone,
+  kOpen,
+  kConnect,
+  kPalette,
+  kKeys,     ///< lists all commands
+  kNewKeys,  ///< waits for the keys of a command
+  kAdd,
+  kChangeType,
+  kRename,
+  kSaveAs,
+  kPasteErrors,
+  kPrompt,  ///< asks for a text
+  kList     ///< offers rows
+};
+
+/// What a kPrompt asks.
+struct Prompt {
+  std::string hint;
+  std::function<std::string(const std::string&)> run;  ///< of the text; returns why not, or nothing
+  ChoiceSource preview;       ///< rows below it; empty: none. A click on one runs it
+  bool asks_for_text = true;  ///< if not, Space runs the row that the arrow keys have chosen
+};
+
+/// What a kList offers.
+struct List {
+  std::string hint;
+  ChoiceSource rows;
+};
+
+/// What lies over the screen until it is answered.
+struct PopupState {
+  Popup kind = Popup::kNone;
+  bool is_new = false;  ///< opened since the last frame
+  std::string text;     ///< what is typed into it
+  std::string error;
+  int choice = 0;         ///< highlighted row
+  std::size_t rows = 12;  ///< choices shown in the last frame
+  std::vector<Diagnostic> problems;
+  Prompt prompt;
+  List list;
+
+  void Open(Popup which, std::string typed) {
+    kind = which;
+    is_new = true;
+    text = std::move(typed);
+    error.clear();
+    choice = 0;
+  }
+};
+
+/// What was used last, newest first.
+struct Recent {
+  std::vector<std::string> files;
+  std::vector<std::string> types;  ///< of nodes that were added
+  std::string search;
+};
+
+/// What the run's tile shows.
+enum class RunTab { kWhy, kRunning, kHooks, kStatistics, kComparison, kCoverage, kLog, kTable };
+
+/// By which column a table is sorted; empty: as it came.
+struct TableSort {
+  std::string column;
+  bool descending = false;
+};
+
+/// Two runs that were compared, by name.
+struct ShownComparison {
+  std::string first;
+  std::string second;
+  std::optional<RunComparison> result;
+};
+
+/// Of the tiles about runs; each keeps what it worked out until the run goes on.
+struct RunTile {
+  RunTab tab = RunTab::kWhy;
+  FollowMode follow;
+  std::optional<HeatMode> heat;
+  RunFigures figures;
+  WhyAnswer why;
+  ShownComparison comparison;
+  TableSort table_sort;
+  std::map<std::string, RunLog> logs;              ///< by name of the run
+  std::map<std::string, TimelineState> timelines;  ///< likewise
+};
+
+struct BlackboardTile {
+  bool selected_keys_only = false;
+  std::string shown_key;  ///< "blackboard/SCOPE/KEY" with its history
+};
+
+inline constexpr double kNoticeSeconds = 4;  ///< how long a notice is shown
+
+/// The text field that the user types in.
+struct Typing {
+  std::string key;
+  std::string text;
+};
+
+/// What goes to fields to type in.
+struct FieldInput {
+  std::vector<KeyEvent> keys;  ///< pressed in this frame
+  Typing typing;
+  std::string focus_field;  ///< path of the field to type in next
+  std::string type_filter;  ///< typed above the node types
+};
+
+/// The caret of the XML tile.
+struct XmlPane {
+  std::string path;  ///< of the file it is in
+  std::size_t at = 0;
+  std::size_t anchor = 0;    ///< the other end of what is selected
+  std::size_t typed_to = 0;  ///< where the caret was when a character was typed last
+  bool focused = false;      ///< keys are for the text
+  bool wants_focus = false;
+  bool pressed = false;  ///< the mouse button went down in it
+  bool follow = false;   ///< the caret has moved and must be seen
+  float left = 0;        ///< how far the text is scrolled [pixels]
+  float widest = 0;      ///< line in sight [pixels]
+};
+
+/// Where the lines of a text begin and end (before the line end), and of which text.
+struct XmlLines {
+  struct Line {
+    std::uint32_t begin = 0;
+    std::uint32_t end = 0;
+  };
+  std::optional<Document> of;
+  std::vector<Line> lines;
+};
+
+/// Which lines of the shown text differ, and from what that was computed.
+struct XmlGutter {
+  std::string path;
+  std::uint32_t version = 0;  ///< of the text
+  std::uint32_t saved_version = 0;
+  std::shared_ptr<const std::string> head;
+  std::vector<LineMark> since_saved;  ///< by line; empty: nothing to compare with
+  std::vector<LineMark> since_head;
+};
+
+struct XmlTile {
+  XmlPane pane;
+  XmlLines lines;
+  XmlGutter gutter;
+};
+
+/// The last answer to "may this be dropped there?".
+struct DropAnswer {
+  std::uint64_t version = 0;  ///< of the project
+  std::string label;
+  DropTarget target;
+  bool copy = false;
+  bool replace = false;
+  std::string refusal;
+};
+
+/// What is on its way out of a tile onto the canvas.
+struct TileDrag {
+  std::optional<Drag> carried;
+  std::string xml;  ///< of a new node
+  DropAnswer answer;
+};
+
+/// A sentence about what was just done or refused.
+struct Notice {
+  std::string text;
+  bool is_refusal = false;
+  double at = -1e9;  ///< seconds of the editor
+};
+
+}  // namespace coppice::editor
+
+#endif  // COPPICE_EDITOR_WORKSPACE_TILE_STATES_H_
