@@ -67,7 +67,7 @@ TEST_F(WatcherFaults, APersonIsAskedWhenTheSupervisorHangs) {
   kill(rig_->supervisor_pid(), SIGSTOP);
   kill(localization, SIGKILL);
   fault.ExpectDetected("supervisor", "/processes", 24);
-  fault.ExpectAsked("supervisor");
+  fault.ExpectAsked("supervisor", 30);
   kill(rig_->supervisor_pid(), SIGCONT);
   fault.ExpectRestarted("localization");
   fault.ExpectNominal();

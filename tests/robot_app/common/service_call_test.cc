@@ -1,6 +1,7 @@
 #include "robot_app/common/service_call.h"
 
 #include <gtest/gtest.h>
+#include <ros/callback_queue.h>
 #include <std_srvs/Trigger.h>
 
 #include "tests/robot_app/ros_environment.h"
