@@ -164,8 +164,8 @@ class InOut : public PortBase {
 /// Where a capability's answer arrives. Not in the XML. An answer to an earlier activation is never
 /// seen.
 ///
-///   Status OnStart() override { navigator_.Navigate(*goal, result_.NewSender()); return
-///   Status::kRunning; } Status OnRunning() override { const auto* result = result_.Take(); ... }
+///   navigator_.Navigate(*goal, result_.NewSender());  // in OnStart, which returns kRunning
+///   const auto* result = result_.Take();              // in OnRunning; null: not there yet
 template <class T>
 class Mailbox : public PortBase {
  public:

@@ -8,14 +8,6 @@ void Encoder::Fixed32(std::uint32_t number) {
   for (int shift = 0; shift < 32; shift += 8) Byte(static_cast<std::uint8_t>(number >> shift));
 }
 
-void Encoder::Unsigned(std::uint64_t number) {
-  while (number >= 0x80) {
-    Byte(static_cast<std::uint8_t>(number | 0x80));
-    number >>= 7;
-  }
-  Byte(static_cast<std::uint8_t>(number));
-}
-
 void Encoder::Signed(std::int64_t number) {
   const auto bits = static_cast<std::uint64_t>(number);
   Unsigned(bits << 1 ^ (number < 0 ? ~std::uint64_t{0} : 0));

@@ -24,7 +24,13 @@ class Encoder {
   /// Four bytes, little endian.
   void Fixed32(std::uint32_t number);
   /// Seven bits per byte, the lowest first; all but the last byte have bit 7 set.
-  void Unsigned(std::uint64_t number);
+  void Unsigned(std::uint64_t number) {
+    while (number >= 0x80) {
+      Byte(static_cast<std::uint8_t>(number | 0x80));
+      number >>= 7;
+    }
+    Byte(static_cast<std::uint8_t>(number));
+  }
   /// 0, -1, 1, -2, ... as Unsigned 0, 1, 2, 3, ...
   void Signed(std::int64_t number);
   /// Eight bytes, IEEE 754, little endian.

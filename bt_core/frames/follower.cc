@@ -19,6 +19,15 @@ void HistoryFollower::Apply(const TickEvents& events) {
       events, [](const StatusChange&) {}, [](const Event&) {});
 }
 
+// What a follower knows of the children that were ticked last is the same after each of these
+// calls, so equal statuses are the whole of its state.
+bool HistoryFollower::ApplyAgain(const TickEvents& events) {
+  const std::vector<Status> statuses = statuses_.statuses();
+  const std::vector<Status> lasts = statuses_.lasts();
+  Apply(events);
+  return statuses == statuses_.statuses() && lasts == statuses_.lasts();
+}
+
 void HistoryFollower::ApplyWrite(const Event& event) {
   const bool is_write = event.code == EventCode::kWrite || event.code == EventCode::kDelivery;
   if (is_write && event.index < values_.size()) values_[event.index].assign(event.bytes);

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "bt_core/engine/events/inline_event_reader.h"
 #include "bt_core/engine/events/status_follower.h"
 #include "bt_core/frames/history.h"
 
@@ -18,6 +19,14 @@ class HistoryFollower {
   /// Becomes what the state says.
   void Set(const HistoryState& state);
   void Apply(const TickEvents& events);
+  /// Applies the same events as the last Apply or ApplyAgain. True if that changed nothing: then
+  /// they never will, as long as no others come, and Pass is enough for the ticks to come.
+  bool ApplyAgain(const TickEvents& events);
+  /// Instead of Apply: only that there was a tick.
+  void Pass(const TickEvents& events) {
+    tick_ = events.tick;
+    time_ = events.start;
+  }
   /// The same; `on_change` is called with every StatusChange, `on_event` with every Event before
   /// it is applied.
   template <class OnChange, class OnEvent>
@@ -48,9 +57,8 @@ class HistoryFollower {
 
 template <class OnChange, class OnEvent>
 void HistoryFollower::Apply(const TickEvents& events, OnChange on_change, OnEvent on_event) {
-  tick_ = events.tick;
-  time_ = events.start;
-  EventReader reader(events.words);
+  Pass(events);
+  InlineEventReader reader(events.words);
   for (Event event; reader.Next(event);) {
     on_event(event);
     if (event.is_status()) {

@@ -82,7 +82,7 @@ void HistoryEncoder::Add(const TickEvents& events) {
   if (owes_state_ || HasGap()) PayDebts();
   const std::size_t before = raw_.size();
   ticks_.Encode(events, raw_);
-  follower_->Apply(events);
+  Follow(events);
   within_tick_ = !events.is_whole;
   since_keyframe_ += raw_.size() - before;
   if (within_tick_) return;
@@ -90,6 +90,17 @@ void HistoryEncoder::Add(const TickEvents& events) {
     Keyframe();
   } else if (raw_.size() >= options_.frame_bytes) {
     Flush();
+  }
+}
+
+void HistoryEncoder::Follow(const TickEvents& events) {
+  if (ticks_.repetitions() == 0) {
+    follower_->Apply(events);
+    is_settled_ = false;
+  } else if (is_settled_) {
+    follower_->Pass(events);
+  } else {
+    is_settled_ = follower_->ApplyAgain(events);
   }
 }
 

@@ -92,6 +92,7 @@ class HistoryEncoder {
  private:
   static HistoryState::Cause CauseOf(const StreamState& state);
   void Follow(const StreamState& state);
+  void Follow(const TickEvents& events);
   void CountLost(const StreamState& state);
   void CountLost(std::uint64_t first, std::uint64_t last, std::uint64_t count);
   bool HasGap() const { return gap_.lost_ticks > 0 || gap_.lost_notes > 0; }
@@ -113,6 +114,7 @@ class HistoryEncoder {
   bool owes_tree_ = false;    // a reader does not know it yet
   bool owes_state_ = false;   // nor how it stands
   bool within_tick_ = false;  // the rest of it follows
+  bool is_settled_ = false;   // events like those of the last tick change nothing
   Bytes raw_;                 // ticks that are in no frame yet
   Bytes frame_;
   std::size_t since_keyframe_ = 0;  // raw bytes

@@ -2,6 +2,7 @@
 
 #include <zstd.h>
 
+#include <algorithm>
 #include <new>
 #include <utility>
 
@@ -12,6 +13,7 @@ constexpr int kLevel = 3;
 constexpr int kWindowBits = 18;  // as much as lies between two states, by default
 constexpr int kMaxWindowBits = 20;
 constexpr std::size_t kStep = 64 << 10;
+constexpr std::size_t kSmallStep = 256;
 
 }  // namespace
 
@@ -27,11 +29,12 @@ void Packer::Restart() { ZSTD_CCtx_reset(context_, ZSTD_reset_session_only); }
 
 void Packer::Pack(const Bytes& raw, Bytes& out) {
   ZSTD_inBuffer input{raw.data(), raw.size(), 0};
+  const std::size_t step = std::clamp(raw.size() / 2, kSmallStep, kStep);  // often enough
   std::size_t left = 1;
   while (left != 0) {
     const std::size_t before = out.size();
-    out.resize(before + kStep);
-    ZSTD_outBuffer output{out.data() + before, kStep, 0};
+    out.resize(before + step);
+    ZSTD_outBuffer output{out.data() + before, step, 0};
     left = ZSTD_compressStream2(context_, &output, &input, ZSTD_e_flush);
     if (ZSTD_isError(left)) throw std::bad_alloc();  // nothing else can go wrong here
     out.resize(before + output.pos);

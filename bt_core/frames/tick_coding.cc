@@ -4,6 +4,7 @@
 #include <chrono>
 
 #include "bt_core/data/value_bytes.h"
+#include "bt_core/engine/events/inline_event_reader.h"
 
 namespace coppice {
 namespace {
@@ -165,8 +166,18 @@ std::string CutValue(std::string_view bytes, std::size_t limit) {
   return static_cast<char>(ValueForm::kText) + CutText(bytes.substr(1), limit - 1);
 }
 
+void TickEncoder::Restart(std::uint64_t tick, Time time) {
+  place_ = {tick, time, Duration(0)};
+  repetitions_ = 0;
+  is_reusable_ = false;
+}
+
 void TickEncoder::Encode(const TickEvents& events, Bytes& out) {
-  EncodeEvents(events.words, out.size());
+  if (Repeats(events.words, out.size())) {
+    ++repetitions_;
+  } else {
+    EncodeEvents(events.words, out.size());
+  }
   const std::uint64_t number_step = events.tick - place_.tick;
   const Duration step = Difference(events.start, place_.time);
   Encoder encoder(out);
@@ -184,11 +195,19 @@ void TickEncoder::Encode(const TickEvents& events, Bytes& out) {
   place_ = {events.tick, events.start, step};
 }
 
+bool TickEncoder::Repeats(EventWords words, std::size_t before) const {
+  if (!is_reusable_ || before + events_.size() > kMuch) return false;
+  return std::equal(words_.begin(), words_.end(), words.data, words.data + words.size);
+}
+
 void TickEncoder::EncodeEvents(EventWords words, std::size_t before) {
+  repetitions_ = 0;
   events_.clear();
   EventsEncoder encoder(events_, before < kMuch ? kMuch - before : 0);
-  EventReader reader(words);
+  InlineEventReader reader(words);
   for (Event event; reader.Next(event);) encoder.Add(event);
+  is_reusable_ = before + events_.size() <= kMuch;
+  words_.assign(words.data, words.data + words.size);
 }
 
 std::optional<TickEvents> TickDecoder::Decode(Decoder& in, const TreeSize& size) {

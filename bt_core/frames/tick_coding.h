@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "bt_core/engine/events.h"
 #include "bt_core/frames/coding.h"
@@ -35,14 +36,22 @@ struct TickPlace {
 class TickEncoder {
  public:
   /// What comes next is told from here.
-  void Restart(std::uint64_t tick, Time time) { place_ = {tick, time, Duration(0)}; }
+  void Restart(std::uint64_t tick, Time time);
   void Encode(const TickEvents& events, Bytes& out);
 
+  /// How many ticks in a row, up to the last one, had exactly the events of the tick before them.
+  /// Most ticks of most trees do, and cost next to nothing then.
+  std::uint64_t repetitions() const { return repetitions_; }
+
  private:
+  bool Repeats(EventWords words, std::size_t before) const;
   void EncodeEvents(EventWords words, std::size_t before);
 
   TickPlace place_;
-  Bytes events_;
+  std::vector<std::uint32_t> words_;  // of the last tick
+  Bytes events_;                      // what they became
+  bool is_reusable_ = false;          // none of its values was cut shorter than usual
+  std::uint64_t repetitions_ = 0;
 };
 
 /// How many nodes and slots there are.

@@ -1,14 +1,14 @@
 // What the control nodes do in one tick.
 //
-// Written against a Tree that knows children, statuses and one 64-bit word of memory for each node;
-// the executor is such a Tree. A node's memory is zero when an activation starts and is cleared
-// when it ends or is halted.
+// Written against a Tree that knows children, statuses and one 64-bit word of memory for each node:
+// the executor, by way of the Tree in tick.cc for what this file has. A node's memory is zero when
+// an activation starts and is cleared when it ends or is halted.
 //
 //   Status   Tick(node)               ticks a child and stores its status
 //   void     Halt(node)               halts a running child and everything below it; makes it idle
 //   void     ResetChildren(node)      makes all children idle, halting the running ones
-//   void     LeaveChildren(node)      makes all children idle that do not run; a skipped one keeps
-//                                     what it has begun (see below)
+//   void     ChildrenAreIdle(node)    at its end: resets what skipped children keep
+//   void     LeaveChildren(node)      makes those idle that do not run; a skipped one keeps (below)
 //   void     LetGo(node)              makes a skipped child forget that
 //   Status   status(node)             of a child: RUNNING is always true, the other values only
 //                                     where the node itself sees to it that children are reset

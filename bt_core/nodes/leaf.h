@@ -1,14 +1,14 @@
 // Base classes of leaves: what a user derives from.
 //
-//   class IsDark : public Condition {          class Blink : public SyncAction {
-//    public:                                    public:
-//     static constexpr const char*               static constexpr const char*
-//         kDescription = "...";                      kDescription = "...";
-//     Input<double> lux{this, "lux", "..."};     Status Run() override { ...; return
-//     Status::kSuccess; } bool Check() override {                  };
-//       return *lux < 10.0;
-//     }
+//   class IsDark : public Condition {
+//    public:
+//     static constexpr const char* kDescription = "Is it dark?";
+//     Input<double> lux{this, "lux", "how bright it is [lx]"};
+//     bool Check() override { return *lux < 10.0; }
 //   };
+//
+// An action that is done at once derives from SyncAction and has Run() instead, which returns its
+// result; one that takes time derives from Action.
 //
 // All functions are called on the ticking thread and must return soon: what takes time is started
 // in OnStart and reported through a Mailbox. A leaf that throws fails; the text of the exception

@@ -1,6 +1,7 @@
 #include "tests/bench/bench_leaves.h"
 
 #include <optional>
+#include <random>
 #include <stdexcept>
 #include <utility>
 
@@ -24,6 +25,16 @@ class ActOk : public SyncAction {
   static constexpr const char* kDescription = "Succeeds.";
   Status Run() override { return Status::kSuccess; }
 };
+
+class ActMostly : public SyncAction {
+ public:
+  static constexpr const char* kDescription = "Fails one time in a hundred.";
+  Status Run() override { return random_() % 100 == 0 ? Status::kFailure : Status::kSuccess; }
+
+ private:
+  static std::minstd_rand random_;
+};
+std::minstd_rand ActMostly::random_{5};
 
 class RunForever : public Action {
  public:
@@ -83,6 +94,7 @@ std::shared_ptr<const Registry> BenchRegistry() {
     registry->Register<CondOk>("CondOk");
     registry->Register<CondFail>("CondFail");
     registry->Register<ActOk>("ActOk");
+    registry->Register<ActMostly>("ActMostly");
     registry->Register<RunForever>("RunForever");
     registry->Register<CondPort>("CondPort");
     registry->Register<Reader>("Reader");

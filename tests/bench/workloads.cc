@@ -16,7 +16,7 @@ std::string Guarded(const std::string& attribute, const std::string& script) {
 
 }  // namespace
 
-// The peer's figures: callgrind on the same machine and trees, g++ 12 -O3.
+// The peer's figures for where it is not installed: callgrind on the same trees, g++ 12.2 -O3.
 const std::vector<Workload>& Workloads() {
   static const std::vector<Workload> all = {
       {"full_4ary_100", "node", 100, 45, 913, FullTree(4, 100)},

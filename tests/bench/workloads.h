@@ -13,7 +13,7 @@ struct Workload {
   std::string unit;  ///< "node", "access", "tick"
   double per_tick;   ///< so many of the unit in one tick
   double limit;      ///< instructions per unit; 0: no limit
-  double peer;       ///< of BehaviorTree.CPP 4.10 for the same; 0: not known
+  double peer;       ///< of BehaviorTree.CPP 4.10.0 where it is not installed; 0: not known
   std::string text;
   int sinks = 0;         ///< watchers that look at nothing
   bool streams = false;  ///< with an EventStream and a listener that looks at nothing

@@ -5,6 +5,8 @@
 #include <exception>
 #include <utility>
 
+#include "bt_core/engine/events/inline_event_reader.h"
+
 namespace coppice {
 namespace {
 
@@ -98,7 +100,7 @@ void LiveTree::OnTick(const TickEvents& events) {
 }
 
 void LiveTree::Count(const TickEvents& events) {
-  EventReader reader(events.words);
+  InlineEventReader reader(events.words);
   for (Event event; reader.Next(event);) {
     if (event.is_result() && event.index < counts_.size()) {
       ++counts_[event.index][static_cast<std::size_t>(event.code) - 1];

@@ -64,6 +64,36 @@ TEST(HistoryFollower, RemembersTheLastStatusOfIdleNodes) {
               ElementsAre(Status::kSuccess, Status::kRunning));
 }
 
+void AddAnyStatuses(std::mt19937& random, EventWriter& words) {
+  for (int i = 0; i < 12; ++i) {
+    words.Status(static_cast<NodeIndex>(random() % 6), static_cast<Status>(random() % 5));
+  }
+}
+
+// 0 sequence (1 a, 2 parallel (3 b, 4 c), 5 d), and events that no executor would make, too.
+TEST(HistoryFollower, EventsThatHaveChangedNothingWhenTheyCameAgainNeverWill) {
+  const TreeShape shape{{0, 6, true},  {0, 2, false}, {0, 5, false},
+                        {2, 4, false}, {2, 5, false}, {0, 6, false}};
+  std::mt19937 random(1);
+  int settled = 0;
+  for (int round = 0; round < 5000; ++round) {
+    HistoryFollower follower(shape, {{}, 0, Time(0), std::vector<Status>(6), {}, {}});
+    EventWriter before;
+    AddAnyStatuses(random, before);
+    follower.Apply({1, Time(1), Duration(0), Status::kSuccess, true, before.words()});
+    EventWriter words;
+    AddAnyStatuses(random, words);
+    const TickEvents events{2, Time(2), Duration(0), Status::kSuccess, true, words.words()};
+    follower.Apply(events);
+    if (!follower.ApplyAgain(events)) continue;
+    ++settled;
+    const std::vector<Status> statuses = follower.statuses();
+    follower.Apply(events);
+    ASSERT_EQ(follower.statuses(), statuses) << round;
+  }
+  EXPECT_GT(settled, 4000);
+}
+
 TEST(HistoryFollower, TellsChangesAndEvents) {
   HistoryFollower follower({{0, 1, false}}, {{}, 0, Time(0), {Status::kIdle}, {}, {}});
   EventWriter words;

@@ -56,6 +56,23 @@ TEST_F(HistoryEncoderTest, BringsBackWhateverATreeDoes) {
   ExpectSame();
 }
 
+TEST_F(HistoryEncoderTest, BringsBackTicksThatRepeatThemselvesAndTheStateBehindThem) {
+  Listen();
+  for (int i = 0; i < 300; ++i) {
+    if (i % 3 == 0) Tick();
+    const auto status = static_cast<Status>(1 + random_() % 4);
+    script_.status = [status] { return status; };
+    for (auto times = random_() % 5; times > 0; --times) {
+      clock_.Advance(std::chrono::milliseconds(10));
+      executor_.Tick();
+    }
+    stream_.Flush();
+    ASSERT_EQ(encoder_.follower()->statuses(), executor_.statuses()) << i;
+    ASSERT_EQ(encoder_.follower()->tick(), executor_.ticks());
+  }
+  ExpectSame();
+}
+
 TEST_F(HistoryEncoderTest, BeginsWithTreeAndState) {
   Tick();
   Tick();

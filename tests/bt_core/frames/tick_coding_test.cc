@@ -71,6 +71,31 @@ TEST(TickCoding, BringsBackAnySequenceOfNumbersAndTimes) {
   }
 }
 
+TEST(TickCoding, CountsTheTicksThatHadTheEventsOfTheOneBeforeThem) {
+  EventWriter same;
+  same.Status(7, Status::kSuccess);
+  same.Add(EventCode::kDelivery, 50, 0, "\1text");
+  EventWriter other;
+  other.Status(7, Status::kFailure);
+  TickEncoder encoder;
+  TickDecoder decoder;
+  std::vector<std::uint64_t> repetitions;
+  std::uint64_t number = 0;
+  for (const EventWriter* words : {&same, &same, &same, &other, &same, &same}) {
+    const TickEvents tick{++number, 0s, 0us, Status::kSuccess, true, words->words()};
+    Bytes bytes;
+    encoder.Encode(tick, bytes);
+    repetitions.push_back(encoder.repetitions());
+    Decoder in(bytes.data(), bytes.data() + bytes.size());
+    EXPECT_EQ(Describe(*decoder.Decode(in, kSize)), Describe(tick));
+  }
+  EXPECT_EQ(repetitions, (std::vector<std::uint64_t>{0, 1, 2, 0, 0, 1}));
+  encoder.Restart(number, 0s);
+  Bytes bytes;
+  encoder.Encode({++number, 0s, 0us, Status::kSuccess, true, same.words()}, bytes);
+  EXPECT_EQ(encoder.repetitions(), 0U) << "what follows the tree has been set anew";
+}
+
 TEST(TickCoding, AStatusOfANodeNearbyIsOneByte) {
   EventWriter words;
   for (NodeIndex node = 0; node < 1000; ++node) words.Status(node, Status::kSuccess);

@@ -2,7 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+#include <vector>
+
 #include "bt_core/data/value_bytes.h"
+#include "bt_core/engine/events/inline_event_reader.h"
 
 namespace coppice {
 namespace {
@@ -48,6 +52,34 @@ TEST(EventWords, TextsOfAnyLengthFit) {
     EXPECT_EQ(event.bytes, std::string(size, 'x'));
     ASSERT_TRUE(reader.Next(event));
     EXPECT_EQ(event.status(), Status::kSuccess);
+  }
+}
+
+std::string Describe(const Event& event) {
+  if (event.is_status()) return std::to_string(event.index) + ToString(event.status());
+  return std::to_string(event.index) + " " + std::to_string(event.writer) + " " +
+         std::string(event.bytes);
+}
+
+template <class Reader>
+std::vector<std::string> ReadAll(EventWords words) {
+  std::vector<std::string> events;
+  Reader reader(words);
+  for (Event event; reader.Next(event);) events.push_back(Describe(event));
+  return events;
+}
+
+TEST(InlineEventReader, ReadsWhatTheOtherReads) {
+  EventWriter writer;
+  writer.Status(2, Status::kFailure);
+  for (std::size_t size = 0; size < 9; ++size) {
+    writer.Text(1, EventText::kMessage, std::string(size, 'x'));
+    writer.Add(EventCode::kWrite, 4, 2, std::string(size, 'y'));
+    writer.Reset(static_cast<NodeIndex>(size));
+  }
+  for (std::size_t size = 0; size <= writer.words().size; ++size) {
+    const EventWords words{writer.words().data, size};
+    EXPECT_EQ(ReadAll<InlineEventReader>(words), ReadAll<EventReader>(words)) << size;
   }
 }
 
