@@ -54,6 +54,7 @@ void RegisterNodes(Registry& registry, const Capabilities& capabilities) {
   registry.Register<DockingFault>("DockingFault");
   registry.Register<ChargingFault>("ChargingFault");
   registry.Register<EmergencyStopFault>("EmergencyStopFault");
+  registry.Register<SupervisorFault>("SupervisorFault");
   registry.Register<NodeIsWell>("NodeIsWell");
   registry.Register<RestartNode>("RestartNode", std::ref(capabilities.processes));
   registry.Register<SwitchConfiguration>("SwitchConfiguration", std::ref(capabilities.processes));

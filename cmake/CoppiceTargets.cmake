@@ -28,16 +28,14 @@ function(coppice_program name)
   endif()
 endfunction()
 
-# coppice_test(NAME SOURCES... [LINK libraries...] [TIMEOUT seconds] [SERIAL] [EACH]
-#              [OPTIMIZED])
+# coppice_test(NAME SOURCES... [LINK libraries...] [TIMEOUT seconds] [SERIAL] [OPTIMIZED])
 #   A GoogleTest program in build/tests/bin whose suites become tests of ctest, "NAME.SUITE": to
 #   start a process (a ROS master, the fonts) for each case takes longer than most cases.
 #   Which case failed is said in the output; `build/tests/bin/NAME --gtest_filter=SUITE.CASE` runs it.
-#   SERIAL: no other test runs at the same time. EACH: every case is a test and a process of its own.
-#   OPTIMIZED: it calculates for long itself.
+#   SERIAL: no other test runs at the same time. OPTIMIZED: it calculates for long itself.
 #   tests/support/folders.h tells where data and programs are.
 function(coppice_test name)
-  cmake_parse_arguments(ARG "SERIAL;EACH;OPTIMIZED" "TIMEOUT" "LINK" ${ARGN})
+  cmake_parse_arguments(ARG "SERIAL;OPTIMIZED" "TIMEOUT" "LINK" ${ARGN})
   if(NOT ARG_TIMEOUT)
     set(ARG_TIMEOUT 300)  # for what hangs; a case that waits gives up by itself after 60 s
   endif()
@@ -54,16 +52,16 @@ function(coppice_test name)
   endif()
   set_target_properties(${name} PROPERTIES
     RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests/bin)
-  coppice_list_suites(${name} "${ARG_EACH}" TIMEOUT,${ARG_TIMEOUT},RUN_SERIAL,${ARG_SERIAL})
+  coppice_list_suites(${name} TIMEOUT,${ARG_TIMEOUT},RUN_SERIAL,${ARG_SERIAL})
 endfunction()
 
-# coppice_list_suites(PROGRAM EACH PROPERTIES)   what ctest runs is listed when the program is built
-function(coppice_list_suites name each properties)
+# coppice_list_suites(PROGRAM PROPERTIES)   what ctest runs is listed when the program is built
+function(coppice_list_suites name properties)
   set(suites ${CMAKE_CURRENT_BINARY_DIR}/${name}_suites.cmake)
   set(include ${CMAKE_CURRENT_BINARY_DIR}/${name}_include.cmake)
   add_custom_command(TARGET ${name} POST_BUILD BYPRODUCTS ${suites}
     COMMAND ${CMAKE_COMMAND} -D PROGRAM=$<TARGET_FILE:${name}> -D NAME=${name}
-            -D EACH=${each} -D PROPERTIES=${properties} -D FILE=${suites}
+            -D PROPERTIES=${properties} -D FILE=${suites}
             -P ${PROJECT_SOURCE_DIR}/cmake/ListSuites.cmake
     VERBATIM)
   file(WRITE ${include} "if(EXISTS \"${suites}\")\n  include(\"${suites}\")\nelse()\n"

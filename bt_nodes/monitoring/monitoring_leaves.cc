@@ -22,16 +22,11 @@ Status ReadHealth::Run() {
 
 bool FaultCondition::Check() {
   const HealthEntry* error = health->FirstError(monitor_);
-  if (!error) return false;
+  if (!error || (error->level == HealthLevel::kStale && !also_stale_)) return false;
   subject.Set(error->subject);
   node.Set(error->node);
   Say(error->subject + ": " + error->message);
   return true;
-}
-
-bool EmergencyStopFault::Check() {
-  const HealthEntry* error = health->FirstError("emergency_stop");
-  return error && error->level == HealthLevel::kError && FaultCondition::Check();
 }
 
 bool NodeIsWell::Check() {

@@ -35,10 +35,13 @@ class FaultCondition : public Condition {
   bool Check() override;
 
  protected:
-  explicit FaultCondition(const char* monitor) : monitor_(monitor) {}
+  /// `also_stale`: a monitor of that kind that has fallen silent counts as a fault.
+  explicit FaultCondition(const char* monitor, bool also_stale = true)
+      : monitor_(monitor), also_stale_(also_stale) {}
 
  private:
   const char* monitor_;
+  bool also_stale_;
 };
 
 class NodeFault : public FaultCondition {
@@ -88,9 +91,14 @@ class ChargingFault : public FaultCondition {
 class EmergencyStopFault : public FaultCondition {
  public:
   static constexpr const char* kDescription = "Is the emergency stop pressed?";
-  EmergencyStopFault() : FaultCondition("emergency_stop") {}
-  /// A monitor that has fallen silent (STALE) does not say that it is pressed.
-  bool Check() override;
+  EmergencyStopFault() : FaultCondition("emergency_stop", false) {}
+};
+
+class SupervisorFault : public FaultCondition {
+ public:
+  static constexpr const char* kDescription =
+      "Is the process supervisor silent, so that nothing that ends is started again?";
+  SupervisorFault() : FaultCondition("supervisor", false) {}
 };
 
 /// For recoveries that need a program: without it they would be used up in vain.

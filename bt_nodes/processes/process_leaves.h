@@ -14,9 +14,12 @@ class RestartNode : public CapabilityAction {
   static constexpr const char* kDescription = "Restarts the program behind a ROS node.";
   explicit RestartNode(ProcessManager& processes) : processes_(processes) {}
   Input<std::string> node{this, "node", "ROS node, with slash"};
+  Input<bool> cleared{this, "cleared",
+                      "forget first what it remembers of earlier lives, such as the last pose",
+                      false};
 
  protected:
-  void Begin(Sender<ActionResult> done) override { processes_.RestartNode(*node, done); }
+  void Begin(Sender<ActionResult> done) override { processes_.RestartNode(*node, *cleared, done); }
   void Cancel() override {}  // a restart that has begun is carried through
 
  private:

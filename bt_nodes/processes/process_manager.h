@@ -17,8 +17,9 @@ class ProcessManager {
  public:
   virtual ~ProcessManager() = default;
   /// Ends the program behind a ROS node and starts it again. Done when the restart has begun;
-  /// refused when the program was restarted too often.
-  virtual void RestartNode(const std::string& node, Sender<ActionResult> done) = 0;
+  /// refused when the program was restarted too often. `cleared`: what it remembers of earlier
+  /// lives, for example the last pose, is forgotten first.
+  virtual void RestartNode(const std::string& node, bool cleared, Sender<ActionResult> done) = 0;
   /// Asks for a configuration: the set of programs that should run.
   virtual void SetConfiguration(const std::string& configuration) = 0;
   /// The last step: stops everything and switches off, as far as the robot is set up for that.

@@ -46,7 +46,7 @@ void RestartFaultyNodes::RestartNext() {
   asked_ = repairs_->Next(now());
   if (!asked_) return;
   Record(*asked_, RecoveryPhase::kBegun);
-  processes_.RestartNode(asked_->node, answer_.NewSender());
+  processes_.RestartNode(asked_->node, false, answer_.NewSender());
 }
 
 void RestartFaultyNodes::Record(const RepairOutcome& repair, RecoveryPhase phase,

@@ -14,10 +14,10 @@
 #include <stdexcept>
 #include <utility>
 
-#include "robot_app/app/child_process.h"
 #include "robot_app/app/demo_console.h"
 #include "robot_app/app/robot_watch.h"
 #include "robot_app/app/run_summary.h"
+#include "robot_app/common/child_process.h"
 
 namespace coppice::robot {
 namespace {

@@ -1,5 +1,6 @@
 // coppice-robot: runs the application tree and the monitor tree on a robot.
 #include <ros/ros.h>
+#include <std_msgs/Empty.h>
 #include <std_msgs/String.h>
 
 #include <csignal>
@@ -27,6 +28,8 @@
 
 namespace coppice::robot {
 namespace {
+
+constexpr double kHeartbeatPeriod = 1;  // s
 
 constexpr char kStation[] = "staging";  // the waypoint in front of the charging station
 
@@ -104,12 +107,16 @@ class Robot {
           monitor_->Note("note", note->data);
         }));
     status_ = node_.advertise<std_msgs::String>("/coppice/application", 1, true);
+    heartbeat_ = node_.advertise<std_msgs::Empty>("/coppice/heartbeat", 1);
   }
 
   void Start() {
     Announce(Status::kRunning);
     application_->Start([this](Status result) { Announce(result); });
     monitor_->Start([](Status) {});
+    // In wall time: what the trees wait for may be the clock of the simulation.
+    heart_ = node_.createWallTimer(ros::WallDuration(kHeartbeatPeriod),
+                                   [this](const ros::WallTimerEvent&) { Beat(); });
   }
 
   // The application first, so that the monitor does not take its end for a fault.
@@ -151,6 +158,12 @@ class Robot {
     if (!problem.empty()) throw std::runtime_error(problem);
   }
 
+  // The process supervisor restarts a program whose heart stands still.
+  void Beat() {
+    const bool application = application_->IsAlive(), monitor = monitor_->IsAlive();
+    if (application && monitor) heartbeat_.publish(std_msgs::Empty());
+  }
+
   void Announce(Status status) {
     std_msgs::String message;
     message.data = ToString(status);
@@ -168,12 +181,23 @@ class Robot {
   RosSupervisors supervisors_;
   RosRecoveryLog recoveries_;
   TreeLink link_;
-  ros::Publisher status_;
+  ros::Publisher status_, heartbeat_;
   std::unique_ptr<TreeRunner> application_;
   std::unique_ptr<TreeRunner> monitor_;
   std::vector<ros::Subscriber> subscribers_;
   std::optional<PoseFeed> pose_feed_;
+  ros::WallTimer heart_;
 };
+
+// Until SIGTERM or SIGINT, which are blocked in all threads; false if ROS ended first, for example
+// because another node has taken our name.
+bool WaitForSignal(const sigset_t& signals) {
+  const timespec moment{0, 200'000'000};
+  while (sigtimedwait(&signals, nullptr, &moment) < 0) {
+    if (!ros::ok()) return false;
+  }
+  return true;
+}
 
 int Main(int argc, char** argv) {
   ros::init(argc, argv, "coppice_robot", ros::init_options::NoSigintHandler);
@@ -190,14 +214,14 @@ int Main(int argc, char** argv) {
   sigaddset(&signals, SIGTERM);
   pthread_sigmask(SIG_BLOCK, &signals, nullptr);
 
+  bool asked_to_end = false;
   ros::NodeHandle node;
   ros::AsyncSpinner spinner(2);
   try {
     Robot robot(node, options);
     spinner.start();
     robot.Start();
-    int signal = 0;
-    sigwait(&signals, &signal);
+    asked_to_end = WaitForSignal(signals);
     robot.Stop();
     spinner.stop();
   } catch (const std::exception& error) {
@@ -205,7 +229,9 @@ int Main(int argc, char** argv) {
     return 2;
   }
   ros::shutdown();
-  return 0;
+  if (asked_to_end) return 0;
+  std::cerr << "coppice-robot: its ROS node was shut down from outside\n";
+  return 1;
 }
 
 }  // namespace

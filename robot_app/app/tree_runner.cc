@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "bt_core/data/literal.h"
+#include "bt_core/live/debug/debugger.h"
 
 namespace coppice::robot {
 namespace {
@@ -48,6 +49,10 @@ void TreeRunner::Start(std::function<void(Status)> on_end) {
 void TreeRunner::RunTree(const std::function<void(Status)>& on_end) {
   while (BeginRun()) {
     const Status result = runner_->Run();
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      is_resting_ = true;
+    }
     if (runner_->stop_requested()) continue;
     on_end(result);
     return;
@@ -60,6 +65,7 @@ bool TreeRunner::BeginRun() {
   changed_.wait(lock, [this] { return is_stopping_ || !is_suspended_; });
   if (is_stopping_) return false;
   runner_ = std::make_unique<Runner>(executor_, options_.run);
+  is_resting_ = false;
   return true;
 }
 
@@ -85,6 +91,18 @@ void TreeRunner::Resume() {
     is_suspended_ = false;
   }
   changed_.notify_one();
+}
+
+bool TreeRunner::IsAlive() {
+  const bool answered = answered_->exchange(false);
+  if (answered) executor_.inbox()->PostCall([answer = answered_] { answer->store(true); });
+  return answered || IsResting();
+}
+
+bool TreeRunner::IsResting() {
+  if (live_ && live_->debugger().where().where != DebugStop::Where::kNowhere) return true;
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return is_resting_;
 }
 
 void TreeRunner::Note(const std::string& kind, const std::string& text) {

@@ -2,6 +2,7 @@
 #ifndef COPPICE_ROBOT_APP_APP_TREE_RUNNER_H_
 #define COPPICE_ROBOT_APP_APP_TREE_RUNNER_H_
 
+#include <atomic>
 #include <condition_variable>
 #include <cstdint>
 #include <functional>
@@ -47,11 +48,17 @@ class TreeRunner {
   void Suspend();
   void Resume();
 
+  /// Did its thread get round to its work since the last call? For a heartbeat, to be called every
+  /// second or so. A tree that rests, because it has ended, is suspended or stands at a breakpoint,
+  /// counts as alive. One thread.
+  bool IsAlive();
+
   /// Puts a line into the record, for example an injected fault. Any thread.
   void Note(const std::string& kind, const std::string& text);
 
  private:
   bool BeginRun();
+  bool IsResting();
   void RunTree(const std::function<void(Status)>& on_end);
 
   TreeRunnerOptions options_;
@@ -63,8 +70,11 @@ class TreeRunner {
   std::condition_variable changed_;
   bool is_stopping_ = false;
   bool is_suspended_ = false;
+  bool is_resting_ = true;
   std::unique_ptr<Runner> runner_;  // one for each run
   std::thread thread_;
+  // Set by the thread of the tree; it may outlive this in the inbox.
+  const std::shared_ptr<std::atomic<bool>> answered_ = std::make_shared<std::atomic<bool>>(true);
 };
 
 /// Gives a key of the main tree a value from its text form, as if another node had written it.

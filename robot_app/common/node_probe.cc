@@ -325,11 +325,17 @@ void NodeProbe::SilenceLibrary() {
 }
 
 bool MasterAnswers(const NodeAddress& master, Duration deadline) {
-  XmlRpc::XmlRpcValue arguments, answer;
+  XmlRpc::XmlRpcValue arguments;
   arguments[0] = "/coppice";
+  return CallMaster(master, "getPid", arguments, deadline);
+}
+
+bool CallMaster(const NodeAddress& master, const char* method, const XmlRpc::XmlRpcValue& arguments,
+                Duration deadline) {
+  XmlRpc::XmlRpcValue answer;
   Client client(master);
   XmlRpc::XmlRpcDispatch dispatch;
-  if (!client.executeNonBlock("getPid", arguments)) return false;
+  if (!client.executeNonBlock(method, arguments)) return false;
   using Dispatch = XmlRpc::XmlRpcDispatch;
   dispatch.addSource(&client, Dispatch::WritableEvent | Dispatch::Exception);
   const Time until = SteadyNow() + deadline;

@@ -15,6 +15,10 @@
 
 #include "bt_core/base/clock.h"
 
+namespace XmlRpc {
+class XmlRpcValue;
+}
+
 namespace coppice::robot {
 
 struct NodeAddress {
@@ -81,8 +85,12 @@ class NodeProbe {
   unsigned sweeps_ = 0;
 };
 
-/// True if a ROS master answers there. Blocks until the answer or the deadline.
+/// True if a ROS master answers there. Blocks until the answer or the deadline; so does the next.
 bool MasterAnswers(const NodeAddress& master, Duration deadline);
+
+/// A call of the master's or the parameter server's API. True if it was granted in time.
+bool CallMaster(const NodeAddress& master, const char* method, const XmlRpc::XmlRpcValue& arguments,
+                Duration deadline);
 
 }  // namespace coppice::robot
 

@@ -104,6 +104,7 @@ std::vector<Finding> TopicMonitor::Report(const ProcessTable& processes, const T
     entry.pid = pid;
     Finding finding = Assess(entry, now);
     finding.stamp = now.ros;
+    finding.monitor = watch.kind;
     entry.patience.Apply(finding, now.wall, patience_);
     ApplyGrace(processes, watch.node, finding);
     findings.push_back(std::move(finding));

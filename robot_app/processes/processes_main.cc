@@ -12,6 +12,7 @@
 #include <optional>
 
 #include "bt_core/base/command_line.h"
+#include "robot_app/common/service_call.h"
 #include "robot_app/processes/processes_view.h"
 
 namespace coppice::robot {
@@ -57,7 +58,8 @@ int Report(bool ok, const std::string& message) {
 template <class Service>
 bool Call(const std::string& name, Service& service, double timeout) {
   return ros::service::waitForService(name, ros::Duration(timeout)) &&
-         ros::service::call(name, service);
+         CallService(name, service,
+                     std::chrono::duration_cast<Duration>(std::chrono::duration<double>(timeout)));
 }
 
 int Request(const std::vector<std::string>& words, double timeout) {

@@ -14,6 +14,10 @@ constexpr int kNoConnection = 255;
 
 constexpr Duration kHostRetry = std::chrono::seconds(5);
 
+// Steps are some tens of milliseconds apart. After a longer pause it was the supervisor that stood
+// still, and what the others have said meanwhile has yet to be read.
+constexpr Duration kOwnPause = std::chrono::seconds(1);
+
 std::string DescribeEnd(int wait_status) {
   if (WIFSIGNALED(wait_status)) {
     return "ended by signal " + std::to_string(WTERMSIG(wait_status));
@@ -47,7 +51,8 @@ Supervisor::Supervisor(RobotConfig config, ProcessLauncher& launcher,
   for (std::size_t i = 0; i < config_.processes.size(); ++i) {
     const auto found = memory.restarts.find(config_.processes[i].name);
     if (found != memory.restarts.end()) lifecycle_.SetRestarts(i, found->second);
-    plans_[i].as_restart = plans_[i].cleared = memory.new_stack;
+    plans_[i].as_restart = memory.new_stack;
+    plans_[i].cleared = memory.clear_stack;
   }
   escalation_.stack().Restore(memory.stack_restarts, memory.stack_counting);
 }
@@ -58,6 +63,7 @@ SupervisorMemory Supervisor::Remember() const {
   memory.manual = switch_.manual();
   memory.safe_stop = switch_.safe_stop();
   memory.new_stack = new_stack_;
+  memory.clear_stack = clear_stack_;
   for (std::size_t i = 0; i < config_.groups.size(); ++i) {
     memory.groups[config_.groups[i].name] = escalation_.Remember(i);
   }
@@ -177,14 +183,14 @@ void Supervisor::OnReady(std::size_t process, int pid, Time now) {
   lifecycle_.SetPhase(process, ProcessPhase::kReady, "", now);
 }
 
-void Supervisor::OnMasterEnded(Time now) {
+void Supervisor::OnMasterEnded(Time now, const std::string& what) {
   if (stopping_ || new_stack_) return;
   const std::string why_not = escalation_.stack().WhyNot(now);
   if (why_not.empty()) {
     escalation_.stack().Add(now);
-    RestartStack("the ROS master ended");
+    RestartStack(what, false);  // it is nothing that a program remembers
   } else {
-    calls_.push_back("The ROS master ended again; everything is stopped.");
+    calls_.push_back("Again " + what + "; everything is stopped.");
     StopAll();
   }
 }
@@ -192,6 +198,7 @@ void Supervisor::OnMasterEnded(Time now) {
 // ---- what is due
 
 void Supervisor::Step(Time now) {
+  NoticeOwnPause(now);
   StepHealth(now);
   lifecycle_.KillOverdue(now);
   for (std::size_t i = 0; i < plans_.size(); ++i) {
@@ -201,6 +208,11 @@ void Supervisor::Step(Time now) {
       StepDown(i, now);
     }
   }
+}
+
+void Supervisor::NoticeOwnPause(Time now) {
+  if (now - last_step_ > kOwnPause) lifecycle_.ListenFrom(now);
+  last_step_ = now;
 }
 
 void Supervisor::StepHealth(Time now) {
@@ -232,6 +244,10 @@ void Supervisor::StepUp(std::size_t process, Time now) {
   Plan& plan = plans_[process];
   if (MustEnd(process)) {
     if (!DependentsEnd(process, now)) EndNow(process, now);
+  } else if (lifecycle_.IsSilent(process, now)) {
+    Fail(process, Cause::kEnd,
+         "gave no sign of life for " + SecondsText(config_.processes[process].heartbeat->timeout),
+         now);
   } else if (!lifecycle_.AwaitsReadiness(process)) {
     return;
   } else if (!lifecycle_.IsConnected(process)) {
@@ -325,7 +341,7 @@ Decision Supervisor::Fail(std::size_t process, Cause cause, const std::string& r
       BeginWave(order_.Members(order_.closure(decision.root)), {why, now, true}, now);
       break;
     case EscalationStep::kStack:
-      RestartStack(why);
+      RestartStack(why, true);
       break;
     case EscalationStep::kPerson:
       GiveUp(decision.root, why);
@@ -365,8 +381,9 @@ void Supervisor::BeginWave(const Indices& processes, const Restarting& how, Time
   }
 }
 
-void Supervisor::RestartStack(const std::string& reason) {
+void Supervisor::RestartStack(const std::string& reason, bool cleared) {
   new_stack_ = true;
+  clear_stack_ = cleared;
   stack_reason_ = reason;
   ++revision_;
 }

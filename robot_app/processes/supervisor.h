@@ -2,10 +2,10 @@
 // ends the robot's programs; two restart mechanisms that do not know each other fight. Time and the
 // means to start a process are handed in.
 //
-// One rule says who restarts: a process that *ends* is restarted here and at once; one that lives
-// but is ill (hung, silent) is restarted on the request of who found that out, the monitor tree or
-// a person. Both count against the same budget, and what exceeds it climbs the ladder of
-// Escalation.
+// One rule says who restarts: a process that *ends*, or whose heartbeat falls silent, is restarted
+// here and at once; one that lives but is ill (hung, silent) is restarted on the request of who
+// found that out, the monitor tree or a person. All count against the same budget, and what exceeds
+// it climbs the ladder of Escalation.
 //
 // What should run is desired state, worked out anew in every step: the processes of the
 // configuration, without groups that were given up and what depends on those. What should not run
@@ -51,8 +51,9 @@ class Supervisor {
   /// ROS node or a group; "all" is the whole stack with the ROS master. Counts like a crash, so it
   /// may lead to a restart of all that depends on it. Ok when this has begun, also if it was under
   /// way already. Refused when the name is unknown, not part of the configuration or given up, and
-  /// when all these restarts have not helped.
-  Verdict Restart(const std::string& name, Time now);
+  /// when all these restarts have not helped. `cleared`: what was asked for starts from a cleared
+  /// state; of the whole stack, everything.
+  Verdict Restart(const std::string& name, Time now, bool cleared = false);
 
   /// A person has repaired something: forgets the restarts of its group, and starts it if it was
   /// given up. `name` is a process, a ROS node, a group or "all".
@@ -65,8 +66,12 @@ class Supervisor {
   /// A started process has become ready. Ignored if it is not STARTING with this pid.
   void OnReady(std::size_t process, int pid, Time now);
 
-  /// The ROS master has ended: everything has to begin anew.
-  void OnMasterEnded(Time now);
+  /// A process has shown that it works. Only those with a heartbeat in their configuration must.
+  void OnHeartbeat(std::size_t process, Time now) { lifecycle_.OnHeartbeat(process, now); }
+
+  /// The ROS master has ended, or our place in its graph is lost: everything has to begin anew.
+  /// `what`: for people.
+  void OnMasterEnded(Time now, const std::string& what = "the ROS master ended");
 
   /// Does what is due: starts, ends, kills. To be called every few tens of milliseconds.
   void Step(Time now);
@@ -125,7 +130,7 @@ class Supervisor {
   std::optional<std::size_t> FindGroup(const std::string& name) const;
   Verdict Unknown(const std::string& name) const;
   Verdict RestartWanted(std::size_t process, const Indices& members, const std::string& name,
-                        Time now);
+                        Time now, bool cleared);
 
   bool IsWanted(std::size_t process) const;
   /// A group that it cannot do without was given up, maybe its own.
@@ -137,6 +142,7 @@ class Supervisor {
   std::optional<std::size_t> MissingDependency(std::size_t process) const;
   bool IsEndingFirst(std::size_t process, Time now) const;
 
+  void NoticeOwnPause(Time now);
   void StepHealth(Time now);
   void StepUp(std::size_t process, Time now);
   void StepDown(std::size_t process, Time now);
@@ -146,7 +152,7 @@ class Supervisor {
   Decision Fail(std::size_t process, Cause cause, const std::string& reason, Time now);
   void LoseHost(std::size_t process, Time now);
   void BeginWave(const Indices& processes, const Restarting& how, Time now);
-  void RestartStack(const std::string& reason);
+  void RestartStack(const std::string& reason, bool cleared);
   void GiveUp(std::size_t group, const std::string& reason);
 
   const RobotConfig config_;
@@ -157,8 +163,10 @@ class Supervisor {
   std::vector<Plan> plans_;
   std::vector<std::string> calls_;
   std::uint32_t last_wave_ = 0;
+  Time last_step_{0};
   bool stopping_ = false;
   bool new_stack_ = false;
+  bool clear_stack_ = false;
   std::string stack_reason_;
   std::uint64_t revision_ = 0;
 };

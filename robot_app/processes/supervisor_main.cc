@@ -50,27 +50,15 @@ void EndMaster(const RosMaster& master, PosixLauncher& launcher) {
   }
 }
 
-void SetParameters(const RobotConfig& config) {
-  for (const auto& [name, value] : config.parameters) {
-    if (value == "true" || value == "false") {
-      ros::param::set("/" + name, value == "true");
-    } else if (char* end = nullptr; std::strtod(value.c_str(), &end), end && *end == '\0') {
-      ros::param::set("/" + name, std::strtod(value.c_str(), nullptr));
-    } else {
-      ros::param::set("/" + name, value);
-    }
-  }
-}
-
 Outcome RunNode(RobotConfig config, const SupervisorSettings& settings, const RosMaster& master,
                 PosixLauncher& launcher) {
   int no_arguments = 0;
   ros::init(no_arguments, nullptr, "supervisor", ros::init_options::NoSigintHandler);
-  SetParameters(config);
+  SetParameters(master.address, config.parameters);  // this node lives in the same time
   const char* token = std::getenv("COPPICE_SWITCH_OFF_TOKEN");
   SupervisorProgram program(std::move(config), launcher, master, settings.address, settings.state,
                             token ? token : "");
-  const Outcome outcome = program.Run([] { return g_stop != 0 || !ros::ok(); });
+  const Outcome outcome = program.Run([] { return g_stop != 0; });
   ros::shutdown();
   return outcome;
 }

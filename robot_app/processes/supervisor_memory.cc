@@ -63,6 +63,7 @@ SupervisorMemory FromJson(const json& value, Time now) {
   memory.manual = value.at("manual").get<bool>();
   memory.safe_stop = value.at("safe_stop").get<bool>();
   memory.new_stack = value.at("new_stack").get<bool>();
+  memory.clear_stack = value.value("clear_stack", false);
   for (const auto& [name, group] : value.at("groups").items()) {
     memory.groups[name] = ToGroup(group, now);
   }
@@ -93,6 +94,7 @@ std::string ToText(const SupervisorMemory& memory) {
                 {"manual", memory.manual},
                 {"safe_stop", memory.safe_stop},
                 {"new_stack", memory.new_stack},
+                {"clear_stack", memory.clear_stack},
                 {"groups", json::object()},
                 {"restarts", memory.restarts},
                 {"stack_restarts", FromTimes(memory.stack_restarts)},

@@ -21,7 +21,8 @@ struct SupervisorMemory {
   std::string configuration;  ///< empty: as the file says
   bool manual = false;
   bool safe_stop = false;
-  bool new_stack = false;  ///< the whole stack was on its way to be restarted
+  bool new_stack = false;    ///< the whole stack was on its way to be restarted ...
+  bool clear_stack = false;  ///< ... from a cleared state
   std::map<std::string, GroupMemory> groups;
   std::map<std::string, std::uint32_t> restarts;  ///< ever, by process
   std::vector<Time> stack_restarts;

@@ -8,10 +8,13 @@
 #include <sensor_msgs/BatteryState.h>
 #include <std_msgs/Bool.h>
 #include <std_srvs/Trigger.h>
+#include <systemd/sd-daemon.h>
 #include <unistd.h>
 
 #include <iostream>
 #include <utility>
+
+#include "robot_app/common/any_message.h"
 
 namespace coppice::robot {
 namespace {
@@ -55,15 +58,17 @@ SupervisorProgram::SupervisorProgram(RobotConfig config, PosixLauncher& launcher
            RosMaster{{address.empty() ? master.address.host : address, master.address.port}, 0, ""}
                .Uri(),
            config.stop_timeout}),
+      parameters_(launcher_, master.address, config.parameters),
       master_(master),
       state_file_(std::move(state_file)),
-      supervisor_(std::move(config), launcher_, Load(state_file_, clock_.Now())),
+      supervisor_(std::move(config), parameters_, Load(state_file_, clock_.Now())),
       calls_(supervisor_.config().given_up.command, launcher),
       switch_off_(!supervisor_.config().switch_off.empty(), std::move(switch_off_token)),
       probe_(master.address, "/supervisor") {
   processes_ = handle_.advertise<coppice_msgs::ProcessStates>("/processes", 10, true);
   OfferServices();
   WatchConditions();
+  WatchHeartbeats();
 }
 
 void SupervisorProgram::OfferServices() {
@@ -73,7 +78,7 @@ void SupervisorProgram::OfferServices() {
   services_.push_back(handle_.advertiseService<Restart::Request, Restart::Response>(
       "/supervisor/restart",
       boost::function<bool(Restart::Request&, Restart::Response&)>([this](auto& ask, auto& say) {
-        const Verdict verdict = supervisor_.Restart(ask.name, clock_.Now());
+        const Verdict verdict = supervisor_.Restart(ask.name, clock_.Now(), ask.cleared);
         say.ok = verdict.ok;
         return Reply(verdict, "restart " + ask.name, say);
       })));
@@ -131,6 +136,17 @@ void SupervisorProgram::WatchConditions() {
   }
 }
 
+void SupervisorProgram::WatchHeartbeats() {
+  const auto& processes = supervisor_.config().processes;
+  for (std::size_t i = 0; i < processes.size(); ++i) {
+    if (!processes[i].heartbeat) continue;
+    subscribers_.push_back(handle_.subscribe<AnyMessage>(
+        processes[i].heartbeat->topic, 5, [this, i](const boost::shared_ptr<AnyMessage const>&) {
+          supervisor_.OnHeartbeat(i, clock_.Now());
+        }));
+  }
+}
+
 SupervisorProgram::Outcome SupervisorProgram::Run(const std::function<bool()>& stop) {
   while (!stop() && !supervisor_.stopping() && !switch_off_.may_cut() &&
          !supervisor_.NeedsNewStack(clock_.Now())) {
@@ -160,8 +176,12 @@ SupervisorProgram::Outcome SupervisorProgram::Run(const std::function<bool()>& s
 }
 
 void SupervisorProgram::Round() {
-  ros::getGlobalCallbackQueue()->callAvailable(
-      ros::WallDuration(std::chrono::duration<double>(kRound).count()));
+  const ros::WallDuration round(std::chrono::duration<double>(kRound).count());
+  ros::getGlobalCallbackQueue()->callAvailable(round);
+  if (!ros::ok()) {
+    supervisor_.OnMasterEnded(clock_.Now(), "the supervisor's ROS node was shut down from outside");
+    round.sleep();  // the queue does not wait any more
+  }
   local_.Reap([this](int pid, int wait_status) {
     if (pid == master_.pid) {
       master_ended_ = true;
@@ -250,8 +270,17 @@ void SupervisorProgram::Publish() {
     Tell(i);
   }
   processes_.publish(message);
+  NotifySystemd();
   published_ = supervisor_.revision();
   published_at_ = clock_.Now();
+}
+
+// By the same round that does the work, so that a round that hangs is noticed. Without systemd this
+// does nothing (sd_notify(3)).
+void SupervisorProgram::NotifySystemd() const {
+  sd_notify(0, ("READY=1\nWATCHDOG=1\nSTATUS=" + supervisor_.configuration() +
+                (supervisor_.IsChanging() ? ", changing" : ""))
+                   .c_str());
 }
 
 // One line per change on the console.

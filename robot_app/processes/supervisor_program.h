@@ -20,6 +20,7 @@
 
 #include "robot_app/common/node_probe.h"
 #include "robot_app/processes/config/conditions.h"
+#include "robot_app/processes/launch/parameter_launcher.h"
 #include "robot_app/processes/launch/process_launcher.h"
 #include "robot_app/processes/launch/remote_launcher.h"
 #include "robot_app/processes/launch/ros_master.h"
@@ -60,10 +61,12 @@ class SupervisorProgram {
 
   void OfferServices();
   void WatchConditions();
+  void WatchHeartbeats();
   void Round();
   void ProbeStarting();
   void TakeResult(std::size_t index);
   void Publish();
+  void NotifySystemd() const;
   void Tell(std::size_t process);
   void Save();
 
@@ -71,6 +74,7 @@ class SupervisorProgram {
   WallClock clock_;
   PosixLauncher& local_;
   RemoteLauncher launcher_;
+  ParameterLauncher parameters_;
   const RosMaster& master_;
   const std::string state_file_;
   Supervisor supervisor_;

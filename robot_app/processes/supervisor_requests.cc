@@ -50,12 +50,12 @@ Verdict Supervisor::SafeStop() {
   return {true, "safe stop"};
 }
 
-Verdict Supervisor::Restart(const std::string& name, Time now) {
+Verdict Supervisor::Restart(const std::string& name, Time now, bool cleared) {
   if (stopping_) return {false, "the supervisor is stopping"};
   if (new_stack_) return {true, "the whole stack is being restarted"};
   if (name == "all") {
     escalation_.stack().Add(now);
-    RestartStack("restarted on request");
+    RestartStack("restarted on request", cleared);
     return {true, "the whole stack is restarted"};
   }
   const auto group = FindGroup(name);
@@ -71,15 +71,16 @@ Verdict Supervisor::Restart(const std::string& name, Time now) {
     return {false, name + " needs a reset: " + config_.groups[*given_up].name +
                        " is given up: " + escalation_.given_up(*given_up)};
   }
-  return RestartWanted(*wanted, members, name, now);
+  return RestartWanted(*wanted, members, name, now, cleared);
 }
 
 // `process`: the one that counts. `members`: all that were asked for.
 Verdict Supervisor::RestartWanted(std::size_t process, const Indices& members,
-                                  const std::string& name, Time now) {
+                                  const std::string& name, Time now, bool cleared) {
   Plan& plan = plans_[process];
   const bool is_down = !lifecycle_.IsUp(process) && !plan.done;
   if (is_down || plan.as_restart || AwaitsReadiness(process)) {
+    if (!AwaitsReadiness(process)) plan.cleared = plan.cleared || cleared;
     return {true, name + " is about to start already"};
   }
   plan.done = false;
@@ -91,7 +92,10 @@ Verdict Supervisor::RestartWanted(std::size_t process, const Indices& members,
     return {true,
             name + " is restarted with all that depends on " + config_.groups[decision.root].name};
   }
-  if (members.size() > 1) BeginWave(members, {"restarted on request", plan.not_before}, now);
+  plan.cleared = cleared;
+  if (members.size() > 1) {
+    BeginWave(members, {"restarted on request", plan.not_before, cleared}, now);
+  }
   return {true, name + " is restarted"};
 }
 

@@ -4,18 +4,19 @@
 #include <coppice_msgs/SetConfiguration.h>
 #include <coppice_msgs/SwitchOff.h>
 #include <ros/console.h>
-#include <ros/service.h>
 
 #include <cstdlib>
 #include <utility>
 
+#include "robot_app/common/service_call.h"
+
 namespace coppice::robot {
 namespace {
 
-// A service that is not there is an answer, not an exception.
+// A service that is not there, or hangs, is an answer, not an exception.
 template <class Service>
 ActionResult Call(const std::string& name, Service& service) {
-  if (!ros::service::call(name, service)) return {false, "service " + name + " does not answer"};
+  if (!CallService(name, service)) return {false, "service " + name + " does not answer"};
   return {static_cast<bool>(service.response.ok), service.response.message};
 }
 
@@ -33,10 +34,12 @@ RosProcessManager::~RosProcessManager() {
   worker_.join();
 }
 
-void RosProcessManager::RestartNode(const std::string& node, Sender<ActionResult> done) {
-  Enqueue([node, done] {
+void RosProcessManager::RestartNode(const std::string& node, bool cleared,
+                                    Sender<ActionResult> done) {
+  Enqueue([node, cleared, done] {
     coppice_msgs::RestartProcess service;
     service.request.name = node;
+    service.request.cleared = cleared;
     done.Send(Call("/supervisor/restart", service));
   });
 }

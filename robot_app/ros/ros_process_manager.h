@@ -19,7 +19,7 @@ class RosProcessManager : public ProcessManager {
   RosProcessManager();
   ~RosProcessManager() override;  // drops what was not begun, waits for the call in progress
 
-  void RestartNode(const std::string& node, Sender<ActionResult> done) override;
+  void RestartNode(const std::string& node, bool cleared, Sender<ActionResult> done) override;
   void SetConfiguration(const std::string& configuration) override;
   /// With COPPICE_SWITCH_OFF_TOKEN of the environment.
   void SwitchOff(const std::string& reason, Sender<ActionResult> done) override;

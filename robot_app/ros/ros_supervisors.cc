@@ -3,11 +3,12 @@
 #include <coppice_msgs/AskForHelp.h>
 #include <coppice_msgs/TellSupervisors.h>
 #include <coppice_msgs/WithdrawHelp.h>
-#include <ros/service.h>
 
 #include <algorithm>
 #include <chrono>
 #include <utility>
+
+#include "robot_app/common/service_call.h"
 
 namespace coppice::robot {
 namespace {
@@ -57,7 +58,7 @@ void RosSupervisors::Withdraw(const std::string& subject) {
   Enqueue([subject] {
     coppice_msgs::WithdrawHelp service;
     service.request.subject = subject;
-    return ros::service::call("/assistance/withdraw", service);
+    return CallService("/assistance/withdraw", service);
   });
 }
 
@@ -67,7 +68,7 @@ void RosSupervisors::Tell(const std::string& subject, const std::string& message
     coppice_msgs::TellSupervisors service;
     service.request.subject = subject;
     service.request.message = message;
-    return ros::service::call("/assistance/tell", service);
+    return CallService("/assistance/tell", service);
   });
 }
 
@@ -113,7 +114,7 @@ RosSupervisors::Call RosSupervisors::MakeAsk(const std::string& subject, const O
     coppice_msgs::AskForHelp service;
     service.request.subject = subject;
     service.request.question = question;
-    if (!ros::service::call("/assistance/ask", service)) return false;
+    if (!CallService("/assistance/ask", service)) return false;
     OnAsked(subject, edition, service.response.id);
     return true;
   };

@@ -12,7 +12,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "robot_app/app/child_process.h"
+#include "robot_app/common/child_process.h"
 #include "robot_app/processes/launch/ros_master.h"
 #include "tests/robot_app/assistance/page_caller.h"
 #include "tests/robot_app/eventually.h"

@@ -65,8 +65,8 @@ class FakeRobot : public Navigator,
     calls.push_back("SetExpression " + expression);
   }
 
-  void RestartNode(const std::string& node, Sender<ActionResult> sender) override {
-    Begin("RestartNode " + node, sender);
+  void RestartNode(const std::string& node, bool cleared, Sender<ActionResult> sender) override {
+    Begin("RestartNode " + node + (cleared ? ", cleared" : ""), sender);
   }
   void SetConfiguration(const std::string& configuration) override {
     calls.push_back("SetConfiguration " + configuration);

@@ -12,8 +12,8 @@
 
 #include "bt_core/analysis/load_recording.h"
 #include "bt_core/analysis/play/verify.h"
-#include "robot_app/app/child_process.h"
 #include "robot_app/app/run_summary.h"
+#include "robot_app/common/child_process.h"
 #include "tests/support/folders.h"
 
 namespace coppice::robot {

@@ -1,5 +1,4 @@
 #include "tests/system/fault_case.h"
-#include "tests/support/folders.h"
 
 #include <gtest/gtest.h>
 
@@ -8,6 +7,8 @@
 #include <fstream>
 #include <iomanip>
 #include <sstream>
+
+#include "tests/support/folders.h"
 
 namespace coppice::robot {
 namespace {
@@ -216,6 +217,12 @@ bool FaultCase::ExpectNominal(double patience) {
   const std::optional<Instant> since = rig_.WaitUntilNominal(patience);
   if (since) nominal_ = SecondsSince(*since);
   return since.has_value();
+}
+
+bool FaultCase::ExpectNominalWithin(double seconds) {
+  if (!ExpectNominal()) return false;
+  EXPECT_LE(*nominal_, seconds) << fault_ << ": nominal late";
+  return *nominal_ <= seconds;
 }
 
 void FaultCase::ExpectOnlyRestarted(const std::set<std::string>& processes) {

@@ -62,6 +62,8 @@ class FaultCase {
 
   /// Waits until nothing is wrong any more.
   bool ExpectNominal(double patience = 90);
+  /// The same, at most so many seconds after the injection.
+  bool ExpectNominalWithin(double seconds);
 
   /// Waits until the supervisors were told of what a monitor says, and the message was delivered
   /// (at the console).

@@ -16,7 +16,7 @@
 #include <utility>
 #include <vector>
 
-#include "robot_app/app/child_process.h"
+#include "robot_app/common/child_process.h"
 #include "tests/system/robot_state.h"
 
 namespace coppice::robot {

@@ -195,7 +195,7 @@ TEST_F(RecoverLocalization, StopsTurningWhenThePositionIsKnown) {
 TEST_F(RecoverLocalization, RestartsTheLocalizationAndLooksAroundAgain) {
   scenario_.Tick();
   Turn();
-  EXPECT_EQ(scenario_.LastCall(), "RestartNode /localization");
+  EXPECT_EQ(scenario_.LastCall(), "RestartNode /localization, cleared");
   scenario_.Answer(true);
   scenario_.Advance(10);
   scenario_.Tick();

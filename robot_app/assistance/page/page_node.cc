@@ -5,11 +5,11 @@
 #include <coppice_msgs/RestartProcess.h>
 #include <geometry_msgs/PoseWithCovarianceStamped.h>
 #include <ros/console.h>
-#include <ros/service.h>
 
 #include <utility>
 
 #include "robot_app/assistance/page/page_texts.h"
+#include "robot_app/common/service_call.h"
 
 namespace coppice::robot {
 namespace {
@@ -177,7 +177,7 @@ void PageNode::Restart(const std::string& name,
   const bool is_accepted = calls_.Add([name, done]() -> ServiceCaller::Finish {
     coppice_msgs::RestartProcess service;
     service.request.name = name;
-    if (!ros::service::call("/supervisor/restart", service)) {
+    if (!CallService("/supervisor/restart", service)) {
       return [done] { done(false, "The process supervisor does not answer."); };
     }
     const bool ok = service.response.ok;

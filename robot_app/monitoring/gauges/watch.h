@@ -16,10 +16,11 @@ struct NodeWatch {
 
 struct TopicWatch {
   std::string topic;
-  std::string node;        ///< its publisher, to be restarted
-  Band band;               ///< of the rate in Hz; staleness: no message for longer is an error
-  Duration window{0};      ///< over which the rate is measured
-  bool wall_time = false;  ///< rate, window and staleness in wall time instead of ROS time
+  std::string node;            ///< its publisher, to be restarted
+  std::string kind = "topic";  ///< kind of monitor that its findings are said to be of
+  Band band;                   ///< of the rate in Hz; staleness: no message for longer is an error
+  Duration window{0};          ///< over which the rate is measured
+  bool wall_time = false;      ///< rate, window and staleness in wall time instead of ROS time
   /// Not subscribed: the rate is taken from what the subscribers report on /statistics.
   bool by_statistics = false;
 };

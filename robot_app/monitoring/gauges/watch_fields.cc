@@ -22,6 +22,7 @@ TopicWatch ReadTopicWatch(YamlFields& fields, double default_window) {
   TopicWatch watch;
   watch.topic = ReadRosName(fields, "topic");
   watch.node = ReadRosName(fields, "node");
+  watch.kind = fields.Choice("kind", "topic", {"topic", "supervisor"});
   watch.by_statistics =
       fields.Choice("by", "subscriber", {"subscriber", "statistics"}) == "statistics";
   Band otherwise;

@@ -103,6 +103,7 @@ class Loader {
     ReadReadiness(fields, process);
     process.start_timeout = fields.Seconds("start_timeout", 20, 0.1, 3600);
     process.restart = ReadRestartRule(fields);
+    if (fields.Has("heartbeat")) process.heartbeat = ReadHeartbeat(fields.Map("heartbeat"));
     process.log = fields.Text("log", process.name + ".log").text;
     ReadCommand(fields, process);
     ReadState(fields, process);

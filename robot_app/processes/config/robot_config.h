@@ -30,6 +30,12 @@ enum class RestartRule {
   kNever,      ///< it is not
 };
 
+/// A topic of any type on which a process shows that it works, not only that it is there.
+struct HeartbeatConfig {
+  std::string topic;
+  Duration timeout = std::chrono::seconds(5);  ///< silent for longer: it has failed
+};
+
 struct ProcessConfig {
   std::string name;
   std::vector<std::string> command;  ///< program and arguments, variables filled in
@@ -42,6 +48,7 @@ struct ProcessConfig {
   std::string ready_name;                             ///< of the topic or service
   Duration start_timeout = std::chrono::seconds(20);  ///< started but not ready: it has failed
   RestartRule restart = RestartRule::kAlways;
+  std::optional<HeartbeatConfig> heartbeat;
   std::vector<std::string> state;  ///< its files and folders, deleted by a start from cleared state
   std::string log;                 ///< file name within the log folder
 };

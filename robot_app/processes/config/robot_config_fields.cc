@@ -62,6 +62,19 @@ RestartRule ReadRestartRule(YamlFields& process) {
   return RestartRule::kAlways;
 }
 
+HeartbeatConfig ReadHeartbeat(YamlFields fields) {
+  HeartbeatConfig heartbeat;
+  const LocatedText topic = fields.Text("topic");
+  heartbeat.topic = topic.text;
+  if (topic.text.rfind('/', 0) != 0) {
+    fields.Error(topic.where,
+                 "\"topic\": expected a ROS name with slash, got \"" + topic.text + "\"");
+  }
+  heartbeat.timeout = fields.Seconds("timeout", ToSeconds(heartbeat.timeout), 0.1, 3600);
+  fields.Finish();
+  return heartbeat;
+}
+
 void ReadReadiness(YamlFields& fields, ProcessConfig& process) {
   const LocatedText ready = fields.Text("ready", process.node.empty() ? "none" : "node");
   if (ready.text == "none") {

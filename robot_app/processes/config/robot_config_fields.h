@@ -14,6 +14,7 @@ BackOff ReadBackOff(YamlFields fields);
 EscalationLimits ReadEscalation(YamlFields fields);
 Strategy ReadStrategy(YamlFields& group);
 RestartRule ReadRestartRule(YamlFields& process);
+HeartbeatConfig ReadHeartbeat(YamlFields fields);
 
 /// `ready` of a process: node, none, "topic /NAME" or "service /NAME".
 void ReadReadiness(YamlFields& fields, ProcessConfig& process);

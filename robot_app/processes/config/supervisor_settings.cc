@@ -59,7 +59,8 @@ SupervisorSettings ReadSupervisorSettings(const std::vector<std::string>& argume
   settings.state = fs::absolute(options.Get("--state", settings.logs + "/supervisor.json"));
   settings.configuration = options.Get("--configuration");
   settings.variables.emplace("config", fs::absolute(settings.config).parent_path());
-  settings.variables.emplace("record", settings.logs);
+  std::string& record = settings.variables.emplace("record", settings.logs).first->second;
+  record = fs::absolute(record / fs::path(".")).lexically_normal().parent_path();
   return settings;
 }
 

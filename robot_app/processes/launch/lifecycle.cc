@@ -50,6 +50,13 @@ bool Lifecycle::IsLate(std::size_t process, Time now) const {
   return AwaitsReadiness(process) && now >= lives_[process].deadline;
 }
 
+bool Lifecycle::IsSilent(std::size_t process, Time now) const {
+  const Life& life = lives_[process];
+  const auto& heartbeat = config_.processes[process].heartbeat;
+  if (!heartbeat || life.status.phase != ProcessPhase::kReady) return false;
+  return now - std::max({life.heard_at, life.status.since, listening_since_}) > heartbeat->timeout;
+}
+
 bool Lifecycle::IsConnected(std::size_t process) const {
   return !config_.processes[process].host || launcher_.IsConnected(lives_[process].status.pid);
 }

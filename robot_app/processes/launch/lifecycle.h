@@ -44,6 +44,8 @@ class Lifecycle {
   bool AwaitsReadiness(std::size_t process) const;
   /// Awaits readiness for longer than its start timeout.
   bool IsLate(std::size_t process, Time now) const;
+  /// Ready, and its heartbeat has been silent for longer than it may.
+  bool IsSilent(std::size_t process, Time now) const;
   /// It has told that it was started, or it is on this host.
   bool IsConnected(std::size_t process) const;
   /// Nothing if it was never started.
@@ -60,6 +62,10 @@ class Lifecycle {
   void End(std::size_t process, ProcessPhase phase, std::string message, Time now);
   /// Kills what has not ended in time.
   void KillOverdue(Time now);
+
+  void OnHeartbeat(std::size_t process, Time now) { lives_[process].heard_at = now; }
+  /// Until now nobody listened: silence counts from here on.
+  void ListenFrom(Time now) { listening_since_ = now; }
 
   struct Ended {
     std::size_t process = 0;
@@ -82,12 +88,14 @@ class Lifecycle {
     bool ending = false;  // SIGTERM was sent
     bool killed = false;  // SIGKILL was sent
     Time deadline{0};     // of the start or of the end
+    Time heard_at{0};     // its last heartbeat
     std::optional<Time> started_at;
   };
 
   const RobotConfig& config_;
   ProcessLauncher& launcher_;
   std::vector<Life> lives_;
+  Time listening_since_{0};
   std::uint64_t revision_ = 0;
 };
 

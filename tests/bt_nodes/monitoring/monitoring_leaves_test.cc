@@ -84,6 +84,17 @@ TEST(EmergencyStopFault, IsNotSeenWhereTheMonitorHasFallenSilent) {
   EXPECT_EQ(harness.Tick(), Status::kSuccess);
 }
 
+TEST(SupervisorFault, IsItsOwnSilenceAndNotThatOfItsMonitor) {
+  Health health;
+  health.entries = {{"supervisor", "/processes", "/supervisor", HealthLevel::kStale, "silent"}};
+  LeafHarness harness = LeafHarness::For<SupervisorFault>();
+  harness.Set("health", health);
+  EXPECT_EQ(harness.Tick(), Status::kFailure);
+  health.entries[0].level = HealthLevel::kError;
+  harness.Set("health", health);
+  EXPECT_EQ(harness.Tick(), Status::kSuccess);
+}
+
 TEST(FaultConditions, AskForTheirOwnKindOfMonitor) {
   Health health;
   health.entries = {{"docking", "station", "", HealthLevel::kError, "missed"}};

@@ -18,6 +18,15 @@ TEST(RestartNode, AsksForTheRestartOfItsNode) {
   EXPECT_EQ(robot.calls, std::vector<std::string>{"RestartNode /navigation"});
 }
 
+TEST(RestartNode, AsksForAClearedStateWhereTheTreeWantsOne) {
+  FakeRobot robot;
+  LeafHarness harness = LeafHarness::For<RestartNode>(std::ref<ProcessManager>(robot));
+  harness.Set("node", std::string("/localization"));
+  harness.Set("cleared", true);
+  harness.Tick();
+  EXPECT_EQ(robot.calls, std::vector<std::string>{"RestartNode /localization, cleared"});
+}
+
 TEST(RestartNode, FailsWhenTheRestartIsRefused) {
   FakeRobot robot;
   LeafHarness harness = LeafHarness::For<RestartNode>(std::ref<ProcessManager>(robot));

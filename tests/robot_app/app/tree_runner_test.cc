@@ -4,9 +4,11 @@
 
 #include <condition_variable>
 #include <filesystem>
+#include <future>
 #include <mutex>
 
 #include "bt_core/record/record_reader.h"
+#include "tests/robot_app/eventually.h"
 
 namespace coppice::robot {
 namespace {
@@ -104,6 +106,72 @@ TEST(SetKey, RefusesAValueOfAnotherType) {
   Executor executor(MakeProgram(), clock);
   EXPECT_EQ(SetKey(executor, "rounds", "many"),
             "\"many\" is not a value for key \"rounds\", expected int");
+}
+
+// Asks as a heartbeat does, but faster.
+bool ComesToLife(TreeRunner& runner) {
+  return Eventually([&] { return runner.IsAlive(); });
+}
+
+// Is not alive in a hundred looks at a tree that is known to stand.
+bool LooksDead(TreeRunner& runner) {
+  runner.IsAlive();
+  for (int i = 0; i < 100; ++i) {
+    if (runner.IsAlive()) return false;
+  }
+  return true;
+}
+
+// A leaf that holds up the thread of its tree until the test lets it go.
+class Blocking : public SyncAction {
+ public:
+  static constexpr const char* kDescription = "Blocks.";
+  Blocking(std::promise<void>* entered, std::shared_future<void> release)
+      : entered_(entered), release_(std::move(release)) {}
+  Status Run() override {
+    entered_->set_value();
+    release_.wait();
+    return Status::kSuccess;
+  }
+
+ private:
+  std::promise<void>* entered_;
+  std::shared_future<void> release_;
+};
+
+TEST_F(TreeRunnerTest, ATreeWhoseThreadIsHeldUpByALeafIsNotAlive) {
+  std::promise<void> entered, release;
+  const auto registry = std::make_shared<Registry>();
+  registry->Register<Blocking>("Blocking", &entered, release.get_future().share());
+  Diagnostics diagnostics;
+  auto project = Project::FromText(
+      R"(<root BTCPP_format="4"><BehaviorTree ID="Main"><Blocking/></BehaviorTree></root>)",
+      "runner", diagnostics);
+  const auto program =
+      Compile(std::make_shared<const Project>(*std::move(project)), registry, diagnostics);
+  ASSERT_TRUE(program) << diagnostics.ToString();
+  TreeRunner runner(program, clock_, options_);
+  runner.Start([](Status) {});
+  entered.get_future().wait();
+  EXPECT_TRUE(LooksDead(runner));
+  release.set_value();
+  EXPECT_TRUE(ComesToLife(runner));
+}
+
+// As that of a simulation that has been stopped.
+class StandingClock : public Clock {
+ public:
+  Time Now() const override { return std::chrono::seconds(1); }
+  void WaitUntil(Time, WakeUp& wake_up) override { wake_up.WaitFor(Duration::max()); }
+};
+
+TEST_F(TreeRunnerTest, ATreeThatWaitsForATimeThatDoesNotComeIsAlive) {
+  StandingClock clock;
+  TreeRunner runner(MakeProgram(), clock, options_);
+  SetKey(runner.executor(), "rounds", "-1");
+  runner.Start([](Status) {});
+  runner.IsAlive();
+  EXPECT_TRUE(ComesToLife(runner));
 }
 
 // A tree that counts its beginnings and then runs for ever.

@@ -13,7 +13,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "robot_app/app/child_process.h"
+#include "robot_app/common/child_process.h"
 #include "robot_app/processes/launch/ros_master.h"
 #include "tests/robot_app/assistance/local_server.h"
 #include "tests/robot_app/eventually.h"

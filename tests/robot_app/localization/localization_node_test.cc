@@ -13,7 +13,7 @@
 #include <csignal>
 #include <filesystem>
 
-#include "robot_app/app/child_process.h"
+#include "robot_app/common/child_process.h"
 #include "robot_app/common/ros_support.h"
 #include "tests/robot_app/eventually.h"
 #include "tests/robot_app/latest.h"

@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "robot_app/app/child_process.h"
+#include "robot_app/common/child_process.h"
 #include "robot_app/common/ros_support.h"
 #include "robot_app/mapping/map_file.h"
 #include "tests/robot_app/eventually.h"

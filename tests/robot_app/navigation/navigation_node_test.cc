@@ -18,7 +18,7 @@
 #include <mutex>
 #include <vector>
 
-#include "robot_app/app/child_process.h"
+#include "robot_app/common/child_process.h"
 #include "robot_app/processes/launch/ros_master.h"
 #include "tests/robot_app/eventually.h"
 #include "tests/robot_app/latest.h"

@@ -14,6 +14,7 @@ namespace {
 using std::chrono::milliseconds;
 using std::chrono::seconds;
 using testing::Contains;
+using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
@@ -160,9 +161,9 @@ INSTANTIATE_TEST_SUITE_P(Seeds, CrashLoopTest, testing::Range(1u, 51u));
 // The programs, groups and limits that are shipped.
 RobotConfig ShippedRobot() {
   Diagnostics diagnostics;
-  RobotConfig config =
-      LoadRobotConfig(SourceFolder() + "/robot_app/config/robot.yaml",
-                      {{"bin", "/bin"}, {"config", "/config"}, {"record", "/tmp"}}, diagnostics);
+  RobotConfig config = LoadRobotConfig(
+      SourceFolder() + "/robot_app/config/robot.yaml",
+      {{"bin", "/bin"}, {"config", "/config"}, {"record", "/tmp/run"}}, diagnostics);
   EXPECT_FALSE(diagnostics.has_errors()) << diagnostics.ToString();
   return config;
 }
@@ -253,6 +254,16 @@ TEST_F(SlowLoopTest, RecoveryBeginsAtOnce) {
   robot_.machine.Crash("navigation");
   robot_.RunFor(milliseconds(40));
   EXPECT_EQ(robot_.machine.Starts("navigation"), 2);
+}
+
+TEST(HangLoopTest, WhatHangsAfterEveryStartIsGivenUpAndAPersonIsCalled) {
+  RobotConfig config = Robot();
+  config.processes[3].heartbeat = HeartbeatConfig{"/beat", seconds(5)};
+  SimulatedRobot robot(config);
+  const auto given_up = [&] { return robot.Phase("navigation") == ProcessPhase::kGivenUp; };
+  EXPECT_TRUE(robot.RunUntil(given_up, seconds(540)));
+  EXPECT_EQ(robot.stacks, 1);
+  EXPECT_THAT(robot.calls, ElementsAre(HasSubstr("navigation gave no sign of life for 5 s")));
 }
 
 }  // namespace

@@ -37,7 +37,8 @@ class RosGraph {
     EXPECT_EQ(master_.error, "");
   }
 
-  /// For a graph whose master somebody else starts; Join it when it is there.
+  /// For a graph whose master somebody else starts, at OwnPort(); Join it when it is there. The
+  /// graphs of several tests of a program, one after the other, are one graph to it.
   struct WithoutMaster {};
   RosGraph(WithoutMaster, const std::string& log_folder) : launcher_(log_folder) {
     NodeProbe::SilenceLibrary();
@@ -49,8 +50,10 @@ class RosGraph {
     return graph;
   }
 
+  /// Of this test program, below the ports that the system gives to whoever wants any.
+  static int OwnPort() { return 10000 + getpid() % 10000; }
+
   ~RosGraph() {
-    if (node_) ros::shutdown();
     EndPrograms();
     if (master_.pid != 0) Kill(master_.pid, SIGKILL);
   }
@@ -62,8 +65,12 @@ class RosGraph {
   /// Makes this program a node of the graph.
   void Join(const std::string& uri) {
     UseFor(uri);
-    int no_arguments = 0;
-    ros::init(no_arguments, nullptr, "test", ros::init_options::NoSigintHandler);
+    if (!ros::isInitialized()) {
+      int no_arguments = 0;
+      ros::init(no_arguments, nullptr, "test",
+                ros::init_options::NoSigintHandler | ros::init_options::NoRosout);
+      ros::start();  // until the end of the program: it cannot be done twice
+    }
     node_ = std::make_unique<ros::NodeHandle>();
   }
 

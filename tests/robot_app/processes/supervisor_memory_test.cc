@@ -19,6 +19,7 @@ SupervisorMemory Example() {
   memory.configuration = "charging";
   memory.manual = true;
   memory.new_stack = true;
+  memory.clear_stack = true;
   GroupMemory group;
   group.restarts = {seconds(100), seconds(200)};
   group.counting = 1;

@@ -4,7 +4,12 @@
 #include <coppice_msgs/SetConfiguration.h>
 #include <coppice_msgs/SwitchOff.h>
 #include <gmock/gmock.h>
+#include <poll.h>
+#include <sys/socket.h>
+#include <sys/un.h>
 
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -14,11 +19,13 @@
 #include "tests/robot_app/eventually.h"
 #include "tests/robot_app/processes/other_host.h"
 #include "tests/robot_app/processes/ros_graph.h"
+#include "tests/robot_app/processes/shut_down_node.h"
 
 namespace coppice::robot {
 namespace {
 
 using coppice_msgs::ProcessState;
+using testing::AllOf;
 using testing::Contains;
 using testing::HasSubstr;
 using testing::Not;
@@ -53,7 +60,7 @@ class SupervisorProgramTest : public testing::Test {
             "--config",
             folder_ + "/robot.yaml",
             "--port",
-            "0",
+            std::to_string(RosGraph::OwnPort()),
             "--port-file",
             folder_ + "/port",
             "--logs",
@@ -180,6 +187,21 @@ TEST_F(SupervisorProgramTest, RestartsWhatEndsOrIsAskedForAndLeavesNothingBehind
   EXPECT_FALSE(MasterAnswers(*ParseUri(ros::master::getURI()), std::chrono::seconds(1)));
 }
 
+TEST_F(SupervisorProgramTest, WhatIsRestartedFindsTheParametersAlthoughSomebodyHasWipedThem) {
+  StartSupervisor();
+  JoinGraph();
+  ASSERT_TRUE(ros::param::del("/answer"));
+  const int before = states_["second"].pid;
+  ASSERT_TRUE(Restart("second").ok);
+  ASSERT_TRUE(
+      graph_.WaitFor([&] { return states_["second"].pid > 0 && states_["second"].pid != before; }));
+  double answer = 0;
+  EXPECT_TRUE(ros::param::get("/answer", answer));
+  EXPECT_EQ(answer, 42);
+  subscriber_.shutdown();
+  graph_.Kill(supervisor_, SIGTERM);
+}
+
 TEST_F(SupervisorProgramTest, TheEndOfTheMasterIsTheBeginningOfANewStack) {
   StartSupervisor();
   ASSERT_TRUE(Eventually([&] { return PidOfNode("/second") > 0; }));
@@ -194,6 +216,90 @@ TEST_F(SupervisorProgramTest, TheEndOfTheMasterIsTheBeginningOfANewStack) {
   EXPECT_THAT(Read("supervisor.log"), HasSubstr("begins anew: the ROS master ended"));
   graph_.Kill(supervisor_, SIGTERM);
   EXPECT_EQ(PidOf(""), 0);
+}
+
+TEST_F(SupervisorProgramTest, WhenItsNodeIsShutDownFromOutsideTheStackBeginsAnew) {
+  StartSupervisor();
+  ASSERT_TRUE(Eventually([&] { return PidOfNode("/second") > 0; }));
+  const int first = PidOf("first");
+  ASSERT_TRUE(ShutDownNode({"127.0.0.1", port_}, "/supervisor"));
+  ASSERT_TRUE(Eventually(
+      [&] { return PidOf("first") > 0 && PidOf("first") != first && PidOfNode("/second") > 0; }));
+  EXPECT_EQ(kill(supervisor_, 0), 0);
+  EXPECT_EQ(PidOfNode("/supervisor"), supervisor_);
+  EXPECT_THAT(Read("supervisor.log"), HasSubstr("begins anew: the supervisor's ROS node was shut"));
+  graph_.Kill(supervisor_, SIGTERM);
+  EXPECT_EQ(PidOf(""), 0);
+}
+
+// The talker's topic is its heartbeat.
+TEST_F(SupervisorProgramTest, AProgramThatIsStoppedIsRestartedWithoutAnybodyAsking) {
+  WriteConfig(R"(
+stop_timeout: 1
+processes:
+  - {name: first, command: ["${talker}", "__name:=first"], node: /first,
+     heartbeat: {topic: /talk, timeout: 1}}
+configurations:
+  operating: [first]
+)");
+  StartSupervisor();
+  const auto is_ready = [&] {
+    return Read("supervisor.log").find("first: READY") != std::string::npos;
+  };
+  ASSERT_TRUE(Eventually(is_ready));
+  const int first = PidOf("first");
+  kill(first, SIGSTOP);
+  EXPECT_TRUE(Eventually([&] { return PidOfNode("/first") > 0 && PidOfNode("/first") != first; }));
+  EXPECT_THAT(Read("supervisor.log"), HasSubstr("gave no sign of life for 1 s"));
+  graph_.Kill(supervisor_, SIGTERM);
+}
+
+// Where systemd listens to a service.
+class NotifySocket {
+ public:
+  explicit NotifySocket(const std::string& path) {
+    sockaddr_un address{};
+    address.sun_family = AF_UNIX;
+    path.copy(address.sun_path, sizeof(address.sun_path) - 1);
+    if (bind(socket_, reinterpret_cast<const sockaddr*>(&address), sizeof(address)) != 0) {
+      ADD_FAILURE() << path << ": " << std::strerror(errno);
+    }
+    setenv("NOTIFY_SOCKET", path.c_str(), 1);
+  }
+  ~NotifySocket() {
+    unsetenv("NOTIFY_SOCKET");
+    close(socket_);
+  }
+
+  // The next message; empty if none comes.
+  std::string Receive(int ms = 60'000) const {
+    pollfd ready{socket_, POLLIN, 0};
+    std::string text(4096, '\0');
+    if (poll(&ready, 1, ms) != 1) return "";
+    text.resize(static_cast<std::size_t>(std::max<ssize_t>(0, recv(socket_, &text[0], 4096, 0))));
+    return text;
+  }
+  void Drain() const {
+    while (!Receive(0).empty()) {
+    }
+  }
+
+ private:
+  const int socket_ = socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC, 0);
+};
+
+TEST_F(SupervisorProgramTest, SystemdHearsThatItLivesAndHearsNothingWhenItHangs) {
+  const NotifySocket systemd(folder_ + "/notify");
+  StartSupervisor();
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_THAT(systemd.Receive(), AllOf(HasSubstr("READY=1"), HasSubstr("WATCHDOG=1")));
+  }
+  RosGraph::Hang(supervisor_);
+  systemd.Drain();
+  EXPECT_EQ(systemd.Receive(2500), "");
+  kill(supervisor_, SIGCONT);
+  EXPECT_THAT(systemd.Receive(), HasSubstr("WATCHDOG=1"));
+  graph_.Kill(supervisor_, SIGTERM);
 }
 
 TEST_F(SupervisorProgramTest, AKilledSupervisorLeavesNoSecondInstanceAndItsCountersLiveOn) {

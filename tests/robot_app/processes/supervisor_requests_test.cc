@@ -8,6 +8,7 @@ namespace {
 
 using std::chrono::milliseconds;
 using std::chrono::seconds;
+using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::SizeIs;
 
@@ -149,6 +150,24 @@ TEST_F(SupervisorRequestsTest, AConfigurationIsRefusedWhileItsConditionDoesNotHo
             "configuration charging requires charging_confirmed: no current flows");
   EXPECT_FALSE(robot_.supervisor().configuration_switch().manual());
   EXPECT_TRUE(Configure("charging").ok);
+}
+
+TEST_F(SupervisorRequestsTest, ARestartFromAClearedStateForgetsWhatTheProcessRemembers) {
+  robot_.machine.log.clear();
+  EXPECT_TRUE(robot_.supervisor().Restart("nav", robot_.machine.now, true).ok);
+  robot_.RunFor(seconds(10));
+  EXPECT_THAT(robot_.machine.log, ElementsAre("end nav", "clear nav"));
+  EXPECT_TRUE(robot_.AllReady());
+}
+
+TEST_F(SupervisorRequestsTest, TheRestartAfterThatKeepsItsState) {
+  robot_.supervisor().Restart("nav", robot_.machine.now, true);
+  robot_.RunFor(seconds(100));
+  robot_.machine.log.clear();
+  robot_.machine.Crash("nav");
+  robot_.RunFor(seconds(100));
+  EXPECT_TRUE(robot_.AllReady());
+  EXPECT_THAT(robot_.machine.log, ElementsAre());
 }
 
 }  // namespace

@@ -201,7 +201,59 @@ TEST_F(SupervisorTest, TheEndOfTheMasterRestartsTheWholeStackOnce) {
   Ended(kBase, kExit0);
   EXPECT_TRUE(supervisor_.NeedsNewStack(now_));
   EXPECT_TRUE(supervisor_.Remember().new_stack);
+  EXPECT_FALSE(supervisor_.Remember().clear_stack) << "no program has failed";
   EXPECT_EQ(supervisor_.stack_reason(), "the ROS master ended");
+}
+
+// nav must show that it works.
+class HeartbeatTest : public SupervisorTest {
+ protected:
+  HeartbeatTest() : SupervisorTest(WithHeartbeat()) { StartAll(); }
+
+  static RobotConfig WithHeartbeat() {
+    RobotConfig config = FourProcesses();
+    config.processes[kNav].heartbeat = HeartbeatConfig{"/beat", seconds(5)};
+    return config;
+  }
+
+  // In steps as short as those of the program.
+  void StepFor(Duration duration) {
+    for (const Time end = now_ + duration; now_ < end;) {
+      now_ += milliseconds(20);
+      Step();
+    }
+  }
+};
+
+TEST_F(HeartbeatTest, SilentForLongerThanItMayItIsRestarted) {
+  StepFor(seconds(2));
+  supervisor_.OnHeartbeat(kNav, now_);
+  StepFor(seconds(5));
+  EXPECT_THAT(launcher_.TakeLog(), ElementsAre());
+  StepFor(milliseconds(40));
+  EXPECT_THAT(launcher_.TakeLog(), ElementsAre("end nav"));
+  EXPECT_EQ(Message(kNav), "gave no sign of life for 5 s");
+  Ended(kNav, kExit0);
+  EXPECT_THAT(launcher_.TakeLog(), ElementsAre("start nav"));
+  EXPECT_EQ(supervisor_.RestartsUsed(kNav, now_), 1);
+}
+
+TEST_F(HeartbeatTest, BeforeItIsReadyNothingIsExpectedOfIt) {
+  Ended(kNav, kKilled);
+  launcher_.TakeLog();
+  StepFor(seconds(6));
+  Ready(kNav);
+  StepFor(seconds(5));
+  EXPECT_THAT(launcher_.TakeLog(), ElementsAre());
+}
+
+TEST_F(HeartbeatTest, WhatTheSupervisorMissedWhileItStoodStillItselfCountsForNothing) {
+  StepFor(seconds(2));
+  now_ += seconds(60);
+  StepFor(seconds(5));
+  EXPECT_THAT(launcher_.TakeLog(), ElementsAre());
+  StepFor(milliseconds(100));
+  EXPECT_THAT(launcher_.TakeLog(), ElementsAre("end nav"));
 }
 
 }  // namespace

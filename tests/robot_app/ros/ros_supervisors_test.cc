@@ -10,7 +10,7 @@
 
 #include "bt_core/testing/leaf_harness.h"
 #include "bt_nodes/operators/supervisor_leaves.h"
-#include "robot_app/app/child_process.h"
+#include "robot_app/common/child_process.h"
 #include "tests/robot_app/eventually.h"
 #include "tests/robot_app/ros_environment.h"
 #include "tests/support/folders.h"
@@ -40,10 +40,9 @@ class RosSupervisorsTest : public testing::Test {
   }
 
   void StartAssistance() {
-    assistance_ =
-        ChildProcess({BinaryFolder() + "/bin/coppice-assistance", "--config",
-                      config_, "__name:=assistance"},
-                     testing::TempDir() + "assistance_" + std::to_string(getpid()) + ".log");
+    assistance_ = ChildProcess(
+        {BinaryFolder() + "/bin/coppice-assistance", "--config", config_, "__name:=assistance"},
+        testing::TempDir() + "assistance_" + std::to_string(getpid()) + ".log");
   }
 
   // The newest request in that state; 0 if there is none.

@@ -6,7 +6,7 @@
 
 #include <fstream>
 
-#include "robot_app/app/child_process.h"
+#include "robot_app/common/child_process.h"
 #include "tests/robot_app/eventually.h"
 #include "tests/robot_app/ros_environment.h"
 #include "tests/support/folders.h"

@@ -13,7 +13,7 @@
 
 #include <mutex>
 
-#include "robot_app/app/child_process.h"
+#include "robot_app/common/child_process.h"
 #include "tests/robot_app/eventually.h"
 #include "tests/robot_app/ros_environment.h"
 #include "tests/robot_app/text_of.h"

@@ -49,6 +49,18 @@ TEST_F(RobotConfigFieldsTest, KnowsStrategiesAndRulesByTheirNames) {
   EXPECT_THAT(diagnostics_.ToString(), HasSubstr("by_tree"));
 }
 
+TEST_F(RobotConfigFieldsTest, AHeartbeatMayBeSilentForItsTimeout) {
+  const HeartbeatConfig heartbeat = ReadHeartbeat(Fields("{topic: /beat, timeout: 2}"));
+  EXPECT_EQ(heartbeat.topic, "/beat");
+  EXPECT_EQ(heartbeat.timeout, seconds(2));
+  EXPECT_EQ(diagnostics_.ToString(), "");
+}
+
+TEST_F(RobotConfigFieldsTest, AHeartbeatNeedsATopicWithSlash) {
+  ReadHeartbeat(Fields("{topic: beat}"));
+  EXPECT_THAT(diagnostics_.ToString(), HasSubstr("expected a ROS name with slash, got \"beat\""));
+}
+
 TEST_F(RobotConfigFieldsTest, AHostNeedsACommandAndItsProgramsFolder) {
   ReadHost({"jetson", {}}, Fields("{shell: no}"));
   EXPECT_THAT(diagnostics_.ToString(), HasSubstr("\"command\" is missing"));

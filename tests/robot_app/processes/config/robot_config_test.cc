@@ -228,9 +228,14 @@ TEST_F(RobotConfigTest, AConfigurationMustHoldWhatItsProcessesDependOn) {
 TEST_F(RobotConfigTest, TheShippedFileIsRight) {
   const RobotConfig config =
       LoadRobotConfig(SourceFolder() + "/robot_app/config/robot.yaml",
-                      {{"bin", "/b"}, {"config", "/c"}, {"record", "/r"}}, diagnostics_);
+                      {{"bin", "/b"}, {"config", "/c"}, {"record", "/runs/one"}}, diagnostics_);
   EXPECT_EQ(Errors(), "");
   EXPECT_EQ(config.configurations[config.initial].name, "operating");
+  for (const ProcessConfig& process : config.processes) {
+    EXPECT_EQ(process.heartbeat.has_value(), process.name == "robot") << process.name;
+    if (process.name != "localization") continue;
+    EXPECT_THAT(process.state, ElementsAre("/runs/one/last_pose"));
+  }
 }
 
 }  // namespace

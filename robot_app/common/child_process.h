@@ -1,7 +1,7 @@
 // A program started by this one: it dies with its starter, and leaves no children of its own
 // behind.
-#ifndef COPPICE_ROBOT_APP_APP_CHILD_PROCESS_H_
-#define COPPICE_ROBOT_APP_APP_CHILD_PROCESS_H_
+#ifndef COPPICE_ROBOT_APP_COMMON_CHILD_PROCESS_H_
+#define COPPICE_ROBOT_APP_COMMON_CHILD_PROCESS_H_
 
 #include <sys/types.h>
 
@@ -44,4 +44,4 @@ bool ProcessExists(pid_t pid);
 
 }  // namespace coppice::robot
 
-#endif  // COPPICE_ROBOT_APP_APP_CHILD_PROCESS_H_
+#endif  // COPPICE_ROBOT_APP_COMMON_CHILD_PROCESS_H_

@@ -1,4 +1,4 @@
-#include "robot_app/app/child_process.h"
+#include "robot_app/common/child_process.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,45 @@
+#include "robot_app/processes/launch/parameter_launcher.h"
+
+#include <xmlrpcpp/XmlRpcValue.h>
+
+#include <cstdlib>
+#include <utility>
+
+namespace coppice::robot {
+namespace {
+
+constexpr Duration kDeadline = std::chrono::seconds(2);
+
+XmlRpc::XmlRpcValue ToValue(const std::string& text) {
+  if (text == "true" || text == "false") return XmlRpc::XmlRpcValue(text == "true");
+  char* end = nullptr;
+  const double number = std::strtod(text.c_str(), &end);
+  return !text.empty() && *end == '\0' ? XmlRpc::XmlRpcValue(number) : XmlRpc::XmlRpcValue(text);
+}
+
+}  // namespace
+
+std::string SetParameters(const NodeAddress& master,
+                          const std::map<std::string, std::string>& parameters) {
+  for (const auto& [name, text] : parameters) {
+    XmlRpc::XmlRpcValue request;
+    request[0] = "/supervisor";
+    request[1] = "/" + name;
+    request[2] = ToValue(text);
+    if (!CallMaster(master, "setParam", request, kDeadline)) return name;
+  }
+  return "";
+}
+
+ParameterLauncher::ParameterLauncher(ProcessLauncher& next, NodeAddress master,
+                                     std::map<std::string, std::string> parameters)
+    : next_(next), master_(std::move(master)), parameters_(std::move(parameters)) {}
+
+int ParameterLauncher::Start(const ProcessConfig& config, std::string& error) {
+  const std::string refused = SetParameters(master_, parameters_);
+  if (refused.empty()) return next_.Start(config, error);
+  error = "the ROS master does not take the parameter " + refused;
+  return 0;
+}
+
+}  // namespace coppice::robot
