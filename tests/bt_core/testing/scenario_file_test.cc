@@ -101,7 +101,8 @@ TEST_F(ScenarioFile, HoldsAllThatAScenarioCanSay) {
 TEST_F(ScenarioFile, AFileThatIsNotThereIsAnError) {
   Diagnostics diagnostics;
   EXPECT_FALSE(LoadScenarios("/none.test.json", diagnostics));
-  EXPECT_EQ(diagnostics.ToString(), "/none.test.json: error: cannot be read\n");
+  EXPECT_EQ(diagnostics.ToString(),
+            "/none.test.json: error: cannot be read: No such file or directory\n");
 }
 
 TEST_F(ScenarioFile, AllErrorsAreTold) {
