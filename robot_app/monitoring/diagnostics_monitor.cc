@@ -21,6 +21,7 @@ void DiagnosticsMonitor::Watch(const std::optional<DiagnosticsWatch>& watch, Tim
   if (watch_) {
     statuses_.erase(std::remove_if(statuses_.begin(), statuses_.end(), is_silent), statuses_.end());
   }
+  for (Status& status : statuses_) status.was_heard_since_change = false;
   watch_ = watch;
 }
 
@@ -37,9 +38,15 @@ void DiagnosticsMonitor::OnStatus(const std::string& name, int level, const std:
   status->level = static_cast<HealthLevel>(is_known ? level : kWorst);
   status->message = message;
   status->heard_at = now;
+  status->was_heard_since_change = true;
 }
 
 std::vector<Finding> DiagnosticsMonitor::Report(const ProcessTable&, const Times& now) {
+  const auto is_of_another_configuration = [this, &now](const Status& status) {
+    return !status.was_heard_since_change && now.wall - status.heard_at > watch_->staleness;
+  };
+  statuses_.erase(std::remove_if(statuses_.begin(), statuses_.end(), is_of_another_configuration),
+                  statuses_.end());
   std::vector<Finding> findings;
   for (const Status& status : statuses_) {
     Finding finding{

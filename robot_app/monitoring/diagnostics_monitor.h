@@ -21,8 +21,8 @@ class DiagnosticsMonitor : public Monitor {
   void Watch(const WatchList& list, const Times& now) override {
     Watch(list.diagnostics, now.wall);
   }
-  /// Nothing: nothing is read. A change forgets who has fallen silent: the programs of the
-  /// configuration may be others.
+  /// Nothing: nothing is read. A change forgets who has fallen silent, or is not heard any more
+  /// from then on: the programs of the configuration may be others.
   void Watch(const std::optional<DiagnosticsWatch>& watch, Time now);
 
   /// `level`: that of diagnostic_msgs/DiagnosticStatus; a number that is not known is the worst.
@@ -37,6 +37,7 @@ class DiagnosticsMonitor : public Monitor {
     HealthLevel level = HealthLevel::kOk;
     std::string message;
     Time heard_at{0};
+    bool was_heard_since_change = true;  // of what is watched
   };
   std::optional<DiagnosticsWatch> watch_;
   std::vector<Status> statuses_;

@@ -3,6 +3,7 @@
 usage: page_test.py COPPICE FOLDER_OF_THE_PAGE [PICTURE.png]
 """
 import base64
+import fcntl
 import gzip
 import json
 import os
@@ -30,8 +31,11 @@ class Browser:
         read_there, write_here = os.pipe()
 
         def connect():
-            os.dup2(read_there, 3)
-            os.dup2(write_there, 4)
+            # Not in the place of each other: 3 or 4 may be one of these two.
+            reader = fcntl.fcntl(read_there, fcntl.F_DUPFD, 10)
+            writer = fcntl.fcntl(write_there, fcntl.F_DUPFD, 10)
+            os.dup2(reader, 3)
+            os.dup2(writer, 4)
         self.process = subprocess.Popen(
             [shutil.which("chromium"), "--headless", "--no-sandbox", "--disable-gpu",
              "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--no-first-run",

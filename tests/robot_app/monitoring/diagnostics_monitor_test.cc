@@ -58,6 +58,18 @@ TEST_F(DiagnosticsMonitorTest, AnotherConfigurationForgetsWhoIsSilent) {
   EXPECT_TRUE(At(seconds(11)).empty());
 }
 
+TEST_F(DiagnosticsMonitorTest, WhoIsNotHeardAnyMoreInAnotherConfigurationIsNotMissed) {
+  monitor_.OnStatus("mapping", 0, "", seconds(9));
+  monitor_.OnStatus("lidar", 0, "", seconds(9));
+  monitor_.Watch(DiagnosticsWatch{seconds(5)}, seconds(10));
+  monitor_.OnStatus("lidar", 0, "", seconds(11));
+  EXPECT_EQ(At(seconds(14)).size(), 2u);
+  const auto findings = At(seconds(20));
+  ASSERT_EQ(findings.size(), 1u);
+  EXPECT_EQ(findings[0].subject, "lidar");
+  EXPECT_EQ(findings[0].level, HealthLevel::kStale);
+}
+
 TEST_F(DiagnosticsMonitorTest, AProgramThatInventsNamesIsBounded) {
   for (int i = 0; i < 5000; ++i) monitor_.OnStatus(std::to_string(i), 0, "", seconds(1));
   EXPECT_EQ(At(seconds(1)).size(), 2000u);

@@ -201,11 +201,11 @@ TEST_F(MonitorConfigTest, TheShippedFileIsRightAndFitsTheShippedProcesses) {
   const std::string folder = SourceFolder() + "/robot_app/config/";
   const MonitorConfig monitors = LoadMonitorConfig(folder + "monitors.yaml", diagnostics_);
   const RobotConfig robot = LoadRobotConfig(
-      folder + "robot.yaml", {{"bin", "b"}, {"config", "c"}, {"record", "r"}}, diagnostics_);
+      folder + "robot.yaml", {{"bin", "b"}, {"config", "c"}, {"record", "/tmp/run"}}, diagnostics_);
   ASSERT_EQ(Errors(), "");
   EXPECT_EQ(monitors.lists.size(), robot.configurations.size());
   for (const Configuration& configuration : robot.configurations) {
-    std::vector<std::string> nodes;
+    std::vector<std::string> nodes = {"/supervisor"};  // who starts the others
     for (const std::size_t process : configuration.processes) {
       nodes.push_back(robot.processes[process].node);
     }

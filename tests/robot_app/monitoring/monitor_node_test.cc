@@ -139,7 +139,7 @@ TEST_F(MonitorNodeTest, BadInputEndsAProgramWithOneLineAndStatus2) {
     text << std::ifstream(Temporary("ros_graph/") + name + ".log").rdbuf();
     return text.str();
   };
-  EXPECT_THAT(run({}, "usage"), HasSubstr("--config FILE"));
+  EXPECT_THAT(run({}, "usage"), HasSubstr("--config is required"));
   EXPECT_EQ(run({"--config", "/nowhere"}, "missing"), "/nowhere: error: cannot read the file\n");
   const std::string port = std::to_string(FreePort());
   EXPECT_EQ(run({"--config", config_, "__master:=http://127.0.0.1:" + port}, "no_master"),

@@ -97,7 +97,9 @@ class SimulatedMachine : public ProcessLauncher {
     }
     for (std::size_t i = 0; i < supervisor->config().processes.size(); ++i) {
       const int pid = supervisor->status(i).pid;
-      if (pid != 0 && alive_.at(pid).ready <= now) supervisor->OnReady(i, pid, now);
+      if (pid == 0 || alive_.at(pid).ready > now) continue;
+      supervisor->OnReady(i, pid, now);
+      supervisor->OnHeartbeat(i, now);  // none of these programs hangs
     }
     supervisor->Step(now);
   }
