@@ -454,12 +454,13 @@ TEST_F(SupervisorProgramTest, ReportsBadInputInOneLineEachWithStatus2) {
     return text.str();
   };
   const std::string program = kPrograms + "coppice-supervisor";
-  EXPECT_THAT(run({program}, "usage"), HasSubstr("usage: coppice-supervisor --config FILE"));
+  EXPECT_THAT(run({program}, "usage"), HasSubstr("--config is required"));
   EXPECT_THAT(run({program, "--config", "/nowhere"}, "missing"),
               HasSubstr("/nowhere: error: cannot read the file"));
   EXPECT_THAT(run({program, "--config", folder_ + "/robot.yaml"}, "variable"),
               HasSubstr("robot.yaml:5:"));
-  EXPECT_THAT(run({program, "--set", "x"}, "set"), HasSubstr("--set needs NAME=VALUE"));
+  EXPECT_THAT(run({program, "--config", "/nowhere", "--set", "x"}, "set"),
+              HasSubstr("--set: expected NAME=VALUE, not \"x\""));
 }
 
 class SwitchOffProgramTest : public SupervisorProgramTest {
