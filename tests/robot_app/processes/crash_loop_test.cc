@@ -260,6 +260,7 @@ TEST(HangLoopTest, WhatHangsAfterEveryStartIsGivenUpAndAPersonIsCalled) {
   RobotConfig config = Robot();
   config.processes[3].heartbeat = HeartbeatConfig{"/beat", seconds(5)};
   SimulatedRobot robot(config);
+  robot.machine.programs[config.processes[3].name].hangs = true;
   const auto given_up = [&] { return robot.Phase("navigation") == ProcessPhase::kGivenUp; };
   EXPECT_TRUE(robot.RunUntil(given_up, seconds(540)));
   EXPECT_EQ(robot.stacks, 1);

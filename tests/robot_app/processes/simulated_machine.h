@@ -46,6 +46,7 @@ struct Program {
   Duration loads = std::chrono::seconds(1);        ///< until it is ready
   Duration ends = std::chrono::milliseconds(200);  ///< after SIGTERM
   bool ignores_term = false;
+  bool hangs = false;  ///< once it is ready
   /// How long after this start it crashes, or never.
   std::function<std::optional<Duration>()> crashes = [] { return std::nullopt; };
 };
@@ -99,7 +100,7 @@ class SimulatedMachine : public ProcessLauncher {
       const int pid = supervisor->status(i).pid;
       if (pid == 0 || alive_.at(pid).ready > now) continue;
       supervisor->OnReady(i, pid, now);
-      supervisor->OnHeartbeat(i, now);  // none of these programs hangs
+      if (!programs[alive_.at(pid).name].hangs) supervisor->OnHeartbeat(i, now);
     }
     supervisor->Step(now);
   }
