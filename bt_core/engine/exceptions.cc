@@ -36,7 +36,7 @@ Status Executor::EndAborted() {
     const bool has_begun = statuses_[i] == Status::kRunning || Keeps(i);
     if (has_begun && IsUserNode(nodes_[i].type)) HaltUser(i);
     memory_[i] = 0;
-    if (statuses_[i] != Status::kIdle) MakeIdle(i);
+    if (has_begun || statuses_[i] != Status::kIdle) MakeIdle(i);
     if (has_begun && IsGuarded(i)) RunHaltedHook(i);
   }
   CountKept();

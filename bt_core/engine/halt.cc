@@ -64,8 +64,10 @@ void Executor::Resume(NodeIndex node) {
   ChangeKept(-1);
 }
 
-// A skipped node, and what was skipped below it, forgets what it keeps. A SequenceWithMemory that
-// is not RUNNING keeps its place, and with it what the children in front of that have begun.
+// A skipped node, and what was skipped below it, forgets what it keeps. The reset stands between
+// what a leaf does when it is halted and what its hook does, as in HaltRunning: records are played
+// by that. A SequenceWithMemory that is not RUNNING keeps its place, and with it what the children
+// in front of that have begun.
 void Executor::LetGo(NodeIndex node) {
   const bool has_kept = Keeps(node);
   if (has_kept) Forget(node);
@@ -81,6 +83,7 @@ void Executor::Forget(NodeIndex node) {
   if (IsUserNode(nodes_[node].type)) HaltUser(node);
   memory_[node] = 0;
   ChangeKept(-1);
+  MakeIdle(node);
 }
 
 // A node that waits until it has stopped has not.

@@ -30,15 +30,16 @@ Status Executor::TickHooked(NodeIndex node) {
 }
 
 Status Executor::Inject(NodeIndex node, Status status) {
-  if (statuses_[node] != Status::kRunning && status == Status::kRunning) {
-    if (kept_ != 0) LetGo(node);
-    ResetChildren(node);
-    pretending_.push_back(node);
-  }
+  const bool begins = statuses_[node] != Status::kRunning && status == Status::kRunning;
   if (statuses_[node] == Status::kRunning && status != Status::kRunning) HaltRunning(node);
   if (listening_) {
     const char byte = static_cast<char>(status);
     events_.Text(node, EventText::kInjected, std::string_view(&byte, 1));
+  }
+  if (begins) {
+    if (kept_ != 0) LetGo(node);
+    ResetChildren(node);
+    pretending_.push_back(node);
   }
   return Store(node, status);
 }

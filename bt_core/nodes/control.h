@@ -9,7 +9,7 @@
 //   void     ResetChildren(node)      makes all children idle, halting the running ones
 //   void     ChildrenAreIdle(node)    at its end: resets what skipped children keep
 //   void     LeaveChildren(node)      makes those idle that do not run; a skipped one keeps (below)
-//   void     LetGo(node)              makes a skipped child forget that
+//   void     LetGo(node)              makes a skipped child forget that; idle if it kept some
 //   Status   status(node)             of a child: RUNNING is always true, the other values only
 //                                     where the node itself sees to it that children are reset
 //   uint64&  memory(node)
@@ -52,7 +52,7 @@ namespace internal {
 template <Status kGoOn, class Tree>
 [[gnu::noinline, gnu::cold]] Status UnlessAllWereSkipped(Tree tree, NodeIndex node) {
   for (NodeIndex child = node + 1; child != tree.EndOf(node); child = tree.EndOf(child)) {
-    if (tree.status(child) != Status::kSkipped) return kGoOn;
+    if (tree.status(child) == kGoOn) return kGoOn;
   }
   return Status::kSkipped;
 }

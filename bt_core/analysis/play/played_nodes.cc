@@ -136,9 +136,10 @@ class PlayedControl final : public UserControl {
     std::uint32_t k = 0;
     NodeIndex child = node + 1;
     for (; shape[child].end <= of; child = shape[child].end) ++k;
-    while (event != part_.prompter().end() && !(event->is_status() && event->index == child)) {
-      ++event;
-    }
+    const auto is_about_child = [child](const Event& e) {
+      return e.index == child && (e.is_status() || IsInjected(e));
+    };
+    while (event != part_.prompter().end() && !is_about_child(*event)) ++event;
     if (event == part_.prompter().end()) return false;
     if (event->code == EventCode::kReset) {
       children.Halt(k);

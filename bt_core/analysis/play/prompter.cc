@@ -25,11 +25,6 @@ bool ChangesNothing(const StatusFollower& statuses, const Event& event) {
   return event.code == EventCode::kReset && statuses.status(event.index) == Status::kIdle;
 }
 
-bool IsInjected(const Event& event, NodeIndex node) {
-  return event.code == EventCode::kText && event.text == EventText::kInjected &&
-         event.index == node && event.bytes.size() == 1;
-}
-
 }  // namespace
 
 bool IsAboutStopping(const Event& event) {
@@ -37,6 +32,11 @@ bool IsAboutStopping(const Event& event) {
   constexpr std::string_view kThrew = "while stopping: ";
   return event.code == EventCode::kText && (event.bytes.substr(0, kGivenUp.size()) == kGivenUp ||
                                             event.bytes.substr(0, kThrew.size()) == kThrew);
+}
+
+bool IsInjected(const Event& event) {
+  return event.code == EventCode::kText && event.text == EventText::kInjected &&
+         event.bytes.size() == 1;
 }
 
 // What the node's hook writes when it is halted is not followed by its result.
@@ -120,8 +120,8 @@ void Prompter::FollowPretending(const Event& event) {
     const bool goes_on = event.status() == Status::kRunning &&
                          actual_statuses_->status(event.index) == Status::kRunning;
     if (!goes_on && event.index != injected_) pretending_.erase(event.index);
-    injected_ = kNoNode;
-  } else if (IsInjected(event, event.index)) {
+    if (event.is_result()) injected_ = kNoNode;
+  } else if (IsInjected(event)) {
     injected_ = event.index;
     const bool runs = actual_statuses_->status(event.index) == Status::kRunning;
     if (!runs && static_cast<Status>(event.bytes[0]) == Status::kRunning) {
@@ -187,7 +187,7 @@ Value Prompter::ValueOf(const Event& event) const {
 std::optional<Status> Prompter::InjectedNext(NodeIndex node) const {
   const bool runs = IsRunning(node);
   for (const Event* event = begin(); event != end(); ++event) {
-    if (IsInjected(*event, node)) return static_cast<Status>(event->bytes[0]);
+    if (IsInjected(*event) && event->index == node) return static_cast<Status>(event->bytes[0]);
     const NodeIndex of = NodeOf(*event);
     if (of < node || of >= shape()[node].end) return std::nullopt;
     if (of != node || event->code == EventCode::kText) continue;

@@ -24,6 +24,9 @@ namespace coppice {
 /// True for what the engine says of a node that stops late.
 bool IsAboutStopping(const Event& event);
 
+/// True for the word that the next result of the node comes from outside.
+bool IsInjected(const Event& event);
+
 /// Follows a node that has been halted and may go on stopping: then it is RUNNING when the tree
 /// waits for it and does nothing, and halting it again is no news to it.
 class StoppingNode {

@@ -25,7 +25,7 @@ class Builder {
     if (statuses_) statuses_->Apply(event);
     Complete(event.index, event.status(), number);
     entry_ = number + 1;
-    injected_ = kNoNode;
+    if (event.is_result()) injected_ = kNoNode;
   }
 
   void Finish() {
