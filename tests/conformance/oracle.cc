@@ -104,7 +104,7 @@ void OracleNode::Halt() {
 }
 
 void OracleNode::LetGo() {
-  const Status status = status_;
+  const Status status = is_told_ ? Status::kIdle : status_;
   Halt();
   status_ = status;
 }

@@ -61,7 +61,7 @@ class OracleNode {
 
   Status Tick();
   void Halt();
-  void LetGo();  // as Halt, but the status stays
+  void LetGo();  // as Halt, but what has nothing to halt keeps its status
 
   /// What a guard or hook of this name would be: scripts are key == number, key != number and
   /// key += 'text'.

@@ -69,10 +69,13 @@ class Part {
     return event;
   }
 
-  /// True if the node needs time to stop.
+  /// True if the node needs time to stop. What stands behind its reset is of its hook.
   bool PlayHalt(LeafHost& host) {
     if (!prompter_.Sync()) return false;
-    return prompter_.WillDrain(host.current_node(), PlayOwn(host, prompter_.begin()));
+    const NodeIndex node = host.current_node();
+    const Event* event = prompter_.begin();
+    while (event != prompter_.begin_of_change() && event->index != node) ++event;
+    return prompter_.WillDrain(node, PlayOwn(host, event));
   }
 
   /// Asked at the beginning of a tick: true if what comes next is that the node has stopped.

@@ -95,6 +95,15 @@ TEST(Reporting, AHaltResetsWhatRanFromTheTopDown) {
   EXPECT_EQ(tree.scribe.lines, (Lines{"reset s", "reset a"}));
 }
 
+TEST(Reporting, AHaltOfASkippedLeafStandsBeforeWhatItsHookWrites) {
+  Reported tree(
+      R"(<Sequence name="s"><Leaf name="a" _onHalted="k := 1"/><Leaf name="b"/></Sequence>)",
+      Results({{"a", {Status::kRunning, Status::kSkipped}}, {"b", {Status::kFailure}}}));
+  tree.Tick();
+  EXPECT_EQ(tree.Tick(),
+            (Lines{"a SKIPPED", "b FAILURE", "reset a", "a writes k=1", "reset b", "s FAILURE"}));
+}
+
 TEST(Reporting, NothingIsLeftOverForASinkThatComesLater) {
   Stage stage(Main(R"(<Leaf name="a"/>)"));
   Scribe first(*stage.program);
