@@ -1,11 +1,12 @@
 #include "tests/editor/reference_picture.h"
-#include "tests/support/folders.h"
 
 #include <png.h>
 
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+
+#include "tests/support/folders.h"
 
 namespace coppice::editor {
 namespace {
@@ -63,8 +64,7 @@ std::optional<Image> ReadPng(const std::string& path) {
 }
 
 std::string CompareWithReference(const Image& shown, const std::string& name) {
-  const std::string path =
-      SourceFolder() + "/tests/editor/reference/" + name + ".png";
+  const std::string path = SourceFolder() + "/tests/editor/reference/" + name + ".png";
   const Image half = HalfSize(shown);
   if (std::getenv("COPPICE_UPDATE_REFERENCE")) return WritePng(half, path);
   const std::optional<Image> reference = ReadPng(path);

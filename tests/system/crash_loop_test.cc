@@ -14,8 +14,8 @@
 #include <memory>
 #include <string>
 
-#include "tests/system/fault_case.h"
 #include "tests/support/folders.h"
+#include "tests/system/fault_case.h"
 
 namespace coppice::robot {
 namespace {
@@ -34,8 +34,7 @@ RigOptions Options() {
   options.name = "crash_loop";
   options.start = "2 0 0";
   options.variables = {{"speed", "1"}, {"seed", "2"}};
-  options.programs = {
-      {"coppice-odometry-filter", BinaryFolder() + "/tests/bin/crash_loop"}};
+  options.programs = {{"coppice-odometry-filter", BinaryFolder() + "/tests/bin/crash_loop"}};
   return options;
 }
 

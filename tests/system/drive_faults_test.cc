@@ -4,8 +4,8 @@
 
 #include <memory>
 
-#include "tests/system/fault_case.h"
 #include "tests/support/folders.h"
+#include "tests/system/fault_case.h"
 
 namespace coppice::robot {
 namespace {
@@ -20,10 +20,9 @@ RigOptions Options(const std::string& name, const std::string& application) {
   RigOptions options;
   options.name = name;
   options.start = "4 0 0";
-  options.variables = {
-      {"speed", "6"},
-      {"seed", "5"},
-      {"application", SourceFolder() + "/tests/system/trees/" + application}};
+  options.variables = {{"speed", "6"},
+                       {"seed", "5"},
+                       {"application", SourceFolder() + "/tests/system/trees/" + application}};
   // People who never answer, and a robot that does not wait long for them.
   options.edits = {{"supervisors.yaml", "remind: 120", "remind: 3"},
                    {"supervisors.yaml", "next: 300", "next: 4"},

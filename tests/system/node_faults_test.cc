@@ -5,8 +5,8 @@
 #include <csignal>
 #include <memory>
 
-#include "tests/system/fault_case.h"
 #include "tests/support/folders.h"
+#include "tests/system/fault_case.h"
 
 namespace coppice::robot {
 namespace {
@@ -25,8 +25,7 @@ RigOptions Options() {
   options.name = "node_faults";
   options.start = "2 0 0";
   options.variables = {{"speed", "1"}, {"seed", "7"}};
-  options.programs = {
-      {"laser_driver", BinaryFolder() + "/tests/bin/laser_driver"}};
+  options.programs = {{"laser_driver", BinaryFolder() + "/tests/bin/laser_driver"}};
   // On its way already, so that nothing but the fault changes anything.
   options.edits = {
       {"robot.yaml", "\"_speed:=", "\"/scan:=/simulation/scan\", \"_speed:="},

@@ -5,8 +5,8 @@
 #include <set>
 #include <string>
 
-#include "tests/system/fault_case.h"
 #include "tests/support/folders.h"
+#include "tests/system/fault_case.h"
 
 namespace coppice::robot {
 namespace {
@@ -79,8 +79,7 @@ TEST_F(DockingFaults, ContactWithoutCurrentIsNoCharging) {
 // The application never looks at the battery, as if its signal had got lost.
 TEST(MissedChargeSignal, IsMadeUpForByTheBatteryWatchdog) {
   RigOptions options = Options("missed_charge", "0.9");
-  options.variables.emplace_back(
-      "application", SourceFolder() + "/tests/system/trees/shuttle.xml");
+  options.variables.emplace_back("application", SourceFolder() + "/tests/system/trees/shuttle.xml");
   RobotRig rig(options);
   ASSERT_TRUE(rig.Start());
   FaultCase fault(rig, "missed charge signal", "the battery is at 12 %, the application drives on");

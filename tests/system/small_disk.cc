@@ -1,5 +1,4 @@
 #include "tests/system/small_disk.h"
-#include "tests/support/folders.h"
 
 #include <gtest/gtest.h>
 #include <sys/mount.h>
@@ -8,6 +7,8 @@
 
 #include <fstream>
 #include <string>
+
+#include "tests/support/folders.h"
 
 namespace coppice::robot {
 

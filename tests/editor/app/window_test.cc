@@ -47,8 +47,8 @@ TEST(Window, ShowsTheTreeAndObeysKeys) {
   const std::string errors = file.folder() + "/errors";
   const std::vector<std::string> environment = {"DISPLAY=" + display,
                                                 "XDG_CONFIG_HOME=" + file.folder()};
-  StartedProgram editor({BinaryFolder() + "/bin/coppice-edit", file.path(),
-                         "--size", "1000x700", "--picture", picture, "--every", "0.1"},
+  StartedProgram editor({BinaryFolder() + "/bin/coppice-edit", file.path(), "--size", "1000x700",
+                         "--picture", picture, "--every", "0.1"},
                         environment, errors);
   const Palette& colors = GetPalette(PaletteName::kDark);
   ASSERT_TRUE(WaitFor([&] { return CountLike(ReadPng(picture), colors.action) > 300; }, kLongest))

@@ -1,11 +1,12 @@
 #include "robot_app/navigation/topological_map.h"
-#include "tests/support/folders.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <fstream>
 #include <map>
+
+#include "tests/support/folders.h"
 
 namespace coppice::robot {
 namespace {
@@ -27,8 +28,7 @@ std::string ErrorsOf(const std::string& text) {
 
 TopologicalMap Shipped() {
   Diagnostics diagnostics;
-  auto map =
-      TopologicalMap::Load(SourceFolder() + "/robot_app/config/waypoints.yaml", diagnostics);
+  auto map = TopologicalMap::Load(SourceFolder() + "/robot_app/config/waypoints.yaml", diagnostics);
   EXPECT_TRUE(map) << diagnostics.ToString();
   return map.value_or(TopologicalMap());
 }

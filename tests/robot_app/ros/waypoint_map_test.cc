@@ -1,11 +1,12 @@
 #include "robot_app/ros/waypoint_map.h"
-#include "tests/support/folders.h"
 
 #include <gtest/gtest.h>
 
 #include <fstream>
 #include <set>
 #include <stdexcept>
+
+#include "tests/support/folders.h"
 
 namespace coppice::robot {
 namespace {
