@@ -41,7 +41,9 @@ void World::Write(const std::string& text, std::optional<std::string> value) {
 }
 
 bool OracleNode::Guard(const char* name, bool otherwise) const {
-  std::istringstream script(shape_.Text(name, ""));
+  const std::string text = shape_.Text(name, "");
+  if (text.empty()) return otherwise;  // as of nearly all
+  std::istringstream script(text);
   std::string key;
   std::string relation;
   std::string number;
