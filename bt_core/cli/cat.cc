@@ -52,9 +52,9 @@ const Command& CatCommand() {
       "coppice cat",
       "print a file, with attributes set",
       {"FILE", 1, 1},
-      R"(Prints the file, byte for byte, with attributes set; nothing else changes. PATH is the ID of a
-tree and the steps below it: Main/Sequence/Timeout[2]@msec=500. A step is the name, the ID or the
-tag of a node; [n] takes the n-th that fits.)",
+      R"(Prints the file, byte for byte, with attributes set; nothing else changes. PATH is
+the ID of a tree and the steps below it: Main/Sequence/Timeout[2]@msec=500. A step is the
+name, the ID or the tag of a node; [n] takes the n-th that fits.)",
       {CommandOption::Text("--set", "PATH@ATTRIBUTE=VALUE", "what to set; may be several").List()}};
   return command;
 }

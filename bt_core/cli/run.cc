@@ -78,8 +78,8 @@ const Command& RunCommand() {
       "coppice run",
       "run a tree of built-in nodes",
       {"FILE", 1, 1},
-      R"(Runs a tree of built-in nodes and those of plugins until its root completes; Ctrl+C halts it.
-Trees with the robot's leaves are run by coppice-robot.)",
+      R"(Runs a tree of built-in nodes and those of plugins until its root completes; Ctrl+C
+halts it. Trees with the robot's leaves are run by coppice-robot.)",
       Together({CommandOption::Text("--tree", "ID", "which tree of the file; else the main one"),
                 PluginOption(),
                 CommandOption::Flag("--forever", "starts again when the root has completed"),

@@ -109,9 +109,10 @@ const Command& TraceCommand() {
       "coppice trace",
       "run a tree with scripted leaves",
       {"FILE", 1, 1},
-      R"(Runs a tree whose leaves are scripted and prints what each tick did, one JSON line per tick.
-SCRIPT: {"leaves": {"name": ["RUNNING", "SUCCESS"]}}, one entry per tick of the leaf, the last one
-repeats; a leaf without script succeeds. Leaves are all nodes that are not built in.)",
+      R"(Runs a tree whose leaves are scripted and prints what each tick did, one JSON line
+per tick. SCRIPT: {"leaves": {"name": ["RUNNING", "SUCCESS"]}}, one entry per tick of the
+leaf, the last one repeats; a leaf without script succeeds. Leaves are all nodes that are not
+built in.)",
       {CommandOption::Text("--leaves", "SCRIPT.json", "what the leaves do"),
        CommandOption::Whole("--ticks", "N", 0, kMostTicks, "how many; else 1"),
        CommandOption::Text("--tree", "ID", "which tree of the file; else the main one"),

@@ -43,8 +43,8 @@ const Command& UpgradeCommand() {
       "coppice upgrade",
       "make trees of format 3 trees of format 4",
       {"FILE...", 1, kAnyNumber},
-      R"(Makes trees of format 3 trees of format 4, and mends what only lax XML parsers accept. Comments
-and layout stay. What it cannot upgrade is a warning. Prints the new file.)",
+      R"(Makes trees of format 3 trees of format 4, and mends what only lax XML parsers
+accept. Comments and layout stay. What it cannot upgrade is a warning. Prints the new file.)",
       {CommandOption::Flag("-i", "writes it in its place instead"),
        CommandOption::Text("-o", "OUTPUT", "writes it there instead; of one file")}};
   return command;

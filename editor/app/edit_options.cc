@@ -20,8 +20,8 @@ const coppice::Command& EditCommand() {
       "coppice edit",
       "open the graphical editor",
       {"[FILE...]", 0, kAnyNumber},
-      R"(Shows behaviour trees: of files (.xml), live of robots that speak the Groot2 protocol, and of
-records of runs (.coppice, and .btlog of BehaviorTree.CPP).)",
+      R"(Shows behaviour trees: of files (.xml), live of robots that speak the Groot2
+protocol, and of records of runs (.coppice, and .btlog of BehaviorTree.CPP).)",
       {CommandOption::Text("--connect", "HOST:PORT", "follow a robot; may be given several times"),
        CommandOption::Text("--models", "FILE",
                            "XML file with a <TreeNodesModel>; may be given several times"),

@@ -38,8 +38,8 @@ const Command& RobotCommand() {
       "coppice-robot",
       "run the trees of a robot",
       {},
-      R"(Runs both trees until the application ends, then goes on monitoring until it is stopped. The
-application may be any tree, for example trees/behavior/leave_station.xml.)",
+      R"(Runs both trees until the application ends, then goes on monitoring until it is
+stopped. The application may be any tree, for example trees/behavior/leave_station.xml.)",
       {CommandOption::Text("--application", "FILE", "the application tree").Needed(),
        CommandOption::Text("--monitor", "FILE", "the monitor tree").Needed(),
        CommandOption::Text("--waypoints", "FILE", "the places that the trees speak of").Needed(),

@@ -3,9 +3,9 @@
 // Docking: turn to the staging pose and drive there, turn to the station, drive in slowly along the
 // station's axis by pure pursuit (R. C. Coulter: Implementation of the Pure Pursuit Path Tracking
 // Algorithm, CMU-RI-TR-92-01), stand, and watch the battery. Only a charging current that lasts is
-// success, or a charger that says the battery is full: standing in the station is not. Without it the robot presses on and draws back a little
-// (contact_wiggle.h), then backs out to the staging pose and tries again, a little to one side and
-// then to the other.
+// success, or a charger that says the battery is full: standing in the station is not. Without it
+// the robot presses on and draws back a little (contact_wiggle.h), then backs out to the staging
+// pose and tries again, a little to one side and then to the other.
 // Undocking: straight back, then see that the current has stopped.
 //
 // A deterministic state machine without a clock, a thread or ROS. All poses in the map frame.

@@ -36,8 +36,8 @@ class Teleoperation {
   void Leave(std::uint64_t client);
 
   /// A wish of a person who has the wheel; without effect from others. Values that are no numbers
-  /// count as zero. `seen`: the newest time of the robot that the page knew when it was said; a wish
-  /// that has been on its way for too long is one to stop.
+  /// count as zero. `seen`: the newest time of the robot that the page knew when it was said; a
+  /// wish that has been on its way for too long is one to stop.
   void Drive(std::uint64_t client, const Velocity2D& wish, Time seen, Time now);
 
   /// What the laser sees, in base_link.

@@ -1,5 +1,5 @@
-// The monitoring tree is the figure "Structure of the monitoring framework" of Stuede et al., "Sobi",
-// ECMR 2021, as it is printed.
+// The monitoring tree is the figure "Structure of the monitoring framework" of Stuede et al.,
+// "Sobi", ECMR 2021, as it is printed.
 #include <gtest/gtest.h>
 
 #include <optional>

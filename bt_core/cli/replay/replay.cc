@@ -132,8 +132,8 @@ const Command& ReplayCommand() {
       "coppice replay",
       "go back and forth in a recorded run; why, verify, compare",
       {"FILE [OTHER]", 1, 2},
-      R"(Shows what happened in a recorded run: in a terminal to go back and forth in it, else tick by
-tick. Times are in seconds since the start of the record.)",
+      R"(Shows what happened in a recorded run: in a terminal to go back and forth in it, else
+tick by tick. Times are in seconds since the start of the record.)",
       {CommandOption::Flag("--print", "tick by tick, also in a terminal"),
        CommandOption::Flag("--json", "one JSON object per line"),
        CommandOption::Text("--node", "PATTERN",

@@ -14,9 +14,9 @@ const Command& StatsCommand() {
       "coppice stats",
       "figures of a recorded run, per node",
       {"FILE", 1, 1},
-      R"(What the nodes of a recorded run did, in figures: ticks, results, activations that took more than
-one tick with their durations (p50, p95, max), changes of the result per minute, first and last
-tick.)",
+      R"(What the nodes of a recorded run did, in figures: ticks, results, activations that
+took more than one tick with their durations (p50, p95, max), changes of the result per
+minute, first and last tick.)",
       {CommandOption::OneOf("--sort", {"tree", "ticks", "time", "flips"}, "by what; else by tree"),
        CommandOption::Flag("--json", "as one JSON object")}};
   return command;

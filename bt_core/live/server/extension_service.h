@@ -20,7 +20,8 @@ class ExtensionService {
     std::string json;
     bool failed = false;
   };
-  /// `may_control`: the one who sends this request has the role for it. `now`: in real time. Never throws.
+  /// `may_control`: the one who sends this request has the role for it. `now`: in real time. Never
+  /// throws.
   Answer Serve(ClientId client, bool may_control, std::string_view request, Duration now);
 
   // Notices.

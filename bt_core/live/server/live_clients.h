@@ -5,8 +5,8 @@
 //   WebGateway gateway(options, clients);
 //   while (clients.Receive(request)) desk.Serve(request.client, ...);
 //
-// What a client can make the robot keep has limits: one request, which must be taken before the next
-// is read; answers and pushes that it does not read, of each and of all together.
+// What a client can make the robot keep has limits: one request, which must be taken before the
+// next is read; answers and pushes that it does not read, of each and of all together.
 #ifndef COPPICE_BT_CORE_LIVE_SERVER_LIVE_CLIENTS_H_
 #define COPPICE_BT_CORE_LIVE_SERVER_LIVE_CLIENTS_H_
 
