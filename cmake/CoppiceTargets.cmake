@@ -19,7 +19,7 @@ endfunction()
 # coppice_program(NAME SOURCES... [LINK libraries...])   builds build/bin/NAME
 function(coppice_program name)
   cmake_parse_arguments(ARG "" "" "LINK" ${ARGN})
-  add_executable(${name} ${ARG_UNPARSED_ARGUMENTS})
+  add_executable(${name} ${ARG_UNPARSED_ARGUMENTS} ${COPPICE_SANITIZER_OPTIONS})
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR})
   target_link_libraries(${name} PRIVATE ${ARG_LINK} coppice_warnings)
   if(NOT EMSCRIPTEN)
@@ -42,7 +42,8 @@ function(coppice_test name)
   if(COPPICE_SANITIZE)
     math(EXPR ARG_TIMEOUT "5 * ${ARG_TIMEOUT}")
   endif()
-  add_executable(${name} ${ARG_UNPARSED_ARGUMENTS})
+  coppice_join(${name} sources ${ARG_UNPARSED_ARGUMENTS})
+  add_executable(${name} ${sources} ${COPPICE_SANITIZER_OPTIONS})
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR})
   target_link_libraries(${name} PRIVATE
     ${ARG_LINK} test_support GTest::gmock GTest::gtest_main coppice_warnings)
@@ -53,6 +54,36 @@ function(coppice_test name)
   set_target_properties(${name} PROPERTIES
     RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests/bin)
   coppice_list_suites(${name} TIMEOUT,${ARG_TIMEOUT},RUN_SERIAL,${ARG_SERIAL})
+endfunction()
+
+# coppice_join(NAME RESULT SOURCES...)   sources named *_test.cc, ten at a time as one to compile
+option(COPPICE_JOINED_TESTS "Compile ten sources of a test at a time" ON)
+function(coppice_join name result)
+  set(tests ${ARGN})
+  list(FILTER tests INCLUDE REGEX "_test\\.cc$")
+  list(LENGTH tests count)
+  if(NOT COPPICE_JOINED_TESTS OR count LESS 3)
+    set(${result} ${ARGN} PARENT_SCOPE)
+    return()
+  endif()
+  set(compiled ${ARGN})
+  list(FILTER compiled EXCLUDE REGEX "_test\\.cc$")
+  list(TRANSFORM tests PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/ REGEX "^[^/]")
+  math(EXPR units "(${count} + 9) / 10")
+  math(EXPR size "(${count} + ${units} - 1) / ${units}")  # as equal as they can be
+  foreach(unit RANGE 1 ${units})
+    math(EXPR first "(${unit} - 1) * ${size}")
+    list(SUBLIST tests ${first} ${size} sources)
+    set(file ${CMAKE_CURRENT_BINARY_DIR}/${name}_${unit}.cc)
+    string(REPLACE ";" "," listed "${sources}")
+    add_custom_command(OUTPUT ${file}
+      COMMAND ${CMAKE_COMMAND} -D SOURCES=${listed} -D UNIT=${unit} -D FILE=${file}
+              -D FOLDER=${PROJECT_BINARY_DIR}
+              -P ${PROJECT_SOURCE_DIR}/cmake/JoinSources.cmake
+      DEPENDS ${sources} ${PROJECT_SOURCE_DIR}/cmake/JoinSources.cmake VERBATIM)
+    list(APPEND compiled ${file})
+  endforeach()
+  set(${result} ${compiled} PARENT_SCOPE)
 endfunction()
 
 # coppice_list_suites(PROGRAM PROPERTIES)   what ctest runs is listed when the program is built

@@ -22,10 +22,11 @@ class Adder : public SyncAction {
   int amount_;
 };
 
+}  // namespace
+
 enum class Answer { YES = 1, NO };
 enum class Vote { YES = 5, NO = 2, ABSENT };
 
-}  // namespace
 }  // namespace coppice
 
 COPPICE_ENUM(coppice::Answer, YES, NO)

@@ -5,11 +5,12 @@
 #include "tests/bt_core/engine/fixture.h"
 
 namespace coppice {
-namespace {
 
 struct Colour {
   int hue = 0;
 };
+
+namespace {
 
 class Paint : public SyncAction {
  public:
