@@ -18,7 +18,7 @@
 #include "bt_nodes/recovery/recovery_nodes.h"
 #include "bt_nodes/recovery/restart_faulty_nodes.h"
 
-namespace coppice {
+namespace coppice::leaves {
 
 void RegisterNodes(Registry& registry, const Capabilities& capabilities) {
   const auto navigator = std::ref(capabilities.navigator);
@@ -76,4 +76,4 @@ void RegisterNodes(Registry& registry, const Capabilities& capabilities) {
   registry.Register<SuspendApplication>("SuspendApplication", std::ref(capabilities.application));
 }
 
-}  // namespace coppice
+}  // namespace coppice::leaves

@@ -12,7 +12,7 @@
 #include "bt_nodes/processes/process_manager.h"
 #include "bt_nodes/recovery/recovery_log.h"
 
-namespace coppice {
+namespace coppice::leaves {
 
 /// What the leaves act on. All of it must live as long as the trees that use it.
 struct Capabilities {
@@ -29,6 +29,6 @@ struct Capabilities {
 /// One registry for each tree that runs: the leaves of one registry share its requests for help.
 void RegisterNodes(Registry& registry, const Capabilities& capabilities);
 
-}  // namespace coppice
+}  // namespace coppice::leaves
 
 #endif  // COPPICE_BT_NODES_REGISTER_NODES_H_

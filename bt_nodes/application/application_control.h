@@ -3,7 +3,7 @@
 #ifndef COPPICE_BT_NODES_APPLICATION_APPLICATION_CONTROL_H_
 #define COPPICE_BT_NODES_APPLICATION_APPLICATION_CONTROL_H_
 
-namespace coppice {
+namespace coppice::leaves {
 
 class ApplicationControl {
  public:
@@ -17,6 +17,6 @@ class ApplicationControl {
   virtual void Resume() = 0;
 };
 
-}  // namespace coppice
+}  // namespace coppice::leaves
 
 #endif  // COPPICE_BT_NODES_APPLICATION_APPLICATION_CONTROL_H_

@@ -1,6 +1,6 @@
 #include "bt_nodes/application/application_leaves.h"
 
-namespace coppice {
+namespace coppice::leaves {
 
 Status RequestCharge::Run() {
   const Duration again =
@@ -28,4 +28,4 @@ Status SuspendApplication::Tick(Children& child, bool starting) {
   return result;
 }
 
-}  // namespace coppice
+}  // namespace coppice::leaves

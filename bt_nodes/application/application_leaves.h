@@ -5,7 +5,7 @@
 #include "bt_core/nodes/user_control.h"
 #include "bt_nodes/application/application_control.h"
 
-namespace coppice {
+namespace coppice::leaves {
 
 /// A state with a heartbeat: said again now and then, so that an application that was restarted
 /// hears of it.
@@ -53,6 +53,6 @@ class SuspendApplication : public UserDecorator {
   ApplicationControl& application_;
 };
 
-}  // namespace coppice
+}  // namespace coppice::leaves
 
 #endif  // COPPICE_BT_NODES_APPLICATION_APPLICATION_LEAVES_H_

@@ -2,7 +2,7 @@
 
 namespace coppice {
 
-bool ValueTraits<ActionResult>::Parse(std::string_view text, ActionResult& out) {
+bool ValueTraits<leaves::ActionResult>::Parse(std::string_view text, leaves::ActionResult& out) {
   const std::size_t blank = text.find(' ');
   const std::string_view word = text.substr(0, blank);
   out.ok = word == "ok";
@@ -10,7 +10,7 @@ bool ValueTraits<ActionResult>::Parse(std::string_view text, ActionResult& out) 
   return out.ok || word == "failed";
 }
 
-std::string ValueTraits<ActionResult>::Print(const ActionResult& value) {
+std::string ValueTraits<leaves::ActionResult>::Print(const leaves::ActionResult& value) {
   const std::string word = value.ok ? "ok" : "failed";
   return value.message.empty() ? word : word + " " + value.message;
 }

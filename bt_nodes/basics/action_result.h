@@ -7,21 +7,21 @@
 
 #include "bt_core/data/value.h"
 
-namespace coppice {
+namespace coppice::leaves {
 
 struct ActionResult {
   bool ok = false;
   std::string message;  ///< why it failed; for people
 };
 
+}  // namespace coppice::leaves
+
 /// Text form: "ok" or "failed", then a blank and the message.
 template <>
-struct ValueTraits<ActionResult> {
+struct coppice::ValueTraits<coppice::leaves::ActionResult> {
   static constexpr const char* kName = "ActionResult";
-  static bool Parse(std::string_view text, ActionResult& out);
-  static std::string Print(const ActionResult& value);
+  static bool Parse(std::string_view text, leaves::ActionResult& out);
+  static std::string Print(const leaves::ActionResult& value);
 };
-
-}  // namespace coppice
 
 #endif  // COPPICE_BT_NODES_BASICS_ACTION_RESULT_H_

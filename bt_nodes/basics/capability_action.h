@@ -6,7 +6,7 @@
 #include "bt_core/nodes/leaf.h"
 #include "bt_nodes/basics/action_result.h"
 
-namespace coppice {
+namespace coppice::leaves {
 
 class CapabilityAction : public Action {
  public:
@@ -32,6 +32,6 @@ class CapabilityAction : public Action {
   Mailbox<ActionResult> result_{this, "result"};
 };
 
-}  // namespace coppice
+}  // namespace coppice::leaves
 
 #endif  // COPPICE_BT_NODES_BASICS_CAPABILITY_ACTION_H_

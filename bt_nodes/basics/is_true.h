@@ -4,7 +4,7 @@
 
 #include "bt_core/nodes/leaf.h"
 
-namespace coppice {
+namespace coppice::leaves {
 
 class IsTrue : public Condition {
  public:
@@ -14,6 +14,6 @@ class IsTrue : public Condition {
   bool Check() override { return value.has_value() && *value; }
 };
 
-}  // namespace coppice
+}  // namespace coppice::leaves
 
 #endif  // COPPICE_BT_NODES_BASICS_IS_TRUE_H_

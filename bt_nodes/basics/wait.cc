@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace coppice {
+namespace coppice::leaves {
 
 Status Wait::OnStart() {
   if (!std::isfinite(*seconds) || *seconds > 1e9) return Fail("seconds must be a finite number");
@@ -16,4 +16,4 @@ Status Wait::OnRunning() {
   return Status::kRunning;
 }
 
-}  // namespace coppice
+}  // namespace coppice::leaves

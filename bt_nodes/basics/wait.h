@@ -4,7 +4,7 @@
 
 #include "bt_core/nodes/leaf.h"
 
-namespace coppice {
+namespace coppice::leaves {
 
 class Wait : public Action {
  public:
@@ -20,6 +20,6 @@ class Wait : public Action {
   Time end_{0};
 };
 
-}  // namespace coppice
+}  // namespace coppice::leaves
 
 #endif  // COPPICE_BT_NODES_BASICS_WAIT_H_

@@ -9,7 +9,7 @@
 #include "bt_core/data/inbox.h"
 #include "bt_nodes/basics/action_result.h"
 
-namespace coppice {
+namespace coppice::leaves {
 
 class ChargingStation {
  public:
@@ -24,6 +24,6 @@ class ChargingStation {
   virtual void CancelDocking() = 0;
 };
 
-}  // namespace coppice
+}  // namespace coppice::leaves
 
 #endif  // COPPICE_BT_NODES_DOCKING_CHARGING_STATION_H_

@@ -5,7 +5,7 @@
 #include "bt_nodes/basics/capability_action.h"
 #include "bt_nodes/docking/charging_station.h"
 
-namespace coppice {
+namespace coppice::leaves {
 
 class Dock : public CapabilityAction {
  public:
@@ -54,6 +54,6 @@ class Undock : public CapabilityAction {
   ChargingStation& station_;
 };
 
-}  // namespace coppice
+}  // namespace coppice::leaves
 
 #endif  // COPPICE_BT_NODES_DOCKING_DOCKING_LEAVES_H_

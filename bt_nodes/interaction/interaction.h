@@ -10,7 +10,7 @@
 #include "bt_core/data/inbox.h"
 #include "bt_nodes/basics/action_result.h"
 
-namespace coppice {
+namespace coppice::leaves {
 
 class Interaction {
  public:
@@ -22,6 +22,6 @@ class Interaction {
   virtual void SetExpression(const std::string& expression) = 0;
 };
 
-}  // namespace coppice
+}  // namespace coppice::leaves
 
 #endif  // COPPICE_BT_NODES_INTERACTION_INTERACTION_H_

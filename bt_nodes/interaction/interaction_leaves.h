@@ -7,7 +7,7 @@
 #include "bt_nodes/basics/capability_action.h"
 #include "bt_nodes/interaction/interaction.h"
 
-namespace coppice {
+namespace coppice::leaves {
 
 class Say : public CapabilityAction {
  public:
@@ -37,6 +37,6 @@ class SetExpression : public SyncAction {
   Interaction& interaction_;
 };
 
-}  // namespace coppice
+}  // namespace coppice::leaves
 
 #endif  // COPPICE_BT_NODES_INTERACTION_INTERACTION_LEAVES_H_

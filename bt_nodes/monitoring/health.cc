@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-namespace coppice {
+namespace coppice::leaves {
 namespace {
 
 // Takes the text up to a separator off the front.
@@ -58,29 +58,34 @@ bool Health::HasError(std::string_view kinds) const {
   });
 }
 
-bool ValueTraits<Health>::Parse(std::string_view text, Health& out) {
+}  // namespace coppice::leaves
+
+namespace coppice {
+
+bool ValueTraits<leaves::Health>::Parse(std::string_view text, leaves::Health& out) {
   std::int64_t stamp = 0;
-  if (!ValueTraits<std::int64_t>::Parse(TakeUntil(text, '\n'), stamp)) return false;
+  if (!ValueTraits<std::int64_t>::Parse(leaves::TakeUntil(text, '\n'), stamp)) return false;
   out.stamp = Time(stamp);
   out.entries.clear();
   while (!text.empty()) {
-    std::string_view line = TakeUntil(text, '\n');
-    HealthEntry entry;
-    if (!ParseLevel(TakeUntil(line, '\t'), entry.level)) return false;
-    entry.monitor = TakeUntil(line, '\t');
-    entry.subject = TakeUntil(line, '\t');
-    entry.node = TakeUntil(line, '\t');
+    std::string_view line = leaves::TakeUntil(text, '\n');
+    leaves::HealthEntry entry;
+    if (!leaves::ParseLevel(leaves::TakeUntil(line, '\t'), entry.level)) return false;
+    entry.monitor = leaves::TakeUntil(line, '\t');
+    entry.subject = leaves::TakeUntil(line, '\t');
+    entry.node = leaves::TakeUntil(line, '\t');
     entry.message = line;
     out.entries.push_back(entry);
   }
   return true;
 }
 
-std::string ValueTraits<Health>::Print(const Health& value) {
+std::string ValueTraits<leaves::Health>::Print(const leaves::Health& value) {
   std::string text = std::to_string(value.stamp.count());
-  for (const HealthEntry& entry : value.entries) {
-    text += std::string("\n") + ToString(entry.level) + "\t" + Clean(entry.monitor) + "\t" +
-            Clean(entry.subject) + "\t" + Clean(entry.node) + "\t" + Clean(entry.message);
+  for (const leaves::HealthEntry& entry : value.entries) {
+    text += std::string("\n") + ToString(entry.level) + "\t" + leaves::Clean(entry.monitor) + "\t" +
+            leaves::Clean(entry.subject) + "\t" + leaves::Clean(entry.node) + "\t" +
+            leaves::Clean(entry.message);
   }
   return text;
 }

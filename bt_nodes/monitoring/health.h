@@ -10,7 +10,7 @@
 #include "bt_core/base/clock.h"
 #include "bt_core/data/value.h"
 
-namespace coppice {
+namespace coppice::leaves {
 
 /// In the order of severity.
 enum class HealthLevel : std::uint8_t { kOk = 0, kWarn = 1, kError = 2, kStale = 3 };
@@ -40,15 +40,15 @@ struct Health {
   bool HasError(std::string_view kinds) const;
 };
 
+}  // namespace coppice::leaves
+
 /// Text form: the stamp in ns, then one line per entry: level, monitor, subject, node and message,
 /// tab-separated.
 template <>
-struct ValueTraits<Health> {
+struct coppice::ValueTraits<coppice::leaves::Health> {
   static constexpr const char* kName = "Health";
-  static bool Parse(std::string_view text, Health& out);
-  static std::string Print(const Health& value);
+  static bool Parse(std::string_view text, leaves::Health& out);
+  static std::string Print(const leaves::Health& value);
 };
-
-}  // namespace coppice
 
 #endif  // COPPICE_BT_NODES_MONITORING_HEALTH_H_

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace coppice {
+namespace coppice::leaves {
 
 Status ReadHealth::Run() {
   if (!monitoring.has_value()) return Fail("no monitor has reported yet");
@@ -40,4 +40,4 @@ bool NodeIsWell::Check() {
   return false;
 }
 
-}  // namespace coppice
+}  // namespace coppice::leaves

@@ -7,7 +7,7 @@
 #include "bt_core/nodes/leaf.h"
 #include "bt_nodes/monitoring/health.h"
 
-namespace coppice {
+namespace coppice::leaves {
 
 /// The second step of every tick of the monitor tree: with reports too old to act on it fails, so
 /// that nothing is repaired blindly.
@@ -111,6 +111,6 @@ class NodeIsWell : public Condition {
   bool Check() override;
 };
 
-}  // namespace coppice
+}  // namespace coppice::leaves
 
 #endif  // COPPICE_BT_NODES_MONITORING_MONITORING_LEAVES_H_

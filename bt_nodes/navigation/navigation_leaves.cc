@@ -1,6 +1,6 @@
 #include "bt_nodes/navigation/navigation_leaves.h"
 
-namespace coppice {
+namespace coppice::leaves {
 
 Status ChooseWaypoint::Run() {
   const Waypoint chosen = map_.ChooseForPatrol();
@@ -16,4 +16,4 @@ Status FindWaypoint::Run() {
   return Status::kSuccess;
 }
 
-}  // namespace coppice
+}  // namespace coppice::leaves

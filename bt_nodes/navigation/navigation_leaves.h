@@ -8,7 +8,7 @@
 #include "bt_nodes/navigation/navigator.h"
 #include "bt_nodes/navigation/waypoint_map.h"
 
-namespace coppice {
+namespace coppice::leaves {
 
 class NavigateTo : public CapabilityAction {
  public:
@@ -79,6 +79,6 @@ class FindWaypoint : public SyncAction {
   WaypointMap& map_;
 };
 
-}  // namespace coppice
+}  // namespace coppice::leaves
 
 #endif  // COPPICE_BT_NODES_NAVIGATION_NAVIGATION_LEAVES_H_

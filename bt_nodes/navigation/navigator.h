@@ -11,7 +11,7 @@
 #include "bt_nodes/basics/action_result.h"
 #include "bt_nodes/navigation/pose2d.h"
 
-namespace coppice {
+namespace coppice::leaves {
 
 class Navigator {
  public:
@@ -29,6 +29,6 @@ class Navigator {
   virtual void CancelMotion() = 0;
 };
 
-}  // namespace coppice
+}  // namespace coppice::leaves
 
 #endif  // COPPICE_BT_NODES_NAVIGATION_NAVIGATOR_H_

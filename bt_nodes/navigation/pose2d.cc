@@ -4,7 +4,7 @@
 
 namespace coppice {
 
-bool ValueTraits<Pose2D>::Parse(std::string_view text, Pose2D& out) {
+bool ValueTraits<leaves::Pose2D>::Parse(std::string_view text, leaves::Pose2D& out) {
   for (double* number : {&out.x, &out.y, &out.yaw}) {
     const std::size_t end = text.find(';');
     const bool last = number == &out.yaw;
@@ -16,7 +16,7 @@ bool ValueTraits<Pose2D>::Parse(std::string_view text, Pose2D& out) {
   return true;
 }
 
-std::string ValueTraits<Pose2D>::Print(const Pose2D& value) {
+std::string ValueTraits<leaves::Pose2D>::Print(const leaves::Pose2D& value) {
   const auto print = ValueTraits<double>::Print;
   return print(value.x) + ";" + print(value.y) + ";" + print(value.yaw);
 }

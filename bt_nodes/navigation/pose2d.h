@@ -7,7 +7,7 @@
 
 #include "bt_core/data/value.h"
 
-namespace coppice {
+namespace coppice::leaves {
 
 struct Pose2D {
   double x = 0;
@@ -15,14 +15,14 @@ struct Pose2D {
   double yaw = 0;
 };
 
+}  // namespace coppice::leaves
+
 /// Text form: "x;y;yaw".
 template <>
-struct ValueTraits<Pose2D> {
+struct coppice::ValueTraits<coppice::leaves::Pose2D> {
   static constexpr const char* kName = "Pose2D";
-  static bool Parse(std::string_view text, Pose2D& out);
-  static std::string Print(const Pose2D& value);
+  static bool Parse(std::string_view text, leaves::Pose2D& out);
+  static std::string Print(const leaves::Pose2D& value);
 };
-
-}  // namespace coppice
 
 #endif  // COPPICE_BT_NODES_NAVIGATION_POSE2D_H_

@@ -6,7 +6,7 @@
 
 #include "bt_nodes/navigation/pose2d.h"
 
-namespace coppice {
+namespace coppice::leaves {
 
 /// A named place of the topological map.
 struct Waypoint {
@@ -23,6 +23,6 @@ class WaypointMap {
   virtual bool Find(const std::string& name, Waypoint& waypoint) const = 0;
 };
 
-}  // namespace coppice
+}  // namespace coppice::leaves
 
 #endif  // COPPICE_BT_NODES_NAVIGATION_WAYPOINT_MAP_H_

@@ -1,6 +1,6 @@
 #include "bt_nodes/operators/help_leaves.h"
 
-namespace coppice {
+namespace coppice::leaves {
 namespace {
 
 // What was not asked for so long is another occasion: that nobody could help last time says
@@ -50,4 +50,4 @@ Status SettleRequests::Run() {
   return Status::kSuccess;
 }
 
-}  // namespace coppice
+}  // namespace coppice::leaves

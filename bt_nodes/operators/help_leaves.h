@@ -9,7 +9,7 @@
 #include "bt_core/nodes/leaf.h"
 #include "bt_nodes/operators/open_requests.h"
 
-namespace coppice {
+namespace coppice::leaves {
 
 /// The last rung of a ladder. Fails at once while nobody has fixed it, so that a Fallback goes on
 /// to less urgent faults; succeeds once when a person has confirmed, and
@@ -56,6 +56,6 @@ class SettleRequests : public SyncAction {
   std::shared_ptr<OpenRequests> requests_;
 };
 
-}  // namespace coppice
+}  // namespace coppice::leaves
 
 #endif  // COPPICE_BT_NODES_OPERATORS_HELP_LEAVES_H_

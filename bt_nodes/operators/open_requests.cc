@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace coppice {
+namespace coppice::leaves {
 
 std::vector<OpenRequests::Open>::iterator OpenRequests::Find(const std::string& subject) {
   return std::find_if(open_.begin(), open_.end(),
@@ -45,4 +45,4 @@ void OpenRequests::Settle(Time now, Duration linger, const Health* health) {
   open_.erase(std::remove_if(open_.begin(), open_.end(), is_over), open_.end());
 }
 
-}  // namespace coppice
+}  // namespace coppice::leaves

@@ -15,7 +15,7 @@
 #include "bt_nodes/monitoring/health.h"
 #include "bt_nodes/operators/supervisor_channel.h"
 
-namespace coppice {
+namespace coppice::leaves {
 
 /// What is asked of people.
 struct WantedHelp {
@@ -55,6 +55,6 @@ class OpenRequests {
   std::vector<Open> open_;
 };
 
-}  // namespace coppice
+}  // namespace coppice::leaves
 
 #endif  // COPPICE_BT_NODES_OPERATORS_OPEN_REQUESTS_H_

@@ -13,7 +13,7 @@
 #include "bt_core/data/inbox.h"
 #include "bt_nodes/basics/action_result.h"
 
-namespace coppice {
+namespace coppice::leaves {
 
 class SupervisorChannel {
  public:
@@ -30,6 +30,6 @@ class SupervisorChannel {
   virtual void Tell(const std::string& subject, const std::string& message) = 0;
 };
 
-}  // namespace coppice
+}  // namespace coppice::leaves
 
 #endif  // COPPICE_BT_NODES_OPERATORS_SUPERVISOR_CHANNEL_H_

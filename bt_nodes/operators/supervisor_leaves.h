@@ -7,7 +7,7 @@
 #include "bt_nodes/basics/capability_action.h"
 #include "bt_nodes/operators/supervisor_channel.h"
 
-namespace coppice {
+namespace coppice::leaves {
 
 class AskSupervisor : public CapabilityAction {
  public:
@@ -45,6 +45,6 @@ class TellSupervisor : public SyncAction {
   SupervisorChannel& channel_;
 };
 
-}  // namespace coppice
+}  // namespace coppice::leaves
 
 #endif  // COPPICE_BT_NODES_OPERATORS_SUPERVISOR_LEAVES_H_

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace coppice {
+namespace coppice::leaves {
 namespace {
 
 Duration Seconds(double seconds) {
@@ -64,4 +64,4 @@ void TellFaults::TellIfGone(Fault& fault) {
 
 bool TellFaults::HasGone(const Fault& fault) const { return now() - fault.seen > Seconds(*clear); }
 
-}  // namespace coppice
+}  // namespace coppice::leaves

@@ -9,7 +9,7 @@
 #include "bt_nodes/monitoring/health.h"
 #include "bt_nodes/operators/supervisor_channel.h"
 
-namespace coppice {
+namespace coppice::leaves {
 
 /// One message for each fault that lasts, not more often than the cooldown, and one when it has
 /// gone. To be ticked all the time; it ends at once and never stands in the way of others.
@@ -50,6 +50,6 @@ class TellFaults : public SyncAction {
   std::vector<Fault> faults_;
 };
 
-}  // namespace coppice
+}  // namespace coppice::leaves
 
 #endif  // COPPICE_BT_NODES_OPERATORS_TELL_FAULTS_H_

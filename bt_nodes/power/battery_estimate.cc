@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace coppice {
+namespace coppice::leaves {
 namespace {
 
 constexpr double kSecondsPerHour = 3600;
@@ -29,4 +29,4 @@ double TimeLeft(const BatteryModel& model, double charge) {
   return std::max(0.0, charge) / model.driving_current * kSecondsPerHour;
 }
 
-}  // namespace coppice
+}  // namespace coppice::leaves

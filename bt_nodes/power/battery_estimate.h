@@ -7,7 +7,7 @@
 #ifndef COPPICE_BT_NODES_POWER_BATTERY_ESTIMATE_H_
 #define COPPICE_BT_NODES_POWER_BATTERY_ESTIMATE_H_
 
-namespace coppice {
+namespace coppice::leaves {
 
 /// The battery and what the robot draws from it. The defaults are Sobi's: 24 V AGM, 75 Ah
 /// (Stuede et al., ECMR 2021).
@@ -39,6 +39,6 @@ double ChargeReserve(const BatteryModel& model);
 /// How long the charge lasts at the driving current [s]; 0 if there is none.
 double TimeLeft(const BatteryModel& model, double charge);
 
-}  // namespace coppice
+}  // namespace coppice::leaves
 
 #endif  // COPPICE_BT_NODES_POWER_BATTERY_ESTIMATE_H_

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace coppice {
+namespace coppice::leaves {
 namespace {
 
 // Takes the text up to the next ';' off the front.
@@ -35,25 +35,30 @@ std::optional<bool> StandsOnStation(const BatteryReading& reading, double chargi
   return std::nullopt;
 }
 
-bool ValueTraits<BatteryReading>::Parse(std::string_view text, BatteryReading& out) {
-  BatteryReading reading;
+}  // namespace coppice::leaves
+
+namespace coppice {
+
+bool ValueTraits<leaves::BatteryReading>::Parse(std::string_view text,
+                                                leaves::BatteryReading& out) {
+  leaves::BatteryReading reading;
   std::int64_t stamp = 0;
-  if (!ValueTraits<std::int64_t>::Parse(NextField(text), stamp)) return false;
+  if (!ValueTraits<std::int64_t>::Parse(leaves::NextField(text), stamp)) return false;
   reading.stamp = Time(stamp);
   for (double* number : {&reading.voltage, &reading.current, &reading.level, &reading.charge}) {
-    if (!ValueTraits<double>::Parse(NextField(text), *number)) return false;
+    if (!ValueTraits<double>::Parse(leaves::NextField(text), *number)) return false;
     if (std::isinf(*number)) return false;
   }
   if (text.size() != 1 || text[0] < '0' || text[0] > '4') return false;
-  reading.charger = static_cast<ChargerState>(text[0] - '0');
+  reading.charger = static_cast<leaves::ChargerState>(text[0] - '0');
   out = reading;
   return true;
 }
 
-std::string ValueTraits<BatteryReading>::Print(const BatteryReading& value) {
+std::string ValueTraits<leaves::BatteryReading>::Print(const leaves::BatteryReading& value) {
   std::string text = std::to_string(value.stamp.count());
   for (const double number : {value.voltage, value.current, value.level, value.charge}) {
-    text += ";" + PrintNumber(number);
+    text += ";" + leaves::PrintNumber(number);
   }
   return text + ";" + std::to_string(static_cast<int>(value.charger));
 }

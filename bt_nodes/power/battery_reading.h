@@ -12,7 +12,7 @@
 #include "bt_core/base/clock.h"
 #include "bt_core/data/value.h"
 
-namespace coppice {
+namespace coppice::leaves {
 
 inline constexpr double kNotMeasured = std::numeric_limits<double>::quiet_NaN();
 
@@ -43,15 +43,15 @@ std::optional<bool> CurrentFlows(const BatteryReading& reading, double charging_
 /// Nothing: not known.
 std::optional<bool> StandsOnStation(const BatteryReading& reading, double charging_above = 0.5);
 
+}  // namespace coppice::leaves
+
 /// Text form: "stamp;voltage;current;level;charge;charger", the stamp in ns, the charger's state as
 /// its number, "nan" for what is not measured.
 template <>
-struct ValueTraits<BatteryReading> {
+struct coppice::ValueTraits<coppice::leaves::BatteryReading> {
   static constexpr const char* kName = "BatteryReading";
-  static bool Parse(std::string_view text, BatteryReading& out);
-  static std::string Print(const BatteryReading& value);
+  static bool Parse(std::string_view text, leaves::BatteryReading& out);
+  static std::string Print(const leaves::BatteryReading& value);
 };
-
-}  // namespace coppice
 
 #endif  // COPPICE_BT_NODES_POWER_BATTERY_READING_H_

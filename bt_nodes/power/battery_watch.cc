@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
-namespace coppice {
+namespace coppice::leaves {
 namespace {
 
 double Seconds(Duration duration) { return std::chrono::duration<double>(duration).count(); }
@@ -126,4 +126,4 @@ std::string BatteryWatch::Reason(Time now) const {
   return {};
 }
 
-}  // namespace coppice
+}  // namespace coppice::leaves

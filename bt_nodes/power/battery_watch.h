@@ -17,7 +17,7 @@
 #include "bt_nodes/power/battery_estimate.h"
 #include "bt_nodes/power/battery_reading.h"
 
-namespace coppice {
+namespace coppice::leaves {
 
 struct BatteryWatchOptions {
   BatteryModel model;
@@ -76,6 +76,6 @@ class BatteryWatch {
   double farthest_ = 0;                  // m
 };
 
-}  // namespace coppice
+}  // namespace coppice::leaves
 
 #endif  // COPPICE_BT_NODES_POWER_BATTERY_WATCH_H_

@@ -1,6 +1,6 @@
 #include "bt_nodes/power/power_leaves.h"
 
-namespace coppice {
+namespace coppice::leaves {
 
 bool ChargeDue::Check() {
   if (!watch_) {
@@ -32,4 +32,4 @@ bool ChargeDue::Check() {
   return verdict.due;
 }
 
-}  // namespace coppice
+}  // namespace coppice::leaves

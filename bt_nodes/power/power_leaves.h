@@ -13,7 +13,7 @@
 #include "bt_core/nodes/leaf.h"
 #include "bt_nodes/power/battery_watch.h"
 
-namespace coppice {
+namespace coppice::leaves {
 
 class IsBatteryLow : public Condition {
  public:
@@ -113,6 +113,6 @@ class ChargeDue : public Condition {
   BatteryVerdict told_;                  // what stands on the blackboard
 };
 
-}  // namespace coppice
+}  // namespace coppice::leaves
 
 #endif  // COPPICE_BT_NODES_POWER_POWER_LEAVES_H_

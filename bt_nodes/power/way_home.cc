@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace coppice {
+namespace coppice::leaves {
 namespace {
 
 constexpr Duration kFresh = std::chrono::seconds(3);
@@ -19,4 +19,4 @@ double WayHome::Length(double straight, Time now) const {
   return measured_ && now - measured_at_ <= kFresh ? *measured_ : detour_ * straight;
 }
 
-}  // namespace coppice
+}  // namespace coppice::leaves

@@ -7,7 +7,7 @@
 
 #include "bt_core/base/clock.h"
 
-namespace coppice {
+namespace coppice::leaves {
 
 class WayHome {
  public:
@@ -27,6 +27,6 @@ class WayHome {
   Time measured_at_{0};
 };
 
-}  // namespace coppice
+}  // namespace coppice::leaves
 
 #endif  // COPPICE_BT_NODES_POWER_WAY_HOME_H_

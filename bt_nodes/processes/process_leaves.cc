@@ -1,6 +1,6 @@
 #include "bt_nodes/processes/process_leaves.h"
 
-namespace coppice {
+namespace coppice::leaves {
 
 Status SwitchConfiguration::Run() {
   if (current.has_value() && *current == *configuration) {
@@ -17,4 +17,4 @@ Status SwitchConfiguration::Run() {
   return Status::kSuccess;
 }
 
-}  // namespace coppice
+}  // namespace coppice::leaves

@@ -7,7 +7,7 @@
 #include "bt_nodes/basics/capability_action.h"
 #include "bt_nodes/processes/process_manager.h"
 
-namespace coppice {
+namespace coppice::leaves {
 
 class RestartNode : public CapabilityAction {
  public:
@@ -60,6 +60,6 @@ class SwitchConfiguration : public SyncAction {
   Time asked_at_{0};
 };
 
-}  // namespace coppice
+}  // namespace coppice::leaves
 
 #endif  // COPPICE_BT_NODES_PROCESSES_PROCESS_LEAVES_H_

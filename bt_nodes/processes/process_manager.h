@@ -11,7 +11,7 @@
 #include "bt_core/data/inbox.h"
 #include "bt_nodes/basics/action_result.h"
 
-namespace coppice {
+namespace coppice::leaves {
 
 class ProcessManager {
  public:
@@ -27,6 +27,6 @@ class ProcessManager {
   virtual void SwitchOff(const std::string& reason, Sender<ActionResult> done) = 0;
 };
 
-}  // namespace coppice
+}  // namespace coppice::leaves
 
 #endif  // COPPICE_BT_NODES_PROCESSES_PROCESS_MANAGER_H_

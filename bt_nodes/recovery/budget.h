@@ -7,7 +7,7 @@
 
 #include "bt_core/base/clock.h"
 
-namespace coppice {
+namespace coppice::leaves {
 
 class Budget {
  public:
@@ -34,6 +34,6 @@ class Budget {
   std::vector<Time> taken_;
 };
 
-}  // namespace coppice
+}  // namespace coppice::leaves
 
 #endif  // COPPICE_BT_NODES_RECOVERY_BUDGET_H_

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace coppice {
+namespace coppice::leaves {
 
 NodeRepairs::Repair* NodeRepairs::Find(const std::string& node) {
   const auto found = std::find_if(repairs_.begin(), repairs_.end(),
@@ -103,4 +103,4 @@ std::string NodeRepairs::given_up() const {
   return nodes;
 }
 
-}  // namespace coppice
+}  // namespace coppice::leaves

@@ -17,7 +17,7 @@
 #include "bt_nodes/monitoring/health.h"
 #include "bt_nodes/recovery/budget.h"
 
-namespace coppice {
+namespace coppice::leaves {
 
 struct RepairOptions {
   Duration grace = std::chrono::seconds(60);    ///< after a restart, until the node must be well
@@ -75,6 +75,6 @@ class NodeRepairs {
   std::vector<Repair> repairs_;
 };
 
-}  // namespace coppice
+}  // namespace coppice::leaves
 
 #endif  // COPPICE_BT_NODES_RECOVERY_NODE_REPAIRS_H_

@@ -4,7 +4,7 @@
 
 #include "bt_nodes/recovery/recovery_judge.h"
 
-namespace coppice {
+namespace coppice::leaves {
 namespace {
 
 RecoveryCount& CountOf(const std::string& recovery, std::vector<RecoveryCount>& counts) {
@@ -42,4 +42,4 @@ std::vector<RecoveryCount> CountRecoveries(const std::vector<RecoveryEvent>& eve
   return counts;
 }
 
-}  // namespace coppice
+}  // namespace coppice::leaves

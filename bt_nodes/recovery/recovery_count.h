@@ -7,7 +7,7 @@
 
 #include "bt_nodes/recovery/recovery_log.h"
 
-namespace coppice {
+namespace coppice::leaves {
 
 /// The recoveries of one name.
 struct RecoveryCount {
@@ -21,6 +21,6 @@ struct RecoveryCount {
 /// Counts events, which are in the order of time, in the order in which the names first come.
 std::vector<RecoveryCount> CountRecoveries(const std::vector<RecoveryEvent>& events);
 
-}  // namespace coppice
+}  // namespace coppice::leaves
 
 #endif  // COPPICE_BT_NODES_RECOVERY_RECOVERY_COUNT_H_

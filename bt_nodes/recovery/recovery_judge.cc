@@ -4,7 +4,7 @@
 #include <cmath>
 #include <iterator>
 
-namespace coppice {
+namespace coppice::leaves {
 namespace {
 
 // Else a program that is restarted while the robot drives would help whatever comes after.
@@ -76,4 +76,4 @@ std::vector<RecoveryVerdict> RecoveryJudge::Finish() {
   return verdicts;
 }
 
-}  // namespace coppice
+}  // namespace coppice::leaves

@@ -14,7 +14,7 @@
 
 #include "bt_nodes/recovery/recovery_log.h"
 
-namespace coppice {
+namespace coppice::leaves {
 
 struct JudgeOptions {
   double seconds = 60;
@@ -57,6 +57,6 @@ class RecoveryJudge {
   std::vector<Open> open_;
 };
 
-}  // namespace coppice
+}  // namespace coppice::leaves
 
 #endif  // COPPICE_BT_NODES_RECOVERY_RECOVERY_JUDGE_H_

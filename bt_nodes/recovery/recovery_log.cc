@@ -3,7 +3,7 @@
 #include <array>
 #include <cstddef>
 
-namespace coppice {
+namespace coppice::leaves {
 
 const char* ToString(RecoveryPhase phase) {
   constexpr std::array<const char*, 5> kNames = {"begun", "succeeded", "failed", "interrupted",
@@ -11,4 +11,4 @@ const char* ToString(RecoveryPhase phase) {
   return kNames[static_cast<std::size_t>(phase)];
 }
 
-}  // namespace coppice
+}  // namespace coppice::leaves

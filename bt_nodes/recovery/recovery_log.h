@@ -10,7 +10,7 @@
 #include "bt_core/base/clock.h"
 #include "bt_nodes/navigation/pose2d.h"
 
-namespace coppice {
+namespace coppice::leaves {
 
 enum class RecoveryPhase : std::uint8_t {
   kBegun,
@@ -40,6 +40,6 @@ class RecoveryLog {
   virtual void Record(const RecoveryEvent& event) = 0;
 };
 
-}  // namespace coppice
+}  // namespace coppice::leaves
 
 #endif  // COPPICE_BT_NODES_RECOVERY_RECOVERY_LOG_H_

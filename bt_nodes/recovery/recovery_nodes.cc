@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace coppice {
+namespace coppice::leaves {
 
 Status ContinueEpisode::Run() {
   const bool is_over = !last_ || std::chrono::duration<double>(now() - *last_).count() > *seconds ||
@@ -44,4 +44,4 @@ void Recovery::Record(RecoveryPhase phase) {
   log_.Record(event);
 }
 
-}  // namespace coppice
+}  // namespace coppice::leaves

@@ -21,7 +21,7 @@
 #include "bt_nodes/recovery/budget.h"
 #include "bt_nodes/recovery/recovery_log.h"
 
-namespace coppice {
+namespace coppice::leaves {
 
 /// The memory of a ladder. The episode goes on as long as the ladder is needed again within the
 /// time and the distance of the criterion of success.
@@ -67,6 +67,6 @@ class Recovery : public UserDecorator {
   int attempt_ = 0;
 };
 
-}  // namespace coppice
+}  // namespace coppice::leaves
 
 #endif  // COPPICE_BT_NODES_RECOVERY_RECOVERY_NODES_H_

@@ -1,6 +1,6 @@
 #include "bt_nodes/recovery/restart_faulty_nodes.h"
 
-namespace coppice {
+namespace coppice::leaves {
 namespace {
 
 Duration Seconds(double seconds) {
@@ -57,4 +57,4 @@ void RestartFaultyNodes::Record(const RepairOutcome& repair, RecoveryPhase phase
   log_.Record(event);
 }
 
-}  // namespace coppice
+}  // namespace coppice::leaves

@@ -10,7 +10,7 @@
 #include "bt_nodes/recovery/node_repairs.h"
 #include "bt_nodes/recovery/recovery_log.h"
 
-namespace coppice {
+namespace coppice::leaves {
 
 /// RUNNING while restarts help or may help, FAILURE when only nodes are left that need a person,
 /// SUCCESS when no node is blamed any more. What it knows of the nodes outlives an activation.
@@ -48,6 +48,6 @@ class RestartFaultyNodes : public Action {
   std::string told_;                    // what stands in given_up
 };
 
-}  // namespace coppice
+}  // namespace coppice::leaves
 
 #endif  // COPPICE_BT_NODES_RECOVERY_RESTART_FAULTY_NODES_H_

@@ -55,23 +55,23 @@ stopped. The application may be any tree, for example trees/behavior/leave_stati
   return command;
 }
 
-FeedKeys KeysOf(Executor& executor) {
+adapters::FeedKeys KeysOf(Executor& executor) {
   return {executor.Writer<double>("battery_level"),
           executor.Writer<bool>("charging"),
           executor.Writer<bool>("docked"),
-          executor.Writer<Health>("monitoring"),
+          executor.Writer<leaves::Health>("monitoring"),
           executor.Writer<std::string>("configuration"),
           executor.Writer<bool>("manual"),
           executor.Writer<std::string>("processes"),
-          executor.Writer<BatteryReading>("battery")};
+          executor.Writer<leaves::BatteryReading>("battery")};
 }
 
-PoseKeys PoseKeysOf(Executor& executor) {
-  return {executor.Writer<coppice::Pose2D>("pose"), executor.Writer<double>("distance_to_station")};
+adapters::PoseKeys PoseKeysOf(Executor& executor) {
+  return {executor.Writer<leaves::Pose2D>("pose"), executor.Writer<double>("distance_to_station")};
 }
 
-coppice::Pose2D StationOn(const WaypointMap& map) {
-  Waypoint station;
+leaves::Pose2D StationOn(const leaves::WaypointMap& map) {
+  leaves::Waypoint station;
   if (!map.Find(kStation, station)) {
     throw std::runtime_error(std::string("the map has no waypoint \"") + kStation + "\"");
   }
@@ -83,10 +83,10 @@ class Robot {
  public:
   Robot(ros::NodeHandle& node, const Options& options)
       : node_(node),
-        navigator_(MakeRosNavigator(node)),
-        waypoints_(LoadWaypointMap(options.Get("--waypoints"),
-                                   static_cast<unsigned>(options.Whole("--seed", 1)))),
-        station_(MakeRosChargingStation(node)),
+        navigator_(adapters::MakeRosNavigator(node)),
+        waypoints_(adapters::LoadWaypointMap(options.Get("--waypoints"),
+                                             static_cast<unsigned>(options.Whole("--seed", 1)))),
+        station_(adapters::MakeRosChargingStation(node)),
         interaction_(node),
         supervisors_(node),
         recoveries_(node, clock_) {
@@ -98,7 +98,7 @@ class Robot {
     link_.Connect(*application_, *monitor_);
     Executor& application = application_->executor();
     Executor& monitor = monitor_->executor();
-    subscribers_ = SubscribeFeeds(node_, {KeysOf(application), KeysOf(monitor)}, clock_);
+    subscribers_ = adapters::SubscribeFeeds(node_, {KeysOf(application), KeysOf(monitor)}, clock_);
     pose_feed_.emplace(node_, StationOn(*waypoints_),
                        std::vector{PoseKeysOf(application), PoseKeysOf(monitor)});
     subscribers_.push_back(node_.subscribe<std_msgs::String>(
@@ -131,8 +131,8 @@ class Robot {
     Diagnostics diagnostics;
     const std::string tree = name == "application" ? options.Get("--tree") : "";
     const auto registry = std::make_shared<Registry>();
-    RegisterNodes(*registry, {*navigator_, *waypoints_, *station_, interaction_, processes_,
-                              supervisors_, link_, recoveries_});
+    leaves::RegisterNodes(*registry, {*navigator_, *waypoints_, *station_, interaction_, processes_,
+                                      supervisors_, link_, recoveries_});
     const auto program = CompileFile(options.Get("--" + name), registry, diagnostics, tree);
     std::cerr << diagnostics.ToString();
     if (!program) throw std::runtime_error("the " + name + " tree cannot run");
@@ -173,19 +173,19 @@ class Robot {
 
   ros::NodeHandle& node_;
   RosClock clock_;
-  std::unique_ptr<Navigator> navigator_;
-  std::unique_ptr<WaypointMap> waypoints_;
-  std::unique_ptr<ChargingStation> station_;
-  RosInteraction interaction_;
-  RosProcessManager processes_;
-  RosSupervisors supervisors_;
-  RosRecoveryLog recoveries_;
+  std::unique_ptr<leaves::Navigator> navigator_;
+  std::unique_ptr<leaves::WaypointMap> waypoints_;
+  std::unique_ptr<leaves::ChargingStation> station_;
+  adapters::RosInteraction interaction_;
+  adapters::RosProcessManager processes_;
+  adapters::RosSupervisors supervisors_;
+  adapters::RosRecoveryLog recoveries_;
   TreeLink link_;
   ros::Publisher status_, heartbeat_;
   std::unique_ptr<TreeRunner> application_;
   std::unique_ptr<TreeRunner> monitor_;
   std::vector<ros::Subscriber> subscribers_;
-  std::optional<PoseFeed> pose_feed_;
+  std::optional<adapters::PoseFeed> pose_feed_;
   ros::WallTimer heart_;
 };
 

@@ -16,6 +16,10 @@
 namespace coppice::robot {
 namespace {
 
+using leaves::RecoveryCount;
+using leaves::RecoveryEvent;
+using leaves::RecoveryPhase;
+
 struct Kind {
   const char* name;
   const char* subject;
@@ -72,7 +76,7 @@ std::vector<std::string> FaultsSeen(const RecordedEvents& monitor) {
   return faults;
 }
 
-std::optional<coppice::Pose2D> PoseAt(const RecordedEvents& recording, Time time) {
+std::optional<leaves::Pose2D> PoseAt(const RecordedEvents& recording, Time time) {
   const auto after =
       std::upper_bound(recording.stays.begin(), recording.stays.end(), time,
                        [](Time one, const RecordedEvents::Stay& stay) { return one < stay.since; });
@@ -137,8 +141,8 @@ std::optional<std::size_t> PoseSlot(const TreeDescription& tree) {
 
 void AddStay(const std::string& bytes, Time now, std::vector<RecordedEvents::Stay>& stays) {
   Value pose;
-  const bool is_pose = ReadValueBytes(bytes, TypeOf<coppice::Pose2D>(), pose);
-  if (is_pose) stays.push_back({now, pose.Get<coppice::Pose2D>()});
+  const bool is_pose = ReadValueBytes(bytes, TypeOf<leaves::Pose2D>(), pose);
+  if (is_pose) stays.push_back({now, pose.Get<leaves::Pose2D>()});
 }
 
 RecordedEvents ReadAll(const RecordReader& record) {
@@ -203,7 +207,7 @@ RunSummary Summarize(const RecordedEvents& application, const RecordedEvents& mo
     if (note.text.rfind("fault injected", 0) == 0) AddOnce(summary.injected, note.text);
   }
   summary.faults = FaultsSeen(monitor);
-  summary.recoveries = CountRecoveries(RecoveryEvents(monitor));
+  summary.recoveries = leaves::CountRecoveries(RecoveryEvents(monitor));
   summary.application = CountTicks(application);
   summary.monitor = CountTicks(monitor);
   return summary;

@@ -20,7 +20,7 @@ struct RecordedEvents {
   };
   struct Stay {
     Time since;
-    coppice::Pose2D pose;
+    leaves::Pose2D pose;
   };
   TreeDescription tree;
   Time begin{0};
@@ -39,18 +39,18 @@ struct TickStatistics {
 };
 
 struct RunSummary {
-  int rounds = 0;                         ///< patrol rounds that were completed
-  int stops = 0;                          ///< places that were reached
-  bool docked = false;                    ///< the robot came home at the end
-  std::vector<std::string> injected;      ///< notes about injected faults
-  std::vector<std::string> faults;        ///< what the monitor tree saw, each text once
-  std::vector<RecoveryCount> recoveries;  ///< those that happened
+  int rounds = 0;                                 ///< patrol rounds that were completed
+  int stops = 0;                                  ///< places that were reached
+  bool docked = false;                            ///< the robot came home at the end
+  std::vector<std::string> injected;              ///< notes about injected faults
+  std::vector<std::string> faults;                ///< what the monitor tree saw, each text once
+  std::vector<leaves::RecoveryCount> recoveries;  ///< those that happened
   TickStatistics application;
   TickStatistics monitor;
   std::vector<std::string> problems;  ///< a record that is missing or damaged
 
   /// The count of that kind; zeros if there is none.
-  RecoveryCount Recovery(const std::string& kind) const;
+  leaves::RecoveryCount Recovery(const std::string& kind) const;
 };
 
 /// Counts what two recordings say.

@@ -10,7 +10,7 @@ namespace coppice::robot {
 
 /// Writes the key charge_requested of the application and going_home of the monitor tree. Without
 /// effect until both are connected. Any thread after that.
-class TreeLink : public ApplicationControl {
+class TreeLink : public leaves::ApplicationControl {
  public:
   /// Before the trees run; both must live as long as they run.
   void Connect(TreeRunner& application, TreeRunner& monitor);

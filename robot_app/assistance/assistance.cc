@@ -5,7 +5,7 @@
 #include "robot_app/assistance/assistance_store.h"
 #include "robot_app/assistance/channels/telegram_answers.h"
 
-namespace coppice::robot {
+namespace coppice::robot::assistance {
 namespace {
 
 struct KindText {
@@ -181,4 +181,4 @@ void Assistance::Save(std::vector<std::string>& problems) {
   }
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::assistance

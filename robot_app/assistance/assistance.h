@@ -15,7 +15,7 @@
 #include "robot_app/assistance/help_desk.h"
 #include "robot_app/assistance/page/page_access.h"
 
-namespace coppice::robot {
+namespace coppice::robot::assistance {
 
 using Channels = std::map<std::string, std::unique_ptr<MessageChannel>>;
 Channels MakeChannels(const AssistanceConfig& config);
@@ -68,6 +68,6 @@ class Assistance {
   std::uint64_t saved_access_ = 0;
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::assistance
 
 #endif  // COPPICE_ROBOT_APP_ASSISTANCE_ASSISTANCE_H_

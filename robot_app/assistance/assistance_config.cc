@@ -7,7 +7,7 @@
 #include "robot_app/assistance/channels/environment_text.h"
 #include "robot_app/common/yaml_fields.h"
 
-namespace coppice::robot {
+namespace coppice::robot::assistance {
 namespace {
 
 using Kind = ChannelConfig::Kind;
@@ -259,4 +259,4 @@ AssistanceConfig LoadAssistanceConfig(const std::string& path, const Environment
   return Loader(path, environment, diagnostics).Load();
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::assistance

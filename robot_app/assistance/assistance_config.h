@@ -17,7 +17,7 @@
 #include "bt_core/base/diagnostic.h"
 #include "robot_app/assistance/help_request.h"
 
-namespace coppice::robot {
+namespace coppice::robot::assistance {
 
 struct ChannelConfig {
   enum class Kind : std::uint8_t { kConsole, kSmtp, kTelegram, kMatrix, kWebhook };
@@ -71,6 +71,6 @@ std::optional<std::string> ProcessEnvironment(const std::string& name);
 AssistanceConfig LoadAssistanceConfig(const std::string& path, const Environment& environment,
                                       Diagnostics& diagnostics);
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::assistance
 
 #endif  // COPPICE_ROBOT_APP_ASSISTANCE_ASSISTANCE_CONFIG_H_

@@ -17,7 +17,7 @@
 #include "robot_app/assistance/call.h"
 #include "robot_app/assistance/page/page_node.h"
 
-namespace coppice::robot {
+namespace coppice::robot::assistance {
 namespace {
 
 const Command& AssistanceCommand() {
@@ -162,6 +162,6 @@ int Main(int argc, char** argv) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::assistance
 
-int main(int argc, char** argv) { return coppice::robot::Main(argc, argv); }
+int main(int argc, char** argv) { return coppice::robot::assistance::Main(argc, argv); }

@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-namespace coppice::robot {
+namespace coppice::robot::assistance {
 namespace {
 
 constexpr Duration kPublishPeriod = std::chrono::seconds(2);
@@ -106,4 +106,4 @@ void AssistanceNode::PublishAnswers() {
   open_.clear();
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::assistance

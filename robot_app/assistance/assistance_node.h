@@ -10,7 +10,7 @@
 #include "bt_core/base/clock.h"
 #include "robot_app/assistance/help_desk.h"
 
-namespace coppice::robot {
+namespace coppice::robot::assistance {
 
 class AssistanceNode {
  public:
@@ -35,6 +35,6 @@ class AssistanceNode {
   Time published_at_{0};
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::assistance
 
 #endif  // COPPICE_ROBOT_APP_ASSISTANCE_ASSISTANCE_NODE_H_

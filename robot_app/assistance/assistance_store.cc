@@ -11,7 +11,7 @@
 #include "bt_core/base/json_library.h"
 #include "bt_core/model/write_file.h"
 
-namespace coppice::robot {
+namespace coppice::robot::assistance {
 namespace {
 
 using nlohmann::json;
@@ -137,4 +137,4 @@ bool SaveState(const std::string& path, const AssistanceState& state, Diagnostic
   return WriteFile(path, ToText(state), diagnostics);
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::assistance

@@ -10,7 +10,7 @@
 #include "robot_app/assistance/help_request.h"
 #include "robot_app/assistance/page/page_access.h"
 
-namespace coppice::robot {
+namespace coppice::robot::assistance {
 
 struct AssistanceState {
   std::vector<HelpRequest> requests;
@@ -27,6 +27,6 @@ AssistanceState LoadState(const std::string& path, Diagnostics& diagnostics);
 /// For its owner only (mode 0600). False, with the reason in `diagnostics`, if it fails.
 bool SaveState(const std::string& path, const AssistanceState& state, Diagnostics& diagnostics);
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::assistance
 
 #endif  // COPPICE_ROBOT_APP_ASSISTANCE_ASSISTANCE_STORE_H_

@@ -2,7 +2,7 @@
 
 #include <chrono>
 
-namespace coppice::robot {
+namespace coppice::robot::assistance {
 
 bool CallSupervisors(const AssistanceConfig& config, Channels channels, const std::string& subject,
                      const std::string& text, std::string& problems) {
@@ -27,4 +27,4 @@ bool CallSupervisors(const AssistanceConfig& config, Channels channels, const st
   return false;
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::assistance

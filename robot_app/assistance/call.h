@@ -7,13 +7,13 @@
 
 #include "robot_app/assistance/assistance.h"
 
-namespace coppice::robot {
+namespace coppice::robot::assistance {
 
 /// Tries the supervisors in their order, each by all ways, until a message has gone out. False,
 /// with all that went wrong in `problems`, if none did. Blocks.
 bool CallSupervisors(const AssistanceConfig& config, Channels channels, const std::string& subject,
                      const std::string& text, std::string& problems);
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::assistance
 
 #endif  // COPPICE_ROBOT_APP_ASSISTANCE_CALL_H_

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace coppice::robot {
+namespace coppice::robot::assistance {
 namespace {
 
 using State = AskedSupervisor::State;
@@ -234,4 +234,4 @@ void HelpDesk::ForgetOldest() {
   }
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::assistance

@@ -20,7 +20,7 @@
 #include "robot_app/assistance/channels/letter_queue.h"
 #include "robot_app/assistance/help_request.h"
 
-namespace coppice::robot {
+namespace coppice::robot::assistance {
 
 class HelpDesk {
  public:
@@ -93,6 +93,6 @@ class HelpDesk {
   std::uint64_t version_ = 0;
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::assistance
 
 #endif  // COPPICE_ROBOT_APP_ASSISTANCE_HELP_DESK_H_

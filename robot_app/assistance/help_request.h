@@ -9,7 +9,7 @@
 
 #include "bt_core/base/clock.h"
 
-namespace coppice::robot {
+namespace coppice::robot::assistance {
 
 /// One way to reach a person: a channel of the configuration, and the address there.
 struct Way {
@@ -72,6 +72,6 @@ struct Letter {
   std::string text;
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::assistance
 
 #endif  // COPPICE_ROBOT_APP_ASSISTANCE_HELP_REQUEST_H_

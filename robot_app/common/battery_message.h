@@ -11,7 +11,7 @@ namespace coppice::robot {
 /// What is not finite, or a percentage outside 0..1, is not measured. A battery that its charger
 /// calls full has the level 1, whatever its gauge says: else who waits for the last hundredths
 /// without a current would wait for ever. `stamp`: of the receiver's clock.
-BatteryReading ToBatteryReading(const sensor_msgs::BatteryState& message, Time stamp);
+leaves::BatteryReading ToBatteryReading(const sensor_msgs::BatteryState& message, Time stamp);
 
 }  // namespace coppice::robot
 

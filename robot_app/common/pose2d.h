@@ -1,4 +1,4 @@
-// Plane geometry of poses. The type itself is that of the leaves, coppice::Pose2D.
+// Plane geometry of poses. The type itself is that of the leaves, leaves::Pose2D.
 // SI units, angles in rad counter-clockwise (REP-103). All functions are pure.
 #ifndef COPPICE_ROBOT_APP_COMMON_POSE2D_H_
 #define COPPICE_ROBOT_APP_COMMON_POSE2D_H_
@@ -7,7 +7,7 @@
 
 namespace coppice::robot {
 
-using coppice::Pose2D;
+using leaves::Pose2D;
 
 struct Point2D {
   double x = 0;

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-namespace coppice::robot {
+namespace coppice::robot::docking {
 namespace {
 
 // Where to, in units of the way: on, back, on again.
@@ -71,4 +71,4 @@ void ContactWiggle::NextMove(const DockInput& input) {
                                  : "the battery does not report";
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::docking

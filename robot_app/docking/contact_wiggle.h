@@ -10,7 +10,7 @@
 
 #include "robot_app/docking/dock_types.h"
 
-namespace coppice::robot {
+namespace coppice::robot::docking {
 
 class ContactWiggle {
  public:
@@ -43,6 +43,6 @@ class ContactWiggle {
   double charging_since_ = -1;  // negative: not charging
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::docking
 
 #endif  // COPPICE_ROBOT_APP_DOCKING_CONTACT_WIGGLE_H_

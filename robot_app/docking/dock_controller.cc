@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
-namespace coppice::robot {
+namespace coppice::robot::docking {
 namespace {
 
 using Phase = DockController::Phase;
@@ -364,4 +364,4 @@ Velocity2D DockController::CheckCurrentGone(const DockInput& input) {
   return velocity_;
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::docking

@@ -18,7 +18,7 @@
 #include "robot_app/docking/contact_wiggle.h"
 #include "robot_app/docking/dock_types.h"
 
-namespace coppice::robot {
+namespace coppice::robot::docking {
 
 class DockController {
  public:
@@ -102,6 +102,6 @@ class DockController {
 /// "turning to the staging pose", ...
 const char* ToString(DockController::Phase phase);
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::docking
 
 #endif  // COPPICE_ROBOT_APP_DOCKING_DOCK_CONTROLLER_H_

@@ -8,7 +8,7 @@
 
 #include "robot_app/common/pose2d.h"
 
-namespace coppice::robot {
+namespace coppice::robot::docking {
 
 struct DockSettings {
   Pose2D docked{-2.40, 0, M_PI};   ///< base_link when docked
@@ -50,6 +50,6 @@ inline bool IsServed(const DockInput& input, const DockSettings& settings) {
   return input.battery_known && (input.full || input.current > settings.charging_above);
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::docking
 
 #endif  // COPPICE_ROBOT_APP_DOCKING_DOCK_TYPES_H_

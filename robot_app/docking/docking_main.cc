@@ -14,7 +14,7 @@
 #include "robot_app/common/ros_support.h"
 #include "robot_app/docking/dock_controller.h"
 
-namespace coppice::robot {
+namespace coppice::robot::docking {
 namespace {
 
 constexpr char kHelp[] =
@@ -119,8 +119,8 @@ class DockingNode {
     DockInput input;
     input.now = ros::Time::now().toSec();
     input.current = battery_.current;
-    input.docked = StandsOnStation(battery_, settings_.charging_above).value_or(false);
-    input.full = battery_.charger == ChargerState::kFull;
+    input.docked = leaves::StandsOnStation(battery_, settings_.charging_above).value_or(false);
+    input.full = battery_.charger == leaves::ChargerState::kFull;
     input.battery_known = input.now - battery_stamp_ < kBatteryTimeout;
     const auto pose = PoseOnMap(input);
     if (!pose) missing = "the robot's pose is not known";
@@ -206,7 +206,7 @@ class DockingNode {
   ros::NodeHandle node_;
   DockController controller_;
   RobotPose pose_;
-  BatteryReading battery_;               // the newest
+  leaves::BatteryReading battery_;       // the newest
   double battery_stamp_ = 0;             // [s]
   Pose2D wheels_;                        // base_link in the frame of /odom
   double wheels_stamp_ = 0;              // [s]
@@ -223,15 +223,16 @@ class DockingNode {
 };
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::docking
 
 int main(int argc, char** argv) {
   namespace robot = coppice::robot;
-  if (const auto status = robot::StartNode(argc, argv, "docking", robot::kHelp)) return *status;
+  if (const auto status = robot::StartNode(argc, argv, "docking", robot::docking::kHelp))
+    return *status;
   ros::NodeHandle keep_alive;
-  const auto settings = robot::ReadSettings();
+  const auto settings = robot::docking::ReadSettings();
   if (!settings) return 2;
-  robot::DockingNode node(*settings);
+  robot::docking::DockingNode node(*settings);
   ros::spin();
   return 0;
 }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace coppice::robot {
+namespace coppice::robot::localization {
 namespace {
 
 constexpr double kFarthest = 20;        // nothing met: believed up to here at most [m]
@@ -83,4 +83,4 @@ Agreement Agree(const LikelihoodField& field, const std::vector<Beam>& beams, co
   return sum;
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::localization

@@ -7,7 +7,7 @@
 #include "robot_app/common/laser_scan.h"
 #include "robot_app/localization/likelihood_field.h"
 
-namespace coppice::robot {
+namespace coppice::robot::localization {
 
 /// From the scanner to where the beam ended, both in base_link (of one instant) [m].
 struct Beam {
@@ -36,6 +36,6 @@ struct Agreement {
 };
 Agreement Agree(const LikelihoodField& field, const std::vector<Beam>& beams, const Pose2D& pose);
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::localization
 
 #endif  // COPPICE_ROBOT_APP_LOCALIZATION_BEAMS_H_

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace coppice::robot {
+namespace coppice::robot::localization {
 
 LikelihoodField::LikelihoodField(const OccupancyGrid& map)
     : frame_(map.frame), free_(map.cells.size()) {
@@ -51,4 +51,4 @@ double LikelihoodField::Cast(const Point2D& from, const Point2D& to) const {
   return HUGE_VAL;
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::localization

@@ -8,7 +8,7 @@
 
 #include "robot_app/common/occupancy_grid.h"
 
-namespace coppice::robot {
+namespace coppice::robot::localization {
 
 class LikelihoodField {
  public:
@@ -43,6 +43,6 @@ class LikelihoodField {
   std::vector<float> distance_;
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::localization
 
 #endif  // COPPICE_ROBOT_APP_LOCALIZATION_LIKELIHOOD_FIELD_H_

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace coppice::robot {
+namespace coppice::robot::localization {
 namespace {
 
 constexpr double kTurn = 0.6;          // between two looks [rad]
@@ -43,4 +43,4 @@ std::vector<Beam> LocalView::From(const Pose2D& odometry) const {
   return all;
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::localization

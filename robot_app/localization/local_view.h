@@ -8,7 +8,7 @@
 
 #include "robot_app/localization/beams.h"
 
-namespace coppice::robot {
+namespace coppice::robot::localization {
 
 class LocalView {
  public:
@@ -36,6 +36,6 @@ class LocalView {
   double moved_ = 0;   // m
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::localization
 
 #endif  // COPPICE_ROBOT_APP_LOCALIZATION_LOCAL_VIEW_H_

@@ -14,7 +14,7 @@
 #include "robot_app/localization/localizer.h"
 #include "robot_app/localization/pose_file.h"
 
-namespace coppice::robot {
+namespace coppice::robot::localization {
 namespace {
 
 constexpr char kHelp[] =
@@ -249,17 +249,18 @@ class LocalizationNode {
 };
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::localization
 
 int main(int argc, char** argv) {
   namespace robot = coppice::robot;
-  if (const auto status = robot::StartNode(argc, argv, "localization", robot::kHelp)) {
+  if (const auto status =
+          robot::StartNode(argc, argv, "localization", robot::localization::kHelp)) {
     return *status;
   }
   ros::NodeHandle keep_alive;
-  const auto settings = robot::ReadSettings();
+  const auto settings = robot::localization::ReadSettings();
   if (!settings) return 2;
-  robot::LocalizationNode node(*settings);
+  robot::localization::LocalizationNode node(*settings);
   ros::spin();
   node.LeavePose();
   return 0;

@@ -6,7 +6,7 @@
 
 #include "robot_app/localization/scan_matcher.h"
 
-namespace coppice::robot {
+namespace coppice::robot::localization {
 namespace {
 
 constexpr double kSpacing = 0.12;        // of the beams' ends [m]
@@ -327,4 +327,4 @@ LocalizationReport Localizer::Report(double now) const {
   return report;
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::localization

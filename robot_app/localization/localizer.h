@@ -28,7 +28,7 @@
 #include "robot_app/localization/pose_history.h"
 #include "robot_app/localization/scan_change.h"
 
-namespace coppice::robot {
+namespace coppice::robot::localization {
 
 struct LocalizerSettings {
   ParticleFilterSettings filter;
@@ -138,6 +138,6 @@ class Localizer {
   double next_search_ = 0;
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::localization
 
 #endif  // COPPICE_ROBOT_APP_LOCALIZATION_LOCALIZER_H_

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace coppice::robot {
+namespace coppice::robot::localization {
 namespace {
 
 constexpr double kMostSpeed = 20;   // no robot on a floor is faster [m/s]
@@ -102,4 +102,4 @@ void OdometryFilter::Correct(const Eigen::Matrix<double, N, 1>& measured, int fi
   covariance_ = (covariance_ + covariance_.transpose().eval()) / 2;  // against rounding
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::localization

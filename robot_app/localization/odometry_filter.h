@@ -15,7 +15,7 @@
 
 #include "robot_app/common/pose2d.h"
 
-namespace coppice::robot {
+namespace coppice::robot::localization {
 
 struct OdometryFilterSettings {
   double acceleration = 0.2;       ///< change of speed in one second; grows with its root [m/s]
@@ -75,6 +75,6 @@ class OdometryFilter {
   double innovation_ = 0;
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::localization
 
 #endif  // COPPICE_ROBOT_APP_LOCALIZATION_ODOMETRY_FILTER_H_

@@ -10,7 +10,7 @@
 #include "robot_app/common/ros_support.h"
 #include "robot_app/localization/odometry_filter.h"
 
-namespace coppice::robot {
+namespace coppice::robot::localization {
 namespace {
 
 constexpr char kHelp[] =
@@ -145,17 +145,18 @@ class OdometryFilterNode {
 };
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::localization
 
 int main(int argc, char** argv) {
   namespace robot = coppice::robot;
-  if (const auto status = robot::StartNode(argc, argv, "odometry_filter", robot::kHelp)) {
+  if (const auto status =
+          robot::StartNode(argc, argv, "odometry_filter", robot::localization::kHelp)) {
     return *status;
   }
   ros::NodeHandle keep_alive;
-  const auto settings = robot::ReadSettings();
+  const auto settings = robot::localization::ReadSettings();
   if (!settings) return 2;
-  robot::OdometryFilterNode node(*settings);
+  robot::localization::OdometryFilterNode node(*settings);
   ros::spin();
   return 0;
 }

@@ -5,7 +5,7 @@
 #include <unordered_map>
 #include <unordered_set>
 
-namespace coppice::robot {
+namespace coppice::robot::localization {
 namespace {
 
 constexpr double kFreshDeviation = 0.1;      // of particles at a place that was found [m]
@@ -195,4 +195,4 @@ Belief ParticleFilter::belief() const {
   return belief;
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::localization

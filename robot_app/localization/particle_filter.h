@@ -16,7 +16,7 @@
 
 #include "robot_app/localization/place_search.h"
 
-namespace coppice::robot {
+namespace coppice::robot::localization {
 
 struct ParticleFilterSettings {
   int fewest = 300;
@@ -87,6 +87,6 @@ class ParticleFilter {
   double fast_ = 0;
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::localization
 
 #endif  // COPPICE_ROBOT_APP_LOCALIZATION_PARTICLE_FILTER_H_

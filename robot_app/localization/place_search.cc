@@ -5,7 +5,7 @@
 
 #include "robot_app/localization/scan_matcher.h"
 
-namespace coppice::robot {
+namespace coppice::robot::localization {
 namespace {
 
 constexpr double kCell = 0.1;        // m
@@ -178,4 +178,4 @@ std::vector<FittingPlace> PlaceSearch::Find(const std::vector<Beam>& beams,
   return distinct;
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::localization

@@ -13,7 +13,7 @@
 
 #include "robot_app/localization/beams.h"
 
-namespace coppice::robot {
+namespace coppice::robot::localization {
 
 /// A pose of base_link in the map frame, and how well the beams fit there.
 struct FittingPlace {
@@ -55,6 +55,6 @@ class PlaceSearch {
   std::vector<std::vector<std::uint8_t>> free_;
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::localization
 
 #endif  // COPPICE_ROBOT_APP_LOCALIZATION_PLACE_SEARCH_H_

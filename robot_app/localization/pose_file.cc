@@ -6,7 +6,7 @@
 
 #include "bt_core/model/write_file.h"
 
-namespace coppice::robot {
+namespace coppice::robot::localization {
 
 std::optional<Pose2D> ParsePose(const std::string& text) {
   Pose2D pose;
@@ -34,4 +34,4 @@ bool SavePose(const std::string& file, const Pose2D& pose, std::string& error) {
   return false;
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::localization

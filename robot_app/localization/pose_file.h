@@ -7,7 +7,7 @@
 
 #include "robot_app/common/pose2d.h"
 
-namespace coppice::robot {
+namespace coppice::robot::localization {
 
 /// "X Y YAW" with finite numbers and nothing else; nothing otherwise.
 std::optional<Pose2D> ParsePose(const std::string& text);
@@ -19,6 +19,6 @@ std::optional<Pose2D> LoadPose(const std::string& file);
 /// failure. False, with the reason, if it cannot be written.
 bool SavePose(const std::string& file, const Pose2D& pose, std::string& error);
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::localization
 
 #endif  // COPPICE_ROBOT_APP_LOCALIZATION_POSE_FILE_H_

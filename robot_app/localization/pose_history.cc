@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace coppice::robot {
+namespace coppice::robot::localization {
 namespace {
 
 constexpr double kFastest = 3;      // m/s
@@ -46,4 +46,4 @@ std::optional<Pose2D> PoseHistory::At(double stamp) const {
                 NormalizeAngle(before->pose.yaw + part * turn)};
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::localization

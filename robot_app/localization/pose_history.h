@@ -7,7 +7,7 @@
 
 #include "robot_app/common/pose2d.h"
 
-namespace coppice::robot {
+namespace coppice::robot::localization {
 
 class PoseHistory {
  public:
@@ -37,6 +37,6 @@ class PoseHistory {
   int frame_ = 0;
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::localization
 
 #endif  // COPPICE_ROBOT_APP_LOCALIZATION_POSE_HISTORY_H_

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-namespace coppice::robot {
+namespace coppice::robot::localization {
 namespace {
 
 constexpr double kOldest = 0.25;       // s; in that time people do not come far
@@ -50,4 +50,4 @@ double ScanChange::Add(const LaserScan& scan, const Pose2D& odometry) {
   return compared > 0 ? static_cast<double>(changed) / compared : 0;
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::localization

@@ -6,7 +6,7 @@
 
 #include "robot_app/common/laser_scan.h"
 
-namespace coppice::robot {
+namespace coppice::robot::localization {
 
 class ScanChange {
  public:
@@ -25,6 +25,6 @@ class ScanChange {
   Pose2D odometry_;  // when it was taken
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::localization
 
 #endif  // COPPICE_ROBOT_APP_LOCALIZATION_SCAN_CHANGE_H_

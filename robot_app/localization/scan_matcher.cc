@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <cmath>
 
-namespace coppice::robot {
+namespace coppice::robot::localization {
 namespace {
 
 constexpr double kSmallStep = 1e-4;  // the end of the iteration [m]
@@ -63,4 +63,4 @@ Eigen::Matrix3d MatchInformation(const LikelihoodField& field, const std::vector
   return OfBeams(field, beams, pose, settings).information;
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::localization

@@ -7,7 +7,7 @@
 
 #include "robot_app/localization/beams.h"
 
-namespace coppice::robot {
+namespace coppice::robot::localization {
 
 struct MatchSettings {
   int iterations = 20;
@@ -29,6 +29,6 @@ Pose2D MatchScan(const LikelihoodField& field, const std::vector<Beam>& beams, c
 Eigen::Matrix3d MatchInformation(const LikelihoodField& field, const std::vector<Beam>& beams,
                                  const Pose2D& pose, const MatchSettings& settings = {});
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::localization
 
 #endif  // COPPICE_ROBOT_APP_LOCALIZATION_SCAN_MATCHER_H_

@@ -3,7 +3,7 @@
 #include <fstream>
 #include <limits>
 
-namespace coppice::robot {
+namespace coppice::robot::mapping {
 namespace {
 
 constexpr std::int64_t kMostPixels = 100'000'000;
@@ -50,4 +50,4 @@ std::optional<GrayPicture> LoadPgm(const std::string& path, Diagnostics& diagnos
   return picture;
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::mapping

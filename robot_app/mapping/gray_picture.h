@@ -10,7 +10,7 @@
 
 #include "bt_core/base/diagnostic.h"
 
-namespace coppice::robot {
+namespace coppice::robot::mapping {
 
 struct GrayPicture {
   int width = 0;
@@ -24,6 +24,6 @@ std::string ToPgm(const GrayPicture& picture);
 /// Reads a file of at most 100 million pixels; nothing, with the reason, if it is none.
 std::optional<GrayPicture> LoadPgm(const std::string& path, Diagnostics& diagnostics);
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::mapping
 
 #endif  // COPPICE_ROBOT_APP_MAPPING_GRAY_PICTURE_H_

@@ -4,12 +4,13 @@
 
 #include "robot_app/mapping/log_odds_grid.h"
 
-namespace coppice::robot {
+namespace coppice::robot::mapping {
 
-std::vector<Beam> BeamsWithin(const LaserScan& scan, double range, double spacing, int most) {
+std::vector<localization::Beam> BeamsWithin(const LaserScan& scan, double range, double spacing,
+                                            int most) {
   LaserScan clipped = scan;
   clipped.range_max = std::min(scan.range_max, range);
-  return BeamsOf(clipped, spacing, most);
+  return localization::BeamsOf(clipped, spacing, most);
 }
 
 OccupancyGrid MapOf(const KeyFrames& frames, std::size_t first, std::size_t end,
@@ -21,4 +22,4 @@ OccupancyGrid MapOf(const KeyFrames& frames, std::size_t first, std::size_t end,
   return grid.ToMap();
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::mapping

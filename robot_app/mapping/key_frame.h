@@ -8,7 +8,7 @@
 #include "robot_app/common/laser_scan.h"
 #include "robot_app/localization/beams.h"
 
-namespace coppice::robot {
+namespace coppice::robot::mapping {
 
 /// The scans and the poses of base_link in the map frame at which they were taken; indices agree.
 struct KeyFrames {
@@ -30,12 +30,13 @@ struct MappingSettings {
 };
 
 /// The beams of a scan up to `range` [m]; see BeamsOf.
-std::vector<Beam> BeamsWithin(const LaserScan& scan, double range, double spacing, int most);
+std::vector<localization::Beam> BeamsWithin(const LaserScan& scan, double range, double spacing,
+                                            int most);
 
 /// What the key frames [first, end) have seen, as a map.
 OccupancyGrid MapOf(const KeyFrames& frames, std::size_t first, std::size_t end,
                     const MappingSettings& settings);
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::mapping
 
 #endif  // COPPICE_ROBOT_APP_MAPPING_KEY_FRAME_H_

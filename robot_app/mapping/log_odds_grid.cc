@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace coppice::robot {
+namespace coppice::robot::mapping {
 namespace {
 
 constexpr float kHit = 0.85F;      // p = 0.7
@@ -131,4 +131,4 @@ OccupancyGrid LogOddsGrid::ToMap() const {
   return map;
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::mapping

@@ -13,7 +13,7 @@
 #include "robot_app/common/laser_scan.h"
 #include "robot_app/common/occupancy_grid.h"
 
-namespace coppice::robot {
+namespace coppice::robot::mapping {
 
 class LogOddsGrid {
  public:
@@ -44,6 +44,6 @@ class LogOddsGrid {
   std::uint32_t scans_ = 0;
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::mapping
 
 #endif  // COPPICE_ROBOT_APP_MAPPING_LOG_ODDS_GRID_H_

@@ -6,8 +6,10 @@
 #include "robot_app/localization/place_search.h"
 #include "robot_app/localization/scan_matcher.h"
 
-namespace coppice::robot {
+namespace coppice::robot::mapping {
 namespace {
+
+using localization::Beam;
 
 constexpr double kNear = 1.5;        // so much farther than the doubt an old frame may lie [m]
 constexpr std::size_t kBeside = 12;  // key frames before and after it that saw the same
@@ -38,7 +40,8 @@ std::vector<Beam> SeenLately(const KeyFrames& frames, double range) {
   const std::size_t newest = frames.size() - 1;
   for (std::size_t i = frames.size() - std::min(frames.size(), kLately); i <= newest; ++i) {
     const std::vector<Beam> beams = BeamsWithin(frames.scans[i], range, kSpacing, kBeamsOfOne);
-    const std::vector<Beam> moved = Moved(beams, RelativeTo(frames.poses[newest], frames.poses[i]));
+    const std::vector<Beam> moved =
+        localization::Moved(beams, RelativeTo(frames.poses[newest], frames.poses[i]));
     seen.insert(seen.end(), moved.begin(), moved.end());
   }
   return seen;
@@ -66,11 +69,12 @@ std::optional<PoseConstraint> FindLoopClosure(const KeyFrames& frames, const Pos
   const Pose2D& here = frames.poses.back();
   OccupancyGrid map = MapOf(frames, first, end, settings);
   KeepFreeAround(here, doubt.position, map);
-  const LikelihoodField field(map);
+  const localization::LikelihoodField field(map);
   const std::vector<Beam> seen = SeenLately(frames, settings.range);
-  std::vector<FittingPlace> places = PlaceSearch(field).Find(seen, kPlaces);
+  std::vector<localization::FittingPlace> places =
+      localization::PlaceSearch(field).Find(seen, kPlaces);
   places.erase(std::remove_if(places.begin(), places.end(),
-                              [&](const FittingPlace& place) {
+                              [&](const localization::FittingPlace& place) {
                                 return std::abs(NormalizeAngle(place.pose.yaw - here.yaw)) >
                                        doubt.yaw;
                               }),
@@ -85,9 +89,9 @@ std::optional<PoseConstraint> FindLoopClosure(const KeyFrames& frames, const Pos
   closure.from = *old;
   closure.to = frames.size() - 1;
   closure.relative = RelativeTo(frames.poses[*old], found);
-  closure.information = AlongAxesOf(found, MatchInformation(field, seen, found));
+  closure.information = AlongAxesOf(found, localization::MatchInformation(field, seen, found));
   closure.doubtful = true;
   return closure;
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::mapping

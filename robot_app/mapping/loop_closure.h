@@ -11,7 +11,7 @@
 #include "robot_app/mapping/key_frame.h"
 #include "robot_app/mapping/pose_graph.h"
 
-namespace coppice::robot {
+namespace coppice::robot::mapping {
 
 /// How far off the newest pose may be.
 struct PoseDoubt {
@@ -24,6 +24,6 @@ struct PoseDoubt {
 std::optional<PoseConstraint> FindLoopClosure(const KeyFrames& frames, const PoseDoubt& doubt,
                                               const MappingSettings& settings);
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::mapping
 
 #endif  // COPPICE_ROBOT_APP_MAPPING_LOOP_CLOSURE_H_

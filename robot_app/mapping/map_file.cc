@@ -10,7 +10,7 @@
 #include "robot_app/common/yaml_fields.h"
 #include "robot_app/mapping/gray_picture.h"
 
-namespace coppice::robot {
+namespace coppice::robot::mapping {
 namespace {
 
 namespace fs = std::filesystem;
@@ -149,4 +149,4 @@ std::optional<OccupancyGrid> LoadMap(const std::string& yaml, Diagnostics& diagn
   return map;
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::mapping

@@ -13,7 +13,7 @@
 #include "bt_core/base/diagnostic.h"
 #include "robot_app/common/occupancy_grid.h"
 
-namespace coppice::robot {
+namespace coppice::robot::mapping {
 
 /// Writes `yaml` and its picture, in a folder that is there, and removes the picture of the map
 /// that was there before. Cells become occupied, free or unknown. False, with the reason, if that
@@ -24,6 +24,6 @@ bool SaveMap(const std::string& yaml, const OccupancyGrid& map, Diagnostics& dia
 /// either file is in `diagnostics`, all at once, and there is no map then.
 std::optional<OccupancyGrid> LoadMap(const std::string& yaml, Diagnostics& diagnostics);
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::mapping
 
 #endif  // COPPICE_ROBOT_APP_MAPPING_MAP_FILE_H_

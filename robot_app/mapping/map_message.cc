@@ -1,6 +1,6 @@
 #include "robot_app/mapping/map_message.h"
 
-namespace coppice::robot {
+namespace coppice::robot::mapping {
 
 nav_msgs::OccupancyGrid ToMessage(const OccupancyGrid& map, const std::string& frame,
                                   const ros::Time& stamp) {
@@ -18,4 +18,4 @@ nav_msgs::OccupancyGrid ToMessage(const OccupancyGrid& map, const std::string& f
   return message;
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::mapping

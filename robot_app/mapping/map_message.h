@@ -8,12 +8,12 @@
 
 #include "robot_app/common/occupancy_grid.h"
 
-namespace coppice::robot {
+namespace coppice::robot::mapping {
 
 /// `frame`: the name of the map frame.
 nav_msgs::OccupancyGrid ToMessage(const OccupancyGrid& map, const std::string& frame,
                                   const ros::Time& stamp);
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::mapping
 
 #endif  // COPPICE_ROBOT_APP_MAPPING_MAP_MESSAGE_H_

@@ -11,7 +11,7 @@
 #include "robot_app/mapping/map_file.h"
 #include "robot_app/mapping/map_message.h"
 
-namespace coppice::robot {
+namespace coppice::robot::mapping {
 namespace {
 
 constexpr char kHelp[] =
@@ -59,10 +59,11 @@ int Run() {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::mapping
 
 int main(int argc, char** argv) {
   namespace robot = coppice::robot;
-  if (const auto status = robot::StartNode(argc, argv, "map_server", robot::kHelp)) return *status;
-  return robot::Run();
+  if (const auto status = robot::StartNode(argc, argv, "map_server", robot::mapping::kHelp))
+    return *status;
+  return robot::mapping::Run();
 }

@@ -6,8 +6,10 @@
 #include "robot_app/localization/scan_matcher.h"
 #include "robot_app/mapping/loop_closure.h"
 
-namespace coppice::robot {
+namespace coppice::robot::mapping {
 namespace {
+
+using localization::LikelihoodField;
 
 constexpr double kSpacing = 0.1;  // of the beams that are matched [m]
 constexpr int kMostBeams = 250;
@@ -97,7 +99,7 @@ const LikelihoodField& Mapper::SeenLately() {
 PoseConstraint Mapper::MatchWithLast(const LaserScan& scan, const Pose2D& moved) {
   const std::size_t last = frames_.size() - 1;
   const double metres = std::hypot(moved.x, moved.y);
-  MatchSettings match;
+  localization::MatchSettings match;
   match.beam_noise = kBeamNoise;
   match.trust = jumped_ ? kAfterJump : kSlip + kSlipPerMetre * metres;
   match.yaw_trust = jumped_ ? kAfterJump
@@ -105,9 +107,10 @@ PoseConstraint Mapper::MatchWithLast(const LaserScan& scan, const Pose2D& moved)
                                   kTwistPerRadian * std::abs(NormalizeAngle(moved.yaw));
   const Pose2D guess = Compose(frames_.poses[last], moved);
   const LikelihoodField& field = SeenLately();
-  const std::vector<Beam> beams = BeamsWithin(scan, settings_.range, kSpacing, kMostBeams);
-  const Pose2D matched = MatchScan(field, beams, guess, match);
-  score_ = Agree(field, beams, matched).score();
+  const std::vector<localization::Beam> beams =
+      BeamsWithin(scan, settings_.range, kSpacing, kMostBeams);
+  const Pose2D matched = localization::MatchScan(field, beams, guess, match);
+  score_ = localization::Agree(field, beams, matched).score();
 
   const double position = 1 / (match.trust * match.trust);
   const double yaw = 1 / (match.yaw_trust * match.yaw_trust);
@@ -118,7 +121,8 @@ PoseConstraint Mapper::MatchWithLast(const LaserScan& scan, const Pose2D& moved)
   const bool fits = score_ >= settings_.agree;
   step.relative = fits ? RelativeTo(frames_.poses[last], matched) : moved;
   if (fits) {
-    step.information += AlongAxesOf(matched, MatchInformation(field, beams, matched, match));
+    step.information +=
+        AlongAxesOf(matched, localization::MatchInformation(field, beams, matched, match));
   }
   return step;
 }
@@ -169,4 +173,4 @@ MappingReport Mapper::Report() const {
   return report;
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::mapping

@@ -23,7 +23,7 @@
 #include "robot_app/mapping/log_odds_grid.h"
 #include "robot_app/mapping/pose_graph.h"
 
-namespace coppice::robot {
+namespace coppice::robot::mapping {
 
 struct MappingReport {
   std::size_t key_frames = 0;
@@ -63,19 +63,19 @@ class Mapper {
   void UseWaiting();
   bool IsFarEnough() const;
   void AddKeyFrame(const LaserScan& scan);
-  const LikelihoodField& SeenLately();
+  const localization::LikelihoodField& SeenLately();
   PoseConstraint MatchWithLast(const LaserScan& scan, const Pose2D& moved);
   void LookForLoop();
   void Draw();
 
   MappingSettings settings_;
   Pose2D start_;
-  PoseHistory history_;
+  localization::PoseHistory history_;
   std::optional<LaserScan> waiting_;
   KeyFrames frames_;
   std::vector<PoseConstraint> constraints_;
-  std::unique_ptr<LikelihoodField> lately_;  // what was seen on the last stretch
-  std::size_t lately_end_ = 0;               // by the key frames before that one
+  std::unique_ptr<localization::LikelihoodField> lately_;  // what was seen on the last stretch
+  std::size_t lately_end_ = 0;                             // by the key frames before that one
   LogOddsGrid grid_;
   std::vector<Pose2D> drawn_;  // the poses from which the key frames are in the grid
 
@@ -92,6 +92,6 @@ class Mapper {
   std::size_t revision_ = 0;
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::mapping
 
 #endif  // COPPICE_ROBOT_APP_MAPPING_MAPPER_H_

@@ -16,7 +16,7 @@
 #include "robot_app/mapping/map_message.h"
 #include "robot_app/mapping/mapper.h"
 
-namespace coppice::robot {
+namespace coppice::robot::mapping {
 namespace {
 
 constexpr char kHelp[] =
@@ -64,12 +64,12 @@ std::optional<Settings> ReadSettings() {
   settings.last_pose_file = parameters.Text("last_pose_file", "none");
   settings.frames = ReadFrames(parameters);
   if (!parameters.Finish()) return std::nullopt;
-  const auto pose = ParsePose(start);
+  const auto pose = localization::ParsePose(start);
   if (!pose) {
     std::fprintf(stderr, "mapping: ~start_pose must be \"X Y YAW\"\n");
     return std::nullopt;
   }
-  settings.start = LoadPose(settings.last_pose_file).value_or(*pose);
+  settings.start = localization::LoadPose(settings.last_pose_file).value_or(*pose);
   return settings;
 }
 
@@ -194,7 +194,7 @@ class MappingNode {
   void LeavePose() {
     std::string error;
     if (settings_.last_pose_file != "none" &&
-        !SavePose(settings_.last_pose_file, mapper_.pose(), error)) {
+        !localization::SavePose(settings_.last_pose_file, mapper_.pose(), error)) {
       ROS_WARN("%s", error.c_str());
     }
   }
@@ -217,15 +217,16 @@ class MappingNode {
 };
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::mapping
 
 int main(int argc, char** argv) {
   namespace robot = coppice::robot;
-  if (const auto status = robot::StartNode(argc, argv, "mapping", robot::kHelp)) return *status;
+  if (const auto status = robot::StartNode(argc, argv, "mapping", robot::mapping::kHelp))
+    return *status;
   ros::NodeHandle keep_alive;
-  const auto settings = robot::ReadSettings();
+  const auto settings = robot::mapping::ReadSettings();
   if (!settings) return 2;
-  robot::MappingNode node(*settings);
+  robot::mapping::MappingNode node(*settings);
   ros::spin();
   node.KeepWhatIsUnsaved();
   return 0;

@@ -5,7 +5,7 @@
 #include <Eigen/SparseCore>
 #include <cmath>
 
-namespace coppice::robot {
+namespace coppice::robot::mapping {
 namespace {
 
 using Vector = Eigen::VectorXd;
@@ -152,4 +152,4 @@ void OptimizePoses(const std::vector<PoseConstraint>& constraints, std::vector<P
   }
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::mapping

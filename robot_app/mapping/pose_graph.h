@@ -12,7 +12,7 @@
 
 #include "robot_app/common/pose2d.h"
 
-namespace coppice::robot {
+namespace coppice::robot::mapping {
 
 /// Pose `to` as seen from pose `from` was measured to be `relative`.
 struct PoseConstraint {
@@ -36,6 +36,6 @@ Eigen::Vector3d ErrorOf(const PoseConstraint& constraint, const std::vector<Pose
 /// made better stay as they are.
 void OptimizePoses(const std::vector<PoseConstraint>& constraints, std::vector<Pose2D>& poses);
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::mapping
 
 #endif  // COPPICE_ROBOT_APP_MAPPING_POSE_GRAPH_H_

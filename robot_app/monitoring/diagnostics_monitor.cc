@@ -5,8 +5,10 @@
 
 #include "robot_app/monitoring/gauges/band.h"
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 namespace {
+
+using leaves::HealthLevel;
 
 constexpr std::size_t kMostStatuses = 2000;  // a limit for a program that invents names
 constexpr int kWorst = static_cast<int>(HealthLevel::kStale);
@@ -62,4 +64,4 @@ std::vector<Finding> DiagnosticsMonitor::Report(const ProcessTable&, const Times
   return findings;
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring

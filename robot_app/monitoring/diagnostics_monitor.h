@@ -11,7 +11,7 @@
 
 #include "robot_app/monitoring/monitor.h"
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 
 /// Names of diagnostics that begin so are Coppice's own.
 inline constexpr char kOwnDiagnostics[] = "coppice: ";
@@ -34,7 +34,7 @@ class DiagnosticsMonitor : public Monitor {
  private:
   struct Status {
     std::string name;
-    HealthLevel level = HealthLevel::kOk;
+    leaves::HealthLevel level = leaves::HealthLevel::kOk;
     std::string message;
     Time heard_at{0};
     bool was_heard_since_change = true;  // of what is watched
@@ -43,6 +43,6 @@ class DiagnosticsMonitor : public Monitor {
   std::vector<Status> statuses_;
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring
 
 #endif  // COPPICE_ROBOT_APP_MONITORING_DIAGNOSTICS_MONITOR_H_

@@ -4,7 +4,7 @@
 
 #include "robot_app/monitoring/gauges/band.h"
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 
 Finding Freshness::Assess(Finding finding, Duration staleness, const std::string& what,
                           const ProcessTable& processes, const Times& now) {
@@ -13,7 +13,7 @@ Finding Freshness::Assess(Finding finding, Duration staleness, const std::string
   finding.unit = "s";
   finding.stamp = now.ros;
   if (silence > staleness) {
-    finding.level = HealthLevel::kError;
+    finding.level = leaves::HealthLevel::kError;
     finding.message = what + " for " + SecondsText(silence);
   }
   lasting_.Apply(finding, now.wall, patience_);
@@ -21,4 +21,4 @@ Finding Freshness::Assess(Finding finding, Duration staleness, const std::string
   return finding;
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring

@@ -9,7 +9,7 @@
 #include "robot_app/monitoring/gauges/silence.h"
 #include "robot_app/monitoring/process_table.h"
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 
 class Freshness {
  public:
@@ -33,6 +33,6 @@ class Freshness {
   Silence silence_;
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring
 
 #endif  // COPPICE_ROBOT_APP_MONITORING_FRESHNESS_H_

@@ -2,8 +2,10 @@
 
 #include <utility>
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 namespace {
+
+using leaves::HealthLevel;
 
 constexpr char kMonitor[] = "localization";
 
@@ -63,4 +65,4 @@ Finding LocalizationMonitor::Phase(Time now, bool is_fresh) const {
   return finding;
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring

@@ -13,7 +13,7 @@
 #include "robot_app/monitoring/gauges/gauge_board.h"
 #include "robot_app/monitoring/monitor.h"
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 
 /// A coppice_msgs/LocalizationState as a plain value.
 struct LocalizationReading {
@@ -50,6 +50,6 @@ class LocalizationMonitor : public Monitor {
   GaugeBoard board_;
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring
 
 #endif  // COPPICE_ROBOT_APP_MONITORING_LOCALIZATION_MONITOR_H_

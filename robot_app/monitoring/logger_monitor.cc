@@ -8,7 +8,7 @@
 
 #include "robot_app/monitoring/gauges/band.h"
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 namespace {
 
 namespace fs = std::filesystem;
@@ -106,10 +106,10 @@ std::vector<Finding> LoggerMonitor::Report(const ProcessTable& processes, const 
     if (processes.IsStarting(watch.node)) logger.alive_at.reset();
     if (!logger.alive_at) logger.alive_at = now.wall;
     const double silence = InSeconds(now.wall - *logger.alive_at);
-    Finding finding{"logger", watch.name, watch.node, HealthLevel::kOk, silence, "s",
+    Finding finding{"logger", watch.name, watch.node, leaves::HealthLevel::kOk, silence, "s",
                     "",       now.ros,    ""};
     if (now.wall - *logger.alive_at > watch.staleness) {
-      finding.level = HealthLevel::kError;
+      finding.level = leaves::HealthLevel::kError;
       const bool is_missing = !watch.path.empty() && !logger.footprint;
       finding.message = is_missing           ? watch.path + " is missing"
                         : watch.path.empty() ? "no report for " + ToText(silence) + " s"
@@ -121,4 +121,4 @@ std::vector<Finding> LoggerMonitor::Report(const ProcessTable& processes, const 
   return findings;
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring

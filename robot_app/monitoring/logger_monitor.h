@@ -11,7 +11,7 @@
 
 #include "robot_app/monitoring/monitor.h"
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 
 /// By what one sees that something was written.
 struct Footprint {
@@ -53,6 +53,6 @@ class LoggerMonitor : public Monitor {
   std::vector<Logger> loggers_;
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring
 
 #endif  // COPPICE_ROBOT_APP_MONITORING_LOGGER_MONITOR_H_

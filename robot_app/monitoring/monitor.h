@@ -9,7 +9,7 @@
 #include "robot_app/monitoring/process_table.h"
 #include "robot_app/monitoring/watch_list.h"
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 
 class Monitor {
  public:
@@ -23,6 +23,6 @@ class Monitor {
   virtual std::vector<Finding> Report(const ProcessTable& processes, const Times& now) = 0;
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring
 
 #endif  // COPPICE_ROBOT_APP_MONITORING_MONITOR_H_

@@ -7,7 +7,7 @@
 #include "robot_app/monitoring/power/power_fields.h"
 #include "robot_app/monitoring/system/system_fields.h"
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 namespace {
 
 // The section `key` if there is one.
@@ -157,4 +157,4 @@ MonitorConfig LoadMonitorConfig(const std::string& path, Diagnostics& diagnostic
   return Loader(path, diagnostics).Load();
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring

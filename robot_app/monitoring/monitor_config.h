@@ -10,7 +10,7 @@
 #include "robot_app/monitoring/system/system_watch.h"
 #include "robot_app/monitoring/watch_list.h"
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 
 struct MonitorConfig {
   Duration report_period{0};        ///< of every monitor, wall time
@@ -35,6 +35,6 @@ struct MonitorConfig {
 /// not to be used.
 MonitorConfig LoadMonitorConfig(const std::string& path, Diagnostics& diagnostics);
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring
 
 #endif  // COPPICE_ROBOT_APP_MONITORING_MONITOR_CONFIG_H_

@@ -18,7 +18,7 @@
 #include "robot_app/common/node_probe.h"
 #include "robot_app/monitoring/aggregator/health_messages.h"
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 namespace {
 
 constexpr int kQueue = 20;
@@ -118,4 +118,4 @@ void MonitorNode::OnProcesses(const ProcessTable& processes) {
   on_list_(list());
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring

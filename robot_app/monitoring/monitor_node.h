@@ -17,7 +17,7 @@
 #include "robot_app/monitoring/monitor_config.h"
 #include "robot_app/monitoring/process_table.h"
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 
 /// With what a monitor was started.
 struct MonitorStart {
@@ -86,6 +86,6 @@ class MonitorNode {
   ros::Subscriber subscriber_;
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring
 
 #endif  // COPPICE_ROBOT_APP_MONITORING_MONITOR_NODE_H_

@@ -3,7 +3,7 @@
 #include <iterator>
 #include <utility>
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 
 MonitorProgram::MonitorProgram(const MonitorStart& start, std::vector<Monitor*> monitors,
                                std::mutex* guard)
@@ -50,4 +50,4 @@ void MonitorProgram::Report(const Times& now) {
   node_.Publish(std::move(findings));
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring

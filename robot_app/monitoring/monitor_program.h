@@ -11,7 +11,7 @@
 #include "robot_app/monitoring/monitor.h"
 #include "robot_app/monitoring/monitor_node.h"
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 
 /// For the thread that spins.
 class MonitorProgram {
@@ -58,6 +58,6 @@ int RunMonitor(int argc, char** argv, const std::string& name, Duration batch = 
   return 0;
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring
 
 #endif  // COPPICE_ROBOT_APP_MONITORING_MONITOR_PROGRAM_H_

@@ -5,7 +5,9 @@
 
 #include "robot_app/monitoring/gauges/band.h"
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
+
+using leaves::HealthLevel;
 
 void NavigationMonitor::Watch(const std::optional<NavigationWatch>& watch) {
   if (!watch_ || !watch || watch_->topic != watch->topic) {
@@ -61,4 +63,4 @@ Finding NavigationMonitor::Progress(Time now, bool is_fresh) const {
   return finding;
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring

@@ -13,7 +13,7 @@
 #include "robot_app/monitoring/freshness.h"
 #include "robot_app/monitoring/monitor.h"
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 
 /// The numbers are those of coppice_msgs/NavigationState.
 enum class NavigationPhase : std::uint8_t { kIdle = 0, kDriving = 1, kBlocked = 2, kNoPath = 3 };
@@ -52,6 +52,6 @@ class NavigationMonitor : public Monitor {
   Time heard_at_{0};  // state_
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring
 
 #endif  // COPPICE_ROBOT_APP_MONITORING_NAVIGATION_MONITOR_H_

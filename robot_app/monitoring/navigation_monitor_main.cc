@@ -12,7 +12,7 @@
 #include "robot_app/monitoring/tf_monitor.h"
 #include "robot_app/monitoring/tf_tree.h"
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 namespace {
 
 constexpr int kQueue = 20;
@@ -77,10 +77,10 @@ class Program {
 };
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring
 
 int main(int argc, char** argv) {
   namespace robot = coppice::robot;
-  return robot::RunMonitor<robot::Program>(argc, argv, "navigation_monitor",
-                                           std::chrono::milliseconds(100));
+  return robot::monitoring::RunMonitor<robot::monitoring::Program>(argc, argv, "navigation_monitor",
+                                                                   std::chrono::milliseconds(100));
 }

@@ -5,7 +5,9 @@
 
 #include "robot_app/monitoring/gauges/band.h"
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
+
+using leaves::HealthLevel;
 
 void NodeMonitor::Watch(const std::vector<NodeWatch>& nodes) {
   std::vector<Watched> watched;
@@ -51,4 +53,4 @@ std::vector<Finding> NodeMonitor::Report(const ProcessTable& processes, const Ti
   return findings;
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring

@@ -9,7 +9,7 @@
 #include "robot_app/common/node_probe.h"
 #include "robot_app/monitoring/monitor.h"
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 
 class NodeMonitor : public Monitor {
  public:
@@ -36,6 +36,6 @@ class NodeMonitor : public Monitor {
   std::vector<Watched> nodes_;
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring
 
 #endif  // COPPICE_ROBOT_APP_MONITORING_NODE_MONITOR_H_

@@ -5,7 +5,7 @@
 #include "robot_app/monitoring/monitor_program.h"
 #include "robot_app/monitoring/node_monitor.h"
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 namespace {
 
 // How often a sweep that is not done at once is looked after.
@@ -52,9 +52,9 @@ class Program {
 };
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring
 
 int main(int argc, char** argv) {
   namespace robot = coppice::robot;
-  return robot::RunMonitor<robot::Program>(argc, argv, "node_monitor");
+  return robot::monitoring::RunMonitor<robot::monitoring::Program>(argc, argv, "node_monitor");
 }

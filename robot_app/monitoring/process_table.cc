@@ -1,6 +1,8 @@
 #include "robot_app/monitoring/process_table.h"
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
+
+using leaves::HealthLevel;
 
 bool ProcessTable::IsStarting(const std::string& node) const {
   const auto found = by_node.find(node);
@@ -30,4 +32,4 @@ void ApplyGrace(const ProcessTable& processes, const std::string& node, Finding&
   }
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring

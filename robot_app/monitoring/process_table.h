@@ -9,7 +9,7 @@
 #include "robot_app/common/process_phase.h"
 #include "robot_app/monitoring/gauges/finding.h"
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 
 /// The process behind a node.
 struct NodeProcess {
@@ -36,6 +36,6 @@ struct ProcessTable {
 /// the supervisor itself is about to start it again; else its message is added to an error's.
 void ApplyGrace(const ProcessTable& processes, const std::string& node, Finding& finding);
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring
 
 #endif  // COPPICE_ROBOT_APP_MONITORING_PROCESS_TABLE_H_

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 namespace {
 
 constexpr Duration kHolds = std::chrono::seconds(5);
@@ -46,7 +46,7 @@ std::vector<Finding> PublisherMonitor::Report(const ProcessTable&, const Times& 
     Finding finding{"publisher", entry.watch.topic, ""};
     finding.stamp = now.ros;
     if (!entry.stranger.empty() && now.wall - entry.heard_at < kHolds) {
-      finding.level = HealthLevel::kError;
+      finding.level = leaves::HealthLevel::kError;
       finding.message =
           entry.stranger + " publishes here, where only " + Join(entry.watch.nodes) + " may";
     }
@@ -55,4 +55,4 @@ std::vector<Finding> PublisherMonitor::Report(const ProcessTable&, const Times& 
   return findings;
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring

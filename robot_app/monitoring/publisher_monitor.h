@@ -10,7 +10,7 @@
 
 #include "robot_app/monitoring/monitor.h"
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 
 class PublisherMonitor : public Monitor {
  public:
@@ -34,6 +34,6 @@ class PublisherMonitor : public Monitor {
   std::vector<Watched> topics_;
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring
 
 #endif  // COPPICE_ROBOT_APP_MONITORING_PUBLISHER_MONITOR_H_

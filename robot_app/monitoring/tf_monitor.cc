@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 namespace {
+
+using leaves::HealthLevel;
 
 bool IsSame(const TransformWatch& a, const TransformWatch& b) {
   return a.parent == b.parent && a.child == b.child && a.node == b.node && a.age == b.age &&
@@ -117,4 +119,4 @@ std::vector<Finding> TfMonitor::Report(const ProcessTable& processes, const Time
   return findings;
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring

@@ -14,7 +14,7 @@
 #include "robot_app/monitoring/gauges/patience.h"
 #include "robot_app/monitoring/monitor.h"
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 
 /// One look at a pair of frames.
 struct TransformSample {
@@ -65,6 +65,6 @@ class TfMonitor : public Monitor {
   std::vector<Pair> pairs_;
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring
 
 #endif  // COPPICE_ROBOT_APP_MONITORING_TF_MONITOR_H_

@@ -4,7 +4,7 @@
 
 #include "robot_app/monitoring/aggregator/health_messages.h"
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 namespace {
 
 constexpr int kQueue = 100;
@@ -48,4 +48,4 @@ TransformSample TfTree::Look(const std::string& parent, const std::string& child
   return sample;
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring

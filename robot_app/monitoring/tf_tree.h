@@ -12,7 +12,7 @@
 #include "robot_app/monitoring/aggregator/at_once_queue.h"
 #include "robot_app/monitoring/tf_monitor.h"
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 
 /// For the thread that spins.
 class TfTree {
@@ -31,6 +31,6 @@ class TfTree {
   ros::Subscriber moving_, fixed_;
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring
 
 #endif  // COPPICE_ROBOT_APP_MONITORING_TF_TREE_H_

@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <utility>
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 namespace {
 
 constexpr std::size_t kMostMessages = 20000;  // a limit for a publisher gone wild
@@ -33,14 +33,14 @@ Finding RateWatch::Assess(Time now) {
   if (!since_) since_ = now;
   while (messages_.size() > 1 && messages_.front() <= now - watch_.window) messages_.pop_front();
 
-  Finding finding{"topic", watch_.topic, watch_.node, HealthLevel::kOk, 0, "Hz", "", now};
+  Finding finding{"topic", watch_.topic, watch_.node, leaves::HealthLevel::kOk, 0, "Hz", "", now};
   const Time newest = messages_.empty() ? *since_ : std::max(messages_.back(), *since_);
   std::size_t count = messages_.size();
   if (count == 1 && messages_.front() <= now - watch_.window) count = 0;
   finding.value = static_cast<double>(count) / InSeconds(watch_.window);
   const Duration staleness = watch_.band.staleness;
   if (staleness > Duration::zero() && now - newest > staleness) {
-    finding.level = HealthLevel::kError;
+    finding.level = leaves::HealthLevel::kError;
     finding.message = "no message for " + ToText(InSeconds(now - newest)) + " s";
   } else if (now - *since_ >= watch_.window) {
     judge_.OnValue(finding.value, now);
@@ -112,4 +112,4 @@ std::vector<Finding> TopicMonitor::Report(const ProcessTable& processes, const T
   return findings;
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring

@@ -16,7 +16,7 @@
 #include "robot_app/monitoring/gauges/statistics_watch.h"
 #include "robot_app/monitoring/monitor.h"
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 
 /// Watches one topic on one time line.
 class RateWatch {
@@ -68,6 +68,6 @@ class TopicMonitor : public Monitor {
   std::vector<Watched> topics_;
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring
 
 #endif  // COPPICE_ROBOT_APP_MONITORING_TOPIC_MONITOR_H_

@@ -19,7 +19,7 @@
 #include "robot_app/monitoring/publisher_monitor.h"
 #include "robot_app/monitoring/topic_monitor.h"
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 namespace {
 
 // Long enough for a burst; a lost message would count as not sent.
@@ -107,10 +107,10 @@ class Program {
 };
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring
 
 int main(int argc, char** argv) {
   namespace robot = coppice::robot;
-  return robot::RunMonitor<robot::Program>(argc, argv, "topic_monitor",
-                                           std::chrono::milliseconds(50));
+  return robot::monitoring::RunMonitor<robot::monitoring::Program>(argc, argv, "topic_monitor",
+                                                                   std::chrono::milliseconds(50));
 }

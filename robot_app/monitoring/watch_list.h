@@ -9,7 +9,7 @@
 #include "robot_app/monitoring/gauges/watch.h"
 #include "robot_app/monitoring/power/power_watch.h"
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 
 struct WatchList {
   std::string configuration;
@@ -28,6 +28,6 @@ struct WatchList {
   std::vector<SourceWatch> sources;
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring
 
 #endif  // COPPICE_ROBOT_APP_MONITORING_WATCH_LIST_H_

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace coppice::robot {
+namespace coppice::robot::navigation {
 
 void Costmap::Update(const OccupancyGrid& map, const ObstacleLayer* obstacles) {
   frame_ = map.frame;
@@ -26,4 +26,4 @@ void Costmap::Update(const OccupancyGrid& map, const ObstacleLayer* obstacles) {
   }
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::navigation

@@ -12,7 +12,7 @@
 #include "robot_app/common/occupancy_grid.h"
 #include "robot_app/navigation/obstacle_layer.h"
 
-namespace coppice::robot {
+namespace coppice::robot::navigation {
 
 struct CostSettings {
   double lethal_radius = 0.38;    ///< robot's radius and a margin [m]
@@ -46,6 +46,6 @@ class Costmap {
   std::vector<float> cost_;
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::navigation
 
 #endif  // COPPICE_ROBOT_APP_NAVIGATION_COSTMAP_H_

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace coppice::robot {
+namespace coppice::robot::navigation {
 namespace {
 
 constexpr double kStandingStill = 0.02;  // m/s and rad/s
@@ -178,4 +178,4 @@ Follower::Command Follower::Update(const Pose2D& pose, const std::vector<Point2D
   return command;
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::navigation

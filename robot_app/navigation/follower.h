@@ -12,7 +12,7 @@
 
 #include "robot_app/common/pose2d.h"
 
-namespace coppice::robot {
+namespace coppice::robot::navigation {
 
 struct FollowerSettings {
   double max_speed = 0.7;            ///< [m/s]
@@ -95,6 +95,6 @@ class Follower {
   Velocity2D velocity_;  // the last command
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::navigation
 
 #endif  // COPPICE_ROBOT_APP_NAVIGATION_FOLLOWER_H_

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
-namespace coppice::robot {
+namespace coppice::robot::navigation {
 namespace {
 
 constexpr double kPointRange = 3.0;    // obstacles farther away do not concern the follower [m]
@@ -226,4 +226,4 @@ Velocity2D Navigation::TurnOnce(double now, const Pose2D& pose, double seconds) 
   return follower_.Brake(seconds);
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::navigation

@@ -21,7 +21,7 @@
 #include "robot_app/navigation/follower.h"
 #include "robot_app/navigation/planner.h"
 
-namespace coppice::robot {
+namespace coppice::robot::navigation {
 
 struct NavigationSettings {
   FollowerSettings follower;
@@ -123,6 +123,6 @@ class Navigation {
   double last_yaw_ = 0;
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::navigation
 
 #endif  // COPPICE_ROBOT_APP_NAVIGATION_NAVIGATION_H_

@@ -19,7 +19,7 @@
 #include "robot_app/navigation/relative_motion.h"
 #include "robot_app/navigation/way_field.h"
 
-namespace coppice::robot {
+namespace coppice::robot::navigation {
 namespace {
 
 constexpr char kHelp[] =
@@ -349,15 +349,16 @@ class NavigationNode {
 };
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::navigation
 
 int main(int argc, char** argv) {
   namespace robot = coppice::robot;
-  if (const auto status = robot::StartNode(argc, argv, "navigation", robot::kHelp)) return *status;
+  if (const auto status = robot::StartNode(argc, argv, "navigation", robot::navigation::kHelp))
+    return *status;
   ros::NodeHandle keep_alive;
-  const auto settings = robot::ReadSettings();
+  const auto settings = robot::navigation::ReadSettings();
   if (!settings) return 2;
-  robot::NavigationNode node(*settings);
+  robot::navigation::NavigationNode node(*settings);
   ros::spin();
   return 0;
 }

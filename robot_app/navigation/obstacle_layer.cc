@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace coppice::robot {
+namespace coppice::robot::navigation {
 
 void ObstacleLayer::Reset(const GridFrame& frame) {
   frame_ = frame;
@@ -56,4 +56,4 @@ void ObstacleLayer::KeepIf(Keep keep) {
   marked_.erase(gone, marked_.end());
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::navigation

@@ -13,7 +13,7 @@
 #include "robot_app/common/laser_scan.h"
 #include "robot_app/common/occupancy_grid.h"
 
-namespace coppice::robot {
+namespace coppice::robot::navigation {
 
 struct ObstacleSettings {
   double mark_range = 8.0;   ///< readings up to here mark [m]
@@ -53,6 +53,6 @@ class ObstacleLayer {
   std::vector<int> marked_;
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::navigation
 
 #endif  // COPPICE_ROBOT_APP_NAVIGATION_OBSTACLE_LAYER_H_

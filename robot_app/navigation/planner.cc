@@ -7,7 +7,7 @@
 #include <optional>
 #include <queue>
 
-namespace coppice::robot {
+namespace coppice::robot::navigation {
 namespace {
 
 constexpr double kDiagonal = 1.4142135623730951;
@@ -233,4 +233,4 @@ double PathLength(const std::vector<Point2D>& path) {
   return length;
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::navigation

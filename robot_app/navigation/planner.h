@@ -12,7 +12,7 @@
 
 #include "robot_app/navigation/costmap.h"
 
-namespace coppice::robot {
+namespace coppice::robot::navigation {
 
 enum class PlanStatus : std::uint8_t {
   kOk,
@@ -43,6 +43,6 @@ bool PathIsFree(const Costmap& costmap, const std::vector<Point2D>& path, double
 /// Length of a polyline [m].
 double PathLength(const std::vector<Point2D>& path);
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::navigation
 
 #endif  // COPPICE_ROBOT_APP_NAVIGATION_PLANNER_H_

@@ -6,7 +6,7 @@
 
 #include "robot_app/navigation/follower.h"
 
-namespace coppice::robot {
+namespace coppice::robot::navigation {
 namespace {
 
 constexpr double kCloseEnough = 0.01;   // m
@@ -149,4 +149,4 @@ Velocity2D RelativeMotion::Turn(const Pose2D& odometry, double seconds) {
   return velocity_;
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::navigation

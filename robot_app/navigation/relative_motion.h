@@ -11,7 +11,7 @@
 
 #include "robot_app/common/pose2d.h"
 
-namespace coppice::robot {
+namespace coppice::robot::navigation {
 
 struct RelativeMotionSettings {
   double longest_backwards = 1.0;  ///< [m]
@@ -81,6 +81,6 @@ class RelativeMotion {
   Velocity2D velocity_;
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::navigation
 
 #endif  // COPPICE_ROBOT_APP_NAVIGATION_RELATIVE_MOTION_H_

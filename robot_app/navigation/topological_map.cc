@@ -6,7 +6,7 @@
 
 #include "robot_app/common/yaml_fields.h"
 
-namespace coppice::robot {
+namespace coppice::robot::navigation {
 namespace {
 
 constexpr double kFarthest = 1e4;  // m
@@ -130,4 +130,4 @@ std::optional<std::vector<int>> TopologicalMap::Route(int from, int to) const {
   return route;
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::navigation

@@ -19,7 +19,7 @@
 #include "bt_core/base/diagnostic.h"
 #include "robot_app/common/pose2d.h"
 
-namespace coppice::robot {
+namespace coppice::robot::navigation {
 
 struct Place {
   std::string name;
@@ -64,6 +64,6 @@ class TopologicalMap {
   std::vector<Edge> edges_;
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::navigation
 
 #endif  // COPPICE_ROBOT_APP_NAVIGATION_TOPOLOGICAL_MAP_H_

@@ -7,7 +7,7 @@
 #include <queue>
 #include <utility>
 
-namespace coppice::robot {
+namespace coppice::robot::navigation {
 namespace {
 
 constexpr double kNear = 1;  // of a place, for a cell that is free [m]
@@ -104,4 +104,4 @@ std::optional<double> WayField::NearestLength(Point2D from) const {
   return Distance(frame_.Center(*start), from) + length_[frame_.Index(*start)] + last_step_;
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::navigation

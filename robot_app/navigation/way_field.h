@@ -8,7 +8,7 @@
 
 #include "robot_app/navigation/costmap.h"
 
-namespace coppice::robot {
+namespace coppice::robot::navigation {
 
 class WayField {
  public:
@@ -30,6 +30,6 @@ class WayField {
   double last_step_ = 0;       // from the nearest free cell to the place itself
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::navigation
 
 #endif  // COPPICE_ROBOT_APP_NAVIGATION_WAY_FIELD_H_

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace coppice::robot {
+namespace coppice::robot::processes {
 namespace {
 
 RestartLimits StackLimits(const EscalationLimits& escalation) {
@@ -142,4 +142,4 @@ void Escalation::Restore(std::size_t group, const GroupMemory& memory) {
   state.given_up = memory.given_up;
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::processes

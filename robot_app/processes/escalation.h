@@ -27,7 +27,7 @@
 #include "robot_app/processes/config/group_order.h"
 #include "robot_app/processes/restart_budget.h"
 
-namespace coppice::robot {
+namespace coppice::robot::processes {
 
 /// The numbers are those of coppice_msgs/ProcessState.
 enum class EscalationStep : std::uint8_t { kGroup = 0, kClosure = 1, kStack = 2, kPerson = 3 };
@@ -112,6 +112,6 @@ class Escalation {
   RestartBudget stack_;
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::processes
 
 #endif  // COPPICE_ROBOT_APP_PROCESSES_ESCALATION_H_

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace coppice::robot {
+namespace coppice::robot::processes {
 
 PersonCalls::PersonCalls(std::vector<std::string> command, ProcessLauncher& launcher)
     : command_(std::move(command)), launcher_(launcher) {}
@@ -39,4 +39,4 @@ void PersonCalls::Failed(Time now) {
   tries_ = 0;
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::processes

@@ -10,7 +10,7 @@
 #include "bt_core/base/clock.h"
 #include "robot_app/processes/launch/process_launcher.h"
 
-namespace coppice::robot {
+namespace coppice::robot::processes {
 
 /// One call at a time, in order. For one thread.
 class PersonCalls {
@@ -40,6 +40,6 @@ class PersonCalls {
   Time not_before_{0};
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::processes
 
 #endif  // COPPICE_ROBOT_APP_PROCESSES_PERSON_CALLS_H_

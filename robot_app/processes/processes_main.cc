@@ -15,7 +15,7 @@
 #include "robot_app/common/service_call.h"
 #include "robot_app/processes/processes_view.h"
 
-namespace coppice::robot {
+namespace coppice::robot::processes {
 namespace {
 
 const Command& ProcessesCommand() {
@@ -127,8 +127,8 @@ int Main(const std::vector<std::string>& arguments) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::processes
 
 int main(int argc, char** argv) {
-  return coppice::FinishOutput(coppice::robot::Main({argv + 1, argv + argc}));
+  return coppice::FinishOutput(coppice::robot::processes::Main({argv + 1, argv + argc}));
 }

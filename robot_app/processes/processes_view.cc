@@ -8,7 +8,7 @@
 #include "robot_app/processes/escalation.h"
 #include "robot_app/processes/launch/lifecycle.h"
 
-namespace coppice::robot {
+namespace coppice::robot::processes {
 namespace {
 
 using coppice_msgs::ProcessState;
@@ -122,4 +122,4 @@ bool IsAsItShouldBe(const coppice_msgs::ProcessStates& states) {
              [](const ProcessState& process) { return process.state == ProcessState::GIVEN_UP; });
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::processes

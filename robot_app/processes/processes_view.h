@@ -8,7 +8,7 @@
 
 #include "bt_core/base/clock.h"
 
-namespace coppice::robot {
+namespace coppice::robot::processes {
 
 /// One line per process under a head line and a line about the configuration. `now`: wall time.
 std::string ToTable(const coppice_msgs::ProcessStates& states, Time now);
@@ -24,6 +24,6 @@ std::string ToJsonRows(const coppice_msgs::ProcessStates& states);
 /// given up.
 bool IsAsItShouldBe(const coppice_msgs::ProcessStates& states);
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::processes
 
 #endif  // COPPICE_ROBOT_APP_PROCESSES_PROCESSES_VIEW_H_

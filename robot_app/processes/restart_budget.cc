@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace coppice::robot {
+namespace coppice::robot::processes {
 namespace {
 
 constexpr Duration kHour = std::chrono::hours(1);
@@ -81,4 +81,4 @@ void RestartBudget::Restore(std::vector<Time> times, std::size_t counting) {
   forgotten_ = times_.size() - std::min(counting, times_.size());
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::processes

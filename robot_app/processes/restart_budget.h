@@ -14,7 +14,7 @@
 #include "bt_core/base/clock.h"
 #include "robot_app/processes/config/robot_config.h"
 
-namespace coppice::robot {
+namespace coppice::robot::processes {
 
 /// For people: "2 s", "0.5 s".
 std::string SecondsText(Duration duration);
@@ -58,6 +58,6 @@ class RestartBudget {
   std::optional<Time> ready_since_;
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::processes
 
 #endif  // COPPICE_ROBOT_APP_PROCESSES_RESTART_BUDGET_H_

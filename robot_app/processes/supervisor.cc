@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace coppice::robot {
+namespace coppice::robot::processes {
 namespace {
 
 // How a transport to another host says that it got no connection (ssh(1)); coppice-remote never
@@ -397,4 +397,4 @@ void Supervisor::GiveUp(std::size_t group, const std::string& reason) {
   ++revision_;
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::processes

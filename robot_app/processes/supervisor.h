@@ -28,7 +28,7 @@
 #include "robot_app/processes/launch/lifecycle.h"
 #include "robot_app/processes/supervisor_memory.h"
 
-namespace coppice::robot {
+namespace coppice::robot::processes {
 
 /// For one thread.
 class Supervisor {
@@ -171,6 +171,6 @@ class Supervisor {
   std::uint64_t revision_ = 0;
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::processes
 
 #endif  // COPPICE_ROBOT_APP_PROCESSES_SUPERVISOR_H_

@@ -17,7 +17,7 @@
 #include "robot_app/processes/launch/survivors.h"
 #include "robot_app/processes/supervisor_program.h"
 
-namespace coppice::robot {
+namespace coppice::robot::processes {
 namespace {
 
 using Outcome = SupervisorProgram::Outcome;
@@ -155,6 +155,6 @@ int Main(const std::vector<std::string>& arguments) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::processes
 
-int main(int argc, char** argv) { return coppice::robot::Main({argv + 1, argv + argc}); }
+int main(int argc, char** argv) { return coppice::robot::processes::Main({argv + 1, argv + argc}); }

@@ -11,7 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-namespace coppice::robot {
+namespace coppice::robot::processes {
 namespace {
 
 using nlohmann::json;
@@ -133,4 +133,4 @@ std::string SaveMemory(const SupervisorMemory& memory, const std::string& path) 
   return "cannot write " + path + ": " + std::strerror(reason);
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::processes

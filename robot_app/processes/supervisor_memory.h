@@ -13,7 +13,7 @@
 
 #include "robot_app/processes/escalation.h"
 
-namespace coppice::robot {
+namespace coppice::robot::processes {
 
 /// By name, because the configuration file may have changed in between. Times are nanoseconds since
 /// 1970.
@@ -41,6 +41,6 @@ SupervisorMemory LoadMemory(const std::string& path, Time now, std::string& prob
 /// Returns why it could not be written, or nothing; then the old file is as it was.
 std::string SaveMemory(const SupervisorMemory& memory, const std::string& path);
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::processes
 
 #endif  // COPPICE_ROBOT_APP_PROCESSES_SUPERVISOR_MEMORY_H_

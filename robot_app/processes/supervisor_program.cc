@@ -16,7 +16,7 @@
 
 #include "robot_app/common/any_message.h"
 
-namespace coppice::robot {
+namespace coppice::robot::processes {
 namespace {
 
 constexpr Duration kRound = std::chrono::milliseconds(20);
@@ -305,4 +305,4 @@ void SupervisorProgram::Save() {
   saved_ = std::move(text);
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::processes

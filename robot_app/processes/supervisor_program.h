@@ -28,7 +28,7 @@
 #include "robot_app/processes/supervisor.h"
 #include "robot_app/processes/switch_off.h"
 
-namespace coppice::robot {
+namespace coppice::robot::processes {
 
 class SupervisorProgram {
  public:
@@ -93,6 +93,6 @@ class SupervisorProgram {
   ros::Publisher processes_;
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::processes
 
 #endif  // COPPICE_ROBOT_APP_PROCESSES_SUPERVISOR_PROGRAM_H_

@@ -3,7 +3,7 @@
 
 #include "robot_app/processes/supervisor.h"
 
-namespace coppice::robot {
+namespace coppice::robot::processes {
 
 std::optional<std::size_t> Supervisor::Find(const std::string& name) const {
   for (std::size_t i = 0; i < plans_.size(); ++i) {
@@ -123,4 +123,4 @@ Verdict Supervisor::Reset(const std::string& name, Time now) {
   return {true, "restarts of " + name + " are forgotten"};
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::processes

@@ -7,7 +7,7 @@
 #include <optional>
 #include <thread>
 
-namespace coppice::robot {
+namespace coppice::robot::processes {
 
 Verdict SwitchOff::Ask(const std::string& reason, const std::string& token, Supervisor& supervisor,
                        Time now) {
@@ -63,4 +63,4 @@ bool CutPower(const std::vector<std::string>& command, PosixLauncher& launcher, 
   return false;
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::processes

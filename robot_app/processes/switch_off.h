@@ -16,7 +16,7 @@
 #include "robot_app/processes/launch/process_launcher.h"
 #include "robot_app/processes/supervisor.h"
 
-namespace coppice::robot {
+namespace coppice::robot::processes {
 
 /// When. For one thread.
 class SwitchOff {
@@ -52,6 +52,6 @@ class SwitchOff {
 /// cannot be started, fails, or has not ended within `patience`.
 bool CutPower(const std::vector<std::string>& command, PosixLauncher& launcher, Duration patience);
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::processes
 
 #endif  // COPPICE_ROBOT_APP_PROCESSES_SWITCH_OFF_H_

@@ -20,7 +20,7 @@
 #include "bt_core/data/inbox.h"
 #include "bt_nodes/basics/action_result.h"
 
-namespace coppice::robot {
+namespace coppice::robot::adapters {
 
 template <class ActionSpec>
 class ActionPort {
@@ -31,7 +31,7 @@ class ActionPort {
   using Client = actionlib::SimpleActionClient<ActionSpec>;
   /// Turns the end of a goal into the answer; the state is ABORTED, SUCCEEDED, ...
   using Evaluate =
-      std::function<ActionResult(const actionlib::SimpleClientGoalState&, const Result*)>;
+      std::function<leaves::ActionResult(const actionlib::SimpleClientGoalState&, const Result*)>;
 
   ActionPort(ros::NodeHandle& node, const std::string& name, Evaluate evaluate)
       : name_(name), evaluate_(std::move(evaluate)), client_(node, name, false) {
@@ -39,7 +39,7 @@ class ActionPort {
   }
 
   /// Replaces a goal that is still active, whose sender is then not used any more.
-  void Start(const Goal& goal, const Sender<ActionResult>& done) {
+  void Start(const Goal& goal, const Sender<leaves::ActionResult>& done) {
     const std::lock_guard<std::mutex> lock(mutex_);
     ++number_;
     goal_ = goal;
@@ -113,8 +113,8 @@ class ActionPort {
     return true;
   }
 
-  void Finish(int number, const ActionResult& result) {
-    Sender<ActionResult> done;
+  void Finish(int number, const leaves::ActionResult& result) {
+    Sender<leaves::ActionResult> done;
     {
       const std::lock_guard<std::mutex> lock(mutex_);
       if (number != number_ || state_ == State::kNone) return;
@@ -133,17 +133,17 @@ class ActionPort {
   State state_ = State::kNone;
   int number_ = 0;  // of the goal; answers to earlier ones are dropped
   Goal goal_;
-  Sender<ActionResult> done_;
+  Sender<leaves::ActionResult> done_;
   bool was_sent_again_ = false;
   ros::WallTime since_;  // of the state; in kSent the last time the server was seen
 };
 
 /// ok if the goal succeeded, else the server's text.
-inline ActionResult FromGoalState(const actionlib::SimpleClientGoalState& state) {
+inline leaves::ActionResult FromGoalState(const actionlib::SimpleClientGoalState& state) {
   if (state == actionlib::SimpleClientGoalState::SUCCEEDED) return {true, ""};
   return {false, state.getText().empty() ? state.toString() : state.getText()};
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::adapters
 
 #endif  // COPPICE_ROBOT_APP_ROS_ACTION_PORT_H_

@@ -11,15 +11,17 @@
 #include "robot_app/common/battery_message.h"
 #include "robot_app/processes/processes_view.h"
 
-namespace coppice::robot {
+namespace coppice::robot::adapters {
 namespace {
+
+using leaves::Health;
 
 Health FromMessage(const coppice_msgs::Health& message, Time stamp) {
   Health health;
   health.stamp = stamp;
   for (const coppice_msgs::HealthEntry& entry : message.entries) {
     health.entries.push_back({entry.monitor, entry.subject, entry.node,
-                              static_cast<HealthLevel>(entry.level), entry.message});
+                              static_cast<leaves::HealthLevel>(entry.level), entry.message});
   }
   return health;
 }
@@ -33,10 +35,10 @@ class BatteryFeed {
  public:
   explicit BatteryFeed(std::vector<FeedKeys> trees) : trees_(std::move(trees)) {}
 
-  void OnReading(const BatteryReading& reading) {
+  void OnReading(const leaves::BatteryReading& reading) {
     const std::optional<double> level = Level(reading);
-    const std::optional<bool> charging = CurrentFlows(reading);
-    const std::optional<bool> docked = StandsOnStation(reading);
+    const std::optional<bool> charging = leaves::CurrentFlows(reading);
+    const std::optional<bool> docked = leaves::StandsOnStation(reading);
     for (const FeedKeys& keys : trees_) {
       if (level) keys.battery_level.Send(*level);
       if (charging) keys.charging.Send(*charging);
@@ -47,7 +49,7 @@ class BatteryFeed {
 
  private:
   // Nothing: what was known last holds.
-  std::optional<double> Level(const BatteryReading& reading) {
+  std::optional<double> Level(const leaves::BatteryReading& reading) {
     const bool is_measured = !std::isnan(reading.level);
     if (is_measured || !measured_at_) measured_at_ = reading.stamp;
     if (is_measured) return reading.level;
@@ -80,7 +82,7 @@ std::vector<ros::Subscriber> SubscribeFeeds(ros::NodeHandle& node,
   subscribers.push_back(node.subscribe<coppice_msgs::ProcessStates>(
       "/processes", 1,
       [trees, rows = std::string()](const coppice_msgs::ProcessStates::ConstPtr& message) mutable {
-        std::string now = ToJsonRows(*message);
+        std::string now = processes::ToJsonRows(*message);
         for (const FeedKeys& keys : trees) {
           keys.configuration.Send(message->configuration);
           keys.manual.Send(message->manual);
@@ -91,4 +93,4 @@ std::vector<ros::Subscriber> SubscribeFeeds(ros::NodeHandle& node,
   return subscribers;
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::adapters

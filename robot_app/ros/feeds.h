@@ -14,7 +14,7 @@
 #include "bt_nodes/monitoring/health.h"
 #include "bt_nodes/power/battery_reading.h"
 
-namespace coppice::robot {
+namespace coppice::robot::adapters {
 
 /// The keys that the feeds write. A tree that does not use a key gives an empty sender.
 struct FeedKeys {
@@ -22,11 +22,11 @@ struct FeedKeys {
   Sender<double> battery_level;
   Sender<bool> charging;              ///< current flows into the battery, from /battery_state
   Sender<bool> docked;                ///< the station's contacts touch, from /battery_state
-  Sender<Health> monitoring;          ///< aggregated reports, from /monitoring, stamped on arrival
+  Sender<leaves::Health> monitoring;  ///< aggregated reports, from /monitoring, stamped on arrival
   Sender<std::string> configuration;  ///< in force, from /processes; empty until it is known
   Sender<bool> manual;                ///< it was set by hand, from /processes
   Sender<std::string> processes;      ///< JSON rows of /processes, sent when they have changed
-  Sender<BatteryReading> battery;     ///< raw, from /battery_state, stamped on arrival
+  Sender<leaves::BatteryReading> battery;  ///< raw, from /battery_state, stamped on arrival
 };
 
 /// Subscribes as long as the returned subscribers live. The clock stamps what arrives. What the
@@ -34,6 +34,6 @@ struct FeedKeys {
 std::vector<ros::Subscriber> SubscribeFeeds(ros::NodeHandle& node,
                                             const std::vector<FeedKeys>& trees, const Clock& clock);
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::adapters
 
 #endif  // COPPICE_ROBOT_APP_ROS_FEEDS_H_

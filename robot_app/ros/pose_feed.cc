@@ -7,7 +7,7 @@
 #include <optional>
 #include <utility>
 
-namespace coppice::robot {
+namespace coppice::robot::adapters {
 namespace {
 
 constexpr double kPeriod = 0.5;  // s, wall
@@ -16,7 +16,7 @@ Time WallNow() { return std::chrono::steady_clock::now().time_since_epoch(); }
 
 }  // namespace
 
-PoseFeed::PoseFeed(ros::NodeHandle& node, const coppice::Pose2D& station,
+PoseFeed::PoseFeed(ros::NodeHandle& node, const leaves::Pose2D& station,
                    std::vector<PoseKeys> trees)
     : station_(station),
       measured_(node.subscribe<std_msgs::Float64>(
@@ -29,7 +29,7 @@ PoseFeed::PoseFeed(ros::NodeHandle& node, const coppice::Pose2D& station,
       trees_(std::move(trees)),
       timer_(node.createWallTimer(ros::WallDuration(kPeriod), [this](const auto&) { Send(); })) {}
 
-double PoseFeed::WayFrom(const coppice::Pose2D& pose) {
+double PoseFeed::WayFrom(const leaves::Pose2D& pose) {
   const std::lock_guard<std::mutex> lock(mutex_);
   return way_.Length(std::hypot(pose.x - station_.x, pose.y - station_.y), WallNow());
 }
@@ -37,7 +37,7 @@ double PoseFeed::WayFrom(const coppice::Pose2D& pose) {
 void PoseFeed::Send() {
   const std::optional<RobotPose::Stamped> newest = pose_.Newest();
   if (!newest) return;
-  const coppice::Pose2D pose{newest->pose.x, newest->pose.y, newest->pose.yaw};
+  const leaves::Pose2D pose{newest->pose.x, newest->pose.y, newest->pose.yaw};
   const double way = WayFrom(pose);
   for (const PoseKeys& keys : trees_) {
     keys.pose.Send(pose);
@@ -45,4 +45,4 @@ void PoseFeed::Send() {
   }
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::adapters

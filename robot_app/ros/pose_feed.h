@@ -12,11 +12,11 @@
 #include "bt_nodes/power/way_home.h"
 #include "robot_app/common/ros_support.h"
 
-namespace coppice::robot {
+namespace coppice::robot::adapters {
 
 /// A tree that does not use a key gives an empty sender.
 struct PoseKeys {
-  Sender<coppice::Pose2D> pose;  ///< in the map frame
+  Sender<leaves::Pose2D> pose;  ///< in the map frame
   /// Length of the way to the station [m], from the topic /navigation/way_to_station (on the map).
   /// While that is silent it is estimated: the straight line, and half of it more for the
   /// corridors.
@@ -27,21 +27,21 @@ struct PoseKeys {
 class PoseFeed {
  public:
   /// `station`: a pose at the charging station, in the map frame.
-  PoseFeed(ros::NodeHandle& node, const coppice::Pose2D& station, std::vector<PoseKeys> trees);
+  PoseFeed(ros::NodeHandle& node, const leaves::Pose2D& station, std::vector<PoseKeys> trees);
 
  private:
-  double WayFrom(const coppice::Pose2D& pose);
+  double WayFrom(const leaves::Pose2D& pose);
   void Send();
 
-  coppice::Pose2D station_;
+  leaves::Pose2D station_;
   std::mutex mutex_;  // the spinner has two threads
-  WayHome way_;
+  leaves::WayHome way_;
   ros::Subscriber measured_;
   std::vector<PoseKeys> trees_;
   RobotPose pose_{{"map", "odom", "base_link"}};
   ros::WallTimer timer_;
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::adapters
 
 #endif  // COPPICE_ROBOT_APP_ROS_POSE_FEED_H_

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace coppice::robot {
+namespace coppice::robot::adapters {
 namespace {
 
 std_msgs::String Message(const std::string& text) {
@@ -20,7 +20,7 @@ RosInteraction::RosInteraction(ros::NodeHandle& node)
       speech_(node.advertise<std_msgs::String>("/speech", 10)),
       expression_(node.advertise<std_msgs::String>("/expression", 10, true)) {}
 
-void RosInteraction::Say(const std::string& text, Sender<ActionResult> done) {
+void RosInteraction::Say(const std::string& text, Sender<leaves::ActionResult> done) {
   speech_.publish(Message(text));
   const double seconds = std::max(1.0, 0.06 * static_cast<double>(text.size()));
   end_of_speech_ = node_.createTimer(
@@ -37,4 +37,4 @@ void RosInteraction::SetExpression(const std::string& expression) {
   expression_.publish(Message(expression));
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::adapters

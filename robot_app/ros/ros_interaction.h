@@ -9,13 +9,13 @@
 
 #include "bt_nodes/interaction/interaction.h"
 
-namespace coppice::robot {
+namespace coppice::robot::adapters {
 
-class RosInteraction : public Interaction {
+class RosInteraction : public leaves::Interaction {
  public:
   explicit RosInteraction(ros::NodeHandle& node);
 
-  void Say(const std::string& text, Sender<ActionResult> done) override;
+  void Say(const std::string& text, Sender<leaves::ActionResult> done) override;
   void CancelSpeech() override;
   void SetExpression(const std::string& expression) override;
 
@@ -26,6 +26,6 @@ class RosInteraction : public Interaction {
   ros::Timer end_of_speech_;
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::adapters
 
 #endif  // COPPICE_ROBOT_APP_ROS_ROS_INTERACTION_H_

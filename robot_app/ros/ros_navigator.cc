@@ -10,8 +10,10 @@
 
 #include "robot_app/ros/action_port.h"
 
-namespace coppice::robot {
+namespace coppice::robot::adapters {
 namespace {
+
+using leaves::ActionResult;
 
 // Results of our own servers carry a message of their own.
 template <class Result>
@@ -22,7 +24,7 @@ ActionResult FromResult(const actionlib::SimpleClientGoalState& state, const Res
   return answer;
 }
 
-class RosNavigator : public Navigator {
+class RosNavigator : public leaves::Navigator {
  public:
   explicit RosNavigator(ros::NodeHandle& node)
       : move_base_(node, "move_base",
@@ -30,7 +32,7 @@ class RosNavigator : public Navigator {
         motion_(node, "motion",
                 [](const auto& state, const auto* result) { return FromResult(state, result); }) {}
 
-  void NavigateTo(const Pose2D& goal, Sender<ActionResult> done) override {
+  void NavigateTo(const leaves::Pose2D& goal, Sender<ActionResult> done) override {
     move_base_msgs::MoveBaseGoal message;
     message.target_pose.header.frame_id = "map";
     message.target_pose.header.stamp = ros::Time::now();
@@ -61,7 +63,7 @@ class RosNavigator : public Navigator {
   ActionPort<coppice_msgs::MotionAction> motion_;
 };
 
-class RosChargingStation : public ChargingStation {
+class RosChargingStation : public leaves::ChargingStation {
  public:
   explicit RosChargingStation(ros::NodeHandle& node)
       : docking_(node, "docking",
@@ -90,12 +92,12 @@ class RosChargingStation : public ChargingStation {
 
 }  // namespace
 
-std::unique_ptr<Navigator> MakeRosNavigator(ros::NodeHandle& node) {
+std::unique_ptr<leaves::Navigator> MakeRosNavigator(ros::NodeHandle& node) {
   return std::make_unique<RosNavigator>(node);
 }
 
-std::unique_ptr<ChargingStation> MakeRosChargingStation(ros::NodeHandle& node) {
+std::unique_ptr<leaves::ChargingStation> MakeRosChargingStation(ros::NodeHandle& node) {
   return std::make_unique<RosChargingStation>(node);
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::adapters

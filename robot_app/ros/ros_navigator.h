@@ -12,13 +12,13 @@ namespace ros {
 class NodeHandle;
 }
 
-namespace coppice::robot {
+namespace coppice::robot::adapters {
 
-std::unique_ptr<Navigator> MakeRosNavigator(ros::NodeHandle& node);
+std::unique_ptr<leaves::Navigator> MakeRosNavigator(ros::NodeHandle& node);
 
 /// ChargingStation on the action server docking (coppice_msgs).
-std::unique_ptr<ChargingStation> MakeRosChargingStation(ros::NodeHandle& node);
+std::unique_ptr<leaves::ChargingStation> MakeRosChargingStation(ros::NodeHandle& node);
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::adapters
 
 #endif  // COPPICE_ROBOT_APP_ROS_ROS_NAVIGATOR_H_

@@ -10,8 +10,10 @@
 
 #include "robot_app/common/service_call.h"
 
-namespace coppice::robot {
+namespace coppice::robot::adapters {
 namespace {
+
+using leaves::ActionResult;
 
 // A service that is not there, or hangs, is an answer, not an exception.
 template <class Service>
@@ -85,4 +87,4 @@ void RosProcessManager::Work() {
   }
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::adapters

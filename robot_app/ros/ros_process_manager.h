@@ -12,17 +12,18 @@
 
 #include "bt_nodes/processes/process_manager.h"
 
-namespace coppice::robot {
+namespace coppice::robot::adapters {
 
-class RosProcessManager : public ProcessManager {
+class RosProcessManager : public leaves::ProcessManager {
  public:
   RosProcessManager();
   ~RosProcessManager() override;  // drops what was not begun, waits for the call in progress
 
-  void RestartNode(const std::string& node, bool cleared, Sender<ActionResult> done) override;
+  void RestartNode(const std::string& node, bool cleared,
+                   Sender<leaves::ActionResult> done) override;
   void SetConfiguration(const std::string& configuration) override;
   /// With COPPICE_SWITCH_OFF_TOKEN of the environment.
-  void SwitchOff(const std::string& reason, Sender<ActionResult> done) override;
+  void SwitchOff(const std::string& reason, Sender<leaves::ActionResult> done) override;
 
  private:
   void Enqueue(std::function<void()> call);
@@ -35,6 +36,6 @@ class RosProcessManager : public ProcessManager {
   std::thread worker_;
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::adapters
 
 #endif  // COPPICE_ROBOT_APP_ROS_ROS_PROCESS_MANAGER_H_

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cstdint>
 
-namespace coppice::robot {
+namespace coppice::robot::adapters {
 namespace {
 
 using Message = coppice_msgs::RecoveryEvent;
@@ -16,7 +16,7 @@ ros::Time ToRos(Time time) {
   return stamp.fromNSec(static_cast<std::uint64_t>(std::max<std::int64_t>(0, time.count())));
 }
 
-Message ToMessage(const RecoveryEvent& event) {
+Message ToMessage(const leaves::RecoveryEvent& event) {
   Message message;
   message.header.stamp = ToRos(event.time);
   message.recovery = event.recovery;
@@ -40,7 +40,7 @@ RosRecoveryLog::RosRecoveryLog(ros::NodeHandle& node, const Clock& clock)
       events_(node.advertise<Message>("/recovery/events", 100)),
       timer_(node.createWallTimer(ros::WallDuration(1), [this](const auto&) { OnTimer(); })) {}
 
-void RosRecoveryLog::Record(const RecoveryEvent& event) {
+void RosRecoveryLog::Record(const leaves::RecoveryEvent& event) {
   ROS_INFO_STREAM("recovery \"" << event.recovery << "\" of " << event.subject << ", attempt "
                                 << event.attempt << ": " << ToString(event.phase)
                                 << (event.message.empty() ? "" : "; " + event.message));
@@ -49,8 +49,8 @@ void RosRecoveryLog::Record(const RecoveryEvent& event) {
   Publish(judge_.Take(event));
 }
 
-void RosRecoveryLog::Publish(const std::vector<RecoveryVerdict>& verdicts) {
-  for (const RecoveryVerdict& verdict : verdicts) {
+void RosRecoveryLog::Publish(const std::vector<leaves::RecoveryVerdict>& verdicts) {
+  for (const leaves::RecoveryVerdict& verdict : verdicts) {
     Message message;
     message.header.stamp = ToRos(clock_.Now());
     message.recovery = verdict.recovery;
@@ -66,4 +66,4 @@ void RosRecoveryLog::OnTimer() {
   Publish(judge_.Advance(clock_.Now()));
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::adapters

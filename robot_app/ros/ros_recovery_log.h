@@ -12,26 +12,26 @@
 #include "bt_nodes/recovery/recovery_judge.h"
 #include "bt_nodes/recovery/recovery_log.h"
 
-namespace coppice::robot {
+namespace coppice::robot::adapters {
 
-class RosRecoveryLog : public RecoveryLog {
+class RosRecoveryLog : public leaves::RecoveryLog {
  public:
   /// `clock`: that of the trees; must live as long.
   RosRecoveryLog(ros::NodeHandle& node, const Clock& clock);
 
-  void Record(const RecoveryEvent& event) override;
+  void Record(const leaves::RecoveryEvent& event) override;
 
  private:
-  void Publish(const std::vector<RecoveryVerdict>& verdicts);
+  void Publish(const std::vector<leaves::RecoveryVerdict>& verdicts);
   void OnTimer();
 
   const Clock& clock_;
   ros::Publisher events_;
   std::mutex mutex_;  // of the judge: the trees' threads and the timer's
-  RecoveryJudge judge_;
+  leaves::RecoveryJudge judge_;
   ros::WallTimer timer_;
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::adapters
 
 #endif  // COPPICE_ROBOT_APP_ROS_ROS_RECOVERY_LOG_H_

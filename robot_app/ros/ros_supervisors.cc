@@ -10,7 +10,7 @@
 
 #include "robot_app/common/service_call.h"
 
-namespace coppice::robot {
+namespace coppice::robot::adapters {
 namespace {
 
 using coppice_msgs::HelpRequest;
@@ -46,7 +46,7 @@ RosSupervisors::~RosSupervisors() {
 }
 
 void RosSupervisors::Ask(const std::string& subject, const std::string& question,
-                         Sender<ActionResult> done) {
+                         Sender<leaves::ActionResult> done) {
   const std::lock_guard<std::mutex> lock(mutex_);
   open_[subject] = {question, done, 0, ++editions_};
   changed_.notify_one();
@@ -146,4 +146,4 @@ void RosSupervisors::Look() {
   }
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::adapters

@@ -18,9 +18,9 @@
 
 #include "bt_nodes/operators/supervisor_channel.h"
 
-namespace coppice::robot {
+namespace coppice::robot::adapters {
 
-class RosSupervisors : public SupervisorChannel {
+class RosSupervisors : public leaves::SupervisorChannel {
  public:
   static constexpr std::size_t kMostWaiting = 100;  ///< messages; then the oldest is dropped
 
@@ -28,14 +28,14 @@ class RosSupervisors : public SupervisorChannel {
   ~RosSupervisors() override;  // drops what was not begun, waits for the call in progress
 
   void Ask(const std::string& subject, const std::string& question,
-           Sender<ActionResult> done) override;
+           Sender<leaves::ActionResult> done) override;
   void Withdraw(const std::string& subject) override;
   void Tell(const std::string& subject, const std::string& message) override;
 
  private:
   struct Open {
     std::string question;
-    Sender<ActionResult> done;
+    Sender<leaves::ActionResult> done;
     std::uint32_t id = 0;  // 0: the node has not been asked yet
     std::uint64_t edition = 0;
   };
@@ -60,6 +60,6 @@ class RosSupervisors : public SupervisorChannel {
   std::thread worker_;
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::adapters
 
 #endif  // COPPICE_ROBOT_APP_ROS_ROS_SUPERVISORS_H_

@@ -6,12 +6,13 @@
 
 #include "robot_app/navigation/topological_map.h"
 
-namespace coppice::robot {
+namespace coppice::robot::adapters {
 namespace {
 
-coppice::Pose2D ToLeafPose(const Pose2D& pose) { return {pose.x, pose.y, pose.yaw}; }
+using leaves::Waypoint;
+using navigation::TopologicalMap;
 
-class TopologicalWaypoints : public WaypointMap {
+class TopologicalWaypoints : public leaves::WaypointMap {
  public:
   TopologicalWaypoints(TopologicalMap map, unsigned seed) : map_(std::move(map)), random_(seed) {}
 
@@ -29,8 +30,8 @@ class TopologicalWaypoints : public WaypointMap {
 
  private:
   Waypoint At(int index) const {
-    const Place& place = map_.places()[static_cast<std::size_t>(index)];
-    return {place.name, ToLeafPose(place.pose)};
+    const navigation::Place& place = map_.places()[static_cast<std::size_t>(index)];
+    return {place.name, place.pose};
   }
 
   const TopologicalMap map_;
@@ -40,7 +41,7 @@ class TopologicalWaypoints : public WaypointMap {
 
 }  // namespace
 
-std::unique_ptr<WaypointMap> LoadWaypointMap(const std::string& path, unsigned seed) {
+std::unique_ptr<leaves::WaypointMap> LoadWaypointMap(const std::string& path, unsigned seed) {
   Diagnostics diagnostics;
   std::optional<TopologicalMap> map = TopologicalMap::Load(path, diagnostics);
   if (!map) throw std::runtime_error("cannot use the waypoints:\n" + diagnostics.ToString());
@@ -51,4 +52,4 @@ std::unique_ptr<WaypointMap> LoadWaypointMap(const std::string& path, unsigned s
   return std::make_unique<TopologicalWaypoints>(*std::move(map), seed);
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::adapters

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace coppice::robot {
+namespace coppice::robot::simulation {
 
 Battery::Battery(const BatteryOptions& options, double state_of_charge) : options_(options) {
   set_state_of_charge(state_of_charge);
@@ -33,4 +33,4 @@ double Battery::voltage() const {
          current_ * options_.resistance;
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::simulation

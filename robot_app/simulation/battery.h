@@ -5,7 +5,7 @@
 #ifndef COPPICE_ROBOT_APP_SIMULATION_BATTERY_H_
 #define COPPICE_ROBOT_APP_SIMULATION_BATTERY_H_
 
-namespace coppice::robot {
+namespace coppice::robot::simulation {
 
 struct BatteryOptions {
   double capacity = 75;           ///< Ah
@@ -44,6 +44,6 @@ class Battery {
   double current_ = 0;
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::simulation
 
 #endif  // COPPICE_ROBOT_APP_SIMULATION_BATTERY_H_

@@ -2,7 +2,7 @@
 
 #include <box2d/box2d.h>
 
-namespace coppice::robot {
+namespace coppice::robot::simulation {
 namespace {
 
 constexpr float kFriction = 0.3F;
@@ -136,4 +136,4 @@ bool Bodies::touching() const {
   return false;
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::simulation

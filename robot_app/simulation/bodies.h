@@ -14,7 +14,7 @@
 #include "robot_app/simulation/floor.h"
 #include "robot_app/simulation/ray_caster.h"
 
-namespace coppice::robot {
+namespace coppice::robot::simulation {
 
 inline constexpr double kRobotRadius = 0.33;  ///< m
 inline constexpr double kRobotMass = 150;     ///< kg
@@ -53,6 +53,6 @@ class Bodies {
   std::unique_ptr<Box2D> box2d_;
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::simulation
 
 #endif  // COPPICE_ROBOT_APP_SIMULATION_BODIES_H_

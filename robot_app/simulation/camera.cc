@@ -7,7 +7,7 @@
 
 #include "robot_app/simulation/ray_caster.h"
 
-namespace coppice::robot {
+namespace coppice::robot::simulation {
 namespace {
 
 constexpr double kFarthest = 60;  // m
@@ -184,4 +184,4 @@ Picture RenderPicture(const World& world, const CameraOptions& options) {
   return Renderer(world, options).Render();
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::simulation

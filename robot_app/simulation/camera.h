@@ -12,7 +12,7 @@
 
 #include "robot_app/simulation/world.h"
 
-namespace coppice::robot {
+namespace coppice::robot::simulation {
 
 using Colour = std::array<std::uint8_t, 3>;  // red, green, blue
 
@@ -50,6 +50,6 @@ std::vector<Surface> SurfacesOf(const World& world);
 /// What a camera on the robot sees.
 Picture RenderPicture(const World& world, const CameraOptions& options);
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::simulation
 
 #endif  // COPPICE_ROBOT_APP_SIMULATION_CAMERA_H_

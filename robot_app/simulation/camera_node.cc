@@ -4,7 +4,7 @@
 
 #include "robot_app/simulation/jpeg.h"
 
-namespace coppice::robot {
+namespace coppice::robot::simulation {
 
 CameraNode::CameraNode(ros::NodeHandle& node) {
   const auto add = [&](const std::string& name, const Pose2& mounting) {
@@ -32,4 +32,4 @@ void CameraNode::Publish(const World& world, const ros::Time& stamp) {
   }
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::simulation

@@ -10,7 +10,7 @@
 
 #include "robot_app/simulation/camera.h"
 
-namespace coppice::robot {
+namespace coppice::robot::simulation {
 
 class CameraNode {
  public:
@@ -31,6 +31,6 @@ class CameraNode {
   double next_ = 0;
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::simulation
 
 #endif  // COPPICE_ROBOT_APP_SIMULATION_CAMERA_NODE_H_

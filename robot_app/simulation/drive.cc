@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace coppice::robot {
+namespace coppice::robot::simulation {
 namespace {
 
 constexpr double kReactionTime = 0.05;  // of the safety circuit, s
@@ -47,4 +47,4 @@ Velocity Drive::Next(double time, double dt, const Velocity& actual, double fron
   return next;
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::simulation

@@ -5,7 +5,7 @@
 
 #include <limits>
 
-namespace coppice::robot {
+namespace coppice::robot::simulation {
 
 /// Of base_link, in its own frame: forward (m/s) and counter-clockwise (rad/s).
 struct Velocity {
@@ -53,6 +53,6 @@ class Drive {
   bool protective_stop_ = false;
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::simulation
 
 #endif  // COPPICE_ROBOT_APP_SIMULATION_DRIVE_H_

@@ -6,7 +6,7 @@
 #include <sstream>
 #include <utility>
 
-namespace coppice::robot {
+namespace coppice::robot::simulation {
 namespace {
 
 constexpr double kMostHaste = 20;  // times the rate of a topic
@@ -167,4 +167,4 @@ Outcome Faults::Kidnap(const Fault& f) {
                      (hint.empty() ? "" : " (" + hint + ")")};
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::simulation

@@ -13,7 +13,7 @@
 
 #include "robot_app/simulation/world.h"
 
-namespace coppice::robot {
+namespace coppice::robot::simulation {
 
 struct Fault {
   std::string fault;    ///< what to do, for example "block_corridor"
@@ -92,6 +92,6 @@ class Faults {
   std::vector<Healing> healings_;
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::simulation
 
 #endif  // COPPICE_ROBOT_APP_SIMULATION_FAULTS_H_

@@ -6,7 +6,7 @@
 #include <set>
 #include <sstream>
 
-namespace coppice::robot {
+namespace coppice::robot::simulation {
 namespace {
 
 // Reads typed values out of YAML nodes and reports what is wrong with them by line.
@@ -298,4 +298,4 @@ double DistanceFromSweep(const Door& door, Vec2 point) {
   return std::min(Distance(point, closed), Distance(point, open));
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::simulation

@@ -13,7 +13,7 @@
 #include "bt_core/base/diagnostic.h"
 #include "robot_app/simulation/geometry.h"
 
-namespace coppice::robot {
+namespace coppice::robot::simulation {
 
 /// A door leaf. Closed it fills hinge..end. Open, a hinged leaf stands turned by 90 degrees into
 /// the room (to the left or right of hinge -> end) and a sliding leaf has gone into the wall.
@@ -74,6 +74,6 @@ std::optional<Segment> DoorLeaf(const Door& door, bool open);
 /// inside it.
 double DistanceFromSweep(const Door& door, Vec2 point);
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::simulation
 
 #endif  // COPPICE_ROBOT_APP_SIMULATION_FLOOR_H_

@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 
-namespace coppice::robot {
+namespace coppice::robot::simulation {
 
 inline constexpr double kPi = 3.14159265358979323846;
 
@@ -83,6 +83,6 @@ inline double Distance(Vec2 point, const Rectangle& r) {
                     std::max(std::abs(local.y) - r.size.y / 2, 0.0));
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::simulation
 
 #endif  // COPPICE_ROBOT_APP_SIMULATION_GEOMETRY_H_

@@ -1,6 +1,6 @@
 #include "robot_app/simulation/grid_map.h"
 
-namespace coppice::robot {
+namespace coppice::robot::simulation {
 namespace {
 
 constexpr double kBorder = 0.5;  // unknown cells around the floor, m
@@ -97,4 +97,4 @@ GridMap MakeGridMap(const Floor& floor, double resolution) {
   return std::move(painter.map());
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::simulation

@@ -7,7 +7,7 @@
 
 #include "robot_app/simulation/floor.h"
 
-namespace coppice::robot {
+namespace coppice::robot::simulation {
 
 /// Row by row from the lower left corner, as nav_msgs/OccupancyGrid.
 struct GridMap {
@@ -32,6 +32,6 @@ struct GridMap {
 /// from the charging station (through any door) is free; the rest is unknown.
 GridMap MakeGridMap(const Floor& floor, double resolution = 0.05);
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::simulation
 
 #endif  // COPPICE_ROBOT_APP_SIMULATION_GRID_MAP_H_

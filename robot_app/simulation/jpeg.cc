@@ -9,7 +9,7 @@
 #include <stb/stb_image_write.h>
 #pragma GCC diagnostic pop
 
-namespace coppice::robot {
+namespace coppice::robot::simulation {
 
 std::vector<std::uint8_t> EncodeJpeg(const Picture& picture, int quality) {
   std::vector<std::uint8_t> bytes;
@@ -23,4 +23,4 @@ std::vector<std::uint8_t> EncodeJpeg(const Picture& picture, int quality) {
   return bytes;
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::simulation

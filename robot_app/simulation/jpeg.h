@@ -7,11 +7,11 @@
 
 #include "robot_app/simulation/camera.h"
 
-namespace coppice::robot {
+namespace coppice::robot::simulation {
 
 /// `quality` 1..100.
 std::vector<std::uint8_t> EncodeJpeg(const Picture& picture, int quality = 70);
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::simulation
 
 #endif  // COPPICE_ROBOT_APP_SIMULATION_JPEG_H_

@@ -2,7 +2,7 @@
 
 #include <limits>
 
-namespace coppice::robot {
+namespace coppice::robot::simulation {
 
 Lidar::Lidar(const LidarOptions& options, std::uint64_t seed)
     : options_(options), random_(seed), noise_(0.0, 1.0) {
@@ -28,4 +28,4 @@ void Lidar::Measure(double time, const Pose2& base, const RayCaster& still,
   }
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::simulation

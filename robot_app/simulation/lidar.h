@@ -8,7 +8,7 @@
 
 #include "robot_app/simulation/ray_caster.h"
 
-namespace coppice::robot {
+namespace coppice::robot::simulation {
 
 struct LidarOptions {
   int beams = 541;                   ///< at least 2
@@ -51,6 +51,6 @@ class Lidar {
   Scan scan_;
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::simulation
 
 #endif  // COPPICE_ROBOT_APP_SIMULATION_LIDAR_H_

@@ -10,7 +10,7 @@
 #include <optional>
 #include <set>
 
-namespace coppice::robot {
+namespace coppice::robot::simulation {
 namespace {
 
 constexpr std::chrono::milliseconds kDeadline{500};
@@ -157,4 +157,4 @@ Outcome NodeSignals::Send(const std::string& name, int signal) {
   return {false, "cannot signal " + who + ": " + std::strerror(errno)};
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::simulation

@@ -14,7 +14,7 @@
 
 #include "robot_app/simulation/world.h"
 
-namespace coppice::robot {
+namespace coppice::robot::simulation {
 
 class NodeSignals {
  public:
@@ -39,6 +39,6 @@ class NodeSignals {
   std::map<std::string, pid_t> stopped_;
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::simulation
 
 #endif  // COPPICE_ROBOT_APP_SIMULATION_NODE_SIGNALS_H_

@@ -1,6 +1,6 @@
 #include "robot_app/simulation/odometry.h"
 
-namespace coppice::robot {
+namespace coppice::robot::simulation {
 
 Odometry::Odometry(const OdometryOptions& options, std::uint64_t seed)
     : options_(options),
@@ -50,4 +50,4 @@ void Imu::Measure(double dt, const Velocity& before, const Velocity& after) {
   reading_.acceleration_z = kGravity + kAccelerationNoise * noise_(random_);
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::simulation

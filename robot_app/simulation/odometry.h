@@ -8,7 +8,7 @@
 #include "robot_app/simulation/drive.h"
 #include "robot_app/simulation/geometry.h"
 
-namespace coppice::robot {
+namespace coppice::robot::simulation {
 
 struct OdometryOptions {
   double track = 0.56;            ///< between the wheels, m
@@ -81,6 +81,6 @@ class Imu {
   ImuReading reading_;
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::simulation
 
 #endif  // COPPICE_ROBOT_APP_SIMULATION_ODOMETRY_H_

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace coppice::robot {
+namespace coppice::robot::simulation {
 namespace {
 
 constexpr double kWallDistance = 0.1;  // from the person's edge
@@ -54,4 +54,4 @@ void People::Step(double dt, const Disc& robot, const RayCaster& still) {
   for (std::size_t i = 0; i < discs_.size(); ++i) Walk(i, dt, robot, still);
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::simulation

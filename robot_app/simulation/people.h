@@ -7,7 +7,7 @@
 #include "robot_app/simulation/floor.h"
 #include "robot_app/simulation/ray_caster.h"
 
-namespace coppice::robot {
+namespace coppice::robot::simulation {
 
 inline constexpr double kPersonRadius = 0.25;   ///< m
 inline constexpr double kPersonHeight = 1.75;   ///< m
@@ -42,6 +42,6 @@ class People {
   std::vector<Disc> discs_;
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::simulation
 
 #endif  // COPPICE_ROBOT_APP_SIMULATION_PEOPLE_H_

@@ -3,7 +3,7 @@
 #include <limits>
 #include <utility>
 
-namespace coppice::robot {
+namespace coppice::robot::simulation {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -142,4 +142,4 @@ double RayCaster::Cast(Vec2 origin, Vec2 direction, double max_range) const {
   }
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::simulation

@@ -9,7 +9,7 @@
 
 #include "robot_app/simulation/geometry.h"
 
-namespace coppice::robot {
+namespace coppice::robot::simulation {
 
 /// A moving thing that a lidar sees as round.
 struct Disc {
@@ -52,6 +52,6 @@ class RayCaster {
   std::vector<Segment> items_;
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::simulation
 
 #endif  // COPPICE_ROBOT_APP_SIMULATION_RAY_CASTER_H_

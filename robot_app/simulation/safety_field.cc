@@ -1,6 +1,6 @@
 #include "robot_app/simulation/safety_field.h"
 
-namespace coppice::robot {
+namespace coppice::robot::simulation {
 namespace {
 
 constexpr int kBeams = 61;
@@ -28,4 +28,4 @@ double FrontGap(const Pose2& base, const Pose2& mounting, double radius, double 
   return gap;
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::simulation

@@ -7,7 +7,7 @@
 
 #include "robot_app/simulation/ray_caster.h"
 
-namespace coppice::robot {
+namespace coppice::robot::simulation {
 
 /// How far a round robot of `radius` at `base` (map frame) can drive straight on until its edge
 /// meets something that the lidar at `mounting` (in base_link) sees, in metres, at most `reach`.
@@ -15,6 +15,6 @@ namespace coppice::robot {
 double FrontGap(const Pose2& base, const Pose2& mounting, double radius, double reach,
                 const RayCaster& still, const std::vector<Disc>& moving);
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::simulation
 
 #endif  // COPPICE_ROBOT_APP_SIMULATION_SAFETY_FIELD_H_

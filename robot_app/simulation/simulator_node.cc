@@ -27,7 +27,7 @@
 #include "robot_app/simulation/grid_map.h"
 #include "robot_app/simulation/node_signals.h"
 
-namespace coppice::robot {
+namespace coppice::robot::simulation {
 namespace {
 
 constexpr char kHelp[] =
@@ -406,4 +406,4 @@ int RunSimulator(int argc, char** argv) {
   return 0;
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::simulation

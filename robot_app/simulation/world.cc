@@ -2,7 +2,7 @@
 
 #include "robot_app/simulation/safety_field.h"
 
-namespace coppice::robot {
+namespace coppice::robot::simulation {
 namespace {
 
 constexpr double kDockTolerance = 0.03;                // m
@@ -243,4 +243,4 @@ Outcome World::SetEmergencyStop(bool pressed) {
   return {true, pressed ? "the emergency stop is pressed" : "the emergency stop is released"};
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::simulation

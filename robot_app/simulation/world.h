@@ -20,7 +20,7 @@
 #include "robot_app/simulation/odometry.h"
 #include "robot_app/simulation/people.h"
 
-namespace coppice::robot {
+namespace coppice::robot::simulation {
 
 struct WorldOptions {
   std::uint64_t seed = 1;      ///< of all noise
@@ -118,6 +118,6 @@ class World {
   double next_odometry_ = 0;
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::simulation
 
 #endif  // COPPICE_ROBOT_APP_SIMULATION_WORLD_H_

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace coppice::robot {
+namespace coppice::robot::teleoperation {
 namespace {
 
 constexpr double kStep = 0.04;    // [m]
@@ -39,4 +39,4 @@ Velocity2D Guard(const Velocity2D& command, const std::vector<Point2D>& obstacle
   return {command.linear * share, command.angular * share};
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::teleoperation

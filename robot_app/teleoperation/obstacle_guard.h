@@ -6,7 +6,7 @@
 
 #include "robot_app/common/pose2d.h"
 
-namespace coppice::robot {
+namespace coppice::robot::teleoperation {
 
 struct GuardSettings {
   double robot_radius = 0.33;    ///< [m]
@@ -27,6 +27,6 @@ double FreeWay(const Velocity2D& command, const std::vector<Point2D>& obstacles,
 Velocity2D Guard(const Velocity2D& command, const std::vector<Point2D>& obstacles,
                  const GuardSettings& settings);
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::teleoperation
 
 #endif  // COPPICE_ROBOT_APP_TELEOPERATION_OBSTACLE_GUARD_H_

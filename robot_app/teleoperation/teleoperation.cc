@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-namespace coppice::robot {
+namespace coppice::robot::teleoperation {
 namespace {
 
 double Clamped(double value, double most) {
@@ -72,4 +72,4 @@ Velocity2D Teleoperation::Limited(const Velocity2D& wish) const {
           Clamped(wish.angular, settings_.most_angular)};
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::teleoperation

@@ -15,7 +15,7 @@
 #include "bt_core/base/clock.h"
 #include "robot_app/teleoperation/obstacle_guard.h"
 
-namespace coppice::robot {
+namespace coppice::robot::teleoperation {
 
 struct TeleoperationSettings {
   double most_linear = 0.4;   ///< [m/s]
@@ -68,6 +68,6 @@ class Teleoperation {
   std::string held_;
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::teleoperation
 
 #endif  // COPPICE_ROBOT_APP_TELEOPERATION_TELEOPERATION_H_

@@ -1,6 +1,6 @@
 #include "robot_app/teleoperation/velocity_mux.h"
 
-namespace coppice::robot {
+namespace coppice::robot::teleoperation {
 
 VelocityMux::VelocityMux(std::vector<Duration> timeouts) {
   for (const Duration timeout : timeouts) sources_.push_back({timeout, Time{0}});
@@ -28,4 +28,4 @@ std::optional<std::size_t> VelocityMux::active(Time now) const {
   return std::nullopt;
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::teleoperation

@@ -10,7 +10,7 @@
 #include "bt_core/base/clock.h"
 #include "robot_app/common/pose2d.h"
 
-namespace coppice::robot {
+namespace coppice::robot::teleoperation {
 
 class VelocityMux {
  public:
@@ -37,6 +37,6 @@ class VelocityMux {
   bool moves_ = false;    // that command was not zero
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::teleoperation
 
 #endif  // COPPICE_ROBOT_APP_TELEOPERATION_VELOCITY_MUX_H_

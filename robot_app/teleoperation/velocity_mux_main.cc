@@ -9,7 +9,7 @@
 #include "robot_app/common/ros_support.h"
 #include "robot_app/teleoperation/velocity_mux.h"
 
-namespace coppice::robot {
+namespace coppice::robot::teleoperation {
 namespace {
 
 constexpr char kHelp[] =
@@ -55,11 +55,13 @@ class Program {
 };
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::teleoperation
 
 int main(int argc, char** argv) {
-  using namespace coppice::robot;
-  if (const auto status = StartNode(argc, argv, "velocity_mux", kHelp)) return *status;
+  using namespace coppice::robot::teleoperation;  // NOLINT: the whole program
+  if (const auto status = coppice::robot::StartNode(argc, argv, "velocity_mux", kHelp)) {
+    return *status;
+  }
   const Program program;
   ros::spin();
   return 0;

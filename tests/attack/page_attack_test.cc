@@ -24,6 +24,7 @@
 namespace coppice::robot {
 namespace {
 
+using assistance::PageCaller;
 using nlohmann::json;
 using testing::HasSubstr;
 using testing::StartsWith;
@@ -65,7 +66,7 @@ class PageAttack : public testing::Test {
     return caller.Post("/login", R"({"token": ")" + token + "\"}", caller.own_origin());
   }
 
-  const std::uint16_t port_ = FreePort();
+  const std::uint16_t port_ = processes::FreePort();
   const std::string folder_ = testing::TempDir() + "page_attack_" + std::to_string(getpid()) + "_";
   ChildProcess program_;
 };
@@ -80,7 +81,7 @@ class PageAttackOnTheWheel : public PageAttack {
     mount.child_frame_id = "laser";
     mount.transform.rotation.w = 1;
     fixed_.sendTransform(mount);
-    cookie_ = CookieOf(LogIn(kToken));
+    cookie_ = assistance::CookieOf(LogIn(kToken));
     driver_ = std::make_unique<PageCaller>(port_);
     ASSERT_THAT(driver_->Upgrade(cookie_, driver_->own_origin()), StartsWith("HTTP/1.1 101"));
     driver_->SendText(R"({"do": "take", "over": true})");

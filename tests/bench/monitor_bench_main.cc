@@ -17,6 +17,8 @@
 namespace coppice {
 namespace {
 
+using leaves::Health;
+
 constexpr int kTicks = 20000;
 
 Health HealthOf(const std::string& faulty_monitor) {
@@ -24,7 +26,7 @@ Health HealthOf(const std::string& faulty_monitor) {
   const auto add = [&](const std::string& monitor, const std::string& subject) {
     const bool is_faulty = monitor == faulty_monitor && health.HasError(monitor) == false;
     health.entries.push_back({monitor, subject, "/node_of" + subject,
-                              is_faulty ? HealthLevel::kError : HealthLevel::kOk,
+                              is_faulty ? leaves::HealthLevel::kError : leaves::HealthLevel::kOk,
                               "a message of usual length about what was measured: 12.3 Hz"});
   };
   for (int i = 0; i < 60; ++i) add("node", "/some/node_" + std::to_string(i));
@@ -58,13 +60,14 @@ class Bench {
     scenario_.Set("configuration", std::string("operating"));
     scenario_.Set("going_home", false);
     scenario_.Set("distance_to_station", 20.0);
-    scenario_.Set("pose", Pose2D{1, 2, 3});
+    scenario_.Set("pose", leaves::Pose2D{1, 2, 3});
   }
   // Microseconds of one tick.
   double Tick() {
     scenario_.Advance(0.1);
     if (what_.new_report || first_) {
-      scenario_.Set("battery", BatteryReading{scenario_.now(), 25, -6, 0.8, kNotMeasured, {}});
+      scenario_.Set("battery",
+                    leaves::BatteryReading{scenario_.now(), 25, -6, 0.8, leaves::kNotMeasured, {}});
     }
     if (what_.new_report || first_ || scenario_.now() - health_.stamp > std::chrono::seconds(5)) {
       health_.stamp = scenario_.now();

@@ -8,7 +8,7 @@
 
 #include "bt_nodes/register_nodes.h"
 
-namespace coppice {
+namespace coppice::leaves {
 
 /// Everything a robot can be asked, as a list of lines, for example "NavigateTo 1;2;0".
 class FakeRobot : public Navigator,
@@ -110,6 +110,6 @@ class FakeRobot : public Navigator,
   }
 };
 
-}  // namespace coppice
+}  // namespace coppice::leaves
 
 #endif  // COPPICE_TESTS_BT_NODES_FAKES_H_

@@ -12,7 +12,7 @@
 
 #include "tests/support/folders.h"
 
-namespace coppice {
+namespace coppice::leaves {
 namespace {
 
 namespace fs = std::filesystem;
@@ -96,4 +96,4 @@ TEST(Interfaces, RoomsOfLeavesIncludeOneAnotherInOneDirectionOnly) {
 }
 
 }  // namespace
-}  // namespace coppice
+}  // namespace coppice::leaves

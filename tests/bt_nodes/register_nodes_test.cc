@@ -10,7 +10,7 @@
 #include "tests/bt_nodes/fakes.h"
 #include "tests/support/folders.h"
 
-namespace coppice {
+namespace coppice::leaves {
 namespace {
 
 TEST(RegisterNodes, DescribesEveryPortOfEveryLeaf) {
@@ -54,4 +54,4 @@ TEST(RegisterNodes, TheShippedModelsSayWhatTheLeavesAre) {
 }
 
 }  // namespace
-}  // namespace coppice
+}  // namespace coppice::leaves

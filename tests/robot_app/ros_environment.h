@@ -25,8 +25,8 @@ class RosEnvironment : public testing::Environment {
   void SetUp() override {
     setenv("ROS_IP", "127.0.0.1", 1);
     NodeProbe::SilenceLibrary();
-    launcher_.emplace(Temporary("ros_environment"));
-    master_ = FindOrStartMaster(0, *launcher_, std::chrono::seconds(60));
+    launcher_.emplace(processes::Temporary("ros_environment"));
+    master_ = processes::FindOrStartMaster(0, *launcher_, std::chrono::seconds(60));
     if (!master_.error.empty()) throw std::runtime_error(master_.error);
     setenv("ROS_MASTER_URI", master_.Uri().c_str(), 1);
     int no_arguments = 0;
@@ -45,8 +45,8 @@ class RosEnvironment : public testing::Environment {
   }
 
  private:
-  std::optional<PosixLauncher> launcher_;
-  RosMaster master_;
+  std::optional<processes::PosixLauncher> launcher_;
+  processes::RosMaster master_;
   std::unique_ptr<ros::AsyncSpinner> spinner_;
 };
 

@@ -49,7 +49,7 @@ class Driver {
 
   // One command for each time that the robot is seen.
   bool Drive(const std::vector<Point2D>& way, double patience) {
-    Tour tour(way);
+    mapping::Tour tour(way);
     const auto deadline =
         std::chrono::steady_clock::now() + std::chrono::duration<double>(patience);
     std::optional<Velocity2D> command;
@@ -110,11 +110,11 @@ TEST(Mapping, APersonDrivesAMapAndTheRobotWorksWithIt) {
   ASSERT_TRUE(save.response.success) << save.response.message;
 
   Diagnostics diagnostics;
-  const auto map = LoadMap((rig.folder() / "map.yaml").string(), diagnostics);
+  const auto map = mapping::LoadMap((rig.folder() / "map.yaml").string(), diagnostics);
   ASSERT_TRUE(map) << diagnostics.ToString();
-  const OccupancyGrid floor = MapOf(InstituteFloor());
-  EXPECT_GT(ShareNear(*map, floor, 0.15), 0.95);
-  EXPECT_GT(ShareNear(floor, *map, 0.15, {-2.5, -1.4}, {12, 1.4}), 0.9);
+  const OccupancyGrid floor = mapping::MapOf(navigation::InstituteFloor());
+  EXPECT_GT(mapping::ShareNear(*map, floor, 0.15), 0.95);
+  EXPECT_GT(mapping::ShareNear(floor, *map, 0.15, {-2.5, -1.4}, {12, 1.4}), 0.9);
 
   // The trees leave it as it is when the person lets go; who asked for it asks for the next one.
   std_srvs::Trigger release;

@@ -61,7 +61,7 @@ TEST_F(WatcherFaults, TreesThatHangAreRestarted) {
 
 TEST_F(WatcherFaults, TreesThatWereShutDownOverTheNetworkAreRestarted) {
   FaultCase fault(*rig_, "trees shut down", "XML-RPC `shutdown` to `/coppice_robot`");
-  ASSERT_TRUE(ShutDownNode(*ParseUri(ros::master::getURI()), "/coppice_robot"));
+  ASSERT_TRUE(processes::ShutDownNode(*ParseUri(ros::master::getURI()), "/coppice_robot"));
   fault.ExpectRestartBegun("robot", 4);
   ExpectTreesBack(fault);
 }

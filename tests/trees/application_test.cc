@@ -165,7 +165,7 @@ TEST(LeaveStation, IsNotEndedByAnUndockingThatFails) {
 
 TEST(DriveTo, TriesAgainAfterAPause) {
   TreeScenario scenario("behavior/drive_to.xml");
-  scenario.Set("goal", Pose2D{1, 2, 0});
+  scenario.Set("goal", leaves::Pose2D{1, 2, 0});
   scenario.Tick();
   EXPECT_EQ(scenario.Answer(false), Status::kRunning);
   EXPECT_EQ(scenario.CallsOf("NavigateTo 1;2;0"), 1);
@@ -176,7 +176,7 @@ TEST(DriveTo, TriesAgainAfterAPause) {
 
 TEST(DriveTo, GivesUpAfterFortyAttempts) {
   TreeScenario scenario("behavior/drive_to.xml");
-  scenario.Set("goal", Pose2D{1, 2, 0});
+  scenario.Set("goal", leaves::Pose2D{1, 2, 0});
   Status status = scenario.Tick();
   for (int i = 0; i < 200 && status == Status::kRunning; ++i) {
     scenario.Answer(false);

@@ -23,7 +23,8 @@ class MonitorTree : public testing::Test {
   void Live(double seconds, const std::vector<std::pair<std::string, std::string>>& errors) {
     for (; seconds > 0; seconds -= 0.5) {
       scenario_.Advance(0.5);
-      scenario_.Set("battery", BatteryReading{scenario_.now(), 25, -6, 0.8, kNotMeasured, {}});
+      scenario_.Set("battery",
+                    leaves::BatteryReading{scenario_.now(), 25, -6, 0.8, leaves::kNotMeasured, {}});
       scenario_.Report(errors);
       scenario_.Tick();
     }
@@ -42,7 +43,7 @@ class MonitorTree : public testing::Test {
   }
 
   TreeScenario scenario_{"monitor/monitor.xml"};
-  FakeRobot& robot_ = scenario_.robot;
+  leaves::FakeRobot& robot_ = scenario_.robot;
 };
 
 TEST_F(MonitorTree, DoesNothingWhenAllIsWell) {
@@ -70,7 +71,7 @@ TEST_F(MonitorTree, IsDoneWithANodeWhenNobodyBlamesItAnyMore) {
   EXPECT_FALSE(scenario_.Runs("restart_node"));
   EXPECT_EQ(scenario_.CallsOf("RestartNode /navigation"), 1);
   ASSERT_EQ(robot_.events.size(), 2u);
-  EXPECT_EQ(robot_.events.back().phase, RecoveryPhase::kSucceeded);
+  EXPECT_EQ(robot_.events.back().phase, leaves::RecoveryPhase::kSucceeded);
   EXPECT_EQ(robot_.events.back().subject, "/navigation");
 }
 
@@ -122,7 +123,7 @@ TEST_F(MonitorTree, GivesADeadNodePriorityOverARunningRecoveryInTheSameTick) {
   ASSERT_EQ(robot_.events.size(), 3u);
   EXPECT_EQ(robot_.events[1].subject, "/docking");
   EXPECT_EQ(robot_.events[2].subject, "navigation");
-  EXPECT_EQ(robot_.events[2].phase, RecoveryPhase::kInterrupted);
+  EXPECT_EQ(robot_.events[2].phase, leaves::RecoveryPhase::kInterrupted);
   EXPECT_EQ(robot_.events[2].time, robot_.events[1].time);
 }
 

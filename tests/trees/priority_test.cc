@@ -46,7 +46,8 @@ class World {
       if (!is_fixed) rests_until_[subject] = scenario_.now() + std::chrono::seconds(900);
     }
     scenario_.Advance(0.5);
-    scenario_.Set("battery", BatteryReading{scenario_.now(), 25, 12, 0.95, kNotMeasured, {}});
+    scenario_.Set("battery",
+                  leaves::BatteryReading{scenario_.now(), 25, 12, 0.95, leaves::kNotMeasured, {}});
     Report();
     scenario_.Tick();
   }

@@ -73,7 +73,7 @@ std::string KindOf(const std::string& id, const Registry& registry) {
 class PublishedTree : public testing::Test {
  protected:
   PublishedTree() {
-    RegisterNodes(registry_, robot_.capabilities());
+    leaves::RegisterNodes(registry_, robot_.capabilities());
     Diagnostics diagnostics;
     document_ = Document::FromFile(SourceFolder() + "/trees/monitor/monitor.xml", diagnostics);
   }
@@ -105,7 +105,7 @@ class PublishedTree : public testing::Test {
     }
   }
 
-  FakeRobot robot_;
+  leaves::FakeRobot robot_;
   Registry registry_;
 };
 

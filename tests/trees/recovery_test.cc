@@ -6,10 +6,13 @@
 namespace coppice {
 namespace {
 
+using leaves::Health;
+using leaves::Pose2D;
+
 Health Errors(const std::string& monitor) {
   Health health;
   if (!monitor.empty()) {
-    health.entries.push_back({monitor, "it", "/it", HealthLevel::kError, "broken"});
+    health.entries.push_back({monitor, "it", "/it", leaves::HealthLevel::kError, "broken"});
   }
   return health;
 }
@@ -140,10 +143,10 @@ TEST_F(RecoverNavigation, RecordsEveryRecoveryWithItsPlace) {
   scenario_.Set("pose", Pose2D{1, 2, 3});
   Fail();
   ASSERT_EQ(scenario_.robot.events.size(), 4u);
-  const RecoveryEvent& last = scenario_.robot.events.back();
+  const leaves::RecoveryEvent& last = scenario_.robot.events.back();
   EXPECT_EQ(last.recovery, "move backwards");
   EXPECT_EQ(last.subject, "navigation");
-  EXPECT_EQ(last.phase, RecoveryPhase::kFailed);
+  EXPECT_EQ(last.phase, leaves::RecoveryPhase::kFailed);
   ASSERT_TRUE(last.pose);
   EXPECT_EQ(last.pose->y, 2);
 }
@@ -208,7 +211,8 @@ TEST_F(RecoverLocalization, UsesUpNoRungWhileTheNavigationIsDown) {
   EXPECT_EQ(scenario_.Answer(false), Status::kRunning);  // the server has just died
   scenario_.Advance(3);
   Health health = Errors("localization");
-  health.entries.push_back({"node", "/navigation", "/navigation", HealthLevel::kError, "dead"});
+  health.entries.push_back(
+      {"node", "/navigation", "/navigation", leaves::HealthLevel::kError, "dead"});
   scenario_.Set("health", health);
   scenario_.robot.calls.clear();
   for (int i = 0; i < 300; ++i) {

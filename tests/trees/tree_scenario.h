@@ -25,14 +25,14 @@ class TreeScenario {
   /// `file` is relative to trees/; an empty tree ID is the main tree.
   explicit TreeScenario(const std::string& file, const std::string& tree = {}) {
     auto registry = std::make_shared<Registry>();
-    RegisterNodes(*registry, robot.capabilities());
+    leaves::RegisterNodes(*registry, robot.capabilities());
     Diagnostics diagnostics;
     program_ = CompileFile(SourceFolder() + "/trees/" + file, registry, diagnostics, tree);
     if (!program_) throw std::runtime_error(diagnostics.ToString());
     executor_ = std::make_unique<Executor>(program_, clock_);
   }
 
-  FakeRobot robot;
+  leaves::FakeRobot robot;
 
   template <class T>
   void Set(const std::string& key, const T& value) {
@@ -42,10 +42,10 @@ class TreeScenario {
   /// A report with one entry for each (monitor, node) that is an error now; no argument: all is
   /// well.
   void Report(const std::vector<std::pair<std::string, std::string>>& errors = {}) {
-    Health health;
+    leaves::Health health;
     health.stamp = clock_.Now();
     for (const auto& [monitor, node] : errors) {
-      health.entries.push_back({monitor, node, node, HealthLevel::kError, "broken"});
+      health.entries.push_back({monitor, node, node, leaves::HealthLevel::kError, "broken"});
     }
     Set("monitoring", health);
   }

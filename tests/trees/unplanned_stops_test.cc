@@ -10,6 +10,9 @@
 namespace coppice {
 namespace {
 
+using leaves::BatteryReading;
+using leaves::kNotMeasured;
+
 constexpr double kStep = 0.5;  // s
 
 // The robot's answers to what a tree asks of it.
@@ -284,9 +287,9 @@ TEST(UnplannedStops, ARobotThatNobodyHelpsSwitchesItselfOffBeforeItsBatteryDoes)
   life.Run(600, feed);
   const auto& events = scenario.robot.events;
   EXPECT_EQ(std::count_if(events.begin(), events.end(),
-                          [](const RecoveryEvent& event) {
+                          [](const leaves::RecoveryEvent& event) {
                             return event.recovery == "switch off" &&
-                                   event.phase == RecoveryPhase::kSucceeded;
+                                   event.phase == leaves::RecoveryPhase::kSucceeded;
                           }),
             1);
   EXPECT_EQ(scenario.CallsBeginning("SwitchOff"), 1);

@@ -8,7 +8,7 @@
 
 #include "bt_core/base/clock.h"
 
-namespace coppice::robot {
+namespace coppice::robot::assistance {
 
 /// Not yet checked: anybody may write to a chat program.
 struct ChatAnswer {
@@ -28,6 +28,6 @@ class ChatListener {
   virtual std::vector<std::string> TakeProblems() = 0;
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::assistance
 
 #endif  // COPPICE_ROBOT_APP_ASSISTANCE_CHANNELS_CHAT_ANSWER_H_

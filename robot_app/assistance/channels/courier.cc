@@ -5,7 +5,7 @@
 #include <exception>
 #include <utility>
 
-namespace coppice::robot {
+namespace coppice::robot::assistance {
 
 Courier::Courier(std::map<std::string, std::unique_ptr<MessageChannel>> channels) {
   for (auto& [name, channel] : channels) {
@@ -63,4 +63,4 @@ void Courier::Work(Lane& lane) {
   }
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::assistance

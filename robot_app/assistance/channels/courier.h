@@ -15,7 +15,7 @@
 
 #include "robot_app/assistance/channels/message_channel.h"
 
-namespace coppice::robot {
+namespace coppice::robot::assistance {
 
 struct Delivery {
   std::uint32_t letter = 0;
@@ -57,6 +57,6 @@ class Courier {
   std::vector<Delivery> deliveries_;
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::assistance
 
 #endif  // COPPICE_ROBOT_APP_ASSISTANCE_CHANNELS_COURIER_H_

@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace coppice::robot {
+namespace coppice::robot::assistance {
 
 class CurlHandle {
  public:
@@ -78,6 +78,6 @@ class CurlHandle {
   char error_[CURL_ERROR_SIZE] = {};
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::assistance
 
 #endif  // COPPICE_ROBOT_APP_ASSISTANCE_CHANNELS_CURL_HANDLE_H_

@@ -1,6 +1,6 @@
 #include "robot_app/assistance/channels/environment_text.h"
 
-namespace coppice::robot {
+namespace coppice::robot::assistance {
 
 bool IsVariable(const std::string& text) {
   return text.size() > 3 && text.compare(0, 2, "${") == 0 && text.find('}') == text.size() - 1 &&
@@ -34,4 +34,4 @@ std::optional<std::string> FillVariables(
   }
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::assistance

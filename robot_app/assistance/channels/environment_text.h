@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-namespace coppice::robot {
+namespace coppice::robot::assistance {
 
 /// Whether the text is one variable without a default and nothing else, as secrets must be.
 bool IsVariable(const std::string& text);
@@ -19,6 +19,6 @@ std::optional<std::string> FillVariables(
     const std::function<std::optional<std::string>(const std::string& name)>& value_of,
     std::string& missing);
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::assistance
 
 #endif  // COPPICE_ROBOT_APP_ASSISTANCE_CHANNELS_ENVIRONMENT_TEXT_H_

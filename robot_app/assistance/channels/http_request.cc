@@ -2,7 +2,7 @@
 
 #include "robot_app/assistance/channels/curl_handle.h"
 
-namespace coppice::robot {
+namespace coppice::robot::assistance {
 namespace {
 
 constexpr std::size_t kMostReplyBytes = 1 << 20;
@@ -56,4 +56,4 @@ std::string UrlPart(const std::string& text) {
   return part;
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::assistance

@@ -6,7 +6,7 @@
 #include <chrono>
 #include <string>
 
-namespace coppice::robot {
+namespace coppice::robot::assistance {
 
 struct HttpRequest {
   std::string method = "POST";
@@ -29,6 +29,6 @@ HttpReply Exchange(const HttpRequest& request, const std::atomic<bool>& cancelle
 /// A text as a part of a path or query.
 std::string UrlPart(const std::string& text);
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::assistance
 
 #endif  // COPPICE_ROBOT_APP_ASSISTANCE_CHANNELS_HTTP_REQUEST_H_

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace coppice::robot {
+namespace coppice::robot::assistance {
 
 LetterQueue::LetterQueue(const std::vector<HumanSupervisor>& supervisors)
     : supervisors_(supervisors) {}
@@ -52,4 +52,4 @@ void LetterQueue::DropIf(const std::function<bool(const Letter&)>& is_meant) {
   }
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::assistance

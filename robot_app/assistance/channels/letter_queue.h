@@ -11,7 +11,7 @@
 
 #include "robot_app/assistance/help_request.h"
 
-namespace coppice::robot {
+namespace coppice::robot::assistance {
 
 class LetterQueue {
  public:
@@ -51,6 +51,6 @@ class LetterQueue {
   std::uint32_t last_number_ = 0;
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::assistance
 
 #endif  // COPPICE_ROBOT_APP_ASSISTANCE_CHANNELS_LETTER_QUEUE_H_

@@ -6,7 +6,7 @@
 #include "robot_app/assistance/channels/curl_handle.h"
 #include "robot_app/assistance/channels/message_text.h"
 
-namespace coppice::robot {
+namespace coppice::robot::assistance {
 namespace {
 
 constexpr std::chrono::seconds kTimeout{15};
@@ -80,4 +80,4 @@ std::string MailChannel::Send(const OutgoingMessage& message, const std::atomic<
   return curl.Perform();
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::assistance

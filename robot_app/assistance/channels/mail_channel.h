@@ -8,7 +8,7 @@
 
 #include "robot_app/assistance/channels/message_channel.h"
 
-namespace coppice::robot {
+namespace coppice::robot::assistance {
 
 class MailChannel : public MessageChannel {
  public:
@@ -19,6 +19,6 @@ class MailChannel : public MessageChannel {
   const ChannelConfig config_;
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::assistance
 
 #endif  // COPPICE_ROBOT_APP_ASSISTANCE_CHANNELS_MAIL_CHANNEL_H_

@@ -6,7 +6,7 @@
 #include "robot_app/assistance/channels/message_text.h"
 #include "robot_app/assistance/channels/web_channels.h"
 
-namespace coppice::robot {
+namespace coppice::robot::assistance {
 namespace {
 
 class ConsoleChannel : public MessageChannel {
@@ -37,4 +37,4 @@ std::unique_ptr<MessageChannel> MakeChannel(const ChannelConfig& config) {
   return std::make_unique<ConsoleChannel>();
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::assistance

@@ -9,7 +9,7 @@
 
 #include "robot_app/assistance/assistance_config.h"
 
-namespace coppice::robot {
+namespace coppice::robot::assistance {
 
 /// Texts may hold anything, in UTF-8 or not; a channel sends nothing that its protocol would take
 /// for something else.
@@ -35,6 +35,6 @@ class MessageChannel {
 
 std::unique_ptr<MessageChannel> MakeChannel(const ChannelConfig& config);
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::assistance
 
 #endif  // COPPICE_ROBOT_APP_ASSISTANCE_CHANNELS_MESSAGE_CHANNEL_H_

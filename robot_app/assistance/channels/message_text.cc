@@ -6,7 +6,7 @@
 
 #include "bt_core/model/utf8.h"
 
-namespace coppice::robot {
+namespace coppice::robot::assistance {
 namespace {
 
 constexpr std::size_t kMostLineBytes = 200;
@@ -81,4 +81,4 @@ std::string WithLink(const std::string& text, const std::string& link) {
   return link.empty() ? text : text + "\n" + link;
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::assistance

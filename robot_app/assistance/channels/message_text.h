@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace coppice::robot {
+namespace coppice::robot::assistance {
 
 inline constexpr std::size_t kMostMessageBytes = 3500;  ///< Telegram takes 4096 characters
 
@@ -28,6 +28,6 @@ std::string MailAddress(std::string_view text);
 /// The body for channels that know only text: text, and the link on a line of its own.
 std::string WithLink(const std::string& text, const std::string& link);
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::assistance
 
 #endif  // COPPICE_ROBOT_APP_ASSISTANCE_CHANNELS_MESSAGE_TEXT_H_

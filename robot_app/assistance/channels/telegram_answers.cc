@@ -9,7 +9,7 @@
 #include "bt_core/base/json_library.h"
 #include "robot_app/assistance/channels/http_request.h"
 
-namespace coppice::robot {
+namespace coppice::robot::assistance {
 namespace {
 
 using nlohmann::json;
@@ -164,4 +164,4 @@ std::string TelegramAnswers::Url(const char* method) const {
   return config_.url + "/bot" + UrlPart(config_.secret) + "/" + method;
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::assistance

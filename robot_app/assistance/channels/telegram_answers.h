@@ -23,7 +23,7 @@
 #include "robot_app/assistance/assistance_config.h"
 #include "robot_app/assistance/channels/chat_answer.h"
 
-namespace coppice::robot {
+namespace coppice::robot::assistance {
 
 /// What the button for an answer to a request says to us when it is pressed.
 std::string TelegramButton(std::uint32_t request, bool fixed);
@@ -71,6 +71,6 @@ class TelegramAnswers : public ChatListener {
   std::thread thread_;
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::assistance
 
 #endif  // COPPICE_ROBOT_APP_ASSISTANCE_CHANNELS_TELEGRAM_ANSWERS_H_

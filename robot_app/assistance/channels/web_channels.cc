@@ -5,7 +5,7 @@
 #include "robot_app/assistance/channels/message_text.h"
 #include "robot_app/assistance/channels/telegram_answers.h"
 
-namespace coppice::robot {
+namespace coppice::robot::assistance {
 namespace {
 
 std::string PlainText(const OutgoingMessage& message) {
@@ -61,4 +61,4 @@ HttpRequest MakeWebhookRequest(const ChannelConfig& config, const OutgoingMessag
   return request;
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::assistance

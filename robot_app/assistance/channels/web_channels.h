@@ -9,7 +9,7 @@
 #include "robot_app/assistance/channels/http_request.h"
 #include "robot_app/assistance/channels/message_channel.h"
 
-namespace coppice::robot {
+namespace coppice::robot::assistance {
 
 /// https://core.telegram.org/bots/api#sendmessage; `to` is the id of a chat. A question
 /// has a button for each answer (telegram_answers.h).
@@ -35,6 +35,6 @@ class WebChannel : public MessageChannel {
   const Maker maker_;
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::assistance
 
 #endif  // COPPICE_ROBOT_APP_ASSISTANCE_CHANNELS_WEB_CHANNELS_H_

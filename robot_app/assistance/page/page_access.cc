@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
-namespace coppice::robot {
+namespace coppice::robot::assistance {
 namespace {
 
 constexpr std::size_t kTokenBytes = 24;
@@ -147,4 +147,4 @@ std::string PageAccess::AddSession(PagePass& pass, Time now) {
   return session;
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::assistance

@@ -17,7 +17,7 @@
 
 #include "bt_core/base/clock.h"
 
-namespace coppice::robot {
+namespace coppice::robot::assistance {
 
 enum class PageRole : std::uint8_t { kViewer, kOperator };
 
@@ -89,6 +89,6 @@ class PageAccess {
   std::uint64_t version_ = 0;
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::assistance
 
 #endif  // COPPICE_ROBOT_APP_ASSISTANCE_PAGE_PAGE_ACCESS_H_

@@ -7,7 +7,7 @@
 
 #include "bt_core/base/json_library.h"
 
-namespace coppice::robot {
+namespace coppice::robot::assistance {
 namespace {
 
 using Kind = PageCommand::Kind;
@@ -83,4 +83,4 @@ std::optional<PageCommand> ReadPageCommand(std::string_view text) {
   }
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::assistance

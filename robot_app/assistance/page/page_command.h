@@ -11,7 +11,7 @@
 #include "bt_core/base/clock.h"
 #include "robot_app/common/pose2d.h"
 
-namespace coppice::robot {
+namespace coppice::robot::assistance {
 
 struct PageCommand {
   enum class Kind : std::uint8_t {
@@ -41,6 +41,6 @@ std::optional<PageCommand> ReadPageCommand(std::string_view text);
 /// Whether somebody who only watches may ask for it.
 inline bool IsForViewers(PageCommand::Kind kind) { return kind == PageCommand::Kind::kCameras; }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::assistance
 
 #endif  // COPPICE_ROBOT_APP_ASSISTANCE_PAGE_PAGE_COMMAND_H_

@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-namespace coppice::robot {
+namespace coppice::robot::assistance {
 namespace {
 
 using nlohmann::json;
@@ -54,8 +54,8 @@ json ToJson(const HelpRequest& request, Time now) {
 
 }  // namespace
 
-PageDesk::PageDesk(const AssistanceConfig& config, HelpDesk& help, Teleoperation& wheel,
-                   PageRobot& robot, Send send)
+PageDesk::PageDesk(const AssistanceConfig& config, HelpDesk& help,
+                   teleoperation::Teleoperation& wheel, PageRobot& robot, Send send)
     : config_(config), help_(help), wheel_(wheel), robot_(robot), send_(std::move(send)) {}
 
 std::string PageDesk::OnEvent(const PageEvent& event, Time now) {
@@ -213,4 +213,4 @@ void PageDesk::ShowWheel() {
   Show("wheel", std::move(wheel));
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::assistance

@@ -16,7 +16,7 @@
 #include "robot_app/assistance/page/page_server.h"
 #include "robot_app/teleoperation/teleoperation.h"
 
-namespace coppice::robot {
+namespace coppice::robot::assistance {
 
 /// What the page does to the robot. Returns at once.
 class PageRobot {
@@ -36,8 +36,8 @@ class PageDesk {
   using Send = std::function<void(std::uint64_t client, const std::string& key,
                                   const Message& message, bool is_binary)>;
 
-  PageDesk(const AssistanceConfig& config, HelpDesk& help, Teleoperation& wheel, PageRobot& robot,
-           Send send);
+  PageDesk(const AssistanceConfig& config, HelpDesk& help, teleoperation::Teleoperation& wheel,
+           PageRobot& robot, Send send);
 
   /// Somebody came, went, or asked for something. Returns a line for the log; empty: nothing that
   /// matters.
@@ -77,7 +77,7 @@ class PageDesk {
 
   const AssistanceConfig& config_;
   HelpDesk& help_;
-  Teleoperation& wheel_;
+  teleoperation::Teleoperation& wheel_;
   PageRobot& robot_;
   const Send send_;
   std::map<std::uint64_t, Client> clients_;
@@ -88,6 +88,6 @@ class PageDesk {
   std::string shown_wheel_;
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::assistance
 
 #endif  // COPPICE_ROBOT_APP_ASSISTANCE_PAGE_PAGE_DESK_H_

@@ -5,7 +5,7 @@
 
 #include "bt_core/base/json_library.h"
 
-namespace coppice::robot {
+namespace coppice::robot::assistance {
 
 std::string_view SessionOf(std::string_view cookies) {
   while (!cookies.empty()) {
@@ -42,4 +42,4 @@ bool RateLimit::MayPass(double now) {
   return true;
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::assistance

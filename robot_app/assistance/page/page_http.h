@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace coppice::robot {
+namespace coppice::robot::assistance {
 
 inline constexpr const char* kSessionCookie = "coppice_session";
 
@@ -37,6 +37,6 @@ class RateLimit {
   double last_ = 0;
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::assistance
 
 #endif  // COPPICE_ROBOT_APP_ASSISTANCE_PAGE_PAGE_HTTP_H_

@@ -11,7 +11,7 @@
 #include "robot_app/assistance/page/page_texts.h"
 #include "robot_app/common/service_call.h"
 
-namespace coppice::robot {
+namespace coppice::robot::assistance {
 namespace {
 
 constexpr Duration kDrivePeriod = std::chrono::milliseconds(50);
@@ -22,8 +22,8 @@ constexpr double kScanLimit = 12;                                    // m
 constexpr double kPositionVariance = 0.25;                           // m^2, of a finger on a map
 constexpr double kYawVariance = 0.07;                                // rad^2, 15 degrees
 
-TeleoperationSettings WheelSettings(const PageConfig& page) {
-  TeleoperationSettings settings;
+teleoperation::TeleoperationSettings WheelSettings(const PageConfig& page) {
+  teleoperation::TeleoperationSettings settings;
   settings.most_linear = page.most_linear;
   settings.most_angular = page.most_angular;
   settings.guard.stop_distance = page.stop_distance;
@@ -187,4 +187,4 @@ void PageNode::Restart(const std::string& name,
   if (!is_accepted) done(false, "Too many restarts wait already.");
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::assistance

@@ -17,7 +17,7 @@
 #include "robot_app/common/ros_support.h"
 #include "robot_app/common/service_caller.h"
 
-namespace coppice::robot {
+namespace coppice::robot::assistance {
 
 class PageNode : public PageRobot {
  public:
@@ -62,7 +62,7 @@ class PageNode : public PageRobot {
   ros::NodeHandle& node_;
   const AssistanceConfig& config_;
   const Clock& clock_;
-  Teleoperation wheel_;
+  teleoperation::Teleoperation wheel_;
   PageDesk desk_;
   RobotPose robot_pose_{{"map", "odom", "base_link"}};
   std::vector<Point2D> scan_;
@@ -79,6 +79,6 @@ class PageNode : public PageRobot {
   PageServer server_;
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::assistance
 
 #endif  // COPPICE_ROBOT_APP_ASSISTANCE_PAGE_PAGE_NODE_H_

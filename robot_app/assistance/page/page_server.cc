@@ -7,7 +7,7 @@
 
 #include "robot_app/assistance/page/page_visit.h"
 
-namespace coppice::robot {
+namespace coppice::robot::assistance {
 
 namespace asio = boost::asio;
 
@@ -78,4 +78,4 @@ void PageServer::Send(std::uint64_t client, const std::string& key,
   loop_->Send(client, key, std::move(message), is_binary);
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::assistance

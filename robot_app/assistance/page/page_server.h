@@ -19,7 +19,7 @@
 #include "bt_core/base/clock.h"
 #include "robot_app/assistance/page/page_access.h"
 
-namespace coppice::robot {
+namespace coppice::robot::assistance {
 
 struct PageServerOptions {
   std::string address = "127.0.0.1";  ///< as LocalAddress (bt_core/live/web/local_address.h)
@@ -69,6 +69,6 @@ class PageServer {
   std::unique_ptr<Loop> loop_;
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::assistance
 
 #endif  // COPPICE_ROBOT_APP_ASSISTANCE_PAGE_PAGE_SERVER_H_

@@ -9,7 +9,7 @@
 
 #include "robot_app/common/ros_support.h"
 
-namespace coppice::robot {
+namespace coppice::robot::assistance {
 namespace {
 
 using coppice_msgs::HealthEntry;
@@ -140,4 +140,4 @@ std::optional<std::string> MapBytes(const nav_msgs::OccupancyGrid& map) {
   return bytes;
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::assistance

@@ -12,7 +12,7 @@
 
 #include "robot_app/common/pose2d.h"
 
-namespace coppice::robot {
+namespace coppice::robot::assistance {
 
 /// {"type": "health", "entries": [...]}, the worst first.
 std::string HealthText(const coppice_msgs::Health& health);
@@ -37,6 +37,6 @@ std::string TreesText(const std::vector<TreeText>& trees);
 /// contradicts itself.
 std::optional<std::string> MapBytes(const nav_msgs::OccupancyGrid& map);
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::assistance
 
 #endif  // COPPICE_ROBOT_APP_ASSISTANCE_PAGE_PAGE_TEXTS_H_

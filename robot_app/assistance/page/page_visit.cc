@@ -5,7 +5,7 @@
 
 #include "bt_core/live/web/web_access.h"
 
-namespace coppice::robot {
+namespace coppice::robot::assistance {
 namespace {
 
 namespace asio = boost::asio;
@@ -154,4 +154,4 @@ void PageVisit::End() {
   hall_.clients.erase(client);
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::assistance

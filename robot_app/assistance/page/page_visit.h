@@ -16,7 +16,7 @@
 #include "robot_app/assistance/page/page_http.h"
 #include "robot_app/assistance/page/page_server.h"
 
-namespace coppice::robot {
+namespace coppice::robot::assistance {
 
 class PageVisit;
 
@@ -86,6 +86,6 @@ class PageVisit : public WebVisit {
   std::optional<Message> on_the_way_;
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::assistance
 
 #endif  // COPPICE_ROBOT_APP_ASSISTANCE_PAGE_PAGE_VISIT_H_

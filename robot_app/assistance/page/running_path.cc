@@ -1,6 +1,6 @@
 #include "robot_app/assistance/page/running_path.h"
 
-namespace coppice::robot {
+namespace coppice::robot::assistance {
 namespace {
 
 // The last part of the path, without the number that a node without a name bears.
@@ -66,4 +66,4 @@ void RunningPathFollower::OnTick(const TickEvents& events) {
   run_.Apply(events);
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::assistance

@@ -11,7 +11,7 @@
 #include "bt_core/frames/run_follower.h"
 #include "bt_core/live/client/client.h"
 
-namespace coppice::robot {
+namespace coppice::robot::assistance {
 
 /// The names of the nodes that run, from the root to the leaf: of each node the first child that
 /// runs; empty if nothing runs.
@@ -43,6 +43,6 @@ class RunningPathFollower : public LiveListener {
   std::unique_ptr<LiveClient> client_;
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::assistance
 
 #endif  // COPPICE_ROBOT_APP_ASSISTANCE_PAGE_RUNNING_PATH_H_

@@ -11,7 +11,7 @@
 
 #include <ros/callback_queue_interface.h>
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 
 class AtOnceQueue : public ros::CallbackQueueInterface {
  public:
@@ -21,6 +21,6 @@ class AtOnceQueue : public ros::CallbackQueueInterface {
   void removeByID(std::uint64_t) override {}  // nothing waits here
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring
 
 #endif  // COPPICE_ROBOT_APP_MONITORING_AGGREGATOR_AT_ONCE_QUEUE_H_

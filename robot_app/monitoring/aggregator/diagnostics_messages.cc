@@ -8,7 +8,7 @@
 
 #include "robot_app/monitoring/diagnostics_monitor.h"
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 namespace {
 
 void Add(diagnostic_msgs::DiagnosticStatus& status, const char* key, std::string value) {
@@ -45,4 +45,4 @@ diagnostic_msgs::DiagnosticArray ToDiagnostics(const std::vector<Finding>& findi
   return array;
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring

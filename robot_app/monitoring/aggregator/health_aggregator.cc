@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <utility>
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 namespace {
 
 constexpr Duration kPeriodOfUnknownSources = std::chrono::seconds(2);
@@ -124,7 +124,7 @@ void HealthAggregator::MakeStale(Source& source, Time now, Time stamp) {
   for (Entry& entry : source.entries) {
     Finding stale = entry.current;
     stale.node = source.expected ? source.name : "";
-    stale.level = HealthLevel::kStale;
+    stale.level = leaves::HealthLevel::kStale;
     stale.message = source.name + ": " + silence;
     stale.stamp = stamp;
     Update(entry, stale, now);
@@ -146,10 +146,10 @@ std::vector<Finding> HealthAggregator::Publish(Time now, Time stamp) {
       entry.published = findings.back().level;
     }
     if (source.expected || source.dismissed_at) continue;
-    findings.push_back({"aggregation", source.name, "", HealthLevel::kWarn, 0, "",
+    findings.push_back({"aggregation", source.name, "", leaves::HealthLevel::kWarn, 0, "",
                         "unknown source: not expected in this configuration", stamp, ""});
   }
   return findings;
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring

@@ -16,7 +16,7 @@
 #include "robot_app/monitoring/gauges/watch.h"
 #include "robot_app/monitoring/process_table.h"
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 
 class HealthAggregator {
  public:
@@ -51,7 +51,7 @@ class HealthAggregator {
     Time worst_at{0};
     bool worst_is_new = false;  // not yet published
     bool is_published = false;
-    HealthLevel published = HealthLevel::kOk;
+    leaves::HealthLevel published = leaves::HealthLevel::kOk;
   };
   struct Source {
     std::string name;
@@ -74,6 +74,6 @@ class HealthAggregator {
   std::vector<Source> sources_;
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring
 
 #endif  // COPPICE_ROBOT_APP_MONITORING_AGGREGATOR_HEALTH_AGGREGATOR_H_

@@ -9,7 +9,7 @@
 #include "robot_app/monitoring/aggregator/health_messages.h"
 #include "robot_app/monitoring/monitor_node.h"
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 namespace {
 
 constexpr int kQueue = 100;
@@ -64,12 +64,12 @@ class Program {
 };
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring
 
 int main(int argc, char** argv) {
-  const auto start = coppice::robot::StartMonitor(argc, argv, "health_aggregator");
+  const auto start = coppice::robot::monitoring::StartMonitor(argc, argv, "health_aggregator");
   if (!start) return 2;
-  const coppice::robot::Program program(*start);
-  coppice::robot::SpinWhenCalled();
+  const coppice::robot::monitoring::Program program(*start);
+  coppice::robot::monitoring::SpinWhenCalled();
   return 0;
 }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 
 Time FromRos(const ros::Time& time) { return Time(static_cast<std::int64_t>(time.toNSec())); }
 
@@ -34,11 +34,11 @@ coppice_msgs::Health ToMessage(const std::string& source, const std::vector<Find
 std::vector<Finding> FromMessage(const coppice_msgs::Health& message) {
   std::vector<Finding> findings;
   for (const coppice_msgs::HealthEntry& entry : message.entries) {
-    Finding finding{entry.monitor,    entry.subject,        entry.node,
-                    HealthLevel::kOk, entry.value,          entry.unit,
-                    entry.message,    FromRos(entry.stamp), entry.host};
+    Finding finding{entry.monitor, entry.subject, entry.node,    leaves::HealthLevel::kOk,
+                    entry.value,   entry.unit,    entry.message, FromRos(entry.stamp),
+                    entry.host};
     // A number that we do not know is no reason to feel well.
-    finding.level = static_cast<HealthLevel>(
+    finding.level = static_cast<leaves::HealthLevel>(
         std::min<std::uint8_t>(entry.level, coppice_msgs::HealthEntry::STALE));
     findings.push_back(std::move(finding));
   }
@@ -59,4 +59,4 @@ ProcessTable FromMessage(const coppice_msgs::ProcessStates& message) {
   return table;
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring

@@ -11,7 +11,7 @@
 #include "robot_app/monitoring/gauges/finding.h"
 #include "robot_app/monitoring/process_table.h"
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 
 /// A ROS time as nanoseconds, and back (negative times become zero).
 Time FromRos(const ros::Time& time);
@@ -23,6 +23,6 @@ std::vector<Finding> FromMessage(const coppice_msgs::Health& message);
 
 ProcessTable FromMessage(const coppice_msgs::ProcessStates& message);
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring
 
 #endif  // COPPICE_ROBOT_APP_MONITORING_AGGREGATOR_HEALTH_MESSAGES_H_

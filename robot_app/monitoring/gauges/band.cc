@@ -3,8 +3,10 @@
 #include <cstdio>
 #include <utility>
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 namespace {
+
+using leaves::HealthLevel;
 
 Range Shrink(Range range, double by) {
   if (range.low) *range.low += by;
@@ -91,4 +93,4 @@ double InSeconds(Duration duration) { return std::chrono::duration<double>(durat
 
 std::string SecondsText(Duration duration) { return ToText(InSeconds(duration)) + " s"; }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring

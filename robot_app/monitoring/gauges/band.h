@@ -12,7 +12,7 @@
 #include "bt_core/base/clock.h"
 #include "bt_nodes/monitoring/health.h"
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 
 /// Two-sided bounds. A number exactly on a bound is still within; a missing bound never alarms.
 struct Range {
@@ -46,7 +46,7 @@ bool HasBounds(const Band& band);
 
 /// What is to be said about a number.
 struct Assessment {
-  HealthLevel level = HealthLevel::kOk;
+  leaves::HealthLevel level = leaves::HealthLevel::kOk;
   std::string message;  ///< why; empty if all is well
 };
 
@@ -67,7 +67,7 @@ class Judge {
   std::optional<double> value() const { return value_; }
 
  private:
-  void Count(HealthLevel level);
+  void Count(leaves::HealthLevel level);
 
   Band band_;
   std::string unit_;
@@ -75,7 +75,7 @@ class Judge {
   std::string failure_;            // of the last attempt; empty if it had a value
   std::optional<Time> heard_at_;   // the last value or attempt, else the first assessment
   int errors_ = 0, warnings_ = 0;  // in a row
-  HealthLevel level_ = HealthLevel::kOk;
+  leaves::HealthLevel level_ = leaves::HealthLevel::kOk;
 };
 
 /// "5 to 15 Hz", "at most 0.9", "at least 23 V".
@@ -87,6 +87,6 @@ double InSeconds(Duration duration);
 /// "2.5 s".
 std::string SecondsText(Duration duration);
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring
 
 #endif  // COPPICE_ROBOT_APP_MONITORING_GAUGES_BAND_H_

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <set>
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 namespace {
 
 constexpr double kHighestBound = 1e12;
@@ -111,4 +111,4 @@ void CheckUnique(const YamlFields& fields, const std::vector<std::string>& names
   }
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring

@@ -10,7 +10,7 @@
 #include "robot_app/common/yaml_fields.h"
 #include "robot_app/monitoring/gauges/band.h"
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 
 /// The mapping `key`; what it does not say is taken from `otherwise`. `warn` must lie within
 /// `error`; if only one of them is given, the default of the other gives way.
@@ -27,6 +27,6 @@ std::string ReadRosName(YamlFields& fields, const std::string& key, const std::s
 /// `names` that occur twice are an error.
 void CheckUnique(const YamlFields& fields, const std::vector<std::string>& names);
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring
 
 #endif  // COPPICE_ROBOT_APP_MONITORING_GAUGES_BAND_FIELDS_H_

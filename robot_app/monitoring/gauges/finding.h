@@ -7,14 +7,14 @@
 #include "bt_core/base/clock.h"
 #include "bt_nodes/monitoring/health.h"
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 
 /// A coppice_msgs/HealthEntry as a plain value.
 struct Finding {
   std::string monitor;  ///< kind of monitor: node, topic, navigation, ...
   std::string subject;  ///< what is watched
   std::string node;     ///< ROS node to restart if the level is ERROR or STALE; empty if none
-  HealthLevel level = HealthLevel::kOk;
+  leaves::HealthLevel level = leaves::HealthLevel::kOk;
   double value = 0;          ///< measured
   std::string unit = {};     ///< of value
   std::string message = {};  ///< for people
@@ -28,6 +28,6 @@ struct Times {
   Time wall{0};
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring
 
 #endif  // COPPICE_ROBOT_APP_MONITORING_GAUGES_FINDING_H_

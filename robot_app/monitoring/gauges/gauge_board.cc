@@ -3,7 +3,7 @@
 #include <limits>
 #include <utility>
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 
 void GaugeBoard::Watch(const std::vector<GaugeWatch>& gauges) {
   std::vector<Gauge> watched;
@@ -48,4 +48,4 @@ std::vector<Finding> GaugeBoard::Report(Time now, Time stamp) {
   return findings;
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring

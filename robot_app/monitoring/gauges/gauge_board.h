@@ -12,7 +12,7 @@
 #include "robot_app/monitoring/gauges/band.h"
 #include "robot_app/monitoring/gauges/finding.h"
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 
 /// A number that is watched.
 struct GaugeWatch {
@@ -51,6 +51,6 @@ class GaugeBoard {
   std::vector<Gauge> gauges_;
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring
 
 #endif  // COPPICE_ROBOT_APP_MONITORING_GAUGES_GAUGE_BOARD_H_

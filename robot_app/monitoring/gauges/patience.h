@@ -8,7 +8,7 @@
 
 #include "robot_app/monitoring/gauges/finding.h"
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 
 /// For one subject.
 class Patience {
@@ -16,18 +16,18 @@ class Patience {
   /// Turns an error into a warning unless all findings of at least `patience` were errors. `now`:
   /// wall time.
   void Apply(Finding& finding, Time now, Duration patience) {
-    if (finding.level < HealthLevel::kError) {
+    if (finding.level < leaves::HealthLevel::kError) {
       bad_since_.reset();
       return;
     }
     if (!bad_since_) bad_since_ = now;
-    if (now - *bad_since_ < patience) finding.level = HealthLevel::kWarn;
+    if (now - *bad_since_ < patience) finding.level = leaves::HealthLevel::kWarn;
   }
 
  private:
   std::optional<Time> bad_since_;
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring
 
 #endif  // COPPICE_ROBOT_APP_MONITORING_GAUGES_PATIENCE_H_

@@ -11,7 +11,7 @@
 
 #include "robot_app/monitoring/gauges/finding.h"
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 
 enum class SilenceIn {
   kEitherTime,  ///< whichever is less
@@ -39,6 +39,6 @@ class Silence {
   std::optional<Times> heard_;
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring
 
 #endif  // COPPICE_ROBOT_APP_MONITORING_GAUGES_SILENCE_H_

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 
 void StatisticsWatch::Reset() {
   judge_.Reset();
@@ -53,14 +53,15 @@ Finding StatisticsWatch::Assess(Time now) {
                               }),
                links_.end());
 
-  Finding finding{"topic", watch_.topic, watch_.node, HealthLevel::kOk, Rate(), "Hz", "", now};
+  Finding finding{"topic", watch_.topic, watch_.node, leaves::HealthLevel::kOk,
+                  Rate(),  "Hz",         "",          now};
   if (!links_.empty()) {
     judge_.OnValue(finding.value, now);
     const Assessment assessment = judge_.Assess(now);
     finding.level = assessment.level;
     finding.message = assessment.message;
   } else if (staleness > Duration::zero() && now - newest > staleness) {
-    finding.level = HealthLevel::kError;
+    finding.level = leaves::HealthLevel::kError;
     finding.message = "no subscriber reports it on /statistics";
   } else {
     finding.message = "measuring";
@@ -68,4 +69,4 @@ Finding StatisticsWatch::Assess(Time now) {
   return finding;
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring

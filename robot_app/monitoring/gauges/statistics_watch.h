@@ -12,7 +12,7 @@
 #include "robot_app/monitoring/gauges/finding.h"
 #include "robot_app/monitoring/gauges/watch.h"
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 
 /// What one subscriber has received from one publisher.
 struct SubscriberStatistics {
@@ -49,6 +49,6 @@ class StatisticsWatch {
   std::vector<Link> links_;
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring
 
 #endif  // COPPICE_ROBOT_APP_MONITORING_GAUGES_STATISTICS_WATCH_H_

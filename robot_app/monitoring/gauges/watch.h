@@ -7,7 +7,7 @@
 
 #include "robot_app/monitoring/gauges/band.h"
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 
 struct NodeWatch {
   std::string node;
@@ -82,6 +82,6 @@ struct SourceWatch {
   std::string host = {};  ///< computer on which it runs; empty: this one
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring
 
 #endif  // COPPICE_ROBOT_APP_MONITORING_GAUGES_WATCH_H_

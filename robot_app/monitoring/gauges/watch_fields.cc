@@ -2,7 +2,7 @@
 
 #include "robot_app/monitoring/gauges/band_fields.h"
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 namespace {
 
 constexpr double kDay = 86400;
@@ -121,4 +121,4 @@ SourceWatch ReadSourceWatch(YamlFields& fields) {
   return watch;
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring

@@ -6,7 +6,7 @@
 #include "robot_app/common/yaml_fields.h"
 #include "robot_app/monitoring/gauges/watch.h"
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 
 NodeWatch ReadNodeWatch(YamlFields& fields, int default_misses);
 PublisherWatch ReadPublisherWatch(YamlFields& fields);
@@ -18,6 +18,6 @@ LoggerWatch ReadLoggerWatch(YamlFields& fields);
 DiagnosticsWatch ReadDiagnosticsWatch(YamlFields& fields);
 SourceWatch ReadSourceWatch(YamlFields& fields);
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring
 
 #endif  // COPPICE_ROBOT_APP_MONITORING_GAUGES_WATCH_FIELDS_H_

@@ -2,8 +2,10 @@
 
 #include <cmath>
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 namespace {
+
+using leaves::BatteryReading;
 
 constexpr char kMonitor[] = "battery";
 constexpr double kHour = 3600;
@@ -28,7 +30,7 @@ void CoulombCount::Begin(const BatteryReading& reading, Time now) {
 void CoulombCount::OnReading(const BatteryReading& reading, double charging_above, Time now) {
   const bool charges = reading.current > charging_above;
   const bool jumped_back = last_ && now < last_at_;
-  const bool is_full = reading.charger == ChargerState::kFull;
+  const bool is_full = reading.charger == leaves::ChargerState::kFull;
   if (!charged_at_ || charges || is_full || jumped_back) charged_at_ = now;
   const bool is_counted = !std::isnan(reading.current) && !std::isnan(counted_);
   const bool goes_on = last_ && is_counted && !jumped_back && now - last_at_ <= longest_gap_ &&
@@ -63,7 +65,7 @@ void BatteryMonitor::OnReading(const BatteryReading& reading, const Times& times
   freshness_.OnMessage(times);
   const Time now = times.ros;
   if (!since_ || now < *since_) since_ = now;
-  knows_station_ = knows_station_ || StandsOnStation(reading, watch_->model.charging_above);
+  knows_station_ = knows_station_ || leaves::StandsOnStation(reading, watch_->model.charging_above);
   Tell("voltage", watch_->voltage, reading.voltage, now);
   Tell("current", watch_->current, reading.current, now);
   Tell("charge", watch_->charge, reading.level, now);
@@ -75,7 +77,8 @@ void BatteryMonitor::OnReading(const BatteryReading& reading, const Times& times
   }
   const double charge =
       std::isnan(reading.charge) ? reading.level * watch_->model.capacity : reading.charge;
-  const double needed = ChargeToDrive(watch_->model, distance_) + ChargeReserve(watch_->model);
+  const double needed =
+      leaves::ChargeToDrive(watch_->model, distance_) + leaves::ChargeReserve(watch_->model);
   Tell("margin", watch_->margin, charge - needed, now);
 }
 
@@ -97,10 +100,10 @@ Finding BatteryMonitor::State(const ProcessTable& processes, const Times& now) {
                                     watch_->topic + ": no message", processes, now);
   const bool is_heard = state.message.empty();
   if (is_heard && since_ && !knows_station_ && now.ros - *since_ > watch_->staleness) {
-    state.level = HealthLevel::kError;
+    state.level = leaves::HealthLevel::kError;
     state.message = watch_->topic + " has never told whether the robot stands on its station";
   }
   return state;
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring

@@ -13,7 +13,7 @@
 #include "robot_app/monitoring/gauges/gauge_board.h"
 #include "robot_app/monitoring/monitor.h"
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 
 /// What the current says about the charge, and for how long something has not happened.
 class CoulombCount {
@@ -23,17 +23,17 @@ class CoulombCount {
 
   /// The start or end of charging begins anew: then gauges correct themselves. So does a reading
   /// without current or charge.
-  void OnReading(const BatteryReading& reading, double charging_above, Time now);
+  void OnReading(const leaves::BatteryReading& reading, double charging_above, Time now);
 
   double deviation() const { return deviation_; }  ///< Ah, reported less counted
   double unchanged() const { return unchanged_; }  ///< s, the charge stands although current flows
   double since_charge() const { return since_charge_; }  ///< s, since it charged, or was full
 
  private:
-  void Begin(const BatteryReading& reading, Time now);
+  void Begin(const leaves::BatteryReading& reading, Time now);
 
   Duration longest_gap_;
-  std::optional<BatteryReading> last_;
+  std::optional<leaves::BatteryReading> last_;
   Time last_at_{0}, changed_at_{0};
   std::optional<Time> charged_at_;  // or the first sample
   double counted_ = 0;              // Ah
@@ -49,7 +49,7 @@ class BatteryMonitor : public Monitor {
   /// Nothing: the battery is not watched, and nothing is reported.
   void Watch(const std::optional<BatteryWatch>& watch);
   /// A number that has bounds but is not measured counts as one outside them.
-  void OnReading(const BatteryReading& reading, const Times& now);
+  void OnReading(const leaves::BatteryReading& reading, const Times& now);
   /// Length of the way to the station [m]; 0 until it is known.
   void OnDistance(double distance) { distance_ = distance; }
 
@@ -70,6 +70,6 @@ class BatteryMonitor : public Monitor {
   bool knows_station_ = false;  // it has told whether the robot stands on its station
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring
 
 #endif  // COPPICE_ROBOT_APP_MONITORING_POWER_BATTERY_MONITOR_H_

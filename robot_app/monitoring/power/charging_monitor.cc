@@ -4,17 +4,21 @@
 
 #include "robot_app/monitoring/gauges/band.h"
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 
-void ChargingMonitor::OnReading(const BatteryReading& reading, Time now) {
+using leaves::HealthLevel;
+
+void ChargingMonitor::OnReading(const leaves::BatteryReading& reading, Time now) {
   if (!watch_) return;
   if (reading_ && now < heard_at_) missing_since_.reset();  // time jumped back
   reading_ = reading;
   heard_at_ = now;
-  const bool has_contact = StandsOnStation(reading, watch_->current).value_or(false);
-  const bool is_full = reading.charger == ChargerState::kFull || reading.level >= watch_->full;
-  const bool flows = std::isnan(reading.current) ? reading.charger == ChargerState::kCharging
-                                                 : reading.current >= watch_->current;
+  const bool has_contact = leaves::StandsOnStation(reading, watch_->current).value_or(false);
+  const bool is_full =
+      reading.charger == leaves::ChargerState::kFull || reading.level >= watch_->full;
+  const bool flows = std::isnan(reading.current)
+                         ? reading.charger == leaves::ChargerState::kCharging
+                         : reading.current >= watch_->current;
   const bool needs_none = !has_contact || is_full;
   if (flows || needs_none) missing_since_.reset();
   if (!flows && !needs_none && !missing_since_) missing_since_ = now;
@@ -40,4 +44,4 @@ std::vector<Finding> ChargingMonitor::Report(const ProcessTable&, const Times& n
   return {finding};
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring

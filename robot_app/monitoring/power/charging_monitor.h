@@ -11,26 +11,26 @@
 #include "bt_nodes/power/battery_reading.h"
 #include "robot_app/monitoring/monitor.h"
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 
 class ChargingMonitor : public Monitor {
  public:
   void Watch(const WatchList& list, const Times&) override { Watch(list.charging); }
   /// Nothing: charging is not watched, and nothing is reported.
   void Watch(const std::optional<ChargingWatch>& watch) { watch_ = watch; }
-  void OnReading(const BatteryReading& reading, Time now);
+  void OnReading(const leaves::BatteryReading& reading, Time now);
 
   /// One finding, "current"; value: A. Off the station, and with a full battery, all is well.
   std::vector<Finding> Report(const ProcessTable& processes, const Times& now) override;
 
  private:
   std::optional<ChargingWatch> watch_;
-  std::optional<BatteryReading> reading_;  // the last one
+  std::optional<leaves::BatteryReading> reading_;  // the last one
   Time heard_at_{0};
   std::optional<Time> missing_since_;  // current, although there is contact
   bool has_flowed_ = false;            // since the contact
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring
 
 #endif  // COPPICE_ROBOT_APP_MONITORING_POWER_CHARGING_MONITOR_H_

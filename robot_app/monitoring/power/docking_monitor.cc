@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 namespace {
 
 constexpr char kMonitor[] = "docking";
@@ -91,11 +91,11 @@ std::vector<Finding> DockingMonitor::Report(const ProcessTable& processes, const
   board_.OnValue(kMonitor, "failures", failures_, now.ros);
   board_.OnValue(kMonitor, "duration", Longest(now.ros), now.ros);
   std::vector<Finding> findings = board_.Report(now.ros, now.ros);
-  if (findings[0].level != HealthLevel::kOk) {
+  if (findings[0].level != leaves::HealthLevel::kOk) {
     findings[0].message = std::to_string(failures_) + " in a row: " + reason_;
   }
   findings.insert(findings.begin(), std::move(state));
   return findings;
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring

@@ -15,7 +15,7 @@
 #include "robot_app/monitoring/gauges/gauge_board.h"
 #include "robot_app/monitoring/monitor.h"
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 
 /// The numbers are those of actionlib_msgs/GoalStatus.
 enum class GoalPhase : std::uint8_t {
@@ -77,6 +77,6 @@ class DockingMonitor : public Monitor {
   Time failed_at_{0};   // the last one
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring
 
 #endif  // COPPICE_ROBOT_APP_MONITORING_POWER_DOCKING_MONITOR_H_

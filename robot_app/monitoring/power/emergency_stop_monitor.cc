@@ -2,7 +2,7 @@
 
 #include "robot_app/monitoring/gauges/band.h"
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 
 void EmergencyStopMonitor::Watch(const std::optional<EmergencyStopWatch>& watch) {
   if (!watch || !watch_ || watch->topic != watch_->topic) {
@@ -26,11 +26,11 @@ std::vector<Finding> EmergencyStopMonitor::Report(const ProcessTable& processes,
                                      watch_->topic + ": no message", processes, now);
   button.value = 0;
   if (pressed_at_) {
-    button.level = HealthLevel::kError;
+    button.level = leaves::HealthLevel::kError;
     button.value = InSeconds(now.ros - *pressed_at_);
     button.message = "pressed for " + ToText(button.value) + " s";
   }
   return {button};
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring

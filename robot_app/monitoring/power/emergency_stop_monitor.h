@@ -9,7 +9,7 @@
 #include "robot_app/monitoring/freshness.h"
 #include "robot_app/monitoring/monitor.h"
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 
 class EmergencyStopMonitor : public Monitor {
  public:
@@ -30,6 +30,6 @@ class EmergencyStopMonitor : public Monitor {
   std::optional<Time> pressed_at_;
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring
 
 #endif  // COPPICE_ROBOT_APP_MONITORING_POWER_EMERGENCY_STOP_MONITOR_H_

@@ -2,13 +2,13 @@
 
 #include "robot_app/monitoring/gauges/band_fields.h"
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 namespace {
 
 constexpr double kHour = 3600;
 
-BatteryModel ReadModel(YamlFields& fields) {
-  BatteryModel model;
+leaves::BatteryModel ReadModel(YamlFields& fields) {
+  leaves::BatteryModel model;
   model.capacity = fields.Number("capacity", model.capacity, 0.1, 10000);
   model.driving_current = fields.Number("driving_current", model.driving_current, 0.01, 1000);
   model.driving_speed = fields.Number("driving_speed", model.driving_speed, 0.01, 10);
@@ -85,4 +85,4 @@ EmergencyStopWatch ReadEmergencyStopWatch(YamlFields& fields) {
   return watch;
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring

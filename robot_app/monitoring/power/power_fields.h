@@ -6,13 +6,13 @@
 #include "robot_app/common/yaml_fields.h"
 #include "robot_app/monitoring/power/power_watch.h"
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 
 BatteryWatch ReadBatteryWatch(YamlFields& fields);
 ChargingWatch ReadChargingWatch(YamlFields& fields);
 DockingWatch ReadDockingWatch(YamlFields& fields);
 EmergencyStopWatch ReadEmergencyStopWatch(YamlFields& fields);
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring
 
 #endif  // COPPICE_ROBOT_APP_MONITORING_POWER_POWER_FIELDS_H_

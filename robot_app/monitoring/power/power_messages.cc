@@ -1,6 +1,6 @@
 #include "robot_app/monitoring/power/power_messages.h"
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 
 std::vector<GoalReport> FromMessage(const actionlib_msgs::GoalStatusArray& message) {
   std::vector<GoalReport> goals;
@@ -10,4 +10,4 @@ std::vector<GoalReport> FromMessage(const actionlib_msgs::GoalStatusArray& messa
   return goals;
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring

@@ -8,10 +8,10 @@
 
 #include "robot_app/monitoring/power/docking_monitor.h"
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 
 std::vector<GoalReport> FromMessage(const actionlib_msgs::GoalStatusArray& message);
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring
 
 #endif  // COPPICE_ROBOT_APP_MONITORING_POWER_POWER_MESSAGES_H_

@@ -20,7 +20,7 @@
 #include "robot_app/monitoring/power/power_messages.h"
 #include "robot_app/monitoring/tf_tree.h"
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 namespace {
 
 constexpr int kQueue = 20;
@@ -63,12 +63,12 @@ class Program {
         battery_subscriber_, list.battery ? list.battery->topic : "", kQueue,
         [this](const sensor_msgs::BatteryState& state) {
           const Times now = MonitorNode::Now();
-          const BatteryReading reading = ToBatteryReading(state, now.ros);
+          const leaves::BatteryReading reading = ToBatteryReading(state, now.ros);
           battery_.OnReading(reading, now);
           charging_.OnReading(reading, now.ros);
         });
     dock_ = list.battery ? list.battery->dock : std::nullopt;
-    if (dock_) way_ = WayHome(dock_->detour);
+    if (dock_) way_ = leaves::WayHome(dock_->detour);
     program_.node().Subscribe<std_msgs::Float64>(
         way_subscriber_, dock_ ? dock_->way : "", kQueue, [this](const std_msgs::Float64& way) {
           way_.OnMeasured(way.data, MonitorNode::Now().wall);
@@ -91,7 +91,7 @@ class Program {
   DockingMonitor docking_;
   EmergencyStopMonitor emergency_stop_;
   std::optional<DockPlace> dock_;
-  WayHome way_;
+  leaves::WayHome way_;
   MonitorProgram program_;
   ros::Subscriber battery_subscriber_, docking_subscriber_, progress_subscriber_, stop_subscriber_;
   ros::Subscriber way_subscriber_;
@@ -99,10 +99,10 @@ class Program {
 };
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring
 
 int main(int argc, char** argv) {
   namespace robot = coppice::robot;
-  return robot::RunMonitor<robot::Program>(argc, argv, "power_monitor",
-                                           std::chrono::milliseconds(100));
+  return robot::monitoring::RunMonitor<robot::monitoring::Program>(argc, argv, "power_monitor",
+                                                                   std::chrono::milliseconds(100));
 }

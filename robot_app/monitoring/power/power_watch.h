@@ -8,7 +8,7 @@
 #include "bt_nodes/power/battery_estimate.h"
 #include "robot_app/monitoring/gauges/band.h"
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 
 /// Where the robot charges, and how far that is.
 struct DockPlace {
@@ -30,7 +30,7 @@ struct BatteryWatch {
   Band unchanged;                 ///< s that the charge has stood still although current flows
   Band since_charge;              ///< s since the last charging current
   Band margin;                    ///< Ah left after the way to the dock and the reserve
-  BatteryModel model;             ///< for the way and the reserve
+  leaves::BatteryModel model;     ///< for the way and the reserve
   std::optional<DockPlace> dock;  ///< missing: the way is not counted
 };
 
@@ -55,6 +55,6 @@ struct EmergencyStopWatch {
   Duration staleness{0};  ///< no message for longer than this is an error; zero: silence is allowed
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring
 
 #endif  // COPPICE_ROBOT_APP_MONITORING_POWER_POWER_WATCH_H_

@@ -7,7 +7,7 @@
 
 #include "bt_core/base/clock.h"
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 
 class CounterRate {
  public:
@@ -35,6 +35,6 @@ class CounterRate {
   std::deque<Reading> readings_;
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring
 
 #endif  // COPPICE_ROBOT_APP_MONITORING_SYSTEM_COUNTER_RATE_H_

@@ -2,7 +2,7 @@
 
 #include <set>
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 
 std::vector<std::string> OtherComputers::NodesToAsk(const ProcessTable& processes) const {
   std::vector<std::string> nodes;
@@ -29,4 +29,4 @@ std::vector<Computer> OtherComputers::List(const ProcessTable& processes) const 
   return others;
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring

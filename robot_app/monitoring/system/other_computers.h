@@ -10,7 +10,7 @@
 #include "robot_app/monitoring/process_table.h"
 #include "robot_app/monitoring/system/system_watch.h"
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 
 class OtherComputers {
  public:
@@ -34,6 +34,6 @@ class OtherComputers {
   std::map<std::string, std::string> addresses_;  // by name
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring
 
 #endif  // COPPICE_ROBOT_APP_MONITORING_SYSTEM_OTHER_COMPUTERS_H_

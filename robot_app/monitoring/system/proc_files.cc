@@ -10,7 +10,7 @@
 #include <sstream>
 #include <vector>
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 namespace {
 
 namespace fs = std::filesystem;
@@ -167,4 +167,4 @@ std::optional<double> ReadDiskUsed(const std::string& path) {
   return used / (used + static_cast<double>(disk.f_bavail));
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring

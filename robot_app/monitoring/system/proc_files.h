@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 
 /// Of all cores together since the start, in ticks. Waiting for disks is no work.
 struct CpuTimes {
@@ -50,6 +50,6 @@ std::optional<ProcessUsage> ReadProcessUsage(const std::string& root, int pid);
 /// file on it.
 std::optional<double> ReadDiskUsed(const std::string& path);
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring
 
 #endif  // COPPICE_ROBOT_APP_MONITORING_SYSTEM_PROC_FILES_H_

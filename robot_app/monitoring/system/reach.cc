@@ -8,7 +8,7 @@
 
 #include "robot_app/monitoring/system/sockets.h"
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 namespace {
 
 struct Attempt {
@@ -66,4 +66,4 @@ std::vector<ReachResult> TryToReach(const std::vector<ReachTarget>& targets, Dur
   return results;
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring

@@ -8,7 +8,7 @@
 
 #include "bt_core/base/clock.h"
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 
 struct ReachTarget {
   std::string address;
@@ -25,6 +25,6 @@ struct ReachResult {
 /// resolution of names takes its own time). For any thread.
 std::vector<ReachResult> TryToReach(const std::vector<ReachTarget>& targets, Duration deadline);
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring
 
 #endif  // COPPICE_ROBOT_APP_MONITORING_SYSTEM_REACH_H_

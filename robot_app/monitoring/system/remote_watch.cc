@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 
 RemoteWatch::~RemoteWatch() { Stop(); }
 
@@ -42,4 +42,4 @@ std::optional<RemoteAnswers> RemoteWatch::Take() {
   return std::exchange(answers_, std::nullopt);
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring

@@ -12,7 +12,7 @@
 #include "robot_app/monitoring/system/reach.h"
 #include "robot_app/monitoring/system/sntp.h"
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 
 /// What is asked, and how often.
 struct RemoteQuestions {
@@ -52,6 +52,6 @@ class RemoteWatch {
   std::thread thread_;
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring
 
 #endif  // COPPICE_ROBOT_APP_MONITORING_SYSTEM_REMOTE_WATCH_H_

@@ -8,7 +8,7 @@
 
 #include "robot_app/monitoring/system/sockets.h"
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 namespace {
 
 constexpr std::uint64_t kSecondsFrom1900To1970 = 2208988800;
@@ -155,4 +155,4 @@ std::vector<ClockReading> QueryClocks(const std::vector<ClockServer>& servers, D
   return readings;
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring

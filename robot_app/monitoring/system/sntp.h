@@ -16,7 +16,7 @@
 
 #include "bt_core/base/clock.h"
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 
 /// Seconds since 1900 in 32.32 fixed point, as NTP sends them; wraps in 2036, which differences
 /// survive.
@@ -67,6 +67,6 @@ struct ClockServer {
 /// resolution of names takes its own time). For any thread.
 std::vector<ClockReading> QueryClocks(const std::vector<ClockServer>& servers, Duration deadline);
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring
 
 #endif  // COPPICE_ROBOT_APP_MONITORING_SYSTEM_SNTP_H_

@@ -11,7 +11,7 @@
 #include <memory>
 #include <utility>
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 namespace {
 
 using AddressList = std::unique_ptr<addrinfo, decltype(&freeaddrinfo)>;
@@ -81,4 +81,4 @@ int Deadline::milliseconds() const {
   return static_cast<int>(std::max<std::int64_t>(0, left));
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring

@@ -6,7 +6,7 @@
 
 #include "bt_core/base/clock.h"
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 
 class Socket {
  public:
@@ -45,6 +45,6 @@ class Deadline {
   Time time_;
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring
 
 #endif  // COPPICE_ROBOT_APP_MONITORING_SYSTEM_SOCKETS_H_

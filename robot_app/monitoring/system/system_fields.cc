@@ -2,7 +2,7 @@
 
 #include "robot_app/monitoring/gauges/band_fields.h"
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 namespace {
 
 DiskWatch ReadDisk(YamlFields& fields) {
@@ -105,4 +105,4 @@ SystemWatch ReadSystemWatch(YamlFields& fields) {
   return watch;
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring

@@ -5,11 +5,11 @@
 #include "robot_app/common/yaml_fields.h"
 #include "robot_app/monitoring/system/system_watch.h"
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 
 /// Takes the mapping of one computer and finishes it.
 SystemWatch ReadSystemWatch(YamlFields& fields);
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring
 
 #endif  // COPPICE_ROBOT_APP_MONITORING_SYSTEM_SYSTEM_FIELDS_H_

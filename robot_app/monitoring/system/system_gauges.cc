@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 namespace {
 
 bool IsPattern(const std::string& name) { return name.find_first_of("*?[") != std::string::npos; }
@@ -93,4 +93,4 @@ std::vector<GaugeWatch> GaugesOf(const SystemWatch& watch) {
   return gauges;
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring

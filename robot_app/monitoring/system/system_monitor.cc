@@ -6,7 +6,7 @@
 #include "robot_app/monitoring/system/proc_files.h"
 #include "robot_app/monitoring/system/system_gauges.h"
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 namespace {
 
 constexpr double kBitsPerByte = 8;
@@ -134,4 +134,4 @@ std::vector<Finding> SystemMonitor::Report(const ProcessTable&, const Times& now
   return board_.Report(now.wall, now.ros);
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring

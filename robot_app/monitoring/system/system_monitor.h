@@ -17,7 +17,7 @@
 #include "robot_app/monitoring/system/sntp.h"
 #include "robot_app/monitoring/system/system_watch.h"
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 
 class SystemMonitor : public Monitor {
  public:
@@ -64,6 +64,6 @@ class SystemMonitor : public Monitor {
   std::map<std::string, CounterRate> rates_;
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring
 
 #endif  // COPPICE_ROBOT_APP_MONITORING_SYSTEM_SYSTEM_MONITOR_H_

@@ -20,7 +20,7 @@
 #include "robot_app/monitoring/system/system_monitor.h"
 #include "robot_app/monitoring/system/time_server.h"
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 namespace {
 
 constexpr Duration kPidDeadline = std::chrono::seconds(5);
@@ -133,10 +133,10 @@ int ServeTime(const Options& options) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring
 
 int main(int argc, char** argv) {
-  using namespace coppice::robot;  // NOLINT: the whole program
+  using namespace coppice::robot::monitoring;  // NOLINT: the whole program
   for (int i = 1; i < argc; ++i) {
     if (std::strcmp(argv[i], "--serve-time") != 0) continue;
     const auto options = coppice::ParseOptions(TimeCommand(), {argv + 1, argv + argc});

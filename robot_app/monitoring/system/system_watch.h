@@ -7,7 +7,7 @@
 
 #include "robot_app/monitoring/gauges/band.h"
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 
 struct DiskWatch {
   std::string path;  ///< of any file on it
@@ -79,6 +79,6 @@ struct SystemWatch {
   std::vector<ProcessWatch> processes;
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring
 
 #endif  // COPPICE_ROBOT_APP_MONITORING_SYSTEM_SYSTEM_WATCH_H_

@@ -3,7 +3,7 @@
 #include <poll.h>
 #include <sys/socket.h>
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 namespace {
 
 constexpr std::uint8_t kStratum = 10;
@@ -49,4 +49,4 @@ void TimeServer::Answer() {
          reinterpret_cast<const sockaddr*>(&from), size_of_from);
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring

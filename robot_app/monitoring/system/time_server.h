@@ -8,7 +8,7 @@
 #include "robot_app/monitoring/system/sntp.h"
 #include "robot_app/monitoring/system/sockets.h"
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 
 /// The answer to a request that came at that time. The server calls itself of stratum 10: better
 /// than nothing, worse than any server that is itself synchronized.
@@ -36,6 +36,6 @@ class TimeServer {
   Socket socket_;
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring
 
 #endif  // COPPICE_ROBOT_APP_MONITORING_SYSTEM_TIME_SERVER_H_

@@ -4,7 +4,7 @@
 
 #include "robot_app/processes/restart_budget.h"
 
-namespace coppice::robot {
+namespace coppice::robot::processes {
 
 void Condition::Observe(double value, Time now) {
   const bool gap = heard_at_ && now - *heard_at_ > config_.staleness;
@@ -30,4 +30,4 @@ std::string Condition::WhyNot(Time now) const {
          SecondsText(config_.lasting);
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::processes

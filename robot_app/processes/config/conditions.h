@@ -8,7 +8,7 @@
 
 #include "robot_app/processes/config/robot_config.h"
 
-namespace coppice::robot {
+namespace coppice::robot::processes {
 
 /// One condition of the configuration file. Times are ROS time. For one thread.
 class Condition {
@@ -31,6 +31,6 @@ class Condition {
   std::optional<Time> heard_at_, holds_since_;
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::processes
 
 #endif  // COPPICE_ROBOT_APP_PROCESSES_CONFIG_CONDITIONS_H_

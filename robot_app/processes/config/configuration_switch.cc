@@ -2,7 +2,7 @@
 
 #include <vector>
 
-namespace coppice::robot {
+namespace coppice::robot::processes {
 
 Verdict ConfigurationSwitch::Request(const std::string& name, Hand hand,
                                      const WhyNotCondition& why_not) {
@@ -58,4 +58,4 @@ void ConfigurationSwitch::Restore(std::size_t configuration, bool manual, bool s
   if (safe_stop) SafeStop();
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::processes

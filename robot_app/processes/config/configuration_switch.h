@@ -10,7 +10,7 @@
 
 #include "robot_app/processes/config/robot_config.h"
 
-namespace coppice::robot {
+namespace coppice::robot::processes {
 
 /// The answer to a request.
 struct Verdict {
@@ -57,6 +57,6 @@ class ConfigurationSwitch {
   bool safe_stop_ = false;
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::processes
 
 #endif  // COPPICE_ROBOT_APP_PROCESSES_CONFIG_CONFIGURATION_SWITCH_H_

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace coppice::robot {
+namespace coppice::robot::processes {
 namespace {
 
 void AddOnce(Indices& list, std::size_t item) {
@@ -91,4 +91,4 @@ Indices GroupOrder::RestartedWith(std::size_t process) const {
   return {first, group.processes.end()};
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::processes

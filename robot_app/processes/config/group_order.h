@@ -11,7 +11,7 @@
 
 #include "robot_app/processes/config/robot_config.h"
 
-namespace coppice::robot {
+namespace coppice::robot::processes {
 
 using Indices = std::vector<std::size_t>;
 
@@ -48,6 +48,6 @@ class GroupOrder {
   Indices circular_;
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::processes
 
 #endif  // COPPICE_ROBOT_APP_PROCESSES_CONFIG_GROUP_ORDER_H_

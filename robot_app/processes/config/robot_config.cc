@@ -10,7 +10,7 @@
 #include "robot_app/processes/config/group_order.h"
 #include "robot_app/processes/config/robot_config_fields.h"
 
-namespace coppice::robot {
+namespace coppice::robot::processes {
 namespace {
 
 class Loader {
@@ -317,4 +317,4 @@ RobotConfig LoadRobotConfig(const std::string& path, const Variables& variables,
   return Loader(path, variables, diagnostics).Load();
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::processes

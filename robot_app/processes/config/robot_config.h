@@ -13,7 +13,7 @@
 #include "bt_core/base/diagnostic.h"
 #include "robot_app/processes/config/variables.h"
 
-namespace coppice::robot {
+namespace coppice::robot::processes {
 
 /// When a started process counts as ready for those that depend on it.
 enum class Readiness {
@@ -145,6 +145,6 @@ struct RobotConfig {
 RobotConfig LoadRobotConfig(const std::string& path, const Variables& variables,
                             Diagnostics& diagnostics);
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::processes
 
 #endif  // COPPICE_ROBOT_APP_PROCESSES_CONFIG_ROBOT_CONFIG_H_

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace coppice::robot {
+namespace coppice::robot::processes {
 namespace {
 
 double ToSeconds(Duration duration) { return std::chrono::duration<double>(duration).count(); }
@@ -116,4 +116,4 @@ ConditionConfig ReadCondition(const LocatedText& name, YamlFields fields) {
   return condition;
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::processes

@@ -6,7 +6,7 @@
 #include "robot_app/common/yaml_fields.h"
 #include "robot_app/processes/config/robot_config.h"
 
-namespace coppice::robot {
+namespace coppice::robot::processes {
 
 /// `restart_intensity` of the file or of a group; what is not given is as in `otherwise`.
 RestartLimits ReadRestartLimits(YamlFields fields, const RestartLimits& otherwise);
@@ -22,6 +22,6 @@ void ReadReadiness(YamlFields& fields, ProcessConfig& process);
 HostConfig ReadHost(const LocatedText& name, YamlFields fields);
 ConditionConfig ReadCondition(const LocatedText& name, YamlFields fields);
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::processes
 
 #endif  // COPPICE_ROBOT_APP_PROCESSES_CONFIG_ROBOT_CONFIG_FIELDS_H_

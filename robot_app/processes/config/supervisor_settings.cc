@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-namespace coppice::robot {
+namespace coppice::robot::processes {
 namespace {
 
 namespace fs = std::filesystem;
@@ -64,4 +64,4 @@ SupervisorSettings ReadSupervisorSettings(const std::vector<std::string>& argume
   return settings;
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::processes

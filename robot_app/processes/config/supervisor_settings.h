@@ -9,7 +9,7 @@
 #include "bt_core/base/command_line.h"
 #include "robot_app/processes/config/variables.h"
 
-namespace coppice::robot {
+namespace coppice::robot::processes {
 
 struct SupervisorSettings {
   std::optional<int> exit;    ///< as in Options
@@ -29,6 +29,6 @@ const Command& SupervisorCommand();
 SupervisorSettings ReadSupervisorSettings(const std::vector<std::string>& arguments,
                                           const std::string& bin);
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::processes
 
 #endif  // COPPICE_ROBOT_APP_PROCESSES_CONFIG_SUPERVISOR_SETTINGS_H_

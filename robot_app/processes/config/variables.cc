@@ -4,7 +4,7 @@
 
 #include "bt_core/base/diagnostic.h"
 
-namespace coppice::robot {
+namespace coppice::robot::processes {
 namespace {
 
 using Report = std::function<void(const std::string& message, const std::string& hint)>;
@@ -56,4 +56,4 @@ std::string FillVariables(const std::string& text, const Variables& variables,
   }
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::processes

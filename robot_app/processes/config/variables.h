@@ -6,7 +6,7 @@
 #include <map>
 #include <string>
 
-namespace coppice::robot {
+namespace coppice::robot::processes {
 
 /// Values of `${name}`. `${name:-default}` stands for the default if there is none; the default may
 /// contain variables.
@@ -18,6 +18,6 @@ std::string FillVariables(
     const std::string& text, const Variables& variables,
     const std::function<void(const std::string& message, const std::string& hint)>& report);
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::processes
 
 #endif  // COPPICE_ROBOT_APP_PROCESSES_CONFIG_VARIABLES_H_

@@ -4,7 +4,7 @@
 #include <csignal>
 #include <utility>
 
-namespace coppice::robot {
+namespace coppice::robot::processes {
 
 const char* ToString(ProcessPhase phase) {
   switch (phase) {
@@ -123,4 +123,4 @@ void Lifecycle::SetRestarts(std::size_t process, std::uint32_t restarts) {
   lives_[process].status.restarts = restarts;
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::processes

@@ -13,7 +13,7 @@
 #include "robot_app/processes/config/robot_config.h"
 #include "robot_app/processes/launch/process_launcher.h"
 
-namespace coppice::robot {
+namespace coppice::robot::processes {
 
 const char* ToString(ProcessPhase phase);
 
@@ -99,6 +99,6 @@ class Lifecycle {
   std::uint64_t revision_ = 0;
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::processes
 
 #endif  // COPPICE_ROBOT_APP_PROCESSES_LAUNCH_LIFECYCLE_H_

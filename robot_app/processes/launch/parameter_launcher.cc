@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <utility>
 
-namespace coppice::robot {
+namespace coppice::robot::processes {
 namespace {
 
 constexpr Duration kDeadline = std::chrono::seconds(2);
@@ -42,4 +42,4 @@ int ParameterLauncher::Start(const ProcessConfig& config, std::string& error) {
   return 0;
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::processes

@@ -9,7 +9,7 @@
 #include "robot_app/common/node_probe.h"
 #include "robot_app/processes/launch/process_launcher.h"
 
-namespace coppice::robot {
+namespace coppice::robot::processes {
 
 /// Values are numbers, true, false or texts. Returns the name of one that the master did not take,
 /// or nothing.
@@ -34,6 +34,6 @@ class ParameterLauncher : public ProcessLauncher {
   const std::map<std::string, std::string> parameters_;
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::processes
 
 #endif  // COPPICE_ROBOT_APP_PROCESSES_LAUNCH_PARAMETER_LAUNCHER_H_

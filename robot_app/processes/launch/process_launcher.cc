@@ -14,7 +14,7 @@
 #include "robot_app/common/start_program.h"
 #include "robot_app/processes/launch/survivors.h"
 
-namespace coppice::robot {
+namespace coppice::robot::processes {
 namespace {
 
 // For its owner alone: what a program prints may be secret.
@@ -83,4 +83,4 @@ void PosixLauncher::Reap(const std::function<void(int pid, int wait_status)>& en
   }
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::processes

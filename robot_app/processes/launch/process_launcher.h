@@ -8,7 +8,7 @@
 
 #include "robot_app/processes/config/robot_config.h"
 
-namespace coppice::robot {
+namespace coppice::robot::processes {
 
 class ProcessLauncher {
  public:
@@ -54,6 +54,6 @@ class PosixLauncher : public ProcessLauncher {
   std::map<int, std::string> names_;  // of what was started, by pid
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::processes
 
 #endif  // COPPICE_ROBOT_APP_PROCESSES_LAUNCH_PROCESS_LAUNCHER_H_

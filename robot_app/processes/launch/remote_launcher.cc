@@ -9,7 +9,7 @@
 #include <sstream>
 #include <utility>
 
-namespace coppice::robot {
+namespace coppice::robot::processes {
 namespace {
 
 constexpr Duration kSignPeriod = std::chrono::seconds(1);
@@ -131,4 +131,4 @@ void RemoteLauncher::Forget(int pid) {
   connections_.erase(found);
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::processes

@@ -21,7 +21,7 @@
 #include "robot_app/processes/config/robot_config.h"
 #include "robot_app/processes/launch/process_launcher.h"
 
-namespace coppice::robot {
+namespace coppice::robot::processes {
 
 /// What coppice-remote writes into the log when the process was started.
 inline constexpr char kRemoteStarted[] = "coppice-remote: started ";
@@ -75,6 +75,6 @@ class RemoteLauncher : public ProcessLauncher {
   Time next_sign_{0};
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::processes
 
 #endif  // COPPICE_ROBOT_APP_PROCESSES_LAUNCH_REMOTE_LAUNCHER_H_

@@ -16,7 +16,7 @@
 #include "robot_app/processes/launch/remote_launcher.h"
 #include "robot_app/processes/launch/survivors.h"
 
-namespace coppice::robot {
+namespace coppice::robot::processes {
 namespace {
 
 const Command& RemoteCommand() {
@@ -133,6 +133,6 @@ int Main(const std::vector<std::string>& arguments) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::processes
 
-int main(int argc, char** argv) { return coppice::robot::Main({argv + 1, argv + argc}); }
+int main(int argc, char** argv) { return coppice::robot::processes::Main({argv + 1, argv + argc}); }

@@ -9,7 +9,7 @@
 #include <csignal>
 #include <thread>
 
-namespace coppice::robot {
+namespace coppice::robot::processes {
 namespace {
 
 constexpr char kHost[] = "127.0.0.1";
@@ -96,4 +96,4 @@ RosMaster FindOrStartMaster(int port, ProcessLauncher& launcher, Duration timeou
   return master;
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::processes

@@ -7,7 +7,7 @@
 #include "robot_app/common/node_probe.h"
 #include "robot_app/processes/launch/process_launcher.h"
 
-namespace coppice::robot {
+namespace coppice::robot::processes {
 
 /// A master on this computer.
 struct RosMaster {
@@ -25,6 +25,6 @@ int FreePort();
 /// something else has the port, or if no master answers in time. Blocks until then.
 RosMaster FindOrStartMaster(int port, ProcessLauncher& launcher, Duration timeout);
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::processes
 
 #endif  // COPPICE_ROBOT_APP_PROCESSES_LAUNCH_ROS_MASTER_H_

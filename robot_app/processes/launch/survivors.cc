@@ -9,7 +9,7 @@
 #include <sstream>
 #include <thread>
 
-namespace coppice::robot {
+namespace coppice::robot::processes {
 namespace {
 
 namespace fs = std::filesystem;
@@ -67,4 +67,4 @@ int KillOwned(const std::string& owned, Duration deadline) {
   return count;
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::processes

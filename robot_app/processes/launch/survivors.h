@@ -8,7 +8,7 @@
 
 #include "bt_core/base/clock.h"
 
-namespace coppice::robot {
+namespace coppice::robot::processes {
 
 inline constexpr char kOwnerVariable[] = "COPPICE_SUPERVISED";
 
@@ -23,6 +23,6 @@ std::vector<int> FindOwned(const std::string& owned);
 /// are still there after the deadline.
 int KillOwned(const std::string& owned, Duration deadline);
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::processes
 
 #endif  // COPPICE_ROBOT_APP_PROCESSES_LAUNCH_SURVIVORS_H_

@@ -5,7 +5,7 @@
 #include "bt_core/testing/leaf_harness.h"
 #include "tests/bt_nodes/fakes.h"
 
-namespace coppice {
+namespace coppice::leaves {
 namespace {
 
 using Calls = std::vector<std::string>;
@@ -55,4 +55,4 @@ TEST(SuspendApplication, ResumesItHoweverTheChildEnds) {
 }
 
 }  // namespace
-}  // namespace coppice
+}  // namespace coppice::leaves

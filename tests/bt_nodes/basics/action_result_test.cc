@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace coppice {
+namespace coppice::leaves {
 namespace {
 
 TEST(ActionResult, ReadsBackWhatItPrints) {
@@ -22,4 +22,4 @@ TEST(ActionResult, RefusesOtherText) {
 }
 
 }  // namespace
-}  // namespace coppice
+}  // namespace coppice::leaves

@@ -8,7 +8,7 @@
 #include "bt_nodes/docking/docking_leaves.h"
 #include "tests/bt_nodes/fakes.h"
 
-namespace coppice {
+namespace coppice::leaves {
 namespace {
 
 class CapabilityActionTest : public testing::Test {
@@ -67,4 +67,4 @@ TEST_F(CapabilityActionTest, KeepsTheNewAnswerWhenAnOldOneComesLate) {
 }
 
 }  // namespace
-}  // namespace coppice
+}  // namespace coppice::leaves

@@ -4,7 +4,7 @@
 
 #include "bt_core/testing/leaf_harness.h"
 
-namespace coppice {
+namespace coppice::leaves {
 namespace {
 
 TEST(IsTrue, HoldsOnlyForAKeyThatIsTrue) {
@@ -17,4 +17,4 @@ TEST(IsTrue, HoldsOnlyForAKeyThatIsTrue) {
 }
 
 }  // namespace
-}  // namespace coppice
+}  // namespace coppice::leaves

@@ -6,7 +6,7 @@
 
 #include "bt_core/testing/leaf_harness.h"
 
-namespace coppice {
+namespace coppice::leaves {
 namespace {
 
 using std::chrono::milliseconds;
@@ -53,4 +53,4 @@ TEST(Wait, FailsForATimeThatIsNoNumber) {
 }
 
 }  // namespace
-}  // namespace coppice
+}  // namespace coppice::leaves

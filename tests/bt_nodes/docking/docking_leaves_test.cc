@@ -7,7 +7,7 @@
 #include "bt_core/testing/leaf_harness.h"
 #include "tests/bt_nodes/fakes.h"
 
-namespace coppice {
+namespace coppice::leaves {
 namespace {
 
 TEST(Dock, AsksTheStationToDock) {
@@ -50,4 +50,4 @@ TEST(Undock, CancelsWhenHalted) {
 }
 
 }  // namespace
-}  // namespace coppice
+}  // namespace coppice::leaves

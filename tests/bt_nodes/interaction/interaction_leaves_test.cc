@@ -7,7 +7,7 @@
 #include "bt_core/testing/leaf_harness.h"
 #include "tests/bt_nodes/fakes.h"
 
-namespace coppice {
+namespace coppice::leaves {
 namespace {
 
 TEST(Say, RunsUntilTheTextWasSpoken) {
@@ -38,4 +38,4 @@ TEST(SetExpression, ShowsItAtOnce) {
 }
 
 }  // namespace
-}  // namespace coppice
+}  // namespace coppice::leaves

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace coppice {
+namespace coppice::leaves {
 namespace {
 
 Health Example() {
@@ -49,4 +49,4 @@ TEST(Health, RefusesOtherText) {
 }
 
 }  // namespace
-}  // namespace coppice
+}  // namespace coppice::leaves

@@ -4,7 +4,7 @@
 
 #include "bt_core/testing/leaf_harness.h"
 
-namespace coppice {
+namespace coppice::leaves {
 namespace {
 
 Health OneError(const std::string& monitor) {
@@ -127,4 +127,4 @@ TEST(NodeIsWell, AsksWhetherAMonitorBlamesThatNode) {
 }
 
 }  // namespace
-}  // namespace coppice
+}  // namespace coppice::leaves

@@ -7,7 +7,7 @@
 #include "bt_core/testing/leaf_harness.h"
 #include "tests/bt_nodes/fakes.h"
 
-namespace coppice {
+namespace coppice::leaves {
 namespace {
 
 TEST(NavigateTo, SendsItsGoalToTheNavigator) {
@@ -91,4 +91,4 @@ TEST(FindWaypoint, SaysWhichPlaceThereIsNot) {
 }
 
 }  // namespace
-}  // namespace coppice
+}  // namespace coppice::leaves

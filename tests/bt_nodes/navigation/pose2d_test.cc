@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace coppice {
+namespace coppice::leaves {
 namespace {
 
 TEST(Pose2D, ReadsBackWhatItPrints) {
@@ -21,4 +21,4 @@ TEST(Pose2D, NeedsExactlyThreeFiniteNumbers) {
 }
 
 }  // namespace
-}  // namespace coppice
+}  // namespace coppice::leaves

@@ -5,7 +5,7 @@
 #include "bt_core/testing/leaf_harness.h"
 #include "tests/bt_nodes/fakes.h"
 
-namespace coppice {
+namespace coppice::leaves {
 namespace {
 
 class RequestHelpTest : public testing::Test {
@@ -85,4 +85,4 @@ TEST_F(RequestHelpTest, IsWithdrawnBySettleRequestsWhenItIsNotTicked) {
 }
 
 }  // namespace
-}  // namespace coppice
+}  // namespace coppice::leaves

@@ -4,7 +4,7 @@
 
 #include "tests/bt_nodes/fakes.h"
 
-namespace coppice {
+namespace coppice::leaves {
 namespace {
 
 class OpenRequestsTest : public testing::Test {
@@ -72,4 +72,4 @@ TEST_F(OpenRequestsTest, AreForgottenWithoutAWordWhenTheyWereAnswered) {
 }
 
 }  // namespace
-}  // namespace coppice
+}  // namespace coppice::leaves

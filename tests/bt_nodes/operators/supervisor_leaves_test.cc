@@ -7,7 +7,7 @@
 #include "bt_core/testing/leaf_harness.h"
 #include "tests/bt_nodes/fakes.h"
 
-namespace coppice {
+namespace coppice::leaves {
 namespace {
 
 TEST(AskSupervisor, SucceedsWhenSomebodyConfirms) {
@@ -41,4 +41,4 @@ TEST(TellSupervisor, SendsAMessageAndIsDone) {
 }
 
 }  // namespace
-}  // namespace coppice
+}  // namespace coppice::leaves

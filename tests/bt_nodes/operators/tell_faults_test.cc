@@ -5,7 +5,7 @@
 #include "bt_core/testing/leaf_harness.h"
 #include "tests/bt_nodes/fakes.h"
 
-namespace coppice {
+namespace coppice::leaves {
 namespace {
 
 class TellFaultsTest : public testing::Test {
@@ -89,4 +89,4 @@ TEST_F(TellFaultsTest, KeepsSubjectsApart) {
 }
 
 }  // namespace
-}  // namespace coppice
+}  // namespace coppice::leaves

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace coppice {
+namespace coppice::leaves {
 namespace {
 
 TEST(BatteryEstimate, ReadsTheLevelFromTheVoltageWithoutLoad) {
@@ -42,4 +42,4 @@ TEST(BatteryEstimate, SaysHowLongTheChargeLasts) {
 }
 
 }  // namespace
-}  // namespace coppice
+}  // namespace coppice::leaves

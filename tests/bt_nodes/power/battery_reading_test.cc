@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace coppice {
+namespace coppice::leaves {
 namespace {
 
 BatteryReading Reading(ChargerState charger, double current) {
@@ -70,4 +70,4 @@ TEST(BatteryReading, IsNotReadFromTextThatIsNone) {
 }
 
 }  // namespace
-}  // namespace coppice
+}  // namespace coppice::leaves

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace coppice {
+namespace coppice::leaves {
 namespace {
 
 // A battery that reports once a second.
@@ -197,4 +197,4 @@ TEST_F(BatteryWatchTest, AChargerThatSaysFullSettlesTheRequest) {
 }
 
 }  // namespace
-}  // namespace coppice
+}  // namespace coppice::leaves

@@ -4,7 +4,7 @@
 
 #include "bt_core/testing/leaf_harness.h"
 
-namespace coppice {
+namespace coppice::leaves {
 namespace {
 
 TEST(IsBatteryLow, ComparesTheLevelWithTheThreshold) {
@@ -124,4 +124,4 @@ TEST(ChargeDue, HoldsWhenTheBatteryNeverReports) {
 }
 
 }  // namespace
-}  // namespace coppice
+}  // namespace coppice::leaves

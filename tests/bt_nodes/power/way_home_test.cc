@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace coppice {
+namespace coppice::leaves {
 namespace {
 
 constexpr Time At(int seconds) { return std::chrono::seconds(100 + seconds); }
@@ -37,4 +37,4 @@ TEST(WayHome, DoesNotBelieveWhatIsNoLength) {
 }
 
 }  // namespace
-}  // namespace coppice
+}  // namespace coppice::leaves

@@ -7,7 +7,7 @@
 #include "bt_core/testing/leaf_harness.h"
 #include "tests/bt_nodes/fakes.h"
 
-namespace coppice {
+namespace coppice::leaves {
 namespace {
 
 TEST(RestartNode, AsksForTheRestartOfItsNode) {
@@ -84,4 +84,4 @@ TEST_F(SwitchConfigurationTest, AsksAtOnceForAnotherConfiguration) {
 }
 
 }  // namespace
-}  // namespace coppice
+}  // namespace coppice::leaves

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace coppice {
+namespace coppice::leaves {
 namespace {
 
 using std::chrono::seconds;
@@ -20,4 +20,4 @@ TEST(Budget, AllowsSoManyInSoLong) {
 TEST(Budget, OfNoneAllowsNone) { EXPECT_FALSE(Budget().Take(seconds(0), 0, seconds(60))); }
 
 }  // namespace
-}  // namespace coppice
+}  // namespace coppice::leaves

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace coppice {
+namespace coppice::leaves {
 namespace {
 
 using std::chrono::seconds;
@@ -109,4 +109,4 @@ TEST_F(NodeRepairsTest, LooksOnlyAtErrorsOfItsKinds) {
 }
 
 }  // namespace
-}  // namespace coppice
+}  // namespace coppice::leaves

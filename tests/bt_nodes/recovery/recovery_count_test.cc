@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace coppice {
+namespace coppice::leaves {
 namespace {
 
 class RecoveryCountTest : public testing::Test {
@@ -43,4 +43,4 @@ TEST_F(RecoveryCountTest, AFailedOneIsBegunAndDidNotHelp) {
 }
 
 }  // namespace
-}  // namespace coppice
+}  // namespace coppice::leaves

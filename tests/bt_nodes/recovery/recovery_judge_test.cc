@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace coppice {
+namespace coppice::leaves {
 namespace {
 
 using Verdicts = std::vector<RecoveryVerdict>;
@@ -107,4 +107,4 @@ TEST_F(RecoveryJudgeTest, CountsStrictlyByTimeOrPlace) {
 }
 
 }  // namespace
-}  // namespace coppice
+}  // namespace coppice::leaves

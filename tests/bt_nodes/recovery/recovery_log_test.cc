@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace coppice {
+namespace coppice::leaves {
 namespace {
 
 TEST(RecoveryPhase, HasANameForPeople) {
@@ -11,4 +11,4 @@ TEST(RecoveryPhase, HasANameForPeople) {
 }
 
 }  // namespace
-}  // namespace coppice
+}  // namespace coppice::leaves

@@ -5,7 +5,7 @@
 #include "bt_core/testing/leaf_harness.h"
 #include "tests/bt_nodes/fakes.h"
 
-namespace coppice {
+namespace coppice::leaves {
 namespace {
 
 class RestartFaultyNodesTest : public testing::Test {
@@ -62,4 +62,4 @@ TEST_F(RestartFaultyNodesTest, CarriesThroughWhatItHasBegunWhenItIsHalted) {
 }
 
 }  // namespace
-}  // namespace coppice
+}  // namespace coppice::leaves

@@ -25,7 +25,7 @@ class RobotProgramTest : public testing::Test {
   ~RobotProgramTest() override { graph_.EndPrograms(); }
 
   void Start(const std::vector<std::string>& more = {}) {
-    std::vector<std::string> command = {kPrograms + "coppice-robot",
+    std::vector<std::string> command = {processes::kPrograms + "coppice-robot",
                                         "--application",
                                         trees_,
                                         "--monitor",
@@ -47,8 +47,8 @@ class RobotProgramTest : public testing::Test {
     return graph_.WaitFor([&] { return heard_ > 1; });
   }
 
-  RosGraph& graph_ = RosGraph::Shared();
-  const std::string trees_ = Temporary("robot_program_test.xml");
+  processes::RosGraph& graph_ = processes::RosGraph::Shared();
+  const std::string trees_ = processes::Temporary("robot_program_test.xml");
   int pid_ = 0;
   int heard_ = 0;
   std::string said_;
@@ -70,7 +70,7 @@ TEST_F(RobotProgramTest, ItsHeartBeatsOnAfterTheApplicationHasEnded) {
 TEST_F(RobotProgramTest, EndsWhenItsRosNodeIsShutDownFromOutside) {
   Start();
   ASSERT_TRUE(ComesToLife());
-  ASSERT_TRUE(ShutDownNode(graph_.master(), "/coppice_robot"));
+  ASSERT_TRUE(processes::ShutDownNode(graph_.master(), "/coppice_robot"));
   const auto wait_status = graph_.WaitForEnd(pid_);
   ASSERT_TRUE(wait_status) << "it lives on without ROS";
   EXPECT_EQ(WEXITSTATUS(*wait_status), 1) << "0 would say that its work is done";

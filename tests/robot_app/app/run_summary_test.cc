@@ -12,6 +12,7 @@
 namespace coppice::robot {
 namespace {
 
+using leaves::RecoveryCount;
 using std::chrono::seconds;
 
 // A recording that is written line by line.
@@ -154,7 +155,7 @@ TEST_F(RunSummaryTest, PrintsOnlyTheRecoveriesThatHappened) {
 
 // The way is blocked for 19 s at that place [m], then it is free.
 void BlockTheWay(TreeScenario& scenario, double x) {
-  scenario.Set("pose", coppice::Pose2D{x, 0, 0});
+  scenario.Set("pose", leaves::Pose2D{x, 0, 0});
   for (int i = 0; i < 44; ++i) {
     scenario.Advance(0.5);
     if (i < 38) scenario.Report({{"navigation", "path"}});

@@ -8,7 +8,7 @@
 
 #include "tests/support/folders.h"
 
-namespace coppice::robot {
+namespace coppice::robot::assistance {
 namespace {
 
 using std::chrono::seconds;
@@ -126,4 +126,4 @@ TEST_F(Config, AFileThatIsMissingIsAnError) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::assistance

@@ -6,7 +6,7 @@
 
 #include <random>
 
-namespace coppice::robot {
+namespace coppice::robot::assistance {
 namespace {
 
 AssistanceState Sample() {
@@ -67,4 +67,4 @@ TEST(AssistanceStore, AnyDamageIsAnErrorAndAnEmptyState) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::assistance

@@ -5,7 +5,7 @@
 
 #include <mutex>
 
-namespace coppice::robot {
+namespace coppice::robot::assistance {
 namespace {
 
 using std::chrono::seconds;
@@ -115,4 +115,4 @@ TEST_F(AssistanceTest, WithoutAPageThereIsNoLink) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::assistance

@@ -6,7 +6,7 @@
 
 #include "tests/robot_app/assistance/local_server.h"
 
-namespace coppice::robot {
+namespace coppice::robot::assistance {
 namespace {
 
 using nlohmann::json;
@@ -64,4 +64,4 @@ TEST_F(CallTest, WithoutSupervisorsThereIsNobodyToCall) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::assistance

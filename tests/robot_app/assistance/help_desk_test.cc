@@ -4,7 +4,7 @@
 
 #include <set>
 
-namespace coppice::robot {
+namespace coppice::robot::assistance {
 namespace {
 
 using std::chrono::minutes;
@@ -277,4 +277,4 @@ TEST_F(Desk, OnlyTheLastClosedQuestionsAreKept) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::assistance

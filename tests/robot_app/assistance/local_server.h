@@ -18,7 +18,7 @@
 #include <utility>
 #include <vector>
 
-namespace coppice::robot {
+namespace coppice::robot::assistance {
 
 /// Serves one connection after the other, each by `Serve`, until it is destroyed.
 class LocalServer {
@@ -189,6 +189,6 @@ class HttpServer {
   LocalServer server_{[this](LocalServer::Socket& socket) { Serve(socket); }};
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::assistance
 
 #endif  // COPPICE_TESTS_ROBOT_APP_ASSISTANCE_LOCAL_SERVER_H_

@@ -8,7 +8,7 @@
 
 #include "tests/bt_core/live/web_caller.h"
 
-namespace coppice::robot {
+namespace coppice::robot::assistance {
 
 class PageCaller : public WebCaller {
  public:
@@ -56,6 +56,6 @@ inline std::string CookieOf(const std::string& answer) {
   return begin == std::string::npos ? "" : answer.substr(begin, answer.find(';', begin) - begin);
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::assistance
 
 #endif  // COPPICE_TESTS_ROBOT_APP_ASSISTANCE_PAGE_CALLER_H_

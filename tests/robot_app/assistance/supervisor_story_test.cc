@@ -20,7 +20,7 @@
 #include "tests/robot_app/ros_environment.h"
 #include "tests/support/folders.h"
 
-namespace coppice::robot {
+namespace coppice::robot::assistance {
 namespace {
 
 using coppice_msgs::HelpRequest;
@@ -46,7 +46,7 @@ class Story : public testing::Test {
            "patience: {next: 1, remind: 3000, settle: 0}\n"
            "page:\n"
            "  port: " +
-           std::to_string(FreePort()) +
+           std::to_string(processes::FreePort()) +
            "\n"
            "  cameras: [{name: front, topic: /camera/front/image/compressed},\n"
            "            {name: rear, topic: /camera/rear/image/compressed}]\n";
@@ -161,4 +161,4 @@ TEST_F(Story, APersonHelpsTheRobotFromTheMessageToTheAllClear) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::assistance

@@ -17,13 +17,13 @@ TEST(BatteryMessage, TheNumbersAreKept) {
   message.charge = 60;
   message.percentage = 0.8f;
   message.power_supply_status = State::POWER_SUPPLY_STATUS_DISCHARGING;
-  const BatteryReading reading = ToBatteryReading(message, Time(7));
+  const leaves::BatteryReading reading = ToBatteryReading(message, Time(7));
   EXPECT_EQ(reading.stamp, Time(7));
   EXPECT_FLOAT_EQ(reading.voltage, 24.5);
   EXPECT_FLOAT_EQ(reading.current, -6.25);
   EXPECT_FLOAT_EQ(reading.charge, 60);
   EXPECT_FLOAT_EQ(reading.level, 0.8);
-  EXPECT_EQ(reading.charger, ChargerState::kDischarging);
+  EXPECT_EQ(reading.charger, leaves::ChargerState::kDischarging);
 }
 
 TEST(BatteryMessage, WhatIsNoNumberIsNotMeasured) {
@@ -32,7 +32,7 @@ TEST(BatteryMessage, WhatIsNoNumberIsNotMeasured) {
   message.current = std::numeric_limits<float>::infinity();
   message.charge = -std::numeric_limits<float>::infinity();
   message.percentage = std::numeric_limits<float>::quiet_NaN();
-  const BatteryReading reading = ToBatteryReading(message, {});
+  const leaves::BatteryReading reading = ToBatteryReading(message, {});
   for (const double number : {reading.voltage, reading.current, reading.charge, reading.level}) {
     EXPECT_TRUE(std::isnan(number));
   }

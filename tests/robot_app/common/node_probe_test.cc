@@ -36,14 +36,14 @@ class NodeProbeTest : public testing::Test {
     return probe.results();
   }
   int StartTalker(const std::string& name) {
-    const int pid = graph_.Start(
-        name, {kTestPrograms + "test_talker", "__name:=" + name, "_topic:=/" + name + "/talk"});
+    const int pid = graph_.Start(name, {processes::kTestPrograms + "test_talker", "__name:=" + name,
+                                        "_topic:=/" + name + "/talk"});
     EXPECT_TRUE(graph_.WaitFor([&] {
       return Sweep({{"/" + name, "/" + name + "/talk"}}, milliseconds(500))[0].answered;
     }));
     return pid;
   }
-  RosGraph graph_;
+  processes::RosGraph graph_;
 };
 
 TEST_F(NodeProbeTest, ALivingNodeTellsItsPidAndWhatItPublishes) {
@@ -101,7 +101,7 @@ TEST_F(NodeProbeTest, ANodeThatWasStartedAgainIsFoundAtItsNewAddressInTheSameSwe
 
 TEST(NodeProbe, SaysThatThereIsNoMaster) {
   NodeProbe::SilenceLibrary();
-  NodeProbe probe({"127.0.0.1", FreePort()}, "/test");
+  NodeProbe probe({"127.0.0.1", processes::FreePort()}, "/test");
   probe.Begin({{"/a", ""}}, milliseconds(500));
   EXPECT_TRUE(probe.busy());
   while (!probe.Work(milliseconds(20))) {

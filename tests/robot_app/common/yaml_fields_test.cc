@@ -14,7 +14,7 @@ using testing::HasSubstr;
 class YamlFieldsTest : public testing::Test {
  protected:
   YamlFields Read(const std::string& text) {
-    const std::string path = Temporary("yaml_fields_test.yaml");
+    const std::string path = processes::Temporary("yaml_fields_test.yaml");
     std::ofstream(path) << text;
     return YamlFields::Load(path, diagnostics_);
   }

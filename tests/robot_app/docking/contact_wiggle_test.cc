@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace coppice::robot {
+namespace coppice::robot::docking {
 namespace {
 
 // An ideal robot on a station whose contacts touch only in a part of the way.
@@ -73,4 +73,4 @@ TEST_F(ContactWiggleTest, RefusesAwayFromTheStation) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::docking

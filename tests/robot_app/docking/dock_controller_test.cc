@@ -6,7 +6,7 @@
 #include <functional>
 #include <vector>
 
-namespace coppice::robot {
+namespace coppice::robot::docking {
 namespace {
 
 using Phase = DockController::Phase;
@@ -253,4 +253,4 @@ TEST_F(DockControllerTest, CancelledItStands) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::docking

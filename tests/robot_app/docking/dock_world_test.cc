@@ -7,34 +7,41 @@
 #include "robot_app/docking/dock_controller.h"
 #include "tests/robot_app/navigation/world_robot.h"
 
-namespace coppice::robot {
+namespace coppice::robot::docking {
 namespace {
 
+using simulation::Pose2;
 using Phase = DockController::Phase;
 
 class DockingInWorld : public testing::Test {
  protected:
   void Place(const std::optional<Pose2>& start, double charge = 0.5) {
-    WorldOptions options;
+    simulation::WorldOptions options;
     options.start = start;
     options.state_of_charge = charge;
     world_.emplace(floor_, options);
     world_->Step(0.02);
   }
   DockInput Input() const {
-    return {world_->time(),   PoseOf(*world_),          world_->battery().current(),     true,
-            world_->docked(), world_->battery().full(), PointsInBase(ScanOf(*world_), 3)};
+    return {world_->time(),
+            navigation::PoseOf(*world_),
+            world_->battery().current(),
+            true,
+            world_->docked(),
+            world_->battery().full(),
+            PointsInBase(navigation::ScanOf(*world_), 3)};
   }
   void Run() {
     const double stop = world_->time() + 300;
     while (controller_.active() && world_->time() < stop) {
       const Velocity2D velocity = controller_.Update(Input());
-      for (int i = 0; i < 5; ++i) world_->Step(0.01, Velocity{velocity.linear, velocity.angular});
+      for (int i = 0; i < 5; ++i)
+        world_->Step(0.01, simulation::Velocity{velocity.linear, velocity.angular});
     }
   }
 
-  Floor floor_ = InstituteFloor();
-  std::optional<World> world_;
+  simulation::Floor floor_ = navigation::InstituteFloor();
+  std::optional<simulation::World> world_;
   DockController controller_;
 };
 
@@ -47,7 +54,7 @@ TEST_F(DockingInWorld, DocksFromPlacesNearTheStagingPose) {
     EXPECT_EQ(controller_.phase(), Phase::kDone) << controller_.message();
     EXPECT_TRUE(world_->docked());
     EXPECT_TRUE(world_->battery().charging());
-    EXPECT_LT(std::abs(PoseOf(*world_).y), 0.02);
+    EXPECT_LT(std::abs(navigation::PoseOf(*world_).y), 0.02);
   }
 }
 
@@ -92,4 +99,4 @@ TEST_F(DockingInWorld, ABoxBeforeTheStationFailsWithoutATouch) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::docking

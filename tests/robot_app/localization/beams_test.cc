@@ -4,8 +4,11 @@
 
 #include "tests/robot_app/navigation/test_floor.h"
 
-namespace coppice::robot {
+namespace coppice::robot::localization {
 namespace {
+
+using navigation::EmptyRoom;
+using navigation::ScanOf;
 
 TEST(Beams, AreSpreadOverTheWallsNotOverTheAngles) {
   const OccupancyGrid room = EmptyRoom(10, 4);
@@ -43,7 +46,7 @@ TEST(Beams, AgreeWithTheMapWhereTheyWereTaken) {
 TEST(Beams, WhoStandsInTheWayCountsLittleAndASeenThroughWallMuch) {
   OccupancyGrid room = EmptyRoom(10, 4);
   const LikelihoodField without(room);
-  Fill(room, {4, 1}, {4.5, 3});
+  navigation::Fill(room, {4, 1}, {4.5, 3});
   const LikelihoodField with(room);
   const Pose2D pose{2, 2, 0};
   LaserScan scan = ScanOf(room, pose, 0);
@@ -51,7 +54,7 @@ TEST(Beams, WhoStandsInTheWayCountsLittleAndASeenThroughWallMuch) {
   EXPECT_GT(hidden.hidden, 10);
   EXPECT_EQ(hidden.through, 0);
   EXPECT_GT(hidden.score(), 0.85);
-  Fill(room, {4, 1}, {4.5, 3}, 0);
+  navigation::Fill(room, {4, 1}, {4.5, 3}, 0);
   const Agreement through = Agree(with, BeamsOf(ScanOf(room, pose, 0), 0.1, 200), pose);
   EXPECT_GT(through.through, 10);
   EXPECT_LT(through.score(), hidden.score());
@@ -65,4 +68,4 @@ TEST(Beams, MoveWithTheRobot) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::localization

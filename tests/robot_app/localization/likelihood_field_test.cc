@@ -4,13 +4,13 @@
 
 #include "tests/robot_app/navigation/test_floor.h"
 
-namespace coppice::robot {
+namespace coppice::robot::localization {
 namespace {
 
 class LikelihoodFieldTest : public testing::Test {
  protected:
   // Walls of one cell; their middles lie at 0.025 and 4.975.
-  const LikelihoodField field_{EmptyRoom(5, 5)};
+  const LikelihoodField field_{navigation::EmptyRoom(5, 5)};
 };
 
 TEST_F(LikelihoodFieldTest, TellsTheDistanceFromTheNearestWall) {
@@ -39,4 +39,4 @@ TEST_F(LikelihoodFieldTest, ABeamEndsAtTheFirstWall) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::localization

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace coppice::robot {
+namespace coppice::robot::localization {
 namespace {
 
 const std::vector<Beam> kOneBeam = {{{0, 0}, {2, 0}, true}};
@@ -45,4 +45,4 @@ TEST(LocalView, ForgetsTheOldest) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::localization

@@ -21,9 +21,10 @@
 #include "tests/robot_app/text_of.h"
 #include "tests/support/folders.h"
 
-namespace coppice::robot {
+namespace coppice::robot::localization {
 namespace {
 
+using processes::kPrograms;
 using State = coppice_msgs::LocalizationState;
 using testing::HasSubstr;
 
@@ -212,4 +213,4 @@ TEST_F(LocalizationNodeTest, RefusesParametersThatMakeNoSense) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::localization

@@ -9,14 +9,14 @@
 #include "robot_app/localization/odometry_filter.h"
 #include "tests/robot_app/navigation/world_robot.h"
 
-namespace coppice::robot {
+namespace coppice::robot::localization {
 
 class LocalizedRobot {
  public:
-  LocalizedRobot(const Floor& floor, const Pose2D& start, std::uint64_t seed,
+  LocalizedRobot(const simulation::Floor& floor, const Pose2D& start, std::uint64_t seed,
                  LocalizerSettings settings = {})
       : world_(floor, Options(start, seed)), localizer_(WithSeed(settings, seed)) {
-    localizer_.SetMap(MapOf(floor));
+    localizer_.SetMap(navigation::MapOf(floor));
   }
 
   /// Somebody carries the robot away: its wheels and its gyroscope notice nothing. Waits until
@@ -28,8 +28,8 @@ class LocalizedRobot {
   void RestartOdometry() { filter_ = OdometryFilter(); }
 
   void Step(const Velocity2D& command) {
-    world_.Step(0.02, Velocity{command.linear, command.angular});
-    const Odometry& wheels = world_.odometry();
+    world_.Step(0.02, simulation::Velocity{command.linear, command.angular});
+    const simulation::Odometry& wheels = world_.odometry();
     filter_.AddYawRate(now(), world_.imu().yaw_rate, 0);
     if (wheels.time() != wheels_time_) {
       wheels_time_ = wheels.time();
@@ -39,7 +39,7 @@ class LocalizedRobot {
     if (filter_.started()) localizer_.AddOdometry(filter_.stamp(), filter_.pose());
     if (world_.scan().time == scan_time_) return;
     scan_time_ = world_.scan().time;
-    localizer_.AddScan(ScanOf(world_));
+    localizer_.AddScan(navigation::ScanOf(world_));
   }
 
   /// Constant speed for a while. Returns the seconds until `done` first came true, or -1.
@@ -58,22 +58,22 @@ class LocalizedRobot {
   void TurnOnce() { Drive({0, 0.4}, 2 * M_PI / 0.4); }
 
   double now() const { return world_.time(); }
-  World& world() { return world_; }
+  simulation::World& world() { return world_; }
   Localizer& localizer() { return localizer_; }
   const OdometryFilter& filter() const { return filter_; }
   LocalizationReport Report() const { return localizer_.Report(now()); }
   bool IsOk() const { return Report().phase == LocalizationPhase::kOk; }
   bool IsLost() const { return Report().phase == LocalizationPhase::kLost; }
-  Pose2D Truth() const { return PoseOf(world_); }
+  Pose2D Truth() const { return navigation::PoseOf(world_); }
   /// base_link in the map now, as tf would tell it.
   Pose2D Estimate() const { return Compose(localizer_.odom_in_map(), filter_.pose()); }
   double Error() const { return Distance(Estimate(), Truth()); }
   double YawError() const { return std::abs(NormalizeAngle(Estimate().yaw - Truth().yaw)); }
 
  private:
-  static WorldOptions Options(const Pose2D& start, std::uint64_t seed) {
-    WorldOptions options;
-    options.start = Pose2{start.x, start.y, start.yaw};
+  static simulation::WorldOptions Options(const Pose2D& start, std::uint64_t seed) {
+    simulation::WorldOptions options;
+    options.start = simulation::Pose2{start.x, start.y, start.yaw};
     options.seed = seed;
     return options;
   }
@@ -82,7 +82,7 @@ class LocalizedRobot {
     return settings;
   }
 
-  World world_;
+  simulation::World world_;
   double scan_time_ = -1;
   double wheels_time_ = -1;
   OdometryFilter filter_;
@@ -108,6 +108,6 @@ inline std::vector<Pose2D> RandomPoses(const OccupancyGrid& map, int count, unsi
   return poses;
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::localization
 
 #endif  // COPPICE_TESTS_ROBOT_APP_LOCALIZATION_LOCALIZED_ROBOT_H_

@@ -11,9 +11,10 @@
 #include "tests/robot_app/localization/localized_robot.h"
 #include "tests/support/folders.h"
 
-namespace coppice::robot {
+namespace coppice::robot::localization {
 namespace {
 
+using navigation::MapOf;
 using testing::HasSubstr;
 
 constexpr Pose2D kAtDock{-2.4, 0, M_PI};
@@ -29,7 +30,7 @@ class LocalizerTest : public testing::Test {
     return robot;
   }
 
-  Floor floor_ = InstituteFloor();
+  simulation::Floor floor_ = navigation::InstituteFloor();
 };
 
 struct Errors {
@@ -41,11 +42,12 @@ struct Errors {
 };
 
 // Lets navigation, which is told the truth, drive to places at random.
-Errors Patrol(LocalizedRobot& robot, const Floor& floor, double seconds, unsigned seed) {
+Errors Patrol(LocalizedRobot& robot, const simulation::Floor& floor, double seconds,
+              unsigned seed) {
   Diagnostics diagnostics;
-  const auto map =
-      TopologicalMap::Load(SourceFolder() + "/robot_app/config/waypoints.yaml", diagnostics);
-  Navigation navigation;
+  const auto map = navigation::TopologicalMap::Load(
+      SourceFolder() + "/robot_app/config/waypoints.yaml", diagnostics);
+  navigation::Navigation navigation;
   navigation.SetMap(MapOf(floor));
   std::mt19937 random(seed);
   const auto next = [&] { return map->places()[random() % map->places().size()].pose; };
@@ -56,10 +58,11 @@ Errors Patrol(LocalizedRobot& robot, const Floor& floor, double seconds, unsigne
   for (const double stop = robot.now() + seconds; robot.now() < stop; ++count) {
     if (robot.world().scan().time != scan_time) {
       scan_time = robot.world().scan().time;
-      navigation.AddScan(robot.Truth(), ScanOf(robot.world()));
+      navigation.AddScan(robot.Truth(), navigation::ScanOf(robot.world()));
     }
     const Velocity2D velocity = navigation.Update(robot.now(), robot.Truth(), robot.now());
-    if (navigation.end() != Navigation::End::kNone) navigation.SetGoal(next(), robot.now());
+    if (navigation.end() != navigation::Navigation::End::kNone)
+      navigation.SetGoal(next(), robot.now());
     for (int i = 0; i < 2; ++i) robot.Step(velocity);
     errors.mean += robot.Error();
     errors.worst = std::max(errors.worst, robot.Error());
@@ -266,9 +269,9 @@ TEST_F(LocalizerTest, BeginsAnewWhenTimeIsSetBack) {
   localizer.SetMap(MapOf(floor_));
   localizer.Expect({kAtDock});
   const auto see = [&](const Pose2D& pose, double stamp) {
-    WorldOptions options;
-    options.start = Pose2{pose.x, pose.y, pose.yaw};
-    LaserScan scan = ScanOf(World(floor_, options));
+    simulation::WorldOptions options;
+    options.start = simulation::Pose2{pose.x, pose.y, pose.yaw};
+    LaserScan scan = navigation::ScanOf(simulation::World(floor_, options));
     scan.stamp = stamp;
     localizer.AddOdometry(stamp, {});
     localizer.AddScan(scan);
@@ -315,4 +318,4 @@ TEST_F(LocalizerTest, WaitsForOdometryAndMap) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::localization

@@ -7,7 +7,7 @@
 
 #include "tests/robot_app/navigation/world_robot.h"
 
-namespace coppice::robot {
+namespace coppice::robot::localization {
 namespace {
 
 // The bare floor without people, and a robot that wanders about in its hall.
@@ -20,7 +20,7 @@ class FilterInWorld {
     while (world_.time() < stop) {
       world_.Step(0.02, Command(world_.time()));
       const double now = world_.time();
-      const Odometry& wheels = world_.odometry();
+      const simulation::Odometry& wheels = world_.odometry();
       if (wheels.time() != wheels_time_) {
         wheels_time_ = wheels.time();
         filter_.AddWheels(now, ToPose2D(wheels.pose()),
@@ -36,35 +36,35 @@ class FilterInWorld {
   }
 
   // Both as seen from the start, where both frames lie.
-  Pose2D Truth() const { return RelativeTo(ToPose2D(kStart), PoseOf(world_)); }
+  Pose2D Truth() const { return RelativeTo(ToPose2D(kStart), navigation::PoseOf(world_)); }
   Pose2D Wheels() const { return ToPose2D(world_.odometry().pose()); }
   const OdometryFilter& filter() const { return filter_; }
   double MeanWheelsInnovation() const { return wheels_innovation_ / wheels_count_; }
   double MeanGyroInnovation() const { return gyro_innovation_ / gyro_count_; }
 
  private:
-  static constexpr Pose2 kStart{46, 0, 0};
-  static Pose2D ToPose2D(const Pose2& pose) { return {pose.x, pose.y, pose.yaw}; }
-  static Floor EmptyHall() {
-    Floor floor = InstituteFloor();
+  static constexpr simulation::Pose2 kStart{46, 0, 0};
+  static Pose2D ToPose2D(const simulation::Pose2& pose) { return {pose.x, pose.y, pose.yaw}; }
+  static simulation::Floor EmptyHall() {
+    simulation::Floor floor = navigation::InstituteFloor();
     floor.people.clear();
     floor.furniture.clear();
     return floor;
   }
-  static WorldOptions Options(std::uint64_t seed) {
-    WorldOptions options;
+  static simulation::WorldOptions Options(std::uint64_t seed) {
+    simulation::WorldOptions options;
     options.lidar.beams = 2;  // nobody looks at it
     options.seed = seed;
     options.start = kStart;
     return options;
   }
-  static Velocity Command(double time) {  // eights, and a rest now and then
+  static simulation::Velocity Command(double time) {  // eights, and a rest now and then
     const double phase = std::fmod(time, 30);
     if (phase > 27) return {0, 0};
     return {0.5, phase < 13.5 ? 0.4654 : -0.4654};
   }
 
-  World world_;
+  simulation::World world_;
   OdometryFilter filter_;
   double wheels_time_ = -1;
   double wheels_innovation_ = 0;
@@ -169,4 +169,4 @@ TEST(OdometryFilter, GoesOnWithoutTheGyroscope) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::localization

@@ -4,17 +4,17 @@
 
 #include "tests/robot_app/navigation/test_floor.h"
 
-namespace coppice::robot {
+namespace coppice::robot::localization {
 namespace {
 
 class ParticleFilterTest : public testing::Test {
  protected:
-  ParticleFilterTest() : room_(EmptyRoom(12, 6)) {
-    Fill(room_, {3, 0}, {4, 2});  // so that the room looks like itself only once
+  ParticleFilterTest() : room_(navigation::EmptyRoom(12, 6)) {
+    navigation::Fill(room_, {3, 0}, {4, 2});  // so that the room looks like itself only once
     field_.emplace(room_);
   }
   std::vector<Beam> SeenFrom(const Pose2D& pose) const {
-    return BeamsOf(ScanOf(room_, pose, 0), 0.12, 180);
+    return BeamsOf(navigation::ScanOf(room_, pose, 0), 0.12, 180);
   }
   // Drives an arc and weighs on the way; returns the true end.
   Pose2D DriveFrom(Pose2D pose, ParticleFilter& filter) const {
@@ -100,4 +100,4 @@ TEST_F(ParticleFilterTest, IsEmptyAtFirst) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::localization

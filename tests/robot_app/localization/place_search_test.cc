@@ -4,25 +4,25 @@
 
 #include "tests/robot_app/localization/localized_robot.h"
 
-namespace coppice::robot {
+namespace coppice::robot::localization {
 namespace {
 
 class PlaceSearchTest : public testing::Test {
  protected:
   // What a robot that stands there sees at once.
   std::vector<Beam> SeenFrom(const Pose2D& pose) const {
-    WorldOptions options;
-    options.start = Pose2{pose.x, pose.y, pose.yaw};
-    return BeamsOf(ScanOf(World(floor_, options)), 0.12, 180);
+    simulation::WorldOptions options;
+    options.start = simulation::Pose2{pose.x, pose.y, pose.yaw};
+    return BeamsOf(navigation::ScanOf(simulation::World(floor_, options)), 0.12, 180);
   }
 
-  const Floor floor_ = InstituteFloor();
-  const LikelihoodField field_{MapOf(floor_)};
+  const simulation::Floor floor_ = navigation::InstituteFloor();
+  const LikelihoodField field_{navigation::MapOf(floor_)};
   const PlaceSearch search_{field_};
 };
 
 TEST_F(PlaceSearchTest, TheTruePlaceIsAlwaysAmongThoseThatFitBest) {
-  for (const Pose2D& pose : RandomPoses(MapOf(floor_), 60, 5)) {
+  for (const Pose2D& pose : RandomPoses(navigation::MapOf(floor_), 60, 5)) {
     const std::vector<FittingPlace> places = search_.Find(SeenFrom(pose), 8);
     ASSERT_FALSE(places.empty()) << pose.x << " " << pose.y << " " << pose.yaw;
     bool found = false;
@@ -58,4 +58,4 @@ TEST_F(PlaceSearchTest, FindsNothingWithoutBeams) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::localization

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
-namespace coppice::robot {
+namespace coppice::robot::localization {
 namespace {
 
 TEST(PoseFile, KeepsThePose) {
@@ -37,4 +37,4 @@ TEST(PoseFile, TellsWhyItCannotBeWritten) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::localization

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace coppice::robot {
+namespace coppice::robot::localization {
 namespace {
 
 TEST(PoseHistory, InterpolatesAlsoAcrossTheHalfTurn) {
@@ -54,4 +54,4 @@ TEST(PoseHistory, StartsAnewWhenTimeIsSetBackButNotForWhatWasOvertaken) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::localization

@@ -4,8 +4,11 @@
 
 #include "tests/robot_app/navigation/test_floor.h"
 
-namespace coppice::robot {
+namespace coppice::robot::localization {
 namespace {
+
+using navigation::EmptyRoom;
+using navigation::ScanOf;
 
 constexpr Pose2D kHere{2, 2.5, 0};
 
@@ -62,4 +65,4 @@ TEST(ScanChange, ComparesOnlyWhatCompares) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::localization

@@ -4,13 +4,17 @@
 
 #include "tests/robot_app/localization/localized_robot.h"
 
-namespace coppice::robot {
+namespace coppice::robot::localization {
 namespace {
 
+using navigation::InstituteFloor;
+using navigation::MapOf;
+using simulation::Floor;
+
 std::vector<Beam> SeenFrom(const Floor& floor, const Pose2D& pose) {
-  WorldOptions options;
-  options.start = Pose2{pose.x, pose.y, pose.yaw};
-  return BeamsOf(ScanOf(World(floor, options)), 0.12, 180);
+  simulation::WorldOptions options;
+  options.start = simulation::Pose2{pose.x, pose.y, pose.yaw};
+  return BeamsOf(navigation::ScanOf(simulation::World(floor, options)), 0.12, 180);
 }
 
 TEST(MatchScan, FindsThePoseToACentimetre) {
@@ -50,4 +54,4 @@ TEST(MatchScan, WithoutBeamsIsWhereItWas) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::localization

@@ -14,7 +14,7 @@
 
 #include "tests/robot_app/mapping/mapped_robot.h"
 
-namespace coppice::robot {
+namespace coppice::robot::mapping {
 namespace {
 
 struct Color {
@@ -53,7 +53,7 @@ class Picture {
 };
 
 int Draw(const char* file) {
-  MappedRobot robot(InstituteFloor(), {-0.5, 0, 0}, 1);
+  MappedRobot robot(navigation::InstituteFloor(), {-0.5, 0, 0}, 1);
   std::vector<Point2D> way;
   Tour tour(RoundOfTheInstitute());
   while (const auto command = tour.Next(robot.Truth())) {
@@ -69,12 +69,12 @@ int Draw(const char* file) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::mapping
 
 int main(int argc, char** argv) {
   if (argc != 2) {
     std::fprintf(stderr, "usage: draw_map PICTURE.png\n");
     return 2;
   }
-  return coppice::robot::Draw(argv[1]);
+  return coppice::robot::mapping::Draw(argv[1]);
 }

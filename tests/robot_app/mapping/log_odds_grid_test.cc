@@ -4,7 +4,7 @@
 
 #include "tests/robot_app/navigation/test_floor.h"
 
-namespace coppice::robot {
+namespace coppice::robot::mapping {
 namespace {
 
 std::int8_t At(const OccupancyGrid& map, double x, double y) {
@@ -91,4 +91,4 @@ TEST(LogOddsGrid, DoesNotGrowWithoutEnd) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::mapping

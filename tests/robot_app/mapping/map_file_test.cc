@@ -9,18 +9,20 @@
 #include "tests/robot_app/navigation/test_floor.h"
 #include "tests/robot_app/processes/temporary.h"
 
-namespace coppice::robot {
+namespace coppice::robot::mapping {
 namespace {
+
+using processes::Temporary;
 
 namespace fs = std::filesystem;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
 OccupancyGrid SmallMap() {
-  OccupancyGrid map = EmptyRoom(3, 2);
+  OccupancyGrid map = navigation::EmptyRoom(3, 2);
   map.frame.origin_x = -1.025;
   map.frame.origin_y = 0.5;
-  Fill(map, {0, 1}, {1, 2}, -1);
+  navigation::Fill(map, {0, 1}, {1, 2}, -1);
   map.cells[0] = 70;
   map.cells[map.frame.width + 1] = 12;
   return map;
@@ -138,4 +140,4 @@ TEST(MapFile, RefusesAPictureThatIsNone) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::mapping

@@ -6,7 +6,7 @@
 
 #include "robot_app/common/occupancy_grid.h"
 
-namespace coppice::robot {
+namespace coppice::robot::mapping {
 
 /// Of the cells of `map` that are occupied and lie within [low, high], the share that has an
 /// occupied cell of `other` within `near` [m]. Of the map against the floor: how much of it is
@@ -31,6 +31,6 @@ inline double ShareNear(const OccupancyGrid& map, const OccupancyGrid& other, do
   return all == 0 ? 0 : static_cast<double>(right) / all;
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::mapping
 
 #endif  // COPPICE_TESTS_ROBOT_APP_MAPPING_MAP_QUALITY_H_

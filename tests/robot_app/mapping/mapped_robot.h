@@ -11,7 +11,7 @@
 #include "tests/robot_app/mapping/tour.h"
 #include "tests/robot_app/navigation/world_robot.h"
 
-namespace coppice::robot {
+namespace coppice::robot::mapping {
 
 /// What the odometry gets wrong, beyond what the simulated wheels and gyroscope do.
 struct BadOdometry {
@@ -21,8 +21,8 @@ struct BadOdometry {
 
 class MappedRobot {
  public:
-  MappedRobot(const Floor& floor, const Pose2D& start, std::uint64_t seed, BadOdometry bad = {},
-              MappingSettings settings = {})
+  MappedRobot(const simulation::Floor& floor, const Pose2D& start, std::uint64_t seed,
+              BadOdometry bad = {}, MappingSettings settings = {})
       : world_(floor, Options(start, seed)), bad_(bad), mapper_(settings, start) {}
 
   /// Drives along the points. False if it does not get there.
@@ -37,8 +37,8 @@ class MappedRobot {
   }
 
   void Step(const Velocity2D& command) {
-    world_.Step(0.02, Velocity{command.linear, command.angular});
-    const Odometry& wheels = world_.odometry();
+    world_.Step(0.02, simulation::Velocity{command.linear, command.angular});
+    const simulation::Odometry& wheels = world_.odometry();
     filter_.AddYawRate(now(), world_.imu().yaw_rate, 0);
     if (wheels.time() != wheels_time_) {
       wheels_time_ = wheels.time();
@@ -48,7 +48,7 @@ class MappedRobot {
     if (filter_.started()) AddOdometry();
     if (world_.scan().time == scan_time_) return;
     scan_time_ = world_.scan().time;
-    mapper_.AddScan(ScanOf(world_));
+    mapper_.AddScan(navigation::ScanOf(world_));
     if (mapper_.started()) farthest_off_ = std::max(farthest_off_, Error());
   }
 
@@ -57,14 +57,14 @@ class MappedRobot {
   }
 
   void RestartOdometry() {
-    filter_ = OdometryFilter();
+    filter_ = localization::OdometryFilter();
     believed_ = {100, 50, 1};  // another frame
     was_filtered_ = false;
   }
 
   double now() const { return world_.time(); }
   Mapper& mapper() { return mapper_; }
-  Pose2D Truth() const { return PoseOf(world_); }
+  Pose2D Truth() const { return navigation::PoseOf(world_); }
   /// What the odometry says.
   Pose2D believed() const { return believed_; }
   /// Of the newest pose, and the greatest so far [m].
@@ -72,9 +72,9 @@ class MappedRobot {
   double farthest_off() const { return farthest_off_; }
 
  private:
-  static WorldOptions Options(const Pose2D& start, std::uint64_t seed) {
-    WorldOptions options;
-    options.start = Pose2{start.x, start.y, start.yaw};
+  static simulation::WorldOptions Options(const Pose2D& start, std::uint64_t seed) {
+    simulation::WorldOptions options;
+    options.start = simulation::Pose2{start.x, start.y, start.yaw};
     options.seed = seed;
     return options;
   }
@@ -93,9 +93,9 @@ class MappedRobot {
     mapper_.AddOdometry(filter_.stamp(), believed_);
   }
 
-  World world_;
+  simulation::World world_;
   BadOdometry bad_;
-  OdometryFilter filter_;
+  localization::OdometryFilter filter_;
   Mapper mapper_;
   Pose2D filtered_;
   Pose2D believed_;
@@ -105,6 +105,6 @@ class MappedRobot {
   double farthest_off_ = 0;
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::mapping
 
 #endif  // COPPICE_TESTS_ROBOT_APP_MAPPING_MAPPED_ROBOT_H_

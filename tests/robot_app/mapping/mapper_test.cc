@@ -8,8 +8,11 @@
 #include "tests/robot_app/mapping/map_quality.h"
 #include "tests/robot_app/mapping/mapped_robot.h"
 
-namespace coppice::robot {
+namespace coppice::robot::mapping {
 namespace {
+
+using navigation::InstituteFloor;
+using simulation::Floor;
 
 constexpr Pose2D kBeforeTheStation{-0.5, 0, 0};
 
@@ -42,7 +45,7 @@ TEST_F(MapOfTheInstitute, DriftsByCentimetresInOneRound) {
 }
 
 TEST_F(MapOfTheInstitute, ShowsTheWallsAndNothingElse) {
-  const OccupancyGrid floor = coppice::robot::MapOf(InstituteFloor());
+  const OccupancyGrid floor = coppice::robot::mapping::MapOf(InstituteFloor());
   EXPECT_GT(ShareNear(map_, floor, 0.1), 0.8);
   EXPECT_GT(ShareNear(map_, floor, 0.15), 0.99);  // nobody who walked by is left
   EXPECT_GT(ShareNear(floor, map_, 0.1, {-2.9, -1.4}, {40, 1.4}), 0.95);  // corridor
@@ -58,7 +61,7 @@ TEST_F(MapOfTheInstitute, IsFreeWhereTheRobotWas) {
 }
 
 TEST_F(MapOfTheInstitute, WillDoForLocalization) {
-  LocalizedRobot robot(InstituteFloor(), kBeforeTheStation, 7);
+  localization::LocalizedRobot robot(InstituteFloor(), kBeforeTheStation, 7);
   robot.localizer().SetMap(map_);
   robot.localizer().Expect({kBeforeTheStation});
   Tour tour({{30, 0}, {45, 0}, {46, 4}, {46, -3}, {42.5, 0}});
@@ -82,7 +85,7 @@ Floor RingFloor() {
   floor.name = "ring";
   floor.walls = {{{0, 0}, {18, 0}, {18, 18}, {0, 18}, {0, 0}},
                  {{3, 3}, {15, 3}, {15, 15}, {3, 15}, {3, 3}}};
-  const auto add = [&floor](Vec2 at, Vec2 size) {
+  const auto add = [&floor](simulation::Vec2 at, simulation::Vec2 size) {
     floor.furniture.push_back({"thing", {at, size, 0.2}, 1});
   };
   add({6, 0.4}, {0.8, 0.6});
@@ -109,7 +112,7 @@ TEST(Mapper, ClosesARingThatBadOdometryHasTornOpen) {
   EXPECT_GE(robot.mapper().Report().loops, 1u);
   EXPECT_LT(robot.Error(), 0.3);
   // The walls where it began are there once.
-  const OccupancyGrid truth = coppice::robot::MapOf(floor);
+  const OccupancyGrid truth = coppice::robot::mapping::MapOf(floor);
   EXPECT_GT(ShareNear(robot.mapper().Map(), truth, 0.3), 0.95);
   EXPECT_GT(ShareNear(robot.mapper().Map(), truth, 0.2, {-1, -1}, {12, 4}), 0.97);
 }
@@ -122,7 +125,7 @@ TEST(Mapper, GoesOnWhenTheOdometryBeginsAnew) {
   robot.RestartOdometry();
   ASSERT_TRUE(robot.Drive({{12, 0}}));
   EXPECT_LT(robot.Error(), 0.1);
-  EXPECT_GT(ShareNear(robot.mapper().Map(), coppice::robot::MapOf(floor), 0.1), 0.97);
+  EXPECT_GT(ShareNear(robot.mapper().Map(), coppice::robot::mapping::MapOf(floor), 0.1), 0.97);
 }
 
 TEST(Mapper, KeepsNothingWhileTheRobotStands) {
@@ -182,4 +185,4 @@ TEST(Mapper, SurvivesScansWithoutSense) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::mapping

@@ -19,8 +19,11 @@
 #include "tests/robot_app/text_of.h"
 #include "tests/support/folders.h"
 
-namespace coppice::robot {
+namespace coppice::robot::mapping {
 namespace {
+
+using processes::kPrograms;
+using processes::Temporary;
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
@@ -168,4 +171,4 @@ TEST_F(MappingNodeTest, RefuseWhatMakesNoSense) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::mapping

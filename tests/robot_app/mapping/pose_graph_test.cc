@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-namespace coppice::robot {
+namespace coppice::robot::mapping {
 namespace {
 
 // A square of 10 m in steps of 1 m, a quarter of a turn at each corner.
@@ -110,4 +110,4 @@ TEST(PoseGraph, WhatCannotBeSolvedStays) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::mapping

@@ -10,7 +10,7 @@
 
 #include "robot_app/common/pose2d.h"
 
-namespace coppice::robot {
+namespace coppice::robot::mapping {
 
 class Tour {
  public:
@@ -50,6 +50,6 @@ inline std::vector<Point2D> RoundOfTheInstitute() {
           {42.5, 0}, {42.5, 4},  {46, 4},    {46, -4}, {42.5, -3.5}, {42.5, 0},   {0, 0}};
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::mapping
 
 #endif  // COPPICE_TESTS_ROBOT_APP_MAPPING_TOUR_H_

@@ -2,9 +2,10 @@
 
 #include <gtest/gtest.h>
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 namespace {
 
+using leaves::HealthLevel;
 using std::chrono::seconds;
 
 class DiagnosticsMonitorTest : public testing::Test {
@@ -76,4 +77,4 @@ TEST_F(DiagnosticsMonitorTest, AProgramThatInventsNamesIsBounded) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring

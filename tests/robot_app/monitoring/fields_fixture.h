@@ -10,12 +10,12 @@
 #include "robot_app/common/yaml_fields.h"
 #include "tests/robot_app/processes/temporary.h"
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 
 class FieldsTest : public testing::Test {
  protected:
   YamlFields Open(const std::string& text) {
-    const std::string path = Temporary("fields.yaml");
+    const std::string path = processes::Temporary("fields.yaml");
     std::ofstream(path) << text;
     return YamlFields::Load(path, diagnostics_);
   }
@@ -24,6 +24,6 @@ class FieldsTest : public testing::Test {
   Diagnostics diagnostics_;
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring
 
 #endif  // COPPICE_TESTS_ROBOT_APP_MONITORING_FIELDS_FIXTURE_H_

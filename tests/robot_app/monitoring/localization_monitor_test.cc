@@ -4,9 +4,10 @@
 
 #include <cmath>
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 namespace {
 
+using leaves::HealthLevel;
 using std::chrono::seconds;
 
 Times At(Time now) { return {now, now}; }
@@ -107,4 +108,4 @@ TEST_F(LocalizationMonitorTest, WithoutAWatchThereIsNothingToSay) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring

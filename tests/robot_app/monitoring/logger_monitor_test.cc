@@ -7,9 +7,10 @@
 
 #include "tests/robot_app/processes/temporary.h"
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 namespace {
 
+using leaves::HealthLevel;
 using std::chrono::seconds;
 
 class LoggerMonitorTest : public testing::Test {
@@ -25,7 +26,7 @@ class LoggerMonitorTest : public testing::Test {
   void Append(const std::string& file) { std::ofstream(folder_ + file, std::ios::app) << "line\n"; }
   std::vector<Finding> At(Time now) { return monitor_.Report(processes_, {seconds(9), now}); }
 
-  const std::string folder_ = Temporary("logger_monitor_test");
+  const std::string folder_ = processes::Temporary("logger_monitor_test");
   LoggerMonitor monitor_{folder_};
   ProcessTable processes_;
 };
@@ -104,4 +105,4 @@ TEST_F(LoggerMonitorTest, AnEmptyFolderHasAFootprintAndNothingHasNone) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring

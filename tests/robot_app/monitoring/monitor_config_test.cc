@@ -9,7 +9,7 @@
 #include "tests/robot_app/processes/temporary.h"
 #include "tests/support/folders.h"
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 namespace {
 
 using std::chrono::milliseconds;
@@ -19,7 +19,7 @@ using testing::HasSubstr;
 class MonitorConfigTest : public testing::Test {
  protected:
   MonitorConfig Read(const std::string& text) {
-    const std::string path = Temporary("monitor_config_test.yaml");
+    const std::string path = processes::Temporary("monitor_config_test.yaml");
     std::ofstream(path) << text;
     return LoadMonitorConfig(path, diagnostics_);
   }
@@ -200,11 +200,11 @@ configurations:
 TEST_F(MonitorConfigTest, TheShippedFileIsRightAndFitsTheShippedProcesses) {
   const std::string folder = SourceFolder() + "/robot_app/config/";
   const MonitorConfig monitors = LoadMonitorConfig(folder + "monitors.yaml", diagnostics_);
-  const RobotConfig robot = LoadRobotConfig(
+  const processes::RobotConfig robot = processes::LoadRobotConfig(
       folder + "robot.yaml", {{"bin", "b"}, {"config", "c"}, {"record", "/tmp/run"}}, diagnostics_);
   ASSERT_EQ(Errors(), "");
   EXPECT_EQ(monitors.lists.size(), robot.configurations.size());
-  for (const Configuration& configuration : robot.configurations) {
+  for (const processes::Configuration& configuration : robot.configurations) {
     std::vector<std::string> nodes = {"/supervisor"};  // who starts the others
     for (const std::size_t process : configuration.processes) {
       nodes.push_back(robot.processes[process].node);
@@ -223,4 +223,4 @@ TEST_F(MonitorConfigTest, TheShippedFileIsRightAndFitsTheShippedProcesses) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring

@@ -12,7 +12,7 @@
 
 #include "tests/robot_app/processes/ros_graph.h"
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 
 using coppice_msgs::HealthEntry;
 
@@ -25,16 +25,18 @@ class MonitorGraphTest : public testing::Test {
           health_ = *message;
           ++publications_;
         });
-    graph_.Start("aggregator", {kPrograms + "coppice-health-aggregator", "--config", config_});
+    graph_.Start("aggregator",
+                 {processes::kPrograms + "coppice-health-aggregator", "--config", config_});
   }
   ~MonitorGraphTest() override { graph_.EndPrograms(); }
 
   void StartMonitor(const std::string& name) {
-    graph_.Start(name, {kPrograms + "coppice-" + name, "--config", config_});
+    graph_.Start(name, {processes::kPrograms + "coppice-" + name, "--config", config_});
   }
   int StartTalker(const std::string& name, double rate) {
-    return graph_.Start(name, {kTestPrograms + "test_talker", "__name:=" + name + "_talker",
-                               "_topic:=/" + name, "_rate:=" + std::to_string(rate)});
+    return graph_.Start(name,
+                        {processes::kTestPrograms + "test_talker", "__name:=" + name + "_talker",
+                         "_topic:=/" + name, "_rate:=" + std::to_string(rate)});
   }
 
   const HealthEntry* Find(const std::string& monitor, const std::string& subject) const {
@@ -50,13 +52,13 @@ class MonitorGraphTest : public testing::Test {
     });
   }
 
-  const std::string config_ = Temporary("monitor_graph.yaml");
-  RosGraph& graph_ = RosGraph::Shared();
+  const std::string config_ = processes::Temporary("monitor_graph.yaml");
+  processes::RosGraph& graph_ = processes::RosGraph::Shared();
   ros::Subscriber subscriber_;
   coppice_msgs::Health health_;
   int publications_ = 0;
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring
 
 #endif  // COPPICE_TESTS_ROBOT_APP_MONITORING_MONITOR_GRAPH_H_

@@ -11,9 +11,10 @@
 
 #include "tests/robot_app/monitoring/monitor_graph.h"
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 namespace {
 
+using leaves::HealthEntry;
 using testing::HasSubstr;
 
 constexpr char kConfig[] = R"(
@@ -38,7 +39,7 @@ class MonitorNodeTest : public MonitorGraphTest {
 TEST_F(MonitorNodeTest, AKilledOrHungNodeIsAnError) {
   StartMonitor("node-monitor");
   const auto start = [this] {
-    return graph_.Start("victim", {kTestPrograms + "test_talker", "__name:=victim"});
+    return graph_.Start("victim", {processes::kTestPrograms + "test_talker", "__name:=victim"});
   };
   int victim = start();
   ASSERT_TRUE(WaitForLevel("node", "/victim", HealthEntry::OK));
@@ -130,21 +131,21 @@ TEST_F(MonitorNodeTest, TheAggregateIsPublishedFourTimesPerSecondEvenWithoutRepo
 
 TEST_F(MonitorNodeTest, BadInputEndsAProgramWithOneLineAndStatus2) {
   const auto run = [this](std::vector<std::string> arguments, const std::string& name) {
-    arguments.insert(arguments.begin(), kPrograms + "coppice-node-monitor");
-    std::remove((Temporary("ros_graph/") + name + ".log").c_str());
+    arguments.insert(arguments.begin(), processes::kPrograms + "coppice-node-monitor");
+    std::remove((processes::Temporary("ros_graph/") + name + ".log").c_str());
     int status = 0;
     waitpid(graph_.Start(name, std::move(arguments)), &status, 0);
     EXPECT_EQ(WEXITSTATUS(status), 2);
     std::ostringstream text;
-    text << std::ifstream(Temporary("ros_graph/") + name + ".log").rdbuf();
+    text << std::ifstream(processes::Temporary("ros_graph/") + name + ".log").rdbuf();
     return text.str();
   };
   EXPECT_THAT(run({}, "usage"), HasSubstr("--config is required"));
   EXPECT_EQ(run({"--config", "/nowhere"}, "missing"), "/nowhere: error: cannot read the file\n");
-  const std::string port = std::to_string(FreePort());
+  const std::string port = std::to_string(processes::FreePort());
   EXPECT_EQ(run({"--config", config_, "__master:=http://127.0.0.1:" + port}, "no_master"),
             "node_monitor: no ROS master at http://127.0.0.1:" + port + " (ROS_MASTER_URI)\n");
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring

@@ -15,9 +15,10 @@
 
 #include "tests/robot_app/monitoring/monitor_graph.h"
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 namespace {
 
+using processes::kPrograms;
 using testing::HasSubstr;
 
 constexpr char kConfig[] = R"(
@@ -87,7 +88,7 @@ class MonitorProgramsTest : public MonitorGraphTest {
   static const int kPort;
 };
 
-const int MonitorProgramsTest::kPort = FreePort();
+const int MonitorProgramsTest::kPort = processes::FreePort();
 
 TEST_F(MonitorProgramsTest, AComputerIsMeasuredAndAClockThatIsThreeSecondsOffIsAnError) {
   graph_.Start("time", {kPrograms + "coppice-system-monitor", "--serve-time", std::to_string(kPort),
@@ -236,7 +237,7 @@ TEST_F(MonitorProgramsTest, AMissingTransformAndAChildWithAnotherParentAreErrors
 }
 
 TEST_F(MonitorProgramsTest, ALoggerThatIsDownIsAnErrorUntilItWrites) {
-  const std::string folder = Temporary("logs");
+  const std::string folder = processes::Temporary("logs");
   std::filesystem::create_directories(folder);
   graph_.Start("topic",
                {kPrograms + "coppice-topic-monitor", "--config", config_, "--folder", folder});
@@ -296,4 +297,4 @@ TEST_F(MonitorProgramsTest, DiagnosticsOfOthersComeInAndOursGoOutButNotInCircles
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring

@@ -35,7 +35,7 @@
 #include "robot_app/processes/launch/ros_master.h"
 #include "tests/support/folders.h"
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 namespace {
 
 constexpr int kNodes = 60;
@@ -123,7 +123,7 @@ class Bench {
   explicit Bench(const std::string& folder) : launcher_(folder), config_(folder + "/bench.yaml") {
     std::ofstream(config_) << Config();
     NodeProbe::SilenceLibrary();
-    master_ = FindOrStartMaster(0, launcher_, std::chrono::seconds(20));
+    master_ = processes::FindOrStartMaster(0, launcher_, std::chrono::seconds(20));
     setenv("ROS_MASTER_URI", master_.Uri().c_str(), 1);
     setenv("ROS_IP", "127.0.0.1", 1);
   }
@@ -198,7 +198,7 @@ class Bench {
 
  private:
   void Launch(const std::string& name, std::vector<std::string> command) {
-    ProcessConfig config;
+    processes::ProcessConfig config;
     config.name = name;
     config.command = std::move(command);
     config.log = "bench.log";
@@ -257,9 +257,9 @@ class Bench {
     return bad;
   }
 
-  PosixLauncher launcher_;
+  processes::PosixLauncher launcher_;
   std::string config_;
-  RosMaster master_;
+  processes::RosMaster master_;
   std::map<std::string, int> pids_;
   std::optional<ros::NodeHandle> node_;
   std::optional<Robot> robot_;
@@ -288,7 +288,7 @@ int Run(double seconds) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring
 
 int main(int argc, char** argv) {
   const double seconds = argc > 1 ? std::strtod(argv[1], nullptr) : 30;
@@ -296,5 +296,5 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "usage: coppice_monitoring_bench [SECONDS]\n");
     return 2;
   }
-  return coppice::robot::Run(seconds);
+  return coppice::robot::monitoring::Run(seconds);
 }

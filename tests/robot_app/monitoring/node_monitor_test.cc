@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 namespace {
+
+using leaves::HealthLevel;
 
 ProbeResult Answer() { return {true, 7, std::chrono::milliseconds(2), ""}; }
 ProbeResult Silence() { return {false, 0, Duration::zero(), "does not answer"}; }
@@ -69,4 +71,4 @@ TEST_F(NodeMonitorTest, AChangeOfTheListKeepsWhatIsKnownAndIgnoresOthers) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring

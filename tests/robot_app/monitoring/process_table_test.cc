@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 namespace {
+
+using leaves::HealthLevel;
 
 Finding Error() { return {"node", "/a", "/a", HealthLevel::kError, 0, "", "silent", Time(0)}; }
 
@@ -47,4 +49,4 @@ TEST(ProcessTable, AnUnknownNodeHasNoGrace) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring

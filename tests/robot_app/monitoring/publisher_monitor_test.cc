@@ -2,9 +2,10 @@
 
 #include <gtest/gtest.h>
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 namespace {
 
+using leaves::HealthLevel;
 using std::chrono::milliseconds;
 using std::chrono::seconds;
 
@@ -50,4 +51,4 @@ TEST_F(PublisherMonitorTest, AnotherConfigurationThatWatchesTheSameForgetsNoStra
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring

@@ -18,9 +18,10 @@
 #include "tests/robot_app/navigation/test_floor.h"
 #include "tests/support/folders.h"
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 namespace {
 
+using leaves::HealthLevel;
 using std::chrono::duration_cast;
 using std::chrono::milliseconds;
 using std::chrono::seconds;
@@ -241,8 +242,8 @@ TEST_F(ShippedMonitorsTest, ALocalizationThatIsNotConfirmedIsAnError) {
 }
 
 TEST_F(ShippedMonitorsTest, ABatteryOutsideItsBandsOrWithoutNumbersIsAnError) {
-  BatteryReading bad;
-  bad.charger = ChargerState::kDischarging;
+  leaves::BatteryReading bad;
+  bad.charger = leaves::ChargerState::kDischarging;
   for (const bool is_measured : {true, false}) {
     BatteryMonitor monitor;
     monitor.Watch(Operating().battery);
@@ -252,7 +253,7 @@ TEST_F(ShippedMonitorsTest, ABatteryOutsideItsBandsOrWithoutNumbersIsAnError) {
         SubjectsAt(HealthLevel::kError, monitor.Report(processes_, {seconds(4), {}})),
         ElementsAre("battery voltage", "battery current", "battery charge", "battery margin"));
     bad = {};
-    bad.charger = ChargerState::kDischarging;
+    bad.charger = leaves::ChargerState::kDischarging;
   }
 }
 
@@ -261,8 +262,8 @@ TEST_F(ShippedMonitorsTest, ABatteryOutsideItsBandsOrWithoutNumbersIsAnError) {
 class ShippedNavigationTest : public ShippedMonitorsTest {
  protected:
   ShippedNavigationTest() {
-    OccupancyGrid room = EmptyRoom(12, 6);
-    Fill(room, {6, 0}, {6.3, 6});
+    OccupancyGrid room = navigation::EmptyRoom(12, 6);
+    navigation::Fill(room, {6, 0}, {6.3, 6});
     floor_ = room;
     navigation_.SetMap(room);
     navigation_.SetGoal({10, 3, 0}, now_);
@@ -272,9 +273,9 @@ class ShippedNavigationTest : public ShippedMonitorsTest {
     NavigationMonitor monitor;
     monitor.Watch(watch);
     std::vector<HealthLevel> levels;
-    while (navigation_.end() == Navigation::End::kNone && now_ < 1000) {
+    while (navigation_.end() == navigation::Navigation::End::kNone && now_ < 1000) {
       now_ += 0.1;
-      navigation_.AddScan(pose_, ScanOf(floor_, pose_, now_));
+      navigation_.AddScan(pose_, navigation::ScanOf(floor_, pose_, now_));
       pose_ = Advance(pose_, navigation_.Update(now_, pose_, now_), 0.1);
       monitor.OnState(State(), {At(now_), At(now_)});
       levels.push_back(monitor.Report(processes_, {At(now_), At(now_)}).at(0).level);
@@ -292,7 +293,7 @@ class ShippedNavigationTest : public ShippedMonitorsTest {
   }
 
   OccupancyGrid floor_;
-  Navigation navigation_;
+  navigation::Navigation navigation_;
   Pose2D pose_{2, 3, 0};
   double now_ = 100;
 };
@@ -308,7 +309,7 @@ TEST_F(ShippedNavigationTest, TheErrorComesWhenTheNavigationsOwnRecoveriesHaveFa
 }
 
 TEST_F(ShippedNavigationTest, TheBoundsAreLongerThanItsRecoveriesCanTake) {
-  const NavigationSettings settings;
+  const navigation::NavigationSettings settings;
   // It waits, forgets obstacles, turns for at most four times its patience, and looks after each.
   const double longest = 5 * settings.patience + 2 * settings.after_recovery;
   for (const WatchList& list : config_.lists) {
@@ -319,4 +320,4 @@ TEST_F(ShippedNavigationTest, TheBoundsAreLongerThanItsRecoveriesCanTake) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring

@@ -4,9 +4,10 @@
 
 #include <cmath>
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 namespace {
 
+using leaves::HealthLevel;
 using std::chrono::milliseconds;
 using std::chrono::seconds;
 
@@ -142,4 +143,4 @@ TEST_F(TfMonitorTest, AChangeOfTheListKeepsWhatWasSeen) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring

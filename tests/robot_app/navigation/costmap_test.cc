@@ -4,7 +4,7 @@
 
 #include "tests/robot_app/navigation/test_floor.h"
 
-namespace coppice::robot {
+namespace coppice::robot::navigation {
 namespace {
 
 TEST(Costmap, IsLethalWhereTheRobotTouchesAWall) {
@@ -45,4 +45,4 @@ TEST(Costmap, ObstaclesOfTheLaserCountLikeWalls) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::navigation

@@ -5,7 +5,7 @@
 #include "robot_app/navigation/planner.h"
 #include "tests/robot_app/navigation/test_floor.h"
 
-namespace coppice::robot {
+namespace coppice::robot::navigation {
 namespace {
 
 constexpr double kStep = 0.05;
@@ -169,4 +169,4 @@ TEST(Follower, BrakesWithoutAPath) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::navigation

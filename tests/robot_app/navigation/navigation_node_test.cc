@@ -26,10 +26,11 @@
 #include "tests/robot_app/text_of.h"
 #include "tests/support/folders.h"
 
-namespace coppice::robot {
+namespace coppice::robot::navigation {
 namespace {
 
 using actionlib::SimpleClientGoalState;
+using processes::kPrograms;
 using testing::HasSubstr;
 
 constexpr double kPatience = 30;  // wall time, for whatever is waited for [s]
@@ -335,8 +336,9 @@ TEST(NavigationPrograms, RefuseAStationThatIsNoPlace) {
 TEST(NavigationPrograms, SayInOneLineThatThereIsNoMaster) {
   for (const std::string program : {"coppice-navigation", "coppice-docking"}) {
     std::remove(Log(program + "_lonely").c_str());
-    ChildProcess lonely({kPrograms + program}, Log(program + "_lonely"),
-                        {{"ROS_MASTER_URI", "http://127.0.0.1:" + std::to_string(FreePort())}});
+    ChildProcess lonely(
+        {kPrograms + program}, Log(program + "_lonely"),
+        {{"ROS_MASTER_URI", "http://127.0.0.1:" + std::to_string(processes::FreePort())}});
     ASSERT_TRUE(Eventually([&] { return !lonely.IsRunning(); }, kPatience));
     EXPECT_EQ(lonely.exit_status(), 2);
     const std::string text = TextOf(Log(program + "_lonely"));
@@ -354,4 +356,4 @@ TEST(NavigationPrograms, RefuseAParameterThatTheyDoNotKnow) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::navigation

@@ -8,7 +8,7 @@
 
 #include "tests/robot_app/navigation/test_floor.h"
 
-namespace coppice::robot {
+namespace coppice::robot::navigation {
 namespace {
 
 using End = Navigation::End;
@@ -245,4 +245,4 @@ TEST_F(NavigationTest, TheSameInputsGiveTheSameCommands) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::navigation

@@ -11,7 +11,7 @@
 #include "tests/robot_app/navigation/world_robot.h"
 #include "tests/support/folders.h"
 
-namespace coppice::robot {
+namespace coppice::robot::navigation {
 namespace {
 
 using End = Navigation::End;
@@ -28,8 +28,8 @@ class NavigationInWorld : public testing::Test {
     navigation_.SetMap(MapOf(floor_));
   }
 
-  static WorldOptions At(const Pose2& start) {
-    WorldOptions options;
+  static simulation::WorldOptions At(const simulation::Pose2& start) {
+    simulation::WorldOptions options;
     options.start = start;
     return options;
   }
@@ -47,7 +47,7 @@ class NavigationInWorld : public testing::Test {
       if (navigation_.end() != End::kNone) break;
       // A person may walk into the robot; the robot must not drive into anything.
       for (int i = 0; i < 5; ++i) {
-        world_->Step(kStep / 5, Velocity{velocity.linear, velocity.angular});
+        world_->Step(kStep / 5, simulation::Velocity{velocity.linear, velocity.angular});
         if (world_->touching() && std::abs(world_->velocity().linear) > 0.1) ++bumps_;
       }
       const double error = navigation_.follower().tracking_error();
@@ -63,8 +63,8 @@ class NavigationInWorld : public testing::Test {
     return navigation_.end();
   }
 
-  Floor floor_ = InstituteFloor();
-  std::optional<World> world_;
+  simulation::Floor floor_ = InstituteFloor();
+  std::optional<simulation::World> world_;
   Navigation navigation_;
   TopologicalMap places_;
   double scan_time_ = -1;
@@ -130,4 +130,4 @@ TEST_F(NavigationInWorld, PlansAcrossTheFloorWellWithinAControlPeriod) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::navigation

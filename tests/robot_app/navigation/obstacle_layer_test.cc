@@ -4,7 +4,7 @@
 
 #include "tests/robot_app/navigation/test_floor.h"
 
-namespace coppice::robot {
+namespace coppice::robot::navigation {
 namespace {
 
 class ObstacleLayerTest : public testing::Test {
@@ -75,4 +75,4 @@ TEST_F(ObstacleLayerTest, ReadingsWithoutAnEchoClearButDoNotMark) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::navigation

@@ -7,7 +7,7 @@
 
 #include "tests/robot_app/navigation/test_floor.h"
 
-namespace coppice::robot {
+namespace coppice::robot::navigation {
 namespace {
 
 using testing::HasSubstr;
@@ -166,4 +166,4 @@ TEST(Planner, KeepsToTheMiddleOfADoorway) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::navigation

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace coppice::robot {
+namespace coppice::robot::navigation {
 namespace {
 
 using State = RelativeMotion::State;
@@ -118,4 +118,4 @@ TEST(RelativeMotion, NoticesThatTheWheelsDoNotMoveIt) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::navigation

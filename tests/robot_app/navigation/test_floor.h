@@ -8,7 +8,7 @@
 #include "robot_app/common/laser_scan.h"
 #include "robot_app/common/occupancy_grid.h"
 
-namespace coppice::robot {
+namespace coppice::robot::navigation {
 
 /// A free room of `width` x `height` metres with walls of one cell, its corner at (0, 0).
 inline OccupancyGrid EmptyRoom(double width, double height, double resolution = 0.05) {
@@ -74,6 +74,6 @@ inline double Clearance(const OccupancyGrid& grid, const Pose2D& pose) {
   return nearest;
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::navigation
 
 #endif  // COPPICE_TESTS_ROBOT_APP_NAVIGATION_TEST_FLOOR_H_

@@ -8,7 +8,7 @@
 
 #include "tests/support/folders.h"
 
-namespace coppice::robot {
+namespace coppice::robot::navigation {
 namespace {
 
 using testing::HasSubstr;
@@ -143,4 +143,4 @@ TEST(TopologicalMap, ThereIsNoRouteWhereNoEdgeLeads) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::navigation

@@ -7,7 +7,7 @@
 #include "robot_app/navigation/planner.h"
 #include "tests/robot_app/navigation/test_floor.h"
 
-namespace coppice::robot {
+namespace coppice::robot::navigation {
 namespace {
 
 // 10 x 6 m, with a wall at x = 5 that leaves a gap at its upper end.
@@ -69,4 +69,4 @@ TEST(WayField, SaysNothingWhereNoWayLeads) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::navigation

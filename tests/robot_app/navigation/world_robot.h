@@ -10,29 +10,29 @@
 #include "robot_app/simulation/world.h"
 #include "tests/support/folders.h"
 
-namespace coppice::robot {
+namespace coppice::robot::navigation {
 
-inline Floor InstituteFloor() {
+inline simulation::Floor InstituteFloor() {
   Diagnostics diagnostics;
-  auto floor =
-      LoadFloor(SourceFolder() + "/robot_app/simulation/floors/institute.yaml", diagnostics);
+  auto floor = simulation::LoadFloor(SourceFolder() + "/robot_app/simulation/floors/institute.yaml",
+                                     diagnostics);
   if (!floor) throw std::runtime_error(diagnostics.ToString());
   return *floor;
 }
 
-inline OccupancyGrid MapOf(const Floor& floor) {
-  const GridMap map = MakeGridMap(floor);
+inline OccupancyGrid MapOf(const simulation::Floor& floor) {
+  const simulation::GridMap map = simulation::MakeGridMap(floor);
   return {{map.resolution, map.origin.x, map.origin.y, map.width, map.height}, map.cells};
 }
 
-inline Pose2D PoseOf(const World& world) {
-  const Pose2 pose = world.robot();
+inline Pose2D PoseOf(const simulation::World& world) {
+  const simulation::Pose2 pose = world.robot();
   return {pose.x, pose.y, pose.yaw};
 }
 
-inline LaserScan ScanOf(const World& world) {
-  const Scan& scan = world.scan();
-  const LidarOptions& options = world.lidar().options();
+inline LaserScan ScanOf(const simulation::World& world) {
+  const simulation::Scan& scan = world.scan();
+  const simulation::LidarOptions& options = world.lidar().options();
   LaserScan result;
   result.stamp = scan.time;
   result.mount = {options.mounting.x, options.mounting.y, options.mounting.yaw};
@@ -44,6 +44,6 @@ inline LaserScan ScanOf(const World& world) {
   return result;
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::navigation
 
 #endif  // COPPICE_TESTS_ROBOT_APP_NAVIGATION_WORLD_ROBOT_H_

@@ -8,7 +8,7 @@
 #include "tests/robot_app/processes/simulated_machine.h"
 #include "tests/support/folders.h"
 
-namespace coppice::robot {
+namespace coppice::robot::processes {
 namespace {
 
 using std::chrono::milliseconds;
@@ -268,4 +268,4 @@ TEST(HangLoopTest, WhatHangsAfterEveryStartIsGivenUpAndAPersonIsCalled) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::processes

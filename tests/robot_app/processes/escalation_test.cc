@@ -4,7 +4,7 @@
 
 #include "tests/robot_app/processes/simulated_machine.h"
 
-namespace coppice::robot {
+namespace coppice::robot::processes {
 namespace {
 
 using std::chrono::seconds;
@@ -147,4 +147,4 @@ TEST_F(EscalationTest, AnotherOneTakesUpWhereThisOneWas) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::processes

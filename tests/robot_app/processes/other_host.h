@@ -13,7 +13,7 @@
 #include "robot_app/processes/config/robot_config.h"
 #include "tests/support/folders.h"
 
-namespace coppice::robot {
+namespace coppice::robot::processes {
 
 class OtherHost {
  public:
@@ -71,6 +71,6 @@ class OtherHost {
   bool is_namespace_ = false;
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::processes
 
 #endif  // COPPICE_TESTS_ROBOT_APP_PROCESSES_OTHER_HOST_H_

@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-namespace coppice::robot {
+namespace coppice::robot::processes {
 namespace {
 
 using testing::ElementsAre;
@@ -64,4 +64,4 @@ TEST_F(PersonCallsTest, WithoutACommandNothingIsDone) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::processes

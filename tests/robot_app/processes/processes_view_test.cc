@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace coppice::robot {
+namespace coppice::robot::processes {
 namespace {
 
 using coppice_msgs::ProcessState;
@@ -70,4 +70,4 @@ TEST(ProcessesViewTest, KnowsWhetherAllIsWell) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::processes

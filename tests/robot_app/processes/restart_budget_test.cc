@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-namespace coppice::robot {
+namespace coppice::robot::processes {
 namespace {
 
 using std::chrono::minutes;
@@ -108,4 +108,4 @@ TEST(RestartBudgetTest, WhatIsRestoredCountsAsBefore) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::processes

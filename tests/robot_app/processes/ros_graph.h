@@ -22,7 +22,7 @@
 #include "tests/robot_app/processes/temporary.h"
 #include "tests/support/folders.h"
 
-namespace coppice::robot {
+namespace coppice::robot::processes {
 
 inline const std::string kPrograms = BinaryFolder() + "/bin/";
 inline const std::string kTestPrograms = BinaryFolder() + "/tests/bin/";
@@ -141,6 +141,6 @@ class RosGraph {
   std::set<int> started_;
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::processes
 
 #endif  // COPPICE_TESTS_ROBOT_APP_PROCESSES_ROS_GRAPH_H_

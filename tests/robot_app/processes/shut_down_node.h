@@ -9,7 +9,7 @@
 
 #include "robot_app/common/node_probe.h"
 
-namespace coppice::robot {
+namespace coppice::robot::processes {
 
 /// False if the master does not know the node, or the node does not answer.
 inline bool ShutDownNode(const NodeAddress& master, const std::string& node) {
@@ -25,6 +25,6 @@ inline bool ShutDownNode(const NodeAddress& master, const std::string& node) {
   return tell.execute("shutdown", request, answer);
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::processes
 
 #endif  // COPPICE_TESTS_ROBOT_APP_PROCESSES_SHUT_DOWN_NODE_H_

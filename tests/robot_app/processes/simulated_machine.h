@@ -17,7 +17,7 @@
 
 #include "robot_app/processes/supervisor.h"
 
-namespace coppice::robot {
+namespace coppice::robot::processes {
 
 inline ProcessConfig MakeProcess(const std::string& name, Indices depends = {}) {
   ProcessConfig process;
@@ -212,6 +212,6 @@ class SimulatedRobot {
   std::unique_ptr<Supervisor> supervisor_;
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::processes
 
 #endif  // COPPICE_TESTS_ROBOT_APP_PROCESSES_SIMULATED_MACHINE_H_

@@ -13,7 +13,7 @@
 #include "robot_app/processes/supervisor.h"
 #include "tests/robot_app/processes/simulated_machine.h"
 
-namespace coppice::robot {
+namespace coppice::robot::processes {
 
 // Wait statuses as waitpid gives them.
 inline constexpr int kExit0 = 0;
@@ -100,6 +100,6 @@ class SupervisorTest : public testing::Test {
   Time now_ = std::chrono::seconds(1000);
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::processes
 
 #endif  // COPPICE_TESTS_ROBOT_APP_PROCESSES_SUPERVISOR_FIXTURE_H_

@@ -7,7 +7,7 @@
 
 #include "tests/robot_app/processes/temporary.h"
 
-namespace coppice::robot {
+namespace coppice::robot::processes {
 namespace {
 
 using std::chrono::seconds;
@@ -89,4 +89,4 @@ TEST(SupervisorMemoryTest, AFileThatCannotBeWrittenIsReportedAndTheOldOneStays) 
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::processes

@@ -21,7 +21,7 @@
 #include "tests/robot_app/processes/ros_graph.h"
 #include "tests/robot_app/processes/shut_down_node.h"
 
-namespace coppice::robot {
+namespace coppice::robot::processes {
 namespace {
 
 using coppice_msgs::ProcessState;
@@ -506,4 +506,4 @@ TEST_F(SwitchOffProgramTest, WithTheTokenEverythingEndsAndTheCommandRuns) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::processes

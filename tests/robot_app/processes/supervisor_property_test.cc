@@ -7,7 +7,7 @@
 
 #include "tests/robot_app/processes/simulated_machine.h"
 
-namespace coppice::robot {
+namespace coppice::robot::processes {
 namespace {
 
 using std::chrono::milliseconds;
@@ -169,4 +169,4 @@ TEST_P(SupervisorPropertyTest, WhateverHappensItSettlesAsItShould) {
 INSTANTIATE_TEST_SUITE_P(Seeds, SupervisorPropertyTest, testing::Range(1u, 301u));
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::processes

@@ -3,7 +3,7 @@
 
 #include "tests/robot_app/processes/simulated_machine.h"
 
-namespace coppice::robot {
+namespace coppice::robot::processes {
 namespace {
 
 using std::chrono::milliseconds;
@@ -171,4 +171,4 @@ TEST_F(SupervisorRequestsTest, TheRestartAfterThatKeepsItsState) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::processes

@@ -2,7 +2,7 @@
 // hosts.
 #include "tests/robot_app/processes/supervisor_fixture.h"
 
-namespace coppice::robot {
+namespace coppice::robot::processes {
 namespace {
 
 using std::chrono::seconds;
@@ -215,4 +215,4 @@ TEST_F(RemoteProcessTest, AConnectionThatHangsIsGivenUpAndTriedAgain) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::processes

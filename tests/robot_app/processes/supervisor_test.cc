@@ -2,7 +2,7 @@
 
 #include "tests/robot_app/processes/supervisor_fixture.h"
 
-namespace coppice::robot {
+namespace coppice::robot::processes {
 namespace {
 
 using std::chrono::milliseconds;
@@ -257,4 +257,4 @@ TEST_F(HeartbeatTest, WhatTheSupervisorMissedWhileItStoodStillItselfCountsForNot
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::processes

@@ -7,7 +7,7 @@
 #include "tests/robot_app/processes/simulated_machine.h"
 #include "tests/robot_app/processes/temporary.h"
 
-namespace coppice::robot {
+namespace coppice::robot::processes {
 namespace {
 
 using std::chrono::milliseconds;
@@ -90,4 +90,4 @@ TEST(CutPower, RunsTheCommandAndTellsWhenItFails) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::processes

@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <string>
 
-namespace coppice::robot {
+namespace coppice::robot::processes {
 
 inline std::string Temporary(const std::string& name) {
   struct Folder {
@@ -24,6 +24,6 @@ inline std::string Temporary(const std::string& name) {
   return folder.path + name;
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::processes
 
 #endif  // COPPICE_TESTS_ROBOT_APP_PROCESSES_TEMPORARY_H_

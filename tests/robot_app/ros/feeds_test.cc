@@ -14,8 +14,11 @@
 #include "tests/robot_app/eventually.h"
 #include "tests/robot_app/ros_environment.h"
 
-namespace coppice::robot {
+namespace coppice::robot::adapters {
 namespace {
+
+using leaves::BatteryReading;
+using leaves::Health;
 
 constexpr char kTree[] = R"(<root BTCPP_format="4"><BehaviorTree ID="Main"><Sequence>
   <IsCharging charging="{charging}"/>
@@ -31,11 +34,11 @@ class FeedsTest : public testing::Test {
  protected:
   FeedsTest() {
     auto registry = std::make_shared<Registry>();
-    registry->Register<IsCharging>("IsCharging");
-    registry->Register<IsDocked>("IsDocked");
-    registry->Register<IsBatteryLow>("IsBatteryLow");
-    registry->Register<ReadHealth>("ReadHealth");
-    registry->Register<ChargeDue>("ChargeDue");
+    registry->Register<leaves::IsCharging>("IsCharging");
+    registry->Register<leaves::IsDocked>("IsDocked");
+    registry->Register<leaves::IsBatteryLow>("IsBatteryLow");
+    registry->Register<leaves::ReadHealth>("ReadHealth");
+    registry->Register<leaves::ChargeDue>("ChargeDue");
     Diagnostics diagnostics;
     auto project = Project::FromText(kTree, "feeds", diagnostics);
     auto program = Compile(std::make_shared<Project>(*std::move(project)), registry, diagnostics);
@@ -184,4 +187,4 @@ TEST_F(FeedsTest, TakeNoHarmFromKeysThatTheTreeDoesNotUse) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::adapters

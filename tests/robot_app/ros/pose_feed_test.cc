@@ -9,7 +9,7 @@
 #include "tests/robot_app/eventually.h"
 #include "tests/robot_app/ros_environment.h"
 
-namespace coppice::robot {
+namespace coppice::robot::adapters {
 namespace {
 
 geometry_msgs::TransformStamped Transform(const char* parent, const char* child, double x) {
@@ -24,7 +24,7 @@ geometry_msgs::TransformStamped Transform(const char* parent, const char* child,
 
 TEST(PoseFeed, BringsPoseAndDistanceFromTf) {
   auto registry = std::make_shared<Registry>();
-  registry->Register<ContinueEpisode>("ContinueEpisode");
+  registry->Register<leaves::ContinueEpisode>("ContinueEpisode");
   Diagnostics diagnostics;
   auto project = Project::FromText(
       R"(<root BTCPP_format="4"><BehaviorTree ID="Main"><ContinueEpisode pose="{pose}" )"
@@ -40,13 +40,13 @@ TEST(PoseFeed, BringsPoseAndDistanceFromTf) {
   tf.sendTransform({Transform("map", "odom", 1), Transform("odom", "base_link", 2)});
   const PoseFeed feed(
       node, {0, 0, 0},
-      {{executor.Writer<coppice::Pose2D>("pose"), executor.Writer<double>("distance_to_station")}});
+      {{executor.Writer<leaves::Pose2D>("pose"), executor.Writer<double>("distance_to_station")}});
   const auto key = [&](const char* name) -> const Value& {
     executor.Tick();
     return executor.blackboard()[program->layout.Find(0, name)].value;
   };
   ASSERT_TRUE(Eventually([&] { return key("distance_to_station").has_value(); }));
-  EXPECT_DOUBLE_EQ(key("pose").Get<coppice::Pose2D>().x, 3);
+  EXPECT_DOUBLE_EQ(key("pose").Get<leaves::Pose2D>().x, 3);
   EXPECT_DOUBLE_EQ(key("distance_to_station").Get<double>(), 4.5);  // estimated
   auto navigation = node.advertise<std_msgs::Float64>("/navigation/way_to_station", 1);
   std_msgs::Float64 way;
@@ -60,4 +60,4 @@ TEST(PoseFeed, BringsPoseAndDistanceFromTf) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::adapters

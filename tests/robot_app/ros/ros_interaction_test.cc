@@ -8,7 +8,7 @@
 #include "tests/robot_app/eventually.h"
 #include "tests/robot_app/ros_environment.h"
 
-namespace coppice::robot {
+namespace coppice::robot::adapters {
 namespace {
 
 // The newest text on a topic.
@@ -37,7 +37,7 @@ TEST(RosInteraction, SpeaksOnItsTopicAndReportsTheEnd) {
   RosInteraction interaction(node);
   Listener speech(node, "/speech");
   ASSERT_TRUE(Eventually([&] { return speech.connected(); }));
-  LeafHarness harness = LeafHarness::For<Say>(std::ref<Interaction>(interaction));
+  LeafHarness harness = LeafHarness::For<Say>(std::ref<leaves::Interaction>(interaction));
   harness.Set("text", std::string("hello"));
   EXPECT_EQ(harness.Tick(), Status::kRunning);
   EXPECT_TRUE(Eventually([&] { return speech.text() == "hello"; }));
@@ -53,4 +53,4 @@ TEST(RosInteraction, ShowsTheExpressionToThoseWhoComeLater) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::adapters

@@ -11,7 +11,7 @@
 #include "tests/robot_app/eventually.h"
 #include "tests/robot_app/ros_environment.h"
 
-namespace coppice::robot {
+namespace coppice::robot::adapters {
 namespace {
 
 using Server = actionlib::SimpleActionServer<move_base_msgs::MoveBaseAction>;
@@ -38,8 +38,8 @@ class RosNavigatorTest : public testing::Test {
   }
 
   ros::NodeHandle node_;
-  std::unique_ptr<Navigator> navigator_ = MakeRosNavigator(node_);
-  LeafHarness harness_ = LeafHarness::For<NavigateTo>(std::ref(*navigator_));
+  std::unique_ptr<leaves::Navigator> navigator_ = MakeRosNavigator(node_);
+  LeafHarness harness_ = LeafHarness::For<leaves::NavigateTo>(std::ref(*navigator_));
 };
 
 TEST_F(RosNavigatorTest, SucceedsWhenMoveBaseDoes) {
@@ -140,4 +140,4 @@ TEST_F(RosNavigatorTest, SaysThatThereIsNoServer) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::adapters

@@ -9,9 +9,11 @@
 #include "tests/robot_app/eventually.h"
 #include "tests/robot_app/ros_environment.h"
 
-namespace coppice::robot {
+namespace coppice::robot::adapters {
 namespace {
 
+using leaves::ProcessManager;
+using leaves::RestartNode;
 using Restart = coppice_msgs::RestartProcess;
 using Configure = coppice_msgs::SetConfiguration;
 
@@ -74,4 +76,4 @@ TEST(RosProcessManager, AsksForAConfiguration) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::adapters

@@ -8,7 +8,7 @@
 #include "tests/robot_app/eventually.h"
 #include "tests/robot_app/ros_environment.h"
 
-namespace coppice::robot {
+namespace coppice::robot::adapters {
 namespace {
 
 using Message = coppice_msgs::RecoveryEvent;
@@ -41,9 +41,9 @@ class RosRecoveryLogTest : public testing::Test {
 
 TEST_F(RosRecoveryLogTest, PublishesWhatIsDoneAndLaterWhetherItHelped) {
   ASSERT_TRUE(IsConnected());
-  log_.Record({"wait and retry", "navigation", RecoveryPhase::kBegun, 2, std::chrono::seconds(100),
-               Pose2D{1, 2, 3}, ""});
-  log_.Record({"wait and retry", "navigation", RecoveryPhase::kSucceeded, 2,
+  log_.Record({"wait and retry", "navigation", leaves::RecoveryPhase::kBegun, 2,
+               std::chrono::seconds(100), Pose2D{1, 2, 3}, ""});
+  log_.Record({"wait and retry", "navigation", leaves::RecoveryPhase::kSucceeded, 2,
                std::chrono::seconds(120), std::nullopt, ""});
   ASSERT_TRUE(HasHeard(2));
   EXPECT_EQ(messages_[0].phase, Message::BEGUN);
@@ -59,4 +59,4 @@ TEST_F(RosRecoveryLogTest, PublishesWhatIsDoneAndLaterWhetherItHelped) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::adapters

@@ -15,7 +15,7 @@
 #include "tests/robot_app/ros_environment.h"
 #include "tests/support/folders.h"
 
-namespace coppice::robot {
+namespace coppice::robot::adapters {
 namespace {
 
 using coppice_msgs::HelpRequest;
@@ -74,7 +74,8 @@ class RosSupervisorsTest : public testing::Test {
   coppice_msgs::HelpRequests list_;
   ChildProcess assistance_;
   RosSupervisors supervisors_{node_};
-  LeafHarness harness_ = LeafHarness::For<AskSupervisor>(std::ref<SupervisorChannel>(supervisors_));
+  LeafHarness harness_ =
+      LeafHarness::For<leaves::AskSupervisor>(std::ref<leaves::SupervisorChannel>(supervisors_));
 };
 
 TEST_F(RosSupervisorsTest, SucceedsWhenAPersonHasConfirmedThatItIsFixed) {
@@ -121,4 +122,4 @@ TEST_F(RosSupervisorsTest, ANodeThatHasLostTheRequestIsAskedAgain) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::adapters

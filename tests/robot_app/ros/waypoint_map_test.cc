@@ -8,19 +8,21 @@
 
 #include "tests/support/folders.h"
 
-namespace coppice::robot {
+namespace coppice::robot::adapters {
 namespace {
+
+using leaves::WaypointMap;
 
 const std::string kShipped = SourceFolder() + "/robot_app/config/waypoints.yaml";
 
 TEST(WaypointMap, FindsThePlaceInFrontOfTheStation) {
-  Waypoint waypoint;
+  leaves::Waypoint waypoint;
   ASSERT_TRUE(LoadWaypointMap(kShipped, 1)->Find("staging", waypoint));
   EXPECT_DOUBLE_EQ(waypoint.pose.x, -0.8);
 }
 
 TEST(WaypointMap, KnowsNoOtherNames) {
-  Waypoint waypoint;
+  leaves::Waypoint waypoint;
   EXPECT_FALSE(LoadWaypointMap(kShipped, 1)->Find("cellar", waypoint));
 }
 
@@ -54,4 +56,4 @@ TEST(WaypointMap, RefusesAFileWithoutPatrol) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::adapters

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace coppice::robot {
+namespace coppice::robot::simulation {
 namespace {
 
 TEST(Battery, DrainsFasterWhenDriving) {
@@ -61,4 +61,4 @@ TEST(Battery, ClampsTheStateOfCharge) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::simulation

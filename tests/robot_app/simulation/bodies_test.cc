@@ -4,7 +4,7 @@
 
 #include "tests/robot_app/simulation/test_floor.h"
 
-namespace coppice::robot {
+namespace coppice::robot::simulation {
 namespace {
 
 TEST(Bodies, DriveTheWayThatVelocityAndTimeGive) {
@@ -75,4 +75,4 @@ TEST(Bodies, APersonWhoStandsStopsTheRobot) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::simulation

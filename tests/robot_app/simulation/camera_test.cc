@@ -6,7 +6,7 @@
 
 #include "robot_app/simulation/jpeg.h"
 
-namespace coppice::robot {
+namespace coppice::robot::simulation {
 namespace {
 
 // A room of 10 m by 6 m; a person stands 3 m ahead of the robot, a desk to the left.
@@ -80,4 +80,4 @@ TEST_F(Camera, ThePictureIsAJpegFileOfAFewKilobytes) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::simulation

@@ -9,7 +9,7 @@
 #include "robot_app/simulation/grid_map.h"
 #include "robot_app/simulation/world.h"
 
-namespace coppice::robot {
+namespace coppice::robot::simulation {
 namespace {
 
 struct Color {
@@ -80,7 +80,7 @@ int Draw(const Floor& floor, const Pose2& start, double seconds) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::simulation
 
 int main(int argc, char** argv) {
   if (argc != 6) {
@@ -88,8 +88,8 @@ int main(int argc, char** argv) {
     return 2;
   }
   coppice::Diagnostics diagnostics;
-  const auto floor = coppice::robot::LoadFloor(argv[1], diagnostics);
+  const auto floor = coppice::robot::simulation::LoadFloor(argv[1], diagnostics);
   if (!floor) return std::fputs(diagnostics.ToString().c_str(), stderr), 1;
-  return coppice::robot::Draw(*floor, {std::atof(argv[2]), std::atof(argv[3]), std::atof(argv[4])},
-                              std::atof(argv[5]));
+  return coppice::robot::simulation::Draw(
+      *floor, {std::atof(argv[2]), std::atof(argv[3]), std::atof(argv[4])}, std::atof(argv[5]));
 }

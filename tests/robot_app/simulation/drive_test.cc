@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace coppice::robot {
+namespace coppice::robot::simulation {
 namespace {
 
 constexpr double kFar = 100;
@@ -86,4 +86,4 @@ TEST(Drive, NeedsMoreSpaceTheFasterItIs) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::simulation

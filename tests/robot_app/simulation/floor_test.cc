@@ -4,7 +4,7 @@
 
 #include "tests/robot_app/simulation/test_floor.h"
 
-namespace coppice::robot {
+namespace coppice::robot::simulation {
 namespace {
 
 using testing::HasSubstr;
@@ -118,4 +118,4 @@ TEST(Floor, TheLeafOfAHingedDoorSweepsAQuarterOfADisc) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::simulation

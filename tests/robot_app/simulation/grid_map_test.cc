@@ -7,7 +7,7 @@
 #include "robot_app/simulation/bodies.h"
 #include "tests/robot_app/simulation/test_floor.h"
 
-namespace coppice::robot {
+namespace coppice::robot::simulation {
 namespace {
 
 TEST(GridMap, TellsWallsFromFreeFloorAndTheUnknown) {
@@ -94,4 +94,4 @@ TEST(GridMap, TheRobotReachesEveryWaypointOfTheInstituteWithRoomToSpare) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::simulation

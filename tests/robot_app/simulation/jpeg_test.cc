@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace coppice::robot {
+namespace coppice::robot::simulation {
 namespace {
 
 Picture Gradient(int width, int height) {
@@ -45,4 +45,4 @@ TEST(Jpeg, IsSmallerWithLessQuality) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::simulation

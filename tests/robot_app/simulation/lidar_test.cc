@@ -4,7 +4,7 @@
 
 #include "tests/robot_app/simulation/test_floor.h"
 
-namespace coppice::robot {
+namespace coppice::robot::simulation {
 namespace {
 
 const RayCaster kWall(Segments{{{5, -50}, {5, 50}}});
@@ -59,4 +59,4 @@ TEST(Lidar, TheSameSeedGivesTheSameScan) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::simulation

@@ -11,7 +11,7 @@
 #include "tests/robot_app/ros_environment.h"
 #include "tests/support/folders.h"
 
-namespace coppice::robot {
+namespace coppice::robot::simulation {
 namespace {
 
 using testing::HasSubstr;
@@ -80,4 +80,4 @@ TEST(NodeSignals, FailWithoutAMaster) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::simulation

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace coppice::robot {
+namespace coppice::robot::simulation {
 namespace {
 
 void DriveStraight(Odometry& odometry, double metres) {
@@ -83,4 +83,4 @@ TEST(Imu, MeasuresAccelerationsAndYawRate) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::simulation

@@ -4,7 +4,7 @@
 
 #include "tests/robot_app/simulation/test_floor.h"
 
-namespace coppice::robot {
+namespace coppice::robot::simulation {
 namespace {
 
 constexpr double kDt = 0.02;
@@ -65,4 +65,4 @@ TEST(People, StopBeforeAClosedDoor) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::simulation

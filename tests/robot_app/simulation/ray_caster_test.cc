@@ -7,7 +7,7 @@
 #include "robot_app/simulation/world.h"
 #include "tests/robot_app/simulation/test_floor.h"
 
-namespace coppice::robot {
+namespace coppice::robot::simulation {
 namespace {
 
 double BruteForce(const std::vector<Segment>& segments, Vec2 origin, Vec2 direction, double range) {
@@ -67,4 +67,4 @@ TEST(RayCaster, SeesADiscFromOutside) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::simulation

@@ -4,7 +4,7 @@
 
 #include "tests/robot_app/simulation/test_floor.h"
 
-namespace coppice::robot {
+namespace coppice::robot::simulation {
 namespace {
 
 constexpr Pose2 kMounting{0.25, 0, 0};
@@ -38,4 +38,4 @@ TEST(SafetyField, DoesNotLookBehind) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::simulation

@@ -19,7 +19,7 @@
 #include "tests/robot_app/text_of.h"
 #include "tests/support/folders.h"
 
-namespace coppice::robot {
+namespace coppice::robot::simulation {
 namespace {
 
 using testing::HasSubstr;
@@ -225,4 +225,4 @@ TEST_F(SimulatorNodeTest, ExplainsItself) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::simulation

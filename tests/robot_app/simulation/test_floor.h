@@ -7,7 +7,7 @@
 #include "robot_app/simulation/floor.h"
 #include "tests/support/folders.h"
 
-namespace coppice::robot {
+namespace coppice::robot::simulation {
 
 using Segments = std::vector<Segment>;
 
@@ -29,6 +29,6 @@ inline Floor LoadInstitute() {
   return LoadFloor(InstituteFile(), diagnostics).value();
 }
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::simulation
 
 #endif  // COPPICE_TESTS_ROBOT_APP_SIMULATION_TEST_FLOOR_H_

@@ -4,7 +4,7 @@
 #include "robot_app/simulation/world.h"
 #include "tests/robot_app/simulation/test_floor.h"
 
-namespace coppice::robot {
+namespace coppice::robot::simulation {
 namespace {
 
 // One simulated second per iteration: the items per second are the factor of real time.
@@ -41,6 +41,6 @@ void BM_RebuildAfterADoor(benchmark::State& state) {
 BENCHMARK(BM_RebuildAfterADoor);
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::simulation
 
 BENCHMARK_MAIN();

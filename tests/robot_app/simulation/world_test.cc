@@ -4,7 +4,7 @@
 
 #include "tests/robot_app/simulation/test_floor.h"
 
-namespace coppice::robot {
+namespace coppice::robot::simulation {
 namespace {
 
 using testing::HasSubstr;
@@ -256,4 +256,4 @@ TEST(World, TheSameSeedGivesTheSameTrace) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::simulation

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace coppice::robot {
+namespace coppice::robot::teleoperation {
 namespace {
 
 const GuardSettings kSettings;
@@ -57,4 +57,4 @@ TEST(Guard, ARobotThatBrakesAsItSaysNeverComesNearerThanTheDistance) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::teleoperation

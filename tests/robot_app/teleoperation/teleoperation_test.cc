@@ -4,7 +4,7 @@
 
 #include <limits>
 
-namespace coppice::robot {
+namespace coppice::robot::teleoperation {
 namespace {
 
 using std::chrono::milliseconds;
@@ -106,4 +106,4 @@ TEST_F(Wheel, WithoutAFreshScanTheRobotOnlyTurns) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::teleoperation

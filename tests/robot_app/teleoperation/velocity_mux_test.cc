@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace coppice::robot {
+namespace coppice::robot::teleoperation {
 namespace {
 
 using std::chrono::milliseconds;
@@ -52,4 +52,4 @@ TEST_F(Mux, ThePersonIsStoppedEvenIfTheRobotTalksOn) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::teleoperation

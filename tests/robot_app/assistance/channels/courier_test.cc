@@ -5,7 +5,7 @@
 #include <condition_variable>
 #include <functional>
 
-namespace coppice::robot {
+namespace coppice::robot::assistance {
 namespace {
 
 class FunctionChannel : public MessageChannel {
@@ -89,4 +89,4 @@ TEST(Courier, AnUnknownChannelAndAFullOneAreErrorsAtOnce) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::assistance

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace coppice::robot {
+namespace coppice::robot::assistance {
 namespace {
 
 std::optional<std::string> ValueOf(const std::string& name) {
@@ -39,4 +39,4 @@ TEST(IsVariable, IsTrueForOneVariableAlone) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::assistance

@@ -4,7 +4,7 @@
 
 #include "tests/robot_app/assistance/local_server.h"
 
-namespace coppice::robot {
+namespace coppice::robot::assistance {
 namespace {
 
 using testing::HasSubstr;
@@ -87,4 +87,4 @@ TEST(UrlPart, KeepsLettersAndDigitsOnly) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::assistance

@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-namespace coppice::robot {
+namespace coppice::robot::assistance {
 namespace {
 
 using std::chrono::seconds;
@@ -61,4 +61,4 @@ TEST_F(Letters, AReportOfALetterThatWasDroppedMeansNothing) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::assistance

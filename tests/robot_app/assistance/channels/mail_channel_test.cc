@@ -7,7 +7,7 @@
 
 #include "tests/robot_app/assistance/local_server.h"
 
-namespace coppice::robot {
+namespace coppice::robot::assistance {
 namespace {
 
 using testing::Contains;
@@ -102,4 +102,4 @@ TEST_F(Mail, ASilentServerDoesNotHoldUpTheEndOfTheProgram) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::assistance

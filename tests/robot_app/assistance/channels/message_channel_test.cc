@@ -4,7 +4,7 @@
 
 #include "tests/robot_app/assistance/local_server.h"
 
-namespace coppice::robot {
+namespace coppice::robot::assistance {
 namespace {
 
 class MessageChannelTest : public testing::Test {
@@ -47,4 +47,4 @@ TEST_F(MessageChannelTest, EachKindSpeaksItsProtocol) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::assistance

@@ -4,7 +4,7 @@
 
 #include "bt_core/model/utf8.h"
 
-namespace coppice::robot {
+namespace coppice::robot::assistance {
 namespace {
 
 using testing::HasSubstr;
@@ -47,4 +47,4 @@ TEST(MailAddress, IsRefusedIfItCouldMeanSomethingElse) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::assistance

@@ -8,7 +8,7 @@
 #include "tests/robot_app/assistance/local_server.h"
 #include "tests/robot_app/eventually.h"
 
-namespace coppice::robot {
+namespace coppice::robot::assistance {
 namespace {
 
 using nlohmann::json;
@@ -194,4 +194,4 @@ TEST_F(AnswerByTelegram, AnOldTextAnswersNoNewQuestion) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::assistance

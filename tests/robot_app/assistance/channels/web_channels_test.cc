@@ -6,7 +6,7 @@
 
 #include "tests/robot_app/assistance/local_server.h"
 
-namespace coppice::robot {
+namespace coppice::robot::assistance {
 namespace {
 
 using nlohmann::json;
@@ -109,4 +109,4 @@ TEST_F(WebChannels, AnErrorIsToldWithoutTheSecret) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::assistance

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace coppice::robot {
+namespace coppice::robot::assistance {
 namespace {
 
 using std::chrono::hours;
@@ -101,4 +101,4 @@ TEST_F(Access, OutlivesTheProgramWithoutKeepingSecrets) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::assistance

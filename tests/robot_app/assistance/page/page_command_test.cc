@@ -4,7 +4,7 @@
 
 #include <random>
 
-namespace coppice::robot {
+namespace coppice::robot::assistance {
 namespace {
 
 using Kind = PageCommand::Kind;
@@ -75,4 +75,4 @@ TEST(PageCommand, ViewersMayOnlyChooseCameras) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::assistance

@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace coppice::robot {
+namespace coppice::robot::assistance {
 namespace {
 
 using nlohmann::json;
@@ -63,7 +63,7 @@ class Page : public testing::Test {
   Time now_ = std::chrono::seconds(1000);
   const AssistanceConfig config_ = Config();
   HelpDesk help_{config_.supervisors, [](const std::string&) { return HelpRules(); }};
-  Teleoperation wheel_{TeleoperationSettings{}};
+  teleoperation::Teleoperation wheel_{teleoperation::TeleoperationSettings{}};
   Robot robot_;
   std::vector<Sent> sent_;
   std::map<std::uint64_t, PagePass> passes_;
@@ -185,4 +185,4 @@ TEST_F(Page, NonsenseIsAnsweredAndNothingElseHappens) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::assistance

@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-namespace coppice::robot {
+namespace coppice::robot::assistance {
 namespace {
 
 using testing::HasSubstr;
@@ -41,4 +41,4 @@ TEST(RateLimit, LetsABurstThroughAndThenSoManyASecond) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::assistance

@@ -12,7 +12,7 @@
 #include "tests/robot_app/eventually.h"
 #include "tests/support/folders.h"
 
-namespace coppice::robot {
+namespace coppice::robot::assistance {
 namespace {
 
 using testing::HasSubstr;
@@ -194,4 +194,4 @@ TEST_F(Server, APortThatIsTakenIsSaid) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::assistance

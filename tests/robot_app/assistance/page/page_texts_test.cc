@@ -5,7 +5,7 @@
 #include <cstring>
 #include <nlohmann/json.hpp>
 
-namespace coppice::robot {
+namespace coppice::robot::assistance {
 namespace {
 
 using nlohmann::json;
@@ -90,4 +90,4 @@ TEST_F(Map, ThatContradictsItselfIsNothing) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::assistance

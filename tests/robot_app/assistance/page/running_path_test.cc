@@ -8,7 +8,7 @@
 
 #include "tests/bt_core/live/robot.h"
 
-namespace coppice::robot {
+namespace coppice::robot::assistance {
 namespace {
 
 using testing::ElementsAre;
@@ -71,4 +71,4 @@ TEST(RunningPathFollower, SeesATreeThroughItsLiveSocketAndItsEnd) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::assistance

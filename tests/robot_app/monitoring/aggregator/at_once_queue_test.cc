@@ -5,7 +5,7 @@
 #include <boost/make_shared.hpp>
 #include <thread>
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 namespace {
 
 class Note : public ros::CallbackInterface {
@@ -28,4 +28,4 @@ TEST(AtOnceQueue, WhatComesIsHandledByTheThreadThatBringsIt) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring

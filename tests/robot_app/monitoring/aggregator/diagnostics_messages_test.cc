@@ -6,9 +6,10 @@
 
 #include "robot_app/monitoring/diagnostics_monitor.h"
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 namespace {
 
+using leaves::HealthLevel;
 using Status = diagnostic_msgs::DiagnosticStatus;
 
 class DiagnosticsMessagesTest : public testing::Test {
@@ -62,4 +63,4 @@ TEST_F(DiagnosticsMessagesTest, NothingGoesInCircles) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring

@@ -4,9 +4,10 @@
 
 #include <algorithm>
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 namespace {
 
+using leaves::HealthLevel;
 using std::chrono::milliseconds;
 using std::chrono::seconds;
 
@@ -209,4 +210,4 @@ TEST_F(HealthAggregatorTest, TheSameSubjectFromTwoSourcesIsTwoEntries) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring

@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 namespace {
+
+using leaves::HealthLevel;
 
 class HealthMessagesTest : public testing::Test {
  protected:
@@ -68,4 +70,4 @@ TEST_F(HealthMessagesTest, ProcessesAreFoundByTheirNodes) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring

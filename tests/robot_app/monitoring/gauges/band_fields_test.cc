@@ -4,7 +4,7 @@
 
 #include "tests/robot_app/monitoring/fields_fixture.h"
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 namespace {
 
 using testing::HasSubstr;
@@ -79,4 +79,4 @@ TEST_F(BandFieldsTest, ANameListedTwiceIsAnError) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring

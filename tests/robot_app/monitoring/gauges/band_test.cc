@@ -5,9 +5,10 @@
 #include <limits>
 #include <vector>
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 namespace {
 
+using leaves::HealthLevel;
 using std::chrono::milliseconds;
 using std::chrono::seconds;
 
@@ -142,4 +143,4 @@ TEST(Band, ABoundOnOneSideLeavesTheOtherOpen) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring

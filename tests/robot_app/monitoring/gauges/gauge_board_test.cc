@@ -4,9 +4,10 @@
 
 #include <cmath>
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 namespace {
 
+using leaves::HealthLevel;
 using std::chrono::seconds;
 
 GaugeWatch AtMost(const std::string& subject, double bound) {
@@ -65,4 +66,4 @@ TEST(GaugeBoard, ANewListKeepsWhatIsKnownOfTheSameBand) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring

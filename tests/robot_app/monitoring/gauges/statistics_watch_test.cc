@@ -2,9 +2,10 @@
 
 #include <gtest/gtest.h>
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 namespace {
 
+using leaves::HealthLevel;
 using std::chrono::seconds;
 
 TopicWatch Camera() {
@@ -75,4 +76,4 @@ TEST_F(StatisticsWatchTest, ContinuesAndForgets) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring

@@ -5,7 +5,7 @@
 #include "robot_app/monitoring/gauges/band_fields.h"
 #include "tests/robot_app/monitoring/fields_fixture.h"
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 namespace {
 
 using std::chrono::milliseconds;
@@ -100,4 +100,4 @@ TEST_F(WatchFieldsTest, WhatNobodyAskedForIsAnErrorWithItsPlace) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring

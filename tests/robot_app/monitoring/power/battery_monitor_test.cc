@@ -5,9 +5,11 @@
 #include <cmath>
 #include <limits>
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 namespace {
 
+using leaves::ChargerState;
+using leaves::HealthLevel;
 using std::chrono::milliseconds;
 using std::chrono::seconds;
 
@@ -64,7 +66,7 @@ class BatteryMonitorTest : public testing::Test {
 
   BatteryMonitor monitor_;
   ProcessTable processes_;
-  BatteryReading reading_{{}, 25, -6, 0.8, 60, ChargerState::kDischarging};
+  leaves::BatteryReading reading_{{}, 25, -6, 0.8, 60, ChargerState::kDischarging};
   Time now_ = seconds(1000), wall_{0};
 };
 
@@ -250,4 +252,4 @@ TEST_F(BatteryMonitorTest, WithoutAWatchThereIsNothingToSay) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring

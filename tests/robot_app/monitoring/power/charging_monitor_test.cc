@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 namespace {
 
+using leaves::ChargerState;
+using leaves::HealthLevel;
 using std::chrono::milliseconds;
 using std::chrono::seconds;
 
@@ -92,4 +94,4 @@ TEST_F(ChargingMonitorTest, WithoutAWatchThereIsNothingToSay) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring

@@ -2,9 +2,10 @@
 
 #include <gtest/gtest.h>
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 namespace {
 
+using leaves::HealthLevel;
 using std::chrono::seconds;
 
 class EmergencyStopMonitorTest : public testing::Test {
@@ -43,4 +44,4 @@ TEST_F(EmergencyStopMonitorTest, WithoutAWatchThereIsNothingToSay) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring

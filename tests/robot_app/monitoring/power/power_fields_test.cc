@@ -5,7 +5,7 @@
 #include "robot_app/monitoring/gauges/band_fields.h"
 #include "tests/robot_app/monitoring/fields_fixture.h"
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 namespace {
 
 using std::chrono::seconds;
@@ -20,7 +20,7 @@ TEST_F(PowerFieldsTest, ABatteryNeedsItsTopicAndNodeOnly) {
   EXPECT_EQ(watch.staleness, seconds(5));
   EXPECT_EQ(watch.voltage, Band()) << "depends on the cells";
   EXPECT_EQ(watch.charge, AtLeast(0.25, 0.15, 3, 0.01));
-  EXPECT_EQ(watch.model.capacity, BatteryModel().capacity);
+  EXPECT_EQ(watch.model.capacity, leaves::BatteryModel().capacity);
   EXPECT_FALSE(watch.dock);
 }
 
@@ -73,4 +73,4 @@ TEST_F(PowerFieldsTest, AnEmergencyStopMayBeSilent) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 namespace {
 
 TEST(PowerMessages, GoalsKeepTheirIdsAndPhases) {
@@ -29,4 +29,4 @@ TEST(PowerMessages, GoalsKeepTheirIdsAndPhases) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring

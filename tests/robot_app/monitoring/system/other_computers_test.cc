@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 namespace {
 
 using testing::ElementsAre;
@@ -42,4 +42,4 @@ TEST(OtherComputers, NodesOfThisComputerTellNothing) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring

@@ -5,7 +5,7 @@
 
 #include "tests/robot_app/monitoring/system/proc_root.h"
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 namespace {
 
 class ProcFilesTest : public testing::Test {
@@ -113,4 +113,4 @@ TEST(ProcFiles, ALinkWithoutAFixedSpeedHasNone) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring

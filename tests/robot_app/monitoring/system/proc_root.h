@@ -8,11 +8,11 @@
 
 #include "tests/robot_app/processes/temporary.h"
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 
 class ProcRoot {
  public:
-  explicit ProcRoot(const std::string& name) : path_(Temporary(name)) {
+  explicit ProcRoot(const std::string& name) : path_(processes::Temporary(name)) {
     std::filesystem::remove_all(path_);
   }
 
@@ -60,6 +60,6 @@ class ProcRoot {
   std::string path_;
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring
 
 #endif  // COPPICE_TESTS_ROBOT_APP_MONITORING_SYSTEM_PROC_ROOT_H_

@@ -6,7 +6,7 @@
 
 #include "robot_app/monitoring/system/sockets.h"
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 namespace {
 
 using std::chrono::milliseconds;
@@ -59,4 +59,4 @@ TEST(Reach, AComputerThatIsSilentHoldsUpNobodyElse) {
 TEST(Reach, NothingToAskIsDoneAtOnce) { EXPECT_TRUE(TryToReach({}, seconds(100)).empty()); }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring

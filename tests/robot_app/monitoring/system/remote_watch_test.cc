@@ -6,7 +6,7 @@
 
 #include "robot_app/monitoring/system/time_server.h"
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 namespace {
 
 using std::chrono::milliseconds;
@@ -63,4 +63,4 @@ TEST_F(RemoteWatchTest, NewQuestionsReplaceTheOldOnes) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring

@@ -8,7 +8,7 @@
 
 #include "robot_app/monitoring/system/time_server.h"
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 namespace {
 
 using std::chrono::milliseconds;
@@ -121,4 +121,4 @@ TEST(Sntp, APortWhereNobodyListensIsAnErrorAtOnce) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring

@@ -5,7 +5,7 @@
 
 #include <utility>
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 namespace {
 
 TEST(Socket, OneOwnsTheDescriptor) {
@@ -42,4 +42,4 @@ TEST(Deadline, RoundsUpAndPasses) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring

@@ -6,7 +6,7 @@
 #include "robot_app/monitoring/system/system_gauges.h"
 #include "tests/robot_app/monitoring/fields_fixture.h"
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 namespace {
 
 using std::chrono::seconds;
@@ -86,4 +86,4 @@ TEST_F(SystemFieldsTest, AWrongNumberIsAnErrorWithItsLimits) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring

@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 namespace {
 
 using testing::ElementsAre;
@@ -54,4 +54,4 @@ TEST(SystemGauges, EveryHostStandsForTheOtherComputers) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring

@@ -7,9 +7,10 @@
 #include "robot_app/monitoring/system/system_fields.h"
 #include "tests/robot_app/monitoring/system/proc_root.h"
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 namespace {
 
+using leaves::HealthLevel;
 using std::chrono::seconds;
 
 Band AtMost(double bound, int consecutive = 1) {
@@ -201,4 +202,4 @@ TEST_F(SystemMonitorTest, LinksThatComeAndGoAreWatchedWhileTheyAreThere) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring

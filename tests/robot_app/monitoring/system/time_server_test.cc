@@ -4,7 +4,7 @@
 #include <poll.h>
 #include <sys/socket.h>
 
-namespace coppice::robot {
+namespace coppice::robot::monitoring {
 namespace {
 
 using std::chrono::milliseconds;
@@ -52,4 +52,4 @@ TEST(TimeServer, RubbishAndAnswersAreNotAnswered) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::monitoring

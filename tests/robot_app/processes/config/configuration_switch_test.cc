@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace coppice::robot {
+namespace coppice::robot::processes {
 namespace {
 
 class ConfigurationSwitchTest : public testing::Test {
@@ -79,4 +79,4 @@ TEST_F(ConfigurationSwitchTest, TakesUpWhatWasLeft) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::processes

@@ -4,7 +4,7 @@
 
 #include "tests/robot_app/processes/simulated_machine.h"
 
-namespace coppice::robot {
+namespace coppice::robot::processes {
 namespace {
 
 using testing::ElementsAre;
@@ -66,4 +66,4 @@ TEST(GroupOrderTest, FindsGroupsThatWaitForThemselves) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::processes

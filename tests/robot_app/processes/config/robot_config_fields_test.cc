@@ -6,7 +6,7 @@
 
 #include "tests/robot_app/processes/temporary.h"
 
-namespace coppice::robot {
+namespace coppice::robot::processes {
 namespace {
 
 using std::chrono::seconds;
@@ -76,4 +76,4 @@ TEST_F(RobotConfigFieldsTest, ReadinessNeedsANodeToAsk) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::processes

@@ -7,7 +7,7 @@
 #include "tests/robot_app/processes/temporary.h"
 #include "tests/support/folders.h"
 
-namespace coppice::robot {
+namespace coppice::robot::processes {
 namespace {
 
 using testing::ElementsAre;
@@ -239,4 +239,4 @@ TEST_F(RobotConfigTest, TheShippedFileIsRight) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::processes

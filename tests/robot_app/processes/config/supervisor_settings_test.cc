@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace coppice::robot {
+namespace coppice::robot::processes {
 namespace {
 
 TEST(SupervisorSettingsTest, KnowsDefaults) {
@@ -41,4 +41,4 @@ TEST(SupervisorSettingsTest, RefusesWhatMakesNoSense) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::processes

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace coppice::robot {
+namespace coppice::robot::processes {
 namespace {
 
 using testing::ElementsAre;
@@ -39,4 +39,4 @@ TEST_F(VariablesTest, ThatHaveNoValueAreReportedWithTheNearestName) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::processes

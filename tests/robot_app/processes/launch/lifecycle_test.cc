@@ -4,7 +4,7 @@
 
 #include "tests/robot_app/processes/simulated_machine.h"
 
-namespace coppice::robot {
+namespace coppice::robot::processes {
 namespace {
 
 using std::chrono::seconds;
@@ -77,4 +77,4 @@ TEST_F(LifecycleTest, TheTimeOfAPhaseBeginsWithThePhaseNotWithItsMessage) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::processes

@@ -14,7 +14,7 @@
 #include "tests/robot_app/processes/other_host.h"
 #include "tests/robot_app/processes/temporary.h"
 
-namespace coppice::robot {
+namespace coppice::robot::processes {
 namespace {
 
 using testing::ElementsAre;
@@ -209,4 +209,4 @@ TEST(RemoteCommandTest, WordsAreQuotedForAShellThere) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::processes

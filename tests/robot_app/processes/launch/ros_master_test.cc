@@ -11,7 +11,7 @@
 
 #include "tests/robot_app/processes/temporary.h"
 
-namespace coppice::robot {
+namespace coppice::robot::processes {
 namespace {
 
 using std::chrono::seconds;
@@ -57,4 +57,4 @@ TEST_F(RosMasterTest, RefusesAPortThatSomethingElseHas) {
 TEST(FreePort, IsAPortThatCanBeUsed) { EXPECT_GT(FreePort(), 1023); }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::processes

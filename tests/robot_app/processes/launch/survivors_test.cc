@@ -8,7 +8,7 @@
 #include "robot_app/processes/launch/process_launcher.h"
 #include "tests/robot_app/processes/temporary.h"
 
-namespace coppice::robot {
+namespace coppice::robot::processes {
 namespace {
 
 using testing::ElementsAre;
@@ -54,4 +54,4 @@ TEST_F(SurvivorsTest, AreKilledEvenIfTheyAreStopped) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::processes
