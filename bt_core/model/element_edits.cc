@@ -37,7 +37,7 @@ std::size_t SkipCommentsOnLine(std::string_view text, std::size_t at) {
 }
 
 // Where a new child goes and what must stand around it.
-struct Place {
+struct InsertionPoint {
   std::size_t begin = 0;
   std::size_t end = 0;  // > begin: this text is replaced
   std::string before;
@@ -46,12 +46,12 @@ struct Place {
 };
 
 // Into an element without child elements.
-Place PlaceInEmpty(const Document& document, ElementIndex parent) {
+InsertionPoint PlaceInEmpty(const Document& document, ElementIndex parent) {
   const Element& element = document.element(parent);
   const std::string_view text = document.text();
   const auto outer = IndentationAt(text, element.offset);
   const std::string line_end(LineEndAt(text, element.offset));
-  Place place;
+  InsertionPoint place;
   if (outer) place.indentation = std::string(*outer) += IndentationStep(document, parent);
   const std::string line = outer ? line_end + place.indentation : "";
   const std::string last_line = outer ? line_end + std::string(*outer) : "";
@@ -74,8 +74,8 @@ Place PlaceInEmpty(const Document& document, ElementIndex parent) {
 }
 
 // `moved` does not count as a child.
-Place FindPlace(const Document& document, ElementIndex parent, std::uint32_t position,
-                ElementIndex moved = kNoElement) {
+InsertionPoint FindPlace(const Document& document, ElementIndex parent, std::uint32_t position,
+                         ElementIndex moved = kNoElement) {
   const Element& element = document.element(parent);
   const std::string_view text = document.text();
   ElementIndex previous = kNoElement;
@@ -90,7 +90,7 @@ Place FindPlace(const Document& document, ElementIndex parent, std::uint32_t pos
 
   const Element& neighbour = document.element(previous == kNoElement ? next : previous);
   const auto indentation = IndentationAt(text, neighbour.offset);
-  Place place;
+  InsertionPoint place;
   if (!indentation) {
     place.begin = place.end = previous == kNoElement ? neighbour.offset : neighbour.end;
     return place;
@@ -102,7 +102,7 @@ Place FindPlace(const Document& document, ElementIndex parent, std::uint32_t pos
   return place;
 }
 
-Splice PutAt(const Document& document, Place place, std::string_view xml,
+Splice PutAt(const Document& document, InsertionPoint place, std::string_view xml,
              std::string_view xml_indentation) {
   const std::string_view line_end = LineEndAt(document.text(), place.begin);
   place.before += Reindent(xml, xml_indentation, place.indentation, line_end);
@@ -162,14 +162,14 @@ Edit MoveElement(const Document& document, ElementIndex index, ElementIndex new_
   }
   const std::string_view xml = TextBetween(document, element.offset, element.end);
   const auto indentation = IndentationAt(document.text(), element.offset);
-  const Place place = FindPlace(document, new_parent, position, index);
+  const InsertionPoint place = FindPlace(document, new_parent, position, index);
   return Merge({PutAt(document, place, xml, indentation ? *indentation : OwnIndentation(xml))},
                {Removal(document, element)});
 }
 
 Edit ReplaceElement(const Document& document, ElementIndex index, std::string_view xml) {
   const Element& element = document.element(index);
-  Place place;
+  InsertionPoint place;
   place.begin = element.offset;
   place.end = element.end;
   place.indentation = IndentationAt(document.text(), element.offset).value_or("");

@@ -168,7 +168,7 @@ class ProjectReader {
 
   void AddModels(std::uint32_t number, const Element& element) {
     for (NodeModel& model : ReadModels(At(number), element, number, diagnostics_)) {
-      NodeModels& models =
+      NodeModelMap& models =
           model.category == NodeCategory::kSubTree ? project_.subtree_models_ : project_.models_;
       const auto [at, inserted] = models.try_emplace(model.id, model);
       if (inserted || HasSameInterface(at->second, model)) continue;

@@ -32,7 +32,7 @@ struct TreeDefinition {
   ElementIndex element = 0;
 };
 
-using NodeModels = std::map<std::string, NodeModel, std::less<>>;
+using NodeModelMap = std::map<std::string, NodeModel, std::less<>>;
 
 /// Gives the document of a file, as Document::FromFile does.
 using DocumentReader =
@@ -73,10 +73,10 @@ class Project {
 
   /// The types that the files describe in <TreeNodesModel>, by ID. Models of SubTrees are not among
   /// them: a tree and a leaf of the same name are different things.
-  const NodeModels& models() const { return models_; }
+  const NodeModelMap& models() const { return models_; }
 
   /// The models of SubTrees by the ID of their tree.
-  const NodeModels& subtree_models() const { return subtree_models_; }
+  const NodeModelMap& subtree_models() const { return subtree_models_; }
 
   /// The model of that tree's ports, or null if no file describes them.
   const NodeModel* SubTreeModel(std::string_view id) const;
@@ -87,8 +87,8 @@ class Project {
 
   std::vector<Document> documents_;
   std::map<std::string, TreeDefinition, std::less<>> trees_;
-  NodeModels models_;
-  NodeModels subtree_models_;
+  NodeModelMap models_;
+  NodeModelMap subtree_models_;
   std::string main_tree_;
   bool has_errors_ = false;
 };

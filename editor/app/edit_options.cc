@@ -15,8 +15,8 @@ bool ReadSize(const std::string& text, int& width, int& height) {
 
 }  // namespace
 
-const coppice::Command& EditCommand() {
-  static const coppice::Command command{
+const Command& EditCommand() {
+  static const Command command{
       "coppice edit",
       "open the graphical editor",
       {"[FILE...]", 0, kAnyNumber},

@@ -26,7 +26,7 @@ struct EditOptions {
   double run_for = 0;  ///< seconds; 0: until told to end
 };
 
-const coppice::Command& EditCommand();
+const Command& EditCommand();
 
 EditOptions ParseEditOptions(const std::vector<std::string>& arguments);
 

@@ -23,7 +23,7 @@ namespace coppice::editor {
 struct CanvasOptions {
   bool minimap = true;
   Box occupied;  ///< by what lies over the canvas, on the screen; the minimap keeps clear of it
-  const TreeState* live = nullptr;               ///< null: no statuses
+  const TreeSnapshot* live = nullptr;            ///< null: no statuses
   const std::vector<Badge>* badges = nullptr;    ///< by node of the scene; null or empty: none
   const HeatMap* heat = nullptr;                 ///< null: headers in the colours of the shapes
   const std::vector<Change>* changes = nullptr;  ///< by node of the scene; null: none
@@ -32,7 +32,7 @@ struct CanvasOptions {
 };
 
 /// State of a node on the robot; idle if there is none.
-NodeState StateOf(const TreeState* live, const SceneNode& node);
+NodeState StateOf(const TreeSnapshot* live, const SceneNode& node);
 
 /// Draws into `box` of the current ImGui window and handles the mouse there.
 void DrawCanvas(const Ui& ui, TreeView& view, const Box& box, const CanvasOptions& options);

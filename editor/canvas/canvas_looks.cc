@@ -34,7 +34,7 @@ std::string_view LitValue(const TreeView& view, const SceneNode& node) {
 
 }  // namespace
 
-NodeState StateOf(const TreeState* live, const SceneNode& node) {
+NodeState StateOf(const TreeSnapshot* live, const SceneNode& node) {
   if (!live || node.uid < 0 || static_cast<std::size_t>(node.uid) >= live->states.size()) return {};
   return live->states[static_cast<std::size_t>(node.uid)];
 }

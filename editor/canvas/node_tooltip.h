@@ -2,7 +2,7 @@
 #ifndef COPPICE_EDITOR_CANVAS_NODE_TOOLTIP_H_
 #define COPPICE_EDITOR_CANVAS_NODE_TOOLTIP_H_
 
-#include "editor/live/tree_state.h"
+#include "editor/live/tree_snapshot.h"
 #include "editor/scene/scene.h"
 #include "editor/theme/ui.h"
 

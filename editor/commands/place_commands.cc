@@ -30,7 +30,7 @@ class PlaceCommands {
 
  private:
   void Add(std::string id, std::string title, KeyChord keys, std::function<void(RunView&)> run) {
-    Command command{std::move(id), std::move(title), keys, {}, {}};
+    EditorCommand command{std::move(id), std::move(title), keys, {}, {}};
     command.run = [&s = state_, run = std::move(run)] {
       if (RunView* view = s.workspace.run()) run(*view);
     };

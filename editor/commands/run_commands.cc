@@ -137,7 +137,7 @@ class RunCommands {
  private:
   // A command that needs a run; its keys are its own while one is shown.
   void Add(std::string id, std::string title, KeyChord keys, std::function<void(RunView&)> run) {
-    Command command{std::move(id), std::move(title), keys, {}, {}};
+    EditorCommand command{std::move(id), std::move(title), keys, {}, {}};
     command.run = [&s = state_, run = std::move(run)] {
       if (RunView* view = s.workspace.run()) run(*view);
     };
@@ -147,7 +147,7 @@ class RunCommands {
   // The same for robots only; a simulation has keys of its own for it.
   void AddForRobot(std::string id, std::string title, KeyChord keys,
                    std::function<void(RunView&)> run) {
-    Command command{std::move(id), std::move(title), keys, {}, {}};
+    EditorCommand command{std::move(id), std::move(title), keys, {}, {}};
     command.run = [&s = state_, run = std::move(run)] {
       if (!RobotOf(s).empty()) run(*s.workspace.run());
     };

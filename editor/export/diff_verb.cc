@@ -53,8 +53,8 @@ class Printer {
 
 }  // namespace
 
-const coppice::Command& DiffCommand() {
-  static const coppice::Command command{
+const Command& DiffCommand() {
+  static const Command command{
       "coppice diff",
       "say and paint what became of the trees of a file",
       {"A.xml B.xml", 2, 2},

@@ -14,7 +14,7 @@
 
 namespace coppice::editor {
 
-const coppice::Command& DiffCommand();
+const Command& DiffCommand();
 
 /// Runs it with the arguments behind the verb. Returns 0 if the trees are the same, 1 if they
 /// differ, 2 if they cannot be compared, as diff(1) does.

@@ -57,8 +57,8 @@ std::optional<std::vector<int>> ChooseTrees(const Forest& forest, const ExportOr
 
 }  // namespace
 
-const coppice::Command& ExportCommand() {
-  static const coppice::Command command{
+const Command& ExportCommand() {
+  static const Command command{
       "coppice export",
       "paint trees as SVG, PDF, PNG, DOT or Markdown",
       {"FILE.xml", 1, 1},

@@ -9,7 +9,7 @@
 
 namespace coppice::editor {
 
-const coppice::Command& ExportCommand();
+const Command& ExportCommand();
 
 /// Runs it with the arguments behind the verb. What is wrong goes to standard error. Returns 0, 1
 /// if no picture was written, or 2 for a wrong command line.

@@ -13,7 +13,7 @@
 namespace coppice::editor {
 
 /// An element in a file, by the offset of its '<'.
-struct Place {
+struct FilePlace {
   std::string path;
   std::uint32_t offset = 0;
 };

@@ -53,8 +53,8 @@ void History::Rename(const std::string& path, const std::string& new_path) {
       file.before.reset();  // it speaks of the old name
       file.after.reset();
     }
-    for (Place& place : step.selected_before) rename(place.path);
-    for (Place& place : step.selected_after) rename(place.path);
+    for (FilePlace& place : step.selected_before) rename(place.path);
+    for (FilePlace& place : step.selected_after) rename(place.path);
   }
 }
 

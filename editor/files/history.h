@@ -25,8 +25,8 @@ struct FileStep {
 struct Step {
   std::string name;
   std::vector<FileStep> files;
-  std::vector<Place> selected_before;
-  std::vector<Place> selected_after;
+  std::vector<FilePlace> selected_before;
+  std::vector<FilePlace> selected_after;
 };
 
 class History {

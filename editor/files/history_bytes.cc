@@ -25,9 +25,9 @@ void Write(const std::vector<Edit>& edits, Encoder& out) {
   for (const Edit& edit : edits) Write(edit, out);
 }
 
-void Write(const std::vector<Place>& places, Encoder& out) {
+void Write(const std::vector<FilePlace>& places, Encoder& out) {
   out.Unsigned(places.size());
-  for (const Place& place : places) {
+  for (const FilePlace& place : places) {
     out.Text(place.path);
     out.Unsigned(place.offset);
   }
@@ -69,9 +69,9 @@ std::vector<Edit> ReadEdits(Decoder& in) {
   return ReadList<Edit>(in, [](Decoder& d) { return ReadList<Splice>(d, ReadSplice); });
 }
 
-std::vector<Place> ReadPlaces(Decoder& in) {
-  return ReadList<Place>(in, [](Decoder& d) {
-    Place place;
+std::vector<FilePlace> ReadPlaces(Decoder& in) {
+  return ReadList<FilePlace>(in, [](Decoder& d) {
+    FilePlace place;
     place.path = d.Text();
     place.offset = static_cast<std::uint32_t>(d.Unsigned());
     return place;

@@ -62,7 +62,7 @@ class Selection {
   void Rename(Step& step) const {
     for (FileStep& file : step.files) file.path = files_.at(file.path);
     for (auto* places : {&step.selected_before, &step.selected_after}) {
-      for (Place& place : *places) {
+      for (FilePlace& place : *places) {
         const auto known = files_.find(place.path);
         if (known != files_.end()) place.path = known->second;
       }
@@ -109,8 +109,10 @@ void HistoryStore::Update(const OpenProject& project) {
           {AbsolutePath(file.path), file.forward, file.back, {}, {}});
       paths.insert(file.path);
     }
-    for (Place& place : stored.steps.back().selected_before) place.path = AbsolutePath(place.path);
-    for (Place& place : stored.steps.back().selected_after) place.path = AbsolutePath(place.path);
+    for (FilePlace& place : stored.steps.back().selected_before)
+      place.path = AbsolutePath(place.path);
+    for (FilePlace& place : stored.steps.back().selected_after)
+      place.path = AbsolutePath(place.path);
   }
   for (const std::string& path : paths) {
     const EditedFile* file = project.Find(path);

@@ -106,7 +106,8 @@ void OpenProject::Replace(EditedFile& file, std::string text, std::optional<Docu
   ++version_;
 }
 
-bool OpenProject::Do(NamedChange change, std::vector<Place> selected, Diagnostics& diagnostics) {
+bool OpenProject::Do(NamedChange change, std::vector<FilePlace> selected,
+                     Diagnostics& diagnostics) {
   if (change.is_empty()) return true;
   Step step;
   std::vector<std::string> texts;

@@ -61,7 +61,7 @@ class OpenProject {
 
   /// Makes a change; false if a result would be malformed, then nothing has changed. An empty
   /// change is no step of the history. `selected` is the selection before it.
-  bool Do(NamedChange change, std::vector<Place> selected, Diagnostics& diagnostics);
+  bool Do(NamedChange change, std::vector<FilePlace> selected, Diagnostics& diagnostics);
 
   /// Replaces the whole text of a file, which may be malformed: what is typed. With `join` it is
   /// one step with the last one, if that has the same name and is about the same file.

@@ -5,8 +5,8 @@
 
 namespace coppice::editor {
 
-void CommandTable::Add(Command command) {
-  for (const Command& other : commands_) {
+void CommandTable::Add(EditorCommand command) {
+  for (const EditorCommand& other : commands_) {
     if (other.id == command.id) throw std::invalid_argument("command twice: " + command.id);
     if (command.keys.key != 0 && other.keys == command.keys && !command.when && !other.when) {
       throw std::invalid_argument(ToString(command.keys) + " is bound to " + other.id + " and " +
@@ -18,7 +18,7 @@ void CommandTable::Add(Command command) {
 }
 
 bool CommandTable::SetKeys(std::string_view id, KeyChord keys) {
-  for (Command& command : commands_) {
+  for (EditorCommand& command : commands_) {
     if (command.id != id) continue;
     command.keys = keys;
     return true;
@@ -27,15 +27,15 @@ bool CommandTable::SetKeys(std::string_view id, KeyChord keys) {
 }
 
 void CommandTable::ResetKeys() {
-  for (Command& command : commands_) command.keys = command.own_keys;
+  for (EditorCommand& command : commands_) command.keys = command.own_keys;
 }
 
 std::vector<KeyConflict> CommandTable::FindConflicts() const {
   std::vector<KeyConflict> conflicts;
   for (std::size_t i = 0; i < commands_.size(); ++i) {
-    const Command& a = commands_[i];
+    const EditorCommand& a = commands_[i];
     for (std::size_t j = i + 1; a.keys.key != 0 && j < commands_.size(); ++j) {
-      const Command& b = commands_[j];
+      const EditorCommand& b = commands_[j];
       const bool at_the_same_time = !a.when == !b.when;
       const bool from_the_start = a.keys == a.own_keys && b.keys == b.own_keys;
       if (!(a.keys == b.keys) || !at_the_same_time || from_the_start) continue;
@@ -45,15 +45,15 @@ std::vector<KeyConflict> CommandTable::FindConflicts() const {
   return conflicts;
 }
 
-const Command* CommandTable::Find(std::string_view id) const {
-  for (const Command& command : commands_) {
+const EditorCommand* CommandTable::Find(std::string_view id) const {
+  for (const EditorCommand& command : commands_) {
     if (command.id == id) return &command;
   }
   return nullptr;
 }
 
 bool CommandTable::Run(std::string_view id) const {
-  const Command* command = Find(id);
+  const EditorCommand* command = Find(id);
   if (!command) return false;
   command->run();
   return true;
@@ -61,8 +61,8 @@ bool CommandTable::Run(std::string_view id) const {
 
 bool CommandTable::Press(KeyChord chord) const {
   if (chord.key == 0) return false;
-  const Command* found = nullptr;
-  for (const Command& command : commands_) {
+  const EditorCommand* found = nullptr;
+  for (const EditorCommand& command : commands_) {
     if (!(command.keys == chord)) continue;
     if (command.when ? command.when() : !found) found = &command;
   }

@@ -12,7 +12,7 @@
 
 namespace coppice::editor {
 
-struct Command {
+struct EditorCommand {
   std::string id;     ///< "view.fit_all"
   std::string title;  ///< "Fit all"
   KeyChord keys;
@@ -35,7 +35,7 @@ class CommandTable {
  public:
   /// Throws std::invalid_argument if the ID is taken, or the keys by another command that has them
   /// always.
-  void Add(Command command);
+  void Add(EditorCommand command);
 
   /// Gives the command of that ID other keys, or none (key 0). False if there is no such
   /// command.
@@ -44,10 +44,10 @@ class CommandTable {
   void ResetKeys();
   std::vector<KeyConflict> FindConflicts() const;
 
-  const std::vector<Command>& all() const { return commands_; }
+  const std::vector<EditorCommand>& all() const { return commands_; }
 
   /// The command of that ID, or null.
-  const Command* Find(std::string_view id) const;
+  const EditorCommand* Find(std::string_view id) const;
 
   /// Runs the command of that ID; false if there is none.
   bool Run(std::string_view id) const;
@@ -56,7 +56,7 @@ class CommandTable {
   bool Press(KeyChord chord) const;
 
  private:
-  std::vector<Command> commands_;
+  std::vector<EditorCommand> commands_;
 };
 
 }  // namespace coppice::editor

@@ -64,7 +64,7 @@ std::string Replaced(std::string_view text, std::string_view id, const std::stri
 void ReadKeys(std::string_view text, const std::string& file, CommandTable& commands,
               Diagnostics& diagnostics) {
   std::vector<std::string> ids;
-  for (const Command& command : commands.all()) ids.push_back(command.id);
+  for (const EditorCommand& command : commands.all()) ids.push_back(command.id);
   std::uint32_t number = 0;
   for (const KeyLine& line : Split(text)) {
     const SourceLocation where = {file, ++number, 1};

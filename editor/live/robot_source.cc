@@ -18,8 +18,8 @@ LiveClientOptions WithTree(const std::string& endpoint, LiveClientOptions option
 RobotSource::RobotSource(std::string endpoint, std::function<void()> wake,
                          const LiveClientOptions& options)
     : endpoint_(std::move(endpoint)),
-      mailbox_(std::move(wake)),
-      client_(endpoint_.substr(0, endpoint_.find('/')), mailbox_, WithTree(endpoint_, options)) {}
+      queue_(std::move(wake)),
+      client_(endpoint_.substr(0, endpoint_.find('/')), queue_, WithTree(endpoint_, options)) {}
 
 LiveClientOptions RobotSource::DefaultOptions() {
   LiveClientOptions options;
@@ -30,7 +30,7 @@ LiveClientOptions RobotSource::DefaultOptions() {
 
 void RobotSource::Send(LiveCommand command, LiveClient::ReplyHandler on_reply) {
   client_.Send(std::move(command), [this, on_reply = std::move(on_reply)](const LiveReply& reply) {
-    mailbox_.PutReply(on_reply, reply);
+    queue_.PutReply(on_reply, reply);
   });
 }
 

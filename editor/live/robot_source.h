@@ -5,7 +5,7 @@
 #include <functional>
 #include <string>
 
-#include "editor/live/mailbox.h"
+#include "editor/live/live_queue.h"
 #include "editor/live/run_source.h"
 
 namespace coppice::editor {
@@ -22,13 +22,13 @@ class RobotSource final : public RunSource {
 
   const std::string& name() const override { return endpoint_; }
   bool is_robot() const override { return true; }
-  void Pump(LiveListener& listener) override { mailbox_.Deliver(listener); }
-  bool has_news() const override { return !mailbox_.empty(); }
+  void Pump(LiveListener& listener) override { queue_.Deliver(listener); }
+  bool has_news() const override { return !queue_.empty(); }
   void Send(LiveCommand command, LiveClient::ReplyHandler on_reply) override;
 
  private:
   const std::string endpoint_;
-  Mailbox mailbox_;
+  LiveQueue queue_;
   LiveClient client_;
 };
 

@@ -16,7 +16,7 @@
 #include "editor/live/run_hooks.h"
 #include "editor/live/run_source.h"
 #include "editor/live/run_tree.h"
-#include "editor/live/tree_state.h"
+#include "editor/live/tree_snapshot.h"
 #include "editor/timeline/playhead.h"
 
 namespace coppice::editor {
@@ -58,7 +58,7 @@ class RunView final : private LiveListener {
   const std::shared_ptr<const RunTree>& tree() const { return tree_; }
   /// How it stands there, as of the last Update. There must be a tree.
   const HistoryFollower& follower() const;
-  const TreeState& state() const { return state_; }
+  const TreeSnapshot& state() const { return state_; }
 
   /// Where the robot stands; kNowhere: it runs.
   const DebugStop& stop() const { return stop_; }
@@ -97,7 +97,7 @@ class RunView final : private LiveListener {
   std::shared_ptr<const RunTree> tree_;
   std::map<const TreeDescription*, std::shared_ptr<const RunTree>> trees_;
   bool shows_now_ = true;  // not what place_ says
-  TreeState state_;
+  TreeSnapshot state_;
   DebugStop stop_;
   std::string stop_path_;
   std::string answer_;

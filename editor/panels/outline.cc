@@ -20,7 +20,7 @@ std::uint32_t DepthOf(const SceneNode& node) {
 
 class OutlineRow {
  public:
-  OutlineRow(const Ui& ui, TreeView& view, const TreeState* live, std::uint32_t k)
+  OutlineRow(const Ui& ui, TreeView& view, const TreeSnapshot* live, std::uint32_t k)
       : ui_(ui),
         view_(view),
         node_number_(view.shown()[k]),
@@ -151,7 +151,7 @@ const char* WhyEmpty(const Workspace& workspace) {
 
 void DrawOutline(const Ui& ui, EditorState& state, const Box& box) {
   TreeView* view = state.workspace.view();
-  const TreeState* live = state.workspace.tree_state();
+  const TreeSnapshot* live = state.workspace.tree_state();
   const std::string note = !view  ? ""
                            : live ? "status, seconds"
                                   : Count(view->scene()->nodes.size(), "node");

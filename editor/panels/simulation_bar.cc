@@ -111,7 +111,7 @@ class Bar {
              const char* command, bool active) {
     const Box at = {{x, box_.min.y + 3 * ui_.scale}, {x + width, box_.max.y - 3 * ui_.scale}};
     if (ui_.Button(path, at, text, active, ui_.palette.simulation)) state_.commands.Run(command);
-    const Command* known = state_.commands.Find(command);
+    const EditorCommand* known = state_.commands.Find(command);
     if (!ImGui::IsItemHovered() || !known) return;
     ImGui::SetTooltip("%s   %s", known->title.c_str(), ToString(known->keys).c_str());
   }

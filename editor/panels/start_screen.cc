@@ -114,7 +114,7 @@ class StartScreen {
     const float pad = 12 * ui_.scale;
     ui_.RowText(list_, box.min + Point{pad, 0}, box.height(), offer.title,
                 {Face::kSans, 13, ui_.palette.text});
-    if (const Command* command = state_.commands.Find(offer.command)) {
+    if (const EditorCommand* command = state_.commands.Find(offer.command)) {
       const std::string keys = ToString(command->keys);
       const TextStyle dim{Face::kSans, 12, ui_.palette.text_dim};
       ui_.RowText(list_, {box.max.x - pad - ui_.Width(keys, dim), box.min.y}, box.height(), keys,

@@ -156,7 +156,7 @@ class TopBar {
   }
 
   void Entry(const char* id) {
-    const Command* command = state_.commands.Find(id);
+    const EditorCommand* command = state_.commands.Find(id);
     if (!command) return;
     const std::string keys = ToString(command->keys);
     const bool is_on = command->is_on && command->is_on();

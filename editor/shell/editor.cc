@@ -190,7 +190,7 @@ void Editor::Frame(const InputEvents& input) {
   ApplyImGuiStyle(palette, options_.scale);
   if (TreeView* view = state_.workspace.view()) view->animated = !state_.screen.reduce_motion;
   RunKeys();
-  const TreeState* shown = state_.workspace.tree_state();
+  const TreeSnapshot* shown = state_.workspace.tree_state();
   const Ui ui{GetPalette(state_.screen.palette),
               *fonts_,
               items_,

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "bt_core/testing/random_suite.h"
-#include "editor/live/mailbox.h"
+#include "editor/live/live_queue.h"
 #include "editor/simulation/open_tree.h"
 
 namespace coppice::editor {
@@ -32,7 +32,7 @@ double Seconds(Duration duration) { return static_cast<double>(duration.count())
 }  // namespace
 
 struct Simulator::Stage {
-  Mailbox mailbox{nullptr};
+  LiveQueue queue{nullptr};
   std::optional<Simulation> simulation;  // nothing when its run is closed
 };
 
@@ -44,8 +44,8 @@ class Simulator::Source final : public RunSource {
   const std::string& name() const override { return name_; }
   bool is_robot() const override { return false; }
   bool is_simulation() const override { return true; }
-  void Pump(LiveListener& listener) override { stage_->mailbox.Deliver(listener); }
-  bool has_news() const override { return !stage_->mailbox.empty(); }
+  void Pump(LiveListener& listener) override { stage_->queue.Deliver(listener); }
+  bool has_news() const override { return !stage_->queue.empty(); }
 
   void Send(LiveCommand command, LiveClient::ReplyHandler on_reply) override {
     LiveReply reply;
@@ -79,7 +79,7 @@ std::unique_ptr<RunSource> Simulator::Start(OpenProject& files, const std::strin
   version_ = files.version();
   compile_at_.reset();
   stage_ = std::make_shared<Stage>();
-  stage_->simulation.emplace(std::move(program), stage_->mailbox);
+  stage_->simulation.emplace(std::move(program), stage_->queue);
   return std::make_unique<Source>(stage_);
 }
 

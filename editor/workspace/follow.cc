@@ -19,7 +19,7 @@ float Shift(float low, float high, float size) {
 
 }  // namespace
 
-std::uint32_t DeepestRunning(const Scene& scene, const TreeState& state) {
+std::uint32_t DeepestRunning(const Scene& scene, const TreeSnapshot& state) {
   std::uint32_t found = kNoNode;
   std::size_t deepest = 0;
   for (std::uint32_t i = 0; i < scene.nodes.size(); ++i) {
@@ -34,7 +34,7 @@ std::uint32_t DeepestRunning(const Scene& scene, const TreeState& state) {
   return found;
 }
 
-void FollowRunning(FollowMode& follow, TreeView& view, const TreeState& state, Point canvas,
+void FollowRunning(FollowMode& follow, TreeView& view, const TreeSnapshot& state, Point canvas,
                    double now) {
   const bool is_resized = !(follow.canvas == canvas);
   const Point moved = is_resized ? Point{} : view.camera.offset - follow.offset;

@@ -3,7 +3,7 @@
 #define COPPICE_EDITOR_WORKSPACE_FOLLOW_H_
 
 #include "editor/canvas/tree_view.h"
-#include "editor/live/tree_state.h"
+#include "editor/live/tree_snapshot.h"
 
 namespace coppice::editor {
 
@@ -15,11 +15,11 @@ struct FollowMode {
 };
 
 /// The deepest node that runs, the last one of several; kNoNode if nothing runs.
-std::uint32_t DeepestRunning(const Scene& scene, const TreeState& state);
+std::uint32_t DeepestRunning(const Scene& scene, const TreeSnapshot& state);
 
 /// Moves the camera so that the deepest running node is seen, as little as needed; rests for some
 /// seconds after the user has moved it. Once per frame.
-void FollowRunning(FollowMode& follow, TreeView& view, const TreeState& state, Point canvas,
+void FollowRunning(FollowMode& follow, TreeView& view, const TreeSnapshot& state, Point canvas,
                    double now);
 
 }  // namespace coppice::editor

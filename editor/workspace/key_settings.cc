@@ -35,9 +35,10 @@ void Keep(EditorState& state, const std::string& text, double now) {
 
 }  // namespace
 
-const Command* OtherWithKeys(const EditorState& state, const Command& command, KeyChord keys) {
+const EditorCommand* OtherWithKeys(const EditorState& state, const EditorCommand& command,
+                                   KeyChord keys) {
   if (keys.key == 0) return nullptr;
-  for (const Command& other : state.commands.all()) {
+  for (const EditorCommand& other : state.commands.all()) {
     const bool at_the_same_time = !other.when == !command.when;
     if (&other != &command && other.keys == keys && at_the_same_time) return &other;
   }
@@ -45,10 +46,10 @@ const Command* OtherWithKeys(const EditorState& state, const Command& command, K
 }
 
 void GiveKeys(EditorState& state, const std::string& id, KeyChord keys, double now) {
-  const Command* command = state.commands.Find(id);
+  const EditorCommand* command = state.commands.Find(id);
   if (!command) return;
   std::string text = ReadFileOf(state.key_settings);
-  while (const Command* other = OtherWithKeys(state, *command, keys)) {
+  while (const EditorCommand* other = OtherWithKeys(state, *command, keys)) {
     text = WithKeys(text, other->id, {});
     state.commands.SetKeys(other->id, {});
   }

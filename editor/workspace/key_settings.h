@@ -9,7 +9,8 @@
 namespace coppice::editor {
 
 /// The other command whose keys these are at the same time; null if they are free.
-const Command* OtherWithKeys(const EditorState& state, const Command& command, KeyChord keys);
+const EditorCommand* OtherWithKeys(const EditorState& state, const EditorCommand& command,
+                                   KeyChord keys);
 
 /// Gives the command these keys, or none (key 0), and takes them away from the others that have
 /// them at the same time.

@@ -45,14 +45,14 @@ std::string ProjectEditor::Do(const std::string& name, const ProjectFiles& files
   if (!refusal.empty()) return refusal;
   NamedChange change;
   change.name = name;
-  std::vector<Place> before = edit_.SelectedPlaces();
-  std::vector<Place> after = before;
+  std::vector<FilePlace> before = edit_.SelectedPlaces();
+  std::vector<FilePlace> after = before;
   for (std::size_t i = 0; i < edits.size(); ++i) {
     if (edits[i].empty()) continue;
     FileChange part;
     part.path = files[i].file();
     part.steps = {edits[i]};
-    for (Place& place : after) {
+    for (FilePlace& place : after) {
       if (place.path != part.path) continue;
       place.offset = MapOffset(edits[i], place.offset);
       part.selected.push_back(place.offset);
@@ -175,7 +175,7 @@ std::string ProjectEditor::Include(const std::string& path) {
 
 std::vector<std::string> ProjectEditor::SelectedKeys() const {
   std::vector<std::string> keys;
-  for (const Place& place : edit_.SelectedPlaces()) {
+  for (const FilePlace& place : edit_.SelectedPlaces()) {
     const Document& document = *state_.workspace.project().Find(place.path)->document;
     const ElementIndex element = document.ElementAt(place.offset);
     for (const KeyName& name : KeyNamesIn(document, Models(), element)) {
@@ -187,7 +187,7 @@ std::vector<std::string> ProjectEditor::SelectedKeys() const {
 }
 
 std::string ProjectEditor::RenameKey(const std::string& key, const std::string& to) {
-  const std::vector<Place> places = edit_.SelectedPlaces();
+  const std::vector<FilePlace> places = edit_.SelectedPlaces();
   if (places.empty()) return "nothing is selected";
   if (key == to) return {};
   const ProjectFiles files = Files();
@@ -236,7 +236,7 @@ bool ProjectEditor::ShowTree(const std::string& id) {
 }
 
 std::string ProjectEditor::GoToDefinition() {
-  const std::vector<Place> places = edit_.SelectedPlaces();
+  const std::vector<FilePlace> places = edit_.SelectedPlaces();
   if (places.size() != 1) return kNotASubTree;
   const Document& document = *state_.workspace.project().Find(places[0].path)->document;
   const ElementIndex element = document.ElementAt(places[0].offset);

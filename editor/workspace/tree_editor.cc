@@ -43,8 +43,8 @@ std::vector<TreeEditor::Selected> TreeEditor::Selection() const {
   return selection;
 }
 
-std::vector<Place> TreeEditor::SelectedPlaces() const {
-  std::vector<Place> places;
+std::vector<FilePlace> TreeEditor::SelectedPlaces() const {
+  std::vector<FilePlace> places;
   for (const Selected& selected : Selection()) {
     for (const ElementIndex element : selected.elements) {
       places.push_back({selected.path, DocumentOf(selected.path).element(element).offset});
@@ -66,7 +66,7 @@ std::string TreeEditor::What() const {
   return count > 1 ? std::to_string(count) + " nodes" : name;
 }
 
-void TreeEditor::Show(const std::vector<Place>& places) {
+void TreeEditor::Show(const std::vector<FilePlace>& places) {
   state_.workspace.Refresh(now_);
   state_.workspace.SelectPlaces(places, now_);
   TreeView* view = state_.workspace.view();
@@ -81,7 +81,7 @@ bool TreeEditor::RunAll(const std::string& name, const std::vector<Selected>& se
   const NodeRules rules = Rules();
   NamedChange change;
   change.name = name;
-  std::vector<Place> after;
+  std::vector<FilePlace> after;
   for (const Selected& selected : selection) {
     Draft draft(DocumentOf(selected.path), selected.elements);
     std::string refusal = edit(draft, rules);

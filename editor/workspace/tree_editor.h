@@ -37,7 +37,7 @@ class TreeEditor {
   std::string PlaceOfNew() const;
 
   /// The selected elements, by file and offset.
-  std::vector<Place> SelectedPlaces() const;
+  std::vector<FilePlace> SelectedPlaces() const;
 
   /// The name that the selected node has in the XML.
   std::string GivenName() const;
@@ -94,7 +94,7 @@ class TreeEditor {
   bool RunAll(const std::string& name, const std::vector<Selected>& selection, const Edit& edit);
   bool InsertAll(const std::string& name, const std::vector<std::string>& fragments,
                  AddWhere where);
-  void Show(const std::vector<Place>& places);
+  void Show(const std::vector<FilePlace>& places);
   bool Refuse(std::string why);
 
   EditorState& state_;

@@ -108,7 +108,7 @@ class Workspace {
   RunView* run() { return run_ < 0 ? nullptr : runs_[Index(run_)].get(); }
   const RunView* run() const { return run_ < 0 ? nullptr : runs_[Index(run_)].get(); }
   /// How the shown tree stands, null if it is that of a file.
-  const TreeState* tree_state() const { return run() ? &run()->state() : nullptr; }
+  const TreeSnapshot* tree_state() const { return run() ? &run()->state() : nullptr; }
   const OpenFile* file() const { return file_ < 0 ? nullptr : &files_[Index(file_)]; }
   int tree() const { return tree_; }  ///< of forest(); -1: none
 
@@ -125,7 +125,7 @@ class Workspace {
   std::string ShownTreeId() const;
 
   /// Selects these elements, by offset, in the shown tree or else in the one that has the first.
-  void SelectPlaces(const std::vector<Place>& places, double now);
+  void SelectPlaces(const std::vector<FilePlace>& places, double now);
 
   /// Selects the element with that number in that document, if the shown tree has it.
   bool SelectElement(const Document& document, ElementIndex element);
@@ -145,9 +145,9 @@ class Workspace {
   void RefreshRecords(double now);
   void RemoveReachedStops();
   void LearnFromRuns(double now);
-  bool IsInShownTree(const Place& place) const;
-  bool ShowTreeOf(const Place& place, double now);
-  std::vector<std::uint32_t> NodesAt(const std::vector<Place>& places) const;
+  bool IsInShownTree(const FilePlace& place) const;
+  bool ShowTreeOf(const FilePlace& place, double now);
+  std::vector<std::uint32_t> NodesAt(const std::vector<FilePlace>& places) const;
   bool OpenRecord(const std::string& path);
   void ShowTreeOfRun(double now);
   TreeView* ViewOf(const std::string& key, const Forest& forest, int tree, const NodeModels& models,

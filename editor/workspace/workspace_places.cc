@@ -31,12 +31,12 @@ std::string Workspace::ShownTreeId() const {
 
 // An element may be shown several times, where a SubTree is used several times: the one that is
 // selected already comes first.
-std::vector<std::uint32_t> Workspace::NodesAt(const std::vector<Place>& places) const {
+std::vector<std::uint32_t> Workspace::NodesAt(const std::vector<FilePlace>& places) const {
   std::vector<std::uint32_t> found;
   if (!view_) return found;
   const auto& documents = forest()->documents();
   const auto& nodes = view_->scene()->nodes;
-  for (const Place& place : places) {
+  for (const FilePlace& place : places) {
     const EditedFile* edited = project_.Find(place.path);
     if (!edited || !edited->document) continue;
     const ElementIndex element = edited->document->ElementAt(place.offset);
@@ -52,14 +52,14 @@ std::vector<std::uint32_t> Workspace::NodesAt(const std::vector<Place>& places) 
   return found;
 }
 
-bool Workspace::IsInShownTree(const Place& place) const {
+bool Workspace::IsInShownTree(const FilePlace& place) const {
   const std::optional<ElementPlace> tree = ShownTree();
   if (!tree || tree->path != place.path) return false;
   const Element& element = project_.Find(tree->path)->document->element(tree->element);
   return place.offset >= element.offset && place.offset < element.end;
 }
 
-bool Workspace::ShowTreeOf(const Place& place, double now) {
+bool Workspace::ShowTreeOf(const FilePlace& place, double now) {
   for (std::size_t f = 0; f < files_.size(); ++f) {
     const Forest& forest = *files_[f].forest;
     for (std::size_t t = 0; t < forest.trees().size(); ++t) {
@@ -77,7 +77,7 @@ bool Workspace::ShowTreeOf(const Place& place, double now) {
   return false;
 }
 
-void Workspace::SelectPlaces(const std::vector<Place>& places, double now) {
+void Workspace::SelectPlaces(const std::vector<FilePlace>& places, double now) {
   if (places.empty() || run_ >= 0) return;
   std::vector<std::uint32_t> nodes = NodesAt(places);
   if (nodes.empty() && !IsInShownTree(places.front()) && ShowTreeOf(places.front(), now)) {

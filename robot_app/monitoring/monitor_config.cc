@@ -118,7 +118,7 @@ class Loader {
   }
 
   static void ReadPower(YamlFields& fields, WatchList& list) {
-    list.battery = Section(fields, "battery", &ReadBatteryWatch);
+    list.battery = Section(fields, "battery", &ReadBatteryLimits);
     list.charging = Section(fields, "charging", &ReadChargingWatch);
     list.docking = Section(fields, "docking", &ReadDockingWatch);
     list.emergency_stop = Section(fields, "emergency_stop", &ReadEmergencyStopWatch);

@@ -21,7 +21,7 @@ struct WatchList {
   std::vector<TransformWatch> transforms;
   std::vector<LoggerWatch> loggers;
   std::optional<DiagnosticsWatch> diagnostics;
-  std::optional<BatteryWatch> battery;
+  std::optional<BatteryLimits> battery;
   std::optional<ChargingWatch> charging;  ///< judged by the battery's messages
   std::optional<DockingWatch> docking;
   std::optional<EmergencyStopWatch> emergency_stop;

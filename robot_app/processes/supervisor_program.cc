@@ -120,7 +120,7 @@ void SupervisorProgram::WatchConditions() {
   for (const ConditionConfig& config : supervisor_.config().conditions) {
     conditions_.emplace_back(config);
   }
-  for (Condition& condition : conditions_) {
+  for (TopicCondition& condition : conditions_) {
     const std::string& topic = condition.config().topic;
     if (condition.config().current) {
       subscribers_.push_back(handle_.subscribe<sensor_msgs::BatteryState>(

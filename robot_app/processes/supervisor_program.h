@@ -42,7 +42,7 @@ class SupervisorProgram {
 
   /// ros::init was called. Launcher and master must outlive it. `state_file`: where the
   /// supervisor's memory is kept; what is in it is taken up.
-  /// `switch_off_token`: see SwitchOff.
+  /// `switch_off_token`: see PowerDown.
   /// `address`: of this computer for nodes on other hosts; empty: that of the master.
   SupervisorProgram(RobotConfig config, PosixLauncher& launcher, const RosMaster& master,
                     const std::string& address, std::string state_file,
@@ -79,10 +79,10 @@ class SupervisorProgram {
   const std::string state_file_;
   Supervisor supervisor_;
   PersonCalls calls_;
-  SwitchOff switch_off_;
+  PowerDown switch_off_;
   NodeProbe probe_;
   std::vector<Probed> probed_;
-  std::vector<Condition> conditions_;
+  std::vector<TopicCondition> conditions_;
   bool master_ended_ = false;
   std::uint64_t published_ = 0;
   Time published_at_{0};

@@ -9,7 +9,7 @@
 
 namespace coppice::robot::processes {
 
-Verdict SwitchOff::Ask(const std::string& reason, const std::string& token, Supervisor& supervisor,
+Verdict PowerDown::Ask(const std::string& reason, const std::string& token, Supervisor& supervisor,
                        Time now) {
   const Verdict stop = supervisor.SafeStop();
   if (!stop.ok) return stop;
@@ -24,7 +24,7 @@ Verdict SwitchOff::Ask(const std::string& reason, const std::string& token, Supe
                     ": " + reason};
 }
 
-bool SwitchOff::TakeStop(const Supervisor& supervisor, Time now) {
+bool PowerDown::TakeStop(const Supervisor& supervisor, Time now) {
   if (!is_asked_) return false;
   if (!supervisor.configuration_switch().safe_stop()) {  // a person has ended it
     is_asked_ = is_allowed_ = stands_ = false;

@@ -19,13 +19,13 @@
 namespace coppice::robot::processes {
 
 /// When. For one thread.
-class SwitchOff {
+class PowerDown {
  public:
   /// The safe stop is waited for no longer than this.
   static constexpr Duration kPatience = std::chrono::seconds(30);
 
   /// `token`: who does not say it gets the safe stop only; empty: nobody may switch off.
-  SwitchOff(bool has_command, std::string token)
+  PowerDown(bool has_command, std::string token)
       : has_command_(has_command), token_(std::move(token)) {}
 
   /// Begins the safe stop. Refused if there is no configuration for it. Asked again, nothing begins

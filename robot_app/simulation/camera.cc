@@ -43,7 +43,7 @@ double TileLight(Vec2 point) {
   return parity % 2 == 0 ? 1.0 : 0.9;
 }
 
-void AddBox(const Box& box, const Colour& colour, std::vector<Surface>& surfaces) {
+void AddBox(const FloorBox& box, const Colour& colour, std::vector<Surface>& surfaces) {
   const std::array<Vec2, 4> corners = Corners(box.shape);
   for (std::size_t i = 0; i < 4; ++i) {
     surfaces.push_back({{corners[i], corners[(i + 1) % 4]}, box.height, colour});

@@ -42,7 +42,7 @@ const std::map<std::string, Faults::Kind>& Faults::Kinds() {
 Faults::Faults(World& world, std::vector<std::string> topics, SignalNode signal_node)
     : world_(world), topics_(std::move(topics)), signal_node_(std::move(signal_node)) {}
 
-Outcome Faults::Inject(const Fault& fault) {
+ChangeResult Faults::Inject(const Fault& fault) {
   const auto kind = Kinds().find(fault.fault);
   if (kind == Kinds().end()) {
     std::vector<std::string> names;
@@ -60,7 +60,7 @@ Outcome Faults::Inject(const Fault& fault) {
   if (fault.duration > 0 && healer.empty()) {
     return {false, fault.fault + " does not heal by itself; the duration must be 0"};
   }
-  const Outcome outcome = (this->*kind->second.action)(fault);
+  const ChangeResult outcome = (this->*kind->second.action)(fault);
   if (!outcome.ok) return outcome;
   // The newest word on a thing counts: what was to happen to it later is forgotten.
   healings_.erase(std::remove_if(healings_.begin(), healings_.end(),
@@ -86,11 +86,11 @@ void Faults::Update() {
   }
 }
 
-Outcome Faults::Kill(const Fault& f) { return signal_node_(f.target, SIGKILL); }
-Outcome Faults::Hang(const Fault& f) { return signal_node_(f.target, SIGSTOP); }
-Outcome Faults::Resume(const Fault& f) { return signal_node_(f.target, SIGCONT); }
+ChangeResult Faults::Kill(const Fault& f) { return signal_node_(f.target, SIGKILL); }
+ChangeResult Faults::Hang(const Fault& f) { return signal_node_(f.target, SIGSTOP); }
+ChangeResult Faults::Resume(const Fault& f) { return signal_node_(f.target, SIGCONT); }
 
-Outcome Faults::CheckTopic(const std::string& topic) const {
+ChangeResult Faults::CheckTopic(const std::string& topic) const {
   if (std::find(topics_.begin(), topics_.end(), topic) != topics_.end()) return {true, ""};
   std::string list;
   for (const std::string& name : topics_) list += (list.empty() ? "" : ", ") + name;
@@ -99,8 +99,8 @@ Outcome Faults::CheckTopic(const std::string& topic) const {
                      (hint.empty() ? "; it publishes " + list : " (" + hint + ")")};
 }
 
-Outcome Faults::SetRate(const std::string& topic, double factor) {
-  const Outcome known = CheckTopic(topic);
+ChangeResult Faults::SetRate(const std::string& topic, double factor) {
+  const ChangeResult known = CheckTopic(topic);
   if (!known.ok) return known;
   rates_[topic] = {factor};
   std::ostringstream message;
@@ -108,23 +108,23 @@ Outcome Faults::SetRate(const std::string& topic, double factor) {
   return {true, message.str()};
 }
 
-Outcome Faults::Silence(const Fault& f) { return SetRate(f.target, 0); }
+ChangeResult Faults::Silence(const Fault& f) { return SetRate(f.target, 0); }
 
-Outcome Faults::Slow(const Fault& f) {
+ChangeResult Faults::Slow(const Fault& f) {
   if (!(f.value > 0 && f.value < 1))
     return {false, "the factor of a slow topic is between 0 and 1"};
   return SetRate(f.target, f.value);
 }
 
-Outcome Faults::Hasten(const Fault& f) {
+ChangeResult Faults::Hasten(const Fault& f) {
   if (!(f.value > 1 && f.value <= kMostHaste)) {
     return {false, "the factor of a fast topic is above 1, 20 at most"};
   }
   return SetRate(f.target, f.value);
 }
 
-Outcome Faults::Restore(const Fault& f) {
-  const Outcome known = CheckTopic(f.target);
+ChangeResult Faults::Restore(const Fault& f) {
+  const ChangeResult known = CheckTopic(f.target);
   if (!known.ok) return known;
   rates_.erase(f.target);
   return {true, f.target + " is published as it should be"};
@@ -140,17 +140,17 @@ int Faults::Copies(const std::string& topic) {
   return copies;
 }
 
-Outcome Faults::FreezeBattery(const Fault&) {
+ChangeResult Faults::FreezeBattery(const Fault&) {
   battery_frozen_ = true;
   return {true, "the battery's values stand still"};
 }
 
-Outcome Faults::ThawBattery(const Fault&) {
+ChangeResult Faults::ThawBattery(const Fault&) {
   battery_frozen_ = false;
   return {true, "the battery's values are measured"};
 }
 
-Outcome Faults::Kidnap(const Fault& f) {
+ChangeResult Faults::Kidnap(const Fault& f) {
   std::vector<std::string> names;
   for (const FloorWaypoint& waypoint : world_.floor().waypoints) {
     if (waypoint.name == f.target) return world_.Kidnap(waypoint.pose);

@@ -23,7 +23,7 @@ struct Fault {
 };
 
 /// Sends a signal (SIGKILL, SIGSTOP, SIGCONT) to the process of a ROS node.
-using SignalNode = std::function<Outcome(const std::string& node, int signal)>;
+using SignalNode = std::function<ChangeResult(const std::string& node, int signal)>;
 
 class Faults {
  public:
@@ -31,7 +31,7 @@ class Faults {
   Faults(World& world, std::vector<std::string> topics, SignalNode signal_node);
 
   /// Does what is asked, or refuses with the reason. Never throws.
-  Outcome Inject(const Fault& fault);
+  ChangeResult Inject(const Fault& fault);
 
   /// Heals what is due at the world's time; call it after each step. What cannot be healed yet (the
   /// robot stands in the door) is tried again.
@@ -46,35 +46,35 @@ class Faults {
   bool battery_frozen() const { return battery_frozen_; }
 
  private:
-  using Action = Outcome (Faults::*)(const Fault&);
+  using Action = ChangeResult (Faults::*)(const Fault&);
   struct Kind {
     Action action;
     const char* healed_by;  // the fault that takes it back, or empty
   };
   static const std::map<std::string, Kind>& Kinds();
 
-  Outcome Block(const Fault& f) { return world_.SetPlaceBlocked(f.target, true); }
-  Outcome Clear(const Fault& f) { return world_.SetPlaceBlocked(f.target, false); }
-  Outcome Open(const Fault& f) { return world_.SetDoorOpen(f.target, true); }
-  Outcome Close(const Fault& f) { return world_.SetDoorOpen(f.target, false); }
-  Outcome SetBattery(const Fault& f) { return world_.SetStateOfCharge(f.value); }
-  Outcome Kidnap(const Fault& f);
-  Outcome MoveStation(const Fault& f) { return world_.SetStationOffset(f.value); }
-  Outcome SwitchChargerOff(const Fault&) { return world_.SetChargerOn(false); }
-  Outcome SwitchChargerOn(const Fault&) { return world_.SetChargerOn(true); }
-  Outcome PressStop(const Fault&) { return world_.SetEmergencyStop(true); }
-  Outcome ReleaseStop(const Fault&) { return world_.SetEmergencyStop(false); }
-  Outcome FreezeBattery(const Fault& f);
-  Outcome ThawBattery(const Fault& f);
-  Outcome Kill(const Fault& f);
-  Outcome Hang(const Fault& f);
-  Outcome Resume(const Fault& f);
-  Outcome Silence(const Fault& f);
-  Outcome Slow(const Fault& f);
-  Outcome Hasten(const Fault& f);
-  Outcome Restore(const Fault& f);
-  Outcome SetRate(const std::string& topic, double factor);
-  Outcome CheckTopic(const std::string& topic) const;
+  ChangeResult Block(const Fault& f) { return world_.SetPlaceBlocked(f.target, true); }
+  ChangeResult Clear(const Fault& f) { return world_.SetPlaceBlocked(f.target, false); }
+  ChangeResult Open(const Fault& f) { return world_.SetDoorOpen(f.target, true); }
+  ChangeResult Close(const Fault& f) { return world_.SetDoorOpen(f.target, false); }
+  ChangeResult SetBattery(const Fault& f) { return world_.SetStateOfCharge(f.value); }
+  ChangeResult Kidnap(const Fault& f);
+  ChangeResult MoveStation(const Fault& f) { return world_.SetStationOffset(f.value); }
+  ChangeResult SwitchChargerOff(const Fault&) { return world_.SetChargerOn(false); }
+  ChangeResult SwitchChargerOn(const Fault&) { return world_.SetChargerOn(true); }
+  ChangeResult PressStop(const Fault&) { return world_.SetEmergencyStop(true); }
+  ChangeResult ReleaseStop(const Fault&) { return world_.SetEmergencyStop(false); }
+  ChangeResult FreezeBattery(const Fault& f);
+  ChangeResult ThawBattery(const Fault& f);
+  ChangeResult Kill(const Fault& f);
+  ChangeResult Hang(const Fault& f);
+  ChangeResult Resume(const Fault& f);
+  ChangeResult Silence(const Fault& f);
+  ChangeResult Slow(const Fault& f);
+  ChangeResult Hasten(const Fault& f);
+  ChangeResult Restore(const Fault& f);
+  ChangeResult SetRate(const std::string& topic, double factor);
+  ChangeResult CheckTopic(const std::string& topic) const;
 
   struct Rate {
     double factor;

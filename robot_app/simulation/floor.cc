@@ -146,8 +146,8 @@ class Reader {
   Diagnostics& diagnostics_;
 };
 
-Box ReadBox(Reader& reader, const YAML::Node& node, const std::string& what) {
-  Box box;
+FloorBox ReadBox(Reader& reader, const YAML::Node& node, const std::string& what) {
+  FloorBox box;
   if (!reader.CheckMap(node, what, {"name", "at", "size", "yaw", "height"})) return box;
   box.name = reader.Text(node, what, "name");
   box.shape.center = reader.Point(node, what, "at");

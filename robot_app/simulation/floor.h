@@ -28,7 +28,7 @@ struct Door {
 };
 
 /// Furniture, or a place that can be blocked by a box of this shape.
-struct Box {
+struct FloorBox {
   std::string name;
   Rectangle shape;
   double height = 1;
@@ -50,9 +50,9 @@ struct Floor {
   std::string name;
   double wall_height = 2.5;
   std::vector<std::vector<Vec2>> walls;  ///< polylines
-  std::vector<Box> furniture;
+  std::vector<FloorBox> furniture;
   std::vector<Door> doors;
-  std::vector<Box> places;  ///< that can be blocked; empty at the start
+  std::vector<FloorBox> places;  ///< that can be blocked; empty at the start
   std::vector<Walker> people;
   std::vector<FloorWaypoint> waypoints;  ///< good goals for the robot
   Pose2 docked;                          ///< base_link when the charging contacts touch

@@ -89,7 +89,7 @@ GridMap MakeGridMap(const Floor& floor, double resolution) {
   for (const auto& wall : floor.walls) {
     for (std::size_t i = 1; i < wall.size(); ++i) painter.PaintLine({wall[i - 1], wall[i]});
   }
-  for (const Box& box : floor.furniture) painter.PaintOutline(box.shape);
+  for (const FloorBox& box : floor.furniture) painter.PaintOutline(box.shape);
   painter.FillFree(floor.docked.position());
   for (const Door& door : floor.doors) {
     if (const auto leaf = DoorLeaf(door, door.open)) painter.PaintLine(*leaf);

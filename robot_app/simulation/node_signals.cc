@@ -109,7 +109,7 @@ std::vector<std::string> NodeSignals::AllNodes() const {
   return {names.begin(), names.end()};
 }
 
-Outcome NodeSignals::UnknownNode(const std::string& node) const {
+ChangeResult NodeSignals::UnknownNode(const std::string& node) const {
   const std::vector<std::string> nodes = AllNodes();
   const std::string hint = DidYouMean(node, nodes);
   std::string list;
@@ -118,7 +118,7 @@ Outcome NodeSignals::UnknownNode(const std::string& node) const {
                      (hint.empty() ? "; known: " + list : " (" + hint + ")")};
 }
 
-Outcome NodeSignals::FindPid(const std::string& node, pid_t& pid) const {
+ChangeResult NodeSignals::FindPid(const std::string& node, pid_t& pid) const {
   auto uri = Call(master_uri_, "lookupNode", {own_name_, node});
   if (!uri) return UnknownNode(node);
   const std::string node_uri = *uri;
@@ -134,7 +134,7 @@ Outcome NodeSignals::FindPid(const std::string& node, pid_t& pid) const {
   return {true, ""};
 }
 
-Outcome NodeSignals::Send(const std::string& name, int signal) {
+ChangeResult NodeSignals::Send(const std::string& name, int signal) {
   const std::string node = !name.empty() && name[0] == '/' ? name : "/" + name;
   pid_t pid = 0;
   const auto stopped = stopped_.find(node);
@@ -142,7 +142,7 @@ Outcome NodeSignals::Send(const std::string& name, int signal) {
     pid = stopped->second;
     stopped_.erase(stopped);
   } else {
-    const Outcome found = FindPid(node, pid);
+    const ChangeResult found = FindPid(node, pid);
     if (!found.ok) return found;
   }
   if (node == own_name_ || pid <= 1 || IsSelfOrAncestor(pid)) {

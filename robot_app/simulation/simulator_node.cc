@@ -165,7 +165,7 @@ class SimulatorNode {
         "/simulation/inject_fault",
         boost::function<bool(Service::Request&, Service::Response&)>(
             [this](Service::Request& request, Service::Response& response) {
-              const Outcome outcome =
+              const ChangeResult outcome =
                   faults_.Inject({request.fault, request.target, request.value, request.duration});
               response.ok = outcome.ok;
               response.message = outcome.message;

@@ -31,7 +31,7 @@ std::string Join(const std::vector<std::string>& names) {
 // The index of the item with this name, or the refusal that tells which names there are.
 template <typename Item>
 std::optional<std::size_t> Find(const std::vector<Item>& items, const std::string& name,
-                                const char* what, Outcome& refusal) {
+                                const char* what, ChangeResult& refusal) {
   for (std::size_t i = 0; i < items.size(); ++i) {
     if (items[i].name == name) return i;
   }
@@ -127,11 +127,11 @@ std::vector<Segment> World::StillThings(bool low_too) const {
   for (const auto& wall : floor_.walls) {
     for (std::size_t i = 1; i < wall.size(); ++i) segments.push_back({wall[i - 1], wall[i]});
   }
-  for (const Box& box : floor_.furniture) {
+  for (const FloorBox& box : floor_.furniture) {
     if (low_too || box.height >= kLidarHeight) AddOutline(box.shape, segments);
   }
   for (std::size_t i = 0; i < floor_.places.size(); ++i) {
-    const Box& box = floor_.places[i];
+    const FloorBox& box = floor_.places[i];
     const bool seen = low_too || box.height >= kLidarHeight;
     if (place_blocked_[i] && seen) AddOutline(box.shape, segments);
   }
@@ -157,8 +157,8 @@ std::string World::WhoStandsNear(DistanceTo distance) const {
   return {};
 }
 
-Outcome World::SetPlaceBlocked(const std::string& place, bool blocked) {
-  Outcome refusal;
+ChangeResult World::SetPlaceBlocked(const std::string& place, bool blocked) {
+  ChangeResult refusal;
   const auto i = Find(floor_.places, place, "place", refusal);
   if (!i) return refusal;
   const std::string state = blocked ? "blocked" : "clear";
@@ -173,8 +173,8 @@ Outcome World::SetPlaceBlocked(const std::string& place, bool blocked) {
   return {true, place + " is " + state};
 }
 
-Outcome World::SetDoorOpen(const std::string& name, bool open) {
-  Outcome refusal;
+ChangeResult World::SetDoorOpen(const std::string& name, bool open) {
+  ChangeResult refusal;
   const auto i = Find(floor_.doors, name, "door", refusal);
   if (!i) return refusal;
   const std::string state = open ? "open" : "closed";
@@ -191,7 +191,7 @@ Outcome World::SetDoorOpen(const std::string& name, bool open) {
   return {true, name + " is " + state};
 }
 
-Outcome World::SetStateOfCharge(double state_of_charge) {
+ChangeResult World::SetStateOfCharge(double state_of_charge) {
   if (!(state_of_charge >= 0 && state_of_charge <= 1)) {
     return {false, "the state of charge must be 0..1, not " + std::to_string(state_of_charge)};
   }
@@ -207,7 +207,7 @@ bool World::CanStandAt(Vec2 point) const {
   for (const Segment& segment : solid_.segments()) {
     if (Distance(point, segment) < kRobotRadius) return false;
   }
-  for (const Box& box : floor_.furniture) {
+  for (const FloorBox& box : floor_.furniture) {
     if (Distance(point, box.shape) <= 0) return false;
   }
   for (const Disc& person : people()) {
@@ -216,7 +216,7 @@ bool World::CanStandAt(Vec2 point) const {
   return true;
 }
 
-Outcome World::Kidnap(const Pose2& pose) {
+ChangeResult World::Kidnap(const Pose2& pose) {
   if (!std::isfinite(pose.x) || !std::isfinite(pose.y) || !std::isfinite(pose.yaw)) {
     return {false, "that is no pose"};
   }
@@ -225,7 +225,7 @@ Outcome World::Kidnap(const Pose2& pose) {
   return {true, "the robot was put elsewhere"};
 }
 
-Outcome World::SetStationOffset(double offset) {
+ChangeResult World::SetStationOffset(double offset) {
   if (!(std::abs(offset) <= kMaxStationOffset)) {
     return {false, "the station can be moved by 1 m at most"};
   }
@@ -233,12 +233,12 @@ Outcome World::SetStationOffset(double offset) {
   return {true, "the station is " + std::to_string(std::lround(offset * 1000)) + " mm aside"};
 }
 
-Outcome World::SetChargerOn(bool on) {
+ChangeResult World::SetChargerOn(bool on) {
   charger_on_ = on;
   return {true, on ? "the charger is on" : "the charger is off"};
 }
 
-Outcome World::SetEmergencyStop(bool pressed) {
+ChangeResult World::SetEmergencyStop(bool pressed) {
   emergency_stop_ = pressed;
   return {true, pressed ? "the emergency stop is pressed" : "the emergency stop is released"};
 }

@@ -33,7 +33,7 @@ struct WorldOptions {
 };
 
 /// What came of a request, in one sentence for a person.
-struct Outcome {
+struct ChangeResult {
   bool ok = false;
   std::string message;
 };
@@ -73,19 +73,19 @@ class World {
   Pose2 OdomInMap() const;
 
   // --- changes from outside; refused with a reason, and then nothing has changed ---
-  Outcome SetPlaceBlocked(const std::string& place, bool blocked);
-  Outcome SetDoorOpen(const std::string& door, bool open);
-  Outcome SetStateOfCharge(double state_of_charge);
+  ChangeResult SetPlaceBlocked(const std::string& place, bool blocked);
+  ChangeResult SetDoorOpen(const std::string& door, bool open);
+  ChangeResult SetStateOfCharge(double state_of_charge);
   /// Lifts the robot and puts it down elsewhere. Its wheels do not turn, so odometry does not
   /// notice.
-  Outcome Kidnap(const Pose2& pose);
+  ChangeResult Kidnap(const Pose2& pose);
   /// Moves the charging contacts sideways, seen from a docked robot positive to its left [m]. What
   /// the robot knows of its station stays where it was. 0: back in place.
-  Outcome SetStationOffset(double offset);
+  ChangeResult SetStationOffset(double offset);
   /// A charger that is off gives no current, though the contacts touch.
-  Outcome SetChargerOn(bool on);
+  ChangeResult SetChargerOn(bool on);
   /// Pressed, it takes the motors away; the computers run on.
-  Outcome SetEmergencyStop(bool pressed);
+  ChangeResult SetEmergencyStop(bool pressed);
 
  private:
   void MovePeople(double dt);

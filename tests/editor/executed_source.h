@@ -30,7 +30,7 @@ class ExecutedSource final : public ToldSource {
     even_.OnGap(gap);
     follow_->Begin(HistoryState::Cause::kLost);
   }
-  void Tell(const LiveNotice& notice) { mailbox_.OnNotice(notice); }
+  void Tell(const LiveNotice& notice) { queue_.OnNotice(notice); }
   void StopBefore(NodeIndex node) { TellStop(node, tree.executor.shared_program()->Path(node), 1); }
 
   ExecutedTree tree;
@@ -53,7 +53,7 @@ class ExecutedSource final : public ToldSource {
     HistoryHandler& handler_;
   };
 
-  Even even_{mailbox_};
+  Even even_{queue_};
   std::unique_ptr<coppice::editor::Follow> follow_;
 };
 

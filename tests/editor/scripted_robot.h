@@ -34,7 +34,7 @@ class ScriptedRobot final : public ToldSource {
     state_.statuses[node] = status;
     state_.last[node] = status == Status::kIdle ? before : status;
     state_.cause = HistoryState::Cause::kJump;
-    mailbox_.OnState(state_);
+    queue_.OnState(state_);
   }
 
   /// A tick in which a key gets that text as its value.
@@ -62,7 +62,7 @@ class ScriptedRobot final : public ToldSource {
   void Tick(EventWords words = {}) {
     ++state_.tick;
     state_.time += std::chrono::milliseconds(100);
-    mailbox_.OnTick({state_.tick, state_.time, Duration(0), state_.statuses[0], true, words});
+    queue_.OnTick({state_.tick, state_.time, Duration(0), state_.statuses[0], true, words});
   }
 
   void Stop(NodeIndex node) { TellStop(node, tree_.description.nodes[node].path, state_.tick); }
@@ -70,8 +70,8 @@ class ScriptedRobot final : public ToldSource {
  private:
   std::vector<DescribedSlot>& slots() { return tree_.description.slots; }
   void TellAll() {
-    mailbox_.OnTree(tree_.description);
-    mailbox_.OnState(state_);
+    queue_.OnTree(tree_.description);
+    queue_.OnState(state_);
   }
 
   RobotTree tree_;

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "editor/live/mailbox.h"
+#include "editor/live/live_queue.h"
 #include "editor/live/run_source.h"
 
 namespace coppice::editor {
@@ -16,14 +16,14 @@ class ToldSource : public RunSource {
  public:
   const std::string& name() const override { return name_; }
   bool is_robot() const override { return is_robot_; }
-  void Pump(LiveListener& listener) override { mailbox_.Deliver(listener); }
-  bool has_news() const override { return !mailbox_.empty(); }
+  void Pump(LiveListener& listener) override { queue_.Deliver(listener); }
+  bool has_news() const override { return !queue_.empty(); }
   /// Every command succeeds.
   void Send(LiveCommand command, LiveClient::ReplyHandler on_reply) override {
     commands.push_back(command);
     LiveReply reply;
     if (command.kind == LiveCommand::Kind::kAddHook) reply.hook = ++last_hook_;
-    mailbox_.PutReply(std::move(on_reply), reply);
+    queue_.PutReply(std::move(on_reply), reply);
   }
 
   void Connect() { TellConnection(is_robot_, ""); }
@@ -42,10 +42,10 @@ class ToldSource : public RunSource {
     notice.event.kind = DebugEvent::Kind::kStopped;
     notice.event.stop = {DebugStop::Where::kBefore, node, Status::kIdle, last_hook_, tick};
     notice.path = path;
-    mailbox_.OnNotice(notice);
+    queue_.OnNotice(notice);
   }
 
-  Mailbox mailbox_{nullptr};
+  LiveQueue queue_{nullptr};
 
  private:
   void TellConnection(bool is_live, const std::string& problem) {
@@ -53,7 +53,7 @@ class ToldSource : public RunSource {
     connection.protocol = LiveConnection::Protocol::kCoppice;
     connection.is_live = is_live;
     connection.problem = problem;
-    mailbox_.OnConnection(connection);
+    queue_.OnConnection(connection);
   }
 
   const std::string name_;

@@ -92,11 +92,11 @@ std::map<std::string, int> Pids(const RobotState& state) {
 void ExpectQuiet(RobotRig& rig) {
   ASSERT_TRUE(rig.WaitFor(IsSettled, 60));
   std::map<std::string, int> pids;
-  Place stands;
+  StampedPoint stands;
   double since = -kQuiet;
   EXPECT_TRUE(rig.WaitFor(
       [&](const RobotState& state) {
-        const Place& now = state.truth();
+        const StampedPoint& now = state.truth();
         const bool moves = std::hypot(now.x - stands.x, now.y - stands.y) > 0.02;
         if (since < 0 || moves || Pids(state) != pids) {
           pids = Pids(state);

@@ -112,7 +112,7 @@ TEST(Mapping, APersonDrivesAMapAndTheRobotWorksWithIt) {
   Diagnostics diagnostics;
   const auto map = mapping::LoadMap((rig.folder() / "map.yaml").string(), diagnostics);
   ASSERT_TRUE(map) << diagnostics.ToString();
-  const OccupancyGrid floor = mapping::MapOf(navigation::InstituteFloor());
+  const OccupancyGrid floor = navigation::MapOf(navigation::InstituteFloor());
   EXPECT_GT(mapping::ShareNear(*map, floor, 0.15), 0.95);
   EXPECT_GT(mapping::ShareNear(floor, *map, 0.15, {-2.5, -1.4}, {12, 1.4}), 0.9);
 

@@ -55,7 +55,7 @@ std::string Tail(const fs::path& file) {
 }
 
 template <class Message>
-Place PlaceOf(const Message& message, const geometry_msgs::Pose& pose) {
+StampedPoint PlaceOf(const Message& message, const geometry_msgs::Pose& pose) {
   return {message.header.stamp.toSec(), pose.position.x, pose.position.y};
 }
 

@@ -115,19 +115,19 @@ void RobotState::OnRecovery(const coppice_msgs::RecoveryEvent& message, const In
 }
 
 // The localization speaks of each scan, later than the truth of the same moment or earlier.
-void RobotState::OnTruth(const Place& place) {
+void RobotState::OnTruth(const StampedPoint& place) {
   truth_ = place;
-  for (const Place& belief : beliefs_) {
+  for (const StampedPoint& belief : beliefs_) {
     if (std::abs(belief.stamp - truth_.stamp) > kSameMoment) continue;
     deviation_ = std::hypot(belief.x - truth_.x, belief.y - truth_.y);
     compared_at_ = truth_.stamp;
   }
 }
 
-void RobotState::OnBelief(const Place& place) {
+void RobotState::OnBelief(const StampedPoint& place) {
   beliefs_.push_back(place);
   if (beliefs_.size() > kBeliefs) beliefs_.pop_front();
-  if (std::abs(place.stamp - truth_.stamp) <= kSameMoment) OnTruth(Place(truth_));
+  if (std::abs(place.stamp - truth_.stamp) <= kSameMoment) OnTruth(StampedPoint(truth_));
 }
 
 void RobotState::OnBattery(double current, const Instant& now) {

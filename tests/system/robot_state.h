@@ -38,7 +38,7 @@ struct Event {
 std::string ToString(const Event& event, const Instant& origin);
 
 /// Where the robot is, or is believed to be, frame map [m].
-struct Place {
+struct StampedPoint {
   double stamp = 0;  ///< ROS time
   double x = 0, y = 0;
 };
@@ -53,15 +53,15 @@ class RobotState {
   void OnRequests(const coppice_msgs::HelpRequests& message, const Instant& now);
   void OnRecovery(const coppice_msgs::RecoveryEvent& message, const Instant& now);
   void OnApplication(const std::string& status, const Instant& now);
-  void OnTruth(const Place& place);
-  void OnBelief(const Place& place);
+  void OnTruth(const StampedPoint& place);
+  void OnBelief(const StampedPoint& place);
   void OnBattery(double current, const Instant& now);
   void Note(const std::string& text, const Instant& now);
 
   const Instant& now() const { return now_; }
   const std::string& application() const { return application_; }
   const std::string& configuration() const { return configuration_; }
-  const Place& truth() const { return truth_; }
+  const StampedPoint& truth() const { return truth_; }
   /// How far from the truth the localization was, and when; compared at the same time stamps.
   double deviation() const { return deviation_; }
   double compared_at() const { return compared_at_; }
@@ -94,8 +94,8 @@ class RobotState {
   std::string application_;
   std::string configuration_;
   bool changing_ = false;
-  Place truth_;
-  std::deque<Place> beliefs_;  // the last ones
+  StampedPoint truth_;
+  std::deque<StampedPoint> beliefs_;  // the last ones
   double deviation_ = 0, compared_at_ = 0;
   bool charging_ = false;
   std::map<Key, coppice_msgs::HealthEntry> health_;

@@ -22,7 +22,7 @@ std::string Expected(const Type& type) {
 }
 
 void SlotTypes::Set(SlotIndex index, std::string_view owner, const PortDeclaration& port,
-                    Place place) {
+                    DocumentPlace place) {
   SlotDefinition& slot = layout_.slots[index];
   if (!port.type) return;
   if (!slot.type) {
@@ -37,15 +37,16 @@ void SlotTypes::Set(SlotIndex index, std::string_view owner, const PortDeclarati
   }
 }
 
-void SlotTypes::Suggest(SlotIndex slot, const Type& type, Place place) {
+void SlotTypes::Suggest(SlotIndex slot, const Type& type, DocumentPlace place) {
   suggestions_.push_back({slot, &type, place});
 }
 
-void SlotTypes::AddCopy(SlotIndex from, SlotIndex to, std::string_view owner, Place place) {
+void SlotTypes::AddCopy(SlotIndex from, SlotIndex to, std::string_view owner, DocumentPlace place) {
   copies_.push_back({from, to, owner, place});
 }
 
-void SlotTypes::AddLiteral(SlotIndex slot, std::string_view text, std::string name, Place place) {
+void SlotTypes::AddLiteral(SlotIndex slot, std::string_view text, std::string name,
+                           DocumentPlace place) {
   literals_.push_back({slot, text, std::move(name), place});
 }
 

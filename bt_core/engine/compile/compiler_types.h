@@ -20,7 +20,7 @@
 namespace coppice {
 
 /// A place in a file; it must outlive what keeps it.
-struct Place {
+struct DocumentPlace {
   const Document* document;
   std::uint32_t offset;
 };
@@ -35,18 +35,19 @@ class SlotTypes {
 
   /// The slot gets the type of a port of node type `owner`. A port that takes any type changes
   /// nothing.
-  void Set(SlotIndex slot, std::string_view owner, const PortDeclaration& port, Place place);
+  void Set(SlotIndex slot, std::string_view owner, const PortDeclaration& port,
+           DocumentPlace place);
 
   /// The type that a model of a SubTree names for a slot. It counts if no port gives it one, and is
   /// a warning if a port gives it another one. Numbers of all sorts are the same to a model.
-  void Suggest(SlotIndex slot, const Type& type, Place place);
+  void Suggest(SlotIndex slot, const Type& type, DocumentPlace place);
 
   /// A node of type `owner` copies what is in `from`, whatever it is, to `to`: if ports give a type
   /// to `to`, then `from` has it, too.
-  void AddCopy(SlotIndex from, SlotIndex to, std::string_view owner, Place place);
+  void AddCopy(SlotIndex from, SlotIndex to, std::string_view owner, DocumentPlace place);
 
   /// The text will be the first value of the slot. `name` says in messages what it is given to.
-  void AddLiteral(SlotIndex slot, std::string_view text, std::string name, Place place);
+  void AddLiteral(SlotIndex slot, std::string_view text, std::string name, DocumentPlace place);
 
   /// When all ports are bound: settles the types and gives them to the literals. In a slot without
   /// type the text decides (bt_core/data/literal.h).
@@ -60,19 +61,19 @@ class SlotTypes {
   struct Suggestion {
     SlotIndex slot;
     const Type* type;
-    Place place;
+    DocumentPlace place;
   };
   struct Copy {
     SlotIndex from;
     SlotIndex to;
     std::string_view owner;
-    Place place;
+    DocumentPlace place;
   };
   struct Literal {
     SlotIndex slot;
     std::string_view text;
     std::string name;
-    Place place;
+    DocumentPlace place;
   };
 
   void Settle(const Suggestion& suggestion);

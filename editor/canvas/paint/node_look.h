@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "editor/live/tree_state.h"
+#include "editor/live/tree_snapshot.h"
 #include "editor/theme/geometry.h"
 
 namespace coppice::editor {

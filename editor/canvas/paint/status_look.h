@@ -4,7 +4,7 @@
 #ifndef COPPICE_EDITOR_CANVAS_PAINT_STATUS_LOOK_H_
 #define COPPICE_EDITOR_CANVAS_PAINT_STATUS_LOOK_H_
 
-#include "editor/live/tree_state.h"
+#include "editor/live/tree_snapshot.h"
 #include "editor/theme/ui.h"
 
 namespace coppice::editor {

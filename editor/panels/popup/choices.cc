@@ -64,7 +64,7 @@ void OfferTrees(EditorState& state, Collector& collector, double now) {
 std::vector<Choice> FindChoices(EditorState& state, const std::string& typed, double now,
                                 std::size_t limit) {
   Collector collector(typed);
-  for (const Command& command : state.commands.all()) {
+  for (const EditorCommand& command : state.commands.all()) {
     collector.Offer(command.title, ToString(command.keys), "command", command.run);
   }
   if (!typed.empty()) OfferNodes(state, collector);

@@ -25,7 +25,7 @@ void AskForKeys(EditorState& state, const std::string& id) {
   state.OpenPopup(Popup::kNewKeys);
 }
 
-void PaintCommand(const Ui& ui, const Command& command, const Box& box) {
+void PaintCommand(const Ui& ui, const EditorCommand& command, const Box& box) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float pad = 6 * ui.scale;
   const bool is_changed = !(command.keys == command.own_keys);
@@ -55,9 +55,10 @@ void DrawProblems(const Ui& ui, const Diagnostics& problems) {
 
 }  // namespace
 
-std::vector<const Command*> FindCommands(const CommandTable& commands, const std::string& typed) {
-  std::vector<std::pair<int, const Command*>> found;
-  for (const Command& command : commands.all()) {
+std::vector<const EditorCommand*> FindCommands(const CommandTable& commands,
+                                               const std::string& typed) {
+  std::vector<std::pair<int, const EditorCommand*>> found;
+  for (const EditorCommand& command : commands.all()) {
     const int score =
         std::max({FuzzyScore(typed, command.title), FuzzyScore(typed, ToString(command.keys)),
                   FuzzyScore(typed, command.id)});
@@ -65,13 +66,13 @@ std::vector<const Command*> FindCommands(const CommandTable& commands, const std
   }
   std::stable_sort(found.begin(), found.end(),
                    [](const auto& a, const auto& b) { return a.first > b.first; });
-  std::vector<const Command*> sorted;
+  std::vector<const EditorCommand*> sorted;
   for (const auto& [score, command] : found) sorted.push_back(command);
   return sorted;
 }
 
 void DrawKeyList(const Ui& ui, EditorState& state) {
-  const std::vector<const Command*> commands = FindCommands(state.commands, state.popup.text);
+  const std::vector<const EditorCommand*> commands = FindCommands(state.commands, state.popup.text);
   const int count = static_cast<int>(commands.size());
   const int before = state.popup.choice;
   if (IsPressed(state, kKeyDown)) ++state.popup.choice;
@@ -84,9 +85,9 @@ void DrawKeyList(const Ui& ui, EditorState& state) {
   const float row_height = kRowHeight * ui.scale;
   const float whole = std::floor(ImGui::GetContentRegionAvail().y / row_height) * row_height;
   ImGui::BeginChild("rows", {0, std::max(whole, row_height)}, false);
-  const Command* chosen = nullptr;
+  const EditorCommand* chosen = nullptr;
   for (int i = 0; i < count; ++i) {
-    const Command& command = *commands[static_cast<std::size_t>(i)];
+    const EditorCommand& command = *commands[static_cast<std::size_t>(i)];
     const Row row = NextRow(ui, "popup/keys/" + command.id, i == state.popup.choice);
     if (i == state.popup.choice && before != i) ImGui::SetScrollHereY();
     if (row.visible) PaintCommand(ui, command, row.box);
@@ -99,7 +100,7 @@ void DrawKeyList(const Ui& ui, EditorState& state) {
 
 void DrawNewKeys(const Ui& ui, EditorState& state) {
   KeySettings& settings = state.key_settings;
-  const Command* command = state.commands.Find(settings.command);
+  const EditorCommand* command = state.commands.Find(settings.command);
   if (!command) return;
   const bool is_first_frame = std::exchange(state.popup.is_new, false);
   const auto write = [&](const char* path, const std::string& text, Color color) {
@@ -108,7 +109,7 @@ void DrawNewKeys(const Ui& ui, EditorState& state) {
                text, {Face::kSans, 12, color}, row.box.width() - 12);
   };
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
-  const Command* other = OtherWithKeys(state, *command, settings.taken);
+  const EditorCommand* other = OtherWithKeys(state, *command, settings.taken);
   const std::string now =
       command->keys.key ? "now " + ToString(command->keys) : std::string("now without a key");
   write("popup/new_keys", "Press the keys of \"" + command->title + "\" (" + now + ")",

@@ -12,7 +12,8 @@
 namespace coppice::editor {
 
 /// Those whose title, ID or keys fit what was typed, the best first; without a text all.
-std::vector<const Command*> FindCommands(const CommandTable& commands, const std::string& typed);
+std::vector<const EditorCommand*> FindCommands(const CommandTable& commands,
+                                               const std::string& typed);
 
 /// Below the field in which one types. Enter or a click asks for other keys.
 void DrawKeyList(const Ui& ui, EditorState& state);

@@ -95,7 +95,7 @@ void Tooltip(const Ui& ui, std::string_view text) {
 
 void ExplainCommand(const Ui& ui, const CommandTable& commands, std::string_view id) {
   if (!ImGui::IsItemHovered()) return;
-  const Command* command = commands.Find(id);
+  const EditorCommand* command = commands.Find(id);
   if (!command) return;
   const std::string keys = ToString(command->keys);
   Tooltip(ui, keys.empty() ? command->title : command->title + "   " + keys);

@@ -10,7 +10,7 @@ using leaves::BatteryReading;
 constexpr char kMonitor[] = "battery";
 constexpr double kHour = 3600;
 
-std::vector<GaugeWatch> GaugesOf(const BatteryWatch& watch) {
+std::vector<GaugeWatch> GaugesOf(const BatteryLimits& watch) {
   return {{kMonitor, "voltage", "", "V", watch.voltage},
           {kMonitor, "current", "", "A", watch.current},
           {kMonitor, "charge", "", "", watch.charge},
@@ -50,7 +50,7 @@ void CoulombCount::OnReading(const BatteryReading& reading, double charging_abov
   last_at_ = now;
 }
 
-void BatteryMonitor::Watch(const std::optional<BatteryWatch>& watch) {
+void BatteryMonitor::Watch(const std::optional<BatteryLimits>& watch) {
   if (!watch || !watch_ || watch->topic != watch_->topic) {
     freshness_.Reset();
     since_.reset();

@@ -47,7 +47,7 @@ class BatteryMonitor : public Monitor {
 
   void Watch(const WatchList& list, const Times&) override { Watch(list.battery); }
   /// Nothing: the battery is not watched, and nothing is reported.
-  void Watch(const std::optional<BatteryWatch>& watch);
+  void Watch(const std::optional<BatteryLimits>& watch);
   /// A number that has bounds but is not measured counts as one outside them.
   void OnReading(const leaves::BatteryReading& reading, const Times& now);
   /// Length of the way to the station [m]; 0 until it is known.
@@ -62,7 +62,7 @@ class BatteryMonitor : public Monitor {
   Finding State(const ProcessTable& processes, const Times& now);
 
   Freshness freshness_;
-  std::optional<BatteryWatch> watch_;
+  std::optional<BatteryLimits> watch_;
   GaugeBoard board_;
   CoulombCount count_{std::chrono::seconds(10)};
   double distance_ = 0;

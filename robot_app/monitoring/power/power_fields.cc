@@ -34,8 +34,8 @@ DockPlace ReadDock(YamlFields& fields) {
 
 }  // namespace
 
-BatteryWatch ReadBatteryWatch(YamlFields& fields) {
-  BatteryWatch watch;
+BatteryLimits ReadBatteryLimits(YamlFields& fields) {
+  BatteryLimits watch;
   watch.topic = ReadRosName(fields, "topic");
   watch.node = ReadRosName(fields, "node");
   watch.staleness = fields.Seconds("staleness", 5, 0.1, kHour);

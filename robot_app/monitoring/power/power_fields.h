@@ -8,7 +8,7 @@
 
 namespace coppice::robot::monitoring {
 
-BatteryWatch ReadBatteryWatch(YamlFields& fields);
+BatteryLimits ReadBatteryLimits(YamlFields& fields);
 ChargingWatch ReadChargingWatch(YamlFields& fields);
 DockingWatch ReadDockingWatch(YamlFields& fields);
 EmergencyStopWatch ReadEmergencyStopWatch(YamlFields& fields);

@@ -19,7 +19,7 @@ struct DockPlace {
   double detour = 1.5;  ///< else: way there over the straight line
 };
 
-struct BatteryWatch {
+struct BatteryLimits {
   std::string topic;              ///< sensor_msgs/BatteryState
   std::string node;               ///< its publisher, to be restarted when it falls silent
   Duration staleness{0};          ///< no message for longer than this is an error

@@ -6,7 +6,7 @@
 
 namespace coppice::robot::processes {
 
-void Condition::Observe(double value, Time now) {
+void TopicCondition::Observe(double value, Time now) {
   const bool gap = heard_at_ && now - *heard_at_ > config_.staleness;
   value_ = value;
   heard_at_ = now;
@@ -14,7 +14,7 @@ void Condition::Observe(double value, Time now) {
   if (Holds(value) && !holds_since_) holds_since_ = now;
 }
 
-std::string Condition::WhyNot(Time now) const {
+std::string TopicCondition::WhyNot(Time now) const {
   if (!heard_at_) return "nothing was heard on " + config_.topic;
   if (now - *heard_at_ > config_.staleness) {
     return config_.topic + " is silent for " + SecondsText(now - *heard_at_);

@@ -11,9 +11,9 @@
 namespace coppice::robot::processes {
 
 /// One condition of the configuration file. Times are ROS time. For one thread.
-class Condition {
+class TopicCondition {
  public:
-  explicit Condition(ConditionConfig config) : config_(std::move(config)) {}
+  explicit TopicCondition(ConditionConfig config) : config_(std::move(config)) {}
 
   /// A value of its topic: a current in A, or 0 and 1.
   void Observe(double value, Time now);

@@ -21,7 +21,7 @@ class CanvasLooksTest : public testing::Test {
 
   const std::shared_ptr<const Scene> kept_ = MakeScene("<A><B><C/><D/></B><E/></A>");
   TreeView view_;
-  TreeState state_;
+  TreeSnapshot state_;
   CanvasOptions options_;
 };
 

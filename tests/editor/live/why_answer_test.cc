@@ -78,14 +78,14 @@ class ForeignRobot final : public RunSource {
 
   const std::string& name() const override { return name_; }
   bool is_robot() const override { return true; }
-  void Pump(LiveListener& listener) override { mailbox_.Deliver(listener); }
-  bool has_news() const override { return !mailbox_.empty(); }
+  void Pump(LiveListener& listener) override { queue_.Deliver(listener); }
+  bool has_news() const override { return !queue_.empty(); }
   void Send(LiveCommand, LiveClient::ReplyHandler) override {}
 
  private:
   const std::string name_ = "robot:1667";
-  Mailbox mailbox_{nullptr};
-  Groot2History history_{mailbox_, name_};
+  LiveQueue queue_{nullptr};
+  Groot2History history_{queue_, name_};
 };
 
 TEST(WhyAnswer, ARobotThatTellsChangesOnlyHasThrownNothing) {

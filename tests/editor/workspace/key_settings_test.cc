@@ -32,7 +32,7 @@ TEST_F(KeySettingsTest, NewKeysHoldAtOnceAndLieInTheFile) {
 }
 
 TEST_F(KeySettingsTest, KeysOfAnotherCommandAreTakenFromIt) {
-  const Command& fit = *state().commands.Find("view.fit_all");
+  const EditorCommand& fit = *state().commands.Find("view.fit_all");
   const KeyChord undo = KeysOf("edit.undo");
   ASSERT_NE(OtherWithKeys(state(), fit, undo), nullptr);
   EXPECT_EQ(OtherWithKeys(state(), fit, undo)->id, "edit.undo");
@@ -43,9 +43,9 @@ TEST_F(KeySettingsTest, KeysOfAnotherCommandAreTakenFromIt) {
 }
 
 TEST_F(KeySettingsTest, KeysThatCountWhileARunIsShownDoNotGetInTheWay) {
-  const Command& run = *state().commands.Find("run.why");
-  const Command* always = nullptr;
-  for (const Command& command : state().commands.all()) {
+  const EditorCommand& run = *state().commands.Find("run.why");
+  const EditorCommand* always = nullptr;
+  for (const EditorCommand& command : state().commands.all()) {
     if (!command.when && command.keys.key != 0) always = &command;
   }
   ASSERT_NE(always, nullptr);

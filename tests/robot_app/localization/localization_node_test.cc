@@ -24,7 +24,6 @@
 namespace coppice::robot::localization {
 namespace {
 
-using processes::kPrograms;
 using State = coppice_msgs::LocalizationState;
 using testing::HasSubstr;
 

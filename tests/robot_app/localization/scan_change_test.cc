@@ -43,7 +43,7 @@ TEST(ScanChange, IsSmallWhenAPersonWalksBy) {
   for (int i = 0; i < 30; ++i) {
     OccupancyGrid room = EmptyRoom(10, 5);
     const double y = 1 + 0.1 * i;  // 1 m/s
-    Fill(room, {3.5, y}, {4, y + 0.5});
+    navigation::Fill(room, {3.5, y}, {4, y + 0.5});
     EXPECT_LT(change.Add(ScanOf(room, kHere, 1 + 0.1 * i), {}), 0.07) << i;
   }
 }

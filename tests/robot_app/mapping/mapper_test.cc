@@ -45,7 +45,7 @@ TEST_F(MapOfTheInstitute, DriftsByCentimetresInOneRound) {
 }
 
 TEST_F(MapOfTheInstitute, ShowsTheWallsAndNothingElse) {
-  const OccupancyGrid floor = coppice::robot::mapping::MapOf(InstituteFloor());
+  const OccupancyGrid floor = navigation::MapOf(InstituteFloor());
   EXPECT_GT(ShareNear(map_, floor, 0.1), 0.8);
   EXPECT_GT(ShareNear(map_, floor, 0.15), 0.99);  // nobody who walked by is left
   EXPECT_GT(ShareNear(floor, map_, 0.1, {-2.9, -1.4}, {40, 1.4}), 0.95);  // corridor
@@ -112,7 +112,7 @@ TEST(Mapper, ClosesARingThatBadOdometryHasTornOpen) {
   EXPECT_GE(robot.mapper().Report().loops, 1u);
   EXPECT_LT(robot.Error(), 0.3);
   // The walls where it began are there once.
-  const OccupancyGrid truth = coppice::robot::mapping::MapOf(floor);
+  const OccupancyGrid truth = navigation::MapOf(floor);
   EXPECT_GT(ShareNear(robot.mapper().Map(), truth, 0.3), 0.95);
   EXPECT_GT(ShareNear(robot.mapper().Map(), truth, 0.2, {-1, -1}, {12, 4}), 0.97);
 }
@@ -125,7 +125,7 @@ TEST(Mapper, GoesOnWhenTheOdometryBeginsAnew) {
   robot.RestartOdometry();
   ASSERT_TRUE(robot.Drive({{12, 0}}));
   EXPECT_LT(robot.Error(), 0.1);
-  EXPECT_GT(ShareNear(robot.mapper().Map(), coppice::robot::mapping::MapOf(floor), 0.1), 0.97);
+  EXPECT_GT(ShareNear(robot.mapper().Map(), navigation::MapOf(floor), 0.1), 0.97);
 }
 
 TEST(Mapper, KeepsNothingWhileTheRobotStands) {

@@ -22,7 +22,6 @@
 namespace coppice::robot::mapping {
 namespace {
 
-using processes::kPrograms;
 using processes::Temporary;
 
 namespace fs = std::filesystem;

@@ -14,7 +14,6 @@
 namespace coppice::robot::monitoring {
 namespace {
 
-using leaves::HealthEntry;
 using testing::HasSubstr;
 
 constexpr char kConfig[] = R"(

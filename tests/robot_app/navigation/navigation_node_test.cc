@@ -30,7 +30,6 @@ namespace coppice::robot::navigation {
 namespace {
 
 using actionlib::SimpleClientGoalState;
-using processes::kPrograms;
 using testing::HasSubstr;
 
 constexpr double kPatience = 30;  // wall time, for whatever is waited for [s]

@@ -34,7 +34,7 @@ class SwitchOffTest : public testing::Test {
   bool TakeStop() { return switch_off_.TakeStop(robot_.supervisor(), robot_.machine.now); }
 
   SimulatedRobot robot_{Robot()};
-  SwitchOff switch_off_{true, "secret"};
+  PowerDown switch_off_{true, "secret"};
 };
 
 TEST_F(SwitchOffTest, CutsThePowerOnlyWhenTheRobotStands) {
@@ -57,7 +57,7 @@ TEST_F(SwitchOffTest, WithoutTheTokenTheRobotStandsWithThePowerOn) {
 }
 
 TEST_F(SwitchOffTest, AnEmptyTokenOpensNothing) {
-  SwitchOff nobody(true, "");
+  PowerDown nobody(true, "");
   nobody.Ask("empty", "", robot_.supervisor(), robot_.machine.now);
   ASSERT_TRUE(robot_.RunUntil(
       [&] { return nobody.TakeStop(robot_.supervisor(), robot_.machine.now); }, seconds(10)));

@@ -37,7 +37,7 @@ TEST(RosInteraction, SpeaksOnItsTopicAndReportsTheEnd) {
   RosInteraction interaction(node);
   Listener speech(node, "/speech");
   ASSERT_TRUE(Eventually([&] { return speech.connected(); }));
-  LeafHarness harness = LeafHarness::For<Say>(std::ref<leaves::Interaction>(interaction));
+  LeafHarness harness = LeafHarness::For<leaves::Say>(std::ref<leaves::Interaction>(interaction));
   harness.Set("text", std::string("hello"));
   EXPECT_EQ(harness.Tick(), Status::kRunning);
   EXPECT_TRUE(Eventually([&] { return speech.text() == "hello"; }));

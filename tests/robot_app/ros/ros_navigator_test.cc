@@ -18,7 +18,7 @@ using Server = actionlib::SimpleActionServer<move_base_msgs::MoveBaseAction>;
 
 class RosNavigatorTest : public testing::Test {
  protected:
-  RosNavigatorTest() { harness_.Set("goal", Pose2D{1, 2, 0}); }
+  RosNavigatorTest() { harness_.Set("goal", leaves::Pose2D{1, 2, 0}); }
 
   // A move_base that ends every goal as told, or works until it is pre-empted.
   std::unique_ptr<Server> StartServer(std::function<void(Server&)> end) {

@@ -22,7 +22,7 @@ class FaultsTest : public testing::Test {
   SignalNode Recorder() {
     return [this](const std::string& node, int signal) {
       signals_.emplace_back(node, signal);
-      return Outcome{node != "/lost", "signalled"};
+      return ChangeResult{node != "/lost", "signalled"};
     };
   }
 

@@ -41,12 +41,12 @@ TEST(NodeSignals, StopResumeAndKillTheProcessOfANode) {
   ChildProcess victim({kSimulator, "__name:=victim"}, testing::TempDir() + "victim.log");
   ASSERT_TRUE(Eventually([] { return Knows("/victim"); }));
   NodeSignals signals = MakeSignals();
-  const Outcome stopped = signals.Send("/victim", SIGSTOP);
+  const ChangeResult stopped = signals.Send("/victim", SIGSTOP);
   EXPECT_TRUE(stopped.ok) << stopped.message;
   EXPECT_TRUE(Eventually([&] { return StateOf(victim.pid()) == 'T'; }));
   EXPECT_TRUE(signals.Send("victim", SIGCONT).ok);
   EXPECT_TRUE(Eventually([&] { return StateOf(victim.pid()) != 'T'; }));
-  const Outcome killed = signals.Send("/victim", SIGKILL);
+  const ChangeResult killed = signals.Send("/victim", SIGKILL);
   EXPECT_TRUE(killed.ok) << killed.message;
   EXPECT_TRUE(Eventually([&] { return !victim.IsRunning(); }));
   EXPECT_EQ(victim.exit_status(), 128 + SIGKILL);
@@ -56,7 +56,7 @@ TEST(NodeSignals, StopResumeAndKillTheProcessOfANode) {
 TEST(NodeSignals, RefuseThemselvesAndTheUnknown) {
   NodeSignals signals = MakeSignals();
   EXPECT_FALSE(signals.Send(ros::this_node::getName(), SIGKILL).ok);
-  const Outcome unknown = signals.Send("/coppice_tost", SIGKILL);
+  const ChangeResult unknown = signals.Send("/coppice_tost", SIGKILL);
   EXPECT_FALSE(unknown.ok);
   EXPECT_THAT(unknown.message, HasSubstr("the master knows no node"));
 }

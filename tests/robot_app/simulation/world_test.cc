@@ -163,7 +163,7 @@ TEST(World, ABlockedPlaceIsSolidAndSeenUntilItIsCleared) {
 TEST(World, NeverPutsABoxOnTheRobotOrAPerson) {
   Floor floor = RoomWithThings();
   World on_robot(floor, At(10.5, 0, 0));
-  const Outcome refused = on_robot.SetPlaceBlocked("middle", true);
+  const ChangeResult refused = on_robot.SetPlaceBlocked("middle", true);
   EXPECT_FALSE(refused.ok);
   EXPECT_THAT(refused.message, HasSubstr("the robot stands there"));
   EXPECT_FALSE(on_robot.place_blocked(0));
@@ -179,7 +179,7 @@ TEST(World, DoorsCloseAndOpenButNotOnTheRobot) {
   EXPECT_TRUE(world.SetDoorOpen("gate", false).ok);
   Drive(world, {0.9, 0}, 8);
   EXPECT_LT(world.robot().x, 15 - kRobotRadius);
-  const Outcome refused = world.SetDoorOpen("gate", true);  // it would swing over the robot
+  const ChangeResult refused = world.SetDoorOpen("gate", true);  // it would swing over the robot
   EXPECT_FALSE(refused.ok);
   EXPECT_THAT(refused.message, HasSubstr("cannot open gate: the robot stands in the way"));
   Drive(world, {-0.9, 0}, 6);
@@ -197,7 +197,7 @@ TEST(World, RefusesUnknownNamesWithTheNearestOne) {
 
 TEST(World, BlockingTheCorridorLeavesNoGapForTheRobot) {
   const Floor floor = LoadInstitute();
-  for (const Box& place : floor.places) {
+  for (const FloorBox& place : floor.places) {
     if (place.name.rfind("corridor_", 0) != 0) continue;
     const double gap = 1.25 - place.shape.size.y / 2;
     EXPECT_LT(gap, 2 * kRobotRadius) << place.name;

@@ -19,7 +19,7 @@ struct SlotTypesTest : testing::Test {
 
   Diagnostics diagnostics;
   const Document document = *Document::FromText("<root/>", "t.xml", diagnostics);
-  const Place place{&document, 0};
+  const DocumentPlace place{&document, 0};
   Problems problems{diagnostics};
   Layout layout;
   SlotTypes types{layout, problems};

@@ -43,7 +43,7 @@ TEST_F(KeyListTest, FindsCommandsByTitleIdAndKeys) {
 }
 
 TEST_F(KeyListTest, EveryKeyHasANameThatCanBeRead) {
-  for (const Command& command : commands().all()) {
+  for (const EditorCommand& command : commands().all()) {
     const auto read = KeysFromString(ToString(command.keys));
     ASSERT_TRUE(read) << command.id << " " << ToString(command.keys);
     EXPECT_EQ(*read, command.keys) << command.id;

@@ -22,8 +22,8 @@ Band AtLeast(double warn, double error) {
   return {{warn, std::nullopt}, {error, std::nullopt}, 1, Duration::zero(), 0};
 }
 
-BatteryWatch Watch() {
-  BatteryWatch watch;
+BatteryLimits Watch() {
+  BatteryLimits watch;
   watch.topic = "/battery_state";
   watch.node = "/base";
   watch.staleness = seconds(5);
@@ -194,7 +194,7 @@ TEST_F(BatteryMonitorTest, WhatHasBoundsAndIsNotMeasuredIsAnError) {
 }
 
 TEST_F(BatteryMonitorTest, WhatHasNoBoundsNeedNotBeMeasured) {
-  BatteryWatch watch = Watch();
+  BatteryLimits watch = Watch();
   watch.voltage = Band();
   monitor_.Watch(watch);
   reading_.voltage = kNan;

@@ -15,7 +15,7 @@ class PowerFieldsTest : public FieldsTest {};
 
 TEST_F(PowerFieldsTest, ABatteryNeedsItsTopicAndNodeOnly) {
   YamlFields fields = Open("{topic: /battery_state, node: /base}");
-  const BatteryWatch watch = ReadBatteryWatch(fields);
+  const BatteryLimits watch = ReadBatteryLimits(fields);
   EXPECT_EQ(Errors(), "");
   EXPECT_EQ(watch.staleness, seconds(5));
   EXPECT_EQ(watch.voltage, Band()) << "depends on the cells";
@@ -31,7 +31,7 @@ node: /base
 voltage: {error: [23, none]}
 model: {capacity: 40, driving_speed: 0.5, docking_attempts: 2}
 dock: {x: -2.4, y: 1, base_frame: base, detour: 2})");
-  const BatteryWatch watch = ReadBatteryWatch(fields);
+  const BatteryLimits watch = ReadBatteryLimits(fields);
   EXPECT_EQ(Errors(), "");
   EXPECT_EQ(watch.voltage.error, (Range{23, std::nullopt}));
   EXPECT_EQ(watch.model.capacity, 40);
@@ -46,7 +46,7 @@ dock: {x: -2.4, y: 1, base_frame: base, detour: 2})");
 
 TEST_F(PowerFieldsTest, AWayThatIsShorterThanTheStraightLineIsAnError) {
   YamlFields fields = Open("{topic: /battery_state, node: /base, dock: {detour: 0.5}}");
-  ReadBatteryWatch(fields);
+  ReadBatteryLimits(fields);
   EXPECT_THAT(Errors(), HasSubstr("detour"));
 }
 

@@ -18,11 +18,11 @@ ConditionConfig Charging() {
 }
 
 TEST(ConditionTest, DoesNotHoldBeforeAnythingWasHeard) {
-  EXPECT_EQ(Condition(Charging()).WhyNot(seconds(100)), "nothing was heard on /battery_state");
+  EXPECT_EQ(TopicCondition(Charging()).WhyNot(seconds(100)), "nothing was heard on /battery_state");
 }
 
 TEST(ConditionTest, ACurrentMustFlowForSomeTime) {
-  Condition condition(Charging());
+  TopicCondition condition(Charging());
   for (int t = 0; t < 5; ++t) {
     condition.Observe(0.5, seconds(t));
     EXPECT_EQ(condition.WhyNot(seconds(t)),
@@ -33,19 +33,19 @@ TEST(ConditionTest, ACurrentMustFlowForSomeTime) {
 }
 
 TEST(ConditionTest, ContactWithoutCurrentIsNoCharging) {
-  Condition condition(Charging());
+  TopicCondition condition(Charging());
   for (int t = 0; t < 10; ++t) condition.Observe(0.1, seconds(t));
   EXPECT_EQ(condition.WhyNot(seconds(9)), "only 0.1 A flow, 0.5 A are needed");
 }
 
 TEST(ConditionTest, AnInterruptionBeginsTheTimeAnew) {
-  Condition condition(Charging());
+  TopicCondition condition(Charging());
   for (int t = 0; t < 8; ++t) condition.Observe(t == 6 ? 0 : 1, seconds(t));
   EXPECT_EQ(condition.WhyNot(seconds(7)), "true for 0 s only, it must last 5 s");
 }
 
 TEST(ConditionTest, SilenceIsNoConfirmationNorDoesItLast) {
-  Condition condition(Charging());
+  TopicCondition condition(Charging());
   condition.Observe(1, seconds(0));
   EXPECT_EQ(condition.WhyNot(seconds(4)), "/battery_state is silent for 4 s");
   condition.Observe(1, seconds(10));
@@ -56,7 +56,7 @@ TEST(ConditionTest, AFlagIsTrueOrFalse) {
   ConditionConfig config = Charging();
   config.current.reset();
   config.lasting = seconds(0);
-  Condition condition(config);
+  TopicCondition condition(config);
   condition.Observe(0, seconds(1));
   EXPECT_EQ(condition.WhyNot(seconds(1)), "/battery_state says no");
   condition.Observe(1, seconds(1));

@@ -1,4 +1,4 @@
-#include "editor/live/mailbox.h"
+#include "editor/live/live_queue.h"
 
 #include <utility>
 
@@ -14,12 +14,12 @@ Overloaded(Functions...) -> Overloaded<Functions...>;
 
 }  // namespace
 
-bool Mailbox::empty() const {
+bool LiveQueue::empty() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   return letters_.all.empty();
 }
 
-void Mailbox::Put(Letter letter) {
+void LiveQueue::Put(Letter letter) {
   bool was_empty = false;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -29,11 +29,11 @@ void Mailbox::Put(Letter letter) {
   if (was_empty && wake_) wake_();
 }
 
-void Mailbox::PutReply(LiveClient::ReplyHandler on_reply, LiveReply reply) {
+void LiveQueue::PutReply(LiveClient::ReplyHandler on_reply, LiveReply reply) {
   if (on_reply) Put(Reply{std::move(on_reply), std::move(reply)});
 }
 
-void Mailbox::OnTick(const TickEvents& events) {
+void LiveQueue::OnTick(const TickEvents& events) {
   bool was_empty = false;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -45,7 +45,7 @@ void Mailbox::OnTick(const TickEvents& events) {
   if (was_empty && wake_) wake_();
 }
 
-void Mailbox::Deliver(LiveListener& listener) {
+void LiveQueue::Deliver(LiveListener& listener) {
   Letters letters;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -54,7 +54,7 @@ void Mailbox::Deliver(LiveListener& listener) {
   Hand(letters, listener);
 }
 
-void Mailbox::Hand(const Letters& letters, LiveListener& listener) {
+void LiveQueue::Hand(const Letters& letters, LiveListener& listener) {
   const auto hand =
       Overloaded{[&](const Tick& tick) {
                    TickEvents events = tick.events;

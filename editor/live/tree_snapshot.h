@@ -1,6 +1,6 @@
 // How a tree stands at one moment, as the canvas and the panels show it.
-#ifndef COPPICE_EDITOR_LIVE_TREE_STATE_H_
-#define COPPICE_EDITOR_LIVE_TREE_STATE_H_
+#ifndef COPPICE_EDITOR_LIVE_TREE_SNAPSHOT_H_
+#define COPPICE_EDITOR_LIVE_TREE_SNAPSHOT_H_
 
 #include <cstdint>
 #include <vector>
@@ -22,11 +22,11 @@ enum NodeMark : std::uint8_t {
 struct NodeState {
   Status status = Status::kIdle;
   Status before = Status::kIdle;  ///< of an idle node: its last status
-  Time since{0};  ///< when the status began, on the axis of TreeState::now; 0: unknown
+  Time since{0};  ///< when the status began, on the axis of TreeSnapshot::now; 0: unknown
   std::uint8_t marks = kNoMark;  ///< of NodeMark
 };
 
-struct TreeState {
+struct TreeSnapshot {
   bool is_fresh = true;           ///< false: the robot does not answer, this is the last known
   Time now{0};                    ///< the moment that is shown
   std::vector<NodeState> states;  ///< by SceneNode::uid
@@ -34,4 +34,4 @@ struct TreeState {
 
 }  // namespace coppice::editor
 
-#endif  // COPPICE_EDITOR_LIVE_TREE_STATE_H_
+#endif  // COPPICE_EDITOR_LIVE_TREE_SNAPSHOT_H_

@@ -1,4 +1,4 @@
-#include "editor/live/mailbox.h"
+#include "editor/live/live_queue.h"
 
 #include <gtest/gtest.h>
 
@@ -26,36 +26,36 @@ class Teller : public LiveListener {
   std::string told;
 };
 
-TEST(MailboxTest, TellsAgainInOrderWhatWasToldOnAnotherThread) {
+TEST(LiveQueueTest, TellsAgainInOrderWhatWasToldOnAnotherThread) {
   int wakes = 0;
-  Mailbox mailbox([&wakes] { ++wakes; });
-  EXPECT_TRUE(mailbox.empty());
-  std::thread([&mailbox] {
+  LiveQueue queue([&wakes] { ++wakes; });
+  EXPECT_TRUE(queue.empty());
+  std::thread([&queue] {
     LiveConnection connection;
     connection.is_live = true;
-    mailbox.OnConnection(connection);
+    queue.OnConnection(connection);
     TreeDescription tree;
     tree.main_tree = "Main";
-    mailbox.OnTree(tree);
-    mailbox.OnState({});
+    queue.OnTree(tree);
+    queue.OnState({});
     const std::uint32_t words[] = {10, 20, 30};
-    mailbox.OnTick({1, Time(1), Duration(0), Status::kRunning, true, {words, 2}});
-    mailbox.OnTick({2, Time(2), Duration(0), Status::kRunning, true, {words + 2, 1}});
+    queue.OnTick({1, Time(1), Duration(0), Status::kRunning, true, {words, 2}});
+    queue.OnTick({2, Time(2), Duration(0), Status::kRunning, true, {words + 2, 1}});
   }).join();
   EXPECT_EQ(wakes, 1) << "once, until it is emptied";
   Teller teller;
-  mailbox.Deliver(teller);
+  queue.Deliver(teller);
   EXPECT_EQ(teller.told, "live tree Main state 0 tick 1:10 20 tick 2:30 ");
-  EXPECT_TRUE(mailbox.empty());
+  EXPECT_TRUE(queue.empty());
 }
 
-TEST(MailboxTest, CallsTheHandlersOfRepliesWhenItDelivers) {
-  Mailbox mailbox(nullptr);
+TEST(LiveQueueTest, CallsTheHandlersOfRepliesWhenItDelivers) {
+  LiveQueue queue(nullptr);
   std::string error;
-  mailbox.PutReply([&error](const LiveReply& reply) { error = reply.error; }, FailedReply("no"));
+  queue.PutReply([&error](const LiveReply& reply) { error = reply.error; }, FailedReply("no"));
   EXPECT_EQ(error, "");
   Teller teller;
-  mailbox.Deliver(teller);
+  queue.Deliver(teller);
   EXPECT_EQ(error, "no");
 }
 

@@ -1,6 +1,6 @@
 // Takes what a live client tells on its thread, and tells it again on another one.
-#ifndef COPPICE_EDITOR_LIVE_MAILBOX_H_
-#define COPPICE_EDITOR_LIVE_MAILBOX_H_
+#ifndef COPPICE_EDITOR_LIVE_LIVE_QUEUE_H_
+#define COPPICE_EDITOR_LIVE_LIVE_QUEUE_H_
 
 #include <functional>
 #include <mutex>
@@ -11,10 +11,10 @@
 
 namespace coppice::editor {
 
-class Mailbox final : public LiveListener {
+class LiveQueue final : public LiveListener {
  public:
   /// `wake` is called on the client's thread when the box was empty and is so no more.
-  explicit Mailbox(std::function<void()> wake) : wake_(std::move(wake)) {}
+  explicit LiveQueue(std::function<void()> wake) : wake_(std::move(wake)) {}
 
   bool empty() const;
   /// Any thread but the client's.
@@ -58,4 +58,4 @@ class Mailbox final : public LiveListener {
 
 }  // namespace coppice::editor
 
-#endif  // COPPICE_EDITOR_LIVE_MAILBOX_H_
+#endif  // COPPICE_EDITOR_LIVE_LIVE_QUEUE_H_
