@@ -15,13 +15,12 @@
 #include <std_msgs/Bool.h>
 #include <tf2_msgs/TFMessage.h>
 
-#include <atomic>
 #include <chrono>
-#include <csignal>
 #include <cstdio>
 #include <limits>
 #include <thread>
 
+#include "robot_app/common/ros_support.h"
 #include "robot_app/simulation/camera_node.h"
 #include "robot_app/simulation/faults.h"
 #include "robot_app/simulation/grid_map.h"
@@ -31,28 +30,17 @@ namespace coppice::robot::simulation {
 namespace {
 
 constexpr char kHelp[] =
-    R"(coppice-simulator [_floor:=FILE] [_seed:=N] [_speed:=FACTOR] [_start:="X Y YAW"]
+    "coppice-simulator: the simulated robot and its floor, as the ROS node /simulator.\n"
+    "  subscribes  /cmd_vel\n"
+    "  publishes   /clock /odom /scan /imu/data /battery_state /map /tf /tf_static\n"
+    "              /emergency_stop (std_msgs/Bool, true while pressed)\n"
+    "              /simulation/truth (for evaluation only)\n"
+    "              /camera/front/image/compressed, /camera/rear/image/compressed (while watched)\n"
+    "  service     /simulation/inject_fault (coppice_msgs/InjectFault: breaks things)\n";
 
-The simulated robot and its floor as the ROS node /simulator.
-  _floor            floor description (YAML); default: the institute
-  _seed             of the sensor noise; default 1
-  _speed            factor of real time, 0 = as fast as possible; default 1
-  _start            docked, or "X Y YAW" in the frame map; default docked
-  _state_of_charge  of the battery, 0..1; default 1
-  _localization     false: do not publish map -> odom; default true
-  _odometry_tf      false: do not publish odom -> base_link; default true
-Publishes /clock /odom /scan /imu/data /battery_state /emergency_stop (std_msgs/Bool, true while
-pressed) /map /tf /tf_static and, for evaluation only, /simulation/truth. Obeys /cmd_vel. Breaks
-things on /simulation/inject_fault.
-While somebody watches, also /camera/front/image/compressed and /camera/rear/image/compressed.
-)";
-
-constexpr double kStep = 0.02;         // s of simulated time
-constexpr double kStartTime = 1000;    // s; so that "ten seconds ago" exists for everybody
-constexpr double kMasterPatience = 3;  // s
-
-std::atomic<bool> stop_requested{false};
-void RequestStop(int) { stop_requested = true; }
+constexpr double kStep = 0.02;       // s of simulated time
+constexpr double kStartTime = 1000;  // s; so that "ten seconds ago" exists for everybody
+constexpr char kInstitute[] = "institute";
 
 geometry_msgs::Quaternion ToQuaternion(double yaw) {
   geometry_msgs::Quaternion q;
@@ -90,12 +78,27 @@ ros::Time ToRosTime(double time) {
 }
 
 struct Settings {
-  Floor floor;
-  WorldOptions world;
+  std::string floor_file = kInstitute;
+  std::optional<Pose2D> start;
   double speed = 1;
   bool localization = true;
   bool odometry_tf = true;
+  WorldOptions world;
+  Floor floor;
 };
+
+Parameters ParametersOf(Settings& settings) {
+  WorldOptions& world = settings.world;
+  return {
+      {"floor", &settings.floor_file, "description of the floor, a YAML file"},
+      {"seed", &world.seed, 0, 1e9, "of the sensors' noise"},
+      {"speed", &settings.speed, 0, 1000, "times real time; 0: as fast as possible"},
+      {"start", &settings.start, "\"X Y YAW\" on the map; none: docked"},
+      {"state_of_charge", &world.state_of_charge, 0, 1, "of the battery"},
+      {"localization", &settings.localization, "publishes map -> odom"},
+      {"odometry_tf", &settings.odometry_tf, "publishes odom -> base_link"},
+  };
+}
 
 // Says once for each `period` of simulated time that something is due.
 class Every {
@@ -132,7 +135,7 @@ class SimulatorNode {
   void Run() {
     using Clock = std::chrono::steady_clock;
     auto next = Clock::now();
-    while (ros::ok() && !stop_requested) {
+    while (ros::ok()) {
       ros::getGlobalCallbackQueue()->callAvailable();
       Step();
       if (settings_.speed <= 0) continue;
@@ -340,66 +343,29 @@ class SimulatorNode {
   Every truth_due_{0.2};
 };
 
-bool Complain(const std::string& what) {
-  std::fprintf(stderr, "coppice-simulator: %s\n", what.c_str());
-  return false;
-}
-
-bool WaitForMaster() {
-  const auto deadline =
-      std::chrono::steady_clock::now() + std::chrono::duration<double>(kMasterPatience);
-  while (!ros::master::check()) {
-    if (stop_requested || std::chrono::steady_clock::now() > deadline) {
-      return Complain("no ROS master answers at " + ros::master::getURI());
-    }
-    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+// What follows from the parameters. False, having said why, if the floor cannot be read.
+bool Derive(Settings& settings) {
+  if (settings.start) {
+    settings.world.start = Pose2{settings.start->x, settings.start->y, settings.start->yaw};
   }
-  return true;
-}
-
-bool ReadStart(const std::string& text, std::optional<Pose2>& start) {
-  if (text == "docked") return true;
-  Pose2 pose;
-  char rest = 0;
-  if (std::sscanf(text.c_str(), "%lf %lf %lf %c", &pose.x, &pose.y, &pose.yaw, &rest) != 3) {
-    return Complain("~start must be docked or \"X Y YAW\", not \"" + text + "\"");
-  }
-  start = pose;
-  return true;
-}
-
-bool ReadSettings(Settings& settings) {
-  const auto parameter = [](const char* name, auto fallback) {
-    ros::param::param("~" + std::string(name), fallback, fallback);
-    return fallback;
-  };
-  const std::string file = parameter("floor", std::string(COPPICE_FLOOR));
+  const bool is_shipped = settings.floor_file == kInstitute;
   Diagnostics diagnostics;
-  const auto floor = LoadFloor(file, diagnostics);
-  if (!floor) return Complain(ToString(diagnostics.all().front()));
-  settings.floor = *floor;
-  settings.world.seed = static_cast<std::uint64_t>(parameter("seed", 1));
-  settings.world.state_of_charge = parameter("state_of_charge", 1.0);
-  settings.localization = parameter("localization", true);
-  settings.odometry_tf = parameter("odometry_tf", true);
-  settings.speed = parameter("speed", 1.0);
-  if (!(settings.speed >= 0)) return Complain("~speed must be 0 or more");
-  return ReadStart(parameter("start", std::string("docked")), settings.world.start);
+  const auto floor = LoadFloor(is_shipped ? COPPICE_FLOOR : settings.floor_file, diagnostics);
+  if (floor) {
+    settings.floor = *floor;
+  } else {
+    std::fprintf(stderr, "coppice-simulator: %s\n", ToString(diagnostics.all().front()).c_str());
+  }
+  return floor.has_value();
 }
 
 }  // namespace
 
 int RunSimulator(int argc, char** argv) {
-  if (argc > 1 && std::string(argv[1]) == "--help") {
-    std::fputs(kHelp, stdout);
-    return 0;
-  }
-  ros::init(argc, argv, "simulator", ros::init_options::NoSigintHandler);
-  if (argc > 1) return Complain("unknown argument " + std::string(argv[1]) + "; see --help"), 2;
-  std::signal(SIGINT, RequestStop);
-  std::signal(SIGTERM, RequestStop);
   Settings settings;
-  if (!WaitForMaster() || !ReadSettings(settings)) return 2;
+  const Parameters parameters = ParametersOf(settings);
+  if (const auto status = StartNode(argc, argv, "simulator", kHelp, parameters)) return *status;
+  if (!Derive(settings)) return 2;
   ros::param::set("/use_sim_time", true);
   SimulatorNode(settings).Run();
   ros::shutdown();
