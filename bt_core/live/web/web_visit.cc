@@ -54,22 +54,38 @@ void WebVisit::OnRequest() {
   }
 }
 
+// The file is read as it goes out: who does not take it costs no copy of it.
 void WebVisit::OnGet() {
   const bool accepts_gzip = AcceptsGzip(Field(http::field::accept_encoding));
-  std::optional<WebFile> file = files_.Find(View(request_.target()), accepts_gzip);
-  if (!file) return NotFound();
-  std::shared_ptr<Answer> answer = Begin(Status::ok, file->type);
-  answer->set(http::field::vary, "Accept-Encoding");
-  if (file->is_gzipped) answer->set(http::field::content_encoding, "gzip");
-  Send(std::move(answer), std::move(file->bytes));
+  const std::optional<WebFile> file = files_.Find(View(request_.target()), accepts_gzip);
+  http::file_body::value_type content;
+  error_code error;
+  if (file) content.open(file->path.c_str(), beast::file_mode::scan, error);
+  if (!file || error) return NotFound();
+  const auto describe = [&](auto& answer) {
+    answer.set(http::field::vary, "Accept-Encoding");
+    if (file->is_gzipped) answer.set(http::field::content_encoding, "gzip");
+    answer.content_length(content.size());
+  };
+  if (request_.method() == http::verb::head) {
+    const auto answer = Begin<http::empty_body>(Status::ok, file->type);
+    describe(*answer);
+    return Send(answer);
+  }
+  const auto answer = Begin<http::file_body>(Status::ok, file->type);
+  describe(*answer);
+  answer->body() = std::move(content);
+  Send(answer);
 }
 
 void WebVisit::OnPost() { Reply(Status::method_not_allowed, "only GET is served here\n"); }
 
 void WebVisit::Reply(Status status, std::string body, const Fields& fields) {
-  std::shared_ptr<Answer> answer = Begin(status, kText);
+  const auto answer = Begin<http::string_body>(status, kText);
   for (const auto& [name, value] : fields) answer->set(name, value);
-  Send(std::move(answer), std::move(body));
+  if (status != Status::no_content) answer->content_length(body.size());
+  if (request_.method() != http::verb::head) answer->body() = std::move(body);
+  Send(answer);
 }
 
 void WebVisit::Refuse(Status status, std::string body) {
@@ -77,8 +93,9 @@ void WebVisit::Refuse(Status status, std::string body) {
   Reply(status, std::move(body));
 }
 
-std::shared_ptr<WebVisit::Answer> WebVisit::Begin(Status status, const char* type) const {
-  auto answer = std::make_shared<Answer>(status, request_.version());
+template <class Body>
+std::shared_ptr<http::response<Body>> WebVisit::Begin(Status status, const char* type) const {
+  auto answer = std::make_shared<http::response<Body>>(status, request_.version());
   if (status != Status::no_content) answer->set(http::field::content_type, type);
   answer->set(http::field::x_frame_options, "DENY");
   answer->set("X-Content-Type-Options", "nosniff");
@@ -87,9 +104,8 @@ std::shared_ptr<WebVisit::Answer> WebVisit::Begin(Status status, const char* typ
   return answer;
 }
 
-void WebVisit::Send(std::shared_ptr<Answer> answer, std::string body) {
-  if (answer->result() != Status::no_content) answer->content_length(body.size());
-  if (request_.method() != http::verb::head) answer->body() = std::move(body);
+template <class Body>
+void WebVisit::Send(std::shared_ptr<http::response<Body>> answer) {
   stream_.expires_after(kPatience);
   http::async_write(stream_, *answer,
                     [self = shared_from_this(), answer](error_code error, std::size_t) {

@@ -63,13 +63,13 @@ class WebVisit : public PortConnection, public std::enable_shared_from_this<WebV
   boost::beast::tcp_stream stream_;  ///< until it is moved into the WebSocket
 
  private:
-  using Answer = boost::beast::http::response<boost::beast::http::string_body>;
-
   void ReadRequest();
   void OnRequest();
   void OnGet();
-  std::shared_ptr<Answer> Begin(Status status, const char* type) const;
-  void Send(std::shared_ptr<Answer> answer, std::string body);
+  template <class Body>
+  std::shared_ptr<boost::beast::http::response<Body>> Begin(Status status, const char* type) const;
+  template <class Body>
+  void Send(std::shared_ptr<boost::beast::http::response<Body>> answer);
 
   bool has_upgraded_ = false;
   const WebFiles& files_;

@@ -37,6 +37,7 @@ class FilePort {
   void Write(const std::string& name, const std::string& text) const {
     WriteFile(folder_.Path(name), text);
   }
+  std::string Path(const std::string& name) const { return folder_.Path(name); }
   std::uint16_t port() const { return port_.port(); }
   void Stop() { port_.Stop(); }
 

@@ -1,6 +1,10 @@
 #include "bt_core/live/web/web_visit.h"
 
 #include <gmock/gmock.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
 
 #include "tests/bt_core/live/file_visit.h"
 #include "tests/bt_core/live/web_caller.h"
@@ -40,6 +44,22 @@ TEST_F(WebVisitTest, SaysThatItIsCompressed) {
 TEST_F(WebVisitTest, ToHeadOnlyTheHeaderIsSaid) {
   EXPECT_THAT(caller_.Ask("HEAD / HTTP/1.1\r\n\r\n"), HasSubstr("Content-Length: 12"));
   EXPECT_EQ(caller_.Rest(), "");
+}
+
+// Of this process [MB].
+double MemoryInUse() {
+  std::ifstream file("/proc/self/statm");
+  double whole = 0, resident = 0;
+  file >> whole >> resident;
+  return resident * static_cast<double>(sysconf(_SC_PAGESIZE)) / 1e6;
+}
+
+TEST_F(WebVisitTest, AFileThatIsNotTakenCostsNoCopyOfIt) {
+  port_.Write("large.data", "");
+  std::filesystem::resize_file(port_.Path("large.data"), 100 << 20);
+  const double before = MemoryInUse();
+  EXPECT_THAT(caller_.Ask("GET /large.data HTTP/1.1\r\n\r\n"), HasSubstr("104857600"));
+  EXPECT_LT(MemoryInUse() - before, 50);
 }
 
 TEST_F(WebVisitTest, OneConnectionMayAskAgain) {
