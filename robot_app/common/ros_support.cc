@@ -173,8 +173,7 @@ std::optional<LaserScan> RobotPose::UsableScan(const sensor_msgs::LaserScan& mes
   }
   LaserScan scan = ToLaserScan(message, *mount);
   if (IsUsable(scan)) return scan;
-  ROS_WARN_THROTTLE(10, "a scan in which too few of the %zu beams tell something is not used",
-                    scan.ranges.size());
+  ROS_WARN_THROTTLE(10, "a scan is not used: %s", WhatTells(scan).c_str());
   return std::nullopt;
 }
 
