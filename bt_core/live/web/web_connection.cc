@@ -1,4 +1,4 @@
-#include "bt_core/live/web/web_visit.h"
+#include "bt_core/live/web/web_connection.h"
 
 #include <boost/beast/websocket/rfc6455.hpp>
 
@@ -16,17 +16,17 @@ std::string_view View(beast::string_view text) { return {text.data(), text.size(
 
 }  // namespace
 
-WebVisit::WebVisit(WebPort::Socket socket, WebPort& port, const WebFiles& files,
-                   const WebManners& manners)
-    : PortConnection(port), stream_(std::move(socket)), files_(files), manners_(manners) {
+WebConnection::WebConnection(WebPort::Socket socket, WebPort& port, const WebFiles& files,
+                             const WebConnectionOptions& options)
+    : PortConnection(port), stream_(std::move(socket)), files_(files), options_(options) {
   error_code error;
   stream_.socket().set_option(boost::asio::ip::tcp::no_delay(true), error);
 }
 
-void WebVisit::ReadRequest() {
+void WebConnection::ReadRequest() {
   parser_.emplace();
-  parser_->header_limit(manners_.header_bytes);
-  parser_->body_limit(manners_.body_bytes);
+  parser_->header_limit(options_.header_bytes);
+  parser_->body_limit(options_.body_bytes);
   stream_.expires_after(kPatience);
   http::async_read(stream_, buffer_, *parser_,
                    [self = shared_from_this()](error_code error, std::size_t) {
@@ -34,9 +34,9 @@ void WebVisit::ReadRequest() {
                    });
 }
 
-std::string_view WebVisit::Field(http::field field) const { return View(request_[field]); }
+std::string_view WebConnection::Field(http::field field) const { return View(request_[field]); }
 
-void WebVisit::OnRequest() {
+void WebConnection::OnRequest() {
   Hear();
   request_ = parser_->release();
   if (beast::websocket::is_upgrade(request_)) {
@@ -55,7 +55,7 @@ void WebVisit::OnRequest() {
 }
 
 // The file is read as it goes out: who does not take it costs no copy of it.
-void WebVisit::OnGet() {
+void WebConnection::OnGet() {
   const bool accepts_gzip = AcceptsGzip(Field(http::field::accept_encoding));
   const std::optional<WebFile> file = files_.Find(View(request_.target()), accepts_gzip);
   http::file_body::value_type content;
@@ -78,9 +78,9 @@ void WebVisit::OnGet() {
   Send(answer);
 }
 
-void WebVisit::OnPost() { Reply(Status::method_not_allowed, "only GET is served here\n"); }
+void WebConnection::OnPost() { Reply(Status::method_not_allowed, "only GET is served here\n"); }
 
-void WebVisit::Reply(Status status, std::string body, const Fields& fields) {
+void WebConnection::Reply(Status status, std::string body, const Fields& fields) {
   const auto answer = Begin<http::string_body>(status, kText);
   for (const auto& [name, value] : fields) answer->set(name, value);
   if (status != Status::no_content) answer->content_length(body.size());
@@ -88,24 +88,24 @@ void WebVisit::Reply(Status status, std::string body, const Fields& fields) {
   Send(answer);
 }
 
-void WebVisit::Refuse(Status status, std::string body) {
+void WebConnection::Refuse(Status status, std::string body) {
   request_.keep_alive(false);
   Reply(status, std::move(body));
 }
 
 template <class Body>
-std::shared_ptr<http::response<Body>> WebVisit::Begin(Status status, const char* type) const {
+std::shared_ptr<http::response<Body>> WebConnection::Begin(Status status, const char* type) const {
   auto answer = std::make_shared<http::response<Body>>(status, request_.version());
   if (status != Status::no_content) answer->set(http::field::content_type, type);
   answer->set(http::field::x_frame_options, "DENY");
   answer->set("X-Content-Type-Options", "nosniff");
-  for (const auto& [name, value] : manners_.fields) answer->set(name, value);
+  for (const auto& [name, value] : options_.fields) answer->set(name, value);
   answer->keep_alive(request_.keep_alive());
   return answer;
 }
 
 template <class Body>
-void WebVisit::Send(std::shared_ptr<http::response<Body>> answer) {
+void WebConnection::Send(std::shared_ptr<http::response<Body>> answer) {
   stream_.expires_after(kPatience);
   http::async_write(stream_, *answer,
                     [self = shared_from_this(), answer](error_code error, std::size_t) {
