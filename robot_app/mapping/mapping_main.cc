@@ -46,7 +46,7 @@ Parameters ParametersOf(Settings& settings) {
   return WithFrames(
       {{"map_file", &settings.map_file, "the YAML file of the map"},
        {"start_pose", &settings.start, "\"X Y YAW\" at the start"},
-       {"last_pose_file", &settings.last_pose_file, "where the robot was last, and is at the end"},
+       {"last_pose_file", &settings.last_pose_file, "where it was last, and is at the end"},
        {"range", &mapping.range, 1, 100, "beams are believed so far [m]"},
        {"resolution", &mapping.resolution, 0.01, 1, "of the map [m]"},
        {"map_period", &settings.map_period, 0.1, 3600, "between maps on /map [s]"},

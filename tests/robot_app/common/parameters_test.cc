@@ -103,7 +103,7 @@ TEST_F(ParametersTest, AnEmptyTextIsNone) {
 TEST_F(ParametersTest, AreExplainedInColumns) {
   const std::string text = Explain(ParametersOf(settings_));
   EXPECT_EQ(text.substr(0, text.find('\n')),
-            "    ~speed                   0.7             0.05..3       at most [m/s]");
+            "    ~speed                   0.7        0.05..3       at most [m/s]");
 }
 
 }  // namespace

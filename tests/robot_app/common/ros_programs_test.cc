@@ -69,7 +69,7 @@ TEST_P(RosPrograms, ExplainTheirParameters) {
 
 INSTANTIATE_TEST_SUITE_P(
     Parameters, RosPrograms,
-    testing::Values(Mistake{"coppice-simulator", "sped", "speed"},
+    testing::Values(Mistake{"coppice-simulator", "spead", "speed"},
                     Mistake{"coppice-navigation", "max_sped", "max_speed"},
                     Mistake{"coppice-docking", "aproach_speed", "approach_speed"},
                     Mistake{"coppice-localization", "loss_after", "lost_after"},
