@@ -63,8 +63,8 @@ using Parameters = std::vector<Parameter>;
 std::vector<std::string> ReadParameters(const Parameters& parameters,
                                         const XmlRpc::XmlRpcValue& given);
 
-/// The table for people, one line each: name, value, range, meaning, at least two spaces apart. Call
-/// it before ReadParameters: the values are the defaults.
+/// The table for people, one line each: name, value, range, meaning, at least two spaces apart.
+/// Call it before ReadParameters: the values are the defaults.
 std::string Explain(const Parameters& parameters);
 
 }  // namespace coppice::robot

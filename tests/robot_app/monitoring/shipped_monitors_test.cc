@@ -175,7 +175,7 @@ TEST_F(ShippedMonitorsTest, ANodeThatMissesItsPingsIsAnError) {
 
 class ShippedTopicsTest : public ShippedMonitorsTest {
  protected:
-  // What is found about a topic whose publisher does `rate` for a minute; its scans measure `range`.
+  // What is found about a topic whose publisher does `rate` for a minute; scans measure `range`.
   Finding After(const TopicWatch& watch, double rate, float range = 1) const {
     TopicMonitor monitor;
     monitor.Watch({watch});

@@ -18,7 +18,7 @@
 #include "tests/robot_app/eventually.h"
 #include "tests/robot_app/processes/ros_graph.h"
 
-namespace coppice::robot {
+namespace coppice::robot::processes {
 
 inline constexpr char kConfig[] = R"(
 stop_timeout: 1
@@ -122,6 +122,6 @@ class SupervisorProgramTest : public testing::Test {
   std::map<std::string, coppice_msgs::ProcessState> states_;
 };
 
-}  // namespace coppice::robot
+}  // namespace coppice::robot::processes
 
 #endif  // COPPICE_TESTS_ROBOT_APP_PROCESSES_SUPERVISOR_PROGRAM_FIXTURE_H_

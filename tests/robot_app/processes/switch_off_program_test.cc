@@ -7,7 +7,7 @@
 
 #include "tests/robot_app/processes/supervisor_program_fixture.h"
 
-namespace coppice::robot {
+namespace coppice::robot::processes {
 namespace {
 
 using coppice_msgs::ProcessState;
@@ -57,4 +57,4 @@ TEST_F(SwitchOffProgramTest, WithTheTokenEverythingEndsAndTheCommandRuns) {
 }
 
 }  // namespace
-}  // namespace coppice::robot
+}  // namespace coppice::robot::processes
