@@ -77,7 +77,7 @@ Assistance::Assistance(const AssistanceConfig& config, Channels channels,
           static_cast<std::uint32_t>(
               std::chrono::duration_cast<std::chrono::seconds>(now).count())),
       access_(config.page.operator_token, config.page.viewer_token),
-      courier_(std::move(channels)) {
+      sender_(std::move(channels)) {
   if (state_file_.empty()) return;
   Diagnostics diagnostics;  // a file that cannot be read is written anew; Save says what is wrong
   AssistanceState state = LoadState(state_file_, diagnostics);
@@ -88,7 +88,7 @@ Assistance::Assistance(const AssistanceConfig& config, Channels channels,
 
 std::vector<std::string> Assistance::Step(Time now) {
   std::vector<std::string> problems;
-  for (const Delivery& delivery : courier_.TakeDeliveries()) {
+  for (const Delivery& delivery : sender_.TakeDeliveries()) {
     desk_.Delivered(delivery.letter, delivery.error.empty(), now);
     if (delivery.error.empty()) continue;
     problems.push_back("channel " + delivery.channel + ": " + delivery.error);
@@ -120,7 +120,7 @@ void Assistance::TakeAnswer(const std::string& channel, const ChatAnswer& answer
   reply.text = id == 0 ? "Nothing is open." : desk_.Answer(id, by->name, answer.fixed, now).message;
   reply.kind = "notice";
   reply.id = MessageId(now);
-  courier_.Send(0, channel, std::move(reply));  // no letter of the desk: not tried again
+  sender_.Send(0, channel, std::move(reply));  // no letter of the desk: not tried again
 }
 
 std::string Assistance::MessageId(Time now) {
@@ -130,7 +130,7 @@ std::string Assistance::MessageId(Time now) {
 void Assistance::SendLetters(Time now) {
   for (const Letter& letter : desk_.TakeLetters(now)) {
     const Way& way = desk_.supervisors()[letter.supervisor].ways[letter.way];
-    courier_.Send(letter.number, way.channel, Compose(letter, now));
+    sender_.Send(letter.number, way.channel, Compose(letter, now));
   }
 }
 

@@ -1,4 +1,4 @@
-// The desk of requests with what it needs: couriers for its letters, links to the page, and a file.
+// The desk of requests with what it needs: a sender of its letters, links to the page, and a file.
 // Knows no ROS. Time is handed in. For one thread; nothing here waits for a channel.
 #ifndef COPPICE_ROBOT_APP_ASSISTANCE_ASSISTANCE_H_
 #define COPPICE_ROBOT_APP_ASSISTANCE_ASSISTANCE_H_
@@ -11,7 +11,7 @@
 
 #include "robot_app/assistance/assistance_config.h"
 #include "robot_app/assistance/channels/chat_answer.h"
-#include "robot_app/assistance/channels/courier.h"
+#include "robot_app/assistance/channels/message_sender.h"
 #include "robot_app/assistance/help_desk.h"
 #include "robot_app/assistance/page/page_access.h"
 
@@ -60,7 +60,7 @@ class Assistance {
   std::string page_url_;
   HelpDesk desk_;
   PageAccess access_;
-  Courier courier_;
+  MessageSender sender_;
   ChatListeners listeners_;
   std::set<std::uint32_t> with_links_;  // requests that links were made for
   std::uint64_t messages_so_far_ = 0;

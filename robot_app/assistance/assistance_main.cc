@@ -25,7 +25,8 @@ const Command& AssistanceCommand() {
       "coppice-assistance",
       "ask the robot's human supervisors for help",
       {},
-      R"(Asks the robot's human supervisors for help, as the ROS node /assistance, and serves their page.)",
+      "Asks the robot's human supervisors for help, as the ROS node /assistance, and serves their "
+      "page.",
       {CommandOption::Text("--config", "FILE",
                            "who the supervisors are, and by what they are asked"),
        CommandOption::Text("--state", "FILE",

@@ -3,15 +3,29 @@
 #include <cmath>
 
 namespace coppice::robot {
+namespace {
 
-bool IsUsable(const LaserScan& scan) {
-  if (!std::isfinite(scan.angle_min) || !std::isfinite(scan.angle_increment)) return false;
+// Beams without a direction tell nothing.
+std::size_t TellingBeams(const LaserScan& scan) {
+  if (!std::isfinite(scan.angle_min) || !std::isfinite(scan.angle_increment)) return 0;
   std::size_t telling = 0;
   for (std::size_t i = 0; i < scan.ranges.size(); ++i) {
     if (scan.Hit(i) || scan.MetNothing(i)) ++telling;
   }
+  return telling;
+}
+
+}  // namespace
+
+bool IsUsable(const LaserScan& scan) {
+  const std::size_t telling = TellingBeams(scan);
   return telling > 0 && static_cast<double>(telling) >=
                             kLeastTellingShare * static_cast<double>(scan.ranges.size());
+}
+
+std::string WhatTells(const LaserScan& scan) {
+  return std::to_string(TellingBeams(scan)) + " of " + std::to_string(scan.ranges.size()) +
+         " beams tell something";
 }
 
 std::vector<Point2D> PointsInBase(const LaserScan& scan, double limit) {

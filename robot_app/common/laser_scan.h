@@ -2,6 +2,7 @@
 #ifndef COPPICE_ROBOT_APP_COMMON_LASER_SCAN_H_
 #define COPPICE_ROBOT_APP_COMMON_LASER_SCAN_H_
 
+#include <string>
 #include <vector>
 
 #include "robot_app/common/pose2d.h"
@@ -28,6 +29,9 @@ inline constexpr double kLeastTellingShare = 0.5;
 /// within range (infinity, REP-117); NaN, minus infinity (too near to measure) and zero do not. A
 /// scan in which too few tell something is no free way: it counts as none at all.
 bool IsUsable(const LaserScan& scan);
+
+/// For people: how much of the scan tells something, as "0 of 541 beams tell something".
+std::string WhatTells(const LaserScan& scan);
 
 /// The points that the scan hit, in base_link, nearer than `limit` [m] to the scanner.
 std::vector<Point2D> PointsInBase(const LaserScan& scan, double limit);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 namespace coppice::robot {
 
@@ -51,6 +52,26 @@ Pose2D Advance(const Pose2D& pose, const Velocity2D& velocity, double seconds) {
 double LimitChange(double current, double target, double acceleration, double seconds) {
   const double step = acceleration * seconds;
   return std::clamp(target, current - step, current + step);
+}
+
+std::optional<Point2D> ParsePlace(const std::string& text) {
+  Point2D place;
+  char rest = 0;
+  if (std::sscanf(text.c_str(), "%lf %lf %c", &place.x, &place.y, &rest) != 2 ||
+      !std::isfinite(place.x + place.y)) {
+    return std::nullopt;
+  }
+  return place;
+}
+
+std::optional<Pose2D> ParsePose(const std::string& text) {
+  Pose2D pose;
+  char rest = 0;
+  if (std::sscanf(text.c_str(), "%lf %lf %lf %c", &pose.x, &pose.y, &pose.yaw, &rest) != 3 ||
+      !std::isfinite(pose.x + pose.y + pose.yaw)) {
+    return std::nullopt;
+  }
+  return pose;
 }
 
 }  // namespace coppice::robot

@@ -3,6 +3,9 @@
 #ifndef COPPICE_ROBOT_APP_COMMON_POSE2D_H_
 #define COPPICE_ROBOT_APP_COMMON_POSE2D_H_
 
+#include <optional>
+#include <string>
+
 #include "bt_nodes/navigation/pose2d.h"
 
 namespace coppice::robot {
@@ -40,6 +43,10 @@ Pose2D Advance(const Pose2D& pose, const Velocity2D& velocity, double seconds);
 
 /// `target`, but at most `acceleration` * `seconds` away from `current`.
 double LimitChange(double current, double target, double acceleration, double seconds);
+
+/// "X Y" and "X Y YAW" with finite numbers and nothing else; nothing otherwise.
+std::optional<Point2D> ParsePlace(const std::string& text);
+std::optional<Pose2D> ParsePose(const std::string& text);
 
 }  // namespace coppice::robot
 

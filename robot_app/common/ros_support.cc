@@ -11,20 +11,40 @@
 #include <csignal>
 #include <iostream>
 
-#include "bt_core/base/diagnostic.h"
 #include "robot_app/common/node_probe.h"
 
 namespace coppice::robot {
+namespace {
+
+constexpr char kFooter[] =
+    "Ends on SIGTERM and SIGINT. Exit status 2: no ROS master answers, or a parameter is wrong.\n";
+
+// Of this node, at the parameter server. Prints what is wrong; true if nothing is.
+bool ReadParametersOfNode(const Parameters& parameters, const std::string& program) {
+  XmlRpc::XmlRpcValue given;
+  ros::param::get(ros::this_node::getName(), given);
+  const auto problems = ReadParameters(parameters, given);
+  for (const std::string& problem : problems) std::cerr << program << ": " << problem << '\n';
+  return problems.empty();
+}
+
+}  // namespace
 
 std::optional<int> StartNode(int argc, char** argv, const std::string& name,
-                             const std::string& help) {
+                             const std::string& help, const Parameters& parameters) {
   ros::init(argc, argv, name, ros::init_options::NoSigintHandler);  // takes out remappings
+  std::string program = "coppice-" + name;
+  std::replace(program.begin(), program.end(), '_', '-');
   if (argc > 1) {
     if (std::string(argv[1]) == "--help") {
       std::cout << help;
+      if (!parameters.empty()) {
+        std::cout << "  parameters, with default, range and meaning:\n" << Explain(parameters);
+      }
+      std::cout << kFooter;
       return 0;
     }
-    std::cerr << "coppice-" << name << ": unknown argument " << argv[1] << "; see --help\n";
+    std::cerr << program << ": unknown argument " << argv[1] << "; see --help\n";
     return 2;
   }
   const auto stop = [](int) { ros::requestShutdown(); };
@@ -33,50 +53,19 @@ std::optional<int> StartNode(int argc, char** argv, const std::string& name,
   NodeProbe::SilenceLibrary();
   const std::string uri = ros::master::getURI();
   const auto master = ParseUri(uri);
-  if (master && MasterAnswers(*master, std::chrono::seconds(2))) return std::nullopt;
-  std::cerr << "coppice-" << name << ": no ROS master at " << uri << " (ROS_MASTER_URI)\n";
-  return 2;
-}
-
-double Parameters::Number(const std::string& name, double otherwise, double low, double high) {
-  asked_.push_back(name);
-  if (!ros::param::has("~" + name)) return otherwise;
-  double value = 0;
-  if (ros::param::get("~" + name, value) && value >= low && value <= high) return value;
-  problems_.push_back("~" + name + " must be a number from " + std::to_string(low) + " to " +
-                      std::to_string(high));
-  return otherwise;
-}
-
-std::string Parameters::Text(const std::string& name, const std::string& otherwise) {
-  asked_.push_back(name);
-  if (!ros::param::has("~" + name)) return otherwise;
-  std::string value;
-  if (ros::param::get("~" + name, value) && !value.empty()) return value;
-  problems_.push_back("~" + name + " must be a text");
-  return otherwise;
-}
-
-bool Parameters::Finish() {
-  XmlRpc::XmlRpcValue all;
-  if (ros::param::get(ros::this_node::getName(), all) &&
-      all.getType() == XmlRpc::XmlRpcValue::TypeStruct) {
-    for (const auto& entry : all) {
-      if (std::find(asked_.begin(), asked_.end(), entry.first) != asked_.end()) continue;
-      const std::string hint = DidYouMean(entry.first, asked_);
-      problems_.push_back("unknown parameter ~" + entry.first +
-                          (hint.empty() ? "" : " (" + hint + ")"));
-    }
+  if (!master || !MasterAnswers(*master, std::chrono::seconds(2))) {
+    std::cerr << program << ": no ROS master at " << uri << " (ROS_MASTER_URI)\n";
+    return 2;
   }
-  for (const std::string& problem : problems_) {
-    std::cerr << ros::this_node::getName().substr(1) << ": " << problem << '\n';
-  }
-  return problems_.empty();
+  if (!ReadParametersOfNode(parameters, program)) return 2;
+  return std::nullopt;
 }
 
-Frames ReadFrames(Parameters& parameters) {
-  return {parameters.Text("map_frame", "map"), parameters.Text("odom_frame", "odom"),
-          parameters.Text("base_frame", "base_link")};
+Parameters WithFrames(Parameters parameters, Frames& frames) {
+  parameters.insert(parameters.end(), {{"map_frame", &frames.map, "the frame of the map"},
+                                       {"odom_frame", &frames.odom, "of the odometry"},
+                                       {"base_frame", &frames.base, "of the robot"}});
+  return parameters;
 }
 
 double YawOf(const geometry_msgs::Quaternion& q) {
@@ -184,8 +173,7 @@ std::optional<LaserScan> RobotPose::UsableScan(const sensor_msgs::LaserScan& mes
   }
   LaserScan scan = ToLaserScan(message, *mount);
   if (IsUsable(scan)) return scan;
-  ROS_WARN_THROTTLE(10, "a scan in which too few of the %zu beams tell something is not used",
-                    scan.ranges.size());
+  ROS_WARN_THROTTLE(10, "a scan is not used: %s", WhatTells(scan).c_str());
   return std::nullopt;
 }
 

@@ -1,5 +1,5 @@
-// What the ROS programs of navigation and docking have in common: the start, parameters, messages
-// turned into plain values, and the robot's pose from tf. For the thread that spins.
+// What the ROS programs of navigation and docking have in common: the start, messages turned into
+// plain values, and the robot's pose from tf. For the thread that spins.
 #ifndef COPPICE_ROBOT_APP_COMMON_ROS_SUPPORT_H_
 #define COPPICE_ROBOT_APP_COMMON_ROS_SUPPORT_H_
 
@@ -17,36 +17,25 @@
 
 #include "robot_app/common/laser_scan.h"
 #include "robot_app/common/occupancy_grid.h"
+#include "robot_app/common/parameters.h"
 
 namespace coppice::robot {
 
-/// Starts the ROS node `name`; SIGTERM and SIGINT will end ros::spin. Prints `help` for --help, one
-/// line for an unknown argument or if no master answers. Nothing: go on; else the exit status.
+/// Starts the ROS node of a program, coppice-a-node as /a_node for the name "a_node", and reads its
+/// parameters; SIGTERM and SIGINT will end ros::spin. Prints `help` and the parameters for --help;
+/// one line for an unknown argument, if no master answers, or for each wrong parameter. Nothing: go
+/// on; else the exit status.
 std::optional<int> StartNode(int argc, char** argv, const std::string& name,
-                             const std::string& help);
-
-/// Private parameters (~name) with bounds. Problems are collected and printed by Finish(), also
-/// parameters that nobody asked for.
-class Parameters {
- public:
-  double Number(const std::string& name, double otherwise, double low, double high);
-  std::string Text(const std::string& name, const std::string& otherwise);
-  /// Prints the problems, one line each; false if there was one.
-  bool Finish();
-
- private:
-  std::vector<std::string> asked_;
-  std::vector<std::string> problems_;
-};
+                             const std::string& help, const Parameters& parameters = {});
 
 /// Names of the frames in which the robot is described.
 struct Frames {
-  std::string map;
-  std::string odom;
-  std::string base;
+  std::string map = "map";
+  std::string odom = "odom";
+  std::string base = "base_link";
 };
-/// From ~map_frame (map), ~odom_frame (odom), ~base_frame (base_link).
-Frames ReadFrames(Parameters& parameters);
+/// The table, and behind it ~map_frame, ~odom_frame and ~base_frame.
+Parameters WithFrames(Parameters parameters, Frames& frames);
 
 double YawOf(const geometry_msgs::Quaternion& rotation);
 geometry_msgs::Twist ToTwist(const Velocity2D& velocity);

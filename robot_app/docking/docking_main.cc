@@ -22,16 +22,9 @@ constexpr char kHelp[] =
     "  action      docking (coppice_msgs/Docking)\n"
     "  subscribes  /battery_state /scan /odom /tf /tf_static\n"
     "  publishes   /cmd_vel, only during a manoeuvre\n"
-    "  parameters  with defaults, in SI units:\n"
-    "    ~docked_x -2.4  ~docked_y 0  ~docked_yaw 3.14159 (base_link when docked, map frame)\n"
-    "    ~staging_distance 1.6  ~farthest_start 1.5  ~approach_speed 0.12  ~attempts 3\n"
-    "    ~charging_above 0.5  ~charging_for 3  ~charging_within 10  ~robot_radius 0.33\n"
-    "    ~map_frame map  ~odom_frame odom  ~base_frame base_link\n"
     "Only a charging current that lasts, or a charger that says the battery is full, is success.\n"
     "Undocking works without localization, which does not run while the robot charges: as long as\n"
-    "the contacts touch the robot is where it docks.\n"
-    "Ends on SIGTERM and SIGINT.\n"
-    "Exit status 2: no ROS master answers, or a parameter is wrong.\n";
+    "the contacts touch the robot is where it docks.\n";
 
 constexpr double kControlPeriod = 0.05;  // ROS time [s]
 constexpr double kPoseTimeout = 1.0;     // an older pose is not driven with [s]
@@ -46,27 +39,21 @@ struct Settings {
   Frames frames;
 };
 
-std::optional<Settings> ReadSettings() {
-  Settings settings;
-  Parameters parameters;
+Parameters ParametersOf(Settings& settings) {
   DockSettings& dock = settings.dock;
-  const auto read = [&](const char* name, double& value, double low, double high) {
-    value = parameters.Number(name, value, low, high);
-  };
-  read("docked_x", dock.docked.x, -1e4, 1e4);
-  read("docked_y", dock.docked.y, -1e4, 1e4);
-  read("docked_yaw", dock.docked.yaw, -7, 7);
-  read("staging_distance", dock.staging_distance, 0.3, 5);
-  read("farthest_start", dock.farthest_start, 0.1, 10);
-  read("approach_speed", dock.approach_speed, 0.03, 0.15);
-  read("charging_above", dock.charging_above, 0, 1000);
-  read("charging_for", dock.charging_for, 0, 600);
-  read("charging_within", dock.charging_within, 0.1, 600);
-  read("robot_radius", dock.robot_radius, 0.05, 3);
-  dock.attempts = static_cast<int>(parameters.Number("attempts", dock.attempts, 1, 20));
-  settings.frames = ReadFrames(parameters);
-  if (!parameters.Finish()) return std::nullopt;
-  return settings;
+  return WithFrames(
+      {{"docked_x", &dock.docked.x, -1e4, 1e4, "base_link when docked, on the map [m]"},
+       {"docked_y", &dock.docked.y, -1e4, 1e4, "[m]"},
+       {"docked_yaw", &dock.docked.yaw, -7, 7, "[rad]"},
+       {"staging_distance", &dock.staging_distance, 0.3, 5, "from there to the staging pose [m]"},
+       {"farthest_start", &dock.farthest_start, 0.1, 10, "from that; else it is refused [m]"},
+       {"approach_speed", &dock.approach_speed, 0.03, 0.15, "into the station [m/s]"},
+       {"attempts", &dock.attempts, 1, 20, "until it gives up"},
+       {"charging_above", &dock.charging_above, 0, 1000, "a current into the battery counts [A]"},
+       {"charging_for", &dock.charging_for, 0, 600, "and must last so long [s]"},
+       {"charging_within", &dock.charging_within, 0.1, 600, "after the contact, at most [s]"},
+       {"robot_radius", &dock.robot_radius, 0.05, 3, "[m]"}},
+      settings.frames);
 }
 
 class DockingNode {
@@ -227,12 +214,14 @@ class DockingNode {
 
 int main(int argc, char** argv) {
   namespace robot = coppice::robot;
-  if (const auto status = robot::StartNode(argc, argv, "docking", robot::docking::kHelp))
+  robot::docking::Settings settings;
+  const robot::Parameters parameters = ParametersOf(settings);
+  if (const auto status =
+          robot::StartNode(argc, argv, "docking", robot::docking::kHelp, parameters)) {
     return *status;
+  }
   ros::NodeHandle keep_alive;
-  const auto settings = robot::docking::ReadSettings();
-  if (!settings) return 2;
-  robot::docking::DockingNode node(*settings);
+  robot::docking::DockingNode node(settings);
   ros::spin();
   return 0;
 }

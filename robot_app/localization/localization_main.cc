@@ -23,15 +23,8 @@ constexpr char kHelp[] =
     "              /initialpose (geometry_msgs/PoseWithCovarianceStamped: a person says where)\n"
     "  publishes   tf map -> odom, /localization/pose with covariance, /localization/state\n"
     "  service     /global_localization (std_srvs/Empty: forget the pose, search the whole map)\n"
-    "  parameters  with defaults, in SI units:\n"
-    "    ~start_pose \"X Y YAW\", ~last_pose_file FILE: where the robot may be at the start. Both\n"
-    "      are believed only if the first scan fits there and nowhere better. Default: none\n"
-    "    ~agree 0.65 (score from which a scan confirms the pose)\n"
-    "    ~margin 0.06 (a rival: so much smaller a share of the beams agrees there)\n"
-    "    ~largest_deviation 0.3  ~uncertain_after 1.5  ~lost_after 5 (not confirmed for so long)\n"
-    "    ~check_period 3  ~fewest_particles 300  ~most_particles 3000  ~seed 1\n"
-    "    ~map_frame map  ~odom_frame odom  ~base_frame base_link\n"
-    "Ends on SIGTERM and SIGINT. Exit status 2: no ROS master answers, or a parameter is wrong.\n";
+    "Where the robot may be at the start is believed only if the first scan fits there, and\n"
+    "nowhere better.\n";
 
 constexpr double kStatePeriod = 0.5;      // ROS time [s]
 constexpr double kSavePeriod = 2;         // of the last pose, if it has changed; ROS time [s]
@@ -42,38 +35,26 @@ constexpr double kPersonTurn = 0.26;      // rad
 struct Settings {
   LocalizerSettings localizer;
   std::optional<Pose2D> start;
-  std::string last_pose_file;
+  std::string last_pose_file = "none";
   Frames frames;
 };
 
-std::optional<Settings> ReadSettings() {
-  Settings settings;
-  Parameters parameters;
+Parameters ParametersOf(Settings& settings) {
   LocalizerSettings& localizer = settings.localizer;
-  const auto read = [&](const char* name, double& value, double low, double high) {
-    value = parameters.Number(name, value, low, high);
-  };
-  read("agree", localizer.agree, 0.1, 1);
-  read("margin", localizer.margin, 0, 0.5);
-  read("largest_deviation", localizer.largest_deviation, 0.01, 10);
-  read("uncertain_after", localizer.uncertain_after, 0.3, 600);
-  read("lost_after", localizer.lost_after, 0.5, 3600);
-  read("check_period", localizer.check_period, 0.5, 3600);
   ParticleFilterSettings& filter = localizer.filter;
-  filter.fewest = static_cast<int>(parameters.Number("fewest_particles", filter.fewest, 50, 1e5));
-  filter.most = static_cast<int>(parameters.Number("most_particles", filter.most, 100, 1e5));
-  localizer.seed = static_cast<std::uint64_t>(parameters.Number("seed", 1, 0, 1e9));
-  const std::string start = parameters.Text("start_pose", "none");
-  settings.last_pose_file = parameters.Text("last_pose_file", "none");
-  settings.frames = ReadFrames(parameters);
-  if (!parameters.Finish()) return std::nullopt;
-  if (start == "none") return settings;
-  settings.start = ParsePose(start);
-  if (!settings.start) {
-    std::fprintf(stderr, "localization: ~start_pose must be \"X Y YAW\"\n");
-    return std::nullopt;
-  }
-  return settings;
+  return WithFrames(
+      {{"start_pose", &settings.start, "\"X Y YAW\" where it may be at the start"},
+       {"last_pose_file", &settings.last_pose_file, "or where it was last"},
+       {"agree", &localizer.agree, 0.1, 1, "score from which a scan confirms the pose"},
+       {"margin", &localizer.margin, 0, 0.5, "a rival agrees with so much fewer beams"},
+       {"largest_deviation", &localizer.largest_deviation, 0.01, 10, "of a confirmed pose [m]"},
+       {"uncertain_after", &localizer.uncertain_after, 0.3, 600, "not confirmed for so long [s]"},
+       {"lost_after", &localizer.lost_after, 0.5, 3600, "[s]"},
+       {"check_period", &localizer.check_period, 0.5, 3600, "looks for better places [s]"},
+       {"fewest_particles", &filter.fewest, 50, 1e5, "at least so many"},
+       {"most_particles", &filter.most, 100, 1e5, "at most so many"},
+       {"seed", &localizer.seed, 0, 1e9, "of the random numbers"}},
+      settings.frames);
 }
 
 class LocalizationNode {
@@ -253,14 +234,14 @@ class LocalizationNode {
 
 int main(int argc, char** argv) {
   namespace robot = coppice::robot;
+  robot::localization::Settings settings;
+  const robot::Parameters parameters = ParametersOf(settings);
   if (const auto status =
-          robot::StartNode(argc, argv, "localization", robot::localization::kHelp)) {
+          robot::StartNode(argc, argv, "localization", robot::localization::kHelp, parameters)) {
     return *status;
   }
   ros::NodeHandle keep_alive;
-  const auto settings = robot::localization::ReadSettings();
-  if (!settings) return 2;
-  robot::localization::LocalizationNode node(*settings);
+  robot::localization::LocalizationNode node(settings);
   ros::spin();
   node.LeavePose();
   return 0;

@@ -17,44 +17,31 @@ constexpr char kHelp[] =
     "coppice-odometry-filter: fuses wheels and gyroscope, as the ROS node /odometry_filter.\n"
     "  subscribes  /odom (the velocities), /imu/data (the yaw rate)\n"
     "  publishes   /odometry/filtered with covariances, tf odom -> base_link\n"
-    "  parameters  with defaults:\n"
-    "    ~frequency 30 (Hz, of what it publishes)\n"
-    "    ~acceleration 0.2  ~turn_acceleration 0.5 (change of the speeds in one second)\n"
-    "    ~speed_noise 0.004  ~speed_slip 0.01  ~turn_noise 0.01  ~turn_slip 0.03 (of the wheels)\n"
-    "    ~gyro_noise 0.002 (if /imu/data does not tell its covariance)\n"
-    "    ~odom_frame odom  ~base_frame base_link\n"
     "Begins at the pose of the wheels. Silent without wheels; without the gyroscope the wheels do\n"
-    "alone. Ends on SIGTERM and SIGINT. Exit status 2: no ROS master answers, or a parameter is\n"
-    "wrong.\n";
+    "alone.\n";
 
 constexpr double kWithoutWheels = 0.5;  // an older report of the wheels says nothing [s]
 
 struct Settings {
   OdometryFilterSettings filter;
   double frequency = 30;
-  std::string odom_frame;
-  std::string base_frame;
+  Frames frames;
 };
 
-std::optional<Settings> ReadSettings() {
-  Settings settings;
-  Parameters parameters;
-  const auto read = [&](const char* name, double& value, double low, double high) {
-    value = parameters.Number(name, value, low, high);
-  };
+Parameters ParametersOf(Settings& settings) {
   OdometryFilterSettings& filter = settings.filter;
-  read("frequency", settings.frequency, 1, 1000);
-  read("acceleration", filter.acceleration, 0.001, 100);
-  read("turn_acceleration", filter.turn_acceleration, 0.001, 100);
-  read("speed_noise", filter.speed_noise, 1e-5, 10);
-  read("speed_slip", filter.speed_slip, 0, 10);
-  read("turn_noise", filter.turn_noise, 1e-5, 10);
-  read("turn_slip", filter.turn_slip, 0, 10);
-  read("gyro_noise", filter.gyro_noise, 1e-6, 10);
-  settings.odom_frame = parameters.Text("odom_frame", "odom");
-  settings.base_frame = parameters.Text("base_frame", "base_link");
-  if (!parameters.Finish()) return std::nullopt;
-  return settings;
+  return {
+      {"frequency", &settings.frequency, 1, 1000, "of what it publishes [Hz]"},
+      {"acceleration", &filter.acceleration, 0.001, 100, "change of the speed in 1 s [m/s]"},
+      {"turn_acceleration", &filter.turn_acceleration, 0.001, 100, "of the yaw rate [rad/s]"},
+      {"speed_noise", &filter.speed_noise, 1e-5, 10, "of the wheels at rest [m/s]"},
+      {"speed_slip", &filter.speed_slip, 0, 10, "more of it for each m/s and rad/s"},
+      {"turn_noise", &filter.turn_noise, 1e-5, 10, "of the wheels at rest [rad/s]"},
+      {"turn_slip", &filter.turn_slip, 0, 10, "more of it for each m/s and rad/s"},
+      {"gyro_noise", &filter.gyro_noise, 1e-6, 10, "if /imu/data does not tell it [rad/s]"},
+      {"odom_frame", &settings.frames.odom, "the frame of the odometry"},
+      {"base_frame", &settings.frames.base, "of the robot"},
+  };
 }
 
 class OdometryFilterNode {
@@ -105,8 +92,8 @@ class OdometryFilterNode {
     next_ = std::max(next_ + 1 / settings_.frequency, stamp - 1 / settings_.frequency);
     nav_msgs::Odometry message;
     message.header.stamp = ros::Time(stamp);
-    message.header.frame_id = settings_.odom_frame;
-    message.child_frame_id = settings_.base_frame;
+    message.header.frame_id = settings_.frames.odom;
+    message.child_frame_id = settings_.frames.base;
     message.pose.pose = ToPoseMessage(filter_.pose());
     message.twist.twist = ToTwist(filter_.velocity());
     const OdometryFilter::Matrix& covariance = filter_.covariance();
@@ -126,7 +113,7 @@ class OdometryFilterNode {
     tf2_msgs::TFMessage tf;
     tf.transforms.resize(1);
     tf.transforms[0].header = message.header;
-    tf.transforms[0].child_frame_id = settings_.base_frame;
+    tf.transforms[0].child_frame_id = settings_.frames.base;
     tf.transforms[0].transform.translation.x = message.pose.pose.position.x;
     tf.transforms[0].transform.translation.y = message.pose.pose.position.y;
     tf.transforms[0].transform.rotation = message.pose.pose.orientation;
@@ -149,14 +136,14 @@ class OdometryFilterNode {
 
 int main(int argc, char** argv) {
   namespace robot = coppice::robot;
+  robot::localization::Settings settings;
+  const robot::Parameters parameters = ParametersOf(settings);
   if (const auto status =
-          robot::StartNode(argc, argv, "odometry_filter", robot::localization::kHelp)) {
+          robot::StartNode(argc, argv, "odometry_filter", robot::localization::kHelp, parameters)) {
     return *status;
   }
   ros::NodeHandle keep_alive;
-  const auto settings = robot::localization::ReadSettings();
-  if (!settings) return 2;
-  robot::localization::OdometryFilterNode node(*settings);
+  robot::localization::OdometryFilterNode node(settings);
   ros::spin();
   return 0;
 }

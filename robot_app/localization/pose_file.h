@@ -9,9 +9,6 @@
 
 namespace coppice::robot::localization {
 
-/// "X Y YAW" with finite numbers and nothing else; nothing otherwise.
-std::optional<Pose2D> ParsePose(const std::string& text);
-
 /// Nothing if there is no such file or it does not hold a pose.
 std::optional<Pose2D> LoadPose(const std::string& file);
 

@@ -17,26 +17,28 @@ namespace {
 constexpr char kHelp[] =
     "coppice-map-server: shows a saved map, as the ROS node /map_server.\n"
     "  publishes   /map (nav_msgs/OccupancyGrid, latched)\n"
-    "  parameters  ~map FILE: the YAML file of the map, as coppice-mapping and map_server write "
-    "it\n"
-    "    ~stand_in_topic TOPIC: where to take a map from as long as there is no such file. "
-    "Default:\n"
-    "      none; then the file must be there\n"
-    "    ~map_frame map\n"
-    "Ends on SIGTERM and SIGINT. Exit status 2: the file is no map, or there is neither; no ROS\n"
-    "master answers; a parameter is wrong.\n";
+    "As long as the file is not there it passes on the maps of ~stand_in_topic. Exit status 2\n"
+    "also if the file is no map, or there is neither.\n";
+
+struct Settings {
+  std::string map = "none";
+  std::string stand_in_topic = "none";
+  std::string frame = "map";
+};
+
+Parameters ParametersOf(Settings& settings) {
+  return {{"map", &settings.map, "the YAML file of the map"},
+          {"stand_in_topic", &settings.stand_in_topic, "as long as it is not there"},
+          {"map_frame", &settings.frame, "the frame of the map"}};
+}
 
 int Fail(const std::string& reason) {
   std::fprintf(stderr, "map_server: %s\n", reason.c_str());
   return 2;
 }
 
-int Run() {
-  Parameters parameters;
-  const std::string file = parameters.Text("map", "none");
-  const std::string stand_in = parameters.Text("stand_in_topic", "none");
-  const std::string frame = parameters.Text("map_frame", "map");
-  if (!parameters.Finish()) return 2;
+int Run(const Settings& settings) {
+  const std::string& file = settings.map;
   ros::NodeHandle node;
   const ros::Publisher publisher = node.advertise<nav_msgs::OccupancyGrid>("/map", 1, true);
   ros::Subscriber subscriber;
@@ -44,13 +46,14 @@ int Run() {
     Diagnostics diagnostics;
     const std::optional<OccupancyGrid> map = LoadMap(file, diagnostics);
     if (!map) return Fail(diagnostics.ToString());
-    publisher.publish(ToMessage(*map, frame, ros::Time::now()));
+    publisher.publish(ToMessage(*map, settings.frame, ros::Time::now()));
     ROS_INFO("shows %s", file.c_str());
-  } else if (stand_in != "none") {
+  } else if (settings.stand_in_topic != "none") {
     subscriber = node.subscribe<nav_msgs::OccupancyGrid>(
-        stand_in, 1,
+        settings.stand_in_topic, 1,
         [publisher](const nav_msgs::OccupancyGrid::ConstPtr& map) { publisher.publish(map); });
-    ROS_INFO("there is no map in %s yet; passes on %s", file.c_str(), stand_in.c_str());
+    ROS_INFO("there is no map in %s yet; passes on %s", file.c_str(),
+             settings.stand_in_topic.c_str());
   } else {
     return Fail("there is no map in " + file + " (~map)");
   }
@@ -63,7 +66,11 @@ int Run() {
 
 int main(int argc, char** argv) {
   namespace robot = coppice::robot;
-  if (const auto status = robot::StartNode(argc, argv, "map_server", robot::mapping::kHelp))
+  robot::mapping::Settings settings;
+  const robot::Parameters parameters = ParametersOf(settings);
+  if (const auto status =
+          robot::StartNode(argc, argv, "map_server", robot::mapping::kHelp, parameters)) {
     return *status;
-  return robot::mapping::Run();
+  }
+  return robot::mapping::Run(settings);
 }

@@ -5,7 +5,6 @@
 #include <std_srvs/Trigger.h>
 #include <tf2_msgs/TFMessage.h>
 
-#include <cstdio>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -24,53 +23,37 @@ constexpr char kHelp[] =
     "  subscribes  /scan /odometry/filtered /tf_static (of the scanner)\n"
     "  publishes   /map (nav_msgs/OccupancyGrid, latched), tf map -> odom, /diagnostics\n"
     "  service     /mapping/save (std_srvs/Trigger: writes the map to ~map_file)\n"
-    "  parameters  with defaults, in SI units:\n"
-    "    ~map_file FILE: the YAML file of the map. A map that nobody has saved when this program\n"
-    "      ends goes to FILE with _unsaved in its name. Default: none, and nothing is written\n"
-    "    ~start_pose \"X Y YAW\": where the robot stands at the start. Default: 0 0 0\n"
-    "    ~last_pose_file FILE: where the localization has left the robot, which counts before\n"
-    "      ~start_pose; and where this program leaves it. Default: none\n"
-    "    ~range 12 (beams are believed so far)  ~resolution 0.05  ~map_period 2\n"
-    "    ~step 0.4  ~turn 0.35 (a scan is kept after so much way, so much of a turn)\n"
-    "    ~drift 0.05 (how far off the pose may be when a loop is closed, share of the way)\n"
-    "    ~map_frame map  ~odom_frame odom  ~base_frame base_link\n"
-    "Ends on SIGTERM and SIGINT. Exit status 2: no ROS master answers, or a parameter is wrong.\n";
+    "A map that nobody has saved at the end goes to ~map_file with _unsaved in its name. It\n"
+    "begins where ~last_pose_file says, which the localization has left, else at ~start_pose.\n";
 
 constexpr double kStatePeriod = 1;  // wall time [s]
 
 struct Settings {
   MappingSettings mapping;
-  double map_period = 2;
-  Pose2D start;
-  std::string map_file;
-  std::string last_pose_file;
+  double map_period = 2;  // [s]
+  std::optional<Pose2D> start = Pose2D();
+  std::string map_file = "none";
+  std::string last_pose_file = "none";
+
+  Pose2D Start() const {
+    return localization::LoadPose(last_pose_file).value_or(start.value_or(Pose2D()));
+  }
   Frames frames;
 };
 
-std::optional<Settings> ReadSettings() {
-  Settings settings;
-  Parameters parameters;
-  const auto read = [&](const char* name, double& value, double low, double high) {
-    value = parameters.Number(name, value, low, high);
-  };
-  read("range", settings.mapping.range, 1, 100);
-  read("resolution", settings.mapping.resolution, 0.01, 1);
-  read("step", settings.mapping.step, 0.05, 5);
-  read("turn", settings.mapping.turn, 0.05, 3);
-  read("drift", settings.mapping.drift, 0, 0.5);
-  read("map_period", settings.map_period, 0.1, 3600);
-  const std::string start = parameters.Text("start_pose", "0 0 0");
-  settings.map_file = parameters.Text("map_file", "none");
-  settings.last_pose_file = parameters.Text("last_pose_file", "none");
-  settings.frames = ReadFrames(parameters);
-  if (!parameters.Finish()) return std::nullopt;
-  const auto pose = localization::ParsePose(start);
-  if (!pose) {
-    std::fprintf(stderr, "mapping: ~start_pose must be \"X Y YAW\"\n");
-    return std::nullopt;
-  }
-  settings.start = localization::LoadPose(settings.last_pose_file).value_or(*pose);
-  return settings;
+Parameters ParametersOf(Settings& settings) {
+  MappingSettings& mapping = settings.mapping;
+  return WithFrames(
+      {{"map_file", &settings.map_file, "the YAML file of the map"},
+       {"start_pose", &settings.start, "\"X Y YAW\" at the start"},
+       {"last_pose_file", &settings.last_pose_file, "where it was last, and is at the end"},
+       {"range", &mapping.range, 1, 100, "beams are believed so far [m]"},
+       {"resolution", &mapping.resolution, 0.01, 1, "of the map [m]"},
+       {"map_period", &settings.map_period, 0.1, 3600, "between maps on /map [s]"},
+       {"step", &mapping.step, 0.05, 5, "a scan is kept after so much way [m]"},
+       {"turn", &mapping.turn, 0.05, 3, "or after such a turn [rad]"},
+       {"drift", &mapping.drift, 0, 0.5, "before a loop is closed, share of the way"}},
+      settings.frames);
 }
 
 // Beside the map: what nobody has saved.
@@ -82,7 +65,10 @@ std::string UnsavedName(const std::string& file) {
 class MappingNode {
  public:
   explicit MappingNode(const Settings& settings)
-      : settings_(settings), mapper_(settings.mapping, settings.start), frames_(settings.frames) {
+      : settings_(settings),
+        start_(settings.Start()),
+        mapper_(settings.mapping, start_),
+        frames_(settings.frames) {
     map_ = node_.advertise<nav_msgs::OccupancyGrid>("/map", 1, true);
     tf_ = node_.advertise<tf2_msgs::TFMessage>("/tf", 20);
     diagnostics_ = node_.advertise<diagnostic_msgs::DiagnosticArray>("/diagnostics", 5);
@@ -102,8 +88,7 @@ class MappingNode {
                                    [this](const ros::TimerEvent&) { PublishMap(); });
     state_timer_ = node_.createWallTimer(ros::WallDuration(kStatePeriod),
                                          [this](const ros::WallTimerEvent&) { PublishState(); });
-    ROS_INFO("begins at (%.2f, %.2f, %.2f)", settings.start.x, settings.start.y,
-             settings.start.yaw);
+    ROS_INFO("begins at (%.2f, %.2f, %.2f)", start_.x, start_.y, start_.yaw);
   }
 
   // Nothing that was driven for is lost because somebody forgot to save it.
@@ -199,7 +184,8 @@ class MappingNode {
     }
   }
 
-  Settings settings_;
+  const Settings settings_;
+  const Pose2D start_;
   ros::NodeHandle node_;
   Mapper mapper_;
   RobotPose frames_;
@@ -221,12 +207,14 @@ class MappingNode {
 
 int main(int argc, char** argv) {
   namespace robot = coppice::robot;
-  if (const auto status = robot::StartNode(argc, argv, "mapping", robot::mapping::kHelp))
+  robot::mapping::Settings settings;
+  const robot::Parameters parameters = ParametersOf(settings);
+  if (const auto status =
+          robot::StartNode(argc, argv, "mapping", robot::mapping::kHelp, parameters)) {
     return *status;
+  }
   ros::NodeHandle keep_alive;
-  const auto settings = robot::mapping::ReadSettings();
-  if (!settings) return 2;
-  robot::mapping::MappingNode node(*settings);
+  robot::mapping::MappingNode node(settings);
   ros::spin();
   node.KeepWhatIsUnsaved();
   return 0;

@@ -15,15 +15,18 @@ void RateWatch::Reset() {
   judge_.Reset();
   since_.reset();
   messages_.clear();
+  unusable_.clear();
 }
 
 void RateWatch::Continue(const RateWatch& other) {
   since_ = other.since_;
   messages_ = other.messages_;
+  unusable_ = other.unusable_;
   if (watch_.band == other.watch_.band) judge_ = other.judge_;
 }
 
 void RateWatch::OnMessage(Time now) {
+  unusable_.clear();
   messages_.push_back(now);
   if (messages_.size() > kMostMessages) messages_.pop_front();
 }
@@ -41,7 +44,8 @@ Finding RateWatch::Assess(Time now) {
   const Duration staleness = watch_.band.staleness;
   if (staleness > Duration::zero() && now - newest > staleness) {
     finding.level = leaves::HealthLevel::kError;
-    finding.message = "no message for " + ToText(InSeconds(now - newest)) + " s";
+    finding.message = unusable_.empty() ? "no message for " : "no usable message for ";
+    finding.message += ToText(InSeconds(now - newest)) + " s";
   } else if (now - *since_ >= watch_.window) {
     judge_.OnValue(finding.value, now);
     const Assessment assessment = judge_.Assess(now);
@@ -50,6 +54,7 @@ Finding RateWatch::Assess(Time now) {
   } else {
     finding.message = "measuring";
   }
+  if (!unusable_.empty()) finding.message += ": " + unusable_;
   return finding;
 }
 
@@ -60,7 +65,7 @@ void TopicMonitor::Watch(const std::vector<TopicWatch>& topics) {
     for (const Watched& known : topics_) {
       const TopicWatch& before = known.rate.watch();
       const bool same = before.topic == topic.topic && before.window == topic.window &&
-                        before.wall_time == topic.wall_time;
+                        before.wall_time == topic.wall_time && before.is_scan == topic.is_scan;
       if (same) entry.rate.Continue(known.rate);
       if (same) entry.statistics.Continue(known.statistics);
       if (same) entry.pid = known.pid;
@@ -73,7 +78,20 @@ void TopicMonitor::Watch(const std::vector<TopicWatch>& topics) {
 void TopicMonitor::OnMessage(const std::string& topic, const Times& now) {
   for (Watched& entry : topics_) {
     const TopicWatch& watch = entry.rate.watch();
-    if (watch.topic == topic) entry.rate.OnMessage(watch.wall_time ? now.wall : now.ros);
+    if (watch.topic != topic || watch.is_scan) continue;
+    entry.rate.OnMessage(watch.wall_time ? now.wall : now.ros);
+  }
+}
+
+void TopicMonitor::OnScan(const std::string& topic, const LaserScan& scan, const Times& now) {
+  for (Watched& entry : topics_) {
+    const TopicWatch& watch = entry.rate.watch();
+    if (watch.topic != topic || !watch.is_scan) continue;
+    if (IsUsable(scan)) {
+      entry.rate.OnMessage(watch.wall_time ? now.wall : now.ros);
+    } else {
+      entry.rate.OnUnusable(WhatTells(scan));
+    }
   }
 }
 

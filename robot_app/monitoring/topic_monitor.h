@@ -10,8 +10,10 @@
 #include <deque>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "robot_app/common/laser_scan.h"
 #include "robot_app/monitoring/gauges/patience.h"
 #include "robot_app/monitoring/gauges/statistics_watch.h"
 #include "robot_app/monitoring/monitor.h"
@@ -28,6 +30,8 @@ class RateWatch {
   /// Takes over what another watch of the same topic has seen.
   void Continue(const RateWatch& other);
   void OnMessage(Time now);
+  /// A message came that counts as none; `what` is wrong with it.
+  void OnUnusable(std::string what) { unusable_ = std::move(what); }
   /// The rate is the number of messages in the window that ends now; until the first window is full
   /// there is no judgement on it. Time that jumps back starts anew.
   Finding Assess(Time now);
@@ -39,6 +43,7 @@ class RateWatch {
   Judge judge_;
   std::optional<Time> since_;  // start of the observation
   std::deque<Time> messages_;  // the last one, and all within the window
+  std::string unusable_;       // what was wrong with the newest message; empty: nothing
 };
 
 class TopicMonitor : public Monitor {
@@ -48,8 +53,10 @@ class TopicMonitor : public Monitor {
   void Watch(const WatchList& list, const Times&) override { Watch(list.topics); }
   /// Watches these topics from now on; a watch that stays the same keeps what it has seen.
   void Watch(const std::vector<TopicWatch>& topics);
-  /// Topics that are not watched are ignored.
+  /// Topics that are not watched are ignored, and those that are watched as scans.
   void OnMessage(const std::string& topic, const Times& now);
+  /// For the topics that are watched as scans.
+  void OnScan(const std::string& topic, const LaserScan& scan, const Times& now);
   /// For the topics that are watched by statistics.
   void OnStatistics(const SubscriberStatistics& statistics, const Times& now);
   /// One finding per topic, value: rate in Hz. A topic whose publisher is being started is reset.

@@ -1,16 +1,18 @@
 // coppice-topic-monitor --config FILE [--folder FOLDER]: node /topic_monitor. Counts the messages
-// of any type without reading them, or takes what their subscribers say on /statistics; sees who
-// sends them; looks whether loggers log (their paths begin in FOLDER), and reads what other
-// programs say on /diagnostics. Reports every report_period of wall time.
+// of any type without reading them (scans it reads), or takes what their subscribers say on
+// /statistics; sees who sends them; looks whether loggers log (their paths begin in FOLDER), and
+// reads what other programs say on /diagnostics. Reports every report_period of wall time.
 #include <diagnostic_msgs/DiagnosticArray.h>
 #include <ros/ros.h>
 #include <rosgraph_msgs/TopicStatistics.h>
+#include <sensor_msgs/LaserScan.h>
 
 #include <map>
 #include <mutex>
 #include <set>
 
 #include "robot_app/common/any_message.h"
+#include "robot_app/common/ros_support.h"
 #include "robot_app/monitoring/aggregator/at_once_queue.h"
 #include "robot_app/monitoring/aggregator/health_messages.h"
 #include "robot_app/monitoring/diagnostics_monitor.h"
@@ -37,24 +39,49 @@ class Program {
 
  private:
   void Subscribe(const WatchList& list) {
-    std::set<std::string> counted;
+    std::set<std::string> counted, scans;
     bool needs_statistics = false;
     for (const TopicWatch& watch : list.topics) {
       needs_statistics = needs_statistics || watch.by_statistics;
-      if (!watch.by_statistics) counted.insert(watch.topic);
+      if (watch.is_scan) {
+        scans.insert(watch.topic);
+      } else if (!watch.by_statistics) {
+        counted.insert(watch.topic);
+      }
     }
     for (const PublisherWatch& watch : list.publishers) counted.insert(watch.topic);
     for (const LoggerWatch& watch : list.loggers) {
       if (!watch.topic.empty()) counted.insert(watch.topic);
     }
-    std::map<std::string, ros::Subscriber> subscribers;
-    for (const std::string& topic : counted) {
-      const auto known = subscribers_.find(topic);
-      subscribers[topic] = known == subscribers_.end() ? Count(topic) : known->second;
-    }
-    subscribers_ = std::move(subscribers);
+    Keep(counted_, counted, [this](const std::string& topic) { return Count(topic); });
+    Keep(scans_, scans, [this](const std::string& topic) { return ReadScans(topic); });
     SubscribeStatistics(needs_statistics);
     SubscribeDiagnostics(list.diagnostics.has_value());
+  }
+
+  using Subscribers = std::map<std::string, ros::Subscriber>;
+
+  // Those of these topics; one that is there stays.
+  template <class Subscribe>
+  static void Keep(Subscribers& subscribers, const std::set<std::string>& topics,
+                   Subscribe subscribe) {
+    Subscribers kept;
+    for (const std::string& topic : topics) {
+      const auto known = subscribers.find(topic);
+      kept[topic] = known == subscribers.end() ? subscribe(topic) : known->second;
+    }
+    subscribers = std::move(kept);
+  }
+
+  ros::Subscriber ReadScans(const std::string& topic) {
+    using Event = ros::MessageEvent<sensor_msgs::LaserScan const>;
+    return program_.node().handle().subscribe<sensor_msgs::LaserScan>(
+        topic, kQueue, boost::function<void(const Event&)>([this, topic](const Event& event) {
+          const Times now{FromRos(event.getReceiptTime()), MonitorNode::Now().wall};
+          const LaserScan scan = ToLaserScan(*event.getMessage(), {});
+          const std::lock_guard<std::mutex> lock(counting_);
+          topics_.OnScan(topic, scan, now);
+        }));
   }
 
   ros::Subscriber Count(const std::string& topic) {
@@ -102,7 +129,7 @@ class Program {
   LoggerMonitor loggers_;
   DiagnosticsMonitor diagnostics_;
   MonitorProgram program_;
-  std::map<std::string, ros::Subscriber> subscribers_;
+  Subscribers counted_, scans_;
   ros::Subscriber statistics_, diagnostics_subscriber_;
 };
 

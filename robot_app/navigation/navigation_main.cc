@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <optional>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -29,15 +28,7 @@ constexpr char kHelp[] =
     "  publishes   /cmd_vel (only while moving), /navigation/state, /navigation/path,\n"
     "              /navigation/way_to_station (with ~station, as long as there is a way on the "
     "map)\n"
-    "  parameters  with defaults, in SI units:\n"
-    "    ~max_speed 0.7  ~max_turn 1.0  ~acceleration 0.5  ~turn_acceleration 1.2\n"
-    "    ~robot_radius 0.33  ~clearance 0.05 (planned beyond the radius)\n"
-    "    ~inflation_radius 1.0  ~goal_tolerance 0.15  ~goal_yaw_tolerance 0.15\n"
-    "    ~patience 8  ~forget_obstacles_after 20  ~sensor_timeout 1\n"
-    "    ~station \"X Y\" (the charging station, map frame; none)\n"
-    "    ~map_frame map  ~odom_frame odom  ~base_frame base_link\n"
-    "A motion holds up a running goal, which goes on afterwards. Ends on SIGTERM and SIGINT.\n"
-    "Exit status 2: no ROS master answers, or a parameter is wrong.\n";
+    "A motion holds up a running goal, which goes on afterwards.\n";
 
 constexpr double kControlPeriod = 0.05;  // ROS time [s]
 constexpr double kStatePeriod = 0.5;     // ROS time [s]
@@ -46,50 +37,35 @@ struct Settings {
   NavigationSettings navigation;
   RelativeMotionSettings motion;
   Frames frames;
+  double clearance = 0.05;  // planned beyond the robot's radius [m]
   std::optional<Point2D> station;
 };
 
-// "X Y"
-std::optional<Point2D> ParsePlace(const std::string& text) {
-  std::istringstream stream(text);
-  Point2D place;
-  std::string rest;
-  if (!(stream >> place.x >> place.y) || stream >> rest) return std::nullopt;
-  return place;
-}
-
-std::optional<Settings> ReadSettings() {
-  Settings settings;
-  Parameters parameters;
+Parameters ParametersOf(Settings& settings) {
   NavigationSettings& navigation = settings.navigation;
   FollowerSettings& follower = navigation.follower;
-  const auto read = [&](const char* name, double& value, double low, double high) {
-    value = parameters.Number(name, value, low, high);
-  };
-  read("max_speed", follower.max_speed, 0.05, 3);
-  read("max_turn", follower.max_turn, 0.05, 6);
-  read("acceleration", follower.acceleration, 0.05, 10);
-  read("turn_acceleration", follower.turn_acceleration, 0.05, 20);
-  read("robot_radius", follower.robot_radius, 0.05, 3);
-  read("inflation_radius", navigation.costs.inflation_radius, 0.1, 5);
-  read("goal_tolerance", follower.goal_tolerance, 0.03, 2);
-  read("goal_yaw_tolerance", follower.goal_yaw_tolerance, 0.02, 4);
-  read("patience", navigation.patience, 0, 3600);
-  read("forget_obstacles_after", navigation.obstacles.forget_after, 0.1, 36000);
-  read("sensor_timeout", navigation.sensor_timeout, 0.1, 60);
-  double clearance = 0.05;
-  read("clearance", clearance, 0.02, 1);
-  navigation.costs.lethal_radius = follower.robot_radius + clearance;
-  settings.motion.robot_radius = follower.robot_radius;
-  settings.frames = ReadFrames(parameters);
-  const std::string station = parameters.Text("station", "");
-  if (!parameters.Finish()) return std::nullopt;
-  settings.station = ParsePlace(station);
-  if (!station.empty() && !settings.station) {
-    std::fprintf(stderr, "navigation: ~station must be \"X Y\"\n");
-    return std::nullopt;
-  }
-  return settings;
+  return WithFrames(
+      {{"max_speed", &follower.max_speed, 0.05, 3, "[m/s]"},
+       {"max_turn", &follower.max_turn, 0.05, 6, "[rad/s]"},
+       {"acceleration", &follower.acceleration, 0.05, 10, "[m/s^2]"},
+       {"turn_acceleration", &follower.turn_acceleration, 0.05, 20, "[rad/s^2]"},
+       {"robot_radius", &follower.robot_radius, 0.05, 3, "[m]"},
+       {"clearance", &settings.clearance, 0.02, 1, "planned beyond the radius [m]"},
+       {"inflation_radius", &navigation.costs.inflation_radius, 0.1, 5, "keeps away so far [m]"},
+       {"goal_tolerance", &follower.goal_tolerance, 0.03, 2, "[m]"},
+       {"goal_yaw_tolerance", &follower.goal_yaw_tolerance, 0.02, 4, "[rad]"},
+       {"patience", &navigation.patience, 0, 3600, "waits so long before it recovers [s]"},
+       {"forget_obstacles_after", &navigation.obstacles.forget_after, 0.1, 36000, "[s]"},
+       {"sensor_timeout", &navigation.sensor_timeout, 0.1, 60, "an older pose does not count [s]"},
+       {"station", &settings.station, "\"X Y\" of the charging station on the map [m]"}},
+      settings.frames);
+}
+
+// What follows from the parameters.
+void Derive(Settings& settings) {
+  const double radius = settings.navigation.follower.robot_radius;
+  settings.navigation.costs.lethal_radius = radius + settings.clearance;
+  settings.motion.robot_radius = radius;
 }
 
 class NavigationNode {
@@ -353,12 +329,15 @@ class NavigationNode {
 
 int main(int argc, char** argv) {
   namespace robot = coppice::robot;
-  if (const auto status = robot::StartNode(argc, argv, "navigation", robot::navigation::kHelp))
+  robot::navigation::Settings settings;
+  const robot::Parameters parameters = ParametersOf(settings);
+  if (const auto status =
+          robot::StartNode(argc, argv, "navigation", robot::navigation::kHelp, parameters)) {
     return *status;
+  }
+  robot::navigation::Derive(settings);
   ros::NodeHandle keep_alive;
-  const auto settings = robot::navigation::ReadSettings();
-  if (!settings) return 2;
-  robot::navigation::NavigationNode node(*settings);
+  robot::navigation::NavigationNode node(settings);
   ros::spin();
   return 0;
 }

@@ -4,11 +4,13 @@
 //   SIGUSR1  says nothing any more
 //   SIGUSR2  one message of four
 //   SIGRTMIN three copies of each message
+//   SIGRTMIN + 1  the scans of a blind scanner: NaN on all beams
 //   SIGHUP   burns a core beside its work, until the next SIGHUP
 #include <ros/ros.h>
 #include <sensor_msgs/LaserScan.h>
 
 #include <atomic>
+#include <cmath>
 #include <csignal>
 #include <thread>
 
@@ -23,6 +25,11 @@ void Burn() {
   }
 }
 
+sensor_msgs::LaserScan Seen(sensor_msgs::LaserScan scan) {
+  if (g_wrong == SIGRTMIN + 1) scan.ranges.assign(scan.ranges.size(), NAN);
+  return scan;
+}
+
 int Copies(unsigned count) {
   if (g_wrong == SIGUSR1) return 0;
   if (g_wrong == SIGUSR2) return count % 4 == 0 ? 1 : 0;
@@ -33,7 +40,7 @@ int Copies(unsigned count) {
 
 int main(int argc, char** argv) {
   ros::init(argc, argv, "laser_driver");
-  for (const int signal : {SIGUSR1, SIGUSR2, SIGRTMIN}) {
+  for (const int signal : {SIGUSR1, SIGUSR2, SIGRTMIN, SIGRTMIN + 1}) {
     std::signal(signal, [](int which) { g_wrong = which; });
   }
   std::signal(SIGHUP, [](int) { g_burns = !g_burns; });
@@ -44,7 +51,7 @@ int main(int argc, char** argv) {
   const ros::Subscriber raw = node.subscribe<sensor_msgs::LaserScan>(
       "/simulation/scan", 10, [&](const sensor_msgs::LaserScan::ConstPtr& message) {
         ++count;
-        for (int i = Copies(count); i > 0; --i) scan.publish(message);
+        for (int i = Copies(count); i > 0; --i) scan.publish(Seen(*message));
       });
   ros::spin();
   return 0;

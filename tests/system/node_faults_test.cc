@@ -100,6 +100,13 @@ TEST_F(NodeFaults, ATooFastTopicRestartsItsPublisher) {
   ExpectTreeRestarts("laser_driver", fault);
 }
 
+TEST_F(NodeFaults, ABlindScannerIsRestartedThoughItsScansCome) {
+  FaultCase fault(*rig_, "blind scanner", "the laser driver's scans are NaN on all beams");
+  ASSERT_TRUE(rig_->Signal("laser_driver", SIGRTMIN + 1));
+  fault.ExpectDetected("topic", "/scan", 4);
+  ExpectTreeRestarts("laser_driver", fault);
+}
+
 TEST_F(NodeFaults, AMonitorThatIsKilledIsRestarted) {
   FaultCase fault(*rig_, "monitor killed", "SIGKILL to `/topic_monitor`");
   ASSERT_TRUE(rig_->Inject("kill_node", "/topic_monitor"));

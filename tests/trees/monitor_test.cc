@@ -63,6 +63,16 @@ TEST_F(MonitorTree, RestartsTheNodeThatPublishesASilentTopic) {
   EXPECT_EQ(scenario_.LastCall(), "RestartNode /simulator");
 }
 
+TEST_F(MonitorTree, AsksAPersonAboutARecordThatStopsForWhichNoNodeIsBlamed) {
+  Health health;
+  health.stamp = scenario_.now();
+  health.entries = {{"logger", "record", "", HealthLevel::kError, "nothing written for 61 s"}};
+  scenario_.Set("monitoring", health);
+  scenario_.Tick();
+  EXPECT_EQ(scenario_.CallsBeginning("Ask loggers: "), 1);
+  EXPECT_EQ(scenario_.CallsBeginning("RestartNode"), 0);
+}
+
 TEST_F(MonitorTree, IsDoneWithANodeWhenNobodyBlamesItAnyMore) {
   Report({{"node", "/navigation"}});
   scenario_.Answer(true);

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <system_error>
 
 namespace coppice {
@@ -59,12 +57,9 @@ bool IsRefused(std::string_view weight) {
          weight.substr(2).find_first_not_of("0.") == std::string_view::npos;
 }
 
-std::optional<std::string> Read(const std::filesystem::path& path) {
+bool IsFile(const std::filesystem::path& path) {
   std::error_code error;
-  if (!std::filesystem::is_regular_file(path, error)) return std::nullopt;
-  std::ifstream file(path, std::ios::binary);
-  if (!file) return std::nullopt;
-  return std::string(std::istreambuf_iterator<char>(file), {});
+  return std::filesystem::is_regular_file(path, error);
 }
 
 bool IsOlder(const std::filesystem::path& path, const std::filesystem::path& other) {
@@ -99,14 +94,11 @@ std::optional<WebFile> WebFiles::Find(std::string_view target, bool accepts_gzip
   if (!type || !IsPlainName(name)) return std::nullopt;
   const std::filesystem::path path = std::filesystem::path(folder_) / name;
   const std::filesystem::path compressed = path.string() + ".gz";
-  if (accepts_gzip && !IsOlder(compressed, path)) {
-    if (std::optional<std::string> bytes = Read(compressed)) {
-      return WebFile{type, *std::move(bytes), true};
-    }
+  if (accepts_gzip && !IsOlder(compressed, path) && IsFile(compressed)) {
+    return WebFile{type, compressed, true};
   }
-  std::optional<std::string> bytes = Read(path);
-  if (!bytes) return std::nullopt;
-  return WebFile{type, *std::move(bytes)};
+  if (!IsFile(path)) return std::nullopt;
+  return WebFile{type, path};
 }
 
 }  // namespace coppice

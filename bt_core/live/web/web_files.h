@@ -15,8 +15,8 @@ namespace coppice {
 
 struct WebFile {
   const char* type;  ///< a media type
-  std::string bytes;
-  bool is_gzipped = false;  ///< the bytes are those of the compressed file
+  std::string path;
+  bool is_gzipped = false;  ///< the path is that of the compressed file
 };
 
 /// Whether a client takes gzip, by the field Accept-Encoding of its request (RFC 9110, 12.5.3).

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "bt_core/live/client/part_packing.h"
-#include "bt_core/live/web/web_visit.h"
+#include "bt_core/live/web/web_connection.h"
 
 namespace coppice {
 namespace {
@@ -19,32 +19,32 @@ namespace http = beast::http;
 namespace websocket = beast::websocket;
 using beast::error_code;
 
-WebManners Manners() {
-  WebManners manners;
-  manners.header_bytes = WebGateway::kMaxHeaderBytes;
-  manners.fields = {{"Cache-Control", "no-cache"}};
-  manners.not_found =
+WebConnectionOptions ConnectionOptions() {
+  WebConnectionOptions options;
+  options.header_bytes = WebGateway::kMaxHeaderBytes;
+  options.fields = {{"Cache-Control", "no-cache"}};
+  options.not_found =
       "nothing is here; the editor's page is part of builds with -DCOPPICE_WEB=ON\n";
-  return manners;
+  return options;
 }
 
 // What the connections have in common.
-struct Hall {
-  Hall(const WebGatewayOptions& options, LiveClients& all)
+struct SharedState {
+  SharedState(const WebGatewayOptions& options, LiveClients& all)
       : access(options.tokens), files(options.folder), clients(all) {}
 
   const WebAccess access;
   const WebFiles files;
-  const WebManners manners = Manners();
+  const WebConnectionOptions options = ConnectionOptions();
   LiveClients& clients;
 };
 
 // The gateway's thread only, but for what LiveConnection promises.
-class Visit final : public WebVisit, public LiveConnection {
+class Connection final : public WebConnection, public LiveConnection {
  public:
-  Visit(WebPort::Socket socket, WebPort& port, Hall& hall)
-      : WebVisit(std::move(socket), port, hall.files, hall.manners),
-        hall_(hall),
+  Connection(WebPort::Socket socket, WebPort& port, SharedState& shared)
+      : WebConnection(std::move(socket), port, shared.files, shared.options),
+        shared_(shared),
         port_context_(port.context()) {}
 
   void Post(groot2::Parts message, std::size_t bytes) override {
@@ -61,7 +61,7 @@ class Visit final : public WebVisit, public LiveConnection {
 
   void Finish() override {
     is_finishing_ = true;
-    if (!socket_) return WebVisit::Finish();
+    if (!socket_) return WebConnection::Finish();
     if (client_ == ClientId()) return beast::get_lowest_layer(*socket_).close();
     if (unsent_.empty()) Close();
   }
@@ -72,12 +72,14 @@ class Visit final : public WebVisit, public LiveConnection {
     std::size_t room = 0;  // that was taken for it
   };
 
-  std::shared_ptr<Visit> Self() { return std::static_pointer_cast<Visit>(shared_from_this()); }
+  std::shared_ptr<Connection> Self() {
+    return std::static_pointer_cast<Connection>(shared_from_this());
+  }
 
   void OnUpgrade() override {
     const WebAccess::Verdict verdict =
-        hall_.access.Judge({Field(http::field::host), Field(http::field::origin),
-                            Field(http::field::sec_websocket_protocol)});
+        shared_.access.Judge({Field(http::field::host), Field(http::field::origin),
+                              Field(http::field::sec_websocket_protocol)});
     if (!verdict.refusal.empty()) return Refuse(Status::forbidden, verdict.refusal + "\n");
     may_control_ = verdict.may_control;
     stream_.expires_never();  // the WebSocket has its own
@@ -94,7 +96,7 @@ class Visit final : public WebVisit, public LiveConnection {
   }
 
   void Begin() {
-    client_ = hall_.clients.Enter(Self(), may_control_);
+    client_ = shared_.clients.Enter(Self(), may_control_);
     ReadMessage();
   }
 
@@ -109,8 +111,8 @@ class Visit final : public WebVisit, public LiveConnection {
   void OnMessage() {
     const std::string message = beast::buffers_to_string(buffer_.data());
     groot2::Parts parts = socket_->got_binary() ? UnpackParts(message) : groot2::Parts();
-    if (!parts.empty()) return hall_.clients.Put(client_, std::move(parts));
-    hall_.clients.Leave(client_);
+    if (!parts.empty()) return shared_.clients.Put(client_, std::move(parts));
+    shared_.clients.Leave(client_);
     Close(websocket::close_code::bad_payload);
   }
 
@@ -127,7 +129,7 @@ class Visit final : public WebVisit, public LiveConnection {
   }
 
   void OnWritten() {
-    hall_.clients.GiveRoom(client_, unsent_.front().room);
+    shared_.clients.GiveRoom(client_, unsent_.front().room);
     unsent_.pop_front();
     if (!unsent_.empty()) {
       WriteNext();
@@ -143,11 +145,11 @@ class Visit final : public WebVisit, public LiveConnection {
 
   // What the client holds is released.
   void End() {
-    hall_.clients.Leave(client_);
+    shared_.clients.Leave(client_);
     beast::get_lowest_layer(*socket_).cancel();
   }
 
-  Hall& hall_;
+  SharedState& shared_;
   asio::io_context& port_context_;
   std::optional<websocket::stream<beast::tcp_stream>> socket_;
   ClientId client_{};
@@ -162,15 +164,15 @@ class Visit final : public WebVisit, public LiveConnection {
 class WebGateway::Loop {
  public:
   Loop(const WebGatewayOptions& options, LiveClients& clients)
-      : hall_(options, clients),
+      : shared_(options, clients),
         port_({options.address, options.port, "coppice_web", kMaxConnections},
               [this](WebPort::Socket socket, WebPort& port) {
-                return std::make_shared<Visit>(std::move(socket), port, hall_);
+                return std::make_shared<Connection>(std::move(socket), port, shared_);
               }) {}
 
   ~Loop() {
     Stop();
-    hall_.clients.Clear();
+    shared_.clients.Clear();
   }
   Loop(const Loop&) = delete;
   Loop& operator=(const Loop&) = delete;
@@ -179,7 +181,7 @@ class WebGateway::Loop {
   std::uint16_t port() const { return port_.port(); }
 
  private:
-  Hall hall_;
+  SharedState shared_;
   WebPort port_;
 };
 

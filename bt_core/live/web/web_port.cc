@@ -20,13 +20,13 @@ constexpr auto kPause = std::chrono::milliseconds(200);
 
 }  // namespace
 
-WebPort::WebPort(const WebPortOptions& options, Welcome welcome)
-    : port_(AlsoListen(options, std::move(welcome))) {
+WebPort::WebPort(const WebPortOptions& options, Handler handler)
+    : port_(AlsoListen(options, std::move(handler))) {
   thread_ = std::thread([this, name = options.thread] { Run(name); });
 }
 
-std::uint16_t WebPort::AlsoListen(const WebPortOptions& options, Welcome welcome) {
-  const auto door = std::make_shared<Door>(context_, options.most_connections, std::move(welcome));
+std::uint16_t WebPort::AlsoListen(const WebPortOptions& options, Handler handler) {
+  const auto door = std::make_shared<Door>(context_, options.most_connections, std::move(handler));
   Bind(*door, options);
   const std::uint16_t port = door->acceptor.local_endpoint().port();
   asio::post(context_, [this, door] {
@@ -74,7 +74,7 @@ void WebPort::Accept(Door& door) {
 
 void WebPort::Admit(Door& door, Socket socket) {
   if (door.connections.size() >= door.most_connections && !MakeRoom(door)) return;
-  const std::shared_ptr<PortConnection> connection = door.welcome(std::move(socket), *this);
+  const std::shared_ptr<PortConnection> connection = door.handler(std::move(socket), *this);
   door.connections.insert(connection.get());
   connection->Start();
 }

@@ -1,11 +1,11 @@
 // Ports of the robot: listens, and serves the connections of all its ports on one thread. Included
-// by .cc files only; what a connection says is the business of PortConnection's heirs.
+// by .cc files only; what a connection says is the business of PortConnection's subclasses.
 //
-//   struct Hall {...};                      // what the visits share; lives longer than the port
+//   struct SharedState {...};               // of the connections; lives longer than the port
 //   WebPort port_({"127.0.0.1", 0, "coppice_web"}, [this](auto socket, WebPort& port) {
-//     return std::make_shared<Visit>(std::move(socket), port, hall_);
+//     return std::make_shared<Connection>(std::move(socket), port, shared_);
 //   });
-//   ~Loop() { port_.Stop(); }               // before the hall forgets its clients
+//   ~Loop() { port_.Stop(); }               // before the shared state ends
 //
 // Strangers can fill a port with connections. When it is full, who was silent longest and has no
 // claim to stay gives way to who comes.
@@ -40,17 +40,17 @@ class WebPort {
  public:
   using Socket = boost::asio::ip::tcp::socket;
   /// Called on the port's thread for each connection.
-  using Welcome = std::function<std::shared_ptr<PortConnection>(Socket socket, WebPort& port)>;
+  using Handler = std::function<std::shared_ptr<PortConnection>(Socket socket, WebPort& port)>;
 
   /// Listens when it returns. Throws std::runtime_error with the reason ("Address already in use")
   /// if the port cannot be had.
-  WebPort(const WebPortOptions& options, Welcome welcome);
+  WebPort(const WebPortOptions& options, Handler handler);
   ~WebPort() { Stop(); }
   WebPort(const WebPort&) = delete;
   WebPort& operator=(const WebPort&) = delete;
 
   /// Listens on one more port, whose number it returns; throws as the constructor does.
-  std::uint16_t AlsoListen(const WebPortOptions& options, Welcome welcome);
+  std::uint16_t AlsoListen(const WebPortOptions& options, Handler handler);
 
   std::uint16_t port() const { return port_; }
   boost::asio::io_context& context() { return context_; }
@@ -64,10 +64,10 @@ class WebPort {
 
   // One of the ports, with its connections.
   struct Door {
-    Door(boost::asio::io_context& context, std::size_t most, Welcome who)
-        : most_connections(most), welcome(std::move(who)), acceptor(context), pause(context) {}
+    Door(boost::asio::io_context& context, std::size_t most, Handler who)
+        : most_connections(most), handler(std::move(who)), acceptor(context), pause(context) {}
     const std::size_t most_connections;
-    const Welcome welcome;
+    const Handler handler;
     std::set<PortConnection*> connections;
     boost::asio::ip::tcp::acceptor acceptor;
     boost::asio::steady_timer pause;
@@ -83,7 +83,8 @@ class WebPort {
   void Forget(PortConnection* connection);
 
   bool is_finishing_ = false;
-  std::vector<std::shared_ptr<Door>> doors_;  // before the context, in which the last visits end
+  std::vector<std::shared_ptr<Door>>
+      doors_;  // before the context, in which the last connections end
   boost::asio::io_context context_{1};
   boost::asio::steady_timer end_{context_};
   std::uint16_t port_ = 0;

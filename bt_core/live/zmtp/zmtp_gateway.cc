@@ -39,11 +39,11 @@ class ZmtpGateway::Loop {
     }
     const auto first = [&] {
       port_.reset();
-      port_.emplace(Options(port), Welcome(ZmtpConnection::Type::kRouter));
+      port_.emplace(Options(port), HandlerFor(ZmtpConnection::Type::kRouter));
     };
     const auto second = [&] {
       const auto neighbour = static_cast<std::uint16_t>(port_->port() + 1);
-      port_->AlsoListen(Options(neighbour), Welcome(ZmtpConnection::Type::kPublisher));
+      port_->AlsoListen(Options(neighbour), HandlerFor(ZmtpConnection::Type::kPublisher));
     };
     Try(port, first);
     Try(port_->port() + 1, second);
@@ -72,7 +72,7 @@ class ZmtpGateway::Loop {
     return {address_, port, "coppice_zmtp", kMaxConnections};
   }
 
-  WebPort::Welcome Welcome(ZmtpConnection::Type type) {
+  WebPort::Handler HandlerFor(ZmtpConnection::Type type) {
     return [this, type](WebPort::Socket socket, WebPort& port) {
       return std::make_shared<ZmtpConnection>(std::move(socket), port, type,
                                               keys_ ? &*keys_ : nullptr, clients_);

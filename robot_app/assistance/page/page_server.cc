@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "robot_app/assistance/page/page_visit.h"
+#include "robot_app/assistance/page/page_connection.h"
 
 namespace coppice::robot::assistance {
 
@@ -14,16 +14,16 @@ namespace asio = boost::asio;
 class PageServer::Loop {
  public:
   Loop(const PageServerOptions& options, PageAccess& access, const Clock& clock)
-      : hall_(options, access, clock),
+      : shared_(options, access, clock),
         port_({options.address, options.port, "page_server", kMostConnections},
               [this](WebPort::Socket socket, WebPort& port) {
-                return std::make_shared<PageVisit>(std::move(socket), port, hall_);
+                return std::make_shared<PageConnection>(std::move(socket), port, shared_);
               }) {
     asio::post(port_.context(), [this] { LookAtSessions(); });
   }
   ~Loop() {
     port_.Stop();
-    hall_.clients.clear();
+    shared_.clients.clear();
   }
   Loop(const Loop&) = delete;
   Loop& operator=(const Loop&) = delete;
@@ -31,33 +31,33 @@ class PageServer::Loop {
   std::uint16_t port() const { return port_.port(); }
 
   bool Receive(PageEvent& event) {
-    const std::lock_guard<std::mutex> lock(hall_.mutex);
-    if (hall_.events.empty()) return false;
-    event = std::move(hall_.events.front());
-    hall_.events.pop_front();
+    const std::lock_guard<std::mutex> lock(shared_.mutex);
+    if (shared_.events.empty()) return false;
+    event = std::move(shared_.events.front());
+    shared_.events.pop_front();
     return true;
   }
 
   void Send(std::uint64_t client, const std::string& key,
             std::shared_ptr<const std::string> message, bool is_binary) {
     asio::post(port_.context(), [this, client, key, message = std::move(message), is_binary] {
-      const auto found = hall_.clients.find(client);
-      if (found == hall_.clients.end()) return;
-      const std::shared_ptr<PageVisit> visit = found->second;
-      visit->Send(key, message, is_binary);
+      const auto found = shared_.clients.find(client);
+      if (found == shared_.clients.end()) return;
+      const std::shared_ptr<PageConnection> connection = found->second;
+      connection->Send(key, message, is_binary);
     });
   }
 
  private:
   void LookAtSessions() {
-    hall_.EndWithoutSession();
+    shared_.EndWithoutSession();
     look_.expires_after(std::chrono::seconds(1));
     look_.async_wait([this](boost::system::error_code cancelled) {
       if (!cancelled) LookAtSessions();
     });
   }
 
-  PageHall hall_;
+  PageSharedState shared_;
   WebPort port_;
   asio::steady_timer look_{port_.context()};
 };

@@ -23,6 +23,8 @@ struct TopicWatch {
   bool wall_time = false;      ///< rate, window and staleness in wall time instead of ROS time
   /// Not subscribed: the rate is taken from what the subscribers report on /statistics.
   bool by_statistics = false;
+  /// Its messages are laser scans. One by which the robot may not move counts as none at all.
+  bool is_scan = false;
 };
 
 /// Who may speak on a topic.

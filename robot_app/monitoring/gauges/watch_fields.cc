@@ -25,6 +25,10 @@ TopicWatch ReadTopicWatch(YamlFields& fields, double default_window) {
   watch.kind = fields.Choice("kind", "topic", {"topic", "supervisor"});
   watch.by_statistics =
       fields.Choice("by", "subscriber", {"subscriber", "statistics"}) == "statistics";
+  watch.is_scan = fields.Choice("content", "any", {"any", "laser_scan"}) == "laser_scan";
+  if (watch.is_scan && watch.by_statistics) {
+    fields.Error(fields.where(), "\"content\" cannot be seen \"by: statistics\"");
+  }
   Band otherwise;
   // The subscribers' statistics come in windows of their own, of several seconds.
   otherwise.staleness = std::chrono::seconds(watch.by_statistics ? 10 : 2);

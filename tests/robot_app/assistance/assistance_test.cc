@@ -98,7 +98,7 @@ TEST_F(AssistanceTest, TheAllClearHasNoLinkAndUnusedLinksEnd) {
 TEST_F(AssistanceTest, RequestsAndLinksOutliveARestart) {
   const std::uint32_t id = assistance_->desk().Ask("navigation", "Blocked.", now_);
   const std::string token = TokenOf(Messages(1)[0]);
-  for (int i = 0; i < 3; ++i) {  // until the report of the courier is kept
+  for (int i = 0; i < 3; ++i) {  // until the report of the sender is kept
     Messages(1);
     if (assistance_->desk().requests()[0].asked[0].state == AskedSupervisor::State::kReached) break;
   }

@@ -42,5 +42,21 @@ TEST(Pose2D, ChangesAreLimitedBothWays) {
   EXPECT_DOUBLE_EQ(LimitChange(0, 0.01, 0.5, 0.1), 0.01);
 }
 
+TEST(Pose2D, IsNotReadHalf) {
+  for (const char* text : {"", "1 2", "1 2 3 4", "1 2 nan", "here"}) {
+    EXPECT_FALSE(ParsePose(text)) << text;
+  }
+  EXPECT_TRUE(ParsePose(" 1 2 3 \n"));
+}
+
+TEST(Pose2D, APlaceIsTwoNumbersAndNothingElse) {
+  for (const char* text : {"", "1", "1 2 3", "1 inf", "the lab"}) {
+    EXPECT_FALSE(ParsePlace(text)) << text;
+  }
+  const auto place = ParsePlace("1 -2.5");
+  ASSERT_TRUE(place);
+  EXPECT_DOUBLE_EQ(place->y, -2.5);
+}
+
 }  // namespace
 }  // namespace coppice::robot

@@ -80,27 +80,6 @@ TEST(RosMessages, ScansKeepTheirTimeAndBeams) {
   EXPECT_DOUBLE_EQ(scan.range_max, 20);
 }
 
-TEST(RosParameters, AreCheckedAndUnknownOnesNamed) {
-  ros::param::set("~max_speed", 0.4);
-  ros::param::set("~max_turn", 50.0);
-  ros::param::set("~patience", "long");
-  ros::param::set("~patiense", 3.0);
-  Parameters parameters;
-  EXPECT_DOUBLE_EQ(parameters.Number("max_speed", 0.7, 0, 1), 0.4);
-  EXPECT_DOUBLE_EQ(parameters.Number("max_turn", 1, 0, 6), 1);
-  EXPECT_DOUBLE_EQ(parameters.Number("patience", 8, 0, 60), 8);
-  EXPECT_EQ(parameters.Text("map_frame", "map"), "map");
-  testing::internal::CaptureStderr();
-  EXPECT_FALSE(parameters.Finish());
-  const std::string text = testing::internal::GetCapturedStderr();
-  EXPECT_THAT(text, HasSubstr("~max_turn must be a number"));
-  EXPECT_THAT(text, HasSubstr("~patience must be a number"));
-  EXPECT_THAT(text, HasSubstr("unknown parameter ~patiense (did you mean \"patience\"?)"));
-  for (const char* name : {"~max_speed", "~max_turn", "~patience", "~patiense"}) {
-    ros::param::del(name);
-  }
-}
-
 TEST(RobotPose, IsLocalizationTimesOdometryAndAsOldAsTheOlder) {
   RobotPose robot({"map", "odom", "base_link"});
   EXPECT_FALSE(robot.Newest());

@@ -25,8 +25,6 @@ namespace coppice::robot::localization {
 namespace {
 
 using State = coppice_msgs::LocalizationState;
-using testing::HasSubstr;
-
 constexpr double kPatience = 30;  // wall time, for whatever is waited for [s]
 const std::string kPrograms = BinaryFolder() + "/bin/";
 
@@ -195,20 +193,6 @@ TEST_F(LocalizationNodeTest, GoesOnAfterRestartsOfEither) {
   EXPECT_TRUE(TurnUntilOk());
   EXPECT_EQ(localization_.Stop(std::chrono::seconds(5)), 0);
   EXPECT_EQ(filter_.Stop(std::chrono::seconds(5)), 0);
-}
-
-TEST_F(LocalizationNodeTest, RefusesParametersThatMakeNoSense) {
-  const auto run = [](const std::vector<std::string>& command) {
-    ChildProcess process(command, Log("refused"));
-    EXPECT_TRUE(Eventually([&] { return !process.IsRunning(); }, kPatience));
-    return process.exit_status();
-  };
-  EXPECT_EQ(run({kPrograms + "coppice-localization", "__name:=a", "_start_pose:=here"}), 2);
-  EXPECT_THAT(TextOf(Log("refused")), HasSubstr("X Y YAW"));
-  EXPECT_EQ(run({kPrograms + "coppice-localization", "__name:=b", "_agree:=7"}), 2);
-  EXPECT_EQ(run({kPrograms + "coppice-odometry-filter", "__name:=c", "_frequenzy:=7"}), 2);
-  EXPECT_THAT(TextOf(Log("refused")), HasSubstr("frequency"));
-  EXPECT_EQ(run({kPrograms + "coppice-odometry-filter", "--help"}), 0);
 }
 
 }  // namespace

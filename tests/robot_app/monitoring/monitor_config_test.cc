@@ -74,6 +74,27 @@ configurations:
   EXPECT_TRUE(config.ForConfiguration("unheard-of").nodes.empty());
 }
 
+TEST_F(MonitorConfigTest, ReadsWhatTheMessagesOfATopicAre) {
+  const MonitorConfig config = Read(R"(
+configurations:
+  operating:
+    topics: [{topic: /scan, node: /lidar, content: laser_scan}, {topic: /odom, node: /base}]
+)");
+  EXPECT_EQ(Errors(), "");
+  const WatchList& list = config.ForConfiguration("operating");
+  EXPECT_TRUE(list.topics.at(0).is_scan);
+  EXPECT_FALSE(list.topics.at(1).is_scan);
+}
+
+TEST_F(MonitorConfigTest, WhatIsTakenFromStatisticsIsNotRead) {
+  Read(R"(
+configurations:
+  operating:
+    topics: [{topic: /scan, node: /lidar, content: laser_scan, by: statistics}]
+)");
+  EXPECT_THAT(Errors(), testing::HasSubstr("cannot be seen \"by: statistics\""));
+}
+
 TEST_F(MonitorConfigTest, ReadsTheSectionsOfEnergyMovementAndComputers) {
   const MonitorConfig config = Read(R"(
 health_aggregator: {diagnostics: 2}

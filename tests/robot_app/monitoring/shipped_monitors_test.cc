@@ -2,6 +2,8 @@
 // its band once and is an error.
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "robot_app/monitoring/localization_monitor.h"
@@ -173,15 +175,18 @@ TEST_F(ShippedMonitorsTest, ANodeThatMissesItsPingsIsAnError) {
 
 class ShippedTopicsTest : public ShippedMonitorsTest {
  protected:
-  // What is found about a topic whose publisher does `rate` for a minute.
-  Finding After(const TopicWatch& watch, double rate) const {
+  // What is found about a topic whose publisher does `rate` for a minute; scans measure `range`.
+  Finding After(const TopicWatch& watch, double rate, float range = 1) const {
     TopicMonitor monitor;
     monitor.Watch({watch});
+    LaserScan scan;
+    scan.ranges = {range};
     std::vector<Finding> findings;
     double next = 0;
     for (double now = 0; now < 60; now += 0.005) {
       if (rate > 0 && now >= next) {
         monitor.OnMessage(watch.topic, {At(now), At(now)});
+        monitor.OnScan(watch.topic, scan, {At(now), At(now)});
         next += 1 / rate;
       }
       const bool is_due = static_cast<int>(now * 200) % 100 == 0;
@@ -205,12 +210,28 @@ TEST_F(ShippedTopicsTest, ATopicThatIsSilentOrTooSlowOrTooFastIsAnError) {
   }
 }
 
+TEST_F(ShippedTopicsTest, AScannerThatSeesNothingIsAnErrorThoughItsScansCome) {
+  for (const TopicWatch& watch : Operating().topics) {
+    if (!watch.is_scan) continue;
+    EXPECT_EQ(After(watch, 10, NAN).level, HealthLevel::kError) << watch.topic;
+  }
+}
+
 TEST_F(ShippedTopicsTest, ARateBetweenTheBandsIsAWarning) {
   for (const TopicWatch& watch : Operating().topics) {
     if (!watch.band.warn.low) continue;
     ASSERT_TRUE(watch.band.error.low) << watch.topic;
     const double between = (*watch.band.warn.low + *watch.band.error.low) / 2;
     EXPECT_EQ(After(watch, between).level, HealthLevel::kWarn) << watch.topic;
+  }
+}
+
+TEST_F(ShippedMonitorsTest, TheScannerIsWatchedForScansInEveryConfiguration) {
+  for (const WatchList& list : config_.lists) {
+    const auto is_scan = [](const TopicWatch& watch) {
+      return watch.topic == "/scan" && watch.is_scan && !watch.node.empty();
+    };
+    EXPECT_TRUE(std::any_of(list.topics.begin(), list.topics.end(), is_scan)) << list.configuration;
   }
 }
 

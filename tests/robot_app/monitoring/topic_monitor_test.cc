@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace coppice::robot::monitoring {
 namespace {
 
@@ -188,6 +190,59 @@ TEST_F(TopicMonitorTest, AChangeOfTheListKeepsWhatWasSeen) {
   monitor_.Watch({Scan(), other});
   monitor_.OnMessage("/unwatched", {seconds(102), Time(0)});
   EXPECT_EQ(Report(seconds(102)).value, 10);
+}
+
+// The newest finding about scans that have come for two seconds.
+Finding AfterScans(float range) {
+  TopicWatch watch = Scan();
+  watch.is_scan = true;
+  TopicMonitor monitor;
+  monitor.Watch({watch});
+  LaserScan scan;
+  scan.ranges.assign(541, range);
+  Finding finding;
+  for (int i = 0; i <= 20; ++i) {
+    const Time now = seconds(100) + milliseconds(100) * i;
+    monitor.OnScan("/scan", scan, {now, now});
+    finding = monitor.Report({}, {now, now}).at(0);
+  }
+  return finding;
+}
+
+TEST(TopicMonitor, ScansThatSeeAreWell) { EXPECT_EQ(AfterScans(3).level, HealthLevel::kOk); }
+
+TEST(TopicMonitor, ScansInWhichNoBeamTellsAnythingAreNone) {
+  const Finding finding = AfterScans(NAN);
+  EXPECT_EQ(finding.level, HealthLevel::kError);
+  EXPECT_EQ(finding.monitor, "topic");
+  EXPECT_EQ(finding.node, "/scanner");
+  EXPECT_EQ(finding.message, "no usable message for 2 s: 0 of 541 beams tell something");
+}
+
+TEST(TopicMonitor, OneBlindScanIsForgivenAndSaid) {
+  TopicWatch watch = Scan();
+  watch.is_scan = true;
+  TopicMonitor monitor;
+  monitor.Watch({watch});
+  const Times now{seconds(100), seconds(100)};
+  monitor.OnScan("/scan", LaserScan(), now);
+  const Finding finding = monitor.Report({}, now).at(0);
+  EXPECT_EQ(finding.level, HealthLevel::kOk);
+  EXPECT_EQ(finding.message, "measuring: 0 of 0 beams tell something");
+}
+
+TEST(TopicMonitor, AScanTopicIsNotCountedUnread) {
+  TopicWatch watch = Scan();
+  watch.is_scan = true;
+  TopicMonitor monitor;
+  monitor.Watch({watch});
+  for (int i = 0; i < 20; ++i) {
+    const Time now = seconds(100) + milliseconds(100) * i;
+    monitor.OnMessage("/scan", {now, now});
+    monitor.Report({}, {now, now});
+  }
+  const Times now{seconds(102), seconds(102)};
+  EXPECT_EQ(monitor.Report({}, now).at(0).message, "no message for 2 s");
 }
 
 }  // namespace

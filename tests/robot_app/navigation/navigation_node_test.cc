@@ -114,7 +114,7 @@ class NavigationNode : public testing::Test {
   // A node's parameters outlive it.
   ~NavigationNode() override { ros::param::del("/navigation/station"); }
 
-  // Starts the robot where it is told: "docked" or "X Y YAW". The rest: arguments of the programs.
+  // Starts the robot at "X Y YAW", or docked: "none". The rest: arguments of the programs.
   void StartRobot(const std::string& start, const std::vector<std::string>& navigation = {},
                   const std::vector<std::string>& simulator = {}) {
     ros::param::set("/use_sim_time", true);
@@ -140,12 +140,12 @@ TEST_F(NavigationNode, AManoeuvreWaitsForSensorsThatComeLate) {
   dock.Send(undock);
   ASSERT_TRUE(
       Eventually([&] { return dock->getState() == SimpleClientGoalState::ACTIVE; }, kPatience));
-  StartRobot("docked");
+  StartRobot("none");
   EXPECT_EQ(dock.Wait(), SimpleClientGoalState::SUCCEEDED) << dock->getState().getText();
 }
 
 TEST_F(NavigationNode, LeavesTheStationDrivesToAGoalAndComesBack) {
-  StartRobot("docked");
+  StartRobot("none");
   ChildProcess docking({kPrograms + "coppice-docking"}, Log("docking"));
   Listener listener;
   Client<coppice_msgs::DockingAction> dock("docking");
@@ -322,36 +322,6 @@ TEST_F(NavigationNode, SaysNothingOfAWayWhereNoneLeadsToTheStation) {
     navigation_.Stop(std::chrono::seconds(5));
     simulator_.Stop(std::chrono::seconds(5));
   }
-}
-
-TEST(NavigationPrograms, RefuseAStationThatIsNoPlace) {
-  ChildProcess wrong({kPrograms + "coppice-navigation", "_station:=the lab"}, Log("no_place"));
-  ASSERT_TRUE(Eventually([&] { return !wrong.IsRunning(); }, kPatience));
-  EXPECT_EQ(wrong.exit_status(), 2);
-  EXPECT_THAT(TextOf(Log("no_place")), HasSubstr("~station must be \"X Y\""));
-  ros::param::del("/navigation/station");
-}
-
-TEST(NavigationPrograms, SayInOneLineThatThereIsNoMaster) {
-  for (const std::string program : {"coppice-navigation", "coppice-docking"}) {
-    std::remove(Log(program + "_lonely").c_str());
-    ChildProcess lonely(
-        {kPrograms + program}, Log(program + "_lonely"),
-        {{"ROS_MASTER_URI", "http://127.0.0.1:" + std::to_string(processes::FreePort())}});
-    ASSERT_TRUE(Eventually([&] { return !lonely.IsRunning(); }, kPatience));
-    EXPECT_EQ(lonely.exit_status(), 2);
-    const std::string text = TextOf(Log(program + "_lonely"));
-    EXPECT_THAT(text, HasSubstr(program + ": no ROS master at http://127.0.0.1:"));
-    EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1) << text;
-  }
-}
-
-TEST(NavigationPrograms, RefuseAParameterThatTheyDoNotKnow) {
-  ChildProcess wrong({kPrograms + "coppice-navigation", "_max_sped:=1"}, Log("wrong"));
-  ASSERT_TRUE(Eventually([&] { return !wrong.IsRunning(); }, kPatience));
-  EXPECT_EQ(wrong.exit_status(), 2);
-  EXPECT_THAT(TextOf(Log("wrong")), HasSubstr("did you mean \"max_speed\"?"));
-  ros::param::del("/navigation/max_sped");
 }
 
 }  // namespace

@@ -1,8 +1,5 @@
 // The program coppice-supervisor, with a real master and real processes.
-#include <coppice_msgs/ProcessStates.h>
-#include <coppice_msgs/RestartProcess.h>
 #include <coppice_msgs/SetConfiguration.h>
-#include <coppice_msgs/SwitchOff.h>
 #include <gmock/gmock.h>
 #include <poll.h>
 #include <sys/socket.h>
@@ -12,14 +9,10 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <map>
-#include <sstream>
 
-#include "robot_app/processes/launch/survivors.h"
-#include "tests/robot_app/eventually.h"
 #include "tests/robot_app/processes/other_host.h"
-#include "tests/robot_app/processes/ros_graph.h"
 #include "tests/robot_app/processes/shut_down_node.h"
+#include "tests/robot_app/processes/supervisor_program_fixture.h"
 
 namespace coppice::robot::processes {
 namespace {
@@ -29,107 +22,6 @@ using testing::AllOf;
 using testing::Contains;
 using testing::HasSubstr;
 using testing::Not;
-
-constexpr char kConfig[] = R"(
-stop_timeout: 1
-parameters: {answer: 42, use_sim_time: false}
-processes:
-  - {name: first, command: ["${talker}", "__name:=first"], node: /first, ready: topic /talk}
-  - {name: second, command: ["${talker}", "__name:=second"], node: /second, depends: [first],
-     ready: service /second/get_loggers}
-  - {name: stubborn, command: [/bin/sh, -c, "trap '' TERM; while true; do sleep 1000; done"]}
-configurations:
-  operating: [first, second, stubborn]
-  charging: [first]
-)";
-
-class SupervisorProgramTest : public testing::Test {
- protected:
-  SupervisorProgramTest() {
-    std::filesystem::remove_all(folder_);
-    std::filesystem::create_directories(folder_);
-    WriteConfig(kConfig);
-  }
-
-  void WriteConfig(const std::string& text) const {
-    std::ofstream(folder_ + "/robot.yaml") << text;
-  }
-
-  std::vector<std::string> Command() const {
-    return {kPrograms + "coppice-supervisor",
-            "--config",
-            folder_ + "/robot.yaml",
-            "--port",
-            std::to_string(RosGraph::OwnPort()),
-            "--port-file",
-            folder_ + "/port",
-            "--logs",
-            folder_ + "/logs",
-            "--set",
-            "talker=" + kTestPrograms + "test_talker",
-            "--set",
-            "folder=" + folder_};
-  }
-
-  void StartSupervisor(const std::vector<std::string>& more = {}) {
-    std::vector<std::string> command = Command();
-    command.insert(command.end(), more.begin(), more.end());
-    std::filesystem::remove(folder_ + "/port");
-    supervisor_ = graph_.Start("supervisor", command);
-    ASSERT_TRUE(
-        Eventually([&] { return static_cast<bool>(std::ifstream(folder_ + "/port") >> port_); }));
-  }
-
-  // Of a program of the supervisor; 0 if there is none, -1 if there are several.
-  int PidOf(const std::string& process) const {
-    const auto pids = FindOwned(folder_ + "/logs/supervisor.json:" + process);
-    return pids.empty() ? 0 : pids.size() > 1 ? -1 : pids[0];
-  }
-
-  // What a node says about itself when it is asked over the network; 0 while it does not answer.
-  int PidOfNode(const std::string& node) const {
-    NodeProbe probe({"127.0.0.1", port_}, "/test");
-    probe.Begin({{node, ""}}, std::chrono::seconds(1));
-    probe.Work(std::chrono::seconds(2));
-    return probe.results()[0].answered ? probe.results()[0].pid : 0;
-  }
-
-  std::string Read(const std::string& file) const {
-    std::ostringstream text;
-    text << std::ifstream(folder_ + "/" + file).rdbuf();
-    return text.str();
-  }
-
-  void JoinGraph() {
-    graph_.Join("http://127.0.0.1:" + std::to_string(port_));
-    subscriber_ = graph_.node().subscribe<coppice_msgs::ProcessStates>(
-        "/processes", 50, [this](const coppice_msgs::ProcessStates::ConstPtr& message) {
-          configuration_ = message->configuration;
-          for (const ProcessState& state : message->processes) states_[state.name] = state;
-        });
-    ASSERT_TRUE(WaitForState("second", ProcessState::READY));
-    ASSERT_TRUE(WaitForState("stubborn", ProcessState::READY));
-  }
-
-  bool WaitForState(const std::string& name, int state) {
-    return graph_.WaitFor([&] { return states_.count(name) && states_[name].state == state; });
-  }
-
-  coppice_msgs::RestartProcess::Response Restart(const std::string& name) {
-    coppice_msgs::RestartProcess service;
-    service.request.name = name;
-    EXPECT_TRUE(ros::service::call("/supervisor/restart", service));
-    return service.response;
-  }
-
-  const std::string folder_ = Temporary("supervisor_program_test");
-  RosGraph graph_{RosGraph::WithoutMaster{}, folder_};
-  int supervisor_ = 0;
-  int port_ = 0;
-  ros::Subscriber subscriber_;
-  std::string configuration_;
-  std::map<std::string, ProcessState> states_;
-};
 
 TEST_F(SupervisorProgramTest, RestartsWhatEndsOrIsAskedForAndLeavesNothingBehind) {
   StartSupervisor();
@@ -461,48 +353,6 @@ TEST_F(SupervisorProgramTest, ReportsBadInputInOneLineEachWithStatus2) {
               HasSubstr("robot.yaml:5:"));
   EXPECT_THAT(run({program, "--config", "/nowhere", "--set", "x"}, "set"),
               HasSubstr("--set: expected NAME=VALUE, not \"x\""));
-}
-
-class SwitchOffProgramTest : public SupervisorProgramTest {
- protected:
-  SwitchOffProgramTest() {
-    WriteConfig(std::string(kConfig) +
-                "  safe_stop: [first]\n"
-                "on_given_up: {configuration: safe_stop}\n"
-                "switch_off: {command: [touch, \"${folder}/off\"]}\n");
-    setenv("COPPICE_SWITCH_OFF_TOKEN", "secret", 1);
-    StartSupervisor();
-    unsetenv("COPPICE_SWITCH_OFF_TOKEN");
-    JoinGraph();
-  }
-
-  static std::string SwitchOff(const std::string& token) {
-    coppice_msgs::SwitchOff service;
-    service.request.reason = "the battery is empty";
-    service.request.token = token;
-    EXPECT_TRUE(ros::service::call("/supervisor/switch_off", service));
-    EXPECT_TRUE(service.response.ok);
-    return service.response.message;
-  }
-};
-
-TEST_F(SwitchOffProgramTest, WithoutTheTokenItStaysInTheSafeStop) {
-  EXPECT_THAT(SwitchOff("guess"), HasSubstr("the power stays on"));
-  ASSERT_TRUE(graph_.WaitFor([&] { return configuration_ == "safe_stop"; }));
-  ASSERT_TRUE(WaitForState("second", ProcessState::STOPPED));
-  coppice_msgs::RestartProcess reset;
-  reset.request.name = "all";
-  EXPECT_TRUE(ros::service::call("/supervisor/reset", reset));
-  ASSERT_TRUE(WaitForState("second", ProcessState::READY));
-  EXPECT_FALSE(std::filesystem::exists(folder_ + "/off"));
-}
-
-TEST_F(SwitchOffProgramTest, WithTheTokenEverythingEndsAndTheCommandRuns) {
-  EXPECT_THAT(SwitchOff("secret"), HasSubstr("then the power goes off"));
-  EXPECT_EQ(graph_.WaitForEnd(supervisor_), 0);
-  EXPECT_TRUE(std::filesystem::exists(folder_ + "/off"));
-  EXPECT_EQ(PidOf("first"), 0);
-  EXPECT_THAT(Read("logs/supervisor.json"), Not(HasSubstr("\"safe_stop\":true")));
 }
 
 }  // namespace

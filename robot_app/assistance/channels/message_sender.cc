@@ -1,4 +1,4 @@
-#include "robot_app/assistance/channels/courier.h"
+#include "robot_app/assistance/channels/message_sender.h"
 
 #include <pthread.h>
 
@@ -7,7 +7,7 @@
 
 namespace coppice::robot::assistance {
 
-Courier::Courier(std::map<std::string, std::unique_ptr<MessageChannel>> channels) {
+MessageSender::MessageSender(std::map<std::string, std::unique_ptr<MessageChannel>> channels) {
   for (auto& [name, channel] : channels) {
     Lane& lane = lanes_[name];
     lane.name = name;
@@ -16,7 +16,7 @@ Courier::Courier(std::map<std::string, std::unique_ptr<MessageChannel>> channels
   for (auto& [name, lane] : lanes_) lane.thread = std::thread([this, &lane = lane] { Work(lane); });
 }
 
-Courier::~Courier() {
+MessageSender::~MessageSender() {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     stop_ = true;
@@ -25,7 +25,8 @@ Courier::~Courier() {
   for (auto& [name, lane] : lanes_) lane.thread.join();
 }
 
-void Courier::Send(std::uint32_t letter, const std::string& channel, OutgoingMessage message) {
+void MessageSender::Send(std::uint32_t letter, const std::string& channel,
+                         OutgoingMessage message) {
   const std::lock_guard<std::mutex> lock(mutex_);
   const auto found = lanes_.find(channel);
   if (found == lanes_.end()) {
@@ -38,13 +39,13 @@ void Courier::Send(std::uint32_t letter, const std::string& channel, OutgoingMes
   }
 }
 
-std::vector<Delivery> Courier::TakeDeliveries() {
+std::vector<Delivery> MessageSender::TakeDeliveries() {
   const std::lock_guard<std::mutex> lock(mutex_);
   return std::exchange(deliveries_, {});
 }
 
-void Courier::Work(Lane& lane) {
-  pthread_setname_np(pthread_self(), "courier");
+void MessageSender::Work(Lane& lane) {
+  pthread_setname_np(pthread_self(), "message_sender");
   std::unique_lock<std::mutex> lock(mutex_);
   while (true) {
     lane.changed.wait(lock, [&] { return stop_ || !lane.waiting.empty(); });

@@ -1,7 +1,7 @@
 // One connection of the supervisor page: its files, the log-in, and the WebSocket. Included by .cc
 // files only; for the thread of the server.
-#ifndef COPPICE_ROBOT_APP_ASSISTANCE_PAGE_PAGE_VISIT_H_
-#define COPPICE_ROBOT_APP_ASSISTANCE_PAGE_PAGE_VISIT_H_
+#ifndef COPPICE_ROBOT_APP_ASSISTANCE_PAGE_PAGE_CONNECTION_H_
+#define COPPICE_ROBOT_APP_ASSISTANCE_PAGE_PAGE_CONNECTION_H_
 
 #include <boost/beast/websocket.hpp>
 #include <cstdint>
@@ -12,17 +12,18 @@
 #include <optional>
 #include <string>
 
-#include "bt_core/live/web/web_visit.h"
+#include "bt_core/live/web/web_connection.h"
 #include "robot_app/assistance/page/page_http.h"
 #include "robot_app/assistance/page/page_server.h"
 
 namespace coppice::robot::assistance {
 
-class PageVisit;
+class PageConnection;
 
 /// What the connections have in common.
-struct PageHall {
-  PageHall(const PageServerOptions& options, PageAccess& page_access, const Clock& page_clock);
+struct PageSharedState {
+  PageSharedState(const PageServerOptions& options, PageAccess& page_access,
+                  const Clock& page_clock);
 
   void Put(PageEvent event) {
     const std::lock_guard<std::mutex> lock(mutex);
@@ -35,19 +36,19 @@ struct PageHall {
   PageAccess& access;
   const Clock& clock;
   const WebFiles files;
-  const WebManners manners;
+  const WebConnectionOptions options;
   const bool is_https;
-  std::map<std::uint64_t, std::shared_ptr<PageVisit>> clients;  // the server's thread only
-  std::uint64_t clients_so_far = 0;                             // the same
+  std::map<std::uint64_t, std::shared_ptr<PageConnection>> clients;  // the server's thread only
+  std::uint64_t clients_so_far = 0;                                  // the same
 
   std::mutex mutex;  // for the rest
   std::deque<PageEvent> events;
 };
 
-class PageVisit : public WebVisit {
+class PageConnection : public WebConnection {
  public:
-  PageVisit(WebPort::Socket socket, WebPort& port, PageHall& hall)
-      : WebVisit(std::move(socket), port, hall.files, hall.manners), hall_(hall) {}
+  PageConnection(WebPort::Socket socket, WebPort& port, PageSharedState& shared)
+      : WebConnection(std::move(socket), port, shared.files, shared.options), shared_(shared) {}
 
   void Send(const std::string& key, std::shared_ptr<const std::string> message, bool is_binary);
   /// The secret with which it came.
@@ -63,8 +64,8 @@ class PageVisit : public WebVisit {
     bool is_binary = false;
   };
 
-  std::shared_ptr<PageVisit> Self() {
-    return std::static_pointer_cast<PageVisit>(shared_from_this());
+  std::shared_ptr<PageConnection> Self() {
+    return std::static_pointer_cast<PageConnection>(shared_from_this());
   }
   bool IsFromOwnPage() const;
   void OnPost() override;
@@ -76,7 +77,7 @@ class PageVisit : public WebVisit {
   void OnMessage();
   void WriteNext();
 
-  PageHall& hall_;
+  PageSharedState& shared_;
   std::optional<boost::beast::websocket::stream<boost::beast::tcp_stream>> socket_;
   std::uint64_t client_ = 0;
   std::string session_;
@@ -88,4 +89,4 @@ class PageVisit : public WebVisit {
 
 }  // namespace coppice::robot::assistance
 
-#endif  // COPPICE_ROBOT_APP_ASSISTANCE_PAGE_PAGE_VISIT_H_
+#endif  // COPPICE_ROBOT_APP_ASSISTANCE_PAGE_PAGE_CONNECTION_H_

@@ -1,7 +1,7 @@
 // Carries messages to people without holding anybody up: each channel has a thread of its own, so
 // that one that hangs in its timeout delays only itself.
-#ifndef COPPICE_ROBOT_APP_ASSISTANCE_CHANNELS_COURIER_H_
-#define COPPICE_ROBOT_APP_ASSISTANCE_CHANNELS_COURIER_H_
+#ifndef COPPICE_ROBOT_APP_ASSISTANCE_CHANNELS_MESSAGE_SENDER_H_
+#define COPPICE_ROBOT_APP_ASSISTANCE_CHANNELS_MESSAGE_SENDER_H_
 
 #include <condition_variable>
 #include <cstdint>
@@ -23,15 +23,15 @@ struct Delivery {
   std::string error;  ///< empty: delivered
 };
 
-class Courier {
+class MessageSender {
  public:
   static constexpr std::size_t kMostWaiting = 100;  ///< for one channel; more fail at once
 
-  explicit Courier(std::map<std::string, std::unique_ptr<MessageChannel>> channels);
+  explicit MessageSender(std::map<std::string, std::unique_ptr<MessageChannel>> channels);
   /// Breaks off what is being sent; the rest is not sent.
-  ~Courier();
-  Courier(const Courier&) = delete;
-  Courier& operator=(const Courier&) = delete;
+  ~MessageSender();
+  MessageSender(const MessageSender&) = delete;
+  MessageSender& operator=(const MessageSender&) = delete;
 
   /// Returns at once. What came of it is found in TakeDeliveries.
   void Send(std::uint32_t letter, const std::string& channel, OutgoingMessage message);
@@ -59,4 +59,4 @@ class Courier {
 
 }  // namespace coppice::robot::assistance
 
-#endif  // COPPICE_ROBOT_APP_ASSISTANCE_CHANNELS_COURIER_H_
+#endif  // COPPICE_ROBOT_APP_ASSISTANCE_CHANNELS_MESSAGE_SENDER_H_

@@ -1,4 +1,4 @@
-#include "robot_app/assistance/page/page_visit.h"
+#include "robot_app/assistance/page/page_connection.h"
 
 #include <algorithm>
 #include <utility>
@@ -14,68 +14,68 @@ namespace http = beast::http;
 namespace websocket = beast::websocket;
 using beast::error_code;
 
-WebManners Manners() {
-  WebManners manners;
-  manners.header_bytes = PageServer::kMostHeaderBytes;
-  manners.body_bytes = PageServer::kMostBodyBytes;
-  manners.fields = {{"Cache-Control", "no-store"},
+WebConnectionOptions ConnectionOptions() {
+  WebConnectionOptions options;
+  options.header_bytes = PageServer::kMostHeaderBytes;
+  options.body_bytes = PageServer::kMostBodyBytes;
+  options.fields = {{"Cache-Control", "no-store"},
                     {"Referrer-Policy", "no-referrer"},
                     {"Content-Security-Policy", kContentSecurityPolicy}};
-  manners.not_found = "Nothing is here.\n";
-  return manners;
+  options.not_found = "Nothing is here.\n";
+  return options;
 }
 
 }  // namespace
 
-PageHall::PageHall(const PageServerOptions& options, PageAccess& page_access,
-                   const Clock& page_clock)
+PageSharedState::PageSharedState(const PageServerOptions& options, PageAccess& page_access,
+                                 const Clock& page_clock)
     : access(page_access),
       clock(page_clock),
       files(options.folder),
-      manners(Manners()),
+      options(ConnectionOptions()),
       is_https(options.is_https) {}
 
-void PageHall::EndWithoutSession() {
+void PageSharedState::EndWithoutSession() {
   const Time now = clock.Now();
   const auto open = clients;  // who ends is taken out
-  for (const auto& [client, visit] : open) {
-    if (!access.Find(visit->session(), now)) visit->End();
+  for (const auto& [client, connection] : open) {
+    if (!access.Find(connection->session(), now)) connection->End();
   }
 }
 
-bool PageVisit::IsFromOwnPage() const {
+bool PageConnection::IsFromOwnPage() const {
   return IsOwnPage(Field(http::field::origin), Field(http::field::host));
 }
 
-void PageVisit::OnPost() {
+void PageConnection::OnPost() {
   if (!IsFromOwnPage()) {
     return Reply(Status::forbidden, "This page is of another origin.\n");
   }
   if (request().target() == "/login") return LogIn();
   if (request().target() == "/logout") {
-    hall_.access.LogOut(SessionOf(Field(http::field::cookie)));
-    hall_.EndWithoutSession();
+    shared_.access.LogOut(SessionOf(Field(http::field::cookie)));
+    shared_.EndWithoutSession();
     return GiveSession("");
   }
   NotFound();
 }
 
-void PageVisit::LogIn() {
+void PageConnection::LogIn() {
   error_code unknown;
   const std::string address = stream_.socket().remote_endpoint(unknown).address().to_string();
   const PageAccess::Entry entry =
-      hall_.access.LogIn(TokenOf(request().body()), address, hall_.clock.Now());
+      shared_.access.LogIn(TokenOf(request().body()), address, shared_.clock.Now());
   if (!entry.refusal.empty()) return Reply(Status::forbidden, entry.refusal + "\n");
   GiveSession(entry.session);
 }
 
-void PageVisit::GiveSession(const std::string& session) {
-  Reply(Status::no_content, "", {{"Set-Cookie", SetSessionCookie(session, hall_.is_https)}});
+void PageConnection::GiveSession(const std::string& session) {
+  Reply(Status::no_content, "", {{"Set-Cookie", SetSessionCookie(session, shared_.is_https)}});
 }
 
-void PageVisit::OnUpgrade() {
+void PageConnection::OnUpgrade() {
   session_ = std::string(SessionOf(Field(http::field::cookie)));
-  const std::optional<PagePass> pass = hall_.access.Find(session_, hall_.clock.Now());
+  const std::optional<PagePass> pass = shared_.access.Find(session_, shared_.clock.Now());
   const bool is_welcome = pass && IsFromOwnPage() && request().target() == "/live";
   if (!is_welcome) return Refuse(Status::forbidden, "Log in with the link of a message.\n");
   pass_ = *pass;
@@ -93,32 +93,32 @@ void PageVisit::OnUpgrade() {
   });
 }
 
-void PageVisit::Begin() {
-  client_ = ++hall_.clients_so_far;
-  hall_.clients[client_] = Self();
-  hall_.Put({PageEvent::Kind::kJoined, client_, pass_, ""});
+void PageConnection::Begin() {
+  client_ = ++shared_.clients_so_far;
+  shared_.clients[client_] = Self();
+  shared_.Put({PageEvent::Kind::kJoined, client_, pass_, ""});
   ReadMessage();
 }
 
-void PageVisit::ReadMessage() {
+void PageConnection::ReadMessage() {
   buffer_.clear();
   socket_->async_read(buffer_, [self = Self()](error_code error, std::size_t) {
     error ? self->End() : self->OnMessage();
   });
 }
 
-void PageVisit::OnMessage() {
-  const Time now = hall_.clock.Now();
+void PageConnection::OnMessage() {
+  const Time now = shared_.clock.Now();
   const bool may = socket_->got_text() &&
                    limit_.MayPass(std::chrono::duration<double>(now).count()) &&
-                   hall_.access.Find(session_, now);  // not logged out, not over
+                   shared_.access.Find(session_, now);  // not logged out, not over
   if (!may) return End();
-  hall_.Put({PageEvent::Kind::kText, client_, pass_, beast::buffers_to_string(buffer_.data())});
+  shared_.Put({PageEvent::Kind::kText, client_, pass_, beast::buffers_to_string(buffer_.data())});
   ReadMessage();
 }
 
-void PageVisit::Send(const std::string& key, std::shared_ptr<const std::string> message,
-                     bool is_binary) {
+void PageConnection::Send(const std::string& key, std::shared_ptr<const std::string> message,
+                          bool is_binary) {
   const auto same = std::find_if(waiting_.begin(), waiting_.end(), [&](const Message& one) {
     return !key.empty() && one.key == key;
   });
@@ -131,7 +131,7 @@ void PageVisit::Send(const std::string& key, std::shared_ptr<const std::string> 
   WriteNext();
 }
 
-void PageVisit::WriteNext() {
+void PageConnection::WriteNext() {
   if (on_the_way_ || waiting_.empty() || client_ == 0) return;
   on_the_way_ = std::move(waiting_.front());
   waiting_.pop_front();
@@ -143,15 +143,15 @@ void PageVisit::WriteNext() {
                        });
 }
 
-void PageVisit::End() {
+void PageConnection::End() {
   const std::uint64_t client = std::exchange(client_, 0);
-  if (client != 0) hall_.Put({PageEvent::Kind::kLeft, client, pass_, ""});
+  if (client != 0) shared_.Put({PageEvent::Kind::kLeft, client, pass_, ""});
   if (socket_) {
     beast::get_lowest_layer(*socket_).close();
   } else {
     stream_.close();
   }
-  hall_.clients.erase(client);
+  shared_.clients.erase(client);
 }
 
 }  // namespace coppice::robot::assistance

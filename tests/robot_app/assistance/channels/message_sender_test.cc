@@ -1,4 +1,4 @@
-#include "robot_app/assistance/channels/courier.h"
+#include "robot_app/assistance/channels/message_sender.h"
 
 #include <gmock/gmock.h>
 
@@ -30,10 +30,10 @@ std::string Hang(const OutgoingMessage&, const std::atomic<bool>& cancelled) {
   return "cancelled";
 }
 
-Delivery Next(Courier& courier) {
+Delivery Next(MessageSender& sender) {
   const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(30);
   while (std::chrono::steady_clock::now() < deadline) {
-    const std::vector<Delivery> deliveries = courier.TakeDeliveries();
+    const std::vector<Delivery> deliveries = sender.TakeDeliveries();
     if (!deliveries.empty()) return deliveries.front();
     std::this_thread::yield();
   }
@@ -48,44 +48,45 @@ std::map<std::string, std::unique_ptr<MessageChannel>> One(const std::string& na
   return channels;
 }
 
-TEST(Courier, ReportsEveryLetter) {
-  Courier courier(One("good", [](const OutgoingMessage& message, const std::atomic<bool>&) {
+TEST(MessageSender, ReportsEveryLetter) {
+  MessageSender sender(One("good", [](const OutgoingMessage& message, const std::atomic<bool>&) {
     return message.to == "Ada" ? "" : "unknown";
   }));
   OutgoingMessage message;
   message.to = "Ada";
-  courier.Send(1, "good", message);
-  EXPECT_EQ(Next(courier).error, "");
+  sender.Send(1, "good", message);
+  EXPECT_EQ(Next(sender).error, "");
   message.to = "Bob";
-  courier.Send(2, "good", message);
-  const Delivery delivery = Next(courier);
+  sender.Send(2, "good", message);
+  const Delivery delivery = Next(sender);
   EXPECT_EQ(delivery.letter, 2u);
   EXPECT_EQ(delivery.error, "unknown");
 }
 
-TEST(Courier, AChannelThatHangsDelaysOnlyItself) {
+TEST(MessageSender, AChannelThatHangsDelaysOnlyItself) {
   auto channels = One("hung", Hang);
   channels["good"] = Make([](const OutgoingMessage&, const std::atomic<bool>&) { return ""; });
-  Courier courier(std::move(channels));
-  courier.Send(1, "hung", {});
-  courier.Send(2, "good", {});
-  EXPECT_EQ(Next(courier).letter, 2u);
+  MessageSender sender(std::move(channels));
+  sender.Send(1, "hung", {});
+  sender.Send(2, "good", {});
+  EXPECT_EQ(Next(sender).letter, 2u);
 }
 
-TEST(Courier, AnExceptionIsAnError) {
-  Courier courier(One("bad", [](const OutgoingMessage&, const std::atomic<bool>&) -> std::string {
-    throw std::runtime_error("broken");
-  }));
-  courier.Send(1, "bad", {});
-  EXPECT_EQ(Next(courier).error, "broken");
+TEST(MessageSender, AnExceptionIsAnError) {
+  MessageSender sender(
+      One("bad", [](const OutgoingMessage&, const std::atomic<bool>&) -> std::string {
+        throw std::runtime_error("broken");
+      }));
+  sender.Send(1, "bad", {});
+  EXPECT_EQ(Next(sender).error, "broken");
 }
 
-TEST(Courier, AnUnknownChannelAndAFullOneAreErrorsAtOnce) {
-  Courier courier(One("hung", Hang));
-  courier.Send(1, "other", {});
-  EXPECT_EQ(Next(courier).error, "there is no such channel");
-  for (std::uint32_t i = 0; i <= Courier::kMostWaiting + 1; ++i) courier.Send(i, "hung", {});
-  EXPECT_EQ(Next(courier).error, "too many messages wait for it");
+TEST(MessageSender, AnUnknownChannelAndAFullOneAreErrorsAtOnce) {
+  MessageSender sender(One("hung", Hang));
+  sender.Send(1, "other", {});
+  EXPECT_EQ(Next(sender).error, "there is no such channel");
+  for (std::uint32_t i = 0; i <= MessageSender::kMostWaiting + 1; ++i) sender.Send(i, "hung", {});
+  EXPECT_EQ(Next(sender).error, "too many messages wait for it");
 }
 
 }  // namespace

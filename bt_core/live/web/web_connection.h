@@ -1,8 +1,8 @@
 // One connection of a browser: HTTP until it asks for a WebSocket. Serves the files of a page;
-// heirs say what else they take. Included by .cc files only; the port's thread only. Alive while
-// something is awaited.
-#ifndef COPPICE_BT_CORE_LIVE_WEB_WEB_VISIT_H_
-#define COPPICE_BT_CORE_LIVE_WEB_WEB_VISIT_H_
+// subclasses say what else they take. Included by .cc files only; the port's thread only. Alive
+// while something is awaited.
+#ifndef COPPICE_BT_CORE_LIVE_WEB_WEB_CONNECTION_H_
+#define COPPICE_BT_CORE_LIVE_WEB_WEB_CONNECTION_H_
 
 #include <boost/beast/core.hpp>
 #include <boost/beast/http.hpp>
@@ -18,24 +18,25 @@
 
 namespace coppice {
 
-/// Of all visits of a port.
-struct WebManners {
+/// Of all connections of a port.
+struct WebConnectionOptions {
   std::size_t header_bytes = 8 << 10;                       ///< who sends more is hung up on
   std::size_t body_bytes = 0;                               ///< the same
   std::vector<std::pair<std::string, std::string>> fields;  ///< of the header of every answer
   std::string not_found;                                    ///< for people; ends with a new line
 };
 
-class WebVisit : public PortConnection, public std::enable_shared_from_this<WebVisit> {
+class WebConnection : public PortConnection, public std::enable_shared_from_this<WebConnection> {
  public:
-  /// `files` and `manners` must live longer.
-  WebVisit(WebPort::Socket socket, WebPort& port, const WebFiles& files, const WebManners& manners);
+  /// `files` and `options` must live longer.
+  WebConnection(WebPort::Socket socket, WebPort& port, const WebFiles& files,
+                const WebConnectionOptions& options);
 
   void Start() override { ReadRequest(); }
-  /// A visit that has not asked for a WebSocket is closed at once.
+  /// A connection that has not asked for a WebSocket is closed at once.
   void Finish() override { stream_.close(); }
   void HangUp() override { stream_.close(); }
-  /// Until it asks for a WebSocket; heirs say who gets one.
+  /// Until it asks for a WebSocket; subclasses say who gets one.
   bool GivesWay() const override { return !has_upgraded_; }
 
  protected:
@@ -57,27 +58,27 @@ class WebVisit : public PortConnection, public std::enable_shared_from_this<WebV
   void Reply(Status status, std::string body, const Fields& fields = {});
   /// The same; the connection ends with the answer.
   void Refuse(Status status, std::string body);
-  void NotFound() { Reply(Status::not_found, manners_.not_found); }
+  void NotFound() { Reply(Status::not_found, options_.not_found); }
 
   boost::beast::flat_buffer buffer_;
   boost::beast::tcp_stream stream_;  ///< until it is moved into the WebSocket
 
  private:
-  using Answer = boost::beast::http::response<boost::beast::http::string_body>;
-
   void ReadRequest();
   void OnRequest();
   void OnGet();
-  std::shared_ptr<Answer> Begin(Status status, const char* type) const;
-  void Send(std::shared_ptr<Answer> answer, std::string body);
+  template <class Body>
+  std::shared_ptr<boost::beast::http::response<Body>> Begin(Status status, const char* type) const;
+  template <class Body>
+  void Send(std::shared_ptr<boost::beast::http::response<Body>> answer);
 
   bool has_upgraded_ = false;
   const WebFiles& files_;
-  const WebManners& manners_;
+  const WebConnectionOptions& options_;
   std::optional<boost::beast::http::request_parser<boost::beast::http::string_body>> parser_;
   boost::beast::http::request<boost::beast::http::string_body> request_;
 };
 
 }  // namespace coppice
 
-#endif  // COPPICE_BT_CORE_LIVE_WEB_WEB_VISIT_H_
+#endif  // COPPICE_BT_CORE_LIVE_WEB_WEB_CONNECTION_H_
