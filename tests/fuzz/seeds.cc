@@ -173,12 +173,14 @@ std::string SomeTalk() {
 
 std::string SomeGroot2Talk() {
   const std::string boards = "\x81\xa4Main\x82\xa1k\x01\xa1t\xa2so";
+  const std::string hooks =
+      R"([{"enabled":true,"uid":3,"mode":0,"once":false,"desired_status":"","position":0}])";
   return "G" + Say('R', Statuses(0, 0, 0)) + Say('R', kFullTree) + Say('R', boards) +
-         Say('R', "1700000000000000") + Say('R', Statuses(1, 1, 1)) + Say('\2', "") +
-         Say('R', SomeTransitions()) + Say('R', Statuses(2, 2, 12)) + Say('R', boards) +
-         Say('c', "\4Inner::2/go") + Say('R', "") + Say('N', "3") + Say('c', "\3") + Say('R', "") +
-         Say('c', "\5") + Say('R', "") + Say('\2', "") + Say('e', "Busy") +
-         Say('O', Statuses(0, 0, 0)) + Say('R', kFullTree);
+         Say('R', hooks) + Say('R', "1700000000000000") + Say('R', Statuses(1, 1, 1)) +
+         Say('\2', "") + Say('R', SomeTransitions()) + Say('R', Statuses(2, 2, 12)) +
+         Say('R', boards) + Say('R', hooks) + Say('c', "\4Inner::2/go") + Say('R', "") +
+         Say('N', "3") + Say('c', "\3") + Say('R', "") + Say('c', "\5") + Say('R', "") +
+         Say('\2', "") + Say('e', "Busy") + Say('O', Statuses(0, 0, 0)) + Say('R', kFullTree);
 }
 
 std::string SomeWebRequest() {
