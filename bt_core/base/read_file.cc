@@ -21,7 +21,7 @@ class File {
   explicit File(const std::string& path)
       : file_(open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)) {
     struct stat status {};
-    const bool is_pipe = fstat(file_, &status) == 0 && S_ISFIFO(status.st_mode);
+    const bool is_pipe = is_open() && fstat(file_, &status) == 0 && S_ISFIFO(status.st_mode);
     if (is_pipe) fcntl(file_, F_SETFL, fcntl(file_, F_GETFL) & ~O_NONBLOCK);
   }
   ~File() {

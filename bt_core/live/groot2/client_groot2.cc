@@ -308,16 +308,27 @@ void ClientGroot2::RemoveHooks(HookId id, const LiveClient::ReplyHandler& on_rep
   TellForeignHooks();
 }
 
+// Nobody says where a tree has stopped before this client was there: then it can only be a
+// breakpoint of others.
 void ClientGroot2::Continue(std::optional<Status> result,
                             const LiveClient::ReplyHandler& on_reply) {
-  const auto at =
-      std::find_if(hooks_.begin(), hooks_.end(), [](const KnownHook& set) { return set.stands; });
-  if (at == hooks_.end()) {
-    return Reply(on_reply, "the tree does not stand at a breakpoint");
+  const bool is_known = std::any_of(hooks_.begin(), hooks_.end(),
+                                    [](const KnownHook& known) { return known.stands; });
+  const auto is_meant = [is_known](const KnownHook& known) {
+    if (is_known) return known.stands;
+    return known.is_foreign && known.hook.enabled && known.hook.action == HookAction::kStop;
+  };
+  auto left =
+      std::make_shared<std::ptrdiff_t>(std::count_if(hooks_.begin(), hooks_.end(), is_meant));
+  if (*left == 0) return Reply(on_reply, "the tree does not stand at a breakpoint");
+  for (KnownHook& known : hooks_) {
+    if (!is_meant(known)) continue;
+    known.stands = false;
+    Ask(kUnlock, groot2::WriteUnlock(known.uid, known.hook.position, result),
+        [left, on_reply](const Answer& answer) {
+          if (--*left == 0) Reply(on_reply, answer.error);
+        });
   }
-  at->stands = false;
-  Ask(kUnlock, groot2::WriteUnlock(at->uid, at->hook.position, result),
-      [on_reply](const Answer& answer) { Reply(on_reply, answer.error); });
 }
 
 }  // namespace coppice
