@@ -29,7 +29,7 @@ class ToldSource : public RunSource {
   void Connect() { TellConnection(is_robot_, ""); }
   void Disconnect(const std::string& why) { TellConnection(false, why); }
 
-  void TellForeignHooks(const std::vector<ForeignHook>& hooks) { mailbox_.OnForeignHooks(hooks); }
+  void TellForeignHooks(const std::vector<ForeignHook>& hooks) { queue_.OnForeignHooks(hooks); }
 
   std::vector<LiveCommand> commands;  ///< that it was sent
 
