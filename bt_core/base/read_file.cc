@@ -1,29 +1,62 @@
 #include "bt_core/base/read_file.h"
 
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
-#include <memory>
 
 namespace coppice {
 namespace {
 
 constexpr std::size_t kPiece = 1 << 16;
 
+std::string WhyNot() { return std::string("cannot be read: ") + std::strerror(errno); }
+
+// Closes it in the end.
+class File {
+ public:
+  explicit File(const std::string& path)
+      : file_(open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)) {
+    struct stat status {};
+    const bool is_pipe = is_open() && fstat(file_, &status) == 0 && S_ISFIFO(status.st_mode);
+    if (is_pipe) fcntl(file_, F_SETFL, fcntl(file_, F_GETFL) & ~O_NONBLOCK);
+  }
+  ~File() {
+    if (is_open()) close(file_);
+  }
+  File(const File&) = delete;
+  File& operator=(const File&) = delete;
+
+  bool is_open() const { return file_ >= 0; }
+  /// Negative: errno says why; 0: at the end.
+  ssize_t Read(char* to, std::size_t size) const {
+    ssize_t count = 0;
+    do {
+      count = read(file_, to, size);
+    } while (count < 0 && errno == EINTR);
+    return count;
+  }
+
+ private:
+  const int file_;
+};
+
 // What is wrong; empty if nothing is.
 std::string Read(const std::string& path, std::size_t longest, std::string& bytes) {
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"),
-                                                             std::fclose);
-  if (!file) return std::string("cannot be read: ") + std::strerror(errno);
-  for (std::size_t count = kPiece; count == kPiece;) {
+  const File file(path);
+  if (!file.is_open()) return WhyNot();
+  for (;;) {
     const std::size_t size = bytes.size();
     bytes.resize(size + kPiece);
-    count = std::fread(&bytes[size], 1, kPiece, file.get());
-    bytes.resize(size + count);
-    if (std::ferror(file.get())) return std::string("cannot be read: ") + std::strerror(errno);
+    const ssize_t count = file.Read(&bytes[size], kPiece);
+    bytes.resize(size + static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
+    if (count < 0) return WhyNot();
+    if (count == 0) return "";
     if (bytes.size() > longest) return "is longer than " + std::to_string(longest) + " bytes";
   }
-  return "";
 }
 
 }  // namespace

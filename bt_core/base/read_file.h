@@ -10,10 +10,11 @@
 
 namespace coppice {
 
-/// A longer one is no file that a program reads at once: /dev/zero has no end.
-inline constexpr std::size_t kLongestFile = std::size_t{1} << 30;
+/// A longer one is no file that people write: /dev/zero has no end.
+inline constexpr std::size_t kLongestFile = std::size_t{64} << 20;
 
-/// Its bytes; nothing if it cannot be read, is a folder or too long.
+/// Its bytes; nothing if it cannot be read, is a folder or too long. Does not wait for a pipe that
+/// nobody writes, nor for a device.
 std::optional<std::string> ReadFile(const std::string& path, std::size_t longest = kLongestFile);
 
 /// The same; the reason is in `diagnostics`.

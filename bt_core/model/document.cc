@@ -8,11 +8,9 @@
 
 #include <algorithm>
 #include <cstring>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <utility>
 
+#include "bt_core/base/read_file.h"
 #include "bt_core/model/markup.h"
 #include "bt_core/model/strictness.h"
 #include "bt_core/model/utf8.h"
@@ -55,6 +53,36 @@ std::vector<std::uint32_t> FindLines(const std::string& text) {
   return lines;
 }
 
+// tinyxml2 compares each attribute with all before it.
+constexpr std::size_t kMaxAttributes = 10000;
+
+std::size_t CountAttributes(std::string_view tag) {
+  std::size_t count = 0;
+  char quote = 0;
+  for (const char c : tag) {
+    if (quote != 0) {
+      if (c == quote) quote = 0;
+    } else if (c == '"' || c == '\'') {
+      quote = c;
+    } else if (c == '=') {
+      ++count;
+    }
+  }
+  return count;
+}
+
+// Where it begins.
+std::optional<std::size_t> FindOvercrowdedTag(std::string_view text) {
+  for (std::size_t at = 0; text.size() - at > kMaxAttributes;) {
+    const Markup piece = ReadMarkup(text, at);
+    at = piece.end;
+    if (piece.kind != MarkupKind::kTag || piece.end - piece.begin < kMaxAttributes) continue;
+    const std::string_view tag = text.substr(piece.begin, piece.end - piece.begin);
+    if (CountAttributes(tag) > kMaxAttributes) return piece.begin;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<Document> Document::FromText(std::string text, std::string file,
@@ -66,6 +94,12 @@ std::optional<Document> Document::FromText(std::string text, std::string file,
   document.content_->lines = FindLines(document.text());
   if (LooksLikeUtf16(document.text())) {
     diagnostics.Error(document.Location(0), "this file is UTF-16", "save it as UTF-8");
+    return std::nullopt;
+  }
+  if (const std::optional<std::size_t> tag = FindOvercrowdedTag(document.text())) {
+    diagnostics.Error(
+        document.Location(static_cast<std::uint32_t>(*tag)),
+        "an element with more than " + std::to_string(kMaxAttributes) + " attributes");
     return std::nullopt;
   }
   tinyxml2::XMLDocument xml;
@@ -101,16 +135,9 @@ void Document::ReportError(const tinyxml2::XMLDocument& xml, Diagnostics& diagno
 }
 
 std::optional<Document> Document::FromFile(const std::string& path, Diagnostics& diagnostics) {
-  std::ifstream stream(path, std::ios::binary);
-  std::ostringstream text;
-  std::error_code error;
-  const bool readable = stream && !std::filesystem::is_directory(path, error);
-  if (readable) text << stream.rdbuf();
-  if (!readable || stream.bad()) {
-    diagnostics.Error({path, 0, 0}, "cannot read this file");
-    return std::nullopt;
-  }
-  return FromText(text.str(), path, diagnostics);
+  std::optional<std::string> text = ReadFile(path, diagnostics);
+  if (!text) return std::nullopt;
+  return FromText(*std::move(text), path, diagnostics);
 }
 
 std::optional<Document> Document::Edited(const Edit& edit, Diagnostics& diagnostics) const {

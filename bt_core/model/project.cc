@@ -3,8 +3,9 @@
 // refused: who mends a file wants to see them together.
 #include "bt_core/model/project.h"
 
-#include <algorithm>
-#include <filesystem>
+#include <sys/stat.h>
+
+#include <set>
 #include <utility>
 
 #include "bt_core/model/ros_packages.h"
@@ -13,9 +14,13 @@
 namespace coppice {
 namespace {
 
-bool SameFile(const std::string& a, const std::string& b) {
-  std::error_code error;
-  return a == b || std::filesystem::equivalent(a, b, error);
+constexpr int kMaxIncludeDepth = 100;  // reading goes that deep on the stack
+
+// The same for two names of one file.
+std::string IdentityOf(const std::string& path) {
+  struct stat status {};
+  if (stat(path.c_str(), &status) != 0) return path;  // a text that never was a file
+  return std::to_string(status.st_dev) + ":" + std::to_string(status.st_ino);
 }
 
 std::string LineOf(const Document& document, ElementIndex element) {
@@ -90,6 +95,7 @@ class ProjectReader {
 
   void Add(Document document) {
     const auto number = static_cast<std::uint32_t>(project_.documents_.size());
+    known_.insert(IdentityOf(document.file()));
     project_.documents_.push_back(AsFormat4(std::move(document)));
     if (!CheckRoot(number)) return;
     for (ElementIndex i = At(number).element(0).first_child; i != kNoElement;) {
@@ -97,8 +103,7 @@ class ProjectReader {
       if (element.tag == "BehaviorTree") {
         AddTree(number, i);
       } else if (element.tag == "include") {
-        const std::string path = IncludePath(At(number), element, find_package_, diagnostics_);
-        if (!path.empty()) ReadFile(path);
+        Include(number, element);
       } else if (element.tag == "TreeNodesModel") {
         AddModels(number, element);
       } else {
@@ -112,9 +117,19 @@ class ProjectReader {
 
   const Document& At(std::uint32_t number) const { return project_.documents_[number]; }
 
-  bool IsKnown(const std::string& path) const {
-    return std::any_of(project_.documents_.begin(), project_.documents_.end(),
-                       [&](const Document& known) { return SameFile(known.file(), path); });
+  bool IsKnown(const std::string& path) const { return known_.count(IdentityOf(path)) > 0; }
+
+  void Include(std::uint32_t number, const Element& element) {
+    const std::string path = IncludePath(At(number), element, find_package_, diagnostics_);
+    if (path.empty()) return;
+    if (depth_ == kMaxIncludeDepth) {
+      return Error(
+          number, element,
+          "files include each other more than " + std::to_string(kMaxIncludeDepth) + " deep");
+    }
+    ++depth_;
+    ReadFile(path);
+    --depth_;
   }
 
   // False if nothing below can be meant as a tree.
@@ -205,6 +220,8 @@ class ProjectReader {
   PackageFinder find_package_;
   DocumentReader read_;
   std::vector<std::uint32_t> given_;
+  std::set<std::string> known_;  // identities of all documents
+  int depth_ = 0;                // of the include that is read
   int trees_without_id_ = 0;
 };
 

@@ -14,7 +14,8 @@ namespace {
 constexpr std::uint64_t kWindowBytes = 64 << 10;
 }
 
-FileWindow::FileWindow(const std::string& path) : file_(open(path.c_str(), O_RDONLY | O_CLOEXEC)) {
+FileWindow::FileWindow(const std::string& path)
+    : file_(open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)) {
   struct stat status {};
   if (file_ < 0 || fstat(file_, &status) != 0) {
     error_ = std::strerror(errno);

@@ -49,11 +49,8 @@ std::string RecordFile::Write(Bytes& bytes) {
 std::string RecordFile::Sync() {
   if (!has_name_) SyncFolder();
   struct stat status {};
-  if (fstat(file_, &status) == 0 && status.st_nlink == 0) {
-    return path_ +
-           ": somebody has deleted this record while it was written; what is written now is"
-           " lost when the program ends";
-  }
+  is_deleted_ = fstat(file_, &status) == 0 && status.st_nlink == 0;
+  if (is_deleted_) return path_ + ": somebody has deleted this record while it was written";
   if (fdatasync(file_) == 0) return "";
   const bool no_disk = errno == EINVAL || errno == EROFS;  // a pipe
   return no_disk ? "" : Problem(path_, "sync", errno);

@@ -23,6 +23,8 @@ class RecordFile {
 
   /// Waits until what was written is on the disk, and the file's name too. An error text, or empty.
   std::string Sync();
+  /// As the last Sync found it.
+  bool is_deleted() const { return is_deleted_; }
 
  private:
   void SyncFolder();
@@ -30,6 +32,7 @@ class RecordFile {
   std::string path_;
   int file_;
   bool has_name_ = false;  // on the disk
+  bool is_deleted_ = false;
 };
 
 }  // namespace coppice

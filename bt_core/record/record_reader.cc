@@ -49,6 +49,16 @@ std::optional<RunId> RunOf(const std::string& path) {
   return tree ? std::optional(tree->info.run) : std::nullopt;
 }
 
+// What to do with a file of another program.
+std::string HowToRead(const std::string& path) {
+  constexpr std::string_view kEnding = ".btlog";
+  const bool is_btlog = path.size() > kEnding.size() &&
+                        path.compare(path.size() - kEnding.size(), kEnding.size(), kEnding) == 0;
+  if (!is_btlog) return {};
+  const std::string record = path.substr(0, path.size() - kEnding.size()) + ".coppice";
+  return "\"coppice convert " + path + " " + record + "\" makes a record of this log";
+}
+
 }  // namespace
 
 std::unique_ptr<RecordReader> RecordReader::Open(const std::string& path,
@@ -56,7 +66,7 @@ std::unique_ptr<RecordReader> RecordReader::Open(const std::string& path,
   std::unique_ptr<RecordReader> reader(new RecordReader);
   const std::string problem = reader->OpenSeries(path);
   if (problem.empty()) return reader;
-  diagnostics.Error({path, 0, 0}, problem);
+  diagnostics.Error({path, 0, 0}, problem, HowToRead(path));
   return nullptr;
 }
 

@@ -31,6 +31,8 @@ std::string RecordSeries::Next() {
   do {
     ++number_;
   } while (std::filesystem::exists(NumberedName(path_, number_), ignored));
+  const std::filesystem::path folder = std::filesystem::path(path_).parent_path();
+  if (file_->is_deleted()) std::filesystem::create_directories(folder, ignored);
   try {
     Open(NumberedName(path_, number_));
   } catch (const std::runtime_error& problem) {

@@ -17,12 +17,14 @@ class RecordSeries {
   /// is removed for another one; 0: all are kept. Throws std::runtime_error.
   RecordSeries(std::string path, std::uint32_t keep);
 
-  /// Goes on in another file, or in the old one if none can be made. An error text, or empty.
+  /// Goes on in another file, or in the old one if none can be made. The folder of a file that
+  /// was deleted is made again. An error text, or empty.
   std::string Next();
 
   /// As RecordFile.
   std::string Write(Bytes& bytes) { return file_->Write(bytes); }
   std::string Sync() { return file_->Sync(); }
+  bool is_deleted() const { return file_->is_deleted(); }
 
  private:
   void Open(const std::string& path);

@@ -76,9 +76,9 @@ void RecordWriter::OnFrame(const Frame& frame) {
 
 // A file that holds less than it needs to begin with would only be followed by another such file.
 void RecordWriter::GoOnInAnotherFileIfDue(Time time) {
-  if (max_file_bytes_ == 0 || file_bytes_ < max_file_bytes_ || file_bytes_ < 2 * start_bytes_) {
-    return;
-  }
+  const bool is_full =
+      max_file_bytes_ > 0 && file_bytes_ >= max_file_bytes_ && file_bytes_ >= 2 * start_bytes_;
+  if (!is_full && !std::exchange(is_deleted_, false)) return;
   encoder_.End(HistoryEnd::Cause::kContinued, time);
   queue_.emplace_back();
   queue_.back().begins_file = true;
@@ -169,6 +169,8 @@ void RecordWriter::SyncIfDue(bool now) {
   Report(series_.Sync());
   synced_ = time;
   unsynced_ = false;
+  const std::lock_guard<std::mutex> lock(mutex_);
+  is_deleted_ = series_.is_deleted();
 }
 
 void RecordWriter::Report(const std::string& error) {

@@ -81,6 +81,7 @@ class RecordWriter final : private FrameSink {
   std::size_t waiting_ = 0;        // bytes in the queue and in the thread's hands
   std::uint64_t file_bytes_ = 0;   // of the file that the queue ends in
   std::uint64_t start_bytes_ = 0;  // of these, until reading can begin
+  bool is_deleted_ = false;        // the present file
   std::string error_;
 
   // Of the thread.

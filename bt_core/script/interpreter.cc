@@ -13,11 +13,17 @@ namespace {
 
 using Kind = Operand::Kind;
 
+constexpr std::size_t kMaxText = 1 << 20;  // one that joins itself in every tick fills the memory
+
 // Keeps the texts that a run makes; short ones without allocation.
 class Scratch {
  public:
   std::string_view Keep(std::string_view first, std::string_view second = {}) {
     const std::size_t size = first.size() + second.size();
+    if (size > kMaxText && !second.empty()) {
+      throw Failure{"a text of " + std::to_string(size) + " bytes; scripts join texts up to " +
+                    std::to_string(kMaxText)};
+    }
     if (size > sizeof(characters_) - used_) {
       long_.emplace_front(first);
       return long_.front().append(second);

@@ -1,28 +1,9 @@
 #include "editor/live/hook_list.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <utility>
 
 namespace coppice::editor {
-
-std::string ToString(const Hook& hook) {
-  std::string text;
-  if (hook.action == HookAction::kStop) {
-    text = hook.position == HookPosition::kBefore ? "before" : "after";
-  } else if (hook.action == HookAction::kReplace) {
-    text = coppice::ToString(hook.status);
-  } else {
-    char seconds[32];
-    std::snprintf(seconds, sizeof(seconds), "delay %.3g s",
-                  static_cast<double>(hook.delay.count()) * 1e-9);
-    text = seconds;
-  }
-  if (hook.times > 0) text += " x" + std::to_string(hook.times);
-  if (!hook.condition.empty()) text += ", if " + hook.condition;
-  if (hook.from_hit > 1) text += ", from hit " + std::to_string(hook.from_hit) + " on";
-  return text;
-}
 
 const WantedHook* HookList::Find(std::uint32_t number) const {
   const auto at = std::find_if(all_.begin(), all_.end(),

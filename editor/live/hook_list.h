@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "bt_core/live/debug/debugger_hooks.h"
+#include "bt_core/live/client/client_types.h"
 
 namespace coppice::editor {
 
@@ -19,9 +19,6 @@ struct WantedHook {
 
 /// It stops the tree; else it is a fault.
 inline bool IsBreakpoint(const Hook& hook) { return hook.action == HookAction::kStop; }
-
-/// "FAILURE x3", "delay 0.5 s", "before, if battery < 20, from hit 3 on".
-std::string ToString(const Hook& hook);
 
 class HookList {
  public:

@@ -63,6 +63,7 @@ void LiveQueue::Hand(const Letters& letters, LiveListener& listener) {
                  },
                  [&](const LiveConnection& connection) { listener.OnConnection(connection); },
                  [&](const LiveNotice& notice) { listener.OnNotice(notice); },
+                 [&](const std::vector<ForeignHook>& hooks) { listener.OnForeignHooks(hooks); },
                  [&](const TreeDescription& tree) { listener.OnTree(tree); },
                  [&](const HistoryState& state) { listener.OnState(state); },
                  [&](const HistoryGap& gap) { listener.OnGap(gap); },

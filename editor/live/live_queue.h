@@ -25,6 +25,7 @@ class LiveQueue final : public LiveListener {
 
   void OnConnection(const LiveConnection& connection) override { Put(connection); }
   void OnNotice(const LiveNotice& notice) override { Put(notice); }
+  void OnForeignHooks(const std::vector<ForeignHook>& hooks) override { Put(hooks); }
   void OnTree(const TreeDescription& tree) override { Put(tree); }
   void OnState(const HistoryState& state) override { Put(state); }
   void OnTick(const TickEvents& events) override;
@@ -41,8 +42,9 @@ class LiveQueue final : public LiveListener {
     TickEvents events;
     std::size_t first_word;  // of Letters::words
   };
-  using Letter = std::variant<Tick, LiveConnection, LiveNotice, TreeDescription, HistoryState,
-                              HistoryGap, HistoryNote, HistoryEnd, Reply>;
+  using Letter =
+      std::variant<Tick, LiveConnection, LiveNotice, std::vector<ForeignHook>, TreeDescription,
+                   HistoryState, HistoryGap, HistoryNote, HistoryEnd, Reply>;
   struct Letters {
     std::vector<Letter> all;
     std::vector<std::uint32_t> words;

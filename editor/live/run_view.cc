@@ -144,6 +144,7 @@ void RunView::OnConnection(const LiveConnection& connection) {
   was_live_ = was_live_ || connection.is_live;
   if (connection.is_live) return;
   hooks_.Forget();
+  foreign_hooks_.clear();
   stop_ = DebugStop();
 }
 

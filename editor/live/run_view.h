@@ -64,6 +64,8 @@ class RunView final : private LiveListener {
   const DebugStop& stop() const { return stop_; }
   const std::string& stop_path() const { return stop_path_; }
   const RunHooks& hooks() const { return hooks_; }
+  /// Those that others have left in the robot.
+  const std::vector<ForeignHook>& foreign_hooks() const { return foreign_hooks_; }
 
   /// Why the last command was refused, or what came of it; empty after it was read.
   std::string TakeAnswer() { return std::exchange(answer_, {}); }
@@ -73,6 +75,7 @@ class RunView final : private LiveListener {
  private:
   void OnConnection(const LiveConnection& connection) override;
   void OnNotice(const LiveNotice& notice) override;
+  void OnForeignHooks(const std::vector<ForeignHook>& hooks) override { foreign_hooks_ = hooks; }
   void OnTree(const TreeDescription& tree) override { run_.OnTree(tree); }
   void OnState(const HistoryState& state) override { run_.OnState(state); }
   void OnTick(const TickEvents& events) override { run_.OnTick(events); }
@@ -88,6 +91,7 @@ class RunView final : private LiveListener {
   std::unique_ptr<RunSource> source_;
   std::shared_ptr<const NodeModels> known_;
   RunHooks hooks_{*source_};
+  std::vector<ForeignHook> foreign_hooks_;
   LiveConnection connection_;
   bool was_live_ = false;
   bool was_loading_ = true;

@@ -29,6 +29,8 @@ class ToldSource : public RunSource {
   void Connect() { TellConnection(is_robot_, ""); }
   void Disconnect(const std::string& why) { TellConnection(false, why); }
 
+  void TellForeignHooks(const std::vector<ForeignHook>& hooks) { queue_.OnForeignHooks(hooks); }
+
   std::vector<LiveCommand> commands;  ///< that it was sent
 
  protected:

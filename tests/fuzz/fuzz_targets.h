@@ -61,6 +61,13 @@ int FuzzScript(std::string_view bytes);
 /// answer of HTTP, 2 no message over the WebSocket, 3 a message.
 int FuzzWeb(std::string_view bytes);
 
+/// The bytes as a client of ZeroMQ: who it is ('N' without a token, 'C', 'R' with one, 'S' a
+/// listener), then frames as in frames.h, each a step of what it says: bytes as they are, or what
+/// CURVE needs to be read at all (fuzz_zmtp.cc). Its requests are answered by a tree; what the
+/// robot says must be frames. Returns how far it came: 0 not let in, 1 let in, 2 a request, 3 an
+/// answer that is no error.
+int FuzzZmtp(std::string_view bytes);
+
 }  // namespace coppice::fuzz
 
 #endif  // COPPICE_TESTS_FUZZ_FUZZ_TARGETS_H_

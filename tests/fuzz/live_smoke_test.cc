@@ -57,10 +57,26 @@ TEST(FuzzWeb, MutatedVisitorsDisturbNobody) {
   EXPECT_EQ(FuzzWeb(messages), 3) << "it still serves";
 }
 
+class FuzzZmtpTest : public testing::TestWithParam<char> {};
+
+TEST_P(FuzzZmtpTest, MutatedClientsNeverCrash) {
+  const std::string talk = SomeZmtpTalk(GetParam());
+  EXPECT_EQ(FuzzZmtp(talk), 3);
+  std::array<int, 4> reached{};
+  for (unsigned seed = 0; seed < 400; ++seed) ++reached[FuzzZmtp(Mutator(seed).Mutate(talk))];
+  EXPECT_GT(reached[0], 5) << "some are not let in";
+  EXPECT_GT(reached[3], 100) << "many reach the tree";
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, FuzzZmtpTest, testing::Values('N', 'C', 'R'));
+
+TEST(FuzzZmtp, AListenerIsLetIn) { EXPECT_EQ(FuzzZmtp(SomeZmtpTopics()), 1); }
+
 TEST(FuzzLive, EmptyInputIsFine) {
   EXPECT_EQ(FuzzLive(""), 0);
   EXPECT_EQ(FuzzClient(""), 0);
   EXPECT_EQ(FuzzWeb(""), 0);
+  EXPECT_EQ(FuzzZmtp(""), 0);
 }
 
 // What once crashed must not do so again.
@@ -68,6 +84,7 @@ TEST(FuzzLive, WhatOnceCrashedDoesNotAnyMore) {
   RunRegressions("client", FuzzClient);
   RunRegressions("live", FuzzLive);
   RunRegressions("web", FuzzWeb);
+  RunRegressions("zmtp", FuzzZmtp);
 }
 
 }  // namespace

@@ -129,6 +129,16 @@ std::string SomeTransitions() {
          Transition(5030, 3, Status::kIdle);
 }
 
+std::string ZmtpGreeting(const std::string& mechanism) {
+  std::string greeting = std::string("\xff\0\0\0\0\0\0\0\1\x7f\3\0", 12) + mechanism;
+  greeting.resize(64);
+  return greeting;
+}
+
+std::string SocketType(const std::string& type) {
+  return "\x0bSocket-Type" + std::string("\0\0\0", 3) + static_cast<char>(type.size()) + type;
+}
+
 std::string Statuses(char root, char subtree, char leaf) {
   return {1, 0, root, 2, 0, subtree, 3, 0, leaf};
 }
@@ -163,12 +173,14 @@ std::string SomeTalk() {
 
 std::string SomeGroot2Talk() {
   const std::string boards = "\x81\xa4Main\x82\xa1k\x01\xa1t\xa2so";
+  const std::string hooks =
+      R"([{"enabled":true,"uid":3,"mode":0,"once":false,"desired_status":"","position":0}])";
   return "G" + Say('R', Statuses(0, 0, 0)) + Say('R', kFullTree) + Say('R', boards) +
-         Say('R', "1700000000000000") + Say('R', Statuses(1, 1, 1)) + Say('\2', "") +
-         Say('R', SomeTransitions()) + Say('R', Statuses(2, 2, 12)) + Say('R', boards) +
-         Say('c', "\4Inner::2/go") + Say('R', "") + Say('N', "3") + Say('c', "\3") + Say('R', "") +
-         Say('c', "\5") + Say('R', "") + Say('\2', "") + Say('e', "Busy") +
-         Say('O', Statuses(0, 0, 0)) + Say('R', kFullTree);
+         Say('R', hooks) + Say('R', "1700000000000000") + Say('R', Statuses(1, 1, 1)) +
+         Say('\2', "") + Say('R', SomeTransitions()) + Say('R', Statuses(2, 2, 12)) +
+         Say('R', boards) + Say('R', hooks) + Say('c', "\4Inner::2/go") + Say('R', "") +
+         Say('N', "3") + Say('c', "\3") + Say('R', "") + Say('c', "\5") + Say('R', "") +
+         Say('\2', "") + Say('e', "Busy") + Say('O', Statuses(0, 0, 0)) + Say('R', kFullTree);
 }
 
 std::string SomeWebRequest() {
@@ -185,10 +197,33 @@ std::string SomeWebMessages() {
          "\x8a\x80\1\2\3\4\x82\x86\0\0\0\0\2\0\0\0hi\x88\x82\0\0\0\0\x03\xe8"s;
 }
 
+std::string SomeZmtpTalk(char kind) {
+  const bool is_secret = kind == 'C' || kind == 'R';
+  std::string talk = kind + Say('b', ZmtpGreeting(is_secret ? "CURVE" : "NULL"));
+  if (is_secret) talk += Say('h', "");
+  talk += Say('i', SocketType("DEALER")) + Say('p', std::string("\4PING\0\1again", 12));
+  std::string_view lines = kRequests;
+  while (!lines.empty()) {
+    const std::string_view line = lines.substr(0, lines.find('\n'));
+    lines.remove_prefix(line.size() + 1);
+    const std::string header = std::string("\2") + line[1] + std::string("\7\0\0\0", 4);
+    const bool has_body = line.size() > 2;
+    talk += Say('M', "") + Say(has_body ? 'M' : 'm', header);
+    if (has_body) talk += Say('m', std::string(line.substr(2)));
+  }
+  return talk;
+}
+
+std::string SomeZmtpTopics() {
+  return "S" + Say('b', ZmtpGreeting("NULL")) + Say('i', SocketType("SUB")) + Say('m', "\1note") +
+         Say('m', std::string("\0note", 5));
+}
+
 std::vector<std::pair<std::string, std::string>> AllSeeds() {
-  return {{"btlog", SomeBtlog()},     {"client", SomeTalk()},    {"client", SomeGroot2Talk()},
-          {"history", SomeHistory()}, {"live", SomeRequests()},  {"record", SomeRecord()},
-          {"web", SomeWebRequest()},  {"web", SomeWebMessages()}};
+  return {{"btlog", SomeBtlog()},      {"client", SomeTalk()},      {"client", SomeGroot2Talk()},
+          {"history", SomeHistory()},  {"live", SomeRequests()},    {"record", SomeRecord()},
+          {"web", SomeWebRequest()},   {"web", SomeWebMessages()},  {"zmtp", SomeZmtpTalk('N')},
+          {"zmtp", SomeZmtpTalk('C')}, {"zmtp", SomeZmtpTalk('R')}, {"zmtp", SomeZmtpTopics()}};
 }
 
 }  // namespace coppice::fuzz

@@ -25,6 +25,9 @@ std::string SomeGroot2Talk();
 /// What a browser sends: a page and a WebSocket are asked for; messages over one that is open.
 std::string SomeWebRequest();
 std::string SomeWebMessages();
+/// What a client of ZeroMQ says: requests, with that kind of FuzzZmtp; a listener's topics.
+std::string SomeZmtpTalk(char kind);
+std::string SomeZmtpTopics();
 
 }  // namespace coppice::fuzz
 

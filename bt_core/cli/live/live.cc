@@ -56,6 +56,10 @@ class Watch final : public LiveSceneKeeper {
     LiveSceneKeeper::OnNotice(notice);
     Print(notice);
   }
+  void OnForeignHooks(const std::vector<ForeignHook>& hooks) override {
+    LiveSceneKeeper::OnForeignHooks(hooks);
+    Print(hooks);
+  }
   void OnNote(const HistoryNote& note) override { Print(note); }
   void OnEnd(const HistoryEnd& end) override { Print(end); }
 
@@ -117,12 +121,26 @@ class LiveVerb {
   bool SendCommands() {
     bool all_done = true;
     for (const NamedCommand& named : commands_) {
-      const LiveReply reply = Ask(named.command);
+      const LiveReply reply =
+          named.unhooked.empty() ? Ask(named.command) : RemoveForeign(named.unhooked);
       if (!reply.error.empty()) std::cerr << named.option << ": " << reply.error << "\n";
       if (!reply.remark.empty()) std::cerr << named.option << ": " << reply.remark << "\n";
       all_done = all_done && reply.error.empty();
     }
     return all_done;
+  }
+
+  LiveReply RemoveForeign(const std::string& path) {
+    LiveReply reply = FailedReply("no other client has left anything there");
+    for (const ForeignHook& foreign :
+         watch_.Look([](const LiveScene& scene) { return scene.foreign_hooks; })) {
+      if (foreign.hook.path != path) continue;
+      LiveCommand command = MakeCommand(Kind::kRemoveHook);
+      command.id = foreign.id;
+      reply = Ask(command);
+      if (!reply.error.empty()) break;
+    }
+    return reply;
   }
 
   LiveReply Ask(const LiveCommand& command) {
@@ -243,7 +261,9 @@ A robot that asks for a token finds it in COPPICE_LIVE_TOKEN.)",
                            "forces a result on a node, N times or always"),
        CommandOption::Text("--delay", "PATH=MILLISECONDS",
                            "the node is RUNNING for so long before it begins"),
-       CommandOption::Text("--set", "[SUBTREE/]KEY=VALUE", "writes a value")}};
+       CommandOption::Text("--set", "[SUBTREE/]KEY=VALUE", "writes a value"),
+       CommandOption::Text("--unhook", "PATH",
+                           "removes what another client of the Groot2 protocol has left there")}};
   return command;
 }
 

@@ -38,6 +38,9 @@ class Reader {
   Reader(const Options& options, std::string& problem) : options_(options), problem_(problem) {}
 
   std::vector<NamedCommand> Read() {
+    for (const std::string& path : options_.GetAll("--unhook")) {
+      commands_.push_back({"--unhook " + path, {}, path});
+    }
     ReadBreakpoints();
     for (const std::string& text : options_.GetAll("--inject")) ReadInjected(text);
     for (const std::string& text : options_.GetAll("--delay")) ReadDelay(text);
@@ -51,10 +54,10 @@ class Reader {
 
  private:
   void Add(const char* option, Kind kind) {
-    if (options_.Has(option)) commands_.push_back({option, MakeCommand(kind)});
+    if (options_.Has(option)) commands_.push_back({option, MakeCommand(kind), {}});
   }
   void Add(const std::string& option, const std::string& text, LiveCommand command) {
-    commands_.push_back({option + " " + text, std::move(command)});
+    commands_.push_back({option + " " + text, std::move(command), {}});
   }
 
   // The first --if belongs to the first --break, and so on.

@@ -13,6 +13,8 @@ namespace coppice {
 struct NamedCommand {
   std::string option;  ///< "--break dock/Retry"; for messages
   LiveCommand command;
+  /// A node instead: what others have set there is to be removed.
+  std::string unhooked;
 };
 
 /// In the order in which they are sent: hooks first, then what lets the tree go on. `problem` says

@@ -70,4 +70,16 @@ void LiveJsonPrinter::Print(const LiveNotice& notice) {
   PrintLine(json.Finish());
 }
 
+void LiveJsonPrinter::Print(const std::vector<ForeignHook>& hooks) {
+  const auto print = [](const ForeignHook& foreign) {
+    return JsonObject()
+        .AddText("node", foreign.hook.path)
+        .AddText("text", ToString(foreign.hook))
+        .AddBool("enabled", foreign.hook.enabled)
+        .Finish();
+  };
+  PrintLine(
+      JsonObject().AddText("type", "foreign_hooks").Add("hooks", JsonArray(hooks, print)).Finish());
+}
+
 }  // namespace coppice

@@ -4,6 +4,7 @@
 
 #include <ostream>
 #include <string>
+#include <vector>
 
 #include "bt_core/frames/run_follower.h"
 #include "bt_core/live/client/client.h"
@@ -11,7 +12,8 @@
 namespace coppice {
 
 /// The history as in event_json.h; and objects of the types connection, stopped, resumed, replaced,
-/// refused.
+/// refused,
+/// foreign_hooks.
 class LiveJsonPrinter {
  public:
   explicit LiveJsonPrinter(std::ostream& out) : out_(out) {}
@@ -24,6 +26,7 @@ class LiveJsonPrinter {
   void Print(const HistoryNote& note);
   void Print(const HistoryEnd& end);
   void Print(const LiveNotice& notice);
+  void Print(const std::vector<ForeignHook>& hooks);
 
  private:
   void PrintLine(const std::string& json) { out_ << json << std::endl; }

@@ -61,7 +61,10 @@ void LiveSceneKeeper::Say(std::string text) {
 void LiveSceneKeeper::OnConnection(const LiveConnection& connection) {
   const std::lock_guard<std::mutex> lock(mutex_);
   scene_.connection = connection;
-  if (!connection.is_live) scene_.stop.clear();
+  if (!connection.is_live) {
+    scene_.stop.clear();
+    scene_.foreign_hooks.clear();
+  }
   Changed();
 }
 
@@ -106,6 +109,12 @@ void LiveSceneKeeper::OnNotice(const LiveNotice& notice) {
   } else if (notice.event.kind == DebugEvent::Kind::kRefused) {
     AddText(text);  // what was replaced is in the history too
   }
+  Changed();
+}
+
+void LiveSceneKeeper::OnForeignHooks(const std::vector<ForeignHook>& hooks) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  scene_.foreign_hooks = hooks;
   Changed();
 }
 

@@ -8,6 +8,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "bt_core/frames/run_follower.h"
 #include "bt_core/live/client/client.h"
@@ -20,6 +21,7 @@ struct LiveScene {
   Status result = Status::kIdle;  ///< of the last tick
   Duration duration{0};           ///< that it took
   std::uint64_t lost_ticks = 0;
+  std::vector<ForeignHook> foreign_hooks;
   std::string stop;               ///< where the tree stands, for people; empty: it goes on
   std::deque<std::string> texts;  ///< what nodes and debugger said last
   std::uint64_t changes = 0;      ///< of anything that is seen
@@ -48,6 +50,7 @@ class LiveSceneKeeper : public LiveListener {
   void OnTick(const TickEvents& events) override;
   void OnGap(const HistoryGap& gap) override;
   void OnNotice(const LiveNotice& notice) override;
+  void OnForeignHooks(const std::vector<ForeignHook>& hooks) override;
 
  private:
   void AddText(std::string text);

@@ -49,6 +49,11 @@ std::string Clean(std::string text, std::size_t columns) {
   return text.substr(0, size);
 }
 
+std::string Describe(const ForeignHook& foreign) {
+  return "somebody else's hook at " + foreign.hook.path + ": " + ToString(foreign.hook) +
+         (foreign.hook.enabled ? "" : " (off)");
+}
+
 class Screen {
  public:
   Screen(const LiveScene& scene, const ScreenOptions& options) : scene_(scene), options_(options) {}
@@ -57,6 +62,7 @@ class Screen {
     Add(Title(), kBold);
     if (!scene_.connection.problem.empty()) Add(scene_.connection.problem, "\x1b[31m");
     if (!scene_.stop.empty()) Add(scene_.stop, "\x1b[35m");
+    for (const ForeignHook& foreign : scene_.foreign_hooks) Add(Describe(foreign), "\x1b[35m");
     if (scene_.run.state()) {
       AddNodes(scene_.texts.size() + (options_.shows_board ? BoardSize() + 1 : 0));
       if (options_.shows_board) AddBoard();

@@ -8,7 +8,7 @@ namespace {
 // SubTrees within SubTrees multiply: a few lines of XML can ask for more than any computer has.
 constexpr std::size_t kMostNodes = 1'000'000;
 constexpr std::size_t kDeepest = 10'000;
-constexpr std::size_t kMostPathBytes = std::size_t{64} << 20;
+constexpr std::size_t kMostPathBytes = std::size_t{32} << 20;
 
 std::shared_ptr<Program> EmptyProgram(std::shared_ptr<const Project> project,
                                       std::shared_ptr<const Registry> registry) {

@@ -1,5 +1,6 @@
 #include "bt_core/live/client/client_types.h"
 
+#include <cstdio>
 #include <cstdlib>
 #include <utility>
 
@@ -31,6 +32,24 @@ LiveReply FailedReply(std::string error) {
   LiveReply reply;
   reply.error = std::move(error);
   return reply;
+}
+
+std::string ToString(const Hook& hook) {
+  std::string text;
+  if (hook.action == HookAction::kStop) {
+    text = hook.position == HookPosition::kBefore ? "before" : "after";
+  } else if (hook.action == HookAction::kReplace) {
+    text = ToString(hook.status);
+  } else {
+    char seconds[32];
+    std::snprintf(seconds, sizeof(seconds), "delay %.3g s",
+                  static_cast<double>(hook.delay.count()) * 1e-9);
+    text = seconds;
+  }
+  if (hook.times > 0) text += " x" + std::to_string(hook.times);
+  if (!hook.condition.empty()) text += ", if " + hook.condition;
+  if (hook.from_hit > 1) text += ", from hit " + std::to_string(hook.from_hit) + " on";
+  return text;
 }
 
 std::string TokenFromEnvironment() {

@@ -85,6 +85,16 @@ struct LiveNotice {
   std::string path;  ///< of the node, if there is one
 };
 
+/// A hook that is in the robot though this client has not set it: of a robot with the Groot2
+/// protocol, which knows no clients and keeps what they leave. It is removed as one's own.
+struct ForeignHook {
+  HookId id = kNoHook;
+  Hook hook;  ///< by its path
+};
+
+/// "FAILURE x3", "delay 0.5 s", "before, if battery < 20, from hit 3 on".
+std::string ToString(const Hook& hook);
+
 /// Called on the client's thread, which waits meanwhile; must not call the client but Send.
 ///
 /// The history comes as from a record: the tree, how it stands, then every tick. After a
@@ -94,6 +104,8 @@ class LiveListener : public HistoryHandler {
  public:
   virtual void OnConnection(const LiveConnection&) {}
   virtual void OnNotice(const LiveNotice&) {}
+  /// All that are there; whenever they have become others.
+  virtual void OnForeignHooks(const std::vector<ForeignHook>&) {}
   /// The bytes of a frame of the history, after the calls that its content led to. A Groot2 robot
   /// sends none.
   virtual void OnFrame(const std::uint8_t*, std::size_t) {}

@@ -6,8 +6,6 @@
 #include <memory>
 #include <utility>
 
-#include "bt_core/live/groot2/groot2_hook_json.h"
-
 namespace coppice {
 namespace {
 
@@ -21,6 +19,7 @@ constexpr char kStatus = 'S';
 constexpr char kBlackboard = 'B';
 constexpr char kHookInsert = 'I';
 constexpr char kHookRemove = 'R';
+constexpr char kHooksDump = 'D';
 constexpr char kUnlock = 'U';
 constexpr char kRecording = 'r';
 constexpr char kTransitions = 't';
@@ -68,6 +67,7 @@ void ClientGroot2::AskForTree() {
 
 void ClientGroot2::AskForStart() {
   AskForBoards();
+  AskForHooks();
   Ask(kRecording, "start", [this](const Answer& answer) {
     if (answer.error.empty()) Check(history_.SetRecording(answer.payload));
   });
@@ -98,6 +98,46 @@ void ClientGroot2::AskForBoards() {
   });
 }
 
+void ClientGroot2::AskForHooks() {
+  Ask(kHooksDump, "", [this](const Answer& answer) {
+    if (answer.error.empty()) TakeHooks(groot2::ReadHooks(answer.payload));
+  });
+}
+
+// What this client has not set is of others; one that was there before keeps its number.
+void ClientGroot2::TakeHooks(const std::vector<groot2::ListedHook>& listed) {
+  const auto others = std::stable_partition(
+      hooks_.begin(), hooks_.end(), [](const KnownHook& known) { return !known.is_foreign; });
+  const std::vector<KnownHook> before(others, hooks_.end());
+  hooks_.erase(others, hooks_.end());
+  const auto find = [](const std::vector<KnownHook>& hooks, const groot2::ListedHook& hook) {
+    return std::find_if(hooks.begin(), hooks.end(), [&](const KnownHook& known) {
+      return known.IsAt(hook.uid, hook.hook.position);
+    });
+  };
+  for (const groot2::ListedHook& there : listed) {
+    const NodeIndex node = history_.tree().Find(there.uid);
+    if (node == kNoNode || find(hooks_, there) != hooks_.end()) continue;
+    const auto known = find(before, there);
+    hooks_.push_back(known != before.end() ? *known : KnownHook{++last_hook_, there.uid, {}, true});
+    hooks_.back().hook = there.hook;
+    hooks_.back().hook.path = history_.tree().description.nodes[node].path;
+  }
+  TellForeignHooks();
+}
+
+void ClientGroot2::TellForeignHooks() {
+  std::vector<ForeignHook> foreign;
+  std::string text;
+  for (const KnownHook& known : hooks_) {
+    if (!known.is_foreign) continue;
+    foreign.push_back({known.id, known.hook});
+    text += known.hook.path + std::to_string(known.id) + ToString(known.hook) +
+            (known.hook.enabled ? "+" : "-");
+  }
+  if (std::exchange(told_hooks_, text) != text) listener_.OnForeignHooks(foreign);
+}
+
 void ClientGroot2::Poll(Duration now) {
   next_poll_ = now + options_.poll_period;
   Ask(kTransitions, "", [this](const Answer& answer) {
@@ -110,6 +150,7 @@ void ClientGroot2::Poll(Duration now) {
   if (now < next_boards_) return;
   next_boards_ = now + options_.board_period;
   AskForBoards();
+  AskForHooks();
 }
 
 void ClientGroot2::Check(const std::string& problem) {
@@ -174,7 +215,8 @@ void ClientGroot2::Abandon(const std::string& why) {
 // The protocol knows no clients: what is left in the robot would hold it up for everybody. Nobody
 // waits for the answers.
 void ClientGroot2::Leave() {
-  for (const SetHook& set : hooks_) {
+  for (const KnownHook& set : hooks_) {
+    if (set.is_foreign) continue;
     sender_({Header(kHookRemove, ++number_), groot2::WriteHookRemove(set.uid, set.hook.position)});
   }
   hooks_.clear();
@@ -182,7 +224,7 @@ void ClientGroot2::Leave() {
 
 void ClientGroot2::Forget(HookId id) {
   hooks_.erase(std::remove_if(hooks_.begin(), hooks_.end(),
-                              [id](const SetHook& set) { return set.id == id; }),
+                              [id](const KnownHook& set) { return set.id == id; }),
                hooks_.end());
 }
 
@@ -194,7 +236,7 @@ void ClientGroot2::OnNotification(const std::string& text) {
   LiveNotice notice;
   notice.path = history_.tree().description.nodes[node].path;
   notice.event.stop = {DebugStop::Where::kBefore, node};
-  for (SetHook& set : hooks_) {
+  for (KnownHook& set : hooks_) {
     if (set.uid != uid) continue;
     notice.event.stop.hook = set.id;
     if (set.hook.position == HookPosition::kAfter) {
@@ -239,7 +281,7 @@ void ClientGroot2::AddHook(const Hook& hook, LiveClient::ReplyHandler on_reply) 
     return Reply(on_reply, what + hook.path + "\"");
   }
   const std::uint16_t uid = tree.uids[nodes[0]];
-  const SetHook set = {++last_hook_, uid, hook, nodes[0], false};
+  const KnownHook set = {++last_hook_, uid, hook, false};
   hooks_.push_back(set);
   Ask(kHookInsert, groot2::WriteHookInsert(hook, uid), [this, set, on_reply](const Answer& answer) {
     if (answer.is_of_robot && !answer.error.empty()) Forget(set.id);
@@ -248,12 +290,14 @@ void ClientGroot2::AddHook(const Hook& hook, LiveClient::ReplyHandler on_reply) 
 }
 
 void ClientGroot2::RemoveHooks(HookId id, const LiveClient::ReplyHandler& on_reply) {
-  const auto is_meant = [id](const SetHook& set) { return id == kNoHook || set.id == id; };
+  const auto is_meant = [id](const KnownHook& set) {
+    return id == kNoHook ? !set.is_foreign : set.id == id;
+  };
   const auto count = std::count_if(hooks_.begin(), hooks_.end(), is_meant);
   if (count == 0 && id == kNoHook) return Reply(on_reply, "");
   if (count == 0) return Reply(on_reply, "there is no hook " + std::to_string(id));
   auto left = std::make_shared<std::ptrdiff_t>(count);
-  for (const SetHook& set : hooks_) {
+  for (const KnownHook& set : hooks_) {
     if (!is_meant(set)) continue;
     Ask(kHookRemove, groot2::WriteHookRemove(set.uid, set.hook.position),
         [left, on_reply](const Answer& answer) {
@@ -261,18 +305,30 @@ void ClientGroot2::RemoveHooks(HookId id, const LiveClient::ReplyHandler& on_rep
         });
   }
   hooks_.erase(std::remove_if(hooks_.begin(), hooks_.end(), is_meant), hooks_.end());
+  TellForeignHooks();
 }
 
+// Nobody says where a tree has stopped before this client was there: then it can only be a
+// breakpoint of others.
 void ClientGroot2::Continue(std::optional<Status> result,
                             const LiveClient::ReplyHandler& on_reply) {
-  const auto at =
-      std::find_if(hooks_.begin(), hooks_.end(), [](const SetHook& set) { return set.stands; });
-  if (at == hooks_.end()) {
-    return Reply(on_reply, "the tree does not stand at a breakpoint of this client");
+  const bool is_known = std::any_of(hooks_.begin(), hooks_.end(),
+                                    [](const KnownHook& known) { return known.stands; });
+  const auto is_meant = [is_known](const KnownHook& known) {
+    if (is_known) return known.stands;
+    return known.is_foreign && known.hook.enabled && known.hook.action == HookAction::kStop;
+  };
+  auto left =
+      std::make_shared<std::ptrdiff_t>(std::count_if(hooks_.begin(), hooks_.end(), is_meant));
+  if (*left == 0) return Reply(on_reply, "the tree does not stand at a breakpoint");
+  for (KnownHook& known : hooks_) {
+    if (!is_meant(known)) continue;
+    known.stands = false;
+    Ask(kUnlock, groot2::WriteUnlock(known.uid, known.hook.position, result),
+        [left, on_reply](const Answer& answer) {
+          if (--*left == 0) Reply(on_reply, answer.error);
+        });
   }
-  at->stands = false;
-  Ask(kUnlock, groot2::WriteUnlock(at->uid, at->hook.position, result),
-      [on_reply](const Answer& answer) { Reply(on_reply, answer.error); });
 }
 
 }  // namespace coppice

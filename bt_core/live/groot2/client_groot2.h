@@ -11,6 +11,7 @@
 
 #include "bt_core/live/client/client_session.h"
 #include "bt_core/live/groot2/groot2_history.h"
+#include "bt_core/live/groot2/groot2_hook_json.h"
 
 namespace coppice {
 
@@ -40,13 +41,17 @@ class ClientGroot2 final : public ClientSession {
     std::string body;
     std::function<void(const Answer&)> on_answer;
   };
-  /// One that this client has set, or is about to.
-  struct SetHook {
+  /// One that this client has set, or is about to, or has found.
+  struct KnownHook {
     HookId id;
     std::uint16_t uid;
     Hook hook;
-    NodeIndex node;
-    bool stands;  ///< the tree stopped here and was not continued since
+    bool is_foreign;
+    bool stands = false;  ///< the tree stopped here and was not continued since
+
+    bool IsAt(std::uint16_t other_uid, HookPosition position) const {
+      return uid == other_uid && hook.position == position;
+    }
   };
 
   void Ask(char type, std::string body, std::function<void(const Answer&)> on_answer);
@@ -57,6 +62,9 @@ class ClientGroot2 final : public ClientSession {
   void BeginLive();
   void Poll(Duration now);
   void AskForBoards();
+  void AskForHooks();
+  void TakeHooks(const std::vector<groot2::ListedHook>& listed);
+  void TellForeignHooks();
   void Check(const std::string& problem);
   void OnNotification(const std::string& uid_text);
   void AddHook(const Hook& hook, LiveClient::ReplyHandler on_reply);
@@ -77,7 +85,8 @@ class ClientGroot2 final : public ClientSession {
   RunId id_{};  // of the answer that came last
   Duration next_poll_{0};
   Duration next_boards_{0};
-  std::vector<SetHook> hooks_;
+  std::vector<KnownHook> hooks_;  // at most one for each node and position
+  std::string told_hooks_;        // of others
   HookId last_hook_ = kNoHook;
 };
 

@@ -1,6 +1,10 @@
 #include "bt_core/live/groot2/groot2_hook_json.h"
 
+#include <exception>
 #include <nlohmann/json.hpp>
+#include <utility>
+
+#include "bt_core/base/json_library.h"
 
 namespace coppice::groot2 {
 namespace {
@@ -8,6 +12,9 @@ namespace {
 using Json = nlohmann::json;
 
 int Number(HookPosition position) { return position == HookPosition::kBefore ? 0 : 1; }
+HookPosition PositionOf(int number) {
+  return number == 0 ? HookPosition::kBefore : HookPosition::kAfter;
+}
 
 // "instance/ID" of a node whose path is "instance/own".
 std::string PathOfType(const DescribedNode& node) {
@@ -60,6 +67,28 @@ std::string WriteUnlock(std::uint16_t uid, HookPosition position, std::optional<
               {"desired_status", ToString(result.value_or(Status::kSkipped))},
               {"remove_when_done", false}}
       .dump();
+}
+
+std::vector<ListedHook> ReadHooks(std::string_view json) {
+  std::vector<ListedHook> hooks;
+  try {
+    for (const Json& item : ParseLimitedJson(json)) {
+      ListedHook listed;
+      listed.uid = item.at("uid").get<std::uint16_t>();
+      Hook& hook = listed.hook;
+      hook.enabled = item.at("enabled").get<bool>();
+      hook.position = PositionOf(item.at("position").get<int>());
+      hook.times = item.at("once").get<bool>() ? 1 : 0;
+      if (item.at("mode").get<int>() != 0) hook.action = HookAction::kReplace;
+      const std::string status = item.at("desired_status").get<std::string>();
+      hook.status = status == "SUCCESS"   ? Status::kSuccess
+                    : status == "FAILURE" ? Status::kFailure
+                                          : Status::kSkipped;  // it replaces nothing
+      hooks.push_back(std::move(listed));
+    }
+  } catch (const std::exception&) {  // what came until then are hooks
+  }
+  return hooks;
 }
 
 std::vector<NodeIndex> FindNodes(const TreeDescription& tree, std::string_view path) {

@@ -20,6 +20,13 @@ std::string WriteHookInsert(const Hook& hook, std::uint16_t uid);
 std::string WriteHookRemove(std::uint16_t uid, HookPosition position);
 std::string WriteUnlock(std::uint16_t uid, HookPosition position, std::optional<Status> result);
 
+struct ListedHook {
+  std::uint16_t uid = 0;
+  Hook hook;  ///< without its node
+};
+/// The answer to HOOKS_DUMP, any bytes; what is no hook is passed over.
+std::vector<ListedHook> ReadHooks(std::string_view json);
+
 /// The nodes of a path (Hook::path).
 std::vector<NodeIndex> FindNodes(const TreeDescription& tree, std::string_view path);
 

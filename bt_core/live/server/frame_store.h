@@ -1,5 +1,5 @@
 // The past of a tree as frames (bt_core/frames), for clients that come later or come back:
-// numbered from 0, as many as a limit of bytes allows. It always begins where reading can begin.
+// numbered from 0, as many as a limit of memory allows. It always begins where reading can begin.
 #ifndef COPPICE_BT_CORE_LIVE_SERVER_FRAME_STORE_H_
 #define COPPICE_BT_CORE_LIVE_SERVER_FRAME_STORE_H_
 
@@ -23,6 +23,9 @@ struct StoredFrame {
 class FrameStore {
  public:
   explicit FrameStore(std::size_t limit) : limit_(limit) {}
+
+  /// The memory that a frame takes, with what the allocator adds.
+  static std::size_t CostOf(const StoredFrame& frame);
 
   /// Appends a frame. What is too old goes, up to a state; the youngest state stays, whatever the
   /// limit.

@@ -5,6 +5,7 @@
 #include <exception>
 #include <utility>
 
+#include "bt_core/data/literal.h"
 #include "bt_core/engine/events/inline_event_reader.h"
 
 namespace coppice {
@@ -27,11 +28,27 @@ RunInfo Begin(const Clock& clock, const RunId& run) {
   return info;
 }
 
-// Why a value cannot be written, or nothing.
+// The type that JSON says; null: none that scripts know.
+const Type* TypeOfJson(const std::string& json) {
+  const char first = json.empty() ? '\0' : json[0];
+  if (first == '"') return &TypeOf<std::string>();
+  if (first == 't' || first == 'f') return &TypeOf<bool>();
+  if (first != '-' && (first < '0' || first > '9')) return nullptr;
+  const bool is_whole = json.find_first_of(".eE") == std::string::npos;
+  return is_whole ? &TypeOf<std::int64_t>() : &TypeOf<double>();
+}
+
+// Why a value cannot be written, or nothing. A key that only scripts use has no type before it has
+// a value.
 std::string ReadValue(const SlotDefinition& slot, const std::string& text, bool is_text,
                       Value& out) {
-  const Type* const type = slot.type ? slot.type : slot.initial.type();
-  if (!type) return "the tree never says which type the key has";
+  const Type* type = slot.type ? slot.type : slot.initial.type();
+  if (!type && is_text) {
+    out = GuessValue(text);
+    return {};
+  }
+  if (!type) type = TypeOfJson(text);
+  if (!type) return "no node says which type it has: a number, a text, true or false is expected";
   try {
     if (is_text ? out.Parse(*type, text) : out.FromJson(*type, text)) return {};
   } catch (const std::exception& error) {  // from the conversion of a type of the application

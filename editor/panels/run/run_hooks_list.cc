@@ -1,3 +1,5 @@
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "editor/commands/run_commands.h"
@@ -8,55 +10,82 @@
 namespace coppice::editor {
 namespace {
 
+// A row with buttons on its right, a dot and texts on its left: buttons come first.
+class HookRow {
+ public:
+  HookRow(const Ui& ui, std::string path)
+      : ui_(ui), path_(std::move(path)), row_(NextRow(ui, path_, false)) {
+    ImGui::SetItemAllowOverlap();
+    behind_ = ImGui::GetCursorScreenPos();
+    right_ = row_.box.max.x - 4 * ui_.scale;
+    x_ = row_.box.min.x + 24 * ui_.scale;
+  }
+  ~HookRow() { ImGui::SetCursorScreenPos(behind_); }
+  HookRow(const HookRow&) = delete;
+  HookRow& operator=(const HookRow&) = delete;
+
+  bool visible() const { return row_.visible; }
+
+  bool Button(const std::string& name, const std::string& text, const char* tip) {
+    const float width = ui_.Width(text, {Face::kSans, 12, 0}) + 12 * ui_.scale;
+    const Box at = {{right_ - width, row_.box.min.y + ui_.scale},
+                    {right_, row_.box.max.y - ui_.scale}};
+    right_ -= width + 3 * ui_.scale;
+    const bool is_pressed = ui_.Button(path_ + name, at, text);
+    if (ImGui::IsItemHovered()) Tooltip(ui_, tip);
+    return is_pressed;
+  }
+
+  void Dot(Color color, bool is_filled) const {
+    const ImVec2 dot = {row_.box.min.x + 12 * ui_.scale, row_.box.center().y};
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    is_filled ? list.AddCircleFilled(dot, 4 * ui_.scale, color)
+              : list.AddCircle(dot, 4 * ui_.scale, color);
+  }
+
+  void Write(const std::string& text, Face face, Color color) {
+    const float room = right_ - x_ - 4 * ui_.scale;
+    if (text.empty() || room < 8 * ui_.scale) return;
+    x_ += ui_.RowText(*ImGui::GetWindowDrawList(), {x_, row_.box.min.y}, row_.box.height(), text,
+                      {face, 12, color}, room) +
+          8 * ui_.scale;
+  }
+
+ private:
+  const Ui& ui_;
+  const std::string path_;
+  Row row_;
+  ImVec2 behind_;
+  float right_ = 0;
+  float x_ = 0;
+};
+
+// What it does in words, dimmed while it is off.
+Color ColorOf(const Ui& ui, const Hook& hook) {
+  if (!hook.enabled) return ui.palette.text_dim;
+  return IsBreakpoint(hook) ? ui.palette.failure_text : ui.palette.warning;
+}
+
 void DrawHook(const Ui& ui, EditorState& state, const RunView& run, const WantedHook& wanted) {
-  const std::string path = "run/hook/" + std::to_string(wanted.number);
-  Row row = NextRow(ui, path, false);
-  ImGui::SetItemAllowOverlap();
-  const ImVec2 behind = ImGui::GetCursorScreenPos();
-  if (!row.visible) return;
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  float right = row.box.max.x - 4 * ui.scale;
-  const auto button = [&](const std::string& name, const std::string& text) {
-    const float width = ui.Width(text, {Face::kSans, 12, 0}) + 12 * ui.scale;
-    const Box at = {{right - width, row.box.min.y + ui.scale}, {right, row.box.max.y - ui.scale}};
-    right -= width + 3 * ui.scale;
-    return ui.Button(path + name, at, text);
-  };
+  HookRow row(ui, "run/hook/" + std::to_string(wanted.number));
+  if (!row.visible()) return;
   Hook hook = wanted.hook;
   HookList& hooks = state.workspace.hooks;
-  const bool removed = button("/remove", icon::kTimes);
-  if (ImGui::IsItemHovered()) Tooltip(ui, "Remove it");
-  const bool switched = button("/on", hook.enabled ? "on" : "off");
-  if (ImGui::IsItemHovered()) Tooltip(ui, hook.enabled ? "Switch it off" : "Switch it on");
-  const bool asked = button("/condition", "if");
-  if (ImGui::IsItemHovered()) Tooltip(ui, "When it counts: a condition, a number of hits");
-  ImGui::SetCursorScreenPos(behind);
+  const bool removed = row.Button("/remove", icon::kTimes, "Remove it");
+  const bool switched = row.Button("/on", hook.enabled ? "on" : "off",
+                                   hook.enabled ? "Switch it off" : "Switch it on");
+  const bool asked =
+      row.Button("/condition", "if", "When it counts: a condition, a number of hits");
 
   const SetHookState* set = run.hooks().Find(wanted.number);
-  const Color color = !hook.enabled        ? ui.palette.text_dim
-                      : IsBreakpoint(hook) ? ui.palette.failure
-                                           : ui.palette.warning;
-  const Point dot = {row.box.min.x + 12 * ui.scale, row.box.center().y};
-  if (set && set->id != kNoHook) {
-    list.AddCircleFilled(ToIm(dot), 4 * ui.scale, color);
-  } else {
-    list.AddCircle(ToIm(dot), 4 * ui.scale, color);
-  }
-  float x = row.box.min.x + 24 * ui.scale;
-  const auto write = [&](const std::string& text, Face face, Color with) {
-    const float room = right - x - 4 * ui.scale;
-    if (text.empty() || room < 8 * ui.scale) return;
-    x += ui.RowText(list, {x, row.box.min.y}, row.box.height(), text, {face, 12, with}, room) +
-         8 * ui.scale;
-  };
-  write(hook.path, Face::kBold, hook.enabled ? ui.palette.text : ui.palette.text_dim);
-  const Color writing = !hook.enabled        ? ui.palette.text_dim
-                        : IsBreakpoint(hook) ? ui.palette.failure_text
-                                             : ui.palette.warning;
-  write(ToString(hook), Face::kSans, writing);
-  if (set && set->hits > 0) write(Count(set->hits, "hit"), Face::kSans, writing);
-  if (!wanted.robot.empty()) write("on " + wanted.robot, Face::kSans, ui.palette.text_dim);
-  if (set) write(set->remark, Face::kSans, ui.palette.warning);
+  const Color writing = ColorOf(ui, hook);
+  const bool is_red = hook.enabled && IsBreakpoint(hook);
+  row.Dot(is_red ? ui.palette.failure : writing, set && set->id != kNoHook);
+  row.Write(hook.path, Face::kBold, hook.enabled ? ui.palette.text : ui.palette.text_dim);
+  row.Write(ToString(hook), Face::kSans, writing);
+  if (set && set->hits > 0) row.Write(Count(set->hits, "hit"), Face::kSans, writing);
+  if (!wanted.robot.empty()) row.Write("on " + wanted.robot, Face::kSans, ui.palette.text_dim);
+  if (set) row.Write(set->remark, Face::kSans, ui.palette.warning);
 
   if (removed) return hooks.Remove(wanted.number);
   if (switched) {
@@ -66,16 +95,30 @@ void DrawHook(const Ui& ui, EditorState& state, const RunView& run, const Wanted
   if (asked) AskForCondition(state, wanted.number);
 }
 
+void DrawForeignHook(const Ui& ui, RunView& run, const ForeignHook& foreign) {
+  HookRow row(ui, "run/foreign/" + std::to_string(foreign.id));
+  if (!row.visible()) return;
+  LiveCommand command = MakeCommand(LiveCommand::Kind::kRemoveHook);
+  command.id = foreign.id;
+  if (row.Button("/remove", icon::kTimes, "Remove it from the robot")) run.Send(command);
+  row.Dot(ColorOf(ui, foreign.hook), true);
+  row.Write(foreign.hook.path, Face::kBold, ui.palette.text);
+  row.Write(ToString(foreign.hook), Face::kSans, ColorOf(ui, foreign.hook));
+  row.Write("set by another program", Face::kSans, ui.palette.text_dim);
+}
+
 }  // namespace
 
 void DrawHooks(const Ui& ui, EditorState& state, RunView& run) {
   const std::vector<WantedHook> all = state.workspace.hooks.all();  // rows may change it
-  if (all.empty()) {
+  const std::vector<ForeignHook> foreign = run.foreign_hooks();
+  if (all.empty() && foreign.empty()) {
     Hint(ui,
          "F9 stops the robot at the selected node; a fault forces its result (Ctrl+P, \"force\"). "
          "Both may be set before the robot is there.");
   }
   for (const WantedHook& wanted : all) DrawHook(ui, state, run, wanted);
+  for (const ForeignHook& hook : foreign) DrawForeignHook(ui, run, hook);
 }
 
 }  // namespace coppice::editor

@@ -2,7 +2,9 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
+#include <cstdio>
 #include <fstream>
 
 namespace coppice {
@@ -33,6 +35,14 @@ TEST(ReadFile, SaysWhyItCannotBeRead) {
   EXPECT_EQ(ProblemOf("/nowhere/a"),
             "/nowhere/a: error: cannot be read: No such file or directory\n");
   EXPECT_EQ(ProblemOf("/tmp"), "/tmp: error: cannot be read: Is a directory\n");
+}
+
+TEST(ReadFile, DoesNotWaitForAPipeThatNobodyWrites) {
+  const std::string path = testing::TempDir() + "read_file_test_pipe";
+  std::remove(path.c_str());
+  ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);
+  EXPECT_EQ(ReadFile(path), "");
+  std::remove(path.c_str());
 }
 
 TEST(ReadFile, DoesNotReadWithoutEnd) {

@@ -31,7 +31,8 @@ TEST(Compile, NothingComesOfAProjectThatIsNotWhole) {
 TEST(Compile, CompileFileReportsAMissingFile) {
   Diagnostics diagnostics;
   EXPECT_FALSE(CompileFile("/no/such.xml", TestRegistry(), diagnostics));
-  EXPECT_EQ(diagnostics.ToString(), "/no/such.xml: error: cannot read this file\n");
+  EXPECT_EQ(diagnostics.ToString(),
+            "/no/such.xml: error: cannot be read: No such file or directory\n");
 }
 
 }  // namespace

@@ -23,6 +23,7 @@ struct Watched {
   std::vector<std::uint64_t> ticks;  ///< their numbers
   std::vector<HistoryGap> gaps;
   std::vector<LiveNotice> notices;
+  std::vector<ForeignHook> foreign_hooks;  ///< as they are now
   std::size_t ends = 0;
   std::string frames;
   std::vector<std::string> values;  ///< per slot
@@ -77,6 +78,9 @@ class Watcher : public LiveListener {
   }
   void OnNotice(const LiveNotice& notice) override {
     Keep([&](Watched& w) { w.notices.push_back(notice); });
+  }
+  void OnForeignHooks(const std::vector<ForeignHook>& hooks) override {
+    Keep([&](Watched& w) { w.foreign_hooks = hooks; });
   }
   void OnFrame(const std::uint8_t* frame, std::size_t size) override {
     Keep([&](Watched& w) { w.frames.append(reinterpret_cast<const char*>(frame), size); });

@@ -62,6 +62,15 @@ TEST(Document, IndexesElementsInDocumentOrder) {
   }
 }
 
+TEST(Document, RefusesAnElementWithVeryManyAttributes) {
+  std::string text = "<root>\n<A";
+  for (int i = 0; i < 10001; ++i) text += " a" + std::to_string(i) + "='='";
+  const Loaded loaded = Load(text + "/></root>");
+  EXPECT_FALSE(loaded.document);
+  EXPECT_EQ(loaded.diagnostics.ToString(),
+            "t.xml:2:1: error: an element with more than 10000 attributes\n");
+}
+
 TEST(Document, FindsAttributes) {
   const auto document = Load("<a x='1' y='two'><b x='3'/></a>").document;
   const Element& root = document->element(0);
@@ -342,10 +351,10 @@ TEST(Document, ReadsAFile) {
 }
 
 TEST(Document, SaysWhenAFileCannotBeRead) {
-  for (const std::string path : {"/no/such.xml", "/tmp"}) {
+  for (const std::string path : {"/no/such.xml", "/tmp", "/dev/zero"}) {
     Diagnostics diagnostics;
     EXPECT_FALSE(Document::FromFile(path, diagnostics)) << path;
-    EXPECT_EQ(diagnostics.ToString(), path + ": error: cannot read this file\n");
+    EXPECT_TRUE(diagnostics.has_errors());
   }
 }
 

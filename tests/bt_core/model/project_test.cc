@@ -215,6 +215,19 @@ TEST_F(ProjectTest, IncludesAreRelativeToTheFileThatIncludes) {
   EXPECT_EQ(project->main_tree(), "A") << "trees of included files do not count";
 }
 
+TEST_F(ProjectTest, IncludesEndAtADepthWithAnError) {
+  for (int i = 0; i < 150; ++i) {
+    Write(std::to_string(i) + ".xml",
+          Root("<include path=\"" + std::to_string(i + 1) + ".xml\"/>"));
+  }
+  const auto project = Load(Path("0.xml"));
+  ASSERT_TRUE(project);
+  EXPECT_TRUE(project->has_errors());
+  EXPECT_NE(diagnostics_.ToString().find("100.xml:2:1: error: files include each other more than"),
+            std::string::npos)
+      << diagnostics_.ToString();
+}
+
 TEST_F(ProjectTest, FilesMayIncludeEachOther) {
   Write("b.xml", Root("<include path=\"./a.xml\"/><include path=\"b.xml\"/>" + Tree("B")));
   const auto project = Load(Write("a.xml", Root("<include path=\"b.xml\"/>" + Tree("A"))));

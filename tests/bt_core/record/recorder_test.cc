@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <random>
 #include <thread>
 
@@ -248,6 +249,26 @@ TEST_F(RecorderTest, GoesOnWhenThereIsRoomOnTheDiskAgain) {
   for (const HistoryGap& gap : record.gaps) counted += gap.lost_ticks;
   EXPECT_EQ(counted, recorder.lost_ticks());
   EXPECT_EQ(record.ticks.size() + counted, kept_.ticks.size());
+}
+
+TEST_F(RecorderTest, BeginsAnotherFileWhenItsFolderIsDeleted) {
+  const std::string folder = folder_.Path("records");
+  std::filesystem::create_directory(folder);
+  RecorderOptions options;
+  options.flush_period = 1ms;
+  options.sync_period = 0ms;
+  Recorder recorder(stream_, folder + "/run.coppice", options);
+  Tick();
+  std::filesystem::remove_all(folder);
+  const std::string next = folder + "/run.2.coppice";
+  const auto deadline = std::chrono::steady_clock::now() + 30s;
+  while (!std::filesystem::exists(next) && std::chrono::steady_clock::now() < deadline) Tick();
+  Tick();
+  EXPECT_THAT(recorder.Close(), HasSubstr("deleted this record"));
+  const WholeRecord record = ReadRecord(next);
+  EXPECT_TRUE(record.closed);
+  ASSERT_FALSE(record.ticks.empty());
+  EXPECT_EQ(record.ticks.back(), kept_.ticks.back());
 }
 
 TEST_F(RecorderTest, ThrowsRatherThanOverwriting) {

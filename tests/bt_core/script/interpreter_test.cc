@@ -20,6 +20,15 @@ std::string ErrorOf(ScriptBench& bench, std::string_view script) {
   return {};
 }
 
+TEST(Interpreter, ATextThatJoinsItselfComesToAnEnd) {
+  ScriptBench bench;
+  bench.Set("s", std::string(600000, 'x'));
+  EXPECT_NE(
+      ErrorOf(bench, "s .. s").find("a text of 1200000 bytes; scripts join texts up to 1048576"),
+      std::string::npos);
+  EXPECT_EQ(ErrorOf(bench, "s .. 'x'"), "");
+}
+
 TEST(Interpreter, EveryOperatorGivesItsResult) {
   const std::pair<const char*, const char*> kCases[] = {
       {"7 + i", "int64 10"},

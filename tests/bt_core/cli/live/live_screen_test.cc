@@ -8,6 +8,7 @@
 namespace coppice {
 namespace {
 
+using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::SizeIs;
@@ -59,6 +60,14 @@ TEST_F(LiveScreenTest, SaysWhyThereIsNothingToSee) {
   connection.problem = "no answer from robot:1667";
   keeper_.OnConnection(connection);
   EXPECT_THAT(Draw(), ElementsAre("robot:1667", "no answer from robot:1667"));
+}
+
+TEST_F(LiveScreenTest, ShowsWhatOthersHaveLeftInTheRobot) {
+  ForeignHook foreign;
+  foreign.hook.path = "inner/Alternate::5";
+  foreign.hook.enabled = false;
+  keeper_.OnForeignHooks({foreign});
+  EXPECT_THAT(Draw(), Contains("somebody else's hook at inner/Alternate::5: before (off)"));
 }
 
 TEST_F(LiveScreenTest, LeavesOutIdleNodesIfThereIsNoRoom) {

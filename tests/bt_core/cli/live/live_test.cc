@@ -38,6 +38,12 @@ TEST_F(LiveTest, SendsCommandsAndSaysWhatIsWrongWithThem) {
   EXPECT_THAT(err_, HasSubstr(R"(did you mean "Fill::2"?)"));  // a remark: it may come
 }
 
+TEST_F(LiveTest, SaysThatNobodyElseHasLeftAHook) {
+  Robot robot;
+  EXPECT_EQ(Run(RunLive, {robot.endpoint(), "--once", "--unhook", "Fill::2"}), 1);
+  EXPECT_THAT(err_, HasSubstr("--unhook Fill::2: no other client has left anything there"));
+}
+
 TEST_F(LiveTest, PrintsEveryTickAsJsonUntilItIsInterrupted) {
   Robot robot;
   robot.Tick(5);

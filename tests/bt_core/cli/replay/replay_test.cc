@@ -174,6 +174,16 @@ TEST_F(ReplayTest, IsConvertedByTheEndingsOfNames) {
   EXPECT_EQ(Run({folder_.Path("none.btlog"), folder_.Path("z.csv")}, RunConvert), 2);
 }
 
+TEST_F(ReplayTest, SaysHowALogOfBehaviorTreeCppBecomesARecord) {
+  const std::string log = folder_.Path("x.btlog");
+  ASSERT_EQ(Run({path(), log}, RunConvert), 0);
+  const std::string hint = "coppice convert " + log + " " + folder_.Path("x.coppice");
+  for (const auto& verb : {RunReplay, RunStats}) {
+    EXPECT_EQ(Run({log}, verb), 2);
+    EXPECT_THAT(error_, HasSubstr(hint));
+  }
+}
+
 TEST_F(ReplayTest, GoesBackAndForthByKeys) {
   Diagnostics diagnostics;
   const std::optional<Recording> run = LoadRecording(path(), diagnostics);

@@ -162,7 +162,7 @@ TEST(SubTree, DoublingIsStoppedBeforeMemoryIsUsedUp) {
   }
   trees += Tree("T40", "<AlwaysSuccess/>");
   const std::string problems = Problems(trees);
-  EXPECT_NE(problems.find("error: the paths of the SubTrees take more than 64 MiB"),
+  EXPECT_NE(problems.find("error: the paths of the SubTrees take more than 32 MiB"),
             std::string::npos)
       << problems.substr(0, 300);
 }
@@ -216,7 +216,7 @@ TEST(SubTree, ALongChainIsStoppedBeforeMemoryIsUsedUp) {
   }
   trees += Tree("T50000", "<AlwaysSuccess/>");
   const std::string problems = Problems(trees);
-  EXPECT_NE(problems.find("error: the paths of the SubTrees take more than 64 MiB"),
+  EXPECT_NE(problems.find("error: the paths of the SubTrees take more than 32 MiB"),
             std::string::npos)
       << problems;
 }

@@ -6,6 +6,8 @@
 #include <memory>
 
 #include "bt_core/data/value_bytes.h"
+#include "bt_core/live/groot2/groot2_hook_json.h"
+#include "tests/bt_core/live/live_client.h"
 #include "tests/bt_core/live/robot.h"
 #include "tests/bt_core/live/watcher.h"
 
@@ -105,12 +107,50 @@ TEST(ClientGroot2, ForcesAResult) {
   hook.path = "Fill";
   hook.action = HookAction::kReplace;
   hook.status = Status::kFailure;
-  hook.times = 1;
   ASSERT_EQ(Ask(client, SetHook(hook)).error, "");
   EXPECT_EQ(robot.executor().Tick(), Status::kFailure);
+  robot.StartTicking();  // a subscriber hears what happens after it has come
   ASSERT_TRUE(watcher.Await([](const Watched& w) { return !w.notices.empty(); }));
   EXPECT_EQ(watcher.watched().notices[0].event.kind, DebugEvent::Kind::kReplaced);
+  EXPECT_EQ(Ask(client, MakeCommand(Kind::kRemoveHook)).error, "");
+  robot.StopTicking();
   EXPECT_EQ(robot.executor().Tick(), Status::kRunning);
+}
+
+class ForeignHookTest : public ::testing::Test {
+ protected:
+  // Somebody has left a breakpoint at the leaf "Fill", which stops the tree.
+  void SetUp() override {
+    PlainClient other(robot_.port());
+    other.Ask({PlainClient::Header('I'), groot2::WriteHookInsert(Hook(), 2)});
+    robot_.StartTicking();
+    ASSERT_TRUE(watcher_.Await(IsLive));
+    ASSERT_TRUE(watcher_.Await([](const Watched& w) { return w.foreign_hooks.size() == 1; }));
+  }
+
+  Robot robot_;
+  Watcher watcher_;
+  LiveClient client_{robot_.endpoint(), watcher_, Groot2Only()};
+};
+
+TEST_F(ForeignHookTest, IsListed) {
+  const ForeignHook foreign = watcher_.watched().foreign_hooks[0];
+  EXPECT_EQ(foreign.hook.path, "Fill::2");
+  EXPECT_EQ(ToString(foreign.hook), "before");
+}
+
+TEST_F(ForeignHookTest, IsRemovedAsItWereOnesOwn) {
+  LiveCommand remove = MakeCommand(Kind::kRemoveHook);
+  remove.id = watcher_.watched().foreign_hooks[0].id;
+  EXPECT_EQ(Ask(client_, remove).error, "");
+  ASSERT_TRUE(watcher_.Await([](const Watched& w) { return w.foreign_hooks.empty(); }));
+  EXPECT_TRUE(watcher_.Await([](const Watched& w) { return w.ticks.size() > 3; }));
+}
+
+TEST_F(ForeignHookTest, ATreeGoesOnThatStoodThereBeforeTheClientCame) {
+  EXPECT_EQ(Ask(client_, MakeCommand(Kind::kContinue)).error, "");
+  EXPECT_TRUE(watcher_.Await([](const Watched& w) { return !w.notices.empty(); }))
+      << "it stops there again";
 }
 
 TEST(ClientGroot2, SaysWhatTheProtocolCannotDo) {
@@ -160,13 +200,14 @@ class ClientGroot2SessionTest : public ::testing::Test {
     session_.OnTime(1s);
     const std::string idle = {1, 0, 0};
     for (const std::string& payload :
-         {idle, std::string(kTree), std::string("\x80"), std::string("1000000"), idle}) {
+         {idle, std::string(kTree), std::string("\x80"), hooks_, std::string("1000000"), idle}) {
       Answer(payload);
       session_.OnTime(1s);
     }
     ASSERT_TRUE(session_.is_live());
   }
 
+  std::string hooks_ = "[]";  // of others, when the session begins
   LiveClientOptions options_ = Groot2Only();
   Watcher watcher_;
   Groot2History history_{watcher_, "robot"};
@@ -180,6 +221,7 @@ TEST_F(ClientGroot2SessionTest, ACommandIsAnsweredAlsoWhenTheRobotIsAnotherOne) 
   Answer("");                      // transitions
   Answer(std::string({1, 0, 0}));  // statuses
   Answer("\x80");                  // values
+  Answer("[]");                    // hooks
   Hook hook;
   hook.path = "a";
   std::vector<std::string> errors;
@@ -197,6 +239,7 @@ TEST_F(ClientGroot2SessionTest, TakesItsHooksAwayWhenItLeavesAlsoOneThatIsUnderW
   Answer("");                      // transitions
   Answer(std::string({1, 0, 0}));  // statuses
   Answer("\x80");                  // values
+  Answer("[]");                    // hooks
   Hook hook;
   hook.path = "a";
   session_.Send(SetHook(hook), {});
@@ -212,6 +255,16 @@ TEST_F(ClientGroot2SessionTest, TakesItsHooksAwayWhenItLeavesAlsoOneThatIsUnderW
   EXPECT_EQ(sent_[0][0][1], 'R');
   EXPECT_THAT(sent_[0][1], HasSubstr("\"position\":0"));
   EXPECT_THAT(sent_[1][1], HasSubstr("\"position\":1"));
+}
+
+TEST_F(ClientGroot2SessionTest, LeavesTheHooksOfOthersWhereTheyAre) {
+  hooks_ = groot2::WriteHookInsert(Hook(), 1);
+  hooks_ = "[" + hooks_ + "]";
+  Connect();
+  ASSERT_THAT(watcher_.watched().foreign_hooks, SizeIs(1));
+  sent_.clear();
+  session_.Leave();
+  EXPECT_THAT(sent_, IsEmpty());
 }
 
 TEST_F(ClientGroot2SessionTest, HandsOnNoNoticeBeforeTheTree) {

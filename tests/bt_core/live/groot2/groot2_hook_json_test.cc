@@ -40,6 +40,24 @@ TEST(Groot2HookJson, IsWhatTheProtocolWants) {
                   {"remove_when_done", false}}));
 }
 
+TEST(Groot2HookJson, ReadsWhatItWrites) {
+  Hook hook;
+  hook.action = HookAction::kReplace;
+  hook.status = Status::kFailure;
+  hook.position = HookPosition::kAfter;
+  hook.times = 1;
+  hook.enabled = false;
+  const auto read = ReadHooks("[" + WriteHookInsert(hook, 5) + "]");
+  ASSERT_EQ(read.size(), 1u);
+  EXPECT_EQ(WriteHookInsert(read[0].hook, read[0].uid), WriteHookInsert(hook, 5));
+}
+
+TEST(Groot2HookJson, PassesOverWhatIsNoHook) {
+  for (const char* json : {"", "null", "7", "{}", "[3]", R"([{"uid":70000}])"}) {
+    EXPECT_THAT(ReadHooks(json), IsEmpty()) << json;
+  }
+}
+
 TEST(Groot2HookJson, SaysWhatIsTooMuchForTheProtocol) {
   Hook hook;
   EXPECT_EQ(WhatIsTooMuch(hook), "");

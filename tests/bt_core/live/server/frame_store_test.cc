@@ -9,8 +9,20 @@ StoredFrame Make(FrameType type, std::uint64_t tick, const std::string& bytes = 
   return {type, tick, Time(0), bytes};
 }
 
+// The memory of so many frames that are made as above.
+std::size_t MemoryOf(std::size_t frames) {
+  return frames * FrameStore::CostOf(Make(FrameType::kEvents, 0));
+}
+
+TEST(FrameStore, CountsWhatAFrameTakesNotOnlyItsBytes) {
+  const StoredFrame small = Make(FrameType::kEvents, 0, "x");
+  const StoredFrame large = Make(FrameType::kEvents, 0, std::string(100, 'x'));
+  EXPECT_EQ(FrameStore::CostOf(small), sizeof(StoredFrame));
+  EXPECT_EQ(FrameStore::CostOf(large), sizeof(StoredFrame) + 112);
+}
+
 TEST(FrameStore, NumbersFramesAndKnowsWhereReadingCanBegin) {
-  FrameStore store(1000);
+  FrameStore store(MemoryOf(100));
   store.Add(Make(FrameType::kTree, 0, "tree"));
   EXPECT_FALSE(store.has_entry());
   store.Add(Make(FrameType::kState, 0));
@@ -26,7 +38,7 @@ TEST(FrameStore, NumbersFramesAndKnowsWhereReadingCanBegin) {
 }
 
 TEST(FrameStore, DropsTheOldestUpToAState) {
-  FrameStore store(60);
+  FrameStore store(MemoryOf(6));
   store.Add(Make(FrameType::kTree, 0));
   store.Add(Make(FrameType::kState, 0));
   for (std::uint64_t tick = 1; tick <= 3; ++tick) store.Add(Make(FrameType::kEvents, tick));
@@ -49,14 +61,14 @@ TEST(FrameStore, KeepsTheYoungestStateWhateverTheLimit) {
 }
 
 TEST(FrameStore, RemembersTheTreeOfTheOldestState) {
-  FrameStore store(50);
+  FrameStore store(MemoryOf(5));
   store.Add(Make(FrameType::kTree, 0, "first"));
   store.Add(Make(FrameType::kState, 0));
   store.Add(Make(FrameType::kTree, 1, "second"));
   store.Add(Make(FrameType::kState, 1));
   EXPECT_EQ(store.OldestEntry().tree->bytes, "first");
   EXPECT_EQ(store.YoungestEntry().tree->bytes, "second");
-  store.Add(Make(FrameType::kEvents, 2, std::string(40, 'x')));
+  store.Add(Make(FrameType::kEvents, 2, std::string(80, 'x')));
   EXPECT_EQ(store.OldestEntry().tree->bytes, "second");
   store.Add(Make(FrameType::kTree, 2, "third"));
   EXPECT_EQ(store.OldestEntry().tree->bytes, "second");

@@ -97,6 +97,37 @@ TEST_F(LiveTreeTest, AWrittenValueIsThereBeforeTheNodesAreTicked) {
   EXPECT_EQ(executor_.blackboard()[layout.Find(1, "literal")].value.Print(), "9");
 }
 
+// No node says which type "battery" has.
+class ScriptedTreeTest : public testing::TestWithParam<std::pair<const char*, bool>> {
+ protected:
+  ScriptedTreeTest() {
+    stream_.Add(tree_);
+    stream_.Flush();
+  }
+  ~ScriptedTreeTest() override { stream_.Remove(tree_); }
+
+  SimulatedClock clock_;
+  Executor executor_{CompileText(R"(<root BTCPP_format="4"><BehaviorTree ID="Main">
+      <ScriptCondition code="battery == 21"/></BehaviorTree></root>)"),
+                     clock_};
+  EventStream stream_{executor_};
+  LiveTree tree_{stream_, {}, [] {}};
+};
+
+TEST_P(ScriptedTreeTest, AKeyThatOnlyScriptsUseTakesWhatItIsGiven) {
+  const auto& [value, is_text] = GetParam();
+  EXPECT_EQ(tree_.Write("", "battery", value, is_text), "");
+  EXPECT_EQ(executor_.Tick(), Status::kSuccess);
+}
+
+INSTANTIATE_TEST_SUITE_P(Values, ScriptedTreeTest,
+                         testing::Values(std::pair("21", true), std::pair("21", false),
+                                         std::pair("2.1e1", true), std::pair("2.1e1", false)));
+
+TEST_P(ScriptedTreeTest, AKeyThatOnlyScriptsUseTakesNoObject) {
+  EXPECT_THAT(tree_.Write("", "battery", "{}", false), HasSubstr("a number, a text"));
+}
+
 TEST_F(LiveTreeTest, FollowsAnotherProgram) {
   const groot2::TreeId id = tree_->id();
   EXPECT_FALSE(tree_->TakeProgramChange());

@@ -22,6 +22,20 @@ TEST(RunHooksList, SwitchesAndRemovesBreakpoints) {
   EXPECT_TRUE(hooks.all().empty());
 }
 
+TEST(RunHooksList, RemovesWhatAnotherProgramHasLeft) {
+  Driver driver;
+  ExecutedSource* robot = AddExecuted(driver, "robot:1", 10);
+  ForeignHook foreign;
+  foreign.id = 7;
+  foreign.hook.path = "pass/Drive";
+  robot->TellForeignHooks({foreign});
+  driver.editor.state().run.tab = RunTab::kHooks;
+  driver.Frames();
+  ASSERT_TRUE(driver.Click("run/foreign/7/remove"));
+  EXPECT_EQ(robot->commands.back().kind, LiveCommand::Kind::kRemoveHook);
+  EXPECT_EQ(robot->commands.back().id, 7U);
+}
+
 TEST(RunHooksList, AsksForTheConditionAndTheHitCount) {
   Driver driver;
   AddExecuted(driver, "robot:1", 10);

@@ -1,0 +1,255 @@
+"""Gives the programs of Coppice the files of an attacker: records, trees, scenarios, and places to
+write to. Each must end with a message, soon, and without taking the memory of the computer.
+
+usage: file_attack.py COPPICE
+"""
+import os
+import resource
+import signal
+import struct
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+PATIENCE = 30  # s, for a program
+MEMORY = 256 << 20  # bytes: no more may ever be taken
+TREE = ('<root BTCPP_format="4"><BehaviorTree ID="Main"><Sequence><Script code="n := 1"/>'
+        "%s</Sequence></BehaviorTree></root>")
+
+
+class Ended:
+    """What came of a program."""
+
+    def __init__(self, command, folder, stack=None):
+        def limit():
+            if stack:
+                resource.setrlimit(resource.RLIMIT_STACK, (stack, stack))
+
+        with tempfile.TemporaryFile() as out:
+            process = subprocess.Popen([PROGRAM] + command, cwd=folder, stdin=subprocess.DEVNULL,
+                                       stdout=out, stderr=subprocess.STDOUT, preexec_fn=limit)
+            self.is_late = False
+            end = time.monotonic() + PATIENCE
+            done = 0
+            while not done:
+                if time.monotonic() > end and not self.is_late:
+                    self.is_late = True
+                    process.kill()
+                done, status, usage = os.wait4(process.pid, os.WNOHANG)
+                time.sleep(0.005)
+            process.returncode = self.code = (-os.WTERMSIG(status) if os.WIFSIGNALED(status)
+                                              else os.WEXITSTATUS(status))
+            self.memory = usage.ru_maxrss << 10
+            out.seek(0)
+            self.text = out.read(1 << 20).decode(errors="replace")
+
+
+def crc32c(data):
+    crc = 0xFFFFFFFF
+    for byte in data:
+        crc = CRC_TABLE[(crc ^ byte) & 0xFF] ^ crc >> 8
+    return crc ^ 0xFFFFFFFF
+
+
+def make_crc_table():
+    table = []
+    for value in range(256):
+        for _ in range(8):
+            value = value >> 1 ^ (0x82F63B78 if value & 1 else 0)
+        table.append(value)
+    return table
+
+
+CRC_TABLE = make_crc_table()
+TREE_FRAME, STATE_FRAME, EVENTS_FRAME = 1, 2, 3
+
+
+def frame(kind, payload):
+    head = struct.pack("<IB", len(payload), kind)
+    return head + struct.pack("<I", crc32c(head + payload)) + payload
+
+
+def frames_of(record):
+    """Offset, type, and end of each."""
+    at = 12
+    while at + 9 <= len(record):
+        size, kind = struct.unpack_from("<IB", record, at)
+        yield at, kind, at + 9 + size
+        at += 9 + size
+
+
+def zeros(size, starts_stream):
+    """So many zero bytes, packed with zstd in 4 bytes for each 128 KiB."""
+    head = b"\x28\xb5\x2f\xfd\x00\x50" if starts_stream else b""
+    block = 128 << 10
+    return head + struct.pack("<I", 1 << 1 | block << 3)[:3].ljust(4, b"\0") * (size // block)
+
+
+class FileAttack(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+
+    def path(self, name):
+        return os.path.join(self.folder, name)
+
+    def write(self, name, content):
+        with open(self.path(name), "wb") as file:
+            file.write(content if isinstance(content, bytes) else content.encode())
+        return name
+
+    def run_program(self, *command, codes=(0, 1, 2), stack=None):
+        ended = Ended(list(command), self.folder, stack)
+        what = " ".join(command) + ": " + ended.text[-500:]
+        self.assertFalse(ended.is_late, what)
+        self.assertIn(ended.code, codes, what)
+        self.assertLessEqual(ended.memory, MEMORY, what)
+        return ended.text
+
+
+class Records(FileAttack):
+    def setUp(self):
+        super().setUp()
+        self.write("t.xml", TREE % '<Sleep msec="1"/>')
+        self.run_program("run", "t.xml", "--quiet", "--record", "good.coppice", codes=(0,))
+        with open(self.path("good.coppice"), "rb") as file:
+            self.good = file.read()
+
+    def read(self, record, codes=(0, 1, 2)):
+        self.write("bad.coppice", record)
+        texts = [self.run_program("stats", "bad.coppice", codes=codes),
+                 self.run_program("replay", "bad.coppice", "--print", codes=codes),
+                 self.run_program("convert", "bad.coppice", "out%d.json" % len(os.listdir(
+                     self.folder)), codes=codes)]
+        return texts[0]
+
+    def after(self, kind):
+        return next(end for _, found, end in frames_of(self.good) if found == kind)
+
+    def test_ticks_that_unpack_to_gigabytes_are_damaged(self):
+        bomb = frame(EVENTS_FRAME, zeros(64 << 20, False))
+        self.assertLess(len(bomb), 5000)
+        self.assertIn("damaged", self.read(self.good[:self.after(STATE_FRAME)] + bomb * 20))
+
+    def test_a_tree_that_unpacks_to_gigabytes_is_damaged(self):
+        bomb = frame(TREE_FRAME, zeros(1 << 30, True))
+        self.read(self.good[:12] + bomb)
+        self.assertIn("damaged", self.read(self.good + bomb))
+
+    def test_damaged_records_end_with_a_message(self):
+        for at in range(0, len(self.good), max(1, len(self.good) // 8)):
+            damaged = bytearray(self.good)
+            damaged[at] ^= 0x55
+            self.read(bytes(damaged))
+            self.read(self.good[:at])
+
+    def test_lengths_that_lie_are_damaged(self):
+        head = struct.pack("<IB", 0xFFFFFFFF, EVENTS_FRAME)
+        self.read(self.good + head + struct.pack("<I", crc32c(head)))
+
+    def test_what_is_no_file_is_no_record(self):
+        os.mkfifo(self.path("pipe"))
+        for name in ("/dev/zero", "/dev/full", "pipe", "."):
+            self.run_program("stats", name, codes=(2,))
+
+
+class Trees(FileAttack):
+    def check(self, text, stack=None):
+        self.write("t.xml", text)
+        return self.run_program("check", "t.xml", stack=stack)
+
+    def test_entities_do_not_multiply(self):
+        entities = '<!ENTITY a0 "ha">' + "".join(
+            '<!ENTITY a%d "%s">' % (i, "&a%d;" % (i - 1) * 10) for i in range(1, 20))
+        self.check("<!DOCTYPE r [" + entities + ']><root name="&a19;"/>')
+
+    def test_nesting_ends_with_an_error(self):
+        deep = TREE % ("<Inverter>" * 100000 + "</Inverter>" * 100000)
+        self.assertIn("error", self.check(deep, stack=512 << 10))
+
+    def test_attributes_without_end_are_an_error(self):
+        many = "".join(' a%d="1"' % i for i in range(100000))
+        self.assertIn("t.xml:1:", self.check(TREE % ("<Sleep%s/>" % many)))
+
+    def test_includes_without_end_are_an_error(self):
+        for i in range(3000):
+            self.write("%d.xml" % i, '<root BTCPP_format="4"><include path="%d.xml"/></root>'
+                       % (i + 1))
+        text = self.run_program("check", "0.xml", codes=(1, 2), stack=512 << 10)
+        self.assertIn("deep", text)
+
+    def test_many_includes_are_read(self):
+        names = "".join('<include path="%d.xml"/>' % i for i in range(3000))
+        for i in range(3000):
+            self.write("%d.xml" % i, '<root BTCPP_format="4"/>')
+        self.check('<root BTCPP_format="4">' + names + "</root>")
+
+    def test_devices_and_pipes_are_no_trees(self):
+        os.mkfifo(self.path("pipe"))
+        for name in ("/dev/zero", "/dev/full", "pipe", "/proc/kmsg", "."):
+            for command in (["check", name], ["run", name, "--quiet"], ["upgrade", name]):
+                self.run_program(*command, codes=(1, 2))
+            self.check('<root BTCPP_format="4"><include path="%s"/></root>' % name)
+
+    def test_subtrees_do_not_multiply(self):
+        trees = "".join('<BehaviorTree ID="T%d"><Sequence><SubTree ID="T%d"/><SubTree ID="T%d"/>'
+                        "</Sequence></BehaviorTree>" % (i, i + 1, i + 1) for i in range(30))
+        self.check('<root BTCPP_format="4" main_tree_to_execute="T0">' + trees +
+                   '<BehaviorTree ID="T30"><AlwaysSuccess/></BehaviorTree></root>')
+
+    def test_a_text_that_joins_itself_fails_at_its_node(self):
+        self.write("t.xml", TREE % '<Script code="s := 0.5 .. 1"/><Repeat num_cycles="100">'
+                                   '<Script code="s := s .. s"/></Repeat>')
+        self.assertIn("scripts join texts up to", self.run_program("run", "t.xml", codes=(1,)))
+
+    def test_long_scripts_end_with_an_error(self):
+        for script in ("(" * 30000, "1+" * 30000 + "1", "-" * 60000 + "1", "x" * 1000000):
+            self.assertIn("error", self.check(TREE % ('<Script code="%s"/>' % script)))
+
+
+class Scenarios(FileAttack):
+    def test_scenarios_of_all_kinds_end_with_a_message(self):
+        self.write("t.xml", TREE % '<Sleep msec="1"/>')
+        for name, text in (("deep", "[" * 1000000), ("object", '{"a":' * 100000),
+                           ("number", '{"scenarios": 1e999}'), ("bytes", "\xff\0\1")):
+            self.write(name + ".json", text)
+            self.run_program("test", name + ".json", codes=(1, 2))
+
+    def test_devices_are_no_scenarios(self):
+        for name in ("/dev/zero", "/dev/full", "."):
+            self.run_program("test", name, codes=(1, 2))
+
+
+class Places(FileAttack):
+    """`-o` and its like replace nothing but files."""
+
+    def setUp(self):
+        super().setUp()
+        self.write("old.xml", '<root main_tree_to_execute="A"><BehaviorTree ID="A">'
+                              "<AlwaysSuccess/></BehaviorTree></root>")
+
+    def test_a_pipe_stays_a_pipe(self):
+        os.mkfifo(self.path("pipe"))
+        self.run_program("upgrade", "old.xml", "-o", "pipe", codes=(2,))
+        self.assertTrue(os.path.exists(self.path("pipe")) and not os.path.isfile(
+            self.path("pipe")))
+
+    def test_a_link_to_a_device_stays_a_link(self):
+        os.symlink("/dev/full", self.path("link"))
+        self.run_program("upgrade", "old.xml", "-o", "link", codes=(2,))
+        self.assertEqual(os.readlink(self.path("link")), "/dev/full")
+
+    def test_a_record_overwrites_nothing(self):
+        self.write("t.xml", TREE % "")
+        self.run_program("run", "t.xml", "--record", "old.xml", codes=(2,))
+        with open(self.path("old.xml")) as file:
+            self.assertIn("AlwaysSuccess", file.read())
+
+
+if __name__ == "__main__":
+    PROGRAM = os.path.abspath(sys.argv.pop(1))
+    signal.signal(signal.SIGPIPE, signal.SIG_DFL)
+    unittest.main()
