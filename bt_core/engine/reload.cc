@@ -14,15 +14,7 @@ namespace {
 constexpr NodeIndex kNone = UINT32_MAX;
 
 bool AreWrittenTheSame(const Program& a, NodeIndex i, const Program& b, NodeIndex k) {
-  const Element& one = a.ElementOf(i);
-  const Element& other = b.ElementOf(k);
-  if (one.tag != other.tag || one.attribute_count != other.attribute_count) return false;
-  const Attribute* x = a.DocumentOf(i).attributes_begin(one);
-  const Attribute* y = b.DocumentOf(k).attributes_begin(other);
-  for (std::uint32_t n = 0; n < one.attribute_count; ++n) {
-    if (x[n].name != y[n].name || x[n].value != y[n].value) return false;
-  }
-  return true;
+  return a.TagOf(i) == b.TagOf(k);
 }
 
 std::uint32_t ChildCountOf(const Program& program, NodeIndex node) {
