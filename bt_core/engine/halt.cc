@@ -18,7 +18,7 @@ void Executor::Halt() {
   HaltAll();
   wake_at_ = kNever;
   tick_again_ = false;
-  ReportHalt();
+  reporter_.EndHalt(ticks_, now_);
 }
 
 void Executor::HaltAll() {
@@ -152,7 +152,7 @@ void Executor::HaltUser(NodeIndex node) {
   } catch (...) {
     AddMessage("while halting: threw something that is not a std::exception");
   }
-  if (listening_) ReportWrites(node);
+  reporter_.Writes(node);
 }
 
 void Executor::Drain(Duration limit) {

@@ -32,10 +32,8 @@ Status Executor::TickHooked(NodeIndex node) {
 Status Executor::Inject(NodeIndex node, Status status) {
   const bool begins = statuses_[node] != Status::kRunning && status == Status::kRunning;
   if (statuses_[node] == Status::kRunning && status != Status::kRunning) HaltRunning(node);
-  if (listening_) {
-    const char byte = static_cast<char>(status);
-    events_.Text(node, EventText::kInjected, std::string_view(&byte, 1));
-  }
+  const char byte = static_cast<char>(status);
+  reporter_.Text(node, EventText::kInjected, std::string_view(&byte, 1));
   if (begins) {
     if (kept_ != 0) LetGo(node);
     ResetChildren(node);

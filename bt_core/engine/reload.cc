@@ -99,7 +99,7 @@ std::vector<SlotIndex> MatchSlots(const Program& old, const Program& next,
 void Executor::Reload(std::shared_ptr<const Program> next) {
   const std::vector<NodeIndex> lives_on = MatchNodes(*program_, *next);
   HaltWhatEnds(lives_on);
-  ReportHalt();
+  reporter_.EndHalt(ticks_, now_);
   NodeHooks* const hooks = hooks_;
   SetHooks(nullptr);
   const std::vector<SlotIndex> slots = MatchSlots(*program_, *next, lives_on);
@@ -111,7 +111,7 @@ void Executor::Reload(std::shared_ptr<const Program> next) {
   MoveNodes(*old_program, lives_on);
   inbox_->Renumber(slots);
   if (statuses_[0] == Status::kRunning) tick_again_ = true;  // what is new begins
-  ReportJump();
+  reporter_.Jump(*this);
   if (hooks) hooks->OnReload();
 }
 

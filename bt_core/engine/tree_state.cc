@@ -25,7 +25,7 @@ void Executor::Restore(const TreeState& state) {
   CountKept();
   RestoreBlackboard(state.blackboard);
   if (statuses_[0] == Status::kRunning) tick_again_ = true;  // timers are armed by a tick
-  ReportJump();
+  reporter_.Jump(*this);
 }
 
 // Only the node knows what it has begun: it can go on or be halted, but not be made to run.
