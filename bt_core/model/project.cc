@@ -7,7 +7,6 @@
 #include <filesystem>
 #include <utility>
 
-#include "bt_core/model/ros_packages.h"
 #include "bt_core/model/upgrade.h"
 
 namespace coppice {
