@@ -55,7 +55,7 @@ void Executor::GiveChildren(UserNode& node, NodeIndex index) {
 }
 
 Status Executor::Tick() {
-  if (hooks_) hooks_->BeforeTick();
+  if (hooked_.hooks()) hooked_.hooks()->BeforeTick();
   now_ = clock_.Now();
   blackboard_.set_now(now_);
   wake_at_ = kNever;

@@ -26,9 +26,8 @@
 #include "bt_core/data/inbox.h"
 #include "bt_core/engine/events.h"
 #include "bt_core/engine/events/tick_reporter.h"
-#include "bt_core/engine/node_hooks.h"
+#include "bt_core/engine/hooked_nodes.h"
 #include "bt_core/engine/program.h"
-#include "bt_core/engine/tree_state.h"
 
 namespace coppice {
 
@@ -49,6 +48,14 @@ struct ExecutorOptions {
 struct TickError : std::runtime_error {
   TickError(NodeIndex at, const std::string& text) : std::runtime_error(text), node(at) {}
   NodeIndex node;
+};
+
+/// The state of a tree between two ticks: what the built-in nodes remember and what is on the
+/// blackboard. Nodes of the user keep what they remember for themselves.
+struct TreeState {
+  std::vector<Status> statuses;
+  std::vector<std::uint64_t> memory;
+  Blackboard blackboard;
 };
 
 class Executor final : public LeafHost, public ChildHost {
@@ -205,7 +212,6 @@ class Executor final : public LeafHost, public ChildHost {
   Status TickAsItself(NodeIndex node);
   Status TickHooked(NodeIndex node);
   Status Inject(NodeIndex node, Status status);
-  bool StopPretending(NodeIndex node);
   void KeepPretending(const std::vector<NodeIndex>& nodes);
   bool IsGuarded(NodeIndex node) const {
     return program_->nodes[node].dispatch == NodeType::kGuarded;
@@ -284,9 +290,7 @@ class Executor final : public LeafHost, public ChildHost {
   TickReporter reporter_{blackboard_};
   bool resets_children_ = false;  // when a node ends, its children are halted one by one
 
-  NodeHooks* hooks_ = nullptr;
-  std::vector<NodeRecord> hooked_nodes_;  // the program's, with some dispatched as kHooked
-  std::vector<NodeIndex> pretending_;     // were made RUNNING by a hook and have begun nothing
+  HookedNodes hooked_;
 
   std::vector<Inbox::Message> delivery_;
   std::vector<Inbox::Call> calls_;

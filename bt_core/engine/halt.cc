@@ -99,7 +99,7 @@ void Executor::CountKept() {
 }
 
 void Executor::HaltRunning(NodeIndex node) {
-  if (StopPretending(node)) return MakeIdle(node);
+  if (hooked_.StopPretending(node)) return MakeIdle(node);
   if (nodes_[node].type == NodeType::kTryCatch) CatchHaltOf(node);
   if (IsUserNode(nodes_[node].type)) HaltUser(node);
   memory_[node] = 0;
@@ -122,7 +122,7 @@ void Executor::CatchHaltOf(NodeIndex node) {
 // something.
 void Executor::HaltDescendants(NodeIndex node) {
   for (NodeIndex i = node + 1; i < nodes_[node].end;) {
-    if (StopPretending(i)) {
+    if (hooked_.StopPretending(i)) {
       MakeIdle(i);
       i = nodes_[i].end;
       continue;

@@ -100,7 +100,7 @@ void Executor::Reload(std::shared_ptr<const Program> next) {
   const std::vector<NodeIndex> lives_on = MatchNodes(*program_, *next);
   HaltWhatEnds(lives_on);
   reporter_.EndHalt(ticks_, now_);
-  NodeHooks* const hooks = hooks_;
+  NodeHooks* const hooks = hooked_.hooks();
   SetHooks(nullptr);
   const std::vector<SlotIndex> slots = MatchSlots(*program_, *next, lives_on);
   statuses_ = statuses();

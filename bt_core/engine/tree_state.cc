@@ -1,5 +1,4 @@
-#include "bt_core/engine/tree_state.h"
-
+// The state of a tree as a value: taken out and put in again.
 #include <stdexcept>
 
 #include "bt_core/engine/executor.h"
