@@ -37,9 +37,9 @@ void AddRecordedModels(const TreeDescription& tree, Registry& registry) {
   if (models) AddModels(*models, registry);
 }
 
-std::shared_ptr<const Program> CompileDocuments(const TreeDescription& tree,
-                                                std::shared_ptr<Registry> registry,
-                                                Diagnostics& diagnostics) {
+void CompileDocuments(RecordedTree& recorded, std::shared_ptr<Registry> registry,
+                      Diagnostics& diagnostics) {
+  const TreeDescription& tree = *recorded.description;
   Diagnostics problems;
   std::optional<Project> project =
       Project::FromText(JoinDocuments(tree, problems), "record", problems);
@@ -47,16 +47,18 @@ std::shared_ptr<const Program> CompileDocuments(const TreeDescription& tree,
     Problems found(problems);
     Tolerance tolerance;
     tolerance.types_without_class = true;  // nothing of the user is run
-    const auto shared = std::make_shared<const Project>(*std::move(project));
-    auto program = TreeCompiler(shared, std::move(registry), tolerance, found)
-                       .Run(tree.main_tree, *shared->Find(tree.main_tree));
-    if (!problems.has_errors()) return program;
+    recorded.project = std::make_shared<const Project>(*std::move(project));
+    auto program = TreeCompiler(recorded.project, std::move(registry), tolerance, found)
+                       .Run(tree.main_tree, *recorded.project->Find(tree.main_tree));
+    if (!problems.has_errors()) {
+      recorded.program = std::move(program);
+      return;
+    }
   }
   for (const Diagnostic& problem : problems.all()) {
     diagnostics.Warning(problem.where, "the recorded tree cannot be compiled: " + problem.message,
                         problem.hint);
   }
-  return nullptr;
 }
 
 // What differs between a described node and that of the program; empty if nothing does.
@@ -173,7 +175,7 @@ RecordedTree CompileRecorded(const TreeDescription& description, std::shared_ptr
   tree.program_slots.assign(description.slots.size(), kNoSlot);
   AddRecordedModels(description, *registry);
   registry->SetFallback([](const std::string&) { return nullptr; });
-  tree.program = CompileDocuments(description, std::move(registry), diagnostics);
+  CompileDocuments(tree, std::move(registry), diagnostics);
   if (!tree.program) return tree;
   const std::string difference = Difference(description, *tree.program);
   if (difference.empty()) {

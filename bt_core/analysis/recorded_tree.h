@@ -24,8 +24,9 @@ struct RecordedTree {
   /// Null if the documents could not be compiled to the described nodes. Its nodes have the
   /// described numbers, its slots have not.
   std::shared_ptr<const Program> program;
-  std::vector<SlotIndex> program_slots;   ///< per described slot its number in the program
-  std::vector<SlotIndex> recorded_slots;  ///< the reverse; kNoSlot in both: no counterpart
+  std::shared_ptr<const Project> project;  ///< what it was compiled from
+  std::vector<SlotIndex> program_slots;    ///< per described slot its number in the program
+  std::vector<SlotIndex> recorded_slots;   ///< the reverse; kNoSlot in both: no counterpart
 
   const std::string& PathOf(NodeIndex node) const { return description->nodes[node].path; }
   /// The last part of the path.

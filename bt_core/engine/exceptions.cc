@@ -22,11 +22,11 @@ void Executor::AddExceptionMessage(NodeIndex node) {
   } catch (const Abort&) {
     throw;
   } catch (const UnsetInput& error) {
-    AddException(node, Describe(error, node));
+    reporter_.Text(node, EventText::kException, Describe(error, node));
   } catch (const std::exception& error) {
-    AddException(node, error.what());
+    reporter_.Text(node, EventText::kException, error.what());
   } catch (...) {
-    AddException(node, "threw something that is not a std::exception");
+    reporter_.Text(node, EventText::kException, "threw something that is not a std::exception");
   }
 }
 

@@ -55,14 +55,14 @@ void Executor::GiveChildren(UserNode& node, NodeIndex index) {
 }
 
 Status Executor::Tick() {
-  if (hooks_) hooks_->BeforeTick();
+  if (hooked_.hooks()) hooked_.hooks()->BeforeTick();
   now_ = clock_.Now();
   blackboard_.set_now(now_);
   wake_at_ = kNever;
   tick_again_ = false;
   ++ticks_;
   RunCalls();
-  if (listening_) tick_start_ = std::chrono::steady_clock::now();
+  reporter_.BeginTick();
   if (!drains_.empty()) ServeDrains();
   if (inbox_->has_messages()) ApplyInbox();
   Status result;
@@ -71,7 +71,7 @@ Status Executor::Tick() {
   } catch (const Abort&) {
     result = EndAborted();
   }
-  if (listening_) ReportTick(result);
+  reporter_.EndTick(ticks_, now_, result);
   if (thrown_) Rethrow();
   return result;
 }
@@ -102,7 +102,7 @@ void Executor::ApplyInbox() {
     slot.value = std::move(message.value);
     slot.epoch = message.epoch;
     slot.CountWrite(now_);
-    if (listening_) ReportDelivery(message.slot);
+    reporter_.Delivery(message.slot);
   }
   delivery_.clear();
 }

@@ -16,7 +16,6 @@
 #ifndef COPPICE_BT_CORE_ENGINE_EXECUTOR_H_
 #define COPPICE_BT_CORE_ENGINE_EXECUTOR_H_
 
-#include <chrono>
 #include <cstdint>
 #include <exception>
 #include <memory>
@@ -26,10 +25,9 @@
 
 #include "bt_core/data/inbox.h"
 #include "bt_core/engine/events.h"
-#include "bt_core/engine/events/written_slots.h"
-#include "bt_core/engine/node_hooks.h"
+#include "bt_core/engine/events/tick_reporter.h"
+#include "bt_core/engine/hooked_nodes.h"
 #include "bt_core/engine/program.h"
-#include "bt_core/engine/tree_state.h"
 
 namespace coppice {
 
@@ -50,6 +48,14 @@ struct ExecutorOptions {
 struct TickError : std::runtime_error {
   TickError(NodeIndex at, const std::string& text) : std::runtime_error(text), node(at) {}
   NodeIndex node;
+};
+
+/// The state of a tree between two ticks: what the built-in nodes remember and what is on the
+/// blackboard. Nodes of the user keep what they remember for themselves.
+struct TreeState {
+  std::vector<Status> statuses;
+  std::vector<std::uint64_t> memory;
+  Blackboard blackboard;
 };
 
 class Executor final : public LeafHost, public ChildHost {
@@ -120,8 +126,8 @@ class Executor final : public LeafHost, public ChildHost {
   }
 
   /// Sinks must live as long as the executor or be removed. Between ticks.
-  void AddSink(TickSink* sink);
-  void RemoveSink(TickSink* sink);
+  void AddSink(TickSink* sink) { reporter_.Add(sink, *program_); }
+  void RemoveSink(TickSink* sink) { reporter_.Remove(sink); }
 
   /// Asks `hooks` before every tick, and before and after each tick of these nodes; null takes the
   /// hooks away. They must live until then. Between ticks; also from within a hook, with at least
@@ -129,9 +135,11 @@ class Executor final : public LeafHost, public ChildHost {
   void SetHooks(NodeHooks* hooks, const std::vector<NodeIndex>& nodes = {});
 
   /// From within a hook: the sinks get what has happened in this tick so far.
-  void ReportSoFar();
+  void ReportSoFar() { reporter_.SoFar(ticks_, now_); }
 
-  void AddMessage(std::string text) override;
+  void AddMessage(std::string text) override {
+    reporter_.Text(current_, EventText::kMessage, text);
+  }
   std::uint32_t current_node() const override { return current_; }
   bool ResumeSkipped() override;
   void KeepSkipped() override;
@@ -204,7 +212,6 @@ class Executor final : public LeafHost, public ChildHost {
   Status TickAsItself(NodeIndex node);
   Status TickHooked(NodeIndex node);
   Status Inject(NodeIndex node, Status status);
-  bool StopPretending(NodeIndex node);
   void KeepPretending(const std::vector<NodeIndex>& nodes);
   bool IsGuarded(NodeIndex node) const {
     return program_->nodes[node].dispatch == NodeType::kGuarded;
@@ -218,26 +225,13 @@ class Executor final : public LeafHost, public ChildHost {
   Status EndAborted();
   [[noreturn]] void Rethrow();
   Status Store(NodeIndex node, Status result) {
-    if (listening_) return StoreAndReport(node, result);
+    if (reporter_.is_listening()) return reporter_.Store(statuses_.data(), node, result);
     return statuses_[node] = result;
   }
   void MakeIdle(NodeIndex node) {
-    if (listening_) events_.Reset(node);
+    reporter_.Reset(node);
     statuses_[node] = Status::kIdle;
   }
-
-  // For the watchers (reporting.cc).
-  [[gnu::noinline]] Status StoreAndReport(NodeIndex node, Status result);
-  [[gnu::noinline]] Status StoreAndReportWrites(NodeIndex node, Status result);
-  void StartListening();
-  void ReportWrites(NodeIndex node);
-  void ReportWrite(SlotIndex slot, NodeIndex writer);
-  void ReportDelivery(SlotIndex slot);
-  void AddException(NodeIndex node, const std::string& text);
-  void ReportTick(Status result);
-  void ReportHalt();
-  void ReportJump();
-  void Report(Status result, Duration duration, bool is_whole);
 
   // What skipped nodes keep (halt.cc).
   bool Keeps(NodeIndex node) const {
@@ -293,18 +287,10 @@ class Executor final : public LeafHost, public ChildHost {
   NodeIndex thrower_ = 0;
   std::exception_ptr thrown_;
 
-  std::vector<TickSink*> sinks_;
+  TickReporter reporter_{blackboard_};
   bool resets_children_ = false;  // when a node ends, its children are halted one by one
 
-  bool listening_ = false;  // someone wants events; the next three are in use then
-  EventWriter events_;      // since the last report
-  WrittenSlots written_slots_;
-  std::vector<std::uint32_t> reported_writes_;  // per slot: how many writes were reported
-  std::chrono::steady_clock::time_point tick_start_;
-
-  NodeHooks* hooks_ = nullptr;
-  std::vector<NodeRecord> hooked_nodes_;  // the program's, with some dispatched as kHooked
-  std::vector<NodeIndex> pretending_;     // were made RUNNING by a hook and have begun nothing
+  HookedNodes hooked_;
 
   std::vector<Inbox::Message> delivery_;
   std::vector<Inbox::Call> calls_;

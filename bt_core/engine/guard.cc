@@ -50,21 +50,21 @@ void Executor::RunHaltedHook(NodeIndex node) {
   } catch (...) {
     AddExceptionMessage(node);
   }
-  if (listening_) ReportWrites(node);
+  reporter_.Writes(node);
 }
 
 Status Executor::TickGuarded(NodeIndex node, bool hooked) {
   const GuardRecord& guards = GuardsOf(node);
   try {
     const Status decided = AskGuards(guards, node, statuses_[node] == Status::kRunning);
-    if (listening_) ReportWrites(node);
+    reporter_.Writes(node);
     const Status result = decided != Status::kIdle ? Store(node, decided)
                           : hooked                 ? TickHooked(node)
                                                    : TickAsItself(node);
     if (result == Status::kSuccess) RunHook(guards, Guard::kOnSuccess);
     if (result == Status::kFailure) RunHook(guards, Guard::kOnFailure);
     if (IsCompleted(result)) RunHook(guards, Guard::kPost);
-    if (listening_) ReportWrites(node);
+    reporter_.Writes(node);
     return result;
   } catch (const Abort&) {
     throw;

@@ -18,7 +18,7 @@ void Executor::Halt() {
   HaltAll();
   wake_at_ = kNever;
   tick_again_ = false;
-  ReportHalt();
+  reporter_.EndHalt(ticks_, now_);
 }
 
 void Executor::HaltAll() {
@@ -99,7 +99,7 @@ void Executor::CountKept() {
 }
 
 void Executor::HaltRunning(NodeIndex node) {
-  if (StopPretending(node)) return MakeIdle(node);
+  if (hooked_.StopPretending(node)) return MakeIdle(node);
   if (nodes_[node].type == NodeType::kTryCatch) CatchHaltOf(node);
   if (IsUserNode(nodes_[node].type)) HaltUser(node);
   memory_[node] = 0;
@@ -122,7 +122,7 @@ void Executor::CatchHaltOf(NodeIndex node) {
 // something.
 void Executor::HaltDescendants(NodeIndex node) {
   for (NodeIndex i = node + 1; i < nodes_[node].end;) {
-    if (StopPretending(i)) {
+    if (hooked_.StopPretending(i)) {
       MakeIdle(i);
       i = nodes_[i].end;
       continue;
@@ -152,7 +152,7 @@ void Executor::HaltUser(NodeIndex node) {
   } catch (...) {
     AddMessage("while halting: threw something that is not a std::exception");
   }
-  if (listening_) ReportWrites(node);
+  reporter_.Writes(node);
 }
 
 void Executor::Drain(Duration limit) {

@@ -2,37 +2,39 @@
 
 namespace coppice {
 
-const Document& Program::DocumentOf(NodeIndex node) const {
-  return project->documents()[info[node].document];
+namespace {
+
+std::string IdOf(const StartTag& tag) {
+  return CategoryFromTag(tag.name) ? std::string(tag.Value("ID")) : tag.name;
 }
 
-const Element& Program::ElementOf(NodeIndex node) const {
-  return DocumentOf(node).element(info[node].element);
+}  // namespace
+
+const SourceText& Program::TextOf(NodeIndex node) const {
+  return texts[trees[info[node].scope].document];
 }
 
-std::string Program::Id(NodeIndex node) const {
-  const Element& element = ElementOf(node);
-  if (CategoryFromTag(element.tag)) {
-    return std::string(DocumentOf(node).AttributeValue(element, "ID"));
-  }
-  return std::string(element.tag);
-}
+StartTag Program::TagOf(NodeIndex node) const { return TextOf(node).StartTagAt(info[node].offset); }
+
+std::string Program::Id(NodeIndex node) const { return IdOf(TagOf(node)); }
 
 std::string Program::Name(NodeIndex node) const {
-  const std::string_view name = DocumentOf(node).AttributeValue(ElementOf(node), "name");
-  return name.empty() ? Id(node) : std::string(name);
+  const StartTag tag = TagOf(node);
+  const std::string_view name = tag.Value("name");
+  return name.empty() ? IdOf(tag) : std::string(name);
 }
 
 std::string Program::Path(NodeIndex node) const {
   const std::string& instance = trees[info[node].scope].path;
-  const std::string_view name = DocumentOf(node).AttributeValue(ElementOf(node), "name");
+  const StartTag tag = TagOf(node);
+  const std::string_view name = tag.Value("name");
   const std::string own =
-      name.empty() ? Id(node) + "::" + std::to_string(node + 1) : std::string(name);
+      name.empty() ? IdOf(tag) + "::" + std::to_string(node + 1) : std::string(name);
   return instance.empty() ? own : instance + "/" + own;
 }
 
 SourceLocation Program::Location(NodeIndex node) const {
-  return DocumentOf(node).Location(ElementOf(node).offset);
+  return TextOf(node).Location(info[node].offset);
 }
 
 std::uint32_t Program::FirstPort(NodeIndex node) const {

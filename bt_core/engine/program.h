@@ -1,6 +1,8 @@
 // A tree that is ready to run: flat arrays, every name resolved, every port bound to a slot.
 // Immutable; any number of Executors may run the same Program.
 //
+// Of the documents only the texts are kept, packed: a node with its text takes about 60 bytes.
+//
 // Nodes lie in preorder, so the descendants of node i are the nodes i + 1 .. end of i - 1, and its
 // first child is i + 1. SubTrees are expanded in place. What a tick needs is in `nodes`; what
 // people need is beside it.
@@ -16,6 +18,7 @@
 #include "bt_core/data/blackboard.h"
 #include "bt_core/engine/registry.h"
 #include "bt_core/model/project.h"
+#include "bt_core/model/source_text.h"
 #include "bt_core/nodes/control.h"
 #include "bt_core/nodes/guards.h"
 #include "bt_core/script/script.h"
@@ -55,16 +58,17 @@ struct NodeInfo {
   const Registry::Entry* entry;  ///< null for a leaf that only the fallback knows
   NodeIndex parent;              ///< itself for the root
   ScopeIndex scope;              ///< blackboard scope that its ports are looked up in
-  std::uint32_t document;        ///< of Project::documents()
-  ElementIndex element;          ///< where it is written
+  ElementIndex element;          ///< of the document, where it is written
+  std::uint32_t offset;          ///< of that element in the text, in bytes
 };
 
 /// One tree or SubTree instance, in the order of creation. Its scope has the same number.
 struct TreeInstance {
   std::string id;
-  std::string path;  ///< empty for the main tree
-  NodeIndex root;    ///< first node inside
-  NodeIndex node;    ///< the SubTree node that it hangs on; for the main tree its root
+  std::string path;        ///< empty for the main tree
+  NodeIndex root;          ///< first node inside
+  NodeIndex node;          ///< the SubTree node that it hangs on; for the main tree its root
+  std::uint32_t document;  ///< where it is written: a number in Program::texts
 };
 
 class Program {
@@ -77,7 +81,9 @@ class Program {
   std::vector<NodeInfo> info;
   std::vector<TreeInstance> trees;
   Layout layout;
-  std::shared_ptr<const Project> project;
+  std::vector<SourceText> texts;  ///< of the project's documents, in their order
+  NodeModels subtree_models;      ///< Project::subtree_models()
+  std::string main_tree;          ///< Project::main_tree(); another one may have been compiled
   std::shared_ptr<const Registry> registry;
 
   /// Registration ID ("Sequence", "DriveTo"; for a SubTree the ID of its tree).
@@ -92,11 +98,13 @@ class Program {
   /// Number of its first port in `ports`, whatever kind of node it is.
   std::uint32_t FirstPort(NodeIndex node) const;
 
-  const Element& ElementOf(NodeIndex node) const;
-  const Document& DocumentOf(NodeIndex node) const;
+  /// How it is written. Read from the text, so it is not for what must be quick.
+  StartTag TagOf(NodeIndex node) const;
+  /// The text that it is written in.
+  const SourceText& TextOf(NodeIndex node) const;
 };
 
-/// Translates a tree of a project. All problems go to `diagnostics`; returns null if one of them is
+/// Translates a tree of a project, which the program does not keep. All problems go to `diagnostics`; returns null if one of them is
 /// an error. `tree_id` empty: the project's main tree.
 std::shared_ptr<const Program> Compile(std::shared_ptr<const Project> project,
                                        std::shared_ptr<const Registry> registry,

@@ -14,15 +14,7 @@ namespace {
 constexpr NodeIndex kNone = UINT32_MAX;
 
 bool AreWrittenTheSame(const Program& a, NodeIndex i, const Program& b, NodeIndex k) {
-  const Element& one = a.ElementOf(i);
-  const Element& other = b.ElementOf(k);
-  if (one.tag != other.tag || one.attribute_count != other.attribute_count) return false;
-  const Attribute* x = a.DocumentOf(i).attributes_begin(one);
-  const Attribute* y = b.DocumentOf(k).attributes_begin(other);
-  for (std::uint32_t n = 0; n < one.attribute_count; ++n) {
-    if (x[n].name != y[n].name || x[n].value != y[n].value) return false;
-  }
-  return true;
+  return a.TagOf(i) == b.TagOf(k);
 }
 
 std::uint32_t ChildCountOf(const Program& program, NodeIndex node) {
@@ -107,8 +99,8 @@ std::vector<SlotIndex> MatchSlots(const Program& old, const Program& next,
 void Executor::Reload(std::shared_ptr<const Program> next) {
   const std::vector<NodeIndex> lives_on = MatchNodes(*program_, *next);
   HaltWhatEnds(lives_on);
-  ReportHalt();
-  NodeHooks* const hooks = hooks_;
+  reporter_.EndHalt(ticks_, now_);
+  NodeHooks* const hooks = hooked_.hooks();
   SetHooks(nullptr);
   const std::vector<SlotIndex> slots = MatchSlots(*program_, *next, lives_on);
   statuses_ = statuses();
@@ -119,7 +111,7 @@ void Executor::Reload(std::shared_ptr<const Program> next) {
   MoveNodes(*old_program, lives_on);
   inbox_->Renumber(slots);
   if (statuses_[0] == Status::kRunning) tick_again_ = true;  // what is new begins
-  ReportJump();
+  reporter_.Jump(*this);
   if (hooks) hooks->OnReload();
 }
 

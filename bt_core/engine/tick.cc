@@ -157,7 +157,7 @@ const std::array<Executor::TickTable::Function, Executor::TickTable::kCount>
     Executor::TickTable::functions = Make();
 
 Status Executor::Tick(NodeIndex node) {
-  if (listening_) ReportWrites(program_->info[node].parent);
+  reporter_.Writes(program_->info[node].parent);
   return TickTable::Call(*this, node, nodes_[node].dispatch);
 }
 
@@ -175,7 +175,7 @@ Status Executor::TickChild(NodeIndex node) {
 
 void Executor::HaltChild(NodeIndex node) {
   const NodeIndex caller = current_;
-  if (listening_ && statuses_[node] != Status::kIdle) ReportWrites(caller);
+  if (statuses_[node] != Status::kIdle) reporter_.Writes(caller);
   Halt(node);
   current_ = caller;
 }

@@ -1,5 +1,4 @@
-#include "bt_core/engine/tree_state.h"
-
+// The state of a tree as a value: taken out and put in again.
 #include <stdexcept>
 
 #include "bt_core/engine/executor.h"
@@ -25,7 +24,7 @@ void Executor::Restore(const TreeState& state) {
   CountKept();
   RestoreBlackboard(state.blackboard);
   if (statuses_[0] == Status::kRunning) tick_again_ = true;  // timers are armed by a tick
-  ReportJump();
+  reporter_.Jump(*this);
 }
 
 // Only the node knows what it has begun: it can go on or be halted, but not be made to run.

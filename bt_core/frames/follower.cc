@@ -19,9 +19,24 @@ void HistoryFollower::Apply(const TickEvents& events) {
       events, [](const StatusChange&) {}, [](const Event&) {});
 }
 
+// A tick that stands at a breakpoint has nodes whose parents are not yet what they will be.
+void HistoryFollower::Note(const TickEvents& events) {
+  if (!events.is_whole) return Apply(events);
+  Pass(events);
+  is_noted_ = true;
+  ForEachEvent(
+      events.words, [this](NodeIndex node, Status status) { statuses_.Note(node, status); },
+      [this](const Event& event) { ApplyWrite(event); });
+}
+
+void HistoryFollower::Settle() {
+  if (std::exchange(is_noted_, false)) statuses_.Settle();
+}
+
 // What a follower knows of the children that were ticked last is the same after each of these
 // calls, so equal statuses are the whole of its state.
 bool HistoryFollower::ApplyAgain(const TickEvents& events) {
+  Settle();
   const std::vector<Status> statuses = statuses_.statuses();
   const std::vector<Status> lasts = statuses_.lasts();
   Apply(events);

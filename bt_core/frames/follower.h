@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "bt_core/engine/events/inline_event_reader.h"
+#include "bt_core/engine/events/for_each_event.h"
 #include "bt_core/engine/events/status_follower.h"
 #include "bt_core/frames/history.h"
 
@@ -19,6 +19,10 @@ class HistoryFollower {
   /// Becomes what the state says.
   void Set(const HistoryState& state);
   void Apply(const TickEvents& events);
+  /// The same for events of an executor; what follows from those of a whole tick is worked out by
+  /// Settle, which has to be called before a status is asked for.
+  void Note(const TickEvents& events);
+  void Settle();
   /// Applies the same events as the last Apply or ApplyAgain. True if that changed nothing: then
   /// they never will, as long as no others come, and Pass is enough for the ticks to come.
   bool ApplyAgain(const TickEvents& events);
@@ -53,20 +57,26 @@ class HistoryFollower {
   std::uint64_t tick_ = 0;
   Time time_{0};
   std::vector<std::string> values_;
+  bool is_noted_ = false;  // something that is not settled
 };
 
 template <class OnChange, class OnEvent>
 void HistoryFollower::Apply(const TickEvents& events, OnChange on_change, OnEvent on_event) {
   Pass(events);
-  InlineEventReader reader(events.words);
-  for (Event event; reader.Next(event);) {
-    on_event(event);
-    if (event.is_status()) {
-      statuses_.Apply(event, on_change);
-    } else {
-      ApplyWrite(event);
-    }
-  }
+  Settle();
+  ForEachEvent(
+      events.words,
+      [&](NodeIndex node, Status status) {
+        Event event;
+        event.code = static_cast<EventCode>(status);
+        event.index = node;
+        on_event(event);
+        statuses_.Apply(event, on_change);
+      },
+      [&](const Event& event) {
+        on_event(event);
+        ApplyWrite(event);
+      });
 }
 
 }  // namespace coppice

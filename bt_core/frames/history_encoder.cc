@@ -95,7 +95,7 @@ void HistoryEncoder::Add(const TickEvents& events) {
 
 void HistoryEncoder::Follow(const TickEvents& events) {
   if (ticks_.repetitions() == 0) {
-    follower_->Apply(events);
+    follower_->Note(events);
     is_settled_ = false;
   } else if (is_settled_) {
     follower_->Pass(events);
@@ -106,7 +106,7 @@ void HistoryEncoder::Follow(const TickEvents& events) {
 
 void HistoryEncoder::Skip(const TickEvents& events) {
   if (!follower_) return;
-  follower_->Apply(events);
+  follower_->Note(events);
   within_tick_ = !events.is_whole;
   gap_.cause = HistoryGap::Cause::kOutput;
   CountLost(events.tick, events.tick, events.is_whole ? 1 : 0);
@@ -177,9 +177,15 @@ void HistoryEncoder::EmitTree() {
   owes_tree_ = false;
 }
 
+const HistoryFollower* HistoryEncoder::follower() const {
+  if (!follower_) return nullptr;
+  follower_->Settle();
+  return &*follower_;
+}
+
 // The state begins a stream that the ticks behind it go on with.
 void HistoryEncoder::EmitState(HistoryState::Cause cause) {
-  const HistoryState state = follower_->State(cause);
+  const HistoryState state = follower()->State(cause);
   Bytes raw;
   Encoder body(raw);
   EncodeStateBody(state, body);

@@ -86,7 +86,7 @@ class HistoryEncoder {
   void End(HistoryEnd::Cause cause, Time time);
 
   /// What the frames so far amount to. Null before the first state.
-  const HistoryFollower* follower() const { return follower_ ? &*follower_ : nullptr; }
+  const HistoryFollower* follower() const;
   const TreeDescription& tree() const { return tree_; }
 
  private:
@@ -107,7 +107,7 @@ class HistoryEncoder {
   FrameSink& sink_;
   std::shared_ptr<const Program> program_;
   TreeDescription tree_;
-  std::optional<HistoryFollower> follower_;
+  mutable std::optional<HistoryFollower> follower_;  // settled when somebody asks
   TickEncoder ticks_;
   Packer packer_;
   HistoryGap gap_;            // what is missing and not said yet

@@ -4,7 +4,7 @@
 #include <chrono>
 
 #include "bt_core/data/value_bytes.h"
-#include "bt_core/engine/events/inline_event_reader.h"
+#include "bt_core/engine/events/for_each_event.h"
 
 namespace coppice {
 namespace {
@@ -54,12 +54,13 @@ class EventsEncoder {
  public:
   EventsEncoder(Bytes& out, std::size_t much) : bytes_(out), out_(out), much_(much) {}
 
+  void Add(NodeIndex node, Status status) {
+    Token(names_.node, node, static_cast<std::uint64_t>(status));
+  }
+
   void Add(const Event& event) {
-    std::uint32_t& before = NamesSlot(event.code) ? names_.slot : names_.node;
-    out_.Unsigned(ZigZag(Step(before, event.index)) << kCodeBits |
-                  static_cast<std::uint64_t>(event.code));
-    before = event.index;
-    if (event.is_status()) return;
+    Token(NamesSlot(event.code) ? names_.slot : names_.node, event.index,
+          static_cast<std::uint64_t>(event.code));
     const std::size_t limit = bytes_.size() > much_ ? kShortValueBytes : kMaxValueBytes;
     if (event.code == EventCode::kText) {
       out_.Unsigned(static_cast<std::uint64_t>(event.text));
@@ -71,6 +72,11 @@ class EventsEncoder {
   }
 
  private:
+  void Token(std::uint32_t& before, std::uint32_t index, std::uint64_t code) {
+    out_.Unsigned(ZigZag(Step(before, index)) << kCodeBits | code);
+    before = index;
+  }
+
   void Writer(NodeIndex writer) {
     if (writer == kNoNode) return out_.Unsigned(0);
     out_.Unsigned(ZigZag(Step(names_.node, writer)) + 1);
@@ -204,8 +210,9 @@ void TickEncoder::EncodeEvents(EventWords words, std::size_t before) {
   repetitions_ = 0;
   events_.clear();
   EventsEncoder encoder(events_, before < kMuch ? kMuch - before : 0);
-  InlineEventReader reader(words);
-  for (Event event; reader.Next(event);) encoder.Add(event);
+  ForEachEvent(
+      words, [&](NodeIndex node, Status status) { encoder.Add(node, status); },
+      [&](const Event& event) { encoder.Add(event); });
   is_reusable_ = before + events_.size() <= kMuch;
   words_.assign(words.data, words.data + words.size);
 }

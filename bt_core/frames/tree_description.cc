@@ -34,8 +34,8 @@ void DescribeNodes(const Program& program, std::vector<DescribedNode>& nodes) {
   for (NodeIndex node = 0; node < program.nodes.size(); ++node) {
     const NodeInfo& info = program.info[node];
     nodes.push_back({program.Path(node), program.Id(node), CategoryOf(program, node),
-                     RunsOneChild(program.nodes[node].type), info.parent, info.document,
-                     info.element, Ports(program, node)});
+                     RunsOneChild(program.nodes[node].type), info.parent,
+                     program.trees[info.scope].document, info.element, Ports(program, node)});
   }
 }
 
@@ -102,8 +102,8 @@ TreeDescription DescribeTree(const Program& program, RunInfo info) {
   tree.writer = std::string("Coppice ") + kVersion + ", compiler " __VERSION__;
   tree.info = std::move(info);
   tree.main_tree = program.trees.front().id;
-  for (const Document& document : program.project->documents()) {
-    tree.documents.push_back({document.file(), document.text()});
+  for (const SourceText& text : program.texts) {
+    tree.documents.push_back({text.file(), text.text()});
   }
   tree.models = WriteModels(*program.registry);
   DescribeNodes(program, tree.nodes);

@@ -109,6 +109,9 @@ class Document {
   /// message about a part of a value, such as a script.
   std::uint32_t OffsetInValue(const Attribute& attribute, std::size_t decoded_offset) const;
 
+  /// Turns the text into the user's file. Empty if it is the user's file: all but after Rewritten.
+  const Edit& edit_to_file() const { return content_->back; }
+
   /// Line and column of a byte offset, in the user's file. Binary search.
   SourceLocation Location(std::uint32_t offset) const;
 

@@ -1,4 +1,5 @@
-// Which file an <include> element names.
+// Which file an <include path="..."/> or <include ros_pkg="..." path="..."/> names. ROS packages are
+// found without ROS.
 #ifndef COPPICE_BT_CORE_MODEL_INCLUDE_PATH_H_
 #define COPPICE_BT_CORE_MODEL_INCLUDE_PATH_H_
 
@@ -17,6 +18,12 @@ using PackageFinder = std::function<std::string(const std::string& package)>;
 /// attribute that is wrong, with the nearest file name.
 std::string IncludePath(const Document& document, const Element& include,
                         const PackageFinder& find_package, Diagnostics& diagnostics);
+
+/// The folder of a ROS package, or empty if there is none. Looks for the package.xml of that name
+/// below the folders of ROS_PACKAGE_PATH (ROS 1, first match wins, no package inside of another),
+/// then for share/PACKAGE below the folders of AMENT_PREFIX_PATH (ROS 2), and at last asks the
+/// program `rospack` if there is one. Reads the disk on every call.
+std::string FindRosPackage(const std::string& package);
 
 }  // namespace coppice
 

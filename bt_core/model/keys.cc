@@ -11,6 +11,11 @@ std::string_view Trim(std::string_view text) {
   return text.substr(first, text.find_last_not_of(' ') - first + 1);
 }
 
+bool IsTrue(std::string_view text) {
+  bool value = false;
+  return ValueTraits<bool>::Parse(text, value) && value;
+}
+
 }  // namespace
 
 std::string_view KeyOf(std::string_view text, std::string_view own_name) {
@@ -24,10 +29,10 @@ std::string_view KeyOf(std::string_view text, std::string_view own_name) {
 }
 
 bool IsAutoremapped(const Document& document, const Element& subtree) {
-  bool value = false;
-  const std::string_view text = document.AttributeValue(subtree, "_autoremap");
-  return ValueTraits<bool>::Parse(text, value) && value;
+  return IsTrue(document.AttributeValue(subtree, "_autoremap"));
 }
+
+bool IsAutoremapped(const StartTag& subtree) { return IsTrue(subtree.Value("_autoremap")); }
 
 bool IsPrivateKey(std::string_view key) { return key.substr(0, 1) == "_"; }
 

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "bt_core/model/document.h"
+#include "bt_core/model/source_text.h"
 
 namespace coppice {
 
@@ -19,6 +20,7 @@ std::string_view KeyOf(std::string_view text, std::string_view own_name);
 /// True for a <SubTree> whose `_autoremap` is a true value: its keys are those of the tree outside,
 /// but for the private ones and those that have attributes of their own.
 bool IsAutoremapped(const Document& document, const Element& subtree);
+bool IsAutoremapped(const StartTag& subtree);
 
 /// True for a key that `_autoremap` leaves to the SubTree: it begins with an underscore.
 bool IsPrivateKey(std::string_view key);

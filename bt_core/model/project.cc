@@ -8,7 +8,6 @@
 #include <set>
 #include <utility>
 
-#include "bt_core/model/ros_packages.h"
 #include "bt_core/model/upgrade.h"
 
 namespace coppice {

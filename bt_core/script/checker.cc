@@ -1,3 +1,7 @@
+// One pass over the nodes, operands first, for types go upwards. A key without a declared type may
+// be anything until the tree runs, so only what cannot work with any value is a problem; the rest
+// is left to the interpreter. Operators on literals are computed here with the functions of the
+// run, so a folded expression cannot mean something else.
 #include "bt_core/script/checker.h"
 
 #include <numeric>

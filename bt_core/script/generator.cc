@@ -1,3 +1,7 @@
+// Most scripts are guards: a few comparisons that are asked in every tick. So a comparison of a
+// slot with a constant becomes one instruction, && and || become jumps, and what a guard answers is
+// returned from where it is known. The code is made twice, once for Run and once for Test, because
+// a run does not want the value of the last statement.
 #include "bt_core/script/generator.h"
 
 #include <algorithm>

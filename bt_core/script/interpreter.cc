@@ -1,3 +1,7 @@
+// Scripts run in every tick, so a run allocates nothing: registers and the texts that it makes lie
+// on the stack, and only texts that are too long for that go to the heap. One switch over the
+// instructions, those of guards first, is enough: the generator makes few of them. Errors are
+// exceptions, so what does not fail pays nothing for them.
 #include <charconv>
 #include <cstring>
 #include <forward_list>

@@ -1,3 +1,7 @@
+// By precedence climbing (Richards 1979): operators and their precedences are a table (grammar.h),
+// so one function reads all of them. Who writes a script wants all mistakes at once, but each once:
+// after a failure the functions at work run to the end of the statement in silence. A node is
+// appended behind its operands, so that the checker meets these first without recursion.
 #include "bt_core/script/parser.h"
 
 #include <algorithm>
@@ -15,7 +19,6 @@ namespace {
 
 std::string Quoted(std::string_view text) { return "\"" + std::string(text) + "\""; }
 
-// By precedence climbing (Richards 1979).
 class Parser {
  public:
   Parser(std::string_view script, std::vector<ScriptProblem>& problems)

@@ -311,19 +311,16 @@ MockedTree::Inputs MockedTree::InputsOfPorts(const Part& part) const {
 // Of a node of a type that nobody declared: every attribute may be an input.
 MockedTree::Inputs MockedTree::InputsOfAttributes(NodeIndex node) const {
   Inputs inputs;
-  const Document& document = program_->DocumentOf(node);
-  const Element& element = program_->ElementOf(node);
-  for (const Attribute* attribute = document.attributes_begin(element);
-       attribute != document.attributes_end(element); ++attribute) {
-    if (IsReservedAttribute(attribute->name)) continue;
-    const std::string_view key = KeyOf(attribute->value, attribute->name);
+  for (const auto& [name, value] : program_->TagOf(node).attributes) {
+    if (IsReservedAttribute(name)) continue;
+    const std::string_view key = KeyOf(value, name);
     if (key.empty()) {
-      inputs.emplace_back(attribute->name, attribute->value);
+      inputs.emplace_back(name, value);
       continue;
     }
     const SlotIndex slot = program_->layout.Find(program_->info[node].scope, key);
     if (slot == kNoSlot || !executor_->blackboard()[slot].value.has_value()) continue;
-    inputs.emplace_back(attribute->name, executor_->blackboard()[slot].value.Print());
+    inputs.emplace_back(name, executor_->blackboard()[slot].value.Print());
   }
   return inputs;
 }

@@ -72,7 +72,7 @@ std::unique_ptr<RunSource> Simulator::Start(OpenProject& files, const std::strin
   diagnostics.Append(of_scenarios);
   path_ = path;
   models_ = std::move(models);
-  tree_id_ = program->trees[0].id == program->project->main_tree() ? "" : program->trees[0].id;
+  tree_id_ = program->trees[0].id == program->main_tree ? "" : program->trees[0].id;
   is_playing_ = false;
   result_.reset();
   problem_.clear();
@@ -149,10 +149,10 @@ void Simulator::ReloadIfEdited(OpenProject& files, double now) {
 }
 
 bool Simulator::IsSameText(const Program& program) const {
-  const auto& texts = program.project->documents();
-  const auto& before = get()->program()->project->documents();
+  const auto& texts = program.texts;
+  const auto& before = get()->program()->texts;
   return std::equal(texts.begin(), texts.end(), before.begin(), before.end(),
-                    [](const Document& a, const Document& b) {
+                    [](const SourceText& a, const SourceText& b) {
                       return a.file() == b.file() && a.text() == b.text();
                     });
 }

@@ -27,8 +27,9 @@ FLOORS = {
         {"bt_core/script": "the expression language of guards, hooks and script nodes, compiled to "
                            "typed code on slots"},
         {"bt_core/model": "`Document` (the user's text with an index of positions), `Edit` (a change "
-                          "of it that can be undone), `Project` (files with includes), format 3, "
-                          "`Manifest` and `NodeModel`, what counts as a key ([XML](xml.md))"},
+                          "of it that can be undone), `SourceText` (the text, packed, for a "
+                          "program), `Project` (files with includes), format 3, `Manifest` and "
+                          "`NodeModel`, what counts as a key ([XML](xml.md))"},
         {"bt_core/nodes": "what control nodes and decorators do in a tick; base classes of the "
                           "user's nodes"},
         {"bt_core/engine": "`Registry`, `Compile` (Document → `Program`; [loading](loading.md)), "

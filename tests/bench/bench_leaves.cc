@@ -104,21 +104,15 @@ std::shared_ptr<const Registry> BenchRegistry() {
   return all;
 }
 
-std::shared_ptr<const Project> Read(const std::string& text) {
+std::shared_ptr<const Program> Load(const std::string& text) {
   Diagnostics diagnostics;
   std::optional<Project> project = Project::FromText(text, "bench.xml", diagnostics);
   if (!project) throw std::runtime_error(diagnostics.ToString());
-  return std::make_shared<const Project>(*std::move(project));
-}
-
-std::shared_ptr<const Program> Compile(std::shared_ptr<const Project> project) {
-  Diagnostics diagnostics;
-  auto program = coppice::Compile(std::move(project), BenchRegistry(), diagnostics);
+  auto program =
+      Compile(std::make_shared<const Project>(*std::move(project)), BenchRegistry(), diagnostics);
   if (!program) throw std::runtime_error(diagnostics.ToString());
   return program;
 }
-
-std::shared_ptr<const Program> Load(const std::string& text) { return Compile(Read(text)); }
 
 Tree::Tree(const std::string& text, int sinks)
     : listeners(static_cast<std::size_t>(sinks)), executor(Load(text), clock) {

@@ -16,10 +16,6 @@ std::shared_ptr<const Registry> BenchRegistry();
 /// Throws std::runtime_error if the text has errors.
 std::shared_ptr<const Program> Load(const std::string& text);
 
-/// The two halves of Load. Both throw std::runtime_error if there is an error.
-std::shared_ptr<const Project> Read(const std::string& text);
-std::shared_ptr<const Program> Compile(std::shared_ptr<const Project> project);
-
 /// Listens and does nothing.
 class IdleSink : public TickSink {
  public:

@@ -101,6 +101,7 @@ SideBySide::~SideBySide() = default;
 
 void SideBySide::Listen() {
   watcher_.follower.emplace(ShapeOf(executor_->program()), executor_->statuses());
+  watcher_.noted = watcher_.follower;
   executor_->AddSink(&watcher_);
 }
 
@@ -131,6 +132,11 @@ void SideBySide::LogStatuses() {
   const auto& watcher = watcher_.follower;
   for (const Status status : watcher ? watcher->statuses() : executor_->statuses()) {
     actual_.push_back(kNode + static_cast<int>(status));
+  }
+  if (watcher) {
+    StatusFollower noted = *watcher_.noted;  // which itself goes on unsettled
+    noted.Settle();
+    if (noted.statuses() != watcher->statuses()) actual_.push_back(kNode);
   }
   LogHooks();
 }

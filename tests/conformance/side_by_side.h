@@ -69,9 +69,13 @@ class SideBySide {
    public:
     void OnTick(const TickEvents& events) override {
       EventReader reader(events.words);
-      for (Event event; reader.Next(event);) follower->Apply(event);
+      for (Event event; reader.Next(event);) {
+        follower->Apply(event);
+        if (event.is_status()) noted->Note(event.index, event.status());
+      }
     }
     std::optional<StatusFollower> follower;  // none: does not watch
+    std::optional<StatusFollower> noted;     // knows the same, but settles only when it is asked
   } watcher_;
   std::unique_ptr<Executor> executor_;
 };

@@ -28,6 +28,23 @@ void CheckPositions(const Document& document) {
   }
 }
 
+void CheckSource(const Document& document) {
+  const SourceText source(document);
+  Require(source.text() == document.text());
+  for (const Element& element : document.elements()) {
+    const StartTag tag = source.StartTagAt(element.offset);
+    Require(tag.name == element.tag && tag.attributes.size() == element.attribute_count);
+    const Attribute* written = document.attributes_begin(element);
+    for (const auto& [name, value] : tag.attributes) {
+      Require(name == written->name && value == written->value);
+      ++written;
+    }
+    const SourceLocation expected = document.Location(element.offset);
+    const SourceLocation found = source.Location(element.offset);
+    Require(found.line == expected.line && found.column == expected.column);
+  }
+}
+
 void CheckDiagnostics(const Diagnostics& diagnostics, const std::string& text) {
   for (const Diagnostic& diagnostic : diagnostics.all()) {
     Require(diagnostic.where.line >= 1 && diagnostic.where.column >= 1);
@@ -48,6 +65,7 @@ int FuzzDocument(std::string_view bytes) {
     return 0;
   }
   CheckPositions(*document);
+  CheckSource(*document);
 
   auto project = Project::FromText(text, "", diagnostics);
   CheckDiagnostics(diagnostics, text);

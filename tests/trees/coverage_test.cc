@@ -20,9 +20,7 @@ struct Can {
 };
 
 std::string TextOf(const Program& program, NodeIndex node, const char* attribute) {
-  const Attribute* const found =
-      program.DocumentOf(node).FindAttribute(program.ElementOf(node), attribute);
-  return found ? std::string(found->value) : std::string();
+  return std::string(program.TagOf(node).Value(attribute));
 }
 
 bool EndsWith(const std::string& text, const std::string& end) {

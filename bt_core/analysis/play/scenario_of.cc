@@ -56,7 +56,7 @@ bool IsWhole(const Recording& run, std::size_t begin, std::size_t end, Diagnosti
 RecordedTree TreeWithStandIns(const TreeDescription& description, Diagnostics& diagnostics) {
   RecordedTree tree = CompileRecorded(description, std::make_shared<Registry>(), diagnostics);
   if (!tree.program) return tree;
-  const auto registry = ScenarioRegistry(*tree.program->project);
+  const auto registry = ScenarioRegistry(*tree.project);
   return CompileRecorded(description, std::make_shared<Registry>(*registry), diagnostics);
 }
 

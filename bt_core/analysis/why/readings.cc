@@ -12,7 +12,7 @@ bool IsAtOrBelow(const TreeShape& shape, NodeIndex node, NodeIndex top) {
 }
 
 std::string AttributeOf(const Program& program, NodeIndex node, std::string_view name) {
-  return std::string(program.DocumentOf(node).AttributeValue(program.ElementOf(node), name));
+  return std::string(program.TagOf(node).Value(name));
 }
 
 void AddGuards(const RecordedTree& tree, NodeIndex node, std::vector<NodeScript>& scripts) {

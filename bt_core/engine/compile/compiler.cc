@@ -10,10 +10,13 @@ constexpr std::size_t kMostNodes = 1'000'000;
 constexpr std::size_t kDeepest = 10'000;
 constexpr std::size_t kMostPathBytes = std::size_t{32} << 20;
 
-std::shared_ptr<Program> EmptyProgram(std::shared_ptr<const Project> project,
+std::shared_ptr<Program> EmptyProgram(const Project& project,
                                       std::shared_ptr<const Registry> registry) {
   auto program = std::make_shared<Program>();
-  program->project = std::move(project);
+  program->texts.reserve(project.documents().size());
+  for (const Document& document : project.documents()) program->texts.emplace_back(document);
+  program->subtree_models = project.subtree_models();
+  program->main_tree = project.main_tree();
   program->registry = std::move(registry);
   return program;
 }
@@ -23,24 +26,25 @@ std::shared_ptr<Program> EmptyProgram(std::shared_ptr<const Project> project,
 TreeCompiler::TreeCompiler(std::shared_ptr<const Project> project,
                            std::shared_ptr<const Registry> registry, Tolerance tolerance,
                            Problems& problems)
-    : program_(EmptyProgram(std::move(project), std::move(registry))),
+    : project_(std::move(project)),
+      program_(EmptyProgram(*project_, std::move(registry))),
       problems_(problems),
       keys_(program_->layout),
       types_(program_->layout, problems),
       scripts_(keys_, types_, problems),
       ports_(keys_, types_, scripts_, problems),
       guards_(scripts_, problems),
-      lookup_(*program_->project, *program_->registry, tolerance, problems),
-      subtrees_(*program_, keys_, types_, tolerance, problems) {}
+      lookup_(*project_, *program_->registry, tolerance, problems),
+      subtrees_(*project_, *program_, keys_, types_, tolerance, problems) {}
 
 std::shared_ptr<const Program> TreeCompiler::Run(const std::string& tree_id,
                                                  const TreeDefinition& tree) {
-  subtrees_.OpenMain(tree_id);
+  subtrees_.OpenMain(tree_id, tree);
   // More than one root is an error of the project; what is wrong in them is said nevertheless.
-  const Document& document = program_->project->documents()[tree.document];
+  const Document& document = project_->documents()[tree.document];
   for (ElementIndex root = document.element(tree.element).first_child; root != kNoElement;
        root = document.element(root).next_sibling) {
-    Walk(Site(*program_->project, tree.document, root, 0));
+    Walk(Site(*project_, tree.document, root, 0));
   }
   types_.Settle();
   scripts_.Compile(program_->registry->script_constants(), program_->scripts);
@@ -61,7 +65,7 @@ void TreeCompiler::Walk(const Site& root) {
 
 void TreeCompiler::AddChild() {
   Level& level = levels_.back();
-  const Site site(*program_->project, level.document, level.next, level.scope);
+  const Site site(*project_, level.document, level.next, level.scope);
   level.next = site.element.next_sibling;
   AddElement(site, level.node);  // may add a level
 }
@@ -100,8 +104,8 @@ void TreeCompiler::AddSubTree(const Site& site, const FoundNode& found, NodeInde
   const TreeDefinition* tree = subtrees_.Find(site, found.id);
   if (!tree) return;
   const NodeIndex node = AddRecord(NodeType::kSubTree, site, found.entry, parent);
-  const ScopeIndex inner = subtrees_.Open(site, found.id, node);
-  const Document& document = program_->project->documents()[tree->document];
+  const ScopeIndex inner = subtrees_.Open(site, found.id, *tree, node);
+  const Document& document = project_->documents()[tree->document];
   const ElementIndex root = document.element(tree->element).first_child;
   levels_.push_back({node, tree->document, root, inner, true});
 }
@@ -112,7 +116,7 @@ NodeIndex TreeCompiler::AddRecord(NodeType type, const Site& site, const Registr
   const auto first_port = static_cast<std::uint32_t>(program_->ports.size());
   const bool guarded = guards_.Read(site, node, program_->guards);
   program_->nodes.push_back({type, guarded ? NodeType::kGuarded : type, node + 1, first_port});
-  program_->info.push_back({entry, parent, site.scope, site.document_number, site.index});
+  program_->info.push_back({entry, parent, site.scope, site.index, site.element.offset});
   return node;
 }
 

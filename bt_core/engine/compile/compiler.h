@@ -55,6 +55,7 @@ class TreeCompiler {
   bool IsTooBig(const Site& site);
   void GiveBackSpareMemory();
 
+  const std::shared_ptr<const Project> project_;
   std::shared_ptr<Program> program_;
   Problems& problems_;
   KeyTable keys_;

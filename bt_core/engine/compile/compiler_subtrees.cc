@@ -9,17 +9,17 @@
 
 namespace coppice {
 
-void SubTreeBinder::OpenMain(const std::string& id) {
+void SubTreeBinder::OpenMain(const std::string& id, const TreeDefinition& tree) {
   keys_.AddScope(0, false);
   program_.layout.scopes.push_back(id);
-  program_.trees.push_back({id, "", 0, 0});
-  const std::string_view main = program_.project->trees().find(id)->first;
+  program_.trees.push_back({id, "", 0, 0, tree.document});
+  const std::string_view main = project_.trees().find(id)->first;
   open_.push_back(main);
   is_open_.insert(main);
 }
 
 const TreeDefinition* SubTreeBinder::Find(const Site& site, std::string_view id) {
-  const TreeDefinition* tree = program_.project->Find(id);
+  const TreeDefinition* tree = project_.Find(id);
   if (!tree) {
     ReportMissing(site, id);
   } else if (is_open_.count(id) > 0) {
@@ -31,7 +31,7 @@ const TreeDefinition* SubTreeBinder::Find(const Site& site, std::string_view id)
 
 void SubTreeBinder::ReportMissing(const Site& site, std::string_view id) {
   std::vector<std::string> ids;
-  for (const auto& [known, definition] : program_.project->trees()) ids.push_back(known);
+  for (const auto& [known, definition] : project_.trees()) ids.push_back(known);
   const std::string file = FindTreeInFolder(site.document.file(), id);
   std::string advice = file.empty() ? DidYouMean(id, ids) : file + " has it; include that file";
   if (!tolerance_.unknown_trees) {
@@ -51,14 +51,16 @@ void SubTreeBinder::ReportLoop(const Site& site, std::string_view id) {
                   chain + std::string(id));
 }
 
-ScopeIndex SubTreeBinder::Open(const Site& site, std::string_view id, NodeIndex node) {
+ScopeIndex SubTreeBinder::Open(const Site& site, std::string_view id, const TreeDefinition& tree,
+                               NodeIndex node) {
   if (site.element.child_count > 0) {
     problems_.Error(site.document, site.element.offset, "<SubTree> must not have children");
   }
   const bool autoremap = IsAutoremapped(site.document, site.element);
-  const ScopeIndex inner = AddInstance(site, id, node, autoremap);
+  const ScopeIndex inner = AddInstance(
+      site, {std::string(id), program_.Path(node), node + 1, node, tree.document}, autoremap);
   Remap(site, inner);
-  if (const NodeModel* model = program_.project->SubTreeModel(id)) {
+  if (const NodeModel* model = project_.SubTreeModel(id)) {
     ApplyModel(site, *model, inner, autoremap);
     CheckNames(site, *model);
   }
@@ -67,17 +69,16 @@ ScopeIndex SubTreeBinder::Open(const Site& site, std::string_view id, NodeIndex 
   return inner;
 }
 
-ScopeIndex SubTreeBinder::AddInstance(const Site& site, std::string_view id, NodeIndex node,
-                                      bool autoremap) {
-  std::string path = program_.Path(node);
-  path_bytes_ += path.size();
-  if (!paths_.insert(path).second) {
-    problems_.Error(site.document, site.element.offset,
-                    "two SubTrees in the same tree have the name " + Quoted(program_.Name(node)),
-                    "give each a name of its own");
+ScopeIndex SubTreeBinder::AddInstance(const Site& site, TreeInstance instance, bool autoremap) {
+  path_bytes_ += instance.path.size();
+  if (!paths_.insert(instance.path).second) {
+    problems_.Error(
+        site.document, site.element.offset,
+        "two SubTrees in the same tree have the name " + Quoted(program_.Name(instance.node)),
+        "give each a name of its own");
   }
-  program_.layout.scopes.push_back(path);
-  program_.trees.push_back({std::string(id), std::move(path), node + 1, node});
+  program_.layout.scopes.push_back(instance.path);
+  program_.trees.push_back(std::move(instance));
   return keys_.AddScope(site.scope, autoremap);
 }
 
@@ -107,7 +108,7 @@ void SubTreeBinder::RemapOne(const Site& site, ScopeIndex inner, std::string_vie
 
 void SubTreeBinder::ApplyModel(const Site& site, const NodeModel& model, ScopeIndex inner,
                                bool autoremap) {
-  const Document& document = program_.project->documents()[model.document];
+  const Document& document = project_.documents()[model.document];
   const std::uint32_t offset = document.element(model.element).offset;
   for (const PortModel& port : model.ports) {
     const bool given = site.document.FindAttribute(site.element, port.name) != nullptr;

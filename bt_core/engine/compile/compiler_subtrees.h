@@ -22,12 +22,17 @@ namespace coppice {
 
 class SubTreeBinder {
  public:
-  SubTreeBinder(Program& program, KeyTable& keys, SlotTypes& types, Tolerance tolerance,
-                Problems& problems)
-      : program_(program), keys_(keys), types_(types), tolerance_(tolerance), problems_(problems) {}
+  SubTreeBinder(const Project& project, Program& program, KeyTable& keys, SlotTypes& types,
+                Tolerance tolerance, Problems& problems)
+      : project_(project),
+        program_(program),
+        keys_(keys),
+        types_(types),
+        tolerance_(tolerance),
+        problems_(problems) {}
 
   /// The main tree: scope 0.
-  void OpenMain(const std::string& id);
+  void OpenMain(const std::string& id, const TreeDefinition& tree);
 
   /// The tree that a SubTree names. Null, with an error, if there is none or if it is one of those
   /// that are open now.
@@ -35,7 +40,8 @@ class SubTreeBinder {
 
   /// Makes the instance that hangs on that SubTree node, which must be in the program already, and
   /// returns its scope. What is added until Close is inside.
-  ScopeIndex Open(const Site& site, std::string_view id, NodeIndex node);
+  ScopeIndex Open(const Site& site, std::string_view id, const TreeDefinition& tree,
+                  NodeIndex node);
   void Close();
 
   /// Length of the paths of all instances so far, in bytes.
@@ -44,13 +50,14 @@ class SubTreeBinder {
  private:
   void ReportMissing(const Site& site, std::string_view id);
   void ReportLoop(const Site& site, std::string_view id);
-  ScopeIndex AddInstance(const Site& site, std::string_view id, NodeIndex node, bool autoremap);
+  ScopeIndex AddInstance(const Site& site, TreeInstance instance, bool autoremap);
   void Remap(const Site& site, ScopeIndex inner);
   void RemapOne(const Site& site, ScopeIndex inner, std::string_view name, std::string_view text,
                 std::uint32_t offset);
   void ApplyModel(const Site& site, const NodeModel& model, ScopeIndex inner, bool autoremap);
   void CheckNames(const Site& site, const NodeModel& model);
 
+  const Project& project_;
   Program& program_;
   KeyTable& keys_;
   SlotTypes& types_;

@@ -26,4 +26,14 @@ StatusFollower::StatusFollower(TreeShape shape, std::vector<Status> statuses,
   last_.resize(shape_.size(), Status::kIdle);
 }
 
+// As Executor::statuses().
+void StatusFollower::Settle() {
+  for (NodeIndex node = 1; node < shape_.size(); ++node) {
+    const NodeIndex parent = shape_[node].parent;
+    const NodeIndex ticked = ticked_child_[parent];
+    const bool is_behind = shape_[parent].runs_one_child && ticked > parent && node > ticked;
+    if (statuses_[parent] != Status::kRunning || is_behind) statuses_[node] = Status::kIdle;
+  }
+}
+
 }  // namespace coppice

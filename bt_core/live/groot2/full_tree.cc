@@ -67,11 +67,8 @@ class TreeWriter {
   }
 
   void WrittenAttributes(NodeIndex node) {
-    const Document& document = program_.DocumentOf(node);
-    const Element& element = program_.ElementOf(node);
-    for (const coppice::Attribute* a = document.attributes_begin(element);
-         a != document.attributes_end(element); ++a) {
-      if (!IsReservedAttribute(a->name) || IsGuardAttribute(a->name)) Attribute(a->name, a->value);
+    for (const auto& [name, value] : program_.TagOf(node).attributes) {
+      if (!IsReservedAttribute(name) || IsGuardAttribute(name)) Attribute(name, value);
     }
   }
 

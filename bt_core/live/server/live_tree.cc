@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "bt_core/data/literal.h"
-#include "bt_core/engine/events/inline_event_reader.h"
+#include "bt_core/engine/events/for_each_event.h"
 
 namespace coppice {
 namespace {
@@ -117,12 +117,11 @@ void LiveTree::OnTick(const TickEvents& events) {
 }
 
 void LiveTree::Count(const TickEvents& events) {
-  InlineEventReader reader(events.words);
-  for (Event event; reader.Next(event);) {
-    if (event.is_result() && event.index < counts_.size()) {
-      ++counts_[event.index][static_cast<std::size_t>(event.code) - 1];
-    }
-  }
+  const auto count = [this](NodeIndex node, Status status) {
+    if (status == Status::kIdle || node >= counts_.size()) return;
+    ++counts_[node][static_cast<std::size_t>(status) - 1];
+  };
+  ForEachEvent(events.words, count, [](const Event&) {});
 }
 
 void LiveTree::OnFrame(const Frame& frame) {

@@ -1,4 +1,4 @@
-// A steady tick allocates nothing.
+// A steady tick allocates nothing, and a loaded tree holds little.
 #include <gtest/gtest.h>
 
 #include "tests/bt_core/counting_new.h"
@@ -40,6 +40,12 @@ class IsPositive : public Condition {
   static constexpr const char* kDescription = "Is the number positive?";
   Input<double> number{this, "number", "which"};
   bool Check() override { return *number > 0; }
+};
+
+class Nod : public SyncAction {
+ public:
+  static constexpr const char* kDescription = "Succeeds.";
+  Status Run() override { return Status::kSuccess; }
 };
 
 class CountingSink : public TickSink {
@@ -154,6 +160,26 @@ class AllocationTest : public testing::Test {
   SimulatedClock clock_;
   std::unique_ptr<Executor> executor_;
 };
+
+// A tree of so many levels, each node of which but the leaves has four children.
+std::string FullTree(int levels, const std::string& indent = "\n") {
+  if (levels == 1) return indent + "<Nod/>";
+  std::string text = indent + "<Sequence>";
+  for (int i = 0; i < 4; ++i) text += FullTree(levels - 1, indent + "  ");
+  return text + indent + "</Sequence>";
+}
+
+TEST(Memory, OfALoadedTreeIsAtMostAHundredBytesPerNode) {
+  Diagnostics diagnostics;
+  const std::string text = Root("<BehaviorTree ID=\"Main\">" + FullTree(8) + "</BehaviorTree>");
+  const auto registry = std::make_shared<Registry>();
+  registry->Register<Nod>("Nod");
+  SimulatedClock clock;
+  const std::int64_t before = BytesHeld();
+  const Executor executor(CompileText(text, diagnostics, registry), clock);
+  const auto nodes = static_cast<std::int64_t>(executor.program().nodes.size());
+  EXPECT_LE((BytesHeld() - before) / nodes, 100) << nodes << " nodes";
+}
 
 TEST(Allocations, AreCounted) {
   const std::size_t before = Allocations();

@@ -1,5 +1,3 @@
-#include "bt_core/engine/tree_state.h"
-
 #include <gtest/gtest.h>
 
 #include "tests/bt_core/engine/fixture.h"

@@ -20,7 +20,7 @@ TEST(TreeDescription, SaysWhatTheProgramIs) {
   EXPECT_EQ(tree.main_tree, "Main");
   ASSERT_THAT(tree.documents, SizeIs(1));
   EXPECT_EQ(tree.documents[0].file, "recorded.xml");
-  EXPECT_EQ(tree.documents[0].text, program->project->documents()[0].text());
+  EXPECT_EQ(tree.documents[0].text, program->texts[0].text());
   EXPECT_THAT(tree.models, HasSubstr(R"(<Action ID="Scripted">)"));
   ASSERT_THAT(tree.nodes, SizeIs(5));
   EXPECT_EQ(tree.nodes[0].id, "Sequence");

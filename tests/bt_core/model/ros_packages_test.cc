@@ -1,4 +1,4 @@
-#include "bt_core/model/ros_packages.h"
+#include "bt_core/model/include_path.h"
 
 #include <gtest/gtest.h>
 

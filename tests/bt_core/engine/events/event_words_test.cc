@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "bt_core/data/value_bytes.h"
-#include "bt_core/engine/events/inline_event_reader.h"
+#include "bt_core/engine/events/for_each_event.h"
 
 namespace coppice {
 namespace {
@@ -61,15 +61,28 @@ std::string Describe(const Event& event) {
          std::string(event.bytes);
 }
 
-template <class Reader>
 std::vector<std::string> ReadAll(EventWords words) {
   std::vector<std::string> events;
-  Reader reader(words);
+  EventReader reader(words);
   for (Event event; reader.Next(event);) events.push_back(Describe(event));
   return events;
 }
 
-TEST(InlineEventReader, ReadsWhatTheOtherReads) {
+std::vector<std::string> ForAll(EventWords words) {
+  std::vector<std::string> events;
+  ForEachEvent(
+      words,
+      [&](NodeIndex node, Status status) {
+        Event event;
+        event.code = static_cast<EventCode>(status);
+        event.index = node;
+        events.push_back(Describe(event));
+      },
+      [&](const Event& event) { events.push_back(Describe(event)); });
+  return events;
+}
+
+TEST(ForEachEvent, ReadsWhatTheReaderReads) {
   EventWriter writer;
   writer.Status(2, Status::kFailure);
   for (std::size_t size = 0; size < 9; ++size) {
@@ -79,7 +92,7 @@ TEST(InlineEventReader, ReadsWhatTheOtherReads) {
   }
   for (std::size_t size = 0; size <= writer.words().size; ++size) {
     const EventWords words{writer.words().data, size};
-    EXPECT_EQ(ReadAll<InlineEventReader>(words), ReadAll<EventReader>(words)) << size;
+    EXPECT_EQ(ForAll(words), ReadAll(words)) << size;
   }
 }
 

@@ -49,6 +49,19 @@ TEST(StatusFollower, BehindTheRunningChildOfASequenceAllAreIdle) {
   EXPECT_EQ(follower.statuses(), (Statuses{kRunning, kRunning, kIdle, kIdle, kIdle, kIdle}));
 }
 
+TEST(StatusFollower, WhatWasNotedFollowsWhenItIsSettled) {
+  StatusFollower applied = Follower();
+  StatusFollower noted = Follower();
+  for (const Event& event : {Of(1, kSuccess), Of(3, kSuccess), Of(4, kRunning), Of(2, kRunning),
+                             Of(0, kRunning), Of(1, kRunning), Of(2, kIdle), Of(0, kRunning)}) {
+    applied.Apply(event);
+    noted.Note(event.index, event.status());
+  }
+  noted.Settle();
+  EXPECT_EQ(noted.statuses(), applied.statuses());
+  EXPECT_EQ(noted.lasts(), applied.lasts());
+}
+
 TEST(StatusFollower, ChangesComeInTheOrderOfHappening) {
   StatusFollower follower = Follower();
   std::vector<NodeIndex> nodes;
