@@ -1,5 +1,5 @@
-// The nodes that somebody has chosen (node_hooks.h): they are dispatched as kHooked in a copy of the
-// program's records, so the others pay nothing.
+// The nodes that somebody has chosen (node_hooks.h): they are dispatched as kHooked in a copy of
+// the program's records, so the others pay nothing.
 #ifndef COPPICE_BT_CORE_ENGINE_HOOKED_NODES_H_
 #define COPPICE_BT_CORE_ENGINE_HOOKED_NODES_H_
 
@@ -13,8 +13,8 @@ namespace coppice {
 
 class HookedNodes {
  public:
-  /// Null, or no nodes: none is chosen. Returns the records to tick by. While nodes are chosen these
-  /// stay where they are, so that this may be called from within a hook.
+  /// Null, or no nodes: none is chosen. Returns the records to tick by. While nodes are chosen
+  /// these stay where they are, so that this may be called from within a hook.
   const NodeRecord* Choose(NodeHooks* hooks, const std::vector<NodeIndex>& nodes,
                            const Program& program) {
     hooks_ = hooks;

@@ -82,7 +82,7 @@ class Program {
   std::vector<TreeInstance> trees;
   Layout layout;
   std::vector<SourceText> texts;  ///< of the project's documents, in their order
-  NodeModels subtree_models;      ///< Project::subtree_models()
+  NodeModelMap subtree_models;    ///< Project::subtree_models()
   std::string main_tree;          ///< Project::main_tree(); another one may have been compiled
   std::shared_ptr<const Registry> registry;
 
@@ -104,8 +104,8 @@ class Program {
   const SourceText& TextOf(NodeIndex node) const;
 };
 
-/// Translates a tree of a project, which the program does not keep. All problems go to `diagnostics`; returns null if one of them is
-/// an error. `tree_id` empty: the project's main tree.
+/// Translates a tree of a project, which the program does not keep. All problems go to
+/// `diagnostics`; returns null if one of them is an error. `tree_id` empty: the project's main tree.
 std::shared_ptr<const Program> Compile(std::shared_ptr<const Project> project,
                                        std::shared_ptr<const Registry> registry,
                                        Diagnostics& diagnostics, const std::string& tree_id = {});

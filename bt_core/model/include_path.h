@@ -1,5 +1,5 @@
-// Which file an <include path="..."/> or <include ros_pkg="..." path="..."/> names. ROS packages are
-// found without ROS.
+// Which file an <include path="..."/> or <include ros_pkg="..." path="..."/> names. ROS packages
+// are found without ROS.
 #ifndef COPPICE_BT_CORE_MODEL_INCLUDE_PATH_H_
 #define COPPICE_BT_CORE_MODEL_INCLUDE_PATH_H_
 

@@ -1,7 +1,7 @@
 // ZeroMQ, its encryption and ROS are not compiled with the sanitizer, which therefore does not see
 // how messages and reference counts are handed from thread to thread in them and takes that for
-// races. Twice it gets no further than the standard library on the way from ZeroMQ's I/O thread back;
-// those two functions must be named themselves.
+// races. Twice it gets no further than the standard library on the way from ZeroMQ's I/O thread
+// back; those two functions must be named themselves.
 extern "C" const char* __tsan_default_suppressions();  // NOLINT(bugprone-reserved-identifier)
 extern "C" const char* __tsan_default_suppressions() {
   return "race:libzmq.so\n"

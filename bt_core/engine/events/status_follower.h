@@ -46,9 +46,9 @@ class StatusFollower {
   template <class OnChange>
   void Apply(const Event& event, OnChange on_change);
 
-  /// Instead of Apply, for an event of a whole tick: what follows from it for other nodes is left to
-  /// Settle, which has to be called before a status is asked for. Four times cheaper, but the events
-  /// must be those of an executor.
+  /// Instead of Apply, for an event of a whole tick: what follows from it for other nodes is left
+  /// to Settle, which has to be called before a status is asked for. Four times cheaper, but the
+  /// events must be those of an executor.
   void Note(NodeIndex node, Status status) {
     if (node >= statuses_.size()) return;
     statuses_[node] = status;

@@ -1,5 +1,5 @@
-// What the watchers on the ticking thread get to know: collects the events of a tick (event_words.h)
-// and hands them to the sinks. While there are none, each call is one branch.
+// What the watchers on the ticking thread get to know: collects the events of a tick
+// (event_words.h) and hands them to the sinks. While there are none, each call is one branch.
 #ifndef COPPICE_BT_CORE_ENGINE_EVENTS_TICK_REPORTER_H_
 #define COPPICE_BT_CORE_ENGINE_EVENTS_TICK_REPORTER_H_
 
