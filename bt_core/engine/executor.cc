@@ -71,7 +71,7 @@ Status Executor::Tick() {
   } catch (const Abort&) {
     result = EndAborted();
   }
-  reporter_.EndTick(ticks_, now_, result);
+  if (reporter_.is_listening()) reporter_.EndTick(ticks_, now_, result);
   if (thrown_) Rethrow();
   return result;
 }

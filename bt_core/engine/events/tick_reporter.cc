@@ -104,7 +104,6 @@ void TickReporter::AddText(NodeIndex node, EventText kind, std::string_view text
 }
 
 void TickReporter::EndTick(std::uint64_t tick, Time now, Status result) {
-  if (!listening_) return;
   for (SlotIndex slot = 0; slot < blackboard_.size(); ++slot) AddWrite(slot, kNoNode);
   const Duration duration = std::chrono::steady_clock::now() - begin_;
   Report({tick, now, duration, result, true, events_.words()});

@@ -52,7 +52,7 @@ class TickReporter {
   void BeginTick() {
     if (listening_) begin_ = std::chrono::steady_clock::now();
   }
-  /// `tick` and `now` go to the sinks: number and time of the tick.
+  /// `tick` and `now` go to the sinks: number and time of the tick. Only while somebody listens.
   void EndTick(std::uint64_t tick, Time now, Status result);
   /// After a halt: nothing, if nothing has happened.
   void EndHalt(std::uint64_t tick, Time now);

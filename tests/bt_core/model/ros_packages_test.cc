@@ -1,11 +1,11 @@
-#include "bt_core/model/include_path.h"
-
 #include <gtest/gtest.h>
 
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <optional>
+
+#include "bt_core/model/include_path.h"
 
 namespace coppice {
 namespace {
