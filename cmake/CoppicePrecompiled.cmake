@@ -49,7 +49,7 @@ function(coppice_precompile target use)
       target_include_directories(${shared} PRIVATE ${PROJECT_SOURCE_DIR})
       list(APPEND headers <gmock/gmock.h> <gtest/gtest.h>)
       foreach(header ${COPPICE_${COPPICE_HEADERS}_TEST_HEADERS})
-        list(APPEND headers ${PROJECT_SOURCE_DIR}/${header})
+        list(APPEND headers <${header}>)  # found from the root, as sources find it
       endforeach()
     else()
       set_target_properties(${shared} PROPERTIES POSITION_INDEPENDENT_CODE ON)

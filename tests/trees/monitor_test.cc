@@ -64,9 +64,9 @@ TEST_F(MonitorTree, RestartsTheNodeThatPublishesASilentTopic) {
 }
 
 TEST_F(MonitorTree, AsksAPersonAboutARecordThatStopsForWhichNoNodeIsBlamed) {
-  Health health;
+  leaves::Health health;
   health.stamp = scenario_.now();
-  health.entries = {{"logger", "record", "", HealthLevel::kError, "nothing written for 61 s"}};
+  health.entries = {{"logger", "record", "", leaves::HealthLevel::kError, "nothing written for 61 s"}};
   scenario_.Set("monitoring", health);
   scenario_.Tick();
   EXPECT_EQ(scenario_.CallsBeginning("Ask loggers: "), 1);
