@@ -4,6 +4,7 @@
 #define COPPICE_TESTS_TREES_TREE_SCENARIO_H_
 
 #include <algorithm>
+#include <map>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -30,6 +31,9 @@ class TreeScenario {
     program_ = CompileFile(SourceFolder() + "/trees/" + file, registry, diagnostics, tree);
     if (!program_) throw std::runtime_error(diagnostics.ToString());
     executor_ = std::make_unique<Executor>(program_, clock_);
+    for (NodeIndex node = 0; node < program_->nodes.size(); ++node) {
+      nodes_.emplace(program_->Name(node), node);
+    }
   }
 
   leaves::FakeRobot robot;
@@ -103,13 +107,13 @@ class TreeScenario {
   };
 
   NodeIndex IndexOf(const std::string& name) const {
-    for (NodeIndex node = 0; node < program_->nodes.size(); ++node) {
-      if (program_->Name(node) == name) return node;
-    }
-    throw std::invalid_argument("no node \"" + name + "\"");
+    const auto found = nodes_.find(name);
+    if (found == nodes_.end()) throw std::invalid_argument("no node \"" + name + "\"");
+    return found->second;
   }
 
   std::shared_ptr<const Program> program_;
+  std::map<std::string, NodeIndex> nodes_;  // by name; of namesakes the first
   Order order_;
   SimulatedClock clock_{std::chrono::seconds(1000)};
   std::unique_ptr<Executor> executor_;

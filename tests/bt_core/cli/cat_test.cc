@@ -45,7 +45,7 @@ TEST_F(CatTest, WrongUsageAndUnreadableFilesAreTwo) {
   EXPECT_EQ(Run(RunCat, {"a.xml", "b.xml"}), 2);
   EXPECT_EQ(Run(RunCat, {"a.xml", "--set"}), 2);
   EXPECT_EQ(Run(RunCat, {"/no/such.xml"}), 2);
-  EXPECT_NE(err_.find("cannot read"), std::string::npos);
+  EXPECT_NE(err_.find("cannot be read: No such file"), std::string::npos);
 }
 
 }  // namespace
