@@ -105,7 +105,8 @@ class Program {
 };
 
 /// Translates a tree of a project, which the program does not keep. All problems go to
-/// `diagnostics`; returns null if one of them is an error. `tree_id` empty: the project's main tree.
+/// `diagnostics`; returns null if one of them is an error. `tree_id` empty: the main tree of the
+/// project.
 std::shared_ptr<const Program> Compile(std::shared_ptr<const Project> project,
                                        std::shared_ptr<const Registry> registry,
                                        Diagnostics& diagnostics, const std::string& tree_id = {});

@@ -66,7 +66,8 @@ TEST_F(MonitorTree, RestartsTheNodeThatPublishesASilentTopic) {
 TEST_F(MonitorTree, AsksAPersonAboutARecordThatStopsForWhichNoNodeIsBlamed) {
   leaves::Health health;
   health.stamp = scenario_.now();
-  health.entries = {{"logger", "record", "", leaves::HealthLevel::kError, "nothing written for 61 s"}};
+  health.entries = {
+      {"logger", "record", "", leaves::HealthLevel::kError, "nothing written for 61 s"}};
   scenario_.Set("monitoring", health);
   scenario_.Tick();
   EXPECT_EQ(scenario_.CallsBeginning("Ask loggers: "), 1);
