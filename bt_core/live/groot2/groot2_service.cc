@@ -29,7 +29,7 @@ Parts Groot2Service::Answer(const Request& request, bool may_control, Duration n
   if (controls && !may_control) {
     return groot2::MakeError("this client may watch, not control: its token is for readers");
   }
-  Heed(now);
+  if (may_control) Heed(now);  // who may only watch brings no breakpoint of another back
   try {
     Outcome outcome = controls ? Control(request) : Serve(request);
     if (!outcome.problem.empty()) return groot2::MakeError(std::move(outcome.problem));

@@ -71,6 +71,13 @@ TEST_F(Groot2ServiceTest, DisablesHooksWhenNobodyAsksAndEnablesThemWhenSomebodyD
   EXPECT_TRUE(tree_->debugger().hooks()[0].hook.enabled);
 }
 
+TEST_F(Groot2ServiceTest, AReaderBringsBackNoHookWhoseOwnerIsSilent) {
+  Ask('I', kFailSecond);
+  service_.Expire(now_ += 5s);
+  Ask('S', {}, false);
+  EXPECT_FALSE(tree_->debugger().hooks()[0].hook.enabled);
+}
+
 TEST_F(Groot2ServiceTest, PublishesTheNodeOfAHookThatActed) {
   Ask('I', kFailSecond);
   Tick();
