@@ -18,6 +18,7 @@ add_library(coppice_warnings INTERFACE)
 target_compile_options(coppice_warnings INTERFACE -Wall -Wextra -Werror)
 
 if(COPPICE_SANITIZE)
+  set(COPPICE_SANITIZER_OPTIONS ${PROJECT_SOURCE_DIR}/tests/support/sanitizer_options.cc)
   add_compile_options(-fsanitize=${COPPICE_SANITIZE} -fno-omit-frame-pointer
                       -fno-sanitize-recover=all)
   add_link_options(-fsanitize=${COPPICE_SANITIZE})
@@ -26,10 +27,8 @@ if(COPPICE_SANITIZE)
   endif()
 endif()
 # ThreadSanitizer cannot follow bare memory fences; Boost.Asio does without where there are locks.
-# Every program gets the list of what is to be left out of its reports.
 if(COPPICE_SANITIZE MATCHES thread)
   add_compile_definitions(BOOST_ASIO_DISABLE_FENCED_BLOCK)
-  set(COPPICE_SANITIZER_OPTIONS ${PROJECT_SOURCE_DIR}/tests/support/thread_sanitizer_options.cc)
 endif()
 
 find_program(COPPICE_CCACHE ccache)

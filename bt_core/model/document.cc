@@ -73,6 +73,7 @@ std::size_t CountAttributes(std::string_view tag) {
 
 // Where it begins.
 std::optional<std::size_t> FindOvercrowdedTag(std::string_view text) {
+  if (std::count(text.begin(), text.end(), '=') <= std::ptrdiff_t{kMaxAttributes}) return {};
   for (std::size_t at = 0; text.size() - at > kMaxAttributes;) {
     const Markup piece = ReadMarkup(text, at);
     at = piece.end;

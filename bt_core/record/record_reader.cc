@@ -1,6 +1,7 @@
 #include "bt_core/record/record_reader.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <optional>
 #include <utility>
 
@@ -49,12 +50,13 @@ std::optional<RunId> RunOf(const std::string& path) {
   return tree ? std::optional(tree->info.run) : std::nullopt;
 }
 
-// What to do with a file of another program.
+// What to do with a file of another program; empty if there is none.
 std::string HowToRead(const std::string& path) {
   constexpr std::string_view kEnding = ".btlog";
   const bool is_btlog = path.size() > kEnding.size() &&
                         path.compare(path.size() - kEnding.size(), kEnding.size(), kEnding) == 0;
-  if (!is_btlog) return {};
+  std::error_code error;
+  if (!is_btlog || !std::filesystem::is_regular_file(path, error)) return {};
   const std::string record = path.substr(0, path.size() - kEnding.size()) + ".coppice";
   return "\"coppice convert " + path + " " + record + "\" makes a record of this log";
 }

@@ -10,7 +10,7 @@ import struct
 import subprocess
 import sys
 import tempfile
-import time
+import threading
 import unittest
 
 PATIENCE = 30  # s, for a program
@@ -30,15 +30,12 @@ class Ended:
         with tempfile.TemporaryFile() as out:
             process = subprocess.Popen([PROGRAM] + command, cwd=folder, stdin=subprocess.DEVNULL,
                                        stdout=out, stderr=subprocess.STDOUT, preexec_fn=limit)
-            self.is_late = False
-            end = time.monotonic() + PATIENCE
-            done = 0
-            while not done:
-                if time.monotonic() > end and not self.is_late:
-                    self.is_late = True
-                    process.kill()
-                done, status, usage = os.wait4(process.pid, os.WNOHANG)
-                time.sleep(0.005)
+            late = threading.Event()
+            timer = threading.Timer(PATIENCE, lambda: (late.set(), process.kill()))
+            timer.start()
+            _, status, usage = os.wait4(process.pid, 0)
+            timer.cancel()
+            self.is_late = late.is_set()
             process.returncode = self.code = (-os.WTERMSIG(status) if os.WIFSIGNALED(status)
                                               else os.WEXITSTATUS(status))
             self.memory = usage.ru_maxrss << 10

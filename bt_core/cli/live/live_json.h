@@ -12,8 +12,7 @@
 namespace coppice {
 
 /// The history as in event_json.h; and objects of the types connection, stopped, resumed, replaced,
-/// refused,
-/// foreign_hooks.
+/// refused, foreign_hooks.
 class LiveJsonPrinter {
  public:
   explicit LiveJsonPrinter(std::ostream& out) : out_(out) {}

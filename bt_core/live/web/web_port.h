@@ -83,8 +83,8 @@ class WebPort {
   void Forget(PortConnection* connection);
 
   bool is_finishing_ = false;
-  std::vector<std::shared_ptr<Door>>
-      doors_;  // before the context, in which the last connections end
+  // Before the context, in which the last connections end.
+  std::vector<std::shared_ptr<Door>> doors_;
   boost::asio::io_context context_{1};
   boost::asio::steady_timer end_{context_};
   std::uint16_t port_ = 0;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <tuple>
 #include <utility>
 
 namespace coppice::robot::assistance {
@@ -136,9 +137,10 @@ std::string PageAccess::AddSession(PagePass& pass, Time now) {
   Passes& sessions = state_.sessions;
   DropOld(sessions, now);
   if (sessions.size() >= kMostSessions) {
-    sessions.erase(std::min_element(
-        sessions.begin(), sessions.end(),
-        [](const auto& a, const auto& b) { return a.second.until < b.second.until; }));
+    sessions.erase(
+        std::min_element(sessions.begin(), sessions.end(), [](const auto& a, const auto& b) {
+          return std::tie(a.second.role, a.second.until) < std::tie(b.second.role, b.second.until);
+        }));
   }
   pass.until = now + kSessionLifetime;
   std::string session = NewSecret();

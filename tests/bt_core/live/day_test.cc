@@ -19,11 +19,9 @@ constexpr std::uint64_t kFileBytes = 32 << 10;
 constexpr std::uint32_t kKeepFiles = 3;
 
 // The thread sanitizer's shadow of the memory takes several times as much, and comes later; the
-// address sanitizer keeps what is freed, up to 256 MiB.
-#if defined(__SANITIZE_THREAD__)
+// address sanitizer keeps what is freed for a while (sanitizer_options.cc).
+#if defined(__SANITIZE_THREAD__) || defined(__SANITIZE_ADDRESS__)
 constexpr std::size_t kSlackBytes = 40 << 20;
-#elif defined(__SANITIZE_ADDRESS__)
-constexpr std::size_t kSlackBytes = 256 << 20;
 #else
 constexpr std::size_t kSlackBytes = 4 << 20;
 #endif

@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 
 namespace coppice {
 namespace {
@@ -78,6 +80,95 @@ TEST_F(IncludePathTest, AnUnknownPackageIsReportedAtItsName) {
 TEST_F(IncludePathTest, WithoutPathItIsAnError) {
   EXPECT_EQ(Resolve("<include path=''/>"), "");
   EXPECT_NE(Problem().find(":1:1: error: <include> without path"), std::string::npos) << Problem();
+}
+
+// A workspace of packages; the environment is as before afterwards.
+class RosPackagesTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    for (const char* name : kVariables) {
+      const char* value = std::getenv(name);
+      before_.push_back(value ? std::optional<std::string>(value) : std::nullopt);
+      unsetenv(name);
+    }
+    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = fs::path(testing::TempDir()) / (std::string("coppice_packages_") + test->name());
+    fs::remove_all(folder_);
+    setenv("PATH", folder_.c_str(), 1);  // no rospack but the test's own
+  }
+  void TearDown() override {
+    for (std::size_t i = 0; i < before_.size(); ++i) {
+      if (before_[i]) {
+        setenv(kVariables[i], before_[i]->c_str(), 1);
+      } else {
+        unsetenv(kVariables[i]);
+      }
+    }
+    fs::remove_all(folder_);
+  }
+
+  std::string AddPackage(const std::string& path, const std::string& name) {
+    fs::create_directories(folder_ / path);
+    std::ofstream(folder_ / path / "package.xml")
+        << "<?xml version=\"1.0\"?>\n<package><name>\n  " << name << " </name></package>";
+    return (folder_ / path).string();
+  }
+
+  static constexpr const char* kVariables[] = {"ROS_PACKAGE_PATH", "AMENT_PREFIX_PATH", "PATH"};
+  std::vector<std::optional<std::string>> before_;
+  fs::path folder_;
+};
+
+TEST_F(RosPackagesTest, ThePackageIsKnownByTheNameInItsManifest) {
+  const std::string there = AddPackage("src/group/some_folder", "robot_trees");
+  AddPackage("src/robot_trees_2", "robot_trees_2");
+  setenv("ROS_PACKAGE_PATH", ("/no/such::" + (folder_ / "src").string()).c_str(), 1);
+  EXPECT_EQ(FindRosPackage("robot_trees"), there);
+  EXPECT_EQ(FindRosPackage("some_folder"), "");
+}
+
+TEST_F(RosPackagesTest, PackagesInsideOfOthersAndIgnoredFoldersDoNotCount) {
+  AddPackage("src/outer", "outer");
+  AddPackage("src/outer/inner", "inner");
+  AddPackage("src/old/hidden", "hidden");
+  std::ofstream(folder_ / "src/old/CATKIN_IGNORE") << "";
+  setenv("ROS_PACKAGE_PATH", (folder_ / "src").c_str(), 1);
+  EXPECT_NE(FindRosPackage("outer"), "");
+  EXPECT_EQ(FindRosPackage("inner"), "");
+  EXPECT_EQ(FindRosPackage("hidden"), "");
+}
+
+TEST_F(RosPackagesTest, TheFirstFolderOfThePathWins) {
+  AddPackage("b/trees", "trees");
+  const std::string first = AddPackage("a/trees", "trees");
+  setenv("ROS_PACKAGE_PATH", ((folder_ / "a").string() + ":" + (folder_ / "b").string()).c_str(),
+         1);
+  EXPECT_EQ(FindRosPackage("trees"), first);
+}
+
+TEST_F(RosPackagesTest, InstalledPackagesOfRos2AreFound) {
+  const std::string there = AddPackage("install/share/trees", "trees");
+  setenv("AMENT_PREFIX_PATH", (folder_ / "install").c_str(), 1);
+  EXPECT_EQ(FindRosPackage("trees"), there);
+}
+
+TEST_F(RosPackagesTest, RospackIsAskedAtLast) {
+  fs::create_directories(folder_);
+  std::ofstream(folder_ / "rospack") << "#!/bin/sh\nif [ \"$1 $2\" = \"find far_away\" ]; then "
+                                        "echo /opt/far_away; else exit 1; fi\n";
+  fs::permissions(folder_ / "rospack", fs::perms::owner_all);
+  EXPECT_EQ(FindRosPackage("far_away"), "/opt/far_away");
+  EXPECT_EQ(FindRosPackage("nowhere"), "");
+}
+
+TEST_F(RosPackagesTest, WhatIsNoPackageNameIsNotAskedFor) {
+  fs::create_directories(folder_);
+  std::ofstream(folder_ / "rospack") << "#!/bin/sh\necho /found\n";
+  fs::permissions(folder_ / "rospack", fs::perms::owner_all);
+  EXPECT_EQ(FindRosPackage("a"), "/found");
+  for (const char* name : {"", "a b", "a;b", "$(a)", "../a", "-a"}) {
+    EXPECT_EQ(FindRosPackage(name), "") << name;
+  }
 }
 
 }  // namespace

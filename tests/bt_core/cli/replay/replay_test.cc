@@ -181,6 +181,8 @@ TEST_F(ReplayTest, SaysHowALogOfBehaviorTreeCppBecomesARecord) {
   for (const auto& verb : {RunReplay, RunStats}) {
     EXPECT_EQ(Run({log}, verb), 2);
     EXPECT_THAT(error_, HasSubstr(hint));
+    EXPECT_EQ(Run({folder_.Path("none.btlog")}, verb), 2);
+    EXPECT_THAT(error_, Not(HasSubstr("convert"))) << "there is no log";
   }
 }
 

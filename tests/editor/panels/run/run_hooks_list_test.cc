@@ -31,6 +31,7 @@ TEST(RunHooksList, RemovesWhatAnotherProgramHasLeft) {
   robot->TellForeignHooks({foreign});
   driver.editor.state().run.tab = RunTab::kHooks;
   driver.Frames();
+  driver.Picture("foreign_hooks");
   ASSERT_TRUE(driver.Click("run/foreign/7/remove"));
   EXPECT_EQ(robot->commands.back().kind, LiveCommand::Kind::kRemoveHook);
   EXPECT_EQ(robot->commands.back().id, 7U);

@@ -90,6 +90,14 @@ TEST_F(Access, ThereAreOnlySoManySessions) {
   EXPECT_EQ(access_.state().sessions.size(), PageAccess::kMostSessions);
 }
 
+TEST_F(Access, ViewersPushNoOperatorOut) {
+  const std::string driver = access_.LogIn("an operator's token", kHere, now_).session;
+  for (std::size_t i = 0; i < 2 * PageAccess::kMostSessions; ++i) {
+    access_.LogIn("a viewer's token", kElsewhere, now_ + seconds(1));
+  }
+  EXPECT_TRUE(access_.Find(driver, now_ + seconds(1)));
+}
+
 TEST_F(Access, OutlivesTheProgramWithoutKeepingSecrets) {
   const std::string link = access_.MakeLinkToken("Ada", 7, now_);
   const std::string session = access_.LogIn("an operator's token", kHere, now_).session;
