@@ -1,7 +1,8 @@
 """Gives the programs of Coppice the files of an attacker: records, trees, scenarios, and places to
 write to. Each must end with a message, soon, and without taking the memory of the computer.
 
-usage: file_attack.py COPPICE
+usage: file_attack.py COPPICE MIB
+MIB: how much memory no program may ever take.
 """
 import os
 import resource
@@ -14,7 +15,6 @@ import threading
 import unittest
 
 PATIENCE = 30  # s, for a program
-MEMORY = 256 << 20  # bytes: no more may ever be taken
 TREE = ('<root BTCPP_format="4"><BehaviorTree ID="Main"><Sequence><Script code="n := 1"/>'
         "%s</Sequence></BehaviorTree></root>")
 
@@ -248,5 +248,6 @@ class Places(FileAttack):
 
 if __name__ == "__main__":
     PROGRAM = os.path.abspath(sys.argv.pop(1))
+    MEMORY = int(sys.argv.pop(1)) << 20  # bytes
     signal.signal(signal.SIGPIPE, signal.SIG_DFL)
     unittest.main()
