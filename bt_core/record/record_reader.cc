@@ -36,8 +36,9 @@ Decoder PayloadOf(FrameFile& file, const FrameFile::Span& span) {
 
 template <class T>
 bool Keep(std::optional<T> value, std::vector<T>& all) {
-  if (value) all.push_back(*std::move(value));
-  return value.has_value();
+  if (!value) return false;
+  all.push_back(*std::move(value));
+  return true;
 }
 
 // The run that a file is of; nothing if it does not begin with a tree.
