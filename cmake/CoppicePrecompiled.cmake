@@ -34,6 +34,8 @@ function(coppice_precompile target use)
       file(WRITE ${source} "")
     endif()
     add_library(${shared} OBJECT ${source})
+    set_target_properties(${shared} PROPERTIES CXX_COMPILER_LAUNCHER
+      "${PROJECT_SOURCE_DIR}/cmake/precompile_anew.sh;${CMAKE_CXX_COMPILER_LAUNCHER}")
     target_compile_features(${shared} PRIVATE cxx_std_17)
     find_package(Threads REQUIRED)
     target_link_libraries(${shared} PRIVATE Threads::Threads coppice_warnings)
