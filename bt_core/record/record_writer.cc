@@ -103,6 +103,11 @@ std::string RecordWriter::error() const {
   return error_;
 }
 
+std::string RecordWriter::trouble() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return trouble_;
+}
+
 void RecordWriter::Run() {
   pthread_setname_np(pthread_self(), "coppice_record");
   BlockSignals();
@@ -156,6 +161,7 @@ bool RecordWriter::WriteFront() {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     waiting_ -= size - piece.bytes.size();
+    if (error.empty()) trouble_.clear();
     hurry_ = false;  // what did not work is tried again after a while
   }
   if (!piece.bytes.empty()) return false;
@@ -176,7 +182,7 @@ void RecordWriter::SyncIfDue(bool now) {
 void RecordWriter::Report(const std::string& error) {
   if (error.empty()) return;
   const std::lock_guard<std::mutex> lock(mutex_);
-  error_ = error;
+  error_ = trouble_ = error;
 }
 
 }  // namespace coppice

@@ -40,6 +40,8 @@ class RecordWriter final : private FrameSink {
   std::uint64_t flushed_tick() const { return flushed_tick_.load(std::memory_order_acquire); }
   /// Any thread: what went wrong last, or empty.
   std::string error() const;
+  /// Any thread: why it cannot write now, or empty.
+  std::string trouble() const;
 
  private:
   // A run of frames for one file.
@@ -83,6 +85,7 @@ class RecordWriter final : private FrameSink {
   std::uint64_t start_bytes_ = 0;  // of these, until reading can begin
   bool is_deleted_ = false;        // the present file
   std::string error_;
+  std::string trouble_;
 
   // Of the thread.
   RecordSeries series_;

@@ -54,4 +54,6 @@ std::uint64_t Recorder::flushed_tick() const { return writer_->flushed_tick(); }
 
 std::string Recorder::error() const { return writer_->error(); }
 
+std::string Recorder::trouble() const { return writer_->trouble(); }
+
 }  // namespace coppice

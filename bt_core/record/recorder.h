@@ -70,6 +70,8 @@ class Recorder final : public EventListener {
   std::uint64_t flushed_tick() const;
   /// Any thread: what went wrong last, or empty.
   std::string error() const;
+  /// Any thread: why it cannot write now, or empty. It tries again and again.
+  std::string trouble() const;
 
   void OnState(const StreamState& state) override;
   void OnTick(const TickEvents& events) override;

@@ -1,4 +1,5 @@
 // coppice-robot: runs the application tree and the monitor tree on a robot.
+#include <diagnostic_msgs/DiagnosticArray.h>
 #include <ros/ros.h>
 #include <std_msgs/Empty.h>
 #include <std_msgs/String.h>
@@ -83,6 +84,7 @@ class Robot {
  public:
   Robot(ros::NodeHandle& node, const Options& options)
       : node_(node),
+        is_recorded_(options.Has("--record")),
         navigator_(adapters::MakeRosNavigator(node)),
         waypoints_(adapters::LoadWaypointMap(options.Get("--waypoints"),
                                              static_cast<unsigned>(options.Whole("--seed", 1)))),
@@ -108,6 +110,9 @@ class Robot {
         }));
     status_ = node_.advertise<std_msgs::String>("/coppice/application", 1, true);
     heartbeat_ = node_.advertise<std_msgs::Empty>("/coppice/heartbeat", 1);
+    if (is_recorded_) {
+      diagnostics_ = node_.advertise<diagnostic_msgs::DiagnosticArray>("/diagnostics", 1);
+    }
   }
 
   void Start() {
@@ -162,6 +167,20 @@ class Robot {
   void Beat() {
     const bool application = application_->IsAlive(), monitor = monitor_->IsAlive();
     if (application && monitor) heartbeat_.publish(std_msgs::Empty());
+    if (is_recorded_) TellOfRecords();
+  }
+
+  void TellOfRecords() {
+    diagnostic_msgs::DiagnosticArray message;
+    message.header.stamp = ros::Time::now();
+    for (const auto& [name, runner] :
+         {std::pair("application", &*application_), std::pair("monitor", &*monitor_)}) {
+      diagnostic_msgs::DiagnosticStatus& status = message.status.emplace_back();
+      status.name = std::string("coppice_robot: record of ") + name;
+      status.message = runner->RecordTrouble();
+      status.level = status.message.empty() ? status.OK : status.WARN;
+    }
+    diagnostics_.publish(message);
   }
 
   void Announce(Status status) {
@@ -172,6 +191,7 @@ class Robot {
   }
 
   ros::NodeHandle& node_;
+  const bool is_recorded_;
   RosClock clock_;
   std::unique_ptr<leaves::Navigator> navigator_;
   std::unique_ptr<leaves::WaypointMap> waypoints_;
@@ -181,7 +201,7 @@ class Robot {
   adapters::RosSupervisors supervisors_;
   adapters::RosRecoveryLog recoveries_;
   TreeLink link_;
-  ros::Publisher status_, heartbeat_;
+  ros::Publisher status_, heartbeat_, diagnostics_;
   std::unique_ptr<TreeRunner> application_;
   std::unique_ptr<TreeRunner> monitor_;
   std::vector<ros::Subscriber> subscribers_;

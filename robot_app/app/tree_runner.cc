@@ -105,6 +105,8 @@ bool TreeRunner::IsResting() {
   return is_resting_;
 }
 
+std::string TreeRunner::RecordTrouble() const { return recorder_ ? recorder_->trouble() : ""; }
+
 void TreeRunner::Note(const std::string& kind, const std::string& text) {
   if (recorder_) recorder_->Note(executor_.clock().Now(), kind, text);
 }

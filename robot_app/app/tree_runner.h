@@ -53,6 +53,9 @@ class TreeRunner {
   /// counts as alive. One thread.
   bool IsAlive();
 
+  /// Why the tree cannot be recorded now, or empty. Any thread.
+  std::string RecordTrouble() const;
+
   /// Puts a line into the record, for example an injected fault. Any thread.
   void Note(const std::string& kind, const std::string& text);
 

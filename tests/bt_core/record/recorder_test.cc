@@ -236,11 +236,12 @@ TEST_F(RecorderTest, GoesOnWhenThereIsRoomOnTheDiskAgain) {
       Tick();
       stream_.Flush();
     }
-    EXPECT_THAT(recorder.error(), HasSubstr("run.coppice: cannot write: File too large"));
+    EXPECT_THAT(recorder.trouble(), HasSubstr("run.coppice: cannot write: File too large"));
   }
   const std::uint64_t now = executor_.ticks();
   const auto deadline = std::chrono::steady_clock::now() + 30s;
   while (recorder.flushed_tick() <= now && std::chrono::steady_clock::now() < deadline) Tick();
+  EXPECT_EQ(recorder.trouble(), "");
   EXPECT_THAT(recorder.Close(), HasSubstr("File too large"));
   const WholeRecord record = ReadRecord(path());
   EXPECT_THAT(record.damages, SizeIs(0));

@@ -1,4 +1,5 @@
 // The program coppice-robot in a ROS graph in which nobody else is.
+#include <diagnostic_msgs/DiagnosticArray.h>
 #include <gmock/gmock.h>
 #include <std_msgs/Empty.h>
 #include <std_msgs/String.h>
@@ -35,6 +36,10 @@ class RobotProgramTest : public testing::Test {
                                         "--live-port",
                                         "0"};
     command.insert(command.end(), more.begin(), more.end());
+    if (!shell_.empty()) {
+      const std::vector<std::string> shell = {"/bin/sh", "-c", shell_, "sh"};
+      command.insert(command.begin(), shell.begin(), shell.end());
+    }
     pid_ = graph_.Start("robot", command);
     beats_ = graph_.node().subscribe<std_msgs::Empty>(
         "/coppice/heartbeat", 10, [this](const std_msgs::Empty::ConstPtr&) { ++heard_; });
@@ -49,6 +54,7 @@ class RobotProgramTest : public testing::Test {
 
   processes::RosGraph& graph_ = processes::RosGraph::Shared();
   const std::string trees_ = processes::Temporary("robot_program_test.xml");
+  std::string shell_;  // that starts it, if not empty
   int pid_ = 0;
   int heard_ = 0;
   std::string said_;
@@ -74,6 +80,21 @@ TEST_F(RobotProgramTest, EndsWhenItsRosNodeIsShutDownFromOutside) {
   const auto wait_status = graph_.WaitForEnd(pid_);
   ASSERT_TRUE(wait_status) << "it lives on without ROS";
   EXPECT_EQ(WEXITSTATUS(*wait_status), 1) << "0 would say that its work is done";
+}
+
+TEST_F(RobotProgramTest, SaysWhenItCannotRecord) {
+  const std::string folder = processes::Temporary("robot_program_records");
+  std::string warning;
+  const ros::Subscriber diagnostics = graph_.node().subscribe<diagnostic_msgs::DiagnosticArray>(
+      "/diagnostics", 10, [&](const diagnostic_msgs::DiagnosticArray::ConstPtr& message) {
+        for (const auto& status : message->status) {
+          if (status.level == status.WARN) warning = status.name + ": " + status.message;
+        }
+      });
+  shell_ = "trap '' XFSZ; ulimit -f 1; exec \"$@\"";  // as a disk that is full
+  Start({"--record", folder});
+  EXPECT_TRUE(graph_.WaitFor([&] { return !warning.empty(); }));
+  EXPECT_THAT(warning, AllOf(HasSubstr("coppice_robot: record of "), HasSubstr("cannot write")));
 }
 
 TEST_F(RobotProgramTest, EndsInOrderWhenItIsAsked) {
