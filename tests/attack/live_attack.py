@@ -24,14 +24,17 @@ TREE = """<root BTCPP_format="4"><BehaviorTree ID="Main"><Sequence name="top">
   <Sleep msec="20"/><AlwaysSuccess/></Sequence></BehaviorTree></root>"""
 
 
+LARGE_TREE = TREE.replace("<AlwaysSuccess/>", "<AlwaysSuccess/>" * 20_000)
+
+
 class Robot:
     """`coppice run`, and what it printed of its doors."""
 
-    def __init__(self, program, token=None):
+    def __init__(self, program, token=None, content=TREE):
         self.folder = tempfile.TemporaryDirectory()
         tree = os.path.join(self.folder.name, "tree.xml")
         with open(tree, "w") as file:
-            file.write(TREE)
+            file.write(content)
         environment = dict(os.environ)
         environment.pop("COPPICE_LIVE_TOKEN", None)
         if token:
@@ -41,12 +44,13 @@ class Robot:
              "--web-port", "0"], env=environment, stdout=subprocess.PIPE,
             stderr=subprocess.STDOUT, text=True)
         printed = ""
-        while "http://" not in printed:
+        while printed.count("http://") < (2 if token else 1):
             line = self.process.stdout.readline()
             assert line, "the program ended: " + printed
             printed += line
         self.port = int(re.search(r"127\.0\.0\.1:(\d+)", printed).group(1))
         self.web_port = int(re.search(r"http://127\.0\.0\.1:(\d+)", printed).group(1))
+        self.web_tokens = re.findall(r"http://[^ #]*#([0-9a-f]+)", printed)  # control, read
         self.read_token = (re.search(r"read-[0-9a-f]+", printed) or [None])[0]
 
     def memory(self):
@@ -155,9 +159,10 @@ def web_message(body):
 
 class WithRobot(unittest.TestCase):
     token = None
+    tree = TREE
 
     def setUp(self):
-        self.robot = Robot(PROGRAM, self.token)
+        self.robot = Robot(PROGRAM, self.token, self.tree)
         self.addCleanup(self.robot.close)
 
     def connect(self, **options):
@@ -261,6 +266,19 @@ class Memory(WithRobot):
         self.assertLess(self.robot.memory(), MEMORY)
 
 
+class LargeTree(WithRobot):
+    tree = LARGE_TREE
+
+    def test_crowds_that_follow_a_large_tree_and_do_not_read_take_little(self):
+        crowd = [opened(self.robot.port) for _ in range(63)]
+        for connection in crowd:
+            connection.sendall(request(b'{"do":"hello"}'))
+            for _ in range(16):
+                connection.sendall(request(b'{"do":"subscribe","window":67108864}'))
+        self.assert_serves()
+        self.assertLess(self.robot.memory(), MEMORY)
+
+
 class Connections(WithRobot):
     def test_a_thousand_that_say_nothing_take_neither_descriptors_nor_clients(self):
         silent = []
@@ -309,6 +327,19 @@ class Token(WithRobot):
         reader.ask(do="hello")
         self.assertEqual(reader.ask(do="pause").get("role"), "control")
         self.assertEqual(reader.ask(do="ping"), {})
+
+    def test_readers_leave_room_for_who_may_control(self):
+        control, read = self.robot.web_tokens
+        readers = [web_socket(self.robot.web_port, read) for _ in range(70)]
+        for reader in readers:
+            try:
+                reader.sendall(web_message(b'{"do":"hello"}'))
+            except OSError:
+                pass  # it gave way already
+        self.addCleanup(lambda: [reader.close() for reader in readers])
+        browser = web_socket(self.robot.web_port, control)
+        browser.sendall(web_message(b'{"do":"hello"}'))
+        self.assertIn(b'"role":"control"', read_until(browser, b"trees"))
 
     def test_who_does_not_know_it_is_not_served(self):
         stranger = talk(self.robot.port)

@@ -30,6 +30,7 @@ using testing::HasSubstr;
 using testing::StartsWith;
 
 constexpr const char* kToken = "an operator's token";
+constexpr const char* kViewerToken = "a viewer's token, long";
 constexpr float kNothingMet = std::numeric_limits<float>::infinity();
 constexpr int kMostSteps = 600;  // of a tenth of a second
 
@@ -40,13 +41,15 @@ class PageAttack : public testing::Test {
         << "channels: [{name: here, kind: console}]\n"
            "supervisors: [{name: Ada, reach: [{channel: here}]}]\n"
            "page: {port: "
-        << port_ << ", operator_token: \"${PAGE_ATTACK_TOKEN}\"}\n";
+        << port_
+        << ", operator_token: \"${PAGE_ATTACK_TOKEN}\", viewer_token: \"${PAGE_ATTACK_VIEWER}\"}\n";
   }
 
   ChildProcess Start(const std::string& token) const {
     return ChildProcess({BinaryFolder() + "/bin/coppice-assistance", "--config",
                          folder_ + "supervisors.yaml", "--live-port", "0"},
-                        Log(), {{"PAGE_ATTACK_TOKEN", token}});
+                        Log(),
+                        {{"PAGE_ATTACK_TOKEN", token}, {"PAGE_ATTACK_VIEWER", kViewerToken}});
   }
   std::string Log() const { return folder_ + "assistance.log"; }
 
@@ -174,6 +177,21 @@ TEST_F(PageAttack, SilentConnectionsKeepNobodyOut) {
   std::vector<std::unique_ptr<PageCaller>> silent;
   for (int i = 0; i < 80; ++i) silent.push_back(std::make_unique<PageCaller>(port_));
   EXPECT_THAT(LogIn(kToken), StartsWith("HTTP/1.1 204"));
+}
+
+// With the viewer's token, once as one session and once as many.
+TEST_F(PageAttack, WhoMayOnlyWatchKeepsNoOperatorOut) {
+  Open();
+  std::vector<std::unique_ptr<PageCaller>> viewers;
+  std::string cookie;
+  for (int i = 0; i < 140; ++i) {
+    if (i < 2 || i >= 70) cookie = assistance::CookieOf(LogIn(kViewerToken));
+    viewers.push_back(std::make_unique<PageCaller>(port_));
+    viewers.back()->Upgrade(cookie, viewers.back()->own_origin());
+  }
+  const std::string mine = assistance::CookieOf(LogIn(kToken));
+  PageCaller page(port_);
+  EXPECT_THAT(page.Upgrade(mine, page.own_origin()), StartsWith("HTTP/1.1 101"));
 }
 
 TEST_F(PageAttack, ATokenThatCanBeGuessedIsNone) {

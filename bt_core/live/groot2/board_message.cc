@@ -1,7 +1,7 @@
 #include "bt_core/live/groot2/board_message.h"
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "bt_core/data/value_bytes.h"
 
@@ -34,12 +34,13 @@ Json Convert(const std::string& bytes, const Type* type) {
 std::string WriteBoards(const Layout& layout, const std::vector<ScopeIndex>& scopes,
                         const std::vector<std::string>& values) {
   Json boards;
-  for (const ScopeIndex scope : scopes) {
-    Json& board = boards[layout.scopes[scope]];
-    for (SlotIndex slot = 0; slot < layout.slots.size(); ++slot) {
-      const SlotDefinition& definition = layout.slots[slot];
-      if (definition.scope != scope || definition.key.empty()) continue;
-      board[definition.key] = Convert(values[slot], definition.type);
+  std::vector<Json*> board_of(layout.scopes.size());  // null: was not asked for
+  for (const ScopeIndex scope : scopes) board_of[scope] = &boards[layout.scopes[scope]];
+  for (SlotIndex slot = 0; slot < layout.slots.size(); ++slot) {
+    const SlotDefinition& definition = layout.slots[slot];
+    Json* const board = board_of[definition.scope];
+    if (board && !definition.key.empty()) {
+      (*board)[definition.key] = Convert(values[slot], definition.type);
     }
   }
   std::string bytes;
@@ -49,11 +50,10 @@ std::string WriteBoards(const Layout& layout, const std::vector<ScopeIndex>& sco
 
 std::vector<ScopeIndex> FindScopes(const Layout& layout,
                                    const std::vector<std::string_view>& names) {
+  const std::set<std::string_view> wanted(names.begin(), names.end());
   std::vector<ScopeIndex> scopes;
   for (ScopeIndex scope = 0; scope < layout.scopes.size(); ++scope) {
-    if (std::find(names.begin(), names.end(), layout.scopes[scope]) != names.end()) {
-      scopes.push_back(scope);
-    }
+    if (wanted.count(layout.scopes[scope]) > 0) scopes.push_back(scope);
   }
   return scopes;
 }

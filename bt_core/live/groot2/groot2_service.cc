@@ -12,6 +12,16 @@ using groot2::Parts;
 using groot2::Request;
 using groot2::RequestType;
 
+namespace {
+
+// The others change what other clients see: hooks, and the one recording that there is.
+bool OnlyReads(RequestType type) {
+  return type == RequestType::kFullTree || type == RequestType::kStatus ||
+         type == RequestType::kBlackboard || type == RequestType::kDumpHooks;
+}
+
+}  // namespace
+
 Groot2Service::Groot2Service(std::shared_ptr<LiveTree> tree, Duration deadline)
     : tree_(std::move(tree)), deadline_(deadline), hooks_(tree_->debugger(), tree_->kGroot2Owner) {}
 
@@ -22,16 +32,12 @@ Parts Groot2Service::Answer(const Request& request, bool may_control, Duration n
                              " nodes; this protocol can number " +
                              std::to_string(groot2::kMaxNodes));
   }
-  const bool controls =
-      request.type == RequestType::kInsertHooks || request.type == RequestType::kRemoveHook ||
-      request.type == RequestType::kUnlock || request.type == RequestType::kRemoveAllHooks ||
-      request.type == RequestType::kDisableAllHooks;
-  if (controls && !may_control) {
+  if (!may_control && !OnlyReads(request.type)) {
     return groot2::MakeError("this client may watch, not control: its token is for readers");
   }
   if (may_control) Heed(now);  // who may only watch brings no breakpoint of another back
   try {
-    Outcome outcome = controls ? Control(request) : Serve(request);
+    Outcome outcome = OnlyReads(request.type) ? Serve(request) : Control(request);
     if (!outcome.problem.empty()) return groot2::MakeError(std::move(outcome.problem));
     if (!outcome.has_payload) return groot2::MakeReply(request, tree_->id());
     return groot2::MakeReply(request, tree_->id(), std::move(outcome.payload));
@@ -61,10 +67,6 @@ Groot2Service::Outcome Groot2Service::Serve(const Request& request) {
       return Payload(Boards(request.argument));
     case RequestType::kDumpHooks:
       return Payload(hooks_.Dump());
-    case RequestType::kToggleRecording:
-      return ToggleRecording(request.argument);
-    case RequestType::kTransitions:
-      return Payload(tree_->TakeTransitions());
     default:
       return Done("Request not recognized");
   }
@@ -81,9 +83,15 @@ Groot2Service::Outcome Groot2Service::Control(const Request& request) {
     case RequestType::kRemoveAllHooks:
       hooks_.RemoveAll();
       return Done({});
-    default:
+    case RequestType::kToggleRecording:
+      return ToggleRecording(request.argument);
+    case RequestType::kTransitions:
+      return Payload(tree_->TakeTransitions());
+    case RequestType::kDisableAllHooks:
       hooks_.SetAllEnabled(false);
       return Done({});
+    default:
+      return Done("Request not recognized");
   }
 }
 

@@ -11,8 +11,6 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr std::size_t kMaxSubscriptions = 16;  // of one client
-
 void Check(const std::string& problem) {
   if (!problem.empty()) throw RequestError(problem);
 }
@@ -103,10 +101,6 @@ Json ExtensionRequest::Trees() { return {{"trees", ListTrees(trees_)}}; }
 Json ExtensionRequest::Ping() { return Json::object(); }
 
 Json ExtensionRequest::Subscribe() {
-  if (session_.subscriptions.size() >= kMaxSubscriptions) {
-    throw RequestError("a client can follow " + std::to_string(kMaxSubscriptions) +
-                       " trees at once");
-  }
   const std::shared_ptr<LiveTree> tree = SharedTree();
   const std::string run = ToString(tree->run());
   auto from = Subscription::From::kOldest;
@@ -119,6 +113,7 @@ Json ExtensionRequest::Subscribe() {
     if (json_.value("run", run) == run) from = Subscription::From::kNumber;
   }
   const std::uint64_t window = ReadNumber(json_, "window", Subscription::kDefaultWindow);
+  session_.Unfollow(*tree);
   const std::uint32_t id = ++session_.last_subscription;
   const auto at = session_.subscriptions.try_emplace(id, tree, from, number, window).first;
   return {{"subscription", id},

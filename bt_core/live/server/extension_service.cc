@@ -54,7 +54,7 @@ ExtensionService::Answer ExtensionService::Serve(ClientId client, bool may_contr
     const Json json = ParseLimitedJson(request);
     const std::string what = json.at("do").get<std::string>();
     if (what == "hello") {
-      Session* const session = sessions_.Open(client, now);
+      Session* const session = sessions_.Open(client, may_control, now);
       if (!session) throw RequestError("too many clients");
       session->name = json.value("name", "");
       return {Print(Greet(trees_, may_control, deadline_))};

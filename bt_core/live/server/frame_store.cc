@@ -1,5 +1,7 @@
 #include "bt_core/live/server/frame_store.h"
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace coppice {
@@ -15,15 +17,16 @@ std::size_t FrameStore::CostOf(const StoredFrame& frame) {
   return sizeof(StoredFrame) + (block + kUnit - 1) / kUnit * kUnit;
 }
 
+const StoredFrame& FrameStore::TreeAt(std::uint64_t number) const {
+  const auto later = std::upper_bound(trees_.begin(), trees_.end(), number);
+  return later == trees_.begin() ? tree_ : (*this)[*std::prev(later)];
+}
+
 void FrameStore::Add(StoredFrame frame) {
-  if (frame.type == FrameType::kTree) last_tree_ = frame;
+  if (frame.type == FrameType::kTree) trees_.push_back(next());
   if (frame.type == FrameType::kState) {
     last_state_ = next();
-    if (!has_entry_) {
-      has_entry_ = true;
-      first_state_ = last_state_;
-      tree_ = last_tree_;
-    }
+    if (!std::exchange(has_entry_, true)) first_state_ = last_state_;
   }
   frame.bytes.shrink_to_fit();
   size_ += CostOf(frame);
@@ -40,8 +43,11 @@ void FrameStore::Trim() {
 }
 
 void FrameStore::DropFirst() {
-  if (frames_.front().type == FrameType::kTree) tree_ = frames_.front();
   size_ -= CostOf(frames_.front());
+  if (frames_.front().type == FrameType::kTree) {
+    tree_ = std::move(frames_.front());
+    trees_.pop_front();
+  }
   frames_.pop_front();
   ++first_;
 }

@@ -36,16 +36,14 @@ class FrameStore {
   std::uint64_t next() const { return first_ + frames_.size(); }
   const StoredFrame& operator[](std::uint64_t number) const { return frames_[number - first_]; }
 
-  /// Where somebody begins who knows nothing: a frame with the description of the tree, then from
-  /// `start` on, which is a state.
-  struct Entry {
-    const StoredFrame* tree;
-    std::uint64_t start;
-  };
-  /// Only if there is a state (has_entry).
-  Entry OldestEntry() const { return {&tree_, first_state_}; }
-  Entry YoungestEntry() const { return {&last_tree_, last_state_}; }
+  /// Where somebody begins who knows nothing: with TreeAt of a state, then from that state on. Only
+  /// if there is one (has_entry).
+  std::uint64_t oldest_state() const { return first_state_; }
+  std::uint64_t youngest_state() const { return last_state_; }
   bool has_entry() const { return has_entry_; }
+
+  /// The description of the tree that holds at a frame.
+  const StoredFrame& TreeAt(std::uint64_t number) const;
 
  private:
   void Trim();
@@ -58,8 +56,8 @@ class FrameStore {
   bool has_entry_ = false;
   std::uint64_t first_state_ = 0;
   std::uint64_t last_state_ = 0;
-  StoredFrame tree_;       // that of the first state
-  StoredFrame last_tree_;  // that of the last one
+  StoredFrame tree_;                 // that of the time before the first frame
+  std::deque<std::uint64_t> trees_;  // the numbers of later ones
 };
 
 }  // namespace coppice

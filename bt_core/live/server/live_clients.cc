@@ -9,12 +9,14 @@ namespace {
 using groot2::Parts;
 
 // What it costs to keep it, about.
+constexpr std::size_t kPart = 64;
 std::size_t SizeOf(const Parts& parts) {
-  constexpr std::size_t kPart = 64;
   std::size_t size = 0;
   for (const std::string& part : parts) size += kPart + part.size();
   return size;
 }
+
+constexpr std::size_t kOverhead = 4 * kPart;  // of a message of two parts, with its header
 
 bool IsAbout(const Parts& parts, const std::vector<std::string>& topics) {
   return std::any_of(topics.begin(), topics.end(), [&](const std::string& topic) {
@@ -99,9 +101,10 @@ bool LiveClients::Receive(ReceivedRequest& request) {
   return true;
 }
 
-bool LiveClients::HasRoom(const Client& client, std::size_t bytes) const {
-  return client.unread == 0 ||
-         (client.unread + bytes <= kMaxUnreadBytes && unread_ + bytes <= kMaxUnreadInAll);
+std::size_t LiveClients::RoomFor(const Client& client) const {
+  if (client.unread == 0) return SIZE_MAX;
+  const auto left = [](std::size_t most, std::size_t used) { return most - std::min(most, used); };
+  return std::min(left(kMaxUnreadBytes, client.unread), left(kMaxUnreadInAll, unread_));
 }
 
 // However long the answer is: nobody can be asked to read a part of it first.
@@ -116,12 +119,19 @@ void LiveClients::Post(Client& client, const Parts& parts, std::size_t bytes) {
   client.connection->Post(parts, bytes);
 }
 
+std::size_t LiveClients::RoomFor(ClientId id) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const auto at = clients_.find(id);
+  const std::size_t room = at == clients_.end() ? SIZE_MAX : RoomFor(at->second);
+  return room - std::min(room, kOverhead);
+}
+
 SendResult LiveClients::Send(ClientId id, const Parts& parts) {
   const std::size_t bytes = SizeOf(parts);
   const std::lock_guard<std::mutex> lock(mutex_);
   const auto at = clients_.find(id);
   if (at == clients_.end()) return SendResult::kGone;
-  if (!HasRoom(at->second, bytes)) return SendResult::kFull;
+  if (RoomFor(at->second) < bytes) return SendResult::kFull;
   Post(at->second, parts, bytes);
   return SendResult::kSent;
 }
@@ -143,7 +153,7 @@ void LiveClients::Publish(const Parts& parts) {
   const std::size_t bytes = SizeOf(parts);
   const std::lock_guard<std::mutex> lock(mutex_);
   for (auto& [id, listener] : listeners_) {
-    if (IsAbout(parts, listener.topics) && HasRoom(listener, bytes)) Post(listener, parts, bytes);
+    if (IsAbout(parts, listener.topics) && RoomFor(listener) >= bytes) Post(listener, parts, bytes);
   }
 }
 

@@ -47,7 +47,7 @@ class LiveClients final : public LiveOutbox {
   /// answers twice as much.
   static constexpr std::size_t kMaxUnreadBytes = 4 << 20;
   /// The same for all clients together.
-  static constexpr std::size_t kMaxUnreadInAll = 64 << 20;
+  static constexpr std::size_t kMaxUnreadInAll = 32 << 20;
 
   /// `on_request` is called when Receive has something new.
   explicit LiveClients(std::function<void()> on_request) : on_request_(std::move(on_request)) {}
@@ -70,6 +70,7 @@ class LiveClients final : public LiveOutbox {
   /// False if there is no request now. Clients have their turn one after the other.
   bool Receive(ReceivedRequest& request);
 
+  std::size_t RoomFor(ClientId client) override;
   SendResult Send(ClientId client, const groot2::Parts& parts) override;
   SendResult Reply(ClientId client, const groot2::Parts& parts) override;
   void Publish(const groot2::Parts& parts) override;
@@ -81,7 +82,7 @@ class LiveClients final : public LiveOutbox {
     std::size_t unread = 0;
     std::vector<std::string> topics;  // of a listener
   };
-  bool HasRoom(const Client& client, std::size_t bytes) const;
+  std::size_t RoomFor(const Client& client) const;
   bool HasRoomForReply(const Client& client) const;
   void Post(Client& client, const groot2::Parts& parts, std::size_t bytes);
 

@@ -161,18 +161,12 @@ LiveDesk::Progress LiveDesk::PushTo(ClientId client, std::uint32_t id,
                                     ActiveSubscription& subscription) {
   const RunId& run = subscription.tree->run();
   for (int pushed = 0; pushed < kPushesAtOnce; ++pushed) {
-    std::optional<Push> push = std::exchange(subscription.held, std::nullopt);
-    if (!push) {
-      push = subscription.tree->UseFrames(
-          [&](const FrameStore& store) { return subscription.frames.Next(store); });
-    }
+    const std::size_t room = outbox_.RoomFor(client);
+    const std::optional<Push> push = subscription.tree->UseFrames(
+        [&](const FrameStore& store) { return subscription.frames.Next(store, room); });
     if (!push) return Progress::kDone;
-    const SendResult result = outbox_.Send(client, MakePush(id, run, *push));
-    if (result == SendResult::kGone) return Progress::kGone;
-    if (result == SendResult::kFull) {
-      subscription.held = std::move(push);
-      return Progress::kBlocked;
-    }
+    if (push->frames.empty()) return Progress::kBlocked;
+    if (outbox_.Send(client, MakePush(id, run, *push)) != SendResult::kSent) return Progress::kGone;
   }
   return Progress::kMore;
 }

@@ -2,6 +2,7 @@
 #ifndef COPPICE_BT_CORE_LIVE_SERVER_LIVE_OUTBOX_H_
 #define COPPICE_BT_CORE_LIVE_SERVER_LIVE_OUTBOX_H_
 
+#include <cstddef>
 #include <cstdint>
 
 #include "bt_core/live/groot2/groot2_protocol.h"
@@ -20,6 +21,8 @@ enum class SendResult : std::uint8_t {
 class LiveOutbox {
  public:
   virtual ~LiveOutbox() = default;
+  /// The largest message that Send would take now; one that has gone would be told so by Send.
+  virtual std::size_t RoomFor(ClientId client) = 0;
   /// To one client. Never waits.
   virtual SendResult Send(ClientId client, const groot2::Parts& parts) = 0;
   /// The same for the answer to a request, which has room where there is none for what nobody asked

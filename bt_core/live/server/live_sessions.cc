@@ -1,5 +1,6 @@
 #include "bt_core/live/server/live_sessions.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace coppice {
@@ -14,15 +15,26 @@ ActiveSubscription::ActiveSubscription(std::shared_ptr<LiveTree> followed, Subsc
 
 ActiveSubscription::~ActiveSubscription() { tree->CountSubscribers(-1); }
 
+void Session::Unfollow(const LiveTree& tree) {
+  const auto at = std::find_if(subscriptions.begin(), subscriptions.end(),
+                               [&](const auto& entry) { return entry.second.tree.get() == &tree; });
+  if (at != subscriptions.end()) subscriptions.erase(at);
+}
+
 Session* LiveSessions::Find(ClientId client) {
   const auto session = sessions_.find(client);
   return session == sessions_.end() ? nullptr : &session->second;
 }
 
-Session* LiveSessions::Open(ClientId client, Duration now) {
+Session* LiveSessions::Open(ClientId client, bool may_control, Duration now) {
   Close(client);
-  if (sessions_.size() >= kMaxSessions) return nullptr;
+  const auto readers = static_cast<std::size_t>(
+      std::count_if(sessions_.begin(), sessions_.end(),
+                    [](const auto& entry) { return !entry.second.may_control; }));
+  const bool is_full = sessions_.size() >= kMaxSessions;
+  if (is_full || (!may_control && readers >= kMaxReaders)) return nullptr;
   Session& session = sessions_[client];
+  session.may_control = may_control;
   session.owner = ++last_owner_;
   session.last_request = now;
   return &session;
@@ -36,12 +48,7 @@ void LiveSessions::Close(ClientId client) {
 }
 
 void LiveSessions::Forget(const LiveTree& tree) {
-  for (auto& [client, session] : sessions_) {
-    auto& all = session.subscriptions;
-    for (auto at = all.begin(); at != all.end();) {
-      at = at->second.tree.get() == &tree ? all.erase(at) : std::next(at);
-    }
-  }
+  for (auto& [client, session] : sessions_) session.Unfollow(tree);
 }
 
 }  // namespace coppice

@@ -26,27 +26,31 @@ struct ActiveSubscription {
 
   std::shared_ptr<LiveTree> tree;
   Subscription frames;
-  std::optional<Push> held;  // could not be sent yet
 };
 
 struct Session {
   OwnerId owner = 0;
+  bool may_control = false;  ///< when it began; what it asks for is judged by its request
   std::string name;          ///< what it calls itself
   Duration last_request{0};  ///< in real time
   std::uint32_t last_subscription = 0;
-  std::map<std::uint32_t, ActiveSubscription> subscriptions;
+  std::map<std::uint32_t, ActiveSubscription> subscriptions;  ///< one for a tree at most
+
+  /// It follows the tree no longer.
+  void Unfollow(const LiveTree& tree);
 };
 
 class LiveSessions {
  public:
   static constexpr std::size_t kMaxSessions = 64;
+  static constexpr std::size_t kMaxReaders = kMaxSessions / 2;  ///< those who may not control
 
   explicit LiveSessions(const LiveTrees& trees) : trees_(trees) {}
 
   /// Null if the client has not said hello.
   Session* Find(ClientId client);
   /// A new session in place of the one that it may have. Null if there are too many.
-  Session* Open(ClientId client, Duration now);
+  Session* Open(ClientId client, bool may_control, Duration now);
   /// What it holds is released.
   void Close(ClientId client);
   /// Nobody follows the tree any more.

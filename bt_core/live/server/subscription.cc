@@ -10,14 +10,16 @@ namespace {
 
 constexpr std::size_t kMaxPush = 256 << 10;  // bytes, unless a single frame is larger
 
-void AppendGapFrame(const HistoryGap& gap, std::string& out) {
+constexpr std::size_t kMaxGapFrame = 128;
+
+std::string GapFrame(const HistoryGap& gap) {
   Bytes frame;
   OpenFrame(frame, FrameType::kGap);
   Encoder encoder(frame);
   EncodeGap(gap, encoder);
   CloseFrame(frame, 0);
   SealFrame(frame.data());
-  out.append(frame.begin(), frame.end());
+  return std::string(frame.begin(), frame.end());
 }
 
 }  // namespace
@@ -30,39 +32,50 @@ Subscription::Subscription(const FrameStore& store, From from, std::uint64_t num
     if (next_ > store.first()) tick_ = store[next_ - 1].tick;
     return;
   }
-  Enter(from == From::kYoungest ? store.YoungestEntry() : store.OldestEntry());
+  Enter(from == From::kYoungest ? store.youngest_state() : store.oldest_state());
   const std::uint64_t wanted = from == From::kNumber && number < next_ ? number : 0;
   const bool tree_is_next_to_it = next_ > 0 && next_ == store.first() + 1;
   missed_ = next_ - wanted - (tree_is_next_to_it ? 1 : 0);
 }
 
-void Subscription::Enter(const FrameStore::Entry& entry) {
-  unnumbered_ += entry.tree->bytes;
-  next_ = entry.start;
+void Subscription::Enter(std::uint64_t state) {
+  needs_tree_ = true;
+  next_ = state;
 }
 
 // The client was too slow: what it should get next is kept no longer.
 void Subscription::CrossHole(const FrameStore& store) {
-  const FrameStore::Entry entry = store.OldestEntry();
-  const std::uint64_t tick = store[entry.start].tick;
-  HistoryGap gap;
+  const StoredFrame& state = store[store.oldest_state()];
+  HistoryGap& gap = gap_.emplace();
   gap.cause = HistoryGap::Cause::kOutput;
-  gap.time = store[entry.start].time;
+  gap.time = state.time;
   gap.first_tick = tick_ + 1;
-  gap.last_tick = std::max(tick, gap.first_tick);
+  gap.last_tick = std::max(state.tick, gap.first_tick);
   gap.lost_ticks = gap.last_tick - gap.first_tick + 1;
-  AppendGapFrame(gap, unnumbered_);
-  Enter(entry);
+  Enter(store.oldest_state());
 }
 
-std::optional<Push> Subscription::Next(const FrameStore& store) {
+std::size_t Subscription::LeastBytes(const FrameStore& store) const {
+  if (!needs_tree_) return store[next_].bytes.size();
+  return store.TreeAt(next_).bytes.size() + (gap_ ? kMaxGapFrame : 0);
+}
+
+// What goes before the next frame and has no number.
+std::string Subscription::Unnumbered(const FrameStore& store) const {
+  std::string frames = gap_ ? GapFrame(*gap_) : "";
+  if (needs_tree_) frames += store.TreeAt(next_).bytes;
+  return frames;
+}
+
+std::optional<Push> Subscription::Next(const FrameStore& store, std::size_t room) {
   if (in_flight_ > 0 && in_flight_ >= window_) return std::nullopt;
   if (next_ < store.first()) CrossHole(store);
-  if (next_ == store.next() && unnumbered_.empty()) return std::nullopt;
-  Push push;
-  push.first = next_;
-  push.frames = std::exchange(unnumbered_, {});
-  const std::size_t room = std::min(kMaxPush, window_ - std::min(window_, in_flight_));
+  if (next_ == store.next()) return std::nullopt;
+  if (LeastBytes(store) > room) return Push{next_, next_, ""};
+  Push push{next_, next_, Unnumbered(store)};
+  gap_.reset();
+  needs_tree_ = false;
+  room = std::min({room, kMaxPush, window_ - std::min(window_, in_flight_)});
   for (; next_ < store.next(); ++next_) {
     const StoredFrame& frame = store[next_];
     if (!push.frames.empty() && push.frames.size() + frame.bytes.size() > room) break;

@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 
+#include "bt_core/frames/history.h"
 #include "bt_core/live/server/frame_store.h"
 
 namespace coppice {
@@ -17,7 +18,7 @@ namespace coppice {
 struct Push {
   std::uint64_t first = 0;  ///< number of its first frame
   std::uint64_t next = 0;   ///< number after its last one; `first` if it has only unnumbered ones
-  std::string frames;
+  std::string frames;       ///< none: what is next is larger than the room that there is
 };
 
 class Subscription {
@@ -31,7 +32,8 @@ class Subscription {
   Subscription(const FrameStore& store, From from, std::uint64_t number, std::size_t window);
 
   /// What to send now; nothing if there is nothing new or the client must acknowledge first.
-  std::optional<Push> Next(const FrameStore& store);
+  /// `room`: the most bytes of frames that it may have.
+  std::optional<Push> Next(const FrameStore& store, std::size_t room = SIZE_MAX);
 
   /// The client has used everything before this number.
   void Acknowledge(std::uint64_t next);
@@ -47,15 +49,18 @@ class Subscription {
     std::size_t bytes;
   };
 
-  void Enter(const FrameStore::Entry& entry);
+  void Enter(std::uint64_t state);
   void CrossHole(const FrameStore& store);
+  std::size_t LeastBytes(const FrameStore& store) const;
+  std::string Unnumbered(const FrameStore& store) const;
 
   const std::size_t window_;
   std::uint64_t next_ = 0;
   std::uint64_t missed_ = 0;
-  std::uint64_t tick_ = 0;  // the last one that the client knows of
-  std::string unnumbered_;  // to be sent before the next frame
-  std::deque<Sent> sent_;   // and not acknowledged
+  std::uint64_t tick_ = 0;         // the last one that the client knows of
+  bool needs_tree_ = false;        // before the next frame: the one that holds there
+  std::optional<HistoryGap> gap_;  // to be told before that tree
+  std::deque<Sent> sent_;          // and not acknowledged
   std::size_t in_flight_ = 0;
 };
 

@@ -39,10 +39,7 @@ std::string_view WebConnection::Field(http::field field) const { return View(req
 void WebConnection::OnRequest() {
   Hear();
   request_ = parser_->release();
-  if (beast::websocket::is_upgrade(request_)) {
-    has_upgraded_ = true;
-    return OnUpgrade();
-  }
+  if (beast::websocket::is_upgrade(request_)) return OnUpgrade();
   switch (request_.method()) {
     case http::verb::get:
     case http::verb::head:

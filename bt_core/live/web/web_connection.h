@@ -36,8 +36,8 @@ class WebConnection : public PortConnection, public std::enable_shared_from_this
   /// A connection that has not asked for a WebSocket is closed at once.
   void Finish() override { stream_.close(); }
   void HangUp() override { stream_.close(); }
-  /// Until it asks for a WebSocket; subclasses say who gets one.
-  bool GivesWay() const override { return !has_upgraded_; }
+  /// Subclasses say who gets a WebSocket, and what claim that gives.
+  Claim claim() const override { return Claim::kStranger; }
 
  protected:
   using Status = boost::beast::http::status;
@@ -72,7 +72,6 @@ class WebConnection : public PortConnection, public std::enable_shared_from_this
   template <class Body>
   void Send(std::shared_ptr<boost::beast::http::response<Body>> answer);
 
-  bool has_upgraded_ = false;
   const WebFiles& files_;
   const WebConnectionOptions& options_;
   std::optional<boost::beast::http::request_parser<boost::beast::http::string_body>> parser_;

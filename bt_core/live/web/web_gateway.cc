@@ -59,6 +59,12 @@ class Connection final : public WebConnection, public LiveConnection {
     asio::post(port_context_, [self = Self()] { self->End(); });
   }
 
+  void HangUp() override { socket_ ? End() : WebConnection::HangUp(); }
+  Claim claim() const override {
+    if (!socket_) return Claim::kStranger;
+    return may_control_ ? Claim::kControls : Claim::kWatches;
+  }
+
   void Finish() override {
     is_finishing_ = true;
     if (!socket_) return WebConnection::Finish();
@@ -109,6 +115,7 @@ class Connection final : public WebConnection, public LiveConnection {
 
   // The next one is read when this one was taken.
   void OnMessage() {
+    Hear();
     const std::string message = beast::buffers_to_string(buffer_.data());
     groot2::Parts parts = socket_->got_binary() ? UnpackParts(message) : groot2::Parts();
     if (!parts.empty()) return shared_.clients.Put(client_, std::move(parts));

@@ -80,14 +80,18 @@ void WebPort::Admit(Door& door, Socket socket) {
 }
 
 bool WebPort::MakeRoom(Door& door) {
-  PortConnection* silent = nullptr;
-  for (PortConnection* const connection : door.connections) {
-    if (!connection->GivesWay()) continue;
-    if (!silent || connection->last_heard() < silent->last_heard()) silent = connection;
-  }
-  if (!silent) return false;
-  door.connections.erase(silent);
-  silent->HangUp();
+  const auto& all = door.connections;
+  const auto watching = static_cast<std::size_t>(std::count_if(
+      all.begin(), all.end(), [](const auto* one) { return one->claim() == Claim::kWatches; }));
+  const Claim most = 2 * watching > door.most_connections ? Claim::kWatches : Claim::kIdle;
+  const auto least = std::min_element(all.begin(), all.end(), [](const auto* a, const auto* b) {
+    return std::make_pair(a->claim(), a->last_heard()) <
+           std::make_pair(b->claim(), b->last_heard());
+  });
+  if (least == all.end() || (*least)->claim() > most) return false;
+  PortConnection* const leaving = *least;
+  door.connections.erase(least);
+  leaving->HangUp();
   return true;
 }
 

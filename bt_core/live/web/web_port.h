@@ -7,8 +7,8 @@
 //   });
 //   ~Loop() { port_.Stop(); }               // before the shared state ends
 //
-// Strangers can fill a port with connections. When it is full, who was silent longest and has no
-// claim to stay gives way to who comes.
+// Strangers can fill a port with connections, and so can somebody who may only watch. When it is
+// full, who has the least claim to stay gives way to who comes, and of those who was silent longest.
 #ifndef COPPICE_BT_CORE_LIVE_WEB_WEB_PORT_H_
 #define COPPICE_BT_CORE_LIVE_WEB_WEB_PORT_H_
 
@@ -28,6 +28,14 @@
 namespace coppice {
 
 class PortConnection;
+
+/// What speaks for keeping a connection when its port is full.
+enum class Claim : std::uint8_t {
+  kStranger,  ///< it has not shown who it is
+  kIdle,      ///< it has, and was silent since
+  kWatches,   ///< gives way only while those who watch have more than half of the port
+  kControls,  ///< never gives way
+};
 
 struct WebPortOptions {
   std::string address;                ///< as LocalAddress (bt_core/live/web/local_address.h)
@@ -105,8 +113,7 @@ class PortConnection {
   virtual void Finish() = 0;
   /// Ends now.
   virtual void HangUp() = 0;
-  /// Whether it may be hung up on for somebody else.
-  virtual bool GivesWay() const = 0;
+  virtual Claim claim() const = 0;
 
   using Moment = std::chrono::steady_clock::time_point;
   /// When it last said something that made sense.

@@ -15,7 +15,7 @@ using groot2::Parts;
 using zmtp::ZmtpPeer;
 
 constexpr auto kHandshakePatience = std::chrono::seconds(5);
-constexpr auto kClaim = std::chrono::seconds(10);  // of who spoke, not to give way
+constexpr auto kPatience = std::chrono::seconds(10);  // then who is silent is idle
 constexpr std::size_t kMaxUnasked = 64;  // pongs for a client that does not read are left out
 constexpr std::size_t kMaxTopics = 16;
 constexpr std::size_t kMaxTopicBytes = 256;
@@ -42,8 +42,10 @@ void ZmtpConnection::Start() {
   Go();
 }
 
-bool ZmtpConnection::GivesWay() const {
-  return !peer_.is_open() || std::chrono::steady_clock::now() - last_heard() > kClaim;
+Claim ZmtpConnection::claim() const {
+  if (!peer_.is_open()) return Claim::kStranger;
+  if (std::chrono::steady_clock::now() - last_heard() > kPatience) return Claim::kIdle;
+  return peer_.may_control() ? Claim::kControls : Claim::kWatches;
 }
 
 void ZmtpConnection::Read() {

@@ -29,7 +29,7 @@ class ZmtpConnection final : public PortConnection,
   void Start() override;
   void Finish() override;
   void HangUp() override { End(); }
-  bool GivesWay() const override;
+  Claim claim() const override;
 
   void Post(groot2::Parts message, std::size_t bytes) override;
   void ReadOn() override;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <utility>
+#include <vector>
 
 #include "bt_core/live/web/web_access.h"
 
@@ -41,6 +42,19 @@ void PageSharedState::EndWithoutSession() {
   for (const auto& [client, connection] : open) {
     if (!access.Find(connection->session(), now)) connection->End();
   }
+}
+
+void PageSharedState::KeepFewOf(const std::string& session) {
+  std::vector<std::shared_ptr<PageConnection>> same;  // the oldest first
+  for (const auto& [client, connection] : clients) {
+    if (connection->session() == session) same.push_back(connection);
+  }
+  for (std::size_t i = 0; i + PageServer::kMostOfASession < same.size(); ++i) same[i]->End();
+}
+
+Claim PageConnection::claim() const {
+  if (!socket_) return Claim::kStranger;
+  return pass_.role == PageRole::kOperator ? Claim::kControls : Claim::kWatches;
 }
 
 bool PageConnection::IsFromOwnPage() const {
@@ -96,6 +110,7 @@ void PageConnection::OnUpgrade() {
 void PageConnection::Begin() {
   client_ = ++shared_.clients_so_far;
   shared_.clients[client_] = Self();
+  shared_.KeepFewOf(session_);
   shared_.Put({PageEvent::Kind::kJoined, client_, pass_, ""});
   ReadMessage();
 }
@@ -108,6 +123,7 @@ void PageConnection::ReadMessage() {
 }
 
 void PageConnection::OnMessage() {
+  Hear();
   const Time now = shared_.clock.Now();
   const bool may = socket_->got_text() &&
                    limit_.MayPass(std::chrono::duration<double>(now).count()) &&

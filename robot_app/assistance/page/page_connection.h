@@ -32,6 +32,8 @@ struct PageSharedState {
 
   /// Ends the WebSockets of those who have logged out or whose time is over. The server's thread.
   void EndWithoutSession();
+  /// Ends the oldest WebSockets of a session that has too many. The server's thread.
+  void KeepFewOf(const std::string& session);
 
   PageAccess& access;
   const Clock& clock;
@@ -56,6 +58,8 @@ class PageConnection : public WebConnection {
   /// Ends at once.
   void End();
   void Finish() override { End(); }
+  void HangUp() override { End(); }
+  Claim claim() const override;
 
  private:
   struct Message {

@@ -40,6 +40,8 @@ struct PageEvent {
 class PageServer {
  public:
   static constexpr std::size_t kMostConnections = 64;
+  /// WebSockets of one session: tabs, and one that the network has not told of yet.
+  static constexpr std::size_t kMostOfASession = 4;
   static constexpr std::size_t kMostHeaderBytes = 8 << 10;
   static constexpr std::size_t kMostBodyBytes = 1 << 10;
   static constexpr std::size_t kMostMessageBytes = 4 << 10;

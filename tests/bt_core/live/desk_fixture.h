@@ -21,6 +21,10 @@ namespace coppice {
 
 class KeepingOutbox : public LiveOutbox {
  public:
+  std::size_t RoomFor(ClientId client) override {
+    const auto result = results.find(client);
+    return result != results.end() && result->second == SendResult::kFull ? 0 : SIZE_MAX;
+  }
   SendResult Send(ClientId client, const groot2::Parts& parts) override {
     const auto result = results.find(client);
     if (result != results.end() && result->second != SendResult::kSent) return result->second;

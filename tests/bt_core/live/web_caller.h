@@ -24,6 +24,7 @@ class WebCaller {
     const timeval patience{30, 0};
     setsockopt(socket_, SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof(patience));
     if (connect(socket_, reinterpret_cast<const sockaddr*>(&address), sizeof(address)) != 0) {
+      close(socket_);
       throw std::runtime_error("nobody listens");
     }
   }

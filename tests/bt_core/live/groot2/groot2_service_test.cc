@@ -51,10 +51,10 @@ TEST_F(Groot2ServiceTest, SaysWhatIsWrongInTheWordsOfTheProtocol) {
 }
 
 TEST_F(Groot2ServiceTest, LetsReadersWatchButNotControl) {
-  for (const char type : std::string("IRUAX")) {
+  for (const char type : std::string("IRUAXrt")) {
     EXPECT_THAT(Ask(type, kFailSecond, false), ElementsAre("error", HasSubstr("not control")));
   }
-  for (const char type : std::string("TSDt")) EXPECT_THAT(Ask(type, {}, false), SizeIs(2));
+  for (const char type : std::string("TSD")) EXPECT_THAT(Ask(type, {}, false), SizeIs(2));
 }
 
 TEST_F(Groot2ServiceTest, DisablesHooksWhenNobodyAsksAndEnablesThemWhenSomebodyDoes) {

@@ -31,9 +31,9 @@ TEST(FrameStore, NumbersFramesAndKnowsWhereReadingCanBegin) {
   EXPECT_TRUE(store.has_entry());
   EXPECT_EQ(store.first(), 0u);
   EXPECT_EQ(store.next(), 4u);
-  EXPECT_EQ(store.OldestEntry().start, 1u);
-  EXPECT_EQ(store.YoungestEntry().start, 3u);
-  EXPECT_EQ(store.YoungestEntry().tree->bytes, "tree");
+  EXPECT_EQ(store.oldest_state(), 1u);
+  EXPECT_EQ(store.youngest_state(), 3u);
+  EXPECT_EQ(store.TreeAt(store.youngest_state()).bytes, "tree");
   EXPECT_EQ(store[2].tick, 5u);
 }
 
@@ -46,7 +46,7 @@ TEST(FrameStore, DropsTheOldestUpToAState) {
   EXPECT_EQ(store.first(), 0u);
   store.Add(Make(FrameType::kEvents, 4));
   EXPECT_EQ(store.first(), 5u);
-  EXPECT_EQ(store.OldestEntry().start, 5u);
+  EXPECT_EQ(store.oldest_state(), 5u);
   EXPECT_EQ(store.next(), 7u);
 }
 
@@ -55,23 +55,23 @@ TEST(FrameStore, KeepsTheYoungestStateWhateverTheLimit) {
   store.Add(Make(FrameType::kTree, 0));
   store.Add(Make(FrameType::kState, 0));
   for (std::uint64_t tick = 1; tick <= 100; ++tick) store.Add(Make(FrameType::kEvents, tick));
-  EXPECT_EQ(store.OldestEntry().start, 1u);
+  EXPECT_EQ(store.oldest_state(), 1u);
   store.Add(Make(FrameType::kState, 100));
   EXPECT_EQ(store.first(), 102u);
 }
 
-TEST(FrameStore, RemembersTheTreeOfTheOldestState) {
+TEST(FrameStore, RemembersTheTreeOfEachState) {
   FrameStore store(MemoryOf(5));
   store.Add(Make(FrameType::kTree, 0, "first"));
   store.Add(Make(FrameType::kState, 0));
   store.Add(Make(FrameType::kTree, 1, "second"));
   store.Add(Make(FrameType::kState, 1));
-  EXPECT_EQ(store.OldestEntry().tree->bytes, "first");
-  EXPECT_EQ(store.YoungestEntry().tree->bytes, "second");
+  EXPECT_EQ(store.TreeAt(store.oldest_state()).bytes, "first");
+  EXPECT_EQ(store.TreeAt(store.youngest_state()).bytes, "second");
   store.Add(Make(FrameType::kEvents, 2, std::string(80, 'x')));
-  EXPECT_EQ(store.OldestEntry().tree->bytes, "second");
+  EXPECT_EQ(store.TreeAt(store.oldest_state()).bytes, "second");
   store.Add(Make(FrameType::kTree, 2, "third"));
-  EXPECT_EQ(store.OldestEntry().tree->bytes, "second");
+  EXPECT_EQ(store.TreeAt(store.oldest_state()).bytes, "second");
 }
 
 }  // namespace

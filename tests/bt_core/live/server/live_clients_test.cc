@@ -101,6 +101,16 @@ TEST_F(LiveClientsTest, KeepsNotMuchMoreForManyThanForAFew) {
   EXPECT_LE(room, LiveClients::kMaxUnreadInAll + (1 << 20));
 }
 
+TEST_F(LiveClientsTest, SaysHowMuchItWouldTake) {
+  const ClientId client = clients_.Enter(first_, true);
+  EXPECT_GT(clients_.RoomFor(client), LiveClients::kMaxUnreadInAll) << "one message, of any size";
+  clients_.Send(client, {std::string(1 << 20, 'x')});
+  const std::size_t room = clients_.RoomFor(client);
+  EXPECT_LT(room, 3u << 20);
+  EXPECT_EQ(clients_.Send(client, {"header", std::string(room + 1000, 'x')}), SendResult::kFull);
+  EXPECT_EQ(clients_.Send(client, {"header", std::string(room, 'x')}), SendResult::kSent);
+}
+
 TEST_F(LiveClientsTest, PublishesToWhoAskedForTheTopic) {
   clients_.SetTopics(clients_.EnterListener(first_), {"ab"});
   clients_.SetTopics(clients_.EnterListener(second_), {""});

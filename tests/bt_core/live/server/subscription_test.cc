@@ -80,6 +80,25 @@ TEST_F(SubscriptionTest, SendsNoMoreThanTheWindowUntilItIsAcknowledged) {
   EXPECT_EQ(Print(subscription.Next(store_)), "10-18 eeeeeeee");
 }
 
+TEST_F(SubscriptionTest, WaitsForRoomAndKeepsNothingMeanwhile) {
+  AddEvents(2);
+  Subscription subscription(store_, From::kOldest, 0, 1000);
+  EXPECT_EQ(Print(subscription.Next(store_, 0)), "1-1 ");
+  EXPECT_EQ(Print(subscription.Next(store_, 2)), "1-2 TS");
+  EXPECT_EQ(Print(subscription.Next(store_, 0)), "2-2 ");
+  EXPECT_EQ(Print(subscription.Next(store_, 1)), "2-3 e");
+}
+
+TEST_F(SubscriptionTest, BeginsWithTheTreeThatHeldAtItsState) {
+  FrameStore store(10000);
+  store.Add({FrameType::kTree, 1, Time(0), "T"});
+  store.Add({FrameType::kState, 1, Time(0), "S"});
+  Subscription subscription(store, From::kOldest, 0, 1000);
+  store.Add({FrameType::kTree, 2, Time(0), "U"});
+  store.Add({FrameType::kState, 2, Time(0), "V"});
+  EXPECT_EQ(Print(subscription.Next(store)), "1-4 TSUV");
+}
+
 TEST_F(SubscriptionTest, SendsAFrameThatIsLargerThanTheWindowAlone) {
   Add(FrameType::kEvents, std::string(50, 'x'));
   AddEvents(1);

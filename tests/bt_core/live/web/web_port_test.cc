@@ -15,6 +15,52 @@ using testing::StartsWith;
 
 constexpr const char* kAsk = "HEAD /none HTTP/1.1\r\n\r\n";
 
+// Has the claim that the first request names by its number.
+class ClaimingConnection : public WebConnection {
+ public:
+  using WebConnection::WebConnection;
+  Claim claim() const override { return claim_; }
+
+ private:
+  void OnUpgrade() override {}
+  void OnPost() override {
+    claim_ = static_cast<Claim>(std::stoi(request().body()));
+    Reply(Status::no_content, "");
+  }
+  Claim claim_ = Claim::kStranger;
+};
+
+class ClaimTest : public testing::Test {
+ protected:
+  ~ClaimTest() override { port_.Stop(); }
+
+  std::unique_ptr<WebCaller> Come(Claim claim) {
+    auto caller = std::make_unique<WebCaller>(port_.port());
+    const std::string number = std::to_string(static_cast<int>(claim));
+    caller->Ask("POST / HTTP/1.1\r\nContent-Length: 1\r\n\r\n" + number);
+    return caller;
+  }
+  static bool IsServed(WebCaller& caller) { return !caller.Ask(kAsk).empty(); }
+
+  const WebFiles files_{"."};
+  const WebConnectionOptions options_{1 << 10, 16, {}, "no such thing\n"};
+  WebPort port_{{"127.0.0.1", 0, "claim_port", 4}, [this](WebPort::Socket socket, WebPort& port) {
+                  return std::make_shared<ClaimingConnection>(std::move(socket), port, files_,
+                                                              options_);
+                }};
+};
+
+TEST_F(ClaimTest, WhoWatchesGivesWayOnlyBeyondHalfOfThePort) {
+  std::vector<std::unique_ptr<WebCaller>> watching;
+  for (int i = 0; i < 6; ++i) watching.push_back(Come(Claim::kWatches));
+  const auto one = Come(Claim::kControls);
+  const auto two = Come(Claim::kControls);
+  EXPECT_EQ(Come(Claim::kControls)->Ask(kAsk), "");
+  EXPECT_TRUE(IsServed(*watching[5]));
+  EXPECT_TRUE(IsServed(*watching[4]));
+  EXPECT_FALSE(IsServed(*watching[3]));
+}
+
 TEST(WebPortTest, TakesAFreePortAndServesOnIt) {
   FilePort port;
   EXPECT_NE(port.port(), 0);
