@@ -108,10 +108,13 @@ std::string PackedLines::text() const {
   return text;
 }
 
-std::string PackedLines::RestOfLine(std::uint32_t offset) const {
+std::string PackedLines::Piece(std::uint32_t offset, std::size_t most) const {
   const Line line = LineAt(offset);
-  const std::string whole = std::string(line.blanks, ' ').append(line.rest);
-  return whole.substr(std::min<std::size_t>(offset - line.begin.offset, whole.size()));
+  const std::size_t column = offset - line.begin.offset;
+  const std::size_t passed = std::min<std::size_t>(line.blanks, column);
+  const std::size_t blanks = std::min(most, line.blanks - passed);
+  const std::size_t from = std::min(line.rest.size(), column - passed);
+  return std::string(blanks, ' ').append(line.rest.substr(from, most - blanks));
 }
 
 PackedLines::Position PackedLines::PositionOf(std::uint32_t offset) const {
@@ -125,10 +128,11 @@ SourceText::SourceText(const Document& document)
 }
 
 StartTag SourceText::StartTagAt(std::uint32_t offset) const {
-  std::string tag = lines_.RestOfLine(offset);
-  while (!ReadMarkup(tag, 0).is_closed) {
-    tag += lines_.RestOfLine(offset + static_cast<std::uint32_t>(tag.size()));
-  }
+  std::string tag;  // of a line that may be a million tags long
+  do {
+    const std::size_t more = std::max<std::size_t>(256, tag.size());
+    tag += lines_.Piece(offset + static_cast<std::uint32_t>(tag.size()), more);
+  } while (!ReadMarkup(tag, 0).is_closed);
   return ReadStartTag(tag);
 }
 

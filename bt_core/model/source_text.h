@@ -11,6 +11,7 @@
 #ifndef COPPICE_BT_CORE_MODEL_SOURCE_TEXT_H_
 #define COPPICE_BT_CORE_MODEL_SOURCE_TEXT_H_
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -48,8 +49,9 @@ class PackedLines {
   bool empty() const { return bytes_.empty(); }
   std::string text() const;
 
-  /// From a byte of the text to the end of its line, with its '\n'. Empty behind the last byte.
-  std::string RestOfLine(std::uint32_t offset) const;
+  /// From a byte of the text on at most so many, and no further than the end of its line, with its
+  /// '\n'. Empty behind the last byte.
+  std::string Piece(std::uint32_t offset, std::size_t most) const;
 
   /// Line and column of a byte of the text, both from 1.
   struct Position {

@@ -21,6 +21,15 @@ std::string LongText() {
   return text + "</a>";
 }
 
+// All in one line, as programs write it, with tags that are longer than one reads at first.
+std::string LongLine() {
+  std::string text = "    <a>";
+  for (std::size_t i = 0; i < 9; ++i) {
+    text += "<b n='" + std::string(i * 150, 'x') + "' c=\"" + std::to_string(i) + "\"/>";
+  }
+  return text + "</a>";
+}
+
 class SourceTextTest : public testing::TestWithParam<std::string> {
  protected:
   const Document document_ = Parsed(GetParam());
@@ -51,7 +60,8 @@ TEST_P(SourceTextTest, ReadsEveryStartTagAsTheDocumentHasIt) {
 
 INSTANTIATE_TEST_SUITE_P(Of, SourceTextTest,
                          testing::Values("<a/>", "<a></a>\n", "\n\n  < a x = '1'y=\"2\"/>\n\n",
-                                         "<a x='>' y=\"'\">\n<b/><!--\n <c/>--></a>", LongText()));
+                                         "<a x='>' y=\"'\">\n<b/><!--\n <c/>--></a>", LongText(),
+                                         LongLine()));
 
 TEST(SourceText, SpeaksOfTheUsersFileAfterARewriting) {
   const Document before = Parsed("<a>\n<b/>\n <c/></a>");
