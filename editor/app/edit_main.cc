@@ -54,8 +54,8 @@ std::unique_ptr<Editor> MakeEditor(const EditOptions& options, EditorOptions edi
 int Main(const std::vector<std::string>& arguments) {
   const EditOptions options = ParseEditOptions(arguments);
   if (options.exit) return *options.exit;
-  std::signal(SIGTERM, [](int) { g_stop = true; });
-  std::signal(SIGINT, [](int) { g_stop = true; });
+  for (const int signal : {SIGTERM, SIGINT, SIGHUP})
+    std::signal(signal, [](int) { g_stop = true; });
   WallClock clock;
   return options.headless ? RunHeadless(clock, options) : RunWindow(clock, options);
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <iostream>
 #include <limits>
 
@@ -33,6 +34,24 @@ Image ReadBack(const ImDrawData& data) {
   return image;
 }
 
+// A display that goes away, as at a logout, ends the program from within Xlib: then nothing is
+// destroyed.
+class KeptAtExit {
+ public:
+  explicit KeptAtExit(Editor& editor) {
+    editor_ = &editor;
+    std::atexit([] {
+      if (editor_) editor_->KeepWork();
+    });
+  }
+  ~KeptAtExit() { editor_ = nullptr; }
+  KeptAtExit(const KeptAtExit&) = delete;
+  KeptAtExit& operator=(const KeptAtExit&) = delete;
+
+ private:
+  static inline Editor* editor_ = nullptr;
+};
+
 class WindowLoop {
  public:
   WindowLoop(const Clock& clock, const EditOptions& options, GlfwWindow& window, Editor& editor,
@@ -62,7 +81,7 @@ class WindowLoop {
   double Elapsed() const { return std::chrono::duration<double>(clock_.Now() - start_).count(); }
 
   bool Ended() const {
-    return g_stop || editor_.wants_quit() || glfwWindowShouldClose(window_.get()) ||
+    return g_stop || editor_.wants_quit() ||
            (options_.run_for > 0 && Elapsed() >= options_.run_for);
   }
 
@@ -74,8 +93,10 @@ class WindowLoop {
 
   void DrawFrame() {
     for (const std::string& path : window_.TakeDropped()) editor_.Open(path);
+    if (window_.TakeCloseRequest()) editor_.AskToQuit();
     editor_.Frame(window_.Take(Lapse()));
     window_.Show(editor_.cursor());
+    window_.SetTitle(editor_.title());
     RedrawBackBuffer();
     if (!options_.picture.empty() && options_.picture_every > 0 && Elapsed() >= next_picture_) {
       Save();
@@ -154,6 +175,7 @@ int RunWindow(const Clock& clock, const EditOptions& options) {
   };
   const std::unique_ptr<Editor> editor = MakeEditor(options, std::move(editor_options));
   if (!editor) return kNoDisplay;
+  const KeptAtExit kept(*editor);
   GlRenderer renderer(editor->context());
   if (!renderer.good()) {
     std::cerr << "coppice-edit: OpenGL 3.0 is needed; use --headless\n";

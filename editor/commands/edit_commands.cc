@@ -14,8 +14,6 @@ class EditCommands {
   explicit EditCommands(EditorState& state) : state_(state) {}
 
   void AddAll() {
-    AddFiles();
-    AddRestore();
     AddNodes();
     AddMoves();
     AddClipboard();
@@ -78,29 +76,6 @@ class EditCommands {
     if (declared) return "inspector/port/" + node.model->ports[0].name;
     if (node.port_count == 0) return "inspector/name";
     return "inspector/port/" + std::string(scene.ports[node.first_port].name);
-  }
-
-  void AddFiles() {
-    AddFunction("file.new", "New file", {'N', kCtrl},
-                [&s = state_](const TreeEditor&) { s.workspace.New(s.now); });
-    AddFunction("file.save", "Save", {'S', kCtrl}, [](TreeEditor edit) { edit.Save(); });
-    AddFunction("file.save_as", "Save as", {'S', kCtrl | kShift}, [&s = state_](const TreeEditor&) {
-      const OpenFile* file = s.workspace.file();
-      s.OpenPopup(Popup::kSaveAs, file ? file->path : "");
-    });
-    AddFunction("file.save_over", "Save over what somebody else wrote", {},
-                [](TreeEditor edit) { edit.Save(true); });
-    AddFunction("file.merge", "Merge what somebody else wrote, keeping mine where both changed", {},
-                [](TreeEditor edit) { edit.MergeTheirs(); });
-    AddFunction("file.take_theirs", "Take what somebody else wrote", {},
-                [](TreeEditor edit) { edit.TakeTheirs(); });
-  }
-
-  void AddRestore() {
-    AddFunction("file.restore", "Restore unsaved work", {},
-                [](TreeEditor edit) { edit.Restore(); });
-    AddFunction("file.forget", "Forget unsaved work of the last time", {},
-                [&s = state_](const TreeEditor&) { s.restorable.clear(); });
   }
 
   void AddNodes() {

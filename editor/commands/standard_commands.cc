@@ -30,30 +30,11 @@ std::uint32_t Neighbour(const Scene& scene, const TreeView& view, std::uint32_t 
   return kNoNode;
 }
 
-// Unsaved work is not lost by one key: the second time within some seconds counts.
-void Quit(EditorState& state, double now) {
-  constexpr double kSecondTime = 5;
-  const auto& files = state.workspace.project().files();
-  const auto dirty = std::find_if(files.begin(), files.end(),
-                                  [](const auto& file) { return file.second.is_dirty(); });
-  const std::string warning =
-      dirty == files.end()
-          ? ""
-          : dirty->first + " is not saved: Ctrl+S saves, Ctrl+Q again quits without saving";
-  const bool warned = state.notice.text == warning && now - state.notice.at < kSecondTime;
-  if (warning.empty() || warned) {
-    state.quit = true;
-  } else {
-    state.Notify(warning, now, true);
-  }
-}
-
 class Commands {
  public:
   explicit Commands(EditorState& state) : state_(state) {}
 
   void AddAll() {
-    AddFile();
     AddView();
     AddTree();
     AddTiles();
@@ -84,12 +65,6 @@ class Commands {
     Add(std::move(id), std::move(title), keys, [&s = state_, run = std::move(run)] {
       if (TreeView* view = s.workspace.view()) run(*view);
     });
-  }
-
-  void AddFile() {
-    Add("file.open", "Open file", {'O', kCtrl}, [&s = state_] { s.OpenPopup(Popup::kOpen); });
-    Add("file.reload", "Reload file", {'R', kCtrl}, [&s = state_] { s.workspace.Reload(s.now); });
-    Add("file.quit", "Quit", {'Q', kCtrl}, [&s = state_] { Quit(s, s.now); });
   }
 
   void AddView() {

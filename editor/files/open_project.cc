@@ -33,10 +33,15 @@ void NoteStamp(EditedFile& file) {
   file.size = fs::file_size(file.path, error);
 }
 
+bool IsGone(const std::string& path) {
+  std::error_code error;
+  return !fs::exists(path, error) && !error;
+}
+
 bool HasOldStamp(const EditedFile& file) {
   std::error_code error;
   const auto time = fs::last_write_time(file.path, error);
-  if (error) return true;  // it is gone; the text in memory is all there is
+  if (error) return true;  // it is gone: the text in memory is all there is
   return time == file.time && fs::file_size(file.path, error) == file.size;
 }
 
@@ -247,10 +252,14 @@ bool OpenProject::Save(const std::string& path, Diagnostics& diagnostics, bool o
                       "take theirs, or save over it");
     return false;
   }
+  if (file->is_gone) {  // perhaps with its folder
+    std::error_code error;
+    fs::create_directories(fs::absolute(file->path, error).parent_path(), error);
+  }
   if (!WriteFile(file->path, file->text, diagnostics)) return false;
   Know(*file, file->text);
   file->other.reset();
-  file->is_new = false;
+  file->is_new = file->is_gone = false;
   NoteStamp(*file);
   return true;
 }
@@ -271,7 +280,7 @@ bool OpenProject::SaveAs(const std::string& path, const std::string& new_path,
   EditedFile& moved = files_.insert(std::move(node)).position->second;
   moved.path = new_path;
   Know(moved, moved.text);
-  moved.is_new = false;
+  moved.is_new = moved.is_gone = false;
   moved.other.reset();
   NoteStamp(moved);
   Replace(moved, std::string(moved.text), std::nullopt);
@@ -281,7 +290,11 @@ bool OpenProject::SaveAs(const std::string& path, const std::string& new_path,
 std::vector<std::string> OpenProject::LookAtDisk() {
   std::vector<std::string> changed;
   for (auto& [path, file] : files_) {
-    if (file.is_new || HasOldStamp(file)) continue;
+    if (file.is_new) continue;
+    const bool is_gone = IsGone(path);
+    if (is_gone && !file.is_gone) changed.push_back(path);
+    file.is_gone = is_gone;
+    if (HasOldStamp(file)) continue;
     std::optional<std::string> text = ReadText(path);
     NoteStamp(file);
     if (!text) continue;

@@ -36,10 +36,13 @@ struct EditedFile {
   std::string saved;                 ///< what is on the disk, as far as known
   std::optional<std::string> other;  ///< what somebody else wrote there while the user edited
   bool is_new = false;               ///< it was never on the disk
+  bool is_gone = false;              ///< somebody has removed it from there
   std::uint32_t version = 0;         ///< counts the changes of the text
   std::uint32_t saved_version = 0;   ///< and of what is saved
 
-  bool is_dirty() const { return is_new || text != saved; }
+  bool is_dirty() const { return is_new || is_gone || text != saved; }
+  /// Would anything be lost without saving it? Not of a new file that nobody has touched.
+  bool has_unsaved_work() const { return is_new ? version > 1 : is_dirty(); }
 
   std::filesystem::file_time_type time;  ///< of the file when it was read or written
   std::uintmax_t size = 0;
@@ -88,9 +91,10 @@ class OpenProject {
   /// Writes it under another name, under which it is open from now on. The history stays.
   bool SaveAs(const std::string& path, const std::string& new_path, Diagnostics& diagnostics);
 
-  /// Looks for files that were changed by others. Those that the user has not changed are read
-  /// again, and those where the changes do not meet are merged (merge.h), as a step that can be
-  /// undone; the others get `other`. Returns the paths of all.
+  /// Looks for files that were changed or removed by others. Those that the user has not changed
+  /// are read again, and those where the changes do not meet are merged (merge.h), as a step that
+  /// can be undone; the others get `other`, and those that are not there any more are `is_gone`.
+  /// Returns the paths of all.
   std::vector<std::string> LookAtDisk();
 
   /// Ends the disagreement with the disk: the text of the other side becomes the file's text, or

@@ -6,6 +6,7 @@
 #include "editor/commands/merge_commands.h"
 #include "editor/document/project_names.h"
 #include "editor/panels/widgets/panel.h"
+#include "editor/workspace/file_keeper.h"
 #include "editor/workspace/project_editor.h"
 #include "editor/workspace/simulation_editor.h"
 
@@ -20,7 +21,11 @@ class Banners {
   Banners(const Ui& ui, EditorState& state, const Box& box) : ui_(ui), state_(state), rest_(box) {}
 
   Box Draw() {
-    DrawUnsaved();
+    DrawLeft();
+    DrawElsewhere();
+    DrawGone();
+    DrawFailedSave();
+    DrawUnkept();
     DrawDispute();
     DrawStale();
     DrawSimulation();
@@ -60,15 +65,50 @@ class Banners {
   }
 
   // Of the last time, after a crash.
-  void DrawUnsaved() {
-    if (state_.restorable.empty()) return;
-    const std::string& path = state_.restorable.begin()->first;
-    const std::size_t others = state_.restorable.size() - 1;
+  void DrawLeft() {
+    const UnsavedCopy* const copy = FileKeeper(state_, ui_.now).Offered();
+    if (!copy) return;
     DrawBanner("banner/unsaved", ui_.palette.warning,
-               "The editor ended with unsaved work on " + NameOf(path) +
-                   (others > 0 ? " and " + Count(others, "other file") : ""),
+               "An editor ended with unsaved work on " + NameOf(copy->path) + ", " + AgeOf(*copy),
                {{"banner/forget", "forget it", "file.forget"},
                 {"banner/restore", "restore it", "file.restore"}});
+  }
+
+  void DrawElsewhere() {
+    const UnsavedCopy* const copy = FileKeeper(state_, ui_.now).Elsewhere();
+    if (!copy) return;
+    DrawBanner("banner/elsewhere", ui_.palette.warning,
+               NameOf(copy->path) + " is open in another editor (process " +
+                   std::to_string(copy->editor) + "), with changes that are not saved there",
+               {});
+  }
+
+  void DrawGone() {
+    for (const auto& [path, file] : state_.workspace.project().files()) {
+      if (!file.is_gone) continue;
+      return DrawBanner("banner/gone", ui_.palette.error,
+                        NameOf(path) + " is gone from the disk: what is here is the only copy",
+                        {{"banner/write", "write it", "file.save"}});
+    }
+  }
+
+  void DrawFailedSave() {
+    for (const auto& [path, reason] : state_.unsaveable) {
+      const EditedFile* const file = state_.workspace.project().Find(path);
+      if (!file || !file->is_dirty() || file->other) continue;
+      return DrawBanner("banner/failed_save", ui_.palette.error,
+                        NameOf(path) + " could not be saved: " + reason,
+                        {{"banner/save_as", "save as", "file.save_as"},
+                         {"banner/save_again", "try again", "file.save"}});
+    }
+  }
+
+  void DrawUnkept() {
+    if (state_.work.trouble().empty()) return;
+    DrawBanner(
+        "banner/unkept", ui_.palette.error,
+        "Unsaved work would be lost in a crash, for no copy can be kept: " + state_.work.trouble(),
+        {{"banner/save", "save", "file.save"}});
   }
 
   // The text is malformed; what is shown is older than it.

@@ -76,12 +76,14 @@ class CanvasBar {
     const float pad = 3 * ui_.scale;
     for (std::size_t i = 0; i < tabs.size(); ++i) {
       const std::string& name = tabs[i].tree;
-      const float wanted = ui_.Width(name, {Face::kSans, 12, 0}) + 18 * ui_.scale;
+      const EditedFile* const file = state_.workspace.project().Find(tabs[i].path);
+      const std::string shown_name = (file && file->is_dirty() ? "* " : "") + name;
+      const float wanted = ui_.Width(shown_name, {Face::kSans, 12, 0}) + 18 * ui_.scale;
       const float width = std::min(wanted, kLongestTab * ui_.scale);
       if (left_ + width > right_ - 40 * ui_.scale) return;
       const Box at = {{left_, box_.min.y + pad}, {left_ + width, box_.max.y - pad}};
       left_ += width + 4 * ui_.scale;
-      const std::string text = ui_.Cut(name, {Face::kSans, 12, 0}, width - 14 * ui_.scale);
+      const std::string text = ui_.Cut(shown_name, {Face::kSans, 12, 0}, width - 14 * ui_.scale);
       if (ui_.Button("canvasbar/tab/" + name, at, text, i == shown)) {
         ShowTab(state_, i, ui_.now);
       }
@@ -94,7 +96,9 @@ class CanvasBar {
     const Workspace& workspace = state_.workspace;
     std::string name;
     if (const OpenFile* file = workspace.file()) {
-      name = file->path.substr(file->path.rfind('/') + 1);
+      const EditedFile* const edited = workspace.project().Find(file->path);
+      const bool is_dirty = edited && edited->is_dirty();
+      name = (is_dirty ? "* " : "") + file->path.substr(file->path.rfind('/') + 1);
     }
     if (const RunView* run = workspace.run()) {
       name = run->name();

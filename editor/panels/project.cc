@@ -51,10 +51,15 @@ void DrawFile(const Ui& ui, EditorState& state, std::size_t number) {
   }
   for (std::uint32_t d = 0; d < forest->documents().size(); ++d) {
     const std::string document = FileName(forest->documents()[d]->file());
+    const EditedFile* const edited = workspace.project().Find(forest->documents()[d]->file());
+    const bool is_dirty = edited && edited->is_dirty();
     const Row row = NextRow(ui, "project/" + document, false);
     if (row.visible) {
-      IconRow(ui, row.box, d == 0 ? 8 : 16, icon::kFolderOpen, document,
-              d == 0 ? ui.palette.text : ui.palette.text_dim, d == 0 ? "" : "included");
+      IconRow(ui, row.box, d == 0 ? 8 : 16, icon::kFolderOpen, (is_dirty ? "* " : "") + document,
+              d == 0 ? ui.palette.text : ui.palette.text_dim,
+              is_dirty ? "not saved"
+              : d == 0 ? ""
+                       : "included");
     }
     for (std::size_t t = 0; t < forest->trees().size(); ++t) {
       if (forest->trees()[t].document != d) continue;

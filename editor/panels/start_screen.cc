@@ -4,6 +4,7 @@
 #include <string>
 
 #include "editor/panels/widgets/panel.h"
+#include "editor/workspace/file_keeper.h"
 
 namespace coppice::editor {
 namespace {
@@ -81,6 +82,7 @@ class StartScreen {
              {Face::kSans, 12, ui_.palette.text_dim});
     y_ += kGap * ui_.scale;
     for (const auto& offer : kOffers) OfferCommand(offer);
+    OfferUnsaved();
     OfferRecent();
   }
 
@@ -123,12 +125,45 @@ class StartScreen {
     if (pressed) state_.commands.Run(offer.command);
   }
 
+  void Heading(const char* text, Color color) {
+    y_ += kGap * ui_.scale;
+    ui_.RowText(list_, {left_, y_}, 20 * ui_.scale, text, {Face::kBold, 11, color});
+    y_ += 22 * ui_.scale;
+  }
+
+  void OfferUnsaved() {
+    const std::vector<UnsavedCopy> left = state_.work.left();  // a click takes one out
+    if (left.empty()) return;
+    Heading("unsaved work of editors that have ended", ui_.palette.warning);
+    for (std::size_t i = 0; i < std::min(left.size(), kRecent); ++i) OfferCopy(left[i], i);
+  }
+
+  void OfferCopy(const UnsavedCopy& copy, std::size_t number) {
+    const std::string path = "start/unsaved/" + std::to_string(number);
+    Box box = Take(20);
+    y_ -= kGap * ui_.scale;
+    const TextStyle dim{Face::kSans, 11, ui_.palette.text_dim};
+    const float width = ui_.Width("forget", dim) + 8 * ui_.scale;
+    const Box forget = {{box.max.x - width, box.min.y}, box.max};
+    box.max.x = forget.min.x;
+    bool hovered = false;
+    const bool forgotten = ui_.Hit(path + "/forget", forget, &hovered);
+    ui_.RowText(list_, forget.min + Point{8 * ui_.scale, 0}, forget.height(), "forget",
+                {Face::kSans, 11, hovered ? ui_.palette.error : ui_.palette.text_dim});
+    const std::string age = AgeOf(copy);
+    const float age_width = ui_.Width(age, dim) + 8 * ui_.scale;
+    const bool pressed = ui_.Hit(path, box, &hovered);
+    const TextStyle style{Face::kSans, 12, hovered ? ui_.palette.accent : ui_.palette.link};
+    ui_.RowText(list_, box.min, box.height(),
+                ui_.CutStart(copy.path, style, box.width() - age_width), style);
+    ui_.RowText(list_, {box.max.x - age_width + 8 * ui_.scale, box.min.y}, box.height(), age, dim);
+    if (forgotten) state_.after_frame = [&s = state_, copy] { s.work.Forget(copy); };
+    if (pressed) state_.after_frame = [&s = state_, copy] { FileKeeper(s, s.now).Restore(copy); };
+  }
+
   void OfferRecent() {
     if (state_.recent.files.empty()) return;
-    y_ += kGap * ui_.scale;
-    const TextStyle heading{Face::kBold, 11, ui_.palette.text_dim};
-    ui_.RowText(list_, {left_, y_}, 20 * ui_.scale, "recent files", heading);
-    y_ += 22 * ui_.scale;
+    Heading("recent files", ui_.palette.text_dim);
     for (std::size_t i = 0; i < std::min(state_.recent.files.size(), kRecent); ++i) {
       const std::string path = state_.recent.files[i];
       const Box box = Take(20);

@@ -177,10 +177,7 @@ class TopBar {
     Entry("file.export");
     Entry("file.compare");
     Entry("file.stop_comparing");
-    if (!state_.restorable.empty()) {
-      Entry("file.restore");
-      Entry("file.forget");
-    }
+    if (!state_.work.left().empty()) Entry("file.unsaved");
     if (!state_.recent.files.empty()) ImGui::Separator();
     for (std::size_t i = 0; i < state_.recent.files.size(); ++i) {
       const std::string path = state_.recent.files[i];

@@ -4,6 +4,8 @@
 #include "editor/shell/editor.h"
 
 #include <imgui.h>
+// After imgui.h, which it needs.
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -17,6 +19,7 @@
 #include "editor/canvas/canvas.h"
 #include "editor/canvas/layout/node_metrics.h"
 #include "editor/commands/edit_commands.h"
+#include "editor/commands/file_commands.h"
 #include "editor/commands/log_commands.h"
 #include "editor/commands/merge_commands.h"
 #include "editor/commands/picture_commands.h"
@@ -41,7 +44,7 @@ namespace {
 constexpr std::size_t kMostRecent = 10;
 constexpr int kFramesToSettle = 2;       // Dear ImGui shows some reactions a frame later
 constexpr double kLiveFrame = 1.0 / 20;  // while something runs on the robot
-constexpr double kBackupSeconds = 5;     // between two backups of unsaved work
+constexpr double kKeepSeconds = 3;       // between two copies of unsaved work
 constexpr double kWaitingFrame = 1.0;    // to count down to the next try
 
 std::optional<std::string> ReadText(const std::string& path) {
@@ -56,11 +59,13 @@ Editor::Editor(EditorOptions options)
     : options_(std::move(options)),
       fonts_(options_.fonts ? options_.fonts : std::make_shared<const Fonts>(options_.scale)),
       context_(fonts_->MakeContext()),
-      state_([this](const Scene& scene, const SceneNode& node) {
-        const Ui ui{GetPalette(state_.screen.palette), *fonts_, items_, options_.scale, 0, Time(0)};
-        return MeasureNode(ui, scene, node);
-      }),
-      backup_(options_.backup_folder),
+      state_(
+          [this](const Scene& scene, const SceneNode& node) {
+            const Ui ui{
+                GetPalette(state_.screen.palette), *fonts_, items_, options_.scale, 0, Time(0)};
+            return MeasureNode(ui, scene, node);
+          },
+          options_.backup_folder),
       history_store_(options_.backup_folder) {
   const WithContext current(context_);
   SetUpImGui();
@@ -79,6 +84,7 @@ Editor::Editor(EditorOptions options)
     const WithContext own(context_);
     ImGui::SetClipboardText(text.c_str());
   };
+  AddFileCommands(state_);
   AddEditCommands(state_);
   AddProjectCommands(state_);
   AddMergeCommands(state_);
@@ -92,11 +98,12 @@ Editor::Editor(EditorOptions options)
   LoadRecent();
   LoadKeys();
   LoadMarks();
+  state_.work.Look(state_.workspace.project());
 }
 
 Editor::~Editor() {
-  KeepMarks();
-  history_store_.Update(state_.workspace.project());
+  const WithContext current(context_);
+  KeepWork();
   ImGui::DestroyContext(context_);
 }
 
@@ -127,27 +134,46 @@ bool Editor::Open(const std::string& path) {
   const bool good = state_.workspace.Open(path, state_.now);
   if (good) Remember(path);
   history_store_.Restore(state_.workspace.project());
-  LookForBackup(path);
+  state_.work.Look(state_.workspace.project());
   settle_ = kFramesToSettle;
   return good;
 }
 
-void Editor::LookForBackup(const std::string& path) {
-  const EditedFile* file = state_.workspace.project().Find(path);
-  if (!file || file->is_dirty()) return;
-  const std::optional<std::string> text = backup_.Find(*file);
-  if (!text) return;
-  state_.restorable[file->path] = *text;
+// Once the user has said what becomes of it, nothing is unsaved any more.
+void Editor::KeepWork() {
+  const OpenProject& project = state_.workspace.project();
+  if (!state_.quit) state_.work.Keep(project);
+  history_store_.Update(project);
+  KeepMarks();
 }
 
-// Every few seconds, and not before what is there has been restored or refused.
-void Editor::BackUp() {
-  if (state_.now - backed_up_at_ < kBackupSeconds || !state_.restorable.empty()) return;
-  backed_up_at_ = state_.now;
+void Editor::KeepWorkIfDue() {
+  if (state_.now - kept_at_ < kKeepSeconds) return;
+  kept_at_ = state_.now;
   state_.git.Look();
-  backup_.Update(state_.workspace.project());
-  history_store_.Update(state_.workspace.project());
-  KeepMarks();
+  KeepWork();
+  state_.work.Look(state_.workspace.project());
+}
+
+void Editor::AskToQuit() {
+  state_.commands.Run("file.quit");
+  settle_ = kFramesToSettle;
+}
+
+std::string Editor::title() const {
+  const std::string program = "Coppice";
+  const Workspace& workspace = state_.workspace;
+  const std::string* const path = workspace.run()    ? &workspace.run()->name()
+                                  : workspace.file() ? &workspace.file()->path
+                                                     : nullptr;
+  if (!path) return program;
+  std::string mark, others;
+  std::size_t unsaved = 0;
+  for (const auto& [name, file] : workspace.project().files()) {
+    if (!file.is_dirty()) continue;
+    name == * path ? mark = "* " : others = " (+" + std::to_string(++unsaved) + " not saved)";
+  }
+  return mark + path->substr(path->rfind('/') + 1) + others + " - " + program;
 }
 
 std::string Editor::Connect(const std::string& endpoint) {
@@ -180,7 +206,7 @@ void Editor::Frame(const InputEvents& input) {
     const std::string answer = run->TakeAnswer();
     if (!answer.empty()) state_.Notify(run->name() + ": " + answer, state_.now, true);
   }
-  BackUp();
+  KeepWorkIfDue();
   const std::string news = state_.workspace.TakeNews();
   if (!news.empty()) state_.Notify(news, state_.now);
   Apply(input);
@@ -212,6 +238,10 @@ void Editor::Frame(const InputEvents& input) {
   ImGui::Render();
   if (!ImGui::IsMouseDown(0)) state_.drag.carried.reset();
   if (state_.after_frame) std::exchange(state_.after_frame, {})();
+  if (saves_after_typing_ && state_.input.typing.key.empty()) {
+    saves_after_typing_ = false;
+    state_.commands.Run("file.save");
+  }
 }
 
 bool Editor::Rest(double seconds) {
@@ -220,7 +250,7 @@ bool Editor::Rest(double seconds) {
   const bool showed_notice = notice_end > state_.now;
   state_.now += seconds;
   const bool changed = state_.workspace.Update(state_.now);
-  BackUp();
+  KeepWorkIfDue();
   return changed || (showed_notice && notice_end <= state_.now) || NextFrameIn() == 0;
 }
 
@@ -251,9 +281,18 @@ void Editor::Apply(const InputEvents& input) {
   }
 }
 
-// While a text is being typed, its keys are its own.
+// While a text is being typed, its keys are its own, but for that which saves: it takes the text.
 void Editor::RunKeys() {
-  if (state_.popup.kind != Popup::kNone || ImGui::GetIO().WantTextInput) return;
+  if (state_.popup.kind != Popup::kNone) return;
+  if (ImGui::GetIO().WantTextInput) {
+    const EditorCommand* const save = state_.commands.Find("file.save");
+    for (const KeyEvent& event : state_.input.keys) {
+      if (!(save->keys == KeyChord{event.key, event.modifiers})) continue;
+      ImGui::ClearActiveID();
+      saves_after_typing_ = true;
+    }
+    return;
+  }
   const std::vector<KeyEvent> keys = state_.input.keys;
   for (const KeyEvent& event : keys) {
     if (state_.xml.pane.focused && IsTextKey({event.key, event.modifiers})) continue;

@@ -17,7 +17,6 @@
 #include <memory>
 #include <string>
 
-#include "editor/files/backup.h"
 #include "editor/files/history_store.h"
 #include "editor/keys/input_queue.h"
 #include "editor/render/image.h"
@@ -87,6 +86,13 @@ class Editor {
   /// False if a robot has news that the last frame does not show.
   bool IsUpToDate() const;
   bool wants_quit() const { return state_.quit; }
+  /// The user closes the window: as the command "file.quit", which asks if something is not saved.
+  void AskToQuit();
+  /// Writes what is not saved, and the history, where they are found again. The editor does so
+  /// every few seconds, and when it ends without an answer of the user.
+  void KeepWork();
+  /// For the window: what is shown, and whether it is saved.
+  std::string title() const;
   CursorShape cursor() const;
 
   /// For a renderer that sets itself up in the editor's context.
@@ -97,8 +103,7 @@ class Editor {
   void Apply(const InputEvents& input);
   void RunKeys();
   void LoadRecent();
-  void LookForBackup(const std::string& path);
-  void BackUp();
+  void KeepWorkIfDue();
   void LoadKeys();
   bool IsLogBehind() const;
   void LoadMarks();
@@ -112,11 +117,11 @@ class Editor {
   ItemRegistry items_;
   EditorState state_;
   InputQueue queue_;
-  Backup backup_;
   HistoryStore history_store_;
   std::string kept_marks_;  // as they are in the file
-  double backed_up_at_ = 0;
-  int settle_ = 2;  // frames that are still needed after the last event
+  double kept_at_ = 0;
+  bool saves_after_typing_ = false;  // Ctrl+S in a field, whose value must be taken first
+  int settle_ = 2;                   // frames that are still needed after the last event
 };
 
 }  // namespace coppice::editor

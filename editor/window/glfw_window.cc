@@ -71,6 +71,12 @@ void GlfwWindow::Show(CursorShape shape) {
   glfwSetCursor(window_, cursors_[static_cast<std::size_t>(shape)]);
 }
 
+void GlfwWindow::SetTitle(const std::string& title) {
+  if (title == title_) return;
+  title_ = title;
+  glfwSetWindowTitle(window_, title.c_str());
+}
+
 InputEvents GlfwWindow::Take(float dt) {
   InputEvents input;
   input.events.swap(events_);
@@ -107,6 +113,10 @@ void GlfwWindow::SetCallbacks() {
   });
   glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned codepoint) {
     Self(w).events_.push_back(TypedText{ToUtf8(codepoint)});
+  });
+  glfwSetWindowCloseCallback(window_, [](GLFWwindow* w) {
+    Self(w).is_asked_to_close_ = true;
+    glfwSetWindowShouldClose(w, GLFW_FALSE);
   });
   glfwSetWindowRefreshCallback(window_, [](GLFWwindow* w) { Self(w).damaged_ = true; });
   glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* w, int, int) { Self(w).damaged_ = true; });

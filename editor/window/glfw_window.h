@@ -43,7 +43,12 @@ class GlfwWindow {
 
   /// What happened since the last call, and the size now. `dt`: seconds since then.
   InputEvents Take(float dt);
-  bool NeedsFrame() const { return !events_.empty() || damaged_ || !dropped_.empty(); }
+  bool NeedsFrame() const {
+    return !events_.empty() || damaged_ || !dropped_.empty() || is_asked_to_close_;
+  }
+  /// Whether the user closed it since the last call; it stays open until its end.
+  bool TakeCloseRequest() { return std::exchange(is_asked_to_close_, false); }
+  void SetTitle(const std::string& title);
   /// Files that were dragged onto the window since the last call.
   std::vector<std::string> TakeDropped() { return std::exchange(dropped_, {}); }
 
@@ -55,6 +60,8 @@ class GlfwWindow {
   std::array<GLFWcursor*, 5> cursors_{};  // by CursorShape
   std::vector<InputEvent> events_;
   bool damaged_ = true;
+  bool is_asked_to_close_ = false;
+  std::string title_;
   std::vector<std::string> dropped_;
 };
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "editor/files/git_head.h"
+#include "editor/files/unsaved_work.h"
 #include "editor/keys/command_table.h"
 #include "editor/simulation/coverage_job.h"
 #include "editor/simulation/scenario_tests.h"
@@ -78,7 +79,8 @@ struct Services {
 };
 
 struct EditorState {
-  explicit EditorState(TreeView::SizeOf size_of) : workspace(std::move(size_of)) {}
+  explicit EditorState(TreeView::SizeOf size_of, std::string work_folder = {})
+      : workspace(std::move(size_of)), work(std::move(work_folder)) {}
 
   double now = 0;  ///< seconds of the editor; stands still during a frame
   Workspace workspace;
@@ -88,7 +90,9 @@ struct EditorState {
   CommandTable commands;
   KeySettings key_settings;
   GitHead git;
-  std::map<std::string, std::string> restorable;  ///< unsaved texts of the last time, by path
+  UnsavedWork work;
+  std::map<std::string, std::string> unsaveable;  ///< why files could not be saved, by path
+  std::string replaces;  ///< path of a file that was said to be replaced by the next "save as"
   ScreenState screen;
   CanvasState canvas;
   XmlTile xml;

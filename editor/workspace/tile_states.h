@@ -31,7 +31,6 @@ enum class Popup {
   kAdd,
   kChangeType,
   kRename,
-  kSaveAs,
   kPasteErrors,
   kPrompt,  ///< asks for a text
   kList     ///< offers rows
@@ -49,6 +48,7 @@ struct Prompt {
 struct List {
   std::string hint;
   ChoiceSource rows;
+  bool is_searched = true;  ///< by typing; if not, it is a question with these answers
 };
 
 /// What lies over the screen until it is answered.

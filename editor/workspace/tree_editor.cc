@@ -283,41 +283,6 @@ void TreeEditor::Redo() {
   }
 }
 
-void TreeEditor::Save(bool overwrite) {
-  OpenProject& project = state_.workspace.project();
-  int saved = 0;
-  for (const auto& [path, file] : project.files()) {
-    if (!file.is_dirty()) continue;
-    if (file.is_new) {
-      state_.OpenPopup(Popup::kSaveAs, path);
-      return;
-    }
-    Diagnostics diagnostics;
-    if (!project.Save(path, diagnostics, overwrite)) {
-      Refuse(path + ": " + diagnostics.all().back().message);
-      return;
-    }
-    ++saved;
-  }
-  state_.Notify(saved == 0   ? "Everything is saved already"
-                : saved == 1 ? "Saved"
-                             : "Saved " + std::to_string(saved) + " files",
-                now_);
-}
-
-void TreeEditor::Restore() {
-  if (state_.restorable.empty()) {
-    Refuse("everything was saved the last time");
-    return;
-  }
-  for (auto& [path, text] : state_.restorable) {
-    if (state_.services.resume && state_.services.resume(path, text)) continue;
-    state_.workspace.project().SetText(path, "Restore unsaved work", std::move(text));
-  }
-  state_.restorable.clear();
-  Show({});
-}
-
 std::vector<std::string> TreeEditor::Disputed() const {
   std::vector<std::string> paths;
   for (const auto& [path, file] : state_.workspace.project().files()) {
@@ -341,22 +306,6 @@ void TreeEditor::MergeTheirs() {
     state_.Notify("Merged; mine stayed in " + std::to_string(kept) + " places", now_);
   }
   Show({});
-}
-
-void TreeEditor::SaveAs(const std::string& path) {
-  Workspace& workspace = state_.workspace;
-  const std::optional<ElementPlace> tree = workspace.ShownTree();
-  const std::string old = tree ? tree->path : workspace.file() ? workspace.file()->path : "";
-  Diagnostics diagnostics;
-  if (!workspace.project().SaveAs(old, path, diagnostics)) {
-    state_.popup.error =
-        diagnostics.all().empty() ? "no file is open" : diagnostics.all().back().message;
-    return;
-  }
-  state_.popup.kind = Popup::kNone;
-  workspace.Rename(old, path);
-  workspace.Refresh(now_);
-  state_.Notify("Saved " + path, now_);
 }
 
 }  // namespace coppice::editor

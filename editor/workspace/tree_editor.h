@@ -65,10 +65,6 @@ class TreeEditor {
 
   void Undo();
   void Redo();
-  void Save(bool overwrite = false);
-  void SaveAs(const std::string& path);
-  /// Puts the unsaved texts of the last time in the place of those on the disk, as one step each.
-  void Restore();
   /// Of every file that somebody else has changed.
   void TakeTheirs();
   /// The same, where the user's changes stay.

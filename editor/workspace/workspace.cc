@@ -4,6 +4,7 @@
 #include "editor/workspace/workspace.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <optional>
 #include <utility>
 
@@ -95,14 +96,21 @@ bool Workspace::Open(const std::string& path, double now) {
 
 std::string Workspace::New(double now) {
   std::string path = "untitled.xml";
-  for (int i = 2; project_.Find(path); ++i) path = "untitled-" + std::to_string(i) + ".xml";
+  std::error_code error;
+  for (int i = 2; project_.Find(path) || std::filesystem::exists(path, error); ++i) {
+    path = "untitled-" + std::to_string(i) + ".xml";
+  }
+  Create(path, now);
+  return path;
+}
+
+void Workspace::Create(const std::string& path, double now) {
   project_.Create(path,
                   "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
                   "<root BTCPP_format=\"4\" main_tree_to_execute=\"MainTree\">\n"
                   "  <BehaviorTree ID=\"MainTree\"/>\n"
                   "</root>\n");
   Open(path, now);
-  return path;
 }
 
 // Scenes keep what they point into alive, and are renewed when they are shown.
@@ -195,7 +203,9 @@ void Workspace::LookAtDisk(double now) {
   for (const std::string& path : project_.LookAtDisk()) {
     const EditedFile& file = *project_.Find(path);
     const std::string name = path.substr(path.rfind('/') + 1);
-    if (file.other) {
+    if (file.is_gone) {
+      news_ = name + " is gone from the disk: what is here is the only copy, Ctrl+S writes it";
+    } else if (file.other) {
       news_ = name +
               " was changed on the disk, in the same places as here: \"resolve\" asks whose stays";
     } else if (file.is_dirty()) {

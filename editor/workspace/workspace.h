@@ -44,8 +44,11 @@ class Workspace {
   /// Opens a file of trees, or reads it again if it is open, and shows its main tree; or a record.
   /// False if there is nothing to show; the problems tell why.
   bool Open(const std::string& path, double now);
-  /// Makes a file that is not on the disk yet, with one empty tree, and shows it. Returns its path.
+  /// Makes a file that is not on the disk yet, with one empty tree, and shows it. Returns its path,
+  /// which is free in this folder.
   std::string New(double now);
+  /// The same with a path that no open file has.
+  void Create(const std::string& path, double now);
   /// Adds node models from a file; what is wrong goes to the problems.
   void AddModels(const std::string& path);
   /// The files that were added so.

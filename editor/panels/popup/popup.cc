@@ -103,14 +103,13 @@ class PopupWindow {
         return "Change the type to";
       case Popup::kRename:
         return "Rename the node; without a name it is called as its type";
-      case Popup::kSaveAs:
-        return "Save the file under another name: its path";
       default:
         return {};
     }
   }
 
   bool HasField() const {
+    if (state_.popup.kind == Popup::kList) return state_.popup.list.is_searched;
     return state_.popup.kind != Popup::kPrompt || state_.popup.prompt.asks_for_text;
   }
 
@@ -174,10 +173,6 @@ class PopupWindow {
       case Popup::kRename:
         Input();
         if (Confirmed(state_) && TreeEditor(state_, ui_.now).Rename(state_.popup.text)) Close();
-        break;
-      case Popup::kSaveAs:
-        Input();
-        if (Confirmed(state_)) TreeEditor(state_, ui_.now).SaveAs(state_.popup.text);
         break;
       case Popup::kPasteErrors:
         PasteErrors();

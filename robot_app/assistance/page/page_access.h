@@ -33,8 +33,8 @@ class PageAccess {
  public:
   static constexpr Duration kLinkLifetime = std::chrono::hours(24);
   static constexpr Duration kSessionLifetime = std::chrono::hours(8);
-  /// Then the one that ends first ends now; one of a viewer as long as there is one, so that who may
-  /// only watch does not take the wheel out of an operator's hand.
+  /// Then the one that ends first ends now; one of a viewer as long as there is one, so that who
+  /// may only watch does not take the wheel out of an operator's hand.
   static constexpr std::size_t kMostSessions = 64;
   /// Wrong tokens from one address within a minute; then more of them are not looked at until it is
   /// over. A right one is, so nobody can be kept out by the mistakes of others.

@@ -225,16 +225,6 @@ TEST_F(EditCommandsTest, ADisabledNodeIsNoProblemForTheChecker) {
   EXPECT_EQ(driver_.editor.state().workspace.file()->problems.size(), before);
 }
 
-TEST_F(EditCommandsTest, QuitAsksOnceIfSomethingIsNotSaved) {
-  Select("1.3");
-  driver_.Press(kKeyDelete);
-  driver_.Press('Q', kCtrl);
-  EXPECT_FALSE(driver_.editor.wants_quit());
-  EXPECT_THAT(Notice(), HasSubstr("not saved"));
-  driver_.Press('Q', kCtrl);
-  EXPECT_TRUE(driver_.editor.wants_quit());
-}
-
 TEST_F(EditCommandsTest, AChangedFileIsReadAgainAndADirtyOneIsKept) {
   std::string other = kSmallFile;
   other.replace(other.find("AlwaysSuccess"), 13, "AlwaysFailure");
