@@ -1,7 +1,9 @@
 // coppice-edit: the graphical editor.
 #include <csignal>
 #include <cstdlib>
+#include <fstream>
 #include <iostream>
+#include <iterator>
 
 #include "editor/app/run.h"
 
@@ -22,12 +24,32 @@ std::string UserPath(const char* variable, const char* fallback, const char* pat
   return {};
 }
 
+std::string SettingsFile() {
+  return UserPath("XDG_CONFIG_HOME", "/.config", "/coppice/settings.json");
+}
+
 }  // namespace
 
+Settings LoadSettings(const EditOptions& options) {
+  Settings settings;
+  std::ifstream stream(options.headless ? "" : SettingsFile(), std::ios::binary);
+  if (stream) {
+    Diagnostics diagnostics;
+    const std::string text{std::istreambuf_iterator<char>(stream), {}};
+    settings = ReadSettings(text, SettingsFile(), diagnostics);
+    std::cerr << diagnostics.ToString();
+  }
+  if (options.palette) settings.palette = *options.palette;
+  if (options.reduce_motion) settings.reduce_motion = true;
+  if (options.width > 0) settings.width = options.width;
+  if (options.height > 0) settings.height = options.height;
+  return settings;
+}
+
 std::unique_ptr<Editor> MakeEditor(const EditOptions& options, EditorOptions editor_options) {
-  editor_options.palette = options.palette;
-  editor_options.reduce_motion = options.reduce_motion;
+  editor_options.settings = LoadSettings(options);
   if (!options.headless) {
+    editor_options.settings_file = SettingsFile();
     editor_options.recent_file = UserPath("XDG_CONFIG_HOME", "/.config", "/coppice/recent");
     editor_options.keys_file = UserPath("XDG_CONFIG_HOME", "/.config", "/coppice/keys");
     editor_options.marks_file = UserPath("XDG_STATE_HOME", "/.local/state", "/coppice/marks.json");

@@ -25,7 +25,8 @@ protocol, and of records of runs (.coppice, and .btlog of BehaviorTree.CPP).)",
       {CommandOption::Text("--connect", "HOST:PORT", "follow a robot; may be given several times"),
        CommandOption::Text("--models", "FILE",
                            "XML file with a <TreeNodesModel>; may be given several times"),
-       CommandOption::OneOf("--palette", {"dark", "light", "colourblind"}, "else dark"),
+       CommandOption::OneOf("--palette", {"dark", "light", "colourblind"},
+                            "else as the last time, at first dark"),
        CommandOption::Flag("--reduce-motion", "nothing pulses, walks or glides"),
        CommandOption::Text("--size", "WxH", "of the window; else 1280x800"),
        CommandOption::Text("--picture", "FILE.png", "save what the window shows, at the end"),
@@ -49,9 +50,9 @@ EditOptions ParseEditOptions(const std::vector<std::string>& arguments) {
   options.run_for = given.Real("--for", 0);
   options.headless = given.Has("--headless");
   options.reduce_motion = given.Has("--reduce-motion");
-  options.palette = *PaletteFromString(given.Get("--palette", "dark"));
-  const std::string size = given.Get("--size", "1280x800");
-  if (!ReadSize(size, options.width, options.height)) {
+  options.palette = PaletteFromString(given.Get("--palette"));
+  const std::string size = given.Get("--size");
+  if (!size.empty() && !ReadSize(size, options.width, options.height)) {
     options.exit = RefuseOptions(
         EditCommand(),
         "--size: expected WIDTHxHEIGHT from 320x240 to 16384x16384, not \"" + size + "\"");

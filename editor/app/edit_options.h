@@ -18,9 +18,9 @@ struct EditOptions {
   std::vector<std::string> models;
   std::string picture;       ///< PNG file; empty: none
   double picture_every = 0;  ///< seconds; 0: at the end only
-  int width = 1280;
-  int height = 800;
-  PaletteName palette = PaletteName::kDark;
+  int width = 0;             ///< 0: as the last time
+  int height = 0;
+  std::optional<PaletteName> palette;  ///< nothing: as the last time
   bool reduce_motion = false;
   bool headless = false;
   double run_for = 0;  ///< seconds; 0: until told to end

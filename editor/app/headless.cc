@@ -26,8 +26,9 @@ int RunHeadless(Clock& clock, const EditOptions& options) {
   const Time start = clock.Now();
   double next_picture = options.picture_every;
   InputEvents input;
-  input.width = static_cast<float>(options.width);
-  input.height = static_cast<float>(options.height);
+  const Settings otherwise;
+  input.width = static_cast<float>(options.width > 0 ? options.width : otherwise.width);
+  input.height = static_cast<float>(options.height > 0 ? options.height : otherwise.height);
   input.dt = kFrameSeconds;
   WakeUp wake_up;  // nobody notifies it: the loop looks at the flag at every frame
   bool good = true;

@@ -154,7 +154,8 @@ int RunWindow(const Clock& clock, const EditOptions& options) {
               << "); use --headless, or run it under xvfb-run\n";
     return kNoDisplay;
   }
-  GlfwWindow window(options.width, options.height);
+  const Settings settings = LoadSettings(options);
+  GlfwWindow window(settings.width, settings.height);
   if (!window.get()) {
     std::cerr << "coppice-edit: no OpenGL window (" << Glfw::LastError()
               << "); use --headless, or run it under xvfb-run\n";

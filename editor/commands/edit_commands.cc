@@ -19,6 +19,9 @@ class EditCommands {
     AddClipboard();
     Add("edit.undo", "Undo", {'Z', kCtrl}, &TreeEditor::Undo);
     Add("edit.redo", "Redo", {'Z', kCtrl | kShift}, &TreeEditor::Redo);
+    state_.commands.AddKeys("edit.redo", {'Y', kCtrl});
+    Add("edit.select_all", "Select all nodes of the tree", {'A', kCtrl}, &TreeEditor::SelectAll);
+    Add("edit.duplicate", "Duplicate", {'D', kCtrl}, &TreeEditor::Duplicate);
     AddTyping();
   }
 

@@ -57,7 +57,7 @@ void AddPictureCommands(EditorState& state) {
                     {}},
                    SuggestedPath(state, view->scene()->tree_id));
        }});
-  state.commands.Add({"file.compare", "Compare with another version", {'D', kCtrl}, [&state] {
+  state.commands.Add({"file.compare", "Compare with another version", {'D', kAlt}, [&state] {
                         if (!state.workspace.view()) {
                           return state.Notify("there is no tree to compare", state.now, true);
                         }
@@ -66,7 +66,7 @@ void AddPictureCommands(EditorState& state) {
                              [&state](const std::string& path) { return Compare(state, path); },
                              {}});
                       }});
-  state.commands.Add({"file.stop_comparing", "Stop comparing", {'D', kCtrl | kShift}, [&state] {
+  state.commands.Add({"file.stop_comparing", "Stop comparing", {'D', kAlt | kShift}, [&state] {
                         state.canvas.comparison.reset();
                       }});
 }

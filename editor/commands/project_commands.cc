@@ -223,8 +223,35 @@ class ProjectCommands {
                           [this_](const std::string& typed) { return this_.Find(typed); }},
                          this_.state_.recent.search);
     });
+    AddDoing("edit.find_next", "Find next", {kKeyF1 + 2},
+             [this_ = *this](ProjectEditor& edit) { return this_.FindNext(edit, +1); });
+    AddDoing("edit.find_previous", "Find previous", {kKeyF1 + 2, kShift},
+             [this_ = *this](ProjectEditor& edit) { return this_.FindNext(edit, -1); });
     AddDoing("edit.replace", "Replace", {'H', kCtrl},
              [this_ = *this](ProjectEditor&) { return this_.AskWhat(); });
+  }
+
+  // From the selected node on, in the order of the files, and round the end.
+  std::string FindNext(ProjectEditor& edit, int by) const {
+    std::string error;
+    const std::optional<Query> query = ParseQuery(state_.recent.search, error);
+    if (!query || !state_.workspace.file()) return "nothing was searched: Ctrl+F";
+    const ProjectFiles files = edit.Files();
+    std::vector<FilePlace> hits;
+    for (const Match& match : Search(files, *state_.workspace.file()->models, *query)) {
+      FilePlace hit{files[match.file].file(), files[match.file].element(match.element).offset};
+      if (hits.empty() || !(hits.back() == hit)) hits.push_back(std::move(hit));
+    }
+    if (hits.empty()) return "\"" + state_.recent.search + "\" is nowhere";
+    const std::vector<FilePlace> selected = TreeEditor(state_, state_.now).SelectedPlaces();
+    const auto at =
+        selected.empty() ? hits.end() : std::find(hits.begin(), hits.end(), selected[0]);
+    const std::size_t count = hits.size();
+    const std::size_t last = by > 0 ? count - 1 : 0;
+    const std::size_t from = at == hits.end() ? last : static_cast<std::size_t>(at - hits.begin());
+    const FilePlace& next = hits[(from + count + static_cast<std::size_t>(by)) % count];
+    edit.GoTo(next.path, next.offset);
+    return {};
   }
 
   std::vector<Choice> Find(const std::string& typed) const {

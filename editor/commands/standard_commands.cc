@@ -167,8 +167,8 @@ class Commands {
 
   void AddTiles() {
     AddTile("tile.project", "Project tile", {kKeyF1 + 1, kShift}, &Tiles::project);
-    AddTile("tile.types", "Nodes tile", {kKeyF1 + 2, kShift}, &Tiles::types);
-    AddTile("tile.outline", "Outline tile", {kKeyF1 + 2}, &Tiles::outline);
+    AddTile("tile.types", "Nodes tile", {kKeyF1 + 2, kCtrl | kShift}, &Tiles::types);
+    AddTile("tile.outline", "Outline tile", {kKeyF1 + 2, kCtrl}, &Tiles::outline);
     AddTile("tile.inspector", "Inspector tile", {kKeyF1 + 3}, &Tiles::inspector);
     AddTile("tile.blackboard", "Blackboard tile", {kKeyF1 + 5}, &Tiles::blackboard);
     AddTile("tile.xml", "XML tile", {kKeyF1 + 6}, &Tiles::xml);

@@ -17,6 +17,9 @@ struct FilePlace {
   std::string path;
   std::uint32_t offset = 0;
 };
+inline bool operator==(const FilePlace& a, const FilePlace& b) {
+  return a.path == b.path && a.offset == b.offset;
+}
 
 /// What happens to one file.
 struct FileChange {

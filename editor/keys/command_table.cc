@@ -26,6 +26,12 @@ bool CommandTable::SetKeys(std::string_view id, KeyChord keys) {
   return false;
 }
 
+void CommandTable::AddKeys(std::string_view id, KeyChord keys) {
+  for (EditorCommand& command : commands_) {
+    if (command.id == id) command.also = keys;
+  }
+}
+
 void CommandTable::ResetKeys() {
   for (EditorCommand& command : commands_) command.keys = command.own_keys;
 }
@@ -65,6 +71,9 @@ bool CommandTable::Press(KeyChord chord) const {
   for (const EditorCommand& command : commands_) {
     if (!(command.keys == chord)) continue;
     if (command.when ? command.when() : !found) found = &command;
+  }
+  for (const EditorCommand& command : commands_) {
+    if (!found && command.also == chord) found = &command;
   }
   if (found) found->run();
   return found;

@@ -22,6 +22,7 @@ struct EditorCommand {
   KeyChord own_keys = {};  ///< those it was added with; set by Add
   /// Of a switch: whether it is on; null: it is none.
   std::function<bool()> is_on = nullptr;
+  KeyChord also = {};  ///< other keys that people know it by; they hold where no command has them
 };
 
 /// Two commands whose keys are their own at the same time, because the user has said so.
@@ -51,6 +52,9 @@ class CommandTable {
 
   /// Runs the command of that ID; false if there is none.
   bool Run(std::string_view id) const;
+
+  /// The command has these keys also.
+  void AddKeys(std::string_view id, KeyChord keys);
 
   /// Runs what the key is bound to; false if it is bound to nothing.
   bool Press(KeyChord chord) const;

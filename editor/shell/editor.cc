@@ -53,6 +53,14 @@ std::optional<std::string> ReadText(const std::string& path) {
   return std::string(std::istreambuf_iterator<char>(stream), {});
 }
 
+// In a folder that may not be there yet. When it fails it may succeed the next time.
+bool WriteOwnFile(const std::string& path, const std::string& text) {
+  std::error_code error;
+  std::filesystem::create_directories(std::filesystem::path(path).parent_path(), error);
+  Diagnostics ignored;
+  return WriteFile(path, text, ignored);
+}
+
 }  // namespace
 
 Editor::Editor(EditorOptions options)
@@ -69,8 +77,10 @@ Editor::Editor(EditorOptions options)
       history_store_(options_.backup_folder) {
   const WithContext current(context_);
   SetUpImGui();
-  state_.screen.palette = options_.palette;
-  state_.screen.reduce_motion = options_.reduce_motion;
+  editor::Apply(options_.settings, state_, state_.now);
+  window_ = {static_cast<float>(options_.settings.width),
+             static_cast<float>(options_.settings.height)};
+  kept_settings_ = WriteSettings(options_.settings);
   state_.services.open_file = [this](const std::string& path) { return Open(path); };
   state_.services.resume = [this](const std::string& path, const std::string& text) {
     return history_store_.Resume(state_.workspace.project(), path, text);
@@ -145,6 +155,7 @@ void Editor::KeepWork() {
   if (!state_.quit) state_.work.Keep(project);
   history_store_.Update(project);
   KeepMarks();
+  KeepSettings();
 }
 
 void Editor::KeepWorkIfDue() {
@@ -256,7 +267,8 @@ bool Editor::Rest(double seconds) {
 
 void Editor::Apply(const InputEvents& input) {
   ImGuiIO& io = ImGui::GetIO();
-  io.DisplaySize = {std::max(input.width, 1.0F), std::max(input.height, 1.0F)};
+  window_ = {std::max(input.width, 1.0F), std::max(input.height, 1.0F)};
+  io.DisplaySize = ToIm(window_);
   io.DeltaTime = std::max(input.dt, 1e-6F);
   io.MouseDoubleClickMaxDist = 6;
   settle_ = input.events.empty() ? std::max(settle_ - 1, 0) : kFramesToSettle;
@@ -392,16 +404,23 @@ void Editor::LoadMarks() {
   kept_marks_ = WriteMarks(workspace.marks());
 }
 
+void Editor::KeepSettings() {
+  if (options_.settings_file.empty()) return;
+  Settings settings = SettingsOf(state_);
+  settings.width = static_cast<int>(window_.x);
+  settings.height = static_cast<int>(window_.y);
+  std::string text = WriteSettings(settings);
+  if (text != kept_settings_ && WriteOwnFile(options_.settings_file, text)) {
+    kept_settings_ = std::move(text);
+  }
+}
+
 void Editor::KeepMarks() {
   if (options_.marks_file.empty()) return;
   std::string marks = WriteMarks(state_.workspace.marks());
   const bool never_any = kept_marks_.empty() && !HasAny(state_.workspace.marks());
   if (marks == kept_marks_ || never_any) return;
-  std::error_code error;
-  std::filesystem::create_directories(std::filesystem::path(options_.marks_file).parent_path(),
-                                      error);
-  Diagnostics ignored;  // the next time it may succeed
-  if (WriteFile(options_.marks_file, marks, ignored)) kept_marks_ = std::move(marks);
+  if (WriteOwnFile(options_.marks_file, marks)) kept_marks_ = std::move(marks);
 }
 
 void Editor::LoadRecent() {

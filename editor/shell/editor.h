@@ -22,6 +22,7 @@
 #include "editor/render/image.h"
 #include "editor/theme/item_registry.h"
 #include "editor/workspace/editor_state.h"
+#include "editor/workspace/settings.h"
 
 struct ImDrawData;
 struct ImGuiContext;
@@ -31,8 +32,8 @@ namespace coppice::editor {
 class Fonts;
 
 struct EditorOptions {
-  PaletteName palette = PaletteName::kDark;
-  bool reduce_motion = false;          ///< nothing pulses, walks or glides
+  Settings settings;
+  std::string settings_file;           ///< where they are kept when they change; empty: nowhere
   float scale = 1;                     ///< of the screen; 2 on a screen with tiny pixels
   std::shared_ptr<const Fonts> fonts;  ///< of that scale, shared with others; null: its own
   std::string recent_file;             ///< where the list of recent files is kept; empty: nowhere
@@ -106,6 +107,7 @@ class Editor {
   void KeepWorkIfDue();
   void LoadKeys();
   bool IsLogBehind() const;
+  void KeepSettings();
   void LoadMarks();
   void KeepMarks();
   void Remember(const std::string& path);
@@ -118,7 +120,9 @@ class Editor {
   EditorState state_;
   InputQueue queue_;
   HistoryStore history_store_;
-  std::string kept_marks_;  // as they are in the file
+  std::string kept_marks_;     // as they are in the file
+  std::string kept_settings_;  // likewise
+  Point window_;               // its size [pixels]
   double kept_at_ = 0;
   bool saves_after_typing_ = false;  // Ctrl+S in a field, whose value must be taken first
   int settle_ = 2;                   // frames that are still needed after the last event

@@ -54,8 +54,10 @@ struct List {
 /// What lies over the screen until it is answered.
 struct PopupState {
   Popup kind = Popup::kNone;
-  bool is_new = false;  ///< opened since the last frame
-  std::string text;     ///< what is typed into it
+  bool is_new = false;        ///< opened since the last frame
+  int number = 0;             ///< of the opening: each has a field of its own
+  bool selects_text = false;  ///< typing replaces the text it opened with
+  std::string text;           ///< what is typed into it
   std::string error;
   int choice = 0;         ///< highlighted row
   std::size_t rows = 12;  ///< choices shown in the last frame
@@ -66,6 +68,8 @@ struct PopupState {
   void Open(Popup which, std::string typed) {
     kind = which;
     is_new = true;
+    ++number;
+    selects_text = true;
     text = std::move(typed);
     error.clear();
     choice = 0;

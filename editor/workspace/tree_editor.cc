@@ -218,11 +218,37 @@ bool TreeEditor::ClearValue(const std::string& attribute) {
              [&](Draft& draft, const NodeRules&) { return editor::ClearValue(draft, attribute); });
 }
 
-void TreeEditor::Copy() {
+std::string TreeEditor::SelectedText() const {
   std::string text;
   for (const Selected& selected : Selection()) {
     text += CopyText(DocumentOf(selected.path), selected.elements);
   }
+  return text;
+}
+
+void TreeEditor::SelectAll() {
+  TreeView* const view = state_.workspace.view();
+  if (!view) return;
+  const auto& nodes = view->scene()->nodes;
+  std::vector<std::uint32_t> all;
+  for (std::uint32_t i = 0; i < nodes.size(); ++i) {
+    if (nodes[i].scope == 0) all.push_back(i);
+  }
+  view->SelectAll(std::move(all));
+}
+
+void TreeEditor::Duplicate() {
+  Diagnostics diagnostics;
+  const std::vector<std::string> fragments = ReadFragments(SelectedText(), diagnostics);
+  if (fragments.empty()) {
+    Refuse("nothing is selected");
+    return;
+  }
+  InsertAll("Duplicate " + What(), fragments, AddWhere::kAfter);
+}
+
+void TreeEditor::Copy() {
+  const std::string text = SelectedText();
   if (text.empty()) {
     Refuse("nothing is selected");
     return;

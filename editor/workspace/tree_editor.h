@@ -55,6 +55,10 @@ class TreeEditor {
   bool SetValue(const std::string& attribute, const std::string& value);
   bool ClearValue(const std::string& attribute);
 
+  /// All nodes of the shown tree, not those of the trees that it uses.
+  void SelectAll();
+  /// A copy of the selection behind it; the copy is selected.
+  void Duplicate();
   void Copy();
   void Cut();
   /// `text` from the clipboard; with errors in it nothing is pasted, and the errors are shown.
@@ -83,6 +87,7 @@ class TreeEditor {
     std::vector<ElementIndex> elements;
   };
   std::vector<Selected> Selection() const;
+  std::string SelectedText() const;
   const Document& DocumentOf(const std::string& path) const;
   NodeRules Rules() const;
   std::string What() const;

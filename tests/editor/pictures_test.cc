@@ -13,7 +13,7 @@ namespace {
 
 EditorOptions Options(PaletteName palette, float scale) {
   EditorOptions options;
-  options.palette = palette;
+  options.settings.palette = palette;
   options.scale = scale;
   return options;
 }

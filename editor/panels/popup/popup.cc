@@ -200,7 +200,12 @@ class PopupWindow {
     if (is_new) ImGui::SetKeyboardFocusHere();
     ImGui::SetNextItemWidth(-1);
     ImGui::PushFont(ui_.fonts.Pick(Face::kSans, 14 * ui_.scale));
-    if (ImGui::InputText("##input", &state_.popup.text)) {
+    const ImGuiInputTextFlags flags =
+        state_.popup.selects_text ? ImGuiInputTextFlags_AutoSelectAll : ImGuiInputTextFlags_None;
+    ImGui::PushID(state_.popup.number);
+    const bool is_changed = ImGui::InputText("##input", &state_.popup.text, flags);
+    ImGui::PopID();
+    if (is_changed) {
       state_.popup.choice = 0;
       state_.popup.error.clear();
     }
@@ -237,6 +242,7 @@ class PopupWindow {
     if (refusal.empty()) return;
     state_.popup.kind = Popup::kPrompt;
     state_.popup.is_new = true;  // the user goes on typing
+    state_.popup.selects_text = false;
     state_.popup.error = refusal;
   }
 

@@ -23,6 +23,12 @@ TEST(EditOptions, ReadsEverythingInAnyOrder) {
   EXPECT_TRUE(options.reduce_motion);
 }
 
+TEST(EditOptions, WhatIsNotSaidIsAsTheLastTime) {
+  const EditOptions options = ParseEditOptions({"a.xml"});
+  EXPECT_FALSE(options.palette);
+  EXPECT_EQ(options.width, 0);
+}
+
 TEST(EditOptions, SaysWhatIsWrong) {
   const std::vector<std::vector<std::string>> kWrong = {
       {"--size", "12"}, {"--size", "10x10"}, {"--palette", "pink"}, {"--every", "soon"},

@@ -217,6 +217,33 @@ TEST_F(EditCommandsTest, SaveWritesOnlyWhatWasTouched) {
   EXPECT_EQ(Disk(), expected);
 }
 
+TEST_F(EditCommandsTest, DuplicateLeavesTheClipboardAloneAndSelectsTheCopy) {
+  driver_.editor.state().services.set_clipboard("mine");
+  Select("1.1.2");
+  driver_.Press('D', kCtrl);
+  EXPECT_EQ(driver_.Selected(), "1.1.3");
+  const std::string node = R"(<SwitchOn lamp="hall" level="{level}"/>)";
+  const std::size_t first = Text().find(node);
+  EXPECT_NE(Text().find(node, first + 1), std::string::npos);
+  EXPECT_EQ(driver_.editor.state().services.get_clipboard(), "mine");
+}
+
+TEST_F(EditCommandsTest, SelectAllTakesTheNodesOfTheShownTreeOnly) {
+  driver_.Press('A', kCtrl);
+  const auto& nodes = driver_.view().scene()->nodes;
+  for (const std::uint32_t node : driver_.view().selection()) EXPECT_EQ(nodes[node].scope, 0u);
+  EXPECT_EQ(driver_.view().selection().size(), 7u);
+}
+
+TEST_F(EditCommandsTest, RedoIsOnTheKeysOfBothHabits) {
+  Select("1.3");
+  driver_.Press('D');
+  const std::string done = Text();
+  driver_.Press('Z', kCtrl);
+  driver_.Press('Y', kCtrl);
+  EXPECT_EQ(Text(), done);
+}
+
 TEST_F(EditCommandsTest, ADisabledNodeIsNoProblemForTheChecker) {
   const std::size_t before = driver_.editor.state().workspace.file()->problems.size();
   Select("1.3");

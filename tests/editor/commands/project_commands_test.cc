@@ -24,8 +24,8 @@ class ProjectCommandsTest : public testing::Test {
     driver_.view().Select(driver_.view().scene()->FindPath(path));
     driver_.Frames(1);
   }
+  // What a prompt opens with is selected: typing replaces it.
   void Answer(const std::string& text) {
-    driver_.Press('A', kCtrl);
     driver_.Type(text);
     driver_.Press(kKeyEnter);
   }
@@ -65,6 +65,27 @@ TEST_F(ProjectCommandsTest, FindLeadsToTheNode) {
   driver_.Press(kKeyDown);
   driver_.Press(kKeyEnter);
   EXPECT_EQ(driver_.Selected(), "1.2.1.1");
+}
+
+TEST_F(ProjectCommandsTest, FindNextGoesRoundAndBack) {
+  driver_.Press('F', kCtrl);
+  driver_.Type("key:goal");
+  driver_.Press(kKeyEnter);
+  EXPECT_EQ(driver_.Selected(), "1.2");
+  driver_.Press(kKeyF1 + 2);
+  EXPECT_EQ(driver_.Selected(), "1.2.1.1");
+  driver_.Press(kKeyF1 + 2);
+  EXPECT_EQ(driver_.Selected(), "1.2");
+  driver_.Press(kKeyF1 + 2, kShift);
+  EXPECT_EQ(driver_.Selected(), "1.2.1.1");
+}
+
+TEST_F(ProjectCommandsTest, FindZoomsToWhatCouldNotBeRead) {
+  driver_.view().camera.zoom = 0.2F;
+  driver_.Press('F', kCtrl);
+  driver_.Type("key:goal");
+  driver_.Press(kKeyEnter);
+  EXPECT_GE(driver_.view().camera.zoom, 0.6F);
 }
 
 TEST_F(ProjectCommandsTest, ReplaceLeavesOutWhatWasClicked) {

@@ -86,12 +86,19 @@ TEST_F(StandardCommandsTest, FitSelectionAndFitAll) {
 }
 
 TEST_F(StandardCommandsTest, HideAndShowEveryTileByItsKey) {
-  const std::pair<int, const char*> kTiles[] = {
-      {3, "outline"}, {4, "inspector"}, {6, "blackboard"}, {7, "xml"}, {8, "problems"}};
-  for (const auto& [key, path] : kTiles) {
-    driver_.Press(kKeyF1 + key - 1);
+  struct {
+    int key;
+    int modifiers;
+    const char* path;
+  } const kTiles[] = {{3, kCtrl, "outline"},
+                      {4, kNoModifier, "inspector"},
+                      {6, kNoModifier, "blackboard"},
+                      {7, kNoModifier, "xml"},
+                      {8, kNoModifier, "problems"}};
+  for (const auto& [key, modifiers, path] : kTiles) {
+    driver_.Press(kKeyF1 + key - 1, modifiers);
     EXPECT_FALSE(driver_.Has(path)) << path;
-    driver_.Press(kKeyF1 + key - 1);
+    driver_.Press(kKeyF1 + key - 1, modifiers);
     EXPECT_TRUE(driver_.Has(path)) << path;
   }
 }

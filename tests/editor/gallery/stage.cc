@@ -7,7 +7,7 @@ namespace coppice::editor {
 void Stage::Restart() {
   driver_.reset();
   EditorOptions options;
-  options.palette = look_.palette;
+  options.settings.palette = look_.palette;
   options.scale = look_.scale;
   options.recent_file = folder_.folder() + "/state/recent";
   options.backup_folder = folder_.folder() + "/state/backup";

@@ -58,6 +58,7 @@ TEST_F(RunLogListTest, IsChangedSwitchedOffAndRemoved) {
   EXPECT_TRUE(driver_.Click(path() + "/text"));
   driver_.Frames();
   EXPECT_EQ(state().popup.text, "one");
+  driver_.Press(kKeyEnd);
   driver_.Type(" #2");
   driver_.Press(kKeyEnter);
   driver_.Frames();
