@@ -44,13 +44,13 @@ class Robot:
              "--web-port", "0"], env=environment, stdout=subprocess.PIPE,
             stderr=subprocess.STDOUT, text=True)
         printed = ""
-        while printed.count("http://") < (2 if token else 1):
+        while printed.count("://") < (2 if token else 1):
             line = self.process.stdout.readline()
             assert line, "the program ended: " + printed
             printed += line
         self.port = int(re.search(r"127\.0\.0\.1:(\d+)", printed).group(1))
-        self.web_port = int(re.search(r"http://127\.0\.0\.1:(\d+)", printed).group(1))
-        self.web_tokens = re.findall(r"http://[^ #]*#([0-9a-f]+)", printed)  # control, read
+        self.web_port = int(re.search(r"://127\.0\.0\.1:(\d+)", printed).group(1))
+        self.web_tokens = re.findall(r"://[^ #]*#([0-9a-f]+)", printed)  # control, read
         self.read_token = (re.search(r"read-[0-9a-f]+", printed) or [None])[0]
 
     def memory(self):

@@ -35,16 +35,26 @@ LiveOptions ReadLiveOptions(const Options& options) {
 }
 
 // Behind the '#' nothing is sent to the robot but by the page itself.
-std::string Link(const LiveOptions& live, std::uint16_t port, const std::string& token) {
+std::string Link(const LiveOptions& live, std::uint16_t port, const std::string& token,
+                 const char* scheme) {
   const std::string host = live.address == "*" || live.address == "lo" ? "localhost" : live.address;
-  return "http://" + host + ":" + std::to_string(port) + "/" + (token.empty() ? "" : "#" + token);
+  return std::string(scheme) + "://" + host + ":" + std::to_string(port) + "/" +
+         (token.empty() ? "" : "#" + token);
 }
 
 void PrintWeb(const LiveOptions& live, const LiveWeb& web) {
   if (web.port == 0) return;
-  std::cerr << "in a browser: " << Link(live, web.port, web.control_token) << "\n";
+  std::error_code error;
+  const bool has_page = std::filesystem::exists(live.web_folder + "/index.html", error);
+  const char* const scheme = has_page ? "http" : "ws";
+  if (!has_page) {
+    std::cerr << "no page for browsers: there is no index.html in \"" << live.web_folder
+              << "\" (a build with -DCOPPICE_WEB=ON makes it, --web-folder says where it is)\n";
+  }
+  std::cerr << (has_page ? "in a browser: " : "for clients of the WebSocket: ")
+            << Link(live, web.port, web.control_token, scheme) << "\n";
   if (web.read_token.empty()) return;
-  std::cerr << "for those who only watch: " << Link(live, web.port, web.read_token) << "\n";
+  std::cerr << "for those who only watch: " << Link(live, web.port, web.read_token, scheme) << "\n";
 }
 
 }  // namespace
