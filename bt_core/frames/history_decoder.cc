@@ -10,10 +10,10 @@ namespace {
 constexpr char kNonsense[] = "a frame does not make sense";
 
 template <class T, class Call>
-std::string HandOver(const std::optional<T>& value, Call call) {
-  if (!value) return kNonsense;
+Outcome HandOver(const std::optional<T>& value, Call call) {
+  if (!value) return Problem{kNonsense};
   call(*value);
-  return "";
+  return {};
 }
 
 }  // namespace
@@ -24,19 +24,20 @@ void HistoryDecoder::SetTree(const TreeSize& size) {
   follows_ = false;
 }
 
-std::string HistoryDecoder::Decode(const std::uint8_t* frame, std::size_t size,
-                                   HistoryHandler& handler) {
-  const std::string problem = DecodeFrame(frame, size, handler);
-  if (!problem.empty()) Forget();
-  return problem;
+Outcome HistoryDecoder::Decode(const std::uint8_t* frame, std::size_t size,
+                               HistoryHandler& handler) {
+  Outcome decoded = DecodeFrame(frame, size, handler);
+  if (!decoded) Forget();
+  return decoded;
 }
 
-std::string HistoryDecoder::DecodeFrame(const std::uint8_t* frame, std::size_t size,
-                                        HistoryHandler& handler) {
-  if (size < kFrameHeaderSize) return "a frame is cut off";
+Outcome HistoryDecoder::DecodeFrame(const std::uint8_t* frame, std::size_t size,
+                                    HistoryHandler& handler) {
+  if (size < kFrameHeaderSize) return Problem{"a frame is cut off"};
   const FrameHeader header = ReadFrameHeader(frame);
-  if (!IsPlausible(header) || header.payload_size != size - kFrameHeaderSize) return kNonsense;
-  if (!IsWhole(frame, header)) return "the checksum of a frame is wrong";
+  if (!IsPlausible(header) || header.payload_size != size - kFrameHeaderSize)
+    return Problem{kNonsense};
+  if (!IsWhole(frame, header)) return Problem{"the checksum of a frame is wrong"};
   const Decoder payload(frame + kFrameHeaderSize, frame + size);
   switch (static_cast<FrameType>(header.type)) {
     case FrameType::kTree:
@@ -52,7 +53,7 @@ std::string HistoryDecoder::DecodeFrame(const std::uint8_t* frame, std::size_t s
     case FrameType::kEnd:
       return HandOver(DecodeEnd(payload), [&](const HistoryEnd& end) { handler.OnEnd(end); });
   }
-  return kNonsense;
+  return Problem{kNonsense};
 }
 
 bool HistoryDecoder::Unpack(const Decoder& packed) {
@@ -60,44 +61,44 @@ bool HistoryDecoder::Unpack(const Decoder& packed) {
   return unpacker_.Unpack(packed.at(), packed.left(), kMaxRawSize, raw_);
 }
 
-std::string HistoryDecoder::TakeTree(Decoder payload, HistoryHandler& handler) {
+Outcome HistoryDecoder::TakeTree(Decoder payload, HistoryHandler& handler) {
   has_tree_ = false;
   follows_ = false;
   unpacker_.Restart();
-  if (!Unpack(payload)) return "the description of a tree cannot be unpacked";
+  if (!Unpack(payload)) return Problem{"the description of a tree cannot be unpacked"};
   const std::optional<TreeDescription> tree =
       DecodeTree(Decoder(raw_.data(), raw_.data() + raw_.size()));
-  if (!tree) return "the description of a tree does not make sense";
+  if (!tree) return Problem{"the description of a tree does not make sense"};
   SetTree({tree->nodes.size(), tree->slots.size()});
   handler.OnTree(*tree);
-  return "";
+  return {};
 }
 
-std::string HistoryDecoder::TakeState(Decoder payload, HistoryHandler& handler) {
-  if (!has_tree_) return "a state without a tree";
+Outcome HistoryDecoder::TakeState(Decoder payload, HistoryHandler& handler) {
+  if (!has_tree_) return Problem{"a state without a tree"};
   HistoryState state;
   unpacker_.Restart();
   if (!DecodeStateHead(payload, state) || !Unpack(payload) ||
       !DecodeStateBody(Decoder(raw_.data(), raw_.data() + raw_.size()), size_, state)) {
-    return "a state does not make sense";
+    return Problem{"a state does not make sense"};
   }
   ticks_.Restart(state.tick, state.time);
   follows_ = true;
   handler.OnState(state);
-  return "";
+  return {};
 }
 
-std::string HistoryDecoder::TakeEvents(Decoder payload, HistoryHandler& handler) {
-  if (!follows_) return "events without the state before them";
-  if (!Unpack(payload)) return "events cannot be unpacked";
+Outcome HistoryDecoder::TakeEvents(Decoder payload, HistoryHandler& handler) {
+  if (!follows_) return Problem{"events without the state before them"};
+  if (!Unpack(payload)) return Problem{"events cannot be unpacked"};
   Decoder in(raw_.data(), raw_.data() + raw_.size());
   for (std::size_t ticks = 0; !in.at_end(); ++ticks) {
-    if (ticks == kMaxTicksInFrame) return "more ticks than a frame can have";
+    if (ticks == kMaxTicksInFrame) return Problem{"more ticks than a frame can have"};
     const std::optional<TickEvents> tick = ticks_.Decode(in, size_);
-    if (!tick) return "a tick does not make sense";
+    if (!tick) return Problem{"a tick does not make sense"};
     handler.OnTick(*tick);
   }
-  return "";
+  return {};
 }
 
 }  // namespace coppice

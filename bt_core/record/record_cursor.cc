@@ -188,9 +188,7 @@ void RecordCursor::Read(const FrameFile::Span& span) {
   if (type == FrameType::kTree) return ReadTree(span);
   items_->state.reset();
   const std::uint8_t* const frame = file_->View(span.offset, span.size);
-  const std::string problem =
-      frame ? decoder_.Decode(frame, span.size, *items_) : "it cannot be read";
-  if (!problem.empty()) {
+  if (!frame || !decoder_.Decode(frame, span.size, *items_)) {
     const FrameFile::Span next = file_->Find(span.offset + 1);
     offset_ = next.offset;
     return AddDamage(span.offset, next.offset - span.offset);

@@ -24,7 +24,7 @@ class TreeTaker final : public HistoryHandler {
 std::optional<TreeDescription> ReadTree(FrameFile& file, const FrameFile::Span& span) {
   TreeTaker taker;
   const std::uint8_t* const frame = file.View(span.offset, span.size);
-  if (frame) HistoryDecoder().Decode(frame, span.size, taker);
+  if (!frame || !HistoryDecoder().Decode(frame, span.size, taker)) return std::nullopt;
   return std::move(taker.tree);
 }
 

@@ -41,17 +41,17 @@ double Dice::Next() {
   return static_cast<double>(Mix(state_) >> 11U) * 0x1p-53;
 }
 
-Outcome Throw(const Chances& chances, Dice& dice) {
-  Outcome outcome;
-  outcome.result = ResultOf(chances, dice.Next());
+DrawnResult Throw(const Chances& chances, Dice& dice) {
+  DrawnResult drawn;
+  drawn.result = ResultOf(chances, dice.Next());
   const double part = dice.Next();
-  if (outcome.result != Status::kSkipped) {
-    outcome.after = Between(chances.shortest, chances.longest, part);
+  if (drawn.result != Status::kSkipped) {
+    drawn.after = Between(chances.shortest, chances.longest, part);
   }
   if (chances.longest_hold > Duration(0)) {
-    outcome.holds = Between(chances.shortest_hold, chances.longest_hold, dice.Next());
+    drawn.holds = Between(chances.shortest_hold, chances.longest_hold, dice.Next());
   }
-  return outcome;
+  return drawn;
 }
 
 }  // namespace coppice

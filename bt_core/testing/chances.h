@@ -2,7 +2,7 @@
 // its results. The same seed gives the same behaviour, on every computer.
 //
 //   Dice dice(seed, "patrol/drive");        // each node has its own
-//   const Outcome outcome = Throw(chances, dice);
+//   const DrawnResult drawn = Throw(chances, dice);
 #ifndef COPPICE_BT_CORE_TESTING_CHANCES_H_
 #define COPPICE_BT_CORE_TESTING_CHANCES_H_
 
@@ -41,14 +41,14 @@ class Dice {
   std::uint64_t state_ = 0;
 };
 
-struct Outcome {
+struct DrawnResult {
   Duration after{0};  ///< in which it is RUNNING
   Status result = Status::kSuccess;
   Duration holds{0};  ///< in which it does the same again
 };
 
 /// Takes two numbers of the dice, and a third if the outcome holds for some time.
-Outcome Throw(const Chances& chances, Dice& dice);
+DrawnResult Throw(const Chances& chances, Dice& dice);
 
 /// One element of a list that is not empty, each as probable as the others; takes one number.
 template <class T>

@@ -115,7 +115,7 @@ class MockedTree::PlayedNode : public Leaf {
     if (part.script.restart) part.next = 0;
     if (is_new || now() >= holds_until_) {
       drawn_ = part.script.chances ? Throw(*part.script.chances, part.dice)
-                                   : Outcome{part.script.duration, Status::kIdle};
+                                   : DrawnResult{part.script.duration, Status::kIdle};
       holds_until_ = now() + drawn_.holds;
     }
     done_at_ = now() + drawn_.after;
@@ -162,7 +162,7 @@ class MockedTree::PlayedNode : public Leaf {
   Part* part_;
   std::deque<MockPort> ports_;
   Time done_at_{0};
-  Outcome drawn_;  // of this activation
+  DrawnResult drawn_;  // of this activation
   Time holds_until_{0};
 };
 

@@ -51,10 +51,10 @@ bool CheckPlay(const Program& program, const RandomPlay& play, Diagnostics& diag
   bool good = true;
   for (const std::vector<KeyValue>& choice : play.set) {
     for (const KeyValue& value : choice) {
-      const std::string problem = CheckKeyValue(program, value);
-      if (problem.empty()) continue;
-      diagnostics.Error(value.where, problem);
-      good = false;
+      if (const Outcome checked = CheckKeyValue(program, value); !checked) {
+        diagnostics.Error(value.where, checked.problem());
+        good = false;
+      }
     }
   }
   return good;

@@ -140,15 +140,15 @@ KeyValue::Kind KindOfText(const std::string& text) {
   return number.Parse(TypeOf<double>(), text) ? KeyValue::Kind::kNumber : KeyValue::Kind::kString;
 }
 
-std::string CheckKeyValue(const Program& program, const KeyValue& given) {
+Outcome CheckKeyValue(const Program& program, const KeyValue& given) {
   std::string hint;
   const SlotIndex slot = FindKey(program, given.key, hint);
   if (slot == kNoSlot) {
-    return "the tree has no key \"" + given.key + "\"" + (hint.empty() ? "" : ", " + hint);
+    return Problem{"the tree has no key \"" + given.key + "\"" + (hint.empty() ? "" : ", " + hint)};
   }
   const Type* type = program.layout.slots[slot].type;
   if (ValueOf(given, type).has_value()) return {};
-  return "\"" + given.text + "\" is no value of type " + type->name;
+  return Problem{"\"" + given.text + "\" is no value of type " + type->name};
 }
 
 Value ValueOf(const KeyValue& given, const Type* type) {

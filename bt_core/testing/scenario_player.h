@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "bt_core/base/outcome.h"
 #include "bt_core/testing/mocked_tree.h"
 #include "bt_core/testing/scenario.h"
 
@@ -70,8 +71,8 @@ std::string KeyPathOf(const Program& program, SlotIndex slot);
 /// What a text is where the key has no type: "true" is a boolean, "0.2" a number.
 KeyValue::Kind KindOfText(const std::string& text);
 
-/// Why the tree cannot be given this value, or nothing.
-std::string CheckKeyValue(const Program& program, const KeyValue& given);
+/// Whether the tree can be given this value.
+Outcome CheckKeyValue(const Program& program, const KeyValue& given);
 
 /// What a text is as a value of that type; without a type what its kind says. Empty if it is no
 /// such value.

@@ -56,7 +56,7 @@ double RecordSource::progress() const {
 }
 
 void RecordSource::Send(LiveCommand, LiveClient::ReplyHandler on_reply) {
-  if (on_reply) on_reply(FailedReply("this is a record: nothing can be changed in it"));
+  if (on_reply) on_reply(Problem{"this is a record: nothing can be changed in it"});
 }
 
 void RecordSource::Pump(LiveListener& listener) {

@@ -28,8 +28,8 @@ void RunHooks::Set(const WantedHook& wanted) {
   source_.Send(SetHook(wanted.hook), [hooks = hooks_, number](const LiveReply& reply) {
     const auto at = hooks->find(number);
     if (at == hooks->end()) return;
-    at->second.id = reply.hook;
-    at->second.remark = reply.error.empty() ? reply.remark : reply.error;
+    at->second.id = reply ? reply->id : kNoHook;
+    at->second.remark = reply ? reply->remark : reply.problem();
   });
 }
 

@@ -118,13 +118,15 @@ void RunLog::EnterTree(const TreeDescription& tree) {
       watch.from_hit = point.from_hit;
       watch.ReadText(*tree_, point.text);
       watch.has_condition = !point.condition.empty();
-      ConditionProblem problem;
-      if (watch.has_condition && tree_->program) {
-        const ScopeIndex scope = tree_->program->info[node].scope;
-        watch.condition = CompileCondition(point.condition, *tree_->program, scope, problem);
+      if (watch.has_condition) {
+        Expected<Script> condition = Problem{"the tree cannot be compiled here"};
+        if (tree_->program) {
+          const ScopeIndex scope = tree_->program->info[node].scope;
+          condition = CompileCondition(point.condition, *tree_->program, scope);
+        }
+        if (!condition) problems_[point.number] = condition.problem();
+        if (condition) watch.condition = *std::move(condition);
       }
-      if (watch.has_condition && !tree_->program) problem.text = "the tree cannot be compiled here";
-      if (!problem.text.empty()) problems_[point.number] = problem.text;
       watches_.push_back(std::move(watch));
       is_watched_[node] = true;
     }

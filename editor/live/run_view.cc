@@ -170,7 +170,7 @@ void RunView::OnNotice(const LiveNotice& notice) {
 
 void RunView::Send(LiveCommand command) {
   source_->Send(std::move(command), [answer = late_answer_](const LiveReply& reply) {
-    if (!reply.error.empty()) *answer = reply.error;
+    if (!reply) *answer = reply.problem();
   });
 }
 

@@ -68,9 +68,9 @@ const MockScript* Simulation::ScriptOf(NodeIndex node) const {
   return tree_->player().tree().ScriptOf(node);
 }
 
-std::string Simulation::SetKey(const std::string& key, const std::string& text) {
+Outcome Simulation::SetKey(const std::string& key, const std::string& text) {
   const KeyValue value{{}, key, text, KindOfText(text)};
-  if (std::string problem = CheckKeyValue(*program(), value); !problem.empty()) return problem;
+  if (Outcome checked = CheckKeyValue(*program(), value); !checked) return checked;
   const auto same = [&](const KeyValue& other) { return other.key == key; };
   next_.set.erase(std::remove_if(next_.set.begin(), next_.set.end(), same), next_.set.end());
   next_.set.push_back(value);

@@ -21,6 +21,7 @@
 #include <string>
 #include <vector>
 
+#include "bt_core/base/outcome.h"
 #include "editor/simulation/simulated_tree.h"
 
 namespace coppice::editor {
@@ -46,8 +47,8 @@ class Simulation final : private HistoryHandler {
   /// What it does, or will do; null if no script plays it.
   const MockScript* ScriptOf(NodeIndex node) const;
 
-  /// Writes a key before the next tick. Returns why that cannot be, or nothing.
-  std::string SetKey(const std::string& key, const std::string& text);
+  /// Writes a key before the next tick.
+  Outcome SetKey(const std::string& key, const std::string& text);
   /// What is written before the next tick.
   const std::vector<KeyValue>& waiting_keys() const { return next_.set; }
 

@@ -48,14 +48,12 @@ class Simulator::Source final : public RunSource {
   bool has_news() const override { return !stage_->queue.empty(); }
 
   void Send(LiveCommand command, LiveClient::ReplyHandler on_reply) override {
-    LiveReply reply;
+    Outcome done = Problem{"a simulation has other means: Ctrl+P, \"Simulation\""};
     if (command.kind == LiveCommand::Kind::kWrite) {
       const std::string path = command.scope.empty() ? "" : command.scope + "/";
-      reply.error = stage_->simulation->SetKey(path + command.key, command.value);
-    } else {
-      reply.error = "a simulation has other means: Ctrl+P, \"Simulation\"";
+      done = stage_->simulation->SetKey(path + command.key, command.value);
     }
-    if (on_reply) on_reply(reply);
+    if (on_reply) on_reply(done ? LiveReply(HookAnswer{}) : Problem{done.problem()});
   }
 
  private:

@@ -263,8 +263,9 @@ std::string SimulationEditor::SetKey(const std::string& assignment) {
   if (sign == std::string::npos) return "say it as in: battery_level = 0.2";
   Simulation* simulation = GoOn();
   if (!simulation) return "there is no simulation";
-  return simulation->SetKey(Trimmed(assignment.substr(0, sign)),
-                            Trimmed(assignment.substr(sign + 1)));
+  return simulation
+      ->SetKey(Trimmed(assignment.substr(0, sign)), Trimmed(assignment.substr(sign + 1)))
+      .problem();
 }
 
 std::string SimulationEditor::SaveAsScenario(const std::string& name) {

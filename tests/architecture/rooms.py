@@ -20,8 +20,8 @@ WINGS = {
 # and rooms of lower floors. A folder inside a room belongs to it, unless it has a line of its own.
 FLOORS = {
     "bt_core": [
-        {"bt_core/base": "`Status`, `Diagnostic` (file:line:column, message, hint), `Clock` (wall, "
-                         "simulated), `WakeUp`"},
+        {"bt_core/base": "`Status`, `Diagnostic` (file:line:column, message, hint), `Outcome` and "
+                         "`Expected`, `Clock` (wall, simulated), `WakeUp`"},
         {"bt_core/data": "`Value` of any registered type, typed ports as members, the blackboard's "
                          "`Layout` and slots, the `Inbox`"},
         {"bt_core/script": "the expression language of guards, hooks and script nodes, compiled to "

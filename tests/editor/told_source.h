@@ -21,9 +21,9 @@ class ToldSource : public RunSource {
   /// Every command succeeds.
   void Send(LiveCommand command, LiveClient::ReplyHandler on_reply) override {
     commands.push_back(command);
-    LiveReply reply;
-    if (command.kind == LiveCommand::Kind::kAddHook) reply.hook = ++last_hook_;
-    queue_.PutReply(std::move(on_reply), reply);
+    HookAnswer answer;
+    if (command.kind == LiveCommand::Kind::kAddHook) answer.id = ++last_hook_;
+    queue_.PutReply(std::move(on_reply), answer);
   }
 
   void Connect() { TellConnection(is_robot_, ""); }

@@ -25,10 +25,9 @@ int FuzzHistory(std::string_view bytes) {
   Follower wild_follower;
   for (LooseFrame frame; TakeFrame(bytes, frame);) {
     const Bytes sealed = Seal(frame, packer);
-    const std::string problem = decoder.Decode(sealed.data(), sealed.size(), follower);
-    if (!problem.empty()) Require(!decoder.follows());
-    wild.Decode(reinterpret_cast<const std::uint8_t*>(frame.payload.data()), frame.payload.size(),
-                wild_follower);
+    if (!decoder.Decode(sealed.data(), sealed.size(), follower)) Require(!decoder.follows());
+    const auto* const bytes = reinterpret_cast<const std::uint8_t*>(frame.payload.data());
+    if (!wild.Decode(bytes, frame.payload.size(), wild_follower)) Require(!wild.follows());
   }
   return follower.check.reached();
 }

@@ -123,22 +123,22 @@ class LiveVerb {
     for (const NamedCommand& named : commands_) {
       const LiveReply reply =
           named.unhooked.empty() ? Ask(named.command) : RemoveForeign(named.unhooked);
-      if (!reply.error.empty()) std::cerr << named.option << ": " << reply.error << "\n";
-      if (!reply.remark.empty()) std::cerr << named.option << ": " << reply.remark << "\n";
-      all_done = all_done && reply.error.empty();
+      const std::string& text = reply ? reply->remark : reply.problem();
+      if (!text.empty()) std::cerr << named.option << ": " << text << "\n";
+      all_done = all_done && reply;
     }
     return all_done;
   }
 
   LiveReply RemoveForeign(const std::string& path) {
-    LiveReply reply = FailedReply("no other client has left anything there");
+    LiveReply reply = Problem{"no other client has left anything there"};
     for (const ForeignHook& foreign :
          watch_.Look([](const LiveScene& scene) { return scene.foreign_hooks; })) {
       if (foreign.hook.path != path) continue;
       LiveCommand command = MakeCommand(Kind::kRemoveHook);
       command.id = foreign.id;
       reply = Ask(command);
-      if (!reply.error.empty()) break;
+      if (!reply) break;
     }
     return reply;
   }
@@ -148,7 +148,7 @@ class LiveVerb {
     std::future<LiveReply> reply = promise->get_future();
     client_.Send(command, [promise](const LiveReply& came) { promise->set_value(came); });
     if (reply.wait_for(kPatience) == std::future_status::ready) return reply.get();
-    return FailedReply("the robot does not answer");
+    return Problem{"the robot does not answer"};
   }
 
   std::vector<std::string> Draw() const {
@@ -222,7 +222,7 @@ class LiveVerb {
 
   void SendKey(Kind kind) {
     client_.Send(MakeCommand(kind), [this](const LiveReply& reply) {
-      if (!reply.error.empty()) watch_.Say(reply.error);
+      if (!reply) watch_.Say(reply.problem());
     });
   }
 

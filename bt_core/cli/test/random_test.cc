@@ -62,14 +62,14 @@ Subject Load(const std::string& path, const Options& options, Diagnostics& diagn
 bool ReadKeys(const Options& options, const Program& program, std::vector<KeyValue>& keys) {
   for (const std::string& text : options.GetAll("--set")) {
     const std::size_t sign = text.find('=');
-    std::string problem = "expected KEY=VALUE";
+    Outcome checked = Problem{"expected KEY=VALUE"};
     if (sign != std::string::npos) {
       const std::string value = text.substr(sign + 1);
       keys.push_back({{}, text.substr(0, sign), value, KindOfText(value)});
-      problem = CheckKeyValue(program, keys.back());
+      checked = CheckKeyValue(program, keys.back());
     }
-    if (problem.empty()) continue;
-    std::cerr << "--set " << text << ": " << problem << "\n";
+    if (checked) continue;
+    std::cerr << "--set " << text << ": " << checked.problem() << "\n";
     return false;
   }
   return true;

@@ -132,7 +132,7 @@ std::uint32_t PortBinder::BindUntypedLiteral(const Given& given) {
 }
 
 void PortBinder::ReportLiteral(const Given& given) {
-  std::string hint = Expected(*given.port.type);
+  std::string hint = ExpectedText(*given.port.type);
   if (given.text.empty() && given.port.default_text) {
     hint += "; without the attribute it is " + *given.port.default_text;
   }

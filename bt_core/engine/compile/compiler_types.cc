@@ -17,7 +17,7 @@ bool IsNumber(const Type& type) {
 
 }  // namespace
 
-std::string Expected(const Type& type) {
+std::string ExpectedText(const Type& type) {
   return "expected " + (type.enumerators ? Choices(*type.enumerators) : std::string(type.name));
 }
 
@@ -105,7 +105,7 @@ void SlotTypes::Convert(const Literal& literal) {
   } else if (!slot.initial.Parse(*slot.type, literal.text)) {
     problems_.Error(*literal.place.document, literal.place.offset,
                     Quoted(literal.text) + " is not a value for " + literal.name,
-                    Expected(*slot.type));
+                    ExpectedText(*slot.type));
   }
 }
 

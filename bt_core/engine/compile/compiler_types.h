@@ -90,7 +90,7 @@ class SlotTypes {
 };
 
 /// What a text should have been: "expected int", "expected RED, GREEN or BLUE".
-std::string Expected(const Type& type);
+std::string ExpectedText(const Type& type);
 
 }  // namespace coppice
 

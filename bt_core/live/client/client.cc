@@ -139,7 +139,7 @@ class LiveClient::Loop {
         session->Send(asked.command, std::move(asked.on_reply));
       } else if (asked.on_reply) {
         asked.on_reply(
-            FailedReply("not connected to " + endpoint_ + (told_.empty() ? "" : ": " + told_)));
+            Problem{"not connected to " + endpoint_ + (told_.empty() ? "" : ": " + told_)});
       }
     }
   }

@@ -59,7 +59,7 @@ class LiveClient::Loop {
   void Send(const LiveCommand& command, ReplyHandler on_reply) {
     if (session_ && session_->is_live()) return session_->Send(command, std::move(on_reply));
     if (!on_reply) return;
-    on_reply(FailedReply("not connected to " + endpoint_ + (told_.empty() ? "" : ": " + told_)));
+    on_reply(Problem{"not connected to " + endpoint_ + (told_.empty() ? "" : ": " + told_)});
   }
 
  private:

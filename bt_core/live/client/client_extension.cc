@@ -113,10 +113,10 @@ void ClientExtension::OnReply(const Parts& parts) {
 }
 
 void ClientExtension::OnHello(const std::string& json) {
-  HelloReply reply = ReadHello(json);
-  if (!reply.error.empty()) return Fail(std::move(reply.error));
-  connection_.refusal = std::move(reply.refusal);
-  connection_.trees = std::move(reply.trees);
+  Expected<HelloReply> reply = ReadHello(json);
+  if (!reply) return Fail(reply.problem());
+  connection_.refusal = std::move(reply->refusal);
+  connection_.trees = std::move(reply->trees);
   Subscribe();
 }
 
@@ -154,12 +154,12 @@ bool ClientExtension::ChooseTree() {
 }
 
 void ClientExtension::OnSubscribed(const std::string& json) {
-  SubscribeReply reply = ReadSubscribe(json);
-  if (!reply.error.empty()) return Fail(std::move(reply.error));
-  subscription_ = reply.subscription;
+  const Expected<SubscribeReply> reply = ReadSubscribe(json);
+  if (!reply) return Fail(reply.problem());
+  subscription_ = reply->subscription;
   is_subscribed_ = true;
-  history_.Begin(reply.run, reply.next);
-  connection_.run = reply.run;
+  history_.Begin(reply->run, reply->next);
+  connection_.run = reply->run;
   connection_.is_live = true;
   connection_.problem.clear();
   TellLive();
@@ -178,9 +178,9 @@ void ClientExtension::OnFrames(const Parts& parts) {
   if (parts[1].size() < 2 * kNumberSize) return Fail("the robot sent frames without a number");
   const auto first = ReadNumber<std::uint64_t>(parts[1], 0);
   const auto next = ReadNumber<std::uint64_t>(parts[1], kNumberSize);
-  const std::string problem =
+  const Outcome added =
       history_.Add(first, next, std::string_view(parts[1]).substr(2 * kNumberSize));
-  if (!problem.empty()) return Fail(problem);
+  if (!added) return Fail(added.problem());
   TellNotices();
   SendWithoutReply(WriteAck(subscription_, next));
 }

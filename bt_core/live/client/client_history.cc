@@ -27,23 +27,23 @@ bool ClientHistory::Begin(const RunId& run, std::uint64_t first) {
   return false;
 }
 
-std::string ClientHistory::Add(std::uint64_t first, std::uint64_t next, std::string_view frames) {
-  if (first < next_) return "the robot sent a frame twice";
+Outcome ClientHistory::Add(std::uint64_t first, std::uint64_t next, std::string_view frames) {
+  if (first < next_) return Problem{"the robot sent a frame twice"};
   const auto* at = reinterpret_cast<const std::uint8_t*>(frames.data());
   const std::uint8_t* const end = at + frames.size();
   while (at != end) {
     const auto left = static_cast<std::size_t>(end - at);
-    if (left < kFrameHeaderSize) return "the robot sent a frame that is cut off";
+    if (left < kFrameHeaderSize) return Problem{"the robot sent a frame that is cut off"};
     const std::size_t size = kFrameHeaderSize + ReadFrameHeader(at).payload_size;
-    if (size > left) return "the robot sent a frame that is cut off";
-    std::string problem = decoder_.Decode(at, size, *this);
-    if (!problem.empty()) return "the robot sent what cannot be read: " + problem;
+    if (size > left) return Problem{"the robot sent a frame that is cut off"};
+    const Outcome decoded = decoder_.Decode(at, size, *this);
+    if (!decoded) return Problem{"the robot sent what cannot be read: " + decoded.problem()};
     listener_.OnFrame(at, size);
     at += size;
   }
   next_ = next;
   has_frames_ = true;
-  return "";
+  return {};
 }
 
 void ClientHistory::OnTree(const TreeDescription& tree) {

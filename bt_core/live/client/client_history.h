@@ -32,8 +32,8 @@ class ClientHistory : private HistoryHandler {
   bool Begin(const RunId& run, std::uint64_t first);
 
   /// One push: the number of its first frame, the number after the last one, and the frames.
-  /// Returns what is wrong with them, or nothing; afterwards the connection must begin anew.
-  std::string Add(std::uint64_t first, std::uint64_t next, std::string_view frames);
+  /// After a problem the connection must begin anew.
+  Outcome Add(std::uint64_t first, std::uint64_t next, std::string_view frames);
 
  private:
   void OnTree(const TreeDescription& tree) override;

@@ -37,9 +37,10 @@ std::uint64_t NumberOf(const Json& json, const char* member) {
   return at != json.end() && at->is_number_unsigned() ? at->get<std::uint64_t>() : 0;
 }
 
-std::string ErrorOf(const Json& json) {
-  const std::string error = TextOf(json, "error");
-  return error.empty() && json.contains("error") ? "the robot refuses without a reason" : error;
+Outcome OutcomeOf(const Json& json) {
+  if (!json.contains("error")) return {};
+  std::string error = TextOf(json, "error");
+  return Problem{error.empty() ? "the robot refuses without a reason" : std::move(error)};
 }
 
 std::vector<std::string> TreesOf(const Json& json) {
@@ -155,24 +156,21 @@ std::string WriteAck(std::uint32_t subscription, std::uint64_t next) {
 
 std::string WriteSimple(const char* what) { return Print({{"do", what}}); }
 
-HelloReply ReadHello(std::string_view text) {
+Expected<HelloReply> ReadHello(std::string_view text) {
   const Json json = Parse(text);
-  HelloReply reply;
-  reply.error = ErrorOf(json);
-  reply.protocol = static_cast<int>(NumberOf(json, "protocol"));
-  reply.refusal = TextOf(json, "control");
-  reply.trees = TreesOf(json);
-  if (reply.error.empty() && reply.protocol != kProtocol) {
-    reply.error = "the robot speaks version " + std::to_string(reply.protocol) +
-                  " of the live protocol, this program version " + std::to_string(kProtocol);
+  if (const Outcome outcome = OutcomeOf(json); !outcome) return Problem{outcome.problem()};
+  const int protocol = static_cast<int>(NumberOf(json, "protocol"));
+  if (protocol != kProtocol) {
+    return Problem{"the robot speaks version " + std::to_string(protocol) +
+                   " of the live protocol, this program version " + std::to_string(kProtocol)};
   }
-  return reply;
+  return HelloReply{TextOf(json, "control"), TreesOf(json)};
 }
 
-SubscribeReply ReadSubscribe(std::string_view text) {
+Expected<SubscribeReply> ReadSubscribe(std::string_view text) {
   const Json json = Parse(text);
+  if (const Outcome outcome = OutcomeOf(json); !outcome) return Problem{outcome.problem()};
   SubscribeReply reply;
-  reply.error = ErrorOf(json);
   reply.subscription = static_cast<std::uint32_t>(NumberOf(json, "subscription"));
   reply.run = ReadRunId(TextOf(json, "run"));
   reply.next = NumberOf(json, "next");
@@ -182,7 +180,8 @@ SubscribeReply ReadSubscribe(std::string_view text) {
 
 LiveReply ReadReply(std::string_view text) {
   const Json json = Parse(text);
-  return {ErrorOf(json), TextOf(json, "remark"), static_cast<HookId>(NumberOf(json, "hook"))};
+  if (const Outcome outcome = OutcomeOf(json); !outcome) return Problem{outcome.problem()};
+  return HookAnswer{static_cast<HookId>(NumberOf(json, "hook")), TextOf(json, "remark")};
 }
 
 std::string WriteAbandoned(const std::string& why) { return Print({{"error", why}}); }

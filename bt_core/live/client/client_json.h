@@ -28,21 +28,18 @@ std::string WriteSimple(const char* what);
 
 /// What a robot says of itself.
 struct HelloReply {
-  std::string error;
-  int protocol = 0;
   std::string refusal;
   std::vector<std::string> trees;
 };
-HelloReply ReadHello(std::string_view json);
+Expected<HelloReply> ReadHello(std::string_view json);
 
 struct SubscribeReply {
-  std::string error;
   std::uint32_t subscription = 0;
   RunId run{};
   std::uint64_t next = 0;
   std::uint64_t missed = 0;
 };
-SubscribeReply ReadSubscribe(std::string_view json);
+Expected<SubscribeReply> ReadSubscribe(std::string_view json);
 
 LiveReply ReadReply(std::string_view json);
 /// What is read as the reply to a request that nobody answers any more.

@@ -28,12 +28,6 @@ LiveCommand WriteKey(std::string scope, std::string key, std::string value) {
   return command;
 }
 
-LiveReply FailedReply(std::string error) {
-  LiveReply reply;
-  reply.error = std::move(error);
-  return reply;
-}
-
 std::string ToString(const Hook& hook) {
   std::string text;
   if (hook.action == HookAction::kStop) {

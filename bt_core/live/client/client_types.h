@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "bt_core/base/outcome.h"
 #include "bt_core/frames/history.h"
 #include "bt_core/live/debug/debugger_hooks.h"
 
@@ -70,14 +71,8 @@ LiveCommand MakeCommand(LiveCommand::Kind kind);
 LiveCommand SetHook(Hook hook);
 LiveCommand WriteKey(std::string scope, std::string key, std::string value);
 
-/// What came of a command.
-struct LiveReply {
-  std::string error;      ///< empty: it was done
-  std::string remark;     ///< of a hook whose node the tree does not have yet, for example
-  HookId hook = kNoHook;  ///< the one that was added
-};
-
-LiveReply FailedReply(std::string error);
+/// What came of a command: the hook if one was added, else nothing but that it was done.
+using LiveReply = Expected<HookAnswer>;
 
 /// What the robot's debugger has told.
 struct LiveNotice {

@@ -16,8 +16,12 @@ Debugger::~Debugger() {
   inbox_->PostCall([core = core_] { core->Detach(); });
 }
 
-HookAnswer Debugger::Add(const Hook& hook, OwnerId owner) { return core_->Add(hook, owner); }
-HookAnswer Debugger::Change(HookId id, const Hook& hook) { return core_->Change(id, hook); }
+Expected<HookAnswer> Debugger::Add(const Hook& hook, OwnerId owner) {
+  return core_->Add(hook, owner);
+}
+Expected<HookAnswer> Debugger::Change(HookId id, const Hook& hook) {
+  return core_->Change(id, hook);
+}
 bool Debugger::Remove(HookId id) { return core_->Remove(id); }
 bool Debugger::SetEnabled(HookId id, bool enabled) { return core_->SetEnabled(id, enabled); }
 void Debugger::RemoveAllOf(OwnerId owner) { core_->RemoveAllOf(owner); }
@@ -26,9 +30,9 @@ void Debugger::SetAllEnabledOf(OwnerId owner, bool enabled) {
 }
 void Debugger::Release(OwnerId owner) { core_->Release(owner); }
 void Debugger::ReleaseAll() { core_->Close(); }
-std::string Debugger::Pause(OwnerId owner) { return core_->Pause(owner); }
-std::string Debugger::StepNode(OwnerId owner) { return core_->StepNode(owner); }
-std::string Debugger::StepTick(OwnerId owner) { return core_->StepTick(owner); }
+Outcome Debugger::Pause(OwnerId owner) { return core_->Pause(owner); }
+Outcome Debugger::StepNode(OwnerId owner) { return core_->StepNode(owner); }
+Outcome Debugger::StepTick(OwnerId owner) { return core_->StepTick(owner); }
 void Debugger::Continue(std::optional<Status> result) { core_->Continue(result); }
 std::vector<HookInfo> Debugger::hooks() const { return core_->hooks(); }
 std::optional<HookInfo> Debugger::Find(HookId id) const { return core_->Find(id); }

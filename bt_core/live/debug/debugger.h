@@ -6,8 +6,8 @@
 //   Hook hook;                                            // any thread
 //   hook.path = "dock/ReadBattery::9";
 //   hook.condition = "battery < 20";
-//   const HookAnswer answer = debugger.Add(hook, owner);
-//   if (!answer.ok()) std::cerr << answer.problem;
+//   const Expected<HookAnswer> answer = debugger.Add(hook, owner);
+//   if (!answer) std::cerr << answer.problem();
 //   ...
 //   debugger.Continue();
 //
@@ -23,24 +23,24 @@
 #include <string>
 #include <vector>
 
+#include "bt_core/base/outcome.h"
 #include "bt_core/engine/executor.h"
 #include "bt_core/live/debug/debugger_hooks.h"
 
 namespace coppice {
 
 struct DebuggerOptions {
-  /// Why the tree may be neither stopped nor changed now ("the robot moves"); empty: it may. Asked
-  /// by every request that does so, on the thread of the caller, and once more by the ticking
-  /// thread before a stop. Null: always allowed. Must not call the debugger.
-  std::function<std::string()> refusal;
+  /// Whether the tree may be stopped and changed now, or why not ("the robot moves"). Asked by
+  /// every request that does so, on the thread of the caller, and once more by the ticking thread
+  /// before a stop. Null: always allowed. Must not call the debugger.
+  std::function<Outcome()> permission;
 
   /// Called on the ticking thread; must be quick, must not throw, may only read from the debugger.
   std::function<void(const DebugEvent&)> on_event;
 };
 
 /// All functions may be called on any thread but the ticking one, unless they say otherwise; on the
-/// ticking thread only between ticks. Those that return a text return why the request was refused,
-/// or nothing.
+/// ticking thread only between ticks.
 class Debugger {
  public:
   /// Ticking thread, between ticks. At most one debugger per executor at a time.
@@ -51,9 +51,9 @@ class Debugger {
   Debugger(const Debugger&) = delete;
   Debugger& operator=(const Debugger&) = delete;
 
-  HookAnswer Add(const Hook& hook, OwnerId owner = 0);
+  Expected<HookAnswer> Add(const Hook& hook, OwnerId owner = 0);
   /// Becomes another hook and counts its hits anew; a tree that stands at it goes on.
-  HookAnswer Change(HookId id, const Hook& hook);
+  Expected<HookAnswer> Change(HookId id, const Hook& hook);
   /// False if there is no such hook. A tree that stands at it goes on; so it does below.
   bool Remove(HookId id);
   bool SetEnabled(HookId id, bool enabled);
@@ -67,12 +67,12 @@ class Debugger {
   void ReleaseAll();
 
   /// Stops before the next tick.
-  std::string Pause(OwnerId owner = 0);
+  Outcome Pause(OwnerId owner = 0);
   /// To the next node that is about to be ticked, or to the end of the tick. A tree that is not
   /// stopped stops there too.
-  std::string StepNode(OwnerId owner = 0);
+  Outcome StepNode(OwnerId owner = 0);
   /// To the end of the tick; between ticks: one whole tick.
-  std::string StepTick(OwnerId owner = 0);
+  Outcome StepTick(OwnerId owner = 0);
   /// Goes on until the next breakpoint. With a status (not kIdle), the tree goes on as if the node
   /// that it stands at had returned that.
   void Continue(std::optional<Status> result = std::nullopt);

@@ -168,10 +168,9 @@ std::optional<Status> Debugger::Core::Stand(Lock& lock, DebugStop stop) {
   const bool between_ticks = stop.where == DebugStop::Where::kBetweenTicks;
   stop.tick = executor_.ticks();
   if (IsOver()) return std::nullopt;
-  std::string reason = Refusal();
-  if (!reason.empty()) {
+  if (Outcome permission = Permission(); !permission) {
     mode_ = Mode::kRun;
-    Tell(lock, DebugEvent::Kind::kRefused, stop, std::move(reason));
+    Tell(lock, DebugEvent::Kind::kRefused, stop, std::move(permission).problem());
     return std::nullopt;
   }
   stop_ = stop;
@@ -213,22 +212,20 @@ void Debugger::Core::Tell(Lock& lock, DebugEvent::Kind kind, const DebugStop& st
 
 // ---- Any other thread
 
-HookAnswer Debugger::Core::Add(const Hook& hook, OwnerId owner) {
-  std::string reason = Refusal();
-  if (!reason.empty()) return {kNoHook, std::move(reason)};
+Expected<HookAnswer> Debugger::Core::Add(const Hook& hook, OwnerId owner) {
+  if (Outcome permission = Permission(); !permission) return Problem{permission.problem()};
   const Lock lock(mutex_);
-  if (is_closed_) return {kNoHook, "the debugger has ended"};
-  HookAnswer answer = table_.Add(hook, owner);
+  if (is_closed_) return Problem{"the debugger has ended"};
+  Expected<HookAnswer> answer = table_.Add(hook, owner);
   ChangedHooks();
   return answer;
 }
 
-HookAnswer Debugger::Core::Change(HookId id, const Hook& hook) {
-  std::string reason = Refusal();
-  if (!reason.empty()) return {kNoHook, std::move(reason)};
+Expected<HookAnswer> Debugger::Core::Change(HookId id, const Hook& hook) {
+  if (Outcome permission = Permission(); !permission) return Problem{permission.problem()};
   const Lock lock(mutex_);
-  HookAnswer answer = table_.Change(id, hook);
-  if (answer.ok()) LeaveHook(id);
+  Expected<HookAnswer> answer = table_.Change(id, hook);
+  if (answer) LeaveHook(id);
   ChangedHooks();
   return answer;
 }
@@ -276,31 +273,28 @@ void Debugger::Core::Release(OwnerId owner) {
   if (is_its_stop) Resume();
 }
 
-std::string Debugger::Core::Pause(OwnerId owner) {
-  std::string reason = Refusal();
-  if (!reason.empty()) return reason;
+Outcome Debugger::Core::Pause(OwnerId owner) {
+  if (Outcome permission = Permission(); !permission) return permission;
   const Lock lock(mutex_);
   if (stop_.where != DebugStop::Where::kNowhere) return {};
   return SetMode(Mode::kStopBeforeTick, owner);
 }
 
-std::string Debugger::Core::StepNode(OwnerId owner) {
-  std::string reason = Refusal();
-  if (!reason.empty()) return reason;
+Outcome Debugger::Core::StepNode(OwnerId owner) {
+  if (Outcome permission = Permission(); !permission) return permission;
   const Lock lock(mutex_);
   return SetMode(Mode::kStopBeforeNode, owner);
 }
 
-std::string Debugger::Core::StepTick(OwnerId owner) {
-  std::string reason = Refusal();
-  if (!reason.empty()) return reason;
+Outcome Debugger::Core::StepTick(OwnerId owner) {
+  if (Outcome permission = Permission(); !permission) return permission;
   const Lock lock(mutex_);
   return SetMode(Mode::kStopBeforeTick, owner);
 }
 
 // A tree that waits for an event is ticked, so that it comes to the stop.
-std::string Debugger::Core::SetMode(Mode mode, OwnerId owner) {
-  if (is_closed_) return "the debugger has ended";
+Outcome Debugger::Core::SetMode(Mode mode, OwnerId owner) {
+  if (is_closed_) return Problem{"the debugger has ended"};
   mode_ = mode;
   controller_ = owner;
   attention_.store(true, std::memory_order_release);

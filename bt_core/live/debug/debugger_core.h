@@ -29,16 +29,16 @@ class Debugger::Core final : public NodeHooks, public std::enable_shared_from_th
   void OnReload() override;
 
   // Any other thread; as in debugger.h.
-  HookAnswer Add(const Hook& hook, OwnerId owner);
-  HookAnswer Change(HookId id, const Hook& hook);
+  Expected<HookAnswer> Add(const Hook& hook, OwnerId owner);
+  Expected<HookAnswer> Change(HookId id, const Hook& hook);
   bool Remove(HookId id);
   bool SetEnabled(HookId id, bool enabled);
   void RemoveAllOf(OwnerId owner);
   void SetAllEnabledOf(OwnerId owner, bool enabled);
   void Release(OwnerId owner);
-  std::string Pause(OwnerId owner);
-  std::string StepNode(OwnerId owner);
-  std::string StepTick(OwnerId owner);
+  Outcome Pause(OwnerId owner);
+  Outcome StepNode(OwnerId owner);
+  Outcome StepTick(OwnerId owner);
   void Continue(std::optional<Status> result);
   std::vector<HookInfo> hooks() const;
   std::optional<HookInfo> Find(HookId id) const;
@@ -73,8 +73,8 @@ class Debugger::Core final : public NodeHooks, public std::enable_shared_from_th
   void ChangedHooks();
   void LeaveHook(HookId id);
   void Resume();
-  std::string Refusal() const { return options_.refusal ? options_.refusal() : std::string(); }
-  std::string SetMode(Mode mode, OwnerId owner);
+  Outcome Permission() const { return options_.permission ? options_.permission() : Outcome(); }
+  Outcome SetMode(Mode mode, OwnerId owner);
 
   Executor& executor_;  // of the ticking thread
   Inbox& inbox_;        // lives as long as the executor and as the Debugger

@@ -65,14 +65,10 @@ struct HookInfo {
   std::string problem;  ///< why the condition could not be computed when it was tried last
 };
 
-/// What came of a request to set a hook.
+/// A hook that was set.
 struct HookAnswer {
-  HookId id = kNoHook;  ///< kNoHook: it was refused
-  std::string problem;  ///< why; or, with an id, a remark: no such node in the present tree
-  /// Where in the condition, in bytes, if that is what is wrong.
-  std::size_t offset = std::string::npos;
-
-  bool ok() const { return id != kNoHook; }
+  HookId id = kNoHook;
+  std::string remark;  ///< for people, if there is one: no such node in the present tree
 };
 
 /// Where a tree stands.

@@ -1,6 +1,8 @@
 #include "bt_core/live/debug/hook_condition.h"
 
 #include <algorithm>
+#include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -41,18 +43,17 @@ class AnyNames : public ScriptNames {
   bool IsKey(std::string_view) const override { return false; }
 };
 
-ConditionProblem At(std::string_view script, std::size_t offset, const std::string& message,
-                    const std::string& hint = {}) {
+Problem At(std::string_view script, std::size_t offset, const std::string& message,
+           const std::string& hint = {}) {
   const std::string_view before = script.substr(0, offset);
   const auto line = 1 + std::count(before.begin(), before.end(), '\n');
   const std::size_t column = offset - (before.rfind('\n') + 1) + 1;  // npos + 1 is 0
   return {"condition:" + std::to_string(line) + ":" + std::to_string(column) + ": " + message +
-              (hint.empty() ? "" : " (" + hint + ")"),
-          offset};
+          (hint.empty() ? "" : " (" + hint + ")")};
 }
 
-ConditionProblem CheckResult(std::string_view text, const std::optional<Script>& script,
-                             const std::vector<ScriptProblem>& found) {
+Outcome CheckResult(std::string_view text, const std::optional<Script>& script,
+                    const std::vector<ScriptProblem>& found) {
   if (!found.empty()) return At(text, found[0].offset, found[0].message, found[0].hint);
   if (!script->writes().empty()) {
     return At(text, 0, "a condition cannot assign to a key", "\"==\" compares");
@@ -62,23 +63,21 @@ ConditionProblem CheckResult(std::string_view text, const std::optional<Script>&
 
 }  // namespace
 
-std::optional<Script> CompileCondition(std::string_view text, const Program& program,
-                                       ScopeIndex scope, ConditionProblem& problem) {
+Expected<Script> CompileCondition(std::string_view text, const Program& program, ScopeIndex scope) {
   KnownNames names(program, scope);
   std::vector<ScriptProblem> found;
   std::optional<Script> script =
       Script::Compile(text, names, program.registry->script_constants(), found);
-  problem = CheckResult(text, script, found);
-  if (problem.text.empty() && !names.unknown().empty()) {
-    const std::string name(names.unknown());
-    problem = At(text, text.find(name), "no node around here uses a key \"" + name + "\"",
-                 DidYouMean(name, KeysAround(program, scope)));
+  if (Outcome result = CheckResult(text, script, found); !result) {
+    return Problem{std::move(result).problem()};
   }
-  if (!problem.text.empty()) script.reset();
-  return script;
+  if (names.unknown().empty()) return *std::move(script);
+  const std::string name(names.unknown());
+  return At(text, text.find(name), "no node around here uses a key \"" + name + "\"",
+            DidYouMean(name, KeysAround(program, scope)));
 }
 
-ConditionProblem CheckCondition(std::string_view text, const ScriptConstants& constants) {
+Outcome CheckCondition(std::string_view text, const ScriptConstants& constants) {
   AnyNames names;
   std::vector<ScriptProblem> found;
   const std::optional<Script> script = Script::Compile(text, names, constants, found);

@@ -2,28 +2,21 @@
 #ifndef COPPICE_BT_CORE_LIVE_DEBUG_HOOK_CONDITION_H_
 #define COPPICE_BT_CORE_LIVE_DEBUG_HOOK_CONDITION_H_
 
-#include <cstddef>
-#include <optional>
-#include <string>
 #include <string_view>
 
+#include "bt_core/base/outcome.h"
 #include "bt_core/engine/program.h"
 
 namespace coppice {
 
-/// What is wrong with a condition, and where in its text, in bytes.
-struct ConditionProblem {
-  std::string text;  ///< "1:12: no key \"batery\" here (did you mean "battery"?)"; empty: nothing
-  std::size_t offset = std::string::npos;
-};
+// A problem begins with its place in the condition:
+// "condition:1:12: no node around here uses a key "batery" (did you mean "battery"?)".
 
-/// Nothing if there is a problem: it cannot be read, it writes, or it names a key that nodes of the
-/// scope do not have.
-std::optional<Script> CompileCondition(std::string_view text, const Program& program,
-                                       ScopeIndex scope, ConditionProblem& problem);
+/// A problem: it cannot be read, it writes, or it names a key that nodes of the scope do not have.
+Expected<Script> CompileCondition(std::string_view text, const Program& program, ScopeIndex scope);
 
 /// Whether it can be read at all, for a place that there is not yet: any name will do.
-ConditionProblem CheckCondition(std::string_view text, const ScriptConstants& constants);
+Outcome CheckCondition(std::string_view text, const ScriptConstants& constants);
 
 }  // namespace coppice
 

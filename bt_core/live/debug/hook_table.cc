@@ -8,55 +8,51 @@
 namespace coppice {
 namespace {
 
-HookAnswer Refuse(std::string problem) { return {kNoHook, std::move(problem)}; }
-
 // Wrong in any tree.
-std::string ProblemOf(const Hook& hook) {
-  if (hook.path.empty() && hook.node == kNoNode) return "a hook needs a node or a path";
+Outcome CheckAnywhere(const Hook& hook) {
+  if (hook.path.empty() && hook.node == kNoNode) return Problem{"a hook needs a node or a path"};
   if (hook.action == HookAction::kReplace && hook.status == Status::kIdle) {
-    return "IDLE is no result; expected RUNNING, SUCCESS, FAILURE or SKIPPED";
+    return Problem{"IDLE is no result; expected RUNNING, SUCCESS, FAILURE or SKIPPED"};
   }
   if (hook.action == HookAction::kDelay && hook.position == HookPosition::kAfter) {
-    return "a node can be delayed only before it is ticked";
+    return Problem{"a node can be delayed only before it is ticked"};
   }
   if (hook.action == HookAction::kDelay && hook.delay <= Duration::zero()) {
-    return "a delay must be longer than 0";
+    return Problem{"a delay must be longer than 0"};
   }
-  if (hook.from_hit == 0) return "hits are counted from 1";
+  if (hook.from_hit == 0) return Problem{"hits are counted from 1"};
   return {};
 }
 
 }  // namespace
 
-HookAnswer HookTable::Add(const Hook& hook, OwnerId owner) {
+Expected<HookAnswer> HookTable::Add(const Hook& hook, OwnerId owner) {
   if (entries_.size() >= kMaxHooks) {
-    return Refuse("there are " + std::to_string(kMaxHooks) + " hooks already");
+    return Problem{"there are " + std::to_string(kMaxHooks) + " hooks already"};
   }
-  HookAnswer answer = Check(hook);
-  if (!answer.problem.empty()) return answer;
+  if (const Outcome checked = Check(hook); !checked) return Problem{checked.problem()};
   Entry entry;
   entry.info.id = last_id_ + 1;
   entry.info.owner = owner;
   entry.info.hook = hook;
-  answer = Resolve(entry);
-  if (!answer.ok()) return answer;
+  Expected<HookAnswer> answer = Resolve(entry);
+  if (!answer) return answer;
   ++last_id_;
   entries_.push_back(std::move(entry));
   RebuildPlaces();
   return answer;
 }
 
-HookAnswer HookTable::Change(HookId id, const Hook& hook) {
+Expected<HookAnswer> HookTable::Change(HookId id, const Hook& hook) {
   Entry* const old = Find(id);
-  if (!old) return Refuse("there is no hook " + std::to_string(id));
-  HookAnswer answer = Check(hook);
-  if (!answer.problem.empty()) return answer;
+  if (!old) return Problem{"there is no hook " + std::to_string(id)};
+  if (const Outcome checked = Check(hook); !checked) return Problem{checked.problem()};
   Entry entry;
   entry.info.id = id;
   entry.info.owner = old->info.owner;
   entry.info.hook = hook;
-  answer = Resolve(entry);
-  if (!answer.ok()) return answer;
+  Expected<HookAnswer> answer = Resolve(entry);
+  if (!answer) return answer;
   *old = std::move(entry);
   RebuildPlaces();
   return answer;
@@ -76,9 +72,7 @@ void HookTable::SetProgram(std::shared_ptr<const Program> program) {
     Hook& hook = entry.info.hook;
     if (hook.path.empty()) hook.path = old->Path(std::exchange(hook.node, kNoNode));
     entry.delayed.clear();
-    entry.info.problem.clear();
-    const HookAnswer answer = Resolve(entry);
-    if (!answer.ok()) entry.info.problem = answer.problem;
+    entry.info.problem = Resolve(entry).problem();
   }
   RebuildPlaces();
 }
@@ -120,38 +114,40 @@ std::vector<NodeIndex> HookTable::Nodes() const {
   return nodes;
 }
 
-// Without a problem the answer has no id either.
-HookAnswer HookTable::Check(const Hook& hook) const {
-  std::string problem = ProblemOf(hook);
-  if (!problem.empty()) return Refuse(std::move(problem));
+Outcome HookTable::Check(const Hook& hook) const {
+  if (Outcome anywhere = CheckAnywhere(hook); !anywhere) return anywhere;
   const std::size_t nodes = program_->nodes.size();
   if (hook.path.empty() && hook.node >= nodes) {
-    return Refuse("there is no node " + std::to_string(hook.node) +
-                  "; the tree has the nodes 0 to " + std::to_string(nodes - 1));
+    return Problem{"there is no node " + std::to_string(hook.node) +
+                   "; the tree has the nodes 0 to " + std::to_string(nodes - 1)};
   }
   return {};
 }
 
 // Finds its nodes and compiles its condition for them. A hook whose condition is wrong here has no
 // nodes.
-HookAnswer HookTable::Resolve(Entry& entry) const {
+Expected<HookAnswer> HookTable::Resolve(Entry& entry) const {
   HookInfo& info = entry.info;
   info.nodes = info.hook.path.empty() ? std::vector<NodeIndex>{info.hook.node}
                                       : FindNodes(*program_, info.hook.path);
   entry.condition.reset();
   HookAnswer answer{info.id, {}};
-  if (info.nodes.empty()) answer.problem = DescribeMissingNode(*program_, info.hook.path);
+  if (info.nodes.empty()) answer.remark = DescribeMissingNode(*program_, info.hook.path);
   if (info.hook.condition.empty()) return answer;
-  ConditionProblem problem;
   if (info.nodes.empty()) {
-    problem = CheckCondition(info.hook.condition, program_->registry->script_constants());
-  } else {
-    const ScopeIndex scope = program_->info[info.nodes[0]].scope;
-    entry.condition = CompileCondition(info.hook.condition, *program_, scope, problem);
+    const Outcome read =
+        CheckCondition(info.hook.condition, program_->registry->script_constants());
+    if (!read) return Problem{read.problem()};
+    return answer;
   }
-  if (problem.text.empty()) return answer;
+  const ScopeIndex scope = program_->info[info.nodes[0]].scope;
+  Expected<Script> condition = CompileCondition(info.hook.condition, *program_, scope);
+  if (condition) {
+    entry.condition = *std::move(condition);
+    return answer;
+  }
   info.nodes.clear();
-  return {kNoHook, std::move(problem.text), problem.offset};
+  return Problem{condition.problem()};
 }
 
 void HookTable::RebuildPlaces() {

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "bt_core/base/outcome.h"
 #include "bt_core/engine/program.h"
 #include "bt_core/live/debug/debugger_hooks.h"
 
@@ -32,8 +33,8 @@ class HookTable {
 
   explicit HookTable(std::shared_ptr<const Program> program) : program_(std::move(program)) {}
 
-  HookAnswer Add(const Hook& hook, OwnerId owner);
-  HookAnswer Change(HookId id, const Hook& hook);
+  Expected<HookAnswer> Add(const Hook& hook, OwnerId owner);
+  Expected<HookAnswer> Change(HookId id, const Hook& hook);
   bool Remove(HookId id);
 
   /// Searches another program for the nodes of all hooks.
@@ -53,8 +54,8 @@ class HookTable {
   const std::shared_ptr<const Program>& program() const { return program_; }
 
  private:
-  HookAnswer Check(const Hook& hook) const;
-  HookAnswer Resolve(Entry& entry) const;
+  Outcome Check(const Hook& hook) const;
+  Expected<HookAnswer> Resolve(Entry& entry) const;
   void RebuildPlaces();
 
   std::shared_ptr<const Program> program_;

@@ -33,10 +33,13 @@ std::string Header(char type, std::uint32_t number) {
 
 Time WallTime() { return std::chrono::system_clock::now().time_since_epoch(); }
 
-void Reply(const LiveClient::ReplyHandler& on_reply, std::string error, HookId hook = kNoHook) {
-  LiveReply reply = FailedReply(std::move(error));
-  reply.hook = hook;
+void Reply(const LiveClient::ReplyHandler& on_reply, const LiveReply& reply) {
   if (on_reply) on_reply(reply);
+}
+
+LiveReply ReplyOf(const Expected<std::string>& answer, HookId hook = kNoHook) {
+  if (!answer) return Problem{answer.problem()};
+  return HookAnswer{hook, {}};
 }
 
 }  // namespace
@@ -50,7 +53,7 @@ ClientGroot2::ClientGroot2(const LiveClientOptions& options, LiveListener& liste
 // A status says which tree it is of. If it is the known one, it goes on.
 void ClientGroot2::Greet() {
   Ask(kStatus, "", [this](const Answer& answer) {
-    if (!answer.error.empty()) return Fail("the robot answers: " + answer.error);
+    if (!answer.payload) return Fail("the robot answers: " + answer.payload.problem());
     if (history_.has_begun() && history_.id() == id_) return BeginLive();
     AskForTree();
   });
@@ -59,8 +62,8 @@ void ClientGroot2::Greet() {
 void ClientGroot2::AskForTree() {
   is_live_ = false;
   Ask(kFullTree, "", [this](const Answer& answer) {
-    if (!answer.error.empty()) return Fail("the robot answers: " + answer.error);
-    Check(history_.SetTree(id_, answer.payload));
+    if (!answer.payload) return Fail("the robot answers: " + answer.payload.problem());
+    Check(history_.SetTree(id_, *answer.payload));
     if (failure().empty()) AskForStart();
   });
 }
@@ -69,11 +72,11 @@ void ClientGroot2::AskForStart() {
   AskForBoards();
   AskForHooks();
   Ask(kRecording, "start", [this](const Answer& answer) {
-    if (answer.error.empty()) Check(history_.SetRecording(answer.payload));
+    if (answer.payload) Check(history_.SetRecording(*answer.payload));
   });
   Ask(kStatus, "", [this](const Answer& answer) {
-    if (!answer.error.empty()) return Fail("the robot answers: " + answer.error);
-    Check(history_.AddStatuses(answer.payload, WallTime()));
+    if (!answer.payload) return Fail("the robot answers: " + answer.payload.problem());
+    Check(history_.AddStatuses(*answer.payload, WallTime()));
     if (failure().empty()) BeginLive();
   });
 }
@@ -94,13 +97,13 @@ void ClientGroot2::AskForBoards() {
     names += (names.empty() ? "" : ";") + board;
   }
   Ask(kBlackboard, std::move(names), [this](const Answer& answer) {
-    if (answer.error.empty()) Check(history_.AddBoards(answer.payload, WallTime()));
+    if (answer.payload) Check(history_.AddBoards(*answer.payload, WallTime()));
   });
 }
 
 void ClientGroot2::AskForHooks() {
   Ask(kHooksDump, "", [this](const Answer& answer) {
-    if (answer.error.empty()) TakeHooks(groot2::ReadHooks(answer.payload));
+    if (answer.payload) TakeHooks(groot2::ReadHooks(*answer.payload));
   });
 }
 
@@ -141,11 +144,11 @@ void ClientGroot2::TellForeignHooks() {
 void ClientGroot2::Poll(Duration now) {
   next_poll_ = now + options_.poll_period;
   Ask(kTransitions, "", [this](const Answer& answer) {
-    if (answer.error.empty()) Check(history_.AddTransitions(answer.payload));
+    if (answer.payload) Check(history_.AddTransitions(*answer.payload));
   });
   Ask(kStatus, "", [this](const Answer& answer) {
-    if (!answer.error.empty()) return Fail("the robot answers: " + answer.error);
-    Check(history_.AddStatuses(answer.payload, WallTime()));
+    if (!answer.payload) return Fail("the robot answers: " + answer.payload.problem());
+    Check(history_.AddStatuses(*answer.payload, WallTime()));
   });
   if (now < next_boards_) return;
   next_boards_ = now + options_.board_period;
@@ -153,8 +156,8 @@ void ClientGroot2::Poll(Duration now) {
   AskForHooks();
 }
 
-void ClientGroot2::Check(const std::string& problem) {
-  if (!problem.empty()) Fail(problem);
+void ClientGroot2::Check(const Outcome& outcome) {
+  if (!outcome) Fail(outcome.problem());
 }
 
 Duration ClientGroot2::OnTime(Duration now) {
@@ -198,9 +201,8 @@ void ClientGroot2::OnMessage(const Parts& parts, Duration now) {
   }
   const Request request = std::move(requests_.front());
   requests_.pop_front();
-  Answer answer;
-  if (parts.size() > 1) (is_error ? answer.error : answer.payload) = parts[1];
-  request.on_answer(answer);
+  const std::string text = parts.size() > 1 ? parts[1] : std::string();
+  request.on_answer({is_error ? Expected<std::string>(Problem{text}) : text});
   SendNext(now);
 }
 
@@ -208,7 +210,7 @@ void ClientGroot2::Abandon(const std::string& why) {
   for (const Request& request : std::exchange(requests_, {})) {
     const bool is_command =
         request.type == kHookInsert || request.type == kHookRemove || request.type == kUnlock;
-    if (is_command) request.on_answer({why, {}, false});
+    if (is_command) request.on_answer({Problem{why}, false});
   }
 }
 
@@ -261,31 +263,32 @@ void ClientGroot2::Send(const LiveCommand& command, LiveClient::ReplyHandler on_
     case LiveCommand::Kind::kContinue:
       return Continue(command.result, on_reply);
     case LiveCommand::Kind::kWrite:
-      return Reply(on_reply, "this robot knows the Groot2 protocol only; values cannot be set");
+      return Reply(on_reply,
+                   Problem{"this robot knows the Groot2 protocol only; values cannot be set"});
     default:
       return Reply(on_reply,
-                   "this robot knows the Groot2 protocol only; it stops at "
-                   "breakpoints, it cannot pause or step");
+                   Problem{"this robot knows the Groot2 protocol only; it stops at breakpoints, it "
+                           "cannot pause or step"});
   }
 }
 
 void ClientGroot2::AddHook(const Hook& hook, LiveClient::ReplyHandler on_reply) {
-  const std::string too_much = groot2::WhatIsTooMuch(hook);
-  if (!too_much.empty()) return Reply(on_reply, too_much);
+  const Outcome checked = groot2::CheckHook(hook);
+  if (!checked) return Reply(on_reply, Problem{checked.problem()});
   const RobotTree& tree = history_.tree();
   std::vector<NodeIndex> nodes = {hook.node};
   if (!hook.path.empty()) nodes = groot2::FindNodes(tree.description, hook.path);
   if (nodes.size() != 1 || nodes[0] >= tree.uids.size()) {
     const char* const what =
         nodes.size() > 1 ? "several nodes are called \"" : "no node is called \"";
-    return Reply(on_reply, what + hook.path + "\"");
+    return Reply(on_reply, Problem{what + hook.path + "\""});
   }
   const std::uint16_t uid = tree.uids[nodes[0]];
   const KnownHook set = {++last_hook_, uid, hook, false};
   hooks_.push_back(set);
   Ask(kHookInsert, groot2::WriteHookInsert(hook, uid), [this, set, on_reply](const Answer& answer) {
-    if (answer.is_of_robot && !answer.error.empty()) Forget(set.id);
-    Reply(on_reply, answer.error, answer.error.empty() ? set.id : kNoHook);
+    if (answer.is_of_robot && !answer.payload) Forget(set.id);
+    Reply(on_reply, ReplyOf(answer.payload, set.id));
   });
 }
 
@@ -294,14 +297,16 @@ void ClientGroot2::RemoveHooks(HookId id, const LiveClient::ReplyHandler& on_rep
     return id == kNoHook ? !set.is_foreign : set.id == id;
   };
   const auto count = std::count_if(hooks_.begin(), hooks_.end(), is_meant);
-  if (count == 0 && id == kNoHook) return Reply(on_reply, "");
-  if (count == 0) return Reply(on_reply, "there is no hook " + std::to_string(id));
+  if (count == 0 && id == kNoHook) return Reply(on_reply, HookAnswer{});
+  if (count == 0) {
+    return Reply(on_reply, Problem{"there is no hook " + std::to_string(id)});
+  }
   auto left = std::make_shared<std::ptrdiff_t>(count);
   for (const KnownHook& set : hooks_) {
     if (!is_meant(set)) continue;
     Ask(kHookRemove, groot2::WriteHookRemove(set.uid, set.hook.position),
         [left, on_reply](const Answer& answer) {
-          if (--*left == 0) Reply(on_reply, answer.error);
+          if (--*left == 0) Reply(on_reply, ReplyOf(answer.payload));
         });
   }
   hooks_.erase(std::remove_if(hooks_.begin(), hooks_.end(), is_meant), hooks_.end());
@@ -320,13 +325,15 @@ void ClientGroot2::Continue(std::optional<Status> result,
   };
   auto left =
       std::make_shared<std::ptrdiff_t>(std::count_if(hooks_.begin(), hooks_.end(), is_meant));
-  if (*left == 0) return Reply(on_reply, "the tree does not stand at a breakpoint");
+  if (*left == 0) {
+    return Reply(on_reply, Problem{"the tree does not stand at a breakpoint"});
+  }
   for (KnownHook& known : hooks_) {
     if (!is_meant(known)) continue;
     known.stands = false;
     Ask(kUnlock, groot2::WriteUnlock(known.uid, known.hook.position, result),
         [left, on_reply](const Answer& answer) {
-          if (--*left == 0) Reply(on_reply, answer.error);
+          if (--*left == 0) Reply(on_reply, ReplyOf(answer.payload));
         });
   }
 }

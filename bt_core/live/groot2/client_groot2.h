@@ -30,11 +30,9 @@ class ClientGroot2 final : public ClientSession {
   bool is_live() const override { return is_live_; }
 
  private:
-  /// The robot's answer: an error, or the bytes that came.
   struct Answer {
-    std::string error;
-    std::string payload;
-    bool is_of_robot = true;  ///< else the error says why nobody waits for one any more
+    Expected<std::string> payload;  ///< the bytes that came, or what the robot says against it
+    bool is_of_robot = true;        ///< else the problem is why nobody waits for one any more
   };
   struct Request {
     char type;
@@ -65,7 +63,7 @@ class ClientGroot2 final : public ClientSession {
   void AskForHooks();
   void TakeHooks(const std::vector<groot2::ListedHook>& listed);
   void TellForeignHooks();
-  void Check(const std::string& problem);
+  void Check(const Outcome& outcome);
   void OnNotification(const std::string& uid_text);
   void AddHook(const Hook& hook, LiveClient::ReplyHandler on_reply);
   void Forget(HookId id);

@@ -57,11 +57,11 @@ std::string ValueBytesOf(const nlohmann::json& json) {
 
 }  // namespace
 
-std::string Groot2History::SetTree(const RunId& id, std::string xml) {
+Outcome Groot2History::SetTree(const RunId& id, std::string xml) {
   Diagnostics diagnostics;
   RobotTree tree = ReadRobotTree(std::move(xml), endpoint_, diagnostics);
   if (tree.uids.empty())
-    return "the robot sent a tree that cannot be read: " + diagnostics.ToString();
+    return Problem{"the robot sent a tree that cannot be read: " + diagnostics.ToString()};
   tree_ = std::move(tree);
   tree_.description.info.run = id;
   tree_.description.info.clock = "wall";
@@ -74,24 +74,24 @@ std::string Groot2History::SetTree(const RunId& id, std::string xml) {
   values_.clear();
   words_.Clear();
   tick_ = 0;
-  return "";
+  return {};
 }
 
-std::string Groot2History::SetRecording(std::string_view text) {
+Outcome Groot2History::SetRecording(std::string_view text) {
   std::int64_t microseconds = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), microseconds);
   if (error != std::errc() || end != text.data() + text.size() || microseconds < 0 ||
       microseconds > Time::max().count() / 2000) {
-    return "the robot sent a time that cannot be read: \"" + std::string(text) + "\"";
+    return Problem{"the robot sent a time that cannot be read: \"" + std::string(text) + "\""};
   }
   recording_ = std::chrono::microseconds(microseconds);
-  return "";
+  return {};
 }
 
-std::string Groot2History::AddTransitions(std::string_view bytes) {
-  if (!recording_ || !follower_) return "";
+Outcome Groot2History::AddTransitions(std::string_view bytes) {
+  if (!recording_ || !follower_) return {};
   if (bytes.size() % kBytesPerTransition != 0) {
-    return "the robot sent transitions that cannot be read";
+    return Problem{"the robot sent transitions that cannot be read"};
   }
   if (bytes.size() / kBytesPerTransition == kRecordingLimit) has_lost_ = true;
   Time start{0};
@@ -102,7 +102,7 @@ std::string Groot2History::AddTransitions(std::string_view bytes) {
     Status status = Status::kIdle;
     const NodeIndex node = tree_.Find(uid);
     if (node == kNoNode || !ReadStatus(static_cast<std::uint8_t>(bytes[at + 8]), status)) {
-      return "the robot sent a transition that cannot be read";
+      return Problem{"the robot sent a transition that cannot be read"};
     }
     if (!words_.empty() && time - last > kPauseBetweenTicks) TellTick(start, last - start);
     if (words_.empty()) start = time;
@@ -110,16 +110,17 @@ std::string Groot2History::AddTransitions(std::string_view bytes) {
     AddEvent(node, status);
   }
   if (!words_.empty()) TellTick(start, last - start);
-  return "";
+  return {};
 }
 
-std::string Groot2History::AddStatuses(std::string_view bytes, Time now) {
-  if (bytes.size() % kBytesPerStatus != 0) return "the robot sent statuses that cannot be read";
+Outcome Groot2History::AddStatuses(std::string_view bytes, Time now) {
+  if (bytes.size() % kBytesPerStatus != 0)
+    return Problem{"the robot sent statuses that cannot be read"};
   std::vector<Status> statuses(tree_.uids.size(), Status::kIdle);
   for (std::size_t at = 0; at < bytes.size(); at += kBytesPerStatus) {
     const NodeIndex node = tree_.Find(static_cast<std::uint16_t>(ReadLittleEndian(bytes, at, 2)));
     if (node == kNoNode || !ReadStatus(static_cast<std::uint8_t>(bytes[at + 2]), statuses[node])) {
-      return "the robot sent a status that cannot be read";
+      return Problem{"the robot sent a status that cannot be read"};
     }
   }
   if (!follower_) {
@@ -130,7 +131,7 @@ std::string Groot2History::AddStatuses(std::string_view bytes, Time now) {
     Correct(statuses, now);
   }
   shown_ = std::move(statuses);
-  return "";
+  return {};
 }
 
 void Groot2History::Begin(const std::vector<Status>& statuses, Time now) {
@@ -193,10 +194,10 @@ void Groot2History::Correct(const std::vector<Status>& statuses, Time now) {
   if (!words_.empty()) TellTick(now, Duration(0));
 }
 
-std::string Groot2History::AddBoards(std::string_view message_pack, Time now) {
+Outcome Groot2History::AddBoards(std::string_view message_pack, Time now) {
   const nlohmann::json all = ReadLimitedMessagePack(message_pack);
-  if (all.is_discarded()) return "the robot sent a blackboard that cannot be read";
-  if (!all.is_object()) return "";  // there are no values
+  if (all.is_discarded()) return Problem{"the robot sent a blackboard that cannot be read"};
+  if (!all.is_object()) return {};  // there are no values
   std::vector<std::pair<std::string, std::string>> keys;
   std::vector<std::string> values;
   for (const auto& [board, entries] : all.items()) {
@@ -213,7 +214,7 @@ std::string Groot2History::AddBoards(std::string_view message_pack, Time now) {
     values_[slot] = std::move(values[i]);
     if (follower_ && !has_new_slots) words_.Add(EventCode::kWrite, slot, kNoNode, values_[slot]);
   }
-  if (!follower_) return "";
+  if (!follower_) return {};
   if (has_new_slots) {
     listener_.OnTree(tree_.description);
     TellState(HistoryState::Cause::kJump, now);
@@ -221,7 +222,7 @@ std::string Groot2History::AddBoards(std::string_view message_pack, Time now) {
     listener_.OnTick({tick_, now, Duration(0), Status::kIdle, true, words_.words()});
     words_.Clear();
   }
-  return "";
+  return {};
 }
 
 // True if there were new ones: the robot makes keys while it runs.

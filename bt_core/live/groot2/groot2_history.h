@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "bt_core/base/outcome.h"
 #include "bt_core/engine/events/event_words.h"
 #include "bt_core/engine/events/status_follower.h"
 #include "bt_core/live/client/client_types.h"
@@ -27,16 +28,16 @@ class Groot2History {
   Groot2History(LiveListener& listener, std::string endpoint)
       : listener_(listener), endpoint_(std::move(endpoint)) {}
 
-  /// All functions return what is wrong with the robot's answer, or nothing.
+  // A problem is one of the robot's answer.
 
   /// The answer to FULLTREE: another tree. Nothing is told before the statuses have come.
-  std::string SetTree(const RunId& id, std::string xml);
+  Outcome SetTree(const RunId& id, std::string xml);
   /// The answer to the start of a recording: microseconds since 1970 that transitions are counted
   /// from. Without it, statuses alone are used.
-  std::string SetRecording(std::string_view microseconds);
-  std::string AddTransitions(std::string_view bytes);
-  std::string AddStatuses(std::string_view bytes, Time now);
-  std::string AddBoards(std::string_view message_pack, Time now);
+  Outcome SetRecording(std::string_view microseconds);
+  Outcome AddTransitions(std::string_view bytes);
+  Outcome AddStatuses(std::string_view bytes, Time now);
+  Outcome AddBoards(std::string_view message_pack, Time now);
 
   /// Of the present tree; zeros before the first.
   const RunId& id() const { return id_; }

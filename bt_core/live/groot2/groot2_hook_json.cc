@@ -36,12 +36,13 @@ std::vector<NodeIndex> FindExactly(const TreeDescription& tree, std::string_view
 
 }  // namespace
 
-std::string WhatIsTooMuch(const Hook& hook) {
-  if (!hook.condition.empty()) return "this robot knows no conditions";
-  if (hook.from_hit != 1 || hook.times > 1) return "this robot does not count hits; it knows once";
-  if (hook.action == HookAction::kDelay) return "this robot cannot delay a node";
+Outcome CheckHook(const Hook& hook) {
+  if (!hook.condition.empty()) return Problem{"this robot knows no conditions"};
+  if (hook.from_hit != 1 || hook.times > 1)
+    return Problem{"this robot does not count hits; it knows once"};
+  if (hook.action == HookAction::kDelay) return Problem{"this robot cannot delay a node"};
   if (hook.action == HookAction::kReplace && !IsCompleted(hook.status)) {
-    return "on this robot only SUCCESS and FAILURE can be forced";
+    return Problem{"on this robot only SUCCESS and FAILURE can be forced"};
   }
   return {};
 }

@@ -8,13 +8,14 @@
 #include <string_view>
 #include <vector>
 
+#include "bt_core/base/outcome.h"
 #include "bt_core/frames/tree_description.h"
 #include "bt_core/live/debug/debugger_hooks.h"
 
 namespace coppice::groot2 {
 
-/// What the protocol cannot say of this hook, for people; empty: nothing.
-std::string WhatIsTooMuch(const Hook& hook);
+/// Whether the protocol can say all of this hook.
+Outcome CheckHook(const Hook& hook);
 
 std::string WriteHookInsert(const Hook& hook, std::uint16_t uid);
 std::string WriteHookRemove(std::uint16_t uid, HookPosition position);

@@ -25,7 +25,7 @@ HookPosition ReadPosition(const Json& json) {
 
 }  // namespace
 
-std::string Groot2Hooks::Insert(std::string_view json, std::size_t nodes) {
+Outcome Groot2Hooks::Insert(std::string_view json, std::size_t nodes) {
   const Json parsed = ParseLimitedJson(json);
   std::vector<Json> list = {parsed};
   if (parsed.is_array()) list.assign(parsed.begin(), parsed.end());
@@ -41,21 +41,21 @@ std::string Groot2Hooks::Insert(std::string_view json, std::size_t nodes) {
     if (hook.uid >= 1 && hook.uid <= nodes) hooks.push_back(std::move(hook));
   }
   for (Groot2Hook& hook : hooks) {
-    std::string problem = InsertOne(std::move(hook));
-    if (!problem.empty()) return problem;
+    if (Outcome inserted = InsertOne(std::move(hook)); !inserted) return inserted;
   }
   return {};
 }
 
-std::string Groot2Hooks::InsertOne(Groot2Hook hook) {
+Outcome Groot2Hooks::InsertOne(Groot2Hook hook) {
   ForgetFinished();
   const Place place(hook.uid, hook.position);
   const auto old = hooks_.find(place);
   const Hook translated = Translate(hook);
-  const HookAnswer answer = old == hooks_.end() ? debugger_.Add(translated, owner_)
-                                                : debugger_.Change(old->second.id, translated);
-  if (!answer.ok()) return answer.problem;
-  hook.id = answer.id;
+  const Expected<HookAnswer> answer = old == hooks_.end()
+                                          ? debugger_.Add(translated, owner_)
+                                          : debugger_.Change(old->second.id, translated);
+  if (!answer) return Problem{answer.problem()};
+  hook.id = answer->id;
   hooks_[place] = std::move(hook);
   return {};
 }
@@ -74,26 +74,26 @@ Hook Groot2Hooks::Translate(const Groot2Hook& hook) {
   return result;
 }
 
-std::string Groot2Hooks::Remove(std::string_view json) {
+Outcome Groot2Hooks::Remove(std::string_view json) {
   const Json parsed = ParseLimitedJson(json);
   const auto uid = parsed.at("uid").get<std::uint16_t>();
   const HookPosition position = ReadPosition(parsed);
   ForgetFinished();
   const auto hook = hooks_.find({uid, position});
-  if (hook == hooks_.end()) return groot2::kNoSuchNode;
+  if (hook == hooks_.end()) return Problem{groot2::kNoSuchNode};
   debugger_.Remove(hook->second.id);
   hooks_.erase(hook);
   return {};
 }
 
-std::string Groot2Hooks::Unlock(std::string_view json) {
+Outcome Groot2Hooks::Unlock(std::string_view json) {
   const Json parsed = ParseLimitedJson(json);
   const auto uid = parsed.at("uid").get<std::uint16_t>();
   const auto status = ForcedStatus(parsed.at("desired_status").get<std::string>());
   const bool remove = parsed.at("remove_when_done").get<bool>();
   ForgetFinished();
   const auto hook = hooks_.find({uid, ReadPosition(parsed)});
-  if (hook == hooks_.end()) return groot2::kNoSuchNode;
+  if (hook == hooks_.end()) return Problem{groot2::kNoSuchNode};
   if (debugger_.where().hook == hook->second.id) debugger_.Continue(status);
   if (remove) {
     debugger_.Remove(hook->second.id);

@@ -18,13 +18,13 @@ class Groot2Hooks {
  public:
   Groot2Hooks(Debugger& debugger, OwnerId owner) : debugger_(debugger), owner_(owner) {}
 
-  // Each returns what is wrong, as the protocol words it, or nothing. Malformed JSON throws
-  // std::exception with the text that the protocol answers.
+  // Problems are worded as in the protocol. Malformed JSON throws std::exception with the text that
+  // the protocol answers.
 
   /// An object or an array of objects. A node that there is not, of `nodes`, is passed over.
-  std::string Insert(std::string_view json, std::size_t nodes);
-  std::string Remove(std::string_view json);
-  std::string Unlock(std::string_view json);
+  Outcome Insert(std::string_view json, std::size_t nodes);
+  Outcome Remove(std::string_view json);
+  Outcome Unlock(std::string_view json);
   /// A JSON array.
   std::string Dump();
 
@@ -50,7 +50,7 @@ class Groot2Hooks {
   using Place = std::pair<std::uint16_t, HookPosition>;
 
   static Hook Translate(const Groot2Hook& hook);
-  std::string InsertOne(Groot2Hook hook);
+  Outcome InsertOne(Groot2Hook hook);
   void ForgetFinished();
 
   Debugger& debugger_;

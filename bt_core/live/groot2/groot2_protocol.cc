@@ -45,14 +45,15 @@ void AppendNumber(std::string& out, std::uint32_t number) {
 
 }  // namespace
 
-std::variant<Request, std::string> ParseRequest(const Parts& parts) {
-  if (parts.empty() || parts[0].size() != kRequestHeaderSize) return "wrong request header";
+Expected<Request> ParseRequest(const Parts& parts) {
+  if (parts.empty() || parts[0].size() != kRequestHeaderSize)
+    return Problem{"wrong request header"};
   const std::string_view header = parts[0];
   const std::optional<bool> has_argument = HasArgument(header[1]);
-  if (!has_argument) return "Request not recognized";
+  if (!has_argument) return Problem{"Request not recognized"};
   Request request{static_cast<RequestType>(header[1]), ReadNumber(header.substr(2)), {}};
   if (*has_argument) {
-    if (parts.size() != 2) return "must be 2 parts message";
+    if (parts.size() != 2) return Problem{"must be 2 parts message"};
     request.argument = parts[1];
   }
   return request;

@@ -13,8 +13,9 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
+
+#include "bt_core/base/outcome.h"
 
 namespace coppice::groot2 {
 
@@ -51,8 +52,8 @@ struct Request {
 /// Message parts as they go over the wire.
 using Parts = std::vector<std::string>;
 
-/// Takes a request apart; a string says what is wrong with it. The request looks into `parts`.
-std::variant<Request, std::string> ParseRequest(const Parts& parts);
+/// Takes a request apart; it looks into `parts`.
+Expected<Request> ParseRequest(const Parts& parts);
 
 /// The text of an error when a hook or its node is not there.
 inline constexpr const char* kNoSuchNode = "Node ID not found";

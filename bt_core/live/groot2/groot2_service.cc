@@ -37,10 +37,10 @@ Parts Groot2Service::Answer(const Request& request, bool may_control, Duration n
   }
   if (may_control) Heed(now);  // who may only watch brings no breakpoint of another back
   try {
-    Outcome outcome = OnlyReads(request.type) ? Serve(request) : Control(request);
-    if (!outcome.problem.empty()) return groot2::MakeError(std::move(outcome.problem));
-    if (!outcome.has_payload) return groot2::MakeReply(request, tree_->id());
-    return groot2::MakeReply(request, tree_->id(), std::move(outcome.payload));
+    Expected<Payload> payload = OnlyReads(request.type) ? Serve(request) : Control(request);
+    if (!payload) return groot2::MakeError(payload.problem());
+    if (!*payload) return groot2::MakeReply(request, tree_->id());
+    return groot2::MakeReply(request, tree_->id(), *std::move(*payload));
   } catch (const std::exception& error) {  // malformed JSON, text that is not UTF-8
     return groot2::MakeError(error.what());
   }
@@ -57,22 +57,27 @@ void Groot2Service::Expire(Duration now) {
   hooks_.SetAllEnabled(false);
 }
 
-Groot2Service::Outcome Groot2Service::Serve(const Request& request) {
+Expected<Groot2Service::Payload> Groot2Service::Done(const Outcome& outcome) {
+  if (!outcome) return Problem{outcome.problem()};
+  return Payload();
+}
+
+Expected<Groot2Service::Payload> Groot2Service::Serve(const Request& request) {
   switch (request.type) {
     case RequestType::kFullTree:
-      return Payload(WriteFullTree(*tree_->program()));
+      return WriteFullTree(*tree_->program());
     case RequestType::kStatus:
-      return Payload(Statuses());
+      return Statuses();
     case RequestType::kBlackboard:
-      return Payload(Boards(request.argument));
+      return Boards(request.argument);
     case RequestType::kDumpHooks:
-      return Payload(hooks_.Dump());
+      return hooks_.Dump();
     default:
-      return Done("Request not recognized");
+      return Problem{"Request not recognized"};
   }
 }
 
-Groot2Service::Outcome Groot2Service::Control(const Request& request) {
+Expected<Groot2Service::Payload> Groot2Service::Control(const Request& request) {
   switch (request.type) {
     case RequestType::kInsertHooks:
       return Done(hooks_.Insert(request.argument, tree_->program()->nodes.size()));
@@ -82,23 +87,23 @@ Groot2Service::Outcome Groot2Service::Control(const Request& request) {
       return Done(hooks_.Unlock(request.argument));
     case RequestType::kRemoveAllHooks:
       hooks_.RemoveAll();
-      return Done({});
+      return Payload();
     case RequestType::kToggleRecording:
       return ToggleRecording(request.argument);
     case RequestType::kTransitions:
-      return Payload(tree_->TakeTransitions());
+      return tree_->TakeTransitions();
     case RequestType::kDisableAllHooks:
       hooks_.SetAllEnabled(false);
-      return Done({});
+      return Payload();
     default:
-      return Done("Request not recognized");
+      return Problem{"Request not recognized"};
   }
 }
 
-Groot2Service::Outcome Groot2Service::ToggleRecording(std::string_view what) {
-  if (what == "start") return Payload(std::to_string(tree_->StartRecording()));
+Groot2Service::Payload Groot2Service::ToggleRecording(std::string_view what) {
+  if (what == "start") return std::to_string(tree_->StartRecording());
   if (what == "stop") tree_->StopRecording();
-  return Done({});
+  return {};
 }
 
 std::string Groot2Service::Statuses() const {

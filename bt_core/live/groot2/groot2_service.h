@@ -3,6 +3,7 @@
 #define COPPICE_BT_CORE_LIVE_GROOT2_GROOT2_SERVICE_H_
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -30,19 +31,14 @@ class Groot2Service {
   const std::shared_ptr<LiveTree>& tree() const { return tree_; }
 
  private:
-  /// What a reply consists of behind its header.
-  struct Outcome {
-    std::string problem;  ///< not empty: nothing but this
-    std::string payload;
-    bool has_payload = false;
-  };
+  /// What stands behind the header of a reply, if something does.
+  using Payload = std::optional<std::string>;
 
-  static Outcome Payload(std::string bytes) { return {{}, std::move(bytes), true}; }
-  static Outcome Done(std::string problem) { return {std::move(problem), {}, false}; }
   void Heed(Duration now);
-  Outcome Serve(const groot2::Request& request);
-  Outcome Control(const groot2::Request& request);
-  Outcome ToggleRecording(std::string_view what);
+  Expected<Payload> Serve(const groot2::Request& request);
+  static Expected<Payload> Done(const Outcome& outcome);  ///< without a payload
+  Expected<Payload> Control(const groot2::Request& request);
+  Payload ToggleRecording(std::string_view what);
   std::string Statuses() const;
   std::string Boards(std::string_view names) const;
 

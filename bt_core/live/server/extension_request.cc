@@ -11,8 +11,8 @@ namespace {
 
 using Json = nlohmann::json;
 
-void Check(const std::string& problem) {
-  if (!problem.empty()) throw RequestError(problem);
+void Check(const Outcome& outcome, RequestError::Kind kind = RequestError::Kind::kWrong) {
+  if (!outcome) throw RequestError(outcome.problem(), kind);
 }
 
 std::uint64_t ReadNumber(const Json& json, const char* member) {
@@ -83,8 +83,7 @@ void ExtensionRequest::CheckAllowed(const Kind& kind) const {
   }
   const LiveTree& tree = Tree();
   if (!kind.disturbs && !tree.options().read_only) return;
-  const std::string refusal = tree.Refusal();
-  if (!refusal.empty()) throw RequestError(refusal, RequestError::Kind::kRefused);
+  Check(tree.Permission(), RequestError::Kind::kRefused);
 }
 
 std::shared_ptr<LiveTree> ExtensionRequest::SharedTree() const {
@@ -172,8 +171,7 @@ Json ExtensionRequest::Continue() {
   std::optional<Status> result;
   if (json_.contains("result")) result = ReadStatus(json_["result"].get<std::string>());
   LiveTree& tree = Tree();
-  const std::string refusal = result ? tree.Refusal() : std::string();
-  if (!refusal.empty()) throw RequestError(refusal, RequestError::Kind::kRefused);
+  if (result) Check(tree.Permission(), RequestError::Kind::kRefused);
   tree.debugger().Continue(result);
   return Json::object();
 }
@@ -181,11 +179,11 @@ Json ExtensionRequest::Continue() {
 Json ExtensionRequest::AddHook() {
   Debugger& debugger = Tree().debugger();
   const Hook hook = ReadHook(json_);
-  const HookAnswer answer = json_.contains("hook") ? debugger.Change(NumberOfHook(), hook)
-                                                   : debugger.Add(hook, session_.owner);
-  if (!answer.ok()) throw RequestError(answer.problem);
-  Json reply = {{"hook", answer.id}};
-  if (!answer.problem.empty()) reply["remark"] = answer.problem;
+  const Expected<HookAnswer> answer = json_.contains("hook") ? debugger.Change(NumberOfHook(), hook)
+                                                             : debugger.Add(hook, session_.owner);
+  if (!answer) throw RequestError(answer.problem());
+  Json reply = {{"hook", answer->id}};
+  if (!answer->remark.empty()) reply["remark"] = answer->remark;
   return reply;
 }
 

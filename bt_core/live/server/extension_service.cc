@@ -30,18 +30,18 @@ std::int64_t Milliseconds(Duration duration) {
 }
 
 Json Greet(const LiveTrees& trees, bool may_control, Duration deadline) {
-  std::string refusal;
-  if (!trees.empty()) refusal = trees.begin()->second->Refusal();
-  if (!may_control) refusal = "this client may watch, not control";
+  Outcome permission;
+  if (!trees.empty()) permission = trees.begin()->second->Permission();
+  if (!may_control) permission = Problem{"this client may watch, not control"};
   Json json = {{"protocol", kExtensionVersion},
                {"coppice", kVersion},
                {"role", may_control ? "control" : "read"},
                {"deadline_ms", Milliseconds(deadline)},
                {"trees", ListTrees(trees)}};
-  if (refusal.empty()) {
+  if (permission) {
     json["control"] = true;
   } else {
-    json["control"] = refusal;
+    json["control"] = permission.problem();
   }
   return json;
 }

@@ -70,10 +70,8 @@ void LiveDesk::Serve(ClientId client, bool may_control, const Parts& request, Du
 // Empty: no reply is wanted.
 Parts LiveDesk::Answer(ClientId client, bool may_control, const Parts& parts, Duration now) {
   const auto parsed = groot2::ParseRequest(parts);
-  if (const std::string* problem = std::get_if<std::string>(&parsed)) {
-    return groot2::MakeError(*problem);
-  }
-  const Request& request = std::get<Request>(parsed);
+  if (!parsed) return groot2::MakeError(parsed.problem());
+  const Request& request = *parsed;
   if (request.type == groot2::RequestType::kExtension) {
     ExtensionService::Answer answer = extension_.Serve(client, may_control, request.argument, now);
     if (request.number == 0 && !answer.failed) return {};

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "bt_core/base/clock.h"
+#include "bt_core/base/outcome.h"
 
 namespace coppice {
 
@@ -19,10 +20,10 @@ struct LiveTreeOptions {
   std::string name;
   /// Nobody may stop or change the tree.
   bool read_only = false;
-  /// Says why the tree may be neither stopped nor changed now ("the robot moves"); an empty text or
-  /// no function: it may. Called on threads of the live view and on the ticking thread; must be
-  /// quick and must not throw.
-  std::function<std::string()> refusal;
+  /// Whether the tree may be stopped and changed now, or why not ("the robot moves"); no function:
+  /// it may. Called on threads of the live view and on the ticking thread; must be quick and must
+  /// not throw.
+  std::function<Outcome()> permission;
   /// The first tick waits so long for a client that says `continue`, so that breakpoints can be set
   /// before. 0: it does not wait.
   Duration wait_for_client{0};

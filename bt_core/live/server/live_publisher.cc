@@ -19,7 +19,10 @@ LivePublisher::LivePublisher(EventStream& stream, std::unique_ptr<LiveServer> ow
       tree_(std::make_shared<LiveTree>(stream, options, [this] { server_.Wake(); })) {
   stream_.Add(*tree_);
   stream_.Flush();  // now the tree knows how it stands
-  if (options.wait_for_client > Duration::zero()) tree_->debugger().Pause(LiveTree::kWaitOwner);
+  if (options.wait_for_client > Duration::zero()) {
+    // A tree that may not be stopped now does not wait either.
+    static_cast<void>(tree_->debugger().Pause(LiveTree::kWaitOwner));
+  }
   server_.Add(tree_);
 }
 

@@ -38,23 +38,21 @@ const Type* TypeOfJson(const std::string& json) {
   return is_whole ? &TypeOf<std::int64_t>() : &TypeOf<double>();
 }
 
-// Why a value cannot be written, or nothing. A key that only scripts use has no type before it has
-// a value.
-std::string ReadValue(const SlotDefinition& slot, const std::string& text, bool is_text,
-                      Value& out) {
+// A key that only scripts use has no type before it has a value.
+Expected<Value> ReadValue(const SlotDefinition& slot, const std::string& text, bool is_text) {
   const Type* type = slot.type ? slot.type : slot.initial.type();
-  if (!type && is_text) {
-    out = GuessValue(text);
-    return {};
-  }
+  if (!type && is_text) return GuessValue(text);
   if (!type) type = TypeOfJson(text);
-  if (!type) return "no node says which type it has: a number, a text, true or false is expected";
-  try {
-    if (is_text ? out.Parse(*type, text) : out.FromJson(*type, text)) return {};
-  } catch (const std::exception& error) {  // from the conversion of a type of the application
-    return std::string("this is no ") + type->name + ": " + error.what();
+  if (!type) {
+    return Problem{"no node says which type it has: a number, a text, true or false is expected"};
   }
-  return text.substr(0, 200) + " is no " + type->name;
+  try {
+    Value value;
+    if (is_text ? value.Parse(*type, text) : value.FromJson(*type, text)) return value;
+  } catch (const std::exception& error) {  // from the conversion of a type of the application
+    return Problem{std::string("this is no ") + type->name + ": " + error.what()};
+  }
+  return Problem{text.substr(0, 200) + " is no " + type->name};
 }
 
 SlotIndex FindSlot(const Layout& layout, const std::string& scope, const std::string& key) {
@@ -76,15 +74,15 @@ LiveTree::LiveTree(EventStream& stream, LiveTreeOptions options, std::function<v
       run_(Begin(clock_, options_.run)),
       frames_(options_.history_bytes),
       encoder_(OptionsOfHistory(run_, options_.history_bytes), *this),
-      debugger_(stream.executor(), {[this] { return Refusal(); },
+      debugger_(stream.executor(), {[this] { return Permission(); },
                                     [this](const DebugEvent& event) { OnDebugEvent(event); }}) {}
 
-std::string LiveTree::Refusal() const {
-  if (options_.read_only) return "this robot can be watched, not controlled (read-only)";
+Outcome LiveTree::Permission() const {
+  if (options_.read_only) return Problem{"this robot can be watched, not controlled (read-only)"};
   try {
-    return options_.refusal ? options_.refusal() : std::string();
+    return options_.permission ? options_.permission() : Outcome();
   } catch (const std::exception& error) {  // it should not; but the tree must not suffer from it
-    return std::string("it is not known whether this is allowed now: ") + error.what();
+    return Problem{std::string("it is not known whether this is allowed now: ") + error.what()};
   }
 }
 
@@ -197,17 +195,17 @@ std::string LiveTree::TakeTransitions() {
   return transitions_.Take();
 }
 
-std::string LiveTree::Write(const std::string& scope, const std::string& key,
-                            const std::string& value, bool is_text) {
+Outcome LiveTree::Write(const std::string& scope, const std::string& key, const std::string& value,
+                        bool is_text) {
   const std::shared_ptr<const Program> tree = program();
   const SlotIndex slot = FindSlot(tree->layout, scope, key);
   if (slot == kNoSlot) {
-    return "\"" + scope + "\" has no key \"" + key + "\" of its own; see where it is remapped from";
+    return Problem{"\"" + scope + "\" has no key \"" + key +
+                   "\" of its own; see where it is remapped from"};
   }
-  Value parsed;
-  const std::string problem = ReadValue(tree->layout.slots[slot], value, is_text, parsed);
-  if (!problem.empty()) return "key \"" + key + "\": " + problem;
-  inbox_->PostCall([tree, slot, parsed = std::move(parsed), &executor = executor_] {
+  Expected<Value> parsed = ReadValue(tree->layout.slots[slot], value, is_text);
+  if (!parsed) return Problem{"key \"" + key + "\": " + parsed.problem()};
+  inbox_->PostCall([tree, slot, parsed = *std::move(parsed), &executor = executor_] {
     if (&executor.program() == tree.get()) executor.inbox()->Post(slot, 0, parsed);
   });
   inbox_->RequestTick();

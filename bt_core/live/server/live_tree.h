@@ -58,11 +58,11 @@ class LiveTree final : public EventListener, private FrameSink {
   void OnState(const StreamState& state) override;
   void OnTick(const TickEvents& events) override;
 
-  // The thread of the server. Texts are for people; an empty one means that all is well.
+  // The thread of the server.
   const LiveTreeOptions& options() const { return options_; }
   Debugger& debugger() { return debugger_; }
-  /// Why nobody may stop or change it.
-  std::string Refusal() const;
+  /// Whether somebody may stop and change it now.
+  Outcome Permission() const;
 
   const RunId& run() const { return run_.run; }
   LiveTreeInfo Info() const;
@@ -82,8 +82,8 @@ class LiveTree final : public EventListener, private FrameSink {
 
   /// Has the value written before the next tick. Either the text of a JSON value or, with
   /// `is_text`, what a literal in the XML would be.
-  std::string Write(const std::string& scope, const std::string& key, const std::string& value,
-                    bool is_text);
+  Outcome Write(const std::string& scope, const std::string& key, const std::string& value,
+                bool is_text);
 
   /// Calls `use` with all frames so far. While no one subscribes frames are made of many ticks.
   template <class Use>

@@ -68,21 +68,21 @@ bool IsOwnPage(std::string_view origin, std::string_view host) {
   return false;
 }
 
-WebAccess::Verdict WebAccess::Judge(const WebVisitor& visitor) const {
+Expected<WebRole> WebAccess::Judge(const WebVisitor& visitor) const {
   const Offer offer = ReadOffer(visitor.protocols);
   if (!offer.knows_protocol) {
-    return {std::string("the subprotocol ") + kWebProtocol + " must be asked for", false};
+    return Problem{std::string("the subprotocol ") + kWebProtocol + " must be asked for"};
   }
   if (!visitor.origin.empty() && !IsOwnPage(visitor.origin, visitor.host)) {
-    return {"this page is of another origin", false};
+    return Problem{"this page is of another origin"};
   }
   if (tokens_.control.empty()) {
-    if (IsThisComputer(visitor.host)) return {"", true};
-    return {"without a token only localhost is let in", false};
+    if (IsThisComputer(visitor.host)) return WebRole::kControl;
+    return Problem{"without a token only localhost is let in"};
   }
-  if (IsSame(offer.token, tokens_.control)) return {"", true};
-  if (IsSame(offer.token, tokens_.read)) return {"", false};
-  return {"a token is needed, or it is not the right one", false};
+  if (IsSame(offer.token, tokens_.control)) return WebRole::kControl;
+  if (IsSame(offer.token, tokens_.read)) return WebRole::kRead;
+  return Problem{"a token is needed, or it is not the right one"};
 }
 
 }  // namespace coppice

@@ -8,8 +8,12 @@
 #ifndef COPPICE_BT_CORE_LIVE_WEB_WEB_ACCESS_H_
 #define COPPICE_BT_CORE_LIVE_WEB_WEB_ACCESS_H_
 
+#include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
+
+#include "bt_core/base/outcome.h"
 
 namespace coppice {
 
@@ -23,6 +27,8 @@ struct WebTokens {
   std::string control;
   std::string read;
 };
+
+enum class WebRole : std::uint8_t { kRead, kControl };
 
 /// Header fields of the request; empty if they are not there.
 struct WebVisitor {
@@ -38,11 +44,8 @@ class WebAccess {
  public:
   explicit WebAccess(WebTokens tokens = {}) : tokens_(std::move(tokens)) {}
 
-  struct Verdict {
-    std::string refusal;  ///< why the visitor is not let in, for people; empty: it is
-    bool may_control = false;
-  };
-  Verdict Judge(const WebVisitor& visitor) const;
+  /// As what the visitor is let in.
+  Expected<WebRole> Judge(const WebVisitor& visitor) const;
 
   const WebTokens& tokens() const { return tokens_; }
 

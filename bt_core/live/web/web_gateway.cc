@@ -83,11 +83,11 @@ class Connection final : public WebConnection, public LiveConnection {
   }
 
   void OnUpgrade() override {
-    const WebAccess::Verdict verdict =
+    const Expected<WebRole> role =
         shared_.access.Judge({Field(http::field::host), Field(http::field::origin),
                               Field(http::field::sec_websocket_protocol)});
-    if (!verdict.refusal.empty()) return Refuse(Status::forbidden, verdict.refusal + "\n");
-    may_control_ = verdict.may_control;
+    if (!role) return Refuse(Status::forbidden, role.problem() + "\n");
+    may_control_ = *role == WebRole::kControl;
     stream_.expires_never();  // the WebSocket has its own
     socket_.emplace(std::move(stream_));
     socket_->set_option(websocket::stream_base::timeout::suggested(beast::role_type::server));

@@ -41,13 +41,15 @@ TEST_F(HistoryDecoderTest, RefusesFramesThatAreDamaged) {
     HistoryDecoder decoder;
     KeptHistory history;
     for (std::size_t i = 0; i < f; ++i) {
-      ASSERT_EQ(decoder.Decode(frames_.frames[i].data(), frames_.frames[i].size(), history), "");
+      ASSERT_EQ(
+          decoder.Decode(frames_.frames[i].data(), frames_.frames[i].size(), history).problem(),
+          "");
     }
     Bytes bytes = frames_.frames[f];
     bytes[bytes.size() / 2] ^= 1;
-    EXPECT_NE(decoder.Decode(bytes.data(), bytes.size(), history), "");
-    EXPECT_NE(decoder.Decode(bytes.data(), bytes.size() - 1, history), "");
-    EXPECT_NE(decoder.Decode(bytes.data(), 3, history), "");
+    EXPECT_NE(decoder.Decode(bytes.data(), bytes.size(), history).problem(), "");
+    EXPECT_NE(decoder.Decode(bytes.data(), bytes.size() - 1, history).problem(), "");
+    EXPECT_NE(decoder.Decode(bytes.data(), 3, history).problem(), "");
     EXPECT_FALSE(decoder.follows());
   }
 }
@@ -57,7 +59,7 @@ TEST_F(HistoryDecoderTest, NeedsATreeForAStateAndAStateForEvents) {
     HistoryDecoder decoder;
     KeptHistory history;
     const std::string problem =
-        decoder.Decode(frames_.frames[f].data(), frames_.frames[f].size(), history);
+        decoder.Decode(frames_.frames[f].data(), frames_.frames[f].size(), history).problem();
     if (frames_.types[f] == FrameType::kState) {
       EXPECT_EQ(problem, "a state without a tree");
     } else if (frames_.types[f] == FrameType::kEvents) {
@@ -70,7 +72,7 @@ TEST_F(HistoryDecoderTest, NeedsATreeForAStateAndAStateForEvents) {
 
 TEST_F(HistoryDecoderTest, GoesOnAtAStateAfterSomethingIsMissing) {
   KeptHistory all;
-  EXPECT_EQ(frames_.DecodeAll(all), "");
+  EXPECT_EQ(frames_.DecodeAll(all).problem(), "");
   HistoryDecoder decoder;
   KeptHistory history;
   int refused = 0;
@@ -79,7 +81,7 @@ TEST_F(HistoryDecoderTest, GoesOnAtAStateAfterSomethingIsMissing) {
       decoder.Forget();
       continue;
     }
-    refused += !decoder.Decode(frames_.frames[f].data(), frames_.frames[f].size(), history).empty();
+    refused += !decoder.Decode(frames_.frames[f].data(), frames_.frames[f].size(), history);
   }
   EXPECT_GT(refused, 0);
   EXPECT_TRUE(decoder.follows());
@@ -102,7 +104,7 @@ TEST_F(HistoryDecoderTest, NeverCrashesOnFramesOfNonsense) {
         if (random() % 4 == 0) frame[4] = static_cast<std::uint8_t>(random() % 8);
         SealFrame(frame.data());
       }
-      taken += decoder.Decode(frame.data(), frame.size(), history).empty();
+      taken += decoder.Decode(frame.data(), frame.size(), history).ok();
     }
   }
   EXPECT_GT(taken, 10000);
@@ -135,7 +137,7 @@ TEST(HistoryDecoder, RefusesAFrameOfMoreTicksThanAreWritten) {
   std::string problem;
   std::size_t packed = 0;
   for (const Bytes& frame : frames.frames) {
-    problem += decoder.Decode(frame.data(), frame.size(), history);
+    problem += decoder.Decode(frame.data(), frame.size(), history).problem();
     packed += frame.size();
   }
   EXPECT_EQ(problem, "more ticks than a frame can have");

@@ -29,7 +29,7 @@ class HistoryEncoderTest : public ::testing::Test {
   void ExpectSame() {
     encoder_.Flush();
     KeptHistory history;
-    EXPECT_EQ(frames_.DecodeAll(history), "");
+    EXPECT_EQ(frames_.DecodeAll(history).problem(), "");
     EXPECT_EQ(history.lines, kept_.lines);
   }
   ~HistoryEncoderTest() override {
@@ -100,7 +100,7 @@ TEST_F(HistoryEncoderTest, DescribesTheTreeAgainAfterASwap) {
   Tick();
   ExpectSame();
   KeptHistory history;
-  frames_.DecodeAll(history);
+  EXPECT_TRUE(frames_.DecodeAll(history));
   ASSERT_THAT(history.trees, SizeIs(2));
   EXPECT_EQ(history.trees[1].nodes[2].path, "new");
   EXPECT_EQ(history.trees[1].info.run, history.trees[0].info.run);
@@ -137,7 +137,9 @@ TEST_F(HistoryEncoderTest, AReaderCanBeginAtEveryState) {
     KeptHistory history;
     decoder.SetTree({5, executor_.blackboard().size()});
     for (std::size_t i = first; i < frames_.frames.size(); ++i) {
-      ASSERT_EQ(decoder.Decode(frames_.frames[i].data(), frames_.frames[i].size(), history), "");
+      ASSERT_EQ(
+          decoder.Decode(frames_.frames[i].data(), frames_.frames[i].size(), history).problem(),
+          "");
     }
     EXPECT_EQ(history.lines[0], at_keyframe[seen++]);
     for (std::size_t i = 1; i < history.lines.size(); ++i) {
@@ -181,7 +183,7 @@ TEST_F(HistoryEncoderTest, CountsWhatIsSkippedAndGivesTheStateBehindIt) {
 
   encoder_.Note({Time(3), "kind", "text"});
   KeptHistory history;
-  EXPECT_EQ(frames_.DecodeAll(history), "");
+  EXPECT_EQ(frames_.DecodeAll(history).problem(), "");
   ASSERT_THAT(history.gaps, SizeIs(1));
   EXPECT_EQ(history.gaps[0].cause, HistoryGap::Cause::kOutput);
   EXPECT_EQ(history.gaps[0].lost_ticks, 5u);
@@ -220,7 +222,7 @@ TEST_F(HistoryEncoderTest, PassesOnWhatTheStreamHasLost) {
   stream_.Flush();
   encoder_.Add(state);
   KeptHistory history;
-  EXPECT_EQ(frames_.DecodeAll(history), "");
+  EXPECT_EQ(frames_.DecodeAll(history).problem(), "");
   ASSERT_THAT(history.gaps, SizeIs(1));
   EXPECT_EQ(history.gaps[0].cause, HistoryGap::Cause::kStream);
   EXPECT_EQ(history.gaps[0].lost_ticks, 30u);
@@ -305,7 +307,7 @@ TEST_F(HistoryEncoderTest, EndsBehindAllEvents) {
   Tick();
   encoder_.End(HistoryEnd::Cause::kClosed, Time(5));
   KeptHistory history;
-  EXPECT_EQ(frames_.DecodeAll(history), "");
+  EXPECT_EQ(frames_.DecodeAll(history).problem(), "");
   EXPECT_EQ(history.lines.back(), "end " + std::to_string(executor_.ticks()));
 }
 

@@ -103,14 +103,14 @@ class KeptFrames : public FrameSink {
   std::size_t Count(FrameType type) const {
     return static_cast<std::size_t>(std::count(types.begin(), types.end(), type));
   }
-  /// What is wrong with the first frame that cannot be decoded, or nothing.
-  std::string DecodeAll(HistoryHandler& handler) const {
+  /// Up to the first frame that cannot be decoded.
+  Outcome DecodeAll(HistoryHandler& handler) const {
     HistoryDecoder decoder;
     for (const Bytes& frame : frames) {
-      const std::string problem = decoder.Decode(frame.data(), frame.size(), handler);
-      if (!problem.empty()) return problem;
+      Outcome decoded = decoder.Decode(frame.data(), frame.size(), handler);
+      if (!decoded) return decoded;
     }
-    return "";
+    return {};
   }
   std::vector<Bytes> frames;
   std::vector<FrameType> types;

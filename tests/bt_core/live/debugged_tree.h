@@ -25,9 +25,9 @@ class DebuggedTree {
       : stage(text, std::move(script)) {
     DebuggerOptions options;
     options.on_event = [this](const DebugEvent& event) { Keep(event); };
-    options.refusal = [this] {
+    options.permission = [this] {
       const std::lock_guard<std::mutex> lock(mutex_);
-      return refusal_;
+      return permission_;
     };
     debugger = std::make_unique<Debugger>(*stage.executor, options);
   }
@@ -61,14 +61,14 @@ class DebuggedTree {
 
   void Refuse(std::string why) {
     const std::lock_guard<std::mutex> lock(mutex_);
-    refusal_ = std::move(why);
+    permission_ = Problem{std::move(why)};
   }
 
   HookId Set(NodeIndex node, HookPosition position = HookPosition::kBefore) {
     Hook hook;
     hook.node = node;
     hook.position = position;
-    return debugger->Add(hook).id;
+    return debugger->Add(hook)->id;
   }
 
   Stage stage;
@@ -102,7 +102,7 @@ class DebuggedTree {
   std::mutex mutex_;
   std::condition_variable came_;
   std::deque<DebugEvent> told_;
-  std::string refusal_;
+  Outcome permission_;
 };
 
 }  // namespace coppice

@@ -79,7 +79,7 @@ class LiveTreeFixture : public ::testing::Test {
 /// Of tests: one that refuses, one that may only be watched.
 inline LiveTreeOptions Moving() {
   LiveTreeOptions options;
-  options.refusal = [] { return std::string("the robot moves"); };
+  options.permission = [] { return Problem{"the robot moves"}; };
   return options;
 }
 inline LiveTreeOptions ReadOnly() {

@@ -31,7 +31,7 @@ coppice::LiveOptions ReadOptions(int count, char** arguments, bool& two) {
     if (name == "wait_ms") options.wait_for_client = std::chrono::milliseconds(number);
     if (name == "history_kib") options.history_bytes = static_cast<std::size_t>(number) << 10;
     if (name == "read_only") options.read_only = true;
-    if (name == "moving") options.refusal = [] { return std::string("the robot moves"); };
+    if (name == "moving") options.permission = [] { return coppice::Problem{"the robot moves"}; };
     if (name == "web") {
       options.web = true;
       options.web_port = 0;

@@ -39,17 +39,16 @@ class Watcher : public HistoryHandler {
   }
   void OnGap(const HistoryGap& gap) override { lost += gap.lost_ticks; }
 
-  /// A problem, or nothing. Sets `next` to the frame that follows.
-  std::string Take(const std::string& push) {
+  /// Sets `next` to the frame that follows.
+  Outcome Take(const std::string& push) {
     const auto* at = reinterpret_cast<const std::uint8_t*>(push.data());
     const auto* const end = at + push.size();
     next = 0;
     for (int i = 15; i >= 8; --i) next = next << 8 | at[i];
     for (at += 16; at < end;) {
       const std::size_t size = kFrameHeaderSize + ReadFrameHeader(at).payload_size;
-      if (size > static_cast<std::size_t>(end - at)) return "a frame is cut off";
-      std::string problem = decoder_.Decode(at, size, *this);
-      if (!problem.empty()) return problem;
+      if (size > static_cast<std::size_t>(end - at)) return Problem{"a frame is cut off"};
+      if (Outcome decoded = decoder_.Decode(at, size, *this); !decoded) return decoded;
       at += size;
     }
     return {};
@@ -206,7 +205,7 @@ class LiveFlowTest : public ::testing::Test {
     }
     const std::string push = client_->pushes.front();
     client_->pushes.erase(client_->pushes.begin());
-    EXPECT_EQ(watcher_.Take(push), "");
+    EXPECT_EQ(watcher_.Take(push).problem(), "");
     client_->socket().Send(
         {"", std::string("\x02") + "C" + std::string(4, '\0'),
          Json{{"do", "ack"}, {"subscription", 1}, {"next", watcher_.next}}.dump()});

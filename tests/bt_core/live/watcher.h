@@ -105,7 +105,7 @@ inline LiveReply Ask(LiveClient& client, LiveCommand command) {
   std::future<LiveReply> reply = promise->get_future();
   client.Send(std::move(command), [promise](const LiveReply& r) { promise->set_value(r); });
   if (reply.wait_for(std::chrono::seconds(30)) != std::future_status::ready) {
-    return FailedReply("no reply within 30 s");
+    return Problem{"no reply within 30 s"};
   }
   return reply.get();
 }

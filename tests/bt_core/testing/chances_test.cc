@@ -36,7 +36,7 @@ TEST(Chances, TimesLieWithinTheRangeAndReachItsEnds) {
   Duration shortest = std::chrono::hours(1);
   Duration longest{0};
   for (int i = 0; i < 1000; ++i) {
-    const Outcome outcome = Throw(chances, dice);
+    const DrawnResult outcome = Throw(chances, dice);
     EXPECT_EQ(outcome.result, Status::kSuccess);
     shortest = std::min(shortest, outcome.after);
     longest = std::max(longest, outcome.after);
@@ -49,7 +49,7 @@ TEST(Chances, TimesLieWithinTheRangeAndReachItsEnds) {
 
 TEST(Chances, WhoSkipsDoesSoAtOnce) {
   Dice dice(1, "");
-  const Outcome outcome = Throw({0, 0, 1, milliseconds(100), milliseconds(300)}, dice);
+  const DrawnResult outcome = Throw({0, 0, 1, milliseconds(100), milliseconds(300)}, dice);
   EXPECT_EQ(outcome.result, Status::kSkipped);
   EXPECT_EQ(outcome.after, Duration(0));
 }
@@ -59,7 +59,7 @@ TEST(Chances, AnOutcomeMayHoldForSomeTime) {
   Dice dice(1, "");
   Duration longest{0};
   for (int i = 0; i < 1000; ++i) {
-    const Outcome outcome = Throw(chances, dice);
+    const DrawnResult outcome = Throw(chances, dice);
     EXPECT_GE(outcome.holds, milliseconds(100));
     longest = std::max(longest, outcome.holds);
   }

@@ -55,7 +55,7 @@ void Finished(Stage& stage) {
 void ByChance(Stage& stage) {
   Begin(stage);
   stage.state().simulator.get()->SetChance(Chance{7, {}});
-  stage.state().simulator.get()->SetKey("battery", "0.9");
+  static_cast<void>(stage.state().simulator.get()->SetKey("battery", "0.9"));
   for (int i = 0; i < 14; ++i) stage.Run("sim.tick");
   stage.Select("1.2.1.1");
   stage.Run("view.fit_all");
@@ -63,7 +63,7 @@ void ByChance(Stage& stage) {
 
 void Covered(Stage& stage, const char* battery) {
   Begin(stage);
-  if (*battery) stage.state().simulator.get()->SetKey("battery", battery);
+  if (*battery) static_cast<void>(stage.state().simulator.get()->SetKey("battery", battery));
   stage.Run("sim.runs");
   stage.state().popup.text = "200";
   stage.driver().Press(kKeyEnter);

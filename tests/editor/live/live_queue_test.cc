@@ -52,7 +52,7 @@ TEST(LiveQueueTest, TellsAgainInOrderWhatWasToldOnAnotherThread) {
 TEST(LiveQueueTest, CallsTheHandlersOfRepliesWhenItDelivers) {
   LiveQueue queue(nullptr);
   std::string error;
-  queue.PutReply([&error](const LiveReply& reply) { error = reply.error; }, FailedReply("no"));
+  queue.PutReply([&error](const LiveReply& reply) { error = reply.problem(); }, Problem{"no"});
   EXPECT_EQ(error, "");
   Teller teller;
   queue.Deliver(teller);

@@ -116,7 +116,7 @@ TEST_F(RecordSourceTest, CannotBeChanged) {
   ASSERT_NE(source, nullptr);
   std::string error;
   source->Send(MakeCommand(LiveCommand::Kind::kPause),
-               [&error](const LiveReply& reply) { error = reply.error; });
+               [&error](const LiveReply& reply) { error = reply.problem(); });
   EXPECT_NE(error, "");
   EXPECT_TRUE(IsRecordName("a/b.btlog"));
   EXPECT_FALSE(IsRecordName("a/b.xml"));

@@ -62,18 +62,20 @@ TEST_F(WhyAnswerTest, FollowsThePlayhead) {
 class ForeignRobot final : public RunSource {
  public:
   ForeignRobot() {
-    EXPECT_EQ(history_.SetTree(RunId{1}, R"(<root BTCPP_format="4">
+    EXPECT_EQ(history_
+                  .SetTree(RunId{1}, R"(<root BTCPP_format="4">
       <BehaviorTree ID="Main" _fullpath=""><Parallel name="both" _uid="1">
-      <Wait name="wait" _uid="2"/><Look name="look" _uid="3"/></Parallel></BehaviorTree></root>)"),
+      <Wait name="wait" _uid="2"/><Look name="look" _uid="3"/></Parallel></BehaviorTree></root>)")
+                  .problem(),
               "");
-    EXPECT_EQ(history_.SetRecording("1000000"), "");
-    EXPECT_EQ(history_.AddStatuses(std::string("\1\0\0\2\0\0\3\0\0", 9), Time(0)), "");
+    EXPECT_EQ(history_.SetRecording("1000000").problem(), "");
+    EXPECT_EQ(history_.AddStatuses(std::string("\1\0\0\2\0\0\3\0\0", 9), Time(0)).problem(), "");
   }
   void Change(std::uint64_t microseconds, std::uint16_t uid, Status status) {
     std::string bytes;
     for (int i = 0; i < 6; ++i) bytes += static_cast<char>(microseconds >> (8 * i));
     bytes += {static_cast<char>(uid), 0, static_cast<char>(status)};
-    EXPECT_EQ(history_.AddTransitions(bytes), "");
+    EXPECT_EQ(history_.AddTransitions(bytes).problem(), "");
   }
 
   const std::string& name() const override { return name_; }

@@ -33,7 +33,7 @@ class SimulationTest : public testing::Test {
   Status StatusOf(NodeIndex node) const { return simulation_.state().status(node); }
   std::vector<Status> Statuses() const { return simulation_.state().statuses(); }
   void Start() {
-    EXPECT_EQ(simulation_.SetKey("battery", "0.9"), "");
+    EXPECT_EQ(simulation_.SetKey("battery", "0.9").problem(), "");
     simulation_.Tick(Duration(0));
   }
 
@@ -54,7 +54,7 @@ TEST_F(SimulationTest, TicksWhenTimePassesAndTheRunShowsIt) {
 TEST_F(SimulationTest, AKeyTurnsTheTreeElsewhere) {
   Start();
   EXPECT_EQ(simulation_.ValueOf("battery"), "0.9");
-  EXPECT_EQ(simulation_.SetKey("battery", "0.2"), "");
+  EXPECT_EQ(simulation_.SetKey("battery", "0.2").problem(), "");
   ASSERT_EQ(simulation_.waiting_keys().size(), 1U);
   simulation_.Tick(milliseconds(100));
   EXPECT_EQ(StatusOf(kDock), Status::kRunning);
@@ -63,7 +63,7 @@ TEST_F(SimulationTest, AKeyTurnsTheTreeElsewhere) {
 }
 
 TEST_F(SimulationTest, AKeyThatIsNotThereIsRefused) {
-  EXPECT_EQ(simulation_.SetKey("batery", "1"),
+  EXPECT_EQ(simulation_.SetKey("batery", "1").problem(),
             R"(the tree has no key "batery", did you mean "battery"?)");
   EXPECT_EQ(simulation_.Keys(), (std::vector<std::string>{"goal", "battery"}));
 }
@@ -81,7 +81,9 @@ TEST_F(SimulationTest, GoesBackToAnyTickAndOnFromThere) {
   Start();
   std::vector<std::vector<Status>> seen = {Statuses()};
   for (int i = 0; i < 30; ++i) {
-    if (i == 12) simulation_.SetKey("battery", "0.1");
+    if (i == 12) {
+      EXPECT_TRUE(simulation_.SetKey("battery", "0.1"));
+    }
     if (i == 20) simulation_.SetScript(kDock, Returns({Status::kFailure}));
     simulation_.Tick(milliseconds(100));
     seen.push_back(Statuses());
@@ -91,7 +93,7 @@ TEST_F(SimulationTest, GoesBackToAnyTickAndOnFromThere) {
     EXPECT_EQ(Statuses(), seen[tick]) << tick;
     EXPECT_EQ(run_.now().statuses(), seen[tick]) << "the run knows it too";
   }
-  simulation_.SetKey("battery", "0.1");
+  EXPECT_TRUE(simulation_.SetKey("battery", "0.1"));
   simulation_.Tick(milliseconds(100));
   EXPECT_EQ(StatusOf(kDock), Status::kRunning);
   EXPECT_EQ(simulation_.now(), milliseconds(100));
@@ -149,7 +151,7 @@ TEST_F(SimulationTest, AnEditIsReloadedAndWhatRunsGoesOn) {
 
 TEST_F(SimulationTest, TheSameIsDoneAgainWithTheTreeAsItIsNow) {
   Start();
-  simulation_.SetKey("battery", "0.25");
+  EXPECT_TRUE(simulation_.SetKey("battery", "0.25"));
   simulation_.Tick(milliseconds(100));
   EXPECT_EQ(StatusOf(kDock), Status::kRunning);
   std::string text = kPatrol;
@@ -166,7 +168,7 @@ TEST_F(SimulationTest, TheSameIsDoneAgainWithTheTreeAsItIsNow) {
 TEST_F(SimulationTest, BecomesAScenarioThatPasses) {
   Start();
   simulation_.Tick(milliseconds(100));
-  simulation_.SetKey("battery", "0.2");
+  EXPECT_TRUE(simulation_.SetKey("battery", "0.2"));
   simulation_.SetScript(kDock, Returns({Status::kRunning, Status::kSuccess}));
   simulation_.Tick(milliseconds(100));
   simulation_.Tick(milliseconds(100));
@@ -201,7 +203,7 @@ TEST_F(SimulationTest, ByChanceItIsATestThatPassesWithoutTheFile) {
 
 TEST_F(SimulationTest, WhatTheUserSetsComesBeforeWhatTheFileSets) {
   simulation_.SetChance(OfTheFile(4));
-  EXPECT_EQ(simulation_.SetKey("battery", "0.9"), "");
+  EXPECT_EQ(simulation_.SetKey("battery", "0.9").problem(), "");
   simulation_.Tick(milliseconds(100));
   EXPECT_EQ(simulation_.ValueOf("battery"), "0.9");
   const Scenario scenario = simulation_.Record("full");

@@ -84,12 +84,12 @@ TEST_F(SimulatorTest, ATextWithErrorsIsSaidAndTheTreeBeforeItGoesOn) {
 TEST_F(SimulatorTest, KeysAreWrittenAsOnARobot) {
   std::string error = "?";
   view_->source().Send(WriteKey("", "goal", "3"),
-                       [&](const LiveReply& reply) { error = reply.error; });
+                       [&](const LiveReply& reply) { error = reply.problem(); });
   EXPECT_EQ(error, "");
   simulator_.get()->Tick(Duration(0));
   EXPECT_EQ(simulator_.get()->ValueOf("goal"), "3");
   view_->source().Send(MakeCommand(LiveCommand::Kind::kStepNode),
-                       [&](const LiveReply& reply) { error = reply.error; });
+                       [&](const LiveReply& reply) { error = reply.problem(); });
   EXPECT_NE(error, "");
 }
 

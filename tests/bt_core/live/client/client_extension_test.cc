@@ -130,17 +130,17 @@ TEST_F(ClientExtensionTest, GivesUpARobotThatDoesNotAnswerAnyMore) {
 
 TEST_F(ClientExtensionTest, HandsRepliesToThoseWhoAsked) {
   Connect();
-  LiveReply got = FailedReply("none yet");
+  LiveReply got = Problem{"none yet"};
   session_.Send(MakeCommand(LiveCommand::Kind::kPause), [&](const LiveReply& r) { got = r; });
   EXPECT_EQ(Asked()["do"], "pause");
   Answer(Json::object());
-  EXPECT_EQ(got.error, "");
+  EXPECT_EQ(got.problem(), "");
   session_.Send(MakeCommand(LiveCommand::Kind::kPause), [&](const LiveReply& r) { got = r; });
   Answer({{"error", "the robot moves"}, {"reason", "refused"}});
-  EXPECT_EQ(got.error, "the robot moves");
+  EXPECT_EQ(got.problem(), "the robot moves");
   session_.Send(MakeCommand(LiveCommand::Kind::kPause), [&](const LiveReply& r) { got = r; });
   session_.Abandon("gone");
-  EXPECT_EQ(got.error, "gone");
+  EXPECT_EQ(got.problem(), "gone");
 }
 
 TEST_F(ClientExtensionTest, BeginsAnewWhenTheRobotHasGivenItUp) {

@@ -61,13 +61,14 @@ TEST(ClientJson, SubscribesFromAFrameOfARunOrFromNow) {
 }
 
 TEST(ClientJson, ReadsWhatARobotSaysOfItself) {
-  const HelloReply reply = ReadHello(R"({"protocol":1,"control":"the robot moves",)"
-                                     R"("trees":[{"tree":1,"name":"b"},{"tree":0,"name":"a"}]})");
-  EXPECT_EQ(reply.error, "");
-  EXPECT_EQ(reply.refusal, "the robot moves");
-  EXPECT_THAT(reply.trees, ElementsAre("a", "b"));
-  EXPECT_EQ(ReadHello(R"({"protocol":1,"control":true,"trees":[]})").refusal, "");
-  EXPECT_THAT(ReadHello(R"({"protocol":2})").error, HasSubstr("version 2"));
+  const Expected<HelloReply> reply =
+      ReadHello(R"({"protocol":1,"control":"the robot moves",)"
+                R"("trees":[{"tree":1,"name":"b"},{"tree":0,"name":"a"}]})");
+  ASSERT_TRUE(reply) << reply.problem();
+  EXPECT_EQ(reply->refusal, "the robot moves");
+  EXPECT_THAT(reply->trees, ElementsAre("a", "b"));
+  EXPECT_EQ(ReadHello(R"({"protocol":1,"control":true,"trees":[]})")->refusal, "");
+  EXPECT_THAT(ReadHello(R"({"protocol":2})").problem(), HasSubstr("version 2"));
 }
 
 TEST(ClientJson, ReadsNotices) {
@@ -90,19 +91,18 @@ TEST(ClientJson, IsNotDisturbedByNonsense) {
   for (const char* text :
        {"", "[]", "{", "17", R"({"error":5})", R"({"trees":[1,{"tree":99999999999}]})",
         R"({"stop":7,"tree":"x","event":[]})", "\xff\xfe"}) {
-    ReadHello(text);
-    ReadSubscribe(text);
-    ReadReply(text);
+    EXPECT_FALSE(ReadHello(text));
+    EXPECT_EQ(ReadSubscribe(text).ok(), ReadReply(text).ok());
     ReadNotice(text);
   }
-  ReadReply(R"({"a":)" + std::string(10 << 20, '['));
+  EXPECT_TRUE(ReadReply(R"({"a":)" + std::string(10 << 20, '[')));
   EXPECT_EQ(
       ReadReply(R"({"error":"x","a":)" + std::string(100000, '[') + std::string(100000, ']') + "}")
-          .error,
+          .problem(),
       "")
       << "it is nested too deep";
-  EXPECT_NE(ReadReply(R"({"error":5})").error, "");
-  EXPECT_EQ(ReadReply(WriteAbandoned("gone")).error, "gone");
+  EXPECT_NE(ReadReply(R"({"error":5})").problem(), "");
+  EXPECT_EQ(ReadReply(WriteAbandoned("gone")).problem(), "gone");
 }
 
 }  // namespace

@@ -74,7 +74,7 @@ TEST(LiveClient, WaitsForARobotThatIsNotThereYet) {
   { port = Robot().port(); }
   Watcher watcher;
   LiveClient client("127.0.0.1:" + std::to_string(port), watcher);
-  EXPECT_THAT(Ask(client, MakeCommand(Kind::kPause)).error,
+  EXPECT_THAT(Ask(client, MakeCommand(Kind::kPause)).problem(),
               HasSubstr("not connected to 127.0.0.1"));
   ASSERT_TRUE(watcher.Await([](const Watched& w) { return !w.connections.empty(); }));
   EXPECT_THAT(watcher.watched().connections[0].problem, HasSubstr("no answer from"));
@@ -153,15 +153,15 @@ TEST(LiveClient, StopsStepsAndContinuesTheTree) {
   Watcher watcher;
   LiveClient client(robot.endpoint(), watcher);
   ASSERT_TRUE(watcher.Await(IsLive));
-  EXPECT_EQ(Ask(client, MakeCommand(Kind::kPause)).error, "");
+  EXPECT_EQ(Ask(client, MakeCommand(Kind::kPause)).problem(), "");
   ASSERT_TRUE(watcher.Await([](const Watched& w) { return w.notices.size() == 1; }));
   EXPECT_EQ(watcher.watched().notices[0].event.stop.where, DebugStop::Where::kBetweenTicks);
-  EXPECT_EQ(Ask(client, MakeCommand(Kind::kStepNode)).error, "");
+  EXPECT_EQ(Ask(client, MakeCommand(Kind::kStepNode)).problem(), "");
   ASSERT_TRUE(watcher.Await([](const Watched& w) { return w.notices.size() == 3; }));
   EXPECT_EQ(watcher.watched().notices[2].path, "top & first");
-  EXPECT_EQ(Ask(client, MakeCommand(Kind::kStepTick)).error, "");
+  EXPECT_EQ(Ask(client, MakeCommand(Kind::kStepTick)).problem(), "");
   ASSERT_TRUE(watcher.Await([](const Watched& w) { return w.notices.size() == 5; }));
-  EXPECT_EQ(Ask(client, MakeCommand(Kind::kContinue)).error, "");
+  EXPECT_EQ(Ask(client, MakeCommand(Kind::kContinue)).problem(), "");
   ASSERT_TRUE(watcher.Await([](const Watched& w) { return w.notices.size() == 6; }));
   EXPECT_EQ(watcher.watched().notices[5].event.kind, DebugEvent::Kind::kResumed);
 }
@@ -174,18 +174,18 @@ TEST(LiveClient, StopsAtABreakpointWithAConditionAndSaysWhatIsWrongWithOne) {
   ASSERT_TRUE(watcher.Await(IsLive));
   Hook hook = At("inner/Alternate");
   hook.condition = "sayd == 'x'";
-  EXPECT_THAT(Ask(client, SetHook(hook)).error, HasSubstr(R"(did you mean "said"?)"));
-  EXPECT_THAT(Ask(client, SetHook(At("nowhere"))).remark, HasSubstr(R"(no node "nowhere")"));
+  EXPECT_THAT(Ask(client, SetHook(hook)).problem(), HasSubstr(R"(did you mean "said"?)"));
+  EXPECT_THAT(Ask(client, SetHook(At("nowhere")))->remark, HasSubstr(R"(no node "nowhere")"));
   hook.condition = "@number > 5";
   const LiveReply reply = Ask(client, SetHook(hook));
-  EXPECT_EQ(reply.error, "");
+  EXPECT_EQ(reply.problem(), "");
   ASSERT_TRUE(watcher.Await([](const Watched& w) { return !w.notices.empty(); }));
   const LiveNotice stop = watcher.watched().notices[0];
   EXPECT_EQ(stop.path, "inner/Alternate::5");
-  EXPECT_EQ(stop.event.stop.hook, reply.hook);
+  EXPECT_EQ(stop.event.stop.hook, reply->id);
   LiveCommand remove = MakeCommand(Kind::kRemoveHook);
-  remove.id = reply.hook;
-  EXPECT_EQ(Ask(client, remove).error, "");
+  remove.id = reply->id;
+  EXPECT_EQ(Ask(client, remove).problem(), "");
   ASSERT_TRUE(watcher.Await([](const Watched& w) { return w.notices.size() == 2; }));
 }
 
@@ -197,15 +197,15 @@ TEST(LiveClient, ForcesResultsAndWritesValues) {
   Hook hook = At("Fill", HookAction::kReplace);
   hook.status = Status::kFailure;
   hook.times = 2;
-  ASSERT_EQ(Ask(client, SetHook(hook)).error, "");
+  ASSERT_EQ(Ask(client, SetHook(hook)).problem(), "");
   EXPECT_EQ(robot.executor().Tick(), Status::kFailure);
   EXPECT_EQ(robot.executor().Tick(), Status::kFailure);
   EXPECT_EQ(robot.executor().Tick(), Status::kRunning);
-  ASSERT_EQ(Ask(client, WriteKey("", "number", "4711")).error, "");
+  ASSERT_EQ(Ask(client, WriteKey("", "number", "4711")).problem(), "");
   robot.Tick();
   ASSERT_TRUE(watcher.Await(HasTick(4)));
-  EXPECT_THAT(Ask(client, WriteKey("", "number", "many")).error, HasSubstr("many"));
-  EXPECT_NE(Ask(client, WriteKey("", "nubmer", "1")).error, "");
+  EXPECT_THAT(Ask(client, WriteKey("", "number", "many")).problem(), HasSubstr("many"));
+  EXPECT_NE(Ask(client, WriteKey("", "nubmer", "1")).problem(), "");
 }
 
 TEST(LiveClient, ReleasesWhatItOwnsWhenItEnds) {
@@ -213,7 +213,7 @@ TEST(LiveClient, ReleasesWhatItOwnsWhenItEnds) {
   Watcher watcher;
   auto client = std::make_unique<LiveClient>(robot.endpoint(), watcher);
   ASSERT_TRUE(watcher.Await(IsLive));
-  ASSERT_EQ(Ask(*client, SetHook(At("Fill"))).error, "");
+  ASSERT_EQ(Ask(*client, SetHook(At("Fill"))).problem(), "");
   std::future<void> tick = std::async(std::launch::async, [&] { robot.Tick(); });
   ASSERT_TRUE(watcher.Await([](const Watched& w) { return !w.notices.empty(); }));
   client.reset();
@@ -228,7 +228,7 @@ TEST(LiveClient, ADeadClientLosesWhatItOwnsWhenTheDeadlineHasPassed) {
   Watcher watcher;
   LiveClient client(line.endpoint(), watcher);
   ASSERT_TRUE(watcher.Await(IsLive));
-  ASSERT_EQ(Ask(client, SetHook(At("Fill"))).error, "");
+  ASSERT_EQ(Ask(client, SetHook(At("Fill"))).problem(), "");
   std::future<void> tick = std::async(std::launch::async, [&] { robot.Tick(); });
   ASSERT_TRUE(watcher.Await([](const Watched& w) { return !w.notices.empty(); }));
   line.Cut();
@@ -242,7 +242,7 @@ TEST(LiveClient, AnswersCommandsWhenTheConnectionBreaks) {
   LiveClient client(line.endpoint(), watcher);
   ASSERT_TRUE(watcher.Await(IsLive));
   line.Cut();
-  EXPECT_NE(Ask(client, MakeCommand(Kind::kPause)).error, "");
+  EXPECT_NE(Ask(client, MakeCommand(Kind::kPause)).problem(), "");
 }
 
 TEST(LiveClient, NeedsTheTokenOfTheRobot) {
@@ -255,14 +255,14 @@ TEST(LiveClient, NeedsTheTokenOfTheRobot) {
   with_token.token = options.token;
   LiveClient client(robot.endpoint(), watcher, with_token);
   ASSERT_TRUE(watcher.Await(HasTick(3)));
-  EXPECT_EQ(Ask(client, MakeCommand(Kind::kContinue)).error, "");
+  EXPECT_EQ(Ask(client, MakeCommand(Kind::kContinue)).problem(), "");
 
   Watcher reader;
   with_token.token = robot.live().read_token();
   LiveClient reading(robot.endpoint(), reader, with_token);
   ASSERT_TRUE(reader.Await(HasTick(3)));
   EXPECT_NE(reader.watched().connections.back().refusal, "");
-  EXPECT_NE(Ask(reading, MakeCommand(Kind::kPause)).error, "");
+  EXPECT_NE(Ask(reading, MakeCommand(Kind::kPause)).problem(), "");
 
   Watcher stranger;
   const LiveClient without(robot.endpoint(), stranger);

@@ -25,7 +25,7 @@ TEST(DebuggerCore, TakesTheHooksFromTheExecutorWhenTheDebuggerIsGone) {
     hook.node = 1;
     hook.action = HookAction::kReplace;
     hook.status = Status::kFailure;
-    debugger.Add(hook);
+    EXPECT_TRUE(debugger.Add(hook));
     EXPECT_EQ(stage.executor->Tick(), Status::kFailure);
   }
   EXPECT_EQ(stage.executor->Tick(), Status::kSuccess);

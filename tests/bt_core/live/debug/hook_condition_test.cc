@@ -18,39 +18,33 @@ class HookConditionTest : public ::testing::Test {
 TEST_F(HookConditionTest, IsComputedOnTheBlackboardOfTheTree) {
   stage_.executor->Tick();
   Blackboard blackboard = stage_.executor->blackboard();
-  ConditionProblem problem;
-  const auto low = CompileCondition("battery < 20 && word == 'go'", *stage_.program, 0, problem);
-  ASSERT_TRUE(low) << problem.text;
+  const auto low = CompileCondition("battery < 20 && word == 'go'", *stage_.program, 0);
+  ASSERT_TRUE(low) << low.problem();
   EXPECT_TRUE(low->Test(blackboard));
-  const auto high = CompileCondition("battery > 20", *stage_.program, 0, problem);
-  ASSERT_TRUE(high) << problem.text;
+  const auto high = CompileCondition("battery > 20", *stage_.program, 0);
+  ASSERT_TRUE(high) << high.problem();
   EXPECT_FALSE(high->Test(blackboard));
 }
 
 TEST_F(HookConditionTest, SaysWhereItIsWrong) {
-  ConditionProblem problem;
-  EXPECT_FALSE(CompileCondition("battery >\n  < 3", *stage_.program, 0, problem));
-  EXPECT_THAT(problem.text, HasSubstr("condition:2:3: "));
-  EXPECT_EQ(problem.offset, 12u);
+  const std::string problem = CompileCondition("battery >\n  < 3", *stage_.program, 0).problem();
+  EXPECT_THAT(problem, HasSubstr("condition:2:3: "));
 }
 
 TEST_F(HookConditionTest, NamesTheNearestKey) {
-  ConditionProblem problem;
-  EXPECT_FALSE(CompileCondition("1 < batery", *stage_.program, 0, problem));
-  EXPECT_THAT(problem.text, HasSubstr("condition:1:5: "));
-  EXPECT_THAT(problem.text, HasSubstr(R"(did you mean "battery"?)"));
-  EXPECT_EQ(problem.offset, 4u);
+  const std::string problem = CompileCondition("1 < batery", *stage_.program, 0).problem();
+  EXPECT_THAT(problem, HasSubstr("condition:1:5: "));
+  EXPECT_THAT(problem, HasSubstr(R"(did you mean "battery"?)"));
 }
 
 TEST_F(HookConditionTest, CannotWrite) {
-  ConditionProblem problem;
-  EXPECT_FALSE(CompileCondition("battery = 3", *stage_.program, 0, problem));
-  EXPECT_THAT(problem.text, HasSubstr("cannot assign"));
+  const std::string problem = CompileCondition("battery = 3", *stage_.program, 0).problem();
+  EXPECT_THAT(problem, HasSubstr("cannot assign"));
 }
 
 TEST_F(HookConditionTest, MayNameAnythingInAPlaceThatThereIsNotYet) {
-  EXPECT_EQ(CheckCondition("unknown > 3", {}).text, "");
-  EXPECT_NE(CheckCondition("unknown >", {}).text, "");
+  EXPECT_EQ(CheckCondition("unknown > 3", {}).problem(), "");
+  EXPECT_NE(CheckCondition("unknown >", {}).problem(), "");
 }
 
 }  // namespace

@@ -33,11 +33,11 @@ class HookTableTest : public ::testing::Test {
 TEST_F(HookTableTest, FindsHooksByNodeAndPositionThoseThatStopFirst) {
   Hook replace = At(1);
   replace.action = HookAction::kReplace;
-  const HookId first = table_.Add(replace, 0).id;
-  const HookId second = table_.Add(At(1), 0).id;
+  const HookId first = table_.Add(replace, 0)->id;
+  const HookId second = table_.Add(At(1), 0)->id;
   Hook after = At(1);
   after.position = HookPosition::kAfter;
-  const HookId third = table_.Add(after, 0).id;
+  const HookId third = table_.Add(after, 0)->id;
   EXPECT_THAT(table_.At(1, HookPosition::kBefore), ElementsAre(second, first));
   EXPECT_THAT(table_.At(1, HookPosition::kAfter), ElementsAre(third));
   EXPECT_THAT(table_.At(2, HookPosition::kBefore), IsEmpty());
@@ -48,25 +48,25 @@ TEST_F(HookTableTest, FindsHooksByNodeAndPositionThoseThatStopFirst) {
 }
 
 TEST_F(HookTableTest, TakesAllNodesOfAPath) {
-  const HookAnswer answer = table_.Add(AtPath("Main/a"), 0);
-  EXPECT_EQ(answer.problem, "");
+  const Expected<HookAnswer> answer = table_.Add(AtPath("Main/a"), 0);
+  EXPECT_EQ(answer->remark, "");
   EXPECT_THAT(table_.Nodes(), ElementsAre(1u, 3u));
 }
 
 TEST_F(HookTableTest, KnowsWhoseAHookIs) {
-  table_.Add(At(1), 5);
-  const HookId second = table_.Add(At(2), 6).id;
+  EXPECT_TRUE(table_.Add(At(1), 5));
+  const HookId second = table_.Add(At(2), 6)->id;
   EXPECT_THAT(table_.IdsOf(6), ElementsAre(second));
 }
 
 TEST_F(HookTableTest, CountsAnewWhenAHookIsChanged) {
-  const HookId id = table_.Add(At(1), 5).id;
+  const HookId id = table_.Add(At(1), 5)->id;
   table_.Find(id)->info.hits = 3;
   ASSERT_TRUE(table_.Change(id, At(2)).ok());
   EXPECT_EQ(table_.Find(id)->info.hits, 0u);
   EXPECT_EQ(table_.Find(id)->info.owner, 5u);
   EXPECT_THAT(table_.Nodes(), ElementsAre(2u));
-  EXPECT_THAT(table_.Change(99, At(2)).problem, HasSubstr("no hook 99"));
+  EXPECT_THAT(table_.Change(99, At(2)).problem(), HasSubstr("no hook 99"));
 }
 
 struct WrongHook {
@@ -80,9 +80,9 @@ class HookTableRefuses : public HookTableTest, public ::testing::WithParamInterf
 TEST_P(HookTableRefuses, WhatIsWrong) {
   Hook hook = At(2);
   GetParam().change(hook);
-  const HookAnswer answer = table_.Add(hook, 0);
+  const Expected<HookAnswer> answer = table_.Add(hook, 0);
   EXPECT_FALSE(answer.ok());
-  EXPECT_THAT(answer.problem, HasSubstr(GetParam().problem));
+  EXPECT_THAT(answer.problem(), HasSubstr(GetParam().problem));
   EXPECT_THAT(table_.entries(), IsEmpty());
 }
 
@@ -126,11 +126,11 @@ TEST_F(HookTableTest, RefusesMoreHooksThanItsLimit) {
 TEST_F(HookTableTest, FollowsASwapOfTheTree) {
   Hook conditional = AtPath("c");
   conditional.condition = "fuel > 1";
-  const HookId waits = table_.Add(conditional, 0).id;
-  const HookId numbered = table_.Add(At(2), 0).id;
+  const HookId waits = table_.Add(conditional, 0)->id;
+  const HookId numbered = table_.Add(At(2), 0)->id;
   Hook lost = AtPath("b");
   lost.condition = "level > 1";
-  const HookId no_longer_fits = table_.Add(lost, 0).id;
+  const HookId no_longer_fits = table_.Add(lost, 0)->id;
   Stage next(
       Main(R"(<Sequence><Leaf name="b"/><Leaf name="c" _skipIf="fuel &lt; 1"/></Sequence>)"));
   table_.SetProgram(next.program);

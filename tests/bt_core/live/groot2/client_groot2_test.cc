@@ -85,17 +85,17 @@ TEST(ClientGroot2, StopsAtABreakpointAndContinues) {
   Watcher watcher;
   LiveClient client(robot.endpoint(), watcher, Groot2Only());
   ASSERT_TRUE(watcher.Await(IsLive));
-  EXPECT_NE(Ask(client, MakeCommand(Kind::kContinue)).error, "");
+  EXPECT_NE(Ask(client, MakeCommand(Kind::kContinue)).problem(), "");
   Hook hook;
   hook.path = "inner/Alternate";
   const LiveReply reply = Ask(client, SetHook(hook));
-  ASSERT_EQ(reply.error, "");
+  ASSERT_EQ(reply.problem(), "");
   ASSERT_TRUE(watcher.Await([](const Watched& w) { return !w.notices.empty(); }));
-  EXPECT_EQ(watcher.watched().notices[0].event.stop.hook, reply.hook);
+  EXPECT_EQ(watcher.watched().notices[0].event.stop.hook, reply->id);
   EXPECT_THAT(watcher.watched().notices[0].path, HasSubstr("inner/Alternate"));
-  EXPECT_EQ(Ask(client, MakeCommand(Kind::kContinue)).error, "");
+  EXPECT_EQ(Ask(client, MakeCommand(Kind::kContinue)).problem(), "");
   ASSERT_TRUE(watcher.Await([](const Watched& w) { return w.notices.size() > 1; }));
-  EXPECT_EQ(Ask(client, MakeCommand(Kind::kRemoveHook)).error, "");
+  EXPECT_EQ(Ask(client, MakeCommand(Kind::kRemoveHook)).problem(), "");
 }
 
 TEST(ClientGroot2, ForcesAResult) {
@@ -107,12 +107,12 @@ TEST(ClientGroot2, ForcesAResult) {
   hook.path = "Fill";
   hook.action = HookAction::kReplace;
   hook.status = Status::kFailure;
-  ASSERT_EQ(Ask(client, SetHook(hook)).error, "");
+  ASSERT_EQ(Ask(client, SetHook(hook)).problem(), "");
   EXPECT_EQ(robot.executor().Tick(), Status::kFailure);
   robot.StartTicking();  // a subscriber hears what happens after it has come
   ASSERT_TRUE(watcher.Await([](const Watched& w) { return !w.notices.empty(); }));
   EXPECT_EQ(watcher.watched().notices[0].event.kind, DebugEvent::Kind::kReplaced);
-  EXPECT_EQ(Ask(client, MakeCommand(Kind::kRemoveHook)).error, "");
+  EXPECT_EQ(Ask(client, MakeCommand(Kind::kRemoveHook)).problem(), "");
   robot.StopTicking();
   EXPECT_EQ(robot.executor().Tick(), Status::kRunning);
 }
@@ -142,13 +142,13 @@ TEST_F(ForeignHookTest, IsListed) {
 TEST_F(ForeignHookTest, IsRemovedAsItWereOnesOwn) {
   LiveCommand remove = MakeCommand(Kind::kRemoveHook);
   remove.id = watcher_.watched().foreign_hooks[0].id;
-  EXPECT_EQ(Ask(client_, remove).error, "");
+  EXPECT_EQ(Ask(client_, remove).problem(), "");
   ASSERT_TRUE(watcher_.Await([](const Watched& w) { return w.foreign_hooks.empty(); }));
   EXPECT_TRUE(watcher_.Await([](const Watched& w) { return w.ticks.size() > 3; }));
 }
 
 TEST_F(ForeignHookTest, ATreeGoesOnThatStoodThereBeforeTheClientCame) {
-  EXPECT_EQ(Ask(client_, MakeCommand(Kind::kContinue)).error, "");
+  EXPECT_EQ(Ask(client_, MakeCommand(Kind::kContinue)).problem(), "");
   EXPECT_TRUE(watcher_.Await([](const Watched& w) { return !w.notices.empty(); }))
       << "it stops there again";
 }
@@ -158,18 +158,18 @@ TEST(ClientGroot2, SaysWhatTheProtocolCannotDo) {
   Watcher watcher;
   LiveClient client(robot.endpoint(), watcher, Groot2Only());
   ASSERT_TRUE(watcher.Await(IsLive));
-  EXPECT_THAT(Ask(client, MakeCommand(Kind::kPause)).error, HasSubstr("cannot pause"));
-  EXPECT_THAT(Ask(client, WriteKey("", "number", "1")).error, HasSubstr("cannot be set"));
+  EXPECT_THAT(Ask(client, MakeCommand(Kind::kPause)).problem(), HasSubstr("cannot pause"));
+  EXPECT_THAT(Ask(client, WriteKey("", "number", "1")).problem(), HasSubstr("cannot be set"));
   Hook hook;
   hook.path = "Fill";
   hook.condition = "true";
-  EXPECT_THAT(Ask(client, SetHook(hook)).error, HasSubstr("no conditions"));
+  EXPECT_THAT(Ask(client, SetHook(hook)).problem(), HasSubstr("no conditions"));
   hook = Hook();
   hook.path = "Missing";
-  EXPECT_THAT(Ask(client, SetHook(hook)).error, HasSubstr(R"(no node is called "Missing")"));
+  EXPECT_THAT(Ask(client, SetHook(hook)).problem(), HasSubstr(R"(no node is called "Missing")"));
   LiveCommand remove = MakeCommand(Kind::kRemoveHook);
   remove.id = 99;
-  EXPECT_THAT(Ask(client, remove).error, HasSubstr("no hook 99"));
+  EXPECT_THAT(Ask(client, remove).problem(), HasSubstr("no hook 99"));
 }
 
 TEST(ClientGroot2, BeginsAnewWhenTheRobotIsAnotherOne) {
@@ -225,7 +225,7 @@ TEST_F(ClientGroot2SessionTest, ACommandIsAnsweredAlsoWhenTheRobotIsAnotherOne) 
   Hook hook;
   hook.path = "a";
   std::vector<std::string> errors;
-  session_.Send(SetHook(hook), [&](const LiveReply& reply) { errors.push_back(reply.error); });
+  session_.Send(SetHook(hook), [&](const LiveReply& reply) { errors.push_back(reply.problem()); });
   session_.OnTime(1s);
   ASSERT_EQ(sent_.back()[0][1], 'I');
   Answer("", 'b');

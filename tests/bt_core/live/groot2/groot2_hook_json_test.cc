@@ -60,18 +60,18 @@ TEST(Groot2HookJson, PassesOverWhatIsNoHook) {
 
 TEST(Groot2HookJson, SaysWhatIsTooMuchForTheProtocol) {
   Hook hook;
-  EXPECT_EQ(WhatIsTooMuch(hook), "");
+  EXPECT_EQ(CheckHook(hook).problem(), "");
   hook.condition = "x";
-  EXPECT_THAT(WhatIsTooMuch(hook), HasSubstr("conditions"));
+  EXPECT_THAT(CheckHook(hook).problem(), HasSubstr("conditions"));
   hook = Hook();
   hook.times = 2;
-  EXPECT_THAT(WhatIsTooMuch(hook), HasSubstr("count"));
+  EXPECT_THAT(CheckHook(hook).problem(), HasSubstr("count"));
   hook = Hook();
   hook.action = HookAction::kDelay;
-  EXPECT_THAT(WhatIsTooMuch(hook), HasSubstr("delay"));
+  EXPECT_THAT(CheckHook(hook).problem(), HasSubstr("delay"));
   hook.action = HookAction::kReplace;
   hook.status = Status::kRunning;
-  EXPECT_THAT(WhatIsTooMuch(hook), HasSubstr("only SUCCESS and FAILURE"));
+  EXPECT_THAT(CheckHook(hook).problem(), HasSubstr("only SUCCESS and FAILURE"));
 }
 
 TEST(Groot2HookJson, FindsNodesByPathAndType) {

@@ -165,7 +165,7 @@ TEST(LiveDesk, LetsATreeThatWaitsForAClientGoOnAfterAWhile) {
   const Tree tree(options);
   KeepingOutbox outbox;
   LiveDesk desk(outbox, 5s);
-  tree.tree_->debugger().Pause(LiveTree::kWaitOwner);
+  EXPECT_TRUE(tree.tree_->debugger().Pause(LiveTree::kWaitOwner));
   desk.Add(tree.tree_, 1s);
   desk.Attend(10s);
   EXPECT_TRUE(tree.tree_->debugger().is_pausing());

@@ -119,7 +119,7 @@ TEST_F(LivePublisherTest, IsNotDisturbedByRandomRequests) {
 }
 
 TEST_F(LivePublisherTest, LetsItsProgramReleaseTheTree) {
-  EXPECT_EQ(live_.debugger().Pause(), "");
+  EXPECT_EQ(live_.debugger().Pause().problem(), "");
   auto tick = std::async(std::launch::async, [&] { return executor_.Tick(); });
   live_.debugger().ReleaseAll();
   ASSERT_EQ(tick.wait_for(30s), std::future_status::ready);

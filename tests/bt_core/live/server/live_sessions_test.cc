@@ -25,8 +25,8 @@ TEST_F(LiveSessionsTest, ReleasesWhatAClientHoldsWhenItIsClosed) {
   Session* const session = sessions_.Open(kAnn, true, Time(1));
   Hook hook;
   hook.node = 1;
-  tree_->debugger().Add(hook, session->owner);
-  tree_->debugger().Add(hook, session->owner + 100);
+  EXPECT_TRUE(tree_->debugger().Add(hook, session->owner));
+  EXPECT_TRUE(tree_->debugger().Add(hook, session->owner + 100));
   sessions_.Close(kAnn);
   sessions_.Close(kAnn);
   EXPECT_THAT(tree_->debugger().hooks(), SizeIs(1));
@@ -36,7 +36,7 @@ TEST_F(LiveSessionsTest, ReleasesWhatAClientHoldsWhenItIsClosed) {
 TEST_F(LiveSessionsTest, OpeningAgainReleasesToo) {
   Hook hook;
   hook.node = 1;
-  tree_->debugger().Add(hook, sessions_.Open(kAnn, true, Time(1))->owner);
+  EXPECT_TRUE(tree_->debugger().Add(hook, sessions_.Open(kAnn, true, Time(1))->owner));
   sessions_.Open(kAnn, true, Time(2));
   EXPECT_THAT(tree_->debugger().hooks(), SizeIs(0));
 }

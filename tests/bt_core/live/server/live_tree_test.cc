@@ -36,7 +36,7 @@ struct StoppedTreeTest : testing::Test {
     stream_.Flush();
     Hook hook;
     hook.node = 5;
-    tree_.debugger().Add(hook, LiveTree::kGroot2Owner);
+    EXPECT_TRUE(tree_.debugger().Add(hook, LiveTree::kGroot2Owner));
   }
   ~StoppedTreeTest() override { stream_.Remove(tree_); }
 
@@ -76,22 +76,22 @@ TEST_F(LiveTreeTest, WritesValuesOfTheRightTypeOnly) {
   const auto value_of = [&](const char* key) {
     return executor_.blackboard()[executor_.program().layout.Find(0, key)].value.Print();
   };
-  EXPECT_EQ(tree_->Write("", "text", "\"a \\\"b\"", false), "");
-  EXPECT_EQ(tree_->Write("Main", "number", "12", true), "");
+  EXPECT_EQ(tree_->Write("", "text", "\"a \\\"b\"", false).problem(), "");
+  EXPECT_EQ(tree_->Write("Main", "number", "12", true).problem(), "");
   executor_.RunCalls();
   executor_.inbox()->RequestTick();
   Tick();
   EXPECT_EQ(value_of("number"), "2") << "the leaf has written since";
-  EXPECT_THAT(tree_->Write("", "number", "\"x\"", false), HasSubstr("key \"number\""));
-  EXPECT_THAT(tree_->Write("", "number", "x", true), HasSubstr("x is no int"));
-  EXPECT_THAT(tree_->Write("", "spot", "1;2", true), HasSubstr("is no Spot"));
-  EXPECT_THAT(tree_->Write("inner", "said", "\"x\"", false),
+  EXPECT_THAT(tree_->Write("", "number", "\"x\"", false).problem(), HasSubstr("key \"number\""));
+  EXPECT_THAT(tree_->Write("", "number", "x", true).problem(), HasSubstr("x is no int"));
+  EXPECT_THAT(tree_->Write("", "spot", "1;2", true).problem(), HasSubstr("is no Spot"));
+  EXPECT_THAT(tree_->Write("inner", "said", "\"x\"", false).problem(),
               HasSubstr("no key \"said\" of its own"));
-  EXPECT_THAT(tree_->Write("nobody", "text", "\"x\"", false), HasSubstr("nobody"));
+  EXPECT_THAT(tree_->Write("nobody", "text", "\"x\"", false).problem(), HasSubstr("nobody"));
 }
 
 TEST_F(LiveTreeTest, AWrittenValueIsThereBeforeTheNodesAreTicked) {
-  EXPECT_EQ(tree_->Write("inner", "literal", "9", false), "");
+  EXPECT_EQ(tree_->Write("inner", "literal", "9", false).problem(), "");
   Tick();
   const auto& layout = executor_.program().layout;
   EXPECT_EQ(executor_.blackboard()[layout.Find(1, "literal")].value.Print(), "9");
@@ -116,7 +116,7 @@ class ScriptedTreeTest : public testing::TestWithParam<std::pair<const char*, bo
 
 TEST_P(ScriptedTreeTest, AKeyThatOnlyScriptsUseTakesWhatItIsGiven) {
   const auto& [value, is_text] = GetParam();
-  EXPECT_EQ(tree_.Write("", "battery", value, is_text), "");
+  EXPECT_EQ(tree_.Write("", "battery", value, is_text).problem(), "");
   EXPECT_EQ(executor_.Tick(), Status::kSuccess);
 }
 
@@ -125,7 +125,7 @@ INSTANTIATE_TEST_SUITE_P(Values, ScriptedTreeTest,
                                          std::pair("2.1e1", true), std::pair("2.1e1", false)));
 
 TEST_P(ScriptedTreeTest, AKeyThatOnlyScriptsUseTakesNoObject) {
-  EXPECT_THAT(tree_.Write("", "battery", "{}", false), HasSubstr("a number, a text"));
+  EXPECT_THAT(tree_.Write("", "battery", "{}", false).problem(), HasSubstr("a number, a text"));
 }
 
 TEST_F(LiveTreeTest, FollowsAnotherProgram) {
@@ -182,12 +182,12 @@ TEST(LiveTree, BearsTheRunThatItIsGiven) {
 }
 
 TEST(LiveTree, RefusesWithTheReason) {
-  EXPECT_EQ(Tree(Moving()).tree_->Refusal(), "the robot moves");
-  EXPECT_THAT(Tree(ReadOnly()).tree_->Refusal(), HasSubstr("read-only"));
-  EXPECT_EQ(Tree({}).tree_->Refusal(), "");
+  EXPECT_EQ(Tree(Moving()).tree_->Permission().problem(), "the robot moves");
+  EXPECT_THAT(Tree(ReadOnly()).tree_->Permission().problem(), HasSubstr("read-only"));
+  EXPECT_EQ(Tree({}).tree_->Permission().problem(), "");
   LiveTreeOptions broken;
-  broken.refusal = []() -> std::string { throw std::runtime_error("no odometry"); };
-  EXPECT_THAT(Tree(broken).tree_->Refusal(), HasSubstr("no odometry"));
+  broken.permission = []() -> Outcome { throw std::runtime_error("no odometry"); };
+  EXPECT_THAT(Tree(broken).tree_->Permission().problem(), HasSubstr("no odometry"));
 }
 
 }  // namespace

@@ -54,7 +54,7 @@ class RunCoverageTest : public testing::Test {
 };
 
 TEST_F(RunCoverageTest, ListsWhatWasNeverReachedAndAClickShowsIt) {
-  simulation().SetKey("battery", "0.8");
+  EXPECT_TRUE(simulation().SetKey("battery", "0.8"));
   RunOften("400");
   EXPECT_EQ(state().popup.kind, Popup::kNone) << state().popup.error;
   EXPECT_EQ(state().coverage.coverage()->runs, 400U);
@@ -85,7 +85,7 @@ TEST_F(RunCoverageTest, AClickOnAFindingSimulatesTheRunThatHadIt) {
 }
 
 TEST_F(RunCoverageTest, TheSimulationIsTheSameAsTheRunOfItsSeed) {
-  simulation().SetKey("battery", "0.8");
+  EXPECT_TRUE(simulation().SetKey("battery", "0.8"));
   RunOften("1");
   const Coverage coverage = *state().coverage.coverage();
   simulation().PlayRun({1, state().coverage.play()}, coverage.ticks, state().simulator.period());
