@@ -19,10 +19,10 @@ ChildProcess::ChildProcess(const std::vector<std::string>& command, const std::s
                            const std::vector<std::pair<std::string, std::string>>& environment) {
   const int log = open(log_file.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
   if (log < 0) throw std::runtime_error("cannot write " + log_file + ": " + std::strerror(errno));
-  std::string error;
-  pid_ = StartProgram({command, environment, -1, log}, error);
+  const Expected<int> pid = StartProgram({command, environment, -1, log});
   close(log);
-  if (pid_ == 0) throw std::runtime_error(error);
+  if (!pid) throw std::runtime_error(pid.problem());
+  pid_ = *pid;
 }
 
 ChildProcess& ChildProcess::operator=(ChildProcess&& other) noexcept {

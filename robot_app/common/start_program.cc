@@ -73,13 +73,12 @@ int ReadReason(int pipe) {
 
 }  // namespace
 
-int StartProgram(const ProgramStart& start, std::string& error) {
+Expected<int> StartProgram(const ProgramStart& start) {
   const std::vector<std::string> variables = EnvironmentWith(start.environment);
   const std::vector<char*> arguments = Pointers(start.command), environment = Pointers(variables);
   int report[2] = {-1, -1};
   if (pipe2(report, O_CLOEXEC) != 0) {
-    error = std::string("no pipe: ") + std::strerror(errno);
-    return 0;
+    return Problem{std::string("no pipe: ") + std::strerror(errno)};
   }
   const pid_t parent = getpid();
   const pid_t pid = fork();
@@ -96,8 +95,7 @@ int StartProgram(const ProgramStart& start, std::string& error) {
   close(report[0]);
   if (reason == 0) return pid;
   if (pid > 0) waitpid(pid, nullptr, 0);
-  error = "cannot run " + start.command.front() + ": " + std::strerror(reason);
-  return 0;
+  return Problem{"cannot run " + start.command.front() + ": " + std::strerror(reason)};
 }
 
 }  // namespace coppice::robot

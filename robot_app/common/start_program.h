@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "bt_core/base/outcome.h"
+
 namespace coppice::robot {
 
 /// What a program is started with. The files stay the caller's.
@@ -18,9 +20,8 @@ struct ProgramStart {
 };
 
 /// As the leader of a process group of its own, with none of our open files and signals as they are
-/// by default. It gets SIGTERM when the thread that has started it ends. Returns its pid, or 0 and
-/// why.
-int StartProgram(const ProgramStart& start, std::string& error);
+/// by default. It gets SIGTERM when the thread that has started it ends. Returns its pid.
+Expected<int> StartProgram(const ProgramStart& start);
 
 }  // namespace coppice::robot
 

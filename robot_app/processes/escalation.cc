@@ -44,8 +44,8 @@ Decision Escalation::OnFailure(std::size_t group, Cause cause, Time now) {
     return Climb(group, cause,
                  std::string("failed again after a restart of the ") + ToString(failed.step), now);
   }
-  std::string reason = failed.budget.WhyNot(now);
-  if (!reason.empty()) return Climb(group, cause, std::move(reason), now);
+  const Outcome allowed = failed.budget.Check(now);
+  if (!allowed) return Climb(group, cause, allowed.problem(), now);
   Decision decision;
   decision.root = group;
   decision.delay = failed.budget.Delay(config_.back_off, now);
@@ -75,7 +75,7 @@ Decision Escalation::Climb(std::size_t group, Cause cause, std::string reason, T
   } else if (cause == Cause::kRequest) {
     decision.refused = true;
     return decision;
-  } else if (!late && essential && stack_.WhyNot(now).empty()) {
+  } else if (!late && essential && stack_.Check(now)) {
     decision.step = EscalationStep::kStack;
     stack_.Add(now);
   } else {
@@ -95,7 +95,7 @@ void Escalation::SetReady(std::size_t group, bool ready, Time now) {
   Group& state = groups_[group];
   state.budget.SetReady(ready, now);
   if (!ready || IsGivenUp(group) || !state.budget.IsHealthy(now)) return;
-  if (!state.budget.WhyNot(now).empty()) return;  // healthy again, but too often
+  if (!state.budget.Check(now)) return;  // healthy again, but too often
   state.step = EscalationStep::kGroup;
   state.closures = 0;
   state.trouble_since.reset();

@@ -18,10 +18,10 @@ void PersonCalls::Step(Time now) {
   config.log = "on_given_up.log";
   config.command = command_;
   config.command.push_back(messages_.front());
-  std::string error;
   ++tries_;
-  pid_ = launcher_.Start(config, error);
-  if (pid_ == 0) Failed(now);
+  const Expected<int> pid = launcher_.Start(config);
+  if (!pid) return Failed(now);
+  pid_ = *pid;
 }
 
 void PersonCalls::OnExit(int pid, int wait_status, Time now) {

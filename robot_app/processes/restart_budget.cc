@@ -45,17 +45,17 @@ int RestartBudget::Used(Time now) {
   return static_cast<int>(counting());
 }
 
-std::string RestartBudget::WhyNot(Time now) {
+Outcome RestartBudget::Check(Time now) {
   if (Used(now) >= limits_.restarts) {
-    return "restarted " + std::to_string(counting()) + " times without being healthy for " +
-           SecondsText(limits_.healthy_after) + " in between";
+    return Problem{"restarted " + std::to_string(counting()) + " times without being healthy for " +
+                   SecondsText(limits_.healthy_after) + " in between"};
   }
   const auto in_last_hour =
       std::count_if(times_.begin(), times_.end(), [now](Time time) { return time > now - kHour; });
   if (in_last_hour >= limits_.hourly) {
-    return "restarted " + std::to_string(in_last_hour) + " times within an hour";
+    return Problem{"restarted " + std::to_string(in_last_hour) + " times within an hour"};
   }
-  return "";
+  return {};
 }
 
 void RestartBudget::Add(Time now) {

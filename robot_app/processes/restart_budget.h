@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "bt_core/base/clock.h"
+#include "bt_core/base/outcome.h"
 #include "robot_app/processes/config/robot_config.h"
 
 namespace coppice::robot::processes {
@@ -33,8 +34,8 @@ class RestartBudget {
   /// Restarts that count against the intensity.
   int Used(Time now);
   int allowed() const { return limits_.restarts; }
-  /// Empty if one more restart is allowed, else why not, for people.
-  std::string WhyNot(Time now);
+  /// Whether one more restart is allowed.
+  Outcome Check(Time now);
 
   void Add(Time now);
   void Clear();

@@ -185,8 +185,7 @@ void Supervisor::OnReady(std::size_t process, int pid, Time now) {
 
 void Supervisor::OnMasterEnded(Time now, const std::string& what) {
   if (stopping_ || new_stack_) return;
-  const std::string why_not = escalation_.stack().WhyNot(now);
-  if (why_not.empty()) {
+  if (escalation_.stack().Check(now)) {
     escalation_.stack().Add(now);
     RestartStack(what, false);  // it is nothing that a program remembers
   } else {
@@ -312,9 +311,8 @@ void Supervisor::Launch(std::size_t process, Time now) {
   start.counts = plan.as_restart;
   start.cleared = plan.cleared;
   plan = {};
-  const std::string error = lifecycle_.Launch(process, start, now);
-  if (!error.empty()) {
-    Fail(process, Cause::kEnd, error, now);
+  if (const Outcome launched = lifecycle_.Launch(process, start, now); !launched) {
+    Fail(process, Cause::kEnd, launched.problem(), now);
     return;
   }
   StepUp(process, now);

@@ -40,11 +40,12 @@ class Supervisor {
   Supervisor& operator=(const Supervisor&) = delete;
 
   /// Asks for a configuration; see ConfigurationSwitch.
-  Verdict SetConfiguration(const std::string& name, Hand hand, const WhyNotCondition& why_not);
+  Expected<std::string> SetConfiguration(const std::string& name, Hand hand,
+                                         const CheckCondition& check);
   /// Ends what a person has set by hand.
-  Verdict Release();
+  std::string Release();
   /// To the configuration for the safe stop, until Reset. Refused if there is none.
-  Verdict SafeStop();
+  Expected<std::string> SafeStop();
 
   /// Ends a process (SIGTERM, after stop_timeout SIGKILL to its group) and starts it again, with
   /// those that the strategy of its group says; what depends on it stays up. `name` is a process, a
@@ -53,11 +54,11 @@ class Supervisor {
   /// way already. Refused when the name is unknown, not part of the configuration or given up, and
   /// when all these restarts have not helped. `cleared`: what was asked for starts from a cleared
   /// state; of the whole stack, everything.
-  Verdict Restart(const std::string& name, Time now, bool cleared = false);
+  Expected<std::string> Restart(const std::string& name, Time now, bool cleared = false);
 
   /// A person has repaired something: forgets the restarts of its group, and starts it if it was
   /// given up. `name` is a process, a ROS node, a group or "all".
-  Verdict Reset(const std::string& name, Time now);
+  Expected<std::string> Reset(const std::string& name, Time now);
 
   /// A process of the operating system has ended. `wait_status` is that of waitpid. Unknown pids
   /// are ignored.
@@ -128,9 +129,9 @@ class Supervisor {
 
   std::optional<std::size_t> Find(const std::string& name) const;
   std::optional<std::size_t> FindGroup(const std::string& name) const;
-  Verdict Unknown(const std::string& name) const;
-  Verdict RestartWanted(std::size_t process, const Indices& members, const std::string& name,
-                        Time now, bool cleared);
+  Problem Unknown(const std::string& name) const;
+  Expected<std::string> RestartWanted(std::size_t process, const Indices& members,
+                                      const std::string& name, Time now, bool cleared);
 
   bool IsWanted(std::size_t process) const;
   /// A group that it cannot do without was given up, maybe its own.

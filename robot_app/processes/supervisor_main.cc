@@ -20,7 +20,7 @@
 namespace coppice::robot::processes {
 namespace {
 
-using Outcome = SupervisorProgram::Outcome;
+using Ending = SupervisorProgram::Ending;
 
 constexpr Duration kMasterTimeout = std::chrono::seconds(20);
 constexpr Duration kTimeToEnd = std::chrono::seconds(3);
@@ -50,30 +50,31 @@ void EndMaster(const RosMaster& master, PosixLauncher& launcher) {
   }
 }
 
-Outcome RunNode(RobotConfig config, const SupervisorSettings& settings, const RosMaster& master,
-                PosixLauncher& launcher) {
+Ending RunNode(RobotConfig config, const SupervisorSettings& settings, const RosMaster& master,
+               PosixLauncher& launcher) {
   int no_arguments = 0;
   ros::init(no_arguments, nullptr, "supervisor", ros::init_options::NoSigintHandler);
-  SetParameters(master.address, config.parameters);  // this node lives in the same time
+  const Outcome set = SetParameters(master.address, config.parameters);  // it lives in their time
+  if (!set) std::cerr << "coppice-supervisor: " << set.problem() << "\n";
   const char* token = std::getenv("COPPICE_SWITCH_OFF_TOKEN");
   SupervisorProgram program(std::move(config), launcher, master, settings.address, settings.state,
                             token ? token : "");
-  const Outcome outcome = program.Run([] { return g_stop != 0; });
+  const Ending ending = program.Run([] { return g_stop != 0; });
   ros::shutdown();
-  return outcome;
+  return ending;
 }
 
 // What was counted stays; for the rest the robot begins afresh when a person has switched it on.
 // If the power cannot be cut, it begins anew in its safe stop.
 bool CutPowerAndForget(const RobotConfig& config, const SupervisorSettings& settings,
                        PosixLauncher& launcher) {
-  std::string problem;
-  const SupervisorMemory memory = LoadMemory(settings.state, WallClock().Now(), problem);
+  Expected<SupervisorMemory> memory = LoadMemory(settings.state, WallClock().Now());
+  if (!memory) memory = SupervisorMemory{};
   SupervisorMemory counters;
-  counters.restarts = memory.restarts;
-  SaveMemory(counters, settings.state);
+  counters.restarts = memory->restarts;
+  KeepMemory(counters, settings.state);
   if (CutPower(config.switch_off, launcher, kTimeToCut)) return true;
-  SaveMemory(memory, settings.state);
+  KeepMemory(*memory, settings.state);
   return false;
 }
 
@@ -106,12 +107,12 @@ void UseAddress(const SupervisorSettings& settings) {
 bool ChooseConfiguration(const SupervisorSettings& settings, RobotConfig& config) {
   if (settings.configuration.empty()) return true;
   ConfigurationSwitch chosen(config);
-  const Verdict verdict = chosen.Request(settings.configuration, Hand::kTree, [](std::size_t) {
-    return std::string("nothing is known at the start");
-  });
-  if (!verdict.ok) std::cerr << "coppice-supervisor: " << verdict.message << "\n";
+  const Expected<std::string> done =
+      chosen.Request(settings.configuration, Hand::kTree,
+                     [](std::size_t) { return Problem{"nothing is known at the start"}; });
+  if (!done) std::cerr << "coppice-supervisor: " << done.problem() << "\n";
   config.initial = chosen.current();
-  return verdict.ok;
+  return done.ok();
 }
 
 int Main(const std::vector<std::string>& arguments) {
@@ -136,20 +137,21 @@ int Main(const std::vector<std::string>& arguments) {
     std::cout << survivors << " processes of an earlier supervisor were ended" << std::endl;
   }
   UseAddress(settings);
-  const RosMaster master = FindOrStartMaster(settings.port, launcher, kMasterTimeout);
-  if (!master.error.empty()) return Fail(master.error);
+  const Expected<RosMaster> found = FindOrStartMaster(settings.port, launcher, kMasterTimeout);
+  if (!found) return Fail(found.problem());
+  const RosMaster& master = *found;
   setenv("ROS_MASTER_URI", master.Uri().c_str(), 1);
   std::cout << "ROS master: port " << master.address.port << ", ROS_MASTER_URI=" << master.Uri()
             << ", logs in " << settings.logs << std::endl;
   if (!settings.port_file.empty()) std::ofstream(settings.port_file) << master.address.port;
 
-  const Outcome outcome = RunNode(config, settings, master, launcher);
+  const Ending ending = RunNode(config, settings, master, launcher);
   EndMaster(master, launcher);
-  if (outcome == Outcome::kSwitchOff && CutPowerAndForget(config, settings, launcher)) return 0;
-  if (outcome == Outcome::kNewStack || outcome == Outcome::kSwitchOff) {
+  if (ending == Ending::kSwitchOff && CutPowerAndForget(config, settings, launcher)) return 0;
+  if (ending == Ending::kNewStack || ending == Ending::kSwitchOff) {
     return BeginAnew(arguments, master.address.port);
   }
-  if (outcome == Outcome::kStopped) return 0;
+  if (ending == Ending::kStopped) return 0;
   std::cerr << "coppice-supervisor: the ROS master ended again and again; everything was stopped\n";
   return 1;
 }

@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <cstring>
 #include <fstream>
+#include <iostream>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -103,34 +104,38 @@ std::string ToText(const SupervisorMemory& memory) {
   return value.dump(1) + "\n";
 }
 
-SupervisorMemory MemoryFromText(const std::string& text, Time now, std::string& problem) {
+Expected<SupervisorMemory> MemoryFromText(const std::string& text, Time now) {
   try {
     const json value = json::parse(text);
     if (value.at("version") == kVersion) return FromJson(value, now);
-    problem = "is of another version";
+    return Problem{"is of another version"};
   } catch (const json::exception&) {
-    problem = "is damaged";
+    return Problem{"is damaged"};
   }
-  return {};
 }
 
-SupervisorMemory LoadMemory(const std::string& path, Time now, std::string& problem) {
+Expected<SupervisorMemory> LoadMemory(const std::string& path, Time now) {
   std::ifstream file(path);
-  if (!file) return {};
+  if (!file) return SupervisorMemory{};
   std::ostringstream text;
   text << file.rdbuf();
-  return MemoryFromText(text.str(), now, problem);
+  return MemoryFromText(text.str(), now);
 }
 
-std::string SaveMemory(const SupervisorMemory& memory, const std::string& path) {
+Outcome SaveMemory(const SupervisorMemory& memory, const std::string& path) {
   const std::string temporary = path + ".new";
   const int file = open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
   const bool written = file >= 0 && WriteAll(file, ToText(memory)) && fsync(file) == 0;
   int reason = written ? 0 : errno;
   if (file >= 0) close(file);
   if (written && std::rename(temporary.c_str(), path.c_str()) != 0) reason = errno;
-  if (reason == 0) return "";
-  return "cannot write " + path + ": " + std::strerror(reason);
+  if (reason == 0) return {};
+  return Problem{"cannot write " + path + ": " + std::strerror(reason)};
+}
+
+void KeepMemory(const SupervisorMemory& memory, const std::string& path) {
+  const Outcome saved = SaveMemory(memory, path);
+  if (!saved) std::cerr << "coppice-supervisor: " << saved.problem() << "\n";
 }
 
 }  // namespace coppice::robot::processes

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "bt_core/base/outcome.h"
 #include "robot_app/processes/escalation.h"
 
 namespace coppice::robot::processes {
@@ -31,15 +32,17 @@ struct SupervisorMemory {
 
 std::string ToText(const SupervisorMemory& memory);
 
-/// Empty, and `problem` says why, if the text is not what ToText makes. Times after `now` count as
-/// now: the computer's clock may have been set back.
-SupervisorMemory MemoryFromText(const std::string& text, Time now, std::string& problem);
+/// Of a text that ToText has made. Times after `now` count as now: the computer's clock may have
+/// been set back.
+Expected<SupervisorMemory> MemoryFromText(const std::string& text, Time now);
 
-/// A file that is missing is no problem.
-SupervisorMemory LoadMemory(const std::string& path, Time now, std::string& problem);
+/// A file that is missing is no problem: an empty memory.
+Expected<SupervisorMemory> LoadMemory(const std::string& path, Time now);
 
-/// Returns why it could not be written, or nothing; then the old file is as it was.
-std::string SaveMemory(const SupervisorMemory& memory, const std::string& path);
+/// If it cannot be written, the old file is as it was.
+Outcome SaveMemory(const SupervisorMemory& memory, const std::string& path);
+/// The same; a problem is a line on stderr.
+void KeepMemory(const SupervisorMemory& memory, const std::string& path);
 
 }  // namespace coppice::robot::processes
 

@@ -31,19 +31,17 @@ ros::Time ToRos(Time time) {
 }
 
 template <class Response>
-bool Reply(const Verdict& verdict, const std::string& request, Response& response) {
-  response.message = verdict.message;
-  std::cout << request << ": " << (verdict.ok ? "" : "refused: ") << verdict.message << std::endl;
+bool Reply(const Expected<std::string>& done, const std::string& request, Response& response) {
+  response.message = done ? *done : done.problem();
+  std::cout << request << ": " << (done ? "" : "refused: ") << response.message << std::endl;
   return true;
 }
 
 SupervisorMemory Load(const std::string& path, Time now) {
-  std::string problem;
-  SupervisorMemory memory = LoadMemory(path, now, problem);
-  if (!problem.empty()) {
-    std::cerr << "coppice-supervisor: " << path << " " << problem << "; it begins anew\n";
-  }
-  return memory;
+  Expected<SupervisorMemory> memory = LoadMemory(path, now);
+  if (memory) return *std::move(memory);
+  std::cerr << "coppice-supervisor: " << path << " " << memory.problem() << "; it begins anew\n";
+  return {};
 }
 
 }  // namespace
@@ -55,8 +53,7 @@ SupervisorProgram::SupervisorProgram(RobotConfig config, PosixLauncher& launcher
       launcher_(
           launcher, config.hosts,
           {state_file,
-           RosMaster{{address.empty() ? master.address.host : address, master.address.port}, 0, ""}
-               .Uri(),
+           RosMaster{{address.empty() ? master.address.host : address, master.address.port}}.Uri(),
            config.stop_timeout}),
       parameters_(launcher_, master.address, config.parameters),
       master_(master),
@@ -78,41 +75,41 @@ void SupervisorProgram::OfferServices() {
   services_.push_back(handle_.advertiseService<Restart::Request, Restart::Response>(
       "/supervisor/restart",
       boost::function<bool(Restart::Request&, Restart::Response&)>([this](auto& ask, auto& say) {
-        const Verdict verdict = supervisor_.Restart(ask.name, clock_.Now(), ask.cleared);
-        say.ok = verdict.ok;
-        return Reply(verdict, "restart " + ask.name, say);
+        const Expected<std::string> done = supervisor_.Restart(ask.name, clock_.Now(), ask.cleared);
+        say.ok = done.ok();
+        return Reply(done, "restart " + ask.name, say);
       })));
   services_.push_back(handle_.advertiseService<Restart::Request, Restart::Response>(
       "/supervisor/reset",
       boost::function<bool(Restart::Request&, Restart::Response&)>([this](auto& ask, auto& say) {
-        const Verdict verdict = supervisor_.Reset(ask.name, clock_.Now());
-        say.ok = verdict.ok;
-        return Reply(verdict, "reset " + ask.name, say);
+        const Expected<std::string> done = supervisor_.Reset(ask.name, clock_.Now());
+        say.ok = done.ok();
+        return Reply(done, "reset " + ask.name, say);
       })));
   services_.push_back(handle_.advertiseService<Configure::Request, Configure::Response>(
       "/supervisor/set_configuration",
       boost::function<bool(Configure::Request&, Configure::Response&)>(
           [this](auto& ask, auto& say) {
-            const Verdict verdict = supervisor_.SetConfiguration(
+            const Expected<std::string> done = supervisor_.SetConfiguration(
                 ask.configuration, ask.manual ? Hand::kPerson : Hand::kTree,
-                [this](std::size_t condition) { return conditions_[condition].WhyNot(RosNow()); });
-            say.ok = verdict.ok;
-            return Reply(verdict, "set_configuration " + ask.configuration, say);
+                [this](std::size_t condition) { return conditions_[condition].Check(RosNow()); });
+            say.ok = done.ok();
+            return Reply(done, "set_configuration " + ask.configuration, say);
           })));
   using Off = coppice_msgs::SwitchOff;
   services_.push_back(handle_.advertiseService<Off::Request, Off::Response>(
       "/supervisor/switch_off",
       boost::function<bool(Off::Request&, Off::Response&)>([this](auto& ask, auto& say) {
-        const Verdict verdict = switch_off_.Ask(ask.reason, ask.token, supervisor_, clock_.Now());
-        say.ok = verdict.ok;
-        return Reply(verdict, "switch_off", say);
+        const Expected<std::string> done =
+            switch_off_.Ask(ask.reason, ask.token, supervisor_, clock_.Now());
+        say.ok = done.ok();
+        return Reply(done, "switch_off", say);
       })));
   services_.push_back(handle_.advertiseService<Release::Request, Release::Response>(
       "/supervisor/release",
       boost::function<bool(Release::Request&, Release::Response&)>([this](auto&, auto& say) {
-        const Verdict verdict = supervisor_.Release();
-        say.success = verdict.ok;
-        return Reply(verdict, "release", say);
+        say.success = true;
+        return Reply(supervisor_.Release(), "release", say);
       })));
 }
 
@@ -147,7 +144,7 @@ void SupervisorProgram::WatchHeartbeats() {
   }
 }
 
-SupervisorProgram::Outcome SupervisorProgram::Run(const std::function<bool()>& stop) {
+SupervisorProgram::Ending SupervisorProgram::Run(const std::function<bool()>& stop) {
   while (!stop() && !supervisor_.stopping() && !switch_off_.may_cut() &&
          !supervisor_.NeedsNewStack(clock_.Now())) {
     Round();
@@ -156,7 +153,7 @@ SupervisorProgram::Outcome SupervisorProgram::Run(const std::function<bool()>& s
   if (!is_stopped && !switch_off_.may_cut()) {
     std::cout << "the whole stack begins anew: " << supervisor_.stack_reason() << std::endl;
     Save();
-    return Outcome::kNewStack;
+    return Ending::kNewStack;
   }
   supervisor_.StopAll();
   while (!supervisor_.AllStopped(clock_.Now())) Round();
@@ -165,14 +162,14 @@ SupervisorProgram::Outcome SupervisorProgram::Run(const std::function<bool()>& s
   Publish();
   if (!is_stopped) {
     Save();
-    return Outcome::kSwitchOff;
+    return Ending::kSwitchOff;
   }
-  if (!stop()) return Outcome::kNoMaster;
+  if (!stop()) return Ending::kNoMaster;
   // Who stops a robot on purpose starts it afresh; only the counters stay.
   SupervisorMemory counters;
   counters.restarts = supervisor_.Remember().restarts;
-  SaveMemory(counters, state_file_);
-  return Outcome::kStopped;
+  KeepMemory(counters, state_file_);
+  return Ending::kStopped;
 }
 
 void SupervisorProgram::Round() {
@@ -300,8 +297,7 @@ void SupervisorProgram::Save() {
   const SupervisorMemory memory = supervisor_.Remember();
   std::string text = ToText(memory);
   if (text == saved_) return;
-  const std::string problem = SaveMemory(memory, state_file_);
-  if (!problem.empty()) std::cerr << "coppice-supervisor: " << problem << "\n";
+  KeepMemory(memory, state_file_);
   saved_ = std::move(text);
 }
 

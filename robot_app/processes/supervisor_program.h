@@ -33,7 +33,7 @@ namespace coppice::robot::processes {
 class SupervisorProgram {
  public:
   /// How a run has ended.
-  enum class Outcome {
+  enum class Ending {
     kStopped,    ///< as asked
     kNewStack,   ///< everything has ended and is to begin anew, with a new ROS master
     kSwitchOff,  ///< everything was stopped, and the power is to go off
@@ -51,7 +51,7 @@ class SupervisorProgram {
   Supervisor& supervisor() { return supervisor_; }
 
   /// Until `stop` says so or the stack is to begin anew; everything has stopped then.
-  Outcome Run(const std::function<bool()>& stop);
+  Ending Run(const std::function<bool()>& stop);
 
  private:
   struct Probed {

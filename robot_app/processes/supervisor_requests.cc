@@ -20,43 +20,43 @@ std::optional<std::size_t> Supervisor::FindGroup(const std::string& name) const 
   return std::nullopt;
 }
 
-Verdict Supervisor::Unknown(const std::string& name) const {
+Problem Supervisor::Unknown(const std::string& name) const {
   std::vector<std::string> names;
   for (const ProcessConfig& process : config_.processes) {
     names.push_back(process.name);
     if (!process.node.empty()) names.push_back(process.node);
   }
   for (const GroupConfig& group : config_.groups) names.push_back(group.name);
-  return {false, "no process, node or group \"" + name + "\" " + DidYouMean(name, names)};
+  return {"no process, node or group \"" + name + "\" " + DidYouMean(name, names)};
 }
 
-Verdict Supervisor::SetConfiguration(const std::string& name, Hand hand,
-                                     const WhyNotCondition& why_not) {
-  if (stopping_) return {false, "the supervisor is stopping"};
+Expected<std::string> Supervisor::SetConfiguration(const std::string& name, Hand hand,
+                                                   const CheckCondition& check) {
+  if (stopping_) return Problem{"the supervisor is stopping"};
   ++revision_;
-  return switch_.Request(name, hand, why_not);
+  return switch_.Request(name, hand, check);
 }
 
-Verdict Supervisor::Release() {
+std::string Supervisor::Release() {
   ++revision_;
   return switch_.Release();
 }
 
-Verdict Supervisor::SafeStop() {
-  if (stopping_) return {false, "the supervisor is stopping"};
-  if (!config_.given_up.configuration) return {false, "no configuration is for the safe stop"};
+Expected<std::string> Supervisor::SafeStop() {
+  if (stopping_) return Problem{"the supervisor is stopping"};
+  if (!config_.given_up.configuration) return Problem{"no configuration is for the safe stop"};
   switch_.SafeStop();
   ++revision_;
-  return {true, "safe stop"};
+  return "safe stop";
 }
 
-Verdict Supervisor::Restart(const std::string& name, Time now, bool cleared) {
-  if (stopping_) return {false, "the supervisor is stopping"};
-  if (new_stack_) return {true, "the whole stack is being restarted"};
+Expected<std::string> Supervisor::Restart(const std::string& name, Time now, bool cleared) {
+  if (stopping_) return Problem{"the supervisor is stopping"};
+  if (new_stack_) return "the whole stack is being restarted";
   if (name == "all") {
     escalation_.stack().Add(now);
     RestartStack("restarted on request", cleared);
-    return {true, "the whole stack is restarted"};
+    return "the whole stack is restarted";
   }
   const auto group = FindGroup(name);
   const auto process = Find(name);
@@ -65,41 +65,40 @@ Verdict Supervisor::Restart(const std::string& name, Time now, bool cleared) {
   const auto wanted = std::find_if(members.begin(), members.end(),
                                    [this](std::size_t member) { return IsWanted(member); });
   if (wanted == members.end()) {
-    return {false, name + " is not part of configuration " + configuration()};
+    return Problem{name + " is not part of configuration " + configuration()};
   }
   if (const auto given_up = GivenUpAbove(*wanted)) {
-    return {false, name + " needs a reset: " + config_.groups[*given_up].name +
-                       " is given up: " + escalation_.given_up(*given_up)};
+    return Problem{name + " needs a reset: " + config_.groups[*given_up].name +
+                   " is given up: " + escalation_.given_up(*given_up)};
   }
   return RestartWanted(*wanted, members, name, now, cleared);
 }
 
 // `process`: the one that counts. `members`: all that were asked for.
-Verdict Supervisor::RestartWanted(std::size_t process, const Indices& members,
-                                  const std::string& name, Time now, bool cleared) {
+Expected<std::string> Supervisor::RestartWanted(std::size_t process, const Indices& members,
+                                                const std::string& name, Time now, bool cleared) {
   Plan& plan = plans_[process];
   const bool is_down = !lifecycle_.IsUp(process) && !plan.done;
   if (is_down || plan.as_restart || AwaitsReadiness(process)) {
     if (!AwaitsReadiness(process)) plan.cleared = plan.cleared || cleared;
-    return {true, name + " is about to start already"};
+    return name + " is about to start already";
   }
   plan.done = false;
   const Decision decision = Fail(process, Cause::kRequest, "restarted on request", now);
   if (decision.refused) {
-    return {false, name + " needs a person: restarts have not helped, " + decision.reason};
+    return Problem{name + " needs a person: restarts have not helped, " + decision.reason};
   }
   if (decision.step == EscalationStep::kClosure) {
-    return {true,
-            name + " is restarted with all that depends on " + config_.groups[decision.root].name};
+    return name + " is restarted with all that depends on " + config_.groups[decision.root].name;
   }
   plan.cleared = cleared;
   if (members.size() > 1) {
     BeginWave(members, {"restarted on request", plan.not_before, cleared}, now);
   }
-  return {true, name + " is restarted"};
+  return name + " is restarted";
 }
 
-Verdict Supervisor::Reset(const std::string& name, Time now) {
+Expected<std::string> Supervisor::Reset(const std::string& name, Time now) {
   std::vector<std::size_t> groups;
   if (name == "all") {
     for (std::size_t i = 0; i < config_.groups.size(); ++i) groups.push_back(i);
@@ -120,7 +119,7 @@ Verdict Supervisor::Reset(const std::string& name, Time now) {
   }
   if (!escalation_.AnyGivenUp()) switch_.EndSafeStop();
   ++revision_;
-  return {true, "restarts of " + name + " are forgotten"};
+  return "restarts of " + name + " are forgotten";
 }
 
 }  // namespace coppice::robot::processes

@@ -9,19 +9,19 @@
 
 namespace coppice::robot::processes {
 
-Verdict PowerDown::Ask(const std::string& reason, const std::string& token, Supervisor& supervisor,
-                       Time now) {
-  const Verdict stop = supervisor.SafeStop();
-  if (!stop.ok) return stop;
+Expected<std::string> PowerDown::Ask(const std::string& reason, const std::string& token,
+                                     Supervisor& supervisor, Time now) {
+  Expected<std::string> stop = supervisor.SafeStop();
+  if (!stop) return stop;
   if (!is_asked_ || !supervisor.configuration_switch().safe_stop()) asked_at_ = now;
   is_asked_ = true;
   const bool is_right = !token_.empty() && token == token_;
   is_allowed_ = is_allowed_ || (has_command_ && is_right);
-  if (is_allowed_) return {true, "safe stop, then the power goes off: " + reason};
-  return {true, "safe stop, and the power stays on, because " +
-                    std::string(has_command_ ? "the token is not COPPICE_SWITCH_OFF_TOKEN"
-                                             : "robot.yaml names no command for switch_off") +
-                    ": " + reason};
+  if (is_allowed_) return "safe stop, then the power goes off: " + reason;
+  return "safe stop, and the power stays on, because " +
+         std::string(has_command_ ? "the token is not COPPICE_SWITCH_OFF_TOKEN"
+                                  : "robot.yaml names no command for switch_off") +
+         ": " + reason;
 }
 
 bool PowerDown::TakeStop(const Supervisor& supervisor, Time now) {
@@ -41,10 +41,9 @@ bool CutPower(const std::vector<std::string>& command, PosixLauncher& launcher, 
   config.name = "switch_off";
   config.log = "switch_off.log";
   config.command = command;
-  std::string error;
-  const int pid = launcher.Start(config, error);
-  if (pid == 0) {
-    std::cerr << "switch off: " << error << "\n";
+  const Expected<int> pid = launcher.Start(config);
+  if (!pid) {
+    std::cerr << "switch off: " << pid.problem() << "\n";
     return false;
   }
   const WallClock clock;
@@ -52,12 +51,12 @@ bool CutPower(const std::vector<std::string>& command, PosixLauncher& launcher, 
   std::optional<int> status;
   while (!status && clock.Now() < give_up) {
     launcher.Reap([&](int ended, int wait_status) {
-      if (ended == pid) status = wait_status;
+      if (ended == *pid) status = wait_status;
     });
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   }
   if (status == 0) return true;
-  if (!status) launcher.Signal(pid, SIGKILL);
+  if (!status) launcher.Signal(*pid, SIGKILL);
   std::cerr << "switch off: " << command.front()
             << (status ? " failed\n" : " has not ended, and was killed\n");
   return false;

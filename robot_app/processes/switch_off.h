@@ -30,8 +30,8 @@ class PowerDown {
 
   /// Begins the safe stop. Refused if there is no configuration for it. Asked again, nothing begins
   /// anew; the right token then still counts.
-  Verdict Ask(const std::string& reason, const std::string& token, Supervisor& supervisor,
-              Time now);
+  Expected<std::string> Ask(const std::string& reason, const std::string& token,
+                            Supervisor& supervisor, Time now);
 
   /// True once: the robot stands, so what it has recorded should be on the disk.
   bool TakeStop(const Supervisor& supervisor, Time now);

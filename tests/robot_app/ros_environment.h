@@ -26,8 +26,7 @@ class RosEnvironment : public testing::Environment {
     setenv("ROS_IP", "127.0.0.1", 1);
     NodeProbe::SilenceLibrary();
     launcher_.emplace(processes::Temporary("ros_environment"));
-    master_ = processes::FindOrStartMaster(0, *launcher_, std::chrono::seconds(60));
-    if (!master_.error.empty()) throw std::runtime_error(master_.error);
+    master_ = processes::FindOrStartMaster(0, *launcher_, std::chrono::seconds(60)).value();
     setenv("ROS_MASTER_URI", master_.Uri().c_str(), 1);
     int no_arguments = 0;
     ros::init(no_arguments, nullptr, "coppice_test",

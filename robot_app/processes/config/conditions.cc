@@ -14,20 +14,20 @@ void TopicCondition::Observe(double value, Time now) {
   if (Holds(value) && !holds_since_) holds_since_ = now;
 }
 
-std::string TopicCondition::WhyNot(Time now) const {
-  if (!heard_at_) return "nothing was heard on " + config_.topic;
+Outcome TopicCondition::Check(Time now) const {
+  if (!heard_at_) return Problem{"nothing was heard on " + config_.topic};
   if (now - *heard_at_ > config_.staleness) {
-    return config_.topic + " is silent for " + SecondsText(now - *heard_at_);
+    return Problem{config_.topic + " is silent for " + SecondsText(now - *heard_at_)};
   }
   if (!holds_since_) {
-    if (!config_.current) return config_.topic + " says no";
+    if (!config_.current) return Problem{config_.topic + " says no"};
     std::ostringstream text;
     text << "only " << value_ << " A flow, " << *config_.current << " A are needed";
-    return text.str();
+    return Problem{text.str()};
   }
-  if (now - *holds_since_ >= config_.lasting) return "";
-  return "true for " + SecondsText(now - *holds_since_) + " only, it must last " +
-         SecondsText(config_.lasting);
+  if (now - *holds_since_ >= config_.lasting) return {};
+  return Problem{"true for " + SecondsText(now - *holds_since_) + " only, it must last " +
+                 SecondsText(config_.lasting)};
 }
 
 }  // namespace coppice::robot::processes

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "bt_core/base/outcome.h"
 #include "robot_app/processes/config/robot_config.h"
 
 namespace coppice::robot::processes {
@@ -18,8 +19,8 @@ class TopicCondition {
   /// A value of its topic: a current in A, or 0 and 1.
   void Observe(double value, Time now);
 
-  /// Why it does not hold, for people; empty if it does.
-  std::string WhyNot(Time now) const;
+  /// Whether it holds.
+  Outcome Check(Time now) const;
 
   const ConditionConfig& config() const { return config_; }
 

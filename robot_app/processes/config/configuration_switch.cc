@@ -4,8 +4,8 @@
 
 namespace coppice::robot::processes {
 
-Verdict ConfigurationSwitch::Request(const std::string& name, Hand hand,
-                                     const WhyNotCondition& why_not) {
+Expected<std::string> ConfigurationSwitch::Request(const std::string& name, Hand hand,
+                                                   const CheckCondition& check) {
   std::vector<std::string> names;
   std::size_t wanted = config_.configurations.size();
   for (std::size_t i = 0; i < config_.configurations.size(); ++i) {
@@ -13,30 +13,30 @@ Verdict ConfigurationSwitch::Request(const std::string& name, Hand hand,
     if (names.back() == name) wanted = i;
   }
   if (wanted == names.size()) {
-    return {false, "no configuration \"" + name + "\" " + DidYouMean(name, names)};
+    return Problem{"no configuration \"" + name + "\" " + DidYouMean(name, names)};
   }
-  if (safe_stop_) return {false, "the robot is in a safe stop until what was given up is reset"};
+  if (safe_stop_) return Problem{"the robot is in a safe stop until what was given up is reset"};
   if (manual_ && hand == Hand::kTree && wanted != current_) {
-    return {false, "configuration " + names[current_] + " is held by hand until it is released"};
+    return Problem{"configuration " + names[current_] + " is held by hand until it is released"};
   }
   if (wanted != current_) {
     for (const std::size_t condition : config_.configurations[wanted].requires_conditions) {
-      const std::string reason = why_not(condition);
-      if (reason.empty()) continue;
-      return {false, "configuration " + name + " requires " + config_.conditions[condition].name +
-                         ": " + reason};
+      const Outcome holds = check(condition);
+      if (holds) continue;
+      return Problem{"configuration " + name + " requires " + config_.conditions[condition].name +
+                     ": " + holds.problem()};
     }
   }
   if (hand == Hand::kPerson) manual_ = true;
-  if (wanted == current_) return {true, "configuration " + name + " is already in force"};
+  if (wanted == current_) return "configuration " + name + " is already in force";
   current_ = wanted;
-  return {true, "changing to configuration " + name};
+  return "changing to configuration " + name;
 }
 
-Verdict ConfigurationSwitch::Release() {
-  if (!manual_) return {true, "no configuration is held by hand"};
+std::string ConfigurationSwitch::Release() {
+  if (!manual_) return "no configuration is held by hand";
   manual_ = false;
-  return {true, "the trees decide about the configuration again"};
+  return "the trees decide about the configuration again";
 }
 
 void ConfigurationSwitch::SafeStop() {

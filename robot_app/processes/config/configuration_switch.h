@@ -8,20 +8,15 @@
 #include <functional>
 #include <string>
 
+#include "bt_core/base/outcome.h"
 #include "robot_app/processes/config/robot_config.h"
 
 namespace coppice::robot::processes {
 
-/// The answer to a request.
-struct Verdict {
-  bool ok = false;
-  std::string message;
-};
-
 enum class Hand { kTree, kPerson };
 
-/// Why a condition does not hold, for people; empty if it does.
-using WhyNotCondition = std::function<std::string(std::size_t condition)>;
+/// Whether a condition holds, or why not.
+using CheckCondition = std::function<Outcome(std::size_t condition)>;
 
 class ConfigurationSwitch {
  public:
@@ -30,10 +25,11 @@ class ConfigurationSwitch {
       : config_(config), current_(config.initial), before_(config.initial) {}
 
   /// Refused if it is unknown, one of its conditions does not hold, or a stronger hand has it.
-  Verdict Request(const std::string& name, Hand hand, const WhyNotCondition& why_not);
+  /// Returns what is done, for people.
+  Expected<std::string> Request(const std::string& name, Hand hand, const CheckCondition& check);
 
-  /// The person lets go; the trees decide again.
-  Verdict Release();
+  /// The person lets go; the trees decide again. Returns what is done, for people.
+  std::string Release();
 
   /// To the configuration for the safe stop, if there is one.
   void SafeStop();

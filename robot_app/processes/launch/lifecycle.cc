@@ -61,19 +61,21 @@ bool Lifecycle::IsConnected(std::size_t process) const {
   return !config_.processes[process].host || launcher_.IsConnected(lives_[process].status.pid);
 }
 
-std::string Lifecycle::Launch(std::size_t process, const Start& start, Time now) {
+Outcome Lifecycle::Launch(std::size_t process, const Start& start, Time now) {
   Life& life = lives_[process];
   const ProcessConfig& config = config_.processes[process];
-  std::string error;
   life.started_at = now;
   life.deadline = now + config.start_timeout;
   life.status.restarts += start.counts ? 1 : 0;
-  if (start.cleared) error = launcher_.ClearState(config);
-  if (error.empty()) life.status.pid = launcher_.Start(config, error);
   if (life.status.phase != ProcessPhase::kUnreachable) {
     SetPhase(process, ProcessPhase::kStarting, "", now);
   }
-  return life.status.pid == 0 ? error : "";
+  if (start.cleared) {
+    if (Outcome cleared = launcher_.ClearState(config); !cleared) return cleared;
+  }
+  const Expected<int> pid = launcher_.Start(config);
+  life.status.pid = pid ? *pid : 0;
+  return pid ? Outcome() : Problem{pid.problem()};
 }
 
 void Lifecycle::End(std::size_t process, ProcessPhase phase, std::string message, Time now) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "bt_core/base/clock.h"
+#include "bt_core/base/outcome.h"
 #include "robot_app/common/process_phase.h"
 #include "robot_app/processes/config/robot_config.h"
 #include "robot_app/processes/launch/process_launcher.h"
@@ -55,9 +56,8 @@ class Lifecycle {
     bool counts = false;   ///< as a restart
     bool cleared = false;  ///< what it remembers of earlier lives is deleted first
   };
-  /// Starts it; it is STARTING then, or remains UNREACHABLE. Returns why it could not be started,
-  /// or nothing.
-  std::string Launch(std::size_t process, const Start& start, Time now);
+  /// Starts it; it is STARTING then, or remains UNREACHABLE, also after a problem.
+  Outcome Launch(std::size_t process, const Start& start, Time now);
   /// SIGTERM, and SIGKILL after the stop timeout.
   void End(std::size_t process, ProcessPhase phase, std::string message, Time now);
   /// Kills what has not ended in time.

@@ -19,27 +19,28 @@ XmlRpc::XmlRpcValue ToValue(const std::string& text) {
 
 }  // namespace
 
-std::string SetParameters(const NodeAddress& master,
-                          const std::map<std::string, std::string>& parameters) {
+Outcome SetParameters(const NodeAddress& master,
+                      const std::map<std::string, std::string>& parameters) {
   for (const auto& [name, text] : parameters) {
     XmlRpc::XmlRpcValue request;
     request[0] = "/supervisor";
     request[1] = "/" + name;
     request[2] = ToValue(text);
-    if (!CallMaster(master, "setParam", request, kDeadline)) return name;
+    if (!CallMaster(master, "setParam", request, kDeadline)) {
+      return Problem{"the ROS master does not take the parameter " + name};
+    }
   }
-  return "";
+  return {};
 }
 
 ParameterLauncher::ParameterLauncher(ProcessLauncher& next, NodeAddress master,
                                      std::map<std::string, std::string> parameters)
     : next_(next), master_(std::move(master)), parameters_(std::move(parameters)) {}
 
-int ParameterLauncher::Start(const ProcessConfig& config, std::string& error) {
-  const std::string refused = SetParameters(master_, parameters_);
-  if (refused.empty()) return next_.Start(config, error);
-  error = "the ROS master does not take the parameter " + refused;
-  return 0;
+Expected<int> ParameterLauncher::Start(const ProcessConfig& config) {
+  const Outcome set = SetParameters(master_, parameters_);
+  if (!set) return Problem{set.problem()};
+  return next_.Start(config);
 }
 
 }  // namespace coppice::robot::processes

@@ -11,10 +11,9 @@
 
 namespace coppice::robot::processes {
 
-/// Values are numbers, true, false or texts. Returns the name of one that the master did not take,
-/// or nothing.
-std::string SetParameters(const NodeAddress& master,
-                          const std::map<std::string, std::string>& parameters);
+/// Values are numbers, true, false or texts. Up to the first one that the master does not take.
+Outcome SetParameters(const NodeAddress& master,
+                      const std::map<std::string, std::string>& parameters);
 
 class ParameterLauncher : public ProcessLauncher {
  public:
@@ -23,9 +22,9 @@ class ParameterLauncher : public ProcessLauncher {
                     std::map<std::string, std::string> parameters);
 
   /// Nothing is started when the master does not take the parameters.
-  int Start(const ProcessConfig& config, std::string& error) override;
+  Expected<int> Start(const ProcessConfig& config) override;
   void Signal(int pid, int signal) override { next_.Signal(pid, signal); }
-  std::string ClearState(const ProcessConfig& config) override { return next_.ClearState(config); }
+  Outcome ClearState(const ProcessConfig& config) override { return next_.ClearState(config); }
   bool IsConnected(int pid) const override { return next_.IsConnected(pid); }
 
  private:

@@ -32,22 +32,15 @@ PosixLauncher::PosixLauncher(std::string log_folder, std::string owner)
   if (!log_folder_.empty()) std::filesystem::create_directories(log_folder_, ignored);
 }
 
-int PosixLauncher::Start(const ProcessConfig& config, std::string& error) {
-  return Start(config, -1, error);
-}
-
-int PosixLauncher::Start(const ProcessConfig& config, int input, std::string& error) {
+Expected<int> PosixLauncher::Start(const ProcessConfig& config, int input) {
   const std::string log_path = log_folder_ + "/" + config.log;
   const int log =
       config.log.empty() ? fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 0) : OpenLog(log_path.c_str());
-  if (log < 0) {
-    error = "cannot write " + log_path + ": " + std::strerror(errno);
-    return 0;
-  }
-  const int pid = StartProgram(
-      {config.command, {{kOwnerVariable, OwnedName(owner_, config.name)}}, input, log}, error);
+  if (log < 0) return Problem{"cannot write " + log_path + ": " + std::strerror(errno)};
+  Expected<int> pid = StartProgram(
+      {config.command, {{kOwnerVariable, OwnedName(owner_, config.name)}}, input, log});
   close(log);
-  if (pid != 0) names_[pid] = config.name;
+  if (pid) names_[*pid] = config.name;
   return pid;
 }
 
@@ -58,13 +51,13 @@ void PosixLauncher::Signal(int pid, int signal) {
   if (signal == SIGTERM) kill(-pid, SIGCONT);
 }
 
-std::string PosixLauncher::ClearState(const ProcessConfig& config) {
+Outcome PosixLauncher::ClearState(const ProcessConfig& config) {
   for (const std::string& path : config.state) {
     std::error_code error;
     std::filesystem::remove_all(path, error);
-    if (error) return "cannot delete " + path + ": " + error.message();
+    if (error) return Problem{"cannot delete " + path + ": " + error.message()};
   }
-  return "";
+  return {};
 }
 
 void PosixLauncher::Reap(const std::function<void(int pid, int wait_status)>& ended) {

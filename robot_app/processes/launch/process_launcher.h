@@ -6,6 +6,7 @@
 #include <map>
 #include <string>
 
+#include "bt_core/base/outcome.h"
 #include "robot_app/processes/config/robot_config.h"
 
 namespace coppice::robot::processes {
@@ -13,13 +14,12 @@ namespace coppice::robot::processes {
 class ProcessLauncher {
  public:
   virtual ~ProcessLauncher() = default;
-  /// Starts a process as the leader of a process group of its own. Returns its pid, or 0 and why.
-  virtual int Start(const ProcessConfig& config, std::string& error) = 0;
+  /// Starts a process as the leader of a process group of its own. Returns its pid.
+  virtual Expected<int> Start(const ProcessConfig& config) = 0;
   /// Sends a signal to the whole group of a started process.
   virtual void Signal(int pid, int signal) = 0;
-  /// Deletes what the process remembers (ProcessConfig::state). Returns why it could not, or
-  /// nothing.
-  virtual std::string ClearState(const ProcessConfig& config) = 0;
+  /// Deletes what the process remembers (ProcessConfig::state).
+  virtual Outcome ClearState(const ProcessConfig& config) = 0;
   /// For a process on another host: it is known to have been started there.
   virtual bool IsConnected(int pid) const = 0;
 };
@@ -35,11 +35,11 @@ class PosixLauncher : public ProcessLauncher {
   /// ends is found even if it has left its process group.
   explicit PosixLauncher(std::string log_folder, std::string owner = "");
 
-  int Start(const ProcessConfig& config, std::string& error) override;
+  Expected<int> Start(const ProcessConfig& config) override { return Start(config, -1); }
   /// The same with a file as standard input, or none if it is negative. The caller closes it.
-  int Start(const ProcessConfig& config, int input, std::string& error);
+  Expected<int> Start(const ProcessConfig& config, int input);
   void Signal(int pid, int signal) override;
-  std::string ClearState(const ProcessConfig& config) override;
+  Outcome ClearState(const ProcessConfig& config) override;
   bool IsConnected(int) const override { return true; }
 
   /// Reports every child that has ended since the last call, also those that it did not start.

@@ -65,13 +65,10 @@ RemoteLauncher::~RemoteLauncher() {
   while (!connections_.empty()) Forget(connections_.begin()->first);
 }
 
-int RemoteLauncher::Start(const ProcessConfig& config, std::string& error) {
-  if (!config.host) return local_.Start(config, error);
+Expected<int> RemoteLauncher::Start(const ProcessConfig& config) {
+  if (!config.host) return local_.Start(config);
   int control[2] = {-1, -1};
-  if (pipe2(control, O_CLOEXEC | O_NONBLOCK) != 0) {
-    error = "no pipe to another host";
-    return 0;
-  }
+  if (pipe2(control, O_CLOEXEC | O_NONBLOCK) != 0) return Problem{"no pipe to another host"};
   fcntl(control[0], F_SETFL, 0);  // the transport expects an input that blocks
   Connection connection;
   connection.control = control[1];
@@ -82,13 +79,13 @@ int RemoteLauncher::Start(const ProcessConfig& config, std::string& error) {
 
   ProcessConfig transport = config;
   transport.command = RemoteCommand(hosts_[*config.host], config, settings_);
-  const int pid = local_.Start(transport, control[0], error);
+  Expected<int> pid = local_.Start(transport, control[0]);
   close(control[0]);
-  if (pid == 0) {
+  if (!pid) {
     close(control[1]);
   } else {
-    Forget(pid);
-    connections_[pid] = std::move(connection);
+    Forget(*pid);
+    connections_[*pid] = std::move(connection);
   }
   return pid;
 }

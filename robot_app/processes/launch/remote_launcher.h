@@ -47,10 +47,10 @@ class RemoteLauncher : public ProcessLauncher {
   RemoteLauncher(const RemoteLauncher&) = delete;
   RemoteLauncher& operator=(const RemoteLauncher&) = delete;
 
-  int Start(const ProcessConfig& config, std::string& error) override;
+  Expected<int> Start(const ProcessConfig& config) override;
   /// A transport that does not end soon after SIGKILL was sent over it is killed itself.
   void Signal(int pid, int signal) override;
-  std::string ClearState(const ProcessConfig& config) override { return local_.ClearState(config); }
+  Outcome ClearState(const ProcessConfig& config) override { return local_.ClearState(config); }
   bool IsConnected(int pid) const override;
 
   /// Tells the other hosts that we are alive. Every round.

@@ -119,14 +119,13 @@ int Main(const std::vector<std::string>& arguments) {
   KillOwned(OwnedName(owner, process.name), kTimeForSurvivors);
   // An earlier guard cleans up after its own process only, not after ours.
   PosixLauncher launcher("", OwnedName(owner, process.name) + std::to_string(getpid()));
-  std::string error;
-  const int pid = launcher.Start(process, error);
+  const Expected<int> pid = launcher.Start(process);
   std::cout << kRemoteStarted << process.name << std::endl;
-  if (pid == 0) {
-    std::cerr << "coppice-remote: " << error << std::endl;
+  if (!pid) {
+    std::cerr << "coppice-remote: " << pid.problem() << std::endl;
     return kCannotRun;
   }
-  return ExitStatus(Guard(launcher, pid,
+  return ExitStatus(Guard(launcher, *pid,
                           std::chrono::milliseconds(options.Whole("--stop-timeout", 0)),
                           std::chrono::milliseconds(options.Whole("--silence", 0)))
                         .Run());

@@ -33,8 +33,6 @@ bool SomebodyListens(int port) {
   return connected;
 }
 
-RosMaster Failure(std::string error) { return {{}, 0, std::move(error)}; }
-
 }  // namespace
 
 std::string RosMaster::Uri() const {
@@ -54,44 +52,43 @@ int FreePort() {
 
 namespace {
 
-RosMaster StartMaster(int port, ProcessLauncher& launcher, Duration timeout) {
+Expected<RosMaster> StartMaster(int port, ProcessLauncher& launcher, Duration timeout) {
   ProcessConfig config;
   config.name = "rosmaster";
   config.command = {"/usr/bin/rosmaster", "--core", "-p", std::to_string(port)};
   config.log = "rosmaster.log";
-  RosMaster master{{kHost, port}, 0, ""};
-  master.pid = launcher.Start(config, master.error);
-  if (master.pid == 0) return master;
+  const Expected<int> pid = launcher.Start(config);
+  if (!pid) return Problem{pid.problem()};
+  const RosMaster master{{kHost, port}, *pid};
 
   const Time give_up = std::chrono::steady_clock::now().time_since_epoch() + timeout;
   while (std::chrono::steady_clock::now().time_since_epoch() < give_up) {
     if (waitpid(master.pid, nullptr, WNOHANG) == master.pid) {
-      return Failure("rosmaster ended at once; see rosmaster.log");
+      return Problem{"rosmaster ended at once; see rosmaster.log"};
     }
     if (MasterAnswers(master.address, kAnswerTime)) return master;
     std::this_thread::sleep_for(kPause);
   }
   launcher.Signal(master.pid, SIGKILL);
   waitpid(master.pid, nullptr, 0);
-  return Failure("rosmaster does not answer at port " + std::to_string(port));
+  return Problem{"rosmaster does not answer at port " + std::to_string(port)};
 }
 
 }  // namespace
 
-RosMaster FindOrStartMaster(int port, ProcessLauncher& launcher, Duration timeout) {
+Expected<RosMaster> FindOrStartMaster(int port, ProcessLauncher& launcher, Duration timeout) {
   if (port != 0 && SomebodyListens(port)) {
-    if (MasterAnswers({kHost, port}, kAnswerTime)) return {{kHost, port}, 0, ""};
-    return Failure("port " + std::to_string(port) +
-                   " is in use by something that is no ROS master");
+    if (MasterAnswers({kHost, port}, kAnswerTime)) return RosMaster{{kHost, port}};
+    return Problem{"port " + std::to_string(port) +
+                   " is in use by something that is no ROS master"};
   }
   if (port != 0) return StartMaster(port, launcher, timeout);
   // A port that was free just now may be somebody else's when rosmaster, which then hangs, wants
   // it.
   constexpr int kPorts = 3;
-  RosMaster master;
-  for (int i = 0; i < kPorts; ++i) {
+  Expected<RosMaster> master = StartMaster(FreePort(), launcher, timeout / kPorts);
+  for (int i = 1; i < kPorts && !master; ++i) {
     master = StartMaster(FreePort(), launcher, timeout / kPorts);
-    if (master.error.empty()) break;
   }
   return master;
 }

@@ -12,8 +12,7 @@ namespace coppice::robot::processes {
 /// A master on this computer.
 struct RosMaster {
   NodeAddress address;
-  int pid = 0;        ///< 0: it was there before us and is not ours to end
-  std::string error;  ///< not empty: there is none, and why
+  int pid = 0;  ///< 0: it was there before us and is not ours to end
 
   std::string Uri() const;
 };
@@ -23,7 +22,7 @@ int FreePort();
 
 /// Uses the master that answers at `port`, else starts one there; port 0 takes a free one. Fails if
 /// something else has the port, or if no master answers in time. Blocks until then.
-RosMaster FindOrStartMaster(int port, ProcessLauncher& launcher, Duration timeout);
+Expected<RosMaster> FindOrStartMaster(int port, ProcessLauncher& launcher, Duration timeout);
 
 }  // namespace coppice::robot::processes
 

@@ -135,7 +135,7 @@ TEST_P(CrashLoopTest, AsksAPersonInTimeAndStopsTheRobotWhenNothingHelps) {
 
   // A person repairs it.
   unclean_ = false;
-  EXPECT_TRUE(robot_.supervisor().Reset("ekf", robot_.machine.now).ok);
+  EXPECT_TRUE(robot_.supervisor().Reset("ekf", robot_.machine.now));
   EXPECT_TRUE(robot_.RunUntil([&] { return robot_.AllReady(); }, seconds(30)));
   EXPECT_EQ(robot_.supervisor().configuration(), "operating");
 }

@@ -9,13 +9,13 @@ using testing::ElementsAre;
 
 class Telephone : public ProcessLauncher {
  public:
-  int Start(const ProcessConfig& config, std::string& error) override {
+  Expected<int> Start(const ProcessConfig& config) override {
     calls.push_back(config.command);
-    if (broken) error = "no such program";
-    return broken ? 0 : ++last_pid;
+    if (broken) return Problem{"no such program"};
+    return ++last_pid;
   }
   void Signal(int, int) override {}
-  std::string ClearState(const ProcessConfig&) override { return ""; }
+  Outcome ClearState(const ProcessConfig&) override { return {}; }
   bool IsConnected(int) const override { return true; }
 
   std::vector<std::vector<std::string>> calls;

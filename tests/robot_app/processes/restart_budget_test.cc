@@ -13,10 +13,11 @@ TEST(RestartBudgetTest, AllowsSoManyRestartsAndSaysWhyNotOneMore) {
   RestartBudget budget({});
   Time now = seconds(1000);
   for (int i = 0; i < 3; ++i) {
-    EXPECT_EQ(budget.WhyNot(now), "");
+    EXPECT_EQ(budget.Check(now).problem(), "");
     budget.Add(now += seconds(10));
   }
-  EXPECT_EQ(budget.WhyNot(now), "restarted 3 times without being healthy for 60 s in between");
+  EXPECT_EQ(budget.Check(now).problem(),
+            "restarted 3 times without being healthy for 60 s in between");
 }
 
 TEST(RestartBudgetTest, TimeAloneForgetsNothing) {
@@ -80,15 +81,15 @@ TEST(RestartBudgetTest, TheHourlyLimitHoldsInGoodHealthToo) {
   RestartBudget budget({});
   Time now = seconds(10000);
   for (int i = 0; i < 10; ++i) {
-    EXPECT_EQ(budget.WhyNot(now), "");
+    EXPECT_EQ(budget.Check(now).problem(), "");
     budget.Add(now);
     budget.SetReady(true, now);
     now += minutes(2);
     budget.SetReady(false, now);
   }
   EXPECT_EQ(budget.Used(now), 0);
-  EXPECT_THAT(budget.WhyNot(now), HasSubstr("restarted 10 times within an hour"));
-  EXPECT_EQ(budget.WhyNot(seconds(10000) + minutes(60)), "");
+  EXPECT_THAT(budget.Check(now).problem(), HasSubstr("restarted 10 times within an hour"));
+  EXPECT_EQ(budget.Check(seconds(10000) + minutes(60)).problem(), "");
 }
 
 TEST(RestartBudgetTest, WhatIsRestoredCountsAsBefore) {

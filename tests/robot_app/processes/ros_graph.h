@@ -33,8 +33,7 @@ class RosGraph {
   explicit RosGraph(const std::string& log_folder = Temporary("ros_graph"))
       : launcher_(log_folder) {
     NodeProbe::SilenceLibrary();
-    master_ = FindOrStartMaster(0, launcher_, std::chrono::seconds(60));
-    EXPECT_EQ(master_.error, "");
+    master_ = FindOrStartMaster(0, launcher_, std::chrono::seconds(60)).value();
   }
 
   /// For a graph whose master somebody else starts, at OwnPort(); Join it when it is there. The
@@ -87,11 +86,9 @@ class RosGraph {
     config.name = name;
     config.command = std::move(command);
     config.log = name + ".log";
-    std::string error;
-    const int pid = launcher_.Start(config, error);
-    EXPECT_EQ(error, "");
-    if (pid != 0) started_.insert(pid);
-    return pid;
+    const Expected<int> pid = launcher_.Start(config);
+    EXPECT_EQ(pid.problem(), "");
+    return pid ? *started_.insert(*pid).first : 0;
   }
 
   // Sends a deadly signal and waits for the end. Returns the wait status.

@@ -39,7 +39,7 @@ inline void AddOwnGroups(RobotConfig& config) {
   }
 }
 
-inline const WhyNotCondition kNoConditions = [](std::size_t) { return std::string(); };
+inline const CheckCondition kNoConditions = [](std::size_t) { return Outcome(); };
 
 /// How a program behaves.
 struct Program {
@@ -53,7 +53,7 @@ struct Program {
 
 class SimulatedMachine : public ProcessLauncher {
  public:
-  int Start(const ProcessConfig& config, std::string&) override {
+  Expected<int> Start(const ProcessConfig& config) override {
     for (const auto& [pid, life] : alive_) {
       EXPECT_NE(life.name, config.name) << "two instances";
     }
@@ -78,10 +78,10 @@ class SimulatedMachine : public ProcessLauncher {
     life.status = signal;
   }
 
-  std::string ClearState(const ProcessConfig& config) override {
+  Outcome ClearState(const ProcessConfig& config) override {
     log.push_back("clear " + config.name);
     if (on_clear) on_clear(config.name);
-    return "";
+    return {};
   }
 
   bool IsConnected(int) const override { return true; }
@@ -195,10 +195,8 @@ class SimulatedRobot {
 
   /// The supervisor is killed, with all its children; another one begins with what it left.
   void Begin(const SupervisorMemory& memory) {
-    std::string problem;
-    const auto read_back = MemoryFromText(ToText(memory), machine.now, problem);
-    EXPECT_EQ(problem, "");
-    supervisor_ = std::make_unique<Supervisor>(config_, machine, read_back);
+    const auto read_back = MemoryFromText(ToText(memory), machine.now);
+    supervisor_ = std::make_unique<Supervisor>(config_, machine, read_back.value());
     machine.supervisor = supervisor_.get();
   }
 

@@ -23,21 +23,18 @@ inline constexpr int kKilled = SIGKILL;
 // Notes what happens; a signalled process lives on until the test says that it ended.
 class NotingLauncher : public ProcessLauncher {
  public:
-  int Start(const ProcessConfig& config, std::string& error) override {
+  Expected<int> Start(const ProcessConfig& config) override {
     log.push_back("start " + config.name);
-    if (config.name == broken) {
-      error = "cannot run it";
-      return 0;
-    }
+    if (config.name == broken) return Problem{"cannot run it"};
     names[++last_pid] = config.name;
     return last_pid;
   }
   void Signal(int pid, int signal) override {
     log.push_back((signal == SIGKILL ? "kill " : "end ") + names.at(pid));
   }
-  std::string ClearState(const ProcessConfig& config) override {
+  Outcome ClearState(const ProcessConfig& config) override {
     log.push_back("clear " + config.name);
-    return "";
+    return {};
   }
   bool IsConnected(int) const override { return connected; }
 
@@ -77,12 +74,12 @@ class SupervisorTest : public testing::Test {
     supervisor_.OnExit(Pid(process), wait_status, now_);
     Step();
   }
-  Verdict Restart(const std::string& name) {
-    const Verdict verdict = supervisor_.Restart(name, now_);
+  Expected<std::string> Restart(const std::string& name) {
+    Expected<std::string> verdict = supervisor_.Restart(name, now_);
     Step();
     return verdict;
   }
-  Verdict Configure(const std::string& name) {
+  Expected<std::string> Configure(const std::string& name) {
     return supervisor_.SetConfiguration(name, Hand::kTree, kNoConditions);
   }
   // Ready, and up for longer than the shortest time between two starts.

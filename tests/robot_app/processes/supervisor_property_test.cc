@@ -87,19 +87,20 @@ class SupervisorPropertyTest : public testing::TestWithParam<unsigned> {
       case 1:
         return robot_.machine.Crash(AnyProcess());
       case 2:
-        supervisor.Restart(AnyProcess(), now);
+        static_cast<void>(supervisor.Restart(AnyProcess(), now));
         return;
       case 3:
-        supervisor.Restart(config_.groups[Any(config_.groups.size())].name, now);
+        static_cast<void>(supervisor.Restart(config_.groups[Any(config_.groups.size())].name, now));
         return;
       case 4:
       case 5:
-        supervisor.SetConfiguration("c" + std::to_string(Any(4)),
-                                    Chance(0.3) ? Hand::kPerson : Hand::kTree, kNoConditions);
+        static_cast<void>(supervisor.SetConfiguration("c" + std::to_string(Any(4)),
+                                                      Chance(0.3) ? Hand::kPerson : Hand::kTree,
+                                                      kNoConditions));
         return;
       case 6:
         if (Chance(0.5)) supervisor.Release();
-        if (Chance(0.3)) supervisor.Reset("all", now);
+        if (Chance(0.3)) static_cast<void>(supervisor.Reset("all", now));
         return;
       default:  // once too often would be the end
         if (Chance(0.2) && supervisor.Remember().stack_restarts.empty()) {

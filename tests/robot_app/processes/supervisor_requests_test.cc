@@ -34,13 +34,13 @@ class SupervisorRequestsTest : public testing::Test {
     EXPECT_TRUE(robot_.RunUntil([this] { return robot_.AllReady(); }, seconds(30)));
     robot_.RunFor(seconds(100));
   }
-  Verdict Restart(const std::string& name) {
+  Expected<std::string> Restart(const std::string& name) {
     return robot_.supervisor().Restart(name, robot_.machine.now);
   }
-  Verdict Reset(const std::string& name) {
+  Expected<std::string> Reset(const std::string& name) {
     return robot_.supervisor().Reset(name, robot_.machine.now);
   }
-  Verdict Configure(const std::string& name, Hand hand = Hand::kTree) {
+  Expected<std::string> Configure(const std::string& name, Hand hand = Hand::kTree) {
     return robot_.supervisor().SetConfiguration(name, hand, kNoConditions);
   }
   void GiveUpNav() {
@@ -55,10 +55,10 @@ class SupervisorRequestsTest : public testing::Test {
 };
 
 TEST_F(SupervisorRequestsTest, RestartsALivingProcessByTheNameOfItsNode) {
-  EXPECT_EQ(Restart("/nav_node").message, "/nav_node is restarted");
+  EXPECT_EQ(Restart("/nav_node").value(), "/nav_node is restarted");
   robot_.RunFor(milliseconds(100));
   EXPECT_EQ(robot_.Phase("nav"), ProcessPhase::kStarting);  // grace begins with the request
-  EXPECT_EQ(Restart("nav").message, "nav is about to start already");
+  EXPECT_EQ(Restart("nav").value(), "nav is about to start already");
   robot_.RunFor(seconds(10));
   EXPECT_EQ(robot_.Phase("nav"), ProcessPhase::kReady);
   EXPECT_EQ(robot_.machine.Starts("nav"), 2);
@@ -67,13 +67,13 @@ TEST_F(SupervisorRequestsTest, RestartsALivingProcessByTheNameOfItsNode) {
 
 TEST_F(SupervisorRequestsTest, RestartsOnRequestCountLikeCrashes) {
   for (int i = 0; i < 3; ++i) {
-    EXPECT_EQ(Restart("nav").message, "nav is restarted");
+    EXPECT_EQ(Restart("nav").value(), "nav is restarted");
     robot_.RunFor(seconds(1));
     ASSERT_TRUE(robot_.RunUntil([this] { return robot_.AllReady(); }, seconds(30)));
   }
-  const Verdict verdict = Restart("nav");
-  EXPECT_TRUE(verdict.ok);
-  EXPECT_EQ(verdict.message, "nav is restarted with all that depends on nav");
+  const Expected<std::string> verdict = Restart("nav");
+  EXPECT_TRUE(verdict);
+  EXPECT_EQ(verdict.value(), "nav is restarted with all that depends on nav");
   robot_.RunFor(seconds(20));
   EXPECT_TRUE(robot_.AllReady());
   EXPECT_EQ(robot_.machine.Starts("app"), 2);
@@ -81,87 +81,88 @@ TEST_F(SupervisorRequestsTest, RestartsOnRequestCountLikeCrashes) {
 
 TEST_F(SupervisorRequestsTest, RestartsThatDoNotHelpAreRefusedAtLastAndNothingIsTakenDown) {
   for (int i = 0; i < 4; ++i) {
-    EXPECT_TRUE(Restart("nav").ok);
+    EXPECT_TRUE(Restart("nav"));
     robot_.RunFor(seconds(20));
   }
-  const Verdict verdict = Restart("nav");
-  EXPECT_FALSE(verdict.ok);
-  EXPECT_THAT(verdict.message, HasSubstr("nav needs a person: restarts have not helped"));
+  const Expected<std::string> verdict = Restart("nav");
+  EXPECT_FALSE(verdict);
+  EXPECT_THAT(verdict.problem(), HasSubstr("nav needs a person: restarts have not helped"));
   robot_.RunFor(seconds(20));
   EXPECT_EQ(robot_.Phase("nav"), ProcessPhase::kReady);
   EXPECT_EQ(robot_.machine.Starts("nav"), 5);
   EXPECT_EQ(robot_.stacks, 0);
   robot_.RunFor(seconds(60));
-  EXPECT_EQ(Restart("nav").message, "nav is restarted");  // healthy since
+  EXPECT_EQ(Restart("nav").value(), "nav is restarted");  // healthy since
 }
 
 TEST_F(SupervisorRequestsTest, ThePersonMayRestartTheWholeStack) {
-  EXPECT_TRUE(Restart("all").ok);
-  EXPECT_EQ(Restart("nav").message, "the whole stack is being restarted");
+  EXPECT_TRUE(Restart("all"));
+  EXPECT_EQ(Restart("nav").value(), "the whole stack is being restarted");
   EXPECT_TRUE(robot_.RunUntil([this] { return robot_.stacks == 1; }, seconds(30)));
   EXPECT_TRUE(robot_.RunUntil([this] { return robot_.AllReady(); }, seconds(30)));
   EXPECT_EQ(robot_.machine.Starts("base"), 2);
 }
 
 TEST_F(SupervisorRequestsTest, RefusesUnknownAndUnwantedNames) {
-  EXPECT_THAT(Restart("navv").message, HasSubstr(R"(did you mean "nav"?)"));
-  EXPECT_THAT(Reset("navv").message, HasSubstr(R"(did you mean "nav"?)"));
-  EXPECT_EQ(Restart("mapper").message, "mapper is not part of configuration operating");
-  EXPECT_THAT(Configure("opperating").message, HasSubstr(R"(did you mean "operating"?)"));
+  EXPECT_THAT(Restart("navv").problem(), HasSubstr(R"(did you mean "nav"?)"));
+  EXPECT_THAT(Reset("navv").problem(), HasSubstr(R"(did you mean "nav"?)"));
+  EXPECT_EQ(Restart("mapper").problem(), "mapper is not part of configuration operating");
+  EXPECT_THAT(Configure("opperating").problem(), HasSubstr(R"(did you mean "operating"?)"));
 }
 
 TEST_F(SupervisorRequestsTest, RefusesARestartOfWhatIsGivenUpUntilItIsReset) {
   GiveUpNav();
   EXPECT_EQ(robot_.Phase("nav"), ProcessPhase::kGivenUp);
-  EXPECT_EQ(Restart("nav").message, "nav is not part of configuration safe");
-  EXPECT_THAT(Configure("operating", Hand::kPerson).message, HasSubstr("safe stop"));
+  EXPECT_EQ(Restart("nav").problem(), "nav is not part of configuration safe");
+  EXPECT_THAT(Configure("operating", Hand::kPerson).problem(), HasSubstr("safe stop"));
   robot_.RunFor(seconds(4000));
   EXPECT_FALSE(robot_.machine.Runs("nav"));  // time alone does not repair it
-  EXPECT_TRUE(Reset("/nav_node").ok);
+  EXPECT_TRUE(Reset("/nav_node"));
   EXPECT_TRUE(robot_.RunUntil([this] { return robot_.AllReady(); }, seconds(30)));
   EXPECT_EQ(robot_.supervisor().configuration(), "operating");
-  EXPECT_EQ(Restart("nav").message, "nav is restarted");
+  EXPECT_EQ(Restart("nav").value(), "nav is restarted");
 }
 
 TEST_F(SupervisorRequestsTest, ResetAllForgetsEverything) {
   GiveUpNav();
-  EXPECT_TRUE(Reset("all").ok);
+  EXPECT_TRUE(Reset("all"));
   EXPECT_TRUE(robot_.RunUntil([this] { return robot_.AllReady(); }, seconds(30)));
   EXPECT_EQ(robot_.supervisor().RestartsUsed(robot_.Index("nav"), robot_.machine.now), 0);
 }
 
 TEST_F(SupervisorRequestsTest, WhatAPersonSetsIsHeldUntilItIsReleased) {
-  EXPECT_TRUE(Configure("mapping", Hand::kPerson).ok);
-  EXPECT_EQ(Configure("operating").message,
+  EXPECT_TRUE(Configure("mapping", Hand::kPerson));
+  EXPECT_EQ(Configure("operating").problem(),
             "configuration mapping is held by hand until it is released");
-  EXPECT_TRUE(Configure("mapping").ok);  // no conflict
+  EXPECT_TRUE(Configure("mapping"));  // no conflict
   robot_.RunFor(seconds(10));
   EXPECT_TRUE(robot_.machine.Runs("mapper"));
   EXPECT_FALSE(robot_.machine.Runs("nav"));
   robot_.supervisor().Release();
-  EXPECT_TRUE(Configure("operating").ok);
+  EXPECT_TRUE(Configure("operating"));
 }
 
 TEST_F(SupervisorRequestsTest, AConfigurationIsRefusedWhileItsConditionDoesNotHold) {
-  const auto why_not = [](std::size_t) { return std::string("no current flows"); };
-  const Verdict verdict = robot_.supervisor().SetConfiguration("charging", Hand::kPerson, why_not);
-  EXPECT_FALSE(verdict.ok);
-  EXPECT_EQ(verdict.message,
+  const auto check = [](std::size_t) { return Problem{"no current flows"}; };
+  const Expected<std::string> verdict =
+      robot_.supervisor().SetConfiguration("charging", Hand::kPerson, check);
+  EXPECT_FALSE(verdict);
+  EXPECT_EQ(verdict.problem(),
             "configuration charging requires charging_confirmed: no current flows");
   EXPECT_FALSE(robot_.supervisor().configuration_switch().manual());
-  EXPECT_TRUE(Configure("charging").ok);
+  EXPECT_TRUE(Configure("charging"));
 }
 
 TEST_F(SupervisorRequestsTest, ARestartFromAClearedStateForgetsWhatTheProcessRemembers) {
   robot_.machine.log.clear();
-  EXPECT_TRUE(robot_.supervisor().Restart("nav", robot_.machine.now, true).ok);
+  EXPECT_TRUE(robot_.supervisor().Restart("nav", robot_.machine.now, true));
   robot_.RunFor(seconds(10));
   EXPECT_THAT(robot_.machine.log, ElementsAre("end nav", "clear nav"));
   EXPECT_TRUE(robot_.AllReady());
 }
 
 TEST_F(SupervisorRequestsTest, TheRestartAfterThatKeepsItsState) {
-  robot_.supervisor().Restart("nav", robot_.machine.now, true);
+  EXPECT_TRUE(robot_.supervisor().Restart("nav", robot_.machine.now, true));
   robot_.RunFor(seconds(100));
   robot_.machine.log.clear();
   robot_.machine.Crash("nav");

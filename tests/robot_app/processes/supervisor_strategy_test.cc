@@ -41,13 +41,13 @@ TEST_F(TransientProcessTest, WhatNeedsItMayStartWhenItHasDoneItsWork) {
 
 TEST_F(TransientProcessTest, StartsAgainOnRequestAndWithTheNextChangeOfConfiguration) {
   Ended(kNav, kExit0);
-  EXPECT_TRUE(Restart("nav").ok);
+  EXPECT_TRUE(Restart("nav"));
   EXPECT_NE(Pid(kNav), 0);
   Ended(kNav, kExit0);
-  Configure("charging");
+  EXPECT_TRUE(Configure("charging"));
   Step();
   Ended(kApp, kExit0);
-  Configure("operating");
+  EXPECT_TRUE(Configure("operating"));
   Step();
   EXPECT_NE(Pid(kNav), 0);
 }
@@ -123,7 +123,7 @@ TEST_F(OneForAllTest, EndsAllBeforeItStartsAny) {
 }
 
 TEST_F(StrategyTest, ARestartOfTheGroupRestartsAllOfItAndCountsOnce) {
-  EXPECT_TRUE(Restart("abc").ok);
+  EXPECT_TRUE(Restart("abc"));
   EXPECT_THAT(launcher_.TakeLog(), ElementsAre("end a", "end b", "end c"));
   EXPECT_EQ(supervisor_.RestartsUsed(0, now_), 1);
 }
@@ -152,7 +152,7 @@ TEST_F(OrderedSupervisorTest, WaitsForWhatComesBeforeOnlyIfItIsToCome) {
 
 TEST_F(OrderedSupervisorTest, StaysUpWhenWhatCameBeforeIsNoLongerNeeded) {
   StartAll();
-  Configure("charging");
+  EXPECT_TRUE(Configure("charging"));
   Step();
   EXPECT_THAT(launcher_.TakeLog(), ElementsAre("end nav"));
 }

@@ -87,7 +87,7 @@ TEST_F(SupervisorTest, WhatEndsBecauseSomethingItNeedsIsDownIsNotToBlame) {
 
 TEST_F(SupervisorTest, KillsWhatDoesNotEndInTimeExactlyOnce) {
   StartAll();
-  Restart("nav");
+  EXPECT_TRUE(Restart("nav"));
   now_ += supervisor_.config().stop_timeout - milliseconds(1);
   Step();
   EXPECT_THAT(launcher_.TakeLog(), ElementsAre("end nav"));
@@ -101,7 +101,7 @@ TEST_F(SupervisorTest, KillsWhatDoesNotEndInTimeExactlyOnce) {
 
 TEST_F(SupervisorTest, AConfigurationEndsInReverseOrderBeforeItStarts) {
   StartAll();
-  EXPECT_TRUE(Configure("charging").ok);
+  EXPECT_TRUE(Configure("charging"));
   Step();
   EXPECT_THAT(launcher_.TakeLog(), ElementsAre("end app"));
   EXPECT_EQ(supervisor_.configuration(), "charging");
@@ -116,10 +116,10 @@ TEST_F(SupervisorTest, AConfigurationEndsInReverseOrderBeforeItStarts) {
 
 TEST_F(SupervisorTest, AProcessThatWasEndingStartsAgainWhenItIsWantedAgain) {
   StartAll();
-  Configure("charging");
+  EXPECT_TRUE(Configure("charging"));
   Step();
   Ended(kApp, kExit0);
-  Configure("operating");
+  EXPECT_TRUE(Configure("operating"));
   Step();
   EXPECT_EQ(Message(kApp), "waits for nav");
   Ended(kNav, kExit0);
@@ -164,7 +164,7 @@ TEST_F(SupervisorTest, StopAllEndsInReverseOrder) {
   Ended(kNav, kKilled);
   EXPECT_THAT(launcher_.TakeLog(), ElementsAre("end base"));
   EXPECT_FALSE(supervisor_.AllStopped(now_));
-  EXPECT_FALSE(Restart("base").ok);
+  EXPECT_FALSE(Restart("base"));
   Ended(kBase, kExit0);
   EXPECT_TRUE(supervisor_.AllStopped(now_));
   EXPECT_EQ(Phase(kBase), ProcessPhase::kStopped);
@@ -172,11 +172,11 @@ TEST_F(SupervisorTest, StopAllEndsInReverseOrder) {
 
 TEST_F(SupervisorTest, WhatCannotEvenBeKilledDoesNotHoldUpTheOthersForEver) {
   StartAll();
-  Configure("charging");
+  EXPECT_TRUE(Configure("charging"));
   Step();
   now_ += seconds(3);
   Step();  // app is killed, and stays
-  Configure("operating");
+  EXPECT_TRUE(Configure("operating"));
   Ended(kNav, kKilled);
   EXPECT_NE(Pid(kNav), 0);
 }

@@ -28,7 +28,7 @@ class SwitchOffTest : public testing::Test {
   SwitchOffTest() {
     EXPECT_TRUE(robot_.RunUntil([this] { return robot_.AllReady(); }, seconds(30)));
   }
-  Verdict Ask(const std::string& token, SimulatedRobot& robot) {
+  Expected<std::string> Ask(const std::string& token, SimulatedRobot& robot) {
     return switch_off_.Ask("empty", token, robot.supervisor(), robot.machine.now);
   }
   bool TakeStop() { return switch_off_.TakeStop(robot_.supervisor(), robot_.machine.now); }
@@ -39,7 +39,7 @@ class SwitchOffTest : public testing::Test {
 
 TEST_F(SwitchOffTest, CutsThePowerOnlyWhenTheRobotStands) {
   EXPECT_FALSE(TakeStop());
-  EXPECT_TRUE(Ask("secret", robot_).ok);
+  EXPECT_TRUE(Ask("secret", robot_));
   EXPECT_FALSE(TakeStop()) << "navigation still runs";
   EXPECT_FALSE(switch_off_.may_cut());
   ASSERT_TRUE(robot_.RunUntil([this] { return TakeStop(); }, seconds(10)));
@@ -49,24 +49,24 @@ TEST_F(SwitchOffTest, CutsThePowerOnlyWhenTheRobotStands) {
 }
 
 TEST_F(SwitchOffTest, WithoutTheTokenTheRobotStandsWithThePowerOn) {
-  EXPECT_THAT(Ask("guess", robot_).message, HasSubstr("COPPICE_SWITCH_OFF_TOKEN"));
+  EXPECT_THAT(Ask("guess", robot_).value(), HasSubstr("COPPICE_SWITCH_OFF_TOKEN"));
   ASSERT_TRUE(robot_.RunUntil([this] { return TakeStop(); }, seconds(10)));
   EXPECT_FALSE(switch_off_.may_cut());
-  EXPECT_THAT(Ask("secret", robot_).message, HasSubstr("the power goes off"));
+  EXPECT_THAT(Ask("secret", robot_).value(), HasSubstr("the power goes off"));
   EXPECT_TRUE(switch_off_.may_cut());
 }
 
 TEST_F(SwitchOffTest, AnEmptyTokenOpensNothing) {
   PowerDown nobody(true, "");
-  nobody.Ask("empty", "", robot_.supervisor(), robot_.machine.now);
+  EXPECT_TRUE(nobody.Ask("empty", "", robot_.supervisor(), robot_.machine.now));
   ASSERT_TRUE(robot_.RunUntil(
       [&] { return nobody.TakeStop(robot_.supervisor(), robot_.machine.now); }, seconds(10)));
   EXPECT_FALSE(nobody.may_cut());
 }
 
 TEST_F(SwitchOffTest, APersonEndsIt) {
-  Ask("secret", robot_);
-  robot_.supervisor().Reset("all", robot_.machine.now);
+  EXPECT_TRUE(Ask("secret", robot_));
+  EXPECT_TRUE(robot_.supervisor().Reset("all", robot_.machine.now));
   robot_.RunFor(seconds(40));
   EXPECT_FALSE(TakeStop());
   EXPECT_FALSE(switch_off_.may_cut());
@@ -75,7 +75,7 @@ TEST_F(SwitchOffTest, APersonEndsIt) {
 
 TEST_F(SwitchOffTest, IsRefusedWithoutAConfigurationForTheSafeStop) {
   SimulatedRobot other(Robot(false));
-  EXPECT_FALSE(Ask("secret", other).ok);
+  EXPECT_FALSE(Ask("secret", other));
 }
 
 TEST(CutPower, RunsTheCommandAndTellsWhenItFails) {

@@ -15,54 +15,54 @@ class ConfigurationSwitchTest : public testing::Test {
     config.given_up.configuration = 2;
     return config;
   }
-  Verdict Ask(const std::string& name, Hand hand = Hand::kTree) {
-    return switch_.Request(name, hand, [this](std::size_t) { return why_not_; });
+  Expected<std::string> Ask(const std::string& name, Hand hand = Hand::kTree) {
+    return switch_.Request(name, hand, [this](std::size_t) { return holds_; });
   }
 
   const RobotConfig config_ = Config();
   ConfigurationSwitch switch_{config_};
-  std::string why_not_;
+  Outcome holds_;
 };
 
 TEST_F(ConfigurationSwitchTest, TheTreesMayChangeWhatNobodyHolds) {
   EXPECT_EQ(switch_.current(), 0u);
-  EXPECT_EQ(Ask("charging").message, "changing to configuration charging");
+  EXPECT_EQ(Ask("charging").value(), "changing to configuration charging");
   EXPECT_EQ(switch_.current(), 1u);
-  EXPECT_EQ(Ask("charging").message, "configuration charging is already in force");
+  EXPECT_EQ(Ask("charging").value(), "configuration charging is already in force");
 }
 
 TEST_F(ConfigurationSwitchTest, AConditionThatDoesNotHoldRefusesEveryHand) {
-  why_not_ = "no current";
+  holds_ = Problem{"no current"};
   for (const Hand hand : {Hand::kTree, Hand::kPerson}) {
-    const Verdict verdict = Ask("charging", hand);
-    EXPECT_FALSE(verdict.ok);
-    EXPECT_EQ(verdict.message, "configuration charging requires confirmed: no current");
+    const Expected<std::string> verdict = Ask("charging", hand);
+    EXPECT_FALSE(verdict);
+    EXPECT_EQ(verdict.problem(), "configuration charging requires confirmed: no current");
   }
   EXPECT_FALSE(switch_.manual());
 }
 
 TEST_F(ConfigurationSwitchTest, AConditionCountsWhenItIsEnteredNotWhileItIsInForce) {
-  Ask("charging");
-  why_not_ = "no current";
-  EXPECT_TRUE(Ask("charging").ok);
+  EXPECT_TRUE(Ask("charging"));
+  holds_ = Problem{"no current"};
+  EXPECT_TRUE(Ask("charging"));
 }
 
 TEST_F(ConfigurationSwitchTest, AConfigurationThatIsHeldByHandIsLeftByHandOnly) {
-  Ask("operating", Hand::kPerson);
+  EXPECT_TRUE(Ask("operating", Hand::kPerson));
   EXPECT_TRUE(switch_.manual());
-  EXPECT_FALSE(Ask("charging").ok);
-  EXPECT_TRUE(Ask("charging", Hand::kPerson).ok);
-  EXPECT_TRUE(switch_.Release().ok);
-  EXPECT_TRUE(Ask("operating").ok);
-  EXPECT_EQ(switch_.Release().message, "no configuration is held by hand");
+  EXPECT_FALSE(Ask("charging"));
+  EXPECT_TRUE(Ask("charging", Hand::kPerson));
+  EXPECT_EQ(switch_.Release(), "the trees decide about the configuration again");
+  EXPECT_TRUE(Ask("operating"));
+  EXPECT_EQ(switch_.Release(), "no configuration is held by hand");
 }
 
 TEST_F(ConfigurationSwitchTest, ASafeStopIsStrongerThanAnyHandAndEndsWhereItBegan) {
-  Ask("charging");
+  EXPECT_TRUE(Ask("charging"));
   switch_.SafeStop();
   switch_.SafeStop();
   EXPECT_EQ(switch_.current(), 2u);
-  EXPECT_FALSE(Ask("operating", Hand::kPerson).ok);
+  EXPECT_FALSE(Ask("operating", Hand::kPerson));
   EXPECT_EQ(switch_.before_safe_stop(), 1u);
   switch_.EndSafeStop();
   EXPECT_EQ(switch_.current(), 1u);

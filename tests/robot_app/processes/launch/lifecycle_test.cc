@@ -24,7 +24,7 @@ class LifecycleTest : public testing::Test {
 };
 
 TEST_F(LifecycleTest, AStartAwaitsReadinessUntilItsTimeout) {
-  EXPECT_EQ(lifecycle_.Launch(0, {}, now_), "");
+  EXPECT_EQ(lifecycle_.Launch(0, {}, now_).problem(), "");
   EXPECT_TRUE(lifecycle_.IsUp(0));
   EXPECT_TRUE(lifecycle_.AwaitsReadiness(0));
   EXPECT_FALSE(lifecycle_.IsLate(0, now_ + seconds(19)));
@@ -36,13 +36,13 @@ TEST_F(LifecycleTest, AStartAwaitsReadinessUntilItsTimeout) {
 TEST_F(LifecycleTest, ARestartCountsAndMayClearTheStateFirst) {
   Lifecycle::Start start;
   start.counts = start.cleared = true;
-  lifecycle_.Launch(0, start, now_);
+  EXPECT_TRUE(lifecycle_.Launch(0, start, now_));
   EXPECT_EQ(lifecycle_.status(0).restarts, 1u);
   EXPECT_THAT(machine_.log, ElementsAre("clear one"));
 }
 
 TEST_F(LifecycleTest, AnEndIsKilledWhenItsTimeIsUpAndAtLastNobodyWaits) {
-  lifecycle_.Launch(0, {}, now_);
+  EXPECT_TRUE(lifecycle_.Launch(0, {}, now_));
   lifecycle_.End(0, ProcessPhase::kStopped, "is ended", now_);
   lifecycle_.End(0, ProcessPhase::kStopped, "is ended", now_);
   EXPECT_FALSE(lifecycle_.AwaitsReadiness(0));
@@ -60,7 +60,7 @@ TEST_F(LifecycleTest, AnEndIsKilledWhenItsTimeIsUpAndAtLastNobodyWaits) {
 TEST_F(LifecycleTest, TellsWhetherAnEndWasAskedFor) {
   EXPECT_FALSE(lifecycle_.OnExit(0));
   EXPECT_FALSE(lifecycle_.OnExit(7));
-  lifecycle_.Launch(0, {}, now_);
+  EXPECT_TRUE(lifecycle_.Launch(0, {}, now_));
   const auto crashed = lifecycle_.OnExit(lifecycle_.status(0).pid);
   ASSERT_TRUE(crashed);
   EXPECT_FALSE(crashed->asked);

@@ -31,7 +31,9 @@ class PosixLauncherTest : public testing::Test {
     config.name = name;
     config.command = std::move(command);
     config.log = "child.log";
-    return launcher_->Start(config, error_);
+    const Expected<int> pid = launcher_->Start(config);
+    error_ = pid.problem();
+    return pid ? *pid : 0;
   }
   int Shell(const std::string& script) { return Start({"/bin/sh", "-c", script}); }
 
@@ -130,7 +132,7 @@ TEST_F(PosixLauncherTest, DeletesTheStateOfAProcess) {
   config.state = {folder_ + "/state/file", folder_ + "/state/folder", folder_ + "/none"};
   std::filesystem::create_directories(folder_ + "/state/folder/deeper");
   std::ofstream(folder_ + "/state/file") << "x";
-  EXPECT_EQ(launcher_->ClearState(config), "");
+  EXPECT_EQ(launcher_->ClearState(config).problem(), "");
   EXPECT_TRUE(std::filesystem::is_empty(folder_ + "/state"));
 }
 

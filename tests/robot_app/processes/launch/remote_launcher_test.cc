@@ -36,9 +36,7 @@ class RemoteLauncherTest : public testing::Test {
     config.command = {"/bin/sh", "-c", script};
     config.log = name + ".log";
     config.host = 0;
-    const int pid = launcher_->Start(config, error_);
-    EXPECT_NE(pid, 0) << error_;
-    return pid;
+    return launcher_->Start(config).value();
   }
 
   // Keeps everything going until it is true.
@@ -88,13 +86,12 @@ class RemoteLauncherTest : public testing::Test {
   PosixLauncher local_{folder_};
   std::unique_ptr<RemoteLauncher> launcher_ = Make(host_.Config());
   std::map<int, int> ended_;
-  std::string error_;
   bool alive_ = true;
 };
 
 TEST_F(RemoteLauncherTest, RunsAProcessThereWithItsEnvironmentAndItsLogHere) {
   const int pid = Start("echo $ROS_MASTER_URI $ROS_IP; readlink /proc/self/ns/net; exit 7");
-  ASSERT_TRUE(HasEnded(pid)) << error_;
+  ASSERT_TRUE(HasEnded(pid));
   EXPECT_EQ(WEXITSTATUS(ended_[pid]), 7);
   EXPECT_THAT(Log(), HasSubstr("coppice-remote: started child\n"));
   EXPECT_THAT(Log(), HasSubstr("http://" + host_.here() + ":1 " + host_.there() + "\n"));
@@ -175,7 +172,7 @@ TEST_F(RemoteLauncherTest, AProgramThatIsNotThereIsReportedInTheLog) {
   config.command = {"/nowhere/program"};
   config.log = "child.log";
   config.host = 0;
-  const int pid = launcher_->Start(config, error_);
+  const int pid = launcher_->Start(config).value();
   ASSERT_TRUE(HasEnded(pid));
   EXPECT_EQ(WEXITSTATUS(ended_[pid]), 127);
   EXPECT_THAT(Log(), HasSubstr("cannot run /nowhere/program"));

@@ -23,14 +23,12 @@ class RosMasterTest : public testing::Test {
 };
 
 TEST_F(RosMasterTest, StartsAMasterAtAFreePortAndFindsItAgain) {
-  const RosMaster master = FindOrStartMaster(0, launcher_, seconds(20));
-  ASSERT_EQ(master.error, "");
+  const RosMaster master = FindOrStartMaster(0, launcher_, seconds(20)).value();
   EXPECT_GT(master.pid, 0);
   EXPECT_EQ(master.Uri(), "http://127.0.0.1:" + std::to_string(master.address.port));
   EXPECT_TRUE(MasterAnswers(master.address, seconds(2)));
 
-  const RosMaster found = FindOrStartMaster(master.address.port, launcher_, seconds(20));
-  EXPECT_EQ(found.error, "");
+  const RosMaster found = FindOrStartMaster(master.address.port, launcher_, seconds(20)).value();
   EXPECT_EQ(found.pid, 0);  // not ours
 
   launcher_.Signal(master.pid, SIGTERM);
@@ -48,8 +46,7 @@ TEST_F(RosMasterTest, RefusesAPortThatSomethingElseHas) {
   ASSERT_EQ(listen(listener, 5), 0);
   ASSERT_EQ(getsockname(listener, reinterpret_cast<sockaddr*>(&address), &size), 0);
   const int port = ntohs(address.sin_port);
-  const RosMaster master = FindOrStartMaster(port, launcher_, seconds(20));
-  EXPECT_EQ(master.error,
+  EXPECT_EQ(FindOrStartMaster(port, launcher_, seconds(20)).problem(),
             "port " + std::to_string(port) + " is in use by something that is no ROS master");
   close(listener);
 }

@@ -21,10 +21,7 @@ class SurvivorsTest : public testing::Test {
     config.name = name;
     config.command = {"/usr/bin/sleep", "1000"};
     config.log = "survivors.log";
-    std::string error;
-    const int pid = launcher_.Start(config, error);
-    EXPECT_EQ(error, "");
-    return pid;
+    return launcher_.Start(config).value();
   }
 
   const std::string owner_ = Temporary("survivors");
