@@ -66,9 +66,9 @@ int RunProgram(const std::shared_ptr<const Program>& program, const Options& opt
   const Status result = runner.Run();
   running = nullptr;
   std::cout << ToString(result) << "\n";
-  const std::string problem = recorder ? recorder->Close() : "";
-  if (!problem.empty()) std::cerr << problem << "\n";
-  return result == Status::kFailure || runner.stop_requested() || !problem.empty() ? 1 : 0;
+  const Outcome recorded = recorder ? recorder->Close() : Outcome();
+  if (!recorded) std::cerr << recorded.problem() << "\n";
+  return result == Status::kFailure || runner.stop_requested() || !recorded ? 1 : 0;
 }
 
 }  // namespace

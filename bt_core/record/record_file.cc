@@ -13,7 +13,7 @@
 namespace coppice {
 namespace {
 
-std::string Problem(const std::string& path, const char* what, int error) {
+std::string CannotText(const std::string& path, const char* what, int error) {
   return path + ": cannot " + what + ": " + std::strerror(error);
 }
 
@@ -21,7 +21,7 @@ std::string Problem(const std::string& path, const char* what, int error) {
 
 RecordFile::RecordFile(std::string path) : path_(std::move(path)) {
   file_ = open(path_.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
-  if (file_ < 0) throw std::runtime_error(Problem(path_, "make this record", errno));
+  if (file_ < 0) throw std::runtime_error(CannotText(path_, "make this record", errno));
   struct stat status {};
   if (fstat(file_, &status) == 0 && S_ISREG(status.st_mode) && status.st_size > 0) {
     close(file_);
@@ -31,7 +31,7 @@ RecordFile::RecordFile(std::string path) : path_(std::move(path)) {
 
 RecordFile::~RecordFile() { close(file_); }
 
-std::string RecordFile::Write(Bytes& bytes) {
+Outcome RecordFile::Write(Bytes& bytes) {
   std::size_t written = 0;
   int error = 0;
   while (written < bytes.size() && error == 0) {
@@ -43,17 +43,19 @@ std::string RecordFile::Write(Bytes& bytes) {
     }
   }
   bytes.erase(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(written));
-  return error ? Problem(path_, "write", error) : "";
+  return error ? Problem{CannotText(path_, "write", error)} : Outcome();
 }
 
-std::string RecordFile::Sync() {
+Outcome RecordFile::Sync() {
   if (!has_name_) SyncFolder();
   struct stat status {};
   is_deleted_ = fstat(file_, &status) == 0 && status.st_nlink == 0;
-  if (is_deleted_) return path_ + ": somebody has deleted this record while it was written";
-  if (fdatasync(file_) == 0) return "";
+  if (is_deleted_) {
+    return Problem{path_ + ": somebody has deleted this record while it was written"};
+  }
+  if (fdatasync(file_) == 0) return {};
   const bool no_disk = errno == EINVAL || errno == EROFS;  // a pipe
-  return no_disk ? "" : Problem(path_, "sync", errno);
+  return no_disk ? Outcome() : Problem{CannotText(path_, "sync", errno)};
 }
 
 // A folder that cannot be synced is none that keeps names, such as that of a pipe.

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "bt_core/base/outcome.h"
 #include "bt_core/frames/coding.h"
 
 namespace coppice {
@@ -18,11 +19,11 @@ class RecordFile {
   RecordFile& operator=(const RecordFile&) = delete;
 
   /// Hands the bytes to the kernel and takes what was written out of `bytes`; what is left can be
-  /// tried again. An error text, or empty.
-  std::string Write(Bytes& bytes);
+  /// tried again.
+  Outcome Write(Bytes& bytes);
 
-  /// Waits until what was written is on the disk, and the file's name too. An error text, or empty.
-  std::string Sync();
+  /// Waits until what was written is on the disk, and the file's name too.
+  Outcome Sync();
   /// As the last Sync found it.
   bool is_deleted() const { return is_deleted_; }
 

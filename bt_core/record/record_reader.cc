@@ -67,25 +67,25 @@ std::string HowToRead(const std::string& path) {
 std::unique_ptr<RecordReader> RecordReader::Open(const std::string& path,
                                                  Diagnostics& diagnostics) {
   std::unique_ptr<RecordReader> reader(new RecordReader);
-  const std::string problem = reader->OpenSeries(path);
-  if (problem.empty()) return reader;
-  diagnostics.Error({path, 0, 0}, problem, HowToRead(path));
+  const Outcome opened = reader->OpenSeries(path);
+  if (opened) return reader;
+  diagnostics.Error({path, 0, 0}, opened.problem(), HowToRead(path));
   return nullptr;
 }
 
-std::string RecordReader::OpenSeries(const std::string& path) {
+Outcome RecordReader::OpenSeries(const std::string& path) {
   const FrameFile file(path);
-  if (!file.error().empty()) return file.error();
+  if (!file.error().empty()) return Problem{file.error()};
   const std::optional<RunId> run = RunOf(path);
   for (const NumberedFile& found : FilesOfSeries(path)) {
     if (run && RunOf(found.path) == run) waiting_.push_back(found.path);
   }
   if (waiting_.empty()) waiting_.push_back(path);  // its beginning is damaged
   while (OpenNext()) Index();
-  if (trees_.empty()) return "there is no whole description of a tree in this record";
-  if (keyframes_.empty()) return "there is no whole state of the tree in this record";
+  if (trees_.empty()) return Problem{"there is no whole description of a tree in this record"};
+  if (keyframes_.empty()) return Problem{"there is no whole state of the tree in this record"};
   FindEnd();
-  return "";
+  return {};
 }
 
 bool RecordReader::OpenNext() {

@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "bt_core/base/diagnostic.h"
+#include "bt_core/base/outcome.h"
 #include "bt_core/frames/history.h"
 #include "bt_core/record/frame_file.h"
 
@@ -87,7 +88,7 @@ class RecordReader {
   static constexpr std::uint32_t kNoTree = UINT32_MAX;
 
   RecordReader() = default;
-  std::string OpenSeries(const std::string& path);
+  Outcome OpenSeries(const std::string& path);
   bool OpenNext();
   bool Index();
   bool IndexFrame(const FrameFile::Span& span);

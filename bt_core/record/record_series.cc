@@ -18,15 +18,15 @@ void RecordSeries::Open(const std::string& path) {
   auto file = std::make_unique<RecordFile>(path);
   Bytes preamble;
   AppendPreamble(preamble);
-  const std::string error = file->Write(preamble);
-  if (!error.empty()) throw std::runtime_error(error);
+  const Outcome begun = file->Write(preamble);
+  if (!begun) throw std::runtime_error(begun.problem());
   file_ = std::move(file);
   written_.push_back(path);
 }
 
 // Names that are taken, for example by an older record, are left out.
-std::string RecordSeries::Next() {
-  std::string error = file_->Sync();
+Outcome RecordSeries::Next() {
+  Outcome done = file_->Sync();
   std::error_code ignored;
   do {
     ++number_;
@@ -36,13 +36,13 @@ std::string RecordSeries::Next() {
   try {
     Open(NumberedName(path_, number_));
   } catch (const std::runtime_error& problem) {
-    error = problem.what();
+    done = Problem{problem.what()};
   }
   while (keep_ > 0 && written_.size() > keep_) {
     std::filesystem::remove(written_.front(), ignored);
     written_.pop_front();
   }
-  return error;
+  return done;
 }
 
 }  // namespace coppice

@@ -7,6 +7,7 @@
 #include <memory>
 #include <string>
 
+#include "bt_core/base/outcome.h"
 #include "bt_core/record/record_file.h"
 
 namespace coppice {
@@ -18,12 +19,12 @@ class RecordSeries {
   RecordSeries(std::string path, std::uint32_t keep);
 
   /// Goes on in another file, or in the old one if none can be made. The folder of a file that
-  /// was deleted is made again. An error text, or empty.
-  std::string Next();
+  /// was deleted is made again.
+  Outcome Next();
 
   /// As RecordFile.
-  std::string Write(Bytes& bytes) { return file_->Write(bytes); }
-  std::string Sync() { return file_->Sync(); }
+  Outcome Write(Bytes& bytes) { return file_->Write(bytes); }
+  Outcome Sync() { return file_->Sync(); }
   bool is_deleted() const { return file_->is_deleted(); }
 
  private:

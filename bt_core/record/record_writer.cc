@@ -155,13 +155,13 @@ bool RecordWriter::WriteFront() {
   Piece& piece = pending_.front();
   if (std::exchange(piece.begins_file, false)) Report(series_.Next());
   const std::size_t size = piece.bytes.size();
-  const std::string error = series_.Write(piece.bytes);
+  const Outcome written = series_.Write(piece.bytes);
   unsynced_ = true;
-  Report(error);
+  Report(written);
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     waiting_ -= size - piece.bytes.size();
-    if (error.empty()) trouble_.clear();
+    if (written) trouble_.clear();
     hurry_ = false;  // what did not work is tried again after a while
   }
   if (!piece.bytes.empty()) return false;
@@ -179,10 +179,10 @@ void RecordWriter::SyncIfDue(bool now) {
   is_deleted_ = series_.is_deleted();
 }
 
-void RecordWriter::Report(const std::string& error) {
-  if (error.empty()) return;
+void RecordWriter::Report(const Outcome& outcome) {
+  if (outcome) return;
   const std::lock_guard<std::mutex> lock(mutex_);
-  error_ = trouble_ = error;
+  error_ = trouble_ = outcome.problem();
 }
 
 }  // namespace coppice

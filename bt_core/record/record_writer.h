@@ -11,6 +11,7 @@
 #include <string>
 #include <thread>
 
+#include "bt_core/base/outcome.h"
 #include "bt_core/frames/history_encoder.h"
 #include "bt_core/record/record_series.h"
 
@@ -64,7 +65,7 @@ class RecordWriter final : private FrameSink {
   bool Write();
   bool WriteFront();
   void SyncIfDue(bool now);
-  void Report(const std::string& error);
+  void Report(const Outcome& outcome);
 
   const std::size_t buffer_bytes_;
   const std::uint64_t max_file_bytes_;

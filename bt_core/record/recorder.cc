@@ -26,7 +26,7 @@ Recorder::Recorder(EventStream& stream, const std::string& path, const RecorderO
   stream_.Flush();  // now it knows the tree: a note may follow
 }
 
-Recorder::~Recorder() { Close(); }
+Recorder::~Recorder() { static_cast<void>(Close()); }
 
 void Recorder::OnState(const StreamState& state) { writer_->Add(state); }
 
@@ -36,16 +36,16 @@ void Recorder::Note(Time time, std::string kind, std::string text) {
   writer_->Add({time, std::move(kind), std::move(text)});
 }
 
-std::string Recorder::Close() {
+Outcome Recorder::Close() {
   if (!closed_) {
     closed_ = true;
     stream_.Remove(*this);
     writer_->Stop(stream_.executor().clock().Now());
   }
-  if (error().empty() && lost_ticks() > 0) {
-    return std::to_string(lost_ticks()) + " ticks are missing: disk or computer was too slow";
-  }
-  return error();
+  if (const std::string text = error(); !text.empty()) return Problem{text};
+  if (lost_ticks() == 0) return {};
+  return Problem{std::to_string(lost_ticks()) +
+                 " ticks are missing: disk or computer was too slow"};
 }
 
 std::uint64_t Recorder::lost_ticks() const { return writer_->lost_ticks(); }

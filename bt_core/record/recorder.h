@@ -19,6 +19,7 @@
 #include <memory>
 #include <string>
 
+#include "bt_core/base/outcome.h"
 #include "bt_core/engine/events/event_stream.h"
 #include "bt_core/frames/history_encoder.h"
 
@@ -59,9 +60,8 @@ class Recorder final : public EventListener {
   /// of the tree's clock. It stands behind the ticks that the recorder has got.
   void Note(Time time, std::string kind, std::string text);
 
-  /// Ends the recording; waits until everything is on the disk. An error text, or empty if nothing
-  /// was lost.
-  std::string Close();
+  /// Ends the recording; waits until everything is on the disk. A problem if something was lost.
+  Outcome Close();
 
   /// Any thread: ticks that are not in the record because the disk was too slow (or the stream had
   /// lost them before).

@@ -168,7 +168,7 @@ void MeasureRecord(const Run& run, const std::string& folder) {
   std::mt19937 random(1);
   const auto begin = Stopwatch::now();
   Tick(run, clock, executor, stream, counter, random);
-  const std::string problem = recorder->Close();
+  const std::string problem = recorder->Close().problem();
   const double writing = Milliseconds(Stopwatch::now() - begin);
   stream.Remove(counter);
   const auto size = static_cast<double>(std::filesystem::file_size(path));

@@ -37,7 +37,7 @@ void Record(Tree& tree, EventStream& stream, int rounds) {
   const std::string path = "/tmp/coppice_bench_" + std::to_string(getpid()) + ".coppice";
   Recorder recorder(stream, path);
   TickAll(tree, stream, rounds);
-  recorder.Close();
+  static_cast<void>(recorder.Close());
   std::filesystem::remove(path);
 }
 

@@ -270,11 +270,10 @@ A robot that asks for a token finds it in COPPICE_LIVE_TOKEN.)",
 int RunLive(const Arguments& arguments) {
   const Options options = ParseOptions(LiveVerbCommand(), arguments);
   if (options.exit) return *options.exit;
-  std::string problem;
-  std::vector<NamedCommand> commands = ReadCommands(options, problem);
-  if (!problem.empty()) return RefuseOptions(LiveVerbCommand(), problem);
+  Expected<std::vector<NamedCommand>> commands = ReadCommands(options);
+  if (!commands) return RefuseOptions(LiveVerbCommand(), commands.problem());
   try {
-    return LiveVerb(options, std::move(commands)).Run();
+    return LiveVerb(options, *std::move(commands)).Run();
   } catch (const std::invalid_argument& error) {  // no such address, no such token
     std::cerr << error.what() << "\n";
     return 2;

@@ -35,9 +35,9 @@ bool Split(const std::string& text, std::string& path, std::string& what) {
 
 class Reader {
  public:
-  Reader(const Options& options, std::string& problem) : options_(options), problem_(problem) {}
+  explicit Reader(const Options& options) : options_(options) {}
 
-  std::vector<NamedCommand> Read() {
+  Expected<std::vector<NamedCommand>> Read() {
     for (const std::string& path : options_.GetAll("--unhook")) {
       commands_.push_back({"--unhook " + path, {}, path});
     }
@@ -49,7 +49,8 @@ class Reader {
     Add("--step-node", Kind::kStepNode);
     Add("--step", Kind::kStepTick);
     Add("--continue", Kind::kContinue);
-    return problem_.empty() ? std::move(commands_) : std::vector<NamedCommand>();
+    if (!problem_.text.empty()) return std::move(problem_);
+    return std::move(commands_);
   }
 
  private:
@@ -64,7 +65,7 @@ class Reader {
   void ReadBreakpoints() {
     const std::vector<std::string> paths = options_.GetAll("--break");
     const std::vector<std::string> conditions = options_.GetAll("--if");
-    if (conditions.size() > paths.size()) problem_ = "each --if needs a --break";
+    if (conditions.size() > paths.size()) problem_ = {"each --if needs a --break"};
     for (std::size_t i = 0; i < paths.size(); ++i) {
       Hook hook;
       hook.path = paths[i];
@@ -76,8 +77,9 @@ class Reader {
   void ReadInjected(const std::string& text) {
     Hook hook;
     if (ReadInjection(text, hook)) return Add("--inject", text, SetHook(std::move(hook)));
-    problem_ = "--inject " + text + ": expected PATH=STATUS or PATH=STATUSxN; STATUS is RUNNING, " +
-               "SUCCESS, FAILURE or SKIPPED";
+    problem_ = {"--inject " + text +
+                ": expected PATH=STATUS or PATH=STATUSxN; STATUS is RUNNING, " +
+                "SUCCESS, FAILURE or SKIPPED"};
   }
 
   void ReadDelay(const std::string& text) {
@@ -85,7 +87,7 @@ class Reader {
     std::string milliseconds;
     std::uint32_t number = 0;
     if (!Split(text, hook.path, milliseconds) || !ReadNumber(milliseconds, number) || number == 0) {
-      problem_ = "--delay " + text + ": expected PATH=MILLISECONDS";
+      problem_ = {"--delay " + text + ": expected PATH=MILLISECONDS"};
       return;
     }
     hook.action = HookAction::kDelay;
@@ -96,7 +98,7 @@ class Reader {
   void ReadValue(const std::string& text) {
     const std::size_t equals = text.find('=');
     if (equals == std::string::npos || equals == 0) {
-      problem_ = "--set " + text + ": expected KEY=VALUE or SUBTREE/KEY=VALUE";
+      problem_ = {"--set " + text + ": expected KEY=VALUE or SUBTREE/KEY=VALUE"};
       return;
     }
     const std::string key = text.substr(0, equals);
@@ -106,7 +108,7 @@ class Reader {
   }
 
   const Options& options_;
-  std::string& problem_;
+  Problem problem_;  // the last one
   std::vector<NamedCommand> commands_;
 };
 
@@ -122,8 +124,8 @@ bool ReadInjection(const std::string& text, Hook& hook) {
          ReadNumber(std::string_view(what).substr(x + 1), hook.times) && hook.times > 0;
 }
 
-std::vector<NamedCommand> ReadCommands(const Options& options, std::string& problem) {
-  return Reader(options, problem).Read();
+Expected<std::vector<NamedCommand>> ReadCommands(const Options& options) {
+  return Reader(options).Read();
 }
 
 }  // namespace coppice

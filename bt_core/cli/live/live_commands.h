@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "bt_core/base/command_line.h"
+#include "bt_core/base/outcome.h"
 #include "bt_core/live/client/client_types.h"
 
 namespace coppice {
@@ -17,9 +18,8 @@ struct NamedCommand {
   std::string unhooked;
 };
 
-/// In the order in which they are sent: hooks first, then what lets the tree go on. `problem` says
-/// what is wrong with an option; then there are none.
-std::vector<NamedCommand> ReadCommands(const Options& options, std::string& problem);
+/// In the order in which they are sent: hooks first, then what lets the tree go on.
+Expected<std::vector<NamedCommand>> ReadCommands(const Options& options);
 
 /// "dock/Drive=FAILUREx3": a result that is forced on a node, three times; without x3 for ever.
 /// Nothing else of the hook is set. False if the text is none.

@@ -153,7 +153,7 @@ void RemoteRecorder::BeginRecord() {
   try {
     series_ = std::make_unique<RecordSeries>(PathOfRun(path_, ++records_), options_.keep_files);
   } catch (const std::runtime_error& error) {
-    Report(error.what());
+    Report(Problem{error.what()});
     Report(series_->Next());
   }
   file_bytes_ = 0;
@@ -184,10 +184,10 @@ void RemoteRecorder::Write() {
   Report(series_->Sync());
 }
 
-void RemoteRecorder::Report(const std::string& error) {
-  if (error.empty()) return;
+void RemoteRecorder::Report(const Outcome& outcome) {
+  if (outcome) return;
   const std::lock_guard<std::mutex> lock(mutex_);
-  error_ = error;
+  error_ = outcome.problem();
 }
 
 }  // namespace coppice

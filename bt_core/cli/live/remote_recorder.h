@@ -11,6 +11,7 @@
 #include <optional>
 #include <string>
 
+#include "bt_core/base/outcome.h"
 #include "bt_core/frames/history_encoder.h"
 #include "bt_core/live/client/client.h"
 #include "bt_core/record/record_series.h"
@@ -60,7 +61,7 @@ class RemoteRecorder final : public LiveListener, private FrameSink {
   void BeginRecord();
   void Note(const std::string& text);
   void Write();
-  void Report(const std::string& error);
+  void Report(const Outcome& outcome);
 
   const std::string path_;
   const RemoteRecorderOptions options_;

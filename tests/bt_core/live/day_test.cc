@@ -100,7 +100,7 @@ TEST_F(ADay, OfTenTicksASecondKeepsMemoryAndDiskFlat) {
   const std::size_t after_two_hours = ResidentBytes();
   for (int hour = 2; hour < 24; ++hour) RunAnHour();
   EXPECT_LT(ResidentBytes(), after_two_hours + kSlackBytes);
-  EXPECT_EQ(recorder.Close(), "");
+  EXPECT_EQ(recorder.Close().problem(), "");
   EXPECT_EQ(recorder.lost_ticks(), 0U);
   std::uint64_t bytes = 0;
   std::uint32_t files = 0;

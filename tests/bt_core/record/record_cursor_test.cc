@@ -21,7 +21,7 @@ class FileSink : public FrameSink {
   explicit FileSink(const std::string& path) : series_(path, 0) {}
   void OnFrame(const Frame& frame) override {
     Bytes bytes(frame.data, frame.data + frame.size);
-    EXPECT_EQ(series_.Write(bytes), "");
+    EXPECT_EQ(series_.Write(bytes).problem(), "");
   }
 
  private:

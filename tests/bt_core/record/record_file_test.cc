@@ -27,10 +27,10 @@ TEST(RecordFile, AppendsAndTakesWhatIsWritten) {
   RecordFile file(folder.Path("a"));
   for (const char byte : {'1', '2'}) {
     Bytes bytes(3, static_cast<std::uint8_t>(byte));
-    EXPECT_EQ(file.Write(bytes), "");
+    EXPECT_EQ(file.Write(bytes).problem(), "");
     EXPECT_TRUE(bytes.empty());
   }
-  EXPECT_EQ(file.Sync(), "");
+  EXPECT_EQ(file.Sync().problem(), "");
   EXPECT_EQ(ReadFile(folder.Path("a")), "111222");
 }
 
@@ -50,15 +50,15 @@ TEST(RecordFile, SaysWhyItCannotBeMade) {
 TEST(RecordFile, NoticesThatItWasDeleted) {
   const TemporaryFolder folder;
   RecordFile file(folder.Path("a"));
-  EXPECT_EQ(file.Sync(), "");
+  EXPECT_EQ(file.Sync().problem(), "");
   std::filesystem::remove(folder.Path("a"));
-  EXPECT_THAT(file.Sync(), HasSubstr("deleted this record"));
+  EXPECT_THAT(file.Sync().problem(), HasSubstr("deleted this record"));
 }
 
 TEST(RecordFile, SaysThatTheDiskIsFullAndKeepsTheRest) {
   RecordFile file("/dev/full");
   Bytes bytes(3, 'x');
-  EXPECT_EQ(file.Write(bytes), "/dev/full: cannot write: No space left on device");
+  EXPECT_EQ(file.Write(bytes).problem(), "/dev/full: cannot write: No space left on device");
   EXPECT_EQ(bytes.size(), 3u);
 }
 

@@ -204,7 +204,7 @@ class RecordSeriesReaderTest : public ::testing::Test {
       TickAtRandom(random, script_, clock, executor);
       if (i % 20 == 0) stream.Flush();
     }
-    EXPECT_EQ(recorder.Close(), "");
+    EXPECT_EQ(recorder.Close().problem(), "");
     stream.Remove(kept_);
   }
 
@@ -267,7 +267,7 @@ TEST_F(RecordSeriesReaderTest, FollowsIntoNewFiles) {
     if (reader) reader->Refresh();
   }
   ASSERT_TRUE(reader);
-  EXPECT_EQ(recorder.Close(), "");
+  EXPECT_EQ(recorder.Close().problem(), "");
   EXPECT_TRUE(reader->Refresh());
   EXPECT_TRUE(reader->closed());
   EXPECT_EQ(reader->last_tick(), executor.ticks());

@@ -62,7 +62,7 @@ void Sample(const std::string& path) {
     if (i % 50 == 0) stream.Flush();
   }
   executor.RemoveSink(&results);
-  std::fputs(recorder.Close().c_str(), stderr);
+  std::fputs(recorder.Close().problem().c_str(), stderr);
 }
 
 }  // namespace

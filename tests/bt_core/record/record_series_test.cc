@@ -16,7 +16,7 @@ using ::testing::HasSubstr;
 
 void Append(RecordSeries& series, const std::string& text) {
   Bytes bytes(text.begin(), text.end());
-  EXPECT_EQ(series.Write(bytes), "");
+  EXPECT_EQ(series.Write(bytes).problem(), "");
 }
 
 std::string Content(const TemporaryFolder& folder, const std::string& name) {
@@ -28,9 +28,9 @@ TEST(RecordSeries, GoesOnInFilesWithNumbers) {
   const TemporaryFolder folder;
   RecordSeries series(folder.Path("run.coppice"), 0);
   Append(series, "one");
-  EXPECT_EQ(series.Next(), "");
+  EXPECT_EQ(series.Next().problem(), "");
   Append(series, "two");
-  EXPECT_EQ(series.Next(), "");
+  EXPECT_EQ(series.Next().problem(), "");
   Append(series, "three");
   EXPECT_EQ(Content(folder, "run.coppice"), "one");
   EXPECT_EQ(Content(folder, "run.2.coppice"), "two");
@@ -40,7 +40,7 @@ TEST(RecordSeries, GoesOnInFilesWithNumbers) {
 TEST(RecordSeries, KeepsTheNewestFiles) {
   const TemporaryFolder folder;
   RecordSeries series(folder.Path("run.coppice"), 2);
-  for (int i = 0; i < 4; ++i) EXPECT_EQ(series.Next(), "");
+  for (int i = 0; i < 4; ++i) EXPECT_EQ(series.Next().problem(), "");
   EXPECT_FALSE(std::filesystem::exists(folder.Path("run.coppice")));
   EXPECT_FALSE(std::filesystem::exists(folder.Path("run.3.coppice")));
   EXPECT_TRUE(std::filesystem::exists(folder.Path("run.4.coppice")));
@@ -51,7 +51,7 @@ TEST(RecordSeries, LeavesOutNamesThatAreTaken) {
   const TemporaryFolder folder;
   WriteFile(folder.Path("run.2.coppice"), "precious");
   RecordSeries series(folder.Path("run.coppice"), 1);
-  EXPECT_EQ(series.Next(), "");
+  EXPECT_EQ(series.Next().problem(), "");
   Append(series, "two");
   EXPECT_EQ(ReadFile(folder.Path("run.2.coppice")), "precious");
   EXPECT_EQ(Content(folder, "run.3.coppice"), "two");
@@ -62,7 +62,7 @@ TEST(RecordSeries, StaysInTheOldFileIfNoOtherCanBeMade) {
   std::filesystem::create_directory(folder.Path("a"));
   RecordSeries series(folder.Path("a/run.coppice"), 0);
   std::filesystem::rename(folder.Path("a"), folder.Path("b"));
-  EXPECT_THAT(series.Next(), HasSubstr("run.2.coppice: cannot make this record"));
+  EXPECT_THAT(series.Next().problem(), HasSubstr("run.2.coppice: cannot make this record"));
   Append(series, "more");
   EXPECT_EQ(Content(folder, "b/run.coppice"), "more");
 }

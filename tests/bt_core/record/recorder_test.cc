@@ -45,7 +45,7 @@ class RecorderTest : public ::testing::Test {
 TEST_F(RecorderTest, RecordsWhateverATreeDoes) {
   Recorder recorder(stream_, path());
   for (int i = 0; i < 2000; ++i) Tick();
-  EXPECT_EQ(recorder.Close(), "");
+  EXPECT_EQ(recorder.Close().problem(), "");
   const WholeRecord record = ReadRecord(path());
   EXPECT_GT(record.ticks.size(), 2000u) << "ticks and halts";
   EXPECT_EQ(record.ticks, kept_.ticks);
@@ -59,7 +59,7 @@ TEST_F(RecorderTest, BeginsWithTheTreeAsItStands) {
   options.metadata = {{"robot", "sobi-1"}};
   options.clock = "ros";
   Recorder recorder(stream_, path(), options);
-  recorder.Close();
+  static_cast<void>(recorder.Close());
   const auto record = OpenRecord(path());
   EXPECT_EQ(record->tree().info.metadata, options.metadata);
   EXPECT_EQ(record->tree().info.clock, "ros");
@@ -75,7 +75,7 @@ TEST_F(RecorderTest, KeepsNotesFromAnyThread) {
   other.join();
   Tick();
   recorder.Note(Time(30), "fault", "laser back");
-  recorder.Close();
+  static_cast<void>(recorder.Close());
   const WholeRecord record = ReadRecord(path());
   ASSERT_THAT(record.notes, SizeIs(2));
   EXPECT_EQ(record.notes[0].time, Time(10));
@@ -89,7 +89,7 @@ TEST_F(RecorderTest, GoesOnWhenTheTreeIsSwapped) {
   for (int i = 0; i < 10; ++i) Tick();
   executor_.Reload(OtherScriptedProgram(script_));
   for (int i = 0; i < 10; ++i) Tick();
-  EXPECT_EQ(recorder.Close(), "");
+  EXPECT_EQ(recorder.Close().problem(), "");
   EXPECT_EQ(ReadRecord(path()).ticks, kept_.ticks);
   const auto record = OpenRecord(path());
   ASSERT_THAT(record->trees(), SizeIs(2));
@@ -105,7 +105,7 @@ TEST_F(RecorderTest, GoesOnInAnotherFileWhenOneIsLongEnough) {
   options.flush_period = 1ms;
   Recorder recorder(stream_, path(), options);
   for (int i = 0; i < 5000; ++i) Tick();
-  EXPECT_EQ(recorder.Close(), "");
+  EXPECT_EQ(recorder.Close().problem(), "");
   const auto record = OpenRecord(path());
   EXPECT_GT(record->files().size(), 2u);
   EXPECT_EQ(ReadAll(*record).ticks, kept_.ticks);
@@ -161,7 +161,8 @@ TEST_F(RecorderTest, LeavesOutTicksThatTheDiskCannotTakeAndSaysSo) {
   const std::uint64_t now = executor_.ticks();
   const auto deadline = std::chrono::steady_clock::now() + 30s;
   while (recorder->flushed_tick() <= now && std::chrono::steady_clock::now() < deadline) Tick();
-  EXPECT_THAT(recorder->Close(), HasSubstr("ticks are missing: disk or computer was too slow"));
+  EXPECT_THAT(recorder->Close().problem(),
+              HasSubstr("ticks are missing: disk or computer was too slow"));
   const std::uint64_t all_lost = recorder->lost_ticks();
   recorder.reset();
   WriteFile(folder_.Path("copy"), disk.Content());
@@ -196,7 +197,7 @@ TEST_F(RecorderTest, GivesTheStateOfTheTreeAfterAGap) {
     stream_.Flush();
   }
   disk.Drain();
-  recorder->Close();
+  static_cast<void>(recorder->Close());
   recorder.reset();
   WriteFile(folder_.Path("copy"), disk.Content());
   const auto record = OpenRecord(folder_.Path("copy"));
@@ -242,7 +243,7 @@ TEST_F(RecorderTest, GoesOnWhenThereIsRoomOnTheDiskAgain) {
   const auto deadline = std::chrono::steady_clock::now() + 30s;
   while (recorder.flushed_tick() <= now && std::chrono::steady_clock::now() < deadline) Tick();
   EXPECT_EQ(recorder.trouble(), "");
-  EXPECT_THAT(recorder.Close(), HasSubstr("File too large"));
+  EXPECT_THAT(recorder.Close().problem(), HasSubstr("File too large"));
   const WholeRecord record = ReadRecord(path());
   EXPECT_THAT(record.damages, SizeIs(0));
   EXPECT_TRUE(record.closed);
@@ -265,7 +266,7 @@ TEST_F(RecorderTest, BeginsAnotherFileWhenItsFolderIsDeleted) {
   const auto deadline = std::chrono::steady_clock::now() + 30s;
   while (!std::filesystem::exists(next) && std::chrono::steady_clock::now() < deadline) Tick();
   Tick();
-  EXPECT_THAT(recorder.Close(), HasSubstr("deleted this record"));
+  EXPECT_THAT(recorder.Close().problem(), HasSubstr("deleted this record"));
   const WholeRecord record = ReadRecord(next);
   EXPECT_TRUE(record.closed);
   ASSERT_FALSE(record.ticks.empty());
@@ -281,10 +282,10 @@ TEST_F(RecorderTest, ThrowsRatherThanOverwriting) {
 
 TEST_F(RecorderTest, ClosesOnceAndStopsListening) {
   Recorder recorder(stream_, path());
-  recorder.Close();
+  static_cast<void>(recorder.Close());
   const std::string content = ReadFile(path());
   Tick();
-  EXPECT_EQ(recorder.Close(), "");
+  EXPECT_EQ(recorder.Close().problem(), "");
   EXPECT_EQ(ReadFile(path()), content);
 }
 

@@ -30,7 +30,7 @@ class RecordSourceTest : public testing::Test {
       robot_.Tick();
       if (i % 100 == 99) stream.Flush();
     }
-    EXPECT_EQ(recorder.Close(), "");
+    EXPECT_EQ(recorder.Close().problem(), "");
   }
 
   // The run after it was read to its end.
@@ -128,7 +128,7 @@ TEST_F(RecordSourceTest, ARecordThatWasClosedIsShownAtItsLastTick) {
     Recorder recorder(stream, path_);
     for (int i = 0; i < 20; ++i) robot_.Tick();
     robot_.executor.Halt();
-    EXPECT_EQ(recorder.Close(), "");
+    EXPECT_EQ(recorder.Close().problem(), "");
   }
   RunView view(RecordSource::Open(path_, diagnostics_), std::make_shared<NodeModels>());
   ReadAll(view);

@@ -19,15 +19,13 @@ Options Given(const std::map<std::string, std::vector<std::string>>& values) {
 }
 
 TEST(LiveCommands, AreSentHooksFirst) {
-  std::string problem;
   const auto commands = ReadCommands(Given({{"--continue", {""}},
                                             {"--break", {"a", "b"}},
                                             {"--if", {"x > 1"}},
                                             {"--inject", {"c=FAILUREx3"}},
                                             {"--delay", {"d=250"}},
-                                            {"--set", {"dock/speed=0.5=x"}}}),
-                                     problem);
-  EXPECT_EQ(problem, "");
+                                            {"--set", {"dock/speed=0.5=x"}}}))
+                            .value();
   ASSERT_EQ(commands.size(), 6u);
   EXPECT_EQ(commands[0].command.hook.path, "a");
   EXPECT_EQ(commands[0].command.hook.condition, "x > 1");
@@ -53,9 +51,7 @@ TEST(LiveCommands, SayWhatIsWrongWithThem) {
                                                {"--delay", "a=0", "expected PATH=MILLISECONDS"},
                                                {"--set", "a", "expected KEY=VALUE"},
                                                {"--if", "x", "needs a --break"}}) {
-    std::string problem;
-    EXPECT_THAT(ReadCommands(Given({{option, {value}}}), problem), IsEmpty());
-    EXPECT_THAT(problem, HasSubstr(text));
+    EXPECT_THAT(ReadCommands(Given({{option, {value}}})).problem(), HasSubstr(text));
   }
 }
 

@@ -50,7 +50,7 @@ class ReplayTest : public ::testing::Test {
     executor.Tick();
     stream.Flush();
     recorder.Note(clock.Now(), "fault", "laser unplugged");
-    EXPECT_EQ(recorder.Close(), "");
+    EXPECT_EQ(recorder.Close().problem(), "");
   }
 
   std::string path() const { return folder_.Path("run.coppice"); }
@@ -267,7 +267,7 @@ TEST_F(ReplayTest, ATestOfATreeWithADecoratorOfTheRobotsOwnNamesItsModel) {
       clock.Advance(1s);
     }
     stream.Flush();
-    EXPECT_EQ(recorder.Close(), "");
+    EXPECT_EQ(recorder.Close().problem(), "");
   }
   const std::string tree = folder_.Path("tree.xml");
   std::ofstream(tree) << "<root BTCPP_format='4' main_tree_to_execute='Main'>" << text << "</root>";
