@@ -159,8 +159,8 @@ class Robot {
     Executor& executor = application_->executor();
     const bool used = executor.program().layout.Find(0, key) != kNoSlot;
     if (!used && !options.Has("--" + key)) return;
-    const std::string problem = SetKey(executor, key, options.Get("--" + key, otherwise));
-    if (!problem.empty()) throw std::runtime_error(problem);
+    const Outcome set = SetKey(executor, key, options.Get("--" + key, otherwise));
+    if (!set) throw std::runtime_error(set.problem());
   }
 
   // The process supervisor restarts a program whose heart stands still.

@@ -111,7 +111,7 @@ void TreeRunner::Note(const std::string& kind, const std::string& text) {
   if (recorder_) recorder_->Note(executor_.clock().Now(), kind, text);
 }
 
-std::string SetKey(Executor& executor, const std::string& key, const std::string& text) {
+Outcome SetKey(Executor& executor, const std::string& key, const std::string& text) {
   const Layout& layout = executor.program().layout;
   const SlotIndex slot = layout.Find(0, key);
   if (slot == kNoSlot) {
@@ -119,14 +119,15 @@ std::string SetKey(Executor& executor, const std::string& key, const std::string
     for (const SlotDefinition& definition : layout.slots) {
       if (definition.scope == 0 && !definition.key.empty()) keys.push_back(definition.key);
     }
-    return "the tree has no key \"" + key + "\" " + DidYouMean(key, keys);
+    return Problem{"the tree has no key \"" + key + "\" " + DidYouMean(key, keys)};
   }
   const Type* type = layout.slots[slot].type;
   Value value;
   if (!type) {
     value = GuessValue(text);
   } else if (!value.Parse(*type, text)) {
-    return "\"" + text + "\" is not a value for key \"" + key + "\", expected " + type->name;
+    return Problem{"\"" + text + "\" is not a value for key \"" + key + "\", expected " +
+                   type->name};
   }
   executor.inbox()->Post(slot, 0, std::move(value));
   return {};

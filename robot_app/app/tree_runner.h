@@ -11,6 +11,7 @@
 #include <string>
 #include <thread>
 
+#include "bt_core/base/outcome.h"
 #include "bt_core/engine/events/event_stream.h"
 #include "bt_core/engine/runner.h"
 #include "bt_core/live/server/live_publisher.h"
@@ -81,8 +82,7 @@ class TreeRunner {
 };
 
 /// Gives a key of the main tree a value from its text form, as if another node had written it.
-/// Returns an empty text, or what is wrong.
-std::string SetKey(Executor& executor, const std::string& key, const std::string& text);
+Outcome SetKey(Executor& executor, const std::string& key, const std::string& text);
 
 }  // namespace coppice::robot
 

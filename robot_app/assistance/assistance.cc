@@ -117,7 +117,12 @@ void Assistance::TakeAnswer(const std::string& channel, const ChatAnswer& answer
   reply.to = answer.from;
   reply.name = by->name;
   reply.headline = config_.robot;
-  reply.text = id == 0 ? "Nothing is open." : desk_.Answer(id, by->name, answer.fixed, now).message;
+  if (id == 0) {
+    reply.text = "Nothing is open.";
+  } else {
+    const Expected<std::string> told = desk_.Answer(id, by->name, answer.fixed, now);
+    reply.text = told ? *told : told.problem();
+  }
   reply.kind = "notice";
   reply.id = MessageId(now);
   sender_.Send(0, channel, std::move(reply));  // no letter of the desk: not tried again

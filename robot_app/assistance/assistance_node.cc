@@ -60,10 +60,10 @@ AssistanceNode::AssistanceNode(ros::NodeHandle& node, HelpDesk& desk, const Cloc
   Advertise<coppice_msgs::TellSupervisors>(
       node, "tell", [this](auto& request, auto&) { desk_.Tell(request.subject, request.message); });
   Advertise<coppice_msgs::AnswerHelp>(node, "answer", [this](auto& request, auto& response) {
-    const HelpDesk::Outcome outcome =
+    const Expected<std::string> told =
         desk_.Answer(request.id, request.by, request.fixed, clock_.Now());
-    response.ok = outcome.ok;
-    response.message = outcome.message;
+    response.ok = told.ok();
+    response.message = told ? *told : told.problem();
   });
 }
 

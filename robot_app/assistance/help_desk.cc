@@ -74,24 +74,25 @@ void HelpDesk::Take(std::uint32_t id, const std::string& by, Time now) {
   ++version_;
 }
 
-HelpDesk::Outcome HelpDesk::Answer(std::uint32_t id, const std::string& by, bool fixed, Time now) {
+Expected<std::string> HelpDesk::Answer(std::uint32_t id, const std::string& by, bool fixed,
+                                       Time now) {
   HelpRequest* const open = FindOpen(id);
   if (open && fixed) {
     Close(*open, HelpState::kFixed, by, by + " has fixed it.");
-    return {true, "Thank you. The others have been told."};
+    return "Thank you. The others have been told.";
   }
   if (open) return Decline(*open, by, now);
   const HelpRequest* const closed = Find(id);
-  return {false, closed ? "It was closed before: " + closed->message : "There is no such request."};
+  return Problem{closed ? "It was closed before: " + closed->message : "There is no such request."};
 }
 
-HelpDesk::Outcome HelpDesk::Decline(HelpRequest& request, const std::string& by, Time now) {
+std::string HelpDesk::Decline(HelpRequest& request, const std::string& by, Time now) {
   if (AskedSupervisor* const asked = FindAsked(request, by)) asked->state = State::kDeclined;
   ++version_;
-  if (AskNext(request, now)) return {true, "Thank you. The next supervisor is asked."};
-  if (!HaveAllDeclined(request)) return {true, "Thank you. The robot waits for the others."};
+  if (AskNext(request, now)) return "Thank you. The next supervisor is asked.";
+  if (!HaveAllDeclined(request)) return "Thank you. The robot waits for the others.";
   Close(request, HelpState::kNotFixed, by, "Nobody who was asked could fix it.");
-  return {true, "Thank you. Nobody else is left to ask."};
+  return "Thank you. Nobody else is left to ask.";
 }
 
 void HelpDesk::Step(Time now) {

@@ -17,6 +17,7 @@
 #include <string>
 #include <vector>
 
+#include "bt_core/base/outcome.h"
 #include "robot_app/assistance/channels/letter_queue.h"
 #include "robot_app/assistance/help_request.h"
 
@@ -48,14 +49,10 @@ class HelpDesk {
   /// Somebody has opened the page for it: the next supervisor is not asked yet.
   void Take(std::uint32_t id, const std::string& by, Time now);
 
-  struct Outcome {
-    bool ok = false;
-    std::string message;  ///< for the one who answered
-  };
   /// The first one to say "fixed" closes the question. "Not fixed" passes it to the next
   /// supervisor, and closes it if everybody who was asked has said so and nobody is left. id 0: the
-  /// oldest open.
-  Outcome Answer(std::uint32_t id, const std::string& by, bool fixed, Time now);
+  /// oldest open. Returns what the one who answered is told.
+  Expected<std::string> Answer(std::uint32_t id, const std::string& by, bool fixed, Time now);
 
   /// Reminders, next supervisors, deadlines. Call it several times a second.
   void Step(Time now);
@@ -82,7 +79,7 @@ class HelpDesk {
             const std::string& text);
   void Remind(HelpRequest& request, Time now);
   void Close(HelpRequest& request, HelpState state, const std::string& by, std::string message);
-  Outcome Decline(HelpRequest& request, const std::string& by, Time now);
+  std::string Decline(HelpRequest& request, const std::string& by, Time now);
   void ForgetOldest();
 
   const std::vector<HumanSupervisor> supervisors_;

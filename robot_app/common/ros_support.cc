@@ -111,19 +111,17 @@ LaserScan ToLaserScan(const sensor_msgs::LaserScan& message, const Pose2D& mount
   return scan;
 }
 
-std::optional<OccupancyGrid> ToGrid(const nav_msgs::OccupancyGrid& message, std::string& error) {
+Expected<OccupancyGrid> ToGrid(const nav_msgs::OccupancyGrid& message) {
   OccupancyGrid grid;
   const auto& info = message.info;
   grid.frame = {info.resolution, info.origin.position.x, info.origin.position.y,
                 static_cast<int>(info.width), static_cast<int>(info.height)};
   if (!(info.resolution > 0) || message.data.empty() ||
       message.data.size() != static_cast<std::size_t>(info.width) * info.height) {
-    error = "the map has not width * height cells";
-    return std::nullopt;
+    return Problem{"the map has not width * height cells"};
   }
   if (std::abs(YawOf(info.origin.orientation)) > 1e-6) {
-    error = "the map is rotated against its frame";
-    return std::nullopt;
+    return Problem{"the map is rotated against its frame"};
   }
   grid.cells = message.data;
   return grid;

@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "bt_core/base/outcome.h"
 #include "robot_app/common/laser_scan.h"
 #include "robot_app/common/occupancy_grid.h"
 #include "robot_app/common/parameters.h"
@@ -47,8 +48,8 @@ bool IsValid(const geometry_msgs::Pose& pose);
 
 LaserScan ToLaserScan(const sensor_msgs::LaserScan& message, const Pose2D& mount);
 
-/// Nothing, with the reason, if the grid is rotated or has not width * height cells.
-std::optional<OccupancyGrid> ToGrid(const nav_msgs::OccupancyGrid& message, std::string& error);
+/// A problem if the grid is rotated or has not width * height cells.
+Expected<OccupancyGrid> ToGrid(const nav_msgs::OccupancyGrid& message);
 
 /// Where the robot is, from tf.
 class RobotPose {

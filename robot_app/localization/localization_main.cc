@@ -119,10 +119,9 @@ class LocalizationNode {
 
   // Whoever shows the map may have been restarted: the same map again says nothing new.
   void OnMap(const nav_msgs::OccupancyGrid& message) {
-    std::string error;
-    const auto grid = ToGrid(message, error);
+    const Expected<OccupancyGrid> grid = ToGrid(message);
     if (!grid) {
-      ROS_ERROR("%s; it is not used", error.c_str());
+      ROS_ERROR("%s; it is not used", grid.problem().c_str());
     } else if (!IsSame(*grid, map_)) {
       map_ = *grid;
       localizer_.SetMap(map_);
@@ -206,10 +205,9 @@ class LocalizationNode {
   }
 
   void Save(const Pose2D& pose) const {
-    std::string error;
-    if (settings_.last_pose_file != "none" && !SavePose(settings_.last_pose_file, pose, error)) {
-      ROS_WARN_THROTTLE(60, "%s", error.c_str());
-    }
+    if (settings_.last_pose_file == "none") return;
+    const Outcome saved = SavePose(settings_.last_pose_file, pose);
+    if (!saved) ROS_WARN_THROTTLE(60, "%s", saved.problem().c_str());
   }
 
   Settings settings_;

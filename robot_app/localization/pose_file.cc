@@ -14,13 +14,12 @@ std::optional<Pose2D> LoadPose(const std::string& file) {
   return ParsePose(line);
 }
 
-bool SavePose(const std::string& file, const Pose2D& pose, std::string& error) {
+Outcome SavePose(const std::string& file, const Pose2D& pose) {
   char line[128];
   std::snprintf(line, sizeof line, "%.4f %.4f %.4f\n", pose.x, pose.y, pose.yaw);
   Diagnostics diagnostics;
-  if (WriteFile(file, line, diagnostics)) return true;
-  error = diagnostics.ToString();
-  return false;
+  if (WriteFile(file, line, diagnostics)) return {};
+  return Problem{diagnostics.ToString()};
 }
 
 }  // namespace coppice::robot::localization

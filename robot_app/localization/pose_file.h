@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "bt_core/base/outcome.h"
 #include "robot_app/common/pose2d.h"
 
 namespace coppice::robot::localization {
@@ -13,8 +14,8 @@ namespace coppice::robot::localization {
 std::optional<Pose2D> LoadPose(const std::string& file);
 
 /// Replaces the file at once: whoever reads it sees the old or the new pose, also after a power
-/// failure. False, with the reason, if it cannot be written.
-bool SavePose(const std::string& file, const Pose2D& pose, std::string& error);
+/// failure.
+Outcome SavePose(const std::string& file, const Pose2D& pose);
 
 }  // namespace coppice::robot::localization
 

@@ -177,11 +177,9 @@ class MappingNode {
 
   // For the localization, which goes on from there.
   void LeavePose() {
-    std::string error;
-    if (settings_.last_pose_file != "none" &&
-        !localization::SavePose(settings_.last_pose_file, mapper_.pose(), error)) {
-      ROS_WARN("%s", error.c_str());
-    }
+    if (settings_.last_pose_file == "none") return;
+    const Outcome saved = localization::SavePose(settings_.last_pose_file, mapper_.pose());
+    if (!saved) ROS_WARN("%s", saved.problem().c_str());
   }
 
   const Settings settings_;

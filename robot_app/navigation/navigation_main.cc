@@ -106,10 +106,9 @@ class NavigationNode {
   void Subscribe() {
     subscribers_.push_back(node_.subscribe<nav_msgs::OccupancyGrid>(
         "/map", 1, [this](const nav_msgs::OccupancyGrid::ConstPtr& message) {
-          std::string error;
-          auto grid = ToGrid(*message, error);
+          Expected<OccupancyGrid> grid = ToGrid(*message);
           if (!grid) {
-            ROS_ERROR("%s; it is not used", error.c_str());
+            ROS_ERROR("%s; it is not used", grid.problem().c_str());
             return;
           }
           MeasureWays(*grid);

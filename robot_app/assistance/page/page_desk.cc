@@ -110,8 +110,8 @@ std::string PageDesk::Do(std::uint64_t client, Client& who, const PageCommand& c
       Tell(client, true, "The position was set.");
       return name + " sets the position";
     case Kind::kAnswer: {
-      const HelpDesk::Outcome outcome = help_.Answer(command.request, name, command.fixed, now);
-      Tell(client, outcome.ok, outcome.message);
+      const Expected<std::string> told = help_.Answer(command.request, name, command.fixed, now);
+      Tell(client, told.ok(), told ? *told : told.problem());
       return name + (command.fixed ? " says fixed" : " says not fixed");
     }
     case Kind::kRestart:

@@ -173,7 +173,7 @@ TEST(SummarizeFiles, FindsRecoveriesAndPlacesInARecordOfTheShippedMonitorTree) {
     Recorder recorder(stream, file);
     BlockTheWay(scenario, 0);
     BlockTheWay(scenario, 5);
-    EXPECT_EQ(recorder.Close(), "");
+    EXPECT_EQ(recorder.Close().problem(), "");
   }
   const RunSummary summary = SummarizeFiles(file, file);
   std::remove(file.c_str());

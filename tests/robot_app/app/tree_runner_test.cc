@@ -37,7 +37,7 @@ class TreeRunnerTest : public testing::Test {
   // Runs the tree for some rounds; returns the root's last result.
   Status RunRounds(const std::string& rounds) {
     TreeRunner runner(MakeProgram(), clock_, options_);
-    EXPECT_EQ(SetKey(runner.executor(), "rounds", rounds), "");
+    EXPECT_EQ(SetKey(runner.executor(), "rounds", rounds).problem(), "");
     std::mutex mutex;
     std::condition_variable ended;
     Status result = Status::kIdle;
@@ -76,7 +76,7 @@ TEST_F(TreeRunnerTest, StartsASecondRecordBesideAnEarlierOne) {
 TEST_F(TreeRunnerTest, StopsATreeThatRunsForEver) {
   options_.run.forever = true;
   TreeRunner runner(MakeProgram(), clock_, options_);
-  SetKey(runner.executor(), "rounds", "-1");
+  EXPECT_TRUE(SetKey(runner.executor(), "rounds", "-1"));
   bool ended = false;
   runner.Start([&](Status) { ended = true; });
   runner.Stop();
@@ -97,14 +97,14 @@ TEST_F(TreeRunnerTest, SaysWhichPortIsTaken) {
 TEST(SetKey, RefusesAKeyThatTheTreeDoesNotUseAndNamesTheNearest) {
   SimulatedClock clock;
   Executor executor(MakeProgram(), clock);
-  EXPECT_EQ(SetKey(executor, "round", "3"),
+  EXPECT_EQ(SetKey(executor, "round", "3").problem(),
             "the tree has no key \"round\" did you mean \"rounds\"?");
 }
 
 TEST(SetKey, RefusesAValueOfAnotherType) {
   SimulatedClock clock;
   Executor executor(MakeProgram(), clock);
-  EXPECT_EQ(SetKey(executor, "rounds", "many"),
+  EXPECT_EQ(SetKey(executor, "rounds", "many").problem(),
             "\"many\" is not a value for key \"rounds\", expected int");
 }
 
@@ -168,7 +168,7 @@ class StandingClock : public Clock {
 TEST_F(TreeRunnerTest, ATreeThatWaitsForATimeThatDoesNotComeIsAlive) {
   StandingClock clock;
   TreeRunner runner(MakeProgram(), clock, options_);
-  SetKey(runner.executor(), "rounds", "-1");
+  EXPECT_TRUE(SetKey(runner.executor(), "rounds", "-1"));
   runner.Start([](Status) {});
   runner.IsAlive();
   EXPECT_TRUE(ComesToLife(runner));
@@ -187,7 +187,7 @@ TEST_F(TreeRunnerTest, RestsWhileItIsSuspendedAndThenBeginsAnew) {
   ASSERT_TRUE(program) << diagnostics.ToString();
   options_.record_path.clear();
   TreeRunner runner(program, clock_, options_);
-  EXPECT_EQ(SetKey(runner.executor(), "begun", "0"), "");
+  EXPECT_EQ(SetKey(runner.executor(), "begun", "0").problem(), "");
   std::mutex mutex;
   std::condition_variable changed;
   int begun = 0;

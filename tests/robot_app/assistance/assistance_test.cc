@@ -86,7 +86,7 @@ TEST_F(AssistanceTest, AQuestionBearsALinkThatWorksOnceAndEndsWithTheRequest) {
 TEST_F(AssistanceTest, TheAllClearHasNoLinkAndUnusedLinksEnd) {
   const std::uint32_t id = assistance_->desk().Ask("navigation", "Blocked.", now_);
   const std::string token = TokenOf(Messages(1)[0]);
-  assistance_->desk().Answer(id, "Ben", true, now_);
+  EXPECT_TRUE(assistance_->desk().Answer(id, "Ben", true, now_));
   const OutgoingMessage message = Messages(2)[1];
   EXPECT_EQ(message.kind, "all-clear");
   EXPECT_EQ(message.name, "Ada");

@@ -89,10 +89,10 @@ TEST_F(Desk, TheFirstSupervisorIsAskedAtOnceAndTheOthersOneAfterTheOther) {
 TEST_F(Desk, TheFirstAnswerWinsAndTheOthersHearThatItIsFixed) {
   const std::uint32_t id = desk_.Ask("navigation", "Blocked.", now_);
   Pass(minutes(6));
-  EXPECT_TRUE(desk_.Answer(id, "Ben", true, now_).ok);
-  const HelpDesk::Outcome second = desk_.Answer(id, "Ada", true, now_);
-  EXPECT_FALSE(second.ok);
-  EXPECT_THAT(second.message, HasSubstr("Ben has fixed it"));
+  EXPECT_TRUE(desk_.Answer(id, "Ben", true, now_));
+  const Expected<std::string> second = desk_.Answer(id, "Ada", true, now_);
+  EXPECT_FALSE(second);
+  EXPECT_THAT(second.problem(), HasSubstr("Ben has fixed it"));
   EXPECT_EQ(request().state, HelpState::kFixed);
   EXPECT_EQ(request().answered_by, "Ben");
   EXPECT_TRUE(request().ok);
@@ -102,12 +102,12 @@ TEST_F(Desk, TheFirstAnswerWinsAndTheOthersHearThatItIsFixed) {
 TEST_F(Desk, NotFixedPassesTheQuestionOnUntilNobodyIsLeft) {
   const std::uint32_t id = desk_.Ask("navigation", "Blocked.", now_);
   Pass(seconds(1));
-  desk_.Answer(id, "Ada", false, now_);
+  EXPECT_TRUE(desk_.Answer(id, "Ada", false, now_));
   EXPECT_THAT(Pass(seconds(1)), ElementsAre("question Ben"));
-  desk_.Answer(id, "Ben", false, now_);
+  EXPECT_TRUE(desk_.Answer(id, "Ben", false, now_));
   EXPECT_THAT(Pass(seconds(1)), ElementsAre("question Cleo"));
   EXPECT_EQ(request().state, HelpState::kOpen);
-  desk_.Answer(id, "Cleo", false, now_);
+  EXPECT_TRUE(desk_.Answer(id, "Cleo", false, now_));
   EXPECT_EQ(request().state, HelpState::kNotFixed);
   EXPECT_FALSE(request().ok);
 }
@@ -115,9 +115,9 @@ TEST_F(Desk, NotFixedPassesTheQuestionOnUntilNobodyIsLeft) {
 TEST_F(Desk, WhoCouldNotFixItIsNotRemindedButMayStillFixIt) {
   const std::uint32_t id = desk_.Ask("navigation", "Blocked.", now_);
   Pass(seconds(1));
-  desk_.Answer(id, "Ada", false, now_);
+  EXPECT_TRUE(desk_.Answer(id, "Ada", false, now_));
   EXPECT_THAT(Pass(minutes(3)), ElementsAre("question Ben", "reminder Ben"));
-  EXPECT_TRUE(desk_.Answer(id, "Ada", true, now_).ok);
+  EXPECT_TRUE(desk_.Answer(id, "Ada", true, now_));
   EXPECT_EQ(request().state, HelpState::kFixed);
 }
 
@@ -176,7 +176,7 @@ TEST_F(Desk, AskedAgainTheOpenQuestionIsJoinedWithTheNewerText) {
 TEST_F(Desk, AskedAgainAfterItWasClosedItIsANewQuestion) {
   const std::uint32_t id = desk_.Ask("navigation", "Blocked.", now_);
   Pass(seconds(1));
-  desk_.Answer(id, "Ada", true, now_);
+  EXPECT_TRUE(desk_.Answer(id, "Ada", true, now_));
   EXPECT_EQ(desk_.Ask("navigation", "Blocked.", now_), id + 1);
   EXPECT_THAT(Pass(seconds(1)), ElementsAre("question Ada"));
 }
@@ -232,14 +232,14 @@ TEST_F(Desk, ANoticeThatReachesNobodyIsTriedAgain) {
 TEST_F(Desk, SomebodyWhoIsNotOnTheListMayAnswer) {
   const std::uint32_t id = desk_.Ask("navigation", "Blocked.", now_);
   Pass(seconds(1));
-  EXPECT_TRUE(desk_.Answer(0, "operator", true, now_).ok);
+  EXPECT_TRUE(desk_.Answer(0, "operator", true, now_));
   EXPECT_EQ(desk_.Find(id)->answered_by, "operator");
   EXPECT_THAT(Pass(seconds(1)), ElementsAre("all-clear Ada"));
 }
 
 TEST_F(Desk, AnAnswerToNothingIsRefused) {
-  EXPECT_FALSE(desk_.Answer(7, "Ada", true, now_).ok);
-  EXPECT_FALSE(desk_.Answer(0, "Ada", true, now_).ok);
+  EXPECT_FALSE(desk_.Answer(7, "Ada", true, now_));
+  EXPECT_FALSE(desk_.Answer(0, "Ada", true, now_));
 }
 
 TEST_F(Desk, OpenQuestionsGoOnAfterARestart) {
@@ -265,13 +265,13 @@ TEST_F(Desk, WithoutSupervisorsAQuestionEndsAtItsDeadlineOrByAnAnswer) {
   alone.Tell("disk", "Full.");
   const std::uint32_t id = alone.Ask("navigation", "Blocked.", now_);
   EXPECT_TRUE(alone.TakeLetters(now_).empty());
-  EXPECT_TRUE(alone.Answer(id, "operator", false, now_).ok);
+  EXPECT_TRUE(alone.Answer(id, "operator", false, now_));
   EXPECT_EQ(alone.requests().back().state, HelpState::kNotFixed);
 }
 
 TEST_F(Desk, OnlyTheLastClosedQuestionsAreKept) {
   for (int i = 0; i < 100; ++i) {
-    desk_.Answer(desk_.Ask("navigation", "Blocked.", now_), "Ada", true, now_);
+    EXPECT_TRUE(desk_.Answer(desk_.Ask("navigation", "Blocked.", now_), "Ada", true, now_));
   }
   EXPECT_LE(desk_.requests().size(), HelpDesk::kClosedKept + 1);
 }

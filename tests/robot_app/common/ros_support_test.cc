@@ -52,18 +52,15 @@ TEST(RosMessages, AGridMustHaveItsCellsAndNoRotation) {
   message.info.origin.orientation.w = 1;
   message.info.origin.position.x = -3;
   message.data.assign(6, 100);
-  std::string error;
-  const auto grid = ToGrid(message, error);
-  ASSERT_TRUE(grid) << error;
+  const Expected<OccupancyGrid> grid = ToGrid(message);
+  ASSERT_TRUE(grid) << grid.problem();
   EXPECT_DOUBLE_EQ(grid->frame.origin_x, -3);
   EXPECT_EQ(grid->frame.size(), 6);
   message.info.origin.orientation = ToPoseMessage({0, 0, 0.1}).orientation;
-  EXPECT_FALSE(ToGrid(message, error));
-  EXPECT_THAT(error, HasSubstr("rotated"));
+  EXPECT_THAT(ToGrid(message).problem(), HasSubstr("rotated"));
   message.info.origin.orientation = ToPoseMessage({0, 0, 0}).orientation;
   message.data.pop_back();
-  EXPECT_FALSE(ToGrid(message, error));
-  EXPECT_THAT(error, HasSubstr("cells"));
+  EXPECT_THAT(ToGrid(message).problem(), HasSubstr("cells"));
 }
 
 TEST(RosMessages, ScansKeepTheirTimeAndBeams) {

@@ -10,9 +10,8 @@ namespace {
 
 TEST(PoseFile, KeepsThePose) {
   const std::string file = testing::TempDir() + "last_pose";
-  std::string error;
-  ASSERT_TRUE(SavePose(file, {1.5, -2, 3}, error)) << error;
-  ASSERT_TRUE(SavePose(file, {2.5, -2, 3.14159}, error)) << error;
+  ASSERT_EQ(SavePose(file, {1.5, -2, 3}).problem(), "");
+  ASSERT_EQ(SavePose(file, {2.5, -2, 3.14159}).problem(), "");
   const auto pose = LoadPose(file);
   ASSERT_TRUE(pose);
   EXPECT_NEAR(pose->x, 2.5, 1e-4);
@@ -23,9 +22,8 @@ TEST(PoseFile, KeepsThePose) {
 TEST(PoseFile, IsNothingIfItIsNotThere) { EXPECT_FALSE(LoadPose("/does/not/exist")); }
 
 TEST(PoseFile, TellsWhyItCannotBeWritten) {
-  std::string error;
-  EXPECT_FALSE(SavePose("/does/not/exist", {}, error));
-  EXPECT_NE(error.find("/does/not"), std::string::npos) << error;
+  const Outcome saved = SavePose("/does/not/exist", {});
+  EXPECT_NE(saved.problem().find("/does/not"), std::string::npos) << saved.problem();
 }
 
 }  // namespace

@@ -71,8 +71,8 @@ class MappingNodeTest : public testing::Test {
   }
   static bool Shows(const boost::shared_ptr<const nav_msgs::OccupancyGrid>& map, double x,
                     double y) {
-    std::string error;
-    const auto grid = map ? ToGrid(*map, error) : std::nullopt;
+    if (!map) return false;
+    const Expected<OccupancyGrid> grid = ToGrid(*map);
     if (!grid) return false;
     const Cell cell = grid->frame.CellAt(x, y);
     return grid->frame.Contains(cell) &&
