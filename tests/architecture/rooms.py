@@ -82,7 +82,8 @@ FLOORS = {
     "editor": [
         {"editor/keys": "keys and mouse as a queue, chords, the table of commands, fuzzy search",
          "editor/render": "pictures, and triangles to pixels without a display",
-         "editor/files": "open files: text and undo, backup, merging, what git has of them",
+         "editor/files": "open files: text and undo, copies of unsaved work, merging, what git has "
+                        "of them",
          "editor/scene": "a tree written out as a flat scene; the uses of its keys, its notes",
          "editor/timeline": "a run in memory: time, lanes, figures of a key"},
         {"editor/theme": "colours, fonts, geometry, the `Ui` that all draw with",
