@@ -32,8 +32,10 @@ void Conclude(Attempt& attempt, ReachResult& result) {
 Attempt Begin(const ReachTarget& target, ReachResult& result) {
   Attempt attempt;
   attempt.begun = Now();
-  attempt.socket = Connect(target.address, target.port, SOCK_STREAM, result.error);
-  attempt.is_done = !attempt.socket.is_open();
+  Expected<Socket> socket = Connect(target.address, target.port, SOCK_STREAM);
+  attempt.is_done = !socket;
+  result.error = socket.problem();
+  if (socket) attempt.socket = *std::move(socket);
   return attempt;
 }
 

@@ -36,9 +36,11 @@ struct Question {
 };
 
 void Ask(const ClockServer& server, Question& question, ClockReading& reading) {
-  question.socket = Connect(server.address, server.port, SOCK_DGRAM, reading.error);
-  question.is_done = !question.socket.is_open();
-  if (question.is_done) return;
+  Expected<Socket> socket = Connect(server.address, server.port, SOCK_DGRAM);
+  question.is_done = !socket;
+  reading.error = socket.problem();
+  if (!socket) return;
+  question.socket = *std::move(socket);
   const int enabled = 1;  // the kernel notes when a reply came, however late we look
   setsockopt(question.socket.fd(), SOL_SOCKET, SO_TIMESTAMPNS, &enabled, sizeof(enabled));
   NtpPacket request;

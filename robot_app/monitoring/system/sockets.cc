@@ -16,27 +16,28 @@ namespace {
 
 using AddressList = std::unique_ptr<addrinfo, decltype(&freeaddrinfo)>;
 
-AddressList Resolve(const std::string& address, int port, int type, std::string& error) {
+Expected<AddressList> Resolve(const std::string& address, int port, int type) {
   addrinfo wanted{};
   wanted.ai_socktype = type;
   wanted.ai_flags = AI_NUMERICSERV;
   addrinfo* found = nullptr;
   const int code = getaddrinfo(address.c_str(), std::to_string(port).c_str(), &wanted, &found);
-  if (code != 0) error = "\"" + address + "\": " + gai_strerror(code);
-  return AddressList(code == 0 ? found : nullptr, &freeaddrinfo);
+  if (code != 0) return Problem{"\"" + address + "\": " + gai_strerror(code)};
+  return AddressList(found, &freeaddrinfo);
 }
 
-// With the operation that makes it useful; not open, with the reason, if that fails.
+// With the operation that makes it useful.
 template <class Operation>
-Socket Open(const addrinfo& address, std::string& error, const Operation& operation) {
+Expected<Socket> Open(const Expected<AddressList>& found, const Operation& operation) {
+  if (!found) return Problem{found.problem()};
+  const addrinfo& address = **found;
   Socket socket(::socket(address.ai_family, address.ai_socktype | SOCK_NONBLOCK | SOCK_CLOEXEC,
                          address.ai_protocol));
   if (socket.is_open() && operation(socket.fd(), address.ai_addr, address.ai_addrlen) == 0) {
     return socket;
   }
   if (socket.is_open() && errno == EINPROGRESS) return socket;
-  error = std::strerror(errno);
-  return Socket();
+  return Problem{std::strerror(errno)};
 }
 
 Time Now() { return std::chrono::steady_clock::now().time_since_epoch(); }
@@ -54,14 +55,12 @@ Socket& Socket::operator=(Socket&& other) noexcept {
   return *this;
 }
 
-Socket Connect(const std::string& address, int port, int type, std::string& error) {
-  const AddressList found = Resolve(address, port, type, error);
-  return found ? Open(*found, error, &connect) : Socket();
+Expected<Socket> Connect(const std::string& address, int port, int type) {
+  return Open(Resolve(address, port, type), &connect);
 }
 
-Socket ListenUdp(const std::string& address, int port, std::string& error) {
-  const AddressList found = Resolve(address, port, SOCK_DGRAM, error);
-  return found ? Open(*found, error, &bind) : Socket();
+Expected<Socket> ListenUdp(const std::string& address, int port) {
+  return Open(Resolve(address, port, SOCK_DGRAM), &bind);
 }
 
 int PortOf(const Socket& socket) {

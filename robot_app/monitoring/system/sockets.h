@@ -5,6 +5,7 @@
 #include <string>
 
 #include "bt_core/base/clock.h"
+#include "bt_core/base/outcome.h"
 
 namespace coppice::robot::monitoring {
 
@@ -23,12 +24,12 @@ class Socket {
 };
 
 /// A non-blocking socket on the way to the first address of that name; `type`: SOCK_STREAM (the
-/// connection may still be under way) or SOCK_DGRAM. Not open, with the reason, on failure. A name
-/// that is no numeric address is looked up first, which may block for seconds.
-Socket Connect(const std::string& address, int port, int type, std::string& error);
+/// connection may still be under way) or SOCK_DGRAM. A name that is no numeric address is looked up
+/// first, which may block for seconds.
+Expected<Socket> Connect(const std::string& address, int port, int type);
 
 /// A non-blocking UDP socket that listens there; port 0 takes a free one.
-Socket ListenUdp(const std::string& address, int port, std::string& error);
+Expected<Socket> ListenUdp(const std::string& address, int port);
 
 /// The port that a socket is bound to.
 int PortOf(const Socket& socket);

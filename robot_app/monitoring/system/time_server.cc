@@ -21,11 +21,11 @@ NtpPacket AnswerOf(const NtpPacket& request, NtpTime received_at, NtpTime now) {
 }
 
 TimeServer::TimeServer(const std::string& address, int port, Duration clock_offset)
-    : clock_offset_(clock_offset), socket_(ListenUdp(address, port, error_)) {}
+    : clock_offset_(clock_offset), socket_(ListenUdp(address, port)) {}
 
 void TimeServer::Work(Duration at_most) {
   const Deadline until(at_most);
-  pollfd waiting{socket_.fd(), POLLIN, 0};
+  pollfd waiting{socket_->fd(), POLLIN, 0};
   do {
     if (poll(&waiting, 1, until.milliseconds()) > 0) Answer();
   } while (!until.has_passed());
@@ -38,14 +38,14 @@ void TimeServer::Answer() {
   std::uint8_t data[512];
   sockaddr_storage from{};
   socklen_t size_of_from = sizeof(from);
-  const ssize_t size = recvfrom(socket_.fd(), data, sizeof(data), 0,
+  const ssize_t size = recvfrom(socket_->fd(), data, sizeof(data), 0,
                                 reinterpret_cast<sockaddr*>(&from), &size_of_from);
   const NtpTime received_at = now();
   if (size < 0) return;
   const auto request = NtpPacket::Decode(data, static_cast<std::size_t>(size));
   if (!request || request->mode != NtpPacket::kClient) return;
   const NtpPacket::Bytes answer = AnswerOf(*request, received_at, now()).Encode();
-  sendto(socket_.fd(), answer.data(), answer.size(), MSG_NOSIGNAL,
+  sendto(socket_->fd(), answer.data(), answer.size(), MSG_NOSIGNAL,
          reinterpret_cast<const sockaddr*>(&from), size_of_from);
 }
 

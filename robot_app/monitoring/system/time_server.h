@@ -22,8 +22,9 @@ class TimeServer {
   TimeServer(const std::string& address, int port, Duration clock_offset);
 
   /// Empty: it listens. Else why not.
-  const std::string& error() const { return error_; }
-  int port() const { return PortOf(socket_); }
+  const std::string& error() const { return socket_.problem(); }
+  /// It must listen.
+  int port() const { return PortOf(*socket_); }
 
   /// Waits for requests for at most this long and answers them.
   void Work(Duration at_most);
@@ -32,8 +33,7 @@ class TimeServer {
   void Answer();
 
   Duration clock_offset_;
-  std::string error_;
-  Socket socket_;
+  Expected<Socket> socket_;
 };
 
 }  // namespace coppice::robot::monitoring

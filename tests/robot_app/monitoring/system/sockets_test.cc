@@ -9,27 +9,23 @@ namespace coppice::robot::monitoring {
 namespace {
 
 TEST(Socket, OneOwnsTheDescriptor) {
-  std::string error;
-  Socket first = ListenUdp("127.0.0.1", 0, error);
-  ASSERT_TRUE(first.is_open()) << error;
+  Socket first = ListenUdp("127.0.0.1", 0).value();
   const int port = PortOf(first);
   EXPECT_GT(port, 0);
   Socket second = std::move(first);
   EXPECT_TRUE(second.is_open());
   EXPECT_EQ(PortOf(second), port);
   second = Socket();  // closes it: the port is free again
-  EXPECT_TRUE(ListenUdp("127.0.0.1", port, error).is_open()) << error;
+  EXPECT_EQ(ListenUdp("127.0.0.1", port).problem(), "");
 }
 
 TEST(Socket, ABadAddressIsAnErrorWithItsName) {
-  std::string error;
-  EXPECT_FALSE(Connect("not an address", 80, SOCK_STREAM, error).is_open());
+  const std::string error = Connect("not an address", 80, SOCK_STREAM).problem();
   EXPECT_EQ(error.rfind(R"("not an address": )", 0), 0u) << error;
 }
 
 TEST(Socket, NumericAddressesOfBothKindsWork) {
-  std::string error;
-  EXPECT_TRUE(Connect("127.0.0.1", 9, SOCK_DGRAM, error).is_open()) << error;
+  EXPECT_EQ(Connect("127.0.0.1", 9, SOCK_DGRAM).problem(), "");
 }
 
 TEST(Deadline, RoundsUpAndPasses) {
