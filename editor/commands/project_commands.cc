@@ -233,8 +233,7 @@ class ProjectCommands {
 
   // From the selected node on, in the order of the files, and round the end.
   std::string FindNext(ProjectEditor& edit, int by) const {
-    std::string error;
-    const std::optional<Query> query = ParseQuery(state_.recent.search, error);
+    const Expected<Query> query = ParseQuery(state_.recent.search);
     if (!query || !state_.workspace.file()) return "nothing was searched: Ctrl+F";
     const ProjectFiles files = edit.Files();
     std::vector<FilePlace> hits;
@@ -256,8 +255,7 @@ class ProjectCommands {
 
   std::vector<Choice> Find(const std::string& typed) const {
     state_.recent.search = typed;
-    std::string error;
-    const std::optional<Query> query = ParseQuery(typed, error);
+    const Expected<Query> query = ParseQuery(typed);
     std::vector<Choice> rows;
     if (!query || !state_.workspace.file()) return rows;
     const ProjectFiles files = ProjectEditor(state_, state_.now).Files();
@@ -286,9 +284,8 @@ class ProjectCommands {
   }
 
   std::string AskWith(const std::string& typed) const {
-    std::string error = "type something";
-    const std::optional<Query> query = ParseQuery(typed, error);
-    if (!query) return error;
+    const Expected<Query> query = ParseQuery(typed);
+    if (!query) return query.problem();
     if (query->is_for_keys()) return "\"Rename a key everywhere\" does that";
     const ProjectFiles files = ProjectEditor(state_, state_.now).Files();
     const std::vector<Match> matches = Search(files, *state_.workspace.file()->models, *query);

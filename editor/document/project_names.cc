@@ -36,14 +36,15 @@ class KeyRenaming {
               const std::string& to)
       : files_(files), models_(models), key_(key), to_(to), edits_(files.size()) {}
 
-  std::vector<Edit> Run(ElementIn tree, std::string& refusal) {
+  Expected<std::vector<Edit>> Run(ElementIn tree) {
     Reach(tree);
     while (!open_.empty()) {
       const ElementIn next = open_.back();
       open_.pop_back();
-      RenameIn(next, refusal);
-      RenamePorts(next, refusal);
+      RenameIn(next);
+      RenamePorts(next);
     }
+    if (!done_) return Problem{done_.problem()};
     return std::move(edits_);
   }
 
@@ -54,10 +55,10 @@ class KeyRenaming {
 
   const Document& File(ElementIn place) const { return files_[place.file]; }
 
-  void RenameIn(ElementIn tree, std::string& refusal) {
+  void RenameIn(ElementIn tree) {
     for (const KeyName& name : KeyNamesIn(File(tree), models_, tree.element)) {
       if (name.key == to_ && !name.is_global) {
-        refusal = "there is a key " + to_ + " already";
+        done_ = Problem{"there is a key " + to_ + " already"};
       } else if (name.key == key_ && !name.is_global) {
         Change(tree.file, {WithKey(name, to_)});
       }
@@ -74,22 +75,22 @@ class KeyRenaming {
            !document.FindAttribute(document.element(subtree), key_);
   }
 
-  void RenamePorts(ElementIn tree, std::string& refusal) {
+  void RenamePorts(ElementIn tree) {
     const std::string_view id = File(tree).AttributeValue(File(tree).element(tree.element), "ID");
     for (const ElementIn use : SubTreesOf(files_, id)) {
       const Document& document = File(use);
       const Element& element = document.element(use.element);
       if (const Attribute* port = document.FindAttribute(element, key_)) {
-        RenamePort(use, *port, refusal);
+        RenamePort(use, *port);
       } else if (SharesKey(document, use.element)) {
         Reach({use.file, TreeOf(document, use.element)});
       }
     }
   }
 
-  void RenamePort(ElementIn use, const Attribute& port, std::string& refusal) {
+  void RenamePort(ElementIn use, const Attribute& port) {
     if (!IsXmlName(to_) || File(use).FindAttribute(File(use).element(use.element), to_)) {
-      refusal = "a SubTree cannot have a port " + to_;
+      done_ = Problem{"a SubTree cannot have a port " + to_};
       return;
     }
     Change(use.file, RenameAttribute(File(use), use.element, port.name, to_));
@@ -112,6 +113,7 @@ class KeyRenaming {
   const std::string& key_;
   const std::string& to_;
   std::vector<Edit> edits_;
+  Outcome done_;
   std::set<std::pair<std::size_t, ElementIndex>> reached_;
   std::vector<ElementIn> open_;
 };
@@ -168,13 +170,12 @@ std::vector<Edit> RenameTree(const ProjectFiles& files, std::string_view id, std
   return edits;
 }
 
-std::vector<Edit> RenameKey(const ProjectFiles& files, const NodeModels& models, ElementIn in,
-                            const std::string& key, const std::string& to, std::string& refusal) {
+Expected<std::vector<Edit>> RenameKey(const ProjectFiles& files, const NodeModels& models,
+                                      ElementIn in, const std::string& key, const std::string& to) {
   if (!IsKeyName(to) || to.front() == '@') {
-    refusal = "\"" + to + "\" cannot be the name of a key";
-    return {};
+    return Problem{"\"" + to + "\" cannot be the name of a key"};
   }
-  return KeyRenaming(files, models, key, to).Run(in, refusal);
+  return KeyRenaming(files, models, key, to).Run(in);
 }
 
 }  // namespace coppice::editor

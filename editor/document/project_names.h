@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "bt_core/base/outcome.h"
 #include "bt_core/model/document.h"
 #include "bt_core/model/edit.h"
 #include "editor/document/subtree_edits.h"
@@ -39,10 +40,9 @@ CallersOfTree CallersOf(const ProjectFiles& files, std::string_view id);
 std::vector<Edit> RenameTree(const ProjectFiles& files, std::string_view id, std::string_view to);
 
 /// Renames a key of the tree `in`: in ports and scripts, and as a port of the tree's SubTrees.
-/// Trees that share all keys with it by _autoremap are renamed as well. Edits are one per file; if
-/// it cannot be, `refusal` says why.
-std::vector<Edit> RenameKey(const ProjectFiles& files, const NodeModels& models, ElementIn in,
-                            const std::string& key, const std::string& to, std::string& refusal);
+/// Trees that share all keys with it by _autoremap are renamed as well. Edits are one per file.
+Expected<std::vector<Edit>> RenameKey(const ProjectFiles& files, const NodeModels& models,
+                                      ElementIn in, const std::string& key, const std::string& to);
 
 }  // namespace coppice::editor
 

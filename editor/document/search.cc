@@ -125,17 +125,16 @@ const char* ToString(TextRole role) {
   return "";
 }
 
-std::optional<Query> ParseQuery(std::string_view typed, std::string& error) {
+Expected<Query> ParseQuery(std::string_view typed) {
   const std::optional<TextRole> role = TakeRole(typed);
-  if (typed.empty()) return std::nullopt;
+  if (typed.empty()) return Problem{"type something"};
   const bool fold_case = !HasCapitals(typed);
   if (typed.size() < 3 || typed.front() != '/' || typed.back() != '/') {
     return Query(role, SearchPattern::Literal(typed, fold_case));
   }
   auto pattern = SearchPattern::Regular(typed.substr(1, typed.size() - 2), fold_case);
   if (pattern) return Query(role, *std::move(pattern));
-  error = "this is no regular expression, or one that takes too long";
-  return std::nullopt;
+  return Problem{"this is no regular expression, or one that takes too long"};
 }
 
 std::vector<Match> Search(const ProjectFiles& files, const NodeModels& models, const Query& query,

@@ -1,7 +1,6 @@
 // Finding texts in the trees of a project, and replacing them.
 //
-//   std::string error;
-//   const auto query = ParseQuery("key:goal", error);
+//   const Expected<Query> query = ParseQuery("key:goal");
 //   const std::vector<Match> matches = Search(files, models, *query);
 //   const std::vector<Edit> edits = Replace(files, matches, *query, "target");   // one per file
 //
@@ -16,6 +15,7 @@
 #include <string_view>
 #include <vector>
 
+#include "bt_core/base/outcome.h"
 #include "editor/document/project_names.h"
 #include "editor/document/search_pattern.h"
 
@@ -43,8 +43,7 @@ class Query {
   SearchPattern pattern_;
 };
 
-/// Nothing, and a reason if something is wrong with it, for an empty or malformed text.
-std::optional<Query> ParseQuery(std::string_view typed, std::string& error);
+Expected<Query> ParseQuery(std::string_view typed);
 
 struct Match {
   std::size_t file = 0;

@@ -73,26 +73,23 @@ bool AddShare(Chances& chances, double share, const std::string& word) {
 }
 
 // "80% SUCCESS 20% FAILURE 0s..2s holds 5s"
-std::optional<MockScript> ParseChances(std::istringstream words, std::string& why) {
+Expected<MockScript> ParseChances(std::istringstream words) {
   Chances chances;
   for (std::string word; words >> word;) {
     if (const auto share = ShareFrom(word)) {
       if (words >> word && AddShare(chances, *share, word)) continue;
-      why = "behind a share comes SUCCESS, FAILURE or SKIPPED";
-      return std::nullopt;
+      return Problem{"behind a share comes SUCCESS, FAILURE or SKIPPED"};
     }
     const bool holds = word == "holds" && words >> word;
     if (const auto range = TimeFrom(word)) {
       (holds ? std::tie(chances.shortest_hold, chances.longest_hold)
              : std::tie(chances.shortest, chances.longest)) = *range;
     } else {
-      why = "\"" + word + "\" is no share such as 80%, no time such as 0s..2s";
-      return std::nullopt;
+      return Problem{"\"" + word + "\" is no share such as 80%, no time such as 0s..2s"};
     }
   }
   if (chances.success + chances.failure + chances.skipped <= 0) {
-    why = "say of what, for example \"80% SUCCESS 20% FAILURE 0s..2s\"";
-    return std::nullopt;
+    return Problem{"say of what, for example \"80% SUCCESS 20% FAILURE 0s..2s\""};
   }
   MockScript script;
   script.chances = chances;
@@ -123,12 +120,12 @@ std::string PrintChances(const Chances& chances) {
 
 }  // namespace
 
-std::optional<MockScript> ParseScript(const std::string& text, std::string& why) {
+Expected<MockScript> ParseScript(const std::string& text) {
   MockScript script;
   std::string spaced = text;
   std::replace(spaced.begin(), spaced.end(), ',', ' ');
   std::istringstream words(spaced);
-  if (text.find('%') != std::string::npos) return ParseChances(std::move(words), why);
+  if (text.find('%') != std::string::npos) return ParseChances(std::move(words));
   for (std::string word; words >> word;) {
     if (word == "each") {
       script.restart = true;
@@ -140,18 +137,15 @@ std::optional<MockScript> ParseScript(const std::string& text, std::string& why)
     } else if (const auto status = StatusFrom(word)) {
       script.results.push_back(*status);
     } else {
-      why =
-          "\"" + word + "\" is no SUCCESS, FAILURE, RUNNING or SKIPPED, no time such as 2s, no x3";
-      return std::nullopt;
+      return Problem{"\"" + word +
+                     "\" is no SUCCESS, FAILURE, RUNNING or SKIPPED, no time such as 2s, no x3"};
     }
     if (script.results.size() > kMostResults) {
-      why = "that is more than " + std::to_string(kMostResults) + " results";
-      return std::nullopt;
+      return Problem{"that is more than " + std::to_string(kMostResults) + " results"};
     }
   }
   if (script.results.empty() && script.duration == Duration(0)) {
-    why = "say what it returns, for example \"2s FAILURE\"";
-    return std::nullopt;
+    return Problem{"say what it returns, for example \"2s FAILURE\""};
   }
   return script;
 }

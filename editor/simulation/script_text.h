@@ -9,16 +9,16 @@
 #ifndef COPPICE_EDITOR_SIMULATION_SCRIPT_TEXT_H_
 #define COPPICE_EDITOR_SIMULATION_SCRIPT_TEXT_H_
 
-#include <optional>
 #include <string>
 
+#include "bt_core/base/outcome.h"
 #include "bt_core/testing/mock_rules.h"
 
 namespace coppice::editor {
 
-/// Null, with the reason, if the text says nothing that a leaf can do. Statuses may be shortened to
-/// their first letters.
-std::optional<MockScript> ParseScript(const std::string& text, std::string& why);
+/// A problem if the text says nothing that a leaf can do. Statuses may be shortened to their first
+/// letters.
+Expected<MockScript> ParseScript(const std::string& text);
 
 /// "2s", "300ms"
 std::string PrintDuration(Duration duration);

@@ -195,9 +195,8 @@ std::string ProjectEditor::RenameKey(const std::string& key, const std::string& 
   for (std::size_t i = 0; i < files.size(); ++i) {
     if (files[i].file() != places[0].path) continue;
     const ElementIndex tree = TreeOf(files[i], files[i].ElementAt(places[0].offset));
-    std::string refusal;
-    const std::vector<Edit> edits = editor::RenameKey(files, Models(), {i, tree}, key, to, refusal);
-    return refusal.empty() ? Do("Rename key " + key + " to " + to, files, edits) : refusal;
+    const auto edits = editor::RenameKey(files, Models(), {i, tree}, key, to);
+    return edits ? Do("Rename key " + key + " to " + to, files, *edits) : edits.problem();
   }
   return "nothing is selected";
 }

@@ -252,10 +252,9 @@ void SimulationEditor::Finish(Status status) {
 std::string SimulationEditor::SetScript(const std::string& text) {
   const NodeIndex leaf = SelectedLeaf();
   if (leaf == editor::kNoNode) return "select a leaf first";
-  std::string why;
-  const std::optional<MockScript> script = ParseScript(text, why);
+  const Expected<MockScript> script = ParseScript(text);
   if (script) SetLeaf(leaf, *script);
-  return why;
+  return script.problem();
 }
 
 std::string SimulationEditor::SetKey(const std::string& assignment) {

@@ -48,10 +48,8 @@ TEST_F(ProjectNamesTest, ATreeIsRenamedInAllFiles) {
 }
 
 TEST_F(ProjectNamesTest, AKeyOfATreeIsRenamedWithThePortsOfItsSubTrees) {
-  std::string refusal;
   const auto edits =
-      RenameKey(files_, models_, TreesCalled(files_, "Walk")[0], "goal", "target", refusal);
-  EXPECT_EQ(refusal, "");
+      RenameKey(files_, models_, TreesCalled(files_, "Walk")[0], "goal", "target").value();
   EXPECT_THAT(After(edits, 1), HasSubstr(R"(<Go to="{target}" _skipIf="target == @goal"/>)"));
   EXPECT_THAT(After(edits, 1), HasSubstr(R"(<Sit goal="{goal}"/>)"));
   EXPECT_THAT(After(edits, 0), HasSubstr(R"(<SubTree ID="Walk" target="{place}"/>)"));
@@ -59,9 +57,7 @@ TEST_F(ProjectNamesTest, AKeyOfATreeIsRenamedWithThePortsOfItsSubTrees) {
 }
 
 TEST_F(ProjectNamesTest, TreesThatShareTheKeyByAutoremapAreRenamedToo) {
-  std::string refusal;
-  const auto edits = RenameKey(files_, models_, {0, 1}, "goal", "target", refusal);
-  EXPECT_EQ(refusal, "");
+  const auto edits = RenameKey(files_, models_, {0, 1}, "goal", "target").value();
   EXPECT_THAT(After(edits, 0), HasSubstr(R"(<SubTree ID="Walk" goal="{place}"/>)"));
   EXPECT_THAT(After(edits, 0), HasSubstr(R"(<SubTree ID="Walk" goal="{target}" name)"));
   EXPECT_THAT(After(edits, 0), HasSubstr(R"(<Beep goal="{target}"/>)"));
@@ -70,12 +66,8 @@ TEST_F(ProjectNamesTest, TreesThatShareTheKeyByAutoremapAreRenamedToo) {
 }
 
 TEST_F(ProjectNamesTest, ANameThatIsTakenOrNoneIsRefused) {
-  std::string refusal;
-  RenameKey(files_, models_, {0, 1}, "goal", "place", refusal);
-  EXPECT_THAT(refusal, HasSubstr("already"));
-  refusal.clear();
-  RenameKey(files_, models_, {0, 1}, "goal", "two words", refusal);
-  EXPECT_NE(refusal, "");
+  EXPECT_THAT(RenameKey(files_, models_, {0, 1}, "goal", "place").problem(), HasSubstr("already"));
+  EXPECT_NE(RenameKey(files_, models_, {0, 1}, "goal", "two words").problem(), "");
 }
 
 }  // namespace

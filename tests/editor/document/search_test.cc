@@ -14,8 +14,7 @@ using testing::IsEmpty;
 class SearchTest : public testing::Test {
  protected:
   std::vector<Match> Find(const std::string& typed) {
-    std::string error;
-    query_ = ParseQuery(typed, error);
+    query_ = ParseQuery(typed);
     return query_ ? Search(files_, models_, *query_) : std::vector<Match>();
   }
   std::vector<std::string> Texts(const std::string& typed) {
@@ -35,7 +34,7 @@ class SearchTest : public testing::Test {
              R"(<Go goal="{goal}" say="a &lt; go"/><Action ID="Gone" _post="goal := 1"/>)"
              R"(</Seq></BehaviorTree><TreeNodesModel><Action ID="Go"/></TreeNodesModel></root>)")};
   const NodeModels models_;
-  std::optional<Query> query_;
+  Expected<Query> query_ = Problem{};
 };
 
 TEST_F(SearchTest, FindsTypesNamesPortsAndValues) {
@@ -56,10 +55,8 @@ TEST_F(SearchTest, CapitalsCountIfThereAreAny) {
 
 TEST_F(SearchTest, TakesPatternsBetweenSlashes) {
   EXPECT_THAT(Texts("type:/^go$/"), ElementsAre("type Go"));
-  std::string error;
-  EXPECT_FALSE(ParseQuery("/(/", error));
-  EXPECT_NE(error, "");
-  EXPECT_FALSE(ParseQuery("", error));
+  EXPECT_NE(ParseQuery("/(/").problem(), "");
+  EXPECT_NE(ParseQuery("").problem(), "");
 }
 
 TEST_F(SearchTest, SpecialCharactersStandForThemselves) {

@@ -6,9 +6,8 @@ namespace coppice::editor {
 namespace {
 
 std::string Again(const std::string& text) {
-  std::string why;
-  const auto script = ParseScript(text, why);
-  return script ? PrintScript(*script) : why;
+  const Expected<MockScript> script = ParseScript(text);
+  return script ? PrintScript(*script) : script.problem();
 }
 
 TEST(ScriptText, SaysWhatALeafDoes) {
