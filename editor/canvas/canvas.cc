@@ -79,6 +79,7 @@ class CanvasPass {
     }
     if (detail_ != Detail::kFull) return;
     if (!node.note.empty()) ui_.items.Add(path + "/note", look.box);
+    if (view_.names_only()) return;
     for (std::uint32_t i = 0; i < node.port_count; ++i) {
       const PortLine& port = scene_.ports[node.first_port + i];
       if (port.key.empty()) continue;

@@ -58,6 +58,7 @@ NodeLook LookOf(const TreeView& view, const CanvasOptions& options, std::uint32_
   look.state = StateOf(options.live, scene_node);
   look.selected = view.IsSelected(node);
   look.collapsed = view.IsCollapsed(node);
+  look.name_only = view.names_only();
   look.offline = options.live && !options.live->is_fresh;
   look.badge = BadgeOf(options, node);
   look.change = ChangeOf(options, node);

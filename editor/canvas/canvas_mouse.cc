@@ -147,7 +147,7 @@ class Mouse {
 
   // A click on the row of a key lights it; a second one puts it out.
   bool ClickKey(const NodeLook& look) {
-    if (DetailFor(look.zoom, ui_.scale) != Detail::kFull) return false;
+    if (look.name_only || DetailFor(look.zoom, ui_.scale) != Detail::kFull) return false;
     const SceneNode& node = HoveredNode();
     for (std::uint32_t i = 0; i < node.port_count; ++i) {
       const std::uint32_t key = view_.keys().key_of_port[node.first_port + i];

@@ -18,6 +18,8 @@ constexpr float kLeastZoom = 0.0005F;
 constexpr float kLargestZoom = 3;
 constexpr float kWideCanvas = 1000;  // on wider ones a small tree is painted larger
 constexpr float kLargestFit = 1.6F;
+constexpr float kReadablePorts = 0.6F;       // least zoom
+constexpr std::size_t kMostToChoose = 1000;  // of larger trees no name can be read at once anyway
 
 float EaseOut(double t) {
   const auto rest = static_cast<float>(1 - std::clamp(t, 0.0, 1.0));
@@ -53,7 +55,7 @@ void TreeView::SetScene(std::shared_ptr<const Scene> scene, const SizeOf& size_o
   Places after = {std::vector<Point>(scene->nodes.size()),
                   std::vector<bool>(scene->nodes.size(), false)};
   std::vector<bool> collapsed(scene->nodes.size(), false);
-  std::vector<Point> sizes(scene->nodes.size());
+  std::vector<NodeSizes> sizes(scene->nodes.size());
   for (std::uint32_t i = 0; i < scene->nodes.size(); ++i) {
     const std::uint32_t old = match.before_of[i];
     const bool looks_the_same = old != kNoNode && hashes_.shown[old] == hashes.shown[i];
@@ -87,6 +89,7 @@ void TreeView::SetScene(std::shared_ptr<const Scene> scene, const SizeOf& size_o
 
 void TreeView::SetStyle(const LayoutStyle& style, double now) {
   if (style == style_) return;
+  if (style.ports != style_.ports) names_only_ = style.ports == ShownPorts::kNone;
   style_ = style;
   if (scene_) Relayout(Anchor(), now);
 }
@@ -179,10 +182,13 @@ void TreeView::LayOutShown() {
   sizes.reserve(shown_.size());
   is_decorator.reserve(shown_.size());
   for (const std::uint32_t node : shown_) {
-    sizes.push_back(sizes_[node] + Point{0, collapsed_[node] ? kChipRow : 0});
+    const Point& size = names_only_ ? sizes_[node].name : sizes_[node].full;
+    sizes.push_back(size + Point{0, collapsed_[node] ? kChipRow : 0});
     is_decorator.push_back(scene_->nodes[node].shape == Shape::kDecorator);
   }
-  layout_ = Arrange(shown_ends_, sizes, is_decorator, style_);
+  LayoutStyle style = style_;
+  style.breadth = breadth_;
+  layout_ = Arrange(shown_ends_, sizes, is_decorator, style);
   branches_ = layout_.boxes;
   for (auto k = static_cast<std::uint32_t>(shown_.size()); k-- > 1;) {
     Box& parent = branches_[shown_parents_[k]];
@@ -250,7 +256,7 @@ void TreeView::PlaceIn(const Box& canvas) {
 
 // Up or down, as little as needed. False if the tree would be cut there, or smaller than it can be.
 bool TreeView::MoveIntoSight(Point canvas) {
-  const float zoom = ZoomToFit(layout_.bounds, canvas, kMargin * screen_scale, LargestFit(canvas));
+  const float zoom = ZoomOfAll(canvas);
   if (camera.zoom < zoom * 0.999F) return false;
   const Box box = camera.ToScreen(layout_.bounds);
   const float margin = kLeastMargin * screen_scale;
@@ -274,8 +280,41 @@ float TreeView::LargestFit(Point canvas) const {
   return screen_scale * std::clamp(room, 1.0F, kLargestFit);
 }
 
+// Ports that could not be read are room for larger names.
+void TreeView::ChoosePorts(Point canvas) {
+  if (std::exchange(names_only_, false) || breadth_ > 0) {
+    breadth_ = 0;
+    LayOutShown();
+    moved_at_ = -1e9;
+  }
+  if (shown_.size() > kMostToChoose || ZoomOfAll(canvas) > kReadablePorts * screen_scale) return;
+  names_only_ = true;
+  moved_at_ = -1e9;
+  ChooseBreadth(canvas);
+}
+
+// The rows by which names are largest on this canvas.
+void TreeView::ChooseBreadth(Point canvas) {
+  float best = 0;
+  float largest = 0;
+  for (const float breadth : {0.0F, 600.0F, 900.0F, 1200.0F, 1600.0F, 2000.0F}) {
+    breadth_ = breadth;
+    LayOutShown();
+    const float zoom = ZoomOfAll(canvas);
+    if (zoom > largest) best = breadth;
+    largest = std::max(largest, zoom);
+  }
+  breadth_ = best;
+  LayOutShown();
+}
+
+float TreeView::ZoomOfAll(Point canvas) const {
+  return ZoomToFit(layout_.bounds, canvas, kMargin * screen_scale, LargestFit(canvas));
+}
+
 void TreeView::FitAll(Point canvas) {
   if (shown_.empty() || canvas.x < 1 || canvas.y < 1) return;
+  if (style_.ports == ShownPorts::kByItself) ChoosePorts(canvas);
   Fit(layout_.bounds, canvas, LargestFit(canvas));
   fitted_ = camera;
   needs_fit = false;

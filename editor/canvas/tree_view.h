@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "editor/canvas/layout/node_metrics.h"
 #include "editor/canvas/layout/tree_layout.h"
 #include "editor/canvas/minimap.h"
 #include "editor/canvas/paint/edge_shape.h"
@@ -57,8 +58,8 @@ struct Gesture {
 
 class TreeView {
  public:
-  /// The size of a node of that scene at zoom 1.
-  using SizeOf = std::function<Point(const Scene&, const SceneNode&)>;
+  /// The sizes of a node of that scene at zoom 1.
+  using SizeOf = std::function<NodeSizes(const Scene&, const SceneNode&)>;
 
   /// Shows a tree. `size_of` measures its nodes without the row for collapsed children. If it is
   /// another version of the one that is shown, selection and collapsed nodes stay with their nodes,
@@ -71,6 +72,9 @@ class TreeView {
   const LayoutStyle& style() const { return style_; }
   void SetOrientation(Orientation orientation, double now);
   Orientation orientation() const { return style_.orientation; }
+
+  /// Whether nodes show nothing but their names now.
+  bool names_only() const { return names_only_; }
 
   /// Without it, nodes jump to their places.
   bool animated = true;
@@ -159,12 +163,17 @@ class TreeView {
   void OpenAround(std::uint32_t node);
   void Fit(const Box& box, Point canvas, float largest_zoom);
   float LargestFit(Point canvas) const;
+  float ZoomOfAll(Point canvas) const;
+  void ChoosePorts(Point canvas);
+  void ChooseBreadth(Point canvas);
   bool IsInSight(Point canvas) const;
   bool MoveIntoSight(Point canvas);
 
   std::shared_ptr<const Scene> scene_;
   TreeHashes hashes_;
-  std::vector<Point> sizes_;
+  std::vector<NodeSizes> sizes_;
+  bool names_only_ = false;
+  float breadth_ = 0;  // of the rows; chosen for the canvas
   std::vector<bool> collapsed_;
   LayoutStyle style_;
   KeyUses keys_;

@@ -81,6 +81,9 @@ class Commands {
     AddToggle("view.layered", "All nodes of a depth on one line", &LayoutStyle::layered);
     AddToggle("view.stacked", "Many leaves stand in a column", &LayoutStyle::stacked);
     AddToggle("view.wrapped", "Wide branches stand in rows", &LayoutStyle::wrapped);
+    AddPorts("view.ports_by_itself", "Ports where they can be read", ShownPorts::kByItself);
+    AddPorts("view.ports_all", "All ports", ShownPorts::kAll);
+    AddPorts("view.ports_none", "Names only", ShownPorts::kNone);
     AddTabs();
     AddPalette("palette.dark", "Dark colours", PaletteName::kDark);
     AddPalette("palette.light", "Light colours", PaletteName::kLight);
@@ -113,6 +116,18 @@ class Commands {
           s.workspace.SetStyle(style, s.now);
         },
         [&s = state_, part] { return s.workspace.style().*part; });
+  }
+
+  void AddPorts(std::string id, std::string title, ShownPorts ports) {
+    AddSwitch(
+        std::move(id), std::move(title), {},
+        [&s = state_, ports] {
+          LayoutStyle style = s.workspace.style();
+          style.ports = ports;
+          s.workspace.SetStyle(style, s.now);
+          if (TreeView* view = s.workspace.view()) view->FitAll(s.screen.canvas_size);
+        },
+        [&s = state_, ports] { return s.workspace.style().ports == ports; });
   }
 
   void AddTabs() {

@@ -65,6 +65,10 @@ class CanvasBar {
     }
     button("canvasbar/zoom", std::to_string(percent) + " %", false, "view.zoom_100");
     button("canvasbar/fit", "fit", false, "view.fit_all");
+    // By itself, then the other way round than it chose, then that.
+    const bool by_itself = style.ports == ShownPorts::kByItself;
+    const bool shown = by_itself ? !view->names_only() : style.ports == ShownPorts::kAll;
+    button("canvasbar/ports", "ports", shown, shown ? "view.ports_none" : "view.ports_all");
     button("canvasbar/compact", "compact", style.compact, "view.compact");
     button("canvasbar/lr", "LR", sideways, "view.left_to_right");
     button("canvasbar/tb", "TB", !sideways, "view.top_to_bottom");

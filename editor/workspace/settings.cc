@@ -42,7 +42,11 @@ constexpr Member<LayoutStyle, bool> kLayout[] = {
     {"wrapped", &LayoutStyle::wrapped},
 };
 constexpr char kSideways[] = "left_to_right";
+constexpr std::pair<const char*, ShownPorts> kPorts[] = {
+    {"by_itself", ShownPorts::kByItself}, {"all", ShownPorts::kAll}, {"none", ShownPorts::kNone}};
 constexpr double kLargest = 4000;
+
+const char* NameOf(ShownPorts ports) { return kPorts[static_cast<std::size_t>(ports)].first; }
 
 class SettingsReader {
  public:
@@ -65,6 +69,7 @@ class SettingsReader {
     bool sideways = false;
     Take(layout, kSideways, sideways);
     if (sideways) settings.style.orientation = Orientation::kLeftToRight;
+    if (const JsonValue* ports = layout.Find("ports")) TakePorts(*ports, settings.style.ports);
     const JsonValue& window = Part(json, "window");
     Take(window, "width", 320, 16384, settings.width);
     Take(window, "height", 240, 16384, settings.height);
@@ -80,6 +85,13 @@ class SettingsReader {
 
   void Wrong(const JsonValue& value, const std::string& expected) {
     diagnostics_.Error(value.where, "\"" + value.key + "\" is not " + expected);
+  }
+
+  void TakePorts(const JsonValue& json, ShownPorts& ports) {
+    for (const auto& [name, value] : kPorts) {
+      if (json.text == name) ports = value;
+    }
+    if (json.text != NameOf(ports)) Wrong(json, "by_itself, all or none");
   }
 
   void Take(const JsonValue& json, const char* name, bool& value) {
@@ -144,6 +156,8 @@ std::string WriteSettings(const Settings& settings) {
   for (const auto& part : kLayout) {
     layout.children.push_back(MakeBool(part.name, settings.style.*part.member));
   }
+  const char* const ports = NameOf(settings.style.ports);
+  layout.children.push_back(Make(JsonValue::Kind::kString, "ports", ports));
   window.children = {MakeNumber("width", settings.width), MakeNumber("height", settings.height)};
   json.children = {Make(JsonValue::Kind::kString, "palette", ToString(settings.palette)),
                    MakeBool("reduce_motion", settings.reduce_motion),

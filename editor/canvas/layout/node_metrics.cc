@@ -106,7 +106,7 @@ std::uint32_t BodyLines(const SceneNode& node) {
   return node.port_count + (TypeLineOf(node).empty() ? 0 : 1);
 }
 
-Point MeasureNode(const Ui& ui, const Scene& scene, const SceneNode& node) {
+NodeSizes MeasureNode(const Ui& ui, const Scene& scene, const SceneNode& node) {
   float title =
       metrics::kIcon + metrics::kStatus + 2 * metrics::kPad +
       std::min(WidthOf(ui, node.name, {Face::kBold, metrics::kTitleSize, 0}), kLongestTitle);
@@ -122,7 +122,10 @@ Point MeasureNode(const Ui& ui, const Scene& scene, const SceneNode& node) {
   const float height = metrics::kHeader +
                        (lines ? static_cast<float>(lines) * metrics::kLine + metrics::kBottom : 0);
   const float least = node.note.empty() ? 0 : metrics::kNoteWidth;
-  return {std::ceil(std::max({title, body + 2 * metrics::kPad, least})), height + NoteHeight(node)};
+  const float note = NoteHeight(node);
+  const float name = WidthOf(ui, node.name, {Face::kBold, metrics::kNameAloneSize, 0});
+  return {{std::ceil(std::max({title, body + 2 * metrics::kPad, least})), height + note},
+          {std::ceil(name + 2 * metrics::kNameAlonePad), metrics::kNameAloneHeight + note}};
 }
 
 }  // namespace coppice::editor

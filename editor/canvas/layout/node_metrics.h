@@ -33,12 +33,22 @@ inline constexpr float kNoteWidth = 150;  ///< least width of a node with a note
 
 inline constexpr float kNoteSize = 10;
 inline constexpr float kTitleSize = 13;
+inline constexpr float kNameAloneSize = 20;  ///< of a name that stands alone
+inline constexpr float kNameAloneHeight = 26;
+inline constexpr float kNameAlonePad = 12;  ///< left and right of it
 inline constexpr float kNameSize = 11;
 inline constexpr float kValueSize = 11;
 
 }  // namespace coppice::editor::metrics
 
 namespace coppice::editor {
+
+struct NodeSizes {
+  NodeSizes(Point both = {}) : NodeSizes(both, both) {}  // NOLINT: a size is its sizes
+  NodeSizes(Point with_ports, Point with_name_alone) : full(with_ports), name(with_name_alone) {}
+  Point full;
+  Point name;
+};
 
 /// The glyph left of a node's name; of a type with that ID.
 std::string_view GlyphOf(Shape shape, std::string_view id);
@@ -59,9 +69,9 @@ float NoteHeight(const SceneNode& node);
 /// Rows below the title: the type and the ports.
 std::uint32_t BodyLines(const SceneNode& node);
 
-/// The size of a node at zoom 1, without the row for collapsed children. It is the same on every
+/// The sizes of a node at zoom 1, without the row for collapsed children. They are the same on every
 /// screen but for the rounding of its fonts.
-Point MeasureNode(const Ui& ui, const Scene& scene, const SceneNode& node);
+NodeSizes MeasureNode(const Ui& ui, const Scene& scene, const SceneNode& node);
 
 }  // namespace coppice::editor
 

@@ -48,6 +48,7 @@ class Arranger {
     LayoutOptions options;
     options.orientation = style_.orientation;
     options.layered = style_.layered;
+    options.breadth = style_.breadth;
     if (style_.orientation == Orientation::kLeftToRight) {
       options.sibling_gap = 14;
       options.level_gap = 56;

@@ -14,16 +14,23 @@
 
 namespace coppice::editor {
 
+/// What a node shows below its name. By itself: nothing where a whole tree would be fitted so small
+/// that ports could not be read.
+enum class ShownPorts : std::uint8_t { kByItself, kAll, kNone };
+
 struct LayoutStyle {
   Orientation orientation = Orientation::kTopToBottom;
   bool layered = false;
   bool compact = false;
   bool stacked = true;  ///< top to bottom only: sideways, leaves stand in a column anyway
   bool wrapped = true;  ///< not if layered
+  ShownPorts ports = ShownPorts::kByItself;
+  float breadth = 0;  ///< if wrapped: as LayoutOptions
 };
 inline bool operator==(const LayoutStyle& a, const LayoutStyle& b) {
   return a.orientation == b.orientation && a.layered == b.layered && a.compact == b.compact &&
-         a.stacked == b.stacked && a.wrapped == b.wrapped;
+         a.stacked == b.stacked && a.wrapped == b.wrapped && a.ports == b.ports &&
+         a.breadth == b.breadth;
 }
 
 /// So many leaves in a row stay side by side.

@@ -187,7 +187,9 @@ WrappedTree LayOutWrapped(const std::vector<std::uint32_t>& ends, const std::vec
   const bool sideways = options.orientation == Orientation::kLeftToRight;
   std::vector<Point> turned = sizes;
   if (sideways) std::transform(sizes.begin(), sizes.end(), turned.begin(), Flipped);
-  WrappedTree tree = Wrapper(ends, turned, options, sideways ? kAcross : kDown).Run();
+  Limits limits = sideways ? kAcross : kDown;
+  if (options.breadth > 0) limits.breadth = options.breadth;
+  WrappedTree tree = Wrapper(ends, turned, options, limits).Run();
   if (sideways) {
     for (Box& box : tree.boxes) box = {Flipped(box.min), Flipped(box.max)};
   }

@@ -16,8 +16,8 @@ namespace {
 
 constexpr double kShimmerSeconds = 1.6;
 constexpr float kDisabledPart = 0.8F;  // how much of the ground comes through a pale header
-constexpr float kNameAtMiddle = 20;    // size of a name that stands alone, at zoom 1
-constexpr float kSmallestName = 8;
+constexpr float kSmallestName = 8;     // of one that fits
+constexpr float kLeastName = 6.3F;     // of one that would be cut otherwise
 
 double Seconds(Duration duration) { return std::chrono::duration<double>(duration).count(); }
 
@@ -41,7 +41,7 @@ class NodePainter {
  private:
   void PaintAll() {
     if (DetailFor(look_.zoom, ui_.scale) == Detail::kBlock) return PaintBlock();
-    const bool name_alone = DetailFor(look_.zoom, ui_.scale) == Detail::kName;
+    const bool name_alone = look_.name_only || DetailFor(look_.zoom, ui_.scale) == Detail::kName;
     PaintBody();
     if (name_alone) PaintNameBody();
     PaintHeat(pen_, look_, box_);
@@ -261,11 +261,11 @@ class NodePainter {
     const float sign_width = glyph.empty() ? 0 : ui_.Width(glyph, sign) + 2;
     const float inset = IsPill() ? std::max(3.0F, Z(metrics::kHeader / 4)) : 3;
     const float room = box_.width() - 2 * inset - sign_width;
-    const float wished = std::max(Z(kNameAtMiddle) / ui_.scale, kSmallestName);
+    const float wished = std::max(Z(metrics::kNameAloneSize) / ui_.scale, kSmallestName);
     const float largest = std::min(wished, box_.height() * 0.8F / ui_.scale);
     TextStyle style{Face::kBold, largest, HeaderInk()};
     const float wanted = ui_.Width(node_.name, style);
-    if (wanted > room) style.size = std::max(7.0F, largest * room / wanted);
+    if (wanted > room) style.size = std::max(kLeastName, largest * room / wanted);
     const float width = std::min(ui_.Width(node_.name, style), room);
     const float left = box_.center().x - (width + sign_width) / 2;
     pen_.RowText({left, box_.min.y}, box_.height(), node_.name, style, room);

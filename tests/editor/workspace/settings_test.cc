@@ -18,6 +18,7 @@ TEST(Settings, AreTheSameAfterWritingAndReading) {
   settings.splits.left = 333.5F;
   settings.style.orientation = Orientation::kLeftToRight;
   settings.style.compact = true;
+  settings.style.ports = ShownPorts::kNone;
   settings.width = 1600;
   Diagnostics diagnostics;
   const Settings read = ReadSettings(WriteSettings(settings), "s.json", diagnostics);
