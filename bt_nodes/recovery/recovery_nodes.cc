@@ -24,8 +24,10 @@ Duration Recovery::Period() const {
 
 Status Recovery::Tick(Children& child, bool starting) {
   if (starting) {
-    if (!budget_.Take(now(), *times, Period())) {
-      Record(RecoveryPhase::kRefused);
+    const bool was_refused = is_refused_;
+    is_refused_ = !budget_.Take(now(), *times, Period());
+    if (is_refused_) {
+      if (!was_refused) Record(RecoveryPhase::kRefused);
       return Fail(*recovery + ": the budget is used up");
     }
     attempt_ = budget_.used(now(), Period());

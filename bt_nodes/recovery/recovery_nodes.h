@@ -65,6 +65,7 @@ class Recovery : public UserDecorator {
   RecoveryLog& log_;
   Budget budget_;
   int attempt_ = 0;
+  bool is_refused_ = false;  // the last time
 };
 
 }  // namespace coppice::leaves

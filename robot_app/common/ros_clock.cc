@@ -6,7 +6,13 @@
 
 namespace coppice::robot {
 
-Time RosClock::Now() const { return Time(static_cast<std::int64_t>(ros::Time::now().toNSec())); }
+Time RosClock::Now() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const Time ros(static_cast<std::int64_t>(ros::Time::now().toNSec()));
+  if (ros < newest_) ahead_ += newest_ - ros;
+  newest_ = ros;
+  return ros + ahead_;
+}
 
 void RosClock::WaitUntil(Time deadline, WakeUp& wake_up) {
   const Time now = Now();

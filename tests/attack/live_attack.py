@@ -30,12 +30,12 @@ LARGE_TREE = TREE.replace("<AlwaysSuccess/>", "<AlwaysSuccess/>" * 20_000)
 class Robot:
     """`coppice run`, and what it printed of its doors."""
 
-    def __init__(self, program, token=None, content=TREE):
+    def __init__(self, program, token=None, content=TREE, more={}):
         self.folder = tempfile.TemporaryDirectory()
         tree = os.path.join(self.folder.name, "tree.xml")
         with open(tree, "w") as file:
             file.write(content)
-        environment = dict(os.environ)
+        environment = dict(os.environ, **more)
         environment.pop("COPPICE_LIVE_TOKEN", None)
         if token:
             environment["COPPICE_LIVE_TOKEN"] = token
@@ -151,18 +151,21 @@ def web_socket(port, token=None):
     return connection
 
 
-def web_message(body):
-    header = struct.pack("<BcI", 2, b"C", 7)
-    message = struct.pack("<I", 6) + header + struct.pack("<I", len(body)) + body
+def web_message(body, what=b"C"):
+    header = struct.pack("<BcI", 2, what, 7)
+    message = struct.pack("<I", 6) + header
+    if body:
+        message += struct.pack("<I", len(body)) + body
     return struct.pack(">BB", 0x82, 0x80 | len(message)) + bytes(4) + message
 
 
 class WithRobot(unittest.TestCase):
     token = None
     tree = TREE
+    environment = {}
 
     def setUp(self):
-        self.robot = Robot(PROGRAM, self.token, self.tree)
+        self.robot = Robot(PROGRAM, self.token, self.tree, self.environment)
         self.addCleanup(self.robot.close)
 
     def connect(self, **options):
@@ -279,6 +282,41 @@ class LargeTree(WithRobot):
         self.assertLess(self.robot.memory(), MEMORY)
 
 
+class LargeTreeWithToken(WithRobot):
+    token = TOKEN
+    tree = LARGE_TREE
+    environment = {"MALLOC_PERTURB_": "165"}  # memory that was given back is not what it was
+
+    def test_readers_that_are_pushed_out_while_they_wait_end_nothing(self):
+        control, read = self.robot.web_tokens
+        ask = web_message(b"", b"T") * 3
+        for _ in range(3):
+            crowd = [web_socket(self.robot.web_port, read) for _ in range(256)]
+            for reader in crowd:
+                reader.sendall(ask)
+            others = [web_socket(self.robot.web_port, read) for _ in range(60)]
+            for reader in crowd + others:
+                reader.close()
+        browser = web_socket(self.robot.web_port, control)
+        browser.sendall(web_message(b'{"do":"hello"}'))
+        self.assertIn(b'"role":"control"', read_until(browser, b"trees"))
+        self.assertIsNone(self.robot.process.poll())
+
+    def test_what_those_ask_who_hang_up_at_once_keeps_nobody_waiting(self):
+        control, read = self.robot.web_tokens
+        end = time.monotonic() + 2
+        while time.monotonic() < end:
+            reader = web_socket(self.robot.web_port, read)
+            reader.sendall(web_message(b"", b"T"))
+            reader.close()
+        browser = web_socket(self.robot.web_port, control)
+        begin = time.monotonic()
+        browser.sendall(web_message(b'{"do":"hello"}'))
+        self.assertIn(b'"role":"control"', read_until(browser, b"trees"))
+        self.assertLess(time.monotonic() - begin, 2)
+        self.assertLess(self.robot.memory(), MEMORY)
+
+
 class Connections(WithRobot):
     def test_a_thousand_that_say_nothing_take_neither_descriptors_nor_clients(self):
         silent = []
@@ -289,7 +327,7 @@ class Connections(WithRobot):
         self.assert_serves()
         browser = web_socket(self.robot.web_port)
         browser.close()
-        self.assertLess(self.robot.descriptors(), 400)
+        self.assertLess(self.robot.descriptors(), 600)
 
     def test_nonsense_and_broken_off_greetings_end_nothing(self):
         pieces = [b"", b"GET / HTTP/1.1\r\n\r\n", bytes(200), b"\xff" * 64,
@@ -330,7 +368,7 @@ class Token(WithRobot):
 
     def test_readers_leave_room_for_who_may_control(self):
         control, read = self.robot.web_tokens
-        readers = [web_socket(self.robot.web_port, read) for _ in range(70)]
+        readers = [web_socket(self.robot.web_port, read) for _ in range(300)]
         for reader in readers:
             try:
                 reader.sendall(web_message(b'{"do":"hello"}'))

@@ -175,7 +175,7 @@ TEST_F(PageAttack, WrongTokensKeepNobodyOut) {
 TEST_F(PageAttack, SilentConnectionsKeepNobodyOut) {
   Open();
   std::vector<std::unique_ptr<PageCaller>> silent;
-  for (int i = 0; i < 80; ++i) silent.push_back(std::make_unique<PageCaller>(port_));
+  for (int i = 0; i < 300; ++i) silent.push_back(std::make_unique<PageCaller>(port_));
   EXPECT_THAT(LogIn(kToken), StartsWith("HTTP/1.1 204"));
 }
 
@@ -184,7 +184,7 @@ TEST_F(PageAttack, WhoMayOnlyWatchKeepsNoOperatorOut) {
   Open();
   std::vector<std::unique_ptr<PageCaller>> viewers;
   std::string cookie;
-  for (int i = 0; i < 140; ++i) {
+  for (int i = 0; i < 300; ++i) {
     if (i < 2 || i >= 70) cookie = assistance::CookieOf(LogIn(kViewerToken));
     viewers.push_back(std::make_unique<PageCaller>(port_));
     viewers.back()->Upgrade(cookie, viewers.back()->own_origin());

@@ -65,7 +65,7 @@ Expected<Groot2Service::Payload> Groot2Service::Done(const Outcome& outcome) {
 Expected<Groot2Service::Payload> Groot2Service::Serve(const Request& request) {
   switch (request.type) {
     case RequestType::kFullTree:
-      return WriteFullTree(*tree_->program());
+      return FullTree();
     case RequestType::kStatus:
       return Statuses();
     case RequestType::kBlackboard:
@@ -98,6 +98,16 @@ Expected<Groot2Service::Payload> Groot2Service::Control(const Request& request) 
     default:
       return Problem{"Request not recognized"};
   }
+}
+
+// Written once for each program: of 20 000 nodes that takes 30 ms.
+const std::string& Groot2Service::FullTree() {
+  const std::shared_ptr<const Program> program = tree_->program();
+  if (program != written_program_) {
+    full_tree_ = WriteFullTree(*program);
+    written_program_ = program;
+  }
+  return full_tree_;
 }
 
 Groot2Service::Payload Groot2Service::ToggleRecording(std::string_view what) {

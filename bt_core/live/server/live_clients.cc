@@ -29,14 +29,14 @@ bool IsAbout(const Parts& parts, const std::vector<std::string>& topics) {
 ClientId LiveClients::Enter(std::shared_ptr<LiveConnection> connection, bool may_control) {
   const std::lock_guard<std::mutex> lock(mutex_);
   const ClientId id{++clients_so_far_};
-  clients_[id] = {std::move(connection), may_control, 0, {}};
+  clients_[id] = {std::move(connection), may_control, false, 0, {}};
   return id;
 }
 
 ClientId LiveClients::EnterListener(std::shared_ptr<LiveConnection> connection) {
   const std::lock_guard<std::mutex> lock(mutex_);
   const ClientId id{++clients_so_far_};
-  listeners_[id] = {std::move(connection), false, 0, {}};
+  listeners_[id] = {std::move(connection), false, false, 0, {}};
   return id;
 }
 
@@ -55,8 +55,14 @@ void LiveClients::Leave(ClientId id) {
       if (at == all->end()) continue;
       unread_ -= at->second.unread;
       connection = std::move(at->second.connection);
+      const bool was_served = at->second.was_served;
       all->erase(at);
-      if (all == &listeners_) return;
+      for (std::deque<ReceivedRequest>* queue : {&requests_, &readers_requests_}) {
+        queue->erase(std::remove_if(queue->begin(), queue->end(),
+                                    [id](const auto& request) { return request.client == id; }),
+                     queue->end());
+      }
+      if (!was_served) return;
       const char type = static_cast<char>(groot2::RequestType::kExtension);
       requests_.push_back({id, false, {groot2::MakeHeader(type, 0), R"({"do":"bye"})"}});
     }
@@ -69,6 +75,7 @@ void LiveClients::Clear() {
   clients_.clear();
   listeners_.clear();
   requests_.clear();
+  readers_requests_.clear();
 }
 
 void LiveClients::Put(ClientId id, Parts request) {
@@ -76,7 +83,8 @@ void LiveClients::Put(ClientId id, Parts request) {
     const std::lock_guard<std::mutex> lock(mutex_);
     const auto at = clients_.find(id);
     if (at == clients_.end()) return;
-    requests_.push_back({id, at->second.may_control, std::move(request)});
+    const bool may_control = at->second.may_control;
+    (may_control ? requests_ : readers_requests_).push_back({id, may_control, std::move(request)});
   }
   on_request_();
 }
@@ -93,11 +101,14 @@ void LiveClients::GiveRoom(ClientId id, std::size_t bytes) {
 
 bool LiveClients::Receive(ReceivedRequest& request) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (requests_.empty()) return false;
-  request = std::move(requests_.front());
-  requests_.pop_front();
+  std::deque<ReceivedRequest>& queue = requests_.empty() ? readers_requests_ : requests_;
+  if (queue.empty()) return false;
+  request = std::move(queue.front());
+  queue.pop_front();
   const auto at = clients_.find(request.client);
-  if (at != clients_.end()) at->second.connection->ReadOn();
+  if (at == clients_.end()) return true;
+  at->second.was_served = true;
+  at->second.connection->ReadOn();
   return true;
 }
 
@@ -108,9 +119,9 @@ std::size_t LiveClients::RoomFor(const Client& client) const {
 }
 
 // However long the answer is: nobody can be asked to read a part of it first.
-bool LiveClients::HasRoomForReply(const Client& client) const {
-  return client.unread == 0 ||
-         (client.unread <= 2 * kMaxUnreadBytes && unread_ <= 2 * kMaxUnreadInAll);
+bool LiveClients::HasRoomForReply(const Client& client, std::size_t bytes) const {
+  if (client.unread == 0) return unread_ + bytes <= kMaxRepliesInAll || unread_ == 0;
+  return (client.unread <= 2 * kMaxUnreadBytes && unread_ <= 2 * kMaxUnreadInAll);
 }
 
 void LiveClients::Post(Client& client, const Parts& parts, std::size_t bytes) {
@@ -141,7 +152,7 @@ SendResult LiveClients::Reply(ClientId id, const Parts& parts) {
   const std::lock_guard<std::mutex> lock(mutex_);
   const auto at = clients_.find(id);
   if (at == clients_.end()) return SendResult::kGone;
-  if (HasRoomForReply(at->second)) {
+  if (HasRoomForReply(at->second, bytes)) {
     Post(at->second, parts, bytes);
     return SendResult::kSent;
   }

@@ -48,6 +48,8 @@ class LiveClients final : public LiveOutbox {
   static constexpr std::size_t kMaxUnreadBytes = 4 << 20;
   /// The same for all clients together.
   static constexpr std::size_t kMaxUnreadInAll = 32 << 20;
+  /// The same of answers, one of which nobody is denied otherwise.
+  static constexpr std::size_t kMaxRepliesInAll = 4 * kMaxUnreadInAll;
 
   /// `on_request` is called when Receive has something new.
   explicit LiveClients(std::function<void()> on_request) : on_request_(std::move(on_request)) {}
@@ -57,7 +59,8 @@ class LiveClients final : public LiveOutbox {
   /// Somebody who listens to notifications: those that begin with one of the topics.
   ClientId EnterListener(std::shared_ptr<LiveConnection> connection);
   void SetTopics(ClientId listener, std::vector<std::string> topics);
-  /// What the client holds is released: that is, as a request, what it did not say itself.
+  /// What the client holds is released: that is, as a request, what it did not say itself. What it
+  /// asked and was not taken yet is dropped.
   void Leave(ClientId client);
   /// Nobody is there any more, and nobody is told.
   void Clear();
@@ -67,7 +70,8 @@ class LiveClients final : public LiveOutbox {
   /// Something that was posted is written, or never will be.
   void GiveRoom(ClientId client, std::size_t bytes);
 
-  /// False if there is no request now. Clients have their turn one after the other.
+  /// False if there is no request now. Those who may control come before those who may not;
+  /// otherwise clients have their turn one after the other.
   bool Receive(ReceivedRequest& request);
 
   std::size_t RoomFor(ClientId client) override;
@@ -79,11 +83,12 @@ class LiveClients final : public LiveOutbox {
   struct Client {
     std::shared_ptr<LiveConnection> connection;
     bool may_control = false;
+    bool was_served = false;  // so it may hold something
     std::size_t unread = 0;
     std::vector<std::string> topics;  // of a listener
   };
   std::size_t RoomFor(const Client& client) const;
-  bool HasRoomForReply(const Client& client) const;
+  bool HasRoomForReply(const Client& client, std::size_t bytes) const;
   void Post(Client& client, const groot2::Parts& parts, std::size_t bytes);
 
   const std::function<void()> on_request_;
@@ -91,8 +96,9 @@ class LiveClients final : public LiveOutbox {
   std::uint64_t clients_so_far_ = 0;
   std::map<ClientId, Client> clients_;
   std::map<ClientId, Client> listeners_;
-  std::deque<ReceivedRequest> requests_;
-  std::size_t unread_ = 0;  // of all
+  std::deque<ReceivedRequest> requests_;          // of those who may control
+  std::deque<ReceivedRequest> readers_requests_;  // of the others
+  std::size_t unread_ = 0;                        // of all
 };
 
 }  // namespace coppice

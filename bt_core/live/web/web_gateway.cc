@@ -150,10 +150,11 @@ class Connection final : public WebConnection, public LiveConnection {
     socket_->async_close(code, [self = Self()](error_code) { self->End(); });
   }
 
-  // What the client holds is released.
+  // What the client holds is released. Nobody else may hold this connection any more.
   void End() {
+    const std::shared_ptr<Connection> self = Self();
     shared_.clients.Leave(client_);
-    beast::get_lowest_layer(*socket_).cancel();
+    beast::get_lowest_layer(*socket_).close();
   }
 
   SharedState& shared_;

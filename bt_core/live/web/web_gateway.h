@@ -24,7 +24,7 @@ struct WebGatewayOptions {
 
 class WebGateway {
  public:
-  static constexpr std::size_t kMaxConnections = 64;
+  static constexpr std::size_t kMaxConnections = 256;
   static constexpr std::size_t kMaxHeaderBytes = 8 << 10;
 
   /// Listens when it returns. Throws std::runtime_error, with a text for people, if the port cannot

@@ -5,7 +5,10 @@
 #include <algorithm>
 #include <boost/asio/post.hpp>
 #include <csignal>
+#include <map>
 #include <stdexcept>
+#include <string>
+#include <tuple>
 #include <utility>
 
 #include "bt_core/live/web/local_address.h"
@@ -74,7 +77,10 @@ void WebPort::Accept(Door& door) {
 
 void WebPort::Admit(Door& door, Socket socket) {
   if (door.connections.size() >= door.most_connections && !MakeRoom(door)) return;
+  error_code gone;
+  const asio::ip::tcp::endpoint from = socket.remote_endpoint(gone);
   const std::shared_ptr<PortConnection> connection = door.handler(std::move(socket), *this);
+  if (!gone) connection->address_ = from.address().to_string();
   door.connections.insert(connection.get());
   connection->Start();
 }
@@ -84,9 +90,17 @@ bool WebPort::MakeRoom(Door& door) {
   const auto watching = static_cast<std::size_t>(std::count_if(
       all.begin(), all.end(), [](const auto* one) { return one->claim() == Claim::kWatches; }));
   const Claim most = 2 * watching > door.most_connections ? Claim::kWatches : Claim::kIdle;
-  const auto least = std::min_element(all.begin(), all.end(), [](const auto* a, const auto* b) {
-    return std::make_pair(a->claim(), a->last_heard()) <
-           std::make_pair(b->claim(), b->last_heard());
+  std::map<std::string, std::size_t> strangers;  // by address
+  for (const PortConnection* one : all) {
+    if (one->claim() == Claim::kStranger) ++strangers[one->address()];
+  }
+  const auto standing = [&](const PortConnection* one) {
+    const bool is_stranger = one->claim() == Claim::kStranger;
+    const std::size_t crowd = is_stranger ? strangers[one->address()] : 0;
+    return std::make_tuple(one->claim(), all.size() - crowd, one->last_heard());
+  };
+  const auto least = std::min_element(all.begin(), all.end(), [&](const auto* a, const auto* b) {
+    return standing(a) < standing(b);
   });
   if (least == all.end() || (*least)->claim() > most) return false;
   PortConnection* const leaving = *least;

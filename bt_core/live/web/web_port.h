@@ -8,7 +8,8 @@
 //   ~Loop() { port_.Stop(); }               // before the shared state ends
 //
 // Strangers can fill a port with connections, and so can somebody who may only watch. When it is
-// full, who has the least claim to stay gives way to who comes; of equals, who was silent longest.
+// full, who has the least claim to stay gives way to who comes; of strangers, one of the address that
+// has most of them; of equals, who was silent longest.
 #ifndef COPPICE_BT_CORE_LIVE_WEB_WEB_PORT_H_
 #define COPPICE_BT_CORE_LIVE_WEB_WEB_PORT_H_
 
@@ -38,10 +39,10 @@ enum class Claim : std::uint8_t {
 };
 
 struct WebPortOptions {
-  std::string address;                ///< as LocalAddress (bt_core/live/web/local_address.h)
-  std::uint16_t port = 0;             ///< 0 takes a free one
-  const char* thread = "";            ///< its name, at most 15 characters
-  std::size_t most_connections = 64;  ///< who comes when none of so many gives way is hung up on
+  std::string address;                 ///< as LocalAddress (bt_core/live/web/local_address.h)
+  std::uint16_t port = 0;              ///< 0 takes a free one
+  const char* thread = "";             ///< its name, at most 15 characters
+  std::size_t most_connections = 256;  ///< who comes when none of so many gives way is hung up on
 };
 
 class WebPort {
@@ -115,6 +116,9 @@ class PortConnection {
   virtual void HangUp() = 0;
   virtual Claim claim() const = 0;
 
+  /// From where it came; empty if it has gone already.
+  const std::string& address() const { return address_; }
+
   using Moment = std::chrono::steady_clock::time_point;
   /// When it last said something that made sense.
   Moment last_heard() const { return last_heard_; }
@@ -123,7 +127,10 @@ class PortConnection {
   void Hear() { last_heard_ = std::chrono::steady_clock::now(); }
 
  private:
+  friend class WebPort;
+
   WebPort& port_;
+  std::string address_;
   Moment last_heard_ = std::chrono::steady_clock::now();
 };
 

@@ -39,7 +39,7 @@ struct PageEvent {
 
 class PageServer {
  public:
-  static constexpr std::size_t kMostConnections = 64;
+  static constexpr std::size_t kMostConnections = 256;
   /// WebSockets of one session: tabs, and one that the network has not told of yet.
   static constexpr std::size_t kMostOfASession = 4;
   static constexpr std::size_t kMostHeaderBytes = 8 << 10;

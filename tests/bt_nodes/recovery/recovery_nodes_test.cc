@@ -73,10 +73,11 @@ TEST_F(RecoveryTest, RecordsThatItWasInterrupted) {
 TEST_F(RecoveryTest, FailsWithoutTryingWhenTheBudgetIsUsedUp) {
   recovery_.Set("times", 2);
   recovery_.SetChild(0, {Status::kFailure});
-  for (int i = 0; i < 3; ++i) EXPECT_EQ(recovery_.Tick(), Status::kFailure);
+  for (int i = 0; i < 9; ++i) EXPECT_EQ(recovery_.Tick(), Status::kFailure);
   EXPECT_EQ(Phases(),
             (std::vector{RecoveryPhase::kBegun, RecoveryPhase::kFailed, RecoveryPhase::kBegun,
-                         RecoveryPhase::kFailed, RecoveryPhase::kRefused}));
+                         RecoveryPhase::kFailed, RecoveryPhase::kRefused}))
+      << "a refusal is told once";
   EXPECT_EQ(robot_.events[2].attempt, 2);
   recovery_.Advance(std::chrono::seconds(600));
   recovery_.Tick();

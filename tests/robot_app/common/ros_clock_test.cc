@@ -13,6 +13,16 @@ TEST(RosClock, ShowsRosTime) {
   EXPECT_EQ(RosClock().Now(), std::chrono::seconds(123) + std::chrono::nanoseconds(5));
 }
 
+TEST(RosClock, GoesOnWhereRosTimeGoesBack) {
+  RosClock clock;
+  ros::Time::setNow(ros::Time(500));
+  EXPECT_EQ(clock.Now(), std::chrono::seconds(500));
+  ros::Time::setNow(ros::Time(200));
+  EXPECT_EQ(clock.Now(), std::chrono::seconds(500));
+  ros::Time::setNow(ros::Time(203));
+  EXPECT_EQ(clock.Now(), std::chrono::seconds(503));
+}
+
 TEST(RosClock, ReturnsFromAWaitWhenWoken) {
   ros::Time::setNow(ros::Time(10));
   RosClock clock;

@@ -57,12 +57,40 @@ TEST_F(LiveClientsTest, HandsRequestsOverWithTheRightsOfTheirConnection) {
 
 TEST_F(LiveClientsTest, SaysByeForWhoHasGone) {
   const ClientId client = clients_.Enter(first_, true);
+  clients_.Put(client, {"hello"});
+  Receive();
   clients_.Leave(client);
   clients_.Leave(client);
   EXPECT_THAT(Receive().parts, ElementsAre(::testing::_, HasSubstr("bye")));
   EXPECT_EQ(clients_.Send(client, {"x"}), SendResult::kGone);
   ReceivedRequest none;
   EXPECT_FALSE(clients_.Receive(none));
+}
+
+TEST_F(LiveClientsTest, DropsWhatWasNotTakenFromWhoHasGone) {
+  const ClientId client = clients_.Enter(first_, true);
+  clients_.Put(client, {"a request"});
+  clients_.Leave(client);
+  ReceivedRequest none;
+  EXPECT_FALSE(clients_.Receive(none)) << "nor a bye, for it holds nothing";
+}
+
+TEST_F(LiveClientsTest, ServesThoseWhoMayControlBeforeThoseWhoMayNot) {
+  clients_.Put(clients_.Enter(first_, false), {"reader"});
+  clients_.Put(clients_.Enter(second_, true), {"controller"});
+  EXPECT_TRUE(Receive().may_control);
+  EXPECT_FALSE(Receive().may_control);
+}
+
+TEST_F(LiveClientsTest, ManyLargeAnswersThatNobodyReadsHaveALimitTogether) {
+  const std::string large(30 << 20, 'x');
+  std::size_t room = 0;
+  for (int i = 0; i < 20; ++i) {
+    const auto connection = std::make_shared<KeptConnection>();
+    clients_.Reply(clients_.Enter(connection, true), {large});
+    room += connection->room;
+  }
+  EXPECT_LE(room, LiveClients::kMaxRepliesInAll);
 }
 
 TEST_F(LiveClientsTest, KeepsLittleForWhoDoesNotReadButAnswersHim) {
