@@ -1,6 +1,6 @@
 // How an action of the robot ended, as a capability reports it to the leaf that started it.
-// No Outcome: it walks through the inbox and lies in records, so it is a Value with a text form, and
-// one that nobody has filled in has failed.
+// No Outcome: it walks through the inbox and lies in records, so it is a Value with a text form,
+// and one that nobody has filled in has failed.
 #ifndef COPPICE_BT_NODES_BASICS_ACTION_RESULT_H_
 #define COPPICE_BT_NODES_BASICS_ACTION_RESULT_H_
 

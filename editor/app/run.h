@@ -15,7 +15,8 @@ namespace coppice::editor {
 /// Set by SIGTERM and SIGINT.
 extern std::atomic<bool> g_stop;
 
-/// What the user chose the last time, changed as the command line says. Prints what is wrong with it.
+/// What the user chose the last time, changed as the command line says. Prints what is wrong with
+/// it.
 Settings LoadSettings(const EditOptions& options);
 
 /// Fills an editor as the command line says. Prints what is wrong; null if it cannot run.

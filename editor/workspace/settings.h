@@ -24,8 +24,8 @@ struct Settings {
   int height = 800;
 };
 
-/// From JSON. What cannot be right is said and is as in a new editor; members that this version does
-/// not know are passed over.
+/// From JSON. What cannot be right is said and is as in a new editor; members that this version
+/// does not know are passed over.
 Settings ReadSettings(const std::string& text, const std::string& file, Diagnostics& diagnostics);
 std::string WriteSettings(const Settings& settings);
 

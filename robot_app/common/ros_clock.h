@@ -9,8 +9,8 @@
 namespace coppice::robot {
 
 /// Needs ros::init and a NodeHandle. Any thread. Where ROS time goes back (a simulator that was
-/// restarted, a computer whose clock was set), this clock goes on from where it was: what a tree has
-/// measured stays what it was.
+/// restarted, a computer whose clock was set), this clock goes on from where it was: what a tree
+/// has measured stays what it was.
 class RosClock : public Clock {
  public:
   Time Now() const override;

@@ -8,8 +8,8 @@
 //   ~Loop() { port_.Stop(); }               // before the shared state ends
 //
 // Strangers can fill a port with connections, and so can somebody who may only watch. When it is
-// full, who has the least claim to stay gives way to who comes; of strangers, one of the address that
-// has most of them; of equals, who was silent longest.
+// full, who has the least claim to stay gives way to who comes; of strangers, one of the address
+// that has most of them; of equals, who was silent longest.
 #ifndef COPPICE_BT_CORE_LIVE_WEB_WEB_PORT_H_
 #define COPPICE_BT_CORE_LIVE_WEB_WEB_PORT_H_
 

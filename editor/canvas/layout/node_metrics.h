@@ -69,8 +69,8 @@ float NoteHeight(const SceneNode& node);
 /// Rows below the title: the type and the ports.
 std::uint32_t BodyLines(const SceneNode& node);
 
-/// The sizes of a node at zoom 1, without the row for collapsed children. They are the same on every
-/// screen but for the rounding of its fonts.
+/// The sizes of a node at zoom 1, without the row for collapsed children. They are the same on
+/// every screen but for the rounding of its fonts.
 NodeSizes MeasureNode(const Ui& ui, const Scene& scene, const SceneNode& node);
 
 }  // namespace coppice::editor
