@@ -106,7 +106,11 @@ class Finder {
       const bool is_inside = found.glyph.clip.Contains(at) && x >= 0 && y >= 0 &&
                              x < background.width && y < background.height;
       if (!is_inside || (order.At(x, y) & ~kOpaque) > found.order) continue;
-      found.glyph.background = MostOf(background, found.glyph.box);
+      const Box& clip = found.glyph.clip;
+      const Box& box = found.glyph.box;
+      found.glyph.background =
+          MostOf(background, {{std::max(box.min.x, clip.min.x), std::max(box.min.y, clip.min.y)},
+                              {std::min(box.max.x, clip.max.x), std::min(box.max.y, clip.max.y)}});
       seen.push_back(found.glyph);
     }
     return seen;
