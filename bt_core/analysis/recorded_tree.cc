@@ -18,7 +18,7 @@ std::string JoinDocuments(const TreeDescription& tree, Diagnostics& diagnostics)
     const std::optional<Document> document =
         Document::FromText(described.text, described.file, diagnostics);
     if (!document) continue;
-    const Element& root = document->element(0);
+    const Element& root = document->element(kRootElement);
     for (ElementIndex i = root.first_child; i != kNoElement;
          i = document->element(i).next_sibling) {
       const Element& element = document->element(i);
@@ -67,7 +67,7 @@ std::string Difference(const TreeDescription& tree, const Program& program) {
     return "has " + std::to_string(program.nodes.size()) + " nodes instead of " +
            std::to_string(tree.nodes.size());
   }
-  for (NodeIndex i = 0; i < tree.nodes.size(); ++i) {
+  for (NodeIndex i{0}; i < tree.nodes.size(); ++i) {
     const DescribedNode& node = tree.nodes[i];
     if (program.Path(i) == node.path && program.info[i].parent == node.parent) continue;
     return "has " + program.Path(i) + " in the place of " + node.path;
@@ -80,7 +80,7 @@ class SlotMatcher {
  public:
   SlotMatcher(const TreeDescription& tree, const Program& program)
       : tree_(tree), program_(program) {
-    for (SlotIndex i = 0; i < tree.slots.size(); ++i) {
+    for (SlotIndex i{0}; i < tree.slots.size(); ++i) {
       const DescribedSlot& slot = tree.slots[i];
       by_name_.emplace(Name(slot.has_key ? slot.scope : std::string_view(), slot.name), i);
     }
@@ -88,11 +88,11 @@ class SlotMatcher {
 
   std::vector<SlotIndex> Match() {
     recorded_.assign(program_.layout.slots.size(), kNoSlot);
-    for (SlotIndex i = 0; i < recorded_.size(); ++i) {
+    for (SlotIndex i{0}; i < recorded_.size(); ++i) {
       const SlotDefinition& slot = program_.layout.slots[i];
       if (!slot.key.empty()) recorded_[i] = Find(program_.layout.scopes[slot.scope], slot.key);
     }
-    for (NodeIndex i = 0; i < program_.nodes.size(); ++i) MatchPorts(i);
+    for (NodeIndex i{0}; i < program_.nodes.size(); ++i) MatchPorts(i);
     return std::move(recorded_);
   }
 
@@ -131,7 +131,7 @@ class SlotMatcher {
 
 void MatchSlots(RecordedTree& tree) {
   tree.recorded_slots = SlotMatcher(*tree.description, *tree.program).Match();
-  for (SlotIndex i = 0; i < tree.recorded_slots.size(); ++i) {
+  for (SlotIndex i{0}; i < tree.recorded_slots.size(); ++i) {
     if (tree.recorded_slots[i] < tree.program_slots.size()) {
       tree.program_slots[tree.recorded_slots[i]] = i;
     }
@@ -154,7 +154,7 @@ std::string RecordedTree::NameOf(NodeIndex node) const {
 NodeIndex RecordedTree::Find(const std::string& path, Diagnostics& diagnostics) const {
   std::vector<NodeIndex> found;
   std::vector<std::string> paths;
-  for (NodeIndex i = 0; i < description->nodes.size(); ++i) {
+  for (NodeIndex i{0}; i < description->nodes.size(); ++i) {
     paths.push_back(PathOf(i));
     if (paths.back() == path) return i;
     if (EndsIn(paths.back(), path)) found.push_back(i);

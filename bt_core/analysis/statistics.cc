@@ -76,7 +76,7 @@ class Count {
 
   void CountResult(const Event& event, std::uint64_t tick) {
     if (!event.is_result()) return;
-    Counter& counter = CounterOf(event.index);
+    Counter& counter = CounterOf(event.node());
     NodeStatistics& figures = counter.figures;
     ++figures.ticks;
     ++figures.results[static_cast<std::size_t>(event.status())];

@@ -7,6 +7,8 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string_view>
 
+#include "bt_core/base/strong_index.h"
+
 namespace coppice {
 
 /// Throws std::exception.
@@ -14,6 +16,12 @@ nlohmann::json ParseLimitedJson(std::string_view text);
 
 /// The same of MessagePack; what cannot be read is a discarded value.
 nlohmann::json ReadLimitedMessagePack(std::string_view bytes);
+
+/// An index is written as its number; the library calls this.
+template <class Json, class Tag>
+void to_json(Json& json, StrongIndex<Tag> index) {
+  json = static_cast<std::uint32_t>(index);
+}
 
 }  // namespace coppice
 

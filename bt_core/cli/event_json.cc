@@ -92,7 +92,7 @@ ToldTick TellTick(const TreeDescription& tree, HistoryFollower& follower, const 
       const bool is_known = event.writer < tree.nodes.size();
       tick.writes.push_back({slot.scope, slot.name, std::string(event.bytes),
                              is_known ? tree.nodes[event.writer].path : ""});
-    } else if (event.code == EventCode::kText && is_wanted(event.index)) {
+    } else if (event.code == EventCode::kText && is_wanted(event.node())) {
       tick.messages.push_back({tree.nodes[event.index].path, event.text, TextOf(event)});
     }
   };
@@ -117,7 +117,7 @@ std::string EventJson(const TreeDescription& tree) {
 
 std::string EventJson(const TreeDescription& tree, const HistoryState& state) {
   JsonObject statuses;
-  for (NodeIndex i = 0; i < state.statuses.size(); ++i) {
+  for (NodeIndex i{0}; i < state.statuses.size(); ++i) {
     if (state.statuses[i] == Status::kIdle) continue;
     statuses.AddText(tree.nodes[i].path, ToString(state.statuses[i]));
   }

@@ -3,7 +3,7 @@
 namespace coppice {
 
 SlotIndex Layout::Find(ScopeIndex scope, std::string_view key) const {
-  for (SlotIndex i = 0; i < slots.size(); ++i) {
+  for (SlotIndex i{0}; i < slots.size(); ++i) {
     if (slots[i].scope == scope && !slots[i].key.empty() && slots[i].key == key) return i;
   }
   return kNoSlot;
@@ -11,7 +11,7 @@ SlotIndex Layout::Find(ScopeIndex scope, std::string_view key) const {
 
 Blackboard MakeBlackboard(const Layout& layout) {
   Blackboard blackboard(layout.slots.size());
-  for (std::size_t i = 0; i < blackboard.size(); ++i) {
+  for (SlotIndex i{0}; i < blackboard.size(); ++i) {
     blackboard[i].value = layout.slots[i].initial;
   }
   return blackboard;

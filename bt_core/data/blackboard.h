@@ -14,12 +14,14 @@
 #include <vector>
 
 #include "bt_core/base/clock.h"
+#include "bt_core/base/strong_index.h"
 #include "bt_core/data/inbox.h"
 #include "bt_core/data/value.h"
 
 namespace coppice {
 
-using ScopeIndex = std::uint32_t;
+using ScopeIndex = StrongIndex<struct ScopeTag>;
+inline constexpr ScopeIndex kMainScope{0};
 
 struct Slot {
   Value value;               ///< empty until it is written for the first time
@@ -36,7 +38,7 @@ struct Slot {
 
 struct SlotDefinition {
   std::string key;             ///< empty for literals and mailboxes
-  ScopeIndex scope = 0;        ///< where the key was first named
+  ScopeIndex scope{0};         ///< where the key was first named
   const Type* type = nullptr;  ///< of all ports that share this slot
   Value initial;               ///< a literal, or empty
 };

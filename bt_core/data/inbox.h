@@ -17,13 +17,14 @@
 #include <utility>
 #include <vector>
 
+#include "bt_core/base/strong_index.h"
 #include "bt_core/base/wake_up.h"
 #include "bt_core/data/value.h"
 
 namespace coppice {
 
-using SlotIndex = std::uint32_t;
-inline constexpr SlotIndex kNoSlot = UINT32_MAX;
+using SlotIndex = StrongIndex<struct SlotTag>;
+inline constexpr SlotIndex kNoSlot{UINT32_MAX};
 
 class Inbox {
  public:

@@ -32,7 +32,7 @@ void Executor::AddExceptionMessage(NodeIndex node) {
 
 // The tick was left in the midst of it: a node may run whose parent does not.
 Status Executor::EndAborted() {
-  for (NodeIndex i = 0; i < statuses_.size(); ++i) {
+  for (NodeIndex i{0}; i < statuses_.size(); ++i) {
     const bool has_begun = statuses_[i] == Status::kRunning || Keeps(i);
     if (has_begun && IsUserNode(nodes_[i].type)) HaltUser(i);
     memory_[i] = 0;

@@ -67,7 +67,7 @@ Status Executor::Tick() {
   if (inbox_->has_messages()) ApplyInbox();
   Status result;
   try {
-    result = Tick(0);
+    result = Tick(kRootNode);
   } catch (const Abort&) {
     result = EndAborted();
   }
@@ -78,7 +78,7 @@ Status Executor::Tick() {
 
 std::vector<Status> Executor::statuses() const {
   std::vector<Status> result = statuses_;
-  for (NodeIndex i = 1; i < result.size(); ++i) {
+  for (NodeIndex i{1}; i < result.size(); ++i) {
     const NodeIndex parent = program_->info[i].parent;
     const bool behind =
         RunsOneChild(nodes_[parent].type) && i > static_cast<NodeIndex>(memory_[parent]);

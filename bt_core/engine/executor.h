@@ -119,7 +119,7 @@ class Executor final : public LeafHost, public ChildHost {
   /// sender that drops. Throws std::invalid_argument if the tree uses the key with another type.
   template <class T>
   Sender<T> Writer(const std::string& key) {
-    const SlotIndex slot = program_->layout.Find(0, key);
+    const SlotIndex slot = program_->layout.Find(kMainScope, key);
     if (slot == kNoSlot) return {};
     CheckType(slot, TypeOf<T>());
     return Sender<T>(inbox_, slot, 0);
@@ -140,7 +140,7 @@ class Executor final : public LeafHost, public ChildHost {
   void AddMessage(std::string text) override {
     reporter_.Text(current_, EventText::kMessage, text);
   }
-  std::uint32_t current_node() const override { return current_; }
+  NodeIndex current_node() const override { return current_; }
   bool ResumeSkipped() override;
   void KeepSkipped() override;
   void Drain(Duration limit) override;
@@ -217,7 +217,7 @@ class Executor final : public LeafHost, public ChildHost {
     return program_->nodes[node].dispatch == NodeType::kGuarded;
   }
   const GuardRecord& GuardsOf(NodeIndex node) const;
-  std::uint32_t Binding(NodeIndex node, std::uint32_t k) const {
+  SlotIndex Binding(NodeIndex node, std::uint32_t k) const {
     return program_->ports[nodes_[node].first_port + k].slot;
   }
   Status FailByException(NodeIndex node);
@@ -283,8 +283,8 @@ class Executor final : public LeafHost, public ChildHost {
 
   std::uint64_t ticks_ = 0;
   bool tick_again_ = false;
-  NodeIndex current_ = 0;  // the node of the user that is called
-  NodeIndex thrower_ = 0;
+  NodeIndex current_{0};  // the node of the user that is called
+  NodeIndex thrower_{0};
   std::exception_ptr thrown_;
 
   TickReporter reporter_{blackboard_};

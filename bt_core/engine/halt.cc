@@ -22,8 +22,8 @@ void Executor::Halt() {
 }
 
 void Executor::HaltAll() {
-  Halt(0);
-  for (NodeIndex i = 0; kept_ != 0 && i < statuses_.size(); ++i) {
+  Halt(kRootNode);
+  for (NodeIndex i{0}; kept_ != 0 && i < statuses_.size(); ++i) {
     if (Keeps(i)) LetGo(i);
   }
 }
@@ -94,7 +94,7 @@ bool Executor::HasBegun(NodeIndex user) {
 
 void Executor::CountKept() {
   kept_ = 0;
-  for (NodeIndex i = 0; i < statuses_.size(); ++i) kept_ += Keeps(i);
+  for (NodeIndex i{0}; i < statuses_.size(); ++i) kept_ += Keeps(i);
   ChangeKept(0);
 }
 

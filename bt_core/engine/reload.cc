@@ -11,7 +11,7 @@
 namespace coppice {
 namespace {
 
-constexpr NodeIndex kNone = UINT32_MAX;
+constexpr NodeIndex kNone = kNoNode;
 
 bool AreWrittenTheSame(const Program& a, NodeIndex i, const Program& b, NodeIndex k) {
   return a.TagOf(i) == b.TagOf(k);
@@ -47,7 +47,7 @@ bool HasItsNumbers(const Program& old, NodeIndex i, const Program& next, NodeInd
 // For each node of `next` the node of `old` that lives on in it, or kNone.
 std::vector<NodeIndex> MatchNodes(const Program& old, const Program& next) {
   std::vector<NodeIndex> matches(next.nodes.size(), kNone);
-  std::vector<std::pair<NodeIndex, NodeIndex>> open = {{0, 0}};
+  std::vector<std::pair<NodeIndex, NodeIndex>> open(1);
   while (!open.empty()) {
     const auto [i, k] = open.back();
     open.pop_back();
@@ -72,17 +72,17 @@ std::vector<SlotIndex> MatchSlots(const Program& old, const Program& next,
   std::vector<SlotIndex> numbers(old.layout.slots.size(), kNoSlot);
   using Name = std::pair<std::string_view, std::string_view>;  // scope, key
   std::map<Name, SlotIndex> keys;
-  for (SlotIndex i = 0; i < next.layout.slots.size(); ++i) {
+  for (SlotIndex i{0}; i < next.layout.slots.size(); ++i) {
     const SlotDefinition& slot = next.layout.slots[i];
     if (!slot.key.empty()) keys.emplace(Name(next.layout.scopes[slot.scope], slot.key), i);
   }
-  for (SlotIndex i = 0; i < numbers.size(); ++i) {
+  for (SlotIndex i{0}; i < numbers.size(); ++i) {
     const SlotDefinition& slot = old.layout.slots[i];
     const auto found = keys.find(Name(old.layout.scopes[slot.scope], slot.key));
     if (slot.key.empty() || found == keys.end()) continue;
     if (next.layout.slots[found->second].type == slot.type) numbers[i] = found->second;
   }
-  for (NodeIndex k = 0; k < nodes.size(); ++k) {
+  for (NodeIndex k{0}; k < nodes.size(); ++k) {
     if (nodes[k] == kNone || !next.info[k].entry) continue;
     const auto& declarations = next.info[k].entry->declarations;
     for (std::size_t n = 0; n < declarations.size(); ++n) {
@@ -121,14 +121,14 @@ void Executor::HaltWhatEnds(const std::vector<NodeIndex>& lives_on) {
   for (const NodeIndex old : lives_on) {
     if (old != kNone) ends[old] = false;
   }
-  for (NodeIndex i = 0; i < ends.size(); ++i) {
+  for (NodeIndex i{0}; i < ends.size(); ++i) {
     if (ends[i]) Halt(i);
   }
 }
 
 void Executor::MoveBlackboard(const std::vector<SlotIndex>& slots) {
   Blackboard moved = MakeBlackboard(program_->layout);
-  for (SlotIndex i = 0; i < slots.size(); ++i) {
+  for (SlotIndex i{0}; i < slots.size(); ++i) {
     if (slots[i] != kNoSlot) moved[slots[i]] = std::move(blackboard_[i]);
   }
   moved.set_now(blackboard_.now());
@@ -140,7 +140,7 @@ void Executor::MoveNodes(const Program& old, const std::vector<NodeIndex>& lives
   std::vector<std::uint64_t> memory = std::exchange(memory_, {});
   statuses_.assign(program_->nodes.size(), Status::kIdle);
   memory_.assign(program_->nodes.size(), 0);
-  for (NodeIndex k = 0; k < lives_on.size(); ++k) {
+  for (NodeIndex k{0}; k < lives_on.size(); ++k) {
     if (lives_on[k] == kNone) continue;
     statuses_[k] = statuses[lives_on[k]];
     memory_[k] = RunsOneChild(nodes_[k].type)

@@ -13,7 +13,7 @@ void Executor::Restore(const TreeState& state) {
   }
   KeepPretending({});
   statuses_ = statuses();
-  for (NodeIndex i = 0; i < statuses_.size(); ++i) {
+  for (NodeIndex i{0}; i < statuses_.size(); ++i) {
     if (IsUserNode(nodes_[i].type)) {
       RestoreUser(i, state);
     } else {
@@ -48,7 +48,7 @@ void Executor::RestoreBlackboard(const Blackboard& saved) {
       is_mailbox[program_->ports[leaf.first_port + k].slot] = true;
     }
   }
-  for (SlotIndex i = 0; i < blackboard_.size(); ++i) {
+  for (SlotIndex i{0}; i < blackboard_.size(); ++i) {
     if (is_mailbox[i]) continue;
     blackboard_[i] = saved[i];
   }

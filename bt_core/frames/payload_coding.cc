@@ -69,12 +69,12 @@ DescribedNode DecodeNode(Decoder& in, std::size_t documents) {
   if ((kind & ~kRunsOneChild) >= kCategories) in.Fail();
   node.category = static_cast<NodeCategory>(kind & ~kRunsOneChild);
   node.runs_one_child = (kind & kRunsOneChild) != 0;
-  node.parent = in.Index(kNoNode);
+  node.parent = NodeIndex(in.Index(kNoNode));
   node.document = in.Index(documents);
-  node.element = in.Index(kNoElement);
+  node.element = ElementIndex(in.Index(kNoElement));
   for (std::size_t left = in.Count(); left > 0 && in.ok(); --left) {
     std::string name = in.Text();
-    node.ports.push_back({std::move(name), in.Index(kNoSlot)});
+    node.ports.push_back({std::move(name), SlotIndex(in.Index(kNoSlot))});
   }
   return node;
 }

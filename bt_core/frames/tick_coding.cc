@@ -117,7 +117,7 @@ class EventsDecoder {
     if (!Move(named, step, is_slot ? size_.slots : size_.nodes)) return false;
     const std::uint32_t index = named;
     if (code <= EventCode::kSkipped) {
-      out_.Status(index, static_cast<Status>(code));
+      out_.Status(NodeIndex(index), static_cast<Status>(code));
       return true;
     }
     std::uint32_t second = kNoNode;

@@ -31,7 +31,7 @@ NodeCategory CategoryOf(const Program& program, NodeIndex node) {
 }
 
 void DescribeNodes(const Program& program, std::vector<DescribedNode>& nodes) {
-  for (NodeIndex node = 0; node < program.nodes.size(); ++node) {
+  for (NodeIndex node{0}; node < program.nodes.size(); ++node) {
     const NodeInfo& info = program.info[node];
     nodes.push_back({program.Path(node), program.Id(node), CategoryOf(program, node),
                      RunsOneChild(program.nodes[node].type), info.parent,
@@ -52,7 +52,7 @@ std::unordered_map<SlotIndex, std::string> PortNames(const std::vector<Described
 
 void DescribeSlots(const Layout& layout, TreeDescription& tree) {
   auto names = PortNames(tree.nodes);
-  for (SlotIndex slot = 0; slot < layout.slots.size(); ++slot) {
+  for (SlotIndex slot{0}; slot < layout.slots.size(); ++slot) {
     const SlotDefinition& definition = layout.slots[slot];
     const bool has_key = !definition.key.empty();
     tree.slots.push_back({layout.scopes[definition.scope], has_key ? definition.key : names[slot],
@@ -113,7 +113,7 @@ TreeDescription DescribeTree(const Program& program, RunInfo info) {
 
 TreeShape ShapeOf(const TreeDescription& tree) {
   TreeShape shape;
-  for (NodeIndex node = 0; node < tree.nodes.size(); ++node) {
+  for (NodeIndex node{0}; node < tree.nodes.size(); ++node) {
     shape.push_back({tree.nodes[node].parent, node + 1, tree.nodes[node].runs_one_child});
   }
   for (auto node = static_cast<NodeIndex>(shape.size()); node-- > 1;) {

@@ -54,7 +54,7 @@ struct DescribedDocument {
 /// A port of a node and the slot that it is bound to.
 struct DescribedPort {
   std::string name;
-  SlotIndex slot = 0;
+  SlotIndex slot{0};
 };
 
 struct DescribedNode {
@@ -62,9 +62,9 @@ struct DescribedNode {
   std::string id;    ///< registration ID; for a SubTree the ID of its tree
   NodeCategory category = NodeCategory::kAction;
   bool runs_one_child = false;  ///< see NodeShape
-  NodeIndex parent = 0;         ///< itself for the root
+  NodeIndex parent{0};          ///< itself for the root
   std::uint32_t document = 0;   ///< of TreeDescription::documents
-  ElementIndex element = 0;     ///< in that document
+  ElementIndex element{0};      ///< in that document
   std::vector<DescribedPort> ports;
 };
 

@@ -248,7 +248,7 @@ std::uint32_t Document::FindStartTagEnd(const Element& element) const {
 // start of the next element is the end tag of the innermost open one.
 void Document::FindEnds() {
   std::vector<ElementIndex> open;
-  ElementIndex next = 0;
+  ElementIndex next{0};
   std::size_t at = content_->elements[0].offset;
   do {
     if (next < content_->elements.size() && at == content_->elements[next].offset) {

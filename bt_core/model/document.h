@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "bt_core/base/diagnostic.h"
+#include "bt_core/base/strong_index.h"
 #include "bt_core/model/edit.h"
 
 namespace tinyxml2 {
@@ -26,8 +27,9 @@ class XMLDocument;
 
 namespace coppice {
 
-using ElementIndex = std::uint32_t;
-inline constexpr ElementIndex kNoElement = UINT32_MAX;
+using ElementIndex = StrongIndex<struct ElementTag>;
+inline constexpr ElementIndex kRootElement{0};
+inline constexpr ElementIndex kNoElement{UINT32_MAX};
 
 struct Attribute {
   std::string_view name;
@@ -37,7 +39,7 @@ struct Attribute {
   std::uint32_t value_end;     ///< of the closing quote, which is the same character
 };
 
-/// One element. Elements lie in document order; element 0 is the root.
+/// One element. Elements lie in document order; the first is the root.
 struct Element {
   std::string_view tag;
   std::uint32_t offset;         ///< of the '<'

@@ -52,7 +52,7 @@ std::vector<std::string> NamesOfChildren(const Document& document, ElementIndex 
 }  // namespace
 
 ElementIndex FindByPath(const Document& document, std::string_view path, Diagnostics& diagnostics) {
-  ElementIndex at = 0;
+  ElementIndex at{0};
   while (!path.empty()) {
     const std::size_t slash = std::min(path.find('/'), path.size());
     const std::string_view text = path.substr(0, slash);

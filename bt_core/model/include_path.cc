@@ -43,7 +43,7 @@ std::string PackageName(const fs::path& manifest) {
   Diagnostics ignored;  // a broken manifest is not this program's matter
   const auto document = Document::FromFile(manifest.string(), ignored);
   if (!document) return {};
-  for (ElementIndex i = document->element(0).first_child; i != kNoElement;
+  for (ElementIndex i = document->element(kRootElement).first_child; i != kNoElement;
        i = document->element(i).next_sibling) {
     if (document->element(i).tag == "name") return document->TextOf(document->element(i));
   }

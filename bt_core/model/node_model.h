@@ -37,7 +37,7 @@ struct NodeModel {
   std::vector<PortModel> ports;                               ///< in the written order
   std::vector<std::pair<std::string, std::string>> metadata;  ///< of <MetadataFields>
   std::uint32_t document = 0;                                 ///< where it stands: document number
-  ElementIndex element = 0;                                   ///< and element
+  ElementIndex element{0};                                    ///< and element
 
   /// The port of that name, or null.
   const PortModel* FindPort(std::string_view name) const;

@@ -71,14 +71,15 @@ class ProjectReader {
  private:
   // Format 3 becomes format 4 here; Location() still names the user's own text.
   Document AsFormat4(Document document) {
-    if (document.element(0).tag != "root" || !IsFormat3(document)) return document;
+    if (document.element(kRootElement).tag != "root" || !IsFormat3(document)) return document;
     const Edit edit = UpgradeToFormat4(document, diagnostics_);
     Diagnostics known;  // the same warnings once more
     std::optional<Document> upgraded = document.Rewritten(edit, known);
     if (!upgraded) return document;
-    const bool says_so = document.FindAttribute(document.element(0), "BTCPP_format") != nullptr;
+    const bool says_so =
+        document.FindAttribute(document.element(kRootElement), "BTCPP_format") != nullptr;
     if (says_so || edit.size() > 1) {
-      diagnostics_.Warning(document.Location(document.element(0).offset),
+      diagnostics_.Warning(document.Location(document.element(kRootElement).offset),
                            "format 3 is read as format 4",
                            "\"coppice upgrade -i " + document.file() + "\" makes it format 4");
     } else {
@@ -88,7 +89,7 @@ class ProjectReader {
   }
 
   void WarnOfNoFormat(const Document& document) {
-    diagnostics_.Warning(document.Location(document.element(0).offset),
+    diagnostics_.Warning(document.Location(document.element(kRootElement).offset),
                          "no BTCPP_format; read as format 4");
   }
 
@@ -97,7 +98,7 @@ class ProjectReader {
     known_.insert(IdentityOf(document.file()));
     project_.documents_.push_back(AsFormat4(std::move(document)));
     if (!CheckRoot(number)) return;
-    for (ElementIndex i = At(number).element(0).first_child; i != kNoElement;) {
+    for (ElementIndex i = At(number).element(kRootElement).first_child; i != kNoElement;) {
       const Element element = At(number).element(i);
       if (element.tag == "BehaviorTree") {
         AddTree(number, i);
@@ -133,7 +134,7 @@ class ProjectReader {
 
   // False if nothing below can be meant as a tree.
   bool CheckRoot(std::uint32_t number) {
-    const Element root = At(number).element(0);
+    const Element root = At(number).element(kRootElement);
     if (root.tag != "root") {
       Error(number, root, "root element is <" + std::string(root.tag) + ">",
             "expected <root BTCPP_format=\"4\">");
@@ -173,7 +174,7 @@ class ProjectReader {
 
   bool IsOnlyTree(std::uint32_t number, ElementIndex tree) const {
     const Document& document = At(number);
-    for (ElementIndex i = document.element(0).first_child; i != kNoElement;
+    for (ElementIndex i = document.element(kRootElement).first_child; i != kNoElement;
          i = document.element(i).next_sibling) {
       if (i != tree && document.element(i).tag == "BehaviorTree") return false;
     }
@@ -196,7 +197,7 @@ class ProjectReader {
   void ChooseMainTree() {
     for (const std::uint32_t number : given_) {
       project_.main_tree_ =
-          At(number).AttributeValue(At(number).element(0), "main_tree_to_execute");
+          At(number).AttributeValue(At(number).element(kRootElement), "main_tree_to_execute");
       if (!project_.main_tree_.empty()) return;
     }
     int trees_in_first = 0;

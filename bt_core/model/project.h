@@ -29,7 +29,7 @@ namespace coppice {
 /// Where a <BehaviorTree> is defined: document number and element. It has at least one child.
 struct TreeDefinition {
   std::uint32_t document = 0;
-  ElementIndex element = 0;
+  ElementIndex element{0};
 };
 
 using NodeModelMap = std::map<std::string, NodeModel, std::less<>>;

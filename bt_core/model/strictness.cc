@@ -65,7 +65,7 @@ class Finder {
  private:
   // Behind the root element, an end tag ends the document for tinyxml2.
   bool IsCutShort(std::size_t at) const {
-    if (at < document_.element(0).end || text_[at] != '<') return false;
+    if (at < document_.element(kRootElement).end || text_[at] != '<') return false;
     return text_.substr(std::min(text_.find_first_not_of(kXmlBlanks, at + 1), text_.size() - 1),
                         1) == "/";
   }
@@ -82,7 +82,7 @@ class Finder {
         CheckDeclaration(piece);
         break;
       case MarkupKind::kTag:
-        if (piece.begin < document_.element(0).end) CheckTag(piece);
+        if (piece.begin < document_.element(kRootElement).end) CheckTag(piece);
         break;
       case MarkupKind::kCharacterData:
       case MarkupKind::kDocumentType:
@@ -154,7 +154,7 @@ class Finder {
   const Document& document_;
   std::string_view text_;
   std::vector<Finding> found_;
-  ElementIndex next_ = 0;
+  ElementIndex next_{0};
 };
 
 bool CanBeMended(const Finding& finding) {

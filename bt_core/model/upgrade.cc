@@ -87,8 +87,8 @@ class Upgrader {
       : document_(document), diagnostics_(diagnostics) {}
 
   Edit Run() {
-    Add(SetAttribute(document_, 0, "BTCPP_format", "4"));
-    for (ElementIndex i = document_.element(0).first_child; i != kNoElement;
+    Add(SetAttribute(document_, kRootElement, "BTCPP_format", "4"));
+    for (ElementIndex i = document_.element(kRootElement).first_child; i != kNoElement;
          i = document_.element(i).next_sibling) {
       if (document_.element(i).tag == "BehaviorTree") UpgradeTree(i);
     }
@@ -202,7 +202,7 @@ class Upgrader {
 }  // namespace
 
 bool IsFormat3(const Document& document) {
-  const Attribute* format = document.FindAttribute(document.element(0), "BTCPP_format");
+  const Attribute* format = document.FindAttribute(document.element(kRootElement), "BTCPP_format");
   if (format) return format->value == "3";
   bool is_4 = false;
   for (const Element& element : document.elements()) {

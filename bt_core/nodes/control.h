@@ -41,10 +41,13 @@
 #include <cstdint>
 
 #include "bt_core/base/status.h"
+#include "bt_core/base/strong_index.h"
 
 namespace coppice {
 
-using NodeIndex = std::uint32_t;
+using NodeIndex = StrongIndex<struct NodeTag>;
+inline constexpr NodeIndex kRootNode{0};
+inline constexpr NodeIndex kNoNode{UINT32_MAX};
 
 namespace internal {
 

@@ -25,6 +25,7 @@
 #include "bt_core/base/status.h"
 #include "bt_core/data/port.h"
 #include "bt_core/model/manifest.h"
+#include "bt_core/nodes/control.h"
 
 namespace coppice {
 
@@ -47,7 +48,7 @@ class LeafHost {
   virtual void Drain(Duration limit) = 0;
 
   /// The number of the node that is called now, in preorder.
-  virtual std::uint32_t current_node() const { return 0; }
+  virtual NodeIndex current_node() const { return {}; }
 
   // For the engine: SKIPPED does not end what a RUNNING node has begun.
   bool keeps_skipped_nodes() const { return kept_ != 0; }

@@ -105,7 +105,7 @@ LeafHarness::LeafHarness(LeafHarness&&) noexcept = default;
 LeafHarness::~LeafHarness() = default;
 
 bool LeafHarness::WasWritten(const std::string& port) const {
-  const SlotIndex slot = executor_->program().layout.Find(0, port);
+  const SlotIndex slot = executor_->program().layout.Find(kMainScope, port);
   return slot != kNoSlot && executor_->blackboard()[slot].writes > 0;
 }
 
@@ -157,7 +157,7 @@ std::vector<std::string> LeafHarness::TakeChildEvents() {
 
 SlotIndex LeafHarness::SlotOf(const std::string& port, const Type& type) const {
   const Layout& layout = executor_->program().layout;
-  const SlotIndex slot = layout.Find(0, port);
+  const SlotIndex slot = layout.Find(kMainScope, port);
   if (slot == kNoSlot) throw std::invalid_argument("the node has no port \"" + port + "\"");
   const Type* const expected = layout.slots[slot].type;
   if (expected && expected != &type) {

@@ -209,7 +209,7 @@ MockedTree::~MockedTree() = default;
 
 MockedTree::Parts MockedTree::MakeParts(MockedProgram& program) {
   Parts parts;
-  for (NodeIndex node = 0; node < program.nodes.size(); ++node) {
+  for (NodeIndex node{0}; node < program.nodes.size(); ++node) {
     const std::optional<std::size_t> rule =
         ChooseRule(rules_, {program.Name(node), program.Path(node), program.Id(node)});
     const bool is_leaf = program.nodes[node].type == NodeType::kLeaf;

@@ -34,7 +34,7 @@ class RandomRuns::Watcher final : public TickSink {
       if (event.is_status()) {
         ++runs_.coverage_.nodes[event.index].results[static_cast<std::size_t>(event.status())];
       } else if (event.code == EventCode::kText && event.text == EventText::kException) {
-        runs_.Find(runs_.program_->Path(event.index), std::string(event.bytes), events.tick);
+        runs_.Find(runs_.program_->Path(event.node()), std::string(event.bytes), events.tick);
       }
     }
   }
@@ -49,7 +49,7 @@ RandomRuns::RandomRuns(std::shared_ptr<const Program> program, RandomRunOptions 
     rules_.push_back(std::move(placed.rule));
   }
   coverage_.first_seed = options_.seed;
-  for (NodeIndex node = 0; node < program_->nodes.size(); ++node) {
+  for (NodeIndex node{0}; node < program_->nodes.size(); ++node) {
     coverage_.nodes.push_back({program_->Path(node), {}});
   }
 }

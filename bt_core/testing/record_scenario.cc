@@ -59,7 +59,7 @@ class Recorder {
   std::vector<ExpectedValue> ChangedKeys(const ScenarioStep& step) {
     std::vector<std::string> values = ValuesOf(executor());
     std::vector<ExpectedValue> changed;
-    for (SlotIndex slot = 0; slot < values.size(); ++slot) {
+    for (SlotIndex slot{0}; slot < values.size(); ++slot) {
       const std::string key = KeyPathOf(program_, slot);
       const Value& value = executor().blackboard()[slot].value;
       const bool is_set = std::any_of(step.set.begin(), step.set.end(),
@@ -111,7 +111,7 @@ std::vector<ScenarioStep> Shorten(const std::vector<ScenarioStep>& steps) {
 std::string PatternOf(const Program& program, NodeIndex node) {
   const std::string name = program.Name(node);
   std::size_t namesakes = 0;
-  for (NodeIndex i = 0; i < program.nodes.size(); ++i) {
+  for (NodeIndex i{0}; i < program.nodes.size(); ++i) {
     if (program.Name(i) == name) ++namesakes;
   }
   if (namesakes == 1 && name.find_first_of("/*<") == std::string::npos) return name;

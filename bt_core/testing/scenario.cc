@@ -21,7 +21,7 @@ class Player {
  public:
   Player(const Program& program, const ScenarioSuite& suite, const Scenario& scenario)
       : scenario_(scenario), player_(program, RulesOf(suite, scenario), scenario.seed) {
-    for (NodeIndex node = 0; node < program.nodes.size(); ++node) {
+    for (NodeIndex node{0}; node < program.nodes.size(); ++node) {
       nodes_.emplace(program.Path(node), node);
     }
     CheckRules(suite);

@@ -113,13 +113,13 @@ SlotIndex FindKey(const Program& program, const std::string& key, std::string& h
   const std::size_t slash = key.rfind('/');
   const std::string path = slash == std::string::npos ? "" : key.substr(0, slash);
   const std::string name = slash == std::string::npos ? key : key.substr(slash + 1);
-  for (ScopeIndex scope = 0; scope < program.trees.size(); ++scope) {
+  for (ScopeIndex scope{0}; scope < program.trees.size(); ++scope) {
     if (program.trees[scope].path != path) continue;
     const SlotIndex slot = program.layout.Find(scope, name);
     if (slot != kNoSlot) return slot;
   }
   std::vector<std::string> keys;
-  for (SlotIndex slot = 0; slot < program.layout.slots.size(); ++slot) {
+  for (SlotIndex slot{0}; slot < program.layout.slots.size(); ++slot) {
     std::string known = KeyPathOf(program, slot);
     if (!known.empty()) keys.push_back(std::move(known));
   }

@@ -35,8 +35,8 @@ std::string_view LitValue(const TreeView& view, const SceneNode& node) {
 }  // namespace
 
 NodeState StateOf(const TreeSnapshot* live, const SceneNode& node) {
-  if (!live || node.uid < 0 || static_cast<std::size_t>(node.uid) >= live->states.size()) return {};
-  return live->states[static_cast<std::size_t>(node.uid)];
+  if (!live || node.run_node >= live->states.size()) return {};
+  return live->states[node.run_node];
 }
 
 Badge BadgeOf(const CanvasOptions& options, std::uint32_t node) {

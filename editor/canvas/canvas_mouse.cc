@@ -84,7 +84,7 @@ class Mouse {
     Gesture& gesture = view_.gesture;
     gesture.kind = Gesture::Kind::kPan;
     if (!ImGui::IsMouseDown(0)) return;
-    if (gesture.node != kNoNode && options_.drop && options_.drop->why_not) {
+    if (gesture.node != kNoSceneNode && options_.drop && options_.drop->why_not) {
       BeginDrag();
     } else if (io_.KeyShift || io_.KeyCtrl) {
       gesture.kind = Gesture::Kind::kRectangle;
@@ -119,7 +119,7 @@ class Mouse {
     if (!ImGui::IsMouseReleased(0)) return;
     if (!hovered_) {
       view_.LightKey(kNoKey);
-      if (!io_.KeyShift && !io_.KeyCtrl) view_.Select(kNoNode);
+      if (!io_.KeyShift && !io_.KeyCtrl) view_.Select(kNoSceneNode);
       return;
     }
     const std::uint32_t node = HoveredIndex();

@@ -23,9 +23,9 @@ enum class DropPlace : std::uint8_t {
 
 struct DropTarget {
   DropPlace place = DropPlace::kNowhere;
-  std::uint32_t node = kNoNode;  ///< of the scene
-  std::uint32_t index = 0;       ///< of kGap
-  Box mark;                      ///< in the world: the insertion bar, or the node
+  std::uint32_t node = kNoSceneNode;  ///< of the scene
+  std::uint32_t index = 0;            ///< of kGap
+  Box mark;                           ///< in the world: the insertion bar, or the node
 };
 
 /// The same place; the marks are not looked at.

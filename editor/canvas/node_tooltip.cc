@@ -44,7 +44,7 @@ void DrawNodeTooltip(const Ui& ui, const Scene& scene, const SceneNode& node,
   Line(ui, Face::kSans, ui.palette.text_dim,
        std::string(node.id) + "  (" + (node.shape == Shape::kSubTree ? "SubTree" : kind) + ")  " +
            node.path);
-  if (node.uid >= 0) {
+  if (node.run_node != kNoNode) {
     const bool idle = state.status == Status::kIdle;
     Line(ui, Face::kSans, idle ? ui.palette.text_dim : ui.palette.Of(state.status),
          StatusText(ui, state));

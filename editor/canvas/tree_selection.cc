@@ -11,7 +11,7 @@ bool TreeView::IsSelected(std::uint32_t node) const {
 }
 
 void TreeView::Select(std::uint32_t node) {
-  if (node == kNoNode) {
+  if (node == kNoSceneNode) {
     SelectAll({});
   } else {
     SelectAll({node});
@@ -29,7 +29,7 @@ void TreeView::ToggleSelected(std::uint32_t node) {
 }
 
 void TreeView::SelectTo(std::uint32_t node) {
-  if (selected_ == kNoNode) return Select(node);
+  if (selected_ == kNoSceneNode) return Select(node);
   const auto& all = scene_->nodes;
   const std::uint32_t first = std::min(node, selected_);
   const std::uint32_t last = std::max(node, selected_);
@@ -45,7 +45,7 @@ void TreeView::SelectTo(std::uint32_t node) {
 }
 
 void TreeView::SelectAll(std::vector<std::uint32_t> nodes) {
-  selected_ = nodes.empty() ? kNoNode : nodes.back();
+  selected_ = nodes.empty() ? kNoSceneNode : nodes.back();
   std::sort(nodes.begin(), nodes.end());
   nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
   selection_ = std::move(nodes);
@@ -56,7 +56,8 @@ void TreeView::SelectAll(std::vector<std::uint32_t> nodes) {
 // on what comes up.
 void TreeView::OpenAround(std::uint32_t node) {
   bool opened = false;
-  for (std::uint32_t i = scene_->nodes[node].parent; i != kNoNode; i = scene_->nodes[i].parent) {
+  for (std::uint32_t i = scene_->nodes[node].parent; i != kNoSceneNode;
+       i = scene_->nodes[i].parent) {
     opened = opened || collapsed_[i];
     collapsed_[i] = false;
   }

@@ -49,7 +49,7 @@ void TreeView::SetScene(std::shared_ptr<const Scene> scene, const SizeOf& size_o
   if (scene_ && !scene_->nodes.empty()) {
     match = MatchTrees(*scene_, hashes_, *scene, hashes);
   } else {
-    match.before_of.assign(scene->nodes.size(), kNoNode);
+    match.before_of.assign(scene->nodes.size(), kNoSceneNode);
   }
   const Places before = PlacesAt(now);
   Places after = {std::vector<Point>(scene->nodes.size()),
@@ -58,20 +58,20 @@ void TreeView::SetScene(std::shared_ptr<const Scene> scene, const SizeOf& size_o
   std::vector<NodeSizes> sizes(scene->nodes.size());
   for (std::uint32_t i = 0; i < scene->nodes.size(); ++i) {
     const std::uint32_t old = match.before_of[i];
-    const bool looks_the_same = old != kNoNode && hashes_.shown[old] == hashes.shown[i];
+    const bool looks_the_same = old != kNoSceneNode && hashes_.shown[old] == hashes.shown[i];
     sizes[i] = looks_the_same ? sizes_[old] : size_of(*scene, scene->nodes[i]);
-    if (old == kNoNode) continue;
+    if (old == kNoSceneNode) continue;
     collapsed[i] = collapsed_[old] && scene->HasChildren(i);
     after.known[i] = before.known[old];
     after.at[i] = before.at[old];
   }
   const auto new_number = [&](std::uint32_t old) { return match.after_of[old]; };
-  selected_ = selected_ == kNoNode ? kNoNode : new_number(selected_);
+  selected_ = selected_ == kNoSceneNode ? kNoSceneNode : new_number(selected_);
   for (std::uint32_t& node : selection_) node = new_number(node);
   std::sort(selection_.begin(), selection_.end());
-  selection_.erase(std::lower_bound(selection_.begin(), selection_.end(), kNoNode),
+  selection_.erase(std::lower_bound(selection_.begin(), selection_.end(), kNoSceneNode),
                    selection_.end());
-  if (selected_ == kNoNode && !selection_.empty()) selected_ = selection_.back();
+  if (selected_ == kNoSceneNode && !selection_.empty()) selected_ = selection_.back();
 
   scene_ = std::move(scene);
   hashes_ = std::move(hashes);
@@ -84,7 +84,7 @@ void TreeView::SetScene(std::shared_ptr<const Scene> scene, const SizeOf& size_o
   LayOutShown();
   const std::uint32_t anchor = Anchor();
   const bool knows_anchor = !scene_->nodes.empty() && after.known[anchor];
-  Move(after, knows_anchor ? anchor : kNoNode, now);
+  Move(after, knows_anchor ? anchor : kNoSceneNode, now);
 }
 
 void TreeView::SetStyle(const LayoutStyle& style, double now) {
@@ -150,7 +150,7 @@ TreeView::Places TreeView::PlacesAt(double now) const {
 
 void TreeView::Relayout(std::uint32_t anchor, double now) {
   const Places before = PlacesAt(now);
-  anchor = shown_.empty() ? kNoNode : shown_[ShownOf(anchor)];
+  anchor = shown_.empty() ? kNoSceneNode : shown_[ShownOf(anchor)];
   ListShown();
   LayOutShown();
   Move(before, anchor, now);
@@ -197,11 +197,11 @@ void TreeView::LayOutShown() {
 }
 
 // The anchor does not move on the screen: what the layout moves it, the camera moves back, and
-// where the boxes come from is shifted along. kNoNode: everything is in its place at once.
+// where the boxes come from is shifted along. kNoSceneNode: everything is in its place at once.
 void TreeView::Move(const Places& before, std::uint32_t anchor, double now) {
   from_.assign(shown_.size(), {});
   moved_at_ = -1e9;
-  if (anchor == kNoNode) return;
+  if (anchor == kNoSceneNode) return;
   const Point shift = layout_.boxes[ShownOf(anchor)].min - before.at[anchor];
   const bool was_fitted = camera == fitted_;
   camera.offset = camera.offset - shift * camera.zoom;
@@ -339,7 +339,7 @@ void TreeView::ZoomAt(Point screen, float factor) {
 }
 
 void TreeView::Reveal(Point canvas) {
-  if (selected_ == kNoNode) return;
+  if (selected_ == kNoSceneNode) return;
   const Box box = camera.ToScreen(layout_.boxes[ShownOf(selected_)]);
   const auto correction = [margin = kMargin * screen_scale](float low, float high, float size) {
     if (low < margin) return margin - low;

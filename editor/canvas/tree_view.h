@@ -51,9 +51,9 @@ struct Gesture {
     kCancelled   ///< until the button is let go
   };
   Kind kind = Kind::kNone;
-  Point start;                   ///< in the world
-  std::uint32_t node = kNoNode;  ///< that was below the mouse when the button went down
-  Drag drag;                     ///< of kDrag
+  Point start;                        ///< in the world
+  std::uint32_t node = kNoSceneNode;  ///< that was below the mouse when the button went down
+  Drag drag;                          ///< of kDrag
 };
 
 class TreeView {
@@ -90,8 +90,12 @@ class TreeView {
   void CollapseOthers(double now);
   void OpenAll(double now);
 
-  /// The node that was selected last; kNoNode: none.
+  /// The node that was selected last; kNoSceneNode: none.
   std::uint32_t selected() const { return selected_; }
+  /// Its number in the run; kNoNode if it has none or nothing is selected.
+  NodeIndex selected_run_node() const {
+    return selected_ == kNoSceneNode ? kNoNode : scene_->nodes[selected_].run_node;
+  }
   /// All that are selected, rising.
   const std::vector<std::uint32_t>& selection() const { return selection_; }
   bool IsSelected(std::uint32_t node) const;
@@ -155,7 +159,7 @@ class TreeView {
   };
 
   Places PlacesAt(double now) const;
-  std::uint32_t Anchor() const { return selected_ == kNoNode ? 0 : selected_; }
+  std::uint32_t Anchor() const { return selected_ == kNoSceneNode ? 0 : selected_; }
   void Relayout(std::uint32_t anchor, double now);
   void Move(const Places& before, std::uint32_t anchor, double now);
   void ListShown();
@@ -178,7 +182,7 @@ class TreeView {
   LayoutStyle style_;
   KeyUses keys_;
   std::uint32_t lit_key_ = kNoKey;
-  std::uint32_t selected_ = kNoNode;
+  std::uint32_t selected_ = kNoSceneNode;
   std::vector<std::uint32_t> selection_;
   std::vector<std::uint32_t> shown_, shown_ends_, shown_parents_;
   TreeLayout layout_;

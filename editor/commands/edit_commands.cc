@@ -45,7 +45,7 @@ class EditCommands {
                 [&s = state_, popup, needs_selection](const TreeEditor& edit) {
                   std::string refusal = edit.WhyReadOnly();
                   const TreeView* view = s.workspace.view();
-                  const bool selected = view && view->selected() != kNoNode;
+                  const bool selected = view && view->selected() != kNoSceneNode;
                   if (refusal.empty() && needs_selection && !selected) {
                     refusal = "nothing is selected";
                   }
@@ -66,7 +66,7 @@ class EditCommands {
     AddFunction("edit.first_port", "Edit the first port", {kKeyEnter},
                 [&s = state_](const TreeEditor&) {
                   const TreeView* view = s.workspace.view();
-                  if (!view || view->selected() == kNoNode) return;
+                  if (!view || view->selected() == kNoSceneNode) return;
                   s.screen.tiles.inspector = true;
                   s.input.focus_field = FirstField(*view);
                 });

@@ -96,7 +96,7 @@ class ProjectCommands {
   std::string ShowUsages(ProjectEditor& edit) const {
     const TreeView* view = state_.workspace.view();
     std::string id = state_.workspace.ShownTreeId();
-    if (view && view->selected() != kNoNode) id = view->scene()->nodes[view->selected()].id;
+    if (view && view->selected() != kNoSceneNode) id = view->scene()->nodes[view->selected()].id;
     return ShowUsages(edit, id);
   }
 
@@ -105,7 +105,7 @@ class ProjectCommands {
     std::vector<Choice> rows;
     const ProjectFiles files = edit.Files();
     for (std::size_t f = 0; f < files.size(); ++f) {
-      for (ElementIndex i = 0; i < files[f].elements().size(); ++i) {
+      for (ElementIndex i{0}; i < files[f].elements().size(); ++i) {
         if (IsNode(files[f], i) && TypeOf(files[f], i) == id) rows.push_back(RowOf(files[f], i));
       }
     }

@@ -38,9 +38,9 @@ void ChangeSpeed(RunView& run, double factor) {
 
 void StepToChange(EditorState& state, RunView& run, bool forward) {
   const TreeView* view = state.workspace.view();
-  const bool selected = view && view->selected() != kNoNode;
-  const int uid = selected ? view->scene()->nodes[view->selected()].uid : 0;
-  if (uid >= 0) run.playhead().StepToChange(static_cast<NodeIndex>(uid), forward);
+  const bool selected = view && view->selected() != kNoSceneNode;
+  const NodeIndex node = selected ? view->selected_run_node() : kRootNode;
+  if (node != kNoNode) run.playhead().StepToChange(node, forward);
 }
 
 const WantedHook* BreakpointOf(EditorState& state) {
@@ -308,12 +308,12 @@ void AddRunCommands(EditorState& state) { RunCommands(state).AddAll(); }
 
 std::string SelectedRunPath(EditorState& state) {
   const TreeView* view = state.workspace.view();
-  if (!view || view->selected() == kNoNode) return {};
+  if (!view || view->selected() == kNoSceneNode) return {};
   const SceneNode& node = view->scene()->nodes[view->selected()];
   if (const RunView* run = state.workspace.run()) {
-    return node.uid < 0 || !run->tree()
+    return node.run_node == kNoNode || !run->tree()
                ? ""
-               : run->tree()->description()->nodes[static_cast<std::size_t>(node.uid)].path;
+               : run->tree()->description()->nodes[node.run_node].path;
   }
   const Document& document = *state.workspace.forest()->documents()[node.document];
   const std::string_view name = document.AttributeValue(document.element(node.element), "name");

@@ -111,7 +111,7 @@ class SimulationCommands {
   void AddPrompts() {
     Add("sim.script", "what the leaf does", {kKeyEnter}, [&s = state_](const SimulationEditor& e) {
       const NodeIndex leaf = e.SelectedLeaf();
-      if (leaf == editor::kNoNode) return s.Notify("Select a leaf first", s.now, true);
+      if (leaf == kNoNode) return s.Notify("Select a leaf first", s.now, true);
       const std::string present = PrintScript(*s.simulator.get()->ScriptOf(leaf));
       s.Ask({"What the leaf does: SUCCESS, 2s FAILURE, RUNNING x3 SUCCESS, each FAILURE SUCCESS, "
              "80% SUCCESS 20% FAILURE 0s..2s",

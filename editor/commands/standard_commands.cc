@@ -17,17 +17,18 @@ std::uint32_t Neighbour(const Scene& scene, const TreeView& view, std::uint32_t 
     case Way::kParent:
       return parent;
     case Way::kChild:
-      return scene.HasChildren(node) && !view.IsCollapsed(node) ? node + 1 : kNoNode;
+      return scene.HasChildren(node) && !view.IsCollapsed(node) ? node + 1 : kNoSceneNode;
     case Way::kNext:
-      return parent != kNoNode && nodes[node].end < nodes[parent].end ? nodes[node].end : kNoNode;
+      return parent != kNoSceneNode && nodes[node].end < nodes[parent].end ? nodes[node].end
+                                                                           : kNoSceneNode;
     case Way::kPrevious: {
-      if (parent == kNoNode || node == parent + 1) return kNoNode;
+      if (parent == kNoSceneNode || node == parent + 1) return kNoSceneNode;
       std::uint32_t before = parent + 1;
       while (nodes[before].end != node) before = nodes[before].end;
       return before;
     }
   }
-  return kNoNode;
+  return kNoSceneNode;
 }
 
 class Commands {
@@ -150,7 +151,7 @@ class Commands {
   void AddTree() {
     AddForView("tree.collapse", "Collapse or open", {'C'}, [&s = state_](TreeView& view) {
       const std::uint32_t node = view.selected();
-      if (node != kNoNode) view.SetCollapsed(node, !view.IsCollapsed(node), s.now);
+      if (node != kNoSceneNode) view.SetCollapsed(node, !view.IsCollapsed(node), s.now);
     });
     AddForView("tree.collapse_others", "Collapse all others", {'C', kShift},
                [&s = state_](TreeView& view) { view.CollapseOthers(s.now); });
@@ -159,7 +160,7 @@ class Commands {
     AddForView("tree.close_subtrees", "Close all SubTrees", {'E', kShift},
                [&s = state_](TreeView& view) { view.CollapseSubTrees(true, s.now); });
     AddForView("tree.unselect", "Select nothing", {kKeyEscape},
-               [](TreeView& view) { view.Select(kNoNode); });
+               [](TreeView& view) { view.Select(kNoSceneNode); });
     AddWalk("walk.up", "Walk up", kKeyUp, Way::kParent, Way::kPrevious);
     AddWalk("walk.down", "Walk down", kKeyDown, Way::kChild, Way::kNext);
     AddWalk("walk.left", "Walk left", kKeyLeft, Way::kPrevious, Way::kParent);
@@ -170,11 +171,11 @@ class Commands {
   void AddWalk(std::string id, std::string title, Key key, Way top_to_bottom, Way left_to_right) {
     AddForView(std::move(id), std::move(title), {key}, [=, &s = state_](TreeView& view) {
       const bool sideways = view.orientation() == Orientation::kLeftToRight;
-      const std::uint32_t to = view.selected() == kNoNode
+      const std::uint32_t to = view.selected() == kNoSceneNode
                                    ? 0
                                    : Neighbour(*view.scene(), view, view.selected(),
                                                sideways ? left_to_right : top_to_bottom);
-      if (to == kNoNode) return;
+      if (to == kNoSceneNode) return;
       view.Select(to);
       view.Reveal(s.screen.canvas_size);
     });

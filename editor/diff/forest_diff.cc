@@ -47,7 +47,7 @@ std::string CountDiffs(const std::vector<NodeDiff>& diffs) {
 
 std::string PlaceOf(const NodeDiff& diff, const TreeComparison& tree, const Forest& before,
                     const Forest& after) {
-  const bool removed = diff.after == kNoNode;
+  const bool removed = diff.after == kNoSceneNode;
   const SceneNode& node = removed ? tree.before.nodes[diff.before] : tree.after.nodes[diff.after];
   const Document& document = *(removed ? before : after).documents()[node.document];
   const SourceLocation where = document.Location(document.element(node.element).offset);

@@ -16,7 +16,7 @@ namespace {
 std::uint32_t KnownAbove(const Scene& scene, const std::vector<std::uint32_t>& other,
                          std::uint32_t node) {
   std::uint32_t above = scene.nodes[node].parent;
-  while (above != kNoNode && other[above] == kNoNode) above = scene.nodes[above].parent;
+  while (above != kNoSceneNode && other[above] == kNoSceneNode) above = scene.nodes[above].parent;
   return above;
 }
 
@@ -68,12 +68,12 @@ std::vector<bool> FindMoved(const Scene& before, const Scene& after, const TreeM
   std::vector<std::vector<std::uint32_t>> below(after.nodes.size() + 1);
   for (std::uint32_t i = 0; i < after.nodes.size(); ++i) {
     const std::uint32_t old = match.before_of[i];
-    if (old == kNoNode) continue;
+    if (old == kNoSceneNode) continue;
     const std::uint32_t above = KnownAbove(after, match.before_of, i);
     const std::uint32_t old_above = KnownAbove(before, match.after_of, old);
-    const std::uint32_t expected = above == kNoNode ? kNoNode : match.before_of[above];
+    const std::uint32_t expected = above == kNoSceneNode ? kNoSceneNode : match.before_of[above];
     moved[i] = expected != old_above;
-    if (!moved[i]) below[above == kNoNode ? after.nodes.size() : above].push_back(i);
+    if (!moved[i]) below[above == kNoSceneNode ? after.nodes.size() : above].push_back(i);
   }
   for (const std::vector<std::uint32_t>& siblings : below) {
     std::vector<Sibling> old;
@@ -126,7 +126,7 @@ class Merger {
       : before_(before), after_(after), match_(MatchTrees(before, after)) {
     kind_of_.assign(after.nodes.size(), 0);
     for (const NodeDiff& diff : DiffTrees(before, after)) {
-      if (diff.after == kNoNode) continue;
+      if (diff.after == kNoSceneNode) continue;
       if (!diff.attributes.empty()) changes_[diff.after] = diff.attributes;
       std::uint8_t& kind = kind_of_[diff.after];
       if (kind == 0) kind = static_cast<std::uint8_t>(1 + static_cast<int>(diff.kind));
@@ -155,8 +155,8 @@ class Merger {
     copy.number = number;
     copy.end = index + 1;
     copy.scope = 0;
-    copy.path = parent == kNoNode ? std::to_string(number)
-                                  : scene.nodes[parent].path + "." + std::to_string(number);
+    copy.path = parent == kNoSceneNode ? std::to_string(number)
+                                       : scene.nodes[parent].path + "." + std::to_string(number);
     scene.nodes.push_back(std::move(copy));
     result_.kinds.push_back(kind);
     return index;
@@ -168,21 +168,21 @@ class Merger {
 
   // A removed root stays above what has come out of it; else it is shown below the new root.
   void AddRoot() {
-    const bool removed = !before_.nodes.empty() && match_.after_of[0] == kNoNode;
+    const bool removed = !before_.nodes.empty() && match_.after_of[0] == kNoSceneNode;
     if (after_.nodes.empty()) {
-      if (removed) AddRemoved(0, kNoNode, 1);
+      if (removed) AddRemoved(0, kNoSceneNode, 1);
       return;
     }
     const std::uint32_t old = match_.before_of[0];
-    bool came_out = removed && old != kNoNode;
+    bool came_out = removed && old != kNoSceneNode;
     for (std::uint32_t i = came_out ? old : 0; i != 0 && came_out; i = before_.nodes[i].parent) {
-      came_out = match_.after_of[before_.nodes[i].parent] == kNoNode;
+      came_out = match_.after_of[before_.nodes[i].parent] == kNoSceneNode;
     }
     if (came_out) {
       came_out_ = old;
-      return AddRemoved(0, kNoNode, 1);
+      return AddRemoved(0, kNoSceneNode, 1);
     }
-    AddAfter(0, kNoNode, 1);
+    AddAfter(0, kNoSceneNode, 1);
     if (!removed) return;
     std::uint32_t count = 0;
     const auto& nodes = result_.scene.nodes;
@@ -226,11 +226,11 @@ class Merger {
     const auto changes = changes_.find(node);
     if (changes != changes_.end()) ShowChanges(index, changes->second);
     const std::uint32_t old = match_.before_of[node];
-    std::uint32_t next = old == kNoNode ? kNoNode : old + 1;
-    const std::uint32_t old_end = old == kNoNode ? kNoNode : before_.nodes[old].end;
+    std::uint32_t next = old == kNoSceneNode ? kNoSceneNode : old + 1;
+    const std::uint32_t old_end = old == kNoSceneNode ? kNoSceneNode : before_.nodes[old].end;
     std::uint32_t count = 0;
     const auto add_removed = [&] {
-      for (; next != kNoNode && next < old_end && match_.after_of[next] == kNoNode;
+      for (; next != kNoSceneNode && next < old_end && match_.after_of[next] == kNoSceneNode;
            next = before_.nodes[next].end) {
         AddRemoved(next, index, ++count);
       }
@@ -239,14 +239,14 @@ class Merger {
     for (std::uint32_t c = node + 1; c < after_.nodes[node].end; c = after_.nodes[c].end) {
       AddAfter(c, index, ++count);
       // Only behind the child that comes next in the old order; moved ones are passed over.
-      while (next != kNoNode && next < old_end && match_.after_of[next] != kNoNode &&
+      while (next != kNoSceneNode && next < old_end && match_.after_of[next] != kNoSceneNode &&
              match_.after_of[next] <= c) {
         next = before_.nodes[next].end;
         add_removed();
       }
     }
-    for (; next != kNoNode && next < old_end; next = before_.nodes[next].end) {
-      if (match_.after_of[next] == kNoNode) AddRemoved(next, index, ++count);
+    for (; next != kNoSceneNode && next < old_end; next = before_.nodes[next].end) {
+      if (match_.after_of[next] == kNoSceneNode) AddRemoved(next, index, ++count);
     }
     Close(index);
   }
@@ -256,7 +256,7 @@ class Merger {
     const std::uint32_t index = Add(before_, node, parent, number, kKind);
     std::uint32_t count = 0;
     for (std::uint32_t c = node + 1; c < before_.nodes[node].end; c = before_.nodes[c].end) {
-      if (match_.after_of[c] == kNoNode) AddRemoved(c, index, ++count);
+      if (match_.after_of[c] == kNoSceneNode) AddRemoved(c, index, ++count);
       if (c == came_out_) AddAfter(0, index, ++count);
     }
     Close(index);
@@ -266,7 +266,8 @@ class Merger {
   const Scene& after_;
   const TreeMatch match_;
   std::vector<std::uint8_t> kind_of_;
-  std::uint32_t came_out_ = kNoNode;  // node before that is the root now, if the old one is gone
+  std::uint32_t came_out_ =
+      kNoSceneNode;  // node before that is the root now, if the old one is gone
   std::map<std::uint32_t, std::vector<AttributeChange>> changes_;  // by node after
   MergedTree result_;
 };
@@ -284,8 +285,8 @@ std::vector<NodeDiff> DiffTrees(const Scene& before, const Scene& after) {
   std::vector<NodeDiff> diffs;
   for (std::uint32_t i = 0; i < after.nodes.size(); ++i) {
     const std::uint32_t old = match.before_of[i];
-    if (old == kNoNode) {
-      diffs.push_back({DiffKind::kAdded, kNoNode, i, {}});
+    if (old == kNoSceneNode) {
+      diffs.push_back({DiffKind::kAdded, kNoSceneNode, i, {}});
       continue;
     }
     if (moved[i]) diffs.push_back({DiffKind::kMoved, old, i, {}});
@@ -293,14 +294,15 @@ std::vector<NodeDiff> DiffTrees(const Scene& before, const Scene& after) {
     if (!changes.empty()) diffs.push_back({DiffKind::kChanged, old, i, std::move(changes)});
   }
   for (std::uint32_t i = 0; i < before.nodes.size(); ++i) {
-    if (match.after_of[i] == kNoNode) diffs.push_back({DiffKind::kRemoved, i, kNoNode, {}});
+    if (match.after_of[i] == kNoSceneNode)
+      diffs.push_back({DiffKind::kRemoved, i, kNoSceneNode, {}});
   }
   return diffs;
 }
 
 std::string ToString(const NodeDiff& diff, const Scene& before, const Scene& after) {
   constexpr char kSigns[] = {'+', '-', '>', '~'};
-  const bool removed = diff.after == kNoNode;
+  const bool removed = diff.after == kNoSceneNode;
   const SceneNode& node = removed ? before.nodes[diff.before] : after.nodes[diff.after];
   std::string text(1, kSigns[static_cast<std::size_t>(diff.kind)]);
   text += " " + node.path + " " + std::string(node.name);

@@ -29,8 +29,8 @@ struct AttributeChange {
 
 struct NodeDiff {
   DiffKind kind = DiffKind::kChanged;
-  std::uint32_t before = kNoNode;           ///< kNoNode: added
-  std::uint32_t after = kNoNode;            ///< kNoNode: removed
+  std::uint32_t before = kNoSceneNode;      ///< kNoSceneNode: added
+  std::uint32_t after = kNoSceneNode;       ///< kNoSceneNode: removed
   std::vector<AttributeChange> attributes;  ///< of a changed node: type, name, ports
 };
 

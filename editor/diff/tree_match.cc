@@ -19,7 +19,7 @@ Hash HashText(Hash hash, std::string_view text) {
 
 // What is seen of a node beside its texts.
 Hash LooksOf(const SceneNode& node) {
-  return (static_cast<Hash>(node.shape) << 3U) | (Hash{node.uid >= 0} << 2U) |
+  return (static_cast<Hash>(node.shape) << 3U) | (Hash{node.run_node != kNoNode} << 2U) |
          (Hash{node.recursive} << 1U) | Hash{node.disabled};
 }
 
@@ -41,8 +41,8 @@ struct Side {
 class Matcher {
  public:
   Matcher(const Side& before, const Side& after) : before_(before), after_(after) {
-    match_.before_of.assign(after.scene.nodes.size(), kNoNode);
-    match_.after_of.assign(before.scene.nodes.size(), kNoNode);
+    match_.before_of.assign(after.scene.nodes.size(), kNoSceneNode);
+    match_.after_of.assign(before.scene.nodes.size(), kNoSceneNode);
   }
 
   TreeMatch Run() {
@@ -59,7 +59,7 @@ class Matcher {
 
  private:
   bool IsFree(std::uint32_t before, std::uint32_t after) const {
-    return match_.after_of[before] == kNoNode && match_.before_of[after] == kNoNode;
+    return match_.after_of[before] == kNoSceneNode && match_.before_of[after] == kNoSceneNode;
   }
 
   void Join(std::uint32_t before, std::uint32_t after) {
@@ -130,17 +130,17 @@ class Matcher {
     };
     std::unordered_map<Hash, Places> places;
     for (std::uint32_t i = 0; i < before_.whole.size(); ++i) {
-      if (match_.after_of[i] == kNoNode) places[before_.whole[i]].before.push_back(i);
+      if (match_.after_of[i] == kNoSceneNode) places[before_.whole[i]].before.push_back(i);
     }
     for (std::uint32_t i = 0; i < after_.whole.size(); ++i) {
-      if (match_.before_of[i] == kNoNode) ++places[after_.whole[i]].after;
+      if (match_.before_of[i] == kNoSceneNode) ++places[after_.whole[i]].after;
     }
     for (std::uint32_t i = 0; i < after_.whole.size(); ++i) {
-      if (match_.before_of[i] != kNoNode) continue;
+      if (match_.before_of[i] != kNoSceneNode) continue;
       Places& place = places[after_.whole[i]];
       if (unique && (place.after != 1 || place.before.size() != 1)) continue;
       while (place.next < place.before.size() &&
-             match_.after_of[place.before[place.next]] != kNoNode) {
+             match_.after_of[place.before[place.next]] != kNoSceneNode) {
         ++place.next;
       }
       if (place.next == place.before.size()) continue;
@@ -157,7 +157,7 @@ class Matcher {
   void MatchChildrenOfAll() {
     for (std::uint32_t after = 0; after < after_.whole.size(); ++after) {
       const std::uint32_t before = match_.before_of[after];
-      if (before == kNoNode || before_.whole[before] == after_.whole[after]) continue;
+      if (before == kNoSceneNode || before_.whole[before] == after_.whole[after]) continue;
       const std::vector<std::uint32_t> old_children = before_.ChildrenOf(before);
       const std::vector<std::uint32_t> new_children = after_.ChildrenOf(after);
       MatchLists(old_children, new_children, before_.whole, after_.whole);
@@ -179,11 +179,11 @@ class Matcher {
                   bool by_place = false) {
     std::unordered_map<Hash, std::vector<std::uint32_t>> waiting;
     for (std::size_t i = before.size(); i-- > 0;) {
-      if (match_.after_of[before[i]] != kNoNode) continue;
+      if (match_.after_of[before[i]] != kNoSceneNode) continue;
       waiting[keys_before[by_place ? i : before[i]]].push_back(before[i]);
     }
     for (std::size_t i = 0; i < after.size(); ++i) {
-      if (match_.before_of[after[i]] != kNoNode) continue;
+      if (match_.before_of[after[i]] != kNoSceneNode) continue;
       const auto found = waiting.find(keys_after[by_place ? i : after[i]]);
       if (found == waiting.end() || found->second.empty()) continue;
       const std::uint32_t partner = found->second.back();
@@ -200,12 +200,12 @@ class Matcher {
   // preorder, so this walks backwards.
   void MatchParents() {
     for (auto after = static_cast<std::uint32_t>(after_.whole.size()); after-- > 0;) {
-      if (match_.before_of[after] != kNoNode) continue;
+      if (match_.before_of[after] != kNoSceneNode) continue;
       for (const std::uint32_t child : after_.ChildrenOf(after)) {
         const std::uint32_t before = match_.before_of[child];
-        if (before == kNoNode) continue;
+        if (before == kNoSceneNode) continue;
         const std::uint32_t parent = before_.scene.nodes[before].parent;
-        if (parent == kNoNode || !IsFree(parent, after)) continue;
+        if (parent == kNoSceneNode || !IsFree(parent, after)) continue;
         Join(parent, after);
         break;
       }

@@ -13,7 +13,7 @@
 
 namespace coppice::editor {
 
-/// Both by node number; kNoNode where the other tree has no such node.
+/// Both by node number; kNoSceneNode where the other tree has no such node.
 struct TreeMatch {
   std::vector<std::uint32_t> before_of;  ///< for each node after, its node before
   std::vector<std::uint32_t> after_of;   ///< for each node before, its node after

@@ -10,7 +10,7 @@
 namespace coppice::editor {
 namespace {
 
-constexpr char kNoNode[] = "this is no node";
+constexpr char kNoSceneNode[] = "this is no node";
 constexpr char kMalformed[] = "the result would not be well-formed XML";
 
 std::string TextOf(const Document& document, ElementIndex index) {
@@ -27,11 +27,11 @@ std::optional<std::string> Around(const Document& document, const NodeRules& rul
     refusal = kMalformed;
     return std::nullopt;
   }
-  refusal = rules.WhyNoRoom(*outer, 0, 1);
+  refusal = rules.WhyNoRoom(*outer, kRootElement, 1);
   if (!refusal.empty()) return std::nullopt;
   std::string inner = TextOf(document, element);
   inner.pop_back();  // the line end
-  const auto both = outer->Edited(InsertElement(*outer, 0, UINT32_MAX, inner), problems);
+  const auto both = outer->Edited(InsertElement(*outer, kRootElement, UINT32_MAX, inner), problems);
   if (!both) {
     refusal = kMalformed;
     return std::nullopt;
@@ -62,7 +62,7 @@ std::string DropNew(Draft& draft, const NodeRules& rules, const DropSpot& spot,
     return InsertNodes(draft, rules, spot.element, spot.position, fragments);
   }
   if (fragments.size() != 1) return "one node at a time";
-  if (!IsNode(draft.document(), spot.element)) return kNoNode;
+  if (!IsNode(draft.document(), spot.element)) return kNoSceneNode;
   if (spot.kind == DropSpot::Kind::kAround) {
     return DropAround(draft, rules, spot.element, fragments[0], {});
   }
@@ -70,9 +70,9 @@ std::string DropNew(Draft& draft, const NodeRules& rules, const DropSpot& spot,
   const auto dropped = Document::FromText(fragments[0], "dropped", problems);
   const bool has_children = draft.document().element(spot.element).child_count > 0;
   if (dropped && has_children && dropped->elements().size() == 1 &&
-      dropped->element(0).tag != "SubTree") {
+      dropped->element(kRootElement).tag != "SubTree") {
     draft.Select({spot.element});
-    return ChangeType(draft, rules, dropped->element(0).tag);
+    return ChangeType(draft, rules, dropped->element(kRootElement).tag);
   }
   return Put(draft, ReplaceElement(draft.document(), spot.element, fragments[0]), spot.element);
 }
@@ -84,7 +84,7 @@ std::string DropMoved(Draft& draft, const NodeRules& rules, const DropSpot& spot
   }
   const std::vector<ElementIndex> nodes = Topmost(document, draft.selection());
   if (nodes.size() != 1) return "one node at a time";
-  if (!IsNode(document, nodes[0]) || !IsNode(document, spot.element)) return kNoNode;
+  if (!IsNode(document, nodes[0]) || !IsNode(document, spot.element)) return kNoSceneNode;
   const bool inside = LiesIn(document, spot.element, nodes[0]);
   if (inside || LiesIn(document, nodes[0], spot.element)) {
     return inside ? "a node cannot be moved into itself" : "it is in that branch already";

@@ -20,7 +20,7 @@ struct DropSpot {
     kAround    ///< `element` becomes the last child of what is dropped
   };
   Kind kind = Kind::kInto;
-  ElementIndex element = 0;
+  ElementIndex element{0};
   std::uint32_t position = 0;
 };
 

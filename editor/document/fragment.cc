@@ -98,13 +98,13 @@ std::vector<std::string> ReadFragments(std::string_view text, Diagnostics& diagn
   const auto document = Document::FromText(std::move(wrapped), kSource, problems);
   AppendShifted(problems, diagnostics);
   if (!document || problems.has_errors()) return {};
-  if (document->element(0).end != document->text().size()) {
+  if (document->element(kRootElement).end != document->text().size()) {
     diagnostics.Error({kSource, 0, 0}, "an end tag without its start tag");
     return {};
   }
   Diagnostics errors;
   Reader reader(*document, errors);
-  reader.ReadChildren(0);
+  reader.ReadChildren(kRootElement);
   if (reader.fragments.empty() && !errors.has_errors()) {
     errors.Error({kSource, 0, 0}, "there is no node in this text");
   }

@@ -29,7 +29,7 @@ struct KeyName {
   KeyForm form = KeyForm::kBraces;
   bool reads = false;
   bool writes = false;  ///< neither reads nor writes: a SubTree that hands the key on
-  ElementIndex element = 0;
+  ElementIndex element{0};
   std::string_view attribute;
   std::uint32_t begin = 0;  ///< bytes of the text: the whole value, or the word in a script
   std::uint32_t end = 0;

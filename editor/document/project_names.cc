@@ -22,7 +22,7 @@ template <class Wanted>
 std::vector<ElementIn> Where(const ProjectFiles& files, Wanted wanted) {
   std::vector<ElementIn> found;
   for (std::size_t f = 0; f < files.size(); ++f) {
-    for (ElementIndex i = 0; i < files[f].elements().size(); ++i) {
+    for (ElementIndex i{0}; i < files[f].elements().size(); ++i) {
       if (wanted(files[f], i)) found.push_back({f, i});
     }
   }
@@ -157,7 +157,7 @@ std::vector<Edit> RenameTree(const ProjectFiles& files, std::string_view id, std
   std::vector<Edit> edits(files.size());
   for (std::size_t f = 0; f < files.size(); ++f) {
     const Document& document = files[f];
-    for (ElementIndex i = 0; i < document.elements().size(); ++i) {
+    for (ElementIndex i{0}; i < document.elements().size(); ++i) {
       const Element& element = document.element(i);
       const bool is_root = element.tag == "root";
       const bool has_id =

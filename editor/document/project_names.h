@@ -23,7 +23,7 @@ using ProjectFiles = std::vector<Document>;
 /// An element of one of the files.
 struct ElementIn {
   std::size_t file = 0;
-  ElementIndex element = 0;
+  ElementIndex element{0};
 };
 
 /// All <BehaviorTree>s.

@@ -9,7 +9,7 @@ namespace {
 
 class AnyNames : public ScriptNames {
  public:
-  SlotIndex Slot(std::string_view) override { return 0; }
+  SlotIndex Slot(std::string_view) override { return SlotIndex{0}; }
   const Type* TypeOf(SlotIndex) const override { return nullptr; }
   bool IsKey(std::string_view) const override { return false; }
 };

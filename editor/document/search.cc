@@ -44,7 +44,7 @@ class Searcher {
         FindKeys();
         continue;
       }
-      for (ElementIndex i = 0; i < files_[file_].elements().size(); ++i) {
+      for (ElementIndex i{0}; i < files_[file_].elements().size(); ++i) {
         const ElementIndex tree = TreeOf(files_[file_], i);
         if (tree != kNoElement) LookAt(i, tree == i);
       }
@@ -54,7 +54,7 @@ class Searcher {
 
  private:
   void FindKeys() {
-    for (ElementIndex i = 0; i < files_[file_].elements().size(); ++i) {
+    for (ElementIndex i{0}; i < files_[file_].elements().size(); ++i) {
       if (files_[file_].element(i).tag != "BehaviorTree") continue;
       for (const KeyName& name : KeyNamesIn(files_[file_], models_, i)) {
         const Attribute* attribute =

@@ -47,7 +47,7 @@ Expected<Query> ParseQuery(std::string_view typed);
 
 struct Match {
   std::size_t file = 0;
-  ElementIndex element = 0;
+  ElementIndex element{0};
   TextRole role = TextRole::kType;
   std::string before;        ///< the whole value, name or tag
   std::uint32_t offset = 0;  ///< of the byte where it begins in the file

@@ -204,14 +204,15 @@ std::string Wrap(Draft& draft, const NodeRules& rules, std::string_view xml) {
   const auto wrapper = Document::FromText(std::string(xml), "wrapper", problems);
   if (!wrapper) return problems.all().front().message;
   const auto count = static_cast<std::uint32_t>(nodes.size());
-  std::string refusal = rules.WhyNoRoom(*wrapper, 0, count);
+  std::string refusal = rules.WhyNoRoom(*wrapper, kRootElement, count);
   if (!refusal.empty()) return refusal;
   draft.Select({nodes.front()});
-  if (!draft.Apply(WrapElements(document, nodes.front(), count, wrapper->element(0).tag))) {
+  if (!draft.Apply(
+          WrapElements(document, nodes.front(), count, wrapper->element(kRootElement).tag))) {
     return Applied(false, draft);
   }
   const ElementIndex made = nodes.front();  // it has the number of the first that it wraps
-  const Element& element = wrapper->element(0);
+  const Element& element = wrapper->element(kRootElement);
   for (const Attribute* a = wrapper->attributes_begin(element);
        a != wrapper->attributes_end(element); ++a) {
     if (!draft.Apply(SetAttribute(draft.document(), made, a->name, a->value))) {

@@ -71,7 +71,7 @@ std::string ToDot(const std::vector<const Scene*>& trees) {
       const std::string name = prefix + std::to_string(i);
       dot += "    " + name + " [label=" + Quoted(Label(scene, node, ": ")) +
              ",shape=" + DotShape(node.shape) + "];\n";
-      if (node.parent == kNoNode) continue;
+      if (node.parent == kNoSceneNode) continue;
       dot += "    " + prefix + std::to_string(node.parent) + " -> " + name + ";\n";
     }
     dot += "  }\n";

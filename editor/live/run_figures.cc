@@ -58,9 +58,9 @@ HeatMap RunFigures::Heat(HeatMode mode, const TreeDescription& tree, const Scene
   map.values.assign(scene.nodes.size(), -1);
   float most = 0;
   for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
-    const int uid = scene.nodes[i].uid;
-    if (uid < 0 || static_cast<std::size_t>(uid) >= tree.nodes.size()) continue;
-    const NodeStatistics* node = Find(tree.nodes[static_cast<std::size_t>(uid)].path);
+    const NodeIndex in_run = scene.nodes[i].run_node;
+    if (in_run >= tree.nodes.size()) continue;
+    const NodeStatistics* node = Find(tree.nodes[in_run].path);
     if (!node || node->ticks == 0) continue;
     float value = 0;
     if (mode == HeatMode::kTime) {

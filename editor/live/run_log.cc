@@ -32,7 +32,7 @@ struct RunLog::Watch {
   };
 
   std::uint32_t point = 0;
-  NodeIndex node = 0;
+  NodeIndex node{0};
   std::uint32_t from_hit = 1;
   std::vector<Piece> pieces;
   bool has_condition = false;
@@ -109,7 +109,7 @@ void RunLog::EnterTree(const TreeDescription& tree) {
   tree_ = CompileRecorded(tree, std::make_shared<Registry>(), ignored);
   watches_.clear();
   is_watched_.assign(tree.nodes.size(), false);
-  for (NodeIndex node = 0; node < tree.nodes.size(); ++node) {
+  for (NodeIndex node{0}; node < tree.nodes.size(); ++node) {
     for (const LogPoint& point : points_) {
       if (point.path != tree.nodes[node].path) continue;
       Watch watch;
@@ -146,11 +146,11 @@ void RunLog::Look(const Run&, const TickEvents& events) {
 
 void RunLog::OnResult(const Event& event, std::size_t tick) {
   const Status status = event.status();
-  if (status == Status::kRunning && follower_->status(event.index) == Status::kRunning) return;
+  if (status == Status::kRunning && follower_->status(event.node()) == Status::kRunning) return;
   for (Watch& watch : watches_) {
-    if (watch.node != event.index || !IsHit(watch)) continue;
-    lines_.push_back(
-        {tick, event.index, tree_->PathOf(event.index), status, watch.Print(follower_->values())});
+    if (watch.node != event.node() || !IsHit(watch)) continue;
+    lines_.push_back({tick, event.node(), tree_->PathOf(event.node()), status,
+                      watch.Print(follower_->values())});
   }
 }
 

@@ -22,7 +22,7 @@ namespace coppice::editor {
 
 struct LogLine {
   std::size_t tick = 0;  ///< of the run (run.h)
-  NodeIndex node = 0;    ///< of the tree of that tick
+  NodeIndex node{0};     ///< of the tree of that tick
   std::string path;      ///< of the node
   Status status = Status::kIdle;
   std::string text;

@@ -39,25 +39,24 @@ const RecordedTree& RunTree::recorded() const {
 // Both list children in the order of the text, so each search goes on behind the child before.
 void NumberNodes(const TreeDescription& description, Scene& scene) {
   const TreeShape shape = ShapeOf(description);
-  scene.node_of_uid.assign(shape.size(), kNoNode);
+  scene.of_run_node.assign(shape.size(), kNoSceneNode);
   std::vector<NodeIndex> next(shape.size());  // per node of the run: its first child to look at
-  for (NodeIndex i = 0; i < next.size(); ++i) next[i] = i + 1;
+  for (NodeIndex i{0}; i < next.size(); ++i) next[i] = i + 1;
   for (std::uint32_t i = 0; i < scene.nodes.size(); ++i) {
     SceneNode& node = scene.nodes[i];
-    node.uid = -1;
-    const bool is_root = node.parent == kNoNode;
-    if (!is_root && scene.nodes[node.parent].uid < 0) continue;
-    const auto parent = is_root ? 0 : static_cast<NodeIndex>(scene.nodes[node.parent].uid);
+    node.run_node = kNoNode;
+    const bool is_root = node.parent == kNoSceneNode;
+    const NodeIndex parent = is_root ? kRootNode : scene.nodes[node.parent].run_node;
     if (parent >= shape.size()) continue;
-    NodeIndex at = is_root ? 0 : next[parent];
+    NodeIndex at = is_root ? kRootNode : next[parent];
     const NodeIndex end = shape[parent].end;
     const auto fits = [&](const DescribedNode& other) {
       return other.element == node.element && other.document == node.document;
     };
     while (at < end && !fits(description.nodes[at])) at = shape[at].end;
     if (at >= end) continue;
-    node.uid = static_cast<int>(at);
-    scene.node_of_uid[at] = i;
+    node.run_node = at;
+    scene.of_run_node[at] = i;
     if (!is_root) next[parent] = shape[at].end;
   }
 }

@@ -35,8 +35,8 @@ class RunTree {
   mutable std::optional<RecordedTree> recorded_;
 };
 
-/// Gives each node of the scene its number in the run: SceneNode::uid. The scene was built from the
-/// run's main tree; what the run does not know has none.
+/// Gives each node of the scene its number in the run: SceneNode::run_node. The scene was built
+/// from the run's main tree; what the run does not know has none.
 void NumberNodes(const TreeDescription& description, Scene& scene);
 
 }  // namespace coppice::editor

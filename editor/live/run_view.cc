@@ -102,7 +102,7 @@ void RunView::ShowTick() {
   state_.is_fresh = phase() != RunPhase::kReconnecting && phase() != RunPhase::kConnecting;
   const HistoryFollower& shown = follower();
   state_.states.assign(tracks.shape().size(), NodeState());
-  for (NodeIndex i = 0; i < state_.states.size(); ++i) {
+  for (NodeIndex i{0}; i < state_.states.size(); ++i) {
     NodeState& node = state_.states[i];
     node.status = shown.status(i);
     node.before = shown.last(i);
@@ -116,7 +116,7 @@ void RunView::Mark(const HookList& hooks) {
   if (!tree_) return;
   const auto& nodes = tree_->description()->nodes;
   // The notice may say the path alone.
-  for (NodeIndex i = 0; stop_.node == coppice::kNoNode && i < nodes.size(); ++i) {
+  for (NodeIndex i{0}; stop_.node == kNoNode && i < nodes.size(); ++i) {
     if (!stop_path_.empty() && nodes[i].path == stop_path_) stop_.node = i;
   }
   const auto mark = [&](const std::string& path, std::uint8_t marks) {

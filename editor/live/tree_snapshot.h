@@ -29,7 +29,7 @@ struct NodeState {
 struct TreeSnapshot {
   bool is_fresh = true;           ///< false: the robot does not answer, this is the last known
   Time now{0};                    ///< the moment that is shown
-  std::vector<NodeState> states;  ///< by SceneNode::uid
+  std::vector<NodeState> states;  ///< by SceneNode::run_node
 };
 
 }  // namespace coppice::editor

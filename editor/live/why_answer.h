@@ -13,7 +13,7 @@
 namespace coppice::editor {
 
 struct WhyLine {
-  NodeIndex node = 0;
+  NodeIndex node{0};
   std::uint32_t depth = 0;
   Status status = Status::kIdle;
   std::string name;
@@ -43,7 +43,7 @@ class WhyAnswer {
     const RunTree* tree = nullptr;
     std::size_t tick = 0;
     std::size_t words = 0;  // of the tick, which may still go on
-    NodeIndex node = 0;
+    NodeIndex node{0};
   };
 
   Question asked_;
@@ -51,7 +51,7 @@ class WhyAnswer {
   std::string why_not_;
   bool is_untold_ = false;
   std::string change_;
-  NodeIndex changed_node_ = 0;
+  NodeIndex changed_node_{0};
 };
 
 }  // namespace coppice::editor

@@ -20,7 +20,7 @@ constexpr char kTableMark[] = "(table)";
 // Keys that the selected node's ports name.
 std::vector<std::string> KeysOfSelection(const TreeView* view) {
   std::vector<std::string> keys;
-  if (!view || view->selected() == kNoNode) return keys;
+  if (!view || view->selected() == kNoSceneNode) return keys;
   const Scene& scene = *view->scene();
   const SceneNode& node = scene.nodes[view->selected()];
   for (std::uint32_t i = 0; i < node.port_count; ++i) {
@@ -31,7 +31,7 @@ std::vector<std::string> KeysOfSelection(const TreeView* view) {
 }
 
 std::string ScopeOfSelection(const TreeView* view) {
-  if (!view || view->selected() == kNoNode) return {};
+  if (!view || view->selected() == kNoSceneNode) return {};
   const Scene& scene = *view->scene();
   const SceneNode& node = scene.nodes[view->selected()];
   return node.scope < scene.scopes.size() ? scene.scopes[node.scope] : std::string();
@@ -84,7 +84,7 @@ class Board {
   }
 
   void ListSlots() {
-    for (SlotIndex i = 0; i < slots_.size(); ++i) {
+    for (SlotIndex i{0}; i < slots_.size(); ++i) {
       if (!slots_[i].has_key) continue;
       if (!state_.blackboard.selected_keys_only || IsOfSelection(i)) listed_.push_back(i);
     }

@@ -16,7 +16,7 @@ constexpr char kSeparator[] = "  /  ";
 // A step on the way to the selected node; a click on it selects `node`.
 struct Crumb {
   std::string text;
-  std::uint32_t node = kNoNode;
+  std::uint32_t node = kNoSceneNode;
 };
 
 class CanvasBar {
@@ -108,13 +108,13 @@ class CanvasBar {
       name = run->name();
       if (!run->source().is_robot()) name = name.substr(name.rfind('/') + 1);
     }
-    std::vector<Crumb> crumbs = {{name, kNoNode}};
+    std::vector<Crumb> crumbs = {{name, kNoSceneNode}};
     const TreeView* view = state_.workspace.view();
     if (!view) return crumbs;
     crumbs.push_back({view->scene()->tree_id, 0});
     const auto& nodes = view->scene()->nodes;
     std::vector<Crumb> inner;
-    for (std::uint32_t i = view->selected(); i != kNoNode; i = nodes[i].parent) {
+    for (std::uint32_t i = view->selected(); i != kNoSceneNode; i = nodes[i].parent) {
       if (i != view->selected() && nodes[i].shape != Shape::kSubTree) continue;
       inner.push_back({std::string(nodes[i].name), i});
     }
@@ -140,7 +140,7 @@ class CanvasBar {
 
   void DrawCrumb(const Crumb& crumb, const Box& at, std::size_t number) {
     bool hovered = false;
-    const bool can = crumb.node != kNoNode;
+    const bool can = crumb.node != kNoSceneNode;
     const std::string path = "canvasbar/crumb/" + std::to_string(number);
     if (can && ui_.Hit(path, at, &hovered)) {
       TreeView& view = *state_.workspace.view();

@@ -167,10 +167,10 @@ std::vector<Change> RunDifferences(const EditorState& state, const TreeView& vie
   if (!run || !shown.result || shown.first != run->name()) return {};
   std::vector<Change> changes(view.scene()->nodes.size(), Change::kNone);
   const auto& nodes = run->tree()->description()->nodes;
-  const auto& in_scene = view.scene()->node_of_uid;
+  const auto& in_scene = view.scene()->of_run_node;
   for (const RunDifference& difference : shown.result->differences) {
     for (std::size_t i = 0; i < nodes.size() && i < in_scene.size(); ++i) {
-      if (in_scene[i] != kNoNode && nodes[i].path == difference.what) {
+      if (in_scene[i] != kNoSceneNode && nodes[i].path == difference.what) {
         changes[in_scene[i]] = Change::kChanged;
       }
     }

@@ -114,7 +114,7 @@ class Inspector {
   }
 
   void DrawStatus() {
-    if (node_.uid < 0 || !state_.workspace.tree_state()) return;
+    if (node_.run_node == kNoNode || !state_.workspace.tree_state()) return;
     const NodeState state = StateOf(state_.workspace.tree_state(), node_);
     if (state.status == Status::kIdle) {
       const std::string was = state.before == Status::kIdle
@@ -349,7 +349,7 @@ class Inspector {
 
 void DrawInspector(const Ui& ui, EditorState& state, const Box& box) {
   const TreeView* view = state.workspace.view();
-  const bool has = view && view->selected() != kNoNode;
+  const bool has = view && view->selected() != kNoSceneNode;
   const std::string note = has ? std::string(view->scene()->nodes[view->selected()].name) : "";
   Panel(ui, "inspector", box, "INSPECTOR", note, [&] {
     if (!has) {

@@ -129,7 +129,7 @@ void FollowSelection(const Ui& ui, const TreeView& view) {
   const int selected = static_cast<int>(view.selected());
   if (storage.GetInt(id, -1) == selected) return;
   storage.SetInt(id, selected);
-  if (view.selected() == kNoNode) return;
+  if (view.selected() == kNoSceneNode) return;
   const float height = kRowHeight * ui.scale;
   const float top = static_cast<float>(view.ShownOf(view.selected())) * height;
   const float first = ImGui::GetScrollY();

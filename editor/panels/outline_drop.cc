@@ -22,7 +22,7 @@ void PaintTarget(const Ui& ui, const DropTarget& target, float part, const Box& 
 DropTarget OutlineTarget(const Scene& scene, std::uint32_t node, float part) {
   const SceneNode& at = scene.nodes[node];
   DropTarget target;
-  const bool among = at.parent != kNoNode && (part < kEdge || part > 1 - kEdge);
+  const bool among = at.parent != kNoSceneNode && (part < kEdge || part > 1 - kEdge);
   target.place = among ? DropPlace::kGap : DropPlace::kNode;
   target.node = among ? at.parent : node;
   if (among) target.index = part < kEdge ? at.number - 1 : at.number;

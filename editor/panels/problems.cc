@@ -12,7 +12,7 @@ namespace {
 // The element that a place in a text lies in: the last that starts at or before it.
 ElementIndex ElementAt(const Document& document, const SourceLocation& where) {
   ElementIndex found = kNoElement;
-  for (ElementIndex i = 0; i < document.elements().size(); ++i) {
+  for (ElementIndex i{0}; i < document.elements().size(); ++i) {
     const SourceLocation at = document.Location(document.element(i).offset);
     if (at.line > where.line || (at.line == where.line && at.column > where.column)) break;
     found = i;

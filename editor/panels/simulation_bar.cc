@@ -174,7 +174,7 @@ void DrawSimulatedLeaf(const Ui& ui, EditorState& state, const Box& canvas) {
   DrawOrigin(ui, state, canvas);
   const TreeView* view = state.workspace.view();
   const NodeIndex leaf = SimulationEditor(state, ui.now).SelectedLeaf();
-  if (!view || leaf == editor::kNoNode) return;
+  if (!view || leaf == kNoNode) return;
   const MockScript& script = *state.simulator.get()->ScriptOf(leaf);
   const std::string does = PrintScript(script);
 

@@ -44,8 +44,8 @@ void DrawStopBar(const Ui& ui, EditorState& state, const Box& canvas) {
   if (!run || !view || !run->playhead().is_at_now()) return;
   const DebugStop& stop = run->stop();
   if (stop.where != DebugStop::Where::kBefore && stop.where != DebugStop::Where::kAfter) return;
-  const auto& nodes = view->scene()->node_of_uid;
-  if (stop.node >= nodes.size() || nodes[stop.node] == kNoNode) return;
+  const auto& nodes = view->scene()->of_run_node;
+  if (stop.node >= nodes.size() || nodes[stop.node] == kNoSceneNode) return;
   const bool before = stop.where == DebugStop::Where::kBefore;
   const Point size = {WidthOf(ui, before), 22 * ui.scale};
   const Box box =

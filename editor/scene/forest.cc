@@ -38,7 +38,7 @@ void Forest::AddAll() {
 
 void Forest::AddTreesOf(std::uint32_t number) {
   const Document& document = *documents_[number];
-  for (ElementIndex i = document.element(0).first_child; i != kNoElement;
+  for (ElementIndex i = document.element(kRootElement).first_child; i != kNoElement;
        i = document.element(i).next_sibling) {
     const Element& element = document.element(i);
     if (element.tag != "BehaviorTree") continue;

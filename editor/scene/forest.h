@@ -20,7 +20,7 @@ struct TreeEntry {
   std::string id;
   std::string instance_path;  ///< empty for a definition and for the main tree
   std::uint32_t document = 0;
-  ElementIndex element = 0;
+  ElementIndex element{0};
 };
 
 class Forest {

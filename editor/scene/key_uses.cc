@@ -35,7 +35,7 @@ class Collector {
 
   void OpenScope(std::uint32_t index) {
     const SceneNode& node = scene_.nodes[index];
-    if (node.parent == kNoNode || scopes_[node.scope].opened) return;
+    if (node.parent == kNoSceneNode || scopes_[node.scope].opened) return;
     const SceneNode& subtree = scene_.nodes[node.parent];
     if (subtree.scope == node.scope) return;
     scopes_[node.scope].opened = true;

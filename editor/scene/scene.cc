@@ -50,7 +50,7 @@ class Builder {
     scene_.nodes.reserve(document.elements().size());
     scene_.ports.reserve(last.first_attribute + last.attribute_count);
     PushChildren(entry.document, forest_.documents()[entry.document]->element(entry.element),
-                 kNoNode, 0, 0);
+                 kNoSceneNode, 0, 0);
     while (!open_.empty()) {
       const Open next = open_.back();
       open_.pop_back();
@@ -112,7 +112,7 @@ class Builder {
     node.document = open.document;
     node.element = open.element;
     node.scope = open.scope;
-    node.path = open.parent == kNoNode
+    node.path = open.parent == kNoSceneNode
                     ? std::to_string(open.number)
                     : scene_.nodes[open.parent].path + "." + std::to_string(open.number);
     const std::string_view id = document.AttributeValue(element, "ID");
@@ -206,7 +206,7 @@ class Builder {
     for (auto i = static_cast<std::uint32_t>(scene_.nodes.size()); i-- > 0;) {
       SceneNode& node = scene_.nodes[i];
       node.end = std::max(node.end, i + 1);
-      if (node.parent == kNoNode) continue;
+      if (node.parent == kNoSceneNode) continue;
       SceneNode& parent = scene_.nodes[node.parent];
       parent.end = std::max(parent.end, node.end);
     }
@@ -228,14 +228,14 @@ std::uint32_t Scene::FindPath(std::string_view path) const {
   for (std::uint32_t i = 0; i < nodes.size(); ++i) {
     if (nodes[i].path == path) return i;
   }
-  return kNoNode;
+  return kNoSceneNode;
 }
 
 std::uint32_t Scene::FindElement(std::uint32_t document, ElementIndex element) const {
   for (std::uint32_t i = 0; i < nodes.size(); ++i) {
     if (nodes[i].element == element && nodes[i].document == document) return i;
   }
-  return kNoNode;
+  return kNoSceneNode;
 }
 
 Scene BuildScene(const Forest& forest, int tree, const NodeModels& models, std::size_t limit) {

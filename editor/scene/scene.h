@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "bt_core/nodes/control.h"
 #include "editor/scene/forest.h"
 #include "editor/scene/node_models.h"
 
@@ -17,7 +18,8 @@ namespace coppice::editor {
 
 enum class Shape : std::uint8_t { kControl, kDecorator, kAction, kCondition, kSubTree, kUnknown };
 
-inline constexpr std::uint32_t kNoNode = UINT32_MAX;
+/// The nodes of a scene have numbers of their own, beside those of the run (NodeIndex).
+inline constexpr std::uint32_t kNoSceneNode = UINT32_MAX;
 
 /// One attribute that is not reserved, or a pre- or post-condition.
 struct PortLine {
@@ -36,17 +38,17 @@ struct SceneNode {
   Shape shape = Shape::kUnknown;
   bool autoremap = false;  ///< a SubTree whose keys are those outside
   bool recursive = false;  ///< a SubTree inside itself, or beyond the limit: not written out
-  std::uint32_t parent = kNoNode;
+  std::uint32_t parent = kNoSceneNode;
   std::uint32_t end = 0;     ///< one past the last descendant
   std::uint32_t number = 1;  ///< among its siblings, from 1
   std::uint32_t document = 0;
-  ElementIndex element = 0;
+  ElementIndex element{0};
   std::uint32_t first_port = 0;  ///< of Scene::ports
   std::uint32_t port_count = 0;
-  std::uint32_t scope = 0;  ///< of Scene::scopes
-  int uid = -1;             ///< number on the robot; -1 if there is none
-  bool disabled = false;    ///< always skipped: _skipIf="true"
-  std::string note;         ///< the comments about it in the file, in one line; may be empty
+  std::uint32_t scope = 0;       ///< of Scene::scopes
+  NodeIndex run_node = kNoNode;  ///< number on the robot; kNoNode if there is none
+  bool disabled = false;         ///< always skipped: _skipIf="true"
+  std::string note;              ///< the comments about it in the file, in one line; may be empty
 };
 
 struct Scene {
@@ -54,10 +56,10 @@ struct Scene {
   std::vector<SceneNode> nodes;
   std::vector<PortLine> ports;
   std::vector<std::string> scopes;         ///< names of the blackboards, in order of creation
-  std::vector<std::uint32_t> node_of_uid;  ///< kNoNode where there is none
+  std::vector<std::uint32_t> of_run_node;  ///< kNoSceneNode where there is none
 
   bool HasChildren(std::uint32_t node) const { return nodes[node].end > node + 1; }
-  std::uint32_t FindPath(std::string_view path) const;  ///< kNoNode if there is none
+  std::uint32_t FindPath(std::string_view path) const;  ///< kNoSceneNode if there is none
   std::uint32_t FindElement(std::uint32_t document, ElementIndex element) const;  ///< the first
 };
 

@@ -51,9 +51,9 @@ HeatMap CoverageJob::Heat(HeatMode mode, const TreeDescription& tree, const Scen
   std::uint64_t most = 1;
   for (const NodeCoverage& node : coverage()->nodes) most = std::max(most, node.ticks());
   for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
-    const int uid = scene.nodes[i].uid;
-    if (uid < 0 || static_cast<std::size_t>(uid) >= tree.nodes.size()) continue;
-    const NodeCoverage* node = Find(tree.nodes[static_cast<std::size_t>(uid)].path);
+    const NodeIndex in_run = scene.nodes[i].run_node;
+    if (in_run >= tree.nodes.size()) continue;
+    const NodeCoverage* node = Find(tree.nodes[in_run].path);
     if (node && node->ticks() > 0) map.values[i] = HeatOf(*node, mode, most);
   }
   return map;

@@ -41,7 +41,7 @@ std::string Simulation::ValueOf(const std::string& key) const {
 
 std::vector<std::string> Simulation::Keys() const {
   std::vector<std::string> keys;
-  for (SlotIndex slot = 0; slot < program()->layout.slots.size(); ++slot) {
+  for (SlotIndex slot{0}; slot < program()->layout.slots.size(); ++slot) {
     std::string key = KeyPathOf(*program(), slot);
     if (!key.empty()) keys.push_back(std::move(key));
   }

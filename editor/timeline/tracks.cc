@@ -61,9 +61,9 @@ void Tracks::Note(std::size_t tick, std::size_t word, const TickEvents& events,
                   const Event& event) {
   const auto at = static_cast<std::uint32_t>(tick);
   if (event.is_result()) {
-    if (event.index < lanes_.size()) returned_.emplace_back(event.index, event.status());
+    if (event.index < lanes_.size()) returned_.emplace_back(event.node(), event.status());
   } else if (event.code == EventCode::kText) {
-    if (event.text == EventText::kInjected) injections_.push_back({at, event.index});
+    if (event.text == EventText::kInjected) injections_.push_back({at, event.node()});
   } else if (event.code != EventCode::kReset && event.index < writes_.size()) {
     // Three words stand before the bytes.
     const auto* bytes = reinterpret_cast<const std::uint8_t*>(event.bytes.data());

@@ -20,13 +20,13 @@ float Shift(float low, float high, float size) {
 }  // namespace
 
 std::uint32_t DeepestRunning(const Scene& scene, const TreeSnapshot& state) {
-  std::uint32_t found = kNoNode;
+  std::uint32_t found = kNoSceneNode;
   std::size_t deepest = 0;
   for (std::uint32_t i = 0; i < scene.nodes.size(); ++i) {
     const SceneNode& node = scene.nodes[i];
-    if (node.uid < 0 || static_cast<std::size_t>(node.uid) >= state.states.size()) continue;
-    if (state.states[static_cast<std::size_t>(node.uid)].status != Status::kRunning) continue;
-    if (found == kNoNode || node.path.size() >= deepest) {
+    if (node.run_node >= state.states.size()) continue;
+    if (state.states[node.run_node].status != Status::kRunning) continue;
+    if (found == kNoSceneNode || node.path.size() >= deepest) {
       found = i;
       deepest = node.path.size();
     }
@@ -43,7 +43,7 @@ void FollowRunning(FollowMode& follow, TreeView& view, const TreeSnapshot& state
   follow.offset = view.camera.offset;
   if (!follow.is_on || now < follow.rests_until || canvas.x <= 0) return;
   const std::uint32_t node = DeepestRunning(*view.scene(), state);
-  if (node == kNoNode) return;
+  if (node == kNoSceneNode) return;
   const Box box = view.camera.ToScreen(view.BoxAt(view.ShownOf(node), now));
   const Point shift = {Shift(box.min.x, box.max.x, canvas.x),
                        Shift(box.min.y, box.max.y, canvas.y)};

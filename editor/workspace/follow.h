@@ -14,7 +14,7 @@ struct FollowMode {
   double rests_until = 0;  ///< the user has moved the camera himself
 };
 
-/// The deepest node that runs, the last one of several; kNoNode if nothing runs.
+/// The deepest node that runs, the last one of several; kNoSceneNode if nothing runs.
 std::uint32_t DeepestRunning(const Scene& scene, const TreeSnapshot& state);
 
 /// Moves the camera so that the deepest running node is seen, as little as needed; rests for some

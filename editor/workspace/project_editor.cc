@@ -20,7 +20,7 @@ constexpr char kEmptyFile[] =
 // The last <BehaviorTree> of the file, or kNoElement.
 ElementIndex LastTreeOf(const Document& document) {
   ElementIndex last = kNoElement;
-  for (ElementIndex i = document.element(0).first_child; i != kNoElement;
+  for (ElementIndex i = document.element(kRootElement).first_child; i != kNoElement;
        i = document.element(i).next_sibling) {
     if (document.element(i).tag == "BehaviorTree") last = i;
   }
@@ -117,7 +117,7 @@ std::string ProjectEditor::NewTree(const std::string& id) {
     if (files[i].file() != shown->path) continue;
     const ElementIndex last = LastTreeOf(files[i]);
     const std::uint32_t position = last == kNoElement ? 0 : PositionOf(files[i], last) + 1;
-    edits[i] = InsertElement(files[i], 0, position,
+    edits[i] = InsertElement(files[i], kRootElement, position,
                              "<BehaviorTree ID=\"" + EscapeXmlValue(id, '"') + "\"/>");
   }
   refusal = Do("New tree " + id, files, edits);
@@ -168,8 +168,8 @@ std::string ProjectEditor::Include(const std::string& path) {
   std::vector<Edit> edits(files.size());
   for (std::size_t i = 0; i < files.size(); ++i) {
     if (files[i].file() != shown->path) continue;
-    edits[i] =
-        InsertElement(files[i], 0, 0, "<include path=\"" + EscapeXmlValue(path, '"') + "\"/>");
+    edits[i] = InsertElement(files[i], kRootElement, 0,
+                             "<include path=\"" + EscapeXmlValue(path, '"') + "\"/>");
   }
   return Do("Include " + path, files, edits);
 }
@@ -211,7 +211,7 @@ std::string ProjectEditor::ReplaceAll(const std::vector<Match>& matches, const Q
 void ProjectEditor::GoTo(const std::string& path, std::uint32_t offset) {
   state_.workspace.SelectPlaces({{path, offset}}, now_);
   TreeView* view = state_.workspace.view();
-  if (!view || view->selected() == kNoNode) return;
+  if (!view || view->selected() == kNoSceneNode) return;
   const bool is_readable = view->camera.zoom >= kReadableZoom * view->screen_scale;
   is_readable ? view->Reveal(state_.screen.canvas_size)
               : view->FitSelection(state_.screen.canvas_size);
@@ -219,7 +219,7 @@ void ProjectEditor::GoTo(const std::string& path, std::uint32_t offset) {
 
 std::string ProjectEditor::TreeAroundSelection() const {
   const TreeView* view = std::as_const(state_).workspace.file() ? state_.workspace.view() : nullptr;
-  if (!view || view->selected() == kNoNode) return {};
+  if (!view || view->selected() == kNoSceneNode) return {};
   const auto& nodes = view->scene()->nodes;
   std::uint32_t node = view->selected();
   const std::uint32_t scope = nodes[node].scope;

@@ -116,9 +116,8 @@ void SimulationEditor::TickUntilTicked() {
   state_.simulator.Pause();
   Simulation* simulation = GoOn();
   const TreeView* view = state_.workspace.view();
-  if (!simulation || !view || view->selected() == editor::kNoNode) return;
-  const int uid = view->scene()->nodes[view->selected()].uid;
-  if (uid < 0) return;
+  const NodeIndex node = view ? view->selected_run_node() : kNoNode;
+  if (!simulation || node == kNoNode) return;
   RunView& run = *state_.workspace.run();
   const Time before = simulation->now();
   while (simulation->now() - before < kLongestWait) {
@@ -127,7 +126,7 @@ void SimulationEditor::TickUntilTicked() {
     run.Update(state_.workspace.hooks, now_);
     const std::size_t end = run.run().size();
     if (end == first) return;
-    const Lane& lane = run.run().TracksAt(first).LaneOf(static_cast<NodeIndex>(uid));
+    const Lane& lane = run.run().TracksAt(first).LaneOf(node);
     if (lane.Seen(first, end) & ~SetOf(Status::kIdle)) return;
   }
   state_.Notify("the node was not ticked for an hour of the simulation", now_, true);
@@ -221,18 +220,18 @@ void SimulationEditor::GoToFinding(const RandomFinding& finding) {
 
 NodeIndex SimulationEditor::SelectedLeaf() const {
   const TreeView* view = state_.workspace.view();
-  if (!IsShown() || !view || view->selected() == editor::kNoNode) return editor::kNoNode;
-  const int uid = view->scene()->nodes[view->selected()].uid;
+  const NodeIndex selected = view ? view->selected_run_node() : kNoNode;
+  if (!IsShown() || selected == kNoNode) return kNoNode;
   const RunView& run = *state_.workspace.run();
-  if (uid < 0 || !run.tree()) return editor::kNoNode;
+  if (!run.tree()) return kNoNode;
   // What is shown may be the tree before an edit.
-  const std::string& path = run.tree()->description()->nodes[static_cast<std::size_t>(uid)].path;
+  const std::string& path = run.tree()->description()->nodes[selected].path;
   const Simulation& simulation = *state_.simulator.get();
-  for (NodeIndex node = 0; node < simulation.program()->nodes.size(); ++node) {
+  for (NodeIndex node{0}; node < simulation.program()->nodes.size(); ++node) {
     if (simulation.program()->Path(node) != path) continue;
-    return simulation.ScriptOf(node) ? node : editor::kNoNode;
+    return simulation.ScriptOf(node) ? node : kNoNode;
   }
-  return editor::kNoNode;
+  return kNoNode;
 }
 
 void SimulationEditor::SetLeaf(NodeIndex leaf, const MockScript& script) {
@@ -242,7 +241,7 @@ void SimulationEditor::SetLeaf(NodeIndex leaf, const MockScript& script) {
 
 void SimulationEditor::Finish(Status status) {
   const NodeIndex leaf = SelectedLeaf();
-  if (leaf == editor::kNoNode) return state_.Notify("Select a leaf first", now_, true);
+  if (leaf == kNoNode) return state_.Notify("Select a leaf first", now_, true);
   MockScript script;
   script.results = {status};
   SetLeaf(leaf, script);
@@ -251,7 +250,7 @@ void SimulationEditor::Finish(Status status) {
 
 std::string SimulationEditor::SetScript(const std::string& text) {
   const NodeIndex leaf = SelectedLeaf();
-  if (leaf == editor::kNoNode) return "select a leaf first";
+  if (leaf == kNoNode) return "select a leaf first";
   const Expected<MockScript> script = ParseScript(text);
   if (script) SetLeaf(leaf, *script);
   return script.problem();

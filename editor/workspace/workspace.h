@@ -34,7 +34,7 @@ struct OpenFile {
 /// An element of a file that is being edited.
 struct ElementPlace {
   std::string path;
-  ElementIndex element = 0;
+  ElementIndex element{0};
 };
 
 class Workspace {

@@ -40,14 +40,14 @@ std::vector<std::uint32_t> Workspace::NodesAt(const std::vector<FilePlace>& plac
     const EditedFile* edited = project_.Find(place.path);
     if (!edited || !edited->document) continue;
     const ElementIndex element = edited->document->ElementAt(place.offset);
-    std::uint32_t first = kNoNode;
+    std::uint32_t first = kNoSceneNode;
     for (std::uint32_t i = 0; i < nodes.size(); ++i) {
       if (nodes[i].element != element || documents[nodes[i].document]->file() != edited->path) {
         continue;
       }
-      if (first == kNoNode || view_->IsSelected(i)) first = i;
+      if (first == kNoSceneNode || view_->IsSelected(i)) first = i;
     }
-    if (first != kNoNode) found.push_back(first);
+    if (first != kNoSceneNode) found.push_back(first);
   }
   return found;
 }

@@ -157,7 +157,7 @@ class Robot {
   // use, though.
   void SetIfUsed(const Options& options, const std::string& key, const std::string& otherwise) {
     Executor& executor = application_->executor();
-    const bool used = executor.program().layout.Find(0, key) != kNoSlot;
+    const bool used = executor.program().layout.Find(kMainScope, key) != kNoSlot;
     if (!used && !options.Has("--" + key)) return;
     const Outcome set = SetKey(executor, key, options.Get("--" + key, otherwise));
     if (!set) throw std::runtime_error(set.problem());

@@ -113,7 +113,7 @@ void TreeRunner::Note(const std::string& kind, const std::string& text) {
 
 Outcome SetKey(Executor& executor, const std::string& key, const std::string& text) {
   const Layout& layout = executor.program().layout;
-  const SlotIndex slot = layout.Find(0, key);
+  const SlotIndex slot = layout.Find(kMainScope, key);
   if (slot == kNoSlot) {
     std::vector<std::string> keys;
     for (const SlotDefinition& definition : layout.slots) {

@@ -82,7 +82,7 @@ class Writer : public SyncAction {
 };
 
 void Post(Executor& executor, const char* key, Value value) {
-  const SlotIndex slot = executor.program().layout.Find(0, key);
+  const SlotIndex slot = executor.program().layout.Find(kMainScope, key);
   if (slot != kNoSlot) executor.inbox()->Post(slot, 0, std::move(value));
 }
 

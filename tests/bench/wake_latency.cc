@@ -41,7 +41,7 @@ class SleepingTree {
   SleepingTree()
       : executor(Load(kSleepingTree), clock),
         battery(executor.Writer<double>("battery")),
-        watch(executor, executor.program().layout.Find(0, "battery")),
+        watch(executor, executor.program().layout.Find(kMainScope, "battery")),
         runner_(executor, {Pace::kEvents, kNever}) {
     executor.AddSink(&watch);
     battery.Send(80);

@@ -145,7 +145,7 @@ void SideBySide::LogHooks() {
   const auto append = [](Log& log, std::size_t& done, const std::string& hooks) {
     for (; done < hooks.size(); ++done) log.push_back(kHook + hooks[done]);
   };
-  const SlotIndex slot = executor_->program().layout.Find(0, "hooks");
+  const SlotIndex slot = executor_->program().layout.Find(kMainScope, "hooks");
   if (slot == kNoSlot) return;
   append(expected_, expected_hooks_, world_.Read("{@hooks}").value_or(""));
   const Value& value = executor_->blackboard()[slot].value;

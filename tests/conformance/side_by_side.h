@@ -71,7 +71,7 @@ class SideBySide {
       EventReader reader(events.words);
       for (Event event; reader.Next(event);) {
         follower->Apply(event);
-        if (event.is_status()) noted->Note(event.index, event.status());
+        if (event.is_status()) noted->Note(event.node(), event.status());
       }
     }
     std::optional<StatusFollower> follower;  // none: does not watch

@@ -66,7 +66,7 @@ class Driver {
   TreeView& view() { return *editor.state().workspace.view(); }
   std::string Selected() {
     TreeView* shown = editor.state().workspace.view();
-    if (!shown || shown->selected() == kNoNode) return {};
+    if (!shown || shown->selected() == kNoSceneNode) return {};
     return shown->scene()->nodes[shown->selected()].path;
   }
 

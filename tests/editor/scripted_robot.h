@@ -39,7 +39,7 @@ class ScriptedRobot final : public ToldSource {
 
   /// A tick in which a key gets that text as its value.
   void Write(const std::string& scope, const std::string& key, const std::string& text) {
-    SlotIndex slot = 0;
+    SlotIndex slot{0};
     while (slot < slots().size() && (slots()[slot].scope != scope || slots()[slot].name != key)) {
       ++slot;
     }

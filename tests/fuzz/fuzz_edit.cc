@@ -32,7 +32,7 @@ class Choices {
 
 Edit ChooseEdit(const Document& document, Choices& choices) {
   const std::uint32_t kind = choices.Below(10);
-  const ElementIndex element = choices.Below(document.elements().size());
+  const ElementIndex element(choices.Below(document.elements().size()));
   const std::uint32_t number = choices.Below(4);
   const Element& e = document.element(element);
   const std::string name =
@@ -53,7 +53,8 @@ Edit ChooseEdit(const Document& document, Choices& choices) {
     case 5:
       return RemoveElement(document, element);
     case 6:
-      return MoveElement(document, element, choices.Below(document.elements().size()), number);
+      return MoveElement(document, element, ElementIndex(choices.Below(document.elements().size())),
+                         number);
     case 7:
       return WrapElements(document, element, number, "W");
     case 8:

@@ -68,7 +68,7 @@ void CheckPlace(const RecordCursor& cursor) {
   const HistoryFollower& state = cursor.state();
   Require(state.statuses().size() == cursor.tree().nodes.size());
   Require(state.values().size() == cursor.tree().slots.size());
-  Require(state.last(0) <= Status::kSkipped);
+  Require(state.last(kRootNode) <= Status::kSkipped);
 }
 
 // Reads it from the beginning to the end; returns how far it comes, as FuzzRecord does.

@@ -31,7 +31,7 @@ class Keys : public ScriptNames {
               {"v", &coppice::TypeOf<std::vector<int>>()}} {}
 
   SlotIndex Slot(std::string_view name) override {
-    for (SlotIndex i = 0; i < keys_.size(); ++i) {
+    for (SlotIndex i{0}; i < keys_.size(); ++i) {
       if (keys_[i].name == name) return i;
     }
     keys_.push_back({std::string(name), nullptr});
@@ -43,7 +43,7 @@ class Keys : public ScriptNames {
   // All keys that have a type have a value.
   Blackboard MakeBlackboard() const {
     Blackboard blackboard(keys_.size());
-    for (std::size_t i = 0; i < keys_.size(); ++i) {
+    for (SlotIndex i{0}; i < keys_.size(); ++i) {
       const Type* const type = keys_[i].type;
       if (type && !blackboard[i].value.Parse(*type, "1")) std::abort();
     }
@@ -52,7 +52,7 @@ class Keys : public ScriptNames {
 
   // What has a type keeps it.
   void Check(const Blackboard& blackboard) const {
-    for (std::size_t i = 0; i < keys_.size(); ++i) {
+    for (SlotIndex i{0}; i < keys_.size(); ++i) {
       if (keys_[i].type && blackboard[i].value.type() != keys_[i].type) std::abort();
     }
   }

@@ -53,7 +53,7 @@ TreeDescription SomeTree() {
   tree.documents = {{"a.xml", "<root/>"}};
   tree.nodes.resize(2);
   tree.nodes[1].path = "top";
-  tree.nodes[1].ports = {{"port", 0}};
+  tree.nodes[1].ports = {{"port", SlotIndex{0}}};
   tree.slots.resize(1);
   return tree;
 }
@@ -77,9 +77,9 @@ std::string Ticks(std::uint64_t first, std::uint64_t behind) {
   TickEncoder ticks;
   EventWriter words;
   words.Add(EventCode::kWrite, 0, 1, "\1new");
-  words.Text(1, EventText::kMessage, "because");
-  words.Status(1, Status::kSuccess);
-  words.Status(0, Status::kRunning);
+  words.Text(NodeIndex{1}, EventText::kMessage, "because");
+  words.Status(NodeIndex{1}, Status::kSuccess);
+  words.Status(kRootNode, Status::kRunning);
   for (std::uint64_t i = first; i < behind; ++i) {
     Bytes payload;
     const Time start(static_cast<std::int64_t>(1000 * i));

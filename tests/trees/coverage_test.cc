@@ -99,7 +99,7 @@ TEST_P(TreeCoverage, EveryNodeReturnsWhatItCan) {
   RandomRuns random(program_, options_);
   for (int i = 0; i < kRuns; ++i) random.Run();
   const Coverage& coverage = random.coverage();
-  for (NodeIndex node = 0; node < program_->nodes.size(); ++node) {
+  for (NodeIndex node{0}; node < program_->nodes.size(); ++node) {
     const NodeCoverage& one = coverage.nodes[node];
     const Can can = WhatItCan(*program_, node);
     EXPECT_GT(one.ticks(), 0U) << one.path << " is never ticked";

@@ -31,7 +31,7 @@ class TreeScenario {
     program_ = CompileFile(SourceFolder() + "/trees/" + file, registry, diagnostics, tree);
     if (!program_) throw std::runtime_error(diagnostics.ToString());
     executor_ = std::make_unique<Executor>(program_, clock_);
-    for (NodeIndex node = 0; node < program_->nodes.size(); ++node) {
+    for (NodeIndex node{0}; node < program_->nodes.size(); ++node) {
       nodes_.emplace(program_->Name(node), node);
     }
   }

@@ -32,7 +32,7 @@ class Saving : public testing::Test {
     Executor executor(Load(kSaving, registry_), clock);
     executor.Writer<double>("lux").Send(lux);
     EXPECT_EQ(executor.Tick(), Status::kSuccess);
-    const SlotIndex slot = executor.program().layout.Find(0, "switched");
+    const SlotIndex slot = executor.program().layout.Find(kMainScope, "switched");
     return executor.blackboard()[slot].value.Get<std::int64_t>();
   }
 

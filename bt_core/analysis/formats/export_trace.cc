@@ -30,7 +30,7 @@ class Tracer final : public RunVisitor {
     EndAll(section.state.time);
     tree_ = &tree;
     since_.assign(tree.nodes.size(), std::nullopt);
-    for (NodeIndex node = 0; node < tree.nodes.size(); ++node) {
+    for (NodeIndex node{0}; node < tree.nodes.size(); ++node) {
       const std::string& path = tree.nodes[node].path;
       if (threads_.emplace(path, kFirstNodeThread + threads_.size()).second) {
         AddName(threads_[path], path, threads_[path]);
@@ -63,7 +63,7 @@ class Tracer final : public RunVisitor {
 
   void OnEvent(const Event& event, const TickEvents& events) override {
     if (event.code == EventCode::kText && event.text != EventText::kInjected) {
-      JsonObject instant = Begin("i", event.bytes, ThreadOf(event.index), events.start);
+      JsonObject instant = Begin("i", event.bytes, ThreadOf(event.node()), events.start);
       Add(instant.AddText("s", "t"));
     }
     const bool writes = event.code == EventCode::kWrite || event.code == EventCode::kDelivery;
@@ -123,7 +123,7 @@ class Tracer final : public RunVisitor {
   }
 
   void EndAll(Time time) {
-    for (NodeIndex node = 0; node < since_.size(); ++node) {
+    for (NodeIndex node{0}; node < since_.size(); ++node) {
       if (since_[node]) End(node, std::max(time, *since_[node]), Status::kRunning);
     }
   }

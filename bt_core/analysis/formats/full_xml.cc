@@ -17,7 +17,7 @@ class Writer {
     for (const DescribedDocument& document : tree.documents) {
       documents_.push_back(Document::FromText(document.text, document.file, ignored));
     }
-    for (NodeIndex node = 1; node < tree.nodes.size(); ++node) {
+    for (NodeIndex node{1}; node < tree.nodes.size(); ++node) {
       children_[tree.nodes[node].parent].push_back(node);
     }
   }
@@ -25,8 +25,8 @@ class Writer {
   std::string Write() {
     std::string xml =
         "<root BTCPP_format=\"4\" main_tree_to_execute=\"" + EscapeXml(tree_.main_tree) + "\">\n";
-    AddInstance(tree_.main_tree, "", 0, xml);
-    for (NodeIndex node = 0; node < tree_.nodes.size(); ++node) {
+    AddInstance(tree_.main_tree, "", kRootNode, xml);
+    for (NodeIndex node{0}; node < tree_.nodes.size(); ++node) {
       if (tree_.nodes[node].category != NodeCategory::kSubTree || children_[node].empty()) continue;
       AddInstance(tree_.nodes[node].id, tree_.nodes[node].path, children_[node].front(), xml);
     }

@@ -29,7 +29,7 @@ class TreeReader {
 
   /// What is wrong with the tree, or nothing.
   std::string Read() {
-    const Element& root = document_.element(0);
+    const Element& root = document_.element(kRootElement);
     ElementIndex main = kNoElement;
     tree_.main_tree = Value(root, "main_tree_to_execute");
     for (ElementIndex i = root.first_child; i != kNoElement;
@@ -43,7 +43,7 @@ class TreeReader {
     }
     if (main == kNoElement) return "has no main tree";
     tree_.main_tree = Value(document_.element(main), "ID");
-    AddNode(document_.element(main).first_child, 0, "", 0);
+    AddNode(document_.element(main).first_child, kRootNode, "", 0);
     return problem_;
   }
 

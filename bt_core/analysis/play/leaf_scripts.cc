@@ -52,8 +52,8 @@ void LeafScripts::Read(const TickEvents& events, ScenarioStep& step) {
     if (event.code == EventCode::kWrite) {
       ReadWrite(event, step);
     } else if (event.code == EventCode::kDelivery) {
-      Set(event.index, std::string(event.bytes), step);
-    } else if (const auto leaf = leaves_.find(event.index);
+      Set(event.slot(), std::string(event.bytes), step);
+    } else if (const auto leaf = leaves_.find(event.node());
                event.is_result() && leaf != leaves_.end()) {
       ReadResult(leaf->second, event.status());
     }
@@ -69,10 +69,10 @@ void LeafScripts::ReadWrite(const Event& event, ScenarioStep& step) {
     const bool is_users =
         event.writer == kNoNode || (event.writer < tree_.program->nodes.size() &&
                                     tree_.program->nodes[event.writer].type == NodeType::kUser);
-    if (is_users) Set(event.index, bytes, step);
+    if (is_users) Set(event.slot(), bytes, step);
     return;
   }
-  const std::string port = OutputOf(event.writer, event.index);
+  const std::string port = OutputOf(event.writer, event.slot());
   if (!port.empty()) leaf->second.written.emplace_back(port, PrintValueBytes(bytes));
 }
 

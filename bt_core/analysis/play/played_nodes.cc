@@ -134,7 +134,7 @@ class PlayedControl final : public UserControl {
   // Ticks or halts the child whose event that is.
   bool PlayChild(Children& children, NodeIndex node, const Event* event) {
     const TreeShape& shape = part_.prompter().shape();
-    const NodeIndex of = event->code == EventCode::kWrite ? event->writer : event->index;
+    const NodeIndex of = event->code == EventCode::kWrite ? event->writer : event->node();
     if (of <= node || of >= shape[node].end) return false;
     std::uint32_t k = 0;
     NodeIndex child = node + 1;

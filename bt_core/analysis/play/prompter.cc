@@ -22,7 +22,7 @@ bool IsSame(const Event& a, const Event& b) {
 }
 
 bool ChangesNothing(const StatusFollower& statuses, const Event& event) {
-  return event.code == EventCode::kReset && statuses.status(event.index) == Status::kIdle;
+  return event.code == EventCode::kReset && statuses.status(event.node()) == Status::kIdle;
 }
 
 }  // namespace
@@ -118,14 +118,14 @@ void Prompter::Compare(Event event) {
 void Prompter::FollowPretending(const Event& event) {
   if (event.is_status()) {
     const bool goes_on = event.status() == Status::kRunning &&
-                         actual_statuses_->status(event.index) == Status::kRunning;
-    if (!goes_on && event.index != injected_) pretending_.erase(event.index);
+                         actual_statuses_->status(event.node()) == Status::kRunning;
+    if (!goes_on && event.index != injected_) pretending_.erase(event.node());
     if (event.is_result()) injected_ = kNoNode;
   } else if (IsInjected(event)) {
-    injected_ = event.index;
-    const bool runs = actual_statuses_->status(event.index) == Status::kRunning;
+    injected_ = event.node();
+    const bool runs = actual_statuses_->status(event.node()) == Status::kRunning;
     if (!runs && static_cast<Status>(event.bytes[0]) == Status::kRunning) {
-      pretending_.insert(event.index);
+      pretending_.insert(event.node());
     }
   }
 }
@@ -134,7 +134,7 @@ void Prompter::Finish(Status result) {
   if (divergence_) return;
   if (begin_of_change() != end()) return Diverge(begin_of_change(), nullptr);
   if (result == played_.result) return;
-  divergence_ = Divergence{played_.tick, played_.start, tree_->PathOf(0),
+  divergence_ = Divergence{played_.tick, played_.start, tree_->PathOf(kRootNode),
                            std::string("the tick ends with ") + ToString(played_.result),
                            std::string("with ") + ToString(result)};
 }
@@ -148,7 +148,7 @@ void Prompter::Diverge(const Event* expected, const Event* actual) {
 }
 
 NodeIndex Prompter::NodeOf(const Event& event) const {
-  return IsWrite(event) ? event.writer : event.index;
+  return IsWrite(event) ? event.writer : event.node();
 }
 
 std::string Prompter::Describe(const Event& event) const {
@@ -157,7 +157,7 @@ std::string Prompter::Describe(const Event& event) const {
     return (event.code == EventCode::kWrite ? "write of {" : "delivery to {") +
            tree_->description->slots[slot].name + "} = " + PrintValueBytes(event.bytes);
   }
-  const std::string node = tree_->PathOf(event.index);
+  const std::string node = tree_->PathOf(event.node());
   if (event.code == EventCode::kReset) return node + " is halted";
   if (event.is_result()) return node + " returns " + ToString(event.status());
   switch (event.text) {

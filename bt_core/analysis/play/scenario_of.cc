@@ -66,7 +66,7 @@ Results ResultsOf(EventWords words) {
   Results results;
   EventReader reader(words);
   for (Event event; reader.Next(event);) {
-    if (event.is_result()) results.emplace_back(event.index, event.status());
+    if (event.is_result()) results.emplace_back(event.node(), event.status());
   }
   return results;
 }
@@ -95,10 +95,11 @@ class Maker {
     Time last = run_.ticks()[begin_].start;
     for (std::size_t tick = begin_; tick < end; ++tick) {
       const TickEvents events = run_.EventsOf(tick);
-      const bool runs = follower.status(0) == Status::kRunning;
+      const bool runs = follower.status(kRootNode) == Status::kRunning;
       follower.Apply(events);
       scripts_.Read(events, step);
-      step.halt = events.result == Status::kIdle && runs && follower.status(0) == Status::kIdle;
+      step.halt =
+          events.result == Status::kIdle && runs && follower.status(kRootNode) == Status::kIdle;
       if (events.result == Status::kIdle && !step.halt) continue;  // between two ticks
       step.advance = std::max(events.start - last, Duration(0));
       last = events.start;
@@ -117,7 +118,7 @@ class Maker {
     const ScenarioPlayer fresh(*tree_.program, scripts_.Rules());
     const Blackboard& blackboard = fresh.tree().executor().blackboard();
     std::vector<KeyValue> keys;
-    for (SlotIndex i = 0; i < values.size(); ++i) {
+    for (SlotIndex i{0}; i < values.size(); ++i) {
       const SlotIndex slot = tree_.program_slots[i];
       if (slot == kNoSlot || FormOfValue(values[i]) == ValueForm::kEmpty) continue;
       KeyValue value = KeyValueOf(KeyPathOf(*tree_.program, slot), values[i]);

@@ -60,7 +60,7 @@ class Drains {
     if (run_.ticks()[entry].result == Status::kIdle) return;
     for (const Event& event : EventsIn(run_.EventsOf(entry).words)) {
       if (!IsHead(event, entry)) return;
-      if (event.code != EventCode::kDelivery) stops_[event.index] = entry;
+      if (event.code != EventCode::kDelivery) stops_[event.node()] = entry;
     }
   }
 
@@ -87,8 +87,8 @@ std::vector<NodeIndex> InjectedNodes(const Recording& run) {
   for (std::size_t i = 0; i < run.ticks().size(); ++i) {
     for (const Event& event : EventsIn(run.EventsOf(i).words)) {
       if (event.code != EventCode::kText || event.text != EventText::kInjected) continue;
-      if (std::find(nodes.begin(), nodes.end(), event.index) == nodes.end()) {
-        nodes.push_back(event.index);
+      if (std::find(nodes.begin(), nodes.end(), event.node()) == nodes.end()) {
+        nodes.push_back(event.node());
       }
     }
   }
@@ -205,7 +205,7 @@ class Verifier {
   void SetValues(const RecordedTree& tree) {
     TreeState state = executor_->Save();
     std::string bytes;
-    for (SlotIndex i = 0; i < state.blackboard.size(); ++i) {
+    for (SlotIndex i{0}; i < state.blackboard.size(); ++i) {
       if (tree.recorded_slots[i] == kNoSlot) continue;
       Event event;
       event.index = i;
@@ -233,9 +233,9 @@ class Verifier {
   void StopInjecting() {
     std::vector<NodeIndex> left = injected_;
     for (const Event* event = prompter_.begin(); event != prompter_.end(); ++event) {
-      if (event->code != EventCode::kReset || !prompter_.IsPretending(event->index)) break;
-      if (prompter_.InjectedNext(event->index)) break;  // is halted for that
-      left.erase(std::find(left.begin(), left.end(), event->index));
+      if (event->code != EventCode::kReset || !prompter_.IsPretending(event->node())) break;
+      if (prompter_.InjectedNext(event->node())) break;  // is halted for that
+      left.erase(std::find(left.begin(), left.end(), event->node()));
     }
     if (left.size() == injected_.size()) return;
     executor_->SetHooks(&prompter_, left);
@@ -245,7 +245,7 @@ class Verifier {
   void Deliver() {
     for (const Event* event = prompter_.begin(); event != prompter_.end(); ++event) {
       if (event->code != EventCode::kDelivery) continue;
-      executor_->inbox()->Post(event->index, 0, prompter_.ValueOf(*event));
+      executor_->inbox()->Post(event->slot(), 0, prompter_.ValueOf(*event));
     }
   }
 

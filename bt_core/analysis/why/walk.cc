@@ -19,11 +19,11 @@ class Builder {
     const auto number = static_cast<std::uint32_t>(walk_.events.size());
     walk_.events.push_back(event);
     if (event.code == EventCode::kText && event.text == EventText::kInjected) {
-      injected_ = event.index;
+      injected_ = event.node();
     }
     if (!event.is_status() || event.index >= shape_.size() || ChangesNothing(event)) return;
     if (statuses_) statuses_->Apply(event);
-    Complete(event.index, event.status(), number);
+    Complete(event.node(), event.status(), number);
     entry_ = number + 1;
     if (event.is_result()) injected_ = kNoNode;
   }
@@ -44,7 +44,7 @@ class Builder {
   };
 
   bool ChangesNothing(const Event& event) const {
-    return statuses_ && !event.is_result() && statuses_->status(event.index) == Status::kIdle;
+    return statuses_ && !event.is_result() && statuses_->status(event.node()) == Status::kIdle;
   }
 
   // What was completed below the node and has no parent yet is its own.

@@ -84,8 +84,8 @@ struct WhyNot {
     kNotTold,     ///< nobody knows: of this run only changes were told, and none of it
   };
   Cause cause;
-  NodeIndex by = 0;           ///< the nearest ancestor that was ticked
-  NodeIndex towards = 0;      ///< its child that is, or leads to, the node in question
+  NodeIndex by{0};            ///< the nearest ancestor that was ticked
+  NodeIndex towards{0};       ///< its child that is, or leads to, the node in question
   NodeIndex child = kNoNode;  ///< of `by`
   Status status = Status::kIdle;
 };

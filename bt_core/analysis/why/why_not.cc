@@ -30,7 +30,7 @@ WhyNot WithoutRoot(const TickStory& story, NodeIndex node) {
   if (events.result == Status::kIdle) return {Cause::kNoTick, node, node, kNoNode, Status::kIdle};
   for (const Event& event : story.walk().events) {
     const bool is_exception = event.code == EventCode::kText && event.text == EventText::kException;
-    if (is_exception) return {Cause::kAborted, event.index, node, kNoNode, events.result};
+    if (is_exception) return {Cause::kAborted, event.node(), node, kNoNode, events.result};
   }
   return NotTold(story, node);
 }

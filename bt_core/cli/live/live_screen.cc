@@ -108,7 +108,7 @@ class Screen {
     const bool is_crowded = count > room;
     std::size_t left_out = 0;
     std::size_t drawn = 0;
-    for (NodeIndex i = 0; i < count; ++i) {
+    for (NodeIndex i{0}; i < count; ++i) {
       if (is_crowded && (!IsNear(i) || drawn + 1 >= room)) {
         ++left_out;
         continue;
@@ -159,7 +159,7 @@ class Screen {
 
   void AddBoard() {
     Add("");
-    for (SlotIndex slot = 0; slot < scene_.run.tree().slots.size(); ++slot) {
+    for (SlotIndex slot{0}; slot < scene_.run.tree().slots.size(); ++slot) {
       const DescribedSlot& described = scene_.run.tree().slots[slot];
       if (!described.has_key) continue;
       const std::string& bytes = scene_.run.state()->values()[slot];

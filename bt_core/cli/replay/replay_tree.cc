@@ -78,10 +78,10 @@ std::string NodeLine(const TreeDescription& tree, const TreePicture& picture, No
 std::string PrintPicture(const TreeDescription& tree, const TreePicture& picture, Time start) {
   std::string text = "tick " + std::to_string(picture.tick) + " at " +
                      Seconds(picture.time - start) + " s: " + ToString(picture.result) + "\n";
-  for (NodeIndex i = 0; i < tree.nodes.size(); ++i) {
+  for (NodeIndex i{0}; i < tree.nodes.size(); ++i) {
     text += NodeLine(tree, picture, i, false) + "\n";
   }
-  for (SlotIndex i = 0; i < tree.slots.size(); ++i) {
+  for (SlotIndex i{0}; i < tree.slots.size(); ++i) {
     const DescribedSlot& slot = tree.slots[i];
     if (!slot.has_key || FormOfValue(picture.values[i]) == ValueForm::kEmpty) continue;
     text += slot.scope + "{" + slot.name + "} = " + PrintValueBytes(picture.values[i]) + "\n";
@@ -91,14 +91,14 @@ std::string PrintPicture(const TreeDescription& tree, const TreePicture& picture
 
 std::string PictureToJson(const TreeDescription& tree, const TreePicture& picture, Time start) {
   JsonObject nodes;
-  for (NodeIndex i = 0; i < tree.nodes.size(); ++i) {
+  for (NodeIndex i{0}; i < tree.nodes.size(); ++i) {
     nodes.Add(tree.nodes[i].path, JsonObject()
                                       .AddText("status", ToString(picture.statuses[i]))
                                       .AddText("result", ToString(picture.last[i]))
                                       .Finish());
   }
   JsonObject keys;
-  for (SlotIndex i = 0; i < tree.slots.size(); ++i) {
+  for (SlotIndex i{0}; i < tree.slots.size(); ++i) {
     const DescribedSlot& slot = tree.slots[i];
     if (slot.has_key) {
       keys.Add(slot.scope + "{" + slot.name + "}", ValueBytesToJson(picture.values[i]));

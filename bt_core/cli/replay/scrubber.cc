@@ -128,8 +128,8 @@ void Scrubber::GoToChange(int direction) {
 void Scrubber::Search(const std::string& text) {
   if (!text.empty()) searched_ = text;
   const auto nodes = static_cast<NodeIndex>(tree().nodes.size());
-  for (NodeIndex step = 1; step <= nodes; ++step) {
-    const NodeIndex node = (node_ + step) % nodes;
+  for (NodeIndex step{1}; step <= nodes; ++step) {
+    const NodeIndex node((node_ + step) % nodes);
     if (tree().nodes[node].path.find(searched_) == std::string::npos) continue;
     node_ = node;
     return;

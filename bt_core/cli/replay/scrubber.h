@@ -38,7 +38,7 @@ class Scrubber {
 
   const Recording& run_;
   std::size_t entry_;
-  NodeIndex node_ = 0;
+  NodeIndex node_{0};
   std::string prompt_;  // what is asked for: "tick", "time", "search"; empty: nothing
   std::string typed_;
   std::string searched_;

@@ -44,7 +44,7 @@ std::shared_ptr<const Program> TreeCompiler::Run(const std::string& tree_id,
   const Document& document = project_->documents()[tree.document];
   for (ElementIndex root = document.element(tree.element).first_child; root != kNoElement;
        root = document.element(root).next_sibling) {
-    Walk(Site(*project_, tree.document, root, 0));
+    Walk(Site(*project_, tree.document, root, kMainScope));
   }
   types_.Settle();
   scripts_.Compile(program_->registry->script_constants(), program_->scripts);
@@ -53,7 +53,7 @@ std::shared_ptr<const Program> TreeCompiler::Run(const std::string& tree_id,
 }
 
 void TreeCompiler::Walk(const Site& root) {
-  AddElement(root, 0);
+  AddElement(root, kRootNode);
   while (!levels_.empty()) {
     if (levels_.back().next == kNoElement) {
       EndLevel();

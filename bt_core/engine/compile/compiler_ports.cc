@@ -66,8 +66,8 @@ void PortBinder::CheckNames(const Registry::Entry& entry, const Site& site) {
   }
 }
 
-std::uint32_t PortBinder::BindPort(const Registry::Entry& entry, const PortDeclaration& port,
-                                   const Site& site) {
+SlotIndex PortBinder::BindPort(const Registry::Entry& entry, const PortDeclaration& port,
+                               const Site& site) {
   if (port.direction == PortDirection::kMailbox) return keys_.AddSlot("", site.scope, port.type);
   const Attribute* attribute = site.document.FindAttribute(site.element, port.name);
   if (!attribute && !port.default_text) {
@@ -92,19 +92,19 @@ std::uint32_t PortBinder::BindPort(const Registry::Entry& entry, const PortDecla
   return BindLiteral(given);
 }
 
-std::uint32_t PortBinder::BindScript(const Given& given) {
+SlotIndex PortBinder::BindScript(const Given& given) {
   const ScriptUse use = UseOf(given.entry.type);
-  return given.attribute ? scripts_.Add(given.site, *given.attribute, use)
-                         : scripts_.AddDefault(given.site, given.text, use);
+  return SlotIndex(given.attribute ? scripts_.Add(given.site, *given.attribute, use)
+                                   : scripts_.AddDefault(given.site, given.text, use));
 }
 
-std::uint32_t PortBinder::BindKey(const Given& given, std::string_view key) {
+SlotIndex PortBinder::BindKey(const Given& given, std::string_view key) {
   const SlotIndex slot = keys_.Resolve(key, given.site.scope);
   types_.Set(slot, given.entry.manifest.id, given.port, {&given.site.document, given.offset});
   return slot;
 }
 
-std::uint32_t PortBinder::BindLiteral(const Given& given) {
+SlotIndex PortBinder::BindLiteral(const Given& given) {
   const PortDeclaration& port = given.port;
   if (port.direction != PortDirection::kInput) {
     problems_.Error(
@@ -124,7 +124,7 @@ std::uint32_t PortBinder::BindLiteral(const Given& given) {
   return keys_.AddSlot("", given.site.scope, port.type, std::move(value));
 }
 
-std::uint32_t PortBinder::BindUntypedLiteral(const Given& given) {
+SlotIndex PortBinder::BindUntypedLiteral(const Given& given) {
   const SlotIndex slot = keys_.AddSlot("", given.site.scope, nullptr);
   types_.AddLiteral(slot, given.text, "port " + Quoted(given.port.name),
                     {&given.site.document, given.offset});

@@ -36,12 +36,11 @@ class PortBinder {
   };
 
   void CheckNames(const Registry::Entry& entry, const Site& site);
-  std::uint32_t BindPort(const Registry::Entry& entry, const PortDeclaration& port,
-                         const Site& site);
-  std::uint32_t BindKey(const Given& given, std::string_view key);
-  std::uint32_t BindScript(const Given& given);
-  std::uint32_t BindLiteral(const Given& given);
-  std::uint32_t BindUntypedLiteral(const Given& given);
+  SlotIndex BindPort(const Registry::Entry& entry, const PortDeclaration& port, const Site& site);
+  SlotIndex BindKey(const Given& given, std::string_view key);
+  SlotIndex BindScript(const Given& given);
+  SlotIndex BindLiteral(const Given& given);
+  SlotIndex BindUntypedLiteral(const Given& given);
   void BindCopies(const Registry::Entry& entry, const Site& site, const PortBinding* ports);
   void ReportLiteral(const Given& given);
 

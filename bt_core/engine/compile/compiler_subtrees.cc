@@ -10,9 +10,9 @@
 namespace coppice {
 
 void SubTreeBinder::OpenMain(const std::string& id, const TreeDefinition& tree) {
-  keys_.AddScope(0, false);
+  keys_.AddScope(kMainScope, false);
   program_.layout.scopes.push_back(id);
-  program_.trees.push_back({id, "", 0, 0, tree.document});
+  program_.trees.push_back({id, "", kRootNode, kRootNode, tree.document});
   const std::string_view main = project_.trees().find(id)->first;
   open_.push_back(main);
   is_open_.insert(main);

@@ -27,7 +27,7 @@ ScopeIndex KeyTable::Home(std::string_view key, ScopeIndex scope) const {
 SlotIndex KeyTable::Resolve(std::string_view key, ScopeIndex scope) {
   if (key.front() == '@') {
     key.remove_prefix(1);
-    scope = 0;
+    scope = kMainScope;
   }
   const auto found = scopes_[scope].keys.find(key);
   if (found != scopes_[scope].keys.end()) return found->second;

@@ -15,7 +15,7 @@ void AskForMainTree(const Project& project, Problems& problems) {
   const Document& first = project.documents().front();
   std::string list;
   for (const std::string& id : TreeIds(project)) list += (list.empty() ? "" : ", ") + id;
-  problems.Error(first, first.element(0).offset, "which tree is the main one?",
+  problems.Error(first, first.element(kRootElement).offset, "which tree is the main one?",
                  "give main_tree_to_execute; there are: " + list);
 }
 
@@ -23,13 +23,14 @@ void AskForMainTree(const Project& project, Problems& problems) {
 void ReportMissingTree(const Project& project, const std::string& id, Problems& problems) {
   const std::string hint = DidYouMean(id, TreeIds(project));
   for (const Document& document : project.documents()) {
-    const Attribute* asked = document.FindAttribute(document.element(0), "main_tree_to_execute");
+    const Attribute* asked =
+        document.FindAttribute(document.element(kRootElement), "main_tree_to_execute");
     if (!asked || asked->value != id) continue;
     problems.Error(document, asked->value_offset, "no tree " + Quoted(id), hint);
     return;
   }
   const Document& first = project.documents().front();
-  problems.Error(first, first.element(0).offset, "no tree " + Quoted(id), hint);
+  problems.Error(first, first.element(kRootElement).offset, "no tree " + Quoted(id), hint);
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ bool EventReader::Next(Event& event) {
     at_ = end_;
     return false;
   }
-  if (event.code == EventCode::kWrite) event.writer = at_[0];
+  if (event.code == EventCode::kWrite) event.writer = NodeIndex(at_[0]);
   if (event.code == EventCode::kText) event.text = static_cast<EventText>(at_[0]);
   event.bytes = std::string_view(reinterpret_cast<const char*>(at_ + 2), at_[1]);
   at_ += 2 + WordsFor(at_[1]);
@@ -37,7 +37,7 @@ std::vector<NodeMessage> MessagesOf(EventWords words) {
   EventReader reader(words);
   for (Event event; reader.Next(event);) {
     if (event.code != EventCode::kText || event.text == EventText::kInjected) continue;
-    messages.push_back({event.index, std::string(event.bytes)});
+    messages.push_back({event.node(), std::string(event.bytes)});
   }
   return messages;
 }

@@ -31,8 +31,6 @@
 
 namespace coppice {
 
-inline constexpr NodeIndex kNoNode = UINT32_MAX;
-
 /// Words that lie elsewhere.
 struct EventWords {
   const std::uint32_t* data = nullptr;
@@ -64,6 +62,8 @@ struct Event {
   EventText text = EventText::kMessage;
   std::string_view bytes;  ///< valid as long as the words
 
+  NodeIndex node() const { return NodeIndex(index); }
+  SlotIndex slot() const { return SlotIndex(index); }
   bool is_result() const { return code >= EventCode::kRunning && code <= EventCode::kSkipped; }
   bool is_status() const { return code <= EventCode::kSkipped; }
   /// Of a reset or a result.

@@ -21,7 +21,7 @@ void ForEachEvent(EventWords words, OnStatus on_status, OnOther on_other) {
   for (const std::uint32_t* at = words.data; at != end;) {
     const std::uint32_t code = *at & 7;
     if (code <= static_cast<std::uint32_t>(EventCode::kSkipped)) {
-      on_status(*at++ >> 3, static_cast<Status>(code));
+      on_status(NodeIndex(*at++ >> 3), static_cast<Status>(code));
       continue;
     }
     EventReader reader({at, static_cast<std::size_t>(end - at)});

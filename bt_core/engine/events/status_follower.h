@@ -98,7 +98,7 @@ void StatusFollower::Reset(NodeIndex node, OnChange& on_change) {
 
 template <class OnChange>
 void StatusFollower::Apply(const Event& event, OnChange on_change) {
-  const NodeIndex node = event.index;
+  const NodeIndex node = event.node();
   if (!event.is_status() || node >= shape_.size()) return;
   const Status status = event.status();
   if (status == Status::kIdle) return Reset(node, on_change);

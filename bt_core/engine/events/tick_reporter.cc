@@ -35,7 +35,7 @@ void AddPorts(const Program& program, NodeIndex node, std::vector<SlotIndex>& sl
 WrittenSlots WrittenSlotsOf(const Program& program) {
   WrittenSlots written;
   auto guards = program.guards.begin();
-  for (NodeIndex node = 0; node < program.nodes.size(); ++node) {
+  for (NodeIndex node{0}; node < program.nodes.size(); ++node) {
     written.first.push_back(static_cast<std::uint32_t>(written.slots.size()));
     AddPorts(program, node, written.slots);
     if (guards == program.guards.end() || guards->node != node) continue;
@@ -104,7 +104,7 @@ void TickReporter::AddText(NodeIndex node, EventText kind, std::string_view text
 }
 
 void TickReporter::EndTick(std::uint64_t tick, Time now, Status result) {
-  for (SlotIndex slot = 0; slot < blackboard_.size(); ++slot) AddWrite(slot, kNoNode);
+  for (SlotIndex slot{0}; slot < blackboard_.size(); ++slot) AddWrite(slot, kNoNode);
   const Duration duration = std::chrono::steady_clock::now() - begin_;
   Report({tick, now, duration, result, true, events_.words()});
 }

@@ -51,7 +51,7 @@ void Debugger::Core::HandOver() {
     std::vector<NodeIndex> nodes = table_.Nodes();
     if (all) {
       nodes.resize(table_.program()->nodes.size());
-      for (NodeIndex i = 0; i < nodes.size(); ++i) nodes[i] = i;
+      for (NodeIndex i{0}; i < nodes.size(); ++i) nodes[i] = i;
     }
     executor_.SetHooks(this, nodes);
     stops_at_all_nodes_ = all;

@@ -9,13 +9,14 @@
 
 #include "bt_core/base/clock.h"
 #include "bt_core/base/status.h"
+#include "bt_core/base/strong_index.h"
 #include "bt_core/engine/events/event_words.h"
 
 namespace coppice {
 
 /// Numbers hooks; counts from 1.
-using HookId = std::uint32_t;
-inline constexpr HookId kNoHook = 0;
+using HookId = StrongIndex<struct HookTag>;
+inline constexpr HookId kNoHook{0};
 
 /// Whose hook it is: what a client owns is released when it dies.
 using OwnerId = std::uint64_t;

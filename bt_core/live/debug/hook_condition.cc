@@ -38,7 +38,7 @@ class KnownNames : public ScriptNames {
 
 class AnyNames : public ScriptNames {
  public:
-  SlotIndex Slot(std::string_view) override { return 0; }
+  SlotIndex Slot(std::string_view) override { return {}; }
   const Type* TypeOf(SlotIndex) const override { return nullptr; }
   bool IsKey(std::string_view) const override { return false; }
 };

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "bt_core/base/json_library.h"
 #include "bt_core/engine/program.h"
 
 namespace coppice {
@@ -71,7 +72,7 @@ void ReadNode(const Json& node, Hook& hook) {
   if (node.is_string() && !node.get_ref<const std::string&>().empty()) {
     hook.path = node.get<std::string>();
   } else if (node.is_number_unsigned() && node.get<std::uint64_t>() < kNoNode) {
-    hook.node = node.get<NodeIndex>();
+    hook.node = NodeIndex(node.get<std::uint32_t>());
   } else {
     throw std::invalid_argument("node: expected a number from 0 on or a path");
   }

@@ -19,11 +19,11 @@ std::string PathOfType(const Program& program, NodeIndex node) {
 
 std::vector<NodeIndex> FindExactly(const Program& program, std::string_view path) {
   std::vector<NodeIndex> nodes;
-  for (NodeIndex i = 0; i < program.nodes.size(); ++i) {
+  for (NodeIndex i{0}; i < program.nodes.size(); ++i) {
     if (program.Path(i) == path) nodes.push_back(i);
   }
   if (!nodes.empty()) return nodes;
-  for (NodeIndex i = 0; i < program.nodes.size(); ++i) {
+  for (NodeIndex i{0}; i < program.nodes.size(); ++i) {
     if (PathOfType(program, i) == path) nodes.push_back(i);
   }
   return nodes;
@@ -40,7 +40,7 @@ std::vector<NodeIndex> FindNodes(const Program& program, std::string_view path) 
 std::string DescribeMissingNode(const Program& program, std::string_view path) {
   std::vector<std::string> paths;
   paths.reserve(program.nodes.size());
-  for (NodeIndex i = 0; i < program.nodes.size(); ++i) paths.push_back(program.Path(i));
+  for (NodeIndex i{0}; i < program.nodes.size(); ++i) paths.push_back(program.Path(i));
   const std::string hint = DidYouMean(path, paths);
   return "no node \"" + std::string(path) + "\" in the present tree" +
          (hint.empty() ? "" : " (" + hint + ")");

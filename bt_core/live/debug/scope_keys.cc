@@ -33,9 +33,9 @@ ScopeIndex ScopeAround(const Program& program, ScopeIndex scope) {
 
 SlotIndex FindKey(const Program& program, ScopeIndex scope, std::string_view key) {
   if (key.empty()) return kNoSlot;
-  if (key.front() == '@') return FindKey(program, 0, key.substr(1));
+  if (key.front() == '@') return FindKey(program, kMainScope, key.substr(1));
   const SlotIndex slot = program.layout.Find(scope, key);
-  if (slot != kNoSlot || scope == 0) return slot;
+  if (slot != kNoSlot || scope == kMainScope) return slot;
   const std::optional<std::string> text = GivenText(program, scope, key);
   const std::string_view outside = text ? KeyOf(*text, key) : std::string_view();
   if (outside.empty() && (!IsAutoremapped(program, scope) || IsPrivateKey(key))) return kNoSlot;
@@ -49,7 +49,7 @@ std::vector<std::string> KeysAround(const Program& program, ScopeIndex scope) {
       keys.push_back(slot.key);
     }
   }
-  if (scope == 0) return keys;
+  if (scope == kMainScope) return keys;
   for (const auto& [name, value] : program.TagOf(program.trees[scope].node).attributes) {
     if (!IsReservedAttribute(name)) keys.push_back(name);  // a key inside
   }

@@ -36,7 +36,7 @@ std::string WriteBoards(const Layout& layout, const std::vector<ScopeIndex>& sco
   Json boards;
   std::vector<Json*> board_of(layout.scopes.size());  // null: was not asked for
   for (const ScopeIndex scope : scopes) board_of[scope] = &boards[layout.scopes[scope]];
-  for (SlotIndex slot = 0; slot < layout.slots.size(); ++slot) {
+  for (SlotIndex slot{0}; slot < layout.slots.size(); ++slot) {
     const SlotDefinition& definition = layout.slots[slot];
     Json* const board = board_of[definition.scope];
     if (board && !definition.key.empty()) {
@@ -52,7 +52,7 @@ std::vector<ScopeIndex> FindScopes(const Layout& layout,
                                    const std::vector<std::string_view>& names) {
   const std::set<std::string_view> wanted(names.begin(), names.end());
   std::vector<ScopeIndex> scopes;
-  for (ScopeIndex scope = 0; scope < layout.scopes.size(); ++scope) {
+  for (ScopeIndex scope{0}; scope < layout.scopes.size(); ++scope) {
     if (wanted.count(layout.scopes[scope]) > 0) scopes.push_back(scope);
   }
   return scopes;

@@ -148,14 +148,14 @@ void Groot2History::TellState(HistoryState::Cause cause, Time now) {
   state.tick = tick_;
   state.time = now;
   state.statuses = follower_->statuses();
-  for (NodeIndex i = 0; i < tree_.uids.size(); ++i) state.last.push_back(follower_->last(i));
+  for (NodeIndex i{0}; i < tree_.uids.size(); ++i) state.last.push_back(follower_->last(i));
   state.values = values_;
   listener_.OnState(state);
 }
 
 void Groot2History::TellTick(Time start, Duration duration) {
   const Duration whole = std::max(duration, Duration(0));  // the robot's clock may be set back
-  listener_.OnTick({++tick_, start, whole, follower_->status(0), true, words_.words()});
+  listener_.OnTick({++tick_, start, whole, follower_->status(kRootNode), true, words_.words()});
   words_.Clear();
 }
 
@@ -187,7 +187,7 @@ void Groot2History::AddEvent(NodeIndex node, Status status) {
 // Statuses are a little newer than the transitions before them, so a difference counts only if it
 // is still there in the next answer. Without a recording there is nothing to wait for.
 void Groot2History::Correct(const std::vector<Status>& statuses, Time now) {
-  for (NodeIndex i = 0; i < statuses.size(); ++i) {
+  for (NodeIndex i{0}; i < statuses.size(); ++i) {
     const bool lasts = !recording_ || (i < shown_.size() && shown_[i] == statuses[i]);
     if (lasts && follower_->status(i) != statuses[i]) AddEvent(i, statuses[i]);
   }

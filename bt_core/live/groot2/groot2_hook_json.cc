@@ -24,11 +24,11 @@ std::string PathOfType(const DescribedNode& node) {
 
 std::vector<NodeIndex> FindExactly(const TreeDescription& tree, std::string_view path) {
   std::vector<NodeIndex> nodes;
-  for (NodeIndex i = 0; i < tree.nodes.size(); ++i) {
+  for (NodeIndex i{0}; i < tree.nodes.size(); ++i) {
     if (tree.nodes[i].path == path) nodes.push_back(i);
   }
   if (!nodes.empty()) return nodes;
-  for (NodeIndex i = 0; i < tree.nodes.size(); ++i) {
+  for (NodeIndex i{0}; i < tree.nodes.size(); ++i) {
     if (PathOfType(tree.nodes[i]) == path) nodes.push_back(i);
   }
   return nodes;

@@ -62,7 +62,7 @@ Outcome Groot2Hooks::InsertOne(Groot2Hook hook) {
 
 Hook Groot2Hooks::Translate(const Groot2Hook& hook) {
   Hook result;
-  result.node = hook.uid - 1u;
+  result.node = NodeIndex(hook.uid - 1u);
   result.position = hook.position;
   result.times = hook.once ? 1 : 0;
   result.enabled = hook.enabled;

@@ -4,6 +4,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "bt_core/base/json_library.h"
 #include "bt_core/live/debug/hook_json.h"
 
 namespace coppice {

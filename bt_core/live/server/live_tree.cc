@@ -56,7 +56,7 @@ Expected<Value> ReadValue(const SlotDefinition& slot, const std::string& text, b
 }
 
 SlotIndex FindSlot(const Layout& layout, const std::string& scope, const std::string& key) {
-  for (ScopeIndex i = 0; i < layout.scopes.size(); ++i) {
+  for (ScopeIndex i{0}; i < layout.scopes.size(); ++i) {
     if (layout.scopes[i] == scope || (i == 0 && scope.empty())) return layout.Find(i, key);
   }
   return kNoSlot;
@@ -157,7 +157,7 @@ OfProgram<std::uint8_t> LiveTree::ShownStatuses() const {
   const HistoryFollower& tree = *encoder_.follower();
   std::vector<std::uint8_t> shown;
   shown.reserve(program_->nodes.size());
-  for (NodeIndex node = 0; node < program_->nodes.size(); ++node) {
+  for (NodeIndex node{0}; node < program_->nodes.size(); ++node) {
     const bool was_reset = tree.status(node) == Status::kIdle && tree.last(node) != Status::kIdle;
     const Status status = was_reset ? tree.last(node) : tree.status(node);
     shown.push_back(

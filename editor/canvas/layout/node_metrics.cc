@@ -112,7 +112,7 @@ NodeSizes MeasureNode(const Ui& ui, const Scene& scene, const SceneNode& node) {
       std::min(WidthOf(ui, node.name, {Face::kBold, metrics::kTitleSize, 0}), kLongestTitle);
   const bool leaf = node.shape == Shape::kAction || node.shape == Shape::kCondition ||
                     node.shape == Shape::kSubTree || node.shape == Shape::kUnknown;
-  if (leaf && node.uid >= 0) title += metrics::kElapsed;
+  if (leaf && node.run_node != kNoNode) title += metrics::kElapsed;
   float body = WidthOf(ui, TypeLineOf(node), {Face::kSans, metrics::kNameSize, 0});
   const float column = NameColumn(ui, scene, node);
   for (std::uint32_t i = 0; i < node.port_count; ++i) {

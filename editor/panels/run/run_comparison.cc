@@ -10,7 +10,7 @@ namespace {
 void GoTo(EditorState& state, RunView& run, std::uint64_t tick, const std::string& path) {
   run.playhead().GoToTick(run.run().recording().Find(tick));
   const auto& nodes = run.tree()->description()->nodes;
-  for (NodeIndex i = 0; i < nodes.size(); ++i) {
+  for (NodeIndex i{0}; i < nodes.size(); ++i) {
     if (nodes[i].path == path) return SelectRunNode(state, i);
   }
 }

@@ -28,12 +28,10 @@ class Rows {
  public:
   Rows(const Ui& ui, EditorState& state, RunView& run) : ui_(ui), state_(state) {
     const auto& nodes = run.tree()->description()->nodes;
-    for (NodeIndex i = 0; i < nodes.size(); ++i) number_.emplace(nodes[i].path, i);
+    for (NodeIndex i{0}; i < nodes.size(); ++i) number_.emplace(nodes[i].path, i);
     const TreeView* view = state.workspace.view();
-    if (view && view->selected() != kNoNode) {
-      const int uid = view->scene()->nodes[view->selected()].uid;
-      if (uid >= 0) selected_ = nodes[static_cast<std::size_t>(uid)].path;
-    }
+    const NodeIndex selected = view ? view->selected_run_node() : kNoNode;
+    if (selected < nodes.size()) selected_ = nodes[selected].path;
   }
 
   void Draw() {

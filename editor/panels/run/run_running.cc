@@ -11,7 +11,7 @@ void DrawRunning(const Ui& ui, EditorState& state, RunView& run) {
   const TreeShape shape = ShapeOf(*run.tree()->description());
   const auto& states = run.state().states;
   std::vector<NodeIndex> running;
-  for (NodeIndex i = 0; i < states.size() && i < nodes.size(); ++i) {
+  for (NodeIndex i{0}; i < states.size() && i < nodes.size(); ++i) {
     if (states[i].status == Status::kRunning && shape[i].end == i + 1) running.push_back(i);
   }
   std::stable_sort(running.begin(), running.end(), [&states](NodeIndex a, NodeIndex b) {

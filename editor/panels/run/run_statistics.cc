@@ -103,11 +103,10 @@ void DrawStatistics(const Ui& ui, EditorState& state, RunView& run) {
   table.Head();
   const auto& nodes = run.tree()->description()->nodes;
   const TreeView* view = state.workspace.view();
-  const int selected =
-      view && view->selected() != kNoNode ? view->scene()->nodes[view->selected()].uid : -1;
-  for (NodeIndex i = 0; i < nodes.size(); ++i) {
+  const NodeIndex selected = view ? view->selected_run_node() : kNoNode;
+  for (NodeIndex i{0}; i < nodes.size(); ++i) {
     const NodeStatistics* node = state.run.figures.Find(nodes[i].path);
-    if (node) table.Line(*node, i, selected == static_cast<int>(i));
+    if (node) table.Line(*node, i, i == selected);
   }
 }
 

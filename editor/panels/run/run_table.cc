@@ -40,7 +40,7 @@ std::vector<SlotIndex> TablesOf(const RunView& run) {
   std::vector<SlotIndex> tables;
   const std::vector<DescribedSlot>& slots = run.tree()->description()->slots;
   const std::vector<std::string>& values = run.follower().values();
-  for (SlotIndex slot = 0; slot < std::min(slots.size(), values.size()); ++slot) {
+  for (SlotIndex slot{0}; slot < std::min(slots.size(), values.size()); ++slot) {
     if (slots[slot].has_key && LooksLikeTable(values[slot])) tables.push_back(slot);
   }
   return tables;

@@ -12,8 +12,8 @@ constexpr float kIndent = 10;
 
 NodeIndex SelectedNode(EditorState& state) {
   const TreeView* view = state.workspace.view();
-  if (!view || view->selected() == kNoNode) return 0;
-  return static_cast<NodeIndex>(std::max(view->scene()->nodes[view->selected()].uid, 0));
+  const NodeIndex selected = view ? view->selected_run_node() : kNoNode;
+  return selected == kNoNode ? kRootNode : selected;
 }
 
 float Indent(const Ui& ui, const WhyLine& line) {
@@ -71,9 +71,9 @@ void DrawLine(const Ui& ui, EditorState& state, const WhyLine& line, std::size_t
 
 void SelectRunNode(EditorState& state, NodeIndex node) {
   TreeView* view = state.workspace.view();
-  if (!view || node >= view->scene()->node_of_uid.size()) return;
-  const std::uint32_t in_scene = view->scene()->node_of_uid[node];
-  if (in_scene == kNoNode) return;
+  if (!view || node >= view->scene()->of_run_node.size()) return;
+  const std::uint32_t in_scene = view->scene()->of_run_node[node];
+  if (in_scene == kNoSceneNode) return;
   view->Select(in_scene);
   view->Reveal(state.screen.canvas_size);
 }

@@ -98,7 +98,8 @@ class Timeline {
     }
     for (std::size_t i = 0; i < count; ++i) {
       if (columns[i].is_empty()) continue;
-      const Status worst = WorstOf(f_.tracks.LaneOf(0).Seen(columns[i].first, columns[i].end));
+      const Status worst =
+          WorstOf(f_.tracks.LaneOf(kRootNode).Seen(columns[i].first, columns[i].end));
       const double part = static_cast<double>(f_.run.Activity(columns[i].first, columns[i].end)) /
                           static_cast<double>(most);
       const float height = 2 + static_cast<float>(std::sqrt(part)) * (f_.overview.height() - 4);

@@ -94,7 +94,7 @@ class Lanes {
     const LanePins& pins = f_.state.workspace.pins;
     for (const std::string& path : pins.Of(f_.view.bookmark_name())) {
       if (f_.shown.listed.size() + 1 >= room) break;
-      for (NodeIndex i = 0; i < f_.tracks.shape().size(); ++i) {
+      for (NodeIndex i{0}; i < f_.tracks.shape().size(); ++i) {
         if (f_.tracks.tree()->nodes[i].path == path) f_.shown.listed.push_back(i);
       }
     }
@@ -110,7 +110,7 @@ class Lanes {
       first = std::min(first, column.first);
       end = std::max(end, column.end);
     }
-    for (NodeIndex i = 0; i < f_.tracks.shape().size(); ++i) {
+    for (NodeIndex i{0}; i < f_.tracks.shape().size(); ++i) {
       const StatusSet seen = f_.tracks.LaneOf(i).Seen(first, end);
       if ((seen & ~SetOf(Status::kIdle)) && !is_pinned(i)) f_.shown.listed.push_back(i);
     }
@@ -125,8 +125,7 @@ class Lanes {
   void DrawLane(NodeIndex node, const Box& lane) {
     const DescribedNode& described = f_.tracks.tree()->nodes[node];
     const TreeView* tree = f_.state.workspace.view();
-    const bool selected = tree && tree->selected() != kNoNode &&
-                          tree->scene()->nodes[tree->selected()].uid == static_cast<int>(node);
+    const bool selected = tree && tree->selected_run_node() == node;
     const Box row = {{f_.labels.min.x, lane.min.y}, lane.max};
     if (selected) f_.ui.Fill(list_, row, Fade(f_.ui.palette.row_selected, 0.6F));
     f_.ui.items.Add("timeline/" + described.path, lane);
@@ -181,7 +180,7 @@ class Lanes {
 
   void DrawKey(const Box& lane) {
     const auto& slots = f_.tracks.tree()->slots;
-    for (SlotIndex slot = 0; slot < slots.size(); ++slot) {
+    for (SlotIndex slot{0}; slot < slots.size(); ++slot) {
       if (f_.state.blackboard.shown_key !=
           "blackboard/" + slots[slot].scope + "/" + slots[slot].name)
         continue;

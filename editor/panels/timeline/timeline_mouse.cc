@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "editor/panels/run/run_bodies.h"
 #include "editor/panels/timeline/timeline_frame.h"
 
 namespace coppice::editor {
@@ -91,23 +92,15 @@ class Mouse {
 
   NodeIndex NodeAt(float y) const {
     const std::size_t row = f_.RowAt(y);
-    return row < f_.shown.listed.size() ? f_.shown.listed[row] : coppice::kNoNode;
+    return row < f_.shown.listed.size() ? f_.shown.listed[row] : kNoNode;
   }
 
-  void SelectLane(float y) {
-    const NodeIndex node = NodeAt(y);
-    TreeView* tree = f_.state.workspace.view();
-    if (!tree || node >= tree->scene()->node_of_uid.size()) return;
-    const std::uint32_t in_scene = tree->scene()->node_of_uid[node];
-    if (in_scene == kNoNode) return;
-    tree->Select(in_scene);
-    tree->Reveal(f_.state.screen.canvas_size);
-  }
+  void SelectLane(float y) { SelectRunNode(f_.state, NodeAt(y)); }
 
   // A click of the middle button on a bar shows it whole.
   void FitBar(Point mouse) {
     const NodeIndex node = NodeAt(mouse.y);
-    if (node == coppice::kNoNode) return;
+    if (node == kNoNode) return;
     const Lane& lane = f_.tracks.LaneOf(node);
     const std::size_t tick = f_.run.TickAt(f_.TimeAtX(mouse.x));
     const std::size_t first = lane.Since(tick);

@@ -10,7 +10,7 @@ ShownXml ChooseXml(const EditorState& state, const TreeView* view) {
   if (file && (file->is_stale || !view)) {
     shown.path = file->path;
   } else if (forest && view) {
-    const bool selected = view->selected() != kNoNode;
+    const bool selected = view->selected() != kNoSceneNode;
     const SceneNode& node = view->scene()->nodes[selected ? view->selected() : 0];
     const Document& document = *forest->documents()[node.document];
     shown.path = document.file();

@@ -23,8 +23,8 @@ LiveClientOptions Options() {
 std::vector<std::string> RunningPath(const TreeDescription& tree,
                                      const std::vector<Status>& statuses) {
   std::vector<std::string> path;
-  NodeIndex deepest = 0;  // nodes are in preorder
-  for (NodeIndex i = 0; i < tree.nodes.size() && i < statuses.size(); ++i) {
+  NodeIndex deepest{0};  // nodes are in preorder
+  for (NodeIndex i{0}; i < tree.nodes.size() && i < statuses.size(); ++i) {
     const DescribedNode& node = tree.nodes[i];
     const bool continues = path.empty() ? i == 0 : node.parent == deepest && i != 0;
     if (!continues || statuses[i] != Status::kRunning) continue;

@@ -28,10 +28,10 @@ TEST(RecordedTree, IsTheProgramThatWasRecorded) {
   const RecordedTree tree = Compiled(run.keeper.run.trees()[0], problems);
   ASSERT_TRUE(tree.program) << problems;
   EXPECT_EQ(problems, "");
-  for (NodeIndex i = 0; i < tree.shape.size(); ++i) {
+  for (NodeIndex i{0}; i < tree.shape.size(); ++i) {
     EXPECT_EQ(tree.program->Path(i), run.program->Path(i));
   }
-  for (SlotIndex i = 0; i < tree.recorded_slots.size(); ++i) {
+  for (SlotIndex i{0}; i < tree.recorded_slots.size(); ++i) {
     if (tree.program->layout.slots[i].key.empty()) continue;
     EXPECT_EQ(run.program->layout.slots[tree.recorded_slots[i]].key,
               tree.program->layout.slots[i].key);

@@ -37,10 +37,10 @@ TEST(Recording, JoinsThePartsOfATickThatStoodAtABreakpoint) {
   recording.OnTree(run.keeper.run.trees()[0]);
   recording.OnState(run.keeper.run.sections()[0].state);
   EventWriter words;
-  words.Text(0, EventText::kMessage, "before");
+  words.Text(kRootNode, EventText::kMessage, "before");
   recording.OnTick({1, Time(5), Duration(0), Status::kRunning, false, words.words()});
   words.Clear();
-  words.Status(0, Status::kSuccess);
+  words.Status(kRootNode, Status::kSuccess);
   recording.OnTick({1, Time(5), Duration(9), Status::kSuccess, true, words.words()});
   ASSERT_EQ(recording.ticks().size(), 1u);
   EXPECT_EQ(recording.ticks()[0].duration, Duration(9));

@@ -40,10 +40,10 @@ class SmallTick {
     std::string bytes;
     AppendValueBytes(Value(0.5), bytes);
     words_.Add(EventCode::kWrite, 0, 1, bytes);
-    words_.Text(1, EventText::kMessage, R"(all is "well")");
-    words_.Status(1, Status::kSuccess);
-    words_.Status(2, Status::kRunning);
-    words_.Status(0, Status::kRunning);
+    words_.Text(NodeIndex{1}, EventText::kMessage, R"(all is "well")");
+    words_.Status(NodeIndex{1}, Status::kSuccess);
+    words_.Status(NodeIndex{2}, Status::kRunning);
+    words_.Status(kRootNode, Status::kRunning);
   }
   TickEvents events() const {
     return {7,    std::chrono::seconds(2), std::chrono::microseconds(5), Status::kRunning,

@@ -14,8 +14,8 @@ using std::chrono::seconds;
 
 TEST(Inbox, GivesMessagesInTheOrderOfPosting) {
   Inbox inbox;
-  inbox.Post(3, 1, Value(10));
-  inbox.Post(4, 2, Value(std::string("x")));
+  inbox.Post(SlotIndex{3}, 1, Value(10));
+  inbox.Post(SlotIndex{4}, 2, Value(std::string("x")));
   ASSERT_TRUE(inbox.has_messages());
   std::vector<Inbox::Message> messages;
   inbox.TakeMessages(messages);
@@ -28,7 +28,7 @@ TEST(Inbox, GivesMessagesInTheOrderOfPosting) {
 
 TEST(Inbox, IsEmptyAfterTaking) {
   Inbox inbox;
-  inbox.Post(0, 0, Value(1));
+  inbox.Post(SlotIndex{0}, 0, Value(1));
   std::vector<Inbox::Message> messages;
   inbox.TakeMessages(messages);
   EXPECT_FALSE(inbox.has_messages());
@@ -38,7 +38,7 @@ TEST(Inbox, IsEmptyAfterTaking) {
 
 TEST(Inbox, PostingWakes) {
   Inbox inbox;
-  inbox.Post(0, 0, Value(1));
+  inbox.Post(SlotIndex{0}, 0, Value(1));
   EXPECT_TRUE(inbox.wake_up().WaitFor(seconds(0)));
   inbox.PostCall([] {});
   EXPECT_TRUE(inbox.wake_up().WaitFor(seconds(0)));
@@ -84,7 +84,7 @@ TEST(Inbox, LosesNothingThatManyThreadsPost) {
 
 TEST(Sender, PostsToItsSlotAndEpoch) {
   const auto inbox = std::make_shared<Inbox>();
-  const Sender<double> sender(inbox, 5, 7);
+  const Sender<double> sender(inbox, SlotIndex{5}, 7);
   sender.Send(0.5);
   std::vector<Inbox::Message> messages;
   inbox->TakeMessages(messages);
@@ -102,7 +102,7 @@ TEST(Sender, MadeByDefaultDrops) {
 
 TEST(Sender, WorksAfterTheReceiverIsGone) {
   auto inbox = std::make_shared<Inbox>();
-  const Sender<std::string> sender(inbox, 0, 0);
+  const Sender<std::string> sender(inbox, SlotIndex{0}, 0);
   inbox.reset();
   EXPECT_TRUE(sender);
   sender.Send("late");

@@ -67,7 +67,7 @@ TEST(Input, ThrowsWhileNobodyHasWritten) {
   Owner owner;
   EXPECT_THROW(owner.count.Get(), UnsetInput) << "not bound";
   Slot slot;
-  owner.count.Bind(&slot, now, 0, nullptr);
+  owner.count.Bind(&slot, now, SlotIndex{0}, nullptr);
   EXPECT_FALSE(owner.count.has_value());
   EXPECT_THROW(*owner.count, UnsetInput);
 }
@@ -75,7 +75,7 @@ TEST(Input, ThrowsWhileNobodyHasWritten) {
 TEST(Input, ReadsItsSlot) {
   Owner owner;
   Slot slot{Value(12), Time(7), 3, 0};
-  owner.count.Bind(&slot, now, 0, nullptr);
+  owner.count.Bind(&slot, now, SlotIndex{0}, nullptr);
   EXPECT_EQ(*owner.count, 12);
   EXPECT_EQ(owner.count.writes(), 3U);
   EXPECT_EQ(owner.count.stamp(), Time(7));
@@ -84,7 +84,7 @@ TEST(Input, ReadsItsSlot) {
 TEST(Output, WritesAndCounts) {
   Owner owner;
   Slot slot;
-  owner.distance.Bind(&slot, now, 0, nullptr);
+  owner.distance.Bind(&slot, now, SlotIndex{0}, nullptr);
   owner.distance.Set(1.5);
   owner.distance.Set(1.5);
   EXPECT_EQ(slot.value.Get<double>(), 1.5);
@@ -101,7 +101,7 @@ TEST(Output, LeftOutOfTheXmlIsWithoutEffect) {
 TEST(InOut, ReadsWhatItWrote) {
   Owner owner;
   Slot slot;
-  owner.total.Bind(&slot, now, 0, nullptr);
+  owner.total.Bind(&slot, now, SlotIndex{0}, nullptr);
   EXPECT_THROW(owner.total.Get(), UnsetInput);
   owner.total.Set(4);
   owner.total.Set(owner.total.Get() + 1);
@@ -109,7 +109,7 @@ TEST(InOut, ReadsWhatItWrote) {
 }
 
 struct MailboxTest : testing::Test {
-  void SetUp() override { owner.answer.Bind(&slot, now, 9, inbox); }
+  void SetUp() override { owner.answer.Bind(&slot, now, SlotIndex{9}, inbox); }
   // What the executor does at the start of a tick.
   void Deliver() {
     std::vector<Inbox::Message> messages;

@@ -72,7 +72,8 @@ TEST(Executor, AppliesTheInboxAtTheStartOfATickOnly) {
                    R"(distance="{d}"/></Sequence>)"));
   const Sender<double> goal = stage.executor->Writer<double>("g");
   const auto distance = [&] {
-    return stage.executor->blackboard()[stage.program->layout.Find(0, "d")].value.Get<double>();
+    return stage.executor->blackboard()[stage.program->layout.Find(kMainScope, "d")]
+        .value.Get<double>();
   };
   goal.Send(1);
   stage.script.on_tick["post"] = [goal] { goal.Send(100); };
@@ -88,7 +89,7 @@ TEST(Executor, TheNewestMessageWinsAndAllCount) {
   goal.Send(1);
   goal.Send(2);
   stage.executor->Tick();
-  const Slot& slot = stage.executor->blackboard()[stage.program->layout.Find(0, "g")];
+  const Slot& slot = stage.executor->blackboard()[stage.program->layout.Find(kMainScope, "g")];
   EXPECT_EQ(slot.value.Get<double>(), 2);
   EXPECT_EQ(slot.writes, 2U);
 }
@@ -226,13 +227,13 @@ TEST(Executor, SinksGetChangesInTheOrderOfHappening) {
   EXPECT_EQ(first.start, seconds(1));
   EXPECT_EQ(first.result, kRunning);
   ASSERT_EQ(first.changes.size(), 2U);
-  EXPECT_TRUE(same(first.changes[0], 1, Status::kIdle, kRunning));
-  EXPECT_TRUE(same(first.changes[1], 0, Status::kIdle, kRunning));
+  EXPECT_TRUE(same(first.changes[0], NodeIndex{1}, Status::kIdle, kRunning));
+  EXPECT_TRUE(same(first.changes[1], kRootNode, Status::kIdle, kRunning));
   const auto& second = sink.ticks[1];
   ASSERT_EQ(second.changes.size(), 3U);
-  EXPECT_TRUE(same(second.changes[0], 1, kRunning, kFailure));
-  EXPECT_TRUE(same(second.changes[1], 1, kFailure, Status::kIdle));
-  EXPECT_TRUE(same(second.changes[2], 0, kRunning, kSuccess));
+  EXPECT_TRUE(same(second.changes[0], NodeIndex{1}, kRunning, kFailure));
+  EXPECT_TRUE(same(second.changes[1], NodeIndex{1}, kFailure, Status::kIdle));
+  EXPECT_TRUE(same(second.changes[2], kRootNode, kRunning, kSuccess));
 }
 
 TEST(Executor, AHaltIsReportedWithTheTickBefore) {
@@ -250,7 +251,7 @@ TEST(Executor, SinksGetEveryWriteOfASlot) {
   Stage stage(Main(R"(<Sequence><Tell text="1" to="{k}"/><Tell text="2" to="{k}"/></Sequence>)"));
   const KeepingSink& sink = stage.Listen();
   stage.executor->Tick();
-  const SlotIndex k = stage.program->layout.Find(0, "k");
+  const SlotIndex k = stage.program->layout.Find(kMainScope, "k");
   EXPECT_EQ(sink.ticks[0].writes, (std::vector<SlotIndex>{k, k}));
 }
 

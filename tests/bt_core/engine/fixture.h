@@ -102,7 +102,7 @@ class KeepingSink : public TickSink {
  private:
   void Keep(const Event& event, Kept& tick) {
     if (event.code == EventCode::kWrite || event.code == EventCode::kDelivery) {
-      tick.writes.push_back(event.index);
+      tick.writes.push_back(event.slot());
     }
     if (!follower_) return;
     follower_->Apply(event, [&](const StatusChange& change) { tick.changes.push_back(change); });

@@ -30,7 +30,7 @@ class Guards : public ::testing::Test {
   void SetX(std::int64_t x) { stage_->executor->Writer<std::int64_t>("x").Send(x); }
   Status Tick() { return stage_->executor->Tick(); }
   std::string Log() const {
-    const SlotIndex slot = stage_->program->layout.Find(0, "log");
+    const SlotIndex slot = stage_->program->layout.Find(kMainScope, "log");
     const Value& value = stage_->executor->blackboard()[slot].value;
     return value.has_value() ? value.Get<std::string>() : "unset";
   }
@@ -146,12 +146,12 @@ TEST(Guard, HaltHooksComeFromTheInsideOut) {
               Results({{"a", {kRunning}}}));
   stage.executor->Tick();
   stage.executor->Halt();
-  const SlotIndex log = stage.program->layout.Find(0, "log");
+  const SlotIndex log = stage.program->layout.Find(kMainScope, "log");
   EXPECT_EQ(stage.executor->blackboard()[log].value.Get<std::string>(), "inner outer");
 }
 
 std::string HooksOf(const Stage& stage) {
-  const SlotIndex log = stage.program->layout.Find(0, "log");
+  const SlotIndex log = stage.program->layout.Find(kMainScope, "log");
   return stage.executor->blackboard()[log].value.Get<std::string>();
 }
 

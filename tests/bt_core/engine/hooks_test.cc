@@ -37,7 +37,7 @@ LeafScript Results(std::map<std::string, std::vector<Status>> results) {
 TEST(NodeHooks, AreAskedBeforeAndAfterAChosenNodeOnly) {
   Stage stage(Main(R"(<Sequence><Leaf name="a"/><Leaf name="b"/></Sequence>)"));
   Hooks hooks;
-  stage.executor->SetHooks(&hooks, {2});
+  stage.executor->SetHooks(&hooks, {NodeIndex{2}});
   EXPECT_EQ(stage.executor->Tick(), kSuccess);
   EXPECT_EQ(hooks.calls, (Names{"before 2", "after 2 SUCCESS"}));
   EXPECT_EQ(hooks.ticks, 1);
@@ -47,7 +47,7 @@ TEST(NodeHooks, AResultBeforeTakesThePlaceOfTheTick) {
   Stage stage(Main(R"(<Fallback><Leaf name="a"/><Leaf name="b"/></Fallback>)"));
   Hooks hooks;
   hooks.before = kFailure;
-  stage.executor->SetHooks(&hooks, {1});
+  stage.executor->SetHooks(&hooks, {NodeIndex{1}});
   EXPECT_EQ(stage.executor->Tick(), kSuccess);
   EXPECT_EQ(stage.TakeEvents(), Names{"start b"});
 }
@@ -57,7 +57,7 @@ TEST(NodeHooks, AResultBeforeHaltsWhatRan) {
   stage.executor->Tick();
   Hooks hooks;
   hooks.before = kSuccess;
-  stage.executor->SetHooks(&hooks, {0});
+  stage.executor->SetHooks(&hooks, {kRootNode});
   EXPECT_EQ(stage.executor->Tick(), kSuccess);
   EXPECT_EQ(stage.TakeEvents(), (Names{"start a", "halt a"}));
 }
@@ -66,7 +66,7 @@ TEST(NodeHooks, AResultAfterTakesThePlaceOfTheNodesOwn) {
   Stage stage(Main(R"(<Inverter><Leaf name="a"/></Inverter>)"), Results({{"a", {kRunning}}}));
   Hooks hooks;
   hooks.after = kFailure;
-  stage.executor->SetHooks(&hooks, {1});
+  stage.executor->SetHooks(&hooks, {NodeIndex{1}});
   EXPECT_EQ(stage.executor->Tick(), kSuccess);
   EXPECT_EQ(stage.TakeEvents(), (Names{"start a", "halt a"}));
 }
@@ -75,7 +75,7 @@ TEST(NodeHooks, AGuardThatDecidesIsBeforeTheHook) {
   Stage stage(Main(R"(<Leaf name="a" _failureIf="true"/>)"));
   Hooks hooks;
   hooks.before = kSuccess;
-  stage.executor->SetHooks(&hooks, {0});
+  stage.executor->SetHooks(&hooks, {kRootNode});
   EXPECT_EQ(stage.executor->Tick(), kFailure);
   EXPECT_EQ(hooks.calls, Names());
 }
@@ -83,17 +83,17 @@ TEST(NodeHooks, AGuardThatDecidesIsBeforeTheHook) {
 TEST(NodeHooks, AHookedNodeKeepsItsGuardsAndHooks) {
   Stage stage(Main(R"(<Leaf name="a" _onHalted="halted:=1"/>)"), Results({{"a", {kRunning}}}));
   Hooks hooks;
-  stage.executor->SetHooks(&hooks, {0});
+  stage.executor->SetHooks(&hooks, {kRootNode});
   stage.executor->Tick();
   stage.executor->Halt();
-  const SlotIndex halted = stage.program->layout.Find(0, "halted");
+  const SlotIndex halted = stage.program->layout.Find(kMainScope, "halted");
   EXPECT_TRUE(stage.executor->blackboard()[halted].value.has_value());
 }
 
 TEST(NodeHooks, TakenAwayAreNotAsked) {
   Stage stage(Main(R"(<Leaf name="a"/>)"));
   Hooks hooks;
-  stage.executor->SetHooks(&hooks, {0});
+  stage.executor->SetHooks(&hooks, {kRootNode});
   stage.executor->SetHooks(nullptr);
   stage.executor->Tick();
   EXPECT_EQ(hooks.calls, Names());
@@ -111,7 +111,7 @@ TEST(NodeHooks, AnInjectedResultIsReportedBeforeIt) {
   } watch;
   Hooks hooks;
   hooks.before = kFailure;
-  stage.executor->SetHooks(&hooks, {0});
+  stage.executor->SetHooks(&hooks, {kRootNode});
   stage.executor->AddSink(&watch);
   stage.executor->Tick();
   stage.executor->RemoveSink(&watch);
@@ -134,7 +134,7 @@ TEST(NodeHooks, WatchersCanSeeHowFarATickCame) {
   } watch;
   Stage stage(Main(R"(<Sequence><Leaf name="a"/><Leaf name="b"/></Sequence>)"));
   hooks.executor = stage.executor.get();
-  stage.executor->SetHooks(&hooks, {2});
+  stage.executor->SetHooks(&hooks, {NodeIndex{2}});
   stage.executor->AddSink(&watch);
   stage.executor->Tick();
   stage.executor->RemoveSink(&watch);
@@ -145,7 +145,7 @@ TEST(NodeHooks, ANodeThatAHookMadeRunningBeginsWhenItIsTicked) {
   Stage stage(Main(R"(<Sequence><Leaf name="a"/></Sequence>)"), Results({{"a", {kRunning}}}));
   Hooks hooks;
   hooks.before = kRunning;
-  stage.executor->SetHooks(&hooks, {1});
+  stage.executor->SetHooks(&hooks, {NodeIndex{1}});
   EXPECT_EQ(stage.executor->Tick(), kRunning);
   EXPECT_EQ(stage.executor->Tick(), kRunning);
   hooks.before.reset();
@@ -159,10 +159,10 @@ TEST(NodeHooks, ANodeThatAHookMadeRunningIsNotToldOfAHalt) {
   Stage stage(Main(R"(<Sequence><Inverter><Leaf name="a"/></Inverter></Sequence>)"));
   Hooks hooks;
   hooks.before = kRunning;
-  stage.executor->SetHooks(&hooks, {2});
+  stage.executor->SetHooks(&hooks, {NodeIndex{2}});
   for (const bool by_root : {true, false}) {
     EXPECT_EQ(stage.executor->Tick(), kRunning);
-    by_root ? stage.executor->Halt() : stage.executor->Halt(2);
+    by_root ? stage.executor->Halt() : stage.executor->Halt(NodeIndex{2});
     EXPECT_EQ(stage.TakeEvents(), Names());
   }
 }
@@ -171,7 +171,7 @@ TEST(NodeHooks, ANodeThatAHookMadeRunningBeginsWhenTheHooksAreTakenAway) {
   Stage stage(Main(R"(<Leaf name="a"/>)"), Results({{"a", {kRunning}}}));
   Hooks hooks;
   hooks.before = kRunning;
-  stage.executor->SetHooks(&hooks, {0});
+  stage.executor->SetHooks(&hooks, {kRootNode});
   stage.executor->Tick();
   stage.executor->SetHooks(nullptr);
   stage.executor->Tick();
@@ -185,7 +185,7 @@ TEST(NodeHooks, AreToldThatTheTreeWasSwapped) {
   } hooks;
   Stage stage(Main(R"(<Leaf name="a"/>)"));
   const Stage other(Main(R"(<Leaf name="b"/>)"));
-  stage.executor->SetHooks(&hooks, {0});
+  stage.executor->SetHooks(&hooks, {kRootNode});
   stage.executor->Reload(other.program);
   EXPECT_EQ(hooks.reloads, 1);
   stage.executor->Tick();

@@ -17,28 +17,28 @@ class ProgramTest : public testing::Test {
 };
 
 TEST_F(ProgramTest, IdIsTheRegistrationOrTheTree) {
-  EXPECT_EQ(program_.Id(0), "Sequence");
-  EXPECT_EQ(program_.Id(1), "Tell");
-  EXPECT_EQ(program_.Id(2), "S");
-  EXPECT_EQ(program_.Id(3), "Tell");
+  EXPECT_EQ(program_.Id(kRootNode), "Sequence");
+  EXPECT_EQ(program_.Id(NodeIndex{1}), "Tell");
+  EXPECT_EQ(program_.Id(NodeIndex{2}), "S");
+  EXPECT_EQ(program_.Id(NodeIndex{3}), "Tell");
 }
 
 TEST_F(ProgramTest, NameIsGivenOrElseTheId) {
-  EXPECT_EQ(program_.Name(1), "Tell");
-  EXPECT_EQ(program_.Name(2), "patrol");
-  EXPECT_EQ(program_.Name(3), "speak");
+  EXPECT_EQ(program_.Name(NodeIndex{1}), "Tell");
+  EXPECT_EQ(program_.Name(NodeIndex{2}), "patrol");
+  EXPECT_EQ(program_.Name(NodeIndex{3}), "speak");
 }
 
 TEST_F(ProgramTest, PathsLeadThroughTheInstances) {
-  EXPECT_EQ(program_.Path(0), "Sequence::1");
-  EXPECT_EQ(program_.Path(3), "patrol/speak");
-  EXPECT_EQ(program_.Path(5), "S::5/speak");
+  EXPECT_EQ(program_.Path(kRootNode), "Sequence::1");
+  EXPECT_EQ(program_.Path(NodeIndex{3}), "patrol/speak");
+  EXPECT_EQ(program_.Path(NodeIndex{5}), "S::5/speak");
 }
 
 TEST_F(ProgramTest, LocationIsWhereTheNodeIsWritten) {
-  EXPECT_EQ(program_.Location(1).line, 4U);
-  EXPECT_EQ(program_.Location(1).column, 2U);
-  EXPECT_EQ(program_.Location(3).line, 7U);
+  EXPECT_EQ(program_.Location(NodeIndex{1}).line, 4U);
+  EXPECT_EQ(program_.Location(NodeIndex{1}).column, 2U);
+  EXPECT_EQ(program_.Location(NodeIndex{3}).line, 7U);
 }
 
 TEST_F(ProgramTest, ScopesBearThePathsOfTheInstances) {

@@ -92,7 +92,7 @@ TEST_F(Reload, AnAnswerToAQuestionFromBeforeArrives) {
   phone_.answer.Send(7);
   EXPECT_EQ(executor_->Tick(), kSuccess);
   EXPECT_EQ(Events(), (Names{"call Ann", "Ann said 7"}));
-  const SlotIndex slot = executor_->program().layout.Find(0, "a");
+  const SlotIndex slot = executor_->program().layout.Find(kMainScope, "a");
   EXPECT_EQ(executor_->blackboard()[slot].value.Get<int>(), 7);
 }
 
@@ -135,8 +135,8 @@ TEST_F(Reload, KeepsTheBlackboard) {
       Load(Main(Sequence(std::string(kCallBob) + R"(<Drive goal="3" total="{total}"/>)"
                                                  R"(<Drive goal="3" total="{other}"/>)"))));
   const Program& program = executor_->program();
-  EXPECT_EQ(executor_->blackboard()[program.layout.Find(0, "total")].value.Get<int>(), 3);
-  EXPECT_FALSE(executor_->blackboard()[program.layout.Find(0, "other")].value.has_value());
+  EXPECT_EQ(executor_->blackboard()[program.layout.Find(kMainScope, "total")].value.Get<int>(), 3);
+  EXPECT_FALSE(executor_->blackboard()[program.layout.Find(kMainScope, "other")].value.has_value());
 }
 
 TEST_F(Reload, SendersStayValid) {
@@ -147,7 +147,7 @@ TEST_F(Reload, SendersStayValid) {
   executor_->Reload(Load(Main(R"(<Drive goal="{way}" total="{total}"/>)")));
   way.Send(4.5);
   executor_->Tick();
-  const SlotIndex slot = executor_->program().layout.Find(0, "way");
+  const SlotIndex slot = executor_->program().layout.Find(kMainScope, "way");
   EXPECT_EQ(executor_->blackboard()[slot].value.Get<double>(), 4.5);
 }
 

@@ -55,7 +55,7 @@ TEST(TreeState, BringsBackTheBlackboard) {
   stage.executor->Tick();
   stage.executor->Restore(state);
   stage.executor->Tick();
-  const SlotIndex total = stage.program->layout.Find(0, "total");
+  const SlotIndex total = stage.program->layout.Find(kMainScope, "total");
   EXPECT_EQ(stage.executor->blackboard()[total].value.Get<int>(), 6);
 }
 

@@ -38,7 +38,7 @@ TEST(HistoryFollower, KnowsStatusesAndValues) {
     ASSERT_EQ(listener.follower->statuses(), executor.statuses());
     ASSERT_EQ(listener.follower->tick(), executor.ticks());
     ASSERT_EQ(listener.follower->time(), clock.Now());
-    for (SlotIndex slot = 0; slot < executor.blackboard().size(); ++slot) {
+    for (SlotIndex slot{0}; slot < executor.blackboard().size(); ++slot) {
       ASSERT_EQ(PrintValueBytes(listener.follower->values()[slot]),
                 executor.blackboard()[slot].value.has_value()
                     ? executor.blackboard()[slot].value.Print()
@@ -49,17 +49,17 @@ TEST(HistoryFollower, KnowsStatusesAndValues) {
 }
 
 TEST(HistoryFollower, RemembersTheLastStatusOfIdleNodes) {
-  const TreeShape shape{{0, 2, false}, {0, 2, false}};
+  const TreeShape shape{{NodeIndex{0}, NodeIndex{2}, false}, {NodeIndex{0}, NodeIndex{2}, false}};
   HistoryFollower follower(shape, {{}, 0, Time(0), {Status::kIdle, Status::kIdle}, {}, {}});
   EventWriter words;
-  words.Status(1, Status::kFailure);
-  words.Status(0, Status::kSuccess);
+  words.Status(NodeIndex{1}, Status::kFailure);
+  words.Status(kRootNode, Status::kSuccess);
   follower.Apply({1, Time(1), Duration(0), Status::kSuccess, true, words.words()});
-  EXPECT_EQ(follower.status(1), Status::kIdle);
-  EXPECT_EQ(follower.last(1), Status::kFailure);
+  EXPECT_EQ(follower.status(NodeIndex{1}), Status::kIdle);
+  EXPECT_EQ(follower.last(NodeIndex{1}), Status::kFailure);
   const HistoryState state = follower.State(HistoryState::Cause::kKeyframe);
   EXPECT_THAT(state.last, ElementsAre(Status::kSuccess, Status::kFailure));
-  EXPECT_EQ(HistoryFollower(shape, state).last(1), Status::kFailure);
+  EXPECT_EQ(HistoryFollower(shape, state).last(NodeIndex{1}), Status::kFailure);
   EXPECT_THAT(follower.LastsWith({Status::kIdle, Status::kRunning}),
               ElementsAre(Status::kSuccess, Status::kRunning));
 }
@@ -72,8 +72,9 @@ void AddAnyStatuses(std::mt19937& random, EventWriter& words) {
 
 // 0 sequence (1 a, 2 parallel (3 b, 4 c), 5 d), and events that no executor would make, too.
 TEST(HistoryFollower, EventsThatHaveChangedNothingWhenTheyCameAgainNeverWill) {
-  const TreeShape shape{{0, 6, true},  {0, 2, false}, {0, 5, false},
-                        {2, 4, false}, {2, 5, false}, {0, 6, false}};
+  const TreeShape shape{{NodeIndex{0}, NodeIndex{6}, true},  {NodeIndex{0}, NodeIndex{2}, false},
+                        {NodeIndex{0}, NodeIndex{5}, false}, {NodeIndex{2}, NodeIndex{4}, false},
+                        {NodeIndex{2}, NodeIndex{5}, false}, {NodeIndex{0}, NodeIndex{6}, false}};
   std::mt19937 random(1);
   int settled = 0;
   for (int round = 0; round < 5000; ++round) {
@@ -95,10 +96,11 @@ TEST(HistoryFollower, EventsThatHaveChangedNothingWhenTheyCameAgainNeverWill) {
 }
 
 TEST(HistoryFollower, TellsChangesAndEvents) {
-  HistoryFollower follower({{0, 1, false}}, {{}, 0, Time(0), {Status::kIdle}, {}, {}});
+  HistoryFollower follower({{NodeIndex{0}, NodeIndex{1}, false}},
+                           {{}, 0, Time(0), {Status::kIdle}, {}, {}});
   EventWriter words;
-  words.Text(0, EventText::kMessage, "hello");
-  words.Status(0, Status::kSuccess);
+  words.Text(kRootNode, EventText::kMessage, "hello");
+  words.Status(kRootNode, Status::kSuccess);
   int changes = 0;
   int events = 0;
   follower.Apply(

@@ -233,7 +233,7 @@ TEST_F(HistoryEncoderTest, GivesNoStateWithinATick) {
   Listen();
   Tick();
   EventWriter words;
-  words.Status(1, Status::kSuccess);
+  words.Status(NodeIndex{1}, Status::kSuccess);
   encoder_.Add({9, Time(9), Duration(0), Status::kIdle, false, words.words()});
   encoder_.Keyframe();
   EXPECT_EQ(frames_.Count(FrameType::kState), 1u);

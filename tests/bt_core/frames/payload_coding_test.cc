@@ -54,9 +54,9 @@ TEST(PayloadCoding, RefusesADescriptionThatIsCutOffOrTooLong) {
 
 TEST(PayloadCoding, RefusesNodesThatAreNotInPreorder) {
   TreeDescription tree = SomeTree();
-  tree.nodes[4].parent = 1;  // behind the children of another
+  tree.nodes[4].parent = NodeIndex{1};  // behind the children of another
   EXPECT_FALSE(DecodeTree(All(Encoded(tree))));
-  tree.nodes[4].parent = 4;
+  tree.nodes[4].parent = NodeIndex{4};
   EXPECT_FALSE(DecodeTree(All(Encoded(tree)))) << "only the root has itself";
   tree.nodes.clear();
   EXPECT_FALSE(DecodeTree(All(Encoded(tree)))) << "there is a root";
@@ -64,7 +64,7 @@ TEST(PayloadCoding, RefusesNodesThatAreNotInPreorder) {
 
 TEST(PayloadCoding, RefusesPortsWithoutSlotsAndNodesWithoutDocument) {
   TreeDescription tree = SomeTree();
-  tree.nodes[1].ports[0].slot = 1000;
+  tree.nodes[1].ports[0].slot = SlotIndex{1000};
   EXPECT_FALSE(DecodeTree(All(Encoded(tree))));
   tree = SomeTree();
   tree.nodes[1].document = 1;

@@ -32,15 +32,15 @@ std::string DecodeOne(const Bytes& bytes, const TreeSize& size = kSize) {
 
 TEST(TickCoding, BringsBackEveryKindOfEvent) {
   EventWriter words;
-  words.Status(7, Status::kSuccess);
-  words.Reset(999);
+  words.Status(NodeIndex{7}, Status::kSuccess);
+  words.Reset(NodeIndex{999});
   words.Add(EventCode::kWrite, 99, 3, std::string("\2\1", 2));
   words.Add(EventCode::kWrite, 0, kNoNode, std::string("\0", 1));
   words.Add(EventCode::kDelivery, 50, 0, "\1text");
-  words.Text(3, EventText::kMessage, "because");
-  words.Text(3, EventText::kException, "");
-  words.Text(3, EventText::kInjected, "\2");
-  words.Status(0, Status::kSkipped);
+  words.Text(NodeIndex{3}, EventText::kMessage, "because");
+  words.Text(NodeIndex{3}, EventText::kException, "");
+  words.Text(NodeIndex{3}, EventText::kInjected, "\2");
+  words.Status(kRootNode, Status::kSkipped);
   const TickEvents tick{5, 1700000000s, 1234us, Status::kFailure, true, words.words()};
   EXPECT_EQ(DecodeOne(Encode(tick)), Describe(tick));
   const TickEvents part{5, -1s, 0us, Status::kIdle, false, words.words()};
@@ -73,10 +73,10 @@ TEST(TickCoding, BringsBackAnySequenceOfNumbersAndTimes) {
 
 TEST(TickCoding, CountsTheTicksThatHadTheEventsOfTheOneBeforeThem) {
   EventWriter same;
-  same.Status(7, Status::kSuccess);
+  same.Status(NodeIndex{7}, Status::kSuccess);
   same.Add(EventCode::kDelivery, 50, 0, "\1text");
   EventWriter other;
-  other.Status(7, Status::kFailure);
+  other.Status(NodeIndex{7}, Status::kFailure);
   TickEncoder encoder;
   TickDecoder decoder;
   std::vector<std::uint64_t> repetitions;
@@ -98,7 +98,7 @@ TEST(TickCoding, CountsTheTicksThatHadTheEventsOfTheOneBeforeThem) {
 
 TEST(TickCoding, AStatusOfANodeNearbyIsOneByte) {
   EventWriter words;
-  for (NodeIndex node = 0; node < 1000; ++node) words.Status(node, Status::kSuccess);
+  for (NodeIndex node{0}; node < 1000; ++node) words.Status(node, Status::kSuccess);
   const TickEvents tick{1, 0s, 0us, Status::kSuccess, true, words.words()};
   EXPECT_LE(Encode(tick).size(), 1000u + 6u);
 }
@@ -115,7 +115,7 @@ TEST(TickCoding, ATickAtRegularTimesHasFiveBytesBesideItsEvents) {
 
 TEST(TickCoding, RefusesNodesAndSlotsThatThereAreNot) {
   EventWriter words;
-  words.Status(10, Status::kSuccess);
+  words.Status(NodeIndex{10}, Status::kSuccess);
   words.Add(EventCode::kWrite, 20, 30, "\1x");
   const Bytes bytes = Encode({1, 0s, 0us, Status::kSuccess, true, words.words()});
   EXPECT_NE(DecodeOne(bytes, {31, 21}), "(nonsense)");
@@ -126,7 +126,7 @@ TEST(TickCoding, RefusesNodesAndSlotsThatThereAreNot) {
 
 TEST(TickCoding, RefusesATickThatIsCutOff) {
   EventWriter words;
-  words.Text(10, EventText::kMessage, "because");
+  words.Text(NodeIndex{10}, EventText::kMessage, "because");
   const Bytes bytes = Encode({1, 5s, 300us, Status::kSuccess, true, words.words()});
   for (std::size_t size = 0; size < bytes.size(); ++size) {
     EXPECT_EQ(DecodeOne(Bytes(bytes.begin(), bytes.begin() + static_cast<long>(size))),

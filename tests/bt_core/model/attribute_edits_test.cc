@@ -7,13 +7,13 @@ namespace {
 
 std::string Set(const std::string& text, std::string_view name, std::string_view value) {
   const Document document = Parsed(text);
-  std::string after = After(document, SetAttribute(document, 0, name, value));
-  EXPECT_EQ(Parsed(after).AttributeValue(Parsed(after).element(0), name), value);
+  std::string after = After(document, SetAttribute(document, kRootElement, name, value));
+  EXPECT_EQ(Parsed(after).AttributeValue(Parsed(after).element(kRootElement), name), value);
   return after;
 }
 std::string Remove(const std::string& text, std::string_view name) {
   const Document document = Parsed(text);
-  return After(document, RemoveAttribute(document, 0, name));
+  return After(document, RemoveAttribute(document, kRootElement, name));
 }
 
 TEST(SetAttribute, ReplacesNothingButTheValue) {
@@ -23,7 +23,7 @@ TEST(SetAttribute, ReplacesNothingButTheValue) {
 
 TEST(SetAttribute, TheSameValueIsNoEdit) {
   const Document document = Parsed("<a x='&lt;'/>");
-  EXPECT_TRUE(SetAttribute(document, 0, "x", "<").empty());
+  EXPECT_TRUE(SetAttribute(document, kRootElement, "x", "<").empty());
 }
 
 TEST(SetAttribute, EscapesForTheQuoteInUse) {
@@ -62,14 +62,15 @@ TEST(RemoveAttribute, AttributesThatTouchStayApartFromTheTag) {
 }
 
 TEST(RemoveAttribute, WithoutTheAttributeThereIsNothingToDo) {
-  EXPECT_TRUE(RemoveAttribute(Parsed("<a/>"), 0, "x").empty());
+  EXPECT_TRUE(RemoveAttribute(Parsed("<a/>"), kRootElement, "x").empty());
 }
 
 TEST(RenameAttribute, KeepsPlaceAndValue) {
   const Document document = Parsed("<a x = '&lt;' y='2'/>");
-  EXPECT_EQ(After(document, RenameAttribute(document, 0, "x", "long")), "<a long = '&lt;' y='2'/>");
-  EXPECT_TRUE(RenameAttribute(document, 0, "no", "z").empty());
-  EXPECT_TRUE(RenameAttribute(document, 0, "x", "x").empty());
+  EXPECT_EQ(After(document, RenameAttribute(document, kRootElement, "x", "long")),
+            "<a long = '&lt;' y='2'/>");
+  EXPECT_TRUE(RenameAttribute(document, kRootElement, "no", "z").empty());
+  EXPECT_TRUE(RenameAttribute(document, kRootElement, "x", "x").empty());
 }
 
 }  // namespace

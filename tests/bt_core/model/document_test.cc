@@ -48,11 +48,14 @@ TEST(Document, IndexesElementsInDocumentOrder) {
   ASSERT_TRUE(document);
   ASSERT_EQ(document->elements().size(), 5U);
   const char* tags[] = {"a", "b", "c", "d", "e"};
-  const ElementIndex parents[] = {kNoElement, 0, 1, 0, 0};
-  const ElementIndex first_children[] = {1, 2, kNoElement, kNoElement, kNoElement};
-  const ElementIndex siblings[] = {kNoElement, 3, kNoElement, 4, kNoElement};
+  const ElementIndex parents[] = {kNoElement, kRootElement, ElementIndex{1}, kRootElement,
+                                  kRootElement};
+  const ElementIndex first_children[] = {ElementIndex{1}, ElementIndex{2}, kNoElement, kNoElement,
+                                         kNoElement};
+  const ElementIndex siblings[] = {kNoElement, ElementIndex{3}, kNoElement, ElementIndex{4},
+                                   kNoElement};
   const std::uint32_t counts[] = {3, 1, 0, 0, 0};
-  for (ElementIndex i = 0; i < 5; ++i) {
+  for (ElementIndex i{0}; i < 5; ++i) {
     const Element& element = document->element(i);
     EXPECT_EQ(element.tag, tags[i]);
     EXPECT_EQ(element.parent, parents[i]) << tags[i];
@@ -73,11 +76,11 @@ TEST(Document, RefusesAnElementWithVeryManyAttributes) {
 
 TEST(Document, FindsAttributes) {
   const auto document = Load("<a x='1' y='two'><b x='3'/></a>").document;
-  const Element& root = document->element(0);
+  const Element& root = document->element(kRootElement);
   EXPECT_EQ(document->AttributeValue(root, "y"), "two");
   EXPECT_EQ(document->AttributeValue(root, "z"), "");
   EXPECT_EQ(document->FindAttribute(root, "z"), nullptr);
-  EXPECT_EQ(document->AttributeValue(document->element(1), "x"), "3");
+  EXPECT_EQ(document->AttributeValue(document->element(ElementIndex{1}), "x"), "3");
 }
 
 struct Prefix {
@@ -91,12 +94,12 @@ TEST_P(DocumentOffsets, AreExactBehind) {
   const auto document = Load(prefix + "<root  x = \"1\"\n\ty='2' ><b z=\"3\"/></root>").document;
   ASSERT_TRUE(document);
   ExpectOffsetsExact(*document);
-  EXPECT_EQ(document->element(0).offset, prefix.size());
-  const Attribute* x = document->attributes_begin(document->element(0));
+  EXPECT_EQ(document->element(kRootElement).offset, prefix.size());
+  const Attribute* x = document->attributes_begin(document->element(kRootElement));
   EXPECT_EQ(x[0].name_offset, prefix.size() + 7);
   EXPECT_EQ(x[0].value_offset, prefix.size() + 12);
   EXPECT_EQ(x[1].name_offset, prefix.size() + 16);
-  EXPECT_EQ(document->element(1).offset, prefix.size() + 23);
+  EXPECT_EQ(document->element(ElementIndex{1}).offset, prefix.size() + 23);
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -129,16 +132,16 @@ TEST(Document, OffsetsAreExactInsideTheRoot) {
 TEST(Document, BlanksBetweenBracketAndNameAreAllowed) {
   const auto document = Load(" <  a x='1'><\nb/></a>").document;
   ASSERT_TRUE(document);
-  EXPECT_EQ(document->element(0).offset, 1U);
-  EXPECT_EQ(document->attributes_begin(document->element(0))->name_offset, 6U);
-  EXPECT_EQ(document->element(1).offset, 12U);
+  EXPECT_EQ(document->element(kRootElement).offset, 1U);
+  EXPECT_EQ(document->attributes_begin(document->element(kRootElement))->name_offset, 6U);
+  EXPECT_EQ(document->element(ElementIndex{1}).offset, 12U);
 }
 
 TEST(Document, ResolvesEntitiesAndLineEnds) {
   const auto document =
       Load("<a x='&lt;&amp;&#65;&gt;' y='1\r\n2' z='a && b' w='<;0.5'/>").document;
   ASSERT_TRUE(document);
-  const Element& root = document->element(0);
+  const Element& root = document->element(kRootElement);
   EXPECT_EQ(document->AttributeValue(root, "x"), "<&A>");
   EXPECT_EQ(document->AttributeValue(root, "y"), "1\n2");
   EXPECT_EQ(document->AttributeValue(root, "z"), "a && b");
@@ -158,14 +161,14 @@ TEST(Document, KnowsWhereElementsEnd) {
     const Element& e = document->element(i);
     return text.substr(e.offset, e.end - e.offset);
   };
-  EXPECT_EQ(whole(0) + " ", text);
-  EXPECT_EQ(whole(1), "<b x='>' />");
-  EXPECT_EQ(start_tag(1), whole(1)) << "self-closing";
-  EXPECT_EQ(start_tag(2), "<c>");
-  EXPECT_EQ(whole(2), "<c>words > <!-- </c> --><![CDATA[</c>]]><d></d>\n</c >");
-  EXPECT_EQ(whole(3), "<d></d>");
-  EXPECT_EQ(start_tag(4), "<e y='/'\n>");
-  EXPECT_EQ(whole(4), "<e y='/'\n></e>");
+  EXPECT_EQ(whole(kRootElement) + " ", text);
+  EXPECT_EQ(whole(ElementIndex{1}), "<b x='>' />");
+  EXPECT_EQ(start_tag(ElementIndex{1}), whole(ElementIndex{1})) << "self-closing";
+  EXPECT_EQ(start_tag(ElementIndex{2}), "<c>");
+  EXPECT_EQ(whole(ElementIndex{2}), "<c>words > <!-- </c> --><![CDATA[</c>]]><d></d>\n</c >");
+  EXPECT_EQ(whole(ElementIndex{3}), "<d></d>");
+  EXPECT_EQ(start_tag(ElementIndex{4}), "<e y='/'\n>");
+  EXPECT_EQ(whole(ElementIndex{4}), "<e y='/'\n></e>");
 }
 
 TEST(Document, KnowsWhereElementsEndInWhatOnlyTinyxml2Accepts) {
@@ -173,9 +176,9 @@ TEST(Document, KnowsWhereElementsEndInWhatOnlyTinyxml2Accepts) {
   const auto document = Load(text).document;
   ASSERT_TRUE(document);
   ASSERT_EQ(document->elements().size(), 3U);
-  EXPECT_EQ(document->element(0).end, text.find("<!--"));
-  EXPECT_EQ(document->element(1).end, text.find("</a>"));
-  EXPECT_EQ(document->element(2).end, text.find("</b"));
+  EXPECT_EQ(document->element(kRootElement).end, text.find("<!--"));
+  EXPECT_EQ(document->element(ElementIndex{1}).end, text.find("</a>"));
+  EXPECT_EQ(document->element(ElementIndex{2}).end, text.find("</b"));
 }
 
 TEST(Document, FindsTheInnermostElementAtAPlace) {
@@ -201,15 +204,15 @@ TEST(Document, TextIsWhatStandsDirectlyInAnElement) {
           "<a> one <b>not &amp; this<c/></b>&lt;two<!-- no --><![CDATA[<&amp;>]]>\n"
           "</a>")
           .document;
-  EXPECT_EQ(document->TextOf(document->element(0)), "one <two<&amp;>");
-  EXPECT_EQ(document->TextOf(document->element(1)), "not & this");
-  EXPECT_EQ(document->TextOf(document->element(2)), "");
+  EXPECT_EQ(document->TextOf(document->element(kRootElement)), "one <two<&amp;>");
+  EXPECT_EQ(document->TextOf(document->element(ElementIndex{1})), "not & this");
+  EXPECT_EQ(document->TextOf(document->element(ElementIndex{2})), "");
 }
 
 TEST(Document, FindsThePlaceOfACharacterInsideOfAValue) {
   const std::string text = "<a x='1 &lt; 2 &amp;&amp; y\r\n == 3'/>";
   const auto document = Load(text).document;
-  const Attribute& x = *document->FindAttribute(document->element(0), "x");
+  const Attribute& x = *document->FindAttribute(document->element(kRootElement), "x");
   EXPECT_EQ(document->RawValue(x), "1 &lt; 2 &amp;&amp; y\r\n == 3");
   EXPECT_EQ(document->OffsetInValue(x, 0), x.value_offset);
   EXPECT_EQ(document->OffsetInValue(x, x.value.find('<')), text.find("&lt;"));
@@ -221,9 +224,9 @@ TEST(Document, FindsThePlaceOfACharacterInsideOfAValue) {
 TEST(Document, ViewsSurviveAMove) {
   auto loaded = Load("<a x='&amp;' y='plain'/>");
   const Document moved = *std::move(loaded.document);
-  EXPECT_EQ(moved.element(0).tag, "a");
-  EXPECT_EQ(moved.AttributeValue(moved.element(0), "x"), "&");
-  EXPECT_EQ(moved.AttributeValue(moved.element(0), "y"), "plain");
+  EXPECT_EQ(moved.element(kRootElement).tag, "a");
+  EXPECT_EQ(moved.AttributeValue(moved.element(kRootElement), "x"), "&");
+  EXPECT_EQ(moved.AttributeValue(moved.element(kRootElement), "y"), "plain");
 }
 
 TEST(Document, LocatesOffsetsByLineAndColumn) {
@@ -236,7 +239,7 @@ TEST(Document, LocatesOffsetsByLineAndColumn) {
   EXPECT_EQ(at(0), std::pair(1U, 1U));
   EXPECT_EQ(at(4), std::pair(1U, 5U)) << "the line end belongs to its line";
   EXPECT_EQ(at(5), std::pair(2U, 1U));
-  EXPECT_EQ(at(document->element(1).offset), std::pair(2U, 3U));
+  EXPECT_EQ(at(document->element(ElementIndex{1}).offset), std::pair(2U, 3U));
   EXPECT_EQ(at(12), std::pair(3U, 1U));
 }
 
@@ -290,7 +293,7 @@ TEST(Document, TooDeepNestingIsAnErrorAndNoCrash) {
 TEST(Document, AValueOfAMegabyteIsFine) {
   const std::string value(1 << 20, 'x');
   const auto document = Load("<a x='" + value + "&amp;'/>").document;
-  EXPECT_EQ(document->AttributeValue(document->element(0), "x"), value + "&");
+  EXPECT_EQ(document->AttributeValue(document->element(kRootElement), "x"), value + "&");
 }
 
 TEST(Document, WhatFollowsAZeroByteIsIgnoredWithAWarning) {
@@ -316,7 +319,7 @@ TEST(Document, AnEditedDocumentHasTheSameName) {
   const auto edited = document->Edited({{3, 4, "\n<c/>"}}, diagnostics);
   ASSERT_TRUE(edited);
   EXPECT_EQ(edited->text(), "<a>\n<c/></a>");
-  EXPECT_EQ(edited->Location(edited->element(1).offset).line, 2U);
+  EXPECT_EQ(edited->Location(edited->element(ElementIndex{1}).offset).line, 2U);
   EXPECT_EQ(edited->file(), "t.xml");
   EXPECT_FALSE(document->Edited({{3, 4, "<c>"}}, diagnostics));
   EXPECT_TRUE(diagnostics.has_errors());
@@ -328,14 +331,14 @@ TEST(Document, ARewrittenDocumentSpeaksOfTheOldPlaces) {
   const auto rewritten =
       document->Rewritten({{0, 0, "<!-- 1\n2\n-->"}, {7, 1, "longer"}}, diagnostics);
   ASSERT_TRUE(rewritten);
-  EXPECT_EQ(rewritten->element(1).tag, "longer");
-  for (ElementIndex i = 0; i < 3; ++i) {
+  EXPECT_EQ(rewritten->element(ElementIndex{1}).tag, "longer");
+  for (ElementIndex i{0}; i < 3; ++i) {
     const SourceLocation where = rewritten->Location(rewritten->element(i).offset);
     const SourceLocation old = document->Location(document->element(i).offset);
     EXPECT_EQ(std::pair(where.line, where.column), std::pair(old.line, old.column)) << i;
   }
-  const SourceLocation x =
-      rewritten->Location(rewritten->attributes_begin(rewritten->element(1))->name_offset);
+  const SourceLocation x = rewritten->Location(
+      rewritten->attributes_begin(rewritten->element(ElementIndex{1}))->name_offset);
   EXPECT_EQ(std::pair(x.line, x.column), std::pair(2U, 6U));
 }
 
@@ -347,7 +350,7 @@ TEST(Document, ReadsAFile) {
   std::filesystem::remove(path);
   ASSERT_TRUE(document);
   EXPECT_EQ(document->file(), path);
-  EXPECT_EQ(document->element(0).tag, "root");
+  EXPECT_EQ(document->element(kRootElement).tag, "root");
 }
 
 TEST(Document, SaysWhenAFileCannotBeRead) {

@@ -28,11 +28,11 @@ inline std::string After(const Document& document, const Edit& edit) {
 
 /// The first element of that tag.
 inline ElementIndex Find(const Document& document, std::string_view tag) {
-  for (ElementIndex i = 0; i < document.elements().size(); ++i) {
+  for (ElementIndex i{0}; i < document.elements().size(); ++i) {
     if (document.element(i).tag == tag) return i;
   }
   ADD_FAILURE() << "no <" << tag << ">";
-  return 0;
+  return kRootElement;
 }
 
 }  // namespace coppice

@@ -102,7 +102,9 @@ TEST(RemoveElement, LeavesWhatElseStandsOnItsLine) {
   EXPECT_EQ(Remove("<a>\n <b/> <c/>  \n</a>", "c"), "<a>\n <b/>  \n</a>");
 }
 
-TEST(RemoveElement, TheRootStays) { EXPECT_TRUE(RemoveElement(Parsed("<a/>"), 0).empty()); }
+TEST(RemoveElement, TheRootStays) {
+  EXPECT_TRUE(RemoveElement(Parsed("<a/>"), kRootElement).empty());
+}
 
 TEST(MoveElement, TakesItsLinesToAnotherPlaceAndDepth) {
   std::string expected = Replaced(kTree, "    <B x='1'>\n      <C/>\n    </B>\n", "");
@@ -143,11 +145,13 @@ TEST(ReplaceElement, PutsTheNewTextInItsPlace) {
 
 TEST(SetTag, ChangesBothTags) {
   const Document document = Parsed("<a><b x='1'><b/></b ><c/></a>");
-  EXPECT_EQ(After(document, SetTag(document, 1, "new")), "<a><new x='1'><b/></new ><c/></a>");
-  EXPECT_EQ(After(document, SetTag(document, 2, "new")), "<a><b x='1'><new/></b ><c/></a>");
-  EXPECT_TRUE(SetTag(document, 1, "b").empty());
+  EXPECT_EQ(After(document, SetTag(document, ElementIndex{1}, "new")),
+            "<a><new x='1'><b/></new ><c/></a>");
+  EXPECT_EQ(After(document, SetTag(document, ElementIndex{2}, "new")),
+            "<a><b x='1'><new/></b ><c/></a>");
+  EXPECT_TRUE(SetTag(document, ElementIndex{1}, "b").empty());
   const Document lax = Parsed("<a>< b>< /b></a>");
-  EXPECT_EQ(After(lax, SetTag(lax, 1, "new")), "<a>< new>< /new></a>");
+  EXPECT_EQ(After(lax, SetTag(lax, ElementIndex{1}, "new")), "<a>< new>< /new></a>");
 }
 
 TEST(WrapElements, IndentsWhatIsNowInside) {

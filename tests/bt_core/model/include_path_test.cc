@@ -28,7 +28,7 @@ class IncludePathTest : public testing::Test {
     const auto document =
         Document::FromText(include, (folder_ / "main.xml").string(), diagnostics_);
     return IncludePath(
-        *document, document->element(0),
+        *document, document->element(kRootElement),
         [this](const std::string& name) { return name == "pkg" ? folder_.string() : ""; },
         diagnostics_);
   }

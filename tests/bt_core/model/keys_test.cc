@@ -24,7 +24,7 @@ TEST(KeyOf, EqualsSignIsTheOwnName) {
 bool Autoremaps(const std::string& attribute) {
   Diagnostics diagnostics;
   const auto document = Document::FromText("<SubTree " + attribute + "/>", "f.xml", diagnostics);
-  return IsAutoremapped(*document, document->element(0));
+  return IsAutoremapped(*document, document->element(kRootElement));
 }
 
 TEST(IsAutoremapped, TakesEveryTrueValueOfABool) {

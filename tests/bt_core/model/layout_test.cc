@@ -24,7 +24,7 @@ TEST(Layout, TheStepIsThatOfTheNearestElements) {
   const Document document = Parsed("<a>\n <b>\n    <c/>\n </b>\n <d/>\n</a>");
   EXPECT_EQ(IndentationStep(document, Find(document, "b")), "   ") << "its children";
   EXPECT_EQ(IndentationStep(document, Find(document, "d")), " ") << "itself";
-  EXPECT_EQ(IndentationStep(Parsed("<a><b/></a>"), 1), "  ") << "nothing to follow";
+  EXPECT_EQ(IndentationStep(Parsed("<a><b/></a>"), ElementIndex{1}), "  ") << "nothing to follow";
   const Document odd = Parsed("<a>\n\t<b/>\n<c><d/></c></a>");
   EXPECT_EQ(IndentationStep(odd, Find(odd, "c")), "\t") << "the first of the file";
 }
@@ -32,8 +32,8 @@ TEST(Layout, TheStepIsThatOfTheNearestElements) {
 TEST(Layout, FindsTheEndTag) {
   const std::string text = "<a><b></b><!-- </a> --></a >";
   const Document document = Parsed(text);
-  EXPECT_EQ(EndTagOffset(document, document.element(0)), text.rfind("</a"));
-  EXPECT_EQ(EndTagOffset(document, document.element(1)), text.find("</b"));
+  EXPECT_EQ(EndTagOffset(document, document.element(kRootElement)), text.rfind("</a"));
+  EXPECT_EQ(EndTagOffset(document, document.element(ElementIndex{1})), text.find("</b"));
 }
 
 TEST(Layout, ReindentingLeavesValuesAlone) {

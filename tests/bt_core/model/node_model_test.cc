@@ -11,7 +11,7 @@ namespace {
 std::vector<NodeModel> Read(const std::string& models, Diagnostics& diagnostics) {
   const auto document = Document::FromText("<TreeNodesModel>\n" + models + "\n</TreeNodesModel>",
                                            "m.xml", diagnostics);
-  return ReadModels(*document, document->element(0), 7, diagnostics);
+  return ReadModels(*document, document->element(kRootElement), 7, diagnostics);
 }
 
 std::vector<NodeModel> ReadGood(const std::string& models) {

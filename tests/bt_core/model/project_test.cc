@@ -170,9 +170,9 @@ TEST(Project, Format3IsReadWithOneWarning) {
             "t.xml:1:1: warning: format 3 is read as format 4 "
             "(\"coppice upgrade -i t.xml\" makes it format 4)\n");
   const Document& document = project->documents()[0];
-  EXPECT_EQ(document.element(2).tag, "SequenceWithMemory");
-  EXPECT_EQ(document.AttributeValue(document.element(3), "x"), "{k}");
-  const SourceLocation where = document.Location(document.element(4).offset);
+  EXPECT_EQ(document.element(ElementIndex{2}).tag, "SequenceWithMemory");
+  EXPECT_EQ(document.AttributeValue(document.element(ElementIndex{3}), "x"), "{k}");
+  const SourceLocation where = document.Location(document.element(ElementIndex{4}).offset);
   EXPECT_EQ(where.line, 4U);
   EXPECT_EQ(where.column, 27U) << "the place in the user's own file";
 }

@@ -125,7 +125,7 @@ Edit AnyEdit(const Document& document, RandomDocument& random) {
     case 8:
       return WrapElements(document, element, position, "W");
     default:
-      return element == 0 ? ReplaceElement(document, 0, "<root><a/><b>\n</b></root>")
+      return element == 0 ? ReplaceElement(document, kRootElement, "<root><a/><b>\n</b></root>")
                           : UnwrapElement(document, element);
   }
 }
@@ -221,7 +221,7 @@ TEST(RandomEdits, AMovedElementIsThenTheChildAtThatPosition) {
     const Edit edit = MoveElement(document, element, parent, position);
     if (edit.empty()) continue;
     const Document after = Parsed(After(document, edit));
-    ElementIndex target = 0;
+    ElementIndex target{0};
     while (after.AttributeValue(after.element(target), "marked") != "parent") ++target;
     ElementIndex child = after.element(target).first_child;
     for (std::uint32_t i = 0; i < position; ++i) {

@@ -68,7 +68,8 @@ TEST(SourceText, SpeaksOfTheUsersFileAfterARewriting) {
   Diagnostics diagnostics;
   const auto rewritten = before.Rewritten({Replacement(5, 6, "long\n\n")}, diagnostics);
   ASSERT_TRUE(rewritten);
-  const SourceLocation where = SourceText(*rewritten).Location(rewritten->element(2).offset);
+  const SourceLocation where =
+      SourceText(*rewritten).Location(rewritten->element(ElementIndex{2}).offset);
   EXPECT_EQ(where.line, 3U);
   EXPECT_EQ(where.column, 2U);
 }

@@ -19,7 +19,7 @@ std::string Strict(const std::string& text) {
   EXPECT_EQ(Warnings(strict), "");
   const Document after = Parsed(strict);
   EXPECT_EQ(after.elements().size(), document.elements().size());
-  for (ElementIndex i = 0; i < after.elements().size(); ++i) {
+  for (ElementIndex i{0}; i < after.elements().size(); ++i) {
     const Element& a = after.element(i);
     EXPECT_EQ(a.tag, document.element(i).tag);
     for (const Attribute* x = after.attributes_begin(a); x != after.attributes_end(a); ++x) {

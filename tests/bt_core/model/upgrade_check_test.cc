@@ -7,7 +7,7 @@ namespace {
 
 std::string Upgrade(const std::string& text, std::string_view type, Diagnostics& diagnostics) {
   const Document document = Parsed(text);
-  return After(document, UpgradeBlackboardCheck(document, 0, type, diagnostics));
+  return After(document, UpgradeBlackboardCheck(document, kRootElement, type, diagnostics));
 }
 std::string Upgrade(const std::string& kind, const std::string& attributes) {
   Diagnostics diagnostics;

@@ -177,8 +177,8 @@ std::vector<RecordItem> ItemsOf(RecordCursor& cursor) {
 TEST_F(RecordCursorTest, TellsWhatIsNoTick) {
   HistoryEncoder encoder({}, sink_);
   EventWriter words;
-  words.Status(1, Status::kSuccess);
-  words.Status(0, Status::kRunning);
+  words.Status(NodeIndex{1}, Status::kSuccess);
+  words.Status(kRootNode, Status::kRunning);
   const auto program = ScriptedProgram(script_);
   encoder.Add(StateWith(program, StreamState::Cause::kBegin, 0));
   encoder.Add(Tick(1, words));
@@ -208,12 +208,12 @@ TEST_F(RecordCursorTest, CollectsATickThatCameInParts) {
   HistoryEncoder encoder({}, sink_);
   encoder.Add(StateWith(ScriptedProgram(script_), StreamState::Cause::kBegin, 0));
   EventWriter first;
-  first.Status(1, Status::kSuccess);
+  first.Status(NodeIndex{1}, Status::kSuccess);
   EventWriter second;
-  second.Status(3, Status::kRunning);
-  second.Status(2, Status::kRunning);
+  second.Status(NodeIndex{3}, Status::kRunning);
+  second.Status(NodeIndex{2}, Status::kRunning);
   EventWriter third;
-  third.Status(0, Status::kRunning);
+  third.Status(kRootNode, Status::kRunning);
   encoder.Add(Tick(1, first, false));
   encoder.Flush();
   encoder.Add(Tick(1, second, false));
@@ -223,18 +223,18 @@ TEST_F(RecordCursorTest, CollectsATickThatCameInParts) {
   encoder.End(HistoryEnd::Cause::kClosed, 6s);
 
   EventWriter all;
-  all.Status(1, Status::kSuccess);
-  all.Status(3, Status::kRunning);
-  all.Status(2, Status::kRunning);
+  all.Status(NodeIndex{1}, Status::kSuccess);
+  all.Status(NodeIndex{3}, Status::kRunning);
+  all.Status(NodeIndex{2}, Status::kRunning);
   const std::string so_far = Describe(Tick(1, all, false));
-  all.Status(0, Status::kRunning);
+  all.Status(kRootNode, Status::kRunning);
   const auto record = OpenRecord(folder_.Path("run.coppice"));
   RecordCursor cursor(*record);
   cursor.Next();
   EXPECT_EQ(Describe(cursor.events()), Describe(Tick(1, first, false)));
   cursor.Next();
   EXPECT_EQ(Describe(cursor.events()), so_far);
-  EXPECT_EQ(cursor.state().status(3), Status::kRunning);
+  EXPECT_EQ(cursor.state().status(NodeIndex{3}), Status::kRunning);
   cursor.Next();
   EXPECT_EQ(Describe(cursor.events()), Describe(Tick(1, all)));
   cursor.Next();
@@ -280,7 +280,7 @@ TEST_F(RecordCursorTest, AllNodesAreIdleWhereTheStateIsDamaged) {
   EXPECT_THAT(cursor.damages(), SizeIs(1));
   EXPECT_THAT(cursor.state().statuses(), SizeIs(cursor.tree().nodes.size()));
   EXPECT_THAT(cursor.state().values(), SizeIs(cursor.tree().slots.size()));
-  EXPECT_EQ(cursor.state().status(0), Status::kIdle);
+  EXPECT_EQ(cursor.state().status(kRootNode), Status::kIdle);
   EXPECT_EQ(cursor.state().tick(), last.tick);
 }
 

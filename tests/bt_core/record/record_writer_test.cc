@@ -27,8 +27,8 @@ class RecordWriterTest : public ::testing::Test {
     state_.program = ScriptedProgram(script);
     state_.statuses.resize(state_.program->nodes.size());
     state_.values.resize(state_.program->layout.slots.size());
-    words_.Status(1, Status::kRunning);
-    words_.Status(0, Status::kRunning);
+    words_.Status(NodeIndex{1}, Status::kRunning);
+    words_.Status(kRootNode, Status::kRunning);
   }
 
   std::string path() const { return folder_.Path("run.coppice"); }

@@ -205,7 +205,7 @@ TEST_F(RecorderTest, GivesTheStateOfTheTreeAfterAGap) {
   RecordCursor cursor(*record);
   cursor.SeekLast();
   EXPECT_EQ(cursor.state().statuses(), executor_.statuses());
-  for (SlotIndex slot = 0; slot < executor_.blackboard().size(); ++slot) {
+  for (SlotIndex slot{0}; slot < executor_.blackboard().size(); ++slot) {
     EXPECT_EQ(PrintValueBytes(cursor.state().values()[slot]),
               executor_.blackboard()[slot].value.Print());
   }

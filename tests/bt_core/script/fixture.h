@@ -17,7 +17,7 @@ namespace coppice {
 class FlatNames : public ScriptNames {
  public:
   SlotIndex Slot(std::string_view name) override {
-    for (SlotIndex i = 0; i < keys_.size(); ++i) {
+    for (SlotIndex i{0}; i < keys_.size(); ++i) {
       if (keys_[i] == name) return i;
     }
     return Declare(name, nullptr);

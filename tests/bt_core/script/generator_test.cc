@@ -81,8 +81,8 @@ TEST(Generate, RefusesAScriptThatNeedsTooManyRegisters) {
 TEST(Generate, ListsEverySlotOnce) {
   std::vector<ScriptProblem> problems;
   const Code code = CodeOf("a := b + b; a += c", problems);
-  EXPECT_EQ(code.reads, (std::vector<SlotIndex>{0, 1, 2}));
-  EXPECT_EQ(code.writes, (std::vector<SlotIndex>{0}));
+  EXPECT_EQ(code.reads, (std::vector{SlotIndex{0}, SlotIndex{1}, SlotIndex{2}}));
+  EXPECT_EQ(code.writes, std::vector{SlotIndex{0}});
 }
 
 }  // namespace

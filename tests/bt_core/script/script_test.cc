@@ -167,8 +167,8 @@ TEST(Script, AnErrorNamesScriptPlaceAndKey) {
 TEST(Script, ListsWhatItReadsAndWrites) {
   ScriptBench bench;
   const Script script = bench.Compile("a := b + b; c += 1; d && @e");
-  EXPECT_EQ(script.reads(), (std::vector<SlotIndex>{1, 2, 3, 4}));
-  EXPECT_EQ(script.writes(), (std::vector<SlotIndex>{0, 2}));
+  EXPECT_EQ(script.reads(), (std::vector{SlotIndex{1}, SlotIndex{2}, SlotIndex{3}, SlotIndex{4}}));
+  EXPECT_EQ(script.writes(), (std::vector{SlotIndex{0}, SlotIndex{2}}));
 }
 
 TEST(Script, ConstantsAreNumbers) {

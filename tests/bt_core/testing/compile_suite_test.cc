@@ -23,8 +23,8 @@ class CompileSuiteTest : public testing::Test {
 TEST_F(CompileSuiteTest, NodesThatOnlyTheRobotKnowsHaveStandIns) {
   const auto program = Compiled({});
   ASSERT_TRUE(program) << diagnostics_.ToString();
-  EXPECT_EQ(program->Id(0), "Drive");
-  EXPECT_NE(program->layout.Find(0, "goal"), kNoSlot);
+  EXPECT_EQ(program->Id(kRootNode), "Drive");
+  EXPECT_NE(program->layout.Find(kMainScope, "goal"), kNoSlot);
 }
 
 TEST_F(CompileSuiteTest, TakesTheTreeThatTheSuiteNames) {
@@ -32,7 +32,7 @@ TEST_F(CompileSuiteTest, TakesTheTreeThatTheSuiteNames) {
   suite.tree_id = "Other";
   const auto program = Compiled(suite);
   ASSERT_TRUE(program) << diagnostics_.ToString();
-  EXPECT_EQ(program->Id(0), "Wait");
+  EXPECT_EQ(program->Id(kRootNode), "Wait");
   suite.tree_id = "None";
   EXPECT_FALSE(Compiled(suite));
   EXPECT_TRUE(diagnostics_.has_errors());

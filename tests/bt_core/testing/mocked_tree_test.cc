@@ -251,8 +251,8 @@ TEST_F(MockedTreeTest, AfterAReloadWhatLivesOnGoesOnInItsScript) {
   EXPECT_EQ(Tick(), "FAILURE: tick b FAILURE,");
   tree_->Reload(*Compiled(R"(<Fallback><Leaf name="b"/><Leaf name="c"/></Fallback>)"), rules);
   EXPECT_EQ(Tick(), "RUNNING: tick b RUNNING,") << "another b begins, with the script of all b";
-  EXPECT_EQ(tree_->ScriptOf(1)->results.size(), 3U);
-  EXPECT_EQ(tree_->ScriptOf(0), nullptr);
+  EXPECT_EQ(tree_->ScriptOf(NodeIndex{1})->results.size(), 3U);
+  EXPECT_EQ(tree_->ScriptOf(kRootNode), nullptr);
 }
 
 TEST_F(MockedTreeTest, AReloadHaltsWhatIsGone) {

@@ -76,9 +76,9 @@ TEST_F(RecordScenarioTest, StepsThatCountStay) {
 
 TEST_F(RecordScenarioTest, ANodeGoesByItsNameIfNoOtherHasIt) {
   Make(R"(<Sequence><Go name="a"/><Go name="b"/><Go name="b"/><Go name="c/d"/></Sequence>)");
-  EXPECT_EQ(PatternOf(*program_, 1), "a");
-  EXPECT_EQ(PatternOf(*program_, 2), "/b");
-  EXPECT_EQ(PatternOf(*program_, 4), "c/d");
+  EXPECT_EQ(PatternOf(*program_, NodeIndex{1}), "a");
+  EXPECT_EQ(PatternOf(*program_, NodeIndex{2}), "/b");
+  EXPECT_EQ(PatternOf(*program_, NodeIndex{4}), "c/d");
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ TEST(StandIn, HasThePortsThatTheTreeGivesIt) {
   EXPECT_TRUE(IsStandIn(*program->registry->Find("Go")));
   EXPECT_FALSE(IsStandIn(*program->registry->Find("Sleep")));
   ScenarioPlayer player(*program, {{{}, {"Go", {}}}});
-  EXPECT_EQ(player.UnplayedNodes(), std::vector<NodeIndex>{1});
+  EXPECT_EQ(player.UnplayedNodes(), std::vector{NodeIndex{1}});
 }
 
 constexpr const char* kGuarded =
@@ -50,7 +50,7 @@ TEST(StandIn, ADecoratorWithModelReturnsWhatItsChildReturns) {
 TEST(StandIn, ADecoratorWithoutModelNeedsAScript) {
   const auto program = Compiled(kGuarded);
   ASSERT_TRUE(program);
-  EXPECT_EQ(ScenarioPlayer(*program, {}).UnplayedNodes(), std::vector<NodeIndex>{0});
+  EXPECT_EQ(ScenarioPlayer(*program, {}).UnplayedNodes(), std::vector{kRootNode});
 }
 
 TEST(StandIn, ModelsMayComeFromElsewhere) {

@@ -12,7 +12,7 @@ class CanvasLooksTest : public testing::Test {
   CanvasLooksTest() {
     auto scene = std::make_shared<Scene>(*kept_);
     for (std::uint32_t i = 0; i < scene->nodes.size(); ++i) {
-      scene->nodes[i].uid = static_cast<int>(i);
+      scene->nodes[i].run_node = NodeIndex(i);
     }
     view_.SetScene(scene, SameSize, 0);
     state_.states.resize(scene->nodes.size());

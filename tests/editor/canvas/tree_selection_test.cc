@@ -27,9 +27,9 @@ TEST_F(TreeSelectionTest, IsOneNodeOrSeveralOrNone) {
   EXPECT_TRUE(view_.IsSelected(1));
   view_.ToggleSelected(5);
   EXPECT_EQ(view_.selection(), Nodes{1});
-  view_.Select(kNoNode);
+  view_.Select(kNoSceneNode);
   EXPECT_TRUE(view_.selection().empty());
-  EXPECT_EQ(view_.selected(), kNoNode);
+  EXPECT_EQ(view_.selected(), kNoSceneNode);
 }
 
 TEST_F(TreeSelectionTest, AmongSiblingsItTakesTheSiblingsBetween) {
@@ -43,7 +43,7 @@ TEST_F(TreeSelectionTest, ElseAllVisibleNodesBetween) {
   view_.Select(1);
   view_.SelectTo(4);
   EXPECT_EQ(view_.selection(), (Nodes{1, 2, 3, 4}));
-  view_.Select(kNoNode);
+  view_.Select(kNoSceneNode);
   view_.SelectTo(3);
   EXPECT_EQ(view_.selection(), Nodes{3}) << "without a beginning that node alone";
 }

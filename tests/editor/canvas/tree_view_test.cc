@@ -113,7 +113,7 @@ TEST_F(TreeViewTest, AddsToTheSelectionAndTakesOut) {
   EXPECT_EQ(view_.selection(), std::vector<std::uint32_t>{2});
   EXPECT_EQ(view_.selected(), 2U);
   view_.ToggleSelected(2);
-  EXPECT_EQ(view_.selected(), kNoNode);
+  EXPECT_EQ(view_.selected(), kNoSceneNode);
 }
 
 TEST_F(TreeViewTest, SelectsSiblingsUpToTheOneThatIsShiftClicked) {

@@ -51,7 +51,7 @@ TEST_F(LogCommandsTest, OfARecordItIsForEveryRun) {
 
 TEST_F(LogCommandsTest, ALaneIsPinnedByItsNode) {
   AddExecuted(driver_, "robot:1", 5);
-  driver_.view().Select(kNoNode);
+  driver_.view().Select(kNoSceneNode);
   state().commands.Run("run.pin");
   EXPECT_TRUE(state().notice.is_refusal) << "which one?";
   driver_.Click("outline/1.1.1");

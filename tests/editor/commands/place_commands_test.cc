@@ -41,7 +41,7 @@ TEST_F(PlaceCommandsTest, ABookmarkIsSetNamedFoundAgainAndRemoved) {
 
 TEST_F(PlaceCommandsTest, RunToHereStopsTheRobotOnceAndLetsItGoOn) {
   ExecutedSource* robot = AddExecuted(driver_, "robot:1", 5);
-  robot->StopBefore(1);
+  robot->StopBefore(NodeIndex{1});
   driver_.Frames();
   ASSERT_TRUE(driver_.Click("canvas/Main/1.2"));
   robot->commands.clear();
@@ -52,7 +52,7 @@ TEST_F(PlaceCommandsTest, RunToHereStopsTheRobotOnceAndLetsItGoOn) {
   EXPECT_EQ(robot->commands[1].kind, LiveCommand::Kind::kContinue);
   ASSERT_EQ(state().workspace.hooks.all().size(), 1U);
   driver_.Frames();
-  robot->StopBefore(3);
+  robot->StopBefore(NodeIndex{3});
   driver_.Frames();
   EXPECT_TRUE(state().workspace.hooks.all().empty()) << "it was for one time";
 }

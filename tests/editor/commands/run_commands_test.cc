@@ -19,7 +19,7 @@ TEST_F(RunCommandsTest, PauseStepAndContinueTheRobotByKey) {
   ExecutedSource* robot = AddExecuted(driver_, "robot:1", 5);
   driver_.Press(kKeySpace);
   EXPECT_EQ(robot->commands.back().kind, Kind::kPause);
-  robot->StopBefore(1);
+  robot->StopBefore(NodeIndex{1});
   driver_.Frames();
   driver_.Press(kKeyF1 + 9);
   EXPECT_EQ(robot->commands.back().kind, Kind::kStepTick);

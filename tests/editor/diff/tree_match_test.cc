@@ -15,8 +15,8 @@ std::string Match(const std::string& before, const std::string& after) {
   std::string text;
   for (std::uint32_t i = 0; i < b->nodes.size(); ++i) {
     const std::uint32_t old = match.before_of[i];
-    const std::string was = old == kNoNode ? "" : a->nodes[old].path;
-    EXPECT_TRUE(old == kNoNode || match.after_of[old] == i);
+    const std::string was = old == kNoSceneNode ? "" : a->nodes[old].path;
+    EXPECT_TRUE(old == kNoSceneNode || match.after_of[old] == i);
     if (was != b->nodes[i].path) text += b->nodes[i].path + "<" + was + " ";
   }
   return text;
@@ -80,8 +80,8 @@ TEST(TreeMatch, KnowsANodeOfAnotherTypeByItsChildren) {
 
 TEST(TreeMatch, AcceptsEmptyTrees) {
   const auto tree = MakeScene("<A/>");
-  EXPECT_EQ(MatchTrees({}, *tree).before_of, std::vector<std::uint32_t>{kNoNode});
-  EXPECT_EQ(MatchTrees(*tree, {}).after_of, std::vector<std::uint32_t>{kNoNode});
+  EXPECT_EQ(MatchTrees({}, *tree).before_of, std::vector<std::uint32_t>{kNoSceneNode});
+  EXPECT_EQ(MatchTrees(*tree, {}).after_of, std::vector<std::uint32_t>{kNoSceneNode});
 }
 
 }  // namespace

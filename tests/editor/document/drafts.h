@@ -22,13 +22,13 @@ inline Document Parsed(const std::string& text) {
 /// The first element of that name, else of that tag.
 inline ElementIndex Find(const Document& document, const std::string& name) {
   for (const bool by_name : {true, false}) {
-    for (ElementIndex i = 0; i < document.elements().size(); ++i) {
+    for (ElementIndex i{0}; i < document.elements().size(); ++i) {
       const Element& element = document.element(i);
       if ((by_name ? document.AttributeValue(element, "name") : element.tag) == name) return i;
     }
   }
   ADD_FAILURE() << "no element " << name;
-  return 0;
+  return kRootElement;
 }
 
 inline Draft DraftOf(const Document& document, const std::vector<std::string>& names) {

@@ -83,7 +83,7 @@ TEST(EveryFile, OneEditTouchesOnePlace) {
     if (!file || !file->document) continue;
     const std::string before = file->text;
     const Document document = *file->document;
-    ElementIndex node = 0;
+    ElementIndex node{0};
     while (node < document.elements().size() && !IsNode(document, node)) ++node;
     if (node == document.elements().size()) continue;
     Draft draft(document, {node});
@@ -126,7 +126,7 @@ TEST(EveryFile, OfOneMegabyteOpensAndIsUndone) {
   OpenProject project;
   Diagnostics diagnostics;
   project.Open(file.path(), diagnostics);
-  Draft draft(*project.Find(file.path())->document, {5});
+  Draft draft(*project.Find(file.path())->document, {ElementIndex{5}});
   SetValue(draft, "name", "b");
   project.Do({"Set", {std::move(draft).Finish(file.path())}}, {}, diagnostics);
   const double bytes = Milliseconds([&] { project.Undo(); });

@@ -40,7 +40,7 @@ class InlineSubTreeTest : public testing::Test {
   }
 
   static ElementIndex Tree(const Document& document) {
-    ElementIndex tree = 0;
+    ElementIndex tree{0};
     while (document.AttributeValue(document.element(tree), "ID") != "Walk" ||
            document.element(tree).tag != "BehaviorTree") {
       ++tree;

@@ -15,7 +15,7 @@ std::vector<std::string> Keys(const std::string& nodes) {
   const Document document = Parsed(R"(<root BTCPP_format="4"><BehaviorTree ID="Main">)" + nodes +
                                    "</BehaviorTree></root>");
   std::vector<std::string> keys;
-  for (const KeyName& name : KeyNamesIn(document, NodeModels(), 1)) {
+  for (const KeyName& name : KeyNamesIn(document, NodeModels(), ElementIndex{1})) {
     const std::string place = document.text().substr(name.begin, name.end - name.begin);
     EXPECT_THAT(place, AnyOf(HasSubstr(name.key), HasSubstr("=")));
     keys.push_back((name.is_global ? "@" : "") + name.key + (name.reads ? " r" : "") +
@@ -58,7 +58,7 @@ TEST(KeyNames, AnotherKeyTakesTheirPlace) {
       Parsed(R"(<root><BehaviorTree ID="M"><A x="{k}" y="{=}" _post="k &lt; k"/></BehaviorTree>)"
              "</root>");
   Edit edit;
-  for (const KeyName& name : KeyNamesIn(document, NodeModels(), 0)) {
+  for (const KeyName& name : KeyNamesIn(document, NodeModels(), kRootElement)) {
     edit = Merge(std::move(edit), {WithKey(name, "new")});
   }
   EXPECT_EQ(Apply(edit, document.text()),

@@ -57,7 +57,7 @@ TEST_F(ProjectNamesTest, AKeyOfATreeIsRenamedWithThePortsOfItsSubTrees) {
 }
 
 TEST_F(ProjectNamesTest, TreesThatShareTheKeyByAutoremapAreRenamedToo) {
-  const auto edits = RenameKey(files_, models_, {0, 1}, "goal", "target").value();
+  const auto edits = RenameKey(files_, models_, {0, ElementIndex{1}}, "goal", "target").value();
   EXPECT_THAT(After(edits, 0), HasSubstr(R"(<SubTree ID="Walk" goal="{place}"/>)"));
   EXPECT_THAT(After(edits, 0), HasSubstr(R"(<SubTree ID="Walk" goal="{target}" name)"));
   EXPECT_THAT(After(edits, 0), HasSubstr(R"(<Beep goal="{target}"/>)"));
@@ -66,8 +66,9 @@ TEST_F(ProjectNamesTest, TreesThatShareTheKeyByAutoremapAreRenamedToo) {
 }
 
 TEST_F(ProjectNamesTest, ANameThatIsTakenOrNoneIsRefused) {
-  EXPECT_THAT(RenameKey(files_, models_, {0, 1}, "goal", "place").problem(), HasSubstr("already"));
-  EXPECT_NE(RenameKey(files_, models_, {0, 1}, "goal", "two words").problem(), "");
+  EXPECT_THAT(RenameKey(files_, models_, {0, ElementIndex{1}}, "goal", "place").problem(),
+              HasSubstr("already"));
+  EXPECT_NE(RenameKey(files_, models_, {0, ElementIndex{1}}, "goal", "two words").problem(), "");
 }
 
 }  // namespace

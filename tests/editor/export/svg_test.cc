@@ -20,8 +20,9 @@ TEST(Svg, IsWellFormedWhateverTheTextsAre) {
   Diagnostics diagnostics;
   const auto document = Document::FromText(svg, "tree.svg", diagnostics);
   ASSERT_TRUE(document) << diagnostics.ToString();
-  EXPECT_EQ(document->element(0).tag, "svg");
-  EXPECT_EQ(document->AttributeValue(document->element(0), "xmlns"), "http://www.w3.org/2000/svg");
+  EXPECT_EQ(document->element(kRootElement).tag, "svg");
+  EXPECT_EQ(document->AttributeValue(document->element(kRootElement), "xmlns"),
+            "http://www.w3.org/2000/svg");
 }
 
 TEST(Svg, KeepsTextsAsTextsAndIconsAsOutlines) {

@@ -25,7 +25,7 @@ class OpenProjectTest : public testing::Test {
 
   void Delete(const std::string& name) {
     Draft draft = DraftOf(*file().document, {name});
-    const std::vector<FilePlace> before = {{path_, file().document->element(0).offset}};
+    const std::vector<FilePlace> before = {{path_, file().document->element(kRootElement).offset}};
     ASSERT_EQ(DeleteNodes(draft), "");
     ASSERT_TRUE(
         project_.Do({"Delete " + name, {std::move(draft).Finish(path_)}}, before, diagnostics_));

@@ -29,7 +29,7 @@ void Paused(Stage& stage) {
   stage.Run("run.breakpoint");
   const auto& nodes = stage.state().workspace.run()->tree()->description()->nodes;
   const std::string path = "to the waypoint/Drive";
-  for (NodeIndex i = 0; i < nodes.size(); ++i) {
+  for (NodeIndex i{0}; i < nodes.size(); ++i) {
     if (nodes[i].path == path) robot.StopBefore(i);
   }
   stage.driver().Frames(8);

@@ -69,7 +69,7 @@ void Stage::DragTo(const std::string& from, Point to) {
 
 void Stage::Select(const std::string& node_path) {
   const std::uint32_t node = driver_->view().scene()->FindPath(node_path);
-  if (node == kNoNode) throw std::logic_error("no such node: " + node_path);
+  if (node == kNoSceneNode) throw std::logic_error("no such node: " + node_path);
   driver_->view().Select(node);
   driver_->Frames(12);
 }

@@ -47,8 +47,8 @@ TEST_F(RunFiguresTest, MakeHeatOfTimeOfFailuresAndOfWhatIsNeverTicked) {
   scene.nodes.resize(tree.nodes.size());
   std::size_t drive = 0;
   std::size_t open = 0;
-  for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
-    scene.nodes[i].uid = static_cast<int>(i);
+  for (NodeIndex i{0}; i < tree.nodes.size(); ++i) {
+    scene.nodes[i].run_node = i;
     if (tree.nodes[i].path == "pass/Drive") drive = i;
     if (tree.nodes[i].path == "OpenDoor") open = i;
   }

@@ -82,7 +82,7 @@ TEST_F(RunHooksTest, CountsHowOftenAHookActed) {
   hooks_.OnNotice(notice);
   EXPECT_EQ(hooks_.Find(1)->hits, 2U);
   EXPECT_EQ(hooks_.NumberOf(notice.event.stop.hook), 1U);
-  EXPECT_EQ(hooks_.NumberOf(77), 0U);
+  EXPECT_EQ(hooks_.NumberOf(HookId{77}), 0U);
 }
 
 }  // namespace

@@ -20,8 +20,8 @@ TEST(RunTreeTest, GivesTheNodesOfTheSceneTheirNumbersInTheRun) {
   NumberNodes(*tree.description(), scene);
   ASSERT_EQ(scene.nodes.size(), program.nodes.size());
   for (std::uint32_t i = 0; i < scene.nodes.size(); ++i) {
-    EXPECT_EQ(scene.nodes[i].uid, static_cast<int>(i));
-    EXPECT_EQ(scene.node_of_uid[i], i);
+    EXPECT_EQ(scene.nodes[i].run_node, i);
+    EXPECT_EQ(scene.of_run_node[i], i);
   }
   EXPECT_NE(tree.models().Find("Do"), nullptr) << "the run brings its models";
   EXPECT_NE(tree.recorded().program, nullptr);
@@ -34,8 +34,8 @@ TEST(RunTreeTest, KnowsTheTreeOfARobotWithTheGroot2Protocol) {
   Scene scene = BuildScene(tree.forest(), tree.forest().main_tree(), tree.models());
   NumberNodes(*tree.description(), scene);
   const std::uint32_t step = scene.FindPath("1.2.1.1");
-  ASSERT_NE(step, kNoNode);
-  EXPECT_EQ(scene.nodes[step].uid, static_cast<int>(robot.Find(5)));
+  ASSERT_NE(step, kNoSceneNode);
+  EXPECT_EQ(scene.nodes[step].run_node, robot.Find(5));
   EXPECT_FALSE(tree.problems().has_errors()) << tree.problems().ToString();
 }
 

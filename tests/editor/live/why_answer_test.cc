@@ -22,7 +22,7 @@ class WhyAnswerTest : public testing::Test {
   }
   NodeIndex Node(const std::string& path) const {
     const auto& nodes = view_->tree()->description()->nodes;
-    NodeIndex i = 0;
+    NodeIndex i{0};
     while (nodes[i].path != path) ++i;
     return i;
   }
@@ -33,7 +33,7 @@ class WhyAnswerTest : public testing::Test {
 };
 
 TEST_F(WhyAnswerTest, TellsTheWalkToTheNodeAndWhatChanged) {
-  why_.Ask(*view_, 0);
+  why_.Ask(*view_, kRootNode);
   ASSERT_FALSE(why_.lines().empty());
   EXPECT_EQ(why_.lines()[0].name, "mission");
   EXPECT_EQ(why_.lines()[0].status, Status::kFailure);
@@ -50,10 +50,10 @@ TEST_F(WhyAnswerTest, TellsWhyANodeWasNotTicked) {
 }
 
 TEST_F(WhyAnswerTest, FollowsThePlayhead) {
-  why_.Ask(*view_, 0);
+  why_.Ask(*view_, kRootNode);
   view_->playhead().GoToTick(1);
   view_->Update(HookList(), 2);
-  why_.Ask(*view_, 0);
+  why_.Ask(*view_, kRootNode);
   EXPECT_EQ(why_.lines()[0].status, Status::kRunning);
   EXPECT_EQ(why_.change(), "") << "as in the tick before";
 }
@@ -98,14 +98,14 @@ TEST(WhyAnswer, ARobotThatTellsChangesOnlyHasThrownNothing) {
   RunView view(std::move(source), std::make_shared<NodeModels>());
   view.Update(HookList(), 1);
   WhyAnswer why;
-  why.Ask(view, 1);
+  why.Ask(view, NodeIndex{1});
   EXPECT_TRUE(why.is_untold());
   EXPECT_EQ(why.why_not(),
             "of this run only changes of status are told, and none of wait: it may have been "
             "ticked");
   EXPECT_EQ(why.changed_node(), 2U);
   EXPECT_NE(why.change().find("look is FAILURE, was IDLE"), std::string::npos) << why.change();
-  why.Ask(view, 2);
+  why.Ask(view, NodeIndex{2});
   EXPECT_FALSE(why.is_untold());
   EXPECT_EQ(why.why_not(), "");
 }

@@ -126,7 +126,7 @@ TEST_F(SimulationBarTest, AnEditIsReloadedAndErrorsAreSaid) {
   driver_.Frames(20);
   EXPECT_TRUE(state().simulator.problem().empty());
   EXPECT_EQ(StatusOf("to door"), Status::kRunning) << "it lives on";
-  EXPECT_EQ(simulation().program()->Id(4), "Park");
+  EXPECT_EQ(simulation().program()->Id(NodeIndex{4}), "Park");
 }
 
 // The story: simulate the patrol until the battery is low, see the recharge branch, save it as a

@@ -9,7 +9,7 @@ TEST(StopBar, StandsBelowTheNodeAndForcesAResult) {
   Driver driver;
   ExecutedSource* robot = AddExecuted(driver, "robot:1", 10);
   EXPECT_FALSE(driver.Has("stop/continue"));
-  robot->StopBefore(1);
+  robot->StopBefore(NodeIndex{1});
   driver.Frames();
   EXPECT_TRUE(driver.Has("strip/stopped"));
   EXPECT_GT(driver.BoxOf("stop/continue").min.y, driver.BoxOf("canvas/Main/1.1").max.y);

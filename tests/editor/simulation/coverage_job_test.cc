@@ -15,10 +15,8 @@ class CoverageJobTest : public testing::Test {
   CoverageJobTest() : program_(CompiledRoot(kTree)) {
     tree_ = DescribeTree(*program_, {});
     scene_.nodes.resize(tree_.nodes.size() + 1);
-    for (std::size_t i = 0; i < tree_.nodes.size(); ++i) {
-      scene_.nodes[i].uid = static_cast<int>(i);
-    }
-    scene_.nodes.back().uid = -1;  // was added since
+    for (NodeIndex i{0}; i < tree_.nodes.size(); ++i) scene_.nodes[i].run_node = i;
+    scene_.nodes.back().run_node = kNoNode;  // was added since
   }
   void RunAll(std::uint64_t runs) {
     job_.Start(program_, {}, runs);

@@ -29,7 +29,7 @@ TEST(OpenTree, TheTextInMemoryCountsAlsoOfAnIncludedFile) {
   }
   const auto program = CompileOpenTree(files, path, "Main", nullptr, diagnostics);
   ASSERT_TRUE(program) << diagnostics.ToString();
-  EXPECT_EQ(program->Id(1), "B");
+  EXPECT_EQ(program->Id(NodeIndex{1}), "B");
   EXPECT_EQ(CompileOpenTree(files, path, "In", nullptr, diagnostics)->nodes.size(), 1U);
 }
 

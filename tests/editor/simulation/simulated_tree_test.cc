@@ -42,8 +42,8 @@ TEST(SimulatedTree, KeysAndLeavesFollowWhatTheFileSaysOfChance) {
   SimulatedTree tree(program, chance, nullptr);
   EXPECT_EQ(tree.player().tree().executor().ticks(), 0U);
   tree.Play(After(Duration(0)));
-  EXPECT_EQ(tree.state().last(1), Status::kFailure);
-  EXPECT_EQ(tree.player().tree().executor().blackboard()[0].value.Print(), "lab");
+  EXPECT_EQ(tree.state().last(NodeIndex{1}), Status::kFailure);
+  EXPECT_EQ(tree.player().tree().executor().blackboard()[SlotIndex{0}].value.Print(), "lab");
 }
 
 TEST(SimulatedTree, TellsItsHistoryAsARobotDoes) {
@@ -53,10 +53,10 @@ TEST(SimulatedTree, TellsItsHistoryAsARobotDoes) {
   tree.Play(After(Duration(0)));
   tree.Play(After(std::chrono::seconds(1)));
   ASSERT_EQ(run.size(), 2U);
-  EXPECT_EQ(run.TracksAt(0).LaneOf(2).At(0), Status::kRunning);
-  EXPECT_EQ(run.TracksAt(1).LaneOf(2).At(1), Status::kSuccess);
+  EXPECT_EQ(run.TracksAt(0).LaneOf(NodeIndex{2}).At(0), Status::kRunning);
+  EXPECT_EQ(run.TracksAt(1).LaneOf(NodeIndex{2}).At(1), Status::kSuccess);
   EXPECT_EQ(run.TimeOf(1) - run.TimeOf(0), std::chrono::seconds(1));
-  EXPECT_EQ(run.now().last(2), Status::kSuccess);
+  EXPECT_EQ(run.now().last(NodeIndex{2}), Status::kSuccess);
 }
 
 TEST(SimulatedTree, AReloadIsAnotherTreeOfTheSameRun) {
@@ -66,7 +66,7 @@ TEST(SimulatedTree, AReloadIsAnotherTreeOfTheSameRun) {
   tree.Reload(CompiledRoot("<Fallback><New/><Go/></Fallback>"));
   tree.Play(After(Duration(0)));
   EXPECT_EQ(run.TracksAt(run.size() - 1).tree()->nodes.size(), 3U);
-  EXPECT_EQ(run.now().status(1), Status::kRunning);
+  EXPECT_EQ(run.now().status(NodeIndex{1}), Status::kRunning);
   EXPECT_FALSE(run.breaks().back().is_other_run);
 }
 
@@ -75,8 +75,8 @@ TEST(SimulatedTree, WhoIsToldLaterLearnsHowItStands) {
   tree.Play(After(Duration(0)));
   editor::Run run;
   tree.TellTo(run, false);
-  EXPECT_EQ(run.now().status(2), Status::kRunning);
-  EXPECT_EQ(run.now().last(1), Status::kSuccess);
+  EXPECT_EQ(run.now().status(NodeIndex{2}), Status::kRunning);
+  EXPECT_EQ(run.now().last(NodeIndex{1}), Status::kSuccess);
 }
 
 }  // namespace

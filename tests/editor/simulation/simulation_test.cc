@@ -20,7 +20,7 @@ constexpr char kPatrol[] =
     "</Sequence>"
     R"(<Sequence name="round"><Go name="go" to="{goal}"/><Say name="say"/></Sequence>)"
     "</ReactiveFallback>";
-constexpr NodeIndex kDock = 3, kGo = 5;
+constexpr NodeIndex kDock{3}, kGo{5};
 
 MockScript Returns(std::vector<Status> results) {
   MockScript script;
@@ -46,7 +46,7 @@ TEST_F(SimulationTest, TicksWhenTimePassesAndTheRunShowsIt) {
   EXPECT_EQ(StatusOf(kGo), Status::kRunning);
   simulation_.Tick(seconds(1));
   EXPECT_EQ(simulation_.now(), seconds(1));
-  EXPECT_EQ(StatusOf(6), Status::kRunning) << "the next leaf begins";
+  EXPECT_EQ(StatusOf(NodeIndex{6}), Status::kRunning) << "the next leaf begins";
   EXPECT_EQ(run_.size(), 2U);
   EXPECT_EQ(run_.now().statuses(), Statuses());
 }
@@ -74,7 +74,7 @@ TEST_F(SimulationTest, TheUserSaysWhatALeafReturns) {
   EXPECT_TRUE(simulation_.SetScript(kGo, Returns({Status::kFailure})));
   EXPECT_EQ(simulation_.ScriptOf(kGo)->results[0], Status::kFailure);
   EXPECT_EQ(simulation_.Tick(Duration(0)), Status::kFailure);
-  EXPECT_FALSE(simulation_.SetScript(2, Returns({}))) << "ScriptCondition plays itself";
+  EXPECT_FALSE(simulation_.SetScript(NodeIndex{2}, Returns({}))) << "ScriptCondition plays itself";
 }
 
 TEST_F(SimulationTest, GoesBackToAnyTickAndOnFromThere) {
@@ -118,7 +118,7 @@ TEST_F(SimulationTest, TicksUntilSomethingChanges) {
   Start();
   simulation_.TickUntilChange(milliseconds(10), seconds(60));
   EXPECT_EQ(simulation_.now(), seconds(1));
-  simulation_.SetScript(6, Returns({Status::kRunning}));
+  simulation_.SetScript(NodeIndex{6}, Returns({Status::kRunning}));
   simulation_.TickUntilChange(milliseconds(10), seconds(2));
   EXPECT_EQ(simulation_.now(), seconds(3)) << "nothing changes: the limit";
 }
@@ -140,11 +140,11 @@ TEST_F(SimulationTest, AnEditIsReloadedAndWhatRunsGoesOn) {
                                   "</ReactiveFallback>"));
   EXPECT_EQ(StatusOf(kGo), Status::kRunning);
   simulation_.Tick(milliseconds(100));
-  EXPECT_EQ(simulation_.program()->Id(6), "Wave");
-  EXPECT_EQ(StatusOf(6), Status::kRunning) << "Go was done after its second";
+  EXPECT_EQ(simulation_.program()->Id(NodeIndex{6}), "Wave");
+  EXPECT_EQ(StatusOf(NodeIndex{6}), Status::kRunning) << "Go was done after its second";
   // Before the edit the tree was another; it is edited there as well.
   ASSERT_TRUE(simulation_.GoTo(0));
-  EXPECT_EQ(simulation_.program()->Id(6), "Wave");
+  EXPECT_EQ(simulation_.program()->Id(NodeIndex{6}), "Wave");
   EXPECT_EQ(StatusOf(kGo), Status::kRunning);
   EXPECT_EQ(run_.TracksAt(run_.size()).tree()->nodes[6].id, "Wave");
 }

@@ -61,10 +61,10 @@ TEST_F(SimulatorTest, AnEditIsReloadedALittleLater) {
   simulator_.get()->Tick(Duration(0));
   files_.SetText("a.xml", "Type", Text(R"(<Sequence><Go to="{goal}"/><Wave/></Sequence>)"));
   Update(0.01);
-  EXPECT_EQ(simulator_.get()->program()->Id(2), "Say");
+  EXPECT_EQ(simulator_.get()->program()->Id(NodeIndex{2}), "Say");
   EXPECT_GT(simulator_.NextUpdateIn(now_), 0);
   Update(0.2);
-  EXPECT_EQ(simulator_.get()->program()->Id(2), "Wave");
+  EXPECT_EQ(simulator_.get()->program()->Id(NodeIndex{2}), "Wave");
   EXPECT_EQ(view_->state().states[1].status, Status::kRunning);
 }
 
@@ -145,7 +145,7 @@ class SimulatorBesideScenarios : public testing::Test {
 TEST_F(SimulatorBesideScenarios, TheirModelsSayWhatLeavesAre) {
   Start();
   ASSERT_TRUE(run_) << diagnostics_.ToString();
-  EXPECT_EQ(simulator_.get()->ScriptOf(1)->duration, Duration(0)) << "a condition";
+  EXPECT_EQ(simulator_.get()->ScriptOf(NodeIndex{1})->duration, Duration(0)) << "a condition";
   EXPECT_FALSE(diagnostics_.has_errors()) << diagnostics_.ToString();
 }
 

@@ -42,13 +42,14 @@ TEST_F(ColumnsTest, BarsJoinColumnsThatShowTheSame) {
   }
   TimeView view;
   view.Fit(seconds(0), seconds(9));
-  const auto bars = BarsOf(run_.TracksAt(0).LaneOf(0), ColumnsOf(run_, view, 1000, seconds(9)));
+  const auto bars =
+      BarsOf(run_.TracksAt(0).LaneOf(kRootNode), ColumnsOf(run_, view, 1000, seconds(9)));
   ASSERT_EQ(bars.size(), 3U) << "the column in the middle has some of both";
   EXPECT_EQ(bars[0].statuses, SetOf(Status::kRunning));
   EXPECT_EQ(bars[1].end_column - bars[1].first_column, 1U);
   EXPECT_EQ(bars[2].statuses, SetOf(Status::kFailure));
   EXPECT_EQ(bars[0].end_column, bars[1].first_column);
-  const auto one = BarsOf(run_.TracksAt(0).LaneOf(0), ColumnsOf(run_, view, 1, seconds(9)));
+  const auto one = BarsOf(run_.TracksAt(0).LaneOf(kRootNode), ColumnsOf(run_, view, 1, seconds(9)));
   ASSERT_EQ(one.size(), 1U);
   EXPECT_EQ(one[0].statuses, SetOf(Status::kRunning) | SetOf(Status::kFailure))
       << "nothing vanishes";
@@ -58,10 +59,10 @@ TEST_F(ColumnsTest, BarsJoinColumnsThatShowTheSame) {
 TEST_F(ColumnsTest, TenMillionEventsAreScrubbed) {
   std::mt19937 random(1);
   constexpr std::size_t kTicks = 1000000;
-  constexpr NodeIndex kNodes = 20;
+  constexpr NodeIndex kNodes{20};
   TreeDescription tree;
   tree.main_tree = "Main";
-  for (NodeIndex i = 0; i < kNodes; ++i) {
+  for (NodeIndex i{0}; i < kNodes; ++i) {
     DescribedNode node;
     node.path = "node" + std::to_string(i);
     node.id = "Any";
@@ -76,9 +77,9 @@ TEST_F(ColumnsTest, TenMillionEventsAreScrubbed) {
   EventWriter writer;
   for (std::size_t tick = 1; tick <= kTicks; ++tick) {
     writer.Clear();
-    writer.Status(0, Status::kRunning);
+    writer.Status(kRootNode, Status::kRunning);
     for (int i = 0; i < 9; ++i) {
-      writer.Status(1 + random() % (kNodes - 1), static_cast<Status>(1 + random() % 3));
+      writer.Status(kRootNode + 1 + random() % (kNodes - 1), static_cast<Status>(1 + random() % 3));
     }
     events += writer.words().size;
     run.OnTick(
@@ -94,8 +95,7 @@ TEST_F(ColumnsTest, TenMillionEventsAreScrubbed) {
     const Time span = seconds(10000) / (1 << (frame % 10));
     view.Fit(seconds(frame), seconds(frame) + span);
     const auto columns = ColumnsOf(run, view, 1920, run.TimeOf(run.size() - 1));
-    for (NodeIndex i = 0; i < kNodes; ++i)
-      bars += BarsOf(run.TracksAt(0).LaneOf(i), columns).size();
+    for (NodeIndex i{0}; i < kNodes; ++i) bars += BarsOf(run.TracksAt(0).LaneOf(i), columns).size();
     place.Go(random() % run.size());
   }
   const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;

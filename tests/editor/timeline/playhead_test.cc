@@ -49,11 +49,11 @@ TEST_F(PlayheadTest, StepsToTheChangesOfANode) {
   robot_.Tick();
   robot_.Tick();
   head_.GoToTick(3);
-  head_.StepToChange(0, true);
+  head_.StepToChange(kRootNode, true);
   EXPECT_EQ(head_.tick(), 10U);
-  head_.StepToChange(0, true);
+  head_.StepToChange(kRootNode, true);
   EXPECT_EQ(head_.tick(), 10U) << "there is no further one";
-  head_.StepToChange(0, false);
+  head_.StepToChange(kRootNode, false);
   EXPECT_EQ(head_.tick(), 0U);
 }
 
@@ -79,7 +79,7 @@ TEST_F(PlayheadTest, DoesNothingInAnEmptyRun) {
   head.Play();
   head.Advance(1);
   head.Step(-1);
-  head.StepToChange(0, true);
+  head.StepToChange(kRootNode, true);
   head.GoToTime(milliseconds(5));
   EXPECT_EQ(head.tick(), 0U);
   EXPECT_EQ(head.time(), Time(0));

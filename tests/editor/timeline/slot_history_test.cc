@@ -16,7 +16,7 @@ TEST(SlotHistoryTest, KnowsWhoWroteWhatAndWhen) {
   robot.results["work"] = Status::kRunning;
   robot.Tick();
   const auto& slots = run.TracksAt(0).tree()->slots;
-  SlotIndex slot = 0;
+  SlotIndex slot{0};
   while (slots[slot].name != "count") ++slot;
   const auto& writes = run.TracksAt(0).WritesOf(slot);
   ASSERT_EQ(writes.size(), 7U);

@@ -21,24 +21,25 @@ class TracksTest : public testing::Test {
 TEST_F(TracksTest, ATickShowsWhatANodeReturnedInItAlsoIfItIsIdleAtItsEnd) {
   for (int i = 0; i < 3; ++i) robot.Tick();
   const Tracks& tracks = run.TracksAt(0);
-  EXPECT_EQ(tracks.LaneOf(1).At(2), Status::kSuccess);
-  EXPECT_EQ(tracks.LaneOf(1).changes(), 1U) << "three ticks with the same result are one bar";
-  EXPECT_EQ(run.now().status(1), Status::kIdle);
+  EXPECT_EQ(tracks.LaneOf(NodeIndex{1}).At(2), Status::kSuccess);
+  EXPECT_EQ(tracks.LaneOf(NodeIndex{1}).changes(), 1U)
+      << "three ticks with the same result are one bar";
+  EXPECT_EQ(run.now().status(NodeIndex{1}), Status::kIdle);
 }
 
 TEST_F(TracksTest, ANodeThatIsNotTickedFallsBackToTheStatusThatItHas) {
   robot.Tick();
   robot.results["ready"] = Status::kFailure;
   robot.Tick();
-  EXPECT_EQ(run.TracksAt(1).LaneOf(2).At(0), Status::kSuccess);
-  EXPECT_EQ(run.TracksAt(1).LaneOf(2).At(1), Status::kIdle);
-  EXPECT_EQ(run.TracksAt(1).LaneOf(1).At(1), Status::kFailure);
+  EXPECT_EQ(run.TracksAt(1).LaneOf(NodeIndex{2}).At(0), Status::kSuccess);
+  EXPECT_EQ(run.TracksAt(1).LaneOf(NodeIndex{2}).At(1), Status::kIdle);
+  EXPECT_EQ(run.TracksAt(1).LaneOf(NodeIndex{1}).At(1), Status::kFailure);
 }
 
 TEST_F(TracksTest, KnowsEveryWriteWithWriterAndValue) {
   for (int i = 0; i < 3; ++i) robot.Tick();
   const Tracks& tracks = run.TracksAt(0);
-  SlotIndex slot = 0;
+  SlotIndex slot{0};
   while (tracks.tree()->slots[slot].name != "count") ++slot;
   const auto& writes = tracks.WritesOf(slot);
   ASSERT_EQ(writes.size(), 3U);

@@ -28,7 +28,7 @@ TEST(FollowMode, FindsTheDeepestRunningNode) {
   AddExecuted(driver, "robot:1", 10);
   const std::uint32_t node =
       DeepestRunning(*driver.view().scene(), driver.editor.state().workspace.run()->state());
-  ASSERT_NE(node, kNoNode);
+  ASSERT_NE(node, kNoSceneNode);
   EXPECT_EQ(driver.view().scene()->nodes[node].path, "1.2.1");
 }
 

@@ -71,7 +71,7 @@ TEST_F(TreeEditorTest, RefusalsChangeNothingAndSayWhy) {
   Select("1.1");
   Edit().Demote();
   EXPECT_TRUE(state().notice.is_refusal);
-  driver_.view().Select(kNoNode);
+  driver_.view().Select(kNoSceneNode);
   Edit().Delete();
   EXPECT_TRUE(state().notice.is_refusal);
   EXPECT_EQ(Text(), before);

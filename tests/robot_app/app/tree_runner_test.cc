@@ -195,7 +195,8 @@ TEST_F(TreeRunnerTest, RestsWhileItIsSuspendedAndThenBeginsAnew) {
   const auto look = [&] {
     const Executor& executor = runner.executor();
     const std::lock_guard<std::mutex> lock(mutex);
-    const Value& value = executor.blackboard()[executor.program().layout.Find(0, "begun")].value;
+    const Value& value =
+        executor.blackboard()[executor.program().layout.Find(kMainScope, "begun")].value;
     begun = value.has_value() ? static_cast<int>(value.Get<std::int64_t>()) : 0;
     changed.notify_one();
   };
@@ -215,7 +216,7 @@ TEST_F(TreeRunnerTest, RestsWhileItIsSuspendedAndThenBeginsAnew) {
   EXPECT_EQ(wait_for(2), 2);
   runner.Suspend();
   runner.Stop();  // also while it rests
-  EXPECT_NE(runner.executor().status(0), Status::kRunning);
+  EXPECT_NE(runner.executor().status(kRootNode), Status::kRunning);
 }
 
 }  // namespace

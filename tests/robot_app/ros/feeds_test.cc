@@ -61,7 +61,7 @@ class FeedsTest : public testing::Test {
 
   const Value& Key(const std::string& key) {
     executor_->Tick();
-    return executor_->blackboard()[executor_->program().layout.Find(0, key)].value;
+    return executor_->blackboard()[executor_->program().layout.Find(kMainScope, key)].value;
   }
 
   SimulatedClock clock_{std::chrono::seconds(7)};
@@ -158,7 +158,7 @@ TEST_F(FeedsTest, BringTheProcessesAsRowsAndOnlyWhenTheyHaveChanged) {
   const auto rows = [this] { return Key("processes").Get<std::string>(); };
   EXPECT_NE(rows().find("\"state\":\"BACKING_OFF\""), std::string::npos) << rows();
 
-  const SlotIndex slot = executor_->program().layout.Find(0, "processes");
+  const SlotIndex slot = executor_->program().layout.Find(kMainScope, "processes");
   const auto writes = [&] { return executor_->blackboard()[slot].writes; };
   const auto before = writes();
   publishers_.back().publish(states);  // the same again

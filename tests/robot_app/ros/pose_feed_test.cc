@@ -43,7 +43,7 @@ TEST(PoseFeed, BringsPoseAndDistanceFromTf) {
       {{executor.Writer<leaves::Pose2D>("pose"), executor.Writer<double>("distance_to_station")}});
   const auto key = [&](const char* name) -> const Value& {
     executor.Tick();
-    return executor.blackboard()[program->layout.Find(0, name)].value;
+    return executor.blackboard()[program->layout.Find(kMainScope, name)].value;
   };
   ASSERT_TRUE(Eventually([&] { return key("distance_to_station").has_value(); }));
   EXPECT_DOUBLE_EQ(key("pose").Get<leaves::Pose2D>().x, 3);

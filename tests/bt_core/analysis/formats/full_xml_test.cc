@@ -39,7 +39,7 @@ TEST(FullXml, IsReadAsXmlWhateverTheTextsAre) {
   const auto document = Document::FromText(xml, "full.xml", diagnostics);
   ASSERT_TRUE(document) << diagnostics.ToString() << xml;
   const Element& node =
-      document->element(document->element(document->element(0).first_child).first_child);
+      document->element(document->element(document->element(kRootElement).first_child).first_child);
   EXPECT_EQ(document->AttributeValue(node, "name"), "<\"&'>");
   EXPECT_EQ(document->AttributeValue(node, "code"), "a < 1 && b");
   EXPECT_EQ(document->AttributeValue(node, "_skipIf"), R"(a == "x")");

@@ -20,7 +20,7 @@ class LeafScriptsTest : public testing::Test {
     tree_ = CompileRecorded(DescribeTree(*program_, {}), registry, diagnostics);
   }
   SlotIndex SlotOf(const std::string& key) const {
-    for (SlotIndex i = 0; i < tree_.description->slots.size(); ++i) {
+    for (SlotIndex i{0}; i < tree_.description->slots.size(); ++i) {
       if (tree_.description->slots[i].name == key) return i;
     }
     return kNoSlot;
@@ -44,7 +44,7 @@ class LeafScriptsTest : public testing::Test {
   static constexpr char kTree[] =
       "<BehaviorTree ID='Main'><Sequence><Go name='go' left='{left}'/><Say name='say'/>"
       "<Script name='script' code='n := 1'/></Sequence></BehaviorTree>";
-  static constexpr NodeIndex kGo = 1, kSay = 2, kScript = 3;
+  static constexpr NodeIndex kGo = NodeIndex{1}, kSay = NodeIndex{2}, kScript = NodeIndex{3};
   std::shared_ptr<const Program> program_;
   RecordedTree tree_;
   EventWriter writer_;

@@ -203,8 +203,8 @@ TEST(Verify, PlaysInjectedResults) {
     const Status status = static_cast<Status>(1 + i % 4);
     hooks.before = i % 5 == 0 ? std::optional(status) : std::nullopt;
     hooks.after = i % 7 == 0 ? std::optional(status) : std::nullopt;
-    if (i % 9 == 0) run.executor.SetHooks(&hooks, {3});
-    if (i % 9 == 4) run.executor.SetHooks(&hooks, {1, 3, 5});
+    if (i % 9 == 0) run.executor.SetHooks(&hooks, {NodeIndex{3}});
+    if (i % 9 == 4) run.executor.SetHooks(&hooks, {NodeIndex{1}, NodeIndex{3}, NodeIndex{5}});
     if (i % 9 == 8) run.executor.SetHooks(nullptr, {});
     run.Tick();
   }
@@ -245,9 +245,9 @@ TEST(Verify, NamesTheFirstDivergence) {
       "<AlwaysFailure name='b'/></Sequence></BehaviorTree>");
   for (int i = 0; i < 5; ++i) run.Tick();
   EventWriter words;
-  words.Status(1, Status::kSuccess);
-  words.Status(2, Status::kSuccess);
-  words.Status(0, Status::kSuccess);
+  words.Status(NodeIndex{1}, Status::kSuccess);
+  words.Status(NodeIndex{2}, Status::kSuccess);
+  words.Status(kRootNode, Status::kSuccess);
   const Verification verification = VerifyRun(Forged(run.keeper.run, 2, words));
   ASSERT_TRUE(verification.divergence);
   EXPECT_EQ(verification.ticks, 2u);
@@ -261,7 +261,7 @@ TEST(Verify, SeesThatSomethingIsMissingAtTheEndOfATick) {
   RecordedRun run("<BehaviorTree ID='Main'><Script code='x := 1'/></BehaviorTree>");
   for (int i = 0; i < 3; ++i) run.Tick();
   EventWriter words;
-  words.Status(0, Status::kSuccess);
+  words.Status(kRootNode, Status::kSuccess);
   const Verification verification = VerifyRun(Forged(run.keeper.run, 1, words));
   ASSERT_TRUE(verification.divergence);
   EXPECT_EQ(verification.divergence->tick, 2u);

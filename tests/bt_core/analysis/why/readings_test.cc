@@ -27,7 +27,7 @@ class ReadingsTest : public testing::Test {
     return values;
   }
   std::optional<Status> Decision(bool running, const SlotValues& values) const {
-    const auto decision = DecideGuards(tree_, 0, running, values);
+    const auto decision = DecideGuards(tree_, kRootNode, running, values);
     return decision ? std::optional(decision->result) : std::nullopt;
   }
 
@@ -37,18 +37,18 @@ class ReadingsTest : public testing::Test {
 
 TEST_F(ReadingsTest, APortThatIsBoundToAKeyIsRead) {
   Compile("<Sequence><Lamp name='bound' lux='{light}'/><Lamp name='literal' lux='3'/></Sequence>");
-  const std::vector<Reading> readings = PortReadings(tree_, 1);
+  const std::vector<Reading> readings = PortReadings(tree_, NodeIndex{1});
   ASSERT_EQ(readings.size(), 1U);
   EXPECT_EQ(readings[0].name, "lux");
   EXPECT_EQ(readings[0].key, "light");
   EXPECT_EQ(tree_.description->slots[readings[0].slot].name, "light");
-  EXPECT_TRUE(PortReadings(tree_, 2).empty()) << "a literal is no key";
-  EXPECT_TRUE(PortReadings(tree_, 0).empty());
+  EXPECT_TRUE(PortReadings(tree_, NodeIndex{2}).empty()) << "a literal is no key";
+  EXPECT_TRUE(PortReadings(tree_, kRootNode).empty());
 }
 
 TEST_F(ReadingsTest, ScriptsAreGuardsAndTheCodeOfANode) {
   Compile("<ScriptCondition code='a &lt; b' _skipIf='c == 1'/>");
-  const std::vector<NodeScript> scripts = ScriptsOf(tree_, 0);
+  const std::vector<NodeScript> scripts = ScriptsOf(tree_, kRootNode);
   ASSERT_EQ(scripts.size(), 2U);
   EXPECT_EQ(scripts[0].attribute, "_skipIf");
   EXPECT_EQ(scripts[0].guard, Guard::kSkipIf);
@@ -62,7 +62,7 @@ TEST_F(ReadingsTest, ScriptsAreGuardsAndTheCodeOfANode) {
 
 TEST_F(ReadingsTest, AScriptAnswersWithTheValuesOfThatMoment) {
   Compile("<ScriptCondition code='a &lt; b'/>");
-  const NodeScript code = ScriptsOf(tree_, 0).at(0);
+  const NodeScript code = ScriptsOf(tree_, kRootNode).at(0);
   EXPECT_EQ(coppice::Test(tree_, code, Values({{"a", 1}, {"b", 2}})), true);
   EXPECT_EQ(coppice::Test(tree_, code, Values({{"a", 2}, {"b", 1}})), false);
   EXPECT_EQ(coppice::Test(tree_, code, Values({{"a", 2}})), std::nullopt)
@@ -96,8 +96,8 @@ TEST_F(ReadingsTest, AStepReadsWhatWasWrittenBeforeItAndNotWhatItWroteItself) {
   run_->Tick();
   const TickView view = run_->keeper.run.Before(0);
   const Walk walk = WalkOf(tree_.shape, view.events.words, &view.statuses);
-  const auto n_at = [&](NodeIndex node) {
-    const SlotValues values = ValuesAt(view, walk, tree_.shape, walk.LastStepOf(node));
+  const auto n_at = [&](std::uint32_t node) {
+    const SlotValues values = ValuesAt(view, walk, tree_.shape, walk.LastStepOf(NodeIndex(node)));
     for (std::size_t i = 0; i < values.size(); ++i) {
       if (tree_.description->slots[i].name == "n") return PrintValueBytes(values[i]);
     }
@@ -112,9 +112,9 @@ TEST_F(ReadingsTest, AStepReadsWhatWasWrittenBeforeItAndNotWhatItWroteItself) {
 TEST_F(ReadingsTest, WithoutAProgramNothingIsKnown) {
   Compile("<Lamp lux='{light}' _skipIf='a == 1'/>");
   tree_.program.reset();
-  EXPECT_TRUE(PortReadings(tree_, 0).empty());
-  EXPECT_TRUE(ScriptsOf(tree_, 0).empty());
-  EXPECT_FALSE(DecideGuards(tree_, 0, false, {}));
+  EXPECT_TRUE(PortReadings(tree_, kRootNode).empty());
+  EXPECT_TRUE(ScriptsOf(tree_, kRootNode).empty());
+  EXPECT_FALSE(DecideGuards(tree_, kRootNode, false, {}));
 }
 
 }  // namespace

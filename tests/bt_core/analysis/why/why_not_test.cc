@@ -94,7 +94,7 @@ class ChangesOnly {
   }
   const Recording& run() const { return told_; }
 
-  static constexpr NodeIndex kRoot = 0, kSafety = 1, kLow = 2, kWork = 4, kDark = 5, kDrive = 6;
+  static constexpr NodeIndex kRoot{0}, kSafety{1}, kLow{2}, kWork{4}, kDark{5}, kDrive{6};
 
  private:
   RecordedRun run_;
@@ -203,7 +203,7 @@ TEST(WhyNot, HasAnAnswerForEveryNode) {
           CompileRecorded(run.keeper.run.trees()[0], std::make_shared<Registry>(), diagnostics);
       ASSERT_EQ(diagnostics.ToString(), "") << id;
       const TickView now = run.keeper.run.Before(static_cast<std::size_t>(tick));
-      for (NodeIndex i = 0; i < tree.shape.size(); ++i) {
+      for (NodeIndex i{0}; i < tree.shape.size(); ++i) {
         const Why why = WhyOf(tree, now, nullptr, i);
         EXPECT_EQ(why.was_ticked, !why.why_not.has_value()) << id;
         EXPECT_EQ(why.status, run.executor.statuses()[i]) << id << " " << i;

@@ -26,7 +26,7 @@ class LiveSceneTest : public ::testing::Test {
 TEST_F(LiveSceneTest, FollowsTheTree) {
   keeper_.OnTick(SmallTick().events());
   const LiveScene scene = Scene();
-  EXPECT_EQ(scene.run.state()->status(2), Status::kRunning);
+  EXPECT_EQ(scene.run.state()->status(NodeIndex{2}), Status::kRunning);
   EXPECT_EQ(scene.result, Status::kRunning);
   EXPECT_THAT(scene.texts, ElementsAre(R"(check: all is "well")"));
 }

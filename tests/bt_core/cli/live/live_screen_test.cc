@@ -76,7 +76,7 @@ TEST_F(LiveScreenTest, LeavesOutIdleNodesIfThereIsNoRoom) {
   for (int i = 0; i < 100; ++i) {
     DescribedNode node = tree.nodes[2];
     node.path = "dock/x" + std::to_string(i);
-    node.parent = 2;
+    node.parent = NodeIndex{2};
     tree.nodes.push_back(node);
     state.statuses.push_back(Status::kIdle);
     state.last.push_back(Status::kIdle);

@@ -44,8 +44,9 @@ TEST(ReplayJson, WritesOneObjectPerLine) {
 
 TEST(ReplayJson, TellsWhatIsNoMessageOfTheNode) {
   EventWriter words;
-  words.Text(1, EventText::kException, "no way");
-  words.Text(1, EventText::kInjected, std::string(1, static_cast<char>(Status::kFailure)));
+  words.Text(NodeIndex{1}, EventText::kException, "no way");
+  words.Text(NodeIndex{1}, EventText::kInjected,
+             std::string(1, static_cast<char>(Status::kFailure)));
   const TreeDescription tree = SmallTree();
   HistoryFollower follower(ShapeOf(tree), SmallState());
   const json tick = json::parse(EventJson(

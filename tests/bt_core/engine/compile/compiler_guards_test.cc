@@ -13,7 +13,8 @@ struct GuardReaderTest : testing::Test {
     project = Project::FromText("<root BTCPP_format=\"4\"><BehaviorTree ID=\"M\">\n<Node " +
                                     attributes + "/></BehaviorTree></root>",
                                 "t.xml", diagnostics);
-    return reader.Read(Site(*project, 0, 2, keys.AddScope(0, false)), 5, guards);
+    return reader.Read(Site(*project, 0, ElementIndex{2}, keys.AddScope(kMainScope, false)),
+                       NodeIndex{5}, guards);
   }
 
   Diagnostics diagnostics;

@@ -70,14 +70,14 @@ TEST(Ports, AllUsersOfAKeyAgreeOnItsType) {
 TEST(Ports, TheDefaultIsUsedWhenThePortIsLeftOut) {
   Stage stage(Main(R"(<Drive goal="1" total="{t}"/>)"));
   EXPECT_EQ(stage.executor->Tick(), Status::kSuccess);
-  const SlotIndex total = stage.program->layout.Find(0, "t");
+  const SlotIndex total = stage.program->layout.Find(kMainScope, "t");
   EXPECT_EQ(stage.executor->blackboard()[total].value.Get<int>(), 3);
 }
 
 TEST(Ports, EqualsSignMeansTheKeyOfTheSameName) {
   for (const char* text : {"=", "{=}", " {=} "}) {
     Stage stage(Main(std::string(R"(<Drive goal="1" total=")") + text + "\"/>"));
-    EXPECT_NE(stage.program->layout.Find(0, "total"), kNoSlot) << text;
+    EXPECT_NE(stage.program->layout.Find(kMainScope, "total"), kNoSlot) << text;
   }
 }
 
@@ -85,7 +85,7 @@ TEST(Ports, OneNodeReadsWhatAnotherWrote) {
   Stage stage(Main(R"(<Sequence><Tell text="hello" to="{a}"/><Tell text="{a}" to="{b}"/>)"
                    "</Sequence>"));
   EXPECT_EQ(stage.executor->Tick(), Status::kSuccess);
-  const SlotIndex b = stage.program->layout.Find(0, "b");
+  const SlotIndex b = stage.program->layout.Find(kMainScope, "b");
   EXPECT_EQ(stage.executor->blackboard()[b].value.Get<std::string>(), "hello");
 }
 
@@ -97,7 +97,7 @@ TEST(Ports, OneThatIsAboutAKeyTakesItsPlainName) {
            R"(<UnsetBlackboard key="@own"/></Sequence></BehaviorTree>)"));
   EXPECT_EQ(stage.executor->Tick(), Status::kSuccess);
   const auto at = [&stage](const char* key) -> const Slot& {
-    return stage.executor->blackboard()[stage.program->layout.Find(0, key)];
+    return stage.executor->blackboard()[stage.program->layout.Find(kMainScope, key)];
   };
   EXPECT_EQ(at("outer").value.Print(), "7");
   EXPECT_EQ(at("own").writes, 2U);

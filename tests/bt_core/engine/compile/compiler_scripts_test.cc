@@ -19,7 +19,7 @@ struct ScriptTableTest : testing::Test {
   SlotTypes types{layout, problems};
   ScriptTable scripts{keys, types, problems};
 
-  Site TheNode() { return Site(project, 0, 2, keys.AddScope(0, false)); }
+  Site TheNode() { return Site(project, 0, ElementIndex{2}, keys.AddScope(kMainScope, false)); }
 };
 
 TEST_F(ScriptTableTest, ScriptsAreNumberedInTheOrderOfAdding) {
@@ -79,7 +79,7 @@ TEST(Scripts, KeysGetTheTypesThatPortsGiveThemAnywhereInTheTree) {
   ASSERT_TRUE(program) << diagnostics.ToString();
   Blackboard blackboard = MakeBlackboard(program->layout);
   program->scripts[0].Run(blackboard);
-  EXPECT_TRUE(blackboard[program->layout.Find(0, "distance")].value.Is<double>());
+  EXPECT_TRUE(blackboard[program->layout.Find(kMainScope, "distance")].value.Is<double>());
 }
 
 TEST(Scripts, ANumberIsWrittenToAKeyOfTextsAsItsText) {
@@ -87,7 +87,7 @@ TEST(Scripts, ANumberIsWrittenToAKeyOfTextsAsItsText) {
       Main("<Sequence><Script code=\"k := 3\"/><Tell text=\"{k}\" to=\"{told}\"/>"
            "<ScriptCondition code=\"k == 3\"/></Sequence>"));
   EXPECT_EQ(stage.executor->Tick(), Status::kSuccess);
-  const SlotIndex told = stage.program->layout.Find(0, "told");
+  const SlotIndex told = stage.program->layout.Find(kMainScope, "told");
   EXPECT_EQ(stage.executor->blackboard()[told].value.Get<std::string>(), "3");
 }
 
@@ -105,10 +105,10 @@ TEST(Scripts, NamesResolveLikeKeysThroughRemapping) {
     const SlotIndex slot = program->layout.Find(scope, key);
     return slot == kNoSlot ? "(no key)" : blackboard[slot].value.Print();
   };
-  EXPECT_EQ(text(0, "outside"), "7");
-  EXPECT_EQ(text(0, "root"), "8");
-  EXPECT_EQ(text(0, "own"), "(no key)");
-  EXPECT_EQ(text(1, "own"), "9");
+  EXPECT_EQ(text(kMainScope, "outside"), "7");
+  EXPECT_EQ(text(kMainScope, "root"), "8");
+  EXPECT_EQ(text(kMainScope, "own"), "(no key)");
+  EXPECT_EQ(text(ScopeIndex{1}, "own"), "9");
 }
 
 TEST(Scripts, AGuardOfASubTreeSpeaksOfTheKeysOutside) {
@@ -122,7 +122,7 @@ TEST(Scripts, AGuardOfASubTreeSpeaksOfTheKeysOutside) {
   EXPECT_EQ(program->guards[0].node, 0U);
   EXPECT_EQ(program->nodes[0].dispatch, NodeType::kGuarded);
   EXPECT_EQ(program->nodes[0].type, NodeType::kSubTree);
-  EXPECT_NE(program->layout.Find(0, "k"), kNoSlot);
+  EXPECT_NE(program->layout.Find(kMainScope, "k"), kNoSlot);
 }
 
 }  // namespace

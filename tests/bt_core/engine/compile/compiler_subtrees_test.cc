@@ -20,7 +20,7 @@ std::string Problems(const std::string& trees) {
 std::string After(const std::string& trees, const std::string& key) {
   Stage stage(Root(trees));
   stage.executor->Tick();
-  const SlotIndex slot = stage.program->layout.Find(0, key);
+  const SlotIndex slot = stage.program->layout.Find(kMainScope, key);
   if (slot == kNoSlot) return "(no key)";
   const Value& value = stage.executor->blackboard()[slot].value;
   return value.has_value() ? value.Print() : "(unset)";

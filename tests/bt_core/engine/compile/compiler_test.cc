@@ -21,10 +21,10 @@ TEST(Compiler, LaysNodesInPreorder) {
   ASSERT_TRUE(program) << diagnostics.ToString();
   const NodeType types[] = {NodeType::kSequence, NodeType::kInverter, NodeType::kAlwaysFailure,
                             NodeType::kAlwaysSuccess};
-  const NodeIndex ends[] = {4, 3, 3, 4};
-  const NodeIndex parents[] = {0, 0, 1, 0};
+  const NodeIndex ends[] = {NodeIndex{4}, NodeIndex{3}, NodeIndex{3}, NodeIndex{4}};
+  const NodeIndex parents[] = {kRootNode, kRootNode, NodeIndex{1}, kRootNode};
   ASSERT_EQ(program->nodes.size(), 4U);
-  for (NodeIndex i = 0; i < 4; ++i) {
+  for (NodeIndex i{0}; i < 4; ++i) {
     EXPECT_EQ(program->nodes[i].type, types[i]) << i;
     EXPECT_EQ(program->nodes[i].end, ends[i]) << i;
     EXPECT_EQ(program->info[i].parent, parents[i]) << i;

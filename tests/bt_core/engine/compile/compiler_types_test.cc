@@ -9,7 +9,7 @@ namespace {
 
 struct SlotTypesTest : testing::Test {
   SlotIndex Slot(const std::string& key, const Type* type = nullptr) {
-    layout.slots.push_back({key, 0, type, Value()});
+    layout.slots.push_back({key, kMainScope, type, Value()});
     return static_cast<SlotIndex>(layout.slots.size() - 1);
   }
   static PortDeclaration Port(const Type* type) {

@@ -9,7 +9,7 @@ namespace {
 struct KeyTableTest : testing::Test {
   Layout layout;
   KeyTable keys{layout};
-  const ScopeIndex main = keys.AddScope(0, false);
+  const ScopeIndex main = keys.AddScope(kMainScope, false);
 };
 
 TEST_F(KeyTableTest, AKeyIsOneSlotPerScope) {

@@ -13,7 +13,7 @@ TEST(EscapeXml, ReadsBackTheSame) {
   const auto document =
       Document::FromText("<a x=\"" + EscapeXml(text) + "\"/>", "t.xml", diagnostics);
   ASSERT_TRUE(document) << diagnostics.ToString();
-  EXPECT_EQ(document->AttributeValue(document->element(0), "x"), text);
+  EXPECT_EQ(document->AttributeValue(document->element(kRootElement), "x"), text);
 }
 
 TEST(WriteModels, IsAProjectWithAModelForEveryNode) {
@@ -21,7 +21,7 @@ TEST(WriteModels, IsAProjectWithAModelForEveryNode) {
   const auto registry = TestRegistry();
   const auto document = Document::FromText(WriteModels(*registry), "t.xml", diagnostics);
   ASSERT_TRUE(document) << diagnostics.ToString();
-  const Element& models = document->element(1);
+  const Element& models = document->element(ElementIndex{1});
   EXPECT_EQ(models.tag, "TreeNodesModel");
   EXPECT_EQ(models.child_count, registry->entries().size());
 }

@@ -48,7 +48,7 @@ TEST(EventStream, AListenerGetsTheStateAndThenEveryTick) {
   EXPECT_EQ(keeper.states[0].cause, StreamState::Cause::kBegin);
   EXPECT_EQ(keeper.states[0].tick, 1U);
   EXPECT_EQ(keeper.states[0].statuses, stage.executor->statuses());
-  const SlotIndex k = stage.program->layout.Find(0, "k");
+  const SlotIndex k = stage.program->layout.Find(kMainScope, "k");
   EXPECT_EQ(PrintValueBytes(keeper.states[0].values[k]), "hi");
   ASSERT_EQ(keeper.ticks.size(), 1000U);
   for (std::size_t i = 0; i < keeper.ticks.size(); ++i) EXPECT_EQ(keeper.ticks[i], i + 2);

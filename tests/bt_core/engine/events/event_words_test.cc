@@ -13,11 +13,11 @@ namespace {
 
 TEST(EventWords, ComeBackInTheirOrder) {
   EventWriter writer;
-  writer.Delivery(3, Value(7));
-  writer.Write(4, 2, Value(std::string("door")));
-  writer.Status(2, Status::kFailure);
-  writer.Text(1, EventText::kException, "no map");
-  writer.Reset(5);
+  writer.Delivery(SlotIndex{3}, Value(7));
+  writer.Write(SlotIndex{4}, NodeIndex{2}, Value(std::string("door")));
+  writer.Status(NodeIndex{2}, Status::kFailure);
+  writer.Text(NodeIndex{1}, EventText::kException, "no map");
+  writer.Reset(NodeIndex{5});
   EventReader reader(writer.words());
   Event event;
   ASSERT_TRUE(reader.Next(event));
@@ -44,8 +44,8 @@ TEST(EventWords, ComeBackInTheirOrder) {
 TEST(EventWords, TextsOfAnyLengthFit) {
   for (std::size_t size = 0; size < 9; ++size) {
     EventWriter writer;
-    writer.Text(1, EventText::kMessage, std::string(size, 'x'));
-    writer.Status(1, Status::kSuccess);
+    writer.Text(NodeIndex{1}, EventText::kMessage, std::string(size, 'x'));
+    writer.Status(NodeIndex{1}, Status::kSuccess);
     EventReader reader(writer.words());
     Event event;
     ASSERT_TRUE(reader.Next(event));
@@ -84,9 +84,9 @@ std::vector<std::string> ForAll(EventWords words) {
 
 TEST(ForEachEvent, ReadsWhatTheReaderReads) {
   EventWriter writer;
-  writer.Status(2, Status::kFailure);
+  writer.Status(NodeIndex{2}, Status::kFailure);
   for (std::size_t size = 0; size < 9; ++size) {
-    writer.Text(1, EventText::kMessage, std::string(size, 'x'));
+    writer.Text(NodeIndex{1}, EventText::kMessage, std::string(size, 'x'));
     writer.Add(EventCode::kWrite, 4, 2, std::string(size, 'y'));
     writer.Reset(static_cast<NodeIndex>(size));
   }
@@ -98,7 +98,7 @@ TEST(ForEachEvent, ReadsWhatTheReaderReads) {
 
 TEST(EventWords, ThatAreCutOffEndTheReading) {
   EventWriter writer;
-  writer.Text(1, EventText::kMessage, "a long text");
+  writer.Text(NodeIndex{1}, EventText::kMessage, "a long text");
   for (std::size_t size = 1; size < writer.words().size; ++size) {
     EventReader reader({writer.words().data, size});
     Event event;
@@ -109,9 +109,9 @@ TEST(EventWords, ThatAreCutOffEndTheReading) {
 
 TEST(EventWords, MessagesAndExceptionsAreMessages) {
   EventWriter writer;
-  writer.Text(1, EventText::kMessage, "blocked");
-  writer.Text(2, EventText::kInjected, "x");
-  writer.Text(3, EventText::kException, "no map");
+  writer.Text(NodeIndex{1}, EventText::kMessage, "blocked");
+  writer.Text(NodeIndex{2}, EventText::kInjected, "x");
+  writer.Text(NodeIndex{3}, EventText::kException, "no map");
   const std::vector<NodeMessage> messages = MessagesOf(writer.words());
   ASSERT_EQ(messages.size(), 2U);
   EXPECT_EQ(messages[0].node, 1U);

@@ -12,7 +12,7 @@ constexpr Status kRunning = Status::kRunning;
 constexpr Status kSuccess = Status::kSuccess;
 using Statuses = std::vector<Status>;
 
-Event Of(NodeIndex node, Status status) {
+Event Of(std::uint32_t node, Status status) {
   Event event;
   event.code = static_cast<EventCode>(status);
   event.index = node;
@@ -21,19 +21,23 @@ Event Of(NodeIndex node, Status status) {
 
 // 0 sequence (1 a, 2 parallel (3 b, 4 c), 5 d)
 StatusFollower Follower() {
-  return StatusFollower(
-      {{0, 6, true}, {0, 2, false}, {0, 5, false}, {2, 4, false}, {2, 5, false}, {0, 6, false}},
-      Statuses(6, kIdle));
+  return StatusFollower({{NodeIndex{0}, NodeIndex{6}, true},
+                         {NodeIndex{0}, NodeIndex{2}, false},
+                         {NodeIndex{0}, NodeIndex{5}, false},
+                         {NodeIndex{2}, NodeIndex{4}, false},
+                         {NodeIndex{2}, NodeIndex{5}, false},
+                         {NodeIndex{0}, NodeIndex{6}, false}},
+                        Statuses(6, kIdle));
 }
 
 TEST(StatusFollower, WhenANodeEndsItsChildrenAreIdle) {
   StatusFollower follower = Follower();
   follower.Apply(Of(3, kSuccess));
   follower.Apply(Of(4, kSuccess));
-  EXPECT_EQ(follower.status(4), kSuccess);
+  EXPECT_EQ(follower.status(NodeIndex{4}), kSuccess);
   follower.Apply(Of(2, kSuccess));
   EXPECT_EQ(follower.statuses(), (Statuses{kIdle, kIdle, kSuccess, kIdle, kIdle, kIdle}));
-  EXPECT_EQ(follower.last(4), kSuccess);
+  EXPECT_EQ(follower.last(NodeIndex{4}), kSuccess);
 }
 
 TEST(StatusFollower, BehindTheRunningChildOfASequenceAllAreIdle) {
@@ -55,7 +59,7 @@ TEST(StatusFollower, WhatWasNotedFollowsWhenItIsSettled) {
   for (const Event& event : {Of(1, kSuccess), Of(3, kSuccess), Of(4, kRunning), Of(2, kRunning),
                              Of(0, kRunning), Of(1, kRunning), Of(2, kIdle), Of(0, kRunning)}) {
     applied.Apply(event);
-    noted.Note(event.index, event.status());
+    noted.Note(event.node(), event.status());
   }
   noted.Settle();
   EXPECT_EQ(noted.statuses(), applied.statuses());
@@ -69,7 +73,8 @@ TEST(StatusFollower, ChangesComeInTheOrderOfHappening) {
        {Of(3, kSuccess), Of(4, kRunning), Of(2, kRunning), Of(4, kSuccess), Of(2, kSuccess)}) {
     follower.Apply(event, [&](const StatusChange& change) { nodes.push_back(change.node); });
   }
-  EXPECT_EQ(nodes, (std::vector<NodeIndex>{3, 4, 2, 4, 3, 4, 2}));
+  EXPECT_EQ(nodes, (std::vector<NodeIndex>{NodeIndex{3}, NodeIndex{4}, NodeIndex{2}, NodeIndex{4},
+                                           NodeIndex{3}, NodeIndex{4}, NodeIndex{2}}));
 }
 
 TEST(StatusFollower, AnEventOfANodeThatThereIsNotChangesNothing) {

@@ -24,16 +24,16 @@ class Scribe : public TickSink {
   std::string Line(const Event& event) const {
     switch (event.code) {
       case EventCode::kReset:
-        return "reset " + program_.Name(event.index);
+        return "reset " + program_.Name(event.node());
       case EventCode::kWrite:
         return (event.writer == kNoNode ? "?" : program_.Name(event.writer)) + " writes " +
                Entry(event);
       case EventCode::kDelivery:
         return "inbox writes " + Entry(event);
       case EventCode::kText:
-        return program_.Name(event.index) + ": " + std::string(event.bytes);
+        return program_.Name(event.node()) + ": " + std::string(event.bytes);
       default:
-        return program_.Name(event.index) + " " + ToString(event.status());
+        return program_.Name(event.node()) + " " + ToString(event.status());
     }
   }
   std::string Entry(const Event& event) const {
@@ -132,15 +132,15 @@ using Keys = std::vector<std::string>;
 
 TEST(WrittenSlots, AreThoseOfOutputs) {
   const Stage stage(Main(R"(<Tell text="{a}" to="{b}"/>)"));
-  EXPECT_EQ(KeysOf(stage, 0), Keys{"b"});
+  EXPECT_EQ(KeysOf(stage, kRootNode), Keys{"b"});
 }
 
 TEST(WrittenSlots, AreThoseThatScriptsAssign) {
   const Stage stage(Main(R"(<Sequence _onSuccess="done:=x"><Script code="n:=1; m:=n"/>)"
                          "<AlwaysSuccess/></Sequence>"));
-  EXPECT_EQ(KeysOf(stage, 0), Keys{"done"});
-  EXPECT_EQ(KeysOf(stage, 1), (Keys{"n", "m"}));
-  EXPECT_EQ(KeysOf(stage, 2), Keys());
+  EXPECT_EQ(KeysOf(stage, kRootNode), Keys{"done"});
+  EXPECT_EQ(KeysOf(stage, NodeIndex{1}), (Keys{"n", "m"}));
+  EXPECT_EQ(KeysOf(stage, NodeIndex{2}), Keys());
 }
 
 TEST(WrittenSlots, ThereIsARangeForEveryNode) {

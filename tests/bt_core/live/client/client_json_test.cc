@@ -32,7 +32,7 @@ TEST(ClientJson, WritesCommandsAsTheRobotWantsThem) {
                         {"times", 3},
                         {"enabled", true}}));
   hook = Hook();
-  hook.node = 7;
+  hook.node = NodeIndex{7};
   hook.action = HookAction::kDelay;
   hook.delay = std::chrono::milliseconds(1500);
   const Json delay = Json::parse(WriteCommand(SetHook(hook), 0));

@@ -22,7 +22,7 @@ TEST(DebuggerCore, TakesTheHooksFromTheExecutorWhenTheDebuggerIsGone) {
   {
     Debugger debugger(*stage.executor);
     Hook hook;
-    hook.node = 1;
+    hook.node = NodeIndex{1};
     hook.action = HookAction::kReplace;
     hook.status = Status::kFailure;
     EXPECT_TRUE(debugger.Add(hook));

@@ -24,7 +24,7 @@ const char kTwo[] = R"(<Sequence><Leaf name="a"/><Leaf name="b"/></Sequence>)";
 
 TEST(Debugger, StopsBeforeANodeUntilItIsContinued) {
   DebuggedTree tree(Main(kTwo));
-  const HookId id = tree.Set(2);
+  const HookId id = tree.Set(NodeIndex{2});
   std::future<Status> tick = tree.Tick();
   EXPECT_EQ(tree.NextText(), "before 2");
   const DebugStop stop = tree.debugger->where();
@@ -42,7 +42,7 @@ TEST(Debugger, StopsBeforeANodeUntilItIsContinued) {
 TEST(Debugger, ShowsTheWatchersHowFarTheTickHasCome) {
   DebuggedTree tree(Main(kTwo));
   const KeepingSink& sink = tree.stage.Listen();
-  tree.Set(2);
+  tree.Set(NodeIndex{2});
   std::future<Status> tick = tree.Tick();
   EXPECT_EQ(tree.NextText(), "before 2");
   ASSERT_EQ(sink.ticks.size(), 1u);
@@ -54,7 +54,7 @@ TEST(Debugger, ShowsTheWatchersHowFarTheTickHasCome) {
 
 TEST(Debugger, StopsAfterANodeWithItsResult) {
   DebuggedTree tree(Main(kTwo));
-  tree.Set(1, HookPosition::kAfter);
+  tree.Set(NodeIndex{1}, HookPosition::kAfter);
   std::future<Status> tick = tree.Tick();
   EXPECT_EQ(tree.NextText(), "after 1 SUCCESS");
   tree.debugger->Continue(kFailure);
@@ -64,7 +64,7 @@ TEST(Debugger, StopsAfterANodeWithItsResult) {
 
 TEST(Debugger, ContinuesAsIfTheNodeHadReturnedAStatus) {
   DebuggedTree tree(Main(kTwo));
-  tree.Set(1);
+  tree.Set(NodeIndex{1});
   std::future<Status> tick = tree.Tick();
   EXPECT_EQ(tree.NextText(), "before 1");
   tree.debugger->Continue(kSuccess);
@@ -86,7 +86,7 @@ TEST_P(DebuggerHook, ActsWhenItShould) {
       Main(R"(<Sequence><Script code="k := n + 1; n := k"/><Leaf name="b"/></Sequence>)"));
   tree.stage.executor->Writer<double>("n").Send(0);
   Hook hook;
-  hook.node = 2;
+  hook.node = NodeIndex{2};
   GetParam().change(hook);
   const Expected<HookAnswer> answer = tree.debugger->Add(hook);
   ASSERT_TRUE(answer.ok()) << answer.problem();
@@ -164,7 +164,7 @@ TEST(Debugger, KeepsANodeRunningForADelayAndTicksItThen) {
 TEST(Debugger, BeginsADelayAnewWhenTheNodeWasHalted) {
   DebuggedTree tree(Main(kTwo));
   Hook hook;
-  hook.node = 2;
+  hook.node = NodeIndex{2};
   hook.action = HookAction::kDelay;
   hook.delay = 2s;
   EXPECT_TRUE(tree.debugger->Add(hook));
@@ -212,7 +212,7 @@ TEST(Debugger, StepsIntoNodesFromABreakpointInTheMiddleOfATick) {
   DebuggedTree tree(Main(R"(<Sequence><Leaf name="a"/><Inverter><Leaf name="b"/></Inverter>)"
                          R"(<Leaf name="c"/></Sequence>)"),
                     {});
-  tree.Set(1);
+  tree.Set(NodeIndex{1});
   std::future<Status> tick = tree.Tick();
   EXPECT_EQ(tree.NextText(), "before 1");
   EXPECT_TRUE(tree.debugger->StepNode());
@@ -265,9 +265,9 @@ TEST(Debugger, StopsATreeThatSleepsUntilSomethingHappens) {
 TEST(Debugger, ReleasesWhatAClientOwnsAndNothingElse) {
   DebuggedTree tree(Main(kTwo));
   Hook hook;
-  hook.node = 1;
+  hook.node = NodeIndex{1};
   const HookId mine = tree.debugger->Add(hook, 7)->id;
-  hook.node = 2;
+  hook.node = NodeIndex{2};
   const HookId other = tree.debugger->Add(hook, 8)->id;
   std::future<Status> tick = tree.Tick();
   EXPECT_EQ(tree.NextText(), "before 1");
@@ -293,11 +293,11 @@ TEST(Debugger, ReleasesAPauseOfAClientThatDied) {
 TEST(Debugger, LetsTheTreeGoOnWhenTheHookIsRemovedDisabledOrChanged) {
   for (const std::string how : {"removed", "disabled", "changed"}) {
     DebuggedTree tree(Main(kTwo));
-    const HookId id = tree.Set(2);
+    const HookId id = tree.Set(NodeIndex{2});
     std::future<Status> tick = tree.Tick();
     EXPECT_EQ(tree.NextText(), "before 2");
     Hook other;
-    other.node = 1;
+    other.node = NodeIndex{1};
     if (how == "removed") tree.debugger->Remove(id);
     if (how == "disabled") tree.debugger->SetEnabled(id, false);
     if (how == "changed") static_cast<void>(tree.debugger->Change(id, other));
@@ -307,10 +307,10 @@ TEST(Debugger, LetsTheTreeGoOnWhenTheHookIsRemovedDisabledOrChanged) {
 
 TEST(Debugger, RefusesEverythingThatStopsOrChangesTheTreeWithTheReason) {
   DebuggedTree tree(Main(kTwo));
-  const HookId id = tree.Set(1);
+  const HookId id = tree.Set(NodeIndex{1});
   tree.Refuse("the robot moves");
   Hook hook;
-  hook.node = 2;
+  hook.node = NodeIndex{2};
   EXPECT_EQ(tree.debugger->Add(hook).problem(), "the robot moves");
   EXPECT_FALSE(tree.debugger->Add(hook).ok());
   EXPECT_EQ(tree.debugger->Change(id, hook).problem(), "the robot moves");
@@ -329,7 +329,7 @@ TEST(Debugger, FindsItsNodesAgainInATreeThatIsSwappedIn) {
   const Expected<HookAnswer> answer = tree.debugger->Add(hook);
   EXPECT_TRUE(answer.ok());
   EXPECT_THAT(answer->remark, HasSubstr(R"(no node "late")"));
-  const HookId by_number = tree.Set(2);  // "b"
+  const HookId by_number = tree.Set(NodeIndex{2});  // "b"
   EXPECT_TRUE(tree.debugger->Find(answer->id)->nodes.empty());
   Stage next(Main(R"(<Sequence><Leaf name="late"/><Leaf name="a"/><Leaf name="b"/></Sequence>)"));
   tree.stage.executor->inbox()->PostCall([&] { tree.stage.executor->Reload(next.program); });
@@ -347,7 +347,7 @@ TEST(Debugger, FindsItsNodesAgainInATreeThatIsSwappedIn) {
 
 TEST(Debugger, LetsTheTreeGoOnWhenItEnds) {
   DebuggedTree tree(Main(kTwo));
-  tree.Set(1);
+  tree.Set(NodeIndex{1});
   std::future<Status> ticks = tree.Tick(3);
   EXPECT_EQ(tree.NextText(), "before 1");
   tree.debugger.reset();
@@ -356,7 +356,7 @@ TEST(Debugger, LetsTheTreeGoOnWhenItEnds) {
 
 TEST(Debugger, MayOutliveTheExecutor) {
   DebuggedTree tree(Main(kTwo));
-  tree.Set(1);
+  tree.Set(NodeIndex{1});
   tree.stage.executor.reset();
   EXPECT_EQ(tree.debugger->Pause().problem(), "");
   tree.debugger.reset();
@@ -367,7 +367,7 @@ TEST(Debugger, MayBeFollowedByAnother) {
   tree.debugger.reset();
   Debugger next(*tree.stage.executor);
   Hook hook;
-  hook.node = 1;
+  hook.node = NodeIndex{1};
   hook.action = HookAction::kReplace;
   hook.status = kFailure;
   ASSERT_TRUE(next.Add(hook).ok());
@@ -378,7 +378,7 @@ TEST(Debugger, DoesNotKeepARunnerFromStopping) {
   LeafScript script;
   script.results["a"] = {kRunning};
   DebuggedTree tree(Main(R"(<Leaf name="a"/>)"), script);
-  tree.Set(0);
+  tree.Set(kRootNode);
   Runner runner(*tree.stage.executor);
   std::thread thread([&] { runner.Run(); });
   EXPECT_EQ(tree.NextText(), "before 0");
@@ -398,7 +398,7 @@ TEST(Debugger, WithstandsClientsThatPauseInjectAndDie) {
       Debugger& debugger = *tree.debugger;
       for (std::uint32_t round = static_cast<std::uint32_t>(owner); !done; ++round) {
         Hook hook;
-        hook.node = round % 3;
+        hook.node = NodeIndex(round % 3);
         hook.position = round % 2 ? HookPosition::kAfter : HookPosition::kBefore;
         hook.action = round % 5 ? HookAction::kReplace : HookAction::kStop;
         hook.status = kFailure;

@@ -18,27 +18,29 @@ class HookConditionTest : public ::testing::Test {
 TEST_F(HookConditionTest, IsComputedOnTheBlackboardOfTheTree) {
   stage_.executor->Tick();
   Blackboard blackboard = stage_.executor->blackboard();
-  const auto low = CompileCondition("battery < 20 && word == 'go'", *stage_.program, 0);
+  const auto low = CompileCondition("battery < 20 && word == 'go'", *stage_.program, kMainScope);
   ASSERT_TRUE(low) << low.problem();
   EXPECT_TRUE(low->Test(blackboard));
-  const auto high = CompileCondition("battery > 20", *stage_.program, 0);
+  const auto high = CompileCondition("battery > 20", *stage_.program, kMainScope);
   ASSERT_TRUE(high) << high.problem();
   EXPECT_FALSE(high->Test(blackboard));
 }
 
 TEST_F(HookConditionTest, SaysWhereItIsWrong) {
-  const std::string problem = CompileCondition("battery >\n  < 3", *stage_.program, 0).problem();
+  const std::string problem =
+      CompileCondition("battery >\n  < 3", *stage_.program, kMainScope).problem();
   EXPECT_THAT(problem, HasSubstr("condition:2:3: "));
 }
 
 TEST_F(HookConditionTest, NamesTheNearestKey) {
-  const std::string problem = CompileCondition("1 < batery", *stage_.program, 0).problem();
+  const std::string problem = CompileCondition("1 < batery", *stage_.program, kMainScope).problem();
   EXPECT_THAT(problem, HasSubstr("condition:1:5: "));
   EXPECT_THAT(problem, HasSubstr(R"(did you mean "battery"?)"));
 }
 
 TEST_F(HookConditionTest, CannotWrite) {
-  const std::string problem = CompileCondition("battery = 3", *stage_.program, 0).problem();
+  const std::string problem =
+      CompileCondition("battery = 3", *stage_.program, kMainScope).problem();
   EXPECT_THAT(problem, HasSubstr("cannot assign"));
 }
 

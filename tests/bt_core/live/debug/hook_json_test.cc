@@ -69,9 +69,9 @@ TEST(HookJson, SaysWhatIsWrong) {
 
 TEST(HookJson, WritesWhatItReads) {
   HookInfo info;
-  info.id = 4;
+  info.id = HookId{4};
   info.hook = ReadHook(Json::parse(R"({"node": "p", "action": "delay", "delay_ms": 2})"));
-  info.nodes = {3, 9};
+  info.nodes = {NodeIndex{3}, NodeIndex{9}};
   info.hits = 5;
   info.problem = "no key x";
   const Json json = WriteHook(info, true);
@@ -87,7 +87,7 @@ TEST(HookJson, WritesWhatItReads) {
 TEST(HookJson, WritesWhereATreeStands) {
   const auto program = WatchedProgram();
   EXPECT_TRUE(WriteStop({}, *program).is_null());
-  const DebugStop stop{DebugStop::Where::kAfter, 5, Status::kRunning, 2, 77};
+  const DebugStop stop{DebugStop::Where::kAfter, NodeIndex{5}, Status::kRunning, HookId{2}, 77};
   EXPECT_EQ(WriteStop(stop, *program), Json::parse(R"({"where": "after", "node": 5, "path": "last",
       "result": "RUNNING", "hook": 2, "tick": 77})"));
   const DebugStop between{DebugStop::Where::kBetweenTicks, kNoNode, Status::kIdle, kNoHook, 3};

@@ -25,7 +25,7 @@ class HookNodesTest : public ::testing::Test {
 };
 
 TEST_F(HookNodesTest, PathsAreThoseOfTheProgram) {
-  for (NodeIndex i = 0; i < program_.nodes.size(); ++i) {
+  for (NodeIndex i{0}; i < program_.nodes.size(); ++i) {
     EXPECT_THAT(FindNodes(program_, program_.Path(i)), ElementsAre(i));
   }
 }

@@ -31,20 +31,20 @@ class HookTableTest : public ::testing::Test {
 };
 
 TEST_F(HookTableTest, FindsHooksByNodeAndPositionThoseThatStopFirst) {
-  Hook replace = At(1);
+  Hook replace = At(NodeIndex{1});
   replace.action = HookAction::kReplace;
   const HookId first = table_.Add(replace, 0)->id;
-  const HookId second = table_.Add(At(1), 0)->id;
-  Hook after = At(1);
+  const HookId second = table_.Add(At(NodeIndex{1}), 0)->id;
+  Hook after = At(NodeIndex{1});
   after.position = HookPosition::kAfter;
   const HookId third = table_.Add(after, 0)->id;
-  EXPECT_THAT(table_.At(1, HookPosition::kBefore), ElementsAre(second, first));
-  EXPECT_THAT(table_.At(1, HookPosition::kAfter), ElementsAre(third));
-  EXPECT_THAT(table_.At(2, HookPosition::kBefore), IsEmpty());
+  EXPECT_THAT(table_.At(NodeIndex{1}, HookPosition::kBefore), ElementsAre(second, first));
+  EXPECT_THAT(table_.At(NodeIndex{1}, HookPosition::kAfter), ElementsAre(third));
+  EXPECT_THAT(table_.At(NodeIndex{2}, HookPosition::kBefore), IsEmpty());
   EXPECT_THAT(table_.Nodes(), ElementsAre(1u));
   EXPECT_TRUE(table_.Remove(second));
   EXPECT_FALSE(table_.Remove(second));
-  EXPECT_THAT(table_.At(1, HookPosition::kBefore), ElementsAre(first));
+  EXPECT_THAT(table_.At(NodeIndex{1}, HookPosition::kBefore), ElementsAre(first));
 }
 
 TEST_F(HookTableTest, TakesAllNodesOfAPath) {
@@ -54,19 +54,19 @@ TEST_F(HookTableTest, TakesAllNodesOfAPath) {
 }
 
 TEST_F(HookTableTest, KnowsWhoseAHookIs) {
-  EXPECT_TRUE(table_.Add(At(1), 5));
-  const HookId second = table_.Add(At(2), 6)->id;
+  EXPECT_TRUE(table_.Add(At(NodeIndex{1}), 5));
+  const HookId second = table_.Add(At(NodeIndex{2}), 6)->id;
   EXPECT_THAT(table_.IdsOf(6), ElementsAre(second));
 }
 
 TEST_F(HookTableTest, CountsAnewWhenAHookIsChanged) {
-  const HookId id = table_.Add(At(1), 5)->id;
+  const HookId id = table_.Add(At(NodeIndex{1}), 5)->id;
   table_.Find(id)->info.hits = 3;
-  ASSERT_TRUE(table_.Change(id, At(2)).ok());
+  ASSERT_TRUE(table_.Change(id, At(NodeIndex{2})).ok());
   EXPECT_EQ(table_.Find(id)->info.hits, 0u);
   EXPECT_EQ(table_.Find(id)->info.owner, 5u);
   EXPECT_THAT(table_.Nodes(), ElementsAre(2u));
-  EXPECT_THAT(table_.Change(99, At(2)).problem(), HasSubstr("no hook 99"));
+  EXPECT_THAT(table_.Change(HookId{99}, At(NodeIndex{2})).problem(), HasSubstr("no hook 99"));
 }
 
 struct WrongHook {
@@ -78,7 +78,7 @@ struct WrongHook {
 class HookTableRefuses : public HookTableTest, public ::testing::WithParamInterface<WrongHook> {};
 
 TEST_P(HookTableRefuses, WhatIsWrong) {
-  Hook hook = At(2);
+  Hook hook = At(NodeIndex{2});
   GetParam().change(hook);
   const Expected<HookAnswer> answer = table_.Add(hook, 0);
   EXPECT_FALSE(answer.ok());
@@ -90,7 +90,7 @@ INSTANTIATE_TEST_SUITE_P(
     All, HookTableRefuses,
     ::testing::Values(
         WrongHook{"NoNode", [](Hook& h) { h.node = kNoNode; }, "needs a node or a path"},
-        WrongHook{"NodeOutOfRange", [](Hook& h) { h.node = 4; }, "the nodes 0 to 3"},
+        WrongHook{"NodeOutOfRange", [](Hook& h) { h.node = NodeIndex{4}; }, "the nodes 0 to 3"},
         WrongHook{"IdleIsNoResult",
                   [](Hook& h) {
                     h.action = HookAction::kReplace;
@@ -120,14 +120,14 @@ INSTANTIATE_TEST_SUITE_P(
 TEST_F(HookTableTest, RefusesMoreHooksThanItsLimit) {
   for (std::size_t i = 0; i < HookTable::kMaxHooks; ++i)
     ASSERT_TRUE(table_.Add(AtPath("x"), 0).ok());
-  EXPECT_FALSE(table_.Add(At(1), 0).ok());
+  EXPECT_FALSE(table_.Add(At(NodeIndex{1}), 0).ok());
 }
 
 TEST_F(HookTableTest, FollowsASwapOfTheTree) {
   Hook conditional = AtPath("c");
   conditional.condition = "fuel > 1";
   const HookId waits = table_.Add(conditional, 0)->id;
-  const HookId numbered = table_.Add(At(2), 0)->id;
+  const HookId numbered = table_.Add(At(NodeIndex{2}), 0)->id;
   Hook lost = AtPath("b");
   lost.condition = "level > 1";
   const HookId no_longer_fits = table_.Add(lost, 0)->id;

@@ -24,8 +24,8 @@ class ScopeKeysTest : public ::testing::Test {
   const Program& program_ = *stage_.program;
 
   // "SCOPE KEY" of the slot.
-  std::string Slot(ScopeIndex scope, std::string_view key) {
-    const SlotIndex slot = FindKey(program_, scope, key);
+  std::string Slot(std::uint32_t scope, std::string_view key) {
+    const SlotIndex slot = FindKey(program_, ScopeIndex(scope), key);
     if (slot == kNoSlot) return "none";
     const SlotDefinition& definition = program_.layout.slots[slot];
     return program_.layout.scopes[definition.scope] + " " + definition.key;
@@ -33,11 +33,11 @@ class ScopeKeysTest : public ::testing::Test {
 };
 
 TEST_F(ScopeKeysTest, KeysOfTheMainTreeAreFoundByName) {
-  EXPECT_EQ(Slot(0, "battery"), "Main battery");
-  EXPECT_EQ(Slot(0, "@battery"), "Main battery");
-  EXPECT_EQ(Slot(0, "level"), "Main level");  // the autoremapped one
-  EXPECT_EQ(Slot(0, "nothing"), "none");
-  EXPECT_EQ(Slot(0, ""), "none");
+  EXPECT_EQ(Slot(kMainScope, "battery"), "Main battery");
+  EXPECT_EQ(Slot(kMainScope, "@battery"), "Main battery");
+  EXPECT_EQ(Slot(kMainScope, "level"), "Main level");  // the autoremapped one
+  EXPECT_EQ(Slot(kMainScope, "nothing"), "none");
+  EXPECT_EQ(Slot(kMainScope, ""), "none");
 }
 
 TEST_F(ScopeKeysTest, RemappedKeysAreThoseOutside) {
@@ -69,13 +69,14 @@ TEST(ScopeKeys, DefaultsOfAModelDoNotCountBesideAutoremap) {
       <BehaviorTree ID="S"><AlwaysSuccess/></BehaviorTree>
       <TreeNodesModel><SubTree ID="S"><input_port name="speed" default="{level}"/></SubTree>
       </TreeNodesModel>)"));
-  const SlotIndex slot = FindKey(*stage.program, 1, "speed");
+  const SlotIndex slot = FindKey(*stage.program, ScopeIndex{1}, "speed");
   ASSERT_NE(slot, kNoSlot);
   EXPECT_EQ(stage.program->layout.slots[slot].key, "speed");
 }
 
 TEST_F(ScopeKeysTest, HintsNameWhatIsVisible) {
-  EXPECT_THAT(KeysAround(program_, 1), ::testing::IsSupersetOf({"speed", "own", "_mine", "level"}));
+  EXPECT_THAT(KeysAround(program_, ScopeIndex{1}),
+              ::testing::IsSupersetOf({"speed", "own", "_mine", "level"}));
 }
 
 }  // namespace

@@ -51,10 +51,10 @@ TEST(BoardMessage, WritesValuesAsWhatTheyAre) {
 TEST(BoardMessage, WritesARegisteredTypeAsItsJsonWithItsName) {
   Layout layout;
   layout.scopes = {"Main"};
-  layout.slots.push_back({"pose", 0, &TypeOf<Pose>(), {}});
+  layout.slots.push_back({"pose", kMainScope, &TypeOf<Pose>(), {}});
   std::string bytes;
   AppendValueBytes(Value(Pose{1.5, 2}), bytes);
-  EXPECT_EQ(json::from_msgpack(WriteBoards(layout, {0}, {bytes})),
+  EXPECT_EQ(json::from_msgpack(WriteBoards(layout, {kMainScope}, {bytes})),
             json::parse(R"({"Main": {"pose": {"__type": "Pose", "x": 1.5, "level": 2}}})"));
 }
 

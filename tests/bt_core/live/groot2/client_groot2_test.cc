@@ -71,7 +71,7 @@ TEST(ClientGroot2, BringsTheBlackboard) {
   ASSERT_TRUE(watcher.Await(IsLive));
   robot.Tick(7);
   ASSERT_TRUE(watcher.Await([](const Watched& w) {
-    for (SlotIndex i = 0; i < w.values.size(); ++i) {
+    for (SlotIndex i{0}; i < w.values.size(); ++i) {
       const DescribedSlot& slot = w.trees.back().slots[i];
       if (slot.name == "number") return PrintValueBytes(w.values[i]) == "7";
     }
@@ -168,7 +168,7 @@ TEST(ClientGroot2, SaysWhatTheProtocolCannotDo) {
   hook.path = "Missing";
   EXPECT_THAT(Ask(client, SetHook(hook)).problem(), HasSubstr(R"(no node is called "Missing")"));
   LiveCommand remove = MakeCommand(Kind::kRemoveHook);
-  remove.id = 99;
+  remove.id = HookId{99};
   EXPECT_THAT(Ask(client, remove).problem(), HasSubstr("no hook 99"));
 }
 

@@ -23,7 +23,7 @@ TEST(ClientRobotTree, IsTheTreeThatTheRobotRuns) {
   const RobotTree tree = Read(WriteFullTree(*program), diagnostics);
   ASSERT_EQ(diagnostics.ToString(), "");
   ASSERT_EQ(tree.description.nodes.size(), program->nodes.size());
-  for (NodeIndex i = 0; i < program->nodes.size(); ++i) {
+  for (NodeIndex i{0}; i < program->nodes.size(); ++i) {
     const DescribedNode& node = tree.description.nodes[i];
     EXPECT_EQ(node.path, program->Path(i));
     EXPECT_EQ(node.id, program->Id(i));

@@ -39,7 +39,7 @@ TEST_F(Groot2HooksTest, ReplacesAResultOnlyBySuccessAndFailure) {
   EXPECT_EQ(Insert(MakeHook(2, 1, "FAILURE", 1)).problem(), "");
   EXPECT_EQ(Insert(MakeHook(3, 1, "RUNNING")).problem(), "");
   Tick();
-  EXPECT_EQ(executor_.status(0), Status::kFailure);
+  EXPECT_EQ(executor_.status(kRootNode), Status::kFailure);
   EXPECT_FALSE(tree_->debugger().hooks()[1].hook.enabled) << "lets the node run normally";
 }
 
@@ -89,10 +89,10 @@ TEST_F(Groot2HooksTest, DisablesAndRemovesAll) {
   hooks_.SetAllEnabled(false);
   EXPECT_EQ(Json::parse(hooks_.Dump())[0]["enabled"], false);
   Tick();
-  EXPECT_EQ(executor_.status(0), Status::kRunning);
+  EXPECT_EQ(executor_.status(kRootNode), Status::kRunning);
   hooks_.SetAllEnabled(true);
   Tick();
-  EXPECT_EQ(executor_.status(0), Status::kFailure);
+  EXPECT_EQ(executor_.status(kRootNode), Status::kFailure);
   hooks_.RemoveAll();
   EXPECT_TRUE(hooks_.empty());
   EXPECT_THAT(tree_->debugger().hooks(), SizeIs(0));

@@ -89,7 +89,7 @@ TEST_F(Groot2ServiceTest, PublishesTheNodeOfAHookThatActed) {
   EXPECT_EQ(notification[0].size(), 6u);
   EXPECT_EQ(notification[1], "2");
   DebugEvent of_another = events[0];
-  of_another.stop.hook += 1;
+  ++of_another.stop.hook;
   EXPECT_THAT(service_.Notification(of_another), SizeIs(0));
 }
 

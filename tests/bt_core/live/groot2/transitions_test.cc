@@ -9,13 +9,14 @@ using std::chrono::microseconds;
 
 // Two nodes: a Sequence and its child.
 StatusFollower Idle() {
-  return StatusFollower({{0, 2, true}, {0, 2, false}}, {Status::kIdle, Status::kIdle});
+  return StatusFollower({{NodeIndex{0}, NodeIndex{2}, true}, {NodeIndex{0}, NodeIndex{2}, false}},
+                        {Status::kIdle, Status::kIdle});
 }
 
 void AddTick(Transitions& transitions, Time start, Status child, Status root) {
   EventWriter writer;
-  writer.Status(1, child);
-  writer.Status(0, root);
+  writer.Status(NodeIndex{1}, child);
+  writer.Status(kRootNode, root);
   transitions.Add({1, start, Duration(0), root, true, writer.words()});
 }
 
@@ -67,9 +68,9 @@ TEST(Transitions, CountsWhatIsNotFetchedInTime) {
 TEST(Transitions, GoesOnBehindAJump) {
   Transitions transitions;
   transitions.Start(Idle(), Time(0));
-  transitions.Jump(StatusFollower({{0, 1, false}}, {Status::kRunning}));
+  transitions.Jump(StatusFollower({{NodeIndex{0}, NodeIndex{1}, false}}, {Status::kRunning}));
   EventWriter writer;
-  writer.Status(0, Status::kFailure);
+  writer.Status(kRootNode, Status::kFailure);
   transitions.Add({1, Time(0), Duration(0), Status::kFailure, true, writer.words()});
   EXPECT_EQ(transitions.Take(), Bytes({0, 0, 0, 0, 0, 0, 1, 0, 3}));
 }

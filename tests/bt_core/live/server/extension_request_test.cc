@@ -107,7 +107,7 @@ TEST_F(ExtensionRequestTest, WritesValues) {
   EXPECT_EQ(Run("write", {{"scope", "inner"}, {"key", "literal"}, {"value", 9}}), Json::object());
   Tick();
   const auto& layout = executor_.program().layout;
-  EXPECT_EQ(executor_.blackboard()[layout.Find(1, "literal")].value.Print(), "9");
+  EXPECT_EQ(executor_.blackboard()[layout.Find(ScopeIndex{1}, "literal")].value.Print(), "9");
 }
 
 TEST_F(ExtensionRequestTest, PausesForTheClientThatAsked) {

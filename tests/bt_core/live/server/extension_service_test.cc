@@ -56,7 +56,7 @@ TEST_F(ExtensionServiceTest, SaysWhatIsWrongAndWhy) {
 
 TEST_F(ExtensionServiceTest, DescribesWhatTheDebuggerTells) {
   DebugEvent event;
-  event.stop = {DebugStop::Where::kBefore, 5, Status::kIdle, 2, 9};
+  event.stop = {DebugStop::Where::kBefore, NodeIndex{5}, Status::kIdle, HookId{2}, 9};
   Json notice = Json::parse(service_.Describe(0, event));
   EXPECT_EQ(notice["event"], "stopped");
   EXPECT_EQ(notice["stop"]["path"], "last");

@@ -24,7 +24,7 @@ TEST_F(LiveSessionsTest, GivesEachClientAnOwnerOfItsOwn) {
 TEST_F(LiveSessionsTest, ReleasesWhatAClientHoldsWhenItIsClosed) {
   Session* const session = sessions_.Open(kAnn, true, Time(1));
   Hook hook;
-  hook.node = 1;
+  hook.node = NodeIndex{1};
   EXPECT_TRUE(tree_->debugger().Add(hook, session->owner));
   EXPECT_TRUE(tree_->debugger().Add(hook, session->owner + 100));
   sessions_.Close(kAnn);
@@ -35,7 +35,7 @@ TEST_F(LiveSessionsTest, ReleasesWhatAClientHoldsWhenItIsClosed) {
 
 TEST_F(LiveSessionsTest, OpeningAgainReleasesToo) {
   Hook hook;
-  hook.node = 1;
+  hook.node = NodeIndex{1};
   EXPECT_TRUE(tree_->debugger().Add(hook, sessions_.Open(kAnn, true, Time(1))->owner));
   sessions_.Open(kAnn, true, Time(2));
   EXPECT_THAT(tree_->debugger().hooks(), SizeIs(0));

@@ -35,7 +35,7 @@ struct StoppedTreeTest : testing::Test {
     stream_.Add(tree_);
     stream_.Flush();
     Hook hook;
-    hook.node = 5;
+    hook.node = NodeIndex{5};
     EXPECT_TRUE(tree_.debugger().Add(hook, LiveTree::kGroot2Owner));
   }
   ~StoppedTreeTest() override { stream_.Remove(tree_); }
@@ -54,7 +54,7 @@ struct StoppedTreeTest : testing::Test {
   SimulatedClock clock_{std::chrono::seconds(1)};
   Executor executor_{WatchedProgram(), clock_};
   EventStream stream_{executor_};
-  const SlotIndex number_ = executor_.program().layout.Find(0, "number");
+  const SlotIndex number_ = executor_.program().layout.Find(kMainScope, "number");
   int stops_ = 0;
   LiveTree tree_{stream_, {}, [this] { OnWake(); }};
 };
@@ -74,7 +74,7 @@ TEST_F(LiveTreeTest, CountsResults) {
 TEST_F(LiveTreeTest, WritesValuesOfTheRightTypeOnly) {
   Tick();
   const auto value_of = [&](const char* key) {
-    return executor_.blackboard()[executor_.program().layout.Find(0, key)].value.Print();
+    return executor_.blackboard()[executor_.program().layout.Find(kMainScope, key)].value.Print();
   };
   EXPECT_EQ(tree_->Write("", "text", "\"a \\\"b\"", false).problem(), "");
   EXPECT_EQ(tree_->Write("Main", "number", "12", true).problem(), "");
@@ -94,7 +94,7 @@ TEST_F(LiveTreeTest, AWrittenValueIsThereBeforeTheNodesAreTicked) {
   EXPECT_EQ(tree_->Write("inner", "literal", "9", false).problem(), "");
   Tick();
   const auto& layout = executor_.program().layout;
-  EXPECT_EQ(executor_.blackboard()[layout.Find(1, "literal")].value.Print(), "9");
+  EXPECT_EQ(executor_.blackboard()[layout.Find(ScopeIndex{1}, "literal")].value.Print(), "9");
 }
 
 // No node says which type "battery" has.

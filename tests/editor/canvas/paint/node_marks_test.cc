@@ -62,7 +62,7 @@ TEST(NodeMarks, ShowBreakpointsFaultsAndWhereTheTreeStands) {
   EXPECT_GT(full, 30);
   driver.Press(kKeyF1 + 8, kShift);
   EXPECT_LT(driver.CountColor(beside, colors.failure), full) << "hollow when it is off";
-  robot->StopBefore(1);
+  robot->StopBefore(NodeIndex{1});
   driver.Frames();
   EXPECT_GT(driver.CountColor(beside, colors.running), 20);
 }

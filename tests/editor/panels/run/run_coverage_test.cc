@@ -90,7 +90,7 @@ TEST_F(RunCoverageTest, TheSimulationIsTheSameAsTheRunOfItsSeed) {
   const Coverage coverage = *state().coverage.coverage();
   simulation().PlayRun({1, state().coverage.play()}, coverage.ticks, state().simulator.period());
   EXPECT_EQ(simulation().ticks(), coverage.ticks);
-  const Status result = simulation().state().last(0);
+  const Status result = simulation().state().last(kRootNode);
   EXPECT_EQ(coverage.results[static_cast<std::size_t>(result)], 1U);
 }
 
@@ -134,7 +134,7 @@ TEST_F(RunCoverageTest, SaysWhoseWordCountsAndAFindingIsFoundAgainWithIt) {
   EXPECT_TRUE(driver_.Click("run/coverage/finding/0"));
   driver_.Frames();
   EXPECT_EQ(simulation().ticks(), finding.tick);
-  EXPECT_EQ(simulation().state().last(4), Status::kFailure) << "say threw";
+  EXPECT_EQ(simulation().state().last(NodeIndex{4}), Status::kFailure) << "say threw";
   EXPECT_TRUE(driver_.Has("sim/chance_origin"));
   driver_.view().ZoomAt({0, 0}, 2);
   driver_.view().camera.offset = {-3000, -3000};  // no node is in sight

@@ -26,7 +26,7 @@ TEST(RunHooksList, RemovesWhatAnotherProgramHasLeft) {
   Driver driver;
   ExecutedSource* robot = AddExecuted(driver, "robot:1", 10);
   ForeignHook foreign;
-  foreign.id = 7;
+  foreign.id = HookId{7};
   foreign.hook.path = "pass/Drive";
   robot->TellForeignHooks({foreign});
   driver.editor.state().run.tab = RunTab::kHooks;

@@ -20,10 +20,10 @@ constexpr Status kRests = Status::kIdle;
 // Patrol > { Charge > Dock, Round > Round > NavigateTo }.
 TreeDescription Sample() {
   TreeDescription tree;
-  const auto add = [&](const std::string& path, NodeIndex parent) {
+  const auto add = [&](const std::string& path, std::uint32_t parent) {
     DescribedNode node;
     node.path = path;
-    node.parent = parent;
+    node.parent = NodeIndex(parent);
     tree.nodes.push_back(node);
   };
   add("Patrol", 0);
