@@ -111,7 +111,7 @@ class SlotMatcher {
     for (std::size_t k = 0; k < entry->declarations.size(); ++k) {
       const PortDeclaration& port = entry->declarations[k];
       const SlotIndex slot = program_.ports[first + k].slot;
-      if (slot == kNoSlot || port.type == &TypeOf<ScriptCode>()) continue;
+      if (slot == kNoSlot) continue;
       if (recorded_[slot] == kNoSlot) recorded_[slot] = OfPort(node, port.name);
     }
   }

@@ -170,7 +170,7 @@ class Executor final : public LeafHost, public ChildHost {
     const SlotIndex slot = Binding(node, k);
     return slot == kNoSlot ? nullptr : &blackboard_[slot];
   }
-  bool HasPort(NodeIndex node, std::uint32_t k) const { return Binding(node, k) != kNoSlot; }
+  bool HasScript(NodeIndex node, std::uint32_t k) const { return ScriptOf(node, k) != kNoScript; }
   const Type* TypeOfPort(NodeIndex node, std::uint32_t k) const {
     return program_->layout.slots[Binding(node, k)].type;
   }
@@ -181,10 +181,10 @@ class Executor final : public LeafHost, public ChildHost {
     return value.Get<T>();
   }
   void RunScript(NodeIndex node, std::uint32_t k) {
-    program_->scripts[Binding(node, k)].Run(blackboard_);
+    program_->scripts[ScriptOf(node, k)].Run(blackboard_);
   }
   bool TestScript(NodeIndex node, std::uint32_t k) {
-    return program_->scripts[Binding(node, k)].Test(blackboard_);
+    return program_->scripts[ScriptOf(node, k)].Test(blackboard_);
   }
   const ScriptConstants& constants() const { return program_->registry->script_constants(); }
   void TickAgain() { tick_again_ = true; }
@@ -219,6 +219,9 @@ class Executor final : public LeafHost, public ChildHost {
   const GuardRecord& GuardsOf(NodeIndex node) const;
   SlotIndex Binding(NodeIndex node, std::uint32_t k) const {
     return program_->ports[nodes_[node].first_port + k].slot;
+  }
+  ScriptIndex ScriptOf(NodeIndex node, std::uint32_t k) const {
+    return program_->ports[nodes_[node].first_port + k].script;
   }
   Status FailByException(NodeIndex node);
   void AddExceptionMessage(NodeIndex node);

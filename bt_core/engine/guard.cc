@@ -18,7 +18,7 @@ const GuardRecord& Executor::GuardsOf(NodeIndex node) const {
 // What the guards decide: kIdle if the node is to be ticked.
 Status Executor::AskGuards(const GuardRecord& guards, NodeIndex node, bool running) {
   const auto test = [&](Guard guard, bool otherwise) {
-    const std::uint32_t script = guards.scripts[Number(guard)];
+    const ScriptIndex script = guards.scripts[Number(guard)];
     return script == kNoScript ? otherwise : program_->scripts[script].Test(blackboard_);
   };
   if (!running) {
@@ -40,7 +40,7 @@ Status Executor::AskGuards(const GuardRecord& guards, NodeIndex node, bool runni
 }
 
 void Executor::RunHook(const GuardRecord& guards, Guard hook) {
-  const std::uint32_t script = guards.scripts[Number(hook)];
+  const ScriptIndex script = guards.scripts[Number(hook)];
   if (script != kNoScript) program_->scripts[script].Run(blackboard_);
 }
 

@@ -33,18 +33,20 @@ struct NodeRecord {
 };
 static_assert(sizeof(NodeRecord) == 12);
 
-/// One port of one node, in the order of the declarations.
-struct PortBinding {
-  /// kNoSlot: optional and not given. For a port of type ScriptCode a number in Program::scripts.
-  SlotIndex slot = kNoSlot;
-};
+using ScriptIndex = StrongIndex<struct ScriptTag>;  ///< of Program::scripts
+inline constexpr ScriptIndex kNoScript{UINT32_MAX};
 
-inline constexpr std::uint32_t kNoScript = UINT32_MAX;
+/// One port of one node, in the order of the declarations. It has neither slot nor script if it is
+/// optional and not given.
+struct PortBinding {
+  SlotIndex slot = kNoSlot;
+  ScriptIndex script = kNoScript;  ///< of a port of type ScriptCode, which has no slot
+};
 
 /// The guards and hooks of one node, in the order of Guard: numbers in Program::scripts.
 struct GuardRecord {
   NodeIndex node;
-  std::array<std::uint32_t, kGuardCount> scripts;  ///< kNoScript where there is none
+  std::array<ScriptIndex, kGuardCount> scripts;  ///< kNoScript where there is none
 };
 
 /// A node of the user's C++: a leaf, or a control node or decorator of a user's class.

@@ -17,7 +17,6 @@ std::vector<DescribedPort> Ports(const Program& program, NodeIndex node) {
   if (!entry) return ports;
   const std::uint32_t first = program.FirstPort(node);
   for (std::uint32_t k = 0; k < entry->declarations.size(); ++k) {
-    if (entry->declarations[k].type == &TypeOf<ScriptCode>()) continue;  // its number is no slot
     const SlotIndex slot = program.ports[first + k].slot;
     if (slot != kNoSlot) ports.push_back({entry->declarations[k].name, slot});
   }

@@ -15,7 +15,7 @@
 //   uint64&  memory(node)
 //   NodeIndex EndOf(node)             one past its last descendant; node + 1 is its first child
 //   const T& Port<T>(node, k)         the value of its k-th port; throws UnsetInput
-//   bool     HasPort(node, k)         false for an optional port that the XML leaves out
+//   bool     HasScript(node, k)       false for an optional one that the XML leaves out
 //   Slot*    SlotOf(node, k)          the slot that the port is bound to; null if there is none
 //   const Type* TypeOfPort(node, k)   the type of that slot; null if it takes any
 //   T&       Own<T>(node, k)          a private slot, which outlives the activation; k counts on

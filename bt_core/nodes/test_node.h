@@ -26,7 +26,7 @@ Status TickTestNode(Tree& tree, NodeIndex node) {
   const Status result = internal::ResultPort(tree, node, 0);
   if (result == Status::kRunning) return result;
   const auto run = [&](std::uint32_t k) {
-    if (tree.HasPort(node, k)) tree.RunScript(node, k);
+    if (tree.HasScript(node, k)) tree.RunScript(node, k);
   };
   if (result == Status::kSuccess) run(2);
   if (result == Status::kFailure) run(3);

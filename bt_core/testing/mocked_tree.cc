@@ -301,7 +301,7 @@ MockedTree::Inputs MockedTree::InputsOfPorts(const Part& part) const {
     const SlotIndex slot = program_->ports[part.first_port + k].slot;
     const bool is_input =
         port.direction == PortDirection::kInput || port.direction == PortDirection::kInOut;
-    if (!is_input || slot == kNoSlot || port.type == &TypeOf<ScriptCode>()) continue;
+    if (!is_input || slot == kNoSlot) continue;
     const Value& value = executor_->blackboard()[slot].value;
     if (value.has_value()) inputs.emplace_back(port.name, value.Print());
   }

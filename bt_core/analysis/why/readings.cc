@@ -73,7 +73,7 @@ std::vector<Reading> PortReadings(const RecordedTree& tree, NodeIndex node) {
     const SlotIndex slot = program.ports[first + k].slot;
     const bool reads =
         port.direction == PortDirection::kInput || port.direction == PortDirection::kInOut;
-    if (!reads || slot == kNoSlot || port.type == &TypeOf<ScriptCode>()) continue;
+    if (!reads || slot == kNoSlot) continue;
     const SlotIndex recorded = tree.recorded_slots[slot];
     if (recorded == kNoSlot || program.layout.slots[slot].key.empty()) continue;
     readings.push_back({port.name, program.layout.slots[slot].key, recorded});
@@ -90,8 +90,8 @@ std::vector<NodeScript> ScriptsOf(const RecordedTree& tree, NodeIndex node) {
   const std::uint32_t first = tree.program->FirstPort(node);
   for (std::size_t k = 0; k < entry->declarations.size(); ++k) {
     const PortDeclaration& port = entry->declarations[k];
-    const std::uint32_t script = tree.program->ports[first + k].slot;
-    if (port.type != &TypeOf<ScriptCode>() || script == kNoScript) continue;
+    const ScriptIndex script = tree.program->ports[first + k].script;
+    if (script == kNoScript) continue;
     scripts.push_back({port.name, std::nullopt, AttributeOf(*tree.program, node, port.name),
                        &tree.program->scripts[script]});
   }

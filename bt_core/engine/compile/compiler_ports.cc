@@ -33,7 +33,7 @@ void PortBinder::Bind(const Registry::Entry& entry, const Site& site,
                       std::vector<PortBinding>& ports) {
   CheckNames(entry, site);
   for (const PortDeclaration& port : entry.declarations) {
-    ports.push_back({BindPort(entry, port, site)});
+    ports.push_back(BindPort(entry, port, site));
   }
   BindCopies(entry, site, ports.data() + ports.size() - entry.declarations.size());
 }
@@ -66,16 +66,16 @@ void PortBinder::CheckNames(const Registry::Entry& entry, const Site& site) {
   }
 }
 
-SlotIndex PortBinder::BindPort(const Registry::Entry& entry, const PortDeclaration& port,
-                               const Site& site) {
-  if (port.direction == PortDirection::kMailbox) return keys_.AddSlot("", site.scope, port.type);
+PortBinding PortBinder::BindPort(const Registry::Entry& entry, const PortDeclaration& port,
+                                 const Site& site) {
+  if (port.direction == PortDirection::kMailbox) return {keys_.AddSlot("", site.scope, port.type)};
   const Attribute* attribute = site.document.FindAttribute(site.element, port.name);
   if (!attribute && !port.default_text) {
     if (port.required) {
       problems_.Error(site.document, site.element.offset,
                       entry.manifest.id + " needs its port " + Quoted(port.name), port.description);
     }
-    return kNoSlot;
+    return {};
   }
   const Given given{entry,
                     port,
@@ -83,19 +83,19 @@ SlotIndex PortBinder::BindPort(const Registry::Entry& entry, const PortDeclarati
                     attribute,
                     attribute ? attribute->value : std::string_view(*port.default_text),
                     attribute ? attribute->value_offset : site.element.offset};
-  if (IsScript(port)) return BindScript(given);
+  if (IsScript(port)) return {kNoSlot, BindScript(given)};
   const std::string_view key = KeyOf(given.text, port.name);
-  if (!key.empty()) return BindKey(given, key);
+  if (!key.empty()) return {BindKey(given, key)};
   if (IsAboutKey(port) && !given.text.empty() && !HasBraces(given.text) && given.text != "@") {
-    return BindKey(given, given.text);
+    return {BindKey(given, given.text)};
   }
-  return BindLiteral(given);
+  return {BindLiteral(given)};
 }
 
-SlotIndex PortBinder::BindScript(const Given& given) {
+ScriptIndex PortBinder::BindScript(const Given& given) {
   const ScriptUse use = UseOf(given.entry.type);
-  return SlotIndex(given.attribute ? scripts_.Add(given.site, *given.attribute, use)
-                                   : scripts_.AddDefault(given.site, given.text, use));
+  return given.attribute ? scripts_.Add(given.site, *given.attribute, use)
+                         : scripts_.AddDefault(given.site, given.text, use);
 }
 
 SlotIndex PortBinder::BindKey(const Given& given, std::string_view key) {

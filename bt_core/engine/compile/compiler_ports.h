@@ -36,9 +36,9 @@ class PortBinder {
   };
 
   void CheckNames(const Registry::Entry& entry, const Site& site);
-  SlotIndex BindPort(const Registry::Entry& entry, const PortDeclaration& port, const Site& site);
+  PortBinding BindPort(const Registry::Entry& entry, const PortDeclaration& port, const Site& site);
   SlotIndex BindKey(const Given& given, std::string_view key);
-  SlotIndex BindScript(const Given& given);
+  ScriptIndex BindScript(const Given& given);
   SlotIndex BindLiteral(const Given& given);
   SlotIndex BindUntypedLiteral(const Given& given);
   void BindCopies(const Registry::Entry& entry, const Site& site, const PortBinding* ports);

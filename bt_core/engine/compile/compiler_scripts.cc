@@ -26,7 +26,7 @@ class NamesInScope : public ScriptNames {
 
 }  // namespace
 
-std::uint32_t ScriptTable::Add(const Site& site, const Attribute& attribute, ScriptUse use) {
+ScriptIndex ScriptTable::Add(const Site& site, const Attribute& attribute, ScriptUse use) {
   if (!KeyOf(attribute.value, attribute.name).empty()) {
     problems_.Error(site.document, attribute.value_offset,
                     "a script cannot come from the blackboard: " + Quoted(attribute.value),
@@ -37,13 +37,13 @@ std::uint32_t ScriptTable::Add(const Site& site, const Attribute& attribute, Scr
   return Add({&site.document, &attribute, site.element.offset, attribute.value, site.scope, use});
 }
 
-std::uint32_t ScriptTable::AddDefault(const Site& site, std::string_view text, ScriptUse use) {
+ScriptIndex ScriptTable::AddDefault(const Site& site, std::string_view text, ScriptUse use) {
   return Add({&site.document, nullptr, site.element.offset, text, site.scope, use});
 }
 
-std::uint32_t ScriptTable::Add(const Pending& pending) {
+ScriptIndex ScriptTable::Add(const Pending& pending) {
   pending_.push_back(pending);
-  return static_cast<std::uint32_t>(pending_.size() - 1);
+  return static_cast<ScriptIndex>(pending_.size() - 1);
 }
 
 void ScriptTable::Compile(const ScriptConstants& constants, std::vector<Script>& scripts) {

@@ -23,10 +23,10 @@ class ScriptTable {
 
   /// A script that stands in an attribute of a node; returns its number in Program::scripts. The
   /// document must outlive the table.
-  std::uint32_t Add(const Site& site, const Attribute& attribute, ScriptUse use);
+  ScriptIndex Add(const Site& site, const Attribute& attribute, ScriptUse use);
 
   /// A script that is the default of a port. `text` must outlive the table.
-  std::uint32_t AddDefault(const Site& site, std::string_view text, ScriptUse use);
+  ScriptIndex AddDefault(const Site& site, std::string_view text, ScriptUse use);
 
   /// Compiles what was added. Without a problem script k lies at `scripts[k]` afterwards.
   void Compile(const ScriptConstants& constants, std::vector<Script>& scripts);
@@ -41,7 +41,7 @@ class ScriptTable {
     ScriptUse use;
   };
 
-  std::uint32_t Add(const Pending& pending);
+  ScriptIndex Add(const Pending& pending);
   void Report(const Pending& pending, ScriptProblem problem);
 
   KeyTable& keys_;

@@ -7,7 +7,7 @@
 namespace coppice {
 namespace {
 
-void AddScript(const Program& program, std::uint32_t script, std::vector<SlotIndex>& slots) {
+void AddScript(const Program& program, ScriptIndex script, std::vector<SlotIndex>& slots) {
   if (script == kNoScript) return;
   const std::vector<SlotIndex>& writes = program.scripts[script].writes();
   slots.insert(slots.end(), writes.begin(), writes.end());
@@ -18,15 +18,11 @@ void AddPorts(const Program& program, NodeIndex node, std::vector<SlotIndex>& sl
   if (!entry) return;
   const std::uint32_t first = program.FirstPort(node);
   for (std::uint32_t k = 0; k < entry->declarations.size(); ++k) {
-    const PortDeclaration& port = entry->declarations[k];
-    const SlotIndex slot = program.ports[first + k].slot;
-    if (slot == kNoSlot) continue;
-    if (port.type == &TypeOf<ScriptCode>()) {
-      AddScript(program, slot, slots);
-    } else if (port.direction == PortDirection::kOutput ||
-               port.direction == PortDirection::kInOut) {
-      slots.push_back(slot);
-    }
+    const PortBinding& port = program.ports[first + k];
+    const PortDirection direction = entry->declarations[k].direction;
+    const bool writes = direction == PortDirection::kOutput || direction == PortDirection::kInOut;
+    AddScript(program, port.script, slots);
+    if (writes && port.slot != kNoSlot) slots.push_back(port.slot);
   }
 }
 
@@ -39,7 +35,7 @@ WrittenSlots WrittenSlotsOf(const Program& program) {
     written.first.push_back(static_cast<std::uint32_t>(written.slots.size()));
     AddPorts(program, node, written.slots);
     if (guards == program.guards.end() || guards->node != node) continue;
-    for (const std::uint32_t script : guards->scripts) AddScript(program, script, written.slots);
+    for (const ScriptIndex script : guards->scripts) AddScript(program, script, written.slots);
     ++guards;
   }
   written.first.push_back(static_cast<std::uint32_t>(written.slots.size()));

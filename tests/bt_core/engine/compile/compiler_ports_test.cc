@@ -122,6 +122,15 @@ TEST(Ports, AnUnsetInputOfABuiltInNodeFailsIt) {
             R"(input "num_cycles" has no value: nobody has written key "n" yet)");
 }
 
+TEST(Ports, AnUnsetInputIsNotTakenForTheScriptWithItsNumber) {
+  Stage stage(Main(R"(<Precondition if="false" else="{result}"><AlwaysSuccess/></Precondition>)"));
+  const KeepingSink& sink = stage.Listen();
+  EXPECT_EQ(stage.executor->Tick(), Status::kFailure);
+  ASSERT_EQ(sink.ticks[0].messages.size(), 1U);
+  EXPECT_EQ(sink.ticks[0].messages[0].text,
+            R"(input "else" has no value: nobody has written key "result" yet)");
+}
+
 TEST(Ports, ParallelSaysWhenAThresholdIsTooHigh) {
   Stage stage(Main(R"(<Parallel success_count="3"><AlwaysSuccess/><AlwaysSuccess/></Parallel>)"));
   const KeepingSink& sink = stage.Listen();
