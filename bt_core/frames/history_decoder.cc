@@ -35,8 +35,9 @@ Outcome HistoryDecoder::DecodeFrame(const std::uint8_t* frame, std::size_t size,
                                     HistoryHandler& handler) {
   if (size < kFrameHeaderSize) return Problem{"a frame is cut off"};
   const FrameHeader header = ReadFrameHeader(frame);
-  if (!IsPlausible(header) || header.payload_size != size - kFrameHeaderSize)
+  if (!IsPlausible(header) || header.payload_size != size - kFrameHeaderSize) {
     return Problem{kNonsense};
+  }
   if (!IsWhole(frame, header)) return Problem{"the checksum of a frame is wrong"};
   const Decoder payload(frame + kFrameHeaderSize, frame + size);
   switch (static_cast<FrameType>(header.type)) {

@@ -30,24 +30,24 @@ std::string SettingsFile() {
 
 }  // namespace
 
-Settings LoadSettings(const EditOptions& options) {
-  Settings settings;
+EditorOptions LoadSettings(const EditOptions& options) {
+  EditorOptions loaded;
   std::ifstream stream(options.headless ? "" : SettingsFile(), std::ios::binary);
   if (stream) {
     Diagnostics diagnostics;
     const std::string text{std::istreambuf_iterator<char>(stream), {}};
-    settings = ReadSettings(text, SettingsFile(), diagnostics);
+    loaded.kept_settings = ReadSettings(text, SettingsFile(), diagnostics);
     std::cerr << diagnostics.ToString();
   }
+  Settings& settings = loaded.settings = loaded.kept_settings;
   if (options.palette) settings.palette = *options.palette;
   if (options.reduce_motion) settings.reduce_motion = true;
   if (options.width > 0) settings.width = options.width;
   if (options.height > 0) settings.height = options.height;
-  return settings;
+  return loaded;
 }
 
 std::unique_ptr<Editor> MakeEditor(const EditOptions& options, EditorOptions editor_options) {
-  editor_options.settings = LoadSettings(options);
   if (!options.headless) {
     editor_options.settings_file = SettingsFile();
     editor_options.recent_file = UserPath("XDG_CONFIG_HOME", "/.config", "/coppice/recent");

@@ -18,7 +18,8 @@ bool Save(const Editor& editor, const std::string& path) {
 }  // namespace
 
 int RunHeadless(Clock& clock, const EditOptions& options) {
-  const std::unique_ptr<Editor> editor = MakeEditor(options, {});
+  const EditorOptions editor_options = LoadSettings(options);
+  const std::unique_ptr<Editor> editor = MakeEditor(options, editor_options);
   if (!editor) return 2;
   const auto seconds = [&clock](Time since) {
     return std::chrono::duration<double>(clock.Now() - since).count();
@@ -26,9 +27,8 @@ int RunHeadless(Clock& clock, const EditOptions& options) {
   const Time start = clock.Now();
   double next_picture = options.picture_every;
   InputEvents input;
-  const Settings otherwise;
-  input.width = static_cast<float>(options.width > 0 ? options.width : otherwise.width);
-  input.height = static_cast<float>(options.height > 0 ? options.height : otherwise.height);
+  input.width = static_cast<float>(editor_options.settings.width);
+  input.height = static_cast<float>(editor_options.settings.height);
   input.dt = kFrameSeconds;
   WakeUp wake_up;  // nobody notifies it: the loop looks at the flag at every frame
   bool good = true;

@@ -15,9 +15,9 @@ namespace coppice::editor {
 /// Set by SIGTERM and SIGINT.
 extern std::atomic<bool> g_stop;
 
-/// What the user chose the last time, changed as the command line says. Prints what is wrong with
-/// it.
-Settings LoadSettings(const EditOptions& options);
+/// What the user chose the last time, as kept_settings, and the same changed as the command line
+/// says. Prints what is wrong with it.
+EditorOptions LoadSettings(const EditOptions& options);
 
 /// Fills an editor as the command line says. Prints what is wrong; null if it cannot run.
 std::unique_ptr<Editor> MakeEditor(const EditOptions& options, EditorOptions editor_options);

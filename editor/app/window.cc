@@ -154,14 +154,13 @@ int RunWindow(const Clock& clock, const EditOptions& options) {
               << "); use --headless, or run it under xvfb-run\n";
     return kNoDisplay;
   }
-  const Settings settings = LoadSettings(options);
-  GlfwWindow window(settings.width, settings.height);
+  EditorOptions editor_options = LoadSettings(options);
+  GlfwWindow window(editor_options.settings.width, editor_options.settings.height);
   if (!window.get()) {
     std::cerr << "coppice-edit: no OpenGL window (" << Glfw::LastError()
               << "); use --headless, or run it under xvfb-run\n";
     return kNoDisplay;
   }
-  EditorOptions editor_options;
   float across = 1;
   float down = 1;
   glfwGetWindowContentScale(window.get(), &across, &down);

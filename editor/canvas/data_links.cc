@@ -36,8 +36,9 @@ class LinkPainter {
     look.zoom = camera_.zoom;
     const SceneNode& node = scene_.nodes[use.node];
     const bool hidden = view_.shown()[k] != use.node;
-    if (hidden || view_.names_only() || DetailFor(camera_.zoom, pen_.ui.scale) != Detail::kFull)
+    if (hidden || view_.names_only() || DetailFor(camera_.zoom, pen_.ui.scale) != Detail::kFull) {
       return look.box;
+    }
     return PortBox(node, look, use.port - node.first_port);
   }
 

@@ -89,7 +89,10 @@ void TreeView::SetScene(std::shared_ptr<const Scene> scene, const SizeOf& size_o
 
 void TreeView::SetStyle(const LayoutStyle& style, double now) {
   if (style == style_) return;
-  if (style.ports != style_.ports) names_only_ = style.ports == ShownPorts::kNone;
+  if (style.ports != style_.ports) {
+    names_only_ = style.ports == ShownPorts::kNone;
+    breadth_ = 0;
+  }
   style_ = style;
   if (scene_) Relayout(Anchor(), now);
 }
@@ -186,9 +189,7 @@ void TreeView::LayOutShown() {
     sizes.push_back(size + Point{0, collapsed_[node] ? kChipRow : 0});
     is_decorator.push_back(scene_->nodes[node].shape == Shape::kDecorator);
   }
-  LayoutStyle style = style_;
-  style.breadth = breadth_;
-  layout_ = Arrange(shown_ends_, sizes, is_decorator, style);
+  layout_ = Arrange(shown_ends_, sizes, is_decorator, style_, breadth_);
   branches_ = layout_.boxes;
   for (auto k = static_cast<std::uint32_t>(shown_.size()); k-- > 1;) {
     Box& parent = branches_[shown_parents_[k]];
@@ -289,12 +290,12 @@ void TreeView::ChoosePorts(Point canvas) {
   }
   if (shown_.size() > kMostToChoose || ZoomOfAll(canvas) > kReadablePorts * screen_scale) return;
   names_only_ = true;
-  moved_at_ = -1e9;
   ChooseBreadth(canvas);
 }
 
 // The rows by which names are largest on this canvas.
 void TreeView::ChooseBreadth(Point canvas) {
+  if (!style_.wrapped || style_.layered) return LayOutShown();
   float best = 0;
   float largest = 0;
   for (const float breadth : {0.0F, 600.0F, 900.0F, 1200.0F, 1600.0F, 2000.0F}) {
@@ -306,6 +307,7 @@ void TreeView::ChooseBreadth(Point canvas) {
   }
   breadth_ = best;
   LayOutShown();
+  moved_at_ = -1e9;
 }
 
 float TreeView::ZoomOfAll(Point canvas) const {
@@ -315,6 +317,7 @@ float TreeView::ZoomOfAll(Point canvas) const {
 void TreeView::FitAll(Point canvas) {
   if (shown_.empty() || canvas.x < 1 || canvas.y < 1) return;
   if (style_.ports == ShownPorts::kByItself) ChoosePorts(canvas);
+  if (style_.ports == ShownPorts::kNone && shown_.size() <= kMostToChoose) ChooseBreadth(canvas);
   Fit(layout_.bounds, canvas, LargestFit(canvas));
   fitted_ = camera;
   needs_fit = false;

@@ -11,7 +11,6 @@
 #include <string>
 #include <vector>
 
-#include "editor/canvas/layout/node_metrics.h"
 #include "editor/canvas/layout/tree_layout.h"
 #include "editor/canvas/minimap.h"
 #include "editor/canvas/paint/edge_shape.h"

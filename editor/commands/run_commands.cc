@@ -60,8 +60,9 @@ std::string ChangeCondition(HookList& hooks, std::uint32_t number, const std::st
   if (hash != std::string::npos) {
     const char* const end = text.data() + text.size();
     const auto [at, error] = std::from_chars(text.data() + hash + 1, end, hook.from_hit);
-    if (error != std::errc() || at != end || hook.from_hit == 0)
+    if (error != std::errc() || at != end || hook.from_hit == 0) {
       return "expected a number behind #";
+    }
   }
   hooks.Change(number, hook);
   return "";

@@ -82,8 +82,9 @@ class Matcher {
     std::uint32_t after = 0;
     while (IsFree(before, after) && before_.named[before] == after_.named[after]) {
       if (before_.whole[before] == after_.whole[after]) return JoinBranches(before, after);
-      if (IsInside(before_, before, after_, after) || IsInside(after_, after, before_, before))
+      if (IsInside(before_, before, after_, after) || IsInside(after_, after, before_, before)) {
         return;
+      }
       Join(before, after);
       std::vector<std::uint32_t> left = before_.ChildrenOf(before);
       std::vector<std::uint32_t> right = after_.ChildrenOf(after);

@@ -250,8 +250,9 @@ class TopBar {
     }
     if (is_now && run->phase() == RunPhase::kLive) return {"LIVE", ui_.palette.success};
     const RunPhase phase = run->phase();
-    if (phase == RunPhase::kConnecting || phase == RunPhase::kReconnecting)
+    if (phase == RunPhase::kConnecting || phase == RunPhase::kReconnecting) {
       return {"OFFLINE", ui_.palette.text_dim};
+    }
     return {"REPLAY", ui_.palette.accent};
   }
 

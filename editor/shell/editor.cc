@@ -45,7 +45,9 @@ constexpr std::size_t kMostRecent = 10;
 constexpr int kFramesToSettle = 2;       // Dear ImGui shows some reactions a frame later
 constexpr double kLiveFrame = 1.0 / 20;  // while something runs on the robot
 constexpr double kKeepSeconds = 3;       // between two copies of unsaved work
-constexpr double kWaitingFrame = 1.0;    // to count down to the next try
+constexpr float kLeastWidth = 320;       // of a window that is neither closed nor an icon
+constexpr float kLeastHeight = 240;
+constexpr double kWaitingFrame = 1.0;  // to count down to the next try
 
 std::optional<std::string> ReadText(const std::string& path) {
   std::ifstream stream(path, std::ios::binary);
@@ -80,7 +82,7 @@ Editor::Editor(EditorOptions options)
   editor::Apply(options_.settings, state_, state_.now);
   window_ = {static_cast<float>(options_.settings.width),
              static_cast<float>(options_.settings.height)};
-  kept_settings_ = WriteSettings(options_.settings);
+  kept_settings_ = WriteSettings(options_.kept_settings);
   state_.services.open_file = [this](const std::string& path) { return Open(path); };
   state_.services.resume = [this](const std::string& path, const std::string& text) {
     return history_store_.Resume(state_.workspace.project(), path, text);
@@ -172,19 +174,19 @@ void Editor::AskToQuit() {
 }
 
 std::string Editor::title() const {
-  const std::string program = "Coppice";
   const Workspace& workspace = state_.workspace;
   const std::string* const path = workspace.run()    ? &workspace.run()->name()
                                   : workspace.file() ? &workspace.file()->path
                                                      : nullptr;
-  if (!path) return program;
-  std::string mark, others;
-  std::size_t unsaved = 0;
+  if (!path) return "Coppice";
+  bool is_dirty = false;
+  std::size_t others = 0;
   for (const auto& [name, file] : workspace.project().files()) {
-    if (!file.is_dirty()) continue;
-    name == * path ? mark = "* " : others = " (+" + std::to_string(++unsaved) + " not saved)";
+    if (file.is_dirty() && name == *path) is_dirty = true;
+    if (file.is_dirty() && name != *path) ++others;
   }
-  return mark + path->substr(path->rfind('/') + 1) + others + " - " + program;
+  const std::string more = others > 0 ? " (+" + std::to_string(others) + " not saved)" : "";
+  return (is_dirty ? "* " : "") + path->substr(path->rfind('/') + 1) + more + " - Coppice";
 }
 
 std::string Editor::Connect(const std::string& endpoint) {
@@ -267,8 +269,10 @@ bool Editor::Rest(double seconds) {
 
 void Editor::Apply(const InputEvents& input) {
   ImGuiIO& io = ImGui::GetIO();
-  window_ = {std::max(input.width, 1.0F), std::max(input.height, 1.0F)};
-  io.DisplaySize = ToIm(window_);
+  io.DisplaySize = {std::max(input.width, 1.0F), std::max(input.height, 1.0F)};
+  if (input.width >= kLeastWidth && input.height >= kLeastHeight) {
+    window_ = {input.width, input.height};
+  }
   io.DeltaTime = std::max(input.dt, 1e-6F);
   io.MouseDoubleClickMaxDist = 6;
   settle_ = input.events.empty() ? std::max(settle_ - 1, 0) : kFramesToSettle;
@@ -409,6 +413,13 @@ void Editor::KeepSettings() {
   Settings settings = SettingsOf(state_);
   settings.width = static_cast<int>(window_.x);
   settings.height = static_cast<int>(window_.y);
+  // What was said for this time alone is not what the user has chosen.
+  const Settings& now = options_.settings;
+  const Settings& before = options_.kept_settings;
+  if (settings.palette == now.palette) settings.palette = before.palette;
+  if (settings.reduce_motion == now.reduce_motion) settings.reduce_motion = before.reduce_motion;
+  if (settings.width == now.width) settings.width = before.width;
+  if (settings.height == now.height) settings.height = before.height;
   std::string text = WriteSettings(settings);
   if (text != kept_settings_ && WriteOwnFile(options_.settings_file, text)) {
     kept_settings_ = std::move(text);

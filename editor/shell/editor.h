@@ -32,7 +32,8 @@ namespace coppice::editor {
 class Fonts;
 
 struct EditorOptions {
-  Settings settings;
+  Settings settings;                   ///< of this time
+  Settings kept_settings;              ///< of the last time; what differs was said for this time
   std::string settings_file;           ///< where they are kept when they change; empty: nowhere
   float scale = 1;                     ///< of the screen; 2 on a screen with tiny pixels
   std::shared_ptr<const Fonts> fonts;  ///< of that scale, shared with others; null: its own
@@ -122,7 +123,7 @@ class Editor {
   HistoryStore history_store_;
   std::string kept_marks_;     // as they are in the file
   std::string kept_settings_;  // likewise
-  Point window_;               // its size [pixels]
+  Point window_;               // its size when it could be seen last [pixels]
   double kept_at_ = 0;
   bool saves_after_typing_ = false;  // Ctrl+S in a field, whose value must be taken first
   int settle_ = 2;                   // frames that are still needed after the last event

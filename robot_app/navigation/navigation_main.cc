@@ -148,8 +148,9 @@ class NavigationNode {
     };
     if (!IsValid(goal->target_pose.pose)) return refuse("the goal's pose is not valid");
     const auto pose = pose_.InMap(goal->target_pose);
-    if (!pose)
+    if (!pose) {
       return refuse("tf does not know the goal's frame " + goal->target_pose.header.frame_id);
+    }
     ROS_INFO("goal (%.2f, %.2f, %.2f)", pose->x, pose->y, pose->yaw);
     navigation_.SetGoal(*pose, Now());
     busy_ = true;

@@ -60,8 +60,9 @@ std::string ValueBytesOf(const nlohmann::json& json) {
 Outcome Groot2History::SetTree(const RunId& id, std::string xml) {
   Diagnostics diagnostics;
   RobotTree tree = ReadRobotTree(std::move(xml), endpoint_, diagnostics);
-  if (tree.uids.empty())
+  if (tree.uids.empty()) {
     return Problem{"the robot sent a tree that cannot be read: " + diagnostics.ToString()};
+  }
   tree_ = std::move(tree);
   tree_.description.info.run = id;
   tree_.description.info.clock = "wall";
@@ -114,8 +115,9 @@ Outcome Groot2History::AddTransitions(std::string_view bytes) {
 }
 
 Outcome Groot2History::AddStatuses(std::string_view bytes, Time now) {
-  if (bytes.size() % kBytesPerStatus != 0)
+  if (bytes.size() % kBytesPerStatus != 0) {
     return Problem{"the robot sent statuses that cannot be read"};
+  }
   std::vector<Status> statuses(tree_.uids.size(), Status::kIdle);
   for (std::size_t at = 0; at < bytes.size(); at += kBytesPerStatus) {
     const NodeIndex node = tree_.Find(static_cast<std::uint16_t>(ReadLittleEndian(bytes, at, 2)));

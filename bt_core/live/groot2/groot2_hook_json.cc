@@ -38,8 +38,9 @@ std::vector<NodeIndex> FindExactly(const TreeDescription& tree, std::string_view
 
 Outcome CheckHook(const Hook& hook) {
   if (!hook.condition.empty()) return Problem{"this robot knows no conditions"};
-  if (hook.from_hit != 1 || hook.times > 1)
+  if (hook.from_hit != 1 || hook.times > 1) {
     return Problem{"this robot does not count hits; it knows once"};
+  }
   if (hook.action == HookAction::kDelay) return Problem{"this robot cannot delay a node"};
   if (hook.action == HookAction::kReplace && !IsCompleted(hook.status)) {
     return Problem{"on this robot only SUCCESS and FAILURE can be forced"};

@@ -46,8 +46,9 @@ void AppendNumber(std::string& out, std::uint32_t number) {
 }  // namespace
 
 Expected<Request> ParseRequest(const Parts& parts) {
-  if (parts.empty() || parts[0].size() != kRequestHeaderSize)
+  if (parts.empty() || parts[0].size() != kRequestHeaderSize) {
     return Problem{"wrong request header"};
+  }
   const std::string_view header = parts[0];
   const std::optional<bool> has_argument = HasArgument(header[1]);
   if (!has_argument) return Problem{"Request not recognized"};

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "editor/canvas/layout/tree_layout.h"
 #include "editor/scene/scene.h"
 #include "editor/theme/geometry.h"
 #include "editor/theme/ui.h"
@@ -42,13 +43,6 @@ inline constexpr float kValueSize = 11;
 }  // namespace coppice::editor::metrics
 
 namespace coppice::editor {
-
-struct NodeSizes {
-  NodeSizes(Point both = {}) : NodeSizes(both, both) {}  // NOLINT: a size is its sizes
-  NodeSizes(Point with_ports, Point with_name_alone) : full(with_ports), name(with_name_alone) {}
-  Point full;
-  Point name;
-};
 
 /// The glyph left of a node's name; of a type with that ID.
 std::string_view GlyphOf(Shape shape, std::string_view id);

@@ -35,8 +35,8 @@ std::uint32_t LeavesInAColumn(std::uint32_t leaves) {
 class Arranger {
  public:
   Arranger(const std::vector<std::uint32_t>& ends, const std::vector<Point>& sizes,
-           const std::vector<bool>& is_decorator, const LayoutStyle& style)
-      : ends_(ends), sizes_(sizes), is_decorator_(is_decorator), style_(style) {
+           const std::vector<bool>& is_decorator, const LayoutStyle& style, float breadth)
+      : ends_(ends), sizes_(sizes), is_decorator_(is_decorator), style_(style), breadth_(breadth) {
     result_.boxes.resize(sizes.size());
     result_.links.assign(sizes.size(), Link::kCurve);
     result_.below_row.assign(sizes.size(), 0);
@@ -48,7 +48,7 @@ class Arranger {
     LayoutOptions options;
     options.orientation = style_.orientation;
     options.layered = style_.layered;
-    options.breadth = style_.breadth;
+    options.breadth = breadth_;
     if (style_.orientation == Orientation::kLeftToRight) {
       options.sibling_gap = 14;
       options.level_gap = 56;
@@ -171,6 +171,7 @@ class Arranger {
   const std::vector<Point>& sizes_;
   const std::vector<bool>& is_decorator_;
   const LayoutStyle& style_;
+  const float breadth_;
   std::vector<Block> blocks_;
   std::vector<std::uint32_t> blocks_before_;  // blocks that begin before a node
   std::vector<bool> column_, starts_;         // in a column of leaves; the first of one
@@ -180,8 +181,8 @@ class Arranger {
 }  // namespace
 
 TreeLayout Arrange(const std::vector<std::uint32_t>& ends, const std::vector<Point>& sizes,
-                   const std::vector<bool>& is_decorator, const LayoutStyle& style) {
-  return Arranger(ends, sizes, is_decorator, style).Run();
+                   const std::vector<bool>& is_decorator, const LayoutStyle& style, float breadth) {
+  return Arranger(ends, sizes, is_decorator, style, breadth).Run();
 }
 
 }  // namespace coppice::editor

@@ -14,6 +14,14 @@
 
 namespace coppice::editor {
 
+/// Of a node at zoom 1, without the row for collapsed children.
+struct NodeSizes {
+  NodeSizes(Point both = {}) : NodeSizes(both, both) {}  // NOLINT: a size is its sizes
+  NodeSizes(Point with_ports, Point with_name_alone) : full(with_ports), name(with_name_alone) {}
+  Point full;
+  Point name;
+};
+
 /// What a node shows below its name. By itself: nothing where a whole tree would be fitted so small
 /// that ports could not be read.
 enum class ShownPorts : std::uint8_t { kByItself, kAll, kNone };
@@ -25,12 +33,10 @@ struct LayoutStyle {
   bool stacked = true;  ///< top to bottom only: sideways, leaves stand in a column anyway
   bool wrapped = true;  ///< not if layered
   ShownPorts ports = ShownPorts::kByItself;
-  float breadth = 0;  ///< if wrapped: as LayoutOptions
 };
 inline bool operator==(const LayoutStyle& a, const LayoutStyle& b) {
   return a.orientation == b.orientation && a.layered == b.layered && a.compact == b.compact &&
-         a.stacked == b.stacked && a.wrapped == b.wrapped && a.ports == b.ports &&
-         a.breadth == b.breadth;
+         a.stacked == b.stacked && a.wrapped == b.wrapped && a.ports == b.ports;
 }
 
 /// So many leaves in a row stay side by side.
@@ -53,9 +59,10 @@ struct TreeLayout {
 };
 
 /// Lays out a tree given in preorder: the descendants of node i are i + 1 .. ends[i] - 1. Sizes are
-/// width (x) and height (y). Linear in the number of nodes.
+/// width (x) and height (y). `breadth`: as LayoutOptions. Linear in the number of nodes.
 TreeLayout Arrange(const std::vector<std::uint32_t>& ends, const std::vector<Point>& sizes,
-                   const std::vector<bool>& is_decorator, const LayoutStyle& style);
+                   const std::vector<bool>& is_decorator, const LayoutStyle& style,
+                   float breadth = 0);
 
 }  // namespace coppice::editor
 

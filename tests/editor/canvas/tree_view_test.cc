@@ -234,5 +234,70 @@ TEST_F(TreeViewTest, TurnsTheTreeOnItsSide) {
   EXPECT_GT(view_.BoxAt(1, 9).min.x, view_.BoxAt(0, 9).max.x);
 }
 
+// Of nodes that are large with their ports and small with their names alone.
+class PortsTest : public testing::Test {
+ protected:
+  void Show(int branches) {
+    std::string xml = "<A>";
+    for (int i = 0; i < branches; ++i) xml += "<B><C/><D/><E/></B>";
+    view_.SetScene(
+        MakeScene(xml + "</A>"),
+        [](const Scene&, const SceneNode&) {
+          return NodeSizes({220, 120}, {100, 26});
+        },
+        0);
+    view_.FitAll(kCanvas);
+  }
+  void SetPorts(ShownPorts ports) {
+    LayoutStyle style = view_.style();
+    style.ports = ports;
+    view_.SetStyle(style, 0);
+    view_.FitAll(kCanvas);
+  }
+
+  static constexpr Point kCanvas{730, 540};
+  TreeView view_;
+};
+
+TEST_F(PortsTest, AreShownWhereTheyCanBeRead) {
+  Show(1);
+  EXPECT_FALSE(view_.names_only());
+  EXPECT_EQ(view_.BoxAt(0, 1).height(), 120);
+}
+
+TEST_F(PortsTest, GiveWayToNamesThatAreLarger) {
+  Show(12);
+  EXPECT_TRUE(view_.names_only());
+  EXPECT_EQ(view_.BoxAt(0, 1).height(), 26);
+  const float with_names = view_.camera.zoom;
+  SetPorts(ShownPorts::kAll);
+  EXPECT_GT(with_names, view_.camera.zoom * 1.8F);
+}
+
+TEST_F(PortsTest, AreAsTheUserSaysWhateverTheSize) {
+  Show(1);
+  SetPorts(ShownPorts::kNone);
+  EXPECT_TRUE(view_.names_only());
+  SetPorts(ShownPorts::kByItself);
+  EXPECT_FALSE(view_.names_only());
+}
+
+TEST_F(PortsTest, ComeBackInTheRowsThatTheyHadBefore) {
+  Show(12);
+  SetPorts(ShownPorts::kAll);
+  const Box before = view_.bounds();
+  SetPorts(ShownPorts::kNone);
+  SetPorts(ShownPorts::kAll);
+  EXPECT_EQ(view_.bounds(), before);
+}
+
+// Five branches of three leaves are 1 700 pixels side by side, which a common breadth leaves alone.
+TEST_F(PortsTest, TheRowsOfNamesAreBrokenForTheCanvas) {
+  Show(5);
+  ASSERT_TRUE(view_.names_only());
+  EXPECT_LT(view_.bounds().width(), 1500);
+  EXPECT_GT(view_.camera.zoom, kCanvas.x / 1500);
+}
+
 }  // namespace
 }  // namespace coppice::editor

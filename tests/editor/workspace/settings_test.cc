@@ -52,6 +52,26 @@ TEST(Settings, NonsenseIsAsANewEditor) {
   }
 }
 
+TEST(Settings, WhatWasSaidForThisTimeIsNotKept) {
+  const TemporaryFolder folder;
+  EditorOptions options;
+  options.settings_file = folder.Path("settings.json");
+  options.settings.palette = PaletteName::kLight;  // as --palette light
+  {
+    Driver driver(options);
+    driver.editor.state().commands.Run("tile.outline");
+    driver.Frames();
+    driver.input.width = driver.input.height = 1;  // an icon
+    driver.Frames();
+  }
+  Diagnostics diagnostics;
+  const Settings kept = ReadSettings(ReadFile(options.settings_file), "", diagnostics);
+  EXPECT_EQ(diagnostics.ToString(), "");
+  EXPECT_FALSE(kept.tiles.outline);
+  EXPECT_EQ(kept.palette, PaletteName::kDark);
+  EXPECT_EQ(kept.width, 1280);
+}
+
 TEST(Settings, AreThereAgainTheNextTime) {
   const TemporaryFolder folder;
   EditorOptions options;
@@ -64,7 +84,8 @@ TEST(Settings, AreThereAgainTheNextTime) {
     driver.Frames();
   }
   Diagnostics diagnostics;
-  options.settings = ReadSettings(ReadFile(options.settings_file), "", diagnostics);
+  options.settings = options.kept_settings =
+      ReadSettings(ReadFile(options.settings_file), "", diagnostics);
   EXPECT_EQ(options.settings.width, 1000);
   Driver driver(options);
   driver.Frames();
