@@ -171,7 +171,8 @@ void UnsavedWork::DropOwn() {
 int UnsavedWork::EditorOf(const std::string& session) const {
   const int lock = open(LockOf(session).c_str(), O_RDWR | O_CLOEXEC);
   if (lock < 0) return 0;
-  const bool is_held = flock(lock, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+  // Shared, so that two who look at the same time do not take each other for its editor.
+  const bool is_held = flock(lock, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
   close(lock);
   return is_held ? std::max(ProcessOf(session), 1) : 0;
 }

@@ -121,7 +121,7 @@ std::size_t LiveClients::RoomFor(const Client& client) const {
 // However long the answer is: nobody can be asked to read a part of it first.
 bool LiveClients::HasRoomForReply(const Client& client, std::size_t bytes) const {
   if (client.unread == 0) return unread_ + bytes <= kMaxRepliesInAll || unread_ == 0;
-  return (client.unread <= 2 * kMaxUnreadBytes && unread_ <= 2 * kMaxUnreadInAll);
+  return client.unread <= 2 * kMaxUnreadBytes && unread_ <= 2 * kMaxUnreadInAll;
 }
 
 void LiveClients::Post(Client& client, const Parts& parts, std::size_t bytes) {

@@ -16,9 +16,16 @@ namespace coppice {
 
 class WebCaller {
  public:
-  explicit WebCaller(std::uint16_t port) : port_(port), socket_(socket(AF_INET, SOCK_STREAM, 0)) {
+  /// `from`: the last number of the address 127.0.0.* that it comes from.
+  explicit WebCaller(std::uint16_t port, std::uint32_t from = 1)
+      : port_(port), socket_(socket(AF_INET, SOCK_STREAM, 0)) {
     sockaddr_in address{};
     address.sin_family = AF_INET;
+    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK - 1 + from);
+    if (bind(socket_, reinterpret_cast<const sockaddr*>(&address), sizeof(address)) != 0) {
+      close(socket_);
+      throw std::runtime_error("no such address");
+    }
     address.sin_port = htons(port);
     address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
     const timeval patience{30, 0};

@@ -42,8 +42,8 @@ class UnsavedWorkStory : public testing::Test {
     ASSERT_TRUE(driver.Click(node));
     driver.Press('D');
   }
-  // Killed: nothing of it gets the chance to tidy up.
-  void Kill(std::unique_ptr<Driver> driver) const {
+  // Without an answer to what becomes of its work. Killing is what editor_lost_work_test does.
+  static void End(std::unique_ptr<Driver> driver) {
     driver->Frames(kSomeSeconds);
     driver.reset();
   }
@@ -142,7 +142,7 @@ TEST_F(UnsavedWorkStory, AfterACrashTheStartScreenOffersANewFile) {
     driver->Press(kKeyTab);
     driver->Type("Fallback");
     driver->Press(kKeyEnter);
-    Kill(std::move(driver));
+    End(std::move(driver));
   }
   const auto driver = Start();
   ASSERT_TRUE(driver->Has("start/unsaved/0"));
@@ -158,7 +158,7 @@ TEST_F(UnsavedWorkStory, AfterACrashABarOffersToGoOnAndTheStepsAreThere) {
   {
     auto driver = StartWithFile();
     Disable(*driver);
-    Kill(std::move(driver));
+    End(std::move(driver));
   }
   const auto driver = StartWithFile();
   ASSERT_TRUE(driver->Click("banner/restore"));
@@ -173,13 +173,13 @@ TEST_F(UnsavedWorkStory, WhatIsDoneBeforeTheBarIsAnsweredIsKeptToo) {
   {
     auto driver = StartWithFile();
     Disable(*driver);
-    Kill(std::move(driver));
+    End(std::move(driver));
   }
   {
     auto driver = StartWithFile();
     ASSERT_TRUE(driver->Has("banner/unsaved"));
     Disable(*driver, "canvas/MainTree/1.1");
-    Kill(std::move(driver));
+    End(std::move(driver));
   }
   const auto driver = StartWithFile();
   EXPECT_EQ(driver->editor.state().work.left().size(), 2u) << "of both";

@@ -50,6 +50,17 @@ class ClaimTest : public testing::Test {
                 }};
 };
 
+TEST_F(ClaimTest, OfStrangersOneOfTheMostCrowdedAddressGivesWay) {
+  WebCaller alone(port_.port(), 2);
+  EXPECT_TRUE(IsServed(alone));
+  std::vector<std::unique_ptr<WebCaller>> crowd;
+  for (int i = 0; i < 8; ++i) {
+    crowd.push_back(std::make_unique<WebCaller>(port_.port(), 1));
+    EXPECT_TRUE(IsServed(*crowd.back()));
+  }
+  EXPECT_TRUE(IsServed(alone)) << "though it was silent longest";
+}
+
 TEST_F(ClaimTest, WhoWatchesGivesWayOnlyBeyondHalfOfThePort) {
   std::vector<std::unique_ptr<WebCaller>> watching;
   for (int i = 0; i < 6; ++i) watching.push_back(Come(Claim::kWatches));
