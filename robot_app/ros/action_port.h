@@ -1,15 +1,19 @@
 // One action server as a capability: start a goal, hear how it ended, cancel it.
 //
-// Unlike a bare SimpleActionClient it never leaves the caller without an answer: a server that is
-// not there within kConnectTimeout, or that dies while it works, is reported as a failure that says
-// so. Times are real time, because programs start and die in real time.
+// It never leaves the caller without an answer: a server that is not there within kConnectTimeout,
+// or that dies while it works, is reported as a failure that says so. Times are real time, because
+// programs start and die in real time.
+//
+// It stands on actionlib's ActionClient: SimpleActionClient keeps the goal that it sends in a member
+// that its callbacks read, so where several threads spin, a goal that ends before sendGoal() has
+// returned is called lost, or its end is not told at all.
 //
 // A status that the server sent before it had the goal may arrive after it took it. actionlib then
 // calls the goal lost, though the server works on it: such a goal is sent again, once.
 #ifndef COPPICE_ROBOT_APP_ROS_ACTION_PORT_H_
 #define COPPICE_ROBOT_APP_ROS_ACTION_PORT_H_
 
-#include <actionlib/client/simple_action_client.h>
+#include <actionlib/client/action_client.h>
 #include <ros/node_handle.h>
 
 #include <functional>
@@ -28,13 +32,13 @@ class ActionPort {
   // Not by ACTION_DEFINITION, whose ActionResult would hide ours.
   using Goal = typename ActionSpec::_action_goal_type::_goal_type;
   using Result = typename ActionSpec::_action_result_type::_result_type;
-  using Client = actionlib::SimpleActionClient<ActionSpec>;
+  using Client = actionlib::ActionClient<ActionSpec>;
   /// Turns the end of a goal into the answer; the state is ABORTED, SUCCEEDED, ...
   using Evaluate =
-      std::function<leaves::ActionResult(const actionlib::SimpleClientGoalState&, const Result*)>;
+      std::function<leaves::ActionResult(const actionlib::TerminalState&, const Result*)>;
 
   ActionPort(ros::NodeHandle& node, const std::string& name, Evaluate evaluate)
-      : name_(name), evaluate_(std::move(evaluate)), client_(node, name, false) {
+      : name_(name), evaluate_(std::move(evaluate)), client_(node, name) {
     timer_ = node.createWallTimer(ros::WallDuration(0.1), [this](const auto&) { Supervise(); });
   }
 
@@ -80,10 +84,8 @@ class ActionPort {
         const Goal goal = goal_;
         const int number = number_;
         lock.unlock();
-        client_.sendGoal(goal, [this, number, now](const auto& end, const auto& result) {
-          const bool lost = end == actionlib::SimpleClientGoalState::LOST;
-          if (lost && SendAgain(number, now)) return;
-          Finish(number, evaluate_(end, result.get()));
+        handle_ = client_.sendGoal(goal, [this, number, now](typename Client::GoalHandle sent) {
+          if (sent.getCommState() == actionlib::CommState::DONE) End(number, now, sent);
         });
       } else if ((now - since_).toSec() > kConnectTimeout) {
         lock.unlock();
@@ -96,9 +98,16 @@ class ActionPort {
     } else if ((now - since_).toSec() > kLostTimeout) {
       const int number = number_;
       lock.unlock();
-      client_.stopTrackingGoal();
+      handle_.reset();
       Finish(number, {false, "action server \"" + name_ + "\" is gone"});
     }
+  }
+
+  void End(int number, ros::WallTime sent, const typename Client::GoalHandle& goal) {
+    const actionlib::TerminalState state = goal.getTerminalState();
+    const bool lost = state == actionlib::TerminalState::LOST;
+    if (lost && SendAgain(number, sent)) return;
+    Finish(number, evaluate_(state, goal.getResult().get()));
   }
 
   // False if it was sent too long ago for a status to have overtaken it, or twice already.
@@ -127,6 +136,7 @@ class ActionPort {
   const std::string name_;
   const Evaluate evaluate_;
   Client client_;
+  typename Client::GoalHandle handle_;  // tracks the goal while it lives; used by the timer only
   ros::WallTimer timer_;
 
   std::mutex mutex_;
@@ -139,8 +149,8 @@ class ActionPort {
 };
 
 /// ok if the goal succeeded, else the server's text.
-inline leaves::ActionResult FromGoalState(const actionlib::SimpleClientGoalState& state) {
-  if (state == actionlib::SimpleClientGoalState::SUCCEEDED) return {true, ""};
+inline leaves::ActionResult FromGoalState(const actionlib::TerminalState& state) {
+  if (state == actionlib::TerminalState::SUCCEEDED) return {true, ""};
   return {false, state.getText().empty() ? state.toString() : state.getText()};
 }
 

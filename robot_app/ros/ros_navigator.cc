@@ -17,7 +17,7 @@ using leaves::ActionResult;
 
 // Results of our own servers carry a message of their own.
 template <class Result>
-ActionResult FromResult(const actionlib::SimpleClientGoalState& state, const Result* result) {
+ActionResult FromResult(const actionlib::TerminalState& state, const Result* result) {
   ActionResult answer = FromGoalState(state);
   if (answer.ok && result) answer = {static_cast<bool>(result->ok), result->message};
   if (!answer.ok && result && !result->message.empty()) answer.message = result->message;
