@@ -1,5 +1,8 @@
 #include "bt_core/base/command_line.h"
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
@@ -136,7 +139,7 @@ class Parser {
       app_.parse(std::move(arguments));
     } catch (const CLI::CallForHelp&) {
       std::cout << Help();
-      return Ended(0);
+      return Ended(FinishOutput(0));
     } catch (const CLI::ParseError& error) {
       problem = error.what();
     }
@@ -205,6 +208,17 @@ class Parser {
   CLI::App app_;
   std::map<std::string, CLI::Option*> options_;
 };
+
+// Those that are closed: the first file of the program would be one of them otherwise, and what is
+// printed would be written into it. What is taken cannot be written to, so FinishOutput still says
+// that it was closed.
+void TakeStandardDescriptors() {
+  int taken = 0;
+  do {
+    taken = open("/dev/null", O_RDONLY);
+  } while (taken >= 0 && taken <= STDERR_FILENO);
+  if (taken > STDERR_FILENO) close(taken);
+}
 
 }  // namespace
 
@@ -276,6 +290,7 @@ std::vector<CommandOption> Together(std::vector<CommandOption> options,
 }
 
 Options ParseOptions(const Command& command, const std::vector<std::string>& arguments) {
+  TakeStandardDescriptors();
   return Parser(command).Parse(arguments);
 }
 

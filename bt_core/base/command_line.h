@@ -68,8 +68,8 @@ std::vector<CommandOption> Together(std::vector<CommandOption> options,
 /// Arguments that fit a command. To ask for an option that the command has not throws
 /// std::out_of_range.
 struct Options {
-  /// If set, there is nothing to do but to end with it: the help was printed (0), or what is wrong
-  /// (2).
+  /// If set, there is nothing to do but to end with it: the help was printed (0), or what is wrong,
+  /// or it could not be printed (2).
   std::optional<int> exit;
   std::vector<std::string> files;
   /// "--ticks" -> {"5"}, one for each time it is given; a flag has an empty value.
@@ -85,7 +85,8 @@ struct Options {
 };
 
 /// Prints the help (to the standard output) or what is wrong (to the other one), with the nearest
-/// name of an unknown option.
+/// name of an unknown option. To be called before files are opened: none of them becomes a standard
+/// stream that was closed.
 Options ParseOptions(const Command& command, const std::vector<std::string>& arguments);
 
 /// The end of a command line that makes no sense although each of its parts does: says what is

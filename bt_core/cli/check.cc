@@ -72,7 +72,8 @@ const Command& CheckCommand() {
       "find what is wrong in tree files",
       {"FILE...", 1, kAnyNumber},
       R"(Checks every tree in the files, which are taken as one project, and in what they include:
-structure, names, ports, types, scripts. All problems are printed; 1 if one is an error.)",
+structure, names, ports, types, scripts. All problems are printed; 1 if one is an error, 2 if they
+cannot be printed.)",
       {CommandOption::Text("--models", "FILE",
                            "a file with the <TreeNodesModel> of the robot's node types, as "
                            "WriteModels of bt_core/engine/compile/models.h writes it. Without it, "
@@ -96,6 +97,7 @@ int RunCheck(const Arguments& arguments) {
   } else {
     for (const Diagnostic& diagnostic : sorted) std::cerr << ToString(diagnostic) << "\n";
   }
+  if (!std::cerr) return 2;  // nobody has read what is wrong
   return diagnostics.has_errors() ? 1 : 0;
 }
 

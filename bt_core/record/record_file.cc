@@ -17,16 +17,25 @@ std::string CannotText(const std::string& path, const char* what, int error) {
   return path + ": cannot " + what + ": " + std::strerror(error);
 }
 
+// A device is not even opened: that may be enough to disturb it.
+void CheckPlace(const std::string& path) {
+  struct stat status {};
+  if (stat(path.c_str(), &status) != 0 || S_ISFIFO(status.st_mode)) return;
+  if (!S_ISREG(status.st_mode)) {
+    throw std::runtime_error(path + ": this is a folder or a device, and a record is a file");
+  }
+  if (status.st_size > 0) {
+    throw std::runtime_error(path + ": there is a file already, and a record overwrites nothing");
+  }
+}
+
 }  // namespace
 
 RecordFile::RecordFile(std::string path) : path_(std::move(path)) {
-  file_ = open(path_.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
+  CheckPlace(path_);
+  file_ = open(path_.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC | O_NONBLOCK, 0644);
   if (file_ < 0) throw std::runtime_error(CannotText(path_, "make this record", errno));
-  struct stat status {};
-  if (fstat(file_, &status) == 0 && S_ISREG(status.st_mode) && status.st_size > 0) {
-    close(file_);
-    throw std::runtime_error(path_ + ": there is a file already, and a record overwrites nothing");
-  }
+  fcntl(file_, F_SETFL, O_APPEND);  // only the opening must not wait
 }
 
 RecordFile::~RecordFile() { close(file_); }

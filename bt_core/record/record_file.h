@@ -11,8 +11,9 @@ namespace coppice {
 
 class RecordFile {
  public:
-  /// Creates the file. Throws std::runtime_error if that is not possible, or if there is a file
-  /// with something in it: a record is never overwritten.
+  /// Creates the file, or opens a pipe that somebody reads. Throws std::runtime_error if that is
+  /// not possible, and for a file with something in it (a record is never overwritten), a folder, a
+  /// device. Never waits.
   explicit RecordFile(std::string path);
   ~RecordFile();
   RecordFile(const RecordFile&) = delete;

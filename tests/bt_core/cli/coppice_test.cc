@@ -20,7 +20,7 @@ class CoppiceTest : public CliTest {
   }
 
   int Call(const std::string& arguments) {
-    const std::string command = program_ + " " + arguments + " 2>&1";
+    const std::string command = "(" + program_ + " " + arguments + ") 2>&1";
     FILE* pipe = popen(command.c_str(), "r");
     out_.clear();
     char buffer[256];
@@ -72,6 +72,17 @@ TEST_F(CoppiceTest, SaysWhenTheOutputCannotBeWritten) {
         "trace " + tree, "upgrade " + tree, std::string("stats --help")}) {
     EXPECT_EQ(Call(call + " > /dev/full"), 2) << call << ": " << out_;
   }
+  const std::string odd = Write("odd.xml", R"(<root BTCPP_format="4"><Unknown/></root>)");
+  EXPECT_EQ(Call("check " + odd + " 2> /dev/full"), 2);
+}
+
+TEST_F(CoppiceTest, WritesNothingIntoItsFilesIfTheOutputIsClosed) {
+  const std::string tree = WriteTree(
+      "<Repeat num_cycles=\"2000\"><KeepRunningUntilFailure><AlwaysFailure/>"
+      "</KeepRunningUntilFailure></Repeat>");
+  const std::string record = (folder_ / "run.coppice").string();
+  EXPECT_EQ(Call("run " + tree + " --record " + record + " >&-"), 2) << out_;
+  EXPECT_EQ(Call("replay --verify " + record), 0) << out_;
 }
 
 TEST_F(CoppiceTest, RunsAVerb) {

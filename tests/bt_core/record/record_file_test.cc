@@ -2,10 +2,12 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <filesystem>
 #include <stdexcept>
 
+#include "tests/bt_core/record/full_disk.h"
 #include "tests/support/temporary_folder.h"
 
 namespace coppice {
@@ -55,10 +57,25 @@ TEST(RecordFile, NoticesThatItWasDeleted) {
   EXPECT_THAT(file.Sync().problem(), HasSubstr("deleted this record"));
 }
 
+TEST(RecordFile, IsNoFolderAndNoDevice) {
+  const TemporaryFolder folder;
+  for (const std::string& path : {folder.path(), std::string("/dev/full")}) {
+    EXPECT_THAT(WhyNot(path), HasSubstr("a record is a file"));
+  }
+}
+
+TEST(RecordFile, WaitsForNoReaderOfAPipe) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(mkfifo(folder.Path("pipe").c_str(), 0600), 0);
+  EXPECT_THAT(WhyNot(folder.Path("pipe")), HasSubstr("pipe: cannot make this record"));
+}
+
 TEST(RecordFile, SaysThatTheDiskIsFullAndKeepsTheRest) {
-  RecordFile file("/dev/full");
+  const TemporaryFolder folder;
+  RecordFile file(folder.Path("a"));
+  const FullDisk disk(0);
   Bytes bytes(3, 'x');
-  EXPECT_EQ(file.Write(bytes).problem(), "/dev/full: cannot write: No space left on device");
+  EXPECT_THAT(file.Write(bytes).problem(), HasSubstr("a: cannot write: File too large"));
   EXPECT_EQ(bytes.size(), 3u);
 }
 

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "bt_core/frames/frame.h"
+#include "tests/bt_core/record/full_disk.h"
 #include "tests/support/temporary_folder.h"
 
 namespace coppice {
@@ -69,7 +70,9 @@ TEST(RecordSeries, StaysInTheOldFileIfNoOtherCanBeMade) {
 
 TEST(RecordSeries, ThrowsIfTheFirstFileCannotBeWritten) {
   EXPECT_THROW(RecordSeries("/nowhere/run.coppice", 0), std::runtime_error);
-  EXPECT_THROW(RecordSeries("/dev/full", 0), std::runtime_error);
+  const TemporaryFolder folder;
+  const FullDisk disk(0);
+  EXPECT_THROW(RecordSeries(folder.Path("run.coppice"), 0), std::runtime_error);
 }
 
 }  // namespace

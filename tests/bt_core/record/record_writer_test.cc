@@ -8,6 +8,7 @@
 
 #include "bt_core/record/recorder.h"
 #include "tests/bt_core/frames/scripted_tree.h"
+#include "tests/bt_core/record/full_disk.h"
 #include "tests/bt_core/record/whole_record.h"
 #include "tests/support/temporary_folder.h"
 
@@ -102,7 +103,8 @@ TEST_F(RecordWriterTest, GoesOnInAnotherFileWhenOneIsLongEnough) {
 }
 
 TEST_F(RecordWriterTest, ThrowsIfTheFileCannotBeWritten) {
-  EXPECT_THROW(RecordWriter("/dev/full", options_, {}), std::runtime_error);
+  const FullDisk disk(0);
+  EXPECT_THROW(RecordWriter(path(), options_, {}), std::runtime_error);
 }
 
 }  // namespace

@@ -3,8 +3,6 @@
 #include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <signal.h>
-#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -14,6 +12,7 @@
 #include <thread>
 
 #include "tests/bt_core/frames/scripted_tree.h"
+#include "tests/bt_core/record/full_disk.h"
 #include "tests/bt_core/record/whole_record.h"
 #include "tests/support/temporary_folder.h"
 
@@ -210,21 +209,6 @@ TEST_F(RecorderTest, GivesTheStateOfTheTreeAfterAGap) {
               executor_.blackboard()[slot].value.Print());
   }
 }
-
-// Files of this process must not be longer, as if the disk were full.
-class FullDisk {
- public:
-  explicit FullDisk(rlim_t bytes) {
-    signal(SIGXFSZ, SIG_IGN);
-    getrlimit(RLIMIT_FSIZE, &before_);
-    const rlimit limit{bytes, before_.rlim_max};
-    setrlimit(RLIMIT_FSIZE, &limit);
-  }
-  ~FullDisk() { setrlimit(RLIMIT_FSIZE, &before_); }
-
- private:
-  rlimit before_{};
-};
 
 TEST_F(RecorderTest, GoesOnWhenThereIsRoomOnTheDiskAgain) {
   RecorderOptions options;
