@@ -21,6 +21,50 @@ using boost::system::error_code;
 
 constexpr auto kPause = std::chrono::milliseconds(200);
 
+// Who of a full port has to give way.
+class Standings {
+ public:
+  Standings(const std::set<PortConnection*>& all, std::size_t most) : all_(all), half_(most / 2) {
+    for (const PortConnection* one : all) {
+      ++claims_[one->claim()];
+      if (one->claim() == Claim::kStranger) ++strangers_[one->address()];
+    }
+  }
+
+  // Null if nobody has to.
+  PortConnection* Least() const {
+    PortConnection* least = nullptr;
+    for (PortConnection* one : all_) {
+      if (GivesWay(one->claim()) && (!least || Of(*one) < Of(*least))) least = one;
+    }
+    return least;
+  }
+
+ private:
+  bool GivesWay(Claim claim) const {
+    const auto count = [this](Claim of) { return claims_.count(of) > 0 ? claims_.at(of) : 0; };
+    switch (claim) {
+      case Claim::kWatches:
+        return count(claim) > half_;
+      case Claim::kIdleControls:
+        return count(claim) + count(Claim::kControls) > half_;
+      default:
+        return claim < Claim::kWatches;
+    }
+  }
+
+  std::tuple<Claim, std::size_t, PortConnection::Moment> Of(const PortConnection& one) const {
+    const auto crowd = strangers_.find(one.address());
+    const bool is_stranger = one.claim() == Claim::kStranger;
+    return {one.claim(), is_stranger ? all_.size() - crowd->second : 0, one.last_heard()};
+  }
+
+  const std::set<PortConnection*>& all_;
+  const std::size_t half_;
+  std::map<Claim, std::size_t> claims_;
+  std::map<std::string, std::size_t> strangers_;  // by address
+};
+
 }  // namespace
 
 WebPort::WebPort(const WebPortOptions& options, Handler handler)
@@ -86,25 +130,10 @@ void WebPort::Admit(Door& door, Socket socket) {
 }
 
 bool WebPort::MakeRoom(Door& door) {
-  const auto& all = door.connections;
-  const auto watching = static_cast<std::size_t>(std::count_if(
-      all.begin(), all.end(), [](const auto* one) { return one->claim() == Claim::kWatches; }));
-  const Claim most = 2 * watching > door.most_connections ? Claim::kWatches : Claim::kIdle;
-  std::map<std::string, std::size_t> strangers;  // by address
-  for (const PortConnection* one : all) {
-    if (one->claim() == Claim::kStranger) ++strangers[one->address()];
-  }
-  const auto standing = [&](const PortConnection* one) {
-    const bool is_stranger = one->claim() == Claim::kStranger;
-    const std::size_t crowd = is_stranger ? strangers[one->address()] : 0;
-    return std::make_tuple(one->claim(), all.size() - crowd, one->last_heard());
-  };
-  const auto least = std::min_element(all.begin(), all.end(), [&](const auto* a, const auto* b) {
-    return standing(a) < standing(b);
-  });
-  if (least == all.end() || (*least)->claim() > most) return false;
-  PortConnection* const leaving = *least;
-  door.connections.erase(least);
+  const Standings standings(door.connections, door.most_connections);
+  PortConnection* const leaving = standings.Least();
+  if (!leaving) return false;
+  door.connections.erase(leaving);
   leaving->HangUp();
   return true;
 }

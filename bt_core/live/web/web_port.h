@@ -8,8 +8,8 @@
 //   ~Loop() { port_.Stop(); }               // before the shared state ends
 //
 // Strangers can fill a port with connections, and so can somebody who may only watch. When it is
-// full, who has the least claim to stay gives way to who comes; of strangers, one of the address
-// that has most of them; of equals, who was silent longest.
+// full, who has the least claim to stay gives way to who comes, whom nobody knows yet; of
+// strangers, one of the address that has most of them; of equals, who was silent longest.
 #ifndef COPPICE_BT_CORE_LIVE_WEB_WEB_PORT_H_
 #define COPPICE_BT_CORE_LIVE_WEB_WEB_PORT_H_
 
@@ -30,12 +30,14 @@ namespace coppice {
 
 class PortConnection;
 
-/// What speaks for keeping a connection when its port is full.
+/// What speaks for keeping a connection when its port is full; who has the least goes first. Those
+/// who watch take no place from those who control, who have half of the port for themselves.
 enum class Claim : std::uint8_t {
-  kStranger,  ///< it has not shown who it is
-  kIdle,      ///< it has, and was silent since
-  kWatches,   ///< gives way only while those who watch have more than half of the port
-  kControls,  ///< never gives way
+  kStranger,      ///< it has not shown who it is
+  kIdle,          ///< it may only watch, and was silent for a while
+  kWatches,       ///< gives way only while those who watch have more than half of the port
+  kIdleControls,  ///< it may control, and was silent; only while those have more than half
+  kControls,      ///< never gives way
 };
 
 struct WebPortOptions {

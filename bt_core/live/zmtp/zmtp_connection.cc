@@ -44,8 +44,9 @@ void ZmtpConnection::Start() {
 
 Claim ZmtpConnection::claim() const {
   if (!peer_.is_open()) return Claim::kStranger;
-  if (std::chrono::steady_clock::now() - last_heard() > kPatience) return Claim::kIdle;
-  return peer_.may_control() ? Claim::kControls : Claim::kWatches;
+  const bool is_idle = std::chrono::steady_clock::now() - last_heard() > kPatience;
+  if (peer_.may_control()) return is_idle ? Claim::kIdleControls : Claim::kControls;
+  return is_idle ? Claim::kIdle : Claim::kWatches;
 }
 
 void ZmtpConnection::Read() {

@@ -72,6 +72,24 @@ TEST_F(ClaimTest, WhoWatchesGivesWayOnlyBeyondHalfOfThePort) {
   EXPECT_FALSE(IsServed(*watching[3]));
 }
 
+TEST_F(ClaimTest, WhoControlsAndIsSilentGivesNoWayToThoseWhoWatch) {
+  std::vector<std::unique_ptr<WebCaller>> controlling;
+  for (int i = 0; i < 2; ++i) controlling.push_back(Come(Claim::kIdleControls));
+  std::vector<std::unique_ptr<WebCaller>> watching;
+  for (int i = 0; i < 4; ++i) watching.push_back(Come(i < 2 ? Claim::kIdle : Claim::kWatches));
+  EXPECT_EQ(Come(Claim::kWatches)->Ask(kAsk), "");
+  for (const auto& one : controlling) EXPECT_TRUE(IsServed(*one));
+}
+
+TEST_F(ClaimTest, WhoControlsAndIsSilentGivesWayBeyondHalfOfThePort) {
+  const auto watching = Come(Claim::kWatches);
+  std::vector<std::unique_ptr<WebCaller>> controlling;
+  for (int i = 0; i < 4; ++i) controlling.push_back(Come(Claim::kIdleControls));
+  EXPECT_FALSE(IsServed(*controlling[0]));
+  EXPECT_TRUE(IsServed(*controlling[1]));
+  EXPECT_TRUE(IsServed(*watching));
+}
+
 TEST(WebPortTest, TakesAFreePortAndServesOnIt) {
   FilePort port;
   EXPECT_NE(port.port(), 0);
