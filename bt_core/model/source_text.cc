@@ -8,13 +8,14 @@
 namespace coppice {
 namespace {
 
-constexpr std::uint32_t kLinesPerPlace = 32;
+constexpr std::size_t kPartsPerPlace = 32;
+constexpr std::size_t kLongestRest = 256;   // of a part: its bytes behind the blanks
 constexpr unsigned char kMostInByte = 255;  // a number of blanks that goes on in the next byte
 
-// Of the line that begins there, with its '\n'.
-std::size_t EndOfLine(std::string_view text, std::size_t begin) {
-  const std::size_t end = text.find('\n', begin);
-  return end == std::string_view::npos ? text.size() : end + 1;
+// Of the part whose blanks end there, with its '\n'.
+std::string_view RestAt(std::string_view text, std::size_t begin) {
+  const std::string_view longest = text.substr(begin, kLongestRest);
+  return longest.substr(0, std::min(longest.find('\n'), longest.size() - 1) + 1);
 }
 
 // Of a tag, from its '<' on, that a Document has accepted.
@@ -58,68 +59,65 @@ bool operator==(const StartTag& a, const StartTag& b) {
 }
 
 PackedLines::PackedLines(std::string_view text) {
-  std::size_t lines = 0;
-  for (std::size_t at = 0; at < text.size(); ++lines) {
-    if (lines % kLinesPerPlace == 0) {
-      places_.push_back(
-          {static_cast<std::uint32_t>(at), static_cast<std::uint32_t>(bytes_.size())});
-    }
-    const std::size_t end = EndOfLine(text, at);
-    const std::size_t rest = std::min(end, text.find_first_not_of(' ', at));
-    std::size_t blanks = rest - at;
+  Place place;
+  for (std::size_t parts = 0; place.offset < text.size(); ++parts) {
+    if (parts % kPartsPerPlace == 0) places_.push_back(place);
+    const std::size_t begin = std::min(text.size(), text.find_first_not_of(' ', place.offset));
+    std::size_t blanks = begin - place.offset;
     for (; blanks >= kMostInByte; blanks -= kMostInByte) bytes_ += static_cast<char>(kMostInByte);
     bytes_ += static_cast<char>(blanks);
-    bytes_.append(text, rest, end - rest);
-    at = end;
+    bytes_ += RestAt(text, begin);
+    place = Read(place).end;
   }
   bytes_.shrink_to_fit();
   places_.shrink_to_fit();
 }
 
-PackedLines::Line PackedLines::Read(Place place, std::uint32_t number) const {
-  Line line{number, place, 0, {}, {}};
+PackedLines::Part PackedLines::Read(Place place) const {
+  Part part{place, 0, {}, place};
   std::size_t at = place.packed;
   unsigned char byte = kMostInByte;
-  while (byte == kMostInByte) line.blanks += byte = static_cast<unsigned char>(bytes_[at++]);
-  line.rest = std::string_view(bytes_).substr(at, EndOfLine(bytes_, at) - at);
-  line.end = {place.offset + line.blanks + static_cast<std::uint32_t>(line.rest.size()),
-              static_cast<std::uint32_t>(at + line.rest.size())};
-  return line;
+  while (byte == kMostInByte) part.blanks += byte = static_cast<unsigned char>(bytes_[at++]);
+  part.rest = RestAt(bytes_, at);
+  const auto size = static_cast<std::uint32_t>(part.rest.size());
+  part.end.offset += part.blanks + size;
+  part.end.packed = static_cast<std::uint32_t>(at) + size;
+  if (size == 0 || part.rest.back() != '\n') return part;
+  ++part.end.line;
+  part.end.line_begin = part.end.offset;
+  return part;
 }
 
-PackedLines::Line PackedLines::LineAt(std::uint32_t offset) const {
+PackedLines::Part PackedLines::PartAt(std::uint32_t offset) const {
   const auto behind =
       std::upper_bound(places_.begin(), places_.end(), offset,
                        [](std::uint32_t at, const Place& place) { return at < place.offset; });
-  const auto place = behind - 1;
-  Line line = Read(*place, static_cast<std::uint32_t>(place - places_.begin()) * kLinesPerPlace);
-  while (line.end.offset <= offset && line.end.packed < bytes_.size()) {
-    line = Read(line.end, line.number + 1);
-  }
-  return line;
+  Part part = Read(*(behind - 1));
+  while (part.end.offset <= offset && part.end.packed < bytes_.size()) part = Read(part.end);
+  return part;
 }
 
 std::string PackedLines::text() const {
   std::string text;
-  for (Line line; line.end.packed < bytes_.size();
-       text.append(line.blanks, ' ').append(line.rest)) {
-    line = Read(line.end, 0);
+  for (Part part; part.end.packed < bytes_.size();) {
+    part = Read(part.end);
+    text.append(part.blanks, ' ').append(part.rest);
   }
   return text;
 }
 
 std::string PackedLines::Piece(std::uint32_t offset, std::size_t most) const {
-  const Line line = LineAt(offset);
-  const std::size_t column = offset - line.begin.offset;
-  const std::size_t passed = std::min<std::size_t>(line.blanks, column);
-  const std::size_t blanks = std::min(most, line.blanks - passed);
-  const std::size_t from = std::min(line.rest.size(), column - passed);
-  return std::string(blanks, ' ').append(line.rest.substr(from, most - blanks));
+  const Part part = PartAt(offset);
+  const std::size_t at = offset - part.begin.offset;
+  const std::size_t passed = std::min<std::size_t>(part.blanks, at);
+  const std::size_t blanks = std::min(most, part.blanks - passed);
+  const std::size_t from = std::min(part.rest.size(), at - passed);
+  return std::string(blanks, ' ').append(part.rest.substr(from, most - blanks));
 }
 
 PackedLines::Position PackedLines::PositionOf(std::uint32_t offset) const {
-  const Line line = LineAt(offset);
-  return {line.number + 1, offset - line.begin.offset + 1};
+  const Place line = PartAt(offset).begin;
+  return {line.line + 1, offset - line.line_begin + 1};
 }
 
 SourceText::SourceText(const Document& document)

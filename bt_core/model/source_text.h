@@ -6,8 +6,8 @@
 //   source.Location(document.element(3).offset)          robot.xml:12:5
 //
 // Most of a file of trees is indentation: a line is kept as the number of its leading blanks and
-// what follows them. One line in 32 has its place in an index; the others are counted from there.
-// Immutable.
+// what follows them; a long line in parts that are kept in this way. One part in 32 has its place in
+// an index; the others are counted from there. Immutable.
 #ifndef COPPICE_BT_CORE_MODEL_SOURCE_TEXT_H_
 #define COPPICE_BT_CORE_MODEL_SOURCE_TEXT_H_
 
@@ -50,7 +50,7 @@ class PackedLines {
   std::string text() const;
 
   /// From a byte of the text on at most so many, and no further than the end of its line, with its
-  /// '\n'. Empty behind the last byte.
+  /// '\n', or of a part of a long line. Empty behind the last byte.
   std::string Piece(std::uint32_t offset, std::size_t most) const;
 
   /// Line and column of a byte of the text, both from 1.
@@ -62,21 +62,23 @@ class PackedLines {
 
  private:
   struct Place {
-    std::uint32_t offset = 0;  // in the text
-    std::uint32_t packed = 0;  // in bytes_
+    std::uint32_t offset = 0;      // in the text
+    std::uint32_t packed = 0;      // in bytes_
+    std::uint32_t line = 0;        // from 0
+    std::uint32_t line_begin = 0;  // in the text
   };
-  struct Line {
-    std::uint32_t number = 0;  // from 0
+  // A line, or some of it.
+  struct Part {
     Place begin;
     std::uint32_t blanks = 0;  // that it begins with
     std::string_view rest;     // in bytes_, with its '\n'
     Place end;
   };
-  Line Read(Place place, std::uint32_t number) const;
-  Line LineAt(std::uint32_t offset) const;
+  Part Read(Place place) const;
+  Part PartAt(std::uint32_t offset) const;
 
   std::string bytes_;
-  std::vector<Place> places_;  // of every 32nd line
+  std::vector<Place> places_;  // of every 32nd part
 };
 
 class SourceText {

@@ -119,13 +119,15 @@ def request(body, what=b"C"):
 
 def read_until(connection, wanted):
     """What came until then; nothing if the connection ended first."""
-    heard = b""
-    while wanted not in heard:
+    heard = bytearray()
+    looked_at = 0
+    while heard.find(wanted, looked_at) < 0:
+        looked_at = max(0, len(heard) - len(wanted))
         part = connection.recv(65536)
         if not part:
             return b""
         heard += part
-    return heard
+    return bytes(heard)
 
 
 def send_until_closed(connection, piece, limit):
@@ -279,6 +281,18 @@ class LargeTree(WithRobot):
             for _ in range(16):
                 connection.sendall(request(b'{"do":"subscribe","window":67108864}'))
         self.assert_serves()
+        self.assertLess(self.robot.memory(), MEMORY)
+
+
+class LongLine(WithRobot):
+    """A file of megabytes without a line's end."""
+    tree = TREE.replace("<AlwaysSuccess/>", '<AlwaysSuccess name="%s"/>' % ("x" * 400) * 20_000)
+
+    def test_the_text_of_a_tree_in_one_long_line_keeps_nobody_waiting(self):
+        asks = opened(self.robot.port)
+        asks.sendall(request(b"", b"T"))
+        self.assert_serves()
+        self.assertIn(b"</root>", read_until(asks, b"</root>"))
         self.assertLess(self.robot.memory(), MEMORY)
 
 
