@@ -69,7 +69,7 @@ void ServedTree::Serve(ClientId client, bool may_control, const groot2::Parts& r
   desk_.Serve(client, may_control, request, now_);
   executor_.Tick();
   clock_.Advance(std::chrono::milliseconds(1));
-  desk_.Attend(now_);
+  desk_.Attend(now_, now_);
 }
 
 void ServedTree::OutlastClients() { now_ += kDeadline; }

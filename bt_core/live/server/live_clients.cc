@@ -1,6 +1,7 @@
 #include "bt_core/live/server/live_clients.h"
 
 #include <algorithm>
+#include <chrono>
 #include <utility>
 
 namespace coppice {
@@ -64,7 +65,7 @@ void LiveClients::Leave(ClientId id) {
       }
       if (!was_served) return;
       const char type = static_cast<char>(groot2::RequestType::kExtension);
-      requests_.push_back({id, false, {groot2::MakeHeader(type, 0), R"({"do":"bye"})"}});
+      requests_.push_back({id, false, Now(), {groot2::MakeHeader(type, 0), R"({"do":"bye"})"}});
     }
   }
   if (connection) on_request_();
@@ -84,7 +85,8 @@ void LiveClients::Put(ClientId id, Parts request) {
     const auto at = clients_.find(id);
     if (at == clients_.end()) return;
     const bool may_control = at->second.may_control;
-    (may_control ? requests_ : readers_requests_).push_back({id, may_control, std::move(request)});
+    std::deque<ReceivedRequest>& queue = may_control ? requests_ : readers_requests_;
+    queue.push_back({id, may_control, Now(), std::move(request)});
   }
   on_request_();
 }
@@ -111,6 +113,16 @@ bool LiveClients::Receive(ReceivedRequest& request) {
   at->second.connection->ReadOn();
   return true;
 }
+
+Duration LiveClients::HeardUntil(Duration now) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  for (const std::deque<ReceivedRequest>* queue : {&requests_, &readers_requests_}) {
+    if (!queue->empty()) now = std::min(now, queue->front().arrived);
+  }
+  return now;
+}
+
+Duration LiveClients::Now() { return std::chrono::steady_clock::now().time_since_epoch(); }
 
 std::size_t LiveClients::RoomFor(const Client& client) const {
   if (client.unread == 0) return SIZE_MAX;

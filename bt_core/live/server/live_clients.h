@@ -73,6 +73,8 @@ class LiveClients final : public LiveOutbox {
   /// False if there is no request now. Those who may control come before those who may not;
   /// otherwise clients have their turn one after the other.
   bool Receive(ReceivedRequest& request);
+  /// When the oldest request arrived that Receive has not handed over; `now` if there is none.
+  Duration HeardUntil(Duration now);
 
   std::size_t RoomFor(ClientId client) override;
   SendResult Send(ClientId client, const groot2::Parts& parts) override;
@@ -87,6 +89,7 @@ class LiveClients final : public LiveOutbox {
     std::size_t unread = 0;
     std::vector<std::string> topics;  // of a listener
   };
+  static Duration Now();
   std::size_t RoomFor(const Client& client) const;
   bool HasRoomForReply(const Client& client, std::size_t bytes) const;
   void Post(Client& client, const groot2::Parts& parts, std::size_t bytes);

@@ -61,31 +61,32 @@ void LiveDesk::Remove(const LiveTree& tree) {
   Notify(extension_.DescribeTrees());
 }
 
-void LiveDesk::Serve(ClientId client, bool may_control, const Parts& request, Duration now) {
-  const Parts reply = Answer(client, may_control, request, now);
+void LiveDesk::Serve(ClientId client, bool may_control, const Parts& request, Duration arrived) {
+  const Parts reply = Answer(client, may_control, request, arrived);
   if (reply.empty()) return;
   if (outbox_.Reply(client, reply) == SendResult::kGone) sessions_.Close(client);
 }
 
 // Empty: no reply is wanted.
-Parts LiveDesk::Answer(ClientId client, bool may_control, const Parts& parts, Duration now) {
+Parts LiveDesk::Answer(ClientId client, bool may_control, const Parts& parts, Duration arrived) {
   const auto parsed = groot2::ParseRequest(parts);
   if (!parsed) return groot2::MakeError(parsed.problem());
   const Request& request = *parsed;
   if (request.type == groot2::RequestType::kExtension) {
-    ExtensionService::Answer answer = extension_.Serve(client, may_control, request.argument, now);
+    ExtensionService::Answer answer =
+        extension_.Serve(client, may_control, request.argument, arrived);
     if (request.number == 0 && !answer.failed) return {};
     return groot2::MakeReply(request, server_id_, std::move(answer.json));
   }
   if (entries_.empty()) return groot2::MakeError("no tree is running here now");
-  return entries_.begin()->second.groot2->Answer(request, may_control, now);
+  return entries_.begin()->second.groot2->Answer(request, may_control, arrived);
 }
 
-Duration LiveDesk::Attend(Duration now) {
+Duration LiveDesk::Attend(Duration now, Duration heard_until) {
   TellDebugEvents();
   TellChangedTrees();
   ReleaseWaiting(now);
-  Expire(now);
+  Expire(std::max(heard_until, now - deadline_));
   const Progress progress = PushAll();
   if (progress == Progress::kMore) return now;
   return now + (progress == Progress::kBlocked ? kShortWait : std::min(kLongWait, deadline_ / 4));
@@ -125,11 +126,11 @@ void LiveDesk::ReleaseWaiting(Duration now) {
   }
 }
 
-void LiveDesk::Expire(Duration now) {
-  for (auto& [number, entry] : entries_) entry.groot2->Expire(now);
+void LiveDesk::Expire(Duration heard_until) {
+  for (auto& [number, entry] : entries_) entry.groot2->Expire(heard_until);
   std::vector<ClientId> dead;
   for (const auto& [client, session] : sessions_.all()) {
-    if (now - session.last_request >= deadline_) dead.push_back(client);
+    if (heard_until - session.last_request >= deadline_) dead.push_back(client);
   }
   for (const ClientId client : dead) {
     sessions_.Close(client);

@@ -25,12 +25,14 @@ class LiveDesk {
   /// After what has happened in it was sent as far as its clients take it.
   void Remove(const LiveTree& tree);
 
-  /// Answers a request. Any bytes may be handed in. `now` is real time here and below.
-  void Serve(ClientId client, bool may_control, const groot2::Parts& request, Duration now);
+  /// Answers a request that arrived then. Any bytes may be handed in. Times are real time here and
+  /// below.
+  void Serve(ClientId client, bool may_control, const groot2::Parts& request, Duration arrived);
 
   /// What is due without a request: notices, pushes, what dead clients leave behind. Returns when
-  /// it wants to be called again at the latest, if nobody wakes it.
-  Duration Attend(Duration now);
+  /// it wants to be called again at the latest, if nobody wakes it. `heard_until`: what has arrived
+  /// before was served. Nobody is taken for dead whose request may still wait; but not for ever.
+  Duration Attend(Duration now, Duration heard_until);
 
  private:
   struct TreeEntry {
@@ -40,12 +42,12 @@ class LiveDesk {
   enum class Progress : std::uint8_t { kDone, kMore, kBlocked, kGone };
 
   groot2::Parts Answer(ClientId client, bool may_control, const groot2::Parts& request,
-                       Duration now);
+                       Duration arrived);
   void TellDebugEvents();
   void Notify(const std::string& notice);
   void TellChangedTrees();
   void ReleaseWaiting(Duration now);
-  void Expire(Duration now);
+  void Expire(Duration heard_until);
   Progress PushAll();
   Progress PushTo(ClientId client, std::uint32_t id, ActiveSubscription& subscription);
 

@@ -150,7 +150,7 @@ class LiveServer::Loop {
     ReceivedRequest request;
     for (int served = 0; served < kRequestsAtOnce; ++served) {
       if (!clients_.Receive(request)) return false;
-      desk_.Serve(request.client, request.may_control, request.parts, RealTime());
+      desk_.Serve(request.client, request.may_control, request.parts, request.arrived);
     }
     return true;
   }
@@ -160,7 +160,7 @@ class LiveServer::Loop {
     const Duration now = RealTime();
     if (now < last_push_ + kPause) return last_push_ + kPause;
     last_push_ = now;
-    return desk_.Attend(now);
+    return desk_.Attend(now, clients_.HeardUntil(now));
   }
 
   WakeUp wake_up_;

@@ -32,7 +32,7 @@ struct Session {
   OwnerId owner = 0;
   bool may_control = false;  ///< when it began; what it asks for is judged by its request
   std::string name;          ///< what it calls itself
-  Duration last_request{0};  ///< in real time
+  Duration last_request{0};  ///< when it arrived, in real time
   std::uint32_t last_subscription = 0;
   std::map<std::uint32_t, ActiveSubscription> subscriptions;  ///< one for a tree at most
 

@@ -2,6 +2,7 @@
 #ifndef COPPICE_BT_CORE_LIVE_SERVER_RECEIVED_REQUEST_H_
 #define COPPICE_BT_CORE_LIVE_SERVER_RECEIVED_REQUEST_H_
 
+#include "bt_core/base/clock.h"
 #include "bt_core/live/groot2/groot2_protocol.h"
 #include "bt_core/live/server/live_outbox.h"
 
@@ -10,6 +11,7 @@ namespace coppice {
 struct ReceivedRequest {
   ClientId client{};  ///< whom to answer
   bool may_control = false;
+  Duration arrived{0};  ///< in real time
   groot2::Parts parts;
 };
 

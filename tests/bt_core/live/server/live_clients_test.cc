@@ -3,12 +3,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
+
 namespace coppice {
 namespace {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::SizeIs;
+using namespace std::chrono_literals;  // NOLINT(google-build-using-namespace)
 
 class KeptConnection : public LiveConnection {
  public:
@@ -53,6 +56,16 @@ TEST_F(LiveClientsTest, HandsRequestsOverWithTheRightsOfTheirConnection) {
   EXPECT_EQ(first_->read_on, 1);
   EXPECT_EQ(second_->read_on, 0) << "its request was not taken yet";
   EXPECT_FALSE(Receive().may_control);
+}
+
+TEST_F(LiveClientsTest, KnowsSinceWhenARequestWaits) {
+  const Duration later = std::chrono::steady_clock::now().time_since_epoch() + 1h;
+  EXPECT_EQ(clients_.HeardUntil(later), later);
+  clients_.Put(clients_.Enter(first_, false), {"a"});
+  const Duration arrived = clients_.HeardUntil(later);
+  EXPECT_LT(arrived, later);
+  EXPECT_EQ(Receive().arrived, arrived);
+  EXPECT_EQ(clients_.HeardUntil(later), later);
 }
 
 TEST_F(LiveClientsTest, SaysByeForWhoHasGone) {

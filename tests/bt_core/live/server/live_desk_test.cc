@@ -29,7 +29,7 @@ class LiveDeskTest : public LiveTreeFixture {
   }
   // The notices and pushes that Attend sends: "E stopped", "F 1-3".
   std::vector<std::string> Attend(ClientId client) {
-    desk_.Attend(now_);
+    desk_.Attend(now_, now_);
     std::vector<std::string> result;
     for (const Parts& parts : outbox_.Take(client)) {
       const char kind = parts[0][1];
@@ -71,7 +71,7 @@ TEST_F(LiveDeskTest, SendsLaterWhatAClientDoesNotTake) {
   Extension(kAnn, R"({"do": "hello"})");
   Extension(kAnn, R"({"do": "subscribe"})");
   outbox_.results[kAnn] = SendResult::kFull;
-  EXPECT_LE(desk_.Attend(now_), now_ + 10ms) << "tries again soon";
+  EXPECT_LE(desk_.Attend(now_, now_), now_ + 10ms) << "tries again soon";
   Tick();
   outbox_.results[kAnn] = SendResult::kSent;
   EXPECT_THAT(Attend(kAnn), ElementsAre("F 1-3"));
@@ -98,13 +98,30 @@ TEST_F(LiveDeskTest, ReleasesAClientThatHasGoneOrIsSilent) {
   }
   EXPECT_THAT(tree_->debugger().hooks(), SizeIs(3));
   outbox_.results[kAnn] = SendResult::kGone;
-  desk_.Attend(now_);
+  desk_.Attend(now_, now_);
   EXPECT_THAT(tree_->debugger().hooks(), SizeIs(2));
   now_ += 4s;
   Extension(kCem, R"({"do": "ping"})");
   now_ += 1s;
   EXPECT_THAT(Attend(kBen), ElementsAre("F 1-2", "E released"));
   EXPECT_THAT(tree_->debugger().hooks(), SizeIs(1));
+}
+
+TEST_F(LiveDeskTest, NobodyIsDeadWhoseRequestMayStillWait) {
+  Extension(kAnn, R"({"do": "hello"})");
+  Extension(kAnn, R"({"do": "hook", "node": 1})");
+  desk_.Attend(now_ + 6s, now_ + 4s);
+  EXPECT_THAT(tree_->debugger().hooks(), SizeIs(1));
+  desk_.Attend(now_ + 10s, now_ + 4s);
+  EXPECT_THAT(tree_->debugger().hooks(), IsEmpty()) << "what waits for ever keeps nobody alive";
+}
+
+TEST_F(LiveDeskTest, AClientWasAliveWhenItsRequestArrived) {
+  Extension(kAnn, R"({"do": "hello"})");
+  Extension(kAnn, R"({"do": "hook", "node": 1})");
+  desk_.Serve(kAnn, true, {groot2::MakeHeader('C', 9), R"({"do": "ping"})"}, now_ + 1s);
+  desk_.Attend(now_ + 6s, now_ + 6s);
+  EXPECT_THAT(tree_->debugger().hooks(), IsEmpty());
 }
 
 TEST_F(LiveDeskTest, TellsEveryClientWhatTheDebuggerTells) {
@@ -122,7 +139,7 @@ TEST_F(LiveDeskTest, PublishesHooksOfGroot2) {
              R"({"enabled": true, "uid": 2, "mode": 1, "once": false, "desired_status": "FAILURE",
                 "position": 0})"});
   Tick();
-  desk_.Attend(now_);
+  desk_.Attend(now_, now_);
   ASSERT_THAT(outbox_.published, SizeIs(1));
   EXPECT_EQ(outbox_.published[0][1], "2");
 }
@@ -167,9 +184,9 @@ TEST(LiveDesk, LetsATreeThatWaitsForAClientGoOnAfterAWhile) {
   LiveDesk desk(outbox, 5s);
   EXPECT_TRUE(tree.tree_->debugger().Pause(LiveTree::kWaitOwner));
   desk.Add(tree.tree_, 1s);
-  desk.Attend(10s);
+  desk.Attend(10s, 10s);
   EXPECT_TRUE(tree.tree_->debugger().is_pausing());
-  desk.Attend(11s);
+  desk.Attend(11s, 11s);
   EXPECT_FALSE(tree.tree_->debugger().is_pausing());
   desk.Remove(*tree.tree_);
 }
