@@ -10,6 +10,7 @@ constexpr int kLetter = 10;
 constexpr int kInARow = 15;
 constexpr int kWordStart = 20;
 constexpr int kLongestText = 200;
+constexpr int kFit = 10 * kSameFit;
 
 char Lower(char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
 bool IsLetter(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; }
@@ -48,11 +49,36 @@ int Score(std::string_view pattern, std::string_view text, bool eager) {
   return score * kLongestText - length + kLongestText;
 }
 
+bool BeginsAt(std::string_view pattern, std::string_view text, std::size_t at) {
+  if (at + pattern.size() > text.size()) return false;
+  return std::equal(pattern.begin(), pattern.end(), text.begin() + static_cast<std::ptrdiff_t>(at),
+                    [](char a, char b) { return Lower(a) == Lower(b); });
+}
+
+bool EndsWord(std::string_view text, std::size_t end) {
+  return end == text.size() || !IsLetter(text[end]) || StartsWord(text, end);
+}
+
+// From 0, some letters, to 4, the whole text.
+int FitOf(std::string_view pattern, std::string_view text) {
+  int best = 0;
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    if (!StartsWord(text, at) || !BeginsAt(pattern, text, at)) continue;
+    const std::size_t end = at + pattern.size();
+    const bool is_word = EndsWord(text, end);
+    if (at == 0 && end == text.size()) return 4;
+    best = std::max(best, is_word ? 3 : at == 0 ? 2 : 1);
+  }
+  return best;
+}
+
 }  // namespace
 
 int FuzzyScore(std::string_view pattern, std::string_view text) {
   if (pattern.empty()) return 1;
-  return std::max(Score(pattern, text, true), Score(pattern, text, false));
+  const int score = std::max(Score(pattern, text, true), Score(pattern, text, false));
+  if (score == 0) return 0;
+  return (1 + FitOf(pattern, text)) * kFit + std::min(score, kSameFit - 1);
 }
 
 }  // namespace coppice::editor

@@ -12,7 +12,6 @@ namespace coppice::editor {
 namespace {
 
 constexpr int kNameBonus = 1;
-constexpr int kRecentBonus = 1000;  // more than any score
 constexpr std::size_t kMostRecent = 8;
 
 class TypeCollector {
@@ -23,10 +22,9 @@ class TypeCollector {
   void Offer(TypeChoice choice) {
     choice.score = Score(choice);
     if (choice.score == 0) return;
+    // Among those that fit alike, what was used last comes first.
     const auto used = std::find(recent_.begin(), recent_.end(), choice.type);
-    if (typed_.empty() && used != recent_.end()) {
-      choice.score += kRecentBonus - static_cast<int>(used - recent_.begin());
-    }
+    choice.score += static_cast<int>(recent_.end() - used) * kSameFit;
     choices_.push_back(std::move(choice));
   }
 

@@ -17,7 +17,8 @@ struct TypeChoice {
   int score = 0;
 };
 
-/// The best choices, best first, at most `limit`; without typed text those used last come first.
+/// The best choices, best first, at most `limit`: whole words, then beginnings, then other letters
+/// (FuzzyScore); of those that fit alike, what was used last.
 /// `with_trees`: the trees of the file too, as SubTrees.
 std::vector<TypeChoice> FindTypes(const EditorState& state, const std::string& typed,
                                   bool with_trees, std::size_t limit);

@@ -19,6 +19,13 @@ TEST(Fuzzy, PrefersStartsOfWordsAndRuns) {
   EXPECT_GT(FuzzyScore("dt", "DriveTo"), FuzzyScore("dt", "undulating"));
 }
 
+TEST(Fuzzy, WholeTextsGoBeforeWordsAndThoseBeforeBeginnings) {
+  EXPECT_GT(FuzzyScore("wait", "Wait"), FuzzyScore("wait", "CancelWait"));
+  EXPECT_GT(FuzzyScore("wait", "CancelWait"), FuzzyScore("wait", "Waiting"));
+  EXPECT_GT(FuzzyScore("wait", "WaitingForEverythingElse"), FuzzyScore("wait", "NoWaiter"));
+  EXPECT_GT(FuzzyScore("wait", "NoWaiter"), FuzzyScore("wait", "WalkIt"));
+}
+
 TEST(Fuzzy, FindsLettersThatAWordStartWouldSkip) { EXPECT_GT(FuzzyScore("at", "cat A"), 0); }
 
 TEST(Fuzzy, FitsEverythingWhenNothingIsTyped) { EXPECT_EQ(FuzzyScore("", "anything"), 1); }

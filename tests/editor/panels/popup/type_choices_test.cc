@@ -49,5 +49,16 @@ TEST_F(TypeChoicesTest, ShowWhatWasUsedLastFirst) {
   EXPECT_EQ(Find("")[1].type, "Inverter");
 }
 
+TEST_F(TypeChoicesTest, AWholeNameGoesBeforeWhatWasUsedLast) {
+  RememberType(driver_.editor.state(), "ReactiveSequence");
+  EXPECT_EQ(Find("sequence")[0].type, "Sequence");
+  EXPECT_EQ(Find("sequence")[1].type, "ReactiveSequence");
+}
+
+TEST_F(TypeChoicesTest, OfThoseThatFitAlikeWhatWasUsedLastComesFirst) {
+  RememberType(driver_.editor.state(), "SwitchOn");
+  EXPECT_EQ(Find("sw")[0].type, "SwitchOn") << "before Switch2";
+}
+
 }  // namespace
 }  // namespace coppice::editor
