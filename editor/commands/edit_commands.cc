@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "editor/workspace/tree_editor.h"
+#include "editor/workspace/type_editor.h"
 
 namespace coppice::editor {
 namespace {
@@ -23,6 +23,7 @@ class EditCommands {
     Add("edit.select_all", "Select all nodes of the tree", {'A', kCtrl}, &TreeEditor::SelectAll);
     Add("edit.duplicate", "Duplicate", {'D', kCtrl}, &TreeEditor::Duplicate);
     AddTyping();
+    AddTypes();
   }
 
  private:
@@ -70,6 +71,35 @@ class EditCommands {
                   s.screen.tiles.inspector = true;
                   s.input.focus_field = FirstField(*view);
                 });
+  }
+
+  void AddTypes() {
+    AddFunction("type.define", "Define the type of the node, or the ports of the tree", {'I'},
+                [&s = state_](const TreeEditor&) { DefineType(s); });
+    AddFunction("edit.add_port", "Add a port to the node", {'I', kShift},
+                [&s = state_](const TreeEditor&) {
+                  s.screen.tiles.inspector = true;
+                  s.inspector.type.clear();
+                  s.input.focus_field = "inspector/new_port";
+                });
+  }
+
+  // Opens the model in the inspector; makes it if there is none.
+  static void DefineType(EditorState& state) {
+    const TreeView* view = state.workspace.view();
+    if (!state.workspace.file()) return state.Notify("no file is open", state.now, true);
+    const bool is_node = view && view->selected() != kNoSceneNode;
+    const std::string type = is_node ? std::string(view->scene()->nodes[view->selected()].id)
+                                     : state.workspace.ShownTreeId();
+    TypeEditor edit(state, state.now);
+    if (!edit.IsDefined(type)) {
+      const Outcome done = edit.Define(type);
+      if (!done) return state.Notify(done.problem(), state.now, true);
+    }
+    view = state.workspace.view();
+    state.screen.tiles.inspector = true;
+    state.inspector.type = type;
+    state.inspector.node = view ? view->selected() : kNoSceneNode;
   }
 
   static std::string FirstField(const TreeView& view) {

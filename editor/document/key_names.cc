@@ -64,6 +64,7 @@ class Collector {
     if (key.empty()) return;
     name.reads = !is_subtree && (!port || port->direction != PortDirection::kOutput);
     name.writes = !is_subtree && port && port->direction != PortDirection::kInput;
+    name.guessed = !is_subtree && !port;
     Add(std::move(name), key, element, attribute);
     names_.back().begin = attribute.value_offset;
     names_.back().end = attribute.value_end;

@@ -28,7 +28,8 @@ struct KeyName {
   bool is_global = false;
   KeyForm form = KeyForm::kBraces;
   bool reads = false;
-  bool writes = false;  ///< neither reads nor writes: a SubTree that hands the key on
+  bool writes = false;   ///< neither reads nor writes: a SubTree that hands the key on
+  bool guessed = false;  ///< no model describes the port: it may write the key as well
   ElementIndex element{0};
   std::string_view attribute;
   std::uint32_t begin = 0;  ///< bytes of the text: the whole value, or the word in a script

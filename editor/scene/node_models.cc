@@ -7,8 +7,6 @@
 namespace coppice::editor {
 namespace {
 
-constexpr char kBuiltIn[] = "built-in";
-
 KnownModel FromManifest(const Manifest& manifest) {
   KnownModel model;
   model.id = manifest.id;

@@ -14,9 +14,11 @@
 
 namespace coppice::editor {
 
+inline constexpr char kBuiltIn[] = "built-in";
+
 /// `document` is not used: models come from several projects and robots.
 struct KnownModel : NodeModel {
-  std::string source;  ///< "built-in", or "file:line" of the model
+  std::string source;  ///< kBuiltIn, or "file:line" of the model
 };
 
 class NodeModels {

@@ -98,6 +98,7 @@ struct EditorState {
   XmlTile xml;
   RunTile run;
   BlackboardTile blackboard;
+  InspectorTile inspector;
   PopupState popup;
   Recent recent;
   Notice notice;

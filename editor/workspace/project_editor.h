@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "bt_core/base/outcome.h"
 #include "editor/document/project_names.h"
 #include "editor/document/search.h"
 #include "editor/workspace/tree_editor.h"
@@ -21,6 +22,13 @@ class ProjectEditor {
 
   /// The shown project as it is now; files whose text is malformed are not in it.
   ProjectFiles Files() const;
+
+  /// One step of that name: the edits of the files, one for each.
+  Outcome Change(const std::string& name, const ProjectFiles& files,
+                 const std::vector<Edit>& edits) {
+    std::string refusal = Do(name, files, edits);
+    return refusal.empty() ? Outcome() : Problem{std::move(refusal)};
+  }
 
   /// Makes a tree of the selected node.
   std::string Extract(const std::string& id);

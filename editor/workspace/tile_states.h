@@ -17,6 +17,7 @@
 #include "editor/live/run_log.h"
 #include "editor/live/why_answer.h"
 #include "editor/workspace/follow.h"
+#include "editor/workspace/interface_cache.h"
 #include "editor/workspace/timeline_state.h"
 
 namespace coppice::editor {
@@ -118,6 +119,13 @@ struct BlackboardTile {
 };
 
 inline constexpr double kNoticeSeconds = 4;  ///< how long a notice is shown
+
+/// What the inspector shows besides the selected node.
+struct InspectorTile {
+  std::string type;        ///< whose model is edited in the place of the node; empty: none
+  std::uint32_t node = 0;  ///< that was selected then: choosing another one ends it
+  InterfaceCache interfaces;
+};
 
 /// The text field that the user types in.
 struct Typing {

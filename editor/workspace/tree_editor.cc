@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "bt_core/model/xml_text.h"
 #include "editor/document/fragment.h"
 #include "editor/document/tree_edits.h"
 
@@ -216,6 +217,20 @@ bool TreeEditor::SetValue(const std::string& attribute, const std::string& value
 bool TreeEditor::ClearValue(const std::string& attribute) {
   return Run("Clear " + attribute + " of " + What(),
              [&](Draft& draft, const NodeRules&) { return editor::ClearValue(draft, attribute); });
+}
+
+bool TreeEditor::AddPort(const std::string& name) {
+  if (!IsXmlName(name) || IsReservedAttribute(name)) {
+    return Refuse("\"" + name + "\" cannot be the name of a port");
+  }
+  return Run("Add port " + name + " to " + What(), [&](Draft& draft, const NodeRules&) {
+    for (const ElementIndex element : draft.selection()) {
+      if (draft.document().FindAttribute(draft.document().element(element), name)) {
+        return "there is a port " + name + " already";
+      }
+    }
+    return editor::SetValue(draft, name, "");
+  });
 }
 
 std::string TreeEditor::SelectedText() const {

@@ -54,6 +54,8 @@ class TreeEditor {
   bool Rename(const std::string& name);
   bool SetValue(const std::string& attribute, const std::string& value);
   bool ClearValue(const std::string& attribute);
+  /// Gives the node an empty attribute of that name.
+  bool AddPort(const std::string& name);
 
   /// All nodes of the shown tree, not those of the trees that it uses.
   void SelectAll();

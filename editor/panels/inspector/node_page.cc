@@ -10,16 +10,18 @@
 #include "editor/canvas/canvas.h"
 #include "editor/canvas/layout/node_metrics.h"
 #include "editor/document/script_check.h"
-#include "editor/panels/panels.h"
+#include "editor/panels/inspector/pages.h"
 #include "editor/panels/widgets/inspector_row.h"
 #include "editor/scene/problem_places.h"
-#include "editor/workspace/tree_editor.h"
+#include "editor/workspace/type_editor.h"
 
 namespace coppice::editor {
 namespace {
 
 // What the user did; it is done after the panel is drawn, for it replaces what is drawn.
 using Action = std::function<void(TreeEditor&)>;
+
+constexpr char kAutoremap[] = "_autoremap";
 
 // The values that a port of a built-in node can have, if its type is an enum.
 std::vector<std::string> ChoicesOf(std::string_view id, std::string_view port) {
@@ -40,10 +42,10 @@ bool IsOwnType(std::string_view type) {
          type.find("Any") == std::string_view::npos;
 }
 
-class Inspector {
+class NodePage {
  public:
-  Inspector(const Ui& ui, EditorState& state, std::shared_ptr<const Scene> scene,
-            const SceneNode& node)
+  NodePage(const Ui& ui, EditorState& state, std::shared_ptr<const Scene> scene,
+           const SceneNode& node)
       : ui_(ui),
         state_(state),
         scene_(std::move(scene)),
@@ -73,11 +75,7 @@ class Inspector {
     DrawScripts();
     if (node_.model && !node_.model->description.empty())
       Hint(ui_, InOneLine(node_.model->description));
-    if (!node_.model && node_.shape == Shape::kUnknown) {
-      Hint(ui_,
-           "No model of this type is known. Give one with --models, in <TreeNodesModel>, or "
-           "connect to the robot.");
-    }
+    if (can_edit_) DrawType();
     if (action_) {
       TreeEditor edit(state_, ui_.now);
       action_(edit);
@@ -170,19 +168,81 @@ class Inspector {
 
   // Declared ports in the declared order, given or not; then the other attributes.
   void DrawPorts() {
-    const bool has_model = node_.model && node_.shape != Shape::kSubTree;
-    bool any = has_model && !node_.model->ports.empty();
+    const std::vector<PortModel> declared = Declared();
+    const bool may_have_any = can_edit_ && TakesAnyPort();
+    bool any = !declared.empty() || may_have_any;
     for (std::uint32_t i = 0; i < node_.port_count; ++i) {
       any = any || !IsGuardAttribute(scene_->ports[node_.first_port + i].name);
     }
     if (any) HeadingRow(ui_, "ports");
-    if (has_model) {
-      for (const PortModel& port : node_.model->ports) DrawPort(port, Given(port.name));
-    }
+    for (const PortModel& port : declared) DrawPort(port, Given(port.name));
     for (std::uint32_t i = 0; i < node_.port_count; ++i) {
       const PortLine& port = scene_->ports[node_.first_port + i];
-      if (!port.model && !IsGuardAttribute(port.name)) DrawOther(port);
+      const bool is_drawn =
+          std::any_of(declared.begin(), declared.end(),
+                      [&](const PortModel& one) { return one.name == port.name; });
+      if (!is_drawn && !IsGuardAttribute(port.name) && port.name != kAutoremap) DrawOther(port);
     }
+    if (may_have_any) DrawNewPort();
+    if (can_edit_ && IsSubTree()) DrawAutoremap();
+  }
+
+  bool IsSubTree() const { return node_.shape == Shape::kSubTree; }
+  bool TakesAnyPort() const { return IsSubTree() || !node_.model; }
+
+  // Of a SubTree those of its tree: the declared ones, and the keys that the tree shares.
+  std::vector<PortModel> Declared() {
+    std::vector<PortModel> ports;
+    if (IsSubTree() && can_edit_) {
+      for (const InterfacePort& port : Interface()) ports.push_back(port.model);
+    } else if (node_.model && !IsSubTree()) {
+      ports = node_.model->ports;
+    }
+    return ports;
+  }
+
+  const std::vector<InterfacePort>& Interface() {
+    return state_.inspector.interfaces.Of(std::string(node_.id), state_.workspace,
+                                          ProjectEditor(state_, ui_.now).Files());
+  }
+
+  // A row in which a name makes a port of that name.
+  void DrawNewPort() {
+    FieldLook look;
+    look.hint = "name of a port";
+    look.color = ui_.palette.text;
+    const std::optional<std::string> name = Edit("inspector/new_port", "+ port", "", look).value;
+    if (!name) return;
+    action_ = [name = *name, &state = state_](TreeEditor& edit) {
+      if (edit.AddPort(name)) state.input.focus_field = "inspector/port/" + name;
+    };
+  }
+
+  void DrawAutoremap() {
+    FieldLook look;
+    look.kind = FieldKind::kBool;
+    look.color = ui_.palette.text;
+    look.hint = "false";
+    look.can_clear = Given(kAutoremap) != nullptr;
+    const PortLine* given = Given(kAutoremap);
+    EditAttribute("inspector/autoremap", kAutoremap, given ? std::string(given->value) : "", look);
+    if (ImGui::IsItemHovered()) {
+      Tooltip(ui_,
+              "Keys of the tree inside are those of the tree outside, but for the private "
+              "ones and those that are given here.");
+    }
+  }
+
+  // What can be done to the type of the node.
+  void DrawType() {
+    const std::string id(node_.id);
+    const bool is_unknown = !node_.model && node_.shape == Shape::kUnknown;
+    const bool is_defined = !id.empty() && TypeEditor(state_, ui_.now).IsDefined(id);
+    if (is_unknown) {
+      Hint(ui_, "No model of this type is known: it takes any port, and nothing is checked.");
+      ImGui::Dummy({0, 4 * ui_.scale});
+    }
+    if (is_unknown || is_defined || IsSubTree()) DrawTypeAction(ui_, state_, id);
   }
 
   // Those of the blackboard that the node sees, most used first.
@@ -215,7 +275,11 @@ class Inspector {
       return;
     }
     FieldLook look;
-    look.hint = port.default_text ? std::string_view(*port.default_text) : "not given";
+    const std::string outside = "{" + port.name + "}";
+    const bool from_outside = node_.autoremap && !IsPrivateKey(port.name);
+    look.hint = from_outside        ? std::string_view(outside)
+                : port.default_text ? std::string_view(*port.default_text)
+                                    : "not given";
     look.color = ColorOf(port.name, value);
     look.can_clear = given != nullptr;
     const bool is_literal = KeyOf(value, port.name).empty();
@@ -347,19 +411,9 @@ class Inspector {
 
 }  // namespace
 
-void DrawInspector(const Ui& ui, EditorState& state, const Box& box) {
-  const TreeView* view = state.workspace.view();
-  const bool has = view && view->selected() != kNoSceneNode;
-  const std::string note = has ? std::string(view->scene()->nodes[view->selected()].name) : "";
-  Panel(ui, "inspector", box, "INSPECTOR", note, [&] {
-    if (!has) {
-      Hint(ui, view ? "Name, ports and guards of a node. Click one, or walk with the arrow keys."
-                    : "Name, ports and guards of the selected node.");
-      return;
-    }
-    const std::shared_ptr<const Scene> scene = view->scene();
-    Inspector(ui, state, scene, scene->nodes[view->selected()]).Draw();
-  });
+void DrawNodePage(const Ui& ui, EditorState& state) {
+  const TreeView& view = *state.workspace.view();
+  NodePage(ui, state, view.scene(), view.scene()->nodes[view.selected()]).Draw();
 }
 
 }  // namespace coppice::editor

@@ -1,0 +1,30 @@
+// The interfaces of trees as they are now, worked out once for each version of the project.
+#ifndef COPPICE_EDITOR_WORKSPACE_INTERFACE_CACHE_H_
+#define COPPICE_EDITOR_WORKSPACE_INTERFACE_CACHE_H_
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "editor/document/tree_interface.h"
+#include "editor/workspace/workspace.h"
+
+namespace coppice::editor {
+
+class InterfaceCache {
+ public:
+  /// Of the tree of that ID in the shown file; empty while a run is shown. Good till the next call.
+  const std::vector<InterfacePort>& Of(const std::string& tree, const Workspace& workspace,
+                                       const ProjectFiles& files);
+
+ private:
+  std::uint64_t version_ = 0;
+  std::shared_ptr<const NodeModels> models_;
+  std::map<std::string, std::vector<InterfacePort>> interfaces_;  // by tree
+};
+
+}  // namespace coppice::editor
+
+#endif  // COPPICE_EDITOR_WORKSPACE_INTERFACE_CACHE_H_
