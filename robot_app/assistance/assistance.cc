@@ -89,9 +89,9 @@ Assistance::Assistance(const AssistanceConfig& config, Channels channels,
 std::vector<std::string> Assistance::Step(Time now) {
   std::vector<std::string> problems;
   for (const Delivery& delivery : sender_.TakeDeliveries()) {
-    desk_.Delivered(delivery.letter, delivery.error.empty(), now);
-    if (delivery.error.empty()) continue;
-    problems.push_back("channel " + delivery.channel + ": " + delivery.error);
+    desk_.Delivered(delivery.letter, delivery.outcome.ok(), now);
+    if (delivery.outcome) continue;
+    problems.push_back("channel " + delivery.channel + ": " + delivery.outcome.problem());
   }
   TakeAnswers(now, problems);
   desk_.Step(now);

@@ -63,13 +63,10 @@ class Loader {
  private:
   // With its variables filled in; nothing, with a warning, if one has no value.
   std::optional<std::string> Filled(const LocatedText& text) {
-    std::string missing;
-    const std::optional<std::string> filled = FillVariables(text.text, environment_, missing);
-    if (!filled) {
-      diagnostics_.Warning(text.where, "the environment variable " + missing +
-                                           " is not set; what needs it is left out");
-    }
-    return filled;
+    const Expected<std::string> filled = FillVariables(text.text, environment_);
+    if (filled) return *filled;
+    diagnostics_.Warning(text.where, filled.problem() + "; what needs it is left out");
+    return std::nullopt;
   }
 
   std::string Optional(YamlFields& fields, const std::string& key, const std::string& otherwise) {

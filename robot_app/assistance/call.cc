@@ -18,9 +18,9 @@ bool CallSupervisors(const AssistanceConfig& config, Channels channels, const st
     for (const Way& way : supervisor.ways) {
       message.to = way.to;
       message.name = supervisor.name;
-      const std::string error = channels.at(way.channel)->Send(message, never_cancelled);
-      if (error.empty()) return true;
-      problems += supervisor.name + " by " + way.channel + ": " + error + "\n";
+      const Outcome sent = channels.at(way.channel)->Send(message, never_cancelled);
+      if (sent) return true;
+      problems += supervisor.name + " by " + way.channel + ": " + sent.problem() + "\n";
     }
   }
   if (config.supervisors.empty()) problems = "the configuration names no supervisor\n";

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "bt_core/base/outcome.h"
 #include "robot_app/common/battery_message.h"
 #include "robot_app/common/ros_support.h"
 #include "robot_app/docking/dock_controller.h"
@@ -101,8 +102,8 @@ class DockingNode {
     return Compose(settings_.docked, RelativeTo(*wheels_docked_, wheels_));
   }
 
-  // What is known now; nothing, with the reason, if that is not enough to drive with.
-  std::optional<DockInput> Input(std::string& missing) {
+  // What is known now; a problem if that is not enough to drive with.
+  Expected<DockInput> Input() {
     DockInput input;
     input.now = ros::Time::now().toSec();
     input.current = battery_.current;
@@ -110,9 +111,8 @@ class DockingNode {
     input.full = battery_.charger == leaves::ChargerState::kFull;
     input.battery_known = input.now - battery_stamp_ < kBatteryTimeout;
     const auto pose = PoseOnMap(input);
-    if (!pose) missing = "the robot's pose is not known";
-    if (input.now - scan_stamp_ > kScanTimeout) missing = "there is no laser scan";
-    if (!missing.empty()) return std::nullopt;
+    if (input.now - scan_stamp_ > kScanTimeout) return Problem{"there is no laser scan"};
+    if (!pose) return Problem{"the robot's pose is not known"};
     input.pose = *pose;
     input.obstacles = points_;
     return input;
@@ -173,9 +173,8 @@ class DockingNode {
 
   void Control() {
     if (!server_.isActive()) return;
-    std::string missing;
-    const auto input = Input(missing);
-    if (!input) return StandStill(missing);
+    const Expected<DockInput> input = Input();
+    if (!input) return StandStill(input.problem());
     blind_for_ = 0;
     Start(*input);
     command_.publish(ToTwist(controller_.Update(*input)));  // zero once it has ended

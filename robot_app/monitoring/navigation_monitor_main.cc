@@ -61,7 +61,7 @@ class Program {
 
   void Look(const Times& now) {
     if (!tf_) return;
-    std::vector<TransformSample> samples;
+    std::vector<Expected<TransformSample>> samples;
     for (const auto& [parent, child] : transforms_.Pairs()) {
       samples.push_back(tf_->Look(parent, child));
     }

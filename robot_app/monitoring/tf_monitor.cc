@@ -37,15 +37,16 @@ std::vector<std::pair<std::string, std::string>> TfMonitor::Pairs() const {
   return names;
 }
 
-void TfMonitor::OnSamples(const std::vector<TransformSample>& samples, const Times& now) {
+void TfMonitor::OnSamples(const std::vector<Expected<TransformSample>>& samples, const Times& now) {
   for (std::size_t i = 0; i < std::min(samples.size(), pairs_.size()); ++i) {
     OnSample(pairs_[i], samples[i], now);
   }
 }
 
-void TfMonitor::OnSample(Pair& pair, const TransformSample& sample, const Times& now) {
-  pair.error = sample.error;
-  if (!sample.found) return;
+void TfMonitor::OnSample(Pair& pair, const Expected<TransformSample>& look, const Times& now) {
+  pair.problem = look.problem();
+  if (!look) return;
+  const TransformSample& sample = *look;
   pair.age.OnValue(InSeconds(AgeOf(pair, sample, now)), now.ros);
   CompareWithLast(pair, sample, now.ros);
   if (pair.first_parent.empty()) pair.first_parent = sample.hangs_on;
@@ -94,7 +95,7 @@ void TfMonitor::Report(Pair& pair, const ProcessTable& processes, const Times& n
   age.node = pair.watch.node;
   age.unit = "s";
   judge(pair.age, age);
-  if (age.level != HealthLevel::kOk && !pair.error.empty()) age.message += ": " + pair.error;
+  if (age.level != HealthLevel::kOk && !pair.problem.empty()) age.message += ": " + pair.problem;
   pair.patience.Apply(age, now.wall, patience_);
   ApplyGrace(processes, pair.watch.node, age);
   findings.push_back(std::move(age));

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "bt_core/base/outcome.h"
 #include "robot_app/monitoring/gauges/gauge_board.h"
 #include "robot_app/monitoring/gauges/patience.h"
 #include "robot_app/monitoring/monitor.h"
@@ -18,8 +19,6 @@ namespace coppice::robot::monitoring {
 
 /// One look at a pair of frames.
 struct TransformSample {
-  bool found = false;
-  std::string error;           ///< why not found, for people
   Time stamp{0};               ///< of the newest common time; zero: static
   double x = 0, y = 0, z = 0;  ///< of the child in the parent [m]
   std::string hangs_on;        ///< frame that the child is a direct child of
@@ -35,7 +34,7 @@ class TfMonitor : public Monitor {
 
   /// The pairs to look at, in the order that OnSamples expects.
   std::vector<std::pair<std::string, std::string>> Pairs() const;
-  void OnSamples(const std::vector<TransformSample>& samples, const Times& now);
+  void OnSamples(const std::vector<Expected<TransformSample>>& samples, const Times& now);
 
   /// Per pair, "map -> odom age" (also an error if it is not found for the staleness), "... jump"
   /// (m since the look before, less what it can have driven in that time) and "... parent" (an
@@ -52,9 +51,9 @@ class TfMonitor : public Monitor {
     Times renewed;             // when the last one was new
     Duration age_then{0};      // and how old it was
     std::string first_parent;  // of the child
-    std::string error;         // of the last look
+    std::string problem;       // of the last look
   };
-  static void OnSample(Pair& pair, const TransformSample& sample, const Times& now);
+  static void OnSample(Pair& pair, const Expected<TransformSample>& look, const Times& now);
   static Duration AgeOf(Pair& pair, const TransformSample& sample, const Times& now);
   static void CompareWithLast(Pair& pair, const TransformSample& sample, Time now);
   static Finding About(const Pair& pair, const std::string& what, Time now);

@@ -32,20 +32,19 @@ void TfTree::OnTransforms(const tf2_msgs::TFMessage& message, bool is_static) {
   }
 }
 
-TransformSample TfTree::Look(const std::string& parent, const std::string& child) const {
-  TransformSample sample;
+Expected<TransformSample> TfTree::Look(const std::string& parent, const std::string& child) const {
   try {
     const auto transform = buffer_.lookupTransform(parent, child, ros::Time());
-    sample.found = true;
+    TransformSample sample;
     sample.stamp = FromRos(transform.header.stamp);
     sample.x = transform.transform.translation.x;
     sample.y = transform.transform.translation.y;
     sample.z = transform.transform.translation.z;
     buffer_._getParent(child, ros::Time(), sample.hangs_on);
+    return sample;
   } catch (const tf2::TransformException& problem) {
-    sample.error = problem.what();
+    return Problem{problem.what()};
   }
-  return sample;
 }
 
 }  // namespace coppice::robot::monitoring

@@ -21,7 +21,7 @@ class TfTree {
   explicit TfTree(ros::NodeHandle& node);
 
   /// The newest transform that is known for both frames, and where the child hangs now.
-  TransformSample Look(const std::string& parent, const std::string& child) const;
+  Expected<TransformSample> Look(const std::string& parent, const std::string& child) const;
 
  private:
   void OnTransforms(const tf2_msgs::TFMessage& message, bool is_static);

@@ -42,7 +42,7 @@ const std::map<std::string, Faults::Kind>& Faults::Kinds() {
 Faults::Faults(World& world, std::vector<std::string> topics, SignalNode signal_node)
     : world_(world), topics_(std::move(topics)), signal_node_(std::move(signal_node)) {}
 
-ChangeResult Faults::Inject(const Fault& fault) {
+Change Faults::Inject(const Fault& fault) {
   const auto kind = Kinds().find(fault.fault);
   if (kind == Kinds().end()) {
     std::vector<std::string> names;
@@ -52,16 +52,16 @@ ChangeResult Faults::Inject(const Fault& fault) {
       list += (list.empty() ? "" : ", ") + name;
     }
     const std::string hint = DidYouMean(fault.fault, names);
-    return {false, "unknown fault \"" + fault.fault + "\"" +
-                       (hint.empty() ? "; known: " + list : " (" + hint + ")")};
+    return Problem{"unknown fault \"" + fault.fault + "\"" +
+                   (hint.empty() ? "; known: " + list : " (" + hint + ")")};
   }
   const std::string healer = kind->second.healed_by;
-  if (!(fault.duration >= 0)) return {false, "the duration must be 0 or more seconds"};
+  if (!(fault.duration >= 0)) return Problem{"the duration must be 0 or more seconds"};
   if (fault.duration > 0 && healer.empty()) {
-    return {false, fault.fault + " does not heal by itself; the duration must be 0"};
+    return Problem{fault.fault + " does not heal by itself; the duration must be 0"};
   }
-  const ChangeResult outcome = (this->*kind->second.action)(fault);
-  if (!outcome.ok) return outcome;
+  const Change outcome = (this->*kind->second.action)(fault);
+  if (!outcome) return outcome;
   // The newest word on a thing counts: what was to happen to it later is forgotten.
   healings_.erase(std::remove_if(healings_.begin(), healings_.end(),
                                  [&](const Healing& h) {
@@ -78,7 +78,7 @@ ChangeResult Faults::Inject(const Fault& fault) {
 void Faults::Update() {
   for (std::size_t i = 0; i < healings_.size();) {
     const Healing& due = healings_[i];
-    if (due.time > world_.time() || !(this->*Kinds().at(due.fault.fault).action)(due.fault).ok) {
+    if (due.time > world_.time() || !(this->*Kinds().at(due.fault.fault).action)(due.fault)) {
       ++i;
     } else {
       healings_.erase(healings_.begin() + static_cast<std::ptrdiff_t>(i));
@@ -86,48 +86,46 @@ void Faults::Update() {
   }
 }
 
-ChangeResult Faults::Kill(const Fault& f) { return signal_node_(f.target, SIGKILL); }
-ChangeResult Faults::Hang(const Fault& f) { return signal_node_(f.target, SIGSTOP); }
-ChangeResult Faults::Resume(const Fault& f) { return signal_node_(f.target, SIGCONT); }
+Change Faults::Kill(const Fault& f) { return signal_node_(f.target, SIGKILL); }
+Change Faults::Hang(const Fault& f) { return signal_node_(f.target, SIGSTOP); }
+Change Faults::Resume(const Fault& f) { return signal_node_(f.target, SIGCONT); }
 
-ChangeResult Faults::CheckTopic(const std::string& topic) const {
-  if (std::find(topics_.begin(), topics_.end(), topic) != topics_.end()) return {true, ""};
+Outcome Faults::CheckTopic(const std::string& topic) const {
+  if (std::find(topics_.begin(), topics_.end(), topic) != topics_.end()) return {};
   std::string list;
   for (const std::string& name : topics_) list += (list.empty() ? "" : ", ") + name;
   const std::string hint = DidYouMean(topic, topics_);
-  return {false, "the simulator does not publish \"" + topic + "\"" +
-                     (hint.empty() ? "; it publishes " + list : " (" + hint + ")")};
+  return Problem{"the simulator does not publish \"" + topic + "\"" +
+                 (hint.empty() ? "; it publishes " + list : " (" + hint + ")")};
 }
 
-ChangeResult Faults::SetRate(const std::string& topic, double factor) {
-  const ChangeResult known = CheckTopic(topic);
-  if (!known.ok) return known;
+Change Faults::SetRate(const std::string& topic, double factor) {
+  if (const Outcome known = CheckTopic(topic); !known) return Problem{known.problem()};
   rates_[topic] = {factor};
   std::ostringstream message;
   message << topic << " has " << factor << " times its rate";
-  return {true, message.str()};
+  return message.str();
 }
 
-ChangeResult Faults::Silence(const Fault& f) { return SetRate(f.target, 0); }
+Change Faults::Silence(const Fault& f) { return SetRate(f.target, 0); }
 
-ChangeResult Faults::Slow(const Fault& f) {
+Change Faults::Slow(const Fault& f) {
   if (!(f.value > 0 && f.value < 1))
-    return {false, "the factor of a slow topic is between 0 and 1"};
+    return Problem{"the factor of a slow topic is between 0 and 1"};
   return SetRate(f.target, f.value);
 }
 
-ChangeResult Faults::Hasten(const Fault& f) {
+Change Faults::Hasten(const Fault& f) {
   if (!(f.value > 1 && f.value <= kMostHaste)) {
-    return {false, "the factor of a fast topic is above 1, 20 at most"};
+    return Problem{"the factor of a fast topic is above 1, 20 at most"};
   }
   return SetRate(f.target, f.value);
 }
 
-ChangeResult Faults::Restore(const Fault& f) {
-  const ChangeResult known = CheckTopic(f.target);
-  if (!known.ok) return known;
+Change Faults::Restore(const Fault& f) {
+  if (const Outcome known = CheckTopic(f.target); !known) return Problem{known.problem()};
   rates_.erase(f.target);
-  return {true, f.target + " is published as it should be"};
+  return f.target + " is published as it should be";
 }
 
 int Faults::Copies(const std::string& topic) {
@@ -140,17 +138,17 @@ int Faults::Copies(const std::string& topic) {
   return copies;
 }
 
-ChangeResult Faults::FreezeBattery(const Fault&) {
+Change Faults::FreezeBattery(const Fault&) {
   battery_frozen_ = true;
-  return {true, "the battery's values stand still"};
+  return "the battery's values stand still";
 }
 
-ChangeResult Faults::ThawBattery(const Fault&) {
+Change Faults::ThawBattery(const Fault&) {
   battery_frozen_ = false;
-  return {true, "the battery's values are measured"};
+  return "the battery's values are measured";
 }
 
-ChangeResult Faults::Kidnap(const Fault& f) {
+Change Faults::Kidnap(const Fault& f) {
   std::vector<std::string> names;
   for (const FloorWaypoint& waypoint : world_.floor().waypoints) {
     if (waypoint.name == f.target) return world_.Kidnap(waypoint.pose);
@@ -163,8 +161,8 @@ ChangeResult Faults::Kidnap(const Fault& f) {
     return world_.Kidnap(pose);
   }
   const std::string hint = DidYouMean(f.target, names);
-  return {false, "the target is a waypoint of the floor or \"X Y YAW\", not \"" + f.target + "\"" +
-                     (hint.empty() ? "" : " (" + hint + ")")};
+  return Problem{"the target is a waypoint of the floor or \"X Y YAW\", not \"" + f.target + "\"" +
+                 (hint.empty() ? "" : " (" + hint + ")")};
 }
 
 }  // namespace coppice::robot::simulation

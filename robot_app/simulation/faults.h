@@ -23,7 +23,7 @@ struct Fault {
 };
 
 /// Sends a signal (SIGKILL, SIGSTOP, SIGCONT) to the process of a ROS node.
-using SignalNode = std::function<ChangeResult(const std::string& node, int signal)>;
+using SignalNode = std::function<Change(const std::string& node, int signal)>;
 
 class Faults {
  public:
@@ -31,7 +31,7 @@ class Faults {
   Faults(World& world, std::vector<std::string> topics, SignalNode signal_node);
 
   /// Does what is asked, or refuses with the reason. Never throws.
-  ChangeResult Inject(const Fault& fault);
+  Change Inject(const Fault& fault);
 
   /// Heals what is due at the world's time; call it after each step. What cannot be healed yet (the
   /// robot stands in the door) is tried again.
@@ -46,35 +46,35 @@ class Faults {
   bool battery_frozen() const { return battery_frozen_; }
 
  private:
-  using Action = ChangeResult (Faults::*)(const Fault&);
+  using Action = Change (Faults::*)(const Fault&);
   struct Kind {
     Action action;
     const char* healed_by;  // the fault that takes it back, or empty
   };
   static const std::map<std::string, Kind>& Kinds();
 
-  ChangeResult Block(const Fault& f) { return world_.SetPlaceBlocked(f.target, true); }
-  ChangeResult Clear(const Fault& f) { return world_.SetPlaceBlocked(f.target, false); }
-  ChangeResult Open(const Fault& f) { return world_.SetDoorOpen(f.target, true); }
-  ChangeResult Close(const Fault& f) { return world_.SetDoorOpen(f.target, false); }
-  ChangeResult SetBattery(const Fault& f) { return world_.SetStateOfCharge(f.value); }
-  ChangeResult Kidnap(const Fault& f);
-  ChangeResult MoveStation(const Fault& f) { return world_.SetStationOffset(f.value); }
-  ChangeResult SwitchChargerOff(const Fault&) { return world_.SetChargerOn(false); }
-  ChangeResult SwitchChargerOn(const Fault&) { return world_.SetChargerOn(true); }
-  ChangeResult PressStop(const Fault&) { return world_.SetEmergencyStop(true); }
-  ChangeResult ReleaseStop(const Fault&) { return world_.SetEmergencyStop(false); }
-  ChangeResult FreezeBattery(const Fault& f);
-  ChangeResult ThawBattery(const Fault& f);
-  ChangeResult Kill(const Fault& f);
-  ChangeResult Hang(const Fault& f);
-  ChangeResult Resume(const Fault& f);
-  ChangeResult Silence(const Fault& f);
-  ChangeResult Slow(const Fault& f);
-  ChangeResult Hasten(const Fault& f);
-  ChangeResult Restore(const Fault& f);
-  ChangeResult SetRate(const std::string& topic, double factor);
-  ChangeResult CheckTopic(const std::string& topic) const;
+  Change Block(const Fault& f) { return world_.SetPlaceBlocked(f.target, true); }
+  Change Clear(const Fault& f) { return world_.SetPlaceBlocked(f.target, false); }
+  Change Open(const Fault& f) { return world_.SetDoorOpen(f.target, true); }
+  Change Close(const Fault& f) { return world_.SetDoorOpen(f.target, false); }
+  Change SetBattery(const Fault& f) { return world_.SetStateOfCharge(f.value); }
+  Change Kidnap(const Fault& f);
+  Change MoveStation(const Fault& f) { return world_.SetStationOffset(f.value); }
+  Change SwitchChargerOff(const Fault&) { return world_.SetChargerOn(false); }
+  Change SwitchChargerOn(const Fault&) { return world_.SetChargerOn(true); }
+  Change PressStop(const Fault&) { return world_.SetEmergencyStop(true); }
+  Change ReleaseStop(const Fault&) { return world_.SetEmergencyStop(false); }
+  Change FreezeBattery(const Fault& f);
+  Change ThawBattery(const Fault& f);
+  Change Kill(const Fault& f);
+  Change Hang(const Fault& f);
+  Change Resume(const Fault& f);
+  Change Silence(const Fault& f);
+  Change Slow(const Fault& f);
+  Change Hasten(const Fault& f);
+  Change Restore(const Fault& f);
+  Change SetRate(const std::string& topic, double factor);
+  Outcome CheckTopic(const std::string& topic) const;
 
   struct Rate {
     double factor;

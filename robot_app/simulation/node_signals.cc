@@ -109,32 +109,31 @@ std::vector<std::string> NodeSignals::AllNodes() const {
   return {names.begin(), names.end()};
 }
 
-ChangeResult NodeSignals::UnknownNode(const std::string& node) const {
+Problem NodeSignals::UnknownNode(const std::string& node) const {
   const std::vector<std::string> nodes = AllNodes();
   const std::string hint = DidYouMean(node, nodes);
   std::string list;
   for (const std::string& name : nodes) list += (list.empty() ? "" : ", ") + name;
-  return {false, "the master knows no node \"" + node + "\"" +
-                     (hint.empty() ? "; known: " + list : " (" + hint + ")")};
+  return Problem{"the master knows no node \"" + node + "\"" +
+                 (hint.empty() ? "; known: " + list : " (" + hint + ")")};
 }
 
-ChangeResult NodeSignals::FindPid(const std::string& node, pid_t& pid) const {
+Expected<pid_t> NodeSignals::FindPid(const std::string& node) const {
   auto uri = Call(master_uri_, "lookupNode", {own_name_, node});
   if (!uri) return UnknownNode(node);
   const std::string node_uri = *uri;
   const auto address = ParseUri(node_uri);
   if (!address || !IsLocal(address->host)) {
-    return {false, node + " runs on another machine (" + node_uri + ")"};
+    return Problem{node + " runs on another machine (" + node_uri + ")"};
   }
   auto number = Call(node_uri, "getPid", {own_name_});
   if (!number || number->getType() != XmlRpc::XmlRpcValue::TypeInt) {
-    return {false, node + " does not answer at " + node_uri};
+    return Problem{node + " does not answer at " + node_uri};
   }
-  pid = static_cast<int>(*number);
-  return {true, ""};
+  return static_cast<int>(*number);
 }
 
-ChangeResult NodeSignals::Send(const std::string& name, int signal) {
+Change NodeSignals::Send(const std::string& name, int signal) {
   const std::string node = !name.empty() && name[0] == '/' ? name : "/" + name;
   pid_t pid = 0;
   const auto stopped = stopped_.find(node);
@@ -142,19 +141,20 @@ ChangeResult NodeSignals::Send(const std::string& name, int signal) {
     pid = stopped->second;
     stopped_.erase(stopped);
   } else {
-    const ChangeResult found = FindPid(node, pid);
-    if (!found.ok) return found;
+    const Expected<pid_t> found = FindPid(node);
+    if (!found) return Problem{found.problem()};
+    pid = *found;
   }
   if (node == own_name_ || pid <= 1 || IsSelfOrAncestor(pid)) {
-    return {false, "the simulator does not signal itself or what started it (" + node + ")"};
+    return Problem{"the simulator does not signal itself or what started it (" + node + ")"};
   }
   const std::string who = node + " (process " + std::to_string(pid) + ")";
   if (kill(pid, signal) == 0) {
     if (signal == SIGSTOP) stopped_[node] = pid;
-    return {true, who + " is " + Deed(signal)};
+    return who + " is " + Deed(signal);
   }
-  if (errno == ESRCH) return {true, who + " had already ended"};
-  return {false, "cannot signal " + who + ": " + std::strerror(errno)};
+  if (errno == ESRCH) return who + " had already ended";
+  return Problem{"cannot signal " + who + ": " + std::strerror(errno)};
 }
 
 }  // namespace coppice::robot::simulation

@@ -25,11 +25,11 @@ class NodeSignals {
   /// Sends `signal` to the process of `node`. A stopped process cannot tell its number, so the one
   /// that SIGSTOP went to is kept for SIGCONT. Refuses unknown nodes, nodes of another machine,
   /// this process and its ancestors. Takes at most about a second.
-  ChangeResult Send(const std::string& node, int signal);
+  Change Send(const std::string& node, int signal);
 
  private:
-  ChangeResult FindPid(const std::string& node, pid_t& pid) const;
-  ChangeResult UnknownNode(const std::string& node) const;
+  Expected<pid_t> FindPid(const std::string& node) const;
+  Problem UnknownNode(const std::string& node) const;
   std::vector<std::string> AllNodes() const;
   bool IsLocal(const std::string& host) const;
 

@@ -168,12 +168,12 @@ class SimulatorNode {
         "/simulation/inject_fault",
         boost::function<bool(Service::Request&, Service::Response&)>(
             [this](Service::Request& request, Service::Response& response) {
-              const ChangeResult outcome =
+              const Change outcome =
                   faults_.Inject({request.fault, request.target, request.value, request.duration});
-              response.ok = outcome.ok;
-              response.message = outcome.message;
+              response.ok = outcome.ok();
+              response.message = outcome ? *outcome : outcome.problem();
               ROS_INFO("%s %s: %s", request.fault.c_str(), request.target.c_str(),
-                       outcome.message.c_str());
+                       response.message.c_str());
               return true;
             }));
   }

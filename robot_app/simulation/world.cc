@@ -28,18 +28,17 @@ std::string Join(const std::vector<std::string>& names) {
   return text;
 }
 
-// The index of the item with this name, or the refusal that tells which names there are.
+// The index of the item with this name, or which names there are.
 template <typename Item>
-std::optional<std::size_t> Find(const std::vector<Item>& items, const std::string& name,
-                                const char* what, ChangeResult& refusal) {
+Expected<std::size_t> Find(const std::vector<Item>& items, const std::string& name,
+                           const char* what) {
   for (std::size_t i = 0; i < items.size(); ++i) {
     if (items[i].name == name) return i;
   }
   const std::vector<std::string> names = Names(items);
   const std::string hint = DidYouMean(name, names);
-  refusal = {false, std::string("there is no ") + what + " \"" + name + "\"" +
-                        (hint.empty() ? "; known: " + Join(names) : " (" + hint + ")")};
-  return std::nullopt;
+  return Problem{std::string("there is no ") + what + " \"" + name + "\"" +
+                 (hint.empty() ? "; known: " + Join(names) : " (" + hint + ")")};
 }
 
 void AddOutline(const Rectangle& r, std::vector<Segment>& segments) {
@@ -157,46 +156,44 @@ std::string World::WhoStandsNear(DistanceTo distance) const {
   return {};
 }
 
-ChangeResult World::SetPlaceBlocked(const std::string& place, bool blocked) {
-  ChangeResult refusal;
-  const auto i = Find(floor_.places, place, "place", refusal);
-  if (!i) return refusal;
+Change World::SetPlaceBlocked(const std::string& place, bool blocked) {
+  const auto i = Find(floor_.places, place, "place");
+  if (!i) return Problem{i.problem()};
   const std::string state = blocked ? "blocked" : "clear";
-  if (place_blocked_[*i] == blocked) return {true, place + " is already " + state};
+  if (place_blocked_[*i] == blocked) return place + " is already " + state;
   const Rectangle& box = floor_.places[*i].shape;
   const std::string who = WhoStandsNear([&](Vec2 point) { return Distance(point, box); });
   if (blocked && !who.empty())
-    return {false, "cannot block " + place + ": " + who + " stands there"};
+    return Problem{"cannot block " + place + ": " + who + " stands there"};
   place_blocked_[*i] = blocked;
   bodies_.SetPlace(*i, blocked ? std::optional(box) : std::nullopt);
   Rebuild();
-  return {true, place + " is " + state};
+  return place + " is " + state;
 }
 
-ChangeResult World::SetDoorOpen(const std::string& name, bool open) {
-  ChangeResult refusal;
-  const auto i = Find(floor_.doors, name, "door", refusal);
-  if (!i) return refusal;
+Change World::SetDoorOpen(const std::string& name, bool open) {
+  const auto i = Find(floor_.doors, name, "door");
+  if (!i) return Problem{i.problem()};
   const std::string state = open ? "open" : "closed";
-  if (door_open_[*i] == open) return {true, name + " is already " + state};
+  if (door_open_[*i] == open) return name + " is already " + state;
   const Door& door = floor_.doors[*i];
   const std::string who = WhoStandsNear([&](Vec2 point) { return DistanceFromSweep(door, point); });
   if (!who.empty()) {
     const std::string verb = open ? "cannot open " : "cannot close ";
-    return {false, verb + name + ": " + who + " stands in the way"};
+    return Problem{verb + name + ": " + who + " stands in the way"};
   }
   door_open_[*i] = open;
   bodies_.SetDoor(*i, DoorLeaf(door, open));
   Rebuild();
-  return {true, name + " is " + state};
+  return name + " is " + state;
 }
 
-ChangeResult World::SetStateOfCharge(double state_of_charge) {
+Change World::SetStateOfCharge(double state_of_charge) {
   if (!(state_of_charge >= 0 && state_of_charge <= 1)) {
-    return {false, "the state of charge must be 0..1, not " + std::to_string(state_of_charge)};
+    return Problem{"the state of charge must be 0..1, not " + std::to_string(state_of_charge)};
   }
   battery_.set_state_of_charge(state_of_charge);
-  return {true, "the battery holds " + std::to_string(std::lround(state_of_charge * 100)) + " %"};
+  return "the battery holds " + std::to_string(std::lround(state_of_charge * 100)) + " %";
 }
 
 // Within walls, and nothing and nobody nearer than the robot is wide.
@@ -216,31 +213,31 @@ bool World::CanStandAt(Vec2 point) const {
   return true;
 }
 
-ChangeResult World::Kidnap(const Pose2& pose) {
+Change World::Kidnap(const Pose2& pose) {
   if (!std::isfinite(pose.x) || !std::isfinite(pose.y) || !std::isfinite(pose.yaw)) {
-    return {false, "that is no pose"};
+    return Problem{"that is no pose"};
   }
-  if (!CanStandAt(pose.position())) return {false, "the robot cannot stand there"};
+  if (!CanStandAt(pose.position())) return Problem{"the robot cannot stand there"};
   bodies_.PutRobot(pose);
-  return {true, "the robot was put elsewhere"};
+  return "the robot was put elsewhere";
 }
 
-ChangeResult World::SetStationOffset(double offset) {
+Change World::SetStationOffset(double offset) {
   if (!(std::abs(offset) <= kMaxStationOffset)) {
-    return {false, "the station can be moved by 1 m at most"};
+    return Problem{"the station can be moved by 1 m at most"};
   }
   station_offset_ = offset;
-  return {true, "the station is " + std::to_string(std::lround(offset * 1000)) + " mm aside"};
+  return "the station is " + std::to_string(std::lround(offset * 1000)) + " mm aside";
 }
 
-ChangeResult World::SetChargerOn(bool on) {
+Change World::SetChargerOn(bool on) {
   charger_on_ = on;
-  return {true, on ? "the charger is on" : "the charger is off"};
+  return on ? "the charger is on" : "the charger is off";
 }
 
-ChangeResult World::SetEmergencyStop(bool pressed) {
+Change World::SetEmergencyStop(bool pressed) {
   emergency_stop_ = pressed;
-  return {true, pressed ? "the emergency stop is pressed" : "the emergency stop is released"};
+  return pressed ? "the emergency stop is pressed" : "the emergency stop is released";
 }
 
 }  // namespace coppice::robot::simulation

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "bt_core/base/outcome.h"
 #include "robot_app/simulation/battery.h"
 #include "robot_app/simulation/bodies.h"
 #include "robot_app/simulation/drive.h"
@@ -32,11 +33,8 @@ struct WorldOptions {
   OdometryOptions odometry;
 };
 
-/// What came of a request, in one sentence for a person.
-struct ChangeResult {
-  bool ok = false;
-  std::string message;
-};
+/// What came of a request, in one sentence for a person; or why it is refused.
+using Change = Expected<std::string>;
 
 class World {
  public:
@@ -73,19 +71,19 @@ class World {
   Pose2 OdomInMap() const;
 
   // --- changes from outside; refused with a reason, and then nothing has changed ---
-  ChangeResult SetPlaceBlocked(const std::string& place, bool blocked);
-  ChangeResult SetDoorOpen(const std::string& door, bool open);
-  ChangeResult SetStateOfCharge(double state_of_charge);
+  Change SetPlaceBlocked(const std::string& place, bool blocked);
+  Change SetDoorOpen(const std::string& door, bool open);
+  Change SetStateOfCharge(double state_of_charge);
   /// Lifts the robot and puts it down elsewhere. Its wheels do not turn, so odometry does not
   /// notice.
-  ChangeResult Kidnap(const Pose2& pose);
+  Change Kidnap(const Pose2& pose);
   /// Moves the charging contacts sideways, seen from a docked robot positive to its left [m]. What
   /// the robot knows of its station stays where it was. 0: back in place.
-  ChangeResult SetStationOffset(double offset);
+  Change SetStationOffset(double offset);
   /// A charger that is off gives no current, though the contacts touch.
-  ChangeResult SetChargerOn(bool on);
+  Change SetChargerOn(bool on);
   /// Pressed, it takes the motors away; the computers run on.
-  ChangeResult SetEmergencyStop(bool pressed);
+  Change SetEmergencyStop(bool pressed);
 
  private:
   void MovePeople(double dt);

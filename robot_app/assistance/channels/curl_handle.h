@@ -10,6 +10,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "bt_core/base/outcome.h"
+
 namespace coppice::robot::assistance {
 
 class CurlHandle {
@@ -54,11 +56,10 @@ class CurlHandle {
     Set(CURLOPT_MAIL_RCPT, recipients_);
   }
 
-  /// Empty, or why it failed.
-  std::string Perform() {
+  Outcome Perform() {
     const CURLcode code = curl_easy_perform(handle_);
-    if (code == CURLE_OK) return "";
-    return error_[0] ? error_ : curl_easy_strerror(code);
+    if (code == CURLE_OK) return {};
+    return Problem{error_[0] ? error_ : curl_easy_strerror(code)};
   }
 
   CURL* get() { return handle_; }

@@ -7,10 +7,9 @@ bool IsVariable(const std::string& text) {
          text.find(":-") == std::string::npos;
 }
 
-std::optional<std::string> FillVariables(
+Expected<std::string> FillVariables(
     const std::string& text,
-    const std::function<std::optional<std::string>(const std::string& name)>& value_of,
-    std::string& missing) {
+    const std::function<std::optional<std::string>(const std::string& name)>& value_of) {
   std::string filled;
   std::size_t position = 0;
   while (true) {
@@ -27,8 +26,7 @@ std::optional<std::string> FillVariables(
     } else if (separator != std::string::npos) {
       filled += expression.substr(separator + 2);
     } else {
-      missing = name;
-      return std::nullopt;
+      return Problem{"the environment variable " + name + " is not set"};
     }
     position = end + 1;
   }

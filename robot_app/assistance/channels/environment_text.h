@@ -7,17 +7,18 @@
 #include <optional>
 #include <string>
 
+#include "bt_core/base/outcome.h"
+
 namespace coppice::robot::assistance {
 
 /// Whether the text is one variable without a default and nothing else, as secrets must be.
 bool IsVariable(const std::string& text);
 
-/// Nothing, with the name of the variable in `missing`, if one has neither value nor default. An
-/// empty value counts as none. A "${" that is not closed is a text like any other.
-std::optional<std::string> FillVariables(
+/// A problem if a variable has neither value nor default. An empty value counts as none. A "${" that
+/// is not closed is a text like any other.
+Expected<std::string> FillVariables(
     const std::string& text,
-    const std::function<std::optional<std::string>(const std::string& name)>& value_of,
-    std::string& missing);
+    const std::function<std::optional<std::string>(const std::string& name)>& value_of);
 
 }  // namespace coppice::robot::assistance
 

@@ -16,8 +16,8 @@ std::size_t Append(const char* data, std::size_t size, std::size_t count, void* 
 
 }  // namespace
 
-HttpReply Exchange(const HttpRequest& request, const std::atomic<bool>& cancelled) {
-  HttpReply reply;
+Expected<std::string> Exchange(const HttpRequest& request, const std::atomic<bool>& cancelled) {
+  std::string body;
   CurlHandle curl(request.url, "http,https", request.timeout, cancelled);
   curl.Set(CURLOPT_CUSTOMREQUEST, request.method.c_str());
   if (request.method != "GET") {
@@ -30,14 +30,12 @@ HttpReply Exchange(const HttpRequest& request, const std::atomic<bool>& cancelle
     curl.Set(CURLOPT_XOAUTH2_BEARER, request.bearer.c_str());
   }
   curl.Set(CURLOPT_WRITEFUNCTION, &Append);
-  curl.Set(CURLOPT_WRITEDATA, &reply.body);
-  reply.error = curl.Perform();
+  curl.Set(CURLOPT_WRITEDATA, &body);
+  if (const Outcome sent = curl.Perform(); !sent) return Problem{sent.problem()};
   long status = 0;
   curl_easy_getinfo(curl.get(), CURLINFO_RESPONSE_CODE, &status);
-  if (reply.error.empty() && (status < 200 || status > 299)) {
-    reply.error = "the service answered with status " + std::to_string(status);
-  }
-  return reply;
+  if (status >= 200 && status <= 299) return body;
+  return Problem{"the service answered with status " + std::to_string(status)};
 }
 
 std::string UrlPart(const std::string& text) {

@@ -6,6 +6,8 @@
 #include <chrono>
 #include <string>
 
+#include "bt_core/base/outcome.h"
+
 namespace coppice::robot::assistance {
 
 struct HttpRequest {
@@ -16,15 +18,10 @@ struct HttpRequest {
   std::chrono::seconds timeout{15};
 };
 
-struct HttpReply {
-  std::string
-      error;  ///< why there is no good reply (also: a status other than 2xx); without the URL
-  std::string body;  ///< at most 1 MiB
-};
-
-/// Follows no redirections and checks certificates. Returns early once `cancelled`. Blocks; any
-/// thread.
-HttpReply Exchange(const HttpRequest& request, const std::atomic<bool>& cancelled);
+/// The body of the reply, at most 1 MiB; a problem, also if the status is none of 2xx, tells
+/// nothing of the URL. Follows no redirections and checks certificates. Returns early once
+/// `cancelled`. Blocks; any thread.
+Expected<std::string> Exchange(const HttpRequest& request, const std::atomic<bool>& cancelled);
 
 /// A text as a part of a path or query.
 std::string UrlPart(const std::string& text);

@@ -56,11 +56,11 @@ class Mime {
 
 }  // namespace
 
-std::string MailChannel::Send(const OutgoingMessage& message, const std::atomic<bool>& cancelled) {
+Outcome MailChannel::Send(const OutgoingMessage& message, const std::atomic<bool>& cancelled) {
   const std::string to = MailAddress(message.to);
   const std::string from = MailAddress(config_.from);
-  if (to.empty()) return "\"" + OneLine(message.to) + "\" is no mail address";
-  if (from.empty()) return "\"" + OneLine(config_.from) + "\" is no mail address";
+  if (to.empty()) return Problem{"\"" + OneLine(message.to) + "\" is no mail address"};
+  if (from.empty()) return Problem{"\"" + OneLine(config_.from) + "\" is no mail address"};
   CurlHandle curl(config_.url, "smtp,smtps", kTimeout, cancelled);
   curl.Set(CURLOPT_MAIL_FROM, from.c_str());
   curl.AddRecipient(to);

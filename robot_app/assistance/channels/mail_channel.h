@@ -13,7 +13,7 @@ namespace coppice::robot::assistance {
 class MailChannel : public MessageChannel {
  public:
   explicit MailChannel(ChannelConfig config) : config_(std::move(config)) {}
-  std::string Send(const OutgoingMessage& message, const std::atomic<bool>& cancelled) override;
+  Outcome Send(const OutgoingMessage& message, const std::atomic<bool>& cancelled) override;
 
  private:
   const ChannelConfig config_;

@@ -11,11 +11,11 @@ namespace {
 
 class ConsoleChannel : public MessageChannel {
  public:
-  std::string Send(const OutgoingMessage& message, const std::atomic<bool>&) override {
+  Outcome Send(const OutgoingMessage& message, const std::atomic<bool>&) override {
     std::cout << "\n*** " + OneLine(message.name) + ": " + OneLine(message.headline) + "\n*** " +
                      OneLine(WithLink(message.text, message.link)) + "\n"
               << std::flush;
-    return "";
+    return {};
   }
 };
 

@@ -7,6 +7,7 @@
 #include <memory>
 #include <string>
 
+#include "bt_core/base/outcome.h"
 #include "robot_app/assistance/assistance_config.h"
 
 namespace coppice::robot::assistance {
@@ -28,9 +29,8 @@ struct OutgoingMessage {
 class MessageChannel {
  public:
   virtual ~MessageChannel() = default;
-  /// Sends it, or says why it could not (empty: sent). Blocks for at most 15 s; less when
-  /// `cancelled`. Called by one thread at a time.
-  virtual std::string Send(const OutgoingMessage& message, const std::atomic<bool>& cancelled) = 0;
+  /// Sends it. Blocks for at most 15 s; less when `cancelled`. Called by one thread at a time.
+  virtual Outcome Send(const OutgoingMessage& message, const std::atomic<bool>& cancelled) = 0;
 };
 
 std::unique_ptr<MessageChannel> MakeChannel(const ChannelConfig& config);

@@ -30,9 +30,9 @@ void MessageSender::Send(std::uint32_t letter, const std::string& channel,
   const std::lock_guard<std::mutex> lock(mutex_);
   const auto found = lanes_.find(channel);
   if (found == lanes_.end()) {
-    deliveries_.push_back({letter, channel, "there is no such channel"});
+    deliveries_.push_back({letter, channel, Problem{"there is no such channel"}});
   } else if (found->second.waiting.size() >= kMostWaiting) {
-    deliveries_.push_back({letter, channel, "too many messages wait for it"});
+    deliveries_.push_back({letter, channel, Problem{"too many messages wait for it"}});
   } else {
     found->second.waiting.push_back({letter, std::move(message)});
     found->second.changed.notify_one();
@@ -53,14 +53,14 @@ void MessageSender::Work(Lane& lane) {
     const Item item = std::move(lane.waiting.front());
     lane.waiting.pop_front();
     lock.unlock();
-    std::string error;
+    Outcome outcome;
     try {
-      error = lane.channel->Send(item.message, stop_);
+      outcome = lane.channel->Send(item.message, stop_);
     } catch (const std::exception& exception) {
-      error = exception.what();
+      outcome = Problem{exception.what()};
     }
     lock.lock();
-    deliveries_.push_back({item.letter, lane.name, std::move(error)});
+    deliveries_.push_back({item.letter, lane.name, std::move(outcome)});
   }
 }
 

@@ -20,7 +20,7 @@ namespace coppice::robot::assistance {
 struct Delivery {
   std::uint32_t letter = 0;
   std::string channel;
-  std::string error;  ///< empty: delivered
+  Outcome outcome;
 };
 
 class MessageSender {

@@ -131,11 +131,11 @@ bool TelegramAnswers::Poll() {
                       {"timeout", patience_.poll.count()},
                       {"allowed_updates", {"message", "callback_query"}}}
                      .dump();
-  const HttpReply reply = Exchange(request, stop_);
+  const Expected<std::string> reply = Exchange(request, stop_);
   if (stop_) return true;
-  std::string problem = reply.error;
-  if (problem.empty()) {
-    const auto updates = ReadTelegramUpdates(reply.body);
+  std::string problem = reply.problem();
+  if (reply) {
+    const auto updates = ReadTelegramUpdates(*reply);
     if (updates) {
       next_ = std::max(next_, updates->next);
       for (const ChatAnswer& answer : updates->answers) EndWaitOfButton(answer);
@@ -157,7 +157,7 @@ void TelegramAnswers::EndWaitOfButton(const ChatAnswer& answer) {
   request.url = Url("answerCallbackQuery");
   request.timeout = kTransfer;
   request.body = json{{"callback_query_id", answer.pressed}}.dump();
-  Exchange(request, stop_);
+  static_cast<void>(Exchange(request, stop_));
 }
 
 std::string TelegramAnswers::Url(const char* method) const {

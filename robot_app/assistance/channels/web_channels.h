@@ -26,8 +26,9 @@ class WebChannel : public MessageChannel {
  public:
   using Maker = HttpRequest (*)(const ChannelConfig& config, const OutgoingMessage& message);
   WebChannel(ChannelConfig config, Maker maker) : config_(std::move(config)), maker_(maker) {}
-  std::string Send(const OutgoingMessage& message, const std::atomic<bool>& cancelled) override {
-    return Exchange(maker_(config_, message), cancelled).error;
+  Outcome Send(const OutgoingMessage& message, const std::atomic<bool>& cancelled) override {
+    const Expected<std::string> reply = Exchange(maker_(config_, message), cancelled);
+    return reply ? Outcome() : Problem{reply.problem()};
   }
 
  private:

@@ -59,10 +59,11 @@ std::string PageAccess::MakeLinkToken(const std::string& name, std::uint32_t req
   return token;
 }
 
-PageAccess::Entry PageAccess::LogIn(std::string_view token, const std::string& address, Time now) {
+Expected<PageAccess::Entry> PageAccess::LogIn(std::string_view token, const std::string& address,
+                                              Time now) {
   const std::lock_guard<std::mutex> lock(mutex_);
   const std::optional<PagePass> pass = Redeem(Hash(token.substr(0, kMostTokenLength)), now);
-  if (!pass) return {"", Refuse(address, now), {}};
+  if (!pass) return Refuse(address, now);
   Entry entry;
   entry.pass = *pass;
   entry.session = AddSession(entry.pass, now);
@@ -83,18 +84,18 @@ std::optional<PagePass> PageAccess::Redeem(const std::string& hash, Time now) {
 }
 
 // Why a wrong token is refused, for people; counts it.
-std::string PageAccess::Refuse(const std::string& address, Time now) {
+Problem PageAccess::Refuse(const std::string& address, Time now) {
   while (!failures_.empty() && failures_.front().when + std::chrono::minutes(1) <= now) {
     failures_.pop_front();
   }
   const auto count = std::count_if(failures_.begin(), failures_.end(),
                                    [&](const Failure& one) { return one.address == address; });
   if (static_cast<std::size_t>(count) >= kMostFailures) {
-    return "Too many wrong tokens were tried. Wait a minute.";
+    return {"Too many wrong tokens were tried. Wait a minute."};
   }
   if (failures_.size() >= kMostKeptFailures) failures_.pop_front();
   failures_.push_back({now, address});
-  return "This token is not valid. A link of a message works once, until its request is closed.";
+  return {"This token is not valid. A link of a message works once, until its request is closed."};
 }
 
 std::optional<PagePass> PageAccess::Find(std::string_view session, Time now) const {

@@ -16,6 +16,7 @@
 #include <string_view>
 
 #include "bt_core/base/clock.h"
+#include "bt_core/base/outcome.h"
 
 namespace coppice::robot::assistance {
 
@@ -48,12 +49,11 @@ class PageAccess {
   std::string MakeLinkToken(const std::string& name, std::uint32_t request, Time now);
 
   struct Entry {
-    std::string session;  ///< a secret; empty if refused
-    std::string refusal;  ///< for people
+    std::string session;  ///< a secret
     PagePass pass;
   };
   /// `address`: from where; any text that tells callers apart.
-  Entry LogIn(std::string_view token, const std::string& address, Time now);
+  Expected<Entry> LogIn(std::string_view token, const std::string& address, Time now);
 
   /// Nothing if there is no such session (any more).
   std::optional<PagePass> Find(std::string_view session, Time now) const;
@@ -81,7 +81,7 @@ class PageAccess {
 
   std::optional<PagePass> Redeem(const std::string& hash, Time now);
   std::string AddSession(PagePass& pass, Time now);
-  std::string Refuse(const std::string& address, Time now);
+  Problem Refuse(const std::string& address, Time now);
 
   const std::string operator_hash_;
   const std::string viewer_hash_;

@@ -77,10 +77,10 @@ void PageConnection::OnPost() {
 void PageConnection::LogIn() {
   error_code unknown;
   const std::string address = stream_.socket().remote_endpoint(unknown).address().to_string();
-  const PageAccess::Entry entry =
+  const Expected<PageAccess::Entry> entry =
       shared_.access.LogIn(TokenOf(request().body()), address, shared_.clock.Now());
-  if (!entry.refusal.empty()) return Reply(Status::forbidden, entry.refusal + "\n");
-  GiveSession(entry.session);
+  if (!entry) return Reply(Status::forbidden, entry.problem() + "\n");
+  GiveSession(entry->session);
 }
 
 void PageConnection::GiveSession(const std::string& session) {

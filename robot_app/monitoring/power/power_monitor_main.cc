@@ -80,9 +80,9 @@ class Program {
   // The last known distance stays: a robot that is lost is not at its station.
   void LookAtDistance() {
     if (!tf_) return;
-    const TransformSample robot = tf_->Look(dock_->map_frame, dock_->base_frame);
-    if (!robot.found) return;
-    const double straight = std::hypot(robot.x - dock_->x, robot.y - dock_->y);
+    const auto robot = tf_->Look(dock_->map_frame, dock_->base_frame);
+    if (!robot) return;
+    const double straight = std::hypot(robot->x - dock_->x, robot->y - dock_->y);
     battery_.OnDistance(way_.Length(straight, MonitorNode::Now().wall));
   }
 

@@ -19,30 +19,32 @@ struct Attempt {
 
 Time Now() { return std::chrono::steady_clock::now().time_since_epoch(); }
 
-void Conclude(Attempt& attempt, ReachResult& result) {
+ReachDelay Conclude(Attempt& attempt) {
   int code = 0;
   socklen_t size = sizeof(code);
   getsockopt(attempt.socket.fd(), SOL_SOCKET, SO_ERROR, &code, &size);
   attempt.is_done = true;
-  result.ok = code == 0 || code == ECONNREFUSED;
-  result.delay = std::chrono::duration<double>(Now() - attempt.begun).count();
-  if (!result.ok) result.error = std::strerror(code);
+  if (code != 0 && code != ECONNREFUSED) return Problem{std::strerror(code)};
+  return std::chrono::duration<double>(Now() - attempt.begun).count();
 }
 
-Attempt Begin(const ReachTarget& target, ReachResult& result) {
+Attempt Begin(const ReachTarget& target, ReachDelay& result) {
   Attempt attempt;
   attempt.begun = Now();
   Expected<Socket> socket = Connect(target.address, target.port, SOCK_STREAM);
   attempt.is_done = !socket;
-  result.error = socket.problem();
-  if (socket) attempt.socket = *std::move(socket);
+  if (socket) {
+    attempt.socket = *std::move(socket);
+  } else {
+    result = Problem{socket.problem()};
+  }
   return attempt;
 }
 
 }  // namespace
 
-std::vector<ReachResult> TryToReach(const std::vector<ReachTarget>& targets, Duration deadline) {
-  std::vector<ReachResult> results(targets.size());
+std::vector<ReachDelay> TryToReach(const std::vector<ReachTarget>& targets, Duration deadline) {
+  std::vector<ReachDelay> results(targets.size(), Problem{"no answer"});
   std::vector<Attempt> attempts;
   for (std::size_t i = 0; i < targets.size(); ++i) {
     attempts.push_back(Begin(targets[i], results[i]));
@@ -59,12 +61,9 @@ std::vector<ReachResult> TryToReach(const std::vector<ReachTarget>& targets, Dur
     if (waiting.empty()) break;
     poll(waiting.data(), waiting.size(), until.milliseconds());
     for (std::size_t i = 0; i < waiting.size(); ++i) {
-      if (waiting[i].revents != 0) Conclude(attempts[indices[i]], results[indices[i]]);
+      if (waiting[i].revents != 0) results[indices[i]] = Conclude(attempts[indices[i]]);
     }
   } while (!until.has_passed());
-  for (std::size_t i = 0; i < attempts.size(); ++i) {
-    if (!attempts[i].is_done) results[i].error = "no answer";
-  }
   return results;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "bt_core/base/clock.h"
+#include "bt_core/base/outcome.h"
 
 namespace coppice::robot::monitoring {
 
@@ -15,15 +16,12 @@ struct ReachTarget {
   int port = 22;
 };
 
-struct ReachResult {
-  bool ok = false;
-  double delay = 0;   ///< s until the answer
-  std::string error;  ///< of a failure, for people
-};
+/// How long the answer took [s].
+using ReachDelay = Expected<double>;
 
 /// Asks all at the same time; blocks until all have answered or the deadline has passed (the
 /// resolution of names takes its own time). For any thread.
-std::vector<ReachResult> TryToReach(const std::vector<ReachTarget>& targets, Duration deadline);
+std::vector<ReachDelay> TryToReach(const std::vector<ReachTarget>& targets, Duration deadline);
 
 }  // namespace coppice::robot::monitoring
 

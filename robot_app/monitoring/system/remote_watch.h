@@ -23,8 +23,8 @@ struct RemoteQuestions {
 };
 
 struct RemoteAnswers {
-  std::vector<ClockReading> clocks;  ///< in the order of the questions
-  std::vector<ReachResult> hosts;
+  std::vector<Expected<ClockReading>> clocks;  ///< in the order of the questions
+  std::vector<ReachDelay> hosts;
 };
 
 class RemoteWatch {

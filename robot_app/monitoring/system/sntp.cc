@@ -35,11 +35,13 @@ struct Question {
   bool is_done = false;
 };
 
-void Ask(const ClockServer& server, Question& question, ClockReading& reading) {
+void Ask(const ClockServer& server, Question& question, Expected<ClockReading>& reading) {
   Expected<Socket> socket = Connect(server.address, server.port, SOCK_DGRAM);
   question.is_done = !socket;
-  reading.error = socket.problem();
-  if (!socket) return;
+  if (!socket) {
+    reading = Problem{socket.problem()};
+    return;
+  }
   question.socket = *std::move(socket);
   const int enabled = 1;  // the kernel notes when a reply came, however late we look
   setsockopt(question.socket.fd(), SOL_SOCKET, SO_TIMESTAMPNS, &enabled, sizeof(enabled));
@@ -47,7 +49,7 @@ void Ask(const ClockServer& server, Question& question, ClockReading& reading) {
   request.transmit = question.sent_at = ToNtp(SystemNow());
   const NtpPacket::Bytes bytes = request.Encode();
   if (send(question.socket.fd(), bytes.data(), bytes.size(), MSG_NOSIGNAL) >= 0) return;
-  reading.error = std::strerror(errno);
+  reading = Problem{std::strerror(errno)};
   question.is_done = true;
 }
 
@@ -62,7 +64,7 @@ NtpTime ArrivalOf(msghdr& message) {
   return ToNtp(SystemNow());
 }
 
-void Receive(Question& question, ClockReading& reading) {
+void Receive(Question& question, Expected<ClockReading>& reading) {
   std::uint8_t data[512];
   alignas(cmsghdr) char control[CMSG_SPACE(sizeof(timespec))];
   iovec buffer{data, sizeof(data)};
@@ -74,7 +76,7 @@ void Receive(Question& question, ClockReading& reading) {
   const ssize_t size = recvmsg(question.socket.fd(), &message, MSG_DONTWAIT);
   if (size < 0) {
     if (errno == EAGAIN || errno == EINTR) return;
-    reading.error = std::strerror(errno);
+    reading = Problem{std::strerror(errno)};
     question.is_done = true;
     return;
   }
@@ -120,23 +122,19 @@ std::optional<NtpPacket> NtpPacket::Decode(const std::uint8_t* data, std::size_t
   return packet;
 }
 
-ClockReading ReadReply(const NtpPacket& reply, NtpTime t1, NtpTime t4) {
-  ClockReading reading;
-  if (reply.stratum == 0) {
-    reading.error = "the time server refuses to answer";
-  } else if (reply.leap == NtpPacket::kNotSynchronized || reply.transmit == 0) {
-    reading.error = "the time server is not synchronized itself";
-  } else {
-    reading.ok = true;
-    reading.offset = (NtpSeconds(reply.receive, t1) + NtpSeconds(reply.transmit, t4)) / 2;
-    reading.delay = NtpSeconds(t4, t1) - NtpSeconds(reply.transmit, reply.receive);
+Expected<ClockReading> ReadReply(const NtpPacket& reply, NtpTime t1, NtpTime t4) {
+  if (reply.stratum == 0) return Problem{"the time server refuses to answer"};
+  if (reply.leap == NtpPacket::kNotSynchronized || reply.transmit == 0) {
+    return Problem{"the time server is not synchronized itself"};
   }
-  return reading;
+  return ClockReading{(NtpSeconds(reply.receive, t1) + NtpSeconds(reply.transmit, t4)) / 2,
+                      NtpSeconds(t4, t1) - NtpSeconds(reply.transmit, reply.receive)};
 }
 
-std::vector<ClockReading> QueryClocks(const std::vector<ClockServer>& servers, Duration deadline) {
+std::vector<Expected<ClockReading>> QueryClocks(const std::vector<ClockServer>& servers,
+                                                Duration deadline) {
   std::vector<Question> questions(servers.size());
-  std::vector<ClockReading> readings(servers.size());
+  std::vector<Expected<ClockReading>> readings(servers.size(), Problem{"no answer"});
   for (std::size_t i = 0; i < servers.size(); ++i) Ask(servers[i], questions[i], readings[i]);
   const Deadline until(deadline);
   std::vector<pollfd> waiting;
@@ -151,9 +149,6 @@ std::vector<ClockReading> QueryClocks(const std::vector<ClockServer>& servers, D
       if (!questions[i].is_done) Receive(questions[i], readings[i]);
     }
   } while (!until.has_passed());
-  for (std::size_t i = 0; i < questions.size(); ++i) {
-    if (!questions[i].is_done) readings[i].error = "no answer";
-  }
   return readings;
 }
 

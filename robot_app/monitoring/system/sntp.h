@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "bt_core/base/clock.h"
+#include "bt_core/base/outcome.h"
 
 namespace coppice::robot::monitoring {
 
@@ -47,16 +48,14 @@ struct NtpPacket {
   static std::optional<NtpPacket> Decode(const std::uint8_t* data, std::size_t size);
 };
 
-/// What a clock said, or why it did not.
+/// What a clock said.
 struct ClockReading {
-  bool ok = false;
   double offset = 0;  ///< s, its clock less ours
   double delay = 0;   ///< s, of the way there and back
-  std::string error;  ///< of a failure, for people
 };
 
 /// Judges the reply to a request that was sent at t1 and received at t4.
-ClockReading ReadReply(const NtpPacket& reply, NtpTime t1, NtpTime t4);
+Expected<ClockReading> ReadReply(const NtpPacket& reply, NtpTime t1, NtpTime t4);
 
 struct ClockServer {
   std::string address;  ///< a name or a numeric address
@@ -65,7 +64,8 @@ struct ClockServer {
 
 /// Asks all at the same time; blocks until all have answered or the deadline has passed (the
 /// resolution of names takes its own time). For any thread.
-std::vector<ClockReading> QueryClocks(const std::vector<ClockServer>& servers, Duration deadline);
+std::vector<Expected<ClockReading>> QueryClocks(const std::vector<ClockServer>& servers,
+                                                Duration deadline);
 
 }  // namespace coppice::robot::monitoring
 

@@ -106,26 +106,26 @@ void SystemMonitor::MeasureProcess(const ProcessWatch& process, int pid, Time no
   if (usage->files) board_.OnValue("process", name + "files", *usage->files, now);
 }
 
-void SystemMonitor::OnClocks(const std::vector<ClockReading>& readings, Time now) {
+void SystemMonitor::OnClocks(const std::vector<Expected<ClockReading>>& readings, Time now) {
   for (std::size_t i = 0; i < std::min(readings.size(), watched_.clocks.size()); ++i) {
     const ClockWatch& clock = watched_.clocks[i];
     const std::string& host = clock.host;
-    if (readings[i].ok) {
+    if (readings[i]) {
       serving_.insert(host);
-      board_.OnValue("clock", host, readings[i].offset, now);
+      board_.OnValue("clock", host, readings[i]->offset, now);
     } else if (clock.must_serve || serving_.count(host) > 0) {
-      board_.OnFailure("clock", host, readings[i].error, now);
+      board_.OnFailure("clock", host, readings[i].problem(), now);
     }
   }
 }
 
-void SystemMonitor::OnHosts(const std::vector<ReachResult>& results, Time now) {
+void SystemMonitor::OnHosts(const std::vector<ReachDelay>& results, Time now) {
   for (std::size_t i = 0; i < std::min(results.size(), watched_.hosts.size()); ++i) {
     const std::string subject = "host " + watched_.hosts[i].host;
-    if (results[i].ok) {
-      board_.OnValue("network", subject, results[i].delay, now);
+    if (results[i]) {
+      board_.OnValue("network", subject, *results[i], now);
     } else {
-      board_.OnFailure("network", subject, results[i].error, now);
+      board_.OnFailure("network", subject, results[i].problem(), now);
     }
   }
 }

@@ -39,8 +39,8 @@ class SystemMonitor : public Monitor {
   void Measure(const std::map<std::string, int>& pids, Time now);
 
   /// The answers of other computers, in the order of watched().
-  void OnClocks(const std::vector<ClockReading>& readings, Time now);
-  void OnHosts(const std::vector<ReachResult>& results, Time now);
+  void OnClocks(const std::vector<Expected<ClockReading>>& readings, Time now);
+  void OnHosts(const std::vector<ReachDelay>& results, Time now);
 
   /// One finding per number that can be measured on this computer.
   std::vector<Finding> Report(const ProcessTable& processes, const Times& now) override;

@@ -20,10 +20,10 @@ struct Outbox {
 class KeepingChannel : public MessageChannel {
  public:
   explicit KeepingChannel(Outbox& outbox) : outbox_(outbox) {}
-  std::string Send(const OutgoingMessage& message, const std::atomic<bool>&) override {
+  Outcome Send(const OutgoingMessage& message, const std::atomic<bool>&) override {
     const std::lock_guard<std::mutex> lock(outbox_.mutex);
     outbox_.messages.push_back(message);
-    return "";
+    return {};
   }
 
  private:
@@ -77,10 +77,11 @@ TEST_F(AssistanceTest, AQuestionBearsALinkThatWorksOnceAndEndsWithTheRequest) {
   EXPECT_EQ(message.headline, "Sobi needs help: navigation");
   EXPECT_EQ(message.kind, "question");
   EXPECT_THAT(message.link, StartsWith("http://robot:8090/#"));
-  const PageAccess::Entry entry = assistance_->access().LogIn(TokenOf(message), "192.0.2.1", now_);
-  EXPECT_EQ(entry.pass.request, id);
-  EXPECT_EQ(entry.pass.name, "Ada");
-  EXPECT_NE(assistance_->access().LogIn(TokenOf(message), "192.0.2.1", now_).refusal, "");
+  const Expected<PageAccess::Entry> entry =
+      assistance_->access().LogIn(TokenOf(message), "192.0.2.1", now_);
+  EXPECT_EQ(entry->pass.request, id);
+  EXPECT_EQ(entry->pass.name, "Ada");
+  EXPECT_FALSE(assistance_->access().LogIn(TokenOf(message), "192.0.2.1", now_));
 }
 
 TEST_F(AssistanceTest, TheAllClearHasNoLinkAndUnusedLinksEnd) {
@@ -92,7 +93,7 @@ TEST_F(AssistanceTest, TheAllClearHasNoLinkAndUnusedLinksEnd) {
   EXPECT_EQ(message.name, "Ada");
   EXPECT_THAT(message.text, HasSubstr("Ben has fixed it"));
   EXPECT_EQ(message.link, "");
-  EXPECT_NE(assistance_->access().LogIn(token, "192.0.2.1", now_).refusal, "");
+  EXPECT_FALSE(assistance_->access().LogIn(token, "192.0.2.1", now_));
 }
 
 TEST_F(AssistanceTest, RequestsAndLinksOutliveARestart) {
@@ -105,7 +106,7 @@ TEST_F(AssistanceTest, RequestsAndLinksOutliveARestart) {
   Start();
   ASSERT_NE(assistance_->desk().Find(id), nullptr);
   EXPECT_EQ(assistance_->desk().Find(id)->question, "Blocked.");
-  EXPECT_EQ(assistance_->access().LogIn(token, "192.0.2.1", now_).pass.name, "Ada");
+  EXPECT_EQ(assistance_->access().LogIn(token, "192.0.2.1", now_)->pass.name, "Ada");
 }
 
 TEST_F(AssistanceTest, WithoutAPageThereIsNoLink) {

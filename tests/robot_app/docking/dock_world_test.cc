@@ -74,7 +74,7 @@ TEST_F(DockingInWorld, UndocksAndDocksAgain) {
 TEST_F(DockingInWorld, FindsAStationThatHasMovedByTryingFromAside) {
   for (const double moved : {0.06, -0.06}) {
     Place(floor_.staging);
-    ASSERT_TRUE(world_->SetStationOffset(moved).ok);
+    ASSERT_TRUE(world_->SetStationOffset(moved));
     bool charging = false;
     for (const double offset : {0.0, 0.04, -0.04, 0.08, -0.08}) {
       if (charging) break;
@@ -89,7 +89,7 @@ TEST_F(DockingInWorld, FindsAStationThatHasMovedByTryingFromAside) {
 
 TEST_F(DockingInWorld, ABoxBeforeTheStationFailsWithoutATouch) {
   Place(floor_.staging);
-  ASSERT_TRUE(world_->SetPlaceBlocked("dock_front", true).ok);
+  ASSERT_TRUE(world_->SetPlaceBlocked("dock_front", true));
   world_->Step(0.2);
   controller_.StartDocking(Input());
   Run();

@@ -22,7 +22,7 @@ class LocalizedRobot {
   /// Somebody carries the robot away: its wheels and its gyroscope notice nothing. Waits until
   /// nobody stands there.
   void Carry(const Pose2D& pose) {
-    while (!world_.Kidnap({pose.x, pose.y, pose.yaw}).ok) Step({});
+    while (!world_.Kidnap({pose.x, pose.y, pose.yaw})) Step({});
   }
 
   void RestartOdometry() { filter_ = OdometryFilter(); }

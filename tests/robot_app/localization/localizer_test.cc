@@ -96,7 +96,7 @@ TEST_F(LocalizerTest, IsNotLostBehindACrowdOrBeforeABlockedCorridor) {
         {"p" + std::to_string(i), 0.8, {{13 + 1.5 * i, y}, {18.0 - 0.5 * i, -y}}});
   }
   const auto robot = Started({11, 0, 0});
-  while (!robot->world().SetPlaceBlocked("corridor_middle", true).ok) robot->Step({});
+  while (!robot->world().SetPlaceBlocked("corridor_middle", true)) robot->Step({});
   double lowest = 1;
   EXPECT_EQ(robot->DriveUntil({0.3, 0}, 60,
                               [&] {

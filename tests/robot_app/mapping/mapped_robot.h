@@ -53,7 +53,7 @@ class MappedRobot {
   }
 
   void Carry(const Pose2D& pose) {
-    while (!world_.Kidnap({pose.x, pose.y, pose.yaw}).ok) Step({});
+    while (!world_.Kidnap({pose.x, pose.y, pose.yaw})) Step({});
   }
 
   void RestartOdometry() {

@@ -59,8 +59,8 @@ struct Second {
   int available = 60;         // of 100
   long sent = 1000;           // bytes
   int errors = 0, drops = 0;  // packets
-  ClockReading clock{true, 0, 0, ""};
-  ReachResult host{true, 0.001, ""};
+  Expected<ClockReading> clock{ClockReading{}};
+  ReachDelay host{0.001};
 };
 
 // A computer with a link of any name, beside one other.

@@ -22,13 +22,9 @@ class TfMonitorTest : public testing::Test {
  protected:
   TfMonitorTest() { monitor_.Watch({Watch()}); }
   void Look(Time stamp, Time now, double x = 0, const std::string& parent = "odom") {
-    monitor_.OnSamples({{true, "", stamp, x, 0, 0, parent}}, {now, now});
+    monitor_.OnSamples({TransformSample{stamp, x, 0, 0, parent}}, {now, now});
   }
-  void LookInVain(Time now) {
-    TransformSample sample;
-    sample.error = "no such frame";
-    monitor_.OnSamples({sample}, {now, now});
-  }
+  void LookInVain(Time now) { monitor_.OnSamples({Problem{"no such frame"}}, {now, now}); }
   Finding About(const std::string& what, Time now) {
     for (const Finding& finding : monitor_.Report(processes_, {now, now})) {
       EXPECT_EQ(finding.monitor, "tf");

@@ -92,11 +92,11 @@ TEST_F(NavigationInWorld, DrivesToEveryPlaceOfTheTopologicalMap) {
 
 TEST_F(NavigationInWorld, ABlockedCorridorEndsTheGoalAndAnOpenOneDoesNot) {
   ASSERT_EQ(DriveTo("corridor_west", 60), End::kReached);
-  ASSERT_TRUE(world_->SetPlaceBlocked("corridor_west", true).ok);
+  ASSERT_TRUE(world_->SetPlaceBlocked("corridor_west", true));
   EXPECT_EQ(DriveTo("corridor_middle", 120), End::kAborted);
   EXPECT_EQ(navigation_.consecutive_failures(), 1);
   EXPECT_LT(world_->robot().x, 9.4);
-  ASSERT_TRUE(world_->SetPlaceBlocked("corridor_west", false).ok);
+  ASSERT_TRUE(world_->SetPlaceBlocked("corridor_west", false));
   EXPECT_EQ(DriveTo("corridor_middle", 120), End::kReached) << navigation_.message();
   EXPECT_EQ(navigation_.consecutive_failures(), 0);
   EXPECT_EQ(bumps_, 0);

@@ -20,9 +20,10 @@ class FaultsTest : public testing::Test {
 
   // Records the signals instead of sending them; "/lost" cannot be signalled.
   SignalNode Recorder() {
-    return [this](const std::string& node, int signal) {
+    return [this](const std::string& node, int signal) -> Change {
       signals_.emplace_back(node, signal);
-      return ChangeResult{node != "/lost", "signalled"};
+      if (node == "/lost") return Problem{"it cannot be signalled"};
+      return "signalled";
     };
   }
 
@@ -55,7 +56,7 @@ class FaultsTest : public testing::Test {
 };
 
 TEST_F(FaultsTest, ABlockedCorridorHealsAfterItsDuration) {
-  EXPECT_TRUE(faults_.Inject({"block_corridor", "corridor_east", 0, 5}).ok);
+  EXPECT_TRUE(faults_.Inject({"block_corridor", "corridor_east", 0, 5}));
   Pass(4.9);
   EXPECT_TRUE(Blocked("corridor_east"));
   Pass(0.2);
@@ -63,43 +64,43 @@ TEST_F(FaultsTest, ABlockedCorridorHealsAfterItsDuration) {
 }
 
 TEST_F(FaultsTest, ANewRequestReplacesWhatWasToHealTheOldOne) {
-  faults_.Inject({"block_corridor", "corridor_east", 0, 2});
-  EXPECT_TRUE(faults_.Inject({"block_corridor", "corridor_east", 0, 0}).ok);
+  ASSERT_TRUE(faults_.Inject({"block_corridor", "corridor_east", 0, 2}));
+  EXPECT_TRUE(faults_.Inject({"block_corridor", "corridor_east", 0, 0}));
   Pass(3);
   EXPECT_TRUE(Blocked("corridor_east"));
-  EXPECT_TRUE(faults_.Inject({"clear_corridor", "corridor_east", 0, 0}).ok);
+  EXPECT_TRUE(faults_.Inject({"clear_corridor", "corridor_east", 0, 0}));
   EXPECT_FALSE(Blocked("corridor_east"));
 }
 
 TEST_F(FaultsTest, DoorsCloseForAWhile) {
-  EXPECT_TRUE(faults_.Inject({"close_door", "door_101", 0, 1}).ok);
+  EXPECT_TRUE(faults_.Inject({"close_door", "door_101", 0, 1}));
   EXPECT_FALSE(world_.door_open(0));
   Pass(1.1);
   EXPECT_TRUE(world_.door_open(0));
 }
 
 TEST_F(FaultsTest, SetsTheBattery) {
-  EXPECT_TRUE(faults_.Inject({"set_battery", "", 0.2, 0}).ok);
+  EXPECT_TRUE(faults_.Inject({"set_battery", "", 0.2, 0}));
   EXPECT_NEAR(world_.battery().state_of_charge(), 0.2, 1e-9);
-  EXPECT_FALSE(faults_.Inject({"set_battery", "", 20, 0}).ok);
+  EXPECT_FALSE(faults_.Inject({"set_battery", "", 20, 0}));
 }
 
 TEST_F(FaultsTest, SilencesATopicForAWhile) {
-  EXPECT_TRUE(faults_.Inject({"silence_topic", "/scan", 0, 1}).ok);
+  EXPECT_TRUE(faults_.Inject({"silence_topic", "/scan", 0, 1}));
   EXPECT_EQ(CopiesOfTen("/scan"), 0);
   EXPECT_EQ(CopiesOfTen("/odom"), 10);
   Pass(1.1);
   EXPECT_EQ(CopiesOfTen("/scan"), 10);
-  EXPECT_THAT(faults_.Inject({"silence_topic", "/scam", 0, 0}).message,
+  EXPECT_THAT(faults_.Inject({"silence_topic", "/scam", 0, 0}).problem(),
               HasSubstr("did you mean \"/scan\"?"));
 }
 
 TEST_F(FaultsTest, ATopicComesTooSlowlyOrTooFastForAWhile) {
-  EXPECT_TRUE(faults_.Inject({"slow_topic", "/scan", 0.3, 1}).ok);
+  EXPECT_TRUE(faults_.Inject({"slow_topic", "/scan", 0.3, 1}));
   EXPECT_EQ(CopiesOfTen("/scan"), 3);
   Pass(1.1);
   EXPECT_EQ(CopiesOfTen("/scan"), 10);
-  EXPECT_TRUE(faults_.Inject({"fast_topic", "/scan", 2.5, 1}).ok);
+  EXPECT_TRUE(faults_.Inject({"fast_topic", "/scan", 2.5, 1}));
   EXPECT_EQ(CopiesOfTen("/scan"), 25);
   EXPECT_EQ(CopiesOfTen("/odom"), 10);
   Pass(1.1);
@@ -107,35 +108,35 @@ TEST_F(FaultsTest, ATopicComesTooSlowlyOrTooFastForAWhile) {
 }
 
 TEST_F(FaultsTest, TheNewestWordOnATopicCounts) {
-  faults_.Inject({"silence_topic", "/scan", 0, 1});
-  faults_.Inject({"slow_topic", "/scan", 0.5, 0});
+  ASSERT_TRUE(faults_.Inject({"silence_topic", "/scan", 0, 1}));
+  ASSERT_TRUE(faults_.Inject({"slow_topic", "/scan", 0.5, 0}));
   Pass(1.1);
   EXPECT_EQ(CopiesOfTen("/scan"), 5);
-  EXPECT_TRUE(faults_.Inject({"restore_topic", "/scan", 0, 0}).ok);
+  EXPECT_TRUE(faults_.Inject({"restore_topic", "/scan", 0, 0}));
   EXPECT_EQ(CopiesOfTen("/scan"), 10);
 }
 
 TEST_F(FaultsTest, RefusesFactorsThatMakeNoSense) {
-  EXPECT_FALSE(faults_.Inject({"slow_topic", "/scan", 1, 0}).ok);
-  EXPECT_FALSE(faults_.Inject({"slow_topic", "/scan", 0, 0}).ok);
-  EXPECT_FALSE(faults_.Inject({"fast_topic", "/scan", 0.5, 0}).ok);
-  EXPECT_FALSE(faults_.Inject({"fast_topic", "/scan", 1e9, 0}).ok);
-  EXPECT_FALSE(faults_.Inject({"fast_topic", "/scan", std::nan(""), 0}).ok);
+  EXPECT_FALSE(faults_.Inject({"slow_topic", "/scan", 1, 0}));
+  EXPECT_FALSE(faults_.Inject({"slow_topic", "/scan", 0, 0}));
+  EXPECT_FALSE(faults_.Inject({"fast_topic", "/scan", 0.5, 0}));
+  EXPECT_FALSE(faults_.Inject({"fast_topic", "/scan", 1e9, 0}));
+  EXPECT_FALSE(faults_.Inject({"fast_topic", "/scan", std::nan(""), 0}));
   EXPECT_EQ(CopiesOfTen("/scan"), 10);
 }
 
 TEST_F(FaultsTest, FreezesTheBatteryForAWhile) {
-  EXPECT_TRUE(faults_.Inject({"freeze_battery", "", 0, 1}).ok);
+  EXPECT_TRUE(faults_.Inject({"freeze_battery", "", 0, 1}));
   EXPECT_TRUE(faults_.battery_frozen());
   Pass(1.1);
   EXPECT_FALSE(faults_.battery_frozen());
 }
 
 TEST_F(FaultsTest, AChargerThatIsOffGivesNoCurrentThoughTheRobotStandsInTheStation) {
-  faults_.Inject({"set_battery", "", 0.5, 0});
+  ASSERT_TRUE(faults_.Inject({"set_battery", "", 0.5, 0}));
   Pass(0.1);
   ASSERT_TRUE(world_.battery().charging());
-  EXPECT_TRUE(faults_.Inject({"contact_without_current", "", 0, 1}).ok);
+  EXPECT_TRUE(faults_.Inject({"contact_without_current", "", 0, 1}));
   Pass(0.1);
   EXPECT_TRUE(world_.docked());
   EXPECT_FALSE(world_.battery().charging());
@@ -144,20 +145,20 @@ TEST_F(FaultsTest, AChargerThatIsOffGivesNoCurrentThoughTheRobotStandsInTheStati
 }
 
 TEST_F(FaultsTest, AStationThatWasMovedHasNoContactUntilItIsMovedBack) {
-  EXPECT_TRUE(faults_.Inject({"docking_offset", "", 0.05, 1}).ok);
+  EXPECT_TRUE(faults_.Inject({"docking_offset", "", 0.05, 1}));
   EXPECT_FALSE(world_.docked());
   Pass(1.1);
   EXPECT_TRUE(world_.docked());
-  EXPECT_TRUE(faults_.Inject({"docking_offset", "", -0.05, 0}).ok);
+  EXPECT_TRUE(faults_.Inject({"docking_offset", "", -0.05, 0}));
   EXPECT_FALSE(world_.docked());
-  EXPECT_TRUE(faults_.Inject({"docking_offset", "", 0, 0}).ok);
+  EXPECT_TRUE(faults_.Inject({"docking_offset", "", 0, 0}));
   EXPECT_TRUE(world_.docked());
-  EXPECT_FALSE(faults_.Inject({"docking_offset", "", 5, 0}).ok);
+  EXPECT_FALSE(faults_.Inject({"docking_offset", "", 5, 0}));
 }
 
 TEST_F(FaultsTest, AnEmergencyStopHoldsTheRobotForAWhile) {
-  faults_.Inject({"kidnap", "10 0 0", 0, 0});
-  EXPECT_TRUE(faults_.Inject({"emergency_stop", "", 0, 1}).ok);
+  ASSERT_TRUE(faults_.Inject({"kidnap", "10 0 0", 0, 0}));
+  EXPECT_TRUE(faults_.Inject({"emergency_stop", "", 0, 1}));
   EXPECT_TRUE(world_.emergency_stop());
   world_.Step(0.02, Velocity{0.5, 0});
   Pass(0.4);
@@ -170,32 +171,32 @@ TEST_F(FaultsTest, AnEmergencyStopHoldsTheRobotForAWhile) {
 }
 
 TEST_F(FaultsTest, KidnapsTheRobotToAPoseOrAWaypoint) {
-  EXPECT_TRUE(faults_.Inject({"kidnap", "10 0.2 1.5", 0, 0}).ok);
+  EXPECT_TRUE(faults_.Inject({"kidnap", "10 0.2 1.5", 0, 0}));
   EXPECT_NEAR(world_.robot().x, 10, 1e-6);
   EXPECT_NEAR(world_.robot().yaw, 1.5, 1e-6);
   const FloorWaypoint& waypoint = world_.floor().waypoints.back();
-  EXPECT_TRUE(faults_.Inject({"kidnap", waypoint.name, 0, 0}).ok);
+  EXPECT_TRUE(faults_.Inject({"kidnap", waypoint.name, 0, 0}));
   EXPECT_NEAR(world_.robot().x, waypoint.pose.x, 1e-5);
-  EXPECT_FALSE(faults_.Inject({"kidnap", "10 0", 0, 0}).ok);
-  EXPECT_FALSE(faults_.Inject({"kidnap", "10 0 0 0", 0, 0}).ok);
-  EXPECT_FALSE(faults_.Inject({"kidnap", "10 0 0", 0, 5}).ok);
+  EXPECT_FALSE(faults_.Inject({"kidnap", "10 0", 0, 0}));
+  EXPECT_FALSE(faults_.Inject({"kidnap", "10 0 0 0", 0, 0}));
+  EXPECT_FALSE(faults_.Inject({"kidnap", "10 0 0", 0, 5}));
 }
 
 TEST_F(FaultsTest, SignalsNodesAndWakesAHungOneUpAgain) {
-  EXPECT_TRUE(faults_.Inject({"kill_node", "/nav", 0, 0}).ok);
-  EXPECT_TRUE(faults_.Inject({"hang_node", "/nav", 0, 1}).ok);
+  EXPECT_TRUE(faults_.Inject({"kill_node", "/nav", 0, 0}));
+  EXPECT_TRUE(faults_.Inject({"hang_node", "/nav", 0, 1}));
   Pass(1.1);
   EXPECT_THAT(signals_,
               ElementsAre(Pair("/nav", SIGKILL), Pair("/nav", SIGSTOP), Pair("/nav", SIGCONT)));
-  EXPECT_FALSE(faults_.Inject({"hang_node", "/lost", 0, 1}).ok);
+  EXPECT_FALSE(faults_.Inject({"hang_node", "/lost", 0, 1}));
 }
 
 TEST_F(FaultsTest, RefusesWhatItDoesNotKnow) {
-  EXPECT_THAT(faults_.Inject({"block_coridor", "corridor_east", 0, 0}).message,
+  EXPECT_THAT(faults_.Inject({"block_coridor", "corridor_east", 0, 0}).problem(),
               HasSubstr("did you mean \"block_corridor\"?"));
-  EXPECT_THAT(faults_.Inject({"explode", "", 0, 0}).message, HasSubstr("known: block_corridor"));
-  EXPECT_FALSE(faults_.Inject({"kill_node", "/nav", 0, 5}).ok);
-  EXPECT_FALSE(faults_.Inject({"block_corridor", "corridor_east", 0, -1}).ok);
+  EXPECT_THAT(faults_.Inject({"explode", "", 0, 0}).problem(), HasSubstr("known: block_corridor"));
+  EXPECT_FALSE(faults_.Inject({"kill_node", "/nav", 0, 5}));
+  EXPECT_FALSE(faults_.Inject({"block_corridor", "corridor_east", 0, -1}));
   EXPECT_FALSE(Blocked("corridor_east"));
 }
 

@@ -41,24 +41,24 @@ TEST(NodeSignals, StopResumeAndKillTheProcessOfANode) {
   ChildProcess victim({kSimulator, "__name:=victim"}, testing::TempDir() + "victim.log");
   ASSERT_TRUE(Eventually([] { return Knows("/victim"); }));
   NodeSignals signals = MakeSignals();
-  const ChangeResult stopped = signals.Send("/victim", SIGSTOP);
-  EXPECT_TRUE(stopped.ok) << stopped.message;
+  const Change stopped = signals.Send("/victim", SIGSTOP);
+  EXPECT_TRUE(stopped) << stopped.problem();
   EXPECT_TRUE(Eventually([&] { return StateOf(victim.pid()) == 'T'; }));
-  EXPECT_TRUE(signals.Send("victim", SIGCONT).ok);
+  EXPECT_TRUE(signals.Send("victim", SIGCONT));
   EXPECT_TRUE(Eventually([&] { return StateOf(victim.pid()) != 'T'; }));
-  const ChangeResult killed = signals.Send("/victim", SIGKILL);
-  EXPECT_TRUE(killed.ok) << killed.message;
+  const Change killed = signals.Send("/victim", SIGKILL);
+  EXPECT_TRUE(killed) << killed.problem();
   EXPECT_TRUE(Eventually([&] { return !victim.IsRunning(); }));
   EXPECT_EQ(victim.exit_status(), 128 + SIGKILL);
-  EXPECT_THAT(signals.Send("/victim", SIGKILL).message, HasSubstr("does not answer"));
+  EXPECT_THAT(signals.Send("/victim", SIGKILL).problem(), HasSubstr("does not answer"));
 }
 
 TEST(NodeSignals, RefuseThemselvesAndTheUnknown) {
   NodeSignals signals = MakeSignals();
-  EXPECT_FALSE(signals.Send(ros::this_node::getName(), SIGKILL).ok);
-  const ChangeResult unknown = signals.Send("/coppice_tost", SIGKILL);
-  EXPECT_FALSE(unknown.ok);
-  EXPECT_THAT(unknown.message, HasSubstr("the master knows no node"));
+  EXPECT_FALSE(signals.Send(ros::this_node::getName(), SIGKILL));
+  const Change unknown = signals.Send("/coppice_tost", SIGKILL);
+  EXPECT_FALSE(unknown);
+  EXPECT_THAT(unknown.problem(), HasSubstr("the master knows no node"));
 }
 
 TEST(NodeSignals, RefuseNodesOfAnotherMachine) {
@@ -70,13 +70,13 @@ TEST(NodeSignals, RefuseNodesOfAnotherMachine) {
   XmlRpc::XmlRpcValue answer;
   XmlRpc::XmlRpcValue payload;
   ASSERT_TRUE(ros::master::execute("registerSubscriber", request, answer, payload, false));
-  EXPECT_THAT(MakeSignals().Send("/far_away", SIGKILL).message,
+  EXPECT_THAT(MakeSignals().Send("/far_away", SIGKILL).problem(),
               HasSubstr("/far_away runs on another machine"));
 }
 
 TEST(NodeSignals, FailWithoutAMaster) {
   NodeSignals signals("http://127.0.0.1:1", "/somebody", "127.0.0.1");
-  EXPECT_FALSE(signals.Send("/coppice_test", SIGKILL).ok);
+  EXPECT_FALSE(signals.Send("/coppice_test", SIGKILL));
 }
 
 }  // namespace

@@ -143,19 +143,19 @@ TEST(World, DrivesIntoItsDockAndCharges) {
 
 TEST(World, AnEmptyBatteryStopsTheRobot) {
   World world(MakeRoom(), At(5, 0, 0));
-  EXPECT_TRUE(world.SetStateOfCharge(0).ok);
+  EXPECT_TRUE(world.SetStateOfCharge(0));
   Drive(world, {0.5, 0}, 2);
   EXPECT_NEAR(world.robot().x, 5, 1e-6);
-  EXPECT_FALSE(world.SetStateOfCharge(1.2).ok);
+  EXPECT_FALSE(world.SetStateOfCharge(1.2));
 }
 
 TEST(World, ABlockedPlaceIsSolidAndSeenUntilItIsCleared) {
   World world(RoomWithThings(), At(5, 0, 0));
-  EXPECT_TRUE(world.SetPlaceBlocked("middle", true).ok);
+  EXPECT_TRUE(world.SetPlaceBlocked("middle", true));
   Drive(world, {0.9, 0}, 8);
   EXPECT_LT(world.robot().x, 9.6 - kRobotRadius);
   EXPECT_LT(world.scan().ranges[270], 0.3);
-  EXPECT_TRUE(world.SetPlaceBlocked("middle", false).ok);
+  EXPECT_TRUE(world.SetPlaceBlocked("middle", false));
   Drive(world, {0.9, 0}, 5);
   EXPECT_GT(world.robot().x, 11);
 }
@@ -163,36 +163,36 @@ TEST(World, ABlockedPlaceIsSolidAndSeenUntilItIsCleared) {
 TEST(World, NeverPutsABoxOnTheRobotOrAPerson) {
   Floor floor = RoomWithThings();
   World on_robot(floor, At(10.5, 0, 0));
-  const ChangeResult refused = on_robot.SetPlaceBlocked("middle", true);
-  EXPECT_FALSE(refused.ok);
-  EXPECT_THAT(refused.message, HasSubstr("the robot stands there"));
+  const Change refused = on_robot.SetPlaceBlocked("middle", true);
+  EXPECT_FALSE(refused);
+  EXPECT_THAT(refused.problem(), HasSubstr("the robot stands there"));
   EXPECT_FALSE(on_robot.place_blocked(0));
 
   floor.people = {{"anna", 1.0, {{10, 1}, {12, 1}}}};
   World on_person(floor, At(5, 0, 0));
-  EXPECT_THAT(on_person.SetPlaceBlocked("middle", true).message, HasSubstr("anna stands there"));
+  EXPECT_THAT(on_person.SetPlaceBlocked("middle", true).problem(), HasSubstr("anna stands there"));
 }
 
 TEST(World, DoorsCloseAndOpenButNotOnTheRobot) {
   World world(RoomWithThings(), At(10, 0, 0));
   EXPECT_TRUE(world.door_open(0));
-  EXPECT_TRUE(world.SetDoorOpen("gate", false).ok);
+  EXPECT_TRUE(world.SetDoorOpen("gate", false));
   Drive(world, {0.9, 0}, 8);
   EXPECT_LT(world.robot().x, 15 - kRobotRadius);
-  const ChangeResult refused = world.SetDoorOpen("gate", true);  // it would swing over the robot
-  EXPECT_FALSE(refused.ok);
-  EXPECT_THAT(refused.message, HasSubstr("cannot open gate: the robot stands in the way"));
+  const Change refused = world.SetDoorOpen("gate", true);  // it would swing over the robot
+  EXPECT_FALSE(refused);
+  EXPECT_THAT(refused.problem(), HasSubstr("cannot open gate: the robot stands in the way"));
   Drive(world, {-0.9, 0}, 6);
-  EXPECT_TRUE(world.SetDoorOpen("gate", true).ok);
+  EXPECT_TRUE(world.SetDoorOpen("gate", true));
   Drive(world, {0.9, 0}, 11);
   EXPECT_GT(world.robot().x, 15.5);
 }
 
 TEST(World, RefusesUnknownNamesWithTheNearestOne) {
   World world(LoadInstitute());
-  EXPECT_THAT(world.SetPlaceBlocked("coridor_east", true).message,
+  EXPECT_THAT(world.SetPlaceBlocked("coridor_east", true).problem(),
               HasSubstr("did you mean \"corridor_east\"?"));
-  EXPECT_THAT(world.SetDoorOpen("x", true).message, HasSubstr("door_101, door_102"));
+  EXPECT_THAT(world.SetDoorOpen("x", true).problem(), HasSubstr("door_101, door_102"));
 }
 
 TEST(World, BlockingTheCorridorLeavesNoGapForTheRobot) {
@@ -220,7 +220,7 @@ TEST(World, OdometryDoesNotNoticeAKidnapping) {
   World world(MakeRoom(), At(5, 0, 0));
   Drive(world, {0.5, 0}, 2);
   const Pose2 before = world.odometry().pose();
-  EXPECT_TRUE(world.Kidnap({12, 1, 1.5}).ok);
+  EXPECT_TRUE(world.Kidnap({12, 1, 1.5}));
   world.Step(kDt, Velocity{});
   EXPECT_NEAR(world.robot().x, 12, 0.01);
   EXPECT_NEAR(world.robot().yaw, 1.5, 0.01);
@@ -233,7 +233,7 @@ TEST(World, NobodyIsKidnappedIntoAWallACupboardOrOutOfTheHouse) {
   World world(LoadInstitute());
   for (const Pose2& pose : {Pose2{10, 1.2, 0}, Pose2{11, 6, 0}, Pose2{60, 0, 0},
                             Pose2{std::nan(""), 0, 0}, Pose2{-2.94, 0, 0}}) {
-    EXPECT_FALSE(world.Kidnap(pose).ok) << pose.x;
+    EXPECT_FALSE(world.Kidnap(pose)) << pose.x;
   }
   EXPECT_TRUE(world.docked());
 }

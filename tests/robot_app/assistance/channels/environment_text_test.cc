@@ -11,22 +11,17 @@ std::optional<std::string> ValueOf(const std::string& name) {
   return std::nullopt;
 }
 
-std::optional<std::string> Fill(const std::string& text) {
-  std::string missing;
-  return FillVariables(text, ValueOf, missing);
-}
+Expected<std::string> Fill(const std::string& text) { return FillVariables(text, ValueOf); }
 
 TEST(FillVariables, PutsValuesAndDefaultsInTheirPlaces) {
-  EXPECT_EQ(Fill("https://${HOST}/x"), "https://example.org/x");
-  EXPECT_EQ(Fill("${PORT:-25}${HOST}"), "25example.org");
-  EXPECT_EQ(Fill("${EMPTY:-none}"), "none");
-  EXPECT_EQ(Fill("no variable, ${ not closed"), "no variable, ${ not closed");
+  EXPECT_EQ(*Fill("https://${HOST}/x"), "https://example.org/x");
+  EXPECT_EQ(*Fill("${PORT:-25}${HOST}"), "25example.org");
+  EXPECT_EQ(*Fill("${EMPTY:-none}"), "none");
+  EXPECT_EQ(*Fill("no variable, ${ not closed"), "no variable, ${ not closed");
 }
 
 TEST(FillVariables, NamesTheVariableThatIsMissing) {
-  std::string missing;
-  EXPECT_FALSE(FillVariables("${HOST}${TOKEN}", ValueOf, missing));
-  EXPECT_EQ(missing, "TOKEN");
+  EXPECT_EQ(Fill("${HOST}${TOKEN}").problem(), "the environment variable TOKEN is not set");
   EXPECT_FALSE(Fill("${EMPTY}"));
 }
 

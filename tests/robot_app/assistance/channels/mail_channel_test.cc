@@ -35,7 +35,7 @@ class Mail : public testing::Test {
     config.user = user;
     config.secret = user.empty() ? "" : "password";
     config.from = "robot@example.org";
-    return MailChannel(config).Send(message, cancelled_);
+    return MailChannel(config).Send(message, cancelled_).problem();
   }
 
   std::atomic<bool> cancelled_{false};

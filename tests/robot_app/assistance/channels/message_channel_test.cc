@@ -18,7 +18,8 @@ class MessageChannelTest : public testing::Test {
     message.link = "http://robot:8090/#abc";
     message.id = "coppice-1";
     return MakeChannel({"test", kind, url, "", "token", "sobi@example.org"})
-        ->Send(message, never_cancelled_);
+        ->Send(message, never_cancelled_)
+        .problem();
   }
   const std::atomic<bool> never_cancelled_{false};
 };

@@ -10,9 +10,9 @@ namespace {
 
 class FunctionChannel : public MessageChannel {
  public:
-  using Function = std::function<std::string(const OutgoingMessage&, const std::atomic<bool>&)>;
+  using Function = std::function<Outcome(const OutgoingMessage&, const std::atomic<bool>&)>;
   explicit FunctionChannel(Function function) : function_(std::move(function)) {}
-  std::string Send(const OutgoingMessage& message, const std::atomic<bool>& cancelled) override {
+  Outcome Send(const OutgoingMessage& message, const std::atomic<bool>& cancelled) override {
     return function_(message, cancelled);
   }
 
@@ -25,9 +25,9 @@ std::unique_ptr<MessageChannel> Make(FunctionChannel::Function function) {
 }
 
 // Hangs until the program ends.
-std::string Hang(const OutgoingMessage&, const std::atomic<bool>& cancelled) {
+Outcome Hang(const OutgoingMessage&, const std::atomic<bool>& cancelled) {
   while (!cancelled) std::this_thread::yield();
-  return "cancelled";
+  return Problem{"cancelled"};
 }
 
 Delivery Next(MessageSender& sender) {
@@ -50,22 +50,23 @@ std::map<std::string, std::unique_ptr<MessageChannel>> One(const std::string& na
 
 TEST(MessageSender, ReportsEveryLetter) {
   MessageSender sender(One("good", [](const OutgoingMessage& message, const std::atomic<bool>&) {
-    return message.to == "Ada" ? "" : "unknown";
+    return message.to == "Ada" ? Outcome() : Problem{"unknown"};
   }));
   OutgoingMessage message;
   message.to = "Ada";
   sender.Send(1, "good", message);
-  EXPECT_EQ(Next(sender).error, "");
+  EXPECT_EQ(Next(sender).outcome.problem(), "");
   message.to = "Bob";
   sender.Send(2, "good", message);
   const Delivery delivery = Next(sender);
   EXPECT_EQ(delivery.letter, 2u);
-  EXPECT_EQ(delivery.error, "unknown");
+  EXPECT_EQ(delivery.outcome.problem(), "unknown");
 }
 
 TEST(MessageSender, AChannelThatHangsDelaysOnlyItself) {
   auto channels = One("hung", Hang);
-  channels["good"] = Make([](const OutgoingMessage&, const std::atomic<bool>&) { return ""; });
+  channels["good"] =
+      Make([](const OutgoingMessage&, const std::atomic<bool>&) { return Outcome(); });
   MessageSender sender(std::move(channels));
   sender.Send(1, "hung", {});
   sender.Send(2, "good", {});
@@ -73,20 +74,19 @@ TEST(MessageSender, AChannelThatHangsDelaysOnlyItself) {
 }
 
 TEST(MessageSender, AnExceptionIsAnError) {
-  MessageSender sender(
-      One("bad", [](const OutgoingMessage&, const std::atomic<bool>&) -> std::string {
-        throw std::runtime_error("broken");
-      }));
+  MessageSender sender(One("bad", [](const OutgoingMessage&, const std::atomic<bool>&) -> Outcome {
+    throw std::runtime_error("broken");
+  }));
   sender.Send(1, "bad", {});
-  EXPECT_EQ(Next(sender).error, "broken");
+  EXPECT_EQ(Next(sender).outcome.problem(), "broken");
 }
 
 TEST(MessageSender, AnUnknownChannelAndAFullOneAreErrorsAtOnce) {
   MessageSender sender(One("hung", Hang));
   sender.Send(1, "other", {});
-  EXPECT_EQ(Next(sender).error, "there is no such channel");
+  EXPECT_EQ(Next(sender).outcome.problem(), "there is no such channel");
   for (std::uint32_t i = 0; i <= MessageSender::kMostWaiting + 1; ++i) sender.Send(i, "hung", {});
-  EXPECT_EQ(Next(sender).error, "too many messages wait for it");
+  EXPECT_EQ(Next(sender).outcome.problem(), "too many messages wait for it");
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ class WebChannels : public testing::Test {
  protected:
   std::string Send(ChannelConfig::Kind kind, const std::string& url,
                    const OutgoingMessage& message = Message()) {
-    return MakeChannel({"test", kind, url, "", "s3cret", ""})->Send(message, cancelled_);
+    return MakeChannel({"test", kind, url, "", "s3cret", ""})->Send(message, cancelled_).problem();
   }
   const std::atomic<bool> cancelled_{false};
 };

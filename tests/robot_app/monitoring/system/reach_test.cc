@@ -32,28 +32,28 @@ TEST(Reach, AcceptedAndRefusedConnectionsAreBothAnswers) {
   const Port open(true), closed(false);
   const auto results = TryToReach({open.target(), closed.target()}, seconds(10));
   ASSERT_EQ(results.size(), 2u);
-  for (const ReachResult& result : results) {
-    EXPECT_TRUE(result.ok) << result.error;
-    EXPECT_GE(result.delay, 0);
-    EXPECT_LT(result.delay, 10);
+  for (const ReachDelay& result : results) {
+    ASSERT_TRUE(result) << result.problem();
+    EXPECT_GE(*result, 0);
+    EXPECT_LT(*result, 10);
   }
 }
 
 TEST(Reach, AComputerThatIsSilentHoldsUpNobodyElse) {
   const Port open(true), silent(true);
   // Whoever listens and never accepts falls silent when its queue is full.
-  for (int i = 0; i < 10 && TryToReach({silent.target()}, milliseconds(100)).at(0).ok; ++i) {
+  for (int i = 0; i < 10 && TryToReach({silent.target()}, milliseconds(100)).at(0); ++i) {
   }
   const auto results =
       TryToReach({silent.target(), open.target(), {"no such name", 22}, {"255.255.255.255", 22}},
                  milliseconds(200));
-  EXPECT_FALSE(results[0].ok);
-  EXPECT_EQ(results[0].error, "no answer");
-  EXPECT_TRUE(results[1].ok);
-  EXPECT_FALSE(results[2].ok);
-  EXPECT_NE(results[2].error, "");
-  EXPECT_FALSE(results[3].ok);  // nobody can connect to everybody
-  EXPECT_NE(results[3].error, "");
+  EXPECT_FALSE(results[0]);
+  EXPECT_EQ(results[0].problem(), "no answer");
+  EXPECT_TRUE(results[1]);
+  EXPECT_FALSE(results[2]);
+  EXPECT_NE(results[2].problem(), "");
+  EXPECT_FALSE(results[3]);  // nobody can connect to everybody
+  EXPECT_NE(results[3].problem(), "");
 }
 
 TEST(Reach, NothingToAskIsDoneAtOnce) { EXPECT_TRUE(TryToReach({}, seconds(100)).empty()); }

@@ -42,8 +42,8 @@ TEST_F(RemoteWatchTest, AsksAgainAndAgain) {
     const auto answers = Next();
     ASSERT_TRUE(answers.has_value());
     ASSERT_EQ(answers->clocks.size(), 1u);
-    EXPECT_NEAR(answers->clocks[0].offset, 3, 0.5);
-    EXPECT_TRUE(answers->hosts.at(0).ok) << answers->hosts[0].error;
+    EXPECT_NEAR(answers->clocks[0]->offset, 3, 0.5);
+    EXPECT_TRUE(answers->hosts.at(0)) << answers->hosts[0].problem();
   }
 }
 

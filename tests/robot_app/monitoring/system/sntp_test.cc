@@ -48,10 +48,10 @@ TEST(Sntp, TheOffsetIsComputedFromTheFourTimeStamps) {
   // Its clock is 3 s ahead; 40 ms on the way there, 10 ms of work, 40 ms on the way back.
   const Time t1 = k2026, t2 = t1 + seconds(3) + milliseconds(40), t3 = t2 + milliseconds(10),
              t4 = t1 + milliseconds(90);
-  const ClockReading reading = ReadReply(Reply(t2, t3), ToNtp(t1), ToNtp(t4));
-  ASSERT_TRUE(reading.ok);
-  EXPECT_NEAR(reading.offset, 3, 1e-6);
-  EXPECT_NEAR(reading.delay, 0.08, 1e-6);
+  const Expected<ClockReading> reading = ReadReply(Reply(t2, t3), ToNtp(t1), ToNtp(t4));
+  ASSERT_TRUE(reading);
+  EXPECT_NEAR(reading->offset, 3, 1e-6);
+  EXPECT_NEAR(reading->delay, 0.08, 1e-6);
 }
 
 TEST(Sntp, TimesAcrossTheEndOfTheEraIn2036AreCompared) {
@@ -80,10 +80,10 @@ TEST(Sntp, APacketSurvivesTheJourney) {
 TEST(Sntp, AServerThatKnowsNoTimeIsNotBelieved) {
   NtpPacket reply = Reply(k2026, k2026);
   reply.leap = NtpPacket::kNotSynchronized;
-  EXPECT_EQ(ReadReply(reply, 0, 0).error, "the time server is not synchronized itself");
+  EXPECT_EQ(ReadReply(reply, 0, 0).problem(), "the time server is not synchronized itself");
   reply = Reply(k2026, k2026);
   reply.stratum = 0;
-  EXPECT_EQ(ReadReply(reply, 0, 0).error, "the time server refuses to answer");
+  EXPECT_EQ(ReadReply(reply, 0, 0).problem(), "the time server refuses to answer");
 }
 
 TEST(Sntp, AsksServersWhoseClocksAreOff) {
@@ -91,11 +91,11 @@ TEST(Sntp, AsksServersWhoseClocksAreOff) {
   const auto readings =
       QueryClocks({right.address(), ahead.address(), behind.address()}, seconds(10));
   ASSERT_EQ(readings.size(), 3u);
-  for (const ClockReading& reading : readings) EXPECT_TRUE(reading.ok) << reading.error;
-  EXPECT_NEAR(readings[0].offset, 0, 0.1);
-  EXPECT_NEAR(readings[1].offset, 3, 0.1);
-  EXPECT_NEAR(readings[2].offset, -0.25, 0.1);
-  EXPECT_LT(readings[1].delay, 1);
+  for (const auto& reading : readings) ASSERT_TRUE(reading) << reading.problem();
+  EXPECT_NEAR(readings[0]->offset, 0, 0.1);
+  EXPECT_NEAR(readings[1]->offset, 3, 0.1);
+  EXPECT_NEAR(readings[2]->offset, -0.25, 0.1);
+  EXPECT_LT(readings[1]->delay, 1);
 }
 
 TEST(Sntp, AServerThatDoesNotAnswerHoldsUpNobodyElse) {
@@ -103,18 +103,18 @@ TEST(Sntp, AServerThatDoesNotAnswerHoldsUpNobodyElse) {
   const ServerThread ahead{seconds(3)};
   const auto readings = QueryClocks(
       {{"127.0.0.1", PortOf(mute)}, ahead.address(), {"no such address", 123}}, milliseconds(300));
-  EXPECT_FALSE(readings[0].ok);
-  EXPECT_EQ(readings[0].error, "no answer");
-  EXPECT_NEAR(readings[1].offset, 3, 0.1);
-  EXPECT_FALSE(readings[2].ok);
-  EXPECT_NE(readings[2].error, "");
+  EXPECT_FALSE(readings[0]);
+  EXPECT_EQ(readings[0].problem(), "no answer");
+  EXPECT_NEAR(readings[1]->offset, 3, 0.1);
+  EXPECT_FALSE(readings[2]);
+  EXPECT_NE(readings[2].problem(), "");
 }
 
 TEST(Sntp, APortWhereNobodyListensIsAnErrorAtOnce) {
   int port = 0;
   { port = PortOf(ListenUdp("127.0.0.1", 0).value()); }
   const auto readings = QueryClocks({{"127.0.0.1", port}}, seconds(60));
-  EXPECT_EQ(readings[0].error, "Connection refused");
+  EXPECT_EQ(readings[0].problem(), "Connection refused");
 }
 
 }  // namespace

@@ -132,7 +132,6 @@ TEST_F(SystemMonitorTest, AProcessThatDoesNotRunIsForOthersToJudge) {
 
 TEST_F(SystemMonitorTest, AClockThatIsOffTwiceIsAnError) {
   ClockReading reading;
-  reading.ok = true;
   reading.offset = -3;
   monitor_.OnClocks({reading}, now_);
   EXPECT_EQ(About("clock", "jetson").level, HealthLevel::kWarn);
@@ -142,8 +141,7 @@ TEST_F(SystemMonitorTest, AClockThatIsOffTwiceIsAnError) {
   reading.offset = 0.01;
   monitor_.OnClocks({reading}, now_);
   EXPECT_EQ(About("clock", "jetson").level, HealthLevel::kOk);
-  ClockReading silent;
-  silent.error = "no answer";
+  const Problem silent{"no answer"};
   monitor_.OnClocks({silent}, now_);
   monitor_.OnClocks({silent}, now_);
   EXPECT_EQ(About("clock", "jetson").level, HealthLevel::kError);
@@ -151,12 +149,11 @@ TEST_F(SystemMonitorTest, AClockThatIsOffTwiceIsAnError) {
 }
 
 TEST_F(SystemMonitorTest, AComputerThatDoesNotAnswerTwiceIsAnError) {
-  ReachResult silent;
-  silent.error = "no answer";
+  const Problem silent{"no answer"};
   monitor_.OnHosts({silent}, now_);
   monitor_.OnHosts({silent}, now_);
   EXPECT_EQ(About("network", "host jetson").level, HealthLevel::kError);
-  monitor_.OnHosts({{true, 0.002, ""}}, now_);
+  monitor_.OnHosts({0.002}, now_);
   EXPECT_EQ(About("network", "host jetson").level, HealthLevel::kOk);
 }
 
