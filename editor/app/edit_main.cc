@@ -64,12 +64,14 @@ std::unique_ptr<Editor> MakeEditor(const EditOptions& options, EditorOptions edi
   for (const std::string& file : options.files) editor->Open(file);
   if (options.files.size() > 1) editor->Open(options.files.front());  // shows the first
   for (const std::string& robot : options.robots) {
-    const std::string wrong = editor->Connect(robot);
-    if (wrong.empty()) continue;
-    std::cerr << "coppice-edit: " << wrong << "\n";
+    const Outcome connected = editor->Connect(robot);
+    if (connected) continue;
+    std::cerr << "coppice-edit: " << connected.problem() << "\n";
     return nullptr;
   }
-  if (!options.robots.empty()) editor->Connect(options.robots.front());  // shows the first
+  if (options.robots.size() > 1) {
+    static_cast<void>(editor->Connect(options.robots.front()));  // shows the first
+  }
   return editor;
 }
 

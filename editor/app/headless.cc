@@ -10,9 +10,9 @@ namespace {
 constexpr float kFrameSeconds = 0.05F;
 
 bool Save(const Editor& editor, const std::string& path) {
-  const std::string wrong = WritePng(editor.Picture(), path);
-  if (!wrong.empty()) std::cerr << "coppice-edit: " << wrong << "\n";
-  return wrong.empty();
+  const Outcome written = WritePng(editor.Picture(), path);
+  if (!written) std::cerr << "coppice-edit: " << written.problem() << "\n";
+  return written.ok();
 }
 
 }  // namespace

@@ -128,9 +128,9 @@ class WindowLoop {
   }
 
   void Save() {
-    const std::string wrong = WritePng(ReadBack(*editor_.draw_data()), options_.picture);
-    if (wrong.empty()) return;
-    std::cerr << "coppice-edit: " << wrong << "\n";
+    const Outcome written = WritePng(ReadBack(*editor_.draw_data()), options_.picture);
+    if (written) return;
+    std::cerr << "coppice-edit: " << written.problem() << "\n";
     good_ = false;
   }
 

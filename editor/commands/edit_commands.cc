@@ -44,15 +44,12 @@ class EditCommands {
                 bool needs_selection) {
     AddFunction(std::move(id), std::move(title), keys,
                 [&s = state_, popup, needs_selection](const TreeEditor& edit) {
-                  std::string refusal = edit.WhyReadOnly();
+                  const Outcome can = edit.CanEdit();
+                  if (!can) return s.Notify(can.problem(), s.now, true);
                   const TreeView* view = s.workspace.view();
                   const bool selected = view && view->selected() != kNoSceneNode;
-                  if (refusal.empty() && needs_selection && !selected) {
-                    refusal = "nothing is selected";
-                  }
-                  if (!refusal.empty()) {
-                    s.Notify(refusal, s.now, true);
-                    return;
+                  if (needs_selection && !selected) {
+                    return s.Notify("nothing is selected", s.now, true);
                   }
                   s.OpenPopup(popup, popup == Popup::kRename ? edit.GivenName() : "");
                 });

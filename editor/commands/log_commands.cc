@@ -23,11 +23,11 @@ void AskForNewLogPoint(EditorState& state, double now) {
   state.Ask({kHint,
              [&state, point](const std::string& typed) {
                LogPoint read = point;
-               std::string problem = ReadLogPoint(typed, read);
-               if (!problem.empty()) return problem;
+               Outcome is_read = ReadLogPoint(typed, read);
+               if (!is_read) return is_read;
                state.workspace.log_points.Add(std::move(read));
                state.run.tab = RunTab::kLog;
-               return problem;
+               return is_read;
              },
              {}});
 }
@@ -47,11 +47,9 @@ void AskForLogPoint(EditorState& state, std::uint32_t number) {
     state.Ask({kHint,
                [&state, point](const std::string& typed) {
                  LogPoint read = point;
-                 std::string problem = ReadLogPoint(typed, read);
-                 if (problem.empty()) {
-                   state.workspace.log_points.Change(point.number, std::move(read));
-                 }
-                 return problem;
+                 Outcome is_read = ReadLogPoint(typed, read);
+                 if (is_read) state.workspace.log_points.Change(point.number, std::move(read));
+                 return is_read;
                },
                {}},
               ToString(point));

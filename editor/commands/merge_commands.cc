@@ -62,16 +62,16 @@ std::vector<Choice> RowsOf(const std::shared_ptr<Dispute>& dispute) {
   return rows;
 }
 
-// Returns why not, or nothing.
-std::string Merge(EditorState& state, Dispute& dispute, double now) {
+Outcome Merge(EditorState& state, Dispute& dispute, double now) {
   const EditedFile* const file = Disputed(state, dispute.path);
   if (!file) {
     state.Notify("this is settled already", now);
     return {};
   }
-  if (HasNewPlaces(*file, dispute)) return "it was changed again meanwhile: look at it once more";
+  if (HasNewPlaces(*file, dispute))
+    return Problem{"it was changed again meanwhile: look at it once more"};
   if (state.workspace.project().MergeTheirs(dispute.path, dispute.takes_theirs) < 0) {
-    return "this would give malformed XML: choose otherwise, or take theirs (Ctrl+P)";
+    return Problem{"this would give malformed XML: choose otherwise, or take theirs (Ctrl+P)"};
   }
   state.workspace.Refresh(now);
   state.Notify("Merged; Ctrl+S saves it", now);

@@ -18,9 +18,9 @@ std::string SuggestedPath(const EditorState& state, const std::string& tree) {
 }
 
 // The tree as it is shown, or the comparison that stands in its place.
-std::string Export(EditorState& state, double now, const std::string& path) {
+Outcome Export(EditorState& state, double now, const std::string& path) {
   TreeView* view = state.workspace.view();
-  if (!view) return "there is no tree to paint";
+  if (!view) return Problem{"there is no tree to paint"};
   TreePainting painting;
   painting.style = view->style();
   painting.palette = state.screen.palette;
@@ -31,18 +31,18 @@ std::string Export(EditorState& state, double now, const std::string& path) {
     tree.changes = &comparison->changes();
   }
   painting.trees.push_back(std::move(tree));
-  std::string wrong = WritePicture(painting, path, kPixels);
-  if (wrong.empty()) state.Notify("Painted " + path, now);
-  return wrong;
+  Outcome written = WritePicture(painting, path, kPixels);
+  if (written) state.Notify("Painted " + path, now);
+  return written;
 }
 
 // An empty path means the file as it was saved last.
-std::string Compare(EditorState& state, std::string path) {
+Outcome Compare(EditorState& state, std::string path) {
   if (path.empty() && state.workspace.file()) path = state.workspace.file()->path;
-  std::string wrong;
-  auto comparison = Comparison::With(path, wrong);
-  if (comparison) state.canvas.comparison = std::move(comparison);
-  return wrong;
+  auto comparison = Comparison::With(path);
+  if (!comparison) return Problem{comparison.problem()};
+  state.canvas.comparison = *std::move(comparison);
+  return {};
 }
 
 }  // namespace

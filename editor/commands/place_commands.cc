@@ -58,7 +58,7 @@ class PlaceCommands {
     state_.Ask({"Bookmark: what is to be seen here",
                 [&s = state_, name, tick](const std::string& text) {
                   s.workspace.bookmarks.Set(name, tick, text);
-                  return std::string();
+                  return Outcome();
                 },
                 {}},
                known == there.end() ? "" : known->second);

@@ -30,28 +30,26 @@ class ProjectCommands {
   }
 
  private:
-  using Run = std::function<std::string(ProjectEditor&)>;
+  using Run = std::function<Outcome(ProjectEditor&)>;
 
   void Add(std::string id, std::string title, KeyChord keys, std::function<void()> run) {
     state_.commands.Add({std::move(id), std::move(title), keys, std::move(run)});
   }
 
-  // What it returns is why it was refused.
   void AddDoing(std::string id, std::string title, KeyChord keys, Run run) {
     Add(std::move(id), std::move(title), keys, [&s = state_, run = std::move(run)] {
       ProjectEditor edit(s, s.now);
-      const std::string refusal = run(edit);
-      if (!refusal.empty()) s.Notify(refusal, s.now, true);
+      if (const Outcome done = run(edit); !done) s.Notify(done.problem(), s.now, true);
     });
   }
 
   void AddAsking(std::string id, std::string title, KeyChord keys, std::string hint,
                  std::function<std::string(EditorState&)> first,
-                 std::function<std::string(ProjectEditor&, const std::string&)> run) {
+                 std::function<Outcome(ProjectEditor&, const std::string&)> run) {
     AddDoing(std::move(id), std::move(title), keys,
              [&s = state_, hint, first, run](ProjectEditor&) {
-               std::string refusal = TreeEditor(s, s.now).WhyReadOnly();
-               if (!refusal.empty()) return refusal;
+               Outcome can = TreeEditor(s, s.now).CanEdit();
+               if (!can) return can;
                s.Ask({hint,
                       [&s, run](const std::string& text) {
                         ProjectEditor edit(s, s.now);
@@ -59,7 +57,7 @@ class ProjectCommands {
                       },
                       {}},
                      first ? first(s) : "");
-               return refusal;
+               return can;
              });
   }
 
@@ -93,15 +91,15 @@ class ProjectCommands {
   }
 
   // Of the selected SubTree's tree, of the type of the selected node, or of the shown tree.
-  std::string ShowUsages(ProjectEditor& edit) const {
+  Outcome ShowUsages(ProjectEditor& edit) const {
     const TreeView* view = state_.workspace.view();
     std::string id = state_.workspace.ShownTreeId();
     if (view && view->selected() != kNoSceneNode) id = view->scene()->nodes[view->selected()].id;
     return ShowUsages(edit, id);
   }
 
-  std::string ShowUsages(ProjectEditor& edit, const std::string& id) const {
-    if (id.empty()) return "nothing is selected";
+  Outcome ShowUsages(ProjectEditor& edit, const std::string& id) const {
+    if (id.empty()) return Problem{"nothing is selected"};
     std::vector<Choice> rows;
     const ProjectFiles files = edit.Files();
     for (std::size_t f = 0; f < files.size(); ++f) {
@@ -109,7 +107,7 @@ class ProjectCommands {
         if (IsNode(files[f], i) && TypeOf(files[f], i) == id) rows.push_back(RowOf(files[f], i));
       }
     }
-    if (rows.empty()) return id + " is not used";
+    if (rows.empty()) return Problem{id + " is not used"};
     Offer("Usages of " + id, std::move(rows));
     return {};
   }
@@ -144,11 +142,10 @@ class ProjectCommands {
              [this_ = *this](ProjectEditor& edit) { return this_.ChooseKey(edit); });
   }
 
-  std::string ChooseKey(ProjectEditor& edit) const {
-    const std::string refusal = TreeEditor(state_, state_.now).WhyReadOnly();
-    if (!refusal.empty()) return refusal;
+  Outcome ChooseKey(ProjectEditor& edit) const {
+    if (Outcome can = TreeEditor(state_, state_.now).CanEdit(); !can) return can;
     const std::vector<std::string> keys = edit.SelectedKeys();
-    if (keys.empty()) return "select a node that uses a key";
+    if (keys.empty()) return Problem{"select a node that uses a key"};
     if (keys.size() == 1) {
       AskKey(keys[0]);
       return {};
@@ -206,12 +203,12 @@ class ProjectCommands {
     Add("file.models", "Load node models", {}, [&s = state_] {
       s.Ask(
           {"Load node models: path of a file with <TreeNodesModel>, as \"coppice nodes\" writes it",
-           [&s](const std::string& path) -> std::string {
+           [&s](const std::string& path) -> Outcome {
              const std::size_t before = s.workspace.model_problems().size();
              s.workspace.AddModels(path);
              s.workspace.RenewAll(s.now);
              const auto& problems = s.workspace.model_problems();
-             return problems.size() > before ? problems.back().message : "";
+             return problems.size() > before ? Problem{problems.back().message} : Outcome();
            },
            {}});
     });
@@ -232,16 +229,16 @@ class ProjectCommands {
   }
 
   // From the selected node on, in the order of the files, and round the end.
-  std::string FindNext(ProjectEditor& edit, int by) const {
+  Outcome FindNext(ProjectEditor& edit, int by) const {
     const Expected<Query> query = ParseQuery(state_.recent.search);
-    if (!query || !state_.workspace.file()) return "nothing was searched: Ctrl+F";
+    if (!query || !state_.workspace.file()) return Problem{"nothing was searched: Ctrl+F"};
     const ProjectFiles files = edit.Files();
     std::vector<FilePlace> hits;
     for (const Match& match : Search(files, *state_.workspace.file()->models, *query)) {
       FilePlace hit{files[match.file].file(), files[match.file].element(match.element).offset};
       if (hits.empty() || !(hits.back() == hit)) hits.push_back(std::move(hit));
     }
-    if (hits.empty()) return "\"" + state_.recent.search + "\" is nowhere";
+    if (hits.empty()) return Problem{"\"" + state_.recent.search + "\" is nowhere"};
     const std::vector<FilePlace> selected = TreeEditor(state_, state_.now).SelectedPlaces();
     const auto at =
         selected.empty() ? hits.end() : std::find(hits.begin(), hits.end(), selected[0]);
@@ -273,9 +270,8 @@ class ProjectCommands {
     return is_value ? match.attribute + "=\"" + text + "\"" : text;
   }
 
-  std::string AskWhat() const {
-    const std::string refusal = TreeEditor(state_, state_.now).WhyReadOnly();
-    if (!refusal.empty()) return refusal;
+  Outcome AskWhat() const {
+    if (Outcome can = TreeEditor(state_, state_.now).CanEdit(); !can) return can;
     state_.Ask({"Replace what; type: name: port: value: narrow it, /.../ is a pattern",
                 [this_ = *this](const std::string& typed) { return this_.AskWith(typed); },
                 [this_ = *this](const std::string& typed) { return this_.Find(typed); }},
@@ -283,13 +279,13 @@ class ProjectCommands {
     return {};
   }
 
-  std::string AskWith(const std::string& typed) const {
+  Outcome AskWith(const std::string& typed) const {
     const Expected<Query> query = ParseQuery(typed);
-    if (!query) return query.problem();
-    if (query->is_for_keys()) return "\"Rename a key everywhere\" does that";
+    if (!query) return Problem{query.problem()};
+    if (query->is_for_keys()) return Problem{"\"Rename a key everywhere\" does that"};
     const ProjectFiles files = ProjectEditor(state_, state_.now).Files();
     const std::vector<Match> matches = Search(files, *state_.workspace.file()->models, *query);
-    if (matches.empty()) return "not found";
+    if (matches.empty()) return Problem{"not found"};
     const auto skipped = std::make_shared<Skipped>();
     state_.Ask(
         {"Replace it in " + std::to_string(matches.size()) +

@@ -49,9 +49,9 @@ const WantedHook* BreakpointOf(EditorState& state) {
 }
 
 // "battery < 20 #3": the condition, and the hit from which on the hook acts.
-std::string ChangeCondition(HookList& hooks, std::uint32_t number, const std::string& text) {
+Outcome ChangeCondition(HookList& hooks, std::uint32_t number, const std::string& text) {
   const WantedHook* wanted = hooks.Find(number);
-  if (!wanted) return "the breakpoint is gone";
+  if (!wanted) return Problem{"the breakpoint is gone"};
   Hook hook = wanted->hook;
   const std::size_t hash = text.rfind('#');
   hook.condition = text.substr(0, hash);
@@ -61,11 +61,11 @@ std::string ChangeCondition(HookList& hooks, std::uint32_t number, const std::st
     const char* const end = text.data() + text.size();
     const auto [at, error] = std::from_chars(text.data() + hash + 1, end, hook.from_hit);
     if (error != std::errc() || at != end || hook.from_hit == 0) {
-      return "expected a number behind #";
+      return Problem{"expected a number behind #"};
     }
   }
   hooks.Change(number, hook);
-  return "";
+  return {};
 }
 
 void ToggleBreakpoint(EditorState& state, double now) {
@@ -108,19 +108,20 @@ void AskForValue(EditorState& state) {
                  if (RunView* shown = state.workspace.run()) {
                    shown->Send(WriteKey(scope, key, value));
                  }
-                 return std::string();
+                 return Outcome();
                },
                {}});
   }
 }
 
-std::string SaveRun(const EditorState& state, const std::string& path) {
+Outcome SaveRun(const EditorState& state, const std::string& path) {
   const RunView* run = state.workspace.run();
-  if (!run || !run->run().has_tree()) return "nothing was received yet";
-  if (std::ifstream(path)) return path + " is there already; a record is never overwritten";
+  if (!run || !run->run().has_tree()) return Problem{"nothing was received yet"};
+  if (std::ifstream(path))
+    return Problem{path + " is there already; a record is never overwritten"};
   std::ofstream stream(path, std::ios::binary);
   stream << ToRecord(run->run().recording());
-  return stream.flush() ? "" : path + " cannot be written";
+  return stream.flush() ? Outcome() : Problem{path + " cannot be written"};
 }
 
 class RunCommands {
@@ -225,7 +226,7 @@ class RunCommands {
                Hook hook;
                hook.path = path;
                if (!path.empty()) s.workspace.hooks.Add(RobotOf(s), hook);
-               return path.empty() ? "a path is needed" : "";
+               return path.empty() ? Problem{"a path is needed"} : Outcome();
              },
              {}});
     });

@@ -84,7 +84,7 @@ class SimulationCommands {
   }
 
   void AddAsking(std::string id, std::string title, KeyChord keys, const char* hint,
-                 std::string (SimulationEditor::*what)(const std::string&),
+                 Outcome (SimulationEditor::*what)(const std::string&),
                  std::function<std::string(const Simulation&)> proposal) {
     Add(std::move(id), std::move(title), keys,
         [&s = state_, hint, what, proposal = std::move(proposal)](const SimulationEditor&) {

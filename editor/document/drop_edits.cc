@@ -17,52 +17,45 @@ std::string TextOf(const Document& document, ElementIndex index) {
   return CopyText(document, {index});
 }
 
-// The fragment with the element as its last child; nothing, with a reason, if it takes none.
-std::optional<std::string> Around(const Document& document, const NodeRules& rules,
-                                  ElementIndex element, const std::string& fragment,
-                                  std::string& refusal) {
+// The fragment with the element as its last child.
+Expected<std::string> Around(const Document& document, const NodeRules& rules, ElementIndex element,
+                             const std::string& fragment) {
   Diagnostics problems;
   const auto outer = Document::FromText(fragment, "dropped", problems);
-  if (!outer) {
-    refusal = kMalformed;
-    return std::nullopt;
+  if (!outer) return Problem{kMalformed};
+  if (const Outcome room = rules.HasRoom(*outer, kRootElement, 1); !room) {
+    return Problem{room.problem()};
   }
-  refusal = rules.WhyNoRoom(*outer, kRootElement, 1);
-  if (!refusal.empty()) return std::nullopt;
   std::string inner = TextOf(document, element);
   inner.pop_back();  // the line end
   const auto both = outer->Edited(InsertElement(*outer, kRootElement, UINT32_MAX, inner), problems);
-  if (!both) {
-    refusal = kMalformed;
-    return std::nullopt;
-  }
+  if (!both) return Problem{kMalformed};
   return both->text();
 }
 
 // What stands in the place of the element afterwards.
-std::string Put(Draft& draft, const Edit& edit, ElementIndex element) {
+Outcome Put(Draft& draft, const Edit& edit, ElementIndex element) {
   draft.Select({element});
-  return draft.Apply(edit) ? "" : kMalformed;
+  return draft.Apply(edit) ? Outcome() : Problem{kMalformed};
 }
 
-std::string DropAround(Draft& draft, const NodeRules& rules, ElementIndex element,
-                       const std::string& fragment, Edit removal) {
-  std::string refusal;
-  const auto both = Around(draft.document(), rules, element, fragment, refusal);
-  if (!both) return refusal;
+Outcome DropAround(Draft& draft, const NodeRules& rules, ElementIndex element,
+                   const std::string& fragment, Edit removal) {
+  const auto both = Around(draft.document(), rules, element, fragment);
+  if (!both) return Problem{both.problem()};
   return Put(draft, Merge(std::move(removal), ReplaceElement(draft.document(), element, *both)),
              element);
 }
 
 }  // namespace
 
-std::string DropNew(Draft& draft, const NodeRules& rules, const DropSpot& spot,
-                    const std::vector<std::string>& fragments) {
+Outcome DropNew(Draft& draft, const NodeRules& rules, const DropSpot& spot,
+                const std::vector<std::string>& fragments) {
   if (spot.kind == DropSpot::Kind::kInto) {
     return InsertNodes(draft, rules, spot.element, spot.position, fragments);
   }
-  if (fragments.size() != 1) return "one node at a time";
-  if (!IsNode(draft.document(), spot.element)) return kNoSceneNode;
+  if (fragments.size() != 1) return Problem{"one node at a time"};
+  if (!IsNode(draft.document(), spot.element)) return Problem{kNoSceneNode};
   if (spot.kind == DropSpot::Kind::kAround) {
     return DropAround(draft, rules, spot.element, fragments[0], {});
   }
@@ -77,17 +70,17 @@ std::string DropNew(Draft& draft, const NodeRules& rules, const DropSpot& spot,
   return Put(draft, ReplaceElement(draft.document(), spot.element, fragments[0]), spot.element);
 }
 
-std::string DropMoved(Draft& draft, const NodeRules& rules, const DropSpot& spot) {
+Outcome DropMoved(Draft& draft, const NodeRules& rules, const DropSpot& spot) {
   const Document& document = draft.document();
   if (spot.kind == DropSpot::Kind::kInto) {
     return MoveInto(draft, rules, spot.element, spot.position);
   }
   const std::vector<ElementIndex> nodes = Topmost(document, draft.selection());
-  if (nodes.size() != 1) return "one node at a time";
-  if (!IsNode(document, nodes[0]) || !IsNode(document, spot.element)) return kNoSceneNode;
+  if (nodes.size() != 1) return Problem{"one node at a time"};
+  if (!IsNode(document, nodes[0]) || !IsNode(document, spot.element)) return Problem{kNoSceneNode};
   const bool inside = LiesIn(document, spot.element, nodes[0]);
   if (inside || LiesIn(document, nodes[0], spot.element)) {
-    return inside ? "a node cannot be moved into itself" : "it is in that branch already";
+    return Problem{inside ? "a node cannot be moved into itself" : "it is in that branch already"};
   }
   std::string text = TextOf(document, nodes[0]);
   text.pop_back();  // the line end

@@ -1,6 +1,5 @@
 // What it means to let nodes go somewhere over a tree: between others, onto one, or onto the line
-// above one. Like tree_edits.h; each returns why it refuses, or nothing, and selects what was
-// dropped.
+// above one. Like tree_edits.h; each selects what was dropped.
 #ifndef COPPICE_EDITOR_DOCUMENT_DROP_EDITS_H_
 #define COPPICE_EDITOR_DOCUMENT_DROP_EDITS_H_
 
@@ -8,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "bt_core/base/outcome.h"
 #include "editor/document/draft.h"
 #include "editor/document/node_rules.h"
 
@@ -26,11 +26,11 @@ struct DropSpot {
 
 /// Puts new elements there, given as XML. A single one without children that replaces a node takes
 /// its children and what ports fit.
-std::string DropNew(Draft& draft, const NodeRules& rules, const DropSpot& spot,
-                    const std::vector<std::string>& fragments);
+Outcome DropNew(Draft& draft, const NodeRules& rules, const DropSpot& spot,
+                const std::vector<std::string>& fragments);
 
 /// Moves the selection there.
-std::string DropMoved(Draft& draft, const NodeRules& rules, const DropSpot& spot);
+Outcome DropMoved(Draft& draft, const NodeRules& rules, const DropSpot& spot);
 
 }  // namespace coppice::editor
 

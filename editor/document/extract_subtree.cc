@@ -48,19 +48,19 @@ std::vector<std::string> KeysAcross(const Document& document, const NodeRules& r
   return across;
 }
 
-std::string ExtractSubTree(Draft& draft, const NodeRules& rules, const std::string& id,
-                           const CallersOfTree& callers) {
+Outcome ExtractSubTree(Draft& draft, const NodeRules& rules, const std::string& id,
+                       const CallersOfTree& callers) {
   const std::vector<ElementIndex> nodes = Topmost(draft.document(), draft.selection());
   if (nodes.size() != 1 || !IsNode(draft.document(), nodes[0])) {
-    return "select one node; several can be wrapped in one first";
+    return Problem{"select one node; several can be wrapped in one first"};
   }
-  if (id.empty()) return "a tree needs a name";
+  if (id.empty()) return Problem{"a tree needs a name"};
   const Document& document = draft.document();
   const ElementIndex branch = nodes[0];
   const ElementIndex tree = TreeOf(document, branch);
   std::string use = "<SubTree ID=\"" + EscapeXmlValue(id, '"') + "\"";
   for (const std::string& key : KeysAcross(document, rules, branch, callers)) {
-    if (!IsXmlName(key)) return "the key \"" + key + "\" cannot be the name of a port";
+    if (!IsXmlName(key)) return Problem{"the key \"" + key + "\" cannot be the name of a port"};
     use += " " + key + "=\"{" + key + "}\"";
   }
   use += "/>";
@@ -69,7 +69,8 @@ std::string ExtractSubTree(Draft& draft, const NodeRules& rules, const std::stri
             InsertElement(document, document.element(tree).parent, PositionOf(document, tree) + 1,
                           Definition(document, branch, id)));
   draft.Select({branch});
-  return draft.Apply(edit) ? "" : "the result would not be well-formed XML";
+  if (draft.Apply(edit)) return {};
+  return Problem{"the result would not be well-formed XML"};
 }
 
 }  // namespace coppice::editor

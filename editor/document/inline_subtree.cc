@@ -24,10 +24,9 @@ class Inliner {
     }
   }
 
-  std::string Run() {
-    std::string refusal = GuardsMeet();
-    if (refusal.empty()) refusal = RenameKeys();
-    if (!refusal.empty()) return refusal;
+  Outcome Run() {
+    if (Outcome guards = CheckGuards(); !guards) return guards;
+    if (Outcome renamed = RenameKeys(); !renamed) return renamed;
     const std::vector<std::pair<std::string, std::string>> carried = Carried();
     draft_.Select({subtree_});
     if (!draft_.Apply(ReplaceElement(draft_.document(), subtree_, Body()))) return Malformed();
@@ -40,7 +39,7 @@ class Inliner {
   }
 
  private:
-  static std::string Malformed() { return "the result would not be well-formed XML"; }
+  static Problem Malformed() { return {"the result would not be well-formed XML"}; }
 
   static bool HasScript(const Document& document, ElementIndex element) {
     for (const std::string_view name : kGuardAttributes) {
@@ -50,20 +49,20 @@ class Inliner {
   }
 
   // The guards of one node are asked in an order of their own, so those of two cannot become one's.
-  std::string GuardsMeet() const {
+  Outcome CheckGuards() const {
     if (!HasScript(draft_.document(), subtree_) || !HasScript(from_, root_)) return {};
-    return "the SubTree and its root both have guards or hooks: wrap the root in a node first";
+    return Problem{
+        "the SubTree and its root both have guards or hooks: wrap the root in a node first"};
   }
 
-  std::string RenameKeys() {
+  Outcome RenameKeys() {
     bool renamed = false;
     for (const KeyName& name : KeyNamesIn(from_, rules_.models(), root_)) {
       if (name.is_global) continue;
       const Attribute* given =
           draft_.document().FindAttribute(draft_.document().element(subtree_), name.key);
       if (given && KeyOf(given->value, name.key).empty()) {
-        std::string refusal = PutLiteral(name, given->value);
-        if (!refusal.empty()) return refusal;
+        if (Outcome put = PutLiteral(name, given->value); !put) return put;
         continue;
       }
       const std::string key =
@@ -72,7 +71,7 @@ class Inliner {
       renamed = true;
       edit_ = Merge(std::move(edit_), {WithKey(name, key)});
     }
-    return renamed ? AutoremapInside() : std::string();
+    return renamed ? CheckAutoremap() : Outcome();
   }
 
   std::string PrivateKey(const std::string& key) {
@@ -91,14 +90,14 @@ class Inliner {
     return private_[key] = fresh;
   }
 
-  std::string PutLiteral(const KeyName& name, std::string_view literal) {
+  Outcome PutLiteral(const KeyName& name, std::string_view literal) {
     const std::string node(NameOf(from_, name.element));
     if (name.form == KeyForm::kScript) {
-      return "the port " + name.key + " is the literal \"" + std::string(literal) +
-             "\", and a script of " + node + " uses it";
+      return Problem{"the port " + name.key + " is the literal \"" + std::string(literal) +
+                     "\", and a script of " + node + " uses it"};
     }
     if (name.writes) {
-      return "the port " + name.key + " is a literal, and " + node + " writes it";
+      return Problem{"the port " + name.key + " is a literal, and " + node + " writes it"};
     }
     const char quote = from_.text()[name.begin - 1];
     edit_ = Merge(std::move(edit_),
@@ -107,11 +106,11 @@ class Inliner {
   }
 
   // It has the keys by their names.
-  std::string AutoremapInside() const {
+  Outcome CheckAutoremap() const {
     for (ElementIndex i = root_; i < EndOfBranch(from_, root_); ++i) {
       if (from_.element(i).tag == "SubTree" && IsAutoremapped(from_, from_.element(i))) {
-        return "keys would change their names, and " + std::string(NameOf(from_, i)) +
-               " inside has _autoremap";
+        return Problem{"keys would change their names, and " + std::string(NameOf(from_, i)) +
+                       " inside has _autoremap"};
       }
     }
     return {};
@@ -152,17 +151,18 @@ class Inliner {
 
 }  // namespace
 
-std::string InlineSubTree(Draft& draft, const NodeRules& rules, const Document& from,
-                          ElementIndex tree) {
+Outcome InlineSubTree(Draft& draft, const NodeRules& rules, const Document& from,
+                      ElementIndex tree) {
   const std::vector<ElementIndex> nodes = Topmost(draft.document(), draft.selection());
   if (nodes.size() != 1 || draft.document().element(nodes[0]).tag != "SubTree" ||
       !IsNode(draft.document(), nodes[0])) {
-    return "select one SubTree";
+    return Problem{"select one SubTree"};
   }
   const ElementIndex root = from.element(tree).first_child;
-  if (root == kNoElement) return "that tree is empty";
+  if (root == kNoElement) return Problem{"that tree is empty"};
   const ElementIndex own = TreeOf(draft.document(), nodes[0]);
-  if (from.file() == draft.document().file() && own == tree) return "a tree is not put into itself";
+  if (from.file() == draft.document().file() && own == tree)
+    return Problem{"a tree is not put into itself"};
   return Inliner(draft, rules, nodes[0], from, root).Run();
 }
 

@@ -47,19 +47,19 @@ std::uint32_t NodeRules::MaxChildren(const Document& document, ElementIndex inde
   return category ? editor::MaxChildrenOf(*category) : kNoLimit;
 }
 
-std::string NodeRules::WhyNoRoom(const Document& document, ElementIndex parent,
-                                 std::uint32_t more) const {
+Outcome NodeRules::HasRoom(const Document& document, ElementIndex parent,
+                           std::uint32_t more) const {
   const std::uint32_t limit = MaxChildren(document, parent);
   const std::uint32_t count = document.element(parent).child_count;
   if (limit == kNoLimit || count + more <= limit) return {};
   if (document.element(parent).tag == "BehaviorTree") {
-    return count == 0 ? "a tree has one root node"
-                      : "a tree has one root node, and this one has it";
+    return Problem{count == 0 ? "a tree has one root node"
+                              : "a tree has one root node, and this one has it"};
   }
   const std::string name(NameOf(document, parent));
-  if (limit == 0) return name + " takes no children";
-  if (limit == 1) return name + " takes one child";
-  return name + " takes at most " + std::to_string(limit) + " children";
+  if (limit == 0) return Problem{name + " takes no children"};
+  if (limit == 1) return Problem{name + " takes one child"};
+  return Problem{name + " takes at most " + std::to_string(limit) + " children"};
 }
 
 std::optional<NodeCategory> NodeRules::CategoryOf(const Document& document,

@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 
+#include "bt_core/base/outcome.h"
 #include "bt_core/model/document.h"
 #include "bt_core/model/manifest.h"
 #include "editor/scene/node_models.h"
@@ -25,8 +26,8 @@ class NodeRules {
   std::uint32_t MaxChildren(const Document& document, ElementIndex element) const;
   std::uint32_t MaxChildrenOf(std::string_view id) const;
 
-  /// Why `more` further children do not fit, or empty.
-  std::string WhyNoRoom(const Document& document, ElementIndex parent, std::uint32_t more) const;
+  /// Whether `more` further children fit.
+  Outcome HasRoom(const Document& document, ElementIndex parent, std::uint32_t more) const;
 
   /// Nothing if the type is unknown.
   std::optional<NodeCategory> CategoryOf(const Document& document, ElementIndex element) const;

@@ -1,5 +1,5 @@
 // Making a SubTree of a branch, and a branch of a SubTree, so that the robot does the same as
-// before. Like tree_edits.h; each returns why it refuses, or nothing.
+// before. Like tree_edits.h.
 #ifndef COPPICE_EDITOR_DOCUMENT_SUBTREE_EDITS_H_
 #define COPPICE_EDITOR_DOCUMENT_SUBTREE_EDITS_H_
 
@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "bt_core/base/outcome.h"
 #include "editor/document/draft.h"
 #include "editor/document/node_rules.h"
 
@@ -25,13 +26,13 @@ std::vector<std::string> KeysAcross(const Document& document, const NodeRules& r
 
 /// Makes the one selected node the root of a new tree `id` of the same file, behind its own, and
 /// puts a SubTree with the keys that cross the border in its place.
-std::string ExtractSubTree(Draft& draft, const NodeRules& rules, const std::string& id,
-                           const CallersOfTree& callers);
+Outcome ExtractSubTree(Draft& draft, const NodeRules& rules, const std::string& id,
+                       const CallersOfTree& callers);
 
 /// Puts the nodes of `tree`, a <BehaviorTree> of `from`, in the place of the selected SubTree. Keys
 /// of the SubTree alone that are also keys around it get a name of their own.
-std::string InlineSubTree(Draft& draft, const NodeRules& rules, const Document& from,
-                          ElementIndex tree);
+Outcome InlineSubTree(Draft& draft, const NodeRules& rules, const Document& from,
+                      ElementIndex tree);
 
 }  // namespace coppice::editor
 

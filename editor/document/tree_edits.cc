@@ -15,9 +15,10 @@ namespace {
 constexpr char kNothing[] = "nothing is selected";
 constexpr char kMalformed[] = "the result would not be well-formed XML";
 
-std::string Applied(bool good, const Draft& draft) {
+Outcome Applied(bool good, const Draft& draft) {
   if (good) return {};
-  return draft.problems().all().empty() ? kMalformed : draft.problems().all().back().message;
+  const auto& problems = draft.problems().all();
+  return Problem{problems.empty() ? kMalformed : problems.back().message};
 }
 
 // The selected nodes without those that lie in others.
@@ -51,12 +52,11 @@ ElementIndex NeighbourOf(const Document& document, const std::vector<ElementInde
 
 }  // namespace
 
-std::string InsertNodes(Draft& draft, const NodeRules& rules, ElementIndex parent,
-                        std::uint32_t position, const std::vector<std::string>& fragments) {
+Outcome InsertNodes(Draft& draft, const NodeRules& rules, ElementIndex parent,
+                    std::uint32_t position, const std::vector<std::string>& fragments) {
   const auto count = static_cast<std::uint32_t>(fragments.size());
-  if (count == 0) return "there is nothing to insert";
-  const std::string refusal = rules.WhyNoRoom(draft.document(), parent, count);
-  if (!refusal.empty()) return refusal;
+  if (count == 0) return Problem{"there is nothing to insert"};
+  if (Outcome room = rules.HasRoom(draft.document(), parent, count); !room) return room;
   position = std::min(position, draft.document().element(parent).child_count);
   for (std::uint32_t i = 0; i < count; ++i) {
     // What is inserted lies behind the parent's '<', so its number stays.
@@ -72,9 +72,9 @@ std::string InsertNodes(Draft& draft, const NodeRules& rules, ElementIndex paren
   return {};
 }
 
-std::string DeleteNodes(Draft& draft) {
+Outcome DeleteNodes(Draft& draft) {
   const std::vector<ElementIndex> nodes = Nodes(draft);
-  if (nodes.empty()) return kNothing;
+  if (nodes.empty()) return Problem{kNothing};
   Edit edit;
   for (const ElementIndex node : nodes) {
     edit = Merge(std::move(edit), RemoveElement(draft.document(), node));
@@ -83,18 +83,17 @@ std::string DeleteNodes(Draft& draft) {
   return Applied(draft.Apply(edit), draft);
 }
 
-std::string DeleteKeepingChildren(Draft& draft, const NodeRules& rules) {
+Outcome DeleteKeepingChildren(Draft& draft, const NodeRules& rules) {
   // From the last to the first: what is before an edit keeps its number.
   std::vector<ElementIndex> nodes = draft.selection();
-  if (nodes.empty()) return kNothing;
+  if (nodes.empty()) return Problem{kNothing};
   for (auto node = nodes.rbegin(); node != nodes.rend(); ++node) {
     const Document& document = draft.document();
-    if (!IsNode(document, *node)) return kNothing;
+    if (!IsNode(document, *node)) return Problem{kNothing};
     const std::uint32_t children = document.element(*node).child_count;
     if (children > 1) {
-      const std::string refusal =
-          rules.WhyNoRoom(document, document.element(*node).parent, children - 1);
-      if (!refusal.empty()) return refusal;
+      Outcome room = rules.HasRoom(document, document.element(*node).parent, children - 1);
+      if (!room) return room;
     }
     if (children == 0) draft.Select({NeighbourOf(document, {*node})});
     if (!draft.Apply(UnwrapElement(document, *node))) return Applied(false, draft);
@@ -102,9 +101,9 @@ std::string DeleteKeepingChildren(Draft& draft, const NodeRules& rules) {
   return {};
 }
 
-std::string MoveAmongSiblings(Draft& draft, int by) {
+Outcome MoveAmongSiblings(Draft& draft, int by) {
   std::vector<ElementIndex> nodes = Nodes(draft);
-  if (nodes.empty()) return kNothing;
+  if (nodes.empty()) return Problem{kNothing};
   draft.Select(nodes);
   if (by > 0) std::reverse(nodes.begin(), nodes.end());
   std::vector<std::uint32_t> positions;  // taken by what could not move
@@ -128,50 +127,52 @@ std::string MoveAmongSiblings(Draft& draft, int by) {
     moved = true;
     positions.push_back(to);
   }
-  return moved ? "" : by < 0 ? "it is the first already" : "it is the last already";
+  if (moved) return {};
+  return Problem{by < 0 ? "it is the first already" : "it is the last already"};
 }
 
-std::string Promote(Draft& draft, const NodeRules& rules) {
+Outcome Promote(Draft& draft, const NodeRules& rules) {
   const std::vector<ElementIndex> nodes = Nodes(draft);
-  if (nodes.empty()) return kNothing;
+  if (nodes.empty()) return Problem{kNothing};
   const ElementIndex parent = ParentOf(draft, nodes.front());
-  if (!IsNode(draft.document(), parent)) return "it is the root already";
+  if (!IsNode(draft.document(), parent)) return Problem{"it is the root already"};
   return MoveInto(draft, rules, ParentOf(draft, parent), PositionOf(draft.document(), parent) + 1);
 }
 
-std::string Demote(Draft& draft, const NodeRules& rules) {
+Outcome Demote(Draft& draft, const NodeRules& rules) {
   const std::vector<ElementIndex> nodes = Nodes(draft);
-  if (nodes.empty()) return kNothing;
+  if (nodes.empty()) return Problem{kNothing};
   const Document& document = draft.document();
   const auto count = static_cast<std::uint32_t>(nodes.size());
   const ElementIndex before = SiblingBefore(document, nodes.front());
   const ElementIndex behind = document.element(nodes.back()).next_sibling;
-  if (before != kNoElement && rules.WhyNoRoom(document, before, count).empty()) {
+  if (before != kNoElement && rules.HasRoom(document, before, count)) {
     return MoveInto(draft, rules, before, UINT32_MAX);
   }
-  if (behind != kNoElement && rules.WhyNoRoom(document, behind, count).empty()) {
+  if (behind != kNoElement && rules.HasRoom(document, behind, count)) {
     return MoveInto(draft, rules, behind, 0);
   }
-  return "no neighbour takes it as a child";
+  return Problem{"no neighbour takes it as a child"};
 }
 
-std::string MoveInto(Draft& draft, const NodeRules& rules, ElementIndex parent,
-                     std::uint32_t position) {
+Outcome MoveInto(Draft& draft, const NodeRules& rules, ElementIndex parent,
+                 std::uint32_t position) {
   const std::vector<ElementIndex> nodes = Nodes(draft);
-  if (nodes.empty()) return kNothing;
+  if (nodes.empty()) return Problem{kNothing};
   const Document& document = draft.document();
   std::uint32_t coming = 0;
   std::uint32_t before = 0;  // those that leave a place before the position
   for (const ElementIndex node : nodes) {
-    if (LiesIn(document, parent, node)) return "a node cannot be moved into itself";
+    if (LiesIn(document, parent, node)) return Problem{"a node cannot be moved into itself"};
     if (ParentOf(draft, node) != parent) {
       ++coming;
     } else if (PositionOf(document, node) < position) {
       ++before;
     }
   }
-  const std::string refusal = coming == 0 ? "" : rules.WhyNoRoom(document, parent, coming);
-  if (!refusal.empty()) return refusal;
+  if (coming > 0) {
+    if (Outcome room = rules.HasRoom(document, parent, coming); !room) return room;
+  }
   // Taken out first, all together: then no move can disturb another.
   std::vector<std::string> fragments;
   Edit removal;
@@ -191,21 +192,20 @@ std::string MoveInto(Draft& draft, const NodeRules& rules, ElementIndex parent,
   return InsertNodes(draft, rules, draft.selection().front(), position, fragments);
 }
 
-std::string Wrap(Draft& draft, const NodeRules& rules, std::string_view xml) {
+Outcome Wrap(Draft& draft, const NodeRules& rules, std::string_view xml) {
   const std::vector<ElementIndex> nodes = Nodes(draft);
-  if (nodes.empty()) return kNothing;
+  if (nodes.empty()) return Problem{kNothing};
   const Document& document = draft.document();
   for (std::size_t i = 1; i < nodes.size(); ++i) {
     if (document.element(nodes[i - 1]).next_sibling != nodes[i]) {
-      return "only neighbours can be wrapped together";
+      return Problem{"only neighbours can be wrapped together"};
     }
   }
   Diagnostics problems;
   const auto wrapper = Document::FromText(std::string(xml), "wrapper", problems);
-  if (!wrapper) return problems.all().front().message;
+  if (!wrapper) return Problem{problems.all().front().message};
   const auto count = static_cast<std::uint32_t>(nodes.size());
-  std::string refusal = rules.WhyNoRoom(*wrapper, kRootElement, count);
-  if (!refusal.empty()) return refusal;
+  if (Outcome room = rules.HasRoom(*wrapper, kRootElement, count); !room) return room;
   draft.Select({nodes.front()});
   if (!draft.Apply(
           WrapElements(document, nodes.front(), count, wrapper->element(kRootElement).tag))) {
@@ -237,15 +237,16 @@ std::vector<std::string> LostByChange(const Document& document, const NodeRules&
   return lost;
 }
 
-std::string ChangeType(Draft& draft, const NodeRules& rules, std::string_view type) {
-  if (!IsXmlName(type)) return "\"" + std::string(type) + "\" cannot be the name of a type";
+Outcome ChangeType(Draft& draft, const NodeRules& rules, std::string_view type) {
+  if (!IsXmlName(type))
+    return Problem{"\"" + std::string(type) + "\" cannot be the name of a type"};
   const std::vector<ElementIndex> nodes = draft.selection();
-  if (nodes.empty()) return kNothing;
+  if (nodes.empty()) return Problem{kNothing};
   for (const ElementIndex node : nodes) {
-    if (!IsNode(draft.document(), node)) return kNothing;
+    if (!IsNode(draft.document(), node)) return Problem{kNothing};
     const std::uint32_t limit = rules.MaxChildrenOf(type);
     if (draft.document().element(node).child_count > limit) {
-      return std::string(type) + (limit == 0 ? " takes no children" : " takes one child");
+      return Problem{std::string(type) + (limit == 0 ? " takes no children" : " takes one child")};
     }
     for (const std::string& name : LostByChange(draft.document(), rules, node, type)) {
       if (!draft.Apply(RemoveAttribute(draft.document(), node, name))) {
@@ -294,9 +295,9 @@ bool IsDisabled(const Document& document, ElementIndex element) {
   return raw == kSkip || (raw.substr(0, kSkipElse.size()) == kSkipElse && raw.back() == ')');
 }
 
-std::string ToggleDisabled(Draft& draft) {
+Outcome ToggleDisabled(Draft& draft) {
   const std::vector<ElementIndex> nodes = Nodes(draft);
-  if (nodes.empty()) return kNothing;
+  if (nodes.empty()) return Problem{kNothing};
   const Document& document = draft.document();
   const bool all = std::all_of(nodes.begin(), nodes.end(),
                                [&](ElementIndex node) { return IsDisabled(document, node); });
@@ -305,18 +306,19 @@ std::string ToggleDisabled(Draft& draft) {
     if (!all && IsDisabled(document, node)) continue;
     const Attribute* skip = SkipIf(document, node);
     if (!all && skip && skip->value.find(';') != std::string_view::npos) {
-      return "_skipIf of " + std::string(NameOf(document, node)) + " has several statements";
+      return Problem{"_skipIf of " + std::string(NameOf(document, node)) +
+                     " has several statements"};
     }
     edit = Merge(std::move(edit), all ? Enabling(document, node) : Disabling(document, node));
   }
   return Applied(draft.Apply(edit), draft);
 }
 
-std::string SetValue(Draft& draft, std::string_view attribute, std::string_view value) {
-  if (!IsXmlName(attribute)) return "\"" + std::string(attribute) + "\" is no name";
+Outcome SetValue(Draft& draft, std::string_view attribute, std::string_view value) {
+  if (!IsXmlName(attribute)) return Problem{"\"" + std::string(attribute) + "\" is no name"};
   if (attribute == "name" && value.empty()) return ClearValue(draft, attribute);
   const std::vector<ElementIndex> elements = draft.selection();
-  if (elements.empty()) return kNothing;
+  if (elements.empty()) return Problem{kNothing};
   Edit edit;
   for (const ElementIndex element : elements) {
     edit = Merge(std::move(edit), SetAttribute(draft.document(), element, attribute, value));
@@ -324,9 +326,9 @@ std::string SetValue(Draft& draft, std::string_view attribute, std::string_view 
   return Applied(draft.Apply(edit), draft);
 }
 
-std::string ClearValue(Draft& draft, std::string_view attribute) {
+Outcome ClearValue(Draft& draft, std::string_view attribute) {
   const std::vector<ElementIndex> elements = draft.selection();
-  if (elements.empty()) return kNothing;
+  if (elements.empty()) return Problem{kNothing};
   Edit edit;
   for (const ElementIndex element : elements) {
     edit = Merge(std::move(edit), RemoveAttribute(draft.document(), element, attribute));

@@ -67,9 +67,8 @@ Ends with 0 if the trees are the same, 1 if they differ.)",
 int RunDiff(const std::vector<std::string>& arguments) {
   const Options options = ParseOptions(DiffCommand(), arguments);
   if (options.exit) return *options.exit;
-  std::string wrong;
-  const auto order = ReadPictureOrder(options, wrong);
-  if (!order) return RefuseOptions(DiffCommand(), wrong);
+  const auto order = ReadPictureOrder(options);
+  if (!order) return RefuseOptions(DiffCommand(), order.problem());
   Diagnostics diagnostics;
   const Forest before = Forest::FromFile(options.files[0], diagnostics);
   const Forest after = Forest::FromFile(options.files[1], diagnostics);
@@ -89,9 +88,9 @@ int RunDiff(const std::vector<std::string>& arguments) {
   const DiffPicture picture(trees);
   TreePainting painting = order->painting;
   picture.AddTo(painting);
-  wrong = WritePicture(painting, order->path, order->pixels);
-  if (!wrong.empty()) std::cerr << "coppice diff: " << wrong << "\n";
-  return wrong.empty() ? kDifferent : kTrouble;
+  const Outcome written = WritePicture(painting, order->path, order->pixels);
+  if (!written) std::cerr << "coppice diff: " << written.problem() << "\n";
+  return written ? kDifferent : kTrouble;
 }
 
 }  // namespace coppice::editor

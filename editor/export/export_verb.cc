@@ -23,9 +23,9 @@ std::nullopt_t Refuse(const std::string& what) {
   return std::nullopt;
 }
 
-std::optional<ExportOrder> ReadOrder(const Options& options, std::string& wrong) {
-  const auto picture = ReadPictureOrder(options, wrong);
-  if (!picture) return std::nullopt;
+Expected<ExportOrder> ReadOrder(const Options& options) {
+  const auto picture = ReadPictureOrder(options);
+  if (!picture) return Problem{picture.problem()};
   ExportOrder order;
   order.picture = *picture;
   order.file = options.files.front();
@@ -74,9 +74,8 @@ const Command& ExportCommand() {
 int RunExport(const std::vector<std::string>& arguments) {
   const Options options = ParseOptions(ExportCommand(), arguments);
   if (options.exit) return *options.exit;
-  std::string wrong;
-  const std::optional<ExportOrder> order = ReadOrder(options, wrong);
-  if (!order) return RefuseOptions(ExportCommand(), wrong);
+  const Expected<ExportOrder> order = ReadOrder(options);
+  if (!order) return RefuseOptions(ExportCommand(), order.problem());
   if (order->picture.path.empty()) {
     return RefuseOptions(ExportCommand(),
                          "needs -o and a name that ends in " + std::string(kPictureEndings));
@@ -100,9 +99,9 @@ int RunExport(const std::vector<std::string>& arguments) {
     std::cerr << "coppice export: " << order->file << " has no tree to paint\n";
     return 1;
   }
-  wrong = WritePicture(painting, order->picture.path, order->picture.pixels);
-  if (!wrong.empty()) std::cerr << "coppice export: " << wrong << "\n";
-  return wrong.empty() ? 0 : 1;
+  const Outcome written = WritePicture(painting, order->picture.path, order->picture.pixels);
+  if (!written) std::cerr << "coppice export: " << written.problem() << "\n";
+  return written ? 0 : 1;
 }
 
 }  // namespace coppice::editor

@@ -12,12 +12,11 @@ std::vector<CommandOption> PictureOptions() {
                               "XML with a <TreeNodesModel>; may be given several times")};
 }
 
-std::optional<PictureOrder> ReadPictureOrder(const Options& options, std::string& wrong) {
+Expected<PictureOrder> ReadPictureOrder(const Options& options) {
   PictureOrder order;
   order.path = options.Get("-o");
   if (options.Has("-o") && !FormatOf(order.path)) {
-    wrong = "-o needs a name that ends in " + std::string(kPictureEndings);
-    return std::nullopt;
+    return Problem{"-o needs a name that ends in " + std::string(kPictureEndings)};
   }
   order.pixels = static_cast<float>(options.Real("--scale", 2));
   order.models = options.GetAll("--models");

@@ -2,11 +2,11 @@
 #ifndef COPPICE_EDITOR_EXPORT_VERB_OPTIONS_H_
 #define COPPICE_EDITOR_EXPORT_VERB_OPTIONS_H_
 
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "bt_core/base/command_line.h"
+#include "bt_core/base/outcome.h"
 #include "editor/export/write_picture.h"
 #include "editor/scene/forest.h"
 
@@ -21,8 +21,8 @@ struct PictureOrder {
 
 std::vector<CommandOption> PictureOptions();
 
-/// Nothing if a value is not what was expected; then `wrong` says what was.
-std::optional<PictureOrder> ReadPictureOrder(const Options& options, std::string& wrong);
+/// A problem if a value is not what was expected.
+Expected<PictureOrder> ReadPictureOrder(const Options& options);
 
 /// Models of these files and of the forest itself.
 NodeModels ModelsFor(const Forest& forest, const std::vector<std::string>& files,

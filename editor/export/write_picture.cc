@@ -26,12 +26,12 @@ std::vector<const Scene*> ScenesOf(const TreePainting& painting) {
   return scenes;
 }
 
-std::string WriteText(const std::string& path, const std::string& text) {
+Outcome WriteText(const std::string& path, const std::string& text) {
   Diagnostics diagnostics;
   if (WriteFile(path, text, diagnostics)) return {};
   std::string wrong = path;
   for (const Diagnostic& problem : diagnostics.all()) wrong += ": " + problem.message;
-  return wrong;
+  return Problem{wrong};
 }
 
 }  // namespace
@@ -48,13 +48,13 @@ std::optional<PictureFormat> FormatOf(const std::string& path) {
   return std::nullopt;
 }
 
-std::string WritePicture(const TreePainting& painting, const std::string& path, float pixels) {
+Outcome WritePicture(const TreePainting& painting, const std::string& path, float pixels) {
   const std::optional<PictureFormat> format = FormatOf(path);
-  if (!format) return "the name of a picture ends in " + std::string(kPictureEndings);
+  if (!format) return Problem{"the name of a picture ends in " + std::string(kPictureEndings)};
   if (format == PictureFormat::kDot) return WriteText(path, ToDot(ScenesOf(painting)));
   if (format == PictureFormat::kMarkdown) return WriteText(path, ToMarkdown(ScenesOf(painting)));
   const PictureMaker maker(format == PictureFormat::kPng ? pixels : 1);
-  if (!maker.error().empty()) return maker.error();
+  if (!maker.error().empty()) return Problem{maker.error()};
   if (format == PictureFormat::kPng) return WritePng(maker.Paint(painting), path);
   const Glyphs glyphs;
   const Drawing drawing = maker.Draw(painting);

@@ -11,6 +11,7 @@
 #include <optional>
 #include <string>
 
+#include "bt_core/base/outcome.h"
 #include "editor/export/tree_picture.h"
 
 namespace coppice::editor {
@@ -24,8 +25,8 @@ std::optional<PictureFormat> FormatOf(const std::string& path);
 extern const char* const kPictureEndings;
 
 /// Writes the file; a file that is there is replaced, or stays as it was if something goes wrong.
-/// `pixels` are those of a PNG for one of the canvas at 100 %. Returns what went wrong, or nothing.
-std::string WritePicture(const TreePainting& painting, const std::string& path, float pixels);
+/// `pixels` are those of a PNG for one of the canvas at 100 %.
+Outcome WritePicture(const TreePainting& painting, const std::string& path, float pixels);
 
 }  // namespace coppice::editor
 

@@ -127,8 +127,7 @@ void UnsavedWork::Keep(const OpenProject& project) {
       continue;
     }
     if (!TakeLock()) return;
-    const std::string problem = Write(file);
-    if (!problem.empty()) trouble_ = problem;
+    if (const Outcome written = Write(file); !written) trouble_ = written.problem();
   }
   // Saved under another name.
   for (auto at = kept_.begin(); at != kept_.end();) {
@@ -139,8 +138,7 @@ void UnsavedWork::Keep(const OpenProject& project) {
   }
 }
 
-// Returns why not, or nothing.
-std::string UnsavedWork::Write(const EditedFile& file) {
+Outcome UnsavedWork::Write(const EditedFile& file) {
   std::error_code error;
   Kept& kept = kept_[file.path];
   if (kept.file.empty()) {
@@ -158,7 +156,7 @@ std::string UnsavedWork::Write(const EditedFile& file) {
     return {};
   }
   kept.version = 0;
-  return ToString(problems.all().back());
+  return Problem{ToString(problems.all().back())};
 }
 
 void UnsavedWork::DropOwn() {

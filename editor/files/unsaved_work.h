@@ -20,6 +20,7 @@
 #include <string>
 #include <vector>
 
+#include "bt_core/base/outcome.h"
 #include "editor/files/open_project.h"
 
 namespace coppice::editor {
@@ -68,7 +69,7 @@ class UnsavedWork {
   };
   std::string LockOf(const std::string& session) const;
   bool TakeLock();
-  std::string Write(const EditedFile& file);
+  Outcome Write(const EditedFile& file);
   int EditorOf(const std::string& session) const;
 
   const std::string folder_;

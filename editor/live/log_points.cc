@@ -35,15 +35,16 @@ std::string ToString(const LogPoint& point) {
   return text;
 }
 
-std::string ReadLogPoint(const std::string& typed, LogPoint& point) {
+Outcome ReadLogPoint(const std::string& typed, LogPoint& point) {
   std::string rest = Trimmed(typed);
   point.from_hit = 1;
-  if (!TakeHit(rest, point.from_hit)) return "expected a number behind #";
+  if (!TakeHit(rest, point.from_hit)) return Problem{"expected a number behind #"};
   rest = " " + Trimmed(rest) + " ";
   const std::size_t at = rest.rfind(kIf);
   point.text = Trimmed(rest.substr(0, at));
   point.condition = at == std::string::npos ? "" : Trimmed(rest.substr(at + sizeof(kIf) - 1));
-  return at != std::string::npos && point.condition.empty() ? "expected a condition behind if" : "";
+  if (at == std::string::npos || !point.condition.empty()) return {};
+  return Problem{"expected a condition behind if"};
 }
 
 const LogPoint* LogPoints::FindAt(const std::string& run, const std::string& path) const {

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "bt_core/base/outcome.h"
+
 namespace coppice::editor {
 
 struct LogPoint {
@@ -22,8 +24,8 @@ struct LogPoint {
 
 /// "text if battery < 20 #3", as it is typed.
 std::string ToString(const LogPoint& point);
-/// Reads text, condition and hit count. Returns what is wrong, or nothing.
-std::string ReadLogPoint(const std::string& typed, LogPoint& point);
+/// Reads text, condition and hit count into `point`.
+Outcome ReadLogPoint(const std::string& typed, LogPoint& point);
 
 class LogPoints {
  public:

@@ -37,7 +37,7 @@ class CanvasTile {
     options.live = state_.workspace.tree_state();
     options.badges = &state_.canvas.badges.by_node;
     const NodeDrop drop(state_, ui_.now);
-    if (TreeEditor(state_, ui_.now).WhyReadOnly().empty()) options.drop = &drop.handler();
+    if (TreeEditor(state_, ui_.now).CanEdit()) options.drop = &drop.handler();
     if (state_.workspace.file()) {
       options.open = [this](std::uint32_t) {
         state_.after_frame = [&s = state_] { s.commands.Run("tree.definition"); };

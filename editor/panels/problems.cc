@@ -55,7 +55,7 @@ void RunFix(EditorState& state, const Diagnostic& problem, const Fix& fix, doubl
   const ElementIndex element = file.document->ElementAt(OffsetOf(*file.document, problem.where));
   TreeEditor(state, now)
       .RunOn("Fix: " + fix.title, file.path, {element}, [&](Draft& draft, const NodeRules&) {
-        return draft.Apply(fix.edit) ? "" : "not possible";
+        return draft.Apply(fix.edit) ? Outcome() : Problem{"not possible"};
       });
 }
 

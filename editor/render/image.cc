@@ -19,7 +19,7 @@ std::uint64_t HashOf(const Image& image) {
   return hash;
 }
 
-std::string WritePng(const Image& image, const std::string& path) {
+Outcome WritePng(const Image& image, const std::string& path) {
   std::vector<unsigned char> bytes;
   bytes.reserve(image.pixels.size() * 3);
   for (const std::uint32_t pixel : image.pixels) {
@@ -35,10 +35,10 @@ std::string WritePng(const Image& image, const std::string& path) {
   png.flags = PNG_IMAGE_FLAG_FAST;
   const std::string beside = path + ".part";
   if (!png_image_write_to_file(&png, beside.c_str(), 0, bytes.data(), 0, nullptr)) {
-    return "cannot write " + beside + ": " + png.message;
+    return Problem{"cannot write " + beside + ": " + png.message};
   }
   if (std::rename(beside.c_str(), path.c_str()) != 0) {
-    return "cannot write " + path + ": " + std::strerror(errno);
+    return Problem{"cannot write " + path + ": " + std::strerror(errno)};
   }
   return {};
 }

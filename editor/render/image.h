@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "bt_core/base/outcome.h"
+
 namespace coppice::editor {
 
 /// Rows from top to bottom; a pixel is 0xAABBGGRR, so its bytes in memory are R, G, B, A.
@@ -27,8 +29,8 @@ Image MakeImage(int width, int height, std::uint32_t color);
 std::uint64_t HashOf(const Image& image);
 
 /// Writes a PNG without alpha. A reader never sees half a file: it is written beside `path` and
-/// then renamed. Returns an empty string, or what went wrong.
-std::string WritePng(const Image& image, const std::string& path);
+/// then renamed.
+Outcome WritePng(const Image& image, const std::string& path);
 
 }  // namespace coppice::editor
 

@@ -189,7 +189,7 @@ std::string Editor::title() const {
   return (is_dirty ? "* " : "") + path->substr(path->rfind('/') + 1) + more + " - Coppice";
 }
 
-std::string Editor::Connect(const std::string& endpoint) {
+Outcome Editor::Connect(const std::string& endpoint) {
   const int known = state_.workspace.FindRun(endpoint);
   if (known >= 0) {
     state_.workspace.ShowRun(static_cast<std::size_t>(known));
@@ -198,7 +198,7 @@ std::string Editor::Connect(const std::string& endpoint) {
   try {
     AddRun(std::make_unique<RobotSource>(endpoint, options_.wake));
   } catch (const std::invalid_argument& wrong) {
-    return wrong.what();
+    return Problem{wrong.what()};
   }
   return {};
 }

@@ -60,9 +60,9 @@ class Editor {
   bool Open(const std::string& path);
   /// Adds a file of node models.
   void AddModels(const std::string& path) { state_.workspace.AddModels(path); }
-  /// Follows a robot at "host:port", or one of its trees at "host:port/TREE". Returns what is wrong
-  /// with the text, or nothing.
-  std::string Connect(const std::string& endpoint);
+  /// Follows a robot at "host:port", or one of its trees at "host:port/TREE". A problem if
+  /// the text is no such endpoint.
+  Outcome Connect(const std::string& endpoint);
   /// Shows any other run.
   void AddRun(std::unique_ptr<RunSource> source);
 

@@ -16,14 +16,14 @@ struct Merged {
 
 }  // namespace
 
-std::unique_ptr<Comparison> Comparison::With(const std::string& path, std::string& wrong) {
+Expected<std::unique_ptr<Comparison>> Comparison::With(const std::string& path) {
   auto comparison = std::make_unique<Comparison>();
   Diagnostics diagnostics;
   comparison->path_ = path;
   comparison->forest_ = Forest::FromFile(path, diagnostics);
   if (comparison->forest_.trees().empty()) {
-    wrong = diagnostics.all().empty() ? "no tree in " + path : ToString(diagnostics.all().front());
-    return nullptr;
+    return Problem{diagnostics.all().empty() ? "no tree in " + path
+                                             : ToString(diagnostics.all().front())};
   }
   for (const Document* document : comparison->forest_.documents()) {
     comparison->models_.AddFrom(*document);

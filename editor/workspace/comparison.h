@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "bt_core/base/outcome.h"
 #include "editor/canvas/paint/node_look.h"
 #include "editor/canvas/tree_view.h"
 #include "editor/scene/forest.h"
@@ -17,9 +18,8 @@ namespace coppice::editor {
 
 class Comparison {
  public:
-  /// Reads the other version, the one before. Null if there is no tree in it; then `wrong` says
-  /// why.
-  static std::unique_ptr<Comparison> With(const std::string& path, std::string& wrong);
+  /// Reads the other version, the one before. A problem if there is no tree in it.
+  static Expected<std::unique_ptr<Comparison>> With(const std::string& path);
 
   /// What a scene points into.
   using Alive = std::vector<std::shared_ptr<const void>>;

@@ -71,7 +71,7 @@ struct KeySettings {
 /// What the editor does for its tiles and commands.
 struct Services {
   std::function<bool(const std::string&)> open_file;
-  std::function<std::string(const std::string&)> connect;  ///< returns what is wrong, or nothing
+  std::function<Outcome(const std::string&)> connect;  ///< to an endpoint
   /// Goes on with unsaved work and its history; false: there is no history of it.
   std::function<bool(const std::string& path, const std::string& text)> resume;
   std::function<std::string()> get_clipboard;

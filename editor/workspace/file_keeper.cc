@@ -73,26 +73,27 @@ void FileKeeper::AskPath(const std::string& path, const std::function<void()>& t
   state_.Ask({"Save " + NameOf(path) + " under a name: its path",
               [&s = state_, path, then](const std::string& typed) {
                 FileKeeper keeper(s, s.now);
-                std::string refusal = keeper.SaveAs(path, typed);
-                if (refusal.empty() && then) keeper.Save(false, then);
-                return refusal;
+                Outcome saved = keeper.SaveAs(path, typed);
+                if (saved && then) keeper.Save(false, then);
+                return saved;
               },
               {}},
              path);
 }
 
-std::string FileKeeper::SaveAs(const std::string& path, const std::string& new_path) {
+Outcome FileKeeper::SaveAs(const std::string& path, const std::string& new_path) {
   Workspace& workspace = state_.workspace;
   const EditedFile* const file = workspace.project().Find(path);
-  if (!file) return "this file is not open";
-  if (new_path.empty()) return "a file needs a name";
+  if (!file) return Problem{"this file is not open"};
+  if (new_path.empty()) return Problem{"a file needs a name"};
   const bool is_other =
       file->is_new || UnsavedWork::AbsolutePath(new_path) != UnsavedWork::AbsolutePath(path);
   if (is_other && IsThere(new_path) && std::exchange(state_.replaces, new_path) != new_path) {
-    return "there is a file of that name already: Enter once more replaces it";
+    return Problem{"there is a file of that name already: Enter once more replaces it"};
   }
   Diagnostics diagnostics;
-  if (!workspace.project().SaveAs(path, new_path, diagnostics)) return ReasonOf(diagnostics);
+  if (!workspace.project().SaveAs(path, new_path, diagnostics))
+    return Problem{ReasonOf(diagnostics)};
   state_.unsaveable.erase(path);
   workspace.Rename(path, new_path);
   workspace.Refresh(now_);

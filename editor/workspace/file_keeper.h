@@ -23,9 +23,9 @@ class FileKeeper {
   void Save(bool overwrite = false, const std::function<void()>& then = {});
   /// Asks for another path for the shown file.
   void AskPath();
-  /// Saves a file under another path. Returns why not, or nothing; a file that is there already is
-  /// replaced when it is asked for a second time.
-  std::string SaveAs(const std::string& path, const std::string& new_path);
+  /// Saves a file under another path. One that is there already is replaced when it is asked for a
+  /// second time.
+  Outcome SaveAs(const std::string& path, const std::string& new_path);
 
   /// Ends the editor; asks before if something is not saved: save, discard, or go on.
   void Quit();

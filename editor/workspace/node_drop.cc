@@ -22,20 +22,16 @@ class Translation {
   Translation(EditorState& state, const Drag& drag, const DropRequest& request)
       : state_(state), drag_(drag), request_(request), scene_(*state.workspace.view()->scene()) {}
 
-  // Nothing, with a reason, for what is in no file or where there is no room by nature.
-  std::optional<Spot> Where(std::string& refusal) const {
+  // A problem for what is in no file or where there is no room by nature.
+  Expected<Spot> Where() const {
     const DropTarget& target = request_.target;
     const SceneNode& node = scene_.nodes[target.node];
     const auto place = state_.workspace.PlaceOf(node);
-    if (!place) {
-      refusal = "this cannot be changed";
-      return std::nullopt;
-    }
+    if (!place) return Problem{"this cannot be changed"};
     const bool into =
         target.place == DropPlace::kGap || (target.place == DropPlace::kNode && !request_.replace);
     if (into && node.shape == Shape::kSubTree) {
-      refusal = "a SubTree has one root: drop it into a node of " + std::string(node.id);
-      return std::nullopt;
+      return Problem{"a SubTree has one root: drop it into a node of " + std::string(node.id)};
     }
     Spot spot{place->path, {DropSpot::Kind::kInto, place->element, UINT32_MAX}};
     if (target.place == DropPlace::kGap) spot.at.position = target.index;
@@ -46,15 +42,13 @@ class Translation {
     return spot;
   }
 
-  // The dragged elements; nothing, with a reason, if they are of another file.
-  std::optional<std::vector<ElementIndex>> What(const std::string& path,
-                                                std::string& refusal) const {
+  // The dragged elements; a problem if they are of another file.
+  Expected<std::vector<ElementIndex>> What(const std::string& path) const {
     std::vector<ElementIndex> elements;
     for (const std::uint32_t node : drag_.nodes) {
       const auto place = state_.workspace.PlaceOf(scene_.nodes[node]);
       if (!place || place->path != path) {
-        refusal = "nodes of another file: cut and paste them";
-        return std::nullopt;
+        return Problem{"nodes of another file: cut and paste them"};
       }
       elements.push_back(place->element);
     }
@@ -76,14 +70,27 @@ std::vector<std::string> Fragments(const EditorState& state, const Document& doc
   return ReadFragments(CopyText(document, elements), diagnostics);
 }
 
-std::string Apply(const EditorState& state, const Drag& drag, const DropRequest& request,
-                  const Spot& spot, const std::vector<ElementIndex>& elements, Draft& draft,
-                  const NodeRules& rules) {
+Outcome Apply(const EditorState& state, const Drag& drag, const DropRequest& request,
+              const Spot& spot, const std::vector<ElementIndex>& elements, Draft& draft,
+              const NodeRules& rules) {
   if (!drag.nodes.empty() && !request.copy) return DropMoved(draft, rules, spot.at);
   return DropNew(draft, rules, spot.at, Fragments(state, draft.document(), elements));
 }
 
-// Tries it on a copy. Asked in every frame, so the last answer is kept.
+// Tries it on a copy.
+Outcome Try(EditorState& state, const Drag& drag, const DropRequest& request, double now) {
+  if (Outcome can = TreeEditor(state, now).CanEdit(); !can) return can;
+  const Translation translation(state, drag, request);
+  const auto spot = translation.Where();
+  if (!spot) return Problem{spot.problem()};
+  const auto elements = translation.What(spot->path);
+  if (!elements) return Problem{elements.problem()};
+  Draft draft(*state.workspace.project().Find(spot->path)->document, *elements);
+  const NodeRules rules(*state.workspace.file()->models);
+  return Apply(state, drag, request, *spot, *elements, draft, rules);
+}
+
+// Asked in every frame, so the last answer is kept.
 std::string WhyNot(EditorState& state, const Drag& drag, const DropRequest& request, double now) {
   DropAnswer& last = state.drag.answer;
   const std::uint64_t version = state.workspace.project().version();
@@ -91,26 +98,17 @@ std::string WhyNot(EditorState& state, const Drag& drag, const DropRequest& requ
       last.copy == request.copy && last.replace == request.replace) {
     return last.refusal;
   }
-  last = {version, drag.label, request.target, request.copy, request.replace, {}};
-  last.refusal = TreeEditor(state, now).WhyReadOnly();
-  if (!last.refusal.empty()) return last.refusal;
-  const Translation translation(state, drag, request);
-  const auto spot = translation.Where(last.refusal);
-  if (!spot) return last.refusal;
-  const auto elements = translation.What(spot->path, last.refusal);
-  if (!elements) return last.refusal;
-  Draft draft(*state.workspace.project().Find(spot->path)->document, *elements);
-  const NodeRules rules(*state.workspace.file()->models);
-  last.refusal = Apply(state, drag, request, *spot, *elements, draft, rules);
+  last = {version,      drag.label,      request.target,
+          request.copy, request.replace, Try(state, drag, request, now).problem()};
   return last.refusal;
 }
 
 void Drop(EditorState& state, const Drag& drag, const DropRequest& request, double now) {
-  std::string refusal;
   const Translation translation(state, drag, request);
-  const auto spot = translation.Where(refusal);
-  const auto elements = spot ? translation.What(spot->path, refusal) : std::nullopt;
-  if (!elements) return state.Notify(refusal, now, true);
+  const auto spot = translation.Where();
+  if (!spot) return state.Notify(spot.problem(), now, true);
+  const auto elements = translation.What(spot->path);
+  if (!elements) return state.Notify(elements.problem(), now, true);
   const bool is_new = drag.nodes.empty();
   const std::string name = (is_new ? "Add " : request.copy ? "Copy " : "Move ") + drag.label;
   const std::vector<ElementIndex> about = is_new ? std::vector{spot->at.element} : *elements;

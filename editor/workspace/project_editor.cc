@@ -40,10 +40,9 @@ ProjectFiles ProjectEditor::Files() const {
   return files;
 }
 
-std::string ProjectEditor::Do(const std::string& name, const ProjectFiles& files,
+Outcome ProjectEditor::Change(const std::string& name, const ProjectFiles& files,
                               const std::vector<Edit>& edits) {
-  std::string refusal = edit_.WhyReadOnly();
-  if (!refusal.empty()) return refusal;
+  if (Outcome can = edit_.CanEdit(); !can) return can;
   NamedChange change;
   change.name = name;
   std::vector<FilePlace> before = edit_.SelectedPlaces();
@@ -62,7 +61,7 @@ std::string ProjectEditor::Do(const std::string& name, const ProjectFiles& files
   }
   Diagnostics diagnostics;
   if (!state_.workspace.project().Do(std::move(change), std::move(before), diagnostics)) {
-    return diagnostics.all().empty() ? "not possible" : diagnostics.all()[0].message;
+    return Problem{diagnostics.all().empty() ? "not possible" : diagnostics.all()[0].message};
   }
   state_.workspace.Refresh(now_);
   state_.workspace.SelectPlaces(after, now_);
@@ -70,47 +69,42 @@ std::string ProjectEditor::Do(const std::string& name, const ProjectFiles& files
   return {};
 }
 
-std::string ProjectEditor::IdRefused(const std::string& id) const {
-  if (id.empty()) return "a tree needs a name";
-  if (!TreesCalled(Files(), id).empty()) return "there is a tree " + id + " already";
+Outcome ProjectEditor::CheckId(const std::string& id) const {
+  if (id.empty()) return Problem{"a tree needs a name"};
+  if (!TreesCalled(Files(), id).empty()) return Problem{"there is a tree " + id + " already"};
   return {};
 }
 
-std::string ProjectEditor::Extract(const std::string& id) {
-  std::string refusal = IdRefused(id);
-  if (!refusal.empty()) return refusal;
+Outcome ProjectEditor::Extract(const std::string& id) {
+  if (Outcome free = CheckId(id); !free) return free;
   const ProjectFiles files = Files();
-  const bool done =
-      edit_.Run("Extract " + id, [&](Draft& draft, const NodeRules& rules) -> std::string {
-        if (draft.selection().empty()) return "nothing is selected";
-        const ElementIndex tree = TreeOf(draft.document(), draft.selection().front());
-        if (tree == kNoElement) return "nothing is selected";
-        const std::string_view own =
-            draft.document().AttributeValue(draft.document().element(tree), "ID");
-        return ExtractSubTree(draft, rules, id, CallersOf(files, own));
-      });
-  return Refused(done);
+  return edit_.Try("Extract " + id, [&](Draft& draft, const NodeRules& rules) -> Outcome {
+    if (draft.selection().empty()) return Problem{"nothing is selected"};
+    const ElementIndex tree = TreeOf(draft.document(), draft.selection().front());
+    if (tree == kNoElement) return Problem{"nothing is selected"};
+    const std::string_view own =
+        draft.document().AttributeValue(draft.document().element(tree), "ID");
+    return ExtractSubTree(draft, rules, id, CallersOf(files, own));
+  });
 }
 
-std::string ProjectEditor::Inline() {
+Outcome ProjectEditor::Inline() {
   const ProjectFiles files = Files();
-  const bool done = edit_.Run("Inline", [&](Draft& draft, const NodeRules& rules) -> std::string {
+  return edit_.Try("Inline", [&](Draft& draft, const NodeRules& rules) -> Outcome {
     const std::vector<ElementIndex> selection = draft.selection();
-    if (selection.size() != 1) return kNotASubTree;
+    if (selection.size() != 1) return Problem{kNotASubTree};
     const std::string_view id = TypeOf(draft.document(), selection[0]);
     const std::vector<ElementIn> trees = TreesCalled(files, id);
-    if (draft.document().element(selection[0]).tag != "SubTree") return kNotASubTree;
-    if (trees.empty()) return "there is no tree " + std::string(id);
+    if (draft.document().element(selection[0]).tag != "SubTree") return Problem{kNotASubTree};
+    if (trees.empty()) return Problem{"there is no tree " + std::string(id)};
     return InlineSubTree(draft, rules, files[trees[0].file], trees[0].element);
   });
-  return Refused(done);
 }
 
-std::string ProjectEditor::NewTree(const std::string& id) {
-  std::string refusal = IdRefused(id);
+Outcome ProjectEditor::NewTree(const std::string& id) {
+  if (Outcome free = CheckId(id); !free) return free;
   const std::optional<ElementPlace> shown = state_.workspace.ShownTree();
-  if (refusal.empty() && !shown) refusal = edit_.WhyReadOnly();
-  if (!refusal.empty()) return refusal;
+  if (!shown) return edit_.CanEdit();
   const ProjectFiles files = Files();
   std::vector<Edit> edits(files.size());
   for (std::size_t i = 0; i < files.size(); ++i) {
@@ -120,49 +114,50 @@ std::string ProjectEditor::NewTree(const std::string& id) {
     edits[i] = InsertElement(files[i], kRootElement, position,
                              "<BehaviorTree ID=\"" + EscapeXmlValue(id, '"') + "\"/>");
   }
-  refusal = Do("New tree " + id, files, edits);
-  if (refusal.empty()) ShowTree(id);
-  return refusal;
+  Outcome made = Change("New tree " + id, files, edits);
+  if (made) ShowTree(id);
+  return made;
 }
 
-std::string ProjectEditor::DeleteTree() {
+Outcome ProjectEditor::DeleteTree() {
   const std::optional<ElementPlace> shown = state_.workspace.ShownTree();
-  if (!shown) return edit_.WhyReadOnly();
+  if (!shown) return edit_.CanEdit();
   const std::string id = state_.workspace.ShownTreeId();
   const ProjectFiles files = Files();
   const std::size_t uses = SubTreesOf(files, id).size();
   if (uses > 0) {
-    return id + " is used in " + std::to_string(uses) + (uses == 1 ? " place" : " places");
+    return Problem{id + " is used in " + std::to_string(uses) + (uses == 1 ? " place" : " places")};
   }
   std::vector<Edit> edits(files.size());
   for (std::size_t i = 0; i < files.size(); ++i) {
     if (files[i].file() == shown->path) edits[i] = RemoveElement(files[i], shown->element);
   }
-  return Do("Delete tree " + id, files, edits);
+  return Change("Delete tree " + id, files, edits);
 }
 
-std::string ProjectEditor::RenameTree(const std::string& id) {
+Outcome ProjectEditor::RenameTree(const std::string& id) {
   const std::string old = state_.workspace.ShownTreeId();
-  if (old.empty()) return edit_.WhyReadOnly();
-  std::string refusal = id == old ? "" : IdRefused(id);
-  if (!refusal.empty()) return refusal;
+  if (old.empty()) return edit_.CanEdit();
+  if (Outcome free = id == old ? Outcome() : CheckId(id); !free) return free;
   const ProjectFiles files = Files();
-  refusal = Do("Rename " + old + " to " + id, files, editor::RenameTree(files, old, id));
-  if (refusal.empty()) ShowTree(id);
-  return refusal;
+  Outcome renamed =
+      Change("Rename " + old + " to " + id, files, editor::RenameTree(files, old, id));
+  if (renamed) ShowTree(id);
+  return renamed;
 }
 
-std::string ProjectEditor::Include(const std::string& path) {
+Outcome ProjectEditor::Include(const std::string& path) {
   const std::optional<ElementPlace> shown = state_.workspace.ShownTree();
-  if (!shown) return edit_.WhyReadOnly();
+  if (!shown) return edit_.CanEdit();
   namespace fs = std::filesystem;
   const fs::path whole =
       fs::path(path).is_absolute() ? fs::path(path) : fs::path(shown->path).parent_path() / path;
   std::error_code error;
-  if (path.empty()) return "a file needs a name";
+  if (path.empty()) return Problem{"a file needs a name"};
   if (!fs::exists(whole, error)) {
     Diagnostics diagnostics;
-    if (!WriteFile(whole.string(), kEmptyFile, diagnostics)) return diagnostics.all()[0].message;
+    if (!WriteFile(whole.string(), kEmptyFile, diagnostics))
+      return Problem{diagnostics.all()[0].message};
   }
   const ProjectFiles files = Files();
   std::vector<Edit> edits(files.size());
@@ -171,7 +166,7 @@ std::string ProjectEditor::Include(const std::string& path) {
     edits[i] = InsertElement(files[i], kRootElement, 0,
                              "<include path=\"" + EscapeXmlValue(path, '"') + "\"/>");
   }
-  return Do("Include " + path, files, edits);
+  return Change("Include " + path, files, edits);
 }
 
 std::vector<std::string> ProjectEditor::SelectedKeys() const {
@@ -187,25 +182,26 @@ std::vector<std::string> ProjectEditor::SelectedKeys() const {
   return keys;
 }
 
-std::string ProjectEditor::RenameKey(const std::string& key, const std::string& to) {
+Outcome ProjectEditor::RenameKey(const std::string& key, const std::string& to) {
   const std::vector<FilePlace> places = edit_.SelectedPlaces();
-  if (places.empty()) return "nothing is selected";
+  if (places.empty()) return Problem{"nothing is selected"};
   if (key == to) return {};
   const ProjectFiles files = Files();
   for (std::size_t i = 0; i < files.size(); ++i) {
     if (files[i].file() != places[0].path) continue;
     const ElementIndex tree = TreeOf(files[i], files[i].ElementAt(places[0].offset));
     const auto edits = editor::RenameKey(files, Models(), {i, tree}, key, to);
-    return edits ? Do("Rename key " + key + " to " + to, files, *edits) : edits.problem();
+    if (!edits) return Problem{edits.problem()};
+    return Change("Rename key " + key + " to " + to, files, *edits);
   }
-  return "nothing is selected";
+  return Problem{"nothing is selected"};
 }
 
-std::string ProjectEditor::ReplaceAll(const std::vector<Match>& matches, const Query& query,
-                                      const std::string& with) {
+Outcome ProjectEditor::ReplaceAll(const std::vector<Match>& matches, const Query& query,
+                                  const std::string& with) {
   const ProjectFiles files = Files();
-  return Do("Replace in " + std::to_string(matches.size()) + " places", files,
-            editor::Replace(files, matches, query, with));
+  return Change("Replace in " + std::to_string(matches.size()) + " places", files,
+                editor::Replace(files, matches, query, with));
 }
 
 void ProjectEditor::GoTo(const std::string& path, std::uint32_t offset) {
@@ -238,14 +234,14 @@ bool ProjectEditor::ShowTree(const std::string& id) {
   return true;
 }
 
-std::string ProjectEditor::GoToDefinition() {
+Outcome ProjectEditor::GoToDefinition() {
   const std::vector<FilePlace> places = edit_.SelectedPlaces();
-  if (places.size() != 1) return kNotASubTree;
+  if (places.size() != 1) return Problem{kNotASubTree};
   const Document& document = *state_.workspace.project().Find(places[0].path)->document;
   const ElementIndex element = document.ElementAt(places[0].offset);
   const std::string id(TypeOf(document, element));
-  if (document.element(element).tag.substr(0, 7) != "SubTree") return kNotASubTree;
-  return ShowTree(id) ? "" : "there is no tree " + id;
+  if (document.element(element).tag.substr(0, 7) != "SubTree") return Problem{kNotASubTree};
+  return ShowTree(id) ? Outcome() : Problem{"there is no tree " + id};
 }
 
 }  // namespace coppice::editor

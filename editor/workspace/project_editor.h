@@ -1,8 +1,8 @@
 // What the user does to whole trees and to names that several files share; the counterpart of
-// TreeEditor, which changes nodes. Each function returns why it cannot be done, or nothing.
+// TreeEditor, which changes nodes.
 //
 //   ProjectEditor edit(state, ui.now);
-//   const std::string refusal = edit.Extract("Dock");
+//   const Outcome done = edit.Extract("Dock");
 #ifndef COPPICE_EDITOR_WORKSPACE_PROJECT_EDITOR_H_
 #define COPPICE_EDITOR_WORKSPACE_PROJECT_EDITOR_H_
 
@@ -25,39 +25,36 @@ class ProjectEditor {
 
   /// One step of that name: the edits of the files, one for each.
   Outcome Change(const std::string& name, const ProjectFiles& files,
-                 const std::vector<Edit>& edits) {
-    std::string refusal = Do(name, files, edits);
-    return refusal.empty() ? Outcome() : Problem{std::move(refusal)};
-  }
+                 const std::vector<Edit>& edits);
 
   /// Makes a tree of the selected node.
-  std::string Extract(const std::string& id);
+  Outcome Extract(const std::string& id);
   /// Puts its tree in the place of the selected SubTree.
-  std::string Inline();
+  Outcome Inline();
 
   /// Makes an empty tree in the file of the shown one, and shows it.
-  std::string NewTree(const std::string& id);
+  Outcome NewTree(const std::string& id);
   /// Deletes the shown tree; refuses if a SubTree stands for it.
-  std::string DeleteTree();
+  Outcome DeleteTree();
   /// Renames the shown tree wherever it is used.
-  std::string RenameTree(const std::string& id);
+  Outcome RenameTree(const std::string& id);
   /// Includes a file into the shown one; writes an empty one if there is none.
-  std::string Include(const std::string& path);
+  Outcome Include(const std::string& path);
 
   /// The keys that the selected nodes name, each once.
   std::vector<std::string> SelectedKeys() const;
   /// Renames a key of the tree that the selected node is in.
-  std::string RenameKey(const std::string& key, const std::string& to);
+  Outcome RenameKey(const std::string& key, const std::string& to);
 
-  std::string ReplaceAll(const std::vector<Match>& matches, const Query& query,
-                         const std::string& with);
+  Outcome ReplaceAll(const std::vector<Match>& matches, const Query& query,
+                     const std::string& with);
 
   /// Shows and selects an element.
   void GoTo(const std::string& path, std::uint32_t offset);
   /// Shows the tree of that ID; false if there is none.
   bool ShowTree(const std::string& id);
   /// Shows the tree that the selected SubTree stands for.
-  std::string GoToDefinition();
+  Outcome GoToDefinition();
 
   /// ID of the tree in which the selected node is defined: that of the SubTree which it was opened
   /// in, else the shown tree. Empty if nothing is selected.
@@ -65,10 +62,7 @@ class ProjectEditor {
 
  private:
   const NodeModels& Models() const { return *state_.workspace.file()->models; }
-  std::string Refused(bool done) const { return done ? std::string() : state_.notice.text; }
-  std::string Do(const std::string& name, const ProjectFiles& files,
-                 const std::vector<Edit>& edits);
-  std::string IdRefused(const std::string& id) const;
+  Outcome CheckId(const std::string& id) const;
 
   EditorState& state_;
   const double now_;

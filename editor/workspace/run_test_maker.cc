@@ -27,24 +27,26 @@ std::pair<std::size_t, std::size_t> ShownTicks(EditorState& state, const RunView
 
 }  // namespace
 
-std::string SaveRunAsTest(EditorState& state, const std::string& name, double now) {
+Outcome SaveRunAsTest(EditorState& state, const std::string& name, double now) {
   const RunView* run = state.workspace.run();
-  if (!run || !run->run().has_tree() || run->run().size() == 0) return "nothing has happened yet";
-  if (name.empty()) return "a name is needed";
+  if (!run || !run->run().has_tree() || run->run().size() == 0)
+    return Problem{"nothing has happened yet"};
+  if (name.empty()) return Problem{"a name is needed"};
   const auto [first, end] = ShownTicks(state, *run);
   Diagnostics diagnostics;
   const auto recorded = ScenarioOf(run->run().recording(), first, end, name, diagnostics);
-  if (!recorded) return diagnostics.all().back().message;
+  if (!recorded) return Problem{diagnostics.all().back().message};
   const OpenFile* file = FileOf(state.workspace, *recorded);
   if (!file) {
-    return "open the file with the tree " + recorded->tree_id + " first: the test lies beside it";
+    return Problem{"open the file with the tree " + recorded->tree_id +
+                   " first: the test lies beside it"};
   }
   const int main = file->forest->main_tree();
   const bool is_main = main >= 0 && file->forest->Find(recorded->tree_id) == main;
   const std::string path =
       SaveScenario(recorded->scenario, file->path, is_main ? "" : recorded->tree_id,
                    state.workspace.model_files(), recorded->models, diagnostics);
-  if (path.empty()) return diagnostics.all().back().message;
+  if (path.empty()) return Problem{diagnostics.all().back().message};
   state.Notify("\"" + name + "\" is a test in " + path.substr(path.rfind('/') + 1) +
                    ", from tick " +
                    std::to_string(run->run().recording().ticks()[recorded->first_tick].number),

@@ -4,13 +4,14 @@
 
 #include <string>
 
+#include "bt_core/base/outcome.h"
 #include "editor/workspace/editor_state.h"
 
 namespace coppice::editor {
 
 /// Of the shown run, or of the stretch that is marked in its timeline. The file of its tree is the
-/// one of that path, or an open file that has a tree of that ID. Returns why not, or nothing.
-std::string SaveRunAsTest(EditorState& state, const std::string& name, double now);
+/// one of that path, or an open file that has a tree of that ID.
+Outcome SaveRunAsTest(EditorState& state, const std::string& name, double now);
 
 }  // namespace coppice::editor
 

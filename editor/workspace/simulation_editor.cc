@@ -156,11 +156,11 @@ void SimulationEditor::ChangeSpeed(double factor) {
   state_.simulator.SetSpeed(state_.simulator.speed() * factor);
 }
 
-std::string SimulationEditor::SetSeed(const std::string& text) {
+Outcome SimulationEditor::SetSeed(const std::string& text) {
   state_.simulator.Pause();
   Simulation* simulation = GoOn();
   const std::optional<std::uint64_t> seed = NumberIn(text, kLargestSeed);
-  if (!seed && !text.empty()) return "a seed is a whole number";
+  if (!seed && !text.empty()) return Problem{"a seed is a whole number"};
   if (!simulation) return {};
   if (!seed) {
     simulation->SetChance(std::nullopt);
@@ -168,17 +168,17 @@ std::string SimulationEditor::SetSeed(const std::string& text) {
   }
   Diagnostics diagnostics;
   std::optional<RandomPlay> play = state_.simulator.ReadRandomPlay(diagnostics);
-  if (!play) return FirstProblem(diagnostics);
+  if (!play) return Problem{FirstProblem(diagnostics)};
   simulation->SetChance(Chance{*seed, *std::move(play)});
   return {};
 }
 
-std::string SimulationEditor::RunTicks(const std::string& text) {
+Outcome SimulationEditor::RunTicks(const std::string& text) {
   state_.simulator.Pause();
   Simulation* simulation = GoOn();
   const std::optional<std::uint64_t> ticks = NumberIn(text, kMostTicks);
-  if (!ticks || *ticks == 0) return "a number from 1 to " + std::to_string(kMostTicks);
-  if (!simulation) return "there is no simulation";
+  if (!ticks || *ticks == 0) return Problem{"a number from 1 to " + std::to_string(kMostTicks)};
+  if (!simulation) return Problem{"there is no simulation"};
   state_.simulator.SetResult(Status::kRunning);
   for (std::uint64_t i = 0; i < *ticks && !state_.simulator.result(); ++i) {
     state_.simulator.SetResult(simulation->Tick(state_.simulator.period()));
@@ -186,14 +186,14 @@ std::string SimulationEditor::RunTicks(const std::string& text) {
   return {};
 }
 
-std::string SimulationEditor::RunOften(const std::string& text) {
+Outcome SimulationEditor::RunOften(const std::string& text) {
   const std::optional<std::uint64_t> runs = NumberIn(text, kMostRuns);
-  if (!runs || *runs == 0) return "a number from 1 to " + std::to_string(kMostRuns);
+  if (!runs || *runs == 0) return Problem{"a number from 1 to " + std::to_string(kMostRuns)};
   const Simulation* simulation = state_.simulator.get();
-  if (!simulation) return "there is no simulation";
+  if (!simulation) return Problem{"there is no simulation"};
   Diagnostics diagnostics;
   std::optional<RandomPlay> play = state_.simulator.ReadRandomPlay(diagnostics);
-  if (!play) return FirstProblem(diagnostics);
+  if (!play) return Problem{FirstProblem(diagnostics)};
   ScenarioStep told = simulation->Told();
   RandomRunOptions options;
   options.seed = simulation->chance() ? simulation->chance()->seed : 1;
@@ -248,44 +248,45 @@ void SimulationEditor::Finish(Status status) {
   if (!state_.simulator.is_playing()) Tick();
 }
 
-std::string SimulationEditor::SetScript(const std::string& text) {
+Outcome SimulationEditor::SetScript(const std::string& text) {
   const NodeIndex leaf = SelectedLeaf();
-  if (leaf == kNoNode) return "select a leaf first";
+  if (leaf == kNoNode) return Problem{"select a leaf first"};
   const Expected<MockScript> script = ParseScript(text);
-  if (script) SetLeaf(leaf, *script);
-  return script.problem();
+  if (!script) return Problem{script.problem()};
+  SetLeaf(leaf, *script);
+  return {};
 }
 
-std::string SimulationEditor::SetKey(const std::string& assignment) {
+Outcome SimulationEditor::SetKey(const std::string& assignment) {
   const std::size_t sign = assignment.find('=');
-  if (sign == std::string::npos) return "say it as in: battery_level = 0.2";
+  if (sign == std::string::npos) return Problem{"say it as in: battery_level = 0.2"};
   Simulation* simulation = GoOn();
-  if (!simulation) return "there is no simulation";
-  return simulation
-      ->SetKey(Trimmed(assignment.substr(0, sign)), Trimmed(assignment.substr(sign + 1)))
-      .problem();
+  if (!simulation) return Problem{"there is no simulation"};
+  return simulation->SetKey(Trimmed(assignment.substr(0, sign)),
+                            Trimmed(assignment.substr(sign + 1)));
 }
 
-std::string SimulationEditor::SaveAsScenario(const std::string& name) {
+Outcome SimulationEditor::SaveAsScenario(const std::string& name) {
   Simulation* simulation = state_.simulator.get();
-  if (!simulation || name.empty()) return "a name is needed";
-  if (simulation->ticks() == 0) return "nothing has happened yet";
+  if (!simulation || name.empty()) return Problem{"a name is needed"};
+  if (simulation->ticks() == 0) return Problem{"nothing has happened yet"};
   Diagnostics diagnostics;
   const std::string path =
       SaveScenario(GoOn() ? simulation->Record(name) : Scenario(), state_.simulator.path(),
                    state_.simulator.tree_id(), state_.workspace.model_files(), "", diagnostics);
-  if (path.empty()) return FirstProblem(diagnostics);
+  if (path.empty()) return Problem{FirstProblem(diagnostics)};
   state_.Notify("\"" + name + "\" is a test in " + NameOf(path), now_);
   state_.screen.tiles.tests = true;
   state_.tests.Look({state_.simulator.path()});
   return {};
 }
 
-std::string SimulationEditor::SaveAsRecord(const std::string& path) {
+Outcome SimulationEditor::SaveAsRecord(const std::string& path) {
   Simulation* simulation = GoOn();
-  if (!simulation || path.empty()) return "a path is needed";
+  if (!simulation || path.empty()) return Problem{"a path is needed"};
   Diagnostics diagnostics;
-  if (!WriteFile(path, simulation->ToRecord(), diagnostics)) return FirstProblem(diagnostics);
+  if (!WriteFile(path, simulation->ToRecord(), diagnostics))
+    return Problem{FirstProblem(diagnostics)};
   state_.Notify("recorded in " + NameOf(path), now_);
   return {};
 }

@@ -10,6 +10,7 @@
 
 #include <string>
 
+#include "bt_core/base/outcome.h"
 #include "editor/workspace/editor_state.h"
 
 namespace coppice::editor {
@@ -36,13 +37,13 @@ class SimulationEditor {
   void ChangeSpeed(double factor);
 
   /// Begins anew by chance, as the scenarios beside the tree say; an empty text: always the same.
-  /// Returns why not, or nothing.
-  std::string SetSeed(const std::string& text);
-  /// Ticks so often, or until the tree is done. Returns why not, or nothing.
-  std::string RunTicks(const std::string& text);
+  ///
+  Outcome SetSeed(const std::string& text);
+  /// Ticks so often, or until the tree is done.
+  Outcome RunTicks(const std::string& text);
   /// The same so often, beside the simulation, with the scripts and keys that it was given; shows
-  /// what is reached. Returns why not, or nothing.
-  std::string RunOften(const std::string& text);
+  /// what is reached.
+  Outcome RunOften(const std::string& text);
   /// Simulates the run that had it, up to that tick.
   void GoToFinding(const RandomFinding& finding);
 
@@ -50,14 +51,14 @@ class SimulationEditor {
   NodeIndex SelectedLeaf() const;
   /// From now on the selected leaf returns that; a paused simulation ticks at once.
   void Finish(Status status);
-  /// The same with words, see simulation/script_text.h. Returns why not, or nothing.
-  std::string SetScript(const std::string& text);
+  /// The same with words, see simulation/script_text.h.
+  Outcome SetScript(const std::string& text);
   /// "battery_level = 0.2"
-  std::string SetKey(const std::string& assignment);
+  Outcome SetKey(const std::string& assignment);
 
-  /// Saves what was done as a test beside its file. Returns why not, or nothing.
-  std::string SaveAsScenario(const std::string& name);
-  std::string SaveAsRecord(const std::string& path);
+  /// Saves what was done as a test beside its file.
+  Outcome SaveAsScenario(const std::string& name);
+  Outcome SaveAsRecord(const std::string& path);
 
   void RunScenarios();
   /// Shows where a test stands, in its tree.

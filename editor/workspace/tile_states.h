@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "bt_core/analysis/compare.h"
+#include "bt_core/base/outcome.h"
 #include "editor/canvas/drop_target.h"
 #include "editor/files/line_changes.h"
 #include "editor/keys/choice.h"
@@ -40,7 +41,7 @@ enum class Popup {
 /// What a kPrompt asks.
 struct Prompt {
   std::string hint;
-  std::function<std::string(const std::string&)> run;  ///< of the text; returns why not, or nothing
+  std::function<Outcome(const std::string&)> run;  ///< of the text
   ChoiceSource preview;       ///< rows below it; empty: none. A click on one runs it
   bool asks_for_text = true;  ///< if not, Space runs the row that the arrow keys have chosen
 };

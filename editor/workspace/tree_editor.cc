@@ -8,17 +8,22 @@
 #include "editor/document/tree_edits.h"
 
 namespace coppice::editor {
+
 bool TreeEditor::Refuse(std::string why) {
   state_.Notify(std::move(why), now_, true);
   return false;
 }
 
-std::string TreeEditor::WhyReadOnly() const {
+bool TreeEditor::Report(const Outcome& outcome) {
+  return outcome ? true : Refuse(outcome.problem());
+}
+
+Outcome TreeEditor::CanEdit() const {
   const Workspace& workspace = state_.workspace;
-  if (workspace.run()) return "this is what the robot runs; open its file to change it";
-  if (!workspace.file()) return "no file is open";
+  if (workspace.run()) return Problem{"this is what the robot runs; open its file to change it"};
+  if (!workspace.file()) return Problem{"no file is open"};
   if (workspace.file()->is_stale || !workspace.ShownTree()) {
-    return "the text of this file is malformed: correct it first";
+    return Problem{"the text of this file is malformed: correct it first"};
   }
   return {};
 }
@@ -74,19 +79,17 @@ void TreeEditor::Show(const std::vector<FilePlace>& places) {
   if (view && view->selected() != kNoSceneNode) view->Reveal(state_.screen.canvas_size);
 }
 
-bool TreeEditor::RunAll(const std::string& name, const std::vector<Selected>& selection,
-                        const Edit& edit) {
-  const std::string read_only = WhyReadOnly();
-  if (!read_only.empty()) return Refuse(read_only);
-  if (selection.empty()) return Refuse("nothing is selected");
+Outcome TreeEditor::RunAll(const std::string& name, const std::vector<Selected>& selection,
+                           const Edit& edit) {
+  if (Outcome can = CanEdit(); !can) return can;
+  if (selection.empty()) return Problem{"nothing is selected"};
   const NodeRules rules = Rules();
   NamedChange change;
   change.name = name;
   std::vector<FilePlace> after;
   for (const Selected& selected : selection) {
     Draft draft(DocumentOf(selected.path), selected.elements);
-    std::string refusal = edit(draft, rules);
-    if (!refusal.empty()) return Refuse(std::move(refusal));
+    if (Outcome edited = edit(draft, rules); !edited) return edited;
     change.files.push_back(std::move(draft).Finish(selected.path));
     for (const std::uint32_t offset : change.files.back().selected) {
       after.push_back({selected.path, offset});
@@ -94,23 +97,25 @@ bool TreeEditor::RunAll(const std::string& name, const std::vector<Selected>& se
   }
   Diagnostics diagnostics;
   if (!state_.workspace.project().Do(std::move(change), SelectedPlaces(), diagnostics)) {
-    return Refuse(diagnostics.all().empty() ? "not possible" : diagnostics.all()[0].message);
+    return Problem{diagnostics.all().empty() ? "not possible" : diagnostics.all()[0].message};
   }
   Show(after);
-  return true;
+  return {};
 }
 
-bool TreeEditor::Run(const std::string& name, const Edit& edit) {
+Outcome TreeEditor::Try(const std::string& name, const Edit& edit) {
   return RunAll(name, Selection(), edit);
 }
 
+bool TreeEditor::Run(const std::string& name, const Edit& edit) { return Report(Try(name, edit)); }
+
 bool TreeEditor::RunOn(const std::string& name, const std::string& path,
                        const std::vector<ElementIndex>& elements, const Edit& edit) {
-  return RunAll(name, {{path, elements}}, edit);
+  return Report(RunAll(name, {{path, elements}}, edit));
 }
 
 std::string TreeEditor::PlaceOfNew() const {
-  if (!WhyReadOnly().empty()) return {};
+  if (!CanEdit()) return {};
   const std::vector<Selected> selection = Selection();
   if (selection.empty()) return "as the root of " + state_.workspace.ShownTreeId();
   const Document& document = DocumentOf(selection[0].path);
@@ -121,8 +126,7 @@ std::string TreeEditor::PlaceOfNew() const {
 
 bool TreeEditor::InsertAll(const std::string& name, const std::vector<std::string>& fragments,
                            AddWhere where) {
-  const std::string read_only = WhyReadOnly();
-  if (!read_only.empty()) return Refuse(read_only);
+  if (!Report(CanEdit())) return false;
   const std::vector<Selected> selection = Selection();
   if (selection.empty()) {
     const ElementPlace tree = *state_.workspace.ShownTree();
@@ -184,7 +188,7 @@ void TreeEditor::ToggleDisabled() {
 
 std::string TreeEditor::LostByChange(const std::string& type) const {
   std::string lost;
-  if (!WhyReadOnly().empty()) return lost;
+  if (!CanEdit()) return lost;
   const NodeRules rules = Rules();
   for (const Selected& selected : Selection()) {
     for (const ElementIndex element : selected.elements) {
@@ -223,10 +227,10 @@ bool TreeEditor::AddPort(const std::string& name) {
   if (!IsXmlName(name) || IsReservedAttribute(name)) {
     return Refuse("\"" + name + "\" cannot be the name of a port");
   }
-  return Run("Add port " + name + " to " + What(), [&](Draft& draft, const NodeRules&) {
+  return Run("Add port " + name + " to " + What(), [&](Draft& draft, const NodeRules&) -> Outcome {
     for (const ElementIndex element : draft.selection()) {
       if (draft.document().FindAttribute(draft.document().element(element), name)) {
-        return "there is a port " + name + " already";
+        return Problem{"there is a port " + name + " already"};
       }
     }
     return editor::SetValue(draft, name, "");
@@ -273,10 +277,7 @@ void TreeEditor::Copy() {
 }
 
 void TreeEditor::Cut() {
-  if (!WhyReadOnly().empty()) {
-    Refuse(WhyReadOnly());
-    return;
-  }
+  if (!Report(CanEdit())) return;
   Copy();
   Run("Cut " + What(), [](Draft& draft, const NodeRules&) { return DeleteNodes(draft); });
 }

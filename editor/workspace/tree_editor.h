@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "bt_core/base/outcome.h"
 #include "editor/document/draft.h"
 #include "editor/document/node_rules.h"
 #include "editor/workspace/editor_state.h"
@@ -26,8 +27,8 @@ class TreeEditor {
  public:
   TreeEditor(EditorState& state, double now) : state_(state), now_(now) {}
 
-  /// Why the shown tree cannot be changed, or empty.
-  std::string WhyReadOnly() const;
+  /// Whether the shown tree can be changed.
+  Outcome CanEdit() const;
 
   /// Makes `xml`, one element, a child of the selected node, its next sibling, or its parent. A
   /// leaf gets a sibling instead of a child; an empty tree its root. `type` is for the name of the
@@ -76,9 +77,11 @@ class TreeEditor {
   /// The same, where the user's changes stay.
   void MergeTheirs();
 
-  using Edit = std::function<std::string(Draft&, const NodeRules&)>;
+  using Edit = std::function<Outcome(Draft&, const NodeRules&)>;
   /// Runs an edit on the selected elements of each file; one step of that name.
   bool Run(const std::string& name, const Edit& edit);
+  /// The same; what cannot be done is told to the caller alone.
+  Outcome Try(const std::string& name, const Edit& edit);
   /// The same on elements of one file. Selects what the edit selects.
   bool RunOn(const std::string& name, const std::string& path,
              const std::vector<ElementIndex>& elements, const Edit& edit);
@@ -94,11 +97,12 @@ class TreeEditor {
   NodeRules Rules() const;
   std::string What() const;
   std::vector<std::string> Disputed() const;  // paths of files that somebody else changed too
-  bool RunAll(const std::string& name, const std::vector<Selected>& selection, const Edit& edit);
+  Outcome RunAll(const std::string& name, const std::vector<Selected>& selection, const Edit& edit);
   bool InsertAll(const std::string& name, const std::vector<std::string>& fragments,
                  AddWhere where);
   void Show(const std::vector<FilePlace>& places);
   bool Refuse(std::string why);
+  bool Report(const Outcome& outcome);  // true if it was done
 
   EditorState& state_;
   const double now_;

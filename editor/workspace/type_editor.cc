@@ -13,10 +13,10 @@ namespace {
 
 Problem NotDefined(const std::string& type) { return {"no file of this project defines " + type}; }
 
-std::string NotAPort(const std::string& name) {
-  if (name.empty()) return "a port needs a name";
-  return IsXmlName(name) && !IsReservedAttribute(name) ? ""
-                                                       : name + " cannot be the name of a port";
+Outcome CheckPortName(const std::string& name) {
+  if (name.empty()) return Problem{"a port needs a name"};
+  if (IsXmlName(name) && !IsReservedAttribute(name)) return {};
+  return Problem{name + " cannot be the name of a port"};
 }
 
 }  // namespace
@@ -120,7 +120,7 @@ Outcome TypeEditor::Describe(const std::string& type, const std::string& descrip
 Outcome TypeEditor::AddPort(const std::string& type, const PortModel& port) {
   const Model model = Find(type);
   if (model.element == kNoElement) return NotDefined(type);
-  if (std::string why = NotAPort(port.name); !why.empty()) return Problem{std::move(why)};
+  if (Outcome named = CheckPortName(port.name); !named) return named;
   const Document& document = files_[model.file];
   if (FindPort(document, model.element, port.name) != kNoElement) {
     return Problem{type + " has a port " + port.name + " already"};
@@ -167,7 +167,7 @@ Outcome TypeEditor::ChangePort(const std::string& type, const std::string& port,
     return Change("Change port " + port + " of " + type, model.file,
                   editor::ChangePort(document, element, to));
   }
-  if (std::string why = NotAPort(to.name); !why.empty()) return Problem{std::move(why)};
+  if (Outcome named = CheckPortName(to.name); !named) return named;
   if (FindPort(document, model.element, to.name) != kNoElement) {
     return Problem{type + " has a port " + to.name + " already"};
   }

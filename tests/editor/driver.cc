@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <stdexcept>
 
 namespace coppice::editor {
 namespace {
@@ -100,7 +101,8 @@ int Driver::CountColor(const Box& box, Color color, int tolerance) const {
 
 void Driver::Picture(const std::string& name) const {
   if (const char* folder = std::getenv("COPPICE_PICTURES")) {
-    WritePng(editor.Picture(), std::string(folder) + "/" + name + ".png");
+    const Outcome written = WritePng(editor.Picture(), std::string(folder) + "/" + name + ".png");
+    if (!written) throw std::runtime_error(written.problem());
   }
 }
 

@@ -66,13 +66,13 @@ std::optional<Image> ReadPng(const std::string& path) {
 std::string CompareWithReference(const Image& shown, const std::string& name) {
   const std::string path = SourceFolder() + "/tests/editor/reference/" + name + ".png";
   const Image half = HalfSize(shown);
-  if (std::getenv("COPPICE_UPDATE_REFERENCE")) return WritePng(half, path);
+  if (std::getenv("COPPICE_UPDATE_REFERENCE")) return WritePng(half, path).problem();
   const std::optional<Image> reference = ReadPng(path);
   const double part = reference ? DifferentPart(half, *reference) : 1;
   if (part <= kMostDifferent) return {};
   const std::string seen =
       (std::filesystem::temp_directory_path() / ("coppice-" + name + ".png")).string();
-  WritePng(half, seen);
+  if (const Outcome written = WritePng(half, seen); !written) return written.problem();
   return std::to_string(part * 100) + " % of " + path + " differ from " + seen +
          "; if that is meant, keep it: see tests/editor/reference_picture.h";
 }

@@ -11,7 +11,7 @@ TEST(ReferencePicture, WhatIsWrittenCanBeRead) {
   const TemporaryFile folder("x", "");
   Image image = MakeImage(4, 2, 0xFF102030U);
   image.pixels[5] = 0xFFE0A010U;
-  ASSERT_EQ(WritePng(image, folder.folder() + "/a.png"), "");
+  ASSERT_EQ(WritePng(image, folder.folder() + "/a.png").problem(), "");
   const auto read = ReadPng(folder.folder() + "/a.png");
   ASSERT_TRUE(read);
   EXPECT_EQ(read->pixels, image.pixels);

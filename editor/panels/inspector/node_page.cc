@@ -50,7 +50,7 @@ class NodePage {
         state_(state),
         scene_(std::move(scene)),
         node_(node),
-        can_edit_(TreeEditor(state, ui.now).WhyReadOnly().empty()) {}
+        can_edit_(TreeEditor(state, ui.now).CanEdit().ok()) {}
 
   void Draw() {
     ImGui::SetCursorPosY(4 * ui_.scale);

@@ -28,7 +28,7 @@ void DrawInterface(const Ui& ui, EditorState& state, const std::string& tree,
       Tooltip(ui, port.model.description.empty() ? words : words + "\n" + port.model.description);
     }
   }
-  if (TreeEditor(state, ui.now).WhyReadOnly().empty()) DrawTypeAction(ui, state, tree);
+  if (TreeEditor(state, ui.now).CanEdit()) DrawTypeAction(ui, state, tree);
 }
 
 }  // namespace
@@ -51,8 +51,8 @@ void DrawTreePage(const Ui& ui, EditorState& state) {
   DrawInterface(ui, state, tree, files);
   if (!id.value) return;
   state.after_frame = [&state, now = ui.now, to = *id.value] {
-    const std::string refusal = ProjectEditor(state, now).RenameTree(to);
-    if (!refusal.empty()) state.Notify(refusal, now, true);
+    const Outcome renamed = ProjectEditor(state, now).RenameTree(to);
+    if (!renamed) state.Notify(renamed.problem(), now, true);
   };
 }
 

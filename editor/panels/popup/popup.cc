@@ -226,8 +226,9 @@ class PopupWindow {
   }
 
   void Connect() {
-    state_.popup.error = state_.services.connect(state_.popup.text);
-    if (state_.popup.error.empty()) state_.popup.kind = Popup::kNone;
+    const Outcome connected = state_.services.connect(state_.popup.text);
+    state_.popup.error = connected.problem();
+    if (connected) state_.popup.kind = Popup::kNone;
   }
 
   // What is asked may ask further.
@@ -238,12 +239,12 @@ class PopupWindow {
     if (prompt.preview && !confirmed) Preview(prompt.preview(state_.popup.text));
     if (!confirmed) return;
     Close();
-    const std::string refusal = prompt.run(state_.popup.text);
-    if (refusal.empty()) return;
+    const Outcome answered = prompt.run(state_.popup.text);
+    if (answered) return;
     state_.popup.kind = Popup::kPrompt;
     state_.popup.is_new = true;  // the user goes on typing
     state_.popup.selects_text = false;
-    state_.popup.error = refusal;
+    state_.popup.error = answered.problem();
   }
 
   void Preview(const std::vector<Choice>& rows) {

@@ -14,8 +14,8 @@ namespace coppice::robot::assistance {
 /// Whether the text is one variable without a default and nothing else, as secrets must be.
 bool IsVariable(const std::string& text);
 
-/// A problem if a variable has neither value nor default. An empty value counts as none. A "${" that
-/// is not closed is a text like any other.
+/// A problem if a variable has neither value nor default. An empty value counts as none. A "${"
+/// that is not closed is a text like any other.
 Expected<std::string> FillVariables(
     const std::string& text,
     const std::function<std::optional<std::string>(const std::string& name)>& value_of);

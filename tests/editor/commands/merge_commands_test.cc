@@ -51,7 +51,7 @@ class MergeCommandsTest : public testing::Test {
   }
   void Ask() { state().commands.Run("file.resolve"); }
   std::vector<Choice> Rows() { return state().popup.prompt.preview(""); }
-  std::string Answer() { return state().popup.prompt.run(""); }
+  std::string Answer() { return state().popup.prompt.run("").problem(); }
 
   TemporaryFile file_{"main.xml", kFile};
   std::filesystem::file_time_type stamp_ = std::filesystem::last_write_time(file_.path());

@@ -23,14 +23,16 @@ class DropEditsTest : public testing::Test {
 
 TEST_F(DropEditsTest, ANewNodeGoesBetweenOthersOrInTheirPlaceOrAround) {
   Draft into(document_);
-  EXPECT_EQ(DropNew(into, rules_, {DropSpot::Kind::kInto, Find(document_, "top"), 1}, {"<New/>"}),
+  EXPECT_EQ(DropNew(into, rules_, {DropSpot::Kind::kInto, Find(document_, "top"), 1}, {"<New/>"})
+                .problem(),
             "");
   EXPECT_THAT(into.document().text(), HasSubstr("<A/>\n      <New/>\n"));
   Draft place(document_);
-  EXPECT_EQ(DropNew(place, rules_, At(DropSpot::Kind::kReplace, "C"), {"<New/>"}), "");
+  EXPECT_EQ(DropNew(place, rules_, At(DropSpot::Kind::kReplace, "C"), {"<New/>"}).problem(), "");
   EXPECT_THAT(place.document().text(), HasSubstr("<New/>\n        <D/>"));
   Draft around(document_);
-  EXPECT_EQ(DropNew(around, rules_, At(DropSpot::Kind::kAround, "C"), {"<Inverter/>"}), "");
+  EXPECT_EQ(DropNew(around, rules_, At(DropSpot::Kind::kAround, "C"), {"<Inverter/>"}).problem(),
+            "");
   EXPECT_THAT(around.document().text(),
               HasSubstr("        <Inverter>\n          <C msec='5'/>\n        </Inverter>\n"));
   EXPECT_THAT(Selected(around), ElementsAre("Inverter"));
@@ -38,29 +40,31 @@ TEST_F(DropEditsTest, ANewNodeGoesBetweenOthersOrInTheirPlaceOrAround) {
 
 TEST_F(DropEditsTest, ANodeWithChildrenKeepsThemWhenAnotherTakesItsPlace) {
   Draft draft(document_);
-  EXPECT_EQ(DropNew(draft, rules_, At(DropSpot::Kind::kReplace, "inner"), {"<Sequence/>"}), "");
+  EXPECT_EQ(
+      DropNew(draft, rules_, At(DropSpot::Kind::kReplace, "inner"), {"<Sequence/>"}).problem(), "");
   EXPECT_THAT(draft.document().text(), HasSubstr("<Sequence name=\"inner\">\n        <C"));
 }
 
 TEST_F(DropEditsTest, ANodeIsMovedToWhereItIsDropped) {
   Draft into = DraftOf(document_, {"A"});
-  EXPECT_EQ(DropMoved(into, rules_, {DropSpot::Kind::kInto, Find(document_, "inner"), 1}), "");
+  EXPECT_EQ(DropMoved(into, rules_, {DropSpot::Kind::kInto, Find(document_, "inner"), 1}).problem(),
+            "");
   EXPECT_THAT(into.document().text(), HasSubstr("<C msec='5'/>\n        <A/>\n"));
   Draft place = DraftOf(document_, {"A"});
-  EXPECT_EQ(DropMoved(place, rules_, At(DropSpot::Kind::kReplace, "D")), "");
+  EXPECT_EQ(DropMoved(place, rules_, At(DropSpot::Kind::kReplace, "D")).problem(), "");
   EXPECT_THAT(place.document().text(), HasSubstr("<C msec='5'/>\n        <A/>\n      </Fall"));
   EXPECT_THAT(Selected(place), ElementsAre("A"));
   Draft around = DraftOf(document_, {"inner"});
-  EXPECT_EQ(DropMoved(around, rules_, At(DropSpot::Kind::kAround, "A")), "");
+  EXPECT_EQ(DropMoved(around, rules_, At(DropSpot::Kind::kAround, "A")).problem(), "");
   EXPECT_THAT(around.document().text(), HasSubstr("<D/>\n        <A/>\n      </Fallback>"));
 }
 
 TEST_F(DropEditsTest, WhatMakesNoSenseIsRefused) {
   Draft draft = DraftOf(document_, {"inner"});
-  EXPECT_NE(DropMoved(draft, rules_, At(DropSpot::Kind::kReplace, "C")), "");
-  EXPECT_NE(DropMoved(draft, rules_, At(DropSpot::Kind::kInto, "C")), "");
-  EXPECT_NE(DropMoved(draft, rules_, At(DropSpot::Kind::kAround, "top")), "");
-  EXPECT_NE(DropNew(draft, rules_, At(DropSpot::Kind::kAround, "C"), {"<A/>"}), "");
+  EXPECT_FALSE(DropMoved(draft, rules_, At(DropSpot::Kind::kReplace, "C")));
+  EXPECT_FALSE(DropMoved(draft, rules_, At(DropSpot::Kind::kInto, "C")));
+  EXPECT_FALSE(DropMoved(draft, rules_, At(DropSpot::Kind::kAround, "top")));
+  EXPECT_FALSE(DropNew(draft, rules_, At(DropSpot::Kind::kAround, "C"), {"<A/>"}));
   EXPECT_FALSE(draft.has_changed());
 }
 

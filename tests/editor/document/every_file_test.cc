@@ -87,7 +87,7 @@ TEST(EveryFile, OneEditTouchesOnePlace) {
     while (node < document.elements().size() && !IsNode(document, node)) ++node;
     if (node == document.elements().size()) continue;
     Draft draft(document, {node});
-    ASSERT_EQ(SetValue(draft, "coppice_test", "a < b"), "");
+    ASSERT_EQ(SetValue(draft, "coppice_test", "a < b").problem(), "");
     ASSERT_TRUE(project.Do({"Set", {std::move(draft).Finish(path)}}, {}, diagnostics));
     ASSERT_LE(ChangedLines(before, file->text), 2U);
     project.Undo();
@@ -127,7 +127,7 @@ TEST(EveryFile, OfOneMegabyteOpensAndIsUndone) {
   Diagnostics diagnostics;
   project.Open(file.path(), diagnostics);
   Draft draft(*project.Find(file.path())->document, {ElementIndex{5}});
-  SetValue(draft, "name", "b");
+  ASSERT_TRUE(SetValue(draft, "name", "b"));
   project.Do({"Set", {std::move(draft).Finish(file.path())}}, {}, diagnostics);
   const double bytes = Milliseconds([&] { project.Undo(); });
   std::printf(

@@ -55,7 +55,7 @@ TEST_F(ExtractSubTreeTest, KeysThatTheRestUsesAndThoseOnlyReadGoAcross) {
 
 TEST_F(ExtractSubTreeTest, TheNewTreeStandsBehindTheOldOne) {
   Draft draft = DraftOf(document_, {"go"});
-  EXPECT_EQ(ExtractSubTree(draft, rules_, "Go", {}), "");
+  EXPECT_EQ(ExtractSubTree(draft, rules_, "Go", {}).problem(), "");
   EXPECT_THAT(draft.document().text(), HasSubstr(R"(
       <FindPlace name="find" place="{place}"/>
       <SubTree ID="Go" place="{place}" speed="{speed}"/>
@@ -75,16 +75,16 @@ TEST_F(ExtractSubTreeTest, TheNewTreeStandsBehindTheOldOne) {
 
 TEST_F(ExtractSubTreeTest, TheRootOfATreeCanBeExtracted) {
   Draft draft = DraftOf(document_, {"top"});
-  EXPECT_EQ(ExtractSubTree(draft, rules_, "A & B", {}), "");
+  EXPECT_EQ(ExtractSubTree(draft, rules_, "A & B", {}).problem(), "");
   EXPECT_THAT(draft.document().text(),
               HasSubstr("<BehaviorTree ID=\"Main\">\n    <SubTree ID=\"A &amp; B\""));
 }
 
 TEST_F(ExtractSubTreeTest, SeveralNodesAndNoNameAreRefused) {
   Draft several = DraftOf(document_, {"find", "go"});
-  EXPECT_NE(ExtractSubTree(several, rules_, "Go", {}), "");
+  EXPECT_FALSE(ExtractSubTree(several, rules_, "Go", {}));
   Draft one = DraftOf(document_, {"go"});
-  EXPECT_NE(ExtractSubTree(one, rules_, "", {}), "");
+  EXPECT_FALSE(ExtractSubTree(one, rules_, "", {}));
   EXPECT_FALSE(one.has_changed());
 }
 

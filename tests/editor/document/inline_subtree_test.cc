@@ -32,8 +32,8 @@ class InlineSubTreeTest : public testing::Test {
   std::string Inlined(const std::string& attributes, const std::string& body) {
     const Document document = Parsed(Trees(attributes, body));
     Draft draft(document, {Find(document, "SubTree")});
-    const std::string refusal = InlineSubTree(draft, rules_, document, Tree(document));
-    if (!refusal.empty()) return refusal;
+    const Outcome inlined = InlineSubTree(draft, rules_, document, Tree(document));
+    if (!inlined) return inlined.problem();
     const std::string& text = draft.document().text();
     const std::size_t begin = text.find("      <A");
     return text.substr(begin, text.find("\n    </Sequence>", begin) + 1 - begin);
@@ -91,8 +91,8 @@ TEST_F(InlineSubTreeTest, UndoesAnExtraction) {
   const std::string before = Trees(R"( goal="{goal}")", R"(<Go to="{goal}"/>)");
   const Document document = Parsed(before);
   Draft draft(document, {Find(document, "SubTree")});
-  ASSERT_EQ(InlineSubTree(draft, rules_, document, Tree(document)), "");
-  ASSERT_EQ(ExtractSubTree(draft, rules_, "Walk2", {}), "");
+  ASSERT_EQ(InlineSubTree(draft, rules_, document, Tree(document)).problem(), "");
+  ASSERT_EQ(ExtractSubTree(draft, rules_, "Walk2", {}).problem(), "");
   EXPECT_THAT(draft.document().text(), HasSubstr(R"(<SubTree ID="Walk2" goal="{goal}"/>)"));
 }
 

@@ -14,7 +14,7 @@ TEST(NodeRules, KnowHowManyChildrenFit) {
   models.AddFrom(document);
   const NodeRules rules(models);
   const auto why = [&](const char* name, std::uint32_t more) {
-    return rules.WhyNoRoom(document, Find(document, name), more);
+    return rules.HasRoom(document, Find(document, name), more).problem();
   };
   EXPECT_EQ(why("Sequence", 100), "");
   EXPECT_EQ(why("Inverter", 1), "Inverter takes one child");

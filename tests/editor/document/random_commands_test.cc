@@ -125,14 +125,13 @@ class Session {
   void RunOne() {
     const Document document = *file().document;
     Draft draft(document, RandomSelection(document));
-    const std::string refusal = RunCommand(draft);
-    if (!refusal.empty()) return;
+    if (!RunCommand(draft)) return;
     Diagnostics diagnostics;
     ASSERT_TRUE(project_.Do({"Command", {std::move(draft).Finish(kFile)}}, {}, diagnostics))
         << diagnostics.ToString();
   }
 
-  std::string RunCommand(Draft& draft) {
+  Outcome RunCommand(Draft& draft) {
     const auto element = static_cast<ElementIndex>(dice_.Below(draft.document().elements().size()));
     const auto position = static_cast<std::uint32_t>(dice_.Below(4));
     switch (dice_.Below(17)) {
@@ -141,7 +140,7 @@ class Session {
             draft, rules_, element, position,
             {dice_.Pick({"<N/>", "<Sequence>\n  <A/>\n</Sequence>", "<M x='&lt;'/>"})});
       case 1:
-        return dice_.OneIn(3) ? DeleteNodes(draft) : "rarely";
+        return dice_.OneIn(3) ? DeleteNodes(draft) : Problem{"rarely"};
       case 2:
         return DeleteKeepingChildren(draft, rules_);
       case 3:
@@ -184,22 +183,22 @@ class Session {
     return {kKinds[dice_.Below(3)], element, position};
   }
 
-  std::string Inline(Draft& draft) {
+  Outcome Inline(Draft& draft) {
     const std::vector<ElementIndex> selection = draft.selection();
-    if (selection.empty()) return "nothing";
+    if (selection.empty()) return Problem{"nothing"};
     const Document document = draft.document();
     const ProjectFiles files = {document};
     const auto trees = TreesCalled(files, TypeOf(document, selection[0]));
-    if (trees.empty() || document.text().size() > 200000) return "no tree";
+    if (trees.empty() || document.text().size() > 200000) return Problem{"no tree"};
     return InlineSubTree(draft, rules_, document, trees[0].element);
   }
 
-  std::string Paste(Draft& draft, ElementIndex element, std::uint32_t position) {
+  Outcome Paste(Draft& draft, ElementIndex element, std::uint32_t position) {
     Diagnostics diagnostics;
     const std::string text = CopyText(draft.document(), draft.selection());
     const auto fragments = ReadFragments(text, diagnostics);
-    if (diagnostics.has_errors()) return diagnostics.ToString();
-    if (text.size() > 2000) return "too long";
+    if (diagnostics.has_errors()) return Problem{diagnostics.ToString()};
+    if (text.size() > 2000) return Problem{"too long"};
     return InsertNodes(draft, rules_, element, position, fragments);
   }
 

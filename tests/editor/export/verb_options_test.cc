@@ -5,26 +5,23 @@
 namespace coppice::editor {
 namespace {
 
-std::optional<PictureOrder> Read(const std::vector<std::string>& arguments, std::string& wrong) {
+Expected<PictureOrder> Read(const std::vector<std::string>& arguments) {
   const Options options = ParseOptions({"paint", "", {}, "", PictureOptions()}, arguments);
-  return ReadPictureOrder(options, wrong);
+  return ReadPictureOrder(options);
 }
 
 TEST(VerbOptions, AreLightAndTopToBottomIfNothingIsSaid) {
-  std::string wrong;
-  const auto order = Read({}, wrong);
-  ASSERT_TRUE(order) << wrong;
+  const auto order = Read({});
+  ASSERT_TRUE(order) << order.problem();
   EXPECT_EQ(order->path, "");
   EXPECT_EQ(order->painting.palette, PaletteName::kLight);
   EXPECT_TRUE(order->painting.style == LayoutStyle());
 }
 
 TEST(VerbOptions, AreReadIntoThePainting) {
-  std::string wrong;
   const auto order = Read({"-o", "t.png", "--across", "--compact", "--layered", "--scale", "3",
-                           "--palette", "dark", "--models", "a", "--models", "b"},
-                          wrong);
-  ASSERT_TRUE(order) << wrong;
+                           "--palette", "dark", "--models", "a", "--models", "b"});
+  ASSERT_TRUE(order) << order.problem();
   EXPECT_EQ(order->path, "t.png");
   EXPECT_EQ(order->pixels, 3);
   EXPECT_EQ(order->models.size(), 2U);
@@ -34,9 +31,7 @@ TEST(VerbOptions, AreReadIntoThePainting) {
 }
 
 TEST(VerbOptions, NamesWhatWasExpected) {
-  std::string wrong;
-  EXPECT_FALSE(Read({"-o", "t.bmp"}, wrong));
-  EXPECT_NE(wrong.find(".svg"), std::string::npos);
+  EXPECT_NE(Read({"-o", "t.bmp"}).problem().find(".svg"), std::string::npos);
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ TEST(WritePicture, EveryFormatBeginsAsItShould) {
                                                              {"t.md", "## T"}};
   for (const auto& [name, beginning] : kBeginnings) {
     const std::string path = folder.folder() + "/" + name;
-    EXPECT_EQ(WritePicture(painted.painting, path, 1), "");
+    EXPECT_EQ(WritePicture(painted.painting, path, 1).problem(), "");
     const std::string text = ReadFile(path);
     EXPECT_EQ(text.substr(0, std::string(beginning).size()), beginning);
   }
@@ -37,10 +37,10 @@ TEST(WritePicture, EveryFormatBeginsAsItShould) {
 TEST(WritePicture, SaysWhyAFileCannotBeWritten) {
   const Painted painted("<A/>");
   for (const char* path : {"/nowhere/t.svg", "/nowhere/t.png", "/nowhere/t.md"}) {
-    const std::string wrong = WritePicture(painted.painting, path, 1);
+    const std::string wrong = WritePicture(painted.painting, path, 1).problem();
     EXPECT_NE(wrong.find("/nowhere/t"), std::string::npos) << wrong;
   }
-  EXPECT_NE(WritePicture(painted.painting, "t.gif", 1).find(".svg"), std::string::npos);
+  EXPECT_NE(WritePicture(painted.painting, "t.gif", 1).problem().find(".svg"), std::string::npos);
 }
 
 }  // namespace

@@ -26,7 +26,7 @@ class OpenProjectTest : public testing::Test {
   void Delete(const std::string& name) {
     Draft draft = DraftOf(*file().document, {name});
     const std::vector<FilePlace> before = {{path_, file().document->element(kRootElement).offset}};
-    ASSERT_EQ(DeleteNodes(draft), "");
+    ASSERT_EQ(DeleteNodes(draft).problem(), "");
     ASSERT_TRUE(
         project_.Do({"Delete " + name, {std::move(draft).Finish(path_)}}, before, diagnostics_));
   }
@@ -75,7 +75,7 @@ TEST_F(OpenProjectTest, WhatWasUndoneIsForgottenWhenSomethingElseIsDone) {
 TEST_F(OpenProjectTest, HistoryHasNoEnd) {
   for (int i = 0; i < 100; ++i) {
     Draft draft = DraftOf(*file().document, {"A"});
-    SetValue(draft, "x", std::to_string(i));
+    ASSERT_TRUE(SetValue(draft, "x", std::to_string(i)));
     ASSERT_TRUE(project_.Do({"Set", {std::move(draft).Finish(path_)}}, {}, diagnostics_));
   }
   for (int i = 0; i < 100; ++i) ASSERT_NE(project_.Undo(), nullptr);
@@ -89,7 +89,7 @@ TEST_F(OpenProjectTest, AChangeOfSeveralFilesIsOneStep) {
   change.name = "Both";
   for (const std::string& path : {path_, other.path()}) {
     Draft draft = DraftOf(*project_.Find(path)->document, {"A"});
-    DeleteNodes(draft);
+    ASSERT_TRUE(DeleteNodes(draft));
     change.files.push_back(std::move(draft).Finish(path));
   }
   ASSERT_TRUE(project_.Do(std::move(change), {}, diagnostics_));

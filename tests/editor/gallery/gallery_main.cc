@@ -64,7 +64,7 @@ std::string Paint(const GalleryScene& scene, const GalleryLook& look, const std:
   try {
     Stage stage(look);
     scene.play(stage);
-    return WritePng(stage.driver().editor.Picture(), folder + "/" + scene.name + ".png");
+    return WritePng(stage.driver().editor.Picture(), folder + "/" + scene.name + ".png").problem();
   } catch (const std::exception& error) {
     return error.what();
   }

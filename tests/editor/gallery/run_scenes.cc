@@ -82,10 +82,10 @@ void Log(Stage& stage) {
   LogPoint point;
   point.run = "robot-1:1667";
   point.path = SelectedRunPath(stage.state());
-  ReadLogPoint("step {count} if count > 3", point);
+  static_cast<void>(ReadLogPoint("step {count} if count > 3", point));
   stage.state().workspace.log_points.Add(point);
   point.path = "door";
-  ReadLogPoint("", point);
+  static_cast<void>(ReadLogPoint("", point));
   stage.state().workspace.log_points.Add(point);
   stage.Run("run.log");
 }
@@ -139,7 +139,7 @@ void Lost(Stage& stage) {
 }
 
 void Connecting(Stage& stage) {
-  stage.state().services.connect("127.0.0.1:9");  // where nobody listens
+  static_cast<void>(stage.state().services.connect("127.0.0.1:9"));  // where nobody listens
   stage.driver().Frames(12);
 }
 

@@ -30,7 +30,7 @@ TEST(KeptMarks, BreakpointsAndBookmarksComeBack) {
   LogPoint point;
   point.run = "robot:1667";
   point.path = "round/Drive";
-  ASSERT_EQ(ReadLogPoint("to {goal} if battery < 20 #3", point), "");
+  ASSERT_EQ(ReadLogPoint("to {goal} if battery < 20 #3", point).problem(), "");
   log_points.Add(point);
   LanePins pins;
   pins.Toggle("robot:1667", "round/Drive");

@@ -7,13 +7,13 @@ namespace {
 
 std::string Again(const std::string& typed) {
   LogPoint point;
-  const std::string problem = ReadLogPoint(typed, point);
-  return problem.empty() ? ToString(point) : problem;
+  const Outcome read = ReadLogPoint(typed, point);
+  return read ? ToString(point) : read.problem();
 }
 
 TEST(LogPoints, AreTypedAsTextConditionAndHit) {
   LogPoint point;
-  EXPECT_EQ(ReadLogPoint("to {goal}, {left} m if battery < 20 #3", point), "");
+  EXPECT_EQ(ReadLogPoint("to {goal}, {left} m if battery < 20 #3", point).problem(), "");
   EXPECT_EQ(point.text, "to {goal}, {left} m");
   EXPECT_EQ(point.condition, "battery < 20");
   EXPECT_EQ(point.from_hit, 3U);

@@ -29,7 +29,7 @@ class RunLogTest : public testing::Test {
   void Add(const std::string& path, const std::string& typed) {
     LogPoint point;
     point.path = path;
-    EXPECT_EQ(ReadLogPoint(typed, point), "");
+    EXPECT_EQ(ReadLogPoint(typed, point).problem(), "");
     points_.Add(point);
     log_.Update(run_, "robot:1", points_);
   }

@@ -13,7 +13,7 @@ TEST(Image, IsThereAsAWholePngFile) {
   Image image = MakeImage(3, 2, 0xFF102030);
   image.pixels[4] = 0xFF0000FF;
   const std::string path = place.folder() + "/p.png";
-  ASSERT_EQ(WritePng(image, path), "");
+  ASSERT_EQ(WritePng(image, path).problem(), "");
   EXPECT_FALSE(std::filesystem::exists(path + ".part"));
 
   png_image png{};
@@ -27,7 +27,8 @@ TEST(Image, IsThereAsAWholePngFile) {
 }
 
 TEST(Image, SaysWhyItCannotBeWritten) {
-  EXPECT_NE(WritePng(MakeImage(1, 1, 0), "/nowhere/p.png").find("/nowhere"), std::string::npos);
+  EXPECT_NE(WritePng(MakeImage(1, 1, 0), "/nowhere/p.png").problem().find("/nowhere"),
+            std::string::npos);
 }
 
 TEST(Image, HasAnotherHashWhenOnePixelDiffers) {

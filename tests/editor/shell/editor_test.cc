@@ -90,9 +90,9 @@ TEST(Editor, LosesNoTapOfAKeyInASlowFrame) {
 
 TEST(Editor, RefusesAnEndpointThatIsNone) {
   Driver driver;
-  EXPECT_NE(driver.editor.Connect("no where:x"), "");
-  EXPECT_NE(driver.editor.Connect("host:99999"), "");
-  EXPECT_NE(driver.editor.Connect(":1667"), "");
+  EXPECT_FALSE(driver.editor.Connect("no where:x"));
+  EXPECT_FALSE(driver.editor.Connect("host:99999"));
+  EXPECT_FALSE(driver.editor.Connect(":1667"));
   EXPECT_TRUE(driver.editor.state().workspace.runs().empty());
 }
 

@@ -15,9 +15,9 @@ Point Measure(const Scene&, const SceneNode&) { return {100, 30}; }
 
 TEST(Comparison, MergesTheOtherVersionWithWhatIsShown) {
   const TemporaryFile file("a.xml", kBefore);
-  std::string wrong;
-  const auto comparison = Comparison::With(file.path(), wrong);
-  ASSERT_TRUE(comparison) << wrong;
+  const auto compared = Comparison::With(file.path());
+  ASSERT_TRUE(compared) << compared.problem();
+  const std::unique_ptr<Comparison>& comparison = *compared;
   comparison->Follow(MakeScene("<A><B/><C/></A>"), {}, {}, Measure, 0);
   EXPECT_EQ(comparison->summary(), "1 added");
   EXPECT_EQ(comparison->changes(),
@@ -30,9 +30,9 @@ TEST(Comparison, MergesTheOtherVersionWithWhatIsShown) {
 }
 
 TEST(Comparison, SaysWhyAFileCannotBeComparedWith) {
-  std::string wrong;
-  EXPECT_FALSE(Comparison::With("/nowhere.xml", wrong));
-  EXPECT_NE(wrong.find("/nowhere.xml"), std::string::npos) << wrong;
+  const auto comparison = Comparison::With("/nowhere.xml");
+  ASSERT_FALSE(comparison);
+  EXPECT_NE(comparison.problem().find("/nowhere.xml"), std::string::npos) << comparison.problem();
 }
 
 }  // namespace

@@ -59,21 +59,21 @@ TEST_F(RunTestMakerTest, OfAMarkedStretchItTakesThat) {
   ShowTheRun();
   const auto& run = state().workspace.run()->run();
   state().run.timelines["robot:1"].range = {run.TimeOf(0), run.TimeOf(4)};
-  EXPECT_EQ(SaveRunAsTest(state(), "begins", 0), "");
+  EXPECT_EQ(SaveRunAsTest(state(), "begins", 0).problem(), "");
   Diagnostics diagnostics;
   const auto suite = LoadScenarios(state().tests.all()[0].file, diagnostics);
   ASSERT_TRUE(suite) << diagnostics.ToString();
   EXPECT_LE(suite->scenarios[0].steps.size(), 5U);
-  EXPECT_NE(SaveRunAsTest(state(), "begins", 0), "") << "there is one of that name";
+  EXPECT_FALSE(SaveRunAsTest(state(), "begins", 0)) << "there is one of that name";
 }
 
 TEST_F(RunTestMakerTest, WithoutItsFileItSaysWhatIsMissing) {
-  EXPECT_NE(SaveRunAsTest(state(), "a", 0), "");
+  EXPECT_FALSE(SaveRunAsTest(state(), "a", 0));
   AddExecuted(driver_, "robot:1", 5);
   ShowTheRun();
-  EXPECT_NE(SaveRunAsTest(state(), "a", 0).find("open the file with the tree Main"),
+  EXPECT_NE(SaveRunAsTest(state(), "a", 0).problem().find("open the file with the tree Main"),
             std::string::npos);
-  EXPECT_EQ(SaveRunAsTest(state(), "", 0), "a name is needed");
+  EXPECT_EQ(SaveRunAsTest(state(), "", 0).problem(), "a name is needed");
 }
 
 }  // namespace

@@ -36,11 +36,11 @@ class SimulationEditorTest : public testing::Test {
 
 TEST_F(SimulationEditorTest, WithoutASimulationItSaysWhatIsMissing) {
   EXPECT_FALSE(Simulate().IsShown());
-  EXPECT_EQ(Simulate().SetKey("goal = 1"), "there is no simulation");
-  EXPECT_EQ(Simulate().RunOften("10"), "there is no simulation");
-  EXPECT_EQ(Simulate().RunTicks("10"), "there is no simulation");
-  EXPECT_EQ(Simulate().SaveAsScenario("a"), "a name is needed");
-  EXPECT_EQ(Simulate().SetScript("SUCCESS"), "select a leaf first");
+  EXPECT_EQ(Simulate().SetKey("goal = 1").problem(), "there is no simulation");
+  EXPECT_EQ(Simulate().RunOften("10").problem(), "there is no simulation");
+  EXPECT_EQ(Simulate().RunTicks("10").problem(), "there is no simulation");
+  EXPECT_EQ(Simulate().SaveAsScenario("a").problem(), "a name is needed");
+  EXPECT_EQ(Simulate().SetScript("SUCCESS").problem(), "select a leaf first");
   Simulate().Tick();
   Simulate().GoToFinding({});
 }
@@ -48,30 +48,30 @@ TEST_F(SimulationEditorTest, WithoutASimulationItSaysWhatIsMissing) {
 TEST_F(SimulationEditorTest, NumbersAreNumbers) {
   Start();
   for (const char* text : {"", "0", "-1", "x", "1 2", "99999999999999999999"}) {
-    EXPECT_THAT(Simulate().RunOften(text), HasSubstr("a number from 1")) << text;
-    EXPECT_THAT(Simulate().RunTicks(text), HasSubstr("a number from 1")) << text;
+    EXPECT_THAT(Simulate().RunOften(text).problem(), HasSubstr("a number from 1")) << text;
+    EXPECT_THAT(Simulate().RunTicks(text).problem(), HasSubstr("a number from 1")) << text;
   }
-  EXPECT_EQ(Simulate().SetSeed("x"), "a seed is a whole number");
-  EXPECT_EQ(Simulate().SetSeed("12"), "");
+  EXPECT_EQ(Simulate().SetSeed("x").problem(), "a seed is a whole number");
+  EXPECT_EQ(Simulate().SetSeed("12").problem(), "");
   EXPECT_EQ(simulation().chance()->seed, 12U);
-  EXPECT_EQ(Simulate().SetSeed(""), "");
+  EXPECT_EQ(Simulate().SetSeed("").problem(), "");
   EXPECT_FALSE(simulation().chance());
 }
 
 TEST_F(SimulationEditorTest, SoManyTicksOrUntilTheTreeIsDone) {
   Start();
-  EXPECT_EQ(Simulate().RunTicks("3"), "");
+  EXPECT_EQ(Simulate().RunTicks("3").problem(), "");
   EXPECT_EQ(simulation().ticks(), 3U);
-  EXPECT_EQ(Simulate().RunTicks("100"), "");
+  EXPECT_EQ(Simulate().RunTicks("100").problem(), "");
   EXPECT_EQ(simulation().ticks(), 11U) << "a second";
   EXPECT_EQ(state().simulator.result(), Status::kSuccess);
 }
 
 TEST_F(SimulationEditorTest, KeysAreSetByAssignment) {
   Start();
-  EXPECT_EQ(Simulate().SetKey("goal = kitchen"), "");
-  EXPECT_THAT(Simulate().SetKey("goal"), HasSubstr("battery_level = 0.2"));
-  EXPECT_THAT(Simulate().SetKey("gaol = 1"), HasSubstr(R"(no key "gaol")"));
+  EXPECT_EQ(Simulate().SetKey("goal = kitchen").problem(), "");
+  EXPECT_THAT(Simulate().SetKey("goal").problem(), HasSubstr("battery_level = 0.2"));
+  EXPECT_THAT(Simulate().SetKey("gaol = 1").problem(), HasSubstr(R"(no key "gaol")"));
   Simulate().Tick();
   EXPECT_EQ(simulation().ValueOf("goal"), "kitchen");
 }
@@ -79,9 +79,9 @@ TEST_F(SimulationEditorTest, KeysAreSetByAssignment) {
 TEST_F(SimulationEditorTest, ManyRunsKnowWhatTheSimulationWasTold) {
   Start();
   driver_.view().Select(driver_.view().scene()->FindPath("1.2"));
-  EXPECT_EQ(Simulate().SetScript("FAILURE"), "");
+  EXPECT_EQ(Simulate().SetScript("FAILURE").problem(), "");
   Simulate().Tick();
-  EXPECT_EQ(Simulate().RunOften("50"), "");
+  EXPECT_EQ(Simulate().RunOften("50").problem(), "");
   while (state().coverage.is_running()) state().coverage.Update();
   const NodeCoverage& go = *state().coverage.Find("go");
   EXPECT_GT(go.results_of(Status::kFailure), 0U);
@@ -91,7 +91,7 @@ TEST_F(SimulationEditorTest, ManyRunsKnowWhatTheSimulationWasTold) {
 
 TEST_F(SimulationEditorTest, AnotherSimulationForgetsWhatTheLastOneReached) {
   Start();
-  EXPECT_EQ(Simulate().RunOften("5"), "");
+  EXPECT_EQ(Simulate().RunOften("5").problem(), "");
   ASSERT_NE(state().coverage.coverage(), nullptr);
   Simulate().End();
   driver_.Frames();
@@ -118,8 +118,8 @@ class SimulationEditorByChance : public SimulationEditorTest {
 
 TEST_F(SimulationEditorByChance, ASeedPlaysAsTheScenariosBesideTheTreeSay) {
   Start();
-  EXPECT_EQ(Simulate().SetSeed("7"), "");
-  EXPECT_EQ(Simulate().RunTicks("100"), "");
+  EXPECT_EQ(Simulate().SetSeed("7").problem(), "");
+  EXPECT_EQ(Simulate().RunTicks("100").problem(), "");
   EXPECT_GE(simulation().now(), std::chrono::seconds(2)) << "it was begun anew";
   EXPECT_THAT(simulation().ValueOf("goal"), testing::AnyOf("lab", "hall"));
   EXPECT_EQ(state().simulator.result(), Status::kFailure);
@@ -128,13 +128,13 @@ TEST_F(SimulationEditorByChance, ASeedPlaysAsTheScenariosBesideTheTreeSay) {
 
 TEST_F(SimulationEditorByChance, SoDoManyRuns) {
   Start();
-  EXPECT_EQ(Simulate().RunOften("50"), "");
+  EXPECT_EQ(Simulate().RunOften("50").problem(), "");
   while (state().coverage.is_running()) state().coverage.Update();
   EXPECT_EQ(state().coverage.Find("go")->results_of(Status::kSuccess), 0U);
   EXPECT_EQ(state().coverage.coverage()->ticks, 50U * 20) << "two seconds each";
   driver_.view().Select(driver_.view().scene()->FindPath("1.2"));
-  EXPECT_EQ(Simulate().SetScript("SUCCESS"), "");
-  EXPECT_EQ(Simulate().RunOften("50"), "");
+  EXPECT_EQ(Simulate().SetScript("SUCCESS").problem(), "");
+  EXPECT_EQ(Simulate().RunOften("50").problem(), "");
   while (state().coverage.is_running()) state().coverage.Update();
   EXPECT_EQ(state().coverage.Find("go")->results_of(Status::kFailure), 0U)
       << "what the user says is more important";
@@ -146,9 +146,9 @@ TEST_F(SimulationEditorByChance, AnErrorInTheScenariosIsSaidWithItsPlace) {
   Start();
   WriteScenarios(wrong);
   const std::string said = R"(main.test.json:2:31: error: the tree has no key "gaol")";
-  EXPECT_THAT(Simulate().SetSeed("7"), HasSubstr(said));
+  EXPECT_THAT(Simulate().SetSeed("7").problem(), HasSubstr(said));
   EXPECT_FALSE(simulation().chance());
-  EXPECT_THAT(Simulate().RunOften("7"), HasSubstr(said));
+  EXPECT_THAT(Simulate().RunOften("7").problem(), HasSubstr(said));
   EXPECT_EQ(state().coverage.coverage(), nullptr);
   WriteScenarios(R"({"tree": 1})");
   Simulate().End();
@@ -160,9 +160,9 @@ TEST_F(SimulationEditorByChance, AnErrorInTheScenariosIsSaidWithItsPlace) {
 
 TEST_F(SimulationEditorByChance, WhatIsSavedAsATestPassesAndTheRestOfTheFileStays) {
   Start();
-  EXPECT_EQ(Simulate().SetSeed("7"), "");
-  EXPECT_EQ(Simulate().RunTicks("25"), "");
-  EXPECT_EQ(Simulate().SaveAsScenario("by chance"), "");
+  EXPECT_EQ(Simulate().SetSeed("7").problem(), "");
+  EXPECT_EQ(Simulate().RunTicks("25").problem(), "");
+  EXPECT_EQ(Simulate().SaveAsScenario("by chance").problem(), "");
   const std::string old = kScenarios;
   const std::size_t end_of_last = old.rfind(']');
   EXPECT_EQ(Scenarios().substr(0, end_of_last), old.substr(0, end_of_last));

@@ -89,7 +89,9 @@ TEST_F(TypeEditorTest, KindDescriptionAndPortsAreWrittenIntoTheModel) {
 }
 
 TEST_F(TypeEditorTest, ADefinitionMovesIntoAnotherFileOfTheProject) {
-  ASSERT_EQ(ProjectEditor(driver_.editor.state(), driver_.editor.now()).Include("models.xml"), "");
+  ASSERT_EQ(
+      ProjectEditor(driver_.editor.state(), driver_.editor.now()).Include("models.xml").problem(),
+      "");
   const std::string models = file_.folder() + "/models.xml";
   EXPECT_TRUE(Edit().MoveTo("IsDark", models).ok());
   EXPECT_THAT(Text(), Not(HasSubstr("Condition ID=\"IsDark\"")));

@@ -112,8 +112,8 @@ TEST_F(ShippedComputerTest, ProcessorMemoryNetworkAndClockAreErrorsOutsideTheirB
   overloaded.sent = 125 * 1000 * 1000;  // a gigabit
   overloaded.errors = 200;
   overloaded.drops = 2000;
-  overloaded.clock.offset = 3;
-  overloaded.host = {false, 0, "no answer"};
+  overloaded.clock = ClockReading{3, 0};
+  overloaded.host = Problem{"no answer"};
   root_.Write("/sys/class/thermal/thermal_zone0/temp", "99000");
   Run(130, overloaded);
   EXPECT_THAT(SubjectsAt(HealthLevel::kError, Report()),
@@ -140,7 +140,7 @@ TEST_F(ShippedComputerTest, AComputerOnItsOwnWithoutSensorsIsWell) {
 TEST_F(ShippedComputerTest, AnotherComputerWithoutTimeServerIsNotBlamedForIt) {
   monitor_.OnComputers({{"jetson", "10.0.0.3"}});
   Second second;
-  second.clock = {false, 0, 0, "no answer"};
+  second.clock = Problem{"no answer"};
   Run(10, second);
   EXPECT_THAT(SubjectsAt(HealthLevel::kError, Report()), IsEmpty());
   Run(1, {});

@@ -55,7 +55,7 @@ TEST_F(TfMonitorTest, AFreshTransformIsWellAndAnOldOneAnError) {
 
 TEST_F(TfMonitorTest, ATransformThatIsNotRenewedAgesInTheSlowerOfBothTimes) {
   const auto age = [&](Time stamp, Time ros, Time wall) {
-    monitor_.OnSamples({{true, "", stamp, 0, 0, 0, "odom"}}, {ros, wall});
+    monitor_.OnSamples({TransformSample{stamp, 0, 0, 0, "odom"}}, {ros, wall});
     return monitor_.Report(processes_, {ros, wall}).at(0).value;
   };
   const Time start = seconds(100);

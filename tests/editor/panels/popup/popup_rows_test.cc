@@ -39,8 +39,7 @@ TEST(PopupRows, AreChosenWithTheKeysWhereNothingIsTyped) {
     choices[1].run = [&run] { run += "2"; };
     return choices;
   };
-  driver.editor.state().Ask(
-      {"Which?", [](const std::string&) { return std::string(); }, rows, false});
+  driver.editor.state().Ask({"Which?", [](const std::string&) { return Outcome(); }, rows, false});
   driver.Frames();
   EXPECT_FALSE(driver.Has("popup/input"));
   driver.Press(kKeySpace);

@@ -105,12 +105,12 @@ TEST(Popup, ClosesByAClickBesideIt) {
 TEST(Popup, IsHighEnoughForALongQuestion) {
   Driver driver;
   driver.Frames();
-  driver.editor.state().Ask({"Short?", [](const std::string&) { return std::string(); }, {}});
+  driver.editor.state().Ask({"Short?", [](const std::string&) { return Outcome(); }, {}});
   driver.Frames();
   const float low = driver.BoxOf("popup").height();
   std::string question;
   for (int i = 0; i < 30; ++i) question += "a long question ";
-  driver.editor.state().Ask({question, [](const std::string&) { return std::string(); }, {}});
+  driver.editor.state().Ask({question, [](const std::string&) { return Outcome(); }, {}});
   driver.Frames();
   EXPECT_GT(driver.BoxOf("popup").height(), low + 20);
   EXPECT_LE(driver.BoxOf("popup/input").max.y, driver.BoxOf("popup").max.y);
