@@ -59,6 +59,21 @@ TEST_F(GitHeadTest, KnowsNothingOfAFileThatWasNeverCommitted) {
   EXPECT_EQ(Ask(git, "/nowhere/at/all.xml"), nullptr);
 }
 
+// As in an archive that somebody sends: git would fetch the text with the command that stands there.
+TEST_F(GitHeadTest, RunsNothingThatTheFolderAsksFor) {
+  ASSERT_TRUE(Commit());
+  const std::string copy = file_.folder() + "/copy";
+  ASSERT_TRUE(Git({"config", "uploadpack.allowFilter", "true"}));
+  ASSERT_TRUE(OutputOf({"git", "clone", "-q", "--filter=blob:none", "--no-checkout",
+                        "file://" + file_.folder(), copy}));
+  const std::string ran = file_.folder() + "/ran";
+  ASSERT_TRUE(OutputOf({"git", "-C", copy, "config", "remote.origin.uploadpack",
+                        "touch '" + ran + "'; git-upload-pack"}));
+  GitHead git;
+  EXPECT_EQ(Ask(git, copy + "/a b.xml"), nullptr);
+  EXPECT_FALSE(std::filesystem::exists(ran));
+}
+
 TEST_F(GitHeadTest, WakesTheOneWhoWaits) {
   ASSERT_TRUE(Commit());
   std::promise<void> woken;
