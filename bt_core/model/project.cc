@@ -5,6 +5,7 @@
 
 #include <sys/stat.h>
 
+#include <map>
 #include <set>
 #include <utility>
 
@@ -14,6 +15,7 @@ namespace coppice {
 namespace {
 
 constexpr int kMaxIncludeDepth = 100;  // reading goes that deep on the stack
+constexpr int kMaxMissingPackages = 16;
 
 // The same for two names of one file.
 std::string IdentityOf(const std::string& path) {
@@ -119,8 +121,20 @@ class ProjectReader {
 
   bool IsKnown(const std::string& path) const { return known_.count(IdentityOf(path)) > 0; }
 
+  // A package is looked for once: that may take a walk through the disk. Who names very many that
+  // there are not means nothing else by it.
+  std::string FolderOf(const std::string& package) {
+    const auto known = packages_.find(package);
+    if (known != packages_.end()) return known->second;
+    if (missing_packages_ == kMaxMissingPackages) return {};
+    std::string folder = find_package_(package);
+    if (folder.empty()) ++missing_packages_;
+    return packages_[package] = std::move(folder);
+  }
+
   void Include(std::uint32_t number, const Element& element) {
-    const std::string path = IncludePath(At(number), element, find_package_, diagnostics_);
+    const auto find = [this](const std::string& package) { return FolderOf(package); };
+    const std::string path = IncludePath(At(number), element, find, diagnostics_);
     if (path.empty()) return;
     if (depth_ == kMaxIncludeDepth) {
       return Error(
@@ -217,7 +231,9 @@ class ProjectReader {
 
   Project project_;
   Diagnostics diagnostics_;
-  PackageFinder find_package_;
+  const PackageFinder find_package_;
+  std::map<std::string, std::string> packages_;  // their folders by name; empty: there is none
+  int missing_packages_ = 0;
   DocumentReader read_;
   std::vector<std::uint32_t> given_;
   std::set<std::string> known_;  // identities of all documents

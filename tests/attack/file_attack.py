@@ -184,6 +184,10 @@ class Trees(FileAttack):
             self.write("%d.xml" % i, '<root BTCPP_format="4"/>')
         self.check('<root BTCPP_format="4">' + names + "</root>")
 
+    def test_packages_that_there_are_not_are_not_looked_for_without_end(self):
+        self.check('<root BTCPP_format="4">' + "".join(
+            '<include ros_pkg="pkg%d" path="a.xml"/>' % i for i in range(3000)) + "</root>")
+
     def test_devices_and_pipes_are_no_trees(self):
         os.mkfifo(self.path("pipe"))
         for name in ("/dev/zero", "/dev/full", "pipe", "/proc/kmsg", "."):

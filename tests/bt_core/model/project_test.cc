@@ -273,6 +273,22 @@ TEST_F(ProjectTest, PackagesAreAskedFor) {
   EXPECT_NE(project->Find("B"), nullptr);
 }
 
+TEST_F(ProjectTest, LooksForAPackageOnceAndForFewThatThereAreNot) {
+  std::string includes;
+  for (int i = 0; i < 100; ++i) {
+    includes += "<include ros_pkg=\"sobi\" path=\"b.xml\"/><include ros_pkg=\"no" +
+                std::to_string(i) + "\" path=\"b.xml\"/>";
+  }
+  Write("b.xml", Root(Tree("B")));
+  int asked = 0;
+  Load(Write("a.xml", Root(includes)), [&](const std::string& package) {
+    ++asked;
+    return package == "sobi" ? folder_.string() : "";
+  });
+  EXPECT_EQ(asked, 1 + 16);
+  EXPECT_EQ(diagnostics_.all().size(), 100u);
+}
+
 TEST_F(ProjectTest, AnUnknownPackageIsAnError) {
   const std::string a = Write("a.xml", Root("<include ros_pkg=\"sobi\" path=\"b.xml\"/>"));
   EXPECT_TRUE(Load(a)->has_errors());
