@@ -229,6 +229,16 @@ class Memory(WithRobot):
         self.assert_serves()
         self.assertLess(self.robot.memory(), MEMORY)
 
+    def test_a_web_request_without_end_is_cut_off(self):
+        chunked = b"POST / HTTP/1.1\r\nHost: localhost\r\nTransfer-Encoding: chunked\r\n\r\n"
+        for begin in (b"GET /", b"GET / HTTP/1.1\r\nA: ", chunked, chunked + b"1;",
+                      chunked + b"0\r\nA: "):
+            browser = socket.create_connection(("127.0.0.1", self.robot.web_port), PATIENCE)
+            browser.sendall(begin)
+            self.assertLess(send_until_closed(browser, b"0" * 65536, 64 << 20), 16 << 20, begin)
+        self.assert_serves()
+        self.assertLess(self.robot.memory(), MEMORY)
+
     def test_a_request_of_20_mb_is_cut_off_before_it_is_read(self):
         body = b'{"do":"hello","x":[' + b"[]," * 6_700_000 + b"0]}"
         sent = send_until_closed(opened(self.robot.port), request(body), 1)

@@ -27,6 +27,9 @@ void WebConnection::ReadRequest() {
   parser_.emplace();
   parser_->header_limit(options_.header_bytes);
   parser_->body_limit(options_.body_bytes);
+  // The limits of the parser are those of header and body; how long the size of a chunk is, or what
+  // comes behind the last one, is not limited by it.
+  buffer_.max_size(options_.header_bytes);
   stream_.expires_after(kPatience);
   http::async_read(stream_, buffer_, *parser_,
                    [self = shared_from_this()](error_code error, std::size_t) {
@@ -39,7 +42,10 @@ std::string_view WebConnection::Field(http::field field) const { return View(req
 void WebConnection::OnRequest() {
   Hear();
   request_ = parser_->release();
-  if (beast::websocket::is_upgrade(request_)) return OnUpgrade();
+  if (beast::websocket::is_upgrade(request_)) {
+    buffer_ = {};
+    return OnUpgrade();
+  }
   switch (request_.method()) {
     case http::verb::get:
     case http::verb::head:

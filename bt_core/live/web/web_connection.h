@@ -60,8 +60,8 @@ class WebConnection : public PortConnection, public std::enable_shared_from_this
   void Refuse(Status status, std::string body);
   void NotFound() { Reply(Status::not_found, options_.not_found); }
 
-  boost::beast::flat_buffer buffer_;
-  boost::beast::tcp_stream stream_;  ///< until it is moved into the WebSocket
+  boost::beast::flat_buffer buffer_;  ///< empty when OnUpgrade is called
+  boost::beast::tcp_stream stream_;   ///< until it is moved into the WebSocket
 
  private:
   void ReadRequest();
