@@ -4,11 +4,10 @@
 #include <unistd.h>
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "bt_core/base/json_library.h"
+#include "bt_core/base/read_file.h"
 #include "bt_core/model/write_file.h"
 
 namespace coppice::robot::assistance {
@@ -117,9 +116,8 @@ AssistanceState ReadState(const std::string& text, Diagnostics& diagnostics) {
 AssistanceState LoadState(const std::string& path, Diagnostics& diagnostics) {
   std::error_code error;
   if (!std::filesystem::exists(path, error)) return {};
-  std::ifstream file(path, std::ios::binary);
-  return ReadState({std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()},
-                   diagnostics);
+  const std::optional<std::string> text = ReadFile(path, diagnostics);
+  return text ? ReadState(*text, diagnostics) : AssistanceState{};
 }
 
 bool SaveState(const std::string& path, const AssistanceState& state, Diagnostics& diagnostics) {

@@ -5,8 +5,12 @@
 #include <set>
 #include <sstream>
 
+#include "bt_core/base/read_file.h"
+
 namespace coppice::robot {
 namespace {
+
+constexpr std::size_t kLongest = 1 << 20;  // nodes of YAML take much more than their text
 
 std::string ToText(double number) {
   std::ostringstream text;
@@ -34,10 +38,11 @@ YamlFields::YamlFields(std::string file, YAML::Node node, Diagnostics& diagnosti
 YamlFields YamlFields::Load(const std::string& path, Diagnostics& diagnostics) {
   YAML::Node root;
   try {
-    root = YAML::LoadFile(path);
-    if (!root.IsMap()) diagnostics.Error({path, 1, 1}, "expected a mapping of keys to values");
-  } catch (const YAML::BadFile&) {
-    diagnostics.Error({path, 0, 0}, "cannot read the file");
+    const std::optional<std::string> text = ReadFile(path, diagnostics, kLongest);
+    if (text) root = YAML::Load(*text);
+    if (text && !root.IsMap()) {
+      diagnostics.Error({path, 1, 1}, "expected a mapping of keys to values");
+    }
   } catch (const YAML::ParserException& error) {
     diagnostics.Error({path, static_cast<std::uint32_t>(error.mark.line + 1),
                        static_cast<std::uint32_t>(error.mark.column + 1)},

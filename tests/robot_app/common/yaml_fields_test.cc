@@ -71,7 +71,8 @@ TEST_F(YamlFieldsTest, SaysWhereTheFileIsNoYaml) {
 
 TEST_F(YamlFieldsTest, SaysThatTheFileIsMissing) {
   YamlFields::Load("/nowhere/x.yaml", diagnostics_);
-  EXPECT_EQ(diagnostics_.ToString(), "/nowhere/x.yaml: error: cannot read the file\n");
+  EXPECT_EQ(diagnostics_.ToString(),
+            "/nowhere/x.yaml: error: cannot be read: No such file or directory\n");
 }
 
 TEST_F(YamlFieldsTest, AScalarOrAnEmptyFileIsNoMapping) {

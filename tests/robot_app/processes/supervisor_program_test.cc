@@ -348,7 +348,7 @@ TEST_F(SupervisorProgramTest, ReportsBadInputInOneLineEachWithStatus2) {
   const std::string program = kPrograms + "coppice-supervisor";
   EXPECT_THAT(run({program}, "usage"), HasSubstr("--config is required"));
   EXPECT_THAT(run({program, "--config", "/nowhere"}, "missing"),
-              HasSubstr("/nowhere: error: cannot read the file"));
+              HasSubstr("/nowhere: error: cannot be read"));
   EXPECT_THAT(run({program, "--config", folder_ + "/robot.yaml"}, "variable"),
               HasSubstr("robot.yaml:5:"));
   EXPECT_THAT(run({program, "--config", "/nowhere", "--set", "x"}, "set"),
