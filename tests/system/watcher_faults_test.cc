@@ -66,6 +66,16 @@ TEST_F(WatcherFaults, TreesThatWereShutDownOverTheNetworkAreRestarted) {
   ExpectTreesBack(fault);
 }
 
+// The clock of all programs stands while it is away, and goes back with it.
+TEST_F(WatcherFaults, ASimulatorThatIsRestartedIsNoEmptyBattery) {
+  FaultCase fault(*rig_, "clock goes back", "SIGKILL to `/simulator`, whose time begins anew");
+  fault.CountWallTime();
+  ASSERT_TRUE(rig_->Signal("simulator", SIGKILL));
+  fault.ExpectRestarted("simulator");
+  fault.ExpectNominal();
+  fault.ExpectNobodyAsked();
+}
+
 // The kernel of a stopped program still takes connections: whoever calls it gets no answer.
 TEST_F(WatcherFaults, APersonIsAskedWhenTheSupervisorHangs) {
   FaultCase fault(*rig_, "supervisor hung",
