@@ -130,14 +130,11 @@ Expected<OccupancyGrid> ToGrid(const nav_msgs::OccupancyGrid& message) {
 std::optional<RobotPose::Transform> RobotPose::Lookup(const std::string& target,
                                                       const std::string& source,
                                                       const ros::Time& stamp) const {
-  try {
-    const auto found = buffer_.lookupTransform(target, source, stamp);
-    const auto& t = found.transform;
-    return Transform{{t.translation.x, t.translation.y, YawOf(t.rotation)},
-                     found.header.stamp.toSec()};
-  } catch (const tf2::TransformException&) {
-    return std::nullopt;  // not there yet, or not at that time
-  }
+  const auto found = transforms_.Find(target, source, stamp);
+  if (!found) return std::nullopt;  // not there yet, or not at that time
+  const auto& t = found->transform;
+  return Transform{{t.translation.x, t.translation.y, YawOf(t.rotation)},
+                   found->header.stamp.toSec()};
 }
 
 std::optional<RobotPose::Stamped> RobotPose::Newest() const {

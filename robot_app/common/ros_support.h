@@ -7,8 +7,6 @@
 #include <geometry_msgs/Twist.h>
 #include <nav_msgs/OccupancyGrid.h>
 #include <sensor_msgs/LaserScan.h>
-#include <tf2_ros/buffer.h>
-#include <tf2_ros/transform_listener.h>
 
 #include <optional>
 #include <string>
@@ -19,6 +17,7 @@
 #include "robot_app/common/laser_scan.h"
 #include "robot_app/common/occupancy_grid.h"
 #include "robot_app/common/parameters.h"
+#include "robot_app/common/transforms.h"
 
 namespace coppice::robot {
 
@@ -83,8 +82,7 @@ class RobotPose {
                                   const ros::Time& stamp) const;
 
   const Frames frames_;
-  tf2_ros::Buffer buffer_;
-  tf2_ros::TransformListener listener_{buffer_};
+  const Transforms transforms_;
 };
 
 }  // namespace coppice::robot

@@ -10,7 +10,7 @@
 #include "robot_app/monitoring/monitor_program.h"
 #include "robot_app/monitoring/navigation_monitor.h"
 #include "robot_app/monitoring/tf_monitor.h"
-#include "robot_app/monitoring/tf_tree.h"
+#include "robot_app/monitoring/tf_sample.h"
 
 namespace coppice::robot::monitoring {
 namespace {
@@ -63,7 +63,7 @@ class Program {
     if (!tf_) return;
     std::vector<Expected<TransformSample>> samples;
     for (const auto& [parent, child] : transforms_.Pairs()) {
-      samples.push_back(tf_->Look(parent, child));
+      samples.push_back(SampleOf(*tf_, parent, child));
     }
     transforms_.OnSamples(samples, now);
   }
@@ -73,7 +73,7 @@ class Program {
   TfMonitor transforms_;
   MonitorProgram program_;
   ros::Subscriber navigation_subscriber_, localization_subscriber_;
-  std::optional<TfTree> tf_;
+  std::optional<Transforms> tf_;
 };
 
 }  // namespace

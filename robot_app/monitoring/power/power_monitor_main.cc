@@ -18,7 +18,7 @@
 #include "robot_app/monitoring/power/docking_monitor.h"
 #include "robot_app/monitoring/power/emergency_stop_monitor.h"
 #include "robot_app/monitoring/power/power_messages.h"
-#include "robot_app/monitoring/tf_tree.h"
+#include "robot_app/monitoring/tf_sample.h"
 
 namespace coppice::robot::monitoring {
 namespace {
@@ -80,7 +80,7 @@ class Program {
   // The last known distance stays: a robot that is lost is not at its station.
   void LookAtDistance() {
     if (!tf_) return;
-    const auto robot = tf_->Look(dock_->map_frame, dock_->base_frame);
+    const auto robot = SampleOf(*tf_, dock_->map_frame, dock_->base_frame);
     if (!robot) return;
     const double straight = std::hypot(robot->x - dock_->x, robot->y - dock_->y);
     battery_.OnDistance(way_.Length(straight, MonitorNode::Now().wall));
@@ -95,7 +95,7 @@ class Program {
   MonitorProgram program_;
   ros::Subscriber battery_subscriber_, docking_subscriber_, progress_subscriber_, stop_subscriber_;
   ros::Subscriber way_subscriber_;
-  std::optional<TfTree> tf_;
+  std::optional<Transforms> tf_;
 };
 
 }  // namespace

@@ -1,11 +1,11 @@
-#include "robot_app/monitoring/aggregator/at_once_queue.h"
+#include "robot_app/common/at_once_queue.h"
 
 #include <gtest/gtest.h>
 
 #include <boost/make_shared.hpp>
 #include <thread>
 
-namespace coppice::robot::monitoring {
+namespace coppice::robot {
 namespace {
 
 class Note : public ros::CallbackInterface {
@@ -28,4 +28,4 @@ TEST(AtOnceQueue, WhatComesIsHandledByTheThreadThatBringsIt) {
 }
 
 }  // namespace
-}  // namespace coppice::robot::monitoring
+}  // namespace coppice::robot

@@ -6,12 +6,12 @@
 //
 // A handler must not (un)subscribe, and who (un)subscribes must not hold what a handler waits for:
 // roscpp keeps a lock of the subscription meanwhile. The queue lives longer than its subscribers.
-#ifndef COPPICE_ROBOT_APP_MONITORING_AGGREGATOR_AT_ONCE_QUEUE_H_
-#define COPPICE_ROBOT_APP_MONITORING_AGGREGATOR_AT_ONCE_QUEUE_H_
+#ifndef COPPICE_ROBOT_APP_COMMON_AT_ONCE_QUEUE_H_
+#define COPPICE_ROBOT_APP_COMMON_AT_ONCE_QUEUE_H_
 
 #include <ros/callback_queue_interface.h>
 
-namespace coppice::robot::monitoring {
+namespace coppice::robot {
 
 class AtOnceQueue : public ros::CallbackQueueInterface {
  public:
@@ -21,6 +21,6 @@ class AtOnceQueue : public ros::CallbackQueueInterface {
   void removeByID(std::uint64_t) override {}  // nothing waits here
 };
 
-}  // namespace coppice::robot::monitoring
+}  // namespace coppice::robot
 
-#endif  // COPPICE_ROBOT_APP_MONITORING_AGGREGATOR_AT_ONCE_QUEUE_H_
+#endif  // COPPICE_ROBOT_APP_COMMON_AT_ONCE_QUEUE_H_

@@ -1,0 +1,56 @@
+#include "robot_app/common/transforms.h"
+
+#include <stdexcept>
+
+namespace coppice::robot {
+namespace {
+
+constexpr int kQueue = 100;
+constexpr double kFuture = 10;  // s, that clocks may differ by
+
+}  // namespace
+
+Transforms::Transforms(ros::NodeHandle node) : node_(std::move(node)) {
+  const auto subscribe = [this](const char* topic, bool is_static) {
+    ros::SubscribeOptions options = ros::SubscribeOptions::create<tf2_msgs::TFMessage>(
+        topic, kQueue,
+        [this, is_static](const tf2_msgs::TFMessage::ConstPtr& message) {
+          Store(*message, is_static);
+        },
+        nullptr, &at_once_);
+    return node_.subscribe(options);
+  };
+  moving_ = subscribe("/tf", false);
+  fixed_ = subscribe("/tf_static", true);
+}
+
+// Where ROS time goes back, what was known is of another time.
+void Transforms::Store(const tf2_msgs::TFMessage& message, bool is_static) {
+  const ros::Time now = ros::Time::now();
+  if (now < newest_) buffer_.clear();
+  newest_ = now;
+  for (geometry_msgs::TransformStamped transform : message.transforms) {
+    if (is_static) transform.header.stamp = ros::Time();  // holds always
+    // Whatever else is wrong with it is refused by the buffer and then missed by Find.
+    const bool is_believed = transform.header.stamp.toSec() <= now.toSec() + kFuture;
+    if (is_believed) buffer_.setTransform(transform, "tf", is_static);
+  }
+}
+
+// What tf2 throws for times that are too far from each other is none of its own exceptions.
+Expected<geometry_msgs::TransformStamped> Transforms::Find(const std::string& parent,
+                                                           const std::string& child,
+                                                           const ros::Time& time) const {
+  try {
+    return buffer_.lookupTransform(parent, child, time);
+  } catch (const std::runtime_error& problem) {
+    return Problem{problem.what()};
+  }
+}
+
+std::string Transforms::ParentOf(const std::string& child) const {
+  std::string parent;
+  return buffer_._getParent(child, ros::Time(), parent) ? parent : "";
+}
+
+}  // namespace coppice::robot

@@ -1,0 +1,68 @@
+#include "robot_app/common/transforms.h"
+
+#include <gtest/gtest.h>
+#include <ros/publisher.h>
+
+#include <limits>
+
+#include "tests/robot_app/eventually.h"
+#include "tests/robot_app/ros_environment.h"
+
+namespace coppice::robot {
+namespace {
+
+class TransformsTest : public testing::Test {
+ protected:
+  void Send(const ros::Publisher& publisher, const ros::Time& stamp, double x) {
+    tf2_msgs::TFMessage message;
+    message.transforms.resize(1);
+    message.transforms[0].header.stamp = stamp;
+    message.transforms[0].header.frame_id = "odom";
+    message.transforms[0].child_frame_id = "base_link";
+    message.transforms[0].transform.translation.x = x;
+    message.transforms[0].transform.rotation.w = 1;
+    publisher.publish(message);
+  }
+  bool Finds(double x) const {
+    return Eventually([&] {
+      const auto found = transforms_.Find("odom", "base_link", ros::Time());
+      return found && found->transform.translation.x == x;
+    });
+  }
+
+  ros::NodeHandle node_;
+  const ros::Publisher moving_ = node_.advertise<tf2_msgs::TFMessage>("/tf", 10, true);
+  const ros::Publisher fixed_ = node_.advertise<tf2_msgs::TFMessage>("/tf_static", 10, true);
+  const Transforms transforms_;
+};
+
+TEST_F(TransformsTest, FindsTheNewestAndItsParent) {
+  Send(moving_, ros::Time::now() - ros::Duration(1), 1);
+  Send(moving_, ros::Time::now(), 2);
+  EXPECT_TRUE(Finds(2));
+  EXPECT_EQ(transforms_.ParentOf("base_link"), "odom");
+  EXPECT_EQ(transforms_.ParentOf("map"), "");
+}
+
+TEST_F(TransformsTest, AStampOfTheFarFutureIsNotBelieved) {
+  for (const std::uint32_t seconds : {std::numeric_limits<std::uint32_t>::max(), 0x7fffffffU}) {
+    Send(moving_, ros::Time(seconds, 0), 3);
+  }
+  Send(moving_, ros::Time::now(), 4);
+  EXPECT_TRUE(Finds(4));
+}
+
+TEST_F(TransformsTest, AFixedOneHoldsAlwaysWhateverItsStamp) {
+  Send(fixed_, ros::Time(std::numeric_limits<std::uint32_t>::max(), 0), 5);
+  EXPECT_TRUE(Finds(5));
+}
+
+TEST_F(TransformsTest, AskedForAnImpossibleTimeItSaysSo) {
+  Send(moving_, ros::Time::now(), 6);
+  ASSERT_TRUE(Finds(6));
+  const ros::Time never(std::numeric_limits<std::uint32_t>::max(), 0);
+  EXPECT_FALSE(transforms_.Find("odom", "base_link", never));
+}
+
+}  // namespace
+}  // namespace coppice::robot
