@@ -38,6 +38,11 @@ const char* ToString(HealthLevel level) {
   return kNames[static_cast<std::size_t>(level)];
 }
 
+HealthLevel LevelOfNumber(int number) {
+  const bool is_known = number >= 0 && number <= static_cast<int>(HealthLevel::kStale);
+  return is_known ? static_cast<HealthLevel>(number) : HealthLevel::kStale;
+}
+
 const HealthEntry* Health::FirstError(std::string_view monitor) const {
   const auto found = std::find_if(entries.begin(), entries.end(), [&](const HealthEntry& entry) {
     return entry.level >= HealthLevel::kError && entry.monitor == monitor;

@@ -17,6 +17,9 @@ enum class HealthLevel : std::uint8_t { kOk = 0, kWarn = 1, kError = 2, kStale =
 
 /// "OK", "WARN", "ERROR" or "STALE".
 const char* ToString(HealthLevel level);
+/// The level that messages give as a number. One that there is not is no reason to feel well: it
+/// counts as the worst.
+HealthLevel LevelOfNumber(int number);
 
 /// One thing that a monitor watches.
 struct HealthEntry {

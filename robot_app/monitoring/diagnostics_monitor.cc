@@ -11,7 +11,6 @@ namespace {
 using leaves::HealthLevel;
 
 constexpr std::size_t kMostStatuses = 2000;  // a limit for a program that invents names
-constexpr int kWorst = static_cast<int>(HealthLevel::kStale);
 
 }  // namespace
 
@@ -36,8 +35,7 @@ void DiagnosticsMonitor::OnStatus(const std::string& name, int level, const std:
     if (statuses_.size() >= kMostStatuses) return;
     status = statuses_.insert(status, {name, HealthLevel::kOk, "", now});
   }
-  const bool is_known = level >= 0 && level <= kWorst;
-  status->level = static_cast<HealthLevel>(is_known ? level : kWorst);
+  status->level = leaves::LevelOfNumber(level);
   status->message = message;
   status->heard_at = now;
   status->was_heard_since_change = true;

@@ -12,8 +12,8 @@
 #include <set>
 
 #include "robot_app/common/any_message.h"
-#include "robot_app/common/ros_support.h"
 #include "robot_app/common/at_once_queue.h"
+#include "robot_app/common/ros_support.h"
 #include "robot_app/monitoring/aggregator/health_messages.h"
 #include "robot_app/monitoring/diagnostics_monitor.h"
 #include "robot_app/monitoring/logger_monitor.h"
@@ -102,7 +102,7 @@ class Program {
     program_.node().Subscribe<rosgraph_msgs::TopicStatistics>(
         statistics_, is_needed ? "/statistics" : "", kQueue,
         [this](const rosgraph_msgs::TopicStatistics& message) {
-          const double seconds = (message.window_stop - message.window_start).toSec();
+          const double seconds = message.window_stop.toSec() - message.window_start.toSec();
           if (seconds <= 0) return;
           const std::lock_guard<std::mutex> lock(counting_);
           topics_.OnStatistics(

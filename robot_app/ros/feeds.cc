@@ -21,7 +21,7 @@ Health FromMessage(const coppice_msgs::Health& message, Time stamp) {
   health.stamp = stamp;
   for (const coppice_msgs::HealthEntry& entry : message.entries) {
     health.entries.push_back({entry.monitor, entry.subject, entry.node,
-                              static_cast<leaves::HealthLevel>(entry.level), entry.message});
+                              leaves::LevelOfNumber(entry.level), entry.message});
   }
   return health;
 }

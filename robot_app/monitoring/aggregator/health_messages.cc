@@ -34,12 +34,9 @@ coppice_msgs::Health ToMessage(const std::string& source, const std::vector<Find
 std::vector<Finding> FromMessage(const coppice_msgs::Health& message) {
   std::vector<Finding> findings;
   for (const coppice_msgs::HealthEntry& entry : message.entries) {
-    Finding finding{entry.monitor, entry.subject, entry.node,    leaves::HealthLevel::kOk,
+    Finding finding{entry.monitor, entry.subject, entry.node,    leaves::LevelOfNumber(entry.level),
                     entry.value,   entry.unit,    entry.message, FromRos(entry.stamp),
                     entry.host};
-    // A number that we do not know is no reason to feel well.
-    finding.level = static_cast<leaves::HealthLevel>(
-        std::min<std::uint8_t>(entry.level, coppice_msgs::HealthEntry::STALE));
     findings.push_back(std::move(finding));
   }
   return findings;

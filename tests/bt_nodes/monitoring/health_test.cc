@@ -25,6 +25,11 @@ TEST(Health, CountsStaleAsAnError) { EXPECT_NE(Example().FirstError("topic"), nu
 
 TEST(Health, CountsAWarningAsNoError) { EXPECT_EQ(Example().FirstError("navigation"), nullptr); }
 
+TEST(Health, ALevelThatThereIsNotIsTheWorst) {
+  EXPECT_EQ(LevelOfNumber(1), HealthLevel::kWarn);
+  for (const int number : {-1, 4, 200}) EXPECT_EQ(LevelOfNumber(number), HealthLevel::kStale);
+}
+
 TEST(Health, ReadsBackWhatItPrints) {
   Health read;
   const std::string text = ValueTraits<Health>::Print(Example());

@@ -148,6 +148,15 @@ TEST_F(FeedsTest, StampTheHealthReportOnArrival) {
   EXPECT_EQ(health.FirstError("node")->node, "/a");
 }
 
+TEST_F(FeedsTest, ALevelThatThereIsNotIsTheWorst) {
+  coppice_msgs::Health report;
+  report.entries.resize(1);
+  report.entries[0].level = 200;
+  Publish("/monitoring", report);
+  ASSERT_TRUE(Eventually([this] { return Key("monitoring").has_value(); }));
+  EXPECT_EQ(Key("monitoring").Get<Health>().entries[0].level, leaves::HealthLevel::kStale);
+}
+
 TEST_F(FeedsTest, BringTheProcessesAsRowsAndOnlyWhenTheyHaveChanged) {
   coppice_msgs::ProcessStates states;
   states.processes.resize(1);
