@@ -15,9 +15,9 @@
 namespace coppice::robot {
 namespace {
 
-constexpr Duration kConnectTime = std::chrono::milliseconds(100);
+using SteadyClock = std::chrono::steady_clock;
 
-Time SteadyNow() { return std::chrono::steady_clock::now().time_since_epoch(); }
+constexpr Duration kConnectTime = std::chrono::milliseconds(100);
 
 // Makes the connection's state visible: the library reports a refused connection nowhere else.
 class Client : public XmlRpc::XmlRpcClient {
@@ -164,8 +164,8 @@ struct NodeProbe::Call {
 struct NodeProbe::Sweep {
   XmlRpc::XmlRpcDispatch dispatch;
   std::vector<Call> calls;
-  Time begun{0};
-  Time deadline{0};
+  SteadyClock::time_point begun;
+  SteadyClock::time_point deadline;
   std::string caller;
   NodeAddress master;
   Connections* connections = nullptr;
@@ -247,7 +247,7 @@ struct NodeProbe::Sweep {
         }
         call.result->pid = static_cast<int>(*value);
         call.result->host = call.client->getHost();
-        call.result->delay = SteadyNow() - begun;
+        call.result->delay = SteadyClock::now() - begun;
         call.trusts_kept = false;  // it is the node
         if (call.request->topic.empty()) return AskForService(call);
         call.step = Call::Step::kPublications;
@@ -285,7 +285,7 @@ void NodeProbe::Begin(std::vector<ProbeRequest> requests, Duration deadline) {
   requests_ = std::move(requests);
   results_.assign(requests_.size(), {});
   sweep_ = std::make_unique<Sweep>();
-  sweep_->begun = SteadyNow();
+  sweep_->begun = SteadyClock::now();
   sweep_->deadline = sweep_->begun + deadline;
   sweep_->caller = caller_;
   sweep_->master = master_;
@@ -304,16 +304,16 @@ bool NodeProbe::Work(Duration at_most) {
   if (!sweep_) return true;
   // To be woken by every answer costs more than to read it: they are left to gather.
   constexpr Duration kGather = std::chrono::milliseconds(3);
-  const Time until = std::min(SteadyNow() + at_most, sweep_->deadline);
+  const auto until = std::min(SteadyClock::now() + at_most, sweep_->deadline);
   while (true) {
     sweep_->dispatch.work(0);
     for (Call& call : sweep_->calls) {
       if (call.step != Call::Step::kDone) sweep_->Advance(call);
     }
-    if (sweep_->done() || SteadyNow() >= until) break;
+    if (sweep_->done() || SteadyClock::now() >= until) break;
     std::this_thread::sleep_for(kGather);
   }
-  if (!sweep_->done() && SteadyNow() >= sweep_->deadline) sweep_->ExpireAll();
+  if (!sweep_->done() && SteadyClock::now() >= sweep_->deadline) sweep_->ExpireAll();
   if (!sweep_->done()) return false;
   sweep_.reset();
   return true;
@@ -338,9 +338,9 @@ bool CallMaster(const NodeAddress& master, const char* method, const XmlRpc::Xml
   if (!client.executeNonBlock(method, arguments)) return false;
   using Dispatch = XmlRpc::XmlRpcDispatch;
   dispatch.addSource(&client, Dispatch::WritableEvent | Dispatch::Exception);
-  const Time until = SteadyNow() + deadline;
+  const auto until = SteadyClock::now() + deadline;
   bool done = false;
-  while (!done && !client.failed() && SteadyNow() < until) {
+  while (!done && !client.failed() && SteadyClock::now() < until) {
     dispatch.work(0.01);
     done = client.executeCheckDone(answer);
   }

@@ -11,13 +11,13 @@
 namespace coppice::robot::monitoring {
 namespace {
 
+using SteadyClock = std::chrono::steady_clock;
+
 struct Attempt {
   Socket socket;
-  Time begun{0};
+  SteadyClock::time_point begun = SteadyClock::now();
   bool is_done = false;
 };
-
-Time Now() { return std::chrono::steady_clock::now().time_since_epoch(); }
 
 ReachDelay Conclude(Attempt& attempt) {
   int code = 0;
@@ -25,12 +25,11 @@ ReachDelay Conclude(Attempt& attempt) {
   getsockopt(attempt.socket.fd(), SOL_SOCKET, SO_ERROR, &code, &size);
   attempt.is_done = true;
   if (code != 0 && code != ECONNREFUSED) return Problem{std::strerror(code)};
-  return std::chrono::duration<double>(Now() - attempt.begun).count();
+  return std::chrono::duration<double>(SteadyClock::now() - attempt.begun).count();
 }
 
 Attempt Begin(const ReachTarget& target, ReachDelay& result) {
   Attempt attempt;
-  attempt.begun = Now();
   Expected<Socket> socket = Connect(target.address, target.port, SOCK_STREAM);
   attempt.is_done = !socket;
   if (socket) {

@@ -14,6 +14,8 @@
 namespace coppice::robot::monitoring {
 namespace {
 
+using SteadyClock = std::chrono::steady_clock;
+
 using AddressList = std::unique_ptr<addrinfo, decltype(&freeaddrinfo)>;
 
 Expected<AddressList> Resolve(const std::string& address, int port, int type) {
@@ -39,8 +41,6 @@ Expected<Socket> Open(const Expected<AddressList>& found, const Operation& opera
   if (socket.is_open() && errno == EINPROGRESS) return socket;
   return Problem{std::strerror(errno)};
 }
-
-Time Now() { return std::chrono::steady_clock::now().time_since_epoch(); }
 
 }  // namespace
 
@@ -73,10 +73,11 @@ int PortOf(const Socket& socket) {
   return ntohs(reinterpret_cast<const sockaddr_in&>(address).sin_port);
 }
 
-Deadline::Deadline(Duration from_now) : time_(Now() + from_now) {}
+Deadline::Deadline(Duration from_now) : time_(SteadyClock::now() + from_now) {}
 
 int Deadline::milliseconds() const {
-  const auto left = std::chrono::ceil<std::chrono::milliseconds>(time_ - Now()).count();
+  const auto left =
+      std::chrono::ceil<std::chrono::milliseconds>(time_ - SteadyClock::now()).count();
   return static_cast<int>(std::max<std::int64_t>(0, left));
 }
 

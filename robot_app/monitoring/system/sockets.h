@@ -43,7 +43,7 @@ class Deadline {
   int milliseconds() const;
 
  private:
-  Time time_;
+  std::chrono::steady_clock::time_point time_;
 };
 
 }  // namespace coppice::robot::monitoring

@@ -61,8 +61,8 @@ Expected<RosMaster> StartMaster(int port, ProcessLauncher& launcher, Duration ti
   if (!pid) return Problem{pid.problem()};
   const RosMaster master{{kHost, port}, *pid};
 
-  const Time give_up = std::chrono::steady_clock::now().time_since_epoch() + timeout;
-  while (std::chrono::steady_clock::now().time_since_epoch() < give_up) {
+  const auto give_up = std::chrono::steady_clock::now() + timeout;
+  while (std::chrono::steady_clock::now() < give_up) {
     if (waitpid(master.pid, nullptr, WNOHANG) == master.pid) {
       return Problem{"rosmaster ended at once; see rosmaster.log"};
     }
