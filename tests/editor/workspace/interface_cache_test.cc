@@ -18,7 +18,7 @@ TEST(InterfaceCache, FollowsTheProject) {
   ASSERT_EQ(cache.Of("Walk", state.workspace, edit.Files()).size(), 1U);
   EXPECT_EQ(cache.Of("Walk", state.workspace, edit.Files())[0].model.name, "goal");
   driver.view().Select(driver.view().scene()->FindPath("1.2.1.1"));
-  ASSERT_EQ(edit.RenameKey("goal", "target"), "");
+  ASSERT_EQ(edit.RenameKey("goal", "target").problem(), "");
   EXPECT_EQ(cache.Of("Walk", state.workspace, edit.Files())[0].model.name, "target");
 }
 
