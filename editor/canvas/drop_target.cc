@@ -55,8 +55,7 @@ class Finder {
  private:
   bool IsColumn(std::uint32_t k) const {
     const Link link = view_.LinkOf(k);
-    return view_.orientation() == Orientation::kLeftToRight || link == Link::kTrunk ||
-           link == Link::kRowColumn;
+    return view_.orientation() == Orientation::kLeftToRight || link == Link::kTrunk;
   }
 
   // Not in the next row or column.

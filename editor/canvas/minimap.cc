@@ -9,16 +9,15 @@ namespace {
 constexpr float kWidth = 178;
 constexpr float kHeight = 104;
 constexpr float kInset = 8;
-constexpr float kMargin = 10;    // from the edges of the canvas
-constexpr float kClearance = 6;  // from nodes: their badges and frames stand out
-constexpr float kFoldedWidth = 28;
-constexpr float kFoldedHeight = 20;
-constexpr float kPart = 4.5F;      // of the canvas' width at most one in so many,
-constexpr float kLeast = 0.6F;     // but not smaller than this part of its full size
-constexpr float kInSight = 0.85F;  // of the tree's area
-constexpr float kSmallest = 2;     // pixels; a smaller branch is one block
-constexpr float kFarZoom = 0.01F;  // from there on nodes are far smaller than a pixel:
-constexpr float kFarBranch = 16;   // larger branches are one block
+constexpr float kMargin = 10;       // from the edges of the canvas
+constexpr float kClearance = 6;     // from nodes: their badges and frames stand out
+constexpr float kCovering = 0.55F;  // opacity of its ground where it lies over nodes
+constexpr float kPart = 4.5F;       // of the canvas' width at most one in so many,
+constexpr float kLeast = 0.6F;      // but not smaller than this part of its full size
+constexpr float kInSight = 0.98F;   // of the tree's area
+constexpr float kSmallest = 2;      // pixels; a smaller branch is one block
+constexpr float kFarZoom = 0.01F;   // from there on nodes are far smaller than a pixel:
+constexpr float kFarBranch = 16;    // larger branches are one block
 
 Color ColorOf(const Ui& ui, const CanvasOptions& options, const Scene& scene, std::uint32_t node) {
   const SceneNode& shown = scene.nodes[node];
@@ -55,7 +54,9 @@ class Minimap {
 
   void Draw() {
     const float shrink = std::clamp(box_.width() / (kWidth * ui_.scale * kPart), kLeast, 1.0F);
-    const Point size = Point{kWidth, kHeight} * (ui_.scale * shrink);
+    const bool high = view_.bounds().height() > view_.bounds().width();
+    const Point size =
+        (high ? Point{kHeight, kWidth} : Point{kWidth, kHeight}) * (ui_.scale * shrink);
     MinimapState& state = view_.minimap;
     const bool has_room =
         box_.width() > 2 * size.x + margin_ && box_.height() > 2 * size.y + margin_;
@@ -66,8 +67,8 @@ class Minimap {
     if (state.holds_mouse) return DrawMap(InCorner(state.corner, box_, size, margin_));
     const std::vector<Box> keep_clear = KeepClear();
     const CornerChoice choice = FreestCorner(box_, size, margin_, keep_clear, state.corner);
-    if (!choice.is_free) return DrawFolded(keep_clear);
     state.corner = choice.corner;
+    state.covers = !choice.is_free;
     DrawMap(InCorner(state.corner, box_, size, margin_));
   }
 
@@ -86,27 +87,14 @@ class Minimap {
     return boxes;
   }
 
-  void DrawFolded(const std::vector<Box>& keep_clear) {
-    const Point size = Point{kFoldedWidth, kFoldedHeight} * ui_.scale;
-    MinimapState& state = view_.minimap;
-    const CornerChoice choice = FreestCorner(box_, size, margin_, keep_clear, state.corner);
-    if (!choice.is_free) return;
-    state.corner = choice.corner;
-    const Box frame = InCorner(state.corner, box_, size, margin_);
-    ui_.Fill(list_, frame, ui_.palette.panel, 3 * ui_.scale);
-    ui_.Frame(list_, frame, ui_.palette.text_dim, 3 * ui_.scale);
-    const Point inset = size * 0.3F;
-    ui_.Frame(list_, {frame.min + inset, frame.max - inset}, ui_.palette.text, 1 * ui_.scale);
-    ui_.Hit("canvas/minimap/folded", frame, &state.holds_mouse);
-  }
-
   void DrawMap(const Box& frame) {
     const Box& world = view_.bounds();
     Camera camera;
     camera.zoom = std::min((frame.width() - 2 * kInset) / std::max(world.width(), 1.0F),
                            (frame.height() - 2 * kInset) / std::max(world.height(), 1.0F));
     camera.offset = frame.center() - world.center() * camera.zoom;
-    ui_.Fill(list_, frame, ui_.palette.panel, 4 * ui_.scale);
+    const bool through = view_.minimap.covers && !view_.minimap.holds_mouse;
+    ui_.Fill(list_, frame, Fade(ui_.palette.panel, through ? kCovering : 1), 4 * ui_.scale);
     ui_.Frame(list_, frame, ui_.palette.border, 4 * ui_.scale);
     DrawNodes(camera);
     DrawSeen(camera, frame);

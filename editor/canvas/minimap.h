@@ -1,4 +1,5 @@
-// Where the minimap goes: into a corner of the canvas where it hides no node.
+// Where the minimap goes while something of the tree is out of sight: into a corner of the canvas
+// where it lies over no node, else where it covers least, and then one sees through it.
 #ifndef COPPICE_EDITOR_CANVAS_MINIMAP_H_
 #define COPPICE_EDITOR_CANVAS_MINIMAP_H_
 
@@ -13,6 +14,7 @@ enum class Corner { kUpperRight, kLowerRight, kLowerLeft, kUpperLeft };
 /// Of one view, from frame to frame.
 struct MinimapState {
   Corner corner = Corner::kUpperRight;
+  bool covers = false;       ///< nodes, because no corner is free
   bool holds_mouse = false;  ///< the mouse is on it or drags from it: it stays where it is
 };
 

@@ -65,8 +65,8 @@ class LinesPainter {
 
   EdgeEnds EndsOf(std::uint32_t k) const {
     EdgeEnds ends = view_.EdgeTo(k, pen_.ui.now);
-    ends.parent_note = NoteHeight(NodeOf(view_.ShownParent(k)));
-    ends.child_note = NoteHeight(NodeOf(k));
+    ends.parent_note = NoteHeight(NodeOf(view_.ShownParent(k)), view_.names_only());
+    ends.child_note = NoteHeight(NodeOf(k), view_.names_only());
     return area_.camera.ToScreen(ends);
   }
 

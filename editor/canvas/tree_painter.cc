@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <unordered_set>
+#include <vector>
 
 #include "editor/canvas/canvas_looks.h"
 #include "editor/canvas/paint/node_marks.h"
@@ -34,17 +35,74 @@ class TreePainter {
     return scene_.nodes[view_.shown()[item.k]];
   }
 
-  // What belongs to a SubTree lies on a ground of its own: a band behind all children of a node,
-  // which reaches to the bands above and below. SubTrees side by side differ in shade.
+  // A part of the ground of a SubTree.
+  struct Ground {
+    std::uint32_t scope;
+    Box box;
+  };
+
+  // What belongs to a SubTree lies on a ground with an outline of its own, to which its node is the
+  // tab. SubTrees side by side differ in shade.
   void PaintGround() {
-    std::unordered_set<std::uint32_t> painted;  // parents
+    std::vector<Ground> grounds = view_.in_rows() ? Blocks() : Bands();
+    std::stable_sort(grounds.begin(), grounds.end(),
+                     [](const Ground& a, const Ground& b) { return a.scope < b.scope; });
+    const float line = pen_.ui.scale;
+    for (auto first = grounds.begin(); first != grounds.end();) {
+      const std::uint32_t scope = first->scope;
+      const auto end = std::find_if(first, grounds.end(),
+                                    [scope](const Ground& one) { return one.scope != scope; });
+      // The outline of all parts together is what their fillings leave of it.
+      const Color edge = Mix(colors_.canvas, colors_.text, 0.22F);
+      const Color fill = Mix(colors_.canvas, colors_.text, scope % 2 == 1 ? 0.05F : 0.085F);
+      for (auto one = first; one != end; ++one) PaintGround(Grown(one->box, line), edge);
+      for (auto one = first; one != end; ++one) PaintGround(one->box, fill);
+      first = end;
+    }
+  }
+
+  void PaintGround(const Box& box, Color color) {
+    if (box.Overlaps(area_.box)) pen_.FillBox(box, color, 6 * area_.camera.zoom);
+  }
+
+  // In rows, no other branch reaches between the nodes of a SubTree: it is a block.
+  std::vector<Ground> Blocks() const {
+    std::vector<Ground> blocks;
+    std::unordered_set<std::uint32_t> found;  // scopes
+    for (const VisibleNode& item : area_.visible) {
+      for (std::uint32_t k = item.k; k != 0; k = view_.ShownParent(k)) {
+        const std::uint32_t scope = ScopeOf(k);
+        if (scope == 0) break;
+        if (scope == ScopeOf(view_.ShownParent(k))) continue;
+        if (!found.insert(scope).second) break;
+        blocks.push_back({scope, area_.camera.ToScreen(BlockBelow(view_.ShownParent(k), k))});
+      }
+    }
+    return blocks;
+  }
+
+  std::uint32_t ScopeOf(std::uint32_t k) const { return scene_.nodes[view_.shown()[k]].scope; }
+
+  Box BlockBelow(std::uint32_t parent, std::uint32_t root) const {
+    const Box above = view_.BoxAt(parent, pen_.ui.now);
+    Box block = Grown(view_.BranchBounds(root), kGroundSide);
+    const bool down = view_.orientation() == Orientation::kTopToBottom;
+    (down ? block.min.y : block.min.x) = down ? above.max.y : above.max.x;
+    (down ? block.min.x : block.min.y) = down ? above.min.x : above.min.y;
+    return block;
+  }
+
+  // In a tidy tree, a band behind all children of a node, which reaches to the bands above and
+  // below.
+  std::vector<Ground> Bands() const {
+    std::vector<Ground> bands;
+    std::unordered_set<std::uint32_t> found;  // parents
     for (const VisibleNode& item : area_.visible) {
       const std::uint32_t scope = NodeOf(item).scope;
-      if (scope == 0 || item.k == 0 || !painted.insert(view_.ShownParent(item.k)).second) continue;
-      const Color color = Mix(colors_.canvas, colors_.text, scope % 2 == 1 ? 0.05F : 0.085F);
-      const Box band = BandBelow(view_.ShownParent(item.k));
-      if (band.Overlaps(area_.box)) pen_.FillBox(band, color, 6 * area_.camera.zoom);
+      if (scope == 0 || item.k == 0 || !found.insert(view_.ShownParent(item.k)).second) continue;
+      bands.push_back({scope, BandBelow(view_.ShownParent(item.k))});
     }
+    return bands;
   }
 
   // Around the children, from where their parent ends.
@@ -84,6 +142,10 @@ class TreePainter {
       if (status == Status::kRunning) color = colors_.running;
     }
     pen_.FillBox(item.box, color);
+  }
+
+  static Box Grown(const Box& box, float by) {
+    return {box.min - Point{by, by}, box.max + Point{by, by}};
   }
 
   Pen& pen_;

@@ -12,14 +12,12 @@ namespace {
 
 constexpr double kMoveSeconds = 0.15;
 constexpr float kChipRow = 20;
-constexpr float kMargin = 24;      // around a fitted tree, on a screen of scale 1
+constexpr float kMargin = 18;      // around a fitted tree, on a screen of scale 1
 constexpr float kLeastMargin = 8;  // if a bar above the canvas has taken the rest
 constexpr float kLeastZoom = 0.0005F;
 constexpr float kLargestZoom = 3;
 constexpr float kWideCanvas = 1000;  // on wider ones a small tree is painted larger
 constexpr float kLargestFit = 1.6F;
-constexpr float kReadablePorts = 0.6F;       // least zoom
-constexpr std::size_t kMostToChoose = 1000;  // of larger trees no name can be read at once anyway
 
 float EaseOut(double t) {
   const auto rest = static_cast<float>(1 - std::clamp(t, 0.0, 1.0));
@@ -37,7 +35,7 @@ float ZoomToFit(const Box& box, Point canvas, float margin, float largest_zoom) 
 EdgeEnds Camera::ToScreen(EdgeEnds world) const {
   world.parent = ToScreen(world.parent);
   world.child = ToScreen(world.child);
-  for (float* length : {&world.zoom, &world.parent_note, &world.child_note, &world.below_row}) {
+  for (float* length : {&world.zoom, &world.parent_note, &world.child_note}) {
     *length *= zoom;
   }
   return world;
@@ -89,18 +87,14 @@ void TreeView::SetScene(std::shared_ptr<const Scene> scene, const SizeOf& size_o
 
 void TreeView::SetStyle(const LayoutStyle& style, double now) {
   if (style == style_) return;
-  if (style.ports != style_.ports) {
-    names_only_ = style.ports == ShownPorts::kNone;
-    breadth_ = 0;
-  }
   style_ = style;
+  if (style.growth != Growth::kByItself) {
+    const bool across = style.growth == Growth::kAcross;
+    choice_.orientation = across ? Orientation::kLeftToRight : Orientation::kTopToBottom;
+  }
+  if (style.ports != ShownPorts::kByItself) choice_.names_only = style.ports == ShownPorts::kNone;
+  if (!style.wrapped || style.layered) choice_.rows = 0;
   if (scene_) Relayout(Anchor(), now);
-}
-
-void TreeView::SetOrientation(Orientation orientation, double now) {
-  LayoutStyle style = style_;
-  style.orientation = orientation;
-  SetStyle(style, now);
 }
 
 void TreeView::SetCollapsed(std::uint32_t node, bool collapsed, double now) {
@@ -179,17 +173,23 @@ void TreeView::ListShown() {
   for (const std::uint32_t k : branch) shown_ends_[k] = static_cast<std::uint32_t>(shown_.size());
 }
 
-void TreeView::LayOutShown() {
-  std::vector<Point> sizes;
-  std::vector<bool> is_decorator;
-  sizes.reserve(shown_.size());
-  is_decorator.reserve(shown_.size());
+MeasuredTree TreeView::Shown() const {
+  MeasuredTree tree;
+  tree.ends = shown_ends_;
+  tree.sizes.reserve(shown_.size());
+  tree.is_decorator.reserve(shown_.size());
   for (const std::uint32_t node : shown_) {
-    const Point& size = names_only_ ? sizes_[node].name : sizes_[node].full;
-    sizes.push_back(size + Point{0, collapsed_[node] ? kChipRow : 0});
-    is_decorator.push_back(scene_->nodes[node].shape == Shape::kDecorator);
+    const Point chip = {0, collapsed_[node] ? kChipRow : 0};
+    tree.sizes.emplace_back(sizes_[node].full + chip, sizes_[node].name + chip);
+    tree.is_decorator.push_back(scene_->nodes[node].shape == Shape::kDecorator);
   }
-  layout_ = Arrange(shown_ends_, sizes, is_decorator, style_, breadth_);
+  return tree;
+}
+
+void TreeView::LayOutShown() { TakeLayout(Arrange(Shown(), style_, choice_)); }
+
+void TreeView::TakeLayout(TreeLayout layout) {
+  layout_ = std::move(layout);
   branches_ = layout_.boxes;
   for (auto k = static_cast<std::uint32_t>(shown_.size()); k-- > 1;) {
     Box& parent = branches_[shown_parents_[k]];
@@ -233,8 +233,7 @@ EdgeEnds TreeView::EdgeTo(std::uint32_t k, double now) const {
   ends.parent = BoxAt(shown_parents_[k], now);
   ends.child = BoxAt(k, now);
   ends.link = layout_.links[k];
-  ends.orientation = style_.orientation;
-  ends.below_row = layout_.below_row[k];
+  ends.orientation = choice_.orientation;
   return ends;
 }
 
@@ -243,7 +242,7 @@ bool TreeView::IsMoving(double now) const { return now < moved_at_ + kMoveSecond
 void TreeView::PlaceIn(const Box& canvas) {
   const Box before = std::exchange(canvas_, canvas);
   const Point size = {canvas.width(), canvas.height()};
-  if (needs_fit) return FitAll(size);
+  if (needs_fit) return ShowAtFirst(size);
   if (before == canvas || before.width() < 1) return;
   const bool was_fitted = camera == fitted_;
   const bool was_in_sight = IsInSight({before.width(), before.height()});
@@ -251,7 +250,7 @@ void TreeView::PlaceIn(const Box& canvas) {
   if (!was_fitted) return;
   const bool upper_edge_moved = before.min.x == canvas.min.x && before.max == canvas.max;
   const bool stays = upper_edge_moved && (!was_in_sight || MoveIntoSight(size));
-  if (!stays) FitAll(size);
+  if (!stays) at_first_ ? ShowAtFirst(size) : FitAll(size);
   fitted_ = camera;
 }
 
@@ -281,32 +280,16 @@ float TreeView::LargestFit(Point canvas) const {
   return screen_scale * std::clamp(room, 1.0F, kLargestFit);
 }
 
-// Ports that could not be read are room for larger names.
-void TreeView::ChoosePorts(Point canvas) {
-  if (std::exchange(names_only_, false) || breadth_ > 0) {
-    breadth_ = 0;
-    LayOutShown();
-    moved_at_ = -1e9;
-  }
-  if (shown_.size() > kMostToChoose || ZoomOfAll(canvas) > kReadablePorts * screen_scale) return;
-  names_only_ = true;
-  ChooseBreadth(canvas);
-}
-
-// The rows by which names are largest on this canvas.
-void TreeView::ChooseBreadth(Point canvas) {
-  if (!style_.wrapped || style_.layered) return LayOutShown();
-  float best = 0;
-  float largest = 0;
-  for (const float breadth : {0.0F, 600.0F, 900.0F, 1200.0F, 1600.0F, 2000.0F}) {
-    breadth_ = breadth;
-    LayOutShown();
-    const float zoom = ZoomOfAll(canvas);
-    if (zoom > largest) best = breadth;
-    largest = std::max(largest, zoom);
-  }
-  breadth_ = best;
-  LayOutShown();
+// What is chosen anew is in its place at once.
+void TreeView::Choose(Point canvas) {
+  const float margins = 2 * kMargin * screen_scale;
+  const Point room = (canvas - Point{margins, margins}) * (1 / screen_scale);
+  ChosenLayout chosen = ChooseLayout(Shown(), style_, room);
+  readable_ = chosen.readable;
+  can_be_read_ = chosen.can_be_read;
+  if (chosen.choice == choice_) return;
+  choice_ = chosen.choice;
+  TakeLayout(std::move(chosen.layout));
   moved_at_ = -1e9;
 }
 
@@ -316,11 +299,35 @@ float TreeView::ZoomOfAll(Point canvas) const {
 
 void TreeView::FitAll(Point canvas) {
   if (shown_.empty() || canvas.x < 1 || canvas.y < 1) return;
-  if (style_.ports == ShownPorts::kByItself) ChoosePorts(canvas);
-  if (style_.ports == ShownPorts::kNone && shown_.size() <= kMostToChoose) ChooseBreadth(canvas);
+  Choose(canvas);
   Fit(layout_.bounds, canvas, LargestFit(canvas));
   fitted_ = camera;
+  at_first_ = false;
   needs_fit = false;
+}
+
+void TreeView::ShowAtFirst(Point canvas) {
+  FitAll(canvas);
+  if (needs_fit) return;
+  if (!can_be_read_) ShowTop(canvas);
+  at_first_ = true;
+}
+
+// The root at the upper or left edge, and what follows it as large as it must be to be read.
+void TreeView::ShowTop(Point canvas) {
+  camera.zoom = readable_ * screen_scale;
+  const float margin = kMargin * screen_scale;
+  const Box all = {layout_.bounds.min * camera.zoom, layout_.bounds.max * camera.zoom};
+  const Point root = layout_.boxes[0].center() * camera.zoom;
+  // As a whole in the middle if there is room, else from the edge, or around the root.
+  const auto place = [margin](float size, float low, float high, float at, bool first) {
+    if (high - low + 2 * margin <= size) return (size - low - high) / 2;
+    return first || at - low < size / 2 ? margin - low : size / 2 - at;
+  };
+  const bool down = choice_.orientation == Orientation::kTopToBottom;
+  camera.offset = {place(canvas.x, all.min.x, all.max.x, root.x, !down),
+                   place(canvas.y, all.min.y, all.max.y, root.y, down)};
+  fitted_ = camera;
 }
 
 void TreeView::FitSelection(Point canvas) {

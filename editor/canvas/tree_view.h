@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "editor/canvas/layout/tree_layout.h"
+#include "editor/canvas/layout/layout_choice.h"
 #include "editor/canvas/minimap.h"
 #include "editor/canvas/paint/edge_shape.h"
 #include "editor/diff/tree_match.h"
@@ -69,11 +69,12 @@ class TreeView {
 
   void SetStyle(const LayoutStyle& style, double now);
   const LayoutStyle& style() const { return style_; }
-  void SetOrientation(Orientation orientation, double now);
-  Orientation orientation() const { return style_.orientation; }
-
+  /// Which way it grows now.
+  Orientation orientation() const { return choice_.orientation; }
+  /// Whether it stands in rows, not as a tidy tree.
+  bool in_rows() const { return choice_.rows > 0; }
   /// Whether nodes show nothing but their names now.
-  bool names_only() const { return names_only_; }
+  bool names_only() const { return choice_.names_only; }
 
   /// Without it, nodes jump to their places.
   bool animated = true;
@@ -132,13 +133,16 @@ class TreeView {
   std::uint32_t ShownOf(std::uint32_t node) const;
   bool IsMoving(double now) const;
 
-  /// Where on the screen the view is painted; before each frame. Fits a view that was never fitted.
-  /// When the place changes, one that was fitted and not moved since stays fitted; any other keeps
-  /// its nodes where they are on the screen. A fitted one does so too, as far as they fit, when
-  /// only the upper edge moves: bars that come and go above the canvas do not make the tree jump.
+  /// Where on the screen the view is painted; before each frame. A view that was never fitted shows
+  /// all of its tree if that can be read, else its top. When the place changes, one that was fitted
+  /// and not moved since stays fitted; any other keeps its nodes where they are on the screen. A
+  /// fitted one does so too, as far as they fit, when only the upper edge moves: bars that come and
+  /// go above the canvas do not make the tree jump.
   void PlaceIn(const Box& canvas);
   /// The whole tree, or the selection (with its descendants), in a canvas of that size.
   void FitAll(Point canvas);
+  /// All of it if that can be read, else its top.
+  void ShowAtFirst(Point canvas);
   void FitSelection(Point canvas);
   /// Keeps the world point under `screen` there. `factor` > 1: closer.
   void ZoomAt(Point screen, float factor);
@@ -148,7 +152,7 @@ class TreeView {
   Camera camera;
   Gesture gesture;  ///< of the mouse on the canvas
   MinimapState minimap;
-  bool needs_fit = true;  ///< the camera was never set; cleared by FitAll
+  bool needs_fit = true;  ///< the camera was never set; cleared by FitAll and ShowAtFirst
 
  private:
   // Where the nodes of the scene are on the canvas; only those with `known` are there.
@@ -163,22 +167,25 @@ class TreeView {
   void Move(const Places& before, std::uint32_t anchor, double now);
   void ListShown();
   void LayOutShown();
+  void TakeLayout(TreeLayout layout);
   void OpenAround(std::uint32_t node);
   void Fit(const Box& box, Point canvas, float largest_zoom);
   float LargestFit(Point canvas) const;
   float ZoomOfAll(Point canvas) const;
-  void ChoosePorts(Point canvas);
-  void ChooseBreadth(Point canvas);
+  void Choose(Point canvas);
+  void ShowTop(Point canvas);
+  MeasuredTree Shown() const;
   bool IsInSight(Point canvas) const;
   bool MoveIntoSight(Point canvas);
 
   std::shared_ptr<const Scene> scene_;
   TreeHashes hashes_;
   std::vector<NodeSizes> sizes_;
-  bool names_only_ = false;
-  float breadth_ = 0;  // of the rows; chosen for the canvas
   std::vector<bool> collapsed_;
   LayoutStyle style_;
+  LayoutChoice choice_;  // for the canvas where it was fitted
+  float readable_ = 1;   // least zoom at which that can be read
+  bool can_be_read_ = true;
   KeyUses keys_;
   std::uint32_t lit_key_ = kNoKey;
   std::uint32_t selected_ = kNoSceneNode;
@@ -188,8 +195,9 @@ class TreeView {
   std::vector<Point> from_;  // upper left corners when the boxes began to move
   std::vector<Box> branches_;
   double moved_at_ = -1e9;
-  Box canvas_;     // of the last frame
-  Camera fitted_;  // if that is the camera, the whole tree was fitted and not moved since
+  Box canvas_;             // of the last frame
+  Camera fitted_;          // if that is the camera, the tree was fitted and not moved since
+  bool at_first_ = false;  // ... by ShowAtFirst
 };
 
 }  // namespace coppice::editor

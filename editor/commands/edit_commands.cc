@@ -58,7 +58,7 @@ class EditCommands {
   // Places to type in.
   void AddTyping() {
     AddFunction("edit.xml", "Edit the XML", {kKeyEnter, kCtrl}, [&s = state_](const TreeEditor&) {
-      s.screen.tiles.xml = true;
+      s.screen.tiles.xml = s.screen.tiles.row = true;
       s.xml.pane.wants_focus = true;
     });
     AddFunction("edit.first_port", "Edit the first port", {kKeyEnter},
@@ -129,7 +129,8 @@ class EditCommands {
   // Nodes go where the arrows point to on the screen.
   void AddMove(std::string id, std::string title, Key key, Way top_to_bottom, Way left_to_right) {
     AddFunction(std::move(id), std::move(title), {key, kAlt}, [=, &s = state_](TreeEditor edit) {
-      const bool sideways = s.workspace.orientation() == Orientation::kLeftToRight;
+      const TreeView* const view = s.workspace.view();
+      const bool sideways = view && view->orientation() == Orientation::kLeftToRight;
       switch (sideways ? left_to_right : top_to_bottom) {
         case Way::kBack:
           return edit.MoveAmongSiblings(-1);

@@ -76,12 +76,13 @@ class Commands {
     AddForView("view.zoom_100", "Zoom to 100 %", {'Z'}, [&s = state_](TreeView& view) {
       view.ZoomAt(s.screen.canvas_size * 0.5F, view.screen_scale / view.camera.zoom);
     });
-    AddOrientation("view.top_to_bottom", "Top to bottom", Orientation::kTopToBottom);
-    AddOrientation("view.left_to_right", "Left to right", Orientation::kLeftToRight);
+    AddGrowth("view.grow_by_itself", "Down or across, as it can be read", Growth::kByItself);
+    AddGrowth("view.top_to_bottom", "Top to bottom", Growth::kDown);
+    AddGrowth("view.left_to_right", "Left to right", Growth::kAcross);
     AddToggle("view.compact", "Decorators lie on their children", &LayoutStyle::compact);
     AddToggle("view.layered", "All nodes of a depth on one line", &LayoutStyle::layered);
     AddToggle("view.stacked", "Many leaves stand in a column", &LayoutStyle::stacked);
-    AddToggle("view.wrapped", "Wide branches stand in rows", &LayoutStyle::wrapped);
+    AddToggle("view.wrapped", "Trees that do not fit stand in rows", &LayoutStyle::wrapped);
     AddPorts("view.ports_by_itself", "Ports where they can be read", ShownPorts::kByItself);
     AddPorts("view.ports_all", "All ports", ShownPorts::kAll);
     AddPorts("view.ports_none", "Names only", ShownPorts::kNone);
@@ -95,17 +96,8 @@ class Commands {
         [&s = state_] { return s.screen.reduce_motion; });
   }
 
-  void AddOrientation(std::string id, std::string title, Orientation orientation) {
-    AddSwitch(
-        std::move(id), std::move(title), {},
-        [&s = state_, orientation] {
-          if (s.workspace.orientation() == orientation) return;
-          LayoutStyle style = s.workspace.style();
-          style.orientation = orientation;
-          s.workspace.SetStyle(style, s.now);
-          if (TreeView* view = s.workspace.view()) view->FitAll(s.screen.canvas_size);
-        },
-        [&s = state_, orientation] { return s.workspace.orientation() == orientation; });
+  void AddGrowth(std::string id, std::string title, Growth growth) {
+    AddChoice(std::move(id), std::move(title), &LayoutStyle::growth, growth);
   }
 
   void AddToggle(std::string id, std::string title, bool LayoutStyle::*part) {
@@ -120,15 +112,21 @@ class Commands {
   }
 
   void AddPorts(std::string id, std::string title, ShownPorts ports) {
+    AddChoice(std::move(id), std::move(title), &LayoutStyle::ports, ports);
+  }
+
+  template <class Value>
+  void AddChoice(std::string id, std::string title, Value LayoutStyle::*part, Value value) {
     AddSwitch(
         std::move(id), std::move(title), {},
-        [&s = state_, ports] {
+        [&s = state_, part, value] {
           LayoutStyle style = s.workspace.style();
-          style.ports = ports;
+          if (style.*part == value) return;
+          style.*part = value;
           s.workspace.SetStyle(style, s.now);
-          if (TreeView* view = s.workspace.view()) view->FitAll(s.screen.canvas_size);
+          if (TreeView* view = s.workspace.view()) view->ShowAtFirst(s.screen.canvas_size);
         },
-        [&s = state_, ports] { return s.workspace.style().ports == ports; });
+        [&s = state_, part, value] { return s.workspace.style().*part == value; });
   }
 
   void AddTabs() {
@@ -187,11 +185,27 @@ class Commands {
     AddTile("tile.outline", "Outline tile", {kKeyF1 + 2, kCtrl}, &Tiles::outline);
     AddTile("tile.inspector", "Inspector tile", {kKeyF1 + 3}, &Tiles::inspector);
     AddTile("tile.blackboard", "Blackboard tile", {kKeyF1 + 5}, &Tiles::blackboard);
-    AddTile("tile.xml", "XML tile", {kKeyF1 + 6}, &Tiles::xml);
-    AddTile("tile.problems", "Problems tile", {kKeyF1 + 7}, &Tiles::problems);
+    AddTileOfRow("tile.xml", "XML tile", {kKeyF1 + 6}, &Tiles::xml);
+    AddTileOfRow("tile.problems", "Problems tile", {kKeyF1 + 7}, &Tiles::problems);
     AddTile("tile.timeline", "Timeline tile", {kKeyF1 + 7, kCtrl}, &Tiles::timeline);
     AddTile("tile.run", "Why, running, breakpoints tile", {kKeyF1 + 7, kShift}, &Tiles::run);
     AddTile("tile.minimap", "Minimap", {kKeyF1 + 10}, &Tiles::minimap);
+    AddSwitch(
+        "view.canvas_only", "The canvas alone", {kKeyF1 + 10, kCtrl},
+        [&s = state_] { s.screen.tiles.others = !s.screen.tiles.others; },
+        [&s = state_] { return !s.screen.tiles.others; });
+  }
+
+  // A tile whose row is folded is opened with it.
+  void AddTileOfRow(std::string id, std::string title, KeyChord keys, bool Tiles::*tile) {
+    const auto is_open = [&s = state_, tile] { return s.screen.tiles.*tile && s.screen.tiles.row; };
+    AddSwitch(
+        std::move(id), std::move(title), keys,
+        [&s = state_, tile, is_open] {
+          s.screen.tiles.*tile = !is_open();
+          s.screen.tiles.row = true;
+        },
+        is_open);
   }
 
   void AddTile(std::string id, std::string title, KeyChord keys, bool Tiles::*tile) {

@@ -17,6 +17,14 @@ constexpr float kMargin = 32;  // around each tree: the ground of SubTrees reach
 constexpr float kTitleRow = 22;
 constexpr float kTitleSize = 15;
 constexpr float kLongestSide = 65500;
+constexpr Point kPaper = {2000, 1500};  // trees that are larger stand in rows
+
+// All of it is shown, and it grows as it is told to.
+LayoutStyle OnPaper(LayoutStyle style) {
+  style.ports = ShownPorts::kAll;
+  if (style.growth == Growth::kByItself) style.growth = Growth::kDown;
+  return style;
+}
 
 }  // namespace
 
@@ -32,13 +40,14 @@ class PictureMaker::Sheet {
       placed.top = y;
       placed.view = std::make_unique<TreeView>();
       placed.view->animated = false;
-      placed.view->SetStyle(painting.style, 0);
+      placed.view->SetStyle(OnPaper(painting.style), 0);
       // The scene belongs to the caller.
       const std::shared_ptr<const Scene> scene(std::shared_ptr<const void>(), tree.scene);
       const auto size_of = [this](const Scene& all, const SceneNode& node) {
         return MeasureNode(ui_, all, node);
       };
       placed.view->SetScene(scene, size_of, 0);
+      placed.view->FitAll(kPaper);
       const Box& bounds = placed.view->bounds();
       const float title = tree.title.empty() ? 0 : TitleWidth(tree.title);
       size_.x = std::max(size_.x, std::max(bounds.width(), title) + 2 * kMargin);

@@ -23,7 +23,7 @@ Expected<PictureOrder> ReadPictureOrder(const Options& options) {
   order.painting.palette = *PaletteFromString(options.Get("--palette", "light"));
   order.painting.style.compact = options.Has("--compact");
   order.painting.style.layered = options.Has("--layered");
-  if (options.Has("--across")) order.painting.style.orientation = Orientation::kLeftToRight;
+  if (options.Has("--across")) order.painting.style.growth = Growth::kAcross;
   return order;
 }
 

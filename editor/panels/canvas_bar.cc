@@ -51,7 +51,7 @@ class CanvasBar {
     if (!view) return;
     const int percent = static_cast<int>(std::lround(view->camera.zoom * 100 / view->screen_scale));
     const LayoutStyle& style = state_.workspace.style();
-    const bool sideways = style.orientation == Orientation::kLeftToRight;
+    const bool sideways = view->orientation() == Orientation::kLeftToRight;
     const auto button = [this](const char* path, const std::string& text, bool active,
                                const char* command) {
       if (Button(path, text, active)) state_.commands.Run(command);

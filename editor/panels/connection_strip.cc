@@ -87,12 +87,6 @@ class Strip {
     for (std::size_t i = 0; i < state_.workspace.runs().size(); ++i) {
       if (x < right_ - 60 * ui_.scale) x = DrawTab(x, i);
     }
-    if (state_.workspace.runs().empty()) {
-      x += 6 * ui_.scale;
-      x += ui_.RowText(list_, {x, box_.min.y}, box_.height(), "not connected to a robot",
-                       {Face::kSans, 12, ui_.palette.text_dim}) +
-           14 * ui_.scale;
-    }
     DrawConnect(x);
   }
 
@@ -255,6 +249,14 @@ class Strip {
 };
 
 }  // namespace
+
+bool HasConnectionStrip(const EditorState& state) {
+  const auto& hooks = state.workspace.hooks.all();
+  return !state.workspace.runs().empty() ||
+         std::any_of(hooks.begin(), hooks.end(), [](const WantedHook& wanted) {
+           return !IsBreakpoint(wanted.hook) && wanted.hook.enabled;
+         });
+}
 
 void DrawConnectionStrip(const Ui& ui, EditorState& state, const Box& box) {
   Strip(ui, state, box).Draw();

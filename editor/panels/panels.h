@@ -11,6 +11,8 @@ namespace coppice::editor {
 /// Menus, the field that opens the command palette, the mode. "menu/file", "bar/palette".
 void DrawTopBar(const Ui& ui, EditorState& state, const Box& box);
 
+/// Whether there is a robot to tell of.
+bool HasConnectionStrip(const EditorState& state);
 /// One tab per robot with its state, and "strip/connect". A tab is "strip/HOST:PORT".
 void DrawConnectionStrip(const Ui& ui, EditorState& state, const Box& box);
 

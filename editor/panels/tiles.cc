@@ -20,7 +20,9 @@ constexpr float kBar = 30;
 constexpr float kStrip = 28;
 constexpr float kCanvasBar = 26;
 constexpr float kGap = 4;
-constexpr float kSmallest = 80;        // of a tile
+constexpr float kSmallest = 80;      // of a tile
+constexpr float kPartAcross = 0.4F;  // of what a larger screen gains, for tiles
+constexpr float kPartDown = 0.5F;
 constexpr Point kUsual = {1280, 800};  // the screen that the sizes of tiles are for
 
 using DrawTile = void (*)(const Ui&, EditorState&, const Box&);
@@ -29,6 +31,7 @@ struct Tile {
   bool shown;
   DrawTile draw;
   float* bare = nullptr;  ///< its height if it has nothing to show but what it is for; else null
+  bool folded = false;    ///< to its title
 };
 
 class Screen {
@@ -38,35 +41,69 @@ class Screen {
   void Draw() {
     Box rest = box_;
     DrawTopBar(ui_, state_, TakeTop(rest, kBar));
-    DrawConnectionStrip(ui_, state_, TakeTop(rest, kStrip));
+    if (HasConnectionStrip(state_)) DrawConnectionStrip(ui_, state_, TakeTop(rest, kStrip));
     const float gap = kGap * ui_.scale;
     rest = {rest.min + Point{gap, gap}, rest.max - Point{gap, gap}};
-    Tiles& tiles = state_.screen.tiles;
-    Splits& splits = state_.screen.splits;
-    if (tiles.project || tiles.outline || tiles.types) LeftColumn(TakeLeft(rest, splits.left));
-    const bool is_run = state_.workspace.run() != nullptr;
-    if (is_run && tiles.timeline) {
-      DrawTimeline(ui_, state_, TakeBottom(rest, splits.timeline, "split/timeline"));
-    }
-    if (tiles.inspector || tiles.blackboard) {
-      const Box column = TakeRight(rest, splits.right);
-      Column("right", column, {tiles.inspector, DrawInspector},
-             {tiles.blackboard, DrawBlackboard, is_run ? nullptr : &splits.bare_blackboard},
-             splits.right_part);
-    }
-    const bool shows_run = is_run && !tiles.tests;
-    const Tile second = tiles.tests ? Tile{true, DrawTests}
-                        : shows_run ? Tile{tiles.run, DrawRunTile}
-                                    : Tile{tiles.problems, DrawProblems};
-    if (tiles.xml || second.shown) {
-      const Box row = TakeBottom(rest, splits.bottom, "split/bottom");
-      Row("bottom", row, {tiles.xml, DrawXml}, second,
-          shows_run ? splits.run_part : splits.bottom_part);
-    }
+    if (state_.screen.tiles.others) DrawAround(rest);
     DrawMiddle(rest);
   }
 
  private:
+  // All but the canvas, which gets the rest.
+  void DrawAround(Box& rest) {
+    const Tiles& tiles = state_.screen.tiles;
+    Splits& splits = state_.screen.splits;
+    if (tiles.project || tiles.outline || tiles.types) LeftColumn(TakeLeft(rest, splits.left));
+    const bool is_run = state_.workspace.run() != nullptr;
+    if (is_run && (tiles.timeline || tiles.run)) {
+      Row("run", TakeBottom(rest, splits.timeline, "split/timeline"),
+          {tiles.timeline, DrawTimeline}, {tiles.run, DrawRunTile}, splits.run_part);
+    }
+    if (tiles.inspector || tiles.blackboard) {
+      const Box column = TakeRight(rest, splits.right);
+      Column("right", column, {tiles.inspector, DrawInspector},
+             {tiles.blackboard, DrawBlackboard, nullptr, !is_run}, splits.right_part);
+    }
+    DrawRow(rest);
+  }
+
+  // Text and problems. Beside a run, only what was opened.
+  void DrawRow(Box& rest) {
+    const Tiles& tiles = state_.screen.tiles;
+    Splits& splits = state_.screen.splits;
+    const bool is_run = state_.workspace.run() != nullptr;
+    const bool folded = !tiles.row && !tiles.tests && !HasOnlyText();
+    const Tile xml = {tiles.xml && !(is_run && !tiles.row), DrawXml};
+    const Tile second =
+        tiles.tests ? Tile{true, DrawTests} : Tile{tiles.problems && !is_run, DrawProblems};
+    if (!xml.shown && !second.shown) return;
+    if (folded) return DrawFoldedRow(rest, xml, second);
+    Row("bottom", TakeBottom(rest, splits.bottom, "split/bottom"), xml, second, splits.bottom_part);
+    FoldRowIfTiny();
+  }
+
+  // A file without a tree: its text and its problems are all there is to see.
+  bool HasOnlyText() const { return state_.workspace.file() && !state_.workspace.view(); }
+
+  // Drawn down to nothing, it is folded.
+  void FoldRowIfTiny() {
+    float& height = state_.screen.splits.bottom;
+    if (height > kSmallest / 2) return;
+    height = Splits().bottom;
+    state_.screen.tiles.row = false;
+  }
+
+  // The titles alone; a click on one of them opens the row.
+  void DrawFoldedRow(Box& rest, const Tile& first, const Tile& second) {
+    const float height = kPanelHeader * ui_.scale;
+    const Box row = {{rest.min.x, rest.max.y - height}, rest.max};
+    rest.max.y = row.min.y - kGap * ui_.scale;
+    Row("bottom", row, first, second, state_.screen.splits.bottom_part);
+    ImGui::SetCursorScreenPos(ToIm(row.min));
+    if (ui_.Hit("fold/bottom", row)) state_.screen.tiles.row = true;
+    if (ImGui::IsItemHovered()) Tooltip(ui_, "Opens the XML and the problems.");
+  }
+
   Box TakeTop(Box& rest, float height) const {
     const Box taken = {rest.min, {rest.max.x, rest.min.y + height * ui_.scale}};
     rest.min.y = taken.max.y;
@@ -75,9 +112,13 @@ class Screen {
 
   // Of the sizes of tiles: on a large screen they get a part of what is gained.
   float GrownAcross() const {
-    return std::clamp(box_.width() / (kUsual.x * ui_.scale), 1.0F, 1.5F);
+    const float gained = box_.width() / (kUsual.x * ui_.scale) - 1;
+    return std::clamp(1 + kPartAcross * gained, 1.0F, 1.5F);
   }
-  float GrownDown() const { return std::clamp(box_.height() / (kUsual.y * ui_.scale), 1.0F, 1.7F); }
+  float GrownDown() const {
+    const float gained = box_.height() / (kUsual.y * ui_.scale) - 1;
+    return std::clamp(1 + kPartDown * gained, 1.0F, 1.5F);
+  }
 
   float Limit(float size, float room) const {
     return std::clamp(size * ui_.scale, kSmallest * ui_.scale,
@@ -145,18 +186,19 @@ class Screen {
     }
     const float gap = kGap * ui_.scale;
     const bool is_first_bare = first.bare && !second.bare;
-    const bool is_second_bare = second.bare && !first.bare;
     float cut = box.min.y + std::clamp(part, 0.1F, 0.9F) * box.height();
+    if (second.folded) {
+      cut = box.max.y - kPanelHeader * ui_.scale;
+      first.draw(ui_, state_, {box.min, {box.max.x, cut - gap}});
+      return second.draw(ui_, state_, {{box.min.x, cut}, box.max});
+    }
     if (is_first_bare) cut = box.min.y + Limit(*first.bare, box.height());
-    if (is_second_bare) cut = box.max.y - Limit(*second.bare, box.height()) - gap;
     const Box bar = {{box.min.x, cut}, {box.max.x, cut + gap}};
     first.draw(ui_, state_, {box.min, {box.max.x, bar.min.y}});
     second.draw(ui_, state_, {{box.min.x, bar.max.y}, box.max});
     const float moved = Splitter(ui_, "split/" + name + "_part", bar, false);
     if (is_first_bare) {
       *first.bare += moved;
-    } else if (is_second_bare) {
-      *second.bare -= moved;
     } else {
       part += moved * ui_.scale / box.height();
     }

@@ -1,4 +1,5 @@
 #include "editor/panels/panels.h"
+#include "editor/panels/widgets/panel.h"
 #include "editor/theme/icons.h"
 
 namespace coppice::editor {
@@ -8,7 +9,8 @@ struct MenuEntry {
   const char* command;  // null: a line between groups
 };
 
-constexpr MenuEntry kView[] = {{"view.top_to_bottom"},
+constexpr MenuEntry kView[] = {{"view.grow_by_itself"},
+                               {"view.top_to_bottom"},
                                {"view.left_to_right"},
                                {nullptr},
                                {"view.fit_all"},
@@ -59,10 +61,11 @@ constexpr MenuEntry kEditMenu[] = {{"edit.undo"},
 constexpr MenuEntry kTreeMenu[] = {
     {"tree.new"},    {"tree.rename"},     {"tree.delete"}, {nullptr}, {"tree.extract"},
     {"tree.inline"}, {"tree.definition"}, {"tree.usages"}, {nullptr}, {"file.include"}};
-constexpr MenuEntry kTilesMenu[] = {{"tile.project"},   {"tile.outline"},    {"tile.types"},
-                                    {"tile.inspector"}, {"tile.blackboard"}, {"tile.xml"},
-                                    {"tile.problems"},  {"tile.tests"},      {"tile.run"},
-                                    {"tile.timeline"},  {"tile.minimap"}};
+constexpr MenuEntry kTilesMenu[] = {{"tile.project"},    {"tile.outline"},    {"tile.types"},
+                                    {"tile.inspector"},  {"tile.blackboard"}, {"tile.xml"},
+                                    {"tile.problems"},   {"tile.tests"},      {"tile.run"},
+                                    {"tile.timeline"},   {"tile.minimap"},    {nullptr},
+                                    {"view.canvas_only"}};
 constexpr MenuEntry kRobotMenu[] = {{"robot.connect"},
                                     {"robot.next"},
                                     {"run.close"},
@@ -122,6 +125,8 @@ constexpr MenuEntry kSimulateMenu[] = {
     {"sim.save_test"}, {"sim.save_record"}};
 constexpr MenuEntry kHelpMenu[] = {{"help.palette"}, {"help.keys"}};
 
+constexpr float kRightPart = 196;  // of the bar: connect, and what is shown
+
 class TopBar {
  public:
   TopBar(const Ui& ui, EditorState& state, const Box& box) : ui_(ui), state_(state), box_(box) {}
@@ -140,6 +145,7 @@ class TopBar {
     x = Menu("Help", x, [this] { Entries(kHelpMenu); });
     DrawField(x + 12 * ui_.scale);
     DrawMode();
+    if (!HasConnectionStrip(state_)) DrawConnect();
   }
 
  private:
@@ -220,7 +226,7 @@ class TopBar {
     const float width = std::min(460 * ui_.scale, box_.width() * 0.36F);
     const float pad = 4 * ui_.scale;
     const float start = std::max(box_.center().x - width / 2, left);
-    const float end = std::min(start + width, box_.max.x - 96 * ui_.scale);
+    const float end = std::min(start + width, box_.max.x - kRightPart * ui_.scale);
     if (end - start < 60 * ui_.scale) return;
     const Box field = {{start, box_.min.y + pad}, {end, box_.max.y - pad}};
     bool hovered = false;
@@ -264,6 +270,15 @@ class TopBar {
     if (ui_.Button("bar/mode", chip, mode.text, run, mode.color) && run) {
       state_.commands.Run("run.now");
     }
+  }
+
+  void DrawConnect() {
+    const float pad = 4 * ui_.scale;
+    const Box box = {{box_.max.x - (kRightPart - 8) * ui_.scale, box_.min.y + pad},
+                     {box_.max.x - 92 * ui_.scale, box_.max.y - pad}};
+    const std::string text = std::string(icon::kPlug) + "  connect";
+    if (ui_.Button("bar/connect", box, text)) state_.commands.Run("robot.connect");
+    ExplainCommand(ui_, state_.commands, "robot.connect");
   }
 
   const Ui& ui_;

@@ -31,24 +31,25 @@ struct Tiles {
   bool problems = true;
   bool run = true;       ///< why, running, breakpoints, statistics; while a run is shown
   bool timeline = true;  ///< while a run is shown
-  bool tests = false;    ///< in the place of the problems
+  bool tests = false;    ///< in the place of the problems, whose row it opens
   bool minimap = true;
+  bool row = false;    ///< XML and problems are open below the canvas, else folded to their titles
+  bool others = true;  ///< all but the canvas
 };
 
 /// Sizes of the tiles in pixels of a screen with 1280 x 800, larger on larger ones; parts as a
 /// fraction.
 struct Splits {
-  float left = 236;
-  float right = 296;
+  float left = 216;
+  float right = 260;
   float bottom = 170;
-  float timeline = 190;
-  float bare_project = 80;     ///< without a file it only says how to get one
-  float bare_blackboard = 90;  ///< likewise without a run
-  float left_part = 0.28F;     ///< of the project in the upper part of the left column
-  float types_part = 0.62F;    ///< of what is above the node types
-  float right_part = 0.55F;    ///< of the inspector in the right column
-  float run_part = 0.42F;      ///< of the XML there, while a run is shown
-  float bottom_part = 0.62F;   ///< of the XML in the bottom row
+  float timeline = 190;       ///< and what stands beside it
+  float bare_project = 80;    ///< without a file it only says how to get one
+  float left_part = 0.28F;    ///< of the project in the upper part of the left column
+  float types_part = 0.62F;   ///< of what is above the node types
+  float right_part = 0.55F;   ///< of the inspector in the right column
+  float run_part = 0.58F;     ///< of the timeline in its row
+  float bottom_part = 0.62F;  ///< of the XML in the bottom row
 };
 
 /// How the screen is divided and coloured.

@@ -21,6 +21,7 @@ constexpr Member<Tiles, bool> kTiles[] = {
     {"xml", &Tiles::xml},           {"blackboard", &Tiles::blackboard},
     {"problems", &Tiles::problems}, {"run", &Tiles::run},
     {"timeline", &Tiles::timeline}, {"minimap", &Tiles::minimap},
+    {"row", &Tiles::row},
 };
 constexpr Member<Splits, float> kSplits[] = {
     {"left", &Splits::left},
@@ -28,24 +29,27 @@ constexpr Member<Splits, float> kSplits[] = {
     {"bottom", &Splits::bottom},
     {"timeline", &Splits::timeline},
     {"bare_project", &Splits::bare_project},
-    {"bare_blackboard", &Splits::bare_blackboard},
     {"left_part", &Splits::left_part},
     {"types_part", &Splits::types_part},
     {"right_part", &Splits::right_part},
     {"run_part", &Splits::run_part},
     {"bottom_part", &Splits::bottom_part},
 };
+template <class Value>
+using Name = std::pair<const char*, Value>;
 constexpr Member<LayoutStyle, bool> kLayout[] = {
     {"layered", &LayoutStyle::layered},
     {"compact", &LayoutStyle::compact},
     {"stacked", &LayoutStyle::stacked},
     {"wrapped", &LayoutStyle::wrapped},
 };
-constexpr char kSideways[] = "left_to_right";
-constexpr std::pair<const char*, ShownPorts> kPorts[] = {
+constexpr Name<Growth> kGrowth[] = {
+    {"by_itself", Growth::kByItself}, {"down", Growth::kDown}, {"across", Growth::kAcross}};
+constexpr Name<ShownPorts> kPorts[] = {
     {"by_itself", ShownPorts::kByItself}, {"all", ShownPorts::kAll}, {"none", ShownPorts::kNone}};
 constexpr double kLargest = 4000;
 
+const char* NameOf(Growth growth) { return kGrowth[static_cast<std::size_t>(growth)].first; }
 const char* NameOf(ShownPorts ports) { return kPorts[static_cast<std::size_t>(ports)].first; }
 
 class SettingsReader {
@@ -66,10 +70,8 @@ class SettingsReader {
     for (const auto& one : kSplits) Take(sizes, one.name, 0, kLargest, settings.splits.*one.member);
     const JsonValue& layout = Part(json, "layout");
     for (const auto& part : kLayout) Take(layout, part.name, settings.style.*part.member);
-    bool sideways = false;
-    Take(layout, kSideways, sideways);
-    if (sideways) settings.style.orientation = Orientation::kLeftToRight;
-    if (const JsonValue* ports = layout.Find("ports")) TakePorts(*ports, settings.style.ports);
+    TakeName(layout, "growth", kGrowth, "by_itself, down or across", settings.style.growth);
+    TakeName(layout, "ports", kPorts, "by_itself, all or none", settings.style.ports);
     const JsonValue& window = Part(json, "window");
     Take(window, "width", 320, 16384, settings.width);
     Take(window, "height", 240, 16384, settings.height);
@@ -87,11 +89,15 @@ class SettingsReader {
     diagnostics_.Error(value.where, "\"" + value.key + "\" is not " + expected);
   }
 
-  void TakePorts(const JsonValue& json, ShownPorts& ports) {
-    for (const auto& [name, value] : kPorts) {
-      if (json.text == name) ports = value;
+  template <class Value, std::size_t count>
+  void TakeName(const JsonValue& json, const char* key, const Name<Value> (&names)[count],
+                const char* expected, Value& taken) {
+    const JsonValue* const found = json.Find(key);
+    if (!found) return;
+    for (const auto& [name, value] : names) {
+      if (found->text == name) taken = value;
     }
-    if (json.text != NameOf(ports)) Wrong(json, "by_itself, all or none");
+    if (found->text != NameOf(taken)) Wrong(*found, expected);
   }
 
   void Take(const JsonValue& json, const char* name, bool& value) {
@@ -151,8 +157,8 @@ std::string WriteSettings(const Settings& settings) {
     sizes.children.push_back(MakeNumber(split.name, settings.splits.*split.member));
   }
   JsonValue layout = object("layout"), window = object("window"), json = object("");
-  const bool sideways = settings.style.orientation == Orientation::kLeftToRight;
-  layout.children.push_back(MakeBool(kSideways, sideways));
+  const char* const growth = NameOf(settings.style.growth);
+  layout.children.push_back(Make(JsonValue::Kind::kString, "growth", growth));
   for (const auto& part : kLayout) {
     layout.children.push_back(MakeBool(part.name, settings.style.*part.member));
   }

@@ -118,7 +118,6 @@ class Workspace {
   /// Every tree is laid out this way from now on.
   void SetStyle(const LayoutStyle& style, double now);
   const LayoutStyle& style() const { return style_; }
-  Orientation orientation() const { return style_.orientation; }
 
   /// The element of project() that the scene node stands for; nothing in a run and in a file
   /// whose text is malformed.

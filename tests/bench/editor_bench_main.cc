@@ -8,8 +8,14 @@
 //   UndoInOneMegabyte   from the key to where the next frame can be built; mean of undo and redo
 //   UndoFarBack         one step after the other, beyond those whose documents are kept
 //   FrameAfterUndo      that frame, while the nodes glide to their places
+//   FirstLook           opens every tree with at most 80 nodes of a folder, --trees=FOLDER, else of
+//                       the project's own: which part of their names can be read as they open in a
+//                       window of 1280 x 800, and at which zoom
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
 #include <string>
 #include <vector>
 
@@ -77,15 +83,14 @@ BENCHMARK(FrameOf20000Nodes)->Unit(benchmark::kMillisecond);
 void LayoutOf10000Nodes(benchmark::State& state) {
   Opened opened(kNodesOfAMegabyte, 0);
   const TreeView& view = opened.driver().view();
-  std::vector<Point> sizes;
+  MeasuredTree tree;
+  tree.ends = view.shown_ends();
   for (std::uint32_t k = 0; k < view.shown().size(); ++k) {
     const Box box = view.BoxAt(k, opened.driver().editor.now());
-    sizes.push_back(box.max - box.min);
+    tree.sizes.emplace_back(box.max - box.min);
   }
-  const std::vector<bool> is_decorator(sizes.size(), false);
-  for (auto _ : state) {
-    benchmark::DoNotOptimize(Arrange(view.shown_ends(), sizes, is_decorator, view.style()));
-  }
+  tree.is_decorator.assign(tree.sizes.size(), false);
+  for (auto _ : state) benchmark::DoNotOptimize(Arrange(tree, view.style(), {}));
 }
 BENCHMARK(LayoutOf10000Nodes)->Unit(benchmark::kMillisecond);
 
@@ -147,7 +152,91 @@ void FrameAfterUndo(benchmark::State& state) {
 }
 BENCHMARK(FrameAfterUndo)->Unit(benchmark::kMillisecond);
 
+constexpr std::uint32_t kSmallTree = 80;  // nodes
+std::string trees_folder = "trees";
+
+// What can be read of the tree that is shown: whole nodes, with names of 9 pixels or more.
+struct Look {
+  std::size_t nodes = 0;
+  std::size_t readable = 0;
+  float zoom = 0;
+};
+
+Look LookAt(Driver& driver) {
+  Look look;
+  const TreeView& view = driver.view();
+  const Point size = driver.editor.state().screen.canvas_size;
+  const Box canvas = {{0, 0}, size};
+  const bool large = view.camera.zoom >= (view.names_only() ? kReadableNames : kReadablePorts);
+  look.nodes = view.shown().size();
+  look.zoom = view.camera.zoom;
+  for (std::uint32_t k = 0; k < look.nodes; ++k) {
+    const Box box = view.camera.ToScreen(view.BoxAt(k, 1e9));
+    if (large && canvas.Contains(box.min) && canvas.Contains(box.max)) ++look.readable;
+  }
+  return look;
+}
+
+std::vector<std::string> FilesWithTrees() {
+  std::vector<std::string> files;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(trees_folder)) {
+    if (entry.path().extension() == ".xml") files.push_back(entry.path());
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+void FirstLook(benchmark::State& state) {
+  const std::vector<std::string> files = FilesWithTrees();
+  std::size_t nodes = 0;
+  std::size_t readable = 0;
+  std::vector<float> zooms;
+  for (auto _ : state) {
+    for (const std::string& file : files) {
+      Driver driver;
+      driver.editor.Open(file);
+      driver.Frames(3);
+      const TreeView* const view = driver.editor.state().workspace.view();
+      if (!view || view->shown().empty() || view->shown().size() > kSmallTree) continue;
+      const Look look = LookAt(driver);
+      nodes += look.nodes;
+      readable += look.readable;
+      zooms.push_back(look.zoom);
+      if (look.readable < look.nodes) {
+        std::cout << "cannot be read as a whole: " << file << ", " << look.nodes << " nodes\n";
+      }
+    }
+  }
+  std::sort(zooms.begin(), zooms.end());
+  state.counters["trees"] = static_cast<double>(zooms.size());
+  if (zooms.empty()) return;
+  state.counters["readable_%"] = 100 * static_cast<double>(readable) / static_cast<double>(nodes);
+  state.counters["median_zoom_%"] = 100 * zooms[zooms.size() / 2];
+}
+BENCHMARK(FirstLook)->Unit(benchmark::kMillisecond)->Iterations(1);
+
 }  // namespace
+
+// Takes --trees=FOLDER out of the arguments.
+void TakeTreesFolder(int& count, char** arguments) {
+  const std::string option = "--trees=";
+  int kept = 1;
+  for (int i = 1; i < count; ++i) {
+    const std::string argument = arguments[i];
+    if (argument.compare(0, option.size(), option) == 0) {
+      trees_folder = argument.substr(option.size());
+    } else {
+      arguments[kept++] = arguments[i];
+    }
+  }
+  count = kept;
+}
+
 }  // namespace coppice::editor
 
-BENCHMARK_MAIN();
+int main(int count, char** arguments) {
+  coppice::editor::TakeTreesFolder(count, arguments);
+  benchmark::Initialize(&count, arguments);
+  if (benchmark::ReportUnrecognizedArguments(count, arguments)) return 1;
+  benchmark::RunSpecifiedBenchmarks();
+}

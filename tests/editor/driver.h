@@ -46,6 +46,11 @@ class Driver {
   }
   bool Has(const std::string& path) const { return editor.items().Find(path) != nullptr; }
 
+  /// Opens the row of the XML and the problems, as a user does.
+  void OpenRow() {
+    Frames();
+    Click("fold/bottom");
+  }
   void MoveTo(Point at);
   void ClickAt(Point at, int button = 0);
   /// False if there is no such item.

@@ -1,6 +1,7 @@
 #include "editor/canvas/layout/node_metrics.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 #include "editor/theme/icons.h"
@@ -46,6 +47,16 @@ float PortWidth(const Ui& ui, const PortLine& port, float column) {
   return column + metrics::kColumnGap + value + (port.key.empty() ? 0 : 2 * kChipPadding);
 }
 
+Point MeasureNameAlone(const Ui& ui, const SceneNode& node) {
+  const TextStyle style = {Face::kBold, metrics::kNameAloneSize, 0};
+  const NameLines lines = BreakName(node.name);
+  const float width = std::max(WidthOf(ui, lines.first, style), WidthOf(ui, lines.second, style));
+  const float glyph = HasGlyphBesideName(node) ? metrics::kNameAloneGlyph : 0;
+  const float second = lines.second.empty() ? 0 : metrics::kNameAloneLine;
+  return {std::ceil(glyph + width + 2 * metrics::kNameAlonePad),
+          metrics::kNameAloneHeight + second};
+}
+
 }  // namespace
 
 std::string_view GlyphOf(const SceneNode& node) { return GlyphOf(node.shape, node.id); }
@@ -86,6 +97,28 @@ std::string ShownValue(std::string_view value) {
   return shown;
 }
 
+NameLines BreakName(std::string_view name) {
+  if (name.size() <= metrics::kNameAloneColumns) return {name, {}};
+  const auto is = [](bool (*kind)(int), char c) { return kind(static_cast<unsigned char>(c)); };
+  const auto upper = [](int c) { return std::isupper(c) != 0; };
+  const auto letter = [](int c) { return std::isalnum(c) != 0 || c >= 0x80; };
+  std::size_t best = 0;
+  const auto longer = [&](std::size_t at) { return std::max(at, name.size() - at); };
+  for (std::size_t i = 1; i + 1 < name.size(); ++i) {
+    const bool capital = is(upper, name[i]) && !is(upper, name[i - 1]);
+    const bool gap = !is(letter, name[i - 1]) && is(letter, name[i]);
+    if ((capital || gap) && (best == 0 || longer(i) < longer(best))) best = i;
+  }
+  if (best == 0) return {name, {}};
+  std::string_view first = name.substr(0, best);
+  while (!first.empty() && first.back() == ' ') first.remove_suffix(1);
+  return {first, name.substr(best)};
+}
+
+bool HasGlyphBesideName(const SceneNode& node) {
+  return node.shape == Shape::kControl || node.shape == Shape::kDecorator;
+}
+
 float NameColumn(const Ui& ui, const Scene& scene, const SceneNode& node) {
   float width = 0;
   for (std::uint32_t i = 0; i < node.port_count; ++i) {
@@ -96,8 +129,8 @@ float NameColumn(const Ui& ui, const Scene& scene, const SceneNode& node) {
   return width;
 }
 
-float NoteHeight(const SceneNode& node) {
-  if (node.note.empty()) return 0;
+float NoteHeight(const SceneNode& node, bool name_alone) {
+  if (node.note.empty() || name_alone) return 0;
   const bool two = node.note.size() > metrics::kNoteColumns;
   return metrics::kNoteLine * (two ? 2.0F : 1.0F) + 6 + metrics::kNoteGap;
 }
@@ -122,10 +155,9 @@ NodeSizes MeasureNode(const Ui& ui, const Scene& scene, const SceneNode& node) {
   const float height = metrics::kHeader +
                        (lines ? static_cast<float>(lines) * metrics::kLine + metrics::kBottom : 0);
   const float least = node.note.empty() ? 0 : metrics::kNoteWidth;
-  const float note = NoteHeight(node);
-  const float name = WidthOf(ui, node.name, {Face::kBold, metrics::kNameAloneSize, 0});
+  const float note = NoteHeight(node, false);
   return {{std::ceil(std::max({title, body + 2 * metrics::kPad, least})), height + note},
-          {std::ceil(name + 2 * metrics::kNameAlonePad), metrics::kNameAloneHeight + note}};
+          MeasureNameAlone(ui, node)};
 }
 
 }  // namespace coppice::editor

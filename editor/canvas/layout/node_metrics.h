@@ -34,9 +34,12 @@ inline constexpr float kNoteWidth = 150;  ///< least width of a node with a note
 
 inline constexpr float kNoteSize = 10;
 inline constexpr float kTitleSize = 13;
-inline constexpr float kNameAloneSize = 20;  ///< of a name that stands alone
-inline constexpr float kNameAloneHeight = 26;
-inline constexpr float kNameAlonePad = 12;  ///< left and right of it
+inline constexpr float kNameAloneSize = 20;           ///< of a name that stands alone
+inline constexpr float kNameAloneHeight = 26;         ///< of its first line
+inline constexpr float kNameAloneLine = 22;           ///< of its second one
+inline constexpr float kNameAlonePad = 10;            ///< left and right of it
+inline constexpr float kNameAloneGlyph = 22;          ///< room for the glyph of an inner node
+inline constexpr std::size_t kNameAloneColumns = 14;  ///< characters; longer names have two lines
 inline constexpr float kNameSize = 11;
 inline constexpr float kValueSize = 11;
 
@@ -54,11 +57,23 @@ std::string_view TypeLineOf(const SceneNode& node);
 /// A port's value as it is shown: one line, not too long.
 std::string ShownValue(std::string_view value);
 
+/// A name that stands alone: in two lines if it is long and there is a place to break it, before a
+/// capital letter or at what is no letter.
+struct NameLines {
+  std::string_view first, second;  ///< `second` is empty if there is one line
+};
+NameLines BreakName(std::string_view name);
+
+/// Whether a glyph stands beside a name that stands alone: of nodes that have children. Leaves are
+/// told by colour and shape.
+bool HasGlyphBesideName(const SceneNode& node);
+
 /// Width of the column of port names of a node at zoom 1.
 float NameColumn(const Ui& ui, const Scene& scene, const SceneNode& node);
 
-/// Height of the note above the node with the gap below it; 0 without a note.
-float NoteHeight(const SceneNode& node);
+/// Height of the note above the node with the gap below it; 0 without a note, and where names stand
+/// alone: there it is a tab in the corner.
+float NoteHeight(const SceneNode& node, bool name_alone);
 
 /// Rows below the title: the type and the ports.
 std::uint32_t BodyLines(const SceneNode& node);

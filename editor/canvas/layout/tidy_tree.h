@@ -22,7 +22,6 @@ struct LayoutOptions {
   float sibling_gap = 18;  ///< least distance of boxes side by side
   float level_gap = 38;    ///< distance of parent and child
   bool layered = false;    ///< all boxes of a depth begin at the same line
-  float breadth = 0;       ///< where rows are allowed, what is narrower has none; 0: a common one
 };
 
 struct TidyTree {

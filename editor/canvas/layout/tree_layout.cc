@@ -32,34 +32,43 @@ std::uint32_t LeavesInAColumn(std::uint32_t leaves) {
   return (leaves + columns - 1) / columns;
 }
 
+// Gaps between boxes, along and across the direction in which the tree grows.
+struct Gaps {
+  float siblings, levels, indent;
+};
+constexpr Gaps kDown = {18, 38, 34};
+constexpr Gaps kAcross = {14, 56, 34};
+constexpr Gaps kNamesDown = {9, 19, 20};  // between names there is nothing to be read
+constexpr Gaps kNamesAcross = {10, 30, 20};
+
+Gaps GapsOf(const LayoutChoice& choice) {
+  const bool down = choice.orientation == Orientation::kTopToBottom;
+  if (choice.names_only) return down ? kNamesDown : kNamesAcross;
+  return down ? kDown : kAcross;
+}
+
 class Arranger {
  public:
-  Arranger(const std::vector<std::uint32_t>& ends, const std::vector<Point>& sizes,
-           const std::vector<bool>& is_decorator, const LayoutStyle& style, float breadth)
-      : ends_(ends), sizes_(sizes), is_decorator_(is_decorator), style_(style), breadth_(breadth) {
-    result_.boxes.resize(sizes.size());
-    result_.links.assign(sizes.size(), Link::kCurve);
-    result_.below_row.assign(sizes.size(), 0);
-    if (!sizes.empty()) result_.links[0] = Link::kNone;
+  Arranger(const MeasuredTree& tree, const LayoutStyle& style, const LayoutChoice& choice)
+      : tree_(tree), ends_(tree.ends), style_(style), choice_(choice) {
+    const std::size_t count = ends_.size();
+    result_.boxes.resize(count);
+    result_.links.assign(count, choice.rows > 0 ? Link::kRow : Link::kCurve);
+    if (count > 0) result_.links[0] = Link::kNone;
   }
 
   TreeLayout Run() {
     MakeBlocks();
-    LayoutOptions options;
-    options.orientation = style_.orientation;
-    options.layered = style_.layered;
-    options.breadth = breadth_;
-    if (style_.orientation == Orientation::kLeftToRight) {
-      options.sibling_gap = 14;
-      options.level_gap = 56;
-    }
-    if (style_.wrapped && !style_.layered) {
-      const std::vector<std::uint32_t> ends = BlockEnds();
-      const WrappedTree wrapped = LayOutWrapped(ends, BlockSizes(), options);
-      PlaceAll(wrapped.boxes, wrapped.bounds);
-      LinkRows(ends, wrapped.has_rows);
+    const Gaps gaps = GapsOf(choice_);
+    if (choice_.rows > 0) {
+      const WrappedTree rows = LayOutWrapped(BlockEnds(), BlockSizes(),
+                                             {choice_.orientation, gaps.siblings, gaps.levels,
+                                              gaps.indent, choice_.rows, choice_.limit});
+      PlaceAll(rows.boxes, rows.bounds);
     } else {
-      const TidyTree tidy = LayOut(BlockEnds(), BlockSizes(), options);
+      const TidyTree tidy =
+          LayOut(BlockEnds(), BlockSizes(),
+                 {choice_.orientation, gaps.siblings, gaps.levels, style_.layered});
       PlaceAll(tidy.boxes, tidy.bounds);
     }
     return std::move(result_);
@@ -67,7 +76,7 @@ class Arranger {
 
  private:
   void MakeBlocks() {
-    const auto count = static_cast<std::uint32_t>(sizes_.size());
+    const auto count = static_cast<std::uint32_t>(ends_.size());
     blocks_before_.resize(count + 1, 0);
     MarkColumns();
     for (std::uint32_t i = 0; i < count; ++i) {
@@ -86,14 +95,16 @@ class Arranger {
 
   // The only child of a decorator: the decorator is the node before it.
   bool LiesUnderStrip(std::uint32_t i) const {
-    return style_.compact && i > 0 && is_decorator_[i - 1] && ends_[i] == ends_[i - 1];
+    return (style_.compact || choice_.compact) && i > 0 && tree_.is_decorator[i - 1] &&
+           ends_[i] == ends_[i - 1];
   }
 
   void MarkColumns() {
-    column_.assign(sizes_.size(), false);
-    starts_.assign(sizes_.size(), false);
-    if (!style_.stacked || style_.orientation != Orientation::kTopToBottom) return;
-    for (std::uint32_t i = 0; i < sizes_.size(); ++i) {
+    column_.assign(ends_.size(), false);
+    starts_.assign(ends_.size(), false);
+    const bool down = choice_.orientation == Orientation::kTopToBottom;
+    if (!style_.stacked || !down || choice_.rows > 0) return;
+    for (std::uint32_t i = 0; i < ends_.size(); ++i) {
       std::uint32_t first = i + 1;
       for (std::uint32_t c = i + 1; c < ends_[i]; c = ends_[c]) {
         if (ends_[c] == c + 1) continue;
@@ -107,7 +118,7 @@ class Arranger {
   // The nodes from `first` to `end` are leaves of one parent.
   void MarkColumn(std::uint32_t first, std::uint32_t end) {
     if (end <= first || end - first <= kMostLeavesInARow) return;
-    const std::uint32_t high = style_.wrapped ? LeavesInAColumn(end - first) : end - first;
+    const std::uint32_t high = LeavesInAColumn(end - first);
     for (std::uint32_t i = first; i < end; i += high) starts_[i] = true;
     std::fill(column_.begin() + first, column_.begin() + end, true);
   }
@@ -128,8 +139,8 @@ class Arranger {
     for (const Block& block : blocks_) {
       Point size = {0, block.gap() * static_cast<float>(block.count - 1)};
       for (std::uint32_t i = block.first; i < block.first + block.count; ++i) {
-        size.x = std::max(size.x, sizes_[i].x);
-        size.y += sizes_[i].y;
+        size.x = std::max(size.x, SizeOf(i).x);
+        size.y += SizeOf(i).y;
       }
       sizes.push_back(size + Point{block.indent(), 0});
     }
@@ -141,37 +152,22 @@ class Arranger {
     result_.bounds = bounds;
   }
 
-  void LinkRows(const std::vector<std::uint32_t>& ends, const std::vector<bool>& has_rows) {
-    for (std::uint32_t b = 0; b < blocks_.size(); ++b) {
-      if (!has_rows[b]) continue;
-      for (std::uint32_t c = b + 1; c < ends[b]; c = ends[c]) LinkToRow(blocks_[c]);
-    }
-  }
-
-  void LinkToRow(const Block& block) {
-    if (!block.is_column) {
-      result_.links[block.first] = Link::kRow;
-      return;
-    }
-    for (std::uint32_t i = block.first; i < block.first + block.count; ++i) {
-      result_.links[i] = Link::kRowColumn;
-      result_.below_row[i] = result_.boxes[i].min.y - result_.boxes[block.first].min.y;
-    }
-  }
-
   void Place(const Block& block, const Box& box) {
     float y = box.min.y;
     for (std::uint32_t i = block.first; i < block.first + block.count; ++i) {
-      result_.boxes[i] = {{box.min.x + block.indent(), y}, {box.max.x, y + sizes_[i].y}};
-      y += sizes_[i].y + block.gap();
+      result_.boxes[i] = {{box.min.x + block.indent(), y}, {box.max.x, y + SizeOf(i).y}};
+      y += SizeOf(i).y + block.gap();
     }
   }
 
+  Point SizeOf(std::uint32_t i) const {
+    return choice_.names_only ? tree_.sizes[i].name : tree_.sizes[i].full;
+  }
+
+  const MeasuredTree& tree_;
   const std::vector<std::uint32_t>& ends_;
-  const std::vector<Point>& sizes_;
-  const std::vector<bool>& is_decorator_;
   const LayoutStyle& style_;
-  const float breadth_;
+  const LayoutChoice& choice_;
   std::vector<Block> blocks_;
   std::vector<std::uint32_t> blocks_before_;  // blocks that begin before a node
   std::vector<bool> column_, starts_;         // in a column of leaves; the first of one
@@ -180,9 +176,8 @@ class Arranger {
 
 }  // namespace
 
-TreeLayout Arrange(const std::vector<std::uint32_t>& ends, const std::vector<Point>& sizes,
-                   const std::vector<bool>& is_decorator, const LayoutStyle& style, float breadth) {
-  return Arranger(ends, sizes, is_decorator, style, breadth).Run();
+TreeLayout Arrange(const MeasuredTree& tree, const LayoutStyle& style, const LayoutChoice& choice) {
+  return Arranger(tree, style, choice).Run();
 }
 
 }  // namespace coppice::editor

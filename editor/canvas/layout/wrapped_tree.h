@@ -1,9 +1,8 @@
-// The tidy tree of tidy_tree.h, but for branches that would be far wider than high: their nodes
-// have their children in rows, one below the other and each read from left to right, as words in a
-// text.
+// A tree in rows, as words in a text: below each node, indented, stand its children from left to
+// right, in several rows where one would be too long.
 //
-//   node            The children of such a node are indented below it, so that a line along their
-//   |- a  b  c      left side can lead to every row. From left to right, rows are columns.
+//   node            A line along the left side of the rows leads to every child.
+//   |- a  b  c      From left to right, rows are columns.
 //   |- d  e
 #ifndef COPPICE_EDITOR_CANVAS_LAYOUT_WRAPPED_TREE_H_
 #define COPPICE_EDITOR_CANVAS_LAYOUT_WRAPPED_TREE_H_
@@ -14,15 +13,23 @@
 
 namespace coppice::editor {
 
-struct WrappedTree {
-  std::vector<Box> boxes;      ///< in the order of the nodes; the smallest x and y are 0
-  std::vector<bool> has_rows;  ///< its children stand in rows
-  Box bounds;                  ///< around all of them
+struct RowOptions {
+  Orientation orientation = Orientation::kTopToBottom;
+  float sibling_gap = 18;  ///< least distance of boxes side by side
+  float level_gap = 38;    ///< distance of a node and its first row, and of rows
+  float indent = 34;       ///< of rows: room for the line to them
+  float breadth = 2400;    ///< rows that are not longer are not broken
+  float limit = 1e9F;      ///< of the whole tree, where its nodes allow it
 };
 
-/// As LayOut. Linear in the number of nodes; a branch that is narrow enough is laid out as there.
+struct WrappedTree {
+  std::vector<Box> boxes;  ///< in the order of the nodes; the smallest x and y are 0
+  Box bounds;              ///< around all of them
+};
+
+/// Lays out a tree given in preorder, as LayOut does. Linear in the number of nodes.
 WrappedTree LayOutWrapped(const std::vector<std::uint32_t>& ends, const std::vector<Point>& sizes,
-                          const LayoutOptions& options);
+                          const RowOptions& options);
 
 }  // namespace coppice::editor
 

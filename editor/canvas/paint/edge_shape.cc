@@ -13,8 +13,8 @@ constexpr int kSamples = 24;
 constexpr float kTrunkInset = 10;    // of the trunk, left of the leaves
 constexpr float kTrunkTop = 28;      // below the parent, where the trunk begins
 constexpr float kHeaderMiddle = 12;  // where a branch meets its leaf
-constexpr float kRowTrunk = 14;      // of the line along rows, from the left side of their parent
-constexpr float kAboveRow = 18;      // where a line runs to the children of a row
+constexpr float kRowTrunk = 12;      // of the line along rows, from the left side of their parent
+constexpr float kAboveRow = 10;      // where a line runs to the children of a row
 constexpr float kRadius = 8;         // of corners
 constexpr float kLeastRadius = 2;    // pixels; smaller corners are sharp
 constexpr std::size_t kMostPoints = 12;  // of a branch
@@ -100,12 +100,9 @@ EdgeShape ShapeAcross(const EdgeEnds& ends) {
   return edge;
 }
 
-// From left to right, nothing stands in columns.
-bool IsInRow(const EdgeEnds& ends) {
-  return ends.link == Link::kRow ||
-         (ends.link == Link::kRowColumn && ends.orientation == Orientation::kTopToBottom);
-}
+bool IsInRow(const EdgeEnds& ends) { return ends.link == Link::kRow; }
 
+// From left to right, nothing stands in columns.
 bool IsOnTrunk(const EdgeEnds& ends) {
   return ends.link == Link::kTrunk && ends.orientation == Orientation::kTopToBottom;
 }
@@ -118,7 +115,7 @@ Box Thick(Point a, Point b) {
 // Top to bottom.
 EdgeBounds BoundsInRow(const Box& parent, const Box& child, const EdgeEnds& ends) {
   const float x = parent.min.x + kRowTrunk * ends.zoom;
-  const float y = child.min.y - ends.below_row - kAboveRow * ends.zoom;
+  const float y = child.min.y - kAboveRow * ends.zoom;
   const Box child_and_trunk = {child.min - Point{kTrunkInset * ends.zoom, 0}, child.max};
   return {Thick({x, parent.max.y}, {x, y}),
           Union(Thick({x, y - kRadius * ends.zoom}, {x, y}), child_and_trunk), x};
@@ -165,9 +162,6 @@ EdgeShape ShapeOfEdge(const EdgeEnds& ends) {
       edge = WayIntoRow(ends.parent, top.y, top.x, zoom);
       edge.branch.push_back(edge.arrival);
       break;
-    case Link::kRowColumn:
-      edge = WayIntoRow(ends.parent, top.y - ends.below_row, trunk, zoom);
-      break;
     case Link::kTrunk:
       edge = Curve(start, {trunk, start.y + kTrunkTop * zoom}, ends.orientation);
       break;
@@ -175,7 +169,7 @@ EdgeShape ShapeOfEdge(const EdgeEnds& ends) {
       edge = Curve(start, top, ends.orientation);
       break;
   }
-  if (ends.link == Link::kTrunk || ends.link == Link::kRowColumn) {
+  if (ends.link == Link::kTrunk) {
     edge.branch.push_back({trunk, leaf.y});
     edge.branch.push_back(leaf);
     edge.arrival = leaf;

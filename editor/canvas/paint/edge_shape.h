@@ -18,7 +18,6 @@ struct EdgeEnds {
   float zoom = 1;         ///< scales the distances of trunks; 1 in the world
   float parent_note = 0;  ///< height of the note on the parent
   float child_note = 0;
-  float below_row = 0;  ///< how far the child begins below the row that it stands in
 };
 
 struct EdgeShape {

@@ -14,6 +14,7 @@
 namespace coppice::editor {
 namespace {
 
+constexpr float kNoteCorner = 12;    // of a node whose name stands alone
 constexpr float kNoteTab = 30;       // width of a note without its text, at zoom 1
 constexpr float kChangeSquare = 11;  // side of the mark of a change, at scale 1
 
@@ -63,11 +64,23 @@ std::vector<std::string> NoteLines(std::string_view note) {
   return lines;
 }
 
+namespace {
+
+// A folded corner tells that there is a note.
+void PaintNoteTab(Pen& pen, const NodeLook& look) {
+  const float side = std::max(kNoteCorner * look.zoom, 5 * pen.ui.scale);
+  const Point at = look.box.min;
+  pen.Fill({{at.x, at.y}, {at.x + side, at.y}, {at.x, at.y + side}}, pen.ui.palette.note);
+}
+
+}  // namespace
+
 void PaintNote(Pen& pen, const SceneNode& node, const NodeLook& look) {
   if (node.note.empty()) return;
   const Palette& colors = pen.ui.palette;
   const float zoom = look.zoom;
-  const float height = NoteHeight(node) - metrics::kNoteGap;
+  if (look.name_only) return PaintNoteTab(pen, look);
+  const float height = NoteHeight(node, false) - metrics::kNoteGap;
   Box box = {look.box.min, {look.box.max.x, look.box.min.y + height * zoom}};
   const bool has_text = DetailFor(zoom, pen.ui.scale) == Detail::kFull;
   if (!has_text) {

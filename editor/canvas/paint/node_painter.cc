@@ -16,7 +16,8 @@ namespace {
 
 constexpr double kShimmerSeconds = 1.6;
 constexpr float kDisabledPart = 0.8F;  // how much of the ground comes through a pale header
-constexpr float kSmallestName = 8;     // of one that fits
+constexpr float kSmallestName = 9;     // of one that fits
+constexpr float kOverhang = 2;         // pixels of a name that may stand over its room
 constexpr float kLeastName = 6.3F;     // of one that would be cut otherwise
 
 double Seconds(Duration duration) { return std::chrono::duration<double>(duration).count(); }
@@ -256,21 +257,54 @@ class NodePainter {
   // The name alone is readable far longer than the details. All names are equally large, but for
   // those that would not fit.
   void PaintName() {
-    const std::string_view glyph = StatusGlyph(look_.state);
-    const TextStyle sign{Face::kBold, 8, HeaderInk()};
-    const float sign_width = glyph.empty() ? 0 : ui_.Width(glyph, sign) + 2;
+    const std::string_view sign = StatusGlyph(look_.state);
+    const TextStyle sign_style{Face::kBold, 8, HeaderInk()};
     const float inset = IsPill() ? std::max(3.0F, Z(metrics::kHeader / 4)) : 3;
-    const float room = box_.width() - 2 * inset - sign_width;
+    Box room = {box_.min + Point{inset, 0}, box_.max - Point{inset, 0}};
+    if (HasGlyphBesideName(node_)) PaintGlyphBesideName(room);
+    if (!sign.empty()) room.max.x -= ui_.Width(sign, sign_style) + 2;
+    const float right = PaintNameIn(room);
+    if (!sign.empty()) pen_.RowText({right + 2, box_.min.y}, box_.height(), sign, sign_style);
+  }
+
+  // In one or two lines. Returns where they end.
+  float PaintNameIn(const Box& room) {
     const float wished = std::max(Z(metrics::kNameAloneSize) / ui_.scale, kSmallestName);
-    const float largest = std::min(wished, box_.height() * 0.8F / ui_.scale);
-    TextStyle style{Face::kBold, largest, HeaderInk()};
-    const float wanted = ui_.Width(node_.name, style);
-    if (wanted > room) style.size = std::max(kLeastName, largest * room / wanted);
-    const float width = std::min(ui_.Width(node_.name, style), room);
-    const float left = box_.center().x - (width + sign_width) / 2;
-    pen_.RowText({left, box_.min.y}, box_.height(), node_.name, style, room);
-    if (glyph.empty()) return;
-    pen_.RowText({left + width + 2, box_.min.y}, box_.height(), glyph, sign);
+    const float high = room.height() / ui_.scale;
+    TextStyle style{Face::kBold, std::min(wished, high * 0.85F), HeaderInk()};
+    NameLines lines = {node_.name, {}};
+    if (look_.name_only || ui_.Width(node_.name, style) > room.width()) {
+      lines = BreakName(node_.name);
+      if (!lines.second.empty()) style.size = std::min(wished, high * 0.46F);
+    }
+    const auto widest = [&] {
+      return std::max(ui_.Width(lines.first, style), ui_.Width(lines.second, style));
+    };
+    if (widest() > room.width()) {
+      style.size = std::max(kLeastName, style.size * room.width() / widest());
+    }
+    // Letters are not narrower in proportion: their widths are whole pixels.
+    while (widest() > room.width() + kOverhang && style.size > kLeastName) style.size -= 0.25F;
+    const float height = lines.second.empty() ? room.height() : room.height() / 2;
+    PaintLine(lines.first, {room.min, {room.max.x, room.min.y + height}}, style);
+    PaintLine(lines.second, {{room.min.x, room.max.y - height}, room.max}, style);
+    return room.center().x + std::min(widest(), room.width()) / 2;
+  }
+
+  void PaintLine(std::string_view text, const Box& row, const TextStyle& style) {
+    const float width = std::min(ui_.Width(text, style), row.width());
+    pen_.RowText({row.center().x - width / 2, row.min.y}, row.height(), text, style,
+                 row.width() + kOverhang);
+  }
+
+  // At the left side of the room, which becomes smaller.
+  void PaintGlyphBesideName(Box& room) {
+    const std::string_view glyph = GlyphOf(node_);
+    const float size = std::max(Z(metrics::kTitleSize) / ui_.scale, kSmallestName);
+    const TextStyle style{Face::kBold, size, Fade(HeaderInk(), 0.8F)};
+    const float width = ui_.Width(glyph, style);
+    pen_.RowText({room.min.x + Z(2), box_.min.y}, box_.height(), glyph, style);
+    room.min.x += std::max(width + Z(2), Z(metrics::kNameAloneGlyph - metrics::kNameAlonePad / 2));
   }
 
   Pen& pen_;
@@ -294,14 +328,14 @@ void PaintNode(Pen& pen, const Scene& scene, const SceneNode& node, const NodeLo
 
 Box BodyBox(const SceneNode& node, const NodeLook& look) {
   Box box = look.box;
-  box.min.y += NoteHeight(node) * look.zoom;
+  box.min.y += NoteHeight(node, look.name_only) * look.zoom;
   if (look.collapsed) box.max.y -= metrics::kChip * look.zoom;
   return box;
 }
 
 Box ToggleBox(const SceneNode& node, const NodeLook& look) {
   const float right = look.box.max.x - 5 * look.zoom;
-  const float top = look.box.min.y + (NoteHeight(node) + 3) * look.zoom;
+  const float top = look.box.min.y + (NoteHeight(node, look.name_only) + 3) * look.zoom;
   return {{right - 18 * look.zoom, top}, {right, top + 18 * look.zoom}};
 }
 

@@ -80,11 +80,15 @@ TEST_F(DropTargetTest, IsNowhereFarAway) {
 }
 
 TEST_F(DropTargetTest, LooksAboveAndBelowInAColumn) {
-  Show("<A><B/><C/></A>", {Orientation::kLeftToRight, false, false, true});
+  LayoutStyle across;
+  across.growth = Growth::kAcross;
+  Show("<A><B/><C/></A>", across);
   const Box c = BoxOf("1.2");
   EXPECT_EQ(Text(At({c.center().x, c.min.y + 2})), "gap 1 1");
   EXPECT_EQ(Text(At({c.center().x, c.max.y + 8})), "gap 1 2");
-  Show("<A><B/><B/><B/><B/><B/><B/><B/><B/><B/></A>");
+  LayoutStyle stacked;
+  stacked.stacked = true;
+  Show("<A><B/><B/><B/><B/><B/><B/><B/><B/><B/></A>", stacked);
   const Box fifth = BoxOf("1.5");
   EXPECT_EQ(Text(At({fifth.center().x, fifth.max.y + 4})), "gap 1 5");
   EXPECT_EQ(Text(At(fifth.center())), "node 1.5");
@@ -96,6 +100,7 @@ TEST_F(DropTargetTest, StaysInItsRow) {
   std::string xml = "<A>";
   for (int i = 0; i < 60; ++i) xml += "<B><C/></B>";
   Show(xml + "</A>");
+  view_.FitAll({800, 600});
   std::uint32_t last = 1;
   while (BoxOf(("1." + std::to_string(last + 1)).c_str()).min.y == BoxOf("1.1").min.y) ++last;
   ASSERT_LT(last, 59U);
@@ -113,6 +118,7 @@ TEST_F(DropTargetTest, IsTheLineAlongTheRows) {
   std::string xml = "<A>";
   for (int i = 0; i < 60; ++i) xml += "<B><C/></B>";
   Show(xml + "</A>");
+  view_.FitAll({800, 600});
   const Box child = BoxOf("1.60");
   EXPECT_EQ(Text(At({child.center().x, child.min.y - 4})), "edge 1.60");
 }

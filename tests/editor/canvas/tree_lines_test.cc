@@ -24,6 +24,11 @@ class TreeLines : public testing::Test {
  protected:
   TreeLines() {
     driver_.editor.state().screen.reduce_motion = true;
+    LayoutStyle style;
+    style.growth = Growth::kDown;
+    style.wrapped = false;
+    style.stacked = true;
+    driver_.editor.state().workspace.SetStyle(style, 0);
     robot_ = driver_.AddRobot("robot:1", WideTree());
     driver_.Frames(20);
   }

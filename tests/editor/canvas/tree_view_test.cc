@@ -230,7 +230,9 @@ TEST_F(TreeViewTest, RevealsASelectionThatIsOutOfSight) {
 }
 
 TEST_F(TreeViewTest, TurnsTheTreeOnItsSide) {
-  view_.SetOrientation(Orientation::kLeftToRight, 1);
+  LayoutStyle style;
+  style.growth = Growth::kAcross;
+  view_.SetStyle(style, 1);
   EXPECT_GT(view_.BoxAt(1, 9).min.x, view_.BoxAt(0, 9).max.x);
 }
 

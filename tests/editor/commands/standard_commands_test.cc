@@ -95,6 +95,7 @@ TEST_F(StandardCommandsTest, HideAndShowEveryTileByItsKey) {
                       {6, kNoModifier, "blackboard"},
                       {7, kNoModifier, "xml"},
                       {8, kNoModifier, "problems"}};
+  driver_.OpenRow();
   for (const auto& [key, modifiers, path] : kTiles) {
     driver_.Press(kKeyF1 + key - 1, modifiers);
     EXPECT_FALSE(driver_.Has(path)) << path;

@@ -26,7 +26,7 @@ TEST(VerbOptions, AreReadIntoThePainting) {
   EXPECT_EQ(order->pixels, 3);
   EXPECT_EQ(order->models.size(), 2U);
   EXPECT_EQ(order->painting.palette, PaletteName::kDark);
-  EXPECT_EQ(order->painting.style.orientation, Orientation::kLeftToRight);
+  EXPECT_EQ(order->painting.style.growth, Growth::kAcross);
   EXPECT_TRUE(order->painting.style.compact && order->painting.style.layered);
 }
 

@@ -29,7 +29,7 @@ TEST(ConnectionStrip, ShowsTheStateInColour) {
 TEST(ConnectionStrip, AsksWhereToConnect) {
   Driver driver;
   driver.Frames();
-  ASSERT_TRUE(driver.Click("strip/connect"));
+  ASSERT_TRUE(driver.Click("bar/connect"));
   EXPECT_TRUE(driver.Has("popup/input"));
   driver.Press(kKeyEscape);
   EXPECT_FALSE(driver.Has("popup/input"));

@@ -14,6 +14,7 @@ TEST(Problems, LeadToTheNode) {
   Driver driver;
   driver.editor.Open(file.path());
   driver.Frames();
+  driver.OpenRow();
   const auto& problems = driver.editor.state().workspace.files()[0].problems;
   ASSERT_FALSE(problems.empty());
   std::size_t wanted = 0;
@@ -41,6 +42,7 @@ TEST(Problems, ALongMessageHasALineForItsPlaceAndItsButtons) {
   Driver driver;
   driver.editor.Open(file.path());
   driver.Frames();
+  driver.OpenRow();
   const std::string walk = driver.Has("problems/0/fix/0") ? "problems/0" : "problems/1";
   ASSERT_TRUE(driver.Has(walk + "/fix/0"));
   const Box row = driver.BoxOf(walk);

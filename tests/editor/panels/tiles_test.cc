@@ -25,7 +25,11 @@ TEST(Tiles, CoverTheWindowWithoutOverlap) {
 }
 
 TEST(Tiles, AreResizedByTheirSplitters) {
+  const TemporaryFile file("small.xml", kSmallFile);
   Driver driver;
+  driver.editor.Open(file.path());
+  driver.OpenRow();
+  driver.AddRobot("robot:1", kLiveTree);
   driver.Frames();
   const float left = driver.BoxOf("project").width();
   const float bottom = driver.BoxOf("xml").height();
@@ -86,9 +90,46 @@ TEST(Tiles, WithNothingToShowGiveTheirRoomToTheirNeighbours) {
   EXPECT_GT(driver.BoxOf("blackboard").height(), 200);
 }
 
-TEST(Tiles, GiveTheRoomOfHiddenOnesToTheCanvas) {
+TEST(Tiles, TheRowBelowTheCanvasIsOpenedByAClickAndFoldedByItsSplitter) {
+  const TemporaryFile file("small.xml", kSmallFile);
   Driver driver;
+  driver.editor.Open(file.path());
   driver.Frames();
+  EXPECT_FALSE(driver.Has("xml/1"));
+  EXPECT_LT(driver.BoxOf("xml").height(), 30) << "its title alone";
+  ASSERT_TRUE(driver.Click("fold/bottom"));
+  EXPECT_TRUE(driver.Has("xml/1"));
+  const Point splitter = driver.BoxOf("split/bottom").center();
+  driver.Drag(splitter, splitter + Point{0, 160});
+  driver.Frames();
+  EXPECT_LT(driver.BoxOf("xml").height(), 30);
+}
+
+TEST(Tiles, TheCanvasOwnsTheWindow) {
+  const TemporaryFile file("small.xml", kSmallFile);
+  Driver driver;
+  driver.input.width = 1600;
+  driver.input.height = 1000;
+  driver.editor.Open(file.path());
+  driver.Frames();
+  const auto part = [&driver] {
+    const Point canvas = driver.editor.state().screen.canvas_size;
+    return canvas.x * canvas.y / (1600 * 1000);
+  };
+  EXPECT_GE(part(), 0.6F) << "where trees are edited";
+  driver.AddRobot("robot:1", kLiveTree);
+  driver.Frames();
+  EXPECT_GE(part(), 0.45F) << "where a robot is watched";
+  driver.Press(kKeyF1 + 10, kCtrl);
+  driver.Frames();
+  EXPECT_GE(part(), 0.9F) << "where a key has sent all else away";
+}
+
+TEST(Tiles, GiveTheRoomOfHiddenOnesToTheCanvas) {
+  const TemporaryFile file("small.xml", kSmallFile);
+  Driver driver;
+  driver.editor.Open(file.path());
+  driver.OpenRow();
   const Point before = driver.editor.state().screen.canvas_size;
   driver.Press(kKeyF1 + 1, kShift);
   driver.Press(kKeyF1 + 2, kCtrl | kShift);
@@ -122,8 +163,8 @@ TEST(Tiles, AreLargerOnALargeScreen) {
   large.input.height = 1440;
   large.AddRobot("robot:1", kLiveTree);
   large.Frames();
-  for (const char* path : {"timeline", "xml"}) {
-    EXPECT_GT(large.BoxOf(path).height(), 1.4F * small.BoxOf(path).height()) << path;
+  for (const char* path : {"timeline", "run"}) {
+    EXPECT_GT(large.BoxOf(path).height(), 1.3F * small.BoxOf(path).height()) << path;
   }
   EXPECT_GT(large.BoxOf("inspector").width(), 1.3F * small.BoxOf("inspector").width());
   const float before = large.BoxOf("project").width();

@@ -13,7 +13,7 @@ TEST(Editor, BuildsAFrameWithNothingOpen) {
   Driver driver;
   ASSERT_EQ(driver.editor.error(), "");
   driver.Frames(4);
-  for (const char* path : {"menu/file", "strip/connect", "project", "outline", "inspector",
+  for (const char* path : {"menu/file", "bar/connect", "project", "outline", "inspector",
                            "blackboard", "xml", "problems", "start/open", "bar/palette"}) {
     EXPECT_TRUE(driver.Has(path)) << path;
   }

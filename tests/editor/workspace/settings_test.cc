@@ -16,7 +16,7 @@ TEST(Settings, AreTheSameAfterWritingAndReading) {
   settings.reduce_motion = true;
   settings.tiles.xml = false;
   settings.splits.left = 333.5F;
-  settings.style.orientation = Orientation::kLeftToRight;
+  settings.style.growth = Growth::kAcross;
   settings.style.compact = true;
   settings.style.ports = ShownPorts::kNone;
   settings.width = 1600;

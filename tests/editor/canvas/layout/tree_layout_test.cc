@@ -8,11 +8,8 @@
 namespace coppice::editor {
 namespace {
 
-struct RandomTree {
-  std::vector<std::uint32_t> ends;
+struct RandomTree : MeasuredTree {
   std::vector<std::uint32_t> parents;
-  std::vector<Point> sizes;
-  std::vector<bool> is_decorator;
 };
 
 // Every node hangs on one of the last branch; now and then many leaves follow each other.
@@ -28,8 +25,8 @@ RandomTree MakeTree(std::uint32_t count, unsigned seed) {
     tree.parents.push_back(branch.empty() ? 0 : branch.back());
     branch.push_back(i);
     tree.ends.push_back(i + 1);
-    tree.sizes.push_back(
-        {20.0F + static_cast<float>(random() % 200), 10.0F + static_cast<float>(random() % 120)});
+    tree.sizes.emplace_back(Point{20.0F + static_cast<float>(random() % 200),
+                                  10.0F + static_cast<float>(random() % 120)});
     tree.is_decorator.push_back(random() % 3 == 0);
   }
   for (std::uint32_t i = count; i-- > 1;) {
@@ -38,20 +35,40 @@ RandomTree MakeTree(std::uint32_t count, unsigned seed) {
   return tree;
 }
 
-std::vector<LayoutStyle> AllStyles() {
-  std::vector<LayoutStyle> styles;
-  for (int bits = 0; bits < 32; ++bits) {
-    const auto way = bits & 1 ? Orientation::kLeftToRight : Orientation::kTopToBottom;
-    styles.push_back({way, (bits & 2) != 0, (bits & 4) != 0, (bits & 8) != 0, (bits & 16) != 0});
+struct Way {
+  LayoutStyle style;
+  LayoutChoice choice;
+};
+
+std::vector<Way> AllWays() {
+  std::vector<Way> ways;
+  for (int bits = 0; bits < 64; ++bits) {
+    Way way;
+    if (bits & 1) way.choice.orientation = Orientation::kLeftToRight;
+    way.choice.names_only = (bits & 2) != 0;
+    if (bits & 4) way.choice.rows = 700;
+    way.style.layered = (bits & 8) != 0;
+    way.style.compact = (bits & 16) != 0;
+    way.style.stacked = (bits & 32) != 0;
+    ways.push_back(way);
   }
-  return styles;
+  return ways;
+}
+
+// Nodes of one size, none of them a decorator.
+MeasuredTree Plain(std::vector<std::uint32_t> ends, Point size) {
+  MeasuredTree tree;
+  tree.sizes.assign(ends.size(), size);
+  tree.is_decorator.assign(ends.size(), false);
+  tree.ends = std::move(ends);
+  return tree;
 }
 
 TEST(TreeLayout, NeverLetsBoxesOverlapInAnyStyle) {
   for (unsigned seed = 0; seed < 12; ++seed) {
     const RandomTree tree = MakeTree(20 + seed * 15, seed);
-    for (const LayoutStyle& style : AllStyles()) {
-      const auto boxes = Arrange(tree.ends, tree.sizes, tree.is_decorator, style).boxes;
+    for (const Way& way : AllWays()) {
+      const auto boxes = Arrange(tree, way.style, way.choice).boxes;
       for (std::size_t i = 0; i < boxes.size(); ++i) {
         for (std::size_t j = i + 1; j < boxes.size(); ++j) {
           ASSERT_FALSE(boxes[i].Overlaps(boxes[j])) << seed << ": " << i << " and " << j;
@@ -63,18 +80,18 @@ TEST(TreeLayout, NeverLetsBoxesOverlapInAnyStyle) {
 
 TEST(TreeLayout, KeepsTheOrderOfSiblingsInAnyStyle) {
   const RandomTree tree = MakeTree(400, 3);
-  for (const LayoutStyle& style : AllStyles()) {
-    const TreeLayout layout = Arrange(tree.ends, tree.sizes, tree.is_decorator, style);
+  for (const Way& way : AllWays()) {
+    const TreeLayout layout = Arrange(tree, way.style, way.choice);
     for (std::uint32_t i = 0; i < tree.ends.size(); ++i) {
       for (std::uint32_t c = i + 1; c < tree.ends[i] && tree.ends[c] < tree.ends[i];
            c = tree.ends[c]) {
         const Box& a = layout.boxes[c];
         const Box& b = layout.boxes[tree.ends[c]];
         const Link link = layout.links[tree.ends[c]];
-        const bool down = style.orientation == Orientation::kTopToBottom;
+        const bool down = way.choice.orientation == Orientation::kTopToBottom;
         const bool right_of = a.max.x <= b.min.x;
         const bool below = a.max.y <= b.min.y;
-        if (link == Link::kRow || link == Link::kRowColumn) {
+        if (link == Link::kRow) {
           EXPECT_TRUE(right_of || below) << c;  // or in the next row
         } else if (layout.links[c] == Link::kTrunk && link == Link::kTrunk) {
           EXPECT_TRUE(below || right_of) << c;  // or in the next column
@@ -90,8 +107,7 @@ TEST(TreeLayout, PutsAllOfADepthOnOneLineWhenLayered) {
   const RandomTree tree = MakeTree(300, 5);
   LayoutStyle style;
   style.layered = true;
-  style.stacked = false;
-  const TreeLayout layout = Arrange(tree.ends, tree.sizes, tree.is_decorator, style);
+  const TreeLayout layout = Arrange(tree, style, {});
   std::vector<std::uint32_t> depth(tree.ends.size(), 0);
   std::vector<float> line(tree.ends.size(), -1);
   for (std::uint32_t i = 0; i < tree.ends.size(); ++i) {
@@ -105,8 +121,9 @@ TEST(TreeLayout, PutsAllOfADepthOnOneLineWhenLayered) {
 TEST(TreeLayout, LaysDecoratorsOnTheirChildWhenCompact) {
   LayoutStyle style;
   style.compact = true;
-  const TreeLayout layout =
-      Arrange({3, 3, 3}, {{60, 24}, {90, 24}, {140, 50}}, {true, true, false}, style);
+  const MeasuredTree tree = {
+      {3, 3, 3}, {Point{60, 24}, Point{90, 24}, Point{140, 50}}, {true, true, false}};
+  const TreeLayout layout = Arrange(tree, style, {});
   EXPECT_EQ(layout.links, (std::vector<Link>{Link::kNone, Link::kNone, Link::kNone}));
   for (const Box& box : layout.boxes) {
     EXPECT_EQ(box.min.x, 0);
@@ -117,26 +134,25 @@ TEST(TreeLayout, LaysDecoratorsOnTheirChildWhenCompact) {
 }
 
 TEST(TreeLayout, IsFlatterForATreeOfDecoratorsWhenCompact) {
-  std::vector<std::uint32_t> ends;
-  std::vector<bool> is_decorator;
-  for (std::uint32_t i = 0; i < 20; ++i) {
-    ends.push_back(20);
-    is_decorator.push_back(i % 3 != 0 && i < 19);
-  }
-  const std::vector<Point> sizes(20, {100, 24});
+  MeasuredTree tree = Plain(std::vector<std::uint32_t>(20, 20), {100, 24});
+  for (std::uint32_t i = 0; i < 19; ++i) tree.is_decorator[i] = i % 3 != 0;
   LayoutStyle style;
-  const float loose = Arrange(ends, sizes, is_decorator, style).bounds.height();
+  const float loose = Arrange(tree, style, {}).bounds.height();
   style.compact = true;
-  EXPECT_LT(Arrange(ends, sizes, is_decorator, style).bounds.height(), loose * 0.7F);
+  EXPECT_LT(Arrange(tree, style, {}).bounds.height(), loose * 0.7F);
 }
 
-TEST(TreeLayout, StacksLeavesBeyondEight) {
+LayoutStyle Stacked() {
+  LayoutStyle style;
+  style.stacked = true;
+  return style;
+}
+
+TEST(TreeLayout, StacksLeavesBeyondEightIfTold) {
   for (const std::uint32_t leaves : {8U, 9U}) {
     std::vector<std::uint32_t> ends = {leaves + 1};
     for (std::uint32_t i = 1; i <= leaves; ++i) ends.push_back(i + 1);
-    const std::vector<Point> sizes(leaves + 1, {100, 24});
-    const std::vector<bool> none(leaves + 1, false);
-    const TreeLayout layout = Arrange(ends, sizes, none, {});
+    const TreeLayout layout = Arrange(Plain(ends, {100, 24}), Stacked(), {});
     const bool column = layout.boxes[1].min.x == layout.boxes[leaves].min.x;
     EXPECT_EQ(column, leaves > kMostLeavesInARow);
     EXPECT_EQ(layout.links[1], column ? Link::kTrunk : Link::kCurve);
@@ -147,34 +163,35 @@ TEST(TreeLayout, StacksLeavesBeyondEight) {
 TreeLayout LayOutLeaves(std::uint32_t leaves, const LayoutStyle& style) {
   std::vector<std::uint32_t> ends = {leaves + 1};
   for (std::uint32_t i = 1; i <= leaves; ++i) ends.push_back(i + 1);
-  return Arrange(ends, std::vector<Point>(leaves + 1, {160, 30}),
-                 std::vector<bool>(leaves + 1, false), style);
+  return Arrange(Plain(ends, {160, 30}), style, {});
 }
 
 TEST(TreeLayout, PutsVeryManyLeavesIntoSeveralColumns) {
-  LayoutStyle style;
-  const Box wrapped = LayOutLeaves(500, style).bounds;
-  EXPECT_LT(wrapped.width(), 4 * wrapped.height());
-  EXPECT_LT(wrapped.height(), 2 * wrapped.width());
-  style.wrapped = false;
-  EXPECT_GT(LayOutLeaves(500, style).bounds.height(), 15000);
+  const Box stacked = LayOutLeaves(500, Stacked()).bounds;
+  EXPECT_LT(stacked.width(), 4 * stacked.height());
+  EXPECT_LT(stacked.height(), 2 * stacked.width());
 }
 
-// Twenty nodes with two children each, and twelve leaves.
-TEST(TreeLayout, PutsAColumnOfLeavesIntoARow) {
-  std::vector<std::uint32_t> ends = {73};
+// Twenty nodes with two children each: not some in rows and others beside each other.
+TEST(TreeLayout, IsOfOneStyleThroughout) {
+  std::vector<std::uint32_t> ends = {61};
   for (std::uint32_t i = 0; i < 20; ++i) {
     const std::uint32_t at = 1 + 3 * i;
     ends.insert(ends.end(), {at + 3, at + 2, at + 3});
   }
-  for (std::uint32_t i = 61; i < 73; ++i) ends.push_back(i + 1);
-  const TreeLayout layout =
-      Arrange(ends, std::vector<Point>(73, {160, 30}), std::vector<bool>(73, false), {});
-  EXPECT_EQ(layout.links[1], Link::kRow);
-  EXPECT_EQ(layout.links[2], Link::kCurve);
-  EXPECT_EQ(layout.links[61], Link::kRowColumn);
-  EXPECT_EQ(layout.below_row[61], 0);
-  EXPECT_EQ(layout.below_row[62], layout.boxes[62].min.y - layout.boxes[61].min.y);
+  LayoutChoice choice;
+  for (const float rows : {0.0F, 600.0F}) {
+    choice.rows = rows;
+    const TreeLayout layout = Arrange(Plain(ends, {160, 30}), {}, choice);
+    for (std::size_t i = 1; i < layout.links.size(); ++i) {
+      EXPECT_EQ(layout.links[i], rows > 0 ? Link::kRow : Link::kCurve) << i;
+    }
+  }
+}
+
+TEST(TreeLayout, TheRootOfATidyTreeStandsAboveTheMiddleOfItsChildren) {
+  const TreeLayout layout = LayOutLeaves(7, {});
+  EXPECT_NEAR(layout.boxes[0].center().x, layout.boxes[4].center().x, 0.01);
 }
 
 TEST(TreeLayout, StacksOnlyTheLeavesThatFollowEachOther) {
@@ -182,8 +199,7 @@ TEST(TreeLayout, StacksOnlyTheLeavesThatFollowEachOther) {
   std::vector<std::uint32_t> ends = {13};
   for (std::uint32_t i = 1; i <= 9; ++i) ends.push_back(i + 1);
   ends.insert(ends.end(), {12, 12, 13});
-  const std::vector<Point> sizes(13, {100, 24});
-  const TreeLayout layout = Arrange(ends, sizes, std::vector<bool>(13, false), {});
+  const TreeLayout layout = Arrange(Plain(ends, {100, 24}), Stacked(), {});
   EXPECT_EQ(layout.links[9], Link::kTrunk);
   EXPECT_EQ(layout.links[10], Link::kCurve);
   EXPECT_EQ(layout.links[12], Link::kCurve);
@@ -195,7 +211,7 @@ TEST(TreeLayout, LaysOut10000NodesInMilliseconds) {
   double best = 1e9;
   for (int i = 0; i < 10; ++i) {
     const auto start = std::chrono::steady_clock::now();
-    Arrange(tree.ends, tree.sizes, tree.is_decorator, {});
+    Arrange(tree, {}, {});
     const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
     best = std::min(best, took.count());
   }

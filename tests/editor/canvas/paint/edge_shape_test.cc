@@ -86,24 +86,13 @@ TEST(EdgeShape, AcrossTheRowsAreColumns) {
   EXPECT_EQ(way.back(), (Point{600, 215}));
 }
 
-TEST(EdgeShape, ALeafInAColumnOfARowHangsOnItsTrunk) {
-  EdgeEnds ends = Ends({{400, 380}, {480, 410}}, Link::kRowColumn);
-  ends.below_row = 80;
-  const EdgeShape edge = ShapeOfEdge(ends);
-  EXPECT_EQ(PointsAlong(edge).back().x, 400);
-  EXPECT_GT(PointsAlong(edge).back().y, 380);
-  EXPECT_LT(DistanceTo(edge, {300, 282}), 1) << "it comes along above the row";
-  EXPECT_GT(DistanceTo(edge, {300, 362}), 50) << "not above the leaf";
-}
-
 bool Contains(const Box& box, Point at) { return Box{at, at}.Overlaps(box); }
 
 TEST(EdgeShape, TheWholeLineIsInItsBounds) {
   for (const Orientation orientation : {Orientation::kTopToBottom, Orientation::kLeftToRight}) {
-    for (const Link link : {Link::kCurve, Link::kTrunk, Link::kRow, Link::kRowColumn}) {
+    for (const Link link : {Link::kCurve, Link::kTrunk, Link::kRow}) {
       EdgeEnds ends = Ends({{400, 380}, {480, 410}}, link, orientation);
       ends.zoom = 0.5F;
-      ends.below_row = link == Link::kRowColumn ? 80 : 0;
       const EdgeBounds bounds = BoundsOf(ends);
       for (const Point at : PointsAlong(ShapeOfEdge(ends))) {
         EXPECT_TRUE(Contains(bounds.stem, at) || Contains(bounds.rest, at))

@@ -14,6 +14,7 @@ TEST(Panel, RegistersVisibleRowsOnly) {
   Driver driver;
   driver.editor.Open(file.path());
   driver.Frames();
+  driver.OpenRow();
   const Box panel = driver.BoxOf("xml");
   int rows = 0;
   for (const auto& [path, box] : driver.editor.items().all()) {

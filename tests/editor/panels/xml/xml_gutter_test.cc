@@ -25,6 +25,7 @@ TEST(XmlGutter, MarksWhatIsNotSavedUntilItIs) {
   Driver driver;
   driver.editor.Open(file.path());
   driver.Frames();
+  driver.OpenRow();
   EXPECT_FALSE(HasAny(driver, "unsaved"));
   DisableOneNode(driver);
   EXPECT_TRUE(driver.Has("xml/unsaved/10"));
@@ -46,6 +47,7 @@ TEST(XmlGutter, MarksWhatIsNotCommitted) {
   Driver driver;
   driver.editor.Open(file.path());
   driver.Frames();
+  driver.OpenRow();
   driver.editor.state().git.Wait();
   driver.Frames();
   EXPECT_FALSE(HasAny(driver, "uncommitted"));

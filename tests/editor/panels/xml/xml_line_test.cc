@@ -12,6 +12,7 @@ TEST(XmlLine, IsColoured) {
   Driver driver;
   driver.editor.Open(file.path());
   driver.Frames();
+  driver.OpenRow();
   const Palette& palette = GetPalette(PaletteName::kDark);
   const Box line = driver.BoxOf("xml/2");
   EXPECT_GT(driver.CountColor(line, palette.accent, 40), 10);
@@ -23,6 +24,7 @@ TEST(XmlLine, AClickSetsTheCaretBetweenTwoCharacters) {
   Driver driver;
   driver.editor.Open(file.path());
   driver.Frames();
+  driver.OpenRow();
   const Box line = driver.BoxOf("xml/2");
   driver.ClickAt({line.min.x + 44 + 1, line.center().y});
   EXPECT_EQ(driver.editor.state().xml.pane.at, std::string(kSmallFile).find("<root"));

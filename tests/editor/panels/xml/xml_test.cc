@@ -12,6 +12,7 @@ TEST(Xml, ScrollsToTheLineOfTheSelectedNodeAndMarksIt) {
   Driver driver;
   driver.editor.Open(file.path());
   driver.Frames();
+  driver.OpenRow();
   EXPECT_FALSE(driver.Has("xml/151"));
   driver.view().Select(driver.view().scene()->FindPath("1.150"));
   driver.Frames();
@@ -29,6 +30,7 @@ class XmlTypingTest : public testing::Test {
   XmlTypingTest() {
     driver_.editor.Open(file_.path());
     driver_.Frames();
+    driver_.OpenRow();
   }
   const std::string& Text() {
     return driver_.editor.state().workspace.project().Find(file_.path())->text;
