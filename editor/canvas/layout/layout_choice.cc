@@ -10,6 +10,9 @@ namespace {
 constexpr float kRows[] = {300, 400, 500, 650, 800, 1000, 1300, 1600, 2000, 2800};
 constexpr std::size_t kMostToTry = 2000;  // nodes; larger trees cannot be read as a whole anyway
 
+constexpr float kFarLarger = 1.25F;
+constexpr float kLargeEnough = 0.8F;  // nobody turns a tree that has that zoom
+
 class Chooser {
  public:
   Chooser(const MeasuredTree& tree, const LayoutStyle& style, Point canvas)
@@ -23,10 +26,7 @@ class Chooser {
  private:
   bool FindReadable() {
     for (const bool names_only : {false, true}) {
-      if (!IsAllowed(names_only)) continue;
-      for (const Orientation orientation : {Orientation::kTopToBottom, Orientation::kLeftToRight}) {
-        if (IsAllowed(orientation) && Try({orientation, names_only})) return true;
-      }
+      if (IsAllowed(names_only) && TryTidy(names_only)) return true;
     }
     if (!RowsAreAllowed()) return false;
     for (const bool compact : {false, true}) {
@@ -62,11 +62,20 @@ class Chooser {
     return choice;
   }
 
-  bool Try(const LayoutChoice& choice) {
-    TreeLayout layout = Arrange(tree_, style_, choice);
-    if (ZoomOf(layout.bounds) < Readable(choice)) return false;
-    best_ = {choice, std::move(layout), Readable(choice), true};
-    return true;
+  // Top to bottom, unless it can only be read left to right, or is far larger there.
+  bool TryTidy(bool names_only) {
+    float zoom = 0;
+    for (const Orientation orientation : {Orientation::kTopToBottom, Orientation::kLeftToRight}) {
+      if (!IsAllowed(orientation)) continue;
+      const LayoutChoice choice = {orientation, names_only};
+      TreeLayout layout = Arrange(tree_, style_, choice);
+      const float wanted = std::max(Readable(choice), zoom * kFarLarger);
+      const float reached = std::min(ZoomOf(layout.bounds), kLargeEnough);
+      if (reached < wanted) continue;
+      zoom = reached;
+      best_ = {choice, std::move(layout), Readable(choice), true};
+    }
+    return zoom > 0;
   }
 
   // As long as the canvas is broad, and of those what needs the least scrolling.

@@ -293,12 +293,43 @@ TEST_F(PortsTest, ComeBackInTheRowsThatTheyHadBefore) {
   EXPECT_EQ(view_.bounds(), before);
 }
 
-// Five branches of three leaves are 1 700 pixels side by side, which a common breadth leaves alone.
-TEST_F(PortsTest, TheRowsOfNamesAreBrokenForTheCanvas) {
+// Five branches of three leaves are 1 600 pixels side by side, but not below each other.
+TEST_F(PortsTest, ATreeOfNamesIsTurnedWhereItIsFarLargerThen) {
   Show(5);
   ASSERT_TRUE(view_.names_only());
-  EXPECT_LT(view_.bounds().width(), 1500);
-  EXPECT_GT(view_.camera.zoom, kCanvas.x / 1500);
+  EXPECT_EQ(view_.orientation(), Orientation::kLeftToRight);
+  EXPECT_GT(view_.camera.zoom, 0.7F);
+}
+
+class FirstLook : public PortsTest {};
+
+TEST_F(FirstLook, ShowsTheTopOfATreeThatCannotBeReadAsAWhole) {
+  Show(200);
+  view_.needs_fit = true;
+  view_.PlaceIn({{0, 0}, kCanvas});
+  EXPECT_NEAR(view_.camera.zoom, kReadableNames, 0.001F);
+  const Box root = view_.camera.ToScreen(view_.BoxAt(0, 1));
+  EXPECT_TRUE((Box{{0, 0}, kCanvas}).Contains(root.min));
+  const Box all = view_.camera.ToScreen(view_.bounds());
+  EXPECT_LE(all.max.x, kCanvas.x) << "the rest is below it";
+  EXPECT_GT(all.max.y, kCanvas.y);
+}
+
+TEST_F(FirstLook, IsKeptWhenTheCanvasChanges) {
+  Show(200);
+  view_.needs_fit = true;
+  view_.PlaceIn({{0, 0}, kCanvas});
+  view_.PlaceIn({{0, 0}, kCanvas + Point{200, 0}});
+  EXPECT_NEAR(view_.camera.zoom, kReadableNames, 0.001F);
+  EXPECT_GT(view_.bounds().width() * kReadableNames, kCanvas.x * 0.8F) << "broken anew";
+}
+
+TEST_F(FirstLook, FitShowsAllOfItNevertheless) {
+  Show(200);
+  view_.FitAll(kCanvas);
+  EXPECT_LE(view_.camera.ToScreen(view_.bounds()).max.y, kCanvas.y);
+  view_.PlaceIn({{0, 0}, kCanvas});
+  EXPECT_LE(view_.camera.ToScreen(view_.bounds()).max.y, kCanvas.y) << "and stays so";
 }
 
 }  // namespace
