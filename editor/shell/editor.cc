@@ -55,6 +55,15 @@ std::optional<std::string> ReadText(const std::string& path) {
   return std::string(std::istreambuf_iterator<char>(stream), {});
 }
 
+// Nothing goes on in the run that is shown.
+bool IsAtRest(const EditorState& state) {
+  const RunView* const run = state.workspace.run();
+  if (!run || run->playhead().is_playing()) return false;
+  if (run->source().is_simulation()) return !state.simulator.is_playing();
+  const bool is_live = run->phase() == RunPhase::kLive && run->playhead().is_at_now();
+  return !is_live || run->stop().where != DebugStop::Where::kNowhere;
+}
+
 // In a folder that may not be there yet. When it fails it may succeed the next time.
 bool WriteOwnFile(const std::string& path, const std::string& text) {
   std::error_code error;
@@ -236,7 +245,8 @@ void Editor::Frame(const InputEvents& input) {
               options_.scale,
               state_.now,
               shown ? shown->now : Time(0),
-              state_.screen.reduce_motion};
+              state_.screen.reduce_motion,
+              IsAtRest(state_)};
   ImGui::SetNextWindowPos({0, 0});
   ImGui::SetNextWindowSize({input.width, input.height});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
@@ -354,7 +364,8 @@ double Editor::NextFrameIn() const {
     if (waits) next = std::min(next, kWaitingFrame);
   }
   const RunView* shown = workspace.run();
-  if (shown && shown->phase() == RunPhase::kLive) next = std::min(next, kLiveFrame);
+  const bool is_live = shown && shown->phase() == RunPhase::kLive;
+  if (is_live && !IsAtRest(state_)) next = std::min(next, kLiveFrame);
   return next;
 }
 

@@ -42,8 +42,9 @@ Palette Dark() {
   p.failure = Rgb(0xE15046);
   p.skipped = Rgb(0x8C93A0);
   p.halted = Rgb(0xA878E0);
-  p.warning = Rgb(0xF0AA28);
+  p.warning = Rgb(0xE8D44D);
   p.error = Rgb(0xF77F75);
+  p.changed = Rgb(0xC98AF2);
   p.note = Rgb(0xC9B458);
   p.simulation = Rgb(0xB69CF5);
   p.note_text = Rgb(0x201B08);
@@ -79,7 +80,8 @@ Palette Light() {
   p.failure = Rgb(0xCF3A30);
   p.skipped = Rgb(0x767D8A);
   p.halted = Rgb(0x8A50D0);
-  p.warning = Rgb(0x8A5200);
+  p.warning = Rgb(0x75640A);
+  p.changed = Rgb(0x9438C4);
   p.error = Rgb(0xB92A22);
   p.note = Rgb(0xFFF0A8);
   p.simulation = Rgb(0x6B46B8);
@@ -96,6 +98,7 @@ Palette ColourBlind() {
   p.halted = Rgb(0xCC79A7);
   p.skipped = Rgb(0xC9CDD6);
   p.warning = Rgb(0xF0E442);
+  p.changed = Rgb(0xB78CFF);
   p.error = Rgb(0xFF8A4C);
   p.accent = Rgb(0x56B4E9);
   return p;

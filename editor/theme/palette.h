@@ -29,7 +29,8 @@ struct Palette {
   Color control, decorator, action, condition, subtree, unknown;        // headers by shape
   Color running, success, failure, skipped, halted;                     // statuses, as graphics
   Color running_text, success_text, failure_text, skipped_text;         // the same, as writing
-  Color warning, error;
+  Color warning, error;   ///< amber is kept for what runs
+  Color changed;          ///< of what differs from another version or run
   Color simulation;       ///< what is no robot
   Color note, note_text;  ///< of XML comments
   bool is_dark;

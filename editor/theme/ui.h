@@ -34,6 +34,10 @@ struct Ui {
   double now;                  ///< seconds of the editor's own time, for animations
   Time clock;                  ///< of the clock that stamps statuses
   bool reduce_motion = false;  ///< nothing pulses, walks or glides
+  bool at_rest = false;        ///< the run that is shown: it is stopped, over or in the past
+
+  /// What tells that something runs walks and pulses.
+  bool moves() const { return !reduce_motion && !at_rest; }
 
   float Width(std::string_view text, const TextStyle& style) const;
 

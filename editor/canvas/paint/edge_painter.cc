@@ -81,11 +81,11 @@ class EdgePainter {
     pen_.Line(OutlineOf(line), color, thick);
   }
 
-  // Dots that walk in the direction of the tick; if nothing may move, dashes.
+  // Dots that walk in the direction of the tick; if nothing moves, dashes.
   void PaintMotion(Color color) {
     const std::vector<Point> points = PointsAlong(edge_);
     const float gap = kDotDistance * zoom_;
-    if (pen_.ui.reduce_motion) {
+    if (!pen_.ui.moves()) {
       const float half = kDash * zoom_ / 2;
       Walk(points, gap / 2, gap, [&](Point at) {
         pen_.FillBox({at - Point{half / 2, half / 2}, at + Point{half / 2, half / 2}}, color);

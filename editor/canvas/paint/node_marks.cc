@@ -34,8 +34,13 @@ const char* SignOf(Change change) {
   return "";
 }
 
+// Only between nodes with their ports is there room for a mark along the whole side.
+bool IsBeside(const NodeLook& look, float screen_scale) {
+  return !look.name_only && DetailFor(look.zoom, screen_scale) == Detail::kFull;
+}
+
 Box ChangeBox(const NodeLook& look, const Box& body, float screen_scale) {
-  if (DetailFor(look.zoom, screen_scale) == Detail::kFull) {
+  if (IsBeside(look, screen_scale)) {
     const float wide = std::max(9 * screen_scale, 14 * look.zoom);
     const float right = body.min.x - 2 * look.zoom;
     return {{right - wide, body.min.y}, {right, body.max.y}};
@@ -165,7 +170,7 @@ Color ColorOf(const Palette& palette, Change change) {
     case Change::kMoved:
       return palette.accent;
     case Change::kChanged:
-      return palette.running;
+      return palette.changed;
     case Change::kNone:
       break;
   }
@@ -176,7 +181,7 @@ void PaintChange(Pen& pen, const NodeLook& look, const Box& body) {
   if (look.change == Change::kNone) return;
   const Palette& colors = pen.ui.palette;
   const Color color = ColorOf(colors, look.change);
-  const bool is_square = DetailFor(look.zoom, pen.ui.scale) != Detail::kFull;
+  const bool is_square = !IsBeside(look, pen.ui.scale);
   const float size = is_square ? kChangeSquare : std::max(8.0F, 12 * look.zoom / pen.ui.scale);
   const Box stripe = ChangeBox(look, body, pen.ui.scale);
   pen.FillBox(stripe, color, 3 * look.zoom);

@@ -87,7 +87,6 @@ class NodePainter {
 
   Color StateColor() const {
     Color at_rest = colors().node_border;
-    if (look_.badge == Badge::kWarning) at_rest = colors().warning;
     if (look_.badge == Badge::kError) at_rest = colors().error;
     if (look_.change != Change::kNone) at_rest = ColorOf(colors(), look_.change);
     if (node_.disabled && !IsMarked()) at_rest = Mix(at_rest, colors().canvas, 0.5F);
@@ -95,7 +94,7 @@ class NodePainter {
     return look_.offline ? Mix(color, colors().node_border, 0.6F) : color;
   }
 
-  bool IsMarked() const { return look_.badge != Badge::kNone || look_.change != Change::kNone; }
+  bool IsMarked() const { return look_.badge == Badge::kError || look_.change != Change::kNone; }
 
   void PaintBlock() {
     const Color at_rest = colors().Of(node_.shape);
@@ -125,9 +124,17 @@ class NodePainter {
     }
     if (node_.shape == Shape::kUnknown) pen_.Hatch(header, Fade(colors().text, 0.10F), Z(8));
     const bool running = look_.state.status == Status::kRunning && !look_.offline;
-    if (running && !ui_.reduce_motion) PaintShimmer(header);
+    if (running && ui_.moves()) PaintShimmer(header);
     const float flash = FlashStrength(look_.state, ui_.clock);
-    if (flash > 0) pen_.Fill(outline, Fade(0xFFFFFFFF, 0.35F * flash));
+    if (flash > 0 && !ui_.at_rest) pen_.Fill(outline, Fade(0xFFFFFFFF, 0.35F * flash));
+    if (flash > 0 && ui_.at_rest) PaintFresh();
+  }
+
+  // What is new in the tick that is shown, as long as that stands.
+  void PaintFresh() {
+    const float side = std::max(Z(9), 6 * ui_.scale);
+    const Point at = {box_.min.x, box_.max.y};
+    pen_.Fill({{at.x, at.y}, {at.x, at.y - side}, {at.x + side, at.y}}, colors().text);
   }
 
   // A slanted band of light that walks through the title.

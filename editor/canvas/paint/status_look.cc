@@ -51,7 +51,7 @@ float FlashStrength(const NodeState& state, Time now) {
 }
 
 float Pulse(const Ui& ui) {
-  if (ui.reduce_motion) return 0.5F;
+  if (!ui.moves()) return 0.5F;
   const double phase = std::fmod(ui.now, kPulseSeconds) / kPulseSeconds * 6.283185307;
   return static_cast<float>(0.5 + 0.5 * std::sin(phase));
 }

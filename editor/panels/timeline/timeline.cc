@@ -232,8 +232,11 @@ class Timeline {
   ImDrawList& list_;
 };
 
+constexpr float kHintRoom = 300;  // of the hint in the header of a wide tile
+
 // Buttons in the header of the tile.
-void DrawControls(const Ui& ui, EditorState& state, const RunView& run, const Box& box) {
+void DrawControls(const Ui& ui, EditorState& state, const RunView& run, const Box& box,
+                  bool is_wide) {
   float x = box.min.x + 90 * ui.scale;
   const auto button = [&](const char* path, const std::string& text, const char* command,
                           bool active, Color tint) {
@@ -258,7 +261,7 @@ void DrawControls(const Ui& ui, EditorState& state, const RunView& run, const Bo
   button("timeline/speed", speed, "run.faster", false, 0);
   ui.RowText(*ImGui::GetWindowDrawList(), {x + 8 * ui.scale, box.min.y}, kPanelHeader * ui.scale,
              TickText(run.run(), head.tick()), {Face::kMono, 11, ui.palette.text},
-             std::max(box.max.x - x - 300 * ui.scale, 1.0F));
+             std::max(box.max.x - x - (is_wide ? kHintRoom : 12) * ui.scale, 1.0F));
 }
 
 }  // namespace
@@ -275,7 +278,7 @@ void DrawTimeline(const Ui& ui, EditorState& state, const Box& box) {
           const Box body = {box.min + Point{1, kPanelHeader * ui.scale}, box.max - Point{1, 2}};
           Timeline(ui, state, *run, body).Draw();
         });
-  if (run && run->run().size() > 0) DrawControls(ui, state, *run, box);
+  if (run && run->run().size() > 0) DrawControls(ui, state, *run, box, is_wide);
 }
 
 }  // namespace coppice::editor

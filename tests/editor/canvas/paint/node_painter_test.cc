@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/editor/driver.h"
+#include "tests/editor/executed_source.h"
 
 namespace coppice::editor {
 namespace {
@@ -49,6 +50,21 @@ TEST(NodePainter, FlashesWhenAStatusHasJustCome) {
   const std::uint64_t fresh = HashOf(driver.editor.Picture());
   driver.Frames(40);
   EXPECT_NE(HashOf(driver.editor.Picture()), fresh);
+}
+
+TEST(NodePainter, NothingMovesWhileTheRobotStands) {
+  Driver driver;
+  ExecutedSource* robot = AddExecuted(driver, "robot:1", 10);
+  driver.Frames(3);
+  const std::uint64_t running = HashOf(driver.editor.Picture());
+  driver.Frames(3);
+  EXPECT_NE(HashOf(driver.editor.Picture()), running) << "what runs moves";
+  robot->StopBefore(NodeIndex{1});
+  driver.Frames(300);
+  const std::uint64_t standing = HashOf(driver.editor.Picture());
+  driver.Frames(5);
+  EXPECT_EQ(HashOf(driver.editor.Picture()), standing);
+  EXPECT_GT(driver.editor.NextFrameIn(), 1) << "and nobody has to paint";
 }
 
 TEST(NodePainter, StrikesWhatIsDisabledAndMakesItPale) {
