@@ -16,6 +16,9 @@
 namespace coppice::robot {
 namespace {
 
+constexpr float kFinest = 0.001F;  // m, of the cells of a map
+constexpr float kCoarsest = 10;
+
 constexpr char kFooter[] =
     "Ends on SIGTERM and SIGINT. Exit status 2: no ROS master answers, or a parameter is wrong.\n";
 
@@ -116,11 +119,15 @@ Expected<OccupancyGrid> ToGrid(const nav_msgs::OccupancyGrid& message) {
   const auto& info = message.info;
   grid.frame = {info.resolution, info.origin.position.x, info.origin.position.y,
                 static_cast<int>(info.width), static_cast<int>(info.height)};
-  if (!(info.resolution > 0) || message.data.empty() ||
+  const bool has_size = info.resolution >= kFinest && info.resolution <= kCoarsest;
+  if (!has_size || !std::isfinite(grid.frame.origin_x) || !std::isfinite(grid.frame.origin_y)) {
+    return Problem{"the map's cells are not of 1 mm to 10 m, or it has no place"};
+  }
+  if (message.data.empty() ||
       message.data.size() != static_cast<std::size_t>(info.width) * info.height) {
     return Problem{"the map has not width * height cells"};
   }
-  if (std::abs(YawOf(info.origin.orientation)) > 1e-6) {
+  if (!(std::abs(YawOf(info.origin.orientation)) <= 1e-6)) {
     return Problem{"the map is rotated against its frame"};
   }
   grid.cells = message.data;

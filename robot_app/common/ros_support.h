@@ -47,7 +47,8 @@ bool IsValid(const geometry_msgs::Pose& pose);
 
 LaserScan ToLaserScan(const sensor_msgs::LaserScan& message, const Pose2D& mount);
 
-/// A problem if the grid is rotated or has not width * height cells.
+/// A problem if the grid is rotated, has not width * height cells, or its cells or its place are
+/// none that a map can have.
 Expected<OccupancyGrid> ToGrid(const nav_msgs::OccupancyGrid& message);
 
 /// Where the robot is, from tf.

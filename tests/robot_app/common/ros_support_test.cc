@@ -63,6 +63,26 @@ TEST(RosMessages, AGridMustHaveItsCellsAndNoRotation) {
   EXPECT_THAT(ToGrid(message).problem(), HasSubstr("cells"));
 }
 
+TEST(RosMessages, AGridMustHaveASizeAndAPlaceThatAMapCanHave) {
+  nav_msgs::OccupancyGrid good;
+  good.info.resolution = 0.05F;
+  good.info.width = good.info.height = 1;
+  good.info.origin.orientation.w = 1;
+  good.data.assign(1, 0);
+  ASSERT_TRUE(ToGrid(good));
+  for (const float resolution : {1e-9F, 0.0F, -1.0F, 1e30F, NAN}) {
+    nav_msgs::OccupancyGrid message = good;
+    message.info.resolution = resolution;
+    EXPECT_THAT(ToGrid(message).problem(), HasSubstr("1 mm to 10 m")) << resolution;
+  }
+  nav_msgs::OccupancyGrid message = good;
+  message.info.origin.position.x = NAN;
+  EXPECT_THAT(ToGrid(message).problem(), HasSubstr("no place"));
+  message = good;
+  message.info.origin.orientation.w = NAN;
+  EXPECT_THAT(ToGrid(message).problem(), HasSubstr("rotated"));
+}
+
 TEST(RosMessages, ScansKeepTheirTimeAndBeams) {
   sensor_msgs::LaserScan message;
   message.header.stamp = ros::Time(12.5);
