@@ -145,6 +145,7 @@ const char* GlyphOf(Status status) {
 }
 
 std::string DurationText(double seconds) {
+  seconds = std::max(seconds, 0.0);  // clocks of two programs differ a little
   char text[32];
   const auto whole = static_cast<long>(seconds);
   if (seconds < 60) {
@@ -154,6 +155,13 @@ std::string DurationText(double seconds) {
   } else {
     std::snprintf(text, sizeof(text), "%ld:%02ld:%02ld", whole / 3600, whole / 60 % 60, whole % 60);
   }
+  return text;
+}
+
+std::string MillisecondsText(double milliseconds) {
+  if (milliseconds >= 999.5) return DurationText(milliseconds / 1000);
+  char text[32];
+  std::snprintf(text, sizeof(text), "%.*g ms", milliseconds < 100 ? 2 : 3, milliseconds);
   return text;
 }
 

@@ -83,6 +83,9 @@ const char* GlyphOf(Status status);
 /// "4.2 s", "3:05", "2:10:00".
 std::string DurationText(double seconds);
 
+/// Of a short time: "0.35 ms", "12 ms", "4.2 s".
+std::string MillisecondsText(double milliseconds);
+
 }  // namespace coppice::editor
 
 #endif  // COPPICE_EDITOR_THEME_UI_H_

@@ -42,7 +42,7 @@ std::string Print(const WhyScript& script) {
 std::string CauseOf(const RecordedTree& tree, const WhyStep& step) {
   switch (step.cause) {
     case WhyCause::kChild:
-      return "because of " + tree.NameOf(step.decisive);
+      return "because of " + Quoted(tree.NameOf(step.decisive));
     case WhyCause::kGuard:
       return "not ticked, " + Print(*step.script);
     case WhyCause::kScript:
@@ -90,20 +90,20 @@ std::string ReasonOf(const RecordedTree& tree, const WhyStep& step) {
 }
 
 std::string SentenceOf(const RecordedTree& tree, const WhyNot& why_not) {
-  const std::string by = tree.PathOf(why_not.by);
-  const std::string towards = tree.NameOf(why_not.towards);
+  const std::string by = Quoted(tree.PathOf(why_not.by));
+  const std::string towards = Quoted(tree.NameOf(why_not.towards));
   const std::string status = ToString(why_not.status);
   switch (why_not.cause) {
     case WhyNot::Cause::kNoTick:
       return "this was no tick of the tree";
     case WhyNot::Cause::kChild:
-      return by + " did not come to " + towards + ": " + tree.NameOf(why_not.child) +
+      return by + " did not reach " + towards + ", because " + Quoted(tree.NameOf(why_not.child)) +
              " before it is " + status;
     case WhyNot::Cause::kDone:
-      return by + " did not tick " + towards + " again, which is " + status + " already";
+      return by + " did not tick " + towards + " again, because that is " + status + " already";
     case WhyNot::Cause::kPassedOver:
-      return by + " did not choose " + towards + ": it ticked " + tree.NameOf(why_not.child) +
-             ", which is " + status;
+      return by + " did not choose " + towards + ", it ticked " +
+             Quoted(tree.NameOf(why_not.child)) + ", which is " + status;
     case WhyNot::Cause::kOwn:
       return by + " ticked none of its children and is " + status;
     case WhyNot::Cause::kInjected:
@@ -120,7 +120,7 @@ std::string SentenceOf(const RecordedTree& tree, const WhyNot& why_not) {
 }
 
 std::string SentenceOf(const RecordedTree& tree, const WhyChange& change) {
-  std::string text = tree.PathOf(change.step.node) + " is " + ToString(change.step.result);
+  std::string text = Quoted(tree.PathOf(change.step.node)) + " is " + ToString(change.step.result);
   text += change.was_ticked_before ? std::string(", was ") + ToString(*change.step.before)
                                    : std::string(", was not ticked");
   const std::string reason = ReasonOf(tree, change.step);
@@ -128,8 +128,9 @@ std::string SentenceOf(const RecordedTree& tree, const WhyChange& change) {
 }
 
 std::string PrintWhy(const RecordedTree& tree, const Why& why, Time start) {
-  std::string text = tree.PathOf(why.node) + " is " + ToString(why.status) + " after tick " +
-                     std::to_string(why.tick) + " (" + Seconds(why.time - start) + " s)";
+  std::string text = Quoted(tree.PathOf(why.node)) + " is " + ToString(why.status) +
+                     " after tick " + std::to_string(why.tick) + " (" + Seconds(why.time - start) +
+                     " s)";
   text += why.was_ticked || why.is_untold() ? "\n" : " and was not ticked\n";
   if (why.why_not) {
     text += (why.is_untold() ? "" : "why not: ") + SentenceOf(tree, *why.why_not) + "\n";

@@ -50,8 +50,8 @@ void DrawComparison(const Ui& ui, EditorState& state, RunView& run) {
   if (result.parting) {
     const PartingPoint& at = *result.parting;
     const Row row = TextRow(ui, "run/parting",
-                            "they part in tick " + std::to_string(at.tick) + " at " + at.what +
-                                ": here " + at.first + ", there " + at.second,
+                            "They part in tick " + std::to_string(at.tick) + ": \"" + at.what +
+                                "\" is " + at.first + " here, " + at.second + " there",
                             {Face::kBold, 12, ui.palette.accent});
     if (row.clicked) GoTo(state, run, at.tick, at.what);
   } else {
@@ -60,9 +60,9 @@ void DrawComparison(const Ui& ui, EditorState& state, RunView& run) {
   for (std::size_t i = 0; i < result.differences.size(); ++i) {
     const RunDifference& one = result.differences[i];
     const Row row = TextRow(ui, "run/difference/" + std::to_string(i),
-                            one.what + "   in " + Count(one.ticks, "tick") + ", first in " +
-                                std::to_string(one.first_tick) + ": here " + one.first +
-                                ", there " + one.second,
+                            "\"" + one.what + "\" differs in " + Count(one.ticks, "tick") +
+                                ", first in tick " + std::to_string(one.first_tick) + ": " +
+                                one.first + " here, " + one.second + " there",
                             {Face::kSans, 12, ui.palette.text});
     if (row.clicked) GoTo(state, run, one.first_tick, one.what);
   }

@@ -173,9 +173,8 @@ class Lanes {
       f_.ui.Fill(list_, {{x, lane.max.y - height}, {x + step, lane.max.y}},
                  Fade(f_.ui.palette.accent, 0.6F));
     }
-    char text[32];
-    std::snprintf(text, sizeof(text), "a tick: up to %.3g ms", static_cast<double>(most));
-    Label(lane, text, 0, {Face::kSans, 11, f_.ui.palette.text_dim});
+    Label(lane, "a tick: up to " + MillisecondsText(static_cast<double>(most)), 0,
+          {Face::kSans, 11, f_.ui.palette.text_dim});
   }
 
   void DrawKey(const Box& lane) {

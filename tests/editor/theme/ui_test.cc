@@ -60,6 +60,14 @@ TEST(Ui, WritesDurationsAsPeopleReadThem) {
   EXPECT_EQ(DurationText(4.21), "4.2 s");
   EXPECT_EQ(DurationText(185), "3:05");
   EXPECT_EQ(DurationText(7800), "2:10:00");
+  EXPECT_EQ(DurationText(-0.01), "0.0 s") << "of clocks that differ a little";
+}
+
+TEST(Ui, PrintsShortTimesWithoutAnExponent) {
+  EXPECT_EQ(MillisecondsText(0.352), "0.35 ms");
+  EXPECT_EQ(MillisecondsText(12.3), "12 ms");
+  EXPECT_EQ(MillisecondsText(400.4), "400 ms");
+  EXPECT_EQ(MillisecondsText(67600), "1:07");
 }
 
 TEST(Ui, HasADifferentGlyphForEveryStatus) {

@@ -32,7 +32,7 @@ TEST(WhyNot, KnowsWhatIsDoneAlready) {
   run.Tick();
   run.Tick();
   EXPECT_EQ(Asked(run.keeper.run).WhyNotText("a"),
-            "s did not tick a again, which is SUCCESS already");
+            R"("s" did not tick "a" again, because that is SUCCESS already)");
 }
 
 TEST(WhyNot, KnowsWhichChildChoosesTheOthers) {
@@ -41,7 +41,8 @@ TEST(WhyNot, KnowsWhichChildChoosesTheOthers) {
       "<AlwaysSuccess name='then'/><AlwaysSuccess name='else'/></IfThenElse></BehaviorTree>");
   run.Tick();
   Asked asked(run.keeper.run);
-  EXPECT_EQ(asked.WhyNotText("then"), "if did not come to then: c before it is FAILURE");
+  EXPECT_EQ(asked.WhyNotText("then"),
+            R"("if" did not reach "then", because "c" before it is FAILURE)");
   EXPECT_EQ(asked.WhyNotText("else"), "it was ticked");
 }
 
@@ -62,7 +63,7 @@ TEST(WhyNot, NamesTheNodeThatThrewTheTickAway) {
   run.Tick();
   Asked asked(run.keeper.run);
   EXPECT_EQ(asked.Ask("a").why_not->cause, WhyNot::Cause::kAborted);
-  EXPECT_EQ(asked.WhyNotText("a"), "the tick was ended by an exception of c");
+  EXPECT_EQ(asked.WhyNotText("a"), R"(the tick was ended by an exception of "c")");
   EXPECT_THAT(asked.Print("a"), HasSubstr("and was not ticked\nwhy not: the tick was ended"));
 }
 
@@ -124,11 +125,11 @@ TEST(WhyOfChanges, WhatDidNotChangeIsNotTold) {
     EXPECT_FALSE(why.was_ticked) << node;
     EXPECT_TRUE(why.steps.empty()) << node;
     const std::string text = asked.Print(node);
-    EXPECT_THAT(text, HasSubstr(std::string("only changes of status are told, and none of ") +
-                                node + ": it may have been ticked"));
+    EXPECT_THAT(text, HasSubstr(std::string("only changes of status are told, and none of \"") +
+                                node + "\": it may have been ticked"));
     EXPECT_THAT(text, testing::Not(HasSubstr("exception"))) << node;
     EXPECT_THAT(text, testing::Not(HasSubstr("not ticked"))) << node;
-    EXPECT_THAT(text, HasSubstr("first change: dark is FAILURE, was SUCCESS")) << text;
+    EXPECT_THAT(text, HasSubstr(R"(first change: "dark" is FAILURE, was SUCCESS)")) << text;
   }
   EXPECT_THAT(asked.Json("drive"), HasSubstr(R"("cause":"not_told")"));
   EXPECT_THAT(asked.Json("drive"), testing::Not(HasSubstr(R"("ticked")")));
@@ -159,7 +160,7 @@ TEST(WhyOfChanges, AnIdleNodeBehindTheOneThatDecidedWasNotTicked) {
               {Told::kRoot, Status::kFailure}},
              Status::kFailure);
   EXPECT_EQ(Asked(robot.run()).WhyNotText("drive"),
-            "work did not come to drive: dark before it is FAILURE");
+            R"("work" did not reach "drive", because "dark" before it is FAILURE)");
 }
 
 TEST(WhyOfChanges, PolledValuesAreNoTick) {

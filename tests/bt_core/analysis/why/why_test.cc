@@ -29,7 +29,7 @@ TEST(Why, TellsTheWalkAndWhatWasRead) {
   EXPECT_THAT(text,
               HasSubstr(R"(battery_low  FAILURE  code="battery < 20" is false: battery = 50)"));
   EXPECT_THAT(text, HasSubstr("dark  SUCCESS  lux = 3"));
-  EXPECT_THAT(text, HasSubstr("safety  FAILURE  because of battery_low"));
+  EXPECT_THAT(text, HasSubstr(R"(safety  FAILURE  because of "battery_low")"));
 }
 
 TEST(Why, NamesWhatChangedSinceTheTickBefore) {
@@ -44,10 +44,12 @@ TEST(Why, NamesWhatChangedSinceTheTickBefore) {
   const Why why = asked.Ask("root");
   ASSERT_TRUE(why.change);
   EXPECT_EQ(asked.tree().NameOf(why.change->step.node), "battery_low");
-  EXPECT_THAT(asked.Print("root"),
-              HasSubstr(R"(first change: battery_low is SUCCESS, was FAILURE; code="battery < 20" )"
-                        "is true: battery = 12 (was 50)"));
-  EXPECT_EQ(asked.WhyNotText("drive"), "root did not come to work: safety before it is SUCCESS");
+  EXPECT_THAT(
+      asked.Print("root"),
+      HasSubstr(R"(first change: "battery_low" is SUCCESS, was FAILURE; code="battery < 20" )"
+                "is true: battery = 12 (was 50)"));
+  EXPECT_EQ(asked.WhyNotText("drive"),
+            R"("root" did not reach "work", because "safety" before it is SUCCESS)");
 }
 
 TEST(Why, SaysThatNothingChanged) {

@@ -109,11 +109,13 @@ TEST_F(ReplayTest, ShowsTheTreeAtATick) {
 
 TEST_F(ReplayTest, SaysWhyAndWhyNot) {
   EXPECT_EQ(Run({path(), "--why", "root"}), 0);
-  EXPECT_THAT(out_, HasSubstr("root is FAILURE after tick 3"));
+  EXPECT_THAT(out_, HasSubstr(R"("root" is FAILURE after tick 3)"));
   EXPECT_THAT(out_,
               HasSubstr("ready  FAILURE (was SUCCESS)  code=\"n < 3\" is false: n = 5 (was 1)"));
   EXPECT_EQ(Run({path(), "--why-not", "first"}), 0);
-  EXPECT_THAT(out_, HasSubstr("why not: root did not come to first: ready before it is FAILURE"));
+  EXPECT_THAT(
+      out_,
+      HasSubstr(R"(why not: "root" did not reach "first", because "ready" before it is FAILURE)"));
   EXPECT_EQ(Run({path(), "--why-not", "ready"}), 1);
   EXPECT_EQ(Run({path(), "--why", "ready", "--tick", "1", "--json"}), 0);
   EXPECT_EQ(json::parse(out_)["steps"][1]["script"]["values"][0]["value"], 1.0);
@@ -204,7 +206,7 @@ TEST_F(ReplayTest, GoesBackAndForthByKeys) {
   EXPECT_EQ(press({"/", "s", "e", "c", "enter"}), 2u);
   EXPECT_EQ(scrubber.node(), 3u);
   press({"w"});
-  EXPECT_THAT(scrubber.Render(40, 200), HasSubstr("root did not come to second"));
+  EXPECT_THAT(scrubber.Render(40, 200), HasSubstr(R"("root" did not reach "second")"));
   EXPECT_THAT(scrubber.Render(40, 200), HasSubstr("tick 3 of 3"));
   press({"g", "x", "enter"});
   EXPECT_THAT(scrubber.Render(40, 200), HasSubstr("\"x\" is no number"));
