@@ -185,8 +185,13 @@ class RunCommands {
   }
 
   void AddDebugger() {
-    Add("run.pause", "Pause or continue the robot; play a record", {kKeySpace}, [](RunView& run) {
+    // The largest key plays records, but nobody stops a robot with it by accident.
+    Add("run.play_record", "Play or hold a record", {kKeySpace}, [&s = state_](RunView& run) {
       if (!run.source().is_robot()) return Play(run);
+      const std::string keys = ToString(s.commands.Find("run.pause")->keys);
+      s.Notify(keys + (IsStopped(run) ? " continues the robot" : " pauses the robot"), s.now);
+    });
+    AddForRobot("run.pause", "Pause or continue the robot", {kKeySpace, kShift}, [](RunView& run) {
       run.Send(MakeCommand(IsStopped(run) ? Kind::kContinue : Kind::kPause));
     });
     AddSend("run.continue", "Continue the robot", {kKeyF1 + 4}, Kind::kContinue);

@@ -17,7 +17,7 @@ class RunCommandsTest : public testing::Test {
 
 TEST_F(RunCommandsTest, PauseStepAndContinueTheRobotByKey) {
   ExecutedSource* robot = AddExecuted(driver_, "robot:1", 5);
-  driver_.Press(kKeySpace);
+  driver_.Press(kKeySpace, kShift);
   EXPECT_EQ(robot->commands.back().kind, Kind::kPause);
   robot->StopBefore(NodeIndex{1});
   driver_.Frames();
@@ -25,8 +25,15 @@ TEST_F(RunCommandsTest, PauseStepAndContinueTheRobotByKey) {
   EXPECT_EQ(robot->commands.back().kind, Kind::kStepTick);
   driver_.Press(kKeyF1 + 9, kShift);
   EXPECT_EQ(robot->commands.back().kind, Kind::kStepNode);
-  driver_.Press(kKeySpace);
+  driver_.Press(kKeySpace, kShift);
   EXPECT_EQ(robot->commands.back().kind, Kind::kContinue);
+}
+
+TEST_F(RunCommandsTest, SpaceAloneDoesNotStopARobotButSaysWhatDoes) {
+  ExecutedSource* robot = AddExecuted(driver_, "robot:1", 5);
+  driver_.Press(kKeySpace);
+  EXPECT_TRUE(robot->commands.empty());
+  EXPECT_EQ(state().notice.text, "Shift+Space pauses the robot");
 }
 
 TEST_F(RunCommandsTest, AFaultIsForcedShownEverywhereAndClearedByOneClick) {
