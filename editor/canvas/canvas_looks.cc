@@ -26,10 +26,13 @@ void RollUp(const TreeView& view, const CanvasOptions& options, std::uint32_t no
 // The value by which the ports of a node that use the lit key name it.
 std::string_view LitValue(const TreeView& view, const SceneNode& node) {
   if (view.lit_key() == kNoKey) return {};
-  for (std::uint32_t p = node.first_port; p < node.first_port + node.port_count; ++p) {
-    if (view.keys().key_of_port[p] == view.lit_key()) return view.scene()->ports[p].value;
-  }
-  return {};
+  const auto index = static_cast<std::uint32_t>(&node - view.scene()->nodes.data());
+  const std::vector<KeyUse>& uses = view.keys().uses[view.lit_key()];
+  const auto use =
+      std::lower_bound(uses.begin(), uses.end(), index,
+                       [](const KeyUse& one, std::uint32_t at) { return one.node < at; });
+  return use != uses.end() && use->node == index ? view.scene()->ports[use->port].value
+                                                 : std::string_view();
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ class LinkPainter {
 
   void Paint() {
     const std::vector<KeyUse>& uses = view_.keys().uses[view_.lit_key()];
-    color_ = pen_.ui.palette.OfKey(scene_.ports[uses.front().port].key);
+    color_ = pen_.ui.palette.OfKey(view_.keys().names[view_.lit_key()]);
     std::size_t count = 0;
     for (const KeyUse& writer : uses) {
       for (const KeyUse& reader : uses) {

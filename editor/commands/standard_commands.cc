@@ -157,8 +157,10 @@ class Commands {
                [&s = state_](TreeView& view) { view.CollapseSubTrees(false, s.now); });
     AddForView("tree.close_subtrees", "Close all SubTrees", {'E', kShift},
                [&s = state_](TreeView& view) { view.CollapseSubTrees(true, s.now); });
-    AddForView("tree.unselect", "Select nothing", {kKeyEscape},
-               [](TreeView& view) { view.Select(kNoSceneNode); });
+    AddForView("tree.unselect", "Select nothing", {kKeyEscape}, [](TreeView& view) {
+      view.Select(kNoSceneNode);
+      view.LightKey(kNoKey);
+    });
     AddWalk("walk.up", "Walk up", kKeyUp, Way::kParent, Way::kPrevious);
     AddWalk("walk.down", "Walk down", kKeyDown, Way::kChild, Way::kNext);
     AddWalk("walk.left", "Walk left", kKeyLeft, Way::kPrevious, Way::kParent);

@@ -9,6 +9,7 @@
 #include "bt_core/script/token.h"
 #include "editor/document/draft.h"
 #include "editor/document/node_rules.h"
+#include "editor/scene/script_words.h"
 
 namespace coppice::editor {
 namespace {
@@ -79,25 +80,16 @@ class Collector {
   }
 
   void AddScript(ElementIndex element, const Attribute& attribute) {
-    std::vector<ScriptProblem> problems;
-    const std::vector<Token> tokens = script::Tokenize(attribute.value, problems);
-    for (std::size_t i = 0; i < tokens.size(); ++i) {
-      const Token& token = tokens[i];
-      if (token.kind != TokenKind::kName || token.text == "true" || token.text == "false") continue;
-      const Token& next = tokens[std::min(i + 1, tokens.size() - 1)];
+    for (const ScriptWord& word : WordsOf(attribute.value)) {
       KeyName name;
       name.form = KeyForm::kScript;
-      name.writes = next.Is(":=") || next.Is("=") || IsUpdate(next);
-      name.reads = !name.writes || IsUpdate(next);
-      Add(std::move(name), token.text, element, attribute);
-      names_.back().begin = document_.OffsetInValue(attribute, token.offset);
-      names_.back().end = document_.OffsetInValue(attribute, token.offset + token.text.size());
+      name.writes = word.writes;
+      name.reads = word.reads;
+      Add(std::move(name), word.text, element, attribute);
+      names_.back().begin = document_.OffsetInValue(attribute, word.offset);
+      names_.back().end = document_.OffsetInValue(attribute, word.offset + word.text.size());
       if (names_.back().writes) written_.insert(names_.back().key);
     }
-  }
-
-  static bool IsUpdate(const Token& token) {
-    return token.Is("+=") || token.Is("-=") || token.Is("*=") || token.Is("/=");
   }
 
   void DropConstants() {

@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "bt_core/model/keys.h"
+#include "bt_core/nodes/guards.h"
+#include "editor/scene/script_words.h"
 
 namespace coppice::editor {
 namespace {
@@ -54,11 +56,12 @@ class Collector {
   // Inside, `name` is that key of the tree outside, or holds a literal. The first who says it wins.
   void Remap(std::uint32_t scope, std::string_view name, std::string_view key) {
     if (scopes_[scope].keys.count(name) > 0) return;
-    const std::uint32_t number = key.empty() ? NewKey() : Resolve(key, scopes_[scope].parent);
+    const std::uint32_t number = key.empty() ? NewKey(name) : Resolve(key, scopes_[scope].parent);
     scopes_[scope].keys.emplace(name, number);
   }
 
-  std::uint32_t NewKey() {
+  std::uint32_t NewKey(std::string_view name) {
+    result_.names.emplace_back(name);
     result_.uses.emplace_back();
     return static_cast<std::uint32_t>(result_.uses.size() - 1);
   }
@@ -71,7 +74,7 @@ class Collector {
     Scope& here = scopes_[scope];
     if (const auto known = here.keys.find(key); known != here.keys.end()) return known->second;
     const bool is_outside = here.autoremap && !IsPrivateKey(key);
-    const std::uint32_t number = is_outside ? Resolve(key, here.parent) : NewKey();
+    const std::uint32_t number = is_outside ? Resolve(key, here.parent) : NewKey(key);
     here.keys.emplace(key, number);
     return number;
   }
@@ -80,12 +83,28 @@ class Collector {
     const SceneNode& node = scene_.nodes[index];
     for (std::uint32_t p = node.first_port; p < node.first_port + node.port_count; ++p) {
       const PortLine& port = scene_.ports[p];
+      if (IsScript(port)) AddScript(index, p);
       if (port.key.empty()) continue;
       const std::uint32_t key = Resolve(port.key, node.scope);
       result_.key_of_port[p] = key;
       const bool hands_on = node.shape == Shape::kSubTree;
       result_.uses[key].push_back({index, p, !hands_on && port.direction != PortDirection::kOutput,
                                    !hands_on && port.direction != PortDirection::kInput});
+    }
+  }
+
+  static bool IsScript(const PortLine& port) {
+    return IsGuardAttribute(port.name) || (port.model && port.model->type == "script");
+  }
+
+  void AddScript(std::uint32_t index, std::uint32_t port) {
+    for (const ScriptWord& word : WordsOf(scene_.ports[port].value)) {
+      auto& uses = result_.uses[Resolve(word.text, scene_.nodes[index].scope)];
+      if (uses.empty() || uses.back().node != index || uses.back().port != port) {
+        uses.push_back({index, port, false, false});
+      }
+      uses.back().reads |= word.reads;
+      uses.back().writes |= word.writes;
     }
   }
 

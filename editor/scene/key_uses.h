@@ -1,4 +1,4 @@
-// Who reads and who writes each blackboard key of a scene.
+// Who reads and who writes each blackboard key of a scene, by ports, scripts and guards.
 //
 // A key of a SubTree that an attribute or _autoremap makes a key of the tree outside is that key:
 // the engine's own rule (bt_core/model/keys.h). "@key" is a key of the main tree.
@@ -6,6 +6,7 @@
 #define COPPICE_EDITOR_SCENE_KEY_USES_H_
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "editor/scene/scene.h"
@@ -22,8 +23,9 @@ struct KeyUse {
 };
 
 struct KeyUses {
-  std::vector<std::uint32_t> key_of_port;  ///< by number of Scene::ports; kNoKey: a literal
+  std::vector<std::uint32_t> key_of_port;  ///< by number of Scene::ports; kNoKey: none, or a script
   std::vector<std::vector<KeyUse>> uses;   ///< by key, in preorder
+  std::vector<std::string> names;          ///< of the keys, where they were met first
 };
 
 KeyUses FindKeyUses(const Scene& scene);

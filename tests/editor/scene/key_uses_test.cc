@@ -129,5 +129,30 @@ TEST_F(EngineAndEditorTest, AgreeOnTheDefaultsOfASubTreesModel) {
   ExpectKeys(2, "p='3'", "{p}");
 }
 
+TEST(KeyUses, AreFoundInScriptsAndGuardsToo) {
+  const Forest forest = ReadForest(R"(<root BTCPP_format="4"><BehaviorTree ID="Main"><Sequence>
+    <Script code="left := 3; tries += 1"/>
+    <Use in="{left}" _skipIf="tries > 2"/>
+    <SubTree ID="Inner" rest="{left}"/>
+  </Sequence></BehaviorTree>
+  <BehaviorTree ID="Inner"><Script code="rest = rest - 1"/></BehaviorTree>
+  <TreeNodesModel><Action ID="Use"><input_port name="in"/></Action></TreeNodesModel></root>)");
+  NodeModels models;
+  models.AddFrom(*forest.documents()[0]);
+  const Scene scene = BuildScene(forest, 0, models);
+  const KeyUses uses = FindKeyUses(scene);
+  const auto text = [&](const char* name) {
+    const auto key = std::find(uses.names.begin(), uses.names.end(), name) - uses.names.begin();
+    std::string all;
+    for (const KeyUse& use : uses.uses.at(static_cast<std::size_t>(key))) {
+      all += scene.nodes[use.node].path + (use.reads ? " reads" : "") +
+             (use.writes ? " writes" : "") + ", ";
+    }
+    return all;
+  };
+  EXPECT_EQ(text("left"), "1.1 writes, 1.2 reads, 1.3, 1.3.1 reads writes, ");
+  EXPECT_EQ(text("tries"), "1.1 reads writes, 1.2 reads, ");
+}
+
 }  // namespace
 }  // namespace coppice::editor
