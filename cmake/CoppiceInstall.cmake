@@ -20,6 +20,10 @@ install(TARGETS coppice RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(EXPORT coppice NAMESPACE coppice:: FILE coppice-targets.cmake
         DESTINATION ${COPPICE_PACKAGE_DIR})
 
+# Node types of other programs, for other tools; ours have them built in.
+install(DIRECTORY bt_core/engine/models/ DESTINATION ${CMAKE_INSTALL_DATADIR}/coppice/models
+        FILES_MATCHING PATTERN "*.xml")
+
 # The page lies where the installed program looks for it.
 if(COPPICE_WEB)
   install(DIRECTORY ${COPPICE_WEB_FOLDER}/ DESTINATION ${CMAKE_INSTALL_DATADIR}/coppice/web COMPONENT web

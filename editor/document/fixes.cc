@@ -6,6 +6,7 @@
 #include "bt_core/model/attribute_edits.h"
 #include "bt_core/model/element_edits.h"
 #include "bt_core/model/xml_text.h"
+#include "editor/document/shown_problems.h"
 
 namespace coppice::editor {
 namespace {
@@ -39,15 +40,16 @@ std::optional<Fix> Rename(const Document& document, ElementIndex index, std::uin
     const std::string wrong(id ? id->value : element.tag);
     if (!id && !IsXmlName(right)) return std::nullopt;
     return Fix{wrong + " -> " + right,
-               id ? SetAttribute(document, index, "ID", right) : SetTag(document, index, right)};
+               id ? SetAttribute(document, index, "ID", right) : SetTag(document, index, right), "",
+               ""};
   }
   if (offset >= attribute->value_offset) {
     return Fix{std::string(attribute->value) + " -> " + right,
-               SetAttribute(document, index, attribute->name, right)};
+               SetAttribute(document, index, attribute->name, right), "", ""};
   }
   if (!IsXmlName(right) || document.FindAttribute(element, right)) return std::nullopt;
   return Fix{std::string(attribute->name) + " -> " + right,
-             RenameAttribute(document, index, attribute->name, right)};
+             RenameAttribute(document, index, attribute->name, right), "", ""};
 }
 
 }  // namespace
@@ -76,12 +78,17 @@ std::vector<Fix> FixesFor(const Document& document, const Diagnostic& problem) {
   }
   if (const auto port = Quoted(problem.message, " needs its port \"")) {
     if (IsXmlName(*port)) {
-      fixes.push_back({"add " + *port, SetAttribute(document, element, *port, "{" + *port + "}")});
+      fixes.push_back({"add " + *port, SetAttribute(document, element, *port, ""), *port, ""});
     }
   }
   if (const auto port = Quoted(problem.message, " has no port \"")) {
     Edit edit = RemoveAttribute(document, element, *port);
-    if (!edit.empty()) fixes.push_back({"remove " + *port, std::move(edit)});
+    if (!edit.empty()) fixes.push_back({"remove " + *port, std::move(edit), "", ""});
+  }
+  if (IsAboutModels(problem)) {
+    fixes.push_back({"load models", {}, "", "file.models"});
+    if (problem.message.substr(0, 5) == "type ")
+      fixes.push_back({"define it", {}, "", "type.define"});
   }
   return fixes;
 }

@@ -10,12 +10,15 @@
 namespace coppice::editor {
 
 struct Fix {
-  std::string title;  ///< "SequenceX -> Sequence", "add num_cycles", "remove foo"
-  Edit edit;          ///< of the document
+  std::string title;    ///< "SequenceX -> Sequence", "add num_cycles", "remove foo"
+  Edit edit;            ///< of the document
+  std::string port;     ///< whose field the user goes on with; empty: none
+  std::string command;  ///< ID of one that is run at the node, in the place of the edit; or empty
 };
 
 /// The fixes for what a checker says about this document: the nearest right name in the place of a
-/// wrong one, a port that is missing, an attribute that nobody knows. Often there is none.
+/// wrong one, a port that is missing, an attribute that nobody knows, types without a model. Often
+/// there is none.
 std::vector<Fix> FixesFor(const Document& document, const Diagnostic& problem);
 
 /// The byte at that line and column, or the size of the text.

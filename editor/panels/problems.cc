@@ -50,6 +50,13 @@ std::vector<Fix> FixesOf(const EditorState& state, const Diagnostic& problem) {
   return file && file->document ? FixesFor(*file->document, problem) : std::vector<Fix>();
 }
 
+// Jumps to the node, where that is not the edit's own business.
+void RunCommand(EditorState& state, int file, const Diagnostic& problem, const Fix& fix,
+                double now) {
+  if (file >= 0) JumpTo(state, static_cast<std::size_t>(file), problem, now);
+  state.after_frame = [&state, command = fix.command] { state.commands.Run(command); };
+}
+
 void RunFix(EditorState& state, const Diagnostic& problem, const Fix& fix, double now) {
   const EditedFile& file = *state.workspace.project().Find(problem.where.file);
   const ElementIndex element = file.document->ElementAt(OffsetOf(*file.document, problem.where));
@@ -57,6 +64,10 @@ void RunFix(EditorState& state, const Diagnostic& problem, const Fix& fix, doubl
       .RunOn("Fix: " + fix.title, file.path, {element}, [&](Draft& draft, const NodeRules&) {
         return draft.Apply(fix.edit) ? Outcome() : Problem{"not possible"};
       });
+  if (fix.port.empty()) return;
+  state.screen.tiles.inspector = true;
+  state.inspector.type.clear();
+  state.input.focus_field = "inspector/port/" + fix.port;
 }
 
 constexpr float kLeft = 28;       // of the message, at scale 1
@@ -190,7 +201,9 @@ void DrawProblems(const Ui& ui, EditorState& state, const Box& box) {
       const Row row =
           DrawProblem(ui, static_cast<int>(i), all[i].problem, fixes, names_files, pressed);
       if (pressed >= 0) {
-        RunFix(state, all[i].problem, fixes[static_cast<std::size_t>(pressed)], ui.now);
+        const Fix& fix = fixes[static_cast<std::size_t>(pressed)];
+        fix.command.empty() ? RunFix(state, all[i].problem, fix, ui.now)
+                            : RunCommand(state, all[i].file, all[i].problem, fix, ui.now);
         return;
       }
       if (row.clicked && all[i].file >= 0) {

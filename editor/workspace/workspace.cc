@@ -10,6 +10,8 @@
 
 #include "bt_core/engine/compile/check_project.h"
 #include "bt_core/engine/compile/model_registry.h"
+#include "bt_core/engine/compile/shipped_models.h"
+#include "editor/document/shown_problems.h"
 #include "editor/live/record_source.h"
 
 namespace coppice::editor {
@@ -26,6 +28,31 @@ void AddOnce(std::vector<Diagnostic>& all, const std::vector<Diagnostic>& more) 
                                    [&](const Diagnostic& d) { return ToString(d) == text; });
     if (!known) all.push_back(one);
   }
+}
+
+// What was loaded, what robots say and what the files say of node types; the last one counts.
+void AddOwnModels(const Forest& forest, const std::vector<Project>& loaded,
+                  const std::vector<Project>& of_robots, NodeModels& models) {
+  for (const Project& project : loaded) {
+    for (const Document& document : project.documents()) models.AddFrom(document);
+  }
+  for (const Project& project : of_robots) models.AddFrom(project.documents().front());
+  for (const Document* document : forest.documents()) models.AddFrom(*document);
+}
+
+// That, and what is known of the well-known programs whose nodes the files use.
+std::shared_ptr<const NodeModels> ModelsFor(const Forest& forest,
+                                            const std::vector<Project>& loaded,
+                                            const std::vector<Project>& of_robots) {
+  auto own = std::make_shared<NodeModels>();
+  AddOwnModels(forest, loaded, of_robots, *own);
+  const std::vector<ShippedTypes> shipped = FindShippedTypes(
+      forest.documents(), [&own](std::string_view id) { return own->Find(id) != nullptr; });
+  if (shipped.empty()) return own;
+  auto all = std::make_shared<NodeModels>();
+  for (const ShippedTypes& found : shipped) all->AddFrom(found.set->models.documents().front());
+  AddOwnModels(forest, loaded, of_robots, *all);
+  return all;
 }
 
 // What a text says about node types, as a file of its own.
@@ -51,12 +78,10 @@ OpenFile Workspace::Load(const std::string& path) {
     return edited->document;
   };
   file.forest = std::make_shared<const Forest>(Forest::FromFile(path, diagnostics, read));
-  file.read_problems = file.problems = diagnostics.all();
-  auto models = std::make_shared<NodeModels>(models_);
-  for (const Project& project : run_models_) models->AddFrom(project.documents().front());
-  for (const Document* document : file.forest->documents()) models->AddFrom(*document);
-  file.models = std::move(models);
+  file.read_problems = diagnostics.all();
+  file.models = ModelsFor(*file.forest, model_projects_, run_models_);
   const EditedFile* edited = project_.Find(path);
+  file.problems = ShownProblems(file.read_problems, edited && edited->is_new);
   if (edited && !edited->document) file.text = edited->text;
   return file;
 }
@@ -172,8 +197,10 @@ void Workspace::CheckAll() {
     for (const Project& models : model_projects_) coppice::AddModels(models, *registry);
     coppice::AddModels(*file.forest->project(), *registry);
     CheckProject(file.forest->project(), registry, {}, diagnostics);
-    file.problems = file.read_problems;
-    AddOnce(file.problems, diagnostics.all());
+    std::vector<Diagnostic> problems = file.read_problems;
+    AddOnce(problems, diagnostics.all());
+    const EditedFile* edited = project_.Find(file.path);
+    file.problems = ShownProblems(problems, edited && edited->is_new);
   }
 }
 

@@ -7,6 +7,7 @@
 #include "bt_core/engine/compile/compiler.h"
 #include "bt_core/engine/compile/model_registry.h"
 #include "bt_core/engine/compile/project_problems.h"
+#include "bt_core/engine/compile/shipped_models.h"
 
 namespace coppice {
 namespace {
@@ -63,7 +64,10 @@ void CheckProject(const std::shared_ptr<const Project>& project,
   Problems problems(diagnostics);
   if (!project->main_tree().empty()) FindMainTree(*project, project->main_tree(), problems);
   auto known = std::make_shared<Registry>(*registry);
-  if (!options.all_types_known) RemoveContradicted(*project, *known, diagnostics);
+  if (!options.all_types_known) {
+    RemoveContradicted(*project, *known, diagnostics);
+    AddShippedModels(*project, *known, diagnostics);
+  }
   CheckTreeNames(*project, *known, problems);
   Checker(project, known, {!options.all_types_known, true, true}, problems).CheckAll();
 }

@@ -17,8 +17,9 @@
 namespace coppice {
 
 struct CheckOptions {
-  /// The registry has all node types: others are errors. Else they are a warning for each type, and
-  /// the rest of the tree is checked; and where a model in the project contradicts the built-in
+  /// The registry has all node types: others are errors. Else types of well-known programs are
+  /// known (shipped_models.h), others are a warning for each type, and the rest of the tree is
+  /// checked; and where a model in the project contradicts the built-in
   /// node of the same name, the model counts, with a warning.
   bool all_types_known = false;
 };

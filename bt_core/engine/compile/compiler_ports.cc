@@ -40,6 +40,8 @@ void PortBinder::Bind(const Registry::Entry& entry, const Site& site,
 
 void PortBinder::BindCopies(const Registry::Entry& entry, const Site& site,
                             const PortBinding* ports) {
+  const bool is_of_user = entry.type == NodeType::kLeaf || entry.type == NodeType::kUser;
+  if (is_of_user && !entry.build) return;  // a model that says no types
   SlotIndex from = kNoSlot;
   SlotIndex to = kNoSlot;
   for (std::size_t k = 0; k < entry.declarations.size(); ++k) {

@@ -76,10 +76,16 @@ void RemoveContradicted(const Project& models, Registry& registry, Diagnostics& 
 }
 
 void AddModels(const Project& models, Registry& registry) {
+  std::vector<const NodeModel*> all;
+  for (const auto& [id, model] : models.models()) all.push_back(&model);
+  AddModels(all, registry);
+}
+
+void AddModels(const std::vector<const NodeModel*>& models, Registry& registry) {
   const auto named = std::make_shared<NamedTypes>();
-  for (const auto& [id, model] : models.models()) {
-    if (registry.Find(id)) continue;
-    registry.AddManifest(ManifestOf(model, registry, *named), ChildrenOf(model.category), named);
+  for (const NodeModel* model : models) {
+    if (registry.Find(model->id)) continue;
+    registry.AddManifest(ManifestOf(*model, registry, *named), ChildrenOf(model->category), named);
   }
 }
 

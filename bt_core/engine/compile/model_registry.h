@@ -3,6 +3,8 @@
 #ifndef COPPICE_BT_CORE_ENGINE_COMPILE_MODEL_REGISTRY_H_
 #define COPPICE_BT_CORE_ENGINE_COMPILE_MODEL_REGISTRY_H_
 
+#include <vector>
+
 #include "bt_core/base/diagnostic.h"
 #include "bt_core/engine/registry.h"
 #include "bt_core/model/project.h"
@@ -14,6 +16,8 @@ namespace coppice {
 /// different unknown types do not fit together. Whether an input is mandatory is not in a model, so
 /// none is.
 void AddModels(const Project& models, Registry& registry);
+/// The same for these.
+void AddModels(const std::vector<const NodeModel*>& models, Registry& registry);
 
 /// A model that contradicts the built-in node of the same name speaks of another node: the built-in
 /// one is taken out of the registry, with a warning at the model. To contradict is to be of another

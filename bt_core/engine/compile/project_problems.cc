@@ -19,6 +19,17 @@ void AskForMainTree(const Project& project, Problems& problems) {
                  "give main_tree_to_execute; there are: " + list);
 }
 
+// One without nodes is none; that was said where it stands.
+bool IsWritten(const Project& project, const std::string& id) {
+  for (const Document& document : project.documents()) {
+    for (const Element& element : document.elements()) {
+      if (element.tag == "BehaviorTree" && document.AttributeValue(element, "ID") == id)
+        return true;
+    }
+  }
+  return false;
+}
+
 // Points at main_tree_to_execute if that is what asks for it.
 void ReportMissingTree(const Project& project, const std::string& id, Problems& problems) {
   const std::string hint = DidYouMean(id, TreeIds(project));
@@ -39,7 +50,7 @@ const TreeDefinition* FindMainTree(const Project& project, const std::string& id
                                    Problems& problems) {
   const TreeDefinition* tree = project.Find(id);
   if (!tree && id.empty()) AskForMainTree(project, problems);
-  if (!tree && !id.empty()) ReportMissingTree(project, id, problems);
+  if (!tree && !id.empty() && !IsWritten(project, id)) ReportMissingTree(project, id, problems);
   return tree;
 }
 

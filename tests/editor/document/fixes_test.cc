@@ -47,7 +47,18 @@ TEST(Fixes, RenameAPortThatNobodyKnows) {
 
 TEST(Fixes, GiveAPortThatIsMissing) {
   EXPECT_EQ(Fixed(R"(<Repeat><Say text="a"/></Repeat>)"),
-            R"(<Repeat num_cycles="{num_cycles}"><Say text="a"/></Repeat>)");
+            R"(<Repeat num_cycles=""><Say text="a"/></Repeat>)");
+}
+
+TEST(Fixes, OfTypesWithoutAModelAreCommands) {
+  Diagnostics diagnostics;
+  const auto document = Document::FromText("<root><A/></root>", kFile, diagnostics);
+  const auto fixes = FixesFor(
+      *document,
+      {Severity::kWarning, {kFile, 1, 7}, "type A has no model, so its ports are not checked", ""});
+  ASSERT_EQ(fixes.size(), 2U);
+  EXPECT_EQ(fixes[0].command, "file.models");
+  EXPECT_EQ(fixes[1].command, "type.define");
 }
 
 TEST(Fixes, AreNotOfferedWhereNoNameIsNear) {

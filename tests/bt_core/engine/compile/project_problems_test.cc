@@ -33,6 +33,14 @@ TEST_F(ProjectProblemsTest, AsksForAMainTreeIfThereAreSeveral) {
             "(give main_tree_to_execute; there are: A, B)\n");
 }
 
+TEST_F(ProjectProblemsTest, ATreeWithoutNodesIsNotMissing) {
+  project = Project::FromText(R"(<root BTCPP_format="4"><BehaviorTree ID="C"/></root>)", "t.xml",
+                              diagnostics);
+  const std::string said = diagnostics.ToString();
+  EXPECT_EQ(FindMainTree(*project, "C", problems), nullptr);
+  EXPECT_EQ(diagnostics.ToString(), said) << "its place has said it";
+}
+
 TEST_F(ProjectProblemsTest, PointsAtTheAttributeThatNamesAMissingTree) {
   EXPECT_EQ(Find(R"( main_tree_to_execute="b")", "b"), nullptr);
   EXPECT_EQ(diagnostics.ToString(), "t.xml:1:46: error: no tree \"b\" (did you mean \"B\"?)\n");
