@@ -86,7 +86,8 @@ std::string ToMarkdown(const std::vector<const Scene*>& trees) {
     text += "## " + Plain(scene->tree_id) + "\n\n";
     for (const SceneNode& node : scene->nodes) {
       text += std::string(2 * Depth(node), ' ') + "- " + Plain(Label(*scene, node, ": "));
-      if (node.disabled) text += " (disabled)";
+      const bool is_first = node.parent == kNoSceneNode || !scene->nodes[node.parent].disabled;
+      if (node.disabled && is_first) text += " (disabled)";
       if (!node.note.empty()) text += " — *" + Plain(node.note) + "*";
       text += "\n";
     }

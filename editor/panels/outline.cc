@@ -74,8 +74,10 @@ class OutlineRow {
     const float note_width = ui_.Width(note, note_style);
     ui_.RowText(list, {right - note_width, box.min.y}, box.height(), note, note_style);
 
-    const TextStyle glyph{Face::kSans, 12,
-                          Mix(ui_.palette.Of(node_.shape), ui_.palette.text, 0.6F)};
+    const Color ink = node_.disabled ? ui_.palette.text_dim : ui_.palette.text;
+    const TextStyle glyph{
+        Face::kSans, 12,
+        node_.disabled ? ink : Mix(ui_.palette.Of(node_.shape), ui_.palette.text, 0.6F)};
     const std::string_view icon = GlyphOf(node_);
     const float middle = box.min.x + indent + 7 * ui_.scale;
     ui_.RowText(list, {middle - ui_.Width(icon, glyph) / 2, box.min.y}, box.height(), icon, glyph);
@@ -83,9 +85,12 @@ class OutlineRow {
     const Point at = {box.min.x + indent + 18 * ui_.scale, box.min.y};
     const float room = right - note_width - 6 * ui_.scale - at.x;
     const bool own_name = node_.name != node_.id;
-    const float used =
-        ui_.RowText(list, at, box.height(), node_.name,
-                    {own_name ? Face::kBold : Face::kSans, 12, ui_.palette.text}, room);
+    const float used = ui_.RowText(list, at, box.height(), node_.name,
+                                   {own_name ? Face::kBold : Face::kSans, 12, ink}, room);
+    if (node_.disabled) {
+      const float middle_y = box.center().y;
+      ui_.Fill(list, {{at.x, middle_y}, {at.x + used, middle_y + ui_.scale}}, ink);
+    }
     const std::string ports = Ports();
     if (room - used > 40 * ui_.scale) {
       ui_.RowText(list, at + Point{used + 7 * ui_.scale, 0}, box.height(), ports,

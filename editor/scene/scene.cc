@@ -132,7 +132,8 @@ class Builder {
     } else if (node.model) {
       node.shape = ShapeOf(node.model->category);
     }
-    node.disabled = document.AttributeValue(element, "_skipIf") == "true";
+    node.disabled = document.AttributeValue(element, "_skipIf") == "true" ||
+                    (open.parent != kNoSceneNode && scene_.nodes[open.parent].disabled);
     node.note = NoteOf(document, open.element);
   }
 

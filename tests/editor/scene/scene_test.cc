@@ -35,6 +35,15 @@ TEST_F(SceneTest, WritesSubTreesOutInPlaceAndNumbersThePaths) {
   EXPECT_EQ(scene.scopes[1], "walk");
 }
 
+TEST_F(SceneTest, WhatLiesInADisabledNodeIsDisabledToo) {
+  const Scene& scene = Build(R"(<root BTCPP_format="4"><BehaviorTree ID="T"><Sequence>
+      <Fallback _skipIf="true"><SubTree ID="U"/></Fallback><AlwaysSuccess/></Sequence>
+      </BehaviorTree><BehaviorTree ID="U"><AlwaysSuccess/></BehaviorTree></root>)");
+  std::string disabled;
+  for (const SceneNode& node : scene.nodes) disabled += node.disabled ? node.path + " " : "";
+  EXPECT_EQ(disabled, "1.1 1.1.1 1.1.1.1 ");
+}
+
 TEST_F(SceneTest, GivesEveryNodeItsShape) {
   const Scene& scene = Build(kSmallFile);
   EXPECT_EQ(scene.nodes[0].shape, Shape::kControl);
