@@ -82,7 +82,6 @@ class CanvasPass {
     if (view_.names_only()) return;
     for (std::uint32_t i = 0; i < node.port_count; ++i) {
       const PortLine& port = scene_.ports[node.first_port + i];
-      if (port.key.empty()) continue;
       ui_.items.Add(path + "/port/" + std::string(port.name), PortBox(node, look, i));
     }
   }

@@ -1,6 +1,6 @@
 // The canvas: paints a TreeView with the statuses of a robot, and lets the user walk in it with the
 // mouse. Registers "canvas/TREE/PATH" for nodes, "canvas/TREE/PATH/toggle" for what opens and
-// closes them, "canvas/TREE/PATH/port/NAME" for the chips of keys, and "canvas/minimap"
+// closes them, "canvas/TREE/PATH/port/NAME" for the rows of ports, and "canvas/minimap"
 // or "canvas/minimap/folded".
 //
 // The wheel zooms. The left button drags the canvas, or a node if there is a DropHandler; with
@@ -29,6 +29,8 @@ struct CanvasOptions {
   const std::vector<Change>* changes = nullptr;  ///< by node of the scene; null: none
   std::function<void(std::uint32_t)> open;       ///< a SubTree was clicked twice; empty: collapse
   const DropHandler* drop = nullptr;             ///< null: nodes cannot be dragged
+  /// The row of a port (of Scene::ports) was clicked twice; empty: as elsewhere on the node.
+  std::function<void(std::uint32_t node, std::uint32_t port)> edit_port;
 };
 
 /// State of a node on the robot; idle if there is none.

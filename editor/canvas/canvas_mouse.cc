@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "editor/canvas/canvas_looks.h"
 #include "editor/canvas/node_tooltip.h"
@@ -127,7 +128,7 @@ class Mouse {
     if (io_.KeyShift) return view_.SelectTo(node);
     const bool twice = io_.MouseClickedLastCount[0] == 2;
     const NodeLook look = LookOf(view_, options_, hovered_->k, hovered_->box, view_.camera.zoom);
-    if (!IsOnToggle(look) && ClickKey(look)) return;
+    if (!IsOnToggle(look) && (EditPort(look, twice) || ClickKey(look))) return;
     if (twice && !IsOnToggle(look) && options_.open && HoveredNode().shape == Shape::kSubTree) {
       options_.open(node);
     } else if (twice || IsOnToggle(look)) {
@@ -145,18 +146,32 @@ class Mouse {
     return HoveredNode().shape == Shape::kSubTree && ToggleBox(HoveredNode(), look).Contains(mouse);
   }
 
-  // A click on the row of a key lights it; a second one puts it out.
-  bool ClickKey(const NodeLook& look) {
-    if (look.name_only || DetailFor(look.zoom, ui_.scale) != Detail::kFull) return false;
+  // The port, of Scene::ports, whose row lies below the mouse.
+  std::optional<std::uint32_t> HoveredPort(const NodeLook& look) const {
+    if (look.name_only || DetailFor(look.zoom, ui_.scale) != Detail::kFull) return std::nullopt;
     const SceneNode& node = HoveredNode();
     for (std::uint32_t i = 0; i < node.port_count; ++i) {
-      const std::uint32_t key = view_.keys().key_of_port[node.first_port + i];
-      if (key == kNoKey || !PortBox(node, look, i).Contains(FromIm(io_.MousePos))) continue;
-      view_.LightKey(view_.lit_key() == key ? kNoKey : key);
-      view_.Select(HoveredIndex());
-      return true;
+      if (PortBox(node, look, i).Contains(FromIm(io_.MousePos))) return node.first_port + i;
     }
-    return false;
+    return std::nullopt;
+  }
+
+  bool EditPort(const NodeLook& look, bool twice) {
+    const std::optional<std::uint32_t> port = HoveredPort(look);
+    if (!twice || !options_.edit_port || !port) return false;
+    view_.LightKey(kNoKey);
+    options_.edit_port(HoveredIndex(), *port);
+    return true;
+  }
+
+  // A click on the row of a key lights it; a second one puts it out.
+  bool ClickKey(const NodeLook& look) {
+    const std::optional<std::uint32_t> port = HoveredPort(look);
+    const std::uint32_t key = port ? view_.keys().key_of_port[*port] : kNoKey;
+    if (key == kNoKey) return false;
+    view_.LightKey(view_.lit_key() == key ? kNoKey : key);
+    view_.Select(HoveredIndex());
+    return true;
   }
 
   const Ui& ui_;

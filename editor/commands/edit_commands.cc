@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "editor/workspace/node_ports.h"
 #include "editor/workspace/type_editor.h"
 
 namespace coppice::editor {
@@ -67,6 +68,15 @@ class EditCommands {
                   if (!view || view->selected() == kNoSceneNode) return;
                   s.screen.tiles.inspector = true;
                   s.input.focus_field = FirstField(*view);
+                });
+    AddFunction("edit.ports_here", "Edit the ports on the node", {kKeyEnter, kShift},
+                [&s = state_](const TreeEditor& edit) {
+                  const TreeView* view = s.workspace.view();
+                  if (!view || view->selected() == kNoSceneNode || !edit.CanEdit()) {
+                    return;
+                  }
+                  const auto ports = PortNamesOf(s, *view->scene(), view->selected(), s.now);
+                  if (!ports.empty()) EditPort(s, ports.front());
                 });
   }
 

@@ -1,11 +1,14 @@
 #include "editor/panels/canvas_tile.h"
 
 #include <algorithm>
+#include <iterator>
 #include <tuple>
 
 #include "editor/canvas/canvas.h"
 #include "editor/canvas/layout/node_metrics.h"
 #include "editor/canvas/paint/node_marks.h"
+#include "editor/document/shown_problems.h"
+#include "editor/panels/widgets/port_editor.h"
 #include "editor/scene/problem_places.h"
 #include "editor/workspace/node_drop.h"
 #include "editor/workspace/tree_editor.h"
@@ -47,7 +50,14 @@ class CanvasTile {
     if (!heat.values.empty()) options.heat = &heat;
     const std::vector<Change> changes = RunDifferences(state_, view_);
     if (!changes.empty()) options.changes = &changes;
+    if (options.drop) {
+      options.edit_port = [this](std::uint32_t node, std::uint32_t port) {
+        view_.Select(node);
+        EditPort(state_, std::string(view_.scene()->ports[port].name));
+      };
+    }
     DrawCanvas(ui_, view_, box_, options);
+    DrawPortEditor(ui_, state_, box_);
     if (!options.live) return;
     FollowRunning(state_.run.follow, view_, *options.live, {box_.width(), box_.height()}, ui_.now);
   }
@@ -64,7 +74,10 @@ class CanvasTile {
     badges.problems = problems;
     badges.by_node.clear();
     if (!forest) return;
-    for (const std::uint8_t worst : PlaceProblems(*forest, *view_.scene(), problems)) {
+    std::vector<Diagnostic> of_nodes;
+    std::remove_copy_if(problems.begin(), problems.end(), std::back_inserter(of_nodes),
+                        IsAboutModels);
+    for (const std::uint8_t worst : PlaceProblems(*forest, *view_.scene(), of_nodes)) {
       badges.by_node.push_back(static_cast<Badge>(worst));
     }
   }

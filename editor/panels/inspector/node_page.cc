@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <functional>
-#include <map>
 #include <memory>
 #include <utility>
 
@@ -13,6 +12,7 @@
 #include "editor/panels/inspector/pages.h"
 #include "editor/panels/widgets/inspector_row.h"
 #include "editor/scene/problem_places.h"
+#include "editor/workspace/node_ports.h"
 #include "editor/workspace/type_editor.h"
 
 namespace coppice::editor {
@@ -168,7 +168,7 @@ class NodePage {
 
   // Declared ports in the declared order, given or not; then the other attributes.
   void DrawPorts() {
-    const std::vector<PortModel> declared = Declared();
+    const std::vector<PortModel> declared = PortsToGive(state_, node_, ui_.now);
     const bool may_have_any = can_edit_ && TakesAnyPort();
     bool any = !declared.empty() || may_have_any;
     for (std::uint32_t i = 0; i < node_.port_count; ++i) {
@@ -189,22 +189,6 @@ class NodePage {
 
   bool IsSubTree() const { return node_.shape == Shape::kSubTree; }
   bool TakesAnyPort() const { return IsSubTree() || !node_.model; }
-
-  // Of a SubTree those of its tree: the declared ones, and the keys that the tree shares.
-  std::vector<PortModel> Declared() {
-    std::vector<PortModel> ports;
-    if (IsSubTree() && can_edit_) {
-      for (const InterfacePort& port : Interface()) ports.push_back(port.model);
-    } else if (node_.model && !IsSubTree()) {
-      ports = node_.model->ports;
-    }
-    return ports;
-  }
-
-  const std::vector<InterfacePort>& Interface() {
-    return state_.inspector.interfaces.Of(std::string(node_.id), state_.workspace,
-                                          ProjectEditor(state_, ui_.now).Files());
-  }
 
   // A row in which a name makes a port of that name.
   void DrawNewPort() {
@@ -245,20 +229,8 @@ class NodePage {
     if (is_unknown || is_defined || IsSubTree()) DrawTypeAction(ui_, state_, id);
   }
 
-  // Those of the blackboard that the node sees, most used first.
   const std::vector<std::string>& Keys() {
-    if (!keys_.empty()) return keys_;
-    std::map<std::string, int> uses;
-    for (const SceneNode& node : scene_->nodes) {
-      if (node.scope != node_.scope) continue;
-      for (std::uint32_t i = 0; i < node.port_count; ++i) {
-        const std::string_view key = scene_->ports[node.first_port + i].key;
-        if (!key.empty()) ++uses[std::string(key)];
-      }
-    }
-    for (const auto& [key, count] : uses) keys_.push_back(key);
-    std::stable_sort(keys_.begin(), keys_.end(),
-                     [&](const auto& a, const auto& b) { return uses[a] > uses[b]; });
+    if (keys_.empty()) keys_ = KeysSeenBy(*scene_, node_);
     return keys_;
   }
 
