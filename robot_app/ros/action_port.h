@@ -4,9 +4,9 @@
 // or that dies while it works, is reported as a failure that says so. Times are real time, because
 // programs start and die in real time.
 //
-// It stands on actionlib's ActionClient: SimpleActionClient keeps the goal that it sends in a member
-// that its callbacks read, so where several threads spin, a goal that ends before sendGoal() has
-// returned is called lost, or its end is not told at all.
+// It stands on actionlib's ActionClient: SimpleActionClient keeps the goal that it sends in a
+// member that its callbacks read, so where several threads spin, a goal that ends before sendGoal()
+// has returned is called lost, or its end is not told at all.
 //
 // A status that the server sent before it had the goal may arrive after it took it. actionlib then
 // calls the goal lost, though the server works on it: such a goal is sent again, once.

@@ -140,7 +140,8 @@ TEST_F(MonitorNodeTest, BadInputEndsAProgramWithOneLineAndStatus2) {
     return text.str();
   };
   EXPECT_THAT(run({}, "usage"), HasSubstr("--config is required"));
-  EXPECT_EQ(run({"--config", "/nowhere"}, "missing"), "/nowhere: error: cannot be read: No such file or directory\n");
+  EXPECT_EQ(run({"--config", "/nowhere"}, "missing"),
+            "/nowhere: error: cannot be read: No such file or directory\n");
   const std::string port = std::to_string(processes::FreePort());
   EXPECT_EQ(run({"--config", config_, "__master:=http://127.0.0.1:" + port}, "no_master"),
             "node_monitor: no ROS master at http://127.0.0.1:" + port + " (ROS_MASTER_URI)\n");
