@@ -164,6 +164,13 @@ Row DrawProblem(const Ui& ui, int number, const Diagnostic& problem, std::vector
   return row;
 }
 
+std::string CountText(std::size_t errors, std::size_t warnings) {
+  if (errors + warnings == 0) return "none";
+  std::string text = errors > 0 ? Count(errors, "error") : "";
+  if (warnings > 0) text += (text.empty() ? "" : ", ") + Count(warnings, "warning");
+  return text;
+}
+
 }  // namespace
 
 void DrawProblems(const Ui& ui, EditorState& state, const Box& box) {
@@ -186,7 +193,12 @@ void DrawProblems(const Ui& ui, EditorState& state, const Box& box) {
       all.push_back({{Severity::kWarning, {run->name(), 0, 0}, problem, {}}, -1});
     }
   }
-  const std::string note = all.empty() ? "none" : std::to_string(all.size());
+  const auto is_error = [](const Entry& entry) {
+    return entry.problem.severity == Severity::kError;
+  };
+  const auto warnings = std::stable_partition(all.begin(), all.end(), is_error);
+  const std::string note = CountText(static_cast<std::size_t>(warnings - all.begin()),
+                                     static_cast<std::size_t>(all.end() - warnings));
   Panel(ui, "problems", box, "PROBLEMS", note, [&] {
     if (all.empty()) {
       Hint(ui, workspace.files().empty() ? "What the engine's checker says of the open files."

@@ -25,6 +25,22 @@ TEST(Problems, LeadToTheNode) {
   EXPECT_EQ(driver.Selected(), "1.1");
 }
 
+TEST(Problems, ErrorsComeFirst) {
+  const TemporaryFile file(
+      "wrong.xml",
+      "<root BTCPP_format=\"4\">\n<BehaviorTree ID=\"A\"><Sequence>\n"
+      "<SubTree ID=\"Gone\"/>\n<Inverter/>\n</Sequence></BehaviorTree></root>");
+  Driver driver;
+  driver.editor.Open(file.path());
+  driver.Frames();
+  driver.OpenRow();
+  const auto& problems = driver.editor.state().workspace.files()[0].problems;
+  ASSERT_EQ(problems.size(), 2U);
+  ASSERT_EQ(problems[0].severity, Severity::kWarning) << "as it comes in the file";
+  ASSERT_TRUE(driver.Click("problems/0"));
+  EXPECT_EQ(driver.Selected(), "1.2");
+}
+
 TEST(Problems, TellWhyARobotIsNotConnected) {
   Driver driver;
   ScriptedRobot* const robot = driver.AddRobot("robot:1", kLiveTree);
