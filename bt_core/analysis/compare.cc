@@ -205,7 +205,7 @@ class Comparer {
   RunComparison comparison_;
 };
 
-std::string Seconds(Time time) {
+std::string Seconds(Duration time) {
   std::string text = JsonSeconds(time);
   return text.substr(0, text.size() - 3);
 }

@@ -26,8 +26,8 @@ struct RunDifference {
 struct PartingPoint {
   std::uint64_t tick = 0;         ///< number in the first run
   std::uint64_t second_tick = 0;  ///< in the second
-  Time time{0};                   ///< since the start of each run
-  Time second_time{0};
+  Duration time{0};               ///< since the start of each run
+  Duration second_time{0};
   std::string what;  ///< path of the node or key
   std::string first;
   std::string second;

@@ -126,8 +126,8 @@ class Count {
   std::vector<Duration> durations_;
   std::vector<Duration> periods_;
   std::optional<Time> last_start_;
-  Time first_start_{0};
-  Time newest_{INT64_MIN};
+  Time first_start_{};
+  Time newest_ = Time::min();
 };
 
 }  // namespace

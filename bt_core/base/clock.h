@@ -11,12 +11,24 @@
 
 namespace coppice {
 
-/// A duration, or a point in time as the duration since the epoch of a Clock. Signed 64-bit
-/// nanoseconds.
+class Clock;
+
+/// A length of time. Signed 64-bit nanoseconds.
 using Duration = std::chrono::nanoseconds;
-using Time = std::chrono::nanoseconds;
+
+/// A moment of a Clock: the Duration since its origin, which is Time{}. The difference of two is a
+/// Duration; two cannot be added, and no other clock's moments are taken for it.
+using Time = std::chrono::time_point<Clock, Duration>;
+
+/// A moment since 1970, as people have it.
+using WallTime = std::chrono::time_point<std::chrono::system_clock, Duration>;
 
 inline constexpr Time kNever = Time::max();
+inline constexpr Duration kForever = Duration::max();
+
+/// As a number, for files and messages.
+constexpr std::int64_t ToNanoseconds(Time time) { return time.time_since_epoch().count(); }
+constexpr Time TimeFromNanoseconds(std::int64_t count) { return Time(Duration(count)); }
 
 class Clock {
  public:
@@ -39,7 +51,7 @@ class WallClock : public Clock {
   void WaitUntil(Time deadline, WakeUp& wake_up) override;
 
  private:
-  Time offset_;  // of the system clock from the steady clock
+  Duration offset_;  // of the system clock from the steady clock
 };
 
 /// Time that stands still until someone moves it. Waiting jumps to the deadline, so a tree runs as
@@ -47,8 +59,9 @@ class WallClock : public Clock {
 /// in real time.
 class SimulatedClock : public Clock {
  public:
-  explicit SimulatedClock(Time start = Time::zero()) : now_(start.count()) {}
-  Time Now() const override { return Time(now_.load()); }
+  /// Begins so long after its origin.
+  explicit SimulatedClock(Duration start = Duration::zero()) : now_(start.count()) {}
+  Time Now() const override { return TimeFromNanoseconds(now_.load()); }
   void WaitUntil(Time deadline, WakeUp& wake_up) override;
 
   void Advance(Duration duration) { now_ += duration.count(); }

@@ -42,7 +42,7 @@ JsonObject Begin(const char* type) {
 }
 
 JsonObject Begin(const char* type, Time time) {
-  return Begin(type).Add("time_ns", std::to_string(time.count()));
+  return Begin(type).Add("time_ns", std::to_string(ToNanoseconds(time)));
 }
 
 std::string ToJson(const ToldTick::Change& change) {
@@ -108,7 +108,7 @@ std::string EventJson(const TreeDescription& tree) {
       .AddText("writer", tree.writer)
       .AddText("run", ToString(tree.info.run))
       .AddText("clock", tree.info.clock)
-      .Add("start_ns", std::to_string(tree.info.start.count()))
+      .Add("start_ns", std::to_string(ToNanoseconds(tree.info.start)))
       .Add("metadata", metadata.Finish())
       .Add("files", JsonArray(tree.documents, [](const auto& d) { return JsonString(d.file); }))
       .Add("nodes", JsonArray(tree.nodes, [](const auto& node) { return JsonString(node.path); }))

@@ -25,7 +25,7 @@ inline constexpr ScopeIndex kMainScope{0};
 
 struct Slot {
   Value value;               ///< empty until it is written for the first time
-  Time stamp{0};             ///< begin of the tick in which it was written last
+  Time stamp{};              ///< begin of the tick in which it was written last
   std::uint32_t writes = 0;  ///< counts every write
   std::uint32_t epoch = 0;   ///< mailboxes: of the message that lies here
 
@@ -74,7 +74,7 @@ class Blackboard {
 
  private:
   std::vector<Slot> slots_;
-  Time now_{0};
+  Time now_{};
 };
 
 /// All slots with their first values.

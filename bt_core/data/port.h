@@ -124,7 +124,7 @@ class Input : public PortBase {
   /// Counts the writes of the key; a change of the number means that somebody wrote it.
   std::uint32_t writes() const { return slot_ ? slot_->writes : 0; }
   /// Begin of the tick in which the key was written last; 0 if never. For "is this still fresh?".
-  Time stamp() const { return slot_ ? slot_->stamp : Time(0); }
+  Time stamp() const { return slot_ ? slot_->stamp : Time{}; }
 };
 
 template <class T>

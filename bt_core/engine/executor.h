@@ -102,7 +102,7 @@ class Executor final : public LeafHost, public ChildHost {
 
   /// When the tree wants the next tick at the latest: now if a node asked for it, else the nearest
   /// timer.
-  Time next_tick() const { return tick_again_ ? Time(0) : wake_at_; }
+  Time next_tick() const { return tick_again_ ? Time{} : wake_at_; }
 
   const Program& program() const { return *program_; }
   std::shared_ptr<const Program> shared_program() const { return program_; }

@@ -7,7 +7,7 @@ namespace coppice {
 
 Runner::Runner(Executor& executor, RunOptions options) : executor_(executor), options_(options) {
   if (options_.pace == Pace::kFixedRate &&
-      (options_.period <= Duration::zero() || options_.period == kNever)) {
+      (options_.period <= Duration::zero() || options_.period == kForever)) {
     throw std::invalid_argument("a fixed rate needs a positive period");
   }
   executor_.inbox()->set_ending(false);
@@ -67,13 +67,13 @@ void Runner::HaltTree() {
 
 Time Runner::NextTick() {
   if (options_.pace == Pace::kFixedRate) return NextPeriod();
-  if (options_.period == kNever) return executor_.next_tick();
+  if (options_.period == kForever) return executor_.next_tick();
   return std::min(executor_.next_tick(), executor_.now() + options_.period);
 }
 
 Time Runner::NextPeriod() {
   scheduled_ += options_.period;
-  const Time late = executor_.clock().Now() - scheduled_;
+  const Duration late = executor_.clock().Now() - scheduled_;
   if (late > Duration::zero()) {
     const auto missed = (late + options_.period - Duration(1)) / options_.period;
     scheduled_ += missed * options_.period;

@@ -1,6 +1,6 @@
 // The loop that keeps a tree ticking.
 //
-//   Runner runner(executor, {Pace::kEvents, kNever});   // tick when something happens
+//   Runner runner(executor, {Pace::kEvents, kForever});   // tick when something happens
 //   std::thread thread([&] { result = runner.Run(); });
 //   ...
 //   runner.Stop();                                       // the tree is halted when this returns
@@ -33,7 +33,7 @@ enum class Pace : std::uint8_t {
 struct RunOptions {
   Pace pace = Pace::kEvents;
   /// kFixedRate: from tick to tick; must be positive. kEvents: a tick at least this often, for
-  /// leaves that poll; kNever: on events only.
+  /// leaves that poll; kForever: on events only.
   Duration period = std::chrono::milliseconds(100);
   /// Start again when the root has completed, as an arbiter does that runs for ever.
   bool forever = false;
@@ -82,7 +82,7 @@ class Runner {
 
   Executor& executor_;
   const RunOptions options_;
-  Time scheduled_{0};  // kFixedRate: when the tick that is going on should have begun
+  Time scheduled_{};  // kFixedRate: when the tick that is going on should have begun
   std::atomic<bool> stop_{false};
   std::atomic<std::uint64_t> overruns_{0};
   std::atomic<std::uint64_t> missed_periods_{0};

@@ -37,7 +37,7 @@ class Encoder {
   void Double(double number);
   /// Length as Unsigned, then the bytes.
   void Text(std::string_view text);
-  void At(Time time) { Signed(time.count()); }
+  void At(Time time) { Signed(ToNanoseconds(time)); }
 
  private:
   Bytes& out_;
@@ -62,7 +62,7 @@ class Decoder {
   /// All that is left.
   const std::uint8_t* at() const { return at_; }
   std::size_t left() const { return static_cast<std::size_t>(end_ - at_); }
-  Time At() { return Time(Signed()); }
+  Time At() { return TimeFromNanoseconds(Signed()); }
 
   /// A count of things of which each takes at least one byte; one that cannot be is an error.
   std::size_t Count();

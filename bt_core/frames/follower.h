@@ -55,7 +55,7 @@ class HistoryFollower {
 
   StatusFollower statuses_;
   std::uint64_t tick_ = 0;
-  Time time_{0};
+  Time time_{};
   std::vector<std::string> values_;
   bool is_noted_ = false;  // something that is not settled
 };

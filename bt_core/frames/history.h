@@ -23,7 +23,7 @@ struct HistoryState {
   };
   Cause cause = Cause::kBegin;
   std::uint64_t tick = 0;  ///< number of the last tick
-  Time time{0};            ///< its start, in the tree's clock
+  Time time{};             ///< its start, in the tree's clock
   std::vector<Status> statuses;
   std::vector<Status> last;         ///< per node: last status that was not IDLE; kIdle: not known
   std::vector<std::string> values;  ///< per slot, as in data/value_bytes.h
@@ -36,7 +36,7 @@ struct HistoryGap {
     kOutput = 1,  ///< the disk or the connection was too slow
   };
   Cause cause = Cause::kStream;
-  Time time{0};                  ///< of the last tick before the state that follows
+  Time time{};                   ///< of the last tick before the state that follows
   std::uint64_t lost_ticks = 0;  ///< and halts
   std::uint64_t first_tick = 0;  ///< number of the first and the last of them
   std::uint64_t last_tick = 0;
@@ -45,7 +45,7 @@ struct HistoryGap {
 
 /// Something that the application wanted to be known.
 struct HistoryNote {
-  Time time{0};  ///< in the tree's clock
+  Time time{};  ///< in the tree's clock
   std::string kind;
   std::string text;
 };
@@ -58,7 +58,7 @@ struct HistoryEnd {
     kContinued = 1,  ///< the next file of the same run
   };
   Cause cause = Cause::kClosed;
-  Time time{0};
+  Time time{};
   std::uint64_t tick = 0;  ///< number of the last tick
 };
 

@@ -158,7 +158,7 @@ void HistoryEncoder::PayDebts() {
 }
 
 void HistoryEncoder::EmitGap() {
-  gap_.time = follower_ ? follower_->time() : Time(0);
+  gap_.time = follower_ ? follower_->time() : Time{};
   Open(FrameType::kGap);
   Encoder encoder(frame_);
   EncodeGap(gap_, encoder);
@@ -211,7 +211,7 @@ void HistoryEncoder::Emit() {
   SealFrame(frame_.data());
   const auto type = static_cast<FrameType>(ReadFrameHeader(frame_.data()).type);
   sink_.OnFrame({type, frame_.data(), frame_.size(), follower_ ? follower_->tick() : 0,
-                 follower_ ? follower_->time() : Time(0)});
+                 follower_ ? follower_->time() : Time{}});
 }
 
 }  // namespace coppice

@@ -25,7 +25,7 @@ void EncodeInfo(const RunInfo& info, Encoder& out) {
   for (const std::uint8_t byte : info.run) out.Byte(byte);
   out.Text(info.clock);
   out.At(info.start);
-  out.At(info.wall_start);
+  out.Signed(info.wall_start.time_since_epoch().count());
   out.Unsigned(info.metadata.size());
   for (const auto& [key, value] : info.metadata) {
     out.Text(key);
@@ -38,7 +38,7 @@ RunInfo DecodeInfo(Decoder& in) {
   for (std::uint8_t& byte : info.run) byte = in.Byte();
   info.clock = in.Text();
   info.start = in.At();
-  info.wall_start = in.At();
+  info.wall_start = WallTime(Duration(in.Signed()));
   for (std::size_t left = in.Count(); left > 0 && in.ok(); --left) {
     std::string key = in.Text();
     info.metadata.emplace_back(std::move(key), in.Text());

@@ -185,7 +185,7 @@ void TickEncoder::Encode(const TickEvents& events, Bytes& out) {
     EncodeEvents(events.words, out.size());
   }
   const std::uint64_t number_step = events.tick - place_.tick;
-  const Duration step = Difference(events.start, place_.time);
+  const Duration step = Difference(events.start.time_since_epoch(), place_.time.time_since_epoch());
   Encoder encoder(out);
   encoder.Byte(static_cast<std::uint8_t>(
       static_cast<unsigned>(events.result) | (events.is_whole ? 0u : kIsPart) |
@@ -230,7 +230,7 @@ std::optional<TickEvents> TickDecoder::Decode(Decoder& in, const TreeSize& size)
   const Decoder events = in.Part();
   if (!in.ok() || duration > kMaxMicroseconds) return {};
   if (!EventsDecoder(events, size, words_).DecodeAll()) return {};
-  place_ = {place_.tick + number_step, Sum(place_.time, step), step};
+  place_ = {place_.tick + number_step, Time(Sum(place_.time.time_since_epoch(), step)), step};
   return TickEvents{place_.tick,
                     place_.time,
                     std::chrono::microseconds(duration),

@@ -29,7 +29,7 @@ std::string CutText(std::string_view text, std::size_t limit = kMaxValueBytes);
 /// Number and time of a tick, which the next one is told from.
 struct TickPlace {
   std::uint64_t tick = 0;
-  Time time{0};
+  Time time{};
   Duration step{0};  ///< from the tick before it
 };
 

@@ -89,11 +89,7 @@ bool TellsChangesOnly(const RunInfo& info) {
 }
 
 RunInfo BeginRun(const Clock& clock) {
-  return {MakeRunId(),
-          ClockName(clock),
-          {},
-          clock.Now(),
-          std::chrono::system_clock::now().time_since_epoch()};
+  return {MakeRunId(), ClockName(clock), {}, clock.Now(), std::chrono::system_clock::now()};
 }
 
 TreeDescription DescribeTree(const Program& program, RunInfo info) {

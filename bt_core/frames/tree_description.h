@@ -30,11 +30,13 @@ using Metadata = std::vector<std::pair<std::string, std::string>>;
 
 /// What the application says about a run.
 struct RunInfo {
-  RunId run{};         ///< the same in everything that one run of a program leaves behind
-  std::string clock;   ///< which clock the times are of: "wall", "simulated", "ros", ...
-  Metadata metadata;   ///< whatever it wants to be known
-  Time start{0};       ///< of the events, in the tree's clock
-  Time wall_start{0};  ///< the same moment, since 1970
+  RunId run{};          ///< the same in everything that one run of a program leaves behind
+  std::string clock;    ///< which clock the times are of: "wall", "simulated", "ros", ...
+  Metadata metadata;    ///< whatever it wants to be known
+  Time start{};         ///< of the events
+  WallTime wall_start;  ///< the same moment, since 1970
+
+  WallTime WallAt(Time time) const { return wall_start + (time - start); }
 };
 
 /// In the metadata of a run of which only changes of status were told, as by the Groot2 protocol

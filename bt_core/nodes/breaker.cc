@@ -5,9 +5,9 @@
 namespace coppice {
 
 std::size_t FailureTimes::Add(Time now, Time oldest) {
-  const auto first = std::lower_bound(times_.begin(), times_.end(), oldest.count());
+  const auto first = std::lower_bound(times_.begin(), times_.end(), ToNanoseconds(oldest));
   times_.erase(times_.begin(), first);
-  times_.push_back(now.count());
+  times_.push_back(ToNanoseconds(now));
   return times_.size();
 }
 

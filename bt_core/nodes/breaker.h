@@ -49,7 +49,7 @@ Status TickCircuitBreaker(Tree& tree, NodeIndex node) {
   using std::chrono::milliseconds;
   auto& failures = tree.template Own<FailureTimes>(node, 4);
   std::uint64_t& open_until = tree.template Own<std::uint64_t>(node, 5);
-  const Time until(static_cast<std::int64_t>(open_until) - 1);
+  const Time until = TimeFromNanoseconds(static_cast<std::int64_t>(open_until) - 1);
   const bool child_runs = tree.status(node + 1) == Status::kRunning;
   if (open_until != 0 && !child_runs && tree.now() < until) {
     return internal::HeldBack(tree, until, internal::ResultPort(tree, node, 3));
@@ -61,8 +61,8 @@ Status TickCircuitBreaker(Tree& tree, NodeIndex node) {
     const milliseconds period(tree.template Port<unsigned>(node, 1));
     const std::size_t count = failures.Add(tree.now(), tree.now() - period);
     if (open_until != 0 || count >= tree.template Port<unsigned>(node, 0)) {
-      const Time open_for = milliseconds(tree.template Port<unsigned>(node, 2));
-      open_until = static_cast<std::uint64_t>((tree.now() + open_for).count()) + 1;
+      const milliseconds open_for(tree.template Port<unsigned>(node, 2));
+      open_until = static_cast<std::uint64_t>(ToNanoseconds(tree.now() + open_for)) + 1;
       failures.Clear();
     }
   }

@@ -64,10 +64,10 @@ Status TickDebounce(Tree& tree, NodeIndex node) {
     since = 0;
     return result;
   }
-  if (since == 0) since = static_cast<std::uint64_t>(tree.now().count()) + 1;
+  if (since == 0) since = static_cast<std::uint64_t>(ToNanoseconds(tree.now())) + 1;
   const std::uint32_t port = result == Status::kSuccess ? 0 : 1;
   const std::chrono::milliseconds needed(tree.template Port<unsigned>(node, port));
-  const Time change = Time(static_cast<std::int64_t>(since - 1)) + needed;
+  const Time change = TimeFromNanoseconds(static_cast<std::int64_t>(since - 1)) + needed;
   if (tree.now() < change) {
     tree.WakeAt(change);
     return static_cast<Status>(answer);

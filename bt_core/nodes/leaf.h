@@ -62,7 +62,7 @@ class LeafHost {
 
   std::uint32_t kept_ = 0;  // number of skipped nodes that keep something
 
-  Time now_{0};
+  Time now_{};
   Time wake_at_ = kNever;
 };
 

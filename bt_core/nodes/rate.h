@@ -43,7 +43,7 @@ Status TickRateController(Tree& tree, NodeIndex node) {
   std::uint64_t& memory = tree.memory(node);  // 1: waits in this activation
   const bool goes_on = memory != 0 || (ended_at != 0 && ended_at + 1 >= tree.ticks());
   const std::chrono::duration<double> period(1 / hz);
-  const Time until = Time(began) + std::chrono::duration_cast<Duration>(period);
+  const Time until = TimeFromNanoseconds(began) + std::chrono::duration_cast<Duration>(period);
   const bool child_runs = tree.status(node + 1) == Status::kRunning;
   ended_at = 0;
   if (goes_on && !child_runs && tree.now() < until) {
@@ -53,7 +53,7 @@ Status TickRateController(Tree& tree, NodeIndex node) {
   const Status result = tree.Tick(node + 1);
   if (result == Status::kRunning) return result;
   if (IsCompleted(result)) {
-    began = tree.now().count();
+    began = ToNanoseconds(tree.now());
     ended_at = tree.ticks();
   }
   return internal::PassOn(tree, node, result);
@@ -64,14 +64,15 @@ template <class Tree>
 Status TickCooldown(Tree& tree, NodeIndex node) {
   std::int64_t& until = tree.template Own<std::int64_t>(node, 2);
   const bool child_runs = tree.status(node + 1) == Status::kRunning;
-  if (!child_runs && tree.now() < Time(until)) {
-    return internal::HeldBack(tree, Time(until), internal::ResultPort(tree, node, 1));
+  if (!child_runs && tree.now() < TimeFromNanoseconds(until)) {
+    return internal::HeldBack(tree, TimeFromNanoseconds(until),
+                              internal::ResultPort(tree, node, 1));
   }
   const Status result = tree.Tick(node + 1);
   if (result == Status::kRunning) return result;
   if (IsCompleted(result)) {
     const std::chrono::milliseconds time(tree.template Port<unsigned>(node, 0));
-    until = (tree.now() + time).count();
+    until = ToNanoseconds(tree.now() + time);
   }
   return internal::PassOn(tree, node, result);
 }

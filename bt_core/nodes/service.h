@@ -72,7 +72,7 @@ class Service : public UserDecorator {
     if (std::exchange(entered_, false)) OnExit();
   }
 
-  Time next_{0};
+  Time next_{};
   bool entered_ = false;
 };
 

@@ -26,9 +26,9 @@ Time EndOfWaiting(Tree& tree, NodeIndex node, unsigned msec) {
   std::uint64_t& memory = tree.memory(node);
   if (memory == 0) {
     const Time end = tree.now() + std::chrono::milliseconds(msec);
-    memory = static_cast<std::uint64_t>(end.count()) + 1;
+    memory = static_cast<std::uint64_t>(ToNanoseconds(end)) + 1;
   }
-  return Time(static_cast<std::int64_t>(memory - 1));
+  return TimeFromNanoseconds(static_cast<std::int64_t>(memory - 1));
 }
 
 }  // namespace internal

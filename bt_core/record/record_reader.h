@@ -118,7 +118,7 @@ class RecordReader {
   std::uint64_t offset_ = 0;         // in it
   std::uint64_t torn_bytes_ = 0;
   std::uint64_t last_tick_ = 0;
-  Time end_{0};
+  Time end_{};
   bool continues_ = false;  // in another file
   bool closed_ = false;
 };

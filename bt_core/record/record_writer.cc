@@ -32,7 +32,7 @@ RecordWriter::RecordWriter(const std::string& path, const RecorderOptions& optio
 }
 
 RecordWriter::~RecordWriter() {
-  if (thread_.joinable()) Stop(Time(0));
+  if (thread_.joinable()) Stop(Time{});
 }
 
 void RecordWriter::Add(const StreamState& state) {

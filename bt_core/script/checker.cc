@@ -229,7 +229,7 @@ class Checker {
       Problem(node, "a key of type " + std::string(key.type->name) + " cannot take this value");
     } else if (value.op == Operator::kLiteral && value.family == Family::kNumber) {
       Slot slot;
-      Store(value.value, key.type, slot, Time(0));
+      Store(value.value, key.type, slot, Time{});
     }
   }
 

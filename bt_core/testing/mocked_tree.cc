@@ -161,9 +161,9 @@ class MockedTree::PlayedNode : public Leaf {
 
   Part* part_;
   std::deque<MockPort> ports_;
-  Time done_at_{0};
+  Time done_at_{};
   DrawnResult drawn_;  // of this activation
-  Time holds_until_{0};
+  Time holds_until_{};
 };
 
 // A leaf that is itself, but for being written down.

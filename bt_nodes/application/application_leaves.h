@@ -22,7 +22,7 @@ class RequestCharge : public SyncAction {
   ApplicationControl& application_;
   bool was_requested_ = false;
   bool has_said_ = false;
-  Time said_at_{0};
+  Time said_at_{};
 };
 
 /// Around what brings the robot to the station and charges it.

@@ -17,7 +17,7 @@ class Wait : public Action {
   void OnHalted() override {}
 
  private:
-  Time end_{0};
+  Time end_{};
 };
 
 }  // namespace coppice::leaves

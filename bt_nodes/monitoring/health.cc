@@ -70,7 +70,7 @@ namespace coppice {
 bool ValueTraits<leaves::Health>::Parse(std::string_view text, leaves::Health& out) {
   std::int64_t stamp = 0;
   if (!ValueTraits<std::int64_t>::Parse(leaves::TakeUntil(text, '\n'), stamp)) return false;
-  out.stamp = Time(stamp);
+  out.stamp = TimeFromNanoseconds(stamp);
   out.entries.clear();
   while (!text.empty()) {
     std::string_view line = leaves::TakeUntil(text, '\n');
@@ -86,7 +86,7 @@ bool ValueTraits<leaves::Health>::Parse(std::string_view text, leaves::Health& o
 }
 
 std::string ValueTraits<leaves::Health>::Print(const leaves::Health& value) {
-  std::string text = std::to_string(value.stamp.count());
+  std::string text = std::to_string(ToNanoseconds(value.stamp));
   for (const leaves::HealthEntry& entry : value.entries) {
     text += std::string("\n") + ToString(entry.level) + "\t" + leaves::Clean(entry.monitor) + "\t" +
             leaves::Clean(entry.subject) + "\t" + leaves::Clean(entry.node) + "\t" +

@@ -34,7 +34,7 @@ struct HealthEntry {
 bool ListsKind(std::string_view kinds, std::string_view monitor);
 
 struct Health {
-  Time stamp{0};  ///< of the tree's clock, when the report arrived; zero: never
+  Time stamp{};  ///< of the tree's clock, when the report arrived; zero: never
   std::vector<HealthEntry> entries;
 
   /// The first entry of that kind of monitor that is an error or stale, or null.

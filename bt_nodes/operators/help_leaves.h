@@ -36,8 +36,8 @@ class RequestHelp : public SyncAction {
   std::shared_ptr<OpenRequests> requests_;
   Mailbox<ActionResult> answer_{this, "answer"};
   std::string asked_about_;
-  Time rest_until_{0};  // nobody could help: not asked before
-  Time last_run_{0};
+  Time rest_until_{};  // nobody could help: not asked before
+  Time last_run_{};
 };
 
 /// To be ticked in every tick, behind everything that requests help.

@@ -40,7 +40,7 @@ void TellFaults::Note(const HealthEntry& entry) {
   });
   if (fault == faults_.end()) {
     fault = faults_.insert(faults_.end(),
-                           {entry.monitor, entry.subject, "", now(), now(), Time(0), false});
+                           {entry.monitor, entry.subject, "", now(), now(), Time{}, false});
   }
   if (HasGone(*fault)) fault->begun = now();
   fault->seen = now();

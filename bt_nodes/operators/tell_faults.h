@@ -35,9 +35,9 @@ class TellFaults : public SyncAction {
     std::string monitor;
     std::string subject;
     std::string message;
-    Time begun{0};
-    Time seen{0};
-    Time rest_until{0};
+    Time begun{};
+    Time seen{};
+    Time rest_until{};
     bool is_told = false;
   };
   bool IsTold(const HealthEntry& entry) const;

@@ -44,7 +44,7 @@ bool ValueTraits<leaves::BatteryReading>::Parse(std::string_view text,
   leaves::BatteryReading reading;
   std::int64_t stamp = 0;
   if (!ValueTraits<std::int64_t>::Parse(leaves::NextField(text), stamp)) return false;
-  reading.stamp = Time(stamp);
+  reading.stamp = TimeFromNanoseconds(stamp);
   for (double* number : {&reading.voltage, &reading.current, &reading.level, &reading.charge}) {
     if (!ValueTraits<double>::Parse(leaves::NextField(text), *number)) return false;
     if (std::isinf(*number)) return false;
@@ -56,7 +56,7 @@ bool ValueTraits<leaves::BatteryReading>::Parse(std::string_view text,
 }
 
 std::string ValueTraits<leaves::BatteryReading>::Print(const leaves::BatteryReading& value) {
-  std::string text = std::to_string(value.stamp.count());
+  std::string text = std::to_string(ToNanoseconds(value.stamp));
   for (const double number : {value.voltage, value.current, value.level, value.charge}) {
     text += ";" + leaves::PrintNumber(number);
   }

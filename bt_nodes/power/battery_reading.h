@@ -26,7 +26,7 @@ enum class ChargerState : std::uint8_t {
 };
 
 struct BatteryReading {
-  Time stamp{0};                  ///< of the tree's clock, when it arrived; zero: never
+  Time stamp{};                   ///< of the tree's clock, when it arrived; zero: never
   double voltage = kNotMeasured;  ///< V, at the terminals
   double current = kNotMeasured;  ///< A, negative: discharging
   double level = kNotMeasured;    ///< state of charge, 0..1

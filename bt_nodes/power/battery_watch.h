@@ -64,10 +64,10 @@ class BatteryWatch {
   BatteryWatchOptions options_;
   BatteryVerdict verdict_;
   std::optional<Time> started_;
-  Time updated_{0};
-  Time last_charge_{0};       // end of the last one, or the start
-  Time heard_{0};             // the newest reading of level or voltage
-  Time charging_since_{0};    // while is_charging_
+  Time updated_{};
+  Time last_charge_{};        // end of the last one, or the start
+  Time heard_{};              // the newest reading of level or voltage
+  Time charging_since_{};     // while is_charging_
   bool is_charging_ = false;  // or full, on the charger
   std::optional<BatteryReading> newest_;
   std::optional<double> level_;          // 0..1, as reported

@@ -24,7 +24,7 @@ class WayHome {
  private:
   double detour_;
   std::optional<double> measured_;
-  Time measured_at_{0};
+  Time measured_at_{};
 };
 
 }  // namespace coppice::leaves

@@ -57,7 +57,7 @@ class SwitchConfiguration : public SyncAction {
  private:
   ProcessManager& processes_;
   std::string asked_for_;
-  Time asked_at_{0};
+  Time asked_at_{};
 };
 
 }  // namespace coppice::leaves

@@ -59,7 +59,7 @@ class NodeRepairs {
   struct Repair {
     std::string node;
     State state = State::kFaulty;
-    Time until{0};  // coming up: must be well by then; given up: tried again then
+    Time until{};  // coming up: must be well by then; given up: tried again then
     int attempt = 0;
     bool is_blamed = true;
     bool can_restart = true;  // else nobody knows which node it is

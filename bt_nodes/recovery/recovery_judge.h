@@ -27,7 +27,7 @@ struct RecoveryVerdict {
   std::string recovery;
   std::string subject;
   int attempt = 1;
-  Time ended{0};
+  Time ended{};
   bool helped = false;
 };
 

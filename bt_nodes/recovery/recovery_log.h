@@ -28,7 +28,7 @@ struct RecoveryEvent {
   std::string subject;   ///< what it is done to: "navigation", "/docking", ...
   RecoveryPhase phase = RecoveryPhase::kBegun;
   int attempt = 1;             ///< within the budget's period, from 1
-  Time time{0};                ///< of the tree's clock
+  Time time{};                 ///< of the tree's clock
   std::optional<Pose2D> pose;  ///< of the robot, in the map frame, if known
   std::string message;         ///< for people
 };

@@ -33,7 +33,7 @@ class PictureMaker::Sheet {
  public:
   Sheet(const Fonts& fonts, float scale, const TreePainting& painting)
       : painting_(painting),
-        ui_{GetPalette(painting.palette), fonts, items_, scale, 0, Time(0), true} {
+        ui_{GetPalette(painting.palette), fonts, items_, scale, 0, Time{}, true} {
     float y = 0;
     for (const PaintedTree& tree : painting.trees) {
       Placed placed;

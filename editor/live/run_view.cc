@@ -98,7 +98,7 @@ void RunView::ShowTick() {
   const bool flows = playhead_.is_at_now() && phase() == RunPhase::kLive &&
                      stop_.where == DebugStop::Where::kNowhere;
   state_.now = playhead_.time();
-  if (flows) state_.now += Time(static_cast<Time::rep>((now_ - came_at_) * 1e9));
+  if (flows) state_.now += Duration(static_cast<Duration::rep>((now_ - came_at_) * 1e9));
   state_.is_fresh = phase() != RunPhase::kReconnecting && phase() != RunPhase::kConnecting;
   const HistoryFollower& shown = follower();
   state_.states.assign(tracks.shape().size(), NodeState());
@@ -108,7 +108,7 @@ void RunView::ShowTick() {
     node.before = shown.last(i);
     if (node.status == Status::kIdle || run_.size() == 0) continue;
     const std::size_t since = std::min(tracks.LaneOf(i).Since(tick), run_.size() - 1);
-    node.since = std::max(run_.TimeOf(since), Time(1));  // 0: not known
+    node.since = std::max(run_.TimeOf(since), Time(Duration(1)));  // 0: not known
   }
 }
 

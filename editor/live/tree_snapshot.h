@@ -22,13 +22,13 @@ enum NodeMark : std::uint8_t {
 struct NodeState {
   Status status = Status::kIdle;
   Status before = Status::kIdle;  ///< of an idle node: its last status
-  Time since{0};  ///< when the status began, on the axis of TreeSnapshot::now; 0: unknown
+  Time since{};  ///< when the status began, on the axis of TreeSnapshot::now; 0: unknown
   std::uint8_t marks = kNoMark;  ///< of NodeMark
 };
 
 struct TreeSnapshot {
   bool is_fresh = true;           ///< false: the robot does not answer, this is the last known
-  Time now{0};                    ///< the moment that is shown
+  Time now{};                     ///< the moment that is shown
   std::vector<NodeState> states;  ///< by SceneNode::run_node
 };
 

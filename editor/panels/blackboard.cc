@@ -157,7 +157,7 @@ class Board {
     const DescribedSlot& described = slots_[slot];
     ImDrawList& list = *ImGui::GetWindowDrawList();
     if (write) {
-      const Time age = run_.state().now - run_.run().TimeOf(write->tick);
+      const Duration age = run_.state().now - run_.run().TimeOf(write->tick);
       const double part = static_cast<double>(age.count()) * 1e-9 / kFlashSeconds;
       if (part < 1) {
         const auto left = static_cast<float>(1 - std::max(part, 0.0));

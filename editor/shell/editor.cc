@@ -81,7 +81,7 @@ Editor::Editor(EditorOptions options)
       state_(
           [this](const Scene& scene, const SceneNode& node) {
             const Ui ui{
-                GetPalette(state_.screen.palette), *fonts_, items_, options_.scale, 0, Time(0)};
+                GetPalette(state_.screen.palette), *fonts_, items_, options_.scale, 0, Time{}};
             return MeasureNode(ui, scene, node);
           },
           options_.backup_folder),
@@ -244,7 +244,7 @@ void Editor::Frame(const InputEvents& input) {
               items_,
               options_.scale,
               state_.now,
-              shown ? shown->now : Time(0),
+              shown ? shown->now : Time{},
               state_.screen.reduce_motion,
               IsAtRest(state_)};
   ImGui::SetNextWindowPos({0, 0});

@@ -33,7 +33,7 @@ class Simulation final : private HistoryHandler {
 
   const std::shared_ptr<const Program>& program() const { return tree_->program(); }
   /// Since the beginning, on this way.
-  Time now() const { return tree_->now() - kStart; }
+  Duration now() const { return tree_->now() - kStart; }
   /// Since the beginning, on this way.
   std::uint64_t ticks() const { return tree_->player().tree().executor().ticks(); }
   const HistoryFollower& state() const { return tree_->state(); }
@@ -87,7 +87,7 @@ class Simulation final : private HistoryHandler {
   std::string ToRecord() const;
 
  private:
-  static constexpr Time kStart = std::chrono::seconds(1);  // of the clock of scenarios
+  static constexpr Time kStart{std::chrono::seconds(1)};  // of the clock of scenarios
   static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
   // Something that was done. The first of a way begins a tree; others go on with another program,

@@ -16,7 +16,7 @@ std::vector<Column> ColumnsOf(const Run& run, const TimeView& view, std::size_t 
   for (std::size_t i = 0; i < count; ++i) {
     const Time right = border(i + 1);
     if (right > start && left <= run_end) {
-      columns[i] = {run.TickAt(left), run.TickAt(right - Time(1)) + 1};
+      columns[i] = {run.TickAt(left), run.TickAt(right - Duration(1)) + 1};
     }
     left = right;
   }

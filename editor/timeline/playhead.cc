@@ -10,7 +10,7 @@ std::size_t Playhead::tick() const {
 }
 
 Time Playhead::time() const {
-  if (run_.size() == 0) return Time(0);
+  if (run_.size() == 0) return Time{};
   return is_playing_ ? time_ : run_.TimeOf(tick());
 }
 
@@ -59,7 +59,7 @@ void Playhead::Play() {
 
 void Playhead::Advance(double seconds) {
   if (!is_playing_) return;
-  time_ += Time(static_cast<Time::rep>(seconds * speed_ * 1e9));
+  time_ += Duration(static_cast<Duration::rep>(seconds * speed_ * 1e9));
   tick_ = run_.TickAt(time_);
   if (time_ >= run_.TimeOf(run_.size() - 1)) GoToNow();
 }

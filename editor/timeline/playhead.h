@@ -48,7 +48,7 @@ class Playhead {
   bool is_at_now_ = true;
   bool is_playing_ = false;
   std::size_t tick_ = 0;
-  Time time_{0};  // while it plays
+  Time time_{};  // while it plays
   double speed_ = 1;
 };
 

@@ -6,7 +6,7 @@
 namespace coppice::editor {
 namespace {
 
-constexpr Time kRestart = std::chrono::seconds(1);      // on the axis
+constexpr Duration kRestart = std::chrono::seconds(1);  // on the axis
 constexpr std::size_t kFewestKeyframeWords = 16 << 10;  // between two states that are kept
 constexpr std::size_t kKeyframeWordsPerEntry = 16;      // for each node and slot of a state
 
@@ -124,7 +124,7 @@ void Run::AddKeyframe() {
 void Run::KeepTime(std::size_t tick) {
   const Time start = recording_.ticks()[tick].start;
   if (tick == 0) {
-    epochs_.push_back({0, -start});
+    epochs_.push_back({0, Time{} - start});
   } else {
     const Time last = TimeOf(tick - 1);
     const bool goes_back = start + epochs_.back().offset < last;

@@ -74,7 +74,7 @@ class Run final : public HistoryHandler {
   // From this tick on, TimeOf is the start of the tick plus the offset.
   struct Epoch {
     std::size_t tick;
-    Time offset;
+    Duration offset;
   };
   struct TracksFrom {
     std::size_t tick;

@@ -5,19 +5,20 @@
 namespace coppice::editor {
 namespace {
 
-constexpr Time kShortest = std::chrono::microseconds(10);
-constexpr Time kLongest = std::chrono::hours(24 * 365);
+constexpr Duration kShortest = std::chrono::microseconds(10);
+constexpr Duration kLongest = std::chrono::hours(24 * 365);
 constexpr double kRoom = 0.03;  // of the span, right of the end of the run
 
-Time Times(double factor, Time time) {
-  return Time(static_cast<Time::rep>(factor * static_cast<double>(time.count())));
+Duration Times(double factor, Duration time) {
+  return Duration(static_cast<Duration::rep>(factor * static_cast<double>(time.count())));
 }
 
 }  // namespace
 
 void TimeView::Follow(Time run_end) {
   // A run that is shorter than the view begins at its left end.
-  if (is_following_) begin_ = std::max(run_end - Times(1 - kRoom, span_), -Times(kRoom, span_));
+  if (is_following_)
+    begin_ = std::max(run_end - Times(1 - kRoom, span_), Time{} - Times(kRoom, span_));
 }
 
 void TimeView::Pan(double part) {

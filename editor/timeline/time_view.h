@@ -11,7 +11,7 @@ class TimeView {
  public:
   Time begin() const { return begin_; }
   Time end() const { return begin_ + span_; }
-  Time span() const { return span_; }
+  Duration span() const { return span_; }
 
   /// Once per frame: `run_end` is the end of what there is. While it follows, that lies a little
   /// left of the right edge.
@@ -34,8 +34,8 @@ class TimeView {
   double PartOf(Time time) const;
 
  private:
-  Time begin_{0};
-  Time span_ = std::chrono::seconds(10);
+  Time begin_{};
+  Duration span_ = std::chrono::seconds(10);
   bool is_following_ = true;
 };
 

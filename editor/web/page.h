@@ -39,8 +39,8 @@ class Page {
   std::unique_ptr<Editor> editor_;
   std::unique_ptr<GlRenderer> renderer_;
   std::string error_;
-  Time last_{0};   // when the last frame was drawn
-  Time next_{0};   // when the next one is due
+  Time last_{};    // when the last frame was drawn
+  Time next_{};    // when the next one is due
   int width_ = 0;  // of the canvas, in its pixels
   int height_ = 0;
   bool is_asked_ = true;  // for a frame, by something outside it

@@ -105,7 +105,7 @@ void SimulationEditor::TickUntilChange() {
   state_.simulator.Pause();
   Simulation* simulation = GoOn();
   if (!simulation) return;
-  const Time before = simulation->now();
+  const Duration before = simulation->now();
   state_.simulator.SetResult(simulation->TickUntilChange(state_.simulator.period(), kLongestWait));
   if (simulation->now() - before >= kLongestWait) {
     state_.Notify("nothing has changed for an hour of the simulation", now_, true);
@@ -119,7 +119,7 @@ void SimulationEditor::TickUntilTicked() {
   const NodeIndex node = view ? view->selected_run_node() : kNoNode;
   if (!simulation || node == kNoNode) return;
   RunView& run = *state_.workspace.run();
-  const Time before = simulation->now();
+  const Duration before = simulation->now();
   while (simulation->now() - before < kLongestWait) {
     const std::size_t first = run.run().size();
     state_.simulator.SetResult(simulation->Tick(state_.simulator.period()));

@@ -21,10 +21,10 @@ struct TimelineState {
   float scroll = 0;               ///< of the lanes [pixels]
   std::vector<NodeIndex> listed;  ///< whose lanes are shown, from the top
   std::size_t pinned = 0;         ///< so many of them stay on top
-  Time shown{-1};                 ///< where the playhead was in the last frame
+  Time shown = Time::min();       ///< where the playhead was in the last frame
   bool was_held = false;          ///< and that it was not at now
   TimelineDrag drag = TimelineDrag::kScrub;
-  Time drag_from{0};
+  Time drag_from{};
   /// A stretch that was marked; statistics are of it alone.
   std::optional<std::pair<Time, Time>> range;
 };

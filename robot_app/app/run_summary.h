@@ -23,8 +23,8 @@ struct RecordedEvents {
     leaves::Pose2D pose;
   };
   TreeDescription tree;
-  Time begin{0};
-  Time end{0};  ///< of the last entry
+  Time begin{};
+  Time end{};  ///< of the last entry
   std::uint64_t ticks = 0;
   std::vector<Change> changes;
   std::vector<NodeMessage> messages;

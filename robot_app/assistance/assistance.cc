@@ -75,7 +75,7 @@ Assistance::Assistance(const AssistanceConfig& config, Channels channels,
           config.supervisors,
           [this](const std::string& subject) { return config_.RulesOf(subject); },
           static_cast<std::uint32_t>(
-              std::chrono::duration_cast<std::chrono::seconds>(now).count())),
+              std::chrono::duration_cast<std::chrono::seconds>(now.time_since_epoch()).count())),
       access_(config.page.operator_token, config.page.viewer_token),
       sender_(std::move(channels)) {
   if (state_file_.empty()) return;
@@ -129,7 +129,7 @@ void Assistance::TakeAnswer(const std::string& channel, const ChatAnswer& answer
 }
 
 std::string Assistance::MessageId(Time now) {
-  return "coppice-" + std::to_string(now.count()) + "-" + std::to_string(++messages_so_far_);
+  return "coppice-" + std::to_string(ToNanoseconds(now)) + "-" + std::to_string(++messages_so_far_);
 }
 
 void Assistance::SendLetters(Time now) {

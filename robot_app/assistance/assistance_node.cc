@@ -16,7 +16,7 @@ constexpr double kMostDeadline = 7 * 86400.0;
 
 ros::Time ToRosTime(Time time) {
   ros::Time stamp;
-  stamp.fromNSec(static_cast<std::uint64_t>(time.count()));
+  stamp.fromNSec(static_cast<std::uint64_t>(ToNanoseconds(time)));
   return stamp;
 }
 

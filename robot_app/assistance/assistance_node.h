@@ -32,7 +32,7 @@ class AssistanceNode {
   ros::Publisher answers_;
   std::vector<std::uint32_t> open_;  // when last published
   std::uint64_t published_version_ = ~std::uint64_t{0};
-  Time published_at_{0};
+  Time published_at_{};
 };
 
 }  // namespace coppice::robot::assistance

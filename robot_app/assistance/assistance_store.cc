@@ -31,11 +31,11 @@ json ToJson(const HelpRequest& request) {
           {"subject", request.subject},
           {"question", request.question},
           {"state", static_cast<int>(request.state)},
-          {"opened", request.opened.count()},
-          {"deadline", request.deadline.count()},
-          {"ask_next_at", request.ask_next_at.count()},
-          {"remind_at", request.remind_at.count()},
-          {"withdrawn_at", request.withdrawn_at.count()},
+          {"opened", ToNanoseconds(request.opened)},
+          {"deadline", ToNanoseconds(request.deadline)},
+          {"ask_next_at", ToNanoseconds(request.ask_next_at)},
+          {"remind_at", ToNanoseconds(request.remind_at)},
+          {"withdrawn_at", ToNanoseconds(request.withdrawn_at)},
           {"asked", asked},
           {"taken_by", request.taken_by},
           {"answered_by", request.answered_by},
@@ -44,7 +44,9 @@ json ToJson(const HelpRequest& request) {
 }
 
 HelpRequest ToRequest(const json& object) {
-  const auto time = [&](const char* key) { return Time(object.at(key).get<std::int64_t>()); };
+  const auto time = [&](const char* key) {
+    return TimeFromNanoseconds(object.at(key).get<std::int64_t>());
+  };
   HelpRequest request;
   request.id = object.at("id");
   request.subject = object.at("subject");
@@ -72,7 +74,7 @@ json ToJson(const PageAccess::Passes& passes) {
     list[hash] = {{"role", static_cast<int>(pass.role)},
                   {"name", pass.name},
                   {"request", pass.request},
-                  {"until", pass.until.count()}};
+                  {"until", ToNanoseconds(pass.until)}};
   }
   return list;
 }
@@ -81,7 +83,7 @@ PageAccess::Passes ToPasses(const json& list) {
   PageAccess::Passes passes;
   for (const auto& [hash, pass] : list.items()) {
     passes[hash] = {EnumOf(pass.at("role"), PageRole::kOperator), pass.at("name"),
-                    pass.at("request"), Time(pass.at("until").get<std::int64_t>())};
+                    pass.at("request"), TimeFromNanoseconds(pass.at("until").get<std::int64_t>())};
   }
   return passes;
 }

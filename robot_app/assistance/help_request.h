@@ -48,10 +48,10 @@ struct HelpRequest {
   std::string subject;
   std::string question;
   HelpState state = HelpState::kOpen;
-  Time opened{0};
-  Time deadline{0};
-  Time ask_next_at{0};
-  Time remind_at{0};
+  Time opened{};
+  Time deadline{};
+  Time ask_next_at{};
+  Time remind_at{};
   Time withdrawn_at = kNever;  ///< of an open one: closes when that has settled
   std::vector<AskedSupervisor> asked;
   std::string taken_by;     ///< the last one who opened the page for it

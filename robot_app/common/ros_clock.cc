@@ -8,7 +8,7 @@ namespace coppice::robot {
 
 Time RosClock::Now() const {
   const std::lock_guard<std::mutex> lock(mutex_);
-  const Time ros(static_cast<std::int64_t>(ros::Time::now().toNSec()));
+  const Time ros = TimeFromNanoseconds(static_cast<std::int64_t>(ros::Time::now().toNSec()));
   if (ros < newest_) ahead_ += newest_ - ros;
   newest_ = ros;
   return ros + ahead_;

@@ -36,7 +36,7 @@ class DiagnosticsMonitor : public Monitor {
     std::string name;
     leaves::HealthLevel level = leaves::HealthLevel::kOk;
     std::string message;
-    Time heard_at{0};
+    Time heard_at{};
     bool was_heard_since_change = true;  // of what is watched
   };
   std::optional<DiagnosticsWatch> watch_;

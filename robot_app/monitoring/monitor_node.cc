@@ -95,7 +95,7 @@ MonitorNode::MonitorNode(const MonitorStart& start, std::function<void(const Wat
 }
 
 Times MonitorNode::Now() {
-  return {FromRos(ros::Time::now()), std::chrono::steady_clock::now().time_since_epoch()};
+  return {FromRos(ros::Time::now()), Time(std::chrono::steady_clock::now().time_since_epoch())};
 }
 
 ros::WallTimer MonitorNode::Every(Duration period, std::function<void()> call) {

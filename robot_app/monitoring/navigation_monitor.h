@@ -49,7 +49,7 @@ class NavigationMonitor : public Monitor {
   Freshness freshness_;
   std::optional<NavigationWatch> watch_;
   std::optional<NavigationReport> state_;
-  Time heard_at_{0};  // state_
+  Time heard_at_{};  // state_
 };
 
 }  // namespace coppice::robot::monitoring

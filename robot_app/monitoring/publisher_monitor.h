@@ -29,7 +29,7 @@ class PublisherMonitor : public Monitor {
   struct Watched {
     PublisherWatch watch;
     std::string stranger;  // the last one; empty: none
-    Time heard_at{0};      // its last message
+    Time heard_at{};       // its last message
   };
   std::vector<Watched> topics_;
 };

@@ -54,7 +54,7 @@ void TfMonitor::OnSample(Pair& pair, const Expected<TransformSample>& look, cons
 }
 
 Duration TfMonitor::AgeOf(Pair& pair, const TransformSample& sample, const Times& now) {
-  if (sample.stamp == Time::zero()) return Duration::zero();  // static
+  if (sample.stamp == Time{}) return Duration::zero();  // static
   const Duration age = now.ros - sample.stamp;
   if (!pair.last || pair.last->stamp != sample.stamp) {
     pair.renewed = now;

@@ -19,7 +19,7 @@ namespace coppice::robot::monitoring {
 
 /// One look at a pair of frames.
 struct TransformSample {
-  Time stamp{0};               ///< of the newest common time; zero: static
+  Time stamp{};                ///< of the newest common time; zero: static
   double x = 0, y = 0, z = 0;  ///< of the child in the parent [m]
   std::string hangs_on;        ///< frame that the child is a direct child of
 };

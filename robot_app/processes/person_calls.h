@@ -37,7 +37,7 @@ class PersonCalls {
   std::deque<std::string> messages_;
   int pid_ = 0;
   int tries_ = 0;
-  Time not_before_{0};
+  Time not_before_{};
 };
 
 }  // namespace coppice::robot::processes

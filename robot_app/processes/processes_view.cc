@@ -95,7 +95,7 @@ Json JsonRows(const coppice_msgs::ProcessStates& states) {
 std::string ToTable(const coppice_msgs::ProcessStates& states, Time now) {
   std::vector<Row> rows = {
       {"PROCESS", "GROUP", "HOST", "STATE", "FOR", "PID", "RESTARTS", "USED", "STEP", "MESSAGE"}};
-  const double seconds = std::chrono::duration<double>(now).count();
+  const double seconds = std::chrono::duration<double>(now.time_since_epoch()).count();
   for (const ProcessState& process : states.processes) rows.push_back(ToRow(process, seconds));
   return "configuration " + states.configuration + (states.manual ? ", held by hand" : "") +
          (states.changing ? ", changing" : "") + (states.safe_stop ? ", SAFE STOP" : "") + "\n" +

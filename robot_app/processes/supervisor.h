@@ -117,13 +117,13 @@ class Supervisor {
     bool done = false;        // ended by itself, and is not to be started again
     std::uint32_t wave = 0;   // those of a wave end before the first of them starts
     bool cleared = false;     // starts from cleared state
-    Time not_before{0};
+    Time not_before{};
     std::string reason;
   };
 
   struct Restarting {
     std::string reason;
-    Time not_before{0};
+    Time not_before{};
     bool cleared = false;
   };
 
@@ -164,7 +164,7 @@ class Supervisor {
   std::vector<Plan> plans_;
   std::vector<std::string> calls_;
   std::uint32_t last_wave_ = 0;
-  Time last_step_{0};
+  Time last_step_{};
   bool stopping_ = false;
   bool new_stack_ = false;
   bool clear_stack_ = false;

@@ -22,11 +22,13 @@ constexpr std::size_t kMostTimes = 1000;
 
 json FromTimes(const std::vector<Time>& times) {
   json list = json::array();
-  for (const Time time : times) list.push_back(time.count());
+  for (const Time time : times) list.push_back(ToNanoseconds(time));
   return list;
 }
 
-Time ToTime(const json& value, Time now) { return std::min(Time(value.get<std::int64_t>()), now); }
+Time ToTime(const json& value, Time now) {
+  return std::min(TimeFromNanoseconds(value.get<std::int64_t>()), now);
+}
 
 std::vector<Time> ToTimes(const json& list, Time now) {
   std::vector<Time> times;
@@ -42,7 +44,7 @@ json FromGroup(const GroupMemory& group) {
                 {"step", static_cast<int>(group.step)},
                 {"closures", group.closures},
                 {"given_up", group.given_up}};
-  if (group.trouble_since) value["trouble_since"] = group.trouble_since->count();
+  if (group.trouble_since) value["trouble_since"] = ToNanoseconds(*group.trouble_since);
   return value;
 }
 

@@ -24,10 +24,10 @@ constexpr Duration kProbeDeadline = std::chrono::milliseconds(300);
 constexpr Duration kReportPeriod = std::chrono::seconds(1);
 constexpr Duration kTimeForCalls = std::chrono::seconds(20);
 
-Time RosNow() { return Time(static_cast<std::int64_t>(ros::Time::now().toNSec())); }
+Time RosNow() { return TimeFromNanoseconds(static_cast<std::int64_t>(ros::Time::now().toNSec())); }
 
 ros::Time ToRos(Time time) {
-  return ros::Time().fromNSec(static_cast<std::uint64_t>(time.count()));
+  return ros::Time().fromNSec(static_cast<std::uint64_t>(ToNanoseconds(time)));
 }
 
 template <class Response>

@@ -85,7 +85,7 @@ class SupervisorProgram {
   std::vector<TopicCondition> conditions_;
   bool master_ended_ = false;
   std::uint64_t published_ = 0;
-  Time published_at_{0};
+  Time published_at_{};
   std::string saved_;
   std::vector<std::string> told_;
   std::vector<ros::Subscriber> subscribers_;

@@ -45,7 +45,7 @@ class PowerDown {
   bool is_asked_ = false;
   bool is_allowed_ = false;
   bool stands_ = false;
-  Time asked_at_{0};
+  Time asked_at_{};
 };
 
 /// Syncs the disks, runs the command and waits for its end. False, with a line on stderr, if it

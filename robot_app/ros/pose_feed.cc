@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kPeriod = 0.5;  // s, wall
 
-Time WallNow() { return std::chrono::steady_clock::now().time_since_epoch(); }
+Time WallNow() { return Time(std::chrono::steady_clock::now().time_since_epoch()); }
 
 }  // namespace
 

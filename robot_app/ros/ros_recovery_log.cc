@@ -13,7 +13,7 @@ using Message = coppice_msgs::RecoveryEvent;
 
 ros::Time ToRos(Time time) {
   ros::Time stamp;
-  return stamp.fromNSec(static_cast<std::uint64_t>(std::max<std::int64_t>(0, time.count())));
+  return stamp.fromNSec(static_cast<std::uint64_t>(std::max<std::int64_t>(0, ToNanoseconds(time))));
 }
 
 Message ToMessage(const leaves::RecoveryEvent& event) {

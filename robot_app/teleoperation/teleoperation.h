@@ -59,12 +59,12 @@ class Teleoperation {
   std::uint64_t driver_ = 0;
   std::string name_;
   Velocity2D wish_;
-  Time wished_at_{0};
-  Time used_at_{0};
+  Time wished_at_{};
+  Time used_at_{};
   bool is_late_ = false;       // the wish was, and so is none
   bool must_release_ = false;  // the base is still to hear the zero of who has left
   std::vector<Point2D> obstacles_;
-  Time obstacles_at_{0};
+  Time obstacles_at_{};
   std::string held_;
 };
 

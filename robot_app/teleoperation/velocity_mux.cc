@@ -3,7 +3,7 @@
 namespace coppice::robot::teleoperation {
 
 VelocityMux::VelocityMux(std::vector<Duration> timeouts) {
-  for (const Duration timeout : timeouts) sources_.push_back({timeout, Time{0}});
+  for (const Duration timeout : timeouts) sources_.push_back({timeout, Time{}});
 }
 
 bool VelocityMux::Offer(std::size_t source, const Velocity2D& command, Time now) {

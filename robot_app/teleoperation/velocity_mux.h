@@ -30,7 +30,7 @@ class VelocityMux {
  private:
   struct Source {
     Duration timeout{0};
-    Time counts_until{0};
+    Time counts_until{};
   };
   std::vector<Source> sources_;
   std::size_t last_ = 0;  // whose command went to the base last

@@ -30,7 +30,7 @@ TimerCost ArmedTimers(int count) {
   WallClock clock;
   Executor executor(Load(ArmedTimeouts(count)), clock);
   executor.Tick();
-  Runner runner(executor, {Pace::kEvents, kNever});
+  Runner runner(executor, {Pace::kEvents, kForever});
   std::thread ticking([&runner] { runner.Run(); });
   const double used = CpuSeconds();
   std::this_thread::sleep_for(kObserved);

@@ -12,7 +12,7 @@
 namespace coppice::bench {
 namespace {
 
-Time SteadyNow() { return std::chrono::steady_clock::now().time_since_epoch(); }
+Time SteadyNow() { return Time(std::chrono::steady_clock::now().time_since_epoch()); }
 
 constexpr char kSleepingTree[] =
     R"(<root BTCPP_format="4"><BehaviorTree ID="Main"><ReactiveFallback>)"
@@ -27,7 +27,7 @@ class TickWatch : public TickSink {
     start = events.start;
     writes.store(executor_.blackboard()[slot_].writes, std::memory_order_release);
   }
-  Time start{0};  // of the newest tick; published by `writes`
+  Time start{};  // of the newest tick; published by `writes`
   std::atomic<std::uint32_t> writes{0};
 
  private:
@@ -42,7 +42,7 @@ class SleepingTree {
       : executor(Load(kSleepingTree), clock),
         battery(executor.Writer<double>("battery")),
         watch(executor, executor.program().layout.Find(kMainScope, "battery")),
-        runner_(executor, {Pace::kEvents, kNever}) {
+        runner_(executor, {Pace::kEvents, kForever}) {
     executor.AddSink(&watch);
     battery.Send(80);
     thread_ = std::thread([this] { runner_.Run(); });

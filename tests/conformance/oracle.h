@@ -32,7 +32,7 @@ struct Shape {
 
 /// The world that a tree of the oracle lives in.
 struct World {
-  Time now{0};
+  Time now{};
   std::uint64_t tick = 0;
   Time wake_at = kNever;
   bool tick_again = false;

@@ -168,7 +168,7 @@ class Cooldown : public Passing {
     if (IsCompleted(result)) until_ = world_.now + milliseconds(shape_.Number("msec", 0));
     return result;
   }
-  Time until_{0};
+  Time until_{};
 };
 
 class CircuitBreaker : public Passing {
@@ -196,7 +196,7 @@ class CircuitBreaker : public Passing {
   }
 
   State state_ = State::kClosed;
-  Time until_{0};
+  Time until_{};
   std::deque<Time> failures_;
 };
 

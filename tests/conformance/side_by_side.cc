@@ -114,8 +114,8 @@ void SideBySide::Tick() {
   expected_.push_back(kResult + static_cast<int>(oracle_->Tick()));
   actual_.push_back(kResult + static_cast<int>(executor_->Tick()));
   LogStatuses();
-  expected_.push_back(world_.tick_again ? 0 : world_.wake_at.count());
-  actual_.push_back(executor_->next_tick().count());
+  expected_.push_back(world_.tick_again ? 0 : world_.wake_at.time_since_epoch().count());
+  actual_.push_back(executor_->next_tick().time_since_epoch().count());
 }
 
 void SideBySide::Halt() {

@@ -65,7 +65,7 @@ std::string TreeAndState() {
   EncodeTree(SomeTree(), out);
   AppendTo(FrameType::kTree, payload, frames);
   payload.clear();
-  const HistoryState state{{}, 1, Time(1), {{}, {}}, {{}, {}}, {"\1text"}};
+  const HistoryState state{{}, 1, Time(Duration(1)), {{}, {}}, {{}, {}}, {"\1text"}};
   EncodeStateHead(state, out);
   EncodeStateBody(state, out);
   AppendTo(FrameType::kState, payload, frames);
@@ -82,7 +82,7 @@ std::string Ticks(std::uint64_t first, std::uint64_t behind) {
   words.Status(kRootNode, Status::kRunning);
   for (std::uint64_t i = first; i < behind; ++i) {
     Bytes payload;
-    const Time start(static_cast<std::int64_t>(1000 * i));
+    const Time start = TimeFromNanoseconds(static_cast<std::int64_t>(1000 * i));
     ticks.Encode({i, start, Duration(0), Status::kRunning, true, words.words()}, payload);
     AppendTo(FrameType::kEvents, payload, frames);
   }
@@ -92,7 +92,7 @@ std::string Ticks(std::uint64_t first, std::uint64_t behind) {
 std::string End(HistoryEnd::Cause cause) {
   Bytes payload;
   Encoder out(payload);
-  EncodeEnd({cause, Time(4000), 4}, out);
+  EncodeEnd({cause, Time(Duration(4000)), 4}, out);
   std::string frame;
   AppendTo(FrameType::kEnd, payload, frame);
   return frame;

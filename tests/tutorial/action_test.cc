@@ -35,7 +35,7 @@ class Flash : public Action {
 
  private:
   Lamp& lamp_;
-  Time end_{0};
+  Time end_{};
 };
 // [flash end]
 

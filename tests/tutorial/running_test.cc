@@ -39,7 +39,7 @@ TEST_F(Running, TheLampGoesOnWhenTheSensorSaysSo) {
   WallClock clock;
   Executor executor(Load(kDusk, registry_), clock);
   const Sender<double> lux = executor.Writer<double>("lux");
-  Runner runner(executor, {Pace::kEvents, kNever});
+  Runner runner(executor, {Pace::kEvents, kForever});
   std::future<Status> result = std::async(std::launch::async, [&] { return runner.Run(); });
 
   lux.Send(500.0);  // from any thread; too bright, the tree goes on sleeping
@@ -65,7 +65,7 @@ TEST_F(Running, StopHaltsTheTree) {
   });
   WallClock clock;
   Executor executor(Load(kNight, registry_), clock);
-  Runner runner(executor, {Pace::kEvents, kNever});
+  Runner runner(executor, {Pace::kEvents, kForever});
   std::future<Status> result = std::async(std::launch::async, [&] { return runner.Run(); });
 
   begun.get_future().wait();

@@ -12,23 +12,20 @@ class Collector final : public RunVisitor {
  public:
   /// Transitions of this tree only.
   Collector(const TreeDescription& tree, std::vector<BtlogTransition>& transitions)
-      : tree_(tree),
-        since_1970_(tree.info.wall_start - tree.info.start),
-        transitions_(transitions) {}
+      : tree_(tree), transitions_(transitions) {}
 
   void OnSection(const TreeDescription& tree, const Recording::Section&) override {
     is_wanted_ = &tree == &tree_;
   }
   void OnChange(const StatusChange& change, const TickEvents& events) override {
     if (!is_wanted_) return;
-    const Time time = events.start + since_1970_;
+    const Duration since_1970 = tree_.info.WallAt(events.start).time_since_epoch();
     transitions_.push_back(
-        {time.count() / 1000, static_cast<std::uint16_t>(change.node + 1), change.to});
+        {since_1970.count() / 1000, static_cast<std::uint16_t>(change.node + 1), change.to});
   }
 
  private:
   const TreeDescription& tree_;
-  const Duration since_1970_;
   std::vector<BtlogTransition>& transitions_;
   bool is_wanted_ = false;
 };

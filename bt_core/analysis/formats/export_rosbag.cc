@@ -35,8 +35,9 @@ std::string Number(std::uint64_t number, int bytes) {
 }
 
 // Seconds and nanoseconds, four bytes each.
-std::string BagTime(Time time) {
-  const auto nanoseconds = static_cast<std::uint64_t>(std::max<std::int64_t>(time.count(), 0));
+std::string BagTime(WallTime time) {
+  const auto nanoseconds =
+      static_cast<std::uint64_t>(std::max<std::int64_t>(time.time_since_epoch().count(), 0));
   return Number(nanoseconds / 1000000000, 4) + Number(nanoseconds % 1000000000, 4);
 }
 
@@ -60,13 +61,12 @@ std::string Connection(std::size_t topic) {
 
 class BagWriter final : public RunVisitor {
  public:
-  explicit BagWriter(Time start) : begin_(start), end_(start) {
+  explicit BagWriter(WallTime start) : begin_(start), end_(start) {
     for (std::size_t i = 0; i < kTopicCount; ++i) chunk_ += Connection(i);
   }
 
   void OnSection(const TreeDescription& tree, const Recording::Section& section) override {
     tree_ = &tree;
-    since_1970_ = tree.info.wall_start - tree.info.start;
     Add(0, section.state.time, FullXml(tree));
   }
   void OnTickBegin(const TickEvents&) override { changes_.clear(); }
@@ -142,7 +142,7 @@ class BagWriter final : public RunVisitor {
   }
 
   void Add(std::size_t topic, Time time, const std::string& text) {
-    const Time stamp = time + since_1970_;
+    const WallTime stamp = tree_->info.WallAt(time);
     if (is_empty_) begin_ = stamp;
     is_empty_ = false;
     end_ = stamp;
@@ -153,9 +153,8 @@ class BagWriter final : public RunVisitor {
   }
 
   const TreeDescription* tree_ = nullptr;
-  Duration since_1970_{0};
-  Time begin_;
-  Time end_;
+  WallTime begin_;
+  WallTime end_;
   bool is_empty_ = true;
   std::string chunk_;
   std::string index_[kTopicCount];
@@ -165,7 +164,7 @@ class BagWriter final : public RunVisitor {
 }  // namespace
 
 std::optional<std::string> ToRosbag(const Recording& run, Diagnostics& diagnostics) {
-  BagWriter writer(run.start());
+  BagWriter writer(run.trees().front().info.wall_start);
   WalkRun(run, writer);
   if (writer.chunk_size() <= INT32_MAX) return writer.Finish();
   diagnostics.Error({}, "the run is too long for a bag of one chunk, which has at most 2 GiB");

@@ -132,7 +132,7 @@ class Tracer final : public RunVisitor {
   const TreeDescription* tree_ = nullptr;
   std::map<std::string, std::uint64_t> threads_;  // per path
   std::vector<std::optional<Time>> since_;        // per node that runs
-  Time now_{0};
+  Time now_{};
   std::string json_;
 };
 

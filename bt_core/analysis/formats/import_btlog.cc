@@ -141,13 +141,13 @@ class TickMaker {
   void Finish() {
     if (words_.empty()) return;
     const std::int64_t duration = std::max<std::int64_t>(last_ - first_, 0);  // a clock set back
-    run_.OnTick(
-        {++tick_, Time(first_ * 1000), Duration(duration * 1000), root_, true, words_.words()});
+    run_.OnTick({++tick_, TimeFromNanoseconds(first_ * 1000), Duration(duration * 1000), root_,
+                 true, words_.words()});
     words_.Clear();
   }
 
   std::uint64_t ticks() const { return tick_; }
-  Time last() const { return Time(last_ * 1000); }
+  Time last() const { return TimeFromNanoseconds(last_ * 1000); }
 
  private:
   const std::map<std::uint16_t, NodeIndex>& numbers_;
@@ -174,8 +174,9 @@ std::optional<Recording> FromBtlog(const std::string& bytes, const std::string& 
   tree.info.run = MakeRunId();
   tree.info.clock = "wall";
   tree.info.metadata.emplace_back(kChangesOnly);
-  tree.info.start = Time(log->transitions.empty() ? 0 : log->transitions.front().time * 1000);
-  tree.info.wall_start = tree.info.start;
+  const Duration start(log->transitions.empty() ? 0 : log->transitions.front().time * 1000);
+  tree.info.start = Time(start);
+  tree.info.wall_start = WallTime(start);
   TreeReader reader(*document, tree);
   const std::string problem = reader.Read();
   if (!problem.empty()) {

@@ -48,7 +48,7 @@ class StoppingNode {
 /// Where a run that is played again does something else.
 struct Divergence {
   std::uint64_t tick = 0;
-  Time time{0};
+  Time time{};
   std::string node;      ///< its path; empty if it is about no node
   std::string expected;  ///< what the record says
   std::string actual;

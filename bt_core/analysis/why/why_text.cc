@@ -59,7 +59,7 @@ std::string CauseOf(const RecordedTree& tree, const WhyStep& step) {
   return "";
 }
 
-std::string Seconds(Time time) {
+std::string Seconds(Duration time) {
   char text[32];
   std::snprintf(text, sizeof text, "%.6f", static_cast<double>(time.count()) * 1e-9);
   return text;

@@ -25,7 +25,7 @@ const char* ColourOf(Status status) {
   }
 }
 
-std::string Seconds(Time time) {
+std::string Seconds(Duration time) {
   char text[40];
   std::snprintf(text, sizeof(text), "%.3f s", std::chrono::duration<double>(time).count());
   return text;
@@ -84,7 +84,7 @@ class Screen {
     if (!scene_.run.state()) return title;
     title += "  " + scene_.run.tree().main_tree + "  tick " +
              std::to_string(scene_.run.state()->tick()) + "  " + ToString(scene_.result) + "  " +
-             Seconds(scene_.run.state()->time());
+             Seconds(scene_.run.state()->time().time_since_epoch());
     if (scene_.duration > Duration::zero()) {
       title += "  " + std::to_string(scene_.duration / std::chrono::microseconds(1)) + " us";
     }

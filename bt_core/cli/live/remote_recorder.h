@@ -77,7 +77,7 @@ class RemoteRecorder final : public LiveListener, private FrameSink {
   bool was_live_ = false;
   std::optional<TreeDescription> described_;  // Groot2: waits for its state
   std::unique_ptr<HistoryEncoder> encoder_;   // Groot2
-  Time time_{0};                              // of the last tick
+  Time time_{};                               // of the last tick
   std::uint64_t tick_ = 0;
   std::chrono::steady_clock::time_point synced_ = std::chrono::steady_clock::now();
 

@@ -7,7 +7,7 @@
 namespace coppice {
 namespace {
 
-std::string Seconds(Time time) {
+std::string Seconds(Duration time) {
   char text[32];
   std::snprintf(text, sizeof(text), "%.6f", static_cast<double>(time.count()) * 1e-9);
   return text;
@@ -32,7 +32,7 @@ class TextPrinter final : public ReplayPrinter {
     for (const DescribedDocument& document : tree.documents) {
       out_ << "file " << document.file << "\n";
     }
-    out_ << "recorded by " << tree.writer << ", start " << Seconds(start_)
+    out_ << "recorded by " << tree.writer << ", start " << Seconds(start_.time_since_epoch())
          << " s of the tree's clock\n";
     for (const auto& [key, value] : tree.info.metadata) out_ << key << ": " << value << "\n";
     out_ << "\n";

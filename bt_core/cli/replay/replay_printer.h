@@ -18,7 +18,7 @@ namespace coppice {
 /// What of a run is printed.
 struct ReplayFilter {
   std::string pattern;  ///< a shell pattern for paths; empty: all nodes
-  Time from{INT64_MIN};
+  Time from = Time::min();
   Time to = kNever;
 
   bool Has(Time time) const { return from <= time && time <= to; }

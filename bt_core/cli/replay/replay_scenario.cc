@@ -30,7 +30,7 @@ std::string NeededTreeId(const std::string& tree_file, const std::string& main_t
 }  // namespace
 
 Time RecordTime(const Options& options, const std::string& name, Time start) {
-  return start + std::chrono::nanoseconds(static_cast<std::int64_t>(options.Real(name, 0) * 1e9));
+  return start + Duration(static_cast<std::int64_t>(options.Real(name, 0) * 1e9));
 }
 
 int MakeScenario(const Options& options, const Recording& run) {

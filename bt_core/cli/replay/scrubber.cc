@@ -88,7 +88,7 @@ void Scrubber::Answer() {
   } else if (prompt_ == "tick") {
     GoTo(run_.Find(static_cast<std::uint64_t>(number)));
   } else {
-    GoTo(run_.FindTime(run_.start() + Time(static_cast<std::int64_t>(number * 1e9))));
+    GoTo(run_.FindTime(run_.start() + Duration(static_cast<std::int64_t>(number * 1e9))));
   }
 }
 

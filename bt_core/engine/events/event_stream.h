@@ -32,7 +32,7 @@ struct StreamState {
   Cause cause = Cause::kBegin;
   std::shared_ptr<const Program> program;
   std::uint64_t tick = 0;  ///< number of the last tick
-  Time time{0};            ///< in the tree's clock
+  Time time{};             ///< in the tree's clock
   std::vector<Status> statuses;
   std::vector<std::string> values;  ///< per slot, as in data/value_bytes.h
   std::uint64_t lost_ticks = 0;     ///< missing before this: number, first and last

@@ -39,7 +39,7 @@ EventWorker::~EventWorker() {
 bool EventWorker::PushTick(const TickEvents& events) {
   if (ring_.room() < kHeaderWords + events.words.size) return false;
   const Header header{events.tick,
-                      events.start.count(),
+                      ToNanoseconds(events.start),
                       events.duration.count(),
                       static_cast<std::uint32_t>(events.words.size),
                       static_cast<std::uint16_t>(events.result),
@@ -144,7 +144,7 @@ std::size_t EventWorker::HandOver(const std::uint32_t* message) {
   Header header;
   std::memcpy(&header, message, sizeof header);
   const TickEvents events{header.tick,
-                          Time(header.start),
+                          TimeFromNanoseconds(header.start),
                           Duration(header.duration),
                           static_cast<Status>(header.result),
                           header.is_whole != 0,

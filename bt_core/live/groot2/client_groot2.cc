@@ -31,7 +31,8 @@ std::string Header(char type, std::uint32_t number) {
   return header;
 }
 
-Time WallTime() { return std::chrono::system_clock::now().time_since_epoch(); }
+// The clock of a Groot2 robot counts from 1970.
+Time RobotTime() { return Time(std::chrono::system_clock::now().time_since_epoch()); }
 
 void Reply(const LiveClient::ReplyHandler& on_reply, const LiveReply& reply) {
   if (on_reply) on_reply(reply);
@@ -76,7 +77,7 @@ void ClientGroot2::AskForStart() {
   });
   Ask(kStatus, "", [this](const Answer& answer) {
     if (!answer.payload) return Fail("the robot answers: " + answer.payload.problem());
-    Check(history_.AddStatuses(*answer.payload, WallTime()));
+    Check(history_.AddStatuses(*answer.payload, RobotTime()));
     if (failure().empty()) BeginLive();
   });
 }
@@ -97,7 +98,7 @@ void ClientGroot2::AskForBoards() {
     names += (names.empty() ? "" : ";") + board;
   }
   Ask(kBlackboard, std::move(names), [this](const Answer& answer) {
-    if (answer.payload) Check(history_.AddBoards(*answer.payload, WallTime()));
+    if (answer.payload) Check(history_.AddBoards(*answer.payload, RobotTime()));
   });
 }
 
@@ -148,7 +149,7 @@ void ClientGroot2::Poll(Duration now) {
   });
   Ask(kStatus, "", [this](const Answer& answer) {
     if (!answer.payload) return Fail("the robot answers: " + answer.payload.problem());
-    Check(history_.AddStatuses(*answer.payload, WallTime()));
+    Check(history_.AddStatuses(*answer.payload, RobotTime()));
   });
   if (now < next_boards_) return;
   next_boards_ = now + options_.board_period;

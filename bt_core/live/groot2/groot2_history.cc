@@ -82,10 +82,10 @@ Outcome Groot2History::SetRecording(std::string_view text) {
   std::int64_t microseconds = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), microseconds);
   if (error != std::errc() || end != text.data() + text.size() || microseconds < 0 ||
-      microseconds > Time::max().count() / 2000) {
+      microseconds > Duration::max().count() / 2000) {
     return Problem{"the robot sent a time that cannot be read: \"" + std::string(text) + "\""};
   }
-  recording_ = std::chrono::microseconds(microseconds);
+  recording_ = Time(std::chrono::microseconds(microseconds));
   return {};
 }
 
@@ -95,8 +95,8 @@ Outcome Groot2History::AddTransitions(std::string_view bytes) {
     return Problem{"the robot sent transitions that cannot be read"};
   }
   if (bytes.size() / kBytesPerTransition == kRecordingLimit) has_lost_ = true;
-  Time start{0};
-  Time last{0};
+  Time start{};
+  Time last{};
   for (std::size_t at = 0; at < bytes.size(); at += kBytesPerTransition) {
     const Time time = *recording_ + std::chrono::microseconds(ReadLittleEndian(bytes, at, 6));
     const auto uid = static_cast<std::uint16_t>(ReadLittleEndian(bytes, at + 6, 2));
@@ -138,7 +138,7 @@ Outcome Groot2History::AddStatuses(std::string_view bytes, Time now) {
 
 void Groot2History::Begin(const std::vector<Status>& statuses, Time now) {
   tree_.description.info.start = recording_.value_or(now);
-  tree_.description.info.wall_start = tree_.description.info.start;
+  tree_.description.info.wall_start = WallTime(tree_.description.info.start.time_since_epoch());
   follower_.emplace(ShapeOf(tree_.description), statuses);
   listener_.OnTree(tree_.description);
   TellState(HistoryState::Cause::kBegin, now);

@@ -50,7 +50,7 @@ class Transitions {
   const std::size_t limit_;
   std::optional<StatusFollower> statuses_;
   std::deque<Transition> transitions_;
-  Time start_{0};
+  Time start_{};
   std::uint64_t dropped_ = 0;
 };
 

@@ -16,7 +16,7 @@ namespace coppice {
 struct StoredFrame {
   FrameType type = FrameType::kTree;
   std::uint64_t tick = 0;  ///< number of the last tick that is in it or before it
-  Time time{0};            ///< and its start, in the tree's clock
+  Time time{};             ///< and its start, in the tree's clock
   std::string bytes;
 };
 

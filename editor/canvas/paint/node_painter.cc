@@ -222,7 +222,7 @@ class NodePainter {
     }
     const bool running = look_.state.status == Status::kRunning;
     const bool has_room = node_.shape != Shape::kControl && node_.shape != Shape::kDecorator;
-    if (!running || !has_room || look_.state.since == Time(0)) return PaintGlyph(right, height);
+    if (!running || !has_room || look_.state.since == Time{}) return PaintGlyph(right, height);
     const std::string text = DurationText(Seconds(ui_.clock - look_.state.since));
     const TextStyle style = Style(Face::kSans, 10, HeaderInk());
     if (node_.shape != Shape::kSubTree) {

@@ -40,13 +40,13 @@ const char* StatusGlyph(const NodeState& state) {
 
 float StatusStrength(const NodeState& state, Time now) {
   if (!IsTrail(state)) return 1;
-  const double age = state.since == Time(0) ? kFadeSeconds : AgeOf(state, now);
+  const double age = state.since == Time{} ? kFadeSeconds : AgeOf(state, now);
   return static_cast<float>(1 - (1 - kTrail) * std::clamp(age / kFadeSeconds, 0.0, 1.0));
 }
 
 float FlashStrength(const NodeState& state, Time now) {
   const double age = AgeOf(state, now) / kFlashSeconds;
-  if (state.since == Time(0) || age < 0 || age >= 1) return 0;
+  if (state.since == Time{} || age < 0 || age >= 1) return 0;
   return static_cast<float>((1 - age) * (1 - age));
 }
 
@@ -57,7 +57,7 @@ float Pulse(const Ui& ui) {
 }
 
 bool IsFading(const NodeState& state, Time now) {
-  if (state.since == Time(0)) return false;
+  if (state.since == Time{}) return false;
   return AgeOf(state, now) < (IsTrail(state) ? kFadeSeconds : kFlashSeconds);
 }
 

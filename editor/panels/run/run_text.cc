@@ -7,7 +7,7 @@
 namespace coppice::editor {
 
 std::string AxisText(Time time) {
-  const long long milliseconds = std::max<long long>(time.count() / 1000000, 0);
+  const long long milliseconds = std::max<long long>(ToNanoseconds(time) / 1000000, 0);
   const long long seconds = milliseconds / 1000;
   char text[64];
   if (seconds >= 3600) {

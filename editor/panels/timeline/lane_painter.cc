@@ -93,15 +93,15 @@ void PaintHatched(const Ui& ui, ImDrawList& list, const Box& box, Color color) {
   list.PopClipRect();
 }
 
-Time MarkDistance(Time span, int most) {
+Duration MarkDistance(Duration span, int most) {
   constexpr double kSteps[] = {1e-5, 2e-5, 5e-5, 1e-4, 2e-4, 5e-4, 1e-3, 2e-3,  5e-3,  0.01, 0.02,
                                0.05, 0.1,  0.2,  0.5,  1,    2,    5,    10,    15,    30,   60,
                                120,  300,  600,  900,  1800, 3600, 7200, 14400, 43200, 86400};
   const double wanted = static_cast<double>(span.count()) * 1e-9 / std::max(most, 1);
   for (const double step : kSteps) {
-    if (step >= wanted) return Time(static_cast<Time::rep>(step * 1e9));
+    if (step >= wanted) return Duration(static_cast<Duration::rep>(step * 1e9));
   }
-  return Time(static_cast<Time::rep>(wanted * 1e9));
+  return Duration(static_cast<Duration::rep>(wanted * 1e9));
 }
 
 }  // namespace coppice::editor

@@ -24,7 +24,7 @@ void PaintBars(const Ui& ui, ImDrawList& list, const Box& box, const std::vector
 void PaintHatched(const Ui& ui, ImDrawList& list, const Box& box, Color color);
 
 /// Distance between two marks of a time axis, so that there are at most `most` of them.
-Time MarkDistance(Time span, int most);
+Duration MarkDistance(Duration span, int most);
 
 }  // namespace coppice::editor
 

@@ -33,7 +33,7 @@ class Timeline {
            {},
            {},
            {},
-           Time(0),
+           Time{},
            {}},
         list_(*ImGui::GetWindowDrawList()) {
     Box rest = box;
@@ -69,8 +69,8 @@ class Timeline {
   }
 
   // The last tick is shown as long as the one before it.
-  Time LastPeriod() const {
-    constexpr Time kLongest = std::chrono::seconds(1);
+  Duration LastPeriod() const {
+    constexpr Duration kLongest = std::chrono::seconds(1);
     const std::size_t ticks = f_.run.size();
     if (ticks < 2) return kLongest / 10;
     return std::min(f_.run.TimeOf(ticks - 1) - f_.run.TimeOf(ticks - 2), kLongest);
@@ -90,7 +90,7 @@ class Timeline {
     f_.ui.Fill(list_, f_.overview, Mix(f_.ui.palette.panel, f_.ui.palette.canvas, 0.7F));
     const auto count = static_cast<std::size_t>(std::max(f_.overview.width() / f_.ui.scale, 1.0F));
     TimeView all;
-    all.Fit(Time(0), std::max(f_.run_end, Time(1)));
+    all.Fit(Time{}, std::max(f_.run_end, Time(Duration(1))));
     const std::vector<Column> columns = ColumnsOf(f_.run, all, count, f_.run_end);
     std::size_t most = 1;
     for (const Column& column : columns) {
@@ -129,9 +129,9 @@ class Timeline {
   void DrawRuler() {
     const TextStyle style{Face::kSans, 9, f_.ui.palette.text_dim};
     const int most = static_cast<int>(f_.ruler.width() / (90 * f_.ui.scale));
-    const Time step = MarkDistance(f_.shown.view.span(), most);
-    const Time first = f_.shown.view.begin() / step * step;
-    for (Time at = std::max(first, Time(0)); at < f_.shown.view.end(); at += step) {
+    const Duration step = MarkDistance(f_.shown.view.span(), most);
+    const Time first(f_.shown.view.begin().time_since_epoch() / step * step);
+    for (Time at = std::max(first, Time{}); at < f_.shown.view.end(); at += step) {
       const float x = f_.XOf(at);
       if (x < f_.ruler.min.x) continue;
       f_.ui.Fill(list_, {{x, f_.ruler.max.y - 3 * f_.ui.scale}, {x + 1, f_.lanes.max.y}},

@@ -23,7 +23,7 @@ struct TimelineFrame {
   TimelineState& shown;
   const Tracks& tracks;
   Box labels, overview, ruler, lanes;
-  Time run_end{0};              ///< until when the last tick holds
+  Time run_end{};               ///< until when the last tick holds
   std::vector<Column> columns;  ///< of the lanes
 
   float XOf(Time time) const {

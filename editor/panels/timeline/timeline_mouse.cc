@@ -66,8 +66,8 @@ class Mouse {
         break;
       case TimelineDrag::kOverview: {
         const float part = (mouse.x - f_.overview.min.x) / f_.overview.width();
-        GoTo(Time(static_cast<Time::rep>(std::clamp(part, 0.0F, 1.0F) *
-                                         static_cast<double>(f_.run_end.count()))));
+        GoTo(TimeFromNanoseconds(static_cast<std::int64_t>(
+            std::clamp(part, 0.0F, 1.0F) * static_cast<double>(ToNanoseconds(f_.run_end)))));
         f_.shown.view.Reveal(f_.head.time());
         break;
       }

@@ -15,7 +15,7 @@ struct ChatAnswer {
   std::string from;           ///< address on the channel, as Way::to
   std::uint32_t request = 0;  ///< 0: not said
   bool fixed = false;
-  Time written{0};      ///< nanoseconds since 1970; 0 for a button, which says its request
+  Time written{};       ///< nanoseconds since 1970; 0 for a button, which says its request
   std::string pressed;  ///< what the channel calls the press of a button; empty: it was written
 };
 

@@ -42,7 +42,7 @@ class LetterQueue {
   struct Entry {
     Letter letter;
     bool in_flight = false;
-    Time due{0};
+    Time due{};
     int rounds = 0;
   };
 

@@ -65,7 +65,7 @@ std::optional<ChatAnswer> ReadUpdate(const json& update) {
   }
   const json& message = update.at("message");
   answer.from = ChatOf(message);
-  answer.written = std::chrono::seconds(message.at("date").get<std::uint32_t>());
+  answer.written = Time(std::chrono::seconds(message.at("date").get<std::uint32_t>()));
   if (!ReadWords(WordsOf(message.at("text").get<std::string>()), answer)) return std::nullopt;
   return answer;
 }

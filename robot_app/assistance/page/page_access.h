@@ -27,7 +27,7 @@ struct PagePass {
   PageRole role = PageRole::kViewer;
   std::string name;           ///< of the person; "operator" or "viewer" with a token for several
   std::uint32_t request = 0;  ///< the request whose link brought them; 0: none
-  Time until{0};
+  Time until{};
 };
 
 class PageAccess {
@@ -75,7 +75,7 @@ class PageAccess {
 
  private:
   struct Failure {
-    Time when{0};
+    Time when{};
     std::string address;
   };
 

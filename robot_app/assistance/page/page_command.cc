@@ -37,7 +37,7 @@ std::uint64_t Count(const json& object, const char* key) {
 Time Milliseconds(const json& object, const char* key) {
   const std::uint64_t count = Count(object, key);
   if (count > kMostMilliseconds) throw std::out_of_range(key);
-  return std::chrono::milliseconds(count);
+  return Time(std::chrono::milliseconds(count));
 }
 
 bool Flag(const json& object, const char* key) { return object.at(key).get<bool>(); }

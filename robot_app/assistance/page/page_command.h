@@ -27,7 +27,7 @@ struct PageCommand {
   std::vector<std::string> names;
   bool take_over = false;
   Velocity2D velocity;
-  Time beat{0};  ///< when the robot sent the newest beat that the page has got
+  Time beat{};  ///< when the robot sent the newest beat that the page has got
   Pose2D pose;
   std::uint32_t request = 0;
   bool fixed = false;

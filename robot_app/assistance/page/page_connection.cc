@@ -126,7 +126,7 @@ void PageConnection::OnMessage() {
   Hear();
   const Time now = shared_.clock.Now();
   const bool may = socket_->got_text() &&
-                   limit_.MayPass(std::chrono::duration<double>(now).count()) &&
+                   limit_.MayPass(std::chrono::duration<double>(now.time_since_epoch()).count()) &&
                    shared_.access.Find(session_, now);  // not logged out, not over
   if (!may) return End();
   shared_.Put({PageEvent::Kind::kText, client_, pass_, beast::buffers_to_string(buffer_.data())});

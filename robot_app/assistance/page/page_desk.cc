@@ -190,7 +190,8 @@ void PageDesk::Tell(std::uint64_t client, bool ok, const std::string& text) {
 void PageDesk::SendBeat(Time now) {
   if (now - beat_at_ < kBeatPeriod) return;
   beat_at_ = now;
-  const auto beat = std::chrono::duration_cast<std::chrono::milliseconds>(now).count();
+  const auto beat =
+      std::chrono::duration_cast<std::chrono::milliseconds>(now.time_since_epoch()).count();
   Show("beat", Dump({{"type", "beat"}, {"beat", beat}}));
 }
 

@@ -83,8 +83,8 @@ class PageDesk {
   std::map<std::uint64_t, Client> clients_;
   std::map<std::string, Shown> shown_;
   std::uint64_t shown_version_ = ~std::uint64_t{0};
-  Time beat_at_{0};
-  Time requests_shown_at_{0};
+  Time beat_at_{};
+  Time requests_shown_at_{};
   std::string shown_wheel_;
 };
 

@@ -43,7 +43,7 @@ class PageNode : public PageRobot {
  private:
   struct Camera {
     ros::Subscriber subscriber;
-    Time shown_at{0};
+    Time shown_at{};
   };
   struct FollowedTree {
     std::string name;
@@ -71,9 +71,9 @@ class PageNode : public PageRobot {
   std::vector<ros::Subscriber> subscribers_;
   ros::Publisher velocity_;
   ros::Publisher initial_pose_;
-  Time driven_at_{0};
-  Time place_at_{0};
-  Time trees_at_{0};
+  Time driven_at_{};
+  Time place_at_{};
+  Time trees_at_{};
   std::string trees_text_;
   ServiceCaller calls_;
   PageServer server_;

@@ -48,7 +48,7 @@ class HealthAggregator {
   struct Entry {
     Finding current;
     Finding worst;
-    Time worst_at{0};
+    Time worst_at{};
     bool worst_is_new = false;  // not yet published
     bool is_published = false;
     leaves::HealthLevel published = leaves::HealthLevel::kOk;
@@ -58,7 +58,7 @@ class HealthAggregator {
     Duration period{0};
     bool expected = false;
     bool silent = false;
-    Time last_report{0};
+    Time last_report{};
     std::optional<Time> dismissed_at;  // expected before, and no longer
     std::string host;
     std::vector<Entry> entries;

@@ -5,10 +5,12 @@
 
 namespace coppice::robot::monitoring {
 
-Time FromRos(const ros::Time& time) { return Time(static_cast<std::int64_t>(time.toNSec())); }
+Time FromRos(const ros::Time& time) {
+  return TimeFromNanoseconds(static_cast<std::int64_t>(time.toNSec()));
+}
 
 ros::Time ToRos(Time time) {
-  return ros::Time().fromNSec(static_cast<std::uint64_t>(std::max(Time::zero(), time).count()));
+  return ros::Time().fromNSec(static_cast<std::uint64_t>(ToNanoseconds(std::max(Time{}, time))));
 }
 
 coppice_msgs::Health ToMessage(const std::string& source, const std::vector<Finding>& findings) {

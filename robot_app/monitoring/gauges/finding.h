@@ -18,14 +18,14 @@ struct Finding {
   double value = 0;          ///< measured
   std::string unit = {};     ///< of value
   std::string message = {};  ///< for people
-  Time stamp{0};             ///< of the measurement, ROS time
+  Time stamp{};              ///< of the measurement, ROS time
   std::string host = {};     ///< computer that it is about; empty: the one of the monitor
 };
 
 /// Now, on both time lines.
 struct Times {
-  Time ros{0};
-  Time wall{0};
+  Time ros{};
+  Time wall{};
 };
 
 }  // namespace coppice::robot::monitoring

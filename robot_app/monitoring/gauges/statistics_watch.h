@@ -39,7 +39,7 @@ class StatisticsWatch {
  private:
   struct Link {
     SubscriberStatistics statistics;
-    Time heard_at{0};
+    Time heard_at{};
   };
   double Rate() const;
 

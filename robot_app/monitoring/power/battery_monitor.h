@@ -34,7 +34,7 @@ class CoulombCount {
 
   Duration longest_gap_;
   std::optional<leaves::BatteryReading> last_;
-  Time last_at_{0}, changed_at_{0};
+  Time last_at_{}, changed_at_{};
   std::optional<Time> charged_at_;  // or the first sample
   double counted_ = 0;              // Ah
   double deviation_ = 0, unchanged_ = 0, since_charge_ = 0;

@@ -26,7 +26,7 @@ class ChargingMonitor : public Monitor {
  private:
   std::optional<ChargingWatch> watch_;
   std::optional<leaves::BatteryReading> reading_;  // the last one
-  Time heard_at_{0};
+  Time heard_at_{};
   std::optional<Time> missing_since_;  // current, although there is contact
   bool has_flowed_ = false;            // since the contact
 };

@@ -61,7 +61,7 @@ class DockingMonitor : public Monitor {
  private:
   struct Goal {
     GoalPhase phase = GoalPhase::kPending;
-    Time begun{0};
+    Time begun{};
     bool is_tried = false;
     int failed = 0;  // attempts
   };
@@ -74,7 +74,7 @@ class DockingMonitor : public Monitor {
   std::map<std::string, Goal> goals_;
   int failures_ = 0;    // in a row
   std::string reason_;  // of the last one
-  Time failed_at_{0};   // the last one
+  Time failed_at_{};    // the last one
 };
 
 }  // namespace coppice::robot::monitoring

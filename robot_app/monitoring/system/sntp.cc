@@ -26,8 +26,6 @@ NtpTime Get(const std::uint8_t* data) {
   return time;
 }
 
-Time SystemNow() { return std::chrono::system_clock::now().time_since_epoch(); }
-
 // One question under way.
 struct Question {
   Socket socket;
@@ -46,7 +44,7 @@ void Ask(const ClockServer& server, Question& question, Expected<ClockReading>& 
   const int enabled = 1;  // the kernel notes when a reply came, however late we look
   setsockopt(question.socket.fd(), SOL_SOCKET, SO_TIMESTAMPNS, &enabled, sizeof(enabled));
   NtpPacket request;
-  request.transmit = question.sent_at = ToNtp(SystemNow());
+  request.transmit = question.sent_at = ToNtp(std::chrono::system_clock::now());
   const NtpPacket::Bytes bytes = request.Encode();
   if (send(question.socket.fd(), bytes.data(), bytes.size(), MSG_NOSIGNAL) >= 0) return;
   reading = Problem{std::strerror(errno)};
@@ -59,9 +57,9 @@ NtpTime ArrivalOf(msghdr& message) {
     if (part->cmsg_level != SOL_SOCKET || part->cmsg_type != SCM_TIMESTAMPNS) continue;
     timespec time{};
     std::memcpy(&time, CMSG_DATA(part), sizeof(time));
-    return ToNtp(std::chrono::seconds(time.tv_sec) + std::chrono::nanoseconds(time.tv_nsec));
+    return ToNtp(WallTime(std::chrono::seconds(time.tv_sec) + Duration(time.tv_nsec)));
   }
-  return ToNtp(SystemNow());
+  return ToNtp(std::chrono::system_clock::now());
 }
 
 void Receive(Question& question, Expected<ClockReading>& reading) {
@@ -89,8 +87,8 @@ void Receive(Question& question, Expected<ClockReading>& reading) {
 
 }  // namespace
 
-NtpTime ToNtp(Time unix_time) {
-  const std::int64_t nanoseconds = unix_time.count();
+NtpTime ToNtp(WallTime time) {
+  const std::int64_t nanoseconds = time.time_since_epoch().count();
   const auto seconds = static_cast<std::uint64_t>(nanoseconds / kNanoseconds);
   const auto rest = static_cast<std::uint64_t>(nanoseconds % kNanoseconds);
   return (seconds + kSecondsFrom1900To1970) << 32 | (rest << 32) / kNanoseconds;

@@ -23,8 +23,7 @@ namespace coppice::robot::monitoring {
 /// survive.
 using NtpTime = std::uint64_t;
 
-/// Of a time since the Unix epoch.
-NtpTime ToNtp(Time unix_time);
+NtpTime ToNtp(WallTime time);
 /// later - earlier in seconds, between -2^31 and 2^31.
 double NtpSeconds(NtpTime later, NtpTime earlier);
 

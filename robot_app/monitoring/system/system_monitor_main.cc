@@ -94,7 +94,7 @@ class Program {
   RemoteWatch remote_;
   OtherComputers computers_;
   Duration period_{0};
-  Time next_measurement_{0};
+  Time next_measurement_{};
   std::map<std::string, int> pids_;
   MonitorProgram program_;
   NodeProbe probe_;

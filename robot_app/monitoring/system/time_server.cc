@@ -32,9 +32,7 @@ void TimeServer::Work(Duration at_most) {
 }
 
 void TimeServer::Answer() {
-  const auto now = [this] {
-    return ToNtp(std::chrono::system_clock::now().time_since_epoch() + clock_offset_);
-  };
+  const auto now = [this] { return ToNtp(std::chrono::system_clock::now() + clock_offset_); };
   std::uint8_t data[512];
   sockaddr_storage from{};
   socklen_t size_of_from = sizeof(from);

@@ -22,9 +22,9 @@ struct ProcessStatus {
   ProcessPhase phase = ProcessPhase::kStopped;
   int pid = 0;  ///< 0: not running
   std::uint32_t restarts = 0;
-  Time since{0};           ///< of the last change of phase
-  Time back_off_until{0};  ///< 0 unless it is backing off
-  std::string message;     ///< why, for people; may be empty
+  Time since{};           ///< of the last change of phase
+  Time back_off_until{};  ///< 0 unless it is backing off
+  std::string message;    ///< why, for people; may be empty
 };
 
 /// For one thread.
@@ -76,7 +76,7 @@ class Lifecycle {
   std::optional<Ended> OnExit(int pid);
 
   void SetPhase(std::size_t process, ProcessPhase phase, std::string message, Time now,
-                Time back_off_until = Time(0));
+                Time back_off_until = Time{});
   void SetRestarts(std::size_t process, std::uint32_t restarts);
 
   /// Grows with every change of a status.
@@ -87,15 +87,15 @@ class Lifecycle {
     ProcessStatus status;
     bool ending = false;  // SIGTERM was sent
     bool killed = false;  // SIGKILL was sent
-    Time deadline{0};     // of the start or of the end
-    Time heard_at{0};     // its last heartbeat
+    Time deadline{};      // of the start or of the end
+    Time heard_at{};      // its last heartbeat
     std::optional<Time> started_at;
   };
 
   const RobotConfig& config_;
   ProcessLauncher& launcher_;
   std::vector<Life> lives_;
-  Time listening_since_{0};
+  Time listening_since_{};
   std::uint64_t revision_ = 0;
 };
 

@@ -72,7 +72,7 @@ class RemoteLauncher : public ProcessLauncher {
   const std::vector<HostConfig> hosts_;
   const RemoteSettings settings_;
   std::map<int, Connection> connections_;  // by pid of the transport
-  Time next_sign_{0};
+  Time next_sign_{};
 };
 
 }  // namespace coppice::robot::processes

@@ -26,7 +26,7 @@ TEST(Recording, KnowsTheStateBeforeEveryTick) {
   EXPECT_EQ(recording.Find(4), 3u);
   EXPECT_EQ(recording.Find(99), recording.ticks().size());
   EXPECT_EQ(recording.FindTime(recording.start() + milliseconds(350)), 3u);
-  EXPECT_EQ(recording.FindTime(Time(0)), 0u);
+  EXPECT_EQ(recording.FindTime(Time{}), 0u);
   EXPECT_EQ(recording.TickBefore(3), std::optional<std::size_t>(2));
   EXPECT_EQ(recording.TickBefore(0), std::nullopt);
 }
@@ -38,10 +38,10 @@ TEST(Recording, JoinsThePartsOfATickThatStoodAtABreakpoint) {
   recording.OnState(run.keeper.run.sections()[0].state);
   EventWriter words;
   words.Text(kRootNode, EventText::kMessage, "before");
-  recording.OnTick({1, Time(5), Duration(0), Status::kRunning, false, words.words()});
+  recording.OnTick({1, Time(Duration(5)), Duration(0), Status::kRunning, false, words.words()});
   words.Clear();
   words.Status(kRootNode, Status::kSuccess);
-  recording.OnTick({1, Time(5), Duration(9), Status::kSuccess, true, words.words()});
+  recording.OnTick({1, Time(Duration(5)), Duration(9), Status::kSuccess, true, words.words()});
   ASSERT_EQ(recording.ticks().size(), 1u);
   EXPECT_EQ(recording.ticks()[0].duration, Duration(9));
   EXPECT_TRUE(recording.ticks()[0].is_whole);

@@ -46,8 +46,12 @@ class SmallTick {
     words_.Status(kRootNode, Status::kRunning);
   }
   TickEvents events() const {
-    return {7,    std::chrono::seconds(2), std::chrono::microseconds(5), Status::kRunning,
-            true, words_.words()};
+    return {7,
+            Time(std::chrono::seconds(2)),
+            std::chrono::microseconds(5),
+            Status::kRunning,
+            true,
+            words_.words()};
   }
 
  private:

@@ -17,7 +17,7 @@ struct Owner : PortOwner {
   Mailbox<bool> answer{this, "answer"};
 };
 
-const Time now{5};  // of the tick in which the ports are used
+const Time now{Duration(5)};  // of the tick in which the ports are used
 
 TEST(PortDirection, HasAName) {
   EXPECT_STREQ(ToString(PortDirection::kInput), "input");
@@ -74,11 +74,11 @@ TEST(Input, ThrowsWhileNobodyHasWritten) {
 
 TEST(Input, ReadsItsSlot) {
   Owner owner;
-  Slot slot{Value(12), Time(7), 3, 0};
+  Slot slot{Value(12), Time(Duration(7)), 3, 0};
   owner.count.Bind(&slot, now, SlotIndex{0}, nullptr);
   EXPECT_EQ(*owner.count, 12);
   EXPECT_EQ(owner.count.writes(), 3U);
-  EXPECT_EQ(owner.count.stamp(), Time(7));
+  EXPECT_EQ(owner.count.stamp(), Time(Duration(7)));
 }
 
 TEST(Output, WritesAndCounts) {

@@ -156,7 +156,7 @@ TEST(Executor, TimeoutIsExact) {
   Stage stage(Main(R"(<Timeout msec="100"><Leaf name="a"/></Timeout>)"),
               WithResults({{"a", {kRunning}}}));
   EXPECT_EQ(stage.executor->Tick(), kRunning);
-  EXPECT_EQ(stage.executor->next_tick(), seconds(1) + milliseconds(100));
+  EXPECT_EQ(stage.executor->next_tick(), Time(seconds(1) + milliseconds(100)));
   stage.clock.Advance(milliseconds(100) - Duration(1));
   EXPECT_EQ(stage.executor->Tick(), kRunning);
   stage.clock.Advance(Duration(1));
@@ -169,7 +169,7 @@ TEST(Executor, DelayIsExact) {
   Stage stage(Main(R"(<Delay delay_msec="100"><AlwaysSuccess/></Delay>)"));
   stage.clock.Advance(Duration(1));  // an odd start
   EXPECT_EQ(stage.executor->Tick(), kRunning);
-  EXPECT_EQ(stage.executor->next_tick(), seconds(1) + milliseconds(100) + Duration(1));
+  EXPECT_EQ(stage.executor->next_tick(), Time(seconds(1) + milliseconds(100) + Duration(1)));
   stage.clock.Advance(milliseconds(100) - Duration(1));
   EXPECT_EQ(stage.executor->Tick(), kRunning);
   stage.clock.Advance(Duration(1));
@@ -180,7 +180,7 @@ TEST(Executor, TheNearestTimerDecidesTheNextTick) {
   Stage stage(Main(R"(<Parallel><Delay delay_msec="300"><AlwaysSuccess/></Delay>)"
                    R"(<Delay delay_msec="200"><AlwaysSuccess/></Delay></Parallel>)"));
   stage.executor->Tick();
-  EXPECT_EQ(stage.executor->next_tick(), seconds(1) + milliseconds(200));
+  EXPECT_EQ(stage.executor->next_tick(), Time(seconds(1) + milliseconds(200)));
 }
 
 TEST(Executor, WithoutTimersNothingIsDue) {
@@ -192,7 +192,7 @@ TEST(Executor, WithoutTimersNothingIsDue) {
 TEST(Executor, AYieldingLoopIsDueAtOnce) {
   Stage stage(Main(R"(<Repeat num_cycles="2"><AlwaysSuccess/></Repeat>)"));
   EXPECT_EQ(stage.executor->Tick(), kRunning);
-  EXPECT_EQ(stage.executor->next_tick(), Time(0));
+  EXPECT_EQ(stage.executor->next_tick(), Time{});
   EXPECT_EQ(stage.executor->Tick(), kSuccess);
   EXPECT_EQ(stage.executor->next_tick(), kNever);
 }
@@ -224,7 +224,7 @@ TEST(Executor, SinksGetChangesInTheOrderOfHappening) {
   };
   const auto& first = sink.ticks[0];
   EXPECT_EQ(first.tick, 1U);
-  EXPECT_EQ(first.start, seconds(1));
+  EXPECT_EQ(first.start, Time(seconds(1)));
   EXPECT_EQ(first.result, kRunning);
   ASSERT_EQ(first.changes.size(), 2U);
   EXPECT_TRUE(same(first.changes[0], NodeIndex{1}, Status::kIdle, kRunning));

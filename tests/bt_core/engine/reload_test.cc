@@ -117,7 +117,7 @@ TEST_F(Reload, AsksForATickIfTheTreeRuns) {
   Start(Sequence(kCallAnn));
   EXPECT_EQ(executor_->next_tick(), kNever);
   executor_->Reload(Load(Main(Sequence(kCallBob))));
-  EXPECT_EQ(executor_->next_tick(), Time(0));
+  EXPECT_EQ(executor_->next_tick(), Time{});
 }
 
 TEST_F(Reload, AnAnswerToAHaltedNodeIsDropped) {

@@ -25,12 +25,12 @@ LeafScript Running(const std::string& leaf) {
 TEST(Runner, RunsUntilTheRootCompletes) {
   Stage stage(Main(R"(<Delay delay_msec="250"><AlwaysFailure/></Delay>)"));
   EXPECT_EQ(coppice::Run(*stage.executor), Status::kFailure);
-  EXPECT_EQ(stage.clock.Now(), seconds(1) + milliseconds(250));
+  EXPECT_EQ(stage.clock.Now(), Time(seconds(1) + milliseconds(250)));
 }
 
 TEST(Runner, SleepsUntilTheNextTimerOnly) {
   Stage stage(Main(R"(<Delay delay_msec="250"><AlwaysSuccess/></Delay>)"));
-  coppice::Run(*stage.executor, {Pace::kEvents, kNever});
+  coppice::Run(*stage.executor, {Pace::kEvents, kForever});
   EXPECT_EQ(stage.executor->ticks(), 2U);
 }
 
@@ -79,7 +79,7 @@ class RunnerThread : public testing::Test {
 };
 
 TEST_F(RunnerThread, TheTreeIsHaltedWhenStopReturns) {
-  Start({Pace::kEvents, kNever});
+  Start({Pace::kEvents, kForever});
   AwaitTick();
   runner_->Stop();
   EXPECT_EQ(stage_.executor->statuses()[0], Status::kIdle);
@@ -87,7 +87,7 @@ TEST_F(RunnerThread, TheTreeIsHaltedWhenStopReturns) {
 }
 
 TEST_F(RunnerThread, AMessageWakesATreeWithoutTimers) {
-  Start({Pace::kEvents, kNever});
+  Start({Pace::kEvents, kForever});
   AwaitTick();
   stage_.executor->Writer<double>("g").Send(1);
   thread_.join();
@@ -95,7 +95,7 @@ TEST_F(RunnerThread, AMessageWakesATreeWithoutTimers) {
 }
 
 TEST_F(RunnerThread, ARequestedTickWakesATreeWithoutTimers) {
-  Start({Pace::kEvents, kNever});
+  Start({Pace::kEvents, kForever});
   for (int i = 1; i <= 100; ++i) {
     AwaitTick();
     EXPECT_EQ(ticks_, i);
@@ -105,7 +105,7 @@ TEST_F(RunnerThread, ARequestedTickWakesATreeWithoutTimers) {
 }
 
 TEST_F(RunnerThread, CallsAreServedWithoutATick) {
-  Start({Pace::kEvents, kNever});
+  Start({Pace::kEvents, kForever});
   AwaitTick();
   WakeUp called;
   for (int i = 0; i < 10; ++i) {
@@ -123,7 +123,7 @@ TEST_F(RunnerThread, AMessageDoesNotDisturbAFixedRate) {
   stage_.executor->inbox()->RequestTick();
   while (ticks_ < 10) AwaitTick();
   runner_->Stop();
-  const auto hours = stage_.clock.Now() / std::chrono::hours(1);
+  const auto hours = stage_.clock.Now().time_since_epoch() / std::chrono::hours(1);
   EXPECT_GE(hours, ticks_ - 1);
 }
 
@@ -172,7 +172,7 @@ class SlowLeaf : public testing::Test {
 TEST_F(SlowLeaf, RunEndsWhenItHasStopped) {
   Make(wall_clock_);
   const Time start = wall_clock_.Now();
-  Runner runner(*executor_, {Pace::kEvents, kNever});
+  Runner runner(*executor_, {Pace::kEvents, kForever});
   std::atomic<bool> ended{false};
   std::thread thread([&] {
     runner.Run();
@@ -193,7 +193,7 @@ TEST_F(SlowLeaf, IsGivenUpAfterItsLimit) {
   Runner runner(*executor_, {Pace::kEvents, milliseconds(10)});
   executor_->inbox()->PostCall([&runner] { runner.RequestStop(); });
   EXPECT_EQ(runner.Run(), Status::kRunning);
-  EXPECT_EQ(simulated_clock_.Now(), seconds(60));
+  EXPECT_EQ(simulated_clock_.Now(), Time(seconds(60)));
   EXPECT_FALSE(executor_->is_draining());
 }
 
@@ -220,29 +220,29 @@ TEST(Runner, StoppedBeforeItRunsItDoesNotTick) {
 TEST(Runner, TheScheduleOfAFixedRateIsAnchoredAtTheFirstTick) {
   Stage stage(Main(R"(<Leaf name="a"/>)"), Running("a"));
   Runner runner(*stage.executor, {Pace::kFixedRate, milliseconds(100)});
-  std::vector<Time> starts;
+  std::vector<Duration> starts;
   stage.script.on_tick["a"] = [&] {
-    starts.push_back(stage.clock.Now() - seconds(1));
+    starts.push_back(stage.clock.Now() - Time(seconds(1)));
     stage.clock.Advance(milliseconds(30));  // what the tick takes
     if (starts.size() == 4) runner.RequestStop();
   };
   runner.Run();
-  EXPECT_EQ(starts, (std::vector<Time>{milliseconds(0), milliseconds(100), milliseconds(200),
-                                       milliseconds(300)}));
+  EXPECT_EQ(starts, (std::vector<Duration>{milliseconds(0), milliseconds(100), milliseconds(200),
+                                           milliseconds(300)}));
   EXPECT_EQ(runner.overruns(), 0U);
 }
 
 TEST(Runner, AFixedRateLeavesOutThePeriodsThatATickMisses) {
   Stage stage(Main(R"(<Leaf name="a"/>)"), Running("a"));
   Runner runner(*stage.executor, {Pace::kFixedRate, milliseconds(100)});
-  std::vector<Time> starts;
+  std::vector<Duration> starts;
   stage.script.on_tick["a"] = [&] {
-    starts.push_back(stage.clock.Now() - seconds(1));
+    starts.push_back(stage.clock.Now() - Time(seconds(1)));
     stage.clock.Advance(milliseconds(starts.size() == 1 ? 350 : 100));
     if (starts.size() == 3) runner.RequestStop();
   };
   runner.Run();
-  EXPECT_EQ(starts, (std::vector<Time>{milliseconds(0), milliseconds(400), milliseconds(500)}));
+  EXPECT_EQ(starts, (std::vector<Duration>{milliseconds(0), milliseconds(400), milliseconds(500)}));
   EXPECT_EQ(runner.overruns(), 1U) << "a tick that takes exactly a period is in time";
   EXPECT_EQ(runner.missed_periods(), 3U) << "100, 200 and 300 ms";
 }
@@ -250,13 +250,13 @@ TEST(Runner, AFixedRateLeavesOutThePeriodsThatATickMisses) {
 TEST(Runner, AFixedRateDoesNotListenToTimers) {
   Stage stage(Main(R"(<Delay delay_msec="250"><AlwaysSuccess/></Delay>)"));
   coppice::Run(*stage.executor, {Pace::kFixedRate, milliseconds(100)});
-  EXPECT_EQ(stage.clock.Now(), seconds(1) + milliseconds(300));
+  EXPECT_EQ(stage.clock.Now(), Time(seconds(1) + milliseconds(300)));
   EXPECT_EQ(stage.executor->ticks(), 4U);
 }
 
 TEST(Runner, AFixedRateNeedsAPeriod) {
   Stage stage(Main(R"(<Leaf name="a"/>)"));
-  for (const Duration period : {Duration(0), Duration(-1), Duration(kNever)}) {
+  for (const Duration period : {Duration(0), Duration(-1), kForever}) {
     EXPECT_THROW(Runner(*stage.executor, {Pace::kFixedRate, period}), std::invalid_argument);
   }
 }

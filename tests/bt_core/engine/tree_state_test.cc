@@ -192,7 +192,7 @@ TEST(TreeState, AsksForATickIfTheTreeRan) {
   EXPECT_EQ(stage.executor->Tick(), kSuccess);
   EXPECT_EQ(stage.executor->next_tick(), kNever);
   stage.executor->Restore(state);
-  EXPECT_EQ(stage.executor->next_tick(), Time(0));
+  EXPECT_EQ(stage.executor->next_tick(), Time{});
 }
 
 TEST(TreeState, SinksAreToldOfARestore) {

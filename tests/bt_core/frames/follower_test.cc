@@ -50,11 +50,11 @@ TEST(HistoryFollower, KnowsStatusesAndValues) {
 
 TEST(HistoryFollower, RemembersTheLastStatusOfIdleNodes) {
   const TreeShape shape{{NodeIndex{0}, NodeIndex{2}, false}, {NodeIndex{0}, NodeIndex{2}, false}};
-  HistoryFollower follower(shape, {{}, 0, Time(0), {Status::kIdle, Status::kIdle}, {}, {}});
+  HistoryFollower follower(shape, {{}, 0, Time{}, {Status::kIdle, Status::kIdle}, {}, {}});
   EventWriter words;
   words.Status(NodeIndex{1}, Status::kFailure);
   words.Status(kRootNode, Status::kSuccess);
-  follower.Apply({1, Time(1), Duration(0), Status::kSuccess, true, words.words()});
+  follower.Apply({1, Time(Duration(1)), Duration(0), Status::kSuccess, true, words.words()});
   EXPECT_EQ(follower.status(NodeIndex{1}), Status::kIdle);
   EXPECT_EQ(follower.last(NodeIndex{1}), Status::kFailure);
   const HistoryState state = follower.State(HistoryState::Cause::kKeyframe);
@@ -78,13 +78,14 @@ TEST(HistoryFollower, EventsThatHaveChangedNothingWhenTheyCameAgainNeverWill) {
   std::mt19937 random(1);
   int settled = 0;
   for (int round = 0; round < 5000; ++round) {
-    HistoryFollower follower(shape, {{}, 0, Time(0), std::vector<Status>(6), {}, {}});
+    HistoryFollower follower(shape, {{}, 0, Time{}, std::vector<Status>(6), {}, {}});
     EventWriter before;
     AddAnyStatuses(random, before);
-    follower.Apply({1, Time(1), Duration(0), Status::kSuccess, true, before.words()});
+    follower.Apply({1, Time(Duration(1)), Duration(0), Status::kSuccess, true, before.words()});
     EventWriter words;
     AddAnyStatuses(random, words);
-    const TickEvents events{2, Time(2), Duration(0), Status::kSuccess, true, words.words()};
+    const TickEvents events{2,    Time(Duration(2)), Duration(0), Status::kSuccess,
+                            true, words.words()};
     follower.Apply(events);
     if (!follower.ApplyAgain(events)) continue;
     ++settled;
@@ -97,14 +98,14 @@ TEST(HistoryFollower, EventsThatHaveChangedNothingWhenTheyCameAgainNeverWill) {
 
 TEST(HistoryFollower, TellsChangesAndEvents) {
   HistoryFollower follower({{NodeIndex{0}, NodeIndex{1}, false}},
-                           {{}, 0, Time(0), {Status::kIdle}, {}, {}});
+                           {{}, 0, Time{}, {Status::kIdle}, {}, {}});
   EventWriter words;
   words.Text(kRootNode, EventText::kMessage, "hello");
   words.Status(kRootNode, Status::kSuccess);
   int changes = 0;
   int events = 0;
   follower.Apply(
-      {1, Time(1), Duration(0), Status::kSuccess, true, words.words()},
+      {1, Time(Duration(1)), Duration(0), Status::kSuccess, true, words.words()},
       [&](const StatusChange&) { ++changes; }, [&](const Event&) { ++events; });
   EXPECT_EQ(changes, 1);
   EXPECT_EQ(events, 2);

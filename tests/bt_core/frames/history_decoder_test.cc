@@ -29,8 +29,8 @@ class HistoryDecoderTest : public ::testing::Test {
       if (i % 20 == 0) encoder.Keyframe();
     }
     stream.Remove(listener);
-    encoder.Note({Time(1), "a", "b"});
-    encoder.End(HistoryEnd::Cause::kClosed, Time(1));
+    encoder.Note({Time(Duration(1)), "a", "b"});
+    encoder.End(HistoryEnd::Cause::kClosed, Time(Duration(1)));
   }
 
   KeptFrames frames_;

@@ -181,7 +181,7 @@ TEST_F(HistoryEncoderTest, CountsWhatIsSkippedAndGivesTheStateBehindIt) {
   encoder_.SkipNotes(2);
   stream_.Flush();
 
-  encoder_.Note({Time(3), "kind", "text"});
+  encoder_.Note({Time(Duration(3)), "kind", "text"});
   KeptHistory history;
   EXPECT_EQ(frames_.DecodeAll(history).problem(), "");
   ASSERT_THAT(history.gaps, SizeIs(1));
@@ -203,7 +203,7 @@ TEST_F(HistoryEncoderTest, ATreeThatWasSkippedIsDescribedLater) {
   state.values.resize(executor_.blackboard().size());
   encoder_.Skip(state);
   EXPECT_THAT(frames_.frames, IsEmpty());
-  encoder_.Note({Time(3), "kind", "text"});
+  encoder_.Note({Time(Duration(3)), "kind", "text"});
   EXPECT_THAT(frames_.types, ElementsAre(FrameType::kTree, FrameType::kState, FrameType::kNote));
   Listen();
 }
@@ -234,10 +234,10 @@ TEST_F(HistoryEncoderTest, GivesNoStateWithinATick) {
   Tick();
   EventWriter words;
   words.Status(NodeIndex{1}, Status::kSuccess);
-  encoder_.Add({9, Time(9), Duration(0), Status::kIdle, false, words.words()});
+  encoder_.Add({9, Time(Duration(9)), Duration(0), Status::kIdle, false, words.words()});
   encoder_.Keyframe();
   EXPECT_EQ(frames_.Count(FrameType::kState), 1u);
-  encoder_.Add({9, Time(9), Duration(0), Status::kRunning, true, words.words()});
+  encoder_.Add({9, Time(Duration(9)), Duration(0), Status::kRunning, true, words.words()});
   encoder_.Keyframe();
   EXPECT_EQ(frames_.Count(FrameType::kState), 2u);
 }
@@ -305,7 +305,7 @@ TEST(HistorySize, IsSmallForALargeTree) {
 TEST_F(HistoryEncoderTest, EndsBehindAllEvents) {
   Listen();
   Tick();
-  encoder_.End(HistoryEnd::Cause::kClosed, Time(5));
+  encoder_.End(HistoryEnd::Cause::kClosed, Time(Duration(5)));
   KeptHistory history;
   EXPECT_EQ(frames_.DecodeAll(history).problem(), "");
   EXPECT_EQ(history.lines.back(), "end " + std::to_string(executor_.ticks()));

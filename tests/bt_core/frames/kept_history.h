@@ -35,7 +35,7 @@ inline std::string Describe(const Event& event) {
 inline std::string Describe(const TickEvents& tick) {
   const auto duration = std::chrono::round<std::chrono::microseconds>(tick.duration);
   std::string text = "tick " + std::to_string(tick.tick) + " at " +
-                     std::to_string(tick.start.count()) + " for " +
+                     std::to_string(tick.start.time_since_epoch().count()) + " for " +
                      std::to_string(duration.count()) + " " + ToString(tick.result) +
                      (tick.is_whole ? "" : " part");
   EventReader reader(tick.words);
@@ -45,7 +45,8 @@ inline std::string Describe(const TickEvents& tick) {
 
 inline std::string DescribeState(std::uint64_t tick, Time time, const std::vector<Status>& statuses,
                                  const std::vector<std::string>& values) {
-  std::string text = "state " + std::to_string(tick) + " at " + std::to_string(time.count());
+  std::string text =
+      "state " + std::to_string(tick) + " at " + std::to_string(time.time_since_epoch().count());
   for (const Status status : statuses) text += std::string(" ") + ToString(status);
   for (const std::string& value : values) text += " " + PrintValueBytes(value);
   return text;
@@ -82,8 +83,8 @@ class KeptHistory : public HistoryHandler {
                     std::to_string(gap.lost_notes) + " notes");
   }
   void OnNote(const HistoryNote& note) override {
-    lines.push_back("note " + std::to_string(note.time.count()) + " " + note.kind + " " +
-                    note.text);
+    lines.push_back("note " + std::to_string(note.time.time_since_epoch().count()) + " " +
+                    note.kind + " " + note.text);
   }
   void OnEnd(const HistoryEnd& end) override { lines.push_back("end " + std::to_string(end.tick)); }
   std::vector<std::string> lines;

@@ -14,7 +14,7 @@ using ::testing::SizeIs;
 
 TreeDescription SomeTree() {
   LeafScript script;
-  RunInfo info = BeginRun(SimulatedClock(Time(-5)));
+  RunInfo info = BeginRun(SimulatedClock(Duration(-5)));
   info.metadata = {{"robot", "sobi-1"}, {"", ""}};
   return DescribeTree(*ScriptedProgram(script), info);
 }
@@ -35,7 +35,7 @@ TEST(PayloadCoding, BringsBackADescription) {
   ASSERT_TRUE(decoded);
   EXPECT_EQ(Encoded(*decoded), bytes);
   EXPECT_EQ(decoded->info.run, tree.info.run);
-  EXPECT_EQ(decoded->info.start, Time(-5));
+  EXPECT_EQ(decoded->info.start, Time(Duration(-5)));
   EXPECT_THAT(decoded->info.metadata, ElementsAre(Pair("robot", "sobi-1"), Pair("", "")));
   EXPECT_EQ(decoded->models, tree.models);
   EXPECT_EQ(decoded->documents[0].text, tree.documents[0].text);
@@ -74,7 +74,7 @@ TEST(PayloadCoding, RefusesPortsWithoutSlotsAndNodesWithoutDocument) {
 TEST(PayloadCoding, BringsBackAState) {
   const HistoryState state{HistoryState::Cause::kJump,
                            77,
-                           Time(-3),
+                           Time(Duration(-3)),
                            {Status::kRunning, Status::kIdle},
                            {Status::kRunning, Status::kFailure},
                            {"\1text", "", std::string(1, '\0')}};
@@ -92,7 +92,7 @@ TEST(PayloadCoding, BringsBackAState) {
   ASSERT_TRUE(DecodeStateBody(All(body), {2, 3}, decoded));
   EXPECT_EQ(decoded.cause, state.cause);
   EXPECT_EQ(decoded.tick, 77u);
-  EXPECT_EQ(decoded.time, Time(-3));
+  EXPECT_EQ(decoded.time, Time(Duration(-3)));
   EXPECT_EQ(decoded.statuses, state.statuses);
   EXPECT_EQ(decoded.last, state.last);
   EXPECT_EQ(decoded.values, state.values);
@@ -101,7 +101,7 @@ TEST(PayloadCoding, BringsBackAState) {
 TEST(PayloadCoding, BringsBackGapsNotesAndEnds) {
   Bytes bytes;
   Encoder out(bytes);
-  EncodeGap({HistoryGap::Cause::kOutput, Time(9), 3, 5, 8, 2}, out);
+  EncodeGap({HistoryGap::Cause::kOutput, Time(Duration(9)), 3, 5, 8, 2}, out);
   const auto gap = DecodeGap(All(bytes));
   ASSERT_TRUE(gap);
   EXPECT_EQ(gap->cause, HistoryGap::Cause::kOutput);
@@ -111,15 +111,15 @@ TEST(PayloadCoding, BringsBackGapsNotesAndEnds) {
   EXPECT_FALSE(DecodeNote(All(bytes)));
 
   bytes.clear();
-  EncodeNote({Time(4), "fault", "laser"}, out);
+  EncodeNote({Time(Duration(4)), "fault", "laser"}, out);
   const auto note = DecodeNote(All(bytes));
   ASSERT_TRUE(note);
-  EXPECT_EQ(note->time, Time(4));
+  EXPECT_EQ(note->time, Time(Duration(4)));
   EXPECT_EQ(note->kind, "fault");
   EXPECT_EQ(note->text, "laser");
 
   bytes.clear();
-  EncodeEnd({HistoryEnd::Cause::kContinued, Time(4), 12}, out);
+  EncodeEnd({HistoryEnd::Cause::kContinued, Time(Duration(4)), 12}, out);
   const auto end = DecodeEnd(All(bytes));
   ASSERT_TRUE(end);
   EXPECT_EQ(end->cause, HistoryEnd::Cause::kContinued);

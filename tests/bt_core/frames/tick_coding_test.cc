@@ -41,25 +41,25 @@ TEST(TickCoding, BringsBackEveryKindOfEvent) {
   words.Text(NodeIndex{3}, EventText::kException, "");
   words.Text(NodeIndex{3}, EventText::kInjected, "\2");
   words.Status(kRootNode, Status::kSkipped);
-  const TickEvents tick{5, 1700000000s, 1234us, Status::kFailure, true, words.words()};
+  const TickEvents tick{5, Time(1700000000s), 1234us, Status::kFailure, true, words.words()};
   EXPECT_EQ(DecodeOne(Encode(tick)), Describe(tick));
-  const TickEvents part{5, -1s, 0us, Status::kIdle, false, words.words()};
+  const TickEvents part{5, Time(-1s), 0us, Status::kIdle, false, words.words()};
   EXPECT_EQ(DecodeOne(Encode(part)), Describe(part));
 }
 
 TEST(TickCoding, ATickOfLessThanNoTimeHasNone) {
-  const TickEvents back{5, 1s, -2s, Status::kSuccess, true, {}};
-  const TickEvents told{5, 1s, 0s, Status::kSuccess, true, {}};
+  const TickEvents back{5, Time(1s), -2s, Status::kSuccess, true, {}};
+  const TickEvents told{5, Time(1s), 0s, Status::kSuccess, true, {}};
   EXPECT_EQ(DecodeOne(Encode(back)), Describe(told));
 }
 
 TEST(TickCoding, BringsBackAnySequenceOfNumbersAndTimes) {
   TickEncoder encoder;
   TickDecoder decoder;
-  encoder.Restart(77, 5s);
-  decoder.Restart(77, 5s);
+  encoder.Restart(77, Time(5s));
+  decoder.Restart(77, Time(5s));
   for (const std::uint64_t number : {78ull, 78ull, 79ull, 5000ull, 3ull, ~0ull, 0ull}) {
-    for (const Time time : {Time(0), Time(5s), Time(5100ms), Time(-1), Time::max()}) {
+    for (const Time time : {Time{}, Time(5s), Time(5100ms), Time(Duration(-1)), Time::max()}) {
       const TickEvents tick{number, time, 0us, Status::kRunning, true, {}};
       Bytes bytes;
       encoder.Encode(tick, bytes);
@@ -82,7 +82,7 @@ TEST(TickCoding, CountsTheTicksThatHadTheEventsOfTheOneBeforeThem) {
   std::vector<std::uint64_t> repetitions;
   std::uint64_t number = 0;
   for (const EventWriter* words : {&same, &same, &same, &other, &same, &same}) {
-    const TickEvents tick{++number, 0s, 0us, Status::kSuccess, true, words->words()};
+    const TickEvents tick{++number, Time(0s), 0us, Status::kSuccess, true, words->words()};
     Bytes bytes;
     encoder.Encode(tick, bytes);
     repetitions.push_back(encoder.repetitions());
@@ -90,16 +90,16 @@ TEST(TickCoding, CountsTheTicksThatHadTheEventsOfTheOneBeforeThem) {
     EXPECT_EQ(Describe(*decoder.Decode(in, kSize)), Describe(tick));
   }
   EXPECT_EQ(repetitions, (std::vector<std::uint64_t>{0, 1, 2, 0, 0, 1}));
-  encoder.Restart(number, 0s);
+  encoder.Restart(number, Time(0s));
   Bytes bytes;
-  encoder.Encode({++number, 0s, 0us, Status::kSuccess, true, same.words()}, bytes);
+  encoder.Encode({++number, Time(0s), 0us, Status::kSuccess, true, same.words()}, bytes);
   EXPECT_EQ(encoder.repetitions(), 0U) << "what follows the tree has been set anew";
 }
 
 TEST(TickCoding, AStatusOfANodeNearbyIsOneByte) {
   EventWriter words;
   for (NodeIndex node{0}; node < 1000; ++node) words.Status(node, Status::kSuccess);
-  const TickEvents tick{1, 0s, 0us, Status::kSuccess, true, words.words()};
+  const TickEvents tick{1, Time(0s), 0us, Status::kSuccess, true, words.words()};
   EXPECT_LE(Encode(tick).size(), 1000u + 6u);
 }
 
@@ -108,7 +108,7 @@ TEST(TickCoding, ATickAtRegularTimesHasFiveBytesBesideItsEvents) {
   Bytes bytes;
   for (std::uint64_t i = 1; i <= 3; ++i) {
     bytes.clear();
-    encoder.Encode({i, i * 100ms, 80us, Status::kRunning, true, {}}, bytes);
+    encoder.Encode({i, Time(i * 100ms), 80us, Status::kRunning, true, {}}, bytes);
   }
   EXPECT_LE(bytes.size(), 5u);
 }
@@ -117,7 +117,7 @@ TEST(TickCoding, RefusesNodesAndSlotsThatThereAreNot) {
   EventWriter words;
   words.Status(NodeIndex{10}, Status::kSuccess);
   words.Add(EventCode::kWrite, 20, 30, "\1x");
-  const Bytes bytes = Encode({1, 0s, 0us, Status::kSuccess, true, words.words()});
+  const Bytes bytes = Encode({1, Time(0s), 0us, Status::kSuccess, true, words.words()});
   EXPECT_NE(DecodeOne(bytes, {31, 21}), "(nonsense)");
   EXPECT_EQ(DecodeOne(bytes, {30, 21}), "(nonsense)") << "the writer";
   EXPECT_EQ(DecodeOne(bytes, {10, 21}), "(nonsense)") << "the node";
@@ -127,7 +127,7 @@ TEST(TickCoding, RefusesNodesAndSlotsThatThereAreNot) {
 TEST(TickCoding, RefusesATickThatIsCutOff) {
   EventWriter words;
   words.Text(NodeIndex{10}, EventText::kMessage, "because");
-  const Bytes bytes = Encode({1, 5s, 300us, Status::kSuccess, true, words.words()});
+  const Bytes bytes = Encode({1, Time(5s), 300us, Status::kSuccess, true, words.words()});
   for (std::size_t size = 0; size < bytes.size(); ++size) {
     EXPECT_EQ(DecodeOne(Bytes(bytes.begin(), bytes.begin() + static_cast<long>(size))),
               "(nonsense)");
@@ -168,7 +168,7 @@ TEST(TickCoding, CutsValuesShorterWhereThereIsMuchAlready) {
   EventWriter words;
   const std::string value = "\1" + std::string(60000, 'x');
   for (int i = 0; i < 1000; ++i) words.Add(EventCode::kWrite, 1, 1, value);
-  const Bytes bytes = Encode({1, 0s, 0us, Status::kSuccess, true, words.words()});
+  const Bytes bytes = Encode({1, Time(0s), 0us, Status::kSuccess, true, words.words()});
   EXPECT_LT(bytes.size(), 10u << 20);
   EXPECT_NE(DecodeOne(bytes), "(nonsense)");
 }

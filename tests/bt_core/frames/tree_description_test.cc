@@ -70,11 +70,11 @@ TEST(TreeDescription, HasTheShapeOfTheProgram) {
 }
 
 TEST(RunInfo, KnowsItsClockAndWhenItBegan) {
-  SimulatedClock simulated(Time(5));
+  SimulatedClock simulated(Duration(5));
   const RunInfo info = BeginRun(simulated);
   EXPECT_EQ(info.clock, "simulated");
-  EXPECT_EQ(info.start, Time(5));
-  EXPECT_GT(info.wall_start, std::chrono::hours(24 * 365 * 50));
+  EXPECT_EQ(info.start, Time(Duration(5)));
+  EXPECT_GT(info.wall_start, WallTime(std::chrono::hours(24 * 365 * 50)));
   EXPECT_EQ(BeginRun(WallClock()).clock, "wall");
 }
 

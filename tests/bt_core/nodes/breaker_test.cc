@@ -7,17 +7,17 @@ namespace {
 
 TEST(FailureTimes, ForgetsWhatIsOlderThanThePeriod) {
   FailureTimes failures;
-  EXPECT_EQ(failures.Add(Time(100), Time(0)), 1U);
-  EXPECT_EQ(failures.Add(Time(200), Time(100)), 2U);
-  EXPECT_EQ(failures.Add(Time(300), Time(101)), 2U);
+  EXPECT_EQ(failures.Add(Time(Duration(100)), Time{}), 1U);
+  EXPECT_EQ(failures.Add(Time(Duration(200)), Time(Duration(100))), 2U);
+  EXPECT_EQ(failures.Add(Time(Duration(300)), Time(Duration(101))), 2U);
   failures.Clear();
-  EXPECT_EQ(failures.Add(Time(400), Time(0)), 1U);
+  EXPECT_EQ(failures.Add(Time(Duration(400)), Time{}), 1U);
 }
 
 TEST(FailureTimes, ReadsWhatItPrints) {
   FailureTimes failures;
-  failures.Add(Time(100), Time(0));
-  failures.Add(Time(250), Time(0));
+  failures.Add(Time(Duration(100)), Time{});
+  failures.Add(Time(Duration(250)), Time{});
   const std::string text = ValueTraits<FailureTimes>::Print(failures);
   EXPECT_EQ(text, "100;250");
   FailureTimes read;

@@ -51,11 +51,11 @@ TEST(CoroutineAction, RunsFromWaitToWait) {
   LeafHarness harness = LeafHarness::For<Sleeps>();
   EXPECT_EQ(harness.Tick(), Status::kRunning);
   EXPECT_EQ(harness.Get<int>("stage"), 1);
-  EXPECT_EQ(harness.next_tick(), seconds(1));
+  EXPECT_EQ(harness.next_tick(), Time(seconds(1)));
   harness.Advance(seconds(1));
   EXPECT_EQ(harness.Tick(), Status::kRunning);
   EXPECT_EQ(harness.Get<int>("stage"), 2);
-  EXPECT_EQ(harness.next_tick(), seconds(3));
+  EXPECT_EQ(harness.next_tick(), Time(seconds(3)));
   harness.Advance(seconds(2));
   EXPECT_EQ(harness.Tick(), Status::kSuccess);
   EXPECT_EQ(harness.Get<int>("stage"), 3);
@@ -66,7 +66,7 @@ TEST(CoroutineAction, ATickInBetweenChangesNothing) {
   harness.Tick();
   EXPECT_EQ(harness.Tick(), Status::kRunning);
   EXPECT_EQ(harness.Get<int>("stage"), 1);
-  EXPECT_EQ(harness.next_tick(), seconds(1));
+  EXPECT_EQ(harness.next_tick(), Time(seconds(1)));
 }
 
 TEST(CoroutineAction, HaltingDestroysWhatItHoldsInReverseOrder) {
@@ -138,7 +138,7 @@ TEST(CoroutineAction, WaitsUntilAPredicateIsTrue) {
   harness.Set("level", 11);
   EXPECT_EQ(harness.Tick(), Status::kRunning);
   EXPECT_EQ(harness.Get<int>("asked"), 3);
-  EXPECT_LE(harness.next_tick(), Time(0));  // a yield asks for the next tick at once
+  EXPECT_LE(harness.next_tick(), Time{});  // a yield asks for the next tick at once
   EXPECT_EQ(harness.Tick(), Status::kFailure);
 }
 

@@ -75,19 +75,19 @@ TEST(Leaf, FailSaysWhy) {
 
 TEST(Leaf, AsksForATickInTheTreesTime) {
   Host host;
-  host.set_now(std::chrono::seconds(10));
+  host.set_now(Time(std::chrono::seconds(10)));
   Drive drive;
   drive.set_host(&host);
   drive.Tick(true);
-  EXPECT_EQ(host.wake_at(), std::chrono::seconds(12));
+  EXPECT_EQ(host.wake_at(), Time(std::chrono::seconds(12)));
 }
 
 TEST(LeafHost, KeepsTheEarliestWakeUp) {
   Host host;
-  host.WakeAt(std::chrono::seconds(5));
-  host.WakeAt(std::chrono::seconds(3));
-  host.WakeAt(std::chrono::seconds(4));
-  EXPECT_EQ(host.wake_at(), std::chrono::seconds(3));
+  host.WakeAt(Time(std::chrono::seconds(5)));
+  host.WakeAt(Time(std::chrono::seconds(3)));
+  host.WakeAt(Time(std::chrono::seconds(4)));
+  EXPECT_EQ(host.wake_at(), Time(std::chrono::seconds(3)));
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ class Watch : public Service {
  private:
   void OnEnter() override { log_.emplace_back("enter"); }
   void OnPeriod() override {
-    log_.push_back("at " + std::to_string(now() / milliseconds(1)));
+    log_.push_back("at " + std::to_string(now().time_since_epoch() / milliseconds(1)));
     if (log_.size() > 4) throw std::runtime_error("worn out");
   }
   void OnExit() override { log_.emplace_back("exit"); }
@@ -35,14 +35,14 @@ TEST_F(ServiceTest, RunsAtTheStartAndThenAtItsPeriod) {
   harness_.Set("period_msec", 100U);
   harness_.SetChild(0, {Status::kRunning});
   EXPECT_EQ(harness_.Tick(), Status::kRunning);
-  EXPECT_EQ(harness_.next_tick(), milliseconds(100));
+  EXPECT_EQ(harness_.next_tick(), Time(milliseconds(100)));
   harness_.Advance(milliseconds(99));
   harness_.Tick();
   EXPECT_EQ(log_, (Log{"enter", "at 0"}));
   harness_.Advance(milliseconds(1));
   harness_.Tick();
   EXPECT_EQ(log_, (Log{"enter", "at 0", "at 100"}));
-  EXPECT_EQ(harness_.next_tick(), milliseconds(200));
+  EXPECT_EQ(harness_.next_tick(), Time(milliseconds(200)));
 }
 
 TEST_F(ServiceTest, KeepsItsRhythmAndLeavesOutWhatItMissed) {
@@ -52,7 +52,7 @@ TEST_F(ServiceTest, KeepsItsRhythmAndLeavesOutWhatItMissed) {
   harness_.Advance(milliseconds(350));
   harness_.Tick();
   EXPECT_EQ(log_, (Log{"enter", "at 0", "at 350"}));
-  EXPECT_EQ(harness_.next_tick(), milliseconds(400));
+  EXPECT_EQ(harness_.next_tick(), Time(milliseconds(400)));
 }
 
 TEST_F(ServiceTest, APeriodOf0IsEveryTick) {

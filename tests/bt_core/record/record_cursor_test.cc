@@ -156,14 +156,14 @@ StreamState StateWith(std::shared_ptr<const Program> program, StreamState::Cause
   state.cause = cause;
   state.program = std::move(program);
   state.tick = tick;
-  state.time = tick * 1s;
+  state.time = Time(tick * 1s);
   state.statuses.resize(state.program->nodes.size());
   state.values.resize(state.program->layout.slots.size());
   return state;
 }
 
 TickEvents Tick(std::uint64_t number, const EventWriter& words, bool is_whole = true) {
-  return {number, number * 1s, 0us, Status::kRunning, is_whole, words.words()};
+  return {number, Time(number * 1s), 0us, Status::kRunning, is_whole, words.words()};
 }
 
 std::vector<RecordItem> ItemsOf(RecordCursor& cursor) {
@@ -182,14 +182,14 @@ TEST_F(RecordCursorTest, TellsWhatIsNoTick) {
   const auto program = ScriptedProgram(script_);
   encoder.Add(StateWith(program, StreamState::Cause::kBegin, 0));
   encoder.Add(Tick(1, words));
-  encoder.Note({1s, "fault", "laser"});
+  encoder.Note({Time(1s), "fault", "laser"});
   encoder.Skip(Tick(2, words));
   encoder.Add(Tick(3, words));
   encoder.Keyframe();
   encoder.Add(Tick(4, words));
   encoder.Add(StateWith(OtherScriptedProgram(script_), StreamState::Cause::kJump, 4));
   encoder.Add(Tick(5, words));
-  encoder.End(HistoryEnd::Cause::kClosed, 6s);
+  encoder.End(HistoryEnd::Cause::kClosed, Time(6s));
 
   const auto record = OpenRecord(folder_.Path("run.coppice"));
   RecordCursor cursor(*record);
@@ -198,7 +198,7 @@ TEST_F(RecordCursorTest, TellsWhatIsNoTick) {
                                            RecordItem::kTree, RecordItem::kTick, RecordItem::kEnd));
   EXPECT_EQ(cursor.note().text, "laser");
   EXPECT_EQ(cursor.gap().first_tick, 2u);
-  EXPECT_EQ(cursor.end().time, 6s);
+  EXPECT_EQ(cursor.end().time, Time(6s));
   EXPECT_EQ(cursor.tree().nodes[2].path, "new");
   cursor.SeekTick(3);
   EXPECT_EQ(cursor.tree().nodes[2].path, "Fallback::3");
@@ -220,7 +220,7 @@ TEST_F(RecordCursorTest, CollectsATickThatCameInParts) {
   encoder.Flush();
   encoder.Add(Tick(1, third));
   encoder.Add(Tick(2, third));
-  encoder.End(HistoryEnd::Cause::kClosed, 6s);
+  encoder.End(HistoryEnd::Cause::kClosed, Time(6s));
 
   EventWriter all;
   all.Status(NodeIndex{1}, Status::kSuccess);

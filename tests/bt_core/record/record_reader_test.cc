@@ -80,7 +80,7 @@ TEST_F(RecordReaderTest, KnowsWhatThereIs) {
   EXPECT_THAT(reader->keyframes(), SizeIs(4));
   EXPECT_EQ(reader->first_tick(), 0u);
   EXPECT_EQ(reader->last_tick(), 12u);
-  EXPECT_EQ(reader->end(), std::chrono::milliseconds(1200));
+  EXPECT_EQ(reader->end(), Time(std::chrono::milliseconds(1200)));
   EXPECT_THAT(reader->damages(), IsEmpty());
   EXPECT_EQ(reader->torn_bytes(), 0u);
   EXPECT_TRUE(reader->closed());

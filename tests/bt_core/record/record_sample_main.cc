@@ -27,7 +27,8 @@ class Results : public TickSink {
  public:
   void OnTick(const TickEvents& events) override {
     std::printf("tick %llu %lld %d", static_cast<unsigned long long>(events.tick),
-                static_cast<long long>(events.start.count()), static_cast<int>(events.result));
+                static_cast<long long>(events.start.time_since_epoch().count()),
+                static_cast<int>(events.result));
     std::printf("%s\n", events.result == Status::kIdle ? " halt" : "");
   }
 };

@@ -34,7 +34,7 @@ class RecordWriterTest : public ::testing::Test {
 
   std::string path() const { return folder_.Path("run.coppice"); }
   TickEvents Tick(std::uint64_t number) const {
-    return {number, number * 100ms, 10us, Status::kRunning, true, words_.words()};
+    return {number, Time(number * 100ms), 10us, Status::kRunning, true, words_.words()};
   }
   template <class Done>
   static void WaitUntil(Done done) {
@@ -53,8 +53,8 @@ TEST_F(RecordWriterTest, WritesEverythingBeforeItEnds) {
   RecordWriter writer(path(), options_, {});
   writer.Add(state_);
   for (std::uint64_t i = 1; i <= 10; ++i) writer.Add(Tick(i));
-  writer.Add(HistoryNote{5s, "kind", "text"});
-  writer.Stop(6s);
+  writer.Add(HistoryNote{Time(5s), "kind", "text"});
+  writer.Stop(Time(6s));
   EXPECT_EQ(writer.error(), "");
   EXPECT_EQ(writer.flushed_tick(), 10u);
   const WholeRecord record = ReadRecord(path());
@@ -93,7 +93,7 @@ TEST_F(RecordWriterTest, GoesOnInAnotherFileWhenOneIsLongEnough) {
   RecordWriter writer(path(), options_, history);
   writer.Add(state_);
   for (std::uint64_t i = 1; i <= 2000; ++i) writer.Add(Tick(i));
-  writer.Stop(6s);
+  writer.Stop(Time(6s));
   const auto record = OpenRecord(path());
   EXPECT_THAT(record->files(), SizeIs(::testing::Gt(3u)));
   const WholeRecord all = ReadAll(*record);

@@ -70,14 +70,14 @@ TEST_F(RecorderTest, BeginsWithTheTreeAsItStands) {
 
 TEST_F(RecorderTest, KeepsNotesFromAnyThread) {
   Recorder recorder(stream_, path());
-  std::thread other([&] { recorder.Note(Time(10), "fault", "laser unplugged"); });
+  std::thread other([&] { recorder.Note(Time(Duration(10)), "fault", "laser unplugged"); });
   other.join();
   Tick();
-  recorder.Note(Time(30), "fault", "laser back");
+  recorder.Note(Time(Duration(30)), "fault", "laser back");
   static_cast<void>(recorder.Close());
   const WholeRecord record = ReadRecord(path());
   ASSERT_THAT(record.notes, SizeIs(2));
-  EXPECT_EQ(record.notes[0].time, Time(10));
+  EXPECT_EQ(record.notes[0].time, Time(Duration(10)));
   EXPECT_EQ(record.notes[0].kind, "fault");
   EXPECT_EQ(record.notes[1].text, "laser back");
   EXPECT_THAT(OpenRecord(path())->notes(), SizeIs(2));
@@ -155,7 +155,7 @@ TEST_F(RecorderTest, LeavesOutTicksThatTheDiskCannotTakeAndSaysSo) {
     stream_.Flush();
   }
   const std::uint64_t lost = recorder->lost_ticks();
-  for (int i = 0; i < 3; ++i) recorder->Note(Time(0), "note", "finds no room");
+  for (int i = 0; i < 3; ++i) recorder->Note(Time{}, "note", "finds no room");
   disk.Drain();
   const std::uint64_t now = executor_.ticks();
   const auto deadline = std::chrono::steady_clock::now() + 30s;

@@ -21,7 +21,7 @@ template <class T>
 std::string Typed(const Operand& operand) {
   Slot slot;
   try {
-    Store(operand, &TypeOf<T>(), slot, Time(0));
+    Store(operand, &TypeOf<T>(), slot, Time{});
     EXPECT_EQ(slot.writes, 1U);
   } catch (const Failure&) {
     EXPECT_EQ(slot.writes, 0U);
@@ -36,7 +36,7 @@ std::string Untyped(const T& before, const Operand& operand) {
   slot.value.Set(before);
   const std::string shown = Show(slot);
   try {
-    Store(operand, nullptr, slot, Time(0));
+    Store(operand, nullptr, slot, Time{});
   } catch (const Failure&) {
     EXPECT_EQ(Show(slot), shown);
     return "refused";
@@ -103,7 +103,7 @@ TEST(Store, TheFirstValueGivesAnUntypedSlotItsType) {
                                                     {T("a"), "string a"},
                                                     {Operand::Other(list), "list of int 1"}}) {
     Slot slot;
-    Store(operand, nullptr, slot, Time(0));
+    Store(operand, nullptr, slot, Time{});
     EXPECT_EQ(Show(slot), expected);
   }
 }

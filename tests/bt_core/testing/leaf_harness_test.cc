@@ -29,14 +29,14 @@ class Wait : public Action {
   void OnHalted() override { Say("stopped " + *label); }
 
  private:
-  Time end_{0};
+  Time end_{};
 };
 
 TEST(LeafHarness, RunsALeafOnSimulatedTime) {
   LeafHarness harness = LeafHarness::For<Wait>();
   harness.Set("seconds", 2.0);
   EXPECT_EQ(harness.Tick(), Status::kRunning);
-  EXPECT_EQ(harness.next_tick(), seconds(2));
+  EXPECT_EQ(harness.next_tick(), Time(seconds(2)));
   EXPECT_FALSE(harness.WasWritten("waited"));
   harness.Advance(seconds(2));
   EXPECT_EQ(harness.Tick(), Status::kSuccess);
@@ -128,7 +128,7 @@ class Brake : public Action {
   }
 
  private:
-  Time stopped_at_{0};
+  Time stopped_at_{};
 };
 
 TEST(LeafHarness, WaitsUntilAHaltedLeafHasStopped) {

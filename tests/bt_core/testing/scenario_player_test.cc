@@ -42,7 +42,7 @@ TEST(ScenarioPlayer, DoesWhatAStepSaysAndTellsWhatHappened) {
   step = {};
   step.advance = std::chrono::milliseconds(200);
   EXPECT_EQ(player.Play(step).status, Status::kSuccess);
-  EXPECT_EQ(player.clock().Now(), std::chrono::milliseconds(1200));
+  EXPECT_EQ(player.clock().Now(), Time(std::chrono::milliseconds(1200)));
 }
 
 TEST(ScenarioPlayer, SaysWhatCannotBeDone) {

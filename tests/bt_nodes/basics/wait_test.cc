@@ -25,7 +25,7 @@ TEST(Wait, AsksToBeWokenWhenTheTimeHasPassed) {
   LeafHarness harness = LeafHarness::For<Wait>();
   harness.Set("seconds", 2.0);
   harness.Tick();
-  EXPECT_EQ(harness.next_tick(), std::chrono::seconds(2));
+  EXPECT_EQ(harness.next_tick(), Time(std::chrono::seconds(2)));
 }
 
 TEST(Wait, SucceedsAtOnceForZeroSeconds) {

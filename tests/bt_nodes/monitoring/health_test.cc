@@ -7,7 +7,7 @@ namespace {
 
 Health Example() {
   Health health;
-  health.stamp = std::chrono::seconds(7);
+  health.stamp = Time(std::chrono::seconds(7));
   health.entries = {{"node", "/a", "/a", HealthLevel::kOk, ""},
                     {"node", "/b", "/b", HealthLevel::kError, "does not answer"},
                     {"topic", "/scan", "/b", HealthLevel::kStale, "monitor is silent"},

@@ -64,7 +64,8 @@ TEST_F(RequestHelpTest, DoesNotRestWhenTheFaultIsAnotherOne) {
 TEST_F(RequestHelpTest, DoesNotTakeAnOldAnswerForANewOne) {
   help_.Tick();
   robot_.AnswerRequest("navigation", true);
-  requests_->Settle(std::chrono::hours(1), Duration(0), nullptr);  // withdrawn before it was seen
+  requests_->Settle(Time(std::chrono::hours(1)), Duration(0),
+                    nullptr);  // withdrawn before it was seen
   EXPECT_EQ(help_.Tick(), Status::kFailure);
   EXPECT_TRUE(requests_->IsOpen("navigation"));
 }

@@ -10,13 +10,13 @@ namespace {
 class OpenRequestsTest : public testing::Test {
  protected:
   void Assert(const std::string& question, double at, const std::string& faults = {}) {
-    requests_.Assert({"navigation", question, faults}, Seconds(at), [this] {
+    requests_.Assert({"navigation", question, faults}, Time(Seconds(at)), [this] {
       ++senders_;
       return Sender<ActionResult>();
     });
   }
   void Settle(double at, const Health* health = nullptr) {
-    requests_.Settle(Seconds(at), Seconds(1), health);
+    requests_.Settle(Time(Seconds(at)), Seconds(1), health);
   }
   static Duration Seconds(double seconds) {
     return std::chrono::duration_cast<Duration>(std::chrono::duration<double>(seconds));

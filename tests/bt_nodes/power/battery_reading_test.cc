@@ -41,7 +41,8 @@ TEST(BatteryReading, WhatNeitherTellsIsNotKnown) {
 }
 
 TEST(BatteryReading, IsTheSameAfterPrintingAndParsing) {
-  const BatteryReading reading{Time(5000000000), 24.25, -15.5, 0.5, 37.5, ChargerState::kFull};
+  const BatteryReading reading{Time(Duration(5000000000)), 24.25, -15.5, 0.5, 37.5,
+                               ChargerState::kFull};
   BatteryReading parsed;
   ASSERT_TRUE(
       ValueTraits<BatteryReading>::Parse(ValueTraits<BatteryReading>::Print(reading), parsed));
@@ -56,7 +57,7 @@ TEST(BatteryReading, IsTheSameAfterPrintingAndParsing) {
 TEST(BatteryReading, WhatIsNotMeasuredStaysSoInText) {
   const std::string text = ValueTraits<BatteryReading>::Print({});
   EXPECT_EQ(text, "0;nan;nan;nan;nan;0");
-  BatteryReading parsed{Time(1), 1, 1, 1, 1, ChargerState::kFull};
+  BatteryReading parsed{Time(Duration(1)), 1, 1, 1, 1, ChargerState::kFull};
   ASSERT_TRUE(ValueTraits<BatteryReading>::Parse(text, parsed));
   EXPECT_TRUE(std::isnan(parsed.level));
 }

@@ -8,7 +8,9 @@ namespace {
 // A battery that reports once a second.
 class BatteryWatchTest : public testing::Test {
  protected:
-  Time Now() const { return std::chrono::duration_cast<Time>(std::chrono::duration<double>(now_)); }
+  Time Now() const {
+    return Time(std::chrono::duration_cast<Duration>(std::chrono::duration<double>(now_)));
+  }
 
   // What a battery with this state of charge reports while this current flows.
   static BatteryReading Reading(double level, double current) {

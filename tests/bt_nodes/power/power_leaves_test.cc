@@ -101,7 +101,7 @@ TEST(Charge, FailsWhenTheCurrentStops) {
 
 TEST(ChargeDue, HoldsFromTheTimeTheReserveIsTouched) {
   LeafHarness harness = LeafHarness::For<ChargeDue>();
-  Time stamp{0};
+  Time stamp{};
   const auto tell = [&](double level) {
     stamp += std::chrono::seconds(1);
     harness.Advance(std::chrono::seconds(1));

@@ -7,7 +7,7 @@
 namespace coppice::leaves {
 namespace {
 
-constexpr Time At(int seconds) { return std::chrono::seconds(100 + seconds); }
+constexpr Time At(int seconds) { return Time(std::chrono::seconds(100 + seconds)); }
 
 TEST(WayHome, IsEstimatedAsLongAsNobodyHasMeasuredIt) {
   EXPECT_DOUBLE_EQ(WayHome().Length(10, At(0)), 15);

@@ -9,15 +9,15 @@ using std::chrono::seconds;
 
 TEST(Budget, AllowsSoManyInSoLong) {
   Budget budget;
-  EXPECT_TRUE(budget.Take(seconds(0), 2, seconds(60)));
-  EXPECT_TRUE(budget.Take(seconds(30), 2, seconds(60)));
-  EXPECT_FALSE(budget.Take(seconds(59), 2, seconds(60)));
-  EXPECT_EQ(budget.used(seconds(59), seconds(60)), 2);
-  EXPECT_TRUE(budget.Take(seconds(60), 2, seconds(60)));
-  EXPECT_EQ(budget.used(seconds(200), seconds(60)), 0);
+  EXPECT_TRUE(budget.Take(Time(seconds(0)), 2, seconds(60)));
+  EXPECT_TRUE(budget.Take(Time(seconds(30)), 2, seconds(60)));
+  EXPECT_FALSE(budget.Take(Time(seconds(59)), 2, seconds(60)));
+  EXPECT_EQ(budget.used(Time(seconds(59)), seconds(60)), 2);
+  EXPECT_TRUE(budget.Take(Time(seconds(60)), 2, seconds(60)));
+  EXPECT_EQ(budget.used(Time(seconds(200)), seconds(60)), 0);
 }
 
-TEST(Budget, OfNoneAllowsNone) { EXPECT_FALSE(Budget().Take(seconds(0), 0, seconds(60))); }
+TEST(Budget, OfNoneAllowsNone) { EXPECT_FALSE(Budget().Take(Time(seconds(0)), 0, seconds(60))); }
 
 }  // namespace
 }  // namespace coppice::leaves

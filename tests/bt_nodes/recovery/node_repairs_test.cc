@@ -10,7 +10,7 @@ using std::chrono::seconds;
 class NodeRepairsTest : public testing::Test {
  protected:
   std::vector<RepairOutcome> Blame(int at, const std::vector<std::string>& nodes) {
-    now_ = seconds(at);
+    now_ = Time(seconds(at));
     Health health;
     for (const std::string& node : nodes) {
       health.entries.push_back({"node", node, node, HealthLevel::kError, ""});
@@ -22,7 +22,7 @@ class NodeRepairsTest : public testing::Test {
     return next ? next->node : "";
   }
 
-  Time now_{0};
+  Time now_{};
   NodeRepairs repairs_{{seconds(60), 3, seconds(600), seconds(60)}};
 };
 

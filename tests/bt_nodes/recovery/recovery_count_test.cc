@@ -15,7 +15,8 @@ class RecoveryCountTest : public testing::Test {
   }
   void Add(const std::string& recovery, const std::string& subject, int at, double x,
            RecoveryPhase phase) {
-    events_.push_back({recovery, subject, phase, 1, std::chrono::seconds(at), Pose2D{x, 0, 0}, ""});
+    events_.push_back(
+        {recovery, subject, phase, 1, Time(std::chrono::seconds(at)), Pose2D{x, 0, 0}, ""});
   }
   std::vector<RecoveryEvent> events_;
 };

@@ -15,7 +15,7 @@ class RecoveryJudgeTest : public testing::Test {
             subject,
             phase,
             1,
-            std::chrono::duration_cast<Time>(std::chrono::duration<double>(at)),
+            Time(std::chrono::duration_cast<Duration>(std::chrono::duration<double>(at))),
             Pose2D{x, 0, 0},
             ""};
   }
@@ -35,11 +35,11 @@ class RecoveryJudgeTest : public testing::Test {
 
 TEST_F(RecoveryJudgeTest, HelpedIfNoneFollowsWithinAMinute) {
   Succeed(judge_, 100, 0);
-  EXPECT_TRUE(judge_.Advance(std::chrono::seconds(160)).empty());
-  const Verdicts verdicts = judge_.Advance(std::chrono::seconds(161));
+  EXPECT_TRUE(judge_.Advance(Time(std::chrono::seconds(160))).empty());
+  const Verdicts verdicts = judge_.Advance(Time(std::chrono::seconds(161)));
   ASSERT_EQ(verdicts.size(), 1u);
   EXPECT_TRUE(verdicts[0].helped);
-  EXPECT_EQ(verdicts[0].ended, std::chrono::seconds(100));
+  EXPECT_EQ(verdicts[0].ended, Time(std::chrono::seconds(100)));
 }
 
 TEST_F(RecoveryJudgeTest, DidNotHelpIfOneFollowsSoonAtTheSamePlace) {
@@ -52,7 +52,7 @@ TEST_F(RecoveryJudgeTest, DidNotHelpIfOneFollowsSoonAtTheSamePlace) {
 TEST_F(RecoveryJudgeTest, HelpedIfTheNextIsSoonButElsewhere) {
   Succeed(judge_, 100, 0);
   EXPECT_TRUE(Succeed(judge_, 150, 5).empty()) << "not certain before the minute is over";
-  const Verdicts verdicts = judge_.Advance(std::chrono::seconds(161));
+  const Verdicts verdicts = judge_.Advance(Time(std::chrono::seconds(161)));
   ASSERT_EQ(verdicts.size(), 1u);
   EXPECT_TRUE(verdicts[0].helped);
 }

@@ -17,7 +17,7 @@ class DrawingTest : public testing::Test {
   ImGuiContext* const context_ = fonts_->MakeContext();
   const WithContext current_;
   ItemRegistry items_;
-  const Ui ui_{GetPalette(PaletteName::kDark), *fonts_, items_, 1, 0, Time(0)};
+  const Ui ui_{GetPalette(PaletteName::kDark), *fonts_, items_, 1, 0, Time{}};
   Drawing drawing_;
   DrawingPen pen_{ui_, drawing_};
 };

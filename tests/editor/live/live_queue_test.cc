@@ -39,8 +39,8 @@ TEST(LiveQueueTest, TellsAgainInOrderWhatWasToldOnAnotherThread) {
     queue.OnTree(tree);
     queue.OnState({});
     const std::uint32_t words[] = {10, 20, 30};
-    queue.OnTick({1, Time(1), Duration(0), Status::kRunning, true, {words, 2}});
-    queue.OnTick({2, Time(2), Duration(0), Status::kRunning, true, {words + 2, 1}});
+    queue.OnTick({1, Time(Duration(1)), Duration(0), Status::kRunning, true, {words, 2}});
+    queue.OnTick({2, Time(Duration(2)), Duration(0), Status::kRunning, true, {words + 2, 1}});
   }).join();
   EXPECT_EQ(wakes, 1) << "once, until it is emptied";
   Teller teller;

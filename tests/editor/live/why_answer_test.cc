@@ -69,7 +69,7 @@ class ForeignRobot final : public RunSource {
                   .problem(),
               "");
     EXPECT_EQ(history_.SetRecording("1000000").problem(), "");
-    EXPECT_EQ(history_.AddStatuses(std::string("\1\0\0\2\0\0\3\0\0", 9), Time(0)).problem(), "");
+    EXPECT_EQ(history_.AddStatuses(std::string("\1\0\0\2\0\0\3\0\0", 9), Time{}).problem(), "");
   }
   void Change(std::uint64_t microseconds, std::uint16_t uid, Status status) {
     std::string bytes;

@@ -17,7 +17,7 @@ class UiTest : public testing::Test {
   ImGuiContext* const context_ = fonts_->MakeContext();
   const WithContext current_;
   ItemRegistry items_;
-  Ui ui_{GetPalette(PaletteName::kDark), *fonts_, items_, 1, 0, Time(0)};
+  Ui ui_{GetPalette(PaletteName::kDark), *fonts_, items_, 1, 0, Time{}};
 };
 
 TEST_F(UiTest, CutsTextThatIsTooWideAndSaysHowWideItIs) {

@@ -23,13 +23,13 @@ class ColumnsTest : public testing::Test {
 TEST_F(ColumnsTest, SayWhichTicksHoldInEachColumn) {
   for (int i = 0; i < 10; ++i) robot_.Tick(seconds(1));
   TimeView view;
-  view.Fit(seconds(0), seconds(10));
-  const auto columns = ColumnsOf(run_, view, 1000, seconds(9));
+  view.Fit(Time(seconds(0)), Time(seconds(10)));
+  const auto columns = ColumnsOf(run_, view, 1000, Time(seconds(9)));
   EXPECT_TRUE(columns.front().is_empty()) << "before the run";
   EXPECT_TRUE(columns.back().is_empty()) << "behind it";
   const Column middle = columns[500];
   EXPECT_EQ(middle.end - middle.first, 1U);
-  const auto wide = ColumnsOf(run_, view, 2, seconds(9));
+  const auto wide = ColumnsOf(run_, view, 2, Time(seconds(9)));
   EXPECT_EQ(wide[0].first, 0U);
   EXPECT_EQ(wide[0].end, 5U);
   EXPECT_EQ(wide[1].end, 10U);
@@ -41,15 +41,16 @@ TEST_F(ColumnsTest, BarsJoinColumnsThatShowTheSame) {
     robot_.Tick(seconds(1));
   }
   TimeView view;
-  view.Fit(seconds(0), seconds(9));
+  view.Fit(Time(seconds(0)), Time(seconds(9)));
   const auto bars =
-      BarsOf(run_.TracksAt(0).LaneOf(kRootNode), ColumnsOf(run_, view, 1000, seconds(9)));
+      BarsOf(run_.TracksAt(0).LaneOf(kRootNode), ColumnsOf(run_, view, 1000, Time(seconds(9))));
   ASSERT_EQ(bars.size(), 3U) << "the column in the middle has some of both";
   EXPECT_EQ(bars[0].statuses, SetOf(Status::kRunning));
   EXPECT_EQ(bars[1].end_column - bars[1].first_column, 1U);
   EXPECT_EQ(bars[2].statuses, SetOf(Status::kFailure));
   EXPECT_EQ(bars[0].end_column, bars[1].first_column);
-  const auto one = BarsOf(run_.TracksAt(0).LaneOf(kRootNode), ColumnsOf(run_, view, 1, seconds(9)));
+  const auto one =
+      BarsOf(run_.TracksAt(0).LaneOf(kRootNode), ColumnsOf(run_, view, 1, Time(seconds(9))));
   ASSERT_EQ(one.size(), 1U);
   EXPECT_EQ(one[0].statuses, SetOf(Status::kRunning) | SetOf(Status::kFailure))
       << "nothing vanishes";
@@ -83,7 +84,7 @@ TEST_F(ColumnsTest, TenMillionEventsAreScrubbed) {
     }
     events += writer.words().size;
     run.OnTick(
-        {tick, milliseconds(10) * tick, Duration(1), Status::kRunning, true, writer.words()});
+        {tick, Time(milliseconds(10) * tick), Duration(1), Status::kRunning, true, writer.words()});
   }
   EXPECT_GE(events, 10000000U);
   TimeView view;
@@ -92,8 +93,8 @@ TEST_F(ColumnsTest, TenMillionEventsAreScrubbed) {
   constexpr int kFrames = 20;
   std::size_t bars = 0;
   for (int frame = 0; frame < kFrames; ++frame) {
-    const Time span = seconds(10000) / (1 << (frame % 10));
-    view.Fit(seconds(frame), seconds(frame) + span);
+    const Duration span = seconds(10000) / (1 << (frame % 10));
+    view.Fit(Time(seconds(frame)), Time(seconds(frame)) + span);
     const auto columns = ColumnsOf(run, view, 1920, run.TimeOf(run.size() - 1));
     for (NodeIndex i{0}; i < kNodes; ++i) bars += BarsOf(run.TracksAt(0).LaneOf(i), columns).size();
     place.Go(random() % run.size());

@@ -65,7 +65,7 @@ TEST_F(PlayheadTest, PlaysAsFastAsItHappenedTimesTheSpeed) {
   head_.SetSpeed(2);
   head_.Advance(0.1);
   EXPECT_EQ(head_.tick(), 4U);
-  EXPECT_EQ(head_.time(), milliseconds(450));
+  EXPECT_EQ(head_.time(), Time(milliseconds(450)));
   head_.Advance(60);
   EXPECT_TRUE(head_.is_at_now());
   EXPECT_FALSE(head_.is_playing());
@@ -80,9 +80,9 @@ TEST_F(PlayheadTest, DoesNothingInAnEmptyRun) {
   head.Advance(1);
   head.Step(-1);
   head.StepToChange(kRootNode, true);
-  head.GoToTime(milliseconds(5));
+  head.GoToTime(Time(milliseconds(5)));
   EXPECT_EQ(head.tick(), 0U);
-  EXPECT_EQ(head.time(), Time(0));
+  EXPECT_EQ(head.time(), Time{});
 }
 
 }  // namespace

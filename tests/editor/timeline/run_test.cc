@@ -51,12 +51,12 @@ TEST_F(RunTest, StandsAtEveryTickAsTheTreeDidThen) {
 
 TEST_F(RunTest, FindsTheTickOfATime) {
   for (int i = 0; i < 10; ++i) robot.Tick(milliseconds(100));
-  EXPECT_EQ(run.TimeOf(0), Time(0));
-  EXPECT_EQ(run.TimeOf(7), milliseconds(700));
-  EXPECT_EQ(run.TickAt(milliseconds(750)), 7U);
-  EXPECT_EQ(run.TickAt(milliseconds(700)), 7U);
-  EXPECT_EQ(run.TickAt(seconds(-1)), 0U);
-  EXPECT_EQ(run.TickAt(seconds(100)), 9U);
+  EXPECT_EQ(run.TimeOf(0), Time{});
+  EXPECT_EQ(run.TimeOf(7), Time(milliseconds(700)));
+  EXPECT_EQ(run.TickAt(Time(milliseconds(750))), 7U);
+  EXPECT_EQ(run.TickAt(Time(milliseconds(700))), 7U);
+  EXPECT_EQ(run.TickAt(Time(seconds(-1))), 0U);
+  EXPECT_EQ(run.TickAt(Time(seconds(100))), 9U);
 }
 
 TEST_F(RunTest, MarksWhatIsMissing) {

@@ -27,7 +27,7 @@ class Script {
   }
   void Change(int second, NodeIndex node, Status from, Status to) {
     Tick(second);
-    recording_.changes.push_back({seconds(second), {node, from, to}});
+    recording_.changes.push_back({Time(seconds(second)), {node, from, to}});
   }
   void Message(int second, NodeIndex node, const std::string& text) {
     Tick(second);
@@ -39,15 +39,17 @@ class Script {
     Change(end, node, Status::kRunning, result);
     if (result != Status::kIdle) Change(end, node, result, Status::kIdle);
   }
-  void Stay(int second, double x) { recording_.stays.push_back({seconds(second), {x, 0, 0}}); }
+  void Stay(int second, double x) {
+    recording_.stays.push_back({Time(seconds(second)), {x, 0, 0}});
+  }
   void Note(int second, const std::string& text) {
-    recording_.notes.push_back({seconds(second), "note", text});
+    recording_.notes.push_back({Time(seconds(second)), "note", text});
   }
   const RecordedEvents& recording() const { return recording_; }
 
  private:
   void Tick(int second) {
-    recording_.end = seconds(second);
+    recording_.end = Time(seconds(second));
     ++recording_.ticks;
   }
   RecordedEvents recording_;

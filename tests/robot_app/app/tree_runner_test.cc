@@ -161,7 +161,7 @@ TEST_F(TreeRunnerTest, ATreeWhoseThreadIsHeldUpByALeafIsNotAlive) {
 // As that of a simulation that has been stopped.
 class StandingClock : public Clock {
  public:
-  Time Now() const override { return std::chrono::seconds(1); }
+  Time Now() const override { return Time(std::chrono::seconds(1)); }
   void WaitUntil(Time, WakeUp& wake_up) override { wake_up.WaitFor(Duration::max()); }
 };
 

@@ -15,11 +15,11 @@ AssistanceState Sample() {
   request.id = 7;
   request.subject = "navigation";
   request.question = "Blocked \"here\"\n\xff";
-  request.opened = std::chrono::seconds(5);
+  request.opened = Time(std::chrono::seconds(5));
   request.asked = {{"Ada", AskedSupervisor::State::kReached},
                    {"Ben", AskedSupervisor::State::kDeclined}};
   state.requests = {request};
-  state.passes.links["hash"] = {PageRole::kOperator, "Ada", 7, std::chrono::hours(1)};
+  state.passes.links["hash"] = {PageRole::kOperator, "Ada", 7, Time(std::chrono::hours(1))};
   return state;
 }
 
@@ -29,12 +29,12 @@ TEST(AssistanceStore, ReadsWhatItHasWritten) {
   EXPECT_FALSE(diagnostics.has_errors()) << diagnostics.ToString();
   ASSERT_EQ(state.requests.size(), 1u);
   EXPECT_EQ(state.requests[0].id, 7u);
-  EXPECT_EQ(state.requests[0].opened, std::chrono::seconds(5));
+  EXPECT_EQ(state.requests[0].opened, Time(std::chrono::seconds(5)));
   EXPECT_EQ(state.requests[0].withdrawn_at, kNever);
   ASSERT_EQ(state.requests[0].asked.size(), 2u);
   EXPECT_EQ(state.requests[0].asked[1].state, AskedSupervisor::State::kDeclined);
   EXPECT_EQ(state.passes.links.at("hash").name, "Ada");
-  EXPECT_EQ(state.passes.links.at("hash").until, std::chrono::hours(1));
+  EXPECT_EQ(state.passes.links.at("hash").until, Time(std::chrono::hours(1)));
 }
 
 TEST(AssistanceStore, AFileIsForItsOwnerOnly) {

@@ -65,7 +65,7 @@ class AssistanceTest : public testing::Test {
 
   const std::string state_ =
       testing::TempDir() + "assistance_" + std::to_string(getpid()) + ".json";
-  Time now_ = std::chrono::hours(10000);
+  Time now_{std::chrono::hours(10000)};
   AssistanceConfig config_;
   Outbox outbox_;
   std::unique_ptr<Assistance> assistance_;

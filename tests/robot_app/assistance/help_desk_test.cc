@@ -70,7 +70,7 @@ class Desk : public testing::Test {
             {"Cleo", {{"matrix", "!c"}}}};
   }
 
-  Time now_ = minutes(1000);
+  Time now_{minutes(1000)};
   std::set<std::string> down_;
   HelpDesk desk_{People(), Rules};
 };

@@ -17,8 +17,8 @@ TEST(BatteryMessage, TheNumbersAreKept) {
   message.charge = 60;
   message.percentage = 0.8f;
   message.power_supply_status = State::POWER_SUPPLY_STATUS_DISCHARGING;
-  const leaves::BatteryReading reading = ToBatteryReading(message, Time(7));
-  EXPECT_EQ(reading.stamp, Time(7));
+  const leaves::BatteryReading reading = ToBatteryReading(message, Time(Duration(7)));
+  EXPECT_EQ(reading.stamp, Time(Duration(7)));
   EXPECT_FLOAT_EQ(reading.voltage, 24.5);
   EXPECT_FLOAT_EQ(reading.current, -6.25);
   EXPECT_FLOAT_EQ(reading.charge, 60);

@@ -10,17 +10,17 @@ namespace {
 
 TEST(RosClock, ShowsRosTime) {
   ros::Time::setNow(ros::Time(123, 5));
-  EXPECT_EQ(RosClock().Now(), std::chrono::seconds(123) + std::chrono::nanoseconds(5));
+  EXPECT_EQ(RosClock().Now(), Time(std::chrono::seconds(123) + std::chrono::nanoseconds(5)));
 }
 
 TEST(RosClock, GoesOnWhereRosTimeGoesBack) {
   RosClock clock;
   ros::Time::setNow(ros::Time(500));
-  EXPECT_EQ(clock.Now(), std::chrono::seconds(500));
+  EXPECT_EQ(clock.Now(), Time(std::chrono::seconds(500)));
   ros::Time::setNow(ros::Time(200));
-  EXPECT_EQ(clock.Now(), std::chrono::seconds(500));
+  EXPECT_EQ(clock.Now(), Time(std::chrono::seconds(500)));
   ros::Time::setNow(ros::Time(203));
-  EXPECT_EQ(clock.Now(), std::chrono::seconds(503));
+  EXPECT_EQ(clock.Now(), Time(std::chrono::seconds(503)));
 }
 
 TEST(RosClock, ReturnsFromAWaitWhenWoken) {
@@ -38,8 +38,8 @@ TEST(RosClock, LooksAgainAlthoughSimulatedTimeStandsStill) {
   ros::Time::setNow(ros::Time(10));
   RosClock clock;
   WakeUp wake_up;
-  clock.WaitUntil(std::chrono::seconds(1000), wake_up);
-  EXPECT_EQ(clock.Now(), std::chrono::seconds(10));
+  clock.WaitUntil(Time(std::chrono::seconds(1000)), wake_up);
+  EXPECT_EQ(clock.Now(), Time(std::chrono::seconds(10)));
 }
 
 }  // namespace

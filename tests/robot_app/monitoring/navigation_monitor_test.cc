@@ -11,7 +11,7 @@ using std::chrono::seconds;
 
 class NavigationMonitorTest : public testing::Test {
  protected:
-  static constexpr Time kNow = seconds(100);
+  static constexpr Time kNow{seconds(100)};
 
   NavigationMonitorTest() {
     monitor_.Watch(NavigationWatch{"/navigation/state", "/navigation", seconds(20), seconds(5),
@@ -99,13 +99,13 @@ TEST_F(NavigationMonitorTest, AServerThatStartsHasItsTime) {
 TEST_F(NavigationMonitorTest, OldNewsMustLastInWallTimeToo) {
   NavigationMonitor patient(milliseconds(400));
   patient.Watch(NavigationWatch{"/navigation/state", "/navigation", {}, {}, seconds(3)});
-  patient.Report(processes_, {kNow, seconds(1)});
+  patient.Report(processes_, {kNow, Time(seconds(1))});
   const auto level = [&](Time wall) {
     return patient.Report(processes_, {kNow + seconds(30), wall}).at(1).level;
   };
-  EXPECT_EQ(level(seconds(4)), HealthLevel::kOk);
-  EXPECT_EQ(level(seconds(5)), HealthLevel::kWarn);
-  EXPECT_EQ(level(seconds(5) + milliseconds(400)), HealthLevel::kError);
+  EXPECT_EQ(level(Time(seconds(4))), HealthLevel::kOk);
+  EXPECT_EQ(level(Time(seconds(5))), HealthLevel::kWarn);
+  EXPECT_EQ(level(Time(seconds(5) + milliseconds(400))), HealthLevel::kError);
 }
 
 TEST_F(NavigationMonitorTest, SaysNothingWhereNavigationIsNotWatched) {
@@ -116,8 +116,8 @@ TEST_F(NavigationMonitorTest, SaysNothingWhereNavigationIsNotWatched) {
 
 TEST_F(NavigationMonitorTest, TimeThatJumpsBackMakesNothingStale) {
   State(NavigationPhase::kDriving, seconds(1));
-  EXPECT_EQ(Freshness(seconds(10)).level, HealthLevel::kOk);
-  EXPECT_EQ(Freshness(seconds(14)).level, HealthLevel::kError);
+  EXPECT_EQ(Freshness(Time(seconds(10))).level, HealthLevel::kOk);
+  EXPECT_EQ(Freshness(Time(seconds(14))).level, HealthLevel::kError);
 }
 
 }  // namespace

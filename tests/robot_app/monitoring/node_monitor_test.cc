@@ -13,7 +13,9 @@ ProbeResult Silence() { return {false, 0, Duration::zero(), "does not answer"}; 
 class NodeMonitorTest : public testing::Test {
  protected:
   NodeMonitorTest() { monitor_.Watch({{"/a", 2}, {"/b", 1}}); }
-  Finding Of(std::size_t index) { return monitor_.Report(processes_, {Time(5), {}}).at(index); }
+  Finding Of(std::size_t index) {
+    return monitor_.Report(processes_, {Time(Duration(5)), {}}).at(index);
+  }
 
   NodeMonitor monitor_;
   ProcessTable processes_;
@@ -31,7 +33,7 @@ TEST_F(NodeMonitorTest, ANodeThatAnswersIsWell) {
   EXPECT_EQ(Of(0).subject, "/a");
   EXPECT_EQ(Of(0).node, "/a");
   EXPECT_DOUBLE_EQ(Of(0).value, 0.002);
-  EXPECT_EQ(Of(0).stamp, Time(5));
+  EXPECT_EQ(Of(0).stamp, Time(Duration(5)));
 }
 
 TEST_F(NodeMonitorTest, OnlyMissesInARowAreAnError) {

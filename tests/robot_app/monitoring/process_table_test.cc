@@ -7,7 +7,7 @@ namespace {
 
 using leaves::HealthLevel;
 
-Finding Error() { return {"node", "/a", "/a", HealthLevel::kError, 0, "", "silent", Time(0)}; }
+Finding Error() { return {"node", "/a", "/a", HealthLevel::kError, 0, "", "silent", Time{}}; }
 
 ProcessTable With(ProcessPhase phase, const std::string& message = "") {
   ProcessTable table;

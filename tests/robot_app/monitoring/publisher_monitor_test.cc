@@ -19,35 +19,35 @@ class PublisherMonitorTest : public testing::Test {
 };
 
 TEST_F(PublisherMonitorTest, ThoseWhoMayAreWell) {
-  monitor_.OnMessage("/cmd_vel", "/velocity_mux", {{}, seconds(1)});
-  monitor_.OnMessage("/cmd_vel", "/joystick", {{}, seconds(1)});
-  EXPECT_EQ(At(seconds(1)).level, HealthLevel::kOk);
+  monitor_.OnMessage("/cmd_vel", "/velocity_mux", {{}, Time(seconds(1))});
+  monitor_.OnMessage("/cmd_vel", "/joystick", {{}, Time(seconds(1))});
+  EXPECT_EQ(At(Time(seconds(1))).level, HealthLevel::kOk);
 }
 
 TEST_F(PublisherMonitorTest, AStrangerIsAnErrorUntilItHasBeenSilentForFiveSeconds) {
-  monitor_.OnMessage("/cmd_vel", "/stranger", {{}, seconds(1)});
-  monitor_.OnMessage("/cmd_vel", "/velocity_mux", {{}, seconds(2)});
-  EXPECT_EQ(At(seconds(6) - milliseconds(1)).level, HealthLevel::kError);
-  EXPECT_EQ(At(seconds(2)).message,
+  monitor_.OnMessage("/cmd_vel", "/stranger", {{}, Time(seconds(1))});
+  monitor_.OnMessage("/cmd_vel", "/velocity_mux", {{}, Time(seconds(2))});
+  EXPECT_EQ(At(Time(seconds(6) - milliseconds(1))).level, HealthLevel::kError);
+  EXPECT_EQ(At(Time(seconds(2))).message,
             "/stranger publishes here, where only /velocity_mux, /joystick may");
-  EXPECT_EQ(At(seconds(6)).level, HealthLevel::kOk);
+  EXPECT_EQ(At(Time(seconds(6))).level, HealthLevel::kOk);
 }
 
 TEST_F(PublisherMonitorTest, NobodyIsRestartedForAStranger) {
-  monitor_.OnMessage("/cmd_vel", "/stranger", {{}, seconds(1)});
-  EXPECT_EQ(At(seconds(1)).monitor, "publisher");
-  EXPECT_EQ(At(seconds(1)).node, "");
+  monitor_.OnMessage("/cmd_vel", "/stranger", {{}, Time(seconds(1))});
+  EXPECT_EQ(At(Time(seconds(1))).monitor, "publisher");
+  EXPECT_EQ(At(Time(seconds(1))).node, "");
 }
 
 TEST_F(PublisherMonitorTest, OtherTopicsAreAnybodys) {
-  monitor_.OnMessage("/scan", "/stranger", {{}, seconds(1)});
-  EXPECT_EQ(At(seconds(1)).level, HealthLevel::kOk);
+  monitor_.OnMessage("/scan", "/stranger", {{}, Time(seconds(1))});
+  EXPECT_EQ(At(Time(seconds(1))).level, HealthLevel::kOk);
 }
 
 TEST_F(PublisherMonitorTest, AnotherConfigurationThatWatchesTheSameForgetsNoStranger) {
-  monitor_.OnMessage("/cmd_vel", "/stranger", {{}, seconds(1)});
+  monitor_.OnMessage("/cmd_vel", "/stranger", {{}, Time(seconds(1))});
   monitor_.Watch(std::vector{watch_});
-  EXPECT_EQ(At(seconds(2)).level, HealthLevel::kError);
+  EXPECT_EQ(At(Time(seconds(2))).level, HealthLevel::kError);
 }
 
 }  // namespace

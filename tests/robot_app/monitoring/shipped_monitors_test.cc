@@ -30,7 +30,10 @@ using std::chrono::seconds;
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-Time At(double second) { return duration_cast<Time>(std::chrono::duration<double>(second)); }
+Duration Lasting(double seconds) {
+  return duration_cast<Duration>(std::chrono::duration<double>(seconds));
+}
+Time At(double second) { return Time(Lasting(second)); }
 
 std::vector<std::string> SubjectsAt(HealthLevel level, const std::vector<Finding>& findings) {
   std::vector<std::string> subjects;
@@ -95,7 +98,7 @@ class ShippedComputerTest : public ShippedMonitorsTest {
 
   ProcRoot root_{"shipped_monitors_test"};
   SystemMonitor monitor_{root_.path()};
-  Time now_ = seconds(100);
+  Time now_{seconds(100)};
   int busy_ = 1000, idle_ = 1000, errors_ = 0, drops_ = 0;
   long sent_ = 0;
 };
@@ -240,11 +243,12 @@ TEST_F(ShippedMonitorsTest, AStrangerWhoMovesTheRobotIsAnErrorInEveryConfigurati
     PublisherMonitor monitor;
     monitor.Watch(list.publishers);
     for (const char* topic : {"/cmd_vel", "/cmd_vel/autonomous", "/cmd_vel/supervisor"}) {
-      monitor.OnMessage(topic, "/stranger", {seconds(1), seconds(1)});
+      monitor.OnMessage(topic, "/stranger", {Time(seconds(1)), Time(seconds(1))});
     }
-    EXPECT_THAT(SubjectsAt(HealthLevel::kError, monitor.Report({}, {seconds(1), seconds(1)})),
-                ElementsAre("publisher /cmd_vel", "publisher /cmd_vel/autonomous",
-                            "publisher /cmd_vel/supervisor"))
+    EXPECT_THAT(
+        SubjectsAt(HealthLevel::kError, monitor.Report({}, {Time(seconds(1)), Time(seconds(1))})),
+        ElementsAre("publisher /cmd_vel", "publisher /cmd_vel/autonomous",
+                    "publisher /cmd_vel/supervisor"))
         << list.configuration;
   }
 }
@@ -254,11 +258,13 @@ TEST_F(ShippedMonitorsTest, ALocalizationThatIsNotConfirmedIsAnError) {
   monitor.Watch(Operating().localization);
   LocalizationReading report;
   report.since_confirmed = 15;
-  monitor.OnState(report, {seconds(1), seconds(1)});
-  const auto level = [&] { return monitor.Report(processes_, {seconds(1), seconds(1)})[1].level; };
+  monitor.OnState(report, {Time(seconds(1)), Time(seconds(1))});
+  const auto level = [&] {
+    return monitor.Report(processes_, {Time(seconds(1)), Time(seconds(1))})[1].level;
+  };
   EXPECT_EQ(level(), HealthLevel::kWarn);
   report.since_confirmed = 25;
-  monitor.OnState(report, {seconds(1), seconds(1)});
+  monitor.OnState(report, {Time(seconds(1)), Time(seconds(1))});
   EXPECT_EQ(level(), HealthLevel::kError);
 }
 
@@ -269,9 +275,9 @@ TEST_F(ShippedMonitorsTest, ABatteryOutsideItsBandsOrWithoutNumbersIsAnError) {
     BatteryMonitor monitor;
     monitor.Watch(Operating().battery);
     if (is_measured) bad.voltage = 20, bad.current = -80, bad.level = 0.05, bad.charge = 3;
-    for (int i = 0; i < 5; ++i) monitor.OnReading(bad, {seconds(i), {}});
+    for (int i = 0; i < 5; ++i) monitor.OnReading(bad, {Time(seconds(i)), {}});
     EXPECT_THAT(
-        SubjectsAt(HealthLevel::kError, monitor.Report(processes_, {seconds(4), {}})),
+        SubjectsAt(HealthLevel::kError, monitor.Report(processes_, {Time(seconds(4)), {}})),
         ElementsAre("battery voltage", "battery current", "battery charge", "battery margin"));
     bad = {};
     bad.charger = leaves::ChargerState::kDischarging;
@@ -308,7 +314,7 @@ class ShippedNavigationTest : public ShippedMonitorsTest {
   NavigationReport State() const {
     NavigationReport report;
     report.phase = static_cast<NavigationPhase>(navigation_.status());
-    report.in_phase = At(now_ - navigation_.status_since());
+    report.in_phase = Lasting(now_ - navigation_.status_since());
     report.consecutive_failures = static_cast<std::uint32_t>(navigation_.consecutive_failures());
     return report;
   }
@@ -335,8 +341,8 @@ TEST_F(ShippedNavigationTest, TheBoundsAreLongerThanItsRecoveriesCanTake) {
   const double longest = 5 * settings.patience + 2 * settings.after_recovery;
   for (const WatchList& list : config_.lists) {
     if (!list.navigation) continue;
-    EXPECT_GT(list.navigation->no_path, At(longest)) << list.configuration;
-    EXPECT_GT(list.navigation->blocked, At(longest)) << list.configuration;
+    EXPECT_GT(list.navigation->no_path, Lasting(longest)) << list.configuration;
+    EXPECT_GT(list.navigation->blocked, Lasting(longest)) << list.configuration;
   }
 }
 

@@ -44,13 +44,13 @@ TEST_F(TfMonitorTest, SaysWhereToLook) {
 }
 
 TEST_F(TfMonitorTest, AFreshTransformIsWellAndAnOldOneAnError) {
-  Look(seconds(10), seconds(10) + milliseconds(100));
-  EXPECT_EQ(About("age", seconds(10)).level, HealthLevel::kOk);
-  EXPECT_NEAR(About("age", seconds(10)).value, 0.1, 1e-9);
-  Look(seconds(10), seconds(12));
-  EXPECT_EQ(About("age", seconds(12)).level, HealthLevel::kError);
-  EXPECT_EQ(About("age", seconds(12)).node, "/localization");
-  EXPECT_EQ(About("age", seconds(12)).message, "2 s, expected at most 1 s");
+  Look(Time(seconds(10)), Time(seconds(10) + milliseconds(100)));
+  EXPECT_EQ(About("age", Time(seconds(10))).level, HealthLevel::kOk);
+  EXPECT_NEAR(About("age", Time(seconds(10))).value, 0.1, 1e-9);
+  Look(Time(seconds(10)), Time(seconds(12)));
+  EXPECT_EQ(About("age", Time(seconds(12))).level, HealthLevel::kError);
+  EXPECT_EQ(About("age", Time(seconds(12))).node, "/localization");
+  EXPECT_EQ(About("age", Time(seconds(12))).message, "2 s, expected at most 1 s");
 }
 
 TEST_F(TfMonitorTest, ATransformThatIsNotRenewedAgesInTheSlowerOfBothTimes) {
@@ -58,84 +58,85 @@ TEST_F(TfMonitorTest, ATransformThatIsNotRenewedAgesInTheSlowerOfBothTimes) {
     monitor_.OnSamples({TransformSample{stamp, 0, 0, 0, "odom"}}, {ros, wall});
     return monitor_.Report(processes_, {ros, wall}).at(0).value;
   };
-  const Time start = seconds(100);
-  EXPECT_NEAR(age(start, start + milliseconds(200), seconds(1)), 0.2, 1e-9);
-  EXPECT_NEAR(age(start, start + seconds(8), seconds(2)), 1.2, 1e-9);  // time runs fast
-  EXPECT_NEAR(age(start, start + seconds(9), seconds(99)), 9, 1e-9);
-  EXPECT_NEAR(age(start + seconds(7), start + seconds(9), seconds(99)), 2, 1e-9);  // always late
+  const Time start{seconds(100)};
+  EXPECT_NEAR(age(start, start + milliseconds(200), Time(seconds(1))), 0.2, 1e-9);
+  EXPECT_NEAR(age(start, start + seconds(8), Time(seconds(2))), 1.2, 1e-9);  // time runs fast
+  EXPECT_NEAR(age(start, start + seconds(9), Time(seconds(99))), 9, 1e-9);
+  EXPECT_NEAR(age(start + seconds(7), start + seconds(9), Time(seconds(99))), 2,
+              1e-9);  // always late
 }
 
 TEST_F(TfMonitorTest, AStaticTransformIsNeverOld) {
-  Look(Time::zero(), seconds(1000));
-  EXPECT_EQ(About("age", seconds(1000)).value, 0);
+  Look(Time{}, Time(seconds(1000)));
+  EXPECT_EQ(About("age", Time(seconds(1000))).value, 0);
 }
 
 TEST_F(TfMonitorTest, ALookupThatFailsIsAnErrorAfterTheStaleness) {
-  LookInVain(seconds(1));
-  EXPECT_EQ(About("age", seconds(1)).level, HealthLevel::kOk);
-  LookInVain(seconds(5));
-  EXPECT_EQ(About("age", seconds(5)).level, HealthLevel::kError);
-  EXPECT_EQ(About("age", seconds(5)).message, "no value for 4 s: no such frame");
+  LookInVain(Time(seconds(1)));
+  EXPECT_EQ(About("age", Time(seconds(1))).level, HealthLevel::kOk);
+  LookInVain(Time(seconds(5)));
+  EXPECT_EQ(About("age", Time(seconds(5))).level, HealthLevel::kError);
+  EXPECT_EQ(About("age", Time(seconds(5))).message, "no value for 4 s: no such frame");
 }
 
 TEST_F(TfMonitorTest, AJumpIsTheWayBetweenTwoLooks) {
-  Look(seconds(1), seconds(1), 5);
-  EXPECT_TRUE(std::isnan(About("jump", seconds(1)).value));
-  Look(seconds(2), seconds(2), 5.1);
-  EXPECT_EQ(About("jump", seconds(2)).level, HealthLevel::kOk);
-  Look(seconds(3), seconds(3), 9);
-  EXPECT_EQ(About("jump", seconds(3)).level, HealthLevel::kError);
-  EXPECT_NEAR(About("jump", seconds(3)).value, 3.9, 1e-9);
-  Look(seconds(4), seconds(4), 9);
-  EXPECT_EQ(About("jump", seconds(4)).level, HealthLevel::kOk);
+  Look(Time(seconds(1)), Time(seconds(1)), 5);
+  EXPECT_TRUE(std::isnan(About("jump", Time(seconds(1))).value));
+  Look(Time(seconds(2)), Time(seconds(2)), 5.1);
+  EXPECT_EQ(About("jump", Time(seconds(2))).level, HealthLevel::kOk);
+  Look(Time(seconds(3)), Time(seconds(3)), 9);
+  EXPECT_EQ(About("jump", Time(seconds(3))).level, HealthLevel::kError);
+  EXPECT_NEAR(About("jump", Time(seconds(3))).value, 3.9, 1e-9);
+  Look(Time(seconds(4)), Time(seconds(4)), 9);
+  EXPECT_EQ(About("jump", Time(seconds(4))).level, HealthLevel::kOk);
 }
 
 TEST_F(TfMonitorTest, WhatTheChildCanHaveDrivenIsNoJump) {
   TransformWatch watch = Watch();
   watch.speed = 1;
   monitor_.Watch({watch});
-  Look(seconds(10), seconds(10), 0);
-  Look(seconds(13), seconds(13), 2.9);
-  EXPECT_EQ(About("jump", seconds(13)).value, 0);
-  Look(seconds(14), seconds(14), 4.5);
-  EXPECT_EQ(About("jump", seconds(14)).level, HealthLevel::kWarn);
-  EXPECT_NEAR(About("jump", seconds(14)).value, 0.6, 1e-9);
+  Look(Time(seconds(10)), Time(seconds(10)), 0);
+  Look(Time(seconds(13)), Time(seconds(13)), 2.9);
+  EXPECT_EQ(About("jump", Time(seconds(13))).value, 0);
+  Look(Time(seconds(14)), Time(seconds(14)), 4.5);
+  EXPECT_EQ(About("jump", Time(seconds(14))).level, HealthLevel::kWarn);
+  EXPECT_NEAR(About("jump", Time(seconds(14))).value, 0.6, 1e-9);
 }
 
 TEST_F(TfMonitorTest, TimeThatIsSetBackIsNoJump) {
-  Look(seconds(10), seconds(10), 5);
-  Look(seconds(1), seconds(1), 0);
-  EXPECT_TRUE(std::isnan(About("jump", seconds(1)).value));
-  Look(seconds(2), seconds(2), 3);
-  EXPECT_NEAR(About("jump", seconds(2)).value, 3, 1e-9);
+  Look(Time(seconds(10)), Time(seconds(10)), 5);
+  Look(Time(seconds(1)), Time(seconds(1)), 0);
+  EXPECT_TRUE(std::isnan(About("jump", Time(seconds(1))).value));
+  Look(Time(seconds(2)), Time(seconds(2)), 3);
+  EXPECT_NEAR(About("jump", Time(seconds(2))).value, 3, 1e-9);
 }
 
 TEST_F(TfMonitorTest, AChildThatChangesItsParentIsAnError) {
-  Look(seconds(1), seconds(1), 0, "odom");
-  EXPECT_EQ(About("parent", seconds(1)).level, HealthLevel::kOk);
-  Look(seconds(2), seconds(2), 0, "odom_of_the_wheels");
-  EXPECT_EQ(About("parent", seconds(2)).level, HealthLevel::kError);
-  EXPECT_EQ(About("parent", seconds(2)).message,
+  Look(Time(seconds(1)), Time(seconds(1)), 0, "odom");
+  EXPECT_EQ(About("parent", Time(seconds(1))).level, HealthLevel::kOk);
+  Look(Time(seconds(2)), Time(seconds(2)), 0, "odom_of_the_wheels");
+  EXPECT_EQ(About("parent", Time(seconds(2))).level, HealthLevel::kError);
+  EXPECT_EQ(About("parent", Time(seconds(2))).message,
             "base_link hung on odom, now on odom_of_the_wheels");
-  Look(seconds(3), seconds(3), 0, "odom");
-  EXPECT_EQ(About("parent", seconds(3)).level, HealthLevel::kOk);
+  Look(Time(seconds(3)), Time(seconds(3)), 0, "odom");
+  EXPECT_EQ(About("parent", Time(seconds(3))).level, HealthLevel::kOk);
 }
 
 TEST_F(TfMonitorTest, AnOwnerThatStartsHasItsTime) {
-  Look(seconds(1), seconds(1), 0);
+  Look(Time(seconds(1)), Time(seconds(1)), 0);
   processes_.by_node["/localization"].phase = ProcessPhase::kStarting;
-  EXPECT_EQ(About("age", seconds(20)).level, HealthLevel::kOk);
+  EXPECT_EQ(About("age", Time(seconds(20))).level, HealthLevel::kOk);
   processes_.by_node["/localization"].phase = ProcessPhase::kReady;
-  Look(seconds(21), seconds(21), 50);  // found itself elsewhere
-  EXPECT_TRUE(std::isnan(About("jump", seconds(21)).value));
+  Look(Time(seconds(21)), Time(seconds(21)), 50);  // found itself elsewhere
+  EXPECT_TRUE(std::isnan(About("jump", Time(seconds(21))).value));
 }
 
 TEST_F(TfMonitorTest, AChangeOfTheListKeepsWhatWasSeen) {
-  Look(seconds(1), seconds(1), 0, "odom");
+  Look(Time(seconds(1)), Time(seconds(1)), 0, "odom");
   TransformWatch other = Watch();
   other.child = "laser";
   monitor_.Watch({other, Watch()});
-  EXPECT_EQ(About("age", seconds(1)).value, 0);
+  EXPECT_EQ(About("age", Time(seconds(1))).value, 0);
 }
 
 }  // namespace

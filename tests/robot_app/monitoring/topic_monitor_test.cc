@@ -24,7 +24,8 @@ TopicWatch Scan() {
 // `count` messages, evenly over the window of 2 s that ends at the returned assessment.
 Finding AtCount(int count) {
   RateWatch watch(Scan());
-  const Time begin = seconds(100), window = seconds(2);
+  const Time begin = Time(seconds(100));
+  const Duration window = seconds(2);
   watch.Assess(begin);
   for (int i = 1; i <= count; ++i) watch.OnMessage(begin + window * i / count);
   return watch.Assess(begin + window);
@@ -54,26 +55,26 @@ TEST(RateWatch, SaysWhatItMeasuredAndWhatItExpected) {
 
 TEST(RateWatch, DoesNotJudgeTheRateBeforeTheWindowIsFull) {
   RateWatch watch(Scan());
-  watch.Assess(seconds(100));
-  watch.OnMessage(seconds(101));
-  EXPECT_EQ(watch.Assess(seconds(102) - Duration(1)).level, HealthLevel::kOk);
-  EXPECT_EQ(watch.Assess(seconds(102)).level, HealthLevel::kError);
+  watch.Assess(Time(seconds(100)));
+  watch.OnMessage(Time(seconds(101)));
+  EXPECT_EQ(watch.Assess(Time(seconds(102) - Duration(1))).level, HealthLevel::kOk);
+  EXPECT_EQ(watch.Assess(Time(seconds(102))).level, HealthLevel::kError);
 }
 
 TEST(RateWatch, SilenceIsAnErrorBeforeTheFirstWindowIsFull) {
   RateWatch watch(Scan());
-  watch.Assess(seconds(100));
-  EXPECT_EQ(watch.Assess(seconds(101)).level, HealthLevel::kOk);  // exactly the limit
-  const Finding finding = watch.Assess(seconds(101) + milliseconds(500));
+  watch.Assess(Time(seconds(100)));
+  EXPECT_EQ(watch.Assess(Time(seconds(101))).level, HealthLevel::kOk);  // exactly the limit
+  const Finding finding = watch.Assess(Time(seconds(101) + milliseconds(500)));
   EXPECT_EQ(finding.level, HealthLevel::kError);
   EXPECT_EQ(finding.message, "no message for 1.5 s");
 }
 
 TEST(RateWatch, ALongSilenceStaysOne) {
   RateWatch watch(Scan());
-  watch.Assess(seconds(100));
-  watch.OnMessage(seconds(100));
-  const Finding finding = watch.Assess(seconds(500));
+  watch.Assess(Time(seconds(100)));
+  watch.OnMessage(Time(seconds(100)));
+  const Finding finding = watch.Assess(Time(seconds(500)));
   EXPECT_EQ(finding.message, "no message for 400 s");
   EXPECT_EQ(finding.value, 0);
 }
@@ -82,9 +83,9 @@ TEST(RateWatch, WithoutABandOnlySilenceCounts) {
   TopicWatch only_staleness = Scan();
   only_staleness.band.warn = only_staleness.band.error = {};
   RateWatch watch(only_staleness);
-  watch.Assess(seconds(100));
-  watch.OnMessage(seconds(102));
-  EXPECT_EQ(watch.Assess(seconds(102)).level, HealthLevel::kOk);
+  watch.Assess(Time(seconds(100)));
+  watch.OnMessage(Time(seconds(102)));
+  EXPECT_EQ(watch.Assess(Time(seconds(102))).level, HealthLevel::kOk);
 }
 
 TEST(RateWatch, ABadRateMustBeSeenSoManyTimesInARow) {
@@ -92,23 +93,23 @@ TEST(RateWatch, ABadRateMustBeSeenSoManyTimesInARow) {
   twice.band.consecutive = 2;
   twice.band.staleness = Duration::zero();
   RateWatch watch(twice);
-  watch.Assess(seconds(100));
-  EXPECT_EQ(watch.Assess(seconds(102)).level, HealthLevel::kWarn);
-  EXPECT_EQ(watch.Assess(seconds(103)).level, HealthLevel::kError);
+  watch.Assess(Time(seconds(100)));
+  EXPECT_EQ(watch.Assess(Time(seconds(102))).level, HealthLevel::kWarn);
+  EXPECT_EQ(watch.Assess(Time(seconds(103))).level, HealthLevel::kError);
 }
 
 TEST(RateWatch, TimeThatJumpsBackStartsAnew) {
   RateWatch watch(Scan());
-  watch.Assess(seconds(100));
-  watch.OnMessage(seconds(101));
-  EXPECT_EQ(watch.Assess(seconds(50)).message, "measuring");
-  EXPECT_EQ(watch.Assess(seconds(51) + milliseconds(1)).level, HealthLevel::kError);
+  watch.Assess(Time(seconds(100)));
+  watch.OnMessage(Time(seconds(101)));
+  EXPECT_EQ(watch.Assess(Time(seconds(50))).message, "measuring");
+  EXPECT_EQ(watch.Assess(Time(seconds(51) + milliseconds(1))).level, HealthLevel::kError);
 }
 
 class TopicMonitorTest : public testing::Test {
  protected:
   TopicMonitorTest() { monitor_.Watch({Scan()}); }
-  Finding Report(Time ros, Time wall = Time(0)) {
+  Finding Report(Time ros, Time wall = Time{}) {
     return monitor_.Report(processes_, {ros, wall}).at(0);
   }
   TopicMonitor monitor_;
@@ -116,51 +117,52 @@ class TopicMonitorTest : public testing::Test {
 };
 
 TEST_F(TopicMonitorTest, CountsInRosTimeHoweverFastItRuns) {
-  Report(seconds(100));
+  Report(Time(seconds(100)));
   for (int i = 1; i <= 20; ++i) {
-    monitor_.OnMessage("/scan", {seconds(100) + milliseconds(100) * i, milliseconds(i)});
+    monitor_.OnMessage("/scan",
+                       {Time(seconds(100) + milliseconds(100) * i), Time(milliseconds(i))});
   }
-  EXPECT_EQ(Report(seconds(102), milliseconds(20)).value, 10);
+  EXPECT_EQ(Report(Time(seconds(102)), Time(milliseconds(20))).value, 10);
 }
 
 TEST_F(TopicMonitorTest, CountsInWallTimeIfToldSo) {
   TopicWatch clock = Scan();
   clock.wall_time = true;
   monitor_.Watch({clock});
-  Report(seconds(100), seconds(7));
-  const Finding finding = Report(seconds(100), seconds(9));  // ROS time stands still
+  Report(Time(seconds(100)), Time(seconds(7)));
+  const Finding finding = Report(Time(seconds(100)), Time(seconds(9)));  // ROS time stands still
   EXPECT_EQ(finding.level, HealthLevel::kError);
-  EXPECT_EQ(finding.stamp, seconds(100));
+  EXPECT_EQ(finding.stamp, Time(seconds(100)));
 }
 
 TEST_F(TopicMonitorTest, ATopicWatchedByStatisticsNeedsNoMessages) {
   TopicWatch camera = Scan();
   camera.by_statistics = true;
   monitor_.Watch({camera});
-  Report(seconds(100));
-  monitor_.OnStatistics({"/scan", "/scanner", "/reader", 10}, {seconds(101), Time(0)});
-  monitor_.OnStatistics({"/other", "/scanner", "/reader", 99}, {seconds(101), Time(0)});
-  EXPECT_EQ(Report(seconds(102)).value, 10);
-  EXPECT_EQ(Report(seconds(103)).level, HealthLevel::kError);
+  Report(Time(seconds(100)));
+  monitor_.OnStatistics({"/scan", "/scanner", "/reader", 10}, {Time(seconds(101)), Time{}});
+  monitor_.OnStatistics({"/other", "/scanner", "/reader", 99}, {Time(seconds(101)), Time{}});
+  EXPECT_EQ(Report(Time(seconds(102))).value, 10);
+  EXPECT_EQ(Report(Time(seconds(103))).level, HealthLevel::kError);
 }
 
 TEST_F(TopicMonitorTest, APublisherThatStartsHasItsTime) {
-  Report(seconds(100));
+  Report(Time(seconds(100)));
   processes_.by_node["/scanner"].phase = ProcessPhase::kStarting;
-  EXPECT_EQ(Report(seconds(110)).message, "starting");
+  EXPECT_EQ(Report(Time(seconds(110))).message, "starting");
   processes_.by_node["/scanner"].phase = ProcessPhase::kReady;
-  EXPECT_EQ(Report(seconds(111)).level, HealthLevel::kOk);  // counts from the last "starting"
-  EXPECT_EQ(Report(seconds(111) + milliseconds(1)).level, HealthLevel::kError);
+  EXPECT_EQ(Report(Time(seconds(111))).level, HealthLevel::kOk);  // counts from the last "starting"
+  EXPECT_EQ(Report(Time(seconds(111) + milliseconds(1))).level, HealthLevel::kError);
 }
 
 TEST_F(TopicMonitorTest, APublisherThatWasRestartedBetweenTwoReportsIsJudgedAnew) {
   processes_.by_node["/scanner"].phase = ProcessPhase::kReady;
   processes_.by_node["/scanner"].pid = 7;
-  EXPECT_EQ(Report(seconds(100)).level, HealthLevel::kOk);
-  EXPECT_EQ(Report(seconds(110)).level, HealthLevel::kError);
+  EXPECT_EQ(Report(Time(seconds(100))).level, HealthLevel::kOk);
+  EXPECT_EQ(Report(Time(seconds(110))).level, HealthLevel::kError);
   processes_.by_node["/scanner"].pid = 8;
-  EXPECT_EQ(Report(seconds(110)).level, HealthLevel::kOk);
-  EXPECT_EQ(Report(seconds(115)).level, HealthLevel::kError);
+  EXPECT_EQ(Report(Time(seconds(110))).level, HealthLevel::kOk);
+  EXPECT_EQ(Report(Time(seconds(115))).level, HealthLevel::kError);
 }
 
 TEST_F(TopicMonitorTest, AnErrorMustLastInWallTimeToo) {
@@ -169,27 +171,29 @@ TEST_F(TopicMonitorTest, AnErrorMustLastInWallTimeToo) {
   const auto level = [&](Time ros, Time wall) {
     return patient.Report(processes_, {ros, wall}).at(0).level;
   };
-  EXPECT_EQ(level(seconds(100), seconds(1)), HealthLevel::kOk);
-  EXPECT_EQ(level(seconds(102), seconds(2)), HealthLevel::kWarn);
-  EXPECT_EQ(level(seconds(103), seconds(2) + milliseconds(399)), HealthLevel::kWarn);
-  EXPECT_EQ(level(seconds(104), seconds(2) + milliseconds(400)), HealthLevel::kError);
-  patient.OnMessage("/scan", {seconds(105), seconds(3)});
-  EXPECT_EQ(level(seconds(105), seconds(3)), HealthLevel::kError);  // 0.5 Hz: still an error
-  for (int i = 0; i < 20; ++i) patient.OnMessage("/scan", {seconds(105), seconds(3)});
-  EXPECT_EQ(level(seconds(105), seconds(3)), HealthLevel::kOk);
-  EXPECT_EQ(level(seconds(107), seconds(4)), HealthLevel::kWarn);  // patience begins anew
+  EXPECT_EQ(level(Time(seconds(100)), Time(seconds(1))), HealthLevel::kOk);
+  EXPECT_EQ(level(Time(seconds(102)), Time(seconds(2))), HealthLevel::kWarn);
+  EXPECT_EQ(level(Time(seconds(103)), Time(seconds(2) + milliseconds(399))), HealthLevel::kWarn);
+  EXPECT_EQ(level(Time(seconds(104)), Time(seconds(2) + milliseconds(400))), HealthLevel::kError);
+  patient.OnMessage("/scan", {Time(seconds(105)), Time(seconds(3))});
+  EXPECT_EQ(level(Time(seconds(105)), Time(seconds(3))),
+            HealthLevel::kError);  // 0.5 Hz: still an error
+  for (int i = 0; i < 20; ++i) patient.OnMessage("/scan", {Time(seconds(105)), Time(seconds(3))});
+  EXPECT_EQ(level(Time(seconds(105)), Time(seconds(3))), HealthLevel::kOk);
+  EXPECT_EQ(level(Time(seconds(107)), Time(seconds(4))),
+            HealthLevel::kWarn);  // patience begins anew
 }
 
 TEST_F(TopicMonitorTest, AChangeOfTheListKeepsWhatWasSeen) {
-  Report(seconds(100));
+  Report(Time(seconds(100)));
   for (int i = 1; i <= 20; ++i) {
-    monitor_.OnMessage("/scan", {seconds(100) + milliseconds(100) * i, Time(0)});
+    monitor_.OnMessage("/scan", {Time(seconds(100) + milliseconds(100) * i), Time{}});
   }
   TopicWatch other = Scan();
   other.topic = "/other";
   monitor_.Watch({Scan(), other});
-  monitor_.OnMessage("/unwatched", {seconds(102), Time(0)});
-  EXPECT_EQ(Report(seconds(102)).value, 10);
+  monitor_.OnMessage("/unwatched", {Time(seconds(102)), Time{}});
+  EXPECT_EQ(Report(Time(seconds(102))).value, 10);
 }
 
 // The newest finding about scans that have come for two seconds.
@@ -202,7 +206,7 @@ Finding AfterScans(float range) {
   scan.ranges.assign(541, range);
   Finding finding;
   for (int i = 0; i <= 20; ++i) {
-    const Time now = seconds(100) + milliseconds(100) * i;
+    const Time now{seconds(100) + milliseconds(100) * i};
     monitor.OnScan("/scan", scan, {now, now});
     finding = monitor.Report({}, {now, now}).at(0);
   }
@@ -224,7 +228,7 @@ TEST(TopicMonitor, OneBlindScanIsForgivenAndSaid) {
   watch.is_scan = true;
   TopicMonitor monitor;
   monitor.Watch({watch});
-  const Times now{seconds(100), seconds(100)};
+  const Times now{Time(seconds(100)), Time(seconds(100))};
   monitor.OnScan("/scan", LaserScan(), now);
   const Finding finding = monitor.Report({}, now).at(0);
   EXPECT_EQ(finding.level, HealthLevel::kOk);
@@ -237,11 +241,11 @@ TEST(TopicMonitor, AScanTopicIsNotCountedUnread) {
   TopicMonitor monitor;
   monitor.Watch({watch});
   for (int i = 0; i < 20; ++i) {
-    const Time now = seconds(100) + milliseconds(100) * i;
+    const Time now{seconds(100) + milliseconds(100) * i};
     monitor.OnMessage("/scan", {now, now});
     monitor.Report({}, {now, now});
   }
-  const Times now{seconds(102), seconds(102)};
+  const Times now{Time(seconds(102)), Time(seconds(102))};
   EXPECT_EQ(monitor.Report({}, now).at(0).message, "no message for 2 s");
 }
 

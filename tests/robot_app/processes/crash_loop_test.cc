@@ -77,7 +77,7 @@ class CrashLoopTest : public testing::TestWithParam<unsigned> {
   std::mt19937 random_;
   bool unclean_ = false;
   int starts_before_ = 0;
-  Time begin_{0};
+  Time begin_{};
   SimulatedRobot robot_{Robot()};
 };
 

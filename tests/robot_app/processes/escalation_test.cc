@@ -44,7 +44,7 @@ class EscalationTest : public testing::Test {
   Escalation escalation_{config_, order_};
   Cause cause_ = Cause::kEnd;
   Decision last_;
-  Time now_ = seconds(1000);
+  Time now_{seconds(1000)};
 };
 
 TEST_F(EscalationTest, ClimbsOneStepWithEachFailureAfterTheBudgetIsUsedUp) {

@@ -27,7 +27,7 @@ class PersonCallsTest : public testing::Test {
  protected:
   Telephone telephone_;
   PersonCalls calls_{{"call", "--now"}, telephone_};
-  Time now_ = std::chrono::seconds(100);
+  Time now_{std::chrono::seconds(100)};
 };
 
 TEST_F(PersonCallsTest, RunsTheCommandWithTheMessageOneAfterTheOther) {

@@ -30,7 +30,7 @@ coppice_msgs::ProcessStates Example() {
 }
 
 TEST(ProcessesViewTest, TheTableShowsEverythingInColumns) {
-  EXPECT_EQ(ToTable(Example(), std::chrono::seconds(1010)),
+  EXPECT_EQ(ToTable(Example(), Time(std::chrono::seconds(1010))),
             "configuration operating, held by hand\n"
             "PROCESS  GROUP            HOST  STATE        FOR   PID  RESTARTS  USED  STEP     "
             "MESSAGE\n"

@@ -11,7 +11,7 @@ using testing::HasSubstr;
 
 TEST(RestartBudgetTest, AllowsSoManyRestartsAndSaysWhyNotOneMore) {
   RestartBudget budget({});
-  Time now = seconds(1000);
+  Time now{seconds(1000)};
   for (int i = 0; i < 3; ++i) {
     EXPECT_EQ(budget.Check(now).problem(), "");
     budget.Add(now += seconds(10));
@@ -22,47 +22,47 @@ TEST(RestartBudgetTest, AllowsSoManyRestartsAndSaysWhyNotOneMore) {
 
 TEST(RestartBudgetTest, TimeAloneForgetsNothing) {
   RestartBudget budget({});
-  budget.Add(seconds(1000));
-  EXPECT_EQ(budget.Used(seconds(3000)), 1);
+  budget.Add(Time(seconds(1000)));
+  EXPECT_EQ(budget.Used(Time(seconds(3000))), 1);
 }
 
 TEST(RestartBudgetTest, HealthForgetsWhatIsOlderThanTheWindow) {
   RestartBudget budget({});
-  budget.Add(seconds(1000));
-  budget.SetReady(true, seconds(1002));
-  EXPECT_FALSE(budget.IsHealthy(seconds(1061)));
-  EXPECT_EQ(budget.Used(seconds(1061)), 1);
-  EXPECT_TRUE(budget.IsHealthy(seconds(1062)));
-  EXPECT_EQ(budget.Used(seconds(1062)), 0);
+  budget.Add(Time(seconds(1000)));
+  budget.SetReady(true, Time(seconds(1002)));
+  EXPECT_FALSE(budget.IsHealthy(Time(seconds(1061))));
+  EXPECT_EQ(budget.Used(Time(seconds(1061))), 1);
+  EXPECT_TRUE(budget.IsHealthy(Time(seconds(1062))));
+  EXPECT_EQ(budget.Used(Time(seconds(1062))), 0);
 }
 
 TEST(RestartBudgetTest, AShortHealthDoesNotForgetTheWindow) {
   RestartLimits limits;
   limits.healthy_after = seconds(5);
   RestartBudget budget(limits);
-  budget.Add(seconds(1000));
-  budget.SetReady(true, seconds(1002));
-  EXPECT_TRUE(budget.IsHealthy(seconds(1010)));
-  EXPECT_EQ(budget.Used(seconds(1059)), 1);
-  EXPECT_EQ(budget.Used(seconds(1060)), 0);
+  budget.Add(Time(seconds(1000)));
+  budget.SetReady(true, Time(seconds(1002)));
+  EXPECT_TRUE(budget.IsHealthy(Time(seconds(1010))));
+  EXPECT_EQ(budget.Used(Time(seconds(1059))), 1);
+  EXPECT_EQ(budget.Used(Time(seconds(1060))), 0);
 }
 
 TEST(RestartBudgetTest, APauseInReadinessBeginsTheTimeOfHealthAnew) {
   RestartBudget budget({});
-  budget.Add(seconds(1000));
-  budget.SetReady(true, seconds(1002));
-  budget.SetReady(false, seconds(1050));
-  budget.SetReady(true, seconds(1051));
-  EXPECT_EQ(budget.Used(seconds(1100)), 1);
-  EXPECT_EQ(budget.Used(seconds(1111)), 0);
+  budget.Add(Time(seconds(1000)));
+  budget.SetReady(true, Time(seconds(1002)));
+  budget.SetReady(false, Time(seconds(1050)));
+  budget.SetReady(true, Time(seconds(1051)));
+  EXPECT_EQ(budget.Used(Time(seconds(1100))), 1);
+  EXPECT_EQ(budget.Used(Time(seconds(1111))), 0);
 }
 
 TEST(RestartBudgetTest, HealthUntilTheNextFailureCounts) {
   RestartBudget budget({});
-  budget.Add(seconds(1000));
-  budget.SetReady(true, seconds(1002));
-  budget.SetReady(false, seconds(1100));
-  EXPECT_EQ(budget.Used(seconds(1100)), 0);
+  budget.Add(Time(seconds(1000)));
+  budget.SetReady(true, Time(seconds(1002)));
+  budget.SetReady(false, Time(seconds(1100)));
+  EXPECT_EQ(budget.Used(Time(seconds(1100))), 0);
 }
 
 TEST(RestartBudgetTest, WaitsLongerEachTime) {
@@ -70,7 +70,7 @@ TEST(RestartBudgetTest, WaitsLongerEachTime) {
   limits.restarts = 100;
   RestartBudget budget(limits);
   const BackOff back_off;
-  Time now = seconds(1000);
+  Time now{seconds(1000)};
   for (const int expected : {0, 5, 10, 20, 40, 80, 160, 300, 300}) {
     EXPECT_EQ(budget.Delay(back_off, now), seconds(expected));
     budget.Add(now);
@@ -79,7 +79,7 @@ TEST(RestartBudgetTest, WaitsLongerEachTime) {
 
 TEST(RestartBudgetTest, TheHourlyLimitHoldsInGoodHealthToo) {
   RestartBudget budget({});
-  Time now = seconds(10000);
+  Time now{seconds(10000)};
   for (int i = 0; i < 10; ++i) {
     EXPECT_EQ(budget.Check(now).problem(), "");
     budget.Add(now);
@@ -89,12 +89,12 @@ TEST(RestartBudgetTest, TheHourlyLimitHoldsInGoodHealthToo) {
   }
   EXPECT_EQ(budget.Used(now), 0);
   EXPECT_THAT(budget.Check(now).problem(), HasSubstr("restarted 10 times within an hour"));
-  EXPECT_EQ(budget.Check(seconds(10000) + minutes(60)).problem(), "");
+  EXPECT_EQ(budget.Check(Time(seconds(10000) + minutes(60))).problem(), "");
 }
 
 TEST(RestartBudgetTest, WhatIsRestoredCountsAsBefore) {
   RestartBudget budget({});
-  Time now = seconds(1000);
+  Time now{seconds(1000)};
   budget.Add(now);
   budget.SetReady(true, now);
   now += seconds(100);

@@ -120,7 +120,7 @@ class SimulatedMachine : public ProcessLauncher {
                                           [&](const auto& start) { return start.first == name; }));
   }
 
-  Time now = std::chrono::seconds(1000);
+  Time now{std::chrono::seconds(1000)};
   std::map<std::string, Program> programs;
   std::function<void(const std::string& name)> on_clear;
   std::vector<std::pair<std::string, Time>> starts;
@@ -130,7 +130,7 @@ class SimulatedMachine : public ProcessLauncher {
  private:
   struct Life {
     std::string name;
-    Time ready{0};
+    Time ready{};
     Time ends = kNever;
     int status = SIGSEGV;
   };

@@ -94,7 +94,7 @@ class SupervisorTest : public testing::Test {
 
   NotingLauncher launcher_;
   Supervisor supervisor_;
-  Time now_ = std::chrono::seconds(1000);
+  Time now_{std::chrono::seconds(1000)};
 };
 
 }  // namespace coppice::robot::processes

@@ -21,15 +21,15 @@ SupervisorMemory Example() {
   memory.new_stack = true;
   memory.clear_stack = true;
   GroupMemory group;
-  group.restarts = {seconds(100), seconds(200)};
+  group.restarts = {Time(seconds(100)), Time(seconds(200))};
   group.counting = 1;
   group.step = EscalationStep::kClosure;
   group.closures = 1;
-  group.trouble_since = seconds(150);
+  group.trouble_since = Time(seconds(150));
   memory.groups["ekf"] = group;
   memory.groups["other"].given_up = "broken";
   memory.restarts["ekf"] = 7;
-  memory.stack_restarts = {seconds(300)};
+  memory.stack_restarts = {Time(seconds(300))};
   memory.stack_counting = 1;
   return memory;
 }
@@ -37,34 +37,37 @@ SupervisorMemory Example() {
 TEST(SupervisorMemoryTest, ReadsBackWhatItHasWritten) {
   const std::string path = Temporary("memory.json");
   EXPECT_EQ(SaveMemory(Example(), path).problem(), "");
-  const SupervisorMemory memory = LoadMemory(path, seconds(1000)).value();
+  const SupervisorMemory memory = LoadMemory(path, Time(seconds(1000))).value();
   EXPECT_EQ(ToText(memory), ToText(Example()));
   EXPECT_EQ(memory.groups.at("ekf").step, EscalationStep::kClosure);
-  EXPECT_EQ(memory.groups.at("ekf").trouble_since, seconds(150));
+  EXPECT_EQ(memory.groups.at("ekf").trouble_since, Time(seconds(150)));
   EXPECT_EQ(memory.restarts.at("ekf"), 7u);
 }
 
 TEST(SupervisorMemoryTest, AMissingFileIsEmptyAndNoProblem) {
-  EXPECT_EQ(LoadMemory(Temporary("nothing.json"), seconds(1)).value().configuration, "");
+  EXPECT_EQ(LoadMemory(Temporary("nothing.json"), Time(seconds(1))).value().configuration, "");
 }
 
 TEST(SupervisorMemoryTest, EveryTornFileIsAProblem) {
   const std::string text = ToText(Example());
   for (std::size_t size = 0; size + 2 < text.size(); ++size) {
-    EXPECT_EQ(MemoryFromText(text.substr(0, size), seconds(1000)).problem(), "is damaged") << size;
+    EXPECT_EQ(MemoryFromText(text.substr(0, size), Time(seconds(1000))).problem(), "is damaged")
+        << size;
   }
 }
 
 TEST(SupervisorMemoryTest, ValuesOfWrongKindsAndOtherVersionsAreRefused) {
-  EXPECT_EQ(MemoryFromText("[]", seconds(1)).problem(), "is damaged");
-  EXPECT_EQ(MemoryFromText(R"({"version": 1, "configuration": 3})", seconds(1)).problem(),
+  EXPECT_EQ(MemoryFromText("[]", Time(seconds(1))).problem(), "is damaged");
+  EXPECT_EQ(MemoryFromText(R"({"version": 1, "configuration": 3})", Time(seconds(1))).problem(),
             "is damaged");
-  EXPECT_EQ(MemoryFromText(R"({"version": 2})", seconds(1)).problem(), "is of another version");
+  EXPECT_EQ(MemoryFromText(R"({"version": 2})", Time(seconds(1))).problem(),
+            "is of another version");
 }
 
 TEST(SupervisorMemoryTest, TimesInTheFutureCountAsNow) {
-  const SupervisorMemory memory = MemoryFromText(ToText(Example()), seconds(120)).value();
-  EXPECT_THAT(memory.groups.at("ekf").restarts, ElementsAre(seconds(100), seconds(120)));
+  const SupervisorMemory memory = MemoryFromText(ToText(Example()), Time(seconds(120))).value();
+  EXPECT_THAT(memory.groups.at("ekf").restarts,
+              ElementsAre(Time(seconds(100)), Time(seconds(120))));
 }
 
 TEST(SupervisorMemoryTest, AFileThatCannotBeWrittenIsReportedAndTheOldOneStays) {
@@ -74,7 +77,7 @@ TEST(SupervisorMemoryTest, AFileThatCannotBeWrittenIsReportedAndTheOldOneStays) 
   EXPECT_EQ(SaveMemory(Example(), path).problem(), "");
   mkdir((path + ".new").c_str(), 0755);
   EXPECT_THAT(SaveMemory({}, path).problem(), HasSubstr("Is a directory"));
-  EXPECT_EQ(LoadMemory(path, seconds(1000)).value().configuration, "charging");
+  EXPECT_EQ(LoadMemory(path, Time(seconds(1000))).value().configuration, "charging");
 }
 
 }  // namespace

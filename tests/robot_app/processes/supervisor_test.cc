@@ -70,7 +70,7 @@ TEST_F(SupervisorTest, ACrashRightAfterTheStartWaitsForTheFloor) {
   now_ += seconds(1);
   Ended(kBase, kExit3);
   EXPECT_EQ(Phase(kBase), ProcessPhase::kBackingOff);
-  EXPECT_EQ(supervisor_.status(kBase).back_off_until, seconds(1005));
+  EXPECT_EQ(supervisor_.status(kBase).back_off_until, Time(seconds(1005)));
 }
 
 TEST_F(SupervisorTest, WhatEndsBecauseSomethingItNeedsIsDownIsNotToBlame) {

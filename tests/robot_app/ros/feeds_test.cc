@@ -89,7 +89,7 @@ TEST_F(FeedsTest, BringTheRawReadingAndSayWhatIsNotMeasured) {
   Publish("/battery_state", battery);
   ASSERT_TRUE(Eventually([this] { return Key("battery").has_value(); }));
   const BatteryReading reading = Key("battery").Get<BatteryReading>();
-  EXPECT_EQ(reading.stamp, std::chrono::seconds(7));
+  EXPECT_EQ(reading.stamp, Time(std::chrono::seconds(7)));
   EXPECT_DOUBLE_EQ(reading.voltage, 24.5);
   EXPECT_DOUBLE_EQ(reading.current, -15);
   EXPECT_TRUE(std::isnan(reading.level));
@@ -143,7 +143,7 @@ TEST_F(FeedsTest, StampTheHealthReportOnArrival) {
   Publish("/monitoring", report);
   ASSERT_TRUE(Eventually([this] { return Key("monitoring").has_value(); }));
   const Health health = Key("monitoring").Get<Health>();
-  EXPECT_EQ(health.stamp, std::chrono::seconds(7));
+  EXPECT_EQ(health.stamp, Time(std::chrono::seconds(7)));
   ASSERT_NE(health.FirstError("node"), nullptr);
   EXPECT_EQ(health.FirstError("node")->node, "/a");
 }

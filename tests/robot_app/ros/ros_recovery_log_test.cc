@@ -42,9 +42,9 @@ class RosRecoveryLogTest : public testing::Test {
 TEST_F(RosRecoveryLogTest, PublishesWhatIsDoneAndLaterWhetherItHelped) {
   ASSERT_TRUE(IsConnected());
   log_.Record({"wait and retry", "navigation", leaves::RecoveryPhase::kBegun, 2,
-               std::chrono::seconds(100), leaves::Pose2D{1, 2, 3}, ""});
+               Time(std::chrono::seconds(100)), leaves::Pose2D{1, 2, 3}, ""});
   log_.Record({"wait and retry", "navigation", leaves::RecoveryPhase::kSucceeded, 2,
-               std::chrono::seconds(120), std::nullopt, ""});
+               Time(std::chrono::seconds(120)), std::nullopt, ""});
   ASSERT_TRUE(HasHeard(2));
   EXPECT_EQ(messages_[0].phase, Message::BEGUN);
   EXPECT_EQ(messages_[0].attempt, 2u);

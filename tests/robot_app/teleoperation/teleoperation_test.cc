@@ -19,7 +19,7 @@ class Wheel : public testing::Test {
   }
 
   Teleoperation wheel_{TeleoperationSettings{}};
-  Time now_ = seconds(1000);
+  Time now_{seconds(1000)};
 };
 
 TEST_F(Wheel, WithoutADriverNothingIsSaid) {

@@ -15,7 +15,7 @@ constexpr Velocity2D kStill{0, 0};
 class Mux : public testing::Test {
  protected:
   VelocityMux mux_{{milliseconds(500), milliseconds(500)}};
-  Time now_ = std::chrono::seconds(1000);
+  Time now_{std::chrono::seconds(1000)};
 };
 
 TEST_F(Mux, APersonGoesBeforeTheRobot) {

@@ -50,7 +50,7 @@ TEST_F(ImportBtlog, TransitionsThatFollowEachOtherWithinAMillisecondAreATick) {
                                {7901, 5, Status::kSuccess}});
   ASSERT_TRUE(run) << diagnostics_.ToString();
   ASSERT_EQ(run->ticks().size(), 2U);
-  EXPECT_EQ(run->EventsOf(0).start, Time(5'000'000));
+  EXPECT_EQ(run->EventsOf(0).start, Time(Duration(5'000'000)));
   EXPECT_EQ(run->EventsOf(0).duration, Duration(1'900'000));
   EXPECT_EQ(run->EventsOf(0).result, Status::kRunning);
   EXPECT_EQ(run->Before(2).statuses,

@@ -8,7 +8,7 @@
 namespace coppice {
 namespace {
 
-constexpr Time kStart = std::chrono::seconds(100);
+constexpr Time kStart{std::chrono::seconds(100)};
 
 Verification Parted() {
   Verification parted;

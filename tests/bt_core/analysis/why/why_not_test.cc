@@ -91,7 +91,7 @@ class ChangesOnly {
         words.Status(node, status);
       }
     }
-    told_.OnTick({++tick_, Time(0), Duration(0), root, true, words.words()});
+    told_.OnTick({++tick_, Time{}, Duration(0), root, true, words.words()});
   }
   const Recording& run() const { return told_; }
 

@@ -69,7 +69,7 @@ TEST_F(LiveJsonTest, GapsNoticesAndConnectionsHaveATypeEach) {
   connection.problem = "no answer";
   printer_.Print(connection);
   EXPECT_EQ(Last(), Json({{"type", "connection"}, {"live", false}, {"problem", "no answer"}}));
-  printer_.Print(HistoryNote{Time(1), "a", "b\xff"});
+  printer_.Print(HistoryNote{Time(Duration(1)), "a", "b\xff"});
   EXPECT_EQ(Last()["kind"], "a");
   printer_.Print(HistoryEnd());
   EXPECT_EQ(Last()["type"], "end");
@@ -78,21 +78,21 @@ TEST_F(LiveJsonTest, GapsNoticesAndConnectionsHaveATypeEach) {
 // Two programs, one dialect.
 TEST_F(LiveJsonTest, IsThatOfAReplay) {
   const TreeDescription tree = SmallTree();
-  const HistoryGap gap{HistoryGap::Cause::kOutput, std::chrono::seconds(3), 5, 8, 12, 1};
+  const HistoryGap gap{HistoryGap::Cause::kOutput, Time(std::chrono::seconds(3)), 5, 8, 12, 1};
   printer_.Print(tree);
   printer_.Print(SmallState());
   printer_.Print(SmallTick().events());
   printer_.Print(gap);
-  printer_.Print(HistoryNote{Time(4), "kind", "text"});
-  printer_.Print(HistoryEnd{{}, Time(5), 7});
+  printer_.Print(HistoryNote{Time(Duration(4)), "kind", "text"});
+  printer_.Print(HistoryEnd{{}, Time(Duration(5)), 7});
 
   Recording run;
   run.OnTree(tree);
   run.OnState(SmallState());
   run.OnTick(SmallTick().events());
   run.OnGap(gap);
-  run.OnNote(HistoryNote{Time(4), "kind", "text"});
-  run.OnEnd(HistoryEnd{{}, Time(5), 7});
+  run.OnNote(HistoryNote{Time(Duration(4)), "kind", "text"});
+  run.OnEnd(HistoryEnd{{}, Time(Duration(5)), 7});
   std::ostringstream replayed;
   PrintRun(run, {}, *MakeJsonPrinter(replayed));
   const std::string lines = replayed.str();

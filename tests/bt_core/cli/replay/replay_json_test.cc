@@ -20,13 +20,13 @@ TEST(ReplayJson, WritesOneObjectPerLine) {
   std::ostringstream out;
   const auto printer = MakeJsonPrinter(out);
   printer->Tree(tree);
-  ToldTick tick{7, std::chrono::milliseconds(2500), Duration(1000), Status::kRunning, true, {}, {},
-                {}};
+  ToldTick tick{
+      7, Time(std::chrono::milliseconds(2500)), Duration(1000), Status::kRunning, true, {}, {}, {}};
   tick.changes = {{"a", Status::kIdle, Status::kRunning}};
   tick.writes = {{"Main", "key", std::string("\x01text"), "a"}, {"Main", "key", "", ""}};
   tick.messages = {{"a", EventText::kMessage, R"(says "so")"}};
   printer->Tick(tick);
-  printer->Gap({HistoryGap::Cause::kOutput, std::chrono::seconds(3), 5, 8, 12, 1});
+  printer->Gap({HistoryGap::Cause::kOutput, Time(std::chrono::seconds(3)), 5, 8, 12, 1});
   std::istringstream lines(out.str());
   std::string line;
   std::vector<json> objects;
@@ -50,7 +50,7 @@ TEST(ReplayJson, TellsWhatIsNoMessageOfTheNode) {
   const TreeDescription tree = SmallTree();
   HistoryFollower follower(ShapeOf(tree), SmallState());
   const json tick = json::parse(EventJson(
-      TellTick(tree, follower, {1, Time(0), Duration(0), Status::kFailure, true, words.words()})));
+      TellTick(tree, follower, {1, Time{}, Duration(0), Status::kFailure, true, words.words()})));
   EXPECT_EQ(tick["messages"][0],
             json({{"node", "check"}, {"kind", "exception"}, {"text", "no way"}}));
   EXPECT_EQ(tick["messages"][1],

@@ -20,7 +20,7 @@ class Counter : public EventListener {
 };
 
 TickEvents Numbered(std::uint64_t tick, const std::uint32_t& word) {
-  return {tick, Time(5), Duration(6), Status::kRunning, true, {&word, 1}};
+  return {tick, Time(Duration(5)), Duration(6), Status::kRunning, true, {&word, 1}};
 }
 
 StreamState At(std::uint64_t tick) {

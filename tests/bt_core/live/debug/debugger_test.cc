@@ -151,7 +151,7 @@ TEST(Debugger, KeepsANodeRunningForADelayAndTicksItThen) {
   hook.times = 1;
   ASSERT_TRUE(tree.debugger->Add(hook).ok());
   EXPECT_EQ(tree.stage.executor->Tick(), kRunning);
-  EXPECT_EQ(tree.stage.executor->next_tick(), 3s);
+  EXPECT_EQ(tree.stage.executor->next_tick(), Time(3s));
   tree.stage.clock.Advance(1s);
   EXPECT_EQ(tree.stage.executor->Tick(), kRunning);
   EXPECT_THAT(tree.stage.TakeEvents(), ElementsAre("start a"));

@@ -53,7 +53,7 @@ class Groot2HistoryTest : public ::testing::Test {
     if (records) {
       ASSERT_EQ(history_.SetRecording("1000000").problem(), "");
     }
-    ASSERT_EQ(history_.AddStatuses(Statuses(0, 12, 0), 1s).problem(), "");
+    ASSERT_EQ(history_.AddStatuses(Statuses(0, 12, 0), Time(1s)).problem(), "");
   }
   std::vector<Status> statuses() { return watcher_.watched().follower->statuses(); }
 
@@ -65,7 +65,7 @@ TEST_F(Groot2HistoryTest, BeginsWhenTheStatusesAreKnown) {
   ASSERT_EQ(history_.SetTree(RunId{1}, kXml).problem(), "");
   EXPECT_FALSE(history_.has_begun());
   EXPECT_THAT(watcher_.watched().trees, IsEmpty());
-  ASSERT_EQ(history_.AddStatuses(Statuses(1, 2, 1), 1s).problem(), "");
+  ASSERT_EQ(history_.AddStatuses(Statuses(1, 2, 1), Time(1s)).problem(), "");
   EXPECT_TRUE(history_.has_begun());
   EXPECT_THAT(watcher_.watched().trees, SizeIs(1));
   EXPECT_THAT(statuses(), ElementsAre(kRunning, kSuccess, kRunning));
@@ -90,15 +90,15 @@ TEST_F(Groot2HistoryTest, MakesTicksOfTransitionsThatFollowEachOther) {
 
 TEST_F(Groot2HistoryTest, StatusesCorrectOnlyWhatStaysDifferent) {
   Begin();
-  EXPECT_EQ(history_.AddStatuses(Statuses(1, 1, 0), 2s).problem(), "");
+  EXPECT_EQ(history_.AddStatuses(Statuses(1, 1, 0), Time(2s)).problem(), "");
   EXPECT_THAT(statuses(), ElementsAre(kIdle, kIdle, kIdle));  // the transitions will come
-  EXPECT_EQ(history_.AddStatuses(Statuses(1, 1, 0), 3s).problem(), "");
+  EXPECT_EQ(history_.AddStatuses(Statuses(1, 1, 0), Time(3s)).problem(), "");
   EXPECT_THAT(statuses(), ElementsAre(kRunning, kRunning, kIdle));
 }
 
 TEST_F(Groot2HistoryTest, WithoutARecordingStatusesAreAllThereIs) {
   Begin(false);
-  EXPECT_EQ(history_.AddStatuses(Statuses(1, 1, 0), 2s).problem(), "");
+  EXPECT_EQ(history_.AddStatuses(Statuses(1, 1, 0), Time(2s)).problem(), "");
   EXPECT_THAT(statuses(), ElementsAre(kRunning, kRunning, kIdle));
 }
 
@@ -107,7 +107,7 @@ TEST_F(Groot2HistoryTest, ReportsAGapWhenTheRobotMayHaveDroppedTransitions) {
   std::string bytes;
   for (int i = 0; i < 1000; ++i) bytes += Transition(static_cast<std::uint64_t>(i), 20, kRunning);
   EXPECT_EQ(history_.AddTransitions(bytes).problem(), "");
-  EXPECT_EQ(history_.AddStatuses(Statuses(3, 12, 13), 2s).problem(), "");
+  EXPECT_EQ(history_.AddStatuses(Statuses(3, 12, 13), Time(2s)).problem(), "");
   EXPECT_THAT(watcher_.watched().gaps, SizeIs(1));
   EXPECT_THAT(statuses(), ElementsAre(kFailure, kIdle, kIdle));
 }
@@ -118,15 +118,15 @@ TEST_F(Groot2HistoryTest, ValuesAreWritesAndNewKeysAreAnotherDescription) {
     const auto bytes = nlohmann::json::to_msgpack(json);
     return std::string(bytes.begin(), bytes.end());
   };
-  EXPECT_EQ(history_.AddBoards(pack({{"Main", {{"n", 1}, {"x", 0.5}}}}), 2s).problem(), "");
+  EXPECT_EQ(history_.AddBoards(pack({{"Main", {{"n", 1}, {"x", 0.5}}}}), Time(2s)).problem(), "");
   EXPECT_THAT(watcher_.watched().trees, SizeIs(2));
-  EXPECT_EQ(history_.AddBoards(pack({{"Main", {{"n", 2}, {"x", 0.5}}}}), 3s).problem(), "");
+  EXPECT_EQ(history_.AddBoards(pack({{"Main", {{"n", 2}, {"x", 0.5}}}}), Time(3s)).problem(), "");
   const Watched watched = watcher_.watched();
   EXPECT_THAT(watched.trees, SizeIs(2));
   ASSERT_THAT(watched.values, SizeIs(2));
   EXPECT_EQ(PrintValueBytes(watched.values[0]), "2");
   EXPECT_EQ(PrintValueBytes(watched.values[1]), "0.5");
-  EXPECT_EQ(history_.AddBoards(pack(nullptr), 3s).problem(), "");
+  EXPECT_EQ(history_.AddBoards(pack(nullptr), Time(3s)).problem(), "");
 }
 
 TEST_F(Groot2HistoryTest, RefusesWhatCannotBeRead) {
@@ -137,9 +137,9 @@ TEST_F(Groot2HistoryTest, RefusesWhatCannotBeRead) {
   EXPECT_NE(history_.SetRecording("99999999999999999999").problem(), "");
   EXPECT_NE(history_.AddTransitions("12345678").problem(), "");
   EXPECT_NE(history_.AddTransitions(Transition(0, 99, kRunning)).problem(), "");
-  EXPECT_NE(history_.AddStatuses("1234", 1s).problem(), "");
-  EXPECT_NE(history_.AddStatuses(Statuses(1, 200, 1), 1s).problem(), "");
-  EXPECT_NE(history_.AddBoards("\xc1", 1s).problem(), "");
+  EXPECT_NE(history_.AddStatuses("1234", Time(1s)).problem(), "");
+  EXPECT_NE(history_.AddStatuses(Statuses(1, 200, 1), Time(1s)).problem(), "");
+  EXPECT_NE(history_.AddBoards("\xc1", Time(1s)).problem(), "");
 }
 
 TEST_F(Groot2HistoryTest, IsNotDisturbedByRandomAnswers) {
@@ -149,11 +149,11 @@ TEST_F(Groot2HistoryTest, IsNotDisturbedByRandomAnswers) {
     std::string bytes(random() % 40 * (random() % 2 ? 9 : 3), '\0');
     for (char& c : bytes) c = static_cast<char>(random());
     static_cast<void>(history_.AddTransitions(bytes));
-    static_cast<void>(history_.AddStatuses(bytes, 1s));
-    static_cast<void>(history_.AddBoards(bytes, 1s));
+    static_cast<void>(history_.AddStatuses(bytes, Time(1s)));
+    static_cast<void>(history_.AddBoards(bytes, Time(1s)));
     static_cast<void>(history_.SetRecording(bytes));
   }
-  EXPECT_EQ(history_.AddStatuses(Statuses(1, 1, 1), 1s).problem(), "");
+  EXPECT_EQ(history_.AddStatuses(Statuses(1, 1, 1), Time(1s)).problem(), "");
 }
 
 }  // namespace

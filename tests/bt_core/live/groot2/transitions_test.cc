@@ -28,16 +28,16 @@ std::string Bytes(std::initializer_list<int> bytes) {
 
 TEST(Transitions, PacksEachChangeInNineBytes) {
   Transitions transitions;
-  transitions.Start(Idle(), microseconds(1000));
-  AddTick(transitions, microseconds(1000 + 0x010203), Status::kRunning, Status::kRunning);
+  transitions.Start(Idle(), Time(microseconds(1000)));
+  AddTick(transitions, Time(microseconds(1000 + 0x010203)), Status::kRunning, Status::kRunning);
   EXPECT_EQ(transitions.Take(), Bytes({3, 2, 1, 0, 0, 0, 2, 0, 1, 3, 2, 1, 0, 0, 0, 1, 0, 1}));
   EXPECT_EQ(transitions.Take(), "");
 }
 
 TEST(Transitions, TellsOfResetsThatFollowFromResults) {
   Transitions transitions;
-  transitions.Start(Idle(), Time(0));
-  AddTick(transitions, Time(0), Status::kSuccess, Status::kSuccess);
+  transitions.Start(Idle(), Time{});
+  AddTick(transitions, Time{}, Status::kSuccess, Status::kSuccess);
   const std::string bytes = transitions.Take();
   ASSERT_EQ(bytes.size(), 27u);  // child SUCCESS, child IDLE, root SUCCESS
   EXPECT_EQ(bytes.substr(15, 3), Bytes({2, 0, 0}));
@@ -45,33 +45,33 @@ TEST(Transitions, TellsOfResetsThatFollowFromResults) {
 
 TEST(Transitions, RecordsOnlyBetweenStartAndStop) {
   Transitions transitions;
-  AddTick(transitions, Time(0), Status::kRunning, Status::kRunning);
+  AddTick(transitions, Time{}, Status::kRunning, Status::kRunning);
   EXPECT_EQ(transitions.Take(), "");
-  transitions.Start(Idle(), Time(0));
-  AddTick(transitions, Time(0), Status::kRunning, Status::kRunning);
+  transitions.Start(Idle(), Time{});
+  AddTick(transitions, Time{}, Status::kRunning, Status::kRunning);
   transitions.Stop();
-  AddTick(transitions, Time(0), Status::kSuccess, Status::kSuccess);
+  AddTick(transitions, Time{}, Status::kSuccess, Status::kSuccess);
   EXPECT_EQ(transitions.Take().size(), 18u);
 }
 
 TEST(Transitions, CountsWhatIsNotFetchedInTime) {
   Transitions transitions(3);
-  transitions.Start(Idle(), Time(0));
-  AddTick(transitions, Time(0), Status::kRunning, Status::kRunning);
-  AddTick(transitions, Time(0), Status::kSuccess, Status::kSuccess);
+  transitions.Start(Idle(), Time{});
+  AddTick(transitions, Time{}, Status::kRunning, Status::kRunning);
+  AddTick(transitions, Time{}, Status::kSuccess, Status::kSuccess);
   EXPECT_EQ(transitions.dropped(), 2u);
   EXPECT_EQ(transitions.Take().size(), 27u);
-  transitions.Start(Idle(), Time(0));
+  transitions.Start(Idle(), Time{});
   EXPECT_EQ(transitions.dropped(), 0u);
 }
 
 TEST(Transitions, GoesOnBehindAJump) {
   Transitions transitions;
-  transitions.Start(Idle(), Time(0));
+  transitions.Start(Idle(), Time{});
   transitions.Jump(StatusFollower({{NodeIndex{0}, NodeIndex{1}, false}}, {Status::kRunning}));
   EventWriter writer;
   writer.Status(kRootNode, Status::kFailure);
-  transitions.Add({1, Time(0), Duration(0), Status::kFailure, true, writer.words()});
+  transitions.Add({1, Time{}, Duration(0), Status::kFailure, true, writer.words()});
   EXPECT_EQ(transitions.Take(), Bytes({0, 0, 0, 0, 0, 0, 1, 0, 3}));
 }
 

@@ -6,7 +6,7 @@ namespace coppice {
 namespace {
 
 StoredFrame Make(FrameType type, std::uint64_t tick, const std::string& bytes = "0123456789") {
-  return {type, tick, Time(0), bytes};
+  return {type, tick, Time{}, bytes};
 }
 
 // The memory of so many frames that are made as above.

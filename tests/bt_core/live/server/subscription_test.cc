@@ -13,9 +13,7 @@ class SubscriptionTest : public ::testing::Test {
     Add(FrameType::kTree, "T");
     Add(FrameType::kState, "S");
   }
-  void Add(FrameType type, const std::string& bytes) {
-    store_.Add({type, tick_++, Time(0), bytes});
-  }
+  void Add(FrameType type, const std::string& bytes) { store_.Add({type, tick_++, Time{}, bytes}); }
   void AddEvents(int count) {
     for (int i = 0; i < count; ++i) Add(FrameType::kEvents, "e");
   }
@@ -91,11 +89,11 @@ TEST_F(SubscriptionTest, WaitsForRoomAndKeepsNothingMeanwhile) {
 
 TEST_F(SubscriptionTest, BeginsWithTheTreeThatHeldAtItsState) {
   FrameStore store(10000);
-  store.Add({FrameType::kTree, 1, Time(0), "T"});
-  store.Add({FrameType::kState, 1, Time(0), "S"});
+  store.Add({FrameType::kTree, 1, Time{}, "T"});
+  store.Add({FrameType::kState, 1, Time{}, "S"});
   Subscription subscription(store, From::kOldest, 0, 1000);
-  store.Add({FrameType::kTree, 2, Time(0), "U"});
-  store.Add({FrameType::kState, 2, Time(0), "V"});
+  store.Add({FrameType::kTree, 2, Time{}, "U"});
+  store.Add({FrameType::kState, 2, Time{}, "V"});
   EXPECT_EQ(Print(subscription.Next(store)), "1-4 TSUV");
 }
 

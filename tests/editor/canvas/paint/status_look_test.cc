@@ -13,8 +13,8 @@ constexpr Time kThen = Time(std::chrono::seconds(100));
 const Palette& kColors = GetPalette(PaletteName::kLight);
 
 TEST(StatusLook, ColoursTheTrailLikeTheLastStatus) {
-  EXPECT_EQ(StatusColor(kColors, {Status::kIdle, Status::kFailure, Time(0)}, 7), kColors.failure);
-  EXPECT_EQ(StatusColor(kColors, {Status::kRunning, Status::kIdle, Time(0)}, 7), kColors.running);
+  EXPECT_EQ(StatusColor(kColors, {Status::kIdle, Status::kFailure, Time{}}, 7), kColors.failure);
+  EXPECT_EQ(StatusColor(kColors, {Status::kRunning, Status::kIdle, Time{}}, 7), kColors.running);
   EXPECT_EQ(StatusColor(kColors, {}, 7), 7U);
 }
 

@@ -8,9 +8,9 @@ namespace coppice::editor {
 namespace {
 
 TEST(RunText, WritesTimesOfARun) {
-  EXPECT_EQ(AxisText(std::chrono::milliseconds(4220)), "0:04.220");
-  EXPECT_EQ(AxisText(std::chrono::milliseconds(3723250)), "1:02:03.250");
-  EXPECT_EQ(AxisText(Time(-5)), "0:00.000");
+  EXPECT_EQ(AxisText(Time(std::chrono::milliseconds(4220))), "0:04.220");
+  EXPECT_EQ(AxisText(Time(std::chrono::milliseconds(3723250))), "1:02:03.250");
+  EXPECT_EQ(AxisText(Time(Duration(-5))), "0:00.000");
 }
 
 TEST(RunText, RoundsNumbersThatAreTooLongForATable) {

@@ -75,7 +75,7 @@ TEST_F(TimelineTest, TheWheelPansAndZoomsWithCtrl) {
   driver_.MoveTo(In("timeline/lanes", 0.5F));
   driver_.Wheel(1);
   EXPECT_FALSE(view.is_following());
-  const Time span = view.span();
+  const Duration span = view.span();
   driver_.input.events.push_back(KeyEvent{341, true, kCtrl});
   driver_.Frames(1);
   driver_.Wheel(1);

@@ -22,25 +22,25 @@ class Letters : public testing::Test {
 
 TEST_F(Letters, ALetterIsHandedOutOnceUntilItIsReported) {
   queue_.Add({});
-  EXPECT_EQ(Only(seconds(0)).number, 1u);
-  EXPECT_TRUE(queue_.TakeDue(seconds(100)).empty());
-  EXPECT_EQ(queue_.Delivered(1, true, seconds(100)).progress, Progress::kDelivered);
-  EXPECT_TRUE(queue_.TakeDue(seconds(200)).empty());
+  EXPECT_EQ(Only(Time(seconds(0))).number, 1u);
+  EXPECT_TRUE(queue_.TakeDue(Time(seconds(100))).empty());
+  EXPECT_EQ(queue_.Delivered(1, true, Time(seconds(100))).progress, Progress::kDelivered);
+  EXPECT_TRUE(queue_.TakeDue(Time(seconds(200))).empty());
 }
 
 TEST_F(Letters, TheNextWayIsTriedAtOnceAndTheFirstAgainAfterAWhile) {
   queue_.Add({});
-  EXPECT_EQ(Only(seconds(0)).way, 0u);
-  EXPECT_EQ(queue_.Delivered(1, false, seconds(1)).progress, Progress::kTryingNextWay);
-  EXPECT_EQ(Only(seconds(1)).way, 1u);
-  EXPECT_EQ(queue_.Delivered(1, false, seconds(2)).progress, Progress::kNoWayWorked);
-  EXPECT_TRUE(queue_.TakeDue(seconds(2)).empty());
-  EXPECT_EQ(Only(seconds(2) + LetterQueue::kRetryAfter).way, 0u);
+  EXPECT_EQ(Only(Time(seconds(0))).way, 0u);
+  EXPECT_EQ(queue_.Delivered(1, false, Time(seconds(1))).progress, Progress::kTryingNextWay);
+  EXPECT_EQ(Only(Time(seconds(1))).way, 1u);
+  EXPECT_EQ(queue_.Delivered(1, false, Time(seconds(2))).progress, Progress::kNoWayWorked);
+  EXPECT_TRUE(queue_.TakeDue(Time(seconds(2))).empty());
+  EXPECT_EQ(Only(Time(seconds(2) + LetterQueue::kRetryAfter)).way, 0u);
 }
 
 TEST_F(Letters, ALetterThatNeverWorksIsDroppedInTheEnd) {
   queue_.Add({});
-  Time now{0};
+  Time now{};
   int attempts = 0;
   for (; attempts < 1000; ++attempts) {
     const std::vector<Letter> due = queue_.TakeDue(now);
@@ -54,10 +54,10 @@ TEST_F(Letters, ALetterThatNeverWorksIsDroppedInTheEnd) {
 
 TEST_F(Letters, AReportOfALetterThatWasDroppedMeansNothing) {
   queue_.Add({});
-  Only(seconds(0));
+  Only(Time(seconds(0)));
   queue_.DropIf([](const Letter& letter) { return letter.request == 0; });
-  EXPECT_EQ(queue_.Delivered(1, false, seconds(1)).progress, Progress::kUnknown);
-  EXPECT_TRUE(queue_.TakeDue(seconds(100)).empty());
+  EXPECT_EQ(queue_.Delivered(1, false, Time(seconds(1))).progress, Progress::kUnknown);
+  EXPECT_TRUE(queue_.TakeDue(Time(seconds(100))).empty());
 }
 
 }  // namespace

@@ -36,7 +36,7 @@ TEST(TelegramUpdates, AreReadFromTextsAndButtons) {
   EXPECT_EQ(updates->answers[0].from, "42");
   EXPECT_TRUE(updates->answers[0].fixed);
   EXPECT_EQ(updates->answers[0].request, 0u);
-  EXPECT_EQ(updates->answers[0].written, seconds(1000));
+  EXPECT_EQ(updates->answers[0].written, Time(seconds(1000)));
   EXPECT_EQ(updates->answers[1].from, "-7");
   EXPECT_FALSE(updates->answers[1].fixed);
   EXPECT_EQ(updates->answers[1].request, 5u);
@@ -155,7 +155,7 @@ class AnswerByTelegram : public testing::Test {
   }
 
   FakeTelegram telegram_;
-  const Time now_ = std::chrono::hours(10000);
+  const Time now_{std::chrono::hours(10000)};
   AssistanceConfig config_;
   std::optional<Assistance> assistance_;
   std::uint32_t id_ = 0;

@@ -14,7 +14,7 @@ constexpr const char* kElsewhere = "192.0.2.2";
 class Access : public testing::Test {
  protected:
   PageAccess access_{"an operator's token", "a viewer's token"};
-  Time now_ = hours(1000);
+  Time now_{hours(1000)};
 };
 
 TEST_F(Access, ALinkWorksOnceAndSaysWhoCame) {

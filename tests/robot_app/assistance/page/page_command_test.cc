@@ -16,7 +16,7 @@ TEST(PageCommand, IsReadFromAnObject) {
   EXPECT_EQ(drive->kind, Kind::kDrive);
   EXPECT_EQ(drive->velocity.linear, 0.2);
   EXPECT_EQ(drive->velocity.angular, -1);
-  EXPECT_EQ(drive->beat, std::chrono::milliseconds(1500));
+  EXPECT_EQ(drive->beat, Time(std::chrono::milliseconds(1500)));
   const auto answer = ReadPageCommand(R"({"do": "answer", "request": 7, "fixed": true})");
   ASSERT_TRUE(answer);
   EXPECT_EQ(answer->request, 7u);

@@ -43,8 +43,8 @@ class Page : public testing::Test {
 
   void Join(std::uint64_t client, const std::string& name, PageRole role = PageRole::kOperator,
             std::uint32_t request = 0) {
-    desk_.OnEvent({PageEvent::Kind::kJoined, client, {role, name, request, Time{0}}, ""}, now_);
-    passes_[client] = {role, name, request, Time{0}};
+    desk_.OnEvent({PageEvent::Kind::kJoined, client, {role, name, request, Time{}}, ""}, now_);
+    passes_[client] = {role, name, request, Time{}};
   }
   std::string Say(std::uint64_t client, const std::string& text) {
     return desk_.OnEvent({PageEvent::Kind::kText, client, passes_[client], text}, now_);
@@ -60,7 +60,7 @@ class Page : public testing::Test {
     return "";
   }
 
-  Time now_ = std::chrono::seconds(1000);
+  Time now_{std::chrono::seconds(1000)};
   const AssistanceConfig config_ = Config();
   HelpDesk help_{config_.supervisors, [](const std::string&) { return HelpRules(); }};
   teleoperation::Teleoperation wheel_{teleoperation::TeleoperationSettings{}};

@@ -19,7 +19,7 @@ class DiagnosticsMessagesTest : public testing::Test {
 
 TEST_F(DiagnosticsMessagesTest, AFindingIsAStatusWithItsHostAndValues) {
   const auto array = ToDiagnostics({{"battery", "voltage", "/base", HealthLevel::kError, 22.5, "V",
-                                     "22.5 V, expected at least 23 V", Time(0), "robot"}});
+                                     "22.5 V, expected at least 23 V", Time{}, "robot"}});
   ASSERT_EQ(array.status.size(), 1u);
   const Status& status = array.status[0];
   EXPECT_FALSE(array.header.stamp.isZero());
@@ -43,21 +43,21 @@ TEST_F(DiagnosticsMessagesTest, TheLevelsHaveTheSameNumbers) {
 
 TEST_F(DiagnosticsMessagesTest, WhatIsNotKnownIsLeftOut) {
   const auto array = ToDiagnostics(
-      {{"cpu", "temperature", "", HealthLevel::kOk, std::nan(""), "", "", Time(0), ""}});
+      {{"cpu", "temperature", "", HealthLevel::kOk, std::nan(""), "", "", Time{}, ""}});
   EXPECT_TRUE(array.status.at(0).values.empty());
   EXPECT_EQ(array.status[0].message, "OK");
 }
 
 // From us to /diagnostics and back, and from /diagnostics through us: neither comes round again.
 TEST_F(DiagnosticsMessagesTest, NothingGoesInCircles) {
-  const Finding own{"node", "/a", "/a", HealthLevel::kError, 0, "", "dead", Time(0), ""};
+  const Finding own{"node", "/a", "/a", HealthLevel::kError, 0, "", "dead", Time{}, ""};
   DiagnosticsMonitor monitor;
-  monitor.Watch(DiagnosticsWatch{std::chrono::seconds(5)}, Time(0));
+  monitor.Watch(DiagnosticsWatch{std::chrono::seconds(5)}, Time{});
   for (const Status& status : ToDiagnostics({own}).status) {
-    monitor.OnStatus(status.name, status.level, status.message, Time(0));
+    monitor.OnStatus(status.name, status.level, status.message, Time{});
   }
   EXPECT_TRUE(monitor.Report({}, {}).empty());
-  monitor.OnStatus("lidar", Status::WARN, "dirty", Time(0));
+  monitor.OnStatus("lidar", Status::WARN, "dirty", Time{});
   ASSERT_EQ(monitor.Report({}, {}).size(), 1u);
   EXPECT_TRUE(ToDiagnostics(monitor.Report({}, {})).status.empty());
 }

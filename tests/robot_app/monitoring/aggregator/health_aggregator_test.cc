@@ -12,7 +12,7 @@ using std::chrono::milliseconds;
 using std::chrono::seconds;
 
 Finding About(const std::string& subject, HealthLevel level) {
-  return {"node", subject, subject, level, 0, "", "", Time(0)};
+  return {"node", subject, subject, level, 0, "", "", Time{}};
 }
 
 class HealthAggregatorTest : public testing::Test {
@@ -22,13 +22,13 @@ class HealthAggregatorTest : public testing::Test {
   bool Report(HealthLevel level) {
     return aggregator_.OnReport("/monitor", {About("/a", level)}, now_);
   }
-  bool CheckSilence() { return aggregator_.CheckSilence(processes_, now_, Time(9)); }
-  std::vector<Finding> Publish() { return aggregator_.Publish(now_, Time(9)); }
+  bool CheckSilence() { return aggregator_.CheckSilence(processes_, now_, Time(Duration(9))); }
+  std::vector<Finding> Publish() { return aggregator_.Publish(now_, Time(Duration(9))); }
   HealthLevel Published() { return Publish().at(0).level; }
 
   HealthAggregator aggregator_{milliseconds(250), 3};
   ProcessTable processes_;
-  Time now_ = seconds(100);
+  Time now_{seconds(100)};
 };
 
 TEST_F(HealthAggregatorTest, AnErrorThatWasGoneBeforeThePublicationIsSeenNevertheless) {
@@ -84,7 +84,7 @@ TEST_F(HealthAggregatorTest, ASilentSourceMakesItsEntriesStale) {
     EXPECT_EQ(finding.level, HealthLevel::kStale);
     EXPECT_EQ(finding.node, "/monitor");  // the monitor is to be restarted, not what it watched
     EXPECT_EQ(finding.message, "/monitor: no report for 1.5 s");
-    EXPECT_EQ(finding.stamp, Time(9));
+    EXPECT_EQ(finding.stamp, Time(Duration(9)));
   }
   EXPECT_EQ(findings[2].monitor, "node");
   EXPECT_EQ(findings[2].subject, "/monitor");
@@ -135,7 +135,7 @@ TEST_F(HealthAggregatorTest, UnknownSourcesArePassedThroughAndNamed) {
   EXPECT_EQ(findings[1].monitor, "aggregation");
   EXPECT_EQ(findings[1].subject, "/stranger");
   EXPECT_EQ(findings[1].level, HealthLevel::kWarn);
-  EXPECT_EQ(findings[1].stamp, Time(9));
+  EXPECT_EQ(findings[1].stamp, Time(Duration(9)));
 }
 
 TEST_F(HealthAggregatorTest, AnUnknownSourceThatFallsSilentIsRestartedByNobodyAndForgotten) {

@@ -13,8 +13,9 @@ class HealthMessagesTest : public testing::Test {
 };
 
 TEST_F(HealthMessagesTest, AFindingSurvivesTheJourney) {
-  const Finding finding{"topic", "/scan",          "/scanner", HealthLevel::kWarn, 7.5, "Hz",
-                        "slow",  Time(1500000000), "jetson"};
+  const Finding finding{"topic", "/scan", "/scanner", HealthLevel::kWarn,
+                        7.5,     "Hz",    "slow",     Time(Duration(1500000000)),
+                        "jetson"};
   const coppice_msgs::Health message = ToMessage("/topic_monitor", {finding});
   EXPECT_EQ(message.source, "/topic_monitor");
   EXPECT_FALSE(message.header.stamp.isZero());
@@ -27,7 +28,7 @@ TEST_F(HealthMessagesTest, AFindingSurvivesTheJourney) {
   EXPECT_EQ(findings[0].value, 7.5);
   EXPECT_EQ(findings[0].unit, "Hz");
   EXPECT_EQ(findings[0].message, "slow");
-  EXPECT_EQ(findings[0].stamp, Time(1500000000));
+  EXPECT_EQ(findings[0].stamp, Time(Duration(1500000000)));
   EXPECT_EQ(findings[0].host, "jetson");
 }
 

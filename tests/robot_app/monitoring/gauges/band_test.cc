@@ -35,8 +35,9 @@ TEST_P(BandTable, GivesTheLevelsOfTheRow) {
   const Row& row = GetParam();
   Judge judge(row.band);
   for (std::size_t i = 0; i < row.values.size(); ++i) {
-    judge.OnValue(row.values[i], seconds(i));
-    EXPECT_EQ(judge.Assess(seconds(i)).level, row.levels[i]) << row.values[i] << ", number " << i;
+    judge.OnValue(row.values[i], Time(seconds(i)));
+    EXPECT_EQ(judge.Assess(Time(seconds(i))).level, row.levels[i])
+        << row.values[i] << ", number " << i;
   }
 }
 
@@ -70,12 +71,12 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(Judge, SaysWhatItMeasuredAndWhatItExpected) {
   Judge judge(TwoSided(), "V");
-  judge.OnValue(17.5, seconds(1));
-  EXPECT_EQ(judge.Assess(seconds(1)).message, "17.5 V, expected 18 to 28 V");
-  judge.OnValue(19, seconds(1));
-  EXPECT_EQ(judge.Assess(seconds(1)).message, "19 V, expected 20 to 25 V");
-  judge.OnValue(22, seconds(1));
-  EXPECT_EQ(judge.Assess(seconds(1)).message, "");
+  judge.OnValue(17.5, Time(seconds(1)));
+  EXPECT_EQ(judge.Assess(Time(seconds(1))).message, "17.5 V, expected 18 to 28 V");
+  judge.OnValue(19, Time(seconds(1)));
+  EXPECT_EQ(judge.Assess(Time(seconds(1))).message, "19 V, expected 20 to 25 V");
+  judge.OnValue(22, Time(seconds(1)));
+  EXPECT_EQ(judge.Assess(Time(seconds(1))).message, "");
   EXPECT_EQ(judge.value(), 22);
 }
 
@@ -83,49 +84,49 @@ TEST(Judge, SilenceIsAnErrorAfterTheStaleness) {
   Band band = TwoSided();
   band.staleness = seconds(2);
   Judge judge(band);
-  EXPECT_EQ(judge.Assess(seconds(10)).message, "no value yet");
-  EXPECT_EQ(judge.Assess(seconds(12)).level, kOk);  // exactly the limit
-  EXPECT_EQ(judge.Assess(seconds(12) + milliseconds(500)).message, "no value for 2.5 s");
-  judge.OnValue(22, seconds(13));
-  EXPECT_EQ(judge.Assess(seconds(13)).level, kOk);
-  EXPECT_EQ(judge.Assess(seconds(16)).level, kError);
+  EXPECT_EQ(judge.Assess(Time(seconds(10))).message, "no value yet");
+  EXPECT_EQ(judge.Assess(Time(seconds(12))).level, kOk);  // exactly the limit
+  EXPECT_EQ(judge.Assess(Time(seconds(12) + milliseconds(500))).message, "no value for 2.5 s");
+  judge.OnValue(22, Time(seconds(13)));
+  EXPECT_EQ(judge.Assess(Time(seconds(13))).level, kOk);
+  EXPECT_EQ(judge.Assess(Time(seconds(16))).level, kError);
 }
 
 TEST(Judge, WithoutStalenessSilenceIsAllowed) {
   Judge judge(TwoSided());
-  judge.Assess(seconds(1));
-  EXPECT_EQ(judge.Assess(seconds(100000)).level, kOk);
+  judge.Assess(Time(seconds(1)));
+  EXPECT_EQ(judge.Assess(Time(seconds(100000))).level, kOk);
 }
 
 TEST(Judge, TimeThatJumpsBackIsNoSilence) {
   Band band = TwoSided();
   band.staleness = seconds(2);
   Judge judge(band);
-  judge.OnValue(22, seconds(100));
-  EXPECT_EQ(judge.Assess(seconds(1)).level, kOk);
-  EXPECT_EQ(judge.Assess(seconds(3)).level, kOk);
-  EXPECT_EQ(judge.Assess(seconds(4)).level, kError);
+  judge.OnValue(22, Time(seconds(100)));
+  EXPECT_EQ(judge.Assess(Time(seconds(1))).level, kOk);
+  EXPECT_EQ(judge.Assess(Time(seconds(3))).level, kOk);
+  EXPECT_EQ(judge.Assess(Time(seconds(4))).level, kError);
 }
 
 TEST(Judge, AFailedMeasurementCountsAsAnErrorValue) {
   Judge judge(AtMost(90, 95, 2));
-  judge.OnValue(1, seconds(1));
-  judge.OnFailure("no answer", seconds(2));
-  EXPECT_EQ(judge.Assess(seconds(2)).level, kWarn);
-  EXPECT_EQ(judge.Assess(seconds(2)).message, "no answer");
-  judge.OnFailure("no answer", seconds(3));
-  EXPECT_EQ(judge.Assess(seconds(3)).level, kError);
-  judge.OnValue(1, seconds(4));
-  EXPECT_EQ(judge.Assess(seconds(4)).level, kOk);
+  judge.OnValue(1, Time(seconds(1)));
+  judge.OnFailure("no answer", Time(seconds(2)));
+  EXPECT_EQ(judge.Assess(Time(seconds(2))).level, kWarn);
+  EXPECT_EQ(judge.Assess(Time(seconds(2))).message, "no answer");
+  judge.OnFailure("no answer", Time(seconds(3)));
+  EXPECT_EQ(judge.Assess(Time(seconds(3))).level, kError);
+  judge.OnValue(1, Time(seconds(4)));
+  EXPECT_EQ(judge.Assess(Time(seconds(4))).level, kOk);
 }
 
 TEST(Judge, ForgetsWhenReset) {
   Band band = TwoSided();
   band.staleness = seconds(2);
   Judge judge(band);
-  judge.OnValue(0, seconds(1));
+  judge.OnValue(0, Time(seconds(1)));
   judge.Reset();
-  EXPECT_EQ(judge.Assess(seconds(9)).level, kOk);
+  EXPECT_EQ(judge.Assess(Time(seconds(9))).level, kOk);
   EXPECT_FALSE(judge.value().has_value());
 }
 

@@ -19,9 +19,9 @@ GaugeWatch AtMost(const std::string& subject, double bound) {
 TEST(GaugeBoard, JudgesEachNumberByItsBand) {
   GaugeBoard board;
   board.Watch({AtMost("used", 90), AtMost("swap", 10)});
-  board.OnValue("memory", "used", 20, seconds(1));
-  board.OnValue("memory", "swap", 20, seconds(1));
-  const auto findings = board.Report(seconds(1), seconds(7));
+  board.OnValue("memory", "used", 20, Time(seconds(1)));
+  board.OnValue("memory", "swap", 20, Time(seconds(1)));
+  const auto findings = board.Report(Time(seconds(1)), Time(seconds(7)));
   ASSERT_EQ(findings.size(), 2u);
   EXPECT_EQ(findings[0].subject, "used");
   EXPECT_EQ(findings[0].level, HealthLevel::kOk);
@@ -29,13 +29,13 @@ TEST(GaugeBoard, JudgesEachNumberByItsBand) {
   EXPECT_EQ(findings[1].level, HealthLevel::kError);
   EXPECT_EQ(findings[1].message, "20 %, expected at most 10 %");
   EXPECT_EQ(findings[1].node, "/hog");
-  EXPECT_EQ(findings[1].stamp, seconds(7));
+  EXPECT_EQ(findings[1].stamp, Time(seconds(7)));
 }
 
 TEST(GaugeBoard, ANumberWithoutValueIsNotANumber) {
   GaugeBoard board;
   board.Watch({AtMost("used", 90)});
-  const Finding finding = board.Report(seconds(1), Time(0)).at(0);
+  const Finding finding = board.Report(Time(seconds(1)), Time{}).at(0);
   EXPECT_TRUE(std::isnan(finding.value));
   EXPECT_EQ(finding.level, HealthLevel::kOk);
 }
@@ -43,10 +43,10 @@ TEST(GaugeBoard, ANumberWithoutValueIsNotANumber) {
 TEST(GaugeBoard, AFailureAndAnUnknownNumberHarmNoOther) {
   GaugeBoard board;
   board.Watch({AtMost("used", 90), AtMost("swap", 10)});
-  board.OnValue("cpu", "used", 99, seconds(1));
-  board.OnFailure("memory", "nothing", "lost", seconds(1));
-  board.OnFailure("memory", "swap", "cannot read", seconds(1));
-  const auto findings = board.Report(seconds(1), Time(0));
+  board.OnValue("cpu", "used", 99, Time(seconds(1)));
+  board.OnFailure("memory", "nothing", "lost", Time(seconds(1)));
+  board.OnFailure("memory", "swap", "cannot read", Time(seconds(1)));
+  const auto findings = board.Report(Time(seconds(1)), Time{});
   EXPECT_EQ(findings[0].level, HealthLevel::kOk);
   EXPECT_EQ(findings[1].level, HealthLevel::kError);
   EXPECT_EQ(findings[1].message, "cannot read");
@@ -55,14 +55,14 @@ TEST(GaugeBoard, AFailureAndAnUnknownNumberHarmNoOther) {
 TEST(GaugeBoard, ANewListKeepsWhatIsKnownOfTheSameBand) {
   GaugeBoard board;
   board.Watch({AtMost("used", 90), AtMost("swap", 10)});
-  board.OnValue("memory", "used", 20, seconds(1));
-  board.OnValue("memory", "swap", 5, seconds(1));
+  board.OnValue("memory", "used", 20, Time(seconds(1)));
+  board.OnValue("memory", "swap", 5, Time(seconds(1)));
   board.Watch({AtMost("swap", 20), AtMost("used", 90)});
-  const auto findings = board.Report(seconds(1), Time(0));
+  const auto findings = board.Report(Time(seconds(1)), Time{});
   EXPECT_TRUE(std::isnan(findings.at(0).value));
   EXPECT_EQ(findings.at(1).value, 20);
   board.Reset();
-  EXPECT_TRUE(std::isnan(board.Report(seconds(1), Time(0)).at(1).value));
+  EXPECT_TRUE(std::isnan(board.Report(Time(seconds(1)), Time{}).at(1).value));
 }
 
 }  // namespace

@@ -25,13 +25,13 @@ class StatisticsWatchTest : public testing::Test {
 };
 
 TEST_F(StatisticsWatchTest, JudgesTheReportedRate) {
-  EXPECT_EQ(watch_.Assess(seconds(1)).message, "measuring");
-  Tell("/driver", "/viewer", 30, seconds(2));
-  EXPECT_EQ(watch_.Assess(seconds(2)).level, HealthLevel::kOk);
-  Tell("/driver", "/viewer", 20, seconds(3));
-  EXPECT_EQ(watch_.Assess(seconds(3)).level, HealthLevel::kWarn);
-  Tell("/driver", "/viewer", 90, seconds(4));
-  const Finding finding = watch_.Assess(seconds(4));
+  EXPECT_EQ(watch_.Assess(Time(seconds(1))).message, "measuring");
+  Tell("/driver", "/viewer", 30, Time(seconds(2)));
+  EXPECT_EQ(watch_.Assess(Time(seconds(2))).level, HealthLevel::kOk);
+  Tell("/driver", "/viewer", 20, Time(seconds(3)));
+  EXPECT_EQ(watch_.Assess(Time(seconds(3))).level, HealthLevel::kWarn);
+  Tell("/driver", "/viewer", 90, Time(seconds(4)));
+  const Finding finding = watch_.Assess(Time(seconds(4)));
   EXPECT_EQ(finding.level, HealthLevel::kError);
   EXPECT_EQ(finding.message, "90 Hz, expected 10 to 60 Hz");
   EXPECT_EQ(finding.monitor, "topic");
@@ -39,40 +39,40 @@ TEST_F(StatisticsWatchTest, JudgesTheReportedRate) {
 }
 
 TEST_F(StatisticsWatchTest, TheFastestSubscriberCountsWithAllItsPublishers) {
-  Tell("/left", "/recorder", 15, seconds(1));
-  Tell("/right", "/recorder", 15, seconds(1));
-  Tell("/left", "/slow_viewer", 2, seconds(1));
-  EXPECT_EQ(watch_.Assess(seconds(1)).value, 30);
+  Tell("/left", "/recorder", 15, Time(seconds(1)));
+  Tell("/right", "/recorder", 15, Time(seconds(1)));
+  Tell("/left", "/slow_viewer", 2, Time(seconds(1)));
+  EXPECT_EQ(watch_.Assess(Time(seconds(1))).value, 30);
 }
 
 TEST_F(StatisticsWatchTest, ATopicThatNobodyReportsIsAnErrorAfterTheStaleness) {
-  watch_.Assess(seconds(1));
-  EXPECT_EQ(watch_.Assess(seconds(6)).level, HealthLevel::kOk);
-  EXPECT_EQ(watch_.Assess(seconds(7)).level, HealthLevel::kError);
-  Tell("/driver", "/viewer", 30, seconds(8));
-  EXPECT_EQ(watch_.Assess(seconds(8)).level, HealthLevel::kOk);
-  const Finding finding = watch_.Assess(seconds(14));
+  watch_.Assess(Time(seconds(1)));
+  EXPECT_EQ(watch_.Assess(Time(seconds(6))).level, HealthLevel::kOk);
+  EXPECT_EQ(watch_.Assess(Time(seconds(7))).level, HealthLevel::kError);
+  Tell("/driver", "/viewer", 30, Time(seconds(8)));
+  EXPECT_EQ(watch_.Assess(Time(seconds(8))).level, HealthLevel::kOk);
+  const Finding finding = watch_.Assess(Time(seconds(14)));
   EXPECT_EQ(finding.level, HealthLevel::kError);
   EXPECT_EQ(finding.value, 0);
   EXPECT_EQ(finding.message, "no subscriber reports it on /statistics");
-  EXPECT_EQ(watch_.Assess(seconds(15)).level, HealthLevel::kError);
+  EXPECT_EQ(watch_.Assess(Time(seconds(15))).level, HealthLevel::kError);
 }
 
 TEST_F(StatisticsWatchTest, ASubscriberThatLeftNoLongerCounts) {
-  Tell("/driver", "/gone", 90, seconds(1));
-  Tell("/driver", "/viewer", 30, seconds(6));
-  EXPECT_EQ(watch_.Assess(seconds(7)).value, 30);
+  Tell("/driver", "/gone", 90, Time(seconds(1)));
+  Tell("/driver", "/viewer", 30, Time(seconds(6)));
+  EXPECT_EQ(watch_.Assess(Time(seconds(7))).value, 30);
 }
 
 TEST_F(StatisticsWatchTest, ContinuesAndForgets) {
-  Tell("/driver", "/viewer", 30, seconds(1));
-  watch_.Assess(seconds(1));
+  Tell("/driver", "/viewer", 30, Time(seconds(1)));
+  watch_.Assess(Time(seconds(1)));
   StatisticsWatch next(Camera());
   next.Continue(watch_);
-  EXPECT_EQ(next.Assess(seconds(2)).value, 30);
+  EXPECT_EQ(next.Assess(Time(seconds(2))).value, 30);
   next.Reset();
-  EXPECT_EQ(next.Assess(seconds(100)).message, "measuring");
-  EXPECT_EQ(watch_.Assess(seconds(0)).message, "measuring");  // time jumped back
+  EXPECT_EQ(next.Assess(Time(seconds(100))).message, "measuring");
+  EXPECT_EQ(watch_.Assess(Time(seconds(0))).message, "measuring");  // time jumped back
 }
 
 }  // namespace

@@ -47,7 +47,7 @@ class BatteryMonitorTest : public testing::Test {
   BatteryMonitorTest() { monitor_.Watch(Watch()); }
 
   // The battery as it is after `time` with its current.
-  void Drive(Time time) {
+  void Drive(Duration time) {
     for (const Time end = now_ + time; now_ < end;) {
       now_ += seconds(1);
       reading_.charge += reading_.current / 3600;
@@ -67,7 +67,7 @@ class BatteryMonitorTest : public testing::Test {
   BatteryMonitor monitor_;
   ProcessTable processes_;
   leaves::BatteryReading reading_{{}, 25, -6, 0.8, 60, ChargerState::kDischarging};
-  Time now_ = seconds(1000), wall_{0};
+  Time now_ = Time(seconds(1000)), wall_{Time(Duration(0))};
 };
 
 TEST_F(BatteryMonitorTest, AHealthyBatteryIsWellInEveryNumber) {
@@ -116,9 +116,9 @@ TEST_F(BatteryMonitorTest, SilenceMustLastInWallTimeToo) {
   const auto level = [&](Time ros, Time wall) {
     return patient.Report(processes_, {ros, wall}).at(0).level;
   };
-  level(seconds(1), seconds(1));
-  EXPECT_EQ(level(seconds(10), seconds(2)), HealthLevel::kWarn);
-  EXPECT_EQ(level(seconds(20), seconds(3)), HealthLevel::kError);
+  level(Time(seconds(1)), Time(seconds(1)));
+  EXPECT_EQ(level(Time(seconds(10)), Time(seconds(2))), HealthLevel::kWarn);
+  EXPECT_EQ(level(Time(seconds(20)), Time(seconds(3))), HealthLevel::kError);
 }
 
 TEST_F(BatteryMonitorTest, AChargeThatDoesNotFollowTheCurrentIsNoticed) {
@@ -239,7 +239,7 @@ TEST_F(BatteryMonitorTest, AGapInTheReadingsIsNotCounted) {
 
 TEST_F(BatteryMonitorTest, TimeThatJumpsBackBeginsAnew) {
   Drive(seconds(500));
-  now_ = seconds(10);
+  now_ = Time(seconds(10));
   Drive(seconds(2));
   EXPECT_EQ(About("since_charge").value, 1);
   EXPECT_EQ(About("state").level, HealthLevel::kOk);

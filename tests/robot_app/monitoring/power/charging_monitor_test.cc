@@ -20,7 +20,7 @@ class ChargingMonitorTest : public testing::Test {
     watch.full = 0.95;
     monitor_.Watch(watch);
   }
-  Finding After(Time time, bool on_charger, double current, double level = 0.5,
+  Finding After(Duration time, bool on_charger, double current, double level = 0.5,
                 bool is_full = false) {
     now_ += time;
     const ChargerState charger = !on_charger     ? ChargerState::kDischarging
@@ -32,7 +32,7 @@ class ChargingMonitorTest : public testing::Test {
   }
 
   ChargingMonitor monitor_;
-  Time now_ = seconds(100);
+  Time now_{seconds(100)};
 };
 
 TEST_F(ChargingMonitorTest, OffTheStationAllIsWell) {
@@ -80,7 +80,8 @@ TEST_F(ChargingMonitorTest, AFullBatteryNeedsNoCurrent) {
   After(seconds(0), true, 12, 0.94);
   EXPECT_EQ(After(seconds(1), true, 0, 0.96).level, HealthLevel::kOk);
   EXPECT_EQ(After(seconds(100), true, 0, 0.96).level, HealthLevel::kOk);
-  EXPECT_EQ(After(seconds(100), true, 0, 0.5, true).level, HealthLevel::kOk);  // the charger's word
+  EXPECT_EQ(After(seconds(100), true, 0, 0.5, true).level,
+            HealthLevel::kOk);  // the charger's word
 }
 
 TEST_F(ChargingMonitorTest, SilenceOfTheBatteryIsNoLackOfCurrent) {

@@ -41,7 +41,7 @@ class DockingMonitorTest : public testing::Test {
 
   DockingMonitor monitor_;
   ProcessTable processes_;
-  Time now_ = seconds(1000);
+  Time now_{seconds(1000)};
 };
 
 TEST_F(DockingMonitorTest, AServerWithoutGoalsIsWell) {

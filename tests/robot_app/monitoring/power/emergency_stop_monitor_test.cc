@@ -17,30 +17,30 @@ class EmergencyStopMonitorTest : public testing::Test {
 };
 
 TEST_F(EmergencyStopMonitorTest, IsAnErrorAtOnceAndAsLongAsItIsPressed) {
-  monitor_.OnState(false, {seconds(1), seconds(1)});
-  EXPECT_EQ(At(seconds(1)).level, HealthLevel::kOk);
-  monitor_.OnState(true, {seconds(2), seconds(2)});
-  EXPECT_EQ(At(seconds(2)).level, HealthLevel::kError);
-  monitor_.OnState(true, {seconds(3), seconds(3)});
-  EXPECT_EQ(At(seconds(60)).level, HealthLevel::kError);
-  EXPECT_EQ(At(seconds(60)).message, "pressed for 58 s");
-  EXPECT_EQ(At(seconds(60)).monitor, "emergency_stop");
-  monitor_.OnState(false, {seconds(61), seconds(61)});
-  EXPECT_EQ(At(seconds(61)).level, HealthLevel::kOk);
+  monitor_.OnState(false, {Time(seconds(1)), Time(seconds(1))});
+  EXPECT_EQ(At(Time(seconds(1))).level, HealthLevel::kOk);
+  monitor_.OnState(true, {Time(seconds(2)), Time(seconds(2))});
+  EXPECT_EQ(At(Time(seconds(2))).level, HealthLevel::kError);
+  monitor_.OnState(true, {Time(seconds(3)), Time(seconds(3))});
+  EXPECT_EQ(At(Time(seconds(60))).level, HealthLevel::kError);
+  EXPECT_EQ(At(Time(seconds(60))).message, "pressed for 58 s");
+  EXPECT_EQ(At(Time(seconds(60))).monitor, "emergency_stop");
+  monitor_.OnState(false, {Time(seconds(61)), Time(seconds(61))});
+  EXPECT_EQ(At(Time(seconds(61))).level, HealthLevel::kOk);
 }
 
 TEST_F(EmergencyStopMonitorTest, SilenceIsAllowedUnlessSaidOtherwise) {
-  At(seconds(1));
-  EXPECT_EQ(At(seconds(1000)).level, HealthLevel::kOk);
+  At(Time(seconds(1)));
+  EXPECT_EQ(At(Time(seconds(1000))).level, HealthLevel::kOk);
   Watch(seconds(2));
-  At(seconds(1000));
-  EXPECT_EQ(At(seconds(1003)).level, HealthLevel::kError);
-  EXPECT_EQ(At(seconds(2003)).message, "/stop: no message for 2e+03 s");
+  At(Time(seconds(1000)));
+  EXPECT_EQ(At(Time(seconds(1003))).level, HealthLevel::kError);
+  EXPECT_EQ(At(Time(seconds(2003))).message, "/stop: no message for 2e+03 s");
 }
 
 TEST_F(EmergencyStopMonitorTest, WithoutAWatchThereIsNothingToSay) {
   monitor_.Watch(std::nullopt);
-  EXPECT_TRUE(monitor_.Report({}, {seconds(1), seconds(1)}).empty());
+  EXPECT_TRUE(monitor_.Report({}, {Time(seconds(1)), Time(seconds(1))}).empty());
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ namespace {
 using std::chrono::milliseconds;
 using std::chrono::seconds;
 
-constexpr Time k2026 = seconds(1780000000);
+constexpr WallTime k2026{seconds(1780000000)};
 
 // Answers on a thread of its own until the test ends.
 class ServerThread {
@@ -35,7 +35,7 @@ class ServerThread {
   std::thread thread_;
 };
 
-NtpPacket Reply(Time t2, Time t3) {
+NtpPacket Reply(WallTime t2, WallTime t3) {
   NtpPacket reply;
   reply.mode = NtpPacket::kServer;
   reply.stratum = 2;
@@ -46,8 +46,8 @@ NtpPacket Reply(Time t2, Time t3) {
 
 TEST(Sntp, TheOffsetIsComputedFromTheFourTimeStamps) {
   // Its clock is 3 s ahead; 40 ms on the way there, 10 ms of work, 40 ms on the way back.
-  const Time t1 = k2026, t2 = t1 + seconds(3) + milliseconds(40), t3 = t2 + milliseconds(10),
-             t4 = t1 + milliseconds(90);
+  const WallTime t1 = k2026, t2 = t1 + seconds(3) + milliseconds(40), t3 = t2 + milliseconds(10),
+                 t4 = t1 + milliseconds(90);
   const Expected<ClockReading> reading = ReadReply(Reply(t2, t3), ToNtp(t1), ToNtp(t4));
   ASSERT_TRUE(reading);
   EXPECT_NEAR(reading->offset, 3, 1e-6);
@@ -55,7 +55,7 @@ TEST(Sntp, TheOffsetIsComputedFromTheFourTimeStamps) {
 }
 
 TEST(Sntp, TimesAcrossTheEndOfTheEraIn2036AreCompared) {
-  const Time end_of_era = seconds(4294967296 - 2208988800);
+  const WallTime end_of_era{seconds(4294967296 - 2208988800)};
   EXPECT_NEAR(NtpSeconds(ToNtp(end_of_era + seconds(2)), ToNtp(end_of_era - seconds(3))), 5, 1e-6);
   EXPECT_NEAR(NtpSeconds(ToNtp(end_of_era - seconds(3)), ToNtp(end_of_era + seconds(2))), -5, 1e-6);
 }

@@ -40,7 +40,7 @@ class SystemMonitorTest : public testing::Test {
     monitor_.Measure(pids_, now_ += seconds(1));
   }
   Finding About(const std::string& monitor, const std::string& subject) {
-    for (const Finding& finding : monitor_.Report({}, {seconds(9), now_})) {
+    for (const Finding& finding : monitor_.Report({}, {Time(seconds(9)), now_})) {
       if (finding.monitor == monitor && finding.subject == subject) return finding;
     }
     ADD_FAILURE() << "nothing about " << monitor << " " << subject;
@@ -51,7 +51,7 @@ class SystemMonitorTest : public testing::Test {
   SystemMonitor monitor_{root_.path()};
   SystemWatch watch_;
   std::map<std::string, int> pids_;
-  Time now_ = seconds(100);
+  Time now_{seconds(100)};
   int busy_ = 1000, idle_ = 1000;
 };
 
@@ -161,7 +161,7 @@ TEST_F(SystemMonitorTest, WithoutAWatchThereIsNothingToSay) {
   monitor_.Watch(nullptr);
   Second(0, 100);
   monitor_.OnClocks({{}}, now_);
-  EXPECT_TRUE(monitor_.Report({}, {seconds(9), now_}).empty());
+  EXPECT_TRUE(monitor_.Report({}, {Time(seconds(9)), now_}).empty());
 }
 
 TEST_F(SystemMonitorTest, ALinkThatIsNamedAndDownIsAnError) {
@@ -184,7 +184,7 @@ TEST_F(SystemMonitorTest, LinksThatComeAndGoAreWatchedWhileTheyAreThere) {
   watch_.interfaces[0].interface = "wl*";
   monitor_.Watch(&watch_);
   const auto is_told = [this] {
-    for (const Finding& finding : monitor_.Report({}, {seconds(9), now_})) {
+    for (const Finding& finding : monitor_.Report({}, {Time(seconds(9)), now_})) {
       if (finding.subject == "wlan0 load") return true;
     }
     return false;

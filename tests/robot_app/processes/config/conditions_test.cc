@@ -18,39 +18,39 @@ ConditionConfig Charging() {
 }
 
 TEST(ConditionTest, DoesNotHoldBeforeAnythingWasHeard) {
-  EXPECT_EQ(TopicCondition(Charging()).Check(seconds(100)).problem(),
+  EXPECT_EQ(TopicCondition(Charging()).Check(Time(seconds(100))).problem(),
             "nothing was heard on /battery_state");
 }
 
 TEST(ConditionTest, ACurrentMustFlowForSomeTime) {
   TopicCondition condition(Charging());
   for (int t = 0; t < 5; ++t) {
-    condition.Observe(0.5, seconds(t));
-    EXPECT_EQ(condition.Check(seconds(t)).problem(),
+    condition.Observe(0.5, Time(seconds(t)));
+    EXPECT_EQ(condition.Check(Time(seconds(t))).problem(),
               "true for " + std::to_string(t) + " s only, it must last 5 s");
   }
-  condition.Observe(0.5, seconds(5));
-  EXPECT_EQ(condition.Check(seconds(5)).problem(), "");
+  condition.Observe(0.5, Time(seconds(5)));
+  EXPECT_EQ(condition.Check(Time(seconds(5))).problem(), "");
 }
 
 TEST(ConditionTest, ContactWithoutCurrentIsNoCharging) {
   TopicCondition condition(Charging());
-  for (int t = 0; t < 10; ++t) condition.Observe(0.1, seconds(t));
-  EXPECT_EQ(condition.Check(seconds(9)).problem(), "only 0.1 A flow, 0.5 A are needed");
+  for (int t = 0; t < 10; ++t) condition.Observe(0.1, Time(seconds(t)));
+  EXPECT_EQ(condition.Check(Time(seconds(9))).problem(), "only 0.1 A flow, 0.5 A are needed");
 }
 
 TEST(ConditionTest, AnInterruptionBeginsTheTimeAnew) {
   TopicCondition condition(Charging());
-  for (int t = 0; t < 8; ++t) condition.Observe(t == 6 ? 0 : 1, seconds(t));
-  EXPECT_EQ(condition.Check(seconds(7)).problem(), "true for 0 s only, it must last 5 s");
+  for (int t = 0; t < 8; ++t) condition.Observe(t == 6 ? 0 : 1, Time(seconds(t)));
+  EXPECT_EQ(condition.Check(Time(seconds(7))).problem(), "true for 0 s only, it must last 5 s");
 }
 
 TEST(ConditionTest, SilenceIsNoConfirmationNorDoesItLast) {
   TopicCondition condition(Charging());
-  condition.Observe(1, seconds(0));
-  EXPECT_EQ(condition.Check(seconds(4)).problem(), "/battery_state is silent for 4 s");
-  condition.Observe(1, seconds(10));
-  EXPECT_EQ(condition.Check(seconds(10)).problem(), "true for 0 s only, it must last 5 s");
+  condition.Observe(1, Time(seconds(0)));
+  EXPECT_EQ(condition.Check(Time(seconds(4))).problem(), "/battery_state is silent for 4 s");
+  condition.Observe(1, Time(seconds(10)));
+  EXPECT_EQ(condition.Check(Time(seconds(10))).problem(), "true for 0 s only, it must last 5 s");
 }
 
 TEST(ConditionTest, AFlagIsTrueOrFalse) {
@@ -58,10 +58,10 @@ TEST(ConditionTest, AFlagIsTrueOrFalse) {
   config.current.reset();
   config.lasting = seconds(0);
   TopicCondition condition(config);
-  condition.Observe(0, seconds(1));
-  EXPECT_EQ(condition.Check(seconds(1)).problem(), "/battery_state says no");
-  condition.Observe(1, seconds(1));
-  EXPECT_EQ(condition.Check(seconds(1)).problem(), "");
+  condition.Observe(0, Time(seconds(1)));
+  EXPECT_EQ(condition.Check(Time(seconds(1))).problem(), "/battery_state says no");
+  condition.Observe(1, Time(seconds(1)));
+  EXPECT_EQ(condition.Check(Time(seconds(1))).problem(), "");
 }
 
 }  // namespace

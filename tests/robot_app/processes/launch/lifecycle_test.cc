@@ -20,7 +20,7 @@ class LifecycleTest : public testing::Test {
   const RobotConfig config_ = Config();
   SimulatedMachine machine_;
   Lifecycle lifecycle_{config_, machine_};
-  Time now_ = seconds(1000);
+  Time now_{seconds(1000)};
 };
 
 TEST_F(LifecycleTest, AStartAwaitsReadinessUntilItsTimeout) {

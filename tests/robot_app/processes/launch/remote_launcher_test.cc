@@ -56,7 +56,7 @@ class RemoteLauncherTest : public testing::Test {
       if (launcher_) launcher_->Forget(pid);
     });
     if (launcher_ && alive_)
-      launcher_->KeepAlive(std::chrono::steady_clock::now().time_since_epoch());
+      launcher_->KeepAlive(Time(std::chrono::steady_clock::now().time_since_epoch()));
   }
 
   bool HasEnded(int pid) {
