@@ -6,8 +6,8 @@
 //   source.Location(document.element(3).offset)          robot.xml:12:5
 //
 // Most of a file of trees is indentation: a line is kept as the number of its leading blanks and
-// what follows them; a long line in parts that are kept in this way. One part in 32 has its place in
-// an index; the others are counted from there. Immutable.
+// what follows them; a long line in parts that are kept in this way. One part in 32 has its place
+// in an index; the others are counted from there. Immutable.
 #ifndef COPPICE_BT_CORE_MODEL_SOURCE_TEXT_H_
 #define COPPICE_BT_CORE_MODEL_SOURCE_TEXT_H_
 

@@ -87,7 +87,10 @@ void TreeView::SetScene(std::shared_ptr<const Scene> scene, const SizeOf& size_o
 
 void TreeView::SetStyle(const LayoutStyle& style, double now) {
   if (style == style_) return;
-  style_ = style;
+  const LayoutStyle before = std::exchange(style_, style);
+  const bool is_chosen_anew = before.growth != style.growth || before.ports != style.ports ||
+                              before.wrapped != style.wrapped || before.layered != style.layered;
+  needs_fit = needs_fit || is_chosen_anew;
   if (style.growth != Growth::kByItself) {
     const bool across = style.growth == Growth::kAcross;
     choice_.orientation = across ? Orientation::kLeftToRight : Orientation::kTopToBottom;
@@ -173,7 +176,7 @@ void TreeView::ListShown() {
   for (const std::uint32_t k : branch) shown_ends_[k] = static_cast<std::uint32_t>(shown_.size());
 }
 
-MeasuredTree TreeView::Shown() const {
+MeasuredTree TreeView::Measured() const {
   MeasuredTree tree;
   tree.ends = shown_ends_;
   tree.sizes.reserve(shown_.size());
@@ -186,7 +189,7 @@ MeasuredTree TreeView::Shown() const {
   return tree;
 }
 
-void TreeView::LayOutShown() { TakeLayout(Arrange(Shown(), style_, choice_)); }
+void TreeView::LayOutShown() { TakeLayout(Arrange(Measured(), style_, choice_)); }
 
 void TreeView::TakeLayout(TreeLayout layout) {
   layout_ = std::move(layout);
@@ -284,7 +287,7 @@ float TreeView::LargestFit(Point canvas) const {
 void TreeView::Choose(Point canvas) {
   const float margins = 2 * kMargin * screen_scale;
   const Point room = (canvas - Point{margins, margins}) * (1 / screen_scale);
-  ChosenLayout chosen = ChooseLayout(Shown(), style_, room);
+  ChosenLayout chosen = ChooseLayout(Measured(), style_, room);
   readable_ = chosen.readable;
   can_be_read_ = chosen.can_be_read;
   if (chosen.choice == choice_) return;
@@ -306,6 +309,7 @@ void TreeView::FitAll(Point canvas) {
   needs_fit = false;
 }
 
+// All of it if that can be read, else its top.
 void TreeView::ShowAtFirst(Point canvas) {
   FitAll(canvas);
   if (needs_fit) return;

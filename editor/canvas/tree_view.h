@@ -67,6 +67,8 @@ class TreeView {
   void SetScene(std::shared_ptr<const Scene> scene, const SizeOf& size_of, double now);
   const std::shared_ptr<const Scene>& scene() const { return scene_; }
 
+  /// A style that asks for another choice of the layout is chosen for, and fitted, in the next
+  /// frame.
   void SetStyle(const LayoutStyle& style, double now);
   const LayoutStyle& style() const { return style_; }
   /// Which way it grows now.
@@ -141,8 +143,6 @@ class TreeView {
   void PlaceIn(const Box& canvas);
   /// The whole tree, or the selection (with its descendants), in a canvas of that size.
   void FitAll(Point canvas);
-  /// All of it if that can be read, else its top.
-  void ShowAtFirst(Point canvas);
   void FitSelection(Point canvas);
   /// Keeps the world point under `screen` there. `factor` > 1: closer.
   void ZoomAt(Point screen, float factor);
@@ -152,7 +152,7 @@ class TreeView {
   Camera camera;
   Gesture gesture;  ///< of the mouse on the canvas
   MinimapState minimap;
-  bool needs_fit = true;  ///< the camera was never set; cleared by FitAll and ShowAtFirst
+  bool needs_fit = true;  ///< to be shown as if for the first time; cleared by FitAll
 
  private:
   // Where the nodes of the scene are on the canvas; only those with `known` are there.
@@ -173,8 +173,9 @@ class TreeView {
   float LargestFit(Point canvas) const;
   float ZoomOfAll(Point canvas) const;
   void Choose(Point canvas);
+  void ShowAtFirst(Point canvas);
   void ShowTop(Point canvas);
-  MeasuredTree Shown() const;
+  MeasuredTree Measured() const;
   bool IsInSight(Point canvas) const;
   bool MoveIntoSight(Point canvas);
 

@@ -121,10 +121,8 @@ class Commands {
         std::move(id), std::move(title), {},
         [&s = state_, part, value] {
           LayoutStyle style = s.workspace.style();
-          if (style.*part == value) return;
           style.*part = value;
           s.workspace.SetStyle(style, s.now);
-          if (TreeView* view = s.workspace.view()) view->ShowAtFirst(s.screen.canvas_size);
         },
         [&s = state_, part, value] { return s.workspace.style().*part == value; });
   }

@@ -179,6 +179,10 @@ TEST_F(CanvasTest, LightsAKeyAndDimsTheOthers) {
   driver_.Picture("lit_key");
   ASSERT_TRUE(driver_.Click("canvas/MainTree/1.2/port/goal"));
   EXPECT_EQ(driver_.view().lit_key(), kNoKey);
+  ASSERT_TRUE(driver_.Click("canvas/MainTree/1.2/port/goal"));
+  EXPECT_NE(driver_.view().lit_key(), kNoKey);
+  driver_.Press(kKeyEscape);
+  EXPECT_EQ(driver_.view().lit_key(), kNoKey);
 }
 
 TEST_F(CanvasTest, ShowsCommentsAsNotes) {

@@ -324,6 +324,19 @@ TEST_F(FirstLook, IsKeptWhenTheCanvasChanges) {
   EXPECT_GT(view_.bounds().width() * kReadableNames, kCanvas.x * 0.8F) << "broken anew";
 }
 
+TEST_F(FirstLook, ComesAgainWithAStyleThatAsksForAnotherLayout) {
+  Show(200);
+  view_.PlaceIn({{0, 0}, kCanvas});
+  ASSERT_TRUE(view_.in_rows());
+  LayoutStyle style;
+  for (const bool wrapped : {false, true}) {
+    style.wrapped = wrapped;
+    view_.SetStyle(style, 1);
+    view_.PlaceIn({{0, 0}, kCanvas});
+    EXPECT_EQ(view_.in_rows(), wrapped);
+  }
+}
+
 TEST_F(FirstLook, FitShowsAllOfItNevertheless) {
   Show(200);
   view_.FitAll(kCanvas);

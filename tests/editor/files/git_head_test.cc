@@ -59,7 +59,7 @@ TEST_F(GitHeadTest, KnowsNothingOfAFileThatWasNeverCommitted) {
   EXPECT_EQ(Ask(git, "/nowhere/at/all.xml"), nullptr);
 }
 
-// As in an archive that somebody sends: git would fetch the text with the command that stands there.
+// As in an archive that somebody sends: git would fetch the text with a command that stands there.
 TEST_F(GitHeadTest, RunsNothingThatTheFolderAsksFor) {
   ASSERT_TRUE(Commit());
   const std::string copy = file_.folder() + "/copy";
