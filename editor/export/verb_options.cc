@@ -29,12 +29,13 @@ Expected<PictureOrder> ReadPictureOrder(const Options& options) {
 
 NodeModels ModelsFor(const Forest& forest, const std::vector<std::string>& files,
                      Diagnostics& diagnostics) {
-  NodeModels models;
+  std::vector<Document> read;
   for (const std::string& file : files) {
-    if (const auto document = Document::FromFile(file, diagnostics)) models.AddFrom(*document);
+    if (auto document = Document::FromFile(file, diagnostics)) read.push_back(std::move(*document));
   }
-  for (const Document* document : forest.documents()) models.AddFrom(*document);
-  return models;
+  std::vector<const Document*> given;
+  for (const Document& document : read) given.push_back(&document);
+  return ModelsFor(given, forest.documents());
 }
 
 }  // namespace coppice::editor

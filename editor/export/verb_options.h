@@ -24,7 +24,7 @@ std::vector<CommandOption> PictureOptions();
 /// A problem if a value is not what was expected.
 Expected<PictureOrder> ReadPictureOrder(const Options& options);
 
-/// Models of these files and of the forest itself.
+/// What is known of the types in the forest; also by these files.
 NodeModels ModelsFor(const Forest& forest, const std::vector<std::string>& files,
                      Diagnostics& diagnostics);
 

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "bt_core/engine/compile/shipped_models.h"
 #include "bt_core/nodes/node_type.h"
 
 namespace coppice::editor {
@@ -46,6 +47,23 @@ void NodeModels::AddFrom(const Document& document) {
 const KnownModel* NodeModels::Find(std::string_view id) const {
   const auto found = models_.find(id);
   return found == models_.end() ? nullptr : &found->second;
+}
+
+NodeModels ModelsFor(const std::vector<const Document*>& given,
+                     const std::vector<const Document*>& trees) {
+  const auto add_own = [&](NodeModels& models) {
+    for (const Document* document : given) models.AddFrom(*document);
+    for (const Document* document : trees) models.AddFrom(*document);
+  };
+  NodeModels own;
+  add_own(own);
+  const std::vector<ShippedTypes> shipped =
+      FindShippedTypes(trees, [&own](std::string_view id) { return own.Find(id) != nullptr; });
+  if (shipped.empty()) return own;
+  NodeModels all;
+  for (const ShippedTypes& found : shipped) all.AddFrom(found.set->models.documents().front());
+  add_own(all);
+  return all;
 }
 
 }  // namespace coppice::editor

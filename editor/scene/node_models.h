@@ -40,6 +40,12 @@ class NodeModels {
   std::map<std::string, KnownModel, std::less<>> models_;
 };
 
+/// What is known of the types in these trees: the built-in ones, what `given` describes, what the
+/// trees describe themselves (the last one counts), and, where none of them does, the nodes of
+/// well-known programs (shipped_models.h).
+NodeModels ModelsFor(const std::vector<const Document*>& given,
+                     const std::vector<const Document*>& trees);
+
 }  // namespace coppice::editor
 
 #endif  // COPPICE_EDITOR_SCENE_NODE_MODELS_H_

@@ -10,7 +10,6 @@
 
 #include "bt_core/engine/compile/check_project.h"
 #include "bt_core/engine/compile/model_registry.h"
-#include "bt_core/engine/compile/shipped_models.h"
 #include "editor/document/shown_problems.h"
 #include "editor/live/record_source.h"
 
@@ -30,29 +29,15 @@ void AddOnce(std::vector<Diagnostic>& all, const std::vector<Diagnostic>& more) 
   }
 }
 
-// What was loaded, what robots say and what the files say of node types; the last one counts.
-void AddOwnModels(const Forest& forest, const std::vector<Project>& loaded,
-                  const std::vector<Project>& of_robots, NodeModels& models) {
+// By what was loaded, what robots say and what the files say.
+std::shared_ptr<const NodeModels> ModelsOf(const Forest& forest, const std::vector<Project>& loaded,
+                                           const std::vector<Project>& of_robots) {
+  std::vector<const Document*> given;
   for (const Project& project : loaded) {
-    for (const Document& document : project.documents()) models.AddFrom(document);
+    for (const Document& document : project.documents()) given.push_back(&document);
   }
-  for (const Project& project : of_robots) models.AddFrom(project.documents().front());
-  for (const Document* document : forest.documents()) models.AddFrom(*document);
-}
-
-// That, and what is known of the well-known programs whose nodes the files use.
-std::shared_ptr<const NodeModels> ModelsFor(const Forest& forest,
-                                            const std::vector<Project>& loaded,
-                                            const std::vector<Project>& of_robots) {
-  auto own = std::make_shared<NodeModels>();
-  AddOwnModels(forest, loaded, of_robots, *own);
-  const std::vector<ShippedTypes> shipped = FindShippedTypes(
-      forest.documents(), [&own](std::string_view id) { return own->Find(id) != nullptr; });
-  if (shipped.empty()) return own;
-  auto all = std::make_shared<NodeModels>();
-  for (const ShippedTypes& found : shipped) all->AddFrom(found.set->models.documents().front());
-  AddOwnModels(forest, loaded, of_robots, *all);
-  return all;
+  for (const Project& project : of_robots) given.push_back(&project.documents().front());
+  return std::make_shared<const NodeModels>(ModelsFor(given, forest.documents()));
 }
 
 // What a text says about node types, as a file of its own.
@@ -79,7 +64,7 @@ OpenFile Workspace::Load(const std::string& path) {
   };
   file.forest = std::make_shared<const Forest>(Forest::FromFile(path, diagnostics, read));
   file.read_problems = diagnostics.all();
-  file.models = ModelsFor(*file.forest, model_projects_, run_models_);
+  file.models = ModelsOf(*file.forest, model_projects_, run_models_);
   const EditedFile* edited = project_.Find(path);
   file.problems = ShownProblems(file.read_problems, edited && edited->is_new);
   if (edited && !edited->document) file.text = edited->text;

@@ -48,6 +48,18 @@ TEST_F(ExportVerbTest, PaintsAllTreesEachOnce) {
   EXPECT_EQ(CountOf(Picture(), ">Step</text>"), 0U);
 }
 
+TEST_F(ExportVerbTest, KnowsTheNodesOfWellKnownPrograms) {
+  const auto picture = [this](const std::string& more) {
+    file_.Write("<root BTCPP_format='4'><BehaviorTree ID='T'><Sequence><GoalUpdated/>" + more +
+                "</Sequence></BehaviorTree></root>");
+    EXPECT_EQ(Run({file_.path(), "-o", picture_}), 0) << errors_;
+    return Picture();
+  };
+  const std::string unknown = "#4a4a52";  // the colour of what nobody knows
+  EXPECT_GT(CountOf(picture("<Strange/>"), unknown), 0U);
+  EXPECT_EQ(CountOf(picture("<FollowPath path='{p}'/>"), unknown), 0U);
+}
+
 TEST_F(ExportVerbTest, KnowsTheModelsOfOtherFiles) {
   const TemporaryFile models("models.xml",
                              "<root BTCPP_format='4'><TreeNodesModel><Condition ID='Step'/>"
