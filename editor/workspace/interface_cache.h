@@ -2,6 +2,7 @@
 #ifndef COPPICE_EDITOR_WORKSPACE_INTERFACE_CACHE_H_
 #define COPPICE_EDITOR_WORKSPACE_INTERFACE_CACHE_H_
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -19,10 +20,21 @@ class InterfaceCache {
   const std::vector<InterfacePort>& Of(const std::string& tree, const Workspace& workspace,
                                        const ProjectFiles& files);
 
+  /// How many SubTrees run it.
+  std::size_t UsesOf(const std::string& tree, const Workspace& workspace,
+                     const ProjectFiles& files);
+
  private:
+  struct Known {
+    std::vector<InterfacePort> ports;
+    std::size_t uses = 0;
+  };
+
+  const Known& Find(const std::string& tree, const Workspace& workspace, const ProjectFiles& files);
+
   std::uint64_t version_ = 0;
   std::shared_ptr<const NodeModels> models_;
-  std::map<std::string, std::vector<InterfacePort>> interfaces_;  // by tree
+  std::map<std::string, Known> trees_;
 };
 
 }  // namespace coppice::editor

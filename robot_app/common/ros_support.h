@@ -83,7 +83,7 @@ class RobotPose {
                                   const ros::Time& stamp) const;
 
   const Frames frames_;
-  const Transforms transforms_;
+  Transforms transforms_;
 };
 
 }  // namespace coppice::robot

@@ -27,6 +27,7 @@ Transforms::Transforms(ros::NodeHandle node) : node_(std::move(node)) {
 // Where ROS time goes back, what was known is of another time.
 void Transforms::Store(const tf2_msgs::TFMessage& message, bool is_static) {
   const ros::Time now = ros::Time::now();
+  const std::lock_guard<std::mutex> lock(mutex_);
   if (now < newest_) buffer_.clear();
   newest_ = now;
   for (geometry_msgs::TransformStamped transform : message.transforms) {

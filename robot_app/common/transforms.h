@@ -11,6 +11,7 @@
 #include <tf2/buffer_core.h>
 #include <tf2_msgs/TFMessage.h>
 
+#include <mutex>
 #include <string>
 
 #include "bt_core/base/outcome.h"
@@ -36,7 +37,8 @@ class Transforms {
   void Store(const tf2_msgs::TFMessage& message, bool is_static);
 
   tf2::BufferCore buffer_;  // has a lock of its own
-  ros::Time newest_;        // that was heard of; of the thread that reads the sockets
+  std::mutex mutex_;        // a program hears its own transforms in the thread that sends them
+  ros::Time newest_;        // that was heard of
   AtOnceQueue at_once_;
   ros::NodeHandle node_;
   ros::Subscriber moving_, fixed_;

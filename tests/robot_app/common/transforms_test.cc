@@ -33,7 +33,7 @@ class TransformsTest : public testing::Test {
   ros::NodeHandle node_;
   const ros::Publisher moving_ = node_.advertise<tf2_msgs::TFMessage>("/tf", 10, true);
   const ros::Publisher fixed_ = node_.advertise<tf2_msgs::TFMessage>("/tf_static", 10, true);
-  const Transforms transforms_;
+  Transforms transforms_;
 };
 
 TEST_F(TransformsTest, FindsTheNewestAndItsParent) {
