@@ -4,7 +4,8 @@
 // or "canvas/minimap/folded".
 //
 // The wheel zooms. The left button drags the canvas, or a node if there is a DropHandler; with
-// Shift or Ctrl it draws a rectangle that selects. The other buttons always drag the canvas.
+// Shift or Ctrl it draws a rectangle that selects. The other buttons always drag the canvas; a click
+// of the right one opens a menu.
 #ifndef COPPICE_EDITOR_CANVAS_CANVAS_H_
 #define COPPICE_EDITOR_CANVAS_CANVAS_H_
 
@@ -31,6 +32,8 @@ struct CanvasOptions {
   const DropHandler* drop = nullptr;             ///< null: nodes cannot be dragged
   /// The row of a port (of Scene::ports) was clicked twice; empty: as elsewhere on the node.
   std::function<void(std::uint32_t node, std::uint32_t port)> edit_port;
+  /// A right click on a node, or on the line to it from its parent; kNoSceneNode: on neither.
+  std::function<void(std::uint32_t node, bool is_line)> menu;
 };
 
 /// State of a node on the robot; idle if there is none.

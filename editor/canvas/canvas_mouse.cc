@@ -41,7 +41,7 @@ class Mouse {
     if (ImGui::IsItemActive()) {
       Hold();
     } else if (!ImGui::IsAnyMouseDown()) {
-      if (view_.gesture.kind == Gesture::Kind::kPressed && over && !WasDragged()) Click();
+      if (view_.gesture.kind == Gesture::Kind::kPressed && over) Click();
       if (view_.gesture.kind != Gesture::Kind::kDrag) view_.gesture = {};
     }
     const bool idle = !ImGui::IsAnyMouseDown() && view_.gesture.kind == Gesture::Kind::kNone;
@@ -111,13 +111,22 @@ class Mouse {
     if (more > 0) gesture.drag.label += " and " + std::to_string(more) + " more";
   }
 
-  static bool WasDragged() {
-    const ImVec2 way = ImGui::GetMouseDragDelta(0, kDragDistance);
-    return way.x != 0 || way.y != 0;
+  static bool IsClick(int button) {
+    const ImVec2 way = ImGui::GetMouseDragDelta(button, kDragDistance);
+    return ImGui::IsMouseReleased(button) && way.x == 0 && way.y == 0;
+  }
+
+  void OpenMenu() {
+    if (!options_.menu) return;
+    if (hovered_) return options_.menu(HoveredIndex(), false);
+    const DropTarget below = FindDropTarget(view_, World(io_.MousePos), ui_.now);
+    const bool is_line = below.place == DropPlace::kEdge && below.node != 0;
+    options_.menu(is_line ? below.node : kNoSceneNode, is_line);
   }
 
   void Click() {
-    if (!ImGui::IsMouseReleased(0)) return;
+    if (IsClick(1)) return OpenMenu();
+    if (!IsClick(0)) return;
     if (!hovered_) {
       view_.LightKey(kNoKey);
       if (!io_.KeyShift && !io_.KeyCtrl) view_.Select(kNoSceneNode);

@@ -5,6 +5,11 @@
 
 namespace coppice::editor {
 
+std::string EditorCommand::WhyNot() const {
+  if (why_not) return why_not();
+  return when && !when() ? "not for what is shown" : "";
+}
+
 void CommandTable::Add(EditorCommand command) {
   for (const EditorCommand& other : commands_) {
     if (other.id == command.id) throw std::invalid_argument("command twice: " + command.id);
@@ -30,6 +35,15 @@ void CommandTable::AddKeys(std::string_view id, KeyChord keys) {
   for (EditorCommand& command : commands_) {
     if (command.id == id) command.also = keys;
   }
+}
+
+bool CommandTable::SetWhyNot(std::string_view id, std::function<std::string()> why_not) {
+  for (EditorCommand& command : commands_) {
+    if (command.id != id) continue;
+    command.why_not = std::move(why_not);
+    return true;
+  }
+  return false;
 }
 
 void CommandTable::ResetKeys() {

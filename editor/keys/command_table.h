@@ -22,7 +22,12 @@ struct EditorCommand {
   KeyChord own_keys = {};  ///< those it was added with; set by Add
   /// Of a switch: whether it is on; null: it is none.
   std::function<bool()> is_on = nullptr;
+  /// Why it cannot be done now, or an empty text; null: nobody asked that yet.
+  std::function<std::string()> why_not = nullptr;
   KeyChord also = {};  ///< other keys that people know it by; they hold where no command has them
+
+  /// Why it cannot be done now; empty: it can.
+  std::string WhyNot() const;
 };
 
 /// Two commands whose keys are their own at the same time, because the user has said so.
@@ -52,6 +57,9 @@ class CommandTable {
 
   /// Runs the command of that ID; false if there is none.
   bool Run(std::string_view id) const;
+
+  /// The command of that ID cannot be done while that says why. False if there is no such command.
+  bool SetWhyNot(std::string_view id, std::function<std::string()> why_not);
 
   /// The command has these keys also.
   void AddKeys(std::string_view id, KeyChord keys);

@@ -24,7 +24,8 @@ constexpr NamedKey kNamed[] = {{kKeySpace, "Space"},
                                {kKeyPageDown, "PageDown"},
                                {kKeyHome, "Home"},
                                {kKeyEnd, "End"},
-                               {kKeyKeypadEnter, "KeypadEnter"}};
+                               {kKeyKeypadEnter, "KeypadEnter"},
+                               {kKeyMenu, "Menu"}};
 struct NamedModifier {
   Modifier modifier;
   std::string_view prefix;

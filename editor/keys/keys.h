@@ -29,6 +29,8 @@ inline constexpr Key kKeyHome = 268;
 inline constexpr Key kKeyEnd = 269;
 inline constexpr Key kKeyF1 = 290;  ///< F2 is 291, and so on
 inline constexpr Key kKeyKeypadEnter = 335;
+inline constexpr Key kKeyLeftAlt = 342;
+inline constexpr Key kKeyMenu = 348;
 
 enum Modifier : int { kNoModifier = 0, kShift = 1, kCtrl = 2, kAlt = 4, kSuper = 8 };
 

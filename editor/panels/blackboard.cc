@@ -2,6 +2,7 @@
 
 #include "bt_core/data/value_bytes.h"
 #include "editor/canvas/layout/node_metrics.h"
+#include "editor/commands/menus.h"
 #include "editor/live/value_table.h"
 #include "editor/panels/panels.h"
 #include "editor/panels/run/run_text.h"
@@ -147,6 +148,10 @@ class Board {
       if (ImGui::IsMouseDoubleClicked(0)) state_.commands.Run("blackboard.write");
     }
     if (row.clicked) state_.blackboard.shown_key = path;
+    if (row.right_clicked) {
+      state_.blackboard.shown_key = path;
+      OpenMenu(state_, menu::kKey, FromIm(ImGui::GetIO().MousePos));
+    }
     if (row.clicked && is_table) state_.run.tab = RunTab::kTable;
     if (row.visible) PaintSlot(row.box, slot, value, write);
     if (selected) DrawHistory(slot);

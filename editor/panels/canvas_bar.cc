@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "editor/commands/menus.h"
 #include "editor/panels/panels.h"
 #include "editor/panels/widgets/panel.h"
 #include "editor/workspace/canvas_tabs.h"
@@ -90,6 +91,10 @@ class CanvasBar {
       const std::string text = ui_.Cut(shown_name, {Face::kSans, 12, 0}, width - 14 * ui_.scale);
       if (ui_.Button("canvasbar/tab/" + name, at, text, i == shown)) {
         ShowTab(state_, i, ui_.now);
+      }
+      if (ImGui::IsItemHovered() && ImGui::IsMouseReleased(1)) {
+        ShowTab(state_, i, ui_.now);
+        OpenMenu(state_, menu::kTab, FromIm(ImGui::GetIO().MousePos));
       }
       if (ImGui::IsItemHovered() && ImGui::IsMouseClicked(2)) CloseTab(state_, i, ui_.now);
     }

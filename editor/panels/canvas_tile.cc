@@ -7,6 +7,7 @@
 #include "editor/canvas/canvas.h"
 #include "editor/canvas/layout/node_metrics.h"
 #include "editor/canvas/paint/node_marks.h"
+#include "editor/commands/menus.h"
 #include "editor/document/shown_problems.h"
 #include "editor/panels/widgets/port_editor.h"
 #include "editor/scene/problem_places.h"
@@ -56,6 +57,7 @@ class CanvasTile {
         EditPort(state_, std::string(view_.scene()->ports[port].name));
       };
     }
+    options.menu = [this](std::uint32_t node, bool is_line) { OpenMenuOf(node, is_line); };
     DrawCanvas(ui_, view_, box_, options);
     DrawPortEditor(ui_, state_, box_);
     if (!options.live) return;
@@ -63,6 +65,15 @@ class CanvasTile {
   }
 
  private:
+  // What the menu is about is selected; of several nodes that are, all.
+  void OpenMenuOf(std::uint32_t node, bool is_line) {
+    if (node == kNoSceneNode || !view_.IsSelected(node)) view_.Select(node);
+    const char* const name = node == kNoSceneNode ? menu::kCanvas
+                             : is_line            ? menu::kLine
+                                                  : menu::kNode;
+    OpenMenu(state_, name, FromIm(ImGui::GetIO().MousePos));
+  }
+
   void UpdateBadges() {
     CanvasBadges& badges = state_.canvas.badges;
     const OpenFile* file = state_.workspace.file();

@@ -3,6 +3,7 @@
 #include "editor/canvas/canvas.h"
 #include "editor/canvas/layout/node_metrics.h"
 #include "editor/canvas/paint/status_look.h"
+#include "editor/commands/menus.h"
 #include "editor/panels/drag_source.h"
 #include "editor/panels/outline_drop.h"
 #include "editor/panels/panels.h"
@@ -35,6 +36,10 @@ class OutlineRow {
       state.drag.answer = {};
     } else if (row.clicked && !state.drag.carried) {
       Select(state.screen.canvas_size);
+    }
+    if (row.right_clicked) {
+      if (!view_.IsSelected(node_number_)) view_.Select(node_number_);
+      OpenMenu(state, menu::kRow, FromIm(ImGui::GetIO().MousePos));
     }
     if (!row.visible) return;
     PaintStatus(row.box);

@@ -1,5 +1,6 @@
 #include <filesystem>
 
+#include "editor/commands/menus.h"
 #include "editor/panels/panels.h"
 #include "editor/panels/widgets/panel.h"
 #include "editor/theme/icons.h"
@@ -72,7 +73,11 @@ void DrawFile(const Ui& ui, EditorState& state, std::size_t number) {
         IconRow(ui, item.box, d == 0 ? 24 : 32, icon::kSitemap, id, ui.palette.text,
                 tree == forest->main_tree() ? "main" : "");
       }
-      if (item.clicked) workspace.ShowFileTree(number, tree, now);
+      if (item.clicked || item.right_clicked) workspace.ShowFileTree(number, tree, now);
+      if (item.right_clicked) {
+        if (TreeView* const view = workspace.view()) view->Select(kNoSceneNode);
+        OpenMenu(state, menu::kTree, FromIm(ImGui::GetIO().MousePos));
+      }
     }
   }
 }

@@ -1,129 +1,10 @@
+#include "editor/commands/menus.h"
 #include "editor/panels/panels.h"
 #include "editor/panels/widgets/panel.h"
 #include "editor/theme/icons.h"
 
 namespace coppice::editor {
 namespace {
-
-struct MenuEntry {
-  const char* command;  // null: a line between groups
-};
-
-constexpr MenuEntry kView[] = {{"view.grow_by_itself"},
-                               {"view.top_to_bottom"},
-                               {"view.left_to_right"},
-                               {nullptr},
-                               {"view.fit_all"},
-                               {"view.fit_selection"},
-                               {"view.zoom_100"},
-                               {nullptr},
-                               {"view.compact"},
-                               {"view.layered"},
-                               {"view.stacked"},
-                               {"view.wrapped"},
-                               {nullptr},
-                               {"view.ports_by_itself"},
-                               {"view.ports_all"},
-                               {"view.ports_none"},
-                               {nullptr},
-                               {"tree.collapse"},
-                               {"tree.open_subtrees"},
-                               {"tree.close_subtrees"},
-                               {nullptr},
-                               {"palette.dark"},
-                               {"palette.light"},
-                               {"palette.colourblind"},
-                               {"view.reduce_motion"}};
-constexpr MenuEntry kEditMenu[] = {{"edit.undo"},
-                                   {"edit.redo"},
-                                   {"edit.history"},
-                                   {nullptr},
-                                   {"edit.cut"},
-                                   {"edit.copy"},
-                                   {"edit.paste"},
-                                   {"edit.paste_after"},
-                                   {"edit.duplicate"},
-                                   {"edit.select_all"},
-                                   {nullptr},
-                                   {"edit.add"},
-                                   {"edit.rename"},
-                                   {"edit.change_type"},
-                                   {"edit.disable"},
-                                   {"edit.delete"},
-                                   {"edit.delete_only"},
-                                   {nullptr},
-                                   {"edit.find"},
-                                   {"edit.find_next"},
-                                   {"edit.find_previous"},
-                                   {"edit.replace"},
-                                   {"key.rename"},
-                                   {"edit.xml"}};
-constexpr MenuEntry kTreeMenu[] = {
-    {"tree.new"},    {"tree.rename"},     {"tree.delete"}, {nullptr}, {"tree.extract"},
-    {"tree.inline"}, {"tree.definition"}, {"tree.usages"}, {nullptr}, {"file.include"}};
-constexpr MenuEntry kTilesMenu[] = {{"tile.project"},    {"tile.outline"},    {"tile.types"},
-                                    {"tile.inspector"},  {"tile.blackboard"}, {"tile.xml"},
-                                    {"tile.problems"},   {"tile.tests"},      {"tile.run"},
-                                    {"tile.timeline"},   {"tile.minimap"},    {nullptr},
-                                    {"view.canvas_only"}};
-constexpr MenuEntry kRobotMenu[] = {{"robot.connect"},
-                                    {"robot.next"},
-                                    {"run.close"},
-                                    {nullptr},
-                                    {"run.pause"},
-                                    {"run.continue"},
-                                    {"run.step_tick"},
-                                    {"run.step_node"},
-                                    {nullptr},
-                                    {"run.breakpoint"},
-                                    {"run.breakpoint_enable"},
-                                    {"run.breakpoint_condition"},
-                                    {"run.breakpoint_path"},
-                                    {"run.log_point"},
-                                    {nullptr},
-                                    {"run.force_success"},
-                                    {"run.force_failure"},
-                                    {"run.force_running"},
-                                    {"run.force_skipped"},
-                                    {"run.delay"},
-                                    {"run.clear_faults"}};
-constexpr MenuEntry kRunMenu[] = {{"run.back"},
-                                  {"run.forward"},
-                                  {"run.change_before"},
-                                  {"run.next_change"},
-                                  {"run.begin"},
-                                  {"run.now"},
-                                  {"run.play"},
-                                  {"run.faster"},
-                                  {"run.slower"},
-                                  {nullptr},
-                                  {"run.why"},
-                                  {"run.running"},
-                                  {"run.hooks"},
-                                  {"run.log"},
-                                  {"run.statistics"},
-                                  {"run.comparison"},
-                                  {"run.table"},
-                                  {"run.coverage"},
-                                  {nullptr},
-                                  {"run.bookmark"},
-                                  {"run.bookmark_text"},
-                                  {"run.bookmarks"},
-                                  {nullptr},
-                                  {"run.follow"},
-                                  {"run.heat"},
-                                  {"run.pin"},
-                                  {"blackboard.selection"},
-                                  {"blackboard.write"},
-                                  {"run.save"},
-                                  {"run.save_test"}};
-constexpr MenuEntry kSimulateMenu[] = {
-    {"sim.start"},     {"sim.end"},        {"sim.restart"}, {"sim.again"},   {nullptr},
-    {"sim.play"},      {"sim.tick"},       {"sim.change"},  {"sim.back"},    {"sim.faster"},
-    {"sim.slower"},    {nullptr},          {"sim.success"}, {"sim.failure"}, {"sim.running"},
-    {"sim.skipped"},   {"sim.script"},     {"sim.set"},     {nullptr},       {"sim.tests"},
-    {"sim.save_test"}, {"sim.save_record"}};
-constexpr MenuEntry kHelpMenu[] = {{"help.palette"}, {"help.keys"}};
 
 constexpr float kRightPart = 196;  // of the bar: connect, and what is shown
 
@@ -134,91 +15,32 @@ class TopBar {
   void Draw() {
     ui_.Fill(*ImGui::GetWindowDrawList(), box_, ui_.palette.panel);
     float x = box_.min.x + 6 * ui_.scale;
-    x = Menu("File", x, [this] { FileMenu(); });
-    x = Menu("Edit", x, [this] { Entries(kEditMenu); });
-    x = Menu("Tree", x, [this] { Entries(kTreeMenu); });
-    x = Menu("View", x, [this] { Entries(kView); });
-    x = Menu("Tiles", x, [this] { Entries(kTilesMenu); });
-    x = Menu("Robot", x, [this] { Entries(kRobotMenu); });
-    x = Menu("Run", x, [this] { Entries(kRunMenu); });
-    x = Menu("Simulate", x, [this] { Entries(kSimulateMenu); });
-    x = Menu("Help", x, [this] { Entries(kHelpMenu); });
+    for (const std::string_view title : kBarMenus) x = Menu(title, x);
     DrawField(x + 12 * ui_.scale);
     DrawMode();
     if (!HasConnectionStrip(state_)) DrawConnect();
   }
 
  private:
-  template <class Body>
-  float Menu(const std::string& title, float x, Body body) {
+  float Menu(std::string_view title, float x) {
     const TextStyle style{Face::kSans, 13, ui_.palette.text};
     const float width = ui_.Width(title, style) + 18 * ui_.scale;
     const Box box = {{x, box_.min.y}, {x + width, box_.max.y}};
-    std::string lower = title;
-    lower[0] = static_cast<char>(lower[0] - 'A' + 'a');
+    std::string name(title);
+    name[0] = static_cast<char>(name[0] - 'A' + 'a');
     bool hovered = false;
-    const bool pressed = ui_.Hit("menu/" + lower, box, &hovered);
-    const std::string popup = "menu " + title;
-    const bool open = ImGui::IsPopupOpen(popup.c_str());
+    const std::string path = "menu/" + name;
+    const bool pressed = ui_.Hit(path, box, &hovered);
+    const auto& menus = state_.menu.open;
+    const bool open = !menus.empty() && menus.front().below == path;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     if (hovered || open) ui_.Fill(list, box, ui_.palette.row_hover, 3);
     ui_.RowText(list, box.min + Point{9 * ui_.scale, 0}, box.height(), title, style);
-    if (pressed) ImGui::OpenPopup(popup.c_str());
-    ImGui::SetNextWindowPos({box.min.x, box.max.y});
-    if (ImGui::BeginPopup(popup.c_str())) {
-      body();
-      ImGui::EndPopup();
+    if (pressed) {
+      OpenMenuBelow(state_, name, path);
+      state_.menu.open.front().choice = -1;
     }
     return x + width;
-  }
-
-  template <std::size_t kCount>
-  void Entries(const MenuEntry (&entries)[kCount]) {
-    for (const MenuEntry& entry : entries) {
-      if (entry.command) {
-        Entry(entry.command);
-      } else {
-        ImGui::Separator();
-      }
-    }
-  }
-
-  void Entry(const char* id) {
-    const EditorCommand* command = state_.commands.Find(id);
-    if (!command) return;
-    const std::string keys = ToString(command->keys);
-    const bool is_on = command->is_on && command->is_on();
-    const bool applies = !command->when || command->when();
-    const bool chosen = ImGui::MenuItem(command->title.c_str(), keys.c_str(), is_on, applies);
-    ui_.items.Add(std::string("menu/") + id,
-                  {FromIm(ImGui::GetItemRectMin()), FromIm(ImGui::GetItemRectMax())});
-    if (chosen) command->run();
-  }
-
-  void FileMenu() {
-    Entry("file.new");
-    Entry("file.open");
-    Entry("file.reload");
-    Entry("file.save");
-    Entry("file.save_as");
-    ImGui::Separator();
-    Entry("file.export");
-    Entry("file.compare");
-    Entry("file.stop_comparing");
-    if (!state_.work.left().empty()) Entry("file.unsaved");
-    if (!state_.recent.files.empty()) ImGui::Separator();
-    for (std::size_t i = 0; i < state_.recent.files.size(); ++i) {
-      const std::string path = state_.recent.files[i];
-      const bool chosen = ImGui::MenuItem(path.c_str());
-      ui_.items.Add("menu/recent/" + std::to_string(i),
-                    {FromIm(ImGui::GetItemRectMin()), FromIm(ImGui::GetItemRectMax())});
-      if (chosen) {
-        state_.services.open_file(path);
-        break;
-      }
-    }
-    ImGui::Separator();
-    Entry("file.quit");
   }
 
   // In the middle if there is room right of `left`.

@@ -18,9 +18,12 @@
 #include "bt_core/model/write_file.h"
 #include "editor/canvas/canvas.h"
 #include "editor/canvas/layout/node_metrics.h"
+#include "editor/commands/command_needs.h"
 #include "editor/commands/edit_commands.h"
 #include "editor/commands/file_commands.h"
 #include "editor/commands/log_commands.h"
+#include "editor/commands/menu_commands.h"
+#include "editor/commands/menus.h"
 #include "editor/commands/merge_commands.h"
 #include "editor/commands/picture_commands.h"
 #include "editor/commands/place_commands.h"
@@ -31,6 +34,7 @@
 #include "editor/keys/key_file.h"
 #include "editor/live/kept_marks.h"
 #include "editor/live/robot_source.h"
+#include "editor/panels/menu/menu.h"
 #include "editor/panels/popup/popup.h"
 #include "editor/panels/tiles.h"
 #include "editor/panels/xml/xml_keys.h"
@@ -114,7 +118,9 @@ Editor::Editor(EditorOptions options)
   AddLogCommands(state_);
   AddPlaceCommands(state_);
   AddStandardCommands(state_);
+  AddMenuCommands(state_);
   AddSimulationCommands(state_);  // last: see there
+  AddNeeds(state_);
   state_.git = GitHead(options_.wake);
   LoadRecent();
   LoadKeys();
@@ -257,6 +263,7 @@ void Editor::Frame(const InputEvents& input) {
   ImGui::PopStyleVar();
   DrawTiles(ui, state_, {{0, 0}, {input.width, input.height}});
   ImGui::End();
+  DrawMenus(ui, state_);
   DrawPopup(ui, state_);
   ImGui::Render();
   if (!ImGui::IsMouseDown(0)) state_.drag.carried.reset();
@@ -291,6 +298,7 @@ void Editor::Apply(const InputEvents& input) {
   for (const InputEvent& event : queue_.TakeFrame()) {
     if (const auto* move = std::get_if<MouseMove>(&event)) io.MousePos = {move->x, move->y};
     if (const auto* button = std::get_if<MouseButton>(&event)) {
+      state_.menu.is_alone = false;
       if (button->button >= 0 && button->button < 5) io.MouseDown[button->button] = button->down;
     }
     if (const auto* wheel = std::get_if<MouseWheel>(&event)) {
@@ -303,13 +311,33 @@ void Editor::Apply(const InputEvents& input) {
     if (const auto* key = std::get_if<KeyEvent>(&event)) {
       ApplyKey(io, *key);
       if (key->down) state_.input.keys.push_back(*key);
+      NoteAlt(*key);
     }
+  }
+}
+
+// Alt, pressed and let go alone, opens and closes the menus.
+void Editor::NoteAlt(const KeyEvent& key) {
+  MenuState& menu = state_.menu;
+  const bool is_end = key.key == kKeyLeftAlt && !key.down && menu.is_alone;
+  menu.is_alone = key.key == kKeyLeftAlt && key.down;
+  if (!is_end || state_.popup.kind != Popup::kNone) return;
+  if (menu.open.empty()) {
+    state_.commands.Run("menu.bar");
+  } else {
+    menu.open.clear();
   }
 }
 
 // While a text is being typed, its keys are its own, but for that which saves: it takes the text.
 void Editor::RunKeys() {
   if (state_.popup.kind != Popup::kNone) return;
+  if (!state_.menu.open.empty()) {
+    for (const KeyEvent& event : std::exchange(state_.input.keys, {})) {
+      if (!state_.menu.open.empty()) PressInMenu(state_, event);
+    }
+    return;
+  }
   if (ImGui::GetIO().WantTextInput) {
     const EditorCommand* const save = state_.commands.Find("file.save");
     for (const KeyEvent& event : state_.input.keys) {

@@ -104,6 +104,7 @@ class Editor {
   void SetUpImGui();
   void Apply(const InputEvents& input);
   void RunKeys();
+  void NoteAlt(const KeyEvent& key);
   void LoadRecent();
   void KeepWorkIfDue();
   void LoadKeys();

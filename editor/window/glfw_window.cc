@@ -108,6 +108,10 @@ void GlfwWindow::SetCallbacks() {
     constexpr int kKnown = GLFW_MOD_SHIFT | GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SUPER;
     Self(w).events_.push_back(KeyEvent{key, action != GLFW_RELEASE, modifiers & kKnown});
   });
+  // Keys that are held are let go then, as if the user did it: a key without a name says otherwise.
+  glfwSetWindowFocusCallback(window_, [](GLFWwindow* w, int focused) {
+    if (!focused) Self(w).events_.push_back(KeyEvent{});
+  });
   glfwSetDropCallback(window_, [](GLFWwindow* w, int count, const char** paths) {
     Self(w).dropped_.assign(paths, paths + count);
   });

@@ -101,6 +101,7 @@ struct EditorState {
   BlackboardTile blackboard;
   InspectorTile inspector;
   PopupState popup;
+  MenuState menu;
   Recent recent;
   Notice notice;
   FieldInput input;

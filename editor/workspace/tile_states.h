@@ -17,6 +17,7 @@
 #include "editor/live/run_figures.h"
 #include "editor/live/run_log.h"
 #include "editor/live/why_answer.h"
+#include "editor/theme/geometry.h"
 #include "editor/workspace/follow.h"
 #include "editor/workspace/interface_cache.h"
 #include "editor/workspace/timeline_state.h"
@@ -61,8 +62,9 @@ struct PopupState {
   bool selects_text = false;  ///< typing replaces the text it opened with
   std::string text;           ///< what is typed into it
   std::string error;
-  int choice = 0;         ///< highlighted row
-  std::size_t rows = 12;  ///< choices shown in the last frame
+  int choice = 0;          ///< highlighted row
+  int held = kNoModifier;  ///< modifiers that Enter has without the user holding them
+  std::size_t rows = 12;   ///< choices shown in the last frame
   std::vector<Diagnostic> problems;
   Prompt prompt;
   List list;
@@ -75,7 +77,22 @@ struct PopupState {
     text = std::move(typed);
     error.clear();
     choice = 0;
+    held = kNoModifier;
   }
+};
+
+/// A menu on the screen.
+struct OpenMenuState {
+  std::string name;   ///< commands/menus.h
+  Point at;           ///< of its corner, if it hangs at no item
+  std::string below;  ///< path of the item that it hangs at; empty: none
+  int choice = -1;    ///< highlighted entry; -1: none
+};
+
+/// What is open of the menus: one, with its submenus behind it.
+struct MenuState {
+  std::vector<OpenMenuState> open;
+  bool is_alone = false;  ///< Alt was pressed, and nothing since: letting it go opens the bar's
 };
 
 /// What was used last, newest first.

@@ -324,8 +324,9 @@ class PopupWindow {
   AddWhere ChosenPlace() const {
     for (const KeyEvent& event : state_.input.keys) {
       if (event.key != kKeyEnter && event.key != kKeyKeypadEnter) continue;
-      if (event.modifiers & kCtrl) return AddWhere::kAround;
-      if (event.modifiers & kShift) return AddWhere::kAfter;
+      const int held = event.modifiers | state_.popup.held;
+      if (held & kCtrl) return AddWhere::kAround;
+      if (held & kShift) return AddWhere::kAfter;
     }
     return AddWhere::kChild;
   }

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "editor/commands/menus.h"
 #include "editor/panels/run/run_bodies.h"
 #include "editor/panels/timeline/timeline_frame.h"
 
@@ -9,6 +10,7 @@ namespace {
 
 constexpr double kWheelPan = 0.08;
 constexpr double kWheelZoom = 1.25;
+constexpr float kDragDistance = 4;  // pixels; less is a click
 
 class Mouse {
  public:
@@ -38,6 +40,8 @@ class Mouse {
     if (f_.labels.Contains(mouse) && io.MouseWheel != 0) {
       f_.shown.scroll -= io.MouseWheel * 3 * kLaneHeight * f_.ui.scale;
     }
+    if (ImGui::IsItemHovered() && IsRightClick() && f_.lanes.Contains(mouse)) OpenMenuOf(mouse);
+    if (f_.labels.Contains(mouse) && IsRightClick()) OpenMenuOf(mouse);
     if (ImGui::IsItemHovered() && io.MouseClicked[2] && f_.lanes.Contains(mouse)) FitBar(mouse);
   }
 
@@ -93,6 +97,16 @@ class Mouse {
   NodeIndex NodeAt(float y) const {
     const std::size_t row = f_.RowAt(y);
     return row < f_.shown.listed.size() ? f_.shown.listed[row] : kNoNode;
+  }
+
+  static bool IsRightClick() {
+    const ImVec2 way = ImGui::GetMouseDragDelta(1, kDragDistance);
+    return ImGui::IsMouseReleased(1) && way.x == 0 && way.y == 0;
+  }
+
+  void OpenMenuOf(Point mouse) {
+    SelectLane(mouse.y);
+    OpenMenu(f_.state, menu::kLane, mouse);
   }
 
   void SelectLane(float y) { SelectRunNode(f_.state, NodeAt(y)); }

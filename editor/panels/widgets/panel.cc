@@ -47,6 +47,7 @@ Row NextRow(const Ui& ui, const std::string& path, bool selected, float height) 
   row.clicked = ImGui::InvisibleButton("row", {std::max(row.box.width(), 1.0F), row.box.height()});
   ImGui::PopID();
   row.hovered = ImGui::IsItemHovered();
+  row.right_clicked = row.hovered && ImGui::IsMouseReleased(1);
   row.visible = ImGui::IsItemVisible();
   if (!row.visible) return row;
   ui.items.Add(path, row.box);

@@ -22,6 +22,7 @@ void Panel(const Ui& ui, const std::string& path, const Box& box, std::string_vi
 struct Row {
   Box box;
   bool clicked = false;
+  bool right_clicked = false;
   bool hovered = false;
   bool visible = false;  ///< rows out of sight need not be painted
 };

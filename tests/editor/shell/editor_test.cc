@@ -109,6 +109,7 @@ TEST(Editor, RemembersRecentFiles) {
   EXPECT_EQ(driver.editor.state().recent.files[0], file.path());
   driver.Frames();
   driver.Click("menu/file");
+  driver.Click("menu/file.recent");
   ASSERT_TRUE(driver.Click("menu/recent/0"));
   EXPECT_NE(driver.editor.state().workspace.view(), nullptr);
 }

@@ -1,0 +1,91 @@
+#include "editor/commands/menu_commands.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "bt_core/data/value_bytes.h"
+#include "editor/commands/menus.h"
+#include "editor/keys/fuzzy.h"
+#include "editor/workspace/canvas_tabs.h"
+#include "editor/workspace/tree_editor.h"
+
+namespace coppice::editor {
+namespace {
+
+constexpr std::string_view kKeyPath = "blackboard/";
+
+// What a right click at the selection would open.
+void OpenMenuHere(EditorState& state) {
+  const TreeView* view = state.workspace.view();
+  if (!view || view->selected() == kNoSceneNode) {
+    return OpenMenuBelow(state, menu::kCanvas, "canvas");
+  }
+  const Scene& scene = *view->scene();
+  OpenMenuBelow(state, menu::kNode,
+                "canvas/" + scene.tree_id + "/" + scene.nodes[view->selected()].path);
+}
+
+void OpenAdd(EditorState& state, int held) {
+  const Outcome can = TreeEditor(state, state.now).CanEdit();
+  if (!can) return state.Notify(can.problem(), state.now, true);
+  state.OpenPopup(Popup::kAdd);
+  state.popup.held = held;
+}
+
+void CloseOtherTabs(EditorState& state) {
+  const std::size_t shown = ShownTab(state);
+  if (shown < state.canvas.tabs.size()) state.canvas.tabs = {state.canvas.tabs[shown]};
+}
+
+std::string ShownKey(const EditorState& state) {
+  const std::string& path = state.blackboard.shown_key;
+  return path.substr(path.rfind('/') + 1);
+}
+
+void CopyValue(EditorState& state) {
+  const RunView* run = state.workspace.run();
+  if (!run || !run->tree()) return;
+  const auto& slots = run->tree()->description()->slots;
+  const auto& values = run->follower().values();
+  for (SlotIndex i{0}; i < slots.size() && i < values.size(); ++i) {
+    const std::string path = std::string(kKeyPath) + slots[i].scope + "/" + slots[i].name;
+    if (path == state.blackboard.shown_key)
+      state.services.set_clipboard(PrintValueBytes(values[i]));
+  }
+}
+
+void OfferRecent(EditorState& state) {
+  state.Offer({"Recent files", [&state](const std::string& typed) {
+                 std::vector<Choice> rows;
+                 for (const std::string& path : state.recent.files) {
+                   Choice row;
+                   row.title = path;
+                   row.run = [&state, path] { state.services.open_file(path); };
+                   if (FuzzyScore(typed, path) > 0) rows.push_back(std::move(row));
+                 }
+                 return rows;
+               }});
+}
+
+}  // namespace
+
+void AddMenuCommands(EditorState& state) {
+  EditorState& s = state;
+  CommandTable& commands = state.commands;
+  commands.Add(
+      {"menu.bar", "Menus", {kKeyF1 + 9}, [&s] { OpenMenuBelow(s, "file", "menu/file"); }});
+  commands.Add(
+      {"menu.here", "Menu of the selection", {kKeyF1 + 9, kShift}, [&s] { OpenMenuHere(s); }});
+  commands.AddKeys("menu.here", {kKeyMenu});
+  commands.Add({"edit.add_after", "Add node behind", {}, [&s] { OpenAdd(s, kShift); }});
+  commands.Add({"edit.add_around", "Add node around", {}, [&s] { OpenAdd(s, kCtrl); }});
+  commands.Add({"tab.close_others", "Close all other tabs", {}, [&s] { CloseOtherTabs(s); }});
+  commands.Add({"key.copy", "Copy the name of the key", {}, [&s] {
+                  s.services.set_clipboard(ShownKey(s));
+                }});
+  commands.Add({"key.copy_value", "Copy the value of the key", {}, [&s] { CopyValue(s); }});
+  commands.Add({"file.recent", "Recent files", {}, [&s] { OfferRecent(s); }});
+}
+
+}  // namespace coppice::editor
