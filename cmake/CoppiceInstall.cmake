@@ -24,6 +24,9 @@ install(EXPORT coppice NAMESPACE coppice:: FILE coppice-targets.cmake
 install(DIRECTORY bt_core/engine/models/ DESTINATION ${CMAKE_INSTALL_DATADIR}/coppice/models
         FILES_MATCHING PATTERN "*.xml")
 
+# What the editor offers to a newcomer.
+install(DIRECTORY editor/examples/ DESTINATION ${CMAKE_INSTALL_DATADIR}/coppice/examples)
+
 # The page lies where the installed program looks for it.
 if(COPPICE_WEB)
   install(DIRECTORY ${COPPICE_WEB_FOLDER}/ DESTINATION ${CMAKE_INSTALL_DATADIR}/coppice/web COMPONENT web

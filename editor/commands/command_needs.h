@@ -6,7 +6,7 @@
 
 namespace coppice::editor {
 
-/// Gives the commands of state.commands their EditorCommand::why_not. Once, behind all Add...Commands.
+/// Gives the commands of state.commands their EditorCommand::why_not. Once, when all are added.
 void AddNeeds(EditorState& state);
 
 }  // namespace coppice::editor

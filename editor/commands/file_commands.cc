@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "editor/workspace/file_dialog.h"
 #include "editor/workspace/file_keeper.h"
 #include "editor/workspace/tree_editor.h"
 
@@ -14,7 +15,7 @@ class FileCommands {
 
   void AddAll() {
     EditorState& s = state_;
-    Add("file.open", "Open file", {'O', kCtrl}, [&s] { s.OpenPopup(Popup::kOpen); });
+    Add("file.open", "Open file", {'O', kCtrl}, [&s] { OpenFileDialog(s); });
     Add("file.reload", "Reload file", {'R', kCtrl}, [&s] { s.workspace.Reload(s.now); });
     Add("file.new", "New file", {'N', kCtrl}, [&s] { s.workspace.New(s.now); });
     Add("file.save", "Save", {'S', kCtrl}, [&s] { FileKeeper(s, s.now).Save(); });

@@ -1,5 +1,5 @@
-// A right click has one table for all things: a row says which things its command is for. Lines stand
-// between groups of which something is left.
+// A right click has one table for all things: a row says which things its command is for. Lines
+// stand between groups of which something is left.
 #include "editor/commands/menu_tables.h"
 
 #include "editor/commands/menus.h"

@@ -18,7 +18,7 @@
 
 namespace coppice::editor {
 
-/// Names of the menus of a right click. Those of the bar are called as its titles, in small letters.
+/// Names of the menus of a right click. Those of the bar have its titles, in small letters.
 namespace menu {
 inline constexpr char kNode[] = "node";
 inline constexpr char kLine[] = "line";      ///< from the selected node to its parent

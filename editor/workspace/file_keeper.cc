@@ -5,6 +5,8 @@
 #include <system_error>
 #include <utility>
 
+#include "editor/workspace/file_dialog.h"
+
 namespace coppice::editor {
 namespace {
 
@@ -70,15 +72,13 @@ void FileKeeper::AskPath() {
 void FileKeeper::AskPath(const std::string& path, const std::function<void()>& then) {
   state_.workspace.Open(path, now_);  // shows of which file it is asked
   state_.replaces.clear();
-  state_.Ask({"Save " + NameOf(path) + " under a name: its path",
-              [&s = state_, path, then](const std::string& typed) {
-                FileKeeper keeper(s, s.now);
-                Outcome saved = keeper.SaveAs(path, typed);
-                if (saved && then) keeper.Save(false, then);
-                return saved;
-              },
-              {}},
-             path);
+  OpenSaveDialog(state_, "Save " + NameOf(path) + " under a name", path,
+                 [&s = state_, path, then](const std::string& typed) {
+                   FileKeeper keeper(s, s.now);
+                   Outcome saved = keeper.SaveAs(path, typed);
+                   if (saved && then) keeper.Save(false, then);
+                   return saved;
+                 });
 }
 
 Outcome FileKeeper::SaveAs(const std::string& path, const std::string& new_path) {

@@ -11,6 +11,7 @@
 #include "bt_core/analysis/compare.h"
 #include "bt_core/base/outcome.h"
 #include "editor/canvas/drop_target.h"
+#include "editor/files/folder.h"
 #include "editor/files/line_changes.h"
 #include "editor/keys/choice.h"
 #include "editor/keys/keys.h"
@@ -54,6 +55,17 @@ struct List {
   bool is_searched = true;  ///< by typing; if not, it is a question with these answers
 };
 
+/// Of kOpen: a file is chosen, to open it or to save one.
+struct FileDialog {
+  std::string folder;  ///< what is typed is seen from here; empty: the current one
+  std::string hint;    ///< what is saved
+  std::function<Outcome(const std::string& path)> save;  ///< null: a file is opened
+  bool walked = false;     ///< an arrow has chosen a row since something was typed
+  bool was_empty = false;  ///< nothing was typed before the keys of this frame
+  Folder listed;
+  double listed_at = -1;  ///< seconds of the editor; negative: never
+};
+
 /// What lies over the screen until it is answered.
 struct PopupState {
   Popup kind = Popup::kNone;
@@ -68,6 +80,8 @@ struct PopupState {
   std::vector<Diagnostic> problems;
   Prompt prompt;
   List list;
+  FileDialog files;
+  std::optional<std::string> new_text;  ///< for the field in the place of what is typed
 
   void Open(Popup which, std::string typed) {
     kind = which;
@@ -78,6 +92,7 @@ struct PopupState {
     error.clear();
     choice = 0;
     held = kNoModifier;
+    new_text.reset();
   }
 };
 

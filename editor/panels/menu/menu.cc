@@ -1,4 +1,4 @@
-// A window of the size of the screen takes the clicks beside the menus; each menu is a window on it.
+// A window of the size of the screen takes the clicks beside the menus; each menu lies on it.
 #include "editor/panels/menu/menu.h"
 
 #include <algorithm>
@@ -147,7 +147,7 @@ class Menus {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float pad = kPad * ui_.scale;
     const bool can = item.why_not.empty();
-    const Color ink = can ? ui_.palette.text : Fade(ui_.palette.text_dim, 0.65F);
+    const Color ink = can ? ui_.palette.text : ui_.palette.text_dim;
     const Color dim = can ? ui_.palette.text_dim : ink;
     const float left = box.min.x + pad + kMark * ui_.scale;
     const std::string end = item.submenu.empty() ? item.keys : kSubmenuSign;

@@ -8,10 +8,10 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <utility>
 
 #include "editor/panels/popup/choices.h"
+#include "editor/panels/popup/file_rows.h"
 #include "editor/panels/popup/key_list.h"
 #include "editor/panels/popup/popup_rows.h"
 #include "editor/panels/popup/type_choices.h"
@@ -34,6 +34,15 @@ bool Pressed(const EditorState& state, Key key) {
 
 bool Confirmed(const EditorState& state) {
   return Pressed(state, kKeyEnter) || Pressed(state, kKeyKeypadEnter);
+}
+
+int TakeNewText(ImGuiInputTextCallbackData* data) {
+  PopupState& popup = *static_cast<PopupState*>(data->UserData);
+  if (!popup.new_text || data->EventFlag != ImGuiInputTextFlags_CallbackAlways) return 0;
+  data->DeleteChars(0, data->BufTextLen);
+  data->InsertChars(0, popup.new_text->c_str());
+  popup.new_text.reset();
+  return 0;
 }
 
 class PopupWindow {
@@ -86,7 +95,7 @@ class PopupWindow {
   std::string Asked() const {
     switch (state_.popup.kind) {
       case Popup::kOpen:
-        return "Open a file: its path (trees as XML, or a record of a run)";
+        return FileHint(state_);
       case Popup::kConnect:
         return "Connect to a robot: HOST:PORT, or HOST:PORT/TREE for one of its trees";
       case Popup::kPalette:
@@ -117,6 +126,7 @@ class PopupWindow {
     switch (state_.popup.kind) {
       case Popup::kKeys:
         return state_.popup.rows;
+      case Popup::kOpen:
       case Popup::kPalette:
       case Popup::kList:
         return std::min(state_.popup.rows, kPopupRows);
@@ -137,8 +147,9 @@ class PopupWindow {
   void Content() {
     switch (state_.popup.kind) {
       case Popup::kOpen:
+        state_.popup.files.was_empty = state_.popup.text.empty();
         Input();
-        if (Confirmed(state_)) Open();
+        DrawFileRows(ui_, state_);
         break;
       case Popup::kConnect:
         Input();
@@ -200,29 +211,23 @@ class PopupWindow {
     if (is_new) ImGui::SetKeyboardFocusHere();
     ImGui::SetNextItemWidth(-1);
     ImGui::PushFont(ui_.fonts.Pick(Face::kSans, 14 * ui_.scale));
-    const ImGuiInputTextFlags flags =
+    ImGuiInputTextFlags flags =
         state_.popup.selects_text ? ImGuiInputTextFlags_AutoSelectAll : ImGuiInputTextFlags_None;
+    if (state_.popup.kind == Popup::kOpen) {  // whose Tab completes
+      flags |= ImGuiInputTextFlags_CallbackCompletion | ImGuiInputTextFlags_CallbackAlways;
+    }
     ImGui::PushID(state_.popup.number);
-    const bool is_changed = ImGui::InputText("##input", &state_.popup.text, flags);
+    const bool is_changed =
+        ImGui::InputText("##input", &state_.popup.text, flags, TakeNewText, &state_.popup);
     ImGui::PopID();
     if (is_changed) {
       state_.popup.choice = 0;
+      state_.popup.files.walked = false;
       state_.popup.error.clear();
     }
     ImGui::PopFont();
     ui_.items.Add("popup/input",
                   {FromIm(ImGui::GetItemRectMin()), FromIm(ImGui::GetItemRectMax())});
-  }
-
-  void Open() {
-    std::error_code error;
-    if (!std::filesystem::exists(state_.popup.text, error)) {
-      state_.popup.error = "there is no such file";
-    } else if (state_.services.open_file(state_.popup.text)) {
-      state_.popup.kind = Popup::kNone;
-    } else {
-      state_.popup.error = "nothing to show in this file; see Problems";
-    }
   }
 
   void Connect() {

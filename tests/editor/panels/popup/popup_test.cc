@@ -122,7 +122,7 @@ TEST(Popup, DoesNotAddAFileThatThereIsNot) {
   driver.Press('O', kCtrl);
   driver.Type("/no/such/file.xml");
   driver.Press(kKeyEnter);
-  EXPECT_EQ(driver.editor.state().popup.error, "there is no such file");
+  EXPECT_EQ(driver.editor.state().popup.error, "/no/such/: No such file or directory");
   EXPECT_TRUE(driver.editor.state().workspace.files().empty());
 }
 
