@@ -125,7 +125,8 @@ constexpr std::string_view kSimulate[] = {
     "sim.tick",    "sim.change",  "sim.back",      "sim.faster",     "sim.slower", kLine,
     "sim.success", "sim.failure", "sim.running",   "sim.skipped",    "sim.script", "sim.set",
     kLine,         "sim.tests",   "sim.save_test", "sim.save_record"};
-constexpr std::string_view kHelp[] = {"help.palette", "help.keys"};
+constexpr std::string_view kHelp[] = {"help.palette", "help.keys",      kLine,          "help.tour",
+                                      "example.tree", "example.record", "example.robot"};
 
 struct BarMenu {
   std::string_view name;

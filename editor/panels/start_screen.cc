@@ -1,7 +1,9 @@
 #include "editor/panels/start_screen.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <string>
+#include <system_error>
 
 #include "editor/panels/widgets/panel.h"
 #include "editor/workspace/file_keeper.h"
@@ -19,6 +21,12 @@ struct StartOffer {
   const char* title;
   const char* command;
 };
+
+// What shows what the editor is for.
+constexpr StartOffer kExamples[] = {{"start/tour", "Tour of two minutes", "help.tour"},
+                                    {"start/example_tree", "A tree", "example.tree"},
+                                    {"start/example_record", "A record of a run", "example.record"},
+                                    {"start/example_robot", "A simulated robot", "example.robot"}};
 
 constexpr StartOffer kOffers[] = {{"start/open", "Open a file", "file.open"},
                                   {"start/new", "New file", "file.new"},
@@ -69,7 +77,7 @@ class StartScreen {
         list_(*ImGui::GetWindowDrawList()),
         width_(std::min(kWidth * ui.scale, canvas.width() - 2 * kGap * ui.scale)),
         left_(canvas.center().x - width_ / 2),
-        y_(canvas.min.y + canvas.height() * 0.3F) {}
+        y_(canvas.min.y + canvas.height() * 0.2F) {}
 
   void Say(const Words& words) {
     Centered(words.headline, {Face::kBold, 15, ui_.palette.text});
@@ -83,6 +91,7 @@ class StartScreen {
     y_ += kGap * ui_.scale;
     for (const auto& offer : kOffers) OfferCommand(offer);
     OfferUnsaved();
+    OfferExamples();
     OfferRecent();
   }
 
@@ -122,7 +131,20 @@ class StartScreen {
       ui_.RowText(list_, {box.max.x - pad - ui_.Width(keys, dim), box.min.y}, box.height(), keys,
                   dim);
     }
-    if (pressed) state_.commands.Run(offer.command);
+    if (pressed) state_.after_frame = [&s = state_, id = offer.command] { s.commands.Run(id); };
+  }
+
+  void OfferExamples() {
+    Heading("try it", ui_.palette.text_dim);
+    for (const StartOffer& offer : kExamples) {
+      const Box box = Take(20);
+      y_ -= kGap * ui_.scale;
+      bool hovered = false;
+      const bool pressed = ui_.Hit(offer.path, box, &hovered);
+      ui_.RowText(list_, box.min, box.height(), offer.title,
+                  {Face::kSans, 12, hovered ? ui_.palette.accent : ui_.palette.link});
+      if (pressed) state_.after_frame = [&s = state_, id = offer.command] { s.commands.Run(id); };
+    }
   }
 
   void Heading(const char* text, Color color) {
@@ -166,13 +188,20 @@ class StartScreen {
     Heading("recent files", ui_.palette.text_dim);
     for (std::size_t i = 0; i < std::min(state_.recent.files.size(), kRecent); ++i) {
       const std::string path = state_.recent.files[i];
+      std::error_code error;
+      const bool is_there = std::filesystem::exists(path, error);
       const Box box = Take(20);
       y_ -= kGap * ui_.scale;
       bool hovered = false;
       const bool pressed = ui_.Hit("start/recent/" + std::to_string(i), box, &hovered);
-      const TextStyle style{Face::kSans, 12, hovered ? ui_.palette.accent : ui_.palette.link};
+      const TextStyle style{Face::kSans, 12,
+                            !is_there ? ui_.palette.text_dim
+                            : hovered ? ui_.palette.accent
+                                      : ui_.palette.link};
       ui_.RowText(list_, box.min, box.height(), ui_.CutStart(path, style, width_), style);
-      if (pressed) state_.after_frame = [&s = state_, path] { s.services.open_file(path); };
+      if (hovered && !is_there) Tooltip(ui_, "the file is gone");
+      if (pressed && is_there)
+        state_.after_frame = [&s = state_, path] { s.services.open_file(path); };
     }
   }
 

@@ -21,6 +21,7 @@
 #include "editor/commands/command_needs.h"
 #include "editor/commands/edit_commands.h"
 #include "editor/commands/file_commands.h"
+#include "editor/commands/help_commands.h"
 #include "editor/commands/log_commands.h"
 #include "editor/commands/menu_commands.h"
 #include "editor/commands/menus.h"
@@ -37,6 +38,7 @@
 #include "editor/panels/menu/menu.h"
 #include "editor/panels/popup/popup.h"
 #include "editor/panels/tiles.h"
+#include "editor/panels/tour/tour.h"
 #include "editor/panels/xml/xml_keys.h"
 #include "editor/render/rasteriser.h"
 #include "editor/theme/imgui_context.h"
@@ -118,6 +120,7 @@ Editor::Editor(EditorOptions options)
   AddLogCommands(state_);
   AddPlaceCommands(state_);
   AddStandardCommands(state_);
+  AddHelpCommands(state_);
   AddMenuCommands(state_);
   AddSimulationCommands(state_);  // last: see there
   AddNeeds(state_);
@@ -263,6 +266,7 @@ void Editor::Frame(const InputEvents& input) {
   ImGui::PopStyleVar();
   DrawTiles(ui, state_, {{0, 0}, {input.width, input.height}});
   ImGui::End();
+  DrawTour(ui, state_);
   DrawMenus(ui, state_);
   DrawPopup(ui, state_);
   ImGui::Render();

@@ -102,6 +102,7 @@ struct EditorState {
   InspectorTile inspector;
   PopupState popup;
   MenuState menu;
+  Tour tour;
   Recent recent;
   Notice notice;
   FieldInput input;

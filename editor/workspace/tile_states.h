@@ -110,6 +110,13 @@ struct MenuState {
   bool is_alone = false;  ///< Alt was pressed, and nothing since: letting it go opens the bar's
 };
 
+/// The tour (workspace/tour.h).
+struct Tour {
+  int step = -1;               ///< that is shown; -1: none
+  bool was_done = false;       ///< what it says was so already
+  std::size_t steps_done = 0;  ///< of the history when it began
+};
+
 /// What was used last, newest first.
 struct Recent {
   std::vector<std::string> files;

@@ -1,0 +1,114 @@
+#include "editor/workspace/tour.h"
+
+#include <algorithm>
+
+#include "editor/workspace/simulation_editor.h"
+
+namespace coppice::editor {
+namespace {
+
+bool HasSelection(EditorState& state) {
+  const TreeView* view = state.workspace.view();
+  return view && view->selected() != kNoSceneNode;
+}
+
+bool HasEdited(EditorState& state) {
+  return state.workspace.project().history().done() > state.tour.steps_done;
+}
+
+bool HasPalette(EditorState& state) { return state.popup.kind == Popup::kPalette; }
+
+bool HasMenuOfThing(EditorState& state) {
+  return !state.menu.open.empty() && state.menu.open.front().below.rfind("menu/", 0) != 0;
+}
+
+bool IsSimulated(EditorState& state) { return SimulationEditor(state, state.now).IsShown(); }
+
+bool IsInThePast(EditorState& state) {
+  const RunView* run = state.workspace.run();
+  return run && !run->playhead().is_at_now();
+}
+
+void ShowTree(EditorState& state) {
+  state.screen.tiles.others = true;
+  if (!state.workspace.view() && !state.workspace.file()) state.commands.Run("example.tree");
+}
+
+void ShowOutline(EditorState& state) { state.screen.tiles.outline = true; }
+void ShowInspector(EditorState& state) { state.screen.tiles.inspector = true; }
+void ShowTypes(EditorState& state) { state.screen.tiles.types = true; }
+
+void ShowRun(EditorState& state) {
+  state.screen.tiles.timeline = state.screen.tiles.run = true;
+  if (!state.workspace.run()) state.commands.Run("sim.start");
+}
+
+const std::vector<TourStep> kSteps = {
+    {"canvas", "The tree",
+     "Nodes stand in the order in which they run. The wheel zooms, a drag of the empty canvas moves "
+     "it. Click a node.",
+     ShowTree, HasSelection},
+    {"outline", "The same as rows",
+     "Each node is a row here too, and beside a running tree with its "
+     "status and its seconds.",
+     ShowOutline, nullptr},
+    {"inspector", "Everything about the node",
+     "Name, ports, guards. Change a value: it is one step that Ctrl+Z takes back.", ShowInspector,
+     HasEdited},
+    {"types", "Nodes to add",
+     "Drag one onto the canvas, or press Tab and type a few letters of it.", ShowTypes, HasEdited},
+    {"canvas", "What can be done here",
+     "A right click on a node, a line or the empty canvas lists it, with its keys.", nullptr,
+     HasMenuOfThing},
+    {"bar/palette", "Everything by name",
+     "Ctrl+P finds every command, node, tree and robot by a few letters.", nullptr, HasPalette},
+    {"menu/simulate", "Try it without a robot",
+     "F5 simulates the tree: you say what the leaves return, or chance does.", nullptr,
+     IsSimulated},
+    {"timeline", "What has happened",
+     "One lane for each node. F10 ticks; click into the lanes and the whole window shows that moment.",
+     ShowRun, IsInThePast},
+    {"run", "Why",
+     "Which node decided what the selected one returned. Robots and records are read in "
+     "the same way.",
+     ShowRun, nullptr},
+    {"menu/help", "All keys",
+     "F1 lists every command with its keys, and gives it others. That is all.", nullptr, nullptr}};
+
+void Enter(EditorState& state, int step) {
+  Tour& tour = state.tour;
+  tour.step = step;
+  const TourStep* const shown = ShownStep(state);
+  if (!shown) return EndTour(state);
+  if (shown->prepare) shown->prepare(state);
+  tour.steps_done = state.workspace.project().history().done();
+  tour.was_done = shown->is_done && shown->is_done(state);
+}
+
+}  // namespace
+
+const std::vector<TourStep>& TourSteps() { return kSteps; }
+
+const TourStep* ShownStep(const EditorState& state) {
+  const int step = state.tour.step;
+  const bool is_shown = step >= 0 && step < static_cast<int>(kSteps.size());
+  return is_shown ? &kSteps[static_cast<std::size_t>(step)] : nullptr;
+}
+
+void StartTour(EditorState& state) { Enter(state, 0); }
+
+void StepTour(EditorState& state, int by) {
+  if (ShownStep(state)) Enter(state, std::max(state.tour.step + by, 0));
+}
+
+void EndTour(EditorState& state) { state.tour = {}; }
+
+void UpdateTour(EditorState& state) {
+  const TourStep* const step = ShownStep(state);
+  if (!step || !step->is_done) return;
+  const bool is_done = step->is_done(state);
+  if (is_done && !state.tour.was_done) return StepTour(state, 1);
+  state.tour.was_done = is_done;
+}
+
+}  // namespace coppice::editor
