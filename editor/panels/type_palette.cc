@@ -11,6 +11,7 @@
 #include "editor/panels/panels.h"
 #include "editor/panels/popup/type_choices.h"
 #include "editor/panels/widgets/panel.h"
+#include "editor/workspace/recent.h"
 #include "editor/workspace/tree_editor.h"
 
 namespace coppice::editor {
@@ -70,7 +71,7 @@ void DrawType(const Ui& ui, EditorState& state, const TypeChoice& type) {
   if (!twice) return;
   state.after_frame = [&state, type, now = ui.now] {
     if (TreeEditor(state, now).Add(type.xml, type.type, AddWhere::kChild)) {
-      RememberType(state, type.type);
+      UseAgain(state.recent.types, type.type);
     }
   };
 }

@@ -43,11 +43,11 @@
 #include "editor/render/rasteriser.h"
 #include "editor/theme/imgui_context.h"
 #include "editor/theme/imgui_style.h"
+#include "editor/workspace/recent.h"
 
 namespace coppice::editor {
 namespace {
 
-constexpr std::size_t kMostRecent = 10;
 constexpr int kFramesToSettle = 2;       // Dear ImGui shows some reactions a frame later
 constexpr double kLiveFrame = 1.0 / 20;  // while something runs on the robot
 constexpr double kKeepSeconds = 3;       // between two copies of unsaved work
@@ -176,6 +176,7 @@ void Editor::KeepWork() {
   history_store_.Update(project);
   KeepMarks();
   KeepSettings();
+  KeepRecent();
 }
 
 void Editor::KeepWorkIfDue() {
@@ -478,25 +479,21 @@ void Editor::KeepMarks() {
 }
 
 void Editor::LoadRecent() {
-  if (options_.recent_file.empty()) return;
-  std::ifstream stream(options_.recent_file);
-  for (std::string line; std::getline(stream, line) && state_.recent.files.size() < kMostRecent;) {
-    if (!line.empty()) state_.recent.files.push_back(line);
-  }
+  const std::optional<std::string> text = ReadText(options_.recent_file);
+  if (text) state_.recent = ReadRecent(*text);
+  kept_recent_ = WriteRecent(state_.recent);
+}
+
+void Editor::KeepRecent() {
+  std::string text = WriteRecent(state_.recent);
+  if (options_.recent_file.empty() || text == kept_recent_) return;
+  if (WriteOwnFile(options_.recent_file, text)) kept_recent_ = std::move(text);
 }
 
 void Editor::Remember(const std::string& path) {
   std::error_code error;
-  const std::string full = std::filesystem::absolute(path, error).lexically_normal().string();
-  auto& recent = state_.recent.files;
-  recent.erase(std::remove(recent.begin(), recent.end(), full), recent.end());
-  recent.insert(recent.begin(), full);
-  if (recent.size() > kMostRecent) recent.resize(kMostRecent);
-  if (options_.recent_file.empty()) return;
-  std::filesystem::create_directories(std::filesystem::path(options_.recent_file).parent_path(),
-                                      error);
-  std::ofstream stream(options_.recent_file);
-  for (const std::string& line : recent) stream << line << "\n";
+  UseAgain(state_.recent.files, std::filesystem::absolute(path, error).lexically_normal().string());
+  KeepRecent();
 }
 
 }  // namespace coppice::editor

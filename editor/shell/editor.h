@@ -106,6 +106,7 @@ class Editor {
   void RunKeys();
   void NoteAlt(const KeyEvent& key);
   void LoadRecent();
+  void KeepRecent();
   void KeepWorkIfDue();
   void LoadKeys();
   bool IsLogBehind() const;
@@ -124,6 +125,7 @@ class Editor {
   HistoryStore history_store_;
   std::string kept_marks_;     // as they are in the file
   std::string kept_settings_;  // likewise
+  std::string kept_recent_;    // likewise
   Point window_;               // its size when it could be seen last [pixels]
   double kept_at_ = 0;
   bool saves_after_typing_ = false;  // Ctrl+S in a field, whose value must be taken first

@@ -120,7 +120,8 @@ struct Tour {
 /// What was used last, newest first.
 struct Recent {
   std::vector<std::string> files;
-  std::vector<std::string> types;  ///< of nodes that were added
+  std::vector<std::string> types;    ///< of nodes that were added
+  std::vector<std::string> choices;  ///< of the palette: "command Fit all"
   std::string search;
 };
 

@@ -45,8 +45,8 @@ void ShowRun(EditorState& state) {
 
 const std::vector<TourStep> kSteps = {
     {"canvas", "The tree",
-     "Nodes stand in the order in which they run. The wheel zooms, a drag of the empty canvas moves "
-     "it. Click a node.",
+     "Nodes stand in the order in which they run. The wheel zooms, a drag of the empty canvas "
+     "moves it. Click a node.",
      ShowTree, HasSelection},
     {"outline", "The same as rows",
      "Each node is a row here too, and beside a running tree with its "
@@ -66,7 +66,7 @@ const std::vector<TourStep> kSteps = {
      "F5 simulates the tree: you say what the leaves return, or chance does.", nullptr,
      IsSimulated},
     {"timeline", "What has happened",
-     "One lane for each node. F10 ticks; click into the lanes and the whole window shows that moment.",
+     "One lane for each node. F10 ticks; click into the lanes: the window shows that moment.",
      ShowRun, IsInThePast},
     {"run", "Why",
      "Which node decided what the selected one returned. Robots and records are read in "

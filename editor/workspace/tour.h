@@ -1,5 +1,5 @@
-// The tour of two minutes: steps that point at parts of the window. A step is done when the user has
-// done what it says, or goes on without. Without ImGui; panels/tour draws it.
+// The tour of two minutes: steps that point at parts of the window. A step is done when the user
+// has done what it says, or goes on without. Without ImGui; panels/tour draws it.
 //
 //   Tour tour;                       // of EditorState
 //   StartTour(state);

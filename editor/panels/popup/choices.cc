@@ -4,20 +4,25 @@
 #include <utility>
 
 #include "editor/keys/fuzzy.h"
+#include "editor/workspace/recent.h"
 
 namespace coppice::editor {
 namespace {
 
 class Collector {
  public:
-  explicit Collector(const std::string& typed) : typed_(typed) {}
+  Collector(const std::string& typed, EditorState& state) : typed_(typed), state_(state) {}
 
   void Offer(std::string title, std::string note, std::string kind, std::function<void()> run) {
-    const int score = FuzzyScore(typed_, title);
-    if (score > 0) {
-      choices_.push_back(
-          {std::move(title), std::move(note), std::move(kind), score, std::move(run)});
-    }
+    const int fit = FuzzyScore(typed_, title);
+    if (fit == 0) return;
+    const std::string used = kind + " " + title;
+    const int score = fit + BonusOf(state_.recent.choices, used);
+    choices_.push_back({std::move(title), std::move(note), std::move(kind), score,
+                        [&s = state_, used, run = std::move(run)] {
+                          UseAgain(s.recent.choices, used);
+                          run();
+                        }});
   }
 
   std::vector<Choice> Best(std::size_t limit) {
@@ -29,6 +34,7 @@ class Collector {
 
  private:
   const std::string& typed_;
+  EditorState& state_;
   std::vector<Choice> choices_;
 };
 
@@ -63,7 +69,7 @@ void OfferTrees(EditorState& state, Collector& collector, double now) {
 
 std::vector<Choice> FindChoices(EditorState& state, const std::string& typed, double now,
                                 std::size_t limit) {
-  Collector collector(typed);
+  Collector collector(typed, state);
   for (const EditorCommand& command : state.commands.all()) {
     collector.Offer(command.title, ToString(command.keys), "command", command.run);
   }

@@ -9,7 +9,8 @@
 
 namespace coppice::editor {
 
-/// The best choices for what is typed, best first, at most `limit`.
+/// The best choices for what is typed, best first, at most `limit`; of those that fit alike, what
+/// was chosen last.
 std::vector<Choice> FindChoices(EditorState& state, const std::string& typed, double now,
                                 std::size_t limit);
 

@@ -16,6 +16,7 @@
 #include "editor/panels/popup/popup_rows.h"
 #include "editor/panels/popup/type_choices.h"
 #include "editor/panels/widgets/panel.h"
+#include "editor/workspace/recent.h"
 #include "editor/workspace/tree_editor.h"
 
 namespace coppice::editor {
@@ -319,7 +320,7 @@ class PopupWindow {
     const bool done =
         add ? edit.Add(choice.xml, choice.type, ChosenPlace()) : edit.ChangeType(choice.type);
     if (done) {
-      RememberType(state_, choice.type);
+      UseAgain(state_.recent.types, choice.type);
       Close();
     } else {
       state_.popup.error = state_.notice.text;

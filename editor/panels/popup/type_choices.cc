@@ -7,12 +7,12 @@
 
 #include "bt_core/model/xml_text.h"
 #include "editor/keys/fuzzy.h"
+#include "editor/workspace/recent.h"
 
 namespace coppice::editor {
 namespace {
 
 constexpr int kNameBonus = 1;
-constexpr std::size_t kMostRecent = 8;
 
 class TypeCollector {
  public:
@@ -23,8 +23,7 @@ class TypeCollector {
     choice.score = Score(choice);
     if (choice.score == 0) return;
     // Among those that fit alike, what was used last comes first.
-    const auto used = std::find(recent_.begin(), recent_.end(), choice.type);
-    choice.score += static_cast<int>(recent_.end() - used) * kSameFit;
+    choice.score += BonusOf(recent_, choice.type);
     choices_.push_back(std::move(choice));
   }
 
@@ -99,13 +98,6 @@ std::vector<TypeChoice> FindTypes(const EditorState& state, const std::string& t
     best.push_back({typed, "new", "a type that no model describes yet", "<" + typed + "/>"});
   }
   return best;
-}
-
-void RememberType(EditorState& state, const std::string& type) {
-  auto& recent = state.recent.types;
-  recent.erase(std::remove(recent.begin(), recent.end(), type), recent.end());
-  recent.insert(recent.begin(), type);
-  if (recent.size() > kMostRecent) recent.resize(kMostRecent);
 }
 
 }  // namespace coppice::editor

@@ -23,9 +23,6 @@ struct TypeChoice {
 std::vector<TypeChoice> FindTypes(const EditorState& state, const std::string& typed,
                                   bool with_trees, std::size_t limit);
 
-/// Puts the type in front of state.recent.types.
-void RememberType(EditorState& state, const std::string& type);
-
 }  // namespace coppice::editor
 
 #endif  // COPPICE_EDITOR_PANELS_POPUP_TYPE_CHOICES_H_

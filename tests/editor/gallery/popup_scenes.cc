@@ -183,6 +183,29 @@ void MenuOf(Stage& stage, const char* path) {
   stage.Click(path);
 }
 
+void MenuOfANode(Stage& stage) {
+  ShowPatrol(stage);
+  stage.Select("1.1");
+  stage.Run("menu.here");
+  stage.driver().Frames(4);
+}
+
+// In the folder of the example, whose path is the same each time.
+void ChooseAFile(Stage& stage) {
+  stage.Run("example.tree");
+  stage.Run("file.open");
+  stage.driver().Frames(4);
+}
+
+void TourOf(Stage& stage, int steps) {
+  stage.Run("help.tour");
+  for (int i = 0; i < steps; ++i) {
+    stage.driver().Frames(6);
+    stage.Run("tour.next");
+  }
+  stage.driver().Frames(6);
+}
+
 }  // namespace
 
 std::vector<GalleryScene> PopupScenes() {
@@ -213,6 +236,11 @@ std::vector<GalleryScene> PopupScenes() {
           {"export", ExportPicture},
           {"choice", ChoiceOfAnEnum},
           {"guards", Guards},
+          {"menu_of_a_node", MenuOfANode},
+          {"file_dialog", ChooseAFile},
+          {"tour", [](Stage& stage) { TourOf(stage, 0); }},
+          {"tour_types", [](Stage& stage) { TourOf(stage, 3); }},
+          {"tour_timeline", [](Stage& stage) { TourOf(stage, 7); }},
           {"menu_file", [](Stage& stage) { MenuOf(stage, "menu/file"); }},
           {"menu_edit", [](Stage& stage) { MenuOf(stage, "menu/edit"); }},
           {"menu_tree", [](Stage& stage) { MenuOf(stage, "menu/tree"); }},

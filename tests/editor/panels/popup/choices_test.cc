@@ -28,5 +28,34 @@ TEST(Choices, AreNoMoreThanAskedFor) {
   EXPECT_EQ(FindChoices(driver.editor.state(), "", 0, 4).size(), 4U);
 }
 
+TEST(Choices, OfThoseThatFitAlikeWhatWasUsedLastComesFirst) {
+  Driver driver;
+  EditorState& state = driver.editor.state();
+  const auto titles = [&] {
+    std::vector<std::string> all;
+    for (const Choice& choice : FindChoices(state, "tile", 0, 30)) all.push_back(choice.title);
+    return all;
+  };
+  ASSERT_NE(titles().front(), "Timeline tile");
+  for (const Choice& choice : FindChoices(state, "tile", 0, 30)) {
+    if (choice.title == "Timeline tile") choice.run();
+  }
+  EXPECT_EQ(titles().front(), "Timeline tile");
+}
+
+TEST(Choices, WhatWasUsedLastIsKnownAfterARestart) {
+  const TemporaryFile recent("recent", "");
+  EditorOptions options;
+  options.recent_file = recent.path();
+  {
+    Driver driver(options);
+    driver.Press('P', kCtrl);
+    driver.Type("Minimap");
+    driver.Press(kKeyEnter);
+  }
+  Driver driver(options);
+  EXPECT_EQ(FindChoices(driver.editor.state(), "", 0, 1).front().title, "Minimap");
+}
+
 }  // namespace
 }  // namespace coppice::editor

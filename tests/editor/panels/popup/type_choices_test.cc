@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include "editor/workspace/recent.h"
 #include "tests/editor/driver.h"
 
 namespace coppice::editor {
@@ -43,20 +44,20 @@ TEST_F(TypeChoicesTest, OfferWhatIsUsedWithoutAModelAndWhatIsNew) {
 }
 
 TEST_F(TypeChoicesTest, ShowWhatWasUsedLastFirst) {
-  RememberType(driver_.editor.state(), "Inverter");
-  RememberType(driver_.editor.state(), "Sequence");
+  UseAgain(driver_.editor.state().recent.types, "Inverter");
+  UseAgain(driver_.editor.state().recent.types, "Sequence");
   EXPECT_EQ(Find("")[0].type, "Sequence");
   EXPECT_EQ(Find("")[1].type, "Inverter");
 }
 
 TEST_F(TypeChoicesTest, AWholeNameGoesBeforeWhatWasUsedLast) {
-  RememberType(driver_.editor.state(), "ReactiveSequence");
+  UseAgain(driver_.editor.state().recent.types, "ReactiveSequence");
   EXPECT_EQ(Find("sequence")[0].type, "Sequence");
   EXPECT_EQ(Find("sequence")[1].type, "ReactiveSequence");
 }
 
 TEST_F(TypeChoicesTest, OfThoseThatFitAlikeWhatWasUsedLastComesFirst) {
-  RememberType(driver_.editor.state(), "SwitchOn");
+  UseAgain(driver_.editor.state().recent.types, "SwitchOn");
   EXPECT_EQ(Find("sw")[0].type, "SwitchOn") << "before Switch2";
 }
 
