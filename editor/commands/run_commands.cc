@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "bt_core/analysis/formats/write_record.h"
+#include "bt_core/data/value_bytes.h"
 #include "editor/workspace/run_test_maker.h"
 
 namespace coppice::editor {
@@ -98,19 +99,19 @@ void AskForConditionHere(EditorState& state, double now) {
 void AskForValue(EditorState& state) {
   RunView* run = state.workspace.run();
   if (!run || !run->tree()) return;
-  for (const DescribedSlot& slot : run->tree()->description()->slots) {
+  const std::vector<DescribedSlot>& slots = run->tree()->description()->slots;
+  for (SlotIndex i{0}; i < slots.size(); ++i) {
+    const DescribedSlot& slot = slots[i];
     if (state.blackboard.shown_key != "blackboard/" + slot.scope + "/" + slot.name) continue;
-    const bool is_main = slot.scope == run->tree()->description()->main_tree;
-    const std::string scope = is_main ? "" : slot.scope;
-    const std::string key = slot.name;
-    state.Ask({"New value of " + key + " (" + slot.type + "), as in the XML",
-               [&state, scope, key](const std::string& value) {
-                 if (RunView* shown = state.workspace.run()) {
-                   shown->Send(WriteKey(scope, key, value));
-                 }
-                 return Outcome();
+    const auto& values = run->follower().values();
+    state.Ask({"New value of " + slot.name + " (" + slot.type + "), as in the XML",
+               [&state, i, tree = run->tree()](const std::string& value) {
+                 RunView* shown = state.workspace.run();
+                 if (!shown || shown->tree() != tree) return Outcome(Problem{"the key is gone"});
+                 return state.blackboard.writes.Send(*shown, i, value);
                },
-               {}});
+               {}},
+              i < values.size() ? PrintValueBytes(values[i]) : "");
   }
 }
 

@@ -168,9 +168,12 @@ void RunView::OnNotice(const LiveNotice& notice) {
   }
 }
 
-void RunView::Send(LiveCommand command) {
-  source_->Send(std::move(command), [answer = late_answer_](const LiveReply& reply) {
-    if (!reply) *answer = reply.problem();
+void RunView::Send(LiveCommand command, std::function<void()> on_refusal) {
+  source_->Send(std::move(command), [answer = late_answer_,
+                                     on_refusal = std::move(on_refusal)](const LiveReply& reply) {
+    if (reply) return;
+    *answer = reply.problem();
+    if (on_refusal) on_refusal();
   });
 }
 

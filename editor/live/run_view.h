@@ -8,6 +8,7 @@
 #ifndef COPPICE_EDITOR_LIVE_RUN_VIEW_H_
 #define COPPICE_EDITOR_LIVE_RUN_VIEW_H_
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -69,8 +70,8 @@ class RunView final : private LiveListener {
 
   /// Why the last command was refused, or what came of it; empty after it was read.
   std::string TakeAnswer() { return std::exchange(answer_, {}); }
-  /// Tells the robot; what is wrong becomes the answer.
-  void Send(LiveCommand command);
+  /// Tells the robot; what is wrong becomes the answer, and `on_refusal` is called.
+  void Send(LiveCommand command, std::function<void()> on_refusal = {});
 
  private:
   void OnConnection(const LiveConnection& connection) override;

@@ -127,6 +127,8 @@ class Board {
     return slot < values.size() && LooksLikeTable(values[slot]);
   }
 
+  bool IsWaiting(SlotIndex slot) const { return state_.blackboard.writes.IsWaiting(run_, slot); }
+
   void DrawSlot(SlotIndex slot) {
     const DescribedSlot& described = slots_[slot];
     const std::string path = "blackboard/" + described.scope + "/" + described.name;
@@ -183,12 +185,23 @@ class Board {
         ui_.RowText(list, box.min + Point{pad + column_, 0}, box.height(),
                     unset ? "(unset)" : ShownValue(ShortNumber(value)),
                     {Face::kMono, 11, unset ? ui_.palette.text_dim : ui_.palette.text}, room);
+    if (IsWaiting(slot)) return PaintWaiting(box, slot);
     if (!write || room - used < 50 * ui_.scale) return;
     const std::string by = WriterOf(run_.run(), *write);
     const std::string name = by.substr(by.rfind('/') + 1);
     const TextStyle dim{Face::kSans, 10, ui_.palette.text_dim};
     const float width = std::min(ui_.Width(name, dim), room - used - pad);
     ui_.RowText(list, {box.max.x - pad - width, box.min.y}, box.height(), name, dim, width + 1);
+  }
+
+  // What was written is not the value yet.
+  void PaintWaiting(const Box& box, SlotIndex slot) const {
+    static constexpr char kText[] = "waits for the next tick";
+    const TextStyle style{Face::kSans, 10, ui_.palette.accent};
+    const float width = std::min(ui_.Width(kText, style), box.width() - column_);
+    const Box at = {{box.max.x - kPad * ui_.scale - width, box.min.y}, box.max};
+    ui_.RowText(*ImGui::GetWindowDrawList(), at.min, box.height(), kText, style, width + 1);
+    ui_.items.Add("blackboard/waiting/" + slots_[slot].scope + "/" + slots_[slot].name, at);
   }
 
   // Below the key that was clicked: its curve if it is a number, and its last writes.

@@ -69,9 +69,12 @@ const MockScript* Simulation::ScriptOf(NodeIndex node) const {
 }
 
 Outcome Simulation::SetKey(const std::string& key, const std::string& text) {
-  const KeyValue value{{}, key, text, KindOfText(text)};
+  return SetKey({{}, key, text, KindOfText(text)});
+}
+
+Outcome Simulation::SetKey(const KeyValue& value) {
   if (Outcome checked = CheckKeyValue(*program(), value); !checked) return checked;
-  const auto same = [&](const KeyValue& other) { return other.key == key; };
+  const auto same = [&](const KeyValue& other) { return other.key == value.key; };
   next_.set.erase(std::remove_if(next_.set.begin(), next_.set.end(), same), next_.set.end());
   next_.set.push_back(value);
   return {};

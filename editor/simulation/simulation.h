@@ -49,6 +49,7 @@ class Simulation final : private HistoryHandler {
 
   /// Writes a key before the next tick.
   Outcome SetKey(const std::string& key, const std::string& text);
+  Outcome SetKey(const KeyValue& value);
   /// What is written before the next tick.
   const std::vector<KeyValue>& waiting_keys() const { return next_.set; }
 

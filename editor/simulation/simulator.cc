@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "bt_core/testing/random_suite.h"
+#include "editor/live/key_writes.h"
 #include "editor/live/live_queue.h"
 #include "editor/simulation/open_tree.h"
 
@@ -25,6 +26,14 @@ std::optional<Project> ReadModels(OpenProject& files, const std::string& path,
       RandomSuiteBeside(path, is_main ? project->main_tree() : tree_id, is_main, diagnostics);
   if (!suite || suite->models_file.empty()) return std::nullopt;
   return Project::FromFile(suite->models_file, diagnostics);
+}
+
+KeyValue KeyValueOf(const LiveCommand& command) {
+  const std::string key = command.scope.empty() ? command.key : command.scope + "/" + command.key;
+  if (const std::optional<std::string> text = TextOf(command)) {
+    return {{}, key, *text, KeyValue::Kind::kString};
+  }
+  return {{}, key, command.value, KindOfText(command.value)};
 }
 
 double Seconds(Duration duration) { return static_cast<double>(duration.count()) * 1e-9; }
@@ -50,8 +59,7 @@ class Simulator::Source final : public RunSource {
   void Send(LiveCommand command, LiveClient::ReplyHandler on_reply) override {
     Outcome done = Problem{"a simulation has other means: Ctrl+P, \"Simulation\""};
     if (command.kind == LiveCommand::Kind::kWrite) {
-      const std::string path = command.scope.empty() ? "" : command.scope + "/";
-      done = stage_->simulation->SetKey(path + command.key, command.value);
+      done = stage_->simulation->SetKey(KeyValueOf(command));
     }
     if (on_reply) on_reply(done ? LiveReply(HookAnswer{}) : Problem{done.problem()});
   }

@@ -15,6 +15,7 @@
 #include "editor/files/line_changes.h"
 #include "editor/keys/choice.h"
 #include "editor/keys/keys.h"
+#include "editor/live/key_writes.h"
 #include "editor/live/run_figures.h"
 #include "editor/live/run_log.h"
 #include "editor/live/why_answer.h"
@@ -157,6 +158,7 @@ struct RunTile {
 struct BlackboardTile {
   bool selected_keys_only = false;
   std::string shown_key;  ///< "blackboard/SCOPE/KEY" with its history
+  KeyWrites writes;       ///< that were made here
 };
 
 inline constexpr double kNoticeSeconds = 4;  ///< how long a notice is shown

@@ -100,6 +100,16 @@ Json WriteHookRequest(const Hook& hook) {
   return json;
 }
 
+Json WriteValueRequest(const LiveCommand& command) {
+  Json json = {{"do", "write"}, {"scope", command.scope}, {"key", command.key}};
+  if (command.is_json) {
+    json["value"] = Json::parse(command.value, nullptr, false);
+  } else {
+    json["text"] = command.value;
+  }
+  return json;
+}
+
 Json WriteKnownCommand(const LiveCommand& command) {
   switch (command.kind) {
     case LiveCommand::Kind::kPause:
@@ -121,8 +131,7 @@ Json WriteKnownCommand(const LiveCommand& command) {
       return json;
     }
     case LiveCommand::Kind::kWrite:
-      return {
-          {"do", "write"}, {"scope", command.scope}, {"key", command.key}, {"text", command.value}};
+      return WriteValueRequest(command);
   }
   return Json::object();
 }

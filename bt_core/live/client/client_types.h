@@ -65,6 +65,7 @@ struct LiveCommand {
   std::string scope;  ///< path of a SubTree instance; empty: the main tree
   std::string key;
   std::string value;
+  bool is_json = false;  ///< of `value`: JSON, which says its type; else a text as in the XML
 };
 
 LiveCommand MakeCommand(LiveCommand::Kind kind);
