@@ -36,6 +36,9 @@ class WhyAnswer {
   /// nothing did.
   const std::string& change() const { return change_; }
   NodeIndex changed_node() const { return changed_node_; }
+  /// Where the robot stands in this tick, behind all lines: stands before "Drive"; empty: nowhere.
+  const std::string& stands() const { return stands_; }
+  NodeIndex stands_at() const { return asked_.stop_at; }
 
  private:
   struct Question {
@@ -44,6 +47,8 @@ class WhyAnswer {
     std::size_t tick = 0;
     std::size_t words = 0;  // of the tick, which may still go on
     NodeIndex node{0};
+    DebugStop::Where stop = DebugStop::Where::kNowhere;
+    NodeIndex stop_at = kNoNode;
   };
 
   Question asked_;
@@ -51,6 +56,7 @@ class WhyAnswer {
   std::string why_not_;
   bool is_untold_ = false;
   std::string change_;
+  std::string stands_;
   NodeIndex changed_node_{0};
 };
 

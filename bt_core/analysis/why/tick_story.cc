@@ -115,7 +115,13 @@ std::optional<WhyChange> TickStory::FirstChange(StepIndex last) const {
 
 std::uint32_t TickStory::DepthOf(StepIndex step) const {
   std::uint32_t depth = 0;
-  for (StepIndex i = walk_.steps[step].parent; i != kNoStep; i = walk_.steps[i].parent) ++depth;
+  StepIndex top = step;
+  for (; walk_.steps[top].parent != kNoStep; top = walk_.steps[top].parent) ++depth;
+  if (view_.events.is_whole) return depth;
+  // What is above it has not ended, so it has no steps yet.
+  for (NodeIndex node = walk_.steps[top].node; tree_.shape[node].parent != node; ++depth) {
+    node = tree_.shape[node].parent;
+  }
   return depth;
 }
 

@@ -12,6 +12,12 @@ class Teller {
   Teller(const TickStory& story, NodeIndex asked, std::vector<WhyStep>& steps)
       : story_(story), asked_(asked), steps_(steps) {}
 
+  /// What has ended so far in a tick that stands.
+  void TellSoFar() {
+    const std::vector<WalkStep>& steps = story_.walk().steps;
+    for (StepIndex i = 0; i < steps.size(); i = steps[i].end) TellDecisive(i);
+  }
+
   /// From the root to a step: each ancestor with what it ticked before, then the step with all that
   /// it ticked.
   void TellWayTo(StepIndex step) {
@@ -86,6 +92,8 @@ Why WhyOf(const RecordedTree& tree, const TickView& now, const TickView* before,
     step = story.walk().LastStepOf(why.why_not->by);
   }
   if (why.is_untold()) why.change = story.FirstChange(kNoStep);
+  const bool stands = why.why_not && why.why_not->cause == WhyNot::Cause::kNotWhole;
+  if (stands) Teller(story, node, why.steps).TellSoFar();
   if (step == kNoStep || why.is_untold()) return why;
   Teller(story, node, why.steps).TellWayTo(step);
   why.change = story.FirstChange(step);

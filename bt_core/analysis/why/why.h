@@ -97,7 +97,8 @@ struct Why {
   Status status;    ///< after the tick
   bool was_ticked;  ///< in this tick, as far as told
   /// The walk from the root to the node in question or to what kept it from being ticked: its
-  /// ancestors, what they ticked before, and what is below it; in the order of entering.
+  /// ancestors, what they ticked before, and what is below it; in the order of entering. Of a tick
+  /// that stands at a breakpoint, and has not come to the node: what has ended so far.
   std::vector<WhyStep> steps;
   std::optional<WhyChange> change;  ///< nothing: everything on the way was as in the tick before
   std::optional<WhyNot> why_not;

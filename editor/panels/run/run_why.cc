@@ -88,8 +88,13 @@ void DrawWhy(const Ui& ui, EditorState& state, RunView& run) {
   if (!why.change().empty()) {
     TextRow(ui, "run/why/change", why.change(), {Face::kBold, 12, ui.palette.accent});
   }
-  if (why.lines().empty() && !why.is_untold()) Hint(ui, "Nothing was ticked in " + tick + ".");
+  if (why.lines().empty() && !why.is_untold() && why.stands().empty())
+    Hint(ui, "Nothing was ticked in " + tick + ".");
   for (std::size_t i = 0; i < why.lines().size(); ++i) DrawLine(ui, state, why.lines()[i], i);
+  if (why.stands().empty()) return;
+  const Row row =
+      TextRow(ui, "run/why/stands", why.stands(), {Face::kBold, 12, ui.palette.running});
+  if (row.clicked) SelectRunNode(state, why.stands_at());
 }
 
 }  // namespace coppice::editor

@@ -49,6 +49,18 @@ TEST_F(WhyAnswerTest, TellsWhyANodeWasNotTicked) {
   EXPECT_NE(why_.why_not(), "");
 }
 
+TEST_F(WhyAnswerTest, SaysWhereTheRobotStandsAndNotInThePast) {
+  robot_->StopBefore(Node("pass/Drive"));
+  view_->Update(HookList(), 2);
+  why_.Ask(*view_, kRootNode);
+  EXPECT_EQ(why_.stands(), "stands before \"Drive\"");
+  EXPECT_EQ(why_.stands_at(), Node("pass/Drive"));
+  view_->playhead().GoToTick(1);
+  view_->Update(HookList(), 3);
+  why_.Ask(*view_, kRootNode);
+  EXPECT_EQ(why_.stands(), "");
+}
+
 TEST_F(WhyAnswerTest, FollowsThePlayhead) {
   why_.Ask(*view_, kRootNode);
   view_->playhead().GoToTick(1);

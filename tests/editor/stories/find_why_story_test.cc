@@ -60,5 +60,17 @@ TEST_F(FindWhyStory, FindsWhyTheRobotStoppedInThisRecord) {
   driver.Picture("story_why_not");
 }
 
+TEST(BreakpointStory, WhyEndsWithTheNodeThatTheRobotStandsBefore) {
+  Driver driver;
+  ExecutedSource* const robot = AddExecuted(driver, "robot:1", 5);
+  robot->StopBefore(NodeIndex{5});
+  driver.Frames(4);
+  driver.Press('W');
+  ASSERT_TRUE(driver.Click("run/why/stands"));
+  EXPECT_EQ(driver.Selected(), "1.2.1");
+  EXPECT_EQ(driver.editor.state().run.why.stands(), "stands before \"Drive\"");
+  driver.Picture("story_stands");
+}
+
 }  // namespace
 }  // namespace coppice::editor

@@ -52,6 +52,28 @@ TEST(Why, NamesWhatChangedSinceTheTickBefore) {
             R"("root" did not reach "work", because "safety" before it is SUCCESS)");
 }
 
+TEST(Why, OfATickThatStandsAtABreakpointTellsTheWalkSoFar) {
+  RecordedRun run(kPatrol, Lamps());
+  run.executor.Writer<double>("battery").Send(50);
+  run.executor.Writer<double>("lux").Send(3);
+  run.Tick();
+  const Recording& whole = run.keeper.run;
+  TickEvents events = whole.EventsOf(0);
+  --events.words.size;  // the result of the root is missing
+  events.is_whole = false;
+  Recording part;
+  part.OnTree(whole.trees()[0]);
+  part.OnState(whole.sections()[0].state);
+  part.OnTick(events);
+  Asked asked(part);
+  const Why why = asked.Ask("root");
+  ASSERT_TRUE(why.why_not);
+  EXPECT_EQ(why.why_not->cause, WhyNot::Cause::kNotWhole);
+  ASSERT_GE(why.steps.size(), 2u);
+  EXPECT_EQ(asked.tree().NameOf(why.steps[0].node), "safety");
+  EXPECT_EQ(why.steps[0].depth, 1u) << "below the root, which has not ended";
+}
+
 TEST(Why, SaysThatNothingChanged) {
   RecordedRun run("<BehaviorTree ID='Main'><AlwaysFailure name='a'/></BehaviorTree>");
   run.Tick();
