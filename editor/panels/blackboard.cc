@@ -112,9 +112,7 @@ class Board {
   }
 
   const SlotWrite* LastWrite(SlotIndex slot) const {
-    const auto& writes = tracks_.WritesOf(slot);
-    const std::size_t count = WritesUpTo(writes, run_.playhead().tick());
-    return count == 0 ? nullptr : &writes[count - 1];
+    return run_.run().size() == 0 ? nullptr : LastWriteOf(run_.run(), slot, run_.playhead().tick());
   }
 
   std::string Value(SlotIndex slot) const {

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cinttypes>
 #include <cstdio>
 
 #include "editor/panels/panels.h"
@@ -44,9 +45,10 @@ std::string StopText(const RunView& run) {
 std::string Describe(const RunView& run) {
   char text[96];
   const std::size_t ticks = run.run().size();
+  const std::uint64_t number = ticks == 0 ? 0 : run.run().recording().ticks().back().number;
   switch (run.phase()) {
     case RunPhase::kLive:
-      std::snprintf(text, sizeof(text), "%.0f Hz   tick %zu", run.rate(), ticks);
+      std::snprintf(text, sizeof(text), "%.0f Hz   tick %" PRIu64, run.rate(), number);
       return text;
     case RunPhase::kLoading:
       std::snprintf(text, sizeof(text), "loading %.0f %%", run.source().progress() * 100);

@@ -5,8 +5,21 @@
 namespace coppice::editor {
 
 void Lane::Set(std::size_t tick, Status status) {
-  if (!entries_.empty() && TickOf(entries_.back()) == tick) entries_.pop_back();
-  if ((entries_.empty() ? Status::kIdle : StatusOf(entries_.back())) == status) return;
+  bool is_restart = false;
+  if (!entries_.empty() && TickOf(entries_.back()) == tick) {
+    const std::uint32_t said = entries_.back();
+    entries_.pop_back();
+    is_restart = !entries_.empty() && StatusOf(entries_.back()) == StatusOf(said);
+  }
+  const Status before = entries_.empty() ? Status::kIdle : StatusOf(entries_.back());
+  if (before != status || is_restart) Put(tick, status);
+}
+
+void Lane::Restart(std::size_t tick) {
+  if (!entries_.empty() && TickOf(entries_.back()) < tick) Put(tick, StatusOf(entries_.back()));
+}
+
+void Lane::Put(std::size_t tick, Status status) {
   Summarise();
   entries_.push_back(static_cast<std::uint32_t>(tick << 3) | static_cast<std::uint32_t>(status));
 }

@@ -28,6 +28,8 @@ class Lane {
   /// The status from this tick on. Ticks are those of Recording::ticks() and never fall; the last
   /// word about a tick counts. At most 2^29 ticks.
   void Set(std::size_t tick, Status status);
+  /// In this tick it ended and has begun again: the status, which is set, is a new one.
+  void Restart(std::size_t tick);
 
   /// kIdle before the first.
   Status At(std::size_t tick) const;
@@ -51,6 +53,7 @@ class Lane {
 
   std::size_t FirstBehind(std::size_t tick) const;
   StatusSet SeenAmong(std::size_t first, std::size_t end) const;
+  void Put(std::size_t tick, Status status);
   void Summarise();
 
   std::vector<std::uint32_t> entries_;          // tick * 8 + status

@@ -14,6 +14,18 @@ std::size_t WritesUpTo(const std::vector<SlotWrite>& writes, std::size_t tick) {
   return static_cast<std::size_t>(behind - writes.begin());
 }
 
+const SlotWrite* LastWriteOf(const Run& run, SlotIndex slot, std::size_t tick) {
+  const std::vector<SlotWrite>& writes = run.TracksAt(tick).WritesOf(slot);
+  const std::size_t count = WritesUpTo(writes, tick);
+  if (count == 0) return nullptr;
+  const SlotWrite& last = writes[count - 1];
+  const bool is_of_another_run =
+      std::any_of(run.breaks().begin(), run.breaks().end(), [&](const RunBreak& at) {
+        return at.is_other_run && at.tick > last.tick && at.tick <= tick;
+      });
+  return is_of_another_run ? nullptr : &last;
+}
+
 std::string WriterOf(const Run& run, const SlotWrite& write) {
   const Event event = run.EventAt(write);
   const auto& nodes = run.TracksAt(write.tick).tree()->nodes;

@@ -14,6 +14,10 @@ namespace coppice::editor {
 /// Of Tracks::WritesOf: how many writes there are up to and with this tick.
 std::size_t WritesUpTo(const std::vector<SlotWrite>& writes, std::size_t tick);
 
+/// The write that the slot holds behind a tick; null: it holds what it had at the start of the
+/// robot's program. `slot` is of the tree of that tick.
+const SlotWrite* LastWriteOf(const Run& run, SlotIndex slot, std::size_t tick);
+
 /// Path of the node that wrote, or "from outside" for what came through the inbox.
 std::string WriterOf(const Run& run, const SlotWrite& write);
 

@@ -44,17 +44,30 @@ void Tracks::Add(std::size_t tick, std::size_t word, const TickEvents& events,
   if (word == 0) {
     for (const NodeIndex node : touched_) lanes_[node].Set(tick, follower.status(node));
     touched_.clear();
+    ended_.clear();
   }
   changed_.clear();
   returned_.clear();
+  restarted_.clear();
   follower.Apply(
-      events, [this](const StatusChange& change) { changed_.push_back(change.node); },
+      events, [this](const StatusChange& change) { NoteChange(change); },
       [&](const Event& event) { Note(tick, word, events, event); });
   for (const NodeIndex node : changed_) lanes_[node].Set(tick, follower.status(node));
   for (const auto& [node, status] : returned_) {
     lanes_[node].Set(tick, status);
     if (status != follower.status(node)) touched_.push_back(node);
   }
+  for (const NodeIndex node : restarted_) {
+    if (follower.status(node) == Status::kRunning) lanes_[node].Restart(tick);
+  }
+}
+
+void Tracks::NoteChange(const StatusChange& change) {
+  changed_.push_back(change.node);
+  if (change.from == Status::kRunning) ended_.push_back(change.node);
+  if (change.to != Status::kRunning) return;
+  const bool has_ended = std::find(ended_.begin(), ended_.end(), change.node) != ended_.end();
+  if (has_ended) restarted_.push_back(change.node);
 }
 
 void Tracks::Note(std::size_t tick, std::size_t word, const TickEvents& events,

@@ -50,6 +50,7 @@ class Tracks {
   void Add(std::size_t tick, std::size_t word, const TickEvents& events, HistoryFollower& follower);
 
  private:
+  void NoteChange(const StatusChange& change);
   void Note(std::size_t tick, std::size_t word, const TickEvents& events, const Event& event);
 
   std::shared_ptr<const TreeDescription> tree_;
@@ -60,6 +61,8 @@ class Tracks {
   std::vector<NodeIndex> touched_;                      // their lanes show more than their status
   std::vector<NodeIndex> changed_;                      // of the tick that is being added
   std::vector<std::pair<NodeIndex, Status>> returned_;  // in it
+  std::vector<NodeIndex> ended_;                        // nodes that ran, in it
+  std::vector<NodeIndex> restarted_;                    // and run again
 };
 
 }  // namespace coppice::editor

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <cmath>
 #include <cstdlib>
 
 namespace coppice::editor {
@@ -22,13 +23,26 @@ std::string AxisText(Time time) {
 
 std::string ShortNumber(const std::string& value) {
   constexpr std::size_t kLong = 8;  // characters
+  constexpr double kSmall = 1e-6;   // from here to kLarge without powers of ten
+  constexpr double kLarge = 1e15;
   char* end = nullptr;
   const double number = std::strtod(value.c_str(), &end);
-  const bool has_fraction = value.find('.') != std::string::npos;
-  if (value.size() <= kLong || !has_fraction || *end != '\0') return value;
+  const bool is_short = value.size() <= kLong && value.find('e') == std::string::npos;
+  const bool has_fraction = value.find_first_of(".e") != std::string::npos;
+  if (is_short || !has_fraction || *end != '\0' || !std::isfinite(number)) return value;
   char text[32];
-  std::snprintf(text, sizeof(text), "%.6g", number);
-  return text;
+  const double size = std::abs(number);
+  if (number != 0 && (size < kSmall || size >= kLarge)) {
+    std::snprintf(text, sizeof(text), "%.6g", number);
+    return text;
+  }
+  const int digits = size < 1 ? 0 : static_cast<int>(std::log10(size)) + 1;  // before the point
+  std::snprintf(text, sizeof(text), "%.*f", std::max(6 - digits, 0), number);
+  std::string shown = text;
+  if (shown.find('.') == std::string::npos) return shown;
+  shown.erase(shown.find_last_not_of('0') + 1);
+  if (shown.back() == '.') shown.pop_back();
+  return shown;
 }
 
 std::string TickText(const Run& run, std::size_t tick) {

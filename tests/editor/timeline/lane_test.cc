@@ -29,6 +29,16 @@ TEST(LaneTest, TheLastWordAboutATickCountsAndTheSameStatusAgainIsNoChange) {
   EXPECT_EQ(lane.Since(3), 1U);
 }
 
+TEST(LaneTest, WhatEndsAndBeginsInOneTickHasANewStart) {
+  Lane lane;
+  lane.Set(3, Status::kRunning);
+  lane.Set(7, Status::kRunning);
+  lane.Restart(7);
+  lane.Set(7, Status::kRunning);
+  EXPECT_EQ(lane.Since(6), 3U);
+  EXPECT_EQ(lane.Since(9), 7U);
+}
+
 TEST(LaneTest, WalksFromChangeToChange) {
   Lane lane;
   lane.Set(3, Status::kRunning);

@@ -42,5 +42,22 @@ TEST(SlotHistoryTest, ReadsNumbersAndTruths) {
   EXPECT_EQ(NumberOf(""), std::nullopt);
 }
 
+TEST(SlotHistory, WhatAKeyHoldsAfterARestartOfTheProgramNobodyHasWritten) {
+  ExecutedTree robot(R"(<BehaviorTree ID="Main"><Do as="work" count="{count}"/></BehaviorTree>)");
+  coppice::editor::Run run;
+  const Follow follow(robot.executor, run);
+  robot.Tick();
+  SlotIndex slot{0};
+  while (run.TracksAt(0).tree()->slots[slot].name != "count") ++slot;
+  EXPECT_NE(LastWriteOf(run, slot, 0), nullptr);
+  TreeDescription again = *run.TracksAt(0).tree();
+  again.info.run[0] = static_cast<RunId::value_type>(again.info.run[0] + 1);
+  run.OnTree(again);
+  run.OnState(run.now().State(HistoryState::Cause::kBegin));
+  run.OnTick({1, Time{}, Duration(0), Status::kSuccess, true, {}});
+  EXPECT_EQ(LastWriteOf(run, slot, 1), nullptr);
+  EXPECT_NE(LastWriteOf(run, slot, 0), nullptr) << "before it as it was";
+}
+
 }  // namespace
 }  // namespace coppice::editor

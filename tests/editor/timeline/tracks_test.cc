@@ -36,6 +36,17 @@ TEST_F(TracksTest, ANodeThatIsNotTickedFallsBackToTheStatusThatItHas) {
   EXPECT_EQ(run.TracksAt(1).LaneOf(NodeIndex{1}).At(1), Status::kFailure);
 }
 
+TEST(Tracks, ASleepThatIsRepeatedStartsAnewWhereItEnds) {
+  ExecutedTree robot(R"(<BehaviorTree ID="Main"><Repeat num_cycles="-1">
+    <Sleep msec="400"/></Repeat></BehaviorTree>)");
+  coppice::editor::Run run;
+  const Follow follow(robot.executor, run);
+  for (int i = 0; i < 8; ++i) robot.Tick();
+  const Lane& lane = run.TracksAt(0).LaneOf(NodeIndex{1});
+  EXPECT_EQ(lane.At(7), Status::kRunning);
+  EXPECT_GE(lane.Since(7), 4U);
+}
+
 TEST_F(TracksTest, KnowsEveryWriteWithWriterAndValue) {
   for (int i = 0; i < 3; ++i) robot.Tick();
   const Tracks& tracks = run.TracksAt(0);

@@ -17,6 +17,9 @@ TEST(RunText, RoundsNumbersThatAreTooLongForATable) {
   EXPECT_EQ(ShortNumber("0.43199999999999994"), "0.432");
   EXPECT_EQ(ShortNumber("-12345.678901"), "-12345.7");
   EXPECT_EQ(ShortNumber("0.25"), "0.25");
+  EXPECT_EQ(ShortNumber("6.76e+04"), "67600") << "no powers of ten";
+  EXPECT_EQ(ShortNumber("1e+05"), "100000");
+  EXPECT_EQ(ShortNumber("6761234.25"), "6761234");
   EXPECT_EQ(ShortNumber("12345678901"), "12345678901") << "a whole number stays whole";
   EXPECT_EQ(ShortNumber("0.5;0.25;0.125"), "0.5;0.25;0.125");
   EXPECT_EQ(ShortNumber("kitchen.north"), "kitchen.north");
