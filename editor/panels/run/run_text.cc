@@ -1,8 +1,8 @@
 #include "editor/panels/run/run_text.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 
 namespace coppice::editor {
