@@ -7,11 +7,11 @@
 #include <array>
 
 #include "editor/canvas/layout/node_metrics.h"
+#include "editor/files/recent.h"
 #include "editor/panels/drag_source.h"
 #include "editor/panels/panels.h"
 #include "editor/panels/popup/type_choices.h"
 #include "editor/panels/widgets/panel.h"
-#include "editor/workspace/recent.h"
 #include "editor/workspace/tree_editor.h"
 
 namespace coppice::editor {

@@ -32,6 +32,7 @@
 #include "editor/commands/run_commands.h"
 #include "editor/commands/simulation_commands.h"
 #include "editor/commands/standard_commands.h"
+#include "editor/files/recent.h"
 #include "editor/keys/key_file.h"
 #include "editor/live/kept_marks.h"
 #include "editor/live/robot_source.h"
@@ -43,7 +44,6 @@
 #include "editor/render/rasteriser.h"
 #include "editor/theme/imgui_context.h"
 #include "editor/theme/imgui_style.h"
-#include "editor/workspace/recent.h"
 
 namespace coppice::editor {
 namespace {

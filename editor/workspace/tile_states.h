@@ -13,6 +13,7 @@
 #include "editor/canvas/drop_target.h"
 #include "editor/files/folder.h"
 #include "editor/files/line_changes.h"
+#include "editor/files/recent.h"
 #include "editor/keys/choice.h"
 #include "editor/keys/keys.h"
 #include "editor/live/key_writes.h"
@@ -116,14 +117,6 @@ struct Tour {
   int step = -1;               ///< that is shown; -1: none
   bool was_done = false;       ///< what it says was so already
   std::size_t steps_done = 0;  ///< of the history when it began
-};
-
-/// What was used last, newest first.
-struct Recent {
-  std::vector<std::string> files;
-  std::vector<std::string> types;    ///< of nodes that were added
-  std::vector<std::string> choices;  ///< of the palette: "command Fit all"
-  std::string search;
 };
 
 /// What the run's tile shows.

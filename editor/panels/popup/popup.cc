@@ -10,13 +10,13 @@
 #include <algorithm>
 #include <utility>
 
+#include "editor/files/recent.h"
 #include "editor/panels/popup/choices.h"
 #include "editor/panels/popup/file_rows.h"
 #include "editor/panels/popup/key_list.h"
 #include "editor/panels/popup/popup_rows.h"
 #include "editor/panels/popup/type_choices.h"
 #include "editor/panels/widgets/panel.h"
-#include "editor/workspace/recent.h"
 #include "editor/workspace/tree_editor.h"
 
 namespace coppice::editor {

@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "editor/workspace/recent.h"
+#include "editor/files/recent.h"
 #include "tests/editor/driver.h"
 
 namespace coppice::editor {

@@ -1,4 +1,4 @@
-#include "editor/workspace/recent.h"
+#include "editor/files/recent.h"
 
 #include <gmock/gmock.h>
 

@@ -2,15 +2,21 @@
 //
 //   UseAgain(state.recent.types, "Wait");
 //   const Recent recent = ReadRecent(text);     // what WriteRecent wrote
-#ifndef COPPICE_EDITOR_WORKSPACE_RECENT_H_
-#define COPPICE_EDITOR_WORKSPACE_RECENT_H_
+#ifndef COPPICE_EDITOR_FILES_RECENT_H_
+#define COPPICE_EDITOR_FILES_RECENT_H_
 
 #include <string>
 #include <vector>
 
-#include "editor/workspace/tile_states.h"
-
 namespace coppice::editor {
+
+/// What was used last, newest first.
+struct Recent {
+  std::vector<std::string> files;
+  std::vector<std::string> types;    ///< of nodes that were added
+  std::vector<std::string> choices;  ///< of the palette: "command Fit all"
+  std::string search;
+};
 
 /// Puts it in front; what has not been used for longest is forgotten.
 void UseAgain(std::vector<std::string>& list, const std::string& what);
@@ -25,4 +31,4 @@ std::string WriteRecent(const Recent& recent);
 
 }  // namespace coppice::editor
 
-#endif  // COPPICE_EDITOR_WORKSPACE_RECENT_H_
+#endif  // COPPICE_EDITOR_FILES_RECENT_H_
