@@ -7,7 +7,7 @@
 #include <array>
 
 #include "editor/canvas/layout/node_metrics.h"
-#include "editor/files/recent.h"
+#include "editor/keys/recent.h"
 #include "editor/panels/drag_source.h"
 #include "editor/panels/panels.h"
 #include "editor/panels/popup/type_choices.h"

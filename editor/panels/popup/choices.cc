@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "editor/files/recent.h"
 #include "editor/keys/fuzzy.h"
+#include "editor/keys/recent.h"
 
 namespace coppice::editor {
 namespace {

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "editor/files/recent.h"
+#include "editor/keys/recent.h"
 #include "editor/panels/popup/choices.h"
 #include "editor/panels/popup/file_rows.h"
 #include "editor/panels/popup/key_list.h"

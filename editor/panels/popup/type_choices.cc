@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "bt_core/model/xml_text.h"
-#include "editor/files/recent.h"
 #include "editor/keys/fuzzy.h"
+#include "editor/keys/recent.h"
 
 namespace coppice::editor {
 namespace {

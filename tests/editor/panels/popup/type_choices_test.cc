@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "editor/files/recent.h"
+#include "editor/keys/recent.h"
 #include "tests/editor/driver.h"
 
 namespace coppice::editor {

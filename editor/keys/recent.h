@@ -2,8 +2,8 @@
 //
 //   UseAgain(state.recent.types, "Wait");
 //   const Recent recent = ReadRecent(text);     // what WriteRecent wrote
-#ifndef COPPICE_EDITOR_FILES_RECENT_H_
-#define COPPICE_EDITOR_FILES_RECENT_H_
+#ifndef COPPICE_EDITOR_KEYS_RECENT_H_
+#define COPPICE_EDITOR_KEYS_RECENT_H_
 
 #include <string>
 #include <vector>
@@ -31,4 +31,4 @@ std::string WriteRecent(const Recent& recent);
 
 }  // namespace coppice::editor
 
-#endif  // COPPICE_EDITOR_FILES_RECENT_H_
+#endif  // COPPICE_EDITOR_KEYS_RECENT_H_

@@ -1,4 +1,4 @@
-#include "editor/files/recent.h"
+#include "editor/keys/recent.h"
 
 #include <algorithm>
 #include <sstream>
