@@ -24,8 +24,13 @@ install(EXPORT coppice NAMESPACE coppice:: FILE coppice-targets.cmake
 install(DIRECTORY bt_core/engine/models/ DESTINATION ${CMAKE_INSTALL_DATADIR}/coppice/models
         FILES_MATCHING PATTERN "*.xml")
 
-# What the editor offers to a newcomer.
-install(DIRECTORY editor/examples/ DESTINATION ${CMAKE_INSTALL_DATADIR}/coppice/examples)
+# The editor's programs, which `coppice` finds beside itself, and what it offers to a newcomer.
+# Whoever has built the engine alone installs that.
+if(TARGET coppice-edit)
+  install(TARGETS coppice-edit coppice-diff coppice-export
+          RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} OPTIONAL)
+  install(DIRECTORY editor/examples/ DESTINATION ${CMAKE_INSTALL_DATADIR}/coppice/examples)
+endif()
 
 # The page lies where the installed program looks for it.
 if(COPPICE_WEB)

@@ -7,13 +7,12 @@
 #include "bt_core/data/value_bytes.h"
 #include "editor/commands/menus.h"
 #include "editor/keys/fuzzy.h"
+#include "editor/live/key_item.h"
 #include "editor/workspace/canvas_tabs.h"
 #include "editor/workspace/tree_editor.h"
 
 namespace coppice::editor {
 namespace {
-
-constexpr std::string_view kKeyPath = "blackboard/";
 
 // What a right click at the selection would open.
 void OpenMenuHere(EditorState& state) {
@@ -46,13 +45,10 @@ std::string ShownKey(const EditorState& state) {
 void CopyValue(EditorState& state) {
   const RunView* run = state.workspace.run();
   if (!run || !run->tree()) return;
-  const auto& slots = run->tree()->description()->slots;
+  const std::optional<SlotIndex> key =
+      KeyOfItem(*run->tree()->description(), state.blackboard.shown_key);
   const auto& values = run->follower().values();
-  for (SlotIndex i{0}; i < slots.size() && i < values.size(); ++i) {
-    const std::string path = std::string(kKeyPath) + slots[i].scope + "/" + slots[i].name;
-    if (path == state.blackboard.shown_key)
-      state.services.set_clipboard(PrintValueBytes(values[i]));
-  }
+  if (key && *key < values.size()) state.services.set_clipboard(PrintValueBytes(values[*key]));
 }
 
 void OfferRecent(EditorState& state) {

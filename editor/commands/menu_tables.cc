@@ -128,18 +128,18 @@ constexpr std::string_view kSimulate[] = {
 constexpr std::string_view kHelp[] = {"help.palette", "help.keys",      kLine,          "help.tour",
                                       "example.tree", "example.record", "example.robot"};
 
-struct BarMenu {
+struct BarRows {
   std::string_view name;
   const std::string_view* rows;
   std::size_t count;
 };
 
 template <std::size_t kCount>
-constexpr BarMenu Of(std::string_view name, const std::string_view (&rows)[kCount]) {
+constexpr BarRows Of(std::string_view name, const std::string_view (&rows)[kCount]) {
   return {name, rows, kCount};
 }
 
-constexpr BarMenu kBar[] = {Of("file", kFile), Of("edit", kEdit),         Of("tree", kTree),
+constexpr BarRows kBar[] = {Of("file", kFile), Of("edit", kEdit),         Of("tree", kTree),
                             Of("view", kView), Of("tiles", kTiles),       Of("robot", kRobot),
                             Of("run", kRun),   Of("simulate", kSimulate), Of("help", kHelp)};
 
@@ -269,7 +269,7 @@ std::vector<std::string_view> CommandsOf(Thing thing, bool in_run) {
 }  // namespace
 
 std::vector<std::string_view> CommandsOf(std::string_view menu, bool in_run) {
-  for (const BarMenu& bar : kBar) {
+  for (const BarRows& bar : kBar) {
     if (bar.name == menu) return {bar.rows, bar.rows + bar.count};
   }
   for (const NamedThing& named : kThings) {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <filesystem>
 #include <iterator>
 #include <utility>
 
@@ -12,12 +11,6 @@ namespace coppice::editor {
 namespace {
 
 constexpr std::string_view kRecent = "file.recent";  // the command, and the menu that it opens
-
-std::string InSmallLetters(std::string_view title) {
-  std::string name(title);
-  for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return name;
-}
 
 MenuItem ItemOf(const EditorCommand& command) {
   MenuItem item;
@@ -34,12 +27,11 @@ MenuItem ItemOf(const EditorCommand& command) {
 // A file that is gone is grey.
 std::vector<MenuItem> RecentItems(EditorState& state) {
   std::vector<MenuItem> items;
-  std::error_code error;
   for (const std::string& path : state.recent.files) {
     MenuItem item;
     item.path = "menu/recent/" + std::to_string(items.size());
     item.title = path;
-    if (!std::filesystem::exists(path, error)) item.why_not = "the file is gone";
+    if (!state.paths.IsThere(path, state.now)) item.why_not = "the file is gone";
     item.run = [&state, path] { state.services.open_file(path); };
     items.push_back(std::move(item));
   }
@@ -97,8 +89,8 @@ void OpenMenuBelow(EditorState& state, std::string menu, std::string item) {
 void StepInBar(EditorState& state, int by) {
   const int count = static_cast<int>(std::size(kBarMenus));
   for (int i = 0; i < count; ++i) {
-    if (InSmallLetters(kBarMenus[i]) != state.menu.open.front().name) continue;
-    const std::string name = InSmallLetters(kBarMenus[(i + by + count) % count]);
+    if (kBarMenus[i].name != state.menu.open.front().name) continue;
+    const std::string name(kBarMenus[(i + by + count) % count].name);
     return OpenMenuBelow(state, name, "menu/" + name);
   }
 }

@@ -18,7 +18,7 @@
 
 namespace coppice::editor {
 
-/// Names of the menus of a right click. Those of the bar have its titles, in small letters.
+/// Names of the menus of a right click.
 namespace menu {
 inline constexpr char kNode[] = "node";
 inline constexpr char kLine[] = "line";      ///< from the selected node to its parent
@@ -30,9 +30,16 @@ inline constexpr char kTree[] = "tree of a file";
 inline constexpr char kTab[] = "tab";
 }  // namespace menu
 
-/// Titles of the bar's menus, from the left.
-inline constexpr std::string_view kBarMenus[] = {"File",  "Edit", "Tree",     "View", "Tiles",
-                                                 "Robot", "Run",  "Simulate", "Help"};
+/// A menu of the bar; its item is "menu/NAME".
+struct BarMenu {
+  std::string_view title;
+  std::string_view name;
+};
+/// From the left.
+inline constexpr BarMenu kBarMenus[] = {
+    {"File", "file"}, {"Edit", "edit"},         {"Tree", "tree"},
+    {"View", "view"}, {"Tiles", "tiles"},       {"Robot", "robot"},
+    {"Run", "run"},   {"Simulate", "simulate"}, {"Help", "help"}};
 
 /// An entry of a menu, as it is now.
 struct MenuItem {

@@ -6,6 +6,7 @@
 
 #include "bt_core/analysis/formats/write_record.h"
 #include "bt_core/data/value_bytes.h"
+#include "editor/live/key_item.h"
 #include "editor/workspace/run_test_maker.h"
 
 namespace coppice::editor {
@@ -99,20 +100,19 @@ void AskForConditionHere(EditorState& state, double now) {
 void AskForValue(EditorState& state) {
   RunView* run = state.workspace.run();
   if (!run || !run->tree()) return;
-  const std::vector<DescribedSlot>& slots = run->tree()->description()->slots;
-  for (SlotIndex i{0}; i < slots.size(); ++i) {
-    const DescribedSlot& slot = slots[i];
-    if (state.blackboard.shown_key != "blackboard/" + slot.scope + "/" + slot.name) continue;
-    const auto& values = run->follower().values();
-    state.Ask({"New value of " + slot.name + " (" + slot.type + "), as in the XML",
-               [&state, i, tree = run->tree()](const std::string& value) {
-                 RunView* shown = state.workspace.run();
-                 if (!shown || shown->tree() != tree) return Outcome(Problem{"the key is gone"});
-                 return state.blackboard.writes.Send(*shown, i, value);
-               },
-               {}},
-              i < values.size() ? PrintValueBytes(values[i]) : "");
-  }
+  const TreeDescription& tree = *run->tree()->description();
+  const std::optional<SlotIndex> key = KeyOfItem(tree, state.blackboard.shown_key);
+  if (!key) return;
+  const DescribedSlot& slot = tree.slots[*key];
+  const auto& values = run->follower().values();
+  state.Ask({"New value of " + slot.name + " (" + slot.type + "), as in the XML",
+             [&state, key = *key, tree = run->tree()](const std::string& value) {
+               RunView* shown = state.workspace.run();
+               if (!shown || shown->tree() != tree) return Outcome(Problem{"the key is gone"});
+               return state.blackboard.writes.Send(*shown, key, value);
+             },
+             {}},
+            *key < values.size() ? PrintValueBytes(values[*key]) : "");
 }
 
 Outcome SaveRun(const EditorState& state, const std::string& path) {

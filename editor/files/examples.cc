@@ -29,13 +29,22 @@ std::string PathOfExample(const std::string& name) {
   return (folder / name).string();
 }
 
-std::vector<Example> Examples() {
+namespace {
+
+std::vector<Example> FindExamples() {
   std::vector<Example> examples;
   std::error_code error;
   for (const Shipped& one : kShipped) {
     const std::string path = PathOfExample(one.name);
     if (fs::exists(path, error)) examples.push_back({one.title, path});
   }
+  return examples;
+}
+
+}  // namespace
+
+const std::vector<Example>& Examples() {
+  static const std::vector<Example> examples = FindExamples();
   return examples;
 }
 

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "bt_core/data/value_bytes.h"
+#include "editor/live/key_item.h"
 
 namespace coppice::editor {
 namespace {
@@ -12,8 +13,6 @@ using Json = nlohmann::json;
 
 constexpr char kAnyType[] = "any";       // of a key that only scripts use
 constexpr std::size_t kTicksToShow = 2;  // one may have begun before the value came
-
-std::string PathOf(const DescribedSlot& slot) { return slot.scope + "/" + slot.name; }
 
 // JSON of a value like the present one, which is plain.
 Expected<std::string> JsonLike(ValueForm present, const std::string& text) {
@@ -73,7 +72,7 @@ Outcome KeyWrites::Send(RunView& view, SlotIndex slot, const std::string& text) 
   const Run& run = view.run();
   const Tracks& newest = run.TracksAt(run.size());
   const std::size_t writes = slot < newest.tree()->slots.size() ? newest.WritesOf(slot).size() : 0;
-  const std::string path = PathOf(tree.slots[slot]);
+  const std::string path = ItemOfKey(tree.slots[slot]);
   waiting_.erase(std::remove_if(waiting_.begin(), waiting_.end(),
                                 [&](const Waiting& other) {
                                   return other.run == view.name() && other.path == path;
@@ -86,10 +85,11 @@ Outcome KeyWrites::Send(RunView& view, SlotIndex slot, const std::string& text) 
 }
 
 bool KeyWrites::IsWaiting(const RunView& view, SlotIndex slot) const {
+  if (waiting_.empty()) return false;
   const Run& run = view.run();
   const Tracks& newest = run.TracksAt(run.size());
   if (slot >= newest.tree()->slots.size()) return false;
-  const std::string path = PathOf(newest.tree()->slots[slot]);
+  const std::string path = ItemOfKey(newest.tree()->slots[slot]);
   return std::any_of(waiting_.begin(), waiting_.end(), [&](const Waiting& waiting) {
     return waiting.run == view.name() && waiting.path == path && !*waiting.is_refused &&
            newest.WritesOf(slot).size() == waiting.writes && run.size() >= waiting.ticks &&

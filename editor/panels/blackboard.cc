@@ -3,6 +3,7 @@
 #include "bt_core/data/value_bytes.h"
 #include "editor/canvas/layout/node_metrics.h"
 #include "editor/commands/menus.h"
+#include "editor/live/key_item.h"
 #include "editor/live/value_table.h"
 #include "editor/panels/panels.h"
 #include "editor/panels/run/run_text.h"
@@ -129,7 +130,7 @@ class Board {
 
   void DrawSlot(SlotIndex slot) {
     const DescribedSlot& described = slots_[slot];
-    const std::string path = "blackboard/" + described.scope + "/" + described.name;
+    const std::string path = ItemOfKey(described);
     const bool selected = state_.blackboard.shown_key == path;
     const Row row = NextRow(ui_, path, selected);
     const bool is_table = IsTable(slot);

@@ -54,7 +54,7 @@ std::string Describe(const RunView& run) {
       std::snprintf(text, sizeof(text), "loading %.0f %%", run.source().progress() * 100);
       return text;
     case RunPhase::kSimulation:
-      return Count(ticks, "tick");
+      return "tick " + std::to_string(number);
     case RunPhase::kRecord:
       return "record, " + Count(ticks, "tick");
     default: {

@@ -1,9 +1,7 @@
 #include "editor/panels/start_screen.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <string>
-#include <system_error>
 
 #include "editor/panels/widgets/panel.h"
 #include "editor/workspace/file_keeper.h"
@@ -188,8 +186,7 @@ class StartScreen {
     Heading("recent files", ui_.palette.text_dim);
     for (std::size_t i = 0; i < std::min(state_.recent.files.size(), kRecent); ++i) {
       const std::string path = state_.recent.files[i];
-      std::error_code error;
-      const bool is_there = std::filesystem::exists(path, error);
+      const bool is_there = state_.paths.IsThere(path, ui_.now);
       const Box box = Take(20);
       y_ -= kGap * ui_.scale;
       bool hovered = false;

@@ -15,19 +15,18 @@ class TopBar {
   void Draw() {
     ui_.Fill(*ImGui::GetWindowDrawList(), box_, ui_.palette.panel);
     float x = box_.min.x + 6 * ui_.scale;
-    for (const std::string_view title : kBarMenus) x = Menu(title, x);
+    for (const BarMenu& menu : kBarMenus) x = Menu(menu, x);
     DrawField(x + 12 * ui_.scale);
     DrawMode();
     if (!HasConnectionStrip(state_)) DrawConnect();
   }
 
  private:
-  float Menu(std::string_view title, float x) {
+  float Menu(const BarMenu& menu, float x) {
     const TextStyle style{Face::kSans, 13, ui_.palette.text};
-    const float width = ui_.Width(title, style) + 18 * ui_.scale;
+    const float width = ui_.Width(menu.title, style) + 18 * ui_.scale;
     const Box box = {{x, box_.min.y}, {x + width, box_.max.y}};
-    std::string name(title);
-    name[0] = static_cast<char>(name[0] - 'A' + 'a');
+    const std::string name(menu.name);
     bool hovered = false;
     const std::string path = "menu/" + name;
     const bool pressed = ui_.Hit(path, box, &hovered);
@@ -35,7 +34,7 @@ class TopBar {
     const bool open = !menus.empty() && menus.front().below == path;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     if (hovered || open) ui_.Fill(list, box, ui_.palette.row_hover, 3);
-    ui_.RowText(list, box.min + Point{9 * ui_.scale, 0}, box.height(), title, style);
+    ui_.RowText(list, box.min + Point{9 * ui_.scale, 0}, box.height(), menu.title, style);
     if (pressed) {
       OpenMenuBelow(state_, name, path);
       state_.menu.open.front().choice = -1;

@@ -1,6 +1,7 @@
 #include "editor/timeline/tracks.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace coppice::editor {
 namespace {
@@ -24,12 +25,15 @@ bool Extends(const TreeDescription& tree, const TreeDescription& before) {
          std::equal(before.slots.begin(), before.slots.end(), tree.slots.begin(), same_slot);
 }
 
+constexpr std::size_t kNoTick = std::numeric_limits<std::size_t>::max();
+
 }  // namespace
 
 Tracks::Tracks(std::shared_ptr<const TreeDescription> tree)
     : tree_(std::move(tree)),
       shape_(ShapeOf(*tree_)),
       lanes_(tree_->nodes.size()),
+      ended_in_(tree_->nodes.size(), kNoTick),
       writes_(tree_->slots.size()) {}
 
 void Tracks::Begin(std::size_t tick, const HistoryState& state) {
@@ -44,13 +48,12 @@ void Tracks::Add(std::size_t tick, std::size_t word, const TickEvents& events,
   if (word == 0) {
     for (const NodeIndex node : touched_) lanes_[node].Set(tick, follower.status(node));
     touched_.clear();
-    ended_.clear();
   }
   changed_.clear();
   returned_.clear();
   restarted_.clear();
   follower.Apply(
-      events, [this](const StatusChange& change) { NoteChange(change); },
+      events, [&](const StatusChange& change) { NoteChange(tick, change); },
       [&](const Event& event) { Note(tick, word, events, event); });
   for (const NodeIndex node : changed_) lanes_[node].Set(tick, follower.status(node));
   for (const auto& [node, status] : returned_) {
@@ -62,12 +65,11 @@ void Tracks::Add(std::size_t tick, std::size_t word, const TickEvents& events,
   }
 }
 
-void Tracks::NoteChange(const StatusChange& change) {
+void Tracks::NoteChange(std::size_t tick, const StatusChange& change) {
   changed_.push_back(change.node);
-  if (change.from == Status::kRunning) ended_.push_back(change.node);
-  if (change.to != Status::kRunning) return;
-  const bool has_ended = std::find(ended_.begin(), ended_.end(), change.node) != ended_.end();
-  if (has_ended) restarted_.push_back(change.node);
+  if (change.from == Status::kRunning) ended_in_[change.node] = tick;
+  const bool runs_again = change.to == Status::kRunning && ended_in_[change.node] == tick;
+  if (runs_again) restarted_.push_back(change.node);
 }
 
 void Tracks::Note(std::size_t tick, std::size_t word, const TickEvents& events,

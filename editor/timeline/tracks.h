@@ -50,19 +50,19 @@ class Tracks {
   void Add(std::size_t tick, std::size_t word, const TickEvents& events, HistoryFollower& follower);
 
  private:
-  void NoteChange(const StatusChange& change);
+  void NoteChange(std::size_t tick, const StatusChange& change);
   void Note(std::size_t tick, std::size_t word, const TickEvents& events, const Event& event);
 
   std::shared_ptr<const TreeDescription> tree_;
   TreeShape shape_;
   std::vector<Lane> lanes_;                     // per node
+  std::vector<std::size_t> ended_in_;           // per node: the last tick in which it ran no more
   std::vector<std::vector<SlotWrite>> writes_;  // per slot
   std::vector<Injection> injections_;
   std::vector<NodeIndex> touched_;                      // their lanes show more than their status
   std::vector<NodeIndex> changed_;                      // of the tick that is being added
   std::vector<std::pair<NodeIndex, Status>> returned_;  // in it
-  std::vector<NodeIndex> ended_;                        // nodes that ran, in it
-  std::vector<NodeIndex> restarted_;                    // and run again
+  std::vector<NodeIndex> restarted_;                    // ended in it, and run again
 };
 
 }  // namespace coppice::editor

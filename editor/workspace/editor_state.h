@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "editor/files/git_head.h"
+#include "editor/files/path_check.h"
 #include "editor/files/unsaved_work.h"
 #include "editor/keys/command_table.h"
 #include "editor/simulation/coverage_job.h"
@@ -104,6 +105,7 @@ struct EditorState {
   MenuState menu;
   Tour tour;
   Recent recent;
+  PathCheck paths;
   Notice notice;
   FieldInput input;
   TileDrag drag;

@@ -4,7 +4,6 @@
 #include <cctype>
 #include <cstdlib>
 #include <filesystem>
-#include <set>
 #include <utility>
 
 #include "editor/files/examples.h"
@@ -100,18 +99,19 @@ void AddEntries(const Folder& folder, const std::string& typed, std::vector<File
 }
 
 // Recent files that are still there, their folders, and the examples.
-void AddKnown(const EditorState& state, std::vector<FileRow>& rows) {
+void AddKnown(EditorState& state, std::vector<FileRow>& rows) {
   const std::size_t first = rows.size();
-  std::set<std::string> folders;
+  std::vector<std::string> folders;
   for (const std::string& path : state.recent.files) {
-    if (IsThere(path)) rows.push_back({FileRowKind::kFile, path, path, "recent"});
+    if (!state.paths.IsThere(path, state.now)) continue;
+    rows.push_back({FileRowKind::kFile, path, path, "recent"});
+    folders.push_back(fs::path(path).parent_path().string());
   }
-  for (const std::string& path : state.recent.files) {
-    const std::string folder = fs::path(path).parent_path().string();
-    if (folders.size() == kMostFolders || !IsFolder(folder)) continue;
-    if (folders.insert(folder).second) {
-      rows.push_back({FileRowKind::kFolder, folder + "/", folder, "project"});
-    }
+  std::size_t count = 0;
+  for (auto folder = folders.begin(); folder != folders.end() && count < kMostFolders; ++folder) {
+    if (std::find(folders.begin(), folder, *folder) != folder) continue;
+    rows.push_back({FileRowKind::kFolder, *folder + "/", *folder, "project"});
+    ++count;
   }
   for (const Example& example : Examples()) {
     rows.push_back({FileRowKind::kFile, example.title, example.path, "example"});

@@ -1,6 +1,6 @@
 # Installs this build to a folder of its own, then configures, builds and runs the project
 # `outside`, which knows nothing but that folder. Called with -D SOURCE, BUILD, WORK, COMPILER,
-# LAUNCHER, SANITIZE, LIVE.
+# LAUNCHER, SANITIZE, LIVE, EDITOR.
 cmake_minimum_required(VERSION 3.16)
 
 function(run)
@@ -38,6 +38,10 @@ expect("SUCCESS after 3 recorded ticks" ${WORK}/build/outside_recorded ${WORK}/r
 expect("it sleeps: 0 differences\nit does not: 1 differences" ${WORK}/build/outside_scenario)
 if(LIVE)
   expect("SUCCESS after 3 watched ticks" ${WORK}/build/outside_watched)
+endif()
+if(EDITOR)  # found beside `coppice`, with its example
+  run(${WORK}/prefix/bin/coppice edit ${WORK}/prefix/share/coppice/examples/delivery.xml
+      --headless --picture ${WORK}/delivery.png)
 endif()
 run(${WORK}/prefix/bin/coppice run ${SOURCE}/tree.xml --plugin ${WORK}/build/outside_nodes.so)
 run(${WORK}/prefix/bin/coppice replay ${WORK}/run.coppice)

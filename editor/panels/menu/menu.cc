@@ -2,7 +2,6 @@
 #include "editor/panels/menu/menu.h"
 
 #include <algorithm>
-#include <cctype>
 #include <string>
 #include <vector>
 
@@ -167,9 +166,8 @@ class Menus {
   // The menu of the bar that the mouse is over opens in the place of another one.
   void FollowBar() {
     const std::string open = state_.menu.open.front().name;
-    for (const std::string_view title : kBarMenus) {
-      std::string name(title);
-      name[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(name[0])));
+    for (const BarMenu& menu : kBarMenus) {
+      const std::string name(menu.name);
       const Box* const box = ui_.items.Find("menu/" + name);
       if (!box || !box->Contains(mouse_) || name == open || !IsOfBar(open)) continue;
       OpenMenuBelow(state_, name, "menu/" + name);

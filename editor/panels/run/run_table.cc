@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "editor/live/key_item.h"
 #include "editor/live/value_table.h"
 #include "editor/panels/run/run_bodies.h"
 #include "editor/panels/widgets/panel.h"
@@ -29,10 +30,6 @@ Color ColorOf(const Palette& palette, const std::string& word) {
       break;
   }
   return palette.text;
-}
-
-std::string PathOf(const DescribedSlot& slot) {
-  return "blackboard/" + slot.scope + "/" + slot.name;
 }
 
 // The keys with tables at the shown moment.
@@ -151,7 +148,7 @@ void DrawTable(const Ui& ui, EditorState& state, RunView& run) {
     return Hint(ui, "No key holds a table (a list of objects) at this moment.");
   }
   const auto shown = std::find_if(tables.begin(), tables.end(), [&](SlotIndex slot) {
-    return PathOf(slots[slot]) == state.blackboard.shown_key;
+    return ItemOfKey(slots[slot]) == state.blackboard.shown_key;
   });
   const SlotIndex slot = shown == tables.end() ? tables.front() : *shown;
   if (tables.size() > 1) {
@@ -165,7 +162,7 @@ void DrawTable(const Ui& ui, EditorState& state, RunView& run) {
       if (at.max.x > row.box.max.x) break;
       if (row.visible && ui.Button("run/table/key/" + slots[other].scope + "/" + slots[other].name,
                                    at, slots[other].name, other == slot)) {
-        state.blackboard.shown_key = PathOf(slots[other]);
+        state.blackboard.shown_key = ItemOfKey(slots[other]);
       }
       x += width + 3 * ui.scale;
     }

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "editor/live/key_item.h"
 #include "editor/panels/run/run_text.h"
 #include "editor/panels/timeline/lane_painter.h"
 #include "editor/panels/timeline/timeline_frame.h"
@@ -178,28 +179,24 @@ class Lanes {
   }
 
   void DrawKey(const Box& lane) {
-    const auto& slots = f_.tracks.tree()->slots;
-    for (SlotIndex slot{0}; slot < slots.size(); ++slot) {
-      if (f_.state.blackboard.shown_key !=
-          "blackboard/" + slots[slot].scope + "/" + slots[slot].name)
-        continue;
-      Label(lane, "{" + slots[slot].name + "}", 0,
-            {Face::kSans, 11, f_.ui.palette.OfKey(slots[slot].name)});
-      std::vector<std::size_t> ticks;
-      std::size_t empty = 0;
-      for (const Column& column : f_.columns) {
-        if (column.is_empty()) {
-          empty += ticks.empty();
-        } else {
-          ticks.push_back(column.end - 1);
-        }
+    const TreeDescription& tree = *f_.tracks.tree();
+    const std::optional<SlotIndex> key = KeyOfItem(tree, f_.state.blackboard.shown_key);
+    if (!key) return;
+    const std::string& name = tree.slots[*key].name;
+    Label(lane, "{" + name + "}", 0, {Face::kSans, 11, f_.ui.palette.OfKey(name)});
+    std::vector<std::size_t> ticks;
+    std::size_t empty = 0;
+    for (const Column& column : f_.columns) {
+      if (column.is_empty()) {
+        empty += ticks.empty();
+      } else {
+        ticks.push_back(column.end - 1);
       }
-      const float step = lane.width() / static_cast<float>(f_.columns.size());
-      const Box box = {{lane.min.x + step * static_cast<float>(empty), lane.min.y},
-                       {lane.min.x + step * static_cast<float>(empty + ticks.size()), lane.max.y}};
-      PaintCurve(f_.ui, list_, box, SampleSlot(f_.run, slot, ticks));
-      return;
     }
+    const float step = lane.width() / static_cast<float>(f_.columns.size());
+    const Box box = {{lane.min.x + step * static_cast<float>(empty), lane.min.y},
+                     {lane.min.x + step * static_cast<float>(empty + ticks.size()), lane.max.y}};
+    PaintCurve(f_.ui, list_, box, SampleSlot(f_.run, *key, ticks));
   }
 
   TimelineFrame& f_;

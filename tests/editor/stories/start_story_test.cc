@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "editor/workspace/simulation_editor.h"
 #include "editor/workspace/tour.h"
 #include "tests/editor/driver.h"
@@ -39,7 +41,17 @@ TEST_F(StartStory, AClickOpensASimulatedRobotAndItRuns) {
   ASSERT_TRUE(driver_.Click("start/example_robot"));
   driver_.Frames(100);
   ASSERT_TRUE(SimulationEditor(state(), state().now).IsShown());
-  EXPECT_GT(state().workspace.run()->run().size(), 3U);
+  const auto& run = state().workspace.run()->run();
+  ASSERT_GT(run.size(), 3U);
+  std::set<Status> seen;
+  for (std::size_t tick = 0; tick < run.size(); ++tick) {
+    const Tracks& tracks = run.TracksAt(tick);
+    for (NodeIndex node{0}; node < tracks.tree()->nodes.size(); ++node) {
+      seen.insert(tracks.LaneOf(node).At(tick));
+    }
+  }
+  EXPECT_EQ(seen.count(Status::kFailure) + seen.count(Status::kSuccess), 2U)
+      << "something goes wrong, something well";
 }
 
 TEST_F(StartStory, ARecentFileThatIsGoneIsNotOpened) {

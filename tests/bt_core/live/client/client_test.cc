@@ -204,6 +204,11 @@ TEST(LiveClient, ForcesResultsAndWritesValues) {
   ASSERT_EQ(Ask(client, WriteKey("", "number", "4711")).problem(), "");
   robot.Tick();
   ASSERT_TRUE(watcher.Await(HasTick(4)));
+  LiveCommand json = WriteKey("", "number", "\"4712\"");
+  json.is_json = true;
+  EXPECT_NE(Ask(client, json).problem(), "") << "JSON says the type, and a text is no number";
+  json.value = "4712";
+  EXPECT_EQ(Ask(client, json).problem(), "");
   EXPECT_THAT(Ask(client, WriteKey("", "number", "many")).problem(), HasSubstr("many"));
   EXPECT_NE(Ask(client, WriteKey("", "nubmer", "1")).problem(), "");
 }
