@@ -206,9 +206,9 @@ TEST(LiveClient, ForcesResultsAndWritesValues) {
   ASSERT_TRUE(watcher.Await(HasTick(4)));
   LiveCommand json = WriteKey("", "number", "\"4712\"");
   json.is_json = true;
-  EXPECT_NE(Ask(client, json).problem(), "") << "JSON says the type, and a text is no number";
-  json.value = "4712";
-  EXPECT_EQ(Ask(client, json).problem(), "");
+  EXPECT_EQ(Ask(client, json).problem(), "") << "as JSON it is a text that stands for a number";
+  json.is_json = false;
+  EXPECT_NE(Ask(client, json).problem(), "") << "as in the XML the quotes belong to it";
   EXPECT_THAT(Ask(client, WriteKey("", "number", "many")).problem(), HasSubstr("many"));
   EXPECT_NE(Ask(client, WriteKey("", "nubmer", "1")).problem(), "");
 }
