@@ -1,11 +1,12 @@
 # `cmake --install build --prefix PREFIX`: the engine's libraries, headers and command line, and what
-# find_package(coppice) needs. Robot and editor are run from the build folder.
+# find_package(coppice) needs, the editor, its page. The robot is run from the build folder.
 #   find_package(coppice 0.1 REQUIRED)
 #   target_link_libraries(my_robot coppice::bt_core coppice::record coppice::live)
-# coppice-config.cmake.in lists the targets.
+# coppice-config.cmake.in lists the targets; CoppicePackage.cmake packs the components.
 include(CMakePackageConfigHelpers)
 include(GNUInstallDirs)
 set(COPPICE_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/coppice)
+set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME engine)
 
 set(libraries bt_core bt_core_frames bt_core_record bt_core_analysis bt_core_scenario)
 if(COPPICE_LIVE)
@@ -17,6 +18,7 @@ foreach(library ${libraries})
 endforeach()
 install(TARGETS ${libraries} EXPORT coppice ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(TARGETS coppice RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/coppice RENAME copyright)
 install(EXPORT coppice NAMESPACE coppice:: FILE coppice-targets.cmake
         DESTINATION ${COPPICE_PACKAGE_DIR})
 
@@ -28,8 +30,9 @@ install(DIRECTORY bt_core/engine/models/ DESTINATION ${CMAKE_INSTALL_DATADIR}/co
 # Whoever has built the engine alone installs that.
 if(TARGET coppice-edit)
   install(TARGETS coppice-edit coppice-diff coppice-export
-          RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} OPTIONAL)
-  install(DIRECTORY editor/examples/ DESTINATION ${CMAKE_INSTALL_DATADIR}/coppice/examples)
+          RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT editor OPTIONAL)
+  install(DIRECTORY editor/examples/ DESTINATION ${CMAKE_INSTALL_DATADIR}/coppice/examples
+          COMPONENT editor)
 endif()
 
 # The page lies where the installed program looks for it.

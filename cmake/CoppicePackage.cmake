@@ -1,0 +1,41 @@
+# `./dev package`, or `cpack` in a build folder: Debian packages, so that nobody has to compile.
+#   coppice         the command line, the libraries and headers, the models of other programs
+#   coppice-editor  the editor, `coppice diff` and `coppice export`, the example
+#   coppice-web     the editor as a page, for `coppice run --web` (with -DCOPPICE_WEB=ON)
+# The robot is run from its build folder.
+set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)  # packs what is built: no test, no robot
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_PACKAGE_CONTACT "The Coppice authors <coppice@localhost>")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "Behaviour trees for robots")
+set(CPACK_STRIP_FILES ON)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_COMPONENTS_ALL engine)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION devel)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+
+set(CPACK_DEBIAN_ENGINE_PACKAGE_NAME coppice)
+set(CPACK_COMPONENT_ENGINE_DESCRIPTION "Runs, checks, tests, records and replays trees; to build robots with.")
+# Who compiles against it needs what CoppiceDependencies.cmake looks for.
+set(CPACK_DEBIAN_ENGINE_PACKAGE_SUGGESTS
+    "libtinyxml2-dev, libzstd-dev, libzmq3-dev, libsodium-dev, libboost-dev, pkg-config")
+set(CPACK_DEBIAN_ENGINE_PACKAGE_RECOMMENDS coppice-web)
+
+if(TARGET coppice-edit)
+  list(APPEND CPACK_COMPONENTS_ALL editor)
+  set(CPACK_DEBIAN_EDITOR_PACKAGE_NAME coppice-editor)
+  set(CPACK_COMPONENT_EDITOR_DESCRIPTION "Edits trees, and shows them live and in replay.")
+  set(CPACK_DEBIAN_EDITOR_PACKAGE_DEPENDS
+      "coppice (= ${PROJECT_VERSION}), fonts-dejavu-core, fonts-font-awesome")
+endif()
+
+if(COPPICE_WEB)
+  list(APPEND CPACK_COMPONENTS_ALL web)
+  set(CPACK_DEBIAN_WEB_PACKAGE_NAME coppice-web)
+  set(CPACK_COMPONENT_WEB_DESCRIPTION "The editor as a page that a running tree serves (coppice run --web).")
+  set(CPACK_DEBIAN_WEB_PACKAGE_ARCHITECTURE all)
+  set(CPACK_DEBIAN_WEB_PACKAGE_SHLIBDEPS OFF)
+  set(CPACK_DEBIAN_WEB_PACKAGE_DEPENDS "coppice (>= ${PROJECT_VERSION})")
+endif()
+include(CPack)
