@@ -162,9 +162,9 @@ bool RobotRig::Join() {
   if (!node_) {
     ros::start();
     node_ = std::make_unique<ros::NodeHandle>();
-    spinner_ = std::make_unique<ros::AsyncSpinner>(1);
-    spinner_->start();
   }
+  spinner_ = std::make_unique<ros::AsyncSpinner>(1);
+  spinner_->start();
   FollowMaster();
   return true;
 }
@@ -320,6 +320,7 @@ std::string RobotRig::Logged(const std::string& process) const { return Contents
 void RobotRig::Stop() {
   if (supervisor_.pid() == 0) return;
   supervisor_.Stop(kStopPatience);
+  spinner_.reset();  // from here on nobody writes what the robot told
   EndWhatIsLeft();
   supervisor_ = {};
 }
