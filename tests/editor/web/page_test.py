@@ -145,6 +145,75 @@ def keeps_files(browser, address):
     assert again == TREE, again
 
 
+KEY_CODES = {"Tab": 9, "Enter": 13, "ArrowDown": 40}
+CTRL = 2
+
+
+def press(browser, key, modifiers=0):
+    """A key as the keyboard sends it; letters type themselves unless Ctrl is held."""
+    code = KEY_CODES.get(key) or ord(key.upper())
+    types = len(key) == 1 and not modifiers
+    about = {"key": key, "windowsVirtualKeyCode": code, "modifiers": modifiers}
+    browser.call("Input.dispatchKeyEvent", type="keyDown" if types else "rawKeyDown",
+                 **(dict(about, text=key) if types else about))
+    browser.call("Input.dispatchKeyEvent", type="keyUp", **about)
+
+
+def chord(browser, key):
+    control = {"key": "Control", "windowsVirtualKeyCode": 17}
+    browser.call("Input.dispatchKeyEvent", type="rawKeyDown", modifiers=CTRL, **control)
+    press(browser, key, CTRL)
+    browser.call("Input.dispatchKeyEvent", type="keyUp", **control)
+
+
+def click(browser, selector):
+    place = browser.evaluate("(() => { const r = document.querySelector(%s).getBoundingClientRect();"
+                             "return [r.x + r.width / 2, r.y + r.height / 2]; })()" %
+                             json.dumps(selector))
+    for kind in ("mousePressed", "mouseReleased"):
+        browser.call("Input.dispatchMouseEvent", type=kind, x=place[0], y=place[1], button="left",
+                     clickCount=1)
+
+
+MINE = """<root BTCPP_format="4">
+  <BehaviorTree ID="Mine">
+    <Sequence name="all">
+      <AlwaysSuccess/>
+    </Sequence>
+  </BehaviorTree>
+</root>
+"""
+
+
+def is_edited_and_taken_back(browser, scratch):
+    """A file of this computer is opened, gets a node by keys alone, is saved and downloaded."""
+    path, downloads = scratch + "/edited.xml", scratch + "/downloads"
+    os.mkdir(downloads)
+    with open(path, "w") as file:
+        file.write(MINE)
+    browser.call("Browser.setDownloadBehavior", behavior="allow", downloadPath=downloads)
+    field = browser.call("Runtime.evaluate", expression="chooser")["result"]["objectId"]
+    browser.call("DOM.setFileInputFiles", files=[path], objectId=field)
+    wait_for("the chosen file", lambda: browser.evaluate("opened") == "/trees/edited.xml")
+    click(browser, "#canvas")
+    asked = browser.evaluate("window.left = 0; addEventListener('keydown', event => {"
+                             "left += event.ctrlKey && !event.defaultPrevented; }); left")
+    assert asked == 0
+    for key in ["ArrowDown", "Tab", *"forcefail", "Enter"]:
+        press(browser, key)
+    chord(browser, "s")
+
+    def saved():
+        return browser.evaluate("FS.readFile(opened, {encoding: 'utf8'})")
+    wait_for("the node that was typed, saved", lambda: "<ForceFailure" in saved())
+    assert browser.evaluate("left") <= 1, "the browser would save the page, too"  # Control itself
+    click(browser, "#download")
+    there = downloads + "/edited.xml"
+    wait_for("the file in the downloads", lambda: os.path.exists(there) and
+             open(there).read() == saved())
+    assert saved().replace("      <ForceFailure/>\n", "") == MINE, saved()
+
+
 def is_sent_compressed(address):
     """The program of the page, as a browser asks for it."""
     where = address.split("#")[0] + "index.wasm"
@@ -184,6 +253,7 @@ def main(coppice, folder, picture=None):
             is_sent_compressed(address.group(1))
             browser = Browser(scratch + "/profile")
             look(browser, address.group(1), picture)
+            is_edited_and_taken_back(browser, scratch)
             keeps_files(browser, address.group(1))
         finally:
             if browser:
