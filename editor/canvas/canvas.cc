@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "editor/canvas/canvas_mouse.h"
 #include "editor/canvas/data_links.h"
@@ -127,6 +128,10 @@ class CanvasPass {
 
 void DrawCanvas(const Ui& ui, TreeView& view, const Box& box, const CanvasOptions& options) {
   view.screen_scale = ui.scale;
+  const Point mouse = FromIm(ImGui::GetIO().MousePos);
+  const bool is_over =
+      box.Contains(mouse) && ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
+  view.mouse = is_over ? std::optional(mouse) : std::nullopt;
   view.PlaceIn(box);
   CanvasPass(ui, view, box, options).Run();
 }

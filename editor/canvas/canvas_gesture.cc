@@ -25,7 +25,8 @@ class GestureView {
     if (view_.gesture.kind == Gesture::Kind::kDrag) {
       const Drag drag = view_.gesture.drag;
       Carry(drag, *handler);
-      if (!ImGui::IsMouseDown(0)) view_.gesture = {};
+      // What was carried is still known when the drop is done, after the frame.
+      if (!ImGui::IsMouseDown(0)) view_.gesture.kind = Gesture::Kind::kNone;
     } else if (handler->incoming && box_.Contains(mouse_)) {
       Carry(*handler->incoming, *handler);
     }

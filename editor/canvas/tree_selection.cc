@@ -61,7 +61,9 @@ void TreeView::OpenAround(std::uint32_t node) {
     opened = opened || collapsed_[i];
     collapsed_[i] = false;
   }
-  if (opened) Relayout(0, moved_at_);
+  if (!opened) return;
+  Relayout(Anchor(node, kAtRest), kAtRest);
+  moved_at_ = kNeverMoved;
 }
 
 }  // namespace coppice::editor

@@ -12,8 +12,7 @@ namespace {
 
 constexpr double kMoveSeconds = 0.15;
 constexpr float kChipRow = 20;
-constexpr float kMargin = 18;      // around a fitted tree, on a screen of scale 1
-constexpr float kLeastMargin = 8;  // if a bar above the canvas has taken the rest
+constexpr float kMargin = 18;  // around a fitted tree, on a screen of scale 1
 constexpr float kLeastZoom = 0.0005F;
 constexpr float kLargestZoom = 3;
 constexpr float kWideCanvas = 1000;  // on wider ones a small tree is painted larger
@@ -50,7 +49,11 @@ void TreeView::SetScene(std::shared_ptr<const Scene> scene, const SizeOf& size_o
     match.before_of.assign(scene->nodes.size(), kNoSceneNode);
   }
   const Places before = PlacesAt(now);
-  Places after = {std::vector<Point>(scene->nodes.size()),
+  std::uint32_t anchor = Anchor(selected_, now);
+  while (anchor != kNoSceneNode && match.after_of[anchor] == kNoSceneNode) {
+    anchor = scene_->nodes[anchor].parent;
+  }
+  Places after = {std::vector<Box>(scene->nodes.size()),
                   std::vector<bool>(scene->nodes.size(), false)};
   std::vector<bool> collapsed(scene->nodes.size(), false);
   std::vector<NodeSizes> sizes(scene->nodes.size());
@@ -63,7 +66,13 @@ void TreeView::SetScene(std::shared_ptr<const Scene> scene, const SizeOf& size_o
     after.known[i] = before.known[old];
     after.at[i] = before.at[old];
   }
+  if (!shown_.empty() && !after.known.empty() && !after.known[0]) {
+    // What is new at the top comes from where the old root was.
+    after.at[0] = before.at[0];
+    after.known[0] = true;
+  }
   const auto new_number = [&](std::uint32_t old) { return match.after_of[old]; };
+  anchor = anchor == kNoSceneNode ? 0 : new_number(anchor);
   selected_ = selected_ == kNoSceneNode ? kNoSceneNode : new_number(selected_);
   for (std::uint32_t& node : selection_) node = new_number(node);
   std::sort(selection_.begin(), selection_.end());
@@ -80,9 +89,7 @@ void TreeView::SetScene(std::shared_ptr<const Scene> scene, const SizeOf& size_o
   gesture = {};
   ListShown();
   LayOutShown();
-  const std::uint32_t anchor = Anchor();
-  const bool knows_anchor = !scene_->nodes.empty() && after.known[anchor];
-  Move(after, knows_anchor ? anchor : kNoSceneNode, now);
+  Move(after, anchor, now);
 }
 
 void TreeView::SetStyle(const LayoutStyle& style, double now) {
@@ -90,20 +97,28 @@ void TreeView::SetStyle(const LayoutStyle& style, double now) {
   const LayoutStyle before = std::exchange(style_, style);
   const bool is_chosen_anew = before.growth != style.growth || before.ports != style.ports ||
                               before.wrapped != style.wrapped || before.layered != style.layered;
-  needs_fit = needs_fit || is_chosen_anew;
   if (style.growth != Growth::kByItself) {
     const bool across = style.growth == Growth::kAcross;
     choice_.orientation = across ? Orientation::kLeftToRight : Orientation::kTopToBottom;
   }
   if (style.ports != ShownPorts::kByItself) choice_.names_only = style.ports == ShownPorts::kNone;
   if (!style.wrapped || style.layered) choice_.rows = 0;
-  if (scene_) Relayout(Anchor(), now);
+  if (!scene_) return;
+  const Places places = PlacesAt(now);
+  const std::uint32_t anchor = Anchor(selected_, now);
+  if (is_chosen_anew) {
+    needs_fit = needs_fit || (camera == fitted_ && !IsMouseOnNode());
+    if (!needs_fit) Choose({canvas_.width(), canvas_.height()});
+  }
+  LayOutShown();
+  Move(places, anchor, now);
 }
 
 void TreeView::SetCollapsed(std::uint32_t node, bool collapsed, double now) {
   if (!scene_->HasChildren(node) || collapsed_[node] == collapsed) return;
+  const std::uint32_t anchor = Anchor(node, now);
   collapsed_[node] = collapsed;
-  Relayout(node, now);
+  Relayout(anchor, now);
 }
 
 void TreeView::CollapseSubTrees(bool collapsed, double now) {
@@ -112,7 +127,7 @@ void TreeView::CollapseSubTrees(bool collapsed, double now) {
       collapsed_[i] = collapsed && scene_->HasChildren(i);
     }
   }
-  Relayout(Anchor(), now);
+  Relayout(Anchor(selected_, now), now);
 }
 
 void TreeView::CollapseOthers(double now) {
@@ -125,12 +140,12 @@ void TreeView::CollapseOthers(double now) {
   for (const std::uint32_t node : selection_) {
     for (std::uint32_t i = node; i < scene_->nodes[node].end; ++i) collapsed_[i] = false;
   }
-  Relayout(Anchor(), now);
+  Relayout(Anchor(selected_, now), now);
 }
 
 void TreeView::OpenAll(double now) {
   std::fill(collapsed_.begin(), collapsed_.end(), false);
-  Relayout(Anchor(), now);
+  Relayout(Anchor(selected_, now), now);
 }
 
 std::uint32_t TreeView::ShownOf(std::uint32_t node) const {
@@ -140,20 +155,12 @@ std::uint32_t TreeView::ShownOf(std::uint32_t node) const {
 
 TreeView::Places TreeView::PlacesAt(double now) const {
   const std::size_t count = scene_ ? scene_->nodes.size() : 0;
-  Places places = {std::vector<Point>(count), std::vector<bool>(count, false)};
+  Places places = {std::vector<Box>(count), std::vector<bool>(count, false)};
   for (std::uint32_t k = 0; k < shown_.size(); ++k) {
-    places.at[shown_[k]] = BoxAt(k, now).min;
+    places.at[shown_[k]] = BoxAt(k, now);
     places.known[shown_[k]] = true;
   }
   return places;
-}
-
-void TreeView::Relayout(std::uint32_t anchor, double now) {
-  const Places before = PlacesAt(now);
-  anchor = shown_.empty() ? kNoSceneNode : shown_[ShownOf(anchor)];
-  ListShown();
-  LayOutShown();
-  Move(before, anchor, now);
 }
 
 void TreeView::ListShown() {
@@ -200,29 +207,6 @@ void TreeView::TakeLayout(TreeLayout layout) {
   }
 }
 
-// The anchor does not move on the screen: what the layout moves it, the camera moves back, and
-// where the boxes come from is shifted along. kNoSceneNode: everything is in its place at once.
-void TreeView::Move(const Places& before, std::uint32_t anchor, double now) {
-  from_.assign(shown_.size(), {});
-  moved_at_ = -1e9;
-  if (anchor == kNoSceneNode) return;
-  const Point shift = layout_.boxes[ShownOf(anchor)].min - before.at[anchor];
-  const bool was_fitted = camera == fitted_;
-  camera.offset = camera.offset - shift * camera.zoom;
-  if (was_fitted) fitted_ = camera;  // it was not the user who moved it
-  if (!animated) return;
-  for (std::uint32_t k = 0; k < shown_.size(); ++k) {
-    const std::uint32_t node = shown_[k];
-    if (before.known[node]) {
-      from_[k] = before.at[node] + shift;
-    } else {
-      // A new box comes out of its parent.
-      from_[k] = k == 0 ? layout_.boxes[0].min : from_[shown_parents_[k]];
-    }
-  }
-  moved_at_ = now;
-}
-
 Box TreeView::BoxAt(std::uint32_t k, double now) const {
   const Box& rest = layout_.boxes[k];
   if (!IsMoving(now)) return rest;
@@ -252,22 +236,11 @@ void TreeView::PlaceIn(const Box& canvas) {
   camera.offset = camera.offset + before.min - canvas.min;
   if (!was_fitted) return;
   const bool upper_edge_moved = before.min.x == canvas.min.x && before.max == canvas.max;
-  const bool stays = upper_edge_moved && (!was_in_sight || MoveIntoSight(size));
+  const bool is_large = camera.zoom >= ZoomOfAll(size) * 0.999F;
+  const bool may_stay = IsMouseOnNode() || (upper_edge_moved && is_large);
+  const bool stays = may_stay && (!was_in_sight || MoveIntoSight(size));
   if (!stays) at_first_ ? ShowAtFirst(size) : FitAll(size);
   fitted_ = camera;
-}
-
-// Up or down, as little as needed. False if the tree would be cut there, or smaller than it can be.
-bool TreeView::MoveIntoSight(Point canvas) {
-  const float zoom = ZoomOfAll(canvas);
-  if (camera.zoom < zoom * 0.999F) return false;
-  const Box box = camera.ToScreen(layout_.bounds);
-  const float margin = kLeastMargin * screen_scale;
-  const float down = margin - box.min.y;
-  const float up = canvas.y - margin - box.max.y;
-  if (down > up) return false;
-  camera.offset.y += std::clamp(0.0F, down, up);
-  return true;
 }
 
 // But for a little, such as the row by which a node has just grown.
@@ -293,7 +266,7 @@ void TreeView::Choose(Point canvas) {
   if (chosen.choice == choice_) return;
   choice_ = chosen.choice;
   TakeLayout(std::move(chosen.layout));
-  moved_at_ = -1e9;
+  moved_at_ = kNeverMoved;
 }
 
 float TreeView::ZoomOfAll(Point canvas) const {
@@ -350,6 +323,12 @@ void TreeView::ZoomAt(Point screen, float factor) {
   const Point world = camera.ToWorld(screen);
   camera.zoom = std::clamp(camera.zoom * factor, kLeastZoom, kLargestZoom * screen_scale);
   camera.offset = screen - world * camera.zoom;
+}
+
+void TreeView::RevealIfLost(Point canvas) {
+  if (selected_ == kNoSceneNode) return;
+  const Box box = camera.ToScreen(layout_.boxes[ShownOf(selected_)]);
+  if (!Box{{0, 0}, canvas}.Contains(box.center())) Reveal(canvas);
 }
 
 void TreeView::Reveal(Point canvas) {

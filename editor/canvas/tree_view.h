@@ -1,13 +1,19 @@
 // One tree on the canvas: which nodes are collapsed, where the boxes are and where they come from,
 // what is selected, and the camera. Knows neither colours nor fonts.
 //
+// When nodes get new places, by an edit, another style or folding, one of them holds still on the
+// screen: that below the mouse, or within reach of it; else the one that the change is about, if it
+// is seen; else that in the middle. If that one has gone, the nearest above it.
+//
 // World coordinates are pixels at zoom 1. Screen = origin of the canvas + offset + zoom * world.
 #ifndef COPPICE_EDITOR_CANVAS_TREE_VIEW_H_
 #define COPPICE_EDITOR_CANVAS_TREE_VIEW_H_
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -67,8 +73,8 @@ class TreeView {
   void SetScene(std::shared_ptr<const Scene> scene, const SizeOf& size_of, double now);
   const std::shared_ptr<const Scene>& scene() const { return scene_; }
 
-  /// A style that asks for another choice of the layout is chosen for, and fitted, in the next
-  /// frame.
+  /// For a style that asks for it another layout is chosen. A tree that was fitted is fitted again
+  /// in the next frame, unless the mouse is on one of its nodes.
   void SetStyle(const LayoutStyle& style, double now);
   const LayoutStyle& style() const { return style_; }
   /// Which way it grows now.
@@ -84,7 +90,7 @@ class TreeView {
   float screen_scale = 1;
 
   bool IsCollapsed(std::uint32_t node) const { return collapsed_[node]; }
-  /// Nodes without children are never collapsed. The node stays where it is on the screen.
+  /// Nodes without children are never collapsed.
   void SetCollapsed(std::uint32_t node, bool collapsed, double now);
   /// All SubTrees at once.
   void CollapseSubTrees(bool collapsed, double now);
@@ -138,8 +144,8 @@ class TreeView {
   /// Where on the screen the view is painted; before each frame. A view that was never fitted shows
   /// all of its tree if that can be read, else its top. When the place changes, one that was fitted
   /// and not moved since stays fitted; any other keeps its nodes where they are on the screen. A
-  /// fitted one does so too, as far as they fit, when only the upper edge moves: bars that come and
-  /// go above the canvas do not make the tree jump.
+  /// fitted one does so too, as far as they fit, when the mouse is on a node, or when only the
+  /// upper edge moves: bars that come and go above the canvas do not make the tree jump.
   void PlaceIn(const Box& canvas);
   /// The whole tree, or the selection (with its descendants), in a canvas of that size.
   void FitAll(Point canvas);
@@ -149,20 +155,30 @@ class TreeView {
   /// Moves the camera as little as needed for the selection to be seen.
   void Reveal(Point canvas);
 
+  /// The same if the middle of the node that was selected last is not seen.
+  void RevealIfLost(Point canvas);
+
   Camera camera;
-  Gesture gesture;  ///< of the mouse on the canvas
+  Gesture gesture;             ///< of the mouse on the canvas
+  std::optional<Point> mouse;  ///< on the screen, while it is on the canvas
   MinimapState minimap;
   bool needs_fit = true;  ///< to be shown as if for the first time; cleared by FitAll
 
  private:
+  static constexpr double kAtRest = std::numeric_limits<double>::infinity();  // when nothing moves
+  static constexpr double kNeverMoved = -1e9;
+
   // Where the nodes of the scene are on the canvas; only those with `known` are there.
   struct Places {
-    std::vector<Point> at;
+    std::vector<Box> at;
     std::vector<bool> known;
   };
 
   Places PlacesAt(double now) const;
-  std::uint32_t Anchor() const { return selected_ == kNoSceneNode ? 0 : selected_; }
+  Point MouseInWorld() const;
+  std::uint32_t Nearest(Point world, double now) const;
+  bool IsMouseOnNode() const;
+  std::uint32_t Anchor(std::uint32_t wanted, double now) const;
   void Relayout(std::uint32_t anchor, double now);
   void Move(const Places& before, std::uint32_t anchor, double now);
   void ListShown();
@@ -195,7 +211,7 @@ class TreeView {
   TreeLayout layout_;
   std::vector<Point> from_;  // upper left corners when the boxes began to move
   std::vector<Box> branches_;
-  double moved_at_ = -1e9;
+  double moved_at_ = kNeverMoved;
   Box canvas_;             // of the last frame
   Camera fitted_;          // if that is the camera, the tree was fitted and not moved since
   bool at_first_ = false;  // ... by ShowAtFirst

@@ -76,7 +76,7 @@ void TreeEditor::Show(const std::vector<FilePlace>& places) {
   state_.workspace.Refresh(now_);
   state_.workspace.SelectPlaces(places, now_);
   TreeView* view = state_.workspace.view();
-  if (view && view->selected() != kNoSceneNode) view->Reveal(state_.screen.canvas_size);
+  if (view) view->RevealIfLost(state_.screen.canvas_size);
 }
 
 Outcome TreeEditor::RunAll(const std::string& name, const std::vector<Selected>& selection,
