@@ -118,7 +118,9 @@ constexpr std::string_view kRun[] = {"run.back",
                                      "run.pin",
                                      "blackboard.selection",
                                      "blackboard.write",
+                                     kLine,
                                      "run.save",
+                                     "run.save_tree",
                                      "run.save_test"};
 constexpr std::string_view kSimulate[] = {
     "sim.start",   "sim.end",     "sim.restart",   "sim.again",      kLine,        "sim.play",
@@ -244,6 +246,7 @@ constexpr ThingRow kOfThings[] = {
     {"file.save", kOnTree | kOnTab},
     {"file.save_as", kOnTree},
     {"file.include", kOnTree},
+    {"run.save_tree", kOnTree | kOnTab | kOnCanvas | kInRun},
     {"file.export", kOnTree | kOnTab | kOnCanvas},
     {"file.compare", kOnTree | kOnTab},
     {kLine, kEverything},

@@ -1,11 +1,10 @@
 #include "editor/commands/run_commands.h"
 
 #include <charconv>
-#include <fstream>
 #include <utility>
 
-#include "bt_core/analysis/formats/write_record.h"
 #include "bt_core/data/value_bytes.h"
+#include "editor/commands/run_files.h"
 #include "editor/live/key_item.h"
 #include "editor/workspace/run_test_maker.h"
 
@@ -113,16 +112,6 @@ void AskForValue(EditorState& state) {
              },
              {}},
             *key < values.size() ? PrintValueBytes(values[*key]) : "");
-}
-
-Outcome SaveRun(const EditorState& state, const std::string& path) {
-  const RunView* run = state.workspace.run();
-  if (!run || !run->run().has_tree()) return Problem{"nothing was received yet"};
-  if (std::ifstream(path))
-    return Problem{path + " is there already; a record is never overwritten"};
-  std::ofstream stream(path, std::ios::binary);
-  stream << ToRecord(run->run().recording());
-  return stream.flush() ? Outcome() : Problem{path + " cannot be written"};
 }
 
 class RunCommands {
@@ -288,13 +277,6 @@ class RunCommands {
       const int at = s.workspace.FindRun(run.name());
       s.workspace.CloseRun(static_cast<std::size_t>(at), s.now);
     });
-    Add("run.save", "Save what was received as a record", {'S', kCtrl | kAlt},
-        [&s = state_](RunView&) {
-          s.Ask({"Save the run as a record: its path",
-                 [&s](const std::string& path) { return SaveRun(s, path); },
-                 {}},
-                "run.coppice");
-        });
     Add("run.save_test", "Make a test of the run or of its marked stretch", {'T', kCtrl | kShift},
         [&s = state_](RunView&) {
           s.Ask({"name of the test",
@@ -312,7 +294,10 @@ class RunCommands {
 
 }  // namespace
 
-void AddRunCommands(EditorState& state) { RunCommands(state).AddAll(); }
+void AddRunCommands(EditorState& state) {
+  RunCommands(state).AddAll();
+  AddRunFileCommands(state);
+}
 
 std::string SelectedRunPath(EditorState& state) {
   const TreeView* view = state.workspace.view();

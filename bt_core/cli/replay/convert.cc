@@ -4,6 +4,7 @@
 
 #include "bt_core/analysis/formats/export.h"
 #include "bt_core/analysis/formats/import_btlog.h"
+#include "bt_core/analysis/formats/tree_file.h"
 #include "bt_core/analysis/formats/write_record.h"
 #include "bt_core/analysis/load_recording.h"
 #include "bt_core/base/command_line.h"
@@ -26,6 +27,10 @@ std::optional<Recording> Read(const std::string& path, Diagnostics& diagnostics)
   return bytes ? FromBtlog(*bytes, path, diagnostics) : std::nullopt;
 }
 
+std::optional<std::string> ToTreeFile(const Recording& run) {
+  return run.trees().empty() ? std::string() : TreeFile(run.trees().back());
+}
+
 std::optional<std::string> Convert(const Recording& run, const std::string& out,
                                    Diagnostics& diagnostics) {
   if (EndsIn(out, ".coppice")) return ToRecord(run);
@@ -33,8 +38,9 @@ std::optional<std::string> Convert(const Recording& run, const std::string& out,
   if (EndsIn(out, ".json")) return ToChromeTrace(run);
   if (EndsIn(out, ".csv")) return ToCsv(run);
   if (EndsIn(out, ".bag")) return ToRosbag(run, diagnostics);
+  if (EndsIn(out, ".xml")) return ToTreeFile(run);
   diagnostics.Error({out}, "is of no known format",
-                    "expected .coppice, .btlog, .json, .csv or .bag");
+                    "expected .coppice, .btlog, .json, .csv, .bag or .xml");
   return std::nullopt;
 }
 
@@ -50,7 +56,8 @@ IN:   .coppice   a record
 OUT:  .coppice, .btlog
       .json      trace of Chrome; opens in ui.perfetto.dev
       .csv       changes, writes and messages, one per line
-      .bag       bag of ROS 1)",
+      .bag       bag of ROS 1
+      .xml       the tree that ran last, as one file)",
                                {}};
   return command;
 }

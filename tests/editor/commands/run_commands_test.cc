@@ -98,6 +98,32 @@ TEST_F(RunCommandsTest, SavesWhatWasReceivedAndOpensItAgain) {
   EXPECT_EQ(state().workspace.run()->run().size(), 25U);
 }
 
+TEST_F(RunCommandsTest, ARecordIsNeverOverwritten) {
+  AddExecuted(driver_, "robot:1", 3);
+  const TemporaryFile there("run.coppice", "precious");
+  state().commands.Run("run.save");
+  driver_.Frames();
+  driver_.Press('A', kCtrl);
+  driver_.Type(there.path());
+  driver_.Press(kKeyEnter);
+  EXPECT_NE(state().popup.error.find("never overwritten"), std::string::npos);
+  EXPECT_EQ(ReadFile(there.path()), "precious");
+}
+
+TEST_F(RunCommandsTest, SavesTheTreeOfTheRobotAndOpensItToBeEdited) {
+  AddExecuted(driver_, "robot:1", 3);
+  const TemporaryFile folder("x", "");
+  const std::string path = folder.folder() + "/copy.xml";
+  driver_.Press('S', kCtrl | kAlt | kShift);
+  driver_.Press('A', kCtrl);
+  driver_.Type(path);
+  driver_.Press(kKeyEnter);
+  driver_.Frames(4);
+  ASSERT_NE(state().workspace.file(), nullptr);
+  EXPECT_EQ(state().workspace.file()->path, path);
+  EXPECT_EQ(state().workspace.view()->scene()->tree_id, "Main");
+}
+
 TEST_F(RunCommandsTest, TheArrowsMoveThePlayheadAndWithCtrlTheSelection) {
   AddExecuted(driver_, "robot:1", 10);
   ASSERT_TRUE(driver_.Click("canvas/Main/1.1"));
