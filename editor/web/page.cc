@@ -32,7 +32,8 @@ Page::Page(const Clock& clock) : clock_(clock), window_(1, 1) {
 }
 
 void Page::Connect(const std::string& robot) {
-  editor_->Connect(robot);
+  const Outcome connected = editor_->Connect(robot);
+  if (!connected) editor_->state().Notify(connected.problem(), editor_->state().now, true);
   is_asked_ = true;
 }
 

@@ -248,7 +248,7 @@ void DrawTypeAction(const Ui& ui, EditorState& state, const std::string& type) {
   const char* const words = is_tree ? (is_defined ? "edit the declared ports" : "declare its ports")
                                     : (is_defined ? "edit this type" : "define this type");
   if (!ActionRow(ui, "inspector/edit_type", words)) return;
-  state.after_frame = [&state, now = ui.now, type] { state.commands.Run("type.define"); };
+  state.after_frame = [&state] { state.commands.Run("type.define"); };
 }
 
 void DrawTypePage(const Ui& ui, EditorState& state) {

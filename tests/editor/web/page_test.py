@@ -249,7 +249,9 @@ def main(coppice, folder, picture=None):
         try:
             address = None
             while not address:
-                address = re.search(r"in a browser: (\S+)", robot.stderr.readline())
+                line = robot.stderr.readline()
+                assert line and not line.startswith("no page"), "there is no page: " + line
+                address = re.search(r"in a browser: (\S+)", line)
             is_sent_compressed(address.group(1))
             browser = Browser(scratch + "/profile")
             look(browser, address.group(1), picture)
