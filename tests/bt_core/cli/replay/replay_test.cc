@@ -162,7 +162,7 @@ TEST_F(ReplayTest, HasFiguresPerNode) {
 }
 
 TEST_F(ReplayTest, IsConvertedByTheEndingsOfNames) {
-  for (const char* name : {"x.json", "x.csv", "x.btlog", "x.bag", "x.coppice"}) {
+  for (const char* name : {"x.json", "x.csv", "x.btlog", "x.bag", "x.coppice", "x.xml"}) {
     EXPECT_EQ(Run({path(), folder_.Path(name)}, RunConvert), 0) << error_;
     EXPECT_GT(ReadFile(folder_.Path(name)).size(), 100u) << name;
   }
@@ -170,8 +170,9 @@ TEST_F(ReplayTest, IsConvertedByTheEndingsOfNames) {
   EXPECT_EQ(Run({folder_.Path("y.coppice"), "--print"}), 0);
   EXPECT_THAT(out_, HasSubstr("first  IDLE -> RUNNING"));
   EXPECT_EQ(Run({"--verify", folder_.Path("x.coppice")}), 0);
+  EXPECT_THAT(ReadFile(folder_.Path("x.xml")), HasSubstr("name=\"first\""));
   EXPECT_EQ(Run({path(), folder_.Path("x.doc")}, RunConvert), 2);
-  EXPECT_THAT(error_, HasSubstr("expected .coppice, .btlog, .json, .csv or .bag"));
+  EXPECT_THAT(error_, HasSubstr("expected .coppice, .btlog, .json, .csv, .bag or .xml"));
   EXPECT_EQ(ReadFile(folder_.Path("x.doc")), "");
   EXPECT_EQ(Run({folder_.Path("none.btlog"), folder_.Path("z.csv")}, RunConvert), 2);
 }
