@@ -170,7 +170,7 @@ TEST_F(ReplayTest, IsConvertedByTheEndingsOfNames) {
   EXPECT_EQ(Run({folder_.Path("y.coppice"), "--print"}), 0);
   EXPECT_THAT(out_, HasSubstr("first  IDLE -> RUNNING"));
   EXPECT_EQ(Run({"--verify", folder_.Path("x.coppice")}), 0);
-  EXPECT_THAT(ReadFile(folder_.Path("x.xml")), HasSubstr("name=\"first\""));
+  EXPECT_THAT(ReadFile(folder_.Path("x.xml")), HasSubstr("<Sleep name='first'"));
   EXPECT_EQ(Run({path(), folder_.Path("x.doc")}, RunConvert), 2);
   EXPECT_THAT(error_, HasSubstr("expected .coppice, .btlog, .json, .csv, .bag or .xml"));
   EXPECT_EQ(ReadFile(folder_.Path("x.doc")), "");
