@@ -127,7 +127,7 @@ class CanvasPass {
 }  // namespace
 
 void DrawCanvas(const Ui& ui, TreeView& view, const Box& box, const CanvasOptions& options) {
-  view.screen_scale = ui.scale;
+  view.SetScreenScale(ui.scale);
   const Point mouse = FromIm(ImGui::GetIO().MousePos);
   const bool is_over =
       box.Contains(mouse) && ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);

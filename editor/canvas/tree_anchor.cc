@@ -53,7 +53,7 @@ std::uint32_t TreeView::Anchor(std::uint32_t wanted, double now) const {
   const Point size = {canvas_.width(), canvas_.height()};
   const Point eyes = mouse ? MouseInWorld() : camera.ToWorld(size * 0.5F);
   const std::uint32_t nearest = Nearest(eyes, now);
-  const float reach = kReach * screen_scale / camera.zoom;
+  const float reach = kReach * screen_scale_ / camera.zoom;
   const bool is_near = mouse && Squared(Into(BoxAt(nearest, now), eyes)) <= reach * reach;
   if (is_near || wanted == kNoSceneNode || !gesture.drag.nodes.empty()) return shown_[nearest];
   const Box box = camera.ToScreen(BoxAt(ShownOf(wanted), now));
@@ -100,7 +100,7 @@ void TreeView::Move(const Places& before, std::uint32_t anchor, double now) {
 // As little as needed. False if the tree would be cut.
 bool TreeView::MoveIntoSight(Point canvas) {
   const Box box = camera.ToScreen(layout_.bounds);
-  const float margin = kLeastMargin * screen_scale;
+  const float margin = kLeastMargin * screen_scale_;
   const Point least = Point{margin, margin} - box.min;
   const Point most = canvas - Point{margin, margin} - box.max;
   if (least.x > most.x || least.y > most.y) return false;

@@ -92,6 +92,23 @@ void TreeView::SetScene(std::shared_ptr<const Scene> scene, const SizeOf& size_o
   Move(after, anchor, now);
 }
 
+void TreeView::MeasureAgain(const SizeOf& size_of, double now) {
+  if (!scene_) return;
+  const std::uint32_t anchor = Anchor(selected_, now);
+  for (std::size_t i = 0; i < sizes_.size(); ++i) sizes_[i] = size_of(*scene_, scene_->nodes[i]);
+  Relayout(anchor, now);
+}
+
+void TreeView::SetScreenScale(float scale) {
+  const float factor = scale / std::exchange(screen_scale_, scale);
+  if (factor == 1) return;
+  const bool was_fitted = camera == fitted_;
+  const Point middle = Point{canvas_.width(), canvas_.height()} * 0.5F;
+  camera.offset = middle + (camera.offset - middle) * factor;
+  camera.zoom *= factor;
+  if (was_fitted) fitted_ = camera;
+}
+
 void TreeView::SetStyle(const LayoutStyle& style, double now) {
   if (style == style_) return;
   const LayoutStyle before = std::exchange(style_, style);
@@ -246,20 +263,20 @@ void TreeView::PlaceIn(const Box& canvas) {
 // But for a little, such as the row by which a node has just grown.
 bool TreeView::IsInSight(Point canvas) const {
   const Box box = camera.ToScreen(layout_.bounds);
-  const float out = kMargin * screen_scale;
+  const float out = kMargin * screen_scale_;
   return box.min.x >= -out && box.min.y >= -out && box.max.x <= canvas.x + out &&
          box.max.y <= canvas.y + out;
 }
 
 float TreeView::LargestFit(Point canvas) const {
-  const float room = canvas.x / (kWideCanvas * screen_scale);
-  return screen_scale * std::clamp(room, 1.0F, kLargestFit);
+  const float room = canvas.x / (kWideCanvas * screen_scale_);
+  return screen_scale_ * std::clamp(room, 1.0F, kLargestFit);
 }
 
 // What is chosen anew is in its place at once.
 void TreeView::Choose(Point canvas) {
-  const float margins = 2 * kMargin * screen_scale;
-  const Point room = (canvas - Point{margins, margins}) * (1 / screen_scale);
+  const float margins = 2 * kMargin * screen_scale_;
+  const Point room = (canvas - Point{margins, margins}) * (1 / screen_scale_);
   ChosenLayout chosen = ChooseLayout(Measured(), style_, room);
   readable_ = chosen.readable;
   can_be_read_ = chosen.can_be_read;
@@ -270,7 +287,7 @@ void TreeView::Choose(Point canvas) {
 }
 
 float TreeView::ZoomOfAll(Point canvas) const {
-  return ZoomToFit(layout_.bounds, canvas, kMargin * screen_scale, LargestFit(canvas));
+  return ZoomToFit(layout_.bounds, canvas, kMargin * screen_scale_, LargestFit(canvas));
 }
 
 void TreeView::FitAll(Point canvas) {
@@ -292,8 +309,8 @@ void TreeView::ShowAtFirst(Point canvas) {
 
 // The root at the upper or left edge, and what follows it as large as it must be to be read.
 void TreeView::ShowTop(Point canvas) {
-  camera.zoom = readable_ * screen_scale;
-  const float margin = kMargin * screen_scale;
+  camera.zoom = readable_ * screen_scale_;
+  const float margin = kMargin * screen_scale_;
   const Box all = {layout_.bounds.min * camera.zoom, layout_.bounds.max * camera.zoom};
   const Point root = layout_.boxes[0].center() * camera.zoom;
   // As a whole in the middle if there is room, else from the edge, or around the root.
@@ -311,17 +328,17 @@ void TreeView::FitSelection(Point canvas) {
   if (selection_.empty()) return;
   Box box = branches_[ShownOf(selection_.front())];
   for (const std::uint32_t node : selection_) box = Union(box, branches_[ShownOf(node)]);
-  Fit(box, canvas, 1.4F * screen_scale);
+  Fit(box, canvas, 1.4F * screen_scale_);
 }
 
 void TreeView::Fit(const Box& box, Point canvas, float largest_zoom) {
-  camera.zoom = ZoomToFit(box, canvas, kMargin * screen_scale, largest_zoom);
+  camera.zoom = ZoomToFit(box, canvas, kMargin * screen_scale_, largest_zoom);
   camera.offset = canvas * 0.5F - box.center() * camera.zoom;
 }
 
 void TreeView::ZoomAt(Point screen, float factor) {
   const Point world = camera.ToWorld(screen);
-  camera.zoom = std::clamp(camera.zoom * factor, kLeastZoom, kLargestZoom * screen_scale);
+  camera.zoom = std::clamp(camera.zoom * factor, kLeastZoom, kLargestZoom * screen_scale_);
   camera.offset = screen - world * camera.zoom;
 }
 
@@ -334,7 +351,7 @@ void TreeView::RevealIfLost(Point canvas) {
 void TreeView::Reveal(Point canvas) {
   if (selected_ == kNoSceneNode) return;
   const Box box = camera.ToScreen(layout_.boxes[ShownOf(selected_)]);
-  const auto correction = [margin = kMargin * screen_scale](float low, float high, float size) {
+  const auto correction = [margin = kMargin * screen_scale_](float low, float high, float size) {
     if (low < margin) return margin - low;
     return high > size - margin ? std::max(size - margin - high, margin - low) : 0.0F;
   };

@@ -73,6 +73,9 @@ class TreeView {
   void SetScene(std::shared_ptr<const Scene> scene, const SizeOf& size_of, double now);
   const std::shared_ptr<const Scene>& scene() const { return scene_; }
 
+  /// The nodes of the scene have other sizes now.
+  void MeasureAgain(const SizeOf& size_of, double now);
+
   /// For a style that asks for it another layout is chosen. A tree that was fitted is fitted again
   /// in the next frame, unless the mouse is on one of its nodes.
   void SetStyle(const LayoutStyle& style, double now);
@@ -86,8 +89,10 @@ class TreeView {
 
   /// Without it, nodes jump to their places.
   bool animated = true;
-  /// Of the screen; a tree is not fitted larger than that, but on a wide canvas.
-  float screen_scale = 1;
+  /// Of the screen; a tree is not fitted larger than that, but on a wide canvas. With another one
+  /// the tree is as much larger, around the middle of the canvas.
+  void SetScreenScale(float scale);
+  float screen_scale() const { return screen_scale_; }
 
   bool IsCollapsed(std::uint32_t node) const { return collapsed_[node]; }
   /// Nodes without children are never collapsed.
@@ -195,6 +200,7 @@ class TreeView {
   bool IsInSight(Point canvas) const;
   bool MoveIntoSight(Point canvas);
 
+  float screen_scale_ = 1;
   std::shared_ptr<const Scene> scene_;
   TreeHashes hashes_;
   std::vector<NodeSizes> sizes_;

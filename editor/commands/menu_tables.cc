@@ -61,10 +61,14 @@ constexpr std::string_view kView[] = {"view.grow_by_itself",
                                       "tree.open_subtrees",
                                       "tree.close_subtrees",
                                       kLine,
+                                      "view.scale",
                                       "palette.dark",
                                       "palette.light",
                                       "palette.colourblind",
                                       "view.reduce_motion"};
+constexpr std::string_view kScale[] = {
+    "scale.larger", "scale.smaller", "scale.as_screen", kLine,       "scale.75",  "scale.100",
+    "scale.125",    "scale.150",     "scale.175",       "scale.200", "scale.250", "scale.300"};
 constexpr std::string_view kTiles[] = {
     "tile.project", "tile.outline",  "tile.types",      "tile.inspector", "tile.blackboard",
     "tile.xml",     "tile.problems", "tile.tests",      "tile.run",       "tile.timeline",
@@ -141,9 +145,10 @@ constexpr BarRows Of(std::string_view name, const std::string_view (&rows)[kCoun
   return {name, rows, kCount};
 }
 
-constexpr BarRows kBar[] = {Of("file", kFile), Of("edit", kEdit),         Of("tree", kTree),
-                            Of("view", kView), Of("tiles", kTiles),       Of("robot", kRobot),
-                            Of("run", kRun),   Of("simulate", kSimulate), Of("help", kHelp)};
+constexpr BarRows kBar[] = {Of("file", kFile),       Of("edit", kEdit),         Of("tree", kTree),
+                            Of("view", kView),       Of("tiles", kTiles),       Of("robot", kRobot),
+                            Of("run", kRun),         Of("simulate", kSimulate), Of("help", kHelp),
+                            Of("view.scale", kScale)};
 
 // Things that one can click on.
 enum Thing : unsigned {

@@ -10,7 +10,9 @@
 namespace coppice::editor {
 namespace {
 
-constexpr std::string_view kRecent = "file.recent";  // the command, and the menu that it opens
+// Commands, and the menus that they open.
+constexpr std::string_view kRecent = "file.recent";
+constexpr std::string_view kScale = "view.scale";
 
 MenuItem ItemOf(const EditorCommand& command) {
   MenuItem item;
@@ -20,7 +22,7 @@ MenuItem ItemOf(const EditorCommand& command) {
   item.why_not = command.WhyNot();
   item.is_on = command.is_on && command.is_on();
   item.run = command.run;
-  if (command.id == kRecent) item.submenu = kRecent;
+  if (command.id == kRecent || command.id == kScale) item.submenu = command.id;
   return item;
 }
 

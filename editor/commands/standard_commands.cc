@@ -1,8 +1,11 @@
 #include "editor/commands/standard_commands.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
+#include "editor/commands/menus.h"
+#include "editor/theme/scale.h"
 #include "editor/workspace/canvas_tabs.h"
 
 namespace coppice::editor {
@@ -74,7 +77,7 @@ class Commands {
     AddForView("view.fit_selection", "Fit selection", {kKeyPeriod},
                [&s = state_](TreeView& view) { view.FitSelection(s.screen.canvas_size); });
     AddForView("view.zoom_100", "Zoom to 100 %", {'Z'}, [&s = state_](TreeView& view) {
-      view.ZoomAt(s.screen.canvas_size * 0.5F, view.screen_scale / view.camera.zoom);
+      view.ZoomAt(s.screen.canvas_size * 0.5F, view.screen_scale() / view.camera.zoom);
     });
     AddGrowth("view.grow_by_itself", "Down or across, as it can be read", Growth::kByItself);
     AddGrowth("view.top_to_bottom", "Top to bottom", Growth::kDown);
@@ -90,10 +93,32 @@ class Commands {
     AddPalette("palette.dark", "Dark colours", PaletteName::kDark);
     AddPalette("palette.light", "Light colours", PaletteName::kLight);
     AddPalette("palette.colourblind", "Colour-blind colours", PaletteName::kColourBlind);
+    AddScales();
     AddSwitch(
         "view.reduce_motion", "Reduce motion", {},
         [&s = state_] { s.screen.reduce_motion = !s.screen.reduce_motion; },
         [&s = state_] { return s.screen.reduce_motion; });
+  }
+
+  void AddScales() {
+    Add("view.scale", "Scale", {}, [&s = state_] { OpenMenuBelow(s, "view.scale", "menu/view"); });
+    const auto step = [&s = state_](int by) {
+      ScreenState& screen = s.screen;
+      screen.scale = NextScale(ShownScale(screen.scale, screen.scale_of_screen), by);
+    };
+    Add("scale.larger", "Everything larger", {'=', kCtrl}, [step] { step(1); });
+    Add("scale.smaller", "Everything smaller", {'-', kCtrl}, [step] { step(-1); });
+    AddScale("scale.as_screen", "Scale as the screen says", {'0', kCtrl}, kScaleOfScreen);
+    for (const float scale : kScales) {
+      const std::string percent = std::to_string(std::lround(scale * 100));
+      AddScale("scale." + percent, "Scale " + percent + " %", {}, scale);
+    }
+  }
+
+  void AddScale(std::string id, std::string title, KeyChord keys, float scale) {
+    AddSwitch(
+        std::move(id), std::move(title), keys, [&s = state_, scale] { s.screen.scale = scale; },
+        [&s = state_, scale] { return s.screen.scale == scale; });
   }
 
   void AddGrowth(std::string id, std::string title, Growth growth) {

@@ -8,14 +8,9 @@
 #include <imgui_internal.h>
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <optional>
 #include <stdexcept>
 #include <utility>
 
-#include "bt_core/model/write_file.h"
 #include "editor/canvas/canvas.h"
 #include "editor/canvas/layout/node_metrics.h"
 #include "editor/commands/command_needs.h"
@@ -32,9 +27,6 @@
 #include "editor/commands/run_commands.h"
 #include "editor/commands/simulation_commands.h"
 #include "editor/commands/standard_commands.h"
-#include "editor/keys/key_file.h"
-#include "editor/keys/recent.h"
-#include "editor/live/kept_marks.h"
 #include "editor/live/robot_source.h"
 #include "editor/panels/menu/menu.h"
 #include "editor/panels/popup/popup.h"
@@ -44,6 +36,7 @@
 #include "editor/render/rasteriser.h"
 #include "editor/theme/imgui_context.h"
 #include "editor/theme/imgui_style.h"
+#include "editor/theme/scale.h"
 
 namespace coppice::editor {
 namespace {
@@ -55,12 +48,6 @@ constexpr float kLeastWidth = 320;       // of a window that is neither closed n
 constexpr float kLeastHeight = 240;
 constexpr double kWaitingFrame = 1.0;  // to count down to the next try
 
-std::optional<std::string> ReadText(const std::string& path) {
-  std::ifstream stream(path, std::ios::binary);
-  if (path.empty() || !stream) return std::nullopt;
-  return std::string(std::istreambuf_iterator<char>(stream), {});
-}
-
 // Nothing goes on in the run that is shown.
 bool IsAtRest(const EditorState& state) {
   const RunView* const run = state.workspace.run();
@@ -70,24 +57,18 @@ bool IsAtRest(const EditorState& state) {
   return !is_live || run->stop().where != DebugStop::Where::kNowhere;
 }
 
-// In a folder that may not be there yet. When it fails it may succeed the next time.
-bool WriteOwnFile(const std::string& path, const std::string& text) {
-  std::error_code error;
-  std::filesystem::create_directories(std::filesystem::path(path).parent_path(), error);
-  Diagnostics ignored;
-  return WriteFile(path, text, ignored);
-}
-
 }  // namespace
 
 Editor::Editor(EditorOptions options)
     : options_(std::move(options)),
-      fonts_(options_.fonts ? options_.fonts : std::make_shared<const Fonts>(options_.scale)),
+      fonts_(options_.fonts ? options_.fonts
+                            : std::make_shared<const Fonts>(
+                                  ShownScale(options_.settings.scale, options_.scale))),
       context_(fonts_->MakeContext()),
       state_(
           [this](const Scene& scene, const SceneNode& node) {
             const Ui ui{
-                GetPalette(state_.screen.palette), *fonts_, items_, options_.scale, 0, Time{}};
+                GetPalette(state_.screen.palette), *fonts_, items_, fonts_->scale(), 0, Time{}};
             return MeasureNode(ui, scene, node);
           },
           options_.backup_folder),
@@ -98,6 +79,7 @@ Editor::Editor(EditorOptions options)
   window_ = {static_cast<float>(options_.settings.width),
              static_cast<float>(options_.settings.height)};
   kept_settings_ = WriteSettings(options_.kept_settings);
+  state_.screen.scale_of_screen = options_.scale;
   state_.services.open_file = [this](const std::string& path) { return Open(path); };
   state_.services.resume = [this](const std::string& path, const std::string& text) {
     return history_store_.Resume(state_.workspace.project(), path, text);
@@ -242,17 +224,18 @@ void Editor::Frame(const InputEvents& input) {
   const std::string news = state_.workspace.TakeNews();
   if (!news.empty()) state_.Notify(news, state_.now);
   Apply(input);
+  UseScale();
   ImGui::NewFrame();
   items_.Clear();
   const Palette& palette = GetPalette(state_.screen.palette);
-  ApplyImGuiStyle(palette, options_.scale);
+  ApplyImGuiStyle(palette, fonts_->scale());
   if (TreeView* view = state_.workspace.view()) view->animated = !state_.screen.reduce_motion;
   RunKeys();
   const TreeSnapshot* shown = state_.workspace.tree_state();
   const Ui ui{GetPalette(state_.screen.palette),
               *fonts_,
               items_,
-              options_.scale,
+              fonts_->scale(),
               state_.now,
               shown ? shown->now : Time{},
               state_.screen.reduce_motion,
@@ -276,6 +259,25 @@ void Editor::Frame(const InputEvents& input) {
   if (saves_after_typing_ && state_.input.typing.key.empty()) {
     saves_after_typing_ = false;
     state_.commands.Run("file.save");
+  }
+}
+
+// Fonts are baked for one scale. Boxes of nodes follow: their texts are not exactly twice as wide.
+void Editor::UseScale() {
+  const float scale = ShownScale(state_.screen.scale, options_.scale);
+  if (scale == fonts_->scale()) return;
+  const bool was_given = options_.fonts && options_.fonts->scale() == scale;
+  auto fonts = was_given ? options_.fonts : std::make_shared<const Fonts>(scale);
+  if (!fonts->error().empty()) {
+    state_.Notify(fonts->error(), state_.now, true);
+    state_.screen.scale = fonts_->scale();
+    return;
+  }
+  fonts_ = std::move(fonts);
+  fonts_->UseInContext();
+  state_.workspace.MeasureAgain(state_.now);
+  if (Comparison* const shown = state_.canvas.comparison.get()) {
+    shown->view().MeasureAgain(state_.workspace.size_of(), state_.now);
   }
 }
 
@@ -424,76 +426,11 @@ CursorShape Editor::cursor() const {
   }
 }
 
-void Editor::LoadKeys() {
-  KeySettings& keys = state_.key_settings;
-  keys.file = options_.keys_file;
-  if (const std::optional<std::string> text = ReadText(keys.file)) {
-    ReadKeys(*text, keys.file, state_.commands, keys.problems);
-  }
-  if (keys.problems.has_errors()) {
-    state_.Notify("some keys of " + keys.file + " do not hold: F1 says why", state_.now, true);
-  }
-}
-
 bool Editor::IsLogBehind() const {
   const RunView* run = state_.workspace.run();
   if (!run || state_.run.tab != RunTab::kLog) return false;
   const auto log = state_.run.logs.find(run->name());
   return log != state_.run.logs.end() && log->second.is_behind(run->run());
-}
-
-void Editor::LoadMarks() {
-  Workspace& workspace = state_.workspace;
-  const std::optional<std::string> text = ReadText(options_.marks_file);
-  if (!text) return;
-  Diagnostics problems;
-  ReadMarks(*text, options_.marks_file, workspace.marks(), problems);
-  if (!problems.all().empty()) state_.Notify(ToString(problems.all().front()), state_.now, true);
-  kept_marks_ = WriteMarks(workspace.marks());
-}
-
-void Editor::KeepSettings() {
-  if (options_.settings_file.empty()) return;
-  Settings settings = SettingsOf(state_);
-  settings.width = static_cast<int>(window_.x);
-  settings.height = static_cast<int>(window_.y);
-  // What was said for this time alone is not what the user has chosen.
-  const Settings& now = options_.settings;
-  const Settings& before = options_.kept_settings;
-  if (settings.palette == now.palette) settings.palette = before.palette;
-  if (settings.reduce_motion == now.reduce_motion) settings.reduce_motion = before.reduce_motion;
-  if (settings.width == now.width) settings.width = before.width;
-  if (settings.height == now.height) settings.height = before.height;
-  std::string text = WriteSettings(settings);
-  if (text != kept_settings_ && WriteOwnFile(options_.settings_file, text)) {
-    kept_settings_ = std::move(text);
-  }
-}
-
-void Editor::KeepMarks() {
-  if (options_.marks_file.empty()) return;
-  std::string marks = WriteMarks(state_.workspace.marks());
-  const bool never_any = kept_marks_.empty() && !HasAny(state_.workspace.marks());
-  if (marks == kept_marks_ || never_any) return;
-  if (WriteOwnFile(options_.marks_file, marks)) kept_marks_ = std::move(marks);
-}
-
-void Editor::LoadRecent() {
-  const std::optional<std::string> text = ReadText(options_.recent_file);
-  if (text) state_.recent = ReadRecent(*text);
-  kept_recent_ = WriteRecent(state_.recent);
-}
-
-void Editor::KeepRecent() {
-  std::string text = WriteRecent(state_.recent);
-  if (options_.recent_file.empty() || text == kept_recent_) return;
-  if (WriteOwnFile(options_.recent_file, text)) kept_recent_ = std::move(text);
-}
-
-void Editor::Remember(const std::string& path) {
-  std::error_code error;
-  UseAgain(state_.recent.files, std::filesystem::absolute(path, error).lexically_normal().string());
-  KeepRecent();
 }
 
 }  // namespace coppice::editor

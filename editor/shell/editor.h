@@ -36,7 +36,7 @@ struct EditorOptions {
   Settings kept_settings;              ///< of the last time; what differs was said for this time
   std::string settings_file;           ///< where they are kept when they change; empty: nowhere
   float scale = 1;                     ///< of the screen; 2 on a screen with tiny pixels
-  std::shared_ptr<const Fonts> fonts;  ///< of that scale, shared with others; null: its own
+  std::shared_ptr<const Fonts> fonts;  ///< shared with others; null, or of another scale: its own
   std::string recent_file;             ///< where the list of recent files is kept; empty: nowhere
   std::string backup_folder;   ///< where unsaved work and the history are kept; empty: nowhere
   std::string keys_file;       ///< the user's keys (commands/key_file.h); empty: none
@@ -103,6 +103,7 @@ class Editor {
  private:
   void SetUpImGui();
   void Apply(const InputEvents& input);
+  void UseScale();
   void RunKeys();
   void NoteAlt(const KeyEvent& key);
   void LoadRecent();
@@ -116,7 +117,7 @@ class Editor {
   void Remember(const std::string& path);
 
   const EditorOptions options_;
-  const std::shared_ptr<const Fonts> fonts_;
+  std::shared_ptr<const Fonts> fonts_;
   ImGuiContext* const context_;
   std::string clipboard_;
   ItemRegistry items_;

@@ -16,9 +16,9 @@ namespace {
 
 constexpr float kSizes[] = {7, 8, 9, 10, 11, 12, 13, 14, 15, 17, 19, 22, 25, 29, 34, 40};
 
-constexpr ImWchar kTextRanges[] = {0x0020, 0x017F, 0x0391, 0x03C9, 0x2010, 0x2026, 0x2190,
-                                   0x2193, 0x21C9, 0x21C9, 0x2248, 0x2248, 0x2260, 0x2265,
-                                   0x25A0, 0x25A1, 0x25B2, 0x25CF, 0};
+constexpr ImWchar kTextRanges[] = {0x0020, 0x017F, 0x0391, 0x03C9, 0x2010, 0x2026, 0x203A,
+                                   0x203A, 0x2190, 0x2193, 0x21C9, 0x21C9, 0x2248, 0x2248,
+                                   0x2260, 0x2265, 0x25A0, 0x25A1, 0x25B2, 0x25CF, 0};
 constexpr ImWchar kIconRanges[] = {
     0xF002, 0xF002, 0xF00C, 0xF00D, 0xF017, 0xF017, 0xF01E, 0xF01E, 0xF021, 0xF021, 0xF048,
     0xF048, 0xF04B, 0xF04E, 0xF051, 0xF051, 0xF059, 0xF059, 0xF06A, 0xF06A, 0xF071, 0xF071,
@@ -44,17 +44,25 @@ void Bake(const std::string& text_file, const std::string& icon_file,
 
 }  // namespace
 
-Fonts::Fonts(float scale) : atlas_(std::make_unique<ImFontAtlas>()) { error_ = Load(scale); }
+Fonts::Fonts(float scale) : scale_(scale), atlas_(std::make_unique<ImFontAtlas>()) {
+  error_ = Load();
+}
 
 ImGuiContext* Fonts::MakeContext() const {
   const WithContext unchanged(ImGui::GetCurrentContext());
   ImGuiContext* const context = ImGui::CreateContext(atlas_.get());
   ImGui::SetCurrentContext(context);
-  ImGui::GetIO().FontDefault = usual_;
+  UseInContext();
   return context;
 }
 
-std::string Fonts::Load(float scale) {
+void Fonts::UseInContext() const {
+  atlas_->SetTexID(nullptr);
+  ImGui::GetIO().Fonts = atlas_.get();
+  ImGui::GetIO().FontDefault = usual_;
+}
+
+std::string Fonts::Load() {
   ImFontAtlas& atlas = *atlas_;
 #ifdef COPPICE_HAS_FREETYPE
   atlas.FontBuilderIO = ImGuiFreeType::GetBuilderForFreeType();
@@ -74,7 +82,7 @@ std::string Fonts::Load(float scale) {
   } kFaces[] = {{"DejaVuSans.ttf", sans_, true},
                 {"DejaVuSans-Bold.ttf", bold_, true},
                 {"DejaVuSansMono.ttf", mono_, false}};
-  for (const float size : kSizes) sizes_.push_back(std::round(size * scale));
+  for (const float size : kSizes) sizes_.push_back(std::round(size * scale_));
   for (const auto& face : kFaces) {
     const std::string file = TextFontFile(face.file);
     if (file.empty()) {
@@ -84,7 +92,7 @@ std::string Fonts::Load(float scale) {
     Bake(file, face.with_icons ? icons : std::string(), sizes_, atlas, face.fonts);
   }
   if (!atlas.Build()) return "the fonts cannot be baked into a texture";
-  usual_ = Pick(Face::kSans, 13 * scale);
+  usual_ = Pick(Face::kSans, 13 * scale_);
   return {};
 }
 

@@ -23,6 +23,8 @@ class Fonts {
   /// Bakes them for a screen of that scale (1 is an ordinary one).
   explicit Fonts(float scale);
 
+  float scale() const { return scale_; }
+
   /// Which file is missing, or empty. With an error, do not use them.
   const std::string& error() const { return error_; }
 
@@ -30,12 +32,16 @@ class Fonts {
   /// caller destroys it, before the fonts and on the thread of other contexts with these fonts.
   ImGuiContext* MakeContext() const;
 
+  /// From its next frame on, the current context writes with these; between frames.
+  void UseInContext() const;
+
   /// The largest baked font that is not larger than `pixels`; the smallest if all are larger.
   ImFont* Pick(Face face, float pixels) const;
 
  private:
-  std::string Load(float scale);
+  std::string Load();
 
+  const float scale_;
   std::unique_ptr<ImFontAtlas> atlas_;
   std::string error_;
   ImFont* usual_ = nullptr;

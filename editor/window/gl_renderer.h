@@ -20,6 +20,8 @@ class GlRenderer {
   void Draw(ImDrawData* data);
 
  private:
+  static void TakeFonts(ImDrawData& data);
+
   bool good_ = false;
 };
 

@@ -57,6 +57,8 @@ struct Splits {
 struct ScreenState {
   PaletteName palette = PaletteName::kDark;
   bool reduce_motion = false;  ///< nothing pulses, walks or glides
+  float scale = 0;             ///< that was chosen (theme/scale.h); 0: that of the screen
+  float scale_of_screen = 1;
   Tiles tiles;
   Splits splits;
   Point canvas_size{800, 600};  ///< of the last frame

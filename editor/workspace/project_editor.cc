@@ -208,7 +208,7 @@ void ProjectEditor::GoTo(const std::string& path, std::uint32_t offset) {
   state_.workspace.SelectPlaces({{path, offset}}, now_);
   TreeView* view = state_.workspace.view();
   if (!view || view->selected() == kNoSceneNode) return;
-  const bool is_readable = view->camera.zoom >= kReadableZoom * view->screen_scale;
+  const bool is_readable = view->camera.zoom >= kReadableZoom * view->screen_scale();
   is_readable ? view->Reveal(state_.screen.canvas_size)
               : view->FitSelection(state_.screen.canvas_size);
 }

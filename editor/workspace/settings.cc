@@ -2,9 +2,11 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <iterator>
 #include <utility>
 
 #include "bt_core/base/json.h"
+#include "editor/theme/scale.h"
 
 namespace coppice::editor {
 namespace {
@@ -64,6 +66,8 @@ class SettingsReader {
       if (!known) Wrong(*palette, "dark, light or colourblind");
     }
     Take(json, "reduce_motion", settings.reduce_motion);
+    Take(json, "scale", 0, kScales[std::size(kScales) - 1], settings.scale);
+    settings.scale = NearestScale(settings.scale);
     const JsonValue& tiles = Part(json, "tiles");
     for (const auto& tile : kTiles) Take(tiles, tile.name, settings.tiles.*tile.member);
     const JsonValue& sizes = Part(json, "sizes");
@@ -167,6 +171,7 @@ std::string WriteSettings(const Settings& settings) {
   window.children = {MakeNumber("width", settings.width), MakeNumber("height", settings.height)};
   json.children = {Make(JsonValue::Kind::kString, "palette", ToString(settings.palette)),
                    MakeBool("reduce_motion", settings.reduce_motion),
+                   MakeNumber("scale", settings.scale),
                    std::move(layout),
                    std::move(tiles),
                    std::move(sizes),
@@ -177,6 +182,7 @@ std::string WriteSettings(const Settings& settings) {
 void Apply(const Settings& settings, EditorState& state, double now) {
   state.screen.palette = settings.palette;
   state.screen.reduce_motion = settings.reduce_motion;
+  state.screen.scale = settings.scale;
   state.screen.tiles = settings.tiles;
   state.screen.splits = settings.splits;
   state.workspace.SetStyle(settings.style, now);
@@ -186,6 +192,7 @@ Settings SettingsOf(const EditorState& state) {
   Settings settings;
   settings.palette = state.screen.palette;
   settings.reduce_motion = state.screen.reduce_motion;
+  settings.scale = state.screen.scale;
   settings.tiles = state.screen.tiles;
   settings.splits = state.screen.splits;
   settings.style = state.workspace.style();

@@ -1,5 +1,5 @@
-// What the user has chosen for the whole editor, and finds again the next time: colours, tiles,
-// their sizes, the layout of trees, the size of the window.
+// What the user has chosen for the whole editor, and finds again the next time: colours, scale,
+// tiles, their sizes, the layout of trees, the size of the window.
 //
 //   Settings settings = ReadSettings(text, file, diagnostics);
 //   Apply(settings, state);
@@ -17,6 +17,7 @@ namespace coppice::editor {
 struct Settings {
   PaletteName palette = PaletteName::kDark;
   bool reduce_motion = false;
+  float scale = 0;  ///< as ScreenState
   LayoutStyle style;
   Tiles tiles;
   Splits splits;

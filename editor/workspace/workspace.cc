@@ -398,6 +398,10 @@ const Forest* Workspace::forest() const {
   return file_ >= 0 ? files_[Index(file_)].forest.get() : nullptr;
 }
 
+void Workspace::MeasureAgain(double now) {
+  for (auto& [key, view] : views_) view->MeasureAgain(size_of_, now);
+}
+
 void Workspace::SetStyle(const LayoutStyle& style, double now) {
   style_ = style;
   for (auto& [key, view] : views_) view->SetStyle(style, now);

@@ -118,6 +118,9 @@ class Workspace {
   /// Every tree is laid out this way from now on.
   void SetStyle(const LayoutStyle& style, double now);
   const LayoutStyle& style() const { return style_; }
+  /// Nodes have other sizes than when they were shown: the fonts have changed.
+  void MeasureAgain(double now);
+  const TreeView::SizeOf& size_of() const { return size_of_; }
 
   /// The element of project() that the scene node stands for; nothing in a run and in a file
   /// whose text is malformed.

@@ -7,6 +7,7 @@
 
 #include "editor/commands/menus.h"
 #include "editor/panels/widgets/panel.h"
+#include "editor/theme/icons.h"
 
 namespace coppice::editor {
 namespace {
@@ -17,8 +18,6 @@ constexpr float kPad = 5;
 constexpr float kMark = 24;     // room for the sign of a switch
 constexpr float kBetween = 28;  // title and keys
 constexpr float kWidest = 620;
-constexpr char kSubmenuSign[] = "\u203a";
-constexpr char kOnSign[] = "\u2713";
 constexpr ImGuiWindowFlags kFlags =
     ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings;
 
@@ -149,10 +148,10 @@ class Menus {
     const Color ink = can ? ui_.palette.text : ui_.palette.text_dim;
     const Color dim = can ? ui_.palette.text_dim : ink;
     const float left = box.min.x + pad + kMark * ui_.scale;
-    const std::string end = item.submenu.empty() ? item.keys : kSubmenuSign;
+    const std::string end = item.submenu.empty() ? item.keys : icon::kAngle;
     const float end_width = ui_.Width(end, Style(dim));
     if (item.is_on) {
-      ui_.RowText(list, {box.min.x + 2 * pad, box.min.y}, box.height(), kOnSign,
+      ui_.RowText(list, {box.min.x + 2 * pad, box.min.y}, box.height(), icon::kCheck,
                   Style(ui_.palette.accent));
     }
     const float room = box.max.x - 3 * pad - end_width - left;

@@ -31,7 +31,7 @@ TEST_F(FontsTest, HasAGlyphForEveryIcon) {
         icon::kFileCode,     icon::kPlug,        icon::kHourglass, icon::kPlusSquare,
         icon::kMinusSquare,  icon::kExclamation, icon::kPin,       icon::kRightArrow,
         icon::kDoubleArrows, icon::kEllipsis,    icon::kMiddleDot, icon::kTimesSign,
-        icon::kFork}) {
+        icon::kFork,         icon::kAngle}) {
     const auto* bytes = reinterpret_cast<const unsigned char*>(glyph);
     const unsigned code =
         bytes[0] >= 0xE0 ? (bytes[0] & 0x0FU) << 12 | (bytes[1] & 0x3FU) << 6 | (bytes[2] & 0x3FU)

@@ -14,6 +14,7 @@ TEST(Settings, AreTheSameAfterWritingAndReading) {
   Settings settings;
   settings.palette = PaletteName::kColourBlind;
   settings.reduce_motion = true;
+  settings.scale = 1.25F;
   settings.tiles.xml = false;
   settings.splits.left = 333.5F;
   settings.style.growth = Growth::kAcross;
@@ -25,6 +26,7 @@ TEST(Settings, AreTheSameAfterWritingAndReading) {
   EXPECT_EQ(diagnostics.ToString(), "");
   EXPECT_EQ(WriteSettings(read), WriteSettings(settings));
   EXPECT_EQ(read.splits.left, 333.5F);
+  EXPECT_EQ(read.scale, 1.25F);
   EXPECT_TRUE(read.style == settings.style);
   EXPECT_EQ(read.palette, PaletteName::kColourBlind);
 }
