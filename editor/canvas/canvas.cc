@@ -83,7 +83,7 @@ class CanvasPass {
     if (view_.names_only()) return;
     for (std::uint32_t i = 0; i < node.port_count; ++i) {
       const PortLine& port = scene_.ports[node.first_port + i];
-      ui_.items.Add(path + "/port/" + std::string(port.name), PortBox(node, look, i));
+      ui_.items.Add(path + "/port/" + std::string(port.name), PortBox(scene_, node, look, i));
     }
   }
 

@@ -62,6 +62,7 @@ NodeLook LookOf(const TreeView& view, const CanvasOptions& options, std::uint32_
   look.selected = view.IsSelected(node);
   look.collapsed = view.IsCollapsed(node);
   look.name_only = view.names_only();
+  look.whole_values = view.style().whole_values;
   look.offline = options.live && !options.live->is_fresh;
   look.badge = BadgeOf(options, node);
   look.change = ChangeOf(options, node);

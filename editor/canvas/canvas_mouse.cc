@@ -160,7 +160,7 @@ class Mouse {
     if (look.name_only || DetailFor(look.zoom, ui_.scale) != Detail::kFull) return std::nullopt;
     const SceneNode& node = HoveredNode();
     for (std::uint32_t i = 0; i < node.port_count; ++i) {
-      if (PortBox(node, look, i).Contains(FromIm(io_.MousePos))) return node.first_port + i;
+      if (PortBox(scene_, node, look, i).Contains(FromIm(io_.MousePos))) return node.first_port + i;
     }
     return std::nullopt;
   }

@@ -34,12 +34,13 @@ class LinkPainter {
     NodeLook look;
     look.box = camera_.ToScreen(view_.BoxAt(k, pen_.ui.now));
     look.zoom = camera_.zoom;
+    look.whole_values = view_.style().whole_values;
     const SceneNode& node = scene_.nodes[use.node];
     const bool hidden = view_.shown()[k] != use.node;
     if (hidden || view_.names_only() || DetailFor(camera_.zoom, pen_.ui.scale) != Detail::kFull) {
       return look.box;
     }
-    return PortBox(node, look, use.port - node.first_port);
+    return PortBox(scene_, node, look, use.port - node.first_port);
   }
 
   // From the side of the writer that looks at the reader, with an arrow at the end.

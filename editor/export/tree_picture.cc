@@ -22,6 +22,7 @@ constexpr Point kPaper = {2000, 1500};  // trees that are larger stand in rows
 // All of it is shown, and it grows as it is told to.
 LayoutStyle OnPaper(LayoutStyle style) {
   style.ports = ShownPorts::kAll;
+  style.whole_values = true;
   if (style.growth == Growth::kByItself) style.growth = Growth::kDown;
   return style;
 }
@@ -44,7 +45,7 @@ class PictureMaker::Sheet {
       // The scene belongs to the caller.
       const std::shared_ptr<const Scene> scene(std::shared_ptr<const void>(), tree.scene);
       const auto size_of = [this](const Scene& all, const SceneNode& node) {
-        return MeasureNode(ui_, all, node);
+        return MeasureNode(ui_, all, node, true);
       };
       placed.view->SetScene(scene, size_of, 0);
       placed.view->FitAll(kPaper);

@@ -103,7 +103,9 @@ class CanvasTile {
     Comparison& comparison = *state_.canvas.comparison;
     comparison.Follow(
         view_.scene(), Alive(), view_.style(),
-        [this](const Scene& scene, const SceneNode& node) { return MeasureNode(ui_, scene, node); },
+        [this](const Scene& scene, const SceneNode& node) {
+          return MeasureNode(ui_, scene, node, false);
+        },
         ui_.now);
     const Box banner = {box_.min, {box_.max.x, box_.min.y + kBanner * ui_.scale}};
     CanvasOptions options;

@@ -69,7 +69,7 @@ Editor::Editor(EditorOptions options)
           [this](const Scene& scene, const SceneNode& node) {
             const Ui ui{
                 GetPalette(state_.screen.palette), *fonts_, items_, fonts_->scale(), 0, Time{}};
-            return MeasureNode(ui, scene, node);
+            return MeasureNode(ui, scene, node, false);
           },
           options_.backup_folder),
       history_store_(options_.backup_folder) {

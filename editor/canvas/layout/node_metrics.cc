@@ -4,12 +4,12 @@
 #include <cctype>
 #include <cmath>
 
+#include "editor/canvas/layout/value_lines.h"
 #include "editor/theme/icons.h"
 
 namespace coppice::editor {
 namespace {
 
-constexpr std::size_t kLongestValue = 34;
 constexpr float kChipPadding = 5;
 constexpr float kLongestTitle = 300;  // pixels at zoom 1; the rest is in the explanation
 
@@ -42,8 +42,11 @@ float WidthOf(const Ui& ui, std::string_view text, const TextStyle& style) {
   return ui.Width(text, style) / ui.scale;
 }
 
-float PortWidth(const Ui& ui, const PortLine& port, float column) {
-  const float value = WidthOf(ui, ShownValue(port.value), {Face::kMono, metrics::kValueSize, 0});
+float PortWidth(const Ui& ui, const PortLine& port, float column, bool whole) {
+  float value = 0;
+  for (const std::string& line : ValueLines(port, whole)) {
+    value = std::max(value, WidthOf(ui, line, {Face::kMono, metrics::kValueSize, 0}));
+  }
   return column + metrics::kColumnGap + value + (port.key.empty() ? 0 : 2 * kChipPadding);
 }
 
@@ -89,7 +92,7 @@ std::string ShownValue(std::string_view value) {
   std::string shown;
   std::size_t characters = 0;
   for (const char c : value) {
-    if ((static_cast<unsigned char>(c) & 0xC0U) != 0x80U && ++characters > kLongestValue) {
+    if ((static_cast<unsigned char>(c) & 0xC0U) != 0x80U && ++characters > metrics::kValueColumns) {
       return shown + icon::kEllipsis;
     }
     shown += c == '\n' || c == '\t' || c == '\r' ? ' ' : c;
@@ -135,23 +138,27 @@ float NoteHeight(const SceneNode& node, bool name_alone) {
   return metrics::kNoteLine * (two ? 2.0F : 1.0F) + 6 + metrics::kNoteGap;
 }
 
-std::uint32_t BodyLines(const SceneNode& node) {
-  return node.port_count + (TypeLineOf(node).empty() ? 0 : 1);
+std::uint32_t RowsAbove(const Scene& scene, const SceneNode& node, std::uint32_t port, bool whole) {
+  std::uint32_t rows = TypeLineOf(node).empty() ? 0 : 1;
+  for (std::uint32_t i = 0; i < port; ++i) {
+    rows += ValueLineCount(scene.ports[node.first_port + i], whole);
+  }
+  return rows;
 }
 
-NodeSizes MeasureNode(const Ui& ui, const Scene& scene, const SceneNode& node) {
-  float title =
-      metrics::kIcon + metrics::kStatus + 2 * metrics::kPad +
-      std::min(WidthOf(ui, node.name, {Face::kBold, metrics::kTitleSize, 0}), kLongestTitle);
+NodeSizes MeasureNode(const Ui& ui, const Scene& scene, const SceneNode& node, bool whole) {
+  const float name = WidthOf(ui, node.name, {Face::kBold, metrics::kTitleSize, 0});
+  float title = metrics::kIcon + metrics::kStatus + 2 * metrics::kPad +
+                (whole ? name : std::min(name, kLongestTitle));
   const bool leaf = node.shape == Shape::kAction || node.shape == Shape::kCondition ||
                     node.shape == Shape::kSubTree || node.shape == Shape::kUnknown;
   if (leaf && node.run_node != kNoNode) title += metrics::kElapsed;
   float body = WidthOf(ui, TypeLineOf(node), {Face::kSans, metrics::kNameSize, 0});
   const float column = NameColumn(ui, scene, node);
   for (std::uint32_t i = 0; i < node.port_count; ++i) {
-    body = std::max(body, PortWidth(ui, scene.ports[node.first_port + i], column));
+    body = std::max(body, PortWidth(ui, scene.ports[node.first_port + i], column, whole));
   }
-  const std::uint32_t lines = BodyLines(node);
+  const std::uint32_t lines = RowsAbove(scene, node, node.port_count, whole);
   const float height = metrics::kHeader +
                        (lines ? static_cast<float>(lines) * metrics::kLine + metrics::kBottom : 0);
   const float least = node.note.empty() ? 0 : metrics::kNoteWidth;

@@ -40,6 +40,7 @@ inline constexpr float kNameAloneLine = 22;           ///< of its second one
 inline constexpr float kNameAlonePad = 10;            ///< left and right of it
 inline constexpr float kNameAloneGlyph = 22;          ///< room for the glyph of an inner node
 inline constexpr std::size_t kNameAloneColumns = 14;  ///< characters; longer names have two lines
+inline constexpr std::size_t kValueColumns = 34;      ///< characters in a line of a value
 inline constexpr float kNameSize = 11;
 inline constexpr float kValueSize = 11;
 
@@ -75,12 +76,12 @@ float NameColumn(const Ui& ui, const Scene& scene, const SceneNode& node);
 /// alone: there it is a tab in the corner.
 float NoteHeight(const SceneNode& node, bool name_alone);
 
-/// Rows below the title: the type and the ports.
-std::uint32_t BodyLines(const SceneNode& node);
+/// Rows below the title and above the port's value (value_lines.h); of port_count: all rows.
+std::uint32_t RowsAbove(const Scene& scene, const SceneNode& node, std::uint32_t port, bool whole);
 
 /// The sizes of a node at zoom 1, without the row for collapsed children. They are the same on
-/// every screen but for the rounding of its fonts.
-NodeSizes MeasureNode(const Ui& ui, const Scene& scene, const SceneNode& node);
+/// every screen but for the rounding of its fonts. `whole`: nothing is cut (ValueLines).
+NodeSizes MeasureNode(const Ui& ui, const Scene& scene, const SceneNode& node, bool whole);
 
 }  // namespace coppice::editor
 

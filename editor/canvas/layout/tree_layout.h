@@ -36,10 +36,12 @@ struct LayoutStyle {
   bool stacked = false;  ///< top to bottom only: sideways, leaves stand in a column anyway
   bool wrapped = true;   ///< in rows where it does not fit; not if layered
   ShownPorts ports = ShownPorts::kByItself;
+  bool whole_values = false;  ///< nothing is cut, for there is no mouse to ask
 };
 inline bool operator==(const LayoutStyle& a, const LayoutStyle& b) {
   return a.growth == b.growth && a.layered == b.layered && a.compact == b.compact &&
-         a.stacked == b.stacked && a.wrapped == b.wrapped && a.ports == b.ports;
+         a.stacked == b.stacked && a.wrapped == b.wrapped && a.ports == b.ports &&
+         a.whole_values == b.whole_values;
 }
 
 /// What is chosen for one tree on one canvas (layout_choice.h).

@@ -1,8 +1,10 @@
 #include "editor/canvas/paint/node_lines.h"
 
 #include <string>
+#include <vector>
 
 #include "editor/canvas/layout/node_metrics.h"
+#include "editor/canvas/layout/value_lines.h"
 #include "editor/canvas/paint/node_painter.h"
 #include "editor/theme/icons.h"
 
@@ -23,7 +25,7 @@ class LinesPainter {
     }
     const float column = Z(NameColumn(pen_.ui, scene_, node_) + metrics::kColumnGap);
     for (std::uint32_t i = 0; i < node_.port_count; ++i) {
-      const Box row = PortBox(node_, look_, i);
+      const Box row = PortBox(scene_, node_, look_, i);
       PaintPort(scene_.ports[node_.first_port + i], row.min, column);
     }
   }
@@ -43,13 +45,13 @@ class LinesPainter {
       const TextStyle arrow = Style(Face::kSans, metrics::kValueSize, colors().text_dim);
       pen_.RowText(value_at - Point{Z(12), 0}, Z(metrics::kLine), icon::kRightArrow, arrow);
     }
-    const std::string value = ShownValue(port.value);
-    if (port.key.empty()) {
-      pen_.RowText(value_at, Z(metrics::kLine), value,
+    const std::vector<std::string> lines = ValueLines(port, look_.whole_values);
+    if (!port.key.empty()) return PaintChip(port, lines.front(), value_at);
+    for (const std::string& line : lines) {
+      pen_.RowText(value_at, Z(metrics::kLine), line,
                    Style(Face::kMono, metrics::kValueSize, colors().text));
-      return;
+      value_at.y += Z(metrics::kLine);
     }
-    PaintChip(port, value, value_at);
   }
 
   void PaintChip(const PortLine& port, const std::string& value, Point at) {

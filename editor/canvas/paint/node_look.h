@@ -23,6 +23,7 @@ struct NodeLook {
   bool hovered = false;
   bool collapsed = false;
   bool name_only = false;                ///< has no room for ports
+  bool whole_values = false;             ///< LayoutStyle::whole_values
   bool offline = false;                  ///< the robot does not answer: statuses are the last known
   std::uint32_t hidden = 0;              ///< descendants of a collapsed node
   Status hidden_status = Status::kIdle;  ///< kRunning if one of them runs

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "editor/canvas/layout/value_lines.h"
 #include "editor/canvas/paint/node_lines.h"
 #include "editor/canvas/paint/node_marks.h"
 #include "editor/canvas/paint/status_look.h"
@@ -353,12 +354,14 @@ Box ChipBox(const NodeLook& look) {
   return {{center - width / 2, bottom - 16 * look.zoom}, {center + width / 2, bottom}};
 }
 
-Box PortBox(const SceneNode& node, const NodeLook& look, std::uint32_t port) {
+Box PortBox(const Scene& scene, const SceneNode& node, const NodeLook& look, std::uint32_t port) {
   const Box body = BodyBox(node, look);
-  const float lines = static_cast<float>(port) + (TypeLineOf(node).empty() ? 0 : 1);
-  const float top = body.min.y + (metrics::kHeader + 2 + lines * metrics::kLine) * look.zoom;
+  const PortLine& line = scene.ports[node.first_port + port];
+  const auto above = static_cast<float>(RowsAbove(scene, node, port, look.whole_values));
+  const auto rows = static_cast<float>(ValueLineCount(line, look.whole_values));
+  const float top = body.min.y + (metrics::kHeader + 2 + above * metrics::kLine) * look.zoom;
   return {{body.min.x + metrics::kPad * look.zoom, top},
-          {body.max.x - metrics::kPad * look.zoom, top + metrics::kLine * look.zoom}};
+          {body.max.x - metrics::kPad * look.zoom, top + rows * metrics::kLine * look.zoom}};
 }
 
 }  // namespace coppice::editor

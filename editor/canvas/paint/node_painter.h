@@ -27,7 +27,7 @@ Box ToggleBox(const SceneNode& node, const NodeLook& look);
 Box ChipBox(const NodeLook& look);
 
 /// Where port number `port` of the node (from 0) is painted at full detail: its whole row.
-Box PortBox(const SceneNode& node, const NodeLook& look, std::uint32_t port);
+Box PortBox(const Scene& scene, const SceneNode& node, const NodeLook& look, std::uint32_t port);
 
 }  // namespace coppice::editor
 
