@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 
+#include "bt_core/analysis/pauses.h"
 #include "bt_core/frames/follower.h"
 
 namespace coppice {
@@ -19,7 +20,7 @@ struct Counter {
 
 class Count {
  public:
-  explicit Count(const Recording& run) : run_(run) {}
+  explicit Count(const Recording& run) : run_(run), pauses_(run) {}
 
   Statistics Take() {
     const auto& sections = run_.sections();
@@ -61,8 +62,8 @@ class Count {
   void CountTick(const TickEvents& events, HistoryFollower& follower) {
     const bool is_tick = events.result != Status::kIdle;
     if (is_tick) {
-      durations_.push_back(events.duration);
-      if (last_start_) periods_.push_back(events.start - *last_start_);
+      durations_.push_back(DurationOf(events));
+      if (last_start_) periods_.push_back(pauses_.RunWithin(*last_start_, events.start));
       if (statistics_.ticks++ == 0) first_start_ = events.start;
       last_start_ = events.start;
     }
@@ -70,6 +71,11 @@ class Count {
     follower.Apply(
         events, [&](const StatusChange& change) { CountChange(change, events); },
         [&](const Event& event) { CountResult(event, events.tick); });
+  }
+
+  // A tick takes real time; the pauses in it are told in the tree's clock, which may be another.
+  Duration DurationOf(const TickEvents& events) const {
+    return pauses_.RunWithin(events.start, events.start + events.duration);
   }
 
   Counter& CounterOf(NodeIndex node) { return counters_[numbers_[node]]; }
@@ -98,16 +104,20 @@ class Count {
     if (change.to == Status::kRunning) {
       counter.active_since = events.start;
     } else if (change.from == Status::kRunning && counter.active_since) {
-      counter.activations.push_back(events.start - *counter.active_since);
+      counter.activations.push_back(pauses_.RunWithin(*counter.active_since, events.start));
       counter.active_since.reset();
     }
   }
 
   void Finish() {
-    if (statistics_.ticks > 0) statistics_.time = newest_ - first_start_;
+    if (statistics_.ticks > 0) {
+      statistics_.time = newest_ - first_start_;
+      statistics_.paused = pauses_.Within(first_start_, newest_);
+    }
     statistics_.tick_durations = SpreadOf(std::move(durations_));
     statistics_.periods = SpreadOf(std::move(periods_));
-    const double minutes = static_cast<double>(statistics_.time.count()) * 1e-9 / 60;
+    const Duration ran = statistics_.time - statistics_.paused;
+    const double minutes = static_cast<double>(ran.count()) * 1e-9 / 60;
     for (Counter& counter : counters_) {
       counter.figures.activations = SpreadOf(std::move(counter.activations));
       if (minutes > 0) {
@@ -118,6 +128,7 @@ class Count {
   }
 
   const Recording& run_;
+  const Pauses pauses_;
   Statistics statistics_;
   std::size_t tree_ = SIZE_MAX;
   std::vector<std::size_t> numbers_;  // of counters_, per node of the tree

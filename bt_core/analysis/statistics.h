@@ -1,4 +1,5 @@
-// What the nodes of a run did, in figures: who is never ticked, who flaps, who takes long.
+// What the nodes of a run did, in figures: who is never ticked, who flaps, who takes long. The time
+// in which the tree stood at a breakpoint or was paused is in none of the durations.
 //
 //   const Statistics statistics = StatisticsOf(recording);
 //   std::cout << PrintStatistics(statistics, StatisticsOrder::kTree);
@@ -33,7 +34,7 @@ struct NodeStatistics {
   std::array<std::uint64_t, 5> results{};  ///< of these, by Status; at IDLE: how often halted
   Spread activations;                      ///< from the first tick to SUCCESS, FAILURE or halt
   std::uint64_t flips = 0;                 ///< result unlike the last SUCCESS or FAILURE
-  double flips_per_minute = 0;             ///< over the time of the run
+  double flips_per_minute = 0;             ///< over the time of the run without its pauses
   std::uint64_t first_tick = 0;            ///< number of the first and the last tick; 0: never
   std::uint64_t last_tick = 0;
 
@@ -44,7 +45,8 @@ struct NodeStatistics {
 
 struct Statistics {
   std::uint64_t ticks = 0;
-  Duration time{0};       ///< from the first tick to the last, in the tree's clock
+  Duration time{0};       ///< from the first tick to the last, in the tree's clock; with pauses
+  Duration paused{0};     ///< of these, at breakpoints or paused
   Spread tick_durations;  ///< in real time
   Spread periods;         ///< from tick to tick, in the tree's clock
   std::uint64_t lost_ticks = 0;

@@ -113,6 +113,9 @@ std::string ToJson(const NodeStatistics& node) {
 
 std::string PrintStatistics(const Statistics& statistics, StatisticsOrder order) {
   std::string text = std::to_string(statistics.ticks) + " ticks in " + Print(statistics.time);
+  if (statistics.paused > Duration(0)) {
+    text += ", of which it stood still for " + Print(statistics.paused);
+  }
   if (statistics.lost_ticks > 0) {
     text += ", " + std::to_string(statistics.lost_ticks) + " more are missing";
   }
@@ -128,6 +131,7 @@ std::string StatisticsToJson(const Statistics& statistics, StatisticsOrder order
   return JsonObject()
       .Add("ticks", statistics.ticks)
       .Add("seconds", JsonSeconds(statistics.time))
+      .Add("paused_seconds", JsonSeconds(statistics.paused))
       .Add("lost_ticks", statistics.lost_ticks)
       .Add("tick_durations", ToJson(statistics.tick_durations))
       .Add("periods", ToJson(statistics.periods))

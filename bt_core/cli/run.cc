@@ -56,7 +56,9 @@ int RunProgram(const std::shared_ptr<const Program>& program, const Options& opt
   EventStream stream(executor);
   std::optional<Recorder> recorder;
   if (options.Has("--record")) recorder.emplace(stream, options.Get("--record"));
-  const LiveView live(stream, options);
+  const LiveView live(stream, options, [&recorder](const HistoryNote& note) {
+    if (recorder) recorder->Note(note.time, note.kind, note.text);
+  });
   RunOptions run;
   run.forever = options.Has("--forever");
   Runner runner(executor, run);

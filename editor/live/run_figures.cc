@@ -26,6 +26,7 @@ Recording PartOf(const Recording& run, std::size_t first, std::size_t end) {
     }
     part.OnTick(run.EventsOf(tick));
   }
+  for (const Recording::Note& note : run.notes()) part.OnNote(note.note);  // pauses
   return part;
 }
 

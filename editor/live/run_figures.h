@@ -15,7 +15,7 @@
 
 namespace coppice::editor {
 
-/// The ticks from `first` up to and without `end`, as a run of its own.
+/// The ticks from `first` up to and without `end`, as a run of its own, with all notes behind them.
 Recording PartOf(const Recording& run, std::size_t first, std::size_t end);
 
 class RunFigures {

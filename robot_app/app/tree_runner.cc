@@ -36,6 +36,9 @@ TreeRunner::TreeRunner(std::shared_ptr<const Program> program, Clock& clock,
     live.port = static_cast<std::uint16_t>(options_.live_port);
     live.token = options_.live_token;
     live.read_only = live.token.empty();
+    live.on_note = [this](const HistoryNote& note) {
+      if (recorder_) recorder_->Note(note.time, note.kind, note.text);
+    };
     live_ = std::make_unique<LivePublisher>(stream_, live);
   }
 }

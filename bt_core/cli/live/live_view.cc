@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <iostream>
 #include <system_error>
+#include <utility>
 
 #include "bt_core/live/server/live_publisher.h"
 #include "bt_core/live/server/token_keys.h"
@@ -59,9 +60,11 @@ void PrintWeb(const LiveOptions& live, const LiveWeb& web) {
 
 }  // namespace
 
-LiveView::LiveView(EventStream& stream, const Options& options) {
+LiveView::LiveView(EventStream& stream, const Options& options,
+                   std::function<void(const HistoryNote&)> on_note) {
   if (!WantsLiveView(options)) return;
-  const LiveOptions live = ReadLiveOptions(options);
+  LiveOptions live = ReadLiveOptions(options);
+  live.on_note = std::move(on_note);
   publisher_ = std::make_unique<LivePublisher>(stream, live);
   std::cerr << "live view on " << live.address << ":" << publisher_->port();
   if (live.wait_for_client > Duration::zero()) std::cerr << ", waiting for a client to continue";

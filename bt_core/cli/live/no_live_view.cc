@@ -7,7 +7,7 @@ namespace coppice {
 
 class LivePublisher {};
 
-LiveView::LiveView(EventStream&, const Options& options) {
+LiveView::LiveView(EventStream&, const Options& options, std::function<void(const HistoryNote&)>) {
   if (!WantsLiveView(options)) return;
   throw std::runtime_error("this coppice was built without the live view");
 }

@@ -11,6 +11,7 @@
 
 #include "bt_core/base/clock.h"
 #include "bt_core/base/outcome.h"
+#include "bt_core/frames/history.h"
 
 namespace coppice {
 
@@ -30,6 +31,9 @@ struct LiveTreeOptions {
   /// The number of the run, if it is to be the same as that of a record (RecorderOptions::run);
   /// zeros: a random one.
   std::array<std::uint8_t, 16> run{};
+  /// Gets what the view notes in its history, for a record of the same run (Recorder::Note): that
+  /// the tree stood still (frames/pause_note.h). Ticking thread; no function: nobody.
+  std::function<void(const HistoryNote&)> on_note;
   /// How much of the past is kept for clients that come later or come back.
   std::size_t history_bytes = 32 << 20;
 };

@@ -7,6 +7,7 @@
 
 #include "bt_core/data/literal.h"
 #include "bt_core/engine/events/for_each_event.h"
+#include "bt_core/frames/pause_note.h"
 
 namespace coppice {
 namespace {
@@ -221,13 +222,26 @@ void LiveTree::EndHistory() {
 // The ticking thread. Who hears of a stop and asks how the tree stands sees it as it stands there;
 // it waits anyway.
 void LiveTree::OnDebugEvent(const DebugEvent& event) {
-  if (event.kind == DebugEvent::Kind::kStopped) stream_.Flush();
+  if (event.kind == DebugEvent::Kind::kStopped) {
+    stream_.Flush();
+    stopped_ = clock_.Now();
+  }
+  if (event.kind == DebugEvent::Kind::kResumed) NotePause();
   {
     const std::lock_guard<std::mutex> lock(debug_mutex_);
     if (event.kind == DebugEvent::Kind::kReplaced && debug_events_.size() >= kMaxWaiting) return;
     debug_events_.push_back(event);
   }
   wake_();
+}
+
+void LiveTree::NotePause() {
+  const HistoryNote note = NoteOf({stopped_, std::max(stopped_, clock_.Now())});
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (!ended_) encoder_.Note(note);
+  }
+  if (options_.on_note) options_.on_note(note);
 }
 
 std::vector<DebugEvent> LiveTree::TakeDebugEvents() {

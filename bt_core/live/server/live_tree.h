@@ -99,6 +99,7 @@ class LiveTree final : public EventListener, private FrameSink {
  private:
   void OnFrame(const Frame& frame) override;
   void OnDebugEvent(const DebugEvent& event);
+  void NotePause();
   void SetProgram(std::shared_ptr<const Program> program);
   void Count(const TickEvents& events);
 
@@ -108,6 +109,7 @@ class LiveTree final : public EventListener, private FrameSink {
   Clock& clock_;
   Executor& executor_;  // for the calls that are posted to its inbox
   const std::shared_ptr<Inbox> inbox_;
+  Time stopped_{};  // the ticking thread: when the tree was stopped last
   const RunInfo run_;
   std::atomic<int> subscribers_{0};
   std::atomic<bool> program_changed_{false};

@@ -37,7 +37,7 @@ class Table {
       Tooltip(
           ui_,
           "ticks: how often the node was ticked\nSUCCESS, FAILURE: part of its ticks that ended "
-          "so\np50, p95: how long it ran until it had a result, half and 95 % of the times\n"
+          "so\np50, p95: how long it ran until it had a result, half and 95 % of the times,\nwithout the time at breakpoints and in pauses\n"
           "flips/min: how often its result changed");
     }
     Write(row, "node", {"ticks", "SUCCESS", "FAILURE", "p50", "p95", "flips/min"},
@@ -98,7 +98,9 @@ void DrawStatistics(const Ui& ui, EditorState& state, RunView& run) {
                 static_cast<unsigned long long>(all.ticks), Seconds(all.tick_durations.p50) * 1e3,
                 Seconds(all.tick_durations.p95) * 1e3, Seconds(all.tick_durations.max) * 1e3,
                 Seconds(all.periods.p50) * 1e3, static_cast<unsigned long long>(all.lost_ticks));
-  TextRow(ui, "run/figures/all", text, {Face::kSans, 12, ui.palette.text});
+  const std::string stood =
+      all.paused > Duration(0) ? ", stood still for " + DurationText(Seconds(all.paused)) : "";
+  TextRow(ui, "run/figures/all", text + stood, {Face::kSans, 12, ui.palette.text});
   Table table(ui, state, ImGui::GetContentRegionAvail().x);
   table.Head();
   const auto& nodes = run.tree()->description()->nodes;

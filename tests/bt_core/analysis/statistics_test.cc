@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "bt_core/frames/pause_note.h"
 #include "tests/bt_core/analysis/recorded_run.h"
 
 namespace coppice {
@@ -80,6 +81,43 @@ TEST(Statistics, ArePrintedInTheOrderThatIsAskedFor) {
   for (std::size_t i = 1; i < 7; ++i) {
     EXPECT_GE(json["nodes"][i - 1]["flips"], json["nodes"][i]["flips"]);
   }
+}
+
+// Runs for 300 ms, with a pause of 10 s after the second of its four ticks.
+Statistics PausedSleep() {
+  RecordedRun run("<BehaviorTree ID='Main'><Sleep name='sleep' msec='10300'/></BehaviorTree>");
+  run.Tick();
+  run.Tick(milliseconds(50));
+  const Time from = run.clock.Now();
+  run.clock.Advance(std::chrono::seconds(10));
+  run.keeper.run.OnNote(NoteOf({from, run.clock.Now()}));
+  run.clock.Advance(milliseconds(50));
+  run.Tick();
+  run.Tick();
+  return StatisticsOf(run.keeper.run);
+}
+
+TEST(Statistics, AnActivationDoesNotCountTheTimeInWhichTheTreeWasPaused) {
+  const NodeStatistics sleep = PausedSleep().nodes[0];
+  ASSERT_EQ(sleep.activations.count, 1u);
+  EXPECT_EQ(sleep.activations.max, milliseconds(300));
+}
+
+TEST(Statistics, TicksAreAsFarApartAsTheTreeRanBetweenThem) {
+  EXPECT_EQ(PausedSleep().periods.max, milliseconds(100));
+}
+
+TEST(Statistics, KnowHowLongTheTreeStoodStill) {
+  EXPECT_EQ(PausedSleep().paused, std::chrono::seconds(10));
+}
+
+TEST(Statistics, ATickDoesNotCountTheTimeAtItsBreakpoint) {
+  RecordedRun run("<BehaviorTree ID='Main'><AlwaysSuccess/></BehaviorTree>");
+  const Time start = run.clock.Now();
+  run.keeper.run.OnTick({1, start, milliseconds(2003), Status::kSuccess, true, {}});
+  const Time from = start + milliseconds(1);
+  run.keeper.run.OnNote(NoteOf({from, from + std::chrono::seconds(2)}));
+  EXPECT_EQ(StatisticsOf(run.keeper.run).tick_durations.max, milliseconds(3));
 }
 
 }  // namespace

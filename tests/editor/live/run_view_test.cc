@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "bt_core/frames/pause_note.h"
 #include "editor/live/robot_source.h"
 #include "tests/editor/live/live_robot.h"
 
@@ -115,6 +116,18 @@ TEST_F(RunViewTest, ABreakpointThatWasThereBeforeTheRobotStopsIt) {
       Await(*view, [&] { return view->hooks().Find(1) && view->hooks().Find(1)->hits > 0; }));
   hooks_.Remove(1);
   ASSERT_TRUE(Await(*view, [&] { return view->stop().where == DebugStop::Where::kNowhere; }));
+}
+
+TEST_F(RunViewTest, TheFiguresKnowThatTheRobotStoodAtABreakpoint) {
+  hooks_.Add("", At("sub/work"));
+  LiveRobot robot(kTrees);
+  const auto view = Open(robot.endpoint());
+  robot.StartTicking();
+  ASSERT_TRUE(Await(*view, [&] { return view->stop().where == DebugStop::Where::kBefore; }));
+  hooks_.Remove(1);
+  const auto& notes = view->run().recording().notes();
+  ASSERT_TRUE(Await(*view, [&] { return !notes.empty(); }));
+  EXPECT_TRUE(PauseOf(notes[0].note)) << notes[0].note.kind << ": " << notes[0].note.text;
 }
 
 TEST_F(RunViewTest, AForcedResultIsInTheHistory) {

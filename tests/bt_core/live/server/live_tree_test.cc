@@ -1,6 +1,7 @@
 #include "bt_core/live/server/live_tree.h"
 
 #include "bt_core/data/value_bytes.h"
+#include "bt_core/frames/pause_note.h"
 #include "tests/bt_core/live/desk_fixture.h"
 
 namespace coppice {
@@ -47,6 +48,7 @@ struct StoppedTreeTest : testing::Test {
       AppendValueBytes(executor_.blackboard()[number_].value, written);
       EXPECT_EQ(tree_.Values().items[number_], written) << "stop " << stops_;
       ++stops_;
+      clock_.Advance(std::chrono::seconds(2));
       tree_.debugger().Continue(std::nullopt);
     }
   }
@@ -56,12 +58,40 @@ struct StoppedTreeTest : testing::Test {
   EventStream stream_{executor_};
   const SlotIndex number_ = executor_.program().layout.Find(kMainScope, "number");
   int stops_ = 0;
-  LiveTree tree_{stream_, {}, [this] { OnWake(); }};
+  std::vector<HistoryNote> notes_;
+  LiveTree tree_{stream_, Options(), [this] { OnWake(); }};
+
+ private:
+  LiveTreeOptions Options() {
+    LiveTreeOptions options;
+    options.on_note = [this](const HistoryNote& note) { notes_.push_back(note); };
+    return options;
+  }
 };
 
 TEST_F(StoppedTreeTest, IsSeenAsItStandsWhenTheStopIsTold) {
   for (int i = 0; i < 100; ++i) executor_.Tick();
   EXPECT_EQ(stops_, 100);
+}
+
+TEST_F(StoppedTreeTest, NotesHowLongTheTreeStood) {
+  const Time start = clock_.Now();
+  executor_.Tick();
+  ASSERT_EQ(notes_.size(), 1u);
+  EXPECT_EQ(notes_[0].time, start);
+  EXPECT_EQ(notes_[0].text, "2.000000 s");
+}
+
+TEST_F(StoppedTreeTest, TheHistoryForClientsTellsThePause) {
+  executor_.Tick();
+  const auto count = [](const FrameStore& frames) {
+    int notes = 0;
+    for (auto i = frames.first(); i < frames.next(); ++i) {
+      notes += frames[i].type == FrameType::kNote;
+    }
+    return notes;
+  };
+  EXPECT_EQ(tree_.UseFrames(count), 1);
 }
 
 TEST_F(LiveTreeTest, CountsResults) {
