@@ -164,7 +164,7 @@ class Comparer {
     parting.first = i < a.size() ? a[i].what : "nothing more";
     parting.second = k < b.size() ? b[k].what : "nothing more";
     if (i < a.size() && k < b.size() && a[i].thing != b[k].thing) {
-      parting.second = things_.names[b[k].thing] + " " + parting.second;
+      parting.second_what = things_.names[b[k].thing];
     }
     comparison_.parting = std::move(parting);
   }
@@ -205,6 +205,10 @@ class Comparer {
   RunComparison comparison_;
 };
 
+std::string SecondOf(const PartingPoint& parting) {
+  return (parting.second_what.empty() ? "" : parting.second_what + " ") + parting.second;
+}
+
 std::string Seconds(Duration time) {
   std::string text = JsonSeconds(time);
   return text.substr(0, text.size() - 3);
@@ -229,7 +233,7 @@ std::string PrintComparison(const RunComparison& comparison) {
     text += "the runs part in tick " + std::to_string(parting->tick) + " (" +
             Seconds(parting->time) + " s) and " + std::to_string(parting->second_tick) + " (" +
             Seconds(parting->second_time) + " s):\n  " + parting->what +
-            "\n    first:  " + parting->first + "\n    second: " + parting->second + "\n";
+            "\n    first:  " + parting->first + "\n    second: " + SecondOf(*parting) + "\n";
   }
   text += std::to_string(comparison.different_ticks) + " of " + std::to_string(comparison.ticks) +
           " ticks differ; the first run has " + std::to_string(comparison.first_ticks) +
@@ -264,7 +268,7 @@ std::string ComparisonToJson(const RunComparison& comparison) {
                               .Add("second_time", JsonSeconds(parting->second_time))
                               .AddText("what", parting->what)
                               .AddText("first", parting->first)
-                              .AddText("second", parting->second)
+                              .AddText("second", SecondOf(*parting))
                               .Finish());
   }
   object.Add("differences", JsonArray(comparison.differences, difference));

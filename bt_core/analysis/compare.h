@@ -28,8 +28,9 @@ struct PartingPoint {
   std::uint64_t second_tick = 0;  ///< in the second
   Duration time{0};               ///< since the start of each run
   Duration second_time{0};
-  std::string what;  ///< path of the node or key
-  std::string first;
+  std::string what;         ///< path of the node or key
+  std::string second_what;  ///< of the second run, if it did something with another one
+  std::string first;        ///< as in RunDifference, or "nothing more"
   std::string second;
 };
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "editor/commands/difference_commands.h"
 #include "editor/commands/run_commands.h"
 #include "editor/workspace/simulation_editor.h"
 #include "editor/workspace/tree_editor.h"
@@ -94,6 +95,9 @@ std::string NeedsKey(EditorState& state) {
 std::string NeedsComparison(EditorState& state) {
   return state.canvas.comparison ? "" : "nothing is compared";
 }
+std::string NeedsDifferences(EditorState& state) {
+  return ShownRunComparison(state) ? "" : NeedsComparison(state);
+}
 std::string NeedsUnsaved(EditorState& state) {
   return state.work.left().empty() ? "no editor left unsaved work" : "";
 }
@@ -114,6 +118,8 @@ constexpr CommandNeed kNeeds[] = {{"file.recent", NeedsRecent},
                                   {"file.export", NeedsTree},
                                   {"file.compare", NeedsTree},
                                   {"file.stop_comparing", NeedsComparison},
+                                  {"difference.next", NeedsDifferences},
+                                  {"difference.previous", NeedsDifferences},
                                   {"edit.undo", NeedsStep},
                                   {"edit.redo", NeedsUndoneStep},
                                   {"edit.add", NeedsEditable},

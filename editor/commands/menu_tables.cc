@@ -36,7 +36,10 @@ constexpr std::string_view kEdit[] = {"edit.undo",
                                       "edit.find_previous",
                                       "edit.replace",
                                       "key.rename",
-                                      "edit.xml"};
+                                      "edit.xml",
+                                      kLine,
+                                      "difference.next",
+                                      "difference.previous"};
 constexpr std::string_view kTree[] = {
     "tree.new",    "tree.rename",     "tree.delete", kLine, "tree.extract",
     "tree.inline", "tree.definition", "tree.usages", kLine, "file.include"};

@@ -316,6 +316,15 @@ std::string SelectedRunPath(EditorState& state) {
   return node.scope == 0 ? own : view->scene()->scopes[node.scope] + "/" + own;
 }
 
+void SelectRunNode(EditorState& state, NodeIndex node) {
+  TreeView* view = state.workspace.view();
+  if (!view || node >= view->scene()->of_run_node.size()) return;
+  const std::uint32_t in_scene = view->scene()->of_run_node[node];
+  if (in_scene == kNoSceneNode) return;
+  view->Select(in_scene);
+  view->Reveal(state.screen.canvas_size);
+}
+
 void AskForCondition(EditorState& state, std::uint32_t number) {
   const WantedHook* hook = state.workspace.hooks.Find(number);
   if (!hook) return;

@@ -18,6 +18,9 @@ void AddRunCommands(EditorState& state);
 /// nothing is selected.
 std::string SelectedRunPath(EditorState& state);
 
+/// Selects a node of the run in the shown tree.
+void SelectRunNode(EditorState& state, NodeIndex node);
+
 /// Asks for the condition and the hit count of a hook.
 void AskForCondition(EditorState& state, std::uint32_t number);
 

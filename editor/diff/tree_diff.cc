@@ -125,6 +125,8 @@ class Merger {
   Merger(const Scene& before, const Scene& after)
       : before_(before), after_(after), match_(MatchTrees(before, after)) {
     kind_of_.assign(after.nodes.size(), 0);
+    result_.of_before.assign(before.nodes.size(), kNoSceneNode);
+    result_.of_after.assign(after.nodes.size(), kNoSceneNode);
     for (const NodeDiff& diff : DiffTrees(before, after)) {
       if (diff.after == kNoSceneNode) continue;
       if (!diff.attributes.empty()) changes_[diff.after] = diff.attributes;
@@ -159,6 +161,7 @@ class Merger {
                                        : scene.nodes[parent].path + "." + std::to_string(number);
     scene.nodes.push_back(std::move(copy));
     result_.kinds.push_back(kind);
+    (&from == &after_ ? result_.of_after : result_.of_before)[node] = index;
     return index;
   }
 

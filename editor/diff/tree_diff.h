@@ -48,6 +48,14 @@ struct MergedTree {
   Scene scene;
   std::deque<std::string> texts;
   std::vector<std::uint8_t> kinds;  ///< by node: 0 the same, else 1 + DiffKind
+  std::vector<std::uint32_t>
+      of_before;                        ///< by node of the scene before; kNoSceneNode: see of_after
+  std::vector<std::uint32_t> of_after;  ///< by node of the scene after
+
+  /// The node that a difference of the two scenes is about.
+  std::uint32_t NodeOf(const NodeDiff& diff) const {
+    return diff.after == kNoSceneNode ? of_before[diff.before] : of_after[diff.after];
+  }
 };
 MergedTree MergeTrees(const Scene& before, const Scene& after);
 

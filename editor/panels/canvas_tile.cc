@@ -7,8 +7,10 @@
 #include "editor/canvas/canvas.h"
 #include "editor/canvas/layout/node_metrics.h"
 #include "editor/canvas/paint/node_marks.h"
+#include "editor/commands/difference_commands.h"
 #include "editor/commands/menus.h"
 #include "editor/document/shown_problems.h"
+#include "editor/panels/widgets/difference_list.h"
 #include "editor/panels/widgets/port_editor.h"
 #include "editor/scene/problem_places.h"
 #include "editor/workspace/node_drop.h"
@@ -18,6 +20,7 @@ namespace coppice::editor {
 namespace {
 
 constexpr float kBanner = 28;
+constexpr float kDifferences = 300;
 
 bool AreSame(const std::vector<Diagnostic>& a, const std::vector<Diagnostic>& b) {
   const auto key = [](const Diagnostic& one) {
@@ -111,8 +114,16 @@ class CanvasTile {
     CanvasOptions options;
     options.minimap = state_.screen.tiles.minimap;
     options.changes = &comparison.changes();
+    const bool has_list = !comparison.differences().empty();
+    const float list = has_list ? std::min(kDifferences * ui_.scale, box_.width() / 3) : 0;
+    const float right = box_.max.x - list;
     if (!comparison.view().scene()->nodes.empty()) {
-      DrawCanvas(ui_, comparison.view(), {{box_.min.x, banner.max.y}, box_.max}, options);
+      const Box canvas = {{box_.min.x, banner.max.y}, {right, box_.max.y}};
+      state_.screen.canvas_size = {canvas.width(), canvas.height()};
+      DrawCanvas(ui_, comparison.view(), canvas, options);
+    }
+    if (has_list) {
+      DrawDifferenceList(ui_, state_, comparison, {{right, banner.max.y}, box_.max});
     }
     DrawBanner(comparison, banner);
   }
@@ -152,18 +163,22 @@ class CanvasTile {
     ui_.Fill(list, banner, Mix(ui_.palette.panel, ui_.palette.accent, 0.25F));
     const float width = 70 * ui_.scale;
     const float pad = 4 * ui_.scale;
-    const float legend = banner.max.x - width - 20 * ui_.scale - LegendWidth();
+    const Box close = {{banner.max.x - width - pad, banner.min.y + pad},
+                       {banner.max.x - pad, banner.max.y - pad}};
+    const float end =
+        comparison.differences().empty()
+            ? close.min.x
+            : DrawDifferenceButtons(ui_, state_, close.min - Point{pad, 0}, close.height());
+    const float legend = end - 16 * ui_.scale - LegendWidth();
     const std::string& path = comparison.path();
     const std::string text =
         "compared with " + path.substr(path.rfind('/') + 1) + ": " + comparison.summary();
     const TextStyle style{Face::kSans, 12, ui_.palette.text};
     const float left = banner.min.x + 10 * ui_.scale;
     const bool both_fit = left + ui_.Width(text, style) + 16 * ui_.scale < legend;
-    const float right = both_fit ? legend : banner.max.x - width - 20 * ui_.scale;
+    const float right = both_fit ? legend : end - 16 * ui_.scale;
     ui_.RowText(list, {left, banner.min.y}, banner.height(), text, style, right - left);
     if (both_fit) DrawLegend(list, legend, banner);
-    const Box close = {{banner.max.x - width - pad, banner.min.y + pad},
-                       {banner.max.x - pad, banner.max.y - pad}};
     if (ui_.Button("comparison/close", close, "close")) state_.canvas.comparison.reset();
   }
 
@@ -188,13 +203,12 @@ HeatMap RunHeat(EditorState& state, const TreeView& view) {
 }
 
 std::vector<Change> RunDifferences(const EditorState& state, const TreeView& view) {
-  const RunView* run = state.workspace.run();
-  const ShownComparison& shown = state.run.comparison;
-  if (!run || !shown.result || shown.first != run->name()) return {};
+  const RunComparison* const shown = ShownRunComparison(state);
+  if (!shown) return {};
   std::vector<Change> changes(view.scene()->nodes.size(), Change::kNone);
-  const auto& nodes = run->tree()->description()->nodes;
+  const auto& nodes = state.workspace.run()->tree()->description()->nodes;
   const auto& in_scene = view.scene()->of_run_node;
-  for (const RunDifference& difference : shown.result->differences) {
+  for (const RunDifference& difference : shown->differences) {
     for (std::size_t i = 0; i < nodes.size() && i < in_scene.size(); ++i) {
       if (in_scene[i] != kNoSceneNode && nodes[i].path == difference.what) {
         changes[in_scene[i]] = Change::kChanged;

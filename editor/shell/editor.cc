@@ -14,6 +14,7 @@
 #include "editor/canvas/canvas.h"
 #include "editor/canvas/layout/node_metrics.h"
 #include "editor/commands/command_needs.h"
+#include "editor/commands/difference_commands.h"
 #include "editor/commands/edit_commands.h"
 #include "editor/commands/file_commands.h"
 #include "editor/commands/help_commands.h"
@@ -97,6 +98,7 @@ Editor::Editor(EditorOptions options)
   AddEditCommands(state_);
   AddProjectCommands(state_);
   AddMergeCommands(state_);
+  AddDifferenceCommands(state_);
   AddPictureCommands(state_);
   AddRunCommands(state_);
   AddLogCommands(state_);

@@ -1,7 +1,9 @@
 #include "editor/workspace/comparison.h"
 
+#include <algorithm>
 #include <utility>
 
+#include "editor/diff/diff_sentence.h"
 #include "editor/export/diff_picture.h"
 
 namespace coppice::editor {
@@ -46,9 +48,27 @@ void Comparison::Follow(const std::shared_ptr<const Scene>& after, Alive alive,
   summary_ = diffs.empty() ? "no difference" : CountDiffs(diffs);
   merged->tree = MergeTrees(*merged->before, *after);
   changes_ = ChangesOf(merged->tree);
+  ListDifferences(merged->tree, diffs, *merged->before);
   const std::shared_ptr<const Scene> scene(merged, &merged->tree.scene);
   view_.SetScene(scene, size_of, now);
   if (another) view_.needs_fit = true;
+}
+
+void Comparison::ListDifferences(const MergedTree& merged, const std::vector<NodeDiff>& diffs,
+                                 const Scene& before) {
+  differences_.clear();
+  for (const NodeDiff& diff : diffs) {
+    differences_.push_back({merged.NodeOf(diff), Sentence(diff, before, *after_)});
+  }
+  std::stable_sort(differences_.begin(), differences_.end(),
+                   [](const Difference& a, const Difference& b) { return a.node < b.node; });
+  selected_ = differences_.size();
+}
+
+void Comparison::Select(std::size_t difference, Point canvas) {
+  selected_ = difference;
+  view_.Select(differences_[difference].node);
+  view_.Reveal(canvas);
 }
 
 }  // namespace coppice::editor

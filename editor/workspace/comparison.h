@@ -3,6 +3,7 @@
 #ifndef COPPICE_EDITOR_WORKSPACE_COMPARISON_H_
 #define COPPICE_EDITOR_WORKSPACE_COMPARISON_H_
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
@@ -11,6 +12,7 @@
 #include "bt_core/base/outcome.h"
 #include "editor/canvas/paint/node_look.h"
 #include "editor/canvas/tree_view.h"
+#include "editor/diff/tree_diff.h"
 #include "editor/scene/forest.h"
 #include "editor/scene/node_models.h"
 
@@ -35,13 +37,29 @@ class Comparison {
   TreeView& view() { return view_; }
   const std::vector<Change>& changes() const { return changes_; }
 
+  struct Difference {
+    std::uint32_t node;    ///< of the merged tree
+    std::string sentence;  ///< what differs
+  };
+  /// From the top of the merged tree to its bottom.
+  const std::vector<Difference>& differences() const { return differences_; }
+  /// The one that is selected; differences().size(): none.
+  std::size_t selected() const { return selected_; }
+  /// Selects it and its node, which comes into sight on a canvas of that size.
+  void Select(std::size_t difference, Point canvas);
+
  private:
+  void ListDifferences(const MergedTree& merged, const std::vector<NodeDiff>& diffs,
+                       const Scene& before);
+
   std::string path_;
   Forest forest_;
   NodeModels models_;
   std::shared_ptr<const Scene> after_;
   std::string summary_;
   std::vector<Change> changes_;
+  std::vector<Difference> differences_;
+  std::size_t selected_ = 0;
   TreeView view_;
 };
 

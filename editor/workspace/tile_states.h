@@ -133,6 +133,7 @@ struct ShownComparison {
   std::string first;
   std::string second;
   std::optional<RunComparison> result;
+  std::optional<std::size_t> selected;  ///< of result->differences
 };
 
 /// Of the tiles about runs; each keeps what it worked out until the run goes on.

@@ -35,9 +35,6 @@ void DrawCoverage(const Ui& ui, EditorState& state, RunView& run);
 /// "run/table/key/SCOPE/KEY".
 void DrawTable(const Ui& ui, EditorState& state, RunView& run);
 
-/// Selects a node of the run in the shown tree.
-void SelectRunNode(EditorState& state, NodeIndex node);
-
 }  // namespace coppice::editor
 
 #endif  // COPPICE_EDITOR_PANELS_RUN_RUN_BODIES_H_

@@ -3,6 +3,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "editor/commands/run_commands.h"
 #include "editor/panels/run/run_bodies.h"
 #include "editor/panels/widgets/panel.h"
 #include "editor/simulation/chance_text.h"

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "editor/commands/run_commands.h"
 #include "editor/panels/run/run_bodies.h"
 #include "editor/panels/widgets/panel.h"
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "editor/commands/run_commands.h"
 #include "editor/panels/run/run_bodies.h"
 #include "editor/panels/run/run_text.h"
 #include "editor/panels/widgets/panel.h"
@@ -68,15 +69,6 @@ void DrawLine(const Ui& ui, EditorState& state, const WhyLine& line, std::size_t
 }
 
 }  // namespace
-
-void SelectRunNode(EditorState& state, NodeIndex node) {
-  TreeView* view = state.workspace.view();
-  if (!view || node >= view->scene()->of_run_node.size()) return;
-  const std::uint32_t in_scene = view->scene()->of_run_node[node];
-  if (in_scene == kNoSceneNode) return;
-  view->Select(in_scene);
-  view->Reveal(state.screen.canvas_size);
-}
 
 void DrawWhy(const Ui& ui, EditorState& state, RunView& run) {
   state.run.why.Ask(run, SelectedNode(state));

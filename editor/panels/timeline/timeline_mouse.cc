@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "editor/commands/menus.h"
+#include "editor/commands/run_commands.h"
 #include "editor/panels/run/run_bodies.h"
 #include "editor/panels/timeline/timeline_frame.h"
 

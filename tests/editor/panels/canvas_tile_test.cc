@@ -47,7 +47,7 @@ TEST(RunMarks, AreThereWhenTheyAreWanted) {
   EXPECT_TRUE(RunDifferences(state, driver.view()).empty());
   RunComparison result;
   result.differences.push_back({"pass/Drive", 1, 1, "", ""});
-  state.run.comparison = {"robot:1", "other", result};
+  state.run.comparison = {"robot:1", "other", result, {}};
   const std::vector<Change> changes = RunDifferences(state, driver.view());
   EXPECT_EQ(changes[driver.view().scene()->FindPath("1.2.1")], Change::kChanged);
   EXPECT_EQ(changes[0], Change::kNone);

@@ -1,0 +1,43 @@
+#include "editor/diff/diff_sentence.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/editor/canvas/make_scene.h"
+
+namespace coppice::editor {
+namespace {
+
+struct Case {
+  const char* before;
+  const char* after;
+  const char* sentence;
+};
+
+class DiffSentence : public testing::TestWithParam<Case> {};
+
+TEST_P(DiffSentence, SaysInEnglishWhatDiffers) {
+  const auto before = MakeScene(GetParam().before);
+  const auto after = MakeScene(GetParam().after);
+  const std::vector<NodeDiff> diffs = DiffTrees(*before, *after);
+  ASSERT_EQ(diffs.size(), 1U);
+  EXPECT_EQ(Sentence(diffs[0], *before, *after), GetParam().sentence);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, DiffSentence,
+                         testing::Values(Case{"<A><B/></A>", "<A><B/><C/></A>",
+                                              R"("C" was added below "A")"},
+                                         Case{"<A><B/><C/></A>", "<A><B/></A>",
+                                              R"("C" was removed; it stood below "A")"},
+                                         Case{"<A><B/><C/></A>", "<A><C/><B/></A>",
+                                              R"("B" was moved from place 1 to place 2 below "A")"},
+                                         Case{"<A><B><C/></B><D/></A>", "<A><B/><D><C/></D></A>",
+                                              R"("C" stood below "B" and stands below "D" now)"},
+                                         Case{"<A><B x='3'/></A>", "<A><B x='5'/></A>",
+                                              R"("B" has changed: x was "3" and is "5" now)"},
+                                         Case{"<A><B/></A>", "<A><B x='5'/></A>",
+                                              R"("B" has changed: x is "5" now and was not set)"},
+                                         Case{"<A><B x='3'/></A>", "<A><B/></A>",
+                                              R"("B" has changed: x was "3" and is not set now)"}));
+
+}  // namespace
+}  // namespace coppice::editor
