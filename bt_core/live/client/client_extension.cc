@@ -163,6 +163,15 @@ void ClientExtension::OnSubscribed(const std::string& json) {
   connection_.is_live = true;
   connection_.problem.clear();
   TellLive();
+  Ask(WriteSimple("hooks"), [this](const std::string& hooks) { OnHooks(hooks); });
+}
+
+// Who comes while the tree stands has not heard of the stop.
+void ClientExtension::OnHooks(const std::string& json) {
+  NoticeMessage message = ReadNotice(json);
+  if (message.notice.event.stop.where == DebugStop::Where::kNowhere) return;
+  early_notices_.push_back(std::move(message.notice));
+  TellNotices();
 }
 
 // A tree that the robot has taken away since has no name.

@@ -34,6 +34,7 @@ class ClientExtension final : public ClientSession {
   void OnHello(const std::string& json);
   void Subscribe();
   void OnSubscribed(const std::string& json);
+  void OnHooks(const std::string& json);
   void TellLive();
   void OnReply(const Parts& parts);
   void OnFrames(const Parts& parts);

@@ -213,6 +213,24 @@ TEST(LiveClient, ForcesResultsAndWritesValues) {
   EXPECT_NE(Ask(client, WriteKey("", "nubmer", "1")).problem(), "");
 }
 
+TEST(LiveClient, WhoComesWhileTheTreeStandsIsToldWhereItStands) {
+  Robot robot;
+  Watcher first_watcher;
+  LiveClient first(robot.endpoint(), first_watcher);
+  ASSERT_TRUE(first_watcher.Await(IsLive));
+  ASSERT_EQ(Ask(first, SetHook(At("Fill"))).problem(), "");
+  std::future<void> tick = std::async(std::launch::async, [&] { robot.Tick(); });
+  const auto is_told = [](const Watched& w) {
+    return !w.notices.empty() && w.notices[0].event.kind == DebugEvent::Kind::kStopped;
+  };
+  ASSERT_TRUE(first_watcher.Await(is_told));
+  Watcher second_watcher;
+  const LiveClient second(robot.endpoint(), second_watcher);
+  EXPECT_TRUE(second_watcher.Await(is_told));
+  Ask(first, MakeCommand(Kind::kContinue));
+  tick.get();
+}
+
 TEST(LiveClient, ReleasesWhatItOwnsWhenItEnds) {
   Robot robot;
   Watcher watcher;
