@@ -1,7 +1,6 @@
 #include <algorithm>
-#include <cinttypes>
-#include <cstdio>
 
+#include "editor/live/run_summary.h"
 #include "editor/panels/panels.h"
 #include "editor/panels/widgets/panel.h"
 #include "editor/theme/icons.h"
@@ -40,28 +39,6 @@ std::string StopText(const RunView& run) {
       return "PAUSED after " + run.stop_path();
   }
   return "";
-}
-
-std::string Describe(const RunView& run) {
-  char text[96];
-  const std::size_t ticks = run.run().size();
-  const std::uint64_t number = ticks == 0 ? 0 : run.run().recording().ticks().back().number;
-  switch (run.phase()) {
-    case RunPhase::kLive:
-      std::snprintf(text, sizeof(text), "%.0f Hz   tick %" PRIu64, run.rate(), number);
-      return text;
-    case RunPhase::kLoading:
-      std::snprintf(text, sizeof(text), "loading %.0f %%", run.source().progress() * 100);
-      return text;
-    case RunPhase::kSimulation:
-      return "tick " + std::to_string(number);
-    case RunPhase::kRecord:
-      return "record, " + Count(ticks, "tick");
-    default: {
-      const std::string& problem = run.connection().problem;
-      return ToString(run.phase()) + (problem.empty() ? "" : ": " + problem);
-    }
-  }
 }
 
 std::string ShortName(const RunView& run) {
@@ -160,7 +137,7 @@ class Strip {
     const std::string tree = run.tree() ? run.tree()->description()->main_tree : "";
     const TextStyle plain{Face::kSans, 12, 0};
     if (!tree.empty()) width += ui_.Width(tree, plain) + gap;
-    return width + std::max(ui_.Width(Describe(run), plain), 110 * ui_.scale) + gap;
+    return width + std::max(ui_.Width(SummaryOf(run), plain), 110 * ui_.scale) + gap;
   }
 
   // Whether the tabs would not fit if each told all.
@@ -180,7 +157,7 @@ class Strip {
     const TextStyle bold{Face::kBold, 12, writing};
     const TextStyle plain{Face::kSans, 12, writing};
     const std::string name = ShortName(run);
-    const std::string about = Describe(run);
+    const std::string about = SummaryOf(run);
     const float gap = 12 * ui_.scale;
     const float width = TabWidth(run, shown || !is_crowded_);
     const Box tab = {{x, box_.min.y + 2 * ui_.scale},
