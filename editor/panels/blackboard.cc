@@ -1,9 +1,14 @@
+#include <imgui.h>
+// After imgui.h, which it needs.
+#include <imgui_stdlib.h>
+
 #include <algorithm>
 
 #include "bt_core/data/value_bytes.h"
 #include "editor/canvas/layout/node_metrics.h"
 #include "editor/commands/menus.h"
 #include "editor/live/key_item.h"
+#include "editor/live/key_search.h"
 #include "editor/live/value_table.h"
 #include "editor/panels/panels.h"
 #include "editor/panels/run/run_text.h"
@@ -18,6 +23,9 @@ constexpr float kPad = 8;  // pixels at scale 1
 constexpr std::size_t kListedWrites = 6;
 constexpr std::size_t kSamples = 120;
 constexpr char kTableMark[] = "(table)";
+constexpr std::size_t kSearchedKeys = 8;    // from so many on there is a field to search them
+constexpr std::size_t kTooltipBytes = 600;  // copying gives the whole value
+constexpr float kSearch = 26;               // height at scale 1
 
 // Keys that the selected node's ports name.
 std::vector<std::string> KeysOfSelection(const TreeView* view) {
@@ -53,9 +61,11 @@ class Board {
         width_(box.width()) {}
 
   void Draw() {
+    DrawSearch();
     ListSlots();
     if (listed_.empty()) {
-      Hint(ui_, state_.blackboard.selected_keys_only
+      Hint(ui_, !state_.blackboard.words.empty() ? "No key or value has that."
+                : state_.blackboard.selected_keys_only
                     ? "The selected node has no keys; B shows those of all nodes."
                     : "No key has a value yet.");
       return;
@@ -85,10 +95,30 @@ class Board {
     });
   }
 
+  void DrawSearch() {
+    std::string& words = state_.blackboard.words;
+    if (words.empty() && CountKeys() < kSearchedKeys) return;
+    ImGui::SetCursorPos({6 * ui_.scale, 4 * ui_.scale});
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - 6 * ui_.scale);
+    ImGui::PushFont(ui_.fonts.Pick(Face::kSans, 12 * ui_.scale));
+    ImGui::InputTextWithHint("##search", "search keys and values", &words);
+    ui_.items.Add("blackboard/search",
+                  {FromIm(ImGui::GetItemRectMin()), FromIm(ImGui::GetItemRectMax())});
+    ImGui::PopFont();
+    ImGui::SetCursorPos({0, (kSearch + 2) * ui_.scale});
+  }
+
+  bool IsFound(SlotIndex slot) const {
+    const std::string& words = state_.blackboard.words;
+    return words.empty() ||
+           IsKeyFound(slots_[slot].scope + "/" + slots_[slot].name, Value(slot), words);
+  }
+
   void ListSlots() {
     for (SlotIndex i{0}; i < slots_.size(); ++i) {
       if (!slots_[i].has_key) continue;
-      if (!state_.blackboard.selected_keys_only || IsOfSelection(i)) listed_.push_back(i);
+      if (state_.blackboard.selected_keys_only && !IsOfSelection(i)) continue;
+      if (IsFound(i)) listed_.push_back(i);
     }
     std::stable_sort(listed_.begin(), listed_.end(), [this](SlotIndex a, SlotIndex b) {
       return slots_[a].scope < slots_[b].scope;
@@ -144,7 +174,8 @@ class Board {
         ImGui::SetNextWindowPos({row.box.min.x, row.box.min.y - 4 * ui_.scale}, ImGuiCond_Always,
                                 {0, 1});
       }
-      Tooltip(ui_, described.name + " : " + described.type + "\n" + value + by +
+      Tooltip(ui_, described.name + " : " + described.type + "\n" +
+                       BeginningOf(value, kTooltipBytes) + by +
                        "\nA click shows its writes, a double click writes it.");
       if (ImGui::IsMouseDoubleClicked(0)) state_.commands.Run("blackboard.write");
     }

@@ -151,6 +151,7 @@ struct RunTile {
 
 struct BlackboardTile {
   bool selected_keys_only = false;
+  std::string words;      ///< only keys with these in path or value; empty: all
   std::string shown_key;  ///< "blackboard/SCOPE/KEY" with its history
   KeyWrites writes;       ///< that were made here
 };
