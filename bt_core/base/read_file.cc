@@ -21,8 +21,9 @@ class File {
   explicit File(const std::string& path)
       : file_(open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)) {
     struct stat status {};
-    const bool is_pipe = is_open() && fstat(file_, &status) == 0 && S_ISFIFO(status.st_mode);
-    if (is_pipe) fcntl(file_, F_SETFL, fcntl(file_, F_GETFL) & ~O_NONBLOCK);
+    if (!is_open() || fstat(file_, &status) != 0) return;
+    is_regular_ = S_ISREG(status.st_mode);
+    if (S_ISFIFO(status.st_mode)) fcntl(file_, F_SETFL, fcntl(file_, F_GETFL) & ~O_NONBLOCK);
   }
   ~File() {
     if (is_open()) close(file_);
@@ -31,6 +32,10 @@ class File {
   File& operator=(const File&) = delete;
 
   bool is_open() const { return file_ >= 0; }
+  /// What lies on no disk may have no end, whatever the reader expects.
+  std::size_t Longest(std::size_t longest) const {
+    return is_regular_ ? longest : std::min(longest, kLongestFile);
+  }
   /// Negative: errno says why; 0: at the end.
   ssize_t Read(char* to, std::size_t size) const {
     ssize_t count = 0;
@@ -42,12 +47,14 @@ class File {
 
  private:
   const int file_;
+  bool is_regular_ = false;
 };
 
 // What is wrong; empty if nothing is.
 std::string Read(const std::string& path, std::size_t longest, std::string& bytes) {
   const File file(path);
   if (!file.is_open()) return WhyNot();
+  longest = file.Longest(longest);
   for (;;) {
     const std::size_t size = bytes.size();
     bytes.resize(size + kPiece);

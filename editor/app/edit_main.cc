@@ -1,11 +1,12 @@
 // coppice-edit: the graphical editor.
 #include <csignal>
 #include <cstdlib>
-#include <fstream>
 #include <iostream>
 #include <iterator>
 
+#include "bt_core/base/read_file.h"
 #include "editor/app/run.h"
+#include "editor/live/record_source.h"
 
 namespace coppice::editor {
 
@@ -28,15 +29,21 @@ std::string SettingsFile() {
   return UserPath("XDG_CONFIG_HOME", "/.config", "/coppice/settings.json");
 }
 
+// It was opened last.
+std::string WhyNotOpen(const Workspace& workspace, const std::string& file) {
+  const std::vector<Diagnostic>& problems =
+      IsRecordName(file) ? workspace.record_problems() : workspace.files().back().problems;
+  return problems.empty() ? "coppice-edit: nothing to show\n" : ToString(problems.back()) + "\n";
+}
+
 }  // namespace
 
 EditorOptions LoadSettings(const EditOptions& options) {
   EditorOptions loaded;
-  std::ifstream stream(options.headless ? "" : SettingsFile(), std::ios::binary);
-  if (stream) {
+  const auto text = options.headless ? std::nullopt : ReadFile(SettingsFile());
+  if (text) {
     Diagnostics diagnostics;
-    const std::string text{std::istreambuf_iterator<char>(stream), {}};
-    loaded.kept_settings = ReadSettings(text, SettingsFile(), diagnostics);
+    loaded.kept_settings = ReadSettings(*text, SettingsFile(), diagnostics);
     std::cerr << diagnostics.ToString();
   }
   Settings& settings = loaded.settings = loaded.kept_settings;
@@ -61,7 +68,14 @@ std::unique_ptr<Editor> MakeEditor(const EditOptions& options, EditorOptions edi
     return nullptr;
   }
   for (const std::string& models : options.models) editor->AddModels(models);
-  for (const std::string& file : options.files) editor->Open(file);
+  for (const std::string& file : options.files) {
+    // In a window PROBLEMS tells why there is nothing to see.
+    if (editor->Open(file) || !options.headless || editor->state().workspace.project().Find(file)) {
+      continue;
+    }
+    std::cerr << WhyNotOpen(editor->state().workspace, file);
+    return nullptr;
+  }
   if (options.files.size() > 1) editor->Open(options.files.front());  // shows the first
   for (const std::string& robot : options.robots) {
     const Outcome connected = editor->Connect(robot);

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <map>
 #include <random>
 #include <system_error>
 #include <utility>
 
+#include "bt_core/base/read_file.h"
 #include "bt_core/model/write_file.h"
 
 namespace coppice::editor {
@@ -136,9 +136,9 @@ std::vector<StoredHistory> HistoryStore::ReadAll() const {
   std::vector<StoredHistory> all;
   if (folder_.empty()) return all;
   for (const fs::path& path : NewestFirst(folder_)) {
-    std::ifstream stream(path, std::ios::binary);
-    const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
-    if (auto stored = ReadHistory(bytes)) all.push_back(*std::move(stored));
+    const std::optional<std::string> bytes = ReadFile(path.string());
+    if (!bytes) continue;
+    if (auto stored = ReadHistory(*bytes)) all.push_back(*std::move(stored));
   }
   return all;
 }

@@ -4,11 +4,10 @@
 #include "editor/files/open_project.h"
 
 #include <algorithm>
-#include <fstream>
-#include <sstream>
 #include <system_error>
 #include <utility>
 
+#include "bt_core/base/read_file.h"
 #include "bt_core/model/write_file.h"
 #include "editor/files/merge.h"
 
@@ -16,15 +15,6 @@ namespace coppice::editor {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::optional<std::string> ReadText(const std::string& path) {
-  std::ifstream stream(path, std::ios::binary);
-  std::error_code error;
-  if (!stream || fs::is_directory(path, error)) return std::nullopt;
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return stream.bad() ? std::nullopt : std::optional(text.str());
-}
 
 // What a file looks like from outside: enough to see that somebody wrote it.
 void NoteStamp(EditedFile& file) {
@@ -73,11 +63,8 @@ EditedFile* OpenProject::Get(const std::string& path) {
 
 const EditedFile* OpenProject::Open(const std::string& path, Diagnostics& diagnostics) {
   if (const EditedFile* known = Find(path)) return known;
-  std::optional<std::string> text = ReadText(path);
-  if (!text) {
-    diagnostics.Error({path, 0, 0}, "cannot read this file");
-    return nullptr;
-  }
+  std::optional<std::string> text = ReadFile(path, diagnostics);
+  if (!text) return nullptr;
   EditedFile& file = files_[path];
   file.path = path;
   Know(file, *text);
@@ -244,7 +231,7 @@ bool OpenProject::Save(const std::string& path, Diagnostics& diagnostics, bool o
   if (!file) return false;
   if (!file->is_dirty()) return true;
   if (!overwrite && !file->is_new && !HasOldStamp(*file)) {
-    const std::optional<std::string> there = ReadText(file->path);
+    const std::optional<std::string> there = ReadFile(file->path);
     if (there && *there != file->saved) file->other = there;
   }
   if (!overwrite && file->other) {
@@ -295,7 +282,7 @@ std::vector<std::string> OpenProject::LookAtDisk() {
     if (is_gone && !file.is_gone) changed.push_back(path);
     file.is_gone = is_gone;
     if (HasOldStamp(file)) continue;
-    std::optional<std::string> text = ReadText(path);
+    std::optional<std::string> text = ReadFile(path);
     NoteStamp(file);
     if (!text) continue;
     if (*text == file.saved) {

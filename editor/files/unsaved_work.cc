@@ -9,13 +9,14 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <fstream>
 #include <iterator>
 #include <random>
 #include <set>
+#include <sstream>
 #include <system_error>
 #include <utility>
 
+#include "bt_core/base/read_file.h"
 #include "bt_core/model/write_file.h"
 
 namespace coppice::editor {
@@ -46,7 +47,7 @@ bool ReadHeader(std::istream& stream, UnsavedCopy& copy) {
 std::optional<UnsavedCopy> ReadCopy(const fs::path& path) {
   UnsavedCopy copy;
   copy.file = path.string();
-  std::ifstream stream(path, std::ios::binary);
+  std::istringstream stream(ReadFile(path.string()).value_or(""));
   if (!ReadHeader(stream, copy)) return std::nullopt;
   std::error_code error;
   copy.time = fs::last_write_time(path, error);
@@ -207,7 +208,7 @@ void UnsavedWork::Look(const OpenProject& project) {
 }
 
 std::optional<std::string> UnsavedWork::TextOf(const UnsavedCopy& copy) {
-  std::ifstream stream(copy.file, std::ios::binary);
+  std::istringstream stream(ReadFile(copy.file).value_or(""));
   UnsavedCopy there;
   if (!ReadHeader(stream, there) || there.path != copy.path) return std::nullopt;
   return std::string(std::istreambuf_iterator<char>(stream), {});

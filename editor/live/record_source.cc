@@ -1,11 +1,10 @@
 #include "editor/live/record_source.h"
 
 #include <algorithm>
-#include <fstream>
-#include <sstream>
 #include <utility>
 
 #include "bt_core/analysis/formats/import_btlog.h"
+#include "bt_core/base/read_file.h"
 
 namespace coppice::editor {
 namespace {
@@ -17,14 +16,8 @@ bool EndsIn(const std::string& text, const std::string& end) {
 }
 
 std::optional<Recording> ReadLog(const std::string& path, Diagnostics& diagnostics) {
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream) {
-    diagnostics.Error({path}, "cannot be read");
-    return std::nullopt;
-  }
-  std::ostringstream bytes;
-  bytes << stream.rdbuf();
-  return FromBtlog(bytes.str(), path, diagnostics);
+  const std::optional<std::string> bytes = ReadFile(path, diagnostics, kLongestBtlog);
+  return bytes ? FromBtlog(*bytes, path, diagnostics) : std::nullopt;
 }
 
 }  // namespace

@@ -1,10 +1,10 @@
 // What an editor keeps for the next time: keys, marks, settings, recent files.
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <optional>
 #include <utility>
 
+#include "bt_core/base/read_file.h"
 #include "bt_core/model/write_file.h"
 #include "editor/keys/key_file.h"
 #include "editor/keys/recent.h"
@@ -13,12 +13,6 @@
 
 namespace coppice::editor {
 namespace {
-
-std::optional<std::string> ReadText(const std::string& path) {
-  std::ifstream stream(path, std::ios::binary);
-  if (path.empty() || !stream) return std::nullopt;
-  return std::string(std::istreambuf_iterator<char>(stream), {});
-}
 
 // In a folder that may not be there yet. When it fails it may succeed the next time.
 bool WriteOwnFile(const std::string& path, const std::string& text) {
@@ -33,7 +27,7 @@ bool WriteOwnFile(const std::string& path, const std::string& text) {
 void Editor::LoadKeys() {
   KeySettings& keys = state_.key_settings;
   keys.file = options_.keys_file;
-  if (const std::optional<std::string> text = ReadText(keys.file)) {
+  if (const std::optional<std::string> text = ReadFile(keys.file)) {
     ReadKeys(*text, keys.file, state_.commands, keys.problems);
   }
   if (keys.problems.has_errors()) {
@@ -43,7 +37,7 @@ void Editor::LoadKeys() {
 
 void Editor::LoadMarks() {
   Workspace& workspace = state_.workspace;
-  const std::optional<std::string> text = ReadText(options_.marks_file);
+  const std::optional<std::string> text = ReadFile(options_.marks_file);
   if (!text) return;
   Diagnostics problems;
   ReadMarks(*text, options_.marks_file, workspace.marks(), problems);
@@ -78,7 +72,7 @@ void Editor::KeepMarks() {
 }
 
 void Editor::LoadRecent() {
-  const std::optional<std::string> text = ReadText(options_.recent_file);
+  const std::optional<std::string> text = ReadFile(options_.recent_file);
   if (text) state_.recent = ReadRecent(*text);
   kept_recent_ = WriteRecent(state_.recent);
 }

@@ -1,21 +1,18 @@
 #include "editor/workspace/key_settings.h"
 
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <system_error>
 #include <utility>
 
+#include "bt_core/base/read_file.h"
 #include "bt_core/model/write_file.h"
 #include "editor/keys/key_file.h"
 
 namespace coppice::editor {
 namespace {
 
-std::string ReadFileOf(const KeySettings& settings) {
-  std::ifstream stream(settings.file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
+std::string ReadFileOf(const KeySettings& settings) { return ReadFile(settings.file).value_or(""); }
 
 // Reads it again, so that what is said of it is true.
 void Keep(EditorState& state, const std::string& text, double now) {

@@ -1,8 +1,8 @@
 """Gives the programs of Coppice the files of an attacker: records, trees, scenarios, and places to
 write to. Each must end with a message, soon, and without taking the memory of the computer.
 
-usage: file_attack.py COPPICE MIB
-MIB: how much memory no program may ever take.
+usage: file_attack.py COPPICE MIB EDITOR
+MIB: how much memory no program may ever take. EDITOR: ON or OFF, whether there is one.
 """
 import os
 import resource
@@ -250,8 +250,35 @@ class Places(FileAttack):
             self.assertIn("AlwaysSuccess", file.read())
 
 
+class Editor(FileAttack):
+    """What is opened in the editor, and what that includes, may be no file at all."""
+
+    def edit(self, name, codes=(1, 2)):
+        return self.run_program("edit", name, "--headless", codes=codes)
+
+    def test_devices_are_neither_trees_nor_records(self):
+        for number, device in enumerate(("/dev/zero", "/dev/full")):
+            for ending in (".xml", ".btlog", ".coppice"):
+                os.symlink(device, self.path("z%d%s" % (number, ending)))
+                self.edit("z%d%s" % (number, ending))
+
+    def test_a_pipe_is_not_waited_for(self):
+        for name in ("p.xml", "p.btlog", "p.coppice"):
+            os.mkfifo(self.path(name))
+            self.edit(name, codes=(0, 1, 2))
+
+    def test_includes_may_be_devices_and_pipes(self):
+        os.mkfifo(self.path("pipe.xml"))
+        for place in ("/dev/zero", "/proc/kmsg", "pipe.xml", "."):
+            self.write("i.xml", '<root BTCPP_format="4"><include path="%s"/><BehaviorTree ID="A">'
+                       "<AlwaysSuccess/></BehaviorTree></root>" % place)
+            self.edit("i.xml", codes=(0, 1, 2))
+
+
 if __name__ == "__main__":
     PROGRAM = os.path.abspath(sys.argv.pop(1))
     MEMORY = int(sys.argv.pop(1)) << 20  # bytes
+    if sys.argv.pop(1) != "ON":
+        del Editor
     signal.signal(signal.SIGPIPE, signal.SIG_DFL)
     unittest.main()

@@ -15,15 +15,13 @@
 namespace coppice {
 namespace {
 
-constexpr std::size_t kLongestLog = std::size_t{1} << 30;  // bytes
-
 bool EndsIn(std::string_view name, std::string_view ending) {
   return name.size() > ending.size() && name.substr(name.size() - ending.size()) == ending;
 }
 
 std::optional<Recording> Read(const std::string& path, Diagnostics& diagnostics) {
   if (!EndsIn(path, ".btlog")) return LoadRecording(path, diagnostics);
-  const std::optional<std::string> bytes = ReadFile(path, diagnostics, kLongestLog);
+  const std::optional<std::string> bytes = ReadFile(path, diagnostics, kLongestBtlog);
   return bytes ? FromBtlog(*bytes, path, diagnostics) : std::nullopt;
 }
 

@@ -47,6 +47,8 @@ TEST(ReadFile, DoesNotWaitForAPipeThatNobodyWrites) {
 
 TEST(ReadFile, DoesNotReadWithoutEnd) {
   EXPECT_THAT(ProblemOf("/dev/zero", 1 << 20), HasSubstr("is longer than 1048576 bytes"));
+  EXPECT_THAT(ProblemOf("/dev/zero", std::size_t{1} << 40),
+              HasSubstr("is longer than 67108864 bytes"));
 }
 
 }  // namespace

@@ -1,7 +1,9 @@
 #include "editor/shell/editor.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
+#include <filesystem>
 #include <limits>
 
 #include "tests/editor/driver.h"
@@ -17,6 +19,23 @@ TEST(Editor, BuildsAFrameWithNothingOpen) {
                            "blackboard", "xml", "problems", "start/open", "bar/palette"}) {
     EXPECT_TRUE(driver.Has(path)) << path;
   }
+}
+
+TEST(Editor, WaitsForNoPipeInThePlaceOfItsOwnFiles) {
+  const TemporaryFile file("small.xml", kSmallFile);
+  const std::string state = file.folder() + "/state";
+  std::filesystem::create_directory(state);
+  EditorOptions options;
+  options.keys_file = state + "/keys";
+  options.marks_file = state + "/marks";
+  options.recent_file = state + "/recent";
+  options.backup_folder = state;
+  for (const char* name : {"keys", "marks", "recent", "1.1.unsaved", "history-1"}) {
+    ASSERT_EQ(mkfifo((state + "/" + name).c_str(), 0600), 0);
+  }
+  Driver driver(std::move(options));
+  EXPECT_TRUE(driver.editor.Open(file.path()));
+  driver.Frames(4);
 }
 
 TEST(Editor, SurvivesTinyAndHugeWindows) {
