@@ -227,7 +227,7 @@ TEST(LiveClient, WhoComesWhileTheTreeStandsIsToldWhereItStands) {
   Watcher second_watcher;
   const LiveClient second(robot.endpoint(), second_watcher);
   EXPECT_TRUE(second_watcher.Await(is_told));
-  Ask(first, MakeCommand(Kind::kContinue));
+  EXPECT_EQ(Ask(first, MakeCommand(Kind::kContinue)).problem(), "");
   tick.get();
 }
 
