@@ -7,6 +7,9 @@
 namespace coppice {
 namespace {
 
+constexpr char kMeantBefore[] = "did you mean \"";
+constexpr char kMeantBehind[] = "\"?";
+
 std::string Lower(std::string_view text) {
   std::string lower(text);
   for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
@@ -47,13 +50,17 @@ std::string ToString(const Diagnostic& diagnostic) {
   return text;
 }
 
-void Diagnostics::Error(SourceLocation where, std::string message, std::string hint) {
-  all_.push_back({Severity::kError, std::move(where), std::move(message), std::move(hint)});
+void Diagnostics::Error(SourceLocation where, std::string message, std::string hint,
+                        ProblemSubject about) {
+  all_.push_back(
+      {Severity::kError, std::move(where), std::move(message), std::move(hint), std::move(about)});
   ++errors_;
 }
 
-void Diagnostics::Warning(SourceLocation where, std::string message, std::string hint) {
-  all_.push_back({Severity::kWarning, std::move(where), std::move(message), std::move(hint)});
+void Diagnostics::Warning(SourceLocation where, std::string message, std::string hint,
+                          ProblemSubject about) {
+  all_.push_back({Severity::kWarning, std::move(where), std::move(message), std::move(hint),
+                  std::move(about)});
 }
 
 void Diagnostics::Append(const Diagnostics& other) {
@@ -83,7 +90,19 @@ std::string NearestName(std::string_view name, const std::vector<std::string>& c
 
 std::string DidYouMean(std::string_view name, const std::vector<std::string>& candidates) {
   const std::string nearest = NearestName(name, candidates);
-  return nearest.empty() ? std::string() : "did you mean \"" + nearest + "\"?";
+  return nearest.empty() ? std::string() : kMeantBefore + nearest + kMeantBehind;
+}
+
+std::string NameMeant(std::string_view hint) {
+  const std::string_view before = kMeantBefore;
+  const std::string_view behind = kMeantBehind;
+  if (hint.size() < before.size() + behind.size() || hint.substr(0, before.size()) != before ||
+      hint.substr(hint.size() - behind.size()) != behind) {
+    return {};
+  }
+  hint.remove_prefix(before.size());
+  hint.remove_suffix(behind.size());
+  return std::string(hint);
 }
 
 }  // namespace coppice

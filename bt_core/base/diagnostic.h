@@ -24,11 +24,29 @@ struct SourceLocation {
 
 enum class Severity : std::uint8_t { kWarning, kError };
 
+/// Problems that programs recognise, to mend them or to tell them in their own way; all others need
+/// nobody but their reader.
+enum class ProblemKind : std::uint8_t {
+  kOther,
+  kNoModel,      ///< of this type: nothing says which ports it has
+  kMissingPort,  ///< this one is needed
+  kUnknownPort,  ///< the type has none of this name
+  kEmptyTree,    ///< of this ID
+  kInScript,     ///< the place lies within a script: what is meant stands for one word of it
+  kCannotWrite,  ///< the hint tells why
+};
+
+struct ProblemSubject {
+  ProblemKind kind = ProblemKind::kOther;
+  std::string name;  ///< of the port, type or tree
+};
+
 struct Diagnostic {
   Severity severity = Severity::kError;
   SourceLocation where;
   std::string message;
   std::string hint;  ///< may be empty; for example: did you mean "Sequence"?
+  ProblemSubject about = {};
 };
 
 /// "file:line:column: error: message (hint)", leaving out what is unknown.
@@ -37,8 +55,10 @@ std::string ToString(const Diagnostic& diagnostic);
 /// The problems found so far, in the order of finding.
 class Diagnostics {
  public:
-  void Error(SourceLocation where, std::string message, std::string hint = {});
-  void Warning(SourceLocation where, std::string message, std::string hint = {});
+  void Error(SourceLocation where, std::string message, std::string hint = {},
+             ProblemSubject about = {});
+  void Warning(SourceLocation where, std::string message, std::string hint = {},
+               ProblemSubject about = {});
 
   /// Adds all of the other list.
   void Append(const Diagnostics& other);
@@ -60,6 +80,9 @@ std::string NearestName(std::string_view name, const std::vector<std::string>& c
 
 /// `did you mean "X"?` for the nearest candidate, or empty.
 std::string DidYouMean(std::string_view name, const std::vector<std::string>& candidates);
+
+/// The name that such a hint gives; empty if it gives none.
+std::string NameMeant(std::string_view hint);
 
 }  // namespace coppice
 

@@ -175,10 +175,12 @@ class ProjectReader {
     }
     if (id.empty()) id = "BehaviorTree_" + std::to_string(trees_without_id_++);
     if (element.child_count != 1) {
+      const bool is_empty = element.child_count == 0;
       Error(number, element,
             "tree \"" + id + "\" has " + std::to_string(element.child_count) +
-                " root nodes, expected exactly 1");
-      if (element.child_count == 0) return;
+                " root nodes, expected exactly 1",
+            {}, is_empty ? ProblemSubject{ProblemKind::kEmptyTree, id} : ProblemSubject{});
+      if (is_empty) return;
     }
     const auto [at, inserted] = project_.trees_.insert({id, TreeDefinition{number, index}});
     if (inserted) return;
@@ -225,8 +227,9 @@ class ProjectReader {
   }
 
   void Error(std::uint32_t number, const Element& element, std::string message,
-             std::string hint = {}) {
-    diagnostics_.Error(At(number).Location(element.offset), std::move(message), std::move(hint));
+             std::string hint = {}, ProblemSubject about = {}) {
+    diagnostics_.Error(At(number).Location(element.offset), std::move(message), std::move(hint),
+                       std::move(about));
   }
 
   Project project_;

@@ -71,6 +71,12 @@ void SyncFolder(const fs::path& folder) {
   close(descriptor);
 }
 
+bool CannotWrite(const std::string& path, std::string why, Diagnostics& diagnostics) {
+  diagnostics.Error({path, 0, 0}, "cannot write this file", std::move(why),
+                    {ProblemKind::kCannotWrite, path});
+  return false;
+}
+
 }  // namespace
 
 bool WriteFile(const std::string& path, std::string_view text, Diagnostics& diagnostics) {
@@ -78,15 +84,14 @@ bool WriteFile(const std::string& path, std::string_view text, Diagnostics& diag
   const fs::path real = fs::is_symlink(path, error) ? fs::canonical(path, error) : fs::path(path);
   const std::string target = error ? path : real.string();
   if (fs::exists(target, error) && !fs::is_regular_file(target, error)) {
-    diagnostics.Error({path, 0, 0}, "cannot write this file",
-                      "it is a folder, a device or a pipe, and nothing else is replaced by a file");
-    return false;
+    return CannotWrite(path,
+                       "it is a folder, a device or a pipe, and nothing else is replaced by a file",
+                       diagnostics);
   }
   TemporaryFile file(target);
   if (!file.is_open() || !file.Write(text) || !file.SetMode(ModeOf(target)) ||
       !file.Become(target)) {
-    diagnostics.Error({path, 0, 0}, "cannot write this file", std::strerror(errno));
-    return false;
+    return CannotWrite(path, std::strerror(errno), diagnostics);
   }
   SyncFolder(fs::path(target).parent_path());
   return true;

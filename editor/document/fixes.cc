@@ -1,25 +1,16 @@
 #include "editor/document/fixes.h"
 
 #include <algorithm>
+#include <cctype>
+#include <cstring>
 #include <optional>
 
 #include "bt_core/model/attribute_edits.h"
 #include "bt_core/model/element_edits.h"
 #include "bt_core/model/xml_text.h"
-#include "editor/document/shown_problems.h"
 
 namespace coppice::editor {
 namespace {
-
-// What stands in quotes behind `before`.
-std::optional<std::string> Quoted(std::string_view text, std::string_view before) {
-  const std::size_t at = text.find(before);
-  if (at == std::string_view::npos) return std::nullopt;
-  const std::size_t begin = at + before.size();
-  const std::size_t end = text.find('"', begin);
-  if (end == std::string_view::npos) return std::nullopt;
-  return std::string(text.substr(begin, end - begin));
-}
 
 const Attribute* AttributeAt(const Document& document, const Element& element,
                              std::uint32_t offset) {
@@ -28,6 +19,29 @@ const Attribute* AttributeAt(const Document& document, const Element& element,
     return offset >= a.name_offset && offset <= a.value_end;
   });
   return at == end ? nullptr : at;
+}
+
+// The name, number or operator that begins there.
+std::string_view WordAt(std::string_view text) {
+  const auto is_of_name = [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '.';
+  };
+  const auto is_of_operator = [](char c) { return std::strchr("=:!+-*/|^", c) != nullptr; };
+  if (text.empty()) return text;
+  const auto end = is_of_name(text[0]) ? std::find_if_not(text.begin(), text.end(), is_of_name)
+                                       : std::find_if_not(text.begin(), text.end(), is_of_operator);
+  return text.substr(0, static_cast<std::size_t>(end - text.begin()));
+}
+
+// In a script one word is wrong, not all of it.
+std::optional<Fix> RenameInScript(const Document& document, std::uint32_t offset,
+                                  const std::string& right) {
+  const std::string_view wrong = WordAt(std::string_view(document.text()).substr(offset));
+  if (wrong.empty()) return std::nullopt;
+  return Fix{std::string(wrong) + " -> " + right,
+             {{offset, static_cast<std::uint32_t>(wrong.size()), right}},
+             "",
+             ""};
 }
 
 // The wrong name is where the message points to: a tag, the name or the value of an attribute.
@@ -72,23 +86,32 @@ std::vector<Fix> FixesFor(const Document& document, const Diagnostic& problem) {
   const std::uint32_t offset = OffsetOf(document, problem.where);
   const ElementIndex element = document.ElementAt(offset);
   if (element == kNoElement) return fixes;
-  if (const auto right = Quoted(problem.hint, "did you mean \"")) {
-    auto fix = Rename(document, element, offset, *right);
+  if (const std::string right = NameMeant(problem.hint); !right.empty()) {
+    auto fix = problem.about.kind == ProblemKind::kInScript
+                   ? RenameInScript(document, offset, right)
+                   : Rename(document, element, offset, right);
     if (fix && !fix->edit.empty()) fixes.push_back(*std::move(fix));
   }
-  if (const auto port = Quoted(problem.message, " needs its port \"")) {
-    if (IsXmlName(*port)) {
-      fixes.push_back({"add " + *port, SetAttribute(document, element, *port, ""), *port, ""});
+  const std::string& name = problem.about.name;
+  switch (problem.about.kind) {
+    case ProblemKind::kMissingPort:
+      if (!IsXmlName(name)) break;
+      fixes.push_back({"add " + name, SetAttribute(document, element, name, ""), name, ""});
+      break;
+    case ProblemKind::kUnknownPort: {
+      Edit edit = RemoveAttribute(document, element, name);
+      if (!edit.empty()) fixes.push_back({"remove " + name, std::move(edit), "", ""});
+      break;
     }
-  }
-  if (const auto port = Quoted(problem.message, " has no port \"")) {
-    Edit edit = RemoveAttribute(document, element, *port);
-    if (!edit.empty()) fixes.push_back({"remove " + *port, std::move(edit), "", ""});
-  }
-  if (IsAboutModels(problem)) {
-    fixes.push_back({"load models", {}, "", "file.models"});
-    if (problem.message.substr(0, 5) == "type ")
-      fixes.push_back({"define it", {}, "", "type.define"});
+    case ProblemKind::kNoModel:
+      fixes.push_back({"load models", {}, "", "file.models"});
+      if (!name.empty()) fixes.push_back({"define it", {}, "", "type.define"});
+      break;
+    case ProblemKind::kInScript:
+    case ProblemKind::kEmptyTree:
+    case ProblemKind::kCannotWrite:
+    case ProblemKind::kOther:
+      break;
   }
   return fixes;
 }

@@ -2,27 +2,11 @@
 
 #include <algorithm>
 #include <string>
-#include <string_view>
 
 namespace coppice::editor {
 namespace {
 
-constexpr std::string_view kTypeBefore = "node type \"";
-constexpr std::string_view kTypeBehind = "\" is not built in: its ports are not checked";
-constexpr std::string_view kNoModel = " no model, so ";
-constexpr char kNoRoot[] = " has 0 root nodes";
 constexpr std::size_t kNamed = 6;  // types that the remark names
-
-// The type that no model describes, if that is the problem. One that may be misspelt stays alone.
-std::string TypeWithoutModel(const Diagnostic& problem) {
-  const std::string_view message = problem.message;
-  const std::size_t end = message.find(kTypeBehind);
-  if (!problem.hint.empty() || message.substr(0, kTypeBefore.size()) != kTypeBefore ||
-      end == std::string_view::npos) {
-    return {};
-  }
-  return std::string(message.substr(kTypeBefore.size(), end - kTypeBefore.size()));
-}
 
 std::string Remark(const std::vector<std::string>& types) {
   if (types.size() == 1) return "type " + types[0] + " has no model, so its ports are not checked";
@@ -41,22 +25,23 @@ std::vector<Diagnostic> ShownProblems(const std::vector<Diagnostic>& problems, b
   std::vector<std::string> types;
   Diagnostic remark;
   for (const Diagnostic& problem : problems) {
-    const std::string type = TypeWithoutModel(problem);
-    if (!type.empty()) {
+    if (problem.about.kind == ProblemKind::kNoModel) {
+      const std::string& type = problem.about.name;
       if (types.empty()) remark = problem;
       if (std::find(types.begin(), types.end(), type) == types.end()) types.push_back(type);
-    } else if (!is_new || problem.message.find(kNoRoot) == std::string::npos) {
+    } else if (!is_new || problem.about.kind != ProblemKind::kEmptyTree) {
       shown.push_back(problem);
     }
   }
   if (types.empty()) return shown;
   remark.message = Remark(types);
+  if (types.size() > 1) remark.about.name.clear();
   shown.push_back(remark);
   return shown;
 }
 
 bool IsAboutModels(const Diagnostic& problem) {
-  return problem.message.find(kNoModel) != std::string::npos;
+  return problem.about.kind == ProblemKind::kNoModel;
 }
 
 }  // namespace coppice::editor

@@ -17,7 +17,7 @@ std::string NameOf(const std::string& path) { return path.substr(path.rfind('/')
 std::string ReasonOf(const Diagnostics& diagnostics) {
   if (diagnostics.all().empty()) return "this file is not open";
   const Diagnostic& last = diagnostics.all().back();
-  if (last.message == "cannot write this file") return last.hint;
+  if (last.about.kind == ProblemKind::kCannotWrite) return last.hint;
   return last.hint.empty() ? last.message : last.message + ": " + last.hint;
 }
 

@@ -85,10 +85,12 @@ void NodeLookup::WarnOfUnknown(const Site& site, std::string_view id) {
   const std::uint32_t children = site.element.child_count;
   const Registry::Entry* near = registry_.Find(nearest);
   const bool fits = near && WrongChildCount(id, children, near->children).empty();
-  problems_.Warning(site.document, site.element.offset,
-                    "node type " + Quoted(id) + " is not built in: its ports are not checked" +
-                        (children > 0 ? ", nor how many children it may have" : ""),
-                    fits ? "did you mean " + Quoted(nearest) + "?" : "");
+  problems_.Warning(
+      site.document, site.element.offset,
+      "node type " + Quoted(id) + " is not built in: its ports are not checked" +
+          (children > 0 ? ", nor how many children it may have" : ""),
+      fits ? DidYouMean(id, {nearest}) : "",
+      fits ? ProblemSubject{} : ProblemSubject{ProblemKind::kNoModel, std::string(id)});
 }
 
 // A large file may use an unknown type ten thousand times.
@@ -118,7 +120,8 @@ void NodeLookup::CheckAgainstModel(const Site& site, const NodeModel& model) {
     for (const PortModel& port : model.ports) names.push_back(port.name);
     problems_.Warning(site.document, attribute.name_offset,
                       "the model of " + model.id + " has no port " + Quoted(attribute.name),
-                      DidYouMean(attribute.name, names));
+                      DidYouMean(attribute.name, names),
+                      {ProblemKind::kUnknownPort, std::string(attribute.name)});
   }
 }
 

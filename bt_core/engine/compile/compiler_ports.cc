@@ -64,7 +64,8 @@ void PortBinder::CheckNames(const Registry::Entry& entry, const Site& site) {
     for (const PortDeclaration& port : ports) names.push_back(port.name);
     problems_.Error(site.document, attribute.name_offset,
                     entry.manifest.id + " has no port " + Quoted(attribute.name),
-                    DidYouMean(attribute.name, names));
+                    DidYouMean(attribute.name, names),
+                    {ProblemKind::kUnknownPort, std::string(attribute.name)});
   }
 }
 
@@ -75,7 +76,8 @@ PortBinding PortBinder::BindPort(const Registry::Entry& entry, const PortDeclara
   if (!attribute && !port.default_text) {
     if (port.required) {
       problems_.Error(site.document, site.element.offset,
-                      entry.manifest.id + " needs its port " + Quoted(port.name), port.description);
+                      entry.manifest.id + " needs its port " + Quoted(port.name), port.description,
+                      {ProblemKind::kMissingPort, port.name});
     }
     return {};
   }

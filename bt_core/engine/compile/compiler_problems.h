@@ -20,9 +20,9 @@ class Problems {
 
   /// `offset` is in bytes from the start of the document's text.
   void Error(const Document& document, std::uint32_t offset, std::string message,
-             std::string hint = {});
+             std::string hint = {}, ProblemSubject about = {});
   void Warning(const Document& document, std::uint32_t offset, std::string message,
-               std::string hint = {});
+               std::string hint = {}, ProblemSubject about = {});
 
   /// True the first time: for what is said once and not in every place.
   bool IsFirst(const std::string& topic) { return topics_.insert(topic).second; }

@@ -65,7 +65,7 @@ void ScriptTable::Report(const Pending& pending, ScriptProblem problem) {
                         : pending.offset;
   const auto report = problem.is_warning ? &Problems::Warning : &Problems::Error;
   (problems_.*report)(*pending.document, offset, std::move(problem.message),
-                      std::move(problem.hint));
+                      std::move(problem.hint), {ProblemKind::kInScript, {}});
 }
 
 }  // namespace coppice

@@ -117,7 +117,7 @@ void SubTreeBinder::ApplyModel(const Site& site, const NodeModel& model, ScopeIn
     } else if (!given && !autoremap) {
       problems_.Error(site.document, site.element.offset,
                       "SubTree " + Quoted(model.id) + " needs its port " + Quoted(port.name),
-                      port.description);
+                      port.description, {ProblemKind::kMissingPort, port.name});
     }
     const Type* type = FindType(*program_.registry, port.type);
     if (type) types_.Suggest(keys_.Resolve(port.name, inner), *type, {&document, offset});
@@ -132,7 +132,8 @@ void SubTreeBinder::CheckNames(const Site& site, const NodeModel& model) {
     problems_.Warning(
         site.document, attribute.name_offset,
         "the model of SubTree " + Quoted(model.id) + " has no port " + Quoted(attribute.name),
-        DidYouMean(attribute.name, names));
+        DidYouMean(attribute.name, names),
+        {ProblemKind::kUnknownPort, std::string(attribute.name)});
   }
 }
 

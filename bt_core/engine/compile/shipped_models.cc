@@ -44,9 +44,11 @@ std::optional<Diagnostic> Misfit(const Document& document, const Element& elemen
     std::vector<std::string> names;
     for (const PortModel& one : model.ports) names.push_back(one.name);
     return Diagnostic{
-        Severity::kWarning, document.Location(a->name_offset),
+        Severity::kWarning,
+        document.Location(a->name_offset),
         "\"" + model.id + "\" of " + program + " has no port \"" + std::string(a->name) + "\"",
-        DidYouMean(a->name, names)};
+        DidYouMean(a->name, names),
+        {ProblemKind::kUnknownPort, std::string(a->name)}};
   }
   return std::nullopt;
 }
@@ -140,7 +142,7 @@ void AddShippedModels(const Project& project, Registry& registry, Diagnostics& d
   for (const ShippedTypes& found : FindShippedTypes(documents, is_known)) {
     AddModels(found.types, registry);
     for (const Diagnostic& misfit : found.misfits) {
-      diagnostics.Warning(misfit.where, misfit.message, misfit.hint);
+      diagnostics.Warning(misfit.where, misfit.message, misfit.hint, misfit.about);
     }
   }
 }

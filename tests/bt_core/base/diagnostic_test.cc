@@ -59,6 +59,8 @@ TEST(NearestName, AllowsAThirdOfTheLengthAndAtLeastOne) {
 
 TEST(DidYouMean, IsAQuestionOrNothing) {
   EXPECT_EQ(DidYouMean("Invertor", {"Inverter"}), R"(did you mean "Inverter"?)");
+  EXPECT_EQ(NameMeant(DidYouMean("Invertor", {"Inverter"})), "Inverter");
+  EXPECT_EQ(NameMeant("how often"), "");
   EXPECT_EQ(DidYouMean("Zzz", {"Inverter"}), "");
 }
 

@@ -50,12 +50,26 @@ TEST(Fixes, GiveAPortThatIsMissing) {
             R"(<Repeat num_cycles=""><Say text="a"/></Repeat>)");
 }
 
+TEST(Fixes, OfAScriptReplaceItsOneWrongWord) {
+  EXPECT_EQ(Fixed(R"(<Say text="a" _skipIf="n := 1 || true"/>)"),
+            R"(<Say text="a" _skipIf="n == 1 || true"/>)");
+  EXPECT_EQ(Fixed(R"(<Script code="n := 1 + mim(2, 3)" /
+                  >) "),
+                     R"(<Script code="n := 1 + min(2, 3)" /
+            >)
+  ");
+}
+
+TEST(Fixes, RemoveAPortThatNobodyKnowsAndThatIsNearToNone) {
+  EXPECT_EQ(Fixed(R"(<Say text="a" colour="red"/>)"), R"(<Say text="a"/>)");
+}
+
 TEST(Fixes, OfTypesWithoutAModelAreCommands) {
   Diagnostics diagnostics;
   const auto document = Document::FromText("<root><A/></root>", kFile, diagnostics);
   const auto fixes = FixesFor(
       *document,
-      {Severity::kWarning, {kFile, 1, 7}, "type A has no model, so its ports are not checked", ""});
+      {Severity::kWarning, {kFile, 1, 7}, "as it is worded", "", {ProblemKind::kNoModel, "A"}});
   ASSERT_EQ(fixes.size(), 2U);
   EXPECT_EQ(fixes[0].command, "file.models");
   EXPECT_EQ(fixes[1].command, "type.define");

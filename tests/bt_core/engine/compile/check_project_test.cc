@@ -11,13 +11,17 @@ std::string Tree(const std::string& id, const std::string& body) {
   return "<BehaviorTree ID=\"" + id + "\">" + body + "</BehaviorTree>\n";
 }
 
-std::string Check(const std::string& trees, const CheckOptions& options = {}) {
+Diagnostics ProblemsOf(const std::string& trees, const CheckOptions& options = {}) {
   Diagnostics diagnostics;
   auto project =
       Project::FromText("<root BTCPP_format=\"4\">\n" + trees + "</root>", "t.xml", diagnostics);
   CheckProject(std::make_shared<const Project>(*std::move(project)), TestRegistry(), options,
                diagnostics);
-  return diagnostics.ToString();
+  return diagnostics;
+}
+
+std::string Check(const std::string& trees, const CheckOptions& options = {}) {
+  return ProblemsOf(trees, options).ToString();
 }
 
 TEST(CheckProject, ChecksEveryTreeAndSaysEachProblemOnce) {
@@ -113,6 +117,28 @@ TEST(CheckProject, TheBuiltInNodeCountsIfAllTypesAreKnown) {
   const std::string model = R"(<TreeNodesModel><Condition ID="Cooldown"/></TreeNodesModel>)";
   EXPECT_EQ(Check(Tree("A", R"(<Cooldown msec="1"/>)") + model, {true}),
             "t.xml:2:22: error: Cooldown has 0 children, expected exactly 1\n");
+}
+
+TEST(CheckProject, TellsProgramsWhatAProblemIsAbout) {
+  const struct {
+    const char* body;
+    ProblemKind kind;
+    const char* name;
+  } cases[] = {
+      {"<Say/>", ProblemKind::kNoModel, "Say"},
+      {"<Sequense><AlwaysSuccess/></Sequense>", ProblemKind::kOther, ""},  // may be misspelt
+      {"<Repeat><AlwaysSuccess/></Repeat>", ProblemKind::kMissingPort, "num_cycles"},
+      {R"(<AlwaysSuccess speed="1"/>)", ProblemKind::kUnknownPort, "speed"},
+      {"", ProblemKind::kEmptyTree, "A"},
+      {"<Script code='n := mim(1, 2)'/>", ProblemKind::kInScript, ""},
+      {"<Inverter/>", ProblemKind::kOther, ""},
+  };
+  for (const auto& c : cases) {
+    const Diagnostics found = ProblemsOf(Tree("A", c.body));
+    ASSERT_EQ(found.all().size(), 1U) << c.body << "\n" << found.ToString();
+    EXPECT_EQ(found.all()[0].about.kind, c.kind) << c.body;
+    EXPECT_EQ(found.all()[0].about.name, c.name) << c.body;
+  }
 }
 
 }  // namespace
