@@ -3,7 +3,7 @@
 // closes them, "canvas/TREE/PATH/port/NAME" for the rows of ports, and "canvas/minimap"
 // or "canvas/minimap/folded".
 //
-// The wheel zooms. The left button drags the canvas, or a node if there is a DropHandler; with
+// The wheel pans and zooms (wheel.h). The left button drags the canvas, or a node if there is a DropHandler; with
 // Shift or Ctrl it draws a rectangle that selects. The other buttons always drag the canvas; a
 // click of the right one opens a menu.
 #ifndef COPPICE_EDITOR_CANVAS_CANVAS_H_
@@ -23,6 +23,7 @@ namespace coppice::editor {
 
 struct CanvasOptions {
   bool minimap = true;
+  bool wheel_zooms = false;
   Box occupied;  ///< by what lies over the canvas, on the screen; the minimap keeps clear of it
   const TreeSnapshot* live = nullptr;            ///< null: no statuses
   const std::vector<Badge>* badges = nullptr;    ///< by node of the scene; null or empty: none

@@ -1,17 +1,16 @@
 #include "editor/canvas/canvas_mouse.h"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
 #include "editor/canvas/canvas_looks.h"
 #include "editor/canvas/node_tooltip.h"
 #include "editor/canvas/paint/node_painter.h"
+#include "editor/canvas/wheel.h"
 
 namespace coppice::editor {
 namespace {
 
-constexpr float kWheelStep = 1.15F;
 constexpr float kDragDistance = 4;  // pixels; less is a click
 
 class Mouse {
@@ -34,9 +33,7 @@ class Mouse {
                                ImGuiButtonFlags_MouseButtonMiddle);
     ui_.items.Add("canvas", box_);
     const bool over = ImGui::IsItemHovered();
-    if (over && io_.MouseWheel != 0) {
-      view_.ZoomAt(FromIm(io_.MousePos) - box_.min, std::pow(kWheelStep, io_.MouseWheel));
-    }
+    if (over && (io_.MouseWheel != 0 || io_.MouseWheelH != 0)) Turn();
     if (ImGui::IsItemActivated()) Press();
     if (ImGui::IsItemActive()) {
       Hold();
@@ -56,6 +53,13 @@ class Mouse {
 
   Point World(const ImVec2& screen) const {
     return view_.camera.ToWorld(FromIm(screen) - box_.min);
+  }
+
+  void Turn() {
+    const WheelTurn turn{{io_.MouseWheelH, io_.MouseWheel}, io_.KeyCtrl, io_.KeyShift};
+    const WheelMove move = MoveOf(turn, options_.wheel_zooms);
+    view_.camera.offset = view_.camera.offset + move.pan * ui_.scale;
+    if (move.zoom != 1) view_.ZoomAt(FromIm(io_.MousePos) - box_.min, move.zoom);
   }
 
   void Press() {

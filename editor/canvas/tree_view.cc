@@ -17,6 +17,7 @@ constexpr float kLeastZoom = 0.0005F;
 constexpr float kLargestZoom = 3;
 constexpr float kWideCanvas = 1000;  // on wider ones a small tree is painted larger
 constexpr float kLargestFit = 1.6F;
+constexpr float kEasily = 1.4F;  // times the least zoom at which nodes can be read
 
 float EaseOut(double t) {
   const auto rest = static_cast<float>(1 - std::clamp(t, 0.0, 1.0));
@@ -340,6 +341,17 @@ void TreeView::ZoomAt(Point screen, float factor) {
   const Point world = camera.ToWorld(screen);
   camera.zoom = std::clamp(camera.zoom * factor, kLeastZoom, kLargestZoom * screen_scale_);
   camera.offset = screen - world * camera.zoom;
+}
+
+void TreeView::RevealReadable(Point canvas) {
+  if (selected_ == kNoSceneNode) return;
+  if (needs_fit) FitAll(canvas);
+  const float least = (choice_.names_only ? kReadableNames : kReadablePorts) * screen_scale_;
+  if (camera.zoom < least * 0.999F) {
+    camera.zoom = least * kEasily;
+    camera.offset = canvas * 0.5F - layout_.boxes[ShownOf(selected_)].center() * camera.zoom;
+  }
+  Reveal(canvas);
 }
 
 void TreeView::RevealIfLost(Point canvas) {

@@ -160,6 +160,8 @@ class TreeView {
   /// Moves the camera as little as needed for the selection to be seen.
   void Reveal(Point canvas);
 
+  /// The same, and as close that the node can be read.
+  void RevealReadable(Point canvas);
   /// The same if the middle of the node that was selected last is not seen.
   void RevealIfLost(Point canvas);
 

@@ -322,7 +322,7 @@ void SelectRunNode(EditorState& state, NodeIndex node) {
   const std::uint32_t in_scene = view->scene()->of_run_node[node];
   if (in_scene == kNoSceneNode) return;
   view->Select(in_scene);
-  view->Reveal(state.screen.canvas_size);
+  view->RevealReadable(state.screen.canvas_size);
 }
 
 void AskForCondition(EditorState& state, std::uint32_t number) {

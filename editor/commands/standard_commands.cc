@@ -95,6 +95,10 @@ class Commands {
     AddPalette("palette.colourblind", "Colour-blind colours", PaletteName::kColourBlind);
     AddScales();
     AddSwitch(
+        "view.wheel_zooms", "The wheel zooms", {},
+        [&s = state_] { s.screen.wheel_zooms = !s.screen.wheel_zooms; },
+        [&s = state_] { return s.screen.wheel_zooms; });
+    AddSwitch(
         "view.reduce_motion", "Reduce motion", {},
         [&s = state_] { s.screen.reduce_motion = !s.screen.reduce_motion; },
         [&s = state_] { return s.screen.reduce_motion; });

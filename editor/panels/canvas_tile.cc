@@ -40,6 +40,7 @@ class CanvasTile {
     UpdateBadges();
     CanvasOptions options;
     options.minimap = state_.screen.tiles.minimap;
+    options.wheel_zooms = state_.screen.wheel_zooms;
     if (const Box* label = ui_.items.Find("sim/chance_origin")) options.occupied = *label;
     options.live = state_.workspace.tree_state();
     options.badges = &state_.canvas.badges.by_node;
@@ -113,6 +114,7 @@ class CanvasTile {
     const Box banner = {box_.min, {box_.max.x, box_.min.y + kBanner * ui_.scale}};
     CanvasOptions options;
     options.minimap = state_.screen.tiles.minimap;
+    options.wheel_zooms = state_.screen.wheel_zooms;
     options.changes = &comparison.changes();
     const bool has_list = !comparison.differences().empty();
     const float list = has_list ? std::min(kDifferences * ui_.scale, box_.width() / 3) : 0;

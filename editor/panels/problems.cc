@@ -36,7 +36,7 @@ void JumpTo(EditorState& state, std::size_t number, const Diagnostic& problem, d
       if (!inside) continue;
       workspace.ShowFileTree(number, static_cast<int>(t), now);
       if (workspace.SelectElement(document, element)) {
-        workspace.view()->Reveal(state.screen.canvas_size);
+        workspace.view()->RevealReadable(state.screen.canvas_size);
       }
       return;
     }

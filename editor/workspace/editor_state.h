@@ -59,6 +59,7 @@ struct ScreenState {
   bool reduce_motion = false;  ///< nothing pulses, walks or glides
   float scale = 0;             ///< that was chosen (theme/scale.h); 0: that of the screen
   float scale_of_screen = 1;
+  bool wheel_zooms = false;  ///< on the canvas (canvas/wheel.h)
   Tiles tiles;
   Splits splits;
   Point canvas_size{800, 600};  ///< of the last frame

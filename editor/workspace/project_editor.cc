@@ -12,7 +12,6 @@
 namespace coppice::editor {
 namespace {
 
-constexpr float kReadableZoom = 0.6F;  // names can be read without effort
 constexpr char kNotASubTree[] = "select one SubTree";
 constexpr char kEmptyFile[] =
     "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<root BTCPP_format=\"4\">\n</root>\n";
@@ -206,11 +205,7 @@ Outcome ProjectEditor::ReplaceAll(const std::vector<Match>& matches, const Query
 
 void ProjectEditor::GoTo(const std::string& path, std::uint32_t offset) {
   state_.workspace.SelectPlaces({{path, offset}}, now_);
-  TreeView* view = state_.workspace.view();
-  if (!view || view->selected() == kNoSceneNode) return;
-  const bool is_readable = view->camera.zoom >= kReadableZoom * view->screen_scale();
-  is_readable ? view->Reveal(state_.screen.canvas_size)
-              : view->FitSelection(state_.screen.canvas_size);
+  if (TreeView* view = state_.workspace.view()) view->RevealReadable(state_.screen.canvas_size);
 }
 
 std::string ProjectEditor::TreeAroundSelection() const {

@@ -66,6 +66,7 @@ class SettingsReader {
       if (!known) Wrong(*palette, "dark, light or colourblind");
     }
     Take(json, "reduce_motion", settings.reduce_motion);
+    Take(json, "wheel_zooms", settings.wheel_zooms);
     Take(json, "scale", 0, kScales[std::size(kScales) - 1], settings.scale);
     settings.scale = NearestScale(settings.scale);
     const JsonValue& tiles = Part(json, "tiles");
@@ -171,6 +172,7 @@ std::string WriteSettings(const Settings& settings) {
   window.children = {MakeNumber("width", settings.width), MakeNumber("height", settings.height)};
   json.children = {Make(JsonValue::Kind::kString, "palette", ToString(settings.palette)),
                    MakeBool("reduce_motion", settings.reduce_motion),
+                   MakeBool("wheel_zooms", settings.wheel_zooms),
                    MakeNumber("scale", settings.scale),
                    std::move(layout),
                    std::move(tiles),
@@ -183,6 +185,7 @@ void Apply(const Settings& settings, EditorState& state, double now) {
   state.screen.palette = settings.palette;
   state.screen.reduce_motion = settings.reduce_motion;
   state.screen.scale = settings.scale;
+  state.screen.wheel_zooms = settings.wheel_zooms;
   state.screen.tiles = settings.tiles;
   state.screen.splits = settings.splits;
   state.workspace.SetStyle(settings.style, now);
@@ -193,6 +196,7 @@ Settings SettingsOf(const EditorState& state) {
   settings.palette = state.screen.palette;
   settings.reduce_motion = state.screen.reduce_motion;
   settings.scale = state.screen.scale;
+  settings.wheel_zooms = state.screen.wheel_zooms;
   settings.tiles = state.screen.tiles;
   settings.splits = state.screen.splits;
   settings.style = state.workspace.style();

@@ -18,6 +18,7 @@ struct Settings {
   PaletteName palette = PaletteName::kDark;
   bool reduce_motion = false;
   float scale = 0;  ///< as ScreenState
+  bool wheel_zooms = false;
   LayoutStyle style;
   Tiles tiles;
   Splits splits;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "editor/canvas/wheel.h"
 #include "editor/workspace/simulation_editor.h"
 
 namespace coppice::editor {
@@ -43,11 +44,12 @@ void ShowRun(EditorState& state) {
   if (!state.workspace.run()) state.commands.Run("sim.start");
 }
 
+std::string_view Wheel(const EditorState& state) { return WheelHint(state.screen.wheel_zooms); }
+
 const std::vector<TourStep> kSteps = {
     {"canvas", "The tree",
-     "Nodes stand in the order in which they run. The wheel zooms, a drag of the empty canvas "
-     "moves it. Click a node.",
-     ShowTree, HasSelection},
+     "Nodes stand in the order in which they run. Click one. A drag of the empty canvas moves it.",
+     ShowTree, HasSelection, Wheel},
     {"outline", "The same as rows",
      "Each node is a row here too, and beside a running tree with its "
      "status and its seconds.",
@@ -86,6 +88,12 @@ void Enter(EditorState& state, int step) {
 }
 
 }  // namespace
+
+std::string TextOf(const TourStep& step, const EditorState& state) {
+  std::string text(step.text);
+  if (step.end) text.append(" ").append(step.end(state));
+  return text;
+}
 
 const std::vector<TourStep>& TourSteps() { return kSteps; }
 

@@ -23,7 +23,12 @@ struct TourStep {
   void (*prepare)(EditorState&);
   /// Whether the user has done it; null: it is only to be read.
   bool (*is_done)(EditorState&);
+  /// What the text ends with, as the settings are; null: nothing.
+  std::string_view (*end)(const EditorState&) = nullptr;
 };
+
+/// Its text as a whole.
+std::string TextOf(const TourStep& step, const EditorState& state);
 
 const std::vector<TourStep>& TourSteps();
 

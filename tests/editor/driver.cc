@@ -68,9 +68,15 @@ void Driver::Hold(int modifiers) {
   Frames();
 }
 
-void Driver::Wheel(float up) {
-  input.events.push_back(MouseWheel{0, up});
+void Driver::Wheel(float up, float left) {
+  input.events.push_back(MouseWheel{left, up});
   Frames();
+}
+
+void Driver::Zoom(float up) {
+  Hold(kCtrl);
+  Wheel(up);
+  Hold(kNoModifier);
 }
 
 void Driver::Type(const std::string& text) {

@@ -62,7 +62,9 @@ class Driver {
   /// Holds the modifier keys until the next call.
   void Hold(int modifiers);
   void Type(const std::string& text);
-  void Wheel(float up);
+  void Wheel(float up, float left = 0);
+  /// Around the mouse, with Ctrl.
+  void Zoom(float up);
 
   /// A robot that runs the trees of that XML; tell it what to do and let frames go by. The editor
   /// owns it.

@@ -48,7 +48,7 @@ void OfferNodes(EditorState& state, Collector& collector) {
                       TreeView* shown = state.workspace.view();
                       if (!shown || i >= shown->scene()->nodes.size()) return;
                       shown->Select(i);
-                      shown->Reveal(state.screen.canvas_size);
+                      shown->RevealReadable(state.screen.canvas_size);
                     });
   }
 }

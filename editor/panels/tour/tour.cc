@@ -18,7 +18,11 @@ constexpr ImGuiWindowFlags kFlags =
 class TourBubble {
  public:
   TourBubble(const Ui& ui, EditorState& state, const TourStep& step)
-      : ui_(ui), state_(state), step_(step), screen_(FromIm(ImGui::GetIO().DisplaySize)) {}
+      : ui_(ui),
+        state_(state),
+        step_(step),
+        text_(TextOf(step, state)),
+        screen_(FromIm(ImGui::GetIO().DisplaySize)) {}
 
   void Draw() {
     const Box* const item = ui_.items.Find(std::string(step_.item));
@@ -43,7 +47,7 @@ class TourBubble {
 
   Point Size() const {
     const float room = (kWidth - 2 * kPad) * ui_.scale;
-    const float text = ui_.ParagraphHeight(step_.text, TextLook(), room);
+    const float text = ui_.ParagraphHeight(text_, TextLook(), room);
     return {kWidth * ui_.scale, text + (2 * kPad + 22 + kBetween + kButton + kBetween) * ui_.scale};
   }
 
@@ -83,8 +87,7 @@ class TourBubble {
     const std::string count =
         std::to_string(state_.tour.step + 1) + " of " + std::to_string(TourSteps().size());
     ui_.Text(list, {box.max.x - pad - ui_.Width(count, dim), at.y}, count, dim);
-    ui_.Paragraph(list, at + Point{0, 22 * ui_.scale}, step_.text, TextLook(),
-                  box.width() - 2 * pad);
+    ui_.Paragraph(list, at + Point{0, 22 * ui_.scale}, text_, TextLook(), box.width() - 2 * pad);
     float right = box.max.x - pad;
     const bool is_last = state_.tour.step + 1 == static_cast<int>(TourSteps().size());
     if (!is_last) Button("tour/end", "end", "tour.end", right, box.max.y - pad);
@@ -105,6 +108,7 @@ class TourBubble {
   const Ui& ui_;
   EditorState& state_;
   const TourStep step_;
+  const std::string text_;
   const Point screen_;
 };
 

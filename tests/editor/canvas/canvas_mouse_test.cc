@@ -58,12 +58,12 @@ TEST_F(CanvasMouseTest, TheMiddleButtonMovesTheCanvasAlsoOverANode) {
   EXPECT_EQ(Text(), kSmallFile) << "nothing was dropped";
 }
 
-TEST_F(CanvasMouseTest, TheWheelKeepsWhatIsBelowTheMouse) {
+TEST_F(CanvasMouseTest, ZoomingKeepsWhatIsBelowTheMouse) {
   const Point at = BoxOf("1.2").center();
   driver_.MoveTo(at);
-  driver_.Wheel(2);
+  driver_.Zoom(2);
   EXPECT_TRUE(BoxOf("1.2").Contains(at));
-  driver_.Wheel(-5);
+  driver_.Zoom(-5);
   EXPECT_TRUE(BoxOf("1.2").Contains(at));
 }
 

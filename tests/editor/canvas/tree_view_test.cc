@@ -229,6 +229,29 @@ TEST_F(TreeViewTest, RevealsASelectionThatIsOutOfSight) {
   EXPECT_TRUE((Box{{0, 0}, {800, 600}}).Contains(box.max));
 }
 
+TEST_F(TreeViewTest, ComesCloseEnoughToReadWhatItReveals) {
+  view_.FitAll({800, 600});
+  view_.ZoomAt({0, 0}, 0.1F);
+  view_.Select(2);
+  view_.RevealReadable({800, 600});
+  EXPECT_GE(view_.camera.zoom, kReadablePorts);
+  const Box box = view_.camera.ToScreen(view_.BoxAt(view_.ShownOf(2), 9));
+  EXPECT_NEAR(box.center().x, 400, 1);
+  const Camera before = view_.camera;
+  view_.Select(3);
+  view_.RevealReadable({800, 600});
+  EXPECT_EQ(view_.camera.zoom, before.zoom) << "that can be read";
+}
+
+TEST_F(TreeViewTest, ComesCloseToANodeBeforeItWasEverShown) {
+  view_.Select(5);
+  view_.RevealReadable({200, 100});
+  const Camera before = view_.camera;
+  EXPECT_GE(before.zoom, view_.names_only() ? kReadableNames : kReadablePorts);
+  view_.PlaceIn({{0, 0}, {200, 100}});
+  EXPECT_EQ(view_.camera, before);
+}
+
 TEST_F(TreeViewTest, TurnsTheTreeOnItsSide) {
   LayoutStyle style;
   style.growth = Growth::kAcross;

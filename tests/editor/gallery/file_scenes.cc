@@ -179,7 +179,7 @@ void WideTreeAtFullSize(Stage& stage) {
   stage.Select("1.2");
   stage.Run("view.zoom_100");
   stage.driver().MoveTo(stage.driver().BoxOf("canvas").center());
-  stage.driver().Wheel(-3);
+  stage.driver().Zoom(-3);
   stage.driver().Frames(12);
 }
 
@@ -193,7 +193,7 @@ void LargeHalfWay(Stage& stage) {
   stage.Run("view.left_to_right");
   stage.Run("view.fit_selection");
   stage.driver().MoveTo(stage.driver().BoxOf("canvas").center());
-  stage.driver().Wheel(-6);
+  stage.driver().Zoom(-6);
   stage.driver().Frames(12);
 }
 

@@ -80,7 +80,7 @@ TEST_F(ScaleStory, ATreeThatIsFittedStaysWhole) {
 
 TEST_F(ScaleStory, ATreeThatTheUserHasMovedGrowsWithTheRest) {
   driver_->MoveTo(driver_->BoxOf("canvas/MainTree/1.1").center());
-  driver_->Wheel(1);
+  driver_->Zoom(1);
   const float zoom = driver_->view().camera.zoom;
   driver_->Press('=', kCtrl);
   driver_->Frames(20);

@@ -89,7 +89,7 @@ TEST_F(StillViewStory, AnotherLayoutKeepsWhatIsBelowTheMouse) {
 }
 
 TEST_F(StillViewStory, ATileThatLeavesRoomEnoughMovesNothing) {
-  driver_.Wheel(-3);
+  driver_.Zoom(-3);
   const Box other = BoxOf("1.4");
   driver_.MoveTo(other.center());
   driver_.Press(kKeyF1 + 3);  // the inspector

@@ -15,6 +15,7 @@ TEST(Settings, AreTheSameAfterWritingAndReading) {
   settings.palette = PaletteName::kColourBlind;
   settings.reduce_motion = true;
   settings.scale = 1.25F;
+  settings.wheel_zooms = true;
   settings.tiles.xml = false;
   settings.splits.left = 333.5F;
   settings.style.growth = Growth::kAcross;
@@ -27,6 +28,7 @@ TEST(Settings, AreTheSameAfterWritingAndReading) {
   EXPECT_EQ(WriteSettings(read), WriteSettings(settings));
   EXPECT_EQ(read.splits.left, 333.5F);
   EXPECT_EQ(read.scale, 1.25F);
+  EXPECT_TRUE(read.wheel_zooms);
   EXPECT_TRUE(read.style == settings.style);
   EXPECT_EQ(read.palette, PaletteName::kColourBlind);
 }
