@@ -95,34 +95,35 @@ std::string SentenceOf(const RecordedTree& tree, const WhyNot& why_not) {
   const std::string status = ToString(why_not.status);
   switch (why_not.cause) {
     case WhyNot::Cause::kNoTick:
-      return "this was no tick of the tree";
+      return "the tree was not ticked then";
     case WhyNot::Cause::kChild:
       return by + " did not reach " + towards + ", because " + Quoted(tree.NameOf(why_not.child)) +
-             " before it is " + status;
+             ", which comes before it, is " + status;
     case WhyNot::Cause::kDone:
-      return by + " did not tick " + towards + " again, because that is " + status + " already";
+      return by + " did not tick " + towards + " again, because it is already " + status;
     case WhyNot::Cause::kPassedOver:
-      return by + " did not choose " + towards + ", it ticked " +
+      return by + " did not choose " + towards + "; it ticked " +
              Quoted(tree.NameOf(why_not.child)) + ", which is " + status;
     case WhyNot::Cause::kOwn:
       return by + " ticked none of its children and is " + status;
     case WhyNot::Cause::kInjected:
-      return "somebody outside made " + by + " " + status + " without a tick";
+      return by + " was made " + status + " from outside, without a tick";
     case WhyNot::Cause::kNotWhole:
       return "the tick stands at a breakpoint";
     case WhyNot::Cause::kAborted:
-      return "the tick was ended by an exception of " + by;
+      return "an exception thrown by " + by + " ended the tick";
     case WhyNot::Cause::kNotTold:
-      return "of this run only changes of status are told, and none of " + towards +
-             ": it may have been ticked";
+      return "this run tells only changes of status, and " + towards +
+             " had none; it may have been ticked";
   }
   return "";
 }
 
 std::string SentenceOf(const RecordedTree& tree, const WhyChange& change) {
   std::string text = Quoted(tree.PathOf(change.step.node)) + " is " + ToString(change.step.result);
-  text += change.was_ticked_before ? std::string(", was ") + ToString(*change.step.before)
-                                   : std::string(", was not ticked");
+  text += change.was_ticked_before
+              ? std::string(" and was ") + ToString(*change.step.before) + " before"
+              : std::string(" and was not ticked before");
   const std::string reason = ReasonOf(tree, change.step);
   return reason.empty() ? text : text + "; " + reason;
 }

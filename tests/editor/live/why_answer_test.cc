@@ -112,11 +112,12 @@ TEST(WhyAnswer, ARobotThatTellsChangesOnlyHasThrownNothing) {
   WhyAnswer why;
   why.Ask(view, NodeIndex{1});
   EXPECT_TRUE(why.is_untold());
-  EXPECT_EQ(why.why_not(),
-            "of this run only changes of status are told, and none of \"wait\": it may have been "
-            "ticked");
+  EXPECT_EQ(
+      why.why_not(),
+      "this run tells only changes of status, and \"wait\" had none; it may have been ticked");
   EXPECT_EQ(why.changed_node(), 2U);
-  EXPECT_NE(why.change().find(R"("look" is FAILURE, was IDLE)"), std::string::npos) << why.change();
+  EXPECT_NE(why.change().find(R"("look" is FAILURE and was IDLE before)"), std::string::npos)
+      << why.change();
   why.Ask(view, NodeIndex{2});
   EXPECT_FALSE(why.is_untold());
   EXPECT_EQ(why.why_not(), "");

@@ -32,7 +32,7 @@ TEST(WhyNot, KnowsWhatIsDoneAlready) {
   run.Tick();
   run.Tick();
   EXPECT_EQ(Asked(run.keeper.run).WhyNotText("a"),
-            R"("s" did not tick "a" again, because that is SUCCESS already)");
+            R"("s" did not tick "a" again, because it is already SUCCESS)");
 }
 
 TEST(WhyNot, KnowsWhichChildChoosesTheOthers) {
@@ -42,7 +42,7 @@ TEST(WhyNot, KnowsWhichChildChoosesTheOthers) {
   run.Tick();
   Asked asked(run.keeper.run);
   EXPECT_EQ(asked.WhyNotText("then"),
-            R"("if" did not reach "then", because "c" before it is FAILURE)");
+            R"("if" did not reach "then", because "c", which comes before it, is FAILURE)");
   EXPECT_EQ(asked.WhyNotText("else"), "it was ticked");
 }
 
@@ -50,7 +50,7 @@ TEST(WhyNot, KnowsTicksThatWereNone) {
   RecordedRun run("<BehaviorTree ID='Main'><Sleep name='a' msec='500'/></BehaviorTree>");
   run.Tick();
   run.executor.Halt();
-  EXPECT_EQ(Asked(run.keeper.run).WhyNotText("a"), "this was no tick of the tree");
+  EXPECT_EQ(Asked(run.keeper.run).WhyNotText("a"), "the tree was not ticked then");
 }
 
 TEST(WhyNot, NamesTheNodeThatThrewTheTickAway) {
@@ -63,8 +63,8 @@ TEST(WhyNot, NamesTheNodeThatThrewTheTickAway) {
   run.Tick();
   Asked asked(run.keeper.run);
   EXPECT_EQ(asked.Ask("a").why_not->cause, WhyNot::Cause::kAborted);
-  EXPECT_EQ(asked.WhyNotText("a"), R"(the tick was ended by an exception of "c")");
-  EXPECT_THAT(asked.Print("a"), HasSubstr("and was not ticked\nwhy not: the tick was ended"));
+  EXPECT_EQ(asked.WhyNotText("a"), R"(an exception thrown by "c" ended the tick)");
+  EXPECT_THAT(asked.Print("a"), HasSubstr("and was not ticked\nwhy not: an exception thrown by"));
 }
 
 // What a robot with the Groot2 protocol tells: changes of status, in groups that are taken for
@@ -125,11 +125,12 @@ TEST(WhyOfChanges, WhatDidNotChangeIsNotTold) {
     EXPECT_FALSE(why.was_ticked) << node;
     EXPECT_TRUE(why.steps.empty()) << node;
     const std::string text = asked.Print(node);
-    EXPECT_THAT(text, HasSubstr(std::string("only changes of status are told, and none of \"") +
-                                node + "\": it may have been ticked"));
+    EXPECT_THAT(text, HasSubstr(std::string("only changes of status, and \"") + node +
+                                "\" had none; it may have been ticked"));
     EXPECT_THAT(text, testing::Not(HasSubstr("exception"))) << node;
     EXPECT_THAT(text, testing::Not(HasSubstr("not ticked"))) << node;
-    EXPECT_THAT(text, HasSubstr(R"(first change: "dark" is FAILURE, was SUCCESS)")) << text;
+    EXPECT_THAT(text, HasSubstr(R"(first change: "dark" is FAILURE and was SUCCESS before)"))
+        << text;
   }
   EXPECT_THAT(asked.Json("drive"), HasSubstr(R"("cause":"not_told")"));
   EXPECT_THAT(asked.Json("drive"), testing::Not(HasSubstr(R"("ticked")")));
@@ -160,14 +161,14 @@ TEST(WhyOfChanges, AnIdleNodeBehindTheOneThatDecidedWasNotTicked) {
               {Told::kRoot, Status::kFailure}},
              Status::kFailure);
   EXPECT_EQ(Asked(robot.run()).WhyNotText("drive"),
-            R"("work" did not reach "drive", because "dark" before it is FAILURE)");
+            R"("work" did not reach "drive", because "dark", which comes before it, is FAILURE)");
 }
 
 TEST(WhyOfChanges, PolledValuesAreNoTick) {
   ChangesOnly robot;
   BeginToDrive(robot);
   robot.Tell({}, Status::kIdle);
-  EXPECT_EQ(Asked(robot.run()).WhyNotText("drive"), "this was no tick of the tree");
+  EXPECT_EQ(Asked(robot.run()).WhyNotText("drive"), "the tree was not ticked then");
 }
 
 TEST(WhyOfChanges, WithoutThatBeingSaidNoExceptionIsInvented) {

@@ -46,10 +46,11 @@ TEST(Why, NamesWhatChangedSinceTheTickBefore) {
   EXPECT_EQ(asked.tree().NameOf(why.change->step.node), "battery_low");
   EXPECT_THAT(
       asked.Print("root"),
-      HasSubstr(R"(first change: "battery_low" is SUCCESS, was FAILURE; code="battery < 20" )"
-                "is true: battery = 12 (was 50)"));
+      HasSubstr(
+          R"(first change: "battery_low" is SUCCESS and was FAILURE before; code="battery < 20" )"
+          "is true: battery = 12 (was 50)"));
   EXPECT_EQ(asked.WhyNotText("drive"),
-            R"("root" did not reach "work", because "safety" before it is SUCCESS)");
+            R"("root" did not reach "work", because "safety", which comes before it, is SUCCESS)");
 }
 
 TEST(Why, OfATickThatStandsAtABreakpointTellsTheWalkSoFar) {
