@@ -50,7 +50,8 @@ class CanvasBar {
   void DrawButtons() {
     const TreeView* view = state_.workspace.view();
     if (!view) return;
-    const int percent = static_cast<int>(std::lround(view->camera.zoom * 100 / view->screen_scale()));
+    const int percent =
+        static_cast<int>(std::lround(view->camera.zoom * 100 / view->screen_scale()));
     const LayoutStyle& style = state_.workspace.style();
     const bool sideways = view->orientation() == Orientation::kLeftToRight;
     const auto button = [this](const char* path, const std::string& text, bool active,

@@ -41,7 +41,7 @@ inline constexpr char kExclamation[] = "\xEF\x81\xAA";  // f06a
 inline constexpr char kRightArrow[] = "\xE2\x86\x92";    // U+2192
 inline constexpr char kDoubleArrows[] = "\xE2\x87\x89";  // U+21C9
 inline constexpr char kEllipsis[] = "\xE2\x80\xA6";      // U+2026
-inline constexpr char kAngle[] = "\xE2\x80\xBA";        // U+203A
+inline constexpr char kAngle[] = "\xE2\x80\xBA";         // U+203A
 inline constexpr char kMiddleDot[] = "\xC2\xB7";         // U+00B7
 inline constexpr char kTimesSign[] = "\xC3\x97";         // U+00D7
 
