@@ -8,6 +8,8 @@
 namespace coppice::editor {
 namespace {
 
+constexpr float kDimmed = 0.5F;
+constexpr float kPale = 0.4F;
 constexpr Status kByWeight[] = {Status::kFailure, Status::kRunning, Status::kSuccess,
                                 Status::kSkipped};
 
@@ -56,15 +58,16 @@ Status WorstOf(StatusSet statuses) {
 }
 
 void PaintBars(const Ui& ui, ImDrawList& list, const Box& box, const std::vector<Bar>& bars,
-               std::size_t columns) {
+               std::size_t columns, float now_x) {
   const float step = box.width() / static_cast<float>(std::max<std::size_t>(columns, 1));
   for (const Bar& bar : bars) {
     const float left = box.min.x + step * static_cast<float>(bar.first_column);
     const float right = box.min.x + step * static_cast<float>(bar.end_column);
     const bool also_idle = bar.statuses & SetOf(Status::kIdle);
+    const bool is_now = left <= now_x + 1 && right >= now_x - 1;
     const auto color_of = [&](Status status) {
       const bool pale = also_idle || status == Status::kSkipped;  // what did nothing is not loud
-      return Mix(ui.palette.panel, ui.palette.Of(status), pale ? 0.45F : 1.0F);
+      return Mix(ui.palette.panel, ui.palette.Of(status), pale ? kPale : is_now ? 1.0F : kDimmed);
     };
     int kinds = 0;
     for (const Status status : kByWeight) kinds += (bar.statuses & SetOf(status)) != 0;

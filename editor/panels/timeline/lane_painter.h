@@ -16,9 +16,10 @@ Status WorstOf(StatusSet statuses);
 
 /// The bars of one node in `box`; one column is as wide as box.width() / `columns`. Where several
 /// statuses fall into one column, it is divided among them, so nothing vanishes. A bar is wide
-/// enough for the name of its status, or has a form that says it without the colour.
+/// enough for the name of its status, or has a form that says it without the colour. The bar at
+/// `now_x`, where the playhead stands, has its full colour; what was and what comes is dimmed.
 void PaintBars(const Ui& ui, ImDrawList& list, const Box& box, const std::vector<Bar>& bars,
-               std::size_t columns);
+               std::size_t columns, float now_x);
 
 /// Something is missing here.
 void PaintHatched(const Ui& ui, ImDrawList& list, const Box& box, Color color);

@@ -136,7 +136,7 @@ class Timeline {
       if (x < f_.ruler.min.x) continue;
       f_.ui.Fill(list_, {{x, f_.ruler.max.y - 3 * f_.ui.scale}, {x + 1, f_.lanes.max.y}},
                  Fade(f_.ui.palette.text_dim, 0.15F));
-      const bool is_covered = std::abs(x + 25 * f_.ui.scale - CursorX()) < 55 * f_.ui.scale;
+      const bool is_covered = std::abs(x + 25 * f_.ui.scale - f_.NowX()) < 55 * f_.ui.scale;
       if (x + 60 * f_.ui.scale < f_.ruler.max.x && !is_covered) {
         f_.ui.RowText(list_, {x + 3 * f_.ui.scale, f_.ruler.min.y}, f_.ruler.height(), AxisText(at),
                       style);
@@ -211,10 +211,8 @@ class Timeline {
     f_.ui.Frame(list_, box, Fade(f_.ui.palette.accent, 0.7F));
   }
 
-  float CursorX() const { return f_.XOf(f_.head.is_at_now() ? f_.run_end : f_.head.time()); }
-
   void DrawCursor() {
-    const float x = CursorX();
+    const float x = f_.NowX();
     if (x < f_.lanes.min.x - 1 || x > f_.lanes.max.x + 1) return;
     const Color color = f_.head.is_at_now() ? f_.ui.palette.success : f_.ui.palette.text;
     f_.ui.Fill(list_, {{x - f_.ui.scale, f_.ruler.min.y}, {x + f_.ui.scale, f_.lanes.max.y}},

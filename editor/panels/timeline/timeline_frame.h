@@ -29,6 +29,8 @@ struct TimelineFrame {
   float XOf(Time time) const {
     return lanes.min.x + static_cast<float>(shown.view.PartOf(time)) * lanes.width();
   }
+  /// Of the playhead.
+  float NowX() const { return XOf(head.is_at_now() ? run_end : head.time()); }
   /// Where a row of `shown.listed` begins; those that are not pinned scroll.
   float TopOf(std::size_t row) const {
     const float top = lanes.min.y + kLaneHeight * ui.scale * static_cast<float>(row);

@@ -140,7 +140,8 @@ class Lanes {
           {selected ? Face::kBold : Face::kSans, 11,
            runs ? f_.ui.palette.running_text : f_.ui.palette.text});
     const Box bars = {lane.min + Point{0, 2 * f_.ui.scale}, lane.max - Point{0, 2 * f_.ui.scale}};
-    PaintBars(f_.ui, list_, bars, BarsOf(f_.tracks.LaneOf(node), f_.columns), f_.columns.size());
+    PaintBars(f_.ui, list_, bars, BarsOf(f_.tracks.LaneOf(node), f_.columns), f_.columns.size(),
+              f_.NowX());
     DrawInjections(node, bars);
   }
 

@@ -34,7 +34,8 @@ TEST(LanePainter, TheFormOfANarrowBarSaysItsStatus) {
     driver.editor.AddRun(std::move(source));
     driver.Frames(8);
     const Box lane = driver.BoxOf("timeline/pass/Drive");
-    const Color color = GetPalette(PaletteName::kDark).Of(status);
+    const Palette& palette = GetPalette(PaletteName::kDark);
+    const Color color = Mix(palette.panel, palette.Of(status), 0.5F);  // it is past
     std::string form;
     for (float y = lane.min.y; y < lane.max.y; ++y) {
       const Box row = {{lane.min.x, y}, {lane.max.x, y + 1}};
@@ -44,8 +45,30 @@ TEST(LanePainter, TheFormOfANarrowBarSaysItsStatus) {
   };
   const std::string success = rows(Status::kSuccess);
   const std::string failure = rows(Status::kFailure);
-  EXPECT_NE(success.find('#'), std::string::npos);
+  EXPECT_NE(success.find("##"), std::string::npos) << success;
+  EXPECT_NE(failure.find("##"), std::string::npos) << failure;
   EXPECT_NE(success, failure);
+}
+
+TEST(LanePainter, OnlyWhatHoldsAtThePlayheadHasItsFullColour) {
+  Driver driver;
+  auto source = std::make_unique<ExecutedSource>("a.coppice", kDoorTrees, false);
+  source->tree.results["drive"] = Status::kRunning;
+  source->Ticks(20);
+  source->tree.results["drive"] = Status::kFailure;
+  source->Ticks(20);
+  driver.editor.AddRun(std::move(source));
+  driver.Frames(8);
+  const Box lane = driver.BoxOf("timeline/pass/Drive");
+  const auto count = [&](Status status) {
+    return driver.CountColor(lane, GetPalette(PaletteName::kDark).Of(status), 4);
+  };
+  EXPECT_EQ(count(Status::kRunning), 0);
+  EXPECT_GT(count(Status::kFailure), 100);
+  driver.editor.state().workspace.run()->playhead().GoToTick(5);
+  driver.Frames(4);
+  EXPECT_GT(count(Status::kRunning), 100);
+  EXPECT_EQ(count(Status::kFailure), 0);
 }
 
 }  // namespace
