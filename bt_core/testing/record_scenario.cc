@@ -65,7 +65,10 @@ class Recorder {
       const bool is_set = std::any_of(step.set.begin(), step.set.end(),
                                       [&](const KeyValue& set) { return set.key == key; });
       if (key.empty() || is_set || !value.has_value() || values[slot] == values_[slot]) continue;
-      changed.push_back({{{}, key, values[slot], KindOf(value)}, false});
+      ExpectedValue& expected = changed.emplace_back();
+      expected.value.key = key;
+      expected.value.text = values[slot];
+      expected.value.kind = KindOf(value);
     }
     values_ = std::move(values);
     return changed;
