@@ -53,8 +53,7 @@ TEST(Fixes, GiveAPortThatIsMissing) {
 TEST(Fixes, OfAScriptReplaceItsOneWrongWord) {
   EXPECT_EQ(Fixed(R"(<Say text="a" _skipIf="n = 1 || true"/>)"),
             R"(<Say text="a" _skipIf="n == 1 || true"/>)");
-  EXPECT_EQ(Fixed("<Script code='n := 1 + mim(2, 3)'/>"),
-            "<Script code='n := 1 + min(2, 3)'/>");
+  EXPECT_EQ(Fixed("<Script code='n := 1 + mim(2, 3)'/>"), "<Script code='n := 1 + min(2, 3)'/>");
 }
 
 TEST(Fixes, RemoveAPortThatNobodyKnowsAndThatIsNearToNone) {
