@@ -9,9 +9,9 @@ extern "C" const char* __asan_default_options() { return "quarantine_size_mb=16"
 // hand things to each other and takes that for races. All of ZeroMQ and its encryption is left out;
 // twice it gets no further than the standard library on the way from the I/O thread back to ZeroMQ,
 // and those two functions must be named themselves. Of roscpp only what runs no callback of ours is
-// named: connections and links, deserializing, its own threads, shared pointers that it counts down
-// last. The order of its locks, and log4cxx's, is theirs. actionlib's client compares its state
-// without its lock (SimpleActionClient::waitForResult).
+// named: connections and links, deserializing, its own threads. The order of its locks (boost's,
+// which we have nowhere), and of log4cxx's, is theirs. actionlib's client compares its state without
+// its lock (SimpleActionClient::waitForResult).
 extern "C" const char* __tsan_default_suppressions();  // NOLINT(bugprone-reserved-identifier)
 extern "C" const char* __tsan_default_suppressions() {
   return "race:libzmq.so\n"
@@ -32,5 +32,6 @@ extern "C" const char* __tsan_default_suppressions() {
          "race:ros::XMLRPCManager::\n"
          "race:actionlib::SimpleActionClient<*>::setSimpleState\n"
          "deadlock:ros::\n"
+         "deadlock:boost::unique_lock<boost::mutex>::lock\n"
          "deadlock:log4cxx::\n";
 }
