@@ -14,8 +14,7 @@ namespace coppice {
 inline constexpr std::size_t kLongestFile = std::size_t{64} << 20;
 
 /// Its bytes; nothing if it cannot be read, is a folder or too long; what is no file may not be
-/// longer than kLongestFile. Does not wait for a pipe that
-/// nobody writes, nor for a device.
+/// longer than kLongestFile. Does not wait for a pipe that nobody writes, nor for a device.
 std::optional<std::string> ReadFile(const std::string& path, std::size_t longest = kLongestFile);
 
 /// The same; the reason is in `diagnostics`.

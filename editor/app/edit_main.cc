@@ -2,7 +2,6 @@
 #include <csignal>
 #include <cstdlib>
 #include <iostream>
-#include <iterator>
 
 #include "bt_core/base/read_file.h"
 #include "editor/app/run.h"

@@ -3,9 +3,9 @@
 // closes them, "canvas/TREE/PATH/port/NAME" for the rows of ports, and "canvas/minimap"
 // or "canvas/minimap/folded".
 //
-// The wheel pans and zooms (wheel.h). The left button drags the canvas, or a node if there is a DropHandler; with
-// Shift or Ctrl it draws a rectangle that selects. The other buttons always drag the canvas; a
-// click of the right one opens a menu.
+// The wheel pans and zooms (wheel.h). The left button drags the canvas, or a node if there is a
+// DropHandler; with Shift or Ctrl it draws a rectangle that selects. The other buttons always drag
+// the canvas; a click of the right one opens a menu.
 #ifndef COPPICE_EDITOR_CANVAS_CANVAS_H_
 #define COPPICE_EDITOR_CANVAS_CANVAS_H_
 

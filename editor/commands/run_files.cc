@@ -14,11 +14,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool IsThere(const std::string& path) {
-  std::error_code error;
-  return fs::exists(path, error);
-}
-
 Outcome Write(const std::string& path, const std::string& bytes) {
   Diagnostics diagnostics;
   if (WriteFile(path, bytes, diagnostics)) return {};
@@ -29,7 +24,9 @@ Outcome SaveRecord(EditorState& state, const std::string& path) {
   const RunView* run = state.workspace.run();
   if (!run || !run->run().has_tree()) return Problem{"nothing was received yet"};
   if (path.empty()) return Problem{"a record needs a name"};
-  if (IsThere(path)) return Problem{path + " is there already; a record is never overwritten"};
+  std::error_code error;
+  if (fs::exists(path, error))
+    return Problem{path + " is there already; a record is never overwritten"};
   Outcome written = Write(path, ToRecord(run->run().recording()));
   if (written) state.Notify("Saved " + path, state.now);
   return written;
@@ -37,9 +34,7 @@ Outcome SaveRecord(EditorState& state, const std::string& path) {
 
 Outcome SaveTree(EditorState& state, const TreeDescription& tree, const std::string& path) {
   if (path.empty()) return Problem{"a file needs a name"};
-  if (IsThere(path) && std::exchange(state.replaces, path) != path) {
-    return Problem{"there is a file of that name already: Enter once more replaces it"};
-  }
+  if (Outcome may = MayReplace(state, path); !may) return may;
   Outcome written = Write(path, TreeFile(tree));
   if (!written) return written;
   state.Notify("Saved " + path, state.now);

@@ -8,8 +8,8 @@
 
 namespace coppice::editor {
 
-/// One sentence: `"Retry" has changed: num_attempts was "3" and is "5" now`. The scenes are those that
-/// the difference was found in.
+/// One sentence: `"Retry" has changed: num_attempts was "3" and is "5" now`. The scenes are those
+/// that the difference was found in.
 std::string Sentence(const NodeDiff& diff, const Scene& before, const Scene& after);
 
 }  // namespace coppice::editor

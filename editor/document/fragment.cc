@@ -29,8 +29,8 @@ SourceLocation Shifted(SourceLocation where) {
 
 void AppendShifted(const Diagnostics& from, Diagnostics& to) {
   for (const Diagnostic& one : from.all()) {
-    if (one.severity == Severity::kError)
-      to.Error(Shifted(one.where), one.message, one.hint, one.about);
+    if (one.severity != Severity::kError) continue;
+    to.Error(Shifted(one.where), one.message, one.hint, one.about);
   }
 }
 

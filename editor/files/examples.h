@@ -12,7 +12,8 @@ struct Example {
   std::string path;
 };
 
-/// Those that were there at the first call. Of an installed program in ../share/coppice/examples, else in the sources.
+/// Those that were there at the first call. Of an installed program in ../share/coppice/examples,
+/// else in the sources.
 const std::vector<Example>& Examples();
 
 /// The path of the shipped example of that file name, whether it is there or not.

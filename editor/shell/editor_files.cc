@@ -1,6 +1,5 @@
 // What an editor keeps for the next time: keys, marks, settings, recent files.
 #include <filesystem>
-#include <iterator>
 #include <optional>
 #include <utility>
 

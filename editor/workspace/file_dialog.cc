@@ -206,6 +206,12 @@ void OpenSaveDialog(EditorState& state, std::string hint, const std::string& pat
   state.popup.files.save = std::move(save);
 }
 
+Outcome MayReplace(EditorState& state, const std::string& path) {
+  std::error_code error;
+  if (!fs::exists(path, error) || std::exchange(state.replaces, path) == path) return {};
+  return Problem{"there is a file of that name already: Enter once more replaces it"};
+}
+
 std::string ShownFolder(const EditorState& state) {
   std::error_code error;
   const fs::path path = fs::absolute(Split(state).first, error).lexically_normal();

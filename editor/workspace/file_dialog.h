@@ -32,6 +32,9 @@ void OpenFileDialog(EditorState& state);
 void OpenSaveDialog(EditorState& state, std::string hint, const std::string& path,
                     std::function<Outcome(const std::string&)> save);
 
+/// A problem the first time if there is a file of that name; said once more, it may be replaced.
+Outcome MayReplace(EditorState& state, const std::string& path);
+
 /// What is above the rows: the folder that is listed.
 std::string ShownFolder(const EditorState& state);
 

@@ -88,8 +88,8 @@ Outcome FileKeeper::SaveAs(const std::string& path, const std::string& new_path)
   if (new_path.empty()) return Problem{"a file needs a name"};
   const bool is_other =
       file->is_new || UnsavedWork::AbsolutePath(new_path) != UnsavedWork::AbsolutePath(path);
-  if (is_other && IsThere(new_path) && std::exchange(state_.replaces, new_path) != new_path) {
-    return Problem{"there is a file of that name already: Enter once more replaces it"};
+  if (is_other) {
+    if (Outcome may = MayReplace(state_, new_path); !may) return may;
   }
   Diagnostics diagnostics;
   if (!workspace.project().SaveAs(path, new_path, diagnostics))

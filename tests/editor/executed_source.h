@@ -76,6 +76,23 @@ inline ExecutedSource* AddExecuted(Driver& driver, const std::string& name, int 
   return added;
 }
 
+/// Two records that part in their 13th tick, the second of them shown and compared with the first.
+inline bool ComparePartingRuns(Driver& driver) {
+  AddExecuted(driver, "a.coppice", 20, false);
+  auto other = std::make_unique<ExecutedSource>("b.coppice", kDoorTrees, false);
+  other->tree.results["drive"] = Status::kRunning;
+  other->Ticks(12);
+  other->tree.results["drive"] = Status::kFailure;
+  other->Ticks(8);
+  driver.editor.AddRun(std::move(other));
+  driver.Frames();
+  driver.editor.state().run.tab = RunTab::kComparison;
+  driver.Frames();
+  const bool is_compared = driver.Click("run/compare/a.coppice");
+  driver.Frames();
+  return is_compared;
+}
+
 }  // namespace coppice::editor
 
 #endif  // COPPICE_TESTS_EDITOR_EXECUTED_SOURCE_H_

@@ -3,15 +3,7 @@
 # LAUNCHER, SANITIZE, LIVE, EDITOR.
 cmake_minimum_required(VERSION 3.16)
 
-function(run)
-  execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE output
-                  ERROR_VARIABLE output)
-  if(NOT result EQUAL 0)
-    string(REPLACE ";" " " command "${ARGN}")
-    message(FATAL_ERROR "${command}\n${output}")
-  endif()
-  set(output "${output}" PARENT_SCOPE)
-endfunction()
+include(${CMAKE_CURRENT_LIST_DIR}/run.cmake)
 
 file(REMOVE_RECURSE ${WORK})
 run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/prefix)
@@ -23,15 +15,6 @@ run(${CMAKE_COMMAND} -S ${SOURCE} -B ${WORK}/build -D CMAKE_PREFIX_PATH=${WORK}/
     -D CMAKE_CXX_COMPILER=${COMPILER} -D CMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER}
     -D CMAKE_CXX_FLAGS=${flags})
 run(${CMAKE_COMMAND} --build ${WORK}/build)
-
-# expect(PART COMMAND...): the command prints this.
-function(expect part)
-  run(${ARGN})
-  string(FIND "${output}" "${part}" place)
-  if(place EQUAL -1)
-    message(FATAL_ERROR "${ARGN} printed:\n${output}instead of \"${part}\"")
-  endif()
-endfunction()
 
 expect("SUCCESS after 3 ticks" ${WORK}/build/outside)
 expect("SUCCESS after 3 recorded ticks" ${WORK}/build/outside_recorded ${WORK}/run.coppice)

@@ -2,15 +2,7 @@
 # and uses what lies there. Called with -D BUILD, WORK, EDITOR, WEB.
 cmake_minimum_required(VERSION 3.16)
 
-function(run)
-  execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE output
-                  ERROR_VARIABLE output)
-  if(NOT result EQUAL 0)
-    string(REPLACE ";" " " command "${ARGN}")
-    message(FATAL_ERROR "${command}\n${output}")
-  endif()
-  set(output "${output}" PARENT_SCOPE)
-endfunction()
+include(${CMAKE_CURRENT_LIST_DIR}/run.cmake)
 
 file(REMOVE_RECURSE ${WORK})
 run(cpack --config ${BUILD}/CPackConfig.cmake -B ${WORK}/packages)
@@ -41,9 +33,6 @@ if(EDITOR)
   run(${bin}/coppice edit ${share}/examples/delivery.xml --headless --picture ${WORK}/delivery.png)
 endif()
 if(WEB)
-  run(${bin}/coppice run ${WORK}/tree.xml --quiet --live-port 0 --web --web-port 0)
-  string(FIND "${output}" "in a browser: http://" place)
-  if(place EQUAL -1)
-    message(FATAL_ERROR "the page is not found:\n${output}")
-  endif()
+  expect("in a browser: http://"
+         ${bin}/coppice run ${WORK}/tree.xml --quiet --live-port 0 --web --web-port 0)
 endif()

@@ -5,13 +5,13 @@
 extern "C" const char* __asan_default_options();  // NOLINT(bugprone-reserved-identifier)
 extern "C" const char* __asan_default_options() { return "quarantine_size_mb=16"; }
 
-// Libraries that are not compiled with the sanitizer, which therefore does not see how their threads
-// hand things to each other and takes that for races. All of ZeroMQ and its encryption is left out;
-// twice it gets no further than the standard library on the way from the I/O thread back to ZeroMQ,
-// and those two functions must be named themselves. Of roscpp only what runs no callback of ours is
-// named: connections and links, deserializing, its own threads. The order of its locks (boost's,
-// which we have nowhere), and of log4cxx's, is theirs. actionlib's client compares its state without
-// its lock (SimpleActionClient::waitForResult).
+// Libraries that are not compiled with the sanitizer, which therefore does not see how their
+// threads hand things to each other and takes that for races. All of ZeroMQ and its encryption is
+// left out; twice it gets no further than the standard library on the way from the I/O thread back
+// to ZeroMQ, and those two functions must be named themselves. Of roscpp only what runs no callback
+// of ours is named: connections and links, deserializing, its own threads. The order of its locks
+// (boost's, which we have nowhere), and of log4cxx's, is theirs. actionlib's client compares its
+// state without its lock (SimpleActionClient::waitForResult).
 extern "C" const char* __tsan_default_suppressions();  // NOLINT(bugprone-reserved-identifier)
 extern "C" const char* __tsan_default_suppressions() {
   return "race:libzmq.so\n"

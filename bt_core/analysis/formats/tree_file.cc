@@ -38,22 +38,23 @@ class Joiner {
   explicit Joiner(const TreeDescription& tree) : tree_(tree) {}
 
   std::string Join() {
-    std::string all;
+    std::optional<Document> first;
+    std::string others;
     for (const DescribedDocument& described : tree_.documents) {
       std::optional<Document> document = Read(described.text);
       if (!document) continue;
       Apply(WithoutMarks(*document), *document);
       Apply(WithoutTheRest(*document), *document);
-      if (all.empty()) {
-        all = document->text();
+      if (first) {
+        others += InnerOf(*document);
       } else {
-        AddInner(*document, all);
+        first = std::move(document);
       }
     }
-    std::optional<Document> joined = Read(all);
-    if (!joined) return all;
-    Apply(Named(*joined), *joined);
-    return joined->text();
+    if (!first) return {};
+    if (!others.empty()) Apply({{EndOfInner(*first), 0, others}}, *first);
+    Apply(Named(*first), *first);
+    return first->text();
   }
 
  private:
@@ -100,16 +101,18 @@ class Joiner {
     return edit;
   }
 
-  // With the lines between, so that comments stay with what they are about.
-  static void AddInner(const Document& document, std::string& all) {
+  // Where the end tag of the root begins.
+  static std::uint32_t EndOfInner(const Document& document) {
     const Element& root = document.element(kRootElement);
-    if (root.is_self_closing()) return;
-    const std::size_t end = document.text().rfind("</", root.end - 1);
-    const std::string inner = document.text().substr(root.start_tag_end, end - root.start_tag_end);
-    const std::size_t place = all.rfind("</");
-    if (place == std::string::npos) return;
-    const std::size_t begin = inner.find_first_not_of("\r\n");
-    if (begin != std::string::npos) all.insert(place, inner.substr(begin));
+    if (root.is_self_closing()) return root.end;
+    return static_cast<std::uint32_t>(document.text().rfind("</", root.end - 1));
+  }
+
+  // With the lines between, so that comments stay with what they are about.
+  static std::string InnerOf(const Document& document) {
+    const std::uint32_t begin = document.element(kRootElement).start_tag_end;
+    const std::string inner = document.text().substr(begin, EndOfInner(document) - begin);
+    return inner.substr(std::min(inner.find_first_not_of("\r\n"), inner.size()));
   }
 
   const TreeDescription& tree_;

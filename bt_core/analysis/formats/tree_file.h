@@ -10,9 +10,11 @@
 
 namespace coppice {
 
-/// One file that runs the same tree: its text byte for byte if it came from one. Otherwise what the
-/// others define stands in the first, in the place of the includes. What robots of BehaviorTree.CPP
-/// add goes: the attributes _uid and _fullpath, and a tree for each SubTree that uses it.
+/// One file that runs the same tree. Of one file that is its text byte for byte, but for
+/// main_tree_to_execute if it has several trees and does not name the one that ran; of several what
+/// the others define stands at the end of the first, and the includes go. What robots of
+/// BehaviorTree.CPP add goes: the attributes _uid and _fullpath, and a tree for each SubTree that
+/// uses it.
 std::string TreeFile(const TreeDescription& tree);
 
 }  // namespace coppice

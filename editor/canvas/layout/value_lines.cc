@@ -35,10 +35,11 @@ std::string_view Trimmed(std::string_view text) {
   return text.substr(begin, text.find_last_not_of(kBlanks) + 1 - begin);
 }
 
-// At blanks if there are any far enough to the right.
-void Wrap(std::string_view text, std::vector<std::string>& lines) {
+// At blanks if there are any far enough to the right. What is seen is no more than `most` lines, so
+// that of a script as long as a file no more is looked at.
+void Wrap(std::string_view text, std::size_t most, std::vector<std::string>& lines) {
   std::string_view before;
-  for (text = Trimmed(text); !text.empty(); before = kSetIn) {
+  for (text = Trimmed(text); !text.empty() && lines.size() < most; before = kSetIn) {
     std::size_t end = Behind(text, metrics::kValueColumns - before.size());
     if (end < text.size()) {
       const std::size_t blank = text.find_last_of(kBlanks, end);
@@ -59,11 +60,11 @@ std::size_t EndOfStatement(std::string_view script) {
   return script.size();
 }
 
-std::vector<std::string> LinesOfScript(std::string_view script) {
+std::vector<std::string> LinesOfScript(std::string_view script, std::size_t most) {
   std::vector<std::string> lines;
-  while (!script.empty()) {
+  while (!script.empty() && lines.size() < most) {
     const std::size_t end = EndOfStatement(script);
-    Wrap(script.substr(0, end), lines);
+    Wrap(script.substr(0, end), most, lines);
     script.remove_prefix(end);
   }
   return lines;
@@ -84,11 +85,12 @@ std::vector<std::string> ValueLines(const PortLine& port, bool whole) {
   if (IsOneLine(port, whole)) {
     return {whole && !port.key.empty() ? std::string(port.value) : ShownValue(port.value)};
   }
+  const std::size_t most = whole ? port.value.size() : kMostLines + 1;
   std::vector<std::string> lines;
   if (IsScript(port)) {
-    lines = LinesOfScript(port.value);
+    lines = LinesOfScript(port.value, most);
   } else {
-    Wrap(port.value, lines);
+    Wrap(port.value, most, lines);
   }
   if (!whole && lines.size() > kMostLines) {
     lines.resize(kMostLines);

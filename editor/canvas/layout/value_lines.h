@@ -1,6 +1,6 @@
-// The lines in which a port's value stands in its node. Scripts wrap: a statement begins a line, and
-// a long one goes on below, set in. Everything else is one line on the canvas, where the mouse tells
-// the rest; pictures have it all.
+// The lines in which a port's value stands in its node. Scripts wrap: a statement begins a line,
+// and a long one goes on below, set in. Everything else is one line on the canvas, where the mouse
+// tells the rest; pictures have it all.
 #ifndef COPPICE_EDITOR_CANVAS_LAYOUT_VALUE_LINES_H_
 #define COPPICE_EDITOR_CANVAS_LAYOUT_VALUE_LINES_H_
 

@@ -38,7 +38,8 @@ class Table {
       Tooltip(
           ui_,
           "ticks: how often the node was ticked\nSUCCESS, FAILURE: part of its ticks that ended "
-          "so\np50, p95: how long it ran until it had a result, half and 95 % of the times,\nwithout the time at breakpoints and in pauses\n"
+          "so\np50, p95: how long it ran until it had a result, half and 95 % of the times,\n"
+          "without the time at breakpoints and in pauses\n"
           "flips/min: how often its result changed");
     }
     Write(row, "node", {"ticks", "SUCCESS", "FAILURE", "p50", "p95", "flips/min"},

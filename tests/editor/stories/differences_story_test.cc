@@ -9,10 +9,12 @@ namespace {
 
 constexpr char kBefore[] =
     R"(<root BTCPP_format="4"><BehaviorTree ID="Patrol"><Sequence name="round">
-  <Go name="there" speed="1"/><Look name="look"/><Go name="back"/></Sequence></BehaviorTree></root>)";
+  <Go name="there" speed="1"/><Look name="look"/><Go name="back"/></Sequence>
+  </BehaviorTree></root>)";
 constexpr char kAfter[] =
     R"(<root BTCPP_format="4"><BehaviorTree ID="Patrol"><Sequence name="round">
-  <Go name="there" speed="2"/><Go name="back"/><Dock name="dock"/></Sequence></BehaviorTree></root>)";
+  <Go name="there" speed="2"/><Go name="back"/><Dock name="dock"/></Sequence>
+  </BehaviorTree></root>)";
 
 class VersionsStory : public testing::Test {
  protected:
@@ -65,18 +67,7 @@ TEST_F(VersionsStory, AClickOnASentenceGoesToItsNode) {
 
 TEST(RunDifferencesStory, KeysGoToTheNodeInTheTickInWhichItDiffers) {
   Driver driver;
-  AddExecuted(driver, "a.coppice", 20, false);
-  auto other = std::make_unique<ExecutedSource>("b.coppice", kDoorTrees, false);
-  other->tree.results["drive"] = Status::kRunning;
-  other->Ticks(12);
-  other->tree.results["drive"] = Status::kFailure;
-  other->Ticks(8);
-  driver.editor.AddRun(std::move(other));
-  driver.Frames();
-  driver.editor.state().run.tab = RunTab::kComparison;
-  driver.Frames();
-  ASSERT_TRUE(driver.Click("run/compare/a.coppice"));
-  driver.Frames();
+  ASSERT_TRUE(ComparePartingRuns(driver));
   driver.Press('N', kAlt);
   EXPECT_EQ(driver.editor.state().run.comparison.selected, 0U);
   const auto& first = driver.editor.state().run.comparison.result->differences[0];

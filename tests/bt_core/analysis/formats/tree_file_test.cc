@@ -59,6 +59,13 @@ TEST(TreeFile, OfSeveralFilesHasAllTreesAndNoIncludes) {
   EXPECT_EQ(Main(joined), "Main");
 }
 
+TEST(TreeFile, WhatStandsBehindTheRootIsNoPlaceForTrees) {
+  const std::string joined = TreeFile(Of(
+      {R"(<root><BehaviorTree ID="Main"><SubTree ID="B"/></BehaviorTree></root><!-- </root> -->)",
+       R"(<root><BehaviorTree ID="B"><AlwaysSuccess/></BehaviorTree></root>)"}));
+  EXPECT_EQ(Main(joined), "Main") << joined;
+}
+
 TEST(TreeFile, ATreeThatHadNoNameGetsTheOneThatItRanUnder) {
   const std::string joined =
       TreeFile(Of({R"(<root><BehaviorTree><SubTree ID="B"/></BehaviorTree></root>)",
@@ -76,7 +83,8 @@ TEST(TreeFile, RunsTheTreeThatRanAlsoIfTheFileNamesAnother) {
 TEST(TreeFile, OfARobotOfBehaviorTreeCppHasNoMarksAndEachTreeOnce) {
   EXPECT_EQ(TreeFile(Of({R"(<root BTCPP_format="4" main_tree_to_execute="Main">
   <BehaviorTree ID="Main" _fullpath="">
-    <Sequence _uid="1"><SubTree ID="B" _uid="2" _fullpath="B::2"/><SubTree ID="B" _uid="3" _fullpath="B::3"/></Sequence>
+    <Sequence _uid="1"><SubTree ID="B" _uid="2" _fullpath="B::2"/>
+      <SubTree ID="B" _uid="3" _fullpath="B::3"/></Sequence>
   </BehaviorTree>
   <BehaviorTree ID="B" _fullpath="B::2">
     <AlwaysSuccess _uid="4"/>
@@ -88,7 +96,8 @@ TEST(TreeFile, OfARobotOfBehaviorTreeCppHasNoMarksAndEachTreeOnce) {
 )"})),
             R"(<root BTCPP_format="4" main_tree_to_execute="Main">
   <BehaviorTree ID="Main">
-    <Sequence><SubTree ID="B"/><SubTree ID="B"/></Sequence>
+    <Sequence><SubTree ID="B"/>
+      <SubTree ID="B"/></Sequence>
   </BehaviorTree>
   <BehaviorTree ID="B">
     <AlwaysSuccess/>
