@@ -4,10 +4,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <future>
 #include <iostream>
 #include <limits>
+#include <memory>
 
 #include "editor/app/run.h"
+#include "editor/theme/fonts.h"
+#include "editor/theme/scale.h"
 #include "editor/window/gl_renderer.h"
 #include "editor/window/glfw_window.h"
 
@@ -51,6 +55,17 @@ class KeptAtExit {
  private:
   static inline Editor* editor_ = nullptr;
 };
+
+float InBounds(float scale) { return std::clamp(scale, 1.0F, 3.0F); }
+
+// Of the first one: where the window comes up, most times.
+float ScaleOfScreen() {
+  float across = 1;
+  if (GLFWmonitor* const first = glfwGetPrimaryMonitor()) {
+    glfwGetMonitorContentScale(first, &across, nullptr);
+  }
+  return InBounds(across);
+}
 
 class WindowLoop {
  public:
@@ -155,16 +170,21 @@ int RunWindow(const Clock& clock, const EditOptions& options) {
     return kNoDisplay;
   }
   EditorOptions editor_options = LoadSettings(options);
+  // Both take long, and each has a core.
+  auto fonts = std::async(std::launch::async,
+                          [scale = ShownScale(editor_options.settings.scale, ScaleOfScreen())] {
+                            return std::make_shared<const Fonts>(scale, Characters::kUsual);
+                          });
   GlfwWindow window(editor_options.settings.width, editor_options.settings.height);
   if (!window.get()) {
     std::cerr << "coppice-edit: no OpenGL window (" << Glfw::LastError()
               << "); use --headless, or run it under xvfb-run\n";
     return kNoDisplay;
   }
+  editor_options.fonts = fonts.get();
   float across = 1;
-  float down = 1;
-  glfwGetWindowContentScale(window.get(), &across, &down);
-  editor_options.scale = std::clamp(across, 1.0F, 3.0F);
+  glfwGetWindowContentScale(window.get(), &across, nullptr);
+  editor_options.scale = InBounds(across);
   editor_options.wake = [] { glfwPostEmptyEvent(); };
   editor_options.get_clipboard = [&window]() -> std::string {
     const char* text = glfwGetClipboardString(window.get());

@@ -62,9 +62,10 @@ bool IsAtRest(const EditorState& state) {
 
 Editor::Editor(EditorOptions options)
     : options_(std::move(options)),
-      fonts_(options_.fonts ? options_.fonts
-                            : std::make_shared<const Fonts>(
-                                  ShownScale(options_.settings.scale, options_.scale))),
+      fonts_(options_.fonts
+                 ? options_.fonts
+                 : std::make_shared<const Fonts>(
+                       ShownScale(options_.settings.scale, options_.scale), Characters::kUsual)),
       context_(fonts_->MakeContext()),
       state_(
           [this](const Scene& scene, const SceneNode& node) {
@@ -147,6 +148,9 @@ bool Editor::Open(const std::string& path) {
   const WithContext current(context_);
   const bool good = state_.workspace.Open(path, state_.now);
   if (good) Remember(path);
+  for (const auto& [name, file] : state_.workspace.project().files()) {
+    if (fonts_->Lacks(file.text)) needs_all_characters_ = true;
+  }
   history_store_.Restore(state_.workspace.project());
   state_.work.Look(state_.workspace.project());
   settle_ = kFramesToSettle;
@@ -226,7 +230,7 @@ void Editor::Frame(const InputEvents& input) {
   const std::string news = state_.workspace.TakeNews();
   if (!news.empty()) state_.Notify(news, state_.now);
   Apply(input);
-  UseScale();
+  UseFonts();
   ImGui::NewFrame();
   items_.Clear();
   const Palette& palette = GetPalette(state_.screen.palette);
@@ -262,17 +266,22 @@ void Editor::Frame(const InputEvents& input) {
     saves_after_typing_ = false;
     state_.commands.Run("file.save");
   }
+  if (!needs_all_characters_ && fonts_->Lacks(*ImGui::GetDrawData())) DrawAgainWithAllCharacters();
 }
 
 // Fonts are baked for one scale. Boxes of nodes follow: their texts are not exactly twice as wide.
-void Editor::UseScale() {
+void Editor::UseFonts() {
   const float scale = ShownScale(state_.screen.scale, options_.scale);
-  if (scale == fonts_->scale()) return;
-  const bool was_given = options_.fonts && options_.fonts->scale() == scale;
-  auto fonts = was_given ? options_.fonts : std::make_shared<const Fonts>(scale);
+  const auto characters = needs_all_characters_ ? Characters::kAll : fonts_->characters();
+  const bool is_fit = characters == fonts_->characters() || cannot_bake_;
+  if (scale == fonts_->scale() && is_fit) return;
+  const bool was_given = options_.fonts && options_.fonts->scale() == scale &&
+                         options_.fonts->characters() == characters;
+  auto fonts = was_given ? options_.fonts : std::make_shared<const Fonts>(scale, characters);
   if (!fonts->error().empty()) {
     state_.Notify(fonts->error(), state_.now, true);
     state_.screen.scale = fonts_->scale();
+    cannot_bake_ = true;
     return;
   }
   fonts_ = std::move(fonts);
@@ -281,6 +290,17 @@ void Editor::UseScale() {
   if (Comparison* const shown = state_.canvas.comparison.get()) {
     shown->view().MeasureAgain(state_.workspace.size_of(), state_.now);
   }
+}
+
+// Nobody sees the frame with boxes in the place of letters.
+void Editor::DrawAgainWithAllCharacters() {
+  needs_all_characters_ = true;
+  InputEvents nothing;
+  nothing.width = ImGui::GetIO().DisplaySize.x;
+  nothing.height = ImGui::GetIO().DisplaySize.y;
+  nothing.dt = 0;
+  Frame(nothing);
+  settle_ = kFramesToSettle;
 }
 
 bool Editor::Rest(double seconds) {

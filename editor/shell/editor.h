@@ -36,7 +36,7 @@ struct EditorOptions {
   Settings kept_settings;              ///< of the last time; what differs was said for this time
   std::string settings_file;           ///< where they are kept when they change; empty: nowhere
   float scale = 1;                     ///< of the screen; 2 on a screen with tiny pixels
-  std::shared_ptr<const Fonts> fonts;  ///< shared with others; null, or of another scale: its own
+  std::shared_ptr<const Fonts> fonts;  ///< shared with others; null, or not fit: its own
   std::string recent_file;             ///< where the list of recent files is kept; empty: nowhere
   std::string backup_folder;   ///< where unsaved work and the history are kept; empty: nowhere
   std::string keys_file;       ///< the user's keys (commands/key_file.h); empty: none
@@ -103,7 +103,8 @@ class Editor {
  private:
   void SetUpImGui();
   void Apply(const InputEvents& input);
-  void UseScale();
+  void UseFonts();
+  void DrawAgainWithAllCharacters();
   void RunKeys();
   void NoteAlt(const KeyEvent& key);
   void LoadRecent();
@@ -123,6 +124,8 @@ class Editor {
   ItemRegistry items_;
   EditorState state_;
   InputQueue queue_;
+  bool needs_all_characters_ = false;  // fonts_ may have the usual ones alone
+  bool cannot_bake_ = false;           // the files of the fonts are gone
   HistoryStore history_store_;
   std::string kept_marks_;     // as they are in the file
   std::string kept_settings_;  // likewise

@@ -4,10 +4,16 @@
 #include <imgui_freetype.h>
 #endif
 
+// After imgui.h, which it needs.
+#include <imgui_internal.h>
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <set>
+#include <utility>
 
+#include "bt_core/base/read_file.h"
 #include "editor/theme/font_files.h"
 #include "editor/theme/imgui_context.h"
 
@@ -19,6 +25,11 @@ constexpr float kSizes[] = {7, 8, 9, 10, 11, 12, 13, 14, 15, 17, 19, 22, 25, 29,
 constexpr ImWchar kTextRanges[] = {0x0020, 0x017F, 0x0391, 0x03C9, 0x2010, 0x2026, 0x203A,
                                    0x203A, 0x2190, 0x2193, 0x21C9, 0x21C9, 0x2248, 0x2248,
                                    0x2260, 0x2265, 0x25A0, 0x25A1, 0x25B2, 0x25CF, 0};
+// · × – … › → ⇉ and kMissing.
+constexpr ImWchar kUsualRanges[] = {0x0020, 0x007E, 0x00B7, 0x00B7, 0x00D7, 0x00D7, 0x2013,
+                                    0x2013, 0x2026, 0x2026, 0x203A, 0x203A, 0x2192, 0x2192,
+                                    0x21C9, 0x21C9, 0x25A1, 0x25A1, 0};
+constexpr ImWchar kMissing = 0x25A1;  // an empty box
 constexpr ImWchar kIconRanges[] = {
     0xF002, 0xF002, 0xF00C, 0xF00D, 0xF017, 0xF017, 0xF01E, 0xF01E, 0xF021, 0xF021, 0xF048,
     0xF048, 0xF04B, 0xF04E, 0xF051, 0xF051, 0xF059, 0xF059, 0xF06A, 0xF06A, 0xF071, 0xF071,
@@ -26,25 +37,51 @@ constexpr ImWchar kIconRanges[] = {
     0xF0FE, 0xF10C, 0xF10C, 0xF111, 0xF111, 0xF121, 0xF121, 0xF126, 0xF126, 0xF132, 0xF132,
     0xF146, 0xF146, 0xF1C9, 0xF1C9, 0xF1E6, 0xF1E6, 0xF252, 0xF252, 0};
 
-void Bake(const std::string& text_file, const std::string& icon_file,
-          const std::vector<float>& sizes, ImFontAtlas& atlas, std::vector<ImFont*>& fonts) {
+// The atlas would copy the file once for each size.
+ImFont* AddFont(std::string& file, float pixels, const ImFontConfig& config, const ImWchar* ranges,
+                ImFontAtlas& atlas) {
+  ImFont* const font = atlas.AddFontFromMemoryTTF(file.data(), static_cast<int>(file.size()),
+                                                  pixels, &config, ranges);
+  atlas.ConfigData.back().FontDataOwnedByAtlas = false;
+  return font;
+}
+
+void Bake(std::string& text_file, std::string* icon_file, const std::vector<float>& sizes,
+          const ImWchar* ranges, ImFontAtlas& atlas, std::vector<ImFont*>& fonts) {
   for (std::size_t i = 0; i < sizes.size(); ++i) {
     const float pixels = sizes[i];
     ImFontConfig config;
     config.OversampleH = kSizes[i] < 16 ? 2 : 1;
     config.OversampleV = 1;
-    fonts.push_back(atlas.AddFontFromFileTTF(text_file.c_str(), pixels, &config, kTextRanges));
-    if (icon_file.empty()) continue;
+    fonts.push_back(AddFont(text_file, pixels, config, ranges, atlas));
+    if (!icon_file) continue;
     config.MergeMode = true;
     config.GlyphMinAdvanceX = pixels;
     config.GlyphOffset.y = 0;
-    atlas.AddFontFromFileTTF(icon_file.c_str(), pixels, &config, kIconRanges);
+    AddFont(*icon_file, pixels, config, kIconRanges, atlas);
+  }
+}
+
+bool Read(const std::string& path, std::string& bytes) {
+  auto read = ReadFile(path);
+  if (read) bytes = *std::move(read);
+  return !bytes.empty();
+}
+
+// Instead of the question mark, which texts have too.
+void MarkMissing(ImFontAtlas& atlas) {
+  for (ImFont* const font : atlas.Fonts) {
+    const ImFontGlyph* const box = font->FindGlyphNoFallback(kMissing);
+    if (!box) continue;
+    font->FallbackGlyph = box;
+    font->FallbackAdvanceX = box->AdvanceX;
   }
 }
 
 }  // namespace
 
-Fonts::Fonts(float scale) : scale_(scale), atlas_(std::make_unique<ImFontAtlas>()) {
+Fonts::Fonts(float scale, Characters characters)
+    : scale_(scale), characters_(characters), atlas_(std::make_unique<ImFontAtlas>()) {
   error_ = Load();
 }
 
@@ -75,13 +112,16 @@ std::string Fonts::Load() {
     return "the font fontawesome-webfont.ttf is missing; on Debian: apt-get install "
            "fonts-font-awesome";
   }
+  if (!Read(icons, files_.icons)) return "the font " + icons + " cannot be read";
   const struct {
     const char* file;
+    std::string& text;
     std::vector<ImFont*>& fonts;
     bool with_icons;
-  } kFaces[] = {{"DejaVuSans.ttf", sans_, true},
-                {"DejaVuSans-Bold.ttf", bold_, true},
-                {"DejaVuSansMono.ttf", mono_, false}};
+  } kFaces[] = {{"DejaVuSans.ttf", files_.sans, sans_, true},
+                {"DejaVuSans-Bold.ttf", files_.bold, bold_, true},
+                {"DejaVuSansMono.ttf", files_.mono, mono_, false}};
+  const ImWchar* const ranges = characters_ == Characters::kAll ? kTextRanges : kUsualRanges;
   for (const float size : kSizes) sizes_.push_back(std::round(size * scale_));
   for (const auto& face : kFaces) {
     const std::string file = TextFontFile(face.file);
@@ -89,11 +129,40 @@ std::string Fonts::Load() {
       return std::string("the font ") + face.file +
              " is missing; on Debian: apt-get install fonts-dejavu-core";
     }
-    Bake(file, face.with_icons ? icons : std::string(), sizes_, atlas, face.fonts);
+    if (!Read(file, face.text)) return "the font " + file + " cannot be read";
+    Bake(face.text, face.with_icons ? &files_.icons : nullptr, sizes_, ranges, atlas, face.fonts);
   }
   if (!atlas.Build()) return "the fonts cannot be baked into a texture";
+  if (characters_ == Characters::kUsual) MarkMissing(atlas);
   usual_ = Pick(Face::kSans, 13 * scale_);
   return {};
+}
+
+bool Fonts::Lacks(const ImDrawData& drawn) const {
+  if (characters_ == Characters::kAll) return false;
+  std::set<std::pair<float, float>> boxes;  // where they begin in the texture
+  for (const ImFont* const font : atlas_->Fonts) {
+    boxes.emplace(font->FallbackGlyph->U0, font->FallbackGlyph->V0);
+  }
+  for (int i = 0; i < drawn.CmdListsCount; ++i) {
+    for (const ImDrawVert& corner : drawn.CmdLists[i]->VtxBuffer) {
+      if (boxes.count({corner.uv.x, corner.uv.y}) > 0) return true;
+    }
+  }
+  return false;
+}
+
+bool Fonts::Lacks(std::string_view text) const {
+  if (characters_ == Characters::kAll) return false;
+  const auto is_plain = [](char byte) { return static_cast<unsigned char>(byte) < 0x80; };
+  auto at = std::find_if_not(text.begin(), text.end(), is_plain);
+  while (at != text.end()) {
+    unsigned code = 0;
+    at += ImTextCharFromUtf8(&code, &*at, text.data() + text.size());
+    if (!sans_.front()->FindGlyphNoFallback(static_cast<ImWchar>(code))) return true;
+    at = std::find_if_not(at, text.end(), is_plain);
+  }
+  return false;
 }
 
 ImFont* Fonts::Pick(Face face, float pixels) const {

@@ -2,6 +2,8 @@
 //
 //   coppice_editor_bench
 //
+//   FirstFrame          from an editor with no fonts to its first frame with a file; the window and
+//                       its OpenGL come on top of it, while the fonts are baked
 //   FrameOf20000Nodes   build of one frame, without painting it
 //   LayoutOf10000Nodes  boxes of all nodes from their sizes
 //   OpenOneMegabyte     read, parse, measure and lay out 10 000 nodes; the checker follows later
@@ -72,6 +74,16 @@ class Opened {
   TemporaryFile file_;
   Driver driver_;
 };
+
+void FirstFrame(benchmark::State& state) {
+  const TemporaryFile file("small.xml", kSmallFile);
+  for (auto _ : state) {
+    Editor editor({});
+    editor.Open(file.path());
+    editor.Frame({});
+  }
+}
+BENCHMARK(FirstFrame)->Unit(benchmark::kMillisecond);
 
 void FrameOf20000Nodes(benchmark::State& state) {
   Opened opened(20000, 0);

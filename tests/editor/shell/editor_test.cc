@@ -3,9 +3,15 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <limits>
+#include <memory>
+#include <utility>
 
+#include "editor/theme/fonts.h"
+#include "editor/theme/imgui_context.h"
 #include "tests/editor/driver.h"
 
 namespace coppice::editor {
@@ -18,6 +24,63 @@ TEST(Editor, BuildsAFrameWithNothingOpen) {
   for (const char* path : {"menu/file", "bar/connect", "project", "outline", "inspector",
                            "blackboard", "xml", "problems", "start/open", "bar/palette"}) {
     EXPECT_TRUE(driver.Has(path)) << path;
+  }
+}
+
+// Of any channel of any pixel; the texture's size is in the rounding of what is read from it.
+int LargestDifference(const Image& a, const Image& b) {
+  int largest = a.pixels.size() == b.pixels.size() ? 0 : 255;
+  for (std::size_t i = 0; largest < 255 && i < a.pixels.size(); ++i) {
+    for (unsigned shift = 0; shift < 32; shift += 8) {
+      const int one = static_cast<int>(a.pixels[i] >> shift & 0xFF);
+      const int other = static_cast<int>(b.pixels[i] >> shift & 0xFF);
+      largest = std::max(largest, std::abs(one - other));
+    }
+  }
+  return largest;
+}
+
+// What a window bakes first, against what all other tests draw with.
+class FirstFrame : public testing::Test {
+ protected:
+  static Image Draw(const TemporaryFile& file, Characters characters, int frames = 1) {
+    EditorOptions options;
+    options.fonts = std::make_shared<const Fonts>(1, characters);
+    const std::shared_ptr<const Fonts> given = options.fonts;
+    Editor editor(std::move(options));
+    EXPECT_TRUE(editor.Open(file.path()));
+    InputEvents input;
+    input.dt = 0.2F;
+    for (int frame = 0; frame < frames; ++frame) editor.Frame(input);
+    baked_more_ = ImGuiFonts(editor) != given->Pick(Face::kSans, 13)->ContainerAtlas;
+    return editor.Picture();
+  }
+  static const ImFontAtlas* ImGuiFonts(const Editor& editor) {
+    const WithContext current(editor.context());
+    return ImGui::GetIO().Fonts;
+  }
+  static constexpr int kTillAtRest = 5;
+  static inline bool baked_more_ = false;
+};
+
+TEST_F(FirstFrame, OfUsualCharactersLooksTheSameWithoutAllOfThem) {
+  const TemporaryFile file("first.xml", kSmallFile);
+  const Image all = Draw(file, Characters::kAll);
+  EXPECT_LE(LargestDifference(Draw(file, Characters::kUsual), all), 2);
+  EXPECT_FALSE(baked_more_);
+}
+
+TEST_F(FirstFrame, ShowsWhatOnlyAllCharactersHave) {
+  for (const char* name : {"T\xC3\xBCr", "T&#252;r"}) {
+    std::string text = kSmallFile;
+    text.replace(text.find("MainTree"), 8, name);
+    if (const auto again = text.find("MainTree"); again != std::string::npos) {
+      text.replace(again, 8, name);
+    }
+    const TemporaryFile file("first.xml", text);
+    const Image all = Draw(file, Characters::kAll, kTillAtRest);
+    EXPECT_LE(LargestDifference(Draw(file, Characters::kUsual, kTillAtRest), all), 2) << name;
+    EXPECT_TRUE(baked_more_) << name;
   }
 }
 

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+
 #include "editor/theme/icons.h"
 #include "editor/theme/imgui_context.h"
 
@@ -55,6 +57,29 @@ TEST_F(FontsTest, SeveralContextsWriteWithThem) {
   const WithContext current(first);
   EXPECT_EQ(ImGui::GetIO().Fonts->Fonts[0], fonts_.Pick(Face::kSans, 0)) << "the fonts live on";
   ImGui::DestroyContext(first);
+}
+
+TEST_F(FontsTest, LackNothingIfTheyHaveAllCharacters) {
+  EXPECT_FALSE(fonts_.Lacks("T\xC3\xBCr"));
+  EXPECT_NE(fonts_.Pick(Face::kSans, 13)->FindGlyphNoFallback(0xFC), nullptr);
+}
+
+TEST(Fonts, OfUsualCharactersTellThatATextHasAnother) {
+  const Fonts fonts(1, Characters::kUsual);
+  ASSERT_EQ(fonts.error(), "");
+  EXPECT_FALSE(fonts.Lacks("Door? <a/> 100 %"));
+  EXPECT_FALSE(fonts.Lacks(std::string("a") + icon::kEllipsis + icon::kMiddleDot + icon::kSearch));
+  EXPECT_TRUE(fonts.Lacks("T\xC3\xBCr"));
+  EXPECT_TRUE(fonts.Lacks("cut off: \xC3"));
+}
+
+TEST(Fonts, OfUsualCharactersAreBakedIntoAMuchSmallerTexture) {
+  const Fonts usual(1, Characters::kUsual);
+  const Fonts all(1);
+  const auto rows = [](const Fonts& fonts) {
+    return fonts.Pick(Face::kSans, 13)->ContainerAtlas->TexHeight;
+  };
+  EXPECT_LT(3 * rows(usual), 2 * rows(all));
 }
 
 TEST(Fonts, AreTwiceAsLargeOnAScreenWithTinyPixels) {
