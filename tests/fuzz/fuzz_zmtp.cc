@@ -3,8 +3,8 @@
 #include <string>
 
 #include "bt_core/live/server/live_clients.h"
+#include "bt_core/live/zmtp/zmtp_curve_client.h"
 #include "bt_core/live/zmtp/zmtp_peer.h"
-#include "tests/fuzz/curve_client.h"
 #include "tests/fuzz/frames.h"
 #include "tests/fuzz/fuzz_targets.h"
 #include "tests/fuzz/served_tree.h"
@@ -43,10 +43,13 @@ class Connection : private CheckingOutbox {
   bool Do(const LooseFrame& step) {
     switch (step.type) {
       case 'h':
-        return Say(zmtp::kCommand, curve_ ? Damaged(curve_->Hello(), step.payload) : "");
+        return Say(
+            zmtp::kCommand,
+            curve_ ? Damaged(zmtp::MakeCommand("HELLO", curve_->Hello()), step.payload) : "");
       case 'i':
-        return Say(zmtp::kCommand, curve_ ? curve_->Initiate(step.payload)
-                                          : zmtp::MakeCommand("READY", step.payload));
+        return Say(zmtp::kCommand,
+                   curve_ ? zmtp::MakeCommand("INITIATE", curve_->Initiate(step.payload))
+                          : zmtp::MakeCommand("READY", step.payload));
       case 'm':
       case 'M':
         return Part(step.type == 'M', step.payload);
@@ -76,7 +79,7 @@ class Connection : private CheckingOutbox {
     if (curve_) {
       const int flags =
           (has_more && !is_command ? zmtp::kCurveMore : 0) | (is_command ? zmtp::kCurveCommand : 0);
-      return Say(0, curve_->Message(static_cast<std::uint8_t>(flags), body));
+      return Say(0, curve_->Seal(static_cast<std::uint8_t>(flags), body));
     }
     return Say(is_command ? zmtp::kCommand : has_more ? zmtp::kMore : 0, body);
   }
@@ -111,21 +114,25 @@ class Connection : private CheckingOutbox {
   // What the robot says are a greeting and whole frames.
   void Listen(std::string_view bytes) {
     heard_.Append(bytes);
-    std::string_view body;
-    if (!has_greeting_ && heard_.TakeBytes(zmtp::kGreetingSize, body) != FrameReader::Result::kDone)
+    std::string_view greeting;
+    if (!has_greeting_ &&
+        heard_.TakeBytes(zmtp::kGreetingSize, greeting) != FrameReader::Result::kDone) {
       std::abort();
+    }
     has_greeting_ = true;
     std::uint8_t flags = 0;
+    std::string frame;
     FrameReader::Result result = FrameReader::Result::kDone;
-    while ((result = heard_.TakeFrame(SIZE_MAX, flags, body)) == FrameReader::Result::kDone) {
-      if (curve_ && zmtp::TakeName(body) == "WELCOME" && !curve_->TakeWelcome(body)) std::abort();
+    while ((result = heard_.TakeFrame(SIZE_MAX, flags, frame)) == FrameReader::Result::kDone) {
+      std::string_view body = frame;
+      if (curve_ && zmtp::TakeName(body) == "WELCOME" && !curve_->Welcome(body)) std::abort();
     }
     std::string_view rest;
     if (heard_.TakeBytes(1, rest) == FrameReader::Result::kDone) std::abort();
   }
 
   ZmtpPeer peer_;
-  std::optional<CurveClient> curve_;
+  std::optional<zmtp::CurveClient> curve_;
   FrameReader heard_;
   bool has_greeting_ = false;
   int requests_ = 0;

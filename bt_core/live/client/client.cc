@@ -9,7 +9,6 @@
 #include <optional>
 #include <thread>
 #include <utility>
-#include <zmq.hpp>
 
 #include "bt_core/live/client/client_extension.h"
 #include "bt_core/live/client/client_socket.h"
@@ -35,7 +34,6 @@ class LiveClient::Loop {
         address_(AddressOf(endpoint)),
         options_(std::move(options)),
         listener_(listener),
-        bell_(context_),
         history_(listener),
         groot2_history_(listener, endpoint) {
     if (!options_.token.empty()) keys_ = KeysOfWatcher(options_.token);
@@ -68,7 +66,7 @@ class LiveClient::Loop {
     pthread_setname_np(pthread_self(), "coppice_client");
     bool uses_groot2 = options_.groot2_only;
     while (!stop_) {
-      ClientSocket socket(context_, bell_, address_, keys_ ? &*keys_ : nullptr);
+      ClientSocket socket(bell_, address_, keys_ ? &*keys_ : nullptr);
       const std::unique_ptr<ClientSession> session = MakeSession(socket, uses_groot2);
       Serve(socket, *session);
       if (stop_ && session->is_live()) {
@@ -97,22 +95,18 @@ class LiveClient::Loop {
     const Duration start = Now();
     std::string why;
     bool was_live = false;
-    try {
-      while (!stop_ && session.failure().empty() && why.empty()) {
-        AnswerCommands(&session);
-        const Duration now = Now();
-        if (!session.has_answered() && now >= start + kPatience) {
-          Tell("no answer from " + endpoint_);
-        }
-        const Duration next = std::min(session.OnTime(now), now + kPatience);
-        if (!session.failure().empty()) break;
-        const ClientSocket::Event event = socket.Wait(next - now);
-        if (event == ClientSocket::Event::kMessage) ReadMessages(socket, session);
-        if (event == ClientSocket::Event::kGone) why = socket.problem();
-        was_live = was_live || session.is_live();
+    while (!stop_ && session.failure().empty() && why.empty()) {
+      AnswerCommands(&session);
+      const Duration now = Now();
+      if (!session.has_answered() && now >= start + kPatience) {
+        Tell("no answer from " + endpoint_);
       }
-    } catch (const zmq::error_t& error) {
-      why = error.what();
+      const Duration next = std::min(session.OnTime(now), now + kPatience);
+      if (!session.failure().empty()) break;
+      const ClientSocket::Event event = socket.Wait(next - now);
+      if (event == ClientSocket::Event::kMessage) ReadMessages(socket, session);
+      if (event == ClientSocket::Event::kGone) why = socket.problem();
+      was_live = was_live || session.is_live();
     }
     if (why.empty()) why = session.failure();
     if (was_live) told_.clear();
@@ -167,7 +161,6 @@ class LiveClient::Loop {
   const LiveClientOptions options_;
   LiveListener& listener_;
   std::optional<WatcherKeys> keys_;
-  zmq::context_t context_;
   ClientBell bell_;
   ClientHistory history_;  // of the connections of one protocol
   Groot2History groot2_history_;

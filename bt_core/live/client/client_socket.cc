@@ -1,27 +1,28 @@
 #include "bt_core/live/client/client_socket.h"
 
+#include <poll.h>
+#include <sys/eventfd.h>
+#include <unistd.h>
+
 #include <algorithm>
-#include <atomic>
+#include <cerrno>
 #include <charconv>
-#include <cstring>
+#include <chrono>
 #include <stdexcept>
+#include <system_error>
 
 namespace coppice {
 namespace {
 
 constexpr char kDefaultPort[] = "1667";
-constexpr int kReconnectPause = 50;         // ms
-constexpr int kLargestMessage = 128 << 20;  // bytes; a frame is smaller
 
-// A name of its own for each pair of sockets in the program.
-std::string InnerAddress(const char* what) {
-  static std::atomic<unsigned> count{0};
-  return std::string("inproc://coppice-client-") + what + std::to_string(++count);
-}
+Duration Now() { return std::chrono::steady_clock::now().time_since_epoch(); }
 
-std::chrono::milliseconds Milliseconds(Duration duration) {
-  return std::max(std::chrono::milliseconds(0),
-                  std::chrono::ceil<std::chrono::milliseconds>(duration));
+int Milliseconds(Duration duration) {
+  constexpr auto kLongest = std::chrono::milliseconds(1000);
+  const auto rounded =
+      std::chrono::ceil<std::chrono::milliseconds>(std::min<Duration>(duration, kLongest));
+  return static_cast<int>(std::max(std::chrono::milliseconds(0), rounded).count());
 }
 
 bool IsPort(const std::string& text) {
@@ -48,123 +49,80 @@ std::string NotificationsOf(const std::string& address) {
   return address.substr(0, colon + 1) + std::to_string(std::stoi(address.substr(colon + 1)) + 1);
 }
 
-ClientBell::ClientBell(zmq::context_t& context)
-    : in_(context, zmq::socket_type::pair), out_(context, zmq::socket_type::pair) {
-  const std::string address = InnerAddress("bell-");
-  out_.bind(address);
-  in_.connect(address);
+ClientBell::ClientBell() : fd_(eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)) {
+  if (fd_ < 0) throw std::system_error(errno, std::generic_category(), "live client");
 }
 
-void ClientBell::Ring() {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  static_cast<void>(in_.send(zmq::message_t(), zmq::send_flags::dontwait));
+ClientBell::~ClientBell() { close(fd_); }
+
+void ClientBell::Ring() { eventfd_write(fd_, 1); }
+
+bool ClientBell::TakeRing() {
+  eventfd_t rings = 0;
+  return eventfd_read(fd_, &rings) == 0;
 }
 
-ClientSocket::ClientSocket(zmq::context_t& context, ClientBell& bell, const std::string& address,
-                           const WatcherKeys* keys)
-    : bell_(bell),
-      socket_(context, zmq::socket_type::dealer),
-      monitor_(context, zmq::socket_type::pair),
-      published_(context, zmq::socket_type::sub) {
-  socket_.set(zmq::sockopt::linger, 0);
-  socket_.set(zmq::sockopt::reconnect_ivl, kReconnectPause);
-  socket_.set(zmq::sockopt::maxmsgsize, static_cast<std::int64_t>(kLargestMessage));
-  socket_.set(zmq::sockopt::ipv6, true);
-  if (keys) {
-    socket_.set(zmq::sockopt::curve_serverkey, keys->robot);
-    socket_.set(zmq::sockopt::curve_publickey, keys->client.public_key);
-    socket_.set(zmq::sockopt::curve_secretkey, keys->client.secret_key);
-  }
-  const std::string inner = InnerAddress("monitor-");
-  constexpr int kEvents = ZMQ_EVENT_DISCONNECTED | ZMQ_EVENT_HANDSHAKE_FAILED_AUTH |
-                          ZMQ_EVENT_HANDSHAKE_FAILED_PROTOCOL |
-                          ZMQ_EVENT_HANDSHAKE_FAILED_NO_DETAIL;
-  if (zmq_socket_monitor(socket_.handle(), inner.c_str(), kEvents) != 0) throw zmq::error_t();
-  monitor_.connect(inner);
-  socket_.connect(address);
+ClientSocket::ClientSocket(ClientBell& bell, const std::string& address, const WatcherKeys* keys)
+    : bell_(bell), asking_(ClientConnection::Type::kDealer, address, keys) {}
+
+void ClientSocket::Listen(const std::string& address) {
+  listening_.emplace(ClientConnection::Type::kListener, address, nullptr);
 }
 
-ClientSocket::~ClientSocket() { zmq_socket_monitor(socket_.handle(), nullptr, 0); }
-
-void ClientSocket::Linger() {
-  constexpr int kLongest = 100;  // ms
-  socket_.set(zmq::sockopt::linger, kLongest);
+bool ClientSocket::HasMessage() const {
+  return asking_.has_message() || (listening_ && listening_->has_message());
 }
 
 ClientSocket::Event ClientSocket::Wait(Duration at_most) {
-  zmq::pollitem_t items[] = {{socket_.handle(), 0, ZMQ_POLLIN, 0},
-                             {bell_.out_.handle(), 0, ZMQ_POLLIN, 0},
-                             {monitor_.handle(), 0, ZMQ_POLLIN, 0},
-                             {published_.handle(), 0, ZMQ_POLLIN, 0}};
-  zmq::poll(items, 4, Milliseconds(at_most));
-  if ((items[0].revents | items[3].revents) & ZMQ_POLLIN) return Event::kMessage;
-  if (items[1].revents & ZMQ_POLLIN) {
-    zmq::message_t ring;
-    while (bell_.out_.recv(ring, zmq::recv_flags::dontwait)) continue;
-    return Event::kBell;
+  const Duration end = Now() + at_most;
+  for (Duration now = Now(); !HasMessage(); now = Now()) {
+    Duration wake = std::min(end, asking_.wake());
+    pollfd items[] = {{bell_.fd_, POLLIN, 0}, asking_.Wanted(), {-1, 0, 0}};
+    if (listening_) {
+      items[2] = listening_->Wanted();
+      wake = std::min(wake, listening_->wake());
+    }
+    poll(items, 3, Milliseconds(wake - now));
+    now = Now();
+    asking_.Go(items[1].revents, now);
+    if (listening_) listening_->Go(items[2].revents, now);
+    if (HasMessage()) break;
+    if (bell_.TakeRing()) return Event::kBell;
+    if (asking_.is_gone() && problem_.empty()) {
+      OnGone();
+      return Event::kGone;
+    }
+    if (now >= end) return Event::kTimeout;
   }
-  if (items[2].revents & ZMQ_POLLIN) return ReadMonitor() ? Event::kGone : Event::kTimeout;
-  return Event::kTimeout;
+  return Event::kMessage;
 }
 
-// True if it says that there is no connection any more.
-bool ClientSocket::ReadMonitor() {
-  zmq::message_t event;
-  zmq::message_t address;
-  if (!monitor_.recv(event, zmq::recv_flags::dontwait)) return false;
-  if (event.more()) static_cast<void>(monitor_.recv(address));
-  std::uint16_t number = 0;
-  if (event.size() < sizeof(number)) return false;
-  std::memcpy(&number, event.data(), sizeof(number));
-  switch (number) {
-    case ZMQ_EVENT_DISCONNECTED:
-    case ZMQ_EVENT_HANDSHAKE_FAILED_NO_DETAIL:
-    case ZMQ_EVENT_HANDSHAKE_FAILED_PROTOCOL:
-    case ZMQ_EVENT_HANDSHAKE_FAILED_AUTH:
-      problem_ = has_received_ ? "the connection is closed"
-                               : std::string(
-                                     "the robot closed the connection at once; perhaps it "
-                                     "needs another token in ") +
-                                     kTokenVariable;
-      return true;
-    default:
-      return false;
+void ClientSocket::OnGone() {
+  if (asking_.was_refused()) {
+    problem_ = "the robot sent what is no message or is too large for one";
+  } else if (has_received_) {
+    problem_ = "the connection is closed";
+  } else {
+    problem_ =
+        std::string("the robot closed the connection at once; perhaps it needs another token in ") +
+        kTokenVariable;
   }
-}
-
-void ClientSocket::Listen(const std::string& address) {
-  published_.set(zmq::sockopt::linger, 0);
-  published_.set(zmq::sockopt::maxmsgsize, static_cast<std::int64_t>(kLargestMessage));
-  published_.set(zmq::sockopt::ipv6, true);
-  published_.set(zmq::sockopt::subscribe, "");
-  published_.connect(address);
 }
 
 ClientSocket::Parts ClientSocket::Receive() {
-  Parts parts = ReceiveFrom(socket_);
+  Parts parts = asking_.Receive();
   has_received_ = has_received_ || !parts.empty();
-  return parts.empty() ? ReceiveFrom(published_) : parts;
-}
-
-ClientSocket::Parts ClientSocket::ReceiveFrom(zmq::socket_t& socket) {
-  Parts parts;
-  zmq::message_t part;
-  if (!socket.recv(part, zmq::recv_flags::dontwait)) return parts;
-  parts.push_back(part.to_string());
-  while (part.more()) {
-    static_cast<void>(socket.recv(part));
-    parts.push_back(part.to_string());
-  }
-  if (parts.front().empty()) parts.erase(parts.begin());
+  if (parts.empty() && listening_) parts = listening_->Receive();
+  if (!parts.empty() && parts.front().empty()) parts.erase(parts.begin());
   return parts;
 }
 
 void ClientSocket::Send(const Parts& parts) {
-  if (!socket_.send(zmq::message_t(), zmq::send_flags::sndmore | zmq::send_flags::dontwait)) return;
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    const auto flags = i + 1 == parts.size() ? zmq::send_flags::none : zmq::send_flags::sndmore;
-    socket_.send(zmq::buffer(parts[i]), flags);
-  }
+  Parts message = {""};  // as a REP awaits it
+  message.insert(message.end(), parts.begin(), parts.end());
+  asking_.Send(message);
 }
+
+void ClientSocket::Linger() { asking_.Finish(std::chrono::milliseconds(100)); }
 
 }  // namespace coppice

@@ -1,15 +1,16 @@
-// The client's end of a connection: a DEALER socket that also tells when the robot is gone, and
-// that another thread can wake.
+// The client's end of the live socket: requests and answers, what is published, when the robot is
+// gone, and a bell with which another thread wakes who waits for all that. The client's thread
+// only, but for the bell; it has no other.
 #ifndef COPPICE_BT_CORE_LIVE_CLIENT_CLIENT_SOCKET_H_
 #define COPPICE_BT_CORE_LIVE_CLIENT_CLIENT_SOCKET_H_
 
 #include <cstdint>
-#include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
-#include <zmq.hpp>
 
 #include "bt_core/base/clock.h"
+#include "bt_core/live/client/client_connection.h"
 #include "bt_core/live/server/token_keys.h"
 
 namespace coppice {
@@ -17,30 +18,34 @@ namespace coppice {
 /// Wakes the thread that waits at a ClientSocket.
 class ClientBell {
  public:
-  explicit ClientBell(zmq::context_t& context);
+  /// Throws std::system_error if the program has no descriptor left.
+  ClientBell();
+  ~ClientBell();
+  ClientBell(const ClientBell&) = delete;
+  ClientBell& operator=(const ClientBell&) = delete;
+
   /// Any thread.
   void Ring();
 
  private:
   friend class ClientSocket;
 
-  std::mutex mutex_;
-  zmq::socket_t in_;
-  zmq::socket_t out_;
+  bool TakeRing();
+
+  const int fd_;
 };
 
 class ClientSocket {
  public:
   using Parts = std::vector<std::string>;
 
-  /// Connects to `address` (AddressOf) when it can, again and again; with keys encrypted.
-  ClientSocket(zmq::context_t& context, ClientBell& bell, const std::string& address,
-               const WatcherKeys* keys);
-  ~ClientSocket();
+  /// Connects to `address` (AddressOf) when it can, again and again; with keys, which must live
+  /// longer, encrypted.
+  ClientSocket(ClientBell& bell, const std::string& address, const WatcherKeys* keys);
   ClientSocket(const ClientSocket&) = delete;
   ClientSocket& operator=(const ClientSocket&) = delete;
 
-  /// Also receives what is published there.
+  /// Also receives what is published there, without encryption.
   void Listen(const std::string& address);
 
   enum class Event : std::uint8_t {
@@ -57,20 +62,19 @@ class ClientSocket {
 
   void Send(const Parts& parts);
 
-  /// What was sent last still goes out when the socket is closed.
+  /// What was sent last still goes out: waits for that, at most 100 ms.
   void Linger();
 
   /// Why there is no connection, for people; empty while that is not known.
   const std::string& problem() const { return problem_; }
 
  private:
-  bool ReadMonitor();
-  static Parts ReceiveFrom(zmq::socket_t& socket);
+  bool HasMessage() const;
+  void OnGone();
 
   ClientBell& bell_;
-  zmq::socket_t socket_;
-  zmq::socket_t monitor_;
-  zmq::socket_t published_;
+  ClientConnection asking_;
+  std::optional<ClientConnection> listening_;
   bool has_received_ = false;
   std::string problem_;
 };

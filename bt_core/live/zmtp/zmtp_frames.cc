@@ -1,6 +1,6 @@
 #include "bt_core/live/zmtp/zmtp_frames.h"
 
-#include <algorithm>
+#include <utility>
 
 namespace coppice::zmtp {
 namespace {
@@ -39,10 +39,10 @@ std::string Padded(std::string_view mechanism) {
 
 }  // namespace
 
-std::string MakeGreeting(std::string_view mechanism) {
+std::string MakeGreeting(std::string_view mechanism, bool is_server) {
   std::string greeting("\xff\0\0\0\0\0\0\0\1\x7f\3\0", kMechanismAt);
   greeting += Padded(mechanism);
-  greeting += static_cast<char>(mechanism == "CURVE");  // as the server of the mechanism
+  greeting += static_cast<char>(is_server);
   greeting.resize(kGreetingSize);
   return greeting;
 }
@@ -73,17 +73,40 @@ FrameReader::Result FrameReader::TakeBytes(std::size_t size, std::string_view& b
 }
 
 FrameReader::Result FrameReader::TakeFrame(std::size_t limit, std::uint8_t& flags,
-                                           std::string_view& body) {
+                                           std::string& body) {
+  if (!is_in_frame_) {
+    const Result result = TakeHeader(limit);
+    if (result != Result::kDone) return result;
+  }
+  TakeBody();
+  if (body_.size() < size_) return Result::kIncomplete;
+  is_in_frame_ = false;
+  flags = flags_;
+  body = std::exchange(body_, {});
+  return Result::kDone;
+}
+
+FrameReader::Result FrameReader::TakeHeader(std::size_t limit) {
   if (rest().empty()) return Result::kIncomplete;
-  flags = static_cast<std::uint8_t>(rest()[0]);
+  const auto flags = static_cast<std::uint8_t>(rest()[0]);
   const std::size_t header = 1 + ((flags & kLong) ? 8 : 1);
   if (rest().size() < header) return Result::kIncomplete;
   const std::uint64_t size = ReadNumber(rest().substr(1, header - 1));
   if (size > limit) return Result::kTooLarge;
-  if (rest().size() < header + size) return Result::kIncomplete;
-  body = rest().substr(header, size);
-  used_ += header + size;
+  used_ += header;
+  is_in_frame_ = true;
+  flags_ = flags;
+  size_ = size;
   return Result::kDone;
+}
+
+// Memory is at most four times of what has come, and while it moves never more than the frame.
+void FrameReader::TakeBody() {
+  const std::string_view piece = rest().substr(0, size_ - body_.size());
+  const std::size_t needed = body_.size() + piece.size();
+  if (needed > body_.capacity()) body_.reserve(size_ / 4 <= needed ? size_ : 2 * needed);
+  body_ += piece;
+  used_ += piece.size();
 }
 
 std::string_view TakeName(std::string_view& body) {

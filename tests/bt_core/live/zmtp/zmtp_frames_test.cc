@@ -24,7 +24,7 @@ TEST(ZmtpFrames, AreReadAsTheyWereWrittenAlsoByteByByte) {
   AppendFrame(0, std::string(300, 'x'), bytes);
   FrameReader reader;
   std::uint8_t flags = 0;
-  std::string_view body;
+  std::string body;
   std::string read;
   for (const char byte : bytes) {
     reader.Append({&byte, 1});
@@ -39,7 +39,7 @@ TEST(ZmtpFrames, RefuseALongOneBeforeItIsThere) {
   FrameReader reader;
   reader.Append(std::string_view("\2\0\0\0\0\0\1\0\0", 9));
   std::uint8_t flags = 0;
-  std::string_view body;
+  std::string body;
   EXPECT_EQ(reader.TakeFrame(65535, flags, body), Result::kTooLarge);
   EXPECT_EQ(reader.TakeFrame(65536, flags, body), Result::kIncomplete);
 }
