@@ -1,8 +1,7 @@
 # What the engine's libraries need, for this build and for those who use an installed Coppice.
 #   coppice_dependencies(LIVE bool RESULT variable)
 #   Makes Threads::Threads, coppice::tinyxml2, coppice::zstd and, for the live socket,
-#   PkgConfig::ZMQ and PkgConfig::SODIUM. Sets the variable to what is missing, in words, or to
-#   nothing.
+#   PkgConfig::SODIUM. Sets the variable to what is missing, in words, or to nothing.
 macro(coppice_dependencies)
   cmake_parse_arguments(COPPICE_DEPENDENCIES "" "LIVE;RESULT" "" ${ARGN})
   set(${COPPICE_DEPENDENCIES_RESULT})
@@ -32,16 +31,6 @@ macro(coppice_dependencies)
     set_target_properties(coppice::zstd PROPERTIES IMPORTED_LOCATION ${COPPICE_ZSTD})
   endif()
 
-  if(${COPPICE_DEPENDENCIES_LIVE} AND NOT TARGET PkgConfig::ZMQ)
-    find_package(PkgConfig QUIET)
-    if(PkgConfig_FOUND)
-      pkg_check_modules(ZMQ QUIET IMPORTED_TARGET GLOBAL libzmq)
-    endif()
-    if(NOT TARGET PkgConfig::ZMQ)
-      set(${COPPICE_DEPENDENCIES_RESULT}
-          "ZeroMQ was not found; on Debian and Ubuntu: apt-get install pkg-config libzmq3-dev")
-    endif()
-  endif()
   if(${COPPICE_DEPENDENCIES_LIVE} AND NOT TARGET PkgConfig::SODIUM)
     find_package(PkgConfig QUIET)
     if(PkgConfig_FOUND)

@@ -19,7 +19,7 @@ set(CPACK_DEBIAN_ENGINE_PACKAGE_NAME coppice)
 set(CPACK_COMPONENT_ENGINE_DESCRIPTION "Runs, checks, tests, records and replays trees; to build robots with.")
 # Who compiles against it needs what CoppiceDependencies.cmake looks for.
 set(CPACK_DEBIAN_ENGINE_PACKAGE_SUGGESTS
-    "libtinyxml2-dev, libzstd-dev, libzmq3-dev, libsodium-dev, libboost-dev, pkg-config")
+    "libtinyxml2-dev, libzstd-dev, libsodium-dev, libboost-dev, pkg-config")
 set(CPACK_DEBIAN_ENGINE_PACKAGE_RECOMMENDS coppice-web)
 
 if(TARGET coppice-edit)

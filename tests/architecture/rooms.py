@@ -132,7 +132,7 @@ FOREIGN = {  # name: (pattern, where at all, where in headers)
     "OpenCV and PCL": (r"(opencv2|pcl\w*|cv_bridge)/", ("robot_app",), ("robot_app",)),
     "Dear ImGui and GLFW": (r"(imgui|GLFW/|backends/imgui)", ("editor",), ("editor",)),
     "JSON": (r"nlohmann/json\.hpp", ("bt_core", "editor/live", "robot_app"), ()),
-    "ZeroMQ": (r"zmq", ("bt_core/live",), ("bt_core/live", "bt_core/live/server")),
+    "ZeroMQ": (r"zmq\.", (), ()),
     "Boost": (r"boost/", ("bt_core/live", "robot_app"), ("bt_core/live/web", "robot_app")),
     "tinyxml2": (r"tinyxml2", ("bt_core/model",), ()),
 }

@@ -76,6 +76,10 @@ bool ClientSocket::HasMessage() const {
 ClientSocket::Event ClientSocket::Wait(Duration at_most) {
   const Duration end = Now() + at_most;
   for (Duration now = Now(); !HasMessage(); now = Now()) {
+    if (asking_.is_gone() && problem_.empty()) {
+      OnGone();
+      return Event::kGone;
+    }
     Duration wake = std::min(end, asking_.wake());
     pollfd items[] = {{bell_.fd_, POLLIN, 0}, asking_.Wanted(), {-1, 0, 0}};
     if (listening_) {
@@ -88,10 +92,6 @@ ClientSocket::Event ClientSocket::Wait(Duration at_most) {
     if (listening_) listening_->Go(items[2].revents, now);
     if (HasMessage()) break;
     if (bell_.TakeRing()) return Event::kBell;
-    if (asking_.is_gone() && problem_.empty()) {
-      OnGone();
-      return Event::kGone;
-    }
     if (now >= end) return Event::kTimeout;
   }
   return Event::kMessage;
