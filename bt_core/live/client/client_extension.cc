@@ -14,6 +14,8 @@ constexpr Duration kPingPeriod = std::chrono::milliseconds(1000);
 constexpr Duration kPatience = std::chrono::milliseconds(3000);
 constexpr std::size_t kLongHeaderSize = 22;
 constexpr char kVersion = 2;
+constexpr std::size_t kMaxJson = 1 << 20;       // bytes: read, it takes many times of that
+constexpr std::size_t kMaxReason = 1 << 10;     // of a refusal, for people
 constexpr std::size_t kMostEarlyNotices = 100;  // the newest
 
 template <class T>
@@ -61,12 +63,16 @@ Duration ClientExtension::OnTime(Duration now) {
 void ClientExtension::OnMessage(const Parts& parts, Duration now) {
   heard_ = now;
   if (parts.size() == 2 && parts[0] == "error") {  // not even the extension
-    return is_subscribed_ ? Fail("the robot answers: " + parts[1]) : FailForProtocol();
+    return is_subscribed_ ? Fail("the robot answers: " + parts[1].substr(0, kMaxReason))
+                          : FailForProtocol();
   }
   if (parts.size() != 2 || parts[0].size() != kLongHeaderSize || parts[0][0] != kVersion) {
     return FailForProtocol();
   }
   pinged_ = false;
+  if (parts[0][1] != 'F' && parts[1].size() > kMaxJson) {
+    return Fail("the robot sent an answer that is too large");
+  }
   switch (parts[0][1]) {
     case 'C':
       return OnReply(parts);

@@ -10,6 +10,7 @@ namespace coppice {
 namespace {
 
 constexpr Duration kPatience = std::chrono::milliseconds(2000);
+constexpr std::size_t kMaxAnswer = 16 << 20;  // bytes: read, it takes many times of that
 constexpr char kVersion = 2;
 constexpr std::size_t kRequestHeader = 6;
 constexpr std::size_t kReplyHeader = 22;
@@ -183,6 +184,9 @@ void ClientGroot2::SendNext(Duration now) {
 }
 
 void ClientGroot2::OnMessage(const Parts& parts, Duration now) {
+  if (parts.size() > 1 && parts[1].size() > kMaxAnswer) {
+    return Fail("the robot sent an answer that is too large");
+  }
   if (parts[0].size() == kRequestHeader && parts[0][1] == kNotification && parts.size() > 1) {
     return OnNotification(parts[1]);
   }
