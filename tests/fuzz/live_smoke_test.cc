@@ -72,9 +72,23 @@ INSTANTIATE_TEST_SUITE_P(Kinds, FuzzZmtpTest, testing::Values('N', 'C', 'R'));
 
 TEST(FuzzZmtp, AListenerIsLetIn) { EXPECT_EQ(FuzzZmtp(SomeZmtpTopics()), 1); }
 
+class FuzzRobotTest : public testing::TestWithParam<char> {};
+
+TEST_P(FuzzRobotTest, MutatedRobotsNeverCrashAClient) {
+  const std::string talk = SomeZmtpRobot(GetParam());
+  EXPECT_EQ(FuzzRobot(talk), 2);
+  std::array<int, 3> reached{};
+  for (unsigned seed = 0; seed < 2000; ++seed) ++reached[FuzzRobot(Mutator(seed).Mutate(talk))];
+  EXPECT_GT(reached[0], 50) << "some are not believed";
+  EXPECT_GT(reached[2], 500) << "many are heard";
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, FuzzRobotTest, testing::Values('N', 'C', 'S'));
+
 TEST(FuzzLive, EmptyInputIsFine) {
   EXPECT_EQ(FuzzLive(""), 0);
   EXPECT_EQ(FuzzClient(""), 0);
+  EXPECT_EQ(FuzzRobot(""), 0);
   EXPECT_EQ(FuzzWeb(""), 0);
   EXPECT_EQ(FuzzZmtp(""), 0);
 }
@@ -83,6 +97,7 @@ TEST(FuzzLive, EmptyInputIsFine) {
 TEST(FuzzLive, WhatOnceCrashedDoesNotAnyMore) {
   RunRegressions("client", FuzzClient);
   RunRegressions("live", FuzzLive);
+  RunRegressions("robot", FuzzRobot);
   RunRegressions("web", FuzzWeb);
   RunRegressions("zmtp", FuzzZmtp);
 }

@@ -219,11 +219,22 @@ std::string SomeZmtpTopics() {
          Say('m', std::string("\0note", 5));
 }
 
+std::string SomeZmtpRobot(char kind) {
+  std::string talk = kind + Say('b', ZmtpGreeting(kind == 'C' ? "CURVE" : "NULL"));
+  if (kind == 'C') talk += Say('h', "");
+  talk += Say('i', SocketType(kind == 'S' ? "PUB" : "ROUTER")) +
+          Say('p', std::string("\4PING\0\1again", 12));
+  for (int i = 0; i < 8; ++i) talk += Say('M', "") + Say('M', "header") + Say('m', "body");
+  return talk;
+}
+
 std::vector<std::pair<std::string, std::string>> AllSeeds() {
-  return {{"btlog", SomeBtlog()},      {"client", SomeTalk()},      {"client", SomeGroot2Talk()},
-          {"history", SomeHistory()},  {"live", SomeRequests()},    {"record", SomeRecord()},
-          {"web", SomeWebRequest()},   {"web", SomeWebMessages()},  {"zmtp", SomeZmtpTalk('N')},
-          {"zmtp", SomeZmtpTalk('C')}, {"zmtp", SomeZmtpTalk('R')}, {"zmtp", SomeZmtpTopics()}};
+  return {
+      {"btlog", SomeBtlog()},        {"client", SomeTalk()},        {"client", SomeGroot2Talk()},
+      {"history", SomeHistory()},    {"live", SomeRequests()},      {"record", SomeRecord()},
+      {"web", SomeWebRequest()},     {"web", SomeWebMessages()},    {"zmtp", SomeZmtpTalk('N')},
+      {"zmtp", SomeZmtpTalk('C')},   {"zmtp", SomeZmtpTalk('R')},   {"zmtp", SomeZmtpTopics()},
+      {"robot", SomeZmtpRobot('N')}, {"robot", SomeZmtpRobot('C')}, {"robot", SomeZmtpRobot('S')}};
 }
 
 }  // namespace coppice::fuzz
