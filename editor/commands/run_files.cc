@@ -1,13 +1,18 @@
 #include "editor/commands/run_files.h"
 
+#include <chrono>
+#include <ctime>
 #include <filesystem>
+#include <iomanip>
 #include <memory>
+#include <sstream>
 #include <utility>
 
 #include "bt_core/analysis/formats/tree_file.h"
 #include "bt_core/analysis/formats/write_record.h"
 #include "bt_core/model/write_file.h"
 #include "editor/workspace/file_dialog.h"
+#include "editor/workspace/file_keeper.h"
 
 namespace coppice::editor {
 namespace {
@@ -49,6 +54,26 @@ fs::path FolderFor(EditorState& state, const RunView& run) {
   return file ? fs::path(file->path).parent_path() : fs::path();
 }
 
+// When the run began, as "_2026-11-23_21-30-05"; nothing on simulated time, which has no date.
+std::string DateOf(Time start) {
+  constexpr std::time_t kYear2000 = 946684800;
+  const auto seconds = static_cast<std::time_t>(
+      std::chrono::duration_cast<std::chrono::seconds>(start.time_since_epoch()).count());
+  if (seconds < kYear2000) return {};
+  std::tm local{};
+  localtime_r(&seconds, &local);
+  std::ostringstream text;
+  text << std::put_time(&local, "_%Y-%m-%d_%H-%M-%S");
+  return text.str();
+}
+
+std::string NameOfRecord(const RunView& run) {
+  if (!run.run().has_tree()) return "run.coppice";
+  const Recording& recording = run.run().recording();
+  const fs::path tree(recording.trees().front().main_tree);
+  return tree.filename().string() + DateOf(recording.start()) + ".coppice";
+}
+
 void AskForTree(EditorState& state) {
   const RunView* const run = state.workspace.run();
   if (!run || !run->tree()) return state.Notify("no tree was received yet", state.now, true);
@@ -62,8 +87,9 @@ void AskForTree(EditorState& state) {
 
 void AskForRecord(EditorState& state) {
   const RunView* const run = state.workspace.run();
+  const std::string wanted = (FolderFor(state, *run) / NameOfRecord(*run)).string();
   OpenSaveDialog(state, "Save what was received from " + run->name() + " as a record",
-                 (FolderFor(state, *run) / "run.coppice").string(),
+                 FileKeeper(state, state.now).FreePath(wanted),
                  [&state](const std::string& path) { return SaveRecord(state, path); });
 }
 

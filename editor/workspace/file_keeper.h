@@ -42,10 +42,12 @@ class FileKeeper {
   void Restore(UnsavedCopy copy);
   void Forget(const UnsavedCopy& copy) { state_.work.Forget(copy); }
 
+  /// That path or, if there is such a file, the next free one: "a-2.xml".
+  std::string FreePath(const std::string& wanted) const;
+
  private:
   void AskPath(const std::string& path, const std::function<void()>& then);
   std::string OpenPathOf(const UnsavedCopy& copy) const;
-  std::string FreePath(const std::string& wanted) const;
 
   EditorState& state_;
   const double now_;

@@ -98,6 +98,23 @@ TEST_F(RunCommandsTest, SavesWhatWasReceivedAndOpensItAgain) {
   EXPECT_EQ(state().workspace.run()->run().size(), 25U);
 }
 
+TEST_F(RunCommandsTest, ARecordIsOfferedTheNameOfItsTreeThatIsFree) {
+  const TemporaryFile file("a.coppice", "");
+  AddExecuted(driver_, file.path(), 3, false);
+  const auto offered = [this] {
+    state().commands.Run("run.save");
+    driver_.Frames();
+    std::string name = std::filesystem::path(state().popup.text).filename();
+    driver_.Press(kKeyEscape);
+    return name;
+  };
+  const std::string first = offered();
+  EXPECT_EQ(first.substr(0, 4), "Main");
+  ASSERT_EQ(first.substr(first.size() - 8), ".coppice");
+  WriteFile(file.folder() + "/" + first, "precious");
+  EXPECT_EQ(offered(), first.substr(0, first.size() - 8) + "-2.coppice");
+}
+
 TEST_F(RunCommandsTest, ARecordIsNeverOverwritten) {
   AddExecuted(driver_, "robot:1", 3);
   const TemporaryFile there("run.coppice", "precious");
