@@ -104,6 +104,7 @@ struct OpenMenuState {
   Point at;           ///< of its corner, if it hangs at no item
   std::string below;  ///< path of the item that it hangs at; empty: none
   int choice = -1;    ///< highlighted entry; -1: none
+  int seen = -1;      ///< the choice that was brought into view last
 };
 
 /// What is open of the menus: one, with its submenus behind it.

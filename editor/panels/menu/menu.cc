@@ -1,8 +1,10 @@
-// A window of the size of the screen takes the clicks beside the menus; each menu lies on it.
+// A window of the size of the screen takes the clicks beside the menus; each menu lies on it. One
+// that is longer than the screen has a scrollbar.
 #include "editor/panels/menu/menu.h"
 
 #include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "editor/commands/menus.h"
@@ -77,7 +79,10 @@ class Menus {
     if (items.empty()) return state_.menu.open.resize(level);
     float height = 2 * kPad;
     for (const MenuItem& item : items) height += HeightOf(item);
-    const Point size = {Width(items), std::min(height * ui_.scale, ImGui::GetIO().DisplaySize.y)};
+    const float screen = ImGui::GetIO().DisplaySize.y;
+    const bool is_long = height * ui_.scale > screen;
+    const float bar = is_long ? ImGui::GetStyle().ScrollbarSize : 0;
+    const Point size = {Width(items) + bar, std::min(height * ui_.scale, screen)};
     const Point at = Corner(level, size);
     ImGui::SetNextWindowPos(ToIm(at));
     ImGui::SetNextWindowSize(ToIm(size));
@@ -86,7 +91,8 @@ class Menus {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, kPad * ui_.scale});
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
-    ImGui::Begin(("menu " + std::to_string(level)).c_str(), nullptr, kFlags);
+    ImGui::Begin(("menu " + std::to_string(level)).c_str(), nullptr,
+                 is_long ? kFlags & ~ImGuiWindowFlags_NoScrollbar : kFlags);
     ImGui::PopStyleColor(2);
     const Box box = {at, at + size};
     is_over_ = is_over_ || box.Contains(mouse_);
@@ -104,10 +110,8 @@ class Menus {
     OpenMenuState& menu = state_.menu.open[level];
     const Row row = NextRow(ui_, item.path, number == menu.choice, kEntry);
     if (row.hovered && mouse_moved_) Hover(level, item, number);
-    if (!row.visible) {
-      if (menu.choice == number && !mouse_moved_) ImGui::SetScrollHereY();
-      return;
-    }
+    if (state_.menu.open[level].choice == number) BringIntoView(state_.menu.open[level]);
+    if (!row.visible) return;
     PaintItem(item, row.box);
     const bool is_chosen = state_.menu.open[level].choice == number;
     if (is_chosen && !item.why_not.empty()) {
@@ -118,6 +122,15 @@ class Menus {
       ui_.items.Add("menu/why_not", row.box);
     }
     if (row.clicked) ChooseItem(state_, level, item);
+  }
+
+  // What keys have chosen. Once: then the mouse may scroll away from it.
+  void BringIntoView(OpenMenuState& menu) const {
+    if (std::exchange(menu.seen, menu.choice) == menu.choice || mouse_moved_) return;
+    const float top = ImGui::GetWindowPos().y;
+    const bool is_whole = ImGui::GetItemRectMin().y >= top &&
+                          ImGui::GetItemRectMax().y <= top + ImGui::GetWindowHeight();
+    if (!is_whole) ImGui::SetScrollHereY();
   }
 
   // The mouse chooses, and opens and closes submenus.

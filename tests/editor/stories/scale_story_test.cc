@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "editor/commands/menus.h"
 #include "editor/theme/fonts.h"
 #include "tests/editor/driver.h"
 
@@ -53,6 +54,55 @@ TEST_F(ScaleStory, TheViewMenuOffersScales) {
   driver_->MoveTo(driver_->BoxOf("menu/view.scale").center());
   driver_->Frames(20);
   driver_->Picture("scale_200");
+}
+
+// Of a menu that is longer than the screen.
+class LongMenuStory : public ScaleStory {
+ protected:
+  LongMenuStory() {
+    for (int i = 0; i < 4; ++i) driver_->Press('=', kCtrl);
+    driver_->input.height = 600;
+    driver_->Frames(20);
+    driver_->Click("menu/view");
+    driver_->Frames(4);
+    const std::vector<MenuItem> items = ItemsOf(driver_->editor.state(), "view");
+    first_ = items.front().path;
+    last_ = items.back().path;
+  }
+  bool Shows(const std::string& item) const {
+    const Box box = driver_->BoxOf(item);
+    return driver_->Has(item) && box.min.y >= 0 && box.max.y <= driver_->input.height;
+  }
+  std::string first_, last_;
+};
+
+TEST_F(LongMenuStory, KeysReachTheLastEntry) {
+  ASSERT_TRUE(Shows(first_));
+  ASSERT_FALSE(Shows(last_));
+  driver_->Press(kKeyUp);
+  driver_->Press(kKeyUp);
+  driver_->Press(kKeyDown);
+  driver_->Frames(10);
+  EXPECT_TRUE(Shows(last_));
+  EXPECT_FALSE(Shows(first_));
+}
+
+TEST_F(LongMenuStory, TheWheelReachesTheLastEntryAndTheMenuStaysThere) {
+  ASSERT_FALSE(Shows(last_));
+  driver_->MoveTo(driver_->BoxOf(first_).center());
+  for (int i = 0; i < 40; ++i) driver_->Wheel(-1);
+  driver_->Frames(10);
+  EXPECT_TRUE(Shows(last_));
+  driver_->Picture("long_menu");
+}
+
+TEST_F(LongMenuStory, TheScrollbarReachesTheLastEntryAndTheMenuStaysThere) {
+  ASSERT_FALSE(Shows(last_));
+  const Box menu = driver_->BoxOf("menu/window/0");
+  const float across = menu.max.x - 5;
+  driver_->Drag({across, menu.min.y + 20}, {across, menu.max.y - 2});
+  driver_->Frames(10);
+  EXPECT_TRUE(Shows(last_));
 }
 
 TEST_F(ScaleStory, IsThereAgainTheNextTime) {
