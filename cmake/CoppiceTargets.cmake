@@ -28,6 +28,16 @@ function(coppice_program name)
   endif()
 endfunction()
 
+# coppice_test_program(NAME SOURCES... [LINK libraries...])   builds build/tests/bin/NAME
+function(coppice_test_program name)
+  cmake_parse_arguments(ARG "" "" "LINK" ${ARGN})
+  add_executable(${name} ${ARG_UNPARSED_ARGUMENTS} ${COPPICE_SANITIZER_OPTIONS})
+  target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR})
+  target_link_libraries(${name} PRIVATE ${ARG_LINK} coppice_warnings)
+  set_target_properties(${name} PROPERTIES
+    RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests/bin)
+endfunction()
+
 # coppice_test(NAME SOURCES... [LINK libraries...] [TIMEOUT seconds] [SERIAL] [OPTIMIZED])
 #   A GoogleTest program in build/tests/bin whose suites become tests of ctest, "NAME.SUITE": to
 #   start a process (a ROS master, the fonts) for each case takes longer than most cases.
@@ -43,16 +53,12 @@ function(coppice_test name)
     math(EXPR ARG_TIMEOUT "5 * ${ARG_TIMEOUT}")
   endif()
   coppice_join(${name} sources ${ARG_UNPARSED_ARGUMENTS})
-  add_executable(${name} ${sources} ${COPPICE_SANITIZER_OPTIONS})
-  target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR})
-  target_link_libraries(${name} PRIVATE
-    ${ARG_LINK} test_support GTest::gmock GTest::gtest_main coppice_warnings)
+  coppice_test_program(${name} ${sources}
+    LINK ${ARG_LINK} test_support GTest::gmock GTest::gtest_main)
   if(NOT ARG_OPTIMIZED)
     target_compile_options(${name} PRIVATE ${COPPICE_TEST_OPTIONS})
     coppice_precompile(${name} test)
   endif()
-  set_target_properties(${name} PROPERTIES
-    RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests/bin)
   coppice_list_suites(${name} TIMEOUT,${ARG_TIMEOUT},RUN_SERIAL,${ARG_SERIAL})
 endfunction()
 

@@ -135,9 +135,6 @@ class ActionPort {
 
   const std::string name_;
   const Evaluate evaluate_;
-  Client client_;
-  typename Client::GoalHandle handle_;  // tracks the goal while it lives; used by the timer only
-  ros::WallTimer timer_;
 
   std::mutex mutex_;
   State state_ = State::kNone;
@@ -146,6 +143,11 @@ class ActionPort {
   Sender<leaves::ActionResult> done_;
   bool was_sent_again_ = false;
   ros::WallTime since_;  // of the state; in kSent the last time the server was seen
+
+  // Last: their callbacks use all of the above until they are gone.
+  Client client_;
+  typename Client::GoalHandle handle_;  // tracks the goal while it lives; used by the timer only
+  ros::WallTimer timer_;
 };
 
 /// ok if the goal succeeded, else the server's text.

@@ -69,9 +69,9 @@ class RosSupervisorsTest : public testing::Test {
   const std::string config_ =
       testing::TempDir() + "supervisors_" + std::to_string(getpid()) + ".yaml";
   ros::NodeHandle node_;
-  ros::Subscriber list_subscriber_;
   std::mutex mutex_;
   coppice_msgs::HelpRequests list_;
+  ros::Subscriber list_subscriber_;  // its callback fills the list until it is gone
   ChildProcess assistance_;
   RosSupervisors supervisors_{node_};
   LeafHarness harness_ =
