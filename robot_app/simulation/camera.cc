@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kFarthest = 60;  // m
 constexpr double kTile = 1;       // m
-constexpr double kHeadHeight = 1.5;
+constexpr double kHead = 0.25;    // m
 constexpr double kHeadRadius = 0.12;
 
 constexpr Colour kWall{205, 203, 190};
@@ -96,23 +96,24 @@ class Renderer {
       slices.push_back({range * cosine, 0, surface.height, Shaded(surface.colour, light)});
     }
     for (std::size_t i = 0; i < world_.people().size(); ++i) {
-      AddPerson(world_.people()[i], kClothes[i % kClothes.size()], direction, cosine, slices);
+      AddPerson(world_.people()[i], world_.floor().people[i].height, kClothes[i % kClothes.size()],
+                direction, cosine, slices);
     }
     std::sort(slices.begin(), slices.end(),
               [](const Slice& a, const Slice& b) { return a.range > b.range; });
     return slices;
   }
 
-  void AddPerson(const Disc& body, const Colour& clothes, Vec2 direction, double cosine,
-                 std::vector<Slice>& slices) const {
+  void AddPerson(const Disc& body, double height, const Colour& clothes, Vec2 direction,
+                 double cosine, std::vector<Slice>& slices) const {
     for (const bool is_head : {false, true}) {
       const Disc disc{body.center, is_head ? kHeadRadius : body.radius};
       const double range = CastAtDisc(disc, camera_.position(), direction, kFarthest);
       if (range >= kFarthest) continue;
       const Vec2 hit = camera_.position() + direction * range - disc.center;
       const double light = (0.65 - 0.35 * Dot(hit, direction) / disc.radius) * Fog(range);
-      slices.push_back({range * cosine, is_head ? kHeadHeight : 0,
-                        is_head ? kPersonHeight : kHeadHeight,
+      slices.push_back({range * cosine, is_head ? height - kHead : 0,
+                        is_head ? height : height - kHead,
                         Shaded(is_head ? kSkin : clothes, light)});
     }
   }

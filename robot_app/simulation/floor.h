@@ -39,6 +39,7 @@ struct Walker {
   std::string name;
   double speed = 1;  ///< m/s
   std::vector<Vec2> path;
+  double height = 1.75;  ///< m
 };
 
 struct FloorWaypoint {

@@ -37,10 +37,12 @@ void People::Walk(std::size_t i, double dt, const Disc& robot, const RayCaster& 
   const double step = walkers_[i].speed * dt;
   if (left <= step) return Advance(i);
   const Vec2 direction = way * (1 / left);
+  states_[i].heading = std::atan2(direction.y, direction.x);
   const Vec2 there = here + direction * step;
   const double reach = kPersonRadius + kWallDistance + step;
   if (!RobotInTheWay(robot, here, there) && still.Cast(here, direction, reach) >= reach) {
     here = there;
+    states_[i].walked += step;
     states_[i].waited = 0;
     return;
   }
@@ -52,6 +54,21 @@ void People::Walk(std::size_t i, double dt, const Disc& robot, const RayCaster& 
 
 void People::Step(double dt, const Disc& robot, const RayCaster& still) {
   for (std::size_t i = 0; i < discs_.size(); ++i) Walk(i, dt, robot, still);
+}
+
+std::vector<Figure> People::Figures() const {
+  std::vector<Figure> figures;
+  figures.reserve(discs_.size());
+  for (std::size_t i = 0; i < discs_.size(); ++i) {
+    Stance stance;
+    stance.position = discs_[i].center;
+    stance.heading = states_[i].heading;
+    stance.walked = states_[i].walked;
+    stance.walks = states_[i].waited <= 0;
+    stance.height = walkers_[i].height;
+    figures.push_back(MakeFigure(stance));
+  }
+  return figures;
 }
 
 }  // namespace coppice::robot::simulation

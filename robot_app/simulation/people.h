@@ -6,11 +6,11 @@
 
 #include "robot_app/simulation/floor.h"
 #include "robot_app/simulation/ray_caster.h"
+#include "robot_app/simulation/scene/figure.h"
 
 namespace coppice::robot::simulation {
 
 inline constexpr double kPersonRadius = 0.25;   ///< m
-inline constexpr double kPersonHeight = 1.75;   ///< m
 inline constexpr double kPersonDistance = 0.6;  ///< m, kept from the robot's edge when walking
 inline constexpr double kPersonPatience = 4;    ///< s of waiting, then the person turns round
 
@@ -27,12 +27,16 @@ class People {
 
   /// In the order of the floor.
   const std::vector<Disc>& discs() const { return discs_; }
+  /// How everybody looks to sensors at any height, in the same order.
+  std::vector<Figure> Figures() const;
 
  private:
   struct State {
     std::size_t target = 0;  // point of the path
     bool forward = true;     // through the path
     double waited = 0;       // s
+    double walked = 0;       // m
+    double heading = 0;      // rad
   };
   void Walk(std::size_t i, double dt, const Disc& robot, const RayCaster& still);
   void Advance(std::size_t i);

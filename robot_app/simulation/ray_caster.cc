@@ -96,50 +96,49 @@ void RayCaster::FillCells() {
   }
   for (std::size_t i = 1; i < begin_.size(); ++i) begin_[i] += begin_[i - 1];
   items_.resize(begin_.back());
+  indices_.resize(begin_.back());
   std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
-  for (const Segment& s : segments_) {
-    ForEachCell(s, [&](std::size_t cell) { items_[next[cell]++] = s; });
+  for (std::uint32_t index = 0; index < segments_.size(); ++index) {
+    ForEachCell(segments_[index], [&](std::size_t cell) {
+      items_[next[cell]] = segments_[index];
+      indices_[next[cell]++] = index;
+    });
   }
 }
 
-double RayCaster::Cast(Vec2 origin, Vec2 direction, double max_range) const {
+CellWalk::CellWalk(const RayCaster& caster, Vec2 origin, Vec2 direction, double max_range)
+    : columns_(caster.columns_), rows_(caster.rows_), max_range_(max_range) {
   double from = 0;
   double to = max_range;
-  ClipAxis(origin.x, direction.x, low_.x, high_.x, from, to);
-  ClipAxis(origin.y, direction.y, low_.y, high_.y, from, to);
-  if (segments_.empty() || from > to) return max_range;
+  ClipAxis(origin.x, direction.x, caster.low_.x, caster.high_.x, from, to);
+  ClipAxis(origin.y, direction.y, caster.low_.y, caster.high_.y, from, to);
+  if (caster.segments_.empty() || from > to) return;
 
+  inside_ = true;
   const Vec2 start = origin + direction * from;
-  int column = std::clamp(Column(start.x), 0, columns_ - 1);
-  int row = std::clamp(Row(start.y), 0, rows_ - 1);
-  const int step_x = direction.x > 0 ? 1 : -1;
-  const int step_y = direction.y > 0 ? 1 : -1;
-  const double border_x = low_.x + (column + (step_x > 0)) * cell_;
-  const double border_y = low_.y + (row + (step_y > 0)) * cell_;
-  double next_x = direction.x != 0 ? (border_x - origin.x) / direction.x : kInfinity;
-  double next_y = direction.y != 0 ? (border_y - origin.y) / direction.y : kInfinity;
-  const double per_cell_x = direction.x != 0 ? cell_ / std::abs(direction.x) : kInfinity;
-  const double per_cell_y = direction.y != 0 ? cell_ / std::abs(direction.y) : kInfinity;
+  const double cell = caster.cell_;
+  column_ = std::clamp(caster.Column(start.x), 0, columns_ - 1);
+  row_ = std::clamp(caster.Row(start.y), 0, rows_ - 1);
+  step_x_ = direction.x > 0 ? 1 : -1;
+  step_y_ = direction.y > 0 ? 1 : -1;
+  const double border_x = caster.low_.x + (column_ + (step_x_ > 0)) * cell;
+  const double border_y = caster.low_.y + (row_ + (step_y_ > 0)) * cell;
+  next_x_ = direction.x != 0 ? (border_x - origin.x) / direction.x : kInfinity;
+  next_y_ = direction.y != 0 ? (border_y - origin.y) / direction.y : kInfinity;
+  per_cell_x_ = direction.x != 0 ? cell / std::abs(direction.x) : kInfinity;
+  per_cell_y_ = direction.y != 0 ? cell / std::abs(direction.y) : kInfinity;
+}
 
+double RayCaster::Cast(Vec2 origin, Vec2 direction, double max_range) const {
   double nearest = max_range;
-  while (true) {
-    const std::size_t cell = static_cast<std::size_t>(row) * columns_ + column;
-    for (std::uint32_t i = begin_[cell]; i < begin_[cell + 1]; ++i) {
+  for (CellWalk walk(*this, origin, direction, max_range); walk.inside(); walk.Next()) {
+    const std::uint32_t last = begin_[walk.cell() + 1];
+    for (std::uint32_t i = begin_[walk.cell()]; i < last; ++i) {
       nearest = CastAtSegment(items_[i], origin, direction, nearest);
     }
-    if (nearest <= std::min(next_x, next_y) || std::min(next_x, next_y) >= max_range) {
-      return nearest;
-    }
-    if (next_x < next_y) {
-      column += step_x;
-      if (column < 0 || column >= columns_) return nearest;
-      next_x += per_cell_x;
-    } else {
-      row += step_y;
-      if (row < 0 || row >= rows_) return nearest;
-      next_y += per_cell_y;
-    }
+    if (nearest <= walk.border()) break;
   }
+  return nearest;
 }
 
 }  // namespace coppice::robot::simulation

@@ -12,6 +12,12 @@ constexpr double kMaxStationOffset = 1;  // m
 constexpr double kLargestFloor = 1000;   // m
 constexpr double kTimeSlack = 1e-9;      // s; time is a sum of steps
 
+// For infrared light.
+constexpr double kWallReflectivity = 0.7;
+constexpr double kDoorReflectivity = 0.45;
+constexpr double kFurnitureReflectivity = 0.35;
+constexpr double kCardboardReflectivity = 0.55;
+
 // Every sensor draws its own noise, so that one more beam does not change the odometry.
 std::uint64_t SeedOf(std::uint64_t seed, std::uint64_t sensor) { return seed * 16 + sensor; }
 
@@ -46,6 +52,16 @@ void AddOutline(const Rectangle& r, std::vector<Segment>& segments) {
   for (std::size_t i = 0; i < 4; ++i) segments.push_back({corners[i], corners[(i + 1) % 4]});
 }
 
+void AddBox(const FloorBox& box, double reflectivity, StillScene& scene) {
+  std::vector<Segment> outline;
+  AddOutline(box.shape, outline);
+  const int roof = static_cast<int>(scene.roofs.size());
+  scene.roofs.push_back({box.shape, box.height});
+  for (const Segment& side : outline) {
+    scene.panels.push_back({side, box.height, reflectivity, roof});
+  }
+}
+
 }  // namespace
 
 World::World(const Floor& floor, const WorldOptions& options)
@@ -56,6 +72,7 @@ World::World(const Floor& floor, const WorldOptions& options)
       drive_(options.drive),
       battery_(options.battery, options.state_of_charge),
       lidar_(options.lidar, SeedOf(options.seed, 1)),
+      lidar_3d_(options.lidar_3d, SeedOf(options.seed, 4)),
       odometry_(options.odometry, SeedOf(options.seed, 2)),
       imu_(SeedOf(options.seed, 3)) {
   for (std::size_t i = 0; i < floor.doors.size(); ++i) {
@@ -70,8 +87,17 @@ void World::Step(double dt, const std::optional<Velocity>& command) {
   if (command) drive_.Command(time_, *command);
   MovePeople(dt);
   MoveRobot(dt);
+  if (lidar_3d_on_) {
+    scene_.SetFigures(people_.Figures());
+    lidar_3d_.Turn(time_, dt, robot(), scene_);
+  }
   time_ += dt;
   ReadSensors();
+}
+
+void World::SetLidar3dOn(bool on) {
+  if (on && !lidar_3d_on_) lidar_3d_.Restart();
+  lidar_3d_on_ = on;
 }
 
 void World::MovePeople(double dt) {
@@ -140,9 +166,29 @@ std::vector<Segment> World::StillThings(bool low_too) const {
   return segments;
 }
 
+StillScene World::MakeStillScene() const {
+  StillScene scene;
+  scene.ceiling = floor_.wall_height;
+  for (const auto& wall : floor_.walls) {
+    for (std::size_t i = 1; i < wall.size(); ++i) {
+      scene.panels.push_back({{wall[i - 1], wall[i]}, floor_.wall_height, kWallReflectivity});
+    }
+  }
+  for (const FloorBox& box : floor_.furniture) AddBox(box, kFurnitureReflectivity, scene);
+  for (std::size_t i = 0; i < floor_.places.size(); ++i) {
+    if (place_blocked_[i]) AddBox(floor_.places[i], kCardboardReflectivity, scene);
+  }
+  for (std::size_t i = 0; i < floor_.doors.size(); ++i) {
+    const auto leaf = DoorLeaf(floor_.doors[i], door_open_[i]);
+    if (leaf) scene.panels.push_back({*leaf, floor_.wall_height, kDoorReflectivity});
+  }
+  return scene;
+}
+
 void World::Rebuild() {
   visible_ = RayCaster(StillThings());
   solid_ = RayCaster(StillThings(true));
+  scene_ = Scene(MakeStillScene());
 }
 
 // Who stands nearer to a thing than allowed; empty if nobody. `distance` is that of a point from

@@ -18,6 +18,7 @@
 #include "robot_app/simulation/drive.h"
 #include "robot_app/simulation/floor.h"
 #include "robot_app/simulation/lidar.h"
+#include "robot_app/simulation/lidar_3d.h"
 #include "robot_app/simulation/odometry.h"
 #include "robot_app/simulation/people.h"
 
@@ -28,6 +29,7 @@ struct WorldOptions {
   std::optional<Pose2> start;  ///< of base_link in the map frame; absent: docked
   double state_of_charge = 1;  ///< of the battery, 0..1
   LidarOptions lidar;
+  Lidar3dOptions lidar_3d;
   DriveOptions drive;
   BatteryOptions battery;
   OdometryOptions odometry;
@@ -60,10 +62,15 @@ class World {
   bool place_blocked(std::size_t i) const { return place_blocked_[i]; }  ///< in the floor's order
   /// What stands still now and is as high as the lidar, or anything however low if `low_too`.
   std::vector<Segment> StillThings(bool low_too = false) const;
+  /// The same with heights and roofs.
+  StillScene MakeStillScene() const;
 
   // --- the sensors; each reading carries its time ---
   const Scan& scan() const { return lidar_.scan(); }
   const Lidar& lidar() const { return lidar_; }
+  const Lidar3d& lidar_3d() const { return lidar_3d_; }
+  /// It costs much more than all else, so it turns only while this is on; off at first.
+  void SetLidar3dOn(bool on);
   const Odometry& odometry() const { return odometry_; }
   const ImuReading& imu() const { return imu_.reading(); }  ///< of the last step
   const Battery& battery() const { return battery_; }
@@ -108,10 +115,13 @@ class World {
   bool charger_on_ = true;
   bool emergency_stop_ = false;
   Lidar lidar_;
+  Lidar3d lidar_3d_;
+  bool lidar_3d_on_ = false;
   Odometry odometry_;
   Imu imu_;
   RayCaster visible_;  // StillThings() for the lidar
   RayCaster solid_;    // and all of them, for people's feet
+  Scene scene_;        // with their heights and the people
   double next_scan_ = 0;
   double next_odometry_ = 0;
 };

@@ -33,6 +33,25 @@ void BM_Ray(benchmark::State& state) {
 }
 BENCHMARK(BM_Ray);
 
+// A turn of the 3-D lidar among ten people.
+void BM_Turn3d(benchmark::State& state) {
+  Floor floor = LoadInstitute();
+  for (int i = static_cast<int>(floor.people.size()); i < 10; ++i) {
+    floor.people.push_back({"p", 1, {{17.0 + i, -0.8}, {30.0, -0.8}}});
+  }
+  WorldOptions options;
+  options.start = Pose2{20, 0, 0};
+  World world(floor, options);
+  People people(floor.people);
+  Scene scene(world.MakeStillScene());
+  Lidar3d lidar({}, 1);
+  for (auto unused : state) {
+    scene.SetFigures(people.Figures());
+    lidar.Turn(0, lidar.options().period, world.robot(), scene);
+  }
+}
+BENCHMARK(BM_Turn3d)->Unit(benchmark::kMillisecond);
+
 void BM_RebuildAfterADoor(benchmark::State& state) {
   World world(LoadInstitute());
   bool open = false;
