@@ -131,6 +131,8 @@ int Main(const std::vector<std::string>& arguments) {
   prctl(PR_SET_CHILD_SUBREAPER, 1);  // what our children leave behind comes to us
   NodeProbe::SilenceLibrary();
   PosixLauncher launcher(settings.logs, settings.state);
+  const Outcome alone = BecomeOnlyOne(settings.state + ".lock", kTimeToEnd);
+  if (!alone) return Fail("it runs already: " + alone.problem());
   const int survivors = KillOwned(settings.state, kTimeToEnd);
   if (survivors < 0) return Fail("programs of an earlier supervisor cannot be ended");
   if (survivors > 0) {

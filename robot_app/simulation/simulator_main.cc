@@ -22,6 +22,7 @@
 
 #include "robot_app/common/ros_support.h"
 #include "robot_app/simulation/camera_node.h"
+#include "robot_app/simulation/cloud_message.h"
 #include "robot_app/simulation/faults.h"
 #include "robot_app/simulation/grid_map.h"
 #include "robot_app/simulation/node_signals.h"
@@ -35,6 +36,7 @@ constexpr char kHelp[] =
     "  publishes   /clock /odom /scan /imu/data /battery_state /map /tf /tf_static\n"
     "              /emergency_stop (std_msgs/Bool, true while pressed)\n"
     "              /simulation/truth (for evaluation only)\n"
+    "              /velodyne_points (the 3-D lidar, while somebody subscribes)\n"
     "              /camera/front/image/compressed, /camera/rear/image/compressed (while watched)\n"
     "  service     /simulation/inject_fault (coppice_msgs/InjectFault: breaks things)\n";
 
@@ -122,8 +124,8 @@ class SimulatorNode {
         world_(settings.floor, settings.world),
         node_signals_(ros::master::getURI(), ros::this_node::getName(), ros::network::getHost()),
         faults_(world_,
-                {"/odom", "/scan", "/imu/data", "/battery_state", "/emergency_stop", "/tf",
-                 "/simulation/truth"},
+                {"/odom", "/scan", "/velodyne_points", "/imu/data", "/battery_state",
+                 "/emergency_stop", "/tf", "/simulation/truth"},
                 [this](const std::string& node, int signal) {
                   return node_signals_.Send(node, signal);
                 }) {
@@ -152,6 +154,7 @@ class SimulatorNode {
     clock_ = node_.advertise<rosgraph_msgs::Clock>("/clock", 10);
     odom_ = node_.advertise<nav_msgs::Odometry>("/odom", 20);
     scan_ = node_.advertise<sensor_msgs::LaserScan>("/scan", 10);
+    cloud_ = node_.advertise<sensor_msgs::PointCloud2>("/velodyne_points", 5);
     imu_ = node_.advertise<sensor_msgs::Imu>("/imu/data", 50);
     battery_ = node_.advertise<sensor_msgs::BatteryState>("/battery_state", 5);
     map_ = node_.advertise<nav_msgs::OccupancyGrid>("/map", 1, true);
@@ -179,6 +182,7 @@ class SimulatorNode {
   }
 
   void Step() {
+    world_.SetLidar3dOn(cloud_.getNumSubscribers() > 0);
     world_.Step(kStep, command_);
     command_.reset();
     faults_.Update();
@@ -188,6 +192,7 @@ class SimulatorNode {
     clock_.publish(clock);
     PublishMotion();
     PublishScan();
+    PublishCloud();
     PublishImu();
     if (battery_due_.Due(world_.time())) PublishBattery();
     PublishEmergencyStop();
@@ -240,6 +245,16 @@ class SimulatorNode {
     message.range_max = static_cast<float>(lidar.max_range);
     message.ranges = scan.ranges;
     Publish(scan_, message);
+  }
+
+  void PublishCloud() {
+    const Cloud& cloud = world_.lidar_3d().cloud();
+    if (cloud.points.empty() || cloud.time == cloud_time_) return;
+    cloud_time_ = cloud.time;
+    sensor_msgs::PointCloud2 message = ToMessage(cloud, world_.lidar_3d().options().rings);
+    message.header.stamp = ToRosTime(cloud.time);
+    message.header.frame_id = "velodyne";
+    Publish(cloud_, message);
   }
 
   void PublishImu() {
@@ -319,6 +334,9 @@ class SimulatorNode {
     tf2_msgs::TFMessage message;
     message.transforms.push_back(ToTransform(ToRosTime(0), "base_link", "laser",
                                              world_.lidar().options().mounting, kLidarHeight));
+    const Lidar3dOptions& lidar_3d = world_.lidar_3d().options();
+    message.transforms.push_back(
+        ToTransform(ToRosTime(0), "base_link", "velodyne", lidar_3d.mounting, lidar_3d.height));
     tf_static_.publish(message);
   }
 
@@ -328,7 +346,7 @@ class SimulatorNode {
   Faults faults_;
   ros::NodeHandle node_;
   CameraNode cameras_{node_};
-  ros::Publisher clock_, odom_, scan_, imu_, battery_, map_, tf_, tf_static_, stop_, truth_;
+  ros::Publisher clock_, odom_, scan_, cloud_, imu_, battery_, map_, tf_, tf_static_, stop_, truth_;
   ros::Subscriber command_subscriber_;
   ros::ServiceServer fault_service_;
   std::optional<Velocity> command_;
@@ -337,6 +355,7 @@ class SimulatorNode {
   bool emergency_stop_ = false;
   double odometry_time_ = -1;
   double scan_time_ = -1;
+  double cloud_time_ = -1;
   Every localization_due_{0.1};
   Every battery_due_{0.5};
   Every stop_due_{0.5};

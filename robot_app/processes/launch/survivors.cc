@@ -1,9 +1,13 @@
 #include "robot_app/processes/launch/survivors.h"
 
+#include <fcntl.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include <cctype>
+#include <cerrno>
 #include <csignal>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -52,6 +56,22 @@ std::vector<int> FindOwned(const std::string& owned) {
     if (IsOwned(ReadFile(entry->path() / "environ"), owned)) found.push_back(pid);
   }
   return found;
+}
+
+Outcome BecomeOnlyOne(const std::string& file, Duration deadline) {
+  const int lock = open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
+  if (lock < 0) return Problem{"cannot open " + file + ": " + std::strerror(errno)};
+  const auto end = std::chrono::steady_clock::now() + deadline;
+  while (flock(lock, LOCK_EX | LOCK_NB) != 0) {
+    if (std::chrono::steady_clock::now() >= end) {
+      close(lock);
+      return Problem{"another one, process " + ReadFile(file) + ", holds " + file};
+    }
+    std::this_thread::sleep_for(kPause);
+  }
+  const std::string pid = std::to_string(getpid());
+  const bool is_told = ftruncate(lock, 0) == 0 && write(lock, pid.data(), pid.size()) > 0;
+  return is_told ? Outcome() : Problem{"cannot write " + file + ": " + std::strerror(errno)};
 }
 
 int KillOwned(const std::string& owned, Duration deadline) {

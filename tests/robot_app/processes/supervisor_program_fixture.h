@@ -6,6 +6,7 @@
 #include <coppice_msgs/ProcessStates.h>
 #include <coppice_msgs/RestartProcess.h>
 #include <gtest/gtest.h>
+#include <sys/wait.h>
 
 #include <filesystem>
 #include <fstream>
@@ -68,6 +69,14 @@ class SupervisorProgramTest : public testing::Test {
     supervisor_ = graph_.Start("supervisor", command);
     ASSERT_TRUE(
         Eventually([&] { return static_cast<bool>(std::ifstream(folder_ + "/port") >> port_); }));
+  }
+
+  // What a command that must end with status 2 says; `name`: of its log.
+  std::string Refusal(std::vector<std::string> command, const std::string& name) {
+    int status = 0;
+    waitpid(graph_.Start(name, std::move(command)), &status, 0);
+    EXPECT_EQ(WEXITSTATUS(status), 2);
+    return Read(name + ".log");
   }
 
   // Of a program of the supervisor; 0 if there is none, -1 if there are several.

@@ -214,6 +214,15 @@ TEST_F(SupervisorProgramTest, AKilledSupervisorLeavesNoSecondInstanceAndItsCount
   EXPECT_EQ(PidOf(""), 0);
 }
 
+TEST_F(SupervisorProgramTest, ASecondStartLeavesTheRunningRobotAlone) {
+  StartSupervisor();
+  JoinGraph();
+  const int second = PidOf("second");
+  EXPECT_THAT(Refusal(Command(), "again"), HasSubstr("it runs already"));
+  EXPECT_GT(second, 0);
+  EXPECT_EQ(PidOf("second"), second);
+}
+
 TEST_F(SupervisorProgramTest, ACrashLoopClimbsToThePersonInABoundedNumberOfStarts) {
   WriteConfig(R"(
 restart_intensity: {restarts: 2, window: 5, floor: 0.1, healthy_after: 60}
@@ -337,21 +346,13 @@ TEST_F(SupervisorProgramTest, TheCommandLineShowsAndAsks) {
 }
 
 TEST_F(SupervisorProgramTest, ReportsBadInputInOneLineEachWithStatus2) {
-  const auto run = [this](std::vector<std::string> command, const std::string& name) {
-    int status = 0;
-    waitpid(graph_.Start(name, std::move(command)), &status, 0);
-    EXPECT_EQ(WEXITSTATUS(status), 2);
-    std::ostringstream text;
-    text << std::ifstream(folder_ + "/" + name + ".log").rdbuf();
-    return text.str();
-  };
   const std::string program = kPrograms + "coppice-supervisor";
-  EXPECT_THAT(run({program}, "usage"), HasSubstr("--config is required"));
-  EXPECT_THAT(run({program, "--config", "/nowhere"}, "missing"),
+  EXPECT_THAT(Refusal({program}, "usage"), HasSubstr("--config is required"));
+  EXPECT_THAT(Refusal({program, "--config", "/nowhere"}, "missing"),
               HasSubstr("/nowhere: error: cannot be read"));
-  EXPECT_THAT(run({program, "--config", folder_ + "/robot.yaml"}, "variable"),
+  EXPECT_THAT(Refusal({program, "--config", folder_ + "/robot.yaml"}, "variable"),
               HasSubstr("robot.yaml:5:"));
-  EXPECT_THAT(run({program, "--config", "/nowhere", "--set", "x"}, "set"),
+  EXPECT_THAT(Refusal({program, "--config", "/nowhere", "--set", "x"}, "set"),
               HasSubstr("--set: expected NAME=VALUE, not \"x\""));
 }
 

@@ -40,6 +40,7 @@ TEST(Floor, ReadsTheInstitute) {
 TEST(Floor, ReadsEveryKindOfThing) {
   EXPECT_EQ(ErrorsOf("places: [{name: p, at: [1, 1], size: [1, 2], yaw: 0.5, height: 1}]"), "");
   EXPECT_EQ(ErrorsOf("people: [{name: a, speed: 1, path: [[0, 0], [1, 1]]}]"), "");
+  EXPECT_EQ(ErrorsOf("people: [{name: a, speed: 1, height: 1.6, path: [[0, 0], [1, 1]]}]"), "");
   EXPECT_EQ(ErrorsOf("waypoints: [{name: w, pose: [1, 2, 3]}]"), "");
   EXPECT_EQ(ErrorsOf("doors: [{name: d, kind: sliding, hinge: [0, 0], end: [1, 0], state: open}]"),
             "");
@@ -50,6 +51,8 @@ TEST(Floor, TellsTheLineOfAMistake) {
               HasSubstr("f.yaml:4:28: error: place: at: expected a number"));
   EXPECT_THAT(ErrorsOf("people: [{name: a, speed: 0, path: [[0, 0], [1, 1]]}]"),
               HasSubstr("f.yaml:4:27: error: person: speed must be greater than 0"));
+  EXPECT_THAT(ErrorsOf("people: [{name: a, speed: 1, height: -1, path: [[0, 0], [1, 1]]}]"),
+              HasSubstr("person: height must be greater than 0"));
   EXPECT_THAT(ErrorsOf("people: [{name: a, speed: 1, path: [[0, 0]]}]"),
               HasSubstr("at least two points"));
   EXPECT_THAT(ErrorsOf("waypoints: [{name: w, pose: [1, 2]}]"),

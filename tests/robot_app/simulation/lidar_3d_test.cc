@@ -14,7 +14,7 @@ Scene WallAhead() {
   return Scene(still);
 }
 
-const CloudPoint& At(const Cloud& cloud, int column, int ring) {
+CloudPoint At(const Cloud& cloud, int column, int ring) {
   return cloud.points[static_cast<std::size_t>(column) * 16 + static_cast<std::size_t>(ring)];
 }
 
@@ -39,7 +39,7 @@ TEST(Lidar3d, TheCloudComesWithTheLastColumnOfATurn) {
 }
 
 TEST(Lidar3d, LooksForwardInTheMiddleOfATurn) {
-  const CloudPoint& point = At(OneTurn({}, 1, WallAhead()), 450, 8);
+  const CloudPoint point = At(OneTurn({}, 1, WallAhead()), 450, 8);
   EXPECT_NEAR(point.x, 5, 0.15);
   EXPECT_NEAR(point.y, 0, 0.01);
   EXPECT_NEAR(point.z, 5 * std::tan(kPi / 180), 0.01);
@@ -61,7 +61,7 @@ TEST(Lidar3d, WhatMeetsNothingIsNotANumber) {
 TEST(Lidar3d, RingsAreTwoDegreesApart) {
   const Cloud cloud = OneTurn({}, 1, WallAhead());
   for (int ring = 0; ring < 16; ++ring) {
-    const CloudPoint& point = At(cloud, 450, ring);
+    const CloudPoint point = At(cloud, 450, ring);
     if (std::isnan(point.x)) continue;
     EXPECT_NEAR(std::atan2(point.z, std::hypot(point.x, point.y)), (2 * ring - 15) * kPi / 180,
                 1e-6);
@@ -75,7 +75,7 @@ TEST(Lidar3d, NoiseHasTheGivenSpread) {
   double square = 0;
   int count = 0;
   for (int column = 44000; column < 46000; ++column) {
-    const CloudPoint& point = At(cloud, column, 7);
+    const CloudPoint point = At(cloud, column, 7);
     const double angle = kPi - 2 * kPi * column / options.columns;
     const double range = std::hypot(point.x, point.y, point.z);
     const double truth = 5 / std::cos(angle) / std::cos(kPi / 180);

@@ -8,6 +8,8 @@
 #include <sensor_msgs/BatteryState.h>
 #include <sensor_msgs/Imu.h>
 #include <sensor_msgs/LaserScan.h>
+#include <sensor_msgs/PointCloud2.h>
+#include <sensor_msgs/point_cloud2_iterator.h>
 #include <std_msgs/Bool.h>
 #include <tf2_msgs/TFMessage.h>
 
@@ -166,6 +168,29 @@ TEST_F(SimulatorNodeTest, StartsDockedWithMapAndTransforms) {
   EXPECT_LT((scan.get().header.stamp - since).toSec(), 0.2);
   EXPECT_TRUE(Inject("restore_topic", "/scan").ok);
   EXPECT_TRUE(Eventually([&] { return (scan.get().header.stamp - since).toSec() > 1; }));
+}
+
+TEST_F(SimulatorNodeTest, SendsCloudsOfTheWallsAroundItToWhoSubscribes) {
+  ChildProcess simulator({kSimulator, "_speed:=4", "_start:=20 0 0"}, Log("cloud"));
+  Latest<sensor_msgs::PointCloud2> clouds(node_, "/velodyne_points");
+  Latest<tf2_msgs::TFMessage> tf_static(node_, "/tf_static");
+  ASSERT_TRUE(Eventually([&] { return clouds.count() > 1 && tf_static.count() > 0; }, 15))
+      << TextOf(Log("cloud"));
+  const sensor_msgs::PointCloud2 cloud = clouds.get();
+  EXPECT_EQ(cloud.header.frame_id, "velodyne");
+  EXPECT_EQ(cloud.width * cloud.height, 16U * 900U);
+  sensor_msgs::PointCloud2ConstIterator<float> y(cloud, "y");
+  sensor_msgs::PointCloud2ConstIterator<float> time(cloud, "time");
+  sensor_msgs::PointCloud2ConstIterator<std::uint16_t> ring(cloud, "ring");
+  int walls = 0, wrong_rings = 0;
+  for (std::uint32_t i = 0; y != y.end(); ++y, ++ring, ++time, ++i) {
+    if (*ring != i / cloud.width || *time < 0 || *time >= 0.1F) ++wrong_rings;
+    if (std::abs(std::abs(*y) - 1.25F) < 0.15F) ++walls;  // of the corridor
+  }
+  EXPECT_EQ(wrong_rings, 0);
+  EXPECT_GT(walls, 3000);
+  EXPECT_EQ(tf_static.get().transforms.at(1).child_frame_id, "velodyne");
+  EXPECT_EQ(tf_static.get().transforms.at(1).transform.translation.z, 1.2);
 }
 
 TEST_F(SimulatorNodeTest, TopicsComeTooFastOrTooSlowlyAndTheBatteryFreezesOnRequest) {

@@ -4,6 +4,7 @@
 #include <sys/wait.h>
 
 #include <csignal>
+#include <filesystem>
 
 #include "robot_app/processes/launch/process_launcher.h"
 #include "tests/robot_app/processes/temporary.h"
@@ -48,6 +49,15 @@ TEST_F(SurvivorsTest, AreKilledEvenIfTheyAreStopped) {
   EXPECT_EQ(waitpid(pid, &status, 0), pid);
   EXPECT_EQ(WTERMSIG(status), SIGKILL);
   EXPECT_EQ(KillOwned(owner_, std::chrono::seconds(10)), 0);
+}
+
+TEST_F(SurvivorsTest, TheOnlyOneIsToldToWhoComesLater) {
+  const std::string file = Temporary("only_one.lock");
+  std::filesystem::remove(file);
+  ASSERT_TRUE(BecomeOnlyOne(file, {}));
+  const Outcome second = BecomeOnlyOne(file, {});
+  ASSERT_FALSE(second);
+  EXPECT_THAT(second.problem(), testing::HasSubstr("process " + std::to_string(getpid())));
 }
 
 }  // namespace
