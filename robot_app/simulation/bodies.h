@@ -12,7 +12,7 @@
 
 #include "robot_app/simulation/drive.h"
 #include "robot_app/simulation/floor.h"
-#include "robot_app/simulation/ray_caster.h"
+#include "robot_app/simulation/scene/ray_caster.h"
 
 namespace coppice::robot::simulation {
 

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "bt_core/base/diagnostic.h"
-#include "robot_app/simulation/geometry.h"
+#include "robot_app/simulation/scene/geometry.h"
 
 namespace coppice::robot::simulation {
 

@@ -6,7 +6,7 @@
 #include <random>
 
 #include "robot_app/simulation/drive.h"
-#include "robot_app/simulation/geometry.h"
+#include "robot_app/simulation/scene/geometry.h"
 
 namespace coppice::robot::simulation {
 

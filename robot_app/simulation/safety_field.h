@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "robot_app/simulation/ray_caster.h"
+#include "robot_app/simulation/scene/ray_caster.h"
 
 namespace coppice::robot::simulation {
 

@@ -14,8 +14,8 @@
 #include <limits>
 #include <vector>
 
-#include "robot_app/simulation/ray_caster.h"
 #include "robot_app/simulation/scene/figure.h"
+#include "robot_app/simulation/scene/ray_caster.h"
 
 namespace coppice::robot::simulation {
 

@@ -1,4 +1,4 @@
-#include "robot_app/simulation/ray_caster.h"
+#include "robot_app/simulation/scene/ray_caster.h"
 
 #include <gtest/gtest.h>
 

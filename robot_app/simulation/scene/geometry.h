@@ -1,7 +1,7 @@
 // Points, poses and rectangles of the simulated floor. Metres and radians; x forward, y left,
 // angles counter-clockwise (REP-103).
-#ifndef COPPICE_ROBOT_APP_SIMULATION_GEOMETRY_H_
-#define COPPICE_ROBOT_APP_SIMULATION_GEOMETRY_H_
+#ifndef COPPICE_ROBOT_APP_SIMULATION_SCENE_GEOMETRY_H_
+#define COPPICE_ROBOT_APP_SIMULATION_SCENE_GEOMETRY_H_
 
 #include <algorithm>
 #include <array>
@@ -85,4 +85,4 @@ inline double Distance(Vec2 point, const Rectangle& r) {
 
 }  // namespace coppice::robot::simulation
 
-#endif  // COPPICE_ROBOT_APP_SIMULATION_GEOMETRY_H_
+#endif  // COPPICE_ROBOT_APP_SIMULATION_SCENE_GEOMETRY_H_

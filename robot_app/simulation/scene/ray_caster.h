@@ -1,13 +1,13 @@
 // Casts rays against the segments of a floor, fast: the segments lie in a uniform grid and a ray
 // visits only the cells on its way, nearest first (Amanatides and Woo, "A Fast Voxel Traversal
 // Algorithm for Ray Tracing", Eurographics 1987).
-#ifndef COPPICE_ROBOT_APP_SIMULATION_RAY_CASTER_H_
-#define COPPICE_ROBOT_APP_SIMULATION_RAY_CASTER_H_
+#ifndef COPPICE_ROBOT_APP_SIMULATION_SCENE_RAY_CASTER_H_
+#define COPPICE_ROBOT_APP_SIMULATION_SCENE_RAY_CASTER_H_
 
 #include <cstdint>
 #include <vector>
 
-#include "robot_app/simulation/geometry.h"
+#include "robot_app/simulation/scene/geometry.h"
 
 namespace coppice::robot::simulation {
 
@@ -108,4 +108,4 @@ inline void CellWalk::Next() {
 
 }  // namespace coppice::robot::simulation
 
-#endif  // COPPICE_ROBOT_APP_SIMULATION_RAY_CASTER_H_
+#endif  // COPPICE_ROBOT_APP_SIMULATION_SCENE_RAY_CASTER_H_
