@@ -171,6 +171,19 @@ class Trees(FileAttack):
         many = "".join(' a%d="1"' % i for i in range(100000))
         self.assertIn("t.xml:1:", self.check(TREE % ("<Sleep%s/>" % many)))
 
+    def test_many_trees_in_a_large_file_are_checked_in_one_go(self):
+        trees = "".join('<BehaviorTree ID="T%d"><AlwaysSuccess/></BehaviorTree>' % i
+                        for i in range(500))
+        self.check('<root BTCPP_format="4" main_tree_to_execute="T0"><!--' + "x\n" * 4000000
+                   + "-->" + trees + "</root>")
+
+    def test_missing_trees_are_looked_for_once_in_large_files_beside(self):
+        for i in range(10):
+            self.write("beside%d.xml" % i, TREE % ('<AlwaysSuccess name="Lost"/>' * 130000))
+        text = self.check(TREE % ("<Sequence>" + "".join(
+            '<SubTree ID="Lost" name="%d"/>' % i for i in range(40)) + "</Sequence>"))
+        self.assertIn('"Lost"', text)
+
     def test_includes_without_end_are_an_error(self):
         for i in range(3000):
             self.write("%d.xml" % i, '<root BTCPP_format="4"><include path="%d.xml"/></root>'

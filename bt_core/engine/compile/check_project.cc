@@ -3,6 +3,8 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "bt_core/engine/compile/compiler.h"
 #include "bt_core/engine/compile/model_registry.h"
@@ -43,7 +45,9 @@ class Checker {
 
  private:
   void Check(const std::string& id, const TreeDefinition& tree) {
-    const auto program = TreeCompiler(project_, registry_, tolerance_, problems_).Run(id, tree);
+    const auto program =
+        TreeCompiler(project_, registry_, tolerance_, problems_, std::move(texts_)).Run(id, tree);
+    texts_ = std::move(program->texts);  // for the next tree: to pack them takes long
     for (const TreeInstance& instance : program->trees) {
       checked_.insert(project_->trees().find(instance.id)->first);
     }
@@ -54,6 +58,7 @@ class Checker {
   const Tolerance tolerance_;
   Problems& problems_;
   TreeIds checked_;
+  std::vector<SourceText> texts_;
 };
 
 }  // namespace

@@ -11,10 +11,14 @@ constexpr std::size_t kDeepest = 10'000;
 constexpr std::size_t kMostPathBytes = std::size_t{32} << 20;
 
 std::shared_ptr<Program> EmptyProgram(const Project& project,
-                                      std::shared_ptr<const Registry> registry) {
+                                      std::shared_ptr<const Registry> registry,
+                                      std::vector<SourceText> texts) {
   auto program = std::make_shared<Program>();
-  program->texts.reserve(project.documents().size());
-  for (const Document& document : project.documents()) program->texts.emplace_back(document);
+  program->texts = std::move(texts);
+  if (program->texts.empty()) {
+    program->texts.reserve(project.documents().size());
+    for (const Document& document : project.documents()) program->texts.emplace_back(document);
+  }
   program->subtree_models = project.subtree_models();
   program->main_tree = project.main_tree();
   program->registry = std::move(registry);
@@ -25,9 +29,9 @@ std::shared_ptr<Program> EmptyProgram(const Project& project,
 
 TreeCompiler::TreeCompiler(std::shared_ptr<const Project> project,
                            std::shared_ptr<const Registry> registry, Tolerance tolerance,
-                           Problems& problems)
+                           Problems& problems, std::vector<SourceText> texts)
     : project_(std::move(project)),
-      program_(EmptyProgram(*project_, std::move(registry))),
+      program_(EmptyProgram(*project_, std::move(registry), std::move(texts))),
       problems_(problems),
       keys_(program_->layout),
       types_(program_->layout, problems),
@@ -37,8 +41,7 @@ TreeCompiler::TreeCompiler(std::shared_ptr<const Project> project,
       lookup_(*project_, *program_->registry, tolerance, problems),
       subtrees_(*project_, *program_, keys_, types_, tolerance, problems) {}
 
-std::shared_ptr<const Program> TreeCompiler::Run(const std::string& tree_id,
-                                                 const TreeDefinition& tree) {
+std::shared_ptr<Program> TreeCompiler::Run(const std::string& tree_id, const TreeDefinition& tree) {
   subtrees_.OpenMain(tree_id, tree);
   // More than one root is an error of the project; what is wrong in them is said nevertheless.
   const Document& document = project_->documents()[tree.document];

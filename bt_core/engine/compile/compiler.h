@@ -27,11 +27,12 @@ namespace coppice {
 
 class TreeCompiler {
  public:
+  /// `texts`: Program::texts of the project if another compiler has packed them already.
   TreeCompiler(std::shared_ptr<const Project> project, std::shared_ptr<const Registry> registry,
-               Tolerance tolerance, Problems& problems);
+               Tolerance tolerance, Problems& problems, std::vector<SourceText> texts = {});
 
   /// Translates one tree, once. The result is good for a run only if no errors were reported.
-  std::shared_ptr<const Program> Run(const std::string& tree_id, const TreeDefinition& tree);
+  std::shared_ptr<Program> Run(const std::string& tree_id, const TreeDefinition& tree);
 
  private:
   // A node whose children are being added.

@@ -10,6 +10,7 @@
 #include <tuple>
 
 #include "bt_core/base/diagnostic.h"
+#include "bt_core/engine/compile/sibling_files.h"
 #include "bt_core/model/document.h"
 
 namespace coppice {
@@ -29,12 +30,16 @@ class Problems {
 
   bool has_errors() const { return diagnostics_.has_errors(); }
 
+  /// For advice about what is missing.
+  SiblingFiles& siblings() { return siblings_; }
+
  private:
   bool IsNew(const Document& document, std::uint32_t offset, const std::string& message);
 
   Diagnostics& diagnostics_;
   std::set<std::tuple<const Document*, std::uint32_t, std::string>> known_;
   std::set<std::string> topics_;
+  SiblingFiles siblings_;
 };
 
 /// The text in double quotes.

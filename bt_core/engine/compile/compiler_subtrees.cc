@@ -32,7 +32,7 @@ const TreeDefinition* SubTreeBinder::Find(const Site& site, std::string_view id)
 void SubTreeBinder::ReportMissing(const Site& site, std::string_view id) {
   std::vector<std::string> ids;
   for (const auto& [known, definition] : project_.trees()) ids.push_back(known);
-  const std::string file = FindTreeInFolder(site.document.file(), id);
+  const std::string file = problems_.siblings().FindTree(site.document.file(), id);
   std::string advice = file.empty() ? DidYouMean(id, ids) : file + " has it; include that file";
   if (!tolerance_.unknown_trees) {
     problems_.Error(site.document, site.element.offset, "no tree " + Quoted(id), advice);

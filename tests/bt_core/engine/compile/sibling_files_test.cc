@@ -24,7 +24,7 @@ class SiblingFilesTest : public testing::Test {
 TEST_F(SiblingFilesTest, NamesTheFileThatDefinesTheTree) {
   const std::string main = Write("main.xml", "<root/>");
   Write("dock.xml", R"(<root><BehaviorTree ID="Dock"><A/></BehaviorTree></root>)");
-  EXPECT_EQ(FindTreeInFolder(main, "Dock"), "dock.xml");
+  EXPECT_EQ(SiblingFiles().FindTree(main, "Dock"), "dock.xml");
 }
 
 TEST_F(SiblingFilesTest, AMereMentionIsNoDefinition) {
@@ -32,12 +32,29 @@ TEST_F(SiblingFilesTest, AMereMentionIsNoDefinition) {
   Write("user.xml", R"(<root><BehaviorTree ID="X"><SubTree ID="Dock"/></BehaviorTree></root>)");
   Write("broken.xml", R"(<root><BehaviorTree ID="Dock">)");
   Write("dock.txt", R"(<root><BehaviorTree ID="Dock"><A/></BehaviorTree></root>)");
-  EXPECT_EQ(FindTreeInFolder(main, "Dock"), "");
+  EXPECT_EQ(SiblingFiles().FindTree(main, "Dock"), "");
 }
 
 TEST_F(SiblingFilesTest, ATextThatIsNoFileHasNoFolder) {
   Write("dock.xml", R"(<root><BehaviorTree ID="Dock"><A/></BehaviorTree></root>)");
-  EXPECT_EQ(FindTreeInFolder((folder_ / "none.xml").string(), "Dock"), "");
+  EXPECT_EQ(SiblingFiles().FindTree((folder_ / "none.xml").string(), "Dock"), "");
+}
+
+TEST_F(SiblingFilesTest, AFolderIsReadOnce) {
+  const std::string main = Write("main.xml", "<root/>");
+  SiblingFiles siblings;
+  EXPECT_EQ(siblings.FindTree(main, "Dock"), "");
+  Write("dock.xml", R"(<root><BehaviorTree ID="Dock"><A/></BehaviorTree></root>)");
+  EXPECT_EQ(siblings.FindTree(main, "Dock"), "");
+  EXPECT_EQ(SiblingFiles().FindTree(main, "Dock"), "dock.xml");
+}
+
+TEST_F(SiblingFilesTest, NotMoreThanSomeMegabytesAreRead) {
+  const std::string main = Write("main.xml", "<root/>");
+  const std::string much = "<root>" + std::string((4 << 20) - 100, ' ') + "</root>";
+  for (const char* name : {"a.xml", "b.xml", "c.xml", "d.xml", "e.xml"}) Write(name, much);
+  Write("zzz.xml", R"(<root><BehaviorTree ID="Dock"><A/></BehaviorTree></root>)");
+  EXPECT_EQ(SiblingFiles().FindTree(main, "Dock"), "");
 }
 
 }  // namespace
