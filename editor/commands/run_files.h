@@ -7,8 +7,8 @@
 namespace coppice::editor {
 
 /// "run.save", "run.save_tree": they ask for the path. For a record one is offered that is free,
-/// named after the tree and when the run began: "Patrol_2026-11-23_21-30-05.coppice". A record is never overwritten; a tree
-/// replaces a file if that was said and asked again, and is opened then.
+/// named after the tree and when the run began: "Patrol_2026-11-23_21-30-05.coppice". A record is
+/// never overwritten; a tree replaces a file if that was said and asked again, and is opened then.
 void AddRunFileCommands(EditorState& state);
 
 }  // namespace coppice::editor

@@ -78,6 +78,18 @@ bool CutPowerAndForget(const RobotConfig& config, const SupervisorSettings& sett
   return false;
 }
 
+// A second start must not take the programs of the first for survivors. Where the file cannot be
+// made (a folder that is missing or read-only) the robot runs nevertheless, as without its memory.
+bool IsOnlyOne(const std::string& state) {
+  const Expected<int> other = BecomeOnlyOne(state + ".lock", kTimeToEnd);
+  if (!other) std::cerr << "coppice-supervisor: " << other.problem() << "\n";
+  if (!other || *other == 0) return true;
+  const std::string process = *other > 0 ? "process " + std::to_string(*other) : "another process";
+  std::cerr << "coppice-supervisor: it runs already: " << process << " has the memory " << state
+            << "\n";
+  return false;
+}
+
 // The same program again, with the same port. Returns only if that fails.
 int BeginAnew(std::vector<std::string> arguments, int port) {
   arguments.insert(arguments.begin(), "coppice-supervisor");
@@ -131,8 +143,7 @@ int Main(const std::vector<std::string>& arguments) {
   prctl(PR_SET_CHILD_SUBREAPER, 1);  // what our children leave behind comes to us
   NodeProbe::SilenceLibrary();
   PosixLauncher launcher(settings.logs, settings.state);
-  const Outcome alone = BecomeOnlyOne(settings.state + ".lock", kTimeToEnd);
-  if (!alone) return Fail("it runs already: " + alone.problem());
+  if (!IsOnlyOne(settings.state)) return 2;
   const int survivors = KillOwned(settings.state, kTimeToEnd);
   if (survivors < 0) return Fail("programs of an earlier supervisor cannot be ended");
   if (survivors > 0) {

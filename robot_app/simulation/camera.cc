@@ -43,11 +43,18 @@ double TileLight(Vec2 point) {
   return parity % 2 == 0 ? 1.0 : 0.9;
 }
 
-void AddBox(const FloorBox& box, const Colour& colour, std::vector<Surface>& surfaces) {
-  const std::array<Vec2, 4> corners = Corners(box.shape);
-  for (std::size_t i = 0; i < 4; ++i) {
-    surfaces.push_back({{corners[i], corners[(i + 1) % 4]}, box.height, colour});
+Colour ColourOf(const Panel& panel) {
+  switch (panel.material) {
+    case Material::kWall:
+      return kWall;
+    case Material::kDoor:
+      return kDoor;
+    case Material::kFurniture:
+      return kFurniture[static_cast<std::size_t>(panel.roof) % kFurniture.size()];
+    case Material::kCardboard:
+      return kBoxOfPlace;
   }
+  return {};
 }
 
 // One part of a column.
@@ -63,7 +70,6 @@ class Renderer {
   Renderer(const World& world, const CameraOptions& options)
       : world_(world),
         options_(options),
-        surfaces_(SurfacesOf(world)),
         camera_(Compose(world.robot(), options.mounting)),
         focal_(options.width / 2.0 / std::tan(options.field_of_view / 2)) {
     picture_.width = options.width;
@@ -86,14 +92,14 @@ class Renderer {
   std::vector<Slice> SlicesOf(Vec2 direction, double cosine) const {
     std::vector<Slice> slices;
     const Vec2 origin = camera_.position();
-    for (const Surface& surface : surfaces_) {
-      const double range = CastAtSegment(surface.edge, origin, direction, kFarthest);
+    for (const Panel& panel : world_.still().panels) {
+      const double range = CastAtSegment(panel.edge, origin, direction, kFarthest);
       if (range >= kFarthest) continue;
-      const Vec2 along = surface.edge.b - surface.edge.a;
+      const Vec2 along = panel.edge.b - panel.edge.a;
       const double facing = std::abs(Cross(direction, along)) / std::max(Length(along), 1e-9);
       const double light =
           (0.6 + 0.4 * facing) * Fog(range) * TileLight(origin + direction * range);
-      slices.push_back({range * cosine, 0, surface.height, Shaded(surface.colour, light)});
+      slices.push_back({range * cosine, 0, panel.top, Shaded(ColourOf(panel), light)});
     }
     for (std::size_t i = 0; i < world_.people().size(); ++i) {
       AddPerson(world_.people()[i], world_.floor().people[i].height, kClothes[i % kClothes.size()],
@@ -152,34 +158,12 @@ class Renderer {
 
   const World& world_;
   const CameraOptions& options_;
-  const std::vector<Surface> surfaces_;
   const Pose2 camera_;
   const double focal_;  // [pixels]
   Picture picture_;
 };
 
 }  // namespace
-
-std::vector<Surface> SurfacesOf(const World& world) {
-  const Floor& floor = world.floor();
-  std::vector<Surface> surfaces;
-  for (const std::vector<Vec2>& wall : floor.walls) {
-    for (std::size_t i = 1; i < wall.size(); ++i) {
-      surfaces.push_back({{wall[i - 1], wall[i]}, floor.wall_height, kWall});
-    }
-  }
-  for (std::size_t i = 0; i < floor.furniture.size(); ++i) {
-    AddBox(floor.furniture[i], kFurniture[i % kFurniture.size()], surfaces);
-  }
-  for (std::size_t i = 0; i < floor.places.size(); ++i) {
-    if (world.place_blocked(i)) AddBox(floor.places[i], kBoxOfPlace, surfaces);
-  }
-  for (std::size_t i = 0; i < floor.doors.size(); ++i) {
-    const std::optional<Segment> leaf = DoorLeaf(floor.doors[i], world.door_open(i));
-    if (leaf) surfaces.push_back({*leaf, floor.wall_height, kDoor});
-  }
-  return surfaces;
-}
 
 Picture RenderPicture(const World& world, const CameraOptions& options) {
   return Renderer(world, options).Render();

@@ -36,17 +36,6 @@ struct CameraOptions {
   Pose2 mounting{0.2, 0, 0};   ///< in base_link; looks along its yaw, level
 };
 
-/// Something upright on the floor.
-struct Surface {
-  Segment edge;
-  double height = 0;  ///< [m]
-  Colour colour{};
-};
-
-/// What can be seen of the world now: walls, doors, furniture, boxes. People are not in it, because
-/// they look the same from all sides; RenderPicture takes them from the world.
-std::vector<Surface> SurfacesOf(const World& world);
-
 /// What a camera on the robot sees.
 Picture RenderPicture(const World& world, const CameraOptions& options);
 

@@ -9,9 +9,9 @@
 namespace coppice::robot::simulation {
 
 /// Fields and layout of the Velodyne driver (velodyne_pointcloud, PointXYZIRT): x y z intensity
-/// (float32), ring (uint16), time (float32, s since the header's stamp); one row for each ring, from
-/// the lowest, one column for each direction. A ray that met nothing has NaN in x, y and z. The
-/// header is left to the caller.
+/// (float32), ring (uint16), time (float32, s since the header's stamp); one row for each ring,
+/// from the lowest, one column for each direction. A ray that met nothing has NaN in x, y and z.
+/// The header is left to the caller.
 sensor_msgs::PointCloud2 ToMessage(const Cloud& cloud, int rings);
 
 }  // namespace coppice::robot::simulation

@@ -1,6 +1,6 @@
-// The 3-D laser scanner on top of the robot, as a Velodyne Puck (VLP-16): sixteen rings that turn ten
-// times a second. It measures while it turns, so a cloud of a robot that drives is bent as a real
-// one: each point is where the sensor saw it from at its own time.
+// The 3-D laser scanner on top of the robot, as a Velodyne Puck (VLP-16): sixteen rings that turn
+// ten times a second. It measures while it turns, so a cloud of a robot that drives is bent as a
+// real one: each point is where the sensor saw it from at its own time.
 // Source: VLP-16 user manual, Velodyne Lidar 63-9243 (range, angles, noise).
 #ifndef COPPICE_ROBOT_APP_SIMULATION_LIDAR_3D_H_
 #define COPPICE_ROBOT_APP_SIMULATION_LIDAR_3D_H_

@@ -12,12 +12,6 @@ constexpr double kMaxStationOffset = 1;  // m
 constexpr double kLargestFloor = 1000;   // m
 constexpr double kTimeSlack = 1e-9;      // s; time is a sum of steps
 
-// For infrared light.
-constexpr double kWallReflectivity = 0.7;
-constexpr double kDoorReflectivity = 0.45;
-constexpr double kFurnitureReflectivity = 0.35;
-constexpr double kCardboardReflectivity = 0.55;
-
 // Every sensor draws its own noise, so that one more beam does not change the odometry.
 std::uint64_t SeedOf(std::uint64_t seed, std::uint64_t sensor) { return seed * 16 + sensor; }
 
@@ -47,19 +41,12 @@ Expected<std::size_t> Find(const std::vector<Item>& items, const std::string& na
                  (hint.empty() ? "; known: " + Join(names) : " (" + hint + ")")};
 }
 
-void AddOutline(const Rectangle& r, std::vector<Segment>& segments) {
-  const auto corners = Corners(r);
-  for (std::size_t i = 0; i < 4; ++i) segments.push_back({corners[i], corners[(i + 1) % 4]});
-}
-
-void AddBox(const FloorBox& box, double reflectivity, StillScene& scene) {
-  std::vector<Segment> outline;
-  AddOutline(box.shape, outline);
-  const int roof = static_cast<int>(scene.roofs.size());
-  scene.roofs.push_back({box.shape, box.height});
-  for (const Segment& side : outline) {
-    scene.panels.push_back({side, box.height, reflectivity, roof});
+std::vector<Segment> EdgesFrom(double height, const StillScene& still) {
+  std::vector<Segment> edges;
+  for (const Panel& panel : still.panels) {
+    if (panel.top >= height) edges.push_back(panel.edge);
   }
+  return edges;
 }
 
 }  // namespace
@@ -147,48 +134,32 @@ bool World::docked() const {
 
 Pose2 World::OdomInMap() const { return Compose(robot(), Inverse(odometry_.pose())); }
 
-std::vector<Segment> World::StillThings(bool low_too) const {
-  std::vector<Segment> segments;
+StillScene World::MakeStillScene() const {
+  StillScene still;
+  still.ceiling = floor_.wall_height;
   for (const auto& wall : floor_.walls) {
-    for (std::size_t i = 1; i < wall.size(); ++i) segments.push_back({wall[i - 1], wall[i]});
+    for (std::size_t i = 1; i < wall.size(); ++i) {
+      still.panels.push_back({{wall[i - 1], wall[i]}, floor_.wall_height, Material::kWall});
+    }
   }
   for (const FloorBox& box : floor_.furniture) {
-    if (low_too || box.height >= kLidarHeight) AddOutline(box.shape, segments);
+    still.AddBox(box.shape, box.height, Material::kFurniture);
   }
   for (std::size_t i = 0; i < floor_.places.size(); ++i) {
     const FloorBox& box = floor_.places[i];
-    const bool seen = low_too || box.height >= kLidarHeight;
-    if (place_blocked_[i] && seen) AddOutline(box.shape, segments);
-  }
-  for (std::size_t i = 0; i < floor_.doors.size(); ++i) {
-    if (const auto leaf = DoorLeaf(floor_.doors[i], door_open_[i])) segments.push_back(*leaf);
-  }
-  return segments;
-}
-
-StillScene World::MakeStillScene() const {
-  StillScene scene;
-  scene.ceiling = floor_.wall_height;
-  for (const auto& wall : floor_.walls) {
-    for (std::size_t i = 1; i < wall.size(); ++i) {
-      scene.panels.push_back({{wall[i - 1], wall[i]}, floor_.wall_height, kWallReflectivity});
-    }
-  }
-  for (const FloorBox& box : floor_.furniture) AddBox(box, kFurnitureReflectivity, scene);
-  for (std::size_t i = 0; i < floor_.places.size(); ++i) {
-    if (place_blocked_[i]) AddBox(floor_.places[i], kCardboardReflectivity, scene);
+    if (place_blocked_[i]) still.AddBox(box.shape, box.height, Material::kCardboard);
   }
   for (std::size_t i = 0; i < floor_.doors.size(); ++i) {
     const auto leaf = DoorLeaf(floor_.doors[i], door_open_[i]);
-    if (leaf) scene.panels.push_back({*leaf, floor_.wall_height, kDoorReflectivity});
+    if (leaf) still.panels.push_back({*leaf, floor_.wall_height, Material::kDoor});
   }
-  return scene;
+  return still;
 }
 
 void World::Rebuild() {
-  visible_ = RayCaster(StillThings());
-  solid_ = RayCaster(StillThings(true));
   scene_ = Scene(MakeStillScene());
+  visible_ = RayCaster(EdgesFrom(kLidarHeight, still()));
+  solid_ = RayCaster(EdgesFrom(0, still()));
 }
 
 // Who stands nearer to a thing than allowed; empty if nobody. `distance` is that of a point from

@@ -60,10 +60,8 @@ class World {
   const Floor& floor() const { return floor_; }
   bool door_open(std::size_t i) const { return door_open_[i]; }          ///< in the floor's order
   bool place_blocked(std::size_t i) const { return place_blocked_[i]; }  ///< in the floor's order
-  /// What stands still now and is as high as the lidar, or anything however low if `low_too`.
-  std::vector<Segment> StillThings(bool low_too = false) const;
-  /// The same with heights and roofs.
-  StillScene MakeStillScene() const;
+  /// What stands still now: walls, furniture, the boxes of blocked places, door leaves.
+  const StillScene& still() const { return scene_.still(); }
 
   // --- the sensors; each reading carries its time ---
   const Scan& scan() const { return lidar_.scan(); }
@@ -97,6 +95,7 @@ class World {
   void MoveRobot(double dt);
   void ReadSensors();
   void Rebuild();
+  StillScene MakeStillScene() const;
   Pose2 station() const;
   bool CanStandAt(Vec2 point) const;
   template <typename DistanceTo>
@@ -119,9 +118,9 @@ class World {
   bool lidar_3d_on_ = false;
   Odometry odometry_;
   Imu imu_;
-  RayCaster visible_;  // StillThings() for the lidar
-  RayCaster solid_;    // and all of them, for people's feet
-  Scene scene_;        // with their heights and the people
+  Scene scene_;        // what stands still and, while the 3-D lidar turns, the people
+  RayCaster visible_;  // of what stands still: what is as high as the lidar
+  RayCaster solid_;    // and all of it, for people's feet
   double next_scan_ = 0;
   double next_odometry_ = 0;
 };

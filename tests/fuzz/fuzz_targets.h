@@ -48,10 +48,10 @@ int FuzzLive(std::string_view bytes);
 /// if it is no record, 1 if nothing happens in it, 2.
 int FuzzRecord(std::string_view bytes);
 
-/// The bytes as a robot of ZeroMQ to a client: which one ('N' without a token, 'C' with one, 'S' one
-/// that publishes), then frames as in frames.h, each a step of what it says (fuzz_robot.cc). No
-/// message may be over its limits; what the client says must be frames. Returns how far it came: 0
-/// not opened, 1 opened, 2 a message.
+/// The bytes as a robot of ZeroMQ to a client: which one ('N' without a token, 'C' with one, 'S'
+/// one that publishes), then frames as in frames.h, each a step of what it says (fuzz_robot.cc).
+/// No message may be over its limits; what the client says must be frames. Returns how far it came:
+/// 0 not opened, 1 opened, 2 a message.
 int FuzzRobot(std::string_view bytes);
 
 /// The bytes as a file of scenarios, played with a small tree. Returns 0 if it is none, 1 if it

@@ -1,11 +1,11 @@
 #include "bt_core/live/client/name_lookup.h"
 
 #include <netdb.h>
+#include <pthread.h>
 #include <sys/eventfd.h>
 #include <unistd.h>
 
 #include <cstring>
-#include <mutex>
 #include <system_error>
 #include <thread>
 #include <utility>
@@ -38,45 +38,33 @@ std::string WithoutBrackets(const std::string& host) {
 
 }  // namespace
 
-struct NameLookup::Shared {
-  Shared() : done(eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)) {}
-  ~Shared() {
-    if (done >= 0) close(done);
-  }
-  Shared(const Shared&) = delete;
-  Shared& operator=(const Shared&) = delete;
-
-  void End(std::vector<NetworkAddress> found) {
-    const std::lock_guard<std::mutex> lock(mutex);
-    addresses = std::move(found);
-    eventfd_write(done, 1);
-  }
-
-  const int done;
-  std::mutex mutex;
-  std::vector<NetworkAddress> addresses;
-};
-
 NameLookup::NameLookup(const std::string& host, const std::string& port)
-    : shared_(std::make_shared<Shared>()) {
+    : done_(eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)) {
   const std::string name = WithoutBrackets(host);
-  std::vector<NetworkAddress> numbers = Resolve(name, port, AI_NUMERICHOST);
-  if (!numbers.empty()) {
-    shared_->End(std::move(numbers));
+  addresses_ = Resolve(name, port, AI_NUMERICHOST);
+  if (!addresses_.empty()) {
+    eventfd_write(done_, 1);
     return;
   }
   try {
-    std::thread([shared = shared_, name, port] { shared->End(Resolve(name, port, 0)); }).detach();
+    thread_ = std::thread([this, name, port] {
+      pthread_setname_np(pthread_self(), "coppice_lookup");
+      addresses_ = Resolve(name, port, 0);
+      eventfd_write(done_, 1);
+    });
   } catch (const std::system_error&) {  // no thread now: perhaps the next time
-    shared_->End({});
+    eventfd_write(done_, 1);
   }
 }
 
-int NameLookup::fd() const { return shared_->done; }
+NameLookup::~NameLookup() {
+  if (thread_.joinable()) thread_.join();
+  if (done_ >= 0) close(done_);
+}
 
 std::vector<NetworkAddress> NameLookup::Take() {
-  const std::lock_guard<std::mutex> lock(shared_->mutex);
-  return std::move(shared_->addresses);
+  if (thread_.joinable()) thread_.join();
+  return std::move(addresses_);
 }
 
 }  // namespace coppice

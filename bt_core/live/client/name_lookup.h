@@ -5,8 +5,8 @@
 
 #include <sys/socket.h>
 
-#include <memory>
 #include <string>
+#include <thread>
 #include <vector>
 
 namespace coppice {
@@ -20,16 +20,20 @@ class NameLookup {
  public:
   /// Begins. `host`: a name or an address, IPv6 with or without brackets.
   NameLookup(const std::string& host, const std::string& port);
+  /// Waits for the thread: for as long as a name server may take that does not answer.
+  ~NameLookup();
+  NameLookup(const NameLookup&) = delete;
+  NameLookup& operator=(const NameLookup&) = delete;
 
   /// Readable when it has ended; -1 if that could not be.
-  int fd() const;
+  int fd() const { return done_; }
   /// When it has ended. None if nobody is called so.
   std::vector<NetworkAddress> Take();
 
  private:
-  struct Shared;
-
-  std::shared_ptr<Shared> shared_;  // the thread may outlive this
+  const int done_;
+  std::vector<NetworkAddress> addresses_;  // the thread's until it has ended
+  std::thread thread_;
 };
 
 }  // namespace coppice

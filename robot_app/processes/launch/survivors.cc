@@ -7,6 +7,7 @@
 #include <cctype>
 #include <cerrno>
 #include <csignal>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -58,20 +59,26 @@ std::vector<int> FindOwned(const std::string& owned) {
   return found;
 }
 
-Outcome BecomeOnlyOne(const std::string& file, Duration deadline) {
+Expected<int> BecomeOnlyOne(const std::string& file, Duration deadline) {
+  const auto failed = [&](const char* what) {
+    return Problem{std::string("cannot ") + what + " " + file + ": " + std::strerror(errno)};
+  };
   const int lock = open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
-  if (lock < 0) return Problem{"cannot open " + file + ": " + std::strerror(errno)};
+  if (lock < 0) return failed("open");
   const auto end = std::chrono::steady_clock::now() + deadline;
   while (flock(lock, LOCK_EX | LOCK_NB) != 0) {
-    if (std::chrono::steady_clock::now() >= end) {
-      close(lock);
-      return Problem{"another one, process " + ReadFile(file) + ", holds " + file};
+    if (errno != EWOULDBLOCK) return failed("lock");
+    if (std::chrono::steady_clock::now() < end) {
+      std::this_thread::sleep_for(kPause);
+      continue;
     }
-    std::this_thread::sleep_for(kPause);
+    close(lock);
+    const int other = std::atoi(ReadFile(file).c_str());
+    return other > 0 ? other : -1;
   }
   const std::string pid = std::to_string(getpid());
-  const bool is_told = ftruncate(lock, 0) == 0 && write(lock, pid.data(), pid.size()) > 0;
-  return is_told ? Outcome() : Problem{"cannot write " + file + ": " + std::strerror(errno)};
+  if (ftruncate(lock, 0) != 0 || write(lock, pid.data(), pid.size()) < 0) return failed("write");
+  return 0;
 }
 
 int KillOwned(const std::string& owned, Duration deadline) {

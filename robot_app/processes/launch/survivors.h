@@ -16,10 +16,10 @@ inline constexpr char kOwnerVariable[] = "COPPICE_SUPERVISED";
 /// Value of the variable for one process of an owner.
 std::string OwnedName(const std::string& owner, const std::string& process);
 
-/// Makes this process the only one that may end what the owner has left behind, until it ends itself
-/// or becomes another program; `file` stays. Waits for another one until the deadline (one that was
-/// killed may not be gone yet), then tells which it is.
-Outcome BecomeOnlyOne(const std::string& file, Duration deadline);
+/// Makes this process the only one that may end what the owner has left behind, until it ends or
+/// becomes another program; `file` stays. 0, or the process that is it already (-1 if it has not
+/// said its number): one that was killed may not be gone yet, so it is asked until the deadline.
+Expected<int> BecomeOnlyOne(const std::string& file, Duration deadline);
 
 /// Living processes of this computer whose variable begins with this: an owner, or an OwnedName.
 /// Not this one, and only those that may be looked into.

@@ -85,8 +85,8 @@ class RayCaster {
   Vec2 high_;
   int columns_ = 0;
   int rows_ = 0;
-  // Cell i holds the segments items_[begin_[i]] up to items_[begin_[i + 1]]; indices_ says which they
-  // are.
+  // Cell i holds the segments items_[begin_[i]] up to items_[begin_[i + 1]]; indices_ says which
+  // they are.
   std::vector<std::uint32_t> begin_;
   std::vector<Segment> items_;
   std::vector<std::uint32_t> indices_;

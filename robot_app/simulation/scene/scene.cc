@@ -9,6 +9,20 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kFloor = 0.25;  // reflectivity
 constexpr double kCeiling = 0.8;
 
+double ReflectivityOf(Material material) {
+  switch (material) {
+    case Material::kWall:
+      return 0.7;
+    case Material::kDoor:
+      return 0.45;
+    case Material::kFurniture:
+      return 0.35;
+    case Material::kCardboard:
+      return 0.55;
+  }
+  return 0;
+}
+
 std::vector<Segment> EdgesOf(const std::vector<Panel>& panels) {
   std::vector<Segment> edges;
   edges.reserve(panels.size());
@@ -50,6 +64,15 @@ double CastAtPillar(const Pillar& pillar, double height, double slope, double in
 }
 
 }  // namespace
+
+void StillScene::AddBox(const Rectangle& shape, double height, Material material) {
+  const auto corners = Corners(shape);
+  const int roof = static_cast<int>(roofs.size());
+  roofs.push_back({shape, height});
+  for (std::size_t i = 0; i < 4; ++i) {
+    panels.push_back({{corners[i], corners[(i + 1) % 4]}, height, material, roof});
+  }
+}
 
 Scene::Scene(StillScene still) : still_(std::move(still)), edges_(EdgesOf(still_.panels)) {}
 
@@ -119,7 +142,7 @@ bool Scene::MeetPanel(const Panel& panel, const Vec3& origin, Vec2 direction,
       const bool is_above = through > 0 && through < range;
       if (is_above && Distance(origin.xy() + direction * through, roof.shape) <= 0) met = through;
     }
-    Offer(met, panel.reflectivity, hits[i]);
+    Offer(met, ReflectivityOf(panel.material), hits[i]);
     is_nearer = true;
   }
   return is_nearer;

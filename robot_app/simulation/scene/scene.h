@@ -7,7 +7,7 @@
 //
 //   Scene scene(panels, 2.5);
 //   scene.SetFigures(figures);
-//   scene.CastFan({0, 0, 1.2}, Direction(0), {-0.1, 0, 0.1}, 100, hits);   // hits[1]: the level ray
+//   scene.CastFan({0, 0, 1.2}, Direction(0), {-0.1, 0, 0.1}, 100, hits);  // hits[1]: the level one
 #ifndef COPPICE_ROBOT_APP_SIMULATION_SCENE_SCENE_H_
 #define COPPICE_ROBOT_APP_SIMULATION_SCENE_SCENE_H_
 
@@ -24,14 +24,17 @@ struct Vec3 {
   Vec2 xy() const { return {x, y}; }
 };
 
+/// What something is made of: how it looks to a lidar and to a camera.
+enum class Material { kWall, kDoor, kFurniture, kCardboard };
+
 /// A side of something upright on the floor.
 struct Panel {
   static constexpr int kNoRoof = -1;
 
   Segment edge;
-  double top = 0;             ///< height of its end [m]
-  double reflectivity = 0.5;  ///< 0..1, for infrared light
-  int roof = kNoRoof;         ///< which of the scene's roofs it carries
+  double top = 0;  ///< height of its end [m]
+  Material material = Material::kWall;
+  int roof = kNoRoof;  ///< which of the scene's roofs it carries
 };
 
 /// The upper side of a box.
@@ -42,6 +45,9 @@ struct Roof {
 
 /// What does not move by itself.
 struct StillScene {
+  /// A box with four sides and a roof.
+  void AddBox(const Rectangle& shape, double height, Material material);
+
   std::vector<Panel> panels;
   std::vector<Roof> roofs;
   double ceiling = std::numeric_limits<double>::infinity();  ///< [m]; infinity: the sky
@@ -50,12 +56,14 @@ struct StillScene {
 /// Where a ray ends.
 struct Hit {
   double range = std::numeric_limits<double>::infinity();  ///< on the floor [m]; infinity: nowhere
-  double reflectivity = 0;
+  double reflectivity = 0;                                 ///< 0..1, for infrared light
 };
 
 class Scene {
  public:
   explicit Scene(StillScene still = {});
+
+  const StillScene& still() const { return still_; }
 
   /// Puts the figures where they are now; those of before are gone.
   void SetFigures(std::vector<Figure> figures) { figures_ = std::move(figures); }

@@ -10,7 +10,7 @@ namespace {
 
 Scene WallAhead() {
   StillScene still;
-  still.panels.push_back({{{5, -50}, {5, 50}}, 10, 0.7});
+  still.panels.push_back({{{5, -50}, {5, 50}}, 10});
   return Scene(still);
 }
 

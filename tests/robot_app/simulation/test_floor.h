@@ -5,6 +5,7 @@
 #include <string>
 
 #include "robot_app/simulation/floor.h"
+#include "robot_app/simulation/scene/scene.h"
 #include "tests/support/folders.h"
 
 namespace coppice::robot::simulation {
@@ -27,6 +28,12 @@ inline std::string InstituteFile() {
 inline Floor LoadInstitute() {
   Diagnostics diagnostics;
   return LoadFloor(InstituteFile(), diagnostics).value();
+}
+
+inline Segments EdgesOf(const StillScene& still) {
+  Segments edges;
+  for (const Panel& panel : still.panels) edges.push_back(panel.edge);
+  return edges;
 }
 
 }  // namespace coppice::robot::simulation

@@ -21,7 +21,7 @@ void BM_SimulatedSecond(benchmark::State& state) {
 BENCHMARK(BM_SimulatedSecond)->Arg(61)->Arg(541);
 
 void BM_Ray(benchmark::State& state) {
-  const RayCaster caster(World(LoadInstitute()).StillThings());
+  const RayCaster caster(EdgesOf(World(LoadInstitute()).still()));
   double angle = 0;
   for (auto unused : state) {
     for (int i = 0; i < 541; ++i) {
@@ -43,7 +43,7 @@ void BM_Turn3d(benchmark::State& state) {
   options.start = Pose2{20, 0, 0};
   World world(floor, options);
   People people(floor.people);
-  Scene scene(world.MakeStillScene());
+  Scene scene(world.still());
   Lidar3d lidar({}, 1);
   for (auto unused : state) {
     scene.SetFigures(people.Figures());

@@ -54,10 +54,14 @@ TEST_F(SurvivorsTest, AreKilledEvenIfTheyAreStopped) {
 TEST_F(SurvivorsTest, TheOnlyOneIsToldToWhoComesLater) {
   const std::string file = Temporary("only_one.lock");
   std::filesystem::remove(file);
-  ASSERT_TRUE(BecomeOnlyOne(file, {}));
-  const Outcome second = BecomeOnlyOne(file, {});
-  ASSERT_FALSE(second);
-  EXPECT_THAT(second.problem(), testing::HasSubstr("process " + std::to_string(getpid())));
+  ASSERT_EQ(BecomeOnlyOne(file, {}).value(), 0);
+  EXPECT_EQ(BecomeOnlyOne(file, {}).value(), getpid());
+}
+
+TEST_F(SurvivorsTest, WithoutAFileNobodyKnowsWhoIsTheOnlyOne) {
+  const Expected<int> other = BecomeOnlyOne(Temporary("no_such_folder") + "/only_one.lock", {});
+  ASSERT_FALSE(other);
+  EXPECT_THAT(other.problem(), testing::HasSubstr("cannot open"));
 }
 
 }  // namespace

@@ -31,7 +31,7 @@ void CompareOnRandomRays(const std::vector<Segment>& segments, double cell, int 
 }
 
 TEST(RayCaster, AgreesWithBruteForceInTheInstitute) {
-  CompareOnRandomRays(World(LoadInstitute()).StillThings(), 0.5, 50000);
+  CompareOnRandomRays(EdgesOf(World(LoadInstitute()).still()), 0.5, 50000);
 }
 
 TEST(RayCaster, AgreesWithBruteForceAmongRandomSegmentsAndCells) {

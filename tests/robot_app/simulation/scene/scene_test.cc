@@ -15,15 +15,6 @@ Hit Cast(const Scene& scene, const Vec3& origin, double yaw, double slope) {
   return hits[0];
 }
 
-void AddBox(const Rectangle& shape, double height, StillScene& scene) {
-  const auto corners = Corners(shape);
-  const int roof = static_cast<int>(scene.roofs.size());
-  scene.roofs.push_back({shape, height});
-  for (std::size_t i = 0; i < 4; ++i) {
-    scene.panels.push_back({{corners[i], corners[(i + 1) % 4]}, height, 0.3, roof});
-  }
-}
-
 TEST(Scene, MeetsTheFloorAndTheCeiling) {
   StillScene still;
   still.ceiling = 2.5;
@@ -48,7 +39,7 @@ TEST(Scene, LooksOverWhatIsLow) {
 
 TEST(Scene, SeesTheTopOfABoxFromAbove) {
   StillScene still;
-  AddBox({{3, 0}, {2, 2}}, 0.75, still);
+  still.AddBox({{3, 0}, {2, 2}}, 0.75, Material::kFurniture);
   const Scene scene(still);
   EXPECT_NEAR(Cast(scene, {0, 0, 1.2}, 0, -0.18).range, 2.5, 1e-9);
 }
@@ -98,7 +89,8 @@ TEST(Scene, RaysEndWhereAWalkAlongThemMeetsSomethingSolid) {
   std::vector<Figure> figures;
   for (int i = 0; i < 12; ++i) {
     const Vec2 at = Direction(uniform(-kPi, kPi)) * uniform(2.5, 8);
-    AddBox({at, {uniform(0.3, 2), uniform(0.3, 2)}, uniform(-3, 3)}, uniform(0.3, 2.2), still);
+    still.AddBox({at, {uniform(0.3, 2), uniform(0.3, 2)}, uniform(-3, 3)}, uniform(0.3, 2.2),
+                 Material::kFurniture);
     Stance stance;
     stance.position = Direction(uniform(-kPi, kPi)) * uniform(1, 8);
     stance.heading = uniform(-kPi, kPi);
@@ -125,7 +117,7 @@ TEST(Scene, RaysEndWhereAWalkAlongThemMeetsSomethingSolid) {
 
 TEST(Scene, AFanIsItsRaysOneByOne) {
   StillScene still;
-  AddBox({{3, 0}, {1, 1}, 0.4}, 1.0, still);
+  still.AddBox({{3, 0}, {1, 1}, 0.4}, 1.0, Material::kFurniture);
   still.panels.push_back({{{8, -5}, {8, 5}}, 1.5});
   const Scene scene(still);
   const std::vector<double> slopes{-0.25, -0.1, -0.02, 0, 0.02, 0.1, 0.25};
