@@ -68,6 +68,9 @@ FLOORS = {
                               "([localization](localization.md#making-a-map))",
          "robot_app/navigation": "planner, follower, waypoints; the action servers `move_base` and "
                                  "`motion`",
+         "robot_app/perception/clouds": "people in the clouds of the 3-D lidar "
+                                        "([perception](perception.md))",
+         "robot_app/perception/tracking": "people over time: Kalman filter, assignment, CLEAR-MOT",
          "robot_app/docking": "the way into the station; the action server `docking`",
          "robot_app/processes": "the process supervisor, the only one that starts and restarts "
                                 "programs ([supervision](supervision.md))",
@@ -76,7 +79,9 @@ FLOORS = {
          "robot_app/teleoperation": "the velocity mux: who drives",
          "robot_app/assistance": "human supervisors: requests, messages, their web page "
                                  "([supervisors](supervisors.md))"},
-        {"robot_app/ros": "the interfaces of `bt_nodes` implemented on ROS; feeds from topics to "
+        {"robot_app/training": "`coppice-train`: what the robot's classifiers learn from, and how "
+                               "well they have learnt it",
+         "robot_app/ros": "the interfaces of `bt_nodes` implemented on ROS; feeds from topics to "
                           "blackboards"},
     ],
     "editor": [

@@ -1,0 +1,218 @@
+#include "robot_app/training/people_training.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+namespace coppice::robot::training {
+namespace {
+
+using perception::CandidateFinder;
+using perception::Clusters;
+using perception::PeopleFinder;
+using perception::PersonClassifier;
+using perception::RangeImage;
+
+constexpr float kBody = 0.36F;          // points so near to a person's axis are the person's [m]
+constexpr double kMostlyPerson = 0.75;  // so much of a cluster: it is one
+constexpr double kLeastCover = 0.5;     // so much of the person's points: a whole one
+constexpr double kHardlyPerson = 0.4;   // less of a cluster: it is none
+constexpr double kHardlyCover = 0.3;    // less of the person's points: an arm, a leg
+constexpr double kTwoPeople = 0.2;   // more of a cluster is somebody else's: it is not one person
+constexpr float kSuspicious = 0.1F;  // later rounds learn from what looks like a person
+constexpr int kEverydayShare = 8;    // and from each eighth of what is none
+
+// The points of each person, and whose each cell is.
+struct Owners {
+  std::vector<std::uint8_t> of_cell;  // 1 + the person's index; 0: nobody
+  std::vector<int> points;            // of each person
+};
+
+Owners FindOwners(const RangeImage& image, const std::vector<perception::Surface>& surfaces,
+                  const LabelledScan& scan) {
+  Owners owners{std::vector<std::uint8_t>(image.size(), 0),
+                std::vector<int>(scan.people.size(), 0)};
+  for (std::size_t cell = 0; cell < image.size(); ++cell) {
+    if (surfaces[cell] != perception::Surface::kStanding) continue;
+    float nearest = kBody;
+    for (std::size_t i = 0; i < scan.people.size(); ++i) {
+      const Eigen::Vector2f axis =
+          Eigen::Vector2d(scan.people[i].position.x, scan.people[i].position.y).cast<float>();
+      const float distance = (image.points[cell].head<2>() - axis).norm();
+      if (distance >= nearest) continue;
+      nearest = distance;
+      owners.of_cell[cell] = static_cast<std::uint8_t>(1 + i);
+    }
+    if (owners.of_cell[cell] > 0) ++owners.points[owners.of_cell[cell] - 1];
+  }
+  return owners;
+}
+
+enum class Label { kPerson, kOther, kUnclear };
+
+Label LabelOf(Clusters::Cells cells, const Owners& owners) {
+  std::vector<int> counts(owners.points.size() + 1, 0);
+  for (const std::uint32_t cell : cells) ++counts[owners.of_cell[cell]];
+  const auto most = std::max_element(counts.begin() + 1, counts.end());
+  if (most == counts.end()) return Label::kOther;
+  const int points = owners.points[most - counts.begin() - 1];
+  const double share = static_cast<double>(*most) / static_cast<double>(cells.size());
+  const double cover = static_cast<double>(*most) / std::max(1, points);
+  const double others =
+      static_cast<double>(cells.size() - *most - counts[0]) / static_cast<double>(cells.size());
+  if (share < kHardlyPerson || cover < kHardlyCover || others > kTwoPeople) return Label::kOther;
+  return share >= kMostlyPerson && cover >= kLeastCover ? Label::kPerson : Label::kUnclear;
+}
+
+// What the classifier is not sure about, or wrong.
+bool IsInstructive(const PersonClassifier& classifier, const PersonClassifier::Example& example) {
+  const float probability = classifier.Probability(example.features);
+  return example.is_person ? probability < 1 - kSuspicious : probability > kSuspicious;
+}
+
+void AddExamples(const CandidateFinder& finder, const LabelledScan& scan,
+                 const PersonClassifier* classifier,
+                 std::vector<PersonClassifier::Example>& examples, std::mt19937_64& random) {
+  const Owners owners = FindOwners(finder.image(), finder.surfaces(), scan);
+  for (std::size_t i = 0; i < finder.candidates().size(); ++i) {
+    const Clusters::Cells cells = finder.candidates()[i];
+    const Label label = LabelOf(cells, owners);
+    if (label == Label::kUnclear) continue;
+    const PersonClassifier::Example example{Describe(finder.image(), cells),
+                                            label == Label::kPerson};
+    const bool is_everyday =
+        classifier == nullptr ? !example.is_person : !IsInstructive(*classifier, example);
+    if (!is_everyday || random() % kEverydayShare == 0) examples.push_back(example);
+  }
+}
+
+// --- figures ---
+
+std::size_t BandOf(double distance) { return distance <= 5 ? 0 : distance <= 10 ? 1 : 2; }
+
+// Which person of the truth each seen one is: the nearest within half a metre.
+constexpr double kSamePerson = 0.5;
+
+std::optional<Occlusion> OcclusionOf(const PersonTruth& person) {
+  if (person.visible < 0.3) return std::nullopt;
+  if (person.in_group) return Occlusion::kGroup;
+  if (person.visible <= 0.7) return Occlusion::kHalfHidden;
+  return Occlusion::kFree;
+}
+
+struct Count {
+  PeopleFigures& figures;
+  double squares = 0;  // of the positions' errors
+  int near = 0;
+
+  void Add(const std::vector<perception::SeenPerson>& seen,
+           const std::vector<PersonTruth>& people) {
+    std::vector<bool> found(people.size(), false);
+    for (const perception::SeenPerson& person : seen) AddSeen(person, people, found);
+    for (std::size_t i = 0; i < people.size(); ++i) {
+      const auto occlusion = OcclusionOf(people[i]);
+      const double distance = simulation::Length(people[i].position);
+      if (!occlusion || distance > 20) continue;
+      Misses& misses = figures.misses[BandOf(distance)][static_cast<std::size_t>(*occlusion)];
+      ++misses.people;
+      misses.missed += found[i] ? 0 : 1;
+    }
+  }
+
+ private:
+  void AddSeen(const perception::SeenPerson& person, const std::vector<PersonTruth>& people,
+               std::vector<bool>& found) {
+    const simulation::Vec2 at{person.position.x(), person.position.y()};
+    double nearest = kSamePerson;
+    std::size_t who = people.size();
+    for (std::size_t i = 0; i < people.size(); ++i) {
+      const double off = simulation::Length(people[i].position - at);
+      if (found[i] || off >= nearest) continue;
+      nearest = off;
+      who = i;
+    }
+    if (who == people.size()) {
+      ++figures.false_people[BandOf(simulation::Length(at))];
+      return;
+    }
+    found[who] = true;
+    if (simulation::Length(at) > 5) return;
+    squares += nearest * nearest;
+    ++near;
+  }
+};
+
+}  // namespace
+
+Expected<PersonClassifier> TrainPeople(const PeopleTrainingOptions& options,
+                                       const std::function<void(double)>& say) {
+  std::mt19937_64 random(options.seed);
+  CandidateFinder finder({});
+  std::vector<PersonClassifier::Example> examples;
+  std::optional<PersonClassifier> classifier;
+  for (int round = 0; round < options.rounds; ++round) {
+    for (int i = 0; i < options.scans; ++i) {
+      const LabelledScan scan = MakeLabelledScan(MakeRandomHall(random), {}, random);
+      finder.Find(scan.points);
+      AddExamples(finder, scan, classifier ? &*classifier : nullptr, examples, random);
+      say((round + static_cast<double>(i) / options.scans) / options.rounds);
+    }
+    auto learnt = PersonClassifier::Train(examples, options.trees);
+    if (!learnt) return Problem{learnt.problem()};
+    classifier.emplace(std::move(*learnt));
+  }
+  return std::move(*classifier);
+}
+
+double PeopleFigures::false_per_scan() const {
+  const int all = std::accumulate(false_people.begin(), false_people.end(), 0);
+  return scans > 0 ? static_cast<double>(all) / scans : 0;
+}
+
+PeopleFigures MeasurePeople(perception::PeopleFinder& finder, const Site& site, int scans,
+                            std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  PeopleFigures figures;
+  Count count{figures};
+  for (; figures.scans < scans; ++figures.scans) {
+    const LabelledScan scan = MakeLabelledScan(site, {}, random);
+    const auto begin = std::chrono::steady_clock::now();
+    const auto& seen = finder.Find(scan.points);
+    figures.seconds +=
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    count.Add(seen, scan.people);
+  }
+  figures.position_error = std::sqrt(count.squares / std::max(count.near, 1));
+  return figures;
+}
+
+std::string Table(const PeopleFigures& figures) {
+  static constexpr const char* kBands[] = {"0-5 m", "5-10 m", "10-20 m"};
+  std::string text =
+      "| distance | in full view | half hidden | groups of three | false people a scan |\n"
+      "|---|---|---|---|---|\n";
+  for (std::size_t band = 0; band < figures.misses.size(); ++band) {
+    text += "| " + std::string(kBands[band]);
+    for (const Misses& misses : figures.misses[band]) {
+      char cell[64];
+      std::snprintf(cell, sizeof(cell), " | %.1f %% of %d missed", 100 * misses.share(),
+                    misses.people);
+      text += cell;
+    }
+    char cell[32];
+    std::snprintf(cell, sizeof(cell), " | %.3f |\n",
+                  static_cast<double>(figures.false_people[band]) / std::max(figures.scans, 1));
+    text += cell;
+  }
+  char end[128];
+  std::snprintf(end, sizeof(end), "\n%d scans, %.1f ms each; position within 5 m: %.2f m\n",
+                figures.scans, 1e3 * figures.seconds / std::max(figures.scans, 1),
+                figures.position_error);
+  return text + end;
+}
+
+}  // namespace coppice::robot::training

@@ -1,0 +1,77 @@
+#include "robot_app/training/people_training.h"
+
+#include <gtest/gtest.h>
+
+#include "robot_app/simulation/world.h"
+#include "tests/support/folders.h"
+#include "tests/support/temporary_folder.h"
+
+namespace coppice::robot::training {
+namespace {
+
+using perception::PeopleFinder;
+using perception::PersonClassifier;
+
+std::string TextOf(const PersonClassifier& classifier) {
+  const TemporaryFolder folder;
+  EXPECT_TRUE(classifier.Save(folder.Path("classifier.yaml")));
+  return ReadFile(folder.Path("classifier.yaml"));
+}
+
+PeopleFigures MeasureShipped(bool with_picture, int scans) {
+  Diagnostics diagnostics;
+  const auto floor = simulation::LoadFloor(
+      SourceFolder() + "/robot_app/simulation/floors/institute.yaml", diagnostics);
+  Site site;
+  site.still = simulation::World(*floor).still();
+  site.area = {{24.5, 0}, {55, 12}, 0};
+  auto classifier =
+      PersonClassifier::Load(SourceFolder() + "/robot_app/perception/data/people_in_clouds.yaml");
+  perception::FinderOptions options;
+  options.candidates.with_depth_steps = with_picture;
+  PeopleFinder finder(options, std::move(*classifier));
+  return MeasurePeople(finder, site, scans, 77);
+}
+
+int MissedNear(const PeopleFigures& figures) {
+  int missed = 0;
+  for (const Misses& misses : figures.misses[0]) missed += misses.missed;
+  return missed;
+}
+
+TEST(PeopleTraining, TheSameOptionsLearnTheSameToTheLastBit) {
+  PeopleTrainingOptions options;
+  options.scans = 12;
+  options.trees = {10, 2};
+  const auto first = TrainPeople(options, [](double) {});
+  const auto second = TrainPeople(options, [](double) {});
+  ASSERT_TRUE(first) << first.problem();
+  EXPECT_EQ(TextOf(*first), TextOf(*second));
+}
+
+TEST(PeopleTraining, OnAFloorNeverSeenHardlyAnybodyNearIsMissedOrInvented) {
+  const PeopleFigures figures = MeasureShipped(true, 200);
+  const Misses& free = figures.of(Distance::kNear, Occlusion::kFree);
+  EXPECT_GT(free.people, 150);
+  EXPECT_LE(free.share(), 0.03);
+  EXPECT_LE(figures.of(Distance::kNear, Occlusion::kHalfHidden).share(), 0.1);
+  EXPECT_LE(figures.false_per_scan(), 0.05);
+  EXPECT_LE(figures.position_error, 0.12);
+}
+
+TEST(PeopleTraining, FewerPeopleAreMissedWithThePictureThanWithDistanceAlone) {
+  EXPECT_LT(MissedNear(MeasureShipped(true, 200)), MissedNear(MeasureShipped(false, 200)));
+}
+
+TEST(PeopleTraining, TheTableNamesDistancesAndOcclusions) {
+  PeopleFigures figures;
+  figures.scans = 10;
+  figures.misses[0][1] = {20, 1};
+  figures.false_people[2] = 3;
+  const std::string table = Table(figures);
+  EXPECT_NE(table.find("| 0-5 m | 0.0 % of 0 missed | 5.0 % of 20 missed |"), std::string::npos);
+  EXPECT_NE(table.find("| 0.300 |"), std::string::npos) << table;
+}
+
+}  // namespace
+}  // namespace coppice::robot::training

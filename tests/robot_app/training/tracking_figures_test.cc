@@ -1,0 +1,57 @@
+#include "robot_app/training/tracking_figures.h"
+
+#include <gtest/gtest.h>
+
+#include <utility>
+
+#include "tests/support/folders.h"
+
+namespace coppice::robot::training {
+namespace {
+
+perception::PeopleFinder Shipped() {
+  auto classifier = perception::PersonClassifier::Load(
+      SourceFolder() + "/robot_app/perception/data/people_in_clouds.yaml");
+  EXPECT_TRUE(classifier) << classifier.problem();
+  return {{}, std::move(*classifier)};
+}
+
+// Ten people who cross, stop, meet and hide behind each other.
+TrackingFigures Ten(std::uint64_t seed) {
+  TrackingScenario scenario;
+  scenario.seconds = 40;
+  scenario.seed = seed;
+  perception::PeopleFinder finder = Shipped();
+  return MeasureTracking(finder, scenario);
+}
+
+TEST(TrackingFigures, OfTenPeopleNearlyAllAreFollowedNearlyAlways) {
+  const TrackingFigures figures = Ten(31);
+  EXPECT_GT(figures.mot.people, 1500);
+  EXPECT_GE(figures.mot.mota(), 0.9) << Summary(figures);
+  EXPECT_LE(figures.mot.position_error(), 0.12) << Summary(figures);
+}
+
+TEST(TrackingFigures, TheyHardlyEverGetAnotherNumber) {
+  int switches = 0;
+  double person_minutes = 0;
+  for (const std::uint64_t seed : {31, 32, 33}) {
+    const TrackingFigures figures = Ten(seed);
+    switches += figures.mot.switches;
+    person_minutes += figures.person_minutes;
+  }
+  EXPECT_LE(switches / person_minutes, 0.5);
+}
+
+TEST(TrackingFigures, InAnEmptyHallNobodyIsFollowed) {
+  TrackingScenario scenario;
+  scenario.people = 0;
+  scenario.seconds = 20;
+  perception::PeopleFinder finder = Shipped();
+  const TrackingFigures figures = MeasureTracking(finder, scenario);
+  EXPECT_GT(figures.turns, 100);
+  EXPECT_EQ(figures.mot.extra, 0);
+}
+
+}  // namespace
+}  // namespace coppice::robot::training
