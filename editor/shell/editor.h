@@ -20,9 +20,9 @@
 #include "editor/files/history_store.h"
 #include "editor/keys/input_queue.h"
 #include "editor/render/image.h"
+#include "editor/settings/settings.h"
 #include "editor/theme/item_registry.h"
 #include "editor/workspace/editor_state.h"
-#include "editor/workspace/settings.h"
 
 struct ImDrawData;
 struct ImGuiContext;

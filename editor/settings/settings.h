@@ -4,8 +4,8 @@
 //   Settings settings = ReadSettings(text, file, diagnostics);
 //   Apply(settings, state);
 //   WriteFile(file, WriteSettings(SettingsOf(state)), diagnostics);
-#ifndef COPPICE_EDITOR_WORKSPACE_SETTINGS_H_
-#define COPPICE_EDITOR_WORKSPACE_SETTINGS_H_
+#ifndef COPPICE_EDITOR_SETTINGS_SETTINGS_H_
+#define COPPICE_EDITOR_SETTINGS_SETTINGS_H_
 
 #include <string>
 
@@ -37,4 +37,4 @@ Settings SettingsOf(const EditorState& state);
 
 }  // namespace coppice::editor
 
-#endif  // COPPICE_EDITOR_WORKSPACE_SETTINGS_H_
+#endif  // COPPICE_EDITOR_SETTINGS_SETTINGS_H_

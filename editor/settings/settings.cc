@@ -1,4 +1,4 @@
-#include "editor/workspace/settings.h"
+#include "editor/settings/settings.h"
 
 #include <cmath>
 #include <cstdlib>
