@@ -59,6 +59,8 @@ std::unique_ptr<Editor> MakeEditor(const EditOptions& options, EditorOptions edi
     editor_options.recent_file = UserPath("XDG_CONFIG_HOME", "/.config", "/coppice/recent");
     editor_options.keys_file = UserPath("XDG_CONFIG_HOME", "/.config", "/coppice/keys");
     editor_options.marks_file = UserPath("XDG_STATE_HOME", "/.local/state", "/coppice/marks.json");
+    editor_options.projects_folder =
+        UserPath("XDG_STATE_HOME", "/.local/state", "/coppice/projects");
     editor_options.backup_folder = UserPath("XDG_STATE_HOME", "/.local/state", "/coppice/backup");
   }
   auto editor = std::make_unique<Editor>(std::move(editor_options));

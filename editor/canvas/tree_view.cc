@@ -166,6 +166,28 @@ void TreeView::OpenAll(double now) {
   Relayout(Anchor(selected_, now), now);
 }
 
+std::vector<std::string> TreeView::ClosedNodes() const {
+  std::vector<std::string> nodes;
+  for (std::uint32_t i = 0; i < collapsed_.size(); ++i) {
+    const SceneNode& node = scene_->nodes[i];
+    if (collapsed_[i]) nodes.push_back(node.path + " " + std::string(node.id));
+  }
+  return nodes;
+}
+
+void TreeView::CloseAtFirst(const std::vector<std::string>& nodes) {
+  if (nodes.empty() || !scene_) return;
+  for (const std::string& node : nodes) {
+    const std::string path = node.substr(0, node.find(' '));
+    const std::uint32_t found = scene_->FindPath(path);
+    if (found == kNoSceneNode || !scene_->HasChildren(found)) continue;
+    collapsed_[found] = node == path + " " + std::string(scene_->nodes[found].id);
+  }
+  ListShown();
+  LayOutShown();
+  moved_at_ = kNeverMoved;
+}
+
 std::uint32_t TreeView::ShownOf(std::uint32_t node) const {
   const auto after = std::upper_bound(shown_.begin(), shown_.end(), node);
   return static_cast<std::uint32_t>(after - shown_.begin()) - 1;

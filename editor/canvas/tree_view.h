@@ -102,6 +102,11 @@ class TreeView {
   /// Everything that neither holds a selected node nor is selected. Without a selection nothing.
   void CollapseOthers(double now);
   void OpenAll(double now);
+  /// Path and ID of those that are collapsed, "1.2 Sequence": what a later version of the tree can
+  /// be asked for.
+  std::vector<std::string> ClosedNodes() const;
+  /// Before the view is painted for the first time: collapses these, as far as they are there.
+  void CloseAtFirst(const std::vector<std::string>& nodes);
 
   /// The node that was selected last; kNoSceneNode: none.
   std::uint32_t selected() const { return selected_; }

@@ -74,7 +74,8 @@ Editor::Editor(EditorOptions options)
             return MeasureNode(ui, scene, node, false);
           },
           options_.backup_folder),
-      history_store_(options_.backup_folder) {
+      history_store_(options_.backup_folder),
+      projects_(options_.projects_folder) {
   const WithContext current(context_);
   SetUpImGui();
   editor::Apply(options_.settings, state_, state_.now);
@@ -148,13 +149,19 @@ bool Editor::Open(const std::string& path) {
   const WithContext current(context_);
   const bool good = state_.workspace.Open(path, state_.now);
   if (good) Remember(path);
+  projects_.Follow(state_);
+  TakeInFiles();
+  return good;
+}
+
+// That were opened: what is known of them beside their texts.
+void Editor::TakeInFiles() {
   for (const auto& [name, file] : state_.workspace.project().files()) {
     if (fonts_->Lacks(file.text)) needs_all_characters_ = true;
   }
   history_store_.Restore(state_.workspace.project());
   state_.work.Look(state_.workspace.project());
   settle_ = kFramesToSettle;
-  return good;
 }
 
 // Once the user has said what becomes of it, nothing is unsaved any more.
@@ -164,6 +171,7 @@ void Editor::KeepWork() {
   history_store_.Update(project);
   KeepMarks();
   KeepSettings();
+  projects_.Keep(state_);
   KeepRecent();
 }
 
@@ -222,6 +230,8 @@ void Editor::Frame(const InputEvents& input) {
   state_.simulator.Update(state_.workspace.project(), state_.now);
   state_.coverage.Update();
   state_.workspace.Update(state_.now);
+  if (ImGui::GetFrameCount() > 0 && projects_.OpenRest(state_)) TakeInFiles();
+  projects_.Follow(state_);
   for (const auto& run : state_.workspace.runs()) {
     const std::string answer = run->TakeAnswer();
     if (!answer.empty()) state_.Notify(run->name() + ": " + answer, state_.now, true);

@@ -20,6 +20,7 @@
 #include "editor/files/history_store.h"
 #include "editor/keys/input_queue.h"
 #include "editor/render/image.h"
+#include "editor/settings/project_session.h"
 #include "editor/settings/settings.h"
 #include "editor/theme/item_registry.h"
 #include "editor/workspace/editor_state.h"
@@ -38,10 +39,11 @@ struct EditorOptions {
   float scale = 1;                     ///< of the screen; 2 on a screen with tiny pixels
   std::shared_ptr<const Fonts> fonts;  ///< shared with others; null, or not fit: its own
   std::string recent_file;             ///< where the list of recent files is kept; empty: nowhere
-  std::string backup_folder;   ///< where unsaved work and the history are kept; empty: nowhere
-  std::string keys_file;       ///< the user's keys (commands/key_file.h); empty: none
-  std::string marks_file;      ///< where breakpoints and bookmarks are kept; empty: nowhere
-  std::function<void()> wake;  ///< called by any thread when a new frame would show news
+  std::string backup_folder;    ///< where unsaved work and the history are kept; empty: nowhere
+  std::string keys_file;        ///< the user's keys (commands/key_file.h); empty: none
+  std::string projects_folder;  ///< where settings of projects are kept; empty: nowhere
+  std::string marks_file;       ///< where breakpoints and bookmarks are kept; empty: nowhere
+  std::function<void()> wake;   ///< called by any thread when a new frame would show news
   std::function<std::string()> get_clipboard;  ///< empty: the editor's own
   std::function<void(const std::string&)> set_clipboard;
 };
@@ -113,6 +115,7 @@ class Editor {
   void LoadKeys();
   bool IsLogBehind() const;
   void KeepSettings();
+  void TakeInFiles();
   void LoadMarks();
   void KeepMarks();
   void Remember(const std::string& path);
@@ -127,6 +130,7 @@ class Editor {
   bool needs_all_characters_ = false;  // fonts_ may have the usual ones alone
   bool cannot_bake_ = false;           // the files of the fonts are gone
   HistoryStore history_store_;
+  ProjectSession projects_;
   std::string kept_marks_;     // as they are in the file
   std::string kept_settings_;  // likewise
   std::string kept_recent_;    // likewise

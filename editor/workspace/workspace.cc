@@ -104,6 +104,16 @@ bool Workspace::Open(const std::string& path, double now) {
   return main >= 0;
 }
 
+void Workspace::OpenBehind(const std::string& path, double now) {
+  const bool is_open = std::any_of(files_.begin(), files_.end(),
+                                   [&](const OpenFile& file) { return file.path == path; });
+  if (is_open) return;
+  files_.push_back(Load(path));
+  shown_version_ = project_.version();
+  look_at_ = std::min(look_at_, now + kLookDelay);
+  check_at_ = std::min(check_at_, now);
+}
+
 std::string Workspace::New(double now) {
   std::string path = "untitled.xml";
   std::error_code error;
@@ -353,7 +363,8 @@ void Workspace::ShowTreeOfRun(double now) {
 TreeView* Workspace::ViewOf(const std::string& key, const Forest& forest, int tree,
                             const NodeModels& models, double now, bool renew) {
   std::unique_ptr<TreeView>& view = views_[key];
-  if (!view) {
+  const bool is_first = !view;
+  if (is_first) {
     view = std::make_unique<TreeView>();
     renew = true;
   }
@@ -361,6 +372,8 @@ TreeView* Workspace::ViewOf(const std::string& key, const Forest& forest, int tr
     auto scene = std::make_shared<Scene>(BuildScene(forest, tree, models));
     if (run_ >= 0) NumberNodes(*run()->tree()->description(), *scene);
     view->SetScene(std::move(scene), size_of_, now);
+    const auto closed = closed_.find(key);
+    if (is_first && closed != closed_.end()) view->CloseAtFirst(closed->second);
   }
   view->SetStyle(style_, now);
   return view->scene()->nodes.empty() ? nullptr : view.get();

@@ -37,6 +37,13 @@ struct ElementPlace {
   ElementIndex element{0};
 };
 
+/// Nodes of a tree whose children are hidden, as TreeView::ClosedNodes.
+struct ClosedNodes {
+  std::string path;  ///< of the file
+  std::string tree;  ///< ID
+  std::vector<std::string> nodes;
+};
+
 class Workspace {
  public:
   explicit Workspace(TreeView::SizeOf size_of) : size_of_(std::move(size_of)) {}
@@ -44,6 +51,8 @@ class Workspace {
   /// Opens a file of trees, or reads it again if it is open, and shows its main tree; or a record.
   /// False if there is nothing to show; the problems tell why.
   bool Open(const std::string& path, double now);
+  /// Opens a file beside what is shown; not if it is open.
+  void OpenBehind(const std::string& path, double now);
   /// Makes a file that is not on the disk yet, with one empty tree, and shows it. Returns its path,
   /// which is free in this folder.
   std::string New(double now);
@@ -88,6 +97,12 @@ class Workspace {
   void ShowRun(std::size_t run);
   /// The next run, from a file too; without runs nothing changes.
   void ShowNextRun();
+
+  /// Trees of files with closed nodes.
+  std::vector<ClosedNodes> closed() const;
+  /// Closes these nodes when the tree is shown for the first time.
+  void CloseAtFirst(const std::string& path, const std::string& tree,
+                    std::vector<std::string> nodes);
 
   const std::vector<OpenFile>& files() const { return files_; }
   const std::vector<std::unique_ptr<RunView>>& runs() const { return runs_; }
@@ -175,6 +190,7 @@ class Workspace {
   std::vector<Diagnostic> record_problems_;
   std::map<std::string, std::unique_ptr<TreeView>> views_;
   std::map<const TreeView*, ScenePointsInto> alive_;
+  std::map<std::string, std::vector<std::string>> closed_;  // by key of the view, for CloseAtFirst
   LayoutStyle style_;
   TreeView* view_ = nullptr;
   int file_ = -1;
