@@ -10,6 +10,10 @@ namespace {
 constexpr float kRows[] = {300, 400, 500, 650, 800, 1000, 1300, 1600, 2000, 2800};
 constexpr std::size_t kMostToTry = 2000;  // nodes; larger trees cannot be read as a whole anyway
 
+// Packing rows is work: for trees that can fill a canvas and be read.
+constexpr std::size_t kMostToPack = 300;
+constexpr int kPackings = 6;  // to find the largest
+
 constexpr float kFarLarger = 1.25F;
 constexpr float kLargeEnough = 0.8F;  // nobody turns a tree that has that zoom
 
@@ -34,7 +38,35 @@ class Chooser {
         if (IsAllowed(orientation) && TryRows(RowsOf(orientation, compact))) return true;
       }
     }
+    if (tree_.ends.size() > kMostToPack) return false;
+    for (const bool compact : {false, true}) {
+      for (const Orientation orientation : {Orientation::kTopToBottom, Orientation::kLeftToRight}) {
+        if (IsAllowed(orientation) && TryPacked(RowsOf(orientation, compact))) return true;
+      }
+    }
     return false;
+  }
+
+  // The largest that fits: by halving.
+  bool TryPacked(LayoutChoice choice) {
+    const float readable = Readable(choice);
+    const float longest = choice.limit;
+    choice.rows = longest;
+    choice.packed = true;
+    bool found = false;
+    float low = readable;
+    float high = 2 * readable;
+    for (int trial = 0; trial < kPackings; ++trial) {
+      const float zoom = trial == 0 ? low : (low + high) / 2;
+      choice.limit = longest * readable / zoom;
+      TreeLayout layout = Arrange(tree_, style_, choice);
+      const bool fits = ZoomOf(layout.bounds) >= zoom;
+      (fits ? low : high) = zoom;
+      if (fits) best_ = {choice, std::move(layout), readable, true};
+      found = found || fits;
+      if (!found) break;
+    }
+    return found;
   }
 
   // The largest of those that can be read.

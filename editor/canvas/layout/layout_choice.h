@@ -2,7 +2,8 @@
 //
 //   1. with its ports, top to bottom, then left to right
 //   2. with its names alone, top to bottom, then left to right
-//   3. with its names alone in rows
+//   3. with its names alone in rows that are broken where they are too long
+//   4. with its names alone in rows that are broken where that takes the least room
 //
 // What cannot be read as a whole is laid out like a page: rows as long as the canvas is wide, to be
 // scrolled. What the user has chosen (LayoutStyle) is left to him.

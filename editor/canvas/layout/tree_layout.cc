@@ -40,9 +40,12 @@ constexpr Gaps kDown = {18, 38, 34};
 constexpr Gaps kAcross = {14, 56, 34};
 constexpr Gaps kNamesDown = {9, 19, 20};  // between names there is nothing to be read
 constexpr Gaps kNamesAcross = {10, 30, 20};
+constexpr Gaps kPackedDown = {9, 16, 14};  // as little as the lines need
+constexpr Gaps kPackedAcross = {10, 24, 14};
 
 Gaps GapsOf(const LayoutChoice& choice) {
   const bool down = choice.orientation == Orientation::kTopToBottom;
+  if (choice.names_only && choice.packed) return down ? kPackedDown : kPackedAcross;
   if (choice.names_only) return down ? kNamesDown : kNamesAcross;
   return down ? kDown : kAcross;
 }
@@ -61,9 +64,10 @@ class Arranger {
     MakeBlocks();
     const Gaps gaps = GapsOf(choice_);
     if (choice_.rows > 0) {
-      const WrappedTree rows = LayOutWrapped(BlockEnds(), BlockSizes(),
-                                             {choice_.orientation, gaps.siblings, gaps.levels,
-                                              gaps.indent, choice_.rows, choice_.limit});
+      const WrappedTree rows =
+          LayOutWrapped(BlockEnds(), BlockSizes(),
+                        {choice_.orientation, gaps.siblings, gaps.levels, gaps.indent, choice_.rows,
+                         choice_.limit, choice_.packed});
       PlaceAll(rows.boxes, rows.bounds);
     } else {
       const TidyTree tidy =

@@ -51,10 +51,11 @@ struct LayoutChoice {
   bool compact = false;  ///< although the style does not ask for it
   float rows = 0;        ///< in rows, broken where they would be longer than that; 0: the tidy tree
   float limit = 1e9F;    ///< of how long rows are together with what is left of them
+  bool packed = false;   ///< rows are broken where they take the least room within that limit
 };
 inline bool operator==(const LayoutChoice& a, const LayoutChoice& b) {
   return a.orientation == b.orientation && a.names_only == b.names_only && a.compact == b.compact &&
-         a.rows == b.rows && a.limit == b.limit;
+         a.rows == b.rows && a.limit == b.limit && a.packed == b.packed;
 }
 
 /// So many leaves in a row stay side by side.

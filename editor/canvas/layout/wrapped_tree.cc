@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "editor/canvas/layout/packed_rows.h"
+
 namespace coppice::editor {
 namespace {
 
@@ -23,18 +25,11 @@ class Wrapper {
     at_.resize(sizes.size());
   }
 
-  WrappedTree Run() {
-    const auto count = static_cast<std::uint32_t>(sizes_.size());
+  // Where each node is below its parent.
+  std::vector<Point> Run() {
     SetLimits();
-    for (std::uint32_t i = count; i-- > 0;) Measure(i);
-    WrappedTree result;
-    result.boxes.reserve(count);
-    // Parents come first in preorder; until then, at_ is where a node is below its parent.
-    for (std::uint32_t i = 0; i < count; ++i) {
-      result.boxes.push_back({at_[i], at_[i] + sizes_[i]});
-      for (std::uint32_t c = i + 1; c < ends_[i]; c = ends_[c]) at_[c] = at_[c] + at_[i];
-    }
-    return result;
+    for (auto i = static_cast<std::uint32_t>(sizes_.size()); i-- > 0;) Measure(i);
+    return std::move(at_);
   }
 
  private:
@@ -112,7 +107,17 @@ WrappedTree LayOutWrapped(const std::vector<std::uint32_t>& ends, const std::vec
   const bool sideways = options.orientation == Orientation::kLeftToRight;
   std::vector<Point> turned = sizes;
   if (sideways) std::transform(sizes.begin(), sizes.end(), turned.begin(), Flipped);
-  WrappedTree tree = Wrapper(ends, turned, options, sideways ? kShapeAcross : kShapeDown).Run();
+  const RowGaps gaps = {options.sibling_gap, options.level_gap, options.indent};
+  std::vector<Point> at =
+      options.packed ? PackRows(ends, turned, gaps, options.limit)
+                     : Wrapper(ends, turned, options, sideways ? kShapeAcross : kShapeDown).Run();
+  WrappedTree tree;
+  tree.boxes.reserve(sizes.size());
+  // Parents come first in preorder.
+  for (std::uint32_t i = 0; i < sizes.size(); ++i) {
+    tree.boxes.push_back({at[i], at[i] + turned[i]});
+    for (std::uint32_t c = i + 1; c < ends[i]; c = ends[c]) at[c] = at[c] + at[i];
+  }
   if (sideways) {
     for (Box& box : tree.boxes) box = {Flipped(box.min), Flipped(box.max)};
   }

@@ -20,6 +20,7 @@ struct RowOptions {
   float indent = 34;       ///< of rows: room for the line to them
   float breadth = 2400;    ///< rows that are not longer are not broken
   float limit = 1e9F;      ///< of the whole tree, where its nodes allow it
+  bool packed = false;     ///< broken where the whole is the least deep (packed_rows.h)
 };
 
 struct WrappedTree {
@@ -27,7 +28,7 @@ struct WrappedTree {
   Box bounds;              ///< around all of them
 };
 
-/// Lays out a tree given in preorder, as LayOut does. Linear in the number of nodes.
+/// Lays out a tree given in preorder, as LayOut does. Linear in the number of nodes, but if packed.
 WrappedTree LayOutWrapped(const std::vector<std::uint32_t>& ends, const std::vector<Point>& sizes,
                           const RowOptions& options);
 
