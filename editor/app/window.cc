@@ -9,7 +9,9 @@
 #include <limits>
 #include <memory>
 
+#include "bt_core/base/read_file.h"
 #include "editor/app/run.h"
+#include "editor/live/record_source.h"
 #include "editor/theme/fonts.h"
 #include "editor/theme/scale.h"
 #include "editor/window/gl_renderer.h"
@@ -160,6 +162,16 @@ class WindowLoop {
   bool good_ = true;
 };
 
+// What is missing after all is baked when it is drawn.
+std::vector<ImWchar> UnusualIn(const std::vector<std::string>& files) {
+  constexpr std::size_t kLongest = std::size_t{8} << 20;  // larger ones are not what is shown first
+  std::string texts;
+  for (const std::string& file : files) {
+    if (!IsRecordName(file)) texts += ReadFile(file, kLongest).value_or("");
+  }
+  return UnusualCharacters(texts);
+}
+
 }  // namespace
 
 int RunWindow(const Clock& clock, const EditOptions& options) {
@@ -171,10 +183,11 @@ int RunWindow(const Clock& clock, const EditOptions& options) {
   }
   EditorOptions editor_options = LoadSettings(options);
   // Both take long, and each has a core.
-  auto fonts = std::async(std::launch::async,
-                          [scale = ShownScale(editor_options.settings.scale, ScaleOfScreen())] {
-                            return std::make_shared<const Fonts>(scale, Characters::kUsual);
-                          });
+  auto fonts = std::async(
+      std::launch::async,
+      [scale = ShownScale(editor_options.settings.scale, ScaleOfScreen()), files = options.files] {
+        return std::make_shared<const Fonts>(scale, Characters::kUsual, UnusualIn(files));
+      });
   GlfwWindow window(editor_options.settings.width, editor_options.settings.height);
   if (!window.get()) {
     std::cerr << "coppice-edit: no OpenGL window (" << Glfw::LastError()

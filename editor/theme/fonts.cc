@@ -22,14 +22,15 @@ namespace {
 
 constexpr float kSizes[] = {7, 8, 9, 10, 11, 12, 13, 14, 15, 17, 19, 22, 25, 29, 34, 40};
 
-constexpr ImWchar kTextRanges[] = {0x0020, 0x017F, 0x0391, 0x03C9, 0x2010, 0x2026, 0x203A,
-                                   0x203A, 0x2190, 0x2193, 0x21C9, 0x21C9, 0x2248, 0x2248,
-                                   0x2260, 0x2265, 0x25A0, 0x25A1, 0x25B2, 0x25CF, 0};
-// · × – … › → ⇉ and kMissing.
+constexpr ImWchar kTextRanges[] = {0x0020, 0x017F, 0x0391, 0x03C9, 0x2010, 0x2026, 0x203A, 0x203A,
+                                   0x2190, 0x2193, 0x21C9, 0x21C9, 0x2248, 0x2248, 0x2260, 0x2265,
+                                   0x25A0, 0x25A1, 0x25AF, 0x25AF, 0x25B2, 0x25CF, 0};
+// · × – … › → ⇉, kMissing and kNowhere.
 constexpr ImWchar kUsualRanges[] = {0x0020, 0x007E, 0x00B7, 0x00B7, 0x00D7, 0x00D7, 0x2013,
                                     0x2013, 0x2026, 0x2026, 0x203A, 0x203A, 0x2192, 0x2192,
-                                    0x21C9, 0x21C9, 0x25A1, 0x25A1, 0};
-constexpr ImWchar kMissing = 0x25A1;  // an empty box
+                                    0x21C9, 0x21C9, 0x25A1, 0x25A1, 0x25AF, 0x25AF, 0};
+constexpr ImWchar kMissing = 0x25A1;  // a square: for what could have been baked
+constexpr ImWchar kNowhere = 0x25AF;  // a narrow box: for what no font has
 constexpr ImWchar kIconRanges[] = {
     0xF002, 0xF002, 0xF00C, 0xF00D, 0xF017, 0xF017, 0xF01E, 0xF01E, 0xF021, 0xF021, 0xF048,
     0xF048, 0xF04B, 0xF04E, 0xF051, 0xF051, 0xF059, 0xF059, 0xF06A, 0xF06A, 0xF071, 0xF071,
@@ -68,21 +69,42 @@ bool Read(const std::string& path, std::string& bytes) {
   return !bytes.empty();
 }
 
-// Instead of the question mark, which texts have too.
-void MarkMissing(ImFontAtlas& atlas) {
-  for (ImFont* const font : atlas.Fonts) {
-    const ImFontGlyph* const box = font->FindGlyphNoFallback(kMissing);
-    if (!box) continue;
-    font->FallbackGlyph = box;
-    font->FallbackAdvanceX = box->AdvanceX;
+bool IsIn(const ImWchar* ranges, unsigned code) {
+  for (; *ranges != 0; ranges += 2) {
+    if (code >= ranges[0] && code <= ranges[1]) return true;
   }
+  return false;
+}
+
+// These ranges and the characters of a text, as ranges.
+std::vector<ImWchar> RangesOf(const ImWchar* ranges, const std::vector<ImWchar>& more) {
+  std::vector<ImWchar> all;
+  for (; *ranges != 0; ++ranges) all.push_back(*ranges);
+  for (const ImWchar code : more) all.insert(all.end(), {code, code});
+  all.push_back(0);
+  return all;
 }
 
 }  // namespace
 
-Fonts::Fonts(float scale, Characters characters)
+std::vector<ImWchar> UnusualCharacters(std::string_view text) {
+  const auto is_plain = [](char byte) { return static_cast<unsigned char>(byte) < 0x80; };
+  std::set<ImWchar> found;
+  auto at = std::find_if_not(text.begin(), text.end(), is_plain);
+  while (at != text.end()) {
+    unsigned code = 0;
+    at += ImTextCharFromUtf8(&code, &*at, text.data() + text.size());
+    if (!IsIn(kUsualRanges, code) && IsIn(kTextRanges, code)) {
+      found.insert(static_cast<ImWchar>(code));
+    }
+    at = std::find_if_not(at, text.end(), is_plain);
+  }
+  return {found.begin(), found.end()};
+}
+
+Fonts::Fonts(float scale, Characters characters, const std::vector<ImWchar>& more)
     : scale_(scale), characters_(characters), atlas_(std::make_unique<ImFontAtlas>()) {
-  error_ = Load();
+  error_ = Load(more);
 }
 
 ImGuiContext* Fonts::MakeContext() const {
@@ -99,7 +121,7 @@ void Fonts::UseInContext() const {
   ImGui::GetIO().FontDefault = usual_;
 }
 
-std::string Fonts::Load() {
+std::string Fonts::Load(const std::vector<ImWchar>& more) {
   ImFontAtlas& atlas = *atlas_;
 #ifdef COPPICE_HAS_FREETYPE
   atlas.FontBuilderIO = ImGuiFreeType::GetBuilderForFreeType();
@@ -121,7 +143,8 @@ std::string Fonts::Load() {
   } kFaces[] = {{"DejaVuSans.ttf", files_.sans, sans_, true},
                 {"DejaVuSans-Bold.ttf", files_.bold, bold_, true},
                 {"DejaVuSansMono.ttf", files_.mono, mono_, false}};
-  const ImWchar* const ranges = characters_ == Characters::kAll ? kTextRanges : kUsualRanges;
+  const std::vector<ImWchar> ranges =
+      RangesOf(characters_ == Characters::kAll ? kTextRanges : kUsualRanges, more);
   for (const float size : kSizes) sizes_.push_back(std::round(size * scale_));
   for (const auto& face : kFaces) {
     const std::string file = TextFontFile(face.file);
@@ -130,19 +153,42 @@ std::string Fonts::Load() {
              " is missing; on Debian: apt-get install fonts-dejavu-core";
     }
     if (!Read(file, face.text)) return "the font " + file + " cannot be read";
-    Bake(face.text, face.with_icons ? &files_.icons : nullptr, sizes_, ranges, atlas, face.fonts);
+    Bake(face.text, face.with_icons ? &files_.icons : nullptr, sizes_, ranges.data(), atlas,
+         face.fonts);
   }
   if (!atlas.Build()) return "the fonts cannot be baked into a texture";
-  if (characters_ == Characters::kUsual) MarkMissing(atlas);
+  MarkMissing();
   usual_ = Pick(Face::kSans, 13 * scale_);
   return {};
+}
+
+// Instead of the question mark, which texts have too. Characters that are not baked here, but could
+// be, look otherwise than those that no font has: only for the first is it worth baking again.
+void Fonts::MarkMissing() {
+  constexpr auto kNone = static_cast<ImWchar>(-1);
+  for (ImFont* const font : atlas_->Fonts) {
+    const ImFontGlyph* const box = font->FindGlyphNoFallback(kNowhere);
+    if (!box) continue;
+    font->FallbackGlyph = box;
+    font->FallbackAdvanceX = box->AdvanceX;
+    for (int code = 0; code < font->IndexLookup.Size; ++code) {
+      if (font->IndexLookup[code] == kNone) font->IndexAdvanceX[code] = box->AdvanceX;
+    }
+    if (characters_ == Characters::kAll) continue;
+    for (const ImWchar* range = kTextRanges; *range != 0; range += 2) {
+      for (ImWchar code = range[0]; code <= range[1]; ++code) {
+        if (!font->FindGlyphNoFallback(code)) font->AddRemapChar(code, kMissing);
+      }
+    }
+  }
 }
 
 bool Fonts::Lacks(const ImDrawData& drawn) const {
   if (characters_ == Characters::kAll) return false;
   std::set<std::pair<float, float>> boxes;  // where they begin in the texture
   for (const ImFont* const font : atlas_->Fonts) {
-    boxes.emplace(font->FallbackGlyph->U0, font->FallbackGlyph->V0);
+    const ImFontGlyph* const box = font->FindGlyph(kMissing);
+    boxes.emplace(box->U0, box->V0);
   }
   for (int i = 0; i < drawn.CmdListsCount; ++i) {
     for (const ImDrawVert& corner : drawn.CmdLists[i]->VtxBuffer) {
@@ -154,15 +200,11 @@ bool Fonts::Lacks(const ImDrawData& drawn) const {
 
 bool Fonts::Lacks(std::string_view text) const {
   if (characters_ == Characters::kAll) return false;
-  const auto is_plain = [](char byte) { return static_cast<unsigned char>(byte) < 0x80; };
-  auto at = std::find_if_not(text.begin(), text.end(), is_plain);
-  while (at != text.end()) {
-    unsigned code = 0;
-    at += ImTextCharFromUtf8(&code, &*at, text.data() + text.size());
-    if (!sans_.front()->FindGlyphNoFallback(static_cast<ImWchar>(code))) return true;
-    at = std::find_if_not(at, text.end(), is_plain);
-  }
-  return false;
+  const ImFont& font = *sans_.front();
+  const std::vector<ImWchar> unusual = UnusualCharacters(text);
+  return std::any_of(unusual.begin(), unusual.end(), [&](ImWchar code) {
+    return font.FindGlyph(code) == font.FindGlyph(kMissing);
+  });
 }
 
 ImFont* Fonts::Pick(Face face, float pixels) const {

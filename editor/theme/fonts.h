@@ -2,8 +2,9 @@
 //
 // DejaVu Sans, Sans Bold and Sans Mono, with the icons of Font Awesome merged into the first two.
 // Baking takes a fifth of a second, so editors of one process may share them, and a window that
-// comes up bakes the characters of nearly every text first: a quarter of all. Lacks() tells when
-// a text needs more.
+// comes up bakes first what its files need: the characters of nearly every text, a quarter of all,
+// and the few others that these files have. Lacks() tells when a text needs more. What no font has
+// (Chinese, say) is a narrow empty box.
 //
 //   const auto fonts = std::make_shared<const Fonts>(1);
 //   ImGuiContext* const context = fonts->MakeContext();
@@ -24,16 +25,20 @@ enum class Face { kSans, kBold, kMono };
 /// ASCII and what the editor itself writes, or all of them.
 enum class Characters { kUsual, kAll };
 
+/// The characters of a text in UTF-8 that are not usual ones, but among all; rising.
+std::vector<ImWchar> UnusualCharacters(std::string_view text);
+
 class Fonts {
  public:
-  /// Bakes them for a screen of that scale (1 is an ordinary one).
-  explicit Fonts(float scale, Characters characters = Characters::kAll);
+  /// Bakes them for a screen of that scale (1 is an ordinary one): these characters, and `more`.
+  explicit Fonts(float scale, Characters characters = Characters::kAll,
+                 const std::vector<ImWchar>& more = {});
 
   float scale() const { return scale_; }
   Characters characters() const { return characters_; }
 
-  /// Whether what is drawn has a character that these fonts lack: a box stands in its place.
-  /// Fonts with all characters lack none that others would have.
+  /// Whether what is drawn has a character that these fonts lack and others would have: a square
+  /// stands in its place.
   bool Lacks(const ImDrawData& drawn) const;
   /// The same of a text in UTF-8, which need not be drawn yet.
   bool Lacks(std::string_view text) const;
@@ -52,7 +57,8 @@ class Fonts {
   ImFont* Pick(Face face, float pixels) const;
 
  private:
-  std::string Load();
+  std::string Load(const std::vector<ImWchar>& more);
+  void MarkMissing();
 
   const float scale_;
   const Characters characters_;

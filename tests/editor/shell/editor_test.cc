@@ -84,6 +84,15 @@ TEST_F(FirstFrame, ShowsWhatOnlyAllCharactersHave) {
   }
 }
 
+TEST_F(FirstFrame, BakesNothingMoreForWhatNoFontHas) {
+  std::string text = kSmallFile;
+  text.replace(text.find("round"), 5, "\xE6\x88\xBF");
+  const TemporaryFile file("first.xml", text);
+  const Image all = Draw(file, Characters::kAll, kTillAtRest);
+  EXPECT_LE(LargestDifference(Draw(file, Characters::kUsual, kTillAtRest), all), 2);
+  EXPECT_FALSE(baked_more_);
+}
+
 TEST(Editor, WaitsForNoPipeInThePlaceOfItsOwnFiles) {
   const TemporaryFile file("small.xml", kSmallFile);
   const std::string state = file.folder() + "/state";

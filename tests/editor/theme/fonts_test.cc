@@ -70,7 +70,21 @@ TEST(Fonts, OfUsualCharactersTellThatATextHasAnother) {
   EXPECT_FALSE(fonts.Lacks("Door? <a/> 100 %"));
   EXPECT_FALSE(fonts.Lacks(std::string("a") + icon::kEllipsis + icon::kMiddleDot + icon::kSearch));
   EXPECT_TRUE(fonts.Lacks("T\xC3\xBCr"));
-  EXPECT_TRUE(fonts.Lacks("cut off: \xC3"));
+}
+
+TEST(Fonts, DoNotLackWhatNoFontHas) {
+  const Fonts fonts(1, Characters::kUsual);
+  for (const char* text : {"\xE6\x88\xBF", "\xF0\x9F\x9A\xAA", "cut off: \xC3"}) {
+    EXPECT_FALSE(fonts.Lacks(text)) << text;
+  }
+}
+
+TEST(Fonts, OfUsualCharactersAndThoseOfATextLackNothingOfIt) {
+  const std::string text = "T\xC3\xBCr \xE6\x88\xBF, T\xC3\xBCr";
+  EXPECT_EQ(UnusualCharacters(text), std::vector<ImWchar>{0xFC});
+  const Fonts fonts(1, Characters::kUsual, UnusualCharacters(text));
+  EXPECT_FALSE(fonts.Lacks(text));
+  EXPECT_TRUE(fonts.Lacks("\xC3\xA9"));
 }
 
 TEST(Fonts, OfUsualCharactersAreBakedIntoAMuchSmallerTexture) {
