@@ -68,10 +68,13 @@ TEST_F(VersionsStory, AClickOnASentenceGoesToItsNode) {
 TEST(RunDifferencesStory, KeysGoToTheNodeInTheTickInWhichItDiffers) {
   Driver driver;
   ASSERT_TRUE(ComparePartingRuns(driver));
+  const EditorState& state = driver.editor.state();
+  ASSERT_FALSE(state.run.comparison.selected);
+  const auto& first = state.run.comparison.result->differences[0];
+  ASSERT_NE(state.workspace.run()->playhead().tick() + 1, first.first_tick);
   driver.Press('N', kAlt);
-  EXPECT_EQ(driver.editor.state().run.comparison.selected, 0U);
-  const auto& first = driver.editor.state().run.comparison.result->differences[0];
-  EXPECT_EQ(driver.editor.state().workspace.run()->playhead().tick() + 1, first.first_tick);
+  EXPECT_EQ(state.run.comparison.selected, 0U);
+  EXPECT_EQ(state.workspace.run()->playhead().tick() + 1, first.first_tick);
 }
 
 }  // namespace

@@ -16,6 +16,7 @@ class FindKeyStory : public testing::Test {
     driver_.Frames(4);
   }
   void Search(const std::string& words) {
+    ASSERT_TRUE(driver_.Has("blackboard/Main/key6")) << "before";
     ASSERT_TRUE(driver_.Click("blackboard/search"));
     driver_.Type(words);
     driver_.Frames();
@@ -44,6 +45,7 @@ TEST_F(FindKeyStory, ALargeValueIsFoundByItsPath) {
   driver_.Frames();
   driver_.Picture("large_value");
   EXPECT_TRUE(driver_.Has("blackboard/Main/map"));
+  EXPECT_FALSE(driver_.Has("blackboard/Main/key6"));
 }
 
 }  // namespace

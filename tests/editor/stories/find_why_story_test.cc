@@ -68,7 +68,7 @@ TEST(BreakpointStory, WhyEndsWithTheNodeThatTheRobotStandsBefore) {
   driver.Press('W');
   ASSERT_TRUE(driver.Click("run/why/stands"));
   EXPECT_EQ(driver.Selected(), "1.2.1");
-  EXPECT_EQ(driver.editor.state().run.why.stands(), "stands before \"Drive\"");
+  EXPECT_EQ(driver.editor.state().run.why.stands(), "stopped before \"Drive\"");
   driver.Picture("story_stands");
 }
 

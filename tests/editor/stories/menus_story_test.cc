@@ -2,6 +2,7 @@
 
 #include "editor/workspace/canvas_tabs.h"
 #include "tests/editor/driver.h"
+#include "tests/editor/executed_source.h"
 #include "tests/editor/reference_picture.h"
 
 namespace coppice::editor {
@@ -18,6 +19,7 @@ class MenusStory : public testing::Test {
     ASSERT_TRUE(driver_.Has(path)) << path;
     driver_.ClickAt(driver_.BoxOf(path).center(), 1);
     driver_.Frames();
+    ASSERT_TRUE(IsOpen()) << path;
   }
   std::string Text() { return driver_.editor.state().workspace.project().Find(file_.path())->text; }
   bool IsOpen() const { return driver_.Has("menu/window/0"); }
@@ -62,6 +64,9 @@ TEST_F(MenusStory, ARightClickThatDragsMovesTheCanvasAndOpensNothing) {
   const Point at = driver_.BoxOf("canvas/MainTree/1").center();
   driver_.Drag(at, at + Point{40, 30}, 1);
   driver_.Frames();
+  const Point way = driver_.BoxOf("canvas/MainTree/1").center() - at;
+  EXPECT_NEAR(way.x, 40, 1);
+  EXPECT_NEAR(way.y, 30, 1);
   EXPECT_FALSE(IsOpen());
 }
 
@@ -83,7 +88,6 @@ TEST_F(MenusStory, ARightClickOnATabClosesTheOthers) {
   driver_.Click("project/small.xml/Walk");
   driver_.Frames(20);
   RightClick("canvasbar/tab/MainTree");
-  EXPECT_TRUE(IsOpen());
   ASSERT_TRUE(driver_.Click("menu/tab.close_others"));
   EXPECT_EQ(driver_.editor.state().canvas.tabs.size(), 1U);
   EXPECT_EQ(driver_.editor.state().workspace.ShownTreeId(), "MainTree");
@@ -95,7 +99,7 @@ TEST_F(MenusStory, WhatCannotBeDoneIsGreyAndSaysWhy) {
   driver_.Frames();
   EXPECT_TRUE(driver_.Has("menu/why_not"));
   EXPECT_EQ(driver_.editor.state().commands.Find("tree.definition")->WhyNot(),
-            "the node is no SubTree");
+            "the node is not a SubTree");
   driver_.Click("menu/tree.definition");
   EXPECT_TRUE(IsOpen()) << "nothing was done";
 }
@@ -109,6 +113,7 @@ TEST_F(MenusStory, TheMenuKeyOpensItAtTheSelectionAndArrowsWalkInIt) {
   driver_.Press(kKeyDown);
   driver_.Press(kKeyEnter);
   EXPECT_NE(driver_.editor.state().services.get_clipboard().find("<SwitchOn"), std::string::npos);
+  ASSERT_FALSE(IsOpen());
   driver_.Press(kKeyF1 + 9, kShift);
   EXPECT_TRUE(IsOpen());
 }
@@ -116,6 +121,7 @@ TEST_F(MenusStory, TheMenuKeyOpensItAtTheSelectionAndArrowsWalkInIt) {
 TEST_F(MenusStory, EscClosesTheMenuAndNothingElse) {
   driver_.Click("canvas/MainTree/1.1.2");
   driver_.Press(kKeyMenu);
+  ASSERT_TRUE(IsOpen());
   driver_.Press(kKeyEscape);
   EXPECT_FALSE(IsOpen());
   EXPECT_EQ(driver_.Selected(), "1.1.2") << "Esc selects nothing only when no menu is open";
@@ -132,7 +138,7 @@ TEST_F(MenusStory, AltOpensTheMenusOfTheBarAndArrowsWalkThem) {
   driver_.Press(kKeyLeft);
   EXPECT_TRUE(driver_.Has("menu/help.keys")) << "round the end";
   driver_.Press(kKeyLeftAlt);
-  EXPECT_FALSE(IsOpen());
+  ASSERT_FALSE(IsOpen());
   driver_.Press(kKeyF1 + 9);
   EXPECT_TRUE(driver_.Has("menu/file.open"));
 }
@@ -146,6 +152,7 @@ TEST_F(MenusStory, AltWithAnotherKeyOpensNoMenu) {
 
 TEST_F(MenusStory, TheMouseOnAnotherTitleOpensItsMenu) {
   driver_.Click("menu/file");
+  ASSERT_FALSE(driver_.Has("menu/edit.undo"));
   driver_.MoveTo(driver_.BoxOf("menu/edit").center());
   driver_.Frames();
   EXPECT_TRUE(driver_.Has("menu/edit.undo"));
@@ -168,6 +175,65 @@ TEST(MenusOfARunStory, ARightClickOnAKeyWritesIt) {
   driver.Frames();
   ASSERT_TRUE(driver.Click("menu/blackboard.write"));
   EXPECT_EQ(driver.editor.state().popup.kind, Popup::kPrompt);
+}
+
+TEST_F(MenusStory, WhileASimulationIsShownF10TicksAndAltOpensTheMenus) {
+  driver_.Press(kKeyF1 + 4);
+  driver_.Frames(4);
+  ASSERT_NE(driver_.editor.state().workspace.run(), nullptr);
+  const std::size_t before = driver_.editor.state().workspace.run()->run().size();
+  driver_.Press(kKeyF1 + 9);
+  driver_.Frames(4);
+  EXPECT_EQ(driver_.editor.state().workspace.run()->run().size(), before + 1);
+  EXPECT_FALSE(IsOpen());
+  driver_.Press(kKeyLeftAlt);
+  ASSERT_TRUE(driver_.Has("menu/file.open"));
+  driver_.Press(kKeyF1 + 9);
+  EXPECT_EQ(driver_.editor.state().workspace.run()->run().size(), before + 1)
+      << "the keys are the menu's";
+}
+
+TEST(MenusOfARunStory, OnARobotF10TicksAndOpensNoMenu) {
+  Driver driver;
+  const ScriptedRobot* const robot = driver.AddRobot("robot:1", kLiveTree);
+  driver.Frames(4);
+  driver.Press(kKeyF1 + 9);
+  ASSERT_FALSE(robot->commands.empty());
+  EXPECT_EQ(robot->commands.back().kind, LiveCommand::Kind::kStepTick);
+  EXPECT_FALSE(driver.Has("menu/window/0"));
+}
+
+// Of the node "Drive", which runs.
+class MenuOfALaneStory : public testing::Test {
+ protected:
+  MenuOfALaneStory() {
+    AddExecuted(driver_, "robot:1", 20);
+    driver_.Frames(4);
+    const Box lane = driver_.BoxOf("timeline/pass/Drive");
+    driver_.ClickAt({lane.min.x + lane.width() / 3, lane.center().y}, 1);
+    driver_.Frames();
+  }
+  Driver driver_;
+};
+
+TEST_F(MenuOfALaneStory, SelectsItsNodeAndPinsItsLane) {
+  EXPECT_EQ(driver_.Selected(), "1.2.1");
+  driver_.Picture("menu_of_a_lane");
+  ASSERT_TRUE(driver_.Click("menu/run.pin"));
+  EXPECT_TRUE(driver_.editor.state().workspace.pins.Has("robot:1", "pass/Drive"));
+}
+
+TEST_F(MenuOfALaneStory, SetsABreakpoint) {
+  ASSERT_TRUE(driver_.Click("menu/run.breakpoint"));
+  const HookList& hooks = driver_.editor.state().workspace.hooks;
+  ASSERT_EQ(hooks.all().size(), 1U);
+  EXPECT_EQ(hooks.all()[0].hook.path, "pass/Drive");
+}
+
+TEST_F(MenuOfALaneStory, ShowsTheStatistics) {
+  ASSERT_NE(driver_.editor.state().run.tab, RunTab::kStatistics);
+  ASSERT_TRUE(driver_.Click("menu/run.statistics"));
+  EXPECT_EQ(driver_.editor.state().run.tab, RunTab::kStatistics);
 }
 
 }  // namespace

@@ -55,10 +55,13 @@ TEST_F(StartStory, AClickOpensASimulatedRobotAndItRuns) {
 }
 
 TEST_F(StartStory, ARecentFileThatIsGoneIsNotOpened) {
-  state().recent.files = {"/nowhere/gone.xml"};
+  const TemporaryFile there("there.xml", kSmallFile);
+  state().recent.files = {"/nowhere/gone.xml", there.path()};
   driver_.Frames();
   ASSERT_TRUE(driver_.Click("start/recent/0"));
   EXPECT_TRUE(state().workspace.files().empty());
+  ASSERT_TRUE(driver_.Click("start/recent/1"));
+  EXPECT_EQ(state().workspace.files().size(), 1U) << "the others are";
 }
 
 TEST_F(StartStory, TheTourGoesOnWhenTheUserDoesWhatItSays) {
@@ -82,6 +85,7 @@ TEST_F(StartStory, TheTourGoesOnWhenTheUserDoesWhatItSays) {
 TEST_F(StartStory, EscEndsTheTour) {
   driver_.Click("start/tour");
   driver_.Frames();
+  ASSERT_TRUE(driver_.Has("tour"));
   driver_.Press(kKeyEscape);
   EXPECT_EQ(Title(), "");
   EXPECT_FALSE(driver_.Has("tour"));

@@ -32,6 +32,12 @@ class StillViewStory : public testing::Test {
     return std::hypot(way.x, way.y);
   }
 
+  // What does not stand still beside it: something has happened.
+  void ExpectMoved(const std::string& node, Point from) {
+    const Point way = BoxOf(node).min - from;
+    EXPECT_GT(std::hypot(way.x, way.y), 5) << node << " has not moved";
+  }
+
   TemporaryFile file_{"rooms.xml", File()};
   Driver driver_;
 };
@@ -44,8 +50,14 @@ TEST_F(StillViewStory, ADropMovesNothingBelowTheMouse) {
 
 TEST_F(StillViewStory, ANewNodeFromTheTilePushesNothingAway) {
   const Box target = BoxOf("1.4");
+  const Box first = BoxOf("1.1");
+  ASSERT_TRUE(driver_.Click("types/filter"));
+  driver_.Type("Sequence");
+  ASSERT_TRUE(driver_.Has("types/Sequence"));
   driver_.Drag(driver_.BoxOf("types/Sequence").center(), target.center());
   EXPECT_LE(Shift("1.4", target.min), 1);
+  EXPECT_TRUE(driver_.Has("canvas/T/1.4.3")) << "the new node";
+  ExpectMoved("1.1", first.min);
 }
 
 TEST_F(StillViewStory, DeleteUndoAndRedoKeepWhatIsBelowTheMouse) {
@@ -62,29 +74,35 @@ TEST_F(StillViewStory, DeleteUndoAndRedoKeepWhatIsBelowTheMouse) {
 
 TEST_F(StillViewStory, DeletingTheNodeBelowTheMouseKeepsItsParent) {
   const Box parent = BoxOf("1.4");
+  const Box first = BoxOf("1.1");
   driver_.Click("canvas/T/1.4.2");
   driver_.Press(kKeyDelete);
   EXPECT_LE(Shift("1.4", parent.min), 1);
+  EXPECT_FALSE(driver_.Has("canvas/T/1.4.2"));
+  ExpectMoved("1.1", first.min);
 }
 
 TEST_F(StillViewStory, FoldingByKeyKeepsWhatIsBelowTheMouse) {
   driver_.Click("canvas/T/1.2");
   const Box other = BoxOf("1.4");
   driver_.MoveTo(other.center());
-  for (int time = 0; time < 2; ++time) {
+  for (const bool is_closed : {true, false}) {
     driver_.Press('C');
-    EXPECT_LE(Shift("1.4", other.min), 1) << time;
+    EXPECT_LE(Shift("1.4", other.min), 1) << is_closed;
+    EXPECT_NE(driver_.Has("canvas/T/1.2.1"), is_closed);
   }
 }
 
 TEST_F(StillViewStory, AnotherLayoutKeepsWhatIsBelowTheMouse) {
   const Box other = BoxOf("1.4");
-  for (const char* title : {"Left to right", "Names only", "All ports", "Top to bottom"}) {
+  for (const char* title : {"Top to bottom", "All ports", "Names only", "Left to right"}) {
+    const Box first = BoxOf("1.1");
     driver_.MoveTo(other.min + Point{4, 4});
     driver_.Press('P', kCtrl);
     driver_.Type(title);
     driver_.Press(kKeyEnter);
     EXPECT_LE(Shift("1.4", other.min), 1) << title;
+    EXPECT_GT(Shift("1.1", first.min), 5) << title;
   }
 }
 
@@ -92,10 +110,13 @@ TEST_F(StillViewStory, ATileThatLeavesRoomEnoughMovesNothing) {
   driver_.Zoom(-3);
   const Box other = BoxOf("1.4");
   driver_.MoveTo(other.center());
-  driver_.Press(kKeyF1 + 3);  // the inspector
+  ASSERT_TRUE(driver_.Has("inspector"));
+  driver_.Press(kKeyF1 + 3);
   EXPECT_LE(Shift("1.4", other.min), 1) << "closed";
+  EXPECT_FALSE(driver_.Has("inspector"));
   driver_.Press(kKeyF1 + 3);
   EXPECT_LE(Shift("1.4", other.min), 1) << "open";
+  EXPECT_TRUE(driver_.Has("inspector"));
 }
 
 }  // namespace
