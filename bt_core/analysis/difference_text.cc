@@ -46,7 +46,7 @@ std::string Sentence(const RunDifference& difference) {
 }
 
 std::string Sentence(const PartingPoint& parting) {
-  const std::string text = "The runs part in tick " + std::to_string(parting.tick) + ": ";
+  const std::string text = "The runs diverge in tick " + std::to_string(parting.tick) + ": ";
   const std::string name = NameOf(parting.what);
   if (IsNothing(parting.first)) {
     return text + "there, " + name + " " + Deed(parting.second) + "; here, the tick had ended";

@@ -24,8 +24,8 @@ WheelMove MoveOf(const WheelTurn& turn, bool wheel_zooms) {
 }
 
 std::string_view WheelHint(bool wheel_zooms) {
-  return wheel_zooms ? "The wheel zooms, with Shift or Ctrl it moves the canvas."
-                     : "The wheel moves the canvas, with Shift sideways; with Ctrl it zooms.";
+  return wheel_zooms ? "The wheel zooms; with Shift or Ctrl it moves the canvas."
+                     : "The wheel moves the canvas, sideways with Shift; with Ctrl it zooms.";
 }
 
 }  // namespace coppice::editor

@@ -40,7 +40,7 @@ std::string NeedsEditedNode(EditorState& state) {
 std::string NeedsSubTree(EditorState& state) {
   const SceneNode* const node = SelectedNode(state);
   if (!node) return "no node is selected";
-  return node->shape == Shape::kSubTree ? "" : "the node is no SubTree";
+  return node->shape == Shape::kSubTree ? "" : "the node is not a SubTree";
 }
 std::string NeedsEditedSubTree(EditorState& state) {
   const std::string why = NeedsEditable(state);
@@ -58,11 +58,11 @@ std::string NeedsClipboard(EditorState& state) {
 }
 std::string NeedsStep(EditorState& state) {
   const History& history = state.workspace.project().history();
-  return history.done() > 0 ? "" : "nothing was done yet";
+  return history.done() > 0 ? "" : "nothing has been done yet";
 }
 std::string NeedsUndoneStep(EditorState& state) {
   const History& history = state.workspace.project().history();
-  return history.done() < history.steps().size() ? "" : "nothing was taken back";
+  return history.done() < history.steps().size() ? "" : "nothing has been undone";
 }
 std::string NeedsTabs(EditorState& state) {
   return state.canvas.tabs.size() > 1 ? "" : "it is the only tab";
@@ -99,10 +99,10 @@ std::string NeedsDifferences(EditorState& state) {
   return ShownRunComparison(state) ? "" : NeedsComparison(state);
 }
 std::string NeedsUnsaved(EditorState& state) {
-  return state.work.left().empty() ? "no editor left unsaved work" : "";
+  return state.work.left().empty() ? "no earlier session left unsaved work" : "";
 }
 std::string NeedsRecent(EditorState& state) {
-  return state.recent.files.empty() ? "nothing was opened yet" : "";
+  return state.recent.files.empty() ? "nothing has been opened yet" : "";
 }
 
 struct CommandNeed {

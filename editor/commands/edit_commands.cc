@@ -158,7 +158,7 @@ class EditCommands {
     Add("edit.copy", "Copy as XML", {'C', kCtrl}, &TreeEditor::Copy);
     Add("edit.cut", "Cut", {'X', kCtrl}, &TreeEditor::Cut);
     AddPaste("edit.paste", "Paste as child", {'V', kCtrl}, AddWhere::kChild);
-    AddPaste("edit.paste_after", "Paste behind", {'V', kCtrl | kShift}, AddWhere::kAfter);
+    AddPaste("edit.paste_after", "Paste after", {'V', kCtrl | kShift}, AddWhere::kAfter);
   }
 
   void AddPaste(std::string id, std::string title, KeyChord keys, AddWhere where) {

@@ -20,7 +20,7 @@ class FileCommands {
     Add("file.new", "New file", {'N', kCtrl}, [&s] { s.workspace.New(s.now); });
     Add("file.save", "Save", {'S', kCtrl}, [&s] { FileKeeper(s, s.now).Save(); });
     Add("file.save_as", "Save as", {'S', kCtrl | kShift}, [&s] { FileKeeper(s, s.now).AskPath(); });
-    Add("file.save_over", "Save over what somebody else wrote", {},
+    Add("file.save_over", "Overwrite what somebody else wrote", {},
         [&s] { FileKeeper(s, s.now).Save(true); });
     Add("file.merge", "Merge what somebody else wrote, keeping mine where both changed", {},
         [&s] { TreeEditor(s, s.now).MergeTheirs(); });
@@ -38,9 +38,9 @@ class FileCommands {
   void AddUnsaved() {
     AddAboutOffered("file.restore", "Restore unsaved work",
                     [](FileKeeper& keeper, const UnsavedCopy& copy) { keeper.Restore(copy); });
-    AddAboutOffered("file.forget", "Forget unsaved work of the last time",
+    AddAboutOffered("file.forget", "Forget the unsaved work of the last session",
                     [](FileKeeper& keeper, const UnsavedCopy& copy) { keeper.Forget(copy); });
-    Add("file.unsaved", "Unsaved work of editors that have ended", {},
+    Add("file.unsaved", "Unsaved work of earlier sessions", {},
         [&s = state_] { FileKeeper(s, s.now).OfferAll(); });
   }
 
@@ -49,7 +49,7 @@ class FileCommands {
     Add(std::move(id), std::move(title), {}, [&s = state_, answer = std::move(answer)] {
       FileKeeper keeper(s, s.now);
       const UnsavedCopy* const copy = keeper.Offered();
-      if (!copy) return s.Notify("everything was saved the last time", s.now, true);
+      if (!copy) return s.Notify("everything was saved in the last session", s.now, true);
       answer(keeper, UnsavedCopy(*copy));
     });
   }

@@ -39,7 +39,7 @@ void AddHelpCommands(EditorState& state) {
   commands.Add(
       {"example.record", "Example: a record of a run", {}, [&s] { OpenExample(s, kRecord); }});
   commands.Add({"example.robot", "Example: a simulated robot", {}, [&s] { Simulate(s); }});
-  commands.Add({"help.tour", "Tour of two minutes", {}, [&s] { StartTour(s); }});
+  commands.Add({"help.tour", "Two-minute tour", {}, [&s] { StartTour(s); }});
   const auto is_on = [&s] { return ShownStep(s) != nullptr; };
   commands.Add({"tour.next", "Tour: next", {kKeyPageDown}, [&s] { StepTour(s, 1); }, is_on});
   commands.Add({"tour.back", "Tour: back", {kKeyPageUp}, [&s] { StepTour(s, -1); }, is_on});

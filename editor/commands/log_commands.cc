@@ -66,7 +66,7 @@ void AddLogCommands(EditorState& state) {
   state.commands.Add(
       {"run.log", "Log", {'J'}, [&state] { state.run.tab = RunTab::kLog; }, has_run});
   state.commands.Add({"run.pin",
-                      "Pin the lane of the node, or not",
+                      "Pin or unpin the lane of the node",
                       {'T'},
                       [&state] { PinSelected(state, state.now); },
                       has_run});

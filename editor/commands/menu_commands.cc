@@ -74,7 +74,7 @@ void AddMenuCommands(EditorState& state) {
   commands.Add(
       {"menu.here", "Menu of the selection", {kKeyF1 + 9, kShift}, [&s] { OpenMenuHere(s); }});
   commands.AddKeys("menu.here", {kKeyMenu});
-  commands.Add({"edit.add_after", "Add node behind", {}, [&s] { OpenAdd(s, kShift); }});
+  commands.Add({"edit.add_after", "Add node after", {}, [&s] { OpenAdd(s, kShift); }});
   commands.Add({"edit.add_around", "Add node around", {}, [&s] { OpenAdd(s, kCtrl); }});
   commands.Add({"tab.close_others", "Close all other tabs", {}, [&s] { CloseOtherTabs(s); }});
   commands.Add({"key.copy", "Copy the name of the key", {}, [&s] {

@@ -33,7 +33,7 @@ std::vector<MenuItem> RecentItems(EditorState& state) {
     MenuItem item;
     item.path = "menu/recent/" + std::to_string(items.size());
     item.title = path;
-    if (!state.paths.IsThere(path, state.now)) item.why_not = "the file is gone";
+    if (!state.paths.IsThere(path, state.now)) item.why_not = "this file no longer exists";
     item.run = [&state, path] { state.services.open_file(path); };
     items.push_back(std::move(item));
   }

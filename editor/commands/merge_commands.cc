@@ -82,7 +82,7 @@ void Resolve(EditorState& state) {
   const auto dispute = std::make_shared<Dispute>();
   dispute->path = DisputedFile(state);
   if (dispute->path.empty()) {
-    return state.Notify("nobody else has changed what you have", state.now, true);
+    return state.Notify("nobody else has changed this file", state.now, true);
   }
   HasNewPlaces(*Disputed(state, dispute->path), *dispute);
   const std::string name = dispute->path.substr(dispute->path.rfind('/') + 1);

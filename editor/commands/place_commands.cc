@@ -14,11 +14,11 @@ class PlaceCommands {
   explicit PlaceCommands(EditorState& state) : state_(state) {}
 
   void AddAll() {
-    Add("run.bookmark", "Bookmark at the shown tick, or none", {'M'},
+    Add("run.bookmark", "Set or remove a bookmark at the shown tick", {'M'},
         [this_ = *this](RunView& run) { this_.ToggleBookmark(run); });
-    Add("run.bookmark_text", "Words for the bookmark", {'M', kShift},
+    Add("run.bookmark_text", "Text of the bookmark", {'M', kShift},
         [this_ = *this](RunView& run) { this_.AskForWords(run); });
-    Add("run.bookmark_before", "To the bookmark before", {kKeyLeft, kCtrl | kAlt},
+    Add("run.bookmark_before", "To the previous bookmark", {kKeyLeft, kCtrl | kAlt},
         [this_ = *this](RunView& run) { this_.GoToBookmark(run, false); });
     Add("run.next_bookmark", "To the next bookmark", {kKeyRight, kCtrl | kAlt},
         [this_ = *this](RunView& run) { this_.GoToBookmark(run, true); });
@@ -46,7 +46,7 @@ class PlaceCommands {
     const std::string name = run.bookmark_name();
     if (bookmarks().Of(name).count(tick) > 0) return bookmarks().Remove(name, tick);
     bookmarks().Set(name, tick, "");
-    state_.Notify("Bookmark; Shift+M gives it words", state_.now);
+    state_.Notify("Bookmark; Shift+M gives it a text", state_.now);
   }
 
   void AskForWords(RunView& run) const {
@@ -55,7 +55,7 @@ class PlaceCommands {
     const std::string name = run.bookmark_name();
     const Bookmarks::OfRun& there = bookmarks().Of(name);
     const auto known = there.find(tick);
-    state_.Ask({"Bookmark: what is to be seen here",
+    state_.Ask({"Bookmark: what there is to see here",
                 [&s = state_, name, tick](const std::string& text) {
                   s.workspace.bookmarks.Set(name, tick, text);
                   return Outcome();
@@ -69,9 +69,8 @@ class PlaceCommands {
     const std::size_t tick = run.playhead().tick();
     const auto* mark = forward ? bookmarks().Next(name, tick) : bookmarks().Before(name, tick);
     if (!mark) {
-      return state_.Notify(
-          forward ? "no bookmark behind this tick" : "no bookmark before this tick", state_.now,
-          true);
+      return state_.Notify(forward ? "no bookmark after this tick" : "no bookmark before this tick",
+                           state_.now, true);
     }
     run.playhead().GoToTick(mark->first);
     if (!mark->second.empty()) state_.Notify(mark->second, state_.now);

@@ -238,7 +238,7 @@ class ProjectCommands {
       FilePlace hit{files[match.file].file(), files[match.file].element(match.element).offset};
       if (hits.empty() || !(hits.back() == hit)) hits.push_back(std::move(hit));
     }
-    if (hits.empty()) return Problem{"\"" + state_.recent.search + "\" is nowhere"};
+    if (hits.empty()) return Problem{"\"" + state_.recent.search + "\" was not found"};
     const std::vector<FilePlace> selected = TreeEditor(state_, state_.now).SelectedPlaces();
     const auto at =
         selected.empty() ? hits.end() : std::find(hits.begin(), hits.end(), selected[0]);
@@ -289,7 +289,7 @@ class ProjectCommands {
     const auto skipped = std::make_shared<Skipped>();
     state_.Ask(
         {"Replace it in " + std::to_string(matches.size()) +
-             (matches.size() == 1 ? " place" : " places") + " with; a click leaves one out",
+             (matches.size() == 1 ? " place" : " places") + " with; click to leave one out",
          [=, this_ = *this](const std::string& with) {
            std::vector<Match> wanted = matches;
            wanted.erase(std::remove_if(wanted.begin(), wanted.end(),

@@ -52,7 +52,7 @@ const WantedHook* BreakpointOf(EditorState& state) {
 // "battery < 20 #3": the condition, and the hit from which on the hook acts.
 Outcome ChangeCondition(HookList& hooks, std::uint32_t number, const std::string& text) {
   const WantedHook* wanted = hooks.Find(number);
-  if (!wanted) return Problem{"the breakpoint is gone"};
+  if (!wanted) return Problem{"the breakpoint no longer exists"};
   Hook hook = wanted->hook;
   const std::size_t hash = text.rfind('#');
   hook.condition = text.substr(0, hash);
@@ -62,7 +62,7 @@ Outcome ChangeCondition(HookList& hooks, std::uint32_t number, const std::string
     const char* const end = text.data() + text.size();
     const auto [at, error] = std::from_chars(text.data() + hash + 1, end, hook.from_hit);
     if (error != std::errc() || at != end || hook.from_hit == 0) {
-      return Problem{"expected a number behind #"};
+      return Problem{"expected a number after #"};
     }
   }
   hooks.Change(number, hook);
@@ -107,7 +107,8 @@ void AskForValue(EditorState& state) {
   state.Ask({"New value of " + slot.name + " (" + slot.type + "), as in the XML",
              [&state, key = *key, tree = run->tree()](const std::string& value) {
                RunView* shown = state.workspace.run();
-               if (!shown || shown->tree() != tree) return Outcome(Problem{"the key is gone"});
+               if (!shown || shown->tree() != tree)
+                 return Outcome(Problem{"the key no longer exists"});
                return state.blackboard.writes.Send(*shown, key, value);
              },
              {}},
@@ -154,14 +155,14 @@ class RunCommands {
     Add("run.back", "One tick back", {kKeyLeft}, [](RunView& run) { run.playhead().Step(-1); });
     Add("run.forward", "One tick forward", {kKeyRight},
         [](RunView& run) { run.playhead().Step(1); });
-    Add("run.change_before", "To the change of the node before", {kKeyLeft, kShift},
+    Add("run.change_before", "To the previous change of the node", {kKeyLeft, kShift},
         [&s = state_](RunView& run) { StepToChange(s, run, false); });
     Add("run.next_change", "To the next change of the node", {kKeyRight, kShift},
         [&s = state_](RunView& run) { StepToChange(s, run, true); });
     Add("run.begin", "To the beginning of the run", {kKeyHome, kCtrl},
         [](RunView& run) { run.playhead().GoToTick(0); });
     Add("run.now", "Back to now", {'L'}, [](RunView& run) { run.playhead().GoToNow(); });
-    Add("run.play", "Play or hold", {'P'}, [](RunView& run) { Play(run); });
+    Add("run.play", "Play or stop", {'P'}, [](RunView& run) { Play(run); });
     Add("run.faster", "Play faster", {']'}, [](RunView& run) { ChangeSpeed(run, kFaster); });
     Add("run.slower", "Play slower", {'['}, [](RunView& run) { ChangeSpeed(run, 1 / kFaster); });
     AddWalk("run.walk_left", "walk.left", "Walk left", kKeyLeft);
@@ -176,7 +177,7 @@ class RunCommands {
 
   void AddDebugger() {
     // The largest key plays records, but nobody stops a robot with it by accident.
-    Add("run.play_record", "Play or hold a record", {kKeySpace}, [&s = state_](RunView& run) {
+    Add("run.play_record", "Play or stop a record", {kKeySpace}, [&s = state_](RunView& run) {
       if (!run.source().is_robot()) return Play(run);
       const std::string keys = ToString(s.commands.Find("run.pause")->keys);
       s.Notify(keys + (IsStopped(run) ? " continues the robot" : " pauses the robot"), s.now);
@@ -186,7 +187,7 @@ class RunCommands {
     });
     AddSend("run.continue", "Continue the robot", {kKeyF1 + 4}, Kind::kContinue);
     AddSend("run.step_tick", "One tick of the robot", {kKeyF1 + 9}, Kind::kStepTick);
-    AddSend("run.step_node", "To the next node of the robot", {kKeyF1 + 9, kShift},
+    AddSend("run.step_node", "Step to the next node of the robot", {kKeyF1 + 9, kShift},
             Kind::kStepNode);
     AddContinue("run.continue_success", "Continue: the node has succeeded", Status::kSuccess);
     AddContinue("run.continue_failure", "Continue: the node has failed", Status::kFailure);
@@ -329,7 +330,7 @@ void AskForCondition(EditorState& state, std::uint32_t number) {
   const WantedHook* hook = state.workspace.hooks.Find(number);
   if (!hook) return;
   state.Ask(
-      {"Condition of the breakpoint, such as battery < 20; \"#3\" behind it: from the third hit on",
+      {"Condition of the breakpoint, such as battery < 20; \"#3\" after it: from the third hit on",
        [&state, number](const std::string& text) {
          return ChangeCondition(state.workspace.hooks, number, text);
        },

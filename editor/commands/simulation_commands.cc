@@ -61,7 +61,7 @@ class SimulationCommands {
     Add("sim.back", "take back a tick", {kKeyBackspace}, [](SimulationEditor e) { e.Back(); });
     Add("sim.faster", "faster", {'='}, [](SimulationEditor e) { e.ChangeSpeed(2); });
     Add("sim.slower", "slower", {'-'}, [](SimulationEditor e) { e.ChangeSpeed(0.5); });
-    Add("sim.restart", "begin anew", {kF5, kCtrl | kShift},
+    Add("sim.restart", "start over", {kF5, kCtrl | kShift},
         [](SimulationEditor e) { e.Restart(); });
     Add("sim.again", "the same again with the tree as it is now", {kF5, kCtrl},
         [](SimulationEditor e) { e.PlayAgain(); });
@@ -70,16 +70,15 @@ class SimulationCommands {
   }
 
   void AddChance() {
-    AddAsking("sim.chance", "leaves by chance", {'X'},
-              "seed of what the leaves do by chance; nothing: always the same",
+    AddAsking("sim.chance", "random leaves", {'X'},
+              "seed of what the leaves do at random; empty: always the same",
               &SimulationEditor::SetSeed, [](const Simulation& simulation) {
                 return simulation.chance() ? std::to_string(simulation.chance()->seed)
                                            : std::string("1");
               });
-    AddAsking("sim.runs", "many runs by chance, and what they reach", {'X', kShift},
-              "how many runs", &SimulationEditor::RunOften,
-              [](const Simulation&) { return std::string("1000"); });
-    AddAsking("sim.ticks", "so many ticks", {}, "how many ticks", &SimulationEditor::RunTicks,
+    AddAsking("sim.runs", "many random runs, and what they reach", {'X', kShift}, "how many runs",
+              &SimulationEditor::RunOften, [](const Simulation&) { return std::string("1000"); });
+    AddAsking("sim.ticks", "a number of ticks", {}, "how many ticks", &SimulationEditor::RunTicks,
               [](const Simulation&) { return std::string("100"); });
   }
 

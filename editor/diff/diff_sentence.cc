@@ -5,9 +5,10 @@ namespace {
 
 std::string Quoted(std::string_view text) { return "\"" + std::string(text) + "\""; }
 
+// "below \"round\"", "the root".
 std::string Below(const Scene& scene, std::uint32_t node) {
   const std::uint32_t parent = scene.nodes[node].parent;
-  return parent == kNoSceneNode ? "as the root" : "below " + Quoted(scene.nodes[parent].name);
+  return parent == kNoSceneNode ? "the root" : "below " + Quoted(scene.nodes[parent].name);
 }
 
 std::string Place(const Scene& scene, std::uint32_t node) {
@@ -19,17 +20,18 @@ std::string Moved(const NodeDiff& diff, const Scene& before, const Scene& after)
   const std::string place = Below(after, diff.after);
   const std::string from = Place(before, diff.before);
   const std::string to = Place(after, diff.after);
-  if (old_place != place) return "stood " + old_place + " and stands " + place + " now";
-  if (from == to) return "has another order among its siblings " + place;
+  if (old_place != place) return "was moved from " + old_place + " to " + place;
+  if (from == to) return "has changed its place among its siblings " + place;
   return "was moved from " + from + " to " + to + " " + place;
 }
 
 std::string Changed(const AttributeChange& change) {
   const bool is_of_node = change.name == "type" || change.name == "name";
   const std::string what = (is_of_node ? "its " : "") + change.name;
-  if (change.before.empty()) return what + " is " + Quoted(change.after) + " now and was not set";
-  if (change.after.empty()) return what + " was " + Quoted(change.before) + " and is not set now";
-  return what + " was " + Quoted(change.before) + " and is " + Quoted(change.after) + " now";
+  if (change.before.empty())
+    return what + " is now " + Quoted(change.after) + " and was not set before";
+  if (change.after.empty()) return what + " was " + Quoted(change.before) + " and is no longer set";
+  return what + " was " + Quoted(change.before) + " and is now " + Quoted(change.after);
 }
 
 std::string Changed(const NodeDiff& diff) {
@@ -50,9 +52,11 @@ std::string Sentence(const NodeDiff& diff, const Scene& before, const Scene& aft
   const std::string subject = Quoted(node.name) + " ";
   switch (diff.kind) {
     case DiffKind::kAdded:
-      return subject + "was added " + Below(after, diff.after);
+      return subject +
+             (after.nodes[diff.after].parent == kNoSceneNode ? "was added as " : "was added ") +
+             Below(after, diff.after);
     case DiffKind::kRemoved:
-      return subject + "was removed; it stood " + Below(before, diff.before);
+      return subject + "was removed; it was " + Below(before, diff.before);
     case DiffKind::kMoved:
       return subject + Moved(diff, before, after);
     case DiffKind::kChanged:

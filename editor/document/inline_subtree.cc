@@ -156,7 +156,7 @@ Outcome InlineSubTree(Draft& draft, const NodeRules& rules, const Document& from
   const std::vector<ElementIndex> nodes = Topmost(draft.document(), draft.selection());
   if (nodes.size() != 1 || draft.document().element(nodes[0]).tag != "SubTree" ||
       !IsNode(draft.document(), nodes[0])) {
-    return Problem{"select one SubTree"};
+    return Problem{"select a SubTree"};
   }
   const ElementIndex root = from.element(tree).first_child;
   if (root == kNoElement) return Problem{"that tree is empty"};

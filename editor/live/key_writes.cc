@@ -26,10 +26,10 @@ Expected<std::string> JsonLike(ValueForm present, const std::string& text) {
   }
   if (present == ValueForm::kDouble) {
     if (json.is_number()) return Json(json.get<double>()).dump();
-    return Problem{"\"" + text + "\" is no number"};
+    return Problem{"\"" + text + "\" is not a number"};
   }
   if (json.is_number_integer()) return json.dump();
-  return Problem{"\"" + text + "\" is no whole number"};
+  return Problem{"\"" + text + "\" is not a whole number"};
 }
 
 bool IsPlain(ValueForm form) {
@@ -66,7 +66,7 @@ std::optional<std::string> TextOf(const LiveCommand& write) {
 
 Outcome KeyWrites::Send(RunView& view, SlotIndex slot, const std::string& text) {
   const TreeDescription& tree = *view.tree()->description();
-  if (slot >= tree.slots.size()) return Problem{"the key is gone"};
+  if (slot >= tree.slots.size()) return Problem{"the key no longer exists"};
   Expected<LiveCommand> command = WriteOf(tree, slot, ValueIn(view, slot), text);
   if (!command) return Problem{command.problem()};
   const Run& run = view.run();

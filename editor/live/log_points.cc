@@ -38,13 +38,13 @@ std::string ToString(const LogPoint& point) {
 Outcome ReadLogPoint(const std::string& typed, LogPoint& point) {
   std::string rest = Trimmed(typed);
   point.from_hit = 1;
-  if (!TakeHit(rest, point.from_hit)) return Problem{"expected a number behind #"};
+  if (!TakeHit(rest, point.from_hit)) return Problem{"expected a number after #"};
   rest = " " + Trimmed(rest) + " ";
   const std::size_t at = rest.rfind(kIf);
   point.text = Trimmed(rest.substr(0, at));
   point.condition = at == std::string::npos ? "" : Trimmed(rest.substr(at + sizeof(kIf) - 1));
   if (at == std::string::npos || !point.condition.empty()) return {};
-  return Problem{"expected a condition behind if"};
+  return Problem{"expected a condition after if"};
 }
 
 const LogPoint* LogPoints::FindAt(const std::string& run, const std::string& path) const {

@@ -54,7 +54,8 @@ void WhyAnswer::Ask(const RunView& view, NodeIndex node) {
   is_untold_ = why.is_untold();
   if (stop.where != DebugStop::Where::kNowhere) {
     const bool is_before = stop.where == DebugStop::Where::kBefore;
-    stands_ = (is_before ? "stands before \"" : "stands after \"") + tree.NameOf(stop.node) + "\"";
+    stands_ =
+        (is_before ? "stopped before \"" : "stopped after \"") + tree.NameOf(stop.node) + "\"";
   }
   const bool is_said =
       !stands_.empty() && why.why_not && why.why_not->cause == WhyNot::Cause::kNotWhole;

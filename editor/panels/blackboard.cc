@@ -64,7 +64,7 @@ class Board {
     DrawSearch();
     ListSlots();
     if (listed_.empty()) {
-      Hint(ui_, !state_.blackboard.words.empty() ? "No key or value has that."
+      Hint(ui_, !state_.blackboard.words.empty() ? "No key or value contains that."
                 : state_.blackboard.selected_keys_only
                     ? "The selected node has no keys; B shows those of all nodes."
                     : "No key has a value yet.");
@@ -176,7 +176,7 @@ class Board {
       }
       Tooltip(ui_, described.name + " : " + described.type + "\n" +
                        BeginningOf(value, kTooltipBytes) + by +
-                       "\nA click shows its writes, a double click writes it.");
+                       "\nClick to see its writes, double-click to write it.");
       if (ImGui::IsMouseDoubleClicked(0)) state_.commands.Run("blackboard.write");
     }
     if (row.clicked) state_.blackboard.shown_key = path;
@@ -252,7 +252,7 @@ class Board {
 
   void DrawWrite(const SlotWrite& write, std::size_t number) {
     const Row row = NextRow(ui_, "blackboard/write/" + std::to_string(number), false);
-    if (row.hovered) Tooltip(ui_, "A click goes to this tick.");
+    if (row.hovered) Tooltip(ui_, "Click to go to this tick.");
     if (row.clicked) run_.playhead().GoToTick(write.tick);
     if (!row.visible) return;
     ImDrawList& list = *ImGui::GetWindowDrawList();

@@ -68,10 +68,11 @@ class Banners {
   void DrawLeft() {
     const UnsavedCopy* const copy = FileKeeper(state_, ui_.now).Offered();
     if (!copy) return;
-    DrawBanner("banner/unsaved", ui_.palette.warning,
-               "An editor ended with unsaved work on " + NameOf(copy->path) + ", " + AgeOf(*copy),
-               {{"banner/forget", "forget it", "file.forget"},
-                {"banner/restore", "restore it", "file.restore"}});
+    DrawBanner(
+        "banner/unsaved", ui_.palette.warning,
+        "An earlier session ended with unsaved work on " + NameOf(copy->path) + ", " + AgeOf(*copy),
+        {{"banner/forget", "forget it", "file.forget"},
+         {"banner/restore", "restore it", "file.restore"}});
   }
 
   void DrawElsewhere() {
@@ -87,7 +88,7 @@ class Banners {
     for (const auto& [path, file] : state_.workspace.project().files()) {
       if (!file.is_gone) continue;
       return DrawBanner("banner/gone", ui_.palette.error,
-                        NameOf(path) + " is gone from the disk: what is here is the only copy",
+                        NameOf(path) + " has been removed from the disk: this is the only copy",
                         {{"banner/write", "write it", "file.save"}});
     }
   }
@@ -105,26 +106,27 @@ class Banners {
 
   void DrawUnkept() {
     if (state_.work.trouble().empty()) return;
-    DrawBanner(
-        "banner/unkept", ui_.palette.error,
-        "Unsaved work would be lost in a crash, for no copy can be kept: " + state_.work.trouble(),
-        {{"banner/save", "save", "file.save"}});
+    DrawBanner("banner/unkept", ui_.palette.error,
+               "A crash would lose unsaved work, because no copy of it can be kept: " +
+                   state_.work.trouble(),
+               {{"banner/save", "save", "file.save"}});
   }
 
   // The text is malformed; what is shown is older than it.
   void DrawStale() {
     const OpenFile* file = state_.workspace.file();
     if (state_.workspace.run() || !state_.workspace.view() || !file || !file->is_stale) return;
-    DrawBanner("banner/stale", ui_.palette.error,
-               NameOf(file->path) + " has an error" + LineOfError(*file) +
-                   ": the tree is shown as it was before, and cannot be edited on the canvas",
-               {});
+    DrawBanner(
+        "banner/stale", ui_.palette.error,
+        NameOf(file->path) + " has an error" + LineOfError(*file) +
+            ": the tree is shown as it was before the error and cannot be edited on the canvas",
+        {});
   }
 
   static std::string LineOfError(const OpenFile& file) {
     for (const Diagnostic& problem : file.problems) {
       if (problem.severity == Severity::kError && problem.where.line > 0) {
-        return " in line " + std::to_string(problem.where.line);
+        return " on line " + std::to_string(problem.where.line);
       }
     }
     return "";
@@ -133,8 +135,10 @@ class Banners {
   void DrawSimulation() {
     const std::string& problem = state_.simulator.problem();
     if (problem.empty() || !SimulationEditor(state_, ui_.now).IsShown()) return;
-    DrawBanner("banner/simulation", ui_.palette.error,
-               "The tree of before goes on, for the text has an error: " + problem, {});
+    DrawBanner(
+        "banner/simulation", ui_.palette.error,
+        "The text has an error; the simulation goes on with the tree as it was before: " + problem,
+        {});
   }
 
   static std::string NameOf(const std::string& path) { return path.substr(path.rfind('/') + 1); }
@@ -144,8 +148,8 @@ class Banners {
     if (path.empty()) return;
     DrawBanner("banner/dispute", ui_.palette.error,
                NameOf(path) +
-                   " was changed on the disk in the same places as here; it is not saved "
-                   "until you say whose stays",
+                   " was changed on the disk in the same places as here; it will not be saved "
+                   "until you choose which version to keep",
                {{"banner/resolve", "resolve", "file.resolve"}});
   }
 
@@ -153,8 +157,8 @@ class Banners {
     const SharedTree& shared = Shared();
     if (shared.uses < 2) return;
     DrawBanner("banner/shared", ui_.palette.accent,
-               shared.id + " is used in " + std::to_string(shared.uses) +
-                   " places: what you change here changes all of them",
+               "\"" + shared.id + "\" is used in " + std::to_string(shared.uses) +
+                   " places: a change here changes all of them",
                {{"banner/uses", "where", "tree.places"}});
   }
 

@@ -34,9 +34,9 @@ std::string StopText(const RunView& run) {
     case DebugStop::Where::kBetweenTicks:
       return "PAUSED after tick " + std::to_string(run.stop().tick);
     case DebugStop::Where::kBefore:
-      return "PAUSED before " + run.stop_path();
+      return "PAUSED before \"" + run.stop_path() + "\"";
     case DebugStop::Where::kAfter:
-      return "PAUSED after " + run.stop_path();
+      return "PAUSED after \"" + run.stop_path() + "\"";
   }
   return "";
 }
@@ -198,9 +198,9 @@ class Strip {
     std::string text = is_cut || ShortName(run) != run.name() ? run.name() : "";
     const LiveConnection& connection = run.connection();
     if (!connection.problem.empty()) text += "\n" + connection.problem;
-    if (!connection.refusal.empty()) text += "\nmay not be controlled: " + connection.refusal;
+    if (!connection.refusal.empty()) text += "\ncannot be controlled: " + connection.refusal;
     if (connection.protocol == LiveConnection::Protocol::kGroot2) {
-      text += "\nknows the Groot2 protocol only: no pause, no steps";
+      text += "\nspeaks the Groot2 protocol only: no pausing, no stepping";
     }
     if (connection.trees.size() > 1) {
       text += "\ntrees:";

@@ -149,11 +149,11 @@ void FollowSelection(const Ui& ui, const TreeView& view) {
 }
 
 const char* WhyEmpty(const Workspace& workspace) {
-  if (workspace.run()) return "The tree of the robot, as soon as it has sent it.";
+  if (workspace.run()) return "The robot's tree, as soon as it has sent it.";
   const OpenFile* file = workspace.file();
   if (!file) return "The nodes of the shown tree. Ctrl+O opens a file.";
   if (!file->forest->trees().empty()) return "The shown tree has no nodes. Tab adds its root.";
-  return file->read_problems.empty() ? "The file holds no tree. Ctrl+T makes one."
+  return file->read_problems.empty() ? "The file contains no tree. Ctrl+T makes one."
                                      : "The file cannot be read; PROBLEMS tells why.";
 }
 

@@ -201,7 +201,7 @@ void DrawProblems(const Ui& ui, EditorState& state, const Box& box) {
                                      static_cast<std::size_t>(all.end() - warnings));
   Panel(ui, "problems", box, "PROBLEMS", note, [&] {
     if (all.empty()) {
-      Hint(ui, workspace.files().empty() ? "What the engine's checker says of the open files."
+      Hint(ui, workspace.files().empty() ? "What the engine's checker says about the open files."
                                          : "No problems. Files are checked while you edit.");
     }
     const bool names_files = std::any_of(all.begin(), all.end(), [&](const Entry& entry) {

@@ -56,7 +56,7 @@ class Bar {
     Right("sim/again", "again", "sim.again");
     Right("sim/set", "set key", "sim.set");
     const auto& chance = state_.simulator.get()->chance();
-    Right("sim/chance", chance ? "seed " + std::to_string(chance->seed) : "by chance", "sim.chance",
+    Right("sim/chance", chance ? "seed " + std::to_string(chance->seed) : "random", "sim.chance",
           chance.has_value());
   }
 
@@ -148,7 +148,7 @@ void DrawOrigin(const Ui& ui, const EditorState& state, const Box& canvas) {
   const std::string origin = chance ? OriginOf(chance->play) : std::string();
   if (origin.empty()) return;
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  const std::string text = "by chance as " + origin + " says";
+  const std::string text = "random, as " + origin + " says";
   const TextStyle style{Face::kSans, 12, ui.palette.text_dim};
   const float pad = 8 * ui.scale;
   const float height = 22 * ui.scale;

@@ -21,7 +21,7 @@ struct StartOffer {
 };
 
 // What shows what the editor is for.
-constexpr StartOffer kExamples[] = {{"start/tour", "Tour of two minutes", "help.tour"},
+constexpr StartOffer kExamples[] = {{"start/tour", "Two-minute tour", "help.tour"},
                                     {"start/example_tree", "A tree", "example.tree"},
                                     {"start/example_record", "A record of a run", "example.record"},
                                     {"start/example_robot", "A simulated robot", "example.robot"}};
@@ -42,13 +42,13 @@ Words WordsOfFile(const OpenFile& file) {
   for (const Diagnostic& problem : file.problems) {
     if (problem.severity != Severity::kError) continue;
     const std::string line =
-        problem.where.line > 0 ? " in line " + std::to_string(problem.where.line) : "";
+        problem.where.line > 0 ? " on line " + std::to_string(problem.where.line) : "";
     return {NameOf(file.path) + " has an error" + line,
             problem.message +
                 ". Correct it in the XML tile; the tree is shown as soon as the text "
                 "can be read."};
   }
-  return {NameOf(file.path) + " holds no tree", "Ctrl+T makes one."};
+  return {NameOf(file.path) + " contains no tree", "Ctrl+T makes one."};
 }
 
 Words WordsOf(const EditorState& state) {
@@ -57,12 +57,12 @@ Words WordsOf(const EditorState& state) {
     if (!run->source().is_robot()) return {"Reading " + NameOf(run->name()), ""};
     const std::string& problem = run->connection().problem;
     return {"Waiting for " + run->name(), problem.empty()
-                                              ? "Its tree is shown as soon as it answers."
-                                              : problem + ". It is tried again and again."};
+                                              ? "Its tree will be shown as soon as it answers."
+                                              : problem + ". Coppice keeps trying."};
   }
   if (workspace.ShownTree()) {
-    return {workspace.ShownTreeId() + " is empty",
-            "Tab adds its root node; types can also be dragged here out of the NODES tile."};
+    return {"\"" + workspace.ShownTreeId() + "\" is empty",
+            "Tab adds its root node; you can also drag a type here from the NODES tile."};
   }
   return WordsOfFile(*workspace.file());
 }
@@ -154,7 +154,7 @@ class StartScreen {
   void OfferUnsaved() {
     const std::vector<UnsavedCopy> left = state_.work.left();  // a click takes one out
     if (left.empty()) return;
-    Heading("unsaved work of editors that have ended", ui_.palette.warning);
+    Heading("unsaved work of earlier sessions", ui_.palette.warning);
     for (std::size_t i = 0; i < std::min(left.size(), kRecent); ++i) OfferCopy(left[i], i);
   }
 
@@ -196,7 +196,7 @@ class StartScreen {
                             : hovered ? ui_.palette.accent
                                       : ui_.palette.link};
       ui_.RowText(list_, box.min, box.height(), ui_.CutStart(path, style, width_), style);
-      if (hovered && !is_there) Tooltip(ui_, "the file is gone");
+      if (hovered && !is_there) Tooltip(ui_, "this file no longer exists");
       if (pressed && is_there)
         state_.after_frame = [&s = state_, path] { s.services.open_file(path); };
     }

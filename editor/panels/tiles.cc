@@ -101,7 +101,7 @@ class Screen {
     Row("bottom", row, first, second, state_.screen.splits.bottom_part);
     ImGui::SetCursorScreenPos(ToIm(row.min));
     if (ui_.Hit("fold/bottom", row)) state_.screen.tiles.row = true;
-    if (ImGui::IsItemHovered()) Tooltip(ui_, "Opens the XML and the problems.");
+    if (ImGui::IsItemHovered()) Tooltip(ui_, "Opens XML and PROBLEMS.");
   }
 
   Box TakeTop(Box& rest, float height) const {

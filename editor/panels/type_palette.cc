@@ -88,12 +88,10 @@ void DrawTypes(const Ui& ui, EditorState& state, const Box& box) {
   const bool can_edit = state.workspace.file() && !state.workspace.run();
   Panel(ui, "types", box, "NODES", can_edit ? "drag onto the canvas" : "", [&] {
     if (!can_edit) {
-      return Hint(ui,
-                  state.workspace.run()
-                      ? "Runs are not edited. Show the tree of a file, by a click in PROJECT, to "
-                        "add nodes to it."
-                      : "The node types that can be dragged onto the canvas. Ctrl+O opens a "
-                        "file, Ctrl+N begins one.");
+      return Hint(ui, state.workspace.run()
+                          ? "Runs cannot be edited. Click a tree in PROJECT to add nodes to it."
+                          : "The node types that can be dragged onto the canvas. Ctrl+O opens a "
+                            "file, Ctrl+N begins one.");
     }
     DrawFilter(ui, state);
     const std::string* heading = nullptr;

@@ -30,7 +30,7 @@ void Editor::LoadKeys() {
     ReadKeys(*text, keys.file, state_.commands, keys.problems);
   }
   if (keys.problems.has_errors()) {
-    state_.Notify("some keys of " + keys.file + " do not hold: F1 says why", state_.now, true);
+    state_.Notify("some keys in " + keys.file + " are not valid: F1 says why", state_.now, true);
   }
 }
 

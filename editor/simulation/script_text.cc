@@ -78,7 +78,7 @@ Expected<MockScript> ParseChances(std::istringstream words) {
   for (std::string word; words >> word;) {
     if (const auto share = ShareFrom(word)) {
       if (words >> word && AddShare(chances, *share, word)) continue;
-      return Problem{"behind a share comes SUCCESS, FAILURE or SKIPPED"};
+      return Problem{"after a share comes SUCCESS, FAILURE or SKIPPED"};
     }
     const bool holds = word == "holds" && words >> word;
     if (const auto range = TimeFrom(word)) {

@@ -57,7 +57,7 @@ class Simulator::Source final : public RunSource {
   bool has_news() const override { return !stage_->queue.empty(); }
 
   void Send(LiveCommand command, LiveClient::ReplyHandler on_reply) override {
-    Outcome done = Problem{"a simulation has other means: Ctrl+P, \"Simulation\""};
+    Outcome done = Problem{"a simulation has commands of its own: Ctrl+P, \"Simulation\""};
     if (command.kind == LiveCommand::Kind::kWrite) {
       done = stage_->simulation->SetKey(KeyValueOf(command));
     }

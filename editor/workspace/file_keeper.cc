@@ -58,7 +58,7 @@ void FileKeeper::Save(bool overwrite, const std::function<void()>& then) {
   state_.work.Keep(project);  // the copies of what is saved go at once
   if (!refused.empty()) return state_.Notify(refused, now_, true);
   if (!nameless.empty()) return AskPath(nameless, then);
-  state_.Notify(saved == 0   ? "Everything is saved already"
+  state_.Notify(saved == 0   ? "Everything is already saved"
                 : saved == 1 ? "Saved"
                              : "Saved " + std::to_string(saved) + " files",
                 now_);
@@ -123,7 +123,7 @@ void FileKeeper::Quit() {
   };
   Choice discard;
   discard.title = "Quit without saving";
-  discard.note = "what is not saved is gone";
+  discard.note = "unsaved changes are lost";
   discard.run = [&s = state_] {
     s.work.DropOwn();
     s.quit = true;
@@ -173,20 +173,20 @@ std::string FileKeeper::FreePath(const std::string& wanted) const {
 }
 
 void FileKeeper::OfferAll() {
-  state_.Offer({"Unsaved work of editors that have ended: Enter opens it",
-                [&s = state_](const std::string& typed) {
-                  std::vector<Choice> rows;
-                  for (const UnsavedCopy& copy : s.work.left()) {
-                    if (copy.path.find(typed) == std::string::npos) continue;
-                    Choice row;
-                    row.kind = copy.is_new ? "new" : "";
-                    row.title = copy.path;
-                    row.note = AgeOf(copy);
-                    row.run = [&s, copy] { FileKeeper(s, s.now).Restore(copy); };
-                    rows.push_back(std::move(row));
-                  }
-                  return rows;
-                }});
+  state_.Offer(
+      {"Unsaved work of earlier sessions: Enter opens it", [&s = state_](const std::string& typed) {
+         std::vector<Choice> rows;
+         for (const UnsavedCopy& copy : s.work.left()) {
+           if (copy.path.find(typed) == std::string::npos) continue;
+           Choice row;
+           row.kind = copy.is_new ? "new" : "";
+           row.title = copy.path;
+           row.note = AgeOf(copy);
+           row.run = [&s, copy] { FileKeeper(s, s.now).Restore(copy); };
+           rows.push_back(std::move(row));
+         }
+         return rows;
+       }});
 }
 
 // The copy goes when the text is in a copy of this editor.

@@ -12,7 +12,7 @@
 namespace coppice::editor {
 namespace {
 
-constexpr char kNotASubTree[] = "select one SubTree";
+constexpr char kNotASubTree[] = "select a SubTree";
 constexpr char kEmptyFile[] =
     "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<root BTCPP_format=\"4\">\n</root>\n";
 
@@ -70,7 +70,8 @@ Outcome ProjectEditor::Change(const std::string& name, const ProjectFiles& files
 
 Outcome ProjectEditor::CheckId(const std::string& id) const {
   if (id.empty()) return Problem{"a tree needs a name"};
-  if (!TreesCalled(Files(), id).empty()) return Problem{"there is a tree " + id + " already"};
+  if (!TreesCalled(Files(), id).empty())
+    return Problem{"there already is a tree " + id + " already"};
   return {};
 }
 

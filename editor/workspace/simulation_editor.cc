@@ -259,7 +259,7 @@ Outcome SimulationEditor::SetScript(const std::string& text) {
 
 Outcome SimulationEditor::SetKey(const std::string& assignment) {
   const std::size_t sign = assignment.find('=');
-  if (sign == std::string::npos) return Problem{"say it as in: battery_level = 0.2"};
+  if (sign == std::string::npos) return Problem{"write it like this: battery_level = 0.2"};
   Simulation* simulation = GoOn();
   if (!simulation) return Problem{"there is no simulation"};
   return simulation->SetKey(Trimmed(assignment.substr(0, sign)),

@@ -48,34 +48,36 @@ std::string_view Wheel(const EditorState& state) { return WheelHint(state.screen
 
 const std::vector<TourStep> kSteps = {
     {"canvas", "The tree",
-     "Nodes stand in the order in which they run. Click one. A drag of the empty canvas moves it.",
+     "Nodes stand in the order in which they run. Click one. Drag the empty canvas to move it.",
      ShowTree, HasSelection, Wheel},
     {"outline", "The same as rows",
-     "Each node is a row here too, and beside a running tree with its "
-     "status and its seconds.",
+     "Each node is a row here too; while a tree runs, with its status and its seconds.",
      ShowOutline, nullptr},
     {"inspector", "Everything about the node",
-     "Name, ports, guards. Change a value: it is one step that Ctrl+Z takes back.", ShowInspector,
+     "Name, ports, guards. Change a value: that is one step, and Ctrl+Z undoes it.", ShowInspector,
      HasEdited},
     {"types", "Nodes to add",
-     "Drag one onto the canvas, or press Tab and type a few letters of it.", ShowTypes, HasEdited},
+     "Drag one onto the canvas, or press Tab and type a few letters of its name.", ShowTypes,
+     HasEdited},
     {"canvas", "What can be done here",
-     "A right click on a node, a line or the empty canvas lists it, with its keys.", nullptr,
+     "Right-click a node, a line or the empty canvas to see it, with its keys.", nullptr,
      HasMenuOfThing},
     {"bar/palette", "Everything by name",
-     "Ctrl+P finds every command, node, tree and robot by a few letters.", nullptr, HasPalette},
+     "Ctrl+P finds any command, node, tree or robot by a few letters of its name.", nullptr,
+     HasPalette},
     {"menu/simulate", "Try it without a robot",
-     "F5 simulates the tree: you say what the leaves return, or chance does.", nullptr,
+     "F5 simulates the tree: you decide what the leaves return, or let chance decide.", nullptr,
      IsSimulated},
     {"timeline", "What has happened",
-     "One lane for each node. F10 ticks; click into the lanes: the window shows that moment.",
-     ShowRun, IsInThePast},
+     "Each node has a lane. F10 ticks; click a lane, and the window shows that moment.", ShowRun,
+     IsInThePast},
     {"run", "Why",
-     "Which node decided what the selected one returned. Robots and records are read in "
-     "the same way.",
+     "Which node decided what the selected one returned. It is the same for robots "
+     "and records.",
      ShowRun, nullptr},
     {"menu/help", "All keys",
-     "F1 lists every command with its keys, and gives it others. That is all.", nullptr, nullptr}};
+     "F1 lists all commands with their keys and lets you change them. That is all.", nullptr,
+     nullptr}};
 
 void Enter(EditorState& state, int step) {
   Tour& tour = state.tour;

@@ -1,4 +1,4 @@
-// The tour of two minutes: steps that point at parts of the window. A step is done when the user
+// The two-minute tour: steps that point at parts of the window. A step is done when the user
 // has done what it says, or goes on without. Without ImGui; panels/tour draws it.
 //
 //   Tour tour;                       // of EditorState

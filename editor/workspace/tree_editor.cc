@@ -121,7 +121,7 @@ std::string TreeEditor::PlaceOfNew() const {
   const Document& document = DocumentOf(selection[0].path);
   const ElementIndex element = selection[0].elements.back();
   const std::string name(NameOf(document, element));
-  return (Rules().MaxChildren(document, element) == 0 ? "behind " : "into ") + name;
+  return (Rules().MaxChildren(document, element) == 0 ? "after " : "into ") + name;
 }
 
 bool TreeEditor::InsertAll(const std::string& name, const std::vector<std::string>& fragments,
@@ -208,7 +208,7 @@ bool TreeEditor::ChangeType(const std::string& type) {
 }
 
 bool TreeEditor::Rename(const std::string& name) {
-  return Run(name.empty() ? "Take the name from " + What() : "Rename " + What() + " to " + name,
+  return Run(name.empty() ? "Remove the name of " + What() : "Rename " + What() + " to " + name,
              [&](Draft& draft, const NodeRules&) { return editor::SetValue(draft, "name", name); });
 }
 
@@ -230,7 +230,7 @@ bool TreeEditor::AddPort(const std::string& name) {
   return Run("Add port " + name + " to " + What(), [&](Draft& draft, const NodeRules&) -> Outcome {
     for (const ElementIndex element : draft.selection()) {
       if (draft.document().FindAttribute(draft.document().element(element), name)) {
-        return Problem{"there is a port " + name + " already"};
+        return Problem{"there already is a port " + name + " already"};
       }
     }
     return editor::SetValue(draft, name, "");
@@ -319,9 +319,9 @@ void TreeEditor::Undo() {
 void TreeEditor::Redo() {
   if (const Step* step = state_.workspace.project().Redo()) {
     Show(step->selected_after);
-    state_.Notify("Done again: " + step->name, now_);
+    state_.Notify("Redone: " + step->name, now_);
   } else {
-    Refuse("there is nothing to do again");
+    Refuse("there is nothing to redo");
   }
 }
 
@@ -342,7 +342,7 @@ void TreeEditor::MergeTheirs() {
   for (const std::string& path : Disputed()) {
     const int kept = state_.workspace.project().MergeTheirs(path);
     if (kept < 0) {
-      Refuse("merging would give malformed XML: take theirs, or save over it");
+      Refuse("merging would give malformed XML: take theirs or overwrite it");
       return;
     }
     state_.Notify("Merged; mine stayed in " + std::to_string(kept) + " places", now_);

@@ -226,10 +226,11 @@ void Workspace::LookAtDisk(double now) {
     const EditedFile& file = *project_.Find(path);
     const std::string name = path.substr(path.rfind('/') + 1);
     if (file.is_gone) {
-      news_ = name + " is gone from the disk: what is here is the only copy, Ctrl+S writes it";
+      news_ = name + " has been removed from the disk: this is the only copy, Ctrl+S writes it";
     } else if (file.other) {
-      news_ = name +
-              " was changed on the disk, in the same places as here: \"resolve\" asks whose stays";
+      news_ =
+          name +
+          " was changed on the disk, in the same places as here: \"resolve\" asks which version to keep";
     } else if (file.is_dirty()) {
       news_ = name + " was changed on the disk and merged with what is not saved here";
     } else {

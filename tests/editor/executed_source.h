@@ -30,6 +30,7 @@ class ExecutedSource final : public ToldSource {
     even_.OnGap(gap);
     follow_->Begin(HistoryState::Cause::kLost);
   }
+  void Note(const HistoryNote& note) { queue_.OnNote(note); }
   void Tell(const LiveNotice& notice) { queue_.OnNotice(notice); }
   void StopBefore(NodeIndex node) { TellStop(node, tree.executor.shared_program()->Path(node), 1); }
 

@@ -107,13 +107,13 @@ std::string SentenceOf(const RecordedTree& tree, const WhyNot& why_not) {
     case WhyNot::Cause::kOwn:
       return by + " ticked none of its children and is " + status;
     case WhyNot::Cause::kInjected:
-      return by + " was made " + status + " from outside, without a tick";
+      return by + " was made " + status + " from outside, without being ticked";
     case WhyNot::Cause::kNotWhole:
-      return "the tick stands at a breakpoint";
+      return "the tick has stopped at a breakpoint";
     case WhyNot::Cause::kAborted:
       return "an exception thrown by " + by + " ended the tick";
     case WhyNot::Cause::kNotTold:
-      return "this run tells only changes of status, and " + towards +
+      return "this run holds status changes only, and " + towards +
              " had none; it may have been ticked";
   }
   return "";
@@ -140,7 +140,7 @@ std::string PrintWhy(const RecordedTree& tree, const Why& why, Time start) {
   if (why.change) {
     text += "first change: " + SentenceOf(tree, *why.change) + "\n";
   } else if (!why.steps.empty()) {
-    text += "up to here every node returned what it did in the tick before\n";
+    text += "up to here, every node returned the same as in the tick before\n";
   }
   return text;
 }

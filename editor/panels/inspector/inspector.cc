@@ -5,8 +5,7 @@
 namespace coppice::editor {
 namespace {
 
-constexpr char kHint[] =
-    "Name, ports and guards of a node. Click one, or walk with the arrow keys.";
+constexpr char kHint[] = "Name, ports and guards of a node. Click one, or use the arrow keys.";
 
 // A type is edited till another node is selected.
 bool ShowsType(EditorState& state, const TreeView& view) {

@@ -212,8 +212,8 @@ class NodePage {
     EditAttribute("inspector/autoremap", kAutoremap, given ? std::string(given->value) : "", look);
     if (ImGui::IsItemHovered()) {
       Tooltip(ui_,
-              "Keys of the tree inside are those of the tree outside, but for the private "
-              "ones and those that are given here.");
+              "The keys of the inner tree are those of the outer tree, except for private "
+              "keys and those given here.");
     }
   }
 
@@ -223,7 +223,7 @@ class NodePage {
     const bool is_unknown = !node_.model && node_.shape == Shape::kUnknown;
     const bool is_defined = !id.empty() && TypeEditor(state_, ui_.now).IsDefined(id);
     if (is_unknown) {
-      Hint(ui_, "No model of this type is known: it takes any port, and nothing is checked.");
+      Hint(ui_, "No model describes this type: it takes any port, and nothing is checked.");
       ImGui::Dummy({0, 4 * ui_.scale});
     }
     if (is_unknown || is_defined || IsSubTree()) DrawTypeAction(ui_, state_, id);

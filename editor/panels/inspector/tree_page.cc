@@ -43,7 +43,7 @@ void DrawTreePage(const Ui& ui, EditorState& state) {
   const FieldResult id =
       FieldRow(ui, state, "inspector/tree", "tree@" + tree, "tree", tree, look, "");
   const std::size_t uses = state.inspector.interfaces.UsesOf(tree, state.workspace, files);
-  const std::string used = uses == 0 ? "by no other tree" : "in " + Count(uses, "place");
+  const std::string used = uses == 0 ? "in no other tree" : "in " + Count(uses, "place");
   if (ValueRow(ui, "inspector/used", "used", used, {Face::kSans, 12, ui.palette.text}).clicked &&
       uses > 0) {
     state.after_frame = [&state] { state.commands.Run("tree.usages"); };

@@ -101,7 +101,7 @@ class TypePage {
     if (!chosen) return;
     const auto at = std::find(look.choices.begin(), look.choices.end(), *chosen);
     if (at == look.choices.end()) {
-      state_.Notify("no file of this project: include it first", ui_.now, true);
+      state_.Notify("not a file of this project: include it first", ui_.now, true);
       return;
     }
     action_ = [type = type_, path = paths[static_cast<std::size_t>(at - look.choices.begin())]](
@@ -142,7 +142,7 @@ class TypePage {
   }
 
   void DrawName(const std::string& path, Box line, const PortModel& port) {
-    if (Button(path + "/remove", line, 20, icon::kTimes, "Take it away")) {
+    if (Button(path + "/remove", line, 20, icon::kTimes, "Remove it")) {
       action_ = [type = type_, name = port.name](TypeEditor& edit) {
         return edit.RemovePort(type, name);
       };

@@ -35,7 +35,7 @@ void PaintCommand(const Ui& ui, const EditorCommand& command, const Box& box) {
   ui.RowText(list, box.min + Point{pad, 0}, box.height(), ToString(command.keys), keys,
              left - box.min.x - 2 * pad);
   const std::string note = is_changed
-                               ? command.id + ", came with " +
+                               ? command.id + ", originally " +
                                      (command.own_keys.key ? ToString(command.own_keys) : "no key")
                                : command.id;
   const float note_width = std::min(ui.Width(note, dim), box.width() * 0.45F);
@@ -111,12 +111,14 @@ void DrawNewKeys(const Ui& ui, EditorState& state) {
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
   const EditorCommand* other = OtherWithKeys(state, *command, settings.taken);
   const std::string now =
-      command->keys.key ? "now " + ToString(command->keys) : std::string("now without a key");
+      command->keys.key ? "now " + ToString(command->keys) : std::string("has no key now");
   write("popup/new_keys", "Press the keys of \"" + command->title + "\" (" + now + ")",
         ui.palette.text);
-  write("popup/help", "Del no key     Backspace as it came     Esc leave it", ui.palette.text_dim);
+  write("popup/help", "Del: no key     Backspace: the original key     Esc: leave it",
+        ui.palette.text_dim);
   write("popup/taken",
-        other ? ToString(settings.taken) + " is \"" + other->title + "\"; again takes it away" : "",
+        other ? ToString(settings.taken) + " is \"" + other->title + "\"; press it again to take it"
+              : "",
         ui.palette.warning);
   ImGui::PopStyleVar();
   if (is_first_frame) return;

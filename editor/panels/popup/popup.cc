@@ -112,7 +112,7 @@ class PopupWindow {
       case Popup::kChangeType:
         return "Change the type to";
       case Popup::kRename:
-        return "Rename the node; without a name it is called as its type";
+        return "Rename the node; without a name it is called by its type";
       default:
         return {};
     }
@@ -275,7 +275,7 @@ class PopupWindow {
   // Draws the rows; the one that was clicked, or -1.
   int Chosen(const std::vector<Choice>& choices, bool has_choice) {
     PopupRows rows(ui_, state_, choices.size(), has_choice);
-    if (choices.empty() && has_choice) PaintHelp("popup/nothing", "nothing fits what was typed");
+    if (choices.empty() && has_choice) PaintHelp("popup/nothing", "nothing matches what was typed");
     int chosen = -1;
     for (std::size_t i = 0; i < choices.size(); ++i) {
       const Choice& choice = choices[i];
@@ -304,7 +304,7 @@ class PopupWindow {
 
   std::string AddHelp() const {
     return "Enter " + TreeEditor(state_, ui_.now).PlaceOfNew() +
-           "     Shift+Enter behind     Ctrl+Enter around";
+           "     Shift+Enter after     Ctrl+Enter around";
   }
 
   std::string ChangeHelp(const std::vector<TypeChoice>& types) const {

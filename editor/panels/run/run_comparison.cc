@@ -23,7 +23,7 @@ void OfferRuns(const Ui& ui, EditorState& state, const RunView& run) {
                             CompareRuns(run.run().recording(), other->run().recording()),
                             {}};
   }
-  if (!any) Hint(ui, "Open another record, or connect to another robot, to compare with.");
+  if (!any) Hint(ui, "Open another record or connect to another robot to compare with.");
 }
 
 }  // namespace
@@ -33,12 +33,12 @@ void DrawComparison(const Ui& ui, EditorState& state, RunView& run) {
   if (!shown) return OfferRuns(ui, state, run);
   const RunComparison& result = *shown;
   const TextStyle bold{Face::kBold, 12, ui.palette.text};
-  const Row head =
-      TextRow(ui, "run/compare",
-              "compared with " + state.run.comparison.second + ": " +
-                  std::to_string(result.different_ticks) + " of " + Count(result.ticks, "tick") +
-                  " differ (click: compare with another)",
-              bold);
+  const Row head = TextRow(
+      ui, "run/compare",
+      "compared with " + state.run.comparison.second + ": " +
+          std::to_string(result.different_ticks) + " of " + Count(result.ticks, "tick") +
+          (result.different_ticks == 1 ? " differs" : " differ") + " (click: compare with another)",
+      bold);
   if (head.clicked) {
     state.run.comparison = ShownComparison();
     return;
@@ -48,7 +48,7 @@ void DrawComparison(const Ui& ui, EditorState& state, RunView& run) {
         TextRow(ui, "run/parting", Sentence(*result.parting), {Face::kBold, 12, ui.palette.accent});
     if (row.clicked) GoToRunNode(state, result.parting->tick, result.parting->what);
   } else {
-    Hint(ui, "They do not differ.");
+    Hint(ui, "The two runs do not differ.");
   }
   if (!result.differences.empty()) {
     const Row row = NextRow(ui, "run/differences", false);
@@ -64,10 +64,10 @@ void DrawComparison(const Ui& ui, EditorState& state, RunView& run) {
   }
   const TextStyle dim{Face::kSans, 12, ui.palette.text_dim};
   for (const std::string& path : result.only_first) {
-    TextRow(ui, "run/only_first/" + path, "\"" + path + "\" is only here", dim);
+    TextRow(ui, "run/only_first/" + path, "\"" + path + "\" exists in this run only", dim);
   }
   for (const std::string& path : result.only_second) {
-    TextRow(ui, "run/only_second/" + path, "\"" + path + "\" is only there", dim);
+    TextRow(ui, "run/only_second/" + path, "\"" + path + "\" exists in the other run only", dim);
   }
 }
 

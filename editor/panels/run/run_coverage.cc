@@ -13,16 +13,18 @@
 namespace coppice::editor {
 namespace {
 
-std::string Count(std::uint64_t count) { return std::to_string(count); }
+std::string Number(std::uint64_t number) { return std::to_string(number); }
 
 std::string Summary(const Coverage& coverage, std::uint64_t wanted) {
   const auto of = [&](Status status) {
-    return Count(coverage.results[static_cast<std::size_t>(status)]);
+    return Number(coverage.results[static_cast<std::size_t>(status)]);
   };
-  return Count(coverage.runs) + (coverage.runs < wanted ? " of " + Count(wanted) : "") +
-         " runs from seed " + Count(coverage.first_seed) + ", " + Count(coverage.ticks) +
-         " ticks: " + of(Status::kSuccess) + " SUCCESS, " + of(Status::kFailure) + " FAILURE, " +
-         of(Status::kRunning) + " broken off";
+  const std::string runs = coverage.runs < wanted
+                               ? Number(coverage.runs) + " of " + Count(wanted, "run")
+                               : Count(coverage.runs, "run");
+  return runs + " from seed " + Number(coverage.first_seed) + ", " + Count(coverage.ticks, "tick") +
+         ": " + of(Status::kSuccess) + " SUCCESS, " + of(Status::kFailure) + " FAILURE, " +
+         of(Status::kRunning) + " cut short";
 }
 
 class Rows {
@@ -38,7 +40,7 @@ class Rows {
   void Draw() {
     const CoverageJob& job = state_.coverage;
     if (!job.coverage()) {
-      Run("Run the tree many times, with leaves that do something by chance: what is reached?");
+      Run("Run the tree many times with leaves that act at random: what is reached?");
       return;
     }
     const Coverage& coverage = *job.coverage();
@@ -46,7 +48,7 @@ class Rows {
     DrawOrigin(job.play());
     const Simulation* simulation = state_.simulator.get();
     if (simulation && simulation->program().get() != &job.program()) {
-      Title("run/coverage/old", "The tree was edited since.", ui_.palette.warning);
+      Title("run/coverage/old", "The tree has been edited since.", ui_.palette.warning);
     }
     for (std::size_t i = 0; i < coverage.findings.size(); ++i) Finding(i, coverage.findings[i]);
     List("never_ticked", "never ticked", NeverTicked(coverage));
@@ -60,7 +62,7 @@ class Rows {
   void DrawOrigin(const RandomPlay& play) {
     const std::string origin = OriginOf(play);
     if (origin.empty()) return;
-    TextRow(ui_, "run/coverage/origin", "By chance as " + origin + " says",
+    TextRow(ui_, "run/coverage/origin", "Random, as " + origin + " says",
             {Face::kSans, 12, ui_.palette.text_dim});
   }
 
@@ -77,13 +79,13 @@ class Rows {
 
   void Finding(std::size_t number, const RandomFinding& finding) {
     const std::string what =
-        (finding.node.empty() ? "the tree" : finding.node) + ": " + finding.text;
-    const std::string when = Count(finding.times) + " times, first in tick " + Count(finding.tick) +
-                             " of seed " + Count(finding.seed);
+        (finding.node.empty() ? "the tree" : "\"" + finding.node + "\"") + ": " + finding.text;
+    const std::string when = Count(finding.times, "time") + ", first in tick " +
+                             Number(finding.tick) + " of seed " + Number(finding.seed);
     const Row row = TextRow(ui_, "run/coverage/finding/" + std::to_string(number),
                             std::string(icon::kWarning) + "  " + what + "; " + when,
                             {Face::kSans, 12, ui_.palette.error});
-    if (row.hovered) Tooltip(ui_, "A click goes there");
+    if (row.hovered) Tooltip(ui_, "Click to go there");
     if (row.clicked) {
       state_.after_frame = [&s = state_, finding, now = ui_.now] {
         SimulationEditor(s, now).GoToFinding(finding);
@@ -93,7 +95,7 @@ class Rows {
 
   void List(const std::string& id, const char* title, const std::vector<std::string>& paths) {
     const std::string path = "run/coverage/" + id;
-    Title(path, std::string(title) + ": " + (paths.empty() ? "none" : Count(paths.size())),
+    Title(path, std::string(title) + ": " + (paths.empty() ? "none" : Number(paths.size())),
           paths.empty() ? ui_.palette.text_dim : ui_.palette.text);
     for (const std::string& node : paths) Node(path + "/" + node, node);
   }
@@ -106,10 +108,10 @@ class Rows {
     const float x = Write(row, 22, node, {Face::kSans, 12, ui_.palette.text});
     const NodeCoverage& counts = *state_.coverage.Find(node);
     if (counts.ticks() == 0) return;
-    std::string text = Count(counts.ticks()) + " ticks";
+    std::string text = Count(counts.ticks(), "tick");
     for (const Status status : {Status::kSuccess, Status::kFailure, Status::kSkipped}) {
       if (counts.results_of(status) == 0) continue;
-      text += ", " + Count(counts.results_of(status)) + " " + ToString(status);
+      text += ", " + Number(counts.results_of(status)) + " " + ToString(status);
     }
     Write(row, x + 10, text, {Face::kSans, 11, ui_.palette.text_dim});
   }

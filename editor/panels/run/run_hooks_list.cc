@@ -75,7 +75,7 @@ void DrawHook(const Ui& ui, EditorState& state, const RunView& run, const Wanted
   const bool switched = row.Button("/on", hook.enabled ? "on" : "off",
                                    hook.enabled ? "Switch it off" : "Switch it on");
   const bool asked =
-      row.Button("/condition", "if", "When it counts: a condition, a number of hits");
+      row.Button("/condition", "if", "When it counts: a condition or a number of hits");
 
   const SetHookState* set = run.hooks().Find(wanted.number);
   const Color writing = ColorOf(ui, hook);
@@ -115,7 +115,7 @@ void DrawHooks(const Ui& ui, EditorState& state, RunView& run) {
   if (all.empty() && foreign.empty()) {
     Hint(ui,
          "F9 stops the robot at the selected node; a fault forces its result (Ctrl+P, \"force\"). "
-         "Both may be set before the robot is there.");
+         "Both can be set before the robot is connected.");
   }
   for (const WantedHook& wanted : all) DrawHook(ui, state, run, wanted);
   for (const ForeignHook& hook : foreign) DrawForeignHook(ui, run, hook);

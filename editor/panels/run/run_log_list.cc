@@ -116,7 +116,7 @@ void DrawLog(const Ui& ui, EditorState& state, RunView& run) {
   if (points.empty()) {
     Hint(ui,
          "Ctrl+Shift+F9 writes a line here whenever the selected node begins or returns, with "
-         "values: \"to {goal}\". The robot does not stop; what has happened counts too.");
+         "values: \"to {goal}\". The robot does not stop; the past counts too.");
   }
   Rows rows(ui, state, run, log);
   for (const LogPoint& point : points) rows.DrawPoint(point);

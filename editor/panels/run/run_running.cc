@@ -18,7 +18,7 @@ void DrawRunning(const Ui& ui, EditorState& state, RunView& run) {
   std::stable_sort(running.begin(), running.end(), [&states](NodeIndex a, NodeIndex b) {
     return states[a].since < states[b].since;
   });
-  if (running.empty()) Hint(ui, "Nothing runs at this tick. Leaves that run are listed here.");
+  if (running.empty()) Hint(ui, "Nothing is running in this tick. Running leaves are listed here.");
   for (const NodeIndex node : running) {
     const Row row = NextRow(ui, "run/running/" + nodes[node].path, false);
     if (row.clicked) SelectRunNode(state, node);

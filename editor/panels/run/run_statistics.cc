@@ -37,9 +37,9 @@ class Table {
     if (row.hovered) {
       Tooltip(
           ui_,
-          "ticks: how often the node was ticked\nSUCCESS, FAILURE: part of its ticks that ended "
-          "so\np50, p95: how long it ran until it had a result, half and 95 % of the times,\n"
-          "without the time at breakpoints and in pauses\n"
+          "ticks: how often the node was ticked\nSUCCESS, FAILURE: share of its ticks that ended "
+          "this way\np50, p95: how long it ran until it had a result, in 50 % and 95 % of all\n"
+          "cases, without the time at breakpoints and in pauses\n"
           "flips/min: how often its result changed");
     }
     Write(row, "node", {"ticks", "SUCCESS", "FAILURE", "p50", "p95", "flips/min"},
@@ -92,17 +92,10 @@ class Table {
 void DrawStatistics(const Ui& ui, EditorState& state, RunView& run) {
   const TimelineState& timeline = state.run.timelines[run.name()];
   state.run.figures.Update(run.run(), timeline.range);
-  const Statistics& all = state.run.figures.statistics();
-  char text[192];
-  std::snprintf(text, sizeof(text),
-                "%s: %llu ticks of %.3f ms (p95 %.3f, max %.3f), one every %.1f ms, %llu lost",
-                timeline.range ? "marked stretch" : "whole run",
-                static_cast<unsigned long long>(all.ticks), Seconds(all.tick_durations.p50) * 1e3,
-                Seconds(all.tick_durations.p95) * 1e3, Seconds(all.tick_durations.max) * 1e3,
-                Seconds(all.periods.p50) * 1e3, static_cast<unsigned long long>(all.lost_ticks));
-  const std::string stood =
-      all.paused > Duration(0) ? ", stood still for " + DurationText(Seconds(all.paused)) : "";
-  TextRow(ui, "run/figures/all", text + stood, {Face::kSans, 12, ui.palette.text});
+  const bool is_paused = run.stop().where != DebugStop::Where::kNowhere;
+  TextRow(ui, "run/figures/all",
+          SentenceOf(state.run.figures.statistics(), timeline.range.has_value(), is_paused),
+          {Face::kSans, 12, ui.palette.text});
   Table table(ui, state, ImGui::GetContentRegionAvail().x);
   table.Head();
   const auto& nodes = run.tree()->description()->nodes;

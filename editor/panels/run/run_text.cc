@@ -5,6 +5,8 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "editor/panels/widgets/panel.h"
+
 namespace coppice::editor {
 
 std::string AxisText(Time time) {
@@ -19,6 +21,23 @@ std::string AxisText(Time time) {
                   milliseconds % 1000);
   }
   return text;
+}
+
+std::string SentenceOf(const Statistics& figures, bool is_stretch, bool is_paused) {
+  const auto seconds = [](Duration time) { return static_cast<double>(time.count()) * 1e-9; };
+  const auto milliseconds = [&](Duration time) { return seconds(time) * 1e3; };
+  char text[128];
+  std::snprintf(text, sizeof(text),
+                " of %.3f ms (p95 %.3f, max %.3f), one every %.1f ms, %llu lost",
+                milliseconds(figures.tick_durations.p50), milliseconds(figures.tick_durations.p95),
+                milliseconds(figures.tick_durations.max), milliseconds(figures.periods.p50),
+                static_cast<unsigned long long>(figures.lost_ticks));
+  std::string sentence = is_stretch ? "marked stretch: " : "whole run: ";
+  sentence += Count(figures.ticks, "tick") + text;
+  const bool was_paused = figures.paused > Duration(0);
+  if (was_paused) sentence += ", paused for " + DurationText(seconds(figures.paused));
+  if (is_paused) sentence += was_paused ? " and is paused now" : ", is paused now";
+  return sentence;
 }
 
 std::string ShortNumber(const std::string& value) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "bt_core/analysis/statistics.h"
 #include "editor/theme/ui.h"
 #include "editor/timeline/run.h"
 
@@ -20,6 +21,10 @@ std::string ShortNumber(const std::string& value);
 
 /// "tick 84 (0:04.220)", with the robot's own number of the tick.
 std::string TickText(const Run& run, std::size_t tick);
+
+/// The figures of all ticks of a run, or of a marked stretch of it. They know the pauses that have
+/// ended; `is_paused`: another one goes on.
+std::string SentenceOf(const Statistics& figures, bool is_stretch, bool is_paused);
 
 /// Numbers from left to right, the smallest at the bottom; a hole where there is none.
 void PaintCurve(const Ui& ui, ImDrawList& list, const Box& box,

@@ -42,7 +42,7 @@ void DrawRunTile(const Ui& ui, EditorState& state, const Box& box) {
     }
     const bool is_empty = run && run->run().size() == 0 && state.run.tab != RunTab::kCoverage;
     if (!run || !run->tree() || is_empty) {
-      Hint(ui, "Nothing has happened yet: this tells of ticks as soon as there are some.");
+      Hint(ui, "Nothing has happened yet: this tile fills as soon as there are ticks.");
       return;
     }
     for (const Tab& tab : kTabs) {

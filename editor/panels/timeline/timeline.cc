@@ -197,8 +197,10 @@ class Timeline {
 
   static std::string DescribeBreak(const RunBreak& gap) {
     if (gap.is_other_tree) return "another tree from here on";
-    if (gap.is_other_run) return "the robot was started anew";
-    if (gap.lost_ticks > 0) return std::to_string(gap.lost_ticks) + " ticks are missing";
+    if (gap.is_other_run) return "the robot was restarted";
+    if (gap.lost_ticks > 0) {
+      return Count(gap.lost_ticks, "tick") + (gap.lost_ticks == 1 ? " is missing" : " are missing");
+    }
     return "the tree was given another state";
   }
 
@@ -270,7 +272,7 @@ void DrawTimeline(const Ui& ui, EditorState& state, const Box& box) {
   Panel(ui, "timeline", box, "TIMELINE",
         is_wide ? "wheel pan   Ctrl+wheel zoom   Shift+drag range   L now" : "", [&] {
           if (!run || !run->run().has_tree() || run->run().size() == 0) {
-            Hint(ui, "What each node did, over time: as soon as there are ticks.");
+            Hint(ui, "What each node did over time, as soon as there are ticks.");
             return;
           }
           const Box body = {box.min + Point{1, kPanelHeader * ui.scale}, box.max - Point{1, 2}};

@@ -33,7 +33,7 @@ class Lanes {
     DrawRows(f_.shown.pinned, count, {{box.min.x, below}, box.max});
     if (count == 0) {
       f_.ui.RowText(list_, f_.lanes.min + Point{8 * f_.ui.scale, height}, height,
-                    "no node of this tree was ticked in what is shown",
+                    "no node of this tree was ticked in this stretch",
                     {Face::kSans, 11, f_.ui.palette.text_dim});
     }
     if (f_.shown.pinned > 0) {
@@ -70,7 +70,7 @@ class Lanes {
     if (f_.ui.Hit("timeline/pin/" + path, at, &hovered)) {
       f_.state.workspace.pins.Toggle(f_.view.bookmark_name(), path);
     }
-    if (hovered) Tooltip(f_.ui, pinned ? "Let it go" : "Keep it on top");
+    if (hovered) Tooltip(f_.ui, pinned ? "Unpin it" : "Pin it to the top");
     if (!pinned && !label.Contains(FromIm(ImGui::GetIO().MousePos))) return;
     const Color color = pinned || hovered ? f_.ui.palette.accent : f_.ui.palette.text_dim;
     f_.ui.RowText(list_, at.min + Point{4 * f_.ui.scale, 0}, at.height(), icon::kPin,
@@ -175,7 +175,7 @@ class Lanes {
       f_.ui.Fill(list_, {{x, lane.max.y - height}, {x + step, lane.max.y}},
                  Fade(f_.ui.palette.accent, 0.6F));
     }
-    Label(lane, "a tick: up to " + MillisecondsText(static_cast<double>(most)), 0,
+    Label(lane, "one tick: up to " + MillisecondsText(static_cast<double>(most)), 0,
           {Face::kSans, 11, f_.ui.palette.text_dim});
   }
 

@@ -55,7 +55,7 @@ class FieldDrawer {
 
   FieldResult Draw() {
     ui_.items.Add(path_, rest_);
-    if (look_.can_clear && Button("clear", icon::kTimes, "Take it away")) result_.cleared = true;
+    if (look_.can_clear && Button("clear", icon::kTimes, "Remove it")) result_.cleared = true;
     switch (look_.kind) {
       case FieldKind::kBool: {
         const bool is_true = value_ == "true";
@@ -94,8 +94,8 @@ class FieldDrawer {
   }
 
   void Step() {
-    if (Button("more", "+", "One step more")) result_.value = Stepped(value_, +1);
-    if (Button("less", kMinus, "One step less")) result_.value = Stepped(value_, -1);
+    if (Button("more", "+", "One step up")) result_.value = Stepped(value_, +1);
+    if (Button("less", kMinus, "One step down")) result_.value = Stepped(value_, -1);
   }
 
   // A list below the field.

@@ -353,7 +353,7 @@ std::string TitleOf(const ShownXml& shown) {
 std::string NoteOf(const EditorState& state, const ShownXml& shown) {
   if (!shown.text) return "";
   if (!shown.can_edit) return "read only";
-  return state.xml.pane.focused ? "Esc ends typing" : "click to type";
+  return state.xml.pane.focused ? "Esc to stop typing" : "click to type";
 }
 
 // A click elsewhere ends typing; a command begins it at the selected node.
@@ -389,7 +389,7 @@ void DrawXml(const Ui& ui, EditorState& state, const Box& box) {
     if (shown.text) {
       XmlPanel(ui, state, shown).Draw();
     } else {
-      Hint(ui, "The text of the shown tree, to read and to type in. Ctrl+O opens a file.");
+      Hint(ui, "The text of the shown tree, to read and to edit. Ctrl+O opens a file.");
     }
   });
 }

@@ -14,7 +14,7 @@ LineMark MarkOf(const std::vector<LineMark>& marks, std::size_t line) {
 const char* WordsFor(LineMark mark) {
   return mark == LineMark::kAdded     ? "new"
          : mark == LineMark::kChanged ? "changed"
-                                      : "lines are gone";
+                                      : "lines were removed";
 }
 
 // Added lines have a full bar, changed ones a hatched one; where lines are gone there is a wedge:

@@ -36,22 +36,22 @@ PartingPoint Parting(const char* what, const char* second_what, const char* firs
 
 TEST(DifferenceText, TellsWhereTheRunsPart) {
   EXPECT_EQ(Sentence(Parting("Drive", "", "SUCCESS", "FAILURE")),
-            R"(The runs part in tick 4: "Drive" returned SUCCESS here, but FAILURE there)");
+            R"(The runs diverge in tick 4: "Drive" returned SUCCESS here, but FAILURE there)");
 }
 
 TEST(DifferenceText, TellsWhichRunDidSomethingElseFirst) {
   EXPECT_EQ(Sentence(Parting("Drive", "Dock", "SUCCESS", "FAILURE")),
-            R"(The runs part in tick 4: here, "Drive" returned SUCCESS; )"
+            R"(The runs diverge in tick 4: here, "Drive" returned SUCCESS; )"
             R"(there, "Dock" returned FAILURE first)");
 }
 
 TEST(DifferenceText, TellsWhichTickHadEndedAlready) {
   EXPECT_EQ(
       Sentence(Parting("Drive", "", "nothing more", "FAILURE")),
-      R"(The runs part in tick 4: there, "Drive" returned FAILURE; here, the tick had ended)");
+      R"(The runs diverge in tick 4: there, "Drive" returned FAILURE; here, the tick had ended)");
   EXPECT_EQ(
       Sentence(Parting("Drive", "", "SUCCESS", "nothing more")),
-      R"(The runs part in tick 4: here, "Drive" returned SUCCESS; there, the tick had ended)");
+      R"(The runs diverge in tick 4: here, "Drive" returned SUCCESS; there, the tick had ended)");
 }
 
 }  // namespace

@@ -46,7 +46,7 @@ TEST(Menus, SayWhyAnEntryCannotBeDone) {
       EXPECT_EQ(item.why_not, "no file is open");
     }
     if (item.path == "menu/edit.undo") {
-      EXPECT_EQ(item.why_not, "nothing was done yet");
+      EXPECT_EQ(item.why_not, "nothing has been done yet");
     }
   }
 }
@@ -58,7 +58,7 @@ TEST(Menus, ListRecentFilesAndThoseThatAreGoneAreGrey) {
   const auto items = ItemsOf(driver.editor.state(), "file.recent");
   ASSERT_EQ(items.size(), 2U);
   EXPECT_EQ(items[0].why_not, "");
-  EXPECT_EQ(items[1].why_not, "the file is gone");
+  EXPECT_EQ(items[1].why_not, "this file no longer exists");
 }
 
 TEST(Menus, AnUnknownNameHasNoEntries) {

@@ -23,21 +23,21 @@ TEST_P(DiffSentence, SaysInEnglishWhatDiffers) {
   EXPECT_EQ(Sentence(diffs[0], *before, *after), GetParam().sentence);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, DiffSentence,
-                         testing::Values(Case{"<A><B/></A>", "<A><B/><C/></A>",
-                                              R"("C" was added below "A")"},
-                                         Case{"<A><B/><C/></A>", "<A><B/></A>",
-                                              R"("C" was removed; it stood below "A")"},
-                                         Case{"<A><B/><C/></A>", "<A><C/><B/></A>",
-                                              R"("B" was moved from place 1 to place 2 below "A")"},
-                                         Case{"<A><B><C/></B><D/></A>", "<A><B/><D><C/></D></A>",
-                                              R"("C" stood below "B" and stands below "D" now)"},
-                                         Case{"<A><B x='3'/></A>", "<A><B x='5'/></A>",
-                                              R"("B" has changed: x was "3" and is "5" now)"},
-                                         Case{"<A><B/></A>", "<A><B x='5'/></A>",
-                                              R"("B" has changed: x is "5" now and was not set)"},
-                                         Case{"<A><B x='3'/></A>", "<A><B/></A>",
-                                              R"("B" has changed: x was "3" and is not set now)"}));
+INSTANTIATE_TEST_SUITE_P(
+    All, DiffSentence,
+    testing::Values(Case{"<A><B/></A>", "<A><B/><C/></A>", R"("C" was added below "A")"},
+                    Case{"<A/>", "<B><A/></B>", R"("B" was added as the root)"},
+                    Case{"<A><B/><C/></A>", "<A><B/></A>", R"("C" was removed; it was below "A")"},
+                    Case{"<A><B/><C/></A>", "<A><C/><B/></A>",
+                         R"("B" was moved from place 1 to place 2 below "A")"},
+                    Case{"<A><B><C/></B><D/></A>", "<A><B/><D><C/></D></A>",
+                         R"("C" was moved from below "B" to below "D")"},
+                    Case{"<A><B x='3'/></A>", "<A><B x='5'/></A>",
+                         R"("B" has changed: x was "3" and is now "5")"},
+                    Case{"<A><B/></A>", "<A><B x='5'/></A>",
+                         R"("B" has changed: x is now "5" and was not set before)"},
+                    Case{"<A><B x='3'/></A>", "<A><B/></A>",
+                         R"("B" has changed: x was "3" and is no longer set)"}));
 
 }  // namespace
 }  // namespace coppice::editor

@@ -41,7 +41,7 @@ TEST(KeyWrites, ATruthStaysOne) {
 
 TEST(KeyWrites, AWholeNumberTakesNoFraction) {
   EXPECT_EQ(Write(Bytes(std::int64_t{3}), "-4")->value, "-4");
-  EXPECT_EQ(Write(Bytes(std::int64_t{3}), "2.5").problem(), "\"2.5\" is no whole number");
+  EXPECT_EQ(Write(Bytes(std::int64_t{3}), "2.5").problem(), "\"2.5\" is not a whole number");
 }
 
 TEST(KeyWrites, AKeyOfAPortIsWrittenAsInTheXml) {

@@ -26,9 +26,9 @@ TEST(LogPoints, AreTypedAsTextConditionAndHit) {
 }
 
 TEST(LogPoints, WhatCannotBeReadIsSaid) {
-  EXPECT_EQ(Again("a #x"), "expected a number behind #");
-  EXPECT_EQ(Again("a #0"), "expected a number behind #");
-  EXPECT_EQ(Again("a if"), "expected a condition behind if");
+  EXPECT_EQ(Again("a #x"), "expected a number after #");
+  EXPECT_EQ(Again("a #0"), "expected a number after #");
+  EXPECT_EQ(Again("a if"), "expected a condition after if");
 }
 
 TEST(LogPoints, AreFoundByRunAndPathAndEveryChangeIsANewVersion) {

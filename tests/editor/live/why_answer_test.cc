@@ -53,7 +53,7 @@ TEST_F(WhyAnswerTest, SaysWhereTheRobotStandsAndNotInThePast) {
   robot_->StopBefore(Node("pass/Drive"));
   view_->Update(HookList(), 2);
   why_.Ask(*view_, kRootNode);
-  EXPECT_EQ(why_.stands(), "stands before \"Drive\"");
+  EXPECT_EQ(why_.stands(), "stopped before \"Drive\"");
   EXPECT_EQ(why_.stands_at(), Node("pass/Drive"));
   view_->playhead().GoToTick(1);
   view_->Update(HookList(), 3);
@@ -112,9 +112,8 @@ TEST(WhyAnswer, ARobotThatTellsChangesOnlyHasThrownNothing) {
   WhyAnswer why;
   why.Ask(view, NodeIndex{1});
   EXPECT_TRUE(why.is_untold());
-  EXPECT_EQ(
-      why.why_not(),
-      "this run tells only changes of status, and \"wait\" had none; it may have been ticked");
+  EXPECT_EQ(why.why_not(),
+            "this run holds status changes only, and \"wait\" had none; it may have been ticked");
   EXPECT_EQ(why.changed_node(), 2U);
   EXPECT_NE(why.change().find(R"("look" is FAILURE and was IDLE before)"), std::string::npos)
       << why.change();

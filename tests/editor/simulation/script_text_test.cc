@@ -27,8 +27,8 @@ TEST(ScriptText, SaysWhatALeafDoesByChance) {
   EXPECT_EQ(Again("100% f holds 0s..5s"), "100% FAILURE holds 0ms..5s");
   EXPECT_NE(Again("100% f holds").find(R"("holds")"), std::string::npos);
   EXPECT_NE(Again("100% f holds long").find(R"("long")"), std::string::npos);
-  EXPECT_NE(Again("80%").find("behind a share"), std::string::npos);
-  EXPECT_NE(Again("80% RUNNING").find("behind a share"), std::string::npos);
+  EXPECT_NE(Again("80%").find("after a share"), std::string::npos);
+  EXPECT_NE(Again("80% RUNNING").find("after a share"), std::string::npos);
   EXPECT_NE(Again("0% SUCCESS").find("say of what"), std::string::npos);
   EXPECT_NE(Again("80% SUCCESS 2s..1s").find(R"("2s..1s")"), std::string::npos);
 }

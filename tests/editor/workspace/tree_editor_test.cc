@@ -45,7 +45,7 @@ TEST_F(TreeEditorTest, SaysWhereANewNodeWouldGoAndPutsItThere) {
   Select("1");
   EXPECT_EQ(Edit().PlaceOfNew(), "into work");
   Select("1.1");
-  EXPECT_EQ(Edit().PlaceOfNew(), "behind there");
+  EXPECT_EQ(Edit().PlaceOfNew(), "after there");
   EXPECT_TRUE(Edit().Add("<Say/>", "Say", AddWhere::kChild)) << "a leaf gets a sibling";
   EXPECT_THAT(Text(), HasSubstr("<Go name=\"there\" to=\"{goal}\"/>\n      <Say/>"));
   EXPECT_EQ(driver_.Selected(), "1.2");

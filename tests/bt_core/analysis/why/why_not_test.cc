@@ -125,7 +125,7 @@ TEST(WhyOfChanges, WhatDidNotChangeIsNotTold) {
     EXPECT_FALSE(why.was_ticked) << node;
     EXPECT_TRUE(why.steps.empty()) << node;
     const std::string text = asked.Print(node);
-    EXPECT_THAT(text, HasSubstr(std::string("only changes of status, and \"") + node +
+    EXPECT_THAT(text, HasSubstr(std::string("holds status changes only, and \"") + node +
                                 "\" had none; it may have been ticked"));
     EXPECT_THAT(text, testing::Not(HasSubstr("exception"))) << node;
     EXPECT_THAT(text, testing::Not(HasSubstr("not ticked"))) << node;

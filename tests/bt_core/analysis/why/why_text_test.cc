@@ -46,10 +46,10 @@ INSTANTIATE_TEST_SUITE_P(
         Reason{Cause::kPassedOver, R"("patrol" did not choose "go to dock"; )"
                                    R"(it ticked "is charged", which is FAILURE)"},
         Reason{Cause::kOwn, R"("patrol" ticked none of its children and is FAILURE)"},
-        Reason{Cause::kInjected, R"("patrol" was made FAILURE from outside, without a tick)"},
-        Reason{Cause::kNotWhole, "the tick stands at a breakpoint"},
+        Reason{Cause::kInjected, R"("patrol" was made FAILURE from outside, without being ticked)"},
+        Reason{Cause::kNotWhole, "the tick has stopped at a breakpoint"},
         Reason{Cause::kAborted, R"(an exception thrown by "patrol" ended the tick)"},
-        Reason{Cause::kNotTold, R"(this run tells only changes of status, and "go to dock" )"
+        Reason{Cause::kNotTold, R"(this run holds status changes only, and "go to dock" )"
                                 "had none; it may have been ticked"}));
 
 TEST(WhyChangeText, SaysWhatTheNodeWasBefore) {

@@ -87,7 +87,7 @@ TEST_F(KeyListTest, DelTakesTheKeysAwayAndBackspaceGivesTheFirstOnesBack) {
 TEST_F(KeyListTest, ProblemsOfTheFileAreSaid) {
   file_.Write("view.fit = F2\ntree.collapse = Ctrl+S\n");
   driver_ = Start();
-  EXPECT_NE(driver_->editor.state().notice.text.find("do not hold"), std::string::npos);
+  EXPECT_NE(driver_->editor.state().notice.text.find("are not valid"), std::string::npos);
   driver_->Press(kKeyF1);
   EXPECT_TRUE(driver_->Has("popup/keys/problem"));
   driver_->Picture("keys");

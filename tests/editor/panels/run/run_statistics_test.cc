@@ -1,9 +1,12 @@
 #include <gtest/gtest.h>
 
+#include "bt_core/frames/pause_note.h"
 #include "tests/editor/executed_source.h"
 
 namespace coppice::editor {
 namespace {
+
+using std::chrono::milliseconds;
 
 TEST(RunStatistics, HasALineForEveryNodeAndLeadsThere) {
   Driver driver;
@@ -13,6 +16,19 @@ TEST(RunStatistics, HasALineForEveryNodeAndLeadsThere) {
   ASSERT_TRUE(driver.Click("run/figures/IsDoorOpen"));
   EXPECT_EQ(driver.Selected(), "1.1.1");
   driver.Picture("statistics");
+}
+
+TEST(RunStatistics, AreReadWithPausesToo) {
+  Driver driver;
+  ExecutedSource* const robot = AddExecuted(driver, "robot:1", 20);
+  const coppice::editor::Run& run = driver.editor.state().workspace.run()->run();
+  const Time from = run.recording().ticks()[2].start;
+  robot->Note(NoteOf(Pause{from, from + milliseconds(600)}));
+  robot->StopBefore(NodeIndex{5});
+  driver.Press('S');
+  driver.Frames(4);
+  EXPECT_EQ(driver.editor.state().run.figures.statistics().paused, milliseconds(600));
+  driver.Picture("statistics_with_pauses");
 }
 
 TEST(RunStatistics, PaintHeatOnTheCanvas) {

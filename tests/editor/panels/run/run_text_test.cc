@@ -13,6 +13,17 @@ TEST(RunText, WritesTimesOfARun) {
   EXPECT_EQ(AxisText(Time(Duration(-5))), "0:00.000");
 }
 
+TEST(RunText, TellsOfPausesThatHaveEndedAndOfTheOneThatGoesOn) {
+  Statistics figures;
+  figures.ticks = 1;
+  const std::string none = SentenceOf(figures, false, false);
+  EXPECT_EQ(none.rfind("whole run: 1 tick of 0.000 ms", 0), 0U) << none;
+  EXPECT_EQ(SentenceOf(figures, false, true), none + ", is paused now");
+  figures.paused = std::chrono::milliseconds(4200);
+  EXPECT_EQ(SentenceOf(figures, false, false), none + ", paused for 4.2 s");
+  EXPECT_EQ(SentenceOf(figures, false, true), none + ", paused for 4.2 s and is paused now");
+}
+
 TEST(RunText, RoundsNumbersThatAreTooLongForATable) {
   EXPECT_EQ(ShortNumber("0.43199999999999994"), "0.432");
   EXPECT_EQ(ShortNumber("-12345.678901"), "-12345.7");
