@@ -280,7 +280,7 @@ class RunCommands {
     });
     Add("run.save_test", "Make a test of the run or of its marked stretch", {'T', kCtrl | kShift},
         [&s = state_](RunView&) {
-          s.Ask({"name of the test",
+          s.Ask({"Name of the test",
                  [&s](const std::string& name) { return SaveRunAsTest(s, name, s.now); },
                  {}});
         });

@@ -71,14 +71,14 @@ class SimulationCommands {
 
   void AddChance() {
     AddAsking("sim.chance", "random leaves", {'X'},
-              "seed of what the leaves do at random; empty: always the same",
+              "Seed for leaves that act at random; empty: they always do the same",
               &SimulationEditor::SetSeed, [](const Simulation& simulation) {
                 return simulation.chance() ? std::to_string(simulation.chance()->seed)
                                            : std::string("1");
               });
-    AddAsking("sim.runs", "many random runs, and what they reach", {'X', kShift}, "how many runs",
+    AddAsking("sim.runs", "many random runs, and what they reach", {'X', kShift}, "How many runs",
               &SimulationEditor::RunOften, [](const Simulation&) { return std::string("1000"); });
-    AddAsking("sim.ticks", "a number of ticks", {}, "how many ticks", &SimulationEditor::RunTicks,
+    AddAsking("sim.ticks", "a number of ticks", {}, "How many ticks", &SimulationEditor::RunTicks,
               [](const Simulation&) { return std::string("100"); });
   }
 
