@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "bt_core/engine/compile/shipped_models.h"
 #include "bt_core/engine/compile/type_names.h"
 #include "bt_core/model/keys.h"
 #include "bt_core/nodes/leaf.h"
@@ -67,6 +68,7 @@ class Leaves {
  public:
   Leaves(const Project& project, const Project* models, const Registry& known)
       : project_(project), models_(models), known_(known) {
+    FindShipped();
     for (const auto& [id, tree] : project.trees()) {
       const Document& document = project.documents()[tree.document];
       const Element& root = document.element(tree.element);
@@ -123,7 +125,21 @@ class Leaves {
     }
   }
 
+  // Of well-known programs, where nobody else describes a type.
+  void FindShipped() {
+    std::vector<const Document*> documents;
+    for (const Document& document : project_.documents()) documents.push_back(&document);
+    const auto is_known = [this](std::string_view id) {
+      return known_.Find(id) || ModelOf(std::string(id));
+    };
+    for (const ShippedTypes& found : FindShippedTypes(documents, is_known)) {
+      for (const NodeModel* const type : found.types) shipped_.emplace(type->id, type);
+    }
+  }
+
   const NodeModel* ModelOf(const std::string& id) const {
+    const auto shipped = shipped_.find(id);
+    if (shipped != shipped_.end()) return shipped->second;
     for (const Project* const source : {&project_, models_}) {
       if (!source) continue;
       const auto found = source->models().find(id);
@@ -157,6 +173,7 @@ class Leaves {
   const Project& project_;
   const Project* const models_;
   const Registry& known_;
+  std::map<std::string, const NodeModel*> shipped_;
   std::map<std::string, Seen> leaves_;
 };
 

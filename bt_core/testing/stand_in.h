@@ -16,8 +16,9 @@
 namespace coppice {
 
 /// The nodes of `known` (without it the built-in ones), and a stand-in for every other leaf or
-/// decorator of the project. Its ports are those of its model in the project or in `models` (may be
-/// null), or without a model the attributes that it has anywhere in the project, of any type.
+/// decorator of the project. Its ports are those of its model in the project, in `models` (may be
+/// null) or among those of well-known programs (shipped_models.h), or without a model the
+/// attributes that it has anywhere in the project, of any type.
 std::shared_ptr<const Registry> ScenarioRegistry(const Project& project,
                                                  const Project* models = nullptr,
                                                  std::shared_ptr<Registry> known = nullptr);

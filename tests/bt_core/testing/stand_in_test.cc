@@ -47,6 +47,16 @@ TEST(StandIn, ADecoratorWithModelReturnsWhatItsChildReturns) {
   EXPECT_EQ(player.Play({}).status, Status::kSuccess);
 }
 
+TEST(StandIn, OfANodeOfAWellKnownProgramIsWhatThatSays) {
+  const auto program =
+      Compiled(R"(<BehaviorTree ID="Main"><Sequence><IsStuck/><GoalReached goal="{goal}"/>)"
+               R"(<Spin spin_dist="1.57"/><IsStuckToo/></Sequence></BehaviorTree>)");
+  ASSERT_TRUE(program);
+  EXPECT_EQ(program->registry->Find("IsStuck")->manifest.category, NodeCategory::kCondition);
+  EXPECT_EQ(program->registry->Find("Spin")->manifest.category, NodeCategory::kAction);
+  EXPECT_EQ(program->registry->Find("IsStuckToo")->manifest.category, NodeCategory::kAction);
+}
+
 TEST(StandIn, ADecoratorWithoutModelNeedsAScript) {
   const auto program = Compiled(kGuarded);
   ASSERT_TRUE(program);
