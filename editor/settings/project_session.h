@@ -2,7 +2,7 @@
 //
 //   ProjectSession session(folder);
 //   session.Follow(state);            // after a file was opened, and once per frame
-//   session.OpenRest(state);          // when there is time: the first frame waits for one file only
+//   session.OpenRest(state);          // later: the first frame waits for one file
 //   session.Keep(state);              // now and then, and at the end
 #ifndef COPPICE_EDITOR_SETTINGS_PROJECT_SESSION_H_
 #define COPPICE_EDITOR_SETTINGS_PROJECT_SESSION_H_

@@ -2,7 +2,7 @@
 // open, tabs and closed nodes of their trees, the layout of trees, which tiles are shown. A project
 // is a working tree of git, or else a folder of trees.
 //
-//   const std::string folder = ProjectFolder("/home/me/robot/trees/patrol.xml");  // "/home/me/robot"
+//   const std::string folder = ProjectFolder("/home/me/robot/patrol.xml");  // "/home/me/robot"
 //   ProjectSettings settings = ReadProject(text, file, diagnostics);
 //   WriteFile(file, WriteProject(settings), diagnostics);
 #ifndef COPPICE_EDITOR_SETTINGS_PROJECT_SETTINGS_H_

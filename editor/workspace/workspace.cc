@@ -230,7 +230,8 @@ void Workspace::LookAtDisk(double now) {
     } else if (file.other) {
       news_ =
           name +
-          " was changed on the disk, in the same places as here: \"resolve\" asks which version to keep";
+          " was changed on the disk in the same places as here: \"resolve\" asks which version to "
+          "keep";
     } else if (file.is_dirty()) {
       news_ = name + " was changed on the disk and merged with what is not saved here";
     } else {
