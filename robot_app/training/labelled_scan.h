@@ -26,8 +26,8 @@ struct LabelledScan {
   std::vector<PersonTruth> people;
 };
 
-/// Puts the sensor and up to ten people at random on the free floor of a site and measures one turn.
-/// People stand or walk, alone, in groups of three, and before each other. The same state of
+/// Puts the sensor and up to ten people at random on the free floor of a site and measures one
+/// turn. People stand or walk, alone, in groups of three, and before each other. The same state of
 /// `random` gives the same scan.
 LabelledScan MakeLabelledScan(const Site& site, const simulation::Lidar3dOptions& lidar,
                               std::mt19937_64& random);

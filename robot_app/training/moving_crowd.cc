@@ -60,8 +60,8 @@ void MovingCrowd::Choose(std::size_t who) {
   }
 }
 
-// Steps with a velocity that is as near to `wanted` as legs can change it; false if there is somebody
-// or something.
+// Steps with a velocity that is as near to `wanted` as legs can change it; false if there is
+// somebody or something.
 bool MovingCrowd::Push(std::size_t who, Vec2 wanted, double dt) {
   Stance& person = people_[who];
   Vec2& velocity = intents_[who].velocity;

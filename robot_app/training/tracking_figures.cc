@@ -43,8 +43,8 @@ std::vector<simulation::Figure> FiguresOf(const MovingCrowd& crowd) {
   return figures;
 }
 
-// What the sensor saw in a turn in which it turned by `turned` and ended at `sensor`, in the frame of
-// the hall.
+// What the sensor saw in a turn in which it turned by `turned` and ended at `sensor`, in the frame
+// of the hall.
 std::vector<perception::Detection> InHall(const std::vector<perception::SeenPerson>& people,
                                           const Pose2& sensor, double turned) {
   std::vector<perception::Detection> detections;

@@ -1,4 +1,5 @@
-// coppice-train: makes the files that the robot's classifiers know from, and says how good they are.
+// coppice-train: makes the files that the robot's classifiers know from, and says how good they
+// are.
 #include <cstdio>
 #include <optional>
 #include <string>

@@ -68,9 +68,8 @@ FLOORS = {
                               "([localization](localization.md#making-a-map))",
          "robot_app/navigation": "planner, follower, waypoints; the action servers `move_base` and "
                                  "`motion`",
-         "robot_app/perception/clouds": "people in the clouds of the 3-D lidar "
-                                        "([perception](perception.md))",
-         "robot_app/perception/tracking": "people over time: Kalman filter, assignment, CLEAR-MOT",
+         "robot_app/perception": "people: in the clouds of the 3-D lidar, over time, on `/people` "
+                                 "([perception](perception.md))",
          "robot_app/docking": "the way into the station; the action server `docking`",
          "robot_app/processes": "the process supervisor, the only one that starts and restarts "
                                 "programs ([supervision](supervision.md))",

@@ -15,8 +15,8 @@ namespace coppice::robot::perception {
 /// Movable. Probability() may be called by several threads.
 class PersonClassifier {
  public:
-  /// Reads the file that Save() wrote. A file that is missing, damaged or made for other features is
-  /// a problem.
+  /// Reads the file that Save() wrote. A file that is missing, damaged or made for other features
+  /// is a problem.
   static Expected<PersonClassifier> Load(const std::string& file);
 
   struct Example {

@@ -64,8 +64,8 @@ class Tracker {
   /// Whether the sensors cannot see that place now because something stands before.
   using IsHidden = std::function<bool(const Eigen::Vector2d&)>;
 
-  /// Takes what one sensor saw at `time`, people of one moment all at once. Time that runs backwards
-  /// by more than a second (a record played again) begins anew; by less, it is ignored.
+  /// Takes what one sensor saw at `time`, people of one moment all at once. Time that runs
+  /// backwards by more than a second (a record played again) begins anew; by less, it is ignored.
   void Update(double time, const std::vector<Detection>& detections, const IsHidden& is_hidden);
 
   /// Everybody who is followed, oldest first.
