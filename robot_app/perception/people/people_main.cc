@@ -193,8 +193,7 @@ int Main(int argc, char** argv) {
   const Parameters parameters = ParametersOf(settings);
   if (const auto exit = StartNode(argc, argv, "people_tracker", kHelp, parameters)) return *exit;
   const bool is_shipped = settings.classifier == kShipped;
-  auto classifier =
-      PersonClassifier::Load(is_shipped ? COPPICE_CLASSIFIER : settings.classifier);
+  auto classifier = PersonClassifier::Load(is_shipped ? COPPICE_CLASSIFIER : settings.classifier);
   if (!classifier) {
     ROS_ERROR("%s", classifier.problem().c_str());
     return 1;
