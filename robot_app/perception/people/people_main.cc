@@ -22,7 +22,7 @@ namespace coppice::robot::perception {
 namespace {
 
 constexpr char kHelp[] =
-    "coppice-people: finds people in the clouds of the 3-D lidar and follows them, as the ROS node\n"
+    "coppice-people: finds people in clouds of the 3-D lidar and follows them, as the ROS node\n"
     "/people_tracker.\n"
     "  subscribes  /velodyne_points /tf /tf_static (of the lidar)\n"
     "  publishes   /people (coppice_msgs/People), /people/markers (for RViz), /diagnostics\n";
