@@ -43,6 +43,7 @@ namespace coppice::editor {
 namespace {
 
 constexpr int kFramesToSettle = 2;       // Dear ImGui shows some reactions a frame later
+constexpr int kFramesToFocus = 3;        // and a field of a popup takes what is typed even later
 constexpr double kLiveFrame = 1.0 / 20;  // while something runs on the robot
 constexpr double kKeepSeconds = 3;       // between two copies of unsaved work
 constexpr float kLeastWidth = 320;       // of a window that is neither closed nor an icon
@@ -247,6 +248,7 @@ void Editor::Frame(const InputEvents& input) {
   ApplyImGuiStyle(palette, fonts_->scale());
   if (TreeView* view = state_.workspace.view()) view->animated = !state_.screen.reduce_motion;
   RunKeys();
+  PassText();
   const TreeSnapshot* shown = state_.workspace.tree_state();
   const Ui ui{GetPalette(state_.screen.palette),
               *fonts_,
@@ -334,6 +336,9 @@ void Editor::Apply(const InputEvents& input) {
   settle_ = input.events.empty() ? std::max(settle_ - 1, 0) : kFramesToSettle;
   queue_.Add(input.events);
   state_.input.keys.clear();
+  typed_.clear();
+  run_key_ = 0;
+  Key key_before = 0;
   for (const InputEvent& event : queue_.TakeFrame()) {
     if (const auto* move = std::get_if<MouseMove>(&event)) io.MousePos = {move->x, move->y};
     if (const auto* button = std::get_if<MouseButton>(&event)) {
@@ -345,11 +350,12 @@ void Editor::Apply(const InputEvents& input) {
       io.MouseWheelH += wheel->x;
     }
     if (const auto* text = std::get_if<TypedText>(&event)) {
-      io.AddInputCharactersUTF8(text->utf8.c_str());
+      typed_.push_back({text->utf8, std::exchange(key_before, 0)});
     }
     if (const auto* key = std::get_if<KeyEvent>(&event)) {
       ApplyKey(io, *key);
       if (key->down) state_.input.keys.push_back(*key);
+      if (key->down) key_before = key->key;
       NoteAlt(*key);
     }
   }
@@ -389,9 +395,26 @@ void Editor::RunKeys() {
   const std::vector<KeyEvent> keys = state_.input.keys;
   for (const KeyEvent& event : keys) {
     if (state_.xml.pane.focused && IsTextKey({event.key, event.modifiers})) continue;
-    if (state_.commands.Press({event.key, event.modifiers})) state_.input.keys.clear();
+    if (state_.commands.Press({event.key, event.modifiers})) {
+      state_.input.keys.clear();
+      run_key_ = event.key;
+    }
     if (state_.popup.kind != Popup::kNone) return;
   }
+}
+
+// A popup opens by a key, and its field is ready some frames later: what was typed in between is
+// for that field, but for the letter of the key itself.
+void Editor::PassText() {
+  ImGuiIO& io = ImGui::GetIO();
+  for (Typed& typed : typed_) {
+    if (typed.key == 0 || typed.key != run_key_) held_text_ += typed.text;
+  }
+  const bool waits = state_.popup.kind != Popup::kNone && !io.WantTextInput;
+  if (waits && held_frames_++ < kFramesToFocus) return;
+  io.AddInputCharactersUTF8(held_text_.c_str());
+  held_text_.clear();
+  if (!waits) held_frames_ = 0;
 }
 
 ImDrawData* Editor::draw_data() const {
@@ -413,7 +436,7 @@ Image Editor::Picture() const {
 }
 
 double Editor::NextFrameIn() const {
-  if (queue_.pending() || settle_ > 0) return 0;
+  if (queue_.pending() || settle_ > 0 || !held_text_.empty()) return 0;
   const Workspace& workspace = state_.workspace;
   if (const TreeView* view = const_cast<Workspace&>(workspace).view()) {
     if (view->IsMoving(state_.now)) return 0;

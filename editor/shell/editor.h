@@ -16,6 +16,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "editor/files/history_store.h"
 #include "editor/keys/input_queue.h"
@@ -108,6 +109,7 @@ class Editor {
   void UseFonts();
   void DrawAgainWithAllCharacters();
   void RunKeys();
+  void PassText();
   void NoteAlt(const KeyEvent& key);
   void LoadRecent();
   void KeepRecent();
@@ -136,6 +138,14 @@ class Editor {
   std::string kept_recent_;    // likewise
   Point window_;               // its size when it could be seen last [pixels]
   double kept_at_ = 0;
+  struct Typed {
+    std::string text;
+    Key key = 0;  // that has made it
+  };
+  std::vector<Typed> typed_;  // in this frame
+  Key run_key_ = 0;           // that has run a command in it
+  std::string held_text_;     // for the field of a popup that has just opened
+  int held_frames_ = 0;
   bool saves_after_typing_ = false;  // Ctrl+S in a field, whose value must be taken first
   int settle_ = 2;                   // frames that are still needed after the last event
 };

@@ -117,11 +117,11 @@ bool TreeEditor::RunOn(const std::string& name, const std::string& path,
 std::string TreeEditor::PlaceOfNew() const {
   if (!CanEdit()) return {};
   const std::vector<Selected> selection = Selection();
-  if (selection.empty()) return "as the root of " + state_.workspace.ShownTreeId();
+  if (selection.empty()) return "as the root of \"" + state_.workspace.ShownTreeId() + "\"";
   const Document& document = DocumentOf(selection[0].path);
   const ElementIndex element = selection[0].elements.back();
   const std::string name(NameOf(document, element));
-  return (Rules().MaxChildren(document, element) == 0 ? "after " : "into ") + name;
+  return (Rules().MaxChildren(document, element) == 0 ? "after \"" : "into \"") + name + "\"";
 }
 
 bool TreeEditor::InsertAll(const std::string& name, const std::vector<std::string>& fragments,

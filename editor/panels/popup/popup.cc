@@ -303,8 +303,10 @@ class PopupWindow {
   }
 
   std::string AddHelp() const {
-    return "Enter " + TreeEditor(state_, ui_.now).PlaceOfNew() +
-           "     Shift+Enter after     Ctrl+Enter around";
+    const std::string place = TreeEditor(state_, ui_.now).PlaceOfNew();
+    const bool is_after = place.rfind("after ", 0) == 0;  // so it is with Shift
+    return "Enter: " + place + (is_after ? "" : "     Shift+Enter: after it") +
+           "     Ctrl+Enter: around it";
   }
 
   std::string ChangeHelp(const std::vector<TypeChoice>& types) const {

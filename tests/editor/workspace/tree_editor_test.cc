@@ -43,9 +43,9 @@ class TreeEditorTest : public testing::Test {
 
 TEST_F(TreeEditorTest, SaysWhereANewNodeWouldGoAndPutsItThere) {
   Select("1");
-  EXPECT_EQ(Edit().PlaceOfNew(), "into work");
+  EXPECT_EQ(Edit().PlaceOfNew(), "into \"work\"");
   Select("1.1");
-  EXPECT_EQ(Edit().PlaceOfNew(), "after there");
+  EXPECT_EQ(Edit().PlaceOfNew(), "after \"there\"");
   EXPECT_TRUE(Edit().Add("<Say/>", "Say", AddWhere::kChild)) << "a leaf gets a sibling";
   EXPECT_THAT(Text(), HasSubstr("<Go name=\"there\" to=\"{goal}\"/>\n      <Say/>"));
   EXPECT_EQ(driver_.Selected(), "1.2");
@@ -58,7 +58,7 @@ TEST_F(TreeEditorTest, SaysWhereANewNodeWouldGoAndPutsItThere) {
 
 TEST_F(TreeEditorTest, AnEmptyTreeGetsItsRoot) {
   state().workspace.ShowFileTree(0, 1, 0);
-  EXPECT_EQ(Edit().PlaceOfNew(), "as the root of Empty");
+  EXPECT_EQ(Edit().PlaceOfNew(), "as the root of \"Empty\"");
   EXPECT_TRUE(Edit().Add("<Say/>", "Say", AddWhere::kChild));
   EXPECT_THAT(Text(), HasSubstr(R"(<BehaviorTree ID="Empty">)"));
 }
