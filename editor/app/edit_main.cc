@@ -1,6 +1,7 @@
 // coppice-edit: the graphical editor.
 #include <csignal>
 #include <cstdlib>
+#include <ctime>
 #include <iostream>
 
 #include "bt_core/base/read_file.h"
@@ -55,6 +56,7 @@ EditorOptions LoadSettings(const EditOptions& options) {
 
 std::unique_ptr<Editor> MakeEditor(const EditOptions& options, EditorOptions editor_options) {
   if (!options.headless) {
+    editor_options.date = [] { return static_cast<std::int64_t>(std::time(nullptr)); };
     editor_options.settings_file = SettingsFile();
     editor_options.recent_file = UserPath("XDG_CONFIG_HOME", "/.config", "/coppice/recent");
     editor_options.keys_file = UserPath("XDG_CONFIG_HOME", "/.config", "/coppice/keys");

@@ -104,12 +104,17 @@ std::string NeedsUnsaved(EditorState& state) {
 std::string NeedsRecent(EditorState& state) {
   return state.recent.files.empty() ? "nothing has been opened yet" : "";
 }
+std::string NeedsRobots(EditorState& state) {
+  return state.recent.robots.empty() ? "no robot has been met yet" : "";
+}
 
 struct CommandNeed {
   std::string_view command;
   Need need;
 };
 constexpr CommandNeed kNeeds[] = {{"file.recent", NeedsRecent},
+                                  {"robot.known", NeedsRobots},
+                                  {"robot.forget", NeedsRobots},
                                   {"file.unsaved", NeedsUnsaved},
                                   {"file.reload", NeedsFile},
                                   {"file.save", NeedsFile},

@@ -64,6 +64,28 @@ void OfferRecent(EditorState& state) {
                }});
 }
 
+// Each with its note, and with what is done when it is chosen.
+void OfferRobots(EditorState& state, const char* hint,
+                 std::function<void(const std::string& endpoint)> run) {
+  state.Offer({hint, [&state, run = std::move(run)](const std::string& typed) {
+                 std::vector<Choice> rows;
+                 for (const KnownRobot& robot : state.recent.robots) {
+                   if (FuzzyScore(typed, robot.endpoint + " " + robot.tree) == 0) continue;
+                   Choice row;
+                   row.title = robot.endpoint;
+                   row.note = NoteOf(robot, state.services.date());
+                   row.run = [run, endpoint = robot.endpoint] { run(endpoint); };
+                   rows.push_back(std::move(row));
+                 }
+                 return rows;
+               }});
+}
+
+void ConnectTo(EditorState& state, const std::string& endpoint) {
+  const Outcome connected = state.services.connect(endpoint);
+  if (!connected) state.Notify(connected.problem(), state.now, true);
+}
+
 }  // namespace
 
 void AddMenuCommands(EditorState& state) {
@@ -81,6 +103,15 @@ void AddMenuCommands(EditorState& state) {
                   s.services.set_clipboard(ShownKey(s));
                 }});
   commands.Add({"key.copy_value", "Copy the value of the key", {}, [&s] { CopyValue(s); }});
+  commands.Add({"robot.known", "Robots", {}, [&s] {
+                  OfferRobots(s, "Connect to a robot that was met before",
+                              [&s](const std::string& endpoint) { ConnectTo(s, endpoint); });
+                }});
+  commands.Add({"robot.forget", "Forget a robot", {}, [&s] {
+                  OfferRobots(s, "Forget a robot", [&s](const std::string& endpoint) {
+                    ForgetRobot(s.recent.robots, endpoint);
+                  });
+                }});
   commands.Add({"file.recent", "Recent files", {}, [&s] { OfferRecent(s); }});
 }
 

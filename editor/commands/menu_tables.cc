@@ -10,9 +10,10 @@ namespace {
 constexpr std::string_view kLine;
 
 constexpr std::string_view kFile[] = {
-    "file.new",     "file.open", "file.recent", "file.reload",  "file.save",
-    "file.save_as", kLine,       "file.export", "file.compare", "file.stop_comparing",
-    "file.unsaved", kLine,       "file.quit"};
+    "file.new",    "file.open",    "file.recent",         "robot.known",
+    "file.reload", "file.save",    "file.save_as",        kLine,
+    "file.export", "file.compare", "file.stop_comparing", "file.unsaved",
+    kLine,         "file.quit"};
 constexpr std::string_view kEdit[] = {"edit.undo",
                                       "edit.redo",
                                       "edit.history",
@@ -78,6 +79,8 @@ constexpr std::string_view kTiles[] = {
     "tile.xml",     "tile.problems", "tile.tests",      "tile.run",       "tile.timeline",
     "tile.minimap", kLine,           "view.canvas_only"};
 constexpr std::string_view kRobot[] = {"robot.connect",
+                                       "robot.known",
+                                       "robot.forget",
                                        "robot.next",
                                        "run.close",
                                        kLine,

@@ -12,6 +12,7 @@ namespace {
 
 // Commands, and the menus that they open.
 constexpr std::string_view kRecent = "file.recent";
+constexpr std::string_view kRobots = "robot.known";
 constexpr std::string_view kScale = "view.scale";
 
 MenuItem ItemOf(const EditorCommand& command) {
@@ -22,7 +23,9 @@ MenuItem ItemOf(const EditorCommand& command) {
   item.why_not = command.WhyNot();
   item.is_on = command.is_on && command.is_on();
   item.run = command.run;
-  if (command.id == kRecent || command.id == kScale) item.submenu = command.id;
+  for (const std::string_view menu : {kRecent, kRobots, kScale}) {
+    if (command.id == menu) item.submenu = command.id;
+  }
   return item;
 }
 
@@ -35,6 +38,22 @@ std::vector<MenuItem> RecentItems(EditorState& state) {
     item.title = path;
     if (!state.paths.IsThere(path, state.now)) item.why_not = "this file no longer exists";
     item.run = [&state, path] { state.services.open_file(path); };
+    items.push_back(std::move(item));
+  }
+  return items;
+}
+
+std::vector<MenuItem> RobotItems(EditorState& state) {
+  std::vector<MenuItem> items;
+  for (const KnownRobot& robot : state.recent.robots) {
+    MenuItem item;
+    item.path = "menu/robot/" + std::to_string(items.size());
+    item.title = robot.endpoint;
+    item.keys = NoteOf(robot, state.services.date());
+    item.run = [&state, endpoint = robot.endpoint] {
+      const Outcome connected = state.services.connect(endpoint);
+      if (!connected) state.Notify(connected.problem(), state.now, true);
+    };
     items.push_back(std::move(item));
   }
   return items;
@@ -71,6 +90,7 @@ void OpenSubmenu(EditorState& state, std::size_t level, const MenuItem& item, bo
 
 std::vector<MenuItem> ItemsOf(EditorState& state, std::string_view menu) {
   if (menu == kRecent) return RecentItems(state);
+  if (menu == kRobots) return RobotItems(state);
   std::vector<MenuItem> items;
   for (const std::string_view id : CommandsOf(menu, state.workspace.run() != nullptr)) {
     const EditorCommand* const command = state.commands.Find(id);

@@ -7,6 +7,7 @@
 #include "editor/commands/menus.h"
 #include "editor/theme/scale.h"
 #include "editor/workspace/canvas_tabs.h"
+#include "editor/workspace/file_dialog.h"
 
 namespace coppice::editor {
 namespace {
@@ -43,7 +44,7 @@ class Commands {
     AddTree();
     AddTiles();
     Add("robot.connect", "Connect to a robot", {'K', kCtrl},
-        [&s = state_] { s.OpenPopup(Popup::kConnect, "127.0.0.1:1667"); });
+        [&s = state_] { OpenConnectDialog(s); });
     Add("robot.next", "Next robot or record", {kKeyTab, kCtrl},
         [&s = state_] { s.workspace.ShowNextRun(); });
     Add("help.palette", "Command palette", {'P', kCtrl},

@@ -16,6 +16,7 @@ struct KeptList {
 };
 constexpr KeptList kKept[] = {
     {"type\t", &Recent::types}, {"choice\t", &Recent::choices}, {"", &Recent::files}};
+constexpr char kRobot[] = "robot\t";
 
 }  // namespace
 
@@ -33,6 +34,11 @@ Recent ReadRecent(const std::string& text) {
   Recent recent;
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) {
+    if (line.rfind(kRobot, 0) == 0) {
+      const auto robot = RobotOfLine(line.substr(std::string(kRobot).size()));
+      if (robot && recent.robots.size() < kMostKnownRobots) recent.robots.push_back(*robot);
+      continue;
+    }
     for (const KeptList& kept : kKept) {
       if (line.empty() || line.rfind(kept.prefix, 0) != 0) continue;
       auto& list = recent.*kept.list;
@@ -45,6 +51,7 @@ Recent ReadRecent(const std::string& text) {
 
 std::string WriteRecent(const Recent& recent) {
   std::string text;
+  for (const KnownRobot& robot : recent.robots) text += kRobot + LineOf(robot) + "\n";
   for (const KeptList& kept : kKept) {
     for (const std::string& one : recent.*kept.list) text += kept.prefix + one + "\n";
   }

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "editor/keys/known_robots.h"
+
 namespace coppice::editor {
 
 /// What was used last, newest first.
@@ -15,6 +17,7 @@ struct Recent {
   std::vector<std::string> files;
   std::vector<std::string> types;    ///< of nodes that were added
   std::vector<std::string> choices;  ///< of the palette: "command Fit all"
+  std::vector<KnownRobot> robots;
   std::string search;
 };
 
@@ -25,7 +28,7 @@ void UseAgain(std::vector<std::string>& list, const std::string& what);
 /// kSameFit (keys/fuzzy.h).
 int BonusOf(const std::vector<std::string>& list, const std::string& what);
 
-/// A line is a path; with the word "type" or "choice" and a tab before it, one of these.
+/// A line is a path; with the word "type", "choice" or "robot" and a tab before it, one of these.
 Recent ReadRecent(const std::string& text);
 std::string WriteRecent(const Recent& recent);
 

@@ -215,7 +215,7 @@ class Strip {
     if (x + width > right_) return;
     const Box button = {{x, box_.min.y + 4 * ui_.scale}, {x + width, box_.max.y - 4 * ui_.scale}};
     if (ui_.Button("strip/connect", button, text)) {
-      state_.OpenPopup(Popup::kConnect, "127.0.0.1:1667");
+      state_.commands.Run("robot.connect");
     }
   }
 

@@ -13,6 +13,7 @@ constexpr float kWidth = 360;  // pixels at scale 1
 constexpr float kButton = 30;
 constexpr float kGap = 8;
 constexpr std::size_t kRecent = 6;
+constexpr std::size_t kRobots = 4;
 
 struct StartOffer {
   const char* path;
@@ -90,6 +91,7 @@ class StartScreen {
     for (const auto& offer : kOffers) OfferCommand(offer);
     OfferUnsaved();
     OfferExamples();
+    OfferRobots();
     OfferRecent();
   }
 
@@ -159,7 +161,36 @@ class StartScreen {
   }
 
   void OfferCopy(const UnsavedCopy& copy, std::size_t number) {
-    const std::string path = "start/unsaved/" + std::to_string(number);
+    const Choice made =
+        OfferForgettable("start/unsaved/" + std::to_string(number), copy.path, AgeOf(copy));
+    if (made == Choice::kForget) state_.after_frame = [&s = state_, copy] { s.work.Forget(copy); };
+    if (made == Choice::kTake) {
+      state_.after_frame = [&s = state_, copy] { FileKeeper(s, s.now).Restore(copy); };
+    }
+  }
+
+  void OfferRobots() {
+    const std::vector<KnownRobot>& robots = state_.recent.robots;
+    if (robots.empty()) return;
+    Heading("robots", ui_.palette.text_dim);
+    for (std::size_t i = 0; i < std::min(robots.size(), kRobots); ++i) {
+      const KnownRobot& robot = robots[i];
+      const Choice made = OfferForgettable("start/robot/" + std::to_string(i), robot.endpoint,
+                                           NoteOf(robot, state_.services.date()));
+      if (made == Choice::kNone) continue;
+      state_.after_frame = [&s = state_, made, endpoint = robot.endpoint] {
+        if (made == Choice::kForget) return ForgetRobot(s.recent.robots, endpoint);
+        const Outcome connected = s.services.connect(endpoint);
+        if (!connected) s.Notify(connected.problem(), s.now, true);
+      };
+    }
+  }
+
+  enum class Choice { kNone, kTake, kForget };
+
+  // A row that is taken with a click, or forgotten with one on its end.
+  Choice OfferForgettable(const std::string& path, const std::string& title,
+                          const std::string& note) {
     Box box = Take(20);
     y_ -= kGap * ui_.scale;
     const TextStyle dim{Face::kSans, 11, ui_.palette.text_dim};
@@ -170,15 +201,15 @@ class StartScreen {
     const bool forgotten = ui_.Hit(path + "/forget", forget, &hovered);
     ui_.RowText(list_, forget.min + Point{8 * ui_.scale, 0}, forget.height(), "forget",
                 {Face::kSans, 11, hovered ? ui_.palette.error : ui_.palette.text_dim});
-    const std::string age = AgeOf(copy);
-    const float age_width = ui_.Width(age, dim) + 8 * ui_.scale;
+    const float wished = ui_.Width(note, dim) + 8 * ui_.scale;
+    const float note_width = std::min(wished, box.width() * 0.6F);
     const bool pressed = ui_.Hit(path, box, &hovered);
     const TextStyle style{Face::kSans, 12, hovered ? ui_.palette.accent : ui_.palette.link};
-    ui_.RowText(list_, box.min, box.height(),
-                ui_.CutStart(copy.path, style, box.width() - age_width), style);
-    ui_.RowText(list_, {box.max.x - age_width + 8 * ui_.scale, box.min.y}, box.height(), age, dim);
-    if (forgotten) state_.after_frame = [&s = state_, copy] { s.work.Forget(copy); };
-    if (pressed) state_.after_frame = [&s = state_, copy] { FileKeeper(s, s.now).Restore(copy); };
+    ui_.RowText(list_, box.min, box.height(), ui_.CutStart(title, style, box.width() - note_width),
+                style);
+    ui_.RowText(list_, {box.max.x - note_width + 8 * ui_.scale, box.min.y}, box.height(), note, dim,
+                note_width - 8 * ui_.scale);
+    return forgotten ? Choice::kForget : pressed ? Choice::kTake : Choice::kNone;
   }
 
   void OfferRecent() {

@@ -89,6 +89,7 @@ Editor::Editor(EditorOptions options)
     return history_store_.Resume(state_.workspace.project(), path, text);
   };
   state_.services.connect = [this](const std::string& endpoint) { return Connect(endpoint); };
+  state_.services.date = [this] { return options_.date ? options_.date() : std::int64_t{0}; };
   state_.services.get_clipboard = [this] {
     const WithContext own(context_);
     return std::string(ImGui::GetClipboardText());
@@ -237,6 +238,7 @@ void Editor::Frame(const InputEvents& input) {
     const std::string answer = run->TakeAnswer();
     if (!answer.empty()) state_.Notify(run->name() + ": " + answer, state_.now, true);
   }
+  NoteRobots();
   KeepWorkIfDue();
   const std::string news = state_.workspace.TakeNews();
   if (!news.empty()) state_.Notify(news, state_.now);

@@ -13,8 +13,10 @@
 #ifndef COPPICE_EDITOR_SHELL_EDITOR_H_
 #define COPPICE_EDITOR_SHELL_EDITOR_H_
 
+#include <cstdint>
 #include <functional>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -39,12 +41,13 @@ struct EditorOptions {
   std::string settings_file;           ///< where they are kept when they change; empty: nowhere
   float scale = 1;                     ///< of the screen; 2 on a screen with tiny pixels
   std::shared_ptr<const Fonts> fonts;  ///< shared with others; null, or not fit: its own
-  std::string recent_file;             ///< where the list of recent files is kept; empty: nowhere
+  std::string recent_file;             ///< where recent files and robots are kept; empty: nowhere
   std::string backup_folder;    ///< where unsaved work and the history are kept; empty: nowhere
   std::string keys_file;        ///< the user's keys (commands/key_file.h); empty: none
   std::string projects_folder;  ///< where settings of projects are kept; empty: nowhere
-  std::string marks_file;       ///< where breakpoints and bookmarks are kept; empty: nowhere
-  std::function<void()> wake;   ///< called by any thread when a new frame would show news
+  std::function<std::int64_t()> date;  ///< seconds since 1970; empty: always 0, which is unknown
+  std::string marks_file;              ///< where breakpoints and bookmarks are kept; empty: nowhere
+  std::function<void()> wake;          ///< called by any thread when a new frame would show news
   std::function<std::string()> get_clipboard;  ///< empty: the editor's own
   std::function<void(const std::string&)> set_clipboard;
 };
@@ -113,6 +116,7 @@ class Editor {
   void NoteAlt(const KeyEvent& key);
   void LoadRecent();
   void KeepRecent();
+  void NoteRobots();
   void KeepWorkIfDue();
   void LoadKeys();
   bool IsLogBehind() const;
@@ -133,10 +137,11 @@ class Editor {
   bool cannot_bake_ = false;           // the files of the fonts are gone
   HistoryStore history_store_;
   ProjectSession projects_;
-  std::string kept_marks_;     // as they are in the file
-  std::string kept_settings_;  // likewise
-  std::string kept_recent_;    // likewise
-  Point window_;               // its size when it could be seen last [pixels]
+  std::string kept_marks_;             // as they are in the file
+  std::string kept_settings_;          // likewise
+  std::string kept_recent_;            // likewise
+  Point window_;                       // its size when it could be seen last [pixels]
+  std::set<std::string> live_robots_;  // endpoints of those that answered in the last frame
   double kept_at_ = 0;
   struct Typed {
     std::string text;

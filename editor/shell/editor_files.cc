@@ -1,4 +1,4 @@
-// What an editor keeps for the next time: keys, marks, settings, recent files.
+// What an editor keeps for the next time: keys, marks, settings, recent files and robots.
 #include <filesystem>
 #include <optional>
 #include <utility>
@@ -80,6 +80,25 @@ void Editor::KeepRecent() {
   std::string text = WriteRecent(state_.recent);
   if (options_.recent_file.empty() || text == kept_recent_) return;
   if (WriteOwnFile(options_.recent_file, text)) kept_recent_ = std::move(text);
+}
+
+// To the minute, so that a robot that is watched all day changes the file once a minute.
+void Editor::NoteRobots() {
+  const std::int64_t date = state_.services.date() / 60 * 60;
+  std::set<std::string> live;
+  for (const auto& run : state_.workspace.runs()) {
+    if (!run->source().is_robot() || run->phase() != RunPhase::kLive) continue;
+    live.insert(run->name());
+    const LiveConnection& connection = run->connection();
+    const bool is_told = connection.tree < connection.trees.size();
+    if (live_robots_.count(run->name()) == 0) {
+      MeetRobot(state_.recent.robots,
+                {run->name(), is_told ? connection.trees[connection.tree] : "", date});
+    } else {
+      SeeRobot(state_.recent.robots, run->name(), date);
+    }
+  }
+  live_robots_ = std::move(live);
 }
 
 void Editor::Remember(const std::string& path) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <ctime>
 
 namespace coppice::editor {
 namespace {
@@ -22,6 +23,7 @@ Page::Page(const Clock& clock) : clock_(clock), window_(1, 1) {
   }
   EditorOptions options;
   options.scale = static_cast<float>(std::clamp(emscripten_get_device_pixel_ratio(), 1.0, 3.0));
+  options.date = [] { return static_cast<std::int64_t>(std::time(nullptr)); };
   options.recent_file = "/coppice/recent";
   options.backup_folder = "/coppice/backup";
   editor_ = std::make_unique<Editor>(std::move(options));

@@ -2,6 +2,7 @@
 #ifndef COPPICE_EDITOR_WORKSPACE_EDITOR_STATE_H_
 #define COPPICE_EDITOR_WORKSPACE_EDITOR_STATE_H_
 
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <string>
@@ -79,6 +80,7 @@ struct Services {
   std::function<Outcome(const std::string&)> connect;  ///< to an endpoint
   /// Goes on with unsaved work and its history; false: there is no history of it.
   std::function<bool(const std::string& path, const std::string& text)> resume;
+  std::function<std::int64_t()> date;  ///< seconds since 1970
   std::function<std::string()> get_clipboard;
   std::function<void(const std::string&)> set_clipboard;
 };

@@ -98,7 +98,7 @@ void AddEntries(const Folder& folder, const std::string& typed, std::vector<File
   for (const Found& one : found) rows.push_back(RowOf(folder.path, *one.entry));
 }
 
-// Recent files that are still there, their folders, and the examples.
+// Recent files that are still there, their folders, robots, and the examples.
 void AddKnown(EditorState& state, std::vector<FileRow>& rows) {
   const std::size_t first = rows.size();
   std::vector<std::string> folders;
@@ -112,6 +112,9 @@ void AddKnown(EditorState& state, std::vector<FileRow>& rows) {
     if (std::find(folders.begin(), folder, *folder) != folder) continue;
     rows.push_back({FileRowKind::kFolder, *folder + "/", *folder, "project"});
     ++count;
+  }
+  for (const KnownRobot& robot : state.recent.robots) {
+    rows.push_back({FileRowKind::kRobot, robot.endpoint, robot.endpoint, "robot"});
   }
   for (const Example& example : Examples()) {
     rows.push_back({FileRowKind::kFile, example.title, example.path, "example"});
@@ -195,6 +198,12 @@ void OpenFileDialog(EditorState& state) {
   const OpenFile* const shown = state.workspace.file();
   state.popup.files = {};
   if (shown) state.popup.files.folder = fs::path(shown->path).parent_path().string();
+}
+
+void OpenConnectDialog(EditorState& state) {
+  const std::vector<KnownRobot>& known = state.recent.robots;
+  state.OpenPopup(Popup::kConnect, known.empty() ? "127.0.0.1:1667" : known.front().endpoint);
+  state.popup.files = {};
 }
 
 void OpenSaveDialog(EditorState& state, std::string hint, const std::string& path,

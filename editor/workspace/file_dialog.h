@@ -28,6 +28,9 @@ struct FileRow {
 
 void OpenFileDialog(EditorState& state);
 
+/// HOST:PORT is asked for: it begins with the robot that was met last.
+void OpenConnectDialog(EditorState& state);
+
 /// `save` is asked with the path; with a problem the dialog stays.
 void OpenSaveDialog(EditorState& state, std::string hint, const std::string& path,
                     std::function<Outcome(const std::string&)> save);

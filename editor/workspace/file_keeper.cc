@@ -5,6 +5,7 @@
 #include <system_error>
 #include <utility>
 
+#include "editor/keys/age_text.h"
 #include "editor/workspace/file_dialog.h"
 
 namespace coppice::editor {
@@ -216,16 +217,8 @@ void FileKeeper::Restore(UnsavedCopy copy) {
 }
 
 std::string AgeOf(const UnsavedCopy& copy) {
-  using Minutes = std::chrono::duration<std::int64_t, std::ratio<60>>;
-  const std::int64_t minutes =
-      std::chrono::duration_cast<Minutes>(fs::file_time_type::clock::now() - copy.time).count();
-  const auto ago = [](std::int64_t number, const std::string& unit) {
-    return std::to_string(number) + " " + unit + (number == 1 ? "" : "s") + " ago";
-  };
-  if (minutes < 1) return "a moment ago";
-  if (minutes < 60) return ago(minutes, "minute");
-  if (minutes < 24 * 60) return ago(minutes / 60, "hour");
-  return ago(minutes / (24 * 60), "day");
+  const auto age = fs::file_time_type::clock::now() - copy.time;
+  return AgeText(std::chrono::duration_cast<std::chrono::seconds>(age).count());
 }
 
 }  // namespace coppice::editor

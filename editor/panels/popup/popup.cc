@@ -128,6 +128,7 @@ class PopupWindow {
       case Popup::kKeys:
         return state_.popup.rows;
       case Popup::kOpen:
+      case Popup::kConnect:
       case Popup::kPalette:
       case Popup::kList:
         return std::min(state_.popup.rows, kPopupRows);
@@ -154,7 +155,7 @@ class PopupWindow {
         break;
       case Popup::kConnect:
         Input();
-        if (Confirmed(state_)) Connect();
+        Robots();
         break;
       case Popup::kPalette:
         Input();
@@ -231,8 +232,32 @@ class PopupWindow {
                   {FromIm(ImGui::GetItemRectMin()), FromIm(ImGui::GetItemRectMax())});
   }
 
-  void Connect() {
-    const Outcome connected = state_.services.connect(state_.popup.text);
+  // Those that were met before; the arrows choose one of them.
+  void Robots() {
+    const std::vector<KnownRobot> robots = state_.recent.robots;
+    state_.popup.rows = robots.size();
+    PopupState& popup = state_.popup;
+    const bool has_walked = popup.files.walked;
+    const bool walks = Pressed(state_, kKeyDown) || Pressed(state_, kKeyUp);
+    if (walks && !has_walked) popup.choice = Pressed(state_, kKeyDown) ? -1 : 0;
+    popup.files.walked = (has_walked || walks) && !robots.empty();
+    std::optional<std::string> chosen;
+    if (!robots.empty()) {
+      PopupRows rows(ui_, state_, robots.size(), popup.files.walked);
+      for (const KnownRobot& robot : robots) {
+        const std::string note = NoteOf(robot, state_.services.date());
+        if (rows.Next(robot.endpoint, note, "robot")) chosen = robot.endpoint;
+      }
+    }
+    if (Confirmed(state_)) {
+      const auto row = static_cast<std::size_t>(popup.choice);
+      chosen = popup.files.walked ? robots[row].endpoint : popup.text;
+    }
+    if (chosen) Connect(*chosen);
+  }
+
+  void Connect(const std::string& endpoint) {
+    const Outcome connected = state_.services.connect(endpoint);
     state_.popup.error = connected.problem();
     if (connected) state_.popup.kind = Popup::kNone;
   }

@@ -38,6 +38,17 @@ TEST(Recent, ReadsWhatItWrites) {
   EXPECT_EQ(read.choices, recent.choices);
 }
 
+TEST(Recent, KeepsRobotsBesideTheFiles) {
+  Recent recent;
+  recent.files = {"/a.xml"};
+  recent.robots = {{"new:1667", "Patrol", 60}, {"old:1667", "", 0}};
+  const Recent read = ReadRecent(WriteRecent(recent));
+  EXPECT_EQ(read.files, recent.files);
+  ASSERT_EQ(read.robots.size(), 2U);
+  EXPECT_EQ(LineOf(read.robots[0]), LineOf(recent.robots[0]));
+  EXPECT_EQ(LineOf(read.robots[1]), LineOf(recent.robots[1]));
+}
+
 TEST(Recent, ReadsAListOfPathsAlone) {
   EXPECT_THAT(ReadRecent("/a.xml\n\n/b.xml\n").files, ElementsAre("/a.xml", "/b.xml"));
 }
