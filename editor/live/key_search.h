@@ -9,11 +9,14 @@
 namespace coppice::editor {
 
 /// Whether every word of `words` is in "SCOPE/NAME" or in the value, capital or not. No words: yes.
-bool IsKeyFound(const std::string& path, const std::string& value, const std::string& words);
+bool IsKeyFound(std::string_view path, std::string_view value, const std::string& words);
+
+/// Whether the word is in the text, capital or not.
+bool HasWord(std::string_view text, std::string_view word);
 
 /// The value, or its beginning and how much is missing: `{"stamp": 3, ... (51200 bytes in all)`.
 /// No character is cut into pieces.
-std::string BeginningOf(const std::string& value, std::size_t most_bytes);
+std::string BeginningOf(std::string_view value, std::size_t most_bytes);
 
 }  // namespace coppice::editor
 

@@ -8,10 +8,11 @@
 #include "editor/canvas/layout/node_metrics.h"
 #include "editor/commands/menus.h"
 #include "editor/live/key_item.h"
-#include "editor/live/key_search.h"
+#include "editor/live/value_cache.h"
 #include "editor/live/value_table.h"
 #include "editor/panels/panels.h"
 #include "editor/panels/run/run_text.h"
+#include "editor/panels/value_tree.h"
 #include "editor/panels/widgets/panel.h"
 #include "editor/timeline/slot_history.h"
 
@@ -24,7 +25,9 @@ constexpr std::size_t kListedWrites = 6;
 constexpr std::size_t kSamples = 120;
 constexpr char kTableMark[] = "(table)";
 constexpr std::size_t kSearchedKeys = 8;    // from so many on there is a field to search them
+constexpr std::size_t kShownBytes = 160;    // of a value in its row
 constexpr std::size_t kTooltipBytes = 600;  // copying gives the whole value
+constexpr std::size_t kReadBytes = 65536;   // larger ones are read when they are opened
 constexpr float kSearch = 26;               // height at scale 1
 
 // Keys that the selected node's ports name.
@@ -58,6 +61,7 @@ class Board {
         slots_(tracks_.tree()->slots),
         keys_(KeysOfSelection(state.workspace.view())),
         scope_(ScopeOfSelection(state.workspace.view())),
+        cache_(CacheFor(state.blackboard.values, run)),
         width_(box.width()) {}
 
   void Draw() {
@@ -95,9 +99,15 @@ class Board {
     });
   }
 
+  bool HasLargeValue() const {
+    const auto& values = run_.follower().values();
+    return std::any_of(values.begin(), values.end(),
+                       [](const std::string& bytes) { return bytes.size() > kTooltipBytes; });
+  }
+
   void DrawSearch() {
     std::string& words = state_.blackboard.words;
-    if (words.empty() && CountKeys() < kSearchedKeys) return;
+    if (words.empty() && CountKeys() < kSearchedKeys && !HasLargeValue()) return;
     ImGui::SetCursorPos({6 * ui_.scale, 4 * ui_.scale});
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - 6 * ui_.scale);
     ImGui::PushFont(ui_.fonts.Pick(Face::kSans, 12 * ui_.scale));
@@ -108,10 +118,28 @@ class Board {
     ImGui::SetCursorPos({0, (kSearch + 2) * ui_.scale});
   }
 
+  const std::string& Bytes(SlotIndex slot) const {
+    static const std::string kNothing;
+    const auto& values = run_.follower().values();
+    return slot < values.size() ? values[slot] : kNothing;
+  }
+
+  SlotView& View(SlotIndex slot) const { return cache_.Of(ItemOfKey(slots_[slot]), Bytes(slot)); }
+
+  // Of a list or an object its size and how it begins.
+  std::string ShownBeginning(SlotIndex slot) const {
+    const std::string value = PrintBeginning(Bytes(slot), kShownBytes);
+    const std::string_view text = TextOfBytes(Bytes(slot));
+    const bool may_open = !text.empty() && (text[0] == '[' || text[0] == '{');
+    if (!may_open || text.size() > kReadBytes) return value;
+    const ValueRows* const rows = View(slot).rows();
+    return rows && rows->rows[0].count > ValueRows::kFew ? SizeText(rows->rows[0]) + " " + value
+                                                         : value;
+  }
+
   bool IsFound(SlotIndex slot) const {
     const std::string& words = state_.blackboard.words;
-    return words.empty() ||
-           IsKeyFound(slots_[slot].scope + "/" + slots_[slot].name, Value(slot), words);
+    return words.empty() || View(slot).IsFound(slots_[slot].scope + "/" + slots_[slot].name, words);
   }
 
   void ListSlots() {
@@ -146,15 +174,7 @@ class Board {
     return run_.run().size() == 0 ? nullptr : LastWriteOf(run_.run(), slot, run_.playhead().tick());
   }
 
-  std::string Value(SlotIndex slot) const {
-    const auto& values = run_.follower().values();
-    return slot < values.size() ? PrintValueBytes(values[slot]) : std::string();
-  }
-
-  bool IsTable(SlotIndex slot) const {
-    const auto& values = run_.follower().values();
-    return slot < values.size() && LooksLikeTable(values[slot]);
-  }
+  bool IsTable(SlotIndex slot) const { return LooksLikeTable(Bytes(slot)); }
 
   bool IsWaiting(SlotIndex slot) const { return state_.blackboard.writes.IsWaiting(run_, slot); }
 
@@ -164,7 +184,7 @@ class Board {
     const bool selected = state_.blackboard.shown_key == path;
     const Row row = NextRow(ui_, path, selected);
     const bool is_table = IsTable(slot);
-    const std::string value = is_table ? kTableMark : Value(slot);
+    const std::string value = is_table ? kTableMark : ShownBeginning(slot);
     const SlotWrite* write = LastWrite(slot);
     if (row.hovered) {
       const std::string by = write ? "\nwritten in " + TickText(run_.run(), write->tick) + " by " +
@@ -175,7 +195,7 @@ class Board {
                                 {0, 1});
       }
       Tooltip(ui_, described.name + " : " + described.type + "\n" +
-                       BeginningOf(value, kTooltipBytes) + by +
+                       PrintBeginning(Bytes(slot), kTooltipBytes) + by +
                        "\nClick to see its writes, double-click to write it.");
       if (ImGui::IsMouseDoubleClicked(0)) state_.commands.Run("blackboard.write");
     }
@@ -186,6 +206,8 @@ class Board {
     }
     if (row.clicked && is_table) state_.run.tab = RunTab::kTable;
     if (row.visible) PaintSlot(row.box, slot, value, write);
+    const bool is_only_one = !state_.blackboard.words.empty() && listed_.size() == 1;
+    if (selected || is_only_one) DrawValueTree(ui_, View(slot), state_.blackboard.words);
     if (selected) DrawHistory(slot);
   }
 
@@ -288,6 +310,7 @@ class Board {
   const std::vector<DescribedSlot>& slots_;
   const std::vector<std::string> keys_;
   const std::string scope_;  // of the selected node
+  ValueCache& cache_;
   const float width_;
   std::vector<SlotIndex> listed_;
   float column_ = 0;

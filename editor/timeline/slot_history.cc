@@ -34,10 +34,19 @@ std::string WriterOf(const Run& run, const SlotWrite& write) {
 }
 
 std::string ValueOf(const Run& run, const SlotWrite& write) {
-  return PrintValueBytes(run.EventAt(write).bytes);
+  constexpr std::size_t kMostBytes = 200;  // a row has room for less
+  const std::string_view bytes = run.EventAt(write).bytes;
+  const ValueForm form = FormOfValue(bytes);
+  const bool is_text = form == ValueForm::kText || form == ValueForm::kJson;
+  if (!is_text || bytes.size() <= kMostBytes) return PrintValueBytes(bytes);
+  std::size_t end = kMostBytes;
+  while (end > 1 && (static_cast<unsigned char>(bytes[end]) & 0xC0U) == 0x80U) --end;
+  return PrintValueBytes(bytes.substr(0, end)) + " ...";
 }
 
 std::optional<double> NumberOf(std::string_view bytes) {
+  const ValueForm form = FormOfValue(bytes);
+  if (form == ValueForm::kText || form == ValueForm::kJson) return std::nullopt;  // may be large
   const PlainValue value = ReadPlainValue(bytes);
   if (const auto* truth = std::get_if<bool>(&value)) return *truth ? 1 : 0;
   if (const auto* number = std::get_if<std::int64_t>(&value)) return static_cast<double>(*number);

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -150,7 +151,10 @@ struct RunTile {
   std::map<std::string, TimelineState> timelines;  ///< likewise
 };
 
+class ValueCache;
+
 struct BlackboardTile {
+  std::shared_ptr<ValueCache> values;  ///< live/value_cache.h; null: nothing was shown yet
   bool selected_keys_only = false;
   std::string words;      ///< only keys with these in path or value; empty: all
   std::string shown_key;  ///< "blackboard/SCOPE/KEY" with its history

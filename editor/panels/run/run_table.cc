@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "editor/live/key_item.h"
+#include "editor/live/value_cache.h"
 #include "editor/live/value_table.h"
 #include "editor/panels/run/run_bodies.h"
 #include "editor/panels/widgets/panel.h"
@@ -168,8 +169,9 @@ void DrawTable(const Ui& ui, EditorState& state, RunView& run) {
     }
     ImGui::SetCursorScreenPos(behind);
   }
-  std::optional<ValueTable> table = ReadTable(run.follower().values()[slot]);
-  if (table) Table(ui, state, *std::move(table)).Draw();
+  SlotView& view = CacheFor(state.blackboard.values, run)
+                       .Of(ItemOfKey(slots[slot]), run.follower().values()[slot]);
+  if (const ValueTable* const table = view.table()) Table(ui, state, *table).Draw();
 }
 
 }  // namespace coppice::editor
