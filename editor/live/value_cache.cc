@@ -90,6 +90,12 @@ SlotView& ValueCache::Of(const std::string& path, const std::string& bytes) {
   return entry.view;
 }
 
+int ValueCache::readings() const {
+  int sum = 0;
+  for (const auto& [path, entry] : entries_) sum += entry.view.readings();
+  return sum;
+}
+
 ValueCache& CacheFor(std::shared_ptr<ValueCache>& cache, const RunView& run) {
   if (!cache) cache = std::make_shared<ValueCache>();
   const Playhead& playhead = run.playhead();

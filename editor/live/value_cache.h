@@ -68,6 +68,8 @@ class ValueCache {
   void Look(const std::string& moment);
 
   SlotView& Of(const std::string& path, const std::string& bytes);
+  /// How often rows were read, of all values.
+  int readings() const;
 
  private:
   struct Entry {

