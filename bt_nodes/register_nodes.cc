@@ -13,6 +13,7 @@
 #include "bt_nodes/operators/help_leaves.h"
 #include "bt_nodes/operators/supervisor_leaves.h"
 #include "bt_nodes/operators/tell_faults.h"
+#include "bt_nodes/people/people_leaves.h"
 #include "bt_nodes/power/power_leaves.h"
 #include "bt_nodes/processes/process_leaves.h"
 #include "bt_nodes/recovery/recovery_nodes.h"
@@ -44,6 +45,13 @@ void RegisterNodes(Registry& registry, const Capabilities& capabilities) {
   registry.Register<SetExpression>("SetExpression", std::ref(capabilities.interaction));
   registry.Register<Wait>("Wait");
   registry.Register<IsTrue>("IsTrue");
+
+  registry.Register<PersonInFront>("PersonInFront");
+  registry.Register<NearestPerson>("NearestPerson");
+  registry.Register<CountPeople>("CountPeople");
+  registry.Register<FollowerBehind>("FollowerBehind");
+  registry.Register<MaskMissing>("MaskMissing");
+  registry.Register<FacePerson>("FacePerson", navigator);
 
   registry.Register<ReadHealth>("ReadHealth");
   registry.Register<NodeFault>("NodeFault");

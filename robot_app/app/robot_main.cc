@@ -19,6 +19,7 @@
 #include "robot_app/app/tree_runner.h"
 #include "robot_app/common/ros_clock.h"
 #include "robot_app/ros/feeds.h"
+#include "robot_app/ros/people_feed.h"
 #include "robot_app/ros/pose_feed.h"
 #include "robot_app/ros/ros_interaction.h"
 #include "robot_app/ros/ros_navigator.h"
@@ -103,6 +104,10 @@ class Robot {
     subscribers_ = adapters::SubscribeFeeds(node_, {KeysOf(application), KeysOf(monitor)}, clock_);
     pose_feed_.emplace(node_, StationOn(*waypoints_),
                        std::vector{PoseKeysOf(application), PoseKeysOf(monitor)});
+    people_feed_.emplace(node_,
+                         std::vector{application.Writer<leaves::PeopleView>("people"),
+                                     monitor.Writer<leaves::PeopleView>("people")},
+                         clock_);
     subscribers_.push_back(node_.subscribe<std_msgs::String>(
         "/coppice/note", 20, [this](const std_msgs::String::ConstPtr& note) {
           application_->Note("note", note->data);
@@ -206,6 +211,7 @@ class Robot {
   std::unique_ptr<TreeRunner> monitor_;
   std::vector<ros::Subscriber> subscribers_;
   std::optional<adapters::PoseFeed> pose_feed_;
+  std::optional<adapters::PeopleFeed> people_feed_;
   ros::WallTimer heart_;
 };
 

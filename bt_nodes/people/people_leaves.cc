@@ -1,0 +1,107 @@
+#include "bt_nodes/people/people_leaves.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace coppice::leaves {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+constexpr double kFacing = 0.1;  // nearer to straight ahead needs no turn [rad]
+constexpr char kBlind[] = "perception does not tell who is around";
+
+// What perception says, if it does.
+const PeopleView* Fresh(const PeopleInput& people, Time now) {
+  if (!people.has_value()) return nullptr;
+  const double age = std::chrono::duration<double>(now - people->stamp).count();
+  return age <= kOldestView ? &*people : nullptr;
+}
+
+}  // namespace
+
+bool PersonInFront::Check() {
+  const PeopleView* view = Fresh(people, now());
+  if (view == nullptr) return Say(kBlind), false;
+  PeopleView before = *view;
+  before.people.erase(std::remove_if(before.people.begin(), before.people.end(),
+                                     [this](const SeenPerson& person) {
+                                       return person.distance() > *distance ||
+                                              std::abs(person.angle()) > *angle ||
+                                              person.known_for < *lasting;
+                                     }),
+                      before.people.end());
+  const SeenPerson* nearest = before.Nearest(kOldestSight);
+  if (nearest == nullptr) return false;
+  id.Set(static_cast<int>(nearest->id));
+  return true;
+}
+
+Status NearestPerson::Run() {
+  const PeopleView* view = Fresh(people, now());
+  if (view == nullptr) return Fail(kBlind);
+  const SeenPerson* nearest = view->Nearest(kOldestSight);
+  if (nearest == nullptr) return Fail("nobody is around");
+  id.Set(static_cast<int>(nearest->id));
+  distance.Set(nearest->distance());
+  angle.Set(nearest->angle());
+  return Status::kSuccess;
+}
+
+Status CountPeople::Run() {
+  const PeopleView* view = Fresh(people, now());
+  if (view == nullptr) return Fail(kBlind);
+  const auto count_if = [&](auto is_counted) {
+    return static_cast<int>(
+        std::count_if(view->people.begin(), view->people.end(), [&](const SeenPerson& person) {
+          return person.distance() <= *distance && is_counted(person);
+        }));
+  };
+  count.Set(count_if([](const SeenPerson&) { return true; }));
+  with_mask.Set(count_if([](const SeenPerson& person) { return person.mask == Mask::kWith; }));
+  without_mask.Set(
+      count_if([](const SeenPerson& person) { return person.mask == Mask::kWithout; }));
+  return Status::kSuccess;
+}
+
+bool FollowerBehind::Check() {
+  const PeopleView* view = Fresh(people, now());
+  if (view == nullptr) return Say(kBlind), false;
+  return std::any_of(view->people.begin(), view->people.end(), [this](const SeenPerson& person) {
+    return person.distance() <= *distance && kPi - std::abs(person.angle()) <= *angle &&
+           person.unseen_for <= *patience;
+  });
+}
+
+bool MaskMissing::Check() {
+  const PeopleView* view = Fresh(people, now());
+  if (view == nullptr) return Say(kBlind), false;
+  std::set<std::uint32_t> around;
+  const SeenPerson* found = nullptr;
+  for (const SeenPerson& person : view->people) {
+    if (told_.count(person.id) != 0) {
+      around.insert(person.id);
+    } else if (found == nullptr && person.mask == Mask::kWithout &&
+               person.distance() <= *distance && person.unseen_for <= kOldestSight) {
+      found = &person;
+    }
+  }
+  told_ = std::move(around);  // numbers are not given again: who is gone need not be remembered
+  if (found == nullptr) return false;
+  told_.insert(found->id);
+  id.Set(static_cast<int>(found->id));
+  return true;
+}
+
+void FacePerson::Begin(Sender<ActionResult> done) {
+  const PeopleView* view = Fresh(people, now());
+  const SeenPerson* nearest = view != nullptr ? view->Nearest(kOldestSight) : nullptr;
+  if (nearest == nullptr) {
+    done.Send({false, view != nullptr ? "nobody is around" : kBlind});
+  } else if (std::abs(nearest->angle()) < kFacing) {
+    done.Send({true, ""});
+  } else {
+    navigator_.Rotate(nearest->angle(), *speed, done);
+  }
+}
+
+}  // namespace coppice::leaves
