@@ -45,13 +45,12 @@ struct Settings {
 };
 
 Parameters ParametersOf(Settings& settings) {
-  return {
-      {"classifier", &settings.classifier, "a file that coppice-train made"},
-      {"frame", &settings.frame, "in which people are followed; it must not move"},
-      {"least_probability", &settings.least_probability, 0.05, 0.99,
-       "from which a cluster is a person"},
-      {"farthest", &settings.farthest, 1, 50, "people are looked for so far [m]"},
-      {"rate", &settings.rate, 1, 1000, "clouds that are looked at, at most [Hz of wall time]"}};
+  return {{"classifier", &settings.classifier, "a file that coppice-train made"},
+          {"frame", &settings.frame, "in which people are followed; it must not move"},
+          {"least_probability", &settings.least_probability, 0.05, 0.99,
+           "from which a cluster is a person"},
+          {"farthest", &settings.farthest, 1, 50, "people are looked for so far [m]"},
+          {"rate", &settings.rate, 1, 1000, "clouds looked at, at most [Hz, wall time]"}};
 }
 
 // The lidar in the frame in which people are followed.
