@@ -54,7 +54,7 @@ std::vector<std::uint32_t> FindLines(const std::string& text) {
 }
 
 // tinyxml2 compares each attribute with all before it.
-constexpr std::size_t kMaxAttributes = 10000;
+constexpr std::size_t kMaxAttributes = 1000;
 
 std::size_t CountAttributes(std::string_view tag) {
   std::size_t count = 0;

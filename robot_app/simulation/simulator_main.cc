@@ -15,6 +15,7 @@
 #include <std_msgs/Bool.h>
 #include <tf2_msgs/TFMessage.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <limits>
@@ -182,7 +183,8 @@ class SimulatorNode {
   }
 
   void Step() {
-    world_.SetLidar3dOn(cloud_.getNumSubscribers() > 0);
+    world_.SetLidar3dOn(cloud_.getNumSubscribers() > 0 &&
+                        std::chrono::steady_clock::now() >= lidar_rests_until_);
     world_.Step(kStep, command_);
     command_.reset();
     faults_.Update();
@@ -247,10 +249,19 @@ class SimulatorNode {
     Publish(scan_, message);
   }
 
+  // Between two turns. Faster than real time the 3-D lidar and who looks at its clouds would take
+  // more of the computer than all else; so it turns as often in a second of wall time as a real one.
+  std::chrono::nanoseconds LidarRest() const {
+    const double period = world_.lidar_3d().options().period;
+    const double turn = settings_.speed > 0 ? period / settings_.speed : 0;
+    return std::chrono::nanoseconds(static_cast<std::int64_t>(1e9 * std::max(0.0, period - turn)));
+  }
+
   void PublishCloud() {
     const Cloud& cloud = world_.lidar_3d().cloud();
     if (cloud.points.empty() || cloud.time == cloud_time_) return;
     cloud_time_ = cloud.time;
+    lidar_rests_until_ = std::chrono::steady_clock::now() + LidarRest();
     sensor_msgs::PointCloud2 message = ToMessage(cloud, world_.lidar_3d().options().rings);
     message.header.stamp = ToRosTime(cloud.time);
     message.header.frame_id = "velodyne";
@@ -356,6 +367,7 @@ class SimulatorNode {
   double odometry_time_ = -1;
   double scan_time_ = -1;
   double cloud_time_ = -1;
+  std::chrono::steady_clock::time_point lidar_rests_until_{};
   Every localization_due_{0.1};
   Every battery_due_{0.5};
   Every stop_due_{0.5};

@@ -171,6 +171,10 @@ class Trees(FileAttack):
         many = "".join(' a%d="1"' % i for i in range(100000))
         self.assertIn("t.xml:1:", self.check(TREE % ("<Sleep%s/>" % many)))
 
+    def test_very_many_attributes_in_many_elements_are_an_error(self):
+        wrong = "".join(' a%d="1"' % i for i in range(9900))
+        self.assertIn("more than 1000 attributes", self.check(TREE % (("<Sleep%s/>" % wrong) * 40)))
+
     def test_many_trees_in_a_large_file_are_checked_in_one_go(self):
         trees = "".join('<BehaviorTree ID="T%d"><AlwaysSuccess/></BehaviorTree>' % i
                         for i in range(500))

@@ -6,7 +6,6 @@
 #include <visualization_msgs/MarkerArray.h>
 
 #include <Eigen/Geometry>
-#include <algorithm>
 #include <chrono>
 #include <optional>
 #include <string>
@@ -41,7 +40,6 @@ struct Settings {
   std::string frame = "odom";
   double least_probability = 0.5;
   double farthest = 20;
-  double rate = 12;
 };
 
 Parameters ParametersOf(Settings& settings) {
@@ -49,8 +47,7 @@ Parameters ParametersOf(Settings& settings) {
           {"frame", &settings.frame, "in which people are followed; it must not move"},
           {"least_probability", &settings.least_probability, 0.05, 0.99,
            "from which a cluster is a person"},
-          {"farthest", &settings.farthest, 1, 50, "people are looked for so far [m]"},
-          {"rate", &settings.rate, 1, 1000, "clouds looked at, at most [Hz, wall time]"}};
+          {"farthest", &settings.farthest, 1, 50, "people are looked for so far [m]"}};
 }
 
 // The lidar in the frame in which people are followed.
@@ -86,21 +83,11 @@ class PeopleNode {
   void OnCloud(const sensor_msgs::PointCloud2& message) {
     const auto begin = std::chrono::steady_clock::now();
     last_cloud_ = ros::WallTime::now();
-    if (!IsDue(begin)) return;
     const Outcome done = Follow(message);
     problem_ = done.problem();
     if (!done) return;
     ++clouds_;
     calculated_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  }
-
-  // A simulation that is faster than real time must not take more of the computer than the robot.
-  // A cloud that comes a little early is looked at nevertheless.
-  bool IsDue(std::chrono::steady_clock::time_point now) {
-    const auto period = std::chrono::nanoseconds(static_cast<std::int64_t>(1e9 / settings_.rate));
-    if (now < next_look_) return false;
-    next_look_ = std::max(next_look_, now - period) + period;
-    return true;
   }
 
   Outcome Follow(const sensor_msgs::PointCloud2& message) {
@@ -193,7 +180,6 @@ class PeopleNode {
   Tracker tracker_;
   std::vector<LidarPoint> points_;
   std::string problem_;  // of the last cloud
-  std::chrono::steady_clock::time_point next_look_{};
   ros::WallTime last_cloud_ = ros::WallTime::now();
   std::uint64_t clouds_ = 0;
   double calculated_ = 0;  // s, for all of them

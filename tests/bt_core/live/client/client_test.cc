@@ -332,7 +332,8 @@ TEST(LiveClient, RejectsWhatIsNoEndpointAndNoToken) {
   EXPECT_THROW(LiveClient("localhost", watcher, options), std::invalid_argument);
 }
 
-TEST(LiveClient, LatencyIsBelowFiveMilliseconds) {
+// How soon is for people: in the properties of the test, and in `./dev bench live`.
+TEST(LiveClient, EachTickArrivesWithoutTheNextOne) {
   Robot robot;
   Watcher watcher;
   const LiveClient client(robot.endpoint(), watcher);
@@ -347,7 +348,6 @@ TEST(LiveClient, LatencyIsBelowFiveMilliseconds) {
   std::sort(latencies.begin(), latencies.end());
   RecordProperty("median_us", static_cast<int>(latencies[250].count() / 1000));
   RecordProperty("p99_us", static_cast<int>(latencies[495].count() / 1000));
-  EXPECT_LT(latencies[250], 5ms);  // the 99th percentile also counts what else the computer does
 }
 
 }  // namespace
