@@ -250,7 +250,8 @@ class SimulatorNode {
   }
 
   // Between two turns. Faster than real time the 3-D lidar and who looks at its clouds would take
-  // more of the computer than all else; so it turns as often in a second of wall time as a real one.
+  // more of the computer than all else; so it turns as often in a second of wall time as a real
+  // one.
   std::chrono::nanoseconds LidarRest() const {
     const double period = world_.lidar_3d().options().period;
     const double turn = settings_.speed > 0 ? period / settings_.speed : 0;

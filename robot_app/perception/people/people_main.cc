@@ -50,6 +50,9 @@ Parameters ParametersOf(Settings& settings) {
           {"farthest", &settings.farthest, 1, 50, "people are looked for so far [m]"}};
 }
 
+// Times behind it cannot be calculated with: ros::Time throws where it overflows.
+const ros::Time kLatest(0xFFFFFFF0, 0);
+
 // The lidar in the frame in which people are followed.
 struct Mount {
   Eigen::Vector2d place{0, 0};
@@ -91,6 +94,7 @@ class PeopleNode {
   }
 
   Outcome Follow(const sensor_msgs::PointCloud2& message) {
+    if (message.header.stamp > kLatest) return Problem{"the cloud comes from the far future"};
     if (const Outcome decoded = Decode(message, points_); !decoded) return decoded;
     const auto mount = MountAt(message.header.frame_id, message.header.stamp);
     if (!mount) return Problem{mount.problem()};

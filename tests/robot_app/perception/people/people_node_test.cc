@@ -91,6 +91,19 @@ TEST_F(PeopleNodeTest, SaysWhatIsWrongWithACloudAndLivesOn) {
   EXPECT_TRUE(people_program_.IsRunning());
 }
 
+TEST_F(PeopleNodeTest, ACloudFromTheEndOfTimeDoesNotEndIt) {
+  ros::Publisher clouds = node_.advertise<sensor_msgs::PointCloud2>("/velodyne_points", 1);
+  StartPeople();
+  sensor_msgs::PointCloud2 cloud;
+  cloud.header.stamp = ros::Time(0xFFFFFFFF, 999999999);
+  const auto says = [&] {
+    clouds.publish(cloud);
+    return Diagnosis() == "the cloud comes from the far future";
+  };
+  EXPECT_TRUE(Eventually(says, kPatience)) << Diagnosis();
+  EXPECT_TRUE(people_program_.IsRunning());
+}
+
 TEST_F(PeopleNodeTest, AWrongClassifierEndsItAtTheStartWithTheReason) {
   StartPeople({"_classifier:=/nowhere.yaml"});
   ASSERT_TRUE(Eventually([&] { return !people_program_.IsRunning(); }, kPatience));
