@@ -10,6 +10,8 @@ constexpr double kPi = 3.14159265358979323846;
 constexpr double kFacing = 0.1;  // nearer to straight ahead needs no turn [rad]
 constexpr char kBlind[] = "perception does not tell who is around";
 
+bool IsInSight(const SeenPerson& person) { return person.unseen_for <= kOldestSight; }
+
 // What perception says, if it does.
 const PeopleView* Fresh(const PeopleInput& people, Time now) {
   if (!people.has_value()) return nullptr;
@@ -22,15 +24,10 @@ const PeopleView* Fresh(const PeopleInput& people, Time now) {
 bool PersonInFront::Check() {
   const PeopleView* view = Fresh(people, now());
   if (view == nullptr) return Say(kBlind), false;
-  PeopleView before = *view;
-  before.people.erase(std::remove_if(before.people.begin(), before.people.end(),
-                                     [this](const SeenPerson& person) {
-                                       return person.distance() > *distance ||
-                                              std::abs(person.angle()) > *angle ||
-                                              person.known_for < *lasting;
-                                     }),
-                      before.people.end());
-  const SeenPerson* nearest = before.Nearest(kOldestSight);
+  const SeenPerson* nearest = view->Nearest([this](const SeenPerson& person) {
+    return IsInSight(person) && person.distance() <= *distance &&
+           std::abs(person.angle()) <= *angle && person.known_for >= *lasting;
+  });
   if (nearest == nullptr) return false;
   id.Set(static_cast<int>(nearest->id));
   return true;
@@ -39,7 +36,7 @@ bool PersonInFront::Check() {
 Status NearestPerson::Run() {
   const PeopleView* view = Fresh(people, now());
   if (view == nullptr) return Fail(kBlind);
-  const SeenPerson* nearest = view->Nearest(kOldestSight);
+  const SeenPerson* nearest = view->Nearest(IsInSight);
   if (nearest == nullptr) return Fail("nobody is around");
   id.Set(static_cast<int>(nearest->id));
   distance.Set(nearest->distance());
@@ -81,7 +78,7 @@ bool MaskMissing::Check() {
     if (told_.count(person.id) != 0) {
       around.insert(person.id);
     } else if (found == nullptr && person.mask == Mask::kWithout &&
-               person.distance() <= *distance && person.unseen_for <= kOldestSight) {
+               person.distance() <= *distance && IsInSight(person)) {
       found = &person;
     }
   }
@@ -94,7 +91,7 @@ bool MaskMissing::Check() {
 
 void FacePerson::Begin(Sender<ActionResult> done) {
   const PeopleView* view = Fresh(people, now());
-  const SeenPerson* nearest = view != nullptr ? view->Nearest(kOldestSight) : nullptr;
+  const SeenPerson* nearest = view != nullptr ? view->Nearest(IsInSight) : nullptr;
   if (nearest == nullptr) {
     done.Send({false, view != nullptr ? "nobody is around" : kBlind});
   } else if (std::abs(nearest->angle()) < kFacing) {

@@ -34,15 +34,6 @@ bool ReadPerson(const JsonValue& json, SeenPerson& person) {
 double SeenPerson::distance() const { return std::hypot(x, y); }
 double SeenPerson::angle() const { return std::atan2(y, x); }
 
-const SeenPerson* PeopleView::Nearest(double unseen_for) const {
-  const SeenPerson* nearest = nullptr;
-  for (const SeenPerson& person : people) {
-    if (person.unseen_for > unseen_for) continue;
-    if (nearest == nullptr || person.distance() < nearest->distance()) nearest = &person;
-  }
-  return nearest;
-}
-
 }  // namespace coppice::leaves
 
 namespace coppice {

@@ -31,9 +31,20 @@ struct PeopleView {
   Time stamp{};  ///< of the tree's clock, when it arrived; zero: never
   std::vector<SeenPerson> people;
 
-  /// The nearest who was seen within `unseen_for` seconds; null if there is nobody.
-  const SeenPerson* Nearest(double unseen_for) const;
+  /// The nearest of those for whom `is_wanted(person)` holds; null if there is nobody.
+  template <typename IsWanted>
+  const SeenPerson* Nearest(IsWanted is_wanted) const;
 };
+
+template <typename IsWanted>
+const SeenPerson* PeopleView::Nearest(IsWanted is_wanted) const {
+  const SeenPerson* nearest = nullptr;
+  for (const SeenPerson& person : people) {
+    if (!is_wanted(person)) continue;
+    if (nearest == nullptr || person.distance() < nearest->distance()) nearest = &person;
+  }
+  return nearest;
+}
 
 }  // namespace coppice::leaves
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <filesystem>
 #include <future>
 #include <iostream>
 #include <limits>
@@ -162,12 +163,15 @@ class WindowLoop {
   bool good_ = true;
 };
 
-// What is missing after all is baked when it is drawn.
+// What is missing after all is baked when it is drawn. A pipe is left for who opens it: it can be
+// read only once.
 std::vector<ImWchar> UnusualIn(const std::vector<std::string>& files) {
   constexpr std::size_t kLongest = std::size_t{8} << 20;  // larger ones are not what is shown first
   std::string texts;
   for (const std::string& file : files) {
-    if (!IsRecordName(file)) texts += ReadFile(file, kLongest).value_or("");
+    std::error_code error;
+    if (IsRecordName(file) || !std::filesystem::is_regular_file(file, error)) continue;
+    texts += ReadFile(file, kLongest).value_or("");
   }
   return UnusualCharacters(texts);
 }

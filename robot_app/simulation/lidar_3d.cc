@@ -12,13 +12,15 @@ constexpr double kSlack = 1e-6;     // columns; time is a sum of steps
 
 }  // namespace
 
-Lidar3d::Lidar3d(const Lidar3dOptions& options, std::uint64_t seed)
-    : options_(options), random_(seed), noise_(0.0, 1.0) {
+std::vector<double> RingSlopes(const Lidar3dOptions& options) {
   const double step = -2 * options.lowest / (options.rings - 1);
-  for (int i = 0; i < options.rings; ++i) {
-    slopes_.push_back(std::tan(options.lowest + i * step));
-  }
+  std::vector<double> slopes;
+  for (int i = 0; i < options.rings; ++i) slopes.push_back(std::tan(options.lowest + i * step));
+  return slopes;
 }
+
+Lidar3d::Lidar3d(const Lidar3dOptions& options, std::uint64_t seed)
+    : options_(options), random_(seed), noise_(0.0, 1.0), slopes_(RingSlopes(options)) {}
 
 void Lidar3d::Turn(double time, double dt, const Pose2& base, const Scene& scene) {
   const double before = turned_;

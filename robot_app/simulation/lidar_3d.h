@@ -26,6 +26,9 @@ struct Lidar3dOptions {
   double height = 1.2;              ///< of it above the floor, m
 };
 
+/// Tangents of the rings' angles above the horizon, from the lowest up.
+std::vector<double> RingSlopes(const Lidar3dOptions& options);
+
 /// One ray's end in the frame `velodyne`; NaN in x, y and z if it met nothing.
 struct CloudPoint {
   float x = 0, y = 0, z = 0;

@@ -114,10 +114,7 @@ double VisibleShare(const Figure& figure, const Scene& all, const Pose2& sensor,
                     const simulation::Lidar3dOptions& lidar) {
   Scene alone;
   alone.SetFigures({figure});
-  std::vector<double> slopes;
-  for (int ring = 0; ring < lidar.rings; ++ring) {
-    slopes.push_back(std::tan(lidar.lowest - 2 * lidar.lowest * ring / (lidar.rings - 1)));
-  }
+  const std::vector<double> slopes = simulation::RingSlopes(lidar);
   const Vec2 view = figure.bounds.center - sensor.position();
   const double distance = simulation::Length(view);
   const double half = std::asin(std::min(1.0, figure.bounds.radius / distance));
@@ -140,6 +137,15 @@ double VisibleShare(const Figure& figure, const Scene& all, const Pose2& sensor,
   return points > 0 ? static_cast<double>(seen) / points : 0;
 }
 
+std::vector<perception::LidarPoint> ToPoints(const simulation::Cloud& cloud) {
+  std::vector<perception::LidarPoint> points;
+  points.reserve(cloud.points.size());
+  for (const simulation::CloudPoint& point : cloud.points) {
+    points.push_back({point.x, point.y, point.z, point.intensity, point.ring});
+  }
+  return points;
+}
+
 LabelledScan MakeLabelledScan(const Site& site, const simulation::Lidar3dOptions& lidar,
                               std::mt19937_64& random) {
   const Pose2 sensor = PlaceSensor(site, random);
@@ -155,9 +161,7 @@ LabelledScan MakeLabelledScan(const Site& site, const simulation::Lidar3dOptions
   device.Turn(0, lidar.period, sensor, scene);
 
   LabelledScan scan;
-  for (const simulation::CloudPoint& point : device.cloud().points) {
-    scan.points.push_back({point.x, point.y, point.z, point.intensity, point.ring});
-  }
+  scan.points = ToPoints(device.cloud());
   for (std::size_t i = 0; i < figures.size(); ++i) {
     const Vec2 position =
         Compose(Inverse(sensor), {figures[i].bounds.center.x, figures[i].bounds.center.y, 0})

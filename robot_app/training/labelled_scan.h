@@ -32,6 +32,9 @@ struct LabelledScan {
 LabelledScan MakeLabelledScan(const Site& site, const simulation::Lidar3dOptions& lidar,
                               std::mt19937_64& random);
 
+/// What the simulated lidar measured, as perception takes it.
+std::vector<perception::LidarPoint> ToPoints(const simulation::Cloud& cloud);
+
 /// Of the points that the sensor would have on a person with nothing else around, the share that
 /// `all` leaves to see. `sensor` is the place of the sensor's foot.
 double VisibleShare(const simulation::Figure& figure, const simulation::Scene& all,

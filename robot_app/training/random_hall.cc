@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "robot_app/simulation/world.h"
 #include "robot_app/training/draw.h"
 
 namespace coppice::robot::training {
@@ -52,6 +53,17 @@ void AddPartitions(StillScene& still, Vec2 half, double height, std::mt19937_64&
 }
 
 }  // namespace
+
+Site SiteOf(const simulation::Floor& floor) {
+  Vec2 low{1e9, 1e9}, high{-1e9, -1e9};
+  for (const auto& wall : floor.walls) {
+    for (const Vec2 point : wall) {
+      low = {std::min(low.x, point.x), std::min(low.y, point.y)};
+      high = {std::max(high.x, point.x), std::max(high.y, point.y)};
+    }
+  }
+  return {simulation::World(floor).still(), {(low + high) * 0.5, high - low, 0}};
+}
 
 bool IsFree(const Site& site, Vec2 point, double radius) {
   const Vec2 local = simulation::Rotated(point - site.area.center, -site.area.yaw);

@@ -5,6 +5,7 @@
 
 #include <random>
 
+#include "robot_app/simulation/floor.h"
 #include "robot_app/simulation/scene/scene.h"
 
 namespace coppice::robot::training {
@@ -18,6 +19,9 @@ struct Site {
 /// A hall of 8 to 24 m with some partition walls, desks, cupboards, chairs, columns, plants, coat
 /// racks and boxes of a person's size.
 Site MakeRandomHall(std::mt19937_64& random);
+
+/// A floor as it is at the start: the rectangle around its walls is looked at.
+Site SiteOf(const simulation::Floor& floor);
 
 /// Whether a thing of this radius can stand at `point` without touching anything, inside the walls.
 bool IsFree(const Site& site, simulation::Vec2 point, double radius);

@@ -93,10 +93,7 @@ TrackingFigures MeasureTracking(perception::PeopleFinder& finder,
     if (lidar.cloud().points.empty() || lidar.cloud().time == cloud) continue;
     cloud = lidar.cloud().time;
 
-    std::vector<perception::LidarPoint> points;
-    for (const simulation::CloudPoint& point : lidar.cloud().points) {
-      points.push_back({point.x, point.y, point.z, point.intensity, point.ring});
-    }
+    const auto points = ToPoints(lidar.cloud());
     const auto begin = std::chrono::steady_clock::now();
     const auto detections =
         InHall(finder.Find(points), sensor, scenario.turning * lidar.options().period);

@@ -1,12 +1,10 @@
 // coppice-train: makes the files that the robot's classifiers know from, and says how good they
 // are.
 #include <cstdio>
-#include <optional>
 #include <string>
 #include <utility>
 
 #include "bt_core/base/command_line.h"
-#include "robot_app/simulation/world.h"
 #include "robot_app/training/people_training.h"
 #include "robot_app/training/tracking_figures.h"
 
@@ -31,20 +29,10 @@ int Fail(const std::string& problem) {
   return 1;
 }
 
-// The institute as a site: its walls close it, so its whole rectangle is looked at.
-std::optional<Site> Institute(Diagnostics& diagnostics) {
-  const auto floor = simulation::LoadFloor(COPPICE_FLOOR, diagnostics);
-  if (!floor) return std::nullopt;
-  Site site;
-  site.still = simulation::World(*floor).still();
-  site.area = {{24.5, 0}, {55, 12}, 0};
-  return site;
-}
-
 int Measure(const Options& options) {
   Diagnostics diagnostics;
-  const auto site = Institute(diagnostics);
-  if (!site) return Fail(diagnostics.ToString());
+  const auto floor = simulation::LoadFloor(COPPICE_FLOOR, diagnostics);
+  if (!floor) return Fail(diagnostics.ToString());
   auto classifier = perception::PersonClassifier::Load(options.files[1]);
   if (!classifier) return Fail(classifier.problem());
   perception::FinderOptions finding;
@@ -52,7 +40,7 @@ int Measure(const Options& options) {
   perception::PeopleFinder finder(finding, std::move(*classifier));
   const auto scans = static_cast<int>(options.Whole("--scans", 700));
   const auto seed = static_cast<std::uint64_t>(options.Whole("--seed", 1)) + 1000000;
-  std::fputs(Table(MeasurePeople(finder, *site, scans, seed)).c_str(), stdout);
+  std::fputs(Table(MeasurePeople(finder, SiteOf(*floor), scans, seed)).c_str(), stdout);
   TrackingScenario scenario;
   scenario.seed = seed;
   std::fputs(("\nTen people for a minute: " + Summary(MeasureTracking(finder, scenario))).c_str(),

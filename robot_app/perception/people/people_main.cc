@@ -6,6 +6,7 @@
 #include <visualization_msgs/MarkerArray.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <chrono>
 #include <optional>
 #include <string>
@@ -167,7 +168,9 @@ class PeopleNode {
       status.values.back().key = key;
       status.values.back().value = value;
     };
-    add("people", std::to_string(ToMessage(tracker_, settings_.frame).people.size()));
+    add("people",
+        std::to_string(std::count_if(tracker_.tracks().begin(), tracker_.tracks().end(),
+                                     [](const Track& track) { return track.is_confirmed; })));
     add("clouds", std::to_string(clouds_));
     add("per cloud [ms]", std::to_string(clouds_ > 0 ? 1e3 * calculated_ / clouds_ : 0));
     diagnostic_msgs::DiagnosticArray message;

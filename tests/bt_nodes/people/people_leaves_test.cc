@@ -48,6 +48,15 @@ TEST(NearestPerson, TellsDistanceAndAngle) {
   EXPECT_NEAR(harness.Get<double>("angle"), 1.5708, 1e-4);
 }
 
+TEST(NearestPerson, WhoIsOutOfSightMayBeElsewhere) {
+  SeenPerson hidden = At(1, 0, 8);
+  hidden.unseen_for = 0.8;
+  LeafHarness harness = LeafHarness::For<NearestPerson>();
+  Show(harness, {hidden, At(3, 0, 9)});
+  EXPECT_EQ(harness.Tick(), Status::kSuccess);
+  EXPECT_EQ(harness.Get<int>("id"), 9);
+}
+
 TEST(NearestPerson, FailsWhereNobodyIs) {
   LeafHarness harness = LeafHarness::For<NearestPerson>();
   Show(harness, {});

@@ -38,10 +38,12 @@ TEST(PeopleView, WhatIsNoSuchTextIsRefused) {
   }
 }
 
-TEST(PeopleView, TheNearestIsWhoWasSeenJustNow) {
-  EXPECT_EQ(TwoPeople().Nearest(0.5)->id, 7U);
-  EXPECT_EQ(TwoPeople().Nearest(1)->id, 9U);
-  EXPECT_EQ(PeopleView().Nearest(1), nullptr);
+TEST(PeopleView, TheNearestIsOneOfThoseWhoAreWanted) {
+  const auto anybody = [](const SeenPerson&) { return true; };
+  EXPECT_EQ(TwoPeople().Nearest(anybody)->id, 9U);
+  EXPECT_EQ(TwoPeople().Nearest([](const SeenPerson& p) { return p.unseen_for == 0; })->id, 7U);
+  EXPECT_EQ(TwoPeople().Nearest([](const SeenPerson& p) { return p.x > 5; }), nullptr);
+  EXPECT_EQ(PeopleView().Nearest(anybody), nullptr);
 }
 
 }  // namespace

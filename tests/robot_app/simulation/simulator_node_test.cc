@@ -193,6 +193,17 @@ TEST_F(SimulatorNodeTest, SendsCloudsOfTheWallsAroundItToWhoSubscribes) {
   EXPECT_EQ(tf_static.get().transforms.at(1).transform.translation.z, 1.2);
 }
 
+TEST_F(SimulatorNodeTest, TheThreeDLidarLeavesTurnsOutWhereTimeRunsFast) {
+  ChildProcess simulator({kSimulator, "_speed:=0", "_start:=20 0 0"}, Log("turns"));
+  Latest<sensor_msgs::PointCloud2> clouds(node_, "/velodyne_points");
+  ASSERT_TRUE(Eventually([&] { return clouds.count() > 0; }, 15)) << TextOf(Log("turns"));
+  const ros::Time first = clouds.get().header.stamp;
+  const int before = clouds.count();
+  ASSERT_TRUE(Eventually([&] { return clouds.count() >= before + 4; }, 15));
+  const double between = (clouds.get().header.stamp - first).toSec() / (clouds.count() - before);
+  EXPECT_GT(between, 0.2) << "a turn takes 0.1 s";
+}
+
 TEST_F(SimulatorNodeTest, TopicsComeTooFastOrTooSlowlyAndTheBatteryFreezesOnRequest) {
   Latest<rosgraph_msgs::Clock> clock(node_, "/clock");
   Latest<sensor_msgs::LaserScan> scan(node_, "/scan");

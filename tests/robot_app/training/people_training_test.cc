@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "robot_app/simulation/world.h"
 #include "tests/support/folders.h"
 #include "tests/support/temporary_folder.h"
 
@@ -22,15 +21,18 @@ PeopleFigures MeasureShipped(bool with_picture, int scans) {
   Diagnostics diagnostics;
   const auto floor = simulation::LoadFloor(
       SourceFolder() + "/robot_app/simulation/floors/institute.yaml", diagnostics);
-  Site site;
-  site.still = simulation::World(*floor).still();
-  site.area = {{24.5, 0}, {55, 12}, 0};
   auto classifier =
       PersonClassifier::Load(SourceFolder() + "/robot_app/perception/data/people_in_clouds.yaml");
   perception::FinderOptions options;
   options.candidates.with_depth_steps = with_picture;
   PeopleFinder finder(options, std::move(*classifier));
-  return MeasurePeople(finder, site, scans, 77);
+  return MeasurePeople(finder, SiteOf(*floor), scans, 77);
+}
+
+// What both tests look at.
+const PeopleFigures& WithPicture() {
+  static const PeopleFigures figures = MeasureShipped(true, 200);
+  return figures;
 }
 
 int MissedNear(const PeopleFigures& figures) {
@@ -50,7 +52,7 @@ TEST(PeopleTraining, TheSameOptionsLearnTheSameToTheLastBit) {
 }
 
 TEST(PeopleTraining, OnAFloorNeverSeenHardlyAnybodyNearIsMissedOrInvented) {
-  const PeopleFigures figures = MeasureShipped(true, 200);
+  const PeopleFigures& figures = WithPicture();
   const Misses& free = figures.of(Distance::kNear, Occlusion::kFree);
   EXPECT_GT(free.people, 150);
   EXPECT_LE(free.share(), 0.03);
@@ -60,7 +62,7 @@ TEST(PeopleTraining, OnAFloorNeverSeenHardlyAnybodyNearIsMissedOrInvented) {
 }
 
 TEST(PeopleTraining, FewerPeopleAreMissedWithThePictureThanWithDistanceAlone) {
-  EXPECT_LT(MissedNear(MeasureShipped(true, 200)), MissedNear(MeasureShipped(false, 200)));
+  EXPECT_LT(MissedNear(WithPicture()), MissedNear(MeasureShipped(false, 200)));
 }
 
 TEST(PeopleTraining, TheTableNamesDistancesAndOcclusions) {
