@@ -63,8 +63,8 @@ struct DistanceOptions {
 /// Z. Yan, T. Duckett and N. Bellotto, "Online Learning for Human Classification in 3D LiDAR-based
 /// Tracking", IROS 2017. There it grows in steps, from region to region; here with each metre, so
 /// nobody on a border is cut in two. Who is near is looked for in the picture: what is near in
-/// space is near there too, and nothing has to be sorted (a k-d tree took more than three times as many
-/// instructions).
+/// space is near there too, and nothing has to be sorted (a k-d tree took more than three times as
+/// many instructions).
 void ClusterByDistance(const RangeImage& image, const std::vector<Surface>& surfaces,
                        const DistanceOptions& options, Clusters& clusters);
 
