@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "robot_app/common/footprint.h"
 #include "robot_app/common/pose2d.h"
 
 namespace coppice::robot::docking {
@@ -28,10 +29,10 @@ struct DockSettings {
   double wiggle_speed = 0.04;      ///< m/s
   double wiggle_wait = 4.0;        ///< for the current, after each move [s]
   int attempts = 3;
-  double retry_offset = 0.03;      ///< aside, from the second attempt on [m]
-  double phase_timeout = 40.0;     ///< no motion may take longer [s]
-  double obstacle_patience = 8.0;  ///< waits this long for an obstacle to go [s]
-  double robot_radius = 0.33;      ///< [m]
+  double retry_offset = 0.03;          ///< aside, from the second attempt on [m]
+  double phase_timeout = 40.0;         ///< no motion may take longer [s]
+  double obstacle_patience = 8.0;      ///< waits this long for an obstacle to go [s]
+  double robot_radius = kRobotRadius;  ///< [m]
 };
 
 /// What a controller knows at one instant.

@@ -10,30 +10,31 @@
 
 #include <vector>
 
+#include "robot_app/common/footprint.h"
 #include "robot_app/common/pose2d.h"
 
 namespace coppice::robot::navigation {
 
 struct FollowerSettings {
-  double max_speed = 0.7;            ///< [m/s]
-  double min_speed = 0.05;           ///< slowest approach [m/s]
-  double max_turn = 1.0;             ///< [rad/s]
-  double acceleration = 0.5;         ///< [m/s^2]
-  double deceleration = 0.6;         ///< [m/s^2]
-  double turn_acceleration = 1.2;    ///< [rad/s^2]
-  double lookahead_time = 1.0;       ///< distance to the carrot: speed times this [s]
-  double min_lookahead = 0.35;       ///< [m]
-  double max_lookahead = 0.8;        ///< [m]
-  double turn_first_above = 0.8;     ///< turns on the spot if the path starts so far aside [rad]
-  double bend_radius = 0.9;          ///< slower in bends tighter than this [m]
-  double robot_radius = 0.33;        ///< [m]
-  double obstacle_margin = 0.02;     ///< kept free around the robot while it drives [m]
-  double slow_within = 0.6;          ///< slower if something is nearer than this to the rim [m]
-  double slow_to = 0.2;              ///< ... but never below this for nearness alone [m/s]
-  double stop_distance = 0.1;        ///< stands still this far before an obstacle [m]
-  double time_to_collision = 1.0;    ///< never nearer in time to an obstacle [s]
-  double goal_tolerance = 0.15;      ///< [m]
-  double goal_yaw_tolerance = 0.15;  ///< [rad]
+  double max_speed = 0.7;              ///< [m/s]
+  double min_speed = 0.05;             ///< slowest approach [m/s]
+  double max_turn = 1.0;               ///< [rad/s]
+  double acceleration = 0.5;           ///< [m/s^2]
+  double deceleration = 0.6;           ///< [m/s^2]
+  double turn_acceleration = 1.2;      ///< [rad/s^2]
+  double lookahead_time = 1.0;         ///< distance to the carrot: speed times this [s]
+  double min_lookahead = 0.35;         ///< [m]
+  double max_lookahead = 0.8;          ///< [m]
+  double turn_first_above = 0.8;       ///< turns on the spot if the path starts so far aside [rad]
+  double bend_radius = 0.9;            ///< slower in bends tighter than this [m]
+  double robot_radius = kRobotRadius;  ///< [m]
+  double obstacle_margin = 0.02;       ///< kept free around the robot while it drives [m]
+  double slow_within = 0.6;            ///< slower if something is nearer than this to the rim [m]
+  double slow_to = 0.2;                ///< ... but never below this for nearness alone [m/s]
+  double stop_distance = 0.1;          ///< stands still this far before an obstacle [m]
+  double time_to_collision = 1.0;      ///< never nearer in time to an obstacle [s]
+  double goal_tolerance = 0.15;        ///< [m]
+  double goal_yaw_tolerance = 0.15;    ///< [rad]
 };
 
 /// How far the disc of `radius` can drive along the arc of `curvature` [1/m] before it touches one

@@ -9,24 +9,25 @@
 #include <string>
 #include <vector>
 
+#include "robot_app/common/footprint.h"
 #include "robot_app/common/pose2d.h"
 
 namespace coppice::robot::navigation {
 
 struct RelativeMotionSettings {
-  double longest_backwards = 1.0;  ///< [m]
-  double default_speed = 0.15;     ///< [m/s]
-  double default_turn = 0.5;       ///< [rad/s]
-  double max_speed = 0.5;          ///< [m/s]
-  double max_turn = 1.0;           ///< [rad/s]
-  double acceleration = 0.4;       ///< [m/s^2]
-  double deceleration = 0.6;       ///< of what the robot did before [m/s^2]
-  double turn_acceleration = 1.0;  ///< [rad/s^2]
-  double robot_radius = 0.33;      ///< [m]
-  double stop_distance = 0.1;      ///< kept from obstacles in front [m]
-  double obstacle_patience = 3.0;  ///< waits this long for an obstacle to go [s]
-  double stall_time = 1.0;         ///< [s] ...
-  double stall_share = 0.2;        ///< ... with less than this share of the commanded way
+  double longest_backwards = 1.0;      ///< [m]
+  double default_speed = 0.15;         ///< [m/s]
+  double default_turn = 0.5;           ///< [rad/s]
+  double max_speed = 0.5;              ///< [m/s]
+  double max_turn = 1.0;               ///< [rad/s]
+  double acceleration = 0.4;           ///< [m/s^2]
+  double deceleration = 0.6;           ///< of what the robot did before [m/s^2]
+  double turn_acceleration = 1.0;      ///< [rad/s^2]
+  double robot_radius = kRobotRadius;  ///< [m]
+  double stop_distance = 0.1;          ///< kept from obstacles in front [m]
+  double obstacle_patience = 3.0;      ///< waits this long for an obstacle to go [s]
+  double stall_time = 1.0;             ///< [s] ...
+  double stall_share = 0.2;            ///< ... with less than this share of the commanded way
 };
 
 class RelativeMotion {

@@ -10,20 +10,21 @@
 #include <optional>
 #include <vector>
 
+#include "robot_app/common/footprint.h"
 #include "robot_app/simulation/drive.h"
 #include "robot_app/simulation/floor.h"
 #include "robot_app/simulation/scene/ray_caster.h"
 
 namespace coppice::robot::simulation {
 
-inline constexpr double kRobotRadius = 0.33;  ///< m
-inline constexpr double kRobotMass = 150;     ///< kg
+inline constexpr double kRobotMass = 150;  ///< kg
 
 class Bodies {
  public:
-  /// Walls and furniture of the floor, and the robot at `start` (map frame). Doors, boxes and
+  /// Walls and furniture of the floor, and the robot, a disc of `radius` metres, at `start` (map
+  /// frame). Doors, boxes and
   /// people follow by the calls below.
-  Bodies(const Floor& floor, const Pose2& start);
+  Bodies(const Floor& floor, const Pose2& start, double radius = kRobotRadius);
   ~Bodies();
   Bodies(const Bodies&) = delete;
   Bodies& operator=(const Bodies&) = delete;

@@ -1,6 +1,7 @@
 #include "robot_app/simulation/faults.h"
 
 #include <algorithm>
+#include <array>
 #include <csignal>
 #include <cstdio>
 #include <sstream>
@@ -9,7 +10,11 @@
 namespace coppice::robot::simulation {
 namespace {
 
-constexpr double kMostHaste = 20;  // times the rate of a topic
+constexpr double kMostHaste = 20;      // times the rate of a topic
+constexpr double kMostLag = 10;        // s
+constexpr double kFastestWear = 3600;  // all rows within a second
+constexpr std::array<const char*, 3> kWithoutReadings = {"/scan", "/velodyne_points", "/imu/data"};
+constexpr std::array<const char*, 2> kCameras = {"front", "rear"};
 
 }  // namespace
 
@@ -34,7 +39,15 @@ const std::map<std::string, Faults::Kind>& Faults::Kinds() {
       {"silence_topic", {&Faults::Silence, "restore_topic"}},
       {"slow_topic", {&Faults::Slow, "restore_topic"}},
       {"fast_topic", {&Faults::Hasten, "restore_topic"}},
+      {"delay_topic", {&Faults::Delay, "restore_topic"}},
+      {"blind_topic", {&Faults::Blind, "restore_topic"}},
       {"restore_topic", {&Faults::Restore, "silence_topic"}},
+      {"lose_ring", {&Faults::LoseRing, "find_rings"}},
+      {"find_rings", {&Faults::FindRings, "lose_ring"}},
+      {"cover_lens", {&Faults::Cover, "uncover_lens"}},
+      {"uncover_lens", {&Faults::Uncover, "cover_lens"}},
+      {"wear_camera", {&Faults::Wear, "mend_camera"}},
+      {"mend_camera", {&Faults::Mend, "wear_camera"}},
   };
   return kinds;
 }
@@ -125,6 +138,7 @@ Change Faults::Hasten(const Fault& f) {
 Change Faults::Restore(const Fault& f) {
   if (const Outcome known = CheckTopic(f.target); !known) return Problem{known.problem()};
   rates_.erase(f.target);
+  sensors_.Restore(f.target);
   return f.target + " is published as it should be";
 }
 
@@ -136,6 +150,82 @@ int Faults::Copies(const std::string& topic) {
   const int copies = static_cast<int>(rate.due + 1e-9);  // ten times 0.3 is 3
   rate.due -= copies;
   return copies;
+}
+
+Change Faults::Delay(const Fault& f) {
+  if (const Outcome known = CheckTopic(f.target); !known) return Problem{known.problem()};
+  if (!(f.value > 0 && f.value <= kMostLag)) {
+    return Problem{"the lag of a topic is above 0, 10 s at most"};
+  }
+  sensors_.SetLag(f.target, f.value);
+  std::ostringstream message;
+  message << f.target << " comes " << f.value << " s late";
+  return message.str();
+}
+
+Change Faults::Blind(const Fault& f) {
+  const auto& topics = kWithoutReadings;
+  if (std::find(topics.begin(), topics.end(), f.target) == topics.end()) {
+    std::string list;
+    for (const char* topic : topics) list += std::string(list.empty() ? "" : ", ") + topic;
+    return Problem{"the readings of \"" + f.target + "\" cannot be taken away, only those of " +
+                   list};
+  }
+  sensors_.SetBlind(f.target);
+  return f.target + " has no readings";
+}
+
+Change Faults::LoseRing(const Fault& f) {
+  const int rings = world_.lidar_3d().options().rings;
+  const int ring = static_cast<int>(std::clamp(f.value, -1.0, double(rings)));
+  if (ring != f.value || ring < 0 || ring >= rings) {
+    return Problem{"the value is a ring of the 3-D lidar, 0 (the lowest) to " +
+                   std::to_string(rings - 1)};
+  }
+  sensors_.LoseRing(ring);
+  return "ring " + std::to_string(ring) + " of the 3-D lidar measures nothing";
+}
+
+Change Faults::FindRings(const Fault&) {
+  sensors_.FindRings();
+  return "all rings of the 3-D lidar measure";
+}
+
+Outcome Faults::CheckCamera(const std::string& camera) {
+  const std::vector<std::string> names(kCameras.begin(), kCameras.end());
+  if (std::find(names.begin(), names.end(), camera) != names.end()) return {};
+  const std::string hint = DidYouMean(camera, names);
+  return Problem{"there is no camera \"" + camera + "\"" +
+                 (hint.empty() ? "; the target is front or rear" : " (" + hint + ")")};
+}
+
+Change Faults::Cover(const Fault& f) {
+  if (const Outcome known = CheckCamera(f.target); !known) return Problem{known.problem()};
+  sensors_.SetCovered(f.target, true);
+  return "something hangs over the camera " + f.target;
+}
+
+Change Faults::Uncover(const Fault& f) {
+  if (const Outcome known = CheckCamera(f.target); !known) return Problem{known.problem()};
+  sensors_.SetCovered(f.target, false);
+  return "the camera " + f.target + " sees again";
+}
+
+Change Faults::Wear(const Fault& f) {
+  if (const Outcome known = CheckCamera(f.target); !known) return Problem{known.problem()};
+  if (!(f.value > 0 && f.value <= kFastestWear)) {
+    return Problem{
+        "the value is the share of its rows that is damaged more each hour, above 0, "
+        "3600 at most"};
+  }
+  sensors_.Wear(f.target, f.value, world_.time());
+  return "the data of the camera " + f.target + " is damaged more and more";
+}
+
+Change Faults::Mend(const Fault& f) {
+  if (const Outcome known = CheckCamera(f.target); !known) return Problem{known.problem()};
+  sensors_.Mend(f.target);
+  return "the data of the camera " + f.target + " comes undamaged";
 }
 
 Change Faults::FreezeBattery(const Fault&) {

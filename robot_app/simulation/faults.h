@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "robot_app/simulation/sensor_faults.h"
 #include "robot_app/simulation/world.h"
 
 namespace coppice::robot::simulation {
@@ -41,6 +42,9 @@ class Faults {
   /// while it is silent, now and then 0 while it is slow, more than 1 while it is fast. Call it
   /// once for each message that is due.
   int Copies(const std::string& topic);
+
+  /// What is wrong with the sensors themselves.
+  const SensorFaults& sensors() const { return sensors_; }
 
   /// The battery's measured values stand still, though its messages come.
   bool battery_frozen() const { return battery_frozen_; }
@@ -73,8 +77,17 @@ class Faults {
   Change Slow(const Fault& f);
   Change Hasten(const Fault& f);
   Change Restore(const Fault& f);
+  Change Delay(const Fault& f);
+  Change Blind(const Fault& f);
+  Change LoseRing(const Fault& f);
+  Change FindRings(const Fault& f);
+  Change Cover(const Fault& f);
+  Change Uncover(const Fault& f);
+  Change Wear(const Fault& f);
+  Change Mend(const Fault& f);
   Change SetRate(const std::string& topic, double factor);
   Outcome CheckTopic(const std::string& topic) const;
+  static Outcome CheckCamera(const std::string& camera);
 
   struct Rate {
     double factor;
@@ -88,6 +101,7 @@ class Faults {
   std::vector<std::string> topics_;
   SignalNode signal_node_;
   std::map<std::string, Rate> rates_;  // of topics that do not come as they should
+  SensorFaults sensors_;
   bool battery_frozen_ = false;
   std::vector<Healing> healings_;
 };

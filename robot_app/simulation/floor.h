@@ -40,6 +40,7 @@ struct Walker {
   double speed = 1;  ///< m/s
   std::vector<Vec2> path;
   double height = 1.75;  ///< m
+  bool mask = false;     ///< over mouth and nose
 };
 
 struct FloorWaypoint {

@@ -18,10 +18,8 @@ struct LidarOptions {
   double noise = 0.01;               ///< standard deviation of a range, m
   double period = 0.1;               ///< s
   Pose2 mounting{0.25, 0, 0};        ///< of the frame `laser` in base_link
+  double height = 0.3;               ///< above the floor, m; what ends below it is not seen
 };
-
-/// Things that end below this height, in metres, the lidar does not see.
-inline constexpr double kLidarHeight = 0.3;
 
 /// One turn. Beam i looks at angle_min + i * angle_step in the frame `laser`. A beam that meets
 /// nothing has the range infinity (REP-117).

@@ -56,19 +56,16 @@ void People::Step(double dt, const Disc& robot, const RayCaster& still) {
   for (std::size_t i = 0; i < discs_.size(); ++i) Walk(i, dt, robot, still);
 }
 
-std::vector<Figure> People::Figures() const {
-  std::vector<Figure> figures;
-  figures.reserve(discs_.size());
+std::vector<Stance> People::Stances() const {
+  std::vector<Stance> stances(discs_.size());
   for (std::size_t i = 0; i < discs_.size(); ++i) {
-    Stance stance;
-    stance.position = discs_[i].center;
-    stance.heading = states_[i].heading;
-    stance.walked = states_[i].walked;
-    stance.walks = states_[i].waited <= 0;
-    stance.height = walkers_[i].height;
-    figures.push_back(MakeFigure(stance));
+    stances[i].position = discs_[i].center;
+    stances[i].heading = states_[i].heading;
+    stances[i].walked = states_[i].walked;
+    stances[i].walks = states_[i].waited <= 0;
+    stances[i].height = walkers_[i].height;
   }
-  return figures;
+  return stances;
 }
 
 }  // namespace coppice::robot::simulation

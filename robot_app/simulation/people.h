@@ -27,8 +27,8 @@ class People {
 
   /// In the order of the floor.
   const std::vector<Disc>& discs() const { return discs_; }
-  /// How everybody looks to sensors at any height, in the same order.
-  std::vector<Figure> Figures() const;
+  /// How everybody stands or walks, in the same order.
+  std::vector<Stance> Stances() const;
 
  private:
   struct State {

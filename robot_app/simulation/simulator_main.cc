@@ -22,11 +22,12 @@
 #include <thread>
 
 #include "robot_app/common/ros_support.h"
-#include "robot_app/simulation/camera_node.h"
 #include "robot_app/simulation/cloud_message.h"
 #include "robot_app/simulation/faults.h"
-#include "robot_app/simulation/grid_map.h"
+#include "robot_app/simulation/late_messages.h"
 #include "robot_app/simulation/node_signals.h"
+#include "robot_app/simulation/robot_options.h"
+#include "robot_app/simulation/sensor_messages.h"
 
 namespace coppice::robot::simulation {
 namespace {
@@ -38,40 +39,14 @@ constexpr char kHelp[] =
     "              /emergency_stop (std_msgs/Bool, true while pressed)\n"
     "              /simulation/truth (for evaluation only)\n"
     "              /velodyne_points (the 3-D lidar, while somebody subscribes)\n"
-    "              /camera/front/image/compressed, /camera/rear/image/compressed (while watched)\n"
+    "              /simulation/world (for coppice-simulated-cameras and evaluation, the same)\n"
     "  service     /simulation/inject_fault (coppice_msgs/InjectFault: breaks things)\n";
 
+constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 constexpr double kStep = 0.02;       // s of simulated time
 constexpr double kStartTime = 1000;  // s; so that "ten seconds ago" exists for everybody
 constexpr char kInstitute[] = "institute";
-
-geometry_msgs::Quaternion ToQuaternion(double yaw) {
-  geometry_msgs::Quaternion q;
-  q.z = std::sin(yaw / 2);
-  q.w = std::cos(yaw / 2);
-  return q;
-}
-
-geometry_msgs::Pose ToPose(const Pose2& pose) {
-  geometry_msgs::Pose message;
-  message.position.x = pose.x;
-  message.position.y = pose.y;
-  message.orientation = ToQuaternion(pose.yaw);
-  return message;
-}
-
-geometry_msgs::TransformStamped ToTransform(ros::Time stamp, const char* parent, const char* child,
-                                            const Pose2& pose, double z = 0) {
-  geometry_msgs::TransformStamped message;
-  message.header.stamp = stamp;
-  message.header.frame_id = parent;
-  message.child_frame_id = child;
-  message.transform.translation.x = pose.x;
-  message.transform.translation.y = pose.y;
-  message.transform.translation.z = z;
-  message.transform.rotation = ToQuaternion(pose.yaw);
-  return message;
-}
+constexpr char kSobi[] = "sobi";
 
 // In whole microseconds: the world's time is a sum of steps, and 0.8 s should not read 0.799999999.
 ros::Time ToRosTime(double time) {
@@ -82,18 +57,21 @@ ros::Time ToRosTime(double time) {
 
 struct Settings {
   std::string floor_file = kInstitute;
+  std::string robot_file = kSobi;
   std::optional<Pose2D> start;
   double speed = 1;
   bool localization = true;
   bool odometry_tf = true;
   WorldOptions world;
   Floor floor;
+  RobotDescription robot;
 };
 
 Parameters ParametersOf(Settings& settings) {
   WorldOptions& world = settings.world;
   return {
       {"floor", &settings.floor_file, "description of the floor, a YAML file"},
+      {"robot", &settings.robot_file, "description of the robot, a URDF file"},
       {"seed", &world.seed, 0, 1e9, "of the sensors' noise"},
       {"speed", &settings.speed, 0, 1000, "times real time; 0: as fast as possible"},
       {"start", &settings.start, "\"X Y YAW\" on the map; none: docked"},
@@ -101,6 +79,15 @@ Parameters ParametersOf(Settings& settings) {
       {"localization", &settings.localization, "publishes map -> odom"},
       {"odometry_tf", &settings.odometry_tf, "publishes odom -> base_link"},
   };
+}
+
+// The same without the points of some rings.
+template <typename IsLost>
+Cloud Without(Cloud cloud, IsLost is_lost) {
+  for (CloudPoint& point : cloud.points) {
+    if (is_lost(point.ring)) point.x = point.y = point.z = kNaN;
+  }
+  return cloud;
 }
 
 // Says once for each `period` of simulated time that something is due.
@@ -126,13 +113,13 @@ class SimulatorNode {
         node_signals_(ros::master::getURI(), ros::this_node::getName(), ros::network::getHost()),
         faults_(world_,
                 {"/odom", "/scan", "/velodyne_points", "/imu/data", "/battery_state",
-                 "/emergency_stop", "/tf", "/simulation/truth"},
+                 "/emergency_stop", "/tf", "/simulation/truth", "/camera/front", "/camera/rear"},
                 [this](const std::string& node, int signal) {
                   return node_signals_.Send(node, signal);
                 }) {
     Advertise();
     PublishMap();
-    PublishMounting();
+    tf_static_.publish(ToMessage(settings_.robot, ToRosTime(0)));
   }
 
   void Run() {
@@ -163,6 +150,7 @@ class SimulatorNode {
     tf_static_ = node_.advertise<tf2_msgs::TFMessage>("/tf_static", 1, true);
     stop_ = node_.advertise<std_msgs::Bool>("/emergency_stop", 5, true);
     truth_ = node_.advertise<geometry_msgs::PoseStamped>("/simulation/truth", 5);
+    state_ = node_.advertise<coppice_msgs::SimulatedWorld>("/simulation/world", 1);
     command_subscriber_ = node_.subscribe<geometry_msgs::Twist>(
         "/cmd_vel", 1, [this](const geometry_msgs::Twist::ConstPtr& twist) {
           command_ = Velocity{twist->linear.x, twist->angular.z};
@@ -199,13 +187,20 @@ class SimulatorNode {
     if (battery_due_.Due(world_.time())) PublishBattery();
     PublishEmergencyStop();
     if (truth_due_.Due(world_.time())) PublishTruth();
-    cameras_.Publish(world_, stamp_);
+    if (state_due_.Due(world_.time())) PublishState();
+    late_.Send(world_.time());
   }
 
   template <typename Message>
   void Publish(const ros::Publisher& publisher, const Message& message) {
-    for (int copies = faults_.Copies(publisher.getTopic()); copies > 0; --copies) {
-      publisher.publish(message);
+    const std::string topic = publisher.getTopic();
+    for (int copies = faults_.Copies(topic); copies > 0; --copies) {
+      const double lag = faults_.sensors().Lag(topic);
+      if (lag > 0) {
+        late_.Add(world_.time() + lag, publisher, message);
+      } else {
+        publisher.publish(message);
+      }
     }
   }
 
@@ -213,13 +208,8 @@ class SimulatorNode {
     const Odometry& odometry = world_.odometry();
     if (odometry.time() == odometry_time_) return;
     odometry_time_ = odometry.time();
-    nav_msgs::Odometry odom;
+    nav_msgs::Odometry odom = ToMessage(odometry);
     odom.header.stamp = stamp_;
-    odom.header.frame_id = "odom";
-    odom.child_frame_id = "base_link";
-    odom.pose.pose = ToPose(odometry.pose());
-    odom.twist.twist.linear.x = odometry.velocity().linear;
-    odom.twist.twist.angular.z = odometry.velocity().angular;
     Publish(odom_, odom);
     tf2_msgs::TFMessage tf;
     if (settings_.odometry_tf) {
@@ -235,17 +225,11 @@ class SimulatorNode {
     const Scan& scan = world_.scan();
     if (scan.time == scan_time_) return;
     scan_time_ = scan.time;
-    const LidarOptions& lidar = world_.lidar().options();
-    sensor_msgs::LaserScan message;
+    sensor_msgs::LaserScan message = ToMessage(scan, world_.lidar().options());
     message.header.stamp = stamp_;
-    message.header.frame_id = "laser";
-    message.angle_min = static_cast<float>(scan.angle_min);
-    message.angle_max = static_cast<float>(-scan.angle_min);
-    message.angle_increment = static_cast<float>(scan.angle_step);
-    message.scan_time = static_cast<float>(lidar.period);
-    message.range_min = static_cast<float>(lidar.min_range);
-    message.range_max = static_cast<float>(lidar.max_range);
-    message.ranges = scan.ranges;
+    if (faults_.sensors().IsBlind("/scan")) {
+      std::fill(message.ranges.begin(), message.ranges.end(), kNaN);
+    }
     Publish(scan_, message);
   }
 
@@ -263,51 +247,33 @@ class SimulatorNode {
     if (cloud.points.empty() || cloud.time == cloud_time_) return;
     cloud_time_ = cloud.time;
     lidar_rests_until_ = std::chrono::steady_clock::now() + LidarRest();
-    sensor_msgs::PointCloud2 message = ToMessage(cloud, world_.lidar_3d().options().rings);
+    const int rings = world_.lidar_3d().options().rings;
+    sensor_msgs::PointCloud2 message =
+        faults_.sensors().IsBlind("/velodyne_points")
+            ? ToMessage(Without(cloud, [](int) { return true; }), rings)
+            : ToMessage(Without(cloud,
+                                [this](int ring) {
+                                  return faults_.sensors().lost_rings().count(ring) > 0;
+                                }),
+                        rings);
     message.header.stamp = ToRosTime(cloud.time);
     message.header.frame_id = "velodyne";
     Publish(cloud_, message);
   }
 
   void PublishImu() {
-    const ImuReading& reading = world_.imu();
-    sensor_msgs::Imu message;
+    sensor_msgs::Imu message = ToMessage(world_.imu());
     message.header.stamp = stamp_;
-    message.header.frame_id = "base_link";
-    message.orientation_covariance[0] = -1;  // not measured
-    message.angular_velocity.z = reading.yaw_rate;
-    message.linear_acceleration.x = reading.acceleration_x;
-    message.linear_acceleration.y = reading.acceleration_y;
-    message.linear_acceleration.z = reading.acceleration_z;
-    for (int i = 0; i < 9; i += 4) {
-      message.angular_velocity_covariance[i] = Imu::kYawRateNoise * Imu::kYawRateNoise;
-      message.linear_acceleration_covariance[i] = Imu::kAccelerationNoise * Imu::kAccelerationNoise;
+    if (faults_.sensors().IsBlind("/imu/data")) {
+      message.angular_velocity.z = kNaN;
+      message.linear_acceleration.x = message.linear_acceleration.y = kNaN;
+      message.linear_acceleration.z = kNaN;
     }
     Publish(imu_, message);
   }
 
-  sensor_msgs::BatteryState MeasureBattery() const {
-    using State = sensor_msgs::BatteryState;
-    const Battery& battery = world_.battery();
-    State message;
-    message.voltage = static_cast<float>(battery.voltage());
-    message.temperature = std::numeric_limits<float>::quiet_NaN();
-    message.current = static_cast<float>(battery.current());
-    message.charge = static_cast<float>(battery.charge());
-    message.capacity = static_cast<float>(battery.capacity());
-    message.design_capacity = message.capacity;
-    message.percentage = static_cast<float>(battery.state_of_charge());
-    message.power_supply_status = battery.charging() ? State::POWER_SUPPLY_STATUS_CHARGING
-                                  : !world_.docked() ? State::POWER_SUPPLY_STATUS_DISCHARGING
-                                  : battery.full()   ? State::POWER_SUPPLY_STATUS_FULL
-                                                     : State::POWER_SUPPLY_STATUS_NOT_CHARGING;
-    message.power_supply_health = State::POWER_SUPPLY_HEALTH_GOOD;
-    message.present = 1;
-    return message;
-  }
-
   void PublishBattery() {
-    if (!faults_.battery_frozen()) battery_state_ = MeasureBattery();
+    if (!faults_.battery_frozen()) battery_state_ = ToMessage(world_.battery(), world_.docked());
     battery_state_.header.stamp = stamp_;
     Publish(battery_, battery_state_);
   }
@@ -324,32 +290,33 @@ class SimulatorNode {
     geometry_msgs::PoseStamped message;
     message.header.stamp = stamp_;
     message.header.frame_id = "map";
-    message.pose = ToPose(world_.robot());
+    message.pose = ToPoseMessage(world_.robot());
     Publish(truth_, message);
   }
 
   void PublishMap() {
-    const GridMap map = MakeGridMap(settings_.floor);
-    nav_msgs::OccupancyGrid message;
+    nav_msgs::OccupancyGrid message = ToMessage(MakeGridMap(settings_.floor));
     message.header.stamp = ToRosTime(0);
-    message.header.frame_id = "map";
     message.info.map_load_time = message.header.stamp;
-    message.info.resolution = static_cast<float>(map.resolution);
-    message.info.width = map.width;
-    message.info.height = map.height;
-    message.info.origin = ToPose({map.origin.x, map.origin.y, 0});
-    message.data = map.cells;
     map_.publish(message);
   }
 
-  void PublishMounting() {
-    tf2_msgs::TFMessage message;
-    message.transforms.push_back(ToTransform(ToRosTime(0), "base_link", "laser",
-                                             world_.lidar().options().mounting, kLidarHeight));
-    const Lidar3dOptions& lidar_3d = world_.lidar_3d().options();
-    message.transforms.push_back(
-        ToTransform(ToRosTime(0), "base_link", "velodyne", lidar_3d.mounting, lidar_3d.height));
-    tf_static_.publish(message);
+  void PublishState() {
+    if (state_.getNumSubscribers() == 0) return;
+    coppice_msgs::SimulatedWorld message = ToMessage(world_);
+    message.header.stamp = stamp_;
+    for (const char* const name : {"front", "rear"}) {
+      const CameraFault fault = faults_.sensors().Of(name, world_.time());
+      const std::string topic = std::string("/camera/") + name;
+      coppice_msgs::SimulatedCamera camera;
+      camera.name = name;
+      camera.is_covered = fault.is_covered;
+      camera.broken = fault.broken;
+      camera.lag = faults_.sensors().Lag(topic);
+      camera.copies = static_cast<std::uint8_t>(faults_.Copies(topic));
+      message.cameras.push_back(camera);
+    }
+    state_.publish(message);
   }
 
   Settings settings_;
@@ -357,8 +324,9 @@ class SimulatorNode {
   NodeSignals node_signals_;
   Faults faults_;
   ros::NodeHandle node_;
-  CameraNode cameras_{node_};
-  ros::Publisher clock_, odom_, scan_, cloud_, imu_, battery_, map_, tf_, tf_static_, stop_, truth_;
+  LateMessages late_;
+  ros::Publisher clock_, odom_, scan_, cloud_, imu_, battery_, map_, tf_, tf_static_, stop_, truth_,
+      state_;
   ros::Subscriber command_subscriber_;
   ros::ServiceServer fault_service_;
   std::optional<Velocity> command_;
@@ -373,9 +341,16 @@ class SimulatorNode {
   Every battery_due_{0.5};
   Every stop_due_{0.5};
   Every truth_due_{0.2};
+  Every state_due_{0.1};
 };
 
-// What follows from the parameters. False, having said why, if the floor cannot be read.
+bool Refuse(const std::string& problem) {
+  std::fprintf(stderr, "coppice-simulator: %s\n", problem.c_str());
+  return false;
+}
+
+// What follows from the parameters. False, having said why, if the floor or the robot cannot be
+// read.
 bool Derive(Settings& settings) {
   if (settings.start) {
     settings.world.start = Pose2{settings.start->x, settings.start->y, settings.start->yaw};
@@ -383,12 +358,15 @@ bool Derive(Settings& settings) {
   const bool is_shipped = settings.floor_file == kInstitute;
   Diagnostics diagnostics;
   const auto floor = LoadFloor(is_shipped ? COPPICE_FLOOR : settings.floor_file, diagnostics);
-  if (floor) {
-    settings.floor = *floor;
-  } else {
-    std::fprintf(stderr, "coppice-simulator: %s\n", ToString(diagnostics.all().front()).c_str());
-  }
-  return floor.has_value();
+  if (!floor) return Refuse(ToString(diagnostics.all().front()));
+  settings.floor = *floor;
+  const bool is_sobi = settings.robot_file == kSobi;
+  Expected<RobotDescription> robot =
+      RobotDescription::Load(is_sobi ? COPPICE_ROBOT : settings.robot_file);
+  if (!robot) return Refuse(robot.problem());
+  settings.robot = *std::move(robot);
+  const Outcome applied = Apply(settings.robot, settings.world);
+  return applied.ok() || Refuse(settings.robot_file + ": " + applied.problem());
 }
 
 }  // namespace
@@ -404,6 +382,7 @@ int main(int argc, char** argv) {
   }
   if (!Derive(settings)) return 2;
   ros::param::set("/use_sim_time", true);
+  ros::param::set("/robot_description", settings.robot.text());
   robot::simulation::SimulatorNode(settings).Run();
   ros::shutdown();
   return 0;

@@ -53,8 +53,9 @@ std::vector<Segment> EdgesFrom(double height, const StillScene& still) {
 
 World::World(const Floor& floor, const WorldOptions& options)
     : floor_(floor),
+      radius_(options.radius),
       place_blocked_(floor.places.size(), false),
-      bodies_(floor, options.start.value_or(floor.docked)),
+      bodies_(floor, options.start.value_or(floor.docked), options.radius),
       people_(floor.people),
       drive_(options.drive),
       battery_(options.battery, options.state_of_charge),
@@ -75,7 +76,7 @@ void World::Step(double dt, const std::optional<Velocity>& command) {
   MovePeople(dt);
   MoveRobot(dt);
   if (lidar_3d_on_) {
-    scene_.SetFigures(people_.Figures());
+    scene_.SetFigures(MakeFigures(people_.Stances()));
     lidar_3d_.Turn(time_, dt, robot(), scene_);
   }
   time_ += dt;
@@ -99,7 +100,7 @@ void World::MoveRobot(double dt) {
   const Pose2 pose = robot();
   const double reach = drive_.ProtectiveField(drive_.options().max_linear) + 0.1;
   const double gap =
-      FrontGap(pose, lidar_.options().mounting, kRobotRadius, reach, visible_, people_.discs());
+      FrontGap(pose, lidar_.options().mounting, radius_, reach, visible_, people_.discs());
   const bool powered = !battery_.empty() && !emergency_stop_;
   const Velocity wanted = drive_.Next(time_, dt, before, gap, powered);
   bodies_.Step(dt, wanted);
@@ -134,31 +135,9 @@ bool World::docked() const {
 
 Pose2 World::OdomInMap() const { return Compose(robot(), Inverse(odometry_.pose())); }
 
-StillScene World::MakeStillScene() const {
-  StillScene still;
-  still.ceiling = floor_.wall_height;
-  for (const auto& wall : floor_.walls) {
-    for (std::size_t i = 1; i < wall.size(); ++i) {
-      still.panels.push_back({{wall[i - 1], wall[i]}, floor_.wall_height, Material::kWall});
-    }
-  }
-  for (const FloorBox& box : floor_.furniture) {
-    still.AddBox(box.shape, box.height, Material::kFurniture);
-  }
-  for (std::size_t i = 0; i < floor_.places.size(); ++i) {
-    const FloorBox& box = floor_.places[i];
-    if (place_blocked_[i]) still.AddBox(box.shape, box.height, Material::kCardboard);
-  }
-  for (std::size_t i = 0; i < floor_.doors.size(); ++i) {
-    const auto leaf = DoorLeaf(floor_.doors[i], door_open_[i]);
-    if (leaf) still.panels.push_back({*leaf, floor_.wall_height, Material::kDoor});
-  }
-  return still;
-}
-
 void World::Rebuild() {
-  scene_ = Scene(MakeStillScene());
-  visible_ = RayCaster(EdgesFrom(kLidarHeight, still()));
+  scene_ = Scene(MakeStillScene(floor_, door_open_, place_blocked_));
+  visible_ = RayCaster(EdgesFrom(lidar_.options().height, still()));
   solid_ = RayCaster(EdgesFrom(0, still()));
 }
 
@@ -166,7 +145,7 @@ void World::Rebuild() {
 // it.
 template <typename DistanceTo>
 std::string World::WhoStandsNear(DistanceTo distance) const {
-  if (distance(robot().position()) < kRobotRadius + kClearance) return "the robot";
+  if (distance(robot().position()) < radius_ + kClearance) return "the robot";
   for (std::size_t i = 0; i < people().size(); ++i) {
     if (distance(people()[i].center) < kPersonRadius + kClearance) return floor_.people[i].name;
   }
@@ -219,13 +198,13 @@ bool World::CanStandAt(Vec2 point) const {
     if (solid_.Cast(point, Direction(angle), kLargestFloor) >= kLargestFloor) return false;
   }
   for (const Segment& segment : solid_.segments()) {
-    if (Distance(point, segment) < kRobotRadius) return false;
+    if (Distance(point, segment) < radius_) return false;
   }
   for (const FloorBox& box : floor_.furniture) {
     if (Distance(point, box.shape) <= 0) return false;
   }
   for (const Disc& person : people()) {
-    if (Length(point - person.center) < kRobotRadius + person.radius) return false;
+    if (Length(point - person.center) < radius_ + person.radius) return false;
   }
   return true;
 }

@@ -17,6 +17,7 @@
 #include "robot_app/simulation/bodies.h"
 #include "robot_app/simulation/drive.h"
 #include "robot_app/simulation/floor.h"
+#include "robot_app/simulation/floor_scene.h"
 #include "robot_app/simulation/lidar.h"
 #include "robot_app/simulation/lidar_3d.h"
 #include "robot_app/simulation/odometry.h"
@@ -25,9 +26,10 @@
 namespace coppice::robot::simulation {
 
 struct WorldOptions {
-  std::uint64_t seed = 1;      ///< of all noise
-  std::optional<Pose2> start;  ///< of base_link in the map frame; absent: docked
-  double state_of_charge = 1;  ///< of the battery, 0..1
+  std::uint64_t seed = 1;        ///< of all noise
+  std::optional<Pose2> start;    ///< of base_link in the map frame; absent: docked
+  double state_of_charge = 1;    ///< of the battery, 0..1
+  double radius = kRobotRadius;  ///< of the robot on the floor, m
   LidarOptions lidar;
   Lidar3dOptions lidar_3d;
   DriveOptions drive;
@@ -57,9 +59,13 @@ class World {
   bool emergency_stop() const { return emergency_stop_; }
   bool protective_stop() const { return drive_.protective_stop(); }
   const std::vector<Disc>& people() const { return people_.discs(); }
+  /// How everybody stands or walks, in the floor's order.
+  std::vector<Stance> stances() const { return people_.Stances(); }
   const Floor& floor() const { return floor_; }
-  bool door_open(std::size_t i) const { return door_open_[i]; }          ///< in the floor's order
-  bool place_blocked(std::size_t i) const { return place_blocked_[i]; }  ///< in the floor's order
+  const std::vector<bool>& door_open() const { return door_open_; }  ///< in the floor's order
+  const std::vector<bool>& place_blocked() const {
+    return place_blocked_;
+  }  ///< in the floor's order
   /// What stands still now: walls, furniture, the boxes of blocked places, door leaves.
   const StillScene& still() const { return scene_.still(); }
 
@@ -95,14 +101,14 @@ class World {
   void MoveRobot(double dt);
   void ReadSensors();
   void Rebuild();
-  StillScene MakeStillScene() const;
   Pose2 station() const;
   bool CanStandAt(Vec2 point) const;
   template <typename DistanceTo>
   std::string WhoStandsNear(DistanceTo distance) const;
-  Disc robot_disc() const { return {robot().position(), kRobotRadius}; }
+  Disc robot_disc() const { return {robot().position(), radius_}; }
 
   Floor floor_;
+  double radius_;  // of the robot
   double time_ = 0;
   std::vector<bool> door_open_;
   std::vector<bool> place_blocked_;

@@ -4,16 +4,17 @@
 
 #include <vector>
 
+#include "robot_app/common/footprint.h"
 #include "robot_app/common/pose2d.h"
 
 namespace coppice::robot::teleoperation {
 
 struct GuardSettings {
-  double robot_radius = 0.33;    ///< [m]
-  double stop_distance = 0.35;   ///< kept from the edge of the robot to obstacles [m]
-  double deceleration = 0.4;     ///< that the robot brakes with [m/s^2]
-  double most_backwards = 0.15;  ///< where the laser does not look [m/s]
-  double look_ahead = 2.0;       ///< along the way [m]
+  double robot_radius = kRobotRadius;  ///< [m]
+  double stop_distance = 0.35;         ///< kept from the edge of the robot to obstacles [m]
+  double deceleration = 0.4;           ///< that the robot brakes with [m/s^2]
+  double most_backwards = 0.15;        ///< where the laser does not look [m/s]
+  double look_ahead = 2.0;             ///< along the way [m]
 };
 
 /// How far a round robot can drive along the arc of `command` until its edge touches one of

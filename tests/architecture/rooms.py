@@ -59,10 +59,10 @@ FLOORS = {
         {"bt_nodes": "all leaves in a `Registry`"},
     ],
     "robot_app": [
-        {"robot_app/common": "what several capabilities share: poses, grids, scans, YAML fields, "
-                             "nodes of ROS"},
-        {"robot_app/simulation": "the simulated floor and robot with cameras and faults, and their "
-                                 "ROS node",
+        {"robot_app/common": "what several capabilities share: poses, grids, scans, pictures, "
+                             "YAML fields, the robot's description, nodes of ROS"},
+        {"robot_app/simulation": "the simulated floor and robot with all sensors and faults, and "
+                                 "their ROS nodes ([robot](robot.md))",
          "robot_app/localization": "odometry filter (EKF) and Monte Carlo localization "
                                    "([localization](localization.md))",
          "robot_app/mapping": "making a map while a person drives, maps in files, the map server "

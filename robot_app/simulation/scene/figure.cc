@@ -13,7 +13,6 @@ constexpr double kArmRadius = 0.05;
 constexpr double kHeadRadius = 0.1;
 constexpr double kLegAside = 0.1;
 constexpr double kArmAside = 0.22;
-constexpr double kStride = 1.4;     // m for two steps
 constexpr double kLegSwing = 0.22;  // m to the front and back
 constexpr double kArmSwing = 0.15;
 constexpr double kReach = 0.4;  // of a leg or arm, with its thickness
@@ -35,6 +34,13 @@ Figure MakeFigure(const Stance& stance) {
             {at(-swing * kArmSwing, kArmAside, kArmRadius), kHand * h, kShoulder * h, c},
             {at(swing * kArmSwing, -kArmAside, kArmRadius), kHand * h, kShoulder * h, c},
             {at(0, 0, kHeadRadius), kShoulder * h, h, kSkin}}}};
+}
+
+std::vector<Figure> MakeFigures(const std::vector<Stance>& stances) {
+  std::vector<Figure> figures;
+  figures.reserve(stances.size());
+  for (const Stance& stance : stances) figures.push_back(MakeFigure(stance));
+  return figures;
 }
 
 }  // namespace coppice::robot::simulation

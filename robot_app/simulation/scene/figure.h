@@ -4,10 +4,14 @@
 #define COPPICE_ROBOT_APP_SIMULATION_SCENE_FIGURE_H_
 
 #include <array>
+#include <vector>
 
 #include "robot_app/simulation/scene/ray_caster.h"
 
 namespace coppice::robot::simulation {
+
+/// Length of the way in which both legs do a step [m].
+inline constexpr double kStride = 1.4;
 
 /// Round, from a height up to another one.
 struct Pillar {
@@ -33,6 +37,7 @@ struct Stance {
 };
 
 Figure MakeFigure(const Stance& stance);
+std::vector<Figure> MakeFigures(const std::vector<Stance>& stances);
 
 }  // namespace coppice::robot::simulation
 

@@ -64,6 +64,8 @@ class Scene {
   explicit Scene(StillScene still = {});
 
   const StillScene& still() const { return still_; }
+  /// Of its panels, in their order.
+  const RayCaster& edges() const { return edges_; }
 
   /// Puts the figures where they are now; those of before are gone.
   void SetFigures(std::vector<Figure> figures) { figures_ = std::move(figures); }
@@ -85,7 +87,7 @@ class Scene {
                  const std::vector<double>& slopes, double range, std::vector<Hit>& hits) const;
 
   StillScene still_;
-  RayCaster edges_;  // of the panels, in their order
+  RayCaster edges_;
   std::vector<Figure> figures_;
 };
 

@@ -30,6 +30,7 @@ class Story : public testing::Test {
  protected:
   Story() {
     Start("coppice-simulator", {"_start:=8 -0.3 0", "_speed:=1"});
+    Start("coppice-simulated-cameras", {});
     Start("coppice-velocity-mux", {});
     std::ofstream(folder_ + "supervisors.yaml") << Config();
     Start("coppice-assistance", {"--config", folder_ + "supervisors.yaml", "--live-port", "0"});
@@ -48,8 +49,8 @@ class Story : public testing::Test {
            "  port: " +
            std::to_string(processes::FreePort()) +
            "\n"
-           "  cameras: [{name: front, topic: /camera/front/image/compressed},\n"
-           "            {name: rear, topic: /camera/rear/image/compressed}]\n";
+           "  cameras: [{name: front, topic: /camera/front/color/image_raw/compressed},\n"
+           "            {name: rear, topic: /camera/rear/color/image_raw/compressed}]\n";
   }
 
   void Start(const std::string& program, std::vector<std::string> arguments) {

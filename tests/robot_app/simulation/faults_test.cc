@@ -37,7 +37,7 @@ class FaultsTest : public testing::Test {
 
   bool Blocked(const std::string& place) const {
     for (std::size_t i = 0; i < world_.floor().places.size(); ++i) {
-      if (world_.floor().places[i].name == place) return world_.place_blocked(i);
+      if (world_.floor().places[i].name == place) return world_.place_blocked()[i];
     }
     ADD_FAILURE() << place;
     return false;
@@ -74,9 +74,9 @@ TEST_F(FaultsTest, ANewRequestReplacesWhatWasToHealTheOldOne) {
 
 TEST_F(FaultsTest, DoorsCloseForAWhile) {
   EXPECT_TRUE(faults_.Inject({"close_door", "door_101", 0, 1}));
-  EXPECT_FALSE(world_.door_open(0));
+  EXPECT_FALSE(world_.door_open()[0]);
   Pass(1.1);
-  EXPECT_TRUE(world_.door_open(0));
+  EXPECT_TRUE(world_.door_open()[0]);
 }
 
 TEST_F(FaultsTest, SetsTheBattery) {
@@ -123,6 +123,41 @@ TEST_F(FaultsTest, RefusesFactorsThatMakeNoSense) {
   EXPECT_FALSE(faults_.Inject({"fast_topic", "/scan", 1e9, 0}));
   EXPECT_FALSE(faults_.Inject({"fast_topic", "/scan", std::nan(""), 0}));
   EXPECT_EQ(CopiesOfTen("/scan"), 10);
+}
+
+TEST_F(FaultsTest, ATopicLagsAndGoesBlindUntilItIsRestored) {
+  EXPECT_TRUE(faults_.Inject({"delay_topic", "/scan", 0.5, 0}));
+  EXPECT_TRUE(faults_.Inject({"blind_topic", "/scan", 0, 0}));
+  EXPECT_EQ(faults_.sensors().Lag("/scan"), 0.5);
+  EXPECT_TRUE(faults_.sensors().IsBlind("/scan"));
+  EXPECT_TRUE(faults_.Inject({"restore_topic", "/scan", 0, 0}));
+  EXPECT_EQ(faults_.sensors().Lag("/scan"), 0);
+  EXPECT_FALSE(faults_.sensors().IsBlind("/scan"));
+  EXPECT_FALSE(faults_.Inject({"delay_topic", "/scan", 11, 0}));
+  EXPECT_FALSE(faults_.Inject({"blind_topic", "/odom", 0, 0}));
+}
+
+TEST_F(FaultsTest, ARingIsLostForAWhile) {
+  EXPECT_TRUE(faults_.Inject({"lose_ring", "", 3, 1}));
+  EXPECT_EQ(faults_.sensors().lost_rings(), std::set<int>{3});
+  Pass(1.1);
+  EXPECT_TRUE(faults_.sensors().lost_rings().empty());
+  EXPECT_FALSE(faults_.Inject({"lose_ring", "", 16, 0}));
+  EXPECT_FALSE(faults_.Inject({"lose_ring", "", 2.5, 0}));
+}
+
+TEST_F(FaultsTest, ACameraIsCoveredAndItsDataIsDamagedMoreAndMore) {
+  EXPECT_TRUE(faults_.Inject({"cover_lens", "front", 0, 0}));
+  EXPECT_TRUE(faults_.sensors().Of("front", world_.time()).is_covered);
+  EXPECT_FALSE(faults_.sensors().Of("rear", world_.time()).is_covered);
+  EXPECT_TRUE(faults_.Inject({"uncover_lens", "front", 0, 0}));
+  EXPECT_FALSE(faults_.sensors().Of("front", world_.time()).is_covered);
+  EXPECT_TRUE(faults_.Inject({"wear_camera", "rear", 0.1, 0}));
+  EXPECT_NEAR(faults_.sensors().Of("rear", world_.time() + 1800).broken, 0.05, 1e-9);
+  EXPECT_EQ(faults_.sensors().Of("rear", world_.time() + 1e6).broken, 1);
+  EXPECT_TRUE(faults_.Inject({"mend_camera", "rear", 0, 0}));
+  EXPECT_EQ(faults_.sensors().Of("rear", world_.time() + 1e6).broken, 0);
+  EXPECT_FALSE(faults_.Inject({"cover_lens", "top", 0, 0}));
 }
 
 TEST_F(FaultsTest, FreezesTheBatteryForAWhile) {

@@ -6,6 +6,8 @@
 #include <nav_msgs/Odometry.h>
 #include <rosgraph_msgs/Clock.h>
 #include <sensor_msgs/BatteryState.h>
+#include <sensor_msgs/CameraInfo.h>
+#include <sensor_msgs/CompressedImage.h>
 #include <sensor_msgs/Imu.h>
 #include <sensor_msgs/LaserScan.h>
 #include <sensor_msgs/PointCloud2.h>
@@ -13,9 +15,12 @@
 #include <std_msgs/Bool.h>
 #include <tf2_msgs/TFMessage.h>
 
+#include <algorithm>
+#include <cmath>
 #include <mutex>
 
 #include "robot_app/common/child_process.h"
+#include "robot_app/common/compressed_picture.h"
 #include "tests/robot_app/eventually.h"
 #include "tests/robot_app/ros_environment.h"
 #include "tests/robot_app/text_of.h"
@@ -189,8 +194,12 @@ TEST_F(SimulatorNodeTest, SendsCloudsOfTheWallsAroundItToWhoSubscribes) {
   }
   EXPECT_EQ(wrong_rings, 0);
   EXPECT_GT(walls, 3000);
-  EXPECT_EQ(tf_static.get().transforms.at(1).child_frame_id, "velodyne");
-  EXPECT_EQ(tf_static.get().transforms.at(1).transform.translation.z, 1.2);
+  const auto frames = tf_static.get().transforms;
+  const auto velodyne = std::find_if(frames.begin(), frames.end(), [](const auto& frame) {
+    return frame.child_frame_id == "velodyne";
+  });
+  ASSERT_NE(velodyne, frames.end());
+  EXPECT_EQ(velodyne->transform.translation.z, 1.2);
 }
 
 TEST_F(SimulatorNodeTest, TheThreeDLidarLeavesTurnsOutWhereTimeRunsFast) {
@@ -238,6 +247,75 @@ TEST_F(SimulatorNodeTest, TopicsComeTooFastOrTooSlowlyAndTheBatteryFreezesOnRequ
   EXPECT_TRUE(Eventually([&] { return stop.count() > 0 && !stop.get().data; }));
   EXPECT_TRUE(Inject("emergency_stop", "").ok);
   EXPECT_TRUE(Eventually([&] { return stop.get().data != 0; }));
+}
+
+TEST_F(SimulatorNodeTest, SensorsGoBlindLagAndLoseARingOnRequest) {
+  ChildProcess simulator({kSimulator, "_speed:=2", "_start:=20 0 0"}, Log("ill"));
+  Latest<rosgraph_msgs::Clock> clock(node_, "/clock");
+  Latest<sensor_msgs::LaserScan> scan(node_, "/scan");
+  Latest<sensor_msgs::PointCloud2> clouds(node_, "/velodyne_points");
+  ASSERT_TRUE(Eventually([&] { return scan.count() > 0 && clouds.count() > 0; }, 15))
+      << TextOf(Log("ill"));
+
+  EXPECT_TRUE(Inject("blind_topic", "/scan").ok);
+  EXPECT_TRUE(Eventually([&] { return std::isnan(scan.get().ranges.at(270)); }));
+  EXPECT_TRUE(Inject("restore_topic", "/scan").ok);
+  EXPECT_TRUE(Eventually([&] { return !std::isnan(scan.get().ranges.at(270)); }));
+
+  EXPECT_TRUE(Inject("delay_topic", "/scan", 2).ok);
+  EXPECT_TRUE(Eventually([&] {
+    const sensor_msgs::LaserScan newest = scan.get();
+    return (clock.get().clock - newest.header.stamp).toSec() > 1.9;
+  }));
+  EXPECT_TRUE(Inject("restore_topic", "/scan").ok);
+
+  const auto measured = [&](int wanted) {
+    const sensor_msgs::PointCloud2 cloud = clouds.get();
+    sensor_msgs::PointCloud2ConstIterator<float> x(cloud, "x");
+    sensor_msgs::PointCloud2ConstIterator<std::uint16_t> ring(cloud, "ring");
+    int count = 0;
+    for (; x != x.end(); ++x, ++ring) count += *ring == wanted && !std::isnan(*x);
+    return count;
+  };
+  EXPECT_GT(measured(3), 500);
+  EXPECT_TRUE(Inject("lose_ring", "", 3).ok);
+  EXPECT_TRUE(Eventually([&] { return measured(3) == 0; }));
+  EXPECT_GT(measured(4), 500);
+}
+
+TEST_F(SimulatorNodeTest, CamerasSendPicturesAndDepthToWhoSubscribesAndGoDarkOnRequest) {
+  ChildProcess simulator({kSimulator, "_speed:=1", "_start:=20 0 0"}, Log("world"));
+  ChildProcess cameras({BinaryFolder() + "/bin/coppice-simulated-cameras"}, Log("cameras"));
+  Latest<sensor_msgs::CompressedImage> colour(node_, "/camera/front/color/image_raw/compressed");
+  Latest<sensor_msgs::CompressedImage> depth(
+      node_, "/camera/front/aligned_depth_to_color/image_raw/compressedDepth");
+  Latest<sensor_msgs::CameraInfo> info(node_, "/camera/front/color/camera_info");
+  ASSERT_TRUE(Eventually([&] { return colour.count() > 1 && depth.count() > 1; }, 15))
+      << TextOf(Log("cameras"));
+  EXPECT_EQ(colour.get().header.frame_id, "camera_front_optical");
+  EXPECT_EQ(info.get().K[0], 615.18);
+  const Expected<Picture> picture = DecodeJpeg(colour.get().data);
+  ASSERT_TRUE(picture) << picture.problem();
+  EXPECT_EQ(picture->width, 640);
+  const Expected<DepthPicture> depths = DecodeDepth(depth.get().data);
+  ASSERT_TRUE(depths) << depths.problem();
+  // The floor of the corridor, 1.35 m below the lens.
+  EXPECT_NEAR(depths->at(320, 470), 1000 * 1.35 * 615.18 / (470 - 236.27), 150);
+
+  EXPECT_TRUE(Inject("cover_lens", "front").ok);
+  EXPECT_TRUE(Eventually([&] {
+    const Expected<Picture> dark = DecodeJpeg(colour.get().data);
+    return dark && dark->at(320, 300)[1] < 30;
+  }));
+  EXPECT_TRUE(Inject("uncover_lens", "front").ok);
+  EXPECT_TRUE(Inject("silence_topic", "/camera/front").ok);
+  EXPECT_THAT(Inject("cover_lens", "frnt").message, HasSubstr("did you mean \"front\""));
+}
+
+TEST_F(SimulatorNodeTest, EndsWithCodeTwoWhenThereIsNoSuchRobot) {
+  const std::string log = Log("bad_robot");
+  EXPECT_EQ(RunToTheEnd({"__name:=bad_robot", "_robot:=/nowhere.urdf"}, log), 2);
+  EXPECT_THAT(TextOf(log), HasSubstr("/nowhere.urdf"));
 }
 
 TEST_F(SimulatorNodeTest, EndsWithCodeTwoWhenThereIsNoSuchFloor) {

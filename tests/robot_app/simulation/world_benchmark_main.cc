@@ -46,7 +46,7 @@ void BM_Turn3d(benchmark::State& state) {
   Scene scene(world.still());
   Lidar3d lidar({}, 1);
   for (auto unused : state) {
-    scene.SetFigures(people.Figures());
+    scene.SetFigures(MakeFigures(people.Stances()));
     lidar.Turn(0, lidar.options().period, world.robot(), scene);
   }
 }

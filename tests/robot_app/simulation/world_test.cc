@@ -166,7 +166,7 @@ TEST(World, NeverPutsABoxOnTheRobotOrAPerson) {
   const Change refused = on_robot.SetPlaceBlocked("middle", true);
   EXPECT_FALSE(refused);
   EXPECT_THAT(refused.problem(), HasSubstr("the robot stands there"));
-  EXPECT_FALSE(on_robot.place_blocked(0));
+  EXPECT_FALSE(on_robot.place_blocked()[0]);
 
   floor.people = {{"anna", 1.0, {{10, 1}, {12, 1}}}};
   World on_person(floor, At(5, 0, 0));
@@ -175,7 +175,7 @@ TEST(World, NeverPutsABoxOnTheRobotOrAPerson) {
 
 TEST(World, DoorsCloseAndOpenButNotOnTheRobot) {
   World world(RoomWithThings(), At(10, 0, 0));
-  EXPECT_TRUE(world.door_open(0));
+  EXPECT_TRUE(world.door_open()[0]);
   EXPECT_TRUE(world.SetDoorOpen("gate", false));
   Drive(world, {0.9, 0}, 8);
   EXPECT_LT(world.robot().x, 15 - kRobotRadius);

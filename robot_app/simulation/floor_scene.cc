@@ -1,0 +1,28 @@
+#include "robot_app/simulation/floor_scene.h"
+
+namespace coppice::robot::simulation {
+
+StillScene MakeStillScene(const Floor& floor, const std::vector<bool>& door_open,
+                          const std::vector<bool>& place_blocked) {
+  StillScene still;
+  still.ceiling = floor.wall_height;
+  for (const auto& wall : floor.walls) {
+    for (std::size_t i = 1; i < wall.size(); ++i) {
+      still.panels.push_back({{wall[i - 1], wall[i]}, floor.wall_height, Material::kWall});
+    }
+  }
+  for (const FloorBox& box : floor.furniture) {
+    still.AddBox(box.shape, box.height, Material::kFurniture);
+  }
+  for (std::size_t i = 0; i < floor.places.size(); ++i) {
+    const FloorBox& box = floor.places[i];
+    if (place_blocked[i]) still.AddBox(box.shape, box.height, Material::kCardboard);
+  }
+  for (std::size_t i = 0; i < floor.doors.size(); ++i) {
+    const auto leaf = DoorLeaf(floor.doors[i], door_open[i]);
+    if (leaf) still.panels.push_back({*leaf, floor.wall_height, Material::kDoor});
+  }
+  return still;
+}
+
+}  // namespace coppice::robot::simulation

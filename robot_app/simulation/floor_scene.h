@@ -1,0 +1,19 @@
+// A floor as sensors that look up and down see it.
+#ifndef COPPICE_ROBOT_APP_SIMULATION_FLOOR_SCENE_H_
+#define COPPICE_ROBOT_APP_SIMULATION_FLOOR_SCENE_H_
+
+#include <vector>
+
+#include "robot_app/simulation/floor.h"
+#include "robot_app/simulation/scene/scene.h"
+
+namespace coppice::robot::simulation {
+
+/// What stands still: walls, furniture, the boxes of blocked places, door leaves. `door_open` and
+/// `place_blocked` have one for each of the floor's doors and places.
+StillScene MakeStillScene(const Floor& floor, const std::vector<bool>& door_open,
+                          const std::vector<bool>& place_blocked);
+
+}  // namespace coppice::robot::simulation
+
+#endif  // COPPICE_ROBOT_APP_SIMULATION_FLOOR_SCENE_H_

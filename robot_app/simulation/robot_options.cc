@@ -1,0 +1,25 @@
+#include "robot_app/simulation/robot_options.h"
+
+namespace coppice::robot::simulation {
+namespace {
+
+template <typename Options>
+Outcome MountAs(const RobotDescription& robot, const char* frame, Options& options) {
+  const Expected<Mount> mount = robot.MountOf(frame);
+  if (!mount) return Problem{mount.problem()};
+  options.mounting = {mount->pose.x, mount->pose.y, mount->pose.yaw};
+  options.height = mount->height;
+  return {};
+}
+
+}  // namespace
+
+Outcome Apply(const RobotDescription& robot, WorldOptions& options) {
+  options.radius = robot.radius();
+  options.odometry.track = robot.track();
+  options.odometry.wheel_diameter = robot.wheel_diameter();
+  if (Outcome laser = MountAs(robot, "laser", options.lidar); !laser) return laser;
+  return MountAs(robot, "velodyne", options.lidar_3d);
+}
+
+}  // namespace coppice::robot::simulation

@@ -1,0 +1,115 @@
+#include "robot_app/common/compressed_picture.h"
+
+#include <gmock/gmock.h>
+
+#include <random>
+
+namespace coppice::robot {
+namespace {
+
+using testing::HasSubstr;
+
+Picture Gradient(int width, int height) {
+  Picture picture(width, height);
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      std::uint8_t* const pixel = &picture.rgb[3 * (static_cast<std::size_t>(y) * width + x)];
+      pixel[0] = static_cast<std::uint8_t>(x);
+      pixel[1] = static_cast<std::uint8_t>(2 * y);
+      pixel[2] = 90;
+    }
+  }
+  return picture;
+}
+
+DepthPicture Steps(int width, int height) {
+  DepthPicture picture(width, height);
+  for (std::size_t i = 0; i < picture.millimetres.size(); ++i) {
+    picture.millimetres[i] = static_cast<std::uint16_t>(i * 37);
+  }
+  return picture;
+}
+
+TEST(CompressedPicture, AColourPictureComesBackNearlyTheSame) {
+  const Picture sent = Gradient(200, 100);
+  const Expected<Picture> read = DecodeJpeg(EncodeJpeg(sent, 95));
+  ASSERT_TRUE(read) << read.problem();
+  ASSERT_EQ(read->width, 200);
+  ASSERT_EQ(read->height, 100);
+  for (int x = 8; x < 192; x += 8) {
+    for (int k = 0; k < 3; ++k) EXPECT_NEAR(read->at(x, 50)[k], sent.at(x, 50)[k], 6) << x;
+  }
+}
+
+TEST(CompressedPicture, IsSmallerWithLessQuality) {
+  const Picture picture = Gradient(64, 64);
+  EXPECT_LT(EncodeJpeg(picture, 20).size(), EncodeJpeg(picture, 90).size());
+}
+
+TEST(CompressedPicture, DepthComesBackToTheMillimetre) {
+  const DepthPicture sent = Steps(123, 45);
+  const Expected<DepthPicture> read = DecodeDepth(EncodeDepth(sent));
+  ASSERT_TRUE(read) << read.problem();
+  EXPECT_EQ(read->width, 123);
+  EXPECT_EQ(read->height, 45);
+  EXPECT_EQ(read->millimetres, sent.millimetres);
+}
+
+TEST(CompressedPicture, ThePngBeginsAfterTwelveBytesAsItsReadersExpect) {
+  const std::vector<std::uint8_t> bytes = EncodeDepth(Steps(8, 8));
+  ASSERT_GT(bytes.size(), 20u);
+  EXPECT_EQ(std::string(bytes.begin() + 13, bytes.begin() + 16), "PNG");
+}
+
+TEST(CompressedPicture, NoPixelsGiveNoBytes) {
+  EXPECT_TRUE(EncodeJpeg({}).empty());
+  EXPECT_TRUE(EncodeDepth({}).empty());
+}
+
+TEST(CompressedPicture, APictureOfAnotherKindIsAProblem) {
+  const std::vector<std::uint8_t> jpeg = EncodeJpeg(Gradient(8, 8));
+  const std::vector<std::uint8_t> depth = EncodeDepth(Steps(8, 8));
+  EXPECT_THAT(DecodeJpeg(depth).problem(), HasSubstr("no JPEG"));
+  EXPECT_THAT(DecodeDepth(jpeg).problem(), HasSubstr("no PNG"));
+  EXPECT_FALSE(DecodeJpeg({}));
+  EXPECT_THAT(DecodeDepth({}).problem(), HasSubstr("ends early"));
+}
+
+TEST(CompressedPicture, ATruncatedPictureIsAProblem) {
+  std::vector<std::uint8_t> jpeg = EncodeJpeg(Gradient(64, 64));
+  std::vector<std::uint8_t> depth = EncodeDepth(Steps(64, 64));
+  jpeg.resize(jpeg.size() / 2);
+  depth.resize(depth.size() / 2);
+  EXPECT_THAT(DecodeJpeg(jpeg).problem(), HasSubstr("damaged JPEG"));
+  EXPECT_THAT(DecodeDepth(depth).problem(), HasSubstr("damaged PNG"));
+}
+
+TEST(CompressedPicture, AHeaderThatClaimsBillionsOfPixelsIsRefusedBeforeTheyAreAllocated) {
+  std::vector<std::uint8_t> depth = EncodeDepth(Steps(8, 8));
+  for (const std::size_t at : {12 + 16, 12 + 20}) {  // width and height of IHDR
+    depth[at] = 0x00;
+    depth[at + 1] = 0x0f;
+  }
+  EXPECT_FALSE(DecodeDepth(depth));
+}
+
+// Whatever bytes come, the answer is a picture or a problem.
+TEST(CompressedPicture, DamagedBytesNeverDoHarm) {
+  std::mt19937 random(1);
+  const std::vector<std::uint8_t> jpeg = EncodeJpeg(Gradient(40, 30));
+  const std::vector<std::uint8_t> depth = EncodeDepth(Steps(40, 30));
+  int refused = 0;
+  for (int i = 0; i < 3000; ++i) {
+    std::vector<std::uint8_t> a = jpeg;
+    std::vector<std::uint8_t> b = depth;
+    for (int k = 0; k < 3; ++k) {
+      a[random() % a.size()] = static_cast<std::uint8_t>(random());
+      b[random() % b.size()] = static_cast<std::uint8_t>(random());
+    }
+    refused += !DecodeJpeg(a).ok() + !DecodeDepth(b).ok();
+  }
+  EXPECT_GT(refused, 100);
+}
+
+}  // namespace
+}  // namespace coppice::robot

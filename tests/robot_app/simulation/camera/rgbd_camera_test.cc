@@ -1,0 +1,151 @@
+#include "robot_app/simulation/camera/rgbd_camera.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace coppice::robot::simulation {
+namespace {
+
+constexpr double kLensHeight = 1.35;
+
+// A room of 10 m by 6 m; the camera stands in its middle and looks along x.
+class RgbdCameraTest : public testing::Test {
+ protected:
+  RgbdCameraTest() {
+    const std::vector<Vec2> corners = {{-5, -3}, {5, -3}, {5, 3}, {-5, 3}, {-5, -3}};
+    for (std::size_t i = 1; i < corners.size(); ++i) {
+      still_.panels.push_back({{corners[i - 1], corners[i]}, 2.5, Material::kWall});
+    }
+    still_.ceiling = 2.5;
+  }
+
+  RgbdPicture Take(const std::vector<SeenPerson>& people = {}, const CameraFault& fault = {},
+                   double yaw = 0) const {
+    return RgbdCamera({}, 1).Take(Scene(still_), people, {0, 0, yaw}, kLensHeight, fault);
+  }
+  static SeenPerson PersonAt(Vec2 place, double heading = kPi) {
+    SeenPerson person;
+    person.stance.position = place;
+    person.stance.heading = heading;
+    return person;
+  }
+  // Of the pixel in which a point of the map is seen, in metres.
+  static double DepthAt(const RgbdPicture& picture, double x, double y, double z) {
+    const Lens lens = RgbdOptions().lens;
+    return 0.001 * picture.depth.at(
+                       static_cast<int>(std::lround(lens.cx - lens.fx * y / x)),
+                       static_cast<int>(std::lround(lens.cy + lens.fy * (kLensHeight - z) / x)));
+  }
+
+  StillScene still_;
+};
+
+TEST_F(RgbdCameraTest, DepthIsAlongTheOpticalAxisTheSameAllOverAWall) {
+  const RgbdPicture seen = Take();
+  for (const double y : {-2.0, -1.0, 0.0, 1.0, 2.0}) {
+    EXPECT_NEAR(DepthAt(seen, 5, y, 1.0), 5, 0.3) << y;
+  }
+}
+
+TEST_F(RgbdCameraTest, TheFloorIsSeenWhereItIs) {
+  const RgbdPicture seen = Take();
+  for (const double x : {3.6, 4.0, 4.5}) EXPECT_NEAR(DepthAt(seen, x, 0.2, 0), x, 0.25) << x;
+}
+
+TEST_F(RgbdCameraTest, LooksWhereItIsTurned) {
+  EXPECT_NEAR(DepthAt(Take({}, {}, kPi / 2), 3, 0, 1.0), 3, 0.15);
+}
+
+TEST_F(RgbdCameraTest, APersonIsNearerThanTheWallBehindAndBetweenFeetAndHead) {
+  const RgbdPicture seen = Take({PersonAt({3.5, 0})});
+  EXPECT_NEAR(DepthAt(seen, 3.5, 0, 1.2), 3.4, 0.2);
+  EXPECT_NEAR(DepthAt(seen, 3.5, 0, 1.65), 3.4, 0.2);
+  EXPECT_NEAR(DepthAt(seen, 3.5, 0, 1.95), 5, 0.4) << "above the head";
+  EXPECT_NEAR(DepthAt(seen, 3.5, 0.6, 1.2), 5, 0.4) << "beside the body";
+}
+
+TEST_F(RgbdCameraTest, ClothesHaveTheirColour) {
+  SeenPerson person = PersonAt({3, 0});
+  person.look.top = {200, 20, 20};
+  const Colour chest = Take({person}).colour.at(326, 236 + 30);
+  EXPECT_GT(chest[0], 3 * chest[1]);
+  EXPECT_GT(chest[0], 3 * chest[2]);
+}
+
+TEST_F(RgbdCameraTest, OneSeesOverATableOntoItsTopAndTheWallBehind) {
+  still_.AddBox({{4, 0}, {0.6, 1.2}, 0}, 0.75, Material::kFurniture);
+  const RgbdPicture seen = Take();
+  EXPECT_NEAR(DepthAt(seen, 4, 0.2, 0.75), 4, 0.2) << "the middle of its top";
+  EXPECT_NEAR(DepthAt(seen, 3.7, 0.2, 0.4), 3.7, 0.2) << "its front";
+  EXPECT_NEAR(DepthAt(seen, 5, 0.2, 1.0), 5, 0.3) << "the wall over it";
+}
+
+TEST_F(RgbdCameraTest, WhoStandsInFrontHidesWhoStandsBehind) {
+  SeenPerson near = PersonAt({3.5, 0});
+  SeenPerson far = PersonAt({4.5, 0});
+  near.look.top = {20, 20, 200};
+  far.look.top = {200, 20, 20};
+  const Colour chest = Take({near, far}).colour.at(326, 236 + 40);
+  EXPECT_GT(chest[2], 2 * chest[0]);
+}
+
+TEST_F(RgbdCameraTest, WhatIsTooNearOrTooFarHasNoDepth) {
+  RgbdOptions options;
+  options.max_depth = 4;
+  const RgbdPicture seen = RgbdCamera(options, 1).Take(Scene(still_), {}, {0, 0, 0}, kLensHeight);
+  EXPECT_EQ(DepthAt(seen, 5, 0, 1.2), 0);
+}
+
+TEST_F(RgbdCameraTest, ThereIsNoDepthBesideAnEdge) {
+  const RgbdPicture seen = Take({PersonAt({3, 0})});
+  int holes = 0;
+  for (int column = 200; column < 450; ++column) holes += seen.depth.at(column, 260) == 0;
+  EXPECT_GT(holes, 2);
+  EXPECT_LT(holes, 40);
+}
+
+TEST_F(RgbdCameraTest, TheSameSeedGivesTheSamePicturesAndTheNoiseOfTwoDiffers) {
+  RgbdCamera a({}, 7);
+  RgbdCamera b({}, 7);
+  const std::vector<SeenPerson> people = {PersonAt({3, 0.5})};
+  const Scene scene(still_);
+  const RgbdPicture first = a.Take(scene, people, {0, 0, 0}, kLensHeight);
+  const RgbdPicture again = b.Take(scene, people, {0, 0, 0}, kLensHeight);
+  EXPECT_EQ(first.colour.rgb, again.colour.rgb);
+  EXPECT_EQ(first.depth.millimetres, again.depth.millimetres);
+  EXPECT_NE(first.colour.rgb, a.Take(scene, people, {0, 0, 0}, kLensHeight).colour.rgb);
+}
+
+TEST_F(RgbdCameraTest, ACoveredLensSeesDarknessAndNoDepth) {
+  const RgbdPicture seen = Take({PersonAt({3, 0})}, {true, 0});
+  for (int column = 0; column < 640; column += 40) {
+    EXPECT_LT(seen.colour.at(column, 200)[0], 16);
+    EXPECT_EQ(seen.depth.at(column, 200), 0);
+  }
+}
+
+TEST_F(RgbdCameraTest, DamageTakesAsManyRowsAsIsSaid) {
+  const RgbdPicture whole = Take();
+  const RgbdPicture broken = Take({}, {false, 0.3});
+  int damaged = 0;
+  for (int row = 0; row < 480; ++row) {
+    bool differs = false;
+    for (int column = 0; column < 640; ++column) {
+      differs |= whole.depth.at(column, row) != broken.depth.at(column, row);
+    }
+    damaged += differs;
+  }
+  EXPECT_GT(damaged, 0.2 * 480);
+  EXPECT_LT(damaged, 0.4 * 480);
+}
+
+TEST_F(RgbdCameraTest, FromOutsideOfAllWallsItSeesTheSkyAndTheFloor) {
+  still_ = {};
+  const RgbdPicture seen = Take();
+  EXPECT_NEAR(DepthAt(seen, 4, 0, 0), 4, 0.25);
+  EXPECT_EQ(seen.depth.at(320, 10), 0);
+}
+
+}  // namespace
+}  // namespace coppice::robot::simulation
