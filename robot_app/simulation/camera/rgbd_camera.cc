@@ -118,9 +118,9 @@ class Drawing {
     DrawFloorAndCeiling(column, direction, cosine);
     for (auto i = met.rbegin(); i != met.rend(); ++i) {
       const Panel& panel = scene_.still().panels[i->panel];
-      // The other side of a box is farther away, or was left out as hidden.
-      if (panel.roof != Panel::kNoRoof) DrawRoof(column, panel, cosine, i->range);
       DrawPanel(column, panel, direction, cosine, i->range);
+      // The far side of a box is hidden by its roof.
+      if (panel.roof != Panel::kNoRoof) DrawRoof(column, panel, cosine, i->range);
     }
   }
 

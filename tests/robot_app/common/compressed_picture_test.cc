@@ -76,10 +76,10 @@ TEST(CompressedPicture, APictureOfAnotherKindIsAProblem) {
 }
 
 TEST(CompressedPicture, ATruncatedPictureIsAProblem) {
-  std::vector<std::uint8_t> jpeg = EncodeJpeg(Gradient(64, 64));
+  std::vector<std::uint8_t> jpeg = EncodeJpeg(Gradient(250, 120));
   std::vector<std::uint8_t> depth = EncodeDepth(Steps(64, 64));
-  jpeg.resize(jpeg.size() / 2);
-  depth.resize(depth.size() / 2);
+  jpeg.resize(jpeg.size() - 40);
+  depth.resize(depth.size() - 40);
   EXPECT_THAT(DecodeJpeg(jpeg).problem(), HasSubstr("damaged JPEG"));
   EXPECT_THAT(DecodeDepth(depth).problem(), HasSubstr("damaged PNG"));
 }

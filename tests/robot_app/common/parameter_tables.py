@@ -9,8 +9,9 @@ import re
 import subprocess
 import sys
 
-PROGRAMS = ("coppice-simulator", "coppice-odometry-filter", "coppice-localization",
-            "coppice-map-server", "coppice-mapping", "coppice-navigation", "coppice-docking", "coppice-people")
+PROGRAMS = ("coppice-simulator", "coppice-simulated-cameras", "coppice-odometry-filter",
+            "coppice-localization", "coppice-map-server", "coppice-mapping", "coppice-navigation",
+            "coppice-docking", "coppice-people")
 PAGE = pathlib.Path(__file__).resolve().parents[3] / "docs/parameters.md"
 BEGIN, END = "<!-- tables: parameter_tables.py --write -->\n", "<!-- end of tables -->\n"
 

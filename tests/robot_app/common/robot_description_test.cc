@@ -54,7 +54,8 @@ TEST_F(RobotDescriptionTest, AMountIsInBaseLinkThroughAllThatIsBetween) {
 
 TEST_F(RobotDescriptionTest, ParentsComeBeforeTheirChildren) {
   std::vector<std::string> seen = {"base_link"};
-  for (const FrameOnRobot& frame : Sobi().frames()) {
+  const RobotDescription sobi = Sobi();
+  for (const FrameOnRobot& frame : sobi.frames()) {
     EXPECT_THAT(seen, testing::Contains(frame.parent)) << frame.name;
     seen.push_back(frame.name);
   }

@@ -229,7 +229,7 @@ TEST_F(FaultsTest, SignalsNodesAndWakesAHungOneUpAgain) {
 TEST_F(FaultsTest, RefusesWhatItDoesNotKnow) {
   EXPECT_THAT(faults_.Inject({"block_coridor", "corridor_east", 0, 0}).problem(),
               HasSubstr("did you mean \"block_corridor\"?"));
-  EXPECT_THAT(faults_.Inject({"explode", "", 0, 0}).problem(), HasSubstr("known: block_corridor"));
+  EXPECT_THAT(faults_.Inject({"explode", "", 0, 0}).problem(), HasSubstr("known: blind_topic"));
   EXPECT_FALSE(faults_.Inject({"kill_node", "/nav", 0, 5}));
   EXPECT_FALSE(faults_.Inject({"block_corridor", "corridor_east", 0, -1}));
   EXPECT_FALSE(Blocked("corridor_east"));

@@ -75,6 +75,11 @@ int RunToTheEnd(std::vector<std::string> arguments, const std::string& log,
   return process.exit_status();
 }
 
+bool HasFrame(const tf2_msgs::TFMessage& message, const std::string& name) {
+  const auto is_it = [&](const auto& frame) { return frame.child_frame_id == name; };
+  return std::any_of(message.transforms.begin(), message.transforms.end(), is_it);
+}
+
 class SimulatorNodeTest : public testing::Test {
  protected:
   coppice_msgs::InjectFault::Response Inject(const std::string& fault, const std::string& target,
@@ -162,7 +167,12 @@ TEST_F(SimulatorNodeTest, StartsDockedWithMapAndTransforms) {
   EXPECT_EQ(map.get().data.size(), map.get().info.width * map.get().info.height);
   EXPECT_TRUE(Eventually([&] { return tf.get().transforms.size() == 2; }));  // with map -> odom
   EXPECT_TRUE(Eventually([&] { return tf_static.count() > 0 && imu.count() > 0; }));
-  EXPECT_EQ(tf_static.get().transforms.at(0).child_frame_id, "laser");
+  for (const char* const frame : {"laser", "velodyne", "camera_front_optical", "sonar_left"}) {
+    EXPECT_TRUE(HasFrame(tf_static.get(), frame)) << frame;
+  }
+  std::string description;
+  EXPECT_TRUE(ros::param::get("/robot_description", description));
+  EXPECT_THAT(description, HasSubstr("<robot name=\"sobi\">"));
 
   // A silenced topic is silent: the clock runs on for a second and no scan comes.
   Latest<rosgraph_msgs::Clock> clock(node_, "/clock");
