@@ -2,7 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <cstdlib>
+#include <fstream>
+
+#include "robot_app/common/compressed_picture.h"
+#include "robot_app/simulation/floor_scene.h"
+#include "tests/support/folders.h"
 
 namespace coppice::robot::simulation {
 namespace {
@@ -30,6 +37,8 @@ class RgbdCameraTest : public testing::Test {
     person.stance.heading = heading;
     return person;
   }
+
+ public:
   // Of the pixel in which a point of the map is seen, in metres.
   static double DepthAt(const RgbdPicture& picture, double x, double y, double z) {
     const Lens lens = RgbdOptions().lens;
@@ -38,6 +47,7 @@ class RgbdCameraTest : public testing::Test {
                        static_cast<int>(std::lround(lens.cy + lens.fy * (kLensHeight - z) / x)));
   }
 
+ protected:
   StillScene still_;
 };
 
@@ -138,6 +148,34 @@ TEST_F(RgbdCameraTest, DamageTakesAsManyRowsAsIsSaid) {
   }
   EXPECT_GT(damaged, 0.2 * 480);
   EXPECT_LT(damaged, 0.4 * 480);
+}
+
+// The picture of docs/robot.md: COPPICE_PICTURES=FOLDER writes it.
+TEST(RgbdCameraInTheInstitute, SeesACorridorWithPeopleAtAllDistances) {
+  Diagnostics diagnostics;
+  const auto floor =
+      LoadFloor(SourceFolder() + "/robot_app/simulation/floors/institute.yaml", diagnostics);
+  ASSERT_TRUE(floor) << diagnostics.ToString();
+  std::vector<bool> doors;
+  for (const Door& door : floor->doors) doors.push_back(door.open);
+  const Scene scene(MakeStillScene(*floor, doors, std::vector<bool>(floor->places.size())));
+  std::vector<SeenPerson> people(4);
+  const std::array<Vec2, 4> places = {{{12.6, 0.75}, {14.2, -0.7}, {15.5, 0.3}, {19, -0.4}}};
+  for (std::size_t i = 0; i < people.size(); ++i) {
+    people[i].look = RandomPersonLook(20 + i);
+    people[i].look.wears_mask = i == 1;
+    people[i].stance = {places[i], kPi + 0.5 * static_cast<double>(i), 0.4 * i, i > 0, 1.75};
+  }
+  const RgbdPicture seen = RgbdCamera({}, 1).Take(scene, people, {10, 0, 0}, kLensHeight);
+  for (std::size_t i = 0; i < people.size(); ++i) {
+    const double x = places[i].x - 10;
+    EXPECT_NEAR(RgbdCameraTest::DepthAt(seen, x, places[i].y, 1.2), x, 0.35) << i;
+  }
+  if (const char* const folder = std::getenv("COPPICE_PICTURES")) {
+    const std::vector<std::uint8_t> jpeg = EncodeJpeg(seen.colour, 90);
+    std::ofstream(std::string(folder) + "/camera.jpg", std::ios::binary)
+        .write(reinterpret_cast<const char*>(jpeg.data()), static_cast<long>(jpeg.size()));
+  }
 }
 
 TEST_F(RgbdCameraTest, FromOutsideOfAllWallsItSeesTheSkyAndTheFloor) {
