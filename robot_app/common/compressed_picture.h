@@ -1,6 +1,6 @@
 // Pictures as they travel: colour as JPEG (libjpeg-turbo), depth as PNG of 16 bits (libpng) behind
-// the twelve bytes that ROS's compressed_depth_image_transport puts before it. What is read may come
-// from anybody: a broken or too large picture is a problem, never more.
+// the twelve bytes that ROS's compressed_depth_image_transport puts before it. What is read may
+// come from anybody: a broken or too large picture is a problem, never more.
 //
 // All functions are pure; any thread.
 #ifndef COPPICE_ROBOT_APP_COMMON_COMPRESSED_PICTURE_H_

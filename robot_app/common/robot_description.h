@@ -1,6 +1,6 @@
-// The robot's body as its description (URDF, http://wiki.ros.org/urdf/XML) says it: where each frame
-// sits on it and how large it is. The shipped one is robot_app/description/sobi.urdf; no other place
-// has these numbers. Read by liburdfdom.
+// The robot's body as its description (URDF, http://wiki.ros.org/urdf/XML) says it: where each
+// frame sits on it and how large it is. The shipped one is robot_app/description/sobi.urdf; no
+// other place has these numbers. Read by liburdfdom.
 //
 //   const Expected<RobotDescription> robot = RobotDescription::Load("sobi.urdf");
 //   const Expected<Mount> laser = robot->MountOf("laser");

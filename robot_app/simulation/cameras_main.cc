@@ -180,7 +180,8 @@ class CamerasNode {
     for (Station& station : stations_) station.Publish(scene_, people, world);
   }
 
-  // Builds the scene anew if a door or a box has moved. False if the world is that of another floor.
+  // Builds the scene anew if a door or a box has moved. False if the world is that of another
+  // floor.
   bool Follow(const coppice_msgs::SimulatedWorld& world) {
     const Floor& floor = settings_.floor;
     if (world.people.size() != floor.people.size() ||

@@ -1,6 +1,6 @@
-// What is wrong with the sensors themselves, not with the rate of their messages: readings that come
-// late or are none, rings of the 3-D lidar that are gone, cameras that see nothing or whose data is
-// damaged more and more. Kept by Faults; asked by who publishes.
+// What is wrong with the sensors themselves, not with the rate of their messages: readings that
+// come late or are none, rings of the 3-D lidar that are gone, cameras that see nothing or whose
+// data is damaged more and more. Kept by Faults; asked by who publishes.
 #ifndef COPPICE_ROBOT_APP_SIMULATION_SENSOR_FAULTS_H_
 #define COPPICE_ROBOT_APP_SIMULATION_SENSOR_FAULTS_H_
 

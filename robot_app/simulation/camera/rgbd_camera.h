@@ -1,7 +1,7 @@
-// A simulated RGB-D camera that stands level, as an Intel D435: a picture in colour and the depth of
-// each of its pixels, of the same instant. Drawn without a graphics card, column by column: whatever
-// stands upright on the floor fills one stretch of a column; people are pictures of people that face
-// the lens. The same scene, people and seed give the same pictures, bit for bit.
+// A simulated RGB-D camera that stands level, as an Intel D435: a picture in colour and the depth
+// of each of its pixels, of the same instant. Drawn without a graphics card, column by column:
+// whatever stands upright on the floor fills one stretch of a column; people are pictures of people
+// that face the lens. The same scene, people and seed give the same pictures, bit for bit.
 //
 //   RgbdCamera camera(options, seed);
 //   const RgbdPicture seen = camera.Take(scene, people, Compose(robot, mount), kLensHeight);
