@@ -70,7 +70,7 @@ struct PngReader {
   static void Warn(png_structp, png_const_charp) {}
 };
 
-bool WritePng(PngWriter& writer, const DepthPicture& picture, std::vector<png_bytep>& rows) {
+bool WritePng(PngWriter& writer, const DepthPicture& picture) {
   if (setjmp(png_jmpbuf(writer.png)) != 0) return false;
   png_set_write_fn(writer.png, &writer, &PngWriter::Append, &PngWriter::Flush);
   png_set_compression_level(writer.png, kFast);
@@ -79,8 +79,14 @@ bool WritePng(PngWriter& writer, const DepthPicture& picture, std::vector<png_by
   png_set_IHDR(writer.png, writer.info, static_cast<png_uint_32>(picture.width),
                static_cast<png_uint_32>(picture.height), 16, PNG_COLOR_TYPE_GRAY,
                PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-  png_set_rows(writer.png, writer.info, rows.data());
-  png_write_png(writer.png, writer.info, PNG_TRANSFORM_SWAP_ENDIAN, nullptr);
+  png_write_info(writer.png, writer.info);
+  png_set_swap(writer.png);
+  for (int row = 0; row < picture.height; ++row) {
+    png_write_row(writer.png,
+                  reinterpret_cast<png_const_bytep>(
+                      &picture.millimetres[static_cast<std::size_t>(row) * picture.width]));
+  }
+  png_write_end(writer.png, nullptr);
   return true;
 }
 
@@ -143,8 +149,7 @@ std::vector<std::uint8_t> EncodeDepth(const DepthPicture& picture) {
   writer.bytes.assign(kDepthHeader, 0);
   writer.png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
   writer.info = png_create_info_struct(writer.png);
-  std::vector<png_bytep> rows = RowsOf(const_cast<DepthPicture&>(picture));  // are only read
-  if (!WritePng(writer, picture, rows)) return {};
+  if (!WritePng(writer, picture)) return {};
   return std::move(writer.bytes);
 }
 

@@ -8,15 +8,14 @@
 
 #include <chrono>
 #include <cstdio>
-#include <optional>
 #include <vector>
 
 #include "robot_app/common/compressed_picture.h"
-#include "robot_app/common/robot_description.h"
 #include "robot_app/common/ros_support.h"
 #include "robot_app/simulation/camera/rgbd_camera.h"
 #include "robot_app/simulation/floor_scene.h"
 #include "robot_app/simulation/late_messages.h"
+#include "robot_app/simulation/shipped_files.h"
 
 namespace coppice::robot::simulation {
 namespace {
@@ -35,8 +34,8 @@ using SteadyClock = std::chrono::steady_clock;
 constexpr std::chrono::milliseconds kRest(80);
 
 struct Settings {
-  std::string floor_file = "institute";
-  std::string robot_file = "sobi";
+  std::string floor_file = kInstitute;
+  std::string robot_file = kSobi;
   std::uint64_t seed = 1;
   Floor floor;
 };
@@ -81,12 +80,11 @@ class Station {
                                                            2, changed, changed);
     depth_ = node.advertise<sensor_msgs::CompressedImage>(
         camera + "/aligned_depth_to_color/image_raw/compressedDepth", 2, changed, changed);
-    info_ = node.advertise<sensor_msgs::CameraInfo>(camera + "/color/camera_info", 2);
+    info_ =
+        node.advertise<sensor_msgs::CameraInfo>(camera + "/color/camera_info", 2, changed, changed);
   }
 
-  bool IsWatched() const {
-    return colour_.getNumSubscribers() > 0 || depth_.getNumSubscribers() > 0;
-  }
+  bool IsWatched() const { return IsSeen() || info_.getNumSubscribers() > 0; }
 
   void Publish(const Scene& scene, const std::vector<SeenPerson>& people,
                const coppice_msgs::SimulatedWorld& world) {
@@ -97,26 +95,30 @@ class Station {
       if (camera.name == name_) state = camera;
     }
     if (!IsWatched() || state.copies == 0) return;
-    const Pose2 base{world.robot.x, world.robot.y, world.robot.theta};
-    const Pose2 lens = Compose(base, {mount_.pose.x, mount_.pose.y, mount_.pose.yaw});
-    const RgbdPicture seen =
-        camera_.Take(scene, people, lens, mount_.height, {state.is_covered != 0, state.broken});
-    const double time = world.header.stamp.toSec() + state.lag;
-    for (int copy = 0; copy < state.copies; ++copy) {
+    const auto add = [&](const ros::Publisher& publisher, const auto& message) {
+      const double time = world.header.stamp.toSec() + state.lag;
+      for (int copy = 0; copy < state.copies; ++copy) late_.Add(time, publisher, message);
+    };
+    if (IsSeen()) {
+      const Pose2 base{world.robot.x, world.robot.y, world.robot.theta};
+      const Pose2 lens = Compose(base, {mount_.pose.x, mount_.pose.y, mount_.pose.yaw});
+      const RgbdPicture seen =
+          camera_.Take(scene, people, lens, mount_.height, {state.is_covered != 0, state.broken});
       if (colour_.getNumSubscribers() > 0) {
-        late_.Add(time, colour_, MessageOf(world, kJpegFormat, EncodeJpeg(seen.colour)));
+        add(colour_, MessageOf(world, kJpegFormat, EncodeJpeg(seen.colour)));
       }
       if (depth_.getNumSubscribers() > 0) {
-        late_.Add(time, depth_, MessageOf(world, kDepthFormat, EncodeDepth(seen.depth)));
+        add(depth_, MessageOf(world, kDepthFormat, EncodeDepth(seen.depth)));
       }
-      sensor_msgs::CameraInfo info = InfoOf(camera_.options());
-      info.header = HeaderOf(world);
-      late_.Add(time, info_, info);
     }
+    sensor_msgs::CameraInfo info = InfoOf(camera_.options());
+    info.header = HeaderOf(world);
+    add(info_, info);
     late_.Send(world.header.stamp.toSec());
   }
 
  private:
+  bool IsSeen() const { return colour_.getNumSubscribers() > 0 || depth_.getNumSubscribers() > 0; }
   std_msgs::Header HeaderOf(const coppice_msgs::SimulatedWorld& world) const {
     std_msgs::Header header;
     header.stamp = world.header.stamp;
@@ -147,9 +149,10 @@ class CamerasNode {
     const ros::SubscriberStatusCallback changed = [this](const ros::SingleSubscriberPublisher&) {
       Watch();
     };
-    stations_.reserve(mounts.size());
-    stations_.emplace_back(node_, "front", mounts[0], 2 * settings.seed, changed);
-    stations_.emplace_back(node_, "rear", mounts[1], 2 * settings.seed + 1, changed);
+    for (std::size_t i = 0; i < kCameras.size(); ++i) {
+      const std::uint64_t seed = kCameras.size() * settings.seed + i;
+      stations_.emplace_back(node_, kCameras[i], mounts[i], seed, changed);
+    }
   }
 
  private:
@@ -215,11 +218,11 @@ class CamerasNode {
   SteadyClock::time_point rests_until_{};
 };
 
-// Of the front and the rear one.
+// Of all cameras, in their order.
 Expected<std::vector<Mount>> MountsOf(const RobotDescription& robot) {
   std::vector<Mount> mounts;
-  for (const char* const frame : {"camera_front", "camera_rear"}) {
-    const Expected<Mount> mount = robot.MountOf(frame);
+  for (const char* const name : kCameras) {
+    const Expected<Mount> mount = robot.MountOf(std::string("camera_") + name);
     if (!mount) return Problem{mount.problem()};
     mounts.push_back(*mount);
   }
@@ -231,13 +234,10 @@ int Run(Settings& settings) {
     std::fprintf(stderr, "coppice-simulated-cameras: %s\n", problem.c_str());
     return 2;
   };
-  Diagnostics diagnostics;
-  const auto floor = LoadFloor(
-      settings.floor_file == "institute" ? COPPICE_FLOOR : settings.floor_file, diagnostics);
-  if (!floor) return refuse(ToString(diagnostics.all().front()));
+  const Expected<Floor> floor = FindFloor(settings.floor_file);
+  if (!floor) return refuse(floor.problem());
   settings.floor = *floor;
-  const Expected<RobotDescription> robot =
-      RobotDescription::Load(settings.robot_file == "sobi" ? COPPICE_ROBOT : settings.robot_file);
+  const Expected<RobotDescription> robot = FindRobot(settings.robot_file);
   if (!robot) return refuse(robot.problem());
   const Expected<std::vector<Mount>> mounts = MountsOf(*robot);
   if (!mounts) return refuse(settings.robot_file + ": " + mounts.problem());

@@ -14,7 +14,6 @@ constexpr double kMostHaste = 20;      // times the rate of a topic
 constexpr double kMostLag = 10;        // s
 constexpr double kFastestWear = 3600;  // all rows within a second
 constexpr std::array<const char*, 3> kWithoutReadings = {"/scan", "/velodyne_points", "/imu/data"};
-constexpr std::array<const char*, 2> kCameras = {"front", "rear"};
 
 }  // namespace
 

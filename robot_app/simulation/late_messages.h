@@ -18,8 +18,10 @@ class LateMessages {
     waiting_.emplace(time, [publisher, message] { publisher.publish(message); });
   }
 
-  /// Sends what is due.
+  /// Sends what is due. If time has gone back, what waits is of another time and is forgotten.
   void Send(double time) {
+    if (time < sent_until_) waiting_.clear();
+    sent_until_ = time;
     while (!waiting_.empty() && waiting_.begin()->first <= time) {
       waiting_.begin()->second();
       waiting_.erase(waiting_.begin());
@@ -28,6 +30,7 @@ class LateMessages {
 
  private:
   std::multimap<double, std::function<void()>> waiting_;
+  double sent_until_ = 0;
 };
 
 }  // namespace coppice::robot::simulation

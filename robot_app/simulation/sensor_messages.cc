@@ -94,7 +94,7 @@ sensor_msgs::LaserScan ToMessage(const Scan& scan, const LidarOptions& lidar) {
 
 sensor_msgs::Imu ToMessage(const ImuReading& reading) {
   sensor_msgs::Imu message;
-  message.header.frame_id = "base_link";
+  message.header.frame_id = "imu_link";
   message.orientation_covariance[0] = -1;  // not measured
   message.angular_velocity.z = reading.yaw_rate;
   message.linear_acceleration.x = reading.acceleration_x;

@@ -26,8 +26,8 @@
 #include "robot_app/simulation/faults.h"
 #include "robot_app/simulation/late_messages.h"
 #include "robot_app/simulation/node_signals.h"
-#include "robot_app/simulation/robot_options.h"
 #include "robot_app/simulation/sensor_messages.h"
+#include "robot_app/simulation/shipped_files.h"
 
 namespace coppice::robot::simulation {
 namespace {
@@ -45,8 +45,6 @@ constexpr char kHelp[] =
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 constexpr double kStep = 0.02;       // s of simulated time
 constexpr double kStartTime = 1000;  // s; so that "ten seconds ago" exists for everybody
-constexpr char kInstitute[] = "institute";
-constexpr char kSobi[] = "sobi";
 
 // In whole microseconds: the world's time is a sum of steps, and 0.8 s should not read 0.799999999.
 ros::Time ToRosTime(double time) {
@@ -81,11 +79,11 @@ Parameters ParametersOf(Settings& settings) {
   };
 }
 
-// The same without the points of some rings.
-template <typename IsLost>
-Cloud Without(Cloud cloud, IsLost is_lost) {
+// The same with the lidar's faults: without any points or without those of some rings.
+Cloud WithFaults(Cloud cloud, const SensorFaults& faults) {
+  const bool is_blind = faults.IsBlind("/velodyne_points");
   for (CloudPoint& point : cloud.points) {
-    if (is_lost(point.ring)) point.x = point.y = point.z = kNaN;
+    if (is_blind || faults.lost_rings().count(point.ring) > 0) point.x = point.y = point.z = kNaN;
   }
   return cloud;
 }
@@ -247,15 +245,8 @@ class SimulatorNode {
     if (cloud.points.empty() || cloud.time == cloud_time_) return;
     cloud_time_ = cloud.time;
     lidar_rests_until_ = std::chrono::steady_clock::now() + LidarRest();
-    const int rings = world_.lidar_3d().options().rings;
     sensor_msgs::PointCloud2 message =
-        faults_.sensors().IsBlind("/velodyne_points")
-            ? ToMessage(Without(cloud, [](int) { return true; }), rings)
-            : ToMessage(Without(cloud,
-                                [this](int ring) {
-                                  return faults_.sensors().lost_rings().count(ring) > 0;
-                                }),
-                        rings);
+        ToMessage(WithFaults(cloud, faults_.sensors()), world_.lidar_3d().options().rings);
     message.header.stamp = ToRosTime(cloud.time);
     message.header.frame_id = "velodyne";
     Publish(cloud_, message);
@@ -305,7 +296,7 @@ class SimulatorNode {
     if (state_.getNumSubscribers() == 0) return;
     coppice_msgs::SimulatedWorld message = ToMessage(world_);
     message.header.stamp = stamp_;
-    for (const char* const name : {"front", "rear"}) {
+    for (const char* const name : kCameras) {
       const CameraFault fault = faults_.sensors().Of(name, world_.time());
       const std::string topic = std::string("/camera/") + name;
       coppice_msgs::SimulatedCamera camera;
@@ -355,14 +346,10 @@ bool Derive(Settings& settings) {
   if (settings.start) {
     settings.world.start = Pose2{settings.start->x, settings.start->y, settings.start->yaw};
   }
-  const bool is_shipped = settings.floor_file == kInstitute;
-  Diagnostics diagnostics;
-  const auto floor = LoadFloor(is_shipped ? COPPICE_FLOOR : settings.floor_file, diagnostics);
-  if (!floor) return Refuse(ToString(diagnostics.all().front()));
-  settings.floor = *floor;
-  const bool is_sobi = settings.robot_file == kSobi;
-  Expected<RobotDescription> robot =
-      RobotDescription::Load(is_sobi ? COPPICE_ROBOT : settings.robot_file);
+  Expected<Floor> floor = FindFloor(settings.floor_file);
+  if (!floor) return Refuse(floor.problem());
+  settings.floor = *std::move(floor);
+  Expected<RobotDescription> robot = FindRobot(settings.robot_file);
   if (!robot) return Refuse(robot.problem());
   settings.robot = *std::move(robot);
   const Outcome applied = Apply(settings.robot, settings.world);

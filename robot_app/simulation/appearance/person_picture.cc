@@ -28,8 +28,6 @@ constexpr double kHeadWide = 0.052;
 constexpr double kHeadLong = 0.063;
 constexpr double kHipAside = 0.05;
 constexpr double kShoulderAside = 0.115;
-constexpr double kBehind = 1;
-constexpr double kSide = 0.34;      // half the picture's width
 constexpr double kLegSwing = 0.42;  // rad
 constexpr double kArmSwing = 0.38;
 constexpr double kKneeBend = 0.6;
@@ -70,7 +68,7 @@ class Painter {
         view_(view),
         scale_(pixels_tall),
         sheet_(static_cast<int>(std::lround(1.02 * pixels_tall)),
-               2 * static_cast<int>(std::lround(kSide * pixels_tall)), CV_8UC4,
+               2 * static_cast<int>(std::lround(kPersonSide * pixels_tall)), CV_8UC4,
                cv::Scalar::all(0)) {}
 
   // What is farther is painted first.
@@ -153,8 +151,8 @@ class Painter {
     const Point hip(0, side * kHipAside, kHip);
     const Point knee = hip + kThigh * Point(std::sin(swing), 0, -std::cos(swing));
     const Point ankle = knee + kShin * Point(std::sin(swing - bend), 0, -std::cos(swing - bend));
-    // The trunk covers the hips of both legs.
-    Add((hip + ankle) * 0.5 - kBehind * TowardsCamera(), [=] {
+    // Behind all else, whichever way it swings: the trunk covers the hips of both legs.
+    Add((hip + ankle) * 0.5 - TowardsCamera(), [=] {
       Limb(ankle - Point(0.02, 0, 0.012), ankle + Point(0.075, 0, -0.022), 0.02, 0.016,
            look_.shoes);
       Limb(knee, ankle, 0.038, 0.024, look_.trousers);
@@ -286,7 +284,6 @@ PersonLook RandomPersonLook(std::uint64_t seed) {
   look.build = 0.88 + 0.01 * static_cast<double>(random() % 28);
   look.has_long_hair = random() % 3 == 0;
   look.has_long_sleeves = random() % 3 != 0;
-  look.face = random();
   return look;
 }
 

@@ -22,7 +22,6 @@ struct PersonLook {
   bool has_long_hair = false;
   bool has_long_sleeves = true;
   bool wears_mask = false;  ///< over mouth and nose
-  std::uint64_t face = 0;   ///< which face
 };
 
 /// One of many, with tones of skin, hair and clothes as people have them.
@@ -34,6 +33,9 @@ struct PersonView {
   double step = 0;  ///< in which part of two steps the legs are [rad]
   bool walks = false;
 };
+
+/// Half the width of a picture, as a share of the person's height.
+inline constexpr double kPersonSide = 0.34;
 
 /// Red, green, blue (each already weighed with the share) and which share of a pixel is covered.
 /// The feet stand in the middle of the lower edge; `pixels_tall` pixels are the person's height.

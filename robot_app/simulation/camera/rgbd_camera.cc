@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <utility>
 
 #include "robot_app/simulation/camera/surfaces.h"
@@ -54,7 +53,7 @@ class Drawing {
     for (int row = 0; row < options.height; ++row) {
       const double down = Down(row);
       const double drop = down > 0 ? height : height - scene.still().ceiling;
-      const double depth = std::min(drop / down, kFarthest);
+      const double depth = down != 0 ? std::min(drop / down, kFarthest) : kFarthest;
       ground_.push_back({depth, Fog(depth)});
     }
   }
@@ -65,15 +64,14 @@ class Drawing {
 
   // The nearest at last.
   void DrawPeople(const std::vector<SeenPerson>& people) {
-    std::vector<std::pair<double, const SeenPerson*>> by_depth;
+    std::vector<std::pair<Vec2, const SeenPerson*>> seen;  // with the place in the camera's frame
     for (const SeenPerson& person : people) {
-      const Pose2 seen =
-          Compose(Inverse(pose_), {person.stance.position.x, person.stance.position.y, 0});
-      if (seen.x > options_.min_depth && seen.x < kFarthest) by_depth.push_back({seen.x, &person});
+      const Vec2 place = Rotated(person.stance.position - pose_.position(), -pose_.yaw);
+      if (place.x > options_.min_depth && place.x < kFarthest) seen.push_back({place, &person});
     }
-    std::sort(by_depth.begin(), by_depth.end(),
-              [](const auto& a, const auto& b) { return a.first > b.first; });
-    for (const auto& [depth, person] : by_depth) DrawOne(*person);
+    std::sort(seen.begin(), seen.end(),
+              [](const auto& a, const auto& b) { return a.first.x > b.first.x; });
+    for (const auto& [place, person] : seen) DrawOne(*person, place);
   }
 
   // The sensors' errors, by lot from `seed`. In blocks, because what was drawn column by column is
@@ -132,9 +130,13 @@ class Drawing {
         Set(column, row, Lit(colour_at(point), ground.light), ground.depth);
       }
     };
-    const double depth = met_.empty() ? kFarthest : met_.back().range * cosine;
-    draw(0, RowOf(scene_.still().ceiling, depth), CeilingAt);
-    draw(RowOf(0, depth), options_.height, FloorAt);
+    // Behind a wall up to the ceiling there is nothing of them to be seen.
+    const double ceiling = scene_.still().ceiling;
+    const bool is_closed = !met_.empty() && scene_.still().panels[met_.back().panel].top >= ceiling;
+    const double depth = is_closed ? met_.back().range * cosine : kFarthest;
+    const int horizon = RowOf(lens_height_, depth);
+    draw(0, is_closed ? RowOf(ceiling, depth) : horizon, CeilingAt);
+    draw(is_closed ? RowOf(0, depth) : horizon, options_.height, FloorAt);
   }
 
   // Nearest first, up to the first that nothing is seen over.
@@ -196,21 +198,18 @@ class Drawing {
     }
   }
 
-  void DrawOne(const SeenPerson& person) {
+  void DrawOne(const SeenPerson& person, Vec2 place) {
+    const double pixels_tall = lens().fy * person.stance.height / place.x;
+    const double middle = lens().cx - lens().fx * place.y / place.x;
+    const double half = kPersonSide * pixels_tall;
+    if (middle - half > options_.width || middle + half < 0) return;
     const Vec2 to_lens = pose_.position() - person.stance.position;
-    const Pose2 seen =
-        Compose(Inverse(pose_), {person.stance.position.x, person.stance.position.y, 0});
-    const double depth = seen.x;
-    const double pixels_tall = lens().fy * person.stance.height / depth;
     PersonView view;
     view.turn = NormalAngle(person.stance.heading - std::atan2(to_lens.y, to_lens.x));
     view.walks = person.stance.walks;
     view.step = 2 * kPi * person.stance.walked / kStride;
     const int drawn = std::clamp(static_cast<int>(std::ceil(pixels_tall)), kLeastTall, kMostTall);
-    const double left = lens().cx - lens().fx * seen.y / depth - 0.34 * pixels_tall;
-    if (left > options_.width || left + 0.68 * pixels_tall < 0) return;
-    Paste(DrawPerson(person.look, view, drawn), lens().cx - lens().fx * seen.y / depth, depth,
-          pixels_tall / drawn);
+    Paste(DrawPerson(person.look, view, drawn), middle, place.x, pixels_tall / drawn);
   }
 
   // `middle` is the column of the feet; one pixel of `picture` is `zoom` pixels here.

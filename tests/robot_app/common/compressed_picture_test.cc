@@ -1,7 +1,10 @@
 #include "robot_app/common/compressed_picture.h"
 
 #include <gmock/gmock.h>
+#include <zlib.h>
 
+#include <algorithm>
+#include <array>
 #include <random>
 
 namespace coppice::robot {
@@ -84,13 +87,27 @@ TEST(CompressedPicture, ATruncatedPictureIsAProblem) {
   EXPECT_THAT(DecodeDepth(depth).problem(), HasSubstr("damaged PNG"));
 }
 
-TEST(CompressedPicture, AHeaderThatClaimsBillionsOfPixelsIsRefusedBeforeTheyAreAllocated) {
+void WriteBigEndian(std::uint32_t number, std::uint8_t* to) {
+  for (int i = 0; i < 4; ++i) to[i] = static_cast<std::uint8_t>(number >> (24 - 8 * i));
+}
+
+TEST(CompressedPicture, APngThatClaimsBillionsOfPixelsIsRefusedBeforeTheyAreAllocated) {
   std::vector<std::uint8_t> depth = EncodeDepth(Steps(8, 8));
-  for (const std::size_t at : {12 + 16, 12 + 20}) {  // width and height of IHDR
-    depth[at] = 0x00;
-    depth[at + 1] = 0x0f;
-  }
-  EXPECT_FALSE(DecodeDepth(depth));
+  std::uint8_t* const header = &depth[12 + 12];  // "IHDR", width, height, five more, checksum
+  ASSERT_EQ(std::string(header, header + 4), "IHDR");
+  WriteBigEndian(100000, header + 4);
+  WriteBigEndian(100000, header + 8);
+  WriteBigEndian(static_cast<std::uint32_t>(crc32(0, header, 17)), header + 17);
+  EXPECT_THAT(DecodeDepth(depth).problem(), HasSubstr("100000 x 100000 pixels, expected at most"));
+}
+
+TEST(CompressedPicture, AJpegThatClaimsBillionsOfPixelsIsRefusedBeforeTheyAreAllocated) {
+  std::vector<std::uint8_t> jpeg = EncodeJpeg(Gradient(8, 8));
+  const std::array<std::uint8_t, 2> frame = {0xff, 0xc0};  // then length, depth, height, width
+  const auto found = std::search(jpeg.begin(), jpeg.end(), frame.begin(), frame.end());
+  ASSERT_NE(found, jpeg.end());
+  std::fill(found + 5, found + 9, std::uint8_t{0xf0});
+  EXPECT_THAT(DecodeJpeg(jpeg).problem(), HasSubstr("61680 x 61680 pixels, expected at most"));
 }
 
 // Whatever bytes come, the answer is a picture or a problem.

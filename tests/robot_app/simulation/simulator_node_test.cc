@@ -318,7 +318,22 @@ TEST_F(SimulatorNodeTest, CamerasSendPicturesAndDepthToWhoSubscribesAndGoDarkOnR
     return dark && dark->at(320, 300)[1] < 30;
   }));
   EXPECT_TRUE(Inject("uncover_lens", "front").ok);
+  const auto depth_of_the_floor = [&] {
+    const Expected<DepthPicture> now = DecodeDepth(depth.get().data);
+    return now ? now->at(320, 470) : 0;
+  };
+  EXPECT_TRUE(Eventually([&] { return depth_of_the_floor() > 0; }));
+  EXPECT_TRUE(Inject("wear_camera", "front", 3600).ok);  // all of it within a second
+  EXPECT_TRUE(Eventually([&] { return depth_of_the_floor() == 0; }));
+  EXPECT_TRUE(Inject("mend_camera", "front").ok);
+
+  // Silence takes one camera only.
+  Latest<sensor_msgs::CompressedImage> rear(node_, "/camera/rear/color/image_raw/compressed");
   EXPECT_TRUE(Inject("silence_topic", "/camera/front").ok);
+  EXPECT_TRUE(Eventually([&] { return rear.count() > 2; }));
+  const ros::Time last = colour.get().header.stamp;
+  EXPECT_TRUE(Eventually([&] { return (rear.get().header.stamp - last).toSec() > 1; }));
+  EXPECT_EQ(colour.get().header.stamp, last);
   EXPECT_THAT(Inject("cover_lens", "frnt").message, HasSubstr("did you mean \"front\""));
 }
 

@@ -1,6 +1,8 @@
 // How fast the world is. Run it by hand: robot_simulation_benchmark
 #include <benchmark/benchmark.h>
 
+#include "robot_app/common/compressed_picture.h"
+#include "robot_app/simulation/camera/rgbd_camera.h"
 #include "robot_app/simulation/world.h"
 #include "tests/robot_app/simulation/test_floor.h"
 
@@ -51,6 +53,31 @@ void BM_Turn3d(benchmark::State& state) {
   }
 }
 BENCHMARK(BM_Turn3d)->Unit(benchmark::kMillisecond);
+
+// A picture of the RGB-D camera in the corridor, two people in it; and both encodings of it.
+RgbdPicture TakePicture(const World& world, RgbdCamera& camera) {
+  std::vector<SeenPerson> people(2);
+  people[0].stance.position = {23, 0.4};
+  people[1].stance.position = {25, -0.4};
+  return camera.Take(Scene(world.still()), people, {20, 0, 0}, 1.35);
+}
+
+void BM_Picture(benchmark::State& state) {
+  const World world(LoadInstitute());
+  RgbdCamera camera({}, 1);
+  for (auto unused : state) benchmark::DoNotOptimize(TakePicture(world, camera));
+}
+BENCHMARK(BM_Picture)->Unit(benchmark::kMillisecond);
+
+void BM_EncodePicture(benchmark::State& state) {
+  RgbdCamera camera({}, 1);
+  const RgbdPicture picture = TakePicture(World(LoadInstitute()), camera);
+  for (auto unused : state) {
+    benchmark::DoNotOptimize(EncodeJpeg(picture.colour));
+    benchmark::DoNotOptimize(EncodeDepth(picture.depth));
+  }
+}
+BENCHMARK(BM_EncodePicture)->Unit(benchmark::kMillisecond);
 
 void BM_RebuildAfterADoor(benchmark::State& state) {
   World world(LoadInstitute());

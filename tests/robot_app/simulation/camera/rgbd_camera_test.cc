@@ -178,6 +178,23 @@ TEST(RgbdCameraInTheInstitute, SeesACorridorWithPeopleAtAllDistances) {
   }
 }
 
+TEST_F(RgbdCameraTest, BehindWhatIsLowThereIsTheFloorWhereNoWallEndsTheView) {
+  still_.panels.clear();
+  still_.AddBox({{4, 0}, {0.6, 1.2}, 0}, 0.75, Material::kFurniture);
+  RgbdOptions options;
+  options.max_depth = 20;
+  const RgbdPicture seen = RgbdCamera(options, 1).Take(Scene(still_), {}, {0, 0, 0}, kLensHeight);
+  EXPECT_NEAR(DepthAt(seen, 12, 0, 0), 12, 1.5) << "seen over the box";
+}
+
+TEST_F(RgbdCameraTest, ALensWhoseHorizonIsARowOfItsOwnHasNoDepthThere) {
+  RgbdOptions options;
+  options.lens.cy = 240;
+  still_.panels.clear();
+  const RgbdPicture seen = RgbdCamera(options, 1).Take(Scene(still_), {}, {0, 0, 0}, kLensHeight);
+  EXPECT_EQ(seen.depth.at(320, 240), 0);
+}
+
 TEST_F(RgbdCameraTest, FromOutsideOfAllWallsItSeesTheSkyAndTheFloor) {
   still_ = {};
   const RgbdPicture seen = Take();

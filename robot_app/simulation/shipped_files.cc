@@ -1,4 +1,4 @@
-#include "robot_app/simulation/robot_options.h"
+#include "robot_app/simulation/shipped_files.h"
 
 namespace coppice::robot::simulation {
 namespace {
@@ -13,6 +13,17 @@ Outcome MountAs(const RobotDescription& robot, const char* frame, Options& optio
 }
 
 }  // namespace
+
+Expected<Floor> FindFloor(const std::string& name) {
+  Diagnostics diagnostics;
+  const auto floor = LoadFloor(name == kInstitute ? COPPICE_FLOOR : name, diagnostics);
+  if (!floor) return Problem{ToString(diagnostics.all().front())};
+  return *floor;
+}
+
+Expected<RobotDescription> FindRobot(const std::string& name) {
+  return RobotDescription::Load(name == kSobi ? COPPICE_ROBOT : name);
+}
 
 Outcome Apply(const RobotDescription& robot, WorldOptions& options) {
   options.radius = robot.radius();
