@@ -50,22 +50,31 @@ std::string ToString(const Diagnostic& diagnostic) {
   return text;
 }
 
+void Diagnostics::Add(Diagnostic diagnostic) {
+  const bool is_error = diagnostic.severity == Severity::kError;
+  int& count = is_error ? errors_ : warnings_;
+  ++count;
+  if (count <= kMostOfAKind) {
+    all_.push_back(std::move(diagnostic));
+  } else if (count == kMostOfAKind + 1) {
+    all_.push_back({diagnostic.severity, std::move(diagnostic.where),
+                    std::string("and more ") + (is_error ? "errors" : "warnings") + ", not told"});
+  }
+}
+
 void Diagnostics::Error(SourceLocation where, std::string message, std::string hint,
                         ProblemSubject about) {
-  all_.push_back(
-      {Severity::kError, std::move(where), std::move(message), std::move(hint), std::move(about)});
-  ++errors_;
+  Add({Severity::kError, std::move(where), std::move(message), std::move(hint), std::move(about)});
 }
 
 void Diagnostics::Warning(SourceLocation where, std::string message, std::string hint,
                           ProblemSubject about) {
-  all_.push_back({Severity::kWarning, std::move(where), std::move(message), std::move(hint),
-                  std::move(about)});
+  Add({Severity::kWarning, std::move(where), std::move(message), std::move(hint),
+       std::move(about)});
 }
 
 void Diagnostics::Append(const Diagnostics& other) {
-  all_.insert(all_.end(), other.all_.begin(), other.all_.end());
-  errors_ += other.errors_;
+  for (const Diagnostic& diagnostic : other.all_) Add(diagnostic);
 }
 
 std::string Diagnostics::ToString() const {

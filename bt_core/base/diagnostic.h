@@ -52,9 +52,12 @@ struct Diagnostic {
 /// "file:line:column: error: message (hint)", leaving out what is unknown.
 std::string ToString(const Diagnostic& diagnostic);
 
-/// The problems found so far, in the order of finding.
+/// The problems found so far, in the order of finding: the first 10 000 errors and as many
+/// warnings. Of what comes after them it is only said that there is more.
 class Diagnostics {
  public:
+  static constexpr int kMostOfAKind = 10'000;
+
   void Error(SourceLocation where, std::string message, std::string hint = {},
              ProblemSubject about = {});
   void Warning(SourceLocation where, std::string message, std::string hint = {},
@@ -70,8 +73,11 @@ class Diagnostics {
   std::string ToString() const;
 
  private:
+  void Add(Diagnostic diagnostic);
+
   std::vector<Diagnostic> all_;
-  int errors_ = 0;
+  int errors_ = 0;    // also those that were not kept
+  int warnings_ = 0;  // likewise
 };
 
 /// The candidate that is nearest to a misspelt name, or empty if none is near. Compares without

@@ -64,6 +64,16 @@ TEST(DidYouMean, IsAQuestionOrNothing) {
   EXPECT_EQ(DidYouMean("Zzz", {"Inverter"}), "");
 }
 
+TEST(Diagnostics, KeepsSoManyOfAKindAndSaysThatThereAreMore) {
+  Diagnostics diagnostics;
+  for (int i = 0; i < 3 * Diagnostics::kMostOfAKind; ++i) diagnostics.Warning({"a.xml", 1, 1}, "w");
+  EXPECT_EQ(diagnostics.all().size(), Diagnostics::kMostOfAKind + 1U);
+  EXPECT_EQ(diagnostics.all().back().message, "and more warnings, not told");
+  diagnostics.Error({"a.xml", 2, 1}, "an error after all of them");
+  EXPECT_TRUE(diagnostics.has_errors());
+  EXPECT_EQ(diagnostics.all().back().message, "an error after all of them");
+}
+
 TEST(Diagnostics, TakesOverAnotherList) {
   Diagnostics all;
   all.Warning({"a.xml", 1, 1}, "one");
