@@ -57,8 +57,10 @@ void Diagnostics::Add(Diagnostic diagnostic) {
   if (count <= kMostOfAKind) {
     all_.push_back(std::move(diagnostic));
   } else if (count == kMostOfAKind + 1) {
-    all_.push_back({diagnostic.severity, std::move(diagnostic.where),
-                    std::string("and more ") + (is_error ? "errors" : "warnings") + ", not told"});
+    diagnostic.message = is_error ? "and more errors, not told" : "and more warnings, not told";
+    diagnostic.hint.clear();
+    diagnostic.about = {};
+    all_.push_back(std::move(diagnostic));
   }
 }
 
