@@ -73,8 +73,10 @@ struct Bodies::Box2D {
 
 Bodies::Bodies(const Floor& floor, const Pose2& start, double radius)
     : box2d_(std::make_unique<Box2D>()) {
-  for (const auto& wall : floor.walls) {
-    for (std::size_t i = 1; i < wall.size(); ++i) box2d_->AddEdge({wall[i - 1], wall[i]});
+  for (const auto* walls : {&floor.walls, &floor.glass}) {
+    for (const auto& wall : *walls) {
+      for (std::size_t i = 1; i < wall.size(); ++i) box2d_->AddEdge({wall[i - 1], wall[i]});
+    }
   }
   for (const FloorBox& box : floor.furniture) box2d_->AddRectangle(box.shape);
   box2d_->robot = box2d_->AddDisc(b2_dynamicBody, start.position(), radius);

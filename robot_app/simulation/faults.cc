@@ -13,7 +13,8 @@ namespace {
 constexpr double kMostHaste = 20;      // times the rate of a topic
 constexpr double kMostLag = 10;        // s
 constexpr double kFastestWear = 3600;  // all rows within a second
-constexpr std::array<const char*, 3> kWithoutReadings = {"/scan", "/velodyne_points", "/imu/data"};
+constexpr std::array<const char*, 6> kWithoutReadings = {
+    "/scan", "/velodyne_points", "/imu/data", "/sonar/left", "/sonar/front", "/sonar/right"};
 
 }  // namespace
 

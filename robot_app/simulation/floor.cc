@@ -221,8 +221,8 @@ void CheckNames(Reader& reader, const YAML::Node& list, const std::vector<Item>&
 Floor ReadFloor(Reader& reader, const YAML::Node& root) {
   Floor floor;
   if (!reader.CheckMap(root, "floor",
-                       {"name", "wall_height", "walls", "furniture", "doors", "places", "people",
-                        "charging_station", "waypoints"})) {
+                       {"name", "wall_height", "walls", "glass", "furniture", "doors", "places",
+                        "people", "charging_station", "waypoints"})) {
     return floor;
   }
   floor.name = reader.Text(root, "floor", "name");
@@ -230,6 +230,9 @@ Floor ReadFloor(Reader& reader, const YAML::Node& root) {
   reader.Member(root, "floor", "walls");
   for (const auto& item : reader.List(root, "walls")) {
     floor.walls.push_back(reader.Points(item, "wall"));
+  }
+  for (const auto& item : reader.List(root, "glass")) {
+    floor.glass.push_back(reader.Points(item, "glass"));
   }
   for (const auto& item : reader.List(root, "furniture")) {
     floor.furniture.push_back(ReadBox(reader, item, "furniture"));

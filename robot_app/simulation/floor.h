@@ -52,6 +52,8 @@ struct Floor {
   std::string name;
   double wall_height = 2.5;
   std::vector<std::vector<Vec2>> walls;  ///< polylines
+  /// The same of glass: light goes through, so that lidars, cameras and the map do not have them.
+  std::vector<std::vector<Vec2>> glass;
   std::vector<FloorBox> furniture;
   std::vector<Door> doors;
   std::vector<FloorBox> places;  ///< that can be blocked; empty at the start

@@ -1,16 +1,23 @@
 #include "robot_app/simulation/floor_scene.h"
 
 namespace coppice::robot::simulation {
+namespace {
+
+void AddWalls(const std::vector<std::vector<Vec2>>& walls, double height, StillScene& still) {
+  for (const auto& wall : walls) {
+    for (std::size_t i = 1; i < wall.size(); ++i) {
+      still.panels.push_back({{wall[i - 1], wall[i]}, height, Material::kWall});
+    }
+  }
+}
+
+}  // namespace
 
 StillScene MakeStillScene(const Floor& floor, const std::vector<bool>& door_open,
                           const std::vector<bool>& place_blocked) {
   StillScene still;
   still.ceiling = floor.wall_height;
-  for (const auto& wall : floor.walls) {
-    for (std::size_t i = 1; i < wall.size(); ++i) {
-      still.panels.push_back({{wall[i - 1], wall[i]}, floor.wall_height, Material::kWall});
-    }
-  }
+  AddWalls(floor.walls, floor.wall_height, still);
   for (const FloorBox& box : floor.furniture) {
     still.AddBox(box.shape, box.height, Material::kFurniture);
   }
@@ -22,6 +29,11 @@ StillScene MakeStillScene(const Floor& floor, const std::vector<bool>& door_open
     const auto leaf = DoorLeaf(floor.doors[i], door_open[i]);
     if (leaf) still.panels.push_back({*leaf, floor.wall_height, Material::kDoor});
   }
+  return still;
+}
+
+StillScene WithGlass(StillScene still, const Floor& floor) {
+  AddWalls(floor.glass, floor.wall_height, still);
   return still;
 }
 

@@ -14,6 +14,9 @@ namespace coppice::robot::simulation {
 StillScene MakeStillScene(const Floor& floor, const std::vector<bool>& door_open,
                           const std::vector<bool>& place_blocked);
 
+/// The same as sound meets it: with the panes of glass.
+StillScene WithGlass(StillScene still, const Floor& floor);
+
 }  // namespace coppice::robot::simulation
 
 #endif  // COPPICE_ROBOT_APP_SIMULATION_FLOOR_SCENE_H_

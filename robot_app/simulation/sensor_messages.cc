@@ -92,6 +92,16 @@ sensor_msgs::LaserScan ToMessage(const Scan& scan, const LidarOptions& lidar) {
   return message;
 }
 
+sensor_msgs::Range ToMessage(float range, const SonarOptions& sonar) {
+  sensor_msgs::Range message;
+  message.radiation_type = sensor_msgs::Range::ULTRASOUND;
+  message.field_of_view = static_cast<float>(sonar.field_of_view);
+  message.min_range = static_cast<float>(sonar.min_range);
+  message.max_range = static_cast<float>(sonar.max_range);
+  message.range = range;
+  return message;
+}
+
 sensor_msgs::Imu ToMessage(const ImuReading& reading) {
   sensor_msgs::Imu message;
   message.header.frame_id = "imu_link";

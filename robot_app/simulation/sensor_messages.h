@@ -10,6 +10,7 @@
 #include <sensor_msgs/BatteryState.h>
 #include <sensor_msgs/Imu.h>
 #include <sensor_msgs/LaserScan.h>
+#include <sensor_msgs/Range.h>
 #include <tf2_msgs/TFMessage.h>
 
 #include "robot_app/common/robot_description.h"
@@ -28,6 +29,8 @@ tf2_msgs::TFMessage ToMessage(const RobotDescription& robot, const ros::Time& st
 nav_msgs::OccupancyGrid ToMessage(const GridMap& map);
 nav_msgs::Odometry ToMessage(const Odometry& odometry);
 sensor_msgs::LaserScan ToMessage(const Scan& scan, const LidarOptions& lidar);
+/// Its frame is left to the caller too.
+sensor_msgs::Range ToMessage(float range, const SonarOptions& sonar);
 sensor_msgs::Imu ToMessage(const ImuReading& reading);
 sensor_msgs::BatteryState ToMessage(const Battery& battery, bool docked);
 

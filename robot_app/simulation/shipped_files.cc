@@ -30,6 +30,10 @@ Outcome Apply(const RobotDescription& robot, WorldOptions& options) {
   options.odometry.track = robot.track();
   options.odometry.wheel_diameter = robot.wheel_diameter();
   if (Outcome laser = MountAs(robot, "laser", options.lidar); !laser) return laser;
+  for (std::size_t i = 0; i < kSonars.size(); ++i) {
+    const std::string frame = std::string("sonar_") + kSonars[i];
+    if (Outcome sonar = MountAs(robot, frame.c_str(), options.sonars[i]); !sonar) return sonar;
+  }
   return MountAs(robot, "velodyne", options.lidar_3d);
 }
 

@@ -12,6 +12,7 @@
 #include <sensor_msgs/BatteryState.h>
 #include <sensor_msgs/Imu.h>
 #include <sensor_msgs/LaserScan.h>
+#include <sensor_msgs/Range.h>
 #include <std_msgs/Bool.h>
 #include <tf2_msgs/TFMessage.h>
 
@@ -36,6 +37,7 @@ constexpr char kHelp[] =
     "coppice-simulator: the simulated robot and its floor, as the ROS node /simulator.\n"
     "  subscribes  /cmd_vel\n"
     "  publishes   /clock /odom /scan /imu/data /battery_state /map /tf /tf_static\n"
+    "              /sonar/left /sonar/front /sonar/right (sensor_msgs/Range)\n"
     "              /emergency_stop (std_msgs/Bool, true while pressed)\n"
     "              /simulation/truth (for evaluation only)\n"
     "              /velodyne_points (the 3-D lidar, while somebody subscribes)\n"
@@ -111,7 +113,8 @@ class SimulatorNode {
         node_signals_(ros::master::getURI(), ros::this_node::getName(), ros::network::getHost()),
         faults_(world_,
                 {"/odom", "/scan", "/velodyne_points", "/imu/data", "/battery_state",
-                 "/emergency_stop", "/tf", "/simulation/truth", "/camera/front", "/camera/rear"},
+                 "/emergency_stop", "/tf", "/simulation/truth", "/camera/front", "/camera/rear",
+                 "/sonar/left", "/sonar/front", "/sonar/right"},
                 [this](const std::string& node, int signal) {
                   return node_signals_.Send(node, signal);
                 }) {
@@ -141,6 +144,9 @@ class SimulatorNode {
     odom_ = node_.advertise<nav_msgs::Odometry>("/odom", 20);
     scan_ = node_.advertise<sensor_msgs::LaserScan>("/scan", 10);
     cloud_ = node_.advertise<sensor_msgs::PointCloud2>("/velodyne_points", 5);
+    for (const char* const name : kSonars) {
+      sonars_.push_back(node_.advertise<sensor_msgs::Range>(std::string("/sonar/") + name, 10));
+    }
     imu_ = node_.advertise<sensor_msgs::Imu>("/imu/data", 50);
     battery_ = node_.advertise<sensor_msgs::BatteryState>("/battery_state", 5);
     map_ = node_.advertise<nav_msgs::OccupancyGrid>("/map", 1, true);
@@ -171,6 +177,9 @@ class SimulatorNode {
   void Step() {
     world_.SetLidar3dOn(cloud_.getNumSubscribers() > 0 &&
                         std::chrono::steady_clock::now() >= lidar_rests_until_);
+    world_.SetSonarsOn(std::any_of(sonars_.begin(), sonars_.end(), [](const auto& sonar) {
+      return sonar.getNumSubscribers() > 0;
+    }));
     world_.Step(kStep, command_);
     command_.reset();
     faults_.Update();
@@ -181,6 +190,7 @@ class SimulatorNode {
     PublishMotion();
     PublishScan();
     PublishCloud();
+    PublishSonars();
     PublishImu();
     if (battery_due_.Due(world_.time())) PublishBattery();
     PublishEmergencyStop();
@@ -252,6 +262,20 @@ class SimulatorNode {
     Publish(cloud_, message);
   }
 
+  void PublishSonars() {
+    const Echoes& echoes = world_.echoes();
+    if (echoes.time == echoes_time_) return;
+    echoes_time_ = echoes.time;
+    for (std::size_t i = 0; i < sonars_.size(); ++i) {
+      const bool is_blind = faults_.sensors().IsBlind(sonars_[i].getTopic());
+      sensor_msgs::Range message =
+          ToMessage(is_blind ? kNaN : echoes.ranges[i], world_.sonars()[i].options());
+      message.header.stamp = stamp_;
+      message.header.frame_id = std::string("sonar_") + kSonars[i];
+      Publish(sonars_[i], message);
+    }
+  }
+
   void PublishImu() {
     sensor_msgs::Imu message = ToMessage(world_.imu());
     message.header.stamp = stamp_;
@@ -318,6 +342,7 @@ class SimulatorNode {
   LateMessages late_;
   ros::Publisher clock_, odom_, scan_, cloud_, imu_, battery_, map_, tf_, tf_static_, stop_, truth_,
       state_;
+  std::vector<ros::Publisher> sonars_;  // in the order of kSonars
   ros::Subscriber command_subscriber_;
   ros::ServiceServer fault_service_;
   std::optional<Velocity> command_;
@@ -327,6 +352,7 @@ class SimulatorNode {
   double odometry_time_ = -1;
   double scan_time_ = -1;
   double cloud_time_ = -1;
+  double echoes_time_ = -1;
   std::chrono::steady_clock::time_point lidar_rests_until_{};
   Every localization_due_{0.1};
   Every battery_due_{0.5};

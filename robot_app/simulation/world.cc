@@ -10,6 +10,7 @@ constexpr double kDockAngleTolerance = 3 * kPi / 180;  // rad
 constexpr double kClearance = 0.05;      // kept between a new thing and who stands there, m
 constexpr double kMaxStationOffset = 1;  // m
 constexpr double kLargestFloor = 1000;   // m
+constexpr double kSonarPeriod = 0.1;     // s
 constexpr double kTimeSlack = 1e-9;      // s; time is a sum of steps
 
 // Every sensor draws its own noise, so that one more beam does not change the odometry.
@@ -67,6 +68,9 @@ World::World(const Floor& floor, const WorldOptions& options)
     door_open_.push_back(floor.doors[i].open);
     bodies_.SetDoor(i, DoorLeaf(floor.doors[i], floor.doors[i].open));
   }
+  for (std::size_t i = 0; i < kSonars.size(); ++i) {
+    sonars_.emplace_back(options.sonars[i], SeedOf(options.seed, 5 + i));
+  }
   Rebuild();
   ReadSensors();
 }
@@ -123,6 +127,19 @@ void World::ReadSensors() {
     next_odometry_ += odometry_.options().period;
     next_odometry_ = std::max(next_odometry_, time_ + kTimeSlack);
   }
+  if (time_ + kTimeSlack >= next_echoes_) {
+    if (sonars_on_) ReadSonars();
+    next_echoes_ += kSonarPeriod;
+    next_echoes_ = std::max(next_echoes_, time_ + kTimeSlack);
+  }
+}
+
+void World::ReadSonars() {
+  audible_.SetFigures(MakeFigures(people_.Stances()));
+  echoes_.time = time_;
+  for (std::size_t i = 0; i < sonars_.size(); ++i) {
+    echoes_.ranges[i] = sonars_[i].Measure(robot(), audible_);
+  }
 }
 
 // base_link when the contacts touch, where they are now.
@@ -138,7 +155,8 @@ Pose2 World::OdomInMap() const { return Compose(robot(), Inverse(odometry_.pose(
 void World::Rebuild() {
   scene_ = Scene(MakeStillScene(floor_, door_open_, place_blocked_));
   visible_ = RayCaster(EdgesFrom(lidar_.options().height, still()));
-  solid_ = RayCaster(EdgesFrom(0, still()));
+  audible_ = Scene(WithGlass(still(), floor_));
+  solid_ = RayCaster(EdgesFrom(0, audible_.still()));
 }
 
 // Who stands nearer to a thing than allowed; empty if nobody. `distance` is that of a point from

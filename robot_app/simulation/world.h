@@ -22,6 +22,7 @@
 #include "robot_app/simulation/lidar_3d.h"
 #include "robot_app/simulation/odometry.h"
 #include "robot_app/simulation/people.h"
+#include "robot_app/simulation/sonar/sonar.h"
 
 namespace coppice::robot::simulation {
 
@@ -32,9 +33,16 @@ struct WorldOptions {
   double radius = kRobotRadius;  ///< of the robot on the floor, m
   LidarOptions lidar;
   Lidar3dOptions lidar_3d;
+  SonarsOptions sonars = ShippedSonars();
   DriveOptions drive;
   BatteryOptions battery;
   OdometryOptions odometry;
+};
+
+/// What the sonars have heard, all at the same time.
+struct Echoes {
+  double time = -1;                            ///< simulated, s; negative: never yet
+  std::array<float, kSonars.size()> ranges{};  ///< as Sonar::Measure, in the order of kSonars
 };
 
 /// What came of a request, in one sentence for a person; or why it is refused.
@@ -75,6 +83,10 @@ class World {
   const Lidar3d& lidar_3d() const { return lidar_3d_; }
   /// It costs much more than all else, so it turns only while this is on; off at first.
   void SetLidar3dOn(bool on);
+  const Echoes& echoes() const { return echoes_; }
+  const std::vector<Sonar>& sonars() const { return sonars_; }  ///< in the order of kSonars
+  /// They cost as much as the laser; off at first.
+  void SetSonarsOn(bool on) { sonars_on_ = on; }
   const Odometry& odometry() const { return odometry_; }
   const ImuReading& imu() const { return imu_.reading(); }  ///< of the last step
   const Battery& battery() const { return battery_; }
@@ -100,6 +112,7 @@ class World {
   void MovePeople(double dt);
   void MoveRobot(double dt);
   void ReadSensors();
+  void ReadSonars();
   void Rebuild();
   Pose2 station() const;
   bool CanStandAt(Vec2 point) const;
@@ -122,13 +135,18 @@ class World {
   Lidar lidar_;
   Lidar3d lidar_3d_;
   bool lidar_3d_on_ = false;
+  std::vector<Sonar> sonars_;
+  bool sonars_on_ = false;
+  Echoes echoes_;
   Odometry odometry_;
   Imu imu_;
   Scene scene_;        // what stands still and, while the 3-D lidar turns, the people
-  RayCaster visible_;  // of what stands still: what is as high as the lidar
+  Scene audible_;      // the same with the glass, for the sonars
+  RayCaster visible_;  // of what stands still: what is as high as the lidar and no glass
   RayCaster solid_;    // and all of it, for people's feet
   double next_scan_ = 0;
   double next_odometry_ = 0;
+  double next_echoes_ = 0;
 };
 
 }  // namespace coppice::robot::simulation

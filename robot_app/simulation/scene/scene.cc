@@ -30,8 +30,8 @@ std::vector<Segment> EdgesOf(const std::vector<Panel>& panels) {
   return edges;
 }
 
-void Offer(double range, double reflectivity, Hit& hit) {
-  if (range < hit.range) hit = {range, reflectivity};
+void Offer(const Hit& offered, Hit& hit) {
+  if (offered.range < hit.range) hit = offered;
 }
 
 double Farthest(const std::vector<Hit>& hits) {
@@ -90,8 +90,8 @@ void Scene::CastFan(const Vec3& origin, Vec2 direction, const std::vector<double
 void Scene::MeetFloorAndCeiling(double height, const std::vector<double>& slopes,
                                 std::vector<Hit>& hits) const {
   for (std::size_t i = 0; i < slopes.size(); ++i) {
-    if (slopes[i] < 0) hits[i] = {-height / slopes[i], kFloor};
-    if (slopes[i] > 0) hits[i] = {(still_.ceiling - height) / slopes[i], kCeiling};
+    if (slopes[i] < 0) hits[i] = {-height / slopes[i], kFloor, 0};
+    if (slopes[i] > 0) hits[i] = {(still_.ceiling - height) / slopes[i], kCeiling, 0};
   }
 }
 
@@ -103,8 +103,10 @@ void Scene::MeetFigures(const Vec3& origin, Vec2 direction, const std::vector<do
     if (!Cross(figure.bounds, origin.xy(), direction, in, out)) continue;
     for (const Pillar& part : figure.parts) {
       if (!Cross(part.disc, origin.xy(), direction, in, out)) continue;
+      const double facing = (out - in) / 2 / part.disc.radius;
       for (std::size_t i = 0; i < slopes.size(); ++i) {
-        Offer(CastAtPillar(part, origin.z, slopes[i], in, out), part.reflectivity, hits[i]);
+        const double range = CastAtPillar(part, origin.z, slopes[i], in, out);
+        Offer({range, part.reflectivity, range == in ? facing : 0}, hits[i]);
       }
     }
   }
@@ -132,17 +134,23 @@ void Scene::MeetPanels(const Vec3& origin, Vec2 direction, const std::vector<dou
 bool Scene::MeetPanel(const Panel& panel, const Vec3& origin, Vec2 direction,
                       const std::vector<double>& slopes, double range,
                       std::vector<Hit>& hits) const {
+  const Vec2 along = panel.edge.b - panel.edge.a;
+  const double side_facing = std::abs(Cross(direction, along)) / Length(along);
   bool is_nearer = false;
   for (std::size_t i = 0; i < slopes.size(); ++i) {
     if (range >= hits[i].range || origin.z + slopes[i] * range > panel.top) continue;
     double met = range;
+    double facing = side_facing;
     if (panel.roof != Panel::kNoRoof && slopes[i] < 0) {
       const Roof& roof = still_.roofs[static_cast<std::size_t>(panel.roof)];
       const double through = (roof.height - origin.z) / slopes[i];
       const bool is_above = through > 0 && through < range;
-      if (is_above && Distance(origin.xy() + direction * through, roof.shape) <= 0) met = through;
+      if (is_above && Distance(origin.xy() + direction * through, roof.shape) <= 0) {
+        met = through;
+        facing = 0;
+      }
     }
-    Offer(met, ReflectivityOf(panel.material), hits[i]);
+    Offer({met, ReflectivityOf(panel.material), facing}, hits[i]);
     is_nearer = true;
   }
   return is_nearer;

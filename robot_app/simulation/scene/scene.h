@@ -57,6 +57,8 @@ struct StillScene {
 struct Hit {
   double range = std::numeric_limits<double>::infinity();  ///< on the floor [m]; infinity: nowhere
   double reflectivity = 0;                                 ///< 0..1, for infrared light
+  /// On the floor, the cosine between the ray and the normal of what it met; 0: that lies level.
+  double facing = 0;
 };
 
 class Scene {

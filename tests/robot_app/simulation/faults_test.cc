@@ -137,6 +137,13 @@ TEST_F(FaultsTest, ATopicLagsAndGoesBlindUntilItIsRestored) {
   EXPECT_FALSE(faults_.Inject({"blind_topic", "/odom", 0, 0}));
 }
 
+TEST_F(FaultsTest, ASonarGoesDeaf) {
+  for (const char* const topic : {"/sonar/left", "/sonar/front", "/sonar/right"}) {
+    EXPECT_TRUE(faults_.Inject({"blind_topic", topic, 0, 0})) << topic;
+    EXPECT_TRUE(faults_.sensors().IsBlind(topic));
+  }
+}
+
 TEST_F(FaultsTest, ARingIsLostForAWhile) {
   EXPECT_TRUE(faults_.Inject({"lose_ring", "", 3, 1}));
   EXPECT_EQ(faults_.sensors().lost_rings(), std::set<int>{3});

@@ -30,6 +30,12 @@ TEST(ShippedFiles, TheDefaultsAreThoseOfTheShippedRobot) {
   EXPECT_DOUBLE_EQ(shipped.lidar.height, defaults.lidar.height);
   EXPECT_DOUBLE_EQ(shipped.lidar_3d.mounting.x, defaults.lidar_3d.mounting.x);
   EXPECT_DOUBLE_EQ(shipped.lidar_3d.height, defaults.lidar_3d.height);
+  for (std::size_t i = 0; i < kSonars.size(); ++i) {
+    EXPECT_DOUBLE_EQ(shipped.sonars[i].mounting.x, defaults.sonars[i].mounting.x) << kSonars[i];
+    EXPECT_DOUBLE_EQ(shipped.sonars[i].mounting.y, defaults.sonars[i].mounting.y) << kSonars[i];
+    EXPECT_NEAR(shipped.sonars[i].mounting.yaw, defaults.sonars[i].mounting.yaw, 1e-6);
+    EXPECT_DOUBLE_EQ(shipped.sonars[i].height, defaults.sonars[i].height) << kSonars[i];
+  }
   EXPECT_DOUBLE_EQ(shipped.odometry.track, defaults.odometry.track);
   EXPECT_DOUBLE_EQ(shipped.odometry.wheel_diameter, defaults.odometry.wheel_diameter);
 }

@@ -11,6 +11,7 @@
 #include <sensor_msgs/Imu.h>
 #include <sensor_msgs/LaserScan.h>
 #include <sensor_msgs/PointCloud2.h>
+#include <sensor_msgs/Range.h>
 #include <sensor_msgs/point_cloud2_iterator.h>
 #include <std_msgs/Bool.h>
 #include <tf2_msgs/TFMessage.h>
@@ -210,6 +211,44 @@ TEST_F(SimulatorNodeTest, SendsCloudsOfTheWallsAroundItToWhoSubscribes) {
   });
   ASSERT_NE(velodyne, frames.end());
   EXPECT_EQ(velodyne->transform.translation.z, 1.2);
+}
+
+TEST_F(SimulatorNodeTest, SonarsTellTheirRangesTenTimesASecondAndGoDeafLateOrSilentOnRequest) {
+  // Half a metre before the south wall of the corridor.
+  ChildProcess simulator({kSimulator, "_speed:=4", "_start:=20 -0.4 -1.5708"}, Log("sonars"));
+  Latest<rosgraph_msgs::Clock> clock(node_, "/clock");
+  for (const std::string name : {"left", "front", "right"}) {
+    Latest<sensor_msgs::Range> range(node_, "/sonar/" + name);
+    ASSERT_TRUE(Eventually([&] { return range.count() > 1; }, 15)) << TextOf(Log("sonars"));
+    const sensor_msgs::Range message = range.get();
+    EXPECT_EQ(message.header.frame_id, "sonar_" + name);
+    EXPECT_EQ(message.radiation_type, sensor_msgs::Range::ULTRASOUND);
+    EXPECT_NEAR(message.field_of_view, M_PI / 6, 1e-6);
+    EXPECT_FLOAT_EQ(message.min_range, 0.2F);
+    EXPECT_FLOAT_EQ(message.max_range, 4);
+    EXPECT_NEAR(message.range, 0.53, 0.12);
+  }
+
+  Latest<sensor_msgs::Range> front(node_, "/sonar/front");
+  ASSERT_TRUE(Eventually([&] { return front.count() > 0; }));
+  const ros::Time first = front.get().header.stamp;
+  const int before = front.count();
+  EXPECT_TRUE(Eventually([&] { return front.count() >= before + 20; }));
+  EXPECT_NEAR((front.get().header.stamp - first).toSec() / (front.count() - before), 0.1, 0.01);
+
+  EXPECT_TRUE(Inject("blind_topic", "/sonar/front").ok);
+  EXPECT_TRUE(Eventually([&] { return std::isnan(front.get().range); }));
+  EXPECT_TRUE(Inject("restore_topic", "/sonar/front").ok);
+  EXPECT_TRUE(Eventually([&] { return !std::isnan(front.get().range); }));
+  EXPECT_TRUE(Inject("delay_topic", "/sonar/front", 2).ok);
+  EXPECT_TRUE(Eventually([&] {
+    const sensor_msgs::Range newest = front.get();
+    return (clock.get().clock - newest.header.stamp).toSec() > 1.9;
+  }));
+  EXPECT_TRUE(Inject("silence_topic", "/sonar/front").ok);
+  const ros::Time silenced = clock.get().clock;
+  EXPECT_TRUE(Eventually([&] { return (clock.get().clock - silenced).toSec() > 4; }));
+  EXPECT_LT((front.get().header.stamp - silenced).toSec(), 0.2);
 }
 
 TEST_F(SimulatorNodeTest, TheThreeDLidarLeavesTurnsOutWhereTimeRunsFast) {

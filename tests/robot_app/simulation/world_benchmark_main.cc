@@ -54,6 +54,19 @@ void BM_Turn3d(benchmark::State& state) {
 }
 BENCHMARK(BM_Turn3d)->Unit(benchmark::kMillisecond);
 
+// What the three sonars hear once, among the same people.
+void BM_Sonars(benchmark::State& state) {
+  Floor floor = LoadInstitute();
+  Scene scene(World(floor).still());
+  scene.SetFigures(MakeFigures(People(floor.people).Stances()));
+  std::vector<Sonar> sonars;
+  for (const SonarOptions& options : ShippedSonars()) sonars.emplace_back(options, 1);
+  for (auto unused : state) {
+    for (Sonar& sonar : sonars) benchmark::DoNotOptimize(sonar.Measure({20, 0, 0}, scene));
+  }
+}
+BENCHMARK(BM_Sonars)->Unit(benchmark::kMicrosecond);
+
 // A picture of the RGB-D camera in the corridor, two people in it; and both encodings of it.
 RgbdPicture TakePicture(const World& world, RgbdCamera& camera) {
   std::vector<SeenPerson> people(2);

@@ -80,6 +80,15 @@ TEST(World, BumpsIntoWhatIsTooLowForTheLidarAndGetsFreeBackwards) {
   EXPECT_LT(world.robot().x, 8.5);
 }
 
+TEST(World, BumpsIntoGlassThatTheLidarDoesNotSee) {
+  Floor floor = MakeRoom();
+  floor.glass = {{{10, -2}, {10, 2}}};
+  World world(floor, At(8, 0, 0));
+  Drive(world, {0.9, 0}, 5);
+  EXPECT_TRUE(world.touching());
+  EXPECT_NEAR(world.robot().x, 10 - kRobotRadius, 0.02);
+}
+
 TEST(World, OdometryAndTruthAgreeThroughTheTransform) {
   World world(MakeRoom(), At(5, 0, 0.5));
   Drive(world, {0.3, 0.4}, 8);

@@ -44,6 +44,26 @@ TEST(Scene, SeesTheTopOfABoxFromAbove) {
   EXPECT_NEAR(Cast(scene, {0, 0, 1.2}, 0, -0.18).range, 2.5, 1e-9);
 }
 
+TEST(Scene, TellsHowMuchWhatItMeetsFacesTheRay) {
+  StillScene still;
+  still.AddBox({{3, 0}, {2, 2}, kPi / 6}, 0.75, Material::kFurniture);
+  const Scene scene(still);
+  EXPECT_NEAR(Cast(scene, {-0.5, -2, 0.5}, kPi / 6, 0).facing, 1, 1e-9);
+  EXPECT_NEAR(Cast(scene, {0, 0, 0.5}, 0, 0).facing, std::cos(kPi / 6), 1e-9);
+  EXPECT_EQ(Cast(scene, {0, 0, 0.5}, 0, -0.4).facing, 0) << "the floor";
+  EXPECT_EQ(Cast(scene, {0, 0, 1.2}, 0, -0.18).facing, 0) << "the roof";
+}
+
+TEST(Scene, ARoundThingFacesOnlyWhoLooksAtItsMiddle) {
+  Scene scene;
+  Figure post;
+  post.bounds = {{2, 0}, 0.5};
+  post.parts.fill({{{2, 0}, 0.5}, 0, 1});
+  scene.SetFigures({post});
+  EXPECT_NEAR(Cast(scene, {0, 0, 0.5}, 0, 0).facing, 1, 1e-9);
+  EXPECT_NEAR(Cast(scene, {0, 0.3, 0.5}, 0, 0).facing, 0.8, 1e-9);
+}
+
 TEST(Scene, HitsFartherThanTheRangeInTheAirAreNone) {
   StillScene still;
   still.panels.push_back({{{99.9, -5}, {99.9, 5}}, 50});
