@@ -114,6 +114,17 @@ LaserScan ToLaserScan(const sensor_msgs::LaserScan& message, const Pose2D& mount
   return scan;
 }
 
+RangeReading ToRangeReading(const sensor_msgs::Range& message, const Pose2D& mount) {
+  RangeReading reading;
+  reading.stamp = message.header.stamp.toSec();
+  reading.mount = mount;
+  reading.field_of_view = message.field_of_view;
+  reading.min_range = message.min_range;
+  reading.max_range = message.max_range;
+  reading.range = message.range;
+  return reading;
+}
+
 Expected<OccupancyGrid> ToGrid(const nav_msgs::OccupancyGrid& message) {
   OccupancyGrid grid;
   const auto& info = message.info;

@@ -7,6 +7,7 @@
 #include <geometry_msgs/Twist.h>
 #include <nav_msgs/OccupancyGrid.h>
 #include <sensor_msgs/LaserScan.h>
+#include <sensor_msgs/Range.h>
 
 #include <optional>
 #include <string>
@@ -17,6 +18,7 @@
 #include "robot_app/common/laser_scan.h"
 #include "robot_app/common/occupancy_grid.h"
 #include "robot_app/common/parameters.h"
+#include "robot_app/common/range_reading.h"
 #include "robot_app/common/transforms.h"
 
 namespace coppice::robot {
@@ -46,6 +48,7 @@ geometry_msgs::Pose ToPoseMessage(const Pose2D& pose);
 bool IsValid(const geometry_msgs::Pose& pose);
 
 LaserScan ToLaserScan(const sensor_msgs::LaserScan& message, const Pose2D& mount);
+RangeReading ToRangeReading(const sensor_msgs::Range& message, const Pose2D& mount);
 
 /// A problem if the grid is rotated, has not width * height cells, or its cells or its place are
 /// none that a map can have.

@@ -4,13 +4,11 @@
 
 namespace coppice::robot::navigation {
 
-void Costmap::Update(const OccupancyGrid& map, const ObstacleLayer* obstacles) {
+void Costmap::Update(const OccupancyGrid& map, const std::vector<int>& obstacles) {
   frame_ = map.frame;
   std::vector<std::uint8_t> blocked(frame_.size());
   for (int i = 0; i < frame_.size(); ++i) blocked[i] = map.Blocked(i) ? 1 : 0;
-  if (obstacles != nullptr) {
-    for (const int index : obstacles->marked()) blocked[index] = 1;
-  }
+  for (const int index : obstacles) blocked[index] = 1;
   distance_ = DistanceTransform(frame_, blocked, settings_.inflation_radius);
   cost_.resize(distance_.size());
   for (std::size_t i = 0; i < cost_.size(); ++i) {

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "robot_app/common/occupancy_grid.h"
-#include "robot_app/navigation/obstacle_layer.h"
 
 namespace coppice::robot::navigation {
 
@@ -27,8 +26,8 @@ class Costmap {
 
   explicit Costmap(CostSettings settings = {}) : settings_(settings) {}
 
-  /// Computes all costs. `obstacles` may be null; else it must be on the same grid.
-  void Update(const OccupancyGrid& map, const ObstacleLayer* obstacles);
+  /// Computes all costs. `obstacles`: cells that are blocked though they are free on the map.
+  void Update(const OccupancyGrid& map, const std::vector<int>& obstacles = {});
 
   const GridFrame& frame() const { return frame_; }
   /// Cost of driving one metre in that cell: >= 1, or kLethal.

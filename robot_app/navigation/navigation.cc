@@ -33,13 +33,15 @@ Navigation::Navigation(NavigationSettings settings)
       static_costs_(settings.costs),
       costmap_(settings.costs),
       obstacles_(settings.obstacles),
+      sonar_(settings.sonar),
       follower_(settings.follower) {}
 
 void Navigation::SetMap(OccupancyGrid map) {
   map_ = std::move(map);
-  static_costs_.Update(map_, nullptr);
+  static_costs_.Update(map_);
   costmap_ = static_costs_;
   obstacles_.Reset(map_.frame);
+  sonar_.Reset(map_.frame);
   next_plan_ = 0;
 }
 
@@ -77,7 +79,19 @@ void Navigation::AddScan(const Pose2D& pose, const LaserScan& scan) {
   scan_ = scan;
   scan_pose_ = pose;
   points_ = PointsInBase(scan, kPointRange);
+  seen_.clear();
+  for (const Point2D& point : points_) seen_.push_back(Compose(pose, point));
   if (has_map()) obstacles_.Insert(pose, scan);
+}
+
+Outcome Navigation::AddRange(const Pose2D& pose, const RangeReading& reading, double now) {
+  if (!has_map()) return {};
+  const bool is_seen_lately = std::abs(reading.stamp - scan_.stamp) <= settings_.sonar.oldest;
+  return sonar_.Insert(pose, reading, is_seen_lately ? seen_ : std::vector<Point2D>(), now);
+}
+
+void Navigation::AddHeard(const Pose2D& pose, std::vector<Point2D>& points) const {
+  sonar_.AddPoints(pose, kPointRange, points);
 }
 
 void Navigation::SetStatus(NavigationStatus status, double now, std::string message) {
@@ -126,6 +140,7 @@ Velocity2D Navigation::Update(double now, const Pose2D& pose, double pose_stamp)
     follower_.Reset();  // blind: not even a braking ramp
     return {};
   }
+  sonar_.Forget(now);
   NoteProgress(now, pose);
   if (turn_left_ > 0) return TurnOnce(now, pose, seconds);
   if (now >= next_plan_ && !follower_.at_goal()) Replan(now, pose);
@@ -143,7 +158,9 @@ void Navigation::Replan(double now, const Pose2D& pose) {
     return;
   }
   obstacles_.Forget(now);
-  costmap_.Update(map_, &obstacles_);
+  std::vector<int> marked = obstacles_.marked();
+  marked.insert(marked.end(), sonar_.marked().begin(), sonar_.marked().end());
+  costmap_.Update(map_, marked);
   const Plan plan = FindPath(costmap_, {pose.x, pose.y}, goal);
   ++path_number_;
   follower_.SetPath(SmoothPath(costmap_, plan.points), goal_->yaw);
@@ -156,7 +173,9 @@ void Navigation::Replan(double now, const Pose2D& pose) {
 
 Velocity2D Navigation::Drive(double now, const Pose2D& pose, double seconds) {
   if (follower_.path().empty()) return follower_.Brake(seconds);
-  const Follower::Command command = follower_.Update(pose, points_, seconds);
+  std::vector<Point2D> obstacles = points_;
+  AddHeard(pose, obstacles);
+  const Follower::Command command = follower_.Update(pose, obstacles, seconds);
   if (command.reached) {
     Finish(End::kReached, now, "goal reached");
     return command.velocity;

@@ -10,6 +10,7 @@
 //   navigation.SetMap(grid);
 //   navigation.SetGoal(goal, now);
 //   at 10 Hz:  navigation.AddScan(pose, scan);
+//   and, with ultrasonic sensors:  navigation.AddRange(pose, reading, now);
 //   at 20 Hz:  Velocity2D velocity = navigation.Update(now, pose, pose_stamp);
 #ifndef COPPICE_ROBOT_APP_NAVIGATION_NAVIGATION_H_
 #define COPPICE_ROBOT_APP_NAVIGATION_NAVIGATION_H_
@@ -19,7 +20,9 @@
 #include <string>
 
 #include "robot_app/navigation/follower.h"
+#include "robot_app/navigation/obstacle_layer.h"
 #include "robot_app/navigation/planner.h"
+#include "robot_app/navigation/sonar_layer.h"
 
 namespace coppice::robot::navigation {
 
@@ -27,6 +30,7 @@ struct NavigationSettings {
   FollowerSettings follower;
   CostSettings costs;
   ObstacleSettings obstacles;
+  SonarSettings sonar;
   double replan_period = 1.0;     ///< [s]
   double blocked_after = 1.0;     ///< held by an obstacle for this long: blocked [s]
   double patience = 8.0;          ///< waits this long before recovering [s]
@@ -61,6 +65,13 @@ class Navigation {
 
   /// Enters a scan taken with base_link at `pose` in the map frame.
   void AddScan(const Pose2D& pose, const LaserScan& scan);
+
+  /// Enters a reading of an ultrasonic sensor taken with base_link at `pose`, which comes at `now`.
+  /// A problem says why it is refused (sonar_layer.h).
+  Outcome AddRange(const Pose2D& pose, const RangeReading& reading, double now);
+
+  /// Adds to `points` what the sonars have heard near the robot at `pose`, in base_link.
+  void AddHeard(const Pose2D& pose, std::vector<Point2D>& points) const;
 
   /// The command for base_link from `now` [s] on. `pose` was true at `pose_stamp` [s].
   Velocity2D Update(double now, const Pose2D& pose, double pose_stamp);
@@ -99,10 +110,12 @@ class Navigation {
   Costmap static_costs_;  // of the map alone
   Costmap costmap_;       // with obstacles
   ObstacleLayer obstacles_;
+  SonarLayer sonar_;
   Follower follower_;
   std::vector<Point2D> points_;  // the newest scan, in base_link
   LaserScan scan_;
   Pose2D scan_pose_;
+  std::vector<Point2D> seen_;  // the newest scan, in the map frame
 
   std::optional<Pose2D> goal_;
   NavigationStatus status_ = NavigationStatus::kIdle;

@@ -24,7 +24,7 @@ namespace {
 constexpr char kHelp[] =
     "coppice-navigation: drives the robot to goals, as the ROS node /navigation.\n"
     "  actions     move_base (move_base_msgs/MoveBase), motion (coppice_msgs/Motion)\n"
-    "  subscribes  /map /scan /odom /tf /tf_static\n"
+    "  subscribes  /map /scan /sonar/left /sonar/front /sonar/right /odom /tf /tf_static\n"
     "  publishes   /cmd_vel (only while moving), /navigation/state, /navigation/path,\n"
     "              /navigation/way_to_station (with ~station, as long as there is a way on the "
     "map)\n"
@@ -56,6 +56,8 @@ Parameters ParametersOf(Settings& settings) {
        {"goal_yaw_tolerance", &follower.goal_yaw_tolerance, 0.02, 4, "[rad]"},
        {"patience", &navigation.patience, 0, 3600, "waits so long before it recovers [s]"},
        {"forget_obstacles_after", &navigation.obstacles.forget_after, 0.1, 36000, "[s]"},
+       {"sonar_range", &navigation.sonar.mark_range, 0, 10, "echoes from farther mark nothing [m]"},
+       {"forget_echoes_after", &navigation.sonar.forget_after, 0.1, 60, "[s]"},
        {"sensor_timeout", &navigation.sensor_timeout, 0.1, 60, "an older pose does not count [s]"},
        {"station", &settings.station, "\"X Y\" of the charging station on the map [m]"}},
       settings.frames);
@@ -116,6 +118,12 @@ class NavigationNode {
         }));
     subscribers_.push_back(node_.subscribe<sensor_msgs::LaserScan>(
         "/scan", 1, [this](const sensor_msgs::LaserScan::ConstPtr& message) { OnScan(*message); }));
+    for (const char* const topic : {"/sonar/left", "/sonar/front", "/sonar/right"}) {
+      subscribers_.push_back(node_.subscribe<sensor_msgs::Range>(
+          topic, 1, [this, topic](const sensor_msgs::Range::ConstPtr& message) {
+            OnRange(*message, topic);
+          }));
+    }
     subscribers_.push_back(node_.subscribe<nav_msgs::Odometry>(
         "/odom", 1, [this](const nav_msgs::Odometry::ConstPtr& message) {
           odometry_ = ToPose2D(message->pose.pose);
@@ -127,7 +135,7 @@ class NavigationNode {
   void MeasureWays(const OccupancyGrid& map) {
     if (!settings_.station) return;
     Costmap costs(settings_.navigation.costs);
-    costs.Update(map, nullptr);
+    costs.Update(map);
     ways_.emplace(costs, *settings_.station);
   }
 
@@ -137,6 +145,14 @@ class NavigationNode {
     scan_stamp_ = scan->stamp;
     points_ = PointsInBase(*scan, 3);
     if (const auto pose = pose_.At(message.header.stamp)) navigation_.AddScan(*pose, *scan);
+  }
+
+  void OnRange(const sensor_msgs::Range& message, const char* topic) {
+    const auto mount = pose_.MountOf(message.header.frame_id);
+    const auto pose = pose_.At(message.header.stamp);
+    if (!mount || !pose) return;
+    const Outcome entered = navigation_.AddRange(*pose, ToRangeReading(message, *mount), Now());
+    if (!entered) ROS_WARN_THROTTLE(10, "%s is not used: %s", topic, entered.problem().c_str());
   }
 
   void OnGoal() {
@@ -212,7 +228,9 @@ class NavigationNode {
       EndMotion(false, "the laser scan has fallen silent");
       return {};
     }
-    const Velocity2D velocity = motion_.Update(odometry_, points_, seconds);
+    std::vector<Point2D> obstacles = points_;
+    if (const auto pose = pose_.Newest()) navigation_.AddHeard(pose->pose, obstacles);
+    const Velocity2D velocity = motion_.Update(odometry_, obstacles, seconds);
     if (motion_.state() == RelativeMotion::State::kMoving) {
       coppice_msgs::MotionFeedback feedback;
       feedback.remaining = motion_.remaining();

@@ -5,15 +5,10 @@
 
 namespace coppice::robot::navigation {
 
-void ObstacleLayer::Reset(const GridFrame& frame) {
-  frame_ = frame;
-  seen_.assign(frame.size(), kNever);
-  marked_.clear();
-}
-
 void ObstacleLayer::Insert(const Pose2D& pose, const LaserScan& scan) {
   const Pose2D laser = Compose(pose, scan.mount);
   const Point2D from{laser.x, laser.y};
+  const GridFrame& frame = marks_.frame();
   std::vector<int> hits;
   for (std::size_t i = 0; i < scan.ranges.size(); ++i) {
     const double range = scan.ranges[i];
@@ -22,38 +17,17 @@ void ObstacleLayer::Insert(const Pose2D& pose, const LaserScan& scan) {
     const double length = std::min({range, scan.range_max, settings_.clear_range});
     const double angle = scan.angle_min + static_cast<double>(i) * scan.angle_increment;
     const Point2D end = Compose(laser, Point2D{length * std::cos(angle), length * std::sin(angle)});
-    TraceLine(frame_, from, end, [&](Cell cell) {
-      if (!frame_.Contains(cell)) return false;
-      seen_[frame_.Index(cell)] = kNever;
+    TraceLine(frame, from, end, [&](Cell cell) {
+      if (!frame.Contains(cell)) return false;
+      marks_.Unmark(frame.Index(cell));
       return true;
     });
-    const Cell last = frame_.CellAt(end.x, end.y);
-    if (hit && frame_.Contains(last)) hits.push_back(frame_.Index(last));
+    const Cell last = frame.CellAt(end.x, end.y);
+    if (hit && frame.Contains(last)) hits.push_back(frame.Index(last));
   }
   // Cells left marked first, then the hits: one beam must not clear what its neighbour has hit.
-  KeepIf([&](int index) { return seen_[index] != kNever; });
-  for (const int index : hits) {
-    if (seen_[index] == kNever) marked_.push_back(index);
-    seen_[index] = scan.stamp;
-  }
-}
-
-void ObstacleLayer::Forget(double now) {
-  KeepIf([&](int index) { return now - seen_[index] <= settings_.forget_after; });
-}
-
-void ObstacleLayer::Clear() {
-  KeepIf([](int) { return false; });
-}
-
-template <typename Keep>
-void ObstacleLayer::KeepIf(Keep keep) {
-  const auto gone = std::remove_if(marked_.begin(), marked_.end(), [&](int index) {
-    if (keep(index)) return false;
-    seen_[index] = kNever;
-    return true;
-  });
-  marked_.erase(gone, marked_.end());
+  marks_.KeepIf([](int) { return true; });
+  for (const int index : hits) marks_.Mark(index, scan.stamp);
 }
 
 }  // namespace coppice::robot::navigation

@@ -7,11 +7,10 @@
 #ifndef COPPICE_ROBOT_APP_NAVIGATION_OBSTACLE_LAYER_H_
 #define COPPICE_ROBOT_APP_NAVIGATION_OBSTACLE_LAYER_H_
 
-#include <cstdint>
 #include <vector>
 
 #include "robot_app/common/laser_scan.h"
-#include "robot_app/common/occupancy_grid.h"
+#include "robot_app/navigation/marked_cells.h"
 
 namespace coppice::robot::navigation {
 
@@ -26,31 +25,24 @@ class ObstacleLayer {
   explicit ObstacleLayer(ObstacleSettings settings = {}) : settings_(settings) {}
 
   /// Starts empty on a grid.
-  void Reset(const GridFrame& frame);
+  void Reset(const GridFrame& frame) { marks_.Reset(frame); }
 
   /// Enters a scan taken at `pose` (base_link in the map frame).
   void Insert(const Pose2D& pose, const LaserScan& scan);
 
   /// Drops marks that are older than `forget_after` at `now` [s].
-  void Forget(double now);
+  void Forget(double now) { marks_.Forget(now, settings_.forget_after); }
 
   /// Drops all marks. Those that the laser sees now return with the next scan.
-  void Clear();
+  void Clear() { marks_.Clear(); }
 
-  bool Marked(int index) const { return seen_[index] != kNever; }
+  bool Marked(int index) const { return marks_.Marked(index); }
   /// The marked cells, in no particular order.
-  const std::vector<int>& marked() const { return marked_; }
+  const std::vector<int>& marked() const { return marks_.list(); }
 
  private:
-  static constexpr double kNever = -1e300;
-
-  template <typename Keep>
-  void KeepIf(Keep keep);
-
   ObstacleSettings settings_;
-  GridFrame frame_;
-  std::vector<double> seen_;  // per cell: when it was last marked
-  std::vector<int> marked_;
+  MarkedCells marks_;
 };
 
 }  // namespace coppice::robot::navigation

@@ -97,6 +97,22 @@ TEST(RosMessages, ScansKeepTheirTimeAndBeams) {
   EXPECT_DOUBLE_EQ(scan.range_max, 20);
 }
 
+TEST(RosSupport, ARangeKeepsItsConeAndItsLimits) {
+  sensor_msgs::Range message;
+  message.header.stamp = ros::Time(12.5);
+  message.field_of_view = 0.5F;
+  message.min_range = 0.25F;
+  message.max_range = 4;
+  message.range = 1.5F;
+  const RangeReading reading = ToRangeReading(message, {0.33, 0, 0});
+  EXPECT_DOUBLE_EQ(reading.stamp, 12.5);
+  EXPECT_DOUBLE_EQ(reading.mount.x, 0.33);
+  EXPECT_DOUBLE_EQ(reading.field_of_view, 0.5);
+  EXPECT_DOUBLE_EQ(reading.min_range, 0.25);
+  EXPECT_DOUBLE_EQ(reading.max_range, 4);
+  EXPECT_DOUBLE_EQ(reading.range, 1.5);
+}
+
 TEST(RobotPose, IsLocalizationTimesOdometryAndAsOldAsTheOlder) {
   RobotPose robot({"map", "odom", "base_link"});
   EXPECT_FALSE(robot.Newest());

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "robot_app/navigation/obstacle_layer.h"
 #include "tests/robot_app/navigation/test_floor.h"
 
 namespace coppice::robot::navigation {
@@ -10,7 +11,7 @@ namespace {
 TEST(Costmap, IsLethalWhereTheRobotTouchesAWall) {
   Costmap costmap;
   const OccupancyGrid room = EmptyRoom(5, 5);
-  costmap.Update(room, nullptr);
+  costmap.Update(room);
   EXPECT_TRUE(costmap.Lethal(room.frame.CellAt(0.35, 2.5)));
   EXPECT_FALSE(costmap.Lethal(room.frame.CellAt(0.5, 2.5)));
   EXPECT_TRUE(costmap.Lethal(Cell{-1, 20})) << "outside";
@@ -19,7 +20,7 @@ TEST(Costmap, IsLethalWhereTheRobotTouchesAWall) {
 TEST(Costmap, FallsWithTheDistanceToTheWall) {
   Costmap costmap;
   const OccupancyGrid room = EmptyRoom(5, 5);
-  costmap.Update(room, nullptr);
+  costmap.Update(room);
   double last = 1e9;
   for (double x = 0.5; x < 2.4; x += 0.1) {
     const double cost = costmap.cost(room.frame.Index(room.frame.CellAt(x, 2.5)));
@@ -38,9 +39,9 @@ TEST(Costmap, ObstaclesOfTheLaserCountLikeWalls) {
   layer.Reset(room.frame);
   layer.Insert({1, 2.5, 0}, ScanOf(with_box, {1, 2.5, 0}, 0));
   Costmap costmap;
-  costmap.Update(room, &layer);
+  costmap.Update(room, layer.marked());
   EXPECT_TRUE(costmap.Lethal(room.frame.CellAt(2.3, 2.5)));
-  costmap.Update(room, nullptr);
+  costmap.Update(room);
   EXPECT_FALSE(costmap.Lethal(room.frame.CellAt(2.3, 2.5)));
 }
 

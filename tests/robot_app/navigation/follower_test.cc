@@ -30,7 +30,7 @@ struct Trip {
 Trip DriveOn(const OccupancyGrid& floor, Pose2D pose, const Pose2D& goal,
              const FollowerSettings& settings = {}) {
   Costmap costmap;
-  costmap.Update(floor, nullptr);
+  costmap.Update(floor);
   const Plan plan = FindPath(costmap, {pose.x, pose.y}, {goal.x, goal.y});
   EXPECT_EQ(plan.status, PlanStatus::kOk) << plan.message;
   Trip run;

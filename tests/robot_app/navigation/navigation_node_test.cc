@@ -1,8 +1,10 @@
 // The programs coppice-navigation and coppice-docking drive the simulator's robot over ROS.
 #include <actionlib/client/simple_action_client.h>
 #include <coppice_msgs/DockingAction.h>
+#include <coppice_msgs/InjectFault.h>
 #include <coppice_msgs/MotionAction.h>
 #include <coppice_msgs/NavigationState.h>
+#include <geometry_msgs/PoseStamped.h>
 #include <geometry_msgs/Twist.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -15,6 +17,7 @@
 #include <atomic>
 #include <cmath>
 #include <cstdio>
+#include <fstream>
 #include <mutex>
 #include <vector>
 
@@ -25,6 +28,7 @@
 #include "tests/robot_app/ros_environment.h"
 #include "tests/robot_app/text_of.h"
 #include "tests/support/folders.h"
+#include "tests/support/temporary_folder.h"
 
 namespace coppice::robot::navigation {
 namespace {
@@ -112,7 +116,10 @@ struct Listener {
 class NavigationNode : public testing::Test {
  protected:
   // A node's parameters outlive it.
-  ~NavigationNode() override { ros::param::del("/navigation/station"); }
+  ~NavigationNode() override {
+    ros::param::del("/navigation/station");
+    ros::param::del("/simulator/floor");
+  }
 
   // Starts the robot at "X Y YAW", or docked: "none". The rest: arguments of the programs.
   void StartRobot(const std::string& start, const std::vector<std::string>& navigation = {},
@@ -269,6 +276,35 @@ TEST_F(NavigationNode, AScanThatTellsNothingIsNoFreeWay) {
       << listener.State().message;
   scanner.is_blind = false;
   EXPECT_TRUE(Eventually([&] { return listener.speed > 0.3; }, kPatience));
+}
+
+TEST_F(NavigationNode, DrivesAroundABoxThatOnlyTheSonarsHear) {
+  const TemporaryFolder folder;
+  std::ofstream(folder.Path("hall.yaml"))
+      << "name: hall\nwall_height: 2.5\n"
+         "walls: [[[0, -2], [12, -2], [12, 2], [0, 2], [0, -2]]]\n"
+         "places: [{name: box, at: [6, 0], size: [0.4, 0.6], height: 0.15}]\n"
+         "charging_station: {docked: [1, 0, 0], staging: [1.5, 0, 0]}\n";
+  StartRobot("2 0 0", {}, {"_floor:=" + folder.Path("hall.yaml")});
+  ros::NodeHandle node;
+  std::atomic<double> aside{0};  // of the box, when the robot was beside it
+  const ros::Subscriber truth = node.subscribe<geometry_msgs::PoseStamped>(
+      "/simulation/truth", 20, [&](const geometry_msgs::PoseStamped::ConstPtr& message) {
+        const geometry_msgs::Point& at = message->pose.position;
+        if (std::abs(at.x - 6) < 0.2) aside = std::abs(at.y);
+      });
+  Listener listener;
+  Client<move_base_msgs::MoveBaseAction> move_base("move_base");
+  ASSERT_TRUE(Eventually([&] { return listener.State().header.stamp.toSec() > 1; }, kPatience))
+      << TextOf(Log("simulator"));
+  coppice_msgs::InjectFault box;
+  box.request.fault = "block_corridor";
+  box.request.target = "box";
+  ASSERT_TRUE(ros::service::call("/simulation/inject_fault", box) && box.response.ok);
+
+  move_base.Send(Goal(10, 0));
+  EXPECT_EQ(move_base.Wait(), SimpleClientGoalState::SUCCEEDED) << move_base->getState().getText();
+  EXPECT_GT(aside, 0.3 + 0.33);
 }
 
 using Way = Latest<std_msgs::Float64>;

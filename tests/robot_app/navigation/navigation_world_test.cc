@@ -22,6 +22,7 @@ class NavigationInWorld : public testing::Test {
 
   NavigationInWorld() {
     world_.emplace(floor_, At({0, 0, 0}));
+    world_->SetSonarsOn(true);
     Diagnostics diagnostics;
     places_ =
         *TopologicalMap::Load(SourceFolder() + "/robot_app/config/waypoints.yaml", diagnostics);
@@ -41,6 +42,12 @@ class NavigationInWorld : public testing::Test {
       if (world_->scan().time != scan_time_) {
         scan_time_ = world_->scan().time;
         navigation_.AddScan(PoseOf(*world_), ScanOf(*world_));
+      }
+      if (world_->echoes().time != echo_time_) {
+        echo_time_ = world_->echoes().time;
+        for (const RangeReading& reading : EchoesOf(*world_)) {
+          EXPECT_TRUE(navigation_.AddRange(PoseOf(*world_), reading, world_->time()));
+        }
       }
       const Velocity2D velocity =
           navigation_.Update(world_->time(), PoseOf(*world_), world_->time());
@@ -68,6 +75,7 @@ class NavigationInWorld : public testing::Test {
   Navigation navigation_;
   TopologicalMap places_;
   double scan_time_ = -1;
+  double echo_time_ = -1;
   double error_ = 0;
   double error_sum_ = 0;
   int updates_ = 0;
@@ -104,6 +112,7 @@ TEST_F(NavigationInWorld, ABlockedCorridorEndsTheGoalAndAnOpenOneDoesNot) {
 
 TEST_F(NavigationInWorld, LeavesTheStationByItselfWhereThereIsRoom) {
   world_.emplace(floor_);
+  world_->SetSonarsOn(true);
   EXPECT_EQ(DriveTo("corridor_west", 60), End::kReached) << navigation_.message();
 }
 
@@ -112,7 +121,7 @@ TEST_F(NavigationInWorld, PlansAcrossTheFloorWellWithinAControlPeriod) {
   const OccupancyGrid map = MapOf(floor_);
   const Pose2D goal = places_.places()[places_.Find("hall_north")].pose;
   const auto began = std::chrono::steady_clock::now();
-  costmap.Update(map, nullptr);
+  costmap.Update(map);
   const auto costs = std::chrono::steady_clock::now();
   const Plan plan = FindPath(costmap, {-0.8, 0}, {goal.x, goal.y});
   const auto planned = std::chrono::steady_clock::now();

@@ -60,7 +60,7 @@ TEST(Planner, FindsTheCheapestWayOnRandomGrids) {
   for (int round = 0; round < 120; ++round) {
     const OccupancyGrid grid = RandomRoom(random, 4, 10);
     Costmap costmap;
-    costmap.Update(grid, nullptr);
+    costmap.Update(grid);
     const Cell start{static_cast<int>(random() % 40), static_cast<int>(random() % 40)};
     const Cell goal{static_cast<int>(random() % 40), static_cast<int>(random() % 40)};
     if (costmap.Lethal(start) || costmap.Lethal(goal)) continue;
@@ -86,7 +86,7 @@ TEST(Planner, NeitherPathNorSmoothedPathTouchesALethalCell) {
   for (int round = 0; round < 150; ++round) {
     const OccupancyGrid grid = RandomRoom(random, 8, 14);
     Costmap costmap;
-    costmap.Update(grid, nullptr);
+    costmap.Update(grid);
     const Point2D start{place(random), place(random)};
     const Point2D goal{place(random), place(random)};
     if (costmap.Lethal(grid.frame.CellAt(start.x, start.y))) continue;
@@ -110,7 +110,7 @@ TEST(Planner, SaysHowFarTheNearestFreePlaceIsWhenTheGoalIsBlocked) {
   OccupancyGrid room = EmptyRoom(6, 6);
   Fill(room, {3, 3}, {3.5, 3.5});
   Costmap costmap;
-  costmap.Update(room, nullptr);
+  costmap.Update(room);
   const Plan plan = FindPath(costmap, {1, 1}, {3.25, 3.05});
   EXPECT_EQ(plan.status, PlanStatus::kGoalBlocked);
   EXPECT_TRUE(plan.points.empty());
@@ -122,7 +122,7 @@ TEST(Planner, SaysHowFarTheNearestFreePlaceIsWhenTheGoalIsBlocked) {
 TEST(Planner, LeavesLethalCellsThatItStartsIn) {
   const OccupancyGrid room = EmptyRoom(6, 6);
   Costmap costmap;
-  costmap.Update(room, nullptr);
+  costmap.Update(room);
   const Plan plan = FindPath(costmap, {0.3, 3}, {3, 3});
   ASSERT_EQ(plan.status, PlanStatus::kOk) << plan.message;
   EXPECT_DOUBLE_EQ(plan.points.front().x, 0.3);
@@ -134,7 +134,7 @@ TEST(Planner, RefusesAStartDeepInAnObstacle) {
   OccupancyGrid room = EmptyRoom(6, 6);
   Fill(room, {1, 1}, {3, 3});
   Costmap costmap;
-  costmap.Update(room, nullptr);
+  costmap.Update(room);
   const Plan plan = FindPath(costmap, {2, 2}, {5, 5});
   EXPECT_EQ(plan.status, PlanStatus::kStartBlocked);
   EXPECT_THAT(plan.message, HasSubstr("(2.00, 2.00) stands in an obstacle"));
@@ -144,7 +144,7 @@ TEST(Planner, FindsNoWayThroughUnknownSpace) {
   OccupancyGrid room = EmptyRoom(6, 6);
   Fill(room, {2.8, 0}, {3.2, 6}, -1);
   Costmap costmap;
-  costmap.Update(room, nullptr);
+  costmap.Update(room);
   const Plan plan = FindPath(costmap, {1, 1}, {5, 5});
   EXPECT_EQ(plan.status, PlanStatus::kNoPath);
   EXPECT_THAT(plan.message, HasSubstr("no way to (5.00, 5.00) is free"));
@@ -155,7 +155,7 @@ TEST(Planner, KeepsToTheMiddleOfADoorway) {
   Fill(room, {2.9, 0}, {3.1, 2.4});
   Fill(room, {2.9, 3.6}, {3.1, 6});
   Costmap costmap;
-  costmap.Update(room, nullptr);
+  costmap.Update(room);
   const Plan plan = FindPath(costmap, {1, 1}, {5, 5});
   ASSERT_EQ(plan.status, PlanStatus::kOk);
   for (const Point2D& point : SmoothPath(costmap, plan.points)) {

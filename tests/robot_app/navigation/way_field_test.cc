@@ -19,7 +19,7 @@ OccupancyGrid TwoRooms() {
 
 Costmap CostsOf(const OccupancyGrid& map) {
   Costmap costs;
-  costs.Update(map, nullptr);
+  costs.Update(map);
   return costs;
 }
 

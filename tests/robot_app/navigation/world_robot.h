@@ -2,10 +2,12 @@
 #ifndef COPPICE_TESTS_ROBOT_APP_NAVIGATION_WORLD_ROBOT_H_
 #define COPPICE_TESTS_ROBOT_APP_NAVIGATION_WORLD_ROBOT_H_
 
+#include <array>
 #include <stdexcept>
 
 #include "robot_app/common/laser_scan.h"
 #include "robot_app/common/occupancy_grid.h"
+#include "robot_app/common/range_reading.h"
 #include "robot_app/simulation/grid_map.h"
 #include "robot_app/simulation/world.h"
 #include "tests/support/folders.h"
@@ -42,6 +44,21 @@ inline LaserScan ScanOf(const simulation::World& world) {
   result.range_max = options.max_range;
   result.ranges = scan.ranges;
   return result;
+}
+
+/// What the sonars heard last, in the order of simulation::kSonars.
+inline std::array<RangeReading, 3> EchoesOf(const simulation::World& world) {
+  std::array<RangeReading, 3> readings;
+  for (std::size_t i = 0; i < readings.size(); ++i) {
+    const simulation::SonarOptions& options = world.sonars()[i].options();
+    readings[i].stamp = world.echoes().time;
+    readings[i].mount = {options.mounting.x, options.mounting.y, options.mounting.yaw};
+    readings[i].field_of_view = options.field_of_view;
+    readings[i].min_range = options.min_range;
+    readings[i].max_range = options.max_range;
+    readings[i].range = world.echoes().ranges[i];
+  }
+  return readings;
 }
 
 }  // namespace coppice::robot::navigation
