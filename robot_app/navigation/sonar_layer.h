@@ -1,8 +1,8 @@
 // What the ultrasonic sensors hear and the laser does not see: glass, and what is too low for it.
 //
-// An echo comes from somewhere on the arc at its range, so the whole arc is marked; not if the laser
-// has seen something in the cone at about that range, because then it is that, and the laser knows
-// better where it is. What lies in the cone nearer than the echo is free, and what was marked there
+// An echo comes from somewhere on the arc at its range, so the whole arc is marked; not if the
+// laser has seen something in the cone at about that range, because then it is that, and the laser
+// knows better where it is. What lies in the cone nearer than the echo is free, and what was marked there
 // is cleared; of the laser's obstacles nothing is. But a pane is silent to who looks at it at a
 // slant, so that only what is heard from about the same direction refutes a mark. Marks that are
 // not heard again fade.
