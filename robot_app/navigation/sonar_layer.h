@@ -2,9 +2,9 @@
 //
 // An echo comes from somewhere on the arc at its range, so the whole arc is marked; not if the
 // laser has seen something in the cone at about that range, because then it is that, and the laser
-// knows better where it is. What lies in the cone nearer than the echo is free, and what was marked there
-// is cleared; of the laser's obstacles nothing is. But a pane is silent to who looks at it at a
-// slant, so that only what is heard from about the same direction refutes a mark. Marks that are
+// knows better where it is. What lies in the cone nearer than the echo is free, and what was marked
+// there is cleared; of the laser's obstacles nothing is. But a pane is silent to who looks at it at
+// a slant, so that only what is heard from about the same direction refutes a mark. Marks that are
 // not heard again fade.
 // After the range_sensor_layer of ROS (D. V. Lu). Not thread-safe.
 #ifndef COPPICE_ROBOT_APP_NAVIGATION_SONAR_LAYER_H_
