@@ -1,0 +1,56 @@
+// Finds people and faces in pictures: one interface, several ways behind it.
+//
+//   Expected<std::unique_ptr<Detector>> detector = MakeDetector({});
+//   for (const Sighting& sighting : (*detector)->Find(picture)) ...
+//
+//   people    OpenCV's histograms of gradients with its own weights (Dalal and Triggs 2005): whole
+//             people from about 3 m, whose feet are seen
+//   faces     OpenCV's cascade for faces from the front (Viola and Jones 2001, Lienhart 2002)
+//   network   a network that the user has: Darknet (YOLOv3) or ONNX (heads of YOLOv5 and YOLOv8)
+//
+// Pictures in, boxes out: no ROS, no files but those that are named here. A detector is used by one
+// thread at a time.
+#ifndef COPPICE_ROBOT_APP_PERCEPTION_DETECTION_DETECTOR_H_
+#define COPPICE_ROBOT_APP_PERCEPTION_DETECTION_DETECTOR_H_
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "bt_core/base/outcome.h"
+#include "robot_app/common/picture.h"
+#include "robot_app/perception/detection/sighting.h"
+
+namespace coppice::robot::perception {
+
+class Detector {
+ public:
+  virtual ~Detector() = default;
+
+  /// Surest first. Of a picture of any size; in one that is too small nothing is seen.
+  virtual std::vector<Sighting> Find(const Picture& picture) = 0;
+};
+
+/// A network of the user's. `file` decides about its kind: .weights (with `config`) or .onnx.
+struct NetworkFiles {
+  std::string file;     ///< empty: no network
+  std::string config;   ///< Darknet's .cfg
+  std::string classes;  ///< a name a line; empty: the 80 of COCO, or people if there is one only
+  int size = 0;         ///< of the square picture that it takes [pixels]; 0: as it says itself,
+                        ///< else 640
+};
+
+struct DetectorChoice {
+  std::string built_in = "people faces";  ///< one or both; not used with a network
+  std::string cascade_file;               ///< empty: that of Debian's opencv-data
+  NetworkFiles network;
+  double least_confidence = 0.5;
+};
+
+/// Reads everything that is needed and tries it on an empty picture: what is missing or does not
+/// fit is a problem here and now.
+Expected<std::unique_ptr<Detector>> MakeDetector(const DetectorChoice& choice);
+
+}  // namespace coppice::robot::perception
+
+#endif  // COPPICE_ROBOT_APP_PERCEPTION_DETECTION_DETECTOR_H_

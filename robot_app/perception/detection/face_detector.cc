@@ -1,0 +1,64 @@
+#include "robot_app/perception/detection/face_detector.h"
+
+#include <algorithm>
+#include <opencv2/objdetect.hpp>
+#include <utility>
+
+#include "bt_core/base/read_file.h"
+#include "robot_app/perception/detection/picture_view.h"
+#include "robot_app/perception/detection/suppression.h"
+
+namespace coppice::robot::perception {
+namespace {
+
+constexpr double kZoom = 1.1;
+constexpr int kNeighbours = 3;  // windows that agree
+constexpr int kSmallest = 24;   // pixels
+constexpr double kSure = 12;    // neighbours of a face that is surely one
+
+class FaceDetector : public Detector {
+ public:
+  explicit FaceDetector(cv::CascadeClassifier cascade) : cascade_(std::move(cascade)) {}
+
+  std::vector<Sighting> Find(const Picture& picture) override {
+    const cv::Mat gray = Gray(picture);
+    if (gray.empty()) return {};
+    std::vector<cv::Rect> boxes;
+    std::vector<int> neighbours;
+    cascade_.detectMultiScale(gray, boxes, neighbours, kZoom, kNeighbours, 0,
+                              cv::Size(kSmallest, kSmallest));
+    std::vector<Sighting> sightings;
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+      const double confidence = std::min(0.5 + 0.5 * (neighbours[i] - kNeighbours) / kSure, 1.0);
+      sightings.push_back({SightingKind::kFace, ToBox(boxes[i]), confidence});
+    }
+    return Suppress(std::move(sightings), 1);
+  }
+
+ private:
+  cv::CascadeClassifier cascade_;
+};
+
+// Read from memory: OpenCV prints about a file that it cannot open and parse.
+bool Read(const std::string& text, cv::CascadeClassifier& cascade) {
+  try {
+    const cv::FileStorage storage(text, cv::FileStorage::READ | cv::FileStorage::MEMORY);
+    return storage.isOpened() && cascade.read(storage.getFirstTopLevelNode());
+  } catch (const cv::Exception&) {
+    return false;
+  }
+}
+
+}  // namespace
+
+Expected<std::unique_ptr<Detector>> MakeFaceDetector(const std::string& file) {
+  const auto text = ReadFile(file);
+  if (!text) {
+    return Problem{file + ": cannot be read; Debian's package opencv-data has face cascades"};
+  }
+  cv::CascadeClassifier cascade;
+  if (!Read(*text, cascade)) return Problem{file + ": expected a cascade of OpenCV (XML)"};
+  return std::unique_ptr<Detector>(std::make_unique<FaceDetector>(std::move(cascade)));
+}
+
+}  // namespace coppice::robot::perception

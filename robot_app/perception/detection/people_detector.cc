@@ -1,0 +1,54 @@
+#include "robot_app/perception/detection/people_detector.h"
+
+#include <cmath>
+#include <opencv2/objdetect.hpp>
+
+#include "robot_app/perception/detection/picture_view.h"
+#include "robot_app/perception/detection/suppression.h"
+
+namespace coppice::robot::perception {
+namespace {
+
+// The window of 64 x 128 pixels has a border around the person in it.
+constexpr double kWide = 0.62;
+constexpr double kTall = 0.80;
+
+constexpr double kZoom = 1.05;
+constexpr double kSameOne = 0.4;  // share in common of two boxes for one person
+
+class PeopleDetector : public Detector {
+ public:
+  PeopleDetector() { hog_.setSVMDetector(cv::HOGDescriptor::getDefaultPeopleDetector()); }
+
+  std::vector<Sighting> Find(const Picture& picture) override {
+    const cv::Mat gray = Gray(picture);
+    if (gray.cols < hog_.winSize.width || gray.rows < hog_.winSize.height) return {};
+    std::vector<cv::Rect> boxes;
+    std::vector<double> weights;
+    hog_.detectMultiScale(gray, boxes, weights, 0, cv::Size(8, 8), cv::Size(16, 16), kZoom, 0);
+    std::vector<Sighting> sightings;
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+      sightings.push_back({SightingKind::kPerson, Tight(ToBox(boxes[i])), Confidence(weights[i])});
+    }
+    return Suppress(std::move(sightings), kSameOne);
+  }
+
+ private:
+  static Box Tight(const Box& window) {
+    const double width = kWide * window.width;
+    const double height = kTall * window.height;
+    return {window.x + (window.width - width) / 2, window.y + (window.height - height) / 2, width,
+            height};
+  }
+
+  // The distance from the border between people and all else becomes a share.
+  static double Confidence(double weight) { return 1 / (1 + std::exp(-4 * (weight - 0.35))); }
+
+  cv::HOGDescriptor hog_;
+};
+
+}  // namespace
+
+std::unique_ptr<Detector> MakePeopleDetector() { return std::make_unique<PeopleDetector>(); }
+
+}  // namespace coppice::robot::perception

@@ -1,0 +1,60 @@
+// What a detector sees in a picture.
+#ifndef COPPICE_ROBOT_APP_PERCEPTION_DETECTION_SIGHTING_H_
+#define COPPICE_ROBOT_APP_PERCEPTION_DETECTION_SIGHTING_H_
+
+#include <algorithm>
+#include <cstdint>
+
+namespace coppice::robot::perception {
+
+enum class SightingKind : std::uint8_t { kPerson, kFace, kFaceWithMask, kFaceWithoutMask };
+
+inline constexpr const char* NameOf(SightingKind kind) {
+  switch (kind) {
+    case SightingKind::kPerson:
+      return "person";
+    case SightingKind::kFace:
+      return "face";
+    case SightingKind::kFaceWithMask:
+      return "face with mask";
+    case SightingKind::kFaceWithoutMask:
+      return "face without mask";
+  }
+  return "";
+}
+
+/// Upright, in pixels from the picture's upper left corner; it may reach beyond the picture.
+struct Box {
+  double x = 0, y = 0;  ///< of its upper left corner
+  double width = 0, height = 0;
+
+  double right() const { return x + width; }
+  double bottom() const { return y + height; }
+  double area() const { return width * height; }
+};
+
+/// Intersection over union: 1 for the same box, 0 for boxes that do not touch.
+inline double Overlap(const Box& a, const Box& b) {
+  const double wide = std::min(a.right(), b.right()) - std::max(a.x, b.x);
+  const double tall = std::min(a.bottom(), b.bottom()) - std::max(a.y, b.y);
+  if (!(wide > 0 && tall > 0)) return 0;
+  return wide * tall / (a.area() + b.area() - wide * tall);
+}
+
+/// The part of `box` that lies within a picture of that size; without width or height if none does.
+inline Box Within(const Box& box, int width, int height) {
+  const double left = std::clamp(box.x, 0.0, double(width));
+  const double top = std::clamp(box.y, 0.0, double(height));
+  return {left, top, std::clamp(box.right(), left, double(width)) - left,
+          std::clamp(box.bottom(), top, double(height)) - top};
+}
+
+struct Sighting {
+  SightingKind kind = SightingKind::kPerson;
+  Box box;                ///< around what is seen, as a person would draw it
+  double confidence = 0;  ///< 0..1; comparable only within one detector
+};
+
+}  // namespace coppice::robot::perception
+
+#endif  // COPPICE_ROBOT_APP_PERCEPTION_DETECTION_SIGHTING_H_

@@ -1,0 +1,121 @@
+#include "robot_app/perception/detection/detector.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "robot_app/simulation/camera/rgbd_camera.h"
+#include "robot_app/simulation/floor_scene.h"
+#include "robot_app/simulation/shipped_files.h"
+
+namespace coppice::robot::perception {
+namespace {
+
+constexpr double kLensHeight = 1.35;
+constexpr double kTall = 1.7;
+
+// In a corridor of the institute: people who stand so far before the camera and look at it.
+struct Corridor {
+  Corridor() : floor(*simulation::FindFloor(simulation::kInstitute)) {
+    std::vector<bool> doors;
+    for (const auto& door : floor.doors) doors.push_back(door.open);
+    scene = simulation::Scene(
+        simulation::MakeStillScene(floor, doors, std::vector<bool>(floor.places.size(), false)));
+  }
+
+  Picture With(double distance, std::uint64_t look) const {
+    simulation::SeenPerson person;
+    person.look = simulation::RandomPersonLook(look);
+    person.stance.height = kTall;
+    person.stance.position = {10 + distance, 0.5};
+    person.stance.heading = simulation::kPi;
+    return simulation::RgbdCamera({}, look).Take(scene, {person}, {10, 0.5, 0}, kLensHeight).colour;
+  }
+  Picture Empty() const {
+    return simulation::RgbdCamera({}, 1).Take(scene, {}, {10, 0.5, 0}, kLensHeight).colour;
+  }
+
+  simulation::Floor floor;
+  simulation::Scene scene;
+};
+
+std::unique_ptr<Detector> Make(const std::string& names) {
+  DetectorChoice choice;
+  choice.built_in = names;
+  auto detector = MakeDetector(choice);
+  EXPECT_TRUE(detector) << detector.problem();
+  return std::move(*detector);
+}
+
+TEST(Detector, FindsMostPeopleAtFourToSixMetresWhereTheyAre) {
+  const Corridor corridor;
+  const auto detector = Make("people");
+  int found = 0;
+  for (int i = 0; i < 6; ++i) {
+    const double distance = 4 + 0.4 * i;
+    const simulation::RgbdOptions camera;
+    const double tall = camera.lens.fy * kTall / distance;
+    const double feet = camera.lens.cy + camera.lens.fy * kLensHeight / distance;
+    const Box truth{camera.lens.cx - 0.15 * tall, feet - tall, 0.3 * tall, tall};
+    const auto seen = detector->Find(corridor.With(distance, static_cast<std::uint64_t>(i)));
+    found += std::any_of(seen.begin(), seen.end(), [&](const Sighting& sighting) {
+      return sighting.kind == SightingKind::kPerson && Overlap(sighting.box, truth) > 0.5;
+    });
+  }
+  EXPECT_GE(found, 4);
+}
+
+TEST(Detector, FindsMostFacesAtTwoMetres) {
+  const Corridor corridor;
+  const auto detector = Make("faces");
+  int found = 0;
+  for (std::uint64_t i = 0; i < 6; ++i) {
+    const auto seen = detector->Find(corridor.With(2, i));
+    found += std::any_of(seen.begin(), seen.end(), [](const Sighting& sighting) {
+      return sighting.kind == SightingKind::kFace &&
+             std::abs(sighting.box.x + sighting.box.width / 2 - 326) < 10;
+    });
+  }
+  EXPECT_GE(found, 4);
+}
+
+TEST(Detector, FindsNobodyInAnEmptyCorridor) {
+  EXPECT_TRUE(Make("people faces")->Find(Corridor().Empty()).empty());
+}
+
+TEST(Detector, FindsNothingInPicturesThatAreTooSmall) {
+  const auto detector = Make("people faces");
+  EXPECT_TRUE(detector->Find({}).empty());
+  EXPECT_TRUE(detector->Find(Picture(1, 1)).empty());
+  EXPECT_TRUE(detector->Find(Picture(640, 3)).empty());
+}
+
+TEST(MakeDetector, NamesTheNearestOfItsDetectors) {
+  DetectorChoice choice;
+  choice.built_in = "peple";
+  const auto detector = MakeDetector(choice);
+  ASSERT_FALSE(detector);
+  EXPECT_NE(detector.problem().find("did you mean"), std::string::npos) << detector.problem();
+  choice.built_in = " ";
+  EXPECT_FALSE(MakeDetector(choice));
+}
+
+TEST(MakeDetector, SaysWhichPackageHasAMissingCascade) {
+  DetectorChoice choice;
+  choice.built_in = "faces";
+  choice.cascade_file = "/nowhere.xml";
+  const auto detector = MakeDetector(choice);
+  ASSERT_FALSE(detector);
+  EXPECT_NE(detector.problem().find("opencv-data"), std::string::npos) << detector.problem();
+}
+
+TEST(MakeDetector, RefusesAFileThatIsNoCascade) {
+  DetectorChoice choice;
+  choice.built_in = "faces";
+  choice.cascade_file = __FILE__;
+  EXPECT_FALSE(MakeDetector(choice));
+}
+
+}  // namespace
+}  // namespace coppice::robot::perception

@@ -1,0 +1,107 @@
+#include "robot_app/perception/detection/network_detector.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <string>
+
+#include "bt_core/model/write_file.h"
+
+namespace coppice::robot::perception {
+namespace {
+
+// A network of Darknet with one layer that sees somebody in the cells that are bright.
+constexpr char kConfig[] =
+    "[net]\nwidth=64\nheight=64\nchannels=3\n\n"
+    "[convolutional]\nfilters=6\nsize=1\nstride=32\npad=0\nactivation=linear\n\n"
+    "[yolo]\nmask=0\nanchors=16,32\nclasses=1\nnum=1\n";
+
+class Network : public testing::Test {
+ protected:
+  static void Write(const std::string& file, const std::string& bytes) {
+    Diagnostics diagnostics;
+    ASSERT_TRUE(WriteFile(file, bytes, diagnostics)) << diagnostics.ToString();
+  }
+
+  void SetUp() override {
+    files_.file = testing::TempDir() + "bright.weights";
+    files_.config = testing::TempDir() + "bright.cfg";
+    Write(files_.config, kConfig);
+    Write(files_.file, Weights());
+  }
+
+  // The version, how many pictures it has seen, six offsets, six weights for each colour.
+  static std::string Weights() {
+    const std::array<std::int32_t, 3> version{0, 2, 0};
+    const std::int64_t seen = 0;
+    std::array<float, 6 + 6 * 3> numbers{};
+    numbers[4] = -10;  // somebody there: at more than half of the brightness
+    numbers[5] = 10;   // always of the one class
+    for (std::size_t i = 6 + 4 * 3; i < 6 + 5 * 3; ++i) numbers[i] = 20.0F / 3;
+    std::string bytes(reinterpret_cast<const char*>(version.data()), sizeof(version));
+    bytes.append(reinterpret_cast<const char*>(&seen), sizeof(seen));
+    return bytes.append(reinterpret_cast<const char*>(numbers.data()), sizeof(numbers));
+  }
+
+  std::string ProblemOf() const {
+    const auto detector = MakeNetworkDetector(files_, 0.5);
+    return detector ? "" : detector.problem();
+  }
+
+  NetworkFiles files_;
+};
+
+TEST_F(Network, OfDarknetSeesWhatItHasLearntWhereItIs) {
+  const auto detector = MakeNetworkDetector(files_, 0.5);
+  ASSERT_TRUE(detector) << detector.problem();
+  Picture picture(128, 64);  // half as high as wide: the network sees gray above and below
+  for (int row = 0; row < 64; ++row) {
+    std::memset(&picture.rgb[3 * (static_cast<std::size_t>(row) * 128 + 64)], 255, 3 * 64);
+  }
+  const auto seen = (*detector)->Find(picture);
+  ASSERT_FALSE(seen.empty());
+  for (const Sighting& sighting : seen) {
+    EXPECT_EQ(sighting.kind, SightingKind::kPerson);
+    EXPECT_NEAR(sighting.box.x + sighting.box.width / 2, 96, 1);
+    EXPECT_NEAR(sighting.box.width, 32, 1);
+    EXPECT_NEAR(sighting.box.height, 64, 1);
+  }
+}
+
+TEST_F(Network, SeesNothingInTheDarkAndNothingInNoPicture) {
+  const auto detector = MakeNetworkDetector(files_, 0.5);
+  ASSERT_TRUE(detector) << detector.problem();
+  EXPECT_TRUE((*detector)->Find(Picture(64, 64)).empty());
+  EXPECT_TRUE((*detector)->Find({}).empty());
+}
+
+TEST_F(Network, WithoutItsFilesIsAProblemThatNamesThem) {
+  files_.config.clear();
+  EXPECT_NE(ProblemOf().find(".cfg"), std::string::npos) << ProblemOf();
+  files_.config = "/nowhere.cfg";
+  EXPECT_NE(ProblemOf().find("/nowhere.cfg"), std::string::npos) << ProblemOf();
+  files_.file = "/nowhere.onnx";
+  EXPECT_NE(ProblemOf().find("/nowhere.onnx"), std::string::npos) << ProblemOf();
+  files_.file = "/nowhere.pt";
+  EXPECT_NE(ProblemOf().find(".weights or .onnx"), std::string::npos) << ProblemOf();
+}
+
+TEST_F(Network, OfDamagedFilesIsAProblem) {
+  Write(files_.config, "[net]\nwidth=64\nheight=64\nchannels=3\n\n[yolo]\n");
+  EXPECT_NE(ProblemOf(), "");
+  files_.file = testing::TempDir() + "damaged.onnx";
+  Write(files_.file, "this is no network");
+  EXPECT_NE(ProblemOf().find("damaged.onnx"), std::string::npos) << ProblemOf();
+}
+
+TEST_F(Network, OfAnotherNumberOfClassesThanNamedIsAProblem) {
+  files_.classes = testing::TempDir() + "three.names";
+  Write(files_.classes, "person\ncat\ndog\n");
+  EXPECT_NE(ProblemOf().find("names 3 classes, and the network has 1"), std::string::npos)
+      << ProblemOf();
+}
+
+}  // namespace
+}  // namespace coppice::robot::perception

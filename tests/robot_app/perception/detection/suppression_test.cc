@@ -1,0 +1,50 @@
+#include "robot_app/perception/detection/suppression.h"
+
+#include <gtest/gtest.h>
+
+namespace coppice::robot::perception {
+namespace {
+
+constexpr SightingKind kPerson = SightingKind::kPerson;
+
+TEST(Overlap, IsOneForTheSameBoxAndNothingForBoxesApart) {
+  const Box box{10, 20, 30, 40};
+  EXPECT_DOUBLE_EQ(Overlap(box, box), 1);
+  EXPECT_DOUBLE_EQ(Overlap(box, {40, 20, 30, 40}), 0);
+  EXPECT_DOUBLE_EQ(Overlap(box, {25, 20, 30, 40}), 1 / 3.0);
+}
+
+TEST(Within, IsThePartInThePicture) {
+  const Box part = Within({-10, 5, 30, 100}, 15, 50);
+  EXPECT_DOUBLE_EQ(part.x, 0);
+  EXPECT_DOUBLE_EQ(part.width, 15);
+  EXPECT_DOUBLE_EQ(part.height, 45);
+  EXPECT_DOUBLE_EQ(Within({60, 60, 5, 5}, 15, 50).area(), 0);
+}
+
+TEST(Suppress, KeepsTheSurestOfBoxesForOnePerson) {
+  const auto kept = Suppress({{kPerson, {0, 0, 10, 20}, 0.6}, {kPerson, {1, 0, 10, 20}, 0.9}}, 0.5);
+  ASSERT_EQ(kept.size(), 1U);
+  EXPECT_DOUBLE_EQ(kept[0].confidence, 0.9);
+}
+
+TEST(Suppress, KeepsTwoWhoStandApart) {
+  EXPECT_EQ(Suppress({{kPerson, {0, 0, 10, 20}, 0.6}, {kPerson, {8, 0, 10, 20}, 0.9}}, 0.5).size(),
+            2U);
+}
+
+TEST(Suppress, KeepsAFaceInAPerson) {
+  const Box box{0, 0, 10, 10};
+  EXPECT_EQ(Suppress({{kPerson, box, 0.9}, {SightingKind::kFace, box, 0.8}}, 0.5).size(), 2U);
+}
+
+TEST(Suppress, KeepsOneOfAFaceWithAndWithoutMask) {
+  const Box box{0, 0, 10, 10};
+  const auto kept = Suppress(
+      {{SightingKind::kFaceWithoutMask, box, 0.8}, {SightingKind::kFaceWithMask, box, 0.9}}, 0.5);
+  ASSERT_EQ(kept.size(), 1U);
+  EXPECT_EQ(kept[0].kind, SightingKind::kFaceWithMask);
+}
+
+}  // namespace
+}  // namespace coppice::robot::perception
