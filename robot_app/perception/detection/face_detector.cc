@@ -15,6 +15,7 @@ constexpr double kZoom = 1.1;
 constexpr int kNeighbours = 3;  // windows that agree
 constexpr int kSmallest = 24;   // pixels
 constexpr double kSure = 12;    // neighbours of a face that is surely one
+constexpr double kSameOne = 0.4;
 
 class FaceDetector : public Detector {
  public:
@@ -32,7 +33,7 @@ class FaceDetector : public Detector {
       const double confidence = std::min(0.5 + 0.5 * (neighbours[i] - kNeighbours) / kSure, 1.0);
       sightings.push_back({SightingKind::kFace, ToBox(boxes[i]), confidence});
     }
-    return Suppress(std::move(sightings), 1);
+    return Suppress(std::move(sightings), kSameOne);
   }
 
  private:

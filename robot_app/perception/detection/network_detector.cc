@@ -1,9 +1,10 @@
 #include "robot_app/perception/detection/network_detector.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <opencv2/dnn.hpp>
 #include <optional>
-#include <regex>
+#include <sstream>
 #include <utility>
 #include <vector>
 
@@ -100,15 +101,15 @@ class NetworkDetector : public Detector {
   cv::Mat square_;
 };
 
-// "width=416" of a Darknet configuration.
+// The line "width=416" of a Darknet configuration.
 std::optional<int> SizeIn(const std::string& config) {
-  std::smatch found;
-  static const std::regex kWidth("(^|\n)[ \t]*width[ \t]*=[ \t]*([0-9]{1,5})");
-  if (!std::regex_search(config, found, kWidth)) return std::nullopt;
-  return std::stoi(found[2]);
+  std::istringstream lines(config);
+  for (std::string line; std::getline(lines, line);) {
+    int size = 0;
+    if (std::sscanf(line.c_str(), " width = %5d", &size) == 1) return size;
+  }
+  return std::nullopt;
 }
-
-using Bytes = std::vector<unsigned char>;
 
 Expected<Network> ReadDarknet(const NetworkFiles& files, const std::string& weights) {
   if (files.config.empty()) {
@@ -119,8 +120,8 @@ Expected<Network> ReadDarknet(const NetworkFiles& files, const std::string& weig
   Network network;
   network.is_darknet = true;
   network.size = SizeIn(*config).value_or(kUsualSize);
-  network.net = cv::dnn::readNetFromDarknet(Bytes(config->begin(), config->end()),
-                                            Bytes(weights.begin(), weights.end()));
+  network.net =
+      cv::dnn::readNetFromDarknet(config->data(), config->size(), weights.data(), weights.size());
   return network;
 }
 
@@ -133,7 +134,7 @@ Expected<Network> ReadNetwork(const NetworkFiles& files) {
   if (!text) return Problem{files.file + ": cannot be read"};
   if (is_darknet) return ReadDarknet(files, *text);
   Network network;
-  network.net = cv::dnn::readNetFromONNX(Bytes(text->begin(), text->end()));
+  network.net = cv::dnn::readNetFromONNX(text->data(), text->size());
   return network;
 }
 
@@ -177,8 +178,12 @@ Expected<std::unique_ptr<Detector>> Make(const NetworkFiles& files, double least
       std::move(*network), *form, std::move(*classes), least_confidence));
 }
 
-// OpenCV's own text without the place in its sources.
-std::string Reason(const cv::Exception& error) { return error.err.substr(0, error.err.find('\n')); }
+// OpenCV's own text without the place in its sources, if it is one of OpenCV's.
+std::string Reason(const std::exception& error) {
+  const auto* const of_opencv = dynamic_cast<const cv::Exception*>(&error);
+  const std::string text = of_opencv != nullptr ? of_opencv->err : error.what();
+  return text.substr(0, text.find('\n'));
+}
 
 }  // namespace
 
@@ -186,7 +191,7 @@ Expected<std::unique_ptr<Detector>> MakeNetworkDetector(const NetworkFiles& file
                                                         double least_confidence) {
   try {
     return Make(files, least_confidence);
-  } catch (const cv::Exception& error) {
+  } catch (const std::exception& error) {
     return Problem{files.file + ": OpenCV cannot run it (" + Reason(error) +
                    "); expected YOLOv3 of Darknet, or ONNX for pictures of " +
                    std::to_string(files.size > 0 ? files.size : kUsualSize) + " pixels"};

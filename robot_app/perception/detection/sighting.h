@@ -9,20 +9,6 @@ namespace coppice::robot::perception {
 
 enum class SightingKind : std::uint8_t { kPerson, kFace, kFaceWithMask, kFaceWithoutMask };
 
-inline constexpr const char* NameOf(SightingKind kind) {
-  switch (kind) {
-    case SightingKind::kPerson:
-      return "person";
-    case SightingKind::kFace:
-      return "face";
-    case SightingKind::kFaceWithMask:
-      return "face with mask";
-    case SightingKind::kFaceWithoutMask:
-      return "face without mask";
-  }
-  return "";
-}
-
 /// Upright, in pixels from the picture's upper left corner; it may reach beyond the picture.
 struct Box {
   double x = 0, y = 0;  ///< of its upper left corner
@@ -39,14 +25,6 @@ inline double Overlap(const Box& a, const Box& b) {
   const double tall = std::min(a.bottom(), b.bottom()) - std::max(a.y, b.y);
   if (!(wide > 0 && tall > 0)) return 0;
   return wide * tall / (a.area() + b.area() - wide * tall);
-}
-
-/// The part of `box` that lies within a picture of that size; without width or height if none does.
-inline Box Within(const Box& box, int width, int height) {
-  const double left = std::clamp(box.x, 0.0, double(width));
-  const double top = std::clamp(box.y, 0.0, double(height));
-  return {left, top, std::clamp(box.right(), left, double(width)) - left,
-          std::clamp(box.bottom(), top, double(height)) - top};
 }
 
 struct Sighting {

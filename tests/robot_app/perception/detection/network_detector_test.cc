@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstring>
 #include <string>
 
 #include "bt_core/model/write_file.h"
@@ -12,7 +11,7 @@
 namespace coppice::robot::perception {
 namespace {
 
-// A network of Darknet with one layer that sees somebody in the cells that are bright.
+// A network of Darknet with one layer that sees somebody in the cells that are red.
 constexpr char kConfig[] =
     "[net]\nwidth=64\nheight=64\nchannels=3\n\n"
     "[convolutional]\nfilters=6\nsize=1\nstride=32\npad=0\nactivation=linear\n\n"
@@ -26,8 +25,8 @@ class Network : public testing::Test {
   }
 
   void SetUp() override {
-    files_.file = testing::TempDir() + "bright.weights";
-    files_.config = testing::TempDir() + "bright.cfg";
+    files_.file = testing::TempDir() + "red.weights";
+    files_.config = testing::TempDir() + "red.cfg";
     Write(files_.config, kConfig);
     Write(files_.file, Weights());
   }
@@ -37,9 +36,9 @@ class Network : public testing::Test {
     const std::array<std::int32_t, 3> version{0, 2, 0};
     const std::int64_t seen = 0;
     std::array<float, 6 + 6 * 3> numbers{};
-    numbers[4] = -10;  // somebody there: at more than half of the brightness
-    numbers[5] = 10;   // always of the one class
-    for (std::size_t i = 6 + 4 * 3; i < 6 + 5 * 3; ++i) numbers[i] = 20.0F / 3;
+    numbers[4] = -10;         // somebody there: at more than half of red
+    numbers[5] = 10;          // always of the one class
+    numbers[6 + 4 * 3] = 20;  // the weight of red for "somebody there"
     std::string bytes(reinterpret_cast<const char*>(version.data()), sizeof(version));
     bytes.append(reinterpret_cast<const char*>(&seen), sizeof(seen));
     return bytes.append(reinterpret_cast<const char*>(numbers.data()), sizeof(numbers));
@@ -57,8 +56,8 @@ TEST_F(Network, OfDarknetSeesWhatItHasLearntWhereItIs) {
   const auto detector = MakeNetworkDetector(files_, 0.5);
   ASSERT_TRUE(detector) << detector.problem();
   Picture picture(128, 64);  // half as high as wide: the network sees gray above and below
-  for (int row = 0; row < 64; ++row) {
-    std::memset(&picture.rgb[3 * (static_cast<std::size_t>(row) * 128 + 64)], 255, 3 * 64);
+  for (std::size_t i = 0; i < picture.rgb.size(); i += 3) {  // blue, and red on the right
+    picture.rgb[i / 3 % 128 < 64 ? i + 2 : i] = 255;
   }
   const auto seen = (*detector)->Find(picture);
   ASSERT_FALSE(seen.empty());
@@ -90,10 +89,17 @@ TEST_F(Network, WithoutItsFilesIsAProblemThatNamesThem) {
 
 TEST_F(Network, OfDamagedFilesIsAProblem) {
   Write(files_.config, "[net]\nwidth=64\nheight=64\nchannels=3\n\n[yolo]\n");
-  EXPECT_NE(ProblemOf(), "");
+  EXPECT_NE(ProblemOf().find("red.weights"), std::string::npos) << ProblemOf();
   files_.file = testing::TempDir() + "damaged.onnx";
   Write(files_.file, "this is no network");
   EXPECT_NE(ProblemOf().find("damaged.onnx"), std::string::npos) << ProblemOf();
+}
+
+TEST_F(Network, ForPicturesOfNoSizeOrAHugeOneIsAProblem) {
+  for (const char* const size : {"0", "-1", "99999"}) {
+    Write(files_.config, std::string("[net]\nwidth=") + size + std::string(kConfig).substr(14));
+    EXPECT_NE(ProblemOf(), "") << size;
+  }
 }
 
 TEST_F(Network, OfAnotherNumberOfClassesThanNamedIsAProblem) {

@@ -14,14 +14,6 @@ TEST(Overlap, IsOneForTheSameBoxAndNothingForBoxesApart) {
   EXPECT_DOUBLE_EQ(Overlap(box, {25, 20, 30, 40}), 1 / 3.0);
 }
 
-TEST(Within, IsThePartInThePicture) {
-  const Box part = Within({-10, 5, 30, 100}, 15, 50);
-  EXPECT_DOUBLE_EQ(part.x, 0);
-  EXPECT_DOUBLE_EQ(part.width, 15);
-  EXPECT_DOUBLE_EQ(part.height, 45);
-  EXPECT_DOUBLE_EQ(Within({60, 60, 5, 5}, 15, 50).area(), 0);
-}
-
 TEST(Suppress, KeepsTheSurestOfBoxesForOnePerson) {
   const auto kept = Suppress({{kPerson, {0, 0, 10, 20}, 0.6}, {kPerson, {1, 0, 10, 20}, 0.9}}, 0.5);
   ASSERT_EQ(kept.size(), 1U);
