@@ -20,10 +20,10 @@ class Together : public Detector {
  public:
   Together(Detectors detectors, double least) : detectors_(std::move(detectors)), least_(least) {}
 
-  std::vector<Sighting> Find(const Picture& picture) override {
+  std::vector<Sighting> Find(const DetectorInput& input) override {
     std::vector<Sighting> all;
     for (const auto& detector : detectors_) {
-      for (const Sighting& sighting : detector->Find(picture)) {
+      for (const Sighting& sighting : detector->Find(input)) {
         if (sighting.confidence >= least_) all.push_back(sighting);
       }
     }

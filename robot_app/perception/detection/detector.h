@@ -2,6 +2,7 @@
 //
 //   Expected<std::unique_ptr<Detector>> detector = MakeDetector({});
 //   for (const Sighting& sighting : (*detector)->Find(picture)) ...
+//   for (const Sighting& sighting : (*detector)->Find({picture, &depth, lens.fx})) ...
 //
 //   people    OpenCV's histograms of gradients with its own weights (Dalal and Triggs 2005): whole
 //             people from about 3 m, whose feet are seen
@@ -23,12 +24,26 @@
 
 namespace coppice::robot::perception {
 
+/// What a detector looks at: a picture, and if there is one the depth of each of its pixels, which
+/// says how large a head must be there. A depth picture of another size is not used. Both live as
+/// long as it is looked at.
+struct DetectorInput {
+  DetectorInput(const Picture& picture)  // NOLINT(google-explicit-constructor): a picture is enough
+      : colour(picture) {}
+  DetectorInput(const Picture& picture, const DepthPicture* depths, double focal_length)
+      : colour(picture), depth(depths), focal(focal_length) {}
+
+  const Picture& colour;
+  const DepthPicture* depth = nullptr;
+  double focal = 0;  ///< of the lens [pixels]
+};
+
 class Detector {
  public:
   virtual ~Detector() = default;
 
   /// Surest first. Of a picture of any size; in one that is too small nothing is seen.
-  virtual std::vector<Sighting> Find(const Picture& picture) = 0;
+  virtual std::vector<Sighting> Find(const DetectorInput& input) = 0;
 };
 
 /// A network of the user's. `file` decides about its kind: .weights (with `config`) or .onnx.

@@ -21,8 +21,8 @@ class FaceDetector : public Detector {
  public:
   explicit FaceDetector(cv::CascadeClassifier cascade) : cascade_(std::move(cascade)) {}
 
-  std::vector<Sighting> Find(const Picture& picture) override {
-    const cv::Mat gray = Gray(picture);
+  std::vector<Sighting> Find(const DetectorInput& input) override {
+    const cv::Mat gray = Gray(input.colour);
     if (gray.empty()) return {};
     std::vector<cv::Rect> boxes;
     std::vector<int> neighbours;

@@ -72,7 +72,8 @@ class NetworkDetector : public Detector {
   NetworkDetector(Network network, const OutputForm& form, NetworkClasses classes, double least)
       : network_(std::move(network)), form_(form), classes_(std::move(classes)), least_(least) {}
 
-  std::vector<Sighting> Find(const Picture& picture) override {
+  std::vector<Sighting> Find(const DetectorInput& input) override {
+    const Picture& picture = input.colour;
     if (picture.width <= 0 || picture.height <= 0) return {};
     const Fitting fitting = Fit(View(picture), network_.size, square_);
     std::vector<Sighting> sightings;

@@ -20,8 +20,8 @@ class PeopleDetector : public Detector {
  public:
   PeopleDetector() { hog_.setSVMDetector(cv::HOGDescriptor::getDefaultPeopleDetector()); }
 
-  std::vector<Sighting> Find(const Picture& picture) override {
-    const cv::Mat gray = Gray(picture);
+  std::vector<Sighting> Find(const DetectorInput& input) override {
+    const cv::Mat gray = Gray(input.colour);
     if (gray.cols < hog_.winSize.width || gray.rows < hog_.winSize.height) return {};
     std::vector<cv::Rect> boxes;
     std::vector<double> weights;

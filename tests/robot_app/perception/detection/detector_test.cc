@@ -86,7 +86,7 @@ TEST(Detector, FindsNobodyInAnEmptyCorridor) {
 
 TEST(Detector, FindsNothingInPicturesThatAreTooSmall) {
   const auto detector = Make("people faces");
-  EXPECT_TRUE(detector->Find({}).empty());
+  EXPECT_TRUE(detector->Find(Picture()).empty());
   EXPECT_TRUE(detector->Find(Picture(1, 1)).empty());
   EXPECT_TRUE(detector->Find(Picture(640, 3)).empty());
 }

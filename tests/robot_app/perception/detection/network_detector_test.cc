@@ -73,7 +73,7 @@ TEST_F(Network, SeesNothingInTheDarkAndNothingInNoPicture) {
   const auto detector = MakeNetworkDetector(files_, 0.5);
   ASSERT_TRUE(detector) << detector.problem();
   EXPECT_TRUE((*detector)->Find(Picture(64, 64)).empty());
-  EXPECT_TRUE((*detector)->Find({}).empty());
+  EXPECT_TRUE((*detector)->Find(Picture()).empty());
 }
 
 TEST_F(Network, WithoutItsFilesIsAProblemThatNamesThem) {
