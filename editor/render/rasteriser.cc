@@ -34,6 +34,15 @@ void Blend(std::uint32_t& pixel, std::uint32_t color, std::uint32_t alpha) {
   pixel = mixed;
 }
 
+// As Blend with all of its own opacity, to each pixel: most of a picture is painted so.
+void Fill(std::uint32_t* begin, std::uint32_t* end, std::uint32_t color) {
+  if (Channel(color, 24) == 255) {
+    std::fill(begin, end, color);
+  } else {
+    for (std::uint32_t* pixel = begin; pixel < end; ++pixel) Blend(*pixel, color, 255);
+  }
+}
+
 std::uint32_t Sample(const Texture& texture, float u, float v) {
   const float x = u * static_cast<float>(texture.width) - 0.5F;
   const float y = v * static_cast<float>(texture.height) - 0.5F;
@@ -67,6 +76,7 @@ class Painter {
     const bool upright = a.pos.y == b.pos.y && b.pos.x == c.pos.x && c.pos.y == d.pos.y &&
                          d.pos.x == a.pos.x && a.pos.x < c.pos.x && a.pos.y < c.pos.y;
     if (!upright || a.col != b.col || a.col != c.col || a.col != d.col) return false;
+    if (IsUnseen(a.col)) return true;
     const int left = std::max(clip_.left, FirstCenter(a.pos.x));
     const int right = std::min(clip_.right, FirstCenter(c.pos.x));
     const int top = std::max(clip_.top, FirstCenter(a.pos.y));
@@ -76,10 +86,14 @@ class Painter {
     const float dv = (c.uv.y - a.uv.y) / (c.pos.y - a.pos.y);
     for (int y = top; y < bottom; ++y) {
       std::uint32_t* row = Row(y);
+      if (plain) {
+        if (left < right) Fill(row + left, row + right, a.col);
+        continue;
+      }
       const float v = a.uv.y + (static_cast<float>(y) + 0.5F - a.pos.y) * dv;
       for (int x = left; x < right; ++x) {
         const float u = a.uv.x + (static_cast<float>(x) + 0.5F - a.pos.x) * du;
-        Blend(row[x], a.col, plain ? 255 : Sample(texture_, u, v));
+        Blend(row[x], a.col, Sample(texture_, u, v));
       }
     }
     return true;
@@ -99,24 +113,25 @@ class Painter {
     const int bottom = std::min<int>(clip_.bottom, Floor(std::max({p[0].y, p[1].y, p[2].y})) + 1);
     const Edge edges[3] = {MakeEdge(p[1], p[2]), MakeEdge(p[2], p[0]), MakeEdge(p[0], p[1])};
     const bool one_color = a.col == b.col && a.col == c.col;
+    if (one_color && IsUnseen(a.col)) return;
     const bool plain = a.uv.x == b.uv.x && a.uv.x == c.uv.x && a.uv.y == b.uv.y && a.uv.y == c.uv.y;
     for (int y = top; y < bottom; ++y) {
-      std::uint32_t* row = Row(y);
-      std::int64_t e[3];
-      Span span{0, right - left};
-      for (int k = 0; k < 3; ++k) {
-        e[k] = At(edges[k], left, y);
-        Narrow(span, e[k], edges[k].step_x);
+      const Span span = Inside(edges, left, right, y);
+      if (span.begin >= span.end) continue;
+      if (one_color && plain) {
+        Fill(Row(y) + span.begin, Row(y) + span.end, a.col);
+        continue;
       }
-      for (int k = 0; k < 3; ++k) e[k] += span.begin * edges[k].step_x;
-      for (std::int64_t x = left + span.begin; x < left + span.end; ++x) {
-        const float wb = static_cast<float>(e[1]) / static_cast<float>(area);
-        const float wc = static_cast<float>(e[2]) / static_cast<float>(area);
+      std::int64_t e[2] = {At(edges[1], span.begin, y), At(edges[2], span.begin, y)};
+      for (int x = span.begin; x < span.end; ++x) {
+        const float wb = static_cast<float>(e[0]) / static_cast<float>(area);
+        const float wc = static_cast<float>(e[1]) / static_cast<float>(area);
         const std::uint32_t color = one_color ? a.col : MixColors(a.col, b.col, c.col, wb, wc);
         const float u = a.uv.x + (b.uv.x - a.uv.x) * wb + (c.uv.x - a.uv.x) * wc;
         const float v = a.uv.y + (b.uv.y - a.uv.y) * wb + (c.uv.y - a.uv.y) * wc;
-        Blend(row[x], color, plain ? 255 : Sample(texture_, u, v));
-        for (int k = 0; k < 3; ++k) e[k] += edges[k].step_x;
+        Blend(Row(y)[x], color, plain ? 255 : Sample(texture_, u, v));
+        e[0] += edges[1].step_x;
+        e[1] += edges[2].step_x;
       }
     }
   }
@@ -130,6 +145,7 @@ class Painter {
     std::int64_t dx, dy, bias, step_x;
   };
 
+  static bool IsUnseen(std::uint32_t color) { return Channel(color, 24) == 0; }
   static Fixed ToFixed(const ImVec2& p) {
     return {std::llround(p.x * kSubpixels), std::llround(p.y * kSubpixels)};
   }
@@ -153,15 +169,21 @@ class Painter {
     return edge.dx * (py - edge.from.y) - edge.dy * (px - edge.from.x) + edge.bias;
   }
 
-  // Of a row, from its left end: at most the pixels of these that lie on the right side of an edge,
-  // whose value is `first` at pixel 0. A long thin triangle fills little of the box around it.
+  // The pixels of a row between left and right that lie on the right side of all edges.
   struct Span {
-    std::int64_t begin, end;
+    int begin, end;
   };
-  static void Narrow(Span& span, std::int64_t first, std::int64_t step) {
-    if (step > 0 && first < 0) span.begin = std::max(span.begin, (-first + step - 1) / step);
-    if (step < 0 && first >= 0) span.end = std::min(span.end, first / -step + 1);
-    if (step <= 0 && first < 0) span.end = 0;
+  static Span Inside(const Edge (&edges)[3], int left, int right, int y) {
+    std::int64_t begin = 0;
+    std::int64_t end = right - left;
+    for (const Edge& edge : edges) {
+      const std::int64_t first = At(edge, left, y);
+      const std::int64_t step = edge.step_x;
+      if (step > 0 && first < 0) begin = std::max(begin, (-first + step - 1) / step);
+      if (step < 0 && first >= 0) end = std::min(end, first / -step + 1);
+      if (step <= 0 && first < 0) end = 0;
+    }
+    return {left + static_cast<int>(std::min(begin, end)), left + static_cast<int>(end)};
   }
 
   static std::uint32_t MixColors(std::uint32_t a, std::uint32_t b, std::uint32_t c, float wb,

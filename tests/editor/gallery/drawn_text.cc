@@ -100,12 +100,7 @@ class Finder {
     const Image order = orders_.Paint();
     std::vector<DrawnGlyph> seen;
     for (Found& found : found_) {
-      const Point at = found.glyph.box.center();
-      const int x = static_cast<int>(at.x);
-      const int y = static_cast<int>(at.y);
-      const bool is_inside = found.glyph.clip.Contains(at) && x >= 0 && y >= 0 &&
-                             x < background.width && y < background.height;
-      if (!is_inside || (order.At(x, y) & ~kOpaque) > found.order) continue;
+      if (!IsSeen(found, order)) continue;
       const Box& clip = found.glyph.clip;
       const Box& box = found.glyph.box;
       found.glyph.background =
@@ -117,18 +112,36 @@ class Finder {
   }
 
  private:
-  // Everything else gets the colour that says when it is drawn; glyphs are left out.
+  // Its middle, and not just half of it above or below the edge of what covers it.
+  static bool IsSeen(const Found& found, const Image& order) {
+    const Point at = found.glyph.box.center();
+    const int x = static_cast<int>(at.x);
+    const int y = static_cast<int>(at.y);
+    const auto is_covered = [&](int row) { return (order.At(x, row) & ~kOpaque) > found.order; };
+    return found.glyph.clip.Contains(at) && x >= 0 && y >= 1 && x < order.width &&
+           y + 1 < order.height && !is_covered(y - 1) && !is_covered(y) && !is_covered(y + 1);
+  }
+
+  // Everything else gets the colour that says when it is drawn; glyphs are left out. Triangles
+  // between the same corners are one shape, drawn at one time: the corners of a shape follow each
+  // other.
   void Read(int list, const ImDrawCmd& command) {
     const ImDrawList& drawn = *data_.CmdLists[list];
     ImDrawVert* const bare = bare_.list(list).VtxBuffer.Data + command.VtxOffset;
     ImDrawVert* const orders = orders_.list(list).VtxBuffer.Data + command.VtxOffset;
     const ImDrawVert* const vertices = drawn.VtxBuffer.Data + command.VtxOffset;
     const ImDrawIdx* const index = drawn.IdxBuffer.Data + command.IdxOffset;
+    int first_corner = 0;
+    int last_corner = -1;
     for (unsigned i = 0; i + 2 < command.ElemCount; i += 3) {
       const ImDrawVert& first = vertices[index[i]];
       const auto code = codes_.find({first.uv.x, first.uv.y});
       const bool is_quad = i + 5 < command.ElemCount && index[i + 3] == index[i];
-      ++order_;
+      const auto [low, high] = std::minmax<int>({index[i], index[i + 1], index[i + 2]});
+      const bool is_same_shape = low <= last_corner && high >= first_corner;
+      if (!is_same_shape) ++order_;
+      first_corner = is_same_shape ? std::min(first_corner, low) : low;
+      last_corner = is_same_shape ? std::max(last_corner, high) : high;
       if (code != codes_.end() && is_quad) {
         AddGlyph(code->second, first, vertices[index[i + 2]], command.ClipRect);
         for (unsigned k = 0; k < 6; ++k) bare[index[i + k]].col = orders[index[i + k]].col = 0;

@@ -21,8 +21,6 @@ std::string Lines(const std::vector<std::string>& lines) {
   return text;
 }
 
-class Gallery : public testing::TestWithParam<GalleryScene> {};
-
 // On the canvas: "canvas/TREE/PATH". None while something is dragged over them.
 std::vector<Box> NodesOf(Editor& editor) {
   std::vector<Box> nodes;
@@ -77,38 +75,45 @@ void ExpectWholeTexts(Editor& editor, const std::vector<DrawnGlyph>& text) {
   EXPECT_TRUE(overlapping.empty()) << Lines(overlapping);
 }
 
-TEST_P(Gallery, IsWholeAndReadableInEveryPalette) {
-  Stage stage({});
-  GetParam().play(stage);
-  Editor& editor = stage.driver().editor;
-  ExpectWholeTexts(editor, DrawnText(editor));
+// A suite for each screen: they are tests of their own to ctest, which runs them side by side.
+class GalleryOnAScreen : public testing::TestWithParam<GalleryScene> {
+ protected:
+  explicit GalleryOnAScreen(const GalleryLook& look) : stage_(look) { GetParam().play(stage_); }
+
+  Editor& editor() { return stage_.driver().editor; }
+
+  Stage stage_;
+};
+
+class GallerySmall : public GalleryOnAScreen {
+ protected:
+  GallerySmall() : GalleryOnAScreen({}) {}
+};
+
+class GalleryLarge : public GalleryOnAScreen {
+ protected:
+  GalleryLarge() : GalleryOnAScreen({PaletteName::kDark, 2560, 1440, 1}) {}
+};
+
+class GalleryTinyPixels : public GalleryOnAScreen {
+ protected:
+  GalleryTinyPixels() : GalleryOnAScreen({PaletteName::kDark, 2560, 1600, 2}) {}
+};
+
+TEST_P(GallerySmall, IsWholeAndReadableInEveryPalette) {
+  ExpectWholeTexts(editor(), DrawnText(editor()));
   for (const PaletteName palette :
        {PaletteName::kDark, PaletteName::kLight, PaletteName::kColourBlind}) {
-    stage.state().screen.palette = palette;
-    stage.driver().Frames(2);
-    const std::vector<std::string> faint = FaintTexts(Uncovered(editor, DrawnText(editor)));
+    stage_.state().screen.palette = palette;
+    stage_.driver().Frames(2);
+    const std::vector<std::string> faint = FaintTexts(Uncovered(editor(), DrawnText(editor())));
     EXPECT_TRUE(faint.empty()) << ToString(palette) << Lines(faint);
   }
 }
 
-TEST_P(Gallery, IsWholeOnALargeScreen) {
-  GalleryLook look;
-  look.width = 2560;
-  look.height = 1440;
-  Stage stage(look);
-  GetParam().play(stage);
-  ExpectWholeTexts(stage.driver().editor, DrawnText(stage.driver().editor));
-}
+TEST_P(GalleryLarge, IsWhole) { ExpectWholeTexts(editor(), DrawnText(editor())); }
 
-TEST_P(Gallery, IsWholeOnAScreenWithTinyPixels) {
-  GalleryLook look;
-  look.scale = 2;
-  look.width *= look.scale;
-  look.height *= look.scale;
-  Stage stage(look);
-  GetParam().play(stage);
-  ExpectWholeTexts(stage.driver().editor, DrawnText(stage.driver().editor));
-}
+TEST_P(GalleryTinyPixels, IsWhole) { ExpectWholeTexts(editor(), DrawnText(editor())); }
 
 // The picture of docs/editor.md; kept as those of pictures_test.cc.
 TEST(GalleryPicture, ALiveRun) {
@@ -121,8 +126,11 @@ TEST(GalleryPicture, ALiveRun) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, Gallery, testing::ValuesIn(GalleryScenes()),
-                         [](const auto& scene) { return std::string(scene.param.name); });
+std::string NameOf(const testing::TestParamInfo<GalleryScene>& scene) { return scene.param.name; }
+
+INSTANTIATE_TEST_SUITE_P(Scenes, GallerySmall, testing::ValuesIn(GalleryScenes()), NameOf);
+INSTANTIATE_TEST_SUITE_P(Scenes, GalleryLarge, testing::ValuesIn(GalleryScenes()), NameOf);
+INSTANTIATE_TEST_SUITE_P(Scenes, GalleryTinyPixels, testing::ValuesIn(GalleryScenes()), NameOf);
 
 }  // namespace
 }  // namespace coppice::editor
