@@ -11,6 +11,7 @@
 #include <memory>
 
 #include "bt_core/base/read_file.h"
+#include "bt_core/live/discovery/multicast_search.h"
 #include "editor/app/run.h"
 #include "editor/live/record_source.h"
 #include "editor/theme/fonts.h"
@@ -203,6 +204,7 @@ int RunWindow(const Clock& clock, const EditOptions& options) {
   glfwGetWindowContentScale(window.get(), &across, nullptr);
   editor_options.scale = InBounds(across);
   editor_options.wake = [] { glfwPostEmptyEvent(); };
+  editor_options.search = std::make_shared<MulticastSearch>(editor_options.wake);
   editor_options.get_clipboard = [&window]() -> std::string {
     const char* text = glfwGetClipboardString(window.get());
     return text ? text : "";

@@ -105,6 +105,10 @@ std::string NeedsRecent(EditorState& state) {
   return state.recent.files.empty() ? "nothing has been opened yet" : "";
 }
 std::string NeedsRobots(EditorState& state) {
+  return state.OfferedRobots().empty() ? "no robot has been met, and the network tells of none"
+                                       : "";
+}
+std::string NeedsKnownRobots(EditorState& state) {
   return state.recent.robots.empty() ? "no robot has been met yet" : "";
 }
 
@@ -114,7 +118,7 @@ struct CommandNeed {
 };
 constexpr CommandNeed kNeeds[] = {{"file.recent", NeedsRecent},
                                   {"robot.known", NeedsRobots},
-                                  {"robot.forget", NeedsRobots},
+                                  {"robot.forget", NeedsKnownRobots},
                                   {"file.unsaved", NeedsUnsaved},
                                   {"file.reload", NeedsFile},
                                   {"file.save", NeedsFile},

@@ -65,15 +65,17 @@ void OfferRecent(EditorState& state) {
 }
 
 // Each with its note, and with what is done when it is chosen.
-void OfferRobots(EditorState& state, const char* hint,
-                 std::function<void(const std::string& endpoint)> run) {
-  state.Offer({hint, [&state, run = std::move(run)](const std::string& typed) {
+void ListRobots(EditorState& state, const char* hint,
+                std::function<std::vector<OfferedRobot>()> robots,
+                std::function<void(const std::string& endpoint)> run) {
+  state.Offer({hint, [robots = std::move(robots), run = std::move(run)](const std::string& typed) {
                  std::vector<Choice> rows;
-                 for (const KnownRobot& robot : state.recent.robots) {
-                   if (FuzzyScore(typed, robot.endpoint + " " + robot.tree) == 0) continue;
+                 for (const OfferedRobot& robot : robots()) {
+                   if (FuzzyScore(typed, robot.endpoint + " " + robot.note) == 0) continue;
                    Choice row;
                    row.title = robot.endpoint;
-                   row.note = NoteOf(robot, state.services.date());
+                   row.note = robot.note;
+                   row.kind = robot.word();
                    row.run = [run, endpoint = robot.endpoint] { run(endpoint); };
                    rows.push_back(std::move(row));
                  }
@@ -81,9 +83,18 @@ void OfferRobots(EditorState& state, const char* hint,
                }});
 }
 
-void ConnectTo(EditorState& state, const std::string& endpoint) {
-  const Outcome connected = state.services.connect(endpoint);
-  if (!connected) state.Notify(connected.problem(), state.now, true);
+void OfferToConnect(EditorState& state) {
+  ListRobots(
+      state, "Connect to a robot that was met before, or that the network tells of",
+      [&state] { return state.OfferedRobots(); },
+      [&state](const std::string& endpoint) { state.Connect(endpoint); });
+}
+
+void OfferToForget(EditorState& state) {
+  ListRobots(
+      state, "Forget a robot",
+      [&state] { return OfferRobots(state.recent.robots, {}, state.services.date()); },
+      [&state](const std::string& endpoint) { ForgetRobot(state.recent.robots, endpoint); });
 }
 
 }  // namespace
@@ -103,15 +114,8 @@ void AddMenuCommands(EditorState& state) {
                   s.services.set_clipboard(ShownKey(s));
                 }});
   commands.Add({"key.copy_value", "Copy the value of the key", {}, [&s] { CopyValue(s); }});
-  commands.Add({"robot.known", "Robots", {}, [&s] {
-                  OfferRobots(s, "Connect to a robot that was met before",
-                              [&s](const std::string& endpoint) { ConnectTo(s, endpoint); });
-                }});
-  commands.Add({"robot.forget", "Forget a robot", {}, [&s] {
-                  OfferRobots(s, "Forget a robot", [&s](const std::string& endpoint) {
-                    ForgetRobot(s.recent.robots, endpoint);
-                  });
-                }});
+  commands.Add({"robot.known", "Robots", {}, [&s] { OfferToConnect(s); }});
+  commands.Add({"robot.forget", "Forget a robot", {}, [&s] { OfferToForget(s); }});
   commands.Add({"file.recent", "Recent files", {}, [&s] { OfferRecent(s); }});
 }
 

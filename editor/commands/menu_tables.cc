@@ -81,6 +81,7 @@ constexpr std::string_view kTiles[] = {
 constexpr std::string_view kRobot[] = {"robot.connect",
                                        "robot.known",
                                        "robot.forget",
+                                       "robot.search",
                                        "robot.next",
                                        "run.close",
                                        kLine,

@@ -45,15 +45,12 @@ std::vector<MenuItem> RecentItems(EditorState& state) {
 
 std::vector<MenuItem> RobotItems(EditorState& state) {
   std::vector<MenuItem> items;
-  for (const KnownRobot& robot : state.recent.robots) {
+  for (const OfferedRobot& robot : state.OfferedRobots()) {
     MenuItem item;
     item.path = "menu/robot/" + std::to_string(items.size());
     item.title = robot.endpoint;
-    item.keys = NoteOf(robot, state.services.date());
-    item.run = [&state, endpoint = robot.endpoint] {
-      const Outcome connected = state.services.connect(endpoint);
-      if (!connected) state.Notify(connected.problem(), state.now, true);
-    };
+    item.keys = robot.is_known ? robot.note : "found: " + robot.note;
+    item.run = [&state, endpoint = robot.endpoint] { state.Connect(endpoint); };
     items.push_back(std::move(item));
   }
   return items;

@@ -45,6 +45,10 @@ class Commands {
     AddTiles();
     Add("robot.connect", "Connect to a robot", {'K', kCtrl},
         [&s = state_] { OpenConnectDialog(s); });
+    AddSwitch(
+        "robot.search", "Look for robots on the network", {},
+        [&s = state_] { s.screen.finds_robots = !s.screen.finds_robots; },
+        [&s = state_] { return s.screen.finds_robots; });
     Add("robot.next", "Next robot or record", {kKeyTab, kCtrl},
         [&s = state_] { s.workspace.ShowNextRun(); });
     Add("help.palette", "Command palette", {'P', kCtrl},

@@ -4,28 +4,13 @@
 #include <charconv>
 #include <utility>
 
+#include "bt_core/model/utf8.h"
 #include "editor/keys/age_text.h"
 
 namespace coppice::editor {
-namespace {
-
-// No character is cut into pieces.
-std::string Cleaned(std::string text) {
-  const auto is_control = [](unsigned char c) { return c < 0x20 || c == 0x7F; };
-  text.erase(std::remove_if(text.begin(), text.end(), is_control), text.end());
-  std::size_t end = std::min(text.size(), kLongestRobotText);
-  while (end > 0 && end < text.size() && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) {
-    --end;
-  }
-  text.resize(end);
-  return text;
-}
-
-}  // namespace
-
 void MeetRobot(std::vector<KnownRobot>& robots, KnownRobot robot) {
-  robot.endpoint = Cleaned(std::move(robot.endpoint));
-  robot.tree = Cleaned(std::move(robot.tree));
+  robot.endpoint = PlainText(robot.endpoint, kLongestRobotText);
+  robot.tree = PlainText(robot.tree, kLongestRobotText);
   if (robot.endpoint.empty()) return;
   ForgetRobot(robots, robot.endpoint);
   robots.insert(robots.begin(), std::move(robot));
@@ -48,6 +33,13 @@ std::string NoteOf(const KnownRobot& robot, std::int64_t date) {
   return robot.tree + (robot.tree.empty() || age.empty() ? "" : ", ") + age;
 }
 
+std::string NoteOf(const FoundRobot& robot) {
+  std::string note = robot.tree;
+  if (!robot.host.empty()) note += (note.empty() ? "on " : " on ") + robot.host;
+  if (robot.needs_token) note += (note.empty() ? "" : ", ") + std::string("asks for a token");
+  return note;
+}
+
 std::string LineOf(const KnownRobot& robot) {
   return std::to_string(robot.seen) + "\t" + robot.endpoint + "\t" + robot.tree;
 }
@@ -59,10 +51,29 @@ std::optional<KnownRobot> RobotOfLine(const std::string& line) {
   if (tree == line.npos) return std::nullopt;
   const auto read = std::from_chars(line.data(), line.data() + endpoint, robot.seen);
   if (read.ec != std::errc() || read.ptr != line.data() + endpoint) return std::nullopt;
-  robot.endpoint = Cleaned(line.substr(endpoint + 1, tree - endpoint - 1));
-  robot.tree = Cleaned(line.substr(tree + 1));
+  robot.endpoint = PlainText(line.substr(endpoint + 1, tree - endpoint - 1), kLongestRobotText);
+  robot.tree = PlainText(line.substr(tree + 1), kLongestRobotText);
   if (robot.endpoint.empty()) return std::nullopt;
   return robot;
+}
+
+std::vector<OfferedRobot> OfferRobots(const std::vector<KnownRobot>& known,
+                                      const std::vector<FoundRobot>& found, std::int64_t date) {
+  const auto is_at = [](const std::string& endpoint) {
+    return [&endpoint](const auto& robot) { return robot.endpoint == endpoint; };
+  };
+  std::vector<OfferedRobot> offered;
+  for (const KnownRobot& robot : known) {
+    const bool is_here = std::any_of(found.begin(), found.end(), is_at(robot.endpoint));
+    const std::string note =
+        is_here ? robot.tree + (robot.tree.empty() ? "" : ", ") + "here now" : NoteOf(robot, date);
+    offered.push_back({robot.endpoint, note, true});
+  }
+  for (const FoundRobot& robot : found) {
+    if (std::any_of(known.begin(), known.end(), is_at(robot.endpoint))) continue;
+    offered.push_back({robot.endpoint, NoteOf(robot), false});
+  }
+  return offered;
 }
 
 }  // namespace coppice::editor

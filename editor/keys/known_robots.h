@@ -2,7 +2,7 @@
 // file. No token is among what is kept.
 //
 //   MeetRobot(state.recent.robots, {"robot:1667", "Patrol", date});
-//   for (const KnownRobot& robot : state.recent.robots) Offer(robot.endpoint, NoteOf(robot, date));
+//   for (const OfferedRobot& robot : OfferRobots(state.recent.robots, found, date)) Show(robot);
 #ifndef COPPICE_EDITOR_KEYS_KNOWN_ROBOTS_H_
 #define COPPICE_EDITOR_KEYS_KNOWN_ROBOTS_H_
 
@@ -10,6 +10,8 @@
 #include <optional>
 #include <string>
 #include <vector>
+
+#include "bt_core/live/discovery/robot_search.h"
 
 namespace coppice::editor {
 
@@ -33,6 +35,21 @@ void ForgetRobot(std::vector<KnownRobot>& robots, const std::string& endpoint);
 
 /// "Patrol, 3 minutes ago".
 std::string NoteOf(const KnownRobot& robot, std::int64_t date);
+/// "Patrol on sobi, asks for a token".
+std::string NoteOf(const FoundRobot& robot);
+
+/// A row for one that can be connected to.
+struct OfferedRobot {
+  std::string endpoint;
+  std::string note;
+  bool is_known = false;  ///< else the network says that it is there
+
+  const char* word() const { return is_known ? "robot" : "found"; }
+};
+
+/// Those that were met before, then those of the network that were not.
+std::vector<OfferedRobot> OfferRobots(const std::vector<KnownRobot>& known,
+                                      const std::vector<FoundRobot>& found, std::int64_t date);
 
 /// A robot as a line of text without its end, and back; nothing if the line is none.
 std::string LineOf(const KnownRobot& robot);

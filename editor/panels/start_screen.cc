@@ -170,20 +170,28 @@ class StartScreen {
   }
 
   void OfferRobots() {
-    const std::vector<KnownRobot>& robots = state_.recent.robots;
-    if (robots.empty()) return;
-    Heading("robots", ui_.palette.text_dim);
-    for (std::size_t i = 0; i < std::min(robots.size(), kRobots); ++i) {
-      const KnownRobot& robot = robots[i];
-      const Choice made = OfferForgettable("start/robot/" + std::to_string(i), robot.endpoint,
-                                           NoteOf(robot, state_.services.date()));
-      if (made == Choice::kNone) continue;
-      state_.after_frame = [&s = state_, made, endpoint = robot.endpoint] {
-        if (made == Choice::kForget) return ForgetRobot(s.recent.robots, endpoint);
-        const Outcome connected = s.services.connect(endpoint);
-        if (!connected) s.Notify(connected.problem(), s.now, true);
-      };
+    const std::vector<OfferedRobot> robots = state_.OfferedRobots();
+    std::size_t known = 0;
+    std::size_t found = 0;
+    for (const OfferedRobot& robot : robots) {
+      std::size_t& count = robot.is_known ? known : found;
+      if (count == kRobots) continue;
+      if (!robot.is_known && found == 0) Heading("robots on the network", ui_.palette.text_dim);
+      if (robot.is_known && known == 0) Heading("robots", ui_.palette.text_dim);
+      OfferRobot(robot, (robot.is_known ? "start/robot/" : "start/found/") + std::to_string(count));
+      ++count;
     }
+  }
+
+  void OfferRobot(const OfferedRobot& robot, const std::string& path) {
+    const Choice made = robot.is_known ? OfferForgettable(path, robot.endpoint, robot.note)
+                                       : OfferNoted(path, Take(20), robot.endpoint, robot.note);
+    if (!robot.is_known) y_ -= kGap * ui_.scale;
+    if (made == Choice::kNone) return;
+    state_.after_frame = [&s = state_, made, endpoint = robot.endpoint] {
+      if (made == Choice::kForget) return ForgetRobot(s.recent.robots, endpoint);
+      s.Connect(endpoint);
+    };
   }
 
   enum class Choice { kNone, kTake, kForget };
@@ -201,15 +209,24 @@ class StartScreen {
     const bool forgotten = ui_.Hit(path + "/forget", forget, &hovered);
     ui_.RowText(list_, forget.min + Point{8 * ui_.scale, 0}, forget.height(), "forget",
                 {Face::kSans, 11, hovered ? ui_.palette.error : ui_.palette.text_dim});
+    const Choice made = OfferNoted(path, box, title, note);
+    return forgotten ? Choice::kForget : made;
+  }
+
+  // A row that is taken with a click.
+  Choice OfferNoted(const std::string& path, const Box& box, const std::string& title,
+                    const std::string& note) {
+    const TextStyle dim{Face::kSans, 11, ui_.palette.text_dim};
     const float wished = ui_.Width(note, dim) + 8 * ui_.scale;
     const float note_width = std::min(wished, box.width() * 0.6F);
+    bool hovered = false;
     const bool pressed = ui_.Hit(path, box, &hovered);
     const TextStyle style{Face::kSans, 12, hovered ? ui_.palette.accent : ui_.palette.link};
     ui_.RowText(list_, box.min, box.height(), ui_.CutStart(title, style, box.width() - note_width),
                 style);
     ui_.RowText(list_, {box.max.x - note_width + 8 * ui_.scale, box.min.y}, box.height(), note, dim,
                 note_width - 8 * ui_.scale);
-    return forgotten ? Choice::kForget : pressed ? Choice::kTake : Choice::kNone;
+    return pressed ? Choice::kTake : Choice::kNone;
   }
 
   void OfferRecent() {

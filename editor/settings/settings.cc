@@ -21,6 +21,7 @@ Settings ReadSettings(const std::string& text, const std::string& file, Diagnost
   }
   reader.Take(*json, "reduce_motion", settings.reduce_motion);
   reader.Take(*json, "wheel_zooms", settings.wheel_zooms);
+  reader.Take(*json, "finds_robots", settings.finds_robots);
   reader.Take(*json, "scale", 0, kScales[std::size(kScales) - 1], settings.scale);
   settings.scale = NearestScale(settings.scale);
   reader.Take(*json, "tiles", settings.tiles);
@@ -40,6 +41,7 @@ std::string WriteSettings(const Settings& settings) {
   json.children = {MakeText("palette", ToString(settings.palette)),
                    MakeJson("reduce_motion", settings.reduce_motion),
                    MakeJson("wheel_zooms", settings.wheel_zooms),
+                   MakeJson("finds_robots", settings.finds_robots),
                    MakeJson("scale", static_cast<double>(settings.scale)),
                    MakeJson("layout", settings.style),
                    MakeJson("tiles", settings.tiles),
@@ -53,6 +55,7 @@ void Apply(const Settings& settings, EditorState& state, double now) {
   state.screen.reduce_motion = settings.reduce_motion;
   state.screen.scale = settings.scale;
   state.screen.wheel_zooms = settings.wheel_zooms;
+  state.screen.finds_robots = settings.finds_robots;
   state.screen.tiles = settings.tiles;
   state.screen.splits = settings.splits;
   state.workspace.SetStyle(settings.style, now);
@@ -64,6 +67,7 @@ Settings SettingsOf(const EditorState& state) {
   settings.reduce_motion = state.screen.reduce_motion;
   settings.scale = state.screen.scale;
   settings.wheel_zooms = state.screen.wheel_zooms;
+  settings.finds_robots = state.screen.finds_robots;
   settings.tiles = state.screen.tiles;
   settings.splits = state.screen.splits;
   settings.style = state.workspace.style();

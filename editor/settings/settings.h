@@ -19,6 +19,7 @@ struct Settings {
   bool reduce_motion = false;
   float scale = 0;  ///< as ScreenState
   bool wheel_zooms = false;
+  bool finds_robots = true;
   LayoutStyle style;
   Tiles tiles;
   Splits splits;

@@ -89,6 +89,10 @@ Editor::Editor(EditorOptions options)
     return history_store_.Resume(state_.workspace.project(), path, text);
   };
   state_.services.connect = [this](const std::string& endpoint) { return Connect(endpoint); };
+  state_.services.found_robots = [this] {
+    asks_for_robots_ = true;
+    return options_.search ? options_.search->Look() : std::vector<FoundRobot>();
+  };
   state_.services.date = [this] { return options_.date ? options_.date() : std::int64_t{0}; };
   state_.services.get_clipboard = [this] {
     const WithContext own(context_);
@@ -274,6 +278,7 @@ void Editor::Frame(const InputEvents& input) {
   DrawMenus(ui, state_);
   DrawPopup(ui, state_);
   ImGui::Render();
+  RestIfUnasked();
   if (!ImGui::IsMouseDown(0)) state_.drag.carried.reset();
   if (state_.after_frame) std::exchange(state_.after_frame, {})();
   if (saves_after_typing_ && state_.input.typing.key.empty()) {
@@ -462,6 +467,7 @@ double Editor::NextFrameIn() const {
 }
 
 bool Editor::IsUpToDate() const {
+  if (options_.search && options_.search->has_news()) return false;
   const auto& runs = state_.workspace.runs();
   return std::none_of(runs.begin(), runs.end(),
                       [](const auto& run) { return run->source().has_news(); });

@@ -20,6 +20,7 @@
 #include <string>
 #include <vector>
 
+#include "bt_core/live/discovery/robot_search.h"
 #include "editor/files/history_store.h"
 #include "editor/keys/input_queue.h"
 #include "editor/render/image.h"
@@ -47,7 +48,8 @@ struct EditorOptions {
   std::string projects_folder;  ///< where settings of projects are kept; empty: nowhere
   std::function<std::int64_t()> date;  ///< seconds since 1970; empty: always 0, which is unknown
   std::string marks_file;              ///< where breakpoints and bookmarks are kept; empty: nowhere
-  std::function<void()> wake;          ///< called by any thread when a new frame would show news
+  std::shared_ptr<RobotSearch> search;  ///< for robots of the network; null: none are looked for
+  std::function<void()> wake;           ///< called by any thread when a new frame would show news
   std::function<std::string()> get_clipboard;  ///< empty: the editor's own
   std::function<void(const std::string&)> set_clipboard;
 };
@@ -117,6 +119,7 @@ class Editor {
   void LoadRecent();
   void KeepRecent();
   void NoteRobots();
+  void RestIfUnasked();
   void KeepWorkIfDue();
   void LoadKeys();
   bool IsLogBehind() const;
@@ -141,6 +144,7 @@ class Editor {
   std::string kept_settings_;          // likewise
   std::string kept_recent_;            // likewise
   Point window_;                       // its size when it could be seen last [pixels]
+  bool asks_for_robots_ = false;       // this frame
   std::set<std::string> live_robots_;  // endpoints of those that answered in the last frame
   double kept_at_ = 0;
   struct Typed {

@@ -101,6 +101,11 @@ void Editor::NoteRobots() {
   live_robots_ = std::move(live);
 }
 
+// Robots are looked for as long as the screen offers some.
+void Editor::RestIfUnasked() {
+  if (options_.search && !std::exchange(asks_for_robots_, false)) options_.search->Rest();
+}
+
 void Editor::Remember(const std::string& path) {
   std::error_code error;
   UseAgain(state_.recent.files, std::filesystem::absolute(path, error).lexically_normal().string());

@@ -61,6 +61,7 @@ struct ScreenState {
   float scale = 0;             ///< that was chosen (theme/scale.h); 0: that of the screen
   float scale_of_screen = 1;
   bool wheel_zooms = false;  ///< on the canvas (canvas/wheel.h)
+  bool finds_robots = true;  ///< asks the network for them while robots are offered
   Tiles tiles;
   Splits splits;
   Point canvas_size{800, 600};  ///< of the last frame
@@ -78,6 +79,8 @@ struct KeySettings {
 struct Services {
   std::function<bool(const std::string&)> open_file;
   std::function<Outcome(const std::string&)> connect;  ///< to an endpoint
+  /// Of the network; looked for as long as a frame asks.
+  std::function<std::vector<FoundRobot>()> found_robots;
   /// Goes on with unsaved work and its history; false: there is no history of it.
   std::function<bool(const std::string& path, const std::string& text)> resume;
   std::function<std::int64_t()> date;  ///< seconds since 1970
@@ -120,6 +123,18 @@ struct EditorState {
 
   void Notify(std::string text, double at, bool is_refusal = false) {
     notice = {std::move(text), is_refusal, at};
+  }
+
+  /// To which the user may connect.
+  std::vector<OfferedRobot> OfferedRobots() const {
+    return OfferRobots(recent.robots,
+                       screen.finds_robots ? services.found_robots() : std::vector<FoundRobot>(),
+                       services.date());
+  }
+  /// Because the user says so; what does not work is told.
+  void Connect(const std::string& endpoint) {
+    const Outcome connected = services.connect(endpoint);
+    if (!connected) Notify(connected.problem(), now, true);
   }
 
   /// Asks for a text.

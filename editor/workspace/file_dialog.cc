@@ -113,8 +113,8 @@ void AddKnown(EditorState& state, std::vector<FileRow>& rows) {
     rows.push_back({FileRowKind::kFolder, *folder + "/", *folder, "project"});
     ++count;
   }
-  for (const KnownRobot& robot : state.recent.robots) {
-    rows.push_back({FileRowKind::kRobot, robot.endpoint, robot.endpoint, "robot"});
+  for (const OfferedRobot& robot : state.OfferedRobots()) {
+    rows.push_back({FileRowKind::kRobot, robot.endpoint, robot.endpoint, robot.word()});
   }
   for (const Example& example : Examples()) {
     rows.push_back({FileRowKind::kFile, example.title, example.path, "example"});

@@ -139,7 +139,8 @@ FOREIGN = {  # name: (pattern, where at all, where in headers)
     "Dear ImGui and GLFW": (r"(imgui|GLFW/|backends/imgui)", ("editor",), ("editor",)),
     "JSON": (r"nlohmann/json\.hpp", ("bt_core", "editor/live", "robot_app"), ()),
     "ZeroMQ": (r"zmq\.", (), ()),
-    "Boost": (r"boost/", ("bt_core/live", "robot_app"), ("bt_core/live/web", "robot_app")),
+    "Boost": (r"boost/", ("bt_core/live", "robot_app"), (
+        "bt_core/live/discovery", "bt_core/live/web", "robot_app")),
     "tinyxml2": (r"tinyxml2", ("bt_core/model",), ()),
 }
 

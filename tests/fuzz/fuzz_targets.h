@@ -18,6 +18,11 @@ int FuzzBtlog(std::string_view bytes);
 /// no tick, 3.
 int FuzzClient(std::string_view bytes);
 
+/// The bytes as a message of multicast DNS, to a robot and to who looks for robots. Texts of robots
+/// must be fit to be shown, and an answer must be read as it was meant. Returns 0 if it is neither,
+/// 1 if robots are found in it, 2 if it is a question that a robot answers.
+int FuzzDiscovery(std::string_view bytes);
+
 /// The bytes as an XML file: parse, resolve, compile, tick. Checks that every position lies in the
 /// text and that what compiles is idle after a halt. Returns how far it came: 0 no document, 1 an
 /// incomplete project, 2 no program, 3 ticked.

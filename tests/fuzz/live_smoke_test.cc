@@ -43,6 +43,17 @@ TEST(FuzzClient, MutatedTalkInTheGroot2ProtocolNeverCrashes) {
   EXPECT_GT(reached[3], 50);
 }
 
+TEST(FuzzDiscovery, MutatedMessagesNeverCrash) {
+  EXPECT_EQ(FuzzDiscovery(SomeDiscoveryQuestion()), 2);
+  EXPECT_EQ(FuzzDiscovery(SomeDiscoveryAnswer()), 1);
+  std::array<int, 3> reached{};
+  for (unsigned seed = 0; seed < 20000; ++seed) {
+    ++reached[FuzzDiscovery(Mutator(seed).Mutate(SomeDiscoveryQuestion()))];
+    ++reached[FuzzDiscovery(Mutator(seed).Mutate(SomeDiscoveryAnswer()))];
+  }
+  for (const int count : reached) EXPECT_GT(count, 100);
+}
+
 TEST(FuzzWeb, MutatedVisitorsDisturbNobody) {
   const std::string request = SomeWebRequest();
   const std::string messages = SomeWebMessages();
@@ -88,6 +99,7 @@ INSTANTIATE_TEST_SUITE_P(Kinds, FuzzRobotTest, testing::Values('N', 'C', 'S'));
 TEST(FuzzLive, EmptyInputIsFine) {
   EXPECT_EQ(FuzzLive(""), 0);
   EXPECT_EQ(FuzzClient(""), 0);
+  EXPECT_EQ(FuzzDiscovery(""), 0);
   EXPECT_EQ(FuzzRobot(""), 0);
   EXPECT_EQ(FuzzWeb(""), 0);
   EXPECT_EQ(FuzzZmtp(""), 0);
@@ -96,6 +108,7 @@ TEST(FuzzLive, EmptyInputIsFine) {
 // What once crashed must not do so again.
 TEST(FuzzLive, WhatOnceCrashedDoesNotAnyMore) {
   RunRegressions("client", FuzzClient);
+  RunRegressions("discovery", FuzzDiscovery);
   RunRegressions("live", FuzzLive);
   RunRegressions("robot", FuzzRobot);
   RunRegressions("web", FuzzWeb);

@@ -228,13 +228,38 @@ std::string SomeZmtpRobot(char kind) {
   return talk;
 }
 
+std::string SomeDiscoveryQuestion() {
+  using namespace std::string_literals;
+  return "\x12\x34\0\0\0\1\0\0\0\0\0\0\x08_coppice\x04_tcp\5local\0\0\x0c\0\1"s;
+}
+
+// The place and the words of a robot, whose name is the first of them.
+std::string SomeDiscoveryAnswer() {
+  using namespace std::string_literals;
+  return "\x12\x34\x84\0\0\0\0\2\0\0\0\0"
+         "\4sobi\x08_coppice\x04_tcp\5local\0\0\x21\0\1\0\0\0\x0a\0\x0d"
+         "\0\0\0\0\6\x83\4sobi\xc0\x1f"
+         "\xc0\x0c\0\x10\0\1\0\0\0\x0a\0\x0c\x0btree=Patrol"s;
+}
+
 std::vector<std::pair<std::string, std::string>> AllSeeds() {
-  return {
-      {"btlog", SomeBtlog()},        {"client", SomeTalk()},        {"client", SomeGroot2Talk()},
-      {"history", SomeHistory()},    {"live", SomeRequests()},      {"record", SomeRecord()},
-      {"web", SomeWebRequest()},     {"web", SomeWebMessages()},    {"zmtp", SomeZmtpTalk('N')},
-      {"zmtp", SomeZmtpTalk('C')},   {"zmtp", SomeZmtpTalk('R')},   {"zmtp", SomeZmtpTopics()},
-      {"robot", SomeZmtpRobot('N')}, {"robot", SomeZmtpRobot('C')}, {"robot", SomeZmtpRobot('S')}};
+  return {{"btlog", SomeBtlog()},
+          {"client", SomeTalk()},
+          {"client", SomeGroot2Talk()},
+          {"history", SomeHistory()},
+          {"live", SomeRequests()},
+          {"record", SomeRecord()},
+          {"web", SomeWebRequest()},
+          {"web", SomeWebMessages()},
+          {"zmtp", SomeZmtpTalk('N')},
+          {"zmtp", SomeZmtpTalk('C')},
+          {"zmtp", SomeZmtpTalk('R')},
+          {"zmtp", SomeZmtpTopics()},
+          {"robot", SomeZmtpRobot('N')},
+          {"robot", SomeZmtpRobot('C')},
+          {"robot", SomeZmtpRobot('S')},
+          {"discovery", SomeDiscoveryQuestion()},
+          {"discovery", SomeDiscoveryAnswer()}};
 }
 
 }  // namespace coppice::fuzz

@@ -28,6 +28,9 @@ std::string SomeWebMessages();
 /// What a client of ZeroMQ says: requests, with that kind of FuzzZmtp; a listener's topics.
 std::string SomeZmtpTalk(char kind);
 std::string SomeZmtpTopics();
+/// What a robot is asked that tells the network of itself, and what it answers.
+std::string SomeDiscoveryQuestion();
+std::string SomeDiscoveryAnswer();
 /// What a robot says to a client of ZeroMQ, with that kind of FuzzRobot.
 std::string SomeZmtpRobot(char kind);
 

@@ -26,6 +26,7 @@ LiveOptions ReadLiveOptions(const Options& options) {
   LiveOptions live;
   live.port = static_cast<std::uint16_t>(options.Whole("--live-port", live.port));
   live.address = options.Get("--live-address", live.address);
+  live.announce = options.Has("--announce");
   live.read_only = options.Has("--live-read-only");
   live.wait_for_client = std::chrono::seconds(options.Whole("--wait-for-client", 0));
   live.web = options.Has("--web") || options.Has("--web-port") || options.Has("--web-folder");
@@ -68,7 +69,7 @@ LiveView::LiveView(EventStream& stream, const Options& options,
   publisher_ = std::make_unique<LivePublisher>(stream, live);
   std::cerr << "live view on " << live.address << ":" << publisher_->port();
   if (live.wait_for_client > Duration::zero()) std::cerr << ", waiting for a client to continue";
-  std::cerr << "\n";
+  std::cerr << (live.announce ? ", announced to the network\n" : "\n");
   const std::string& read_token = publisher_->read_token();
   if (!read_token.empty()) std::cerr << "token for those who only watch: " << read_token << "\n";
   PrintWeb(live, publisher_->web());

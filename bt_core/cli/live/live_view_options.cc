@@ -16,6 +16,8 @@ std::vector<CommandOption> LiveViewOptions() {
       CommandOption::Whole("--live-port", "N", 0, 65534, "where; else 1667; 0 takes a free one"),
       CommandOption::Text("--live-address", "A",
                           "not only on this computer; needs a token in COPPICE_LIVE_TOKEN"),
+      CommandOption::Flag("--announce",
+                          "editors in the network find it (multicast DNS); else nobody is told"),
       CommandOption::Flag("--live-read-only", "they may watch, not control"),
       CommandOption::Flag("--web", "also in a browser, with the editor"),
       CommandOption::Whole("--web-port", "N", 0, 65535, "where; else 8667; 0 takes a free one"),

@@ -47,6 +47,10 @@ void LiveDesk::Add(std::shared_ptr<LiveTree> tree, Duration now) {
   Notify(extension_.DescribeTrees());
 }
 
+std::string LiveDesk::first_tree() const {
+  return trees_.empty() ? "" : trees_.begin()->second->Info().name;
+}
+
 void LiveDesk::Remove(const LiveTree& tree) {
   const auto at = std::find_if(trees_.begin(), trees_.end(),
                                [&](const auto& entry) { return entry.second.get() == &tree; });

@@ -25,6 +25,9 @@ class LiveDesk {
   /// After what has happened in it was sent as far as its clients take it.
   void Remove(const LiveTree& tree);
 
+  /// The name of the one that clients see who ask for none; empty: there is none.
+  std::string first_tree() const;
+
   /// Answers a request that arrived then. Any bytes may be handed in. Times are real time here and
   /// below.
   void Serve(ClientId client, bool may_control, const groot2::Parts& request, Duration arrived);

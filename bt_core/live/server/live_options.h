@@ -49,6 +49,9 @@ struct LiveOptions : LiveTreeOptions {
   /// For those who may control the tree, at least 16 characters; see LiveServer::read_token. With
   /// it, connections are encrypted and nobody else is let in.
   std::string token;
+  /// Tell the networks where it listens of the robot, so that editors offer it (multicast DNS): the
+  /// names of computer and tree, and the port.
+  bool announce = false;
   /// Also serve the editor for browsers, and the live protocol over WebSocket.
   bool web = false;
   /// Where; 0 takes a free port.

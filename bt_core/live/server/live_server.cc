@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "bt_core/base/wake_up.h"
+#include "bt_core/live/discovery/announcer.h"
 #include "bt_core/live/server/live_clients.h"
 #include "bt_core/live/server/live_desk.h"
 #include "bt_core/live/web/web_gateway.h"
@@ -46,6 +47,13 @@ WebGatewayOptions WebOptions(const LiveOptions& options, const std::optional<Rob
   web.folder = options.web_folder;
   if (keys) web.tokens = {keys->web_control_token, keys->web_read_token};
   return web;
+}
+
+// Null if nobody is told.
+std::unique_ptr<Announcer> Announce(const LiveOptions& options, std::uint16_t port) {
+  if (!options.announce) return nullptr;
+  return std::make_unique<Announcer>(options.address,
+                                     NoticeOfThisRobot(port, !options.token.empty()));
 }
 
 // The ways in.
@@ -85,6 +93,7 @@ class LiveServer::Loop {
   Loop(const LiveOptions& options, const std::optional<RobotKeys>& keys)
       : doors_(options, keys, clients_),
         desk_(clients_, options.deadline),
+        announcer_(Announce(options, doors_.port())),
         thread_([this] { Run(); }) {}
 
   ~Loop() {
@@ -104,10 +113,16 @@ class LiveServer::Loop {
   void Wake() { wake_up_.Notify(); }
 
   void Add(std::shared_ptr<LiveTree> tree) {
-    InLoop([this, tree = std::move(tree)] { desk_.Add(tree, RealTime()); });
+    InLoop([this, tree = std::move(tree)] {
+      desk_.Add(tree, RealTime());
+      TellFirstTree();
+    });
   }
   void Remove(const std::shared_ptr<LiveTree>& tree) {
-    InLoop([this, tree] { desk_.Remove(*tree); });
+    InLoop([this, tree] {
+      desk_.Remove(*tree);
+      TellFirstTree();
+    });
   }
 
  private:
@@ -119,6 +134,10 @@ class LiveServer::Loop {
     const std::uint64_t number = ++tasks_;
     Wake();
     done_.wait(lock, [this, number] { return tasks_done_ >= number; });
+  }
+
+  void TellFirstTree() {
+    if (announcer_) announcer_->SetTree(desk_.first_tree());
   }
 
   void Run() {
@@ -167,6 +186,7 @@ class LiveServer::Loop {
   LiveClients clients_{[this] { Wake(); }};
   Doors doors_;
   LiveDesk desk_;
+  const std::unique_ptr<Announcer> announcer_;
   Duration last_push_{0};
 
   std::mutex mutex_;

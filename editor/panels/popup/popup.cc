@@ -232,9 +232,9 @@ class PopupWindow {
                   {FromIm(ImGui::GetItemRectMin()), FromIm(ImGui::GetItemRectMax())});
   }
 
-  // Those that were met before; the arrows choose one of them.
+  // Those that were met before and those of the network; the arrows choose one of them.
   void Robots() {
-    const std::vector<KnownRobot> robots = state_.recent.robots;
+    const std::vector<OfferedRobot> robots = state_.OfferedRobots();
     state_.popup.rows = robots.size();
     PopupState& popup = state_.popup;
     const bool has_walked = popup.files.walked;
@@ -244,9 +244,8 @@ class PopupWindow {
     std::optional<std::string> chosen;
     if (!robots.empty()) {
       PopupRows rows(ui_, state_, robots.size(), popup.files.walked);
-      for (const KnownRobot& robot : robots) {
-        const std::string note = NoteOf(robot, state_.services.date());
-        if (rows.Next(robot.endpoint, note, "robot")) chosen = robot.endpoint;
+      for (const OfferedRobot& robot : robots) {
+        if (rows.Next(robot.endpoint, robot.note, robot.word())) chosen = robot.endpoint;
       }
     }
     if (Confirmed(state_)) {

@@ -30,5 +30,25 @@ TEST(Utf8, Utf16IsTold) {
   EXPECT_FALSE(LooksLikeUtf16(""));
 }
 
+TEST(PlainText, LosesWhatControlsOrIsNotSeen) {
+  EXPECT_EQ(PlainText("\x1b[2Ja\n\tb\x7f", 100), "[2Jab");
+  EXPECT_EQ(PlainText("a\u202eb\u200bc\ufeffd\u0085e\U000E0041f", 100), "abcdef");
+}
+
+TEST(PlainText, LosesWhatIsNoCharacter) {
+  EXPECT_EQ(PlainText("a\xff\xc3z\xed\xa0\x80y\xe4\xba", 100), "azy");
+}
+
+TEST(PlainText, KeepsCharactersOfAllLanguages) {
+  EXPECT_EQ(PlainText("Gr\u00fc\u00dfe \u5de1\u903b \U0001F600", 100),
+            "Gr\u00fc\u00dfe \u5de1\u903b \U0001F600");
+}
+
+TEST(PlainText, CutsNoCharacterIntoPieces) {
+  EXPECT_EQ(PlainText("abc\u5de1d", 5), "abc");
+  EXPECT_EQ(PlainText("abc\u5de1d", 6), "abc\u5de1");
+  EXPECT_EQ(PlainText("abc", 0), "");
+}
+
 }  // namespace
 }  // namespace coppice

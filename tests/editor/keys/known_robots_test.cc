@@ -64,5 +64,23 @@ TEST(KnownRobots, ALineThatIsNoneIsNoRobot) {
   EXPECT_FALSE(RobotOfLine("12\t\tPatrol").has_value());
 }
 
+TEST(FoundRobots, TheNoteSaysWhatTheySayOfThemselves) {
+  EXPECT_EQ(NoteOf(FoundRobot{"a:1", "sobi", "Patrol", true}), "Patrol on sobi, asks for a token");
+  EXPECT_EQ(NoteOf(FoundRobot{"a:1", "sobi", "", false}), "on sobi");
+  EXPECT_EQ(NoteOf(FoundRobot{"a:1", "", "", true}), "asks for a token");
+}
+
+TEST(OfferedRobots, ThoseThatAreKnownComeFirstAndOnce) {
+  const std::vector<OfferedRobot> offered =
+      OfferRobots({{"b:1", "Patrol", 60}, {"c:1", "", 60}},
+                  {{"a:1", "sobi", "Dock", false}, {"b:1", "dori", "Liar", false}}, 180);
+  ASSERT_EQ(offered.size(), 3u);
+  EXPECT_EQ(offered[0].endpoint, "b:1");
+  EXPECT_EQ(offered[0].note, "Patrol, here now") << "what it was, not what somebody says";
+  EXPECT_EQ(offered[1].note, "2 minutes ago");
+  EXPECT_EQ(offered[2].endpoint, "a:1");
+  EXPECT_FALSE(offered[2].is_known);
+}
+
 }  // namespace
 }  // namespace coppice::editor

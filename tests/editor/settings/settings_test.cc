@@ -16,6 +16,7 @@ TEST(Settings, AreTheSameAfterWritingAndReading) {
   settings.reduce_motion = true;
   settings.scale = 1.25F;
   settings.wheel_zooms = true;
+  settings.finds_robots = false;
   settings.tiles.xml = false;
   settings.splits.left = 333.5F;
   settings.style.growth = Growth::kAcross;
@@ -29,6 +30,7 @@ TEST(Settings, AreTheSameAfterWritingAndReading) {
   EXPECT_EQ(read.splits.left, 333.5F);
   EXPECT_EQ(read.scale, 1.25F);
   EXPECT_TRUE(read.wheel_zooms);
+  EXPECT_FALSE(read.finds_robots);
   EXPECT_TRUE(read.style == settings.style);
   EXPECT_EQ(read.palette, PaletteName::kColourBlind);
 }
