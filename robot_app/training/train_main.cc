@@ -5,31 +5,45 @@
 #include <utility>
 
 #include "bt_core/base/command_line.h"
+#include "robot_app/perception/detection/mask_detector.h"
+#include "robot_app/training/mask_training.h"
 #include "robot_app/training/people_training.h"
 #include "robot_app/training/tracking_figures.h"
 
 namespace coppice::robot::training {
 namespace {
 
-const Command kPeople{
+const Command kTrain{
     "coppice-train",
-    "learn to see people in clouds of the 3-D lidar",
-    {"people FILE", 2, 2},
-    "Writes FILE, a classifier learnt from simulated scans of random halls, or\n"
-    "with --measure says how well FILE finds people on the institute's floor.\n"
-    "The same options write the same file.",
+    "learn to see people in clouds of the 3-D lidar, and masks in pictures",
+    {"people|masks FILE", 2, 2},
+    "Writes FILE, a classifier of people learnt from simulated scans, or one of\n"
+    "faces and masks learnt from generated pictures, of random halls. With\n"
+    "--measure it says how well FILE finds people on the institute's floor, or\n"
+    "faces and masks in other pictures. The same options write the same file.",
     {CommandOption::Whole("--seed", "N", 1, 1000000000, "of the halls; else 1"),
-     CommandOption::Whole("--scans", "N", 1, 100000, "of a round; else 700"),
+     CommandOption::Whole("--scans", "N", 1, 100000, "of a round, for people; else 700"),
+     CommandOption::Whole("--pictures", "N", 1, 100000, "for masks; else 600, to measure 100"),
      CommandOption::Whole("--rounds", "N", 1, 10, "else 3"),
      CommandOption::Flag("--measure", "reads FILE instead of writing it"),
-     CommandOption::Flag("--without-picture", "measure clustering by distance alone")}};
+     CommandOption::Flag("--without-picture", "measure people with clusters by distance alone"),
+     CommandOption::Flag("--without-depth", "measure masks with the colour alone")}};
 
 int Fail(const std::string& problem) {
   std::fprintf(stderr, "coppice-train: %s\n", problem.c_str());
   return 1;
 }
 
-int Measure(const Options& options) {
+std::uint64_t SeedOf(const Options& options) {
+  return static_cast<std::uint64_t>(options.Whole("--seed", 1));
+}
+
+// Nothing is measured on what was learnt from.
+std::uint64_t MeasuringSeed(const Options& options) { return SeedOf(options) + 1000000; }
+
+void Say(double share) { std::fprintf(stderr, "\r%3.0f %%", 100 * share); }
+
+int MeasurePeopleIn(const Options& options) {
   Diagnostics diagnostics;
   const auto floor = simulation::LoadFloor(COPPICE_FLOOR, diagnostics);
   if (!floor) return Fail(diagnostics.ToString());
@@ -39,7 +53,7 @@ int Measure(const Options& options) {
   finding.candidates.with_depth_steps = !options.Has("--without-picture");
   perception::PeopleFinder finder(finding, std::move(*classifier));
   const auto scans = static_cast<int>(options.Whole("--scans", 700));
-  const auto seed = static_cast<std::uint64_t>(options.Whole("--seed", 1)) + 1000000;
+  const std::uint64_t seed = MeasuringSeed(options);
   std::fputs(Table(MeasurePeople(finder, SiteOf(*floor), scans, seed)).c_str(), stdout);
   TrackingScenario scenario;
   scenario.seed = seed;
@@ -48,26 +62,52 @@ int Measure(const Options& options) {
   return 0;
 }
 
-int Train(const Options& options) {
+int TrainPeopleTo(const Options& options) {
   PeopleTrainingOptions training;
-  training.seed = static_cast<std::uint64_t>(options.Whole("--seed", 1));
+  training.seed = SeedOf(options);
   training.scans = static_cast<int>(options.Whole("--scans", training.scans));
   training.rounds = static_cast<int>(options.Whole("--rounds", training.rounds));
-  const auto classifier =
-      TrainPeople(training, [](double share) { std::fprintf(stderr, "\r%3.0f %%", 100 * share); });
+  const auto classifier = TrainPeople(training, Say);
   std::fputs("\n", stderr);
   if (!classifier) return Fail(classifier.problem());
   const Outcome saved = classifier->Save(options.files[1]);
   return saved ? 0 : Fail(saved.problem());
 }
 
+int MeasureMasksIn(const Options& options) {
+  auto classifier = perception::LoadMaskClassifier(options.files[1]);
+  if (!classifier) return Fail(classifier.problem());
+  const auto detector = perception::MakeMaskDetector(std::move(*classifier));
+  const auto pictures = static_cast<int>(options.Whole("--pictures", 100));
+  const MaskFigures figures =
+      MeasureMasks(*detector, pictures, MeasuringSeed(options), !options.Has("--without-depth"));
+  std::fputs(Table(figures).c_str(), stdout);
+  return 0;
+}
+
+int TrainMasksTo(const Options& options) {
+  MaskTrainingOptions training;
+  training.seed = SeedOf(options);
+  training.pictures = static_cast<int>(options.Whole("--pictures", training.pictures));
+  training.rounds = static_cast<int>(options.Whole("--rounds", training.rounds));
+  const auto classifier = TrainMasks(training, Say);
+  std::fputs("\n", stderr);
+  if (!classifier) return Fail(classifier.problem());
+  const Outcome saved = Save(*classifier, options.files[1]);
+  return saved ? 0 : Fail(saved.problem());
+}
+
 int Main(const std::vector<std::string>& arguments) {
-  const Options options = ParseOptions(kPeople, arguments);
+  const Options options = ParseOptions(kTrain, arguments);
   if (options.exit) return *options.exit;
-  if (options.files[0] != "people") {
-    return RefuseOptions(kPeople, "it can learn people, not \"" + options.files[0] + "\"");
+  const bool measures = options.Has("--measure");
+  if (options.files[0] == "people") {
+    return measures ? MeasurePeopleIn(options) : TrainPeopleTo(options);
   }
-  return options.Has("--measure") ? Measure(options) : Train(options);
+  if (options.files[0] == "masks") {
+    return measures ? MeasureMasksIn(options) : TrainMasksTo(options);
+  }
+  return RefuseOptions(kTrain, "it can learn people and masks, not \"" + options.files[0] + "\"");
 }
 
 }  // namespace

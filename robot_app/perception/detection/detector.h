@@ -7,6 +7,8 @@
 //   people    OpenCV's histograms of gradients with its own weights (Dalal and Triggs 2005): whole
 //             people from about 3 m, whose feet are seen
 //   faces     OpenCV's cascade for faces from the front (Viola and Jones 2001, Lienhart 2002)
+//   masks     faces turned up to 60 degrees aside, told apart by with and without mask, by a
+//             classifier that `coppice-train masks` made
 //   network   a network that the user has: Darknet (YOLOv3) or ONNX (heads of YOLOv5 and YOLOv8)
 //
 // Pictures in, boxes out: no ROS, no files but those that are named here. A detector is used by one
@@ -44,6 +46,9 @@ class Detector {
 
   /// Surest first. Of a picture of any size; in one that is too small nothing is seen.
   virtual std::vector<Sighting> Find(const DetectorInput& input) = 0;
+
+  /// Whether it ever sees something of this kind.
+  virtual bool Finds(SightingKind kind) const = 0;
 };
 
 /// A network of the user's. `file` decides about its kind: .weights (with `config`) or .onnx.
@@ -56,8 +61,11 @@ struct NetworkFiles {
 };
 
 struct DetectorChoice {
-  std::string built_in = "people faces";  ///< one or both; not used with a network
-  std::string cascade_file;               ///< empty: that of Debian's opencv-data
+  /// Some of people, faces and masks. Beside a network only those work that find what it does not:
+  /// masks, if it knows people alone.
+  std::string built_in = "people faces";
+  std::string cascade_file;  ///< for faces; empty: that of Debian's opencv-data
+  std::string mask_file;     ///< for masks: what `coppice-train masks` wrote
   NetworkFiles network;
   double least_confidence = 0.5;
 };

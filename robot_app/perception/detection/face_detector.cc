@@ -36,6 +36,8 @@ class FaceDetector : public Detector {
     return Suppress(std::move(sightings), kSameOne);
   }
 
+  bool Finds(SightingKind kind) const override { return kind == SightingKind::kFace; }
+
  private:
   cv::CascadeClassifier cascade_;
 };

@@ -86,6 +86,10 @@ class NetworkDetector : public Detector {
     return Suppress(std::move(sightings), kSameOne);
   }
 
+  bool Finds(SightingKind kind) const override {
+    return std::find(classes_.begin(), classes_.end(), kind) != classes_.end();
+  }
+
  private:
   Box InPicture(const RawBox& raw, const Fitting& fitting) const {
     const double unit = form_.layout == OutputLayout::kDarknet ? network_.size : 1;

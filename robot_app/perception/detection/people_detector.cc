@@ -14,7 +14,8 @@ constexpr double kWide = 0.62;
 constexpr double kTall = 0.80;
 
 constexpr double kZoom = 1.05;
-constexpr double kSameOne = 0.4;  // share in common of two boxes for one person
+constexpr double kPartOfOne = 0.8;  // share of a box in another: legs alone, two people as one
+constexpr double kSameOne = 0.4;    // share in common of two boxes for one person
 
 class PeopleDetector : public Detector {
  public:
@@ -30,8 +31,10 @@ class PeopleDetector : public Detector {
     for (std::size_t i = 0; i < boxes.size(); ++i) {
       sightings.push_back({SightingKind::kPerson, Tight(ToBox(boxes[i])), Confidence(weights[i])});
     }
-    return Suppress(std::move(sightings), kSameOne);
+    return Suppress(std::move(sightings), kSameOne, kPartOfOne);
   }
+
+  bool Finds(SightingKind kind) const override { return kind == SightingKind::kPerson; }
 
  private:
   static Box Tight(const Box& window) {
@@ -42,7 +45,7 @@ class PeopleDetector : public Detector {
   }
 
   // The distance from the border between people and all else becomes a share.
-  static double Confidence(double weight) { return 1 / (1 + std::exp(-4 * (weight - 0.35))); }
+  static double Confidence(double weight) { return 1 / (1 + std::exp(-4 * (weight - 0.55))); }
 
   cv::HOGDescriptor hog_;
 };

@@ -19,12 +19,23 @@ struct Box {
   double area() const { return width * height; }
 };
 
-/// Intersection over union: 1 for the same box, 0 for boxes that do not touch.
-inline double Overlap(const Box& a, const Box& b) {
+/// Of the part that two boxes have in common [pixels^2].
+inline double CommonArea(const Box& a, const Box& b) {
   const double wide = std::min(a.right(), b.right()) - std::max(a.x, b.x);
   const double tall = std::min(a.bottom(), b.bottom()) - std::max(a.y, b.y);
-  if (!(wide > 0 && tall > 0)) return 0;
-  return wide * tall / (a.area() + b.area() - wide * tall);
+  return wide > 0 && tall > 0 ? wide * tall : 0;
+}
+
+/// Intersection over union: 1 for the same box, 0 for boxes that do not touch.
+inline double Overlap(const Box& a, const Box& b) {
+  const double common = CommonArea(a, b);
+  return common > 0 ? common / (a.area() + b.area() - common) : 0;
+}
+
+/// The share of the smaller box that lies in the other one.
+inline double Nesting(const Box& a, const Box& b) {
+  const double common = CommonArea(a, b);
+  return common > 0 ? common / std::min(a.area(), b.area()) : 0;
 }
 
 struct Sighting {

@@ -4,8 +4,11 @@
 #include <cmath>
 #include <functional>
 #include <opencv2/imgproc.hpp>
-#include <random>
 #include <utility>
+#include <vector>
+
+#include "robot_app/simulation/appearance/canvas.h"
+#include "robot_app/simulation/appearance/head_picture.h"
 
 namespace coppice::robot::simulation {
 namespace {
@@ -22,10 +25,6 @@ constexpr double kHip = kAnkle + kShin + kThigh;
 constexpr double kShoulder = 0.805;
 constexpr double kUpperArm = 0.165;
 constexpr double kForearm = 0.19;
-constexpr double kHeadMiddle = 0.925;
-constexpr double kHeadTall = 0.075;  // half
-constexpr double kHeadWide = 0.052;
-constexpr double kHeadLong = 0.063;
 constexpr double kHipAside = 0.05;
 constexpr double kShoulderAside = 0.115;
 constexpr double kLegSwing = 0.42;  // rad
@@ -33,33 +32,7 @@ constexpr double kArmSwing = 0.38;
 constexpr double kKneeBend = 0.6;
 constexpr double kElbowBend = 0.3;
 
-constexpr int kSubpixel = 4;      // bits
 constexpr int kDrawnTwice = 700;  // pixels; a taller one needs no finer drawing
-
-constexpr std::array<Colour, 6> kSkins = {{{244, 208, 182},
-                                           {232, 190, 158},
-                                           {208, 160, 124},
-                                           {172, 122, 88},
-                                           {128, 86, 60},
-                                           {88, 58, 42}}};
-constexpr std::array<Colour, 6> kHairs = {
-    {{34, 26, 22}, {62, 42, 28}, {104, 70, 40}, {168, 128, 74}, {120, 118, 116}, {134, 60, 32}}};
-constexpr std::array<Colour, 8> kTops = {{{178, 48, 44},
-                                          {44, 84, 168},
-                                          {46, 128, 74},
-                                          {140, 60, 140},
-                                          {228, 226, 220},
-                                          {40, 42, 48},
-                                          {214, 170, 60},
-                                          {96, 120, 140}}};
-constexpr std::array<Colour, 5> kTrousers = {
-    {{44, 56, 92}, {36, 36, 40}, {120, 108, 86}, {84, 88, 94}, {70, 50, 40}}};
-constexpr Colour kMask{150, 190, 214};
-
-cv::Scalar Opaque(const Colour& colour, double light = 1) {
-  const auto channel = [&](int i) { return std::clamp(colour[i] * light, 0.0, 255.0); };
-  return {channel(0), channel(1), channel(2), 255};
-}
 
 class Painter {
  public:
@@ -67,9 +40,8 @@ class Painter {
       : look_(look),
         view_(view),
         scale_(pixels_tall),
-        sheet_(static_cast<int>(std::lround(1.02 * pixels_tall)),
-               2 * static_cast<int>(std::lround(kPersonSide * pixels_tall)), CV_8UC4,
-               cv::Scalar::all(0)) {}
+        canvas_(2 * static_cast<int>(std::lround(kPersonSide * pixels_tall)),
+                static_cast<int>(std::lround(1.02 * pixels_tall))) {}
 
   // What is farther is painted first.
   cv::Mat Paint() {
@@ -78,12 +50,12 @@ class Painter {
     AddArm(+1);
     AddArm(-1);
     Add({0, 0, 0.65}, [this] { PaintTrunk(); });
-    if (look_.has_long_hair) Add({-0.03, 0, kHeadMiddle}, [this] { PaintLongHair(); });
-    Add({0.02, 0, kHeadMiddle}, [this] { PaintHead(); });
+    Add({-0.03, 0, kHeadMiddle}, [this] { PaintHairBehind(look_, HeadAt(-0.02), canvas_); });
+    Add({0.02, 0, kHeadMiddle}, [this] { PaintHead(look_, HeadAt(0.01), canvas_); });
     std::stable_sort(parts_.begin(), parts_.end(),
                      [](const auto& a, const auto& b) { return a.first < b.first; });
     for (const auto& [nearness, paint] : parts_) paint();
-    return sheet_;
+    return canvas_.sheet();
   }
 
  private:
@@ -95,38 +67,13 @@ class Painter {
   double Nearness(const Point& p) const { return p.dot(TowardsCamera()); }
   cv::Point2d OnSheet(const Point& p) const {
     const double right = p[0] * std::sin(view_.turn) + p[1] * std::cos(view_.turn);
-    return {sheet_.cols / 2.0 + right * scale_, sheet_.rows - p[2] * scale_};
-  }
-  static cv::Point Fine(const cv::Point2d& p) {
-    return {static_cast<int>(std::lround(p.x * (1 << kSubpixel))),
-            static_cast<int>(std::lround(p.y * (1 << kSubpixel)))};
+    return {canvas_.sheet().cols / 2.0 + right * scale_, canvas_.sheet().rows - p[2] * scale_};
   }
 
-  void Circle(const cv::Point2d& middle, double radius, const cv::Scalar& colour) {
-    cv::circle(sheet_, Fine(middle), static_cast<int>(std::lround(radius * (1 << kSubpixel))),
-               colour, cv::FILLED, cv::LINE_8, kSubpixel);
-  }
-  void Ellipse(const cv::Point2d& middle, cv::Size2d half, const cv::Scalar& colour,
-               double from = 0, double to = 360) {
-    const cv::Point size = Fine({half.width, half.height});
-    cv::ellipse(sheet_, Fine(middle), {size.x, size.y}, 0, from, to, colour, cv::FILLED, cv::LINE_8,
-                kSubpixel);
-  }
-  void Polygon(const std::vector<cv::Point2d>& points, const cv::Scalar& colour) {
-    std::vector<cv::Point> fine;
-    for (const cv::Point2d& p : points) fine.push_back(Fine(p));
-    cv::fillPoly(sheet_, std::vector<std::vector<cv::Point>>{fine}, colour, cv::LINE_8, kSubpixel);
-  }
-
-  // A limb that grows thinner, round at its ends.
-  void Taper(const cv::Point2d& a, const cv::Point2d& b, double at_a, double at_b,
-             const cv::Scalar& colour) {
-    const cv::Point2d along = b - a;
-    const double length = std::max(std::hypot(along.x, along.y), 1e-6);
-    const cv::Point2d across(-along.y / length, along.x / length);
-    Circle(a, at_a, colour);
-    Circle(b, at_b, colour);
-    Polygon({a + across * at_a, b + across * at_b, b - across * at_b, a - across * at_a}, colour);
+  HeadPlace HeadAt(double forward) const {
+    const double wide =
+        std::hypot(kHeadHalfWide * std::cos(view_.turn), kHeadHalfLong * std::sin(view_.turn));
+    return {OnSheet({forward, 0, kHeadMiddle}), wide * scale_, kHeadHalfTall * scale_, view_.turn};
   }
 
   // Light comes from above and from the left.
@@ -136,11 +83,11 @@ class Painter {
     const cv::Point2d b = OnSheet(to);
     const double f = at_from * look_.build * scale_;
     const double t = at_to * look_.build * scale_;
-    Taper(a, b, f, t, Opaque(colour, 0.72));
-    Taper(a - cv::Point2d(0.2 * f, 0), b - cv::Point2d(0.2 * t, 0), 0.75 * f, 0.75 * t,
-          Opaque(colour, 0.92));
-    Taper(a - cv::Point2d(0.35 * f, 0), b - cv::Point2d(0.35 * t, 0), 0.35 * f, 0.35 * t,
-          Opaque(colour, 1.06));
+    canvas_.Taper(a, b, f, t, colour, 0.72);
+    canvas_.Taper(a - cv::Point2d(0.2 * f, 0), b - cv::Point2d(0.2 * t, 0), 0.75 * f, 0.75 * t,
+                  colour, 0.92);
+    canvas_.Taper(a - cv::Point2d(0.35 * f, 0), b - cv::Point2d(0.35 * t, 0), 0.35 * f, 0.35 * t,
+                  colour, 1.06);
   }
 
   // `side` is +1 for the left one.
@@ -171,7 +118,7 @@ class Painter {
         elbow + kForearm * Point(std::sin(swing + bend), side * 0.04, -std::cos(swing + bend));
     Add((shoulder + hand) * 0.5 + Point(0, side * 0.03, 0), [=] {
       Limb(elbow, hand, 0.025, 0.017, look_.has_long_sleeves ? look_.top : look_.skin);
-      Circle(OnSheet(hand), 0.021 * scale_, Opaque(look_.skin, 0.9));
+      canvas_.Circle(OnSheet(hand), 0.021 * scale_, look_.skin, 0.9);
       Limb(shoulder, elbow, 0.034, 0.027, look_.top);
     });
   }
@@ -207,85 +154,18 @@ class Painter {
         points.push_back(OnSheet({0, 0, i->first}) +
                          cv::Point2d((aside + share * i->second) * wide * scale_, 0));
       }
-      Polygon(points, Opaque(colour, light));
+      canvas_.Polygon(points, colour, light);
     }
-  }
-
-  void PaintLongHair() {
-    const cv::Point2d middle = OnSheet({-0.03, 0, kHeadMiddle - 0.03});
-    Ellipse(middle, {1.2 * kHeadWide * scale_, 1.5 * kHeadTall * scale_}, Opaque(look_.hair, 0.7));
-  }
-
-  void PaintHead() {
-    const double side = std::abs(std::sin(view_.turn));
-    const double wide = std::hypot(kHeadWide * std::cos(view_.turn), kHeadLong * side) * scale_;
-    const cv::Point2d middle = OnSheet({0.01, 0, kHeadMiddle});
-    const double tall = kHeadTall * scale_;
-    Ellipse(middle, {wide, tall}, Opaque(look_.skin, 0.75));
-    Ellipse(middle - cv::Point2d(0.12 * wide, 0), {0.84 * wide, 0.95 * tall}, Opaque(look_.skin));
-    if (std::cos(view_.turn) > 0) PaintFace(middle, wide, tall);
-    PaintHair(middle, wide, tall);
-  }
-
-  // Towards the back of the head, more and more of it is hair.
-  void PaintHair(const cv::Point2d& middle, double wide, double tall) {
-    const double facing = std::cos(view_.turn);
-    if (facing < -0.2) {
-      Ellipse(middle - cv::Point2d(0, 0.08 * tall), {1.04 * wide, 0.96 * tall},
-              Opaque(look_.hair, 0.85));
-      return;
-    }
-    Ellipse(middle - cv::Point2d(0, 0.1 * tall), {1.06 * wide, 0.98 * tall},
-            Opaque(look_.hair, 0.85), 195, 345);
-    if (facing > 0.85) return;
-    const double back = std::sin(view_.turn) > 0 ? -1 : 1;  // where it is on the sheet
-    Ellipse(middle + cv::Point2d(back * 0.55 * wide, -0.1 * tall), {0.5 * wide, 0.85 * tall},
-            Opaque(look_.hair, 0.8));
-  }
-
-  void PaintFace(const cv::Point2d& middle, double wide, double tall) {
-    const double shift = std::sin(view_.turn) * 0.8 * wide;
-    const double narrow = std::cos(view_.turn);
-    const auto at = [&](double right, double down) {
-      return middle + cv::Point2d(shift + right * narrow * wide, down * tall);
-    };
-    for (const double eye : {-0.42, 0.42}) {
-      Ellipse(at(eye, -0.08), {0.2 * narrow * wide, 0.1 * tall}, Opaque({235, 232, 228}));
-      Ellipse(at(eye, -0.08), {0.1 * narrow * wide, 0.1 * tall}, Opaque({40, 30, 26}));
-      Ellipse(at(eye, -0.24), {0.26 * narrow * wide, 0.05 * tall}, Opaque(look_.hair, 0.8));
-    }
-    if (look_.wears_mask) {
-      Polygon(
-          {at(-0.95, 0.1), at(0, -0.02), at(0.95, 0.1), at(0.7, 0.7), at(0, 0.92), at(-0.7, 0.7)},
-          Opaque(kMask));
-      return;
-    }
-    Ellipse(at(0.05, 0.24), {0.14 * narrow * wide, 0.1 * tall}, Opaque(look_.skin, 0.75));
-    Ellipse(at(0, 0.52), {0.34 * narrow * wide, 0.07 * tall}, Opaque({150, 70, 66}));
   }
 
   const PersonLook& look_;
   const PersonView& view_;
   const double scale_;
-  cv::Mat sheet_;
+  Canvas canvas_;
   std::vector<std::pair<double, std::function<void()>>> parts_;  // by nearness to the camera
 };
 
 }  // namespace
-
-PersonLook RandomPersonLook(std::uint64_t seed) {
-  std::mt19937_64 random(seed * 0x9e3779b97f4a7c15U + 1);
-  const auto one_of = [&](const auto& choices) { return choices[random() % choices.size()]; };
-  PersonLook look;
-  look.skin = one_of(kSkins);
-  look.hair = one_of(kHairs);
-  look.top = one_of(kTops);
-  look.trousers = one_of(kTrousers);
-  look.build = 0.88 + 0.01 * static_cast<double>(random() % 28);
-  look.has_long_hair = random() % 3 == 0;
-  look.has_long_sleeves = random() % 3 != 0;
-  return look;
-}
 
 // Drawn twice as large and then reduced, so that its edges are smooth.
 PersonPicture DrawPerson(const PersonLook& look, const PersonView& view, int pixels_tall) {

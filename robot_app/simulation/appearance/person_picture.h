@@ -3,29 +3,12 @@
 #ifndef COPPICE_ROBOT_APP_SIMULATION_APPEARANCE_PERSON_PICTURE_H_
 #define COPPICE_ROBOT_APP_SIMULATION_APPEARANCE_PERSON_PICTURE_H_
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
-#include "robot_app/common/picture.h"
+#include "robot_app/simulation/appearance/person_look.h"
 
 namespace coppice::robot::simulation {
-
-/// What a person looks like from day to day.
-struct PersonLook {
-  Colour skin{222, 178, 148};
-  Colour hair{60, 42, 30};
-  Colour top{178, 48, 44};
-  Colour trousers{50, 55, 80};
-  Colour shoes{30, 28, 28};
-  double build = 1;  ///< width of the trunk and the limbs, about 0.85..1.2
-  bool has_long_hair = false;
-  bool has_long_sleeves = true;
-  bool wears_mask = false;  ///< over mouth and nose
-};
-
-/// One of many, with tones of skin, hair and clothes as people have them.
-PersonLook RandomPersonLook(std::uint64_t seed);
 
 /// How it is looked at.
 struct PersonView {
@@ -33,6 +16,13 @@ struct PersonView {
   double step = 0;  ///< in which part of two steps the legs are [rad]
   bool walks = false;
 };
+
+/// Of the head, as shares of the person's height: how high its middle is, and half its sizes
+/// upwards, sideways and forward.
+inline constexpr double kHeadMiddle = 0.925;
+inline constexpr double kHeadHalfTall = 0.075;
+inline constexpr double kHeadHalfWide = 0.052;
+inline constexpr double kHeadHalfLong = 0.063;
 
 /// Half the width of a picture, as a share of the person's height.
 inline constexpr double kPersonSide = 0.34;

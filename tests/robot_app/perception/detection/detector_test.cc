@@ -5,9 +5,13 @@
 #include <algorithm>
 #include <string>
 
+#include "bt_core/model/write_file.h"
 #include "robot_app/simulation/camera/rgbd_camera.h"
 #include "robot_app/simulation/floor_scene.h"
 #include "robot_app/simulation/shipped_files.h"
+#include "tests/robot_app/perception/detection/tiny_onnx.h"
+#include "tests/support/folders.h"
+#include "tests/support/temporary_folder.h"
 
 namespace coppice::robot::perception {
 namespace {
@@ -115,6 +119,42 @@ TEST(MakeDetector, RefusesAFileThatIsNoCascade) {
   choice.built_in = "faces";
   choice.cascade_file = __FILE__;
   EXPECT_FALSE(MakeDetector(choice));
+}
+
+TEST(MakeDetector, SaysThatMasksNeedAFile) {
+  DetectorChoice choice;
+  choice.built_in = "masks";
+  const auto detector = MakeDetector(choice);
+  ASSERT_FALSE(detector);
+  EXPECT_NE(detector.problem().find("coppice-train masks"), std::string::npos)
+      << detector.problem();
+}
+
+// A network that knows people alone.
+TEST(MakeDetector, LetsMasksWorkBesideANetworkThatDoesNotKnowThem) {
+  const TemporaryFolder folder;
+  Diagnostics diagnostics;
+  ASSERT_TRUE(WriteFile(folder.Path("people.onnx"), TinyOnnx(true), diagnostics));
+  DetectorChoice choice;
+  choice.built_in = "people masks";
+  choice.mask_file = SourceFolder() + "/robot_app/perception/data/faces_and_masks.yaml";
+  choice.network = {folder.Path("people.onnx"), "", "", kTinySquare};
+  const auto both = MakeDetector(choice);
+  ASSERT_TRUE(both) << both.problem();
+  EXPECT_TRUE((*both)->Finds(SightingKind::kPerson));
+  EXPECT_TRUE((*both)->Finds(SightingKind::kFaceWithMask));
+}
+
+TEST(MakeDetector, NeedsNoFileForWhatTheNetworkDoes) {
+  const TemporaryFolder folder;
+  Diagnostics diagnostics;
+  ASSERT_TRUE(WriteFile(folder.Path("masks.onnx"), TinyOnnx(true), diagnostics));
+  ASSERT_TRUE(WriteFile(folder.Path("names"), "mask\n", diagnostics));
+  DetectorChoice choice;
+  choice.built_in = "masks";
+  choice.network = {folder.Path("masks.onnx"), "", folder.Path("names"), kTinySquare};
+  const auto network = MakeDetector(choice);
+  EXPECT_TRUE(network) << network.problem();
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "bt_core/model/write_file.h"
+#include "tests/robot_app/perception/detection/tiny_onnx.h"
 
 namespace coppice::robot::perception {
 namespace {
@@ -108,6 +109,49 @@ TEST_F(Network, OfAnotherNumberOfClassesThanNamedIsAProblem) {
   EXPECT_NE(ProblemOf().find("names 3 classes, and the network has 1"), std::string::npos)
       << ProblemOf();
 }
+
+class OnnxNetwork : public Network, public testing::WithParamInterface<bool> {
+ protected:
+  void SetUp() override {
+    files_ = {testing::TempDir() + (GetParam() ? "rows.onnx" : "columns.onnx"), "", "",
+              kTinySquare};
+    Write(files_.file, TinyOnnx(GetParam()));
+  }
+};
+
+TEST_P(OnnxNetwork, SeesWhatIsThereWhereItIs) {
+  const auto detector = MakeNetworkDetector(files_, 0.5);
+  ASSERT_TRUE(detector) << detector.problem();
+  EXPECT_TRUE((*detector)->Finds(SightingKind::kPerson));
+  EXPECT_FALSE((*detector)->Finds(SightingKind::kFace));
+  Picture picture(kTinySquare, kTinySquare);
+  for (int row = kTinyCell; row < 2 * kTinyCell; ++row) {
+    for (int column = 2 * kTinyCell; column < 3 * kTinyCell; ++column) {
+      picture.rgb[3 * (static_cast<std::size_t>(row) * kTinySquare + column)] = 255;
+    }
+  }
+  const auto seen = (*detector)->Find(picture);
+  ASSERT_EQ(seen.size(), 1U);
+  EXPECT_EQ(seen[0].kind, SightingKind::kPerson);
+  EXPECT_NEAR(seen[0].box.x, 2 * kTinyCell, 0.1);
+  EXPECT_NEAR(seen[0].box.y, kTinyCell, 0.1);
+  EXPECT_NEAR(seen[0].box.width, kTinyCell, 0.1);
+  EXPECT_NEAR(seen[0].confidence, 1, 0.01);
+}
+
+TEST_P(OnnxNetwork, CutOffAnywhereIsAProblemOrANetworkButNoCrash) {
+  const std::string whole = TinyOnnx(GetParam());
+  for (std::size_t size = 0; size < whole.size(); size += 1 + whole.size() / 40) {
+    Write(files_.file, whole.substr(0, size));
+    if (auto detector = MakeNetworkDetector(files_, 0.5)) {
+      (*detector)->Find(Picture(64, 64));
+    } else {
+      EXPECT_NE(detector.problem().find(files_.file), std::string::npos) << detector.problem();
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(OfBothLayouts, OnnxNetwork, testing::Bool());
 
 }  // namespace
 }  // namespace coppice::robot::perception

@@ -25,6 +25,21 @@ TEST(Suppress, KeepsTwoWhoStandApart) {
             2U);
 }
 
+TEST(Nesting, IsTheShareOfTheSmallerBoxInTheOther) {
+  EXPECT_DOUBLE_EQ(Nesting({0, 0, 100, 100}, {10, 10, 10, 20}), 1);
+  EXPECT_DOUBLE_EQ(Nesting({10, 10, 10, 20}, {15, 0, 100, 100}), 0.5);
+  EXPECT_DOUBLE_EQ(Nesting({0, 0, 1, 1}, {2, 2, 1, 1}), 0);
+}
+
+TEST(Suppress, DropsTheLessSureOfABoxInABoxOnlyIfAsked) {
+  const std::vector<Sighting> two = {{kPerson, {0, 0, 40, 100}, 0.6},
+                                     {kPerson, {10, 50, 20, 50}, 0.9}};
+  EXPECT_EQ(Suppress(two, 0.5).size(), 2U);
+  const auto kept = Suppress(two, 0.5, 0.8);
+  ASSERT_EQ(kept.size(), 1U);
+  EXPECT_DOUBLE_EQ(kept[0].confidence, 0.9);
+}
+
 TEST(Suppress, KeepsAFaceInAPerson) {
   const Box box{0, 0, 10, 10};
   EXPECT_EQ(Suppress({{kPerson, box, 0.9}, {SightingKind::kFace, box, 0.8}}, 0.5).size(), 2U);
