@@ -10,6 +10,7 @@
 #include "bt_nodes/interaction/interaction_leaves.h"
 #include "bt_nodes/monitoring/monitoring_leaves.h"
 #include "bt_nodes/navigation/navigation_leaves.h"
+#include "bt_nodes/navigation/route_leaves.h"
 #include "bt_nodes/operators/help_leaves.h"
 #include "bt_nodes/operators/supervisor_leaves.h"
 #include "bt_nodes/operators/tell_faults.h"
@@ -28,6 +29,13 @@ void RegisterNodes(Registry& registry, const Capabilities& capabilities) {
   registry.Register<Rotate>("Rotate", navigator);
   registry.Register<ChooseWaypoint>("ChooseWaypoint", std::ref(capabilities.waypoints));
   registry.Register<FindWaypoint>("FindWaypoint", std::ref(capabilities.waypoints));
+  const auto routes = std::ref(capabilities.routes);
+  registry.Register<NextLeg>("NextLeg", routes);
+  registry.Register<RememberLeg>("RememberLeg", routes);
+  registry.Register<IsAtPlace>("IsAtPlace", routes);
+  registry.Register<NearestPlace>("NearestPlace", routes);
+  registry.Register<DescribePlace>("DescribePlace", routes);
+  registry.Register<WayIsFree>("WayIsFree", navigator);
 
   registry.Register<Dock>("Dock", std::ref(capabilities.station));
   registry.Register<PressOn>("PressOn", std::ref(capabilities.station));

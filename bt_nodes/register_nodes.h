@@ -7,6 +7,7 @@
 #include "bt_nodes/docking/charging_station.h"
 #include "bt_nodes/interaction/interaction.h"
 #include "bt_nodes/navigation/navigator.h"
+#include "bt_nodes/navigation/routes.h"
 #include "bt_nodes/navigation/waypoint_map.h"
 #include "bt_nodes/operators/supervisor_channel.h"
 #include "bt_nodes/processes/process_manager.h"
@@ -18,6 +19,7 @@ namespace coppice::leaves {
 struct Capabilities {
   Navigator& navigator;
   WaypointMap& waypoints;
+  Routes& routes;
   ChargingStation& station;
   Interaction& interaction;
   ProcessManager& processes;

@@ -21,6 +21,9 @@ class Navigator {
   virtual void NavigateTo(const Pose2D& goal, Sender<ActionResult> done) = 0;
   virtual void CancelNavigation() = 0;
 
+  /// Is there a way to a pose in the map frame right now, around all that is seen? Nothing moves.
+  virtual void FindWay(const Pose2D& goal, Sender<ActionResult> done) = 0;
+
   /// Drives straight on by `distance` [m] (negative: backwards) at `speed` [m/s] and stops before
   /// obstacles.
   virtual void Move(double distance, double speed, Sender<ActionResult> done) = 0;

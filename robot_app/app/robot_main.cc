@@ -26,7 +26,7 @@
 #include "robot_app/ros/ros_process_manager.h"
 #include "robot_app/ros/ros_recovery_log.h"
 #include "robot_app/ros/ros_supervisors.h"
-#include "robot_app/ros/waypoint_map.h"
+#include "robot_app/ros/site_places.h"
 
 namespace coppice::robot {
 namespace {
@@ -44,7 +44,9 @@ const Command& RobotCommand() {
 stopped. The application may be any tree, for example trees/behavior/leave_station.xml.)",
       {CommandOption::Text("--application", "FILE", "the application tree").Needed(),
        CommandOption::Text("--monitor", "FILE", "the monitor tree").Needed(),
-       CommandOption::Text("--waypoints", "FILE", "the places that the trees speak of").Needed(),
+       CommandOption::Text("--places", "FILE", "the places that the trees speak of").Needed(),
+       CommandOption::Text("--learn", "FILE",
+                           "keeps what it learns of the ways between them there"),
        CommandOption::Text("--tree", "ID",
                            "of the application one that is not the main tree of its file"),
        CommandOption::Text("--record", "FOLDER", "records both trees there"),
@@ -87,8 +89,8 @@ class Robot {
       : node_(node),
         is_recorded_(options.Has("--record")),
         navigator_(adapters::MakeRosNavigator(node)),
-        waypoints_(adapters::LoadWaypointMap(options.Get("--waypoints"),
-                                             static_cast<unsigned>(options.Whole("--seed", 1)))),
+        places_(options.Get("--places"), static_cast<unsigned>(options.Whole("--seed", 1)), clock_,
+                options.Get("--learn")),
         station_(adapters::MakeRosChargingStation(node)),
         interaction_(node),
         supervisors_(node),
@@ -102,7 +104,7 @@ class Robot {
     Executor& application = application_->executor();
     Executor& monitor = monitor_->executor();
     subscribers_ = adapters::SubscribeFeeds(node_, {KeysOf(application), KeysOf(monitor)}, clock_);
-    pose_feed_.emplace(node_, StationOn(*waypoints_),
+    pose_feed_.emplace(node_, StationOn(places_),
                        std::vector{PoseKeysOf(application), PoseKeysOf(monitor)});
     people_feed_.emplace(node_,
                          std::vector{application.Writer<leaves::PeopleView>("people"),
@@ -141,8 +143,8 @@ class Robot {
     Diagnostics diagnostics;
     const std::string tree = name == "application" ? options.Get("--tree") : "";
     const auto registry = std::make_shared<Registry>();
-    leaves::RegisterNodes(*registry, {*navigator_, *waypoints_, *station_, interaction_, processes_,
-                                      supervisors_, link_, recoveries_});
+    leaves::RegisterNodes(*registry, {*navigator_, places_, places_, *station_, interaction_,
+                                      processes_, supervisors_, link_, recoveries_});
     const auto program = CompileFile(options.Get("--" + name), registry, diagnostics, tree);
     std::cerr << diagnostics.ToString();
     if (!program) throw std::runtime_error("the " + name + " tree cannot run");
@@ -199,7 +201,7 @@ class Robot {
   const bool is_recorded_;
   RosClock clock_;
   std::unique_ptr<leaves::Navigator> navigator_;
-  std::unique_ptr<leaves::WaypointMap> waypoints_;
+  adapters::SitePlaces places_;
   std::unique_ptr<leaves::ChargingStation> station_;
   adapters::RosInteraction interaction_;
   adapters::RosProcessManager processes_;

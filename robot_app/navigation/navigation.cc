@@ -149,6 +149,19 @@ Velocity2D Navigation::Update(double now, const Pose2D& pose, double pose_stamp)
   return velocity;
 }
 
+void Navigation::EnterObstacles(double now) {
+  obstacles_.Forget(now);
+  std::vector<int> marked = obstacles_.marked();
+  marked.insert(marked.end(), sonar_.marked().begin(), sonar_.marked().end());
+  costmap_.Update(map_, marked);
+}
+
+Plan Navigation::FindWay(const Pose2D& pose, Point2D goal, double now) {
+  if (!has_map()) return {PlanStatus::kNoPath, {}, 0, "there is no map yet"};
+  EnterObstacles(now);
+  return FindPath(costmap_, {pose.x, pose.y}, goal);
+}
+
 void Navigation::Replan(double now, const Pose2D& pose) {
   next_plan_ = now + settings_.replan_period;
   const Point2D goal{goal_->x, goal_->y};
@@ -157,10 +170,7 @@ void Navigation::Replan(double now, const Pose2D& pose) {
     Finish(End::kAborted, now, plan.message + " on the map");
     return;
   }
-  obstacles_.Forget(now);
-  std::vector<int> marked = obstacles_.marked();
-  marked.insert(marked.end(), sonar_.marked().begin(), sonar_.marked().end());
-  costmap_.Update(map_, marked);
+  EnterObstacles(now);
   const Plan plan = FindPath(costmap_, {pose.x, pose.y}, goal);
   ++path_number_;
   follower_.SetPath(SmoothPath(costmap_, plan.points), goal_->yaw);

@@ -76,6 +76,10 @@ class Navigation {
   /// The command for base_link from `now` [s] on. `pose` was true at `pose_stamp` [s].
   Velocity2D Update(double now, const Pose2D& pose, double pose_stamp);
 
+  /// The way from a pose to a point [m], around all obstacles that are known at `now`, for who wants to
+  /// know it without driving there.
+  Plan FindWay(const Pose2D& pose, Point2D goal, double now);
+
   /// How the goal ended in the last Update(), and why if it was aborted.
   End end() const { return end_; }
   const std::string& message() const { return message_; }
@@ -98,6 +102,7 @@ class Navigation {
   void SetStatus(NavigationStatus status, double now, std::string message);
   void Finish(End end, double now, std::string message);
   bool SensorsFresh(double now, double pose_stamp);
+  void EnterObstacles(double now);
   void Replan(double now, const Pose2D& pose);
   Velocity2D Drive(double now, const Pose2D& pose, double seconds);
   Velocity2D TurnOnce(double now, const Pose2D& pose, double seconds);

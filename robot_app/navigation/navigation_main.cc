@@ -3,6 +3,7 @@
 #include <coppice_msgs/MotionAction.h>
 #include <coppice_msgs/NavigationState.h>
 #include <move_base_msgs/MoveBaseAction.h>
+#include <nav_msgs/GetPlan.h>
 #include <nav_msgs/Odometry.h>
 #include <nav_msgs/Path.h>
 #include <ros/ros.h>
@@ -24,6 +25,8 @@ namespace {
 constexpr char kHelp[] =
     "coppice-navigation: drives the robot to goals, as the ROS node /navigation.\n"
     "  actions     move_base (move_base_msgs/MoveBase), motion (coppice_msgs/Motion)\n"
+    "  service     move_base/make_plan (nav_msgs/GetPlan): the way from a pose, or from here if the\n"
+    "              frame of the start is empty, around what is seen; fails where there is none\n"
     "  subscribes  /map /scan /sonar/left /sonar/front /sonar/right /odom /tf /tf_static\n"
     "  publishes   /cmd_vel (only while moving), /navigation/state, /navigation/path,\n"
     "              /navigation/way_to_station (with ~station, as long as there is a way on the "
@@ -92,6 +95,9 @@ class NavigationNode {
     motion_server_.registerPreemptCallback([this] {
       if (!motion_server_.isNewGoalAvailable()) EndMotion(false, "cancelled", true);
     });
+    make_plan_ = node_.advertiseService<nav_msgs::GetPlan::Request, nav_msgs::GetPlan::Response>(
+        "move_base/make_plan",
+        [this](auto& request, auto& response) { return MakePlan(request, response); });
     move_base_.start();
     motion_server_.start();
     control_timer_ = node_.createTimer(ros::Duration(kControlPeriod),
@@ -172,6 +178,20 @@ class NavigationNode {
     busy_ = true;
     // A preempt request that came before this goal was accepted still counts.
     if (move_base_.isPreemptRequested()) OnCancel();
+  }
+
+  // As the service of move_base, which may be asked at any time here.
+  bool MakePlan(const nav_msgs::GetPlan::Request& request, nav_msgs::GetPlan::Response& response) {
+    const auto here = pose_.Newest();
+    const bool from_here = request.start.header.frame_id.empty();
+    if (!IsValid(request.goal.pose) || (!from_here && !IsValid(request.start.pose))) return false;
+    const auto goal = pose_.InMap(request.goal);
+    const auto start =
+        from_here ? here ? std::optional(here->pose) : std::nullopt : pose_.InMap(request.start);
+    if (!goal || !start) return false;
+    const Plan plan = navigation_.FindWay(*start, {goal->x, goal->y}, Now());
+    response.plan = PathMessage(plan.points);
+    return plan.status == PlanStatus::kOk;
   }
 
   void OnCancel() {
@@ -300,17 +320,21 @@ class NavigationNode {
     way_.publish(way);
   }
 
-  void PublishPath() {
+  nav_msgs::Path PathMessage(const std::vector<Point2D>& points) const {
     nav_msgs::Path path;
     path.header.stamp = ros::Time::now();
     path.header.frame_id = settings_.frames.map;
-    for (const Point2D& point : navigation_.path()) {
+    for (const Point2D& point : points) {
       geometry_msgs::PoseStamped pose;
       pose.header = path.header;
       pose.pose = ToPoseMessage({point.x, point.y, 0});
       path.poses.push_back(pose);
     }
-    path_.publish(path);
+    return path;
+  }
+
+  void PublishPath() {
+    path_.publish(PathMessage(navigation_.path()));
     published_path_ = navigation_.path_number();
   }
 
@@ -333,6 +357,7 @@ class NavigationNode {
 
   actionlib::SimpleActionServer<move_base_msgs::MoveBaseAction> move_base_;
   actionlib::SimpleActionServer<coppice_msgs::MotionAction> motion_server_;
+  ros::ServiceServer make_plan_;
   ros::Publisher command_;
   ros::Publisher state_;
   ros::Publisher path_;

@@ -2,12 +2,16 @@
 
 #include <coppice_msgs/DockingAction.h>
 #include <coppice_msgs/MotionAction.h>
+#include <geometry_msgs/PoseStamped.h>
 #include <move_base_msgs/MoveBaseAction.h>
+#include <nav_msgs/GetPlan.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 
+#include "robot_app/common/service_call.h"
+#include "robot_app/common/service_caller.h"
 #include "robot_app/ros/action_port.h"
 
 namespace coppice::robot::adapters {
@@ -24,6 +28,17 @@ ActionResult FromResult(const actionlib::TerminalState& state, const Result* res
   return answer;
 }
 
+geometry_msgs::PoseStamped InMap(const leaves::Pose2D& pose) {
+  geometry_msgs::PoseStamped message;
+  message.header.frame_id = "map";
+  message.header.stamp = ros::Time::now();
+  message.pose.position.x = pose.x;
+  message.pose.position.y = pose.y;
+  message.pose.orientation.z = std::sin(pose.yaw / 2);
+  message.pose.orientation.w = std::cos(pose.yaw / 2);
+  return message;
+}
+
 class RosNavigator : public leaves::Navigator {
  public:
   explicit RosNavigator(ros::NodeHandle& node)
@@ -34,15 +49,23 @@ class RosNavigator : public leaves::Navigator {
 
   void NavigateTo(const leaves::Pose2D& goal, Sender<ActionResult> done) override {
     move_base_msgs::MoveBaseGoal message;
-    message.target_pose.header.frame_id = "map";
-    message.target_pose.header.stamp = ros::Time::now();
-    message.target_pose.pose.position.x = goal.x;
-    message.target_pose.pose.position.y = goal.y;
-    message.target_pose.pose.orientation.z = std::sin(goal.yaw / 2);
-    message.target_pose.pose.orientation.w = std::cos(goal.yaw / 2);
+    message.target_pose = InMap(goal);
     move_base_.Start(message, done);
   }
   void CancelNavigation() override { move_base_.Cancel(); }
+
+  void FindWay(const leaves::Pose2D& goal, Sender<ActionResult> done) override {
+    const auto ask = [goal = InMap(goal), done]() -> ServiceCaller::Finish {
+      nav_msgs::GetPlan plan;
+      plan.request.goal = goal;
+      const bool found =
+          CallService("move_base/make_plan", plan) && !plan.response.plan.poses.empty();
+      done.Send({found, found ? "" : "there is no way right now"});
+      return [] {};
+    };
+    plans_.RunFinished();
+    if (!plans_.Add(ask)) done.Send({false, "too many ask for ways"});
+  }
 
   void Move(double distance, double speed, Sender<ActionResult> done) override {
     coppice_msgs::MotionGoal goal;
@@ -61,6 +84,7 @@ class RosNavigator : public leaves::Navigator {
  private:
   ActionPort<move_base_msgs::MoveBaseAction> move_base_;
   ActionPort<coppice_msgs::MotionAction> motion_;
+  ServiceCaller plans_;
 };
 
 class RosChargingStation : public leaves::ChargingStation {

@@ -48,7 +48,7 @@ FLOORS = {
         {"bt_nodes/basics": "`Wait`, `IsTrue`; the base of leaves that call a capability",
          "bt_nodes/power": "the state of the battery and what is decided by it",
          "bt_nodes/application": "starting and stopping the tree of the application"},
-        {"bt_nodes/navigation": "`Navigator`, waypoints",
+        {"bt_nodes/navigation": "`Navigator`, waypoints, `Routes`",
          "bt_nodes/docking": "`ChargingStation`",
          "bt_nodes/interaction": "speaking and asking",
          "bt_nodes/processes": "`ProcessManager`: programs of the robot"},
@@ -60,6 +60,7 @@ FLOORS = {
     ],
     "robot_app": [
         {"robot_app/common": "what several capabilities share: poses, grids, scans, pictures, "
+                             "the [places](places.md) of a site, "
                              "YAML fields, the robot's description, nodes of ROS"},
         {"robot_app/simulation": "the simulated floor and robot with all sensors and faults, and "
                                  "their ROS nodes ([robot](robot.md))",
@@ -67,7 +68,7 @@ FLOORS = {
                                    "([localization](localization.md))",
          "robot_app/mapping": "making a map while a person drives, maps in files, the map server "
                               "([localization](localization.md#making-a-map))",
-         "robot_app/navigation": "planner, follower, waypoints; the action servers `move_base` and "
+         "robot_app/navigation": "planner, follower; the action servers `move_base` and "
                                  "`motion`",
          "robot_app/perception": "people: in the clouds of the 3-D lidar, over time, on `/people` "
                                  "([perception](perception.md))",

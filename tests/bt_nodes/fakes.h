@@ -13,6 +13,7 @@ namespace coppice::leaves {
 /// Everything a robot can be asked, as a list of lines, for example "NavigateTo 1;2;0".
 class FakeRobot : public Navigator,
                   public WaypointMap,
+                  public Routes,
                   public ChargingStation,
                   public Interaction,
                   public ProcessManager,
@@ -35,6 +36,9 @@ class FakeRobot : public Navigator,
     Begin("NavigateTo " + ValueTraits<Pose2D>::Print(goal), sender);
   }
   void CancelNavigation() override { calls.push_back("CancelNavigation"); }
+  void FindWay(const Pose2D& goal, Sender<ActionResult> sender) override {
+    Begin("FindWay " + ValueTraits<Pose2D>::Print(goal), sender);
+  }
   void Move(double distance, double speed, Sender<ActionResult> sender) override {
     Begin("Move " + Text(distance) + " " + Text(speed), sender);
   }
@@ -48,6 +52,26 @@ class FakeRobot : public Navigator,
     if (name != "hall" && name != "staging") return false;
     waypoint = {name, {46, 0, 1}};
     return true;
+  }
+
+  std::vector<RouteLeg> legs;  ///< that are left of the way to any place but "nowhere"
+  Expected<std::optional<RouteLeg>> NextLeg(const Pose2D&, const std::string& place) override {
+    if (place == "nowhere") return Problem{"there is no place \"nowhere\""};
+    if (legs.empty()) return std::optional<RouteLeg>();
+    return std::optional<RouteLeg>(legs.front());
+  }
+  void Ended(const std::string& leg, bool travelled, const Pose2D&) override {
+    calls.push_back((travelled ? "travelled " : "blocked ") + leg);
+    if (travelled && !legs.empty()) legs.erase(legs.begin());
+  }
+  Expected<std::string> Nearest(const Pose2D&, const std::string& category) override {
+    if (category != "office") return Problem{"there is no " + category};
+    return std::string("office_103");
+  }
+  Expected<Description> Describe(const Pose2D&, const std::string& place,
+                                 const std::string& language) override {
+    if (place == "nowhere") return Problem{"there is no place \"nowhere\""};
+    return Description{place + " in " + language, place == "upstairs" ? "Take the stairs." : ""};
   }
 
   void Dock(double lateral_offset, int attempts, Sender<ActionResult> sender) override {
@@ -100,7 +124,9 @@ class FakeRobot : public Navigator,
 
   void Record(const RecoveryEvent& event) override { events.push_back(event); }
 
-  Capabilities capabilities() { return {*this, *this, *this, *this, *this, *this, *this, *this}; }
+  Capabilities capabilities() {
+    return {*this, *this, *this, *this, *this, *this, *this, *this, *this};
+  }
 
  private:
   static std::string Text(double number) { return ValueTraits<double>::Print(number); }

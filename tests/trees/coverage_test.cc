@@ -43,7 +43,7 @@ Can DecoratorCan(const Program& program, NodeIndex node, const Can& child) {
 Can WhatItCan(const Program& program, NodeIndex node) {
   const std::string id = program.Id(node);
   const NodeIndex end = program.nodes[node].end;
-  if (node + 1 == end) return {id != "AlwaysFailure", id != "AlwaysSuccess"};
+  if (node + 1 == end) return {id != "AlwaysFailure", id != "AlwaysSuccess" && id != "Script"};
   std::vector<Can> children;
   for (NodeIndex child = node + 1; child < end; child = program.nodes[child].end) {
     children.push_back(WhatItCan(program, child));
@@ -57,6 +57,7 @@ Can WhatItCan(const Program& program, NodeIndex node) {
   }
   if (EndsWith(id, "Sequence")) return {all.succeed, any.fail};
   if (EndsWith(id, "Fallback")) return {any.succeed, all.fail};
+  if (id.rfind("Switch", 0) == 0) return any;
   ADD_FAILURE() << "what can a " << id << " return?";
   return {};
 }

@@ -42,7 +42,7 @@ TEST(OptionsOfPrograms, HelpIsNoErrorAndNonsenseIs) {
 
 TEST(OptionsOfPrograms, TheTreeOfTheApplicationCanBeNamed) {
   const Called robot =
-      Call("coppice-robot", "--application a.xml --monitor b.xml --waypoints c --tree Dock");
+      Call("coppice-robot", "--application a.xml --monitor b.xml --places c --tree Dock");
   EXPECT_EQ(robot.output.find("coppice-robot: no ROS master"), 0U) << robot.output;
 }
 

@@ -31,8 +31,8 @@ class RobotProgramTest : public testing::Test {
                                         trees_,
                                         "--monitor",
                                         trees_,
-                                        "--waypoints",
-                                        SourceFolder() + "/robot_app/config/waypoints.yaml",
+                                        "--places",
+                                        SourceFolder() + "/robot_app/config/places.yaml",
                                         "--live-port",
                                         "0"};
     command.insert(command.end(), more.begin(), more.end());

@@ -6,8 +6,8 @@
 
 #include <iostream>
 
+#include "robot_app/common/places/topological_map.h"
 #include "robot_app/navigation/navigation.h"
-#include "robot_app/navigation/topological_map.h"
 #include "tests/robot_app/localization/localized_robot.h"
 #include "tests/support/folders.h"
 
@@ -45,12 +45,12 @@ struct Errors {
 Errors Patrol(LocalizedRobot& robot, const simulation::Floor& floor, double seconds,
               unsigned seed) {
   Diagnostics diagnostics;
-  const auto map = navigation::TopologicalMap::Load(
-      SourceFolder() + "/robot_app/config/waypoints.yaml", diagnostics);
+  const auto map =
+      TopologicalMap::Load(SourceFolder() + "/robot_app/config/places.yaml", diagnostics);
   navigation::Navigation navigation;
   navigation.SetMap(MapOf(floor));
   std::mt19937 random(seed);
-  const auto next = [&] { return map->places()[random() % map->places().size()].pose; };
+  const auto next = [&] { return *map->places()[map->ChooseNext(random, -1)].pose; };
   navigation.SetGoal(next(), robot.now());
   double scan_time = -1;
   Errors errors;

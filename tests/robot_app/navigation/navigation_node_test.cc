@@ -9,6 +9,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <move_base_msgs/MoveBaseAction.h>
+#include <nav_msgs/GetPlan.h>
 #include <nav_msgs/Path.h>
 #include <sensor_msgs/LaserScan.h>
 #include <std_msgs/Float64.h>
@@ -333,6 +334,36 @@ TEST_F(NavigationNode, TheWayToTheStationLeadsAroundWalls) {
   const double length = LengthOf(way);
   EXPECT_GT(length, 11) << "the straight line is 8 m";
   EXPECT_LT(length, 16);
+}
+
+// Is there a way to that point right now?
+bool FindsAWay(double x, double y) {
+  nav_msgs::GetPlan plan;
+  plan.request.goal = Goal(x, y).target_pose;
+  return ros::service::call("move_base/make_plan", plan) && !plan.response.plan.poses.empty();
+}
+
+// Opens and closes doors.
+void InjectFault(const std::string& fault, const std::string& target) {
+  coppice_msgs::InjectFault call;
+  call.request.fault = fault;
+  call.request.target = target;
+  ASSERT_TRUE(ros::service::call("/simulation/inject_fault", call));
+  ASSERT_TRUE(call.response.ok) << call.response.message;
+}
+
+TEST_F(NavigationNode, TellsWhetherADoorIsOpenWithoutMoving) {
+  StartRobot("24 0 1.5708");  // before office 103
+  Listener listener;
+  ASSERT_TRUE(ros::service::waitForService("move_base/make_plan", ros::Duration(kPatience)));
+  ASSERT_TRUE(ros::service::waitForService("/simulation/inject_fault", ros::Duration(kPatience)));
+  const auto way_in = [] { return FindsAWay(24, 3.6); };
+  EXPECT_TRUE(Eventually(way_in, kPatience));
+  InjectFault("close_door", "door_103");
+  EXPECT_TRUE(Eventually([&] { return !way_in(); }, kPatience));
+  InjectFault("open_door", "door_103");
+  EXPECT_TRUE(Eventually(way_in, kPatience));
+  EXPECT_FALSE(listener.driving);
 }
 
 TEST_F(NavigationNode, SaysNothingOfAWayWhereNoneLeadsToTheStation) {

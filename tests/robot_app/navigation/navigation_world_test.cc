@@ -6,8 +6,8 @@
 #include <iostream>
 #include <optional>
 
+#include "robot_app/common/places/topological_map.h"
 #include "robot_app/navigation/navigation.h"
-#include "robot_app/navigation/topological_map.h"
 #include "tests/robot_app/navigation/world_robot.h"
 #include "tests/support/folders.h"
 
@@ -24,8 +24,7 @@ class NavigationInWorld : public testing::Test {
     world_.emplace(floor_, At({0, 0, 0}));
     world_->SetSonarsOn(true);
     Diagnostics diagnostics;
-    places_ =
-        *TopologicalMap::Load(SourceFolder() + "/robot_app/config/waypoints.yaml", diagnostics);
+    places_ = *TopologicalMap::Load(SourceFolder() + "/robot_app/config/places.yaml", diagnostics);
     navigation_.SetMap(MapOf(floor_));
   }
 
@@ -36,7 +35,7 @@ class NavigationInWorld : public testing::Test {
   }
 
   End DriveTo(const std::string& name, double seconds) {
-    const Pose2D goal = places_.places()[places_.Find(name)].pose;
+    const Pose2D goal = *places_.places()[places_.Find(name)].pose;
     navigation_.SetGoal(goal, world_->time());
     for (const double stop = world_->time() + seconds; world_->time() < stop;) {
       if (world_->scan().time != scan_time_) {
@@ -85,7 +84,7 @@ class NavigationInWorld : public testing::Test {
 
 TEST_F(NavigationInWorld, DrivesToEveryPlaceOfTheTopologicalMap) {
   for (const Place& place : places_.places()) {
-    if (place.category != "patrol") continue;
+    if (!place.Is("patrol")) continue;
     EXPECT_EQ(DriveTo(place.name, 180), End::kReached)
         << place.name << ": " << navigation_.message();
   }
@@ -119,7 +118,7 @@ TEST_F(NavigationInWorld, LeavesTheStationByItselfWhereThereIsRoom) {
 TEST_F(NavigationInWorld, PlansAcrossTheFloorWellWithinAControlPeriod) {
   Costmap costmap;
   const OccupancyGrid map = MapOf(floor_);
-  const Pose2D goal = places_.places()[places_.Find("hall_north")].pose;
+  const Pose2D goal = *places_.places()[places_.Find("hall_north")].pose;
   const auto began = std::chrono::steady_clock::now();
   costmap.Update(map);
   const auto costs = std::chrono::steady_clock::now();
