@@ -6,8 +6,12 @@ namespace coppice {
 
 Pauses::Pauses(const Recording& run) {
   for (const Recording::Note& note : run.notes()) {
-    if (const std::optional<Pause> pause = PauseOf(note.note)) pauses_.push_back(*pause);
+    const std::optional<Pause> pause = PauseOf(note.note);
+    if (pause) pauses_.push_back(*pause);
+    if (pause && pause->tick > 0) in_ticks_.push_back({pause->tick, pause->of_tick});
   }
+  std::stable_sort(in_ticks_.begin(), in_ticks_.end(),
+                   [](const InTick& a, const InTick& b) { return a.tick < b.tick; });
   std::sort(pauses_.begin(), pauses_.end(),
             [](const Pause& a, const Pause& b) { return a.from < b.from; });
   Time end = Time::min();
@@ -26,6 +30,19 @@ Duration Pauses::Within(Time from, Time to) const {
     stood += std::min(pause->to, to) - std::max(pause->from, from);
   }
   return stood;
+}
+
+// What the notes do not say of their ticks is taken from the tree's clock, in which they tell when
+// it stood: right if that is real time.
+Duration Pauses::RunIn(const TickEvents& tick) const {
+  auto stood = std::partition_point(in_ticks_.begin(), in_ticks_.end(),
+                                    [&](const InTick& one) { return one.tick < tick.tick; });
+  if (stood == in_ticks_.end() || stood->tick != tick.tick) {
+    return RunWithin(tick.start, tick.start + tick.duration);
+  }
+  Duration ran = tick.duration;
+  for (; stood != in_ticks_.end() && stood->tick == tick.tick; ++stood) ran -= stood->stood;
+  return std::max(ran, Duration(0));
 }
 
 }  // namespace coppice

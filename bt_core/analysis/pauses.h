@@ -18,9 +18,17 @@ class Pauses {
   Duration Within(Time from, Time to) const;
   /// How long it ran between them: the rest.
   Duration RunWithin(Time from, Time to) const { return to - from - Within(from, to); }
+  /// How long it ran in that tick, in real time.
+  Duration RunIn(const TickEvents& tick) const;
 
  private:
-  std::vector<Pause> pauses_;  // by time; none begins before the one before it has ended
+  struct InTick {
+    std::uint64_t tick;
+    Duration stood;
+  };
+
+  std::vector<InTick> in_ticks_;  // by number
+  std::vector<Pause> pauses_;     // by time; none begins before the one before it has ended
 };
 
 }  // namespace coppice

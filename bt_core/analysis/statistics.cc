@@ -62,7 +62,7 @@ class Count {
   void CountTick(const TickEvents& events, HistoryFollower& follower) {
     const bool is_tick = events.result != Status::kIdle;
     if (is_tick) {
-      durations_.push_back(DurationOf(events));
+      durations_.push_back(pauses_.RunIn(events));
       if (last_start_) periods_.push_back(pauses_.RunWithin(*last_start_, events.start));
       if (statistics_.ticks++ == 0) first_start_ = events.start;
       last_start_ = events.start;
@@ -71,11 +71,6 @@ class Count {
     follower.Apply(
         events, [&](const StatusChange& change) { CountChange(change, events); },
         [&](const Event& event) { CountResult(event, events.tick); });
-  }
-
-  // A tick takes real time; the pauses in it are told in the tree's clock, which may be another.
-  Duration DurationOf(const TickEvents& events) const {
-    return pauses_.RunWithin(events.start, events.start + events.duration);
   }
 
   Counter& CounterOf(NodeIndex node) { return counters_[numbers_[node]]; }

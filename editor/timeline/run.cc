@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "bt_core/frames/pause_note.h"
+
 namespace coppice::editor {
 namespace {
 
@@ -102,7 +104,8 @@ void Run::OnTick(const TickEvents& events) {
   const std::size_t before = size();
   recording_.OnTick(events);
   const std::size_t tick = size() - 1;
-  const float milliseconds = static_cast<float>(events.duration.count()) * 1e-6F;
+  const Duration stood = stood_.tick == events.tick ? stood_.time : Duration(0);
+  const float milliseconds = static_cast<float>((events.duration - stood).count()) * 1e-6F;
   if (size() == before) {
     durations_.RaiseLast(milliseconds);
   } else {
@@ -132,6 +135,14 @@ void Run::KeepTime(std::size_t tick) {
     if (!other_run_ && goes_back) epochs_.push_back({tick, last - start});
   }
   other_run_ = other_tree_ = false;
+}
+
+void Run::OnNote(const HistoryNote& note) {
+  recording_.OnNote(note);
+  const std::optional<Pause> pause = PauseOf(note);
+  if (!pause || pause->tick == 0) return;
+  if (pause->tick != stood_.tick) stood_ = {pause->tick};
+  stood_.time += pause->of_tick;
 }
 
 void Run::OnGap(const HistoryGap& gap) {

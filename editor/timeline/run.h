@@ -52,7 +52,8 @@ class Run final : public HistoryHandler {
 
   /// Behind the first state, all that do not go on from the one before.
   const std::vector<RunBreak>& breaks() const { return breaks_; }
-  /// Real durations of the ticks [ms].
+  /// Real durations of the ticks [ms], without the time in which the tree stood, as far as notes
+  /// before them tell it (frames/pause_note.h).
   const Peaks& durations() const { return durations_; }
   /// How much happened from one tick up to and without another: words of events.
   std::size_t Activity(std::size_t first, std::size_t end) const;
@@ -67,7 +68,7 @@ class Run final : public HistoryHandler {
   void OnState(const HistoryState& state) override;
   void OnTick(const TickEvents& events) override;
   void OnGap(const HistoryGap& gap) override;
-  void OnNote(const HistoryNote& note) override { recording_.OnNote(note); }
+  void OnNote(const HistoryNote& note) override;
   void OnEnd(const HistoryEnd& end) override { recording_.OnEnd(end); }
 
  private:
@@ -75,6 +76,11 @@ class Run final : public HistoryHandler {
   struct Epoch {
     std::size_t tick;
     Duration offset;
+  };
+  // Of the tick that comes.
+  struct Stood {
+    std::uint64_t tick = 0;  // its number
+    Duration time{0};
   };
   struct TracksFrom {
     std::size_t tick;
@@ -91,6 +97,7 @@ class Run final : public HistoryHandler {
   std::vector<RunBreak> breaks_;
   Peaks durations_;
   std::optional<HistoryFollower> follower_;
+  Stood stood_;
   std::uint64_t lost_ticks_ = 0;
   bool other_run_ = false;
   bool other_tree_ = false;

@@ -224,7 +224,7 @@ void LiveTree::EndHistory() {
 void LiveTree::OnDebugEvent(const DebugEvent& event) {
   if (event.kind == DebugEvent::Kind::kStopped) {
     stream_.Flush();
-    stopped_ = clock_.Now();
+    stopped_ = {clock_.Now(), std::chrono::steady_clock::now(), event.stop};
   }
   if (event.kind == DebugEvent::Kind::kResumed) NotePause();
   {
@@ -236,7 +236,12 @@ void LiveTree::OnDebugEvent(const DebugEvent& event) {
 }
 
 void LiveTree::NotePause() {
-  const HistoryNote note = NoteOf({stopped_, std::max(stopped_, clock_.Now())});
+  Pause pause{stopped_.at, std::max(stopped_.at, clock_.Now())};
+  if (stopped_.where.where != DebugStop::Where::kBetweenTicks) {
+    pause.tick = stopped_.where.tick;
+    pause.of_tick = std::chrono::steady_clock::now() - stopped_.real;
+  }
+  const HistoryNote note = NoteOf(pause);
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (!ended_) encoder_.Note(note);

@@ -109,7 +109,12 @@ class LiveTree final : public EventListener, private FrameSink {
   Clock& clock_;
   Executor& executor_;  // for the calls that are posted to its inbox
   const std::shared_ptr<Inbox> inbox_;
-  Time stopped_{};  // the ticking thread: when the tree was stopped last
+  struct Stop {
+    Time at{};
+    std::chrono::steady_clock::time_point real{};
+    DebugStop where;
+  };
+  Stop stopped_;  // the ticking thread: when the tree was stopped last
   const RunInfo run_;
   std::atomic<int> subscribers_{0};
   std::atomic<bool> program_changed_{false};

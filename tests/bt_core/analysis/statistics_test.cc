@@ -120,5 +120,17 @@ TEST(Statistics, ATickDoesNotCountTheTimeAtItsBreakpoint) {
   EXPECT_EQ(StatisticsOf(run.keeper.run).tick_durations.max, milliseconds(3));
 }
 
+// A simulated clock stands still while the tree stands.
+TEST(Statistics, ATickDoesNotCountTheTimeAtItsBreakpointOnSimulatedTime) {
+  RecordedRun run("<BehaviorTree ID='Main'><AlwaysSuccess/></BehaviorTree>");
+  const Time start = run.clock.Now();
+  run.keeper.run.OnNote(NoteOf({start, start, 7, std::chrono::seconds(2)}));
+  run.keeper.run.OnNote(NoteOf({start, start, 7, std::chrono::seconds(1)}));
+  run.keeper.run.OnTick({7, start, milliseconds(3003), Status::kSuccess, true, {}});
+  run.keeper.run.OnTick({8, start, milliseconds(2), Status::kSuccess, true, {}});
+  EXPECT_EQ(StatisticsOf(run.keeper.run).tick_durations.max, milliseconds(3));
+  EXPECT_EQ(StatisticsOf(run.keeper.run).tick_durations.p50, milliseconds(2));
+}
+
 }  // namespace
 }  // namespace coppice

@@ -4,6 +4,7 @@
 
 #include <random>
 
+#include "bt_core/frames/pause_note.h"
 #include "tests/editor/timeline/executed_run.h"
 
 namespace coppice::editor {
@@ -105,6 +106,16 @@ TEST_F(RunTest, CountsWhatHappened) {
   EXPECT_EQ(run.Activity(0, 4), run.Activity(0, 1) + run.Activity(1, 4));
   EXPECT_GT(run.Activity(2, 3), 0U);
   EXPECT_EQ(run.durations().size(), 4U);
+}
+
+TEST_F(RunTest, ATickAtABreakpointIsAsLongAsItRan) {
+  robot.Tick(milliseconds(10));
+  const std::uint64_t next = run.now().tick() + 1;
+  const Time now = robot.clock.Now();
+  run.OnNote(NoteOf(Pause{now, now, next, seconds(1)}));
+  run.OnNote(NoteOf(Pause{now, now, next, seconds(1)}));
+  run.OnTick({next, now, milliseconds(2003), Status::kRunning, true, {}});
+  EXPECT_FLOAT_EQ(run.durations().Largest(1, 2), 3);
 }
 
 }  // namespace
