@@ -1,9 +1,12 @@
 #include "editor/canvas/node_tooltip.h"
 
+#include "editor/live/key_search.h"
+
 namespace coppice::editor {
 namespace {
 
 constexpr float kWidth = 340;
+constexpr std::size_t kLongestValue = 500;  // bytes
 
 void Line(const Ui& ui, Face face, Color color, const std::string& text) {
   ImGui::PushFont(ui.fonts.Pick(face, 12 * ui.scale));
@@ -24,7 +27,7 @@ std::string StatusText(const Ui& ui, const NodeState& state) {
 }
 
 void Port(const Ui& ui, const PortLine& port) {
-  std::string line = std::string(port.name) + " = " + std::string(port.value);
+  const std::string line = std::string(port.name) + " = " + BeginningOf(port.value, kLongestValue);
   Line(ui, Face::kMono, ui.palette.text, line);
   if (!port.model) return;
   std::string about = std::string("    ") + ToString(port.model->direction);

@@ -20,6 +20,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "bt_core/model/document.h"
@@ -40,12 +41,24 @@ struct EditedFile {
   std::uint32_t version = 0;         ///< counts the changes of the text
   std::uint32_t saved_version = 0;   ///< and of what is saved
 
-  bool is_dirty() const { return is_new || is_gone || text != saved; }
+  bool is_dirty() const { return is_new || is_gone || !IsAsSaved(); }
   /// Would anything be lost without saving it? Not of a new file that nobody has touched.
   bool has_unsaved_work() const { return is_new ? version > 1 : is_dirty(); }
 
   std::filesystem::file_time_type time;  ///< of the file when it was read or written
   std::uintmax_t size = 0;
+
+ private:
+  // Compared once: every frame asks, and files have megabytes.
+  bool IsAsSaved() const {
+    const std::pair<std::uint32_t, std::uint32_t> versions{version, saved_version};
+    if (compared_ != versions) is_as_saved_ = text == saved;
+    compared_ = versions;
+    return is_as_saved_;
+  }
+
+  mutable std::pair<std::uint32_t, std::uint32_t> compared_{UINT32_MAX, UINT32_MAX};
+  mutable bool is_as_saved_ = false;
 };
 
 class OpenProject {

@@ -10,6 +10,9 @@
 //   UndoInOneMegabyte   from the key to where the next frame can be built; mean of undo and redo
 //   UndoFarBack         one step after the other, beyond those whose documents are kept
 //   FrameAfterUndo      that frame, while the nodes glide to their places
+//   FrameOfLargeValues  of a live tree whose 20 leaves read a key of 5 MB, with one of them in the
+//                       inspector; 1: a text, 2: JSON; and when it was written anew
+//   FrameOfLargePorts   of a file in which the port of a selected leaf has 5 MB; 1: the mouse lies on it
 //   FirstLook           opens every tree with at most 80 nodes of a folder, --trees=FOLDER, else of
 //                       the project's own: which part of their names can be read as they open in a
 //                       window of 1280 x 800, and at which zoom
@@ -163,6 +166,69 @@ void FrameAfterUndo(benchmark::State& state) {
   }
 }
 BENCHMARK(FrameAfterUndo)->Unit(benchmark::kMillisecond);
+
+constexpr std::size_t kLargeValue = 5 << 20;
+
+std::string LargeValue(bool is_json) {
+  if (!is_json) return std::string(kLargeValue, 'x');
+  std::string text = "[";
+  while (text.size() < kLargeValue) text += R"({"room": "laboratory", "x": 1.5, "y": 2.25},)";
+  text.back() = ']';
+  return text;
+}
+
+// As robots send it.
+std::string ReadersOfAKey() {
+  std::string leaves;
+  for (int i = 0; i < 20; ++i) {
+    leaves += "<Use name=\"use\" map=\"{map}\" _uid=\"" + std::to_string(i + 2) + "\"/>";
+  }
+  return R"(<root BTCPP_format="4"><BehaviorTree ID="Main" _fullpath=""><Sequence _uid="1">)" +
+         leaves + "</Sequence></BehaviorTree></root>";
+}
+
+void FrameOfLargeValues(benchmark::State& state) {
+  Driver driver;
+  ScriptedRobot* const robot = driver.AddRobot("robot:1", ReadersOfAKey());
+  const std::string value = LargeValue(state.range(0) == 2);
+  const bool is_written = state.range(1) != 0;
+  robot->Write("Main", "map", value);
+  driver.Frames(4);
+  driver.view().Select(3);
+  driver.Frames(20);
+  for (auto _ : state) {
+    state.PauseTiming();
+    if (is_written) robot->Write("Main", "map", value + " ");
+    state.ResumeTiming();
+    driver.editor.Frame(driver.input);
+  }
+}
+BENCHMARK(FrameOfLargeValues)
+    ->Unit(benchmark::kMillisecond)
+    ->ArgsProduct({{1, 2}, {0, 1}})
+    ->ArgNames({"kind", "written"})
+    ->Iterations(60);
+
+void FrameOfLargePorts(benchmark::State& state) {
+  const TemporaryFile file("ports.xml",
+                           R"(<root BTCPP_format="4"><BehaviorTree ID="Main"><Sequence>)"
+                           "<Use map=\"" +
+                               LargeValue(false) + "\"/><Use map=\"" + LargeValue(false) +
+                               "\"/></Sequence></BehaviorTree></root>");
+  Driver driver;
+  driver.editor.Open(file.path());
+  driver.Frames(4);
+  driver.view().Select(1);
+  if (state.range(0) != 0) driver.MoveTo(driver.BoxOf("canvas/Main/1.1").center());
+  driver.Frames(80);
+  for (auto _ : state) driver.editor.Frame(driver.input);
+}
+BENCHMARK(FrameOfLargePorts)
+    ->Unit(benchmark::kMillisecond)
+    ->Arg(0)
+    ->Arg(1)
+    ->ArgName("mouse")
+    ->Iterations(60);
 
 constexpr std::uint32_t kSmallTree = 80;  // nodes
 std::string trees_folder = "trees";

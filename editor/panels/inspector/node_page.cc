@@ -9,6 +9,7 @@
 #include "editor/canvas/canvas.h"
 #include "editor/canvas/layout/node_metrics.h"
 #include "editor/document/script_check.h"
+#include "editor/live/key_search.h"
 #include "editor/panels/inspector/pages.h"
 #include "editor/panels/widgets/inspector_row.h"
 #include "editor/scene/problem_places.h"
@@ -22,6 +23,8 @@ namespace {
 using Action = std::function<void(TreeEditor&)>;
 
 constexpr char kAutoremap[] = "_autoremap";
+constexpr std::size_t kLongestField = 20'000;  // bytes: nobody reads more in one line
+constexpr std::size_t kLongestTooltip = 1'000;
 
 // The values that a port of a built-in node can have, if its type is an enum.
 std::vector<std::string> ChoicesOf(std::string_view id, std::string_view port) {
@@ -240,12 +243,13 @@ class NodePage {
   }
 
   void DrawPort(const PortModel& port, const PortLine* given) {
-    const std::string value = given ? std::string(given->value) : "";
+    const std::string_view in_text = given ? std::string_view(given->value) : "";
     const std::string path = "inspector/port/" + port.name;
-    if (!can_edit_) {
-      ShowPort(port.name, given ? value : port.default_text.value_or("(not given)"), &port);
+    if (!can_edit_ || in_text.size() > kLongestField) {
+      ShowPort(port.name, given ? in_text : port.default_text.value_or("(not given)"), &port);
       return;
     }
+    const std::string value(in_text);
     FieldLook look;
     const std::string outside = "{" + port.name + "}";
     const bool from_outside = node_.autoremap && !IsPrivateKey(port.name);
@@ -269,7 +273,7 @@ class NodePage {
   }
 
   void DrawOther(const PortLine& port) {
-    if (!can_edit_) {
+    if (!can_edit_ || port.value.size() > kLongestField) {
       ShowPort(std::string(port.name), port.value, nullptr);
       return;
     }
@@ -282,8 +286,9 @@ class NodePage {
   }
 
   void ShowPort(const std::string& name, std::string_view value, const PortModel* model) {
-    const Row row = ValueRow(ui_, "inspector/port/" + name, name, value,
-                             {Face::kMono, 11, ColorOf(name, value)});
+    const Row row =
+        ValueRow(ui_, "inspector/port/" + name, name, BeginningOf(value, kLongestTooltip),
+                 {Face::kMono, 11, ColorOf(name, value)});
     if (row.hovered) PortTooltip(model, value);
   }
 
@@ -363,7 +368,10 @@ class NodePage {
   }
 
   void PortTooltip(const PortModel* model, std::string_view value) {
-    std::string text(value);
+    std::string text = BeginningOf(value, kLongestTooltip);
+    if (can_edit_ && value.size() > kLongestField) {
+      text += "\ntoo long for a field: the XML has it whole";
+    }
     if (model) text += UsersOf(model->name);
     if (model) {
       text += std::string("\n") + ToString(model->direction) + " " + model->type;

@@ -55,5 +55,19 @@ TEST_F(NodePage, WhatIsNoNameOfAPortIsRefused) {
   EXPECT_THAT(driver_.editor.state().notice.text, HasSubstr("cannot be the name of a port"));
 }
 
+TEST(NodePageOfALongValue, ShowsItsBeginningWithoutAFieldForIt) {
+  const TemporaryFile file("long.xml",
+                           R"(<root BTCPP_format="4"><BehaviorTree ID="Main"><Use map=")" +
+                               std::string(5 << 20, 'x') + R"(" room="5"/></BehaviorTree></root>)");
+  Driver driver;
+  driver.editor.Open(file.path());
+  driver.Frames(8);
+  driver.Click("canvas/Main/1");
+  driver.Frames();
+  EXPECT_TRUE(driver.Has("inspector/port/map"));
+  EXPECT_FALSE(driver.Has("inspector/port/map/clear"));
+  EXPECT_TRUE(driver.Has("inspector/port/room/clear"));
+}
+
 }  // namespace
 }  // namespace coppice::editor
