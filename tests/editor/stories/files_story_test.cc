@@ -1,4 +1,6 @@
 #include <gmock/gmock.h>
+#include <sys/fsuid.h>
+#include <unistd.h>
 
 #include <filesystem>
 
@@ -105,6 +107,30 @@ TEST_F(FilesStory, ExamplesAreOffered) {
 TEST_F(FilesStory, AFolderThatIsGoneSaysSoInTheSystemsWords) {
   OpenDialogIn(folder_.Path("nowhere"));
   EXPECT_THAT(state().popup.error, testing::HasSubstr("No such file or directory"));
+}
+
+// For this thread alone: root may read everything, and tests run as root here and there.
+class WithoutTheRightsOfRoot {
+ public:
+  WithoutTheRightsOfRoot() { setfsuid(kNobody); }
+  ~WithoutTheRightsOfRoot() { setfsuid(geteuid()); }
+  WithoutTheRightsOfRoot(const WithoutTheRightsOfRoot&) = delete;
+  WithoutTheRightsOfRoot& operator=(const WithoutTheRightsOfRoot&) = delete;
+
+ private:
+  static constexpr uid_t kNobody = 65534;
+};
+
+TEST_F(FilesStory, AFolderThatMayNotBeReadSaysSoInTheSystemsWords) {
+  fs::permissions(folder_.path(), fs::perms(0755));
+  fs::permissions(folder_.Path("robots"), fs::perms::none);
+  {
+    const WithoutTheRightsOfRoot rights;
+    OpenDialogIn(folder_.Path("robots"));
+    EXPECT_THAT(state().popup.error, testing::HasSubstr("Permission denied"));
+  }
+  driver_.Picture("story_no_permission");
+  fs::permissions(folder_.Path("robots"), fs::perms(0755));
 }
 
 TEST_F(FilesStory, SaveAsUsesTheSameDialog) {
