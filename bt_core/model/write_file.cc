@@ -5,20 +5,35 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <optional>
+#include <random>
 
 namespace coppice {
 namespace {
 
 namespace fs = std::filesystem;
 
+constexpr int kTries = 100;  // to find a name that nobody has
+
+std::string AnyName(const std::string& target) {
+  constexpr std::string_view kLetters = "abcdefghijklmnopqrstuvwxyz0123456789";
+  static thread_local std::random_device random;
+  std::string name = target + ".";
+  for (int i = 0; i < 8; ++i) name += kLetters[random() % kLetters.size()];
+  return name;
+}
+
 // A file beside the target. It is gone with this object, unless it has become the target.
 class TemporaryFile {
  public:
-  explicit TemporaryFile(const std::string& target) : path_(target + ".XXXXXX") {
-    descriptor_ = mkstemp(path_.data());
+  /// `mode`: before the process's mask.
+  TemporaryFile(const std::string& target, mode_t mode) {
+    for (int i = 0; i < kTries && (i == 0 || errno == EEXIST) && !is_open(); ++i) {
+      path_ = AnyName(target);
+      descriptor_ = open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
+    }
   }
   TemporaryFile(const TemporaryFile&) = delete;
   TemporaryFile& operator=(const TemporaryFile&) = delete;
@@ -53,13 +68,12 @@ class TemporaryFile {
   bool renamed_ = false;
 };
 
-// What a new file gets: there is no way to ask for the mask without setting it.
-mode_t ModeOf(const std::string& path) {
+// What the file must have in the end, if the mask of the process is not to say it.
+std::optional<mode_t> ModeOf(const std::string& path, FileReaders readers) {
+  if (readers == FileReaders::kOwnerOnly) return 0600;
   struct stat info = {};
-  if (stat(path.c_str(), &info) == 0) return info.st_mode & 07777U;
-  const mode_t mask = umask(0);
-  umask(mask);
-  return 0666U & ~mask;
+  if (stat(path.c_str(), &info) != 0) return std::nullopt;
+  return info.st_mode & 07777U;
 }
 
 // The rename itself is only safe once the folder is on the disk. Some file systems cannot; then
@@ -79,7 +93,8 @@ bool CannotWrite(const std::string& path, std::string why, Diagnostics& diagnost
 
 }  // namespace
 
-bool WriteFile(const std::string& path, std::string_view text, Diagnostics& diagnostics) {
+bool WriteFile(const std::string& path, std::string_view text, Diagnostics& diagnostics,
+               FileReaders readers) {
   std::error_code error;
   const fs::path real = fs::is_symlink(path, error) ? fs::canonical(path, error) : fs::path(path);
   const std::string target = error ? path : real.string();
@@ -88,9 +103,10 @@ bool WriteFile(const std::string& path, std::string_view text, Diagnostics& diag
                        "it is a folder, a device or a pipe, and nothing else is replaced by a file",
                        diagnostics);
   }
-  TemporaryFile file(target);
-  if (!file.is_open() || !file.Write(text) || !file.SetMode(ModeOf(target)) ||
-      !file.Become(target)) {
+  const std::optional<mode_t> mode = ModeOf(target, readers);
+  TemporaryFile file(target, mode ? 0600 : 0666);  // nobody reads it before it is what it is to be
+  const bool is_written = file.is_open() && file.Write(text) && (!mode || file.SetMode(*mode));
+  if (!is_written || !file.Become(target)) {
     return CannotWrite(path, std::strerror(errno), diagnostics);
   }
   SyncFolder(fs::path(target).parent_path());

@@ -3,6 +3,7 @@
 #ifndef COPPICE_BT_CORE_MODEL_WRITE_FILE_H_
 #define COPPICE_BT_CORE_MODEL_WRITE_FILE_H_
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -10,11 +11,18 @@
 
 namespace coppice {
 
+/// Who may read what was written.
+enum class FileReaders : std::uint8_t {
+  kUsual,      ///< as with the file that was there; of a new one as the process's mask says
+  kOwnerOnly,  ///< mode 0600, whatever it was before
+};
+
 /// Writes a temporary file beside `path`, waits until it is on the disk, and renames it.
-/// Permissions of an existing file are kept; a symbolic link stays one, and its target is replaced.
-/// What is no file (a device, a pipe, a folder) is not.
+/// A symbolic link stays one, and its target is replaced. What is no file (a device, a pipe, a
+/// folder) is not.
 /// False, with the reason in `diagnostics`, if that fails; then the old file is as it was.
-bool WriteFile(const std::string& path, std::string_view text, Diagnostics& diagnostics);
+bool WriteFile(const std::string& path, std::string_view text, Diagnostics& diagnostics,
+               FileReaders readers = FileReaders::kUsual);
 
 }  // namespace coppice
 

@@ -1,6 +1,7 @@
 #include "bt_core/record/record_file.h"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -17,6 +18,10 @@ std::string CannotText(const std::string& path, const char* what, int error) {
   return path + ": cannot " + what + ": " + std::strerror(error);
 }
 
+[[noreturn]] void RefuseToOverwrite(const std::string& path) {
+  throw std::runtime_error(path + ": there is a file already, and a record overwrites nothing");
+}
+
 // A device is not even opened: that may be enough to disturb it.
 void CheckPlace(const std::string& path) {
   struct stat status {};
@@ -24,9 +29,7 @@ void CheckPlace(const std::string& path) {
   if (!S_ISREG(status.st_mode)) {
     throw std::runtime_error(path + ": this is a folder or a device, and a record is a file");
   }
-  if (status.st_size > 0) {
-    throw std::runtime_error(path + ": there is a file already, and a record overwrites nothing");
-  }
+  if (status.st_size > 0) RefuseToOverwrite(path);
 }
 
 }  // namespace
@@ -36,6 +39,24 @@ RecordFile::RecordFile(std::string path) : path_(std::move(path)) {
   file_ = open(path_.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC | O_NONBLOCK, 0644);
   if (file_ < 0) throw std::runtime_error(CannotText(path_, "make this record", errno));
   fcntl(file_, F_SETFL, O_APPEND);  // only the opening must not wait
+  try {
+    BecomeOnlyOne();
+  } catch (const std::runtime_error&) {
+    close(file_);
+    throw;
+  }
+}
+
+// Two programs that were started at the same moment have both seen that there is nothing. Where
+// the file system knows no locks, or it is a pipe, there is nothing to be done.
+void RecordFile::BecomeOnlyOne() const {
+  if (flock(file_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+    throw std::runtime_error(path_ + ": another program is recording there");
+  }
+  struct stat status {};
+  if (fstat(file_, &status) == 0 && S_ISREG(status.st_mode) && status.st_size > 0) {
+    RefuseToOverwrite(path_);
+  }
 }
 
 RecordFile::~RecordFile() { close(file_); }

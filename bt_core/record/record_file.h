@@ -12,8 +12,8 @@ namespace coppice {
 class RecordFile {
  public:
   /// Creates the file, or opens a pipe that somebody reads. Throws std::runtime_error if that is
-  /// not possible, and for a file with something in it (a record is never overwritten), a folder, a
-  /// device. Never waits.
+  /// not possible, and for a file with something in it (a record is never overwritten) or that
+  /// another RecordFile, of whatever program, is about to write; a folder, a device. Never waits.
   explicit RecordFile(std::string path);
   ~RecordFile();
   RecordFile(const RecordFile&) = delete;
@@ -29,6 +29,7 @@ class RecordFile {
   bool is_deleted() const { return is_deleted_; }
 
  private:
+  void BecomeOnlyOne() const;
   void SyncFolder();
 
   std::string path_;

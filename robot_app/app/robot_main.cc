@@ -5,7 +5,6 @@
 #include <std_msgs/String.h>
 
 #include <csignal>
-#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -117,9 +116,7 @@ class Robot {
         }));
     status_ = node_.advertise<std_msgs::String>("/coppice/application", 1, true);
     heartbeat_ = node_.advertise<std_msgs::Empty>("/coppice/heartbeat", 1);
-    if (is_recorded_) {
-      diagnostics_ = node_.advertise<diagnostic_msgs::DiagnosticArray>("/diagnostics", 1);
-    }
+    diagnostics_ = node_.advertise<diagnostic_msgs::DiagnosticArray>("/diagnostics", 1);
   }
 
   void Start() {
@@ -153,10 +150,7 @@ class Robot {
     runner.live_port = port;
     if (const char* token = std::getenv("COPPICE_LIVE_TOKEN")) runner.live_token = token;
     runner.run.forever = forever;
-    if (options.Has("--record")) {
-      std::filesystem::create_directories(options.Get("--record"));
-      runner.record_path = options.Get("--record") + "/" + name + ".coppice";
-    }
+    if (is_recorded_) runner.record_path = options.Get("--record") + "/" + name + ".coppice";
     return std::make_unique<TreeRunner>(program, clock_, runner);
   }
 
@@ -174,20 +168,30 @@ class Robot {
   void Beat() {
     const bool application = application_->IsAlive(), monitor = monitor_->IsAlive();
     if (application && monitor) heartbeat_.publish(std_msgs::Empty());
-    if (is_recorded_) TellOfRecords();
+    TellOfTroubles();
   }
 
-  void TellOfRecords() {
+  // Nothing that only watches a robot keeps it from running; but somebody has to hear of it.
+  void TellOfTroubles() {
     diagnostic_msgs::DiagnosticArray message;
-    message.header.stamp = ros::Time::now();
     for (const auto& [name, runner] :
          {std::pair("application", &*application_), std::pair("monitor", &*monitor_)}) {
-      diagnostic_msgs::DiagnosticStatus& status = message.status.emplace_back();
-      status.name = std::string("coppice_robot: record of ") + name;
-      status.message = runner->RecordTrouble();
-      status.level = status.message.empty() ? status.OK : status.WARN;
+      if (is_recorded_) message.status.push_back(Entry("record", name, runner->RecordTrouble()));
+      if (!runner->LiveTrouble().empty()) {
+        message.status.push_back(Entry("live view", name, runner->LiveTrouble()));
+      }
     }
-    diagnostics_.publish(message);
+    message.header.stamp = ros::Time::now();
+    if (!message.status.empty()) diagnostics_.publish(message);
+  }
+
+  static diagnostic_msgs::DiagnosticStatus Entry(const std::string& what, const std::string& tree,
+                                                 const std::string& trouble) {
+    diagnostic_msgs::DiagnosticStatus status;
+    status.name = "coppice_robot: " + what + " of " + tree;
+    status.message = trouble;
+    status.level = trouble.empty() ? status.OK : status.WARN;
+    return status;
   }
 
   void Announce(Status status) {

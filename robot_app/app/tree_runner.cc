@@ -1,6 +1,8 @@
 #include "robot_app/app/tree_runner.h"
 
 #include <filesystem>
+#include <stdexcept>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -13,11 +15,22 @@ namespace {
 // A record is never overwritten: a program that was restarted continues in a second one.
 std::string FreePath(const std::filesystem::path& wanted) {
   std::filesystem::path path = wanted;
-  for (int number = 2; std::filesystem::exists(path); ++number) {
+  std::error_code unknown;
+  for (int number = 2; std::filesystem::exists(path, unknown); ++number) {
     path = wanted;
     path.replace_extension(std::to_string(number) + wanted.extension().string());
   }
   return path;
+}
+
+// What the step says of its failure; empty if it succeeds.
+std::string WhyNot(const std::function<void()>& step) {
+  try {
+    step();
+    return "";
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
 }
 
 }  // namespace
@@ -25,22 +38,29 @@ std::string FreePath(const std::filesystem::path& wanted) {
 TreeRunner::TreeRunner(std::shared_ptr<const Program> program, Clock& clock,
                        TreeRunnerOptions options)
     : options_(std::move(options)), executor_(std::move(program), clock), stream_(executor_) {
-  if (!options_.record_path.empty()) {
-    RecorderOptions recording;
-    recording.metadata = {{"tree", options_.name}};
-    recorder_ = std::make_unique<Recorder>(stream_, FreePath(options_.record_path), recording);
-  }
-  if (options_.live_port > 0) {
-    LiveOptions live;
-    live.name = options_.name;
-    live.port = static_cast<std::uint16_t>(options_.live_port);
-    live.token = options_.live_token;
-    live.read_only = live.token.empty();
-    live.on_note = [this](const HistoryNote& note) {
-      if (recorder_) recorder_->Note(note.time, note.kind, note.text);
-    };
-    live_ = std::make_unique<LivePublisher>(stream_, live);
-  }
+  if (!options_.record_path.empty()) no_record_ = WhyNot([this] { OpenRecord(); });
+  if (options_.live_port > 0) no_live_ = WhyNot([this] { OpenSocket(); });
+}
+
+void TreeRunner::OpenRecord() {
+  RecorderOptions recording;
+  recording.metadata = {{"tree", options_.name}};
+  const std::filesystem::path path = options_.record_path;
+  std::error_code problem;
+  std::filesystem::create_directories(path.parent_path(), problem);
+  recorder_ = std::make_unique<Recorder>(stream_, FreePath(path), recording);
+}
+
+void TreeRunner::OpenSocket() {
+  LiveOptions live;
+  live.name = options_.name;
+  live.port = static_cast<std::uint16_t>(options_.live_port);
+  live.token = options_.live_token;
+  live.read_only = live.token.empty();
+  live.on_note = [this](const HistoryNote& note) {
+    if (recorder_) recorder_->Note(note.time, note.kind, note.text);
+  };
+  live_ = std::make_unique<LivePublisher>(stream_, live);
 }
 
 TreeRunner::~TreeRunner() { Stop(); }
@@ -108,7 +128,9 @@ bool TreeRunner::IsResting() {
   return is_resting_;
 }
 
-std::string TreeRunner::RecordTrouble() const { return recorder_ ? recorder_->trouble() : ""; }
+std::string TreeRunner::RecordTrouble() const {
+  return recorder_ ? recorder_->trouble() : no_record_;
+}
 
 void TreeRunner::Note(const std::string& kind, const std::string& text) {
   if (recorder_) recorder_->Note(executor_.clock().Now(), kind, text);

@@ -32,8 +32,8 @@ struct TreeRunnerOptions {
 
 class TreeRunner {
  public:
-  /// Opens socket and record; does not tick yet. Throws std::runtime_error with one line if a port
-  /// or the file is not to be had.
+  /// Opens socket and record; does not tick yet. A robot runs also without them: see RecordTrouble
+  /// and LiveTrouble.
   TreeRunner(std::shared_ptr<const Program> program, Clock& clock, TreeRunnerOptions options);
   ~TreeRunner();  // stops, then halts the tree
 
@@ -56,11 +56,15 @@ class TreeRunner {
 
   /// Why the tree cannot be recorded now, or empty. Any thread.
   std::string RecordTrouble() const;
+  /// Why it has no live socket, though it is to have one, or empty. Any thread.
+  const std::string& LiveTrouble() const { return no_live_; }
 
   /// Puts a line into the record, for example an injected fault. Any thread.
   void Note(const std::string& kind, const std::string& text);
 
  private:
+  void OpenRecord();
+  void OpenSocket();
   bool BeginRun();
   bool IsResting();
   void RunTree(const std::function<void(Status)>& on_end);
@@ -69,8 +73,10 @@ class TreeRunner {
   Executor executor_;
   EventStream stream_;
   std::unique_ptr<Recorder> recorder_;
+  std::string no_record_;  // why
   std::unique_ptr<LivePublisher> live_;
-  std::mutex mutex_;  // of what is below
+  std::string no_live_;  // why
+  std::mutex mutex_;     // of what is below
   std::condition_variable changed_;
   bool is_stopping_ = false;
   bool is_suspended_ = false;

@@ -1,8 +1,5 @@
 #include "robot_app/assistance/assistance_store.h"
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -123,18 +120,7 @@ AssistanceState LoadState(const std::string& path, Diagnostics& diagnostics) {
 }
 
 bool SaveState(const std::string& path, const AssistanceState& state, Diagnostics& diagnostics) {
-  // WriteFile keeps the permissions of a file that is there.
-  const int created = open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
-  if (created >= 0) {
-    close(created);
-    std::error_code ignored;
-    if (!WriteFile(path, ToText(state), diagnostics)) {
-      std::filesystem::remove(path, ignored);
-      return false;
-    }
-    return true;
-  }
-  return WriteFile(path, ToText(state), diagnostics);
+  return WriteFile(path, ToText(state), diagnostics, FileReaders::kOwnerOnly);
 }
 
 }  // namespace coppice::robot::assistance

@@ -17,7 +17,7 @@ namespace coppice::robot {
 
 ChildProcess::ChildProcess(const std::vector<std::string>& command, const std::string& log_file,
                            const std::vector<std::pair<std::string, std::string>>& environment) {
-  const int log = open(log_file.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
+  const int log = open(log_file.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0600);
   if (log < 0) throw std::runtime_error("cannot write " + log_file + ": " + std::strerror(errno));
   const Expected<int> pid = StartProgram({command, environment, -1, log});
   close(log);

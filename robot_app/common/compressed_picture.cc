@@ -137,8 +137,10 @@ Expected<Picture> DecodeJpeg(const std::vector<std::uint8_t>& bytes) {
   }
   if (!IsSizeFine(width, height)) return TooLarge(width, height);
   Picture picture(width, height);
-  const int status = tjDecompress2(turbo.get(), bytes.data(), bytes.size(), picture.rgb.data(),
-                                   width, 0, height, TJPF_RGB, TJFLAG_STOPONWARNING);
+  // A few bytes can ask for one more look at the whole picture, without end.
+  const int status =
+      tjDecompress2(turbo.get(), bytes.data(), bytes.size(), picture.rgb.data(), width, 0, height,
+                    TJPF_RGB, TJFLAG_STOPONWARNING | TJFLAG_LIMITSCANS);
   if (status != 0) return Problem{std::string("a damaged JPEG: ") + tjGetErrorStr2(turbo.get())};
   return picture;
 }

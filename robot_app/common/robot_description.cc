@@ -1,5 +1,6 @@
 #include "robot_app/common/robot_description.h"
 
+#include <tinyxml2.h>
 #include <urdf_model/link.h>
 #include <urdf_model/model.h>
 #include <urdf_parser/urdf_parser.h>
@@ -15,7 +16,8 @@ namespace coppice::robot {
 namespace {
 
 constexpr char kBase[] = "base_link";
-constexpr double kLevel = 1e-6;  // rad
+constexpr std::size_t kLongest = 1 << 20;  // bytes
+constexpr double kLevel = 1e-6;            // rad
 
 FrameOnRobot FrameOf(const urdf::Link& link) {
   const urdf::Joint& joint = *link.parent_joint;
@@ -40,6 +42,15 @@ const urdf::Cylinder* CylinderOf(const Part& part) {
   return static_cast<const urdf::Cylinder*>(part->geometry.get());
 }
 
+// The parser of liburdfdom follows elements within elements until its stack ends, and takes seconds
+// before; this one has a limit, and knows the line.
+Outcome CheckXml(const std::string& text) {
+  tinyxml2::XMLDocument document;
+  if (document.Parse(text.data(), text.size()) == tinyxml2::XML_SUCCESS) return {};
+  return Problem{std::to_string(document.ErrorLineNum()) +
+                 ": no robot description (URDF): " + document.ErrorName()};
+}
+
 // The yaw of a rotation about z alone.
 std::optional<double> LevelYaw(const std::array<double, 4>& q) {
   if (std::hypot(q[0], q[1]) > kLevel) return std::nullopt;
@@ -50,8 +61,9 @@ std::optional<double> LevelYaw(const std::array<double, 4>& q) {
 
 Expected<RobotDescription> RobotDescription::Load(const std::string& file) {
   Diagnostics diagnostics;
-  std::optional<std::string> text = ReadFile(file, diagnostics);
+  std::optional<std::string> text = ReadFile(file, diagnostics, kLongest);
   if (!text) return Problem{ToString(diagnostics.all().front())};
+  if (const Outcome xml = CheckXml(*text); !xml) return Problem{file + ":" + xml.problem()};
   const auto problem = [&](const std::string& what) { return Problem{file + ": " + what}; };
   const urdf::ModelInterfaceSharedPtr model = urdf::parseURDF(*text);
   if (!model || !model->getRoot()) return problem("no robot description (URDF)");

@@ -1,16 +1,14 @@
 #include "robot_app/processes/supervisor_memory.h"
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
-#include <fstream>
+#include <filesystem>
 #include <iostream>
 #include <nlohmann/json.hpp>
-#include <sstream>
+#include <optional>
+
+#include "bt_core/base/json_library.h"
+#include "bt_core/base/read_file.h"
+#include "bt_core/model/write_file.h"
 
 namespace coppice::robot::processes {
 namespace {
@@ -78,17 +76,6 @@ SupervisorMemory FromJson(const json& value, Time now) {
   return memory;
 }
 
-bool WriteAll(int file, const std::string& text) {
-  std::size_t written = 0;
-  while (written < text.size()) {
-    const ssize_t count = write(file, text.data() + written, text.size() - written);
-    if (count < 0 && errno == EINTR) continue;
-    if (count < 0) return false;
-    written += static_cast<std::size_t>(count);
-  }
-  return true;
-}
-
 }  // namespace
 
 std::string ToText(const SupervisorMemory& memory) {
@@ -108,31 +95,25 @@ std::string ToText(const SupervisorMemory& memory) {
 
 Expected<SupervisorMemory> MemoryFromText(const std::string& text, Time now) {
   try {
-    const json value = json::parse(text);
+    const json value = ParseLimitedJson(text);
     if (value.at("version") == kVersion) return FromJson(value, now);
     return Problem{"is of another version"};
-  } catch (const json::exception&) {
+  } catch (const std::exception&) {
     return Problem{"is damaged"};
   }
 }
 
 Expected<SupervisorMemory> LoadMemory(const std::string& path, Time now) {
-  std::ifstream file(path);
-  if (!file) return SupervisorMemory{};
-  std::ostringstream text;
-  text << file.rdbuf();
-  return MemoryFromText(text.str(), now);
+  std::error_code error;
+  if (!std::filesystem::exists(path, error)) return SupervisorMemory{};
+  const std::optional<std::string> text = ReadFile(path);
+  return text ? MemoryFromText(*text, now) : Problem{"cannot be read"};
 }
 
 Outcome SaveMemory(const SupervisorMemory& memory, const std::string& path) {
-  const std::string temporary = path + ".new";
-  const int file = open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
-  const bool written = file >= 0 && WriteAll(file, ToText(memory)) && fsync(file) == 0;
-  int reason = written ? 0 : errno;
-  if (file >= 0) close(file);
-  if (written && std::rename(temporary.c_str(), path.c_str()) != 0) reason = errno;
-  if (reason == 0) return {};
-  return Problem{"cannot write " + path + ": " + std::strerror(reason)};
+  Diagnostics diagnostics;
+  if (WriteFile(path, ToText(memory), diagnostics, FileReaders::kOwnerOnly)) return {};
+  return Problem{diagnostics.ToString()};
 }
 
 void KeepMemory(const SupervisorMemory& memory, const std::string& path) {

@@ -200,6 +200,7 @@ void SupervisorProgram::Round() {
   if (supervisor_.revision() != published_ || clock_.Now() - published_at_ >= kReportPeriod) {
     Publish();
     Save();
+    local_.KeepLogsShort();
   }
 }
 

@@ -142,7 +142,7 @@ FOREIGN = {  # name: (pattern, where at all, where in headers)
     "ZeroMQ": (r"zmq\.", (), ()),
     "Boost": (r"boost/", ("bt_core/live", "robot_app"), (
         "bt_core/live/discovery", "bt_core/live/web", "robot_app")),
-    "tinyxml2": (r"tinyxml2", ("bt_core/model",), ()),
+    "tinyxml2": (r"tinyxml2", ("bt_core/model", "robot_app/common/robot_description.cc"), ()),
 }
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]

@@ -1,14 +1,17 @@
 #include "robot_app/processes/launch/process_launcher.h"
 
 #include <fcntl.h>
+#include <sys/sendfile.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
 #include <filesystem>
+#include <iostream>
 #include <utility>
 
 #include "robot_app/common/start_program.h"
@@ -18,10 +21,34 @@ namespace coppice::robot::processes {
 namespace {
 
 // For its owner alone: what a program prints may be secret.
-int OpenLog(const char* path) {
-  const int log = open(path, O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0600);
+int OpenLog(const std::string& path, int flags) {
+  const int log = open(path.c_str(), O_CREAT | O_CLOEXEC | flags, 0600);
   if (log >= 0) fchmod(log, 0600);
   return log;
+}
+
+// Without reading it into memory. On a full disk only a part arrives.
+void CopyEnd(int from, std::int64_t size, std::int64_t most, int to) {
+  off_t offset = std::max<std::int64_t>(0, size - most);
+  while (offset < size) {
+    if (sendfile(to, from, &offset, static_cast<std::size_t>(size - offset)) <= 0) return;
+  }
+}
+
+// Those who write at its end go on at the new beginning.
+void BeginAnewIfLong(const std::string& path, std::int64_t most) {
+  struct stat status {};
+  if (stat(path.c_str(), &status) != 0 || !S_ISREG(status.st_mode) || status.st_size <= most) {
+    return;
+  }
+  const int log = OpenLog(path, O_RDWR);
+  const int kept = OpenLog(path + ".1", O_WRONLY | O_TRUNC);
+  if (log >= 0 && kept >= 0) CopyEnd(log, status.st_size, most, kept);
+  if (log >= 0 && ftruncate(log, 0) != 0) {
+    std::cerr << "cannot shorten " << path << ": " << std::strerror(errno) << "\n";
+  }
+  if (log >= 0) close(log);
+  if (kept >= 0) close(kept);
 }
 
 }  // namespace
@@ -33,15 +60,31 @@ PosixLauncher::PosixLauncher(std::string log_folder, std::string owner)
 }
 
 Expected<int> PosixLauncher::Start(const ProcessConfig& config, int input) {
-  const std::string log_path = log_folder_ + "/" + config.log;
-  const int log =
-      config.log.empty() ? fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 0) : OpenLog(log_path.c_str());
-  if (log < 0) return Problem{"cannot write " + log_path + ": " + std::strerror(errno)};
+  const int log = OpenOutput(config);
   Expected<int> pid = StartProgram(
       {config.command, {{kOwnerVariable, OwnedName(owner_, config.name)}}, input, log});
   close(log);
   if (pid) names_[*pid] = config.name;
   return pid;
+}
+
+// Where what it says goes.
+int PosixLauncher::OpenOutput(const ProcessConfig& config) {
+  if (!config.log.empty()) {
+    const std::string path = log_folder_ + "/" + config.log;
+    const int log = OpenLog(path, O_WRONLY | O_APPEND);
+    if (log >= 0) {
+      logs_.insert(path);
+      return log;
+    }
+    std::cerr << "cannot write " << path << ": " << std::strerror(errno) << "; what " << config.name
+              << " says is here\n";
+  }
+  return fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 0);
+}
+
+void PosixLauncher::KeepLogsShort() {
+  for (const std::string& log : logs_) BeginAnewIfLong(log, kMostLogBytes);
 }
 
 void PosixLauncher::Signal(int pid, int signal) {

@@ -2,8 +2,10 @@
 #ifndef COPPICE_ROBOT_APP_PROCESSES_LAUNCH_PROCESS_LAUNCHER_H_
 #define COPPICE_ROBOT_APP_PROCESSES_LAUNCH_PROCESS_LAUNCHER_H_
 
+#include <cstdint>
 #include <functional>
 #include <map>
+#include <set>
 #include <string>
 
 #include "bt_core/base/outcome.h"
@@ -25,11 +27,14 @@ class ProcessLauncher {
 };
 
 /// Real processes. Each has standard output and error in `<log folder>/<log>` (appended; our own
-/// output if it names no log), no input, none of our open files, and gets SIGTERM when the thread
-/// that started it ends, so that nothing outlives its supervisor. Use it on the program's main
-/// thread only.
+/// output if it names no log, or its log cannot be written: a disk that is full is no reason not to
+/// start), no input, none of our open files, and gets SIGTERM when the thread that started it ends,
+/// so that nothing outlives its supervisor. Use it on the program's main thread only.
 class PosixLauncher : public ProcessLauncher {
  public:
+  /// A longer log begins anew; what it held last, up to as many bytes, is then in `<log>.1`.
+  static constexpr std::int64_t kMostLogBytes = 16 << 20;
+
   /// The folder is created if needed. With an `owner`, which must be unique on this computer, every
   /// process carries it in its environment (survivors.h), and what a process leaves behind when it
   /// ends is found even if it has left its process group.
@@ -46,11 +51,18 @@ class PosixLauncher : public ProcessLauncher {
   /// What is left of an ended process is killed. Does not wait.
   void Reap(const std::function<void(int pid, int wait_status)>& ended);
 
+  /// Begins logs anew that have grown too long. To be called every second or so. What a process
+  /// says in the moment between the copy and the new beginning is lost.
+  void KeepLogsShort();
+
   const std::string& log_folder() const { return log_folder_; }
 
  private:
+  int OpenOutput(const ProcessConfig& config);
+
   std::string log_folder_;
   std::string owner_;
+  std::set<std::string> logs_;        // paths of those that were opened
   std::map<int, std::string> names_;  // of what was started, by pid
 };
 

@@ -102,8 +102,10 @@ bool RemoteLauncher::IsConnected(int pid) const {
   if (found == connections_.end()) return true;
   const Connection& connection = found->second;
   if (!connection.connected) {
-    std::ifstream log(connection.log, std::ios::binary);
-    log.seekg(static_cast<std::streamoff>(connection.offset));
+    std::ifstream log(connection.log, std::ios::binary | std::ios::ate);
+    const auto size = static_cast<std::streamoff>(log.tellg());
+    const auto offset = static_cast<std::streamoff>(connection.offset);
+    log.seekg(size < offset ? 0 : offset);  // shorter: it was begun anew meanwhile
     std::ostringstream text;
     text << log.rdbuf();
     connection.connected = text.str().find(kRemoteStarted) != std::string::npos;

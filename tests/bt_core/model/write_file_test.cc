@@ -73,6 +73,15 @@ TEST_F(WriteFileTest, ANewFileGetsTheUsualPermissions) {
   EXPECT_EQ(fs::status(Path("t.xml")).permissions(), fs::status(Path("usual.xml")).permissions());
 }
 
+TEST_F(WriteFileTest, WhatIsForItsOwnerAloneIsAlsoWhereOthersCouldReadIt) {
+  std::ofstream(Path("t.xml")) << "old";
+  chmod(Path("t.xml").c_str(), 0644);
+  for (const char* name : {"t.xml", "new.xml"}) {
+    ASSERT_TRUE(WriteFile(Path(name), "secret", diagnostics_, FileReaders::kOwnerOnly));
+    EXPECT_EQ(fs::status(Path(name)).permissions(), fs::perms::owner_read | fs::perms::owner_write);
+  }
+}
+
 TEST_F(WriteFileTest, ALinkStaysALink) {
   std::ofstream(Path("real.xml")) << "old";
   fs::create_symlink("real.xml", folder_ / "link.xml");

@@ -11,6 +11,7 @@
 #include <random>
 #include <thread>
 
+#include "bt_core/record/record_file.h"
 #include "tests/bt_core/frames/scripted_tree.h"
 #include "tests/bt_core/record/full_disk.h"
 #include "tests/bt_core/record/whole_record.h"
@@ -262,6 +263,13 @@ TEST_F(RecorderTest, ThrowsRatherThanOverwriting) {
   EXPECT_THROW(Recorder(stream_, path()), std::runtime_error);
   EXPECT_EQ(ReadFile(path()), "precious");
   Tick();  // nothing is left behind in the stream
+}
+
+// Two programs that are started at the same moment: neither has written anything yet.
+TEST_F(RecorderTest, ThrowsWhereAnotherIsAboutToRecord) {
+  const RecordFile other(path());
+  EXPECT_THROW(Recorder(stream_, path()), std::runtime_error);
+  EXPECT_EQ(ReadFile(path()), "");
 }
 
 TEST_F(RecorderTest, ClosesOnceAndStopsListening) {

@@ -111,6 +111,32 @@ TEST(CompressedPicture, AJpegThatClaimsBillionsOfPixelsIsRefusedBeforeTheyAreAll
 }
 
 // Whatever bytes come, the answer is a picture or a problem.
+// A progressive JPEG of one grey block, and so many scans that say nothing about it.
+std::vector<std::uint8_t> JpegOfScans(int scans) {
+  std::vector<std::uint8_t> bytes = {0xFF, 0xD8, 0xFF, 0xDB, 0, 67, 0};
+  const auto add = [&bytes](std::initializer_list<std::uint8_t> more, std::size_t zeros = 0) {
+    bytes.insert(bytes.end(), more);
+    bytes.insert(bytes.end(), zeros, 0);
+  };
+  bytes.insert(bytes.end(), 64, 1);                        // how it is quantized
+  add({0xFF, 0xC2, 0, 11, 8, 0, 8, 0, 8, 1, 1, 0x11, 0});  // 8 x 8
+  for (const int table : {0, 0x10}) {                      // codes of one bit each
+    add({0xFF, 0xC4, 0, 20, static_cast<std::uint8_t>(table), 1}, 15);
+    add({static_cast<std::uint8_t>(table == 0 ? 0 : 0xE0)});  // E0: nothing for 16384 blocks
+  }
+  add({0xFF, 0xDA, 0, 8, 1, 1, 0, 0, 0, 0, 0x7F});
+  for (int i = 1; i < scans; ++i) add({0xFF, 0xDA, 0, 8, 1, 1, 0, 1, 63, 0, 0, 1});
+  add({0xFF, 0xD9});
+  return bytes;
+}
+
+// Of a large picture each costs milliseconds: 100 KB of them were 8 s.
+TEST(CompressedPicture, AJpegOfMoreScansThanAnyCameraMakesIsRefused) {
+  const Expected<Picture> few = DecodeJpeg(JpegOfScans(10));
+  EXPECT_TRUE(few) << few.problem();
+  EXPECT_THAT(DecodeJpeg(JpegOfScans(600)).problem(), HasSubstr("more than 500 scans"));
+}
+
 TEST(CompressedPicture, DamagedBytesNeverDoHarm) {
   std::mt19937 random(1);
   const std::vector<std::uint8_t> jpeg = EncodeJpeg(Gradient(40, 30));

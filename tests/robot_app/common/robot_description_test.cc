@@ -76,8 +76,29 @@ TEST_F(RobotDescriptionTest, AFileThatIsMissingOrNoDescriptionIsAProblemThatName
   for (const char* const text : {"", "<robot", "<html/>", "<robot name='r'/>"}) {
     const auto robot = RobotDescription::Load(Write(text));
     ASSERT_FALSE(robot) << text;
-    EXPECT_THAT(robot.problem(), HasSubstr("robot.urdf: no robot description"));
+    EXPECT_THAT(robot.problem(), HasSubstr("robot.urdf:"));
+    EXPECT_THAT(robot.problem(), HasSubstr(": no robot description"));
   }
+}
+
+// liburdfdom alone ends the program.
+TEST_F(RobotDescriptionTest, ElementsWithinElementsWithoutEndAreAProblemAtTheirLine) {
+  std::string deep = "<robot name='r'>\n";
+  for (int i = 0; i < 200'000; ++i) deep += "<a>";
+  EXPECT_THAT(RobotDescription::Load(Write(deep)).problem(), HasSubstr("robot.urdf:2: no robot"));
+}
+
+TEST_F(RobotDescriptionTest, AChainOfHundredThousandsOfLinksIsTooLong) {
+  std::string chain = kBody;
+  std::string parent = "base_link";
+  for (int i = 0; i < 200'000; ++i) {
+    const std::string link = "l" + std::to_string(i);
+    chain += "<link name='" + link + "'/><joint name='j" + link + "' type='fixed'><parent link='" +
+             parent + "'/><child link='" + link + "'/></joint>";
+    parent = link;
+  }
+  EXPECT_THAT(RobotDescription::Load(Write(chain + "</robot>")).problem(),
+              HasSubstr("is longer than"));
 }
 
 TEST_F(RobotDescriptionTest, ABodyWithoutWhatTheProgramsNeedIsAProblemThatSaysWhat) {

@@ -2,10 +2,13 @@
 
 #include <gmock/gmock.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
+#include <filesystem>
 #include <fstream>
 
 #include "tests/robot_app/processes/temporary.h"
+#include "tests/robot_app/text_of.h"
 
 namespace coppice::robot::processes {
 namespace {
@@ -70,14 +73,40 @@ TEST(SupervisorMemoryTest, TimesInTheFutureCountAsNow) {
               ElementsAre(Time(seconds(100)), Time(seconds(120))));
 }
 
-TEST(SupervisorMemoryTest, AFileThatCannotBeWrittenIsReportedAndTheOldOneStays) {
+TEST(SupervisorMemoryTest, AFileThatCannotBeWrittenIsReported) {
   EXPECT_THAT(SaveMemory(Example(), "/proc/nowhere/memory.json").problem(),
               HasSubstr("cannot write"));
-  const std::string path = Temporary("kept.json");
+}
+
+// As root, `--state /dev/null` would end it for the whole computer.
+TEST(SupervisorMemoryTest, TakesThePlaceOfNoDeviceAndNoPipe) {
+  const std::string pipe = Temporary("memory_pipe");
+  unlink(pipe.c_str());
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  EXPECT_THAT(SaveMemory(Example(), pipe).problem(), HasSubstr("a device or a pipe"));
+  EXPECT_TRUE(std::filesystem::is_fifo(pipe));
+}
+
+TEST(SupervisorMemoryTest, WritesNothingThroughALinkThatSomebodyHasPutBesideIt) {
+  const std::string path = Temporary("linked.json"), other = Temporary("of_somebody_else");
+  std::ofstream(other) << "theirs";
+  unlink((path + ".new").c_str());
+  ASSERT_EQ(symlink(other.c_str(), (path + ".new").c_str()), 0);
   EXPECT_EQ(SaveMemory(Example(), path).problem(), "");
-  mkdir((path + ".new").c_str(), 0755);
-  EXPECT_THAT(SaveMemory({}, path).problem(), HasSubstr("Is a directory"));
-  EXPECT_EQ(LoadMemory(path, Time(seconds(1000))).value().configuration, "charging");
+  EXPECT_EQ(TextOf(other), "theirs");
+}
+
+TEST(SupervisorMemoryTest, IsReadByItsOwnerAlone) {
+  using std::filesystem::perms;
+  const std::string path = Temporary("own.json");
+  std::ofstream(path) << "{}";
+  ASSERT_EQ(chmod(path.c_str(), 0644), 0);
+  EXPECT_EQ(SaveMemory(Example(), path).problem(), "");
+  EXPECT_EQ(std::filesystem::status(path).permissions(), perms::owner_read | perms::owner_write);
+}
+
+TEST(SupervisorMemoryTest, WhatIsNestedWithoutEndIsDamaged) {
+  EXPECT_EQ(MemoryFromText(std::string(5'000'000, '['), Time(seconds(1))).problem(), "is damaged");
 }
 
 }  // namespace

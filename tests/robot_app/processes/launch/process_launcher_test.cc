@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <gmock/gmock.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -13,6 +14,7 @@
 #include "robot_app/processes/launch/survivors.h"
 #include "tests/robot_app/eventually.h"
 #include "tests/robot_app/processes/temporary.h"
+#include "tests/robot_app/text_of.h"
 
 namespace coppice::robot::processes {
 namespace {
@@ -86,10 +88,40 @@ TEST_F(PosixLauncherTest, SaysWhyAProgramCannotRun) {
   EXPECT_EQ(waitpid(-1, nullptr, WNOHANG), -1);  // no zombie is left
 }
 
-TEST_F(PosixLauncherTest, SaysThatTheLogCannotBeWritten) {
+// A disk that is full or cannot be written must not end the robot.
+TEST_F(PosixLauncherTest, StartsAProgramWhoseLogCannotBeWrittenAndSaysSo) {
   launcher_ = std::make_unique<PosixLauncher>("/proc/nowhere");
-  EXPECT_EQ(Shell("true"), 0);
-  EXPECT_THAT(error_, HasSubstr("cannot write /proc/nowhere/child.log"));
+  testing::internal::CaptureStderr();
+  const int pid = Shell("exit 3");
+  EXPECT_THAT(testing::internal::GetCapturedStderr(),
+              HasSubstr("cannot write /proc/nowhere/child.log"));
+  ASSERT_GT(pid, 0) << error_;
+  EXPECT_EQ(WEXITSTATUS(WaitForEnd(pid)), 3);
+}
+
+TEST_F(PosixLauncherTest, ALogThatHasGrownTooLongBeginsAnewAndItsEndIsKept) {
+  const auto most = std::to_string(PosixLauncher::kMostLogBytes);
+  WaitForEnd(Shell("echo oldest; yes | head -c " + most + "; echo newest"));
+  launcher_->KeepLogsShort();
+  EXPECT_EQ(Log(), "");
+  const std::string kept = folder_ + "/child.log.1";
+  EXPECT_EQ(std::filesystem::file_size(kept), PosixLauncher::kMostLogBytes);
+  EXPECT_EQ(std::filesystem::status(kept).permissions(),
+            std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
+  const std::string text = TextOf(kept);
+  EXPECT_EQ(text.substr(text.size() - 7), "newest\n");
+}
+
+TEST_F(PosixLauncherTest, AProgramThatRunsGoesOnAtTheBeginningOfItsNewLog) {
+  const auto most = std::to_string(PosixLauncher::kMostLogBytes + 1);
+  ASSERT_EQ(mkfifo((folder_ + "/go").c_str(), 0600), 0);
+  const int pid = Shell("yes | head -c " + most + "; echo; echo before; read line < " + folder_ +
+                        "/go; echo after");
+  ASSERT_TRUE(Eventually([&] { return Log().find("before\n") != std::string::npos; }));
+  launcher_->KeepLogsShort();
+  std::ofstream(folder_ + "/go") << "\n";
+  WaitForEnd(pid);
+  EXPECT_EQ(Log(), "after\n");
 }
 
 TEST_F(PosixLauncherTest, EachProcessLeadsItsOwnGroup) {
