@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "robot_app/perception/detection/box_depth.h"
 #include "robot_app/perception/detection/face_window.h"
 #include "robot_app/perception/detection/picture_view.h"
 #include "robot_app/perception/detection/suppression.h"
@@ -35,11 +36,6 @@ cv::Point2d MiddleOf(const cv::Point& place, double zoom) {
 class HeadSizes {
  public:
   explicit HeadSizes(const DetectorInput& input) : depth_(*input.depth), focal_(input.focal) {}
-
-  static bool IsUsable(const DetectorInput& input) {
-    return input.depth != nullptr && input.focal > 0 && input.depth->width == input.colour.width &&
-           input.depth->height == input.colour.height;
-  }
 
   // In a picture that was made smaller by `zoom`: around all windows in which a head may be.
   cv::Rect Area(const cv::Size& size, double zoom) const {
@@ -122,7 +118,7 @@ class MaskDetector : public Detector {
   void FindOfSize(const cv::Mat& gray, double zoom, const DetectorInput& input,
                   std::vector<Sighting>& faces) const {
     const cv::Size size(cvFloor(gray.cols / zoom), cvFloor(gray.rows / zoom));
-    const bool has_depth = HeadSizes::IsUsable(input);
+    const bool has_depth = HasDepth(input);
     cv::Rect area(0, 0, size.width + 2 * kRim, size.height + 2 * kRim);
     if (has_depth) area = HeadSizes(input).Area(area.size(), zoom);
     if (area.empty()) return;

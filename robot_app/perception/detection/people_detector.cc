@@ -3,6 +3,7 @@
 #include <cmath>
 #include <opencv2/objdetect.hpp>
 
+#include "robot_app/perception/detection/box_depth.h"
 #include "robot_app/perception/detection/picture_view.h"
 #include "robot_app/perception/detection/suppression.h"
 
@@ -13,6 +14,8 @@ namespace {
 constexpr double kWide = 0.62;
 constexpr double kTall = 0.80;
 
+constexpr double kSmallest = 1.1;  // people, with the error of the boxes [m]
+constexpr double kTallest = 2.5;
 constexpr double kZoom = 1.05;
 constexpr double kPartOfOne = 0.8;  // share of a box in another: legs alone, two people as one
 constexpr double kSameOne = 0.4;    // share in common of two boxes for one person
@@ -29,7 +32,9 @@ class PeopleDetector : public Detector {
     hog_.detectMultiScale(gray, boxes, weights, 0, cv::Size(8, 8), cv::Size(16, 16), kZoom, 0);
     std::vector<Sighting> sightings;
     for (std::size_t i = 0; i < boxes.size(); ++i) {
-      sightings.push_back({SightingKind::kPerson, Tight(ToBox(boxes[i])), Confidence(weights[i])});
+      const Box box = Tight(ToBox(boxes[i]));
+      if (!HasPersonsSize(input, box)) continue;
+      sightings.push_back({SightingKind::kPerson, box, Confidence(weights[i])});
     }
     return Suppress(std::move(sightings), kSameOne, kPartOfOne);
   }
@@ -42,6 +47,13 @@ class PeopleDetector : public Detector {
     const double height = kTall * window.height;
     return {window.x + (window.width - width) / 2, window.y + (window.height - height) / 2, width,
             height};
+  }
+
+  // As far as depth tells.
+  static bool HasPersonsSize(const DetectorInput& input, const Box& box) {
+    if (!HasDepth(input)) return true;
+    const double tall = box.height / input.focal * MedianDepth(*input.depth, box);
+    return tall == 0 || (tall > kSmallest && tall < kTallest);
   }
 
   // The distance from the border between people and all else becomes a share.

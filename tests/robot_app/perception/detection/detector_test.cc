@@ -3,12 +3,20 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <fstream>
+#include <random>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "bt_core/model/write_file.h"
+#include "robot_app/common/compressed_picture.h"
 #include "robot_app/simulation/camera/rgbd_camera.h"
 #include "robot_app/simulation/floor_scene.h"
 #include "robot_app/simulation/shipped_files.h"
+#include "tests/robot_app/perception/detection/drawn_sightings.h"
 #include "tests/robot_app/perception/detection/tiny_onnx.h"
 #include "tests/support/folders.h"
 #include "tests/support/temporary_folder.h"
@@ -47,6 +55,7 @@ struct Corridor {
 std::unique_ptr<Detector> Make(const std::string& names) {
   DetectorChoice choice;
   choice.built_in = names;
+  choice.mask_file = SourceFolder() + "/robot_app/perception/data/faces_and_masks.yaml";
   auto detector = MakeDetector(choice);
   EXPECT_TRUE(detector) << detector.problem();
   return std::move(*detector);
@@ -86,6 +95,49 @@ TEST(Detector, FindsMostFacesAtTwoMetres) {
 
 TEST(Detector, FindsNobodyInAnEmptyCorridor) {
   EXPECT_TRUE(Make("people faces")->Find(Corridor().Empty()).empty());
+}
+
+// The picture of docs/perception.md: COPPICE_PICTURES=FOLDER writes it.
+TEST(Detector, SeesPeopleAndWhoOfThemWearsAMask) {
+  const Corridor corridor;
+  std::vector<simulation::SeenPerson> people(4);
+  const std::array<simulation::Vec2, 4> places = {
+      {{12.1, 0.8}, {12.6, -0.8}, {14.3, 0.4}, {16, -0.6}}};
+  for (std::size_t i = 0; i < people.size(); ++i) {
+    people[i].look = simulation::RandomPersonLook(40 + i);
+    people[i].look.wears_mask = i % 2 == 1;
+    people[i].stance = {places[i], simulation::kPi + 0.3 * static_cast<double>(i % 3) - 0.3,
+                        0.4 * i, i > 1, 1.6 + 0.05 * static_cast<double>(i)};
+  }
+  simulation::RgbdCamera camera({}, 1);
+  const simulation::RgbdPicture taken =
+      camera.Take(corridor.scene, people, {10, 0, 0}, kLensHeight);
+  const auto seen =
+      Make("people masks")->Find({taken.colour, &taken.depth, camera.options().lens.fx});
+  const auto count = [&](SightingKind kind) {
+    return std::count_if(seen.begin(), seen.end(),
+                         [kind](const Sighting& sighting) { return sighting.kind == kind; });
+  };
+  EXPECT_EQ(count(SightingKind::kFaceWithMask), 2);
+  EXPECT_EQ(count(SightingKind::kFaceWithoutMask), 2);
+  EXPECT_GE(count(SightingKind::kPerson), 1);
+  if (const char* const folder = std::getenv("COPPICE_PICTURES")) {
+    const auto jpeg = EncodeJpeg(Drawn(taken.colour, taken.depth, seen), 90);
+    std::ofstream(std::string(folder) + "/sightings.jpg", std::ios::binary)
+        .write(reinterpret_cast<const char*>(jpeg.data()), static_cast<long>(jpeg.size()));
+  }
+}
+
+TEST(Detector, TakesPicturesOfAnySizeAndContent) {
+  const auto detector = Make("people faces masks");
+  std::mt19937 random(1);
+  for (const auto& [width, height] : {std::pair{65, 129}, {641, 3}, {25, 25}, {3001, 131}}) {
+    Picture picture(width, height);
+    for (std::uint8_t& value : picture.rgb) value = static_cast<std::uint8_t>(random());
+    for (const Sighting& sighting : detector->Find(picture)) {
+      EXPECT_LT(Overlap(sighting.box, {0, 0, double(width), double(height)}), 1.01);
+    }
+  }
 }
 
 TEST(Detector, FindsNothingInPicturesThatAreTooSmall) {
