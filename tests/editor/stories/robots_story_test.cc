@@ -79,6 +79,10 @@ TEST_F(RestartStory, ABreakpointIsSetBeforeTheRobotIsThereAndStopsIt) {
   const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(30);
   while (!stands() && std::chrono::steady_clock::now() < end) driver_.Frames(1);
   EXPECT_TRUE(stands());
+  driver_.Press('W');
+  driver_.Frames();
+  EXPECT_TRUE(driver_.Has("run/why/stands"));
+  driver_.Picture("story_stands_on_a_robot");
   driver_.Press(kKeyF1 + 8);  // takes it away, so that the robot can end
   driver_.Press(kKeyF1 + 4);
   driver_.Frames();
