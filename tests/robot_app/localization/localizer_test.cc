@@ -50,7 +50,13 @@ Errors Patrol(LocalizedRobot& robot, const simulation::Floor& floor, double seco
   navigation::Navigation navigation;
   navigation.SetMap(MapOf(floor));
   std::mt19937 random(seed);
-  const auto next = [&] { return *map->places()[map->ChooseNext(random, -1)].pose; };
+  std::vector<Pose2D> goals;
+  for (const Place& place : map->places()) {
+    if (place.Is("patrol") || place.Is("approach") || place.Is("station")) {
+      goals.push_back(*place.pose);
+    }
+  }
+  const auto next = [&] { return goals[random() % goals.size()]; };
   navigation.SetGoal(next(), robot.now());
   double scan_time = -1;
   Errors errors;
