@@ -94,8 +94,9 @@ std::vector<SeenPerson> Gather(const Photographer& from, std::mt19937_64& random
 double SeenShare(const DepthPicture& picture, const Box& box, double depth) {
   int measured = 0, same = 0;
   for (int i = 0; i < 49; ++i) {
+    const int line = i / 7;
     const int column = static_cast<int>(box.x + box.width * (0.25 + 0.5 * (i % 7) / 6.0));
-    const int row = static_cast<int>(box.y + box.height * (0.25 + 0.5 * (i / 7) / 6.0));
+    const int row = static_cast<int>(box.y + box.height * (0.25 + 0.5 * line / 6.0));
     if (column < 0 || row < 0 || column >= picture.width || row >= picture.height) continue;
     const int millimetres = picture.at(column, row);
     measured += millimetres > 0 ? 1 : 0;
