@@ -79,7 +79,10 @@ FLOORS = {
                                  "navigation; the aggregator ([monitoring](monitoring.md))",
          "robot_app/teleoperation": "the velocity mux: who drives",
          "robot_app/assistance": "human supervisors: requests, messages, their web page "
-                                 "([supervisors](supervisors.md))"},
+                                 "([supervisors](supervisors.md))",
+         "robot_app/knowledge": "what the robot knows of its site, and what people ask of it: "
+                                "imports, queries, understanding, answers "
+                                "([service](service.md))"},
         {"robot_app/training": "`coppice-train`: what the robot's classifiers learn from, and how "
                                "well they have learnt it",
          "robot_app/ros": "the interfaces of `bt_nodes` implemented on ROS; feeds from topics to "
