@@ -1,6 +1,7 @@
 #include "robot_app/perception/clouds/person_classifier.h"
 
 #include <cmath>
+#include <exception>
 #include <opencv2/ml.hpp>
 #include <utility>
 
@@ -75,8 +76,8 @@ Expected<PersonClassifier> PersonClassifier::Load(const std::string& file) {
       trees->boost->read(node);
       if (trees->boost->isTrained()) return PersonClassifier(std::move(trees));
     }
-  } catch (const cv::Exception&) {
-    // OpenCV's text tells of its own sources
+  } catch (const std::exception&) {
+    // OpenCV's text tells of its own sources; its parser also lets those of the strings through
   }
   return Problem{file + ": expected a classifier of " + std::to_string(kFeatures) +
                  " features, as `coppice-train people` writes it"};

@@ -47,7 +47,7 @@ bool Read(const std::string& text, cv::CascadeClassifier& cascade) {
   try {
     const cv::FileStorage storage(text, cv::FileStorage::READ | cv::FileStorage::MEMORY);
     return storage.isOpened() && cascade.read(storage.getFirstTopLevelNode());
-  } catch (const cv::Exception&) {
+  } catch (const std::exception&) {  // not only cv::Exception
     return false;
   }
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <numeric>
 #include <opencv2/ml.hpp>
 
@@ -89,8 +90,8 @@ Expected<MaskClassifier> LoadMaskClassifier(const std::string& file) {
     if (IsWhole(classifier.face, kFaceShapes) && IsWhole(classifier.mask, kFaceFeatures)) {
       return classifier;
     }
-  } catch (const cv::Exception&) {
-    // OpenCV's text tells of its own sources
+  } catch (const std::exception&) {
+    // OpenCV's text tells of its own sources; its parser also lets those of the strings through
   }
   return Problem{file + ": expected a classifier of faces and masks, as `coppice-train masks` " +
                  "writes it"};

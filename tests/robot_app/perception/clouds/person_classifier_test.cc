@@ -69,8 +69,10 @@ TEST(PersonClassifier, AFileThatIsMissingIsNamed) {
 }
 
 TEST(PersonClassifier, AFileThatIsSomethingElseIsAProblem) {
-  for (const char* text : {"", "what", "%YAML:1.0\n---\nperson_classifier: {features: 3}\n",
-                           "%YAML:1.0\n---\nperson_classifier: 7\n", "{\"a\": [1, 2}"}) {
+  for (const char* text :
+       {"", "what", "%YAML:1.0\n---\nperson_classifier: {features: 3}\n",
+        "%YAML:1.0\n---\nperson_classifier: 7\n", "{\"a\": [1, 2}",
+        "%YAML:1.0\n---\nperson_classifier:\n   features: 48\n   :\n      - 1\n"}) {
     EXPECT_THAT(LoadText(text).problem(), testing::HasSubstr("coppice-train people")) << text;
   }
 }
