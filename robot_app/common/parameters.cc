@@ -148,7 +148,7 @@ std::string Explain(const Parameters& parameters) {
     const bool is_number = parameter.low < parameter.high;
     char line[256];
     std::snprintf(line, sizeof line, "    ~%-22s  %-9s  %-12s  %s\n", parameter.name.c_str(),
-                  value.c_str(), is_number ? RangeOf(parameter).c_str() : "-",
+                  value.empty() ? "-" : value.c_str(), is_number ? RangeOf(parameter).c_str() : "-",
                   parameter.meaning.c_str());
     lines += line;
   }

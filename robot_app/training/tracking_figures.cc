@@ -3,7 +3,9 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
+#include <deque>
 
 #include "robot_app/perception/clouds/hidden.h"
 #include "robot_app/training/labelled_scan.h"
@@ -17,11 +19,12 @@ using perception::Track;
 using simulation::Pose2;
 using simulation::Vec2;
 
-constexpr double kStep = 0.02;      // of the world [s]
-constexpr double kArea = 5;         // of which all have to be followed, around the robot [m]
-constexpr double kBorder = 0.5;     // beyond it who is there counts neither way [m]
-constexpr double kLeastSeen = 0.3;  // of a person
-constexpr double kWarmUp = 2;       // s
+constexpr double kStep = 0.02;        // of the world [s]
+constexpr double kArea = 5;           // of which all have to be followed, around the robot [m]
+constexpr double kBorder = 0.5;       // beyond it who is there counts neither way [m]
+constexpr double kLeastSeen = 0.3;    // of a person
+constexpr double kHalfPerson = 0.25;  // m
+constexpr double kWarmUp = 2;         // s
 
 Site Hall() {
   Site site;
@@ -60,64 +63,135 @@ std::vector<perception::Detection> InHall(const std::vector<perception::SeenPers
   return detections;
 }
 
-std::vector<MotPerson> TruthOf(const std::vector<simulation::Figure>& figures,
-                               const simulation::Scene& scene, const Pose2& sensor) {
-  std::vector<MotPerson> truth;
-  for (std::size_t i = 0; i < figures.size(); ++i) {
-    const Vec2 at = figures[i].bounds.center;
-    const bool is_optional = simulation::Length(at - sensor.position()) > kArea ||
-                             VisibleShare(figures[i], scene, sensor, {}) < kLeastSeen;
-    truth.push_back({static_cast<std::uint32_t>(i), ToEigen(at), is_optional});
-  }
-  return truth;
+// Whether all of somebody who stands there is in the picture.
+bool IsInView(const Glance& glance, Vec2 at) {
+  const Vec2 seen = simulation::Rotated(at - glance.lens.position(), -glance.lens.yaw);
+  const double distance = simulation::Length(seen);
+  if (distance <= kHalfPerson || distance > kArea) return false;
+  return std::abs(std::atan2(seen.y, seen.x)) + std::asin(kHalfPerson / distance) <
+         glance.half_angle;
 }
 
-}  // namespace
+class Experiment {
+ public:
+  Experiment(const Senses& senses, const TrackingScenario& scenario)
+      : senses_(senses),
+        scenario_(scenario),
+        site_(Hall()),
+        crowd_(site_, scenario.people, {0, 0}, 0.8, scenario.seed),
+        scene_(site_.still),
+        lidar_({}, scenario.seed) {
+    for (int i = 0; i < scenario.people; ++i) {
+      looks_.push_back(simulation::RandomPersonLook(1000 * scenario.seed + i));
+    }
+  }
 
-TrackingFigures MeasureTracking(perception::PeopleFinder& finder,
-                                const TrackingScenario& scenario) {
-  const Site site = Hall();
-  MovingCrowd crowd(site, scenario.people, {0, 0}, 0.8, scenario.seed);
-  simulation::Scene scene(site.still);
-  simulation::Lidar3d lidar({}, scenario.seed);
-  perception::Tracker tracker;
-  TrackingFigures figures;
-  Pose2 sensor;
-  double cloud = -1;
-  for (double time = 0; time < scenario.seconds; time += kStep) {
-    crowd.Step(kStep);
-    const auto now = FiguresOf(crowd);
-    scene.SetFigures(now);
-    lidar.Turn(time, kStep, sensor, scene);
-    sensor.yaw = simulation::NormalAngle(sensor.yaw + scenario.turning * kStep);
-    if (lidar.cloud().points.empty() || lidar.cloud().time == cloud) continue;
-    cloud = lidar.cloud().time;
+  TrackingFigures Run() {
+    for (double time = 0; time < scenario_.seconds; time += kStep) Step(time);
+    return figures_;
+  }
 
-    const auto points = ToPoints(lidar.cloud());
-    const auto begin = std::chrono::steady_clock::now();
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  void Step(double time) {
+    crowd_.Step(kStep);
+    figures_of_people_ = FiguresOf(crowd_);
+    scene_.SetFigures(figures_of_people_);
+    lidar_.Turn(time, kStep, robot_, scene_);
+    robot_.yaw = simulation::NormalAngle(robot_.yaw + scenario_.turning * kStep);
+    if (senses_.cameras != nullptr) LookAtPictures(time);
+    if (lidar_.cloud().points.empty() || lidar_.cloud().time == cloud_time_) return;
+    cloud_time_ = lidar_.cloud().time;
+    if (senses_.lidar != nullptr) LookAtCloud(time);
+  }
+
+  void LookAtCloud(double time) {
+    const auto points = ToPoints(lidar_.cloud());
+    const auto begin = Clock::now();
     const auto detections =
-        InHall(finder.Find(points), sensor, scenario.turning * lidar.options().period);
-    tracker.Update(time, detections, [&](const Eigen::Vector2d& at) {
-      const Vec2 local = simulation::Rotated({at.x() - sensor.x, at.y() - sensor.y}, -sensor.yaw);
-      return perception::IsHidden(finder.candidates().image(), ToEigen(local).cast<float>());
+        InHall(senses_.lidar->Find(points), robot_, scenario_.turning * lidar_.options().period);
+    tracker_.Update(time, detections, [this](const Eigen::Vector2d& at) {
+      const Vec2 local = simulation::Rotated({at.x() - robot_.x, at.y() - robot_.y}, -robot_.yaw);
+      return perception::IsHidden(senses_.lidar->candidates().image(),
+                                  ToEigen(local).cast<float>());
     });
-    figures.seconds +=
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    ++figures.turns;
-    if (time < kWarmUp) continue;
+    Count(time, lidar_.options().period, begin, nullptr);
+  }
 
+  // The lidar has gone on meanwhile; without it what is told is of the time of the picture.
+  void LookAtPictures(double time) {
+    std::vector<simulation::SeenPerson> people;
+    for (std::size_t i = 0; i < looks_.size(); ++i) {
+      people.push_back({crowd_.people()[i], looks_[i]});
+    }
+    const auto begin = Clock::now();
+    if (auto glance = senses_.cameras->Look(time, scene_, people, robot_)) {
+      pictures_.push_back(*std::move(glance));
+    }
+    if (pictures_.empty()) return;
+    const double delay = senses_.lidar != nullptr ? scenario_.delay : 0;
+    const Glance glance = pictures_.front();
+    if (time + 1e-9 < glance.time + delay) return;
+    pictures_.pop_front();
+    tracker_.Update(glance.time, glance.people, [&](const Eigen::Vector2d& at) {
+      return senses_.lidar != nullptr || !IsInView(glance, {at.x(), at.y()});
+    });
+    if (senses_.lidar == nullptr) Count(time, senses_.cameras->period() / 2, begin, &glance);
+  }
+
+  // `glance`: only who is in that picture had to be seen.
+  std::vector<MotPerson> Truth(const Glance* glance) const {
+    std::vector<MotPerson> truth;
+    for (std::size_t i = 0; i < figures_of_people_.size(); ++i) {
+      const Vec2 at = figures_of_people_[i].bounds.center;
+      const bool is_optional = simulation::Length(at - robot_.position()) > kArea ||
+                               (glance != nullptr && !IsInView(*glance, at)) ||
+                               VisibleShare(figures_of_people_[i], scene_, robot_, {}) < kLeastSeen;
+      truth.push_back({static_cast<std::uint32_t>(i), ToEigen(at), is_optional});
+    }
+    return truth;
+  }
+
+  std::vector<MotPerson> Tracked(double time) const {
     std::vector<MotPerson> tracked;
-    for (const Track& track : tracker.tracks()) {
+    for (const Track& track : tracker_.tracks()) {
       if (!track.is_confirmed) continue;
       const bool is_outside =
-          (track.position() - ToEigen(sensor.position())).norm() > kArea + kBorder;
+          (track.position() - ToEigen(robot_.position())).norm() > kArea + kBorder;
       const bool is_guess = track.last_seen < time;  // where somebody hidden may be
       tracked.push_back({track.id, track.position(), is_outside || is_guess});
     }
-    figures.mot.Add(TruthOf(now, scene, sensor), tracked);
-    figures.person_minutes += scenario.people * lidar.options().period / 60;
+    return tracked;
   }
-  return figures;
+
+  void Count(double time, double period, Clock::time_point begin, const Glance* glance) {
+    figures_.seconds += std::chrono::duration<double>(Clock::now() - begin).count();
+    ++figures_.turns;
+    if (time < kWarmUp) return;
+    figures_.mot.Add(Truth(glance), Tracked(time));
+    figures_.person_minutes += scenario_.people * period / 60;
+  }
+
+  Senses senses_;
+  TrackingScenario scenario_;
+  Site site_;
+  MovingCrowd crowd_;
+  std::vector<simulation::PersonLook> looks_;
+  simulation::Scene scene_;
+  std::vector<simulation::Figure> figures_of_people_;
+  simulation::Lidar3d lidar_;
+  std::deque<Glance> pictures_;  // not yet told
+  Pose2 robot_;
+  double cloud_time_ = -1;
+  perception::Tracker tracker_;
+  TrackingFigures figures_;
+};
+
+}  // namespace
+
+TrackingFigures MeasureTracking(const Senses& senses, const TrackingScenario& scenario) {
+  return Experiment(senses, scenario).Run();
 }
 
 std::string Summary(const TrackingFigures& figures) {

@@ -1,4 +1,4 @@
-// How well a crowd is followed, from the simulated lidar to the tracks.
+// How well a crowd is followed, from the simulated lidar and cameras to the tracks.
 #ifndef COPPICE_ROBOT_APP_TRAINING_TRACKING_FIGURES_H_
 #define COPPICE_ROBOT_APP_TRAINING_TRACKING_FIGURES_H_
 
@@ -7,6 +7,7 @@
 #include "robot_app/perception/clouds/people_finder.h"
 #include "robot_app/perception/tracking/clear_mot.h"
 #include "robot_app/perception/tracking/tracker.h"
+#include "robot_app/training/camera_pair.h"
 
 namespace coppice::robot::training {
 
@@ -14,22 +15,31 @@ struct TrackingScenario {
   int people = 10;
   double seconds = 60;
   double turning = 0.2;  ///< of the robot on its place, and its sensor [rad/s]
+  double delay = 0.25;   ///< until what is seen in a picture is told [s]
   std::uint64_t seed = 1;
 };
 
+/// What people are followed with; null: that sensor is dead.
+struct Senses {
+  perception::PeopleFinder* lidar = nullptr;
+  CameraPair* cameras = nullptr;
+};
+
 struct TrackingFigures {
-  perception::ClearMot mot;  ///< within 5 m; who is hidden by more than 70 % is optional
+  /// Within 5 m; who is hidden by more than 70 % is optional, and with cameras alone who is not
+  /// wholly within the picture.
+  perception::ClearMot mot;
   double person_minutes = 0;
   double seconds = 0;  ///< of calculation
-  int turns = 0;       ///< of the lidar
+  int turns = 0;       ///< of the lidar, or pictures
   double switches_per_person_minute() const {
     return person_minutes > 0 ? mot.switches / person_minutes : 0;
   }
 };
 
 /// Ten people in a hall of 12 m with two columns walk around the robot, cross, stop, meet and hide
-/// behind each other.
-TrackingFigures MeasureTracking(perception::PeopleFinder& finder, const TrackingScenario& scenario);
+/// behind each other. The lidar gives the beat, or if it is dead the cameras do.
+TrackingFigures MeasureTracking(const Senses& senses, const TrackingScenario& scenario);
 
 /// A sentence or two for people.
 std::string Summary(const TrackingFigures& figures);

@@ -13,6 +13,8 @@
 namespace coppice::robot::training {
 namespace {
 
+constexpr double kPicturePeriod = 0.5;  // of a camera, as coppice-camera looks [s]
+
 const Command kTrain{
     "coppice-train",
     "learn to see people in clouds of the 3-D lidar, and masks in pictures",
@@ -27,6 +29,7 @@ const Command kTrain{
      CommandOption::Whole("--rounds", "N", 1, 10, "else 3"),
      CommandOption::Flag("--measure", "reads FILE instead of writing it"),
      CommandOption::Flag("--without-picture", "measure people with clusters by distance alone"),
+     CommandOption::Flag("--cameras", "measure also how people are followed with the cameras"),
      CommandOption::Flag("--without-depth", "measure masks with the colour alone")}};
 
 int Fail(const std::string& problem) {
@@ -43,6 +46,42 @@ std::uint64_t MeasuringSeed(const Options& options) { return SeedOf(options) + 1
 
 void Say(double share) { std::fprintf(stderr, "\r%3.0f %%", 100 * share); }
 
+void Print(const char* sensors, const TrackingFigures& figures) {
+  std::printf("%s: %s", sensors, Summary(figures).c_str());
+}
+
+// The cameras of the shipped robot with all that is built in.
+Expected<CameraPair> MakeCameras(const std::string& classifier_file, perception::Detector& detector,
+                                 std::uint64_t seed) {
+  const auto robot = RobotDescription::Load(COPPICE_ROBOT);
+  if (!robot) return Problem{robot.problem()};
+  std::vector<Mount> mounts;
+  std::vector<perception::PeopleInPictures> people;
+  for (const char* const name : {"camera_front", "camera_rear"}) {
+    const auto mount = robot->MountOf(name);
+    if (!mount) return Problem{mount.problem()};
+    mounts.push_back(*mount);
+    auto classifier = perception::PersonClassifier::Load(classifier_file);
+    if (!classifier) return Problem{classifier.problem()};
+    people.emplace_back(detector, std::move(*classifier));
+  }
+  return CameraPair(mounts, std::move(people), kPicturePeriod, seed);
+}
+
+int MeasureWithCameras(perception::PeopleFinder& finder, const std::string& classifier,
+                       const TrackingScenario& scenario) {
+  auto detector = perception::MakeDetector({});
+  if (!detector) return Fail(detector.problem());
+  for (perception::PeopleFinder* const lidar :
+       {&finder, static_cast<perception::PeopleFinder*>(nullptr)}) {
+    auto cameras = MakeCameras(classifier, **detector, scenario.seed);
+    if (!cameras) return Fail(cameras.problem());
+    Print(lidar != nullptr ? "lidar and cameras" : "cameras",
+          MeasureTracking({lidar, &*cameras}, scenario));
+  }
+  return 0;
+}
+
 int MeasurePeopleIn(const Options& options) {
   Diagnostics diagnostics;
   const auto floor = simulation::LoadFloor(COPPICE_FLOOR, diagnostics);
@@ -57,9 +96,9 @@ int MeasurePeopleIn(const Options& options) {
   std::fputs(Table(MeasurePeople(finder, SiteOf(*floor), scans, seed)).c_str(), stdout);
   TrackingScenario scenario;
   scenario.seed = seed;
-  std::fputs(("\nTen people for a minute: " + Summary(MeasureTracking(finder, scenario))).c_str(),
-             stdout);
-  return 0;
+  std::fputs("\nTen people for a minute\n", stdout);
+  Print("lidar", MeasureTracking({&finder, nullptr}, scenario));
+  return options.Has("--cameras") ? MeasureWithCameras(finder, options.files[1], scenario) : 0;
 }
 
 int TrainPeopleTo(const Options& options) {

@@ -175,7 +175,8 @@ void MeasureClouds(int scans) {
   std::fflush(stdout);
   TrackingScenario scenario;
   scenario.seed = kSeed;
-  std::printf("\nTen people for a minute: %s", Summary(MeasureTracking(finder, scenario)).c_str());
+  std::printf("\nTen people for a minute: %s",
+              Summary(MeasureTracking({&finder, nullptr}, scenario)).c_str());
 }
 
 void Run(const Options& options) {

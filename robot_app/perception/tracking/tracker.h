@@ -28,23 +28,27 @@ struct Detection {
   std::optional<bool> has_mask;  ///< if the face was seen
 };
 
+/// How much later than `time` of the tracker a sensor may tell of it [s].
+inline constexpr double kMostDelay = 1;
+
 struct Track {
   std::uint32_t id = 0;               ///< never used again
   Eigen::Vector4d state{0, 0, 0, 0};  ///< x, y, their velocities
   Eigen::Matrix4d covariance = Eigen::Matrix4d::Identity();
   bool is_confirmed = false;
-  double first_seen = 0;        ///< [s]
-  double last_seen = 0;         ///< [s]
-  std::uint8_t modalities = 0;  ///< bits of Modality: who has seen the person within a second
-  std::optional<bool> has_mask;
+  double first_seen = 0;         ///< [s]
+  double last_seen = 0;          ///< [s]
+  std::uint8_t modalities = 0;   ///< bits of Modality: who has seen the person within a second
+  std::optional<bool> has_mask;  ///< once two more faces told so than told the opposite
 
   Eigen::Vector2d position() const { return state.head<2>(); }
   Eigen::Vector2d velocity() const { return state.tail<2>(); }
 
   // For the tracker: how sure it is that there is somebody, as the logarithm of the odds; when each
-  // sensor saw the person last.
+  // sensor saw the person last; faces with mask less faces without.
   double evidence = 0;
   double seen_by[2] = {-1e9, -1e9};
+  int mask_votes = 0;
 };
 
 struct TrackerOptions {
@@ -54,7 +58,8 @@ struct TrackerOptions {
   double confirmed = 5;       ///< evidence from which a track is somebody
   double forgotten = 2;       ///< gone after so many seconds unseen in plain view,
   double hidden = 6;          ///< after so many while something stands before,
-  double tentative = 0.35;    ///< and after so many if it never was confirmed
+  double tentative = 0.35;    ///< and after so many if it never was confirmed,
+  double tentative_in_pictures = 1.2;  ///< or if only cameras saw it, who look less often
 };
 
 class Tracker {
@@ -64,8 +69,10 @@ class Tracker {
   /// Whether the sensors cannot see that place now because something stands before.
   using IsHidden = std::function<bool(const Eigen::Vector2d&)>;
 
-  /// Takes what one sensor saw at `time`, people of one moment all at once. Time that runs
-  /// backwards by more than a second (a record played again) begins anew; by less, it is ignored.
+  /// Takes what one sensor saw at `time`, people of one moment all at once. What is told late, as
+  /// of a picture that took long to look at, counts for where people were at that time; later than
+  /// kMostDelay it is ignored. Time that runs backwards by more than five seconds (a record played
+  /// again) begins anew.
   void Update(double time, const std::vector<Detection>& detections, const IsHidden& is_hidden);
 
   /// Everybody who is followed, oldest first.
@@ -74,9 +81,9 @@ class Tracker {
 
  private:
   void Predict(double dt);
-  std::vector<int> Match(const std::vector<Detection>& detections) const;
-  void Correct(Track& track, const Detection& detection) const;
-  void Begin(const Detection& detection);
+  std::vector<int> Match(const std::vector<Detection>& detections, double age) const;
+  void Correct(Track& track, const Detection& detection, double age) const;
+  void Begin(const Detection& detection, double age);
   bool IsGone(const Track& track, const IsHidden& is_hidden) const;
 
   TrackerOptions options_;

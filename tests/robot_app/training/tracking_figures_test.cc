@@ -26,7 +26,7 @@ const std::vector<TrackingFigures>& Crowds() {
       scenario.seconds = 40;
       scenario.seed = seed;
       perception::PeopleFinder finder = Shipped();
-      figures.push_back(MeasureTracking(finder, scenario));
+      figures.push_back(MeasureTracking({&finder, nullptr}, scenario));
     }
     return figures;
   }();
@@ -56,7 +56,7 @@ TEST(TrackingFigures, InAnEmptyHallNobodyIsFollowed) {
   scenario.people = 0;
   scenario.seconds = 20;
   perception::PeopleFinder finder = Shipped();
-  const TrackingFigures figures = MeasureTracking(finder, scenario);
+  const TrackingFigures figures = MeasureTracking({&finder, nullptr}, scenario);
   EXPECT_GT(figures.turns, 100);
   EXPECT_EQ(figures.mot.extra, 0);
 }

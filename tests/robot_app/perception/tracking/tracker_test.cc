@@ -105,12 +105,14 @@ TEST(Tracker, NamesTheSensorsThatSawThePersonWithinASecond) {
   EXPECT_EQ(Confirmed(tracker).at(0).modalities, 1);
 }
 
-TEST(Tracker, AFaceOnceSeenIsRemembered) {
+TEST(Tracker, AMaskIsBelievedOnceTwoFacesToldOfItAndRemembered) {
   Tracker tracker;
   Detection face = Seen(1, 1);
   face.has_mask = false;
   tracker.Update(0, {face}, InPlainView);
-  tracker.Update(0.1, {Seen(1, 1)}, InPlainView);
+  EXPECT_FALSE(tracker.tracks().at(0).has_mask);
+  tracker.Update(0.1, {face}, InPlainView);
+  tracker.Update(0.2, {Seen(1, 1)}, InPlainView);
   EXPECT_EQ(tracker.tracks().at(0).has_mask, false);
 }
 
@@ -122,10 +124,22 @@ TEST(Tracker, ARecordPlayedAgainBeginsAnew) {
   EXPECT_FALSE(tracker.tracks()[0].is_confirmed);
 }
 
-TEST(Tracker, WhatComesALittleTooLateIsIgnored) {
+TEST(Tracker, WhatIsToldLateCountsForWhereSomebodyWasThen) {
+  Tracker on_time, late;
+  Walk(on_time, 0, 2);
+  Walk(late, 0, 2);
+  const double now = 2 - kPeriod;
+  const Track before = on_time.tracks().at(0);
+  const Eigen::Vector2d then = before.position() - 0.5 * before.velocity();
+  late.Update(now - 0.5, {Seen(then.x(), then.y())}, InPlainView);
+  ASSERT_EQ(late.tracks().size(), 1U);
+  EXPECT_LT((late.tracks()[0].position() - before.position()).norm(), 0.01);
+}
+
+TEST(Tracker, WhatIsToldMuchTooLateIsIgnored) {
   Tracker tracker;
-  Walk(tracker, 0, 1);
-  tracker.Update(0.5, {Seen(9, 9)}, InPlainView);
+  Walk(tracker, 0, 3);
+  tracker.Update(1, {Seen(9, 9)}, InPlainView);
   EXPECT_EQ(tracker.tracks().size(), 1U);
 }
 

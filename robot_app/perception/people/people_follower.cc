@@ -1,0 +1,130 @@
+#include "robot_app/perception/people/people_follower.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "robot_app/common/ros_support.h"
+#include "robot_app/perception/clouds/hidden.h"
+#include "robot_app/perception/people/cloud_decoder.h"
+#include "robot_app/perception/people/sighting_messages.h"
+#include "robot_app/perception/sightings/joined_sightings.h"
+
+namespace coppice::robot::perception {
+namespace {
+
+constexpr double kPeriod = 0.1;      // of a turn of the lidar [s]
+constexpr double kLowest = 0.2;      // the lidar is at least so high above the floor [m]
+constexpr double kHighest = 3;       // and at most [m]
+constexpr double kLidarAlive = 0.5;  // no cloud for longer: it sees nobody [s]
+constexpr double kCameraAlive = 1.5;
+constexpr double kTooFar = 0.5;  // nearer than the end of a camera's view is surely in it [m]
+constexpr std::size_t kMostCameras = 16;
+
+// Times behind it cannot be calculated with: ros::Time throws where it overflows.
+const ros::Time kLatest(0xFFFFFFF0, 0);
+
+Detection ToDetection(const SeenPerson& person, const Pose2D& lidar) {
+  const Eigen::Matrix2d turn = Eigen::Rotation2Dd(lidar.yaw).toRotationMatrix();
+  Detection detection;
+  detection.position = turn * person.position.cast<double>() + Eigen::Vector2d(lidar.x, lidar.y);
+  detection.covariance = turn * person.covariance.cast<double>() * turn.transpose();
+  detection.probability = person.probability;
+  return detection;
+}
+
+// From a pose, in its axes.
+Eigen::Vector2d SeenFrom(const Pose2D& pose, const Eigen::Vector2d& at) {
+  return Eigen::Rotation2Dd(-pose.yaw) * (at - Eigen::Vector2d(pose.x, pose.y));
+}
+
+}  // namespace
+
+PeopleFollower::PeopleFollower(const FollowerOptions& options, PersonClassifier classifier,
+                               FindTransform find_transform)
+    : options_(options),
+      classifier_(std::move(classifier)),
+      find_transform_(std::move(find_transform)) {}
+
+Outcome PeopleFollower::OnCloud(const sensor_msgs::PointCloud2& message) {
+  if (message.header.stamp > kLatest) return Problem{"the cloud comes from the far future"};
+  if (Outcome decoded = Decode(message, points_); !decoded) return decoded;
+  const auto mount = MountAt(message.header.frame_id, message.header.stamp);
+  if (!mount) return Problem{mount.problem()};
+  PeopleFinder& finder = FinderAt(mount->height);
+  std::vector<Detection> detections;
+  for (const SeenPerson& person : finder.Find(points_)) {
+    // The robot may have turned since the turn of the lidar began.
+    const ros::Time met = message.header.stamp + ros::Duration(person.turn * kPeriod);
+    const auto then = MountAt(message.header.frame_id, met);
+    detections.push_back(ToDetection(person, then ? then->pose : mount->pose));
+  }
+  lidar_ = mount->pose;
+  cloud_time_ = (message.header.stamp + ros::Duration(kPeriod / 2)).toSec();
+  tracker_.Update(cloud_time_, detections,
+                  [this](const Eigen::Vector2d& at) { return IsOutOfSight(at); });
+  return {};
+}
+
+Outcome PeopleFollower::OnSightings(const coppice_msgs::Sightings& message) {
+  if (message.header.stamp > kLatest) return Problem{"a picture comes from the far future"};
+  if (message.header.frame_id != options_.frame) {
+    return Problem{"sightings are in the frame " + message.header.frame_id + ", expected " +
+                   options_.frame};
+  }
+  auto sightings = FromMessage(message);
+  if (!sightings) return Problem{sightings.problem()};
+  if (views_.size() >= kMostCameras && views_.count(message.camera) == 0) {
+    return Problem{"there are more than " + std::to_string(kMostCameras) + " cameras"};
+  }
+  const double time = message.header.stamp.toSec();
+  views_[message.camera] = {time,
+                            {message.lens.x, message.lens.y, message.lens.theta},
+                            message.half_angle,
+                            message.farthest};
+  tracker_.Update(time, Join(*std::move(sightings)),
+                  [this](const Eigen::Vector2d& at) { return IsOutOfSight(at); });
+  return {};
+}
+
+// No sensor that is alive sees that place.
+bool PeopleFollower::IsOutOfSight(const Eigen::Vector2d& at) const {
+  const double now = tracker_.time();
+  if (finder_ && std::abs(now - cloud_time_) < kLidarAlive) {
+    return IsHidden(finder_->candidates().image(), SeenFrom(lidar_, at).cast<float>());
+  }
+  return std::none_of(views_.begin(), views_.end(), [&](const auto& camera) {
+    const View& view = camera.second;
+    const Eigen::Vector2d seen = SeenFrom(view.lens, at);
+    return std::abs(now - view.time) < kCameraAlive && seen.norm() < view.farthest - kTooFar &&
+           std::abs(std::atan2(seen.y(), seen.x())) < view.half_angle;
+  });
+}
+
+// At that time, or the newest that is known.
+Expected<PeopleFollower::Mount> PeopleFollower::MountAt(const std::string& lidar,
+                                                        const ros::Time& time) const {
+  auto found = find_transform_(options_.frame, lidar, time);
+  if (!found) found = find_transform_(options_.frame, lidar, ros::Time(0));
+  if (!found) return Problem{found.problem()};
+  const geometry_msgs::Transform& transform = found->transform;
+  const double height = transform.translation.z;
+  if (!(height >= kLowest && height <= kHighest)) {
+    return Problem{"the lidar " + lidar + " is " + std::to_string(height) + " m above " +
+                   options_.frame + ", expected 0.2 to 3"};
+  }
+  return Mount{{transform.translation.x, transform.translation.y, YawOf(transform.rotation)},
+               height};
+}
+
+PeopleFinder& PeopleFollower::FinderAt(double height) {
+  if (finder_) return *finder_;
+  FinderOptions options;
+  options.candidates.geometry.height = static_cast<float>(height);
+  options.least_probability = static_cast<float>(options_.least_probability);
+  options.farthest = static_cast<float>(options_.farthest);
+  return finder_.emplace(options, std::move(classifier_));
+}
+
+}  // namespace coppice::robot::perception
