@@ -1,6 +1,7 @@
 // The patrol and the behaviours that it is made of.
 #include <gtest/gtest.h>
 
+#include "bt_nodes/people/people_view.h"
 #include "tests/trees/tree_scenario.h"
 
 namespace coppice {
@@ -141,6 +142,22 @@ TEST_F(Application, LeavesOutAPlaceThatCannotBeReached) {
   }
   EXPECT_EQ(scenario_.CallsBeginning("Say All quiet"), 0);
   EXPECT_EQ(scenario_.CallsOf("SetGoingHome true"), 1) << "two places left out, then home";
+}
+
+TEST_F(Application, AsksWhoWearsNoMaskToPutOneOnOnTheWayAndOnlyOnce) {
+  leaves::SeenPerson without;
+  without.id = 7;
+  without.x = 1.5;
+  without.mask = leaves::Mask::kWithout;
+  for (int i = 0; i < 4; ++i) {
+    scenario_.Set("people", leaves::PeopleView{scenario_.now(), {without}});
+    scenario_.Tick();
+    if (scenario_.LastCall().rfind("Say", 0) == 0) scenario_.Answer(true);
+    scenario_.Advance(0.5);
+  }
+  EXPECT_EQ(scenario_.CallsOf("Say Please put on a mask. Thank you!"), 1);
+  EXPECT_EQ(scenario_.CallsBeginning("NavigateTo"), 1) << "and drives on";
+  EXPECT_EQ(scenario_.CallsOf("CancelNavigation"), 0);
 }
 
 TEST(LeaveStation, IsNotEndedByAnUndockingThatFails) {

@@ -57,7 +57,7 @@ Can WhatItCan(const Program& program, NodeIndex node) {
   }
   if (EndsWith(id, "Sequence")) return {all.succeed, any.fail};
   if (EndsWith(id, "Fallback")) return {any.succeed, all.fail};
-  if (id.rfind("Switch", 0) == 0) return any;
+  if (id.rfind("Switch", 0) == 0 || id == "Parallel") return any;  // a Parallel of the first to end
   ADD_FAILURE() << "what can a " << id << " return?";
   return {};
 }
