@@ -16,8 +16,8 @@ namespace coppice::leaves {
 class NextLeg : public SyncAction {
  public:
   static constexpr const char* kDescription =
-      "Works out the next leg of the way to a place from where the robot is now; fails if the robot "
-      "is there or no way leads there.";
+      "Works out the next leg of the way to a place from where the robot is now; fails if it is "
+      "there or no way leads there.";
   explicit NextLeg(Routes& routes) : routes_(routes) {}
   Input<std::string> place{this, "place", "name of the place"};
   Input<Pose2D> pose{this, "pose", "where the robot is, in the map frame"};

@@ -23,8 +23,8 @@ class Routes {
  public:
   virtual ~Routes() = default;
 
-  /// The next leg of the way from the robot to a place; none if it is there, or where people have to
-  /// be told the rest. A problem if there is no such place, or no way to it.
+  /// The next leg of the way from the robot to a place; none if it is there, or where people have
+  /// to be told the rest. A problem if there is no such place, or no way to it.
   virtual Expected<std::optional<RouteLeg>> NextLeg(const Pose2D& robot,
                                                     const std::string& place) = 0;
   /// How that leg ended, with the robot where it is now.

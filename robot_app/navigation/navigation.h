@@ -76,8 +76,8 @@ class Navigation {
   /// The command for base_link from `now` [s] on. `pose` was true at `pose_stamp` [s].
   Velocity2D Update(double now, const Pose2D& pose, double pose_stamp);
 
-  /// The way from a pose to a point [m], around all obstacles that are known at `now`, for who wants to
-  /// know it without driving there.
+  /// The way from a pose to a point [m], around all obstacles that are known at `now`, for who
+  /// wants to know it without driving there.
   Plan FindWay(const Pose2D& pose, Point2D goal, double now);
 
   /// How the goal ended in the last Update(), and why if it was aborted.

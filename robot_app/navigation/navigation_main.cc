@@ -25,8 +25,8 @@ namespace {
 constexpr char kHelp[] =
     "coppice-navigation: drives the robot to goals, as the ROS node /navigation.\n"
     "  actions     move_base (move_base_msgs/MoveBase), motion (coppice_msgs/Motion)\n"
-    "  service     move_base/make_plan (nav_msgs/GetPlan): the way from a pose, or from here if the\n"
-    "              frame of the start is empty, around what is seen; fails where there is none\n"
+    "  service     move_base/make_plan (nav_msgs/GetPlan): the way from a pose, or from here if\n"
+    "              the frame of the start is empty, around what it sees; fails if there is none\n"
     "  subscribes  /map /scan /sonar/left /sonar/front /sonar/right /odom /tf /tf_static\n"
     "  publishes   /cmd_vel (only while moving), /navigation/state, /navigation/path,\n"
     "              /navigation/way_to_station (with ~station, as long as there is a way on the "

@@ -1,8 +1,9 @@
 // What a process supervisor leaves to the one after it, in a file: otherwise a supervisor that
 // crashes in a loop, or restarts the whole stack, would reset its own limits.
 //
-// The file is JSON with a version, for its owner alone, and replaced as a whole (WriteFile). One that
-// is damaged or of another version counts as empty, with a warning: a robot must be able to start.
+// The file is JSON with a version, for its owner alone, and replaced as a whole (WriteFile). One
+// that is damaged or of another version counts as empty, with a warning: a robot must be able to
+// start.
 #ifndef COPPICE_ROBOT_APP_PROCESSES_SUPERVISOR_MEMORY_H_
 #define COPPICE_ROBOT_APP_PROCESSES_SUPERVISOR_MEMORY_H_
 

@@ -1,8 +1,8 @@
 // The places of a site as leaves call them: the WaypointMap of a patrol, and the Routes between the
 // places, with what has been learnt of them.
 //
-// Any thread: several trees tick at a time. What is learnt is written on a thread of its own, so that
-// no tick waits for a disk.
+// Any thread: several trees tick at a time. What is learnt is written on a thread of its own, so
+// that no tick waits for a disk.
 #ifndef COPPICE_ROBOT_APP_ROS_SITE_PLACES_H_
 #define COPPICE_ROBOT_APP_ROS_SITE_PLACES_H_
 
@@ -23,8 +23,9 @@ namespace coppice::robot::adapters {
 class SitePlaces : public leaves::WaypointMap, public leaves::Routes {
  public:
   /// Reads a file of places. The seed fixes the random order of the patrol. `memory`: the file of
-  /// what is learnt of the edges; empty: it is forgotten with the program. Throws std::runtime_error
-  /// with file:line and the reason if the places are not good; a broken memory is told on stderr.
+  /// what is learnt of the edges; empty: it is forgotten with the program. Throws
+  /// std::runtime_error with file:line and the reason if the places are not good; a broken memory
+  /// is told on stderr.
   SitePlaces(const std::string& path, unsigned seed, const Clock& clock, std::string memory = {});
   ~SitePlaces() override;  // what is learnt is in the file then
 

@@ -19,9 +19,9 @@ struct LabelledPicture {
   std::vector<perception::Sighting> faces;
 };
 
-/// A random hall with one to three people 0.8 to 4 m before the lens, turned up to 60 degrees aside,
-/// half of them with a mask and some with one at the chin, and others who stand anywhere and look
-/// anywhere; in bright, dim, warm or cold light, sharp or a little blurred. The same state of
+/// A random hall with one to three people 0.8 to 4 m before the lens, turned up to 60 degrees
+/// aside, half of them with a mask and some with one at the chin, and others who stand anywhere and
+/// look anywhere; in bright, dim, warm or cold light, sharp or a little blurred. The same state of
 /// `random` gives the same picture.
 LabelledPicture MakeLabelledPicture(std::mt19937_64& random);
 

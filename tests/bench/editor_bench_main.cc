@@ -12,7 +12,7 @@
 //   FrameAfterUndo      that frame, while the nodes glide to their places
 //   FrameOfLargeValues  of a live tree whose 20 leaves read a key of 5 MB, with one of them in the
 //                       inspector; 1: a text, 2: JSON; and when it was written anew
-//   FrameOfLargePorts   of a file in which the port of a selected leaf has 5 MB; 1: the mouse lies on it
+//   FrameOfLargePorts   of a file in which a port of the selected leaf has 5 MB; 1: the mouse is on
 //   FirstLook           opens every tree with at most 80 nodes of a folder, --trees=FOLDER, else of
 //                       the project's own: which part of their names can be read as they open in a
 //                       window of 1280 x 800, and at which zoom

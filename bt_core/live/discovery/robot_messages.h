@@ -1,6 +1,6 @@
 // The messages with which robots are found: multicast DNS (RFC 6762) and its way of naming services
-// (RFC 6763), as far as a robot and who looks for it need them. They are read by the resolver of the
-// C library, which knows the format and its traps.
+// (RFC 6763), as far as a robot and who looks for it need them. They are read by the resolver of
+// the C library, which knows the format and its traps.
 //
 //   socket.Send(QuestionMessage(id));                             // who looks: where are robots?
 //   if (auto asked = ReadQuestion(bytes, robot)) Send(AnswerMessage(robot, address, *asked));
@@ -52,8 +52,9 @@ std::string AnswerMessage(const RobotNotice& robot, const Ipv4& address,
 /// To all in the network, unasked or asked; or that the robot goes.
 std::string AnnouncementMessage(const RobotNotice& robot, const Ipv4& address, bool goes = false);
 
-/// The robots in an answer to the question of that number; any bytes may be handed in. Eight at most.
-/// Texts are fit to be shown. An address is not among it: a robot is where its answer comes from.
+/// The robots in an answer to the question of that number; any bytes may be handed in. Eight at
+/// most. Texts are fit to be shown. An address is not among it: a robot is where its answer comes
+/// from.
 std::vector<RobotNotice> ReadAnswer(std::string_view message, std::uint16_t id);
 
 }  // namespace coppice

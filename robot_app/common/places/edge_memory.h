@@ -1,8 +1,8 @@
-// What a robot has learnt of the edges of its map by travelling them: how long each takes, and which
-// could not be passed lately. Kept in a file, so that it outlives the program.
+// What a robot has learnt of the edges of its map by travelling them: how long each takes, and
+// which could not be passed lately. Kept in a file, so that it outlives the program.
 //
-// A blocked edge is not forgotten as a way: for a day it costs an hour more, so that it is taken only
-// where there is no other. Who gets through unblocks it.
+// A blocked edge is not forgotten as a way: for a day it costs an hour more, so that it is taken
+// only where there is no other. Who gets through unblocks it.
 //
 // The idea of learning times per edge from long runs: N. Hawes et al., The STRANDS Project, IEEE
 // Robotics & Automation Magazine 24 (2017). Not for several threads.

@@ -1,9 +1,10 @@
 // Leads a robot through a topological map, a leg at a time, and learns from how the legs end.
 //
-// A leg is what one planner travels: edges that are driven one behind the other are one leg, so that
-// nobody stops at each corner of a corridor; a door, the station and another floor are legs of their
-// own. Nothing of the way is remembered between legs: each is worked out anew from where the robot
-// is, so a robot that was led astray, restarted, or sent elsewhere in the middle is led on from there.
+// A leg is what one planner travels: edges that are driven one behind the other are one leg, so
+// that nobody stops at each corner of a corridor; a door, the station and another floor are legs of
+// their own. Nothing of the way is remembered between legs: each is worked out anew from where the
+// robot is, so a robot that was led astray, restarted, or sent elsewhere in the middle is led on
+// from there.
 //
 //   RouteGuide guide(map);
 //   auto leg = guide.Next(pose, map.Find("office_103"), now);   // leg->goal, leg->kind
@@ -26,8 +27,8 @@
 namespace coppice::robot {
 
 struct Leg {
-  /// Its places, "hall -> corridor_east -> corridor_103"; begins with "-> " where the robot is on its
-  /// way to the first place.
+  /// Its places, "hall -> corridor_east -> corridor_103"; begins with "-> " where the robot is on
+  /// its way to the first place.
   std::string name;
   EdgeKind kind = EdgeKind::kDrive;  ///< never kElsewhere
   Pose2D goal;  ///< where it ends; looks where the way goes on, at its end as the place says
@@ -42,8 +43,8 @@ class RouteGuide {
   const EdgeMemory& memory() const { return memory_; }
   EdgeMemory& memory() { return memory_; }
 
-  /// The next leg of the way to a place; none if the robot is there, or where the rest of the way is
-  /// elsewhere. A problem if no edges lead there.
+  /// The next leg of the way to a place; none if the robot is there, or where the rest of the way
+  /// is elsewhere. A problem if no edges lead there.
   Expected<std::optional<Leg>> Next(const Pose2D& robot, int place, Time now) const;
 
   /// How a leg ended that took so many seconds, with the robot where it is now. A leg that was not

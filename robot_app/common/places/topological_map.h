@@ -1,6 +1,6 @@
-// The topological map: the places of a site, what people call them, and how one gets from one to the
-// next (Stuede et al., ECMR 2021, section II-C2: nodes are relevant locations or waypoints, edges are
-// driven directly or by a planner of their own). One file per site:
+// The topological map: the places of a site, what people call them, and how one gets from one to
+// the next (Stuede et al., ECMR 2021, section II-C2: nodes are relevant locations or waypoints,
+// edges are driven directly or by a planner of their own). One file per site:
 //
 //   site: institute
 //   places:
@@ -20,7 +20,7 @@
 //       categories: [office]
 //   edges:
 //     - {from: hall, to: charging_station, by: dock}
-//     - {from: hall, to: office_301, by: elsewhere, words: {en: Take the stairs to the third floor.}}
+//     - {from: hall, to: office_301, by: elsewhere, words: {en: Take the stairs.}}
 //
 // `patrol` and `station` are categories that mean something to the robot: where a patrol goes, and
 // base_link on the charging station. All others are for who asks for "the nearest restroom".
@@ -56,8 +56,8 @@ struct Place {
   std::string Spoken(const std::string& language) const;
 };
 
-/// How an edge is travelled. A door is waited for and asked to be opened; elsewhere is not travelled
-/// but told.
+/// How an edge is travelled. A door is waited for and asked to be opened; elsewhere is not
+/// travelled but told.
 enum class EdgeKind : std::uint8_t { kDrive, kDoor, kDock, kUndock, kElsewhere };
 
 /// "drive", "door", "dock", "undock", "elsewhere", as in the file.
@@ -91,11 +91,13 @@ class TopologicalMap {
   /// "hall -> hall_north".
   std::string NameOf(const Edge& edge) const;
 
-  /// Index of the place on this map that is nearest to the pose as the crow flies; -1: there is none.
+  /// Index of the place on this map that is nearest to the pose as the crow flies; -1: there is
+  /// none.
   int Nearest(const Pose2D& pose) const;
 
   /// A random place of the category on this map, all with the same chance, but not `last` unless it
-  /// is the only one. -1 if there is none. The same generator state gives the same choice everywhere.
+  /// is the only one. -1 if there is none. The same generator state gives the same choice
+  /// everywhere.
   int ChooseNext(std::mt19937& random, int last, const std::string& category = "patrol") const;
 
  private:

@@ -1,6 +1,6 @@
 // The buttons that lead to every intent: the touch paths of the intent table with what the
-// knowledge has for their choices. A page draws them; what is pressed at the end is the same Request
-// that could have been said.
+// knowledge has for their choices. A page draws them; what is pressed at the end is the same
+// Request that could have been said.
 //
 //   TouchMenu menu(table, texts, database, Language::kEnglish);
 //   menu.After({}).buttons                       // Places, Nearby, People, Menu, Departures, ...

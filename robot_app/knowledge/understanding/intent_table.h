@@ -1,5 +1,5 @@
-// The one table of what people can want of the robot: intents.yaml. Speech and touch lead to the same
-// rows, so whatever can be said can be pressed.
+// The one table of what people can want of the robot: intents.yaml. Speech and touch lead to the
+// same rows, so whatever can be said can be pressed.
 //
 //   - intent: departures
 //     takes: [line, stop]                    # slots that may be filled
@@ -75,7 +75,8 @@ struct IntentRow {
 /// A row for each intent, in the order of the file: of equals the first one wins.
 using IntentTable = std::vector<IntentRow>;
 
-/// All that is wrong is reported: intents that are missing, unknown or have no example or touch path.
+/// All that is wrong is reported: intents that are missing, unknown or have no example or touch
+/// path.
 IntentTable LoadIntentTable(const std::string& path, Diagnostics& diagnostics);
 
 }  // namespace coppice::robot::knowledge

@@ -1,5 +1,5 @@
-// All names, ready to be found in what somebody has said although it is misspelt, misheard or only a
-// part of the name.
+// All names, ready to be found in what somebody has said although it is misspelt, misheard or only
+// a part of the name.
 //
 // A name fits as well as its words do (word_similarity.h), in their order, each weighted by how few
 // subjects it belongs to: in "room 103" the number counts and the room hardly. Of the names that

@@ -4,10 +4,10 @@
 //   const Understanding heard = english.Understand("wher is the libary");
 //   // kUnderstood: find_place, place = library
 //
-// Each row of the table is tried: phrases that are in the utterance and names for its slots speak for
-// it, words that it leaves unexplained against it. The best row is taken if enough speaks for it;
-// what stays unexplained beside it makes the utterance unknown, so that nobody is sent to the library
-// who asked for the one in Paris. Takes any bytes and ends in a few milliseconds.
+// Each row of the table is tried: phrases that are in the utterance and names for its slots speak
+// for it, words that it leaves unexplained against it. The best row is taken if enough speaks for
+// it; what stays unexplained beside it makes the utterance unknown, so that nobody is sent to the
+// library who asked for the one in Paris. Takes any bytes and ends in a few milliseconds.
 #ifndef COPPICE_ROBOT_APP_KNOWLEDGE_UNDERSTANDING_UNDERSTANDING_H_
 #define COPPICE_ROBOT_APP_KNOWLEDGE_UNDERSTANDING_UNDERSTANDING_H_
 

@@ -9,8 +9,8 @@ namespace {
 
 bool IsDigit(char c) { return c >= '0' && c <= '9'; }
 
-// The digits that words from `at` on mean, and how many words these are. A single "one" is no number:
-// it stands for anything.
+// The digits that words from `at` on mean, and how many words these are. A single "one" is no
+// number: it stands for anything.
 std::pair<std::string, std::size_t> NumberAt(const std::vector<std::string>& words, std::size_t at,
                                              const LanguageWords& language) {
   std::string digits;

@@ -25,8 +25,8 @@ constexpr double kStep = 0.12;  // at least so much farther is what is beside a 
 
 double Share(double margin, double slope) { return 1 / (1 + std::exp(-slope * margin)); }
 
-// In the picture: the middle of a window at `place` in one that was made smaller by `zoom` and has a
-// rim.
+// In the picture: the middle of a window at `place` in one that was made smaller by `zoom` and has
+// a rim.
 cv::Point2d MiddleOf(const cv::Point& place, double zoom) {
   return zoom * cv::Point2d(place.x - kRim + kFaceWindow.width / 2.0,
                             place.y - kRim + kFaceWindow.height / 2.0);

@@ -1,7 +1,7 @@
-// Faces with and without mask, turned up to 60 degrees aside, by histograms of gradients and colours
-// and linear classifiers. With the depth of the picture only places are looked at whose head would
-// be of the right size, before something farther: that is faster, and takes no picture on a wall
-// for a face.
+// Faces with and without mask, turned up to 60 degrees aside, by histograms of gradients and
+// colours and linear classifiers. With the depth of the picture only places are looked at whose
+// head would be of the right size, before something farther: that is faster, and takes no picture
+// on a wall for a face.
 #ifndef COPPICE_ROBOT_APP_PERCEPTION_DETECTION_MASK_DETECTOR_H_
 #define COPPICE_ROBOT_APP_PERCEPTION_DETECTION_MASK_DETECTOR_H_
 

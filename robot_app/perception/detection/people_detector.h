@@ -1,6 +1,6 @@
 // Whole people by histograms of oriented gradients (Dalal and Triggs, CVPR 2005), with the weights
-// that OpenCV has built in: no file is needed. With depth, what is too small or too tall for a person
-// is left out.
+// that OpenCV has built in: no file is needed. With depth, what is too small or too tall for a
+// person is left out.
 #ifndef COPPICE_ROBOT_APP_PERCEPTION_DETECTION_PEOPLE_DETECTOR_H_
 #define COPPICE_ROBOT_APP_PERCEPTION_DETECTION_PEOPLE_DETECTOR_H_
 

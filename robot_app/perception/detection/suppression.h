@@ -8,9 +8,9 @@
 
 namespace coppice::robot::perception {
 
-/// Of sightings that have more than `share` in common (Overlap), or of which one lies in the other by
-/// more than `nested` (Nesting; 2: never), the surest stays: of people among people, of faces of any kind among
-/// faces. Surest first.
+/// Of sightings that have more than `share` in common (Overlap), or of which one lies in the other
+/// by more than `nested` (Nesting; 2: never), the surest stays: of people among people, of faces of
+/// any kind among faces. Surest first.
 std::vector<Sighting> Suppress(std::vector<Sighting> sightings, double share, double nested = 2);
 
 }  // namespace coppice::robot::perception

@@ -144,7 +144,8 @@ TEST_F(ExistingTreeStory, PortsStandInTheOrderInWhichTheyAreDeclaredWithWhatThey
 
 TEST(LitKeyStory, AKeyThatIsClickedIsLitWhereverItIsUsedAndEscEndsIt) {
   const TemporaryFile file("keys.xml", R"(<root BTCPP_format="4"><BehaviorTree ID="Main"><Sequence>
-<Script code="speed := 2"/><Say text="{speed}"/><Wait msec="{other}"/></Sequence></BehaviorTree></root>)");
+<Script code="speed := 2"/><Say text="{speed}"/><Wait msec="{other}"/>
+</Sequence></BehaviorTree></root>)");
   Driver driver;
   driver.editor.Open(file.path());
   driver.Frames(8);

@@ -51,7 +51,7 @@ class ProjectStory : public testing::Test {
 
 TEST_F(ProjectStory, ATreeOfAnotherFileIsIncludedAndUsed) {
   std::ofstream(file_.folder() + "/lamps.xml")
-      << R"(<root BTCPP_format="4"><BehaviorTree ID="Lamps"><AlwaysSuccess/></BehaviorTree></root>)";
+      << "<root BTCPP_format='4'><BehaviorTree ID='Lamps'><AlwaysSuccess/></BehaviorTree></root>";
   Run("include a file");
   Replace("lamps.xml");
   EXPECT_THAT(Text(), HasSubstr(R"(<include path="lamps.xml"/>)"));

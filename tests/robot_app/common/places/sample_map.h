@@ -39,7 +39,8 @@ edges:
   - {from: middle, to: room, by: door, both_ways: true}
   - {from: west, to: station, by: dock}
   - {from: station, to: west, by: undock}
-  - {from: east, to: attic, by: elsewhere, words: {en: Take the ladder., de: Nehmen Sie die Leiter.}}
+  - {from: east, to: attic, by: elsewhere, 
+     words: {en: Take the ladder., de: Nehmen Sie die Leiter.}}
 )";
   Diagnostics diagnostics;
   auto map = TopologicalMap::Load(path, diagnostics);

@@ -13,8 +13,8 @@
 
 namespace coppice::robot::perception {
 
-/// Boxes, with what is in them and how far it is: people in blue, faces with mask in green, others in
-/// red.
+/// Boxes, with what is in them and how far it is: people in blue, faces with mask in green, others
+/// in red.
 inline Picture Drawn(Picture picture, const DepthPicture& depth,
                      const std::vector<Sighting>& sightings) {
   cv::Mat pixels(picture.height, picture.width, CV_8UC3, picture.rgb.data());

@@ -1,5 +1,5 @@
-// ONNX files of a few kilobytes, written byte by byte (Protocol Buffers, onnx.proto3): networks that
-// see somebody in the cells of a picture that are red.
+// ONNX files of a few kilobytes, written byte by byte (Protocol Buffers, onnx.proto3): networks
+// that see somebody in the cells of a picture that are red.
 #ifndef COPPICE_TESTS_ROBOT_APP_PERCEPTION_DETECTION_TINY_ONNX_H_
 #define COPPICE_TESTS_ROBOT_APP_PERCEPTION_DETECTION_TINY_ONNX_H_
 
