@@ -3,7 +3,7 @@
 namespace coppice::leaves {
 
 Status NextLeg::Run() {
-  const auto next = routes_.NextLeg(*pose, *place);
+  const auto next = routes_.NextLeg(*pose, *place, *language);
   if (!next) return Fail(next.problem());
   if (!*next) return Fail("the robot is there");
   const RouteLeg& found = **next;
@@ -19,10 +19,7 @@ Status RememberLeg::Run() {
   return Status::kSuccess;
 }
 
-bool IsAtPlace::Check() {
-  const auto next = routes_.NextLeg(*pose, *place);
-  return next && !*next;
-}
+bool IsAtPlace::Check() { return routes_.IsAt(*pose, *place); }
 
 Status NearestPlace::Run() {
   const auto nearest = routes_.Nearest(*pose, *category);

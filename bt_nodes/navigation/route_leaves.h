@@ -21,6 +21,7 @@ class NextLeg : public SyncAction {
   explicit NextLeg(Routes& routes) : routes_(routes) {}
   Input<std::string> place{this, "place", "name of the place"};
   Input<Pose2D> pose{this, "pose", "where the robot is, in the map frame"};
+  Input<std::string> language{this, "language", "of spoken: en, de, ...", "en"};
   Output<std::string> leg{this, "leg", "its places, for RememberLeg"};
   Output<std::string> kind{this, "kind", "who travels it: drive, door, dock or undock"};
   Output<Pose2D> goal{this, "goal", "where it ends, in the map frame"};

@@ -23,10 +23,13 @@ class Routes {
  public:
   virtual ~Routes() = default;
 
-  /// The next leg of the way from the robot to a place; none if it is there, or where people have
-  /// to be told the rest. A problem if there is no such place, or no way to it.
-  virtual Expected<std::optional<RouteLeg>> NextLeg(const Pose2D& robot,
-                                                    const std::string& place) = 0;
+  /// The next leg of the way from the robot to a place, which it begins now, with names in a
+  /// language ("en", "de"); none if it is there, or where people have to be told the rest. A
+  /// problem if there is no such place, or no way to it.
+  virtual Expected<std::optional<RouteLeg>> NextLeg(const Pose2D& robot, const std::string& place,
+                                                    const std::string& language) = 0;
+  /// Is no leg left of the way to a place? False if there is no such place, or no way to it.
+  virtual bool IsAt(const Pose2D& robot, const std::string& place) = 0;
   /// How that leg ended, with the robot where it is now.
   virtual void Ended(const std::string& leg, bool travelled, const Pose2D& robot) = 0;
 
@@ -34,7 +37,7 @@ class Routes {
   virtual Expected<std::string> Nearest(const Pose2D& robot, const std::string& category) = 0;
 
   /// What people call a place, and what they are told of the part of the way that no robot travels
-  /// (empty: the robot gets there), in a language ("en", "de").
+  /// (empty: the robot gets there), in a language.
   struct Description {
     std::string spoken;
     std::string words;

@@ -61,7 +61,8 @@ bool SitePlaces::Find(const std::string& name, leaves::Waypoint& waypoint) const
 }
 
 Expected<std::optional<leaves::RouteLeg>> SitePlaces::NextLeg(const Pose2D& robot,
-                                                              const std::string& place) {
+                                                              const std::string& place,
+                                                              const std::string& language) {
   const auto index = Index(place);
   if (!index) return Problem{index.problem()};
   const std::lock_guard<std::mutex> lock(mutex_);
@@ -72,7 +73,15 @@ Expected<std::optional<leaves::RouteLeg>> SitePlaces::NextLeg(const Pose2D& robo
   if (leg.name != leg_) since_ = clock_.Now();
   leg_ = leg.name;
   return std::optional(
-      leaves::RouteLeg{leg.name, ToString(leg.kind), leg.goal, At(leg.to).Spoken("en")});
+      leaves::RouteLeg{leg.name, ToString(leg.kind), leg.goal, At(leg.to).Spoken(language)});
+}
+
+bool SitePlaces::IsAt(const Pose2D& robot, const std::string& place) {
+  const auto index = Index(place);
+  if (!index) return false;
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const auto next = guide_.Next(robot, *index, clock_.Now());
+  return next && !*next;
 }
 
 void SitePlaces::Ended(const std::string& leg, bool travelled, const Pose2D& robot) {

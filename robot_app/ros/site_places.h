@@ -32,8 +32,9 @@ class SitePlaces : public leaves::WaypointMap, public leaves::Routes {
   leaves::Waypoint ChooseForPatrol() override;
   bool Find(const std::string& name, leaves::Waypoint& waypoint) const override;
 
-  Expected<std::optional<leaves::RouteLeg>> NextLeg(const Pose2D& robot,
-                                                    const std::string& place) override;
+  Expected<std::optional<leaves::RouteLeg>> NextLeg(const Pose2D& robot, const std::string& place,
+                                                    const std::string& language) override;
+  bool IsAt(const Pose2D& robot, const std::string& place) override;
   void Ended(const std::string& leg, bool travelled, const Pose2D& robot) override;
   Expected<std::string> Nearest(const Pose2D& robot, const std::string& category) override;
   Expected<Description> Describe(const Pose2D& robot, const std::string& place,

@@ -54,8 +54,14 @@ class FakeRobot : public Navigator,
     return true;
   }
 
-  std::vector<RouteLeg> legs;  ///< that are left of the way to any place but "nowhere"
-  Expected<std::optional<RouteLeg>> NextLeg(const Pose2D&, const std::string& place) override {
+  std::vector<std::string> languages;  ///< in which legs were asked for
+  std::vector<RouteLeg> legs;          ///< that are left of the way to any place but "nowhere"
+  bool IsAt(const Pose2D&, const std::string& place) override {
+    return place != "nowhere" && legs.empty();
+  }
+  Expected<std::optional<RouteLeg>> NextLeg(const Pose2D&, const std::string& place,
+                                            const std::string& language) override {
+    languages.push_back(language);
     if (place == "nowhere") return Problem{"there is no place \"nowhere\""};
     if (legs.empty()) return std::optional<RouteLeg>();
     return std::optional<RouteLeg>(legs.front());

@@ -22,11 +22,13 @@ TEST(NextLeg, GivesTheLegAndWhoTravelsIt) {
   FakeRobot robot;
   robot.legs = {{"hall -> office", "door", {3, 4, 1}, "the office"}};
   LeafHarness harness = AtPlace<NextLeg>(robot, "office");
+  harness.Set("language", std::string("de"));
   EXPECT_EQ(harness.Tick(), Status::kSuccess);
   EXPECT_EQ(harness.Get<std::string>("leg"), "hall -> office");
   EXPECT_EQ(harness.Get<std::string>("kind"), "door");
   EXPECT_EQ(harness.Get<Pose2D>("goal").y, 4);
   EXPECT_EQ(harness.Get<std::string>("spoken"), "the office");
+  EXPECT_EQ(robot.languages, std::vector<std::string>{"de"});
 }
 
 TEST(NextLeg, FailsWhereTheRobotIsThereAndWhereThereIsNoWay) {

@@ -21,7 +21,7 @@ constexpr Pose2D kHall{46, 0, 0};
 class SitePlacesTest : public testing::Test {
  protected:
   std::string LegTo(SitePlaces& places, const Pose2D& robot, const std::string& place) {
-    const auto leg = places.NextLeg(robot, place);
+    const auto leg = places.NextLeg(robot, place, "en");
     if (!leg) return leg.problem();
     return *leg ? (*leg)->kind + " " + (*leg)->name : "there";
   }
@@ -73,6 +73,25 @@ TEST_F(SitePlacesTest, LeadsToAnOfficeThroughItsDoor) {
             "drive hall -> corridor_east -> corridor_104 -> corridor_103");
   EXPECT_EQ(LegTo(places_, {24, 0, 0}, "office_103"), "door corridor_103 -> office_103");
   EXPECT_EQ(LegTo(places_, {24, 3.6, 0}, "office_103"), "there");
+}
+
+TEST_F(SitePlacesTest, NamesTheEndOfALegInTheLanguageThatIsSpoken) {
+  const auto leg = places_.NextLeg({24, 0, 0}, "office_103", "de");
+  ASSERT_TRUE(leg && *leg);
+  EXPECT_EQ((*leg)->spoken, "Büro 103");
+}
+
+TEST_F(SitePlacesTest, LookingWhetherTheRobotIsThereBeginsNoLeg) {
+  LegTo(places_, {20, 0, 0}, "corridor_103");
+  clock_.Advance(std::chrono::seconds(20));
+  EXPECT_FALSE(places_.IsAt({20, 0, 0}, "hall"));
+  EXPECT_TRUE(places_.IsAt(kHall, "hall"));
+  clock_.Advance(std::chrono::seconds(10));
+  places_.Ended("corridor_middle -> corridor_103", true, {24, 0, 0});
+  const TopologicalMap& map = places_.guide().map();
+  const auto edge =
+      static_cast<std::size_t>(map.FindEdge(map.Find("corridor_middle"), map.Find("corridor_103")));
+  EXPECT_DOUBLE_EQ(places_.guide().memory().records()[edge].seconds, 30);
 }
 
 TEST_F(SitePlacesTest, AMisspeltPlaceGetsTheNearestName) {
