@@ -10,6 +10,23 @@ namespace {
 constexpr char kMeantBefore[] = "did you mean \"";
 constexpr char kMeantBehind[] = "\"?";
 
+// One line, and nothing that a terminal obeys: names of a file may hold what they like.
+std::string WithoutControls(const std::string& text) {
+  std::string plain;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte >= 0x20 && byte != 0x7F) {
+      plain += c;
+    } else if (c == '\n') {
+      plain += "\\n";
+    } else {
+      constexpr char kDigits[] = "0123456789ABCDEF";
+      plain += {'\\', 'x', kDigits[byte >> 4], kDigits[byte & 0xF]};
+    }
+  }
+  return plain;
+}
+
 std::string Lower(std::string_view text) {
   std::string lower(text);
   for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
@@ -47,7 +64,7 @@ std::string ToString(const Diagnostic& diagnostic) {
   text += diagnostic.severity == Severity::kError ? "error: " : "warning: ";
   text += diagnostic.message;
   if (!diagnostic.hint.empty()) text += " (" + diagnostic.hint + ")";
-  return text;
+  return WithoutControls(text);
 }
 
 void Diagnostics::Add(Diagnostic diagnostic) {

@@ -45,6 +45,35 @@ std::vector<Diagnostic> Sorted(const Diagnostics& diagnostics) {
   return sorted;
 }
 
+bool IsOfNoModel(const Diagnostic& diagnostic) {
+  return diagnostic.about.kind == ProblemKind::kNoModel;
+}
+
+// A file of another robot has dozens of types that nobody describes: one line names them all.
+std::vector<Diagnostic> Folded(const std::vector<Diagnostic>& sorted) {
+  std::map<std::string, std::vector<std::string>> types;  // by file
+  for (const Diagnostic& d : sorted) {
+    if (IsOfNoModel(d)) types[d.where.file].push_back(d.about.name);
+  }
+  std::vector<Diagnostic> folded;
+  for (const Diagnostic& d : sorted) {
+    std::vector<std::string>& names = types[d.where.file];
+    if (!IsOfNoModel(d) || names.size() == 1) {
+      folded.push_back(d);
+    } else if (names.size() > 1) {
+      folded.push_back(d);
+      folded.back().message = std::to_string(names.size()) +
+                              " node types are not built in: their ports are not checked, nor "
+                              "their numbers of children";
+      for (const std::string& name : names) {
+        folded.back().hint += (&name == &names.front() ? "" : ", ") + name;
+      }
+      names.clear();
+    }
+  }
+  return folded;
+}
+
 std::string ToJson(const Diagnostic& diagnostic) {
   const SourceLocation& where = diagnostic.where;
   return "{\"file\":" + JsonString(where.file) + ",\"line\":" + std::to_string(where.line) +
@@ -95,7 +124,7 @@ int RunCheck(const Arguments& arguments) {
   if (options.Has("--json")) {
     PrintJson(sorted);
   } else {
-    for (const Diagnostic& diagnostic : sorted) std::cerr << ToString(diagnostic) << "\n";
+    for (const Diagnostic& diagnostic : Folded(sorted)) std::cerr << ToString(diagnostic) << "\n";
   }
   if (!std::cerr) return 2;  // nobody has read what is wrong
   return diagnostics.has_errors() ? 1 : 0;

@@ -159,10 +159,13 @@ std::uint32_t Document::FindTag(const char* name, const char* start) const {
 
 void Document::WarnOutsideRoot(const tinyxml2::XMLDocument& xml, const char* start,
                                Diagnostics& diagnostics) const {
+  bool is_behind = false;
   for (const auto* node = xml.FirstChild(); node; node = node->NextSibling()) {
+    is_behind = is_behind || node == xml.RootElement();
     if (node->ToText()) {
       diagnostics.Warning(Location(static_cast<std::uint32_t>(node->Value() - start)),
-                          "text before the root element is ignored");
+                          std::string("text ") + (is_behind ? "behind" : "before") +
+                              " the root element is ignored");
     } else if (node->ToElement() && node != xml.RootElement()) {
       diagnostics.Warning(Location(FindTag(node->Value(), start)),
                           std::string("second root element <") + node->Value() + "> is ignored");

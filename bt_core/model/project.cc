@@ -73,14 +73,16 @@ class ProjectReader {
  private:
   // Format 3 becomes format 4 here; Location() still names the user's own text.
   Document AsFormat4(Document document) {
-    if (document.element(kRootElement).tag != "root" || !IsFormat3(document)) return document;
+    if (!project_.was_format_3_.back()) return document;
+    const std::size_t told = diagnostics_.all().size();
     const Edit edit = UpgradeToFormat4(document, diagnostics_);
+    const bool told_of_format_3 = diagnostics_.all().size() > told;
     Diagnostics known;  // the same warnings once more
     std::optional<Document> upgraded = document.Rewritten(edit, known);
     if (!upgraded) return document;
     const bool says_so =
         document.FindAttribute(document.element(kRootElement), "BTCPP_format") != nullptr;
-    if (says_so || edit.size() > 1) {
+    if (says_so || told_of_format_3 || edit.size() > 1) {
       diagnostics_.Warning(document.Location(document.element(kRootElement).offset),
                            "format 3 is read as format 4",
                            "\"coppice upgrade -i " + document.file() + "\" makes it format 4");
@@ -98,6 +100,8 @@ class ProjectReader {
   void Add(Document document) {
     const auto number = static_cast<std::uint32_t>(project_.documents_.size());
     known_.insert(IdentityOf(document.file()));
+    project_.was_format_3_.push_back(document.element(kRootElement).tag == "root" &&
+                                     IsFormat3(document));
     project_.documents_.push_back(AsFormat4(std::move(document)));
     if (!CheckRoot(number)) return;
     for (ElementIndex i = At(number).element(kRootElement).first_child; i != kNoElement;) {
@@ -109,12 +113,19 @@ class ProjectReader {
       } else if (element.tag == "TreeNodesModel") {
         AddModels(number, element);
       } else {
-        const std::string tag(element.tag);
-        Error(number, element, "unexpected <" + tag + "> below <root>",
-              DidYouMean(tag, {"BehaviorTree", "include", "TreeNodesModel"}));
+        ReportForeign(number, element);
       }
       i = element.next_sibling;
     }
+  }
+
+  // Other programs keep their own data below <root>. What is nearly a known name is misspelt.
+  void ReportForeign(std::uint32_t number, const Element& element) {
+    const std::string tag(element.tag);
+    const std::string hint = DidYouMean(tag, {"BehaviorTree", "include", "TreeNodesModel"});
+    if (!hint.empty()) return Error(number, element, "unexpected <" + tag + "> below <root>", hint);
+    diagnostics_.Warning(At(number).Location(element.offset),
+                         "<" + tag + "> below <root> is ignored");
   }
 
   const Document& At(std::uint32_t number) const { return project_.documents_[number]; }

@@ -62,6 +62,10 @@ class Project {
   bool has_errors() const { return has_errors_; }
 
   const std::vector<Document>& documents() const { return documents_; }
+
+  /// The document was of format 3; it is kept as one of format 4.
+  bool WasFormat3(std::uint32_t document) const { return was_format_3_[document]; }
+
   const std::map<std::string, TreeDefinition, std::less<>>& trees() const { return trees_; }
 
   /// The tree of that ID, or null.
@@ -86,6 +90,7 @@ class Project {
   Project() = default;
 
   std::vector<Document> documents_;
+  std::vector<bool> was_format_3_;  // by document
   std::map<std::string, TreeDefinition, std::less<>> trees_;
   NodeModelMap models_;
   NodeModelMap subtree_models_;

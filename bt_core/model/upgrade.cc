@@ -4,12 +4,17 @@
 #include "bt_core/model/upgrade.h"
 
 #include <algorithm>
+#include <map>
+#include <set>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "bt_core/model/attribute_edits.h"
 #include "bt_core/model/element_edits.h"
 #include "bt_core/model/layout.h"
 #include "bt_core/model/manifest.h"
+#include "bt_core/model/node_model.h"
 #include "bt_core/model/upgrade_check.h"
 
 namespace coppice {
@@ -88,14 +93,48 @@ class Upgrader {
 
   Edit Run() {
     Add(SetAttribute(document_, kRootElement, "BTCPP_format", "4"));
-    for (ElementIndex i = document_.element(kRootElement).first_child; i != kNoElement;
-         i = document_.element(i).next_sibling) {
-      if (document_.element(i).tag == "BehaviorTree") UpgradeTree(i);
-    }
+    ForEachBelowRoot("BehaviorTree",
+                     [this](ElementIndex i) { trees_.insert(IdOf(document_.element(i))); });
+    ForEachBelowRoot("TreeNodesModel", [this](ElementIndex i) { ReadModelsIn(i); });
+    ForEachBelowRoot("BehaviorTree", [this](ElementIndex i) { UpgradeTree(i); });
+    WarnOfOddKeys();
     return Merge(std::move(edit_), {});  // in order
   }
 
  private:
+  template <class Do>
+  void ForEachBelowRoot(std::string_view tag, const Do& act) {
+    for (ElementIndex i = document_.element(kRootElement).first_child; i != kNoElement;
+         i = document_.element(i).next_sibling) {
+      if (document_.element(i).tag == tag) act(i);
+    }
+  }
+
+  std::string_view IdOf(const Element& element) const {
+    return document_.AttributeValue(element, "ID");
+  }
+
+  void ReadModelsIn(ElementIndex index) {
+    const Element& element = document_.element(index);
+    Diagnostics told_later;
+    for (const NodeModel& model : ReadModels(document_, element, 0, told_later)) {
+      if (model.category == NodeCategory::kSubTree) {
+        UpgradeSubTreeModel(model.element);
+      } else {
+        models_.try_emplace(model.id, model);
+      }
+    }
+  }
+
+  // Groot 1 wrote what it needs itself as if it were ports.
+  void UpgradeSubTreeModel(ElementIndex model) {
+    for (ElementIndex i = document_.element(model).first_child; i != kNoElement;
+         i = document_.element(i).next_sibling) {
+      const std::string_view name = document_.AttributeValue(document_.element(i), "name");
+      if (name == "__shared_blackboard" || name == "__autoremap") Add(RemoveElement(document_, i));
+    }
+  }
+
   // Elements lie in document order, so those of a tree follow it.
   void UpgradeTree(ElementIndex tree) {
     const std::uint32_t end = document_.element(tree).end;
@@ -114,6 +153,10 @@ class Upgrader {
                               : SetAttribute(document_, index, "ID", now));
     } else if (type == "SubTree" || type == "SubTreePlus") {
       UpgradeSubTree(index);
+    } else if (IsTreeByItsName(element)) {
+      Add(SetTag(document_, index, "SubTree"));
+      Add(SetAttribute(document_, index, "ID", element.tag));
+      UpgradeSubTree(index);
     } else if (type == "Parallel") {
       UpgradeParallel(index);
     } else if (IsBlackboardCheck(type)) {
@@ -122,7 +165,26 @@ class Upgrader {
                document_.element(element.parent).tag == "BehaviorTree") {
       RemoveRoot(element);
     }
+    UpgradeOutputs(index, type);
     WarnOfGuards(element);
+  }
+
+  // Up to 3.7, a tree was used as a node type, too.
+  bool IsTreeByItsName(const Element& element) const {
+    return trees_.count(element.tag) > 0 && models_.find(element.tag) == models_.end() &&
+           element.child_count == 0;
+  }
+
+  // In format 3, an output writes the key whose name is the text of the port.
+  void UpgradeOutputs(ElementIndex index, std::string_view type) {
+    const auto model = models_.find(type);
+    if (model == models_.end()) return;
+    for (const PortModel& port : model->second.ports) {
+      const std::string_view key = document_.AttributeValue(document_.element(index), port.name);
+      const bool is_plain = !key.empty() && key != "=" && key.find('{') == key.npos;
+      if (port.direction != PortDirection::kOutput || !is_plain) continue;
+      Add(SetAttribute(document_, index, port.name, "{" + std::string(key) + "}"));
+    }
   }
 
   void UpgradeSubTree(ElementIndex index) {
@@ -156,10 +218,20 @@ class Upgrader {
     if (IsKey(port.value)) {
       Add(SetAttribute(document_, index, port.name, "{" + std::string(port.value) + "}"));
     } else {
-      Warn(port.value_offset,
-           "\"" + std::string(port.value) + "\" cannot be a key; it is left as a value",
-           "in format 3, the attributes of a SubTree name keys");
+      odd_keys_.push_back(&port);
     }
+  }
+
+  // A file may have hundreds of them.
+  void WarnOfOddKeys() {
+    if (odd_keys_.empty()) return;
+    const Attribute& first = *odd_keys_.front();
+    std::string hint = "in format 3, the attributes of a SubTree name keys";
+    if (odd_keys_.size() > 1) {
+      hint += "; " + std::to_string(odd_keys_.size() - 1) + " more in this file";
+    }
+    Warn(first.value_offset,
+         "\"" + std::string(first.value) + "\" is no name for a key; it is left as a value", hint);
   }
 
   void UpgradeParallel(ElementIndex index) {
@@ -196,6 +268,9 @@ class Upgrader {
 
   const Document& document_;
   Diagnostics& diagnostics_;
+  std::set<std::string_view> trees_;
+  std::map<std::string, NodeModel, std::less<>> models_;  // not those of SubTrees
+  std::vector<const Attribute*> odd_keys_;
   Edit edit_;
 };
 
@@ -210,6 +285,12 @@ bool IsFormat3(const Document& document) {
     is_4 = is_4 || IsOfFormat4(document, element);
   }
   return !is_4;
+}
+
+std::string_view NodeNameInFormat4(std::string_view old) { return FindNew(kNodes, old); }
+
+std::string_view PortNameInFormat4(std::string_view type, std::string_view old) {
+  return type == "Parallel" ? FindNew(kParallelPorts, old) : std::string_view();
 }
 
 Edit UpgradeToFormat4(const Document& document, Diagnostics& diagnostics) {

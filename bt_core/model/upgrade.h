@@ -10,11 +10,16 @@
 //   Parallel success_threshold     Parallel success_count  (and failure_, and threshold)
 //   BlackboardCheckInt and others  ReactiveSequence of a ScriptCondition and the child
 //   <Root> around a tree           nothing
+//   <Recharge/>, a tree's ID       <SubTree ID="Recharge"/>
+//   output="key"                   output="{key}"          (if the file has a model that says so)
+//   __shared_blackboard in models  nothing                 (Groot 1 lists it as a port)
 //
 // Sources: convert_v3_to_v4.py and the migration guides of BehaviorTree.CPP. Its converter lets the
-// last four rows be.
+// last seven rows be.
 #ifndef COPPICE_BT_CORE_MODEL_UPGRADE_H_
 #define COPPICE_BT_CORE_MODEL_UPGRADE_H_
+
+#include <string_view>
 
 #include "bt_core/model/document.h"
 
@@ -24,6 +29,10 @@ namespace coppice {
 /// only format 4 has (guards, scripts, _autoremap, keys in braces on a SubTree) and nothing that
 /// only format 3 has.
 bool IsFormat3(const Document& document);
+
+/// What a node type, or a port of one, of format 3 is called now; empty if nothing has changed.
+std::string_view NodeNameInFormat4(std::string_view old);
+std::string_view PortNameInFormat4(std::string_view type, std::string_view old);
 
 /// What makes the document format 4. What cannot be upgraded stays and is a warning with its place.
 /// Empty if it is not of format 3.

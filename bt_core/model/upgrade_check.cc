@@ -81,8 +81,15 @@ Edit UpgradeBlackboardCheck(const Document& document, ElementIndex index, std::s
   const auto b = Operand(document.AttributeValue(element, "value_B"), kind);
   const auto shape = ShapeFor(document.AttributeValue(element, "return_on_mismatch"));
   if (!a || !b || !shape || element.child_count != 1) {
+    const std::string why =
+        element.child_count != 1
+            ? "it has " + std::to_string(element.child_count) + " children, not 1"
+            : std::string(!shape ? "return_on_mismatch"
+                          : a    ? "value_B"
+                                 : "value_A") +
+                  " is not what a script can hold";
     diagnostics.Warning(document.Location(element.offset),
-                        std::string(type) + " cannot be upgraded by itself",
+                        std::string(type) + " cannot be upgraded by itself: " + why,
                         "format 4 has no such node; write a ScriptCondition");
     return {};
   }

@@ -193,7 +193,7 @@ class Checker {
       const bool other = left.family == Family::kOther || right.family == Family::kOther;
       const bool number = left.family == Family::kNumber || right.family == Family::kNumber;
       if (other && number) {
-        Problem(node, NameOf(left) + " and " + NameOf(right) + " cannot be compared");
+        Problem(node, NameAndType(left) + " and " + NameAndType(right) + " cannot be compared");
       }
       CheckText(right, left);
       CheckText(left, right);
@@ -247,6 +247,11 @@ class Checker {
   static std::string NameOf(const Node& node) {
     if (node.op == Operator::kName) return Quoted(node.name);
     return node.op == Operator::kLiteral ? Describe(node.value) : "the value";
+  }
+
+  static std::string NameAndType(const Node& node) {
+    const bool says_more = node.family == Family::kOther && node.type;
+    return NameOf(node) + (says_more ? ", which is " + std::string(node.type->name) + "," : "");
   }
 
   void Problem(const Node& node, std::string message, std::string hint = {}) {

@@ -43,7 +43,7 @@ class Lexer {
 
   std::vector<Token> Run() {
     while (true) {
-      while (IsBlank(Peek())) ++at_;
+      SkipBlanks();
       const std::size_t start = at_;
       if (start >= script_.size()) break;
       const TokenKind kind = Next();
@@ -57,6 +57,12 @@ class Lexer {
   // '\0' behind the end.
   char Peek(std::size_t ahead = 0) const {
     return at_ + ahead < script_.size() ? script_[at_ + ahead] : '\0';
+  }
+
+  // A backslash before the end of a line is one, too: BehaviorTree.CPP 4.1 to 4.8 read it so.
+  void SkipBlanks() {
+    const auto ends_line = [](char c) { return c == '\n' || c == '\r'; };
+    while (IsBlank(Peek()) || (Peek() == '\\' && ends_line(Peek(1)))) ++at_;
   }
 
   void Add(TokenKind kind, std::size_t start) {

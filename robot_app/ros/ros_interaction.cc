@@ -16,7 +16,9 @@ std_msgs::String Message(const std::string& text) {
 }  // namespace
 
 RosInteraction::RosInteraction(ros::NodeHandle& node)
-    : node_(node), speech_(node.advertise<std_msgs::String>("/speech", 10)) {}
+    : node_(node),
+      speech_(node.advertise<std_msgs::String>("/speech", 10)),
+      expression_(node.advertise<std_msgs::String>("/expression", 10, true)) {}
 
 void RosInteraction::Say(const std::string& text, Sender<leaves::ActionResult> done) {
   speech_.publish(Message(text));
@@ -30,5 +32,9 @@ void RosInteraction::Say(const std::string& text, Sender<leaves::ActionResult> d
 }
 
 void RosInteraction::CancelSpeech() { end_of_speech_.stop(); }
+
+void RosInteraction::SetExpression(const std::string& expression) {
+  expression_.publish(Message(expression));
+}
 
 }  // namespace coppice::robot::adapters

@@ -105,12 +105,18 @@ void TreeCompiler::AddNode(const Site& site, const FoundNode& found, NodeIndex p
 
 void TreeCompiler::AddSubTree(const Site& site, const FoundNode& found, NodeIndex parent) {
   const TreeDefinition* tree = subtrees_.Find(site, found.id);
-  if (!tree) return;
+  if (!tree) return CheckGuardsOfNoNode(site);
   const NodeIndex node = AddRecord(NodeType::kSubTree, site, found.entry, parent);
   const ScopeIndex inner = subtrees_.Open(site, found.id, *tree, node);
   const Document& document = project_->documents()[tree->document];
   const ElementIndex root = document.element(tree->element).first_child;
   levels_.push_back({node, tree->document, root, inner, true});
+}
+
+// There is no node; its attributes can be wrong nevertheless.
+void TreeCompiler::CheckGuardsOfNoNode(const Site& site) {
+  std::vector<GuardRecord> unused;
+  guards_.Read(site, kRootNode, unused);
 }
 
 NodeIndex TreeCompiler::AddRecord(NodeType type, const Site& site, const Registry::Entry* entry,

@@ -50,6 +50,7 @@ class TreeCompiler {
   void AddElement(const Site& site, NodeIndex parent);
   void AddNode(const Site& site, const FoundNode& found, NodeIndex parent);
   void AddSubTree(const Site& site, const FoundNode& found, NodeIndex parent);
+  void CheckGuardsOfNoNode(const Site& site);
   NodeIndex AddRecord(NodeType type, const Site& site, const Registry::Entry* entry,
                       NodeIndex parent);
   void AddLeaf(NodeIndex node);

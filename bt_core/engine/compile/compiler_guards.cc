@@ -52,6 +52,12 @@ bool GuardReader::Read(const Site& site, NodeIndex node, std::vector<GuardRecord
 }
 
 void GuardReader::CheckMetadata(const Site& site, const Attribute& attribute) {
+  bool truth = false;
+  if (attribute.name == "_autoremap" && !ValueTraits<bool>::Parse(attribute.value, truth)) {
+    problems_.Error(site.document, attribute.value_offset,
+                    Quoted(attribute.value) + " is not a value for \"_autoremap\"",
+                    "expected true or false");
+  }
   if (std::find(kMetadata.begin(), kMetadata.end(), attribute.name) != kMetadata.end()) return;
   problems_.Error(site.document, attribute.name_offset,
                   "unknown attribute " + Quoted(attribute.name), Advice(attribute.name));

@@ -5,9 +5,15 @@
 #include <vector>
 
 #include "bt_core/engine/compile/compiler_children.h"
+#include "bt_core/model/upgrade.h"
 
 namespace coppice {
 namespace {
+
+// What belongs to a file and not into a tree.
+bool IsNoNode(std::string_view tag) {
+  return tag == "root" || tag == "BehaviorTree" || tag == "include" || tag == "TreeNodesModel";
+}
 
 bool DifferOnlyInCase(std::string_view a, std::string_view b) {
   const auto same = [](char x, char y) {
@@ -22,7 +28,15 @@ bool DifferOnlyInCase(std::string_view a, std::string_view b) {
 std::optional<FoundNode> NodeLookup::Find(const Site& site) {
   const std::string_view tag = site.element.tag;
   const std::optional<NodeCategory> generic = CategoryFromTag(tag);
-  if (!generic) return FindType(site, tag);
+  if (!generic && IsNoNode(tag) && !registry_.Find(tag)) {
+    problems_.Error(site.document, site.element.offset,
+                    "<" + std::string(tag) + "> cannot stand inside a tree");
+    return std::nullopt;
+  }
+  if (!generic) {
+    CheckForId(site);
+    return FindType(site, tag);
+  }
   const std::string_view id = site.document.AttributeValue(site.element, "ID");
   if (id.empty()) {
     problems_.Error(site.document, site.element.offset, "<" + std::string(tag) + "> without ID");
@@ -30,6 +44,17 @@ std::optional<FoundNode> NodeLookup::Find(const Site& site) {
   }
   if (*generic == NodeCategory::kSubTree) return FoundNode{id, true, registry_.Find("SubTree")};
   return FindType(site, id);
+}
+
+// <Fallback ID="Look">: the name of the node is meant, or else its type. Format 3 does not mind.
+void NodeLookup::CheckForId(const Site& site) {
+  const Attribute* const id = site.document.FindAttribute(site.element, "ID");
+  if (!id) return;
+  const std::string tag(site.element.tag);
+  const auto report =
+      project_.WasFormat3(site.document_number) ? &Problems::Warning : &Problems::Error;
+  (problems_.*report)(site.document, id->name_offset, "<" + tag + "> has its type as tag, no ID",
+                      "name=" + Quoted(id->value) + " names the node", {});
 }
 
 FoundNode NodeLookup::FindType(const Site& site, std::string_view id) {
@@ -102,6 +127,8 @@ const std::string& NodeLookup::NearestType(std::string_view id) {
 
 std::string NodeLookup::Advice(std::string_view id) const {
   if (project_.Find(id)) return "a tree is used as <SubTree ID=" + Quoted(id) + "/>";
+  const std::string_view now = NodeNameInFormat4(id);
+  if (!now.empty()) return "in format 4 it is " + std::string(now);
   return DidYouMean(id, registry_.Ids());
 }
 

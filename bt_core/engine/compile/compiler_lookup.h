@@ -38,6 +38,7 @@ class NodeLookup {
   std::optional<FoundNode> Find(const Site& site);
 
  private:
+  void CheckForId(const Site& site);
   FoundNode FindType(const Site& site, std::string_view id);
   void CheckClass(const Site& site, const Registry::Entry& entry);
   void CheckUnknown(const Site& site, std::string_view id);

@@ -5,9 +5,22 @@
 #include <utility>
 
 #include "bt_core/model/keys.h"
+#include "bt_core/model/upgrade.h"
 
 namespace coppice {
 namespace {
+
+bool IsOfUser(const Registry::Entry& entry) {
+  return entry.type == NodeType::kLeaf || entry.type == NodeType::kUser;
+}
+
+// A model, in contrast to a class, may not say all types, nor the right ones.
+bool IsOnlyAModel(const Registry::Entry& entry) { return IsOfUser(entry) && !entry.build; }
+
+// Groot 1 writes port="" for whatever is not given.
+bool IsLeftEmpty(const PortDeclaration& port, std::string_view text) {
+  return text.empty() && !port.required && port.direction != PortDirection::kInput;
+}
 
 bool IsScript(const PortDeclaration& port) { return port.type == &TypeOf<ScriptCode>(); }
 
@@ -20,6 +33,12 @@ bool IsAboutKey(const PortDeclaration& port) {
 ScriptUse UseOf(NodeType type) {
   const bool asks = type == NodeType::kScriptCondition || type == NodeType::kPrecondition;
   return asks ? ScriptUse::kCondition : ScriptUse::kAction;
+}
+
+// What a port that can be written is given instead of a key.
+std::string LostIn(const PortDeclaration& port, std::string_view text) {
+  return "what is written to " + std::string(ToString(port.direction)) + " " + Quoted(port.name) +
+         " is lost: " + Quoted(text) + " is no key";
 }
 
 bool HasBraces(std::string_view text) {
@@ -40,8 +59,7 @@ void PortBinder::Bind(const Registry::Entry& entry, const Site& site,
 
 void PortBinder::BindCopies(const Registry::Entry& entry, const Site& site,
                             const PortBinding* ports) {
-  const bool is_of_user = entry.type == NodeType::kLeaf || entry.type == NodeType::kUser;
-  if (is_of_user && !entry.build) return;  // a model that says no types
+  if (IsOnlyAModel(entry)) return;
   SlotIndex from = kNoSlot;
   SlotIndex to = kNoSlot;
   for (std::size_t k = 0; k < entry.declarations.size(); ++k) {
@@ -62,10 +80,12 @@ void PortBinder::CheckNames(const Registry::Entry& entry, const Site& site) {
     if (std::any_of(ports.begin(), ports.end(), is_meant)) continue;
     std::vector<std::string> names;
     for (const PortDeclaration& port : ports) names.push_back(port.name);
-    problems_.Error(site.document, attribute.name_offset,
-                    entry.manifest.id + " has no port " + Quoted(attribute.name),
-                    DidYouMean(attribute.name, names),
-                    {ProblemKind::kUnknownPort, std::string(attribute.name)});
+    const std::string_view now = PortNameInFormat4(entry.manifest.id, attribute.name);
+    problems_.Error(
+        site.document, attribute.name_offset,
+        entry.manifest.id + " has no port " + Quoted(attribute.name),
+        now.empty() ? DidYouMean(attribute.name, names) : "in format 4 it is " + std::string(now),
+        {ProblemKind::kUnknownPort, std::string(attribute.name)});
   }
 }
 
@@ -73,6 +93,7 @@ PortBinding PortBinder::BindPort(const Registry::Entry& entry, const PortDeclara
                                  const Site& site) {
   if (port.direction == PortDirection::kMailbox) return {keys_.AddSlot("", site.scope, port.type)};
   const Attribute* attribute = site.document.FindAttribute(site.element, port.name);
+  if (attribute && IsLeftEmpty(port, attribute->value)) attribute = nullptr;
   if (!attribute && !port.default_text) {
     if (port.required) {
       problems_.Error(site.document, site.element.offset,
@@ -104,18 +125,17 @@ ScriptIndex PortBinder::BindScript(const Given& given) {
 
 SlotIndex PortBinder::BindKey(const Given& given, std::string_view key) {
   const SlotIndex slot = keys_.Resolve(key, given.site.scope);
-  types_.Set(slot, given.entry.manifest.id, given.port, {&given.site.document, given.offset});
+  types_.Set(slot, given.entry.manifest.id, given.port, {&given.site.document, given.offset},
+             IsOnlyAModel(given.entry));
   return slot;
 }
 
 SlotIndex PortBinder::BindLiteral(const Given& given) {
   const PortDeclaration& port = given.port;
-  if (port.direction != PortDirection::kInput) {
-    problems_.Error(
-        given.site.document, given.offset,
-        std::string(ToString(port.direction)) + " " + Quoted(port.name) + " needs a key",
-        "write {key}");
-    return kNoSlot;
+  if (port.direction == PortDirection::kOutput) return ReportNoKey(given);
+  if (port.direction == PortDirection::kInOut) {
+    problems_.Warning(given.site.document, given.offset, LostIn(given.port, given.text),
+                      "write {key}");
   }
   if (port.type != &TypeOf<std::string>() && HasBraces(given.text)) {
     problems_.Warning(given.site.document, given.offset,
@@ -126,6 +146,19 @@ SlotIndex PortBinder::BindLiteral(const Given& given) {
   Value value;
   if (!value.Parse(*port.type, given.text)) ReportLiteral(given);
   return keys_.AddSlot("", given.site.scope, port.type, std::move(value));
+}
+
+// What an output of texts, or of anything, is given is easily taken for a literal; robots run so.
+SlotIndex PortBinder::ReportNoKey(const Given& given) {
+  const Type* const type = given.port.type;
+  if (given.text.empty() || (type && type != &TypeOf<std::string>())) {
+    problems_.Error(given.site.document, given.offset,
+                    "output " + Quoted(given.port.name) + " needs a key", "write {key}");
+  } else {
+    problems_.Warning(given.site.document, given.offset, LostIn(given.port, given.text),
+                      "write {key}");
+  }
+  return kNoSlot;
 }
 
 SlotIndex PortBinder::BindUntypedLiteral(const Given& given) {
@@ -139,6 +172,9 @@ void PortBinder::ReportLiteral(const Given& given) {
   std::string hint = ExpectedText(*given.port.type);
   if (given.text.empty() && given.port.default_text) {
     hint += "; without the attribute it is " + *given.port.default_text;
+  }
+  if (IsList(*given.port.type) && given.text.find(',') != given.text.npos) {
+    hint += "; its elements are separated by semicolons";
   }
   problems_.Error(given.site.document, given.offset,
                   Quoted(given.text) + " is not a value for port " + Quoted(given.port.name) +

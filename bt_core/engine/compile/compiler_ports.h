@@ -40,6 +40,7 @@ class PortBinder {
   SlotIndex BindKey(const Given& given, std::string_view key);
   ScriptIndex BindScript(const Given& given);
   SlotIndex BindLiteral(const Given& given);
+  SlotIndex ReportNoKey(const Given& given);
   SlotIndex BindUntypedLiteral(const Given& given);
   void BindCopies(const Registry::Entry& entry, const Site& site, const PortBinding* ports);
   void ReportLiteral(const Given& given);

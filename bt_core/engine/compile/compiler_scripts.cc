@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "bt_core/engine/compile/type_names.h"
 #include "bt_core/model/keys.h"
 
 namespace coppice {
@@ -15,7 +16,11 @@ class NamesInScope : public ScriptNames {
   NamesInScope(KeyTable& keys, const SlotTypes& types, ScopeIndex scope)
       : keys_(keys), types_(types), scope_(scope) {}
   SlotIndex Slot(std::string_view name) override { return keys_.ResolveCopy(name, scope_); }
-  const Type* TypeOf(SlotIndex slot) const override { return types_.Of(slot); }
+  // Of a type without more than a name, nobody knows what a script can do with it.
+  const Type* TypeOf(SlotIndex slot) const override {
+    const Type* const type = types_.Of(slot);
+    return type && HasOnlyAName(*type) ? nullptr : type;
+  }
   bool IsKey(std::string_view name) const override { return keys_.Has(name, scope_); }
 
  private:

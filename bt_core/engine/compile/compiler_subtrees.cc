@@ -115,12 +115,24 @@ void SubTreeBinder::ApplyModel(const Site& site, const NodeModel& model, ScopeIn
     if (!given && !autoremap && port.default_text) {
       RemapOne(site, inner, port.name, *port.default_text, site.element.offset);
     } else if (!given && !autoremap) {
-      problems_.Error(site.document, site.element.offset,
-                      "SubTree " + Quoted(model.id) + " needs its port " + Quoted(port.name),
-                      port.description, {ProblemKind::kMissingPort, port.name});
+      ReportMissingPort(site, model, port);
     }
     const Type* type = FindType(*program_.registry, port.type);
     if (type) types_.Suggest(keys_.Resolve(port.name, inner), *type, {&document, offset});
+  }
+}
+
+// Format 3 does not look at the models of SubTrees.
+void SubTreeBinder::ReportMissingPort(const Site& site, const NodeModel& model,
+                                      const PortModel& port) {
+  const std::string message =
+      "SubTree " + Quoted(model.id) + " needs its port " + Quoted(port.name);
+  const ProblemSubject about{ProblemKind::kMissingPort, port.name};
+  if (project_.WasFormat3(site.document_number)) {
+    problems_.Warning(site.document, site.element.offset, message + " in format 4",
+                      port.description, about);
+  } else {
+    problems_.Error(site.document, site.element.offset, message, port.description, about);
   }
 }
 

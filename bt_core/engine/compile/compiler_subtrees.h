@@ -55,6 +55,7 @@ class SubTreeBinder {
   void RemapOne(const Site& site, ScopeIndex inner, std::string_view name, std::string_view text,
                 std::uint32_t offset);
   void ApplyModel(const Site& site, const NodeModel& model, ScopeIndex inner, bool autoremap);
+  void ReportMissingPort(const Site& site, const NodeModel& model, const PortModel& port);
   void CheckNames(const Site& site, const NodeModel& model);
 
   const Project& project_;

@@ -21,8 +21,10 @@ std::string ExpectedText(const Type& type) {
   return "expected " + (type.enumerators ? Choices(*type.enumerators) : std::string(type.name));
 }
 
+bool IsList(const Type& type) { return std::string_view(type.name).substr(0, 8) == "list of "; }
+
 void SlotTypes::Set(SlotIndex index, std::string_view owner, const PortDeclaration& port,
-                    DocumentPlace place) {
+                    DocumentPlace place, bool may_convert) {
   SlotDefinition& slot = layout_.slots[index];
   if (!port.type) return;
   if (!slot.type) {
@@ -30,10 +32,18 @@ void SlotTypes::Set(SlotIndex index, std::string_view owner, const PortDeclarati
     first_use_[index] = {owner, port.name};
   } else if (slot.type != port.type) {
     const FirstUse& first = first_use_.at(index);
-    problems_.Error(*place.document, place.offset,
-                    "key " + Quoted(slot.key) + " is " + slot.type->name + " (from " +
-                        std::string(first.owner) + "." + std::string(first.port) + "), but port " +
-                        Quoted(port.name) + " of " + std::string(owner) + " is " + port.type->name);
+    std::string message = "key " + Quoted(slot.key) + " is " + slot.type->name + " (from " +
+                          std::string(first.owner) + "." + std::string(first.port) +
+                          "), but port " + Quoted(port.name) + " of " + std::string(owner) +
+                          " is " + port.type->name;
+    const bool reads_text =
+        slot.type == &TypeOf<std::string>() && port.direction == PortDirection::kInput;
+    if (may_convert && reads_text) {
+      problems_.Warning(*place.document, place.offset, std::move(message),
+                        "BehaviorTree.CPP converts the text whenever it is read");
+    } else {
+      problems_.Error(*place.document, place.offset, std::move(message));
+    }
   }
 }
 

@@ -34,9 +34,9 @@ class SlotTypes {
   const Type* Of(SlotIndex slot) const { return layout_.slots[slot].type; }
 
   /// The slot gets the type of a port of node type `owner`. A port that takes any type changes
-  /// nothing.
-  void Set(SlotIndex slot, std::string_view owner, const PortDeclaration& port,
-           DocumentPlace place);
+  /// nothing. `may_convert`: an input of another type that reads a text is a warning only.
+  void Set(SlotIndex slot, std::string_view owner, const PortDeclaration& port, DocumentPlace place,
+           bool may_convert = false);
 
   /// The type that a model of a SubTree names for a slot. It counts if no port gives it one, and is
   /// a warning if a port gives it another one. Numbers of all sorts are the same to a model.
@@ -91,6 +91,9 @@ class SlotTypes {
 
 /// What a text should have been: "expected int", "expected RED, GREEN or BLUE".
 std::string ExpectedText(const Type& type);
+
+/// Its texts are elements with semicolons between them.
+bool IsList(const Type& type);
 
 }  // namespace coppice
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -12,31 +13,33 @@
 namespace coppice {
 namespace {
 
-// A type of which only the name is known. Its values are the texts that stand for them.
-struct NamedType {
-  explicit NamedType(std::string given) : name(std::move(given)), type(TypeOf<std::string>()) {
-    type.name = name.c_str();
-    type.kind = TypeKind::kOther;
-  }
-  std::string name;
-  Type type;
-};
-
 using NamedTypes = std::map<std::string, std::unique_ptr<NamedType>>;
 
 const Type* TypeOf(const PortModel& port, const Registry& registry, NamedTypes& named) {
   if (port.type.empty() || port.type == "BT::AnyTypeAllowed") return nullptr;
   if (const Type* known = FindType(registry, port.type)) return known;
-  std::unique_ptr<NamedType>& type = named[port.type];
-  if (!type) type = std::make_unique<NamedType>(port.type);
+  const std::string name = PlainTypeName(port.type);
+  std::unique_ptr<NamedType>& type = named[name];
+  if (!type) type = std::make_unique<NamedType>(name);
   return &type->type;
+}
+
+// The peer's generator writes defaults as C++ does: 1u, 0.5f.
+std::optional<std::string> DefaultOf(const PortModel& port, const Type* type) {
+  if (!port.default_text || !type || type->kind >= TypeKind::kString) return port.default_text;
+  const std::size_t end = port.default_text->find_last_not_of("uUlLfF");
+  const std::string number = port.default_text->substr(0, end + 1);
+  Value value;
+  const bool needs_it = !value.Parse(*type, *port.default_text) && value.Parse(*type, number);
+  return needs_it ? number : port.default_text;
 }
 
 Manifest ManifestOf(const NodeModel& model, const Registry& registry, NamedTypes& named) {
   Manifest manifest{model.id, model.category, model.description, {}};
   for (const PortModel& port : model.ports) {
-    manifest.ports.push_back({port.name, port.direction, TypeOf(port, registry, named),
-                              port.description, false, port.default_text});
+    const Type* const type = TypeOf(port, registry, named);
+    manifest.ports.push_back(
+        {port.name, port.direction, type, port.description, false, DefaultOf(port, type)});
   }
   return manifest;
 }

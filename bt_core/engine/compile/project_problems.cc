@@ -19,6 +19,12 @@ void AskForMainTree(const Project& project, Problems& problems) {
                  "give main_tree_to_execute; there are: " + list);
 }
 
+std::string PlaceOf(const Project& project, const NodeModel& model) {
+  const Document& document = project.documents()[model.document];
+  const SourceLocation where = document.Location(document.element(model.element).offset);
+  return where.file + ":" + std::to_string(where.line);
+}
+
 // One without nodes is none; that was said where it stands.
 bool IsWritten(const Project& project, const std::string& id) {
   for (const Document& document : project.documents()) {
@@ -56,10 +62,13 @@ const TreeDefinition* FindMainTree(const Project& project, const std::string& id
 
 void CheckTreeNames(const Project& project, const Registry& registry, Problems& problems) {
   for (const auto& [id, definition] : project.trees()) {
-    if (!registry.Find(id)) continue;
+    const auto model = project.models().find(id);
+    const bool is_described = model != project.models().end();
+    if (!is_described && !registry.Find(id)) continue;
     const Document& document = project.documents()[definition.document];
     problems.Error(document, document.element(definition.element).offset,
-                   "tree " + Quoted(id) + " has the name of a node type");
+                   "tree " + Quoted(id) + " has the name of a node type",
+                   is_described ? "its model is at " + PlaceOf(project, model->second) : "");
   }
 }
 

@@ -16,6 +16,11 @@ TEST(Diagnostic, LeavesOutWhatIsUnknown) {
   EXPECT_EQ(ToString({Severity::kError, {}, "bad", ""}), "error: bad");
 }
 
+TEST(Diagnostic, IsOneLineThatNoTerminalObeys) {
+  EXPECT_EQ(ToString({Severity::kError, {}, "node \"a\nb\x1B[2J\x7F\"", "h\ri"}),
+            R"(error: node "a\nb\x1B[2J\x7F" (h\x0Di))");
+}
+
 TEST(Diagnostics, WarningsAreNotErrors) {
   Diagnostics diagnostics;
   diagnostics.Warning({"a.xml", 1, 1}, "odd");

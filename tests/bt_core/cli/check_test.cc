@@ -94,6 +94,16 @@ TEST_F(CheckTest, JsonHasOneObjectForEachProblem) {
   EXPECT_EQ(out_, "[]\n");
 }
 
+TEST_F(CheckTest, TypesThatNobodyDescribesAreOneLineForEachFile) {
+  const std::string file = WriteTree("<Sequence><Go/><Wait/><Go/><Say/></Sequence>");
+  EXPECT_EQ(Run(RunCheck, {file}), 0);
+  EXPECT_EQ(err_, file +
+                      ":3:11: warning: 3 node types are not built in: their ports are not checked, "
+                      "nor their numbers of children (Go, Wait, Say)\n");
+  EXPECT_EQ(Run(RunCheck, {file, "--json"}), 0);
+  EXPECT_NE(out_.find("node type \\\"Wait\\\" is not built in"), std::string::npos) << out_;
+}
+
 TEST_F(CheckTest, WithoutFileItSaysWhatItExpects) {
   EXPECT_EQ(Run(RunCheck, {}), 2);
   EXPECT_EQ(err_, "coppice check: expected FILE...; see coppice check --help\n");

@@ -51,7 +51,8 @@ TEST_F(UpgradeTest, SaysWhatItCannotUpgradeAtItsPlaceInTheOldFile) {
             "<root>\n<BehaviorTree ID='M'>\n<A x='&&'/> <SubTree ID='T' a='0.5'/>\n"
             "</BehaviorTree></root>");
   EXPECT_EQ(Run(RunUpgrade, {file, "-i"}), 0);
-  EXPECT_NE(err_.find(file + ":3:32: warning: \"0.5\" cannot be a key"), std::string::npos) << err_;
+  EXPECT_NE(err_.find(file + ":3:32: warning: \"0.5\" is no name for a key"), std::string::npos)
+      << err_;
 }
 
 TEST_F(UpgradeTest, AMalformedFileIsLeftAlone) {

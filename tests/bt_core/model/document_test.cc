@@ -306,10 +306,11 @@ TEST(Document, WhatFollowsAZeroByteIsIgnoredWithAWarning) {
 }
 
 TEST(Document, WarnsOfWhatIsOutsideOfTheRoot) {
-  const Loaded loaded = Load("hello\n<a/>\n <b/>");
+  const Loaded loaded = Load("hello\n<a/>bye\n <b/>");
   ASSERT_TRUE(loaded.document);
   EXPECT_EQ(loaded.diagnostics.ToString(),
             "t.xml:1:1: warning: text before the root element is ignored\n"
+            "t.xml:2:5: warning: text behind the root element is ignored\n"
             "t.xml:3:2: warning: second root element <b> is ignored\n");
 }
 

@@ -256,10 +256,11 @@ TEST_F(ProjectTest, MissingIncludesAreReportedWithTheirPlace) {
 }
 
 TEST_F(ProjectTest, ProblemsOfAnIncludedFileNameThatFile) {
-  const std::string b = Write("b.xml", "<root BTCPP_format=\"4\">\n<oops/></root>");
+  const std::string b = Write("b.xml", "<root BTCPP_format=\"4\">\n<Include/></root>");
   const auto project = Load(Write("a.xml", Root("<include path=\"b.xml\"/>" + Tree("A"))));
   EXPECT_TRUE(project && project->has_errors());
-  EXPECT_EQ(diagnostics_.ToString(), b + ":2:1: error: unexpected <oops> below <root>\n");
+  EXPECT_EQ(diagnostics_.ToString(),
+            b + ":2:1: error: unexpected <Include> below <root> (did you mean \"include\"?)\n");
 }
 
 TEST_F(ProjectTest, PackagesAreAskedFor) {
@@ -293,6 +294,28 @@ TEST_F(ProjectTest, AnUnknownPackageIsAnError) {
   const std::string a = Write("a.xml", Root("<include ros_pkg=\"sobi\" path=\"b.xml\"/>"));
   EXPECT_TRUE(Load(a)->has_errors());
   EXPECT_NE(diagnostics_.ToString().find("ROS package \"sobi\" was not found"), std::string::npos);
+}
+
+TEST(Project, WhatOtherProgramsKeepBelowRootIsIgnoredWithAWarning) {
+  EXPECT_EQ(Problems(Root(Tree("A") + "\n<Environment><Pose/></Environment>")),
+            "t.xml:3:1: warning: <Environment> below <root> is ignored\n");
+}
+
+TEST(Project, KnowsWhichDocumentsWereOfFormat3) {
+  Diagnostics diagnostics;
+  const auto old = Project::FromText("<root>" + Tree("A") + "</root>", "t.xml", diagnostics);
+  EXPECT_TRUE(old->WasFormat3(0));
+  EXPECT_FALSE(Project::FromText(Root(Tree("A")), "t.xml", diagnostics)->WasFormat3(0));
+}
+
+TEST(Project, WhatFormat3SaysOtherwiseIsSaidToBeFormat3) {
+  const std::string text =
+      "<root>\n<BehaviorTree ID=\"A\"><SubTree ID=\"B\" k=\"0.5\"/>"
+      "</BehaviorTree>" +
+      Tree("B") + "</root>";
+  const std::string problems = Problems(text);
+  EXPECT_NE(problems.find("in format 3, the attributes"), std::string::npos) << problems;
+  EXPECT_NE(problems.find("format 3 is read as format 4"), std::string::npos) << problems;
 }
 
 }  // namespace

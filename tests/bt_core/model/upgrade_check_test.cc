@@ -47,16 +47,23 @@ TEST(UpgradeBlackboardCheck, KeepsTheLayout) {
 }
 
 TEST(UpgradeBlackboardCheck, WhatAScriptCannotSayIsAWarning) {
-  for (const char* attributes :
-       {"", "value_A='{x}'", "value_A='{x}' value_B='three'", "value_A='{a-b}' value_B='3'",
-        "value_A='{x}' value_B='nan'", "value_A='{x}' value_B='3' return_on_mismatch='RUNNING'"}) {
+  const std::pair<const char*, const char*> cases[] = {
+      {"", "value_A"},
+      {"value_A='{x}'", "value_B"},
+      {"value_A='{x}' value_B='three'", "value_B"},
+      {"value_A='{a-b}' value_B='3'", "value_A"},
+      {"value_A='{x}' value_B='nan'", "value_B"},
+      {"value_A='{x}' value_B='3' return_on_mismatch='RUNNING'", "return_on_mismatch"}};
+  for (const auto& [attributes, culprit] : cases) {
     Diagnostics diagnostics;
     const std::string text =
         std::string("<BlackboardCheckInt ") + attributes + "><A/></BlackboardCheckInt>";
     EXPECT_EQ(Upgrade(text, "BlackboardCheckInt", diagnostics), text);
     EXPECT_EQ(diagnostics.ToString(),
-              "t.xml:1:1: warning: BlackboardCheckInt cannot be upgraded by itself "
-              "(format 4 has no such node; write a ScriptCondition)\n");
+              "t.xml:1:1: warning: BlackboardCheckInt cannot be upgraded by itself: " +
+                  std::string(culprit) +
+                  " is not what a script can hold "
+                  "(format 4 has no such node; write a ScriptCondition)\n");
   }
 }
 
@@ -66,6 +73,13 @@ TEST(UpgradeBlackboardCheck, KnowsItsTypesAndKeys) {
   EXPECT_FALSE(IsBlackboardCheck("BlackboardCheckPose"));
   EXPECT_TRUE(IsKey("goal_2"));
   for (const char* name : {"", "2", "a b", "a-b", "/a", "true"}) EXPECT_FALSE(IsKey(name)) << name;
+}
+
+TEST(UpgradeBlackboardCheck, WithoutAChildItSaysSo) {
+  Diagnostics diagnostics;
+  Upgrade("<BlackboardCheckInt value_A='{x}' value_B='3'/>", "BlackboardCheckInt", diagnostics);
+  EXPECT_NE(diagnostics.ToString().find("by itself: it has 0 children, not 1"), std::string::npos)
+      << diagnostics.ToString();
 }
 
 }  // namespace

@@ -84,7 +84,7 @@ TEST(Upgrade, WhatCannotBeAKeyIsLeftWithAWarning) {
   const Upgraded upgraded = Upgrade(Root3("<SubTree ID='T' a='0.5'/>"));
   EXPECT_EQ(upgraded.text, Root4("<SubTree ID='T' a='0.5'/>"));
   EXPECT_EQ(upgraded.problems,
-            R"(t.xml:1:64: warning: "0.5" cannot be a key; it is left as a value )"
+            R"(t.xml:1:64: warning: "0.5" is no name for a key; it is left as a value )"
             "(in format 3, the attributes of a SubTree name keys)\n");
 }
 
@@ -155,6 +155,60 @@ TEST(Format, IsToldByWhatAFileUsesThatDoesNotSay) {
   EXPECT_FALSE(Is3("", "<SubTree ID='T' _autoremap='true'/>"));
   EXPECT_TRUE(Is3("", "<Script/><SubTreePlus ID='T'/>")) << "then the script is a leaf's name";
   EXPECT_TRUE(Is3("", "<Script/><SubTree ID='T' __shared_blackboard='true'/>"));
+}
+
+TEST(Upgrade, ManyOfThemAreOneWarning) {
+  EXPECT_EQ(
+      Upgrade(Root3("<S><SubTree ID='T' a='0.5' b='1'/><SubTree ID='T' a='2'/></S>")).problems,
+      R"(t.xml:1:67: warning: "0.5" is no name for a key; it is left as a value )"
+      "(in format 3, the attributes of a SubTree name keys; 2 more in this file)\n");
+}
+
+// A file of format 3 with a tree B and the models; the tree M as it is upgraded.
+std::string WithModels(const std::string& node, const std::string& models) {
+  const std::string rest = "<BehaviorTree ID='B'><A/></BehaviorTree><TreeNodesModel>" + models +
+                           "</TreeNodesModel></root>";
+  const std::string begin = R"(<root BTCPP_format="3"><BehaviorTree ID="M">)";
+  const Upgraded upgraded = Upgrade(begin + node + "</BehaviorTree>" + rest);
+  EXPECT_EQ(upgraded.problems, "");
+  const std::size_t length = upgraded.text.find("</BehaviorTree>") - begin.size();
+  return upgraded.text.substr(begin.size(), length);
+}
+
+TEST(Upgrade, ATreeThatIsUsedAsANodeTypeBecomesASubTree) {
+  EXPECT_EQ(WithModels("<B/>", ""), "<SubTree ID=\"B\"/>");
+  EXPECT_EQ(WithModels("<B name='b' __shared_blackboard='true' x='key'></B>", ""),
+            "<SubTree name='b' _autoremap='true' x='{key}' ID='B'></SubTree>");
+  EXPECT_EQ(WithModels("<B/>", "<Action ID='B'/>"), "<B/>") << "a leaf of that name";
+}
+
+TEST(Upgrade, OutputsThatAModelNamesAreKeys) {
+  const std::string model =
+      "<Action ID='Read'><output_port name='to'/><input_port name='from'/></Action>";
+  EXPECT_EQ(WithModels("<Read to='key' from='text'/>", model), "<Read to='{key}' from='text'/>");
+  EXPECT_EQ(WithModels("<Action ID='Read' to='1'/>", model), "<Action ID='Read' to='{1}'/>");
+  for (const char* same : {"<Read to='{key}'/>", "<Read to=''/>", "<Read to='='/>"}) {
+    EXPECT_EQ(WithModels(same, model), same);
+  }
+}
+
+TEST(Upgrade, ModelsOfSubTreesLoseWhatIsNoPort) {
+  const std::string models =
+      "<TreeNodesModel>\n<SubTree ID='T'>\n"
+      "<inout_port name='__shared_blackboard'/>\n<input_port name='x'/>\n"
+      "<input_port name='__autoremap'/>\n</SubTree>\n</TreeNodesModel>";
+  const std::string begin = R"(<root BTCPP_format="3">)";
+  const Upgraded upgraded = Upgrade(begin + models + "</root>");
+  EXPECT_EQ(upgraded.text,
+            "<root BTCPP_format=\"4\"><TreeNodesModel>\n<SubTree ID='T'>\n"
+            "<input_port name='x'/>\n</SubTree>\n</TreeNodesModel></root>");
+}
+
+TEST(Upgrade, TellsNewNames) {
+  EXPECT_EQ(NodeNameInFormat4("SequenceStar"), "SequenceWithMemory");
+  EXPECT_EQ(NodeNameInFormat4("Sequence"), "");
+  EXPECT_EQ(PortNameInFormat4("Parallel", "success_threshold"), "success_count");
+  EXPECT_EQ(PortNameInFormat4("Sequence", "success_threshold"), "");
 }
 
 }  // namespace

@@ -80,7 +80,7 @@ TEST_F(CheckTest, RefusesWhatCannotWork) {
       {"list + 1", "5: \"+\" takes numbers or two texts (\"..\" joins a text and a number)"},
       {"!list", "1: \"list\" is neither true nor false (expected a bool or a number)"},
       {"flag && 'maybe'", "8: 'maybe' is neither true nor false"},
-      {"list < 5", "5: \"list\" and 5 cannot be compared"},
+      {"list < 5", "5: \"list\", which is list of int, and 5 cannot be compared"},
       {"number == 'abc'", "10: 'abc' is no value of type int, which \"number\" has"},
       {"list == 'abc'", "8: 'abc' is no value of type list of int, which \"list\" has"},
       {"1 % 0", "2: 1 % 0 has no value"},

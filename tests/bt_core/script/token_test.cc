@@ -52,6 +52,8 @@ TEST(Tokenize, TextsStandInSingleOrDoubleQuotes) {
 TEST(Tokenize, BlanksSeparateAndNothingElse) {
   EXPECT_EQ(Tokens(" a\t\r\nb "), "a b");
   EXPECT_EQ(Tokens(std::string_view("a\0b", 3)), "a ! b");
+  EXPECT_EQ(Tokens("a \\\n b \\\r\nc"), "a b c") << "a backslash may end a line";
+  EXPECT_EQ(Tokens("a \\ b"), "a ! b");
   EXPECT_EQ(Tokens("a $ b # c"), "a ! b ! c");
   EXPECT_EQ(Tokens(""), "");
 }

@@ -141,5 +141,11 @@ TEST(CheckProject, TellsProgramsWhatAProblemIsAbout) {
   }
 }
 
+TEST(CheckProject, TheGuardsOfASubTreeAreCheckedWhereverItsTreeIs) {
+  const std::string problems = Check(Tree("A", R"(<SubTree ID="Gone" _skipIf="x :="/>)"));
+  EXPECT_NE(problems.find("tree \"Gone\" is not among these files"), std::string::npos) << problems;
+  EXPECT_NE(problems.find("error: expected a value after \":=\""), std::string::npos) << problems;
+}
+
 }  // namespace
 }  // namespace coppice

@@ -76,5 +76,12 @@ TEST_F(GuardReaderTest, AScriptCannotComeFromTheBlackboard) {
       << diagnostics.ToString();
 }
 
+TEST_F(GuardReaderTest, AutoremapIsTrueOrFalse) {
+  Read(R"(_autoremap="maybe")");
+  EXPECT_EQ(diagnostics.ToString(),
+            "t.xml:2:19: error: \"maybe\" is not a value for \"_autoremap\" (expected true or "
+            "false)\n");
+}
+
 }  // namespace
 }  // namespace coppice

@@ -60,5 +60,25 @@ TEST(NodeLookup, TheFallbackDoesNotStandForUnknownControls) {
             "(did you mean \"Sequence\"?)\n");
 }
 
+TEST(NodeLookup, ACompactElementHasNoId) {
+  EXPECT_EQ(Problems(Main(R"(<Fallback ID="Look"><AlwaysSuccess/></Fallback>)")),
+            "t.xml:3:11: error: <Fallback> has its type as tag, no ID (name=\"Look\" names the "
+            "node)\n");
+}
+
+TEST(NodeLookup, WhatBelongsToAFileCannotStandInATree) {
+  EXPECT_EQ(Problems(Main("<Sequence><AlwaysSuccess/>\n<include path=\"x\"/>\n<TreeNodesModel/>\n"
+                          "<root/></Sequence>")),
+            "t.xml:4:1: error: <include> cannot stand inside a tree\n"
+            "t.xml:5:1: error: <TreeNodesModel> cannot stand inside a tree\n"
+            "t.xml:6:1: error: <root> cannot stand inside a tree\n");
+}
+
+TEST(NodeLookup, ANodeOfFormat3IsToldItsNewName) {
+  EXPECT_EQ(Problems(Main("<SequenceStar><AlwaysSuccess/></SequenceStar>")),
+            "t.xml:3:1: error: unknown node type \"SequenceStar\" (in format 4 it is "
+            "SequenceWithMemory)\n");
+}
+
 }  // namespace
 }  // namespace coppice

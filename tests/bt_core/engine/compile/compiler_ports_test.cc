@@ -51,8 +51,34 @@ TEST(Ports, AnEmptyLiteralIsToldOfTheDefault) {
 TEST(Ports, OutputsNeedAKey) {
   EXPECT_EQ(Problems(R"(<Drive goal="1" total="{t}" distance="d"/>)"),
             "t.xml:3:39: error: output \"distance\" needs a key (write {key})\n");
+}
+
+TEST(Ports, AnInOutReadsALiteralAndLosesWhatIsWritten) {
   EXPECT_EQ(Problems(R"(<Drive goal="1" total="5"/>)"),
-            "t.xml:3:24: error: inout \"total\" needs a key (write {key})\n");
+            "t.xml:3:24: warning: what is written to inout \"total\" is lost: \"5\" is no key "
+            "(write {key})\n");
+}
+
+TEST(Ports, AnOutputOfTextWithoutKeyIsLostWithAWarning) {
+  EXPECT_EQ(Problems(R"(<Tell text="x" to="k"/>)"),
+            "t.xml:3:20: warning: what is written to output \"to\" is lost: \"k\" is no key "
+            "(write {key})\n");
+}
+
+TEST(Ports, AnEmptyOutputIsNotGiven) {
+  EXPECT_EQ(Problems(R"(<Drive goal="1" total="{t}" distance=""/>)"), "");
+}
+
+TEST(Ports, APortOfFormat3IsToldItsNewName) {
+  EXPECT_EQ(Problems(R"(<Parallel success_threshold="1"><AlwaysSuccess/></Parallel>)"),
+            "t.xml:3:11: error: Parallel has no port \"success_threshold\" (in format 4 it is "
+            "success_count)\n");
+}
+
+TEST(Ports, AListWithCommasIsToldOfSemicolons) {
+  EXPECT_EQ(Problems(R"(<LoopDouble queue="1, 2" value="{v}"><AlwaysSuccess/></LoopDouble>)"),
+            R"(t.xml:3:20: error: "1, 2" is not a value for port "queue" of LoopDouble )"
+            "(expected list of double; its elements are separated by semicolons)\n");
 }
 
 TEST(Ports, EmptyBracesAreNoKey) {

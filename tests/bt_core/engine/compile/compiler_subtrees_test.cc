@@ -221,5 +221,25 @@ TEST(SubTree, ALongChainIsStoppedBeforeMemoryIsUsedUp) {
       << problems;
 }
 
+TEST(SubTree, FormatThreeDoesNotAskForThePortsOfAModel) {
+  const std::string trees =
+      Tree("Main", "<SubTree ID=\"S\"/>") + Tree("S", "<AlwaysSuccess/>") +
+      "<TreeNodesModel><SubTree ID=\"S\"><input_port name=\"x\"/></SubTree></TreeNodesModel>";
+  const auto check = [&trees](const std::string& format) {
+    Diagnostics diagnostics;
+    const bool runs =
+        CompileText("<root" + format + " main_tree_to_execute=\"Main\">" + trees + "</root>",
+                    diagnostics, TestRegistry()) != nullptr;
+    return (runs ? "runs: " : "no: ") + diagnostics.ToString();
+  };
+  EXPECT_NE(check(" BTCPP_format=\"4\"").find("no: t.xml:1:76: error: SubTree \"S\" needs"),
+            std::string::npos)
+      << check(" BTCPP_format=\"4\"");
+  EXPECT_NE(
+      check(" BTCPP_format=\"3\"").find("warning: SubTree \"S\" needs its port \"x\" in format 4"),
+      std::string::npos);
+  EXPECT_EQ(check(" BTCPP_format=\"3\"").substr(0, 4), "runs");
+}
+
 }  // namespace
 }  // namespace coppice

@@ -110,5 +110,41 @@ TEST(ModelRegistry, TheModelsOfAllBuiltInNodesContradictNone) {
   EXPECT_EQ(diagnostics.ToString(), "");
 }
 
+TEST(ModelRegistry, ScriptsMayDoWhatTheyLikeWithATypeThatOnlyHasAName) {
+  EXPECT_EQ(Check(R"(<Sequence><Look seen="{x}"/><Script code="y := x + 1; x = 5"/>)"
+                  R"(<AlwaysSuccess _skipIf="x == 4"/></Sequence>)",
+                  ModelRegistry(kModels)),
+            "");
+}
+
+TEST(ModelRegistry, AnInputThatReadsATextIsAWarningForItConverts) {
+  const auto registry =
+      ModelRegistry(R"(<root BTCPP_format="4"><TreeNodesModel>)"
+                    R"(<Action ID="Ask"><output_port name="answer" type="std::string"/></Action>)"
+                    R"(<Action ID="Use"><input_port name="number" type="double"/></Action>)"
+                    "</TreeNodesModel></root>");
+  EXPECT_EQ(Check(R"(<Sequence><Ask answer="{x}"/><Use number="{x}"/></Sequence>)", registry),
+            R"(t.xml:3:43: warning: key "x" is string (from Ask.answer), but port "number" of Use )"
+            "is double (BehaviorTree.CPP converts the text whenever it is read)\n");
+  EXPECT_NE(Check(R"(<Sequence><Use number="{x}"/><Ask answer="{x}"/></Sequence>)", registry)
+                .find(": error: key \"x\" is double"),
+            std::string::npos)
+      << "a text for a number is none";
+}
+
+TEST(ModelRegistry, DefaultsMayHaveTheSuffixesOfCpp) {
+  const auto registry =
+      ModelRegistry(R"(<root BTCPP_format="4"><TreeNodesModel><Action ID="Plan">)"
+                    R"(<input_port name="attempts" type="unsigned int" default="1u"/>)"
+                    R"(<input_port name="speed" type="float" default="0.5f"/>)"
+                    R"(<input_port name="frame" type="std::string" default="full"/>)"
+                    "</Action></TreeNodesModel></root>");
+  const auto& ports = registry->Find("Plan")->manifest.ports;
+  EXPECT_EQ(ports[0].default_text, "1");
+  EXPECT_EQ(ports[1].default_text, "0.5");
+  EXPECT_EQ(ports[2].default_text, "full");
+  EXPECT_EQ(Check("<Plan/>", registry), "");
+}
+
 }  // namespace
 }  // namespace coppice

@@ -56,5 +56,16 @@ TEST_F(ProjectProblemsTest, ATreeMayNotHaveTheNameOfANodeType) {
             "t.xml:2:1: error: tree \"Sequence\" has the name of a node type\n");
 }
 
+TEST_F(ProjectProblemsTest, ATreeMayNotHaveTheNameOfALeafThatAModelDescribes) {
+  project = Project::FromText(
+      "<root BTCPP_format=\"4\">\n<BehaviorTree ID=\"Dock\"><A/></BehaviorTree>\n"
+      "<TreeNodesModel><Action ID=\"Dock\"/></TreeNodesModel></root>",
+      "t.xml", diagnostics);
+  CheckTreeNames(*project, Registry(), problems);
+  EXPECT_EQ(diagnostics.ToString(),
+            "t.xml:2:1: error: tree \"Dock\" has the name of a node type (its model is at "
+            "t.xml:3)\n");
+}
+
 }  // namespace
 }  // namespace coppice
