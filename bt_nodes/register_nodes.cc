@@ -7,6 +7,7 @@
 #include "bt_nodes/basics/is_true.h"
 #include "bt_nodes/basics/wait.h"
 #include "bt_nodes/docking/docking_leaves.h"
+#include "bt_nodes/interaction/expression_leaves.h"
 #include "bt_nodes/interaction/interaction_leaves.h"
 #include "bt_nodes/monitoring/monitoring_leaves.h"
 #include "bt_nodes/navigation/navigation_leaves.h"
@@ -50,7 +51,8 @@ void RegisterNodes(Registry& registry, const Capabilities& capabilities) {
   registry.Register<ChargeDue>("ChargeDue");
 
   registry.Register<Say>("Say", std::ref(capabilities.interaction));
-  registry.Register<SetExpression>("SetExpression", std::ref(capabilities.interaction));
+  registry.Register<SetExpression>("SetExpression", std::ref(capabilities.face));
+  registry.Register<Express>("Express", std::ref(capabilities.face));
   registry.Register<Wait>("Wait");
   registry.Register<IsTrue>("IsTrue");
 

@@ -5,6 +5,7 @@
 #include "bt_core/engine/registry.h"
 #include "bt_nodes/application/application_control.h"
 #include "bt_nodes/docking/charging_station.h"
+#include "bt_nodes/interaction/expression.h"
 #include "bt_nodes/interaction/interaction.h"
 #include "bt_nodes/navigation/navigator.h"
 #include "bt_nodes/navigation/routes.h"
@@ -22,6 +23,7 @@ struct Capabilities {
   Routes& routes;
   ChargingStation& station;
   Interaction& interaction;
+  Face& face;
   ProcessManager& processes;
   SupervisorChannel& supervisors;
   ApplicationControl& application;

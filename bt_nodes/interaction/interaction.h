@@ -1,4 +1,4 @@
-// What leaves that address people need of a robot. Implemented on ROS topics in robot_app/ros, and
+// What leaves that speak to people need of a robot. Implemented on ROS topics in robot_app/ros, and
 // on test doubles.
 //
 // All functions are called on the ticking thread and return at once.
@@ -18,8 +18,6 @@ class Interaction {
   /// Speaks a text. Reported as done when it has been spoken.
   virtual void Say(const std::string& text, Sender<ActionResult> done) = 0;
   virtual void CancelSpeech() = 0;
-  /// Shows a facial expression until the next one: NEUTRAL, SAD, SLEEP, LAUGHING, ...
-  virtual void SetExpression(const std::string& expression) = 0;
 };
 
 }  // namespace coppice::leaves

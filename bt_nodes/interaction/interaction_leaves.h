@@ -1,4 +1,4 @@
-// Leaves that address people: Say, SetExpression.
+// The leaf that speaks to people: Say.
 #ifndef COPPICE_BT_NODES_INTERACTION_INTERACTION_LEAVES_H_
 #define COPPICE_BT_NODES_INTERACTION_INTERACTION_LEAVES_H_
 
@@ -18,20 +18,6 @@ class Say : public CapabilityAction {
  protected:
   void Begin(Sender<ActionResult> done) override { interaction_.Say(*text, done); }
   void Cancel() override { interaction_.CancelSpeech(); }
-
- private:
-  Interaction& interaction_;
-};
-
-class SetExpression : public SyncAction {
- public:
-  static constexpr const char* kDescription = "Shows a facial expression.";
-  explicit SetExpression(Interaction& interaction) : interaction_(interaction) {}
-  Input<std::string> expression{this, "expression", "NEUTRAL, SAD, SLEEP, LAUGHING, CURIOUS, ..."};
-  Status Run() override {
-    interaction_.SetExpression(*expression);
-    return Status::kSuccess;
-  }
 
  private:
   Interaction& interaction_;

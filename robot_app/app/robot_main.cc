@@ -20,6 +20,7 @@
 #include "robot_app/ros/feeds.h"
 #include "robot_app/ros/people_feed.h"
 #include "robot_app/ros/pose_feed.h"
+#include "robot_app/ros/ros_face.h"
 #include "robot_app/ros/ros_interaction.h"
 #include "robot_app/ros/ros_navigator.h"
 #include "robot_app/ros/ros_process_manager.h"
@@ -92,6 +93,7 @@ class Robot {
                 options.Get("--learn")),
         station_(adapters::MakeRosChargingStation(node)),
         interaction_(node),
+        face_(node),
         supervisors_(node),
         recoveries_(node, clock_) {
     const int port = static_cast<int>(options.Whole("--live-port", 1667));
@@ -140,7 +142,7 @@ class Robot {
     Diagnostics diagnostics;
     const std::string tree = name == "application" ? options.Get("--tree") : "";
     const auto registry = std::make_shared<Registry>();
-    leaves::RegisterNodes(*registry, {*navigator_, places_, places_, *station_, interaction_,
+    leaves::RegisterNodes(*registry, {*navigator_, places_, places_, *station_, interaction_, face_,
                                       processes_, supervisors_, link_, recoveries_});
     const auto program = CompileFile(options.Get("--" + name), registry, diagnostics, tree);
     std::cerr << diagnostics.ToString();
@@ -208,6 +210,7 @@ class Robot {
   adapters::SitePlaces places_;
   std::unique_ptr<leaves::ChargingStation> station_;
   adapters::RosInteraction interaction_;
+  adapters::RosFace face_;
   adapters::RosProcessManager processes_;
   adapters::RosSupervisors supervisors_;
   adapters::RosRecoveryLog recoveries_;

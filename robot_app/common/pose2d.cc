@@ -15,11 +15,7 @@ double Distance(const Pose2D& a, const Pose2D& b) { return std::hypot(a.x - b.x,
 
 double Distance(const Point2D& a, const Point2D& b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
-Point2D Compose(const Pose2D& frame, const Point2D& local) {
-  const double c = std::cos(frame.yaw);
-  const double s = std::sin(frame.yaw);
-  return {frame.x + c * local.x - s * local.y, frame.y + s * local.x + c * local.y};
-}
+Point2D Compose(const Pose2D& frame, const Point2D& local) { return PointComposer(frame)(local); }
 
 Pose2D Compose(const Pose2D& frame, const Pose2D& local) {
   const Point2D origin = Compose(frame, Point2D{local.x, local.y});

@@ -3,6 +3,7 @@
 #ifndef COPPICE_ROBOT_APP_COMMON_POSE2D_H_
 #define COPPICE_ROBOT_APP_COMMON_POSE2D_H_
 
+#include <cmath>
 #include <optional>
 #include <string>
 
@@ -33,6 +34,20 @@ double Distance(const Point2D& a, const Point2D& b);
 /// `local`, given in the frame `frame`, in the frame that `frame` is given in.
 Pose2D Compose(const Pose2D& frame, const Pose2D& local);
 Point2D Compose(const Pose2D& frame, const Point2D& local);
+
+/// Compose() of many points with one frame, whose sine and cosine are taken once.
+class PointComposer {
+ public:
+  explicit PointComposer(const Pose2D& frame)
+      : x_(frame.x), y_(frame.y), cos_(std::cos(frame.yaw)), sin_(std::sin(frame.yaw)) {}
+
+  Point2D operator()(const Point2D& local) const {
+    return {x_ + cos_ * local.x - sin_ * local.y, y_ + sin_ * local.x + cos_ * local.y};
+  }
+
+ private:
+  double x_, y_, cos_, sin_;
+};
 
 /// The reverse: `pose` as seen from `frame`, both given in the same frame.
 Pose2D RelativeTo(const Pose2D& frame, const Pose2D& pose);

@@ -36,6 +36,20 @@ void AddChildren(const urdf::Link& link, std::vector<FrameOnRobot>& frames) {
   }
 }
 
+std::vector<JointOnRobot> JointsOf(const urdf::ModelInterface& model) {
+  std::vector<JointOnRobot> joints;
+  for (const auto& [name, joint] : model.joints_) {
+    if (joint->type != urdf::Joint::REVOLUTE || !joint->limits) continue;
+    joints.push_back({name,
+                      joint->child_link_name,
+                      {joint->axis.x, joint->axis.y, joint->axis.z},
+                      joint->limits->lower,
+                      joint->limits->upper,
+                      joint->limits->velocity});
+  }
+  return joints;
+}
+
 template <typename Part>
 const urdf::Cylinder* CylinderOf(const Part& part) {
   if (!part || !part->geometry || part->geometry->type != urdf::Geometry::CYLINDER) return nullptr;
@@ -77,6 +91,7 @@ Expected<RobotDescription> RobotDescription::Load(const std::string& file) {
 
   RobotDescription robot;
   AddChildren(base, robot.frames_);
+  robot.joints_ = JointsOf(*model);
   robot.radius_ = body->radius;
   robot.height_ = body->length;
   const urdf::LinkConstSharedPtr left = model->getLink("left_wheel");

@@ -26,6 +26,15 @@ struct FrameOnRobot {
   bool is_fixed = true;                        ///< else it is given as the joint stands at zero
 };
 
+/// What turns within limits and carries a frame.
+struct JointOnRobot {
+  std::string name;
+  std::string frame;             ///< that it carries, one of frames()
+  std::array<double, 3> axis{};  ///< in that frame, a unit vector
+  double lower = 0, upper = 0;   ///< [rad]
+  double velocity = 0;           ///< at most [rad/s]
+};
+
 /// Where something sits that stands level.
 struct Mount {
   Pose2D pose;        ///< in the plane of base_link
@@ -44,6 +53,9 @@ class RobotDescription {
   /// Every frame but base_link, parents before children.
   const std::vector<FrameOnRobot>& frames() const { return frames_; }
 
+  /// The revolute joints that have limits.
+  const std::vector<JointOnRobot>& joints() const { return joints_; }
+
   /// In base_link. A problem if there is no such frame (with the nearest name), if it moves, or if
   /// it does not stand level.
   Expected<Mount> MountOf(const std::string& frame) const;
@@ -59,6 +71,7 @@ class RobotDescription {
  private:
   std::string text_;
   std::vector<FrameOnRobot> frames_;
+  std::vector<JointOnRobot> joints_;
   double radius_ = 0;
   double height_ = 0;
   double wheel_diameter_ = 0;

@@ -46,10 +46,11 @@ std::vector<Beam> BeamsOf(const LaserScan& scan, double spacing, int most) {
 }
 
 std::vector<Beam> Moved(const std::vector<Beam>& beams, const Pose2D& shift) {
+  const PointComposer shifted(shift);
   std::vector<Beam> moved;
   moved.reserve(beams.size());
   for (const Beam& beam : beams) {
-    moved.push_back({Compose(shift, beam.from), Compose(shift, beam.to), beam.hit});
+    moved.push_back({shifted(beam.from), shifted(beam.to), beam.hit});
   }
   return moved;
 }
@@ -65,10 +66,11 @@ double Agreement::share() const {
 }
 
 Agreement Agree(const LikelihoodField& field, const std::vector<Beam>& beams, const Pose2D& pose) {
+  const PointComposer in_map(pose);
   Agreement sum;
   for (const Beam& beam : beams) {
-    const Point2D from = Compose(pose, beam.from);
-    const Point2D to = Compose(pose, beam.to);
+    const Point2D from = in_map(beam.from);
+    const Point2D to = in_map(beam.to);
     const double range = Distance(from, to);
     if (field.Cast(from, to) < range - kEarly - kEarlyPerMetre * range) {
       ++sum.through;

@@ -85,13 +85,15 @@ void ParticleFilter::Weigh(const LikelihoodField& field, const std::vector<Beam>
   const double scale = -1 / (2 * settings_.end_noise * settings_.end_noise);
   double sum = 0;
   for (Particle& particle : particles_) {
-    double logarithm = 0;
+    const PointComposer in_map(particle.pose);
+    double likelihood = 1;  // of 60 beams at least random_share to the power of 60: no underflow
     for (double i = 0; i < static_cast<double>(ends.size()); i += every) {
-      const Point2D end = Compose(particle.pose, ends[static_cast<std::size_t>(i)]);
+      const Point2D end = in_map(ends[static_cast<std::size_t>(i)]);
       const double distance = field.Distance(end.x, end.y);
-      logarithm += std::log((1 - settings_.random_share) * std::exp(scale * distance * distance) +
-                            settings_.random_share);
+      likelihood *= (1 - settings_.random_share) * std::exp(scale * distance * distance) +
+                    settings_.random_share;
     }
+    const double logarithm = std::log(likelihood);
     sum += std::exp(logarithm / used) * particle.weight;
     particle.weight *= std::exp(power * logarithm);
     if (!field.Free(particle.pose.x, particle.pose.y)) particle.weight *= 0.1;

@@ -26,6 +26,9 @@ struct PlaceSearch::Node {
   int column = 0;
   int row = 0;
   double score = 0;
+
+  static bool IsWorse(const Node& a, const Node& b) { return a.score < b.score; }
+  static bool IsBetter(const Node& a, const Node& b) { return a.score > b.score; }
 };
 
 // The beams' ends at one heading, as steps in the arrays of the levels.
@@ -96,8 +99,7 @@ std::vector<PlaceSearch::Node> PlaceSearch::Coarse(const std::vector<Turned>& tu
       }
     }
   }
-  std::sort(nodes.begin(), nodes.end(),
-            [](const Node& a, const Node& b) { return a.score > b.score; });
+  std::make_heap(nodes.begin(), nodes.end(), Node::IsWorse);
   return nodes;
 }
 
@@ -121,8 +123,7 @@ void PlaceSearch::Descend(const Turned& turned, const Node& node, double& thresh
       parts.back().score = Bound(turned, level, part.column, part.row);
     }
   }
-  std::sort(parts.begin(), parts.end(),
-            [](const Node& a, const Node& b) { return a.score > b.score; });
+  std::sort(parts.begin(), parts.end(), Node::IsBetter);
   for (const Node& part : parts) Descend(turned, part, threshold, found);
 }
 
@@ -137,17 +138,24 @@ std::vector<FittingPlace> PlaceSearch::Find(const std::vector<Beam>& beams,
   std::vector<Turned> turns(kHeadings);
   for (int i = 0; i < kHeadings; ++i) {
     turns[i].yaw = NormalizeAngle(2 * M_PI * i / kHeadings);
+    const PointComposer turned({0, 0, turns[i].yaw});
     for (double j = 0; j < static_cast<double>(ends.size()); j += every) {
-      const Point2D end = Compose(Pose2D{0, 0, turns[i].yaw}, ends[static_cast<std::size_t>(j)]);
+      const Point2D end = turned(ends[static_cast<std::size_t>(j)]);
       turns[i].steps.push_back(static_cast<int>(std::lround(end.y / kCell)) * width_ +
                                static_cast<int>(std::lround(end.x / kCell)));
     }
   }
   std::vector<Node> found;
   double threshold = kWorst;
-  for (const Node& node : Coarse(turns)) Descend(turns[node.turn], node, threshold, found);
-  std::sort(found.begin(), found.end(),
-            [](const Node& a, const Node& b) { return a.score > b.score; });
+  // The best first: most of the others are below what these have found.
+  std::vector<Node> nodes = Coarse(turns);
+  while (!nodes.empty() && nodes.front().score >= threshold) {
+    const Node node = nodes.front();
+    std::pop_heap(nodes.begin(), nodes.end(), Node::IsWorse);
+    nodes.pop_back();
+    Descend(turns[node.turn], node, threshold, found);
+  }
+  std::sort(found.begin(), found.end(), Node::IsBetter);
 
   const GridFrame& frame = field_.frame();
   std::vector<Pose2D> peaks;

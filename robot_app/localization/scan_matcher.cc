@@ -18,10 +18,11 @@ struct Equations {
 Equations OfBeams(const LikelihoodField& field, const std::vector<Beam>& beams, const Pose2D& pose,
                   const MatchSettings& settings) {
   const double beam_weight = 1 / (settings.beam_noise * settings.beam_noise);
+  const PointComposer in_map(pose);
   Equations sum;
   for (const Beam& beam : beams) {
     if (!beam.hit) continue;
-    const Point2D end = Compose(pose, beam.to);
+    const Point2D end = in_map(beam.to);
     const LikelihoodField::Slope slope = field.DistanceAndSlope(end.x, end.y);
     if (slope.distance > settings.outlier) continue;
     // The end moves with the position, and across its arm when the robot turns.

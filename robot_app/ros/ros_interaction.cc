@@ -16,9 +16,7 @@ std_msgs::String Message(const std::string& text) {
 }  // namespace
 
 RosInteraction::RosInteraction(ros::NodeHandle& node)
-    : node_(node),
-      speech_(node.advertise<std_msgs::String>("/speech", 10)),
-      expression_(node.advertise<std_msgs::String>("/expression", 10, true)) {}
+    : node_(node), speech_(node.advertise<std_msgs::String>("/speech", 10)) {}
 
 void RosInteraction::Say(const std::string& text, Sender<leaves::ActionResult> done) {
   speech_.publish(Message(text));
@@ -32,9 +30,5 @@ void RosInteraction::Say(const std::string& text, Sender<leaves::ActionResult> d
 }
 
 void RosInteraction::CancelSpeech() { end_of_speech_.stop(); }
-
-void RosInteraction::SetExpression(const std::string& expression) {
-  expression_.publish(Message(expression));
-}
 
 }  // namespace coppice::robot::adapters

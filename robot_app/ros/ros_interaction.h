@@ -1,5 +1,4 @@
-// Interaction on two topics: what is spoken on /speech, what the face shows on /expression
-// (std_msgs/String). Speaking takes 60 ms of ROS time for each character, at least one second.
+// Interaction on a topic: what is spoken on /speech (std_msgs/String). Speaking takes 60 ms of ROS time for each character, at least one second.
 #ifndef COPPICE_ROBOT_APP_ROS_ROS_INTERACTION_H_
 #define COPPICE_ROBOT_APP_ROS_ROS_INTERACTION_H_
 
@@ -17,12 +16,10 @@ class RosInteraction : public leaves::Interaction {
 
   void Say(const std::string& text, Sender<leaves::ActionResult> done) override;
   void CancelSpeech() override;
-  void SetExpression(const std::string& expression) override;
 
  private:
   ros::NodeHandle node_;
   ros::Publisher speech_;
-  ros::Publisher expression_;
   ros::Timer end_of_speech_;
 };
 

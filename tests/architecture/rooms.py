@@ -50,7 +50,7 @@ FLOORS = {
          "bt_nodes/application": "starting and stopping the tree of the application"},
         {"bt_nodes/navigation": "`Navigator`, waypoints, `Routes`",
          "bt_nodes/docking": "`ChargingStation`",
-         "bt_nodes/interaction": "speaking and asking",
+         "bt_nodes/interaction": "speaking, and how the robot looks",
          "bt_nodes/processes": "`ProcessManager`: programs of the robot"},
         {"bt_nodes/people": "who is around, and leaves that look at them",
          "bt_nodes/monitoring": "the report of the monitors in a tree"},
@@ -82,7 +82,9 @@ FLOORS = {
                                  "([supervisors](supervisors.md))",
          "robot_app/knowledge": "what the robot knows of its site, and what people ask of it: "
                                 "imports, queries, understanding, answers "
-                                "([service](service.md))"},
+                                "([service](service.md))",
+         "robot_app/expression": "how it looks: face, lights, ears and arms, as data and as "
+                                 "simulated devices ([service](service.md#how-it-looks))"},
         {"robot_app/training": "`coppice-train`: what the robot's classifiers learn from, and how "
                                "well they have learnt it",
          "robot_app/ros": "the interfaces of `bt_nodes` implemented on ROS; feeds from topics to "

@@ -16,6 +16,7 @@ class FakeRobot : public Navigator,
                   public Routes,
                   public ChargingStation,
                   public Interaction,
+                  public Face,
                   public ProcessManager,
                   public SupervisorChannel,
                   public ApplicationControl,
@@ -91,9 +92,9 @@ class FakeRobot : public Navigator,
     Begin("Say " + text, sender);
   }
   void CancelSpeech() override { calls.push_back("CancelSpeech"); }
-  void SetExpression(const std::string& expression) override {
-    calls.push_back("SetExpression " + expression);
-  }
+  void SetExpression(Expression expression) override { Look("SetExpression ", expression); }
+  void Hold(Expression expression) override { Look("Hold ", expression); }
+  void Release(Expression expression) override { Look("Release ", expression); }
 
   void RestartNode(const std::string& node, bool cleared, Sender<ActionResult> sender) override {
     Begin("RestartNode " + node + (cleared ? ", cleared" : ""), sender);
@@ -131,11 +132,14 @@ class FakeRobot : public Navigator,
   void Record(const RecoveryEvent& event) override { events.push_back(event); }
 
   Capabilities capabilities() {
-    return {*this, *this, *this, *this, *this, *this, *this, *this, *this};
+    return {*this, *this, *this, *this, *this, *this, *this, *this, *this, *this};
   }
 
  private:
   static std::string Text(double number) { return ValueTraits<double>::Print(number); }
+  void Look(const std::string& how, Expression expression) {
+    calls.push_back(how + ValueTraits<Expression>::Print(expression));
+  }
   void Begin(std::string call, const Sender<ActionResult>& sender) {
     calls.push_back(std::move(call));
     done = sender;

@@ -7,21 +7,21 @@
 
 namespace coppice::conformance {
 
-std::string Shape::Text(const std::string& name, const std::string& otherwise) const {
-  for (const auto& [key, text] : attributes) {
-    if (key == name) return text;
-  }
-  return otherwise;
+std::string Shape::Text(std::string_view name, const char* otherwise) const {
+  const std::string* text = Find(name);
+  return text != nullptr ? *text : otherwise;
 }
 
-int Shape::Number(const std::string& name, int otherwise) const {
-  return std::stoi(Text(name, std::to_string(otherwise)));
+int Shape::Number(std::string_view name, int otherwise) const {
+  const std::string* text = Find(name);
+  return text != nullptr ? std::stoi(*text) : otherwise;
 }
 
-Status Shape::Result(const std::string& name, Status otherwise) const {
-  const std::string text = Text(name, ToString(otherwise));
+Status Shape::Result(std::string_view name, Status otherwise) const {
+  const std::string* text = Find(name);
+  if (text == nullptr) return otherwise;
   for (const Status status : {Status::kSuccess, Status::kFailure, Status::kRunning}) {
-    if (text == ToString(status)) return status;
+    if (*text == ToString(status)) return status;
   }
   return Status::kSkipped;
 }
@@ -40,10 +40,10 @@ void World::Write(const std::string& text, std::optional<std::string> value) {
   if (value) blackboard[text] = *value;
 }
 
-bool OracleNode::Guard(const char* name, bool otherwise) const {
-  const std::string text = shape_.Text(name, "");
-  if (text.empty()) return otherwise;  // as of nearly all
-  std::istringstream script(text);
+bool OracleNode::Guard(std::string_view name, bool otherwise) const {
+  const std::string* text = shape_.Find(name);
+  if (text == nullptr) return otherwise;
+  std::istringstream script(*text);
   std::string key;
   std::string relation;
   std::string number;
@@ -51,12 +51,12 @@ bool OracleNode::Guard(const char* name, bool otherwise) const {
   return (world_.Read("{" + key + "}") == number) == (relation == "==");
 }
 
-void OracleNode::Hook(const char* name) {
-  const std::string script = shape_.Text(name, "");
-  if (script.empty()) return;
-  const std::string key = "{" + script.substr(0, script.find(' ')) + "}";
-  const std::size_t text = script.find('\'') + 1;
-  world_.Write(key, *world_.Read(key) + script.substr(text, script.size() - 1 - text));
+void OracleNode::Hook(std::string_view name) {
+  const std::string* script = shape_.Find(name);
+  if (script == nullptr) return;
+  const std::string key = "{" + script->substr(0, script->find(' ')) + "}";
+  const std::size_t text = script->find('\'') + 1;
+  world_.Write(key, *world_.Read(key) + script->substr(text, script->size() - 1 - text));
 }
 
 Status OracleNode::Tick() {

@@ -10,6 +10,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -24,10 +25,18 @@ struct Shape {
   std::vector<std::pair<std::string, std::string>> attributes;
   std::vector<Shape> children;
 
-  /// The text of an attribute, or else `otherwise`.
-  std::string Text(const std::string& name, const std::string& otherwise) const;
-  int Number(const std::string& name, int otherwise) const;
-  Status Result(const std::string& name, Status otherwise) const;
+  /// The text of an attribute; null without it. Asked many times in a tick.
+  const std::string* Find(std::string_view name) const {
+    for (const auto& [key, text] : attributes) {
+      if (key == name) return &text;
+    }
+    return nullptr;
+  }
+
+  /// The same, or else `otherwise`.
+  std::string Text(std::string_view name, const char* otherwise) const;
+  int Number(std::string_view name, int otherwise) const;
+  Status Result(std::string_view name, Status otherwise) const;
 };
 
 /// The world that a tree of the oracle lives in.
@@ -65,8 +74,8 @@ class OracleNode {
 
   /// What a guard or hook of this name would be: scripts are key == number, key != number and
   /// key += 'text'.
-  bool Guard(const char* name, bool otherwise) const;
-  void Hook(const char* name);
+  bool Guard(std::string_view name, bool otherwise) const;
+  void Hook(std::string_view name);
 
   Status status() const { return status_; }
   std::vector<std::unique_ptr<OracleNode>> children;

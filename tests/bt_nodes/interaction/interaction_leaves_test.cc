@@ -29,13 +29,5 @@ TEST(Say, FallsSilentWhenHalted) {
   EXPECT_EQ(robot.calls.back(), "CancelSpeech");
 }
 
-TEST(SetExpression, ShowsItAtOnce) {
-  FakeRobot robot;
-  LeafHarness harness = LeafHarness::For<SetExpression>(std::ref<Interaction>(robot));
-  harness.Set("expression", std::string("SLEEP"));
-  EXPECT_EQ(harness.Tick(), Status::kSuccess);
-  EXPECT_EQ(robot.calls, std::vector<std::string>{"SetExpression SLEEP"});
-}
-
 }  // namespace
 }  // namespace coppice::leaves

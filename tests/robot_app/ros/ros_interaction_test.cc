@@ -44,13 +44,5 @@ TEST(RosInteraction, SpeaksOnItsTopicAndReportsTheEnd) {
   EXPECT_TRUE(Eventually([&] { return harness.Tick() == Status::kSuccess; }));
 }
 
-TEST(RosInteraction, ShowsTheExpressionToThoseWhoComeLater) {
-  ros::NodeHandle node;
-  RosInteraction interaction(node);
-  interaction.SetExpression("SLEEP");
-  Listener expression(node, "/expression");
-  EXPECT_TRUE(Eventually([&] { return expression.text() == "SLEEP"; }));
-}
-
 }  // namespace
 }  // namespace coppice::robot::adapters
