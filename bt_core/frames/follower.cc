@@ -24,8 +24,9 @@ void HistoryFollower::Note(const TickEvents& events) {
   if (!events.is_whole) return Apply(events);
   Pass(events);
   is_noted_ = true;
-  ForEachEvent(
-      events.words, [this](NodeIndex node, Status status) { statuses_.Note(node, status); },
+  ForEachRun(
+      events.words,
+      [this](const std::uint32_t* at, const std::uint32_t* end) { return statuses_.Note(at, end); },
       [this](const Event& event) { ApplyWrite(event); });
 }
 

@@ -50,48 +50,96 @@ std::int64_t Step(std::uint32_t from, std::uint32_t to) {
 
 bool NamesSlot(EventCode code) { return code == EventCode::kWrite || code == EventCode::kDelivery; }
 
+// Into the beginning of a buffer, which grows as needed and never shrinks. `much`: where values are
+// cut shorter.
 class EventsEncoder {
  public:
-  EventsEncoder(Bytes& out, std::size_t much) : bytes_(out), out_(out), much_(much) {}
+  EventsEncoder(Bytes& buffer, std::size_t much)
+      : buffer_(buffer), much_(much), at_(buffer.data()) {}
 
-  void Add(NodeIndex node, Status status) {
-    Token(names_.node, node, static_cast<std::uint64_t>(status));
-  }
-
-  void Add(const Event& event) {
-    Token(NamesSlot(event.code) ? names_.slot : names_.node, event.index,
-          static_cast<std::uint64_t>(event.code));
-    const std::size_t limit = bytes_.size() > much_ ? kShortValueBytes : kMaxValueBytes;
-    if (event.code == EventCode::kText) {
-      out_.Unsigned(static_cast<std::uint64_t>(event.text));
-      Put(event.bytes, limit, CutText);
-      return;
-    }
-    if (event.code == EventCode::kWrite) Writer(event.writer);
-    Put(event.bytes, limit, CutValue);
+  /// Returns how many bytes they are.
+  std::size_t EncodeAll(EventWords words) {
+    ForEachRun(
+        words,
+        [this](const std::uint32_t* at, const std::uint32_t* end) { return PutStatuses(at, end); },
+        [this](const Event& event) { PutOther(event); });
+    return size();
   }
 
  private:
-  void Token(std::uint32_t& before, std::uint32_t index, std::uint64_t code) {
-    out_.Unsigned(ZigZag(Step(before, index)) << kCodeBits | code);
-    before = index;
+  static constexpr std::size_t kMostOfNumber = 10;  // bytes
+  static constexpr auto kLastStatus = static_cast<std::uint32_t>(EventCode::kSkipped);
+
+  std::size_t size() const { return static_cast<std::size_t>(at_ - buffer_.data()); }
+
+  void MakeRoom(std::size_t room) {
+    const std::size_t before = size();
+    if (buffer_.size() >= before + room) return;
+    buffer_.resize(2 * (before + room));
+    at_ = buffer_.data() + before;
   }
 
-  void Writer(NodeIndex writer) {
-    if (writer == kNoNode) return out_.Unsigned(0);
-    out_.Unsigned(ZigZag(Step(names_.node, writer)) + 1);
-    names_.node = writer;
+  // In portions, so that there is room for each before it begins.
+  const std::uint32_t* PutStatuses(const std::uint32_t* at, const std::uint32_t* end) {
+    constexpr std::ptrdiff_t kPortion = 64;
+    const std::uint32_t* stop = at;
+    while (at == stop && at != end) {
+      stop = at + std::min(kPortion, end - at);
+      MakeRoom(kPortion * kMostOfNumber);
+      std::uint8_t* out = at_;
+      std::uint32_t node = names_.node;
+      for (; at != stop; ++at) {
+        const std::uint32_t word = *at;
+        const std::uint32_t code = word & kCodeMask;
+        if (code > kLastStatus) break;
+        out = PutToken(out, node, word >> kCodeBits, code);
+        node = word >> kCodeBits;
+      }
+      at_ = out;
+      names_.node = node;
+    }
+    return at;
   }
 
-  void Put(std::string_view bytes, std::size_t limit,
-           std::string (*cut)(std::string_view, std::size_t)) {
-    if (bytes.size() <= limit) return out_.Text(bytes);
-    out_.Text(cut(bytes, limit));
+  void PutOther(const Event& event) {
+    const bool is_text = event.code == EventCode::kText;
+    std::uint32_t& named = NamesSlot(event.code) ? names_.slot : names_.node;
+    const std::size_t limit = size() > much_ ? kShortValueBytes : kMaxValueBytes;
+    MakeRoom(4 * kMostOfNumber + std::min(event.bytes.size(), limit));
+    at_ = PutToken(at_, named, event.index, static_cast<std::uint64_t>(event.code));
+    named = event.index;
+    if (is_text) at_ = PutUnsigned(at_, static_cast<std::uint64_t>(event.text));
+    if (event.code == EventCode::kWrite) PutWriter(event.writer);
+    if (event.bytes.size() <= limit) return PutBytes(event.bytes);
+    PutBytes((is_text ? CutText : CutValue)(event.bytes, limit));
   }
 
-  Bytes& bytes_;
-  Encoder out_;
+  void PutWriter(NodeIndex writer) {
+    const bool is_known = writer != kNoNode;
+    at_ = PutUnsigned(at_, is_known ? ZigZag(Step(names_.node, writer)) + 1 : 0);
+    if (is_known) names_.node = writer;
+  }
+
+  void PutBytes(std::string_view bytes) {
+    at_ = PutUnsigned(at_, bytes.size());
+    at_ = std::copy(bytes.begin(), bytes.end(), at_);
+  }
+
+  static std::uint8_t* PutToken(std::uint8_t* out, std::uint32_t before, std::uint32_t index,
+                                std::uint64_t code) {
+    return PutUnsigned(out, ZigZag(Step(before, index)) << kCodeBits | code);
+  }
+
+  // As Encoder::Unsigned.
+  static std::uint8_t* PutUnsigned(std::uint8_t* out, std::uint64_t number) {
+    for (; number >= 0x80; number >>= 7) *out++ = static_cast<std::uint8_t>(number | 0x80);
+    *out++ = static_cast<std::uint8_t>(number);
+    return out;
+  }
+
+  Bytes& buffer_;
   const std::size_t much_;
+  std::uint8_t* at_;  // where the next byte goes
   Names names_;
 };
 
@@ -196,24 +244,20 @@ void TickEncoder::Encode(const TickEvents& events, Bytes& out) {
   const Duration duration = std::max(events.duration, Duration(0));
   encoder.Unsigned(
       static_cast<std::uint64_t>(std::chrono::round<std::chrono::microseconds>(duration).count()));
-  encoder.Unsigned(events_.size());
-  out.insert(out.end(), events_.begin(), events_.end());
+  encoder.Unsigned(encoded_);
+  out.insert(out.end(), events_.data(), events_.data() + encoded_);
   place_ = {events.tick, events.start, step};
 }
 
 bool TickEncoder::Repeats(EventWords words, std::size_t before) const {
-  if (!is_reusable_ || before + events_.size() > kMuch) return false;
+  if (!is_reusable_ || before + encoded_ > kMuch) return false;
   return std::equal(words_.begin(), words_.end(), words.data, words.data + words.size);
 }
 
 void TickEncoder::EncodeEvents(EventWords words, std::size_t before) {
   repetitions_ = 0;
-  events_.clear();
-  EventsEncoder encoder(events_, before < kMuch ? kMuch - before : 0);
-  ForEachEvent(
-      words, [&](NodeIndex node, Status status) { encoder.Add(node, status); },
-      [&](const Event& event) { encoder.Add(event); });
-  is_reusable_ = before + events_.size() <= kMuch;
+  encoded_ = EventsEncoder(events_, before < kMuch ? kMuch - before : 0).EncodeAll(words);
+  is_reusable_ = before + encoded_ <= kMuch;
   words_.assign(words.data, words.data + words.size);
 }
 

@@ -49,7 +49,8 @@ class TickEncoder {
 
   TickPlace place_;
   std::vector<std::uint32_t> words_;  // of the last tick
-  Bytes events_;                      // what they became
+  Bytes events_;                      // begins with what they became,
+  std::size_t encoded_ = 0;           // so many bytes
   bool is_reusable_ = false;          // none of its values was cut shorter than usual
   std::uint64_t repetitions_ = 0;
 };

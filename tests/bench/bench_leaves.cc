@@ -31,10 +31,11 @@ class ActMostly : public SyncAction {
   static constexpr const char* kDescription = "Fails one time in a hundred.";
   Status Run() override { return random_() % 100 == 0 ? Status::kFailure : Status::kSuccess; }
 
+  static void Seed() { random_.seed(5); }
+
  private:
-  static std::minstd_rand random_;
+  inline static std::minstd_rand random_;
 };
-std::minstd_rand ActMostly::random_{5};
 
 class RunForever : public Action {
  public:
@@ -116,6 +117,7 @@ std::shared_ptr<const Program> Load(const std::string& text) {
 
 Tree::Tree(const std::string& text, int sinks)
     : listeners(static_cast<std::size_t>(sinks)), executor(Load(text), clock) {
+  ActMostly::Seed();  // every run is the same
   Post(executor, "battery", Value(80.0));
   Post(executor, "charging", Value(false));
   Post(executor, "counter", Value(std::int64_t{0}));

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "bt_core/engine/events/for_each_event.h"
 #include "bt_core/engine/events/status_follower.h"
 #include "bt_core/engine/executor.h"
 #include "tests/conformance/oracle.h"
@@ -68,11 +69,14 @@ class SideBySide {
   class Watcher : public TickSink {
    public:
     void OnTick(const TickEvents& events) override {
+      ForEachRun(
+          events.words,
+          [this](const std::uint32_t* at, const std::uint32_t* end) {
+            return noted->Note(at, end);
+          },
+          [](const Event&) {});
       EventReader reader(events.words);
-      for (Event event; reader.Next(event);) {
-        follower->Apply(event);
-        if (event.is_status()) noted->Note(event.node(), event.status());
-      }
+      for (Event event; reader.Next(event);) follower->Apply(event);
     }
     std::optional<StatusFollower> follower;  // none: does not watch
     std::optional<StatusFollower> noted;     // knows the same, but settles only when it is asked

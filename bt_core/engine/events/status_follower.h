@@ -6,6 +6,7 @@
 #ifndef COPPICE_BT_CORE_ENGINE_EVENTS_STATUS_FOLLOWER_H_
 #define COPPICE_BT_CORE_ENGINE_EVENTS_STATUS_FOLLOWER_H_
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -46,16 +47,10 @@ class StatusFollower {
   template <class OnChange>
   void Apply(const Event& event, OnChange on_change);
 
-  /// Instead of Apply, for an event of a whole tick: what follows from it for other nodes is left
-  /// to Settle, which has to be called before a status is asked for. Four times cheaper, but the
-  /// events must be those of an executor.
-  void Note(NodeIndex node, Status status) {
-    if (node >= statuses_.size()) return;
-    statuses_[node] = status;
-    if (status == Status::kIdle) return;
-    last_[node] = status;
-    if (node != 0) ticked_child_[shape_[node].parent] = node;
-  }
+  /// Instead of Apply, for the statuses at `at` in the words of a whole tick; returns where they
+  /// end (ForEachRun). What follows from them for other nodes is left to Settle, which has to be
+  /// called before a status is asked for. Much cheaper, but they must be those of an executor.
+  const std::uint32_t* Note(const std::uint32_t* at, const std::uint32_t* end);
   void Settle();
 
   Status status(NodeIndex node) const { return statuses_[node]; }
@@ -74,7 +69,8 @@ class StatusFollower {
   TreeShape shape_;
   std::vector<Status> statuses_;
   std::vector<Status> last_;
-  std::vector<NodeIndex> ticked_child_;  // per node: the child that was ticked last
+  std::vector<NodeIndex> ticked_child_;  // per node: the child that was ticked last; one for nobody
+  std::vector<NodeIndex> asked_by_;      // per node: its parent; nobody for the root
 };
 
 template <class OnChange>
@@ -103,7 +99,7 @@ void StatusFollower::Apply(const Event& event, OnChange on_change) {
   const Status status = event.status();
   if (status == Status::kIdle) return Reset(node, on_change);
   const NodeShape& shape = shape_[node];
-  if (node != shape.parent) ticked_child_[shape.parent] = node;
+  ticked_child_[asked_by_[node]] = node;
   NodeIndex idle_from = shape.end;  // the children from here on are idle now
   if (status != Status::kRunning) {
     idle_from = node + 1;

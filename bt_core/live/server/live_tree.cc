@@ -116,9 +116,10 @@ void LiveTree::OnTick(const TickEvents& events) {
 }
 
 void LiveTree::Count(const TickEvents& events) {
-  const auto count = [this](NodeIndex node, Status status) {
-    if (status == Status::kIdle || node >= counts_.size()) return;
-    ++counts_[node][static_cast<std::size_t>(status) - 1];
+  const auto count = [counts = counts_.data(), size = counts_.size()](NodeIndex node,
+                                                                      Status status) {
+    if (status == Status::kIdle || node >= size) return;
+    ++counts[node][static_cast<std::size_t>(status) - 1];
   };
   ForEachEvent(events.words, count, [](const Event&) {});
 }

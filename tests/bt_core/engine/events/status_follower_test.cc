@@ -59,7 +59,8 @@ TEST(StatusFollower, WhatWasNotedFollowsWhenItIsSettled) {
   for (const Event& event : {Of(1, kSuccess), Of(3, kSuccess), Of(4, kRunning), Of(2, kRunning),
                              Of(0, kRunning), Of(1, kRunning), Of(2, kIdle), Of(0, kRunning)}) {
     applied.Apply(event);
-    noted.Note(event.node(), event.status());
+    const std::uint32_t word = event.index << 3 | static_cast<std::uint32_t>(event.code);
+    EXPECT_EQ(noted.Note(&word, &word + 1), &word + 1);
   }
   noted.Settle();
   EXPECT_EQ(noted.statuses(), applied.statuses());
