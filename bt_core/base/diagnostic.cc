@@ -9,6 +9,9 @@ namespace {
 
 constexpr char kMeantBefore[] = "did you mean \"";
 constexpr char kMeantBehind[] = "\"?";
+// Beyond these a file is no longer one that people write; it could take minutes to be refused.
+constexpr std::size_t kMostNames = 2000;
+constexpr std::size_t kLongestName = 1000;  // letters
 
 // One line, and nothing that a terminal obeys: names of a file may hold what they like.
 std::string WithoutControls(const std::string& text) {
@@ -103,10 +106,14 @@ std::string Diagnostics::ToString() const {
 }
 
 std::string NearestName(std::string_view name, const std::vector<std::string>& candidates) {
+  if (candidates.size() > kMostNames) return {};
   const std::string wanted = Lower(name);
   std::size_t best_distance = std::max<std::size_t>(1, wanted.size() / 3) + 1;
   std::string best;
   for (const std::string& candidate : candidates) {
+    const std::size_t longer = std::max(wanted.size(), candidate.size());
+    const std::size_t shorter = std::min(wanted.size(), candidate.size());
+    if (longer - shorter >= best_distance || shorter > kLongestName) continue;
     const std::size_t distance = EditDistance(wanted, Lower(candidate));
     if (distance < best_distance) {
       best_distance = distance;

@@ -107,7 +107,7 @@ class Reader : public nlohmann::json_sax<nlohmann::json> {
   }
 
   bool Open(Kind kind) {
-    Add(kind, "", 1);
+    if (!Add(kind, "", 1)) return false;
     if (open_.size() == static_cast<std::size_t>(kMaxJsonDepth)) {
       diagnostics_.Error(Locate(consumed() - 1), "nested more than 100 levels deep");
       return false;
@@ -133,6 +133,11 @@ class Reader : public nlohmann::json_sax<nlohmann::json> {
   }
 
   bool Add(Kind kind, std::string text, std::size_t length) {
+    if (++values_ > kMostJsonValues) {
+      diagnostics_.Error(Locate(consumed() - length),
+                         "more than " + std::to_string(kMostJsonValues) + " values");
+      return false;
+    }
     JsonValue value{kind, std::exchange(key_, {}), std::move(text), Locate(consumed() - length), {},
                     0};
     if (open_.empty()) {
@@ -143,13 +148,15 @@ class Reader : public nlohmann::json_sax<nlohmann::json> {
     return true;
   }
 
-  SourceLocation Locate(std::size_t offset) const {
-    const std::string_view before = text_.substr(0, std::min(offset, text_.size()));
-    const auto lines = std::count(before.begin(), before.end(), '\n');
-    const std::size_t line_start = text_.rfind('\n', offset ? offset - 1 : 0);
-    const bool first = offset == 0 || line_start == std::string::npos;
-    return {file_, static_cast<std::uint32_t>(lines + 1),
-            static_cast<std::uint32_t>(first ? offset + 1 : offset - line_start)};
+  // One place mostly lies behind the other: no line is counted twice.
+  SourceLocation Locate(std::size_t offset) {
+    if (offset < counted_) counted_ = line_start_ = 0, line_ = 1;
+    for (const std::size_t end = std::min(offset, text_.size()); counted_ < end; ++counted_) {
+      if (text_[counted_] != '\n') continue;
+      ++line_;
+      line_start_ = counted_ + 1;
+    }
+    return {file_, line_, static_cast<std::uint32_t>(counted_ - line_start_ + 1)};
   }
 
   const std::string_view text_;
@@ -157,6 +164,9 @@ class Reader : public nlohmann::json_sax<nlohmann::json> {
   Diagnostics& diagnostics_;
   const char* at_;  // behind what the parser has read
   std::string key_;
+  std::size_t values_ = 0;
+  std::size_t counted_ = 0, line_start_ = 0;  // offsets
+  std::uint32_t line_ = 1;                    // where counted_ is
   JsonValue root_;
   std::vector<JsonValue*> open_;  // an array or object does not grow while a child is open
 };

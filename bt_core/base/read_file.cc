@@ -57,8 +57,10 @@ std::string Read(const std::string& path, std::size_t longest, std::string& byte
   longest = file.Longest(longest);
   for (;;) {
     const std::size_t size = bytes.size();
-    bytes.resize(size + kPiece);
-    const ssize_t count = file.Read(&bytes[size], kPiece);
+    // Never more than was asked for, and a byte to see whether there is more.
+    bytes.reserve(std::min(longest + 1, std::max(bytes.capacity(), 2 * size + kPiece)));
+    bytes.resize(std::min(longest + 1, size + kPiece));
+    const ssize_t count = file.Read(&bytes[size], bytes.size() - size);
     bytes.resize(size + static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
     if (count < 0) return WhyNot();
     if (count == 0) return "";

@@ -61,7 +61,7 @@ std::optional<Status> ReadStatus(const JsonValue& json) {
 }
 
 void ReadScripts(const std::string& path, Stage& stage, Diagnostics& diagnostics) {
-  const std::optional<std::string> text = ReadFile(path, diagnostics);
+  const std::optional<std::string> text = ReadFile(path, diagnostics, kLongestJson);
   const auto json = text ? ParseJson(*text, path, diagnostics) : std::nullopt;
   if (!json) return;
   const JsonValue* const leaves = json->Find("leaves");

@@ -56,6 +56,17 @@ std::vector<std::uint32_t> FindLines(const std::string& text) {
 // tinyxml2 compares each attribute with all before it.
 constexpr std::size_t kMaxAttributes = 1000;
 
+// A larger text takes hundreds of megabytes as a tree, and is none that people write.
+constexpr std::size_t kLongestText = std::size_t{32} << 20;  // bytes
+constexpr std::ptrdiff_t kMostLines = 5'000'000;
+constexpr std::ptrdiff_t kMostMarks = 500'000;  // elements, comments and attributes
+
+bool IsTooLarge(std::string_view text) {
+  const auto count = [text](char c) { return std::count(text.begin(), text.end(), c); };
+  return text.size() > kLongestText || count('\n') > kMostLines ||
+         count('<') + count('=') > kMostMarks;
+}
+
 std::size_t CountAttributes(std::string_view tag) {
   std::size_t count = 0;
   char quote = 0;
@@ -91,6 +102,12 @@ std::optional<Document> Document::FromText(std::string text, std::string file,
   Document document;
   document.content_ = std::make_shared<Content>();
   document.content_->file = std::move(file);
+  if (IsTooLarge(text)) {
+    diagnostics.Error({document.content_->file},
+                      "too large for a tree: expected at most 32 MiB, 5 million lines and "
+                      "500000 elements and attributes");
+    return std::nullopt;
+  }
   document.content_->text = std::move(text);
   document.content_->lines = FindLines(document.text());
   if (LooksLikeUtf16(document.text())) {

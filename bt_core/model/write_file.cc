@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
 #include <cstring>
 #include <filesystem>
 #include <optional>
@@ -16,13 +17,36 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kTries = 100;  // to find a name that nobody has
+constexpr std::string_view kMark = ".saving-";
+constexpr int kLetters = 8;  // behind that
+constexpr auto kAbandonedAfter = std::chrono::hours(1);
 
 std::string AnyName(const std::string& target) {
-  constexpr std::string_view kLetters = "abcdefghijklmnopqrstuvwxyz0123456789";
+  constexpr std::string_view kAlphabet = "abcdefghijklmnopqrstuvwxyz0123456789";
   static thread_local std::random_device random;
-  std::string name = target + ".";
-  for (int i = 0; i < 8; ++i) name += kLetters[random() % kLetters.size()];
+  std::string name = target + std::string(kMark);
+  for (int i = 0; i < kLetters; ++i) name += kAlphabet[random() % kAlphabet.size()];
   return name;
+}
+
+bool IsAbandoned(const fs::directory_entry& entry) {
+  const std::string name = entry.path().filename();
+  const std::size_t mark = name.rfind(kMark);
+  if (mark == std::string::npos || name.size() != mark + kMark.size() + kLetters) return false;
+  std::error_code error;
+  const fs::file_time_type written = entry.last_write_time(error);
+  return !error && entry.is_regular_file(error) &&
+         fs::file_time_type::clock::now() - written > kAbandonedAfter;
+}
+
+// What a program that was killed while it saved has left there.
+void RemoveAbandoned(const fs::path& folder) {
+  std::error_code error;
+  fs::directory_iterator entry(folder.empty() ? "." : folder, error);
+  for (; !error && entry != fs::directory_iterator(); entry.increment(error)) {
+    std::error_code gone;
+    if (IsAbandoned(*entry)) fs::remove(entry->path(), gone);
+  }
 }
 
 // A file beside the target. It is gone with this object, unless it has become the target.
@@ -109,7 +133,9 @@ bool WriteFile(const std::string& path, std::string_view text, Diagnostics& diag
   if (!is_written || !file.Become(target)) {
     return CannotWrite(path, std::strerror(errno), diagnostics);
   }
-  SyncFolder(fs::path(target).parent_path());
+  const fs::path folder = fs::path(target).parent_path();
+  SyncFolder(folder);
+  RemoveAbandoned(folder);
   return true;
 }
 

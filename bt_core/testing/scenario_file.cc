@@ -183,7 +183,7 @@ std::optional<ScenarioSuite> ParseScenarios(const std::string& text, const std::
 }
 
 std::optional<ScenarioSuite> LoadScenarios(const std::string& path, Diagnostics& diagnostics) {
-  const std::optional<std::string> text = ReadFile(path, diagnostics);
+  const std::optional<std::string> text = ReadFile(path, diagnostics, kLongestJson);
   return text ? ParseScenarios(*text, path, diagnostics) : std::nullopt;
 }
 

@@ -279,7 +279,7 @@ bool WriteScenario(const Scenario& scenario, const std::string& file, const std:
   if (!std::filesystem::exists(file)) {
     return WriteFile(file, PrintScenarios(suite), diagnostics);
   }
-  const std::optional<std::string> old = ReadFile(file, diagnostics);
+  const std::optional<std::string> old = ReadFile(file, diagnostics, kLongestJson);
   if (!old) return false;
   std::optional<std::string> changed = AddScenario(*old, file, scenario, diagnostics);
   if (!changed) return false;

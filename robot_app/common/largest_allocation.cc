@@ -1,5 +1,7 @@
 #include "robot_app/common/largest_allocation.h"
 
+#include <sys/resource.h>
+
 #include <algorithm>
 #include <cstdlib>
 #include <new>
@@ -25,5 +27,22 @@ void operator delete(void* memory) noexcept { std::free(memory); }
 void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 void operator delete[](void* memory) noexcept { std::free(memory); }
 void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
+
+namespace coppice::robot {
+
+void LimitMemory(std::size_t bytes) {
+  const rlimit limit{bytes, bytes};
+  setrlimit(RLIMIT_DATA, &limit);
+}
+
+}  // namespace coppice::robot
+
+#else
+
+namespace coppice::robot {
+
+void LimitMemory(std::size_t) {}  // shadows of the memory are data, too
+
+}  // namespace coppice::robot
 
 #endif

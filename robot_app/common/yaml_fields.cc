@@ -10,12 +10,25 @@
 namespace coppice::robot {
 namespace {
 
-constexpr std::size_t kLongest = 1 << 20;  // nodes of YAML take much more than their text
+constexpr std::size_t kLongest = 1 << 20;    // nodes of YAML take much more than their text
+constexpr std::size_t kMostNodes = 1 << 20;  // with aliases (*name) written out
+constexpr int kDeepest = 1000;               // levels; yaml-cpp reads no more without aliases
 
 std::string ToText(double number) {
   std::ostringstream text;
   text << number;
   return text.str();
+}
+
+// False if a few aliases of aliases stand for more than anybody writes, or one for what it is in.
+bool IsOfReasonableSize(const YAML::Node& node, std::size_t& nodes, int depth) {
+  if (++nodes > kMostNodes || depth > kDeepest) return false;
+  for (const auto& child : node) {
+    const bool is_pair = node.IsMap();
+    if (is_pair && !IsOfReasonableSize(child.first, nodes, depth + 1)) return false;
+    if (!IsOfReasonableSize(is_pair ? child.second : child, nodes, depth + 1)) return false;
+  }
+  return true;
 }
 
 }  // namespace
@@ -42,6 +55,11 @@ YamlFields YamlFields::Load(const std::string& path, Diagnostics& diagnostics) {
     if (text) root = YAML::Load(*text);
     if (text && !root.IsMap()) {
       diagnostics.Error({path, 1, 1}, "expected a mapping of keys to values");
+    }
+    std::size_t nodes = 0;
+    if (!IsOfReasonableSize(root, nodes, 0)) {
+      root = YAML::Node();
+      diagnostics.Error({path, 1, 1}, "too large with its aliases (*name) written out");
     }
   } catch (const YAML::ParserException& error) {
     diagnostics.Error({path, static_cast<std::uint32_t>(error.mark.line + 1),

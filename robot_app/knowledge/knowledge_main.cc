@@ -4,10 +4,12 @@
 #include <cstdio>
 #include <iostream>
 #include <map>
+#include <new>
 #include <string>
 #include <vector>
 
 #include "bt_core/base/command_line.h"
+#include "robot_app/common/largest_allocation.h"
 #include "robot_app/knowledge/answers/dialogue.h"
 #include "robot_app/knowledge/import/gtfs_feed.h"
 #include "robot_app/knowledge/import/read_campus.h"
@@ -28,7 +30,7 @@ const Command kImport{
     "Reads places.yaml, campus.yaml, staff.csv, small_talk.yaml, menus/ and transport/ of\n"
     "FOLDER and replaces what is in the database DB, which a robot may be reading. If anything\n"
     "is wrong in the files, all of it is said and nothing is replaced.",
-    {}};
+    {CommandOption::Whole("--memory", "MIB", 16, 1 << 20, "that it may take; else 200")}};
 const Command kShow{
     "coppice-knowledge show",
     "say what is in the database",
@@ -66,6 +68,7 @@ int Fail(const std::string& problem) {
 }
 
 int Import(const Options& options) {
+  LimitMemory(static_cast<std::size_t>(options.Whole("--memory", 200)) << 20);
   Diagnostics diagnostics;
   const Campus campus = ReadCampus(options.files[0], diagnostics);
   if (diagnostics.has_errors()) {
@@ -245,6 +248,10 @@ int main(int argc, char** argv) {
     return coppice::robot::knowledge::Main({argv + 1, argv + argc});
   } catch (const SQLite::Exception& error) {
     std::cerr << "coppice-knowledge: " << error.what() << "\n";
+    return 1;
+  } catch (const std::bad_alloc&) {
+    std::cerr << "coppice-knowledge: the files hold more than there is memory for "
+                 "(`coppice-knowledge import --memory`)\n";
     return 1;
   }
 }

@@ -1,11 +1,12 @@
 """Gives the programs of Coppice the files of an attacker: records, trees, scenarios, and places to
 write to. Each must end with a message, soon, and without taking the memory of the computer.
 
-usage: file_attack.py COPPICE MIB EDITOR
-MIB: how much memory no program may ever take. EDITOR: ON or OFF, whether there is one.
+usage: file_attack.py COPPICE MIB EDITOR ROBOT
+MIB: how much memory no program may ever take. EDITOR, ROBOT: ON or OFF, whether there is one.
 """
 import os
 import resource
+import shutil
 import signal
 import struct
 import subprocess
@@ -13,8 +14,11 @@ import sys
 import tempfile
 import threading
 import unittest
+import zipfile
 
 PATIENCE = 30  # s, for a program
+SAMPLE = os.path.join(os.path.dirname(os.path.abspath(__file__)),
+                      "../../robot_app/knowledge/sample")
 TREE = ('<root BTCPP_format="4"><BehaviorTree ID="Main"><Sequence><Script code="n := 1"/>'
         "%s</Sequence></BehaviorTree></root>")
 
@@ -171,6 +175,11 @@ class Trees(FileAttack):
         many = "".join(' a%d="1"' % i for i in range(100000))
         self.assertIn("t.xml:1:", self.check(TREE % ("<Sleep%s/>" % many)))
 
+    def test_elements_texts_and_lines_without_end_are_too_large(self):
+        for filling in ("<a/>" * 4_000_000, "<!---->x" * 2_000_000, "\n" * 30_000_000,
+                        '<a b=""/>' * 1_500_000):
+            self.assertIn("too large", self.check('<root BTCPP_format="4">' + filling + "</root>"))
+
     def test_very_many_attributes_in_many_elements_are_an_error(self):
         wrong = "".join(' a%d="1"' % i for i in range(9900))
         self.assertIn("more than 1000 attributes", self.check(TREE % (("<Sleep%s/>" % wrong) * 40)))
@@ -236,6 +245,13 @@ class Scenarios(FileAttack):
             self.write(name + ".json", text)
             self.run_program("test", name + ".json", codes=(1, 2))
 
+    def test_very_many_values_in_one_line_are_refused_soon(self):
+        for name, text in (("lists", "[" + "[]," * 1_000_000 + "[]]"),
+                           ("longer", "[" + "[]," * 20_000_000 + "[]]"),
+                           ("names", "{" + ",".join('"%d":1' % i for i in range(500_000)) + "}")):
+            self.write(name + ".json", text)
+            self.assertIn(name + ".json", self.run_program("test", name + ".json", codes=(2,)))
+
     def test_devices_are_no_scenarios(self):
         for name in ("/dev/zero", "/dev/full", "."):
             self.run_program("test", name, codes=(1, 2))
@@ -265,6 +281,66 @@ class Places(FileAttack):
         self.run_program("run", "t.xml", "--record", "old.xml", codes=(2,))
         with open(self.path("old.xml")) as file:
             self.assertIn("AlwaysSuccess", file.read())
+
+
+class Site(FileAttack):
+    """What others publish, and `coppice knowledge import` reads beside a robot that drives."""
+
+    def setUp(self):
+        super().setUp()
+        shutil.copytree(SAMPLE, self.path("site"))
+        self.feed = self.path("site/transport/erlenhof.zip")
+
+    def refuse(self, expected):
+        self.assertIn(expected, self.run_program("knowledge", "import", "site", "db", codes=(1,)))
+
+    def change_feed(self, table, rows):
+        with zipfile.ZipFile(self.feed) as feed:
+            tables = {name: feed.read(name) for name in feed.namelist()}
+        tables[table] = rows
+        with zipfile.ZipFile(self.feed, "w", zipfile.ZIP_DEFLATED) as feed:
+            for name, content in tables.items():
+                feed.writestr(name, content)
+
+    def test_staff_without_end_is_refused(self):
+        self.write("site/staff.csv", "given_name,family_name\n" + "".join(
+            "a%d,b\n" % i for i in range(2_000_000)))
+        self.refuse("more than there is memory for")
+
+    def test_a_device_is_no_list_of_staff(self):
+        os.remove(self.path("site/staff.csv"))
+        os.symlink("/dev/zero", self.path("site/staff.csv"))
+        self.refuse("staff.csv: error: is longer than")
+
+    def test_a_menu_of_very_many_meals_in_one_line_is_refused_soon(self):
+        self.write("site/menus/canteen.en.json", "[" + '{"date":"2026-11-23","meals":[]},' *
+                   400_000 + "{}]")
+        self.refuse("more than 400000 values")
+
+    def test_stops_that_unpack_to_gigabytes_are_refused(self):
+        self.change_feed("stops.txt", "stop_id,stop_name\n" + "".join(
+            "%d,\n" % i for i in range(2_500_000)))
+        self.refuse("more than there is memory for")
+
+    def test_a_bus_that_comes_every_second_for_days_is_refused(self):
+        self.change_feed("frequencies.txt", "trip_id,start_time,end_time,headway_secs\n" +
+                         "4-weekday-0000,00:00:00,96:00:00,1\n" * 1000)
+        self.refuse("more than there is memory for")
+
+    def test_aliases_do_not_multiply_places(self):
+        self.write("site/places.yaml", "site: x\nplaces:\n - &p {name: a, x: 1, y: 1, categories: ["
+                   + "c," * 100_000 + "c]}\n" + " - *p\n" * 100_000)
+        self.refuse("too large with its aliases")
+
+    def test_a_place_within_itself_is_refused(self):
+        self.write("site/places.yaml", "places: &a [*a]\n")
+        self.refuse("too large with its aliases")
+
+    def test_names_that_are_nearly_right_by_the_thousand_are_refused_soon(self):
+        self.write("site/places.yaml", "places:\n" + "".join(
+            "- {name: place%d, x: 1, y: 2}\n" % i for i in range(9000)) + "edges:\n" + "".join(
+                "- {from: plbce%d, to: plcce%d}\n" % (i, i) for i in range(9000)))
+        self.refuse('there is no place "plbce0"')
 
 
 class Editor(FileAttack):
@@ -297,5 +373,7 @@ if __name__ == "__main__":
     MEMORY = int(sys.argv.pop(1)) << 20  # bytes
     if sys.argv.pop(1) != "ON":
         del Editor
+    if sys.argv.pop(1) != "ON":
+        del Site
     signal.signal(signal.SIGPIPE, signal.SIG_DFL)
     unittest.main()

@@ -134,7 +134,7 @@ void ReadMenu(const std::filesystem::path& path, const std::vector<DietNotes>& d
   }
   const std::string canteen = stem.stem();
   ids.places.Expect({canteen, {path, 0, 0}}, diagnostics);
-  const auto text = coppice::ReadFile(path, diagnostics);
+  const auto text = coppice::ReadFile(path, diagnostics, kLongestJson);
   if (!text) return;
   Diagnostics of_file;
   const auto days = ParseJson(*text, path, of_file);

@@ -50,6 +50,12 @@ TEST(NearestName, TakesTheNearestOfSeveral) {
   EXPECT_EQ(NearestName("goal_pos", {"goal", "goal_pose", "goal_post_x"}), "goal_pose");
 }
 
+TEST(NearestName, LooksForNoneAmongMoreThanPeopleWrite) {
+  EXPECT_EQ(NearestName("gaol", std::vector<std::string>(2000, "goal")), "goal");
+  EXPECT_EQ(NearestName("gaol", std::vector<std::string>(2001, "goal")), "");
+  EXPECT_EQ(NearestName(std::string(1001, 'a') + "b", {std::string(1001, 'a')}), "");
+}
+
 TEST(NearestName, IsEmptyWhenNothingIsNear) {
   EXPECT_EQ(NearestName("DriveTo", {"Sequence", "Fallback"}), "");
   EXPECT_EQ(NearestName("x", {}), "");

@@ -80,6 +80,12 @@ TEST(JsonValue, RefusesDeepNesting) {
   EXPECT_NE(Errors(std::string(100000, '[')).find("100 levels"), std::string::npos);
 }
 
+TEST(JsonValue, RefusesMoreValuesThanAnybodyWrites) {
+  std::string list = "[0";
+  for (std::size_t i = 0; i < kMostJsonValues; ++i) list += ",0";
+  EXPECT_EQ(Errors(list + "]"), "a.json:1:800000: error: more than 400000 values\n");
+}
+
 TEST(JsonValue, FindsNothingUnderAnUnknownName) {
   EXPECT_EQ(Parsed("{}").Find("a"), nullptr);
   EXPECT_EQ(Parsed("5").Find("a"), nullptr);

@@ -343,6 +343,22 @@ TEST(Document, ARewrittenDocumentSpeaksOfTheOldPlaces) {
   EXPECT_EQ(std::pair(x.line, x.column), std::pair(2U, 6U));
 }
 
+TEST(Document, RefusesATextThatIsLargerThanPeopleWrite) {
+  const auto times = [](int count, const std::string& piece) {
+    std::string text = "<root>";
+    for (int i = 0; i < count; ++i) text += piece;
+    return Load(text + "</root>");
+  };
+  EXPECT_TRUE(times(100'000, "<a b=''/>\n").document);
+  for (const Loaded& loaded : {times(500'000, "<a/>"), times(5'000'001, "\n"), times(33 << 20, "x"),
+                               times(250'000, "<a b=''/>")}) {
+    EXPECT_FALSE(loaded.document);
+    EXPECT_EQ(loaded.diagnostics.ToString(),
+              "t.xml: error: too large for a tree: expected at most 32 MiB, 5 million lines and "
+              "500000 elements and attributes\n");
+  }
+}
+
 TEST(Document, ReadsAFile) {
   const std::string path = testing::TempDir() + "document_test.xml";
   std::ofstream(path) << "<root/>";

@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -46,6 +47,20 @@ TEST_F(WriteFileTest, WritesEveryByteAndLeavesNoOtherFile) {
   EXPECT_TRUE(WriteFile(Path("t.xml"), "", diagnostics_));
   EXPECT_EQ(Read("t.xml"), "");
   EXPECT_EQ(CountFiles(), 1U);
+}
+
+TEST_F(WriteFileTest, TakesAwayWhatAKilledProgramLeftAnHourAgo) {
+  const auto leave = [this](const std::string& name, std::chrono::minutes age) {
+    std::ofstream(Path(name)) << "half a fi";
+    fs::last_write_time(Path(name), fs::file_time_type::clock::now() - age);
+  };
+  leave("map.pgm.saving-abcd1234", std::chrono::minutes(61));
+  leave("map.pgm.saving-efgh5678", std::chrono::minutes(59));  // somebody may still write it
+  leave("map.pgm.saving-of-2025", std::chrono::minutes(61));   // not ours
+  leave("map.pgm.abcd1234", std::chrono::minutes(61));
+  EXPECT_TRUE(WriteFile(Path("map.yaml"), "image: map.pgm", diagnostics_));
+  EXPECT_FALSE(fs::exists(Path("map.pgm.saving-abcd1234")));
+  EXPECT_EQ(CountFiles(), 4U);
 }
 
 TEST_F(WriteFileTest, LeavesPipesAndDevicesWhatTheyAre) {

@@ -69,6 +69,26 @@ TEST_F(YamlFieldsTest, SaysWhereTheFileIsNoYaml) {
   EXPECT_THAT(diagnostics_.ToString(), HasSubstr("yaml_fields_test.yaml:2"));
 }
 
+TEST_F(YamlFieldsTest, AnAliasIsWhatItStandsFor) {
+  EXPECT_EQ(Read("a: &name [p, q]\nb: *name\n").Texts("b").at(1).text, "q");
+  EXPECT_EQ(diagnostics_.ToString(), "");
+}
+
+TEST_F(YamlFieldsTest, AliasesThatMultiplyAreAnError) {
+  std::string text = "a0: &a0 [x]\n";
+  for (int i = 1; i < 25; ++i) {
+    const std::string last = "*a" + std::to_string(i - 1), name = "a" + std::to_string(i);
+    text += name + ": &" + name + " [" + last + ", " + last + "]\n";
+  }
+  Read(text);
+  EXPECT_THAT(diagnostics_.ToString(), HasSubstr("too large with its aliases"));
+}
+
+TEST_F(YamlFieldsTest, SomethingWithinItselfIsAnError) {
+  Read("a: &a [*a]\n");
+  EXPECT_THAT(diagnostics_.ToString(), HasSubstr("too large with its aliases"));
+}
+
 TEST_F(YamlFieldsTest, SaysThatTheFileIsMissing) {
   YamlFields::Load("/nowhere/x.yaml", diagnostics_);
   EXPECT_EQ(diagnostics_.ToString(),
