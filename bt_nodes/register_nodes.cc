@@ -20,12 +20,14 @@
 #include "bt_nodes/processes/process_leaves.h"
 #include "bt_nodes/recovery/recovery_nodes.h"
 #include "bt_nodes/recovery/restart_faulty_nodes.h"
+#include "bt_nodes/visitors/visitor_leaves.h"
 
 namespace coppice::leaves {
 
 void RegisterNodes(Registry& registry, const Capabilities& capabilities) {
   const auto navigator = std::ref(capabilities.navigator);
   registry.Register<NavigateTo>("NavigateTo", navigator);
+  registry.Register<LimitSpeed>("LimitSpeed", navigator);
   registry.Register<BackUp>("BackUp", navigator);
   registry.Register<Rotate>("Rotate", navigator);
   registry.Register<ChooseWaypoint>("ChooseWaypoint", std::ref(capabilities.waypoints));
@@ -56,12 +58,22 @@ void RegisterNodes(Registry& registry, const Capabilities& capabilities) {
   registry.Register<Wait>("Wait");
   registry.Register<IsTrue>("IsTrue");
 
+  registry.Register<SeesPeople>("SeesPeople");
   registry.Register<PersonInFront>("PersonInFront");
   registry.Register<NearestPerson>("NearestPerson");
   registry.Register<CountPeople>("CountPeople");
   registry.Register<FollowerBehind>("FollowerBehind");
+  registry.Register<FollowerNear>("FollowerNear");
   registry.Register<MaskMissing>("MaskMissing");
   registry.Register<FacePerson>("FacePerson", navigator);
+
+  registry.Register<VisitorArrived>("VisitorArrived");
+  registry.Register<VisitorTalks>("VisitorTalks");
+  registry.Register<GuideRequested>("GuideRequested");
+  registry.Register<RequestStands>("RequestStands");
+  registry.Register<SettleRequest>("SettleRequest", std::ref(capabilities.visitors));
+  registry.Register<SayPhrase>("SayPhrase", std::ref(capabilities.interaction),
+                               std::ref(capabilities.phrases));
 
   registry.Register<ReadHealth>("ReadHealth");
   registry.Register<NodeFault>("NodeFault");

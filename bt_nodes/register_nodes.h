@@ -13,6 +13,8 @@
 #include "bt_nodes/operators/supervisor_channel.h"
 #include "bt_nodes/processes/process_manager.h"
 #include "bt_nodes/recovery/recovery_log.h"
+#include "bt_nodes/visitors/phrases.h"
+#include "bt_nodes/visitors/visitor.h"
 
 namespace coppice::leaves {
 
@@ -24,6 +26,8 @@ struct Capabilities {
   ChargingStation& station;
   Interaction& interaction;
   Face& face;
+  Visitors& visitors;
+  Phrases& phrases;
   ProcessManager& processes;
   SupervisorChannel& supervisors;
   ApplicationControl& application;

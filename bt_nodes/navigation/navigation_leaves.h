@@ -1,4 +1,4 @@
-// Leaves that move the robot: NavigateTo, BackUp, Rotate, and those that choose where to go.
+// Leaves that move the robot: NavigateTo, LimitSpeed, BackUp, Rotate, and those that choose where to go.
 #ifndef COPPICE_BT_NODES_NAVIGATION_NAVIGATION_LEAVES_H_
 #define COPPICE_BT_NODES_NAVIGATION_NAVIGATION_LEAVES_H_
 
@@ -19,6 +19,22 @@ class NavigateTo : public CapabilityAction {
  protected:
   void Begin(Sender<ActionResult> done) override { navigator_.NavigateTo(*goal, done); }
   void Cancel() override { navigator_.CancelNavigation(); }
+
+ private:
+  Navigator& navigator_;
+};
+
+class LimitSpeed : public SyncAction {
+ public:
+  static constexpr const char* kDescription =
+      "Lets the robot drive to poses no faster than that for the next two seconds. Tick it again as "
+      "long as it is to hold.";
+  explicit LimitSpeed(Navigator& navigator) : navigator_(navigator) {}
+  Input<double> speed{this, "speed", "at most [m/s], positive"};
+  Status Run() override {
+    navigator_.LimitSpeed(*speed);
+    return Status::kSuccess;
+  }
 
  private:
   Navigator& navigator_;

@@ -20,6 +20,8 @@ class Navigator {
   /// Drives to a pose in the map frame, around obstacles.
   virtual void NavigateTo(const Pose2D& goal, Sender<ActionResult> done) = 0;
   virtual void CancelNavigation() = 0;
+  /// For the next two seconds it drives to poses at `speed` [m/s] at most, positive.
+  virtual void LimitSpeed(double speed) = 0;
 
   /// Is there a way to a pose in the map frame right now, around all that is seen? Nothing moves.
   virtual void FindWay(const Pose2D& goal, Sender<ActionResult> done) = 0;

@@ -8,6 +8,7 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 constexpr double kFacing = 0.1;  // nearer to straight ahead needs no turn [rad]
+constexpr double kBehind = 0.8;  // to either side of straight behind [rad]
 constexpr char kBlind[] = "perception does not tell who is around";
 
 bool IsInSight(const SeenPerson& person) { return person.unseen_for <= kOldestSight; }
@@ -20,6 +21,8 @@ const PeopleView* Fresh(const PeopleInput& people, Time now) {
 }
 
 }  // namespace
+
+bool SeesPeople::Check() { return Fresh(people, now()) != nullptr; }
 
 bool PersonInFront::Check() {
   const PeopleView* view = Fresh(people, now());
@@ -67,6 +70,30 @@ bool FollowerBehind::Check() {
     return person.distance() <= *distance && kPi - std::abs(person.angle()) <= *angle &&
            person.unseen_for <= *patience;
   });
+}
+
+bool FollowerNear::IsNear(const SeenPerson& person) const {
+  return person.distance() <= *distance && person.unseen_for <= *patience;
+}
+
+// A track that breaks off gets another number; somebody right behind the robot is the one who
+// follows it. Who walks ahead or passes by is not.
+bool FollowerNear::Check() {
+  const PeopleView* view = Fresh(people, now());
+  if (view == nullptr) return Say(kBlind), false;
+  const int known = id.Get();
+  const SeenPerson* follower = view->Nearest([&](const SeenPerson& person) {
+    return IsNear(person) && (known < 0 || static_cast<int>(person.id) == known);
+  });
+  if (follower == nullptr) {
+    follower = view->Nearest([&](const SeenPerson& person) {
+      return IsNear(person) && kPi - std::abs(person.angle()) <= kBehind;
+    });
+  }
+  if (follower == nullptr) return false;
+  id.Set(static_cast<int>(follower->id));
+  gap.Set(follower->distance());
+  return true;
 }
 
 bool MaskMissing::Check() {

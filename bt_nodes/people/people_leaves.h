@@ -1,5 +1,5 @@
-// Leaves that look at people: PersonInFront, NearestPerson, CountPeople, FollowerBehind,
-// MaskMissing, FacePerson. All read the key that perception feeds (`people`), never wait for it,
+// Leaves that look at people: SeesPeople, PersonInFront, NearestPerson, CountPeople, FollowerBehind,
+// FollowerNear, MaskMissing, FacePerson. All read the key that perception feeds (`people`), never wait for it,
 // and fail when it is older than a second: without perception nobody is there, and the tree goes
 // on.
 #ifndef COPPICE_BT_NODES_PEOPLE_PEOPLE_LEAVES_H_
@@ -19,6 +19,14 @@ inline constexpr double kOldestView = 1;
 inline constexpr double kOldestSight = 0.5;
 
 using PeopleInput = Input<PeopleView>;
+
+class SeesPeople : public Condition {
+ public:
+  static constexpr const char* kDescription =
+      "Does perception tell who is around, be it that nobody is?";
+  PeopleInput people{this, "people", "fed by perception", kOptional};
+  bool Check() override;
+};
 
 class PersonInFront : public Condition {
  public:
@@ -61,6 +69,21 @@ class FollowerBehind : public Condition {
   Input<double> angle{this, "angle", "to either side of straight behind, at most [rad]", 0.8};
   Input<double> patience{this, "patience", "hidden for at most [s]", 2.0};
   bool Check() override;
+};
+
+class FollowerNear : public Condition {
+ public:
+  static constexpr const char* kDescription =
+      "Is the follower near, also if hidden for a moment? Who has lost him takes whoever is behind.";
+  PeopleInput people{this, "people", "fed by perception", kOptional};
+  Input<double> distance{this, "distance", "at most [m]", 4.0};
+  Input<double> patience{this, "patience", "hidden for at most [s]", 3.0};
+  InOut<int> id{this, "id", "who it is; negative: the nearest of all becomes it"};
+  Output<double> gap{this, "gap", "how far away [m]"};
+  bool Check() override;
+
+ private:
+  bool IsNear(const SeenPerson& person) const;
 };
 
 class MaskMissing : public Condition {

@@ -26,7 +26,9 @@
 #include "robot_app/ros/ros_process_manager.h"
 #include "robot_app/ros/ros_recovery_log.h"
 #include "robot_app/ros/ros_supervisors.h"
+#include "robot_app/ros/site_phrases.h"
 #include "robot_app/ros/site_places.h"
+#include "robot_app/ros/visitor_feed.h"
 
 namespace coppice::robot {
 namespace {
@@ -45,6 +47,7 @@ stopped. The application may be any tree, for example trees/behavior/leave_stati
       {CommandOption::Text("--application", "FILE", "the application tree").Needed(),
        CommandOption::Text("--monitor", "FILE", "the monitor tree").Needed(),
        CommandOption::Text("--places", "FILE", "the places that the trees speak of").Needed(),
+       CommandOption::Text("--phrases", "FILE", "what they say to visitors; else the shipped one"),
        CommandOption::Text("--learn", "FILE",
                            "keeps what it learns of the ways between them there"),
        CommandOption::Text("--tree", "ID",
@@ -82,6 +85,14 @@ leaves::Pose2D StationOn(const leaves::WaypointMap& map) {
   return station.pose;
 }
 
+adapters::SitePhrases PhrasesOf(const Options& options) {
+  Diagnostics diagnostics;
+  adapters::SitePhrases phrases(options.Get("--phrases", COPPICE_PHRASES), diagnostics);
+  std::cerr << diagnostics.ToString();
+  if (diagnostics.has_errors()) throw std::runtime_error("the robot knows not what to say");
+  return phrases;
+}
+
 // All that a robot program needs, in the order of construction; torn down in reverse.
 class Robot {
  public:
@@ -94,6 +105,8 @@ class Robot {
         station_(adapters::MakeRosChargingStation(node)),
         interaction_(node),
         face_(node),
+        visitors_(node, clock_),
+        phrases_(PhrasesOf(options)),
         supervisors_(node),
         recoveries_(node, clock_) {
     const int port = static_cast<int>(options.Whole("--live-port", 1667));
@@ -111,6 +124,8 @@ class Robot {
                          std::vector{application.Writer<leaves::PeopleView>("people"),
                                      monitor.Writer<leaves::PeopleView>("people")},
                          clock_);
+    visitors_.Connect({application.Writer<leaves::Visitor>("visitor"),
+                       monitor.Writer<leaves::Visitor>("visitor")});
     subscribers_.push_back(node_.subscribe<std_msgs::String>(
         "/coppice/note", 20, [this](const std_msgs::String::ConstPtr& note) {
           application_->Note("note", note->data);
@@ -142,8 +157,9 @@ class Robot {
     Diagnostics diagnostics;
     const std::string tree = name == "application" ? options.Get("--tree") : "";
     const auto registry = std::make_shared<Registry>();
-    leaves::RegisterNodes(*registry, {*navigator_, places_, places_, *station_, interaction_, face_,
-                                      processes_, supervisors_, link_, recoveries_});
+    leaves::RegisterNodes(*registry,
+                          {*navigator_, places_, places_, *station_, interaction_, face_, visitors_,
+                           phrases_, processes_, supervisors_, link_, recoveries_});
     const auto program = CompileFile(options.Get("--" + name), registry, diagnostics, tree);
     std::cerr << diagnostics.ToString();
     if (!program) throw std::runtime_error("the " + name + " tree cannot run");
@@ -211,6 +227,8 @@ class Robot {
   std::unique_ptr<leaves::ChargingStation> station_;
   adapters::RosInteraction interaction_;
   adapters::RosFace face_;
+  adapters::VisitorFeed visitors_;
+  adapters::SitePhrases phrases_;
   adapters::RosProcessManager processes_;
   adapters::RosSupervisors supervisors_;
   adapters::RosRecoveryLog recoveries_;

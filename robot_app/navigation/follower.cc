@@ -105,7 +105,7 @@ void Follower::UpdateAtGoal(const Pose2D& pose) {
 double Follower::SpeedLimit(const Pose2D& pose, const std::vector<Point2D>& obstacles,
                             double curvature) const {
   const FollowerSettings& s = settings_;
-  double speed = s.max_speed;
+  double speed = std::min(s.max_speed, speed_limit_);
   const double bend = std::abs(curvature) * s.bend_radius;
   if (bend > 1) speed /= bend;
   const double gap = NearestDistanceAhead(obstacles) - s.robot_radius;

@@ -8,6 +8,7 @@
 #ifndef COPPICE_ROBOT_APP_NAVIGATION_FOLLOWER_H_
 #define COPPICE_ROBOT_APP_NAVIGATION_FOLLOWER_H_
 
+#include <cmath>
 #include <vector>
 
 #include "robot_app/common/footprint.h"
@@ -61,6 +62,9 @@ class Follower {
   /// Forgets the path and that the robot has been moving.
   void Reset();
 
+  /// From now on at most `speed` [m/s] along paths, whatever the settings allow beyond.
+  void LimitSpeed(double speed) { speed_limit_ = speed; }
+
   /// The next command, `seconds` after the last one. `obstacles` are the laser's points in
   /// base_link. Without a path: braking.
   Command Update(const Pose2D& pose, const std::vector<Point2D>& obstacles, double seconds);
@@ -87,6 +91,7 @@ class Follower {
   Command TurnToGoal(const Pose2D& pose, double seconds);
 
   FollowerSettings settings_;
+  double speed_limit_ = HUGE_VAL;
   std::vector<Point2D> path_;
   double goal_yaw_ = 0;
   std::size_t nearest_ = 0;  // index of the nearest path point

@@ -63,6 +63,9 @@ class Navigation {
   /// Something else has moved the robot: plan anew and start all waiting times again.
   void Restart(double now);
 
+  /// From now on at most `speed` [m/s] on the way to goals.
+  void LimitSpeed(double speed) { follower_.LimitSpeed(speed); }
+
   /// Enters a scan taken with base_link at `pose` in the map frame.
   void AddScan(const Pose2D& pose, const LaserScan& scan);
 

@@ -27,7 +27,8 @@ constexpr char kHelp[] =
     "  actions     move_base (move_base_msgs/MoveBase), motion (coppice_msgs/Motion)\n"
     "  service     move_base/make_plan (nav_msgs/GetPlan): the way from a pose, or from here if\n"
     "              the frame of the start is empty, around what it sees; fails if there is none\n"
-    "  subscribes  /map /scan /sonar/left /sonar/front /sonar/right /odom /tf /tf_static\n"
+    "  subscribes  /map /scan /sonar/left /sonar/front /sonar/right /odom /tf /tf_static,\n"
+    "              /navigation/speed_limit (std_msgs/Float64 [m/s], holds for two seconds)\n"
     "  publishes   /cmd_vel (only while moving), /navigation/state, /navigation/path,\n"
     "              /navigation/way_to_station (with ~station, as long as there is a way on the "
     "map)\n"
@@ -35,6 +36,7 @@ constexpr char kHelp[] =
 
 constexpr double kControlPeriod = 0.05;  // ROS time [s]
 constexpr double kStatePeriod = 0.5;     // ROS time [s]
+constexpr double kSpeedLimitHolds = 2;   // ROS time [s]
 
 struct Settings {
   NavigationSettings navigation;
@@ -130,6 +132,9 @@ class NavigationNode {
             OnRange(*message, topic);
           }));
     }
+    subscribers_.push_back(node_.subscribe<std_msgs::Float64>(
+        "/navigation/speed_limit", 1,
+        [this](const std_msgs::Float64::ConstPtr& message) { OnSpeedLimit(message->data); }));
     subscribers_.push_back(node_.subscribe<nav_msgs::Odometry>(
         "/odom", 1, [this](const nav_msgs::Odometry::ConstPtr& message) {
           odometry_ = ToPose2D(message->pose.pose);
@@ -159,6 +164,12 @@ class NavigationNode {
     if (!mount || !pose) return;
     const Outcome entered = navigation_.AddRange(*pose, ToRangeReading(message, *mount), Now());
     if (!entered) ROS_WARN_THROTTLE(10, "%s is not used: %s", topic, entered.problem().c_str());
+  }
+
+  void OnSpeedLimit(double speed) {
+    if (!(speed > 0)) return;  // nor NaN
+    navigation_.LimitSpeed(speed);
+    speed_limit_ends_ = Now() + kSpeedLimitHolds;
   }
 
   void OnGoal() {
@@ -229,6 +240,7 @@ class NavigationNode {
 
   void Control() {
     const double now = Now();
+    if (now > speed_limit_ends_) navigation_.LimitSpeed(HUGE_VAL);
     const Velocity2D velocity = motion_server_.isActive() ? MotionStep(now) : NavigationStep(now);
     Publish(velocity);
     if (navigation_.path_number() != published_path_) PublishPath();
@@ -349,6 +361,7 @@ class NavigationNode {
   Pose2D odometry_;
   double odometry_stamp_ = 0;
   double motion_update_ = 0;
+  double speed_limit_ends_ = 0;
   Velocity2D commanded_;  // last
   bool busy_ = false;     // commands are being published
   int published_path_ = 0;

@@ -5,6 +5,7 @@
 #include <geometry_msgs/PoseStamped.h>
 #include <move_base_msgs/MoveBaseAction.h>
 #include <nav_msgs/GetPlan.h>
+#include <std_msgs/Float64.h>
 
 #include <algorithm>
 #include <cmath>
@@ -45,7 +46,8 @@ class RosNavigator : public leaves::Navigator {
       : move_base_(node, "move_base",
                    [](const auto& state, const auto*) { return FromGoalState(state); }),
         motion_(node, "motion",
-                [](const auto& state, const auto* result) { return FromResult(state, result); }) {}
+                [](const auto& state, const auto* result) { return FromResult(state, result); }),
+        speed_limit_(node.advertise<std_msgs::Float64>("/navigation/speed_limit", 1)) {}
 
   void NavigateTo(const leaves::Pose2D& goal, Sender<ActionResult> done) override {
     move_base_msgs::MoveBaseGoal message;
@@ -53,6 +55,11 @@ class RosNavigator : public leaves::Navigator {
     move_base_.Start(message, done);
   }
   void CancelNavigation() override { move_base_.Cancel(); }
+  void LimitSpeed(double speed) override {
+    std_msgs::Float64 message;
+    message.data = speed;
+    speed_limit_.publish(message);
+  }
 
   void FindWay(const leaves::Pose2D& goal, Sender<ActionResult> done) override {
     const auto ask = [goal = InMap(goal), done]() -> ServiceCaller::Finish {
@@ -84,6 +91,7 @@ class RosNavigator : public leaves::Navigator {
  private:
   ActionPort<move_base_msgs::MoveBaseAction> move_base_;
   ActionPort<coppice_msgs::MotionAction> motion_;
+  ros::Publisher speed_limit_;
   ServiceCaller plans_;
 };
 

@@ -55,6 +55,7 @@ FLOORS = {
         {"bt_nodes/people": "who is around, and leaves that look at them",
          "bt_nodes/monitoring": "the report of the monitors in a tree"},
         {"bt_nodes/operators": "`SupervisorChannel`: asking people for help",
+         "bt_nodes/visitors": "what visitors want, and what is said to them",
          "bt_nodes/recovery": "repairs, their budgets and their verdicts"},
         {"bt_nodes": "all leaves in a `Registry`"},
     ],
@@ -84,7 +85,9 @@ FLOORS = {
                                 "imports, queries, understanding, answers "
                                 "([service](service.md))",
          "robot_app/expression": "how it looks: face, lights, ears and arms, as data and as "
-                                 "simulated devices ([service](service.md#how-it-looks))"},
+                                 "simulated devices ([service](service.md#how-it-looks))",
+         "robot_app/questionnaire": "what people think of it, asked and counted "
+                                    "([service](service.md#asking-people))"},
         {"robot_app/training": "`coppice-train`: what the robot's classifiers learn from, and how "
                                "well they have learnt it",
          "robot_app/ros": "the interfaces of `bt_nodes` implemented on ROS; feeds from topics to "

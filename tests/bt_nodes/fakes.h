@@ -17,6 +17,8 @@ class FakeRobot : public Navigator,
                   public ChargingStation,
                   public Interaction,
                   public Face,
+                  public Visitors,
+                  public Phrases,
                   public ProcessManager,
                   public SupervisorChannel,
                   public ApplicationControl,
@@ -37,6 +39,7 @@ class FakeRobot : public Navigator,
     Begin("NavigateTo " + ValueTraits<Pose2D>::Print(goal), sender);
   }
   void CancelNavigation() override { calls.push_back("CancelNavigation"); }
+  void LimitSpeed(double speed) override { calls.push_back("LimitSpeed " + Text(speed)); }
   void FindWay(const Pose2D& goal, Sender<ActionResult> sender) override {
     Begin("FindWay " + ValueTraits<Pose2D>::Print(goal), sender);
   }
@@ -96,6 +99,13 @@ class FakeRobot : public Navigator,
   void Hold(Expression expression) override { Look("Hold ", expression); }
   void Release(Expression expression) override { Look("Release ", expression); }
 
+  void Settle(int request, const std::string& outcome) override {
+    calls.push_back("Settle " + std::to_string(request) + " " + outcome);
+  }
+  std::string Text(Phrase phrase, const std::string& language, const std::string& name) override {
+    return ValueTraits<Phrase>::Print(phrase) + " " + language + (name.empty() ? "" : " " + name);
+  }
+
   void RestartNode(const std::string& node, bool cleared, Sender<ActionResult> sender) override {
     Begin("RestartNode " + node + (cleared ? ", cleared" : ""), sender);
   }
@@ -132,7 +142,7 @@ class FakeRobot : public Navigator,
   void Record(const RecoveryEvent& event) override { events.push_back(event); }
 
   Capabilities capabilities() {
-    return {*this, *this, *this, *this, *this, *this, *this, *this, *this, *this};
+    return {*this, *this, *this, *this, *this, *this, *this, *this, *this, *this, *this, *this};
   }
 
  private:

@@ -34,6 +34,7 @@ Can DecoratorCan(const Program& program, NodeIndex node, const Can& child) {
   if (id == "ForceSuccess") return {true, false};
   if (id == "ForceFailure") return {false, true};
   if (id == "KeepRunningUntilFailure") return {false, child.fail};
+  if (id == "Timeout") return {child.succeed, true};
   const bool for_ever = TextOf(program, node, "num_attempts") == "-1";
   if (id == "RetryUntilSuccessful") return {child.succeed, child.fail && !for_ever};
   return child;

@@ -20,6 +20,7 @@ class GoToPlace : public testing::Test {
     scenario_.Set("docked", true);
     scenario_.Set("language", std::string("en"));
     scenario_.Set("announce", false);
+    scenario_.Set("attempts", 40);
     scenario_.Tick();
   }
   // The calls since the last time.

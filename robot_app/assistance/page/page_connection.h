@@ -15,6 +15,7 @@
 #include "bt_core/live/web/web_connection.h"
 #include "robot_app/assistance/page/page_http.h"
 #include "robot_app/assistance/page/page_server.h"
+#include "robot_app/common/web/rate_limit.h"
 
 namespace coppice::robot::assistance {
 

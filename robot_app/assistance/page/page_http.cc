@@ -34,12 +34,4 @@ std::string TokenOf(std::string_view body) {
   }
 }
 
-bool RateLimit::MayPass(double now) {
-  left_ = std::min(per_second_, left_ + (now - last_) * per_second_);
-  last_ = now;
-  if (left_ < 1) return false;
-  left_ -= 1;
-  return true;
-}
-
 }  // namespace coppice::robot::assistance

@@ -24,19 +24,6 @@ std::string SetSessionCookie(const std::string& session, bool is_https);
 /// The token in the body {"token": "..."}; empty if there is none.
 std::string TokenOf(std::string_view body);
 
-/// At most so many in a second, with as many at once.
-class RateLimit {
- public:
-  explicit RateLimit(int per_second) : per_second_(per_second), left_(per_second) {}
-  /// Seconds of any clock that never goes back.
-  bool MayPass(double now);
-
- private:
-  const double per_second_;
-  double left_;
-  double last_ = 0;
-};
-
 }  // namespace coppice::robot::assistance
 
 #endif  // COPPICE_ROBOT_APP_ASSISTANCE_PAGE_PAGE_HTTP_H_

@@ -47,6 +47,11 @@ class RouteGuide {
   /// is elsewhere. A problem if no edges lead there.
   Expected<std::optional<Leg>> Next(const Pose2D& robot, int place, Time now) const;
 
+  /// All of the way from the robot to a place; nothing if no edges lead there.
+  std::optional<Route> Whole(const Pose2D& robot, int place, Time now) const {
+    return Find(Entries(robot), place, now);
+  }
+
   /// How a leg ended that took so many seconds, with the robot where it is now. A leg that was not
   /// travelled blocks the edge that the robot stands before.
   void Ended(const std::string& leg, bool travelled, const Pose2D& robot, double seconds, Time now);

@@ -10,6 +10,15 @@
 namespace coppice::leaves {
 namespace {
 
+TEST(LimitSpeed, SaysItAgainInEveryTick) {
+  FakeRobot robot;
+  LeafHarness harness = LeafHarness::For<LimitSpeed>(std::ref<Navigator>(robot));
+  harness.Set("speed", 0.25);
+  EXPECT_EQ(harness.Tick(), Status::kSuccess);
+  harness.Tick();
+  EXPECT_EQ(robot.calls, (std::vector<std::string>{"LimitSpeed 0.25", "LimitSpeed 0.25"}));
+}
+
 TEST(NavigateTo, SendsItsGoalToTheNavigator) {
   FakeRobot robot;
   LeafHarness harness = LeafHarness::For<NavigateTo>(std::ref<Navigator>(robot));

@@ -106,6 +106,48 @@ TEST(FollowerBehind, LooksBehindTheRobotAndOverShortOcclusions) {
   EXPECT_EQ(harness.Tick(), Status::kFailure);
 }
 
+class FollowerNearTest : public testing::Test {
+ protected:
+  LeafHarness leaf_ = LeafHarness::For<FollowerNear>();
+  void SetUp() override { leaf_.Set("id", -1); }
+};
+
+TEST_F(FollowerNearTest, TheNearestOfAllBecomesTheFollower) {
+  Show(leaf_, {At(3, 0, 4), At(1, 0, 5)});
+  EXPECT_EQ(leaf_.Tick(), Status::kSuccess);
+  EXPECT_EQ(leaf_.Get<int>("id"), 5);
+  EXPECT_DOUBLE_EQ(leaf_.Get<double>("gap"), 1);
+}
+
+TEST_F(FollowerNearTest, StaysWithWhoItIsWhereverHeWalks) {
+  leaf_.Set("id", 5);
+  Show(leaf_, {At(0, 1, 4), At(2, 1, 5)});
+  EXPECT_EQ(leaf_.Tick(), Status::kSuccess);
+  EXPECT_EQ(leaf_.Get<int>("id"), 5);
+}
+
+TEST_F(FollowerNearTest, TakesWhoeverIsBehindForOneWhoseTrackBrokeOff) {
+  leaf_.Set("id", 5);
+  Show(leaf_, {At(-2, 0.5, 9), At(1, 0, 10)});
+  EXPECT_EQ(leaf_.Tick(), Status::kSuccess);
+  EXPECT_EQ(leaf_.Get<int>("id"), 9);
+}
+
+TEST_F(FollowerNearTest, WhoWalksAheadIsNoFollower) {
+  leaf_.Set("id", 5);
+  Show(leaf_, {At(1, 0, 10), At(-5, 0, 5)});
+  EXPECT_EQ(leaf_.Tick(), Status::kFailure);
+}
+
+TEST(SeesPeople, SeesAlsoThatNobodyIsThere) {
+  LeafHarness leaf = LeafHarness::For<SeesPeople>();
+  EXPECT_EQ(leaf.Tick(), Status::kFailure);
+  Show(leaf, {});
+  EXPECT_EQ(leaf.Tick(), Status::kSuccess);
+  leaf.Advance(std::chrono::milliseconds(1500));
+  EXPECT_EQ(leaf.Tick(), Status::kFailure);
+}
+
 TEST(MaskMissing, TellsOnceForEachPerson) {
   SeenPerson first = At(1, 0, 1), second = At(2, 0, 2);
   first.mask = second.mask = Mask::kWithout;

@@ -81,6 +81,18 @@ TEST(Follower, DrivesALongCorridor) {
   EXPECT_LT(run.seconds, 17 / 0.7 + 6);
 }
 
+TEST(Follower, DrivesNoFasterThanItIsLimitedTo) {
+  Follower follower;
+  follower.SetPath(Line({0, 0}, {9, 0}), 0);
+  follower.LimitSpeed(0.25);
+  double speed = 0;
+  for (int i = 0; i < 40; ++i) speed = follower.Update({0, 0, 0}, {}, kStep).velocity.linear;
+  EXPECT_NEAR(speed, 0.25, 1e-9);
+  follower.LimitSpeed(HUGE_VAL);
+  for (int i = 0; i < 40; ++i) speed = follower.Update({0, 0, 0}, {}, kStep).velocity.linear;
+  EXPECT_GT(speed, 0.6);
+}
+
 TEST(Follower, PassesADoorwayOfOneMetre) {
   OccupancyGrid floor = EmptyRoom(8, 8);
   Fill(floor, {0, 3.9}, {3.5, 4.1});

@@ -1,0 +1,115 @@
+#include "robot_app/questionnaire/answers_file.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "bt_core/base/json_library.h"
+#include "bt_core/base/read_file.h"
+#include "bt_core/data/value.h"
+#include "bt_core/model/write_file.h"
+
+namespace coppice::robot::questionnaire {
+namespace {
+
+std::vector<std::string> SplitRow(const std::string& row) {
+  std::vector<std::string> fields;
+  std::size_t begin = 0;
+  for (std::size_t end; (end = row.find(',', begin)) != std::string::npos; begin = end + 1) {
+    fields.push_back(row.substr(begin, end - begin));
+  }
+  fields.push_back(row.substr(begin));
+  return fields;
+}
+
+std::string HeaderOf(const Questionnaire& questionnaire) {
+  std::string header;
+  for (const std::string& column : questionnaire.Columns()) {
+    header += (header.empty() ? "" : ",") + column;
+  }
+  return header;
+}
+
+// -1: no mark.
+int ReadMark(const std::string& text, int points) {
+  if (text.empty()) return 0;
+  int mark = 0;
+  const bool is_mark = ValueTraits<int>::Parse(text, mark) && mark >= 1 && mark <= points;
+  return is_mark ? mark : -1;
+}
+
+Marks ReadRow(const std::string& row, const Questionnaire& questionnaire, SourceLocation where,
+              Diagnostics& diagnostics) {
+  Marks marks;
+  const std::vector<std::string> columns = questionnaire.Columns();
+  const std::vector<std::string> fields = SplitRow(row);
+  if (fields.size() != columns.size()) {
+    diagnostics.Error(where, "expected " + std::to_string(columns.size()) + " fields, found " +
+                                 std::to_string(fields.size()));
+    return marks;
+  }
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    marks.push_back(ReadMark(fields[i], questionnaire.points));
+    if (marks.back() < 0) {
+      diagnostics.Error(where, columns[i] + ": \"" + fields[i] + "\" is no mark from 1 to " +
+                                   std::to_string(questionnaire.points));
+    }
+  }
+  return marks;
+}
+
+}  // namespace
+
+std::vector<Marks> ReadAnswers(const std::string& path, const Questionnaire& questionnaire,
+                               Diagnostics& diagnostics) {
+  const std::optional<std::string> text = ReadFile(path, diagnostics);
+  if (!text) return {};
+  std::vector<Marks> people;
+  std::istringstream rows(*text);
+  std::string row;
+  for (std::uint32_t line = 1; std::getline(rows, row); ++line) {
+    if (!row.empty() && row.back() == '\r') row.pop_back();
+    const SourceLocation where{path, line, 1};
+    if (line > 1) {
+      if (!row.empty()) people.push_back(ReadRow(row, questionnaire, where, diagnostics));
+    } else if (row != HeaderOf(questionnaire)) {
+      diagnostics.Error(where, "these are no answers to this questionnaire",
+                        "expected the columns " + HeaderOf(questionnaire));
+      return {};
+    }
+  }
+  return diagnostics.has_errors() ? std::vector<Marks>() : people;
+}
+
+// The whole file is written anew, so that no row is ever half there.
+Outcome AddAnswers(const std::string& path, const Questionnaire& questionnaire,
+                   const Marks& marks) {
+  std::string text = ReadFile(path).value_or("");
+  if (text.empty()) text = HeaderOf(questionnaire) + "\n";
+  for (std::size_t i = 0; i < marks.size(); ++i) {
+    text += (i == 0 ? "" : ",") + (marks[i] == 0 ? "" : std::to_string(marks[i]));
+  }
+  Diagnostics diagnostics;
+  if (WriteFile(path, text + "\n", diagnostics)) return {};
+  return Problem{diagnostics.ToString()};
+}
+
+Expected<Marks> MarksOf(const std::string& json, const Questionnaire& questionnaire) {
+  Marks marks;
+  try {
+    marks = ParseLimitedJson(json).at("marks").get<Marks>();
+  } catch (const std::exception&) {
+    return Problem{"expected {\"marks\": [...]}"};
+  }
+  const bool fits = marks.size() == questionnaire.Columns().size() &&
+                    std::all_of(marks.begin(), marks.end(), [&](int mark) {
+                      return mark >= 0 && mark <= questionnaire.points;
+                    });
+  if (!fits) return Problem{"expected a mark for each item"};
+  if (std::count(marks.begin(), marks.end(), 0) == static_cast<std::ptrdiff_t>(marks.size())) {
+    return Problem{"no mark was made"};
+  }
+  return marks;
+}
+
+}  // namespace coppice::robot::questionnaire
