@@ -176,8 +176,8 @@ class Trees(FileAttack):
         self.assertIn("t.xml:1:", self.check(TREE % ("<Sleep%s/>" % many)))
 
     def test_elements_texts_and_lines_without_end_are_too_large(self):
-        for filling in ("<a/>" * 4_000_000, "<!---->x" * 2_000_000, "\n" * 30_000_000,
-                        '<a b=""/>' * 1_500_000):
+        for filling in ("<a/>" * 1_500_000, "<!---->x" * 1_200_000, "\n" * 30_000_000,
+                        '<a b=""/>' * 800_000):
             self.assertIn("too large", self.check('<root BTCPP_format="4">' + filling + "</root>"))
 
     def test_very_many_attributes_in_many_elements_are_an_error(self):
@@ -247,7 +247,7 @@ class Scenarios(FileAttack):
 
     def test_very_many_values_in_one_line_are_refused_soon(self):
         for name, text in (("lists", "[" + "[]," * 1_000_000 + "[]]"),
-                           ("longer", "[" + "[]," * 20_000_000 + "[]]"),
+                           ("longer", "[" + "[]," * 6_000_000 + "[]]"),
                            ("names", "{" + ",".join('"%d":1' % i for i in range(500_000)) + "}")):
             self.write(name + ".json", text)
             self.assertIn(name + ".json", self.run_program("test", name + ".json", codes=(2,)))
@@ -291,8 +291,9 @@ class Site(FileAttack):
         shutil.copytree(SAMPLE, self.path("site"))
         self.feed = self.path("site/transport/erlenhof.zip")
 
-    def refuse(self, expected):
-        self.assertIn(expected, self.run_program("knowledge", "import", "site", "db", codes=(1,)))
+    def refuse(self, expected, *options):
+        self.assertIn(expected, self.run_program("knowledge", "import", "site", "db", *options,
+                                                 codes=(1,)))
 
     def change_feed(self, table, rows):
         with zipfile.ZipFile(self.feed) as feed:
@@ -304,7 +305,7 @@ class Site(FileAttack):
 
     def test_staff_without_end_is_refused(self):
         self.write("site/staff.csv", "given_name,family_name\n" + "".join(
-            "a%d,b\n" % i for i in range(2_000_000)))
+            "a%d,b\n" % i for i in range(400_000)))
         self.refuse("more than there is memory for")
 
     def test_a_device_is_no_list_of_staff(self):
@@ -319,13 +320,13 @@ class Site(FileAttack):
 
     def test_stops_that_unpack_to_gigabytes_are_refused(self):
         self.change_feed("stops.txt", "stop_id,stop_name\n" + "".join(
-            "%d,\n" % i for i in range(2_500_000)))
-        self.refuse("more than there is memory for")
+            "%d,\n" % i for i in range(400_000)))
+        self.refuse("more than there is memory for", "--memory", "32")
 
     def test_a_bus_that_comes_every_second_for_days_is_refused(self):
         self.change_feed("frequencies.txt", "trip_id,start_time,end_time,headway_secs\n" +
                          "4-weekday-0000,00:00:00,96:00:00,1\n" * 1000)
-        self.refuse("more than there is memory for")
+        self.refuse("more than there is memory for", "--memory", "32")
 
     def test_aliases_do_not_multiply_places(self):
         self.write("site/places.yaml", "site: x\nplaces:\n - &p {name: a, x: 1, y: 1, categories: ["
@@ -335,12 +336,6 @@ class Site(FileAttack):
     def test_a_place_within_itself_is_refused(self):
         self.write("site/places.yaml", "places: &a [*a]\n")
         self.refuse("too large with its aliases")
-
-    def test_names_that_are_nearly_right_by_the_thousand_are_refused_soon(self):
-        self.write("site/places.yaml", "places:\n" + "".join(
-            "- {name: place%d, x: 1, y: 2}\n" % i for i in range(9000)) + "edges:\n" + "".join(
-                "- {from: plbce%d, to: plcce%d}\n" % (i, i) for i in range(9000)))
-        self.refuse('there is no place "plbce0"')
 
 
 class Editor(FileAttack):
