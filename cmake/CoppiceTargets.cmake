@@ -38,14 +38,15 @@ function(coppice_test_program name)
     RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests/bin)
 endfunction()
 
-# coppice_test(NAME SOURCES... [LINK libraries...] [TIMEOUT seconds] [SERIAL] [OPTIMIZED])
+# coppice_test(NAME SOURCES... [LINK libraries...] [TIMEOUT seconds] [COST seconds] [OPTIMIZED])
 #   A GoogleTest program in build/tests/bin whose suites become tests of ctest, "NAME.SUITE": to
 #   start a process (a ROS master, the fonts) for each case takes longer than most cases.
 #   Which case failed is said in the output; `build/tests/bin/NAME --gtest_filter=SUITE.CASE` runs it.
-#   SERIAL: no other test runs at the same time. OPTIMIZED: it calculates for long itself.
+#   COST: of its longest suite, if that is many: those begin first, so that none is left for the end.
+#   OPTIMIZED: it calculates for long itself; one such suite at a time (the lock "calculates").
 #   tests/support/folders.h tells where data and programs are.
 function(coppice_test name)
-  cmake_parse_arguments(ARG "SERIAL;OPTIMIZED" "TIMEOUT" "LINK" ${ARGN})
+  cmake_parse_arguments(ARG "OPTIMIZED" "TIMEOUT;COST" "LINK" ${ARGN})
   if(NOT ARG_TIMEOUT)
     set(ARG_TIMEOUT 300)  # for what hangs; a case that waits gives up by itself after 60 s
   endif()
@@ -59,7 +60,17 @@ function(coppice_test name)
     target_compile_options(${name} PRIVATE ${COPPICE_TEST_OPTIONS})
     coppice_precompile(${name} test)
   endif()
-  coppice_list_suites(${name} TIMEOUT,${ARG_TIMEOUT},RUN_SERIAL,${ARG_SERIAL})
+  set(properties TIMEOUT,${ARG_TIMEOUT})
+  if(ARG_OPTIMIZED)
+    string(APPEND properties ,RESOURCE_LOCK,calculates)
+    if(NOT ARG_COST)
+      set(ARG_COST 10)
+    endif()
+  endif()
+  if(ARG_COST)
+    string(APPEND properties ,COST,${ARG_COST})
+  endif()
+  coppice_list_suites(${name} ${properties})
 endfunction()
 
 # coppice_join(NAME RESULT SOURCES...)   sources named *_test.cc, ten at a time as one to compile
