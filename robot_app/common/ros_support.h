@@ -6,6 +6,7 @@
 #include <geometry_msgs/PoseStamped.h>
 #include <geometry_msgs/Twist.h>
 #include <nav_msgs/OccupancyGrid.h>
+#include <ros/ros.h>
 #include <sensor_msgs/LaserScan.h>
 #include <sensor_msgs/Range.h>
 
@@ -29,6 +30,27 @@ namespace coppice::robot {
 /// on; else the exit status.
 std::optional<int> StartNode(int argc, char** argv, const std::string& name,
                              const std::string& help, const Parameters& parameters = {});
+
+/// What main of a program with parameters does: StartNode with what ParametersOf(settings) says of
+/// its Settings, then `run(settings)` -> exit status. ROS lives until that returns.
+template <class Settings, class Run>
+int RunNode(int argc, char** argv, const std::string& name, const std::string& help, Run run) {
+  Settings settings;
+  const Parameters parameters = ParametersOf(settings);
+  if (const auto status = StartNode(argc, argv, name, help, parameters)) return *status;
+  const ros::NodeHandle keep_alive;
+  return run(settings);
+}
+
+/// The same for a Node(settings) that does everything in callbacks.
+template <class Node, class Settings>
+int SpinNode(int argc, char** argv, const std::string& name, const std::string& help) {
+  return RunNode<Settings>(argc, argv, name, help, [](const Settings& settings) {
+    Node node(settings);
+    ros::spin();
+    return 0;
+  });
+}
 
 /// Names of the frames in which the robot is described.
 struct Frames {

@@ -231,16 +231,12 @@ class LocalizationNode {
 }  // namespace coppice::robot::localization
 
 int main(int argc, char** argv) {
-  namespace robot = coppice::robot;
-  robot::localization::Settings settings;
-  const robot::Parameters parameters = ParametersOf(settings);
-  if (const auto status =
-          robot::StartNode(argc, argv, "localization", robot::localization::kHelp, parameters)) {
-    return *status;
-  }
-  ros::NodeHandle keep_alive;
-  robot::localization::LocalizationNode node(settings);
-  ros::spin();
-  node.LeavePose();
-  return 0;
+  using namespace coppice::robot::localization;  // NOLINT: the whole program
+  return coppice::robot::RunNode<Settings>(argc, argv, "localization", kHelp,
+                                           [](const Settings& settings) {
+                                             LocalizationNode node(settings);
+                                             ros::spin();
+                                             node.LeavePose();
+                                             return 0;
+                                           });
 }

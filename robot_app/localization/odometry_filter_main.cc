@@ -135,15 +135,7 @@ class OdometryFilterNode {
 }  // namespace coppice::robot::localization
 
 int main(int argc, char** argv) {
-  namespace robot = coppice::robot;
-  robot::localization::Settings settings;
-  const robot::Parameters parameters = ParametersOf(settings);
-  if (const auto status =
-          robot::StartNode(argc, argv, "odometry_filter", robot::localization::kHelp, parameters)) {
-    return *status;
-  }
-  ros::NodeHandle keep_alive;
-  robot::localization::OdometryFilterNode node(settings);
-  ros::spin();
-  return 0;
+  using namespace coppice::robot::localization;  // NOLINT: the whole program
+  return coppice::robot::SpinNode<OdometryFilterNode, Settings>(argc, argv, "odometry_filter",
+                                                                kHelp);
 }

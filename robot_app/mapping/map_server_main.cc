@@ -65,12 +65,6 @@ int Run(const Settings& settings) {
 }  // namespace coppice::robot::mapping
 
 int main(int argc, char** argv) {
-  namespace robot = coppice::robot;
-  robot::mapping::Settings settings;
-  const robot::Parameters parameters = ParametersOf(settings);
-  if (const auto status =
-          robot::StartNode(argc, argv, "map_server", robot::mapping::kHelp, parameters)) {
-    return *status;
-  }
-  return robot::mapping::Run(settings);
+  using namespace coppice::robot::mapping;  // NOLINT: the whole program
+  return coppice::robot::RunNode<Settings>(argc, argv, "map_server", kHelp, Run);
 }

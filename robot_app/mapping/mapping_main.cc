@@ -204,16 +204,12 @@ class MappingNode {
 }  // namespace coppice::robot::mapping
 
 int main(int argc, char** argv) {
-  namespace robot = coppice::robot;
-  robot::mapping::Settings settings;
-  const robot::Parameters parameters = ParametersOf(settings);
-  if (const auto status =
-          robot::StartNode(argc, argv, "mapping", robot::mapping::kHelp, parameters)) {
-    return *status;
-  }
-  ros::NodeHandle keep_alive;
-  robot::mapping::MappingNode node(settings);
-  ros::spin();
-  node.KeepWhatIsUnsaved();
-  return 0;
+  using namespace coppice::robot::mapping;  // NOLINT: the whole program
+  return coppice::robot::RunNode<Settings>(argc, argv, "mapping", kHelp,
+                                           [](const Settings& settings) {
+                                             MappingNode node(settings);
+                                             ros::spin();
+                                             node.KeepWhatIsUnsaved();
+                                             return 0;
+                                           });
 }

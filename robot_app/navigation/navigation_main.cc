@@ -384,16 +384,11 @@ class NavigationNode {
 }  // namespace coppice::robot::navigation
 
 int main(int argc, char** argv) {
-  namespace robot = coppice::robot;
-  robot::navigation::Settings settings;
-  const robot::Parameters parameters = ParametersOf(settings);
-  if (const auto status =
-          robot::StartNode(argc, argv, "navigation", robot::navigation::kHelp, parameters)) {
-    return *status;
-  }
-  robot::navigation::Derive(settings);
-  ros::NodeHandle keep_alive;
-  robot::navigation::NavigationNode node(settings);
-  ros::spin();
-  return 0;
+  using namespace coppice::robot::navigation;  // NOLINT: the whole program
+  return coppice::robot::RunNode<Settings>(argc, argv, "navigation", kHelp, [](Settings& settings) {
+    Derive(settings);
+    NavigationNode node(settings);
+    ros::spin();
+    return 0;
+  });
 }

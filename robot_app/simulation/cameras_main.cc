@@ -250,12 +250,6 @@ int Run(Settings& settings) {
 }  // namespace coppice::robot::simulation
 
 int main(int argc, char** argv) {
-  namespace robot = coppice::robot;
-  robot::simulation::Settings settings;
-  const robot::Parameters parameters = ParametersOf(settings);
-  if (const auto status =
-          robot::StartNode(argc, argv, "simulated_cameras", robot::simulation::kHelp, parameters)) {
-    return *status;
-  }
-  return robot::simulation::Run(settings);
+  using namespace coppice::robot::simulation;  // NOLINT: the whole program
+  return coppice::robot::RunNode<Settings>(argc, argv, "simulated_cameras", kHelp, Run);
 }

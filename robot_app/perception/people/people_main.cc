@@ -139,10 +139,7 @@ class PeopleNode {
   ros::WallTimer state_timer_;
 };
 
-int Main(int argc, char** argv) {
-  Settings settings;
-  const Parameters parameters = ParametersOf(settings);
-  if (const auto exit = StartNode(argc, argv, "people_tracker", kHelp, parameters)) return *exit;
+int Run(const Settings& settings) {
   const bool is_shipped = settings.classifier == kShipped;
   auto classifier = PersonClassifier::Load(is_shipped ? COPPICE_CLASSIFIER : settings.classifier);
   if (!classifier) {
@@ -157,4 +154,7 @@ int Main(int argc, char** argv) {
 }  // namespace
 }  // namespace coppice::robot::perception
 
-int main(int argc, char** argv) { return coppice::robot::perception::Main(argc, argv); }
+int main(int argc, char** argv) {
+  using namespace coppice::robot::perception;  // NOLINT: the whole program
+  return coppice::robot::RunNode<Settings>(argc, argv, "people_tracker", kHelp, Run);
+}
